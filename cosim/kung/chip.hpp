@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The two-axis chip kung_xy as the loop sees it, and the words of its controllers for the record.
+// The verilated model stays behind this header.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "cosim/cosim.hpp"
+#include "cosim/kung/lines.hpp"
+#include "cosim/kung/types.hpp"
+
+namespace trammel::kung {
+
+// What the current loop of one axis took and gave at its last run.
+struct CurrentWords {
+  std::int32_t code_a = 0, code_b = 0;         // converter codes, 2048 = 0 A
+  std::int32_t count = 0;                      // encoder at the 16 kHz tick
+  std::int32_t i_q_ref = 0;                    // command it used
+  std::int32_t cmp_a = 0, cmp_b = 0, cmp_c = 0;  // compare values 0..1562
+};
+
+struct KungChip : cosim::Chip {
+  virtual void read_words(int axis, AxisSample& sample) const = 0;  // controller words only
+  virtual CurrentWords current(int axis) const = 0;
+  virtual std::int32_t rule(int axis, int index) const = 0;  // stored rule 7 j + i, Q20 of a unit
+  virtual Fault fault() const = 0;
+};
+
+// What a traced chip dumps: the edges [begin, end).
+struct WaveWindow {
+  std::string fst_file;
+  cosim::Clk begin = 0;
+  cosim::Clk end = 0;
+};
+
+std::unique_ptr<KungChip> make_verilated_chip();
+std::unique_ptr<KungChip> make_traced_chip(const WaveWindow& window);
+
+}  // namespace trammel::kung

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Records a run: a sample at every 2 kHz tick and a hash over all events with their edges.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "cosim/kung/chip.hpp"
+#include "cosim/kung/types.hpp"
+
+namespace trammel::kung {
+
+class Recorder final : public cosim::Observer {
+ public:
+  // `truth` is the plant behind the loop; `finished` is asked after each complete sample. After it
+  // said so nothing more is recorded: what a wiring still executes to leave its loop does not count.
+  Recorder(const KungChip& chip, const plant::XyTable& truth,
+           std::function<bool(const Sample&)> finished)
+      : chip_(chip), truth_(truth), finished_(std::move(finished)) {}
+
+  void on(const cosim::Stop& stop, const cosim::Chip&, const cosim::Plant&) override;
+
+  bool done() const { return done_; }
+  std::uint64_t event_hash() const { return hash_; }
+  std::vector<Sample> take_samples() { return std::move(samples_); }
+
+ private:
+  void mix(std::uint64_t value);
+
+  const KungChip& chip_;
+  const plant::XyTable& truth_;
+  std::function<bool(const Sample&)> finished_;
+  std::vector<Sample> samples_;
+  Sample pending_;
+  std::uint32_t tick_ = 0;
+  std::uint64_t hash_ = 0xcbf29ce484222325u;
+  bool done_ = false;
+};
+
+}  // namespace trammel::kung

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What one run of the two-axis machine takes and gives: plain data in SI units (specification
+// sections 2 to 11). The testbench fills Options and reads Result; it knows nothing else of a run.
+// Axis 0 is X, axis 1 is Y.
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "cosim/cosim.hpp"
+#include "models/plant/xy_table.hpp"
+
+namespace trammel::kung {
+
+enum class Controller { kFc, kAfc };  // fixed rule table, or tuned while it runs
+enum class PathKind { kCircle, kWindow, kStar, kSquare, kLine, kPoints };
+enum class Platform { kSystemC, kDirect };
+enum class WaveFormat { kNone, kVcd, kFst };
+
+struct PointM {
+  double x_m = 0;
+  double y_m = 0;
+};
+
+// One axis of the controller: the registers of the chip, in physical units.
+struct AxisGains {
+  double kp = 0.375;           // position error to speed command, in words (46.9 1/s)
+  double ki = 0.0032;          // integral part of it, in words a sample
+  double kv = 1.840;           // speed error to current command, in words (6.9 A/(m/s))
+  double learning_rate = 0.1;  // alpha; ETA = alpha (kp + ki) kv / 32 under AFC, 0 under FC
+  int shift_e = 0;             // sE: one fuzzy unit = 256 / 2^sE counts
+  int shift_de = 2;            // sD: one fuzzy unit = 256 / 2^sD counts a sample
+  double omega_n_rad_s = 30;   // reference model
+  double zeta = 1;
+  double current_kp_V_A = 93.17;  // 4000 rad/s * L, rounded to the word 2.491
+  double current_ki_V_A = 6.75;   // 4000 rad/s * R / 16 kHz, volts per ampere and sample
+  double theta_offset_rad = 0;    // electrical angle at count 0
+  bool feedforward = false;       // v* += model increment (section 15)
+  bool interpolate = false;       // commands linear between two interrupts instead of held
+};
+
+struct AxisChip {
+  int dead_time_ns = 2000;     // multiple of the clock period is what acts
+  int qep_filter_clk = 3;      // equal samples an encoder edge needs
+  bool stroke_check = false;   // leaving [stroke_min_m, stroke_max_m] trips
+  double stroke_min_m = 0;     // what the chip checks; the end stops belong to the plant
+  double stroke_max_m = 0.6;
+};
+
+struct ChipOptions {
+  std::array<AxisChip, 2> axis;
+  int dead_time_min_ns = 200;     // lowest dead time the chip accepts
+  double current_limit_A = 9.0;   // trip level of the measured phase currents
+  int irq_period_ticks = 4;       // 2 kHz samples an interrupt: 4 = 2 ms
+  int watchdog_ticks = 100;       // 2 kHz samples between two COMMITs; 0 = off
+};
+
+struct ProcessorOptions {
+  int access_clk = 8;             // clocks one bus access costs besides its handshake
+  int interrupt_latency_clk = 100;  // from the interrupt line to the first access
+};
+
+// Path parameters; only those of `kind` count (specification section 10).
+struct PathOptions {
+  PathKind kind = PathKind::kCircle;
+  int repeats = 1;  // passes of a circle, window, star or points path
+
+  double circle_radius_m = 0.1;
+  double circle_center_x_m = 0.25;
+  double circle_center_y_m = 0.25;
+  int circle_ticks = 628;         // interrupts a turn
+
+  double window_side_m = 0.2;
+  double window_radius_m = 0.03;
+  double window_center_x_m = 0.25;
+  double window_center_y_m = 0.25;
+  double window_step_m = 0.7e-3;  // along the straight parts, an interrupt
+  int window_arc_ticks = 67;
+
+  double star_edge_m = 0.1;
+  double star_start_x_m = 0.2;
+  double star_start_y_m = 0.26625;
+  int star_stroke_ticks = 182;    // interrupts a stroke
+
+  double square_low_m = 0;
+  double square_high_m = 0.01;
+  int square_half_samples = 750;  // 2 kHz samples a half period: 375 ms
+  int square_periods = 8;
+
+  double line_start_x_m = 0.1;
+  double line_start_y_m = 0.1;
+  double line_end_x_m = 0.4;
+  double line_end_y_m = 0.4;
+  int line_ticks = 500;
+
+  std::string points_file;        // CSV of x_m,y_m; one point an interrupt
+  std::vector<PointM> points;     // its content
+};
+
+struct RunOptions {
+  Platform platform = Platform::kSystemC;
+  std::int64_t window_clk = 0;    // longest look-ahead of the loop; 0 = unbounded, 1 = lock step
+  double settle_s = 0;            // simulated after the last point, not counted in the figures
+  double max_s = 60;              // simulated time a run may take
+  double diverged_m = 0.05;       // tracking error that ends the run as diverged
+  WaveFormat wave = WaveFormat::kNone;
+  double wave_begin_s = 0;
+  double wave_end_s = 0.002;
+  std::string wave_file;          // set by the program: where the waves go
+};
+
+struct Options {
+  std::string scenario = "circle";
+  Controller controller = Controller::kAfc;
+  std::array<AxisGains, 2> gains;
+  plant::XyTableConfig plant = plant::default_xy_table();
+  ChipOptions chip;
+  ProcessorOptions processor;
+  PathOptions path;
+  RunOptions run;
+};
+
+// One axis at one 2 kHz sample: the words of the chip (section 3) and the truth of the plant.
+struct AxisSample {
+  std::int32_t r = 0;    // command [count]
+  std::int32_t x_p = 0;  // encoder [count]
+  std::int32_t x_r = 0;  // model, rounded [count]
+  std::int32_t x_m = 0;  // model [count Q14]
+  std::int32_t dx = 0;   // model increment [count Q14 a sample]
+  std::int32_t e = 0, de = 0, u = 0, v_star = 0, v = 0, i_q_ref = 0;
+  std::int32_t i_d = 0, i_q = 0, v_d = 0, v_q = 0;
+  double x_true_m = 0;
+  double v_true_m_s = 0;
+  double i_d_true_A = 0;
+  double i_q_true_A = 0;
+  double force_N = 0;
+};
+
+struct Sample {
+  std::uint32_t tick = 0;  // TICK register of the chip
+  cosim::Clk edge = 0;     // at which the encoders were latched
+  std::array<AxisSample, 2> axis;
+};
+
+enum class EndReason { kDone, kFault, kDiverged, kTimeout, kStopped };
+
+enum class FaultCode { kNone, kTrip, kOverCurrent, kWatchdog, kEncoder, kStroke };
+
+struct Fault {
+  FaultCode code = FaultCode::kNone;
+  int axis = 0;
+  std::uint32_t tick = 0;
+};
+
+struct Result {
+  std::vector<Sample> samples;    // every 2 kHz sample from the first tick of the chip on
+  std::uint32_t first_tick = 0;   // sample at which point 0 of the path took effect
+  std::uint32_t end_tick = 0;     // first sample after the last point's: figures use [first, end)
+  std::uint32_t points = 0;       // written by the processor
+  EndReason end = EndReason::kDone;
+  Fault fault;
+  cosim::Clk clocks = 0;
+  double wall_s = 0;
+  std::uint64_t event_hash = 0;   // of all gate, interrupt and bus events with their edges
+};
+
+struct Hooks {
+  std::function<void(double fraction)> progress;    // may be empty
+  const std::atomic<bool>* stop = nullptr;          // set: return what there is, kStopped
+};
+
+// A combination of options that cannot run; the text names the keys and what is allowed.
+struct OptionsError : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+}  // namespace trammel::kung

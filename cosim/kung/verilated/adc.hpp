@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// One 12-bit serial converter as it hangs on the chip's pins (AD7476-style frame): it holds at the
+// falling edge of chip select and shifts 4 zeros and 12 bits out, the next bit after each falling clock.
+// It lives inside run(): its lines never cross to the plant, only the hold edge asks it.
+#pragma once
+
+#include <cstdint>
+
+namespace trammel::kung {
+
+class SerialAdc {
+ public:
+  // Chip select fell: hold `code`. The first leading zero stands on the line at once.
+  void hold(int code) { frame_ = static_cast<std::uint32_t>(code) & 0xfffu; bit_ = 15; }
+
+  // The serial clock fell.
+  void clock_fell() { if (bit_ > 0) --bit_; }
+
+  bool data() const { return ((frame_ >> bit_) & 1u) != 0; }
+
+ private:
+  std::uint32_t frame_ = 0;
+  int bit_ = 15;
+};
+
+}  // namespace trammel::kung

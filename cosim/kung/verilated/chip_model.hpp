@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The verilated chip behind the Chip interface; one template for the fast and the traced model.
+// Included only by the two units of this folder.
+#pragma once
+
+#include <verilated.h>
+
+#include "cosim/kung/chip.hpp"
+#include "cosim/kung/verilated/adc.hpp"
+#include "cosim/kung/verilated/probe.hpp"
+
+namespace trammel::kung {
+
+// Tracer: struct with attach(Model&), edge(Clk, high) called after each evaluation of an edge.
+template <class Model, class Tracer>
+class ChipModel final : public KungChip {
+ public:
+  explicit ChipModel(Tracer tracer) : tracer_(std::move(tracer)) {
+    context_->randReset(2);
+    context_->randSeed(1);
+    model_ = std::make_unique<Model>(context_.get(), "kung_xy");
+    tracer_.attach(*context_, *model_);
+    model_->s_axil_wstrb_i = 0xf;
+    model_->s_axil_bready_i = 1;
+    model_->s_axil_rready_i = 1;
+    model_->rst_i = 1;
+    for (int i = 0; i < kResetEdges; ++i) {
+      lower();
+      raise();
+      ++now_;
+    }
+    model_->rst_i = 0;
+    remember_outputs();
+  }
+
+  ~ChipModel() override { model_->final(); }
+
+  cosim::Clk now() const override { return now_; }
+
+  void sense(cosim::Lines lines) override {
+    Model& m = *model_;
+    const auto pick = [lines](int x, int y) {
+      return static_cast<std::uint8_t>(((lines >> x) & 1u) | (((lines >> y) & 1u) << 1));
+    };
+    m.enc_a_i = pick(encoder_a(0), encoder_a(1));
+    m.enc_b_i = pick(encoder_b(0), encoder_b(1));
+    m.enc_z_i = pick(encoder_z(0), encoder_z(1));
+    m.trip_i = (lines >> kTripPin) & 1u;
+  }
+
+  void request(const cosim::BusOp& op) override {
+    Model& m = *model_;
+    if (op.write) {
+      m.s_axil_awaddr_i = static_cast<std::uint16_t>(op.addr);
+      m.s_axil_wdata_i = op.data;
+      m.s_axil_awvalid_i = 1;
+      m.s_axil_wvalid_i = 1;
+    } else {
+      m.s_axil_araddr_i = static_cast<std::uint16_t>(op.addr);
+      m.s_axil_arvalid_i = 1;
+    }
+    bus_active_ = true;
+  }
+
+  cosim::Stop run(cosim::Clk end, const cosim::Plant& plant) override {
+    while (now_ < end) {
+      const cosim::Clk edge = now_++;
+      lower();
+      const bool bus = bus_active_;
+      const Handshake before = bus ? handshakes() : Handshake{};
+      raise();
+      unsigned why = 0;
+      if (bus && bus_edge(before)) why |= cosim::kBusDone;
+      serve_converters(edge, plant);
+      why |= changed_outputs();
+      if (why != 0) return {edge, why};
+    }
+    return {now_ - 1, cosim::kLimit};
+  }
+
+  cosim::Lines drive() const override {
+    return pack_axis(0) | pack_axis(1);
+  }
+
+  bool irq() const override { return irq_; }
+  std::uint32_t rdata() const override { return rdata_; }
+
+  void read_words(int axis, AxisSample& sample) const override {
+    probe_words(*model_->rootp, axis, sample);
+  }
+  CurrentWords current(int axis) const override { return probe_current(*model_->rootp, axis); }
+  std::int32_t rule(int axis, int index) const override {
+    return probe_rule(*model_->rootp, axis, index);
+  }
+  Fault fault() const override { return probe_fault(*model_->rootp); }
+
+ private:
+  static constexpr int kResetEdges = 4;
+
+  struct Handshake {
+    bool aw = false, w = false, ar = false, b = false, r = false;
+    std::uint32_t rdata = 0;
+  };
+
+  void lower() {
+    model_->clk_i = 0;
+    model_->eval();
+    tracer_.edge(now_, false);
+  }
+
+  void raise() {
+    model_->clk_i = 1;
+    model_->eval();
+    tracer_.edge(now_, true);
+  }
+
+  // Handshakes that the next rising edge completes. Ready and valid settle before it.
+  Handshake handshakes() const {
+    const Model& m = *model_;
+    return {m.s_axil_awvalid_i && m.s_axil_awready_o, m.s_axil_wvalid_i && m.s_axil_wready_o,
+            m.s_axil_arvalid_i && m.s_axil_arready_o, m.s_axil_bvalid_o != 0,
+            m.s_axil_rvalid_o != 0, m.s_axil_rdata_o};
+  }
+
+  // Takes the handshakes of the edge just executed; true when the transfer ended.
+  bool bus_edge(const Handshake& h) {
+    Model& m = *model_;
+    if (h.aw) m.s_axil_awvalid_i = 0;
+    if (h.w) m.s_axil_wvalid_i = 0;
+    if (h.ar) m.s_axil_arvalid_i = 0;
+    if (h.r) rdata_ = h.rdata;
+    if (!h.b && !h.r) return false;
+    bus_active_ = false;
+    return true;
+  }
+
+  void serve_converters(cosim::Clk edge, const cosim::Plant& plant) {
+    Model& m = *model_;
+    const unsigned cs = m.adc_cs_n_o;
+    const unsigned sclk = m.adc_sclk_o;
+    if (cs == cs_n_ && (sclk == sclk_)) return;
+    for (int axis = 0; axis < kAxes; ++axis) {
+      const unsigned bit = 1u << axis;
+      if ((cs_n_ & ~cs & bit) != 0) {
+        for (int phase = 0; phase < 2; ++phase) {
+          adc_[axis][phase].hold(plant.sample(adc_channel(axis, phase), edge));
+        }
+      } else if ((sclk_ & ~sclk & bit) != 0) {
+        for (auto& adc : adc_[axis]) adc.clock_fell();
+      }
+    }
+    cs_n_ = cs;
+    sclk_ = sclk;
+    m.adc_sdata_a_i = static_cast<std::uint8_t>(adc_[0][0].data() | (adc_[1][0].data() << 1));
+    m.adc_sdata_b_i = static_cast<std::uint8_t>(adc_[0][1].data() | (adc_[1][1].data() << 1));
+  }
+
+  unsigned changed_outputs() {
+    const Model& m = *model_;
+    unsigned why = 0;
+    if (m.gate_hi_o != hi_ || m.gate_lo_o != lo_) why |= cosim::kDrive;
+    if (m.irq_o && !irq_) why |= cosim::kIrq;
+    if (m.tick_o) why |= cosim::kTick;
+    if (m.sample_o) why |= cosim::kSample;
+    remember_outputs();
+    return why;
+  }
+
+  void remember_outputs() {
+    hi_ = model_->gate_hi_o;
+    lo_ = model_->gate_lo_o;
+    irq_ = model_->irq_o;
+  }
+
+  cosim::Lines pack_axis(int axis) const {
+    const cosim::Lines hi = (hi_ >> (3 * axis)) & 7u;
+    const cosim::Lines lo = (lo_ >> (3 * axis)) & 7u;
+    return (hi << gate_hi(axis, 0)) | (lo << gate_lo(axis, 0));
+  }
+
+  std::unique_ptr<VerilatedContext> context_ = std::make_unique<VerilatedContext>();
+  std::unique_ptr<Model> model_;
+  Tracer tracer_;
+  cosim::Clk now_ = -kResetEdges;
+  std::array<std::array<SerialAdc, 2>, kAxes> adc_{};
+  unsigned cs_n_ = 3, sclk_ = 3;
+  unsigned hi_ = 0, lo_ = 0;
+  bool irq_ = false, bus_active_ = false;
+  std::uint32_t rdata_ = 0;
+};
+
+}  // namespace trammel::kung

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <Vkung_xy_fst.h>
+#include <Vkung_xy_fst___024root.h>
+#include <verilated_fst_c.h>
+
+#include <stdexcept>
+
+#include "cosim/kung/verilated/chip_model.hpp"
+
+namespace trammel::kung {
+
+namespace {
+
+constexpr std::uint64_t kHalfPeriodNs = 10;  // 50 MHz
+
+class FstTrace {
+ public:
+  explicit FstTrace(const WaveWindow& window) : window_(window) {}
+
+  void attach(VerilatedContext& context, Vkung_xy_fst& model) {
+    context.traceEverOn(true);
+    file_ = std::make_unique<VerilatedFstC>();
+    model.trace(file_.get(), 99);
+    file_->open(window_.fst_file.c_str());
+    if (!file_->isOpen()) throw std::runtime_error("cannot write waves: " + window_.fst_file);
+  }
+
+  void edge(cosim::Clk edge, bool high) {
+    if (edge < window_.begin || edge >= window_.end) return;
+    const auto half = 2 * static_cast<std::uint64_t>(edge) + (high ? 1u : 0u);
+    file_->dump(half * kHalfPeriodNs);
+    if (edge + 1 == window_.end && high) file_->flush();
+  }
+
+ private:
+  WaveWindow window_;
+  std::unique_ptr<VerilatedFstC> file_;
+};
+
+}  // namespace
+
+std::unique_ptr<KungChip> make_traced_chip(const WaveWindow& window) {
+  return std::make_unique<ChipModel<Vkung_xy_fst, FstTrace>>(FstTrace{window});
+}
+
+}  // namespace trammel::kung

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Physical values to register words of the chip (specification sections 3 to 7).
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "models/fixed/fixed.hpp"
+
+namespace trammel::kung {
+
+inline constexpr double kCountM = 5e-6;               // encoder resolution [m]
+inline constexpr double kSampleS = 0.5e-3;            // position sample [s]
+inline constexpr double kSpeedLsbMS = 0.625e-3;       // speed words [m/s]
+inline constexpr double kCurrentRefLsbA = 4.8 / 2048;  // i_q* [A]
+inline constexpr double kCurrentLsbA = 9.6 / 2048;    // measured currents [A]
+inline constexpr double kModelLsbM = kCountM / 16384;  // x_m, dx [m]
+
+// Smallest voltage step [V]: full scale is the largest linear phase voltage.
+inline double voltage_lsb_V(double dc_link_V) { return dc_link_V / std::sqrt(3.0) / 2048; }
+
+// Nearest gain word: mantissa 1024..2047 where the exponent allows it; 0 for 0.
+inline fixed::Gain gain_word(double value) {
+  if (value <= 0) return {};
+  int exponent = 0;
+  std::frexp(value, &exponent);  // value = f * 2^exponent, f in 0.5..1
+  long mantissa = std::lround(std::ldexp(value, 11 - exponent));
+  if (mantissa > 2047) {
+    ++exponent;
+    mantissa = 1024;
+  }
+  if (exponent < -16) {
+    mantissa = std::lround(std::ldexp(value, 11 + 16));
+    exponent = -16;
+  }
+  return {static_cast<std::int32_t>(mantissa), exponent};
+}
+
+// ETA = alpha (Kp + Ki) Kv / 32 (section 5, step 9).
+inline double eta_value(double alpha, double kp, double ki, double kv) {
+  return alpha * (kp + ki) * kv / 32;
+}
+
+// Current controller gain [V/A] as a ratio of voltage to current command words.
+inline double current_gain_value(double gain_V_A, double dc_link_V) {
+  return gain_V_A * kCurrentRefLsbA / voltage_lsb_V(dc_link_V);
+}
+
+// Reference model by the bilinear transform (section 4): A0 = a0 * 2^32, B2 = b2 * 2^23.
+struct ModelWords {
+  std::int32_t a0 = 0;
+  std::int32_t b2 = 0;
+};
+
+inline ModelWords model_words(double omega_n_rad_s, double zeta) {
+  const double k = 2 / kSampleS;
+  const double w2 = omega_n_rad_s * omega_n_rad_s;
+  const double denominator = k * k + 2 * zeta * omega_n_rad_s * k + w2;
+  const double b2 = (k * k - 2 * zeta * omega_n_rad_s * k + w2) / denominator;
+  return {static_cast<std::int32_t>(std::lround(std::ldexp(w2 / denominator, 32))),
+          static_cast<std::int32_t>(std::lround(std::ldexp(b2, 23)))};
+}
+
+}  // namespace trammel::kung

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Combinational helpers: saturation and rounding shifts at named places.
+// Twin: models/fixed/fixed.hpp, function by function.
+
+package math_pkg;
+
+  typedef logic signed [55:0] acc_t;  // wide enough for every product of this IC and its shift
+
+  function automatic acc_t clip(acc_t x, acc_t low, acc_t high);
+    return x < low ? low : x > high ? high : x;
+  endfunction
+
+  function automatic logic signed [11:0] sat12(acc_t x);
+    return 12'(clip(x, -56'sd2048, 56'sd2047));
+  endfunction
+
+  function automatic logic signed [23:0] sat24(acc_t x);
+    return 24'(clip(x, -56'sd8388608, 56'sd8388607));
+  endfunction
+
+  // Shift right by s rounded half up; shift left by -s for s <= 0 (specification section 3).
+  function automatic acc_t rs(acc_t x, logic signed [5:0] s);
+    acc_t half;
+    half = s > 6'sd0 ? acc_t'(1) << (s - 6'sd1) : '0;
+    return s > 6'sd0 ? (x + half) >>> s : x << (-s);
+  endfunction
+
+endpackage

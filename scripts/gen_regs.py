@@ -1,0 +1,198 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Make register block, C++ header and documentation from each rtl/chips/<chip>.rdl.
+
+Writes rtl/chips/generated/<chip>_regs.sv and <chip>_regs_pkg.sv (PeakRDL, AXI4-Lite),
+sw_nios/hal/generated/<chip>_regs.hpp and docs/registers/<chip>.md.
+With --check nothing is written; the exit code is 1 when an output is stale.
+"""
+
+import argparse
+import pathlib
+import re
+import sys
+import tempfile
+
+try:
+    from peakrdl_regblock import RegblockExporter
+    from peakrdl_regblock.cpuif.axi4lite import AXI4Lite_Cpuif_flattened
+    from peakrdl_regblock.udps import ALL_UDPS
+    from systemrdl import RDLCompiler
+    from systemrdl.node import FieldNode, RegfileNode, RegNode
+except ImportError as error:
+    sys.exit(f"gen_regs.py: {error.name} is missing: pip install -r scripts/requirements.txt")
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+NOTE = "Generated from {source} by scripts/gen_regs.py; do not edit."
+
+
+class Cpuif(AXI4Lite_Cpuif_flattened):
+    """Port names of the house: s_axil_awvalid_i, s_axil_awready_o."""
+
+    _inputs = {"awvalid", "awaddr", "awprot", "wvalid", "wdata", "wstrb", "bready",
+               "arvalid", "araddr", "arprot", "rready"}
+
+    def signal(self, name: str) -> str:
+        return f"s_axil_{name}_{'i' if name in self._inputs else 'o'}"
+
+
+def camel(name: str) -> str:
+    return "".join(part.capitalize() for part in name.split("_"))
+
+
+def blocks(top):
+    """(name, base, node) of each register file, then of the registers of the map itself."""
+    for child in top.children():
+        if isinstance(child, RegfileNode):
+            yield child.inst_name, child.absolute_address, child
+    yield "system", 0, top
+
+
+def registers(node):
+    return [child for child in node.children() if isinstance(child, RegNode)]
+
+
+def encodings(top):
+    found = {}
+    for node in top.descendants():
+        if isinstance(node, FieldNode) and node.get_property("encode"):
+            encode = node.get_property("encode")
+            found[encode.type_name] = encode
+    return found.values()
+
+
+def distinct_blocks(top):
+    """Register files of one type share their offsets: each type once."""
+    seen = set()
+    for name, base, node in blocks(top):
+        kind = node.type_name if isinstance(node, RegfileNode) else "system"
+        if kind not in seen:
+            seen.add(kind)
+            yield kind, node
+
+
+def field_constants(reg):
+    """One-bit fields are masks under their own name; wider ones have a shift and a mask."""
+    fields = list(reg.fields())
+    if len(fields) == 1 and fields[0].low == 0 and fields[0].inst_name in ("value", "key"):
+        return
+    for field in fields:
+        name = f"k{camel(reg.inst_name)}{camel(field.inst_name)}"
+        mask = ((1 << field.width) - 1) << field.low
+        if field.width == 1:
+            yield name, f"0x{mask:X}u"
+        else:
+            yield f"{name}Shift", f"{field.low}u"
+            yield f"{name}Mask", f"0x{mask:08X}u"
+
+
+def constant(name: str, value: str, comment: str = "") -> str:
+    line = f"inline constexpr std::uint32_t {name} = {value};"
+    return f"{line}  // {comment}" if comment and len(line) + len(comment) < 95 else line
+
+
+def header(top, note: str) -> str:
+    lines = [f"// {note}", "// SPDX-License-Identifier: Apache-2.0", "//",
+             f"// Byte addresses and bits of the registers of {top.inst_name}: an axis register is at",
+             "// base + offset, a system register at its own address.", "#pragma once", "",
+             "#include <cstdint>", "", "namespace trammel::sw::reg {", ""]
+    for name, base, node in blocks(top):
+        if node is not top:
+            lines.append(constant(f"k{camel(name)}", f"0x{base:03X}u"))
+    for kind, node in distinct_blocks(top):
+        lines += ["", f"// {kind}"]
+        for reg in registers(node):
+            offset = reg.address_offset
+            lines.append(constant(f"k{camel(reg.inst_name)}", f"0x{offset:02X}u"))
+            lines += [constant(*pair) for pair in field_constants(reg)]
+            fields = list(reg.fields())
+            if all(not f.is_hw_writable and not f.is_sw_writable for f in fields):
+                value = sum((f.get_property("reset") or 0) << f.low for f in fields)
+                lines.append(constant(f"k{camel(reg.inst_name)}Value", f"0x{value:08X}u"))
+    for encode in encodings(top):
+        lines += ["", f"// {encode.type_name}"]
+        for member in encode:
+            name = f"k{camel(encode.type_name)}{camel(member.name)}"
+            lines.append(constant(name, f"0x{member.value:X}u", member.rdl_desc))
+    return "\n".join(lines + ["", "}  // namespace trammel::sw::reg", ""])
+
+
+def access(field) -> str:
+    if field.get_property("onwrite") is not None and field.is_sw_writable:
+        return "W1C"
+    return {(True, True): "RW", (True, False): "R", (False, True): "W"}[
+        field.is_sw_readable, field.is_sw_writable]
+
+
+def document(top, note: str) -> str:
+    lines = [f"<!-- {note} -->", f"# Registers of {top.inst_name}", "", top.get_property("desc"), ""]
+    bases = [f"{name.upper()} 0x{base:03X}" for name, base, node in blocks(top) if node is not top]
+    lines += ["Bases: " + ", ".join(bases) + ". Access W1C: write one to clear.", ""]
+    for kind, node in distinct_blocks(top):
+        lines += [f"## {kind}", "", "| Offset | Register | Bits | Field | Access | Reset | Meaning |",
+                  "|---|---|---|---|---|---|---|"]
+        for reg in registers(node):
+            desc = reg.get_property("desc") or ""
+            lines.append(f"| 0x{reg.address_offset:03X} | **{reg.inst_name.upper()}** | | | | | {desc} |")
+            for field in reg.fields():
+                reset = field.get_property("reset")
+                bits = f"{field.high}..{field.low}" if field.width > 1 else f"{field.low}"
+                lines.append(f"| | | {bits} | {field.inst_name} | {access(field)} | "
+                             f"{'' if reset is None else reset} | "
+                             f"{field.get_property('desc') or ''} |")
+        lines.append("")
+    for encode in encodings(top):
+        lines += [f"## {encode.type_name}", "", "| Value | Name | Meaning |", "|---|---|---|"]
+        lines += [f"| 0x{m.value:X} | {m.name.upper()} | {m.rdl_desc or ''} |" for m in encode]
+        lines.append("")
+    return "\n".join(lines)
+
+
+def adapt(text: str, note: str) -> str:
+    """House names of clock and reset; packed structs, which Verilator 5.006 needs."""
+    text = re.sub(r"^// Generated by .*\n(//.*\n)*", "", text)
+    text = text.replace("typedef struct {", "typedef struct packed {")
+    text = re.sub(r"\bclk\b(?!__)", "clk_i", text) if "input wire clk" in text else text
+    return f"// {note}\n// SPDX-License-Identifier: Apache-2.0\n{text}"
+
+
+def generate(source: pathlib.Path) -> dict:
+    chip = source.stem
+    note = NOTE.format(source=source.relative_to(ROOT).as_posix())
+    compiler = RDLCompiler()
+    for udp in ALL_UDPS:
+        compiler.register_udp(udp)
+    compiler.compile_file(str(source))
+    top = compiler.elaborate(top_def_name=chip).top
+    outputs = {
+        ROOT / f"sw_nios/hal/generated/{chip}_regs.hpp": header(top, note),
+        ROOT / f"docs/registers/{chip}.md": document(top, note),
+    }
+    with tempfile.TemporaryDirectory() as folder:
+        RegblockExporter().export(top, folder, cpuif_cls=Cpuif, module_name=f"{chip}_regs",
+                                  package_name=f"{chip}_regs_pkg")
+        for path in pathlib.Path(folder).glob("*.sv"):
+            outputs[ROOT / "rtl/chips/generated" / path.name] = adapt(path.read_text(), note)
+    return outputs
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--check", action="store_true", help="compare only; 1 when stale")
+    check = parser.parse_args().check
+    stale = 0
+    for source in sorted((ROOT / "rtl/chips").glob("*.rdl")):
+        for path, text in generate(source).items():
+            if path.exists() and path.read_text() == text:
+                continue
+            stale += 1
+            if not check:
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.write_text(text)
+            print(f"{'stale' if check else 'wrote'} {path.relative_to(ROOT)}")
+    return 1 if check and stale else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

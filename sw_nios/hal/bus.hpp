@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What firmware sees of the machine: a 32-bit register bus and the two entry points of an application.
+// Freestanding: no heap, no iostream.
+#pragma once
+
+#include <cstdint>
+
+namespace trammel::sw {
+
+struct Bus {
+  virtual std::uint32_t read(std::uint32_t addr) = 0;  // byte address
+  virtual void write(std::uint32_t addr, std::uint32_t data) = 0;
+
+ protected:
+  ~Bus() = default;
+};
+
+// Run to completion: no stack survives a wait. On a core: start(); for (;;) { wait; isr(); }
+struct Firmware {
+  virtual void start(Bus& bus) = 0;
+  virtual void isr(Bus& bus) = 0;
+  virtual bool done() const = 0;  // the program has ended: nothing more will be commanded
+
+ protected:
+  ~Firmware() = default;
+};
+
+}  // namespace trammel::sw

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "systemc/soft_processor.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace trammel::systemc {
+
+using namespace sc_core;
+
+namespace {
+sc_time clocks(cosim::Clk count, std::int64_t period_ps) {
+  return sc_time::from_value(static_cast<sc_dt::uint64>(count * period_ps));
+}
+}  // namespace
+
+SoftProcessor::SoftProcessor(sc_module_name name, ChipModule& chip, sw::Firmware& firmware,
+                             const cosim::ProcessorTiming& timing, std::int64_t period_ps)
+    : sc_module(name),
+      bus("bus"),
+      chip_(chip),
+      firmware_(firmware),
+      access_(clocks(timing.access, period_ps)),
+      latency_(clocks(timing.latency, period_ps)) {
+  bus.bind(chip.bus);
+  SC_HAS_PROCESS(SoftProcessor);
+  SC_THREAD(execute);
+}
+
+void SoftProcessor::execute() {
+  firmware_.start(*this);
+  for (;;) {
+    while (!chip_.irq()) wait(chip_.irq_event);
+    wait(latency_);
+    firmware_.isr(*this);
+  }
+}
+
+std::uint32_t SoftProcessor::read(std::uint32_t addr) {
+  std::uint32_t data = 0;
+  transfer(tlm::TLM_READ_COMMAND, addr, data);
+  return data;
+}
+
+void SoftProcessor::write(std::uint32_t addr, std::uint32_t data) {
+  transfer(tlm::TLM_WRITE_COMMAND, addr, data);
+}
+
+void SoftProcessor::transfer(tlm::tlm_command command, std::uint32_t addr, std::uint32_t& data) {
+  tlm::tlm_generic_payload payload;
+  payload.set_command(command);
+  payload.set_address(addr);
+  payload.set_data_ptr(reinterpret_cast<unsigned char*>(&data));
+  payload.set_data_length(sizeof data);
+  payload.set_streaming_width(sizeof data);
+  payload.set_byte_enable_ptr(nullptr);
+  payload.set_response_status(tlm::TLM_INCOMPLETE_RESPONSE);
+  sc_time delay = access_;
+  bus->b_transport(payload, delay);
+  if (payload.is_response_error()) {
+    throw std::logic_error(fmt::format("bus: {} at address {:#x} was refused: {}",
+                                       command == tlm::TLM_READ_COMMAND ? "read" : "write", addr,
+                                       payload.get_response_string()));
+  }
+}
+
+}  // namespace trammel::systemc
