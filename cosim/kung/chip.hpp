@@ -21,6 +21,9 @@ struct CurrentWords {
   std::int32_t count = 0;                      // encoder at the 16 kHz tick
   std::int32_t i_q_ref = 0;                    // command it used
   std::int32_t cmp_a = 0, cmp_b = 0, cmp_c = 0;  // compare values 0..1562
+  std::int32_t i_d = 0, i_q = 0, v_d = 0, v_q = 0;
+  bool busy = false;   // it is computing: the words are in motion
+  bool clear = false;  // integrators are held at 0
 };
 
 struct KungChip : cosim::Chip {

@@ -15,7 +15,7 @@ void Recorder::on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim:
   mix((std::uint64_t{stop.why} << 32) | chip.drive());
   if ((stop.why & cosim::kBusDone) != 0) mix(chip.rdata());
   if ((stop.why & cosim::kTick) != 0) {
-    pending_.tick = tick_++;
+    pending_.tick = ++tick_;  // what TICK reads after this sample
     pending_.edge = stop.edge;
     for (int axis = 0; axis < kAxes; ++axis) {
       const plant::AxisState state = truth_.state(axis, stop.edge);

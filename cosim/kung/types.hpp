@@ -56,7 +56,7 @@ struct AxisChip {
 struct ChipOptions {
   std::array<AxisChip, 2> axis;
   int dead_time_min_ns = 200;     // lowest dead time the chip accepts
-  double current_limit_A = 9.0;   // trip level of the measured phase currents
+  double current_limit_A = 6.0;   // trip level of the measured phase currents
   int irq_period_ticks = 4;       // 2 kHz samples an interrupt: 4 = 2 ms
   int watchdog_ticks = 100;       // 2 kHz samples between two COMMITs; 0 = off
 };
@@ -116,7 +116,8 @@ struct RunOptions {
 };
 
 struct Options {
-  std::string scenario = "circle";
+  std::string scenario = "circle";  // names the run and its output folder
+  std::string description;
   Controller controller = Controller::kAfc;
   std::array<AxisGains, 2> gains;
   plant::XyTableConfig plant = plant::default_xy_table();

@@ -26,8 +26,8 @@ class ChipModel final : public KungChip {
     model_->s_axil_rready_i = 1;
     model_->rst_i = 1;
     for (int i = 0; i < kResetEdges; ++i) {
-      lower();
-      raise();
+      lower(now_);
+      raise(now_);
       ++now_;
     }
     model_->rst_i = 0;
@@ -66,10 +66,10 @@ class ChipModel final : public KungChip {
   cosim::Stop run(cosim::Clk end, const cosim::Plant& plant) override {
     while (now_ < end) {
       const cosim::Clk edge = now_++;
-      lower();
+      lower(edge);
       const bool bus = bus_active_;
       const Handshake before = bus ? handshakes() : Handshake{};
-      raise();
+      raise(edge);
       unsigned why = 0;
       if (bus && bus_edge(before)) why |= cosim::kBusDone;
       serve_converters(edge, plant);
@@ -103,16 +103,16 @@ class ChipModel final : public KungChip {
     std::uint32_t rdata = 0;
   };
 
-  void lower() {
+  void lower(cosim::Clk edge) {
     model_->clk_i = 0;
     model_->eval();
-    tracer_.edge(now_, false);
+    tracer_.edge(edge, false);
   }
 
-  void raise() {
+  void raise(cosim::Clk edge) {
     model_->clk_i = 1;
     model_->eval();
-    tracer_.edge(now_, true);
+    tracer_.edge(edge, true);
   }
 
   // Handshakes that the next rising edge completes. Ready and valid settle before it.

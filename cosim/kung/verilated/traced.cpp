@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::uint64_t kHalfPeriodNs = 10;  // 50 MHz
 
+// Time zero is edge 0; the reset before it is not dumped.
 class FstTrace {
  public:
   explicit FstTrace(const WaveWindow& window) : window_(window) {}
@@ -25,9 +26,10 @@ class FstTrace {
     if (!file_->isOpen()) throw std::runtime_error("cannot write waves: " + window_.fst_file);
   }
 
+  // The rising edge n stands at n periods, the falling one before it half a period earlier.
   void edge(cosim::Clk edge, bool high) {
-    if (edge < window_.begin || edge >= window_.end) return;
-    const auto half = 2 * static_cast<std::uint64_t>(edge) + (high ? 1u : 0u);
+    if (edge < window_.begin || edge >= window_.end || (edge == window_.begin && !high)) return;
+    const auto half = 2 * static_cast<std::uint64_t>(edge) - (high ? 0u : 1u);
     file_->dump(half * kHalfPeriodNs);
     if (edge + 1 == window_.end && high) file_->flush();
   }

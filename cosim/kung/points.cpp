@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cosim/kung/points.hpp"
+
+#include <fstream>
+#include <istream>
+#include <locale>
+#include <optional>
+#include <sstream>
+#include <stdexcept>
+
+namespace trammel::kung {
+namespace {
+
+std::string trimmed(const std::string& s) {
+  const auto begin = s.find_first_not_of(" \t\r");
+  if (begin == std::string::npos) return "";
+  return s.substr(begin, s.find_last_not_of(" \t\r") - begin + 1);
+}
+
+std::optional<double> number(const std::string& field) {
+  std::istringstream text(trimmed(field));
+  text.imbue(std::locale::classic());
+  double value = 0;
+  if (!(text >> value) || text.peek() != std::istringstream::traits_type::eof()) return {};
+  return value;
+}
+
+[[noreturn]] void refuse(const std::string& name, int line, const std::string& what) {
+  throw std::invalid_argument(name + ":" + std::to_string(line) + ": " + what);
+}
+
+double checked(const std::string& name, int line, const char* column, double mm) {
+  if (mm >= kPointMinMm && mm <= kPointMaxMm) return mm * 1e-3;
+  std::ostringstream text;
+  text << column << " = " << mm << " is out of range " << kPointMinMm << ".." << kPointMaxMm
+       << " mm";
+  refuse(name, line, text.str());
+}
+
+}  // namespace
+
+std::vector<PointM> read_points_csv(std::istream& text, const std::string& name) {
+  std::vector<PointM> points;
+  bool header_allowed = true;
+  int line_number = 0;
+  for (std::string line; std::getline(text, line);) {
+    ++line_number;
+    line = trimmed(line);
+    if (line.empty() || line.front() == '#') continue;
+    const auto comma = line.find(',');
+    const auto x = number(line.substr(0, comma));
+    const auto y = comma == std::string::npos ? std::nullopt : number(line.substr(comma + 1));
+    if (!x && !y && comma != std::string::npos && header_allowed) {
+      header_allowed = false;
+      continue;
+    }
+    header_allowed = false;
+    if (!x || !y) refuse(name, line_number, "expected two numbers x_mm,y_mm, found '" + line + "'");
+    points.push_back(
+        {checked(name, line_number, "x_mm", *x), checked(name, line_number, "y_mm", *y)});
+  }
+  if (points.empty()) {
+    refuse(name, line_number, "no points; expected lines x_mm,y_mm with values 0..600 mm");
+  }
+  return points;
+}
+
+std::vector<PointM> read_points_csv(const std::string& file) {
+  std::ifstream text(file);
+  if (!text) throw std::invalid_argument(file + ": cannot be read");
+  return read_points_csv(text, file);
+}
+
+}  // namespace trammel::kung

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cosim/kung/session.hpp"
+
+#include <cmath>
+
+#include "cosim/kung/plan.hpp"
+#include "cosim/kung/words.hpp"
+#include "models/plant/xy_lines.hpp"
+
+namespace trammel::kung {
+
+static_assert(encoder_a(1) == plant::xy::encoder_a(1) && encoder_z(1) == plant::xy::encoder_z(1) &&
+                  gate_hi(1, 2) == plant::xy::gate_hi(1, 2) &&
+                  gate_lo(1, 2) == plant::xy::gate_lo(1, 2),
+              "plant and chip disagree about their pins");
+
+namespace {
+constexpr double kClocksPerSecond = 50e6;
+constexpr std::uint32_t kSamplesAfterFault = 20;  // enough to see the fault's effect in the record
+
+cosim::Clk edge_at(double seconds) { return std::llround(seconds * kClocksPerSecond); }
+}  // namespace
+
+Session::Session(const Options& options, const Hooks& hooks) : options_(options), hooks_(hooks) {
+  firmware_ = std::make_unique<sw::KungApp>(plan_firmware(options_, points_));
+  const sw::Point start = firmware_->start_point();
+  options_.plant.axis[0].start_m = start.x * kCountM;
+  options_.plant.axis[1].start_m = start.y * kCountM;
+  plant_ = std::make_unique<TablePlant>(options_.plant);
+  chip_ = options_.run.wave == WaveFormat::kNone
+              ? make_verilated_chip()
+              : make_traced_chip({options_.run.wave_file, edge_at(options_.run.wave_begin_s),
+                                  edge_at(options_.run.wave_end_s)});
+  recorder_ = std::make_unique<Recorder>(*chip_, plant_->table(),
+                                         [this](const Sample& sample) { return over(sample); });
+  tee_.first = recorder_.get();
+  const cosim::Clk window = options_.run.window_clk == 0 ? cosim::kNever : options_.run.window_clk;
+  loop_ = std::make_unique<cosim::Loop>(*chip_, *plant_, tee_, window);
+  result_.end = EndReason::kTimeout;
+}
+
+cosim::ProcessorTiming Session::timing() const {
+  return {options_.processor.access_clk, options_.processor.interrupt_latency_clk};
+}
+
+cosim::Clk Session::end() const { return edge_at(options_.run.max_s); }
+
+bool Session::over(const Sample& sample) {
+  const auto period = static_cast<std::uint32_t>(
+      ticks_per_point(options_.path, options_.chip.irq_period_ticks));
+  result_.fault = chip_->fault();
+  if (result_.fault.code != FaultCode::kNone || firmware_->failed()) {
+    result_.end = EndReason::kFault;
+    return ++after_fault_ > kSamplesAfterFault;
+  }
+  if (hooks_.stop != nullptr && hooks_.stop->load(std::memory_order_relaxed)) {
+    result_.end = EndReason::kStopped;
+    return true;
+  }
+  if (firmware_->points_written() == 0) return false;
+  result_.first_tick = firmware_->first_tick();
+  result_.points = firmware_->points_written();
+  result_.end_tick = result_.first_tick + firmware_->points() * period;
+  for (const AxisSample& axis : sample.axis) {
+    const double error = axis.x_m * kModelLsbM - axis.x_true_m;
+    if (sample.tick >= result_.first_tick && std::abs(error) > options_.run.diverged_m) {
+      result_.end = EndReason::kDiverged;
+      return true;
+    }
+  }
+  const auto settle = static_cast<std::uint32_t>(std::lround(options_.run.settle_s / kSampleS));
+  const std::uint32_t last = result_.end_tick + settle - 1;
+  if (hooks_.progress && sample.tick % 20 == 0) {
+    hooks_.progress(static_cast<double>(sample.tick) / last);
+  }
+  if (sample.tick < last) return false;
+  result_.end = EndReason::kDone;
+  return true;
+}
+
+Result Session::result() {
+  result_.samples = recorder_->take_samples();
+  result_.event_hash = recorder_->event_hash();
+  result_.clocks = chip_->now();
+  result_.wall_s =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+  return std::move(result_);
+}
+
+}  // namespace trammel::kung

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// One run of the two-axis machine, ready to be driven by a wiring: chip, plant, firmware, loop and
+// record, and the decision when the run is over.
+#pragma once
+
+#include <chrono>
+#include <memory>
+
+#include "cosim/direct.hpp"
+#include "cosim/kung/chip.hpp"
+#include "cosim/kung/recorder.hpp"
+#include "cosim/kung/types.hpp"
+#include "sw_nios/apps/kung.hpp"
+
+namespace trammel::kung {
+
+// The plant of models/ behind the interface of cosim/.
+class TablePlant final : public cosim::Plant {
+ public:
+  explicit TablePlant(const plant::XyTableConfig& config) : table_(config) {}
+
+  cosim::Lines sense() const override { return table_.sense(); }
+  cosim::Clk next() const override { return table_.next(); }
+  void commit(cosim::Clk n, cosim::Lines drive) override { table_.commit(n, drive); }
+  int sample(int channel, cosim::Clk n) const override { return table_.sample(channel, n); }
+
+  const plant::XyTable& table() const { return table_; }
+
+ private:
+  plant::XyTable table_;
+};
+
+class Session {
+ public:
+  // Throws OptionsError or std::invalid_argument for options that cannot run.
+  Session(const Options& options, const Hooks& hooks);
+
+  cosim::Loop& loop() { return *loop_; }
+  sw::Firmware& firmware() { return *firmware_; }
+  const KungChip& chip() const { return *chip_; }
+  cosim::ProcessorTiming timing() const;
+  std::int64_t period_ps() const { return options_.plant.clock_ps; }
+  cosim::Clk end() const;  // edge at which the run ends at the latest
+  bool finished() const { return recorder_->done(); }
+
+  // A second observer of every stop, after the record.
+  void watch(cosim::Observer& observer) { tee_.second = &observer; }
+
+  Result result();
+
+ private:
+  struct Tee final : cosim::Observer {
+    void on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant& plant) override {
+      first->on(stop, chip, plant);
+      if (second != nullptr) second->on(stop, chip, plant);
+    }
+    cosim::Observer* first = nullptr;
+    cosim::Observer* second = nullptr;
+  };
+
+  bool over(const Sample& sample);
+
+  Options options_;
+  Hooks hooks_;
+  std::vector<sw::Point> points_;
+  std::unique_ptr<TablePlant> plant_;
+  std::unique_ptr<KungChip> chip_;
+  std::unique_ptr<sw::KungApp> firmware_;
+  std::unique_ptr<Recorder> recorder_;
+  Tee tee_;
+  std::unique_ptr<cosim::Loop> loop_;
+  std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+  std::uint32_t after_fault_ = 0;
+  Result result_;
+};
+
+}  // namespace trammel::kung

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/plant/axis.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace trammel::plant {
+namespace {
+
+constexpr double kSegment = 6.25e-6;   // [s] longest span of one series
+constexpr double kHorizon = 62.5e-6;   // [s] look-ahead of next(); then the axis asks to be committed
+constexpr double kShortest = 1e-9;     // [s] keeps a chain of events finite
+constexpr std::array<AlphaBeta, 3> kPhase{
+    AlphaBeta{1, 0}, AlphaBeta{-0.5, 0.86602540378443865}, AlphaBeta{-0.5, -0.86602540378443865}};
+
+PmlsmConfig motor_config(const AxisConfig& c) {
+  PmlsmConfig m;
+  m.resistance = c.resistance_ohm;
+  m.inductance_d = c.inductance_d_h;
+  m.inductance_q = c.inductance_q_h;
+  m.force_constant = c.force_constant_n_a;
+  m.pole_pitch = c.pole_pitch_m;
+  m.mass = c.mass_kg + c.payload_kg;
+  m.coulomb = c.coulomb_n;
+  m.viscous = c.viscous_n_s_m;
+  m.cogging = c.cogging_n;
+  m.friction_speed = c.friction_speed_m_s;
+  m.external_force = c.external_force_n;
+  return m;
+}
+
+double dot(const AlphaBeta& a, const AlphaBeta& b) { return a.alpha * b.alpha + a.beta * b.beta; }
+
+// Zero of a function of t in (0, length), its sign at 0 being known and the other at length.
+template <class F>
+double root(F f, double length) {
+  double a = 0, b = length, f_a = f(0.0), f_b = f(length);
+  for (int k = 0; k < 60 && b - a > 1e-13; ++k) {
+    double t = k % 3 == 2 || f_a == f_b ? 0.5 * (a + b) : a - f_a * (b - a) / (f_b - f_a);
+    if (!(t > a && t < b)) t = 0.5 * (a + b);
+    const double f_t = f(t);
+    if (f_t == 0) return t;
+    if ((f_t > 0) == (f_a > 0)) {
+      a = t;
+      f_a = f_t;
+    } else {
+      b = t;
+      f_b = f_t;
+    }
+  }
+  return b;
+}
+
+}  // namespace
+
+Axis::Axis(const AxisConfig& config, double period_s)
+    : config_(config),
+      period_(period_s),
+      horizon_(static_cast<Clk>(kHorizon / period_s)),
+      motor_(motor_config(config)),
+      inverter_({config.dc_link_v, config.switch_drop_v, config.diode_drop_v}),
+      sensor_({config.current_full_scale_a, config.current_noise_a, config.adc_bits}),
+      encoder_({config.encoder_count_m, config.encoder_hysteresis_counts, config.index_m},
+               config.start_m) {
+  if (!(period_s > 0 && period_s <= kSegment)) throw std::invalid_argument("clock period");
+  if (!(motor_.config().mass > 0 && config.resistance_ohm > 0 && config.inductance_d_h > 0 &&
+        config.inductance_q_h > 0 && config.pole_pitch_m > 0 && config.friction_speed_m_s > 0)) {
+    throw std::invalid_argument("axis: mass, R, L, pole pitch and friction speed must be positive");
+  }
+  if (!(config.encoder_count_m > 0 && config.encoder_hysteresis_counts >= 0 &&
+        config.encoder_hysteresis_counts < 1 && config.current_full_scale_a > 0 &&
+        config.adc_bits >= 2 && config.adc_bits <= 24)) {
+    throw std::invalid_argument("axis: encoder or converter out of range");
+  }
+  const MotorState rest{config.start_m, 0, 0, 0};
+  first_ = build(0, {rest, motor_.angle(rest.x)}, 7);
+  next_ = predict();
+}
+
+double Axis::phase_current(const Span& f, double t, std::size_t leg) const {
+  const SinCos a = motor_.angle_at(f, t);
+  const AlphaBeta i = Pmlsm::stator(Span::cubic(f.i_d, t), Span::cubic(f.i_q, t), a);
+  return dot(i, kPhase[leg]);
+}
+
+// Motor state t seconds into a segment, with the currents of the legs in `zero` exactly removed.
+Axis::Point Axis::point(const Segment& s, double t, unsigned zero) const {
+  Point p{s.span.at(t), {}};
+  p.angle = motor_.angle(p.motor.x);
+  if (zero == 0) return p;
+  if ((zero & (zero - 1)) != 0) {  // two currents zero: all are
+    p.motor.i_d = p.motor.i_q = 0;
+    return p;
+  }
+  const AlphaBeta& n = kPhase[zero == 1 ? 0 : zero == 2 ? 1 : 2];
+  const double d = n.alpha * p.angle.cos + n.beta * p.angle.sin;
+  const double q = n.beta * p.angle.cos - n.alpha * p.angle.sin;
+  const double along = d * p.motor.i_d + q * p.motor.i_q;
+  p.motor.i_d -= along * d;
+  p.motor.i_q -= along * q;
+  return p;
+}
+
+Axis::Segment Axis::build(double start, const Point& at, unsigned zero) const {
+  Segment s;
+  s.start = start;
+  s.length = kSegment;
+  Point p = at;
+  if (config_.hard_stops) {
+    const bool low = p.motor.x <= config_.stroke_min_m && p.motor.v <= 0;
+    const bool high = p.motor.x >= config_.stroke_max_m && p.motor.v >= 0;
+    if (low || high) {
+      p.motor.v = 0;
+      const double push = motor_.push(p.motor);
+      s.held = low ? push <= 0 : push >= 0;
+    }
+  }
+  const std::array<double, 3> current =
+      to_phases(Pmlsm::stator(p.motor.i_d, p.motor.i_q, p.angle));
+  const bool some_off = both_off(gates_, 0) || both_off(gates_, 1) || both_off(gates_, 2);
+  const std::array<double, 3> emf =
+      some_off ? to_phases(motor_.emf(p.motor, p.angle)) : std::array<double, 3>{};
+  const auto keep_zero = [&](std::size_t leg, std::array<double, 3> volt) {
+    volt[leg] = 0;
+    const AlphaBeta slope = motor_.current_slope(p.motor, p.angle, clarke(volt));
+    const double per_volt = motor_.slope_per_volt(p.angle, kPhase[leg]) * (2.0 / 3);
+    return -dot(slope, kPhase[leg]) / per_volt;
+  };
+  s.legs = inverter_.resolve(gates_, current, zero, emf, keep_zero);
+  s.span = motor_.span(p.motor, p.angle, clarke(s.legs.volt), {s.held, s.legs.open});
+  if (some_off && !s.legs.open) end_at_dead_current(s);
+  if (config_.hard_stops && !s.held) end_at_stop(s);
+  return s;
+}
+
+void Axis::end_at_dead_current(Segment& s) const {
+  for (std::size_t leg = 0; leg < 3; ++leg) {
+    const int sign = s.legs.diode[leg];
+    if (sign == 0) continue;
+    const auto flow = [&](double t) { return sign * phase_current(s.span, t, leg); };
+    if (flow(s.length) > 0) continue;
+    if (flow(0) > 0) {
+      const double t = std::max(root(flow, s.length), kShortest);
+      if (t < s.length) {
+        s.length = t;
+        s.dies = 0;
+      }
+    }
+    s.dies |= 1u << leg;
+  }
+}
+
+void Axis::end_at_stop(Segment& s) const {
+  const double x_end = s.span.position(s.length);
+  for (const bool high : {false, true}) {
+    const double stop = high ? config_.stroke_max_m : config_.stroke_min_m;
+    const auto room = [&](double t) {
+      return high ? stop - s.span.position(t) : s.span.position(t) - stop;
+    };
+    if ((high ? stop - x_end : x_end - stop) >= 0 || room(0) <= 0) continue;
+    s.length = std::max(root(room, s.length), kShortest);
+    s.meets_stop = true;
+    s.stop = stop;
+    s.dies = 0;
+    return;
+  }
+}
+
+Axis::Segment Axis::successor(const Segment& s) const {
+  const unsigned zero = s.legs.open ? 7u : s.legs.floating | s.dies;
+  Point p = point(s, s.length, zero);
+  if (s.meets_stop) p.motor.x = s.stop, p.motor.v = 0;
+  if (s.held) p.motor.v = 0;
+  return build(s.start + s.length, p, zero);
+}
+
+Axis::Segment Axis::segment_at(double t) const {
+  Segment s = first_;
+  while (t > s.start + s.length) s = successor(s);
+  return s;
+}
+
+void Axis::commit(Clk n, unsigned gates) {
+  const bool own = n >= next_;
+  const double t = seconds(n - anchor_);
+  const bool in_first = t <= first_.start + first_.length;
+  const Segment s = in_first ? first_ : segment_at(t);
+  const unsigned zero = s.legs.open ? 7u : s.legs.floating;
+  const Point p = point(s, t - s.start, zero);
+  // Only the axis' own event moves the lines, so that a drive change never alters them unseen.
+  if (own) encoder_.follow(p.motor.x);
+  anchor_ = n;
+  gates_ = gates;
+  shoot_through_ = shoot_through_ || plant::shoot_through(gates);
+  first_ = build(0, p, zero);
+  next_ = predict();
+}
+
+AxisState Axis::state(Clk n) const {
+  const double t = seconds(n - anchor_);
+  const Segment s = segment_at(t);
+  const Point p = point(s, t - s.start, s.legs.open ? 7u : s.legs.floating);
+  const std::array<double, 3> i =
+      to_phases(Pmlsm::stator(p.motor.i_d, p.motor.i_q, p.angle));
+  return {p.motor.x,  p.motor.v, p.motor.i_d,          p.motor.i_q,
+          i[0],       i[1],      motor_.force(p.motor)};
+}
+
+double Axis::position(Clk n) const {
+  const double t = seconds(n - anchor_);
+  const Segment s = segment_at(t);
+  return s.span.position(t - s.start);
+}
+
+int Axis::code(int phase, std::uint64_t seed, int channel, Clk n) const {
+  const AxisState s = state(n);
+  return sensor_.code(phase == 0 ? s.i_a_a : s.i_b_a, seed, channel, n);
+}
+
+// No edge and no stop can be reached within `time`, whatever the inverter does.
+bool Axis::far_from_events(const Segment& s, double time) const {
+  const MotorState m{s.span.x[0], s.span.v[0], s.span.i_d[0], s.span.i_q[0]};
+  double room = std::min(encoder_.high() - m.x, m.x - encoder_.low());
+  if (config_.hard_stops && !s.held) {
+    room = std::min({room, m.x - config_.stroke_min_m, config_.stroke_max_m - m.x});
+  }
+  const double speed = std::fabs(m.v);
+  if (speed * time >= room) return false;
+  const double a = motor_.acceleration_bound(m, config_.dc_link_v + config_.diode_drop_v, time);
+  return (speed + a * time) * time < room;
+}
+
+Clk Axis::predict() const {
+  Segment s = first_;
+  Clk from = 1;
+  while (true) {
+    if (far_from_events(s, seconds(horizon_) - s.start)) return anchor_ + horizon_;
+    const double end = s.start + s.length;
+    Clk to = std::min(horizon_, static_cast<Clk>(end / period_) + 1);
+    while (to >= from && seconds(to) > end) --to;
+    const Clk edge = to >= from ? first_edge(s, from, to) : kNoEdge;
+    if (edge != kNoEdge) return anchor_ + edge;
+    if (to >= horizon_) return anchor_ + horizon_;
+    if (s.meets_stop) return anchor_ + std::max(to, from - 1) + 1;
+    from = std::max(from, to + 1);
+    s = successor(s);
+  }
+}
+
+// First clock in [from, to] of a segment with the position outside the encoder's present count.
+Clk Axis::first_edge(const Segment& s, Clk from, Clk to) const {
+  const double t_0 = seconds(from - 1) - s.start;
+  const double t_1 = seconds(to) - s.start;
+  if ((s.span.speed(t_0) > 0) != (s.span.speed(t_1) > 0) && to > from) {
+    // The carriage turns round: the farthest position may lie inside.
+    const double turn =
+        t_0 + root([&](double t) { return s.span.speed(t_0 + t); }, t_1 - t_0) + s.start;
+    const Clk m = std::clamp(static_cast<Clk>(turn / period_), from, to - 1);
+    if (outside(s, m)) return search(s, from - 1, m);
+    if (outside(s, m + 1)) return m + 1;
+    return outside(s, to) ? search(s, m + 1, to) : kNoEdge;
+  }
+  return outside(s, to) ? search(s, from - 1, to) : kNoEdge;
+}
+
+// First outside clock in (in, out], the position being monotonic: regula falsi, then halving.
+Clk Axis::search(const Segment& s, Clk in, Clk out) const {
+  const auto at = [&](Clk m) { return s.span.position(seconds(m) - s.start); };
+  const double x_out = at(out);
+  const double edge = x_out >= encoder_.high() ? encoder_.high() : encoder_.low();
+  double gap_in = at(in) - edge, gap_out = x_out - edge;
+  for (int k = 0; out - in > 1; ++k) {
+    Clk m = (in + out) / 2;
+    if (k < 4 && gap_out != gap_in) {
+      const double guess = gap_in / (gap_in - gap_out) * static_cast<double>(out - in);
+      const Clk step = guess >= 1 ? static_cast<Clk>(std::fmin(guess, 1e9)) : 0;
+      m = std::clamp(in + step + (k & 1), in + 1, out - 1);
+    }
+    if (outside(s, m)) {
+      out = m;
+      gap_out = at(m) - edge;
+    } else {
+      in = m;
+      gap_in = at(m) - edge;
+    }
+  }
+  return out;
+}
+
+}  // namespace trammel::plant

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// One table axis: inverter, motor, carriage with stops, encoder, current sensors. The gate bits hold
+// from a commit on; from there the motion is a chain of segments (motor spans) that end after 6.25 us,
+// where a diode current dies out, or where the carriage meets a stop. Segments follow from the last
+// commit alone, so every question in between is pure and next() agrees with what commit() will find.
+#pragma once
+
+#include <cstdint>
+
+#include "models/plant/current_sensor.hpp"
+#include "models/plant/encoder.hpp"
+#include "models/plant/inverter.hpp"
+#include "models/plant/pmlsm.hpp"
+#include "models/plant/xy_lines.hpp"
+
+namespace trammel::plant {
+
+struct AxisConfig {  // defaults: X axis of the table
+  double resistance_ohm = 27;
+  double inductance_d_h = 23.3e-3;
+  double inductance_q_h = 23.3e-3;
+  double force_constant_n_a = 79.9;
+  double pole_pitch_m = 30.5e-3;
+  double mass_kg = 2.5;
+  double payload_kg = 0;
+  double coulomb_n = 3.0;
+  double viscous_n_s_m = 20;
+  double cogging_n = 0;
+  double friction_speed_m_s = 0.5e-3;
+  double external_force_n = 0;
+  double stroke_min_m = 0;
+  double stroke_max_m = 0.6;
+  bool hard_stops = true;
+  double dc_link_v = 311;
+  double switch_drop_v = 0;
+  double diode_drop_v = 0;
+  double encoder_count_m = 5e-6;
+  double encoder_hysteresis_counts = 0.2;
+  double index_m = 0.25;
+  double current_full_scale_a = 9.6;
+  double current_noise_a = 0;  // rms
+  double start_m = 0;
+  int adc_bits = 12;
+};
+
+struct AxisState {
+  double x_m = 0, v_m_s = 0;
+  double i_d_a = 0, i_q_a = 0, i_a_a = 0, i_b_a = 0;
+  double force_n = 0;  // electromagnetic
+};
+
+class Axis {
+ public:
+  Axis(const AxisConfig& config, double period_s);
+
+  Clk next() const { return next_; }
+  void commit(Clk n, unsigned gates);
+  unsigned gates() const { return gates_; }
+
+  AxisState state(Clk n) const;
+  double position(Clk n) const;
+  int code(int phase, std::uint64_t seed, int channel, Clk n) const;
+  const Encoder& encoder() const { return encoder_; }
+  const Pmlsm& motor() const { return motor_; }
+  bool at_stop() const { return first_.held; }        // at the last commit
+  bool shoot_through() const { return shoot_through_; }  // ever since the start
+  double leg_volt(std::size_t leg) const { return first_.legs.volt[leg]; }  // at the last commit
+  bool leg_floats(std::size_t leg) const { return ((first_.legs.floating >> leg) & 1u) != 0; }
+
+ private:
+  struct Segment {
+    double start = 0, length = 0;  // [s] since the commit, [s]
+    Span span;
+    Legs legs;
+    bool held = false;      // carriage against a stop
+    unsigned dies = 0;      // legs whose current is zero at the end
+    bool meets_stop = false;
+    double stop = 0;        // [m]
+  };
+  struct Point {
+    MotorState motor;
+    SinCos angle;
+  };
+
+  static constexpr Clk kNoEdge = -1;
+
+  double seconds(Clk clocks) const { return static_cast<double>(clocks) * period_; }
+  Segment build(double start, const Point& p, unsigned zero) const;
+  void end_at_dead_current(Segment& s) const;
+  void end_at_stop(Segment& s) const;
+  Segment successor(const Segment& s) const;
+  Segment segment_at(double t) const;
+  Point point(const Segment& s, double t, unsigned zero) const;
+  double phase_current(const Span& f, double t, std::size_t leg) const;
+
+  Clk predict() const;
+  Clk first_edge(const Segment& s, Clk from, Clk to) const;
+  bool outside(const Segment& s, Clk m) const {
+    return encoder_.leaves(s.span.position(seconds(m) - s.start));
+  }
+  Clk search(const Segment& s, Clk inside, Clk outside) const;
+  bool far_from_events(const Segment& s, double time) const;
+
+  AxisConfig config_;
+  double period_;
+  Clk horizon_;
+  Pmlsm motor_;
+  Inverter inverter_;
+  CurrentSensor sensor_;
+  Encoder encoder_;
+  unsigned gates_ = 0;
+  bool shoot_through_ = false;
+  Clk anchor_ = 0;
+  Segment first_;
+  Clk next_ = 0;
+};
+
+}  // namespace trammel::plant

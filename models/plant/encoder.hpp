@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Incremental linear encoder: count = floor(x/count_m + 0.5) with a symmetric hysteresis of
+// `hysteresis` counts around each boundary; A leads B when counting up; the index is one count wide.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+namespace trammel::plant {
+
+struct EncoderConfig {
+  double count = 5e-6;      // [m] per count, after quadrupling
+  double hysteresis = 0.2;  // [counts], full width
+  double index = 0.25;      // [m]
+};
+
+class Encoder {
+ public:
+  Encoder(const EncoderConfig& c, double x)
+      : c_(c), index_(nearest(c.index)), count_(nearest(x)) {
+    set_limits();
+  }
+
+  std::int64_t count() const { return count_; }
+  bool a() const { return ((count_ + 1) & 2) != 0; }
+  bool b() const { return (count_ & 2) != 0; }
+  bool z() const { return count_ == index_; }
+
+  double low() const { return low_; }    // [m] below this the count falls
+  double high() const { return high_; }  // [m] from here on the count rises
+  bool leaves(double x) const { return x >= high_ || x < low_; }
+
+  void follow(double x) {
+    if (!leaves(x)) return;
+    count_ += x >= high_ ? 1 : -1;
+    set_limits();
+  }
+
+ private:
+  std::int64_t nearest(double x) const {
+    return static_cast<std::int64_t>(std::floor(x / c_.count + 0.5));
+  }
+  void set_limits() {
+    const double half = 0.5 + 0.5 * c_.hysteresis;
+    low_ = (static_cast<double>(count_) - half) * c_.count;
+    high_ = (static_cast<double>(count_) + half) * c_.count;
+  }
+
+  EncoderConfig c_;
+  std::int64_t index_, count_;
+  double low_ = 0, high_ = 0;
+};
+
+}  // namespace trammel::plant

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Permanent-magnet linear synchronous motor with its carriage (Kung et al. 2012, section 2):
+//   L_d di_d/dt = v_d - R i_d + w L_q i_q               w = pi v / tau, theta_e = pi x / tau
+//   L_q di_q/dt = v_q - R i_q - w L_d i_d - w lambda_f
+//   M dv/dt = F_e - B v - F_c v/sqrt(v^2 + v_f^2) - F_cog sin(2 pi x/tau) - F_ext,  dx/dt = v
+//   F_e = 3 pi/(2 tau) ((L_d - L_q) i_d + lambda_f) i_q
+// Under constant phase voltages the solution over a short span (6.25 us) is a Taylor series in time:
+// currents and speed to t^3, position to t^4. The truncation is below 1e-9 of the current.
+#pragma once
+
+#include <array>
+#include <cmath>
+
+#include "models/plant/trig.hpp"
+
+namespace trammel::plant {
+
+struct PmlsmConfig {
+  double resistance = 27;           // [ohm]
+  double inductance_d = 23.3e-3;    // [H]
+  double inductance_q = 23.3e-3;    // [H]
+  double force_constant = 79.9;     // [N/A], peak of the amplitude-invariant i_q
+  double pole_pitch = 30.5e-3;      // [m], north to south: half an electrical turn
+  double mass = 2.5;                // [kg], moving
+  double coulomb = 3.0;             // [N]
+  double viscous = 20;              // [N s/m]
+  double cogging = 0;               // [N]
+  double friction_speed = 0.5e-3;   // [m/s], width of the Coulomb transition
+  double external_force = 0;        // [N], against positive motion
+};
+
+struct MotorState {
+  double x = 0, v = 0;      // [m], [m/s]
+  double i_d = 0, i_q = 0;  // [A]
+};
+
+struct AlphaBeta {
+  double alpha = 0, beta = 0;
+};
+
+// Amplitude-invariant Clarke of three phase values; the common part drops out.
+inline AlphaBeta clarke(const std::array<double, 3>& p) {
+  return {(2 * p[0] - p[1] - p[2]) * (1.0 / 3), (p[1] - p[2]) * 0.57735026918962576};
+}
+
+inline std::array<double, 3> to_phases(const AlphaBeta& s) {
+  const double half = 0.86602540378443865 * s.beta;
+  return {s.alpha, -0.5 * s.alpha + half, -0.5 * s.alpha - half};
+}
+
+// What holds the carriage or the currents while a span lasts.
+struct Hold {
+  bool carriage = false;  // against a stop: v = 0
+  bool currents = false;  // no leg conducts: i = 0
+};
+
+// One span of motion: series in the time since its start.
+struct Span {
+  std::array<double, 5> x{};
+  std::array<double, 4> v{}, i_d{}, i_q{};
+  SinCos angle{};  // electrical angle at the start
+
+  double position(double t) const {
+    return x[0] + t * (x[1] + t * (x[2] + t * (x[3] + t * x[4])));
+  }
+  static double cubic(const std::array<double, 4>& c, double t) {
+    return c[0] + t * (c[1] + t * (c[2] + t * c[3]));
+  }
+  double speed(double t) const { return cubic(v, t); }
+  MotorState at(double t) const {
+    return {position(t), cubic(v, t), cubic(i_d, t), cubic(i_q, t)};
+  }
+};
+
+class Pmlsm {
+ public:
+  explicit Pmlsm(const PmlsmConfig& c)
+      : c_(c),
+        k_(kPi / c.pole_pitch),
+        turns_per_m_(0.5 / c.pole_pitch),
+        lambda_(2 * c.pole_pitch * c.force_constant / (3 * kPi)),
+        force_(1.5 * k_),
+        inv_ld_(1 / c.inductance_d),
+        inv_lq_(1 / c.inductance_q),
+        inv_mass_(1 / c.mass) {}
+
+  const PmlsmConfig& config() const { return c_; }
+  double flux() const { return lambda_; }               // [Wb]
+  double angular_speed(double v) const { return k_ * v; }  // [rad/s]
+  double back_emf_constant() const { return k_ * lambda_; }  // [V s/m], phase peak
+  double force(const MotorState& s) const {
+    return force_ * ((c_.inductance_d - c_.inductance_q) * s.i_d + lambda_) * s.i_q;
+  }
+  SinCos angle(double x) const { return sin_cos_turns(x * turns_per_m_); }
+
+  // Everything that pushes the carriage at speed 0: what leaves a stop.
+  double push(const MotorState& s) const {
+    const SinCos a = angle(s.x);
+    return force(s) - c_.cogging * 2 * a.sin * a.cos - c_.external_force;
+  }
+
+  // Largest acceleration within `span` seconds for phase voltages below `volt`.
+  double acceleration_bound(const MotorState& s, double volt, double span) const {
+    const double speed = std::fabs(s.v);
+    const double slew = 2 * (volt + k_ * lambda_ * (speed + 0.1)) * std::fmax(inv_ld_, inv_lq_);
+    const double current = std::fabs(s.i_d) + std::fabs(s.i_q) + slew * span;
+    const double flux = lambda_ + std::fabs(c_.inductance_d - c_.inductance_q) * current;
+    return inv_mass_ * (force_ * flux * current + c_.viscous * (speed + 0.1) + c_.coulomb +
+                        std::fabs(c_.cogging) + std::fabs(c_.external_force));
+  }
+
+  // Back-EMF vector in the stator frame.
+  AlphaBeta emf(const MotorState& s, const SinCos& a) const {
+    const double e = k_ * s.v * lambda_;
+    return {-e * a.sin, e * a.cos};
+  }
+
+  // Stator-frame current derivative under the phase voltage u.
+  AlphaBeta current_slope(const MotorState& s, const SinCos& a, const AlphaBeta& u) const {
+    const double w = k_ * s.v;
+    const double u_d = u.alpha * a.cos + u.beta * a.sin;
+    const double u_q = u.beta * a.cos - u.alpha * a.sin;
+    const double d = (u_d - c_.resistance * s.i_d + w * c_.inductance_q * s.i_q) * inv_ld_ - w * s.i_q;
+    const double q =
+        (u_q - c_.resistance * s.i_q - w * (c_.inductance_d * s.i_d + lambda_)) * inv_lq_ + w * s.i_d;
+    return {d * a.cos - q * a.sin, d * a.sin + q * a.cos};
+  }
+
+  // Derivative of the current along the stator direction n per volt along n.
+  double slope_per_volt(const SinCos& a, const AlphaBeta& n) const {
+    const double d = n.alpha * a.cos + n.beta * a.sin;
+    const double q = n.beta * a.cos - n.alpha * a.sin;
+    return d * d * inv_ld_ + q * q * inv_lq_;
+  }
+
+  // Series from state s under the constant stator-frame voltage u.
+  Span span(const MotorState& s, const SinCos& a, const AlphaBeta& u, Hold hold) const {
+    Span f;
+    f.angle = a;
+    f.x[0] = s.x;
+    f.v[0] = hold.carriage ? 0 : s.v;
+    if (!hold.currents) {
+      f.i_d[0] = s.i_d;
+      f.i_q[0] = s.i_q;
+    }
+    std::array<double, 4> u_d{}, u_q{}, cog{}, cog_cos{};
+    u_d[0] = u.alpha * a.cos + u.beta * a.sin;
+    u_q[0] = u.beta * a.cos - u.alpha * a.sin;
+    cog[0] = 2 * a.sin * a.cos;
+    cog_cos[0] = 1 - 2 * a.sin * a.sin;
+    const double width2 = c_.friction_speed * c_.friction_speed;
+    const double inv_r = 1 / std::sqrt(f.v[0] * f.v[0] + width2);
+    const double slope = width2 * inv_r * inv_r * inv_r;
+    const double saliency = c_.inductance_d - c_.inductance_q;
+    for (std::size_t n = 0; n < 3; ++n) {
+      const double scale = kInverse[n + 1];
+      if (!hold.currents) {
+        const double w_iq = k_ * product(f.v, f.i_q, n);
+        const double w_id = k_ * product(f.v, f.i_d, n);
+        f.i_d[n + 1] = scale * inv_ld_ *
+                       (u_d[n] - c_.resistance * f.i_d[n] + c_.inductance_q * w_iq);
+        f.i_q[n + 1] = scale * inv_lq_ * (u_q[n] - c_.resistance * f.i_q[n] -
+                                          c_.inductance_d * w_id - k_ * lambda_ * f.v[n]);
+        u_d[n + 1] = scale * k_ * product(f.v, u_q, n);
+        u_q[n + 1] = -scale * k_ * product(f.v, u_d, n);
+      }
+      f.x[n + 1] = scale * f.v[n];
+      if (hold.carriage) continue;
+      double push = force_ * lambda_ * f.i_q[n] - c_.viscous * f.v[n];
+      if (saliency != 0) push += force_ * saliency * product(f.i_d, f.i_q, n);
+      if (n == 0) {
+        push -= c_.external_force + c_.coulomb * f.v[0] * inv_r;
+      } else if (n == 1) {
+        push -= c_.coulomb * slope * f.v[1];
+      } else {
+        push -= c_.coulomb * slope * (f.v[2] - 1.5 * f.v[0] * inv_r * inv_r * f.v[1] * f.v[1]);
+      }
+      if (c_.cogging != 0) {
+        push -= c_.cogging * cog[n];
+        cog[n + 1] = scale * 2 * k_ * product(f.v, cog_cos, n);
+        cog_cos[n + 1] = -scale * 2 * k_ * product(f.v, cog, n);
+      }
+      f.v[n + 1] = scale * inv_mass_ * push;
+    }
+    f.x[4] = 0.25 * f.v[3];
+    return f;
+  }
+
+  // Electrical angle t seconds into a span; the turn since its start is small.
+  SinCos angle_at(const Span& f, double t) const {
+    const double a = k_ * (f.position(t) - f.x[0]);
+    const double z = a * a;
+    const double s = a * (1 - z * (1.0 / 6) * (1 - z * 0.05));
+    const double c = 1 - 0.5 * z * (1 - z * (1.0 / 12) * (1 - z * (1.0 / 30)));
+    return {f.angle.sin * c + f.angle.cos * s, f.angle.cos * c - f.angle.sin * s};
+  }
+
+  static AlphaBeta stator(double d, double q, const SinCos& a) {
+    return {d * a.cos - q * a.sin, d * a.sin + q * a.cos};
+  }
+
+ private:
+  static constexpr std::array<double, 4> kInverse{0, 1, 0.5, 1.0 / 3};
+
+  // Coefficient n of the product of two series.
+  static double product(const std::array<double, 4>& a, const std::array<double, 4>& b,
+                        std::size_t n) {
+    double sum = a[0] * b[n];
+    for (std::size_t k = 1; k <= n; ++k) sum += a[k] * b[n - k];
+    return sum;
+  }
+
+  PmlsmConfig c_;
+  double k_;  // [rad/m]
+  double turns_per_m_, lambda_, force_, inv_ld_, inv_lq_, inv_mass_;
+};
+
+}  // namespace trammel::plant

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The 49 rules c[j][i] of the fuzzy controller (i of the error, j of its change, 0..6), Q20 of a
+// unit, in four banks by the parity of i and j: the four rules around section (i, j) always lie in
+// four different banks, so they are read together. Reading takes no clock, writing one.
+// Table reset: 49 clocks, c[j][i] = clip(2 (i + j - 6), -6, 6), begins when hold_i is low; it also
+// follows rst_i, because memory has no reset. Outside access is by index 7 j + i; it writes only
+// while neither hold_i nor busy_o is high.
+
+module rule_store
+  import trammel_pkg::*;
+(
+    input logic clk_i,
+    input logic rst_i,
+
+    input logic reset_i,  // pulse: ask for the table reset
+    input logic hold_i,   // the controller runs: the table belongs to it
+
+    input  logic   [2:0] i_i,        // section of the error, 0..5
+    input  logic   [2:0] j_i,        // section of its change, 0..5
+    output count_t       rule_00_o,  // c[j][i]
+    output count_t       rule_01_o,  // c[j][i+1]
+    output count_t       rule_10_o,  // c[j+1][i]
+    output count_t       rule_11_o,  // c[j+1][i+1]
+
+    input logic         tune_we_i,
+    input logic   [1:0] tune_sel_i,  // {j + 1, i + 1}: which of the four
+    input count_t       tune_data_i,
+
+    input  logic   [5:0] addr_i,
+    input  logic         we_i,
+    input  count_t       wdata_i,
+    output count_t       rdata_o,
+
+    output logic busy_o,
+    output logic quiescent_o
+);
+
+  localparam logic [2:0] Last = 3'd6;
+
+  typedef enum logic [1:0] {
+    StIdle,
+    StAsked,  // a reset waits for hold_i to fall
+    StFill
+  } state_e;
+
+  state_e state_q, state_d;
+  logic [2:0] fill_i_q, fill_i_d, fill_j_q, fill_j_d;
+
+  always_comb begin
+    state_d  = state_q;
+    fill_i_d = fill_i_q;
+    fill_j_d = fill_j_q;
+    unique case (state_q)
+      StIdle: if (reset_i) state_d = StAsked;
+      StAsked: begin
+        fill_i_d = '0;
+        fill_j_d = '0;
+        if (!hold_i) state_d = StFill;
+      end
+      default: begin  // StFill; a reset asked for meanwhile is this one
+        fill_i_d = fill_i_q == Last ? '0 : fill_i_q + 3'd1;
+        if (fill_i_q == Last) fill_j_d = fill_j_q + 3'd1;
+        if (fill_i_q == Last && fill_j_q == Last) state_d = StIdle;
+      end
+    endcase
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (rst_i) begin
+      state_q  <= StAsked;
+      fill_i_q <= '0;
+      fill_j_q <= '0;
+    end else begin
+      state_q  <= state_d;
+      fill_i_q <= fill_i_d;
+      fill_j_q <= fill_j_d;
+    end
+  end
+
+  assign busy_o = state_q != StIdle;
+  assign quiescent_o = !busy_o && !reset_i && !tune_we_i && !we_i;
+
+  // Initial value: units of the clipped plane, in the top four bits.
+  function automatic count_t initial_rule(logic [2:0] i, logic [2:0] j);
+    logic signed [4:0] twice;  // i + j - 6, -6..6
+    twice = 5'(i) + 5'(j) - 5'd6;
+    if (twice >= 5'sd3) return {4'd6, 20'd0};
+    if (twice <= -5'sd3) return {-4'sd6, 20'd0};
+    return {twice[2:0], 21'd0};
+  endfunction
+
+  // Index 7 j + i.
+  logic [2:0] ext_i, ext_j;
+  logic ext_valid;
+  always_comb begin
+    ext_j = 3'd0;
+    for (int unsigned row = 1; row < 7; row++) begin
+      if (addr_i >= 6'(7 * row)) ext_j = 3'(row);
+    end
+    ext_i = 3'(addr_i - 6'd7 * 6'(ext_j));
+    ext_valid = addr_i < 6'd49;
+  end
+
+  // One writer at a time: table reset, tuning, outside.
+  logic we;
+  logic [2:0] write_i, write_j;
+  count_t wdata;
+  always_comb begin
+    we = we_i && !hold_i && ext_valid;
+    write_i = ext_i;
+    write_j = ext_j;
+    wdata = wdata_i;
+    if (tune_we_i) begin
+      we = 1'b1;
+      write_i = i_i + 3'(tune_sel_i[0]);
+      write_j = j_i + 3'(tune_sel_i[1]);
+      wdata = tune_data_i;
+    end
+    if (busy_o) begin
+      we = state_q == StFill;
+      write_i = fill_i_q;
+      write_j = fill_j_q;
+      wdata = initial_rule(fill_i_q, fill_j_q);
+    end
+  end
+
+  // Bank {parity of j, parity of i}; inside a bank the address is {j / 2, i / 2}. The even one of
+  // i and i + 1 is at (i + 1) / 2, the odd one at i / 2.
+  logic [1:0] even_i, even_j;
+  assign even_i = i_i[2:1] + 2'(i_i[0]);
+  assign even_j = j_i[2:1] + 2'(j_i[0]);
+
+  count_t bank_rule[4];
+  count_t bank_ext[4];
+  for (genvar b = 0; b < 4; b++) begin : gen_bank
+    localparam logic [1:0] Bank = 2'(b);
+    count_t mem_q[16];
+    logic [3:0] address;
+
+    assign address = {Bank[1] ? j_i[2:1] : even_j, Bank[0] ? i_i[2:1] : even_i};
+    assign bank_rule[b] = mem_q[address];
+    assign bank_ext[b] = mem_q[{ext_j[2:1], ext_i[2:1]}];
+
+    always_ff @(posedge clk_i) begin
+      if (we && {write_j[0], write_i[0]} == Bank) mem_q[{write_j[2:1], write_i[2:1]}] <= wdata;
+    end
+  end
+
+  assign rule_00_o = bank_rule[{j_i[0], i_i[0]}];
+  assign rule_01_o = bank_rule[{j_i[0], !i_i[0]}];
+  assign rule_10_o = bank_rule[{!j_i[0], i_i[0]}];
+  assign rule_11_o = bank_rule[{!j_i[0], !i_i[0]}];
+  assign rdata_o = ext_valid ? bank_ext[{ext_j[0], ext_i[0]}] : '0;
+
+endmodule

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Vector control of the current of one axis (specification section 7): a chain of flow blocks.
+// valid_o is high at the 65th clock edge after the one that sees tick_i; inputs hold until then.
+//
+//   edges      what
+//   0..19      electrical angle: count 352047 + offset mod 2^32, one bit of the constant a clock;
+//              Clarke meanwhile
+//   20..23     sine, cosine
+//   24..28     Park
+//   29..32     PI of d and q
+//   33..34     vector limit
+//   35..39     inverse Park
+//   40..63     space vector modulation
+//   64         compare values of the next period; valid
+//
+// While clear_i is high the integrators are 0 and the compare values 50 %; currents are measured.
+
+module current_loop
+  import trammel_pkg::*;
+(
+  input  logic        clk_i,
+  input  logic        rst_i,
+
+  input  logic        tick_i,  // converter data are valid
+
+  input  logic        clear_i,
+  input  logic [31:0] theta_ofs_i,
+  input  gain_t       kp_i,
+  input  gain_t       ki_i,
+
+  input  logic [11:0] code_a_i,
+  input  logic [11:0] code_b_i,
+  input  count_t      count_i,
+  input  word_t       i_q_ref_i,
+  input  word_t       i_d_ref_i,
+
+  output logic        busy_o,
+  output logic        valid_o,
+  output cmp_t        cmp_a_o,
+  output cmp_t        cmp_b_o,
+  output cmp_t        cmp_c_o,
+  output word_t       i_a_o,
+  output word_t       i_b_o,
+  output word_t       i_d_o,
+  output word_t       i_q_o,
+  output word_t       v_d_o,
+  output word_t       v_q_o,
+  output logic        limited_o,
+  output logic        quiescent_o
+);
+
+  typedef logic [31:0] theta_t;
+  typedef enum logic [1:0] {StIdle, StAngle, StOffset, StChain} state_e;
+
+  localparam logic [18:0] AnglePerCount = 19'd352047;  // 2^32 / 12200
+  localparam logic [4:0]  SecondBit     = 5'd17;       // the first is 1
+  localparam cmp_t        Centre        = CmpMax / 11'd2;
+
+  state_e     state_d, state_q;
+  logic       valid_q;
+  logic [4:0] bit_d, bit_q;
+  theta_t     theta_d, theta_q;
+  word_t      i_a_d, i_a_q;
+  word_t      i_b_d, i_b_q;
+  cmp_t       cmp_a_d, cmp_a_q;
+  cmp_t       cmp_b_d, cmp_b_q;
+  cmp_t       cmp_c_d, cmp_c_q;
+
+  logic  clarke_valid, sine_valid, park_valid, pi_d_valid, pi_q_valid;
+  logic  limit_valid, inverse_valid, svpwm_valid;
+  logic  clarke_quiescent, sine_quiescent, park_quiescent, pi_d_quiescent, pi_q_quiescent;
+  logic  limit_quiescent, inverse_quiescent, svpwm_quiescent;
+  word_t i_alpha, i_beta, sin, cos, v_d, v_q, v_alpha, v_beta;
+  cmp_t  cmp_a, cmp_b, cmp_c;
+  logic  clarke_tick;
+  logic [2:0] unused_sector;
+
+  // The angle by Horner's rule from the highest bit of the constant; the offset comes last.
+  always_comb begin
+    state_d = state_q;
+    bit_d = bit_q;
+    theta_d = theta_q;
+    i_a_d = i_a_q;
+    i_b_d = i_b_q;
+    clarke_tick = 1'b0;
+    unique case (state_q)
+      StIdle: begin
+        if (tick_i) begin
+          theta_d = theta_t'(count_i);
+          bit_d = SecondBit;
+          i_a_d = {~code_a_i[11], code_a_i[10:0]};  // offset binary
+          i_b_d = {~code_b_i[11], code_b_i[10:0]};
+          state_d = StAngle;
+        end
+      end
+      StAngle: begin
+        theta_d = {theta_q[30:0], 1'b0} + (AnglePerCount[bit_q] ? theta_t'(count_i) : '0);
+        bit_d = bit_q - 5'd1;
+        if (bit_q == '0) begin
+          bit_d = '0;
+          clarke_tick = 1'b1;
+          state_d = StOffset;
+        end
+      end
+      StOffset: begin
+        theta_d = theta_q + theta_ofs_i;
+        state_d = StChain;
+      end
+      default: begin  // StChain: each block starts the next one
+        if (svpwm_valid) state_d = StIdle;
+      end
+    endcase
+  end
+
+  always_comb begin
+    cmp_a_d = cmp_a_q;
+    cmp_b_d = cmp_b_q;
+    cmp_c_d = cmp_c_q;
+    if (svpwm_valid) begin
+      cmp_a_d = cmp_a;
+      cmp_b_d = cmp_b;
+      cmp_c_d = cmp_c;
+    end
+    if (clear_i) begin
+      cmp_a_d = Centre;
+      cmp_b_d = Centre;
+      cmp_c_d = Centre;
+    end
+  end
+
+  clarke u_clarke (
+    .clk_i      (clk_i),
+    .rst_i      (rst_i),
+    .tick_i     (clarke_tick),
+    .i_a_i      (i_a_q),
+    .i_b_i      (i_b_q),
+    .valid_o    (clarke_valid),
+    .i_alpha_o  (i_alpha),
+    .i_beta_o   (i_beta),
+    .quiescent_o(clarke_quiescent)
+  );
+
+  sine u_sine (
+    .clk_i      (clk_i),
+    .rst_i      (rst_i),
+    .tick_i     (clarke_valid),
+    .angle_i    (theta_q[31:22]),
+    .valid_o    (sine_valid),
+    .sin_o      (sin),
+    .cos_o      (cos),
+    .quiescent_o(sine_quiescent)
+  );
+
+  rotator #(
+    .Inverse(1'b0)
+  ) u_park (
+    .clk_i      (clk_i),
+    .rst_i      (rst_i),
+    .tick_i     (sine_valid),
+    .x_i        (i_alpha),
+    .y_i        (i_beta),
+    .sin_i      (sin),
+    .cos_i      (cos),
+    .valid_o    (park_valid),
+    .x_o        (i_d_o),
+    .y_o        (i_q_o),
+    .quiescent_o(park_quiescent)
+  );
+
+  current_pi u_pi_d (
+    .clk_i      (clk_i),
+    .rst_i      (rst_i),
+    .tick_i     (park_valid),
+    .clear_i    (clear_i),
+    .ref_i      (i_d_ref_i),
+    .meas_i     (i_d_o),
+    .kp_i       (kp_i),
+    .ki_i       (ki_i),
+    .valid_o    (pi_d_valid),
+    .v_o        (v_d),
+    .quiescent_o(pi_d_quiescent)
+  );
+
+  current_pi u_pi_q (
+    .clk_i      (clk_i),
+    .rst_i      (rst_i),
+    .tick_i     (park_valid),
+    .clear_i    (clear_i),
+    .ref_i      (i_q_ref_i),
+    .meas_i     (i_q_o),
+    .kp_i       (kp_i),
+    .ki_i       (ki_i),
+    .valid_o    (pi_q_valid),
+    .v_o        (v_q),
+    .quiescent_o(pi_q_quiescent)
+  );
+
+  vector_limit u_vector_limit (
+    .clk_i      (clk_i),
+    .rst_i      (rst_i),
+    .tick_i     (pi_d_valid && pi_q_valid),
+    .v_d_i      (v_d),
+    .v_q_i      (v_q),
+    .valid_o    (limit_valid),
+    .v_d_o      (v_d_o),
+    .v_q_o      (v_q_o),
+    .limited_o  (limited_o),
+    .quiescent_o(limit_quiescent)
+  );
+
+  rotator #(
+    .Inverse(1'b1)
+  ) u_inverse_park (
+    .clk_i      (clk_i),
+    .rst_i      (rst_i),
+    .tick_i     (limit_valid),
+    .x_i        (v_d_o),
+    .y_i        (v_q_o),
+    .sin_i      (sin),
+    .cos_i      (cos),
+    .valid_o    (inverse_valid),
+    .x_o        (v_alpha),
+    .y_o        (v_beta),
+    .quiescent_o(inverse_quiescent)
+  );
+
+  svpwm u_svpwm (
+    .clk_i      (clk_i),
+    .rst_i      (rst_i),
+    .tick_i     (inverse_valid),
+    .v_alpha_i  (v_alpha),
+    .v_beta_i   (v_beta),
+    .valid_o    (svpwm_valid),
+    .cmp_a_o    (cmp_a),
+    .cmp_b_o    (cmp_b),
+    .cmp_c_o    (cmp_c),
+    .sector_o   (unused_sector),
+    .quiescent_o(svpwm_quiescent)
+  );
+
+  always_ff @(posedge clk_i) begin
+    if (rst_i) begin
+      state_q <= StIdle;
+      valid_q <= 1'b0;
+      bit_q <= '0;
+      theta_q <= '0;
+      i_a_q <= '0;
+      i_b_q <= '0;
+      cmp_a_q <= Centre;
+      cmp_b_q <= Centre;
+      cmp_c_q <= Centre;
+    end else begin
+      state_q <= state_d;
+      valid_q <= svpwm_valid;
+      bit_q <= bit_d;
+      theta_q <= theta_d;
+      i_a_q <= i_a_d;
+      i_b_q <= i_b_d;
+      cmp_a_q <= cmp_a_d;
+      cmp_b_q <= cmp_b_d;
+      cmp_c_q <= cmp_c_d;
+    end
+  end
+
+  assign busy_o = state_q != StIdle;
+  assign valid_o = valid_q;
+  assign cmp_a_o = cmp_a_q;
+  assign cmp_b_o = cmp_b_q;
+  assign cmp_c_o = cmp_c_q;
+  assign i_a_o = i_a_q;
+  assign i_b_o = i_b_q;
+  assign quiescent_o = !busy_o && !tick_i && !valid_q &&
+                       cmp_a_d == cmp_a_q && cmp_b_d == cmp_b_q && cmp_c_d == cmp_c_q &&
+                       clarke_quiescent && sine_quiescent && park_quiescent && pi_d_quiescent &&
+                       pi_q_quiescent && limit_quiescent && inverse_quiescent && svpwm_quiescent;
+
+endmodule

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// One of the paths, chosen when the program starts. Plain value: a copy replays from where it is.
+#pragma once
+
+#include <cstdint>
+
+#include "sw_nios/path/circle.hpp"
+#include "sw_nios/path/line.hpp"
+#include "sw_nios/path/points.hpp"
+#include "sw_nios/path/square.hpp"
+#include "sw_nios/path/star.hpp"
+#include "sw_nios/path/window.hpp"
+
+namespace trammel::sw {
+
+enum class Path : std::uint8_t { kCircle, kWindow, kStar, kSquare, kLine, kPoints };
+
+// Only the parameters of `path` count.
+struct PathSetup {
+  Path path = Path::kCircle;
+  Circle::Setup circle;
+  Window::Setup window;
+  Star::Setup star;
+  Square::Setup square;
+  Line::Setup line;
+  const Point* points = nullptr;  // not owned: must outlive the trajectory
+  std::uint32_t n_points = 0;
+  std::uint32_t repeats = 1;  // laps; passes of the line, periods of the square wave
+};
+
+class Trajectory {
+  template <typename Self, typename Function>
+  static constexpr auto visit(Self& self, Function&& function) {
+    switch (self.path_) {
+      case Path::kWindow: return function(self.window_);
+      case Path::kStar: return function(self.star_);
+      case Path::kSquare: return function(self.square_);
+      case Path::kLine: return function(self.line_);
+      case Path::kPoints: return function(self.points_);
+      case Path::kCircle: break;
+    }
+    return function(self.circle_);
+  }
+
+ public:
+  constexpr explicit Trajectory(const PathSetup& s)
+      : path_(s.path),
+        circle_(s.circle, s.repeats),
+        window_(s.window, s.repeats),
+        star_(s.star, s.repeats),
+        square_(s.square, s.repeats),
+        line_(s.line, s.repeats),
+        points_({s.points, s.n_points}, s.repeats) {}
+
+  // Points the path has; next() gives them in order.
+  constexpr std::uint32_t size() const {
+    return visit(*this, [](const auto& g) { return g.size(); });
+  }
+  // Where the table rests before point 0.
+  constexpr Point start() const {
+    return visit(*this, [](const auto& g) { return g.start(); });
+  }
+  constexpr Point next() {
+    return visit(*this, [](auto& g) { return g.next(); });
+  }
+
+ private:
+  Path path_;
+  Circle circle_;
+  Window window_;
+  Star star_;
+  Square square_;
+  Line line_;
+  Points points_;
+};
+
+}  // namespace trammel::sw

@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "testbench/config.hpp"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cerrno>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+#include "testbench/build_info.hpp"
+
+namespace trammel::testbench {
+namespace fs = std::filesystem;
+namespace {
+
+using kung::Options;
+
+std::string upper(std::string text) {
+  for (char& c : text) {
+    c = c == '.' ? '_' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  }
+  return text;
+}
+
+[[noreturn]] void unknown_key(const std::string& where, const std::string& name) {
+  const std::string near = suggest(name, key_names());
+  throw ConfigError(fmt::format("{}: {}: unknown key{}", where, name,
+                                near.empty() ? "; `trammel list keys` names them all"
+                                             : fmt::format("; did you mean {}?", near)));
+}
+
+// Brings a value to the key's kind and checks its range.
+Value checked(const Key& key, const Value& value, const std::string& where) {
+  const auto fail = [&](const std::string& what) -> Value {
+    throw ConfigError(fmt::format("{}: {}: value {} {}", where, key.name, value_text(value), what));
+  };
+  const auto in_range = [&](double x) { return x >= key.min && x <= key.max; };
+  const auto* whole = std::get_if<std::int64_t>(&value);
+  const auto* real = std::get_if<double>(&value);
+  switch (key.kind) {
+    case Kind::kFlag:
+      return std::holds_alternative<bool>(value) ? value : fail("is not true or false");
+    case Kind::kText:
+      return std::holds_alternative<std::string>(value) ? value : fail("is not text");
+    case Kind::kChoice: {
+      const auto* text = std::get_if<std::string>(&value);
+      const bool known = text != nullptr && std::find(key.choices.begin(), key.choices.end(),
+                                                      *text) != key.choices.end();
+      return known ? value : fail("is not " + range_text(key));
+    }
+    case Kind::kInteger:
+      if (whole == nullptr) return fail("is not a whole number " + range_text(key));
+      if (!in_range(static_cast<double>(*whole))) return fail("is out of range " + range_text(key));
+      return value;
+    case Kind::kReal: break;
+  }
+  if (whole == nullptr && real == nullptr) return fail("is not a number " + range_text(key));
+  const double x = whole != nullptr ? static_cast<double>(*whole) : *real;
+  return in_range(x) ? Value{x} : fail("is out of range " + range_text(key));
+}
+
+// Text of the command line or environment, read as the key's kind wants it.
+Value parsed(const Key& key, const std::string& text) {
+  const char* const end = text.data() + text.size();
+  char* stop = nullptr;
+  if (key.kind == Kind::kFlag) {
+    for (const char* yes : {"true", "on", "yes", "1"}) {
+      if (text == yes) return true;
+    }
+    for (const char* no : {"false", "off", "no", "0"}) {
+      if (text == no) return false;
+    }
+  } else if (key.kind == Kind::kInteger && !text.empty()) {
+    errno = 0;
+    const long long whole = std::strtoll(text.c_str(), &stop, 10);
+    if (stop == end && errno == 0) return static_cast<std::int64_t>(whole);
+  } else if (key.kind == Kind::kReal && !text.empty()) {
+    const double real = std::strtod(text.c_str(), &stop);
+    if (stop == end) return real;
+  }
+  return text;
+}
+
+void set_keys(Options& options, const std::vector<const Key*>& found, const Value& value,
+              const std::string& where, const fs::path& folder) {
+  for (const Key* key : found) {
+    Value good = checked(*key, value, where);
+    if (key->name == "path.points_file") {
+      const fs::path file = std::get<std::string>(good);
+      if (!file.empty() && file.is_relative()) good = fs::absolute(folder / file).string();
+    }
+    key->set(options, good);
+  }
+}
+
+void set_text(Options& options, const std::string& name, const std::string& text,
+              const std::string& where) {
+  const auto found = find_keys(name);
+  if (found.empty()) unknown_key(where, name);
+  set_keys(options, found, parsed(*found.front(), text), where, fs::current_path());
+}
+
+struct Entry {
+  std::string name;
+  const toml::node* node;
+};
+
+void flatten(const toml::table& table, const std::string& prefix, std::vector<Entry>& entries) {
+  for (const auto& [key, node] : table) {
+    const std::string name = prefix + std::string(key.str());
+    if (const auto* inner = node.as_table()) {
+      flatten(*inner, name + '.', entries);
+    } else {
+      entries.push_back({name, &node});
+    }
+  }
+}
+
+}  // namespace
+
+std::string suggest(const std::string& word, const std::vector<std::string>& words) {
+  // The last part is what people mistype most: `coulomb` alone still finds `plant.coulomb_N`.
+  std::string best;
+  std::size_t best_distance = std::max<std::size_t>(2, word.size() / 3) + 1;
+  for (const std::string& other : words) {
+    std::vector<std::size_t> row(other.size() + 1);
+    for (std::size_t j = 0; j <= other.size(); ++j) row[j] = j;
+    for (std::size_t i = 1; i <= word.size(); ++i) {
+      std::size_t corner = row[0];
+      row[0] = i;
+      for (std::size_t j = 1; j <= other.size(); ++j) {
+        const bool same = std::tolower(static_cast<unsigned char>(word[i - 1])) ==
+                          std::tolower(static_cast<unsigned char>(other[j - 1]));
+        const std::size_t replaced = corner + (same ? 0 : 1);
+        corner = row[j];
+        row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
+      }
+    }
+    if (row.back() < best_distance) {
+      best_distance = row.back();
+      best = other;
+    }
+  }
+  return best;
+}
+
+void apply_text(Options& options, const std::string& toml, const std::string& source,
+                const fs::path& folder) {
+  toml::table table;
+  try {
+    table = toml::parse(toml, source);
+  } catch (const toml::parse_error& error) {
+    throw ConfigError(fmt::format("{}:{}: {}", source, error.source().begin.line,
+                                  std::string(error.description())));
+  }
+  std::vector<Entry> entries;
+  flatten(table, "", entries);
+  // Short forms (both axes) first, so that [plant.x] refines [plant] wherever it stands.
+  std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+    return find_keys(a.name).size() > find_keys(b.name).size();
+  });
+  for (const Entry& entry : entries) {
+    const std::string where = fmt::format("{}:{}", source, entry.node->source().begin.line);
+    const auto found = find_keys(entry.name);
+    if (found.empty()) unknown_key(where, entry.name);
+    Value value;
+    if (const auto* flag = entry.node->as_boolean()) {
+      value = flag->get();
+    } else if (const auto* whole = entry.node->as_integer()) {
+      value = whole->get();
+    } else if (const auto* real = entry.node->as_floating_point()) {
+      value = real->get();
+    } else if (const auto* text = entry.node->as_string()) {
+      value = text->get();
+    } else {
+      throw ConfigError(fmt::format("{}: {}: expects {}", where, entry.name,
+                                    range_text(*found.front())));
+    }
+    set_keys(options, found, value, where, folder);
+  }
+}
+
+void apply_file(Options& options, const fs::path& file) {
+  std::error_code ignored;
+  std::ifstream in(file);
+  if (!in || fs::is_directory(file, ignored)) {
+    throw ConfigError(fmt::format("{}: cannot be read: {}", file.string(),
+                                  in ? "it is a folder" : std::strerror(errno)));
+  }
+  std::stringstream text;
+  text << in.rdbuf();
+  apply_text(options, text.str(), file.string(), fs::absolute(file).parent_path());
+}
+
+void apply_assignment(Options& options, const std::string& assignment) {
+  const auto at = assignment.find('=');
+  if (at == std::string::npos || at == 0) {
+    throw ConfigError(fmt::format("-s {}: expects key=value", assignment));
+  }
+  set_text(options, assignment.substr(0, at), assignment.substr(at + 1), "-s");
+}
+
+void apply_environment(Options& options,
+                       const std::vector<std::pair<std::string, std::string>>& variables) {
+  const std::string prefix = "TRAMMEL_";
+  std::vector<std::pair<std::string, std::string>> found;  // key and value
+  for (const auto& [variable, value] : variables) {
+    if (variable.rfind(prefix, 0) != 0) continue;
+    const std::string rest = variable.substr(prefix.size());
+    const auto& all = key_names();
+    const auto key = std::find_if(all.begin(), all.end(),
+                                  [&](const std::string& name) { return upper(name) == rest; });
+    if (key != all.end()) {
+      found.emplace_back(*key, value);
+      continue;
+    }
+    // Other programs may own TRAMMEL_ variables; inside a section it can only be a mistake.
+    for (const char* section : {"RUN_", "PATH_", "GAINS_", "CHIP_", "PROCESSOR_", "PLANT_"}) {
+      if (rest.rfind(section, 0) != 0) continue;
+      std::vector<std::string> names;
+      for (const std::string& name : all) names.push_back(prefix + upper(name));
+      const std::string near = suggest(variable, names);
+      throw ConfigError(fmt::format("environment: {}: unknown key{}", variable,
+                                    near.empty() ? "" : fmt::format("; did you mean {}?", near)));
+    }
+  }
+  std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
+    return find_keys(a.first).size() > find_keys(b.first).size();
+  });
+  for (const auto& [key, value] : found) {
+    set_text(options, key, value, "environment " + prefix + upper(key));
+  }
+}
+
+std::vector<std::pair<std::string, std::string>> environment() {
+  std::vector<std::pair<std::string, std::string>> all;
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    const std::string text = *entry;
+    const auto at = text.find('=');
+    if (at != std::string::npos) all.emplace_back(text.substr(0, at), text.substr(at + 1));
+  }
+  return all;
+}
+
+std::vector<kung::PointM> read_points(const fs::path& file) {
+  std::error_code ignored;
+  std::ifstream in(file);
+  if (!in || fs::is_directory(file, ignored)) {
+    throw ConfigError(fmt::format("{}: path.points_file: cannot be read: {}", file.string(),
+                                  in ? "it is a folder" : std::strerror(errno)));
+  }
+  std::vector<kung::PointM> points;
+  std::string line;
+  bool may_be_header = true;
+  for (int number = 1; std::getline(in, line); ++number) {
+    line.erase(std::find(line.begin(), line.end(), '#'), line.end());
+    while (!line.empty() && std::isspace(static_cast<unsigned char>(line.back()))) line.pop_back();
+    if (line.empty()) continue;
+    const char* at = line.c_str();
+    char* end = nullptr;
+    kung::PointM point;
+    point.x_m = std::strtod(at, &end);
+    bool good = end != at;
+    for (at = end; *at == ' ' || *at == ','; ++at) {
+    }
+    point.y_m = std::strtod(at, &end);
+    good = good && end != at && *end == '\0';
+    const bool header = may_be_header && !good;
+    may_be_header = false;
+    if (header) continue;
+    if (!good) {
+      throw ConfigError(fmt::format("{}:{}: path.points_file: expects x_m,y_m, has \"{}\"",
+                                    file.string(), number, line));
+    }
+    if (!(std::abs(point.x_m) <= 40 && std::abs(point.y_m) <= 40)) {
+      throw ConfigError(fmt::format("{}:{}: path.points_file: point {} is out of range -40..40 m",
+                                    file.string(), number, line));
+    }
+    points.push_back(point);
+  }
+  if (points.size() < 2) {
+    throw ConfigError(fmt::format("{}: path.points_file: has {} points, at least 2 are needed",
+                                  file.string(), points.size()));
+  }
+  return points;
+}
+
+std::string run_toml(const Options& options) {
+  std::string text = "# Written by trammel; `trammel run run.toml` repeats this run.\n";
+  std::string section;
+  for (const Key& key : keys()) {
+    const auto dot = key.name.rfind('.');
+    const std::string here = dot == std::string::npos ? "" : key.name.substr(0, dot);
+    if (here != section) text += fmt::format("\n[{}]\n", here);
+    section = here;
+    text += fmt::format("{} = {}\n", dot == std::string::npos ? key.name : key.name.substr(dot + 1),
+                        value_text(key.get(options)));
+  }
+  return text;
+}
+
+std::vector<fs::path> scenarios() {
+  std::vector<fs::path> all;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(kScenarioFolder, ignored)) {
+    if (entry.path().extension() == ".toml") all.push_back(entry.path());
+  }
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+fs::path find_scenario(const std::string& name) {
+  std::vector<std::string> names;
+  for (const fs::path& file : scenarios()) {
+    if (file.stem() == name) return file;
+    names.push_back(file.stem().string());
+  }
+  const fs::path file = name;
+  if (file.extension() == ".toml" || file.has_parent_path()) return file;
+  const std::string near = suggest(name, names);
+  throw ConfigError(fmt::format("{}: no such scenario{}; built in: {}; or give a .toml file", name,
+                                near.empty() ? "" : fmt::format(", did you mean {}?", near),
+                                fmt::join(names, ", ")));
+}
+
+}  // namespace trammel::testbench

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "testbench/keys.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <type_traits>
+
+namespace trammel::testbench {
+namespace {
+
+using kung::Options;
+
+std::vector<std::string> names(kung::Controller) { return {"fc", "afc"}; }
+std::vector<std::string> names(kung::PathKind) {
+  return {"circle", "window", "star", "square", "line", "points"};
+}
+std::vector<std::string> names(kung::Platform) { return {"systemc", "direct"}; }
+std::vector<std::string> names(kung::WaveFormat) { return {"none", "vcd", "fst"}; }
+
+// Reads and writes the member that `lens` selects, whatever its type is.
+template <typename Lens>
+Key make(std::string name, double min, double max, std::string help, Lens lens) {
+  using T = std::decay_t<decltype(lens(std::declval<Options&>()))>;
+  Key key{std::move(name), Kind::kReal, min, max, {}, std::move(help), {}, {}};
+  if constexpr (std::is_enum_v<T>) {
+    key.kind = Kind::kChoice;
+    key.choices = names(T{});
+    key.get = [lens](const Options& o) -> Value {
+      return names(T{})[static_cast<std::size_t>(lens(o))];
+    };
+    key.set = [lens](Options& o, const Value& v) {
+      const auto all = names(T{});
+      lens(o) = static_cast<T>(std::find(all.begin(), all.end(), std::get<std::string>(v)) -
+                               all.begin());
+    };
+  } else if constexpr (std::is_same_v<T, bool> || std::is_same_v<T, std::string>) {
+    key.kind = std::is_same_v<T, bool> ? Kind::kFlag : Kind::kText;
+    key.get = [lens](const Options& o) -> Value { return lens(o); };
+    key.set = [lens](Options& o, const Value& v) { lens(o) = std::get<T>(v); };
+  } else if constexpr (std::is_integral_v<T>) {
+    key.kind = Kind::kInteger;
+    key.get = [lens](const Options& o) -> Value { return static_cast<std::int64_t>(lens(o)); };
+    key.set = [lens](Options& o, const Value& v) {
+      lens(o) = static_cast<T>(std::get<std::int64_t>(v));
+    };
+  } else {
+    key.get = [lens](const Options& o) -> Value { return lens(o); };
+    key.set = [lens](Options& o, const Value& v) { lens(o) = std::get<double>(v); };
+  }
+  return key;
+}
+
+constexpr const char* kAxisNames[] = {"x", "y"};
+
+struct Table {
+  std::vector<Key> keys;
+
+  template <typename Lens>
+  void one(std::string name, double min, double max, std::string help, Lens lens) {
+    keys.push_back(make(std::move(name), min, max, std::move(help), lens));
+  }
+  template <typename Lens>
+  void text(std::string name, std::string help, Lens lens) {
+    one(std::move(name), 0, 0, std::move(help), lens);
+  }
+};
+
+// Adds section.x.key and section.y.key.
+struct AxisTable {
+  std::vector<Key> by_axis[2];
+
+  template <typename Lens>
+  void add(const std::string& section, const std::string& name, double min, double max,
+           const std::string& help, Lens lens) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      by_axis[axis].push_back(
+          make(fmt::format("{}.{}.{}", section, kAxisNames[axis], name), min, max, help,
+               [lens, axis](auto& o) -> auto& { return lens(o, axis); }));
+    }
+  }
+  void append_to(std::vector<Key>& all) {
+    for (auto& keys : by_axis) std::move(keys.begin(), keys.end(), std::back_inserter(all));
+  }
+};
+
+#define TRAMMEL_LENS(member) [](auto& o) -> auto& { return o.member; }
+#define TRAMMEL_AXIS_LENS(group, member) \
+  [](auto& o, std::size_t a) -> auto& { return o.group[a].member; }
+
+void add_run(Table& t) {
+  t.text("name", "name of the run and of its output folder", TRAMMEL_LENS(scenario));
+  t.text("description", "one line for `trammel list`", TRAMMEL_LENS(description));
+  t.text("controller", "fixed rule table (fc) or adaptive (afc)", TRAMMEL_LENS(controller));
+  t.text("run.platform", "SystemC platform or direct wiring", TRAMMEL_LENS(run.platform));
+  t.one("run.window_clk", 0, 1e9, "longest look-ahead; 0 = unbounded, 1 = lock step",
+        TRAMMEL_LENS(run.window_clk));
+  t.one("run.settle_s", 0, 10, "simulated after the last point, not counted",
+        TRAMMEL_LENS(run.settle_s));
+  t.one("run.max_s", 1e-3, 3600, "simulated time a run may take", TRAMMEL_LENS(run.max_s));
+  t.one("run.diverged_m", 1e-4, 1, "tracking error that ends the run as diverged",
+        TRAMMEL_LENS(run.diverged_m));
+  t.text("run.wave", "signal traces", TRAMMEL_LENS(run.wave));
+  t.one("run.wave_begin_s", 0, 3600, "begin of the traced window", TRAMMEL_LENS(run.wave_begin_s));
+  t.one("run.wave_end_s", 0, 3600, "end of the traced window", TRAMMEL_LENS(run.wave_end_s));
+}
+
+void add_path(Table& t) {
+  t.text("path.kind", "which generator", TRAMMEL_LENS(path.kind));
+  t.one("path.repeats", 1, 1000, "passes of a circle, window, star or points path",
+        TRAMMEL_LENS(path.repeats));
+  t.one("path.circle_radius_m", 1e-4, 0.3, "", TRAMMEL_LENS(path.circle_radius_m));
+  t.one("path.circle_center_x_m", 0, 0.6, "", TRAMMEL_LENS(path.circle_center_x_m));
+  t.one("path.circle_center_y_m", 0, 0.6, "", TRAMMEL_LENS(path.circle_center_y_m));
+  t.one("path.circle_ticks", 16, 1000000, "interrupts a turn", TRAMMEL_LENS(path.circle_ticks));
+  t.one("path.window_side_m", 1e-3, 0.6, "", TRAMMEL_LENS(path.window_side_m));
+  t.one("path.window_radius_m", 1e-4, 0.29, "of the arcs at the corners",
+        TRAMMEL_LENS(path.window_radius_m));
+  t.one("path.window_center_x_m", 0, 0.6, "", TRAMMEL_LENS(path.window_center_x_m));
+  t.one("path.window_center_y_m", 0, 0.6, "", TRAMMEL_LENS(path.window_center_y_m));
+  t.one("path.window_step_m", 1e-6, 2.5e-3, "an interrupt, on the straight parts",
+        TRAMMEL_LENS(path.window_step_m));
+  t.one("path.window_arc_ticks", 4, 100000, "interrupts an arc",
+        TRAMMEL_LENS(path.window_arc_ticks));
+  t.one("path.star_edge_m", 1e-3, 0.6, "", TRAMMEL_LENS(path.star_edge_m));
+  t.one("path.star_start_x_m", 0, 0.6, "", TRAMMEL_LENS(path.star_start_x_m));
+  t.one("path.star_start_y_m", 0, 0.6, "", TRAMMEL_LENS(path.star_start_y_m));
+  t.one("path.star_stroke_ticks", 4, 100000, "interrupts a stroke",
+        TRAMMEL_LENS(path.star_stroke_ticks));
+  t.one("path.square_low_m", -0.6, 0.6, "", TRAMMEL_LENS(path.square_low_m));
+  t.one("path.square_high_m", -0.6, 0.6, "", TRAMMEL_LENS(path.square_high_m));
+  t.one("path.square_half_samples", 4, 100000, "2 kHz samples a half period",
+        TRAMMEL_LENS(path.square_half_samples));
+  t.one("path.square_periods", 1, 1000, "", TRAMMEL_LENS(path.square_periods));
+  t.one("path.line_start_x_m", 0, 0.6, "", TRAMMEL_LENS(path.line_start_x_m));
+  t.one("path.line_start_y_m", 0, 0.6, "", TRAMMEL_LENS(path.line_start_y_m));
+  t.one("path.line_end_x_m", 0, 0.6, "", TRAMMEL_LENS(path.line_end_x_m));
+  t.one("path.line_end_y_m", 0, 0.6, "", TRAMMEL_LENS(path.line_end_y_m));
+  t.one("path.line_ticks", 1, 1000000, "interrupts", TRAMMEL_LENS(path.line_ticks));
+  t.text("path.points_file", "CSV of x_m,y_m, one point an interrupt; path as seen from the file",
+         TRAMMEL_LENS(path.points_file));
+}
+
+void add_chip(Table& t) {
+  t.one("chip.dead_time_min_ns", 0, 20000, "lowest dead time the chip accepts",
+        TRAMMEL_LENS(chip.dead_time_min_ns));
+  t.one("chip.current_limit_A", 0.1, 9.6, "trip level of the measured phase currents",
+        TRAMMEL_LENS(chip.current_limit_A));
+  t.one("chip.irq_period_ticks", 1, 255, "2 kHz samples an interrupt",
+        TRAMMEL_LENS(chip.irq_period_ticks));
+  t.one("chip.watchdog_ticks", 0, 65535, "2 kHz samples between COMMITs; 0 = off",
+        TRAMMEL_LENS(chip.watchdog_ticks));
+  t.one("processor.access_clk", 1, 10000, "clocks a bus access costs",
+        TRAMMEL_LENS(processor.access_clk));
+  t.one("processor.interrupt_latency_clk", 0, 90000, "from interrupt to first access",
+        TRAMMEL_LENS(processor.interrupt_latency_clk));
+  t.one("plant.seed", 0, 9007199254740992.0, "of the noise", TRAMMEL_LENS(plant.seed));
+
+  AxisTable a;
+  a.add("chip", "dead_time_ns", 0, 20000, "", TRAMMEL_AXIS_LENS(chip.axis, dead_time_ns));
+  a.add("chip", "qep_filter_clk", 1, 15, "equal samples of an encoder edge",
+        TRAMMEL_AXIS_LENS(chip.axis, qep_filter_clk));
+  a.add("chip", "stroke_check", 0, 0, "leaving the stroke trips",
+        TRAMMEL_AXIS_LENS(chip.axis, stroke_check));
+  a.add("chip", "stroke_min_m", -40, 40, "", TRAMMEL_AXIS_LENS(chip.axis, stroke_min_m));
+  a.add("chip", "stroke_max_m", -40, 40, "", TRAMMEL_AXIS_LENS(chip.axis, stroke_max_m));
+  a.append_to(t.keys);
+}
+
+void add_gains(Table& t) {
+  const std::string s = "gains";
+  AxisTable a;
+  a.add(s, "kp", 0, 32, "position PI", TRAMMEL_AXIS_LENS(gains, kp));
+  a.add(s, "ki", 0, 1, "position PI, a sample", TRAMMEL_AXIS_LENS(gains, ki));
+  a.add(s, "kv", 0, 64, "speed P", TRAMMEL_AXIS_LENS(gains, kv));
+  a.add(s, "learning_rate", 0, 10, "alpha of the tuning law",
+        TRAMMEL_AXIS_LENS(gains, learning_rate));
+  a.add(s, "shift_e", 0, 11, "one fuzzy unit = 256 / 2^shift counts",
+        TRAMMEL_AXIS_LENS(gains, shift_e));
+  a.add(s, "shift_de", 0, 11, "the same for the error change",
+        TRAMMEL_AXIS_LENS(gains, shift_de));
+  a.add(s, "omega_n_rad_s", 1, 200, "reference model", TRAMMEL_AXIS_LENS(gains, omega_n_rad_s));
+  a.add(s, "zeta", 0.2, 5, "reference model", TRAMMEL_AXIS_LENS(gains, zeta));
+  a.add(s, "current_kp_V_A", 0, 1000, "current PI", TRAMMEL_AXIS_LENS(gains, current_kp_V_A));
+  a.add(s, "current_ki_V_A", 0, 1000, "current PI, a 16 kHz sample",
+        TRAMMEL_AXIS_LENS(gains, current_ki_V_A));
+  a.add(s, "theta_offset_rad", -7, 7, "electrical angle at count 0",
+        TRAMMEL_AXIS_LENS(gains, theta_offset_rad));
+  a.add(s, "feedforward", 0, 0, "velocity feed-forward from the model",
+        TRAMMEL_AXIS_LENS(gains, feedforward));
+  a.add(s, "interpolate", 0, 0, "commands linear between interrupts",
+        TRAMMEL_AXIS_LENS(gains, interpolate));
+  a.append_to(t.keys);
+}
+
+void add_plant(Table& t) {
+  const std::string s = "plant";
+  AxisTable a;
+#define TRAMMEL_PLANT(name, member, min, max, help) \
+  a.add(s, name, min, max, help, TRAMMEL_AXIS_LENS(plant.axis, member))
+  TRAMMEL_PLANT("resistance_ohm", resistance_ohm, 0.01, 1000, "");
+  TRAMMEL_PLANT("inductance_d_H", inductance_d_h, 1e-4, 1, "");
+  TRAMMEL_PLANT("inductance_q_H", inductance_q_h, 1e-4, 1, "");
+  TRAMMEL_PLANT("force_constant_N_A", force_constant_n_a, 1, 1000, "at the peak of i_q");
+  TRAMMEL_PLANT("pole_pitch_m", pole_pitch_m, 1e-3, 1, "half an electrical turn");
+  TRAMMEL_PLANT("mass_kg", mass_kg, 0.1, 500, "");
+  TRAMMEL_PLANT("payload_kg", payload_kg, 0, 500, "");
+  TRAMMEL_PLANT("coulomb_N", coulomb_n, 0, 500, "Coulomb friction");
+  TRAMMEL_PLANT("viscous_N_s_m", viscous_n_s_m, 0, 10000, "viscous friction");
+  TRAMMEL_PLANT("cogging_N", cogging_n, 0, 500, "amplitude, period one pole pitch");
+  TRAMMEL_PLANT("friction_speed_m_s", friction_speed_m_s, 1e-5, 1, "where friction smooths out");
+  TRAMMEL_PLANT("external_force_N", external_force_n, -1000, 1000, "against the motion's sign +");
+  TRAMMEL_PLANT("stroke_min_m", stroke_min_m, -40, 40, "hard stop");
+  TRAMMEL_PLANT("stroke_max_m", stroke_max_m, -40, 40, "hard stop");
+  TRAMMEL_PLANT("hard_stops", hard_stops, 0, 0, "");
+  TRAMMEL_PLANT("dc_link_V", dc_link_v, 1, 1000, "");
+  TRAMMEL_PLANT("switch_drop_V", switch_drop_v, 0, 10, "of a closed switch");
+  TRAMMEL_PLANT("diode_drop_V", diode_drop_v, 0, 10, "of a conducting diode");
+  TRAMMEL_PLANT("encoder_count_m", encoder_count_m, 1e-7, 1e-3, "after x4 decoding");
+  TRAMMEL_PLANT("encoder_hysteresis_counts", encoder_hysteresis_counts, 0, 0.9, "");
+  TRAMMEL_PLANT("index_m", index_m, -40, 40, "where the index pulse is");
+  TRAMMEL_PLANT("current_full_scale_A", current_full_scale_a, 0.1, 1000, "of the sensors");
+  TRAMMEL_PLANT("current_noise_A", current_noise_a, 0, 10, "rms");
+  TRAMMEL_PLANT("adc_bits", adc_bits, 6, 12, "of the converters");
+#undef TRAMMEL_PLANT
+  a.append_to(t.keys);
+}
+
+#undef TRAMMEL_LENS
+#undef TRAMMEL_AXIS_LENS
+
+// "plant.x.mass_kg" -> "plant.mass_kg"; other names stay.
+std::string short_form(const std::string& name) {
+  for (const char* axis : {".x.", ".y."}) {
+    const auto at = name.find(axis);
+    if (at != std::string::npos) return name.substr(0, at) + name.substr(at + 2);
+  }
+  return name;
+}
+
+}  // namespace
+
+const std::vector<Key>& keys() {
+  static const std::vector<Key> all = [] {
+    Table t;
+    add_run(t);
+    add_path(t);
+    add_gains(t);
+    add_chip(t);
+    add_plant(t);
+    return t.keys;
+  }();
+  return all;
+}
+
+std::vector<const Key*> find_keys(std::string_view name) {
+  std::vector<const Key*> found;
+  for (const Key& key : keys()) {
+    if (key.name == name || short_form(key.name) == name) found.push_back(&key);
+  }
+  return found;
+}
+
+const std::vector<std::string>& key_names() {
+  static const std::vector<std::string> all = [] {
+    std::vector<std::string> list;
+    for (const Key& key : keys()) {
+      list.push_back(key.name);
+      list.push_back(short_form(key.name));
+    }
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
+    return list;
+  }();
+  return all;
+}
+
+std::string range_text(const Key& key) {
+  switch (key.kind) {
+    case Kind::kFlag: return "true or false";
+    case Kind::kText: return "text";
+    case Kind::kChoice: return fmt::format("one of {}", fmt::join(key.choices, ", "));
+    case Kind::kInteger: return fmt::format("{:.0f}..{:.0f}", key.min, key.max);
+    case Kind::kReal: break;
+  }
+  return fmt::format("{:g}..{:g}", key.min, key.max);
+}
+
+std::string value_text(const Value& value) {
+  if (const auto* flag = std::get_if<bool>(&value)) return *flag ? "true" : "false";
+  if (const auto* whole = std::get_if<std::int64_t>(&value)) return fmt::format("{}", *whole);
+  if (const auto* real = std::get_if<double>(&value)) {
+    // Shortest text that reads back as the same number; TOML wants a point or an exponent.
+    std::string text = fmt::format("{}", *real);
+    if (text.find_first_of(".e") == std::string::npos) text += ".0";
+    return text;
+  }
+  std::string text = "\"";
+  for (const char c : std::get<std::string>(value)) {
+    if (c == '"' || c == '\\') text += '\\';
+    if (static_cast<unsigned char>(c) < 0x20) {
+      text += fmt::format("\\u{:04X}", static_cast<unsigned>(c));
+    } else {
+      text += c;
+    }
+  }
+  return text + '"';
+}
+
+}  // namespace trammel::testbench

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <Vrule_store.h>
+
+#include <array>
+#include <catch2/catch.hpp>
+#include <random>
+
+#include "models/exact/control/rule_store.hpp"
+#include "tests/support/rtl.hpp"
+
+using trammel::exact::RuleStore;
+using trammel::test::as_bits;
+using trammel::test::as_signed;
+
+namespace {
+
+struct Bench {
+  trammel::test::Rtl<Vrule_store> rtl;
+  RuleStore twin;
+
+  Bench() {
+    rtl->reset_i = 0;
+    rtl->hold_i = 0;
+    rtl->i_i = 0;
+    rtl->j_i = 0;
+    rtl->tune_we_i = 0;
+    rtl->tune_sel_i = 0;
+    rtl->tune_data_i = 0;
+    rtl->addr_i = 0;
+    rtl->we_i = 0;
+    rtl->wdata_i = 0;
+    rtl.reset();
+    settle();
+  }
+
+  int settle() {
+    int clocks = 0;
+    for (; rtl->busy_o && clocks < 100; ++clocks) rtl.tick();
+    return clocks;
+  }
+
+  std::int64_t read(int index) {
+    rtl->addr_i = as_bits(index, 6);
+    rtl.eval();
+    return as_signed(rtl->rdata_o, 24);
+  }
+
+  void write(int index, std::int32_t value) {
+    rtl->addr_i = as_bits(index, 6);
+    rtl->wdata_i = as_bits(value, 24);
+    rtl->we_i = 1;
+    rtl.tick();
+    rtl->we_i = 0;
+    rtl.eval();
+  }
+
+  void require_same() {
+    for (int n = 0; n < 64; ++n) {
+      CAPTURE(n);
+      REQUIRE(read(n) == twin.read(n));
+    }
+  }
+
+  void require_same_fired(int i, int j) {
+    CAPTURE(i, j);
+    rtl->i_i = as_bits(i, 3);
+    rtl->j_i = as_bits(j, 3);
+    rtl.eval();
+    const std::array<int, 4> fired = RuleStore::fired(i, j);
+    REQUIRE(as_signed(rtl->rule_00_o, 24) == twin.read(fired[0]));
+    REQUIRE(as_signed(rtl->rule_01_o, 24) == twin.read(fired[1]));
+    REQUIRE(as_signed(rtl->rule_10_o, 24) == twin.read(fired[2]));
+    REQUIRE(as_signed(rtl->rule_11_o, 24) == twin.read(fired[3]));
+  }
+};
+
+}  // namespace
+
+TEST_CASE("The table after reset is that of the specification") {
+  constexpr int kUnits[7][7] = {
+      {-6, -6, -6, -6, -4, -2, 0}, {-6, -6, -6, -4, -2, 0, 2}, {-6, -6, -4, -2, 0, 2, 4},
+      {-6, -4, -2, 0, 2, 4, 6},    {-4, -2, 0, 2, 4, 6, 6},    {-2, 0, 2, 4, 6, 6, 6},
+      {0, 2, 4, 6, 6, 6, 6}};
+  Bench bench;
+  for (int n = 0; n < RuleStore::kRules; ++n) {
+    CAPTURE(n);
+    REQUIRE(bench.read(n) == kUnits[n / 7][n % 7] * 1048576);
+    REQUIRE(bench.twin.read(n) == kUnits[n / 7][n % 7] * 1048576);
+  }
+}
+
+TEST_CASE("The four fired rules are read together in every section") {
+  Bench bench;
+  std::mt19937 random(1);
+  for (int n = 0; n < RuleStore::kRules; ++n) {
+    const auto value = static_cast<std::int32_t>(random() & 0xffffff) - 0x800000;
+    bench.write(n, value);
+    bench.twin.write(n, value);
+  }
+  bench.require_same();
+  for (int j = 0; j < 6; ++j) {
+    for (int i = 0; i < 6; ++i) bench.require_same_fired(i, j);
+  }
+}
+
+TEST_CASE("Tuning and outside writes agree with the twin") {
+  Bench bench;
+  std::mt19937 random(2);
+  for (int n = 0; n < 2000; ++n) {
+    const auto value = static_cast<std::int32_t>(random() & 0xffffff) - 0x800000;
+    if (random() % 2 == 0) {
+      const int i = static_cast<int>(random() % 6);
+      const int j = static_cast<int>(random() % 6);
+      const unsigned which = random() % 4;
+      bench.rtl->i_i = as_bits(i, 3);
+      bench.rtl->j_i = as_bits(j, 3);
+      bench.rtl->tune_sel_i = as_bits(which, 2);
+      bench.rtl->tune_data_i = as_bits(value, 24);
+      bench.rtl->tune_we_i = 1;
+      bench.rtl.eval();
+      REQUIRE(!bench.rtl->quiescent_o);
+      bench.rtl.tick();
+      bench.rtl->tune_we_i = 0;
+      bench.twin.write(RuleStore::fired(i, j)[which], value);
+    } else {
+      const int index = static_cast<int>(random() % 64);  // those above 48 do nothing
+      bench.write(index, value);
+      bench.twin.write(index, value);
+    }
+    bench.require_same_fired(static_cast<int>(random() % 6), static_cast<int>(random() % 6));
+  }
+  bench.require_same();
+}
+
+TEST_CASE("A table reset takes 49 writes, waits for the controller and shuts out other writes") {
+  Bench bench;
+  for (int n = 0; n < RuleStore::kRules; ++n) bench.write(n, 1000 + n);
+  bench.rtl->hold_i = 1;
+  bench.rtl->reset_i = 1;
+  bench.rtl.tick();
+  bench.rtl->reset_i = 0;
+  for (int n = 0; n < 100; ++n) bench.rtl.tick();
+  REQUIRE(bench.rtl->busy_o);
+  REQUIRE(bench.read(0) == 1000);
+  bench.write(0, 7);
+  REQUIRE(bench.read(0) == 1000);
+  bench.rtl->hold_i = 0;
+  bench.rtl.tick();
+  int clocks = 0;
+  for (; bench.rtl->busy_o; ++clocks) {
+    REQUIRE(!bench.rtl->quiescent_o);
+    bench.write(0, 7);
+  }
+  REQUIRE(clocks == RuleStore::kRules);
+  REQUIRE(bench.rtl->quiescent_o);
+  bench.require_same();
+}

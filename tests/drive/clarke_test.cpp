@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <Vclarke.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "models/exact/drive/clarke.hpp"
+#include "models/ideal/clarke_park.hpp"
+#include "tests/drive/flow.hpp"
+
+using namespace trammel;
+using exact::Clarke;
+
+namespace {
+constexpr int kLatency = 2;
+}
+
+TEST_CASE("clarke agrees with its twin on random and extreme currents, in 2 clocks") {
+  test::Rtl<Vclarke> rtl;
+  rtl.reset();
+  const Clarke twin;
+  test::Words words(1);
+  for (int n = 0; n < 20000; ++n) {
+    const Clarke::In in{words(), words()};
+    test::set_word(rtl->i_a_i, in.i_a);
+    test::set_word(rtl->i_b_i, in.i_b);
+    REQUIRE(test::run_flow(rtl) == kLatency);
+    const Clarke::Out out = twin.step(in);
+    CAPTURE(n, in.i_a, in.i_b);
+    REQUIRE(test::word(rtl->i_alpha_o) == out.i_alpha);
+    REQUIRE(test::word(rtl->i_beta_o) == out.i_beta);
+  }
+}
+
+TEST_CASE("clarke stays within one step of the ideal transform inside the range of a word") {
+  const Clarke twin;
+  test::Words words(2);
+  for (int n = 0; n < 20000; ++n) {
+    const Clarke::In in{words(), words()};
+    const ideal::AlphaBeta ideal = ideal::clarke(in.i_a, in.i_b);
+    const Clarke::Out out = twin.step(in);
+    REQUIRE(out.i_alpha == in.i_a);
+    // half a step of rounding; 1182 for 2048 / sqrt 3 = 1182.41 is 0.72 at full scale
+    REQUIRE(std::abs(out.i_beta - std::clamp(ideal.beta, -2048.0, 2047.0)) < 1.3);
+  }
+}
+
+TEST_CASE("clarke turns a symmetric three-phase current into a circle of its amplitude") {
+  const Clarke twin;
+  for (int k = 0; k < 360; ++k) {
+    const double angle = k * 3.14159265358979 / 180;
+    const auto i_a = static_cast<std::int32_t>(std::lround(1000 * std::cos(angle)));
+    const auto i_b =
+        static_cast<std::int32_t>(std::lround(1000 * std::cos(angle - 2 * 3.14159265358979 / 3)));
+    const Clarke::Out out = twin.step({i_a, i_b});
+    REQUIRE(std::hypot(out.i_alpha, out.i_beta) == Approx(1000).margin(2));
+  }
+}

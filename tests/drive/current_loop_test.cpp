@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <Vcurrent_loop.h>
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "models/exact/drive/current_loop.hpp"
+#include "models/ideal/clarke_park.hpp"
+#include "tests/drive/flow.hpp"
+
+using namespace trammel;
+using exact::CurrentLoop;
+using fixed::Gain;
+
+namespace {
+
+constexpr int kLatency = 65;
+constexpr Gain kKp{1275, 2};
+constexpr Gain kKi{1478, -2};
+
+using Dut = test::Rtl<Vcurrent_loop>;
+
+std::uint16_t gain_bits(const Gain& g) {
+  return static_cast<std::uint16_t>(test::as_bits(g.exp, 5) << 11 | test::as_bits(g.mant, 11));
+}
+
+void drive(Dut& rtl, const CurrentLoop::In& in) {
+  rtl->clear_i = in.clear;
+  rtl->code_a_i = static_cast<std::uint16_t>(in.code_a);
+  rtl->code_b_i = static_cast<std::uint16_t>(in.code_b);
+  rtl->count_i = test::as_bits(in.count, 24);
+  rtl->theta_ofs_i = in.theta_ofs;
+  test::set_word(rtl->i_q_ref_i, in.i_q_ref);
+  test::set_word(rtl->i_d_ref_i, in.i_d_ref);
+  rtl->kp_i = gain_bits(in.kp);
+  rtl->ki_i = gain_bits(in.ki);
+}
+
+void check(Dut& rtl, const CurrentLoop::Out& out) {
+  REQUIRE(rtl->cmp_a_o == static_cast<std::uint32_t>(out.cmp_a));
+  REQUIRE(rtl->cmp_b_o == static_cast<std::uint32_t>(out.cmp_b));
+  REQUIRE(rtl->cmp_c_o == static_cast<std::uint32_t>(out.cmp_c));
+  REQUIRE(test::word(rtl->i_a_o) == out.i_a);
+  REQUIRE(test::word(rtl->i_b_o) == out.i_b);
+  REQUIRE(test::word(rtl->i_d_o) == out.i_d);
+  REQUIRE(test::word(rtl->i_q_o) == out.i_q);
+  REQUIRE(test::word(rtl->v_d_o) == out.v_d);
+  REQUIRE(test::word(rtl->v_q_o) == out.v_q);
+  REQUIRE((rtl->limited_o != 0) == out.limited);
+}
+
+}  // namespace
+
+TEST_CASE("current_loop agrees with its twin on 20 000 samples, in 65 clocks") {
+  Dut rtl;
+  rtl.reset();
+  CurrentLoop twin;
+  test::Words words(1);
+  CurrentLoop::In in;
+  for (int n = 0; n < 20000; ++n) {
+    if (n % 16 == 0) {
+      in.kp = words.below(2) ? kKp : Gain{int(words.below(2048)), int(words.below(32)) - 16};
+      in.ki = words.below(2) ? kKi : Gain{int(words.below(2048)), int(words.below(32)) - 16};
+      in.theta_ofs = words.below(0xFFFFFFFF);
+      in.clear = words.below(8) == 0;
+      in.i_q_ref = words();
+      in.i_d_ref = words.below(2) ? 0 : words();
+    }
+    const int span = words.below(2) ? 1 : 8;
+    in.code_a = 2048 + words() / span;
+    in.code_b = 2048 + words() / span;
+    in.count = static_cast<std::int32_t>(words.below(1u << 24)) - (1 << 23);
+    drive(rtl, in);
+    REQUIRE(test::run_flow(rtl) == kLatency);
+    CAPTURE(n, in.code_a, in.code_b, in.count, in.theta_ofs, in.i_q_ref, in.clear);
+    check(rtl, twin.step(in));
+  }
+}
+
+TEST_CASE("current_loop answers a step of 427 with v_q = 1063, 1140, 1217, 1294") {
+  Dut rtl;
+  rtl.reset();
+  CurrentLoop::In in;
+  in.i_q_ref = 427;
+  in.kp = kKp;
+  in.ki = kKi;
+  drive(rtl, in);
+  for (const int v : {1063, 1140, 1217, 1294}) {
+    REQUIRE(test::run_flow(rtl) == kLatency);
+    REQUIRE(test::word(rtl->v_q_o) == v);
+    REQUIRE(test::word(rtl->v_d_o) == 0);
+  }
+}
+
+TEST_CASE("current_loop turns its angle once in 12 200 counts") {
+  REQUIRE(CurrentLoop::theta(0, 5) == 5);
+  REQUIRE(CurrentLoop::theta(12200, 0) == 6104);  // 12 200 * 352047 - 2^32: 1.4e-6 of a turn
+  REQUIRE(CurrentLoop::theta(-3050, 0) >> 22 == 767);
+  REQUIRE(CurrentLoop::theta(3050, 0) >> 22 == 256);
+}
+
+TEST_CASE("current_loop measures the d and q currents of a rotating field") {
+  constexpr double kPi = 3.14159265358979323846;
+  Dut rtl;
+  rtl.reset();
+  CurrentLoop::In in;
+  in.clear = true;
+  for (std::int32_t count = -24400; count < 24400; count += 61) {
+    const double theta = 2 * kPi * count / 12200;
+    const ideal::Phases i = ideal::inverse_clarke(ideal::inverse_park({200, 700}, theta));
+    in.code_a = 2048 + static_cast<std::int32_t>(std::lround(i.a));
+    in.code_b = 2048 + static_cast<std::int32_t>(std::lround(i.b));
+    in.count = count;
+    drive(rtl, in);
+    REQUIRE(test::run_flow(rtl) == kLatency);
+    // rounding of the inputs, and up to one table step (0.35 degrees, 4.5 of 728) of the angle
+    REQUIRE(test::word(rtl->i_d_o) == Approx(200).margin(7));
+    REQUIRE(test::word(rtl->i_q_o) == Approx(700).margin(7));
+    REQUIRE(rtl->cmp_a_o == 781);
+  }
+}
+
+TEST_CASE("current_loop goes to 50 % one clock after clear, and is quiescent then") {
+  Dut rtl;
+  rtl.reset();
+  REQUIRE(rtl->quiescent_o);
+  CurrentLoop::In in;
+  in.i_q_ref = 427;
+  in.kp = kKp;
+  in.ki = kKi;
+  drive(rtl, in);
+  REQUIRE(test::run_flow(rtl) == kLatency);
+  REQUIRE_FALSE(rtl->busy_o);
+  REQUIRE_FALSE(rtl->quiescent_o);
+  rtl.tick();
+  REQUIRE(rtl->quiescent_o);
+  REQUIRE(rtl->cmp_a_o != 781);
+  rtl->clear_i = 1;
+  rtl.eval();
+  REQUIRE_FALSE(rtl->quiescent_o);
+  rtl.tick();
+  REQUIRE(rtl->quiescent_o);
+  REQUIRE(rtl->cmp_a_o == 781);
+  REQUIRE(rtl->cmp_b_o == 781);
+  REQUIRE(rtl->cmp_c_o == 781);
+}
+
+TEST_CASE("current_loop is busy and not quiescent from the tick to the result") {
+  Dut rtl;
+  rtl.reset();
+  drive(rtl, {});
+  rtl->tick_i = 1;
+  rtl.eval();
+  REQUIRE_FALSE(rtl->quiescent_o);
+  rtl.tick();
+  rtl->tick_i = 0;
+  for (int edge = 1; edge < kLatency; ++edge) {
+    rtl.eval();
+    REQUIRE(rtl->busy_o);
+    REQUIRE_FALSE(rtl->quiescent_o);
+    REQUIRE_FALSE(rtl->valid_o);
+    rtl.tick();
+  }
+  REQUIRE(rtl->valid_o);
+  REQUIRE_FALSE(rtl->busy_o);
+}

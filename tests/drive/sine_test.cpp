@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <Vsine.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "models/exact/drive/sine.hpp"
+#include "tests/drive/flow.hpp"
+
+using namespace trammel;
+using exact::Sine;
+
+namespace {
+constexpr int kLatency = 4;
+constexpr double kPi = 3.14159265358979323846;
+}  // namespace
+
+TEST_CASE("sine agrees with its twin at every angle, in 4 clocks") {
+  test::Rtl<Vsine> rtl;
+  rtl.reset();
+  const Sine twin;
+  for (std::uint32_t angle = 0; angle < 1024; ++angle) {
+    rtl->angle_i = static_cast<std::uint16_t>(angle);
+    REQUIRE(test::run_flow(rtl) == kLatency);
+    const Sine::Out out = twin.step({angle});
+    CAPTURE(angle);
+    REQUIRE(test::word(rtl->sin_o) == out.sin);
+    REQUIRE(test::word(rtl->cos_o) == out.cos);
+  }
+}
+
+TEST_CASE("sine is round(2048 sin) clipped to 2047") {
+  for (std::uint32_t angle = 0; angle < 1024; ++angle) {
+    const long rounded = std::lround(2048 * std::sin(2 * kPi * angle / 1024));
+    CAPTURE(angle);
+    REQUIRE(Sine::value(angle) == std::min(rounded, 2047L));
+  }
+  REQUIRE(Sine::value(0) == 0);
+  REQUIRE(Sine::value(128) == 1448);
+  REQUIRE(Sine::value(256) == 2047);
+  REQUIRE(Sine::value(768) == -2048);
+}
+
+TEST_CASE("sine holds its outputs and is quiescent between calculations") {
+  test::Rtl<Vsine> rtl;
+  rtl.reset();
+  REQUIRE(rtl->quiescent_o);
+  rtl->angle_i = 100;
+  rtl->tick_i = 1;
+  rtl.eval();
+  REQUIRE_FALSE(rtl->quiescent_o);
+  REQUIRE(test::run_flow(rtl) == kLatency);
+  rtl->angle_i = 900;
+  rtl.tick();
+  REQUIRE(rtl->quiescent_o);
+  REQUIRE_FALSE(rtl->valid_o);
+  REQUIRE(test::word(rtl->sin_o) == Sine::value(100));
+}

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <Vsvpwm.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "models/exact/drive/svpwm.hpp"
+#include "models/ideal/svpwm.hpp"
+#include "tests/drive/flow.hpp"
+
+using namespace trammel;
+using exact::Svpwm;
+
+namespace {
+
+constexpr int kLatency = 24;
+
+Svpwm::Out run(test::Rtl<Vsvpwm>& rtl, const Svpwm::In& in) {
+  test::set_word(rtl->v_alpha_i, in.v_alpha);
+  test::set_word(rtl->v_beta_i, in.v_beta);
+  REQUIRE(test::run_flow(rtl) == kLatency);
+  return {rtl->cmp_a_o, rtl->cmp_b_o, rtl->cmp_c_o, rtl->sector_o};
+}
+
+bool operator==(const Svpwm::Out& l, const Svpwm::Out& r) {
+  return l.cmp_a == r.cmp_a && l.cmp_b == r.cmp_b && l.cmp_c == r.cmp_c && l.sector == r.sector;
+}
+
+// The sector code with exact signs: sqrt 3 a > b is a comparison of squares.
+int exact_sector(std::int64_t a, std::int64_t b) {
+  const auto root3_exceeds = [](std::int64_t p, std::int64_t q) {  // sqrt 3 p > q
+    if (p >= 0) return q < 0 || 3 * p * p > q * q;
+    return q < 0 && 3 * p * p < q * q;
+  };
+  return (b > 0 ? 1 : 0) + (root3_exceeds(a, b) ? 2 : 0) + (root3_exceeds(-a, b) ? 4 : 0);
+}
+
+}  // namespace
+
+TEST_CASE("svpwm gives the compare values of the specification") {
+  struct Row {
+    Svpwm::In in;
+    Svpwm::Out out;
+  };
+  const Row rows[] = {
+      {{1024, 0}, {443, 1119, 1119, 2}},    {{1024, 512}, {345, 826, 1217, 3}},
+      {{-700, 300}, {1069, 493, 721, 5}},   {{-1024, -600}, {1234, 786, 328, 4}},
+      {{500, -1500}, {451, 1353, 209, 6}},  {{1800, 1800}, {0, 419, 1562, 3}},
+      {{0, 0}, {781, 781, 781, 0}},
+  };
+  test::Rtl<Vsvpwm> rtl;
+  rtl.reset();
+  for (const Row& row : rows) {
+    CAPTURE(row.in.v_alpha, row.in.v_beta);
+    const Svpwm::Out out = run(rtl, row.in);
+    REQUIRE(out.cmp_a == row.out.cmp_a);
+    REQUIRE(out.cmp_b == row.out.cmp_b);
+    REQUIRE(out.cmp_c == row.out.cmp_c);
+    REQUIRE(out.sector == row.out.sector);
+  }
+}
+
+TEST_CASE("svpwm agrees with its twin on random and extreme vectors, in 24 clocks") {
+  test::Rtl<Vsvpwm> rtl;
+  rtl.reset();
+  const Svpwm twin;
+  test::Words words(1);
+  for (int n = 0; n < 20000; ++n) {
+    const Svpwm::In in{words(), words()};
+    CAPTURE(n, in.v_alpha, in.v_beta);
+    REQUIRE(run(rtl, in) == twin.step(in));
+  }
+}
+
+TEST_CASE("svpwm stays within one count of the ideal, over-modulated or not") {
+  const Svpwm twin;
+  test::Words words(2);
+  int over = 0;
+  for (int n = 0; n < 200000; ++n) {
+    const Svpwm::In in{words(), words()};
+    const ideal::AlphaBeta v{in.v_alpha / 2048.0, in.v_beta / 2048.0};
+    const Svpwm::Out out = twin.step(in);
+    const ideal::OffTimes off = ideal::svpwm(v);
+    CAPTURE(in.v_alpha, in.v_beta);
+    REQUIRE(std::abs(out.cmp_a - off.a * 1562) < 1.0);
+    REQUIRE(std::abs(out.cmp_b - off.b * 1562) < 1.0);
+    REQUIRE(std::abs(out.cmp_c - off.c * 1562) < 1.0);
+    const double shortest = std::min({off.a, off.b, off.c});
+    if (shortest < 1e-12) {
+      ++over;
+      continue;
+    }
+    const ideal::Phases duty = ideal::min_max_duty(v);
+    REQUIRE(std::abs(1 - off.a - duty.a) < 1e-14);
+    REQUIRE(std::abs(1 - off.b - duty.b) < 1e-14);
+    REQUIRE(std::abs(1 - off.c - duty.c) < 1e-14);
+    REQUIRE(std::abs(out.cmp_a - std::round((1 - duty.a) * 1562)) <= 1);
+    REQUIRE(std::abs(out.cmp_b - std::round((1 - duty.b) * 1562)) <= 1);
+    REQUIRE(std::abs(out.cmp_c - std::round((1 - duty.c) * 1562)) <= 1);
+  }
+  REQUIRE(over > 10000);
+}
+
+TEST_CASE("svpwm errs in the sector only within a tenth of a step of its border") {
+  const Svpwm twin;
+  int wrong = 0;
+  for (std::int32_t a = -2048; a < 2048; a += 3) {
+    for (std::int32_t b = -2048; b < 2048; ++b) {
+      if (twin.step({a, b}).sector == exact_sector(a, b)) continue;
+      ++wrong;
+      CAPTURE(a, b);
+      REQUIRE(std::abs(std::abs(b) - std::sqrt(3.0) * std::abs(a)) < 0.1);
+    }
+  }
+  REQUIRE(wrong < 100);  // of 5.6 million; the duty is continuous there
+}

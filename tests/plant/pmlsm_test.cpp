@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/plant/pmlsm.hpp"
+
+#include <catch2/catch.hpp>
+
+using namespace trammel::plant;
+
+namespace {
+
+constexpr double kStep = 6.25e-6;
+
+// The equations of the head of pmlsm.hpp, written a second time, integrated by fine Runge-Kutta steps.
+struct Reference {
+  PmlsmConfig c;
+  AlphaBeta u;
+  using Y = std::array<double, 4>;  // x, v, i_d, i_q
+  Y slope(const Y& y) const {
+    const double k = kPi / c.pole_pitch, w = k * y[1], theta = k * y[0];
+    const double lambda = 2 * c.pole_pitch * c.force_constant / (3 * kPi);
+    const double v_d = u.alpha * std::cos(theta) + u.beta * std::sin(theta);
+    const double v_q = -u.alpha * std::sin(theta) + u.beta * std::cos(theta);
+    const double force =
+        1.5 * k * ((c.inductance_d - c.inductance_q) * y[2] + lambda) * y[3];
+    const double friction = y[1] / std::sqrt(y[1] * y[1] + c.friction_speed * c.friction_speed);
+    return {y[1],
+            (force - c.viscous * y[1] - c.coulomb * friction -
+             c.cogging * std::sin(2 * kPi * y[0] / c.pole_pitch) - c.external_force) / c.mass,
+            (v_d - c.resistance * y[2] + w * c.inductance_q * y[3]) / c.inductance_d,
+            (v_q - c.resistance * y[3] - w * c.inductance_d * y[2] - w * lambda) / c.inductance_q};
+  }
+  static Y add(const Y& a, const Y& b, double h) {
+    return {a[0] + h * b[0], a[1] + h * b[1], a[2] + h * b[2], a[3] + h * b[3]};
+  }
+  void run(Y& y, double t, int steps) const {
+    const double h = t / steps;
+    for (int n = 0; n < steps; ++n) {
+      const Y k1 = slope(y), k2 = slope(add(y, k1, h / 2)), k3 = slope(add(y, k2, h / 2)),
+              k4 = slope(add(y, k3, h));
+      for (std::size_t i = 0; i < 4; ++i) {
+        y[i] += h / 6 * (k1[i] + 2 * k2[i] + 2 * k3[i] + k4[i]);
+      }
+    }
+  }
+};
+
+PmlsmConfig odd_motor() {
+  PmlsmConfig c;
+  c.inductance_d = 18e-3;
+  c.cogging = 1;
+  c.external_force = 2;
+  return c;
+}
+
+// A chain of spans under a voltage fixed to the rotor (d, q); visit(span, voltage) sees each.
+template <class Visit>
+MotorState chain(const Pmlsm& m, MotorState s, double u_d, double u_q, double seconds, Hold hold,
+                 Visit visit) {
+  const auto spans = static_cast<long>(seconds / kStep + 0.5);
+  for (long n = 0; n < spans; ++n) {
+    const SinCos a = m.angle(s.x);
+    const AlphaBeta u = Pmlsm::stator(u_d, u_q, a);
+    const Span f = m.span(s, a, u, hold);
+    visit(f, u);
+    s = f.at(kStep);
+  }
+  return s;
+}
+
+}  // namespace
+
+TEST_CASE("the constants derived from K_t are those of the specification") {
+  const Pmlsm m{PmlsmConfig{}};
+  CHECK(m.flux() == Approx(0.517137).epsilon(2e-6));               // printed digits
+  CHECK(m.back_emf_constant() == Approx(53.267).epsilon(2e-5));
+  CHECK(m.force({0, 0, 0, 1}) == Approx(79.9).epsilon(1e-12));      // K_t i_q with i_d = 0
+  CHECK(m.force({0, 0, 3, 1}) == Approx(79.9).epsilon(1e-12));      // no saliency, no reluctance force
+  CHECK(1.5 * m.back_emf_constant() == Approx(79.9).epsilon(1e-12));  // power in = power out
+}
+
+TEST_CASE("one electrical turn is 61 mm or 12200 counts") {
+  const Pmlsm m{PmlsmConfig{}};
+  for (int k = 0; k < 50; ++k) {
+    const double x = 0.0113 * k;
+    CHECK(m.angle(x).sin == Approx(std::sin(kPi * x / 0.0305)).margin(1e-13));
+    CHECK(m.angle(x).cos == Approx(std::cos(kPi * x / 0.0305)).margin(1e-13));
+    CHECK(m.angle(x + 12200 * 5e-6).sin == Approx(m.angle(x).sin).margin(1e-12));
+    CHECK(m.angle(x + 6100 * 5e-6).sin == Approx(-m.angle(x).sin).margin(1e-12));
+  }
+}
+
+TEST_CASE("the library-free sine agrees with the library's") {
+  for (int k = -4000; k < 4000; ++k) {
+    const double turns = k * 0.00137;
+    const SinCos a = sin_cos_turns(turns);
+    REQUIRE(a.sin == Approx(std::sin(2 * kPi * turns)).margin(2e-14));
+    REQUIRE(a.cos == Approx(std::cos(2 * kPi * turns)).margin(2e-14));
+    REQUIRE(a.sin * a.sin + a.cos * a.cos == Approx(1).margin(4e-16));
+  }
+}
+
+TEST_CASE("a span agrees with fine Runge-Kutta steps of the equations") {
+  for (const PmlsmConfig& c : {PmlsmConfig{}, odd_motor()}) {
+    const Pmlsm m(c);
+    for (const double v : {0.0, 2e-4, -0.5, 4.0}) {
+      const MotorState s{0.123, v, 0.4, -1.7};
+      const AlphaBeta u{150, -80};
+      const Span f = m.span(s, m.angle(s.x), u, {});
+      Reference::Y y{s.x, s.v, s.i_d, s.i_q};
+      Reference{c, u}.run(y, kStep, 50);
+      const MotorState e = f.at(kStep);
+      // Truncation: (R/L h)^4/24 = 1e-10 of the current. At 55 m/s^2 the knee of the friction law
+      // (0.5 mm/s) is crossed in 9 us, 1.5 spans: there the speed is good to 3e-7 m/s.
+      CHECK(e.i_d == Approx(y[2]).margin(2e-9));
+      CHECK(e.i_q == Approx(y[3]).margin(2e-9));
+      CHECK(e.v == Approx(y[1]).margin(std::fabs(v) < 0.01 ? 3e-7 : 2e-9));
+      CHECK(e.x == Approx(y[0]).margin(1e-12));
+    }
+  }
+}
+
+TEST_CASE("a standing motor takes V/R with the time constant L/R") {
+  const Pmlsm m{PmlsmConfig{}};
+  const auto none = [](const Span&, const AlphaBeta&) {};
+  // A voltage along d makes no force.
+  const MotorState tau = chain(m, {0.1, 0, 0, 0}, 54, 0, 137 * kStep, {}, none);
+  // 137 spans, each truncated at (R/L h)^4/24 = 1.2e-10.
+  CHECK(tau.i_d == Approx(2 * (1 - std::exp(-27 / 23.3e-3 * 137 * kStep))).epsilon(1.6e-8));
+  const MotorState rest = chain(m, {0.1, 0, 0, 0}, 54, 0, 0.03, {}, none);
+  CHECK(rest.i_d == Approx(2.0).epsilon(1e-12));
+  CHECK(rest.v == 0);
+  const MotorState held = chain(m, {0.1, 0, 0, 0}, 0, 54, 0.03, {true, false}, none);
+  CHECK(held.i_q == Approx(2.0).epsilon(1e-12));
+  CHECK(held.x == 0.1);
+}
+
+TEST_CASE("a pushed carriage settles at (F - F_c)/B") {
+  PmlsmConfig c;
+  c.external_force = -13;
+  const Pmlsm m(c);
+  const MotorState s = chain(m, {}, 0, 0, 3, {false, true}, [](const Span&, const AlphaBeta&) {});
+  CHECK(s.v == Approx((13.0 - 3.0) / 20.0).epsilon(1e-6));  // f(v) = 1 - (v_f/v)^2/2 = 1 - 5e-7
+  CHECK(s.i_q == 0);
+}
+
+TEST_CASE("a driven carriage settles where voltage and force balance") {
+  const Pmlsm m{PmlsmConfig{}};
+  const MotorState s = chain(m, {}, 0, 60, 2, {}, [](const Span&, const AlphaBeta&) {});
+  const double w = m.angular_speed(s.v);
+  CHECK(m.force(s) == Approx(3 + 20 * s.v).epsilon(1e-4));
+  CHECK(27 * s.i_q + w * 23.3e-3 * s.i_d + 53.267 * s.v == Approx(60).epsilon(1e-3));
+}
+
+TEST_CASE("electrical energy equals loss, work, friction and stored energy") {
+  for (const PmlsmConfig& c : {PmlsmConfig{}, odd_motor()}) {
+    const Pmlsm m(c);
+    double in = 0, out = 0;
+    const auto power = [&](const Span& f, const AlphaBeta& u, double t) {
+      const MotorState s = f.at(t);
+      const SinCos a = m.angle_at(f, t);
+      const AlphaBeta i = Pmlsm::stator(s.i_d, s.i_q, a);
+      const double friction = s.v / std::sqrt(s.v * s.v + c.friction_speed * c.friction_speed);
+      const double out_power =
+          1.5 * c.resistance * (s.i_d * s.i_d + s.i_q * s.i_q) +
+          s.v * (c.viscous * s.v + c.coulomb * friction + c.cogging * 2 * a.sin * a.cos +
+                 c.external_force);
+      return std::pair{1.5 * (u.alpha * i.alpha + u.beta * i.beta), out_power};
+    };
+    const auto stored = [&](const MotorState& s) {
+      return 0.5 * c.mass * s.v * s.v + 0.75 * (c.inductance_d * s.i_d * s.i_d +
+                                                c.inductance_q * s.i_q * s.i_q);
+    };
+    const MotorState end =
+        chain(m, {0.1, 0, 0, 0}, 10, 70, 0.15, {}, [&](const Span& f, const AlphaBeta& u) {
+          const auto a = power(f, u, 0), b = power(f, u, kStep / 2), e = power(f, u, kStep);
+          in += kStep / 6 * (a.first + 4 * b.first + e.first);
+          out += kStep / 6 * (a.second + 4 * b.second + e.second);
+        });
+    CHECK(in > 9);
+    CHECK(end.v > 0.3);
+    CHECK(in == Approx(out + stored(end)).epsilon(1e-8));  // Simpson and truncation errors
+  }
+}
