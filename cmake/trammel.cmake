@@ -12,6 +12,7 @@ file(GLOB TRAMMEL_RTL_PACKAGES CONFIGURE_DEPENDS
 # A library of all .cpp files of a folder tree (header-only: an INTERFACE library).
 function(trammel_library name folder)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${folder}/*.cpp)
+  list(FILTER sources EXCLUDE REGEX "/verilated/")  # units of verilated models: see cosim/
   if(sources)
     add_library(${name} STATIC ${sources})
     target_link_libraries(${name} PUBLIC trammel_options ${ARGN})
@@ -27,6 +28,13 @@ function(trammel_test name source prefix)
   target_link_libraries(${name} PRIVATE trammel_options trammel_catch_main ${ARGN})
   add_test(NAME ${prefix} COMMAND ${name})
   set_tests_properties(${prefix} PROPERTIES TIMEOUT 300)
+endfunction()
+
+# A library of verilated models. Their headers are not ours: no warnings from them.
+function(trammel_verilated_library name)
+  add_library(${name} STATIC ${ARGN})
+  set_property(TARGET ${name} PROPERTY INTERFACE_SYSTEM_INCLUDE_DIRECTORIES
+    $<TARGET_PROPERTY:${name},INTERFACE_INCLUDE_DIRECTORIES>)
 endfunction()
 
 # rtl/<layer>/<block>.sv with tests/<layer>/<block>_test.cpp: lint test, verilated model, unit test.

@@ -86,7 +86,7 @@ struct AxisTable {
 
 #define TRAMMEL_LENS(member) [](auto& o) -> auto& { return o.member; }
 #define TRAMMEL_AXIS_LENS(group, member) \
-  [](auto& o, std::size_t a) -> auto& { return o.group[a].member; }
+  [](auto& o, std::size_t axis_) -> auto& { return o.group[axis_].member; }
 
 void add_run(Table& t) {
   t.text("name", "name of the run and of its output folder", TRAMMEL_LENS(scenario));

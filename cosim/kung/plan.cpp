@@ -41,7 +41,8 @@ std::uint32_t word(int value) { return static_cast<std::uint32_t>(value); }
 void position(const std::string& key, double metres) { in_range(key, metres, -kMaxM, kMaxM); }
 
 // Steps for a stretch of that length: enough to keep the feed.
-void ticks_in_range(const std::string& key, int ticks, double length_m, double point_s, int fewest) {
+void ticks_in_range(const std::string& key, int ticks, double length_m, double point_s,
+                    int fewest) {
   const double needed = std::ceil(length_m / (kMaxFeedMS * point_s) - 1e-9);
   in_range(key, ticks, std::max<double>(fewest, needed), kMaxTicks, "feed at most 1.28 m/s");
 }

@@ -7,11 +7,12 @@
 namespace trammel::plant {
 namespace {
 
-constexpr double kSegment = 6.25e-6;   // [s] longest span of one series
-constexpr double kHorizon = 62.5e-6;   // [s] look-ahead of next(); then the axis asks to be committed
-constexpr double kShortest = 1e-9;     // [s] keeps a chain of events finite
-constexpr std::array<AlphaBeta, 3> kPhase{
-    AlphaBeta{1, 0}, AlphaBeta{-0.5, 0.86602540378443865}, AlphaBeta{-0.5, -0.86602540378443865}};
+constexpr double kSegment = 6.25e-6;  // [s] longest span of one series
+constexpr double kHorizon =
+    62.5e-6;                        // [s] look-ahead of next(); then the axis asks to be committed
+constexpr double kShortest = 1e-9;  // [s] keeps a chain of events finite
+constexpr std::array<AlphaBeta, 3> kPhase{AlphaBeta{1, 0}, AlphaBeta{-0.5, 0.86602540378443865},
+                                          AlphaBeta{-0.5, -0.86602540378443865}};
 
 PmlsmConfig motor_config(const AxisConfig& c) {
   PmlsmConfig m;
@@ -27,6 +28,13 @@ PmlsmConfig motor_config(const AxisConfig& c) {
   m.friction_speed = c.friction_speed_m_s;
   m.external_force = c.external_force_n;
   return m;
+}
+
+// Friction near rest decays with M v_f/F_c; a span stays well below that time where it is shorter.
+double segment_length(const PmlsmConfig& m) {
+  const double friction = std::fabs(m.coulomb) * 4;
+  return friction * kSegment > m.mass * m.friction_speed ? m.mass * m.friction_speed / friction
+                                                         : kSegment;
 }
 
 double dot(const AlphaBeta& a, const AlphaBeta& b) { return a.alpha * b.alpha + a.beta * b.beta; }
@@ -58,6 +66,7 @@ Axis::Axis(const AxisConfig& config, double period_s)
       period_(period_s),
       horizon_(static_cast<Clk>(kHorizon / period_s)),
       motor_(motor_config(config)),
+      segment_(segment_length(motor_.config())),
       inverter_({config.dc_link_v, config.switch_drop_v, config.diode_drop_v}),
       sensor_({config.current_full_scale_a, config.current_noise_a, config.adc_bits}),
       encoder_({config.encoder_count_m, config.encoder_hysteresis_counts, config.index_m},
@@ -72,6 +81,7 @@ Axis::Axis(const AxisConfig& config, double period_s)
         config.adc_bits >= 2 && config.adc_bits <= 24)) {
     throw std::invalid_argument("axis: encoder or converter out of range");
   }
+  if (segment_ < 1e-7) throw std::invalid_argument("axis: friction speed too small for the mass");
   const MotorState rest{config.start_m, 0, 0, 0};
   first_ = build(0, {rest, motor_.angle(rest.x)}, 7);
   next_ = predict();
@@ -104,7 +114,7 @@ Axis::Point Axis::point(const Segment& s, double t, unsigned zero) const {
 Axis::Segment Axis::build(double start, const Point& at, unsigned zero) const {
   Segment s;
   s.start = start;
-  s.length = kSegment;
+  s.length = segment_;
   Point p = at;
   if (config_.hard_stops) {
     const bool low = p.motor.x <= config_.stroke_min_m && p.motor.v <= 0;
@@ -115,8 +125,7 @@ Axis::Segment Axis::build(double start, const Point& at, unsigned zero) const {
       s.held = low ? push <= 0 : push >= 0;
     }
   }
-  const std::array<double, 3> current =
-      to_phases(Pmlsm::stator(p.motor.i_d, p.motor.i_q, p.angle));
+  const std::array<double, 3> current = to_phases(Pmlsm::stator(p.motor.i_d, p.motor.i_q, p.angle));
   const bool some_off = both_off(gates_, 0) || both_off(gates_, 1) || both_off(gates_, 2);
   const std::array<double, 3> emf =
       some_off ? to_phases(motor_.emf(p.motor, p.angle)) : std::array<double, 3>{};
@@ -200,10 +209,8 @@ AxisState Axis::state(Clk n) const {
   const double t = seconds(n - anchor_);
   const Segment s = segment_at(t);
   const Point p = point(s, t - s.start, s.legs.open ? 7u : s.legs.floating);
-  const std::array<double, 3> i =
-      to_phases(Pmlsm::stator(p.motor.i_d, p.motor.i_q, p.angle));
-  return {p.motor.x,  p.motor.v, p.motor.i_d,          p.motor.i_q,
-          i[0],       i[1],      motor_.force(p.motor)};
+  const std::array<double, 3> i = to_phases(Pmlsm::stator(p.motor.i_d, p.motor.i_q, p.angle));
+  return {p.motor.x, p.motor.v, p.motor.i_d, p.motor.i_q, i[0], i[1], motor_.force(p.motor)};
 }
 
 double Axis::position(Clk n) const {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// One table axis: inverter, motor, carriage with stops, encoder, current sensors. The gate bits hold
-// from a commit on; from there the motion is a chain of segments (motor spans) that end after 6.25 us,
-// where a diode current dies out, or where the carriage meets a stop. Segments follow from the last
-// commit alone, so every question in between is pure and next() agrees with what commit() will find.
+// One table axis: inverter, motor, carriage with stops, encoder, current sensors. The gate bits
+// hold from a commit on; from there the motion is a chain of segments (motor spans) that end
+// after 6.25 us, where a diode current dies out, or where the carriage meets a stop. Segments
+// follow from the last commit alone, so every question in between is pure and next() agrees with
+// what commit() will find.
 #pragma once
 
 #include <cstdint>
@@ -63,8 +64,8 @@ class Axis {
   int code(int phase, std::uint64_t seed, int channel, Clk n) const;
   const Encoder& encoder() const { return encoder_; }
   const Pmlsm& motor() const { return motor_; }
-  bool at_stop() const { return first_.held; }        // at the last commit
-  bool shoot_through() const { return shoot_through_; }  // ever since the start
+  bool at_stop() const { return first_.held; }                              // at the last commit
+  bool shoot_through() const { return shoot_through_; }                     // ever since the start
   double leg_volt(std::size_t leg) const { return first_.legs.volt[leg]; }  // at the last commit
   bool leg_floats(std::size_t leg) const { return ((first_.legs.floating >> leg) & 1u) != 0; }
 
@@ -73,10 +74,10 @@ class Axis {
     double start = 0, length = 0;  // [s] since the commit, [s]
     Span span;
     Legs legs;
-    bool held = false;      // carriage against a stop
-    unsigned dies = 0;      // legs whose current is zero at the end
+    bool held = false;  // carriage against a stop
+    unsigned dies = 0;  // legs whose current is zero at the end
     bool meets_stop = false;
-    double stop = 0;        // [m]
+    double stop = 0;  // [m]
   };
   struct Point {
     MotorState motor;
@@ -106,6 +107,7 @@ class Axis {
   double period_;
   Clk horizon_;
   Pmlsm motor_;
+  double segment_;  // [s] longest span of one series
   Inverter inverter_;
   CurrentSensor sensor_;
   Encoder encoder_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Phase current sensor with its converter: offset binary, code = 2^(bits-1) + round(i / LSB), clipped.
-// Noise is a pure function of (seed, channel, clock): asking again gives the same answer.
+// Phase current sensor with its converter: offset binary, code = 2^(bits-1) + round(i / LSB),
+// clipped. Noise is a pure function of (seed, channel, clock): asking again gives the same answer.
 #pragma once
 
 #include <algorithm>
@@ -25,8 +25,8 @@ inline std::uint64_t hash(std::uint64_t x) {  // splitmix64
 
 // Nearly normal, mean 0, variance 1: the sum of twelve 16-bit uniform numbers, no libm.
 inline double unit_noise(std::uint64_t seed, int channel, std::int64_t n) {
-  std::uint64_t h = hash(seed ^ hash(static_cast<std::uint64_t>(channel) ^
-                                     hash(static_cast<std::uint64_t>(n))));
+  std::uint64_t h =
+      hash(seed ^ hash(static_cast<std::uint64_t>(channel) ^ hash(static_cast<std::uint64_t>(n))));
   std::int64_t sum = 0;
   for (int word = 0; word < 3; ++word) {
     for (int part = 0; part < 4; ++part) {

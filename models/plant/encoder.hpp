@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Incremental linear encoder: count = floor(x/count_m + 0.5) with a symmetric hysteresis of
-// `hysteresis` counts around each boundary; A leads B when counting up; the index is one count wide.
+// `hysteresis` counts around each boundary; A leads B when counting up; the index is one count
+// wide.
 #pragma once
 
 #include <cmath>
@@ -17,8 +18,7 @@ struct EncoderConfig {
 
 class Encoder {
  public:
-  Encoder(const EncoderConfig& c, double x)
-      : c_(c), index_(nearest(c.index)), count_(nearest(x)) {
+  Encoder(const EncoderConfig& c, double x) : c_(c), index_(nearest(c.index)), count_(nearest(x)) {
     set_limits();
   }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Three-leg voltage source inverter on a stiff DC link, from its actual gate bits. Currents count
-// positive out of the leg. A leg with one switch on is tied to a rail; with both off the sign of its
-// current picks the diode (out: lower, in: upper); with both off and no current it floats at the
-// voltage that keeps the current zero, unless that voltage would open a diode.
+// positive out of the leg. A leg with one switch on is tied to a rail; with both off the sign of
+// its current picks the diode (out: lower, in: upper); with both off and no current it floats at
+// the voltage that keeps the current zero, unless that voltage would open a diode.
 #pragma once
 
 #include <array>
@@ -41,8 +41,9 @@ class Inverter {
 
   const InverterConfig& config() const { return c_; }
 
-  // current: phase currents; zero: bit per leg whose current is known to be zero; emf: phase back-EMF;
-  // keep_zero(leg, volt): voltage of `leg` that keeps its current zero, the other two being given.
+  // current: phase currents; zero: bit per leg whose current is known to be zero; emf: phase
+  // back-EMF; keep_zero(leg, volt): voltage of `leg` that keeps its current zero, the other two
+  // being given.
   template <class KeepZero>
   Legs resolve(unsigned gates, const std::array<double, 3>& current, unsigned zero,
                const std::array<double, 3>& emf, KeepZero keep_zero) const {
@@ -103,7 +104,8 @@ class Inverter {
     clamp(legs, low, 1);
   }
 
-  // One leg fixes the potential and its current is zero; the leg that leaves the rails most conducts.
+  // One leg fixes the potential and its current is zero; the leg that leaves the rails most
+  // conducts.
   void open_two(Legs& legs, const std::array<double, 3>& emf) const {
     const std::size_t fixed = first(~legs.floating & 7u);
     std::size_t worst = fixed;
@@ -127,7 +129,9 @@ class Inverter {
   }
 
   static unsigned count(unsigned mask) { return (mask & 1u) + ((mask >> 1) & 1u) + (mask >> 2); }
-  static std::size_t first(unsigned mask) { return (mask & 1u) != 0 ? 0 : (mask & 2u) != 0 ? 1 : 2; }
+  static std::size_t first(unsigned mask) {
+    return (mask & 1u) != 0 ? 0 : (mask & 2u) != 0 ? 1 : 2;
+  }
 
   InverterConfig c_;
 };

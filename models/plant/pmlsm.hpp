@@ -5,8 +5,8 @@
 //   L_q di_q/dt = v_q - R i_q - w L_d i_d - w lambda_f
 //   M dv/dt = F_e - B v - F_c v/sqrt(v^2 + v_f^2) - F_cog sin(2 pi x/tau) - F_ext,  dx/dt = v
 //   F_e = 3 pi/(2 tau) ((L_d - L_q) i_d + lambda_f) i_q
-// Under constant phase voltages the solution over a short span (6.25 us) is a Taylor series in time:
-// currents and speed to t^3, position to t^4. The truncation is below 1e-9 of the current.
+// Under constant phase voltages the solution over a short span (6.25 us) is a Taylor series in
+// time: currents and speed to t^3, position to t^4. The truncation is below 1e-9 of the current.
 #pragma once
 
 #include <array>
@@ -17,17 +17,17 @@
 namespace trammel::plant {
 
 struct PmlsmConfig {
-  double resistance = 27;           // [ohm]
-  double inductance_d = 23.3e-3;    // [H]
-  double inductance_q = 23.3e-3;    // [H]
-  double force_constant = 79.9;     // [N/A], peak of the amplitude-invariant i_q
-  double pole_pitch = 30.5e-3;      // [m], north to south: half an electrical turn
-  double mass = 2.5;                // [kg], moving
-  double coulomb = 3.0;             // [N]
-  double viscous = 20;              // [N s/m]
-  double cogging = 0;               // [N]
-  double friction_speed = 0.5e-3;   // [m/s], width of the Coulomb transition
-  double external_force = 0;        // [N], against positive motion
+  double resistance = 27;          // [ohm]
+  double inductance_d = 23.3e-3;   // [H]
+  double inductance_q = 23.3e-3;   // [H]
+  double force_constant = 79.9;    // [N/A], peak of the amplitude-invariant i_q
+  double pole_pitch = 30.5e-3;     // [m], north to south: half an electrical turn
+  double mass = 2.5;               // [kg], moving
+  double coulomb = 3.0;            // [N]
+  double viscous = 20;             // [N s/m]
+  double cogging = 0;              // [N]
+  double friction_speed = 0.5e-3;  // [m/s], width of the Coulomb transition
+  double external_force = 0;       // [N], against positive motion
 };
 
 struct MotorState {
@@ -61,16 +61,12 @@ struct Span {
   std::array<double, 4> v{}, i_d{}, i_q{};
   SinCos angle{};  // electrical angle at the start
 
-  double position(double t) const {
-    return x[0] + t * (x[1] + t * (x[2] + t * (x[3] + t * x[4])));
-  }
+  double position(double t) const { return x[0] + t * (x[1] + t * (x[2] + t * (x[3] + t * x[4]))); }
   static double cubic(const std::array<double, 4>& c, double t) {
     return c[0] + t * (c[1] + t * (c[2] + t * c[3]));
   }
   double speed(double t) const { return cubic(v, t); }
-  MotorState at(double t) const {
-    return {position(t), cubic(v, t), cubic(i_d, t), cubic(i_q, t)};
-  }
+  MotorState at(double t) const { return {position(t), cubic(v, t), cubic(i_d, t), cubic(i_q, t)}; }
 };
 
 class Pmlsm {
@@ -86,8 +82,8 @@ class Pmlsm {
         inv_mass_(1 / c.mass) {}
 
   const PmlsmConfig& config() const { return c_; }
-  double flux() const { return lambda_; }               // [Wb]
-  double angular_speed(double v) const { return k_ * v; }  // [rad/s]
+  double flux() const { return lambda_; }                    // [Wb]
+  double angular_speed(double v) const { return k_ * v; }    // [rad/s]
   double back_emf_constant() const { return k_ * lambda_; }  // [V s/m], phase peak
   double force(const MotorState& s) const {
     return force_ * ((c_.inductance_d - c_.inductance_q) * s.i_d + lambda_) * s.i_q;
@@ -121,9 +117,11 @@ class Pmlsm {
     const double w = k_ * s.v;
     const double u_d = u.alpha * a.cos + u.beta * a.sin;
     const double u_q = u.beta * a.cos - u.alpha * a.sin;
-    const double d = (u_d - c_.resistance * s.i_d + w * c_.inductance_q * s.i_q) * inv_ld_ - w * s.i_q;
+    const double d =
+        (u_d - c_.resistance * s.i_d + w * c_.inductance_q * s.i_q) * inv_ld_ - w * s.i_q;
     const double q =
-        (u_q - c_.resistance * s.i_q - w * (c_.inductance_d * s.i_d + lambda_)) * inv_lq_ + w * s.i_d;
+        (u_q - c_.resistance * s.i_q - w * (c_.inductance_d * s.i_d + lambda_)) * inv_lq_ +
+        w * s.i_d;
     return {d * a.cos - q * a.sin, d * a.sin + q * a.cos};
   }
 
@@ -158,10 +156,11 @@ class Pmlsm {
       if (!hold.currents) {
         const double w_iq = k_ * product(f.v, f.i_q, n);
         const double w_id = k_ * product(f.v, f.i_d, n);
-        f.i_d[n + 1] = scale * inv_ld_ *
-                       (u_d[n] - c_.resistance * f.i_d[n] + c_.inductance_q * w_iq);
-        f.i_q[n + 1] = scale * inv_lq_ * (u_q[n] - c_.resistance * f.i_q[n] -
-                                          c_.inductance_d * w_id - k_ * lambda_ * f.v[n]);
+        f.i_d[n + 1] =
+            scale * inv_ld_ * (u_d[n] - c_.resistance * f.i_d[n] + c_.inductance_q * w_iq);
+        f.i_q[n + 1] =
+            scale * inv_lq_ *
+            (u_q[n] - c_.resistance * f.i_q[n] - c_.inductance_d * w_id - k_ * lambda_ * f.v[n]);
         u_d[n + 1] = scale * k_ * product(f.v, u_q, n);
         u_q[n + 1] = -scale * k_ * product(f.v, u_d, n);
       }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The two-axis table as a plant: signatures of cosim::Plant (models/ may not see cosim/, which wraps
-// it). State advances only in commit(); an axis is committed only when its own gates change or its
-// own event is due, so what the other axis does cannot change its bits.
+// The two-axis table as a plant: signatures of cosim::Plant (models/ may not see cosim/, which
+// wraps it). State advances only in commit(); an axis is committed only when its own gates change
+// or its own event is due, so what the other axis does cannot change its bits.
 #pragma once
 
 #include <algorithm>

@@ -231,7 +231,8 @@ module afc
       end
       6'd19: add_a = 40'sd1024;  // rounds u
       6'd23: begin
-        add_b = feedforward_i ? sum_t'(dx_q) >>> 10 : '0;
+        add_b = '0;
+        if (feedforward_i) add_b = sum_t'(dx_q) >>> 10;
         carry = feedforward_i && dx_q[9];
       end
       6'd25: add_a = sum_t'(integral_q);

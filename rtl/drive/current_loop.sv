@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Vector control of the current of one axis (specification section 7): a chain of flow blocks.
-// valid_o is high at the 65th clock edge after the one that sees tick_i; inputs hold until then.
+// valid_o is high at the 68th clock edge after the one that sees tick_i; inputs hold until then.
 //
 //   edges      what
-//   0..19      electrical angle: count 352047 + offset mod 2^32, one bit of the constant a clock;
-//              Clarke meanwhile
-//   20..23     sine, cosine
-//   24..28     Park
-//   29..32     PI of d and q
-//   33..34     vector limit
-//   35..39     inverse Park
-//   40..63     space vector modulation
-//   64         compare values of the next period; valid
+//   0..19      angle: count 352047 mod 2^32, one bit of the constant a clock; + offset
+//   19..20     Clarke
+//   21..24     sine, cosine
+//   25..29     Park
+//   30..34     PI of d and q
+//   35..36     vector limit
+//   37..41     inverse Park
+//   42..66     space vector modulation
+//   67         compare values of the next period; valid
 //
 // While clear_i is high the integrators are 0 and the compare values 50 %; currents are measured.
 
@@ -51,10 +51,10 @@ module current_loop
 );
 
   typedef logic [31:0] theta_t;
-  typedef enum logic [1:0] {StIdle, StAngle, StOffset, StChain} state_e;
+  typedef enum logic [1:0] {StIdle, StAngle, StChain} state_e;
 
   localparam logic [18:0] AnglePerCount = 19'd352047;  // 2^32 / 12200
-  localparam logic [4:0]  SecondBit     = 5'd17;       // the first is 1
+  localparam logic [4:0]  FirstBit      = 5'd18;
   localparam cmp_t        Centre        = CmpMax / 11'd2;
 
   state_e     state_d, state_q;
@@ -74,9 +74,12 @@ module current_loop
   word_t i_alpha, i_beta, sin, cos, v_d, v_q, v_alpha, v_beta;
   cmp_t  cmp_a, cmp_b, cmp_c;
   logic  clarke_tick;
+  angle_t angle;
   logic [2:0] unused_sector;
 
-  // The angle by Horner's rule from the highest bit of the constant; the offset comes last.
+  // The angle by Horner's rule from the highest bit of the constant.
+  assign angle = 10'((theta_q + theta_ofs_i) >> 22);
+
   always_comb begin
     state_d = state_q;
     bit_d = bit_q;
@@ -87,8 +90,8 @@ module current_loop
     unique case (state_q)
       StIdle: begin
         if (tick_i) begin
-          theta_d = theta_t'(count_i);
-          bit_d = SecondBit;
+          theta_d = '0;
+          bit_d = FirstBit;
           i_a_d = {~code_a_i[11], code_a_i[10:0]};  // offset binary
           i_b_d = {~code_b_i[11], code_b_i[10:0]};
           state_d = StAngle;
@@ -100,12 +103,8 @@ module current_loop
         if (bit_q == '0) begin
           bit_d = '0;
           clarke_tick = 1'b1;
-          state_d = StOffset;
+          state_d = StChain;
         end
-      end
-      StOffset: begin
-        theta_d = theta_q + theta_ofs_i;
-        state_d = StChain;
       end
       default: begin  // StChain: each block starts the next one
         if (svpwm_valid) state_d = StIdle;
@@ -145,7 +144,7 @@ module current_loop
     .clk_i      (clk_i),
     .rst_i      (rst_i),
     .tick_i     (clarke_valid),
-    .angle_i    (theta_q[31:22]),
+    .angle_i    (angle),
     .valid_o    (sine_valid),
     .sin_o      (sin),
     .cos_o      (cos),
@@ -271,7 +270,8 @@ module current_loop
   assign i_a_o = i_a_q;
   assign i_b_o = i_b_q;
   assign quiescent_o = !busy_o && !tick_i && !valid_q &&
-                       cmp_a_d == cmp_a_q && cmp_b_d == cmp_b_q && cmp_c_d == cmp_c_q &&
+                       !(clear_i && (cmp_a_q != Centre || cmp_b_q != Centre ||
+                                     cmp_c_q != Centre)) &&
                        clarke_quiescent && sine_quiescent && park_quiescent && pi_d_quiescent &&
                        pi_q_quiescent && limit_quiescent && inverse_quiescent && svpwm_quiescent;
 

@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // PI controller of one current component; the integrator takes the error of the sample before.
-// valid_o is high at the 4th clock edge after the one that sees tick_i; inputs hold until then.
+// valid_o is high at the 5th clock edge after the one that sees tick_i; inputs hold until then.
 //
 //   e   = sat(ref - 2 meas)                              the reference has half the full scale
 //   v_i = clip(v_i + rs(ki_m e_prev, -1 - ki_s), -2048 * 4096, 2047 * 4096)
 //   v   = sat(rs(kp_m e, 11 - kp_s) + rs(v_i, 12))
 //
-// The exponent s = 8 h + f: the multiplier gets mant * 2^f, and h chooses one of four shifts.
+// The exponent s = 8 h + f: the multiplier gets mant * 2^f, and h chooses one of four shifts, the
+// same for both terms because v_i is in units of v / 4096. A rounding shift is the floor plus the
+// highest dropped bit.
 //
 //   edge 0     e
 //   edge 1     ki_m e_prev
-//   edge 2     kp_m e; v_i
-//   edge 3     v; e_prev = e; valid
+//   edge 2     kp_m e; integral term
+//   edge 3     v_i; proportional term
+//   edge 4     v; e_prev = e; valid
 
 module current_pi
   import trammel_pkg::*;
@@ -36,11 +39,8 @@ module current_pi
 );
 
   typedef logic signed [29:0] product_t;
-  typedef logic signed [24:0] step_t;
-  typedef enum logic [1:0] {StIdle, StIntegral, StProportional, StOutput} state_e;
-
-  localparam acc_t IntegralMax = acc_t'(2047 * 4096);
-  localparam acc_t IntegralMin = -acc_t'(2048 * 4096);
+  typedef logic signed [24:0] term_t;  // [v / 4096]; larger than any useful step of v_i
+  typedef enum logic [2:0] {StIdle, StIntegral, StProportional, StAccumulate, StOutput} state_e;
 
   state_e   state_d, state_q;
   logic     valid_d, valid_q;
@@ -49,6 +49,8 @@ module current_pi
   count_t   integral_d, integral_q;
   word_t    v_d, v_q;
   product_t product_d, product_q;
+  term_t    term_d, term_q;
+  logic     dropped_d, dropped_q;  // highest bit below the term
 
   logic               use_kp;
   logic               multiply;
@@ -56,8 +58,12 @@ module current_pi
   logic        [10:0] mantissa;
   logic        [17:0] coefficient;
   word_t              factor;
-  acc_t               integral_step;
-  acc_t               proportional;
+  logic         [1:0] coarse;
+  logic signed [38:0] shifted;
+  logic               dropped;
+  logic signed [25:0] sum;
+  logic signed [12:0] v_integral;
+  logic signed [14:0] v_sum;
 
   always_comb begin
     mantissa = use_kp ? kp_i.mant : ki_i.mant;
@@ -68,21 +74,32 @@ module current_pi
     if (multiply) product_d = 30'($signed({1'b0, coefficient})) * 30'(factor);
   end
 
-  // rs(m e, -1 - s) and rs(m e, 11 - s), the part 2^f of the shift being in the product
+  // product * 2^(1 + 8 h), clipped to the width of a term. The product one state behind use_kp.
   always_comb begin
-    unique case (ki_i.exp[4:3])
-      2'b01:   integral_step = rs(acc_t'(product_q), -6'sd9);
-      2'b00:   integral_step = rs(acc_t'(product_q), -6'sd1);
-      2'b11:   integral_step = rs(acc_t'(product_q), 6'sd7);
-      default: integral_step = rs(acc_t'(product_q), 6'sd15);
-    endcase
-    unique case (kp_i.exp[4:3])
-      2'b01:   proportional = rs(acc_t'(product_q), 6'sd3);
-      2'b00:   proportional = rs(acc_t'(product_q), 6'sd11);
-      2'b11:   proportional = rs(acc_t'(product_q), 6'sd19);
-      default: proportional = rs(acc_t'(product_q), 6'sd27);
+    coarse = use_kp ? ki_i.exp[4:3] : kp_i.exp[4:3];
+    dropped = 1'b0;
+    unique case (coarse)
+      2'b01:   shifted = {product_q, 9'd0};
+      2'b00:   shifted = 39'($signed({product_q, 1'b0}));
+      2'b11:   begin shifted = 39'($signed(product_q[29:7])); dropped = product_q[6]; end
+      default: begin shifted = 39'($signed(product_q[29:15])); dropped = product_q[14]; end
     endcase
   end
+
+  function automatic term_t clip_term(logic signed [38:0] x);
+    return x[38:24] == '0 || x[38:24] == '1 ? x[24:0] : {x[38], {24{~x[38]}}};
+  endfunction
+
+  // -2048 * 4096 .. 2047 * 4096
+  function automatic count_t clip_integral(logic signed [25:0] x);
+    if (!x[25] && (x[24:23] != '0 || x[22:12] == '1)) return 24'sd8384512;
+    if (x[25] && x[24:23] != '1) return -24'sd8388608;
+    return x[23:0];
+  endfunction
+
+  assign sum = 26'(integral_q) + 26'(term_q) + 26'($signed({1'b0, dropped_q}));
+  assign v_integral = 13'($signed(integral_q[23:12])) + 13'($signed({1'b0, integral_q[11]}));
+  assign v_sum = 15'($signed(term_q[24:12])) + 15'(v_integral) + 15'($signed({1'b0, term_q[11]}));
 
   always_comb begin
     state_d = state_q;
@@ -91,6 +108,8 @@ module current_pi
     error_prev_d = error_prev_q;
     integral_d = integral_q;
     v_d = v_q;
+    term_d = term_q;
+    dropped_d = dropped_q;
     use_kp = 1'b0;
     multiply = 1'b0;
     unique case (state_q)
@@ -107,11 +126,17 @@ module current_pi
       StProportional: begin
         use_kp = 1'b1;
         multiply = 1'b1;
-        integral_d = 24'(clip(acc_t'(integral_q) + integral_step, IntegralMin, IntegralMax));
+        term_d = clip_term(shifted);
+        dropped_d = dropped;
+        state_d = StAccumulate;
+      end
+      StAccumulate: begin
+        integral_d = clip_integral(sum);
+        term_d = clip_term(shifted);
         state_d = StOutput;
       end
       default: begin  // StOutput
-        v_d = sat12(proportional + rs(acc_t'(integral_q), 6'sd12));
+        v_d = sat12(acc_t'(v_sum));
         error_prev_d = error_q;
         valid_d = 1'b1;
         state_d = StIdle;
@@ -133,6 +158,8 @@ module current_pi
       integral_q <= '0;
       v_q <= '0;
       product_q <= '0;
+      term_q <= '0;
+      dropped_q <= 1'b0;
     end else begin
       state_q <= state_d;
       valid_q <= valid_d;
@@ -141,6 +168,8 @@ module current_pi
       integral_q <= integral_d;
       v_q <= v_d;
       product_q <= product_d;
+      term_q <= term_d;
+      dropped_q <= dropped_d;
     end
   end
 

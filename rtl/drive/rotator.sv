@@ -52,7 +52,7 @@ module rotator
 
   word_t    factor_a, factor_b;
   logic     multiply;
-  logic     first, minus;
+  logic     minus;
   sum_t     addend;
   sum_t     sum;
   word_t    rounded;
@@ -64,7 +64,7 @@ module rotator
 
   // base + product or base - product, one carry chain
   assign addend = minus ? ~26'(product_q) : 26'(product_q);
-  assign sum = (first ? Half : sum_q) + addend + 26'(minus);
+  assign sum = sum_q + addend + 26'(minus);
   assign rounded = sat12(acc_t'($signed(sum[25:11])));  // the half is already in the sum
 
   always_comb begin
@@ -76,18 +76,19 @@ module rotator
     factor_a = x_i;
     factor_b = cos_i;
     multiply = 1'b0;
-    first = 1'b0;
     minus = 1'b0;
     unique case (state_q)
       StIdle: begin
         multiply = tick_i;
-        if (tick_i) state_d = StXCos;
+        if (tick_i) begin
+          sum_d = Half;
+          state_d = StXCos;
+        end
       end
       StXCos: begin
         factor_a = y_i;
         factor_b = sin_i;
         multiply = 1'b1;
-        first = 1'b1;
         sum_d = sum;
         state_d = StYSin;
       end
@@ -96,12 +97,12 @@ module rotator
         multiply = 1'b1;
         minus = Inverse;
         x_d = rounded;
+        sum_d = Half;
         state_d = StXSin;
       end
       StXSin: begin
         factor_a = y_i;
         multiply = 1'b1;
-        first = 1'b1;
         minus = !Inverse;
         sum_d = sum;
         state_d = StYCos;

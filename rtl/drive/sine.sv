@@ -27,7 +27,6 @@ module sine
 
   typedef enum logic [1:0] {StIdle, StReadSin, StReadCos, StLast} state_e;
 
-  // The read data register of a block memory: no reset, one read enable.
   logic [11:0] table_q[SineQuarter];
   initial begin
     for (int i = 0; i < int'(SineQuarter); i++) table_q[i] = SineTable[i];
@@ -93,6 +92,7 @@ module sine
     endcase
   end
 
+  // The output register of a block memory: no reset, one read enable.
   always_ff @(posedge clk_i) begin
     if (read) magnitude_q <= table_q[address];
   end

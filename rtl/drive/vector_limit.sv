@@ -47,14 +47,18 @@ module vector_limit
   word_t       v_q_d, v_q_q;
   logic        limited_d, limited_q;
 
+  logic        d_out, q_high, q_low;  // out of the limit
   word_t       clipped_d;
   logic [5:0]  row;  // |v_d| >> 5
   word_t       limit;
 
   assign busy_d = tick_i && !busy_q;
-  assign clipped_d = v_d_i == -12'sd2048 ? -VdMax : v_d_i;
+  assign d_out = v_d_i == -12'sd2048;
+  assign clipped_d = d_out ? -VdMax : v_d_i;
   assign row = clipped_d >= 12'sd0 ? clipped_d[10:5] : 6'((-clipped_d) >> 5);
   assign limit = $signed({1'b0, limit_q});
+  assign q_high = v_q_i > limit;
+  assign q_low = v_q_i < -limit;
 
   always_comb begin
     limit_d = limit_q;
@@ -64,8 +68,8 @@ module vector_limit
     if (busy_d) limit_d = Limit[row];
     if (busy_q) begin
       v_d_d = clipped_d;
-      v_q_d = v_q_i > limit ? limit : v_q_i < -limit ? -limit : v_q_i;
-      limited_d = v_d_d != v_d_i || v_q_d != v_q_i;
+      v_q_d = q_high ? limit : q_low ? -limit : v_q_i;
+      limited_d = d_out || q_high || q_low;
     end
   end
 

@@ -43,6 +43,26 @@ void write_command(Bus& bus, Point point) {
   bus.write(reg::kCommit, reg::kCommitTake);
 }
 
+void configure_axis(Bus& bus, std::uint32_t base, const AxisSetup& axis, std::int32_t start) {
+  bus.write(base + reg::kKp, gain_word(axis.kp));
+  bus.write(base + reg::kKi, gain_word(axis.ki));
+  bus.write(base + reg::kKv, gain_word(axis.kv));
+  bus.write(base + reg::kEta, gain_word(axis.eta));
+  bus.write(base + reg::kShift,
+            axis.shift_e << reg::kShiftEShift | axis.shift_de << reg::kShiftDeShift);
+  bus.write(base + reg::kA0, axis.a0);
+  bus.write(base + reg::kB2, axis.b2);
+  bus.write(base + reg::kKpCur, gain_word(axis.kp_cur));
+  bus.write(base + reg::kKiCur, gain_word(axis.ki_cur));
+  bus.write(base + reg::kThetaOfs, axis.theta_ofs);
+  bus.write(base + reg::kDeadtime, axis.dead_time << reg::kDeadtimeClkShift |
+                                       axis.qep_filter << reg::kDeadtimeQepFilterShift);
+  bus.write(base + reg::kStrokeMin, word(axis.stroke_min));
+  bus.write(base + reg::kStrokeMax, word(axis.stroke_max));
+  bus.write(base + reg::kIqManual, 0);
+  bus.write(base + reg::kPosPreset, word(start));
+}
+
 }  // namespace
 
 KungApp::KungApp(const KungSetup& setup)
@@ -68,27 +88,6 @@ bool KungApp::path_within_stroke() const {
   bool within = within_stroke(start_);
   for (std::uint32_t i = 0; within && i < size_; ++i) within = within_stroke(rehearsal.next());
   return within;
-}
-
-void KungApp::configure_axis(Bus& bus, std::uint32_t base, const AxisSetup& axis,
-                             std::int32_t start) const {
-  bus.write(base + reg::kKp, gain_word(axis.kp));
-  bus.write(base + reg::kKi, gain_word(axis.ki));
-  bus.write(base + reg::kKv, gain_word(axis.kv));
-  bus.write(base + reg::kEta, gain_word(axis.eta));
-  bus.write(base + reg::kShift,
-            axis.shift_e << reg::kShiftEShift | axis.shift_de << reg::kShiftDeShift);
-  bus.write(base + reg::kA0, axis.a0);
-  bus.write(base + reg::kB2, axis.b2);
-  bus.write(base + reg::kKpCur, gain_word(axis.kp_cur));
-  bus.write(base + reg::kKiCur, gain_word(axis.ki_cur));
-  bus.write(base + reg::kThetaOfs, axis.theta_ofs);
-  bus.write(base + reg::kDeadtime, axis.dead_time << reg::kDeadtimeClkShift |
-                                       axis.qep_filter << reg::kDeadtimeQepFilterShift);
-  bus.write(base + reg::kStrokeMin, word(axis.stroke_min));
-  bus.write(base + reg::kStrokeMax, word(axis.stroke_max));
-  bus.write(base + reg::kIqManual, 0);
-  bus.write(base + reg::kPosPreset, word(start));
 }
 
 void KungApp::start(Bus& bus) {

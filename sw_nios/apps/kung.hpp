@@ -2,9 +2,9 @@
 //
 // Trajectory program of the two-axis table (specification section 10). start() sets the registers
 // with both axes off; the first interrupt, when the chip has latched the preset positions, enables
-// the axes; every later one reads the response, writes the next point and logs. After the last point
-// the table is held there: COMMITs go on, so the watchdog stays fed. Freestanding; never waits
-// longer than a bounded poll of a busy bit.
+// the axes; every later one reads the response, writes the next point and logs. After the last
+// point the table is held there: COMMITs go on, so the watchdog stays fed. Freestanding; never
+// waits longer than a bounded poll of a busy bit.
 #pragma once
 
 #include <array>
@@ -48,7 +48,7 @@ struct KungSetup : PathSetup {
   std::array<AxisSetup, 2> axis;
   std::uint32_t irq_period = 4;        // 2 kHz ticks per point; 1 for the square wave
   std::uint32_t watchdog_ticks = 100;  // 0 = off
-  std::uint32_t current_limit = 1920;  // [9.6 A / 2048], 0 = off
+  std::uint32_t current_limit = 1280;  // 6 A [9.6 A / 2048], 0 = off
   std::uint32_t dead_time_min = 25;    // [clk]
 };
 
@@ -95,14 +95,15 @@ class KungApp final : public Firmware {
 
   std::uint32_t log_size() const { return logged_ < kLogSize ? logged_ : kLogSize; }
   // The n-th of the records kept, oldest first; n < log_size().
-  const LogRecord& log(std::uint32_t n) const { return log_[(logged_ - log_size() + n) % kLogSize]; }
+  const LogRecord& log(std::uint32_t n) const {
+    return log_[(logged_ - log_size() + n) % kLogSize];
+  }
 
  private:
   enum class State : std::uint8_t { kOff, kArming, kRunning };
 
   bool within_stroke(Point point) const;
   bool path_within_stroke() const;
-  void configure_axis(Bus& bus, std::uint32_t base, const AxisSetup& axis, std::int32_t start) const;
   void arm(Bus& bus);
   void serve(Bus& bus);
   void read_response(Bus& bus, LogRecord& record) const;

@@ -42,11 +42,16 @@ constexpr Point to_counts(Vec v) { return {to_counts(v.x), to_counts(v.y)}; }
 constexpr Vec quarter_left(Vec v) { return {-v.y, v.x}; }
 constexpr Vec quarter_right(Vec v) { return {v.y, -v.x}; }
 
+constexpr std::uint64_t magnitude(std::int64_t a) {
+  const auto bits = static_cast<std::uint64_t>(a);
+  return a < 0 ? 0 - bits : bits;
+}
+
 // a * b / 2^62, nearest; the product must fit 64 bits. Four 32-bit products, as on a small core.
 constexpr std::int64_t mul_q62(std::int64_t a, std::int64_t b) {
   const bool negative = (a < 0) != (b < 0);
-  const std::uint64_t ua = a < 0 ? 0 - static_cast<std::uint64_t>(a) : static_cast<std::uint64_t>(a);
-  const std::uint64_t ub = b < 0 ? 0 - static_cast<std::uint64_t>(b) : static_cast<std::uint64_t>(b);
+  const std::uint64_t ua = magnitude(a);
+  const std::uint64_t ub = magnitude(b);
   constexpr std::uint64_t kLow = 0xFFFFFFFFu;
   const std::uint64_t low = (ua & kLow) * (ub & kLow);
   const std::uint64_t mid_a = (ua >> 32) * (ub & kLow);
@@ -54,8 +59,8 @@ constexpr std::int64_t mul_q62(std::int64_t a, std::int64_t b) {
   const std::uint64_t mid = (low >> 32) + (mid_a & kLow) + (mid_b & kLow);
   const std::uint64_t high = (ua >> 32) * (ub >> 32) + (mid_a >> 32) + (mid_b >> 32) + (mid >> 32);
   const std::uint64_t lower = (mid << 32) | (low & kLow);
-  const std::uint64_t magnitude = ((high << 2) | (lower >> 62)) + ((lower >> 61) & 1u);
-  const auto product = static_cast<std::int64_t>(magnitude);
+  const auto product =
+      static_cast<std::int64_t>(((high << 2) | (lower >> 62)) + ((lower >> 61) & 1u));
   return negative ? -product : product;
 }
 

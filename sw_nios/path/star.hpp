@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Star (specification section 10): equal strokes, each turned left by turns/strokes of a full turn
-// against the one before; the first points along +x. Five strokes and three turns give directions of
-// 0, 216, 72, 288, 144 degrees; four strokes and one turn a square. The last stroke ends at the
+// against the one before; the first points along +x. Five strokes and three turns give directions
+// of 0, 216, 72, 288, 144 degrees; four strokes and one turn a square. The last stroke ends at the
 // start.
 #pragma once
 

@@ -53,7 +53,8 @@ class Window {
       radius_ = {0, -setup_.radius};
     }
     if (part_ % 2 == 1) {
-      segment_ = Segment::quarter_arc(setup_.center + corner_, radius_, arc_step_, setup_.arc_ticks);
+      segment_ =
+          Segment::quarter_arc(setup_.center + corner_, radius_, arc_step_, setup_.arc_ticks);
       corner_ = quarter_right(corner_);
       radius_ = quarter_right(radius_);
     } else if (part_ == kParts - 1) {

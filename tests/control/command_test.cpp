@@ -9,10 +9,14 @@
 #include "tests/support/rtl.hpp"
 
 using trammel::exact::Command;
-using trammel::test::as_bits;
 using trammel::test::as_signed;
 
 namespace {
+
+template <class Port>
+void set(Port& port, std::int64_t value, int bits) {
+  port = static_cast<Port>(trammel::test::as_bits(value, bits));
+}
 
 struct Bench {
   trammel::test::Rtl<Vcommand> rtl;
@@ -29,8 +33,8 @@ struct Bench {
     rtl->commit_i = in.commit;
     rtl->interpolate_i = in.interpolate;
     rtl->preset_i = in.preset;
-    rtl->preset_value_i = as_bits(in.preset_value, 24);
-    rtl->pos_cmd_i = as_bits(in.pos_cmd, 24);
+    set(rtl->preset_value_i, in.preset_value, 24);
+    set(rtl->pos_cmd_i, in.pos_cmd, 24);
   }
 
   std::int64_t clock() {

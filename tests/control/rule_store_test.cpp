@@ -9,10 +9,14 @@
 #include "tests/support/rtl.hpp"
 
 using trammel::exact::RuleStore;
-using trammel::test::as_bits;
 using trammel::test::as_signed;
 
 namespace {
+
+template <class Port>
+void set(Port& port, std::int64_t value, int bits) {
+  port = static_cast<Port>(trammel::test::as_bits(value, bits));
+}
 
 struct Bench {
   trammel::test::Rtl<Vrule_store> rtl;
@@ -40,14 +44,14 @@ struct Bench {
   }
 
   std::int64_t read(int index) {
-    rtl->addr_i = as_bits(index, 6);
+    set(rtl->addr_i, index, 6);
     rtl.eval();
     return as_signed(rtl->rdata_o, 24);
   }
 
   void write(int index, std::int32_t value) {
-    rtl->addr_i = as_bits(index, 6);
-    rtl->wdata_i = as_bits(value, 24);
+    set(rtl->addr_i, index, 6);
+    set(rtl->wdata_i, value, 24);
     rtl->we_i = 1;
     rtl.tick();
     rtl->we_i = 0;
@@ -63,8 +67,8 @@ struct Bench {
 
   void require_same_fired(int i, int j) {
     CAPTURE(i, j);
-    rtl->i_i = as_bits(i, 3);
-    rtl->j_i = as_bits(j, 3);
+    set(rtl->i_i, i, 3);
+    set(rtl->j_i, j, 3);
     rtl.eval();
     const std::array<int, 4> fired = RuleStore::fired(i, j);
     REQUIRE(as_signed(rtl->rule_00_o, 24) == twin.read(fired[0]));
@@ -112,10 +116,10 @@ TEST_CASE("Tuning and outside writes agree with the twin") {
       const int i = static_cast<int>(random() % 6);
       const int j = static_cast<int>(random() % 6);
       const unsigned which = random() % 4;
-      bench.rtl->i_i = as_bits(i, 3);
-      bench.rtl->j_i = as_bits(j, 3);
-      bench.rtl->tune_sel_i = as_bits(which, 2);
-      bench.rtl->tune_data_i = as_bits(value, 24);
+      set(bench.rtl->i_i, i, 3);
+      set(bench.rtl->j_i, j, 3);
+      set(bench.rtl->tune_sel_i, which, 2);
+      set(bench.rtl->tune_data_i, value, 24);
       bench.rtl->tune_we_i = 1;
       bench.rtl.eval();
       REQUIRE(!bench.rtl->quiescent_o);

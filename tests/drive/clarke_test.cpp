@@ -18,7 +18,7 @@ constexpr int kLatency = 2;
 
 TEST_CASE("clarke agrees with its twin on random and extreme currents, in 2 clocks") {
   test::Rtl<Vclarke> rtl;
-  rtl.reset();
+  test::begin(rtl);
   const Clarke twin;
   test::Words words(1);
   for (int n = 0; n < 20000; ++n) {

@@ -12,7 +12,7 @@ using fixed::Gain;
 
 namespace {
 
-constexpr int kLatency = 4;
+constexpr int kLatency = 5;
 constexpr Gain kKp{1275, 2};   // specification section 7
 constexpr Gain kKi{1478, -2};
 
@@ -20,15 +20,15 @@ void drive(test::Rtl<Vcurrent_pi>& rtl, const CurrentPi::In& in) {
   rtl->clear_i = in.clear;
   test::set_word(rtl->ref_i, in.ref);
   test::set_word(rtl->meas_i, in.meas);
-  rtl->kp_i = static_cast<std::uint16_t>(test::as_bits(in.kp.exp, 5) << 11 | test::as_bits(in.kp.mant, 11));
-  rtl->ki_i = static_cast<std::uint16_t>(test::as_bits(in.ki.exp, 5) << 11 | test::as_bits(in.ki.mant, 11));
+  rtl->kp_i = test::gain_bits(in.kp);
+  rtl->ki_i = test::gain_bits(in.ki);
 }
 
 }  // namespace
 
 TEST_CASE("current_pi gives 1063, 1140, 1217, 1294 for a step of 427") {
   test::Rtl<Vcurrent_pi> rtl;
-  rtl.reset();
+  test::begin(rtl);
   CurrentPi twin;
   const CurrentPi::In in{false, 427, 0, kKp, kKi};
   for (const int v : {1063, 1140, 1217, 1294}) {
@@ -39,9 +39,9 @@ TEST_CASE("current_pi gives 1063, 1140, 1217, 1294 for a step of 427") {
   }
 }
 
-TEST_CASE("current_pi agrees with its twin for every exponent and many errors, in 4 clocks") {
+TEST_CASE("current_pi agrees with its twin for every exponent and many errors, in 5 clocks") {
   test::Rtl<Vcurrent_pi> rtl;
-  rtl.reset();
+  test::begin(rtl);
   CurrentPi twin;
   test::Words words(1);
   CurrentPi::In in;
@@ -76,7 +76,7 @@ TEST_CASE("current_pi integrator stops at the voltage range and returns at once"
 
 TEST_CASE("current_pi is cleared within one clock and then quiescent") {
   test::Rtl<Vcurrent_pi> rtl;
-  rtl.reset();
+  test::begin(rtl);
   drive(rtl, {false, 427, 0, kKp, kKi});
   for (int k = 0; k < 3; ++k) test::run_flow(rtl);
   rtl.tick();

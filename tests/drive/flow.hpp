@@ -1,14 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// One calculation of a block of the flow shape.
+// Stimuli for blocks of the flow shape.
 #pragma once
 
 #include <cstdint>
 #include <random>
 
+#include "models/fixed/fixed.hpp"
 #include "tests/support/rtl.hpp"
 
 namespace trammel::test {
+
+// Inputs start at random values: without a tick, reset must reach the idle state.
+template <class Model>
+void begin(Rtl<Model>& rtl) {
+  rtl->tick_i = 0;
+  rtl.reset();
+}
 
 // Gives the tick and runs until valid_o. Returns how many edges after the one that saw the tick
 // see valid_o (the Latency of the block), or -1 when it does not come.
@@ -50,6 +58,11 @@ std::int32_t word(Port value) {
 template <class Port>
 void set_word(Port& port, std::int32_t value) {
   port = static_cast<Port>(as_bits(value, 12));
+}
+
+// A gain as the packed struct of its port.
+inline std::uint16_t gain_bits(const fixed::Gain& g) {
+  return static_cast<std::uint16_t>(as_bits(g.exp, 5) << 11 | as_bits(g.mant, 11));
 }
 
 }  // namespace trammel::test

@@ -20,7 +20,7 @@ constexpr double kPi = 3.14159265358979323846;
 
 TEST_CASE("rotator agrees with its twin on random and extreme vectors, in 5 clocks") {
   test::Rtl<Vrotator> rtl;  // the Park transform; the inverse is covered in current_loop
-  rtl.reset();
+  test::begin(rtl);
   const Rotator twin;
   test::Words words(1);
   for (int n = 0; n < 20000; ++n) {

@@ -18,7 +18,7 @@ constexpr double kPi = 3.14159265358979323846;
 
 TEST_CASE("sine agrees with its twin at every angle, in 4 clocks") {
   test::Rtl<Vsine> rtl;
-  rtl.reset();
+  test::begin(rtl);
   const Sine twin;
   for (std::uint32_t angle = 0; angle < 1024; ++angle) {
     rtl->angle_i = static_cast<std::uint16_t>(angle);
@@ -44,7 +44,7 @@ TEST_CASE("sine is round(2048 sin) clipped to 2047") {
 
 TEST_CASE("sine holds its outputs and is quiescent between calculations") {
   test::Rtl<Vsine> rtl;
-  rtl.reset();
+  test::begin(rtl);
   REQUIRE(rtl->quiescent_o);
   rtl->angle_i = 100;
   rtl->tick_i = 1;

@@ -30,7 +30,7 @@ void check(test::Rtl<Vvector_limit>& rtl, const VectorLimit::In& in) {
 
 TEST_CASE("vector_limit agrees with its twin at every v_d and on random vectors, in 2 clocks") {
   test::Rtl<Vvector_limit> rtl;
-  rtl.reset();
+  test::begin(rtl);
   test::Words words(1);
   for (std::int32_t v_d = -2048; v_d < 2048; ++v_d) {
     const std::int32_t limit = VectorLimit::limit(std::min(std::abs(v_d), 2047) >> 5);

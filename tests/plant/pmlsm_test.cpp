@@ -9,7 +9,8 @@ namespace {
 
 constexpr double kStep = 6.25e-6;
 
-// The equations of the head of pmlsm.hpp, written a second time, integrated by fine Runge-Kutta steps.
+// The equations of the head of pmlsm.hpp, written a second time, integrated by fine Runge-Kutta
+// steps.
 struct Reference {
   PmlsmConfig c;
   AlphaBeta u;
@@ -19,12 +20,12 @@ struct Reference {
     const double lambda = 2 * c.pole_pitch * c.force_constant / (3 * kPi);
     const double v_d = u.alpha * std::cos(theta) + u.beta * std::sin(theta);
     const double v_q = -u.alpha * std::sin(theta) + u.beta * std::cos(theta);
-    const double force =
-        1.5 * k * ((c.inductance_d - c.inductance_q) * y[2] + lambda) * y[3];
+    const double force = 1.5 * k * ((c.inductance_d - c.inductance_q) * y[2] + lambda) * y[3];
     const double friction = y[1] / std::sqrt(y[1] * y[1] + c.friction_speed * c.friction_speed);
     return {y[1],
             (force - c.viscous * y[1] - c.coulomb * friction -
-             c.cogging * std::sin(2 * kPi * y[0] / c.pole_pitch) - c.external_force) / c.mass,
+             c.cogging * std::sin(2 * kPi * y[0] / c.pole_pitch) - c.external_force) /
+                c.mass,
             (v_d - c.resistance * y[2] + w * c.inductance_q * y[3]) / c.inductance_d,
             (v_q - c.resistance * y[3] - w * c.inductance_d * y[2] - w * lambda) / c.inductance_q};
   }
@@ -70,10 +71,10 @@ MotorState chain(const Pmlsm& m, MotorState s, double u_d, double u_q, double se
 
 TEST_CASE("the constants derived from K_t are those of the specification") {
   const Pmlsm m{PmlsmConfig{}};
-  CHECK(m.flux() == Approx(0.517137).epsilon(2e-6));               // printed digits
+  CHECK(m.flux() == Approx(0.517137).epsilon(2e-6));  // printed digits
   CHECK(m.back_emf_constant() == Approx(53.267).epsilon(2e-5));
-  CHECK(m.force({0, 0, 0, 1}) == Approx(79.9).epsilon(1e-12));      // K_t i_q with i_d = 0
-  CHECK(m.force({0, 0, 3, 1}) == Approx(79.9).epsilon(1e-12));      // no saliency, no reluctance force
+  CHECK(m.force({0, 0, 0, 1}) == Approx(79.9).epsilon(1e-12));  // K_t i_q with i_d = 0
+  CHECK(m.force({0, 0, 3, 1}) == Approx(79.9).epsilon(1e-12));  // no saliency, no reluctance force
   CHECK(1.5 * m.back_emf_constant() == Approx(79.9).epsilon(1e-12));  // power in = power out
 }
 
@@ -159,15 +160,14 @@ TEST_CASE("electrical energy equals loss, work, friction and stored energy") {
       const SinCos a = m.angle_at(f, t);
       const AlphaBeta i = Pmlsm::stator(s.i_d, s.i_q, a);
       const double friction = s.v / std::sqrt(s.v * s.v + c.friction_speed * c.friction_speed);
-      const double out_power =
-          1.5 * c.resistance * (s.i_d * s.i_d + s.i_q * s.i_q) +
-          s.v * (c.viscous * s.v + c.coulomb * friction + c.cogging * 2 * a.sin * a.cos +
-                 c.external_force);
+      const double out_power = 1.5 * c.resistance * (s.i_d * s.i_d + s.i_q * s.i_q) +
+                               s.v * (c.viscous * s.v + c.coulomb * friction +
+                                      c.cogging * 2 * a.sin * a.cos + c.external_force);
       return std::pair{1.5 * (u.alpha * i.alpha + u.beta * i.beta), out_power};
     };
     const auto stored = [&](const MotorState& s) {
-      return 0.5 * c.mass * s.v * s.v + 0.75 * (c.inductance_d * s.i_d * s.i_d +
-                                                c.inductance_q * s.i_q * s.i_q);
+      return 0.5 * c.mass * s.v * s.v +
+             0.75 * (c.inductance_d * s.i_d * s.i_d + c.inductance_q * s.i_q * s.i_q);
     };
     const MotorState end =
         chain(m, {0.1, 0, 0, 0}, 10, 70, 0.15, {}, [&](const Span& f, const AlphaBeta& u) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Gate events of a plain field-oriented open-loop drive, for plant tests: a voltage vector fixed to the
-// rotor, centred 16 kHz pulses, dead time. Not a model of the chip.
+// Gate events of a plain field-oriented open-loop drive, for plant tests: a voltage vector fixed to
+// the rotor, centred 16 kHz pulses, dead time. Not a model of the chip.
 #pragma once
 
 #include <algorithm>
@@ -20,16 +20,18 @@ struct Pwm {
   Clk dead_time = 100;
 };
 
-// Adds the events of the PWM period that starts at n for the axis; the values are (clear, set) bits.
+// Adds the events of the PWM period that starts at n for the axis; the values are (clear, set)
+// bits.
 using Events = std::map<Clk, std::pair<Lines, Lines>>;
 inline void add_period(Events& events, const XyTable& table, int axis, Clk n, const Pwm& pwm,
                        double dc_link) {
   const SinCos a = table.axis(axis).motor().angle(table.state(axis, n).x_m);
   const auto u = to_phases(Pmlsm::stator(pwm.u_d, pwm.u_q, a));
-  const double mid = 0.5 * (*std::max_element(u.begin(), u.end()) +
-                            *std::min_element(u.begin(), u.end()));
+  const double mid =
+      0.5 * (*std::max_element(u.begin(), u.end()) + *std::min_element(u.begin(), u.end()));
   for (int phase = 0; phase < 3; ++phase) {
-    const double duty = std::clamp(0.5 + (u[static_cast<std::size_t>(phase)] - mid) / dc_link, 0.1, 0.9);
+    const double duty =
+        std::clamp(0.5 + (u[static_cast<std::size_t>(phase)] - mid) / dc_link, 0.1, 0.9);
     const Clk on = n + static_cast<Clk>((1 - duty) * 0.5 * kPeriod);
     const Clk off = n + kPeriod - (on - n);
     const Lines hi = Lines{1} << xy::gate_hi(axis, phase);
@@ -41,8 +43,8 @@ inline void add_period(Events& events, const XyTable& table, int axis, Clk n, co
   }
 }
 
-// Runs both axes to `end`; before(n) is called before time moves on to n, on_commit(n) after each commit,
-// period(n) at the start of a PWM period.
+// Runs both axes to `end`; before(n) is called before time moves on to n, on_commit(n) after each
+// commit, period(n) at the start of a PWM period.
 struct Runner {
   XyTable& table;
   std::array<double, 2> dc_link{311, 311};
@@ -84,7 +86,8 @@ struct Runner {
   }
   template <class OnCommit>
   void run(Clk end, OnCommit on_commit) {
-    run(end, on_commit, [](Clk) {}, [](Clk) {});
+    run(
+        end, on_commit, [](Clk) {}, [](Clk) {});
   }
 };
 

@@ -22,7 +22,8 @@ class Rotator {
     std::int32_t x = 0, y = 0;
   };
 
-  explicit Rotator(Config config = {}) : config_(config) {}
+  Rotator() = default;
+  explicit Rotator(const Config& config) : config_(config) {}
 
   void reset() {}
 

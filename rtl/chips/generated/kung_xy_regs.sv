@@ -1,9 +1,11 @@
 // Generated from rtl/chips/kung_xy.rdl by scripts/gen_regs.py; do not edit.
 // SPDX-License-Identifier: Apache-2.0
+// verilator lint_off UNUSEDSIGNAL
+// verilator lint_off UNUSEDPARAM
 
 module kung_xy_regs (
         input wire clk_i,
-        input wire rst,
+        input wire rst_i,
 
         output logic s_axil_awready_o,
         input wire s_axil_awvalid_i,
@@ -63,7 +65,7 @@ module kung_xy_regs (
 
     // Transaction request acceptance
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             axil_prev_was_rd <= '0;
             axil_arvalid <= '0;
             axil_araddr <= '0;
@@ -158,7 +160,7 @@ module kung_xy_regs (
     logic [1:0] axil_resp_rptr;
 
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             for(int i=0; i<2; i++) begin
                 axil_resp_buffer_is_wr[i] <= '0;
                 axil_resp_buffer_err[i] <= '0;
@@ -227,7 +229,7 @@ module kung_xy_regs (
     // Address Decode
     //--------------------------------------------------------------------------
     typedef struct packed {
-        struct {
+        struct packed {
             logic ctrl;
             logic status;
             logic pos_cmd;
@@ -261,7 +263,7 @@ module kung_xy_regs (
             logic stroke_en;
             logic iq_manual;
         } x;
-        struct {
+        struct packed {
             logic ctrl;
             logic status;
             logic pos_cmd;
@@ -413,7 +415,7 @@ module kung_xy_regs (
     logic external_wr_ack;
     logic external_rd_ack;
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             external_pending <= '0;
         end else begin
             if(decoded_req_is_external & ~external_wr_ack & ~external_rd_ack) external_pending <= '1;
@@ -438,428 +440,428 @@ module kung_xy_regs (
     // Field logic
     //--------------------------------------------------------------------------
     typedef struct packed {
-        struct {
-            struct {
-                struct {
+        struct packed {
+            struct packed {
+                struct packed {
                     logic next;
                     logic load_next;
                 } enable;
-                struct {
+                struct packed {
                     logic next;
                     logic load_next;
                 } current_loop;
-                struct {
+                struct packed {
                     logic next;
                     logic load_next;
                 } position_loop;
-                struct {
+                struct packed {
                     logic next;
                     logic load_next;
                 } adapt;
-                struct {
+                struct packed {
                     logic next;
                     logic load_next;
                 } reset_model;
-                struct {
+                struct packed {
                     logic next;
                     logic load_next;
                 } reset_table;
-                struct {
+                struct packed {
                     logic next;
                     logic load_next;
                 } interpolate;
-                struct {
+                struct packed {
                     logic next;
                     logic load_next;
                 } feedforward;
             } ctrl;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic next;
                     logic load_next;
                 } overrun;
-                struct {
+                struct packed {
                     logic next;
                     logic load_next;
                 } qep_error;
-                struct {
+                struct packed {
                     logic next;
                     logic load_next;
                 } saturated;
-                struct {
+                struct packed {
                     logic next;
                     logic load_next;
                 } limited;
             } status;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [23:0] next;
                     logic load_next;
                 } value;
             } pos_cmd;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [10:0] next;
                     logic load_next;
                 } mant;
-                struct {
+                struct packed {
                     logic [4:0] next;
                     logic load_next;
                 } exp;
             } kp;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [10:0] next;
                     logic load_next;
                 } mant;
-                struct {
+                struct packed {
                     logic [4:0] next;
                     logic load_next;
                 } exp;
             } ki;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [10:0] next;
                     logic load_next;
                 } mant;
-                struct {
+                struct packed {
                     logic [4:0] next;
                     logic load_next;
                 } exp;
             } kv;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [10:0] next;
                     logic load_next;
                 } mant;
-                struct {
+                struct packed {
                     logic [4:0] next;
                     logic load_next;
                 } exp;
             } eta;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [3:0] next;
                     logic load_next;
                 } e;
-                struct {
+                struct packed {
                     logic [3:0] next;
                     logic load_next;
                 } de;
             } shift;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [17:0] next;
                     logic load_next;
                 } value;
             } a0;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [23:0] next;
                     logic load_next;
                 } value;
             } b2;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [10:0] next;
                     logic load_next;
                 } mant;
-                struct {
+                struct packed {
                     logic [4:0] next;
                     logic load_next;
                 } exp;
             } kp_cur;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [10:0] next;
                     logic load_next;
                 } mant;
-                struct {
+                struct packed {
                     logic [4:0] next;
                     logic load_next;
                 } exp;
             } ki_cur;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [31:0] next;
                     logic load_next;
                 } value;
             } theta_ofs;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [9:0] next;
                     logic load_next;
-                } clk_i;
-                struct {
+                } clk;
+                struct packed {
                     logic [3:0] next;
                     logic load_next;
                 } qep_filter;
             } deadtime;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [5:0] next;
                     logic load_next;
                 } index;
             } tab_addr;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [23:0] next;
                     logic load_next;
                 } value;
             } stroke_min;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [23:0] next;
                     logic load_next;
                 } value;
             } stroke_max;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic next;
                     logic load_next;
                 } enable;
             } stroke_en;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [11:0] next;
                     logic load_next;
                 } value;
             } iq_manual;
         } x;
-        struct {
-            struct {
-                struct {
+        struct packed {
+            struct packed {
+                struct packed {
                     logic next;
                     logic load_next;
                 } enable;
-                struct {
+                struct packed {
                     logic next;
                     logic load_next;
                 } current_loop;
-                struct {
+                struct packed {
                     logic next;
                     logic load_next;
                 } position_loop;
-                struct {
+                struct packed {
                     logic next;
                     logic load_next;
                 } adapt;
-                struct {
+                struct packed {
                     logic next;
                     logic load_next;
                 } reset_model;
-                struct {
+                struct packed {
                     logic next;
                     logic load_next;
                 } reset_table;
-                struct {
+                struct packed {
                     logic next;
                     logic load_next;
                 } interpolate;
-                struct {
+                struct packed {
                     logic next;
                     logic load_next;
                 } feedforward;
             } ctrl;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic next;
                     logic load_next;
                 } overrun;
-                struct {
+                struct packed {
                     logic next;
                     logic load_next;
                 } qep_error;
-                struct {
+                struct packed {
                     logic next;
                     logic load_next;
                 } saturated;
-                struct {
+                struct packed {
                     logic next;
                     logic load_next;
                 } limited;
             } status;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [23:0] next;
                     logic load_next;
                 } value;
             } pos_cmd;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [10:0] next;
                     logic load_next;
                 } mant;
-                struct {
+                struct packed {
                     logic [4:0] next;
                     logic load_next;
                 } exp;
             } kp;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [10:0] next;
                     logic load_next;
                 } mant;
-                struct {
+                struct packed {
                     logic [4:0] next;
                     logic load_next;
                 } exp;
             } ki;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [10:0] next;
                     logic load_next;
                 } mant;
-                struct {
+                struct packed {
                     logic [4:0] next;
                     logic load_next;
                 } exp;
             } kv;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [10:0] next;
                     logic load_next;
                 } mant;
-                struct {
+                struct packed {
                     logic [4:0] next;
                     logic load_next;
                 } exp;
             } eta;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [3:0] next;
                     logic load_next;
                 } e;
-                struct {
+                struct packed {
                     logic [3:0] next;
                     logic load_next;
                 } de;
             } shift;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [17:0] next;
                     logic load_next;
                 } value;
             } a0;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [23:0] next;
                     logic load_next;
                 } value;
             } b2;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [10:0] next;
                     logic load_next;
                 } mant;
-                struct {
+                struct packed {
                     logic [4:0] next;
                     logic load_next;
                 } exp;
             } kp_cur;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [10:0] next;
                     logic load_next;
                 } mant;
-                struct {
+                struct packed {
                     logic [4:0] next;
                     logic load_next;
                 } exp;
             } ki_cur;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [31:0] next;
                     logic load_next;
                 } value;
             } theta_ofs;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [9:0] next;
                     logic load_next;
-                } clk_i;
-                struct {
+                } clk;
+                struct packed {
                     logic [3:0] next;
                     logic load_next;
                 } qep_filter;
             } deadtime;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [5:0] next;
                     logic load_next;
                 } index;
             } tab_addr;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [23:0] next;
                     logic load_next;
                 } value;
             } stroke_min;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [23:0] next;
                     logic load_next;
                 } value;
             } stroke_max;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic next;
                     logic load_next;
                 } enable;
             } stroke_en;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [11:0] next;
                     logic load_next;
                 } value;
             } iq_manual;
         } y;
-        struct {
-            struct {
+        struct packed {
+            struct packed {
                 logic next;
                 logic load_next;
             } take;
         } commit;
-        struct {
-            struct {
+        struct packed {
+            struct packed {
                 logic next;
                 logic load_next;
             } tick;
-            struct {
+            struct packed {
                 logic next;
                 logic load_next;
             } fault;
         } irq_en;
-        struct {
-            struct {
+        struct packed {
+            struct packed {
                 logic next;
                 logic load_next;
             } tick;
-            struct {
+            struct packed {
                 logic next;
                 logic load_next;
             } fault;
         } irq_stat;
-        struct {
-            struct {
+        struct packed {
+            struct packed {
                 logic [15:0] next;
                 logic load_next;
             } limit;
         } watchdog;
-        struct {
-            struct {
+        struct packed {
+            struct packed {
                 logic [11:0] next;
                 logic load_next;
             } value;
         } current_limit;
-        struct {
-            struct {
+        struct packed {
+            struct packed {
                 logic [9:0] next;
                 logic load_next;
-            } clk_i;
+            } clk;
         } deadtime_min;
-        struct {
-            struct {
+        struct packed {
+            struct packed {
                 logic [7:0] next;
                 logic load_next;
             } ticks;
@@ -868,346 +870,346 @@ module kung_xy_regs (
     field_combo_t field_combo;
 
     typedef struct packed {
-        struct {
-            struct {
-                struct {
+        struct packed {
+            struct packed {
+                struct packed {
                     logic value;
                 } enable;
-                struct {
+                struct packed {
                     logic value;
                 } current_loop;
-                struct {
+                struct packed {
                     logic value;
                 } position_loop;
-                struct {
+                struct packed {
                     logic value;
                 } adapt;
-                struct {
+                struct packed {
                     logic value;
                 } reset_model;
-                struct {
+                struct packed {
                     logic value;
                 } reset_table;
-                struct {
+                struct packed {
                     logic value;
                 } interpolate;
-                struct {
+                struct packed {
                     logic value;
                 } feedforward;
             } ctrl;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic value;
                 } overrun;
-                struct {
+                struct packed {
                     logic value;
                 } qep_error;
-                struct {
+                struct packed {
                     logic value;
                 } saturated;
-                struct {
+                struct packed {
                     logic value;
                 } limited;
             } status;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [23:0] value;
                 } value;
             } pos_cmd;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [10:0] value;
                 } mant;
-                struct {
+                struct packed {
                     logic [4:0] value;
                 } exp;
             } kp;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [10:0] value;
                 } mant;
-                struct {
+                struct packed {
                     logic [4:0] value;
                 } exp;
             } ki;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [10:0] value;
                 } mant;
-                struct {
+                struct packed {
                     logic [4:0] value;
                 } exp;
             } kv;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [10:0] value;
                 } mant;
-                struct {
+                struct packed {
                     logic [4:0] value;
                 } exp;
             } eta;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [3:0] value;
                 } e;
-                struct {
+                struct packed {
                     logic [3:0] value;
                 } de;
             } shift;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [17:0] value;
                 } value;
             } a0;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [23:0] value;
                 } value;
             } b2;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [10:0] value;
                 } mant;
-                struct {
+                struct packed {
                     logic [4:0] value;
                 } exp;
             } kp_cur;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [10:0] value;
                 } mant;
-                struct {
+                struct packed {
                     logic [4:0] value;
                 } exp;
             } ki_cur;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [31:0] value;
                 } value;
             } theta_ofs;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [9:0] value;
-                } clk_i;
-                struct {
+                } clk;
+                struct packed {
                     logic [3:0] value;
                 } qep_filter;
             } deadtime;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [5:0] value;
                 } index;
             } tab_addr;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [23:0] value;
                 } value;
             } stroke_min;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [23:0] value;
                 } value;
             } stroke_max;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic value;
                 } enable;
             } stroke_en;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [11:0] value;
                 } value;
             } iq_manual;
         } x;
-        struct {
-            struct {
-                struct {
+        struct packed {
+            struct packed {
+                struct packed {
                     logic value;
                 } enable;
-                struct {
+                struct packed {
                     logic value;
                 } current_loop;
-                struct {
+                struct packed {
                     logic value;
                 } position_loop;
-                struct {
+                struct packed {
                     logic value;
                 } adapt;
-                struct {
+                struct packed {
                     logic value;
                 } reset_model;
-                struct {
+                struct packed {
                     logic value;
                 } reset_table;
-                struct {
+                struct packed {
                     logic value;
                 } interpolate;
-                struct {
+                struct packed {
                     logic value;
                 } feedforward;
             } ctrl;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic value;
                 } overrun;
-                struct {
+                struct packed {
                     logic value;
                 } qep_error;
-                struct {
+                struct packed {
                     logic value;
                 } saturated;
-                struct {
+                struct packed {
                     logic value;
                 } limited;
             } status;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [23:0] value;
                 } value;
             } pos_cmd;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [10:0] value;
                 } mant;
-                struct {
+                struct packed {
                     logic [4:0] value;
                 } exp;
             } kp;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [10:0] value;
                 } mant;
-                struct {
+                struct packed {
                     logic [4:0] value;
                 } exp;
             } ki;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [10:0] value;
                 } mant;
-                struct {
+                struct packed {
                     logic [4:0] value;
                 } exp;
             } kv;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [10:0] value;
                 } mant;
-                struct {
+                struct packed {
                     logic [4:0] value;
                 } exp;
             } eta;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [3:0] value;
                 } e;
-                struct {
+                struct packed {
                     logic [3:0] value;
                 } de;
             } shift;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [17:0] value;
                 } value;
             } a0;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [23:0] value;
                 } value;
             } b2;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [10:0] value;
                 } mant;
-                struct {
+                struct packed {
                     logic [4:0] value;
                 } exp;
             } kp_cur;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [10:0] value;
                 } mant;
-                struct {
+                struct packed {
                     logic [4:0] value;
                 } exp;
             } ki_cur;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [31:0] value;
                 } value;
             } theta_ofs;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [9:0] value;
-                } clk_i;
-                struct {
+                } clk;
+                struct packed {
                     logic [3:0] value;
                 } qep_filter;
             } deadtime;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [5:0] value;
                 } index;
             } tab_addr;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [23:0] value;
                 } value;
             } stroke_min;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [23:0] value;
                 } value;
             } stroke_max;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic value;
                 } enable;
             } stroke_en;
-            struct {
-                struct {
+            struct packed {
+                struct packed {
                     logic [11:0] value;
                 } value;
             } iq_manual;
         } y;
-        struct {
-            struct {
+        struct packed {
+            struct packed {
                 logic value;
             } take;
         } commit;
-        struct {
-            struct {
+        struct packed {
+            struct packed {
                 logic value;
             } tick;
-            struct {
+            struct packed {
                 logic value;
             } fault;
         } irq_en;
-        struct {
-            struct {
+        struct packed {
+            struct packed {
                 logic value;
             } tick;
-            struct {
+            struct packed {
                 logic value;
             } fault;
         } irq_stat;
-        struct {
-            struct {
+        struct packed {
+            struct packed {
                 logic [15:0] value;
             } limit;
         } watchdog;
-        struct {
-            struct {
+        struct packed {
+            struct packed {
                 logic [11:0] value;
             } value;
         } current_limit;
-        struct {
-            struct {
+        struct packed {
+            struct packed {
                 logic [9:0] value;
-            } clk_i;
+            } clk;
         } deadtime_min;
-        struct {
-            struct {
+        struct packed {
+            struct packed {
                 logic [7:0] value;
             } ticks;
         } irq_period;
@@ -1228,7 +1230,7 @@ module kung_xy_regs (
         field_combo.x.ctrl.enable.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.x.ctrl.enable.value <= 1'h0;
         end else begin
             if(field_combo.x.ctrl.enable.load_next) begin
@@ -1251,7 +1253,7 @@ module kung_xy_regs (
         field_combo.x.ctrl.current_loop.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.x.ctrl.current_loop.value <= 1'h0;
         end else begin
             if(field_combo.x.ctrl.current_loop.load_next) begin
@@ -1274,7 +1276,7 @@ module kung_xy_regs (
         field_combo.x.ctrl.position_loop.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.x.ctrl.position_loop.value <= 1'h0;
         end else begin
             if(field_combo.x.ctrl.position_loop.load_next) begin
@@ -1297,7 +1299,7 @@ module kung_xy_regs (
         field_combo.x.ctrl.adapt.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.x.ctrl.adapt.value <= 1'h0;
         end else begin
             if(field_combo.x.ctrl.adapt.load_next) begin
@@ -1320,7 +1322,7 @@ module kung_xy_regs (
         field_combo.x.ctrl.reset_model.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.x.ctrl.reset_model.value <= 1'h0;
         end else begin
             if(field_combo.x.ctrl.reset_model.load_next) begin
@@ -1346,7 +1348,7 @@ module kung_xy_regs (
         field_combo.x.ctrl.reset_table.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.x.ctrl.reset_table.value <= 1'h0;
         end else begin
             if(field_combo.x.ctrl.reset_table.load_next) begin
@@ -1369,7 +1371,7 @@ module kung_xy_regs (
         field_combo.x.ctrl.interpolate.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.x.ctrl.interpolate.value <= 1'h0;
         end else begin
             if(field_combo.x.ctrl.interpolate.load_next) begin
@@ -1392,7 +1394,7 @@ module kung_xy_regs (
         field_combo.x.ctrl.feedforward.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.x.ctrl.feedforward.value <= 1'h0;
         end else begin
             if(field_combo.x.ctrl.feedforward.load_next) begin
@@ -1418,7 +1420,7 @@ module kung_xy_regs (
         field_combo.x.status.overrun.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.x.status.overrun.value <= 1'h0;
         end else begin
             if(field_combo.x.status.overrun.load_next) begin
@@ -1444,7 +1446,7 @@ module kung_xy_regs (
         field_combo.x.status.qep_error.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.x.status.qep_error.value <= 1'h0;
         end else begin
             if(field_combo.x.status.qep_error.load_next) begin
@@ -1470,7 +1472,7 @@ module kung_xy_regs (
         field_combo.x.status.saturated.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.x.status.saturated.value <= 1'h0;
         end else begin
             if(field_combo.x.status.saturated.load_next) begin
@@ -1496,7 +1498,7 @@ module kung_xy_regs (
         field_combo.x.status.limited.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.x.status.limited.value <= 1'h0;
         end else begin
             if(field_combo.x.status.limited.load_next) begin
@@ -1519,7 +1521,7 @@ module kung_xy_regs (
         field_combo.x.pos_cmd.value.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.x.pos_cmd.value.value <= 24'h0;
         end else begin
             if(field_combo.x.pos_cmd.value.load_next) begin
@@ -1542,7 +1544,7 @@ module kung_xy_regs (
         field_combo.x.kp.mant.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.x.kp.mant.value <= 11'h300;
         end else begin
             if(field_combo.x.kp.mant.load_next) begin
@@ -1565,7 +1567,7 @@ module kung_xy_regs (
         field_combo.x.kp.exp.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.x.kp.exp.value <= 5'h0;
         end else begin
             if(field_combo.x.kp.exp.load_next) begin
@@ -1588,7 +1590,7 @@ module kung_xy_regs (
         field_combo.x.ki.mant.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.x.ki.mant.value <= 11'h347;
         end else begin
             if(field_combo.x.ki.mant.load_next) begin
@@ -1611,7 +1613,7 @@ module kung_xy_regs (
         field_combo.x.ki.exp.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.x.ki.exp.value <= 5'h19;
         end else begin
             if(field_combo.x.ki.exp.load_next) begin
@@ -1634,7 +1636,7 @@ module kung_xy_regs (
         field_combo.x.kv.mant.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.x.kv.mant.value <= 11'h75c;
         end else begin
             if(field_combo.x.kv.mant.load_next) begin
@@ -1657,7 +1659,7 @@ module kung_xy_regs (
         field_combo.x.kv.exp.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.x.kv.exp.value <= 5'h1;
         end else begin
             if(field_combo.x.kv.exp.load_next) begin
@@ -1680,7 +1682,7 @@ module kung_xy_regs (
         field_combo.x.eta.mant.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.x.eta.mant.value <= 11'h474;
         end else begin
             if(field_combo.x.eta.mant.load_next) begin
@@ -1703,7 +1705,7 @@ module kung_xy_regs (
         field_combo.x.eta.exp.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.x.eta.exp.value <= 5'h18;
         end else begin
             if(field_combo.x.eta.exp.load_next) begin
@@ -1726,7 +1728,7 @@ module kung_xy_regs (
         field_combo.x.shift.e.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.x.shift.e.value <= 4'h0;
         end else begin
             if(field_combo.x.shift.e.load_next) begin
@@ -1749,7 +1751,7 @@ module kung_xy_regs (
         field_combo.x.shift.de.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.x.shift.de.value <= 4'h2;
         end else begin
             if(field_combo.x.shift.de.load_next) begin
@@ -1772,7 +1774,7 @@ module kung_xy_regs (
         field_combo.x.a0.value.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.x.a0.value.value <= 18'h3a1b8;
         end else begin
             if(field_combo.x.a0.value.load_next) begin
@@ -1795,7 +1797,7 @@ module kung_xy_regs (
         field_combo.x.b2.value.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.x.b2.value.value <= 24'h7c378b;
         end else begin
             if(field_combo.x.b2.value.load_next) begin
@@ -1818,7 +1820,7 @@ module kung_xy_regs (
         field_combo.x.kp_cur.mant.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.x.kp_cur.mant.value <= 11'h4fb;
         end else begin
             if(field_combo.x.kp_cur.mant.load_next) begin
@@ -1841,7 +1843,7 @@ module kung_xy_regs (
         field_combo.x.kp_cur.exp.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.x.kp_cur.exp.value <= 5'h2;
         end else begin
             if(field_combo.x.kp_cur.exp.load_next) begin
@@ -1864,7 +1866,7 @@ module kung_xy_regs (
         field_combo.x.ki_cur.mant.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.x.ki_cur.mant.value <= 11'h5c6;
         end else begin
             if(field_combo.x.ki_cur.mant.load_next) begin
@@ -1887,7 +1889,7 @@ module kung_xy_regs (
         field_combo.x.ki_cur.exp.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.x.ki_cur.exp.value <= 5'h1e;
         end else begin
             if(field_combo.x.ki_cur.exp.load_next) begin
@@ -1910,7 +1912,7 @@ module kung_xy_regs (
         field_combo.x.theta_ofs.value.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.x.theta_ofs.value.value <= 32'h0;
         end else begin
             if(field_combo.x.theta_ofs.value.load_next) begin
@@ -1919,29 +1921,29 @@ module kung_xy_regs (
         end
     end
     assign hwif_out.x.theta_ofs.value.value = field_storage.x.theta_ofs.value.value;
-    // Field: kung_xy.x.deadtime.clk_i
+    // Field: kung_xy.x.deadtime.clk
     always_comb begin
         automatic logic [9:0] next_c;
         automatic logic load_next_c;
-        next_c = field_storage.x.deadtime.clk_i.value;
+        next_c = field_storage.x.deadtime.clk.value;
         load_next_c = '0;
-        if(decoded_reg_strb.x.deadtime && decoded_req_is_wr && !(hwif_in.x.deadtime.clk_i.swwel)) begin // SW write
-            next_c = (field_storage.x.deadtime.clk_i.value & ~decoded_wr_biten[9:0]) | (decoded_wr_data[9:0] & decoded_wr_biten[9:0]);
+        if(decoded_reg_strb.x.deadtime && decoded_req_is_wr && !(hwif_in.x.deadtime.clk.swwel)) begin // SW write
+            next_c = (field_storage.x.deadtime.clk.value & ~decoded_wr_biten[9:0]) | (decoded_wr_data[9:0] & decoded_wr_biten[9:0]);
             load_next_c = '1;
         end
-        field_combo.x.deadtime.clk_i.next = next_c;
-        field_combo.x.deadtime.clk_i.load_next = load_next_c;
+        field_combo.x.deadtime.clk.next = next_c;
+        field_combo.x.deadtime.clk.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
-            field_storage.x.deadtime.clk_i.value <= 10'h64;
+        if(rst_i) begin
+            field_storage.x.deadtime.clk.value <= 10'h64;
         end else begin
-            if(field_combo.x.deadtime.clk_i.load_next) begin
-                field_storage.x.deadtime.clk_i.value <= field_combo.x.deadtime.clk_i.next;
+            if(field_combo.x.deadtime.clk.load_next) begin
+                field_storage.x.deadtime.clk.value <= field_combo.x.deadtime.clk.next;
             end
         end
     end
-    assign hwif_out.x.deadtime.clk_i.value = field_storage.x.deadtime.clk_i.value;
+    assign hwif_out.x.deadtime.clk.value = field_storage.x.deadtime.clk.value;
     // Field: kung_xy.x.deadtime.qep_filter
     always_comb begin
         automatic logic [3:0] next_c;
@@ -1956,7 +1958,7 @@ module kung_xy_regs (
         field_combo.x.deadtime.qep_filter.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.x.deadtime.qep_filter.value <= 4'h3;
         end else begin
             if(field_combo.x.deadtime.qep_filter.load_next) begin
@@ -1979,7 +1981,7 @@ module kung_xy_regs (
         field_combo.x.tab_addr.index.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.x.tab_addr.index.value <= 6'h0;
         end else begin
             if(field_combo.x.tab_addr.index.load_next) begin
@@ -2013,7 +2015,7 @@ module kung_xy_regs (
         field_combo.x.stroke_min.value.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.x.stroke_min.value.value <= 24'h0;
         end else begin
             if(field_combo.x.stroke_min.value.load_next) begin
@@ -2036,7 +2038,7 @@ module kung_xy_regs (
         field_combo.x.stroke_max.value.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.x.stroke_max.value.value <= 24'h1d4c0;
         end else begin
             if(field_combo.x.stroke_max.value.load_next) begin
@@ -2059,7 +2061,7 @@ module kung_xy_regs (
         field_combo.x.stroke_en.enable.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.x.stroke_en.enable.value <= 1'h0;
         end else begin
             if(field_combo.x.stroke_en.enable.load_next) begin
@@ -2082,7 +2084,7 @@ module kung_xy_regs (
         field_combo.x.iq_manual.value.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.x.iq_manual.value.value <= 12'h0;
         end else begin
             if(field_combo.x.iq_manual.value.load_next) begin
@@ -2105,7 +2107,7 @@ module kung_xy_regs (
         field_combo.y.ctrl.enable.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.y.ctrl.enable.value <= 1'h0;
         end else begin
             if(field_combo.y.ctrl.enable.load_next) begin
@@ -2128,7 +2130,7 @@ module kung_xy_regs (
         field_combo.y.ctrl.current_loop.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.y.ctrl.current_loop.value <= 1'h0;
         end else begin
             if(field_combo.y.ctrl.current_loop.load_next) begin
@@ -2151,7 +2153,7 @@ module kung_xy_regs (
         field_combo.y.ctrl.position_loop.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.y.ctrl.position_loop.value <= 1'h0;
         end else begin
             if(field_combo.y.ctrl.position_loop.load_next) begin
@@ -2174,7 +2176,7 @@ module kung_xy_regs (
         field_combo.y.ctrl.adapt.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.y.ctrl.adapt.value <= 1'h0;
         end else begin
             if(field_combo.y.ctrl.adapt.load_next) begin
@@ -2197,7 +2199,7 @@ module kung_xy_regs (
         field_combo.y.ctrl.reset_model.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.y.ctrl.reset_model.value <= 1'h0;
         end else begin
             if(field_combo.y.ctrl.reset_model.load_next) begin
@@ -2223,7 +2225,7 @@ module kung_xy_regs (
         field_combo.y.ctrl.reset_table.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.y.ctrl.reset_table.value <= 1'h0;
         end else begin
             if(field_combo.y.ctrl.reset_table.load_next) begin
@@ -2246,7 +2248,7 @@ module kung_xy_regs (
         field_combo.y.ctrl.interpolate.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.y.ctrl.interpolate.value <= 1'h0;
         end else begin
             if(field_combo.y.ctrl.interpolate.load_next) begin
@@ -2269,7 +2271,7 @@ module kung_xy_regs (
         field_combo.y.ctrl.feedforward.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.y.ctrl.feedforward.value <= 1'h0;
         end else begin
             if(field_combo.y.ctrl.feedforward.load_next) begin
@@ -2295,7 +2297,7 @@ module kung_xy_regs (
         field_combo.y.status.overrun.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.y.status.overrun.value <= 1'h0;
         end else begin
             if(field_combo.y.status.overrun.load_next) begin
@@ -2321,7 +2323,7 @@ module kung_xy_regs (
         field_combo.y.status.qep_error.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.y.status.qep_error.value <= 1'h0;
         end else begin
             if(field_combo.y.status.qep_error.load_next) begin
@@ -2347,7 +2349,7 @@ module kung_xy_regs (
         field_combo.y.status.saturated.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.y.status.saturated.value <= 1'h0;
         end else begin
             if(field_combo.y.status.saturated.load_next) begin
@@ -2373,7 +2375,7 @@ module kung_xy_regs (
         field_combo.y.status.limited.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.y.status.limited.value <= 1'h0;
         end else begin
             if(field_combo.y.status.limited.load_next) begin
@@ -2396,7 +2398,7 @@ module kung_xy_regs (
         field_combo.y.pos_cmd.value.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.y.pos_cmd.value.value <= 24'h0;
         end else begin
             if(field_combo.y.pos_cmd.value.load_next) begin
@@ -2419,7 +2421,7 @@ module kung_xy_regs (
         field_combo.y.kp.mant.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.y.kp.mant.value <= 11'h300;
         end else begin
             if(field_combo.y.kp.mant.load_next) begin
@@ -2442,7 +2444,7 @@ module kung_xy_regs (
         field_combo.y.kp.exp.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.y.kp.exp.value <= 5'h0;
         end else begin
             if(field_combo.y.kp.exp.load_next) begin
@@ -2465,7 +2467,7 @@ module kung_xy_regs (
         field_combo.y.ki.mant.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.y.ki.mant.value <= 11'h347;
         end else begin
             if(field_combo.y.ki.mant.load_next) begin
@@ -2488,7 +2490,7 @@ module kung_xy_regs (
         field_combo.y.ki.exp.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.y.ki.exp.value <= 5'h19;
         end else begin
             if(field_combo.y.ki.exp.load_next) begin
@@ -2511,7 +2513,7 @@ module kung_xy_regs (
         field_combo.y.kv.mant.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.y.kv.mant.value <= 11'h75c;
         end else begin
             if(field_combo.y.kv.mant.load_next) begin
@@ -2534,7 +2536,7 @@ module kung_xy_regs (
         field_combo.y.kv.exp.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.y.kv.exp.value <= 5'h1;
         end else begin
             if(field_combo.y.kv.exp.load_next) begin
@@ -2557,7 +2559,7 @@ module kung_xy_regs (
         field_combo.y.eta.mant.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.y.eta.mant.value <= 11'h474;
         end else begin
             if(field_combo.y.eta.mant.load_next) begin
@@ -2580,7 +2582,7 @@ module kung_xy_regs (
         field_combo.y.eta.exp.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.y.eta.exp.value <= 5'h18;
         end else begin
             if(field_combo.y.eta.exp.load_next) begin
@@ -2603,7 +2605,7 @@ module kung_xy_regs (
         field_combo.y.shift.e.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.y.shift.e.value <= 4'h0;
         end else begin
             if(field_combo.y.shift.e.load_next) begin
@@ -2626,7 +2628,7 @@ module kung_xy_regs (
         field_combo.y.shift.de.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.y.shift.de.value <= 4'h2;
         end else begin
             if(field_combo.y.shift.de.load_next) begin
@@ -2649,7 +2651,7 @@ module kung_xy_regs (
         field_combo.y.a0.value.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.y.a0.value.value <= 18'h3a1b8;
         end else begin
             if(field_combo.y.a0.value.load_next) begin
@@ -2672,7 +2674,7 @@ module kung_xy_regs (
         field_combo.y.b2.value.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.y.b2.value.value <= 24'h7c378b;
         end else begin
             if(field_combo.y.b2.value.load_next) begin
@@ -2695,7 +2697,7 @@ module kung_xy_regs (
         field_combo.y.kp_cur.mant.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.y.kp_cur.mant.value <= 11'h4fb;
         end else begin
             if(field_combo.y.kp_cur.mant.load_next) begin
@@ -2718,7 +2720,7 @@ module kung_xy_regs (
         field_combo.y.kp_cur.exp.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.y.kp_cur.exp.value <= 5'h2;
         end else begin
             if(field_combo.y.kp_cur.exp.load_next) begin
@@ -2741,7 +2743,7 @@ module kung_xy_regs (
         field_combo.y.ki_cur.mant.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.y.ki_cur.mant.value <= 11'h5c6;
         end else begin
             if(field_combo.y.ki_cur.mant.load_next) begin
@@ -2764,7 +2766,7 @@ module kung_xy_regs (
         field_combo.y.ki_cur.exp.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.y.ki_cur.exp.value <= 5'h1e;
         end else begin
             if(field_combo.y.ki_cur.exp.load_next) begin
@@ -2787,7 +2789,7 @@ module kung_xy_regs (
         field_combo.y.theta_ofs.value.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.y.theta_ofs.value.value <= 32'h0;
         end else begin
             if(field_combo.y.theta_ofs.value.load_next) begin
@@ -2796,29 +2798,29 @@ module kung_xy_regs (
         end
     end
     assign hwif_out.y.theta_ofs.value.value = field_storage.y.theta_ofs.value.value;
-    // Field: kung_xy.y.deadtime.clk_i
+    // Field: kung_xy.y.deadtime.clk
     always_comb begin
         automatic logic [9:0] next_c;
         automatic logic load_next_c;
-        next_c = field_storage.y.deadtime.clk_i.value;
+        next_c = field_storage.y.deadtime.clk.value;
         load_next_c = '0;
-        if(decoded_reg_strb.y.deadtime && decoded_req_is_wr && !(hwif_in.y.deadtime.clk_i.swwel)) begin // SW write
-            next_c = (field_storage.y.deadtime.clk_i.value & ~decoded_wr_biten[9:0]) | (decoded_wr_data[9:0] & decoded_wr_biten[9:0]);
+        if(decoded_reg_strb.y.deadtime && decoded_req_is_wr && !(hwif_in.y.deadtime.clk.swwel)) begin // SW write
+            next_c = (field_storage.y.deadtime.clk.value & ~decoded_wr_biten[9:0]) | (decoded_wr_data[9:0] & decoded_wr_biten[9:0]);
             load_next_c = '1;
         end
-        field_combo.y.deadtime.clk_i.next = next_c;
-        field_combo.y.deadtime.clk_i.load_next = load_next_c;
+        field_combo.y.deadtime.clk.next = next_c;
+        field_combo.y.deadtime.clk.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
-            field_storage.y.deadtime.clk_i.value <= 10'h64;
+        if(rst_i) begin
+            field_storage.y.deadtime.clk.value <= 10'h64;
         end else begin
-            if(field_combo.y.deadtime.clk_i.load_next) begin
-                field_storage.y.deadtime.clk_i.value <= field_combo.y.deadtime.clk_i.next;
+            if(field_combo.y.deadtime.clk.load_next) begin
+                field_storage.y.deadtime.clk.value <= field_combo.y.deadtime.clk.next;
             end
         end
     end
-    assign hwif_out.y.deadtime.clk_i.value = field_storage.y.deadtime.clk_i.value;
+    assign hwif_out.y.deadtime.clk.value = field_storage.y.deadtime.clk.value;
     // Field: kung_xy.y.deadtime.qep_filter
     always_comb begin
         automatic logic [3:0] next_c;
@@ -2833,7 +2835,7 @@ module kung_xy_regs (
         field_combo.y.deadtime.qep_filter.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.y.deadtime.qep_filter.value <= 4'h3;
         end else begin
             if(field_combo.y.deadtime.qep_filter.load_next) begin
@@ -2856,7 +2858,7 @@ module kung_xy_regs (
         field_combo.y.tab_addr.index.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.y.tab_addr.index.value <= 6'h0;
         end else begin
             if(field_combo.y.tab_addr.index.load_next) begin
@@ -2890,7 +2892,7 @@ module kung_xy_regs (
         field_combo.y.stroke_min.value.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.y.stroke_min.value.value <= 24'h0;
         end else begin
             if(field_combo.y.stroke_min.value.load_next) begin
@@ -2913,7 +2915,7 @@ module kung_xy_regs (
         field_combo.y.stroke_max.value.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.y.stroke_max.value.value <= 24'h1d4c0;
         end else begin
             if(field_combo.y.stroke_max.value.load_next) begin
@@ -2936,7 +2938,7 @@ module kung_xy_regs (
         field_combo.y.stroke_en.enable.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.y.stroke_en.enable.value <= 1'h0;
         end else begin
             if(field_combo.y.stroke_en.enable.load_next) begin
@@ -2959,7 +2961,7 @@ module kung_xy_regs (
         field_combo.y.iq_manual.value.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.y.iq_manual.value.value <= 12'h0;
         end else begin
             if(field_combo.y.iq_manual.value.load_next) begin
@@ -2985,7 +2987,7 @@ module kung_xy_regs (
         field_combo.commit.take.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.commit.take.value <= 1'h0;
         end else begin
             if(field_combo.commit.take.load_next) begin
@@ -3008,7 +3010,7 @@ module kung_xy_regs (
         field_combo.irq_en.tick.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.irq_en.tick.value <= 1'h0;
         end else begin
             if(field_combo.irq_en.tick.load_next) begin
@@ -3031,7 +3033,7 @@ module kung_xy_regs (
         field_combo.irq_en.fault.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.irq_en.fault.value <= 1'h0;
         end else begin
             if(field_combo.irq_en.fault.load_next) begin
@@ -3057,7 +3059,7 @@ module kung_xy_regs (
         field_combo.irq_stat.tick.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.irq_stat.tick.value <= 1'h0;
         end else begin
             if(field_combo.irq_stat.tick.load_next) begin
@@ -3083,7 +3085,7 @@ module kung_xy_regs (
         field_combo.irq_stat.fault.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.irq_stat.fault.value <= 1'h0;
         end else begin
             if(field_combo.irq_stat.fault.load_next) begin
@@ -3112,7 +3114,7 @@ module kung_xy_regs (
         field_combo.watchdog.limit.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.watchdog.limit.value <= 16'h0;
         end else begin
             if(field_combo.watchdog.limit.load_next) begin
@@ -3140,7 +3142,7 @@ module kung_xy_regs (
         field_combo.current_limit.value.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.current_limit.value.value <= 12'h500;
         end else begin
             if(field_combo.current_limit.value.load_next) begin
@@ -3149,29 +3151,29 @@ module kung_xy_regs (
         end
     end
     assign hwif_out.current_limit.value.value = field_storage.current_limit.value.value;
-    // Field: kung_xy.deadtime_min.clk_i
+    // Field: kung_xy.deadtime_min.clk
     always_comb begin
         automatic logic [9:0] next_c;
         automatic logic load_next_c;
-        next_c = field_storage.deadtime_min.clk_i.value;
+        next_c = field_storage.deadtime_min.clk.value;
         load_next_c = '0;
-        if(decoded_reg_strb.deadtime_min && decoded_req_is_wr && !(hwif_in.deadtime_min.clk_i.swwel)) begin // SW write
-            next_c = (field_storage.deadtime_min.clk_i.value & ~decoded_wr_biten[9:0]) | (decoded_wr_data[9:0] & decoded_wr_biten[9:0]);
+        if(decoded_reg_strb.deadtime_min && decoded_req_is_wr && !(hwif_in.deadtime_min.clk.swwel)) begin // SW write
+            next_c = (field_storage.deadtime_min.clk.value & ~decoded_wr_biten[9:0]) | (decoded_wr_data[9:0] & decoded_wr_biten[9:0]);
             load_next_c = '1;
         end
-        field_combo.deadtime_min.clk_i.next = next_c;
-        field_combo.deadtime_min.clk_i.load_next = load_next_c;
+        field_combo.deadtime_min.clk.next = next_c;
+        field_combo.deadtime_min.clk.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
-            field_storage.deadtime_min.clk_i.value <= 10'h19;
+        if(rst_i) begin
+            field_storage.deadtime_min.clk.value <= 10'h19;
         end else begin
-            if(field_combo.deadtime_min.clk_i.load_next) begin
-                field_storage.deadtime_min.clk_i.value <= field_combo.deadtime_min.clk_i.next;
+            if(field_combo.deadtime_min.clk.load_next) begin
+                field_storage.deadtime_min.clk.value <= field_combo.deadtime_min.clk.next;
             end
         end
     end
-    assign hwif_out.deadtime_min.clk_i.value = field_storage.deadtime_min.clk_i.value;
+    assign hwif_out.deadtime_min.clk.value = field_storage.deadtime_min.clk.value;
     // Field: kung_xy.irq_period.ticks
     always_comb begin
         automatic logic [7:0] next_c;
@@ -3186,7 +3188,7 @@ module kung_xy_regs (
         field_combo.irq_period.ticks.load_next = load_next_c;
     end
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             field_storage.irq_period.ticks.value <= 8'h4;
         end else begin
             if(field_combo.irq_period.ticks.load_next) begin
@@ -3235,7 +3237,7 @@ module kung_xy_regs (
     logic [9:0] pending_rd_addr;
     // Hold read mux address to guarantee it is stable throughout any external accesses
     always_ff @(posedge clk_i) begin
-        if(rst) begin
+        if(rst_i) begin
             pending_rd_addr <= '0;
         end else begin
             if(decoded_req) pending_rd_addr <= decoded_addr;
@@ -3340,7 +3342,7 @@ module kung_xy_regs (
             readback_data_var[31:0] = field_storage.x.theta_ofs.value.value;
         end
         if(rd_mux_addr == 10'h6c) begin
-            readback_data_var[9:0] = field_storage.x.deadtime.clk_i.value;
+            readback_data_var[9:0] = field_storage.x.deadtime.clk.value;
             readback_data_var[19:16] = field_storage.x.deadtime.qep_filter.value;
         end
         if(rd_mux_addr == 10'h70) begin
@@ -3455,7 +3457,7 @@ module kung_xy_regs (
             readback_data_var[31:0] = field_storage.y.theta_ofs.value.value;
         end
         if(rd_mux_addr == 10'h16c) begin
-            readback_data_var[9:0] = field_storage.y.deadtime.clk_i.value;
+            readback_data_var[9:0] = field_storage.y.deadtime.clk.value;
             readback_data_var[19:16] = field_storage.y.deadtime.qep_filter.value;
         end
         if(rd_mux_addr == 10'h170) begin
@@ -3509,7 +3511,7 @@ module kung_xy_regs (
             readback_data_var[11:0] = field_storage.current_limit.value.value;
         end
         if(rd_mux_addr == 10'h228) begin
-            readback_data_var[9:0] = field_storage.deadtime_min.clk_i.value;
+            readback_data_var[9:0] = field_storage.deadtime_min.clk.value;
         end
         if(rd_mux_addr == 10'h22c) begin
             readback_data_var[7:0] = field_storage.irq_period.ticks.value;
@@ -3524,3 +3526,5 @@ module kung_xy_regs (
     assign cpuif_rd_data = readback_data;
     assign cpuif_rd_err = readback_err;
 endmodule
+// verilator lint_on UNUSEDSIGNAL
+// verilator lint_on UNUSEDPARAM

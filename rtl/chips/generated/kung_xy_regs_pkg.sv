@@ -1,5 +1,7 @@
 // Generated from rtl/chips/kung_xy.rdl by scripts/gen_regs.py; do not edit.
 // SPDX-License-Identifier: Apache-2.0
+// verilator lint_off UNUSEDSIGNAL
+// verilator lint_off UNUSEDPARAM
 
 package kung_xy_regs_pkg;
 
@@ -685,4 +687,10 @@ package kung_xy_regs_pkg;
         fault_code__encoder = 'h4,
         fault_code__stroke = 'h5
     } fault_code_e;
+
+    localparam logic [31:0] KeyLock = 32'h4C4F434B;
+    localparam logic [31:0] KeyUnlock = 32'h554E4C4B;
+    localparam logic [31:0] KeyFaultClear = 32'h434C5246;
 endpackage
+// verilator lint_on UNUSEDSIGNAL
+// verilator lint_on UNUSEDPARAM

@@ -1,0 +1,335 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// One axis of kung_xy: encoder, converter, position and current controllers, inverter gates.
+//
+//   clock of the 16 kHz tick   what
+//   0        count and i_q* latched, compare values taken, converter started
+//   66       currents valid, current loop runs
+//   132      compare values for the next tick
+//   clock of the 2 kHz tick
+//   1..70    position controller with the count of this tick; its i_q* acts from the next 16 kHz
+//            tick on
+
+module kung_axis
+  import trammel_pkg::*;
+  import kung_xy_regs_pkg::axis_regs__in_t;
+  import kung_xy_regs_pkg::axis_regs__out_t;
+(
+    input logic clk_i,
+    input logic rst_i,
+
+    input gap_t leap_i,
+
+    input logic        tick_cur_i,
+    input logic        tick_pos_i,
+    input logic [11:0] phase_i,
+
+    input logic        trip_i,
+    input logic        locked_i,
+    input logic        commit_i,
+    input logic [11:0] current_limit_i,
+    input logic [ 9:0] dead_time_min_i,
+
+    input  axis_regs__out_t regs_i,
+    output axis_regs__in_t  regs_o,
+
+    input  logic enc_a_i,
+    input  logic enc_b_i,
+    input  logic enc_z_i,
+    input  logic adc_sdata_a_i,
+    input  logic adc_sdata_b_i,
+    output logic adc_cs_n_o,
+    output logic adc_sclk_o,
+
+    output logic [2:0] gate_hi_o,
+    output logic [2:0] gate_lo_o,
+
+    output logic over_current_o,
+    output logic encoder_o,
+    output logic stroke_o,
+    output logic done_o,
+    output gap_t next_o,
+    output logic quiescent_o
+);
+
+  typedef logic signed [12:0] sum_t;  // of two phase currents
+
+  // ---- position ----
+
+  count_t count, index_latch, preset_value;
+  logic preset, qep_error, qep_quiescent, unused_dir, unused_index_seen;
+
+  assign preset       = regs_i.pos_preset.req && regs_i.pos_preset.req_is_wr;
+  assign preset_value = count_t'(regs_i.pos_preset.wr_data.value);
+
+  qep u_qep (
+      .clk_i         (clk_i),
+      .rst_i         (rst_i),
+      .filter_i      (regs_i.deadtime.qep_filter.value),
+      .preset_i      (preset),
+      .preset_value_i(preset_value),
+      .clear_error_i (qep_error),  // STATUS keeps it
+      .enc_a_i       (enc_a_i),
+      .enc_b_i       (enc_b_i),
+      .enc_z_i       (enc_z_i),
+      .count_o       (count),
+      .dir_o         (unused_dir),
+      .index_latch_o (index_latch),
+      .index_seen_o  (unused_index_seen),
+      .error_o       (qep_error),
+      .quiescent_o   (qep_quiescent)
+  );
+
+  assign encoder_o = regs_i.status.qep_error.value;
+  assign stroke_o  = regs_i.stroke_en.enable.value &&
+      (count < count_t'(regs_i.stroke_min.value.value) ||
+       count > count_t'(regs_i.stroke_max.value.value));
+
+  // ---- position controller ----
+
+  count_t r, x_p_q, x_r, unused_dx, rule_rdata;
+  word_t e, de, u, v_star, v, iq_afc;
+  model_t unused_x_m;
+  logic afc_busy, overrun, iq_valid, saturated, unused_table_busy;
+  logic command_quiescent, afc_quiescent;
+  logic [6:0] step;
+
+  command u_command (
+      .clk_i         (clk_i),
+      .rst_i         (rst_i),
+      .tick_pos_i    (tick_pos_i),
+      .commit_i      (commit_i),
+      .interpolate_i (regs_i.ctrl.interpolate.value),
+      .preset_i      (preset),
+      .preset_value_i(preset_value),
+      .pos_cmd_i     (count_t'(regs_i.pos_cmd.value.value)),
+      .r_o           (r),
+      .quiescent_o   (command_quiescent)
+  );
+
+  // A table write waits until the position controller leaves its table.
+  logic tab_pending_q, tab_write;
+  count_t tab_data_q;
+
+  assign tab_write = tab_pending_q && !afc_busy;
+
+  always_ff @(posedge clk_i) begin
+    if (rst_i) begin
+      tab_pending_q <= 1'b0;
+      tab_data_q    <= '0;
+    end else begin
+      if (regs_i.tab_data.req && regs_i.tab_data.req_is_wr) begin
+        tab_pending_q <= 1'b1;
+        tab_data_q    <= count_t'(regs_i.tab_data.wr_data.value[23:0]);
+      end else if (tab_write) begin
+        tab_pending_q <= 1'b0;
+      end
+    end
+  end
+
+  afc u_afc (
+      .clk_i        (clk_i),
+      .rst_i        (rst_i),
+      .start_i      (tick_pos_i),
+      .adapt_i      (regs_i.ctrl.adapt.value),
+      .feedforward_i(regs_i.ctrl.feedforward.value),
+      .reset_model_i(regs_i.ctrl.reset_model.value),
+      .reset_table_i(regs_i.ctrl.reset_table.value),
+      .kp_i         ({regs_i.kp.exp.value, regs_i.kp.mant.value}),
+      .ki_i         ({regs_i.ki.exp.value, regs_i.ki.mant.value}),
+      .kv_i         ({regs_i.kv.exp.value, regs_i.kv.mant.value}),
+      .eta_i        ({regs_i.eta.exp.value, regs_i.eta.mant.value}),
+      .shift_e_i    (regs_i.shift.e.value),
+      .shift_de_i   (regs_i.shift.de.value),
+      .a0_i         (regs_i.a0.value.value),
+      .b2_i         (count_t'(regs_i.b2.value.value)),
+      .r_i          (r),
+      .x_p_i        (x_p_q),
+      .rule_addr_i  (regs_i.tab_addr.index.value),
+      .rule_we_i    (tab_write),
+      .rule_wdata_i (tab_data_q),
+      .busy_o       (afc_busy),
+      .done_o       (done_o),
+      .overrun_o    (overrun),
+      .step_o       (step),
+      .iq_valid_o   (iq_valid),
+      .x_m_o        (unused_x_m),
+      .x_r_o        (x_r),
+      .dx_o         (unused_dx),
+      .e_o          (e),
+      .de_o         (de),
+      .u_o          (u),
+      .v_star_o     (v_star),
+      .v_o          (v),
+      .i_q_ref_o    (iq_afc),
+      .saturated_o  (saturated),
+      .rule_rdata_o (rule_rdata),
+      .table_busy_o (unused_table_busy),
+      .quiescent_o  (afc_quiescent)
+  );
+
+  // ---- current controller ----
+
+  count_t count_cur_q;
+  word_t iq_ref, i_q_ref_q, i_a, i_b, i_d, i_q, v_d, v_q;
+  logic [11:0] code_a, code_b;
+  logic adc_valid, unused_adc_busy, adc_quiescent;
+  logic unused_loop_busy, loop_valid, limited, loop_quiescent, loop_clear;
+  cmp_t cmp_a, cmp_b, cmp_c;
+
+  assign iq_ref = regs_i.ctrl.position_loop.value ? iq_afc :
+      word_t'(regs_i.iq_manual.value.value);
+  assign loop_clear = trip_i || !regs_i.ctrl.enable.value || !regs_i.ctrl.current_loop.value;
+
+  always_ff @(posedge clk_i) begin
+    if (rst_i) begin
+      x_p_q       <= '0;
+      count_cur_q <= '0;
+      i_q_ref_q   <= '0;
+    end else if (tick_cur_i) begin
+      count_cur_q <= count;
+      i_q_ref_q   <= iq_ref;
+      if (tick_pos_i) x_p_q <= count;
+    end
+  end
+
+  adc_if u_adc (
+      .clk_i      (clk_i),
+      .rst_i      (rst_i),
+      .start_i    (tick_cur_i),
+      .sdata_a_i  (adc_sdata_a_i),
+      .sdata_b_i  (adc_sdata_b_i),
+      .cs_n_o     (adc_cs_n_o),
+      .sclk_o     (adc_sclk_o),
+      .busy_o     (unused_adc_busy),
+      .valid_o    (adc_valid),
+      .code_a_o   (code_a),
+      .code_b_o   (code_b),
+      .quiescent_o(adc_quiescent)
+  );
+
+  current_loop u_current_loop (
+      .clk_i      (clk_i),
+      .rst_i      (rst_i),
+      .tick_i     (adc_valid),
+      .clear_i    (loop_clear),
+      .theta_ofs_i(regs_i.theta_ofs.value.value),
+      .kp_i       ({regs_i.kp_cur.exp.value, regs_i.kp_cur.mant.value}),
+      .ki_i       ({regs_i.ki_cur.exp.value, regs_i.ki_cur.mant.value}),
+      .code_a_i   (code_a),
+      .code_b_i   (code_b),
+      .count_i    (count_cur_q),
+      .i_q_ref_i  (i_q_ref_q),
+      .i_d_ref_i  ('0),
+      .busy_o     (unused_loop_busy),
+      .valid_o    (loop_valid),
+      .cmp_a_o    (cmp_a),
+      .cmp_b_o    (cmp_b),
+      .cmp_c_o    (cmp_c),
+      .i_a_o      (i_a),
+      .i_b_o      (i_b),
+      .i_d_o      (i_d),
+      .i_q_o      (i_q),
+      .v_d_o      (v_d),
+      .v_q_o      (v_q),
+      .limited_o  (limited),
+      .quiescent_o(loop_quiescent)
+  );
+
+  function automatic logic reached(sum_t current, logic [11:0] limit);
+    return limit != '0 && (current[12] ? -current : current) >= sum_t'({1'b0, limit});
+  endfunction
+
+  // The third current is -(i_a + i_b).
+  assign over_current_o = reached(sum_t'(i_a), current_limit_i) ||
+      reached(sum_t'(i_b), current_limit_i) ||
+      reached(sum_t'(i_a) + sum_t'(i_b), current_limit_i);
+
+  // ---- gates ----
+
+  logic [2:0] on, leg_quiescent;
+  logic [9:0] dead_time;
+  logic pwm_quiescent;
+  gap_t pwm_next, leg_next[3];
+
+  assign dead_time = regs_i.deadtime.clk.value < dead_time_min_i ? dead_time_min_i :
+      regs_i.deadtime.clk.value;
+
+  pwm u_pwm (
+      .clk_i      (clk_i),
+      .rst_i      (rst_i),
+      .phase_i    (phase_i),
+      .load_i     (tick_cur_i),
+      .enable_i   (regs_i.ctrl.enable.value),
+      .cmp_a_i    (cmp_a),
+      .cmp_b_i    (cmp_b),
+      .cmp_c_i    (cmp_c),
+      .on_o       (on),
+      .next_o     (pwm_next),
+      .quiescent_o(pwm_quiescent)
+  );
+
+  for (genvar n = 0; n < 3; n++) begin : gen_leg
+    gate_leg u_leg (
+        .clk_i      (clk_i),
+        .rst_i      (rst_i),
+        .leap_i     (leap_i),
+        .enable_i   (regs_i.ctrl.enable.value),
+        .trip_i     (trip_i),
+        .dead_time_i(dead_time),
+        .on_i       (on[n]),
+        .hi_o       (gate_hi_o[n]),
+        .lo_o       (gate_lo_o[n]),
+        .next_o     (leg_next[n]),
+        .quiescent_o(leg_quiescent[n])
+    );
+  end
+
+  always_comb begin
+    next_o = pwm_next;
+    for (int unsigned n = 0; n < 3; n++) begin
+      if (leg_next[n] < next_o) next_o = leg_next[n];
+    end
+  end
+
+  assign quiescent_o = qep_quiescent && !qep_error && command_quiescent && afc_quiescent &&
+      !tab_pending_q && !tick_cur_i && adc_quiescent && loop_quiescent && pwm_quiescent &&
+      leg_quiescent == '1;
+
+  // ---- what the registers show ----
+
+  always_comb begin
+    regs_o = '0;
+    regs_o.status.busy.next        = afc_busy;
+    regs_o.status.overrun.hwset    = overrun;
+    regs_o.status.qep_error.hwset  = qep_error;
+    regs_o.status.saturated.hwset  = iq_valid && saturated;
+    regs_o.status.limited.hwset    = loop_valid && limited;
+    regs_o.status.step.next        = step;
+    regs_o.pos.value.next          = 32'(x_p_q);
+    regs_o.pos_model.value.next    = 32'(x_r);
+    regs_o.err.value.next          = 32'(e);
+    regs_o.derr.value.next         = 32'(de);
+    regs_o.u.value.next            = 32'(u);
+    regs_o.vstar.value.next        = 32'(v_star);
+    regs_o.iq_cmd.value.next       = 32'(iq_ref);
+    regs_o.speed.value.next        = 32'(v);
+    regs_o.id_iq.i_d.next          = 16'(i_d);
+    regs_o.id_iq.i_q.next          = 16'(i_q);
+    regs_o.vd_vq.v_d.next          = 16'(v_d);
+    regs_o.vd_vq.v_q.next          = 16'(v_q);
+    regs_o.index_latch.value.next  = 32'(index_latch);
+    regs_o.deadtime.clk.swwel      = locked_i;
+    regs_o.stroke_min.value.swwel  = locked_i;
+    regs_o.stroke_max.value.swwel  = locked_i;
+    regs_o.stroke_en.enable.swwel  = locked_i;
+    regs_o.tab_data.rd_data.value  = 32'(rule_rdata);
+    regs_o.tab_data.rd_ack         = regs_i.tab_data.req && !regs_i.tab_data.req_is_wr;
+    regs_o.tab_data.wr_ack         = tab_write;
+    regs_o.pos_preset.wr_ack       = preset;
+  end
+
+  logic unused_regs;
+  assign unused_regs = ^{regs_i.status, regs_i.tab_data, regs_i.pos_preset};
+
+endmodule

@@ -1,0 +1,269 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Two-axis motion-control IC of Kung et al. 2012: linear-motor X-Y table (specification sections 1,
+// 6 to 9, 11). Registers, time base, fault supervisor and two axes; axis 0 is X, axis 1 is Y.
+//
+//   trip pin -> gates off     4 clocks
+//   2 kHz tick -> sample_o   72 clocks: the words of both position controllers can be read
+
+module kung_xy
+  import trammel_pkg::*;
+(
+    input logic clk_i,
+    input logic rst_i,
+
+    input gap_t leap_i,
+
+    input  logic        s_axil_awvalid_i,
+    output logic        s_axil_awready_o,
+    input  logic [ 9:0] s_axil_awaddr_i,
+    input  logic [ 2:0] s_axil_awprot_i,
+    input  logic        s_axil_wvalid_i,
+    output logic        s_axil_wready_o,
+    input  logic [31:0] s_axil_wdata_i,
+    input  logic [ 3:0] s_axil_wstrb_i,
+    output logic        s_axil_bvalid_o,
+    input  logic        s_axil_bready_i,
+    output logic [ 1:0] s_axil_bresp_o,
+    input  logic        s_axil_arvalid_i,
+    output logic        s_axil_arready_o,
+    input  logic [ 9:0] s_axil_araddr_i,
+    input  logic [ 2:0] s_axil_arprot_i,
+    output logic        s_axil_rvalid_o,
+    input  logic        s_axil_rready_i,
+    output logic [31:0] s_axil_rdata_o,
+    output logic [ 1:0] s_axil_rresp_o,
+
+    input  logic [1:0] enc_a_i,
+    input  logic [1:0] enc_b_i,
+    input  logic [1:0] enc_z_i,
+    input  logic       trip_i,
+    output logic [1:0] adc_cs_n_o,
+    output logic [1:0] adc_sclk_o,
+    input  logic [1:0] adc_sdata_a_i,
+    input  logic [1:0] adc_sdata_b_i,
+    output logic [5:0] gate_hi_o,
+    output logic [5:0] gate_lo_o,
+
+    output logic irq_o,
+    output logic tick_o,
+    output logic sample_o,
+    output gap_t next_o,
+    output logic quiescent_o
+);
+
+  kung_xy_regs_pkg::kung_xy__in_t hwif_in;
+  kung_xy_regs_pkg::kung_xy__out_t hwif_out;
+  kung_xy_regs_pkg::axis_regs__out_t axis_out[2];
+  kung_xy_regs_pkg::axis_regs__in_t axis_in[2];
+
+  kung_xy_regs u_regs (
+      .clk_i           (clk_i),
+      .rst_i           (rst_i),
+      .s_axil_awready_o(s_axil_awready_o),
+      .s_axil_awvalid_i(s_axil_awvalid_i),
+      .s_axil_awaddr_i (s_axil_awaddr_i),
+      .s_axil_awprot_i (s_axil_awprot_i),
+      .s_axil_wready_o (s_axil_wready_o),
+      .s_axil_wvalid_i (s_axil_wvalid_i),
+      .s_axil_wdata_i  (s_axil_wdata_i),
+      .s_axil_wstrb_i  (s_axil_wstrb_i),
+      .s_axil_bready_i (s_axil_bready_i),
+      .s_axil_bvalid_o (s_axil_bvalid_o),
+      .s_axil_bresp_o  (s_axil_bresp_o),
+      .s_axil_arready_o(s_axil_arready_o),
+      .s_axil_arvalid_i(s_axil_arvalid_i),
+      .s_axil_araddr_i (s_axil_araddr_i),
+      .s_axil_arprot_i (s_axil_arprot_i),
+      .s_axil_rready_i (s_axil_rready_i),
+      .s_axil_rvalid_o (s_axil_rvalid_o),
+      .s_axil_rdata_o  (s_axil_rdata_o),
+      .s_axil_rresp_o  (s_axil_rresp_o),
+      .hwif_in         (hwif_in),
+      .hwif_out        (hwif_out)
+  );
+
+  // ---- time ----
+
+  logic [11:0] phase;
+  logic tick_cur, tick_pos, tick_irq, timebase_quiescent;
+  logic [31:0] tick_count;
+  gap_t timebase_next;
+
+  timebase u_timebase (
+      .clk_i       (clk_i),
+      .rst_i       (rst_i),
+      .leap_i      (leap_i),
+      .irq_period_i(hwif_out.irq_period.ticks.value),
+      .phase_o     (phase),
+      .tick_cur_o  (tick_cur),
+      .tick_pos_o  (tick_pos),
+      .tick_irq_o  (tick_irq),
+      .tick_count_o(tick_count),
+      .next_o      (timebase_next),
+      .quiescent_o (timebase_quiescent)
+  );
+
+  // ---- faults ----
+
+  logic [1:0] enabled, over_current, encoder, stroke;
+  logic bite, trip, trip_q, fault_clear, fault_axis;
+  logic watchdog_quiescent, supervisor_quiescent;
+  logic [3:0] fault_code;
+  logic [31:0] fault_tick;
+
+  assign enabled     = {hwif_out.y.ctrl.enable.value, hwif_out.x.ctrl.enable.value};
+  assign fault_clear = hwif_out.fault_clear.req && hwif_out.fault_clear.req_is_wr &&
+      hwif_out.fault_clear.wr_data.key == kung_xy_regs_pkg::KeyFaultClear;
+
+  watchdog u_watchdog (
+      .clk_i      (clk_i),
+      .rst_i      (rst_i),
+      .tick_pos_i (tick_pos),
+      .kick_i     (hwif_out.commit.take.value),
+      .enable_i   (enabled != '0),
+      .limit_i    (hwif_out.watchdog.limit.value),
+      .bite_o     (bite),
+      .quiescent_o(watchdog_quiescent)
+  );
+
+  supervisor u_supervisor (
+      .clk_i         (clk_i),
+      .rst_i         (rst_i),
+      .tick_count_i  (tick_count),
+      .enabled_i     (enabled),
+      .clear_i       (fault_clear),
+      .trip_pin_i    (trip_i),
+      .over_current_i(over_current),
+      .watchdog_i    (bite),
+      .encoder_i     (encoder),
+      .stroke_i      (stroke),
+      .trip_o        (trip),
+      .fault_code_o  (fault_code),
+      .fault_axis_o  (fault_axis),
+      .fault_tick_o  (fault_tick),
+      .quiescent_o   (supervisor_quiescent)
+  );
+
+  // Locking always works; unlocking asks for both axes disabled.
+  logic locked_d, locked_q, lock_write;
+
+  assign lock_write = hwif_out.lock.req && hwif_out.lock.req_is_wr;
+
+  always_comb begin
+    locked_d = locked_q;
+    if (lock_write) begin
+      if (hwif_out.lock.wr_data.key == kung_xy_regs_pkg::KeyLock) locked_d = 1'b1;
+      if (hwif_out.lock.wr_data.key == kung_xy_regs_pkg::KeyUnlock && enabled == '0) begin
+        locked_d = 1'b0;
+      end
+    end
+  end
+
+  // ---- bus transfers that are open: accepted addresses without their response ----
+
+  logic [2:0] open_d, open_q;
+  logic bus_idle;
+
+  assign open_d = open_q + 3'(s_axil_awvalid_i && s_axil_awready_o) +
+      3'(s_axil_arvalid_i && s_axil_arready_o) - 3'(s_axil_bvalid_o && s_axil_bready_i) -
+      3'(s_axil_rvalid_o && s_axil_rready_i);
+  assign bus_idle = open_q == '0 && !s_axil_awvalid_i && !s_axil_wvalid_i && !s_axil_arvalid_i;
+
+  // ---- the sample is complete when both position controllers are done ----
+
+  logic [1:0] done, done_q, all_done;
+
+  assign all_done = done | done_q;
+
+  always_ff @(posedge clk_i) begin
+    if (rst_i) begin
+      trip_q   <= 1'b0;
+      locked_q <= 1'b0;
+      open_q   <= '0;
+      done_q   <= '0;
+    end else begin
+      trip_q   <= trip;
+      locked_q <= locked_d;
+      open_q   <= open_d;
+      done_q   <= sample_o ? '0 : all_done;
+    end
+  end
+
+  // ---- axes ----
+
+  assign axis_out[0] = hwif_out.x;
+  assign axis_out[1] = hwif_out.y;
+
+  logic [1:0] axis_quiescent;
+  gap_t axis_next[2];
+
+  for (genvar n = 0; n < 2; n++) begin : gen_axis
+    kung_axis u_axis (
+        .clk_i          (clk_i),
+        .rst_i          (rst_i),
+        .leap_i         (leap_i),
+        .tick_cur_i     (tick_cur),
+        .tick_pos_i     (tick_pos),
+        .phase_i        (phase),
+        .trip_i         (trip),
+        .locked_i       (locked_q),
+        .commit_i       (hwif_out.commit.take.value),
+        .current_limit_i(hwif_out.current_limit.value.value),
+        .dead_time_min_i(hwif_out.deadtime_min.clk.value),
+        .regs_i         (axis_out[n]),
+        .regs_o         (axis_in[n]),
+        .enc_a_i        (enc_a_i[n]),
+        .enc_b_i        (enc_b_i[n]),
+        .enc_z_i        (enc_z_i[n]),
+        .adc_sdata_a_i  (adc_sdata_a_i[n]),
+        .adc_sdata_b_i  (adc_sdata_b_i[n]),
+        .adc_cs_n_o     (adc_cs_n_o[n]),
+        .adc_sclk_o     (adc_sclk_o[n]),
+        .gate_hi_o      (gate_hi_o[3*n+:3]),
+        .gate_lo_o      (gate_lo_o[3*n+:3]),
+        .over_current_o (over_current[n]),
+        .encoder_o      (encoder[n]),
+        .stroke_o       (stroke[n]),
+        .done_o         (done[n]),
+        .next_o         (axis_next[n]),
+        .quiescent_o    (axis_quiescent[n])
+    );
+  end
+
+  always_comb begin
+    hwif_in = '0;
+    hwif_in.x = axis_in[0];
+    hwif_in.y = axis_in[1];
+    hwif_in.irq_stat.tick.hwset       = tick_irq;
+    hwif_in.irq_stat.fault.hwset      = trip && !trip_q;
+    hwif_in.tick.value.next           = tick_count;
+    hwif_in.fault.code.next           = fault_code;
+    hwif_in.fault.axis.next           = fault_axis;
+    hwif_in.fault.tick.next           = fault_tick[23:0];
+    hwif_in.fault_clear.wr_ack        = hwif_out.fault_clear.req && hwif_out.fault_clear.req_is_wr;
+    hwif_in.lock.rd_ack               = hwif_out.lock.req && !hwif_out.lock.req_is_wr;
+    hwif_in.lock.rd_data.key          = {31'd0, locked_q};
+    hwif_in.lock.wr_ack               = lock_write;
+    hwif_in.current_limit.value.swwel = locked_q;
+    hwif_in.deadtime_min.clk.swwel    = locked_q;
+  end
+
+  assign irq_o = (hwif_out.irq_stat.tick.value && hwif_out.irq_en.tick.value) ||
+      (hwif_out.irq_stat.fault.value && hwif_out.irq_en.fault.value);
+  assign tick_o   = tick_pos;
+  assign sample_o = all_done == '1;
+
+  always_comb begin
+    next_o = timebase_next;
+    if (axis_next[0] < next_o) next_o = axis_next[0];
+    if (axis_next[1] < next_o) next_o = axis_next[1];
+  end
+
+  assign quiescent_o = bus_idle && timebase_quiescent && watchdog_quiescent &&
+      supervisor_quiescent && trip == trip_q && done == '0 && axis_quiescent == '1;
+
+  logic unused_bits;
+  assign unused_bits = ^{hwif_out.fault_clear, hwif_out.lock, fault_tick[31:24]};
+
+endmodule

@@ -1,0 +1,170 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Check that the folders keep their promises: companions of every block, who may use whom, and
+the form of the files (ASCII, 100 columns, 400 lines, licence line, newline at the end).
+
+usage: check_layout.py [root]         prints file:line: what is wrong; exit 1 if anything is
+
+The rules are about kinds of files, not names: packages share one page, twin and test in their
+layer; chips have no twin of their own (their blocks have) and are tested as machines; generated
+and third-party files are exempt.
+"""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+MIDDLE = {"sense", "drive", "control", "motion", "bus"}
+# Layer of rtl/ -> layers whose modules and packages it may use besides its own.
+RTL_USES = {"pkg": set(), "math": {"pkg"}, **{m: {"pkg", "math"} for m in MIDDLE},
+            "chips": {"pkg", "math", "chips"} | MIDDLE,
+            "boards": {"pkg", "math", "chips"} | MIDDLE}
+# First folder of a C++ file (or the first two) -> prefixes of repository includes it may have.
+CPP_USES = {
+    "models/fixed": ["models/fixed/"],
+    "models/exact": ["models/exact/", "models/fixed/"],
+    "models/ideal": ["models/ideal/", "Eigen/"],
+    "models/plant": ["models/plant/", "models/fixed/", "Eigen/"],
+    "sw_nios": ["sw_nios/", "models/fixed/"],
+    "cosim": ["cosim/", "models/", "sw_nios/"],
+    "systemc": ["systemc/", "cosim/", "models/", "sw_nios/"],
+    "testbench": ["testbench/", "systemc/", "cosim/", "models/", "sw_nios/"],
+    "tests": ["tests/", "testbench/", "systemc/", "cosim/", "models/", "sw_nios/", "support/"],
+}
+FOLDERS = ("models/", "sw_nios/", "cosim/", "systemc/", "testbench/", "tests/")
+# Headers of libraries that only some folders may see.
+LIBRARIES = {"systemc": ("systemc", "tests"), "verilated": ("cosim", "tests"),
+             "Eigen/": ("models/plant", "models/ideal", "tests")}
+CODE = {".sv", ".hpp", ".cpp", ".h", ".py", ".cmake", ".rdl", ".vlt", ""}
+TEXT = CODE | {".md", ".toml", ".txt", ".json", ".in"}
+NO_LICENCE = {".md", ".toml", ".txt", ".json"}
+MAX_LINES = 400
+MAX_COLUMNS = 100
+
+
+def tracked(root):
+    """Files git knows or would add; without git, all files outside build folders."""
+    listing = subprocess.run(["git", "-C", root, "ls-files", "-co", "--exclude-standard"],
+                             capture_output=True, text=True, check=False)
+    if listing.returncode == 0:
+        return sorted(Path(p) for p in set(listing.stdout.split("\n")) if (root / p).is_file())
+    skip = {".git", "build", "out", ".venv"}
+    return sorted(p.relative_to(root) for p in root.rglob("*")
+                  if p.is_file() and not skip & set(p.relative_to(root).parts))
+
+
+def is_exempt(path):
+    return "generated" in path.parts or "third_party" in path.parts or path.name == "LICENSE"
+
+
+def check_form(root, path):
+    try:
+        text = (root / path).read_text(encoding="utf-8")
+    except UnicodeDecodeError:
+        return
+    lines = text.split("\n")
+    if text and not text.endswith("\n"):
+        yield f"{path}:{len(lines)}: no newline at the end"
+    if len(lines) - 1 > MAX_LINES:
+        yield f"{path}: {len(lines) - 1} lines, more than {MAX_LINES}: two files"
+    for number, line in enumerate(lines, 1):
+        if not line.isascii():
+            yield f"{path}:{number}: not ASCII"
+        if "\t" in line and path.name != "Makefile":
+            yield f"{path}:{number}: tab"
+        if len(line) > MAX_COLUMNS and path.suffix not in (".txt", ".json", ".md"):
+            yield f"{path}:{number}: {len(line)} columns, more than {MAX_COLUMNS}"
+    needs = path.suffix in CODE - NO_LICENCE - {".cmake"}
+    if needs and (path.suffix or text.startswith("#!")):
+        if not any("SPDX-License-Identifier: Apache-2.0" in line for line in lines[:3]):
+            yield f"{path}:1: no line SPDX-License-Identifier: Apache-2.0"
+
+
+def check_companions(files, path):
+    layer, stem = path.parts[1], path.stem
+    if stem.endswith("_props"):
+        if path.with_name(stem.removesuffix("_props") + ".sv") not in files:
+            yield f"{path}: properties of no block"
+        return
+    if stem.endswith("_pkg") or layer == "boards":
+        return
+    wanted = [path.with_suffix(".md")]
+    if layer != "chips":
+        wanted.append(Path("tests", layer, f"{stem}_test.cpp"))
+        if layer != "bus":
+            wanted.append(Path("models", "exact", layer, f"{stem}.hpp"))
+    for companion in wanted:
+        if companion not in files:
+            yield f"{path}: companion {companion} is missing"
+
+
+def check_rtl_uses(root, path, owner):
+    layer = path.parts[1]
+    allowed = RTL_USES.get(layer, set()) | {layer}
+    text = (root / path).read_text(encoding="utf-8")
+    for number, line in enumerate(text.split("\n"), 1):
+        code = line.split("//")[0]
+        names = re.findall(r"\b(\w+)::", code)
+        # An instance: the module's name, then parameters or u_name.
+        names += re.findall(r"^\s*(\w+)\s+(?:#\s*\(|u_\w+\s*\()", code)
+        names += re.findall(r"^\s*bind\s+(\w+)", code)
+        for name in names:
+            if name in owner and owner[name] not in allowed:
+                yield f"{path}:{number}: {layer} may not use {name} of {owner[name]}"
+    if not path.stem.endswith("_pkg"):
+        named = re.findall(r"^\s*(?:module|interface)\s+(\w+)", text, re.M)
+        if path.stem not in named:
+            yield f"{path}: no module {path.stem}"
+
+
+def check_cpp_uses(root, path):
+    two = "/".join(path.parts[:2])
+    folder = two if two in CPP_USES else path.parts[0]
+    allowed = CPP_USES.get(folder)
+    if allowed is None:
+        return
+    for number, line in enumerate((root / path).read_text(encoding="utf-8").split("\n"), 1):
+        found = re.match(r'\s*#\s*include\s*["<]([^">]+)[">]', line)
+        if not found:
+            continue
+        name = found[1]
+        if name.startswith(FOLDERS) and not name.startswith(tuple(allowed)):
+            yield f"{path}:{number}: {folder} may not include {name}"
+        for library, users in LIBRARIES.items():
+            if name.startswith(library) and name not in allowed \
+                    and not name.startswith(FOLDERS) and folder not in users:
+                yield f"{path}:{number}: {folder} may not include {name}"
+        if folder == "models/exact" and name in ("cmath", "math.h"):
+            yield f"{path}:{number}: {folder} holds integers only, no {name}"
+
+
+def findings(root):
+    files = set(tracked(root))
+    owner = {p.stem: p.parts[1] for p in files if p.parts[0] == "rtl" and p.suffix == ".sv"}
+    for path in sorted(files):
+        if is_exempt(path):
+            continue
+        if path.suffix in TEXT:
+            yield from check_form(root, path)
+        if path.parts[0] == "rtl" and path.suffix == ".sv" and len(path.parts) == 3:
+            yield from check_companions(files, path)
+            yield from check_rtl_uses(root, path, owner)
+        if path.suffix in (".hpp", ".cpp", ".h"):
+            yield from check_cpp_uses(root, path)
+
+
+def main():
+    if any(a in ("-h", "--help") for a in sys.argv[1:]):
+        print(__doc__)
+        return 0
+    root = Path(sys.argv[1] if len(sys.argv) > 1 else Path(__file__).parent.parent).resolve()
+    problems = list(findings(root))
+    for problem in problems:
+        print(problem)
+    print(f"layout: {len(problems)} problem(s)", file=sys.stderr)
+    return 1 if problems else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

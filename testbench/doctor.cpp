@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "testbench/doctor.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "testbench/build_info.hpp"
+#include "testbench/config.hpp"
+#include "testbench/output.hpp"
+
+namespace trammel::testbench {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+int list_scenarios(bool json) {
+  Json all = Json::array();
+  std::string text;
+  for (const auto& file : scenarios()) {
+    kung::Options options;
+    apply_file(options, file);
+    const std::string name = file.stem().string();
+    all.push_back({{"name", name}, {"description", options.description}});
+    text += fmt::format("{:<10}{}\n", name, options.description);
+  }
+  fmt::print("{}", json ? all.dump(2) + '\n' : text);
+  return 0;
+}
+
+int list_keys(bool json) {
+  const kung::Options defaults;
+  Json all = Json::array();
+  std::string text = "Axis keys without .x or .y set both axes.\n\n";
+  for (const Key& key : keys()) {
+    const std::string value = value_text(key.get(defaults));
+    all.push_back({{"key", key.name}, {"default", value}, {"range", range_text(key)},
+                   {"help", key.help}});
+    text += fmt::format("{:<36}{:<12}{:<24}{}\n", key.name, value, range_text(key), key.help);
+  }
+  fmt::print("{}", json ? all.dump(2) + '\n' : text);
+  return 0;
+}
+
+}  // namespace
+
+int list(const std::string& topic, bool json) {
+  return topic == "keys" ? list_keys(json) : list_scenarios(json);
+}
+
+std::string version_text() {
+  return fmt::format("trammel {} commit {}\nverilator {}, systemc {}, {}, {}", kVersion, kCommit,
+                     kVerilator, kSystemC, kCompiler, kBuild);
+}
+
+int doctor(bool json) {
+  struct Tool {
+    const char* name;
+    const char* use;
+  };
+  constexpr Tool kTools[] = {{"gnuplot", "path.svg and error.svg"},
+                             {"fst2vcd", "--wave vcd"},
+                             {"gtkwave", "looking at waves"}};
+  Json all{{"trammel", kVersion},    {"commit", kCommit},     {"verilator", kVerilator},
+           {"systemc", kSystemC},    {"compiler", kCompiler}, {"build", kBuild}};
+  std::string text = version_text() + '\n';
+  int missing = 0;
+  for (const Tool& tool : kTools) {
+    const std::string where = find_program(tool.name).string();
+    all["tools"][tool.name] = where;
+    text += fmt::format("{:<10}{:<26}{}\n", tool.name, where.empty() ? "MISSING" : where, tool.use);
+    missing += where.empty() ? 1 : 0;
+  }
+  const std::size_t count = scenarios().size();
+  all["scenarios"] = count;
+  text += fmt::format("{} scenarios in {}\n", count, kScenarioFolder);
+  fmt::print("{}", json ? all.dump(2) + '\n' : text);
+  return missing > 0 || count == 0 ? 3 : 0;
+}
+
+}  // namespace trammel::testbench

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The verbs that only look: `list`, `doctor`, `--version`.
+#pragma once
+
+#include <string>
+
+namespace trammel::testbench {
+
+int list(const std::string& topic, bool json);
+int doctor(bool json);
+std::string version_text();
+
+}  // namespace trammel::testbench

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The `trammel` program. Results go to stdout, all else to stderr. Exit codes: 0 ok, 1 a check
+// failed, 2 usage or configuration, 3 a tool is missing, 5 diverged or tripped, 70 internal,
+// 130 interrupted.
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <csignal>
+
+#include "systemc/machines/kung.hpp"
+#include "testbench/config.hpp"
+#include "testbench/doctor.hpp"
+#include "testbench/run.hpp"
+
+namespace {
+
+namespace tb = trammel::testbench;
+
+std::atomic<bool> g_stop{false};
+static_assert(std::atomic<bool>::is_always_lock_free, "set by a signal handler");
+
+void on_interrupt(int) { g_stop = true; }
+
+// The first Ctrl-C asks the run to end with what it has; a second one ends the program.
+void catch_interrupts() {
+  struct sigaction action {};
+  action.sa_handler = on_interrupt;
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  sigaction(SIGINT, &action, nullptr);
+  sigaction(SIGTERM, &action, nullptr);
+}
+
+struct CommandLine {
+  CLI::App app{"Trammel: motion-control ICs, clock by clock, with the machine they drive"};
+  tb::RunArguments run_arguments;
+  std::string topic = "scenarios";
+  CLI::App* run = nullptr;
+  CLI::App* list = nullptr;
+  CLI::App* doctor = nullptr;
+
+  CommandLine() {
+    app.name("trammel");
+    app.require_subcommand(1);
+    app.fallthrough();
+    app.set_version_flag("--version", tb::version_text());
+    app.add_flag("--json", run_arguments.json, "print exactly one JSON document");
+    app.footer("Also, in the launcher: test (all tests), lint [layer/block]");
+
+    run = app.add_subcommand("run", "simulate a scenario and show whether the table followed");
+    run->add_option("scenario", run_arguments.scenario, "built-in name or path of a .toml file");
+    run->add_flag("--all", run_arguments.all, "the paper's eight experiments");
+    run->add_option("-c,--config", run_arguments.files, "more TOML files, later ones win");
+    run->add_option("-s,--set", run_arguments.assignments, "key=value (`trammel list keys`)");
+    run->add_option("-o,--out", run_arguments.out, "output folder, default out/<scenario>");
+    run->add_option("--platform", run_arguments.platform, "systemc or direct");
+    run->add_option("--wave", run_arguments.wave, "signal traces: vcd or fst");
+    run->add_option("--wave-window", run_arguments.wave_window, "a:b, for instance 0:5ms");
+    run->add_flag("--check", run_arguments.check, "exit 1 when a figure is out of tolerance");
+
+    list = app.add_subcommand("list", "scenarios, or every parameter with unit and range");
+    list->add_option("topic", topic, "scenarios or keys")
+        ->check(CLI::IsMember({"scenarios", "keys"}));
+    doctor = app.add_subcommand("doctor", "what is here and what is missing");
+  }
+};
+
+int perform(const CommandLine& line) {
+  if (line.list->parsed()) return tb::list(line.topic, line.run_arguments.json);
+  if (line.doctor->parsed()) return tb::doctor(line.run_arguments.json);
+  catch_interrupts();
+  return tb::run(line.run_arguments, trammel::kung::simulate, g_stop);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CommandLine line;
+  try {
+    line.app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return line.app.exit(error) == 0 ? 0 : 2;  // help and version end here too
+  }
+  try {
+    return perform(line);
+  } catch (const tb::ConfigError& error) {
+    fmt::print(stderr, "trammel: {}\n", error.what());
+    return 2;
+  } catch (const trammel::kung::OptionsError& error) {
+    fmt::print(stderr, "trammel: {}\n", error.what());
+    return 2;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "trammel: internal error: {}\n", error.what());
+    return 70;
+  }
+}

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// One run, one directory. Files are written into a hidden folder beside it and moved in at the end,
+// so that a run that fails leaves nothing half written and an older result stays whole until then.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include <nlohmann/json.hpp>
+
+#include "testbench/metrics.hpp"
+
+namespace trammel::testbench {
+
+class OutputFolder {
+ public:
+  // Throws ConfigError when the folder cannot be written: before the run, not after it.
+  explicit OutputFolder(const std::filesystem::path& target);
+  ~OutputFolder();
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+
+  const std::filesystem::path& scratch() const { return scratch_; }
+  const std::filesystem::path& target() const { return target_; }
+
+  // Moves the files in. Files of an earlier run that this one did not write are removed; what
+  // trammel did not write is left alone.
+  void publish();
+
+ private:
+  std::filesystem::path target_;
+  std::filesystem::path scratch_;
+};
+
+// metrics.json: figures, comparison, versions, options.
+nlohmann::ordered_json metrics_json(const kung::Options& options, const kung::Result& result,
+                                    const Metrics& metrics);
+
+void write_text(const std::filesystem::path& file, const std::string& text);
+void write_trace(const std::filesystem::path& file, const kung::Options& options,
+                 const kung::Result& result);
+
+// path.svg and error.svg through gnuplot; false when gnuplot is missing or fails.
+bool write_pictures(const std::filesystem::path& folder, const kung::Options& options,
+                    const kung::Result& result);
+
+// First program of that name in PATH, or empty.
+std::filesystem::path find_program(const std::string& name);
+
+const char* fault_text(kung::FaultCode code);
+const char* end_text(kung::EndReason end);
+int exit_code(const kung::Result& result);
+
+}  // namespace trammel::testbench

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "testbench/run.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <memory>
+
+#include "testbench/config.hpp"
+#include "testbench/output.hpp"
+#include "testbench/paper.hpp"
+#include "testbench/report.hpp"
+
+namespace trammel::testbench {
+namespace {
+
+namespace fs = std::filesystem;
+using kung::Options;
+
+constexpr double kDefaultWindowS = 0.002;
+// Order of magnitude of a trace of this chip, to warn before it fills a disk.
+constexpr double kVcdBytesPerS = 2.5e9;
+constexpr double kFstBytesPerS = 2.5e7;
+
+// A line that rewrites itself, on a terminal only.
+class Progress {
+ public:
+  explicit Progress(std::string name)
+      : name_(std::move(name)), shown_(isatty(STDERR_FILENO) != 0) {}
+  ~Progress() {
+    if (drawn_) fmt::print(stderr, "\r\033[K");
+  }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void operator()(double fraction) {
+    const auto now = std::chrono::steady_clock::now();
+    if (!shown_ || now - last_ < std::chrono::milliseconds(100)) return;
+    last_ = now;
+    drawn_ = true;
+    const double elapsed = std::chrono::duration<double>(now - begin_).count();
+    const double left = fraction > 0 ? elapsed * (1 - fraction) / fraction : 0;
+    fmt::print(stderr, "\r\033[K{} {:3.0f} %  {:.0f} s left", name_, 100 * fraction, left);
+    std::fflush(stderr);
+  }
+
+ private:
+  using Time = std::chrono::steady_clock::time_point;
+  std::string name_;
+  bool shown_;
+  bool drawn_ = false;
+  Time begin_ = std::chrono::steady_clock::now();
+  Time last_{};
+};
+
+Options layered(const std::string& scenario, const RunArguments& arguments) {
+  Options options;
+  const fs::path file = find_scenario(scenario);
+  options.scenario = file.stem().string();
+  apply_file(options, file);
+  for (const std::string& more : arguments.files) apply_file(options, more);
+  apply_environment(options, environment());
+  for (const std::string& text : arguments.assignments) apply_assignment(options, text);
+  if (!arguments.platform.empty()) {
+    apply_assignment(options, "run.platform=" + arguments.platform);
+  }
+  if (!arguments.wave.empty()) apply_assignment(options, "run.wave=" + arguments.wave);
+  if (!arguments.wave_window.empty()) {
+    const auto [begin, end] = parse_window(arguments.wave_window);
+    apply_assignment(options, fmt::format("run.wave_begin_s={}", begin));
+    apply_assignment(options, fmt::format("run.wave_end_s={}", end));
+    if (options.run.wave == kung::WaveFormat::kNone) {
+      throw ConfigError("--wave-window: needs --wave vcd or --wave fst");
+    }
+  }
+  return options;
+}
+
+void announce_waves(const Options& options) {
+  const double length = options.run.wave_end_s - options.run.wave_begin_s;
+  if (options.run.wave == kung::WaveFormat::kNone || length <= kDefaultWindowS) return;
+  const bool vcd = options.run.wave == kung::WaveFormat::kVcd;
+  fmt::print(stderr, "trammel: waves of {:g} ms take about {:.0f} MB\n", length * 1e3,
+             length * (vcd ? kVcdBytesPerS : kFstBytesPerS) / 1e6);
+}
+
+struct Outcome {
+  Finished finished;
+  nlohmann::ordered_json json;
+  int code = 0;
+};
+
+Outcome run_one(Options options, const fs::path& target, const RunArguments& arguments,
+                const Simulate& simulate, const std::atomic<bool>& stop) {
+  finish(options);
+  announce_waves(options);
+  OutputFolder folder(target);
+  if (options.run.wave != kung::WaveFormat::kNone) {
+    const char* const name =
+        options.run.wave == kung::WaveFormat::kVcd ? "waves.vcd" : "waves.fst";
+    options.run.wave_file = (folder.scratch() / name).string();
+  }
+  kung::Result result;
+  {
+    Progress progress(options.scenario);
+    kung::Hooks hooks;
+    hooks.progress = [&progress](double fraction) { progress(fraction); };
+    hooks.stop = &stop;
+    result = simulate(options, hooks);
+  }
+  const Metrics metrics = evaluate(options, result);
+  Outcome outcome{{options, metrics, result.end}, metrics_json(options, result, metrics),
+                  exit_code(result)};
+  write_text(folder.scratch() / "metrics.json", outcome.json.dump(2) + '\n');
+  write_text(folder.scratch() / "run.toml", run_toml(options));
+  write_trace(folder.scratch() / "trace.csv", options, result);
+  if (!write_pictures(folder.scratch(), options, result)) {
+    fmt::print(stderr, "trammel: no pictures: {}\n",
+               find_program("gnuplot").empty() ? "gnuplot is missing (see `trammel doctor`)"
+                                               : "there is nothing to draw");
+  }
+  folder.publish();
+
+  const fs::path shown = fs::proximate(folder.target());
+  if (!arguments.json && !arguments.all) {
+    fmt::print("{}", run_report(options, result, metrics, shown.string()));
+  } else if (arguments.all) {
+    fmt::print(stderr, "trammel: {} {}: {} in {:.1f} s\n", options.scenario,
+               options.controller == kung::Controller::kFc ? "FC" : "AFC", end_text(result.end),
+               result.wall_s);
+  }
+  if (outcome.code != 0) {
+    fmt::print(stderr, "trammel: {}: {}{}; record kept in {}\n", options.scenario,
+               end_text(result.end),
+               result.fault.code == kung::FaultCode::kNone
+                   ? ""
+                   : fmt::format(" by {} on axis {}", fault_text(result.fault.code),
+                                 result.fault.axis == 0 ? 'X' : 'Y'),
+               shown.string());
+  }
+  if (arguments.check && outcome.code == 0) {
+    for (const Comparison& line : compare(options, metrics)) {
+      if (line.good()) continue;
+      fmt::print(stderr, "trammel: {}: {} {:.3f} {} is outside {:.3f} +- {:.3f}\n",
+                 options.scenario, line.what, line.ours, line.unit, *line.expected,
+                 line.tolerance);
+      outcome.code = 1;
+    }
+  }
+  return outcome;
+}
+
+int run_all(const RunArguments& arguments, const Simulate& simulate,
+            const std::atomic<bool>& stop) {
+  const fs::path base = arguments.out.empty() ? fs::path("out") / "all" : fs::path(arguments.out);
+  std::vector<Finished> finished;
+  auto documents = nlohmann::ordered_json::array();
+  int code = 0;
+  for (const std::string scenario : {"step", "circle", "window", "star"}) {
+    for (const std::string controller : {"fc", "afc"}) {
+      if (stop) continue;
+      Options options = layered(scenario, arguments);
+      apply_assignment(options, "controller=" + controller);
+      options.scenario = scenario + '-' + controller;
+      Outcome outcome = run_one(options, base / options.scenario, arguments, simulate, stop);
+      finished.push_back(outcome.finished);
+      documents.push_back(outcome.json);
+      code = std::max(code, outcome.code);
+    }
+  }
+  if (arguments.json) {
+    fmt::print("{}\n", documents.dump(2));
+  } else {
+    fmt::print("{}", experiments_report(finished));
+  }
+  return code;
+}
+
+double parse_seconds(const std::string& text, const std::string& whole) {
+  char* end = nullptr;
+  const double value = std::strtod(text.c_str(), &end);
+  const std::string unit = end;
+  const double scale = unit.empty() || unit == "s" ? 1 : unit == "ms" ? 1e-3 : 1e-6;
+  if (end == text.c_str() || (scale == 1e-6 && unit != "us")) {
+    throw ConfigError(fmt::format("--wave-window: value \"{}\" is not a:b, each with s, ms or us, "
+                                  "for instance 0:5ms", whole));
+  }
+  return value * scale;
+}
+
+}  // namespace
+
+std::pair<double, double> parse_window(const std::string& text) {
+  const auto colon = text.find(':');
+  if (colon == std::string::npos) return {0, parse_seconds("", text)};
+  return {parse_seconds(text.substr(0, colon), text), parse_seconds(text.substr(colon + 1), text)};
+}
+
+int run(const RunArguments& arguments, const Simulate& simulate, const std::atomic<bool>& stop) {
+  if (arguments.all) {
+    if (!arguments.scenario.empty()) {
+      throw ConfigError("run: --all runs the paper's experiments; a scenario beside it means none");
+    }
+    return run_all(arguments, simulate, stop);
+  }
+  if (arguments.scenario.empty()) {
+    throw ConfigError("run: name a scenario (`trammel list` shows them) or give --all");
+  }
+  const Options options = layered(arguments.scenario, arguments);
+  const fs::path target =
+      arguments.out.empty() ? fs::path("out") / options.scenario : fs::path(arguments.out);
+  const Outcome outcome = run_one(options, target, arguments, simulate, stop);
+  if (arguments.json) fmt::print("{}\n", outcome.json.dump(2));
+  return outcome.code;
+}
+
+}  // namespace trammel::testbench

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The verb `run`: layers of options in, a finished output folder and a report out.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "cosim/kung/types.hpp"
+
+namespace trammel::testbench {
+
+using Simulate = std::function<kung::Result(const kung::Options&, const kung::Hooks&)>;
+
+struct RunArguments {
+  std::string scenario;
+  std::vector<std::string> files;        // -c
+  std::vector<std::string> assignments;  // -s
+  std::string platform;                  // --platform, --wave, --wave-window: as their keys
+  std::string wave;
+  std::string wave_window;
+  std::string out;
+  bool all = false;
+  bool json = false;
+  bool check = false;                    // exit 1 when a figure is outside its tolerance
+};
+
+int run(const RunArguments& arguments, const Simulate& simulate, const std::atomic<bool>& stop);
+
+// "a:b" with an optional s, ms or us behind each: seconds. Throws ConfigError.
+std::pair<double, double> parse_window(const std::string& text);
+
+}  // namespace trammel::testbench

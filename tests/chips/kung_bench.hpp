@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The verilated chip kung_xy on the bench: bus, encoders, converters and counters of its edges.
+// No plant: the currents are the codes the test sets.
+#pragma once
+
+#include <Vkung_xy.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <stdexcept>
+
+#include "sw_nios/hal/generated/kung_xy_regs.hpp"
+#include "tests/support/rtl.hpp"
+
+namespace trammel::test {
+
+class KungBench {
+ public:
+  KungBench() {
+    rtl_->leap_i = 0;
+    rtl_->s_axil_awvalid_i = rtl_->s_axil_wvalid_i = rtl_->s_axil_arvalid_i = 0;
+    rtl_->s_axil_awprot_i = rtl_->s_axil_arprot_i = 0;
+    rtl_->s_axil_wstrb_i = 0xf;
+    rtl_->s_axil_bready_i = rtl_->s_axil_rready_i = 1;
+    rtl_->enc_a_i = rtl_->enc_b_i = rtl_->enc_z_i = 0;
+    rtl_->trip_i = 0;
+    rtl_->adc_sdata_a_i = rtl_->adc_sdata_b_i = 0;
+    rtl_.reset();
+    for (int i = 0; i < 100; ++i) edge();  // encoder lines adopted, rule tables filled
+  }
+
+  Vkung_xy* operator->() { return rtl_.operator->(); }
+
+  // Codes that the converters hold at their next frame, 2048 = 0 A.
+  struct Codes {
+    unsigned a = 2048, b = 2048;
+  };
+  std::array<Codes, 2> codes{};
+
+  std::int64_t now() const { return now_; }
+
+  // One clock edge, with the converters behind the pins.
+  void edge() {
+    const unsigned cs = rtl_->adc_cs_n_o;
+    const unsigned sclk = rtl_->adc_sclk_o;
+    rtl_.tick();
+    ++now_;
+    unsigned data_a = 0, data_b = 0;
+    for (unsigned axis = 0; axis < 2; ++axis) {
+      Frame& frame = frames_[axis];
+      const unsigned bit = 1u << axis;
+      if ((cs & bit) != 0 && (rtl_->adc_cs_n_o & bit) == 0) frame = {codes[axis].a, codes[axis].b, 15};
+      if ((sclk & bit) != 0 && (rtl_->adc_sclk_o & bit) == 0 && frame.bit > 0) --frame.bit;
+      data_a |= ((frame.a >> frame.bit) & 1u) << axis;
+      data_b |= ((frame.b >> frame.bit) & 1u) << axis;
+    }
+    rtl_->adc_sdata_a_i = static_cast<std::uint8_t>(data_a);
+    rtl_->adc_sdata_b_i = static_cast<std::uint8_t>(data_b);
+    rtl_.eval();
+    if ((rtl_->gate_hi_o & rtl_->gate_lo_o) != 0) throw std::runtime_error("shoot-through");
+  }
+
+  void edges(int n) {
+    for (int i = 0; i < n; ++i) edge();
+  }
+
+  // Edges until `condition` holds after one; throws when it never does.
+  template <class Condition>
+  int until(Condition condition, int limit = 300000) {
+    for (int n = 1; n <= limit; ++n) {
+      edge();
+      if (condition()) return n;
+    }
+    throw std::runtime_error("the chip never came there");
+  }
+
+  // The next edge acts on a 2 kHz tick.
+  int to_tick() {
+    return until([this] { return rtl_->tick_o != 0; });
+  }
+
+  int to_sample() {
+    return until([this] { return rtl_->sample_o != 0; });
+  }
+
+  void write(std::uint32_t addr, std::uint32_t data) {
+    rtl_->s_axil_awaddr_i = static_cast<std::uint16_t>(addr);
+    rtl_->s_axil_wdata_i = data;
+    rtl_->s_axil_awvalid_i = rtl_->s_axil_wvalid_i = 1;
+    rtl_.eval();
+    while (rtl_->s_axil_bvalid_o == 0) {
+      const bool aw = rtl_->s_axil_awready_o != 0, w = rtl_->s_axil_wready_o != 0;
+      edge();
+      if (aw) rtl_->s_axil_awvalid_i = 0;
+      if (w) rtl_->s_axil_wvalid_i = 0;
+      rtl_.eval();
+    }
+    edge();
+  }
+
+  std::uint32_t read(std::uint32_t addr) {
+    rtl_->s_axil_araddr_i = static_cast<std::uint16_t>(addr);
+    rtl_->s_axil_arvalid_i = 1;
+    rtl_.eval();
+    while (rtl_->s_axil_rvalid_o == 0) {
+      const bool ar = rtl_->s_axil_arready_o != 0;
+      edge();
+      if (ar) rtl_->s_axil_arvalid_i = 0;
+      rtl_.eval();
+    }
+    const std::uint32_t data = rtl_->s_axil_rdata_o;
+    edge();
+    return data;
+  }
+
+  std::int32_t read_signed(std::uint32_t addr) { return static_cast<std::int32_t>(read(addr)); }
+
+  unsigned fault_code() {
+    return (read(sw::reg::kFault) & sw::reg::kFaultCodeMask) >> sw::reg::kFaultCodeShift;
+  }
+
+  bool gates_off() { return rtl_->gate_hi_o == 0 && rtl_->gate_lo_o == 0; }
+
+  // Quadrature lines of one axis, level = phase 0..3 of 00 10 11 01 (A, B).
+  void encoder(int axis, int phase) {
+    const unsigned bit = 1u << axis;
+    const auto put = [bit](unsigned lines, bool on) {
+      return static_cast<std::uint8_t>(on ? lines | bit : lines & ~bit);
+    };
+    rtl_->enc_a_i = put(rtl_->enc_a_i, phase == 1 || phase == 2);
+    rtl_->enc_b_i = put(rtl_->enc_b_i, phase == 2 || phase == 3);
+    rtl_.eval();
+  }
+
+ private:
+  struct Frame {
+    unsigned a = 0, b = 0;
+    int bit = 15;
+  };
+
+  Rtl<Vkung_xy> rtl_;
+  std::array<Frame, 2> frames_{};
+  std::int64_t now_ = 0;
+};
+
+}  // namespace trammel::test

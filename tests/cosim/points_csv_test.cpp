@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <catch2/catch.hpp>
+#include <sstream>
+
+#include "cosim/kung/points.hpp"
+
+namespace {
+
+std::vector<trammel::kung::PointM> read(const std::string& text) {
+  std::istringstream stream(text);
+  return trammel::kung::read_points_csv(stream, "p.csv");
+}
+
+}  // namespace
+
+TEST_CASE("points are read in millimetres past a header, comments and empty lines") {
+  const auto points = read("# a path\nx_mm,y_mm\n\n0, 600\r\n  # between\n250.5,1e2\n");
+  REQUIRE(points.size() == 2);
+  CHECK(points[0].x_m == 0);
+  CHECK(points[0].y_m == Approx(0.6));
+  CHECK(points[1].x_m == Approx(0.2505));
+  CHECK(points[1].y_m == Approx(0.1));
+  CHECK(read("1,2").size() == 1);
+}
+
+TEST_CASE("a point off the table is refused with file, line and the permitted range") {
+  CHECK_THROWS_WITH(read("x,y\n1,2\n601,3\n"),
+                    "p.csv:3: x_mm = 601 is out of range 0..600 mm");
+  CHECK_THROWS_WITH(read("1,-0.5\n"), "p.csv:1: y_mm = -0.5 is out of range 0..600 mm");
+  CHECK_THROWS_AS(read("1,nan\n"), std::invalid_argument);
+}
+
+TEST_CASE("lines that are not two numbers are refused by line") {
+  CHECK_THROWS_WITH(read("1,2\nx,y\n"), "p.csv:2: expected two numbers x_mm,y_mm, found 'x,y'");
+  CHECK_THROWS_WITH(read("x,y\nx,y\n"), "p.csv:2: expected two numbers x_mm,y_mm, found 'x,y'");
+  CHECK_THROWS_AS(read("1\n"), std::invalid_argument);
+  CHECK_THROWS_AS(read("1,2,3\n"), std::invalid_argument);
+  CHECK_THROWS_AS(read("1,2 mm\n"), std::invalid_argument);
+  CHECK_THROWS_AS(read("# nothing\n"), std::invalid_argument);
+  CHECK_THROWS_WITH(trammel::kung::read_points_csv("no/such.csv"), "no/such.csv: cannot be read");
+}

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include <Vpwm.h>
+
+#include <catch2/catch.hpp>
+
+#include "models/exact/drive/pwm.hpp"
+#include "tests/support/random.hpp"
+#include "tests/support/rtl.hpp"
+
+using trammel::exact::Gap;
+using trammel::exact::kGapMax;
+using trammel::exact::Pwm;
+using trammel::test::Random;
+using Rtl = trammel::test::Rtl<Vpwm>;
+
+namespace {
+
+void apply(Rtl& rtl, const Pwm::In& in) {
+  rtl->phase_i = in.phase & 0xFFF;
+  rtl->load_i = in.load;
+  rtl->enable_i = in.enable;
+  rtl->cmp_a_i = in.cmp[0] & 0x7FF;
+  rtl->cmp_b_i = in.cmp[1] & 0x7FF;
+  rtl->cmp_c_i = in.cmp[2] & 0x7FF;
+  rtl.eval();
+}
+
+// The input at clock n of a run that starts at phase 0.
+Pwm::In at(std::uint32_t n, const std::array<std::uint32_t, 3>& cmp) {
+  return {n % Pwm::kPeriod, n % Pwm::kPeriod == 0, true, cmp};
+}
+
+std::uint32_t any_cmp(Random& random) {
+  switch (random() % 4) {
+    case 0: return random() % 3;
+    case 1: return 1560 + random() % 3;
+    default: return random() % (Pwm::kCmpMax + 1);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("pwm agrees with its twin over many periods with new compare values at any time") {
+  Rtl rtl;
+  Pwm twin;
+  rtl.reset();
+  Random random(9);
+  std::array<std::uint32_t, 3> cmp{};
+  bool enable = true;
+  for (std::uint32_t n = 0; n < 40 * Pwm::kPeriod; ++n) {
+    if (random() % 1000 == 0) cmp = {any_cmp(random), any_cmp(random), any_cmp(random)};
+    if (random() % 5000 == 0) enable = !enable;
+    Pwm::In in = at(n, cmp);
+    in.enable = enable;
+    apply(rtl, in);
+    REQUIRE(rtl->next_o == twin.next(in));
+    REQUIRE(bool(rtl->quiescent_o) == twin.quiescent(in));
+    rtl.tick();
+    REQUIRE(rtl->on_o == twin.step(in));
+  }
+}
+
+TEST_CASE("pwm switches on one clock after phase CMP + 1 and off after phase 3125 - CMP") {
+  Rtl rtl;
+  Random random(10);
+  for (int i = 0; i < 30; ++i) {
+    rtl.reset();
+    const std::uint32_t cmp = i == 0 ? 0 : i == 1 ? 1561 : i == 2 ? 781 : random() % 1562;
+    unsigned before = 0;
+    for (std::uint32_t n = 0; n <= Pwm::kPeriod; ++n) {
+      apply(rtl, at(n, {cmp, 1562, cmp}));
+      rtl.tick();
+      const unsigned on = rtl->on_o;
+      if (on != before) REQUIRE(n == (on == 0 ? 3125 - cmp : cmp + 1));
+      REQUIRE((on == 0 || on == 5));
+      before = on;
+    }
+  }
+}
+
+TEST_CASE("pwm on-time is 3124 - 2 CMP clocks of 3125: off one clock at 0, never on at 1562") {
+  Rtl rtl;
+  for (const std::uint32_t cmp : {0U, 1U, 443U, 781U, 1119U, 1561U, 1562U}) {
+    rtl.reset();
+    std::uint32_t on = 0;
+    for (std::uint32_t n = 0; n < 3 * Pwm::kPeriod; ++n) {
+      apply(rtl, at(n, {cmp, cmp, cmp}));
+      rtl.tick();
+      on += rtl->on_o == 7;
+    }
+    REQUIRE(on == 3 * (3124 - 2 * cmp));
+  }
+}
+
+TEST_CASE("pwm takes compare values at phase 0 only") {
+  Rtl rtl;
+  rtl.reset();
+  for (std::uint32_t n = 0; n < 2 * Pwm::kPeriod; ++n) {
+    // The wish changes inside the first period and holds for the second.
+    const std::uint32_t cmp = n < 100 ? 1000 : 200;
+    apply(rtl, at(n, {cmp, cmp, cmp}));
+    rtl.tick();
+    const std::uint32_t used = n < Pwm::kPeriod ? 1000 : 200;
+    REQUIRE((rtl->on_o == 7) == (Pwm::carrier(n % Pwm::kPeriod) > used));
+  }
+}
+
+TEST_CASE("pwm disabled wants no switch and announces no event") {
+  Rtl rtl;
+  rtl.reset();
+  Pwm::In in = at(0, {0, 0, 0});
+  apply(rtl, in);
+  rtl.tick();
+  in = at(700, {0, 0, 0});
+  apply(rtl, in);
+  rtl.tick();
+  REQUIRE(rtl->on_o == 7);
+  in.enable = false;
+  apply(rtl, in);
+  REQUIRE_FALSE(rtl->quiescent_o);
+  rtl.tick();
+  REQUIRE(rtl->on_o == 0);
+  REQUIRE(rtl->next_o == kGapMax);
+  REQUIRE(rtl->quiescent_o);
+}
+
+TEST_CASE("pwm evaluated only at its announced events has the same edges as evaluated plainly") {
+  Rtl plain;
+  Rtl leaping;
+  plain.reset();
+  leaping.reset();
+  Random random(11);
+  std::array<std::uint32_t, 3> cmp{};
+  std::uint32_t n = 0;
+  int evaluations = 0;
+  while (n < 60 * Pwm::kPeriod) {
+    if (n % Pwm::kPeriod == 0) cmp = {any_cmp(random), any_cmp(random), any_cmp(random)};
+    apply(leaping, at(n, cmp));
+    Gap edges = leaping->quiescent_o ? leaping->next_o : 0;
+    edges = std::min<Gap>(std::max<Gap>(edges, 1), Pwm::kPeriod - n % Pwm::kPeriod);
+    leaping.tick();
+    ++evaluations;
+    for (Gap i = 0; i < edges; ++i) {
+      apply(plain, at(n++, cmp));
+      plain.tick();
+      REQUIRE(plain->on_o == leaping->on_o);
+    }
+  }
+  REQUIRE(evaluations < 60 * 17);  // load, six edges, and the leaps between them
+}

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include <Vtimebase.h>
+
+#include <catch2/catch.hpp>
+#include <cstdint>
+#include <vector>
+
+#include "models/exact/motion/timebase.hpp"
+#include "tests/support/random.hpp"
+#include "tests/support/rtl.hpp"
+
+using trammel::exact::Gap;
+using trammel::exact::Timebase;
+using trammel::test::Random;
+
+namespace {
+
+// Does not leap unless told to.
+struct Rtl : trammel::test::Rtl<Vtimebase> {
+  Rtl() { (*this)->leap_i = 0; }
+};
+
+void require_equal(Rtl& rtl, const Timebase& twin) {
+  const Timebase::Out out = twin.out();
+  REQUIRE(rtl->phase_o == out.phase);
+  REQUIRE(bool(rtl->tick_cur_o) == out.tick_cur);
+  REQUIRE(bool(rtl->tick_pos_o) == out.tick_pos);
+  REQUIRE(bool(rtl->tick_irq_o) == out.tick_irq);
+  REQUIRE(rtl->tick_count_o == out.tick_count);
+  REQUIRE(bool(rtl->quiescent_o) == out.quiescent);
+  REQUIRE(rtl->next_o == twin.next());
+}
+
+}  // namespace
+
+TEST_CASE("timebase agrees with its twin on random leaps and interrupt periods") {
+  Rtl rtl;
+  Timebase twin;
+  rtl.reset();
+  Random random(2);
+  for (int i = 0; i < 30000; ++i) {
+    const Timebase::In in{static_cast<std::uint8_t>(random() % 6)};
+    rtl->irq_period_i = in.irq_period;
+    rtl.eval();
+    require_equal(rtl, twin);
+    const Gap gap = twin.next();
+    if (gap > 0) {
+      const Gap n = 1 + random() % gap;
+      rtl->leap_i = (n - 1) & 0xFFF;
+      twin.advance(n);
+    } else {
+      twin.step(in);
+    }
+    rtl.tick();
+    rtl->leap_i = 0;
+    rtl.eval();
+  }
+}
+
+TEST_CASE("timebase ticks are exactly 3125, 25000 and 100000 clocks apart") {
+  Rtl rtl;
+  rtl.reset();
+  rtl->irq_period_i = 4;
+  std::vector<int> cur;
+  std::vector<int> pos;
+  std::vector<int> irq;
+  for (int n = 0; n < 300001; ++n) {
+    rtl.eval();
+    REQUIRE(rtl->phase_o == n % 3125);
+    if (rtl->tick_cur_o) cur.push_back(n);
+    if (rtl->tick_pos_o) pos.push_back(n);
+    if (rtl->tick_irq_o) irq.push_back(n);
+    if (rtl->tick_pos_o) REQUIRE(rtl->tick_cur_o);
+    if (rtl->tick_irq_o) REQUIRE(rtl->tick_pos_o);
+    rtl.tick();
+  }
+  REQUIRE(cur.size() == 97);
+  REQUIRE(pos.size() == 13);
+  REQUIRE(irq.size() == 4);
+  for (std::size_t i = 0; i < cur.size(); ++i) REQUIRE(cur[i] == static_cast<int>(i) * 3125);
+  for (std::size_t i = 0; i < pos.size(); ++i) REQUIRE(pos[i] == static_cast<int>(i) * 25000);
+  for (std::size_t i = 0; i < irq.size(); ++i) REQUIRE(irq[i] == static_cast<int>(i) * 100000);
+  REQUIRE(rtl->tick_count_o == 13);
+}
+
+TEST_CASE("timebase interrupt period 0 acts as 1") {
+  Rtl rtl;
+  rtl.reset();
+  rtl->irq_period_i = 0;
+  int ticks = 0;
+  for (int n = 0; n < 75000; ++n) {
+    rtl.eval();
+    REQUIRE(rtl->tick_irq_o == rtl->tick_pos_o);
+    ticks += rtl->tick_irq_o;
+    rtl.tick();
+  }
+  REQUIRE(ticks == 3);
+}
+
+TEST_CASE("timebase needs at most three evaluations a period when it leaps") {
+  Rtl rtl;
+  rtl.reset();
+  rtl->irq_period_i = 4;
+  std::int64_t clocks = 0;
+  int evaluations = 0;
+  int ticks = 0;
+  while (clocks < 1000000) {
+    rtl->leap_i = 0;
+    rtl.eval();
+    if (rtl->tick_cur_o) {
+      REQUIRE(clocks % 3125 == 0);
+      ++ticks;
+    }
+    const Gap gap = rtl->next_o;
+    rtl->leap_i = gap > 0 ? (gap - 1) & 0xFFF : 0;
+    rtl.tick();
+    clocks += gap > 0 ? gap : 1;
+    ++evaluations;
+  }
+  REQUIRE(ticks == 320);
+  // One leap, the last count and the tick.
+  REQUIRE(evaluations <= 3 * 320);
+}

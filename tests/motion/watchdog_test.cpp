@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include <Vwatchdog.h>
+
+#include <catch2/catch.hpp>
+
+#include "models/exact/motion/watchdog.hpp"
+#include "tests/support/random.hpp"
+#include "tests/support/rtl.hpp"
+
+using trammel::exact::Watchdog;
+using trammel::test::Random;
+using Rtl = trammel::test::Rtl<Vwatchdog>;
+
+namespace {
+
+void apply(Rtl& rtl, const Watchdog::In& in) {
+  rtl->tick_pos_i = in.tick_pos;
+  rtl->kick_i = in.kick;
+  rtl->enable_i = in.enable;
+  rtl->limit_i = in.limit;
+  rtl.eval();
+}
+
+// One position tick and an idle clock after it.
+bool after_tick(Rtl& rtl, std::uint16_t limit, bool kick = false) {
+  apply(rtl, {true, kick, true, limit});
+  rtl.tick();
+  apply(rtl, {false, false, true, limit});
+  rtl.tick();
+  return rtl->bite_o;
+}
+
+void kick(Rtl& rtl, std::uint16_t limit) {
+  apply(rtl, {false, true, true, limit});
+  rtl.tick();
+}
+
+}  // namespace
+
+TEST_CASE("watchdog agrees with its twin on random inputs") {
+  Rtl rtl;
+  Watchdog twin;
+  rtl.reset();
+  Random random(3);
+  for (int i = 0; i < 50000; ++i) {
+    const Watchdog::In in{random() % 2 == 0, random() % 6 == 0, random() % 32 != 0,
+                          static_cast<std::uint16_t>(random() % 7)};
+    apply(rtl, in);
+    REQUIRE(bool(rtl->quiescent_o) == twin.quiescent(in));
+    rtl.tick();
+    REQUIRE(bool(rtl->bite_o) == twin.step(in));
+  }
+}
+
+TEST_CASE("watchdog allows limit ticks between two kicks and bites at the next") {
+  Rtl rtl;
+  for (const std::uint16_t limit : {std::uint16_t{1}, std::uint16_t{4}, std::uint16_t{20}}) {
+    rtl.reset();
+    for (int round = 0; round < 3; ++round) {
+      kick(rtl, limit);
+      for (int i = 0; i < limit; ++i) REQUIRE_FALSE(after_tick(rtl, limit));
+    }
+    REQUIRE(after_tick(rtl, limit));
+  }
+}
+
+TEST_CASE("watchdog keeps its bite through kicks until it is disabled") {
+  Rtl rtl;
+  rtl.reset();
+  after_tick(rtl, 1);
+  REQUIRE(after_tick(rtl, 1));
+  kick(rtl, 1);
+  REQUIRE(after_tick(rtl, 1));
+  REQUIRE(after_tick(rtl, 0));
+  apply(rtl, {false, false, false, 1});
+  REQUIRE_FALSE(rtl->quiescent_o);
+  rtl.tick();
+  REQUIRE_FALSE(rtl->bite_o);
+}
+
+TEST_CASE("watchdog with limit zero is off") {
+  Rtl rtl;
+  rtl.reset();
+  for (int i = 0; i < 1000; ++i) REQUIRE_FALSE(after_tick(rtl, 0));
+}
+
+TEST_CASE("watchdog kick at the clock of a tick wins") {
+  Rtl rtl;
+  rtl.reset();
+  for (int i = 0; i < 10; ++i) {
+    REQUIRE_FALSE(after_tick(rtl, 1));
+    REQUIRE_FALSE(after_tick(rtl, 1, true));
+  }
+}

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <catch2/catch.hpp>
+
+#include <string>
+
+#include "cosim/kung/words.hpp"
+#include "testbench/config.hpp"
+#include "testbench/paper.hpp"
+#include "testbench/run.hpp"
+
+using namespace trammel;
+using namespace trammel::testbench;
+using Catch::Contains;
+
+namespace {
+
+void take(kung::Options& options, const std::string& toml) {
+  apply_text(options, toml, "some.toml", ".");
+}
+
+std::string message_of(const std::string& toml) {
+  kung::Options options;
+  try {
+    take(options, toml);
+    finish(options);
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("every key reads back what it wrote, and its default is in its range") {
+  for (const Key& key : keys()) {
+    INFO(key.name);
+    kung::Options options;
+    const Value before = key.get(options);
+    if (key.kind == Kind::kReal || key.kind == Kind::kInteger) {
+      CHECK(key.min < key.max);
+      apply_assignment(options, key.name + "=" + value_text(before));
+      CHECK(value_text(key.get(options)) == value_text(before));
+      const Value top = key.kind == Kind::kReal ? Value{key.max}
+                                                : Value{static_cast<std::int64_t>(key.max)};
+      apply_assignment(options, key.name + "=" + value_text(top));
+      CHECK(value_text(key.get(options)) == value_text(top));
+    } else if (key.kind == Kind::kFlag) {
+      apply_assignment(options, key.name + (std::get<bool>(before) ? "=false" : "=true"));
+      CHECK(value_text(key.get(options)) != value_text(before));
+    } else if (key.kind == Kind::kChoice) {
+      for (const std::string& choice : key.choices) {
+        apply_assignment(options, key.name + "=" + choice);
+        CHECK(value_text(key.get(options)) == '"' + choice + '"');
+      }
+    }
+  }
+}
+
+TEST_CASE("run.toml repeats the run") {
+  kung::Options options;
+  take(options, "controller = 'fc'\n[plant]\npayload_kg = 11\n[plant.y]\ncoulomb_N = 5.25\n");
+  options.description = "quotes \" and \\ and\ttabs";
+  kung::Options again;
+  take(again, run_toml(options));
+  for (const Key& key : keys()) {
+    INFO(key.name);
+    CHECK(value_text(key.get(again)) == value_text(key.get(options)));
+  }
+}
+
+TEST_CASE("a section without axis sets both, and [plant.x] refines it wherever it stands") {
+  kung::Options options;
+  take(options, "[plant.x]\nmass_kg = 3\n[plant]\nmass_kg = 4\n");
+  CHECK(options.plant.axis[0].mass_kg == 3);
+  CHECK(options.plant.axis[1].mass_kg == 4);
+}
+
+TEST_CASE("a value out of range names file, line, key and range") {
+  CHECK(message_of("[chip.x]\n\nqep_filter_clk = 16\n") ==
+        "some.toml:3: chip.x.qep_filter_clk: value 16 is out of range 1..15");
+  CHECK_THAT(message_of("[gains]\nkp = nan\n"), Contains("out of range"));
+  CHECK_THAT(message_of("[gains]\nshift_e = 1.5\n"), Contains("is not a whole number 0..11"));
+  CHECK_THAT(message_of("controller = 'pid'\n"), Contains("is not one of fc, afc"));
+  CHECK_THAT(message_of("[plant]\nhard_stops = 1\n"), Contains("is not true or false"));
+  CHECK_THAT(message_of("[gains]\nkp = [1, 2]\n"), Contains("some.toml:2: gains.kp: expects"));
+}
+
+TEST_CASE("an unknown key is an error with a suggestion") {
+  CHECK(message_of("[plant]\ncoulomb_M = 3\n") ==
+        "some.toml:2: plant.coulomb_M: unknown key; did you mean plant.coulomb_N?");
+  CHECK_THAT(message_of("controler = 'fc'\n"), Contains("did you mean controller?"));
+  CHECK_THAT(message_of("zzzzzzzzzzzz = 1\n"), Contains("trammel list keys"));
+}
+
+TEST_CASE("broken TOML names the line") {
+  CHECK_THAT(message_of("a = 1\nb = = 2\n"), Contains("some.toml:2: "));
+}
+
+TEST_CASE("combinations that cannot run are refused") {
+  CHECK_THAT(message_of("[path]\ncircle_radius_m = 0.3\n"), Contains("beyond the hard stops"));
+  CHECK(message_of("[path]\ncircle_radius_m = 0.3\n[plant]\nhard_stops = false\n").empty());
+  CHECK_THAT(message_of("[path]\nkind = 'window'\nwindow_radius_m = 0.11\n"),
+             Contains("path.window_radius_m"));
+  CHECK_THAT(message_of("[chip]\ndead_time_ns = 100\n"), Contains("chip.dead_time_min_ns = 200"));
+  CHECK_THAT(message_of("[path]\nkind = 'points'\n"), Contains("path.points_file"));
+  CHECK_THAT(message_of("[path]\nkind = 'points'\npoints_file = 'none.csv'\n"),
+             Contains("none.csv: path.points_file: cannot be read"));
+  CHECK_THAT(message_of("[run]\nwave = 'fst'\nwave_begin_s = 1\n"), Contains("run.wave_end_s"));
+  CHECK_THAT(message_of("name = '../up'\n"), Contains("cannot name an output folder"));
+}
+
+TEST_CASE("the environment sets keys by their upper-case names") {
+  kung::Options options;
+  apply_environment(options, {{"TRAMMEL_PLANT_X_MASS_KG", "3.5"},
+                              {"TRAMMEL_PLANT_MASS_KG", "7"},
+                              {"TRAMMEL_CONTROLLER", "fc"},
+                              {"TRAMMEL_SOMETHING_ELSE", "1"},
+                              {"HOME", "/"}});
+  CHECK(options.plant.axis[0].mass_kg == 3.5);
+  CHECK(options.plant.axis[1].mass_kg == 7);
+  CHECK(options.controller == kung::Controller::kFc);
+  CHECK_THROWS_WITH(apply_environment(options, {{"TRAMMEL_PLANT_MASS_KO", "3"}}),
+                    Contains("did you mean TRAMMEL_PLANT_MASS_KG?"));
+  CHECK_THROWS_WITH(apply_environment(options, {{"TRAMMEL_PLANT_MASS_KG", "x"}}),
+                    Contains("environment TRAMMEL_PLANT_MASS_KG: plant.x.mass_kg: value \"x\""));
+}
+
+TEST_CASE("assignments need key=value and a whole number stays whole") {
+  kung::Options options;
+  CHECK_THROWS_WITH(apply_assignment(options, "gains.kp"), Contains("expects key=value"));
+  CHECK_THROWS_WITH(apply_assignment(options, "gains.kp=1x"), Contains("is not a number"));
+  CHECK_THROWS_WITH(apply_assignment(options, "gains.kp="), Contains("is not a number"));
+  apply_assignment(options, "gains.kp=1e-1");
+  CHECK(options.gains[1].kp == 0.1);
+}
+
+TEST_CASE("a window of waves reads seconds, milliseconds and microseconds") {
+  CHECK(parse_window("0:5ms").second == Approx(5e-3));
+  CHECK(parse_window("10us:0.5").first == Approx(1e-5));
+  CHECK_THROWS_AS(parse_window("5"), ConfigError);
+  CHECK_THROWS_AS(parse_window("0:5min"), ConfigError);
+}
+
+TEST_CASE("the built-in scenarios load, can run and are the paper's experiments") {
+  CHECK(scenarios().size() >= 4);
+  for (const auto& file : scenarios()) {
+    INFO(file);
+    kung::Options options;
+    apply_file(options, file);
+    finish(options);
+    CHECK(is_paper_experiment(options));
+    options.gains[0].kp = 0.5;
+    CHECK_FALSE(is_paper_experiment(options));
+  }
+  CHECK_THROWS_WITH(find_scenario("circel"), Contains("did you mean circle?"));
+}
+
+TEST_CASE("default gains are the words of the specification") {
+  const kung::AxisGains g;
+  const auto same = [](fixed::Gain word, std::int32_t mant, std::int32_t exp) {
+    return word.value() == fixed::Gain{mant, exp}.value();  // 1536, -1 is 768, 0
+  };
+  CHECK(same(kung::gain_word(g.kp), 768, 0));
+  CHECK(same(kung::gain_word(g.ki), 839, -7));
+  CHECK(same(kung::gain_word(g.kv), 1884, 1));
+  CHECK(same(kung::gain_word(kung::eta_value(g.learning_rate, g.kp, g.ki, g.kv)), 1140, -8));
+  CHECK(same(kung::gain_word(kung::current_gain_value(g.current_kp_V_A, 311)), 1275, 2));
+  CHECK(same(kung::gain_word(kung::current_gain_value(g.current_ki_V_A, 311)), 1478, -2));
+  const auto model = kung::model_words(g.omega_n_rad_s, g.zeta);
+  CHECK(model.a0 == 238008);
+  CHECK(model.b2 == 8140683);
+}
