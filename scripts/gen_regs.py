@@ -93,8 +93,8 @@ def constant(name: str, value: str, comment: str = "") -> str:
 
 def header(top, note: str) -> str:
     lines = [f"// {note}", "// SPDX-License-Identifier: Apache-2.0", "//",
-             f"// Byte addresses and bits of the registers of {top.inst_name}: an axis register is at",
-             "// base + offset, a system register at its own address.", "#pragma once", "",
+             f"// Byte addresses and bits of the registers of {top.inst_name}: an axis register is",
+             "// at base + offset, a system register at its own address.", "#pragma once", "",
              "#include <cstdint>", "", "namespace trammel::sw::reg {", ""]
     for name, base, node in blocks(top):
         if node is not top:
@@ -125,15 +125,18 @@ def access(field) -> str:
 
 
 def document(top, note: str) -> str:
-    lines = [f"<!-- {note} -->", f"# Registers of {top.inst_name}", "", top.get_property("desc"), ""]
-    bases = [f"{name.upper()} 0x{base:03X}" for name, base, node in blocks(top) if node is not top]
+    lines = [f"<!-- {note} -->", f"# Registers of {top.inst_name}", "", top.get_property("desc"),
+             ""]
+    bases = [f"{name.upper()} 0x{base:03X}" for name, base, node in blocks(top)
+             if node is not top]
     lines += ["Bases: " + ", ".join(bases) + ". Access W1C: write one to clear.", ""]
     for kind, node in distinct_blocks(top):
-        lines += [f"## {kind}", "", "| Offset | Register | Bits | Field | Access | Reset | Meaning |",
+        lines += [f"## {kind}", "",
+                  "| Offset | Register | Bits | Field | Access | Reset | Meaning |",
                   "|---|---|---|---|---|---|---|"]
         for reg in registers(node):
-            desc = reg.get_property("desc") or ""
-            lines.append(f"| 0x{reg.address_offset:03X} | **{reg.inst_name.upper()}** | | | | | {desc} |")
+            head = f"| 0x{reg.address_offset:03X} | **{reg.inst_name.upper()}** |"
+            lines.append(f"{head} | | | | {reg.get_property('desc') or ''} |")
             for field in reg.fields():
                 reset = field.get_property("reset")
                 bits = f"{field.high}..{field.low}" if field.width > 1 else f"{field.low}"
@@ -155,9 +158,9 @@ def adapt(text: str, note: str, top) -> str:
     for old, new in (("input wire clk,", "input wire clk_i,"), ("posedge clk)", "posedge clk_i)"),
                      ("input wire rst,", "input wire rst_i,"), ("if(rst)", "if(rst_i)")):
         text = text.replace(old, new)
-    constants = [f"    localparam logic [31:0] {camel(encode.type_name)}{camel(m.name)} = 32'h{m.value:08X};"
-                 for encode in encodings(top) if f"{encode.type_name}_e;" not in text
-                 for m in encode]
+    constants = [
+        f"    localparam logic [31:0] {camel(e.type_name)}{camel(m.name)} = 32'h{m.value:08X};"
+        for e in encodings(top) if f"{e.type_name}_e;" not in text for m in e]
     text = re.sub(r"^endpackage", "\n".join(["", *constants, "endpackage"]), text, flags=re.M)
     text = "\n".join(line.rstrip() for line in text.splitlines()) + "\n"
     unused = ("UNUSEDSIGNAL", "UNUSEDPARAM")  # the generator's own helpers, not all needed here

@@ -16,6 +16,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parent.parent
 RTL = ROOT / "rtl"
 GENERATED = RTL / "chips" / "generated"
+WAIVERS = ROOT / "scripts" / "lint.vlt"
 SKIPPED = 77
 
 
@@ -48,7 +49,7 @@ def lint_verilator(block):
     source = RTL / f"{block}.sv"
     search = [f"-I{d}" for d in sorted(RTL.iterdir()) if d.is_dir() and d.name != "boards"]
     return run(["verilator", "--lint-only", "-Wall", *search, f"-I{GENERATED}",
-                "--top-module", source.stem, *map(str, packages()), str(source)])
+                "--top-module", source.stem, str(WAIVERS), *map(str, packages()), str(source)])
 
 
 def lint_verible(verible, block):

@@ -79,6 +79,14 @@ int main(int argc, char** argv) {
   try {
     line.app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
+    const std::string verb = argc > 1 ? argv[1] : "-";
+    const bool known = verb == "run" || verb == "list" || verb == "doctor";
+    if (!known && verb.rfind('-', 0) != 0) {
+      const std::string near = tb::suggest(verb, {"run", "list", "doctor", "test", "lint"});
+      fmt::print(stderr, "trammel: {}: unknown verb{}; see trammel --help\n", verb,
+                 near.empty() ? "" : fmt::format(", did you mean {}?", near));
+      return 2;
+    }
     return line.app.exit(error) == 0 ? 0 : 2;  // help and version end here too
   }
   try {

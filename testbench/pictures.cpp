@@ -23,7 +23,7 @@ constexpr char kStyle[] =
     "set border lc rgb '#666666'\n"
     "set key outside top center horizontal samplen 2\n";
 
-constexpr char kCommandLine[] = "lc rgb '#999999' lw 1.5 dt 2";
+constexpr char kCommandLine[] = "lc rgb '#bbbbbb' lw 3";
 constexpr char kModelLine[] = "lc rgb '#1f77b4' lw 1.5";
 constexpr char kTableLine[] = "lc rgb '#d62728' lw 1.5";
 
@@ -65,6 +65,7 @@ std::string path_script(bool over_time, const std::string& title) {
   text += "set output 'path.svg'\n";
   if (over_time) {
     text += fmt::format("set multiplot layout 2,1 title '{}'\n", title);
+    text += "set offsets 0, 0, graph 0.05, graph 0.05\n";
     text += time_panel("X", 2, "");
     text += time_panel("Y", 3, "set xlabel 't (ms)'\n");
     return text + "unset multiplot\n";
@@ -82,6 +83,7 @@ std::string error_script(bool over_time, const std::string& title) {
   std::string text = fmt::format("reset\n{}set output 'error.svg'\nset title '{}'\n",
                                  fmt::format(kStyle, 800, 420), title);
   text += "set xlabel 't (ms)'\nset ylabel 'error to the model (mm)'\n";
+  text += "set offsets 0, 0, graph 0.05, graph 0.05\n";
   text += fmt::format(
       "plot $d using 1:($4-$6) with lines title 'x' {}, "
       "$d using 1:($5-$7) with lines title 'y' lc rgb '#2ca02c' lw 1.5",

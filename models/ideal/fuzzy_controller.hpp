@@ -26,9 +26,9 @@ class FuzzyController {
 
   struct Out {
     double e = 0, de = 0, v = 0;
-    double u = 0;       // 1/256 unit
-    double v_star = 0;  // 1/16 count per sample
-    double i_q_ref = 0; // 4.8 A / 2048
+    double u = 0;        // 1/256 unit
+    double v_star = 0;   // 1/16 count per sample
+    double i_q_ref = 0;  // 4.8 A / 2048
   };
 
   FuzzyController() {

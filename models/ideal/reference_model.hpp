@@ -10,9 +10,9 @@ namespace trammel::ideal {
 class ReferenceModel {
  public:
   struct Config {
-    double omega_n = 30;      // [rad/s]
+    double omega_n = 30;  // [rad/s]
     double zeta = 1;
-    double period = 0.5e-3;   // [s]
+    double period = 0.5e-3;  // [s]
   };
 
   struct Coefficients {

@@ -4,7 +4,7 @@
 // 6 to 9, 11). Registers, time base, fault supervisor and two axes; axis 0 is X, axis 1 is Y.
 //
 //   trip pin -> gates off     4 clocks
-//   2 kHz tick -> sample_o   72 clocks: the words of both position controllers can be read
+//   2 kHz tick -> sample_o   71 clocks: the words of both position controllers can be read
 
 module kung_xy
   import trammel_pkg::*;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "models/exact/control/command.hpp"
+
 #include <Vcommand.h>
 
 #include <catch2/catch.hpp>
 #include <random>
 #include <vector>
 
-#include "models/exact/control/command.hpp"
 #include "tests/support/rtl.hpp"
 
 using trammel::exact::Command;

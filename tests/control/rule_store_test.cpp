@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "models/exact/control/rule_store.hpp"
+
 #include <Vrule_store.h>
 
 #include <array>
 #include <catch2/catch.hpp>
 #include <random>
 
-#include "models/exact/control/rule_store.hpp"
 #include "tests/support/rtl.hpp"
 
 using trammel::exact::RuleStore;
@@ -81,10 +82,10 @@ struct Bench {
 }  // namespace
 
 TEST_CASE("The table after reset is that of the specification") {
-  constexpr int kUnits[7][7] = {
-      {-6, -6, -6, -6, -4, -2, 0}, {-6, -6, -6, -4, -2, 0, 2}, {-6, -6, -4, -2, 0, 2, 4},
-      {-6, -4, -2, 0, 2, 4, 6},    {-4, -2, 0, 2, 4, 6, 6},    {-2, 0, 2, 4, 6, 6, 6},
-      {0, 2, 4, 6, 6, 6, 6}};
+  constexpr int kUnits[7][7] = {{-6, -6, -6, -6, -4, -2, 0}, {-6, -6, -6, -4, -2, 0, 2},
+                                {-6, -6, -4, -2, 0, 2, 4},   {-6, -4, -2, 0, 2, 4, 6},
+                                {-4, -2, 0, 2, 4, 6, 6},     {-2, 0, 2, 4, 6, 6, 6},
+                                {0, 2, 4, 6, 6, 6, 6}};
   Bench bench;
   for (int n = 0; n < RuleStore::kRules; ++n) {
     CAPTURE(n);
@@ -140,6 +141,8 @@ TEST_CASE("A table reset takes 49 writes, waits for the controller and shuts out
   Bench bench;
   for (int n = 0; n < RuleStore::kRules; ++n) bench.write(n, 1000 + n);
   bench.rtl->hold_i = 1;
+  bench.write(0, 7);
+  REQUIRE(bench.read(0) == 1000);
   bench.rtl->reset_i = 1;
   bench.rtl.tick();
   bench.rtl->reset_i = 0;

@@ -32,11 +32,11 @@ struct FastAxis {
   std::int32_t count() const { return static_cast<std::int32_t>(std::floor(x / kCount + 0.5)); }
 
   void sample(double i_q_ref) {
-    constexpr double kStep = 62.5e-6;  // [s]
-    constexpr double kLag = 0.2e-3;    // [s]
-    constexpr double kForce = 79.9;    // [N/A]
-    constexpr double kViscous = 20;    // [N s/m]
-    constexpr double kSoft = 0.5e-3;   // [m/s]
+    constexpr double kStep = 62.5e-6;       // [s]
+    constexpr double kLag = 0.2e-3;         // [s]
+    constexpr double kForce = 79.9;         // [N/A]
+    constexpr double kViscous = 20;         // [N s/m]
+    constexpr double kSoft = 0.5e-3;        // [m/s]
     constexpr double kPolePitch = 30.5e-3;  // [m]
     const double gain = 1 - std::exp(-kStep / kLag);
     for (int n = 0; n < 8; ++n) {

@@ -21,6 +21,7 @@ class ChipModel final : public KungChip {
     context_->randSeed(1);
     model_ = std::make_unique<Model>(context_.get(), "kung_xy");
     tracer_.attach(*context_, *model_);
+    quiet_inputs();
     model_->s_axil_wstrb_i = 0xf;
     model_->s_axil_bready_i = 1;
     model_->s_axil_rready_i = 1;
@@ -103,6 +104,18 @@ class ChipModel final : public KungChip {
     std::uint32_t rdata = 0;
   };
 
+  // Inputs start at random values like every other unset bit.
+  void quiet_inputs() {
+    Model& m = *model_;
+    m.leap_i = 0;
+    m.s_axil_awvalid_i = m.s_axil_wvalid_i = m.s_axil_arvalid_i = 0;
+    m.s_axil_awaddr_i = m.s_axil_araddr_i = 0;
+    m.s_axil_awprot_i = m.s_axil_arprot_i = 0;
+    m.s_axil_wdata_i = 0;
+    m.adc_sdata_a_i = m.adc_sdata_b_i = 0;
+    sense(0);
+  }
+
   void lower(cosim::Clk edge) {
     model_->clk_i = 0;
     model_->eval();
@@ -161,7 +174,7 @@ class ChipModel final : public KungChip {
     unsigned why = 0;
     if (m.gate_hi_o != hi_ || m.gate_lo_o != lo_) why |= cosim::kDrive;
     if (m.irq_o && !irq_) why |= cosim::kIrq;
-    if (m.tick_o) why |= cosim::kTick;
+    if (tick_) why |= cosim::kTick;  // tick_o is high before the edge that acts on it
     if (m.sample_o) why |= cosim::kSample;
     remember_outputs();
     return why;
@@ -171,6 +184,7 @@ class ChipModel final : public KungChip {
     hi_ = model_->gate_hi_o;
     lo_ = model_->gate_lo_o;
     irq_ = model_->irq_o;
+    tick_ = model_->tick_o;
   }
 
   cosim::Lines pack_axis(int axis) const {
@@ -186,7 +200,7 @@ class ChipModel final : public KungChip {
   std::array<std::array<SerialAdc, 2>, kAxes> adc_{};
   unsigned cs_n_ = 3, sclk_ = 3;
   unsigned hi_ = 0, lo_ = 0;
-  bool irq_ = false, bus_active_ = false;
+  bool irq_ = false, tick_ = false, bus_active_ = false;
   std::uint32_t rdata_ = 0;
 };
 

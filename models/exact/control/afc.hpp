@@ -20,12 +20,12 @@ class Afc {
     fixed::Gain ki{839, -7};
     fixed::Gain kv{1884, 1};
     fixed::Gain eta{1140, -8};
-    int shift_e = 0;             // 0: one unit of the universe is 256 counts
-    int shift_de = 2;            // 2: one unit is 64 counts per sample
-    std::int32_t a0 = 238008;    // a0 of the reference model, scale 2^-32, 18 bits unsigned
-    std::int32_t b2 = 8140683;   // b2 of the reference model, scale 2^-23, 24 bits signed
+    int shift_e = 0;            // 0: one unit of the universe is 256 counts
+    int shift_de = 2;           // 2: one unit is 64 counts per sample
+    std::int32_t a0 = 238008;   // a0 of the reference model, scale 2^-32, 18 bits unsigned
+    std::int32_t b2 = 8140683;  // b2 of the reference model, scale 2^-23, 24 bits signed
     bool adapt = true;
-    bool feedforward = false;    // v* += dx (extension, specification section 15)
+    bool feedforward = false;  // v* += dx (extension, specification section 15)
   };
 
   struct In {
@@ -34,18 +34,18 @@ class Afc {
   };
 
   struct Out {
-    std::int32_t x_m = 0;      // model position, Q14 of a count
-    std::int32_t x_r = 0;      // model position [counts]
-    std::int32_t dx = 0;       // model increment, Q14 of a count per sample
-    std::int32_t e = 0;        // [counts]
-    std::int32_t de = 0;       // [counts per sample]
-    std::int32_t u = 0;        // 1/256 unit
-    std::int32_t v_star = 0;   // 1/16 count per sample
-    std::int32_t v = 0;        // 1/16 count per sample
-    std::int32_t i_q_ref = 0;  // 4.8 A / 2048
-    bool saturated = false;    // i_q_ref was clipped
-    int i = 0;                 // section of e, 0..5
-    int j = 0;                 // section of de, 0..5
+    std::int32_t x_m = 0;             // model position, Q14 of a count
+    std::int32_t x_r = 0;             // model position [counts]
+    std::int32_t dx = 0;              // model increment, Q14 of a count per sample
+    std::int32_t e = 0;               // [counts]
+    std::int32_t de = 0;              // [counts per sample]
+    std::int32_t u = 0;               // 1/256 unit
+    std::int32_t v_star = 0;          // 1/16 count per sample
+    std::int32_t v = 0;               // 1/16 count per sample
+    std::int32_t i_q_ref = 0;         // 4.8 A / 2048
+    bool saturated = false;           // i_q_ref was clipped
+    int i = 0;                        // section of e, 0..5
+    int j = 0;                        // section of de, 0..5
     std::array<std::int32_t, 4> d{};  // weights of rules (j,i) (j,i+1) (j+1,i) (j+1,i+1), Q11
   };
 
@@ -130,8 +130,9 @@ class Afc {
     const std::int64_t commands = std::int64_t{r} + 2 * std::int64_t{r_1_} + r_2_;
     const std::int64_t s =
         fixed::sat(fixed::shift_left(commands, 6) - fixed::floor_shift(x_m_, 6), 24);
-    dx_ = word(fixed::sat(fixed::rs(std::int64_t{config.b2} * dx_, 23) +
-                              fixed::rs(std::int64_t{config.a0} * s, 24), 24));
+    dx_ = word(fixed::sat(
+        fixed::rs(std::int64_t{config.b2} * dx_, 23) + fixed::rs(std::int64_t{config.a0} * s, 24),
+        24));
     x_m_ = word(fixed::wrap(std::int64_t{x_m_} + dx_, 32));
     r_2_ = r_1_;
     r_1_ = r;

@@ -39,8 +39,7 @@ class RuleStore {
   }
   void write(int index, std::int32_t value) {
     if (valid(index)) {
-      rules_[static_cast<std::size_t>(index)] =
-          static_cast<std::int32_t>(fixed::wrap(value, 24));
+      rules_[static_cast<std::size_t>(index)] = static_cast<std::int32_t>(fixed::wrap(value, 24));
     }
   }
 

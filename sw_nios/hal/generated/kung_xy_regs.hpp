@@ -1,8 +1,8 @@
 // Generated from rtl/chips/kung_xy.rdl by scripts/gen_regs.py; do not edit.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Byte addresses and bits of the registers of kung_xy: an axis register is at
-// base + offset, a system register at its own address.
+// Byte addresses and bits of the registers of kung_xy: an axis register is
+// at base + offset, a system register at its own address.
 #pragma once
 
 #include <cstdint>

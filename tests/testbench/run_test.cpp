@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <catch2/catch.hpp>
+
+#include <filesystem>
+#include <fstream>
+
+#include <nlohmann/json.hpp>
+
+#include "testbench/config.hpp"
+#include "testbench/output.hpp"
+#include "testbench/run.hpp"
+
+using namespace trammel;
+using namespace trammel::testbench;
+namespace fs = std::filesystem;
+
+namespace {
+
+// A folder of this test in the build folder, empty at the start and gone at the end.
+struct Scratch {
+  fs::path path = fs::absolute("run_test_out");
+  Scratch() { fs::remove_all(path); }
+  ~Scratch() { fs::remove_all(path); }
+};
+
+// A machine that stands still for 40 samples and ends as told.
+Simulate standing(kung::EndReason end) {
+  return [end](const kung::Options&, const kung::Hooks&) {
+    kung::Result result;
+    for (std::uint32_t k = 0; k < 40; ++k) {
+      kung::Sample sample;
+      sample.tick = k;
+      sample.edge = 25000 * static_cast<cosim::Clk>(k);
+      result.samples.push_back(sample);
+    }
+    result.end_tick = 40;
+    result.points = 10;
+    result.end = end;
+    if (end == kung::EndReason::kFault) result.fault = {kung::FaultCode::kStroke, 1, 17};
+    return result;
+  };
+}
+
+int run_to(const fs::path& out, kung::EndReason end, std::vector<std::string> set = {}) {
+  const std::atomic<bool> stop{false};
+  RunArguments arguments;
+  arguments.scenario = "circle";
+  arguments.out = out.string();
+  arguments.assignments = std::move(set);
+  arguments.json = true;
+  return run(arguments, standing(end), stop);
+}
+
+std::size_t entries(const fs::path& folder) {
+  return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), {}));
+}
+
+}  // namespace
+
+TEST_CASE("a run leaves one folder with its record and nothing beside it") {
+  const Scratch scratch;
+  CHECK(run_to(scratch.path / "a", kung::EndReason::kDone) == 0);
+  for (const char* file : {"metrics.json", "trace.csv", "run.toml"}) {
+    CHECK(fs::file_size(scratch.path / "a" / file) > 0);
+  }
+  CHECK(entries(scratch.path) == 1);
+}
+
+TEST_CASE("a tripped run exits with 5, keeps its record and names the first fault") {
+  const Scratch scratch;
+  CHECK(run_to(scratch.path / "a", kung::EndReason::kFault) == 5);
+  const auto json = nlohmann::json::parse(std::ifstream(scratch.path / "a" / "metrics.json"));
+  CHECK(json["end"] == "tripped");
+  CHECK(json["fault"]["cause"] == "stroke exceeded");
+  CHECK(json["fault"]["axis"] == "y");
+  CHECK(json["fault"]["tick"] == 17);
+}
+
+TEST_CASE("diverged runs exit with 5 and interrupted ones with 130") {
+  const Scratch scratch;
+  CHECK(run_to(scratch.path / "a", kung::EndReason::kDiverged) == 5);
+  CHECK(run_to(scratch.path / "a", kung::EndReason::kStopped) == 130);
+  CHECK(fs::exists(scratch.path / "a" / "trace.csv"));
+}
+
+TEST_CASE("a second run replaces what the first wrote and leaves foreign files alone") {
+  const Scratch scratch;
+  const fs::path folder = scratch.path / "a";
+  fs::create_directories(folder);
+  std::ofstream(folder / "notes.txt") << "mine";
+  std::ofstream(folder / "waves.fst") << "stale";
+  CHECK(run_to(folder, kung::EndReason::kDone) == 0);
+  CHECK(fs::exists(folder / "notes.txt"));
+  CHECK_FALSE(fs::exists(folder / "waves.fst"));
+  CHECK(fs::exists(folder / "metrics.json"));
+}
+
+TEST_CASE("a refused or failed run leaves nothing half written") {
+  const Scratch scratch;
+  fs::create_directories(scratch.path);
+  CHECK_THROWS_AS(run_to(scratch.path / "a", kung::EndReason::kDone, {"gains.kp=-1"}),
+                  ConfigError);
+  CHECK(entries(scratch.path) == 0);
+  const std::atomic<bool> stop{false};
+  RunArguments arguments;
+  arguments.scenario = "circle";
+  arguments.out = (scratch.path / "a").string();
+  const Simulate broken = [](const kung::Options&, const kung::Hooks&) -> kung::Result {
+    throw std::runtime_error("broken");
+  };
+  CHECK_THROWS_AS(run(arguments, broken, stop), std::runtime_error);
+  CHECK(entries(scratch.path) == 0);
+}
+
+TEST_CASE("an output folder that cannot be one is refused before the run") {
+  const Scratch scratch;
+  fs::create_directories(scratch.path);
+  std::ofstream(scratch.path / "file") << "a file";
+  CHECK_THROWS_AS(run_to(scratch.path / "file", kung::EndReason::kDone), ConfigError);
+  CHECK_THROWS_AS(run_to(scratch.path / "file" / "below", kung::EndReason::kDone), ConfigError);
+}
+
+TEST_CASE("what was run is what run.toml repeats") {
+  const Scratch scratch;
+  REQUIRE(run_to(scratch.path / "a", kung::EndReason::kDone, {"plant.payload_kg=2.5"}) == 0);
+  kung::Options again;
+  apply_file(again, scratch.path / "a" / "run.toml");
+  CHECK(again.scenario == "circle");
+  CHECK(again.plant.axis[1].payload_kg == 2.5);
+}
+
+TEST_CASE("a CSV of points may have a header and comments, and errors name the line") {
+  const Scratch scratch;
+  fs::create_directories(scratch.path);
+  const fs::path file = scratch.path / "points.csv";
+  std::ofstream(file) << "x_m,y_m\n0.1,0.2\n# a comment\n\n0.15, 0.25 # end\r\n";
+  const auto points = read_points(file);
+  REQUIRE(points.size() == 2);
+  CHECK(points[1].y_m == 0.25);
+  std::ofstream(file) << "0.1,0.2\n0.1\n";
+  CHECK_THROWS_WITH(read_points(file), Catch::Contains("points.csv:2: path.points_file: expects"));
+  std::ofstream(file) << "0.1,nan\n0.1,0.2\n";
+  CHECK_THROWS_WITH(read_points(file), Catch::Contains("out of range -40..40 m"));
+  std::ofstream(file) << "0.1,0.2\n";
+  CHECK_THROWS_WITH(read_points(file), Catch::Contains("at least 2"));
+}
