@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// How chip, plant and processor meet in time. Plain C++17: no SystemC, no verilated header, no thread.
+// How chip, plant and processor meet in time. Plain C++17: no SystemC, no verilated header, no
+// thread.
 // All times are integer indices of fabric clock edges; time [ps] = index * period_ps.
 #pragma once
 
@@ -50,9 +51,9 @@ struct Chip {
   virtual ~Chip() = default;
   virtual Clk now() const = 0;               // next edge to execute
   virtual void sense(Lines) = 0;             // pins seen from edge now() on
-  virtual void request(const BusOp&) = 0;    // bus valid from edge now(); run() clocks the handshake
-  virtual Stop run(Clk end, const Plant&) = 0;  // edges [now, end): stops after the first that changes
-                                                // drive or irq, ticks, or ends a transfer
+  virtual void request(const BusOp&) = 0;    // bus valid from edge now(); run() ends it
+  // Edges [now, end): stops after the first that changes drive or irq, ticks, or ends a transfer.
+  virtual Stop run(Clk end, const Plant&) = 0;
   virtual Lines drive() const = 0;
   virtual bool irq() const = 0;
   virtual std::uint32_t rdata() const = 0;

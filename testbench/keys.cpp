@@ -93,6 +93,8 @@ void add_run(Table& t) {
   t.text("description", "one line for `trammel list`", TRAMMEL_LENS(description));
   t.text("controller", "fixed rule table (fc) or adaptive (afc)", TRAMMEL_LENS(controller));
   t.text("run.platform", "SystemC platform or direct wiring", TRAMMEL_LENS(run.platform));
+  t.one("run.leap", 0, 0, "waiting clocks are not evaluated; false: every clock is",
+        TRAMMEL_LENS(run.leap));
   t.one("run.window_clk", 0, 1e9, "longest look-ahead; 0 = unbounded, 1 = lock step",
         TRAMMEL_LENS(run.window_clk));
   t.one("run.settle_s", 0, 10, "simulated after the last point, not counted",

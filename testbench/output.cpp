@@ -123,6 +123,7 @@ Json metrics_json(const kung::Options& options, const kung::Result& result, cons
   if (!lines.empty()) json["comparison"] = lines;
   json["run"] = {{"points", result.points},
                  {"clocks", result.clocks},
+                 {"clocks_evaluated", result.evaluated},
                  {"simulated_s", m.simulated_s},
                  {"wall_s", result.wall_s},
                  {"clocks_per_s", m.clocks_per_s},

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 
 #include "testbench/output.hpp"
 #include "testbench/paper.hpp"
@@ -116,6 +118,9 @@ std::string run_report(const kung::Options& options, const kung::Result& result,
                       "real-time factor {:.3f}\n",
                       m.simulated_s, result.clocks, result.wall_s, m.clocks_per_s / 1e6,
                       m.real_time_factor);
+  text += fmt::format("  {:.1f} % of the clocks evaluated, the others leapt over\n",
+                      100.0 * static_cast<double>(result.evaluated) /
+                          static_cast<double>(std::max<cosim::Clk>(1, result.clocks)));
   return text + fmt::format("  results in {}\n", folder);
 }
 

@@ -31,6 +31,7 @@ struct KungChip : cosim::Chip {
   virtual CurrentWords current(int axis) const = 0;
   virtual std::int32_t rule(int axis, int index) const = 0;  // stored rule 7 j + i, Q20 of a unit
   virtual Fault fault() const = 0;
+  virtual cosim::Clk evaluated() const = 0;  // edges evaluated; the others were leapt over
 };
 
 // What a traced chip dumps: the edges [begin, end).
@@ -40,7 +41,8 @@ struct WaveWindow {
   cosim::Clk end = 0;
 };
 
-std::unique_ptr<KungChip> make_verilated_chip();
+// leap: waiting clocks are not evaluated; the edges of all events stay the same.
+std::unique_ptr<KungChip> make_verilated_chip(bool leap);
 std::unique_ptr<KungChip> make_traced_chip(const WaveWindow& window);
 
 }  // namespace trammel::kung

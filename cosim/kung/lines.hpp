@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Pin names of the two-axis chip kung_xy in the packed words of cosim.hpp. Axis 0 is X, axis 1 is Y.
+// Pin names of the two-axis chip kung_xy in the packed words of cosim.hpp. Axis 0 is X, 1 is Y.
 #pragma once
 
 #include "cosim/cosim.hpp"

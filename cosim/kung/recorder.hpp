@@ -15,7 +15,7 @@ namespace trammel::kung {
 class Recorder final : public cosim::Observer {
  public:
   // `truth` is the plant behind the loop; `finished` is asked after each complete sample. After it
-  // said so nothing more is recorded: what a wiring still executes to leave its loop does not count.
+  // said so nothing more is recorded: what a wiring still executes to leave its loop is no event.
   Recorder(const KungChip& chip, const plant::XyTable& truth,
            std::function<bool(const Sample&)> finished)
       : chip_(chip), truth_(truth), finished_(std::move(finished)) {}

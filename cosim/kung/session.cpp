@@ -28,7 +28,7 @@ Session::Session(const Options& options, const Hooks& hooks) : options_(options)
   options_.plant.axis[1].start_m = start.y * kCountM;
   plant_ = std::make_unique<TablePlant>(options_.plant);
   chip_ = options_.run.wave == WaveFormat::kNone
-              ? make_verilated_chip()
+              ? make_verilated_chip(options_.run.leap)
               : make_traced_chip({options_.run.wave_file, edge_at(options_.run.wave_begin_s),
                                   edge_at(options_.run.wave_end_s)});
   recorder_ = std::make_unique<Recorder>(*chip_, plant_->table(),
@@ -82,6 +82,7 @@ Result Session::result() {
   result_.samples = recorder_->take_samples();
   result_.event_hash = recorder_->event_hash();
   result_.clocks = chip_->now();
+  result_.evaluated = chip_->evaluated();
   result_.wall_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
   return std::move(result_);

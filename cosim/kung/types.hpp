@@ -106,6 +106,7 @@ struct PathOptions {
 struct RunOptions {
   Platform platform = Platform::kSystemC;
   std::int64_t window_clk = 0;    // longest look-ahead of the loop; 0 = unbounded, 1 = lock step
+  bool leap = true;               // waiting clocks are not evaluated; off: every clock is
   double settle_s = 0;            // simulated after the last point, not counted in the figures
   double max_s = 60;              // simulated time a run may take
   double diverged_m = 0.05;       // tracking error that ends the run as diverged
@@ -167,6 +168,7 @@ struct Result {
   EndReason end = EndReason::kDone;
   Fault fault;
   cosim::Clk clocks = 0;
+  cosim::Clk evaluated = 0;       // of these; the others were leapt over
   double wall_s = 0;
   std::uint64_t event_hash = 0;   // of all gate, interrupt and bus events with their edges
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What firmware sees of the machine: a 32-bit register bus and the two entry points of an application.
+// What firmware sees of the machine: a 32-bit register bus and the entry points of an application.
 // Freestanding: no heap, no iostream.
 #pragma once
 

@@ -62,7 +62,8 @@ inline std::int64_t as_signed(std::uint64_t value, int bits) {
 
 // The low `bits` of a number, to be written to a port.
 inline std::uint32_t as_bits(std::int64_t value, int bits) {
-  return static_cast<std::uint32_t>(static_cast<std::uint64_t>(value) & ((std::uint64_t{1} << bits) - 1));
+  const std::uint64_t mask = (std::uint64_t{1} << bits) - 1;
+  return static_cast<std::uint32_t>(static_cast<std::uint64_t>(value) & mask);
 }
 
 }  // namespace trammel::test

@@ -38,6 +38,17 @@ TEST_CASE("SystemC with look-ahead, lock step and the direct wiring give equal e
   CHECK(run(Platform::kSystemC, 1).event_hash == systemc.event_hash);
 }
 
+TEST_CASE("a leaping run has the events of a run that evaluates every clock") {
+  Options options = piece();
+  options.run.platform = Platform::kDirect;
+  const Result leaping = simulate(options, {});
+  options.run.leap = false;
+  const Result plain = simulate(options, {});
+  CHECK(leaping.event_hash == plain.event_hash);
+  CHECK(plain.evaluated == plain.clocks);
+  CHECK(leaping.evaluated < plain.evaluated / 3);
+}
+
 TEST_CASE("the event log sees a change of one clock of dead time") {
   const Result base = run(Platform::kDirect, 0);
   Options options = piece();

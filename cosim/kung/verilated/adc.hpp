@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // One 12-bit serial converter as it hangs on the chip's pins (AD7476-style frame): it holds at the
-// falling edge of chip select and shifts 4 zeros and 12 bits out, the next bit after each falling clock.
+// falling edge of chip select and shifts 4 zeros and 12 bits out, the next after each clock fall.
 // It lives inside run(): its lines never cross to the plant, only the hold edge asks it.
 #pragma once
 

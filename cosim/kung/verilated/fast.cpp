@@ -8,13 +8,14 @@ namespace trammel::kung {
 
 namespace {
 struct NoTrace {
+  static constexpr bool kWaves = false;
   void attach(VerilatedContext&, Vkung_xy&) {}
   void edge(cosim::Clk, bool) {}
 };
 }  // namespace
 
-std::unique_ptr<KungChip> make_verilated_chip() {
-  return std::make_unique<ChipModel<Vkung_xy, NoTrace>>(NoTrace{});
+std::unique_ptr<KungChip> make_verilated_chip(bool leap) {
+  return std::make_unique<ChipModel<Vkung_xy, NoTrace>>(NoTrace{}, leap);
 }
 
 }  // namespace trammel::kung

@@ -16,6 +16,8 @@ constexpr std::uint64_t kHalfPeriodNs = 10;  // 50 MHz
 // Time zero is edge 0; the reset before it is not dumped.
 class FstTrace {
  public:
+  static constexpr bool kWaves = true;
+
   explicit FstTrace(const WaveWindow& window) : window_(window) {}
 
   void attach(VerilatedContext& context, Vkung_xy_fst& model) {
@@ -42,7 +44,7 @@ class FstTrace {
 }  // namespace
 
 std::unique_ptr<KungChip> make_traced_chip(const WaveWindow& window) {
-  return std::make_unique<ChipModel<Vkung_xy_fst, FstTrace>>(FstTrace{window});
+  return std::make_unique<ChipModel<Vkung_xy_fst, FstTrace>>(FstTrace{window}, false);
 }
 
 }  // namespace trammel::kung
