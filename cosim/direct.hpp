@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The wiring without SystemC: firmware, bus and loop in one thread. The processor's time is the
-// edge at which it stands; the soft processor of SystemC counts the same way, so that both give equal
-// events.
+// edge at which it stands; the soft processor of SystemC counts the same way, so that both give
+// equal events.
 #pragma once
 
 #include <functional>
