@@ -107,6 +107,15 @@ void add_run(Table& t) {
   t.one("run.wave_end_s", 0, 3600, "end of the traced window", TRAMMEL_LENS(run.wave_end_s));
 }
 
+void add_faults(Table& t) {
+  t.one("inject.trip_s", 0, 3600, "time at which the trip pin rises; 0 = never",
+        TRAMMEL_LENS(inject.trip_s));
+  t.one("inject.encoder_s", 0, 3600, "time at which both lines of encoder X jump; 0 = never",
+        TRAMMEL_LENS(inject.encoder_s));
+  t.one("inject.processor_s", 0, 3600, "time from which the processor does nothing; 0 = never",
+        TRAMMEL_LENS(inject.processor_s));
+}
+
 void add_path(Table& t) {
   t.text("path.kind", "which generator", TRAMMEL_LENS(path.kind));
   t.one("path.repeats", 1, 1000, "passes of a circle, window, star or points path",
@@ -246,6 +255,7 @@ const std::vector<Key>& keys() {
   static const std::vector<Key> all = [] {
     Table t;
     add_run(t);
+    add_faults(t);
     add_path(t);
     add_gains(t);
     add_chip(t);

@@ -19,18 +19,22 @@ constexpr double kClocksPerSecond = 50e6;
 constexpr std::uint32_t kSamplesAfterFault = 20;  // enough to see the fault's effect in the record
 
 cosim::Clk edge_at(double seconds) { return std::llround(seconds * kClocksPerSecond); }
+cosim::Clk fault_at(double seconds) { return seconds > 0 ? edge_at(seconds) : cosim::kNever; }
 }  // namespace
 
 Session::Session(const Options& options, const Hooks& hooks) : options_(options), hooks_(hooks) {
-  firmware_ = std::make_unique<sw::KungApp>(plan_firmware(options_, points_));
-  const sw::Point start = firmware_->start_point();
+  firmware_ = std::make_unique<StallableApp>(plan_firmware(options_, points_),
+                                             fault_at(options_.inject.processor_s));
+  const sw::Point start = firmware_->app().start_point();
   options_.plant.axis[0].start_m = start.x * kCountM;
   options_.plant.axis[1].start_m = start.y * kCountM;
-  plant_ = std::make_unique<TablePlant>(options_.plant);
+  plant_ = std::make_unique<TablePlant>(options_.plant, fault_at(options_.inject.trip_s),
+                                        fault_at(options_.inject.encoder_s));
   chip_ = options_.run.wave == WaveFormat::kNone
               ? make_verilated_chip(options_.run.leap)
               : make_traced_chip({options_.run.wave_file, edge_at(options_.run.wave_begin_s),
                                   edge_at(options_.run.wave_end_s)});
+  firmware_->runs_on(*chip_);
   recorder_ = std::make_unique<Recorder>(*chip_, plant_->table(),
                                          [this](const Sample& sample) { return over(sample); });
   tee_.first = recorder_.get();
@@ -49,7 +53,7 @@ bool Session::over(const Sample& sample) {
   const auto period = static_cast<std::uint32_t>(
       ticks_per_point(options_.path, options_.chip.irq_period_ticks));
   result_.fault = chip_->fault();
-  if (result_.fault.code != FaultCode::kNone || firmware_->failed()) {
+  if (result_.fault.code != FaultCode::kNone || firmware_->app().failed()) {
     result_.end = EndReason::kFault;
     return ++after_fault_ > kSamplesAfterFault;
   }
@@ -57,10 +61,10 @@ bool Session::over(const Sample& sample) {
     result_.end = EndReason::kStopped;
     return true;
   }
-  if (firmware_->points_written() == 0) return false;
-  result_.first_tick = firmware_->first_tick();
-  result_.points = firmware_->points_written();
-  result_.end_tick = result_.first_tick + firmware_->points() * period;
+  if (firmware_->app().points_written() == 0) return false;
+  result_.first_tick = firmware_->app().first_tick();
+  result_.points = firmware_->app().points_written();
+  result_.end_tick = result_.first_tick + firmware_->app().points() * period;
   for (const AxisSample& axis : sample.axis) {
     const double error = axis.x_m * kModelLsbM - axis.x_true_m;
     if (sample.tick >= result_.first_tick && std::abs(error) > options_.run.diverged_m) {

@@ -12,23 +12,62 @@
 #include "cosim/kung/recorder.hpp"
 #include "cosim/kung/types.hpp"
 #include "sw_nios/apps/kung.hpp"
+#include "sw_nios/hal/generated/kung_xy_regs.hpp"
 
 namespace trammel::kung {
 
-// The plant of models/ behind the interface of cosim/.
+// The plant of models/ behind the interface of cosim/, with faults on its lines when asked for.
 class TablePlant final : public cosim::Plant {
  public:
-  explicit TablePlant(const plant::XyTableConfig& config) : table_(config) {}
+  // Edges at which the trip pin rises and both lines of encoder X flip; kNever = never.
+  TablePlant(const plant::XyTableConfig& config, cosim::Clk trip, cosim::Clk encoder)
+      : table_(config), trip_(trip), encoder_(encoder) {}
 
-  cosim::Lines sense() const override { return table_.sense(); }
-  cosim::Clk next() const override { return table_.next(); }
-  void commit(cosim::Clk n, cosim::Lines drive) override { table_.commit(n, drive); }
+  cosim::Lines sense() const override { return table_.sense() ^ faults_; }
+  cosim::Clk next() const override { return std::min({table_.next(), trip_, encoder_}); }
+  void commit(cosim::Clk n, cosim::Lines drive) override {
+    table_.commit(n, drive);
+    inject(trip_, n, cosim::Lines{1} << kTripPin);
+    inject(encoder_, n, cosim::Lines{1} << encoder_a(0) | cosim::Lines{1} << encoder_b(0));
+  }
   int sample(int channel, cosim::Clk n) const override { return table_.sample(channel, n); }
 
   const plant::XyTable& table() const { return table_; }
 
  private:
+  void inject(cosim::Clk& at, cosim::Clk now, cosim::Lines lines) {
+    if (now < at) return;
+    faults_ ^= lines;
+    at = cosim::kNever;
+  }
+
   plant::XyTable table_;
+  cosim::Clk trip_, encoder_;
+  cosim::Lines faults_ = 0;
+};
+
+// The application, until the processor hangs at edge `stall`: then its routine only reads.
+class StallableApp final : public sw::Firmware {
+ public:
+  StallableApp(const sw::KungSetup& setup, cosim::Clk stall) : app_(setup), stall_(stall) {}
+
+  void runs_on(const cosim::Chip& chip) { chip_ = &chip; }
+  void start(sw::Bus& bus) override { app_.start(bus); }
+  void isr(sw::Bus& bus) override {
+    if (chip_->now() < stall_) {
+      app_.isr(bus);
+    } else {
+      bus.read(sw::reg::kId);
+    }
+  }
+  bool done() const override { return app_.done(); }
+
+  const sw::KungApp& app() const { return app_; }
+
+ private:
+  sw::KungApp app_;
+  const cosim::Chip* chip_ = nullptr;
+  cosim::Clk stall_;
 };
 
 class Session {
@@ -66,7 +105,7 @@ class Session {
   std::vector<sw::Point> points_;
   std::unique_ptr<TablePlant> plant_;
   std::unique_ptr<KungChip> chip_;
-  std::unique_ptr<sw::KungApp> firmware_;
+  std::unique_ptr<StallableApp> firmware_;
   std::unique_ptr<Recorder> recorder_;
   Tee tee_;
   std::unique_ptr<cosim::Loop> loop_;

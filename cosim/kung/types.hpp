@@ -116,6 +116,13 @@ struct RunOptions {
   std::string wave_file;          // set by the program: where the waves go
 };
 
+// Faults to be seen by the chip; 0 = never.
+struct FaultInjection {
+  double trip_s = 0;     // the trip pin rises
+  double encoder_s = 0;  // both encoder lines of X jump at once
+  double processor_s = 0;  // the service routine stops doing its work
+};
+
 struct Options {
   std::string scenario = "circle";  // names the run and its output folder
   std::string description;
@@ -126,6 +133,7 @@ struct Options {
   ProcessorOptions processor;
   PathOptions path;
   RunOptions run;
+  FaultInjection inject;
 };
 
 // One axis at one 2 kHz sample: the words of the chip (section 3) and the truth of the plant.

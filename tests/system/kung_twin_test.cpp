@@ -5,8 +5,7 @@
 
 #include "cosim/kung/plan.hpp"
 #include "cosim/kung/session.hpp"
-#include "models/exact/control/afc.hpp"
-#include "models/exact/drive/current_loop.hpp"
+#include "models/exact/chips/kung_axis.hpp"
 #include "systemc/machines/kung.hpp"
 
 using namespace trammel;
@@ -87,16 +86,29 @@ TEST_CASE("whole circle: every word of both controllers equals the twin's at eve
 
 namespace {
 
-// Feeds the current loop twins with what the chip's loops took, at each of their runs.
-class CurrentCheck final : public cosim::Observer {
+// Whole-controller twins beside the chip: fed with its converter codes, counts and commands only,
+// they close position and current loop themselves and must load the same compare values.
+class AxisCheck final : public cosim::Observer {
  public:
-  CurrentCheck(const KungChip& chip, const sw::KungSetup& setup) : chip_(chip), setup_(setup) {}
+  AxisCheck(const KungChip& chip, const sw::KungSetup& setup) : chip_(chip) {
+    for (std::size_t k = 0; k < 2; ++k) {
+      const sw::AxisSetup& s = setup.axis[k];
+      config_[k].position = afc_config(s);
+      config_[k].kp_cur = gain(s.kp_cur);
+      config_[k].ki_cur = gain(s.ki_cur);
+      config_[k].theta_ofs = s.theta_ofs;
+    }
+  }
 
   void on(const cosim::Stop& stop, const cosim::Chip&, const cosim::Plant&) override {
     for (int axis = 0; axis < 2; ++axis) {
       const auto k = static_cast<std::size_t>(axis);
       const CurrentWords words = chip_.current(axis);
-      if (busy_[k] && !words.busy) compare(axis, words, stop.edge);
+      if ((stop.why & cosim::kSample) != 0) {
+        chip_.read_words(axis, sample_[k]);
+        pending_[k] = true;
+      }
+      if (busy_[k] && !words.busy) period(axis, words, stop.edge);
       busy_[k] = words.busy;
     }
   }
@@ -104,16 +116,12 @@ class CurrentCheck final : public cosim::Observer {
   int compared = 0;
 
  private:
-  void compare(int axis, const CurrentWords& words, cosim::Clk edge) {
+  // The position controller is done before the current loop of its tick, which takes the old i_q*.
+  void period(int axis, const CurrentWords& words, cosim::Clk edge) {
     const auto k = static_cast<std::size_t>(axis);
-    const sw::AxisSetup& s = setup_.axis[k];
-    if (words.clear) {
-      twin_[k].reset();
-      return;
-    }
+    config_[k].close_current = !words.clear;
     const exact::CurrentLoop::Out out =
-        twin_[k].step({false, words.code_a, words.code_b, words.count, s.theta_ofs, words.i_q_ref,
-                       0, gain(s.kp_cur), gain(s.ki_cur)});
+        twin_[k].step16k(config_[k], {words.code_a, words.code_b}, words.count);
     CAPTURE(axis, edge);
     REQUIRE(words.i_d == out.i_d);
     REQUIRE(words.i_q == out.i_q);
@@ -122,18 +130,27 @@ class CurrentCheck final : public cosim::Observer {
     REQUIRE(words.cmp_a == out.cmp_a);
     REQUIRE(words.cmp_b == out.cmp_b);
     REQUIRE(words.cmp_c == out.cmp_c);
-    ++compared;
+    if (!words.clear) ++compared;
+    if (!pending_[k]) return;
+    pending_[k] = false;
+    if (words.clear) {  // the firmware holds the model in reset until it enables the axis
+      twin_[k].position().reset(sample_[k].x_p);
+      return;
+    }
+    const exact::Afc::Out position = twin_[k].step2k(config_[k], sample_[k].r, sample_[k].x_p);
+    REQUIRE(sample_[k].i_q_ref == position.i_q_ref);
   }
 
   const KungChip& chip_;
-  sw::KungSetup setup_;
-  std::array<exact::CurrentLoop, 2> twin_;
-  std::array<bool, 2> busy_{};
+  std::array<exact::KungAxis, 2> twin_;
+  std::array<exact::KungAxis::Config, 2> config_;
+  std::array<AxisSample, 2> sample_;
+  std::array<bool, 2> busy_{}, pending_{};
 };
 
 }  // namespace
 
-TEST_CASE("current loops equal their twins at every period of a line") {
+TEST_CASE("whole controllers equal their twins at every PWM period of a line") {
   Options options;
   options.run.platform = Platform::kDirect;
   options.run.window_clk = 32;  // shorter than a run of the loop, so that none is missed
@@ -143,7 +160,7 @@ TEST_CASE("current loops equal their twins at every period of a line") {
   options.path.line_ticks = 40;
   Session session(options, {});
   std::vector<sw::Point> points;
-  CurrentCheck check(session.chip(), plan_firmware(options, points));
+  AxisCheck check(session.chip(), plan_firmware(options, points));
   session.watch(check);
   cosim::run_direct(session.loop(), session.firmware(), session.timing(), session.end(),
                     [&session] { return session.finished(); });
