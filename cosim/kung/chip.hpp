@@ -34,7 +34,7 @@ struct KungChip : cosim::Chip {
   virtual cosim::Clk evaluated() const = 0;  // edges evaluated; the others were leapt over
 };
 
-// What a traced chip dumps: the edges [begin, end).
+// What a traced chip dumps: the edges [begin, end). Inside them no clock is leapt over.
 struct WaveWindow {
   std::string fst_file;
   cosim::Clk begin = 0;
@@ -43,6 +43,6 @@ struct WaveWindow {
 
 // leap: waiting clocks are not evaluated; the edges of all events stay the same.
 std::unique_ptr<KungChip> make_verilated_chip(bool leap);
-std::unique_ptr<KungChip> make_traced_chip(const WaveWindow& window);
+std::unique_ptr<KungChip> make_traced_chip(const WaveWindow& window, bool leap);
 
 }  // namespace trammel::kung

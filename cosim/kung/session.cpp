@@ -33,7 +33,8 @@ Session::Session(const Options& options, const Hooks& hooks) : options_(options)
   chip_ = options_.run.wave == WaveFormat::kNone
               ? make_verilated_chip(options_.run.leap)
               : make_traced_chip({options_.run.wave_file, edge_at(options_.run.wave_begin_s),
-                                  edge_at(options_.run.wave_end_s)});
+                                  edge_at(options_.run.wave_end_s)},
+                                 options_.run.leap);
   firmware_->runs_on(*chip_);
   recorder_ = std::make_unique<Recorder>(*chip_, plant_->table(),
                                          [this](const Sample& sample) { return over(sample); });

@@ -49,6 +49,18 @@ TEST_CASE("a leaping run has the events of a run that evaluates every clock") {
   CHECK(leaping.evaluated < plain.evaluated / 3);
 }
 
+TEST_CASE("a traced run has the events of an untraced one") {
+  Options options = piece();
+  const Result base = simulate(options, {});
+  options.run.wave = WaveFormat::kFst;
+  options.run.wave_file = "kung_wiring_test.fst";
+  options.run.wave_begin_s = 0.0101234;
+  options.run.wave_end_s = 0.011;
+  const Result traced = simulate(options, {});
+  CHECK(traced.event_hash == base.event_hash);
+  CHECK(traced.evaluated > base.evaluated);
+}
+
 TEST_CASE("the event log sees a change of one clock of dead time") {
   const Result base = run(Platform::kDirect, 0);
   Options options = piece();

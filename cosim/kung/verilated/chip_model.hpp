@@ -12,15 +12,15 @@
 
 namespace trammel::kung {
 
-// Tracer: attach(context, model) before time zero; edge(Clk, high) after each half period; kWaves
-// says whether the clock is to be seen moving.
+// Tracer: attach(context, model) before time zero; dump(Clk, high) after each half period of the
+// edges that it shows: those for which shows(Clk) holds, the first one being next_shown(Clk).
 //
-// Without waves an edge is one evaluation: the model's stored clock value is set back by hand, so
+// Outside these an edge is one evaluation: the model's stored clock value is set back by hand, so
 // that the next evaluation sees a rising edge. Inputs that changed settle before it.
 //
 // While every register waits (quiescent_o) the timers alone move, for next_o edges: one evaluation
-// with leap_i = n - 1 stands for n of them. A leap never passes `end`, and none is made during a
-// bus transfer, so that no pin moves inside it.
+// with leap_i = n - 1 stands for n of them. A leap never passes `end` or an edge that is shown, and
+// none is made during a bus transfer, so that no pin moves inside it.
 template <class Model, class Tracer>
 class ChipModel final : public KungChip {
  public:
@@ -78,10 +78,10 @@ class ChipModel final : public KungChip {
   cosim::Stop run(cosim::Clk end, const cosim::Plant& plant) override {
     while (now_ < end) {
       const cosim::Clk edge = now_;
-      if (Tracer::kWaves || dirty_ || bus_active_) settle(edge);
+      if (dirty_ || bus_active_ || tracer_.shows(edge)) settle(edge);
       const bool bus = bus_active_;
       const Handshake before = bus ? handshakes() : Handshake{};
-      const cosim::Clk clocks = bus ? 1 : std::min(waiting(), end - edge);
+      const cosim::Clk clocks = bus ? 1 : std::min(waiting(edge), end - edge);
       ++evaluated_;
       if (clocks > 1) {
         leap(edge, clocks);
@@ -134,25 +134,27 @@ class ChipModel final : public KungChip {
     sense(0);
   }
 
-  // Inputs reach the combinational logic; no edge.
+  // Inputs reach the combinational logic; no rising edge.
   void settle(cosim::Clk edge) {
-    if (Tracer::kWaves) model_->clk_i = 0;
+    const bool shown = tracer_.shows(edge);
+    if (shown) model_->clk_i = 0;
     model_->eval();
-    tracer_.edge(edge, false);
+    if (shown) tracer_.dump(edge, false);
     dirty_ = false;
   }
 
   void raise(cosim::Clk edge) {
     model_->clk_i = 1;
-    if (!Tracer::kWaves) model_->rootp->__Vtrigrprev__TOP__clk_i = 0;
+    model_->rootp->__Vtrigrprev__TOP__clk_i = 0;
     model_->eval();
-    tracer_.edge(edge, true);
+    if (tracer_.shows(edge)) tracer_.dump(edge, true);
   }
 
   // Edges from the present one on that only count; at least 1, the evaluated one.
-  cosim::Clk waiting() const {
-    if (Tracer::kWaves || !leap_ || !model_->quiescent_o) return 1;
-    return std::max<cosim::Clk>(1, model_->next_o);
+  cosim::Clk waiting(cosim::Clk edge) const {
+    if (!leap_ || !model_->quiescent_o || tracer_.shows(edge)) return 1;
+    const cosim::Clk free = std::min<cosim::Clk>(model_->next_o, tracer_.next_shown(edge) - edge);
+    return std::max<cosim::Clk>(1, free);
   }
 
   void leap(cosim::Clk edge, cosim::Clk clocks) {

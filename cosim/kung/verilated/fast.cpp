@@ -8,9 +8,10 @@ namespace trammel::kung {
 
 namespace {
 struct NoTrace {
-  static constexpr bool kWaves = false;
   void attach(VerilatedContext&, Vkung_xy&) {}
-  void edge(cosim::Clk, bool) {}
+  static constexpr bool shows(cosim::Clk) { return false; }
+  static constexpr cosim::Clk next_shown(cosim::Clk) { return cosim::kNever; }
+  void dump(cosim::Clk, bool) {}
 };
 }  // namespace
 

@@ -16,8 +16,6 @@ constexpr std::uint64_t kHalfPeriodNs = 10;  // 50 MHz
 // Time zero is edge 0; the reset before it is not dumped.
 class FstTrace {
  public:
-  static constexpr bool kWaves = true;
-
   explicit FstTrace(const WaveWindow& window) : window_(window) {}
 
   void attach(VerilatedContext& context, Vkung_xy_fst& model) {
@@ -28,9 +26,14 @@ class FstTrace {
     if (!file_->isOpen()) throw std::runtime_error("cannot write waves: " + window_.fst_file);
   }
 
+  bool shows(cosim::Clk edge) const { return edge >= window_.begin && edge < window_.end; }
+  cosim::Clk next_shown(cosim::Clk edge) const {
+    return edge < window_.begin ? window_.begin : cosim::kNever;
+  }
+
   // The rising edge n stands at n periods, the falling one before it half a period earlier.
-  void edge(cosim::Clk edge, bool high) {
-    if (edge < window_.begin || edge >= window_.end || (edge == window_.begin && !high)) return;
+  void dump(cosim::Clk edge, bool high) {
+    if (edge == window_.begin && !high) return;
     const auto half = 2 * static_cast<std::uint64_t>(edge) - (high ? 0u : 1u);
     file_->dump(half * kHalfPeriodNs);
     if (edge + 1 == window_.end && high) file_->flush();
@@ -43,8 +46,8 @@ class FstTrace {
 
 }  // namespace
 
-std::unique_ptr<KungChip> make_traced_chip(const WaveWindow& window) {
-  return std::make_unique<ChipModel<Vkung_xy_fst, FstTrace>>(FstTrace{window}, false);
+std::unique_ptr<KungChip> make_traced_chip(const WaveWindow& window, bool leap) {
+  return std::make_unique<ChipModel<Vkung_xy_fst, FstTrace>>(FstTrace{window}, leap);
 }
 
 }  // namespace trammel::kung
