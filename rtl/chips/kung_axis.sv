@@ -108,19 +108,21 @@ module kung_axis
   );
 
   // A table write waits until the position controller leaves its table.
-  logic tab_pending_q, tab_write;
-  count_t tab_data_q;
+  logic tab_request, tab_pending_q, tab_write;
+  count_t tab_value, tab_data_q;
 
-  assign tab_write = tab_pending_q && !afc_busy;
+  assign tab_request = regs_i.tab_data.req && regs_i.tab_data.req_is_wr;
+  assign tab_value   = count_t'(regs_i.tab_data.wr_data.value[23:0]);
+  assign tab_write   = tab_pending_q && !afc_busy;
 
   always_ff @(posedge clk_i) begin
     if (rst_i) begin
       tab_pending_q <= 1'b0;
       tab_data_q    <= '0;
     end else begin
-      if (regs_i.tab_data.req && regs_i.tab_data.req_is_wr) begin
+      if (tab_request) begin
         tab_pending_q <= 1'b1;
-        tab_data_q    <= count_t'(regs_i.tab_data.wr_data.value[23:0]);
+        tab_data_q    <= tab_value;
       end else if (tab_write) begin
         tab_pending_q <= 1'b0;
       end
@@ -298,36 +300,34 @@ module kung_axis
 
   // ---- what the registers show ----
 
-  always_comb begin
-    regs_o = '0;
-    regs_o.status.busy.next        = afc_busy;
-    regs_o.status.overrun.hwset    = overrun;
-    regs_o.status.qep_error.hwset  = qep_error;
-    regs_o.status.saturated.hwset  = iq_valid && saturated;
-    regs_o.status.limited.hwset    = loop_valid && limited;
-    regs_o.status.step.next        = step;
-    regs_o.pos.value.next          = 32'(x_p_q);
-    regs_o.pos_model.value.next    = 32'(x_r);
-    regs_o.err.value.next          = 32'(e);
-    regs_o.derr.value.next         = 32'(de);
-    regs_o.u.value.next            = 32'(u);
-    regs_o.vstar.value.next        = 32'(v_star);
-    regs_o.iq_cmd.value.next       = 32'(iq_ref);
-    regs_o.speed.value.next        = 32'(v);
-    regs_o.id_iq.i_d.next          = 16'(i_d);
-    regs_o.id_iq.i_q.next          = 16'(i_q);
-    regs_o.vd_vq.v_d.next          = 16'(v_d);
-    regs_o.vd_vq.v_q.next          = 16'(v_q);
-    regs_o.index_latch.value.next  = 32'(index_latch);
-    regs_o.deadtime.clk.swwel      = locked_i;
-    regs_o.stroke_min.value.swwel  = locked_i;
-    regs_o.stroke_max.value.swwel  = locked_i;
-    regs_o.stroke_en.enable.swwel  = locked_i;
-    regs_o.tab_data.rd_data.value  = 32'(rule_rdata);
-    regs_o.tab_data.rd_ack         = regs_i.tab_data.req && !regs_i.tab_data.req_is_wr;
-    regs_o.tab_data.wr_ack         = tab_write;
-    regs_o.pos_preset.wr_ack       = preset;
-  end
+  // Continuous, not procedural: simulators then see single fields, not one wide word.
+  assign regs_o.status.busy.next        = afc_busy;
+  assign regs_o.status.overrun.hwset    = overrun;
+  assign regs_o.status.qep_error.hwset  = qep_error;
+  assign regs_o.status.saturated.hwset  = iq_valid && saturated;
+  assign regs_o.status.limited.hwset    = loop_valid && limited;
+  assign regs_o.status.step.next        = step;
+  assign regs_o.pos.value.next          = 32'(x_p_q);
+  assign regs_o.pos_model.value.next    = 32'(x_r);
+  assign regs_o.err.value.next          = 32'(e);
+  assign regs_o.derr.value.next         = 32'(de);
+  assign regs_o.u.value.next            = 32'(u);
+  assign regs_o.vstar.value.next        = 32'(v_star);
+  assign regs_o.iq_cmd.value.next       = 32'(iq_ref);
+  assign regs_o.speed.value.next        = 32'(v);
+  assign regs_o.id_iq.i_d.next          = 16'(i_d);
+  assign regs_o.id_iq.i_q.next          = 16'(i_q);
+  assign regs_o.vd_vq.v_d.next          = 16'(v_d);
+  assign regs_o.vd_vq.v_q.next          = 16'(v_q);
+  assign regs_o.index_latch.value.next  = 32'(index_latch);
+  assign regs_o.deadtime.clk.swwel      = locked_i;
+  assign regs_o.stroke_min.value.swwel  = locked_i;
+  assign regs_o.stroke_max.value.swwel  = locked_i;
+  assign regs_o.stroke_en.enable.swwel  = locked_i;
+  assign regs_o.tab_data.rd_data.value  = 32'(rule_rdata);
+  assign regs_o.tab_data.rd_ack         = regs_i.tab_data.req && !regs_i.tab_data.req_is_wr;
+  assign regs_o.tab_data.wr_ack         = tab_write;
+  assign regs_o.pos_preset.wr_ack       = preset;
 
   logic unused_regs;
   assign unused_regs = ^{regs_i.status, regs_i.tab_data, regs_i.pos_preset};

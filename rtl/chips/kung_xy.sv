@@ -54,8 +54,8 @@ module kung_xy
 
   kung_xy_regs_pkg::kung_xy__in_t hwif_in;
   kung_xy_regs_pkg::kung_xy__out_t hwif_out;
-  kung_xy_regs_pkg::axis_regs__out_t axis_out[2];
-  kung_xy_regs_pkg::axis_regs__in_t axis_in[2];
+  kung_xy_regs_pkg::axis_regs__out_t [1:0] axis_out;
+  kung_xy_regs_pkg::axis_regs__in_t [1:0] axis_in;
 
   kung_xy_regs u_regs (
       .clk_i           (clk_i),
@@ -147,14 +147,16 @@ module kung_xy
 
   // Locking always works; unlocking asks for both axes disabled.
   logic locked_d, locked_q, lock_write;
+  logic [31:0] lock_key;
 
+  assign lock_key   = hwif_out.lock.wr_data.key;
   assign lock_write = hwif_out.lock.req && hwif_out.lock.req_is_wr;
 
   always_comb begin
     locked_d = locked_q;
     if (lock_write) begin
-      if (hwif_out.lock.wr_data.key == kung_xy_regs_pkg::KeyLock) locked_d = 1'b1;
-      if (hwif_out.lock.wr_data.key == kung_xy_regs_pkg::KeyUnlock && enabled == '0) begin
+      if (lock_key == kung_xy_regs_pkg::KeyLock) locked_d = 1'b1;
+      if (lock_key == kung_xy_regs_pkg::KeyUnlock && enabled == '0) begin
         locked_d = 1'b0;
       end
     end
@@ -231,23 +233,21 @@ module kung_xy
     );
   end
 
-  always_comb begin
-    hwif_in = '0;
-    hwif_in.x = axis_in[0];
-    hwif_in.y = axis_in[1];
-    hwif_in.irq_stat.tick.hwset       = tick_irq;
-    hwif_in.irq_stat.fault.hwset      = trip && !trip_q;
-    hwif_in.tick.value.next           = tick_count;
-    hwif_in.fault.code.next           = fault_code;
-    hwif_in.fault.axis.next           = fault_axis;
-    hwif_in.fault.tick.next           = fault_tick[23:0];
-    hwif_in.fault_clear.wr_ack        = hwif_out.fault_clear.req && hwif_out.fault_clear.req_is_wr;
-    hwif_in.lock.rd_ack               = hwif_out.lock.req && !hwif_out.lock.req_is_wr;
-    hwif_in.lock.rd_data.key          = {31'd0, locked_q};
-    hwif_in.lock.wr_ack               = lock_write;
-    hwif_in.current_limit.value.swwel = locked_q;
-    hwif_in.deadtime_min.clk.swwel    = locked_q;
-  end
+  assign hwif_in.x                         = axis_in[0];
+  assign hwif_in.y                         = axis_in[1];
+  assign hwif_in.irq_stat.tick.hwset       = tick_irq;
+  assign hwif_in.irq_stat.fault.hwset      = trip && !trip_q;
+  assign hwif_in.tick.value.next           = tick_count;
+  assign hwif_in.fault.code.next           = fault_code;
+  assign hwif_in.fault.axis.next           = fault_axis;
+  assign hwif_in.fault.tick.next           = fault_tick[23:0];
+  assign hwif_in.fault_clear.wr_ack        = hwif_out.fault_clear.req &&
+      hwif_out.fault_clear.req_is_wr;
+  assign hwif_in.lock.rd_ack               = hwif_out.lock.req && !hwif_out.lock.req_is_wr;
+  assign hwif_in.lock.rd_data.key          = {31'd0, locked_q};
+  assign hwif_in.lock.wr_ack               = lock_write;
+  assign hwif_in.current_limit.value.swwel = locked_q;
+  assign hwif_in.deadtime_min.clk.swwel    = locked_q;
 
   assign irq_o = (hwif_out.irq_stat.tick.value && hwif_out.irq_en.tick.value) ||
       (hwif_out.irq_stat.fault.value && hwif_out.irq_en.fault.value);

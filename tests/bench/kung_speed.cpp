@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Benchmark, not a test: clocks per second of the look-ahead SystemC platform with plant and
-// firmware, against a bare loop over the same chip without either. Every clock is evaluated in both.
+// firmware, against a bare loop over the same chip without either. Both evaluate every clock.
 // The two run in turn; quote the median ratio, for machines drift.
 #include <fmt/format.h>
 
