@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cerrno>
-#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
@@ -199,12 +198,12 @@ void apply_file(Options& options, const fs::path& file) {
   apply_text(options, text.str(), file.string(), fs::absolute(file).parent_path());
 }
 
-void apply_assignment(Options& options, const std::string& assignment) {
+void apply_assignment(Options& options, const std::string& assignment, const std::string& where) {
   const auto at = assignment.find('=');
   if (at == std::string::npos || at == 0) {
-    throw ConfigError(fmt::format("-s {}: expects key=value", assignment));
+    throw ConfigError(fmt::format("{} {}: expects key=value", where, assignment));
   }
-  set_text(options, assignment.substr(0, at), assignment.substr(at + 1), "-s");
+  set_text(options, assignment.substr(0, at), assignment.substr(at + 1), where);
 }
 
 void apply_environment(Options& options,
@@ -222,14 +221,16 @@ void apply_environment(Options& options,
       continue;
     }
     // Other programs may own TRAMMEL_ variables; inside a section it can only be a mistake.
-    for (const char* section : {"RUN_", "PATH_", "GAINS_", "CHIP_", "PROCESSOR_", "PLANT_"}) {
-      if (rest.rfind(section, 0) != 0) continue;
-      std::vector<std::string> names;
-      for (const std::string& name : all) names.push_back(prefix + upper(name));
-      const std::string near = suggest(variable, names);
-      throw ConfigError(fmt::format("environment: {}: unknown key{}", variable,
-                                    near.empty() ? "" : fmt::format("; did you mean {}?", near)));
-    }
+    const bool in_section = std::any_of(all.begin(), all.end(), [&](const std::string& name) {
+      const auto dot = name.find('.');
+      return dot != std::string::npos && rest.rfind(upper(name.substr(0, dot + 1)), 0) == 0;
+    });
+    if (!in_section) continue;
+    std::vector<std::string> names;
+    for (const std::string& name : all) names.push_back(prefix + upper(name));
+    const std::string near = suggest(variable, names);
+    throw ConfigError(fmt::format("environment: {}: unknown key{}", variable,
+                                  near.empty() ? "" : fmt::format("; did you mean {}?", near)));
   }
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
     return find_keys(a.first).size() > find_keys(b.first).size();
@@ -247,49 +248,6 @@ std::vector<std::pair<std::string, std::string>> environment() {
     if (at != std::string::npos) all.emplace_back(text.substr(0, at), text.substr(at + 1));
   }
   return all;
-}
-
-std::vector<kung::PointM> read_points(const fs::path& file) {
-  std::error_code ignored;
-  std::ifstream in(file);
-  if (!in || fs::is_directory(file, ignored)) {
-    throw ConfigError(fmt::format("{}: path.points_file: cannot be read: {}", file.string(),
-                                  in ? "it is a folder" : std::strerror(errno)));
-  }
-  std::vector<kung::PointM> points;
-  std::string line;
-  bool may_be_header = true;
-  for (int number = 1; std::getline(in, line); ++number) {
-    line.erase(std::find(line.begin(), line.end(), '#'), line.end());
-    while (!line.empty() && std::isspace(static_cast<unsigned char>(line.back()))) line.pop_back();
-    if (line.empty()) continue;
-    const char* at = line.c_str();
-    char* end = nullptr;
-    kung::PointM point;
-    point.x_m = std::strtod(at, &end);
-    bool good = end != at;
-    for (at = end; *at == ' ' || *at == ','; ++at) {
-    }
-    point.y_m = std::strtod(at, &end);
-    good = good && end != at && *end == '\0';
-    const bool header = may_be_header && !good;
-    may_be_header = false;
-    if (header) continue;
-    if (!good) {
-      throw ConfigError(fmt::format("{}:{}: path.points_file: expects x_m,y_m, has \"{}\"",
-                                    file.string(), number, line));
-    }
-    if (!(std::abs(point.x_m) <= 40 && std::abs(point.y_m) <= 40)) {
-      throw ConfigError(fmt::format("{}:{}: path.points_file: point {} is out of range -40..40 m",
-                                    file.string(), number, line));
-    }
-    points.push_back(point);
-  }
-  if (points.size() < 2) {
-    throw ConfigError(fmt::format("{}: path.points_file: has {} points, at least 2 are needed",
-                                  file.string(), points.size()));
-  }
-  return points;
 }
 
 std::string run_toml(const Options& options) {

@@ -20,22 +20,27 @@ struct ConfigError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+// A program that is needed is not installed. Exit code 3.
+struct ToolMissing : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 // Applies a TOML file; relative paths in it are meant from its own folder.
 void apply_file(kung::Options& options, const std::filesystem::path& file);
 void apply_text(kung::Options& options, const std::string& toml, const std::string& source,
                 const std::filesystem::path& folder);
 // "plant.x.mass_kg=3"; a relative path is meant from the working folder.
-void apply_assignment(kung::Options& options, const std::string& assignment);
+// `where` is what the user wrote, for messages.
+void apply_assignment(kung::Options& options, const std::string& assignment,
+                      const std::string& where = "-s");
 // Pairs of variable and value; TRAMMEL_PLANT_X_MASS_KG is plant.x.mass_kg.
 void apply_environment(kung::Options& options,
                        const std::vector<std::pair<std::string, std::string>>& variables);
 std::vector<std::pair<std::string, std::string>> environment();
 
-// Checks what concerns more than one key, and reads the file of points. Throws ConfigError.
+// Reads the file of points and checks what concerns more than one key, up to the words that the
+// firmware writes. Throws ConfigError.
 void finish(kung::Options& options);
-
-// CSV with two columns of metres, x_m,y_m; a header line and # comments may be there.
-std::vector<kung::PointM> read_points(const std::filesystem::path& file);
 
 // Everything needed to repeat the run, as TOML.
 std::string run_toml(const kung::Options& options);

@@ -4,8 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <filesystem>
 
+#include "cosim/kung/plan.hpp"
+#include "cosim/kung/points.hpp"
 #include "cosim/kung/words.hpp"
 #include "testbench/config.hpp"
 
@@ -110,7 +114,13 @@ void finish(Options& o) {
   auto& p = o.path;
   if (p.kind == PathKind::kPoints) {
     require(!p.points_file.empty(), "path.points_file: is needed with path.kind = \"points\"");
-    p.points = read_points(p.points_file);
+    require(!std::filesystem::is_directory(p.points_file),
+            fmt::format("{}: path.points_file: cannot be read: it is a folder", p.points_file));
+    try {
+      p.points = kung::read_points_csv(p.points_file);
+    } catch (const std::invalid_argument& error) {
+      throw ConfigError(fmt::format("path.points_file: {}", error.what()));
+    }
   }
   require(p.kind != PathKind::kWindow || p.window_side_m > 2 * p.window_radius_m,
           fmt::format("path.window_radius_m: value {:g} is out of range 0..{:g} (half of "
@@ -122,9 +132,17 @@ void finish(Options& o) {
           fmt::format("run.wave_end_s: value {:g} must be above run.wave_begin_s = {:g}",
                       o.run.wave_end_s, o.run.wave_begin_s));
   require(!o.scenario.empty() && o.scenario.find('/') == std::string::npos &&
-              o.scenario.front() != '.',
+              o.scenario.front() != '.' &&
+              std::none_of(o.scenario.begin(), o.scenario.end(),
+                           [](unsigned char c) { return std::iscntrl(c) != 0; }),
           fmt::format("name: \"{}\" cannot name an output folder", o.scenario));
   check_path(o);
+  std::vector<sw::Point> points;
+  try {
+    kung::plan_firmware(o, points);
+  } catch (const std::invalid_argument& error) {
+    throw ConfigError(error.what());
+  }
 }
 
 }  // namespace trammel::testbench

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <type_traits>
 
 namespace trammel::testbench {
@@ -148,7 +149,7 @@ void add_path(Table& t) {
   t.one("path.line_end_x_m", 0, 0.6, "", TRAMMEL_LENS(path.line_end_x_m));
   t.one("path.line_end_y_m", 0, 0.6, "", TRAMMEL_LENS(path.line_end_y_m));
   t.one("path.line_ticks", 1, 1000000, "interrupts", TRAMMEL_LENS(path.line_ticks));
-  t.text("path.points_file", "CSV of x_m,y_m, one point an interrupt; path as seen from the file",
+  t.text("path.points_file", "CSV of x_mm,y_mm, one point an interrupt; path as seen from the file",
          TRAMMEL_LENS(path.points_file));
 }
 
@@ -304,7 +305,7 @@ std::string value_text(const Value& value) {
   if (const auto* real = std::get_if<double>(&value)) {
     // Shortest text that reads back as the same number; TOML wants a point or an exponent.
     std::string text = fmt::format("{}", *real);
-    if (text.find_first_of(".e") == std::string::npos) text += ".0";
+    if (std::isfinite(*real) && text.find_first_of(".e") == std::string::npos) text += ".0";
     return text;
   }
   std::string text = "\"";

@@ -94,9 +94,9 @@ int main(int argc, char** argv) {
   } catch (const tb::ConfigError& error) {
     fmt::print(stderr, "trammel: {}\n", error.what());
     return 2;
-  } catch (const trammel::kung::OptionsError& error) {
+  } catch (const tb::ToolMissing& error) {
     fmt::print(stderr, "trammel: {}\n", error.what());
-    return 2;
+    return 3;
   } catch (const std::exception& error) {
     fmt::print(stderr, "trammel: internal error: {}\n", error.what());
     return 70;

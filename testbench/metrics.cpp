@@ -114,6 +114,7 @@ double command_m(const kung::AxisSample& sample, double count_m) { return sample
 Range counted(const kung::Result& result) {
   Range range;
   const auto& all = result.samples;
+  if (result.points == 0) return range;  // no point of the path took effect
   const auto position = [&](std::uint32_t tick) {
     const auto at = std::lower_bound(all.begin(), all.end(), tick,
                                      [](const kung::Sample& s, std::uint32_t t) {

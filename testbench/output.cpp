@@ -192,6 +192,27 @@ fs::path find_program(const std::string& name) {
   return {};
 }
 
+std::string shell_word(const fs::path& path) {
+  std::string text = "'";
+  for (const char c : path.string()) {
+    if (c == '\'') {
+      text += "'\\''";
+    } else {
+      text += c;
+    }
+  }
+  return text + "'";
+}
+
+bool fst_to_vcd(const fs::path& fst, const fs::path& vcd) {
+  const std::string command = fmt::format("exec fst2vcd -f {} -o {} > /dev/null 2>&1",
+                                          shell_word(fst), shell_word(vcd));
+  std::error_code ignored;
+  const bool good = std::system(command.c_str()) == 0 && fs::file_size(vcd, ignored) > 0;
+  fs::remove(good ? fst : vcd, ignored);
+  return good;
+}
+
 const char* fault_text(kung::FaultCode code) {
   switch (code) {
     case kung::FaultCode::kNone: return "none";
@@ -202,6 +223,11 @@ const char* fault_text(kung::FaultCode code) {
     case kung::FaultCode::kStroke: return "stroke exceeded";
   }
   return "unknown";
+}
+
+std::string cause_text(const kung::Fault& fault) {
+  if (fault.code == kung::FaultCode::kNone) return "a check of the processor, not of the chip";
+  return fmt::format("{} on axis {}", fault_text(fault.code), fault.axis == 0 ? 'X' : 'Y');
 }
 
 const char* end_text(kung::EndReason end) {

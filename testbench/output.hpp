@@ -48,7 +48,14 @@ bool write_pictures(const std::filesystem::path& folder, const kung::Options& op
 // First program of that name in PATH, or empty.
 std::filesystem::path find_program(const std::string& name);
 
+// A word of the shell, whatever it holds.
+std::string shell_word(const std::filesystem::path& path);
+
+// Writes vcd and removes fst; false when fst2vcd fails, and then fst stays.
+bool fst_to_vcd(const std::filesystem::path& fst, const std::filesystem::path& vcd);
+
 const char* fault_text(kung::FaultCode code);
+std::string cause_text(const kung::Fault& fault);  // of a trip, with its axis
 const char* end_text(kung::EndReason end);
 int exit_code(const kung::Result& result);
 

@@ -95,18 +95,6 @@ std::string error_script(bool over_time, const std::string& title) {
   return text + "\n";
 }
 
-std::string quoted(const fs::path& path) {
-  std::string text = "'";
-  for (const char c : path.string()) {
-    if (c == '\'') {
-      text += "'\\''";
-    } else {
-      text += c;
-    }
-  }
-  return text + "'";
-}
-
 }  // namespace
 
 bool write_pictures(const fs::path& folder, const kung::Options& options,
@@ -124,7 +112,7 @@ bool write_pictures(const fs::path& folder, const kung::Options& options,
 
   std::signal(SIGPIPE, SIG_IGN);  // a gnuplot that dies is a return value, not the end of us
   const std::string command =
-      fmt::format("cd {} && exec {} - 2>/dev/null", quoted(folder), quoted(gnuplot));
+      fmt::format("cd {} && exec {} - 2>/dev/null", shell_word(folder), shell_word(gnuplot));
   std::FILE* const pipe = popen(command.c_str(), "w");
   if (pipe == nullptr) return false;
   const std::string script = data_block(options, result) + path_script(over_time, title) +

@@ -81,9 +81,12 @@ std::string run_report(const kung::Options& options, const kung::Result& result,
       text += fmt::format("followed {} points\n", result.points);
       break;
     case kung::EndReason::kFault:
-      text += fmt::format("TRIPPED: {} on axis {} at 2 kHz tick {} ({:.4f} s)\n",
-                          fault_text(result.fault.code), result.fault.axis == 0 ? 'X' : 'Y',
-                          result.fault.tick, result.fault.tick * 0.5e-3);
+      text += fmt::format("TRIPPED: {}", cause_text(result.fault));
+      if (result.fault.code != kung::FaultCode::kNone) {
+        text += fmt::format(" at 2 kHz tick {} ({:.4f} s)", result.fault.tick,
+                            result.fault.tick * 0.5e-3);
+      }
+      text += '\n';
       break;
     case kung::EndReason::kDiverged:
       text += fmt::format("DIVERGED: error to the model above run.diverged_m = {:g}\n",

@@ -22,8 +22,8 @@ using kung::Options;
 
 constexpr double kDefaultWindowS = 0.002;
 // Order of magnitude of a trace of this chip, to warn before it fills a disk.
-constexpr double kVcdBytesPerS = 2.5e9;
-constexpr double kFstBytesPerS = 2.5e7;
+constexpr double kVcdBytesPerS = 1.2e10;
+constexpr double kFstBytesPerS = 8e7;
 
 // A line that rewrites itself, on a terminal only.
 class Progress {
@@ -65,13 +65,15 @@ Options layered(const std::string& scenario, const RunArguments& arguments) {
   apply_environment(options, environment());
   for (const std::string& text : arguments.assignments) apply_assignment(options, text);
   if (!arguments.platform.empty()) {
-    apply_assignment(options, "run.platform=" + arguments.platform);
+    apply_assignment(options, "run.platform=" + arguments.platform, "--platform");
   }
-  if (!arguments.wave.empty()) apply_assignment(options, "run.wave=" + arguments.wave);
+  if (!arguments.wave.empty()) {
+    apply_assignment(options, "run.wave=" + arguments.wave, "--wave");
+  }
   if (!arguments.wave_window.empty()) {
     const auto [begin, end] = parse_window(arguments.wave_window);
-    apply_assignment(options, fmt::format("run.wave_begin_s={}", begin));
-    apply_assignment(options, fmt::format("run.wave_end_s={}", end));
+    apply_assignment(options, fmt::format("run.wave_begin_s={}", begin), "--wave-window");
+    apply_assignment(options, fmt::format("run.wave_end_s={}", end), "--wave-window");
     if (options.run.wave == kung::WaveFormat::kNone) {
       throw ConfigError("--wave-window: needs --wave vcd or --wave fst");
     }
@@ -80,11 +82,29 @@ Options layered(const std::string& scenario, const RunArguments& arguments) {
 }
 
 void announce_waves(const Options& options) {
+  if (options.run.wave == kung::WaveFormat::kVcd && find_program("fst2vcd").empty()) {
+    throw ToolMissing("--wave vcd: fst2vcd is missing (see `trammel doctor`)");
+  }
   const double length = options.run.wave_end_s - options.run.wave_begin_s;
   if (options.run.wave == kung::WaveFormat::kNone || length <= kDefaultWindowS) return;
   const bool vcd = options.run.wave == kung::WaveFormat::kVcd;
-  fmt::print(stderr, "trammel: waves of {:g} ms take about {:.0f} MB\n", length * 1e3,
+  fmt::print(stderr, "trammel: waves of {:g} ms take about {:.2g} MB\n", length * 1e3,
              length * (vcd ? kVcdBytesPerS : kFstBytesPerS) / 1e6);
+}
+
+// The chip writes FST; a VCD is made of it.
+void finish_waves(const Options& options, const kung::Result& result) {
+  if (options.run.wave == kung::WaveFormat::kNone) return;
+  const double ran_s = static_cast<double>(result.clocks) *
+                       static_cast<double>(options.plant.clock_ps) * 1e-12;
+  if (ran_s <= options.run.wave_begin_s) {
+    fmt::print(stderr, "trammel: no waves: the run ended at {:g} s, before their window\n", ran_s);
+  }
+  if (options.run.wave != kung::WaveFormat::kVcd) return;
+  const fs::path fst = options.run.wave_file;
+  if (!fst_to_vcd(fst, fs::path(fst).replace_extension("vcd"))) {
+    fmt::print(stderr, "trammel: fst2vcd failed; the waves are kept as waves.fst\n");
+  }
 }
 
 struct Outcome {
@@ -99,9 +119,7 @@ Outcome run_one(Options options, const fs::path& target, const RunArguments& arg
   announce_waves(options);
   OutputFolder folder(target);
   if (options.run.wave != kung::WaveFormat::kNone) {
-    const char* const name =
-        options.run.wave == kung::WaveFormat::kVcd ? "waves.vcd" : "waves.fst";
-    options.run.wave_file = (folder.scratch() / name).string();
+    options.run.wave_file = (folder.scratch() / "waves.fst").string();
   }
   kung::Result result;
   {
@@ -109,8 +127,15 @@ Outcome run_one(Options options, const fs::path& target, const RunArguments& arg
     kung::Hooks hooks;
     hooks.progress = [&progress](double fraction) { progress(fraction); };
     hooks.stop = &stop;
-    result = simulate(options, hooks);
+    try {
+      result = simulate(options, hooks);
+    } catch (const std::invalid_argument& error) {  // what only the plant can tell
+      throw ConfigError(error.what());
+    } catch (const kung::OptionsError& error) {
+      throw ConfigError(error.what());
+    }
   }
+  finish_waves(options, result);
   const Metrics metrics = evaluate(options, result);
   Outcome outcome{{options, metrics, result.end}, metrics_json(options, result, metrics),
                   exit_code(result)};
@@ -135,10 +160,7 @@ Outcome run_one(Options options, const fs::path& target, const RunArguments& arg
   if (outcome.code != 0) {
     fmt::print(stderr, "trammel: {}: {}{}; record kept in {}\n", options.scenario,
                end_text(result.end),
-               result.fault.code == kung::FaultCode::kNone
-                   ? ""
-                   : fmt::format(" by {} on axis {}", fault_text(result.fault.code),
-                                 result.fault.axis == 0 ? 'X' : 'Y'),
+               result.end == kung::EndReason::kFault ? " by " + cause_text(result.fault) : "",
                shown.string());
   }
   if (arguments.check && outcome.code == 0) {
@@ -161,7 +183,10 @@ int run_all(const RunArguments& arguments, const Simulate& simulate,
   int code = 0;
   for (const std::string scenario : {"step", "circle", "window", "star"}) {
     for (const std::string controller : {"fc", "afc"}) {
-      if (stop) continue;
+      if (stop) {
+        code = 130;
+        continue;
+      }
       Options options = layered(scenario, arguments);
       apply_assignment(options, "controller=" + controller);
       options.scenario = scenario + '-' + controller;

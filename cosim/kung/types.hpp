@@ -99,7 +99,7 @@ struct PathOptions {
   double line_end_y_m = 0.4;
   int line_ticks = 500;
 
-  std::string points_file;        // CSV of x_m,y_m; one point an interrupt
+  std::string points_file;        // CSV of x_mm,y_mm; one point an interrupt
   std::vector<PointM> points;     // its content
 };
 

@@ -78,7 +78,7 @@ TEST_CASE("a section without axis sets both, and [plant.x] refines it wherever i
 TEST_CASE("a value out of range names file, line, key and range") {
   CHECK(message_of("[chip.x]\n\nqep_filter_clk = 16\n") ==
         "some.toml:3: chip.x.qep_filter_clk: value 16 is out of range 1..15");
-  CHECK_THAT(message_of("[gains]\nkp = nan\n"), Contains("out of range"));
+  CHECK_THAT(message_of("[gains]\nkp = nan\n"), Contains("value nan is out of range"));
   CHECK_THAT(message_of("[gains]\nshift_e = 1.5\n"), Contains("is not a whole number 0..11"));
   CHECK_THAT(message_of("controller = 'pid'\n"), Contains("is not one of fc, afc"));
   CHECK_THAT(message_of("[plant]\nhard_stops = 1\n"), Contains("is not true or false"));
@@ -98,15 +98,23 @@ TEST_CASE("broken TOML names the line") {
 
 TEST_CASE("combinations that cannot run are refused") {
   CHECK_THAT(message_of("[path]\ncircle_radius_m = 0.3\n"), Contains("beyond the hard stops"));
-  CHECK(message_of("[path]\ncircle_radius_m = 0.3\n[plant]\nhard_stops = false\n").empty());
+  const std::string wide =
+      "[path]\ncircle_radius_m = 0.3\ncircle_ticks = 1000\n[plant]\nhard_stops = false\n";
+  CHECK_THAT(message_of(wide), Contains("chip.x.stroke_min_m..stroke_max_m"));
+  CHECK(message_of(wide + "[chip]\nstroke_min_m = -0.1\n").empty());
+  CHECK_THAT(message_of("[path]\ncircle_ticks = 16\n"), Contains("feed at most 1.28 m/s"));
+  CHECK_THAT(message_of("[chip]\nwatchdog_ticks = 3\n"), Contains("out of range 5..65535"));
   CHECK_THAT(message_of("[path]\nkind = 'window'\nwindow_radius_m = 0.11\n"),
              Contains("path.window_radius_m"));
   CHECK_THAT(message_of("[chip]\ndead_time_ns = 100\n"), Contains("chip.dead_time_min_ns = 200"));
   CHECK_THAT(message_of("[path]\nkind = 'points'\n"), Contains("path.points_file"));
   CHECK_THAT(message_of("[path]\nkind = 'points'\npoints_file = 'none.csv'\n"),
-             Contains("none.csv: path.points_file: cannot be read"));
+             Contains("path.points_file: ") && Contains("none.csv: cannot be read"));
+  CHECK_THAT(message_of("[path]\nkind = 'points'\npoints_file = '.'\n"),
+             Contains("path.points_file: cannot be read: it is a folder"));
   CHECK_THAT(message_of("[run]\nwave = 'fst'\nwave_begin_s = 1\n"), Contains("run.wave_end_s"));
   CHECK_THAT(message_of("name = '../up'\n"), Contains("cannot name an output folder"));
+  CHECK_THAT(message_of("name = \"a\\nb\"\n"), Contains("cannot name an output folder"));
 }
 
 TEST_CASE("the environment sets keys by their upper-case names") {
@@ -121,6 +129,8 @@ TEST_CASE("the environment sets keys by their upper-case names") {
   CHECK(options.controller == kung::Controller::kFc);
   CHECK_THROWS_WITH(apply_environment(options, {{"TRAMMEL_PLANT_MASS_KO", "3"}}),
                     Contains("did you mean TRAMMEL_PLANT_MASS_KG?"));
+  CHECK_THROWS_WITH(apply_environment(options, {{"TRAMMEL_INJECT_TRIP", "3"}}),
+                    Contains("TRAMMEL_INJECT_TRIP: unknown key"));
   CHECK_THROWS_WITH(apply_environment(options, {{"TRAMMEL_PLANT_MASS_KG", "x"}}),
                     Contains("environment TRAMMEL_PLANT_MASS_KG: plant.x.mass_kg: value \"x\""));
 }

@@ -17,7 +17,8 @@ constexpr double kPi = 3.14159265358979323846;
 kung::Result offset_run(const std::vector<kung::PointM>& offset) {
   kung::Result result;
   result.first_tick = 10;
-  result.end_tick = 10 + static_cast<std::uint32_t>(offset.size());
+  result.points = static_cast<std::uint32_t>(offset.size());
+  result.end_tick = 10 + result.points;
   for (std::size_t k = 0; k < offset.size() + 20; ++k) {
     kung::Sample s;
     s.tick = static_cast<std::uint32_t>(k);
@@ -67,6 +68,8 @@ TEST_CASE("a run that ended early counts what there is") {
   const Metrics m = evaluate(kung::Options{}, result);
   CHECK(m.samples == 1);
   CHECK_FALSE(m.complete);
+  result.points = 0;  // the path had not begun
+  CHECK(evaluate(kung::Options{}, result).samples == 0);
   result.samples.clear();
   CHECK(evaluate(kung::Options{}, result).samples == 0);
 }

@@ -129,18 +129,57 @@ TEST_CASE("what was run is what run.toml repeats") {
   CHECK(again.plant.axis[1].payload_kg == 2.5);
 }
 
-TEST_CASE("a CSV of points may have a header and comments, and errors name the line") {
+TEST_CASE("the errors of a file of points name its line and the key") {
   const Scratch scratch;
   fs::create_directories(scratch.path);
   const fs::path file = scratch.path / "points.csv";
-  std::ofstream(file) << "x_m,y_m\n0.1,0.2\n# a comment\n\n0.15, 0.25 # end\r\n";
-  const auto points = read_points(file);
-  REQUIRE(points.size() == 2);
-  CHECK(points[1].y_m == 0.25);
-  std::ofstream(file) << "0.1,0.2\n0.1\n";
-  CHECK_THROWS_WITH(read_points(file), Catch::Contains("points.csv:2: path.points_file: expects"));
-  std::ofstream(file) << "0.1,nan\n0.1,0.2\n";
-  CHECK_THROWS_WITH(read_points(file), Catch::Contains("out of range -40..40 m"));
-  std::ofstream(file) << "0.1,0.2\n";
-  CHECK_THROWS_WITH(read_points(file), Catch::Contains("at least 2"));
+  const std::vector<std::string> set{"path.kind=points", "path.points_file=" + file.string()};
+  std::ofstream(file) << "x_mm,y_mm\n100,200\n100.5,200\n";
+  CHECK(run_to(scratch.path / "a", kung::EndReason::kDone, set) == 0);
+  std::ofstream(file) << "100,200\n601,nan\n";
+  CHECK_THROWS_WITH(run_to(scratch.path / "b", kung::EndReason::kDone, set),
+                    Catch::Contains("path.points_file: ") && Catch::Contains("points.csv:2: "));
+  CHECK_FALSE(fs::exists(scratch.path / "b"));
+}
+
+TEST_CASE("what only the machine can refuse is still the user's mistake") {
+  const Scratch scratch;
+  const std::atomic<bool> stop{false};
+  RunArguments arguments;
+  arguments.scenario = "circle";
+  arguments.out = (scratch.path / "a").string();
+  const Simulate refused = [](const kung::Options&, const kung::Hooks&) -> kung::Result {
+    throw std::invalid_argument("plant.x.mass_kg: too small");
+  };
+  CHECK_THROWS_AS(run(arguments, refused, stop), ConfigError);
+}
+
+TEST_CASE("all experiments stopped before they ended are interrupted") {
+  const Scratch scratch;
+  std::atomic<bool> stop{false};
+  RunArguments arguments;
+  arguments.all = true;
+  arguments.json = true;
+  arguments.out = scratch.path.string();
+  const Simulate stopped_behind = [&stop](const kung::Options& options, const kung::Hooks& hooks) {
+    stop = true;
+    return standing(kung::EndReason::kDone)(options, hooks);
+  };
+  CHECK(run(arguments, stopped_behind, stop) == 130);
+  CHECK(entries(scratch.path) == 1);
+}
+
+TEST_CASE("a VCD that cannot be made leaves the FST") {
+  const Scratch scratch;
+  fs::create_directories(scratch.path);
+  const fs::path fst = scratch.path / "it's.fst";
+  std::ofstream(fst) << "not waves";
+  CHECK_FALSE(fst_to_vcd(fst, scratch.path / "it's.vcd"));
+  CHECK(fs::exists(fst));
+  CHECK_FALSE(fs::exists(scratch.path / "it's.vcd"));
+}
+
+TEST_CASE("a stop without a fault of the chip is told apart from a trip") {
+  CHECK(cause_text({kung::FaultCode::kStroke, 1, 17}) == "stroke exceeded on axis Y");
+  CHECK_THAT(cause_text({}), Catch::Contains("processor"));
 }

@@ -21,6 +21,8 @@ class FstTrace {
   void attach(VerilatedContext& context, Vkung_xy_fst& model) {
     context.traceEverOn(true);
     file_ = std::make_unique<VerilatedFstC>();
+    file_->set_time_unit("1ns");
+    file_->set_time_resolution("1ns");
     model.trace(file_.get(), 99);
     file_->open(window_.fst_file.c_str());
     if (!file_->isOpen()) throw std::runtime_error("cannot write waves: " + window_.fst_file);
