@@ -103,6 +103,7 @@ Json metrics_json(const kung::Options& options, const kung::Result& result, cons
   if (result.fault.code != kung::FaultCode::kNone) {
     json["fault"] = {{"cause", fault_text(result.fault.code)},
                      {"axis", result.fault.axis == 0 ? "x" : "y"},
+                     {"processor", result.fault.processor},
                      {"tick", result.fault.tick}};
   }
   json["tracking"] = {{"model", to_json(m.model_mm)}, {"command", to_json(m.command_mm)}};
@@ -226,7 +227,10 @@ const char* fault_text(kung::FaultCode code) {
 }
 
 std::string cause_text(const kung::Fault& fault) {
-  if (fault.code == kung::FaultCode::kNone) return "a check of the processor, not of the chip";
+  if (fault.code == kung::FaultCode::kNone) return "the processor's check: " + fault.processor;
+  if (fault.code == kung::FaultCode::kTrip || fault.code == kung::FaultCode::kWatchdog) {
+    return fault_text(fault.code);  // of no axis
+  }
   return fmt::format("{} on axis {}", fault_text(fault.code), fault.axis == 0 ? 'X' : 'Y');
 }
 

@@ -142,7 +142,9 @@ std::uint32_t clocks(const std::string& key, int ns, std::int64_t clock_ps) {
 }
 
 void check_stroke(const Options& options, const sw::KungSetup& setup) {
-  sw::Trajectory path(setup);
+  sw::PathSetup once = setup;  // every pass has the same bounds
+  once.repeats = 1;
+  sw::Trajectory path(once);
   sw::Point low = path.start();
   sw::Point high = low;
   for (std::uint32_t n = path.size(); n > 0; --n) {

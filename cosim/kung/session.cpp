@@ -18,6 +18,19 @@ namespace {
 constexpr double kClocksPerSecond = 50e6;
 constexpr std::uint32_t kSamplesAfterFault = 20;  // enough to see the fault's effect in the record
 
+const char* check_text(sw::Failure failure) {
+  switch (failure) {
+    case sw::Failure::kWrongChip: return "the chip's ID is not that of the register map";
+    case sw::Failure::kOutOfStroke: return "the path leaves the stroke";
+    case sw::Failure::kBusy: return "a busy bit did not clear";
+    case sw::Failure::kPreset: return "the position did not become the start point";
+    case sw::Failure::kLate: return "an interrupt was lost, or its service crossed a 2 kHz tick";
+    case sw::Failure::kNone:
+    case sw::Failure::kFault: break;
+  }
+  return "";
+}
+
 cosim::Clk edge_at(double seconds) { return std::llround(seconds * kClocksPerSecond); }
 cosim::Clk fault_at(double seconds) { return seconds > 0 ? edge_at(seconds) : cosim::kNever; }
 }  // namespace
@@ -56,6 +69,7 @@ bool Session::over(const Sample& sample) {
   result_.fault = chip_->fault();
   if (result_.fault.code != FaultCode::kNone || firmware_->app().failed()) {
     result_.end = EndReason::kFault;
+    result_.fault.processor = check_text(firmware_->app().failure());
     return ++after_fault_ > kSamplesAfterFault;
   }
   if (hooks_.stop != nullptr && hooks_.stop->load(std::memory_order_relaxed)) {

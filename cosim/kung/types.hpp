@@ -166,6 +166,7 @@ struct Fault {
   FaultCode code = FaultCode::kNone;
   int axis = 0;
   std::uint32_t tick = 0;
+  std::string processor = {};  // code kNone: the check of the firmware that stopped the drives
 };
 
 struct Result {

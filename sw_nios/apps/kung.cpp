@@ -7,8 +7,8 @@ namespace trammel::sw {
 namespace {
 
 constexpr std::array<std::uint32_t, 2> kBases{reg::kX, reg::kY};
-constexpr std::uint32_t kStickyStatus = reg::kStatusOverrun | reg::kStatusQepError |
-                                        reg::kStatusSaturated | reg::kStatusLimited;
+constexpr std::uint32_t kStickyStatus =
+    reg::kStatusOverrun | reg::kStatusQepError | reg::kStatusSaturated | reg::kStatusLimited;
 constexpr std::uint32_t kAllIrqs = reg::kIrqStatTick | reg::kIrqStatFault;
 
 constexpr std::uint32_t word(std::int32_t value) { return static_cast<std::uint32_t>(value); }
@@ -72,9 +72,7 @@ KungApp::KungApp(const KungSetup& setup)
       command_(start_),
       size_(trajectory_.size()) {}
 
-bool KungApp::done() const {
-  return failed() || (state_ == State::kRunning && written_ == size_);
-}
+bool KungApp::done() const { return failed() || (state_ == State::kRunning && written_ == size_); }
 
 bool KungApp::within_stroke(Point point) const {
   const AxisSetup& x = setup_.axis[0];
@@ -84,9 +82,12 @@ bool KungApp::within_stroke(Point point) const {
 }
 
 bool KungApp::path_within_stroke() const {
-  Trajectory rehearsal = trajectory_;
+  PathSetup once = setup_;  // every pass has the same bounds
+  once.repeats = 1;
+  Trajectory rehearsal(once);
   bool within = within_stroke(start_);
-  for (std::uint32_t i = 0; within && i < size_; ++i) within = within_stroke(rehearsal.next());
+  for (std::uint32_t i = rehearsal.size(); within && i > 0; --i)
+    within = within_stroke(rehearsal.next());
   return within;
 }
 
