@@ -51,6 +51,11 @@ function(trammel_add_blocks)
     add_test(NAME lint.${layer}.${block}
       COMMAND ${PROJECT_SOURCE_DIR}/scripts/lint.py ${layer}/${block})
     set_tests_properties(lint.${layer}.${block} PROPERTIES SKIP_RETURN_CODE 77)
+    if(EXISTS ${PROJECT_SOURCE_DIR}/rtl/${layer}/${block}_props.sv)
+      add_test(NAME formal.${layer}.${block}
+        COMMAND ${PROJECT_SOURCE_DIR}/scripts/prove.py ${layer}/${block})
+      set_tests_properties(formal.${layer}.${block} PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600)
+    endif()
     set(test ${PROJECT_SOURCE_DIR}/tests/${layer}/${block}_test.cpp)
     if(EXISTS ${test})
       if(NOT layer STREQUAL chips)  # chips are verilated once, in cosim/

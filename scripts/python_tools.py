@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Scripts that need a tool of .venv start themselves again with its Python."""
+
+import importlib.util
+import os
+import sys
+from pathlib import Path
+
+PYTHON = Path(__file__).resolve().parent.parent / ".venv" / "bin" / "python3"
+SKIPPED = 77  # CTest counts it as skipped
+
+
+def need(module, verb):
+    """Returns when `module` can be imported; ends with 3 (under CTest 77) when it is nowhere."""
+    if importlib.util.find_spec(module) is not None:
+        return
+    if PYTHON.exists() and Path(sys.executable) != PYTHON:
+        os.execv(PYTHON, [str(PYTHON), *sys.argv])
+    print(f"{verb}: {module} is missing (trammel doctor)", file=sys.stderr)
+    sys.exit(SKIPPED if "CTEST_INTERACTIVE_DEBUG_MODE" in os.environ else 3)
