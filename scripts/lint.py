@@ -48,8 +48,10 @@ def run(command):
 def lint_verilator(block):
     source = RTL / f"{block}.sv"
     search = [f"-I{d}" for d in sorted(RTL.iterdir()) if d.is_dir() and d.name != "boards"]
-    return run(["verilator", "--lint-only", "-Wall", *search, f"-I{GENERATED}",
-                "--top-module", source.stem, str(WAIVERS), *map(str, packages()), str(source)])
+    props = source.with_name(f"{source.stem}_props.sv")
+    return run(["verilator", "--lint-only", "-Wall", "--assert", *search, f"-I{GENERATED}",
+                "--top-module", source.stem, str(WAIVERS), *map(str, packages()), str(source),
+                *([str(props)] if props.exists() else [])])
 
 
 def lint_verible(verible, block):
