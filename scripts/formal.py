@@ -2,21 +2,19 @@
 """Turns a block with its bound properties into AIGER files and asks abc about them.
 
 Yosys (pyosys) reads the RTL, slang its SystemVerilog; every assertion becomes an output that must
-stay 0, every cover one that must be able to rise. abc's pdr finds the invariants itself.
+stay 0, every cover one that must be able to rise. abc tries induction first, then pdr, which finds
+invariants itself.
 """
 
 import json
 import re
 import subprocess
 import sys
-import time
 from dataclasses import dataclass, field
 from pathlib import Path
 
 import lint
-
-ROOT = Path(__file__).resolve().parent.parent
-RTL = ROOT / "rtl"
+from properties import ROOT, RTL, PropertiesError
 
 # A cover is an assertion of the opposite, to be refuted.
 COVER_MAP = """(* techmap_celltype = "$cover" *) module cover_as_assert (input A, EN);
@@ -33,99 +31,23 @@ opt -fast
 dffunmap
 aigmap
 opt_clean
-write_aiger -I -B -zinit -ywmap {stem}.json {stem}.aig
+write_aiger -I -B -zinit -ywmap {name}.json {name}.aig
 """
-
-
-class FormalError(Exception):
-    """What is wrong with a properties file or with what the tools said of it; one line."""
+DEPTH = 5  # of the induction
 
 
 @dataclass
-class Control:
-    """A change of a module's text that must refute: `// breaks a, b (module): old => new`."""
+class Model:
+    """One AIGER file to be: the assertions or the covers of a block, perhaps with a changed file."""
 
-    promises: list[str]
-    module: str
-    old: str
-    new: str
-    line: int
-
-
-@dataclass
-class Properties:
-    block: str  # layer/stem
-    promises: list[str] = field(default_factory=list)
-    helpers: list[str] = field(default_factory=list)  # inv_*: they only help the proof
-    covers: list[str] = field(default_factory=list)
-    controls: list[Control] = field(default_factory=list)
-    cut: list[str] = field(default_factory=list)  # modules whose outputs are free
-    free: list[str] = field(default_factory=list)  # cell types whose outputs are free
-    parameters: list[str] = field(default_factory=list)  # Name=value of the block
-    frames: int = 100  # depth of the search for covers and refutations
-
-    @property
-    def stem(self):
-        return self.block.split("/")[1]
-
-    @property
-    def path(self):
-        return RTL / f"{self.block}_props.sv"
-
-    @property
-    def asserts(self):
-        return self.promises + self.helpers
-
-
-def module_file(stem):
-    found = sorted(p for p in RTL.rglob(f"{stem}.sv"))
-    if not found:
-        raise FormalError(f"no module {stem} in rtl/")
-    return found[0]
-
-
-def read_properties(block):
-    """Labels, negative controls and options of rtl/<block>_props.sv."""
-    props = Properties(block)
-    where = f"rtl/{block}_props.sv"
-    text = props.path.read_text(encoding="utf-8")
-    code = "\n".join(line.split("//")[0] for line in text.split("\n"))
-    for label, kind in re.findall(r"(\w+)\s*:\s*(assert|cover)\s*\(", code):
-        wanted = props.covers if kind == "cover" else (
-            props.helpers if label.startswith("inv_") else props.promises)
-        wanted.append(label)
-    bare = len(re.findall(r"\b(?:assert|cover)\s*\(", code))
-    if bare != len(props.asserts) + len(props.covers):
-        raise FormalError(f"{where}: every assert and cover needs a label")
-    if re.search(r"\bassume\b", code):
-        raise FormalError(f"{where}: no assume; make the restriction an antecedent")
-    for number, line in enumerate(text.split("\n"), 1):
-        breaks = re.match(r"\s*// breaks ([\w, ]+?)(?: \((\w+)\))?: (.+?) => (.*)$", line)
-        if breaks:
-            names = [n.strip() for n in breaks[1].split(",")]
-            props.controls.append(Control(names, breaks[2] or props.stem, breaks[3],
-                                          breaks[4], number))
-            for name in names:
-                if name not in props.promises:
-                    raise FormalError(f"{where}:{number}: no promise {name}")
-        elif re.match(r"\s*// breaks\b", line):
-            raise FormalError(f"{where}:{number}: not `breaks name: old => new`")
-        option = re.match(r"\s*// prove: (\w+) (.+)$", line)
-        if option:
-            words = option[2].split()
-            match option[1]:
-                case "cut": props.cut += words
-                case "free": props.free += words
-                case "set": props.parameters += words
-                case "frames": props.frames = int(words[0])
-                case _: raise FormalError(f"{where}:{number}: unknown option {option[1]}")
-    if not props.promises:
-        raise FormalError(f"{where}: promises nothing")
-    return props
+    name: str
+    covers: bool = False
+    parameters: list[str] = field(default_factory=list)
+    changed: dict[Path, str] = field(default_factory=dict)  # {file: its text instead}
 
 
 def sources(props):
-    """Every module but the cut ones' properties; slang takes what the top needs."""
+    """Every module; of the properties only the block's own. slang takes what the top needs."""
     own = sorted(p for p in RTL.glob("*/*.sv")
                  if p.parent.name != "boards" and not p.stem.endswith(("_pkg", "_props")))
     generated = sorted(p for p in (RTL / "chips" / "generated").glob("*.sv")
@@ -133,118 +55,100 @@ def sources(props):
     return [*lint.packages(), *own, *generated, props.path]
 
 
-def yosys(script, folder, name):
-    """Runs a Yosys script in a process of its own; its log stays in the folder."""
-    (folder / f"{name}.ys").write_text(script, encoding="utf-8")
-    code = ("from pyosys import libyosys as ys\n"
-            f"ys.run_pass('tee -q -o {name}.log script {name}.ys', ys.Design())")
-    done = subprocess.run([sys.executable, "-c", code], cwd=folder, capture_output=True,
-                          text=True, check=False)
-    log = folder / f"{name}.log"
-    text = log.read_text(encoding="utf-8") if log.exists() else done.stdout + done.stderr
-    if done.returncode != 0:
-        lines = [line for line in text.split("\n") if "rror" in line] or [text.strip()[-300:]]
-        raise FormalError(lines[0])
-    if "implicitly declared" in text:
-        raise FormalError("a name became a free net: 'implicitly declared' in the log")
-    return text
-
-
-def read_script(props, replaced=None):
-    """Yosys lines that read the block; `replaced` maps a module's file to another text's."""
-    files = [str((replaced or {}).get(p, p)) for p in sources(props)]
-    options = [f"-G {p}" for p in props.parameters]
+def write_script(props, folder, model):
+    """name.ys, the Yosys script that makes name.aig and name.json."""
+    files = sources(props)
+    for original, text in model.changed.items():
+        changed = folder / f"{model.name}_{original.name}"
+        changed.write_text(text, encoding="utf-8")
+        files[files.index(original)] = changed
+    options = [f"-G {p}" for p in model.parameters]
     options += [f"--blackboxed-module {m}" for m in props.cut]
-    lines = [f"read_slang --top {props.stem} {' '.join(options)} {' '.join(files)}",
+    lines = [f"read_slang --top {props.stem} {' '.join(options)} {' '.join(map(str, files))}",
              f"prep -flatten -top {props.stem}"]
     lines += ["cutpoint -blackbox"] if props.cut else []
     lines += [f"cutpoint t:{cell}" for cell in props.free]
-    return "\n".join([*lines, "memory_map -rom-only", "async2sync", "chformal -lower"]) + "\n"
+    lines += ["memory_map -rom-only", "async2sync", "chformal -lower"]
+    if model.covers:
+        lines += ["chformal -assert -remove", "techmap -map cover_map.v"]
+    else:
+        lines += ["chformal -cover -remove"]
+    text = "\n".join(lines) + "\n" + TO_AIGER.format(name=model.name)
+    (folder / f"{model.name}.ys").write_text(text, encoding="utf-8")
 
 
-def write_asserts(props, folder, name, replaced=None):
-    """name.aig with all assertions; returns their labels in the order of its outputs."""
-    script = (read_script(props, replaced) + "chformal -cover -remove\n"
-              + TO_AIGER.format(stem=name))
-    yosys(script, folder, name)
-    return labels(folder / f"{name}.json")
-
-
-def write_covers(props, folder, name):
+def write_models(props, folder, models):
+    """Runs the models' scripts in one process of Yosys; {name: labels in the order of outputs}."""
     (folder / "cover_map.v").write_text(COVER_MAP, encoding="utf-8")
-    script = (read_script(props) + "chformal -assert -remove\ntechmap -map cover_map.v\n"
-              + TO_AIGER.format(stem=name))
-    yosys(script, folder, name)
-    return labels(folder / f"{name}.json")
+    for model in models:
+        write_script(props, folder, model)
+        for ending in ("aig", "json", "log"):
+            (folder / f"{model.name}.{ending}").unlink(missing_ok=True)
+    code = ("from pyosys import libyosys as ys\n"
+            f"for name in {[m.name for m in models]}:\n"
+            "    ys.run_pass(f'tee -q -o {name}.log script {name}.ys', ys.Design())")
+    done = subprocess.run([sys.executable, "-c", code], cwd=folder, capture_output=True,
+                          text=True, check=False)
+    return {m.name: read_labels(folder, m.name, done.stdout + done.stderr) for m in models}
 
 
-def labels(witness_map):
-    found = json.loads(witness_map.read_text(encoding="utf-8"))["asserts"]
+def read_labels(folder, name, output):
+    """The labels of name.aig, or an error that says in one line why there is none."""
+    log = folder / f"{name}.log"
+    text = log.read_text(encoding="utf-8") if log.exists() else output
+    if "implicitly declared" in text:
+        raise PropertiesError("a name became a free net: 'implicitly declared' in the log")
+    if not (folder / f"{name}.json").exists():
+        placed = re.search(r"(\S+\.s?v:\d+): ERROR: (.*)", text)
+        if placed:
+            place = (folder / placed[1]).resolve()
+            where = place.relative_to(ROOT) if place.is_relative_to(ROOT) else place
+            raise PropertiesError(f"{where}: {placed[2]}")
+        lines = [line for line in text.split("\n") if "ERROR" in line] or [text.strip()[-300:]]
+        raise PropertiesError(f"{name}: {lines[0]}")
+    found = json.loads((folder / f"{name}.json").read_text(encoding="utf-8"))["asserts"]
     return [path[0].split(".")[-1].lstrip("\\") for path in found]
 
 
-def abc_program():
-    import pyosys  # it brings abc along
-    return Path(pyosys.__file__).parent / "yosys-abc"
-
-
 def abc(folder, commands, limit):
+    import pyosys  # it brings abc along
+    program = Path(pyosys.__file__).parent / "yosys-abc"
     try:
-        done = subprocess.run([abc_program(), "-c", commands], cwd=folder, capture_output=True,
-                              text=True, check=False, timeout=limit + 30)
+        done = subprocess.run([program, "-c", commands], cwd=folder, capture_output=True,
+                              text=True, check=False, timeout=limit)
     except subprocess.TimeoutExpired:
         return ""
     text = done.stdout + done.stderr
     if "cmd error" in text or "Cannot open" in text:
-        raise FormalError(f"abc: {text.strip().splitlines()[-1]}")
+        raise PropertiesError(f"abc: {text.strip().splitlines()[-1]}")
     return text
 
 
-def verdict(text):
-    if re.search(r"Property proved|was proved|are equivalent|successfully proved", text):
-        return "proven"
+def prove(folder, name, outputs, limit):
+    """proven, refuted or open: some outputs of name.aig together, for one may need another's help.
+
+    abc's induction is the step only; the bounded search before it is its base.
+    """
+    read = (f"read_aiger {name}.aig; cone -O {outputs.start} -R {len(outputs)}; "
+            + ("orpos; " if len(outputs) > 1 else "") + "scleanup; ")
+    text = abc(folder, f"{read}bmc3 -F {DEPTH + 2}", limit)
     if "was asserted in frame" in text:
         return "refuted"
-    return "open"
+    if f"No output asserted in {DEPTH + 2} frames" in text:
+        text = abc(folder, f"{read}ind -F {DEPTH} -T {limit}", limit)
+        if "Networks are equivalent" in text:
+            return "proven"
+    text = abc(folder, f"{read}dc2; scorr; pdr -T {limit}", limit + 30)
+    if re.search(r"Property proved", text):
+        return "proven"
+    return "refuted" if "was asserted in frame" in text else "open"
 
 
-def frame(text):
-    found = re.search(r"was asserted in frame (\d+)", text)
-    return int(found[1]) if found else None
-
-
-def prove_all(folder, name, count, limit):
-    """Verdict of all outputs together: one invariant may need another's help."""
-    join = "orpos; " if count > 1 else ""
-    text = abc(folder, f"read_aiger {name}.aig; {join}scleanup; dc2; scorr; pdr -T {limit}", limit)
-    return verdict(text)
-
-
-def prove_one(folder, name, output, limit):
-    text = abc(folder, f"read_aiger {name}.aig; cone -O {output}; scleanup; dc2; scorr; "
-                       f"pdr -T {limit}", limit)
-    return verdict(text)
-
-
-def reach(folder, name, output, frames, limit):
-    """The clock at which an output rises, found by bounded search; None when it is not."""
-    text = abc(folder, f"read_aiger {name}.aig; cone -O {output}; scleanup; "
-                       f"bmc3 -F {frames} -T {limit}", limit)
-    return frame(text)
-
-
-def mutate_text(control, folder, number):
-    """Writes the changed module; returns {original file: changed file}."""
-    original = module_file(control.module)
-    text = original.read_text(encoding="utf-8")
-    if text.count(control.old) != 1:
-        raise FormalError(f"line {control.line}: '{control.old}' occurs {text.count(control.old)} "
-                          f"times in {original.relative_to(ROOT)}, not once")
-    changed = folder / f"control{number}_{original.name}"
-    changed.write_text(text.replace(control.old, control.new), encoding="utf-8")
-    return {original: changed}
-
-
-def stopwatch():
-    begin = time.monotonic()
-    return lambda: time.monotonic() - begin
+def reach(folder, name, outputs, frames, limit):
+    """The clock at which each of these outputs rises, by bounded search; None if it does not."""
+    numbers = ",".join(map(str, outputs))
+    text = abc(folder, f"read_aiger {name}.aig; cone -N {numbers}; scleanup; "
+                       f"bmc3 -a -F {frames} -T {limit}", limit + 30)
+    found = re.findall(r"Output (\d+) was asserted in frame +(\d+)", text)
+    at = {int(output): int(frame) for output, frame in found}
+    return [at.get(place) for place in range(len(outputs))]

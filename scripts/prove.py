@@ -3,18 +3,19 @@
 """Prove the promises of RTL blocks: rtl/<layer>/<block>_props.sv.
 
 usage: prove.py [--limit SECONDS] [layer/block ...]   without blocks: every one
+       prove.py --table [--check]                     write (or only check) the table of docs/proofs.md
 
-For each block: every assertion holds in every reachable state under any input (abc pdr), every
-cover is reachable (bounded search), and every negative control, a changed text of the RTL, refutes
-the promises it names. A properties file is bound to its block and holds
+For each block: every assertion holds in every reachable state under any input (induction, then
+pdr), every cover is reachable (bounded search), and every negative control, a changed text of the
+RTL, refutes the promises it names. A properties file is bound to its block and holds
 
   label : assert (...);          a promise; inv_... only helps the proof
-  label : cover (...);           must be reachable
+  reaches_... : cover (...);     must be reachable
   // breaks label: old => new    a control: this change of the block's text must refute the promise;
                                  `breaks label (module): ...` changes another module's text
   // prove: cut MODULE           instances of MODULE are taken out, their outputs are free
   // prove: free $mul            cells of this type are taken out
-  // prove: set Name=value       a parameter of the block
+  // prove: set Name=value ...   a configuration; each such line is proven, controls use the first
   // prove: frames N             depth of the bounded search, default 100
 
 Exit codes: 0 all proven, 1 a promise is open, refuted or without control, 2 no such block,
@@ -23,93 +24,100 @@ Exit codes: 0 all proven, 1 a promise is open, refuted or without control, 2 no 
 
 import argparse
 import sys
+import time
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import formal  # noqa: E402
+import promise_table  # noqa: E402
+import properties  # noqa: E402
 import python_tools  # noqa: E402
 
-OUT = formal.ROOT / "build" / "formal"
+OUT = properties.ROOT / "build" / "formal"
 
 
 def prove(block, limit):
     """Lines of what went wrong; prints a line a promise."""
-    clock = formal.stopwatch()
-    props = formal.read_properties(block)
+    begin = time.monotonic()
+    props = properties.read(block)
     folder = OUT / block.replace("/", "_")
     folder.mkdir(parents=True, exist_ok=True)
-    wrong = []
+    configurations = props.configurations or [[]]
+    first = configurations[0]
+    proofs = [formal.Model(f"asserts{n}", parameters=c) for n, c in enumerate(configurations)]
+    covers = [formal.Model("covers", covers=True, parameters=first)] if props.covers else []
+    controls = [formal.Model(f"control{n}", parameters=first, changed=dict([c.file]))
+                for n, c in enumerate(props.controls)]
+    order = formal.write_models(props, folder, [*proofs, *covers, *controls])
 
-    order = formal.write_asserts(props, folder, "asserts")
-    if sorted(order) != sorted(props.asserts):
-        raise formal.FormalError(f"rtl/{block}_props.sv: not all assertions arrived: {order}")
-    state = dict.fromkeys(order, formal.prove_all(folder, "asserts", len(order), limit))
-    if set(state.values()) != {"proven"}:
-        for index, label in enumerate(order):
-            state[label] = formal.prove_one(folder, "asserts", index, limit)
-    controlled = check_controls(props, folder, limit, wrong)
-    for label in props.asserts:
-        if state[label] != "proven":
-            wrong.append(f"{label}: {state[label]}")
-        if label in props.promises and label not in controlled:
-            wrong.append(f"{label}: no negative control (// breaks {label}: old => new)")
-    check_covers(props, folder, limit, wrong)
+    wrong = []
+    state = dict.fromkeys(props.asserts, "proven")
+    for model in proofs:
+        if sorted(order[model.name]) != sorted(props.asserts):
+            raise properties.PropertiesError(
+                f"rtl/{block}_props.sv: not all assertions arrived: {order[model.name]}")
+        for label, verdict in verdicts(folder, model.name, order[model.name], limit).items():
+            if verdict != "proven":
+                state[label] = verdict
+                wrong.append(f"{label}: {verdict} {' '.join(model.parameters)}".rstrip())
+    controlled = []
+    for model, control in zip(controls, props.controls):
+        controlled += control.promises
+        outputs = [order[model.name].index(label) for label in control.promises]
+        reached = formal.reach(folder, model.name, outputs, props.frames, limit)
+        for label, at in zip(control.promises, reached):
+            if at is None:
+                wrong.append(f"{label}: line {control.line}: the control '{control.old} => "
+                             f"{control.new}' does not refute it in {props.frames} clocks")
+    wrong += [f"{label}: no negative control (// breaks {label}: old => new)"
+              for label in props.promises if label not in controlled]
+    for model in covers:
+        labels = order[model.name]
+        reached = formal.reach(folder, model.name, range(len(labels)), props.frames, limit)
+        for label, at in zip(labels, reached):
+            print(f"  {label:<44} reached at clock {at}")
+            if at is None:
+                wrong.append(f"{label}: not reached within {props.frames} clocks")
     for label in props.promises:
         print(f"  {label:<44} {state[label]}, {controlled.count(label)} control(s)")
     print(f"{block}: {len(props.promises)} promises, {len(props.controls)} controls, "
-          f"{len(props.covers)} covers in {clock():.1f} s")
+          f"{len(props.covers)} covers in {time.monotonic() - begin:.1f} s")
     return wrong
 
 
-def check_controls(props, folder, limit, wrong):
-    """Labels that some control refuted, once for each."""
-    refuted = []
-    for number, control in enumerate(props.controls):
-        name = f"control{number}"
-        order = formal.write_asserts(props, folder, name,
-                                     formal.mutate_text(control, folder, number))
-        for label in control.promises:
-            index = order.index(label)
-            if formal.reach(folder, name, index, props.frames, limit) is not None or \
-                    formal.prove_one(folder, name, index, limit) == "refuted":
-                refuted.append(label)
-            else:
-                wrong.append(f"{label}: line {control.line}: the control "
-                             f"'{control.old} => {control.new}' does not refute it")
-    return refuted
-
-
-def check_covers(props, folder, limit, wrong):
-    if not props.covers:
-        return
-    order = formal.write_covers(props, folder, "covers")
-    for index, label in enumerate(order):
-        at = formal.reach(folder, "covers", index, props.frames, limit)
-        if at is None:
-            wrong.append(f"{label}: not reached within {props.frames} clocks")
-        else:
-            print(f"  {label:<44} reached at clock {at}")
+def verdicts(folder, name, labels, limit):
+    """All assertions together, for one may need another's help; alone only when that is open."""
+    if formal.prove(folder, name, range(len(labels)), limit) == "proven":
+        return dict.fromkeys(labels, "proven")
+    return {label: formal.prove(folder, name, range(n, n + 1), limit)
+            for n, label in enumerate(labels)}
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--limit", type=int, default=120, metavar="SECONDS")
+    parser.add_argument("--limit", type=int, default=60, metavar="SECONDS",
+                        help="for one question to the solver, default 60")
+    parser.add_argument("--table", action="store_true")
+    parser.add_argument("--check", action="store_true")
     parser.add_argument("blocks", nargs="*", metavar="layer/block")
     arguments = parser.parse_args()
-    every = sorted(f"{p.parent.name}/{p.stem.removesuffix('_props')}"
-                   for p in formal.RTL.glob("*/*_props.sv"))
+    if arguments.check and not arguments.table:
+        parser.error("--check belongs to --table")
+    every = properties.blocks()
     for block in arguments.blocks:
         if block not in every:
             print(f"prove: rtl/{block}_props.sv: no such file; there are {', '.join(every)}",
                   file=sys.stderr)
             return 2
+    if arguments.table:
+        return promise_table.run(arguments.check)
     python_tools.need("pyosys", "prove")
     bad = 0
     for block in arguments.blocks or every:
         try:
             wrong = prove(block, arguments.limit)
-        except formal.FormalError as error:
+        except properties.PropertiesError as error:
             wrong = [str(error)]
         for line in wrong:
             print(f"prove: {block}: {line}", file=sys.stderr)
