@@ -27,10 +27,8 @@ setundef -undriven -anyseq
 delete -output
 opt -full
 techmap
-opt -fast
 dffunmap
 aigmap
-opt_clean
 write_aiger -I -B -zinit -ywmap {name}.json {name}.aig
 """
 DEPTH = 5  # of the induction
@@ -38,10 +36,11 @@ DEPTH = 5  # of the induction
 
 @dataclass
 class Model:
-    """One AIGER file to be: the assertions or the covers of a block, perhaps with a changed file."""
+    """One AIGER file to be: assertions or covers of a block, perhaps with a changed file."""
 
     name: str
     covers: bool = False
+    only: list[str] = field(default_factory=list)  # labels; none means all
     parameters: list[str] = field(default_factory=list)
     changed: dict[Path, str] = field(default_factory=dict)  # {file: its text instead}
 
@@ -73,6 +72,8 @@ def write_script(props, folder, model):
         lines += ["chformal -assert -remove", "techmap -map cover_map.v"]
     else:
         lines += ["chformal -cover -remove"]
+    if model.only:
+        lines += ["delete t:$assert " + " ".join(f"c:*.{label} %d" for label in model.only)]
     text = "\n".join(lines) + "\n" + TO_AIGER.format(name=model.name)
     (folder / f"{model.name}.ys").write_text(text, encoding="utf-8")
 
@@ -144,11 +145,8 @@ def prove(folder, name, outputs, limit):
     return "refuted" if "was asserted in frame" in text else "open"
 
 
-def reach(folder, name, outputs, frames, limit):
-    """The clock at which each of these outputs rises, by bounded search; None if it does not."""
-    numbers = ",".join(map(str, outputs))
-    text = abc(folder, f"read_aiger {name}.aig; cone -N {numbers}; scleanup; "
-                       f"bmc3 -a -F {frames} -T {limit}", limit + 30)
-    found = re.findall(r"Output (\d+) was asserted in frame +(\d+)", text)
-    at = {int(output): int(frame) for output, frame in found}
-    return [at.get(place) for place in range(len(outputs))]
+def reach(folder, name, labels, frames, limit):
+    """{label: clock at which its output of name.aig rises}, by bounded search."""
+    text = abc(folder, f"read_aiger {name}.aig; bmc3 -a -F {frames} -T {limit}", limit + 30)
+    found = re.findall(r"Output +(\d+) was asserted in frame +(\d+)", text)
+    return {labels[int(output)]: int(clock) for output, clock in found}

@@ -46,8 +46,8 @@ def prove(block, limit):
     first = configurations[0]
     proofs = [formal.Model(f"asserts{n}", parameters=c) for n, c in enumerate(configurations)]
     covers = [formal.Model("covers", covers=True, parameters=first)] if props.covers else []
-    controls = [formal.Model(f"control{n}", parameters=first, changed=dict([c.file]))
-                for n, c in enumerate(props.controls)]
+    controls = [formal.Model(f"control{n}", only=c.promises, parameters=first,
+                             changed=dict([c.file])) for n, c in enumerate(props.controls)]
     order = formal.write_models(props, folder, [*proofs, *covers, *controls])
 
     wrong = []
@@ -63,20 +63,18 @@ def prove(block, limit):
     controlled = []
     for model, control in zip(controls, props.controls):
         controlled += control.promises
-        outputs = [order[model.name].index(label) for label in control.promises]
-        reached = formal.reach(folder, model.name, outputs, props.frames, limit)
-        for label, at in zip(control.promises, reached):
-            if at is None:
+        reached = formal.reach(folder, model.name, order[model.name], props.frames, limit)
+        for label in control.promises:
+            if label not in reached:
                 wrong.append(f"{label}: line {control.line}: the control '{control.old} => "
                              f"{control.new}' does not refute it in {props.frames} clocks")
     wrong += [f"{label}: no negative control (// breaks {label}: old => new)"
               for label in props.promises if label not in controlled]
     for model in covers:
-        labels = order[model.name]
-        reached = formal.reach(folder, model.name, range(len(labels)), props.frames, limit)
-        for label, at in zip(labels, reached):
-            print(f"  {label:<44} reached at clock {at}")
-            if at is None:
+        reached = formal.reach(folder, model.name, order[model.name], props.frames, limit)
+        for label in props.covers:
+            print(f"  {label:<44} reached at clock {reached.get(label)}")
+            if label not in reached:
                 wrong.append(f"{label}: not reached within {props.frames} clocks")
     for label in props.promises:
         print(f"  {label:<44} {state[label]}, {controlled.count(label)} control(s)")

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Promises of timer under any load, value and leap.
+
+module timer_props
+  import trammel_pkg::*;
+#(
+    parameter int unsigned Width = 12
+) (
+    input logic clk_i,
+    input logic rst_i,
+
+    input gap_t leap_i,
+
+    input logic             load_i,
+    input logic [Width-1:0] value_i,
+
+    input logic [Width-1:0] count_o,
+    input gap_t             next_o
+);
+
+  logic live_q = 1'b0;
+  logic was_rst_q, was_load_q;
+  logic [31:0] now, was_q, value_q, passed_q;  // clocks of the edge before: 1 and the leap
+  gap_t was_next_q;
+  logic quiet;  // the edge before did nothing but count
+
+  assign now   = 32'(count_o);
+  assign quiet = !was_rst_q && !was_load_q;
+
+  always_ff @(posedge clk_i) begin
+    if (rst_i) live_q <= 1'b1;
+    was_rst_q  <= rst_i;
+    was_load_q <= load_i;
+    was_q      <= now;
+    value_q    <= 32'(value_i);
+    passed_q   <= 32'(leap_i) + 32'd1;
+    was_next_q <= next_o;
+    if (live_q) begin
+      zero_from_reset : assert (!was_rst_q || now == '0);
+      loads_the_value : assert (was_rst_q || !was_load_q || now == value_q);
+      counts_the_clocks : assert (!quiet || now == (was_q > passed_q ? was_q - passed_q : '0));
+      // next_o edges do nothing but count: none of them makes the count 0 ...
+      no_event_within_next :
+      assert (!quiet || passed_q > 32'(was_next_q) || (now == '0) == (was_q == '0));
+      // ... the one after them does, and the promise is kept from clock to clock.
+      event_at_next_zero : assert (!quiet || was_next_q != '0 || (was_q == 32'd1 && now == '0));
+      next_falls_by_the_clocks :
+      assert (!quiet || load_i || passed_q > 32'(was_next_q) || was_next_q == GapMax ||
+              32'(next_o) == 32'(was_next_q) - passed_q ||
+              (was_next_q == GapMax - 12'd1 && 32'(next_o) > 32'(was_next_q) - passed_q));
+      never_means_never : assert ((next_o == GapMax) == (now == '0 && !load_i));
+      load_is_an_event : assert (!load_i || next_o == '0);
+      reaches_zero : cover (!rst_i && quiet && was_q == 32'd3 && now == '0 && passed_q > 32'd2);
+      reaches_far : cover (next_o == GapMax - 12'd1);
+    end
+  end
+
+  // breaks zero_from_reset: if (rst_i) count_q <= '0; => if (rst_i) count_q <= value_i;
+  // breaks loads_the_value: if (load_i) count_d = value_i; => if (load_i) count_d = value_i + leap_i;
+  // breaks counts_the_clocks: assign step  = Wide'(leap_i) + Wide'(1); => assign step  = Wide'(1);
+  // breaks counts_the_clocks: else if (count > step) => else if (count >= step + Wide'(1) + step)
+  // breaks no_event_within_next: next_o = gap_t'(count - Wide'(1)); => next_o = gap_t'(count);
+  // breaks event_at_next_zero: next_o = gap_t'(count - Wide'(1)); => next_o = gap_t'(count >> 2);
+  // breaks next_falls_by_the_clocks: GapMax - gap_t'(1); => GapMax - gap_t'(2);
+  // breaks never_means_never: next_o = GapMax; => next_o = '0;
+  // breaks load_is_an_event: if (load_i) next_o = '0; => if (load_i) next_o = GapMax;
+
+  // prove: set Width=14
+  // prove: set Width=12
+  // prove: set Width=10
+
+endmodule
+
+bind timer timer_props #(.Width(Width)) u_timer_props (.*);
