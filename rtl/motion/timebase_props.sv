@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Promises of timebase; clocks passed by leaps count. After a leap beyond next_o, a mistake of the
+// caller, the distance of ticks is known again from the next tick on.
+
+module timebase_props
+  import trammel_pkg::*;
+(
+    input logic clk_i,
+    input logic rst_i,
+
+    input gap_t leap_i,
+
+    input logic [7:0] irq_period_i,
+
+    input logic [11:0] phase_o,
+    input logic        tick_cur_o,
+    input logic        tick_pos_o,
+    input logic        tick_irq_o,
+    input logic [31:0] tick_count_o,
+    input gap_t        next_o,
+    input logic        quiescent_o,
+
+    input logic [11:0] count,
+    input logic [ 2:0] cur_q,
+    input logic [ 7:0] irq_q
+);
+
+  logic live_q = 1'b0;
+  logic was_rst_q, was_cur_q, was_pos_q, was_quiescent_q;
+  logic [12:0] passed, passed_q;  // clocks of an edge: 1 and the leap
+  gap_t was_next_q;
+  logic [11:0] was_phase_q;
+  logic allowed;  // the leap
+  logic known_q;  // no leap too far since the last tick
+  logic [12:0] since_q;  // clocks since the last tick_cur
+  logic [2:0] eighth_q;  // tick_cur since the last tick_pos
+  logic [8:0] pos_q, period_q;  // tick_pos since the last tick_irq, and how many there are to be
+  logic [31:0] was_tick_count_q;
+  logic [10:0] slow, was_slow_q;  // registers outside the timer, tick_count_o apart
+
+  assign passed  = 13'(leap_i) + 13'd1;
+  assign allowed = leap_i == '0 || leap_i < next_o;
+  assign slow    = {cur_q, irq_q};
+
+  always_ff @(posedge clk_i) begin
+    if (rst_i) live_q <= 1'b1;
+    was_rst_q        <= rst_i;
+    was_cur_q        <= tick_cur_o;
+    was_pos_q        <= tick_pos_o;
+    was_quiescent_q  <= !rst_i && quiescent_o;
+    passed_q         <= passed;
+    was_next_q       <= next_o;
+    was_phase_q      <= phase_o;
+    was_tick_count_q <= tick_count_o;
+    was_slow_q       <= slow;
+    known_q          <= allowed && (known_q || tick_cur_o || rst_i);
+    since_q          <= tick_cur_o ? 13'd1 : since_q + passed;
+    if (rst_i) begin
+      known_q  <= 1'b1;
+      since_q  <= 13'(PwmPeriod);
+      eighth_q <= 3'd7;
+      pos_q    <= 9'd0;
+      period_q <= 9'd0;
+    end else begin
+      if (tick_cur_o) eighth_q <= eighth_q + 3'd1;
+      if (tick_pos_o) pos_q <= pos_q + 9'd1;
+      if (tick_irq_o) begin
+        pos_q    <= 9'd1;
+        period_q <= irq_period_i == '0 ? 9'd1 : 9'(irq_period_i);
+      end
+    end
+    if (live_q) begin
+      starts_with_all_ticks : assert (!was_rst_q || (phase_o == '0 && tick_irq_o));
+      tick_every_3125_clocks : assert (!known_q || tick_cur_o == (since_q == 13'(PwmPeriod)));
+      phase_within_period : assert (phase_o < 12'(PwmPeriod));
+      phase_counts_clocks :
+      assert (was_rst_q || !known_q || tick_cur_o ||
+              13'(phase_o) == (was_cur_q ? 13'd1 : 13'(was_phase_q) + passed_q));
+      tick_at_phase_zero : assert (tick_cur_o == (phase_o == '0));
+      position_every_eighth : assert (tick_pos_o == (tick_cur_o && eighth_q == 3'd7));
+      interrupt_every_period : assert (tick_irq_o == (tick_pos_o && pos_q == period_q));
+      counts_position_ticks :
+      assert (tick_count_o == (was_rst_q ? '0 : was_tick_count_q + 32'(was_pos_q)));
+      no_tick_within_next : assert (was_rst_q || passed_q > 13'(was_next_q) || !tick_cur_o);
+      next_falls_by_the_clocks :
+      assert (was_rst_q || passed_q > 13'(was_next_q) ||
+              13'(next_o) == 13'(was_next_q) - passed_q);
+      quiescent_is_honest :
+      assert (!was_quiescent_q || (slow == was_slow_q && tick_count_o == was_tick_count_q));
+      inv_timer : assert (count < 12'(PwmPeriod));
+      inv_since : assert (!known_q || 13'(count) + since_q == 13'(PwmPeriod));
+      inv_eighth : assert (eighth_q + 3'd1 == cur_q);
+      inv_interrupt : assert (pos_q + 9'(irq_q) == period_q);
+      reaches_tick : cover (!was_rst_q && known_q && tick_cur_o && passed_q == 13'd1);
+      reaches_position : cover (known_q && tick_pos_o && tick_count_o == 32'd1 && !tick_irq_o);
+    end
+  end
+
+  // breaks starts_with_all_ticks: irq_q        <= '0; => irq_q        <= irq_d;
+  // breaks tick_every_3125_clocks: .value_i(12'(PwmPeriod - 1)) => .value_i(12'(PwmPeriod))
+  // breaks phase_within_period: .value_i(12'(PwmPeriod - 1)) => .value_i(12'(PwmPeriod + 1))
+  // breaks phase_counts_clocks, no_tick_within_next: .leap_i (leap_i) => .leap_i (leap_i << 1)
+  // breaks tick_at_phase_zero: tick_cur_o ? 12'd0 : 12'(PwmPeriod) => 12'(PwmPeriod)
+  // breaks position_every_eighth: cur_q == 3'd0 => cur_q[1:0] == 2'd0
+  // breaks interrupt_every_period: irq_period_i - 8'd1; => irq_period_i;
+  // breaks counts_position_ticks: if (tick_pos_o) begin => if (tick_irq_o) begin
+  // breaks next_falls_by_the_clocks (timer): else if (count > step) => else if (count > step + Wide'(9))
+  // breaks quiescent_is_honest: quiescent_o  = !tick_cur_o; => quiescent_o  = !tick_irq_o;
+
+endmodule
+
+bind timebase timebase_props u_timebase_props (.*);
