@@ -3,9 +3,9 @@
 // Adaptive fuzzy position and speed controller of one axis (Kung et al. 2012; specification
 // sections 4 to 6): 35 steps of 2 clocks = 70 clocks from the clock after start_i, with ONE signed
 // 24 x 24 multiplier (registered) and ONE adder. Rounding is the adder's carry-in, taken from the
-// highest dropped bit. The adder works on the last product.
+// highest dropped bit. The adder works on the last product, which the first clock of a step shifts.
 //   s0-s6    reference model x_m, dx         multiplier: s0 B2 dx, s3 A0 s
-//   s7-s9    v, e, de                        s10-s12 sections and memberships, s13 read four rules
+//   s7-s9    v, e, de                        s10-s12 sections and memberships (s13 empty)
 //   s14-s18  weights d                       s18-s22 u = sum of c d
 //   s23-s26  v* = PI(u) (+ dx)               s27-s29 i_q* = Kv (v* - v), published at s29
 //   s29-s34  four rules += ETA e d, written as they come; s34 keeps e and x_p for the next sample
@@ -73,9 +73,10 @@ module afc
   logic resetting_q, resetting_d;  // this sample begins with the reset state
   logic done_q, done_d;
   logic iq_valid_q, iq_valid_d;
-  logic step_end;
+  logic step_begin, step_end;  // the first clock prepares operands, the second keeps results
 
-  assign step_end = running_q && phase_q;
+  assign step_begin = running_q && !phase_q;
+  assign step_end   = running_q && phase_q;
 
   always_comb begin
     running_d   = running_q;
@@ -136,90 +137,110 @@ module afc
   logic [2:0] col_q, row_q;        // sections i of e and j of de
   member_t mu_a0_q, mu_a1_q, mu_b0_q, mu_b1_q;
   member_t d00_q, d01_q, d10_q, d11_q;
-  count_t c00_q, c01_q, c10_q, c11_q;
-  count_t t_q;                     // ETA e
+  count_t rule_q;                  // read for the adder
   sum_t acc_q;
   product_t product_q;
 
   // ---- multiplier: operands of each step ----
 
-  count_t mul_a, mul_b;
+  // The product goes to the adder shifted right by place, which a gain moves to both sides. Its low
+  // bits are made 1 by shifting a factor of 12 bits to the left first, so that few shifts of the
+  // product remain: place[5:3] chooses -9, -1, 7, 15, 23 or 31.
+  localparam logic [5:0] Place24 = 6'o47;  // between them, for A0
+
+  count_t mul_a, mul_b, mul_a_q, mul_b_q;
+  logic [11:0] factor;
+  logic [18:0] scaled_factor;
+  logic [5:0] place;
+  logic [2:0] place_q;
   logic mul_used;  // otherwise the product stays
+  count_t rule;    // of the four the one of this step
 
   function automatic count_t unsigned12(logic [11:0] x);
     return {12'd0, x};
   endfunction
 
-  function automatic count_t upper12(count_t c);  // floor of a stored rule
-    return c >>> 12;
-  endfunction
-
   always_comb begin
-    mul_a = '0;
+    factor = '0;
     mul_b = '0;
+    place = 6'd23;
     mul_used = 1'b1;
     unique case (step_q)
-      6'd0: begin mul_a = b2_i; mul_b = dx_q; end
-      6'd3: begin mul_a = {6'd0, a0_i}; mul_b = s_q; end
-      6'd14: begin mul_a = unsigned12(mu_a0_q); mul_b = unsigned12(mu_b0_q); end
-      6'd15: begin mul_a = unsigned12(mu_a1_q); mul_b = unsigned12(mu_b0_q); end
-      6'd16: begin mul_a = unsigned12(mu_a0_q); mul_b = unsigned12(mu_b1_q); end
-      6'd17: begin mul_a = unsigned12(mu_a1_q); mul_b = unsigned12(mu_b1_q); end
-      6'd18: begin mul_a = upper12(c00_q); mul_b = unsigned12(d00_q); end
-      6'd19: begin mul_a = upper12(c01_q); mul_b = unsigned12(d01_q); end
-      6'd20: begin mul_a = upper12(c10_q); mul_b = unsigned12(d10_q); end
-      6'd21: begin mul_a = upper12(c11_q); mul_b = unsigned12(d11_q); end
-      6'd23: begin mul_a = {13'd0, kp_i.mant}; mul_b = count_t'(u_q); end
-      6'd24: begin mul_a = {13'd0, ki_i.mant}; mul_b = count_t'(u_q); end
-      6'd28: begin mul_a = {13'd0, kv_i.mant}; mul_b = acc_q[23:0]; end
-      6'd29: begin mul_a = {13'd0, eta_i.mant}; mul_b = count_t'(e_q); end
-      6'd30: begin mul_a = product_q[23:0]; mul_b = unsigned12(d00_q); end
-      6'd31: begin mul_a = t_q; mul_b = unsigned12(d01_q); end
-      6'd32: begin mul_a = t_q; mul_b = unsigned12(d10_q); end
-      6'd33: begin mul_a = t_q; mul_b = unsigned12(d11_q); end
+      6'd0: mul_b = resetting_q ? '0 : dx_q;  // times B2
+      6'd3: begin mul_b = s_q; place = Place24; end  // times A0
+      6'd14: begin factor = mu_b0_q; mul_b = unsigned12(mu_a0_q); place = 6'd11; end
+      6'd15: begin factor = mu_b0_q; mul_b = unsigned12(mu_a1_q); place = 6'd11; end
+      6'd16: begin factor = mu_b1_q; mul_b = unsigned12(mu_a0_q); place = 6'd11; end
+      6'd17: begin factor = mu_b1_q; mul_b = unsigned12(mu_a1_q); place = 6'd11; end
+      6'd18: begin factor = d00_q; mul_b = rule >>> 12; place = 6'd0; end
+      6'd19: begin factor = d01_q; mul_b = rule >>> 12; place = 6'd0; end
+      6'd20: begin factor = d10_q; mul_b = rule >>> 12; place = 6'd0; end
+      6'd21: begin factor = d11_q; mul_b = rule >>> 12; place = 6'd0; end
+      6'd23: begin factor = 12'(kp_i.mant); mul_b = count_t'(u_q); place = 6'd11 - 6'(kp_i.exp); end
+      6'd24: begin factor = 12'(ki_i.mant); mul_b = count_t'(u_q); place = -6'd1 - 6'(ki_i.exp); end
+      6'd28: begin factor = 12'(kv_i.mant); mul_b = acc_q[23:0]; place = 6'd11 - 6'(kv_i.exp); end
+      6'd29: begin factor = 12'(eta_i.mant); mul_b = count_t'(e_q); end
+      6'd30: begin factor = d00_q; mul_b = product_q[23:0]; place = 6'd10 - 6'(eta_i.exp); end
+      6'd31: begin factor = d01_q; mul_b = mul_b_q; place = 6'd10 - 6'(eta_i.exp); end
+      6'd32: begin factor = d10_q; mul_b = mul_b_q; place = 6'd10 - 6'(eta_i.exp); end
+      6'd33: begin factor = d11_q; mul_b = mul_b_q; place = 6'd10 - 6'(eta_i.exp); end
       default: mul_used = 1'b0;
     endcase
+    scaled_factor = 19'(factor) << ~place[2:0];
+    mul_a = {5'd0, scaled_factor};
+    if (step_q == 6'd0) mul_a = b2_i;
+    if (step_q == 6'd3) mul_a = {6'd0, a0_i};
   end
 
   // ---- the product at the adder: shifted, its highest dropped bit as carry ----
 
-  logic signed [5:0] shift;
-  sum_t shifted;
-  logic half;
+  sum_t shifted, shifted_q;
+  logic half, half_q;
 
   always_comb begin
-    unique case (step_q)
-      6'd3: shift = 6'sd23;
-      6'd4: shift = 6'sd24;
-      6'd15, 6'd16, 6'd17, 6'd18: shift = 6'sd11;
-      6'd24: shift = 6'sd11 - 6'(kp_i.exp);
-      6'd25: shift = -6'sd1 - 6'(ki_i.exp);
-      6'd29: shift = 6'sd11 - 6'(kv_i.exp);
-      6'd31, 6'd32, 6'd33, 6'd34: shift = 6'sd10 - 6'(eta_i.exp);
-      default: shift = 6'sd0;
+    unique case (place_q)
+      3'o6:    {shifted, half} = {product_q[30:0], 10'd0};
+      3'o7:    {shifted, half} = {product_q[38:0], 2'd0};
+      3'o0:    {shifted, half} = product_q[46:6];
+      3'o1:    {shifted, half} = 41'($signed(product_q[47:14]));
+      3'o2:    {shifted, half} = 41'($signed(product_q[47:22]));
+      3'o3:    {shifted, half} = 41'($signed(product_q[47:30]));
+      default: {shifted, half} = 41'($signed(product_q[47:23]));  // Place24
     endcase
-    shifted = sum_t'(shift > 6'sd0 ? product_q >>> shift : product_q <<< -shift);
-    half = shift > 6'sd0 && product_q[6'(shift - 6'sd1)];
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (step_begin) begin
+      mul_a_q   <= mul_a;
+      mul_b_q   <= mul_b;
+      rule_q    <= rule;
+      shifted_q <= shifted;
+      half_q    <= half;
+    end
+    if (step_end && mul_used) begin
+      product_q <= mul_a_q * mul_b_q;
+      place_q   <= place[5:3];
+    end
   end
 
   // ---- adder: operands of each step ----
 
   sum_t add_a, add_b, sum;
-  logic carry;
+  logic carry, unused_sum;
   count_t r_new;
 
   assign r_new = resetting_q ? x_p_i : r_i;  // a reset sample stands still
 
   always_comb begin
     add_a = '0;
-    add_b = shifted;
-    carry = half;
+    add_b = shifted_q;
+    carry = half_q;
     unique case (step_q)
       6'd0: begin add_a = sum_t'(r_new); add_b = sum_t'(r_2_q); carry = 1'b0; end
-      6'd1: begin add_a = acc_q; add_b = sum_t'(r_1_q) <<< 1; end
+      6'd1: begin add_a = acc_q; add_b = sum_t'(r_1_q) <<< 1; carry = 1'b0; end
       6'd2: begin add_a = acc_q <<< 6; add_b = ~(sum_t'(x_m_q) >>> 6); carry = 1'b1; end
       6'd4, 6'd20, 6'd21, 6'd22, 6'd24: add_a = acc_q;
-      6'd5: begin add_a = sum_t'(x_m_q); add_b = sum_t'(dx_q); end
+      6'd5: begin add_a = sum_t'(x_m_q); add_b = sum_t'(dx_q); carry = 1'b0; end
       6'd6: begin add_b = sum_t'(x_m_q) >>> 14; carry = x_m_q[13]; end
       6'd7: begin add_a = sum_t'(x_p_q); add_b = ~sum_t'(x_p_prev_q); carry = 1'b1; end
       6'd8: begin add_a = sum_t'(x_r_q); add_b = ~sum_t'(x_p_q); carry = 1'b1; end
@@ -238,14 +259,12 @@ module afc
       6'd25: add_a = sum_t'(integral_q);
       6'd26: begin add_a = acc_q; add_b = sum_t'(integral_q) >>> 12; carry = integral_q[11]; end
       6'd27: begin add_a = sum_t'(v_star_q); add_b = ~sum_t'(v_q); carry = 1'b1; end
-      6'd31: add_a = sum_t'(c00_q);
-      6'd32: add_a = sum_t'(c01_q);
-      6'd33: add_a = sum_t'(c10_q);
-      6'd34: add_a = sum_t'(c11_q);
+      6'd31, 6'd32, 6'd33, 6'd34: add_a = sum_t'(rule_q);
       default: ;
     endcase
-    sum = add_a + add_b + sum_t'({1'b0, carry});
   end
+
+  assign {sum, unused_sum} = {add_a, 1'b1} + {add_b, carry};  // one carry chain
 
   word_t sum12;
   count_t sum24;
@@ -254,12 +273,11 @@ module afc
 
   // ---- rules ----
 
-  count_t rule_00, rule_01, rule_10, rule_11;
   logic tune_we, store_quiescent;
-  logic [1:0] tune_sel;
+  logic [1:0] rule_sel;
 
   assign tune_we = step_end && adapt_i && step_q >= 6'd31;
-  assign tune_sel = 2'(step_q - 6'd31);
+  assign rule_sel = step_q[5] || step_q[3:2] == '1 ? step_q[1:0] + 2'd1 : step_q[1:0] + 2'd2;
 
   rule_store u_rules (
       .clk_i,
@@ -268,12 +286,9 @@ module afc
       .hold_i(running_q),
       .i_i(col_q),
       .j_i(row_q),
-      .rule_00_o(rule_00),
-      .rule_01_o(rule_01),
-      .rule_10_o(rule_10),
-      .rule_11_o(rule_11),
+      .sel_i(rule_sel),
+      .rule_o(rule),
       .tune_we_i(tune_we),
-      .tune_sel_i(tune_sel),
       .tune_data_i(sum24),
       .addr_i(rule_addr_i),
       .we_i(rule_we_i),
@@ -285,8 +300,17 @@ module afc
 
   // ---- what each step keeps ----
 
-  acc_t to_scale;
-  assign to_scale = step_q == 6'd9 ? acc_t'(e_q) <<< shift_e_i : acc_t'(de_q) <<< shift_de_i;
+  // clip(x 2^n, -1536, 1535)
+  function automatic word_t universe(word_t x, logic [3:0] n);
+    logic signed [26:0] scaled;
+    scaled = 27'(x) <<< n;
+    if (!scaled[26] && (scaled[25:11] != '0 || scaled[10:9] == '1)) return 12'sd1535;
+    if (scaled[26] && (scaled[25:11] != '1 || scaled[10:9] == '0)) return -12'sd1536;
+    return scaled[11:0];
+  endfunction
+
+  word_t scaled;
+  assign scaled = universe(step_q[1] ? de_q : e_q, step_q[1] ? shift_de_i : shift_e_i);
 
   always_ff @(posedge clk_i) begin
     if (rst_i) begin
@@ -294,7 +318,6 @@ module afc
       x_m_q <= '0;
       {e_q, e_prev_q, de_q, v_q, u_q, v_star_q, i_q_ref_q, saturated_q} <= '0;
     end else if (step_end) begin
-      if (mul_used) product_q <= mul_a * mul_b;
       unique case (step_q)
         6'd0: begin
           acc_q <= sum;
@@ -309,24 +332,23 @@ module afc
           r_1_q <= r_q;
           r_2_q <= r_1_q;
         end
-        6'd7: v_q <= sat12(acc_t'(sum) <<< 4);
+        6'd7: v_q <= resetting_q ? '0 : sat12(acc_t'(sum) <<< 4);
         6'd8: e_q <= sum12;
         6'd9: begin
           de_q     <= sum12;
-          scaled_q <= word_t'(clip(to_scale, -56'sd1536, 56'sd1535));
+          scaled_q <= scaled;
         end
         6'd10: begin
           col_q   <= scaled_q[11:9] + 3'd3;
           mu_a0_q <= sum[11:0];
           mu_a1_q <= {1'b0, scaled_q[8:0], 2'd0};
         end
-        6'd11: scaled_q <= word_t'(clip(to_scale, -56'sd1536, 56'sd1535));
+        6'd11: scaled_q <= scaled;
         6'd12: begin
           row_q   <= scaled_q[11:9] + 3'd3;
           mu_b0_q <= sum[11:0];
           mu_b1_q <= {1'b0, scaled_q[8:0], 2'd0};
         end
-        6'd13: {c00_q, c01_q, c10_q, c11_q} <= {rule_00, rule_01, rule_10, rule_11};
         6'd15: d00_q <= sum[11:0];
         6'd16: d01_q <= sum[11:0];
         6'd17: d10_q <= sum[11:0];
@@ -337,9 +359,8 @@ module afc
         6'd27: acc_q <= sum_t'(sum12);
         6'd29: begin
           i_q_ref_q   <= sum12;
-          saturated_q <= sum != sum_t'(sum12);
+          saturated_q <= sum[39:11] != '0 && sum[39:11] != '1;
         end
-        6'd30: t_q <= product_q[23:0];
         6'd34: begin
           e_prev_q   <= e_q;
           x_p_prev_q <= x_p_q;
@@ -347,11 +368,10 @@ module afc
         default: acc_q <= sum;
       endcase
     end else if (running_q && resetting_q && step_q == 6'd0) begin
-      // Rest at x_p; its first clock, so that s0 already computes with it.
-      r_1_q      <= x_p_i;
-      r_2_q      <= x_p_i;
-      x_m_q      <= {x_p_i[17:0], 14'd0};
-      x_p_prev_q <= x_p_i;
+      // Rest at x_p; its first clock, so that s0 already computes with it. Speed is 0 at s7.
+      r_1_q <= x_p_i;
+      r_2_q <= x_p_i;
+      x_m_q <= {x_p_i[17:0], 14'd0};
       {dx_q, e_prev_q, integral_q} <= '0;
     end
   end

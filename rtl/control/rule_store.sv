@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The 49 rules c[j][i] of the fuzzy controller (i of the error, j of its change, 0..6), Q20 of a
-// unit, in four banks by the parity of i and j: the four rules around section (i, j) always lie in
-// four different banks, so they are read together. Reading takes no clock, writing one.
+// unit. Of the four rules around section (i, j) one is read, at once, or tuned, in one clock.
 // Table reset: 49 clocks, c[j][i] = clip(2 (i + j - 6), -6, 6), begins when hold_i is low; it also
 // follows rst_i, because memory has no reset. Outside access is by index 7 j + i; it writes only
 // while neither hold_i nor busy_o is high.
@@ -16,16 +15,13 @@ module rule_store
     input logic reset_i,  // pulse: ask for the table reset
     input logic hold_i,   // the controller runs: the table belongs to it
 
-    input  logic   [2:0] i_i,        // section of the error, 0..5
-    input  logic   [2:0] j_i,        // section of its change, 0..5
-    output count_t       rule_00_o,  // c[j][i]
-    output count_t       rule_01_o,  // c[j][i+1]
-    output count_t       rule_10_o,  // c[j+1][i]
-    output count_t       rule_11_o,  // c[j+1][i+1]
+    input  logic   [2:0] i_i,     // section of the error, 0..5
+    input  logic   [2:0] j_i,     // section of its change, 0..5
+    input  logic   [1:0] sel_i,   // {j + 1, i + 1}: which of the four rules around it
+    output count_t       rule_o,  // c[j + sel_i[1]][i + sel_i[0]]
 
-    input logic         tune_we_i,
-    input logic   [1:0] tune_sel_i,  // {j + 1, i + 1}: which of the four
-    input count_t       tune_data_i,
+    input logic   tune_we_i,
+    input count_t tune_data_i,
 
     input  logic   [5:0] addr_i,
     input  logic         we_i,
@@ -90,17 +86,21 @@ module rule_store
     return {twice[2:0], 21'd0};
   endfunction
 
-  // Index 7 j + i.
-  logic [2:0] ext_i, ext_j;
+  // Index 7 j + i = 8 h + l = 7 h + (h + l).
+  logic [2:0] ext_i, ext_j, high;
+  logic [3:0] digits;
   logic ext_valid;
   always_comb begin
-    ext_j = 3'd0;
-    for (int unsigned row = 1; row < 7; row++) begin
-      if (addr_i >= 6'(7 * row)) ext_j = 3'(row);
-    end
-    ext_i = 3'(addr_i - 6'd7 * 6'(ext_j));
-    ext_valid = addr_i < 6'd49;
+    high = addr_i[5:3];
+    digits = 4'(high) + 4'(addr_i[2:0]);
+    ext_j = high + 3'(digits >= 4'd7);
+    ext_i = digits >= 4'd7 ? 3'(digits - 4'd7) : digits[2:0];
+    ext_valid = !(addr_i[5] && addr_i[4] && addr_i[3:0] != '0);
   end
+
+  logic [2:0] fired_i, fired_j;
+  assign fired_i = i_i + 3'(sel_i[0]);
+  assign fired_j = j_i + 3'(sel_i[1]);
 
   // One writer at a time: table reset, tuning, outside.
   logic we;
@@ -113,8 +113,8 @@ module rule_store
     wdata = wdata_i;
     if (tune_we_i) begin
       we = 1'b1;
-      write_i = i_i + 3'(tune_sel_i[0]);
-      write_j = j_i + 3'(tune_sel_i[1]);
+      write_i = fired_i;
+      write_j = fired_j;
       wdata = tune_data_i;
     end
     if (busy_o) begin
@@ -125,32 +125,13 @@ module rule_store
     end
   end
 
-  // Bank {parity of j, parity of i}; inside a bank the address is {j / 2, i / 2}. The even one of
-  // i and i + 1 is at (i + 1) / 2, the odd one at i / 2.
-  logic [1:0] even_i, even_j;
-  assign even_i = i_i[2:1] + 2'(i_i[0]);
-  assign even_j = j_i[2:1] + 2'(j_i[0]);
+  count_t mem_q[64];  // at {j, i}
 
-  count_t bank_rule[4];
-  count_t bank_ext[4];
-  for (genvar b = 0; b < 4; b++) begin : gen_bank
-    localparam logic [1:0] Bank = 2'(b);
-    count_t mem_q[16];
-    logic [3:0] address;
-
-    assign address = {Bank[1] ? j_i[2:1] : even_j, Bank[0] ? i_i[2:1] : even_i};
-    assign bank_rule[b] = mem_q[address];
-    assign bank_ext[b] = mem_q[{ext_j[2:1], ext_i[2:1]}];
-
-    always_ff @(posedge clk_i) begin
-      if (we && {write_j[0], write_i[0]} == Bank) mem_q[{write_j[2:1], write_i[2:1]}] <= wdata;
-    end
+  always_ff @(posedge clk_i) begin
+    if (we) mem_q[{write_j, write_i}] <= wdata;
   end
 
-  assign rule_00_o = bank_rule[{j_i[0], i_i[0]}];
-  assign rule_01_o = bank_rule[{j_i[0], !i_i[0]}];
-  assign rule_10_o = bank_rule[{!j_i[0], i_i[0]}];
-  assign rule_11_o = bank_rule[{!j_i[0], !i_i[0]}];
-  assign rdata_o = ext_valid ? bank_ext[{ext_j[0], ext_i[0]}] : '0;
+  assign rule_o = mem_q[{fired_j, fired_i}];
+  assign rdata_o = ext_valid ? mem_q[{ext_j, ext_i}] : '0;
 
 endmodule

@@ -7,16 +7,13 @@ package math_pkg;
 
   typedef logic signed [55:0] acc_t;  // wide enough for every product of this IC and its shift
 
-  function automatic acc_t clip(acc_t x, acc_t low, acc_t high);
-    return x < low ? low : x > high ? high : x;
-  endfunction
-
+  // Tests of the bits above the word, not comparisons: these would be carry chains of 56 bits.
   function automatic logic signed [11:0] sat12(acc_t x);
-    return 12'(clip(x, -56'sd2048, 56'sd2047));
+    return x[55:11] == '0 || x[55:11] == '1 ? x[11:0] : {x[55], {11{~x[55]}}};
   endfunction
 
   function automatic logic signed [23:0] sat24(acc_t x);
-    return 24'(clip(x, -56'sd8388608, 56'sd8388607));
+    return x[55:23] == '0 || x[55:23] == '1 ? x[23:0] : {x[55], {23{~x[55]}}};
   endfunction
 
   // Shift right by s rounded half up; shift left by -s for s <= 0 (specification section 3).

@@ -64,25 +64,11 @@ CurrentWords probe_current(const Root& root, int axis) {
   return c;
 }
 
-// Rule 7 j + i lies in the bank of the parities of j and i, at {j / 2, i / 2}.
+// Rule 7 j + i lies at {j, i}.
 template <class Root>
 std::int32_t probe_rule(const Root& root, int axis, int index) {
-  const int j = index / 7, i = index % 7;
-  const auto at = static_cast<std::size_t>((j / 2) * 4 + i / 2);
-  switch (2 * (j % 2) + i % 2) {
-    case 0:
-      return probe::count(TRAMMEL_AXIS(
-          u_afc__DOT__u_rules__DOT__gen_bank__BRA__0__KET____DOT__mem_q)[at]);
-    case 1:
-      return probe::count(TRAMMEL_AXIS(
-          u_afc__DOT__u_rules__DOT__gen_bank__BRA__1__KET____DOT__mem_q)[at]);
-    case 2:
-      return probe::count(TRAMMEL_AXIS(
-          u_afc__DOT__u_rules__DOT__gen_bank__BRA__2__KET____DOT__mem_q)[at]);
-    default:
-      return probe::count(TRAMMEL_AXIS(
-          u_afc__DOT__u_rules__DOT__gen_bank__BRA__3__KET____DOT__mem_q)[at]);
-  }
+  const auto at = static_cast<std::size_t>(index / 7 * 8 + index % 7);
+  return probe::count(TRAMMEL_AXIS(u_afc__DOT__u_rules__DOT__mem_q)[at]);
 }
 
 #undef TRAMMEL_AXIS
