@@ -59,7 +59,9 @@ module current_pi
   logic        [17:0] coefficient;
   word_t              factor;
   logic         [1:0] coarse;
-  logic signed [38:0] shifted;
+  logic               fits;
+  term_t              shifted;
+  term_t              term;
   logic               dropped;
   logic signed [25:0] sum;
   logic signed [12:0] v_integral;
@@ -78,17 +80,19 @@ module current_pi
   always_comb begin
     coarse = use_kp ? ki_i.exp[4:3] : kp_i.exp[4:3];
     dropped = 1'b0;
+    fits = 1'b1;
     unique case (coarse)
-      2'b01:   shifted = {product_q, 9'd0};
-      2'b00:   shifted = 39'($signed({product_q, 1'b0}));
-      2'b11:   begin shifted = 39'($signed(product_q[29:7])); dropped = product_q[6]; end
-      default: begin shifted = 39'($signed(product_q[29:15])); dropped = product_q[14]; end
+      2'b01:   shifted = {product_q[15:0], 9'd0};
+      2'b00:   shifted = {product_q[23:0], 1'b0};
+      2'b11:   begin shifted = 25'($signed(product_q[29:7])); dropped = product_q[6]; end
+      default: begin shifted = 25'($signed(product_q[29:15])); dropped = product_q[14]; end
     endcase
+    if (!coarse[1]) begin
+      fits = product_q[29:23] == '0 || product_q[29:23] == '1;
+      if (coarse[0]) fits = fits && (product_q[23:15] == '0 || product_q[23:15] == '1);
+    end
+    term = fits ? shifted : {product_q[29], {24{~product_q[29]}}};
   end
-
-  function automatic term_t clip_term(logic signed [38:0] x);
-    return x[38:24] == '0 || x[38:24] == '1 ? x[24:0] : {x[38], {24{~x[38]}}};
-  endfunction
 
   // -2048 * 4096 .. 2047 * 4096
   function automatic count_t clip_integral(logic signed [25:0] x);
@@ -126,13 +130,13 @@ module current_pi
       StProportional: begin
         use_kp = 1'b1;
         multiply = 1'b1;
-        term_d = clip_term(shifted);
+        term_d = term;
         dropped_d = dropped;
         state_d = StAccumulate;
       end
       StAccumulate: begin
         integral_d = clip_integral(sum);
-        term_d = clip_term(shifted);
+        term_d = term;
         state_d = StOutput;
       end
       default: begin  // StOutput

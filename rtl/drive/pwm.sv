@@ -36,10 +36,6 @@ module pwm
     return 12'(PwmPeriod) - 12'(cmp);
   endfunction
 
-  function automatic logic wanted(logic [11:0] phase, cmp_t cmp);
-    return phase >= rise(cmp) && phase < fall(cmp);
-  endfunction
-
   // Clocks up to the phase whose edge switches; the period's end is the time base's event.
   function automatic gap_t gap(logic [11:0] phase, cmp_t cmp);
     if (phase < rise(cmp)) return rise(cmp) - phase;
@@ -51,13 +47,16 @@ module pwm
     return x < y ? x : y;
   endfunction
 
+  cmp_t carrier;
   cmp_t cmp_a_q, cmp_b_q, cmp_c_q;
   logic [2:0] on_d, on_q;
+
+  assign carrier = cmp_t'(phase_i <= 12'(CmpMax) ? phase_i : 12'(PwmPeriod) - phase_i);
 
   always_comb begin
     on_d = '0;
     if (enable_i) begin
-      on_d = {wanted(phase_i, cmp_c_q), wanted(phase_i, cmp_b_q), wanted(phase_i, cmp_a_q)};
+      on_d = {carrier > cmp_c_q, carrier > cmp_b_q, carrier > cmp_a_q};
     end
   end
 

@@ -85,7 +85,7 @@ module qep
   always_comb begin
     count_d = count_q;
     if (preset_i) count_d = preset_value_i;
-    else if (step) count_d = up ? count_q + count_t'(1) : count_q - count_t'(1);
+    else if (step) count_d = count_q + {{23{!up}}, 1'b1};
   end
 
   always_ff @(posedge clk_i) begin
