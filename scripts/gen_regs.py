@@ -198,10 +198,20 @@ FIELD = re.compile(r"""    // Field: (?P<name>\S+)
 """)
 PLAIN = re.compile(r"""        if\((?P<strobe>decoded_reg_strb\S+) && decoded_req_is_wr"""
                    r"""(?P<lock> && \S+)?\) begin // SW write
-            next_c = (?P<next>.*);
+            next_c = \(\S+ & ~decoded_wr_biten\[\d+:\d+\]\) \| """
+                   r"""\(decoded_wr_data\[(?P<high>\d+):(?P<low>\d+)\] & \S+\);
             load_next_c = '1;
         end
 """)
+
+
+def byte_writes(storage: str, high: int, low: int):
+    """An enable a byte, which flip-flops have; the exporter's masks cost a logic cell a bit."""
+    for byte in range(low // 8, high // 8 + 1):
+        last, first = min(high, 8 * byte + 7), max(low, 8 * byte)
+        part = f"[{last - low}:{first - low}]" if high > low else ""
+        yield (f"                if(decoded_wr_biten[{first}]) "
+               f"{storage}{part} <= decoded_wr_data[{last}:{first}];\n")
 
 
 def gather(text: str) -> str:
@@ -220,8 +230,8 @@ def gather(text: str) -> str:
         if plain:
             resets.append(f"            {storage} <= {match['reset']};\n")
             key = address[plain["strobe"]] + ("" if not plain["lock"] else plain["lock"])
-            writes.setdefault(key, []).append(
-                f"                {storage} <= {plain['next']};\n")
+            writes.setdefault(key, []).extend(
+                byte_writes(storage, int(plain["high"]), int(plain["low"])))
             return ""
         body = re.sub(r" +load_next_c = .*\n", "", body).replace("next_c =", f"{storage} <=")
         return (f"    // Field: {match['name']}\n    always_ff @(posedge clk_i) begin\n"
@@ -245,8 +255,11 @@ def gather(text: str) -> str:
     first, last = "        if(rd_mux_addr == ", "        readback_data = readback_data_var;\n"
     head, rest = text.split(first, 1)
     chain, tail = (first + rest).split(last, 1)
-    chain = re.sub("^", "    ", chain, flags=re.M).rstrip(" ")
-    return f"{head}        if(cpuif_rd_ack) begin\n{chain}        end\n{last}{tail}"
+    # One choice of many, not a chain of them.
+    chain = re.sub(r"if\(rd_mux_addr == (\S+)\)", r"\1:", chain)
+    chain = re.sub("^", "        ", chain, flags=re.M).rstrip(" ")
+    return (f"{head}        if(cpuif_rd_ack) begin\n            unique case(rd_mux_addr)\n{chain}"
+            f"                default: ;\n            endcase\n        end\n{last}{tail}")
 
 
 def unbundle(text: str, package: str) -> str:

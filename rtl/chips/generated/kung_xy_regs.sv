@@ -597,160 +597,205 @@ module kung_xy_regs (
             field_storage_irq_period_ticks_value <= 8'h4;
         end else if(decoded_req && decoded_req_is_wr) begin
             if(decoded_addr == 10'h0) begin
-                field_storage_x_ctrl_enable_value <= (field_storage_x_ctrl_enable_value & ~decoded_wr_biten[0:0]) | (decoded_wr_data[0:0] & decoded_wr_biten[0:0]);
-                field_storage_x_ctrl_current_loop_value <= (field_storage_x_ctrl_current_loop_value & ~decoded_wr_biten[1:1]) | (decoded_wr_data[1:1] & decoded_wr_biten[1:1]);
-                field_storage_x_ctrl_position_loop_value <= (field_storage_x_ctrl_position_loop_value & ~decoded_wr_biten[2:2]) | (decoded_wr_data[2:2] & decoded_wr_biten[2:2]);
-                field_storage_x_ctrl_adapt_value <= (field_storage_x_ctrl_adapt_value & ~decoded_wr_biten[3:3]) | (decoded_wr_data[3:3] & decoded_wr_biten[3:3]);
-                field_storage_x_ctrl_reset_model_value <= (field_storage_x_ctrl_reset_model_value & ~decoded_wr_biten[4:4]) | (decoded_wr_data[4:4] & decoded_wr_biten[4:4]);
-                field_storage_x_ctrl_interpolate_value <= (field_storage_x_ctrl_interpolate_value & ~decoded_wr_biten[6:6]) | (decoded_wr_data[6:6] & decoded_wr_biten[6:6]);
-                field_storage_x_ctrl_feedforward_value <= (field_storage_x_ctrl_feedforward_value & ~decoded_wr_biten[7:7]) | (decoded_wr_data[7:7] & decoded_wr_biten[7:7]);
+                if(decoded_wr_biten[0]) field_storage_x_ctrl_enable_value <= decoded_wr_data[0:0];
+                if(decoded_wr_biten[1]) field_storage_x_ctrl_current_loop_value <= decoded_wr_data[1:1];
+                if(decoded_wr_biten[2]) field_storage_x_ctrl_position_loop_value <= decoded_wr_data[2:2];
+                if(decoded_wr_biten[3]) field_storage_x_ctrl_adapt_value <= decoded_wr_data[3:3];
+                if(decoded_wr_biten[4]) field_storage_x_ctrl_reset_model_value <= decoded_wr_data[4:4];
+                if(decoded_wr_biten[6]) field_storage_x_ctrl_interpolate_value <= decoded_wr_data[6:6];
+                if(decoded_wr_biten[7]) field_storage_x_ctrl_feedforward_value <= decoded_wr_data[7:7];
             end
             if(decoded_addr == 10'h8) begin
-                field_storage_x_pos_cmd_value_value <= (field_storage_x_pos_cmd_value_value & ~decoded_wr_biten[23:0]) | (decoded_wr_data[23:0] & decoded_wr_biten[23:0]);
+                if(decoded_wr_biten[0]) field_storage_x_pos_cmd_value_value[7:0] <= decoded_wr_data[7:0];
+                if(decoded_wr_biten[8]) field_storage_x_pos_cmd_value_value[15:8] <= decoded_wr_data[15:8];
+                if(decoded_wr_biten[16]) field_storage_x_pos_cmd_value_value[23:16] <= decoded_wr_data[23:16];
             end
             if(decoded_addr == 10'h40) begin
-                field_storage_x_kp_mant_value <= (field_storage_x_kp_mant_value & ~decoded_wr_biten[10:0]) | (decoded_wr_data[10:0] & decoded_wr_biten[10:0]);
-                field_storage_x_kp_exp_value <= (field_storage_x_kp_exp_value & ~decoded_wr_biten[20:16]) | (decoded_wr_data[20:16] & decoded_wr_biten[20:16]);
+                if(decoded_wr_biten[0]) field_storage_x_kp_mant_value[7:0] <= decoded_wr_data[7:0];
+                if(decoded_wr_biten[8]) field_storage_x_kp_mant_value[10:8] <= decoded_wr_data[10:8];
+                if(decoded_wr_biten[16]) field_storage_x_kp_exp_value[4:0] <= decoded_wr_data[20:16];
             end
             if(decoded_addr == 10'h44) begin
-                field_storage_x_ki_mant_value <= (field_storage_x_ki_mant_value & ~decoded_wr_biten[10:0]) | (decoded_wr_data[10:0] & decoded_wr_biten[10:0]);
-                field_storage_x_ki_exp_value <= (field_storage_x_ki_exp_value & ~decoded_wr_biten[20:16]) | (decoded_wr_data[20:16] & decoded_wr_biten[20:16]);
+                if(decoded_wr_biten[0]) field_storage_x_ki_mant_value[7:0] <= decoded_wr_data[7:0];
+                if(decoded_wr_biten[8]) field_storage_x_ki_mant_value[10:8] <= decoded_wr_data[10:8];
+                if(decoded_wr_biten[16]) field_storage_x_ki_exp_value[4:0] <= decoded_wr_data[20:16];
             end
             if(decoded_addr == 10'h48) begin
-                field_storage_x_kv_mant_value <= (field_storage_x_kv_mant_value & ~decoded_wr_biten[10:0]) | (decoded_wr_data[10:0] & decoded_wr_biten[10:0]);
-                field_storage_x_kv_exp_value <= (field_storage_x_kv_exp_value & ~decoded_wr_biten[20:16]) | (decoded_wr_data[20:16] & decoded_wr_biten[20:16]);
+                if(decoded_wr_biten[0]) field_storage_x_kv_mant_value[7:0] <= decoded_wr_data[7:0];
+                if(decoded_wr_biten[8]) field_storage_x_kv_mant_value[10:8] <= decoded_wr_data[10:8];
+                if(decoded_wr_biten[16]) field_storage_x_kv_exp_value[4:0] <= decoded_wr_data[20:16];
             end
             if(decoded_addr == 10'h4c) begin
-                field_storage_x_eta_mant_value <= (field_storage_x_eta_mant_value & ~decoded_wr_biten[10:0]) | (decoded_wr_data[10:0] & decoded_wr_biten[10:0]);
-                field_storage_x_eta_exp_value <= (field_storage_x_eta_exp_value & ~decoded_wr_biten[20:16]) | (decoded_wr_data[20:16] & decoded_wr_biten[20:16]);
+                if(decoded_wr_biten[0]) field_storage_x_eta_mant_value[7:0] <= decoded_wr_data[7:0];
+                if(decoded_wr_biten[8]) field_storage_x_eta_mant_value[10:8] <= decoded_wr_data[10:8];
+                if(decoded_wr_biten[16]) field_storage_x_eta_exp_value[4:0] <= decoded_wr_data[20:16];
             end
             if(decoded_addr == 10'h50) begin
-                field_storage_x_shift_e_value <= (field_storage_x_shift_e_value & ~decoded_wr_biten[3:0]) | (decoded_wr_data[3:0] & decoded_wr_biten[3:0]);
-                field_storage_x_shift_de_value <= (field_storage_x_shift_de_value & ~decoded_wr_biten[11:8]) | (decoded_wr_data[11:8] & decoded_wr_biten[11:8]);
+                if(decoded_wr_biten[0]) field_storage_x_shift_e_value[3:0] <= decoded_wr_data[3:0];
+                if(decoded_wr_biten[8]) field_storage_x_shift_de_value[3:0] <= decoded_wr_data[11:8];
             end
             if(decoded_addr == 10'h54) begin
-                field_storage_x_a0_value_value <= (field_storage_x_a0_value_value & ~decoded_wr_biten[17:0]) | (decoded_wr_data[17:0] & decoded_wr_biten[17:0]);
+                if(decoded_wr_biten[0]) field_storage_x_a0_value_value[7:0] <= decoded_wr_data[7:0];
+                if(decoded_wr_biten[8]) field_storage_x_a0_value_value[15:8] <= decoded_wr_data[15:8];
+                if(decoded_wr_biten[16]) field_storage_x_a0_value_value[17:16] <= decoded_wr_data[17:16];
             end
             if(decoded_addr == 10'h58) begin
-                field_storage_x_b2_value_value <= (field_storage_x_b2_value_value & ~decoded_wr_biten[23:0]) | (decoded_wr_data[23:0] & decoded_wr_biten[23:0]);
+                if(decoded_wr_biten[0]) field_storage_x_b2_value_value[7:0] <= decoded_wr_data[7:0];
+                if(decoded_wr_biten[8]) field_storage_x_b2_value_value[15:8] <= decoded_wr_data[15:8];
+                if(decoded_wr_biten[16]) field_storage_x_b2_value_value[23:16] <= decoded_wr_data[23:16];
             end
             if(decoded_addr == 10'h60) begin
-                field_storage_x_kp_cur_mant_value <= (field_storage_x_kp_cur_mant_value & ~decoded_wr_biten[10:0]) | (decoded_wr_data[10:0] & decoded_wr_biten[10:0]);
-                field_storage_x_kp_cur_exp_value <= (field_storage_x_kp_cur_exp_value & ~decoded_wr_biten[20:16]) | (decoded_wr_data[20:16] & decoded_wr_biten[20:16]);
+                if(decoded_wr_biten[0]) field_storage_x_kp_cur_mant_value[7:0] <= decoded_wr_data[7:0];
+                if(decoded_wr_biten[8]) field_storage_x_kp_cur_mant_value[10:8] <= decoded_wr_data[10:8];
+                if(decoded_wr_biten[16]) field_storage_x_kp_cur_exp_value[4:0] <= decoded_wr_data[20:16];
             end
             if(decoded_addr == 10'h64) begin
-                field_storage_x_ki_cur_mant_value <= (field_storage_x_ki_cur_mant_value & ~decoded_wr_biten[10:0]) | (decoded_wr_data[10:0] & decoded_wr_biten[10:0]);
-                field_storage_x_ki_cur_exp_value <= (field_storage_x_ki_cur_exp_value & ~decoded_wr_biten[20:16]) | (decoded_wr_data[20:16] & decoded_wr_biten[20:16]);
+                if(decoded_wr_biten[0]) field_storage_x_ki_cur_mant_value[7:0] <= decoded_wr_data[7:0];
+                if(decoded_wr_biten[8]) field_storage_x_ki_cur_mant_value[10:8] <= decoded_wr_data[10:8];
+                if(decoded_wr_biten[16]) field_storage_x_ki_cur_exp_value[4:0] <= decoded_wr_data[20:16];
             end
             if(decoded_addr == 10'h68) begin
-                field_storage_x_theta_ofs_value_value <= (field_storage_x_theta_ofs_value_value & ~decoded_wr_biten[31:0]) | (decoded_wr_data[31:0] & decoded_wr_biten[31:0]);
+                if(decoded_wr_biten[0]) field_storage_x_theta_ofs_value_value[7:0] <= decoded_wr_data[7:0];
+                if(decoded_wr_biten[8]) field_storage_x_theta_ofs_value_value[15:8] <= decoded_wr_data[15:8];
+                if(decoded_wr_biten[16]) field_storage_x_theta_ofs_value_value[23:16] <= decoded_wr_data[23:16];
+                if(decoded_wr_biten[24]) field_storage_x_theta_ofs_value_value[31:24] <= decoded_wr_data[31:24];
             end
             if(decoded_addr == 10'h6c && !(hwif_in_x_deadtime_clk_swwel)) begin
-                field_storage_x_deadtime_clk_value <= (field_storage_x_deadtime_clk_value & ~decoded_wr_biten[9:0]) | (decoded_wr_data[9:0] & decoded_wr_biten[9:0]);
+                if(decoded_wr_biten[0]) field_storage_x_deadtime_clk_value[7:0] <= decoded_wr_data[7:0];
+                if(decoded_wr_biten[8]) field_storage_x_deadtime_clk_value[9:8] <= decoded_wr_data[9:8];
             end
             if(decoded_addr == 10'h6c) begin
-                field_storage_x_deadtime_qep_filter_value <= (field_storage_x_deadtime_qep_filter_value & ~decoded_wr_biten[19:16]) | (decoded_wr_data[19:16] & decoded_wr_biten[19:16]);
+                if(decoded_wr_biten[16]) field_storage_x_deadtime_qep_filter_value[3:0] <= decoded_wr_data[19:16];
             end
             if(decoded_addr == 10'h70) begin
-                field_storage_x_tab_addr_index_value <= (field_storage_x_tab_addr_index_value & ~decoded_wr_biten[5:0]) | (decoded_wr_data[5:0] & decoded_wr_biten[5:0]);
+                if(decoded_wr_biten[0]) field_storage_x_tab_addr_index_value[5:0] <= decoded_wr_data[5:0];
             end
             if(decoded_addr == 10'h80 && !(hwif_in_x_stroke_min_value_swwel)) begin
-                field_storage_x_stroke_min_value_value <= (field_storage_x_stroke_min_value_value & ~decoded_wr_biten[23:0]) | (decoded_wr_data[23:0] & decoded_wr_biten[23:0]);
+                if(decoded_wr_biten[0]) field_storage_x_stroke_min_value_value[7:0] <= decoded_wr_data[7:0];
+                if(decoded_wr_biten[8]) field_storage_x_stroke_min_value_value[15:8] <= decoded_wr_data[15:8];
+                if(decoded_wr_biten[16]) field_storage_x_stroke_min_value_value[23:16] <= decoded_wr_data[23:16];
             end
             if(decoded_addr == 10'h84 && !(hwif_in_x_stroke_max_value_swwel)) begin
-                field_storage_x_stroke_max_value_value <= (field_storage_x_stroke_max_value_value & ~decoded_wr_biten[23:0]) | (decoded_wr_data[23:0] & decoded_wr_biten[23:0]);
+                if(decoded_wr_biten[0]) field_storage_x_stroke_max_value_value[7:0] <= decoded_wr_data[7:0];
+                if(decoded_wr_biten[8]) field_storage_x_stroke_max_value_value[15:8] <= decoded_wr_data[15:8];
+                if(decoded_wr_biten[16]) field_storage_x_stroke_max_value_value[23:16] <= decoded_wr_data[23:16];
             end
             if(decoded_addr == 10'h88 && !(hwif_in_x_stroke_en_enable_swwel)) begin
-                field_storage_x_stroke_en_enable_value <= (field_storage_x_stroke_en_enable_value & ~decoded_wr_biten[0:0]) | (decoded_wr_data[0:0] & decoded_wr_biten[0:0]);
+                if(decoded_wr_biten[0]) field_storage_x_stroke_en_enable_value <= decoded_wr_data[0:0];
             end
             if(decoded_addr == 10'h8c) begin
-                field_storage_x_iq_manual_value_value <= (field_storage_x_iq_manual_value_value & ~decoded_wr_biten[11:0]) | (decoded_wr_data[11:0] & decoded_wr_biten[11:0]);
+                if(decoded_wr_biten[0]) field_storage_x_iq_manual_value_value[7:0] <= decoded_wr_data[7:0];
+                if(decoded_wr_biten[8]) field_storage_x_iq_manual_value_value[11:8] <= decoded_wr_data[11:8];
             end
             if(decoded_addr == 10'h100) begin
-                field_storage_y_ctrl_enable_value <= (field_storage_y_ctrl_enable_value & ~decoded_wr_biten[0:0]) | (decoded_wr_data[0:0] & decoded_wr_biten[0:0]);
-                field_storage_y_ctrl_current_loop_value <= (field_storage_y_ctrl_current_loop_value & ~decoded_wr_biten[1:1]) | (decoded_wr_data[1:1] & decoded_wr_biten[1:1]);
-                field_storage_y_ctrl_position_loop_value <= (field_storage_y_ctrl_position_loop_value & ~decoded_wr_biten[2:2]) | (decoded_wr_data[2:2] & decoded_wr_biten[2:2]);
-                field_storage_y_ctrl_adapt_value <= (field_storage_y_ctrl_adapt_value & ~decoded_wr_biten[3:3]) | (decoded_wr_data[3:3] & decoded_wr_biten[3:3]);
-                field_storage_y_ctrl_reset_model_value <= (field_storage_y_ctrl_reset_model_value & ~decoded_wr_biten[4:4]) | (decoded_wr_data[4:4] & decoded_wr_biten[4:4]);
-                field_storage_y_ctrl_interpolate_value <= (field_storage_y_ctrl_interpolate_value & ~decoded_wr_biten[6:6]) | (decoded_wr_data[6:6] & decoded_wr_biten[6:6]);
-                field_storage_y_ctrl_feedforward_value <= (field_storage_y_ctrl_feedforward_value & ~decoded_wr_biten[7:7]) | (decoded_wr_data[7:7] & decoded_wr_biten[7:7]);
+                if(decoded_wr_biten[0]) field_storage_y_ctrl_enable_value <= decoded_wr_data[0:0];
+                if(decoded_wr_biten[1]) field_storage_y_ctrl_current_loop_value <= decoded_wr_data[1:1];
+                if(decoded_wr_biten[2]) field_storage_y_ctrl_position_loop_value <= decoded_wr_data[2:2];
+                if(decoded_wr_biten[3]) field_storage_y_ctrl_adapt_value <= decoded_wr_data[3:3];
+                if(decoded_wr_biten[4]) field_storage_y_ctrl_reset_model_value <= decoded_wr_data[4:4];
+                if(decoded_wr_biten[6]) field_storage_y_ctrl_interpolate_value <= decoded_wr_data[6:6];
+                if(decoded_wr_biten[7]) field_storage_y_ctrl_feedforward_value <= decoded_wr_data[7:7];
             end
             if(decoded_addr == 10'h108) begin
-                field_storage_y_pos_cmd_value_value <= (field_storage_y_pos_cmd_value_value & ~decoded_wr_biten[23:0]) | (decoded_wr_data[23:0] & decoded_wr_biten[23:0]);
+                if(decoded_wr_biten[0]) field_storage_y_pos_cmd_value_value[7:0] <= decoded_wr_data[7:0];
+                if(decoded_wr_biten[8]) field_storage_y_pos_cmd_value_value[15:8] <= decoded_wr_data[15:8];
+                if(decoded_wr_biten[16]) field_storage_y_pos_cmd_value_value[23:16] <= decoded_wr_data[23:16];
             end
             if(decoded_addr == 10'h140) begin
-                field_storage_y_kp_mant_value <= (field_storage_y_kp_mant_value & ~decoded_wr_biten[10:0]) | (decoded_wr_data[10:0] & decoded_wr_biten[10:0]);
-                field_storage_y_kp_exp_value <= (field_storage_y_kp_exp_value & ~decoded_wr_biten[20:16]) | (decoded_wr_data[20:16] & decoded_wr_biten[20:16]);
+                if(decoded_wr_biten[0]) field_storage_y_kp_mant_value[7:0] <= decoded_wr_data[7:0];
+                if(decoded_wr_biten[8]) field_storage_y_kp_mant_value[10:8] <= decoded_wr_data[10:8];
+                if(decoded_wr_biten[16]) field_storage_y_kp_exp_value[4:0] <= decoded_wr_data[20:16];
             end
             if(decoded_addr == 10'h144) begin
-                field_storage_y_ki_mant_value <= (field_storage_y_ki_mant_value & ~decoded_wr_biten[10:0]) | (decoded_wr_data[10:0] & decoded_wr_biten[10:0]);
-                field_storage_y_ki_exp_value <= (field_storage_y_ki_exp_value & ~decoded_wr_biten[20:16]) | (decoded_wr_data[20:16] & decoded_wr_biten[20:16]);
+                if(decoded_wr_biten[0]) field_storage_y_ki_mant_value[7:0] <= decoded_wr_data[7:0];
+                if(decoded_wr_biten[8]) field_storage_y_ki_mant_value[10:8] <= decoded_wr_data[10:8];
+                if(decoded_wr_biten[16]) field_storage_y_ki_exp_value[4:0] <= decoded_wr_data[20:16];
             end
             if(decoded_addr == 10'h148) begin
-                field_storage_y_kv_mant_value <= (field_storage_y_kv_mant_value & ~decoded_wr_biten[10:0]) | (decoded_wr_data[10:0] & decoded_wr_biten[10:0]);
-                field_storage_y_kv_exp_value <= (field_storage_y_kv_exp_value & ~decoded_wr_biten[20:16]) | (decoded_wr_data[20:16] & decoded_wr_biten[20:16]);
+                if(decoded_wr_biten[0]) field_storage_y_kv_mant_value[7:0] <= decoded_wr_data[7:0];
+                if(decoded_wr_biten[8]) field_storage_y_kv_mant_value[10:8] <= decoded_wr_data[10:8];
+                if(decoded_wr_biten[16]) field_storage_y_kv_exp_value[4:0] <= decoded_wr_data[20:16];
             end
             if(decoded_addr == 10'h14c) begin
-                field_storage_y_eta_mant_value <= (field_storage_y_eta_mant_value & ~decoded_wr_biten[10:0]) | (decoded_wr_data[10:0] & decoded_wr_biten[10:0]);
-                field_storage_y_eta_exp_value <= (field_storage_y_eta_exp_value & ~decoded_wr_biten[20:16]) | (decoded_wr_data[20:16] & decoded_wr_biten[20:16]);
+                if(decoded_wr_biten[0]) field_storage_y_eta_mant_value[7:0] <= decoded_wr_data[7:0];
+                if(decoded_wr_biten[8]) field_storage_y_eta_mant_value[10:8] <= decoded_wr_data[10:8];
+                if(decoded_wr_biten[16]) field_storage_y_eta_exp_value[4:0] <= decoded_wr_data[20:16];
             end
             if(decoded_addr == 10'h150) begin
-                field_storage_y_shift_e_value <= (field_storage_y_shift_e_value & ~decoded_wr_biten[3:0]) | (decoded_wr_data[3:0] & decoded_wr_biten[3:0]);
-                field_storage_y_shift_de_value <= (field_storage_y_shift_de_value & ~decoded_wr_biten[11:8]) | (decoded_wr_data[11:8] & decoded_wr_biten[11:8]);
+                if(decoded_wr_biten[0]) field_storage_y_shift_e_value[3:0] <= decoded_wr_data[3:0];
+                if(decoded_wr_biten[8]) field_storage_y_shift_de_value[3:0] <= decoded_wr_data[11:8];
             end
             if(decoded_addr == 10'h154) begin
-                field_storage_y_a0_value_value <= (field_storage_y_a0_value_value & ~decoded_wr_biten[17:0]) | (decoded_wr_data[17:0] & decoded_wr_biten[17:0]);
+                if(decoded_wr_biten[0]) field_storage_y_a0_value_value[7:0] <= decoded_wr_data[7:0];
+                if(decoded_wr_biten[8]) field_storage_y_a0_value_value[15:8] <= decoded_wr_data[15:8];
+                if(decoded_wr_biten[16]) field_storage_y_a0_value_value[17:16] <= decoded_wr_data[17:16];
             end
             if(decoded_addr == 10'h158) begin
-                field_storage_y_b2_value_value <= (field_storage_y_b2_value_value & ~decoded_wr_biten[23:0]) | (decoded_wr_data[23:0] & decoded_wr_biten[23:0]);
+                if(decoded_wr_biten[0]) field_storage_y_b2_value_value[7:0] <= decoded_wr_data[7:0];
+                if(decoded_wr_biten[8]) field_storage_y_b2_value_value[15:8] <= decoded_wr_data[15:8];
+                if(decoded_wr_biten[16]) field_storage_y_b2_value_value[23:16] <= decoded_wr_data[23:16];
             end
             if(decoded_addr == 10'h160) begin
-                field_storage_y_kp_cur_mant_value <= (field_storage_y_kp_cur_mant_value & ~decoded_wr_biten[10:0]) | (decoded_wr_data[10:0] & decoded_wr_biten[10:0]);
-                field_storage_y_kp_cur_exp_value <= (field_storage_y_kp_cur_exp_value & ~decoded_wr_biten[20:16]) | (decoded_wr_data[20:16] & decoded_wr_biten[20:16]);
+                if(decoded_wr_biten[0]) field_storage_y_kp_cur_mant_value[7:0] <= decoded_wr_data[7:0];
+                if(decoded_wr_biten[8]) field_storage_y_kp_cur_mant_value[10:8] <= decoded_wr_data[10:8];
+                if(decoded_wr_biten[16]) field_storage_y_kp_cur_exp_value[4:0] <= decoded_wr_data[20:16];
             end
             if(decoded_addr == 10'h164) begin
-                field_storage_y_ki_cur_mant_value <= (field_storage_y_ki_cur_mant_value & ~decoded_wr_biten[10:0]) | (decoded_wr_data[10:0] & decoded_wr_biten[10:0]);
-                field_storage_y_ki_cur_exp_value <= (field_storage_y_ki_cur_exp_value & ~decoded_wr_biten[20:16]) | (decoded_wr_data[20:16] & decoded_wr_biten[20:16]);
+                if(decoded_wr_biten[0]) field_storage_y_ki_cur_mant_value[7:0] <= decoded_wr_data[7:0];
+                if(decoded_wr_biten[8]) field_storage_y_ki_cur_mant_value[10:8] <= decoded_wr_data[10:8];
+                if(decoded_wr_biten[16]) field_storage_y_ki_cur_exp_value[4:0] <= decoded_wr_data[20:16];
             end
             if(decoded_addr == 10'h168) begin
-                field_storage_y_theta_ofs_value_value <= (field_storage_y_theta_ofs_value_value & ~decoded_wr_biten[31:0]) | (decoded_wr_data[31:0] & decoded_wr_biten[31:0]);
+                if(decoded_wr_biten[0]) field_storage_y_theta_ofs_value_value[7:0] <= decoded_wr_data[7:0];
+                if(decoded_wr_biten[8]) field_storage_y_theta_ofs_value_value[15:8] <= decoded_wr_data[15:8];
+                if(decoded_wr_biten[16]) field_storage_y_theta_ofs_value_value[23:16] <= decoded_wr_data[23:16];
+                if(decoded_wr_biten[24]) field_storage_y_theta_ofs_value_value[31:24] <= decoded_wr_data[31:24];
             end
             if(decoded_addr == 10'h16c && !(hwif_in_y_deadtime_clk_swwel)) begin
-                field_storage_y_deadtime_clk_value <= (field_storage_y_deadtime_clk_value & ~decoded_wr_biten[9:0]) | (decoded_wr_data[9:0] & decoded_wr_biten[9:0]);
+                if(decoded_wr_biten[0]) field_storage_y_deadtime_clk_value[7:0] <= decoded_wr_data[7:0];
+                if(decoded_wr_biten[8]) field_storage_y_deadtime_clk_value[9:8] <= decoded_wr_data[9:8];
             end
             if(decoded_addr == 10'h16c) begin
-                field_storage_y_deadtime_qep_filter_value <= (field_storage_y_deadtime_qep_filter_value & ~decoded_wr_biten[19:16]) | (decoded_wr_data[19:16] & decoded_wr_biten[19:16]);
+                if(decoded_wr_biten[16]) field_storage_y_deadtime_qep_filter_value[3:0] <= decoded_wr_data[19:16];
             end
             if(decoded_addr == 10'h170) begin
-                field_storage_y_tab_addr_index_value <= (field_storage_y_tab_addr_index_value & ~decoded_wr_biten[5:0]) | (decoded_wr_data[5:0] & decoded_wr_biten[5:0]);
+                if(decoded_wr_biten[0]) field_storage_y_tab_addr_index_value[5:0] <= decoded_wr_data[5:0];
             end
             if(decoded_addr == 10'h180 && !(hwif_in_y_stroke_min_value_swwel)) begin
-                field_storage_y_stroke_min_value_value <= (field_storage_y_stroke_min_value_value & ~decoded_wr_biten[23:0]) | (decoded_wr_data[23:0] & decoded_wr_biten[23:0]);
+                if(decoded_wr_biten[0]) field_storage_y_stroke_min_value_value[7:0] <= decoded_wr_data[7:0];
+                if(decoded_wr_biten[8]) field_storage_y_stroke_min_value_value[15:8] <= decoded_wr_data[15:8];
+                if(decoded_wr_biten[16]) field_storage_y_stroke_min_value_value[23:16] <= decoded_wr_data[23:16];
             end
             if(decoded_addr == 10'h184 && !(hwif_in_y_stroke_max_value_swwel)) begin
-                field_storage_y_stroke_max_value_value <= (field_storage_y_stroke_max_value_value & ~decoded_wr_biten[23:0]) | (decoded_wr_data[23:0] & decoded_wr_biten[23:0]);
+                if(decoded_wr_biten[0]) field_storage_y_stroke_max_value_value[7:0] <= decoded_wr_data[7:0];
+                if(decoded_wr_biten[8]) field_storage_y_stroke_max_value_value[15:8] <= decoded_wr_data[15:8];
+                if(decoded_wr_biten[16]) field_storage_y_stroke_max_value_value[23:16] <= decoded_wr_data[23:16];
             end
             if(decoded_addr == 10'h188 && !(hwif_in_y_stroke_en_enable_swwel)) begin
-                field_storage_y_stroke_en_enable_value <= (field_storage_y_stroke_en_enable_value & ~decoded_wr_biten[0:0]) | (decoded_wr_data[0:0] & decoded_wr_biten[0:0]);
+                if(decoded_wr_biten[0]) field_storage_y_stroke_en_enable_value <= decoded_wr_data[0:0];
             end
             if(decoded_addr == 10'h18c) begin
-                field_storage_y_iq_manual_value_value <= (field_storage_y_iq_manual_value_value & ~decoded_wr_biten[11:0]) | (decoded_wr_data[11:0] & decoded_wr_biten[11:0]);
+                if(decoded_wr_biten[0]) field_storage_y_iq_manual_value_value[7:0] <= decoded_wr_data[7:0];
+                if(decoded_wr_biten[8]) field_storage_y_iq_manual_value_value[11:8] <= decoded_wr_data[11:8];
             end
             if(decoded_addr == 10'h208) begin
-                field_storage_irq_en_tick_value <= (field_storage_irq_en_tick_value & ~decoded_wr_biten[0:0]) | (decoded_wr_data[0:0] & decoded_wr_biten[0:0]);
-                field_storage_irq_en_fault_value <= (field_storage_irq_en_fault_value & ~decoded_wr_biten[1:1]) | (decoded_wr_data[1:1] & decoded_wr_biten[1:1]);
+                if(decoded_wr_biten[0]) field_storage_irq_en_tick_value <= decoded_wr_data[0:0];
+                if(decoded_wr_biten[1]) field_storage_irq_en_fault_value <= decoded_wr_data[1:1];
             end
             if(decoded_addr == 10'h21c) begin
-                field_storage_watchdog_limit_value <= (field_storage_watchdog_limit_value & ~decoded_wr_biten[15:0]) | (decoded_wr_data[15:0] & decoded_wr_biten[15:0]);
+                if(decoded_wr_biten[0]) field_storage_watchdog_limit_value[7:0] <= decoded_wr_data[7:0];
+                if(decoded_wr_biten[8]) field_storage_watchdog_limit_value[15:8] <= decoded_wr_data[15:8];
             end
             if(decoded_addr == 10'h224 && !(hwif_in_current_limit_value_swwel)) begin
-                field_storage_current_limit_value_value <= (field_storage_current_limit_value_value & ~decoded_wr_biten[11:0]) | (decoded_wr_data[11:0] & decoded_wr_biten[11:0]);
+                if(decoded_wr_biten[0]) field_storage_current_limit_value_value[7:0] <= decoded_wr_data[7:0];
+                if(decoded_wr_biten[8]) field_storage_current_limit_value_value[11:8] <= decoded_wr_data[11:8];
             end
             if(decoded_addr == 10'h228 && !(hwif_in_deadtime_min_clk_swwel)) begin
-                field_storage_deadtime_min_clk_value <= (field_storage_deadtime_min_clk_value & ~decoded_wr_biten[9:0]) | (decoded_wr_data[9:0] & decoded_wr_biten[9:0]);
+                if(decoded_wr_biten[0]) field_storage_deadtime_min_clk_value[7:0] <= decoded_wr_data[7:0];
+                if(decoded_wr_biten[8]) field_storage_deadtime_min_clk_value[9:8] <= decoded_wr_data[9:8];
             end
             if(decoded_addr == 10'h22c) begin
-                field_storage_irq_period_ticks_value <= (field_storage_irq_period_ticks_value & ~decoded_wr_biten[7:0]) | (decoded_wr_data[7:0] & decoded_wr_biten[7:0]);
+                if(decoded_wr_biten[0]) field_storage_irq_period_ticks_value[7:0] <= decoded_wr_data[7:0];
             end
         end
     end
@@ -1056,271 +1101,274 @@ module kung_xy_regs (
         automatic logic [31:0] readback_data_var;
         readback_data_var = '0;
         if(cpuif_rd_ack) begin
-            if(rd_mux_addr == 10'h0) begin
-                readback_data_var[0] = field_storage_x_ctrl_enable_value;
-                readback_data_var[1] = field_storage_x_ctrl_current_loop_value;
-                readback_data_var[2] = field_storage_x_ctrl_position_loop_value;
-                readback_data_var[3] = field_storage_x_ctrl_adapt_value;
-                readback_data_var[4] = field_storage_x_ctrl_reset_model_value;
-                readback_data_var[5] = field_storage_x_ctrl_reset_table_value;
-                readback_data_var[6] = field_storage_x_ctrl_interpolate_value;
-                readback_data_var[7] = field_storage_x_ctrl_feedforward_value;
-            end
-            if(rd_mux_addr == 10'h4) begin
-                readback_data_var[0] = hwif_in_x_status_busy_next;
-                readback_data_var[1] = field_storage_x_status_overrun_value;
-                readback_data_var[2] = field_storage_x_status_qep_error_value;
-                readback_data_var[3] = field_storage_x_status_saturated_value;
-                readback_data_var[4] = field_storage_x_status_limited_value;
-                readback_data_var[14:8] = hwif_in_x_status_step_next;
-            end
-            if(rd_mux_addr == 10'h8) begin
-                readback_data_var[23:0] = field_storage_x_pos_cmd_value_value;
-            end
-            if(rd_mux_addr == 10'hc) begin
-                readback_data_var[31:0] = hwif_in_x_pos_value_next;
-            end
-            if(rd_mux_addr == 10'h10) begin
-                readback_data_var[31:0] = hwif_in_x_pos_model_value_next;
-            end
-            if(rd_mux_addr == 10'h14) begin
-                readback_data_var[31:0] = hwif_in_x_err_value_next;
-            end
-            if(rd_mux_addr == 10'h18) begin
-                readback_data_var[31:0] = hwif_in_x_derr_value_next;
-            end
-            if(rd_mux_addr == 10'h1c) begin
-                readback_data_var[31:0] = hwif_in_x_u_value_next;
-            end
-            if(rd_mux_addr == 10'h20) begin
-                readback_data_var[31:0] = hwif_in_x_vstar_value_next;
-            end
-            if(rd_mux_addr == 10'h24) begin
-                readback_data_var[31:0] = hwif_in_x_iq_cmd_value_next;
-            end
-            if(rd_mux_addr == 10'h28) begin
-                readback_data_var[31:0] = hwif_in_x_speed_value_next;
-            end
-            if(rd_mux_addr == 10'h2c) begin
-                readback_data_var[15:0] = hwif_in_x_id_iq_i_d_next;
-                readback_data_var[31:16] = hwif_in_x_id_iq_i_q_next;
-            end
-            if(rd_mux_addr == 10'h30) begin
-                readback_data_var[15:0] = hwif_in_x_vd_vq_v_d_next;
-                readback_data_var[31:16] = hwif_in_x_vd_vq_v_q_next;
-            end
-            if(rd_mux_addr == 10'h40) begin
-                readback_data_var[10:0] = field_storage_x_kp_mant_value;
-                readback_data_var[20:16] = field_storage_x_kp_exp_value;
-            end
-            if(rd_mux_addr == 10'h44) begin
-                readback_data_var[10:0] = field_storage_x_ki_mant_value;
-                readback_data_var[20:16] = field_storage_x_ki_exp_value;
-            end
-            if(rd_mux_addr == 10'h48) begin
-                readback_data_var[10:0] = field_storage_x_kv_mant_value;
-                readback_data_var[20:16] = field_storage_x_kv_exp_value;
-            end
-            if(rd_mux_addr == 10'h4c) begin
-                readback_data_var[10:0] = field_storage_x_eta_mant_value;
-                readback_data_var[20:16] = field_storage_x_eta_exp_value;
-            end
-            if(rd_mux_addr == 10'h50) begin
-                readback_data_var[3:0] = field_storage_x_shift_e_value;
-                readback_data_var[11:8] = field_storage_x_shift_de_value;
-            end
-            if(rd_mux_addr == 10'h54) begin
-                readback_data_var[17:0] = field_storage_x_a0_value_value;
-            end
-            if(rd_mux_addr == 10'h58) begin
-                readback_data_var[23:0] = field_storage_x_b2_value_value;
-            end
-            if(rd_mux_addr == 10'h60) begin
-                readback_data_var[10:0] = field_storage_x_kp_cur_mant_value;
-                readback_data_var[20:16] = field_storage_x_kp_cur_exp_value;
-            end
-            if(rd_mux_addr == 10'h64) begin
-                readback_data_var[10:0] = field_storage_x_ki_cur_mant_value;
-                readback_data_var[20:16] = field_storage_x_ki_cur_exp_value;
-            end
-            if(rd_mux_addr == 10'h68) begin
-                readback_data_var[31:0] = field_storage_x_theta_ofs_value_value;
-            end
-            if(rd_mux_addr == 10'h6c) begin
-                readback_data_var[9:0] = field_storage_x_deadtime_clk_value;
-                readback_data_var[19:16] = field_storage_x_deadtime_qep_filter_value;
-            end
-            if(rd_mux_addr == 10'h70) begin
-                readback_data_var[5:0] = field_storage_x_tab_addr_index_value;
-            end
-            if(rd_mux_addr == 10'h74) begin
-                readback_data_var = hwif_in_x_tab_data_rd_data;
-            end
-            if(rd_mux_addr == 10'h7c) begin
-                readback_data_var[31:0] = hwif_in_x_index_latch_value_next;
-            end
-            if(rd_mux_addr == 10'h80) begin
-                readback_data_var[23:0] = field_storage_x_stroke_min_value_value;
-            end
-            if(rd_mux_addr == 10'h84) begin
-                readback_data_var[23:0] = field_storage_x_stroke_max_value_value;
-            end
-            if(rd_mux_addr == 10'h88) begin
-                readback_data_var[0] = field_storage_x_stroke_en_enable_value;
-            end
-            if(rd_mux_addr == 10'h8c) begin
-                readback_data_var[11:0] = field_storage_x_iq_manual_value_value;
-            end
-            if(rd_mux_addr == 10'h100) begin
-                readback_data_var[0] = field_storage_y_ctrl_enable_value;
-                readback_data_var[1] = field_storage_y_ctrl_current_loop_value;
-                readback_data_var[2] = field_storage_y_ctrl_position_loop_value;
-                readback_data_var[3] = field_storage_y_ctrl_adapt_value;
-                readback_data_var[4] = field_storage_y_ctrl_reset_model_value;
-                readback_data_var[5] = field_storage_y_ctrl_reset_table_value;
-                readback_data_var[6] = field_storage_y_ctrl_interpolate_value;
-                readback_data_var[7] = field_storage_y_ctrl_feedforward_value;
-            end
-            if(rd_mux_addr == 10'h104) begin
-                readback_data_var[0] = hwif_in_y_status_busy_next;
-                readback_data_var[1] = field_storage_y_status_overrun_value;
-                readback_data_var[2] = field_storage_y_status_qep_error_value;
-                readback_data_var[3] = field_storage_y_status_saturated_value;
-                readback_data_var[4] = field_storage_y_status_limited_value;
-                readback_data_var[14:8] = hwif_in_y_status_step_next;
-            end
-            if(rd_mux_addr == 10'h108) begin
-                readback_data_var[23:0] = field_storage_y_pos_cmd_value_value;
-            end
-            if(rd_mux_addr == 10'h10c) begin
-                readback_data_var[31:0] = hwif_in_y_pos_value_next;
-            end
-            if(rd_mux_addr == 10'h110) begin
-                readback_data_var[31:0] = hwif_in_y_pos_model_value_next;
-            end
-            if(rd_mux_addr == 10'h114) begin
-                readback_data_var[31:0] = hwif_in_y_err_value_next;
-            end
-            if(rd_mux_addr == 10'h118) begin
-                readback_data_var[31:0] = hwif_in_y_derr_value_next;
-            end
-            if(rd_mux_addr == 10'h11c) begin
-                readback_data_var[31:0] = hwif_in_y_u_value_next;
-            end
-            if(rd_mux_addr == 10'h120) begin
-                readback_data_var[31:0] = hwif_in_y_vstar_value_next;
-            end
-            if(rd_mux_addr == 10'h124) begin
-                readback_data_var[31:0] = hwif_in_y_iq_cmd_value_next;
-            end
-            if(rd_mux_addr == 10'h128) begin
-                readback_data_var[31:0] = hwif_in_y_speed_value_next;
-            end
-            if(rd_mux_addr == 10'h12c) begin
-                readback_data_var[15:0] = hwif_in_y_id_iq_i_d_next;
-                readback_data_var[31:16] = hwif_in_y_id_iq_i_q_next;
-            end
-            if(rd_mux_addr == 10'h130) begin
-                readback_data_var[15:0] = hwif_in_y_vd_vq_v_d_next;
-                readback_data_var[31:16] = hwif_in_y_vd_vq_v_q_next;
-            end
-            if(rd_mux_addr == 10'h140) begin
-                readback_data_var[10:0] = field_storage_y_kp_mant_value;
-                readback_data_var[20:16] = field_storage_y_kp_exp_value;
-            end
-            if(rd_mux_addr == 10'h144) begin
-                readback_data_var[10:0] = field_storage_y_ki_mant_value;
-                readback_data_var[20:16] = field_storage_y_ki_exp_value;
-            end
-            if(rd_mux_addr == 10'h148) begin
-                readback_data_var[10:0] = field_storage_y_kv_mant_value;
-                readback_data_var[20:16] = field_storage_y_kv_exp_value;
-            end
-            if(rd_mux_addr == 10'h14c) begin
-                readback_data_var[10:0] = field_storage_y_eta_mant_value;
-                readback_data_var[20:16] = field_storage_y_eta_exp_value;
-            end
-            if(rd_mux_addr == 10'h150) begin
-                readback_data_var[3:0] = field_storage_y_shift_e_value;
-                readback_data_var[11:8] = field_storage_y_shift_de_value;
-            end
-            if(rd_mux_addr == 10'h154) begin
-                readback_data_var[17:0] = field_storage_y_a0_value_value;
-            end
-            if(rd_mux_addr == 10'h158) begin
-                readback_data_var[23:0] = field_storage_y_b2_value_value;
-            end
-            if(rd_mux_addr == 10'h160) begin
-                readback_data_var[10:0] = field_storage_y_kp_cur_mant_value;
-                readback_data_var[20:16] = field_storage_y_kp_cur_exp_value;
-            end
-            if(rd_mux_addr == 10'h164) begin
-                readback_data_var[10:0] = field_storage_y_ki_cur_mant_value;
-                readback_data_var[20:16] = field_storage_y_ki_cur_exp_value;
-            end
-            if(rd_mux_addr == 10'h168) begin
-                readback_data_var[31:0] = field_storage_y_theta_ofs_value_value;
-            end
-            if(rd_mux_addr == 10'h16c) begin
-                readback_data_var[9:0] = field_storage_y_deadtime_clk_value;
-                readback_data_var[19:16] = field_storage_y_deadtime_qep_filter_value;
-            end
-            if(rd_mux_addr == 10'h170) begin
-                readback_data_var[5:0] = field_storage_y_tab_addr_index_value;
-            end
-            if(rd_mux_addr == 10'h174) begin
-                readback_data_var = hwif_in_y_tab_data_rd_data;
-            end
-            if(rd_mux_addr == 10'h17c) begin
-                readback_data_var[31:0] = hwif_in_y_index_latch_value_next;
-            end
-            if(rd_mux_addr == 10'h180) begin
-                readback_data_var[23:0] = field_storage_y_stroke_min_value_value;
-            end
-            if(rd_mux_addr == 10'h184) begin
-                readback_data_var[23:0] = field_storage_y_stroke_max_value_value;
-            end
-            if(rd_mux_addr == 10'h188) begin
-                readback_data_var[0] = field_storage_y_stroke_en_enable_value;
-            end
-            if(rd_mux_addr == 10'h18c) begin
-                readback_data_var[11:0] = field_storage_y_iq_manual_value_value;
-            end
-            if(rd_mux_addr == 10'h200) begin
-                readback_data_var[15:0] = 16'h1;
-                readback_data_var[31:16] = 16'h4b58;
-            end
-            if(rd_mux_addr == 10'h208) begin
-                readback_data_var[0] = field_storage_irq_en_tick_value;
-                readback_data_var[1] = field_storage_irq_en_fault_value;
-            end
-            if(rd_mux_addr == 10'h20c) begin
-                readback_data_var[0] = field_storage_irq_stat_tick_value;
-                readback_data_var[1] = field_storage_irq_stat_fault_value;
-            end
-            if(rd_mux_addr == 10'h210) begin
-                readback_data_var[31:0] = hwif_in_tick_value_next;
-            end
-            if(rd_mux_addr == 10'h214) begin
-                readback_data_var[3:0] = hwif_in_fault_code_next;
-                readback_data_var[4] = hwif_in_fault_axis_next;
-                readback_data_var[31:8] = hwif_in_fault_tick_next;
-            end
-            if(rd_mux_addr == 10'h21c) begin
-                readback_data_var[15:0] = field_storage_watchdog_limit_value;
-            end
-            if(rd_mux_addr == 10'h220) begin
-                readback_data_var = hwif_in_lock_rd_data;
-            end
-            if(rd_mux_addr == 10'h224) begin
-                readback_data_var[11:0] = field_storage_current_limit_value_value;
-            end
-            if(rd_mux_addr == 10'h228) begin
-                readback_data_var[9:0] = field_storage_deadtime_min_clk_value;
-            end
-            if(rd_mux_addr == 10'h22c) begin
-                readback_data_var[7:0] = field_storage_irq_period_ticks_value;
-            end
+            unique case(rd_mux_addr)
+                10'h0: begin
+                    readback_data_var[0] = field_storage_x_ctrl_enable_value;
+                    readback_data_var[1] = field_storage_x_ctrl_current_loop_value;
+                    readback_data_var[2] = field_storage_x_ctrl_position_loop_value;
+                    readback_data_var[3] = field_storage_x_ctrl_adapt_value;
+                    readback_data_var[4] = field_storage_x_ctrl_reset_model_value;
+                    readback_data_var[5] = field_storage_x_ctrl_reset_table_value;
+                    readback_data_var[6] = field_storage_x_ctrl_interpolate_value;
+                    readback_data_var[7] = field_storage_x_ctrl_feedforward_value;
+                end
+                10'h4: begin
+                    readback_data_var[0] = hwif_in_x_status_busy_next;
+                    readback_data_var[1] = field_storage_x_status_overrun_value;
+                    readback_data_var[2] = field_storage_x_status_qep_error_value;
+                    readback_data_var[3] = field_storage_x_status_saturated_value;
+                    readback_data_var[4] = field_storage_x_status_limited_value;
+                    readback_data_var[14:8] = hwif_in_x_status_step_next;
+                end
+                10'h8: begin
+                    readback_data_var[23:0] = field_storage_x_pos_cmd_value_value;
+                end
+                10'hc: begin
+                    readback_data_var[31:0] = hwif_in_x_pos_value_next;
+                end
+                10'h10: begin
+                    readback_data_var[31:0] = hwif_in_x_pos_model_value_next;
+                end
+                10'h14: begin
+                    readback_data_var[31:0] = hwif_in_x_err_value_next;
+                end
+                10'h18: begin
+                    readback_data_var[31:0] = hwif_in_x_derr_value_next;
+                end
+                10'h1c: begin
+                    readback_data_var[31:0] = hwif_in_x_u_value_next;
+                end
+                10'h20: begin
+                    readback_data_var[31:0] = hwif_in_x_vstar_value_next;
+                end
+                10'h24: begin
+                    readback_data_var[31:0] = hwif_in_x_iq_cmd_value_next;
+                end
+                10'h28: begin
+                    readback_data_var[31:0] = hwif_in_x_speed_value_next;
+                end
+                10'h2c: begin
+                    readback_data_var[15:0] = hwif_in_x_id_iq_i_d_next;
+                    readback_data_var[31:16] = hwif_in_x_id_iq_i_q_next;
+                end
+                10'h30: begin
+                    readback_data_var[15:0] = hwif_in_x_vd_vq_v_d_next;
+                    readback_data_var[31:16] = hwif_in_x_vd_vq_v_q_next;
+                end
+                10'h40: begin
+                    readback_data_var[10:0] = field_storage_x_kp_mant_value;
+                    readback_data_var[20:16] = field_storage_x_kp_exp_value;
+                end
+                10'h44: begin
+                    readback_data_var[10:0] = field_storage_x_ki_mant_value;
+                    readback_data_var[20:16] = field_storage_x_ki_exp_value;
+                end
+                10'h48: begin
+                    readback_data_var[10:0] = field_storage_x_kv_mant_value;
+                    readback_data_var[20:16] = field_storage_x_kv_exp_value;
+                end
+                10'h4c: begin
+                    readback_data_var[10:0] = field_storage_x_eta_mant_value;
+                    readback_data_var[20:16] = field_storage_x_eta_exp_value;
+                end
+                10'h50: begin
+                    readback_data_var[3:0] = field_storage_x_shift_e_value;
+                    readback_data_var[11:8] = field_storage_x_shift_de_value;
+                end
+                10'h54: begin
+                    readback_data_var[17:0] = field_storage_x_a0_value_value;
+                end
+                10'h58: begin
+                    readback_data_var[23:0] = field_storage_x_b2_value_value;
+                end
+                10'h60: begin
+                    readback_data_var[10:0] = field_storage_x_kp_cur_mant_value;
+                    readback_data_var[20:16] = field_storage_x_kp_cur_exp_value;
+                end
+                10'h64: begin
+                    readback_data_var[10:0] = field_storage_x_ki_cur_mant_value;
+                    readback_data_var[20:16] = field_storage_x_ki_cur_exp_value;
+                end
+                10'h68: begin
+                    readback_data_var[31:0] = field_storage_x_theta_ofs_value_value;
+                end
+                10'h6c: begin
+                    readback_data_var[9:0] = field_storage_x_deadtime_clk_value;
+                    readback_data_var[19:16] = field_storage_x_deadtime_qep_filter_value;
+                end
+                10'h70: begin
+                    readback_data_var[5:0] = field_storage_x_tab_addr_index_value;
+                end
+                10'h74: begin
+                    readback_data_var = hwif_in_x_tab_data_rd_data;
+                end
+                10'h7c: begin
+                    readback_data_var[31:0] = hwif_in_x_index_latch_value_next;
+                end
+                10'h80: begin
+                    readback_data_var[23:0] = field_storage_x_stroke_min_value_value;
+                end
+                10'h84: begin
+                    readback_data_var[23:0] = field_storage_x_stroke_max_value_value;
+                end
+                10'h88: begin
+                    readback_data_var[0] = field_storage_x_stroke_en_enable_value;
+                end
+                10'h8c: begin
+                    readback_data_var[11:0] = field_storage_x_iq_manual_value_value;
+                end
+                10'h100: begin
+                    readback_data_var[0] = field_storage_y_ctrl_enable_value;
+                    readback_data_var[1] = field_storage_y_ctrl_current_loop_value;
+                    readback_data_var[2] = field_storage_y_ctrl_position_loop_value;
+                    readback_data_var[3] = field_storage_y_ctrl_adapt_value;
+                    readback_data_var[4] = field_storage_y_ctrl_reset_model_value;
+                    readback_data_var[5] = field_storage_y_ctrl_reset_table_value;
+                    readback_data_var[6] = field_storage_y_ctrl_interpolate_value;
+                    readback_data_var[7] = field_storage_y_ctrl_feedforward_value;
+                end
+                10'h104: begin
+                    readback_data_var[0] = hwif_in_y_status_busy_next;
+                    readback_data_var[1] = field_storage_y_status_overrun_value;
+                    readback_data_var[2] = field_storage_y_status_qep_error_value;
+                    readback_data_var[3] = field_storage_y_status_saturated_value;
+                    readback_data_var[4] = field_storage_y_status_limited_value;
+                    readback_data_var[14:8] = hwif_in_y_status_step_next;
+                end
+                10'h108: begin
+                    readback_data_var[23:0] = field_storage_y_pos_cmd_value_value;
+                end
+                10'h10c: begin
+                    readback_data_var[31:0] = hwif_in_y_pos_value_next;
+                end
+                10'h110: begin
+                    readback_data_var[31:0] = hwif_in_y_pos_model_value_next;
+                end
+                10'h114: begin
+                    readback_data_var[31:0] = hwif_in_y_err_value_next;
+                end
+                10'h118: begin
+                    readback_data_var[31:0] = hwif_in_y_derr_value_next;
+                end
+                10'h11c: begin
+                    readback_data_var[31:0] = hwif_in_y_u_value_next;
+                end
+                10'h120: begin
+                    readback_data_var[31:0] = hwif_in_y_vstar_value_next;
+                end
+                10'h124: begin
+                    readback_data_var[31:0] = hwif_in_y_iq_cmd_value_next;
+                end
+                10'h128: begin
+                    readback_data_var[31:0] = hwif_in_y_speed_value_next;
+                end
+                10'h12c: begin
+                    readback_data_var[15:0] = hwif_in_y_id_iq_i_d_next;
+                    readback_data_var[31:16] = hwif_in_y_id_iq_i_q_next;
+                end
+                10'h130: begin
+                    readback_data_var[15:0] = hwif_in_y_vd_vq_v_d_next;
+                    readback_data_var[31:16] = hwif_in_y_vd_vq_v_q_next;
+                end
+                10'h140: begin
+                    readback_data_var[10:0] = field_storage_y_kp_mant_value;
+                    readback_data_var[20:16] = field_storage_y_kp_exp_value;
+                end
+                10'h144: begin
+                    readback_data_var[10:0] = field_storage_y_ki_mant_value;
+                    readback_data_var[20:16] = field_storage_y_ki_exp_value;
+                end
+                10'h148: begin
+                    readback_data_var[10:0] = field_storage_y_kv_mant_value;
+                    readback_data_var[20:16] = field_storage_y_kv_exp_value;
+                end
+                10'h14c: begin
+                    readback_data_var[10:0] = field_storage_y_eta_mant_value;
+                    readback_data_var[20:16] = field_storage_y_eta_exp_value;
+                end
+                10'h150: begin
+                    readback_data_var[3:0] = field_storage_y_shift_e_value;
+                    readback_data_var[11:8] = field_storage_y_shift_de_value;
+                end
+                10'h154: begin
+                    readback_data_var[17:0] = field_storage_y_a0_value_value;
+                end
+                10'h158: begin
+                    readback_data_var[23:0] = field_storage_y_b2_value_value;
+                end
+                10'h160: begin
+                    readback_data_var[10:0] = field_storage_y_kp_cur_mant_value;
+                    readback_data_var[20:16] = field_storage_y_kp_cur_exp_value;
+                end
+                10'h164: begin
+                    readback_data_var[10:0] = field_storage_y_ki_cur_mant_value;
+                    readback_data_var[20:16] = field_storage_y_ki_cur_exp_value;
+                end
+                10'h168: begin
+                    readback_data_var[31:0] = field_storage_y_theta_ofs_value_value;
+                end
+                10'h16c: begin
+                    readback_data_var[9:0] = field_storage_y_deadtime_clk_value;
+                    readback_data_var[19:16] = field_storage_y_deadtime_qep_filter_value;
+                end
+                10'h170: begin
+                    readback_data_var[5:0] = field_storage_y_tab_addr_index_value;
+                end
+                10'h174: begin
+                    readback_data_var = hwif_in_y_tab_data_rd_data;
+                end
+                10'h17c: begin
+                    readback_data_var[31:0] = hwif_in_y_index_latch_value_next;
+                end
+                10'h180: begin
+                    readback_data_var[23:0] = field_storage_y_stroke_min_value_value;
+                end
+                10'h184: begin
+                    readback_data_var[23:0] = field_storage_y_stroke_max_value_value;
+                end
+                10'h188: begin
+                    readback_data_var[0] = field_storage_y_stroke_en_enable_value;
+                end
+                10'h18c: begin
+                    readback_data_var[11:0] = field_storage_y_iq_manual_value_value;
+                end
+                10'h200: begin
+                    readback_data_var[15:0] = 16'h1;
+                    readback_data_var[31:16] = 16'h4b58;
+                end
+                10'h208: begin
+                    readback_data_var[0] = field_storage_irq_en_tick_value;
+                    readback_data_var[1] = field_storage_irq_en_fault_value;
+                end
+                10'h20c: begin
+                    readback_data_var[0] = field_storage_irq_stat_tick_value;
+                    readback_data_var[1] = field_storage_irq_stat_fault_value;
+                end
+                10'h210: begin
+                    readback_data_var[31:0] = hwif_in_tick_value_next;
+                end
+                10'h214: begin
+                    readback_data_var[3:0] = hwif_in_fault_code_next;
+                    readback_data_var[4] = hwif_in_fault_axis_next;
+                    readback_data_var[31:8] = hwif_in_fault_tick_next;
+                end
+                10'h21c: begin
+                    readback_data_var[15:0] = field_storage_watchdog_limit_value;
+                end
+                10'h220: begin
+                    readback_data_var = hwif_in_lock_rd_data;
+                end
+                10'h224: begin
+                    readback_data_var[11:0] = field_storage_current_limit_value_value;
+                end
+                10'h228: begin
+                    readback_data_var[9:0] = field_storage_deadtime_min_clk_value;
+                end
+                10'h22c: begin
+                    readback_data_var[7:0] = field_storage_irq_period_ticks_value;
+                end
+                default: ;
+            endcase
         end
         readback_data = readback_data_var;
         readback_err = '0;
