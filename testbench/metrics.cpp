@@ -37,16 +37,17 @@ Spread spread(const std::vector<double>& series) {
     squares += t * t;
     s.max = std::max(s.max, std::abs(t));
   }
-  s.mean = sum / n;
+  s.mean = sum / n;  // Kung eq. 45
   s.rms = std::sqrt(squares / n);
   double deviation = 0;
   for (const double t : series) deviation += (t - s.mean) * (t - s.mean);
-  s.variance = deviation / n;
+  s.variance = deviation / n;  // Kung eq. 46 is its root
   s.std = std::sqrt(s.variance);
   return s;
 }
 
 double tracking_error(const PointM& model, const PointM& table) {
+  // Kung eq. 44
   return std::hypot(model.x_m - table.x_m, model.y_m - table.y_m);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Figures of merit of one run. Tracking indices: Kung eq. 44 to 46 (specification section 12).
+// Figures of merit of one run. Tracking indices as the paper's (specification section 12).
 #pragma once
 
 #include <array>

@@ -37,7 +37,7 @@ inline fixed::Gain gain_word(double value) {
   return {static_cast<std::int32_t>(mantissa), exponent};
 }
 
-// ETA = alpha (Kp + Ki) Kv / 32 (section 5, step 9).
+// ETA = alpha (Kp + Ki) Kv / 32: the constant part of Kung eq. 27 (section 5, step 9).
 inline double eta_value(double alpha, double kp, double ki, double kv) {
   return alpha * (kp + ki) * kv / 32;
 }
@@ -47,7 +47,8 @@ inline double current_gain_value(double gain_V_A, double dc_link_V) {
   return gain_V_A * kCurrentRefLsbA / voltage_lsb_V(dc_link_V);
 }
 
-// Reference model by the bilinear transform (section 4): A0 = a0 * 2^32, B2 = b2 * 2^23.
+// Reference model (Kung eq. 21) by the bilinear transform (Kung eq. 23; section 4):
+// A0 = a0 * 2^32, B2 = b2 * 2^23.
 struct ModelWords {
   std::int32_t a0 = 0;
   std::int32_t b2 = 0;

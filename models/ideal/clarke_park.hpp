@@ -17,7 +17,7 @@ struct Phases {
   double a = 0, b = 0, c = 0;
 };
 
-// The third phase is -(a + b).
+// Kung eq. 7; the third phase is -(a + b).
 inline AlphaBeta clarke(double a, double b) { return {a, (a + 2 * b) / std::sqrt(3.0)}; }
 
 inline Phases inverse_clarke(const AlphaBeta& v) {
@@ -25,11 +25,13 @@ inline Phases inverse_clarke(const AlphaBeta& v) {
   return {v.alpha, -v.alpha / 2 + half_root3_beta, -v.alpha / 2 - half_root3_beta};
 }
 
+// Kung eq. 9
 inline DirectQuadrature park(const AlphaBeta& v, double theta) {
   const double c = std::cos(theta), s = std::sin(theta);
   return {v.alpha * c + v.beta * s, -v.alpha * s + v.beta * c};
 }
 
+// Kung eq. 10
 inline AlphaBeta inverse_park(const DirectQuadrature& v, double theta) {
   const double c = std::cos(theta), s = std::sin(theta);
   return {v.d * c - v.q * s, v.d * s + v.q * c};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Adaptive fuzzy controller in double precision (Kung eq. 15-23; specification section 5):
+// Adaptive fuzzy controller in double precision (Kung et al. 2012; specification section 5):
 // triangular memberships, product inference, PI, speed gain and the tuning law. Quantities have
 // the scale of the words (counts, 1/16 count per sample, 4.8 A / 2048) but no grain; limits are
 // those of the words.
@@ -34,6 +34,7 @@ class FuzzyController {
   FuzzyController() {
     for (std::size_t j = 0; j < 7; ++j) {
       for (std::size_t i = 0; i < 7; ++i) {
+        // Kung eq. 19
         rules_[j][i] = std::clamp(2 * (static_cast<double>(i + j) - 6), -6.0, 6.0);
       }
     }
@@ -48,8 +49,8 @@ class FuzzyController {
   // x_m: output of the reference model; x_p: position [counts].
   Out step(const Config& config, double x_m, double x_p) {
     Out out;
-    out.e = word(x_m - x_p);
-    out.de = word(out.e - e_prev_);
+    out.e = word(x_m - x_p);  // Kung eq. 15
+    out.de = word(out.e - e_prev_);  // Kung eq. 16
     out.v = word(16 * (x_p - x_p_prev_));
     const Membership a = fuzzify(out.e / config.e_unit);
     const Membership b = fuzzify(out.de / config.de_unit);
@@ -58,12 +59,13 @@ class FuzzyController {
         &rules_[b.section][a.section], &rules_[b.section][a.section + 1],
         &rules_[b.section + 1][a.section], &rules_[b.section + 1][a.section + 1]};
     double units = 0;
-    for (std::size_t n = 0; n < 4; ++n) units += *fired[n] * d[n];
+    for (std::size_t n = 0; n < 4; ++n) units += *fired[n] * d[n];  // Kung eq. 20
     out.u = word(256 * units);
     integral_ = word(integral_ + config.ki * out.u);
     out.v_star = word(config.kp * out.u + integral_);
     out.i_q_ref = word(config.kv * word(out.v_star - out.v));
     for (std::size_t n = 0; n < 4; ++n) {
+      // Kung eq. 27
       *fired[n] = std::clamp(*fired[n] + config.eta * out.e / 256 * d[n], -8.0, 8.0);
     }
     e_prev_ = out.e;
@@ -85,8 +87,8 @@ class FuzzyController {
 
   static Membership fuzzify(double units) {
     const double from_lowest = (std::clamp(units, -6.0, 6.0) + 6) / 2;
-    const double section = std::min(std::floor(from_lowest), 5.0);
-    const double high = from_lowest - section;
+    const double section = std::min(std::floor(from_lowest), 5.0);  // Kung eq. 17
+    const double high = from_lowest - section;  // Kung eq. 18
     return {static_cast<std::size_t>(section), 1 - high, high};
   }
 

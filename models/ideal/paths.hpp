@@ -18,12 +18,13 @@ inline constexpr double kTurn = 6.28318530717958647693;
 // Section 10: x = cx + r sin(theta), y = cy + r cos(theta).
 inline PointMm circle_point(PointMm center, double radius, int ticks, int k) {
   const double theta = kTurn * k / ticks;
+  // Kung eq. 28, 29
   return {center.x + radius * std::sin(theta), center.y + radius * std::cos(theta)};
 }
 
 inline constexpr int kWindowTicks = 1068;
 
-// The nine parts a..i of the default window, with the numbers of the specification.
+// Kung eq. 30 to 38: the nine parts a..i of the default window, numbers of the specification.
 inline PointMm window_point(int k) {
   constexpr double kStep = 0.7;
   constexpr double kRadius = 30;
@@ -53,7 +54,7 @@ inline PointMm window_point(int k) {
 
 inline constexpr int kStarTicks = 910;
 
-// The five strokes of the default star, by their increments a tick.
+// Kung eq. 39 to 43: the five strokes of the default star, by their increments a tick.
 inline PointMm star_point(int k) {
   constexpr int kStroke = 182;
   constexpr double kStep = 100.0 / kStroke;

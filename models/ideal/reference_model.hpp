@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Reference model of the adaptive fuzzy controller (Kung eq. 9-14): second order, bilinear
-// transform, in the paper's five-multiplication form. Double precision carries what 24-bit words
-// cannot (specification section 4).
+// Reference model of the adaptive fuzzy controller: second order, bilinear transform, in the
+// paper's five-multiplication form. Double precision carries what 24-bit words cannot
+// (specification section 4).
 #pragma once
 
 namespace trammel::ideal {
@@ -22,6 +22,7 @@ class ReferenceModel {
   ReferenceModel() : ReferenceModel(Config{}) {}
   explicit ReferenceModel(const Config& config) : c_(coefficients(config)) {}
 
+  // Kung eq. 21 in the form of Kung eq. 23.
   static Coefficients coefficients(const Config& config) {
     const double k = 2 / config.period;
     const double w = config.omega_n;
@@ -35,6 +36,7 @@ class ReferenceModel {
   void reset(double x) { x_1_ = x_2_ = r_1_ = r_2_ = x; }
 
   double step(double r) {
+    // Kung eq. 24
     const double x = -c_.b1 * x_1_ - c_.b2 * x_2_ + c_.a0 * r + c_.a1 * r_1_ + c_.a2 * r_2_;
     x_2_ = x_1_;
     x_1_ = x;

@@ -21,6 +21,7 @@ inline OffTimes svpwm(const AlphaBeta& v) {
   const double x = v.beta;
   const double y = (v.beta + root3 * v.alpha) / 2;
   const double z = (v.beta - root3 * v.alpha) / 2;
+  // Signs of v_a, v_b, v_c of Kung eq. 8: X, -Z, -Y
   const int sector = (x > 0 ? 1 : 0) + (z < 0 ? 2 : 0) + (y < 0 ? 4 : 0);
   double t1 = 0, t2 = 0;
   switch (sector) {

@@ -39,7 +39,7 @@ struct AlphaBeta {
   double alpha = 0, beta = 0;
 };
 
-// Amplitude-invariant Clarke of three phase values; the common part drops out.
+// Amplitude-invariant Clarke of three phase values (Kung eq. 7); the common part drops out.
 inline AlphaBeta clarke(const std::array<double, 3>& p) {
   return {(2 * p[0] - p[1] - p[2]) * (1.0 / 3), (p[1] - p[2]) * 0.57735026918962576};
 }
@@ -75,7 +75,7 @@ class Pmlsm {
       : c_(c),
         k_(kPi / c.pole_pitch),
         turns_per_m_(0.5 / c.pole_pitch),
-        lambda_(2 * c.pole_pitch * c.force_constant / (3 * kPi)),
+        lambda_(2 * c.pole_pitch * c.force_constant / (3 * kPi)),  // Kung eq. 5
         force_(1.5 * k_),
         inv_ld_(1 / c.inductance_d),
         inv_lq_(1 / c.inductance_q),
@@ -85,6 +85,7 @@ class Pmlsm {
   double flux() const { return lambda_; }                    // [Wb]
   double angular_speed(double v) const { return k_ * v; }    // [rad/s]
   double back_emf_constant() const { return k_ * lambda_; }  // [V s/m], phase peak
+  // Kung eq. 3; with i_d = 0 or L_d = L_q it is Kung eq. 4.
   double force(const MotorState& s) const {
     return force_ * ((c_.inductance_d - c_.inductance_q) * s.i_d + lambda_) * s.i_q;
   }
@@ -157,7 +158,9 @@ class Pmlsm {
         const double w_iq = k_ * product(f.v, f.i_q, n);
         const double w_id = k_ * product(f.v, f.i_d, n);
         f.i_d[n + 1] =
+            // Kung eq. 1
             scale * inv_ld_ * (u_d[n] - c_.resistance * f.i_d[n] + c_.inductance_q * w_iq);
+        // Kung eq. 2
         f.i_q[n + 1] =
             scale * inv_lq_ *
             (u_q[n] - c_.resistance * f.i_q[n] - c_.inductance_d * w_id - k_ * lambda_ * f.v[n]);
@@ -180,7 +183,7 @@ class Pmlsm {
         cog[n + 1] = scale * 2 * k_ * product(f.v, cog_cos, n);
         cog_cos[n + 1] = -scale * 2 * k_ * product(f.v, cog, n);
       }
-      f.v[n + 1] = scale * inv_mass_ * push;
+      f.v[n + 1] = scale * inv_mass_ * push;  // Kung eq. 6
     }
     f.x[4] = 0.25 * f.v[3];
     return f;

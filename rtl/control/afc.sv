@@ -276,7 +276,7 @@ module afc
   logic tune_we, store_quiescent;
   logic [1:0] rule_sel;
 
-  assign tune_we = step_end && adapt_i && step_q >= 6'd31;
+  assign tune_we = step_end && adapt_i && step_q >= 6'd31;  // Kung eq. 27: s31 to s34
   assign rule_sel = step_q[5] || step_q[3:2] == '1 ? step_q[1:0] + 2'd1 : step_q[1:0] + 2'd2;
 
   rule_store u_rules (
@@ -324,7 +324,7 @@ module afc
           r_q   <= r_new;
           x_p_q <= x_p_i;
         end
-        6'd2: s_q <= sum24;
+        6'd2: s_q <= sum24;  // Kung eq. 24, incremental: s2, s4, s5
         6'd4: dx_q <= sum24;
         6'd5: x_m_q <= sum[31:0];
         6'd6: begin
@@ -333,27 +333,27 @@ module afc
           r_2_q <= r_1_q;
         end
         6'd7: v_q <= resetting_q ? '0 : sat12(acc_t'(sum) <<< 4);
-        6'd8: e_q <= sum12;
+        6'd8: e_q <= sum12;  // Kung eq. 15
         6'd9: begin
-          de_q     <= sum12;
+          de_q     <= sum12;  // Kung eq. 16
           scaled_q <= scaled;
         end
         6'd10: begin
-          col_q   <= scaled_q[11:9] + 3'd3;
-          mu_a0_q <= sum[11:0];
+          col_q   <= scaled_q[11:9] + 3'd3;  // Kung eq. 17
+          mu_a0_q <= sum[11:0];  // Kung eq. 18
           mu_a1_q <= {1'b0, scaled_q[8:0], 2'd0};
         end
         6'd11: scaled_q <= scaled;
         6'd12: begin
-          row_q   <= scaled_q[11:9] + 3'd3;
-          mu_b0_q <= sum[11:0];
+          row_q   <= scaled_q[11:9] + 3'd3;  // Kung eq. 17
+          mu_b0_q <= sum[11:0];  // Kung eq. 18
           mu_b1_q <= {1'b0, scaled_q[8:0], 2'd0};
         end
-        6'd15: d00_q <= sum[11:0];
+        6'd15: d00_q <= sum[11:0];  // Kung eq. 20: weights, then u at s22
         6'd16: d01_q <= sum[11:0];
         6'd17: d10_q <= sum[11:0];
         6'd18: d11_q <= sum[11:0];
-        6'd22: u_q <= sat12(acc_t'(sum) >>> 11);
+        6'd22: u_q <= sat12(acc_t'(sum) >>> 11);  // Kung eq. 20
         6'd25: integral_q <= sum24;
         6'd26: v_star_q <= sum12;
         6'd27: acc_q <= sum_t'(sum12);

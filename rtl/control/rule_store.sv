@@ -77,7 +77,7 @@ module rule_store
   assign busy_o = state_q != StIdle;
   assign quiescent_o = !busy_o && !reset_i && !tune_we_i && !we_i;
 
-  // Initial value: units of the clipped plane, in the top four bits.
+  // Initial value (Kung eq. 19): units of the clipped plane, in the top four bits.
   function automatic count_t initial_rule(logic [2:0] i, logic [2:0] j);
     logic signed [4:0] twice;  // i + j - 6, -6..6
     twice = 5'(i) + 5'(j) - 5'd6;

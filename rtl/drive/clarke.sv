@@ -46,7 +46,7 @@ module clarke
     if (busy_d) product_d = 26'(sum) * 26'(InvSqrt3);
     if (busy_q) begin
       i_alpha_d = i_a_i;
-      i_beta_d = sat12(rs(acc_t'(product_q), 6'sd11));
+      i_beta_d = sat12(rs(acc_t'(product_q), 6'sd11));  // Kung eq. 7
     end
   end
 

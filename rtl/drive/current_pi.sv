@@ -119,15 +119,15 @@ module current_pi
     unique case (state_q)
       StIdle: begin
         if (tick_i) begin
-          error_d = sat12(acc_t'(ref_i) - (acc_t'(meas_i) <<< 1));
+          error_d = sat12(acc_t'(ref_i) - (acc_t'(meas_i) <<< 1));  // Kung eq. 11
           state_d = StIntegral;
         end
       end
-      StIntegral: begin
+      StIntegral: begin  // Kung eq. 13: the error of the sample before
         multiply = 1'b1;
         state_d = StProportional;
       end
-      StProportional: begin
+      StProportional: begin  // Kung eq. 12
         use_kp = 1'b1;
         multiply = 1'b1;
         term_d = term;
@@ -140,7 +140,7 @@ module current_pi
         state_d = StOutput;
       end
       default: begin  // StOutput
-        v_d = sat12(acc_t'(v_sum));
+        v_d = sat12(acc_t'(v_sum));  // Kung eq. 14
         error_prev_d = error_q;
         valid_d = 1'b1;
         state_d = StIdle;

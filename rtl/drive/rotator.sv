@@ -95,7 +95,7 @@ module rotator
       StYSin: begin
         factor_b = sin_i;
         multiply = 1'b1;
-        minus = Inverse;
+        minus = Inverse;  // Kung eq. 9 and 10: x'
         x_d = rounded;
         sum_d = Half;
         state_d = StXSin;
@@ -103,7 +103,7 @@ module rotator
       StXSin: begin
         factor_a = y_i;
         multiply = 1'b1;
-        minus = !Inverse;
+        minus = !Inverse;  // Kung eq. 9 and 10: y'
         sum_d = sum;
         state_d = StYCos;
       end

@@ -84,7 +84,7 @@ module svpwm
   assign scaled = 19'(rs(acc_t'(product_q), 6'sd8));
   assign divided = 11'(rs(acc_t'(product_q), 6'sd14));
 
-  // X, Y, Z and the sector code of this vector
+  // X, Y, Z and the sector code of this vector: the signs of Kung eq. 8
   logic signed [19:0] plus, minus;
   logic         [2:0] sector;
 

@@ -34,7 +34,7 @@ class Circle {
       tick_ = 0;
       radius_ = {0, setup_.radius};
     } else {
-      radius_ = step_(radius_);
+      radius_ = step_(radius_);  // Kung eq. 28, 29
     }
     return point;
   }

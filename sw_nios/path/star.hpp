@@ -44,6 +44,7 @@ class Star {
       corner_ = setup_.start;
       edge_ = {setup_.edge, 0};
     }
+    // Kung eq. 39 to 43: one stroke each
     const bool last = stroke_ + 1 == setup_.strokes;
     const Vec to = last ? setup_.start : corner_ + edge_;
     segment_ = Segment::stroke(corner_, to, setup_.stroke_ticks);

@@ -52,15 +52,16 @@ class Window {
       corner_ = {-setup_.half_side, setup_.half_side};
       radius_ = {0, -setup_.radius};
     }
+    // Kung eq. 31, 33, 35, 37: arcs b, d, f, h
     if (part_ % 2 == 1) {
       segment_ =
           Segment::quarter_arc(setup_.center + corner_, radius_, arc_step_, setup_.arc_ticks);
       corner_ = quarter_right(corner_);
       radius_ = quarter_right(radius_);
     } else if (part_ == kParts - 1) {
-      segment_ = Segment::stroke(at_, start_point(), setup_.half_stroke_ticks);
+      segment_ = Segment::stroke(at_, start_point(), setup_.half_stroke_ticks);  // Kung eq. 38
     } else {
-      const std::uint32_t halves = part_ == 0 ? 1 : 2;
+      const std::uint32_t halves = part_ == 0 ? 1 : 2;  // Kung eq. 30, 32, 34, 36: a, c, e, g
       segment_ = Segment::stroke(at_, setup_.center + corner_ + radius_,
                                  halves * setup_.half_stroke_ticks);
     }

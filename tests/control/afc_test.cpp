@@ -26,6 +26,7 @@ std::int32_t draw(std::mt19937& random, int bits) {
 
 }  // namespace
 
+// Kung eq. 24
 TEST_CASE("The reference model gives the check vector, on the twin and in hardware") {
   struct Vector {
     int k;
@@ -50,6 +51,7 @@ TEST_CASE("The reference model gives the check vector, on the twin and in hardwa
   REQUIRE(next == vectors.size());
 }
 
+// Kung eq. 15 to 20
 TEST_CASE("The fuzzy controller gives the check vectors, on the twin and in hardware") {
   struct Vector {
     std::int32_t e, de;
@@ -102,6 +104,7 @@ TEST_CASE("The fuzzy controller gives the check vectors, on the twin and in hard
   }
 }
 
+// Kung eq. 27
 TEST_CASE("Learning gives the sequence vector, on the twin and in hardware") {
   struct Vector {
     int k;

@@ -82,6 +82,7 @@ struct Bench {
 
 }  // namespace
 
+// Kung eq. 19
 TEST_CASE("The table after reset is that of the specification") {
   constexpr int kUnits[7][7] = {{-6, -6, -6, -6, -4, -2, 0}, {-6, -6, -6, -4, -2, 0, 2},
                                 {-6, -6, -4, -2, 0, 2, 4},   {-6, -4, -2, 0, 2, 4, 6},

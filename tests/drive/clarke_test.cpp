@@ -33,6 +33,7 @@ TEST_CASE("clarke agrees with its twin on random and extreme currents, in 2 cloc
   }
 }
 
+// Kung eq. 7
 TEST_CASE("clarke stays within one step of the ideal transform inside the range of a word") {
   const Clarke twin;
   test::Words words(2);

@@ -26,6 +26,7 @@ void drive(test::Rtl<Vcurrent_pi>& rtl, const CurrentPi::In& in) {
 
 }  // namespace
 
+// Kung eq. 11 to 14
 TEST_CASE("current_pi gives 1063, 1140, 1217, 1294 for a step of 427") {
   test::Rtl<Vcurrent_pi> rtl;
   test::begin(rtl);

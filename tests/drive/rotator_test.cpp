@@ -37,6 +37,7 @@ TEST_CASE("rotator agrees with its twin on random and extreme vectors, in 5 cloc
   }
 }
 
+// Kung eq. 9, 10
 TEST_CASE("rotator stays within two steps of the ideal rotation both ways") {
   const Rotator park({Rotator::Direction::kPark});
   const Rotator inverse({Rotator::Direction::kInverse});

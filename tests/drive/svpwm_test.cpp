@@ -76,6 +76,7 @@ TEST_CASE("svpwm agrees with its twin on random and extreme vectors, in 25 clock
   }
 }
 
+// Kung eq. 8
 TEST_CASE("svpwm stays within one count of the ideal, over-modulated or not") {
   const Svpwm twin;
   test::Words words(2);

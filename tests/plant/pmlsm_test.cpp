@@ -69,6 +69,7 @@ MotorState chain(const Pmlsm& m, MotorState s, double u_d, double u_q, double se
 
 }  // namespace
 
+// Kung eq. 4, 5
 TEST_CASE("the constants derived from K_t are those of the specification") {
   const Pmlsm m{PmlsmConfig{}};
   CHECK(m.flux() == Approx(0.517137).epsilon(2e-6));  // printed digits
@@ -99,6 +100,7 @@ TEST_CASE("the library-free sine agrees with the library's") {
   }
 }
 
+// Kung eq. 1, 2, 3, 6
 TEST_CASE("a span agrees with fine Runge-Kutta steps of the equations") {
   for (const PmlsmConfig& c : {PmlsmConfig{}, odd_motor()}) {
     const Pmlsm m(c);

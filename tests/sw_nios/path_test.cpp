@@ -62,6 +62,7 @@ TEST_CASE("a rotation by the n-th part of a turn agrees with sine and cosine") {
   }
 }
 
+// Kung eq. 28, 29
 TEST_CASE("the circle of section 10 has 629 points within 1 count of the formula, closed exactly") {
   const auto points = walk(of(sw::Path::kCircle));
   REQUIRE(points.size() == 629);
@@ -106,6 +107,7 @@ TEST_CASE("a slow large circle of many laps does not drift") {
   CHECK(worst <= 1);
 }
 
+// Kung eq. 30 to 38
 TEST_CASE("the window of section 10 has 1069 points within 1 count, its eight corners exact") {
   const auto points = walk(of(sw::Path::kWindow));
   REQUIRE(points.size() == ideal::kWindowTicks + 1);
@@ -144,6 +146,7 @@ TEST_CASE("the arcs of the window are centred on its corners and run at constant
   for (std::size_t k = 435; k <= 634; ++k) REQUIRE(points[k].y - points[k - 1].y == -140);
 }
 
+// Kung eq. 39 to 43
 TEST_CASE("the star of section 10 has 911 points within 1 count, its corners exact, and closes") {
   const auto points = walk(of(sw::Path::kStar));
   REQUIRE(points.size() == ideal::kStarTicks + 1);

@@ -36,10 +36,12 @@ kung::Result offset_run(const std::vector<kung::PointM>& offset) {
 
 }  // namespace
 
+// Kung eq. 44
 TEST_CASE("equation 44 is the distance of model output and table") {
   CHECK(tracking_error({3e-3, 0}, {0, 4e-3}) == Approx(5e-3));
 }
 
+// Kung eq. 45, 46
 TEST_CASE("equations 45 and 46 are the mean and the root of the mean squared deviation") {
   const Spread s = spread({1, 2, 3, 4, 10});
   CHECK(s.mean == Approx(4));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Bit-exact twin of rtl/control/afc.sv: reference model (Kung eq. 9-14), fuzzy position
-// controller, speed P controller and tuning of the four fired rules; one step() is one 2 kHz
-// sample. Specification sections 4 and 5.
+// Bit-exact twin of rtl/control/afc.sv: reference model, fuzzy position controller, speed P
+// controller and tuning of the four fired rules (Kung et al. 2012); one step() is one 2 kHz sample.
+// Specification sections 4 and 5.
 #pragma once
 
 #include <array>
@@ -69,13 +69,14 @@ class Afc {
     out.dx = dx_;
     out.x_r = word(rs(x_m_, 14));
     out.v = word(sat(16 * (std::int64_t{in.x_p} - x_p_prev_), 12));
-    out.e = word(sat(std::int64_t{out.x_r} - in.x_p, 12));
-    out.de = word(sat(std::int64_t{out.e} - e_prev_, 12));
+    out.e = word(sat(std::int64_t{out.x_r} - in.x_p, 12));  // Kung eq. 15
+    out.de = word(sat(std::int64_t{out.e} - e_prev_, 12));  // Kung eq. 16
 
     const Membership a = fuzzify(out.e, config.shift_e);
     const Membership b = fuzzify(out.de, config.shift_de);
     out.i = a.section;
     out.j = b.section;
+    // Kung eq. 20
     out.d = {word(rs(a.low * b.low, 11)), word(rs(a.high * b.low, 11)),
              word(rs(a.low * b.high, 11)), word(rs(a.high * b.high, 11))};
     const std::array<int, 4> fired = RuleStore::fired(out.i, out.j);
@@ -95,6 +96,7 @@ class Afc {
     if (config.adapt) {
       const std::int64_t t = std::int64_t{config.eta.mant} * out.e;
       for (std::size_t n = 0; n < 4; ++n) {
+        // Kung eq. 27
         const std::int64_t change = rs(t * out.d[n], 10 - config.eta.exp);
         rules_.write(fired[n], word(sat(rules_.read(fired[n]) + change, 24)));
       }
@@ -121,11 +123,13 @@ class Afc {
   static Membership fuzzify(std::int32_t error, int shift) {
     const std::int64_t from_lowest =
         fixed::clip(fixed::shift_left(error, shift), -1536, 1535) + 1536;
-    const std::int64_t section = fixed::floor_shift(from_lowest, 9);
+    const std::int64_t section = fixed::floor_shift(from_lowest, 9);  // Kung eq. 17
+    // Kung eq. 18
     const std::int64_t high = 4 * (from_lowest - 512 * section);
     return {static_cast<int>(section), 2048 - high, high};
   }
 
+  // Kung eq. 24 in the incremental form (specification section 4)
   void follow_model(const Config& config, std::int32_t r) {
     const std::int64_t commands = std::int64_t{r} + 2 * std::int64_t{r_1_} + r_2_;
     const std::int64_t s =

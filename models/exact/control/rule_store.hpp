@@ -17,7 +17,7 @@ class RuleStore {
 
   RuleStore() { reset(); }
 
-  // The table of specification section 5: a plane, clipped at +-6 units.
+  // The table of Kung eq. 19 (specification section 5): a plane, clipped at +-6 units.
   static constexpr std::int32_t initial(int index) {
     const int units = 2 * (index / 7 + index % 7 - 6);
     return static_cast<std::int32_t>(fixed::clip(units, -6, 6) * (1 << 20));

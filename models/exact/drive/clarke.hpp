@@ -22,6 +22,7 @@ class Clarke {
 
   Out step(const In& in) const {
     constexpr std::int64_t kInvSqrt3 = 1182;  // Q11
+    // Kung eq. 7
     const std::int64_t sum = std::int64_t{in.i_a} + 2 * std::int64_t{in.i_b};
     return {in.i_a, static_cast<std::int32_t>(fixed::sat(fixed::rs(kInvSqrt3 * sum, 11), 12))};
   }

@@ -32,13 +32,14 @@ class CurrentPi {
       reset();
       return {};
     }
-    const std::int64_t e = fixed::sat(in.ref - 2 * std::int64_t{in.meas}, 12);
+    const std::int64_t e = fixed::sat(in.ref - 2 * std::int64_t{in.meas}, 12);  // Kung eq. 11
+    // Kung eq. 13
     const std::int64_t step = fixed::rs(in.ki.mant * state_.error_prev, -1 - in.ki.exp);
     state_.integral = fixed::clip(state_.integral + step, -2048 * 4096, 2047 * 4096);
     state_.error_prev = e;
-    const std::int64_t v_p = fixed::rs(in.kp.mant * e, 11 - in.kp.exp);
+    const std::int64_t v_p = fixed::rs(in.kp.mant * e, 11 - in.kp.exp);  // Kung eq. 12
     const std::int64_t v_i = fixed::rs(state_.integral, 12);
-    return {static_cast<std::int32_t>(fixed::sat(v_p + v_i, 12))};
+    return {static_cast<std::int32_t>(fixed::sat(v_p + v_i, 12))};  // Kung eq. 14
   }
 
   const State& state() const { return state_; }

@@ -30,7 +30,7 @@ class Rotator {
   Out step(const In& in) const {
     const std::int64_t x = in.x, y = in.y, c = in.cos;
     const std::int64_t s = config_.direction == Direction::kPark ? in.sin : -in.sin;
-    return {word(x * c + y * s), word(y * c - x * s)};
+    return {word(x * c + y * s), word(y * c - x * s)};  // Kung eq. 9, 10
   }
 
  private:

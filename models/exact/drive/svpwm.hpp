@@ -25,6 +25,7 @@ class Svpwm {
     const std::int64_t x = fixed::rs(in.v_beta * std::int64_t{12496}, 8);   // Q6
     const std::int64_t y = fixed::rs(in.v_alpha * std::int64_t{21644}, 8);  // Q6
     const std::int64_t big_x = 2 * x, big_y = x + y, big_z = x - y;         // Q7
+    // Signs of the three voltages of Kung eq. 8
     const int sector = (x > 0 ? 1 : 0) + (big_z < 0 ? 2 : 0) + (big_y < 0 ? 4 : 0);
     switch (sector) {
       case 1: return place(sector, times(big_z, big_y), 1, 0, 2);
