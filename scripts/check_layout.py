@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Check that the folders keep their promises: companions of every block, who may use whom, and
-the form of the files (ASCII, 100 columns, 400 lines, licence line, newline at the end).
+"""Check that the folders keep their promises: companions of every block, its page (opening table,
+every port), who may use whom, and the form of the files (ASCII, 100 columns, 400 lines, licence
+line, newline at the end).
 
 usage: check_layout.py [root]         prints file:line: what is wrong; exit 1 if anything is
 
@@ -10,6 +11,7 @@ layer; chips have no twin of their own (their blocks have) and are tested as mac
 and third-party files are exempt.
 """
 
+import fnmatch
 import re
 import subprocess
 import sys
@@ -39,6 +41,8 @@ LIBRARIES = {"systemc": ("systemc", "tests"), "verilated": ("cosim", "tests"),
 CODE = {".sv", ".hpp", ".cpp", ".h", ".py", ".cmake", ".rdl", ".vlt", ""}
 TEXT = CODE | {".md", ".toml", ".txt", ".json", ".in"}
 NO_LICENCE = {".md", ".toml", ".txt", ".json"}
+# Opening table of a block's page; more rows may follow.
+PAGE_ROWS = ["Shape", "Latency", "Source", "Twin", "Properties"]
 MAX_LINES = 400
 MAX_COLUMNS = 100
 
@@ -99,6 +103,34 @@ def check_companions(files, path):
             yield f"{path}: companion {companion} is missing"
 
 
+def check_page(root, path, files):
+    """The page of a block: title, opening table, every port, its properties."""
+    page = path.with_suffix(".md")
+    if page not in files or path.stem.endswith(("_pkg", "_props")) or path.parts[1] == "boards":
+        return
+    text = (root / page).read_text(encoding="utf-8")
+    title = f"# {path.parts[1]}/{path.stem}"
+    if not text.startswith(f"{title}\n"):
+        yield f"{page}:1: first line is not '{title}'"
+    rows = re.findall(r"^\| (\w+) \|", text.partition("\n| |")[2].partition("\n\n")[0], re.M)
+    if rows[:len(PAGE_ROWS)] != PAGE_ROWS:
+        yield f"{page}: does not open with a table of {', '.join(PAGE_ROWS)}"
+    props = f"{path.stem}_props.sv"
+    if path.with_name(props) in files and props not in text:
+        yield f"{page}: does not name {props}"
+    named = {re.sub(r"\[.*", "", word) for code in re.findall(r"`([^`\n]+)`", text)
+             for word in re.split(r"[\s,]+", code)}
+    for port in ports((root / path).read_text(encoding="utf-8")):
+        if not any(fnmatch.fnmatchcase(port, name) for name in named):
+            yield f"{page}: port {port} of the module is missing"
+
+
+def ports(text):
+    """Ports of a module's header, one a line, without clock and reset."""
+    found = re.findall(r"^\s*(?:input|output|inout)\s[^/\n]*?(\w+)\s*(?:,|//|\)|$)", text, re.M)
+    return [port for port in found if port not in ("clk_i", "rst_i")]
+
+
 def check_rtl_uses(root, path, owner):
     layer = path.parts[1]
     allowed = RTL_USES.get(layer, set()) | {layer}
@@ -149,6 +181,7 @@ def findings(root):
             yield from check_form(root, path)
         if path.parts[0] == "rtl" and path.suffix == ".sv" and len(path.parts) == 3:
             yield from check_companions(files, path)
+            yield from check_page(root, path, files)
             yield from check_rtl_uses(root, path, owner)
         if path.suffix in (".hpp", ".cpp", ".h"):
             yield from check_cpp_uses(root, path)

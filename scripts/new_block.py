@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Start a new RTL block: module, page, bit-exact twin and test.
+"""Start a new RTL block: module, properties, page, bit-exact twin and test.
 
 usage: new_block.py <layer>/<block>   for instance new_block.py drive/soft_start
 
-The files compile and the test passes: a flow block that passes its input on after one clock.
+The files compile, the test passes and the promises are proven: a flow block that passes its input
+on after one clock.
 Nothing else needs to know the block; CMake and the scripts find it by its folder.
 """
 
@@ -54,18 +55,67 @@ module {block}
 endmodule
 """
 
-PAGE = """# {title}
+PAGE = """# {layer}/{block}
 
-Purpose in one sentence, with its source.
+Purpose in one sentence.
+
+| | |
+|---|---|
+| Shape | flow: `tick_i` to `valid_o` |
+| Latency | 1 clock |
+| Source | where the equation comes from |
+| Twin | `models/exact/{layer}/{block}.hpp` |
+| Properties | `{block}_props.sv` |
 
 | port | format | meaning |
 |---|---|---|
-| tick_i | pulse | takes x_i |
-| x_i | word | input |
-| valid_o | pulse | y_o is new, 1 clock after tick_i |
-| y_o | word | output, holds until the next valid_o |
+| `tick_i` | pulse | takes `x_i` |
+| `x_i` | word | input |
+| `valid_o` | pulse | `y_o` is new |
+| `y_o` | word | output, holds until the next `valid_o` |
+| `quiescent_o` | level | idle, no tick |
 
-Equation: y = x.
+    y = x
+"""
+
+PROPS = """// SPDX-License-Identifier: Apache-2.0
+//
+// Promises of {block} under any input.
+
+module {block}_props
+  import trammel_pkg::*;
+(
+    input logic clk_i,
+    input logic rst_i,
+
+    input logic tick_i,
+
+    input logic  valid_o,
+    input word_t y_o
+);
+
+  logic live_q = 1'b0;
+  logic asked_q, was_reset_q;
+  word_t was_y_q;
+
+  always_ff @(posedge clk_i) begin
+    if (rst_i) live_q <= 1'b1;
+    asked_q     <= tick_i && !rst_i;
+    was_reset_q <= rst_i;
+    was_y_q     <= y_o;
+    if (live_q && !rst_i) begin
+      one_result_a_tick : assert (valid_o == asked_q);
+      holds_between_results : assert (was_reset_q || valid_o || y_o == was_y_q);
+      reaches_result : cover (valid_o && y_o != '0);
+    end
+  end
+
+  // breaks one_result_a_tick: valid_q <= tick_i; => valid_q <= 1'b1;
+  // breaks holds_between_results: if (tick_i) y_q => y_q
+
+endmodule
+
+bind {block} {block}_props u_{block}_props (.*);
 """
 
 TWIN = """// SPDX-License-Identifier: Apache-2.0
@@ -140,6 +190,7 @@ def main():
              "name": "".join(part.capitalize() for part in block.split("_"))}
     files = {
         ROOT / "rtl" / layer / f"{block}.sv": MODULE,
+        ROOT / "rtl" / layer / f"{block}_props.sv": PROPS,
         ROOT / "rtl" / layer / f"{block}.md": PAGE,
         ROOT / "models" / "exact" / layer / f"{block}.hpp": TWIN,
         ROOT / "tests" / layer / f"{block}_test.cpp": TEST,

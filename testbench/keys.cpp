@@ -221,7 +221,7 @@ void add_plant(Table& t) {
   TRAMMEL_PLANT("viscous_N_s_m", viscous_n_s_m, 0, 10000, "viscous friction");
   TRAMMEL_PLANT("cogging_N", cogging_n, 0, 500, "amplitude, period one pole pitch");
   TRAMMEL_PLANT("friction_speed_m_s", friction_speed_m_s, 1e-5, 1, "where friction smooths out");
-  TRAMMEL_PLANT("external_force_N", external_force_n, -1000, 1000, "against the motion's sign +");
+  TRAMMEL_PLANT("external_force_N", external_force_n, -1000, 1000, "against positive motion");
   TRAMMEL_PLANT("stroke_min_m", stroke_min_m, -40, 40, "hard stop");
   TRAMMEL_PLANT("stroke_max_m", stroke_max_m, -40, 40, "hard stop");
   TRAMMEL_PLANT("hard_stops", hard_stops, 0, 0, "");

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 
 #include <csignal>
+#include <cstdlib>
+#include <sstream>
 
 #include "systemc/machines/kung.hpp"
 #include "testbench/config.hpp"
@@ -45,7 +47,6 @@ struct CommandLine {
     app.fallthrough();
     app.set_version_flag("--version", tb::version_text());
     app.add_flag("--json", run_arguments.json, "print exactly one JSON document");
-    app.footer("Also, in the launcher: test (all tests), lint [layer/block]");
 
     run = app.add_subcommand("run", "simulate a scenario and show whether the table followed");
     run->add_option("scenario", run_arguments.scenario, "built-in name or path of a .toml file");
@@ -65,6 +66,16 @@ struct CommandLine {
   }
 };
 
+// Verbs of the program and of the launcher that started it.
+std::vector<std::string> verbs(const CLI::App& app) {
+  std::vector<std::string> all;
+  for (const CLI::App* verb : app.get_subcommands({})) all.push_back(verb->get_name());
+  const char* const launcher = std::getenv("TRAMMEL_VERBS");
+  std::istringstream more(launcher == nullptr ? "" : launcher);
+  for (std::string verb; more >> verb;) all.push_back(verb);
+  return all;
+}
+
 int perform(const CommandLine& line) {
   if (line.list->parsed()) return tb::list(line.topic, line.run_arguments.json);
   if (line.doctor->parsed()) return tb::doctor(line.run_arguments.json);
@@ -80,9 +91,8 @@ int main(int argc, char** argv) {
     line.app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     const std::string verb = argc > 1 ? argv[1] : "-";
-    const bool known = verb == "run" || verb == "list" || verb == "doctor";
-    if (!known && verb.rfind('-', 0) != 0) {
-      const std::string near = tb::suggest(verb, {"run", "list", "doctor", "test", "lint"});
+    if (line.app.get_subcommand_no_throw(verb) == nullptr && verb.rfind('-', 0) != 0) {
+      const std::string near = tb::suggest(verb, verbs(line.app));
       fmt::print(stderr, "trammel: {}: unknown verb{}; see trammel --help\n", verb,
                  near.empty() ? "" : fmt::format(", did you mean {}?", near));
       return 2;

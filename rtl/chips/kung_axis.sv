@@ -2,11 +2,11 @@
 //
 // One axis of kung_xy: encoder, converter, position and current controllers, inverter gates.
 //
-//   clock of the 16 kHz tick   what
+//   edges after that of the 16 kHz tick
 //   0        count and i_q* latched, compare values taken, converter started
-//   66       currents valid, current loop runs
+//   65       currents taken, current loop runs
 //   132      compare values for the next tick
-//   clock of the 2 kHz tick
+//   edges after that of the 2 kHz tick
 //   1..70    position controller with the count of this tick; its i_q* acts from the next 16 kHz
 //            tick on
 
