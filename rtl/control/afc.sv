@@ -137,7 +137,7 @@ module afc
   logic [2:0] col_q, row_q;        // sections i of e and j of de
   member_t mu_a0_q, mu_a1_q, mu_b0_q, mu_b1_q;
   member_t d00_q, d01_q, d10_q, d11_q;
-  count_t rule_q;                  // read for the adder
+  count_t rule_q;                  // tuned in this step
   sum_t acc_q;
   product_t product_q;
 
@@ -154,7 +154,7 @@ module afc
   logic [5:0] place;
   logic [2:0] place_q;
   logic mul_used;  // otherwise the product stays
-  count_t rule;    // of the four the one of this step
+  count_t rule;    // of the four the one of this step, in its first clock
 
   function automatic count_t unsigned12(logic [11:0] x);
     return {12'd0, x};
@@ -277,7 +277,8 @@ module afc
   logic [1:0] rule_sel;
 
   assign tune_we = step_end && adapt_i && step_q >= 6'd31;  // Kung eq. 27: s31 to s34
-  assign rule_sel = step_q[5] || step_q[3:2] == '1 ? step_q[1:0] + 2'd1 : step_q[1:0] + 2'd2;
+  // Of s18 to s21 and s31 to s34; the first clock of a step reads for the next one.
+  assign rule_sel = step_q[1:0] + (step_q[5] || step_q[3:2] == '1 ? 2'd1 : 2'd2) + 2'(!phase_q);
 
   rule_store u_rules (
       .clk_i,
@@ -287,6 +288,7 @@ module afc
       .i_i(col_q),
       .j_i(row_q),
       .sel_i(rule_sel),
+      .read_i(step_begin),
       .rule_o(rule),
       .tune_we_i(tune_we),
       .tune_data_i(sum24),

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The 49 rules c[j][i] of the fuzzy controller (i of the error, j of its change, 0..6), Q20 of a
-// unit. Of the four rules around section (i, j) one is read, at once, or tuned, in one clock.
+// unit, in block memory. Of the four rules around section (i, j) one is read or tuned in a clock.
 // Table reset: 49 clocks, c[j][i] = clip(2 (i + j - 6), -6, 6), begins when hold_i is low; it also
 // follows rst_i, because memory has no reset. Outside access is by index 7 j + i; it writes only
-// while neither hold_i nor busy_o is high.
+// while neither hold_i nor busy_o is high. What it reads follows its index by one clock, and a
+// write, to any rule, by two.
 
 module rule_store
   import trammel_pkg::*;
@@ -18,7 +19,8 @@ module rule_store
     input  logic   [2:0] i_i,     // section of the error, 0..5
     input  logic   [2:0] j_i,     // section of its change, 0..5
     input  logic   [1:0] sel_i,   // {j + 1, i + 1}: which of the four rules around it
-    output count_t       rule_o,  // c[j + sel_i[1]][i + sel_i[0]]
+    input  logic         read_i,
+    output count_t       rule_o,  // c[j + sel_i[1]][i + sel_i[0]] of the last read
 
     input logic   tune_we_i,
     input count_t tune_data_i,
@@ -74,8 +76,10 @@ module rule_store
     end
   end
 
+  logic stale;  // rdata_o is not what lies at addr_i
+
   assign busy_o = state_q != StIdle;
-  assign quiescent_o = !busy_o && !reset_i && !tune_we_i && !we_i;
+  assign quiescent_o = !busy_o && !reset_i && !read_i && !tune_we_i && !we_i && !stale;
 
   // Initial value (Kung eq. 19): units of the clipped plane, in the top four bits.
   function automatic count_t initial_rule(logic [2:0] i, logic [2:0] j);
@@ -125,13 +129,37 @@ module rule_store
     end
   end
 
-  count_t mem_q[64];  // at {j, i}
+  // The two reads never meet a write to their rule: the controller reads others than it tunes, and
+  // the outside waits for a clock without a write.
+  (* no_rw_check *) count_t mem_q[64];  // at {j, i}
+  count_t rule_q, ext_q;
+  logic [5:0] ext_addr_q;
+  logic ext_valid_q, written_q, ext_read;
+
+  assign stale    = written_q || addr_i != ext_addr_q;
+  assign ext_read = stale && !we;
 
   always_ff @(posedge clk_i) begin
     if (we) mem_q[{write_j, write_i}] <= wdata;
+    if (read_i) rule_q <= mem_q[{fired_j, fired_i}];
+    if (ext_read) ext_q <= mem_q[{ext_j, ext_i}];
   end
 
-  assign rule_o = mem_q[{fired_j, fired_i}];
-  assign rdata_o = ext_valid ? mem_q[{ext_j, ext_i}] : '0;
+  always_ff @(posedge clk_i) begin
+    if (rst_i) begin
+      written_q   <= 1'b1;
+      ext_addr_q  <= '0;
+      ext_valid_q <= 1'b0;
+    end else if (we) begin
+      written_q <= 1'b1;
+    end else if (stale) begin
+      written_q   <= 1'b0;
+      ext_addr_q  <= addr_i;
+      ext_valid_q <= ext_valid;
+    end
+  end
+
+  assign rule_o  = rule_q;
+  assign rdata_o = ext_valid_q ? ext_q : '0;
 
 endmodule

@@ -77,7 +77,8 @@ struct AfcBench {
 
   std::int64_t read(int index) {
     set(rtl->rule_addr_i, index, 6);
-    rtl.eval();
+    rtl.tick();
+    rtl.tick();  // after a write
     return as_signed(rtl->rule_rdata_o, 24);
   }
 

@@ -30,6 +30,7 @@ struct Bench {
     rtl->j_i = 0;
     rtl->tune_we_i = 0;
     rtl->sel_i = 0;
+    rtl->read_i = 0;
     rtl->tune_data_i = 0;
     rtl->addr_i = 0;
     rtl->we_i = 0;
@@ -46,7 +47,8 @@ struct Bench {
 
   std::int64_t read(int index) {
     set(rtl->addr_i, index, 6);
-    rtl.eval();
+    rtl.tick();
+    if (!rtl->quiescent_o) rtl.tick();  // after a write
     return as_signed(rtl->rdata_o, 24);
   }
 
@@ -74,7 +76,11 @@ struct Bench {
     for (unsigned which = 0; which < 4; ++which) {
       CAPTURE(which);
       set(rtl->sel_i, which, 2);
-      rtl.eval();
+      rtl->read_i = 1;
+      rtl.tick();
+      rtl->read_i = 0;
+      set(rtl->sel_i, which + 1, 2);  // what was read stays
+      rtl.tick();
       REQUIRE(as_signed(rtl->rule_o, 24) == twin.read(fired[which]));
     }
   }
@@ -161,6 +167,8 @@ TEST_CASE("A table reset takes 49 writes, waits for the controller and shuts out
     bench.write(0, 7);
   }
   REQUIRE(clocks == RuleStore::kRules);
+  REQUIRE(!bench.rtl->quiescent_o);  // the outside reads its rule anew
+  bench.rtl.tick();
   REQUIRE(bench.rtl->quiescent_o);
   bench.require_same();
 }
