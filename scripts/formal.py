@@ -31,7 +31,7 @@ dffunmap
 aigmap
 write_aiger -I -B -zinit -ywmap {name}.json {name}.aig
 """
-DEPTH = 5  # of the induction
+EASY = 20000  # conflicts for all at once: together they are harder than one by one
 
 
 @dataclass
@@ -125,28 +125,57 @@ def abc(folder, commands, limit):
     return text
 
 
-def prove(folder, name, outputs, limit):
-    """proven, refuted or open: some outputs of name.aig together, for one may need another's help.
+def prove(folder, name, labels, depth, limit):
+    """{label: proven, refuted or open} of the outputs of name.aig.
 
-    abc's induction is the step only; the bounded search before it is its base.
+    Induction first, of all together, for one may need another's help, then of each; what is proven
+    is a lemma for the rest; what stays open goes to pdr. abc's induction is the step only: the
+    bounded search before it is its base.
     """
-    read = (f"read_aiger {name}.aig; cone -O {outputs.start} -R {len(outputs)}; "
-            + ("orpos; " if len(outputs) > 1 else "") + "scleanup; ")
-    text = abc(folder, f"{read}bmc3 -F {DEPTH + 2}", limit)
-    if "was asserted in frame" in text:
-        return "refuted"
-    if f"No output asserted in {DEPTH + 2} frames" in text:
-        text = abc(folder, f"{read}ind -F {DEPTH} -T {limit}", limit)
-        if "Networks are equivalent" in text:
-            return "proven"
-    text = abc(folder, f"{read}dc2; scorr; pdr -T {limit}", limit + 30)
-    if re.search(r"Property proved", text):
-        return "proven"
-    return "refuted" if "was asserted in frame" in text else "open"
+    state = dict.fromkeys(range(len(labels)), "open")
+
+    def left():
+        return [n for n, verdict in state.items() if verdict == "open"]
+
+    def ask(outputs, engine):
+        lemmas = [n for n, verdict in state.items() if verdict == "proven"]
+        lines = [f"read_aiger {name}.aig", f"cone -N {','.join(map(str, [*outputs, *lemmas]))}"]
+        lines += [f"constr -N {len(lemmas)}", "fold"] if lemmas else []
+        lines += ["orpos"] if len(outputs) > 1 else []
+        text = abc(folder, "; ".join([*lines, "scleanup", f"{engine} -T {limit}"]), limit + 30)
+        good = "Property proved"
+        if engine.startswith("ind"):  # an output without state is proven by the base
+            good = "Networks are equivalent|network is combinational"
+        if re.search(good, text):
+            state.update(dict.fromkeys(outputs, "proven"))
+        elif "was asserted in frame" in text and len(outputs) == 1:
+            state[outputs[0]] = "refuted"
+
+    base = abc(folder, f"read_aiger {name}.aig; bmc3 -a -F {depth} -T {limit}", limit + 30)
+    for n in risen(base):
+        state[n] = "refuted"
+    engines = ["dc2; scorr; pdr"]
+    if f"No output asserted in {depth} frames" in base:
+        engines.insert(0, f"ind -F {depth}")
+        ask(left(), f"ind -F {depth} -C {EASY}")
+    for engine in engines:
+        before = None
+        while left() and left() != before:
+            before = left()
+            for n in before:
+                ask([n], engine)
+            if len(left()) > 1 and (engine != engines[0] or left() != before):
+                ask(left(), engine)
+    return {label: state[n] for n, label in enumerate(labels)}
+
+
+def risen(text):
+    """{output: clock at which it rises} from what bmc3 -a says."""
+    found = re.findall(r"Output +(\d+) was asserted in frame +(\d+)", text)
+    return {int(output): int(clock) for output, clock in found}
 
 
 def reach(folder, name, labels, frames, limit):
     """{label: clock at which its output of name.aig rises}, by bounded search."""
     text = abc(folder, f"read_aiger {name}.aig; bmc3 -a -F {frames} -T {limit}", limit + 30)
-    found = re.findall(r"Output +(\d+) was asserted in frame +(\d+)", text)
-    return {labels[int(output)]: int(clock) for output, clock in found}
+    return {labels[n]: clock for n, clock in risen(text).items()}

@@ -47,6 +47,7 @@ class Properties:
     cut: list[str] = field(default_factory=list)  # modules whose outputs are free
     free: list[str] = field(default_factory=list)  # cell types whose outputs are free
     configurations: list[list[str]] = field(default_factory=list)  # of Name=value
+    depth: int = 4  # of the induction, in clocks
     frames: int = 100  # depth of the search for covers and refutations
 
     @property
@@ -124,6 +125,7 @@ def read_option(props, text, where):
         case "cut": props.cut += words
         case "free": props.free += words
         case "set": props.configurations.append(words)
+        case "depth": props.depth = int(words[0])
         case "frames": props.frames = int(words[0])
         case _: raise PropertiesError(f"{where}: unknown option {option}")
 

@@ -3,7 +3,7 @@
 """Prove the promises of RTL blocks: rtl/<layer>/<block>_props.sv.
 
 usage: prove.py [--limit SECONDS] [layer/block ...]   without blocks: every one
-       prove.py --table [--check]                     write (or only check) the table of docs/proofs.md
+       prove.py --table [--check]    write, or only check, the table in docs/proofs.md
 
 For each block: every assertion holds in every reachable state under any input (induction, then
 pdr), every cover is reachable (bounded search), and every negative control, a changed text of the
@@ -16,7 +16,8 @@ RTL, refutes the promises it names. A properties file is bound to its block and 
   // prove: cut MODULE           instances of MODULE are taken out, their outputs are free
   // prove: free $mul            cells of this type are taken out
   // prove: set Name=value ...   a configuration; each such line is proven, controls use the first
-  // prove: frames N             depth of the bounded search, default 100
+  // prove: depth N              of the induction in clocks, default 4
+  // prove: frames N             of the search for covers and refutations, default 100
 
 Exit codes: 0 all proven, 1 a promise is open, refuted or without control, 2 no such block,
 3 a tool is missing. Logs and models stay in build/formal/<block>.
@@ -56,7 +57,8 @@ def prove(block, limit):
         if sorted(order[model.name]) != sorted(props.asserts):
             raise properties.PropertiesError(
                 f"rtl/{block}_props.sv: not all assertions arrived: {order[model.name]}")
-        for label, verdict in verdicts(folder, model.name, order[model.name], limit).items():
+        verdicts = formal.prove(folder, model.name, order[model.name], props.depth, limit)
+        for label, verdict in verdicts.items():
             if verdict != "proven":
                 state[label] = verdict
                 wrong.append(f"{label}: {verdict} {' '.join(model.parameters)}".rstrip())
@@ -81,14 +83,6 @@ def prove(block, limit):
     print(f"{block}: {len(props.promises)} promises, {len(props.controls)} controls, "
           f"{len(props.covers)} covers in {time.monotonic() - begin:.1f} s")
     return wrong
-
-
-def verdicts(folder, name, labels, limit):
-    """All assertions together, for one may need another's help; alone only when that is open."""
-    if formal.prove(folder, name, range(len(labels)), limit) == "proven":
-        return dict.fromkeys(labels, "proven")
-    return {label: formal.prove(folder, name, range(n, n + 1), limit)
-            for n, label in enumerate(labels)}
 
 
 def main():
