@@ -88,7 +88,7 @@ module supervisor_props (
   // breaks latched_until_cleared: clear_i && enabled_i == '0 => clear_i
   // breaks latched_until_cleared: enabled_i == '0 && cause == FaultNone => enabled_i == '0
   // breaks clears_when_it_may: end else if (clear) begin => end else if (clear && !axis_q) begin
-  // breaks names_the_lowest_cause: end else if (watchdog_i) begin => end else if (stroke_i[0]) begin
+  // breaks names_the_lowest_cause: else if (watchdog_i) begin => else if (stroke_i[0]) begin
   // breaks names_the_axis: axis  = !encoder_i[0]; => axis  = encoder_i[1];
   // breaks keeps_the_tick: tick_q <= tick_count_i; => tick_q <= tick_count_i + 32'd1;
   // breaks first_fault_is_kept: assign set   = !trip_q && => assign set   =

@@ -57,7 +57,7 @@ module timer_props
   end
 
   // breaks zero_from_reset: if (rst_i) count_q <= '0; => if (rst_i) count_q <= value_i;
-  // breaks loads_the_value: if (load_i) count_d = value_i; => if (load_i) count_d = value_i + leap_i;
+  // breaks loads_the_value: count_d = value_i; => count_d = value_i + leap_i;
   // breaks counts_the_clocks: assign step  = Wide'(leap_i) + Wide'(1); => assign step  = Wide'(1);
   // breaks counts_the_clocks: else if (count > step) => else if (count >= step + Wide'(1) + step)
   // breaks no_event_within_next: next_o = gap_t'(count - Wide'(1)); => next_o = gap_t'(count);

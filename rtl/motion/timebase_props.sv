@@ -105,7 +105,7 @@ module timebase_props
   // breaks position_every_eighth: cur_q == 3'd0 => cur_q[1:0] == 2'd0
   // breaks interrupt_every_period: irq_period_i - 8'd1; => irq_period_i;
   // breaks counts_position_ticks: if (tick_pos_o) begin => if (tick_irq_o) begin
-  // breaks next_falls_by_the_clocks (timer): else if (count > step) => else if (count > step + Wide'(9))
+  // breaks next_falls_by_the_clocks (timer): (count > step) => (count > step + Wide'(9))
   // breaks quiescent_is_honest: quiescent_o  = !tick_cur_o; => quiescent_o  = !tick_irq_o;
 
 endmodule

@@ -189,13 +189,13 @@ module qep_props
 
   // prove: depth 5
 
-  // breaks count_is_that_of_the_model: count_q + count_t'(1) : count_q => count_q + 24'sd2 : count_q
+  // breaks count_is_that_of_the_model: count_q + count_t'(1) => count_q + count_t'(2)
   // breaks preset_wins: if (preset_i) count_d => if (preset_i && !step) count_d
   // breaks legal_motion_is_counted: same_q >= last => same_q > last
-  // breaks legal_motion_is_counted: up    = line_q[A] != prev_q[B] => up    = line_q[A] != prev_q[A]
-  // breaks illegal_step_is_an_error: both  = live && line_q[A] != => both  = live && line_q[Z] !=
+  // breaks legal_motion_is_counted: line_q[A] != prev_q[B]; => line_q[A] != prev_q[A];
+  // breaks illegal_step_is_an_error: both  = live && line_q[A] => both  = live && line_q[Z]
   // breaks no_error_without_illegal_step: error_q <= both || => error_q <= both || index ||
-  // breaks error_kept_until_cleared: error_q && !clear_error_i => error_q && !clear_error_i && !step
+  // breaks error_kept_until_cleared: error_q && !clear_error_i => error_q && !step
   // breaks short_pulse_is_ignored: same_q <= same_q + 4'd1; => same_q <= same_q + 4'd2;
   // breaks short_pulse_is_ignored: if (sync_q[i] == line_q[i]) => if (meta_q[i] == line_q[i])
   // breaks direction_of_the_last_step: if (step) dir_q <= up; => dir_q <= up;

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Promises of pwm under any phase and compare values; the carrier is computed as specified.
+
+module pwm_props
+  import trammel_pkg::*;
+(
+    input logic clk_i,
+    input logic rst_i,
+
+    input logic [11:0] phase_i,
+    input logic        load_i,
+
+    input logic enable_i,
+
+    input cmp_t cmp_a_i,
+    input cmp_t cmp_b_i,
+    input cmp_t cmp_c_i,
+
+    input logic [2:0] on_o,
+    input gap_t       next_o,
+    input logic       quiescent_o,
+
+    input cmp_t cmp_a_q,
+    input cmp_t cmp_b_q,
+    input cmp_t cmp_c_q
+);
+
+  logic live_q = 1'b0;
+  logic was_rst_q, was_quiescent_q, enable_q;
+  logic [2:0] was_on_q, above, above_q;  // carrier > compare value, at the edge before
+  cmp_t [2:0] cmp_q;  // c, b, a, taken at the latest load
+  logic [32:0] state, was_state_q;
+  logic [11:0] phase_q;
+  gap_t was_next_q;
+  logic calm;  // inputs as at the edge before, but for the next phase
+
+  // 0 up to 1562 and down to 1; beyond the period there is no carrier.
+  function automatic logic signed [12:0] carrier(logic [11:0] phase);
+    return phase <= 12'd1562 ? $signed({1'b0, phase}) : 13'sd3125 - $signed({1'b0, phase});
+  endfunction
+
+  for (genvar n = 0; n < 3; n++) begin : gen_phase
+    assign above[n] = carrier(phase_i) > $signed({2'b00, cmp_q[n]});
+  end
+
+  assign state = {cmp_c_q, cmp_b_q, cmp_a_q};
+  assign calm  = was_quiescent_q && enable_i == enable_q && !load_i && !rst_i &&
+      phase_i != '0 && phase_i == phase_q + 12'd1 && was_next_q >= 12'd2;
+
+  always_ff @(posedge clk_i) begin
+    if (rst_i) live_q <= 1'b1;
+    was_rst_q       <= rst_i;
+    was_quiescent_q <= !rst_i && quiescent_o;
+    enable_q        <= !rst_i && enable_i;
+    above_q         <= above;
+    was_on_q        <= on_o;
+    was_state_q     <= state;
+    phase_q         <= phase_i;
+    was_next_q      <= next_o;
+    if (rst_i) begin
+      cmp_q <= {CmpMax, CmpMax, CmpMax};
+    end else if (load_i) begin
+      cmp_q <= {cmp_c_i, cmp_b_i, cmp_a_i};
+    end
+    if (live_q) begin
+      off_from_reset : assert (!was_rst_q || on_o == '0);
+      off_when_disabled : assert (enable_q || on_o == '0);
+      carrier_above_compare : assert (!enable_q || on_o == above_q);
+      values_change_at_load_only : assert (state == cmp_q);
+      off_at_phase_zero : assert (was_rst_q || phase_q != '0 || on_o == '0);
+      next_falls_by_one_at_most : assert (!calm || next_o >= was_next_q - 12'd1);
+      next_is_quiet : assert (!calm || quiescent_o);
+      quiescent_is_honest :
+      assert (!was_quiescent_q || (on_o == was_on_q && state == was_state_q));
+      reaches_on : cover (on_o == 3'b101);
+      reaches_last_phase : cover (on_o == 3'b111 && phase_q == 12'd3124 - 12'd1);
+      reaches_calm : cover (calm && on_o != '0 && next_o == 12'd100);
+    end
+  end
+
+  // breaks off_from_reset: on_q    <= '0; => on_q    <= on_d;
+  // breaks off_when_disabled: on_d = '0; => on_d = on_q;
+  // breaks carrier_above_compare: return 12'(cmp) + 12'd1; => return 12'(cmp);
+  // breaks carrier_above_compare: 12'(PwmPeriod) - 12'(cmp) => 12'(PwmPeriod) - 12'(cmp) - 12'd1
+  // breaks values_change_at_load_only: if (load_i) begin => if (load_i || phase_i == '0) begin
+  // breaks off_at_phase_zero: return phase >= rise(cmp) && phase => return phase
+  // breaks next_is_quiet: return fall(cmp) - phase; => return fall(cmp) - phase + 12'd1;
+  // breaks next_falls_by_one_at_most: return rise(cmp) - phase; => return (rise(cmp) - phase) << 1;
+  // breaks quiescent_is_honest: quiescent_o = !load_i && => quiescent_o =
+
+endmodule
+
+bind pwm pwm_props u_pwm_props (.*);
