@@ -36,7 +36,7 @@ int list_keys(bool json) {
     const std::string value = value_text(key.get(defaults));
     all.push_back({{"key", key.name}, {"default", value}, {"range", range_text(key)},
                    {"help", key.help}});
-    text += fmt::format("{:<36}{:<12}{:<46}{}\n", key.name, value, range_text(key), key.help);
+    text += fmt::format("{:<35} {:<11} {:<45} {}\n", key.name, value, range_text(key), key.help);
   }
   fmt::print("{}", json ? all.dump(2) + '\n' : text);
   return 0;

@@ -125,7 +125,7 @@ void add_path(Table& t) {
   t.one("path.circle_center_x_m", 0, 0.6, "", TRAMMEL_LENS(path.circle_center_x_m));
   t.one("path.circle_center_y_m", 0, 0.6, "", TRAMMEL_LENS(path.circle_center_y_m));
   t.one("path.circle_ticks", 16, 1000000, "interrupts a turn", TRAMMEL_LENS(path.circle_ticks));
-  t.one("path.window_side_m", 1e-3, 0.6, "", TRAMMEL_LENS(path.window_side_m));
+  t.one("path.window_side_m", 1e-3, 0.6, "of the square", TRAMMEL_LENS(path.window_side_m));
   t.one("path.window_radius_m", 1e-4, 0.29, "of the arcs at the corners",
         TRAMMEL_LENS(path.window_radius_m));
   t.one("path.window_center_x_m", 0, 0.6, "", TRAMMEL_LENS(path.window_center_x_m));
@@ -134,13 +134,16 @@ void add_path(Table& t) {
         TRAMMEL_LENS(path.window_step_m));
   t.one("path.window_arc_ticks", 4, 100000, "interrupts an arc",
         TRAMMEL_LENS(path.window_arc_ticks));
-  t.one("path.star_edge_m", 1e-3, 0.6, "", TRAMMEL_LENS(path.star_edge_m));
-  t.one("path.star_start_x_m", 0, 0.6, "", TRAMMEL_LENS(path.star_start_x_m));
-  t.one("path.star_start_y_m", 0, 0.6, "", TRAMMEL_LENS(path.star_start_y_m));
+  t.one("path.star_edge_m", 1e-3, 0.6, "length of a stroke", TRAMMEL_LENS(path.star_edge_m));
+  t.one("path.star_start_x_m", 0, 0.6, "left end of the first stroke",
+        TRAMMEL_LENS(path.star_start_x_m));
+  t.one("path.star_start_y_m", 0, 0.6, "left end of the first stroke",
+        TRAMMEL_LENS(path.star_start_y_m));
   t.one("path.star_stroke_ticks", 4, 100000, "interrupts a stroke",
         TRAMMEL_LENS(path.star_stroke_ticks));
-  t.one("path.square_low_m", -0.6, 0.6, "", TRAMMEL_LENS(path.square_low_m));
-  t.one("path.square_high_m", -0.6, 0.6, "", TRAMMEL_LENS(path.square_high_m));
+  t.one("path.square_low_m", -0.6, 0.6, "where both axes rest", TRAMMEL_LENS(path.square_low_m));
+  t.one("path.square_high_m", -0.6, 0.6, "where both axes step to",
+        TRAMMEL_LENS(path.square_high_m));
   t.one("path.square_half_samples", 4, 100000, "2 kHz samples a half period",
         TRAMMEL_LENS(path.square_half_samples));
   t.one("path.square_periods", 1, 1000, "", TRAMMEL_LENS(path.square_periods));
@@ -169,13 +172,16 @@ void add_chip(Table& t) {
   t.one("plant.seed", 0, 9007199254740992.0, "of the noise", TRAMMEL_LENS(plant.seed));
 
   AxisTable a;
-  a.add("chip", "dead_time_ns", 0, 20000, "", TRAMMEL_AXIS_LENS(chip.axis, dead_time_ns));
+  a.add("chip", "dead_time_ns", 0, 20000, "between the two gates of a leg",
+        TRAMMEL_AXIS_LENS(chip.axis, dead_time_ns));
   a.add("chip", "qep_filter_clk", 1, 15, "equal samples of an encoder edge",
         TRAMMEL_AXIS_LENS(chip.axis, qep_filter_clk));
   a.add("chip", "stroke_check", 0, 0, "leaving the stroke trips",
         TRAMMEL_AXIS_LENS(chip.axis, stroke_check));
-  a.add("chip", "stroke_min_m", -40, 40, "", TRAMMEL_AXIS_LENS(chip.axis, stroke_min_m));
-  a.add("chip", "stroke_max_m", -40, 40, "", TRAMMEL_AXIS_LENS(chip.axis, stroke_max_m));
+  a.add("chip", "stroke_min_m", -40, 40, "where stroke_check trips",
+        TRAMMEL_AXIS_LENS(chip.axis, stroke_min_m));
+  a.add("chip", "stroke_max_m", -40, 40, "where stroke_check trips",
+        TRAMMEL_AXIS_LENS(chip.axis, stroke_max_m));
   a.append_to(t.keys);
 }
 
@@ -210,13 +216,13 @@ void add_plant(Table& t) {
   AxisTable a;
 #define TRAMMEL_PLANT(name, member, min, max, help) \
   a.add(s, name, min, max, help, TRAMMEL_AXIS_LENS(plant.axis, member))
-  TRAMMEL_PLANT("resistance_ohm", resistance_ohm, 0.01, 1000, "");
+  TRAMMEL_PLANT("resistance_ohm", resistance_ohm, 0.01, 1000, "of a phase");
   TRAMMEL_PLANT("inductance_d_H", inductance_d_h, 1e-4, 1, "");
   TRAMMEL_PLANT("inductance_q_H", inductance_q_h, 1e-4, 1, "");
   TRAMMEL_PLANT("force_constant_N_A", force_constant_n_a, 1, 1000, "at the peak of i_q");
   TRAMMEL_PLANT("pole_pitch_m", pole_pitch_m, 1e-3, 1, "half an electrical turn");
-  TRAMMEL_PLANT("mass_kg", mass_kg, 0.1, 500, "");
-  TRAMMEL_PLANT("payload_kg", payload_kg, 0, 500, "");
+  TRAMMEL_PLANT("mass_kg", mass_kg, 0.1, 500, "moving mass");
+  TRAMMEL_PLANT("payload_kg", payload_kg, 0, 500, "on top of the moving mass");
   TRAMMEL_PLANT("coulomb_N", coulomb_n, 0, 500, "Coulomb friction");
   TRAMMEL_PLANT("viscous_N_s_m", viscous_n_s_m, 0, 10000, "viscous friction");
   TRAMMEL_PLANT("cogging_N", cogging_n, 0, 500, "amplitude, period one pole pitch");
@@ -224,12 +230,13 @@ void add_plant(Table& t) {
   TRAMMEL_PLANT("external_force_N", external_force_n, -1000, 1000, "against positive motion");
   TRAMMEL_PLANT("stroke_min_m", stroke_min_m, -40, 40, "hard stop");
   TRAMMEL_PLANT("stroke_max_m", stroke_max_m, -40, 40, "hard stop");
-  TRAMMEL_PLANT("hard_stops", hard_stops, 0, 0, "");
-  TRAMMEL_PLANT("dc_link_V", dc_link_v, 1, 1000, "");
+  TRAMMEL_PLANT("hard_stops", hard_stops, 0, 0, "the carriage stops at both ends");
+  TRAMMEL_PLANT("dc_link_V", dc_link_v, 1, 1000, "of the inverter");
   TRAMMEL_PLANT("switch_drop_V", switch_drop_v, 0, 10, "of a closed switch");
   TRAMMEL_PLANT("diode_drop_V", diode_drop_v, 0, 10, "of a conducting diode");
   TRAMMEL_PLANT("encoder_count_m", encoder_count_m, 1e-7, 1e-3, "after x4 decoding");
-  TRAMMEL_PLANT("encoder_hysteresis_counts", encoder_hysteresis_counts, 0, 0.9, "");
+  TRAMMEL_PLANT("encoder_hysteresis_counts", encoder_hysteresis_counts, 0, 0.9,
+                "keeps ripple from chattering at a count");
   TRAMMEL_PLANT("index_m", index_m, -40, 40, "where the index pulse is");
   TRAMMEL_PLANT("current_full_scale_A", current_full_scale_a, 0.1, 1000, "of the sensors");
   TRAMMEL_PLANT("current_noise_A", current_noise_a, 0, 10, "rms");

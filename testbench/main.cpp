@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <sstream>
@@ -91,8 +92,9 @@ int main(int argc, char** argv) {
     line.app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
     const std::string verb = argc > 1 ? argv[1] : "-";
-    if (line.app.get_subcommand_no_throw(verb) == nullptr && verb.rfind('-', 0) != 0) {
-      const std::string near = tb::suggest(verb, verbs(line.app));
+    const std::vector<std::string> known = verbs(line.app);
+    if (std::find(known.begin(), known.end(), verb) == known.end() && verb.rfind('-', 0) != 0) {
+      const std::string near = tb::suggest(verb, known);
       fmt::print(stderr, "trammel: {}: unknown verb{}; see trammel --help\n", verb,
                  near.empty() ? "" : fmt::format(", did you mean {}?", near));
       return 2;
