@@ -122,8 +122,9 @@ def keys_text(program):
             same = len(set(values.values())) == 1
             default = (next(iter(values.values())) if same else
                        ", ".join(f"{axis} {value}" for axis, value in values.items()))
-            text += (f"| `{shown}` | {default} | {unit(row['key'])} | {row['range']} "
-                     f"| {row['help']} |\n")
+            cells = [default, unit(row["key"]), row["range"], row["help"]]
+            cells = [html.escape(cell, quote=False).replace("|", "\\|") for cell in cells]
+            text += f"| `{shown}` | {' | '.join(cells)} |\n"
     return text
 
 
