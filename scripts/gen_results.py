@@ -77,8 +77,8 @@ def tables(results):
             paper = figure(run, f"overshoot {axis}, first period").get("paper", "-")
             text += (f"| {controller.upper()} {axis} | {' | '.join(f'{p:.1f}' for p in periods)} "
                      f"| {paper} |\n")
-    fc, afc = (figure(f"step-{controller}", "peak current")["ours"] for controller in ("fc", "afc"))
-    return text + f"\nPeak current in it, the larger of both axes: FC {fc:.2f} A, AFC {afc:.2f} A.\n"
+    fc, afc = (figure(f"step-{name}", "peak current")["ours"] for name in ("fc", "afc"))
+    return f"{text}\nPeak current in it, the larger of both axes: FC {fc:.2f} A, AFC {afc:.2f} A.\n"
 
 
 def main():
