@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What proofs say of mutants that the unit test accepts: refuted by a promise, or equivalent.
+
+Equivalent means: under any input, from the first reset on, every output of the mutant equals the
+block's in every clock. Both begin with all registers 0, so that what no reset sets is equal too.
+"""
+
+import re
+
+import formal
+import mutants
+
+FRAMES = 60  # clocks of the bounded search for a difference
+
+# The block and a mutant side by side; a mutant of the number 0 is the control.
+MITER = """read_rtlil plain.il
+hierarchy -top {top}
+flatten
+opt_clean
+rename {top} gold
+design -stash gold
+read_rtlil mutants.il
+rename {top} gate
+cd gate
+connect -set {selector} {width}'d{number}
+cd ..
+design -stash gate
+read_verilog miter.v
+proc
+design -copy-from gold -as gold gold
+design -copy-from gate -as gate gate
+hierarchy -check -top miter
+flatten
+memory_map
+opt -full
+formalff -clk2ff
+setundef -undriven -init -zero
+opt -full
+techmap
+opt -fast
+dffunmap
+aigmap
+opt_clean
+write_aiger -zinit miter.aig
+"""
+
+
+def ports(netlist):
+    """(direction, range, name) of each port of the first module of a netlist by Yosys."""
+    text = netlist.read_text(encoding="utf-8").split("endmodule")[0]
+    found = re.findall(r"^  (input|output)(?: signed)?( \[\d+:\d+\])? (\S+);$", text, re.M)
+    return [(direction, width.strip(), name) for direction, width, name in found]
+
+
+def write_miter(block):
+    """miter.v: one output `differ_<name>` an output of the block; returns their names."""
+    folder = mutants.folder_of(block)
+    pins = ports(folder / "mutants.v")
+    inputs = [(width, name) for direction, width, name in pins if direction == "input"]
+    outputs = [(width, name) for direction, width, name in pins if direction == "output"]
+    head = [f"input {width} {name}" for width, name in inputs]
+    head += [f"output differ_{name}" for _, name in outputs]
+    lines = ["module miter(", ",\n".join(head), ");", "reg live = 1'b0;",
+             "always @(posedge clk_i) if (rst_i) live <= 1'b1;"]
+    for module in ("gold", "gate"):
+        lines += [f"wire {width} {module}_{name};" for width, name in outputs]
+        links = [f".{name}({name})" for _, name in inputs]
+        links += [f".{name}({module}_{name})" for _, name in outputs]
+        lines.append(f"{module} u_{module} ({', '.join(links)});")
+    lines += [f"assign differ_{name} = live && gold_{name} != gate_{name};" for _, name in outputs]
+    (folder / "miter.v").write_text("\n".join([*lines, "endmodule", ""]), encoding="utf-8")
+    return [name for _, name in outputs]
+
+
+def compare(block, number, limit):
+    """("equivalent", kind of proof), or ("different" | "open", what is known)."""
+    folder = mutants.folder_of(block)
+    formal.yosys(MITER.format(top=block.split("/")[1], selector=mutants.SELECTOR,
+                              width=mutants.WIDTH, number=number), folder, "miter")
+    read = "read_aiger miter.aig; orpos; scleanup; scorr; dc2; scorr"
+    # Where all registers were equal pairs, nothing sequential is left.
+    if "UNSATISFIABLE" in formal.abc(folder, f"{read}; iprove", limit):
+        return "equivalent", "induction"
+    text = formal.abc(folder, f"{read}; bmc3 -F {FRAMES} -T {max(limit // 4, 5)}", limit)
+    if formal.verdict(text) == "open":
+        text = formal.abc(folder, f"{read}; dprove -T {limit}", limit)
+    match formal.verdict(text):
+        case "proven": return "equivalent", "reachability"
+        case "refuted": return "different", f"differs at clock {formal.frame(text)}"
+        case _: return "open", f"no difference found in {FRAMES} clocks, no proof in {limit} s"
+
+
+def refuted_by(block, number, limit):
+    """Label of the promise that the mutant breaks; None when there is none."""
+    path = formal.RTL / f"{block}_props.sv"
+    if not path.exists():
+        return None
+    props = formal.read_properties(block)
+    folder, stem = mutants.folder_of(block), props.stem
+    constant = f"  localparam logic [{mutants.WIDTH - 1}:0] {mutants.SELECTOR} = {number};\n"
+    netlist = mutants.with_selector(block, constant, f"{stem}_mutant.sv")
+    order = formal.write_asserts(props, folder, "promises",
+                                 {formal.RTL / f"{block}.sv": netlist})
+    for index, label in enumerate(order):
+        if label in props.promises and \
+                formal.reach(folder, "promises", index, props.frames, limit) is not None:
+            return label
+    return None

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Runs a block's unit test against its mutants: one build, one process a mutant.
+
+The test is compiled unmodified. The mutants' module has the block's name and ports; it asks
+tests/support/mutant.cpp at the start of the simulation which mutant it is.
+"""
+
+import os
+import resource
+import subprocess
+import time
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import formal
+import lint
+import mutants
+
+DECLARATION = f"""  import "DPI-C" function int {mutants.SELECTOR}();
+  reg [{mutants.WIDTH - 1}:0] selected;
+  initial selected = {mutants.SELECTOR}();
+"""
+CHIP = "kung_xy"  # chips are tested as a whole: their inner modules through this one
+JOBS = 2
+MAIN = formal.ROOT / "build" / "tests" / "libtrammel_catch_main.a"
+SLOWEST = 10  # a mutant that takes this many times the block's own time hangs
+AT_LEAST = 5.0  # [s]
+
+
+class MutationError(Exception):
+    """One line: why a block cannot be mutated."""
+
+
+def test_of(block):
+    layer, stem = block.split("/")
+    return formal.ROOT / "tests" / layer / f"{CHIP if layer == 'chips' else stem}_test.cpp"
+
+
+def build(block):
+    """Compiles the test with the mutants; returns the program."""
+    folder, (layer, stem) = mutants.folder_of(block), block.split("/")
+    top = CHIP if layer == "chips" else stem
+    netlist = mutants.with_selector(block, DECLARATION, f"{stem}.sv")
+    text = netlist.read_text(encoding="utf-8")
+    head, declaration, body = text.partition(DECLARATION)
+    netlist.write_text(head + declaration + body.replace(f"{mutants.SELECTOR} ==", "selected =="),
+                       encoding="utf-8")
+    rtl = [] if top == stem else [*map(str, lint.packages()), str(formal.RTL / layer / f"{top}.sv")]
+    search = [f"-I{d}" for d in sorted(formal.RTL.iterdir()) if d.is_dir() and d.name != "boards"]
+    main = [str(MAIN)] if MAIN.exists() else [str(formal.ROOT / "tests" / "support" / "main.cpp")]
+    command = ["verilator", "--cc", "--exe", "--build", "-j", str(JOBS), "-Wno-fatal", "-Wno-lint",
+               "--top-module", top, "--prefix", f"V{top}", "--Mdir", str(folder / "obj"),
+               "-CFLAGS", f"-std=c++17 -I{formal.ROOT}", "-o", "mutants", *search,
+               f"-I{formal.RTL}/chips/generated", *rtl, str(netlist), str(test_of(block)),
+               str(formal.ROOT / "tests" / "support" / "mutant.cpp"), *main]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False,
+                          env={**os.environ, "OBJCACHE": "ccache"})
+    (folder / "build.log").write_text(done.stdout + done.stderr, encoding="utf-8")
+    if done.returncode != 0:
+        raise MutationError(f"the test does not build with the mutants: {folder}/build.log")
+    return folder / "obj" / "mutants"
+
+
+def passes(program, number, limit):
+    """Whether the test accepts a mutant; one that exceeds the limit [s] is not accepted."""
+    try:
+        done = subprocess.run([str(program), "--abort"], stdout=subprocess.DEVNULL,
+                              stderr=subprocess.DEVNULL, check=False, timeout=limit,
+                              preexec_fn=no_core,
+                              env={**os.environ, "TRAMMEL_MUTANT": str(number)})
+    except subprocess.TimeoutExpired:
+        return False
+    return done.returncode == 0
+
+
+def no_core():
+    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))  # a mutant may crash the test
+
+
+def survivors(block, program, numbers):
+    """Numbers of the mutants that the test accepts."""
+    begin = time.monotonic()
+    if not passes(program, 0, 600):
+        raise MutationError("the test fails without a mutant: the netlist is not the block")
+    limit = max(AT_LEAST, SLOWEST * (time.monotonic() - begin))
+    with ThreadPoolExecutor(JOBS) as pool:
+        accepted = list(pool.map(lambda n: passes(program, n, limit), numbers))
+    return [n for n, ok in zip(numbers, accepted) if ok]

@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Makes the mutants of a block: one netlist that holds all of them behind a selector.
+
+Yosys changes one bit of one port of one cell a mutant (stuck, inverted, or inverted while another
+bit of the port is 0 or 1). Only cells of the block's own module are changed, not those of blocks
+inside it, and no clock. The selector is an undriven net of the netlist; whoever uses it drives it.
+"""
+
+import hashlib
+import re
+from dataclasses import dataclass
+
+import formal
+import lint
+
+OUT = formal.ROOT / "build" / "mutants"
+SELECTOR = "trammel_mutant"
+WIDTH = 8  # bits of the selector; 0 selects no mutant
+COUNT = 200
+SEED = 1
+SPARE = 200  # listed beyond COUNT, since clock pins are dropped
+
+# Multiplexers and registers stay as the source wrote them, so that a mutant can be put in words.
+READ = """read_slang --keep-hierarchy --top {top} {files}
+proc -norom
+opt -nodffe -nosdff
+memory_collect
+memory_map -rom-only
+wreduce
+opt_clean
+write_rtlil plain.il
+mutate -list {count} -seed {seed} -o list.txt {top}/*
+"""
+APPLY = """read_rtlil plain.il
+cd {top}
+add -wire {selector} {width}
+setattr -set keep 1 w:{selector}
+cd ..
+{mutations}
+flatten
+opt_clean
+hierarchy -top {top}
+write_rtlil mutants.il
+write_verilog -noattr mutants.v
+"""
+
+
+@dataclass
+class Mutant:
+    number: int
+    command: str  # Yosys
+    words: str
+    where: str  # path:line
+
+
+def folder_of(block):
+    folder = OUT / block.replace("/", "_")
+    folder.mkdir(parents=True, exist_ok=True)
+    return folder
+
+
+def source_hash(block):
+    """Of what decides which mutants there are: the text without comments and spacing."""
+    text = (formal.RTL / f"{block}.sv").read_text(encoding="utf-8")
+    code = " ".join(re.sub(r"//.*", "", text).split())
+    return hashlib.sha256(code.encode()).hexdigest()[:16]
+
+
+def sources():
+    own = sorted(p for p in formal.RTL.glob("*/*.sv")
+                 if p.parent.name != "boards" and not p.stem.endswith(("_pkg", "_props")))
+    generated = sorted(p for p in (formal.RTL / "chips" / "generated").glob("*.sv")
+                       if not p.stem.endswith("_pkg"))
+    return [*lint.packages(), *own, *generated]
+
+
+def field(command, name):
+    found = re.search(rf" -{name} (\S+)", command)
+    return found[1] if found else None
+
+
+def is_clock(command):
+    return field(command, "port") in ("CLK", "clk_i")
+
+
+def excerpt(place, folder):
+    """Text of path:line.column-line.column, on one line; Yosys' paths start at the folder."""
+    found = re.fullmatch(r"(.+):(\d+)\.(\d+)(?:-(\d+)\.(\d+))?", place)
+    if not found:
+        return place, ""
+    path, line, column = (folder / found[1]).resolve(), int(found[2]), int(found[3])
+    lines = path.read_text(encoding="utf-8").split("\n")
+    last, end = (int(found[4]), int(found[5])) if found[4] else (line, len(lines[line - 1]) + 1)
+    text = lines[line - 1:last]
+    text[-1] = text[-1][:end - 1]
+    text[0] = text[0][column - 1:]
+    short = " ".join(" ".join(text).split())
+    if path.is_relative_to(formal.ROOT):
+        path = path.relative_to(formal.ROOT)
+    return f"{path}:{line}", short if len(short) <= 60 else short[:57] + "..."
+
+
+def describe(number, command, cells, folder):
+    mode, port, bit = (field(command, n) for n in ("mode", "port", "portbit"))
+    other = field(command, "ctrlbit")
+    effect = {"inv": "inverted", "const0": "stuck at 0", "const1": "stuck at 1",
+              "cnot0": f"inverted while bit {other} is 0",
+              "cnot1": f"inverted while bit {other} is 1"}[mode]
+    cell = field(command, "cell")
+    places = cells.get(cell, [])
+    # The narrowest place is the expression itself, the others are statements around it.
+    spots = sorted((excerpt(p, folder) for p in places), key=lambda spot: len(spot[1]))
+    where, text = spots[0] if spots else ("", cell)
+    kind = cells.get(f"{cell} type", "")
+    words = f"{kind} `{text}`, {port} bit {bit} {effect}"
+    wire = field(command, "wire")
+    if wire:
+        words += f" ({wire} bit {field(command, 'wirebit')})"
+    return Mutant(number, command, words, where)
+
+
+def read_cells(netlist, top):
+    """Places in the sources of each cell of the module, and its type under `<cell> type`."""
+    cells, inside, places = {}, False, []
+    for line in netlist.read_text(encoding="utf-8").split("\n"):
+        if line.startswith("module "):
+            inside = line.split()[1] == f"\\{top}"
+        elif inside and line.startswith("  attribute \\src "):
+            places = line.split('"')[1].split("|")
+        elif inside and line.startswith("  cell "):
+            _, kind, name = line.split()
+            cells[name.lstrip("\\")] = places
+            cells[f"{name.lstrip(chr(92))} type"] = kind.lstrip("$\\").split("$")[0]
+            places = []
+        elif inside and line.startswith("  ") and not line.startswith(("   ", "  attribute")):
+            places = []
+    return cells
+
+
+def make(block, count=COUNT, seed=SEED):
+    """Writes mutants.il and mutants.v of a block; returns its mutants, numbered from 1."""
+    folder, top = folder_of(block), block.split("/")[1]
+    files = " ".join(str(p) for p in sources())
+    formal.yosys(READ.format(top=top, files=files, count=count + SPARE, seed=seed),
+                 folder, "read")
+    commands = [line for line in (folder / "list.txt").read_text(encoding="utf-8").split("\n")
+                if line.startswith("mutate ") and not is_clock(line)][:count]
+    cells = read_cells(folder / "plain.il", top)
+    found = [describe(n, command, cells, folder) for n, command in enumerate(commands, 1)]
+    mutations = "\n".join(
+        m.command.split(" -src ")[0].replace(
+            "mutate ", f"mutate -ctrl {SELECTOR} {WIDTH} {m.number} ", 1) for m in found)
+    formal.yosys(APPLY.format(top=top, selector=SELECTOR, width=WIDTH, mutations=mutations),
+                 folder, "apply")
+    return found
+
+
+def with_selector(block, declaration, name):
+    """Writes the netlist as `name` with the selector declared so; returns its path."""
+    folder = folder_of(block)
+    text = (folder / "mutants.v").read_text(encoding="utf-8")
+    net = f"  wire [{WIDTH - 1}:0] {SELECTOR};\n"
+    if text.count(net) != 1:
+        raise formal.FormalError(f"{folder}/mutants.v: selector is not there once")
+    path = folder / name
+    path.write_text(text.replace(net, declaration), encoding="utf-8")
+    return path

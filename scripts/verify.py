@@ -1,0 +1,153 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Verify RTL blocks: prove their promises, or measure how well their tests would see a fault.
+
+usage: verify.py [layer/block ...]               the promises, as trammel prove
+       verify.py --mutants [layer/block ...]     the whole campaign; writes the table of a block
+       verify.py --sample [layer/block ...]      mutants the unit test refused must still be refused
+       verify.py --check                         no table is missing, stale or under its floor
+       verify.py --page                          writes docs/mutation.md from the tables
+
+A campaign makes 200 mutants of a block, runs its unit test against each, and proves what it can of
+those the test accepts: refuted by a promise, or equivalent. --afresh proves again what the table
+already holds. Logs and models stay in build/mutants/<block>.
+
+Exit codes: 0 reached, 1 under the floor or stale, 2 no such block, 3 a tool is missing.
+"""
+
+import argparse
+import shutil
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import formal  # noqa: E402
+import lint  # noqa: E402
+import mutant_proofs  # noqa: E402
+import mutant_tables  # noqa: E402
+import mutant_tests  # noqa: E402
+import mutants  # noqa: E402
+import prove  # noqa: E402
+import python_tools  # noqa: E402
+
+# Small blocks that stand between a fault and the hardware; their models compile in seconds.
+SAMPLED = ["drive/gate_leg", "drive/supervisor", "sense/qep", "motion/watchdog"]
+
+
+def judge(block, mutant, limit):
+    """(kind of row, row) for a mutant that the unit test accepts."""
+    row = {"number": mutant.number, "mutation": mutant.words}
+    verdict, detail = mutant_proofs.compare(block, mutant.number, limit)
+    if verdict == "equivalent":
+        return "equivalent", {**row, "proof": detail}
+    label = mutant_proofs.refuted_by(block, mutant.number, limit)
+    if label:
+        return "promise", {**row, "label": label}
+    return "left", {**row, "why": detail}
+
+
+def campaign(block, limit, afresh):
+    """Writes the table of a block; returns it."""
+    clock = formal.stopwatch()
+    found = mutants.make(block)
+    program = mutant_tests.build(block)
+    built = clock()
+    accepted = mutant_tests.survivors(block, program, [m.number for m in found])
+    tested = clock()
+    mutant_proofs.write_miter(block)
+    if mutant_proofs.compare(block, 0, limit)[0] != "equivalent":
+        raise mutant_tests.MutationError("control: no mutant is not equivalent to the block")
+    table = mutant_tables.Table(block, mutants.source_hash(block), len(found))
+    before = mutant_tables.read(block)
+    known = {}
+    if before and not afresh and before.source == table.source:
+        known = {row["mutation"]: row for row in before.equivalent}
+    for number in accepted:
+        mutant = found[number - 1]
+        kind, row = ("equivalent", known[mutant.words]) if mutant.words in known else \
+            judge(block, mutant, limit)
+        getattr(table, kind).append(row)
+        if kind == "left":
+            print(f"  {number} {mutant.where}: {mutant.words}: {row['why']}", flush=True)
+    refused = [m.number for m in found if m.number not in accepted]
+    table.sample = refused[::max(1, len(refused) // mutant_tables.SAMPLE)][:mutant_tables.SAMPLE]
+    mutant_tables.write(table)
+    print(f"{block}: {table.score:.1f} % of at least {table.floor:.0f} %: {len(found)} mutants, "
+          f"{len(refused)} refused by the test, {len(table.promise)} by promises, "
+          f"{len(table.equivalent)} equivalent, {len(table.left)} left; build {built:.0f} s, "
+          f"test {tested - built:.0f} s, proofs {clock() - tested:.0f} s", flush=True)
+    return table
+
+
+def sample(block):
+    """Lines of what went wrong with the mutants of a block's sample."""
+    table = mutant_tables.read(block)
+    if table is None or table.source != mutants.source_hash(block):
+        return []  # --check says so
+    clock = formal.stopwatch()
+    mutants.make(block)
+    program = mutant_tests.build(block)
+    accepted = mutant_tests.survivors(block, program, table.sample)
+    print(f"{block}: {len(table.sample) - len(accepted)} of {len(table.sample)} mutants refused "
+          f"in {clock():.0f} s", flush=True)
+    return [f"{block}: the unit test accepts mutant {n}, which it refused before"
+            for n in accepted]
+
+
+def parse(every):
+    parser = argparse.ArgumentParser(description=__doc__, prog="trammel verify",
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    what = parser.add_mutually_exclusive_group()
+    for name in ("mutants", "sample", "check", "page"):
+        what.add_argument(f"--{name}", action="store_true")
+    parser.add_argument("--afresh", action="store_true")
+    parser.add_argument("--limit", type=int, default=60, metavar="SECONDS",
+                        help="for one proof (default 60)")
+    parser.add_argument("blocks", nargs="*", metavar="layer/block")
+    arguments = parser.parse_args()
+    for block in arguments.blocks:
+        if block not in every:
+            parser.error(f"rtl/{block}.sv: no such block; there are {', '.join(every)}")
+    if arguments.limit < 1:
+        parser.error("--limit: at least 1 second")
+    return arguments
+
+
+def run(arguments, every):
+    """Lines of what went wrong."""
+    wrong = []
+    if arguments.mutants or arguments.sample:
+        for block in arguments.blocks or (every if arguments.mutants else SAMPLED):
+            try:
+                if arguments.sample:
+                    wrong += sample(block)
+                else:
+                    campaign(block, arguments.limit, arguments.afresh)
+            except (formal.FormalError, mutant_tests.MutationError) as error:
+                wrong.append(f"{block}: {error}")
+    if arguments.mutants or arguments.page:
+        print(f"wrote {mutant_tables.write_page(every).relative_to(formal.ROOT)}")
+    if not arguments.page:
+        wrong += mutant_tables.problems(arguments.blocks or every)
+    return wrong
+
+
+def main():
+    every = [b for b in lint.blocks() if mutant_tests.test_of(b).exists()]
+    arguments = parse(every)
+    if not (arguments.mutants or arguments.sample or arguments.check or arguments.page):
+        sys.argv[1:] = [f"--limit={arguments.limit}", *arguments.blocks]
+        return prove.main()
+    if arguments.mutants or arguments.sample:
+        python_tools.need("pyosys", "verify")
+        if shutil.which("verilator") is None:
+            print("verify: verilator is missing (trammel doctor)", file=sys.stderr)
+            return 3
+    wrong = run(arguments, every)
+    for line in wrong:
+        print(f"verify: {line}", file=sys.stderr)
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
