@@ -58,3 +58,15 @@ TEST_CASE("clarke turns a symmetric three-phase current into a circle of its amp
     REQUIRE(std::hypot(out.i_alpha, out.i_beta) == Approx(1000).margin(2));
   }
 }
+
+TEST_CASE("clarke has the flow shape: holds, ignores a second tick, is quiescent between") {
+  test::Rtl<Vclarke> rtl;
+  test::Words words(3);
+  const auto drive = [&] {
+    test::set_word(rtl->i_a_i, words());
+    test::set_word(rtl->i_b_i, words());
+  };
+  test::require_flow_shape(rtl, kLatency, {0, 0}, drive, [&] {
+    return std::vector<std::int64_t>{rtl->i_alpha_o, rtl->i_beta_o};
+  });
+}

@@ -92,3 +92,15 @@ TEST_CASE("current_pi is cleared within one clock and then quiescent") {
   test::run_flow(rtl);
   REQUIRE(test::word(rtl->v_o) == 1063);
 }
+
+TEST_CASE("current_pi has the flow shape: holds, ignores a second tick, is quiescent between") {
+  test::Rtl<Vcurrent_pi> rtl;
+  test::Words words(2);
+  const auto gain = [&] {
+    return Gain{static_cast<std::int32_t>(words.below(2048)),
+                static_cast<std::int32_t>(words.below(32)) - 16};
+  };
+  const auto set = [&] { drive(rtl, {false, words() / 16, words() / 32, gain(), gain()}); };
+  test::require_flow_shape(rtl, kLatency, {0}, set,
+                           [&] { return std::vector<std::int64_t>{rtl->v_o}; });
+}

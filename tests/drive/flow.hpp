@@ -3,8 +3,10 @@
 // Stimuli for blocks of the flow shape.
 #pragma once
 
+#include <catch2/catch.hpp>
 #include <cstdint>
 #include <random>
+#include <vector>
 
 #include "models/fixed/fixed.hpp"
 #include "tests/support/rtl.hpp"
@@ -49,6 +51,54 @@ class Words {
  private:
   std::mt19937 random_;  // its sequence is fixed by the standard, a distribution's is not
 };
+
+// Law of the flow shape, whatever the block computes: valid_o at the latency only, outputs that
+// hold after it while inputs change, ticks inside a calculation ignored, quiescent_o exactly between
+// calculations, and reset to `at_rest` from everywhere. `drive` sets random inputs, `outputs` reads
+// all outputs but valid_o and quiescent_o.
+template <class Model, class Drive, class Outputs>
+void require_flow_shape(Rtl<Model>& rtl, int latency, const std::vector<std::int64_t>& at_rest,
+                        Drive drive, Outputs outputs) {
+  Words words(4);
+  const auto below = [&](int n) { return static_cast<int>(words.below(static_cast<unsigned>(n))); };
+  const auto rests = [&](int clocks, const std::vector<std::int64_t>& held) {
+    for (int k = 0; k < clocks; ++k) {
+      drive();
+      rtl.eval();
+      REQUIRE(rtl->quiescent_o);
+      REQUIRE_FALSE(rtl->valid_o);
+      REQUIRE(outputs() == held);
+      rtl.tick();
+    }
+  };
+  const auto works = [&](int edges) {
+    const int second_tick = below(latency);  // 0: none
+    for (int edge = 0; edge < edges; ++edge) {
+      rtl->tick_i = edge == 0 || edge == second_tick;
+      rtl.eval();
+      REQUIRE_FALSE(rtl->quiescent_o);
+      REQUIRE_FALSE(rtl->valid_o);
+      rtl.tick();
+    }
+    rtl->tick_i = 0;
+    rtl.eval();
+  };
+  begin(rtl);
+  rests(3, at_rest);
+  for (int n = 0; n < 300; ++n) {
+    works(latency);
+    REQUIRE(rtl->valid_o);
+    REQUIRE_FALSE(rtl->quiescent_o);
+    const std::vector<std::int64_t> result = outputs();
+    rtl.tick();
+    rests(below(5), result);
+    if (n % 8 == 0) {
+      works(1 + below(latency - 1));
+      rtl.reset();
+      rests(latency + 2, at_rest);
+    }
+  }
+}
 
 template <class Port>
 std::int32_t word(Port value) {

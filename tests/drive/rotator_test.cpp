@@ -65,3 +65,17 @@ TEST_CASE("rotator by a quarter turn exchanges the axes") {
   REQUIRE(out.x == 300);
   REQUIRE(out.y == -500);
 }
+
+TEST_CASE("rotator has the flow shape: holds, ignores a second tick, is quiescent between") {
+  test::Rtl<Vrotator> rtl;
+  test::Words words(4);
+  const auto drive = [&] {
+    test::set_word(rtl->x_i, words());
+    test::set_word(rtl->y_i, words());
+    test::set_word(rtl->sin_i, words());
+    test::set_word(rtl->cos_i, words());
+  };
+  test::require_flow_shape(rtl, kLatency, {0, 0}, drive, [&] {
+    return std::vector<std::int64_t>{rtl->x_o, rtl->y_o};
+  });
+}

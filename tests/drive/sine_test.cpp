@@ -42,18 +42,11 @@ TEST_CASE("sine is round(2048 sin) clipped to 2047") {
   REQUIRE(Sine::value(768) == -2048);
 }
 
-TEST_CASE("sine holds its outputs and is quiescent between calculations") {
+TEST_CASE("sine has the flow shape: holds, ignores a second tick, is quiescent between") {
   test::Rtl<Vsine> rtl;
-  test::begin(rtl);
-  REQUIRE(rtl->quiescent_o);
-  rtl->angle_i = 100;
-  rtl->tick_i = 1;
-  rtl.eval();
-  REQUIRE_FALSE(rtl->quiescent_o);
-  REQUIRE(test::run_flow(rtl) == kLatency);
-  rtl->angle_i = 900;
-  rtl.tick();
-  REQUIRE(rtl->quiescent_o);
-  REQUIRE_FALSE(rtl->valid_o);
-  REQUIRE(test::word(rtl->sin_o) == Sine::value(100));
+  test::Words words(5);
+  const auto drive = [&] { rtl->angle_i = static_cast<std::uint16_t>(words.below(1024)); };
+  test::require_flow_shape(rtl, kLatency, {0, 0}, drive, [&] {
+    return std::vector<std::int64_t>{rtl->sin_o, rtl->cos_o};
+  });
 }

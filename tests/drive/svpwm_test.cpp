@@ -119,3 +119,15 @@ TEST_CASE("svpwm errs in the sector only within a tenth of a step of its border"
   }
   REQUIRE(wrong < 100);  // of 5.6 million; the duty is continuous there
 }
+
+TEST_CASE("svpwm has the flow shape: holds, ignores a second tick, is quiescent between") {
+  test::Rtl<Vsvpwm> rtl;
+  test::Words words(3);
+  const auto drive = [&] {
+    test::set_word(rtl->v_alpha_i, words());
+    test::set_word(rtl->v_beta_i, words());
+  };
+  test::require_flow_shape(rtl, kLatency, {781, 781, 781, 0}, drive, [&] {
+    return std::vector<std::int64_t>{rtl->cmp_a_o, rtl->cmp_b_o, rtl->cmp_c_o, rtl->sector_o};
+  });
+}

@@ -62,3 +62,15 @@ TEST_CASE("vector_limit keeps every vector inside the hexagon and short ones unt
     if (std::hypot(std::abs(in.v_d) + 32, std::abs(in.v_q) + 1) <= 2047) REQUIRE_FALSE(out.limited);
   }
 }
+
+TEST_CASE("vector_limit has the flow shape: holds, ignores a second tick, is quiescent between") {
+  test::Rtl<Vvector_limit> rtl;
+  test::Words words(3);
+  const auto drive = [&] {
+    test::set_word(rtl->v_d_i, words());
+    test::set_word(rtl->v_q_i, words());
+  };
+  test::require_flow_shape(rtl, kLatency, {0, 0, 0}, drive, [&] {
+    return std::vector<std::int64_t>{rtl->v_d_o, rtl->v_q_o, rtl->limited_o};
+  });
+}
