@@ -72,7 +72,7 @@ def write_miter(block):
     return [name for _, name in outputs]
 
 
-def compare(block, number, limit):
+def compare(block, number, outputs, limit):
     """("equivalent", kind of proof), or ("different" | "open", what is known)."""
     folder = mutants.folder_of(block)
     formal.yosys(MITER.format(top=block.split("/")[1], selector=mutants.SELECTOR,
@@ -81,13 +81,20 @@ def compare(block, number, limit):
     # Where all registers were equal pairs, nothing sequential is left.
     if "UNSATISFIABLE" in formal.abc(folder, f"{read}; iprove", limit):
         return "equivalent", "induction"
-    text = formal.abc(folder, f"{read}; bmc3 -F {FRAMES} -T {max(limit // 4, 5)}", limit)
+    text = formal.abc(folder, f"{read}; dprove -T {limit}", limit)
     if formal.verdict(text) == "open":
-        text = formal.abc(folder, f"{read}; dprove -T {limit}", limit)
+        text = formal.abc(folder, f"{read}; bmc3 -F {FRAMES} -T {limit}", limit)
     match formal.verdict(text):
         case "proven": return "equivalent", "reachability"
-        case "refuted": return "different", f"differs at clock {formal.frame(text)}"
+        case "refuted": return "different", where(folder, outputs, formal.frame(text), limit)
         case _: return "open", f"no difference found in {FRAMES} clocks, no proof in {limit} s"
+
+
+def where(folder, outputs, clock, limit):
+    """Which outputs can differ at that clock."""
+    seen = [name for index, name in enumerate(outputs)
+            if formal.reach(folder, "miter", index, clock + 1, limit) is not None]
+    return f"differs at clock {clock} in {', '.join(seen) or 'some output'}"
 
 
 def refuted_by(block, number, limit):
@@ -98,7 +105,7 @@ def refuted_by(block, number, limit):
     props = formal.read_properties(block)
     folder, stem = mutants.folder_of(block), props.stem
     constant = f"  localparam logic [{mutants.WIDTH - 1}:0] {mutants.SELECTOR} = {number};\n"
-    netlist = mutants.with_selector(block, constant, f"{stem}_mutant.sv")
+    netlist = mutants.with_selector(block, "mutants.v", constant, f"{stem}_mutant.sv")
     order = formal.write_asserts(props, folder, "promises",
                                  {formal.RTL / f"{block}.sv": netlist})
     for index, label in enumerate(order):

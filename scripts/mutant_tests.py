@@ -40,7 +40,7 @@ def build(block):
     """Compiles the test with the mutants; returns the program."""
     folder, (layer, stem) = mutants.folder_of(block), block.split("/")
     top = CHIP if layer == "chips" else stem
-    netlist = mutants.with_selector(block, DECLARATION, f"{stem}.sv")
+    netlist = mutants.with_selector(block, "split.v", DECLARATION, f"{stem}.sv")
     text = netlist.read_text(encoding="utf-8")
     head, declaration, body = text.partition(DECLARATION)
     netlist.write_text(head + declaration + body.replace(f"{mutants.SELECTOR} ==", "selected =="),
@@ -48,7 +48,7 @@ def build(block):
     rtl = [] if top == stem else [*map(str, lint.packages()), str(formal.RTL / layer / f"{top}.sv")]
     search = [f"-I{d}" for d in sorted(formal.RTL.iterdir()) if d.is_dir() and d.name != "boards"]
     main = [str(MAIN)] if MAIN.exists() else [str(formal.ROOT / "tests" / "support" / "main.cpp")]
-    command = ["verilator", "--cc", "--exe", "--build", "-j", str(JOBS), "-Wno-fatal", "-Wno-lint",
+    command = ["verilator", "--cc", "--exe", "--build", "-j", str(JOBS), "-Wno-fatal", "-Wno-lint", "-fno-dfg",
                "--top-module", top, "--prefix", f"V{top}", "--Mdir", str(folder / "obj"),
                "-CFLAGS", f"-std=c++17 -I{formal.ROOT}", "-o", "mutants", *search,
                f"-I{formal.RTL}/chips/generated", *rtl, str(netlist), str(test_of(block)),

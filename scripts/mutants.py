@@ -42,6 +42,9 @@ opt_clean
 hierarchy -top {top}
 write_rtlil mutants.il
 write_verilog -noattr mutants.v
+splitnets -driver
+opt_clean
+write_verilog -noattr split.v
 """
 
 
@@ -138,7 +141,11 @@ def read_cells(netlist, top):
 
 
 def make(block, count=COUNT, seed=SEED):
-    """Writes mutants.il and mutants.v of a block; returns its mutants, numbered from 1."""
+    """Writes the netlists of a block; returns its mutants, numbered from 1.
+
+    mutants.il and mutants.v keep the names of the source; split.v has no net that several cells
+    drive in parts, which Verilator would take for loops.
+    """
     folder, top = folder_of(block), block.split("/")[1]
     files = " ".join(str(p) for p in sources())
     formal.yosys(READ.format(top=top, files=files, count=count + SPARE, seed=seed),
@@ -155,13 +162,13 @@ def make(block, count=COUNT, seed=SEED):
     return found
 
 
-def with_selector(block, declaration, name):
+def with_selector(block, netlist, declaration, name):
     """Writes the netlist as `name` with the selector declared so; returns its path."""
     folder = folder_of(block)
-    text = (folder / "mutants.v").read_text(encoding="utf-8")
+    text = (folder / netlist).read_text(encoding="utf-8")
     net = f"  wire [{WIDTH - 1}:0] {SELECTOR};\n"
     if text.count(net) != 1:
-        raise formal.FormalError(f"{folder}/mutants.v: selector is not there once")
+        raise formal.FormalError(f"{folder}/{netlist}: selector is not there once")
     path = folder / name
     path.write_text(text.replace(net, declaration), encoding="utf-8")
     return path

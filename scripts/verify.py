@@ -34,10 +34,10 @@ import python_tools  # noqa: E402
 SAMPLED = ["drive/gate_leg", "drive/supervisor", "sense/qep", "motion/watchdog"]
 
 
-def judge(block, mutant, limit):
+def judge(block, mutant, outputs, limit):
     """(kind of row, row) for a mutant that the unit test accepts."""
     row = {"number": mutant.number, "mutation": mutant.words}
-    verdict, detail = mutant_proofs.compare(block, mutant.number, limit)
+    verdict, detail = mutant_proofs.compare(block, mutant.number, outputs, limit)
     if verdict == "equivalent":
         return "equivalent", {**row, "proof": detail}
     label = mutant_proofs.refuted_by(block, mutant.number, limit)
@@ -54,18 +54,18 @@ def campaign(block, limit, afresh):
     built = clock()
     accepted = mutant_tests.survivors(block, program, [m.number for m in found])
     tested = clock()
-    mutant_proofs.write_miter(block)
-    if mutant_proofs.compare(block, 0, limit)[0] != "equivalent":
+    outputs = mutant_proofs.write_miter(block)
+    if mutant_proofs.compare(block, 0, outputs, limit)[0] != "equivalent":
         raise mutant_tests.MutationError("control: no mutant is not equivalent to the block")
     table = mutant_tables.Table(block, mutants.source_hash(block), len(found))
     before = mutant_tables.read(block)
     known = {}
     if before and not afresh and before.source == table.source:
-        known = {row["mutation"]: row for row in before.equivalent}
+        known = {(row["number"], row["mutation"]): row for row in before.equivalent}
     for number in accepted:
         mutant = found[number - 1]
-        kind, row = ("equivalent", known[mutant.words]) if mutant.words in known else \
-            judge(block, mutant, limit)
+        row = known.get((number, mutant.words))
+        kind, row = ("equivalent", row) if row else judge(block, mutant, outputs, limit)
         getattr(table, kind).append(row)
         if kind == "left":
             print(f"  {number} {mutant.where}: {mutant.words}: {row['why']}", flush=True)
