@@ -5,6 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cosim/kung/trigger.hpp"
 #include "testbench/build_info.hpp"
 #include "testbench/config.hpp"
 #include "testbench/output.hpp"
@@ -42,9 +43,28 @@ int list_keys(bool json) {
   return 0;
 }
 
+int list_signals(bool json) {
+  Json all = Json::array();
+  std::string text = fmt::format(
+      "What --wave-trigger may name. With x. or y. before it a signal of that axis; without, of "
+      "either.\nEvents: {}\n\n", kung::kTriggerForms);
+  for (const kung::Signal& signal : kung::signals()) {
+    const std::int64_t span = std::int64_t{1} << signal.bits;
+    const std::int64_t low = signal.is_signed ? -span / 2 : 0;
+    const std::string range = fmt::format("{}..{}", low, low + span - 1);
+    all.push_back({{"signal", signal.name}, {"axis", signal.of_axis}, {"range", range},
+                   {"help", signal.help}});
+    text += fmt::format("{:<6}{:<20}{:<26}{}\n", signal.of_axis ? "x. y." : "", signal.name, range,
+                        signal.help);
+  }
+  fmt::print("{}", json ? all.dump(2) + '\n' : text);
+  return 0;
+}
+
 }  // namespace
 
 int list(const std::string& topic, bool json) {
+  if (topic == "signals") return list_signals(json);
   return topic == "keys" ? list_keys(json) : list_scenarios(json);
 }
 

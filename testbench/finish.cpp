@@ -12,6 +12,7 @@
 #include "cosim/kung/points.hpp"
 #include "cosim/kung/words.hpp"
 #include "testbench/config.hpp"
+#include "testbench/waves.hpp"
 
 namespace trammel::testbench {
 namespace {
@@ -128,9 +129,7 @@ void finish(Options& o) {
                       p.window_radius_m, p.window_side_m / 2));
   require(p.kind != PathKind::kSquare || p.square_low_m != p.square_high_m,
           "path.square_high_m: must differ from path.square_low_m");
-  require(o.run.wave == kung::WaveFormat::kNone || o.run.wave_begin_s < o.run.wave_end_s,
-          fmt::format("run.wave_end_s: value {:g} must be above run.wave_begin_s = {:g}",
-                      o.run.wave_end_s, o.run.wave_begin_s));
+  check_waves(o);
   require(!o.scenario.empty() && o.scenario.find('/') == std::string::npos &&
               o.scenario.front() != '.' &&
               std::none_of(o.scenario.begin(), o.scenario.end(),

@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <sstream>
 
+#include "cosim/kung/trigger.hpp"
 #include "systemc/machines/kung.hpp"
 #include "testbench/config.hpp"
 #include "testbench/doctor.hpp"
@@ -56,14 +57,26 @@ struct CommandLine {
     run->add_option("-s,--set", run_arguments.assignments, "key=value (`trammel list keys`)");
     run->add_option("-o,--out", run_arguments.out, "output folder, default out/<scenario>");
     run->add_option("--platform", run_arguments.platform, "systemc or direct");
-    run->add_option("--wave", run_arguments.wave, "signal traces: vcd or fst");
-    run->add_option("--wave-window", run_arguments.wave_window, "a:b, for instance 0:5ms");
+    add_waves(run_arguments.waves);
     run->add_flag("--check", run_arguments.check, "exit 1 when a figure is out of tolerance");
 
-    list = app.add_subcommand("list", "scenarios, or every parameter with unit and range");
-    list->add_option("topic", topic, "scenarios or keys")
-        ->check(CLI::IsMember({"scenarios", "keys"}));
+    list = app.add_subcommand("list", "scenarios, every parameter with unit and range, or signals");
+    list->add_option("topic", topic, "scenarios, keys or signals (for --wave-trigger)")
+        ->check(CLI::IsMember({"scenarios", "keys", "signals"}));
     doctor = app.add_subcommand("doctor", "what is here and what is missing");
+  }
+
+  void add_waves(tb::WaveArguments& waves) {
+    run->add_option("--wave", waves.format, "signal traces: vcd or fst");
+    run->add_option("--wave-window", waves.window,
+                    "a:b from the start of the run, or from the trigger (-1ms:2ms); default: 2 ms "
+                    "around the trigger, or from where the drives start");
+    run->add_option("--wave-trigger", waves.trigger,
+                    std::string("begin at an event, found in an untraced run before: ") +
+                        trammel::kung::kTriggerForms + "; names: `trammel list signals`");
+    run->add_option("--wave-pre", waves.pre, "before the trigger, default 0.2ms");
+    run->add_option("--wave-every", waves.every,
+                    "the window again in each such period, for instance 50ms");
   }
 };
 

@@ -13,6 +13,7 @@
 #include "testbench/build_info.hpp"
 #include "testbench/config.hpp"
 #include "testbench/paper.hpp"
+#include "testbench/waves.hpp"
 
 namespace trammel::testbench {
 namespace fs = std::filesystem;
@@ -130,6 +131,7 @@ Json metrics_json(const kung::Options& options, const kung::Result& result, cons
                  {"clocks_per_s", m.clocks_per_s},
                  {"real_time_factor", m.real_time_factor},
                  {"event_hash", fmt::format("{:016x}", result.event_hash)}};
+  if (const auto waves = waves_json(options, result); !waves.is_null()) json["waves"] = waves;
   json["versions"] = {{"trammel", kVersion},   {"commit", kCommit},     {"verilator", kVerilator},
                       {"systemc", kSystemC},   {"compiler", kCompiler}, {"build", kBuild}};
   for (const Key& key : keys()) json["options"][key.name] = to_json(key.get(options));
@@ -203,15 +205,6 @@ std::string shell_word(const fs::path& path) {
     }
   }
   return text + "'";
-}
-
-bool fst_to_vcd(const fs::path& fst, const fs::path& vcd) {
-  const std::string command = fmt::format("exec fst2vcd -f {} -o {} > /dev/null 2>&1",
-                                          shell_word(fst), shell_word(vcd));
-  std::error_code ignored;
-  const bool good = std::system(command.c_str()) == 0 && fs::file_size(vcd, ignored) > 0;
-  fs::remove(good ? fst : vcd, ignored);
-  return good;
 }
 
 const char* fault_text(kung::FaultCode code) {

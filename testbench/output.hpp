@@ -51,9 +51,6 @@ std::filesystem::path find_program(const std::string& name);
 // A word of the shell, whatever it holds.
 std::string shell_word(const std::filesystem::path& path);
 
-// Writes vcd and removes fst; false when fst2vcd fails, and then fst stays.
-bool fst_to_vcd(const std::filesystem::path& fst, const std::filesystem::path& vcd);
-
 const char* fault_text(kung::FaultCode code);
 std::string cause_text(const kung::Fault& fault);  // of a trip, with its axis
 const char* end_text(kung::EndReason end);

@@ -13,17 +13,13 @@
 #include "testbench/output.hpp"
 #include "testbench/paper.hpp"
 #include "testbench/report.hpp"
+#include "testbench/waves.hpp"
 
 namespace trammel::testbench {
 namespace {
 
 namespace fs = std::filesystem;
 using kung::Options;
-
-constexpr double kDefaultWindowS = 0.002;
-// Order of magnitude of a trace of this chip, to warn before it fills a disk.
-constexpr double kVcdBytesPerS = 1.2e10;
-constexpr double kFstBytesPerS = 8e7;
 
 // A line that rewrites itself, on a terminal only.
 class Progress {
@@ -67,44 +63,8 @@ Options layered(const std::string& scenario, const RunArguments& arguments) {
   if (!arguments.platform.empty()) {
     apply_assignment(options, "run.platform=" + arguments.platform, "--platform");
   }
-  if (!arguments.wave.empty()) {
-    apply_assignment(options, "run.wave=" + arguments.wave, "--wave");
-  }
-  if (!arguments.wave_window.empty()) {
-    const auto [begin, end] = parse_window(arguments.wave_window);
-    apply_assignment(options, fmt::format("run.wave_begin_s={}", begin), "--wave-window");
-    apply_assignment(options, fmt::format("run.wave_end_s={}", end), "--wave-window");
-    if (options.run.wave == kung::WaveFormat::kNone) {
-      throw ConfigError("--wave-window: needs --wave vcd or --wave fst");
-    }
-  }
+  apply_waves(options, arguments.waves);
   return options;
-}
-
-void announce_waves(const Options& options) {
-  if (options.run.wave == kung::WaveFormat::kVcd && find_program("fst2vcd").empty()) {
-    throw ToolMissing("--wave vcd: fst2vcd is missing (see `trammel doctor`)");
-  }
-  const double length = options.run.wave_end_s - options.run.wave_begin_s;
-  if (options.run.wave == kung::WaveFormat::kNone || length <= kDefaultWindowS) return;
-  const bool vcd = options.run.wave == kung::WaveFormat::kVcd;
-  fmt::print(stderr, "trammel: waves of {:g} ms take about {:.2g} MB\n", length * 1e3,
-             length * (vcd ? kVcdBytesPerS : kFstBytesPerS) / 1e6);
-}
-
-// The chip writes FST; a VCD is made of it.
-void finish_waves(const Options& options, const kung::Result& result) {
-  if (options.run.wave == kung::WaveFormat::kNone) return;
-  const double ran_s = static_cast<double>(result.clocks) *
-                       static_cast<double>(options.plant.clock_ps) * 1e-12;
-  if (ran_s <= options.run.wave_begin_s) {
-    fmt::print(stderr, "trammel: no waves: the run ended at {:g} s, before their window\n", ran_s);
-  }
-  if (options.run.wave != kung::WaveFormat::kVcd) return;
-  const fs::path fst = options.run.wave_file;
-  if (!fst_to_vcd(fst, fs::path(fst).replace_extension("vcd"))) {
-    fmt::print(stderr, "trammel: fst2vcd failed; the waves are kept as waves.fst\n");
-  }
 }
 
 struct Outcome {
@@ -135,7 +95,7 @@ Outcome run_one(Options options, const fs::path& target, const RunArguments& arg
       throw ConfigError(error.what());
     }
   }
-  finish_waves(options, result);
+  const int waves_code = finish_waves(options, result, folder.target());
   const Metrics metrics = evaluate(options, result);
   Outcome outcome{{options, metrics, result.end}, metrics_json(options, result, metrics),
                   exit_code(result)};
@@ -151,7 +111,8 @@ Outcome run_one(Options options, const fs::path& target, const RunArguments& arg
 
   const fs::path shown = fs::proximate(folder.target());
   if (!arguments.json && !arguments.all) {
-    fmt::print("{}", run_report(options, result, metrics, shown.string()));
+    fmt::print("{}{}", run_report(options, result, metrics, shown.string()),
+               waves_report(options, result, shown.string()));
   } else if (arguments.all) {
     fmt::print(stderr, "trammel: {} {}: {} in {:.1f} s\n", options.scenario,
                options.controller == kung::Controller::kFc ? "FC" : "AFC", end_text(result.end),
@@ -163,6 +124,7 @@ Outcome run_one(Options options, const fs::path& target, const RunArguments& arg
                result.end == kung::EndReason::kFault ? " by " + cause_text(result.fault) : "",
                shown.string());
   }
+  if (outcome.code == 0) outcome.code = waves_code;
   if (arguments.check && outcome.code == 0) {
     for (const Comparison& line : compare(options, metrics)) {
       if (line.good()) continue;
@@ -204,25 +166,7 @@ int run_all(const RunArguments& arguments, const Simulate& simulate,
   return code;
 }
 
-double parse_seconds(const std::string& text, const std::string& whole) {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  const std::string unit = end;
-  const double scale = unit.empty() || unit == "s" ? 1 : unit == "ms" ? 1e-3 : 1e-6;
-  if (end == text.c_str() || (scale == 1e-6 && unit != "us")) {
-    throw ConfigError(fmt::format("--wave-window: value \"{}\" is not a:b, each with s, ms or us, "
-                                  "for instance 0:5ms", whole));
-  }
-  return value * scale;
-}
-
 }  // namespace
-
-std::pair<double, double> parse_window(const std::string& text) {
-  const auto colon = text.find(':');
-  if (colon == std::string::npos) return {0, parse_seconds("", text)};
-  return {parse_seconds(text.substr(0, colon), text), parse_seconds(text.substr(colon + 1), text)};
-}
 
 int run(const RunArguments& arguments, const Simulate& simulate, const std::atomic<bool>& stop) {
   if (arguments.all) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cosim/kung/types.hpp"
+#include "testbench/waves.hpp"
 
 namespace trammel::testbench {
 
@@ -18,9 +19,8 @@ struct RunArguments {
   std::string scenario;
   std::vector<std::string> files;        // -c
   std::vector<std::string> assignments;  // -s
-  std::string platform;                  // --platform, --wave, --wave-window: as their keys
-  std::string wave;
-  std::string wave_window;
+  std::string platform;                  // --platform, as its key
+  WaveArguments waves;                   // --wave, --wave-*
   std::string out;
   bool all = false;
   bool json = false;
@@ -28,8 +28,5 @@ struct RunArguments {
 };
 
 int run(const RunArguments& arguments, const Simulate& simulate, const std::atomic<bool>& stop);
-
-// "a:b" with an optional s, ms or us behind each: seconds. Throws ConfigError.
-std::pair<double, double> parse_window(const std::string& text);
 
 }  // namespace trammel::testbench

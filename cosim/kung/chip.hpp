@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "cosim/cosim.hpp"
 #include "cosim/kung/lines.hpp"
@@ -34,15 +35,39 @@ struct KungChip : cosim::Chip {
   virtual cosim::Clk evaluated() const = 0;  // edges evaluated; the others were leapt over
 };
 
-// What a traced chip dumps: the edges [begin, end). Inside them no clock is leapt over.
+// What a traced chip dumps: the edges [begin, end), and the same again every `period` edges. Inside
+// them no clock is leapt over.
 struct WaveWindow {
-  std::string fst_file;
   cosim::Clk begin = 0;
   cosim::Clk end = 0;
+  cosim::Clk period = cosim::kNever;
+};
+
+// A value inside the chip that a trigger may name: a word of the controllers or a register.
+struct Signal {
+  const char* name;  // without axis: "e", "STATUS.step", "TICK"
+  const char* help;
+  int bits;
+  bool is_signed;
+  bool of_axis;      // there are two, x.<name> and y.<name>
+};
+const std::vector<Signal>& signals();
+
+struct SignalReader {
+  virtual ~SignalReader() = default;
+  virtual std::int64_t read(std::size_t signal, int axis) const = 0;  // index into signals()
+};
+
+// Sees the chip after each edge that is evaluated; at the others no signal changes.
+struct Watcher {
+  virtual ~Watcher() = default;
+  virtual void after(cosim::Clk edge, const SignalReader& chip) = 0;
 };
 
 // leap: waiting clocks are not evaluated; the edges of all events stay the same.
 std::unique_ptr<KungChip> make_verilated_chip(bool leap);
-std::unique_ptr<KungChip> make_traced_chip(const WaveWindow& window, bool leap);
+std::unique_ptr<KungChip> make_traced_chip(const std::string& fst_file, const WaveWindow& window,
+                                           bool leap);
+std::unique_ptr<KungChip> make_watched_chip(Watcher& watcher, bool leap);
 
 }  // namespace trammel::kung

@@ -15,7 +15,6 @@ static_assert(encoder_a(1) == plant::xy::encoder_a(1) && encoder_z(1) == plant::
               "plant and chip disagree about their pins");
 
 namespace {
-constexpr double kClocksPerSecond = 50e6;
 constexpr std::uint32_t kSamplesAfterFault = 20;  // enough to see the fault's effect in the record
 
 const char* check_text(sw::Failure failure) {
@@ -31,11 +30,11 @@ const char* check_text(sw::Failure failure) {
   return "";
 }
 
-cosim::Clk edge_at(double seconds) { return std::llround(seconds * kClocksPerSecond); }
 cosim::Clk fault_at(double seconds) { return seconds > 0 ? edge_at(seconds) : cosim::kNever; }
 }  // namespace
 
-Session::Session(const Options& options, const Hooks& hooks) : options_(options), hooks_(hooks) {
+Session::Session(const Options& options, const Hooks& hooks, const Waves& waves)
+    : options_(options), hooks_(hooks), waves_(waves) {
   firmware_ = std::make_unique<StallableApp>(plan_firmware(options_, points_),
                                              fault_at(options_.inject.processor_s));
   const sw::Point start = firmware_->app().start_point();
@@ -43,11 +42,7 @@ Session::Session(const Options& options, const Hooks& hooks) : options_(options)
   options_.plant.axis[1].start_m = start.y * kCountM;
   plant_ = std::make_unique<TablePlant>(options_.plant, fault_at(options_.inject.trip_s),
                                         fault_at(options_.inject.encoder_s));
-  chip_ = options_.run.wave == WaveFormat::kNone
-              ? make_verilated_chip(options_.run.leap)
-              : make_traced_chip({options_.run.wave_file, edge_at(options_.run.wave_begin_s),
-                                  edge_at(options_.run.wave_end_s)},
-                                 options_.run.leap);
+  chip_ = make_chip();
   firmware_->runs_on(*chip_);
   recorder_ = std::make_unique<Recorder>(*chip_, plant_->table(),
                                          [this](const Sample& sample) { return over(sample); });
@@ -57,6 +52,13 @@ Session::Session(const Options& options, const Hooks& hooks) : options_(options)
   result_.end = EndReason::kTimeout;
 }
 
+std::unique_ptr<KungChip> Session::make_chip() {
+  const RunOptions& run = options_.run;
+  if (waves_.search != nullptr) return make_watched_chip(*waves_.search, run.leap);
+  if (waves_.window) return make_traced_chip(run.wave_file, *waves_.window, run.leap);
+  return make_verilated_chip(run.leap);
+}
+
 cosim::ProcessorTiming Session::timing() const {
   return {options_.processor.access_clk, options_.processor.interrupt_latency_clk};
 }
@@ -64,6 +66,7 @@ cosim::ProcessorTiming Session::timing() const {
 cosim::Clk Session::end() const { return edge_at(options_.run.max_s); }
 
 bool Session::over(const Sample& sample) {
+  if (waves_.search != nullptr && waves_.search->found()) return true;
   const auto period = static_cast<std::uint32_t>(
       ticks_per_point(options_.path, options_.chip.irq_period_ticks));
   result_.fault = chip_->fault();
@@ -102,6 +105,7 @@ Result Session::result() {
   result_.event_hash = recorder_->event_hash();
   result_.clocks = chip_->now();
   result_.evaluated = chip_->evaluated();
+  if (waves_.window) result_.waves = wave_spans(*waves_.window, result_.clocks);
   result_.wall_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
   return std::move(result_);

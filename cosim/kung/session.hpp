@@ -11,6 +11,7 @@
 #include "cosim/kung/chip.hpp"
 #include "cosim/kung/recorder.hpp"
 #include "cosim/kung/types.hpp"
+#include "cosim/kung/waves.hpp"
 #include "sw_nios/apps/kung.hpp"
 #include "sw_nios/hal/generated/kung_xy_regs.hpp"
 
@@ -73,7 +74,7 @@ class StallableApp final : public sw::Firmware {
 class Session {
  public:
   // Throws OptionsError or std::invalid_argument for options that cannot run.
-  Session(const Options& options, const Hooks& hooks);
+  Session(const Options& options, const Hooks& hooks, const Waves& waves = {});
 
   cosim::Loop& loop() { return *loop_; }
   sw::Firmware& firmware() { return *firmware_; }
@@ -82,6 +83,7 @@ class Session {
   std::int64_t period_ps() const { return options_.plant.clock_ps; }
   cosim::Clk end() const;  // edge at which the run ends at the latest
   bool finished() const { return recorder_->done(); }
+  bool stopped() const { return result_.end == EndReason::kStopped; }
 
   // A second observer of every stop, after the record.
   void watch(cosim::Observer& observer) { tee_.second = &observer; }
@@ -100,8 +102,11 @@ class Session {
 
   bool over(const Sample& sample);
 
+  std::unique_ptr<KungChip> make_chip();
+
   Options options_;
   Hooks hooks_;
+  Waves waves_;
   std::vector<sw::Point> points_;
   std::unique_ptr<TablePlant> plant_;
   std::unique_ptr<KungChip> chip_;

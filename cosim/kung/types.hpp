@@ -9,6 +9,7 @@
 #include <atomic>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -111,8 +112,11 @@ struct RunOptions {
   double max_s = 60;              // simulated time a run may take
   double diverged_m = 0.05;       // tracking error that ends the run as diverged
   WaveFormat wave = WaveFormat::kNone;
-  double wave_begin_s = 0;
-  double wave_end_s = 0.002;
+  double wave_begin_s = 0;        // from the start of the run, or from the trigger; both zero: the
+  double wave_end_s = 0;          // default window of waves.hpp
+  std::string wave_trigger;       // see trigger.hpp; "" = none
+  double wave_pre_s = 0.0002;     // of the default window, before the trigger
+  double wave_every_s = 0;        // the window again in every such period; 0 = once
   std::string wave_file;          // set by the program: where the waves go
 };
 
@@ -169,6 +173,12 @@ struct Fault {
   std::string processor = {};  // code kNone: the check of the firmware that stopped the drives
 };
 
+// Clock edges [begin, end) that waves were dumped of.
+struct WaveSpan {
+  cosim::Clk begin = 0;
+  cosim::Clk end = 0;
+};
+
 struct Result {
   std::vector<Sample> samples;    // every 2 kHz sample from the first tick of the chip on
   std::uint32_t first_tick = 0;   // sample at which point 0 of the path took effect
@@ -180,6 +190,8 @@ struct Result {
   cosim::Clk evaluated = 0;       // of these; the others were leapt over
   double wall_s = 0;
   std::uint64_t event_hash = 0;   // of all gate, interrupt and bus events with their edges
+  std::optional<cosim::Clk> wave_trigger;  // edge at which it fired
+  std::vector<WaveSpan> waves;    // what the wave file holds
 };
 
 struct Hooks {

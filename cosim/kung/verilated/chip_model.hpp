@@ -13,7 +13,8 @@
 namespace trammel::kung {
 
 // Tracer: attach(context, model) before time zero; dump(Clk, high) after each half period of the
-// edges that it shows: those for which shows(Clk) holds, the first one being next_shown(Clk).
+// edges that it shows: those for which shows(Clk) holds, the first one being next_shown(Clk);
+// raised(Clk) after every edge that is evaluated.
 //
 // Outside these an edge is one evaluation: the model's stored clock value is set back by hand, so
 // that the next evaluation sees a rising edge. Inputs that changed settle before it.
@@ -27,7 +28,7 @@ class ChipModel final : public KungChip {
   ChipModel(Tracer tracer, bool leap) : tracer_(std::move(tracer)), leap_(leap) {
     context_->randReset(2);
     context_->randSeed(1);
-    model_ = std::make_unique<Model>(context_.get(), "kung_xy");
+    model_ = std::make_unique<Model>(context_.get(), "");  // no scope around the chip's
     tracer_.attach(*context_, *model_);
     quiet_inputs();
     model_->s_axil_wstrb_i = 0xf;
@@ -148,6 +149,7 @@ class ChipModel final : public KungChip {
     model_->rootp->__Vtrigrprev__TOP__clk_i = 0;
     model_->eval();
     if (tracer_.shows(edge)) tracer_.dump(edge, true);
+    tracer_.raised(edge);
   }
 
   // Edges from the present one on that only count; at least 1, the evaluated one.

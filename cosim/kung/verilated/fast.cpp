@@ -12,6 +12,7 @@ struct NoTrace {
   static constexpr bool shows(cosim::Clk) { return false; }
   static constexpr cosim::Clk next_shown(cosim::Clk) { return cosim::kNever; }
   void dump(cosim::Clk, bool) {}
+  void raised(cosim::Clk) {}
 };
 }  // namespace
 

@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "testbench/waves.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "cosim/kung/waves.hpp"
+#include "testbench/build_info.hpp"
+#include "testbench/config.hpp"
+#include "testbench/output.hpp"
+
+namespace trammel::testbench {
+namespace fs = std::filesystem;
+namespace {
+
+using kung::Options;
+using kung::WaveFormat;
+
+constexpr double kLongWindowS = 0.002;
+// Order of magnitude of a trace of this chip, to warn before it fills a disk.
+constexpr double kVcdBytesPerS = 1.2e10;
+constexpr double kFstBytesPerS = 8e7;
+constexpr std::size_t kMarkers = 26;  // that a GTKWave view can name, A to Z
+
+double seconds(const std::string& text, const std::string& where) {
+  const auto value = kung::parse_time(text);
+  if (value) return *value;
+  throw ConfigError(fmt::format("{}: value \"{}\" is not a time with s, ms, us or ns behind it",
+                                where, text));
+}
+
+double seconds_of(cosim::Clk edge, const Options& options) {
+  return static_cast<double>(edge) * static_cast<double>(options.plant.clock_ps) * 1e-12;
+}
+
+// 0.0018 -> "1.8 ms"
+std::string time_text(double s) {
+  const double size = std::abs(s);
+  if (size >= 1 || size == 0) return fmt::format("{:.9g} s", s);
+  if (size >= 1e-3) return fmt::format("{:.9g} ms", s * 1e3);
+  return fmt::format("{:.9g} us", s * 1e6);
+}
+
+std::string trigger_text(const Options& options) {
+  return kung::trigger_asked(options.run) ? options.run.wave_trigger : "drives";
+}
+
+void check_trigger(const std::string& text, const std::string& where) {
+  try {
+    kung::parse_trigger(text);
+  } catch (const kung::UnknownName& error) {
+    const std::string near = suggest(error.name, kung::trigger_names());
+    throw ConfigError(fmt::format("{}: {}{}", where, error.what(),
+                                  near.empty() ? "; `trammel list signals` names them all"
+                                               : fmt::format("; did you mean {}?", near)));
+  } catch (const std::invalid_argument& error) {
+    throw ConfigError(fmt::format("{}: {}", where, error.what()));
+  }
+}
+
+const char* file_name(const Options& options) {
+  return options.run.wave == WaveFormat::kVcd ? "waves.vcd" : "waves.fst";
+}
+
+std::string read_file(const fs::path& file) {
+  std::ifstream in(file);
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+int missing(const std::string& why) {
+  fmt::print(stderr, "trammel: no waves: {}; the run's results are kept\n", why);
+  return 1;
+}
+
+}  // namespace
+
+std::pair<double, double> parse_window(const std::string& text) {
+  const auto colon = text.find(':');
+  const auto begin = colon == std::string::npos ? std::nullopt
+                                                : kung::parse_time(text.substr(0, colon));
+  const auto end = colon == std::string::npos ? std::nullopt
+                                              : kung::parse_time(text.substr(colon + 1));
+  if (!begin || !end || *begin >= *end) {
+    throw ConfigError(fmt::format("--wave-window: value \"{}\" is not a:b with a before b, each "
+                                  "with s, ms, us or ns behind it, for instance 0:5ms", text));
+  }
+  return {*begin, *end};
+}
+
+void apply_waves(Options& options, const WaveArguments& arguments) {
+  const auto set = [&options](const char* key, const auto& value, const char* where) {
+    apply_assignment(options, fmt::format("{}={}", key, value), where);
+  };
+  if (!arguments.format.empty()) set("run.wave", arguments.format, "--wave");
+  const std::pair<const char*, const std::string*> others[] = {
+      {"--wave-window", &arguments.window},
+      {"--wave-trigger", &arguments.trigger},
+      {"--wave-pre", &arguments.pre},
+      {"--wave-every", &arguments.every}};
+  for (const auto& [name, value] : others) {
+    if (!value->empty() && options.run.wave == WaveFormat::kNone) {
+      throw ConfigError(fmt::format("{}: needs --wave vcd or --wave fst", name));
+    }
+  }
+  if (!arguments.window.empty()) {
+    const auto [begin, end] = parse_window(arguments.window);
+    set("run.wave_begin_s", begin, "--wave-window");
+    set("run.wave_end_s", end, "--wave-window");
+  }
+  if (!arguments.trigger.empty()) {
+    check_trigger(arguments.trigger, "--wave-trigger");
+    set("run.wave_trigger", arguments.trigger, "--wave-trigger");
+  }
+  if (!arguments.pre.empty()) {
+    if (!arguments.window.empty() || !arguments.every.empty()) {
+      throw ConfigError("--wave-pre: is of the default window; with --wave-window or --wave-every "
+                        "write --wave-window -1ms:2ms");
+    }
+    set("run.wave_pre_s", seconds(arguments.pre, "--wave-pre"), "--wave-pre");
+  }
+  if (!arguments.every.empty()) {
+    set("run.wave_every_s", seconds(arguments.every, "--wave-every"), "--wave-every");
+  }
+}
+
+void check_waves(const Options& options) {
+  const kung::RunOptions& run = options.run;
+  if (run.wave == WaveFormat::kNone) return;
+  const auto refuse = [](const std::string& message) { throw ConfigError(message); };
+  if (kung::trigger_asked(run)) check_trigger(run.wave_trigger, "run.wave_trigger");
+  const bool own = run.wave_begin_s != 0 || run.wave_end_s != 0;
+  if (own && run.wave_begin_s >= run.wave_end_s) {
+    refuse(fmt::format("run.wave_end_s: value {:g} must be above run.wave_begin_s = {:g}",
+                       run.wave_end_s, run.wave_begin_s));
+  }
+  if (!kung::trigger_asked(run) && (run.wave_begin_s < 0 || run.wave_begin_s >= run.max_s)) {
+    refuse(fmt::format("run.wave_begin_s: value {:g} is outside the run, 0..{:g} s (run.max_s); "
+                       "only a window around run.wave_trigger may begin below 0",
+                       run.wave_begin_s, run.max_s));
+  }
+  const double length = own ? run.wave_end_s - run.wave_begin_s : kung::kEveryWindowS;
+  if (run.wave_every_s != 0 && run.wave_every_s < length) {
+    refuse(fmt::format("run.wave_every_s: value {:g} is shorter than its window of {:g} s",
+                       run.wave_every_s, length));
+  }
+}
+
+void announce_waves(const Options& options) {
+  const kung::RunOptions& run = options.run;
+  if (run.wave == WaveFormat::kNone) return;
+  const bool vcd = run.wave == WaveFormat::kVcd;
+  if (vcd && find_program("fst2vcd").empty()) {
+    throw ToolMissing("--wave vcd: fst2vcd is missing (see `trammel doctor`)");
+  }
+  const kung::WaveWindow window = kung::wave_window(run, 0);
+  const double length = seconds_of(window.end - window.begin, options);
+  const double mega = length * (vcd ? kVcdBytesPerS : kFstBytesPerS) / 1e6;
+  if (run.wave_every_s > 0) {
+    fmt::print(stderr, "trammel: waves take about {:.2g} MB a second of the run\n",
+               mega / run.wave_every_s);
+  } else if (length > kLongWindowS * 1.001) {
+    fmt::print(stderr, "trammel: waves of {} take about {:.2g} MB\n", time_text(length), mega);
+  }
+}
+
+bool fst_to_vcd(const fs::path& fst, const fs::path& vcd) {
+  const std::string command = fmt::format("exec fst2vcd -f {} -o {} > /dev/null 2>&1",
+                                          shell_word(fst), shell_word(vcd));
+  std::error_code ignored;
+  const bool good = std::system(command.c_str()) == 0 && fs::file_size(vcd, ignored) > 0;
+  fs::remove(good ? fst : vcd, ignored);
+  return good;
+}
+
+std::string placed_view(const std::string& text, const fs::path& waves,
+                        const kung::Result& result) {
+  const kung::WaveSpan first = result.waves.front();
+  constexpr int kNsPerClock = 20;
+  constexpr double kFrames = 1060.0 / 200;  // width of the view's waves; GTKWave counts 200 pixels
+  std::string markers;
+  for (std::size_t i = 0; i < kMarkers; ++i) {
+    const bool used = result.waves.size() > 1 && i < result.waves.size();
+    markers += fmt::format(" {}", used ? result.waves[i].begin * kNsPerClock : -1);
+  }
+  const double zoom =
+      -std::log2(static_cast<double>(first.end - first.begin) * kNsPerClock / kFrames);
+  std::string placed = fmt::format("[dumpfile] \"{0}\"\n[savefile] \"{1}\"\n[timestart] {2}\n",
+                                   waves.string(),
+                                   fs::path(waves).replace_extension("gtkw").string(),
+                                   first.begin * kNsPerClock);
+  placed += fmt::format("*{:.6f} {}{}\n", zoom,
+                        result.wave_trigger ? *result.wave_trigger * kNsPerClock : -1, markers);
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const bool replaced = line.rfind("[dumpfile]", 0) == 0 || line.rfind("[savefile]", 0) == 0 ||
+                          line.rfind("[timestart]", 0) == 0 || line.rfind('*', 0) == 0;
+    if (!replaced) placed += line + '\n';
+  }
+  return placed;
+}
+
+int finish_waves(const Options& options, const kung::Result& result, const fs::path& folder) {
+  if (options.run.wave == WaveFormat::kNone) return 0;
+  const fs::path fst = options.run.wave_file;
+  const double ran_s = seconds_of(result.clocks, options);
+  if (result.waves.empty()) {
+    std::error_code ignored;
+    fs::remove(fst, ignored);
+    if (result.end == kung::EndReason::kStopped) return missing("the run was interrupted");
+    if (kung::trigger_asked(options.run) && !result.wave_trigger) {
+      return missing(fmt::format("the trigger \"{}\" never fired in {}", trigger_text(options),
+                                 time_text(ran_s)));
+    }
+    return missing(fmt::format("their window lies outside the run, 0..{}", time_text(ran_s)));
+  }
+  fs::path file = fst;
+  int code = 0;
+  if (options.run.wave == WaveFormat::kVcd) {
+    file.replace_extension("vcd");
+    if (!fst_to_vcd(fst, file)) {
+      fmt::print(stderr, "trammel: fst2vcd failed; the waves are kept as waves.fst\n");
+      file = fst;
+      code = 1;
+    }
+  }
+  const std::string view = read_file(fs::path(kViewFolder) / "kung.gtkw");
+  if (view.empty()) {
+    fmt::print(stderr, "trammel: no view for GTKWave: {}/kung.gtkw cannot be read\n", kViewFolder);
+  } else {
+    write_text(fst.parent_path() / "waves.gtkw",
+               placed_view(view, folder / file.filename(), result));
+  }
+  return code;
+}
+
+std::string waves_report(const Options& options, const kung::Result& result,
+                         const std::string& folder) {
+  if (result.waves.empty()) return "";
+  std::string text;
+  if (result.wave_trigger) {
+    text += fmt::format("  trigger `{}` at {} (clock {}), found in an untraced run before this one\n",
+                        trigger_text(options), time_text(seconds_of(*result.wave_trigger, options)),
+                        *result.wave_trigger);
+  }
+  const kung::WaveSpan first = result.waves.front();
+  text += fmt::format("  waves of {} to {}", time_text(seconds_of(first.begin, options)),
+                      time_text(seconds_of(first.end, options)));
+  if (result.waves.size() > 1) {
+    text += fmt::format(" and {} more windows, the last from {}", result.waves.size() - 1,
+                        time_text(seconds_of(result.waves.back().begin, options)));
+  }
+  return text + fmt::format("; to look at them: gtkwave {}/waves.gtkw\n", folder);
+}
+
+nlohmann::ordered_json waves_json(const Options& options, const kung::Result& result) {
+  if (result.waves.empty()) return nullptr;
+  nlohmann::ordered_json json{{"file", file_name(options)}};
+  if (result.wave_trigger) {
+    json["trigger"] = trigger_text(options);
+    json["trigger_s"] = seconds_of(*result.wave_trigger, options);
+  }
+  for (const kung::WaveSpan& span : result.waves) {
+    json["windows_s"].push_back({seconds_of(span.begin, options), seconds_of(span.end, options)});
+  }
+  return json;
+}
+
+}  // namespace trammel::testbench
