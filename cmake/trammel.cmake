@@ -37,10 +37,46 @@ function(trammel_verilated_library name)
     $<TARGET_PROPERTY:${name},INTERFACE_INCLUDE_DIRECTORIES>)
 endfunction()
 
+# The model of a block for its unit test: assertions live, coverage counted. A chip carries the
+# properties of all blocks; what its blocks have of coverage they get in their own tests. A line
+# `// verilate: ARGS` in the test sets parameters of the module.
+function(trammel_unit_model source test)
+  cmake_path(GET source STEM block)
+  cmake_path(GET source PARENT_PATH folder)
+  cmake_path(GET folder FILENAME layer)
+  if(layer STREQUAL chips)
+    file(GLOB properties CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rtl/*/*_props.sv)
+    list(FILTER properties EXCLUDE REGEX "/boards/")
+    set(first ${PROJECT_BINARY_DIR}/chips_only.vlt)
+  else()
+    file(GLOB properties CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/${block}_props.sv)
+  endif()
+  file(STRINGS ${test} parameters REGEX "^// verilate: ")
+  string(REPLACE "// verilate: " "" parameters "${parameters}")
+  separate_arguments(parameters)
+  get_target_property(before trammel_rtl SOURCES)
+  verilate(trammel_rtl COVERAGE TOP_MODULE ${block} PREFIX V${block}
+    SOURCES ${first} ${TRAMMEL_RTL_PACKAGES} ${PROJECT_SOURCE_DIR}/${source} ${properties}
+    DIRECTORY ${PROJECT_BINARY_DIR}/verilated
+    VERILATOR_ARGS -Wno-fatal --assert -fno-split ${parameters} ${TRAMMEL_RTL_SEARCH})
+  # One unit a model: its many small ones take twice as long to compile.
+  get_target_property(files trammel_rtl SOURCES)
+  list(REMOVE_ITEM files ${before})
+  list(FILTER files INCLUDE REGEX "/verilated/.*\\.cpp$")
+  set_source_files_properties(${files} PROPERTIES UNITY_GROUP ${block})
+endfunction()
+
 # rtl/<layer>/<block>.sv with tests/<layer>/<block>_test.cpp: lint test, verilated model, unit test.
+# The unit tests leave their counts of coverage for the test coverage.rtl.
 function(trammel_add_blocks)
   file(GLOB rtl CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/rtl/*/*.sv)
   list(FILTER rtl EXCLUDE REGEX "_(pkg|props)\\.sv$|^rtl/boards/")
+  set(off ${TRAMMEL_RTL_DIRS})
+  list(FILTER off EXCLUDE REGEX "/chips$")
+  list(TRANSFORM off REPLACE "^.*/rtl/(.*)$" "coverage_off -file \"*/rtl/\\1/*\"\n")
+  string(CONCAT off "`verilator_config\n" ${off} "coverage_off -file \"*/generated/*\"\n")
+  file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/chips_only.vlt CONTENT "${off}" @ONLY)
+  file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/coverage/rtl)
   if(TRAMMEL_ONLY)
     list(FILTER rtl INCLUDE REGEX "/(${TRAMMEL_ONLY})\\.sv$")
   endif()
@@ -58,16 +94,10 @@ function(trammel_add_blocks)
     endif()
     set(test ${PROJECT_SOURCE_DIR}/tests/${layer}/${block}_test.cpp)
     if(EXISTS ${test})
-      if(NOT layer STREQUAL chips)  # chips are verilated once, in cosim/
-        verilate(trammel_rtl SOURCES ${TRAMMEL_RTL_PACKAGES} ${PROJECT_SOURCE_DIR}/${source}
-          TOP_MODULE ${block} PREFIX V${block} DIRECTORY ${PROJECT_BINARY_DIR}/verilated
-          VERILATOR_ARGS -Wno-fatal ${TRAMMEL_RTL_SEARCH})
-      endif()
-      set(libraries trammel_rtl trammel_models)
-      if(layer STREQUAL chips)
-        list(APPEND libraries trammel_chip_models)
-      endif()
-      trammel_test(${block}_test ${test} unit.${layer}.${block} ${libraries})
+      trammel_unit_model(${source} ${test})
+      trammel_test(${block}_test ${test} unit.${layer}.${block} trammel_rtl trammel_models)
+      set_tests_properties(unit.${layer}.${block} PROPERTIES FIXTURES_SETUP rtl_coverage
+        ENVIRONMENT TRAMMEL_COVERAGE=${PROJECT_BINARY_DIR}/coverage/rtl/${layer}.${block}.dat)
     endif()
   endforeach()
 endfunction()

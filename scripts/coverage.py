@@ -1,0 +1,156 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Coverage of the RTL and of the C++ code by the tests, against scripts/coverage.toml.
+
+usage: coverage.py [--keep] [--check rtl|cpp]
+
+Without --check it runs the tests that count (--keep: takes the counts that are there), prints a
+table of both and writes sources with counts to build/coverage: rtl/annotated, cpp/index.html.
+With --check it is a test of the one kind; CTest has run before it the tests that count.
+
+RTL, counted by the unit tests of the blocks: every line and branch is executed, or it stands in
+scripts/coverage.toml with a reason; toggles of signals and states that a `cover` of the properties
+names stay above a floor for each block. Registers that a generator wrote are exempt.
+C++, counted by the sanitized build: lines stay above a floor for each folder.
+
+Exit codes: 0 all above their floors, 1 something is not, 2 no counts, 3 a tool is missing.
+"""
+
+import argparse
+import subprocess
+import sys
+import tomllib
+from collections import Counter, defaultdict
+from dataclasses import dataclass, field
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import coverage_cpp  # noqa: E402
+import formal  # noqa: E402
+
+ROOT = Path(__file__).resolve().parent.parent
+FLOORS = ROOT / "scripts" / "coverage.toml"
+COUNTS = ROOT / "build" / "coverage" / "rtl"
+NO_COUNTS = 2
+
+
+class CoverageError(Exception):
+    """No counts, or floors that cannot be read."""
+
+
+@dataclass
+class Block:
+    """Counts of one RTL file and its properties, whatever instances it has in whatever model."""
+    lines: Counter = field(default_factory=Counter)  # (line, column, kind) -> executions
+    toggles: Counter = field(default_factory=Counter)  # (line, signal) -> changes
+    covers: Counter = field(default_factory=Counter)  # label -> times reached
+
+    @staticmethod
+    def share(points):
+        return 100 * sum(n > 0 for n in points.values()) / len(points) if points else 100.0
+
+
+def read_points(path):
+    """Fields and count of every point of a file that Verilator wrote: f file, l line, n column,
+    page kind, o comment."""
+    for line in path.read_text(encoding="utf-8", errors="replace").split("\n"):
+        if line.startswith("C '"):
+            text, count = line[3:].rsplit("' ", 1)
+            yield dict(f.split("\2", 1) for f in text.split("\1")[1:]), int(count)
+
+
+def read_blocks(path):
+    blocks = defaultdict(Block)
+    for point, count in read_points(path):
+        source = Path(point["f"])
+        kind, module = point["page"].split("/")
+        if source.suffix != ".sv" or "generated" in source.parts:
+            continue
+        block = blocks[f"{source.parent.name}/{source.stem.removesuffix('_props')}"]
+        place = int(point["l"]), int(point["n"])
+        if kind == "v_user":
+            block.covers[module + ":" + str(place[0])] += count
+        elif source.stem.endswith("_props"):
+            continue
+        elif kind == "v_toggle":
+            block.toggles[place[0], point["o"]] += count
+        else:
+            block.lines[*place, point["o"]] += count
+    return dict(sorted(blocks.items()))
+
+
+def merged():
+    files = sorted(COUNTS.glob("*.dat"))
+    if not files:
+        raise CoverageError(f"no counts in {COUNTS.relative_to(ROOT)}: run `trammel coverage`")
+    target = COUNTS.parent / "rtl.dat"
+    subprocess.run(["verilator_coverage", "--write", target, *files], check=True,
+                   capture_output=True)
+    return target
+
+
+def annotate(counts):
+    subprocess.run(["verilator_coverage", "--annotate", COUNTS / "annotated", "--annotate-all",
+                    counts], check=True, capture_output=True)
+
+
+def line_text(block, line):
+    text = (ROOT / "rtl" / f"{block}.sv").read_text(encoding="utf-8").split("\n")
+    return text[line - 1].strip()
+
+
+def check_lines(blocks, exceptions):
+    """What is not executed and not excepted, and exceptions that nothing needs."""
+    left = Counter((e["file"], e["branch"], e["text"]) for e in exceptions)
+    for block, counts in blocks.items():
+        for (line, _, branch), count in sorted(counts.lines.items()):
+            if count > 0:
+                continue
+            name = f"rtl/{block}.sv"
+            text = line_text(block, line)
+            if (name, branch, text) in left:
+                left[name, branch, text] -= 1
+            else:
+                yield f"{name}:{line}: never executed ({branch}): {text}"
+    for (name, branch, text), count in left.items():
+        if count > 0:
+            yield f"{FLOORS.name}: stale exception: {name} ({branch}): {text}"
+
+
+def floor_of(floors, block):
+    return floors.get(block, floors["default"])
+
+
+def check_floors(blocks, what, floors, share):
+    for block, counts in blocks.items():
+        got, floor = share(counts), floor_of(floors, block)
+        if got < floor:
+            yield f"{block}: {what} {got:.1f} %, below its floor of {floor} %"
+    for block in floors.keys() - blocks.keys() - {"default"}:
+        yield f"{FLOORS.name}: {what}: no block {block}"
+
+
+def print_rtl(blocks):
+    print(f"{'RTL block':<24}{'lines':>14}{'toggles':>16}{'covers':>10}")
+    total = Block()
+    for name, counts in blocks.items():
+        print(f"{name:<24}", *(cell(points, width) for points, width in (
+            (counts.lines, 14), (counts.toggles, 16), (counts.covers, 10))), sep="")
+        for kind in ("lines", "toggles", "covers"):
+            getattr(total, kind).update(
+                {(name, key): n for key, n in getattr(counts, kind).items()})
+    print(f"{'all':<24}{cell(total.lines, 14)}{cell(total.toggles, 16)}{cell(total.covers, 10)}")
+
+
+def cell(points, width):
+    if not points:
+        return " " * (width - 1) + "-"
+    return f"{Block.share(points):.1f} % of {len(points)}".rjust(width)
+
+
+def check_rtl(floors):
+    blocks = read_blocks(merged())
+    print_rtl(blocks)
+    return [*check_lines(blocks, floors["exception"]),
+            *check_floors(blocks, "toggles", floors["toggles"], lambda b: b.share(b.toggles)),
+            *check_floors(blocks, "covers", floors["covers"], lambda b: b.share(b.covers))]
