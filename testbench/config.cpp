@@ -13,6 +13,8 @@
 #include <fstream>
 #include <sstream>
 
+#include <nlohmann/json.hpp>
+
 #include "testbench/build_info.hpp"
 
 namespace trammel::testbench {
@@ -35,6 +37,16 @@ std::string upper(std::string text) {
                                              : fmt::format("; did you mean {}?", near)));
 }
 
+// JSON and TOML hold nothing else.
+bool is_utf8(const std::string& text) {
+  try {
+    nlohmann::json(text).dump();
+    return true;
+  } catch (const nlohmann::json::type_error&) {
+    return false;
+  }
+}
+
 // Brings a value to the key's kind and checks its range.
 Value checked(const Key& key, const Value& value, const std::string& where) {
   const auto fail = [&](const std::string& what) -> Value {
@@ -47,7 +59,8 @@ Value checked(const Key& key, const Value& value, const std::string& where) {
     case Kind::kFlag:
       return std::holds_alternative<bool>(value) ? value : fail("is not true or false");
     case Kind::kText:
-      return std::holds_alternative<std::string>(value) ? value : fail("is not text");
+      if (!std::holds_alternative<std::string>(value)) return fail("is not text");
+      return is_utf8(std::get<std::string>(value)) ? value : fail("is not UTF-8");
     case Kind::kChoice: {
       const auto* text = std::get_if<std::string>(&value);
       const bool known = text != nullptr && std::find(key.choices.begin(), key.choices.end(),

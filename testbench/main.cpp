@@ -15,6 +15,7 @@
 #include "systemc/machines/kung.hpp"
 #include "testbench/config.hpp"
 #include "testbench/doctor.hpp"
+#include "testbench/report_page.hpp"
 #include "testbench/run.hpp"
 
 namespace {
@@ -42,6 +43,8 @@ struct CommandLine {
   CLI::App* run = nullptr;
   CLI::App* list = nullptr;
   CLI::App* doctor = nullptr;
+  CLI::App* report = nullptr;
+  tb::ReportArguments report_arguments;
 
   CommandLine() {
     app.name("trammel");
@@ -59,6 +62,14 @@ struct CommandLine {
     run->add_option("--platform", run_arguments.platform, "systemc or direct");
     add_waves(run_arguments.waves);
     run->add_flag("--check", run_arguments.check, "exit 1 when a figure is out of tolerance");
+
+    run->add_flag("!--no-report", run_arguments.report, "no report.html");
+
+    report = app.add_subcommand("report", "a page of a run, or one that compares runs");
+    report->add_option("folder", report_arguments.folders,
+                       "of finished runs; none: the latest in out/");
+    report->add_option("-o,--out", report_arguments.out,
+                       "the page; default report.html in the folder, or out/compare.html");
 
     list = app.add_subcommand("list", "scenarios, every parameter with unit and range, or signals");
     list->add_option("topic", topic, "scenarios, keys or signals (for --wave-trigger)")
@@ -93,6 +104,11 @@ std::vector<std::string> verbs(const CLI::App& app) {
 int perform(const CommandLine& line) {
   if (line.list->parsed()) return tb::list(line.topic, line.run_arguments.json);
   if (line.doctor->parsed()) return tb::doctor(line.run_arguments.json);
+  if (line.report->parsed()) {
+    tb::ReportArguments arguments = line.report_arguments;
+    arguments.json = line.run_arguments.json;
+    return tb::report(arguments);
+  }
   catch_interrupts();
   return tb::run(line.run_arguments, trammel::kung::simulate, g_stop);
 }

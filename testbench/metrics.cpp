@@ -11,7 +11,6 @@ using kung::PointM;
 
 constexpr double kMm = 1e3;
 constexpr double kModelScale = 1.0 / 16384;  // x_m is Q14 of a count
-constexpr std::size_t kContourReach = 500;   // 250 ms; the model lags 67 ms on a ramp
 
 double segment_distance(const PointM& p, const PointM& a, const PointM& b) {
   const double dx = b.x_m - a.x_m;

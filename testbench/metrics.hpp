@@ -26,6 +26,8 @@ Spread spread(const std::vector<double>& series);  // Kung eq. 45, 46
 // Distance of two points (Kung eq. 44).
 double tracking_error(const kung::PointM& model, const kung::PointM& table);
 
+inline constexpr std::size_t kContourReach = 500;  // 250 ms; the model lags 67 ms on a ramp
+
 // For each point, its distance to the polyline through `path`, searched within `reach` samples of
 // the same index, so that a path that crosses itself is not mistaken for its other branch.
 std::vector<double> contour_error(const std::vector<kung::PointM>& table,

@@ -13,6 +13,8 @@
 #include "testbench/build_info.hpp"
 #include "testbench/config.hpp"
 #include "testbench/paper.hpp"
+#include "testbench/report.hpp"
+#include "testbench/report_page.hpp"
 #include "testbench/waves.hpp"
 
 namespace trammel::testbench {
@@ -21,8 +23,9 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr const char* kOwnFiles[] = {"metrics.json", "trace.csv", "run.toml",  "path.svg",
-                                     "error.svg",    "waves.vcd", "waves.fst", "waves.gtkw"};
+constexpr const char* kOwnFiles[] = {"metrics.json", "trace.csv",  "detail.json", "run.toml",
+                                     "report.html",  "path.svg",   "error.svg",   "waves.vcd",
+                                     "waves.fst",    "waves.gtkw"};
 
 Json to_json(const Spread& s) {
   return {{"samples", s.n},      {"mean_mm", s.mean}, {"std_mm", s.std},
@@ -99,8 +102,11 @@ void OutputFolder::publish() {
 
 Json metrics_json(const kung::Options& options, const kung::Result& result, const Metrics& m) {
   Json json;
+  json["machine"] = "kung";
   json["scenario"] = options.scenario;
+  json["command"] = repeat_command(options);
   json["end"] = end_text(result.end);
+  json["verdict"] = verdict_text(options, result);
   if (result.fault.code != kung::FaultCode::kNone) {
     json["fault"] = {{"cause", fault_text(result.fault.code)},
                      {"axis", result.fault.axis == 0 ? "x" : "y"},
@@ -122,8 +128,15 @@ Json metrics_json(const kung::Options& options, const kung::Result& result, cons
     }
     lines.push_back(one);
   }
-  if (!lines.empty()) json["comparison"] = lines;
+  if (!lines.empty()) {
+    json["comparison"] = lines;
+    if (options.path.kind == kung::PathKind::kCircle) json["comparison_note"] = kCircleNote;
+  }
   json["run"] = {{"points", result.points},
+                 {"samples", result.samples.size()},
+                 {"first_tick", result.first_tick},
+                 {"end_tick", result.end_tick},
+                 {"clock_ps", options.plant.clock_ps},
                  {"clocks", result.clocks},
                  {"clocks_evaluated", result.evaluated},
                  {"simulated_s", m.simulated_s},

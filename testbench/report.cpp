@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-
 #include "testbench/output.hpp"
 #include "testbench/paper.hpp"
 
@@ -72,33 +71,30 @@ std::optional<Comparison> line_of(const Finished* run, const std::string& what) 
 
 }  // namespace
 
-std::string run_report(const kung::Options& options, const kung::Result& result, const Metrics& m,
-                       const std::string& folder) {
-  std::string text =
-      fmt::format("{} ({}): ", options.scenario, controller_text(options.controller));
+std::string verdict_text(const kung::Options& options, const kung::Result& result) {
   switch (result.end) {
-    case kung::EndReason::kDone:
-      text += fmt::format("followed {} points\n", result.points);
-      break;
+    case kung::EndReason::kDone: return fmt::format("followed {} points", result.points);
     case kung::EndReason::kFault:
-      text += fmt::format("TRIPPED: {}", cause_text(result.fault));
-      if (result.fault.code != kung::FaultCode::kNone) {
-        text += fmt::format(" at 2 kHz tick {} ({:.4f} s)", result.fault.tick,
-                            result.fault.tick * 0.5e-3);
+      if (result.fault.code == kung::FaultCode::kNone) {
+        return fmt::format("TRIPPED: {}", cause_text(result.fault));
       }
-      text += '\n';
-      break;
+      return fmt::format("TRIPPED: {} at 2 kHz tick {} ({:.4f} s)", cause_text(result.fault),
+                         result.fault.tick, result.fault.tick * 0.5e-3);
     case kung::EndReason::kDiverged:
-      text += fmt::format("DIVERGED: error to the model above run.diverged_m = {:g}\n",
-                          options.run.diverged_m);
-      break;
+      return fmt::format("DIVERGED: error to the model above run.diverged_m = {:g}",
+                         options.run.diverged_m);
     case kung::EndReason::kTimeout:
-      text += fmt::format("NOT FINISHED within run.max_s = {:g}\n", options.run.max_s);
-      break;
-    case kung::EndReason::kStopped:
-      text += "INTERRUPTED: results up to there\n";
-      break;
+      return fmt::format("NOT FINISHED within run.max_s = {:g}", options.run.max_s);
+    case kung::EndReason::kStopped: return "INTERRUPTED: results up to there";
   }
+  return "";
+}
+
+std::string run_report(const kung::Options& options, const kung::Result& result, const Metrics& m,
+                       const std::string& folder, const std::string& page) {
+  std::string text = fmt::format("{} ({}): {}\n", options.scenario,
+                                 controller_text(options.controller),
+                                 verdict_text(options, result));
   if (m.samples > 0) {
     text += fmt::format("\n  {:<26}{:>9}{:>9}{:>11}{:>9}{:>9}\n", "error (mm)", "mean", "std",
                         "var (mm2)", "rms", "max");
@@ -124,7 +120,9 @@ std::string run_report(const kung::Options& options, const kung::Result& result,
   text += fmt::format("  {:.1f} % of the clocks evaluated, the others leapt over\n",
                       100.0 * static_cast<double>(result.evaluated) /
                           static_cast<double>(std::max<cosim::Clk>(1, result.clocks)));
-  return text + fmt::format("  results in {}\n", folder);
+  text += fmt::format("  results in {}\n", folder);
+  if (!page.empty()) text += fmt::format("  report: {}\n", page);
+  return text;
 }
 
 std::string experiments_report(const std::vector<Finished>& runs) {

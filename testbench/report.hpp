@@ -17,7 +17,11 @@ struct Finished {
 };
 
 std::string run_report(const kung::Options& options, const kung::Result& result,
-                       const Metrics& metrics, const std::string& folder);
+                       const Metrics& metrics, const std::string& folder,
+                       const std::string& page);  // report.html, or empty
+
+// How it ended, in one line: "followed 628 points", "TRIPPED: ...".
+std::string verdict_text(const kung::Options& options, const kung::Result& result);
 
 // Kung Table 2 and the step figures beside ours, from the eight experiments.
 std::string experiments_report(const std::vector<Finished>& runs);

@@ -13,6 +13,8 @@
 #include "testbench/output.hpp"
 #include "testbench/paper.hpp"
 #include "testbench/report.hpp"
+#include "testbench/report_data.hpp"
+#include "testbench/report_page.hpp"
 #include "testbench/waves.hpp"
 
 namespace trammel::testbench {
@@ -67,6 +69,17 @@ Options layered(const std::string& scenario, const RunArguments& arguments) {
   return options;
 }
 
+// A run is never lost because its report failed: one line says so.
+bool guarded(const std::function<void()>& write) {
+  try {
+    write();
+    return true;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "trammel: no report: {}; the results are kept\n", error.what());
+    return false;
+  }
+}
+
 struct Outcome {
   Finished finished;
   nlohmann::ordered_json json;
@@ -107,11 +120,16 @@ Outcome run_one(Options options, const fs::path& target, const RunArguments& arg
                find_program("gnuplot").empty() ? "gnuplot is missing (see `trammel doctor`)"
                                                : "there is nothing to draw");
   }
+  const bool page = guarded([&] {
+    write_text(folder.scratch() / "detail.json", detail_json(options, result).dump() + '\n');
+    if (arguments.report) write_run_page(folder.scratch());
+  }) && arguments.report;
   folder.publish();
 
   const fs::path shown = fs::proximate(folder.target());
   if (!arguments.json && !arguments.all) {
-    fmt::print("{}{}", run_report(options, result, metrics, shown.string()),
+    fmt::print("{}{}", run_report(options, result, metrics, shown.string(),
+                                  page ? (shown / "report.html").string() : ""),
                waves_report(options, result, shown.string()));
   } else if (arguments.all) {
     fmt::print(stderr, "trammel: {} {}: {} in {:.1f} s\n", options.scenario,
@@ -141,6 +159,7 @@ int run_all(const RunArguments& arguments, const Simulate& simulate,
             const std::atomic<bool>& stop) {
   const fs::path base = arguments.out.empty() ? fs::path("out") / "all" : fs::path(arguments.out);
   std::vector<Finished> finished;
+  std::vector<fs::path> folders;
   auto documents = nlohmann::ordered_json::array();
   int code = 0;
   for (const std::string scenario : {"step", "circle", "window", "star"}) {
@@ -154,14 +173,19 @@ int run_all(const RunArguments& arguments, const Simulate& simulate,
       options.scenario = scenario + '-' + controller;
       Outcome outcome = run_one(options, base / options.scenario, arguments, simulate, stop);
       finished.push_back(outcome.finished);
+      folders.push_back(base / options.scenario);
       documents.push_back(outcome.json);
       code = std::max(code, outcome.code);
     }
   }
+  const fs::path index = base / "index.html";
+  const bool page = arguments.report && folders.size() > 1 &&
+                    guarded([&] { write_comparison_page(folders, index); });
   if (arguments.json) {
     fmt::print("{}\n", documents.dump(2));
   } else {
     fmt::print("{}", experiments_report(finished));
+    if (page) fmt::print("\nreport: {}\n", fs::proximate(index).string());
   }
   return code;
 }

@@ -24,6 +24,7 @@ struct RunArguments {
   std::string out;
   bool all = false;
   bool json = false;
+  bool report = true;                    // report.html in the folder
   bool check = false;                    // exit 1 when a figure is outside its tolerance
 };
 

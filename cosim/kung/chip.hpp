@@ -31,6 +31,7 @@ struct KungChip : cosim::Chip {
   virtual void read_words(int axis, AxisSample& sample) const = 0;  // controller words only
   virtual CurrentWords current(int axis) const = 0;
   virtual std::int32_t rule(int axis, int index) const = 0;  // stored rule 7 j + i, Q20 of a unit
+  virtual std::int32_t integral(int axis) const = 0;         // of v*, in v* LSB / 4096
   virtual Fault fault() const = 0;
   virtual cosim::Clk evaluated() const = 0;  // edges evaluated; the others were leapt over
 };

@@ -46,7 +46,9 @@ Session::Session(const Options& options, const Hooks& hooks, const Waves& waves)
   firmware_->runs_on(*chip_);
   recorder_ = std::make_unique<Recorder>(*chip_, plant_->table(),
                                          [this](const Sample& sample) { return over(sample); });
-  tee_.first = recorder_.get();
+  detail_ = std::make_unique<DetailRecorder>(*chip_, plant_->table());
+  tee_.detail = detail_.get();
+  tee_.recorder = recorder_.get();
   const cosim::Clk window = options_.run.window_clk == 0 ? cosim::kNever : options_.run.window_clk;
   loop_ = std::make_unique<cosim::Loop>(*chip_, *plant_, tee_, window);
   result_.end = EndReason::kTimeout;
@@ -80,6 +82,7 @@ bool Session::over(const Sample& sample) {
     return true;
   }
   if (firmware_->app().points_written() == 0) return false;
+  if (result_.points == 0) detail_->path_begins();
   result_.first_tick = firmware_->app().first_tick();
   result_.points = firmware_->app().points_written();
   result_.end_tick = result_.first_tick + firmware_->app().points() * period;
@@ -103,6 +106,7 @@ bool Session::over(const Sample& sample) {
 Result Session::result() {
   result_.samples = recorder_->take_samples();
   result_.event_hash = recorder_->event_hash();
+  result_.detail = detail_->take();
   result_.clocks = chip_->now();
   result_.evaluated = chip_->evaluated();
   if (waves_.window) result_.waves = wave_spans(*waves_.window, result_.clocks);

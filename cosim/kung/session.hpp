@@ -9,6 +9,7 @@
 
 #include "cosim/direct.hpp"
 #include "cosim/kung/chip.hpp"
+#include "cosim/kung/detail.hpp"
 #include "cosim/kung/recorder.hpp"
 #include "cosim/kung/types.hpp"
 #include "cosim/kung/waves.hpp"
@@ -85,19 +86,21 @@ class Session {
   bool finished() const { return recorder_->done(); }
   bool stopped() const { return result_.end == EndReason::kStopped; }
 
-  // A second observer of every stop, after the record.
-  void watch(cosim::Observer& observer) { tee_.second = &observer; }
+  // One more observer of every stop, after the record.
+  void watch(cosim::Observer& observer) { tee_.guest = &observer; }
 
   Result result();
 
  private:
   struct Tee final : cosim::Observer {
     void on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant& plant) override {
-      first->on(stop, chip, plant);
-      if (second != nullptr) second->on(stop, chip, plant);
+      detail->on(stop, chip, plant);
+      recorder->on(stop, chip, plant);
+      if (guest != nullptr) guest->on(stop, chip, plant);
     }
-    cosim::Observer* first = nullptr;
-    cosim::Observer* second = nullptr;
+    cosim::Observer* detail = nullptr;
+    cosim::Observer* recorder = nullptr;
+    cosim::Observer* guest = nullptr;
   };
 
   bool over(const Sample& sample);
@@ -111,6 +114,7 @@ class Session {
   std::unique_ptr<TablePlant> plant_;
   std::unique_ptr<KungChip> chip_;
   std::unique_ptr<StallableApp> firmware_;
+  std::unique_ptr<DetailRecorder> detail_;
   std::unique_ptr<Recorder> recorder_;
   Tee tee_;
   std::unique_ptr<cosim::Loop> loop_;

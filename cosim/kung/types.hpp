@@ -179,6 +179,49 @@ struct WaveSpan {
   cosim::Clk end = 0;
 };
 
+using RuleTable = std::array<std::int32_t, 49>;  // rule 7 j + i, Q20 of a unit
+
+// What the position controller of one axis starts a sample from, and what it takes.
+struct AfcStart {
+  std::int32_t r = 0, r_1 = 0, r_2 = 0;      // command of this and of the two samples before
+  std::int32_t x_p = 0, x_p_prev = 0;        // [count]
+  std::int32_t x_m = 0, dx = 0;              // [count Q14]
+  std::int32_t e_prev = 0;
+  std::int32_t integral = 0;                 // [v* LSB / 4096]
+  RuleTable rules{};
+};
+
+// The position sample at which an axis moved fastest.
+struct Moment {
+  std::uint32_t tick = 0;                    // 0: the table never moved
+  cosim::Clk edge = 0;
+  std::array<AfcStart, 2> start;
+  std::array<AxisSample, 2> end;             // words it ended with
+};
+
+struct GateEdge {
+  cosim::Clk edge = 0;
+  cosim::Lines gates = 0;                    // from this edge on
+};
+
+// All gates over two PWM periods: those that begin with the moment, or those around a trip.
+struct GateWindow {
+  cosim::Clk begin = 0;
+  cosim::Clk end = 0;                        // 0: there is none
+  cosim::Clk trip = cosim::kNever;           // edge at which a fault turned the gates off
+  std::vector<GateEdge> edges;               // the first stands at `begin`
+  // Compare values of the periods at the moment: [period][axis][phase]; none around a trip.
+  std::vector<std::array<std::array<std::int32_t, 3>, 2>> compare;
+};
+
+// A close look that the 2 kHz samples cannot give.
+struct Detail {
+  std::array<RuleTable, 2> rules_first{};    // when point 0 of the path took effect
+  std::array<RuleTable, 2> rules_last{};
+  Moment moment;
+  GateWindow gates;
+};
+
 struct Result {
   std::vector<Sample> samples;    // every 2 kHz sample from the first tick of the chip on
   std::uint32_t first_tick = 0;   // sample at which point 0 of the path took effect
@@ -186,6 +229,7 @@ struct Result {
   std::uint32_t points = 0;       // written by the processor
   EndReason end = EndReason::kDone;
   Fault fault;
+  Detail detail;
   cosim::Clk clocks = 0;
   cosim::Clk evaluated = 0;       // of these; the others were leapt over
   double wall_s = 0;

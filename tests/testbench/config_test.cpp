@@ -180,3 +180,10 @@ TEST_CASE("default gains are the words of the specification") {
   CHECK(model.a0 == 238008);
   CHECK(model.b2 == 8140683);
 }
+
+TEST_CASE("text that is not UTF-8 is refused: no file of a run could hold it") {
+  kung::Options options;
+  CHECK_THROWS_WITH(apply_assignment(options, "description=a\xff"), Catch::Contains("not UTF-8"));
+  apply_assignment(options, "description=\xc3\xa9");
+  CHECK(options.description == "\xc3\xa9");
+}

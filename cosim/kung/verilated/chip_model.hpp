@@ -113,6 +113,9 @@ class ChipModel final : public KungChip {
   std::int32_t rule(int axis, int index) const override {
     return probe_rule(*model_->rootp, axis, index);
   }
+  std::int32_t integral(int axis) const override {
+    return probe_integral(*model_->rootp, axis);
+  }
   Fault fault() const override { return probe_fault(*model_->rootp); }
 
  private:

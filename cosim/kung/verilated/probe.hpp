@@ -64,6 +64,12 @@ CurrentWords probe_current(const Root& root, int axis) {
   return c;
 }
 
+// Integrator of v*, 1 LSB = v* LSB / 4096.
+template <class Root>
+std::int32_t probe_integral(const Root& root, int axis) {
+  return probe::count(TRAMMEL_AXIS(u_afc__DOT__integral_q));
+}
+
 // Rule 7 j + i lies at {j, i}.
 template <class Root>
 std::int32_t probe_rule(const Root& root, int axis, int index) {

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The X-Y path: command, reference model and table with equal axes; the table's line is coloured by
+// its error, and its distance from the reference can be drawn larger than it is.
+(function (T) {
+  'use strict';
+
+  const kBins = 32;
+  const kFoot = (width) => (width < 430 ? 126 : 100);  // pixels below the frame: labels and key
+
+  // Square boxes of pixels for equal lengths: the range that is too short is widened.
+  function equalFrame(box, xRange, yRange) {
+    const scale = Math.max((xRange[1] - xRange[0]) / box.w, (yRange[1] - yRange[0]) / box.h) || 1;
+    const around = ([low, high], pixels) => {
+      const middle = (low + high) / 2;
+      return [middle - scale * pixels / 2, middle + scale * pixels / 2];
+    };
+    return T.frame(box, around(xRange, box.w), around(yRange, box.h));
+  }
+
+  T.pathPlot = function (data) {
+    const { n, command, model, table, toModel, toPath } = data;
+    const state = { magnify: 1, by: 'model', range: null, cursor: null };
+    const error = () => (state.by === 'model' ? toModel : toPath);
+    const shown = (k, axis) => model[axis][k] + state.magnify * (table[axis][k] - model[axis][k]);
+
+    const plot = { id: 'path', title: 'Path', height: (width) => Math.round(Math.min(width + kFoot(
+      width) - 74, 664)), saveWidth: 760, count: () => n, print: 'half' };
+
+    plot.frame = function (width, height) {
+      const box = { x: 60, y: 14, w: width - 74, h: height - kFoot(width) };
+      let xs = T.range(command.x, ...T.range(model.x));
+      let ys = T.range(command.y, ...T.range(model.y));
+      for (let k = 0; k < n; ++k) {
+        const x = shown(k, 'x');
+        const y = shown(k, 'y');
+        xs = [Math.min(xs[0], x), Math.max(xs[1], x)];
+        ys = [Math.min(ys[0], y), Math.max(ys[1], y)];
+      }
+      return equalFrame(box, T.padded(xs, 0.04), T.padded(ys, 0.04));
+    };
+
+    const inRange = (k) => state.range === null ||
+      (T.time.values[k] >= state.range[0] && T.time.values[k] <= state.range[1]);
+
+    const line = (frame, of) => {
+      const points = [];
+      for (let k = 0; k < n; ++k) points.push(frame.x(of.x[k]), frame.y(of.y[k]));
+      return points;
+    };
+
+    plot.scene = function (p, width, height, theme) {
+      const frame = plot.frame(width, height);
+      const { box } = frame;
+      const count = Math.max(3, box.w / 90);
+      T.drawFrame(p, theme, frame, { xLabel: 'x (mm)', yLabel: 'y (mm)', xCount: count,
+        yCount: count });
+      p.clip(box.x, box.y, box.w, box.h);
+      p.path(line(frame, command), { stroke: theme.asked, width: 4, alpha: 0.5, cap: 'round' });
+      p.path(line(frame, model), { stroke: theme.model, width: 1.4 });
+      const e = error();
+      const top = plot.top();
+      const bin = (k) => Math.min(kBins - 1, Math.floor(e[k] / top * kBins)) + (inRange(k) ? 0
+        : kBins);
+      for (let k = 0; k + 1 < n;) {
+        const now = bin(k);
+        const points = [frame.x(shown(k, 'x')), frame.y(shown(k, 'y'))];
+        while (k + 1 < n) {
+          ++k;
+          points.push(frame.x(shown(k, 'x')), frame.y(shown(k, 'y')));
+          if (bin(k) !== now) break;
+        }
+        p.path(points, { stroke: T.ramp(theme, (now % kBins) / (kBins - 1)), width: 2.4,
+          alpha: now >= kBins ? 0.15 : 1 });
+      }
+      p.unclip();
+      plot.key(p, theme, frame, height, top);
+    };
+
+    plot.top = () => T.range(error())[1] || 1;
+
+    plot.key = function (p, theme, frame, height, top) {
+      const { box } = frame;
+      const y = height - 22;
+      T.drawKey(p, theme, box.x, kFoot(box.w + 74) > 100 ? y - 26 : y, [
+        { label: 'command', stroke: theme.asked, width: 4 },
+        { label: 'reference', stroke: theme.model }]);
+      const wide = Math.min(190, box.w);
+      const x = kFoot(box.w + 74) > 100 ? box.x : box.x + box.w - wide;
+      const parts = 48;
+      for (let k = 0; k < parts; ++k) {
+        p.rect(x + wide * k / parts, y - 7, wide / parts + 0.6, 8,
+          { fill: T.ramp(theme, k / (parts - 1)) });
+      }
+      const text = { fill: theme.muted, size: 11.5 };
+      p.text(x, y + 15, '0', text);
+      p.text(x + wide / 2, y + 15, state.by === 'model' ? 'table, error (mm)'
+        : 'table, contour (mm)', { ...text, align: 'center' });
+      p.text(x + wide, y + 15, T.num(top, 2), { ...text, align: 'right' });
+    };
+
+    plot.overlay = function (p, width, height, theme) {
+      const k = state.cursor;
+      if (k === null || k >= n) return;
+      const frame = plot.frame(width, height);
+      const at = (x, y) => [frame.x(x), frame.y(y)];
+      const [cx, cy] = at(command.x[k], command.y[k]);
+      const [mx, my] = at(model.x[k], model.y[k]);
+      const [tx, ty] = at(shown(k, 'x'), shown(k, 'y'));
+      p.path([mx, my, tx, ty], { stroke: theme.ink, width: 1 });
+      p.circle(cx, cy, 5, { fill: theme.asked, stroke: theme.surface, width: 1.5 });
+      p.circle(mx, my, 5, { fill: theme.model, stroke: theme.surface, width: 1.5 });
+      p.circle(tx, ty, 5, { fill: theme.actual, stroke: theme.surface, width: 1.5 });
+    };
+
+    const card = T.figure(plot, 'equal scales');
+    const controls = T.el('div', { class: 'controls' },
+      T.segments('Error drawn', [[1, '\u00d71'], [5, '\u00d75'], [20, '\u00d720']], 1, (value) => {
+        state.magnify = value;
+        plot.redraw();
+      }),
+      toPath ? T.segments('Colour', [['model', 'to reference'], ['path', 'to path']], 'model',
+        (value) => {
+          state.by = value;
+          plot.redraw();
+        }) : null);
+    card.insertBefore(controls, card.children[1]);
+
+    T.time.follow((cursor, range) => {
+      const before = state.range;
+      state.cursor = cursor;
+      state.range = range[0] <= T.time.full[0] && range[1] >= T.time.full[1] ? null : range;
+      if (String(before) !== String(state.range)) plot.redraw();
+      else plot.redrawOver();
+    });
+    // The nearest sample of the table under the pointer becomes the cursor of all time plots.
+    plot.canvas.addEventListener('mousemove', (event) => {
+      const frame = plot.frame(plot.canvas.clientWidth, plot.canvas.clientHeight);
+      let best = 30 ** 2;
+      let nearest = null;
+      for (let k = 0; k < n; ++k) {
+        const d = (frame.x(shown(k, 'x')) - event.offsetX) ** 2 +
+          (frame.y(shown(k, 'y')) - event.offsetY) ** 2;
+        if (d < best) [best, nearest] = [d, k];
+      }
+      T.time.point(nearest, null);
+    });
+    plot.canvas.addEventListener('mouseleave', () => T.time.point(null, null));
+    return card;
+  };
+})(window.Trammel = window.Trammel || {});

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Plots over time, drawn by uPlot. All of a page share one cursor and one range of time: what the
+// pointer does in one of them happens in all. A series is {label, data, role, unit, digits} and
+// optionally width, dash, steps, hidden; `role` names its colour in theme.js.
+(function (T) {
+  'use strict';
+
+  const kHeight = 210;
+  const all = [];        // every time plot
+  const followers = [];  // told of the cursor (an index, or null) and of the range
+  let busy = false;
+  let cursor = null;
+
+  T.time = {
+    plots: all,
+    full: [0, 1],
+    range: [0, 1],
+    values: null,
+    label: 'Time (s)',
+    digits: 4,
+    follow: (follower) => followers.push(follower),
+  };
+
+  function tell() {
+    const now = document.getElementById('time-now');
+    now.textContent = cursor === null ? ''
+      : `t = ${T.num(T.time.values[cursor], T.time.digits)} s`;
+    for (const follower of followers) follower(cursor, T.time.range);
+  }
+
+  // The cursor of all plots at sample `index`; null takes it away.
+  T.time.point = function (index, source) {
+    if (busy || index === cursor) return;
+    busy = true;
+    cursor = index;
+    for (const plot of all) {
+      const u = plot.uplot;
+      if (plot === source || !u) continue;
+      const left = index === null ? -10 : u.valToPos(T.time.values[index], 'x');
+      u.setCursor({ left, top: index === null ? -10 : 1 }, false);
+    }
+    busy = false;
+    tell();
+  };
+
+  T.time.zoom = function (low, high, source) {
+    if (busy) return;
+    const [first, last] = T.time.full;
+    const range = [Math.max(first, low), Math.min(last, high)];
+    if (!(range[1] > range[0])) return;
+    busy = true;
+    T.time.range = range;
+    for (const plot of all) {
+      if (plot !== source && plot.uplot) {
+        plot.uplot.setScale('x', { min: range[0], max: range[1] });
+      }
+    }
+    busy = false;
+    const whole = range[0] <= first && range[1] >= last;
+    document.getElementById('zoom-reset').disabled = whole;
+    tell();
+  };
+
+  T.time.reset = () => T.time.zoom(...T.time.full);
+
+  // The base of all plots: its values, and the tools in the bar.
+  T.time.start = function (values) {
+    T.time.values = values;
+    if (values.length < 2) return;
+    T.time.full = T.time.range = [values[0], values[values.length - 1]];
+    document.getElementById('time-tools').hidden = false;
+    document.getElementById('zoom-reset').addEventListener('click', T.time.reset);
+  };
+
+  const color = (theme, series) => theme[series.role] || theme.runs[series.run];
+
+  function options(plot, width) {
+    const axis = {
+      stroke: () => T.theme().muted,
+      grid: { stroke: () => T.theme().grid, width: 1 },
+      ticks: { stroke: () => T.theme().grid, width: 1, size: 4 },
+      font: '11.5px system-ui, "Segoe UI", Roboto, "Liberation Sans", Arial, sans-serif',
+      labelFont: '12px system-ui, "Segoe UI", Roboto, "Liberation Sans", Arial, sans-serif',
+      labelGap: 0,
+      gap: 4,
+    };
+    const values = (u, splits) => splits.map((v) => T.tickText(v, splits));
+    return {
+      width,
+      height: plot.height(width),
+      padding: [8, 10, 0, 0],
+      scales: { x: { time: false, range: (u, low, high) => [low, high] } },
+      axes: [
+        { ...axis, label: T.time.label, labelSize: 18, size: 26, values },
+        { ...axis, label: plot.yLabel, labelSize: 20, size: 46, values },
+      ],
+      cursor: { y: false, drag: { x: true, y: false, dist: 4 }, points: { size: 7 } },
+      legend: { live: true, markers: { width: 0, fill: (u, k) => (k > 0
+        ? color(T.theme(), plot.series[k - 1]) : null) } },
+      series: [{ label: 't' }, ...plot.series.map((s) => ({
+        label: s.label,
+        show: !s.hidden,
+        stroke: () => color(T.theme(), s),
+        width: s.width || 1.5,
+        dash: s.dash,
+        points: { show: false },
+        paths: s.steps ? uPlot.paths.stepped({ align: 1 }) : undefined,
+        value: (u, v) => (v === null || v === undefined ? '\u2013'
+          : `${T.num(v, s.digits)}${s.unit ? ' ' + s.unit : ''}`),
+      }))],
+      hooks: {
+        setCursor: [(u) => T.time.point(u.cursor.left < 0 ? null : u.cursor.idx, plot)],
+        setScale: [(u, key) => {
+          if (key === 'x') T.time.zoom(u.scales.x.min, u.scales.x.max, plot);
+        }],
+      },
+    };
+  }
+
+  // The same for papers, from the data and the ranges that are on the screen.
+  function scene(plot, p, width, height, theme) {
+    const u = plot.uplot;
+    const shown = plot.series.filter((s, k) => u.series[k + 1].show);
+    const box = { x: 60, y: 26, w: width - 74, h: height - 72 };
+    const y = u.scales.y;
+    const yRange = y.min === null || y.min === undefined ? [0, 1] : [y.min, y.max];
+    const frame = T.frame(box, T.time.range, yRange);
+    T.drawFrame(p, theme, frame, { xLabel: T.time.label, yLabel: plot.yLabel });
+    T.drawKey(p, theme, box.x, 12, shown.map((s) => ({ label: s.label, stroke: color(theme, s),
+      width: s.width, dash: s.dash })));
+    const times = T.time.values;
+    let first = 0;
+    let last = times.length - 1;
+    while (first + 1 < last && times[first + 1] < frame.xRange[0]) ++first;
+    while (last - 1 > first && times[last - 1] > frame.xRange[1]) --last;
+    p.clip(box.x, box.y, box.w, box.h);
+    for (const s of shown) {
+      let line = [];
+      const flush = () => {
+        if (line.length > 3) {
+          p.path(line, { stroke: color(theme, s), width: s.width || 1.5, dash: s.dash });
+        }
+        line = [];
+      };
+      for (let k = first; k <= last; ++k) {
+        const v = s.data[k];
+        if (v === null) {
+          flush();
+          continue;
+        }
+        const px = frame.x(times[k]);
+        const py = frame.y(v);
+        if (s.steps && line.length > 0) line.push(px, line[line.length - 1]);
+        line.push(px, py);
+      }
+      flush();
+    }
+    p.unclip();
+  }
+
+  // spec: {id, title, small, yLabel, series}; the card of the plot.
+  T.timePlot = function (spec) {
+    const plot = T.register({ ...spec, height: (width) => spec.tall || (width < 420 ? 180
+      : kHeight), printHeight: () => (spec.tall ? 230 : 138),
+      saveHeight: 400 });
+    all.push(plot);
+    const card = T.card(plot.title, plot.small, plot);
+    const frame = T.el('div', { class: 'plot screen-only' });
+    card.append(frame);
+    plot.count = () => plot.series.length * T.time.values.length;
+    plot.scene = (p, width, height, theme) => scene(plot, p, width, height, theme);
+    plot.redraw = () => {
+      if (!plot.uplot) return;
+      plot.uplot.redraw(false, true);
+      frame.querySelectorAll('.u-marker').forEach((mark, k) => {
+        if (k > 0) mark.style.background = color(T.theme(), plot.series[k - 1]);
+      });
+    };
+    plot.resize = () => {
+      const width = Math.floor(frame.clientWidth);
+      if (width <= 0) return;
+      if (!plot.uplot) {
+        busy = true;  // its first ranges are no wish of the reader
+        plot.uplot = new uPlot(options(plot, width), [T.time.values,
+          ...plot.series.map((s) => s.data)], frame);
+        busy = false;
+      } else if (width !== plot.uplot.width) {
+        plot.uplot.setSize({ width, height: plot.height(width) });
+      }
+    };
+    return card;
+  };
+})(window.Trammel = window.Trammel || {});

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "testbench/report_data.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "testbench/config.hpp"
+#include "testbench/delta_code.hpp"
+#include "testbench/metrics.hpp"
+
+namespace trammel::testbench {
+namespace fs = std::filesystem;
+namespace {
+
+[[noreturn]] void corrupt(const fs::path& file, const std::string& what) {
+  throw ConfigError(fmt::format("{}: {}", file.string(), what));
+}
+
+std::string read_file(const fs::path& file) {
+  std::error_code ignored;
+  std::ifstream in(file, std::ios::binary);
+  if (!in || fs::is_directory(file, ignored)) {
+    corrupt(file, fs::exists(file, ignored) ? "cannot be read"
+                                            : "is missing: not a folder that `trammel run` wrote");
+  }
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+Json read_json(const fs::path& file) {
+  try {
+    Json json = Json::parse(read_file(file));
+    if (json.is_object()) return json;
+  } catch (const Json::parse_error& error) {
+    corrupt(file, fmt::format("is corrupt: no JSON at byte {}", error.byte));
+  }
+  corrupt(file, "is corrupt: not a JSON object");
+}
+
+// The member that `path` names must be there and of that type.
+void require(const fs::path& file, const Json& json, const std::string& path,
+             bool (Json::*is)() const noexcept) {
+  const Json::json_pointer pointer(path);
+  if (!json.contains(pointer)) corrupt(file, fmt::format("is corrupt: {} is missing", path));
+  if (!(json.at(pointer).*is)()) {
+    corrupt(file, fmt::format("is corrupt: {} is of a wrong kind", path));
+  }
+}
+
+void check_metrics(const fs::path& file, const Json& m) {
+  if (!m.contains("machine")) {
+    corrupt(file, "names no machine: written by an older trammel; run it again");
+  }
+  for (const char* text : {"/machine", "/scenario", "/end", "/command", "/verdict",
+                           "/options/controller", "/options/path.kind", "/run/event_hash"}) {
+    require(file, m, text, &Json::is_string);
+  }
+  for (const char* number : {"/run/samples", "/run/first_tick", "/run/end_tick", "/run/points"}) {
+    require(file, m, number, &Json::is_number_unsigned);
+  }
+  for (const char* number :
+       {"/tracking/model/mean_mm", "/tracking/model/samples", "/tracking/command/mean_mm",
+        "/x/peak_current_A", "/y/peak_current_A", "/x/max_speed_m_s", "/y/max_speed_m_s",
+        "/options/plant.x.dc_link_V", "/options/plant.y.dc_link_V", "/options/gains.x.shift_e",
+        "/options/gains.x.shift_de", "/options/gains.y.shift_e", "/options/gains.y.shift_de",
+        "/options/path.square_half_samples", "/options/path.square_low_m",
+        "/options/path.square_high_m",
+        "/run/simulated_s", "/run/clocks", "/run/clock_ps"}) {
+    require(file, m, number, &Json::is_number);
+  }
+  for (const char* object : {"/options", "/versions", "/x/error_to_model", "/y/error_to_model"}) {
+    require(file, m, object, &Json::is_object);
+  }
+}
+
+bool is_whole(const Json& json) { return json.is_number_integer(); }
+bool is_whole_or_null(const Json& json) { return json.is_number_integer() || json.is_null(); }
+
+// An array of `size` entries (0: any number) that all are what `each` says.
+template <class Each>
+bool is_list(const Json& json, std::size_t size, Each each) {
+  return json.is_array() && (size == 0 || json.size() == size) &&
+         std::all_of(json.begin(), json.end(), each);
+}
+
+void check_detail(const fs::path& file, const Json& d) {
+  for (const std::string axis : {"x", "y"}) {
+    for (const std::string when : {"first", "last"}) {
+      const std::string path = "/rules/" + axis + '/' + when;
+      require(file, d, path, &Json::is_array);
+      if (!is_list(d.at(Json::json_pointer(path)), 49, is_whole)) {
+        corrupt(file, fmt::format("is corrupt: {} does not hold 49 rules", path));
+      }
+    }
+    if (d.contains("moment") && d["moment"].is_object()) {
+      const std::string path = "/moment/" + axis + "/steps";
+      require(file, d, path, &Json::is_array);
+      const auto step = [](const Json& one) { return is_list(one, 2, is_whole_or_null); };
+      if (!is_list(d.at(Json::json_pointer(path)), 35, step)) {
+        corrupt(file, fmt::format("is corrupt: {} does not hold 35 steps", path));
+      }
+    }
+  }
+  if (d.contains("gates") && d["gates"].is_object()) {
+    require(file, d, "/gates/begin", &Json::is_number_integer);
+    require(file, d, "/gates/end", &Json::is_number_integer);
+    require(file, d, "/gates/edges", &Json::is_array);
+    require(file, d, "/gates/compare", &Json::is_array);
+    const auto edge = [](const Json& one) { return is_list(one, 2, is_whole); };
+    const auto axis = [](const Json& one) { return is_list(one, 3, is_whole); };
+    const auto period = [&](const Json& one) { return is_list(one, 2, axis); };
+    if (!is_list(d["gates"]["edges"], 0, edge) || d["gates"]["edges"].empty() ||
+        !is_list(d["gates"]["compare"], 0, period)) {
+      corrupt(file, "is corrupt: /gates does not hold gate edges and compare values");
+    }
+  }
+}
+
+std::vector<std::string> split(const std::string& line) {
+  std::vector<std::string> parts;
+  std::stringstream in(line);
+  for (std::string part; std::getline(in, part, ',');) parts.push_back(part);
+  return parts;
+}
+
+void read_trace(const fs::path& file, RunRecord& run) {
+  const std::string text = read_file(file);
+  std::size_t at = std::min(text.find('\n'), text.size());
+  const std::vector<std::string> names = split(text.substr(0, at));
+  std::vector<std::string> wanted{"tick", "t_s"};
+  for (const char* axis : {"x_", "y_"}) {
+    for (const std::string& column : axis_columns()) wanted.push_back(axis + column);
+  }
+  if (names != wanted) corrupt(file, "is corrupt: line 1 does not name the columns of a trace");
+
+  std::vector<std::vector<double>*> columns;
+  for (const std::string& name : names) columns.push_back(&run.columns[name]);
+  const char* const end = text.data() + text.size();
+  for (std::size_t line = 2; at + 1 < text.size(); ++line) {
+    const char* next = text.data() + at;  // at the newline or comma before a value
+    for (std::vector<double>* const column : columns) {
+      double value = 0;
+      const auto [stop, code] = std::from_chars(next + 1, end, value);
+      if (code != std::errc{} || !std::isfinite(value) || stop == end ||
+          (*stop != '\n' && *stop != ',') || (*stop == '\n') != (column == columns.back())) {
+        corrupt(file, fmt::format("is corrupt: line {} does not hold {} numbers", line,
+                                  columns.size()));
+      }
+      column->push_back(value);
+      next = stop;
+    }
+    at = static_cast<std::size_t>(next - text.data());
+  }
+  run.rows = columns.front()->size();
+  const auto samples = run.metrics["run"]["samples"].get<std::size_t>();
+  if (run.rows != samples) {
+    corrupt(file, fmt::format("is corrupt: {} samples, but the run recorded {}", run.rows,
+                              samples));
+  }
+}
+
+// Distance of the table to the commanded path [m], from the first sample of the path on.
+std::vector<double> contour(const RunRecord& run) {
+  std::vector<kung::PointM> table;
+  std::vector<kung::PointM> path;
+  for (std::size_t k = run.first; k < run.rows; ++k) {
+    table.push_back({run.columns.at("x_position_m")[k], run.columns.at("y_position_m")[k]});
+    path.push_back({run.columns.at("x_command_m")[k], run.columns.at("y_command_m")[k]});
+  }
+  return contour_error(table, path, kContourReach);
+}
+
+// Fine enough for every figure of a page: 10 nm, 1 um/s, 10 uA, 1 mN; words of the chip are whole.
+double lsb_of(const std::string& name) {
+  const auto ends = [&name](const std::string& unit) {
+    return name.size() > unit.size() &&
+           name.compare(name.size() - unit.size(), unit.size(), unit) == 0;
+  };
+  if (ends("_m_s")) return 1e-6;
+  if (ends("_m") || name == "t_s") return 1e-8;
+  if (ends("_A")) return 1e-5;
+  if (ends("_N")) return 1e-3;
+  return 1;
+}
+
+}  // namespace
+
+const std::vector<std::string>& axis_columns() {
+  static const std::vector<std::string> names{
+      "command_m", "position_m", "model_m", "encoder_count", "e",   "de",    "u",
+      "v_star",    "v",          "i_q_ref", "i_d",           "i_q", "v_d",   "v_q",
+      "v_m_s",     "i_d_A",      "i_q_A",   "force_N"};
+  return names;
+}
+
+RunRecord read_run(const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::is_directory(folder, ignored)) {
+    throw ConfigError(fmt::format("{}: {}", folder.string(),
+                                  fs::exists(folder, ignored) ? "is not a folder"
+                                                              : "no such folder"));
+  }
+  RunRecord run;
+  run.folder = folder;
+  run.metrics = read_json(folder / "metrics.json");
+  check_metrics(folder / "metrics.json", run.metrics);
+  run.detail = read_json(folder / "detail.json");
+  check_detail(folder / "detail.json", run.detail);
+  read_trace(folder / "trace.csv", run);
+  const auto& ticks = run.columns["tick"];
+  const auto first = run.metrics["run"]["first_tick"].get<double>();
+  const auto begin = std::lower_bound(ticks.begin(), ticks.end(), first);
+  if (begin != ticks.end()) run.first = static_cast<std::size_t>(begin - ticks.begin());
+  if (run.metrics["options"]["path.kind"] != "square") {  // a square wave has no contour
+    run.columns["contour_m"] = contour(run);
+    run.columns["contour_m"].insert(run.columns["contour_m"].begin(), run.first, 0.0);
+  }
+  return run;
+}
+
+PageSeries page_series(const RunRecord& run, const std::vector<std::string>& names,
+                       std::size_t most) {
+  PageSeries page;
+  page.channels = Json::array();
+  page.stride = std::max<std::size_t>(1, (run.rows - run.first + most - 1) / most);
+  std::string bytes;
+  for (const auto& [name, values] : run.columns) {
+    if (!names.empty() && std::find(names.begin(), names.end(), name) == names.end()) continue;
+    const double lsb = lsb_of(name);
+    std::vector<std::int64_t> whole;
+    for (std::size_t k = run.first; k < values.size(); k += page.stride) {
+      const double value = std::clamp(std::round(values[k] / lsb), -static_cast<double>(kMaxCoded),
+                                      static_cast<double>(kMaxCoded));
+      whole.push_back(static_cast<std::int64_t>(value));
+    }
+    const Coded coded = delta_code(whole);
+    page.channels.push_back({{"name", name}, {"lsb", lsb}, {"order", coded.order}});
+    bytes += coded.bytes;
+    page.count = whole.size();
+  }
+  page.data = base64(deflate(bytes));
+  return page;
+}
+
+}  // namespace trammel::testbench
