@@ -137,7 +137,6 @@ module afc
   logic [2:0] col_q, row_q;        // sections i of e and j of de
   member_t mu_a0_q, mu_a1_q, mu_b0_q, mu_b1_q;
   member_t d00_q, d01_q, d10_q, d11_q;
-  count_t rule_q;                  // tuned in this step
   sum_t acc_q;
   product_t product_q;
 
@@ -194,8 +193,8 @@ module afc
 
   // ---- the product at the adder: shifted, its highest dropped bit as carry ----
 
-  sum_t shifted, shifted_q;
-  logic half, half_q;
+  sum_t shifted;
+  logic half;
 
   always_comb begin
     unique case (place_q)
@@ -209,34 +208,21 @@ module afc
     endcase
   end
 
-  always_ff @(posedge clk_i) begin
-    if (step_begin) begin
-      mul_a_q   <= mul_a;
-      mul_b_q   <= mul_b;
-      rule_q    <= rule;
-      shifted_q <= shifted;
-      half_q    <= half;
-    end
-    if (step_end && mul_used) begin
-      product_q <= mul_a_q * mul_b_q;
-      place_q   <= place[5:3];
-    end
-  end
-
   // ---- adder: operands of each step ----
 
-  sum_t add_a, add_b, sum;
-  logic carry, unused_sum;
-  count_t r_new;
+  sum_t add_a, add_b, add_a_q, add_b_q, sum;
+  logic carry, carry_q, unused_sum;
+  count_t r_new, r_2;
 
   assign r_new = resetting_q ? x_p_i : r_i;  // a reset sample stands still
+  assign r_2 = resetting_q ? x_p_i : r_2_q;
 
   always_comb begin
     add_a = '0;
-    add_b = shifted_q;
-    carry = half_q;
+    add_b = shifted;
+    carry = half;
     unique case (step_q)
-      6'd0: begin add_a = sum_t'(r_new); add_b = sum_t'(r_2_q); carry = 1'b0; end
+      6'd0: begin add_a = sum_t'(r_new); add_b = sum_t'(r_2); carry = 1'b0; end
       6'd1: begin add_a = acc_q; add_b = sum_t'(r_1_q) <<< 1; carry = 1'b0; end
       6'd2: begin add_a = acc_q <<< 6; add_b = ~(sum_t'(x_m_q) >>> 6); carry = 1'b1; end
       6'd4, 6'd20, 6'd21, 6'd22, 6'd24: add_a = acc_q;
@@ -259,12 +245,23 @@ module afc
       6'd25: add_a = sum_t'(integral_q);
       6'd26: begin add_a = acc_q; add_b = sum_t'(integral_q) >>> 12; carry = integral_q[11]; end
       6'd27: begin add_a = sum_t'(v_star_q); add_b = ~sum_t'(v_q); carry = 1'b1; end
-      6'd31, 6'd32, 6'd33, 6'd34: add_a = sum_t'(rule_q);
+      6'd31, 6'd32, 6'd33, 6'd34: add_a = sum_t'(rule);
       default: ;
     endcase
   end
 
-  assign {sum, unused_sum} = {add_a, 1'b1} + {add_b, carry};  // one carry chain
+  always_ff @(posedge clk_i) begin
+    if (step_begin) begin
+      {mul_a_q, mul_b_q} <= {mul_a, mul_b};
+      {add_a_q, add_b_q, carry_q} <= {add_a, add_b, carry};
+    end
+    if (step_end && mul_used) begin
+      product_q <= mul_a_q * mul_b_q;
+      place_q   <= place[5:3];
+    end
+  end
+
+  assign {sum, unused_sum} = {add_a_q, 1'b1} + {add_b_q, carry_q};  // one carry chain
 
   word_t sum12;
   count_t sum24;
@@ -370,9 +367,8 @@ module afc
         default: acc_q <= sum;
       endcase
     end else if (running_q && resetting_q && step_q == 6'd0) begin
-      // Rest at x_p; its first clock, so that s0 already computes with it. Speed is 0 at s7.
+      // Rest at x_p, from the first clock on; r_2 at s0 and the speed at s7 see to themselves.
       r_1_q <= x_p_i;
-      r_2_q <= x_p_i;
       x_m_q <= {x_p_i[17:0], 14'd0};
       {dx_q, e_prev_q, integral_q} <= '0;
     end

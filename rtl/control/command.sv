@@ -34,8 +34,16 @@ module command
   quarter_t stride_q, stride_d;
   logic [1:0] left_q, left_d;  // ticks still to move
 
-  quarter_t distance;
+  quarter_t distance, moved;
+  logic take, up;
+  assign take = tick_pos_i && pending_q;
   assign distance = quarter_t'(next_q) - quarter_t'(r_o);
+
+  // A new command moves from r_o: quarters without their fraction, a count up where it rounds.
+  // Then their low bits are 11, so that one adder's carry-in does it.
+  assign up = take && quarters_q[1];
+  assign moved = {quarters_q[25:2], take ? {2{up}} : quarters_q[1:0]} +
+      (take ? distance : stride_q) + quarter_t'({1'b0, up});
 
   // rs(quarters, 2): the highest dropped bit rounds.
   assign r_o = quarters_q[25:2] + 24'(quarters_q[1]);
@@ -46,13 +54,13 @@ module command
     quarters_d = quarters_q;
     stride_d   = stride_q;
     left_d     = left_q;
-    if (tick_pos_i && pending_q) begin
+    if (take) begin
       pending_d  = 1'b0;
       stride_d   = interpolate_i ? distance : '0;
-      quarters_d = interpolate_i ? {r_o, 2'd0} + distance : {next_q, 2'd0};
+      quarters_d = interpolate_i ? moved : {next_q, 2'd0};
       left_d     = interpolate_i ? 2'd3 : 2'd0;
     end else if (tick_pos_i && left_q != 2'd0) begin
-      quarters_d = quarters_q + stride_q;
+      quarters_d = moved;
       left_d     = left_q - 2'd1;
     end
     if (commit_i) begin
