@@ -67,7 +67,7 @@ def write_script(props, folder, model):
              f"prep -flatten -top {props.stem}"]
     lines += ["cutpoint -blackbox"] if props.cut else []
     lines += [f"cutpoint t:{cell} c:*_props.* %d" for cell in props.free]
-    lines += ["memory_map -rom-only", "async2sync", "chformal -lower"]
+    lines += ["memory_map", "async2sync", "chformal -lower"]
     if model.covers:
         lines += ["chformal -assert -remove", "techmap -map cover_map.v"]
     else:
