@@ -45,8 +45,9 @@ module command
   assign moved = {quarters_q[25:2], take ? {2{up}} : quarters_q[1:0]} +
       (take ? distance : stride_q) + quarter_t'({1'b0, up});
 
-  // rs(quarters, 2): the highest dropped bit rounds.
-  assign r_o = quarters_q[25:2] + 24'(quarters_q[1]);
+  // rs(quarters, 2): the highest dropped bit rounds. A concatenation, because Yosys' slang widens
+  // a select of a signed type with its sign.
+  assign r_o = quarters_q[25:2] + {23'd0, quarters_q[1]};
 
   always_comb begin
     pending_d  = pending_q;
