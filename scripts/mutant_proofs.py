@@ -3,6 +3,7 @@
 
 Equivalent means: under any input, from the first reset on, every output of the mutant equals the
 block's in every clock. Both begin with all registers 0, so that what no reset sets is equal too.
+Leaps are those that math/timer permits: while quiescent, by less than next_o.
 """
 
 import re
@@ -60,14 +61,20 @@ def write_miter(block):
     outputs = [(width, name) for direction, width, name in pins if direction == "output"]
     head = [f"input {width} {name}" for width, name in inputs]
     head += [f"output differ_{name}" for _, name in outputs]
-    lines = ["module miter(", ",\n".join(head), ");", "reg live = 1'b0;",
+    names = {name for _, name in inputs + outputs}
+    lines = ["module miter(", ",\n".join(head), ");", "reg live = 1'b0;", "reg legal = 1'b1;",
              "always @(posedge clk_i) if (rst_i) live <= 1'b1;"]
+    if {"leap_i", "next_o"} <= names:
+        still = " || !gold_quiescent_o" if "quiescent_o" in names else ""
+        lines.append(f"always @(posedge clk_i) if (leap_i != 0 && (leap_i >= gold_next_o{still})) "
+                     "legal <= 1'b0;")
     for module in ("gold", "gate"):
         lines += [f"wire {width} {module}_{name};" for width, name in outputs]
         links = [f".{name}({name})" for _, name in inputs]
         links += [f".{name}({module}_{name})" for _, name in outputs]
         lines.append(f"{module} u_{module} ({', '.join(links)});")
-    lines += [f"assign differ_{name} = live && gold_{name} != gate_{name};" for _, name in outputs]
+    lines += [f"assign differ_{name} = live && legal && gold_{name} != gate_{name};"
+              for _, name in outputs]
     (folder / "miter.v").write_text("\n".join([*lines, "endmodule", ""]), encoding="utf-8")
     return [name for _, name in outputs]
 

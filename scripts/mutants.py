@@ -20,10 +20,11 @@ COUNT = 200
 SEED = 1
 SPARE = 200  # listed beyond COUNT, since clock pins are dropped
 
-# Multiplexers and registers stay as the source wrote them, so that a mutant can be put in words.
+# Enables become part of the registers: a stuck or inverted output would else feed itself back while
+# nothing happens. Resets stay in the data path, so that their values can be changed.
 READ = """read_slang --keep-hierarchy --top {top} {files}
 proc -norom
-opt -nodffe -nosdff
+opt -nosdff
 memory_collect
 memory_map -rom-only
 wreduce

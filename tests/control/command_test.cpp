@@ -127,6 +127,11 @@ TEST_CASE("Command agrees with its twin in every clock") {
     if (random() % 50 == 0) bench.in.interpolate = !bench.in.interpolate;
     bench.in.pos_cmd = static_cast<std::int32_t>(random() & 0xffffff) - 0x800000;
     bench.in.preset_value = static_cast<std::int32_t>(random() & 0xffffff) - 0x800000;
+    if (random() % 200 == 0) {
+      bench.drive();
+      bench.rtl.reset();
+      bench.twin = Command();
+    }
     bench.clock();
   }
 }

@@ -33,6 +33,24 @@ TEST_CASE("clarke agrees with its twin on random and extreme currents, in 2 cloc
   }
 }
 
+TEST_CASE("clarke saturates exactly where the word ends") {
+  test::Rtl<Vclarke> rtl;
+  test::begin(rtl);
+  // 1182 (i_a + 2 i_b) / 2048 is 2047.5 at a sum of 3547.6 and -2048.5 at -3549.3
+  for (std::int32_t sum = 3530; sum < 3570; ++sum) {
+    for (const std::int32_t signed_sum : {sum, -sum}) {
+      const Clarke::In in{signed_sum % 2, signed_sum / 2};
+      test::set_word(rtl->i_a_i, in.i_a);
+      test::set_word(rtl->i_b_i, in.i_b);
+      REQUIRE(test::run_flow(rtl) == kLatency);
+      CAPTURE(signed_sum);
+      REQUIRE(test::word(rtl->i_beta_o) == Clarke().step(in).i_beta);
+      REQUIRE((test::word(rtl->i_beta_o) == 2047) == (signed_sum > 3545));
+      REQUIRE((test::word(rtl->i_beta_o) == -2048) == (signed_sum < -3547));
+    }
+  }
+}
+
 // Kung eq. 7
 TEST_CASE("clarke stays within one step of the ideal transform inside the range of a word") {
   const Clarke twin;

@@ -94,7 +94,9 @@ void require_flow_shape(Rtl<Model>& rtl, int latency, const std::vector<std::int
     rests(below(5), result);
     if (n % 8 == 0) {
       works(1 + below(latency - 1));
+      rtl->tick_i = 1;  // reset wins over a tick
       rtl.reset();
+      rtl->tick_i = 0;
       rests(latency + 2, at_rest);
     }
   }

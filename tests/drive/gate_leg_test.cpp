@@ -56,7 +56,7 @@ void change(In& in, Random& random) {
 
 }  // namespace
 
-TEST_CASE("gate_leg agrees with its twin on random inputs and leaps") {
+TEST_CASE("gate_leg agrees with its twin on random inputs, leaps and resets") {
   Rtl rtl;
   GateLeg twin;
   rtl.reset();
@@ -65,6 +65,10 @@ TEST_CASE("gate_leg agrees with its twin on random inputs and leaps") {
   for (int i = 0; i < 100000; ++i) {
     change(in, random);
     apply(rtl, in);
+    if (random() % 500 == 0) {
+      rtl.reset();
+      twin.reset();
+    }
     REQUIRE(rtl->next_o == twin.next(in));
     REQUIRE(bool(rtl->quiescent_o) == twin.quiescent(in));
     const Gap gap = twin.quiescent(in) ? twin.next(in) : 0;

@@ -40,7 +40,7 @@ void step(Rtl& rtl, const In& in) {
 
 }  // namespace
 
-TEST_CASE("supervisor agrees with its twin on random causes and clears") {
+TEST_CASE("supervisor agrees with its twin on random causes, clears and resets") {
   Rtl rtl;
   Supervisor twin;
   rtl.reset();
@@ -57,6 +57,10 @@ TEST_CASE("supervisor agrees with its twin on random causes and clears") {
     in.encoder = {rare(), rare()};
     in.stroke = {rare(), rare()};
     apply(rtl, in);
+    if (random() % 200 == 0) {
+      rtl.reset();
+      twin.reset();
+    }
     REQUIRE(bool(rtl->quiescent_o) == twin.quiescent(in));
     rtl.tick();
     const Supervisor::Out out = twin.step(in);

@@ -47,6 +47,10 @@ TEST_CASE("watchdog agrees with its twin on random inputs") {
     const Watchdog::In in{random() % 2 == 0, random() % 6 == 0, random() % 32 != 0,
                           static_cast<std::uint16_t>(random() % 7)};
     apply(rtl, in);
+    if (random() % 200 == 0) {
+      rtl.reset();
+      twin.reset();
+    }
     REQUIRE(bool(rtl->quiescent_o) == twin.quiescent(in));
     rtl.tick();
     REQUIRE(bool(rtl->bite_o) == twin.step(in));

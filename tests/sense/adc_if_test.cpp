@@ -50,7 +50,7 @@ struct Bench {
 
 }  // namespace
 
-TEST_CASE("adc_if agrees with its twin on random starts and data") {
+TEST_CASE("adc_if agrees with its twin on random starts, data and resets") {
   Rtl rtl;
   AdcIf twin;
   rtl.reset();
@@ -61,6 +61,10 @@ TEST_CASE("adc_if agrees with its twin on random starts and data") {
     rtl->sdata_a_i = in.sdata_a;
     rtl->sdata_b_i = in.sdata_b;
     rtl.eval();
+    if (random() % 500 == 0) {
+      rtl.reset();
+      twin.reset();
+    }
     REQUIRE(bool(rtl->quiescent_o) == twin.quiescent(in));
     rtl.tick();
     const AdcIf::Out out = twin.step(in);

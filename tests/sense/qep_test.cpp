@@ -52,7 +52,7 @@ void start(Rtl& rtl, const Qep::In& in) {
 
 }  // namespace
 
-TEST_CASE("qep agrees with its twin on random lines, filters, presets and clears") {
+TEST_CASE("qep agrees with its twin on random lines, filters, presets, clears and resets") {
   Rtl rtl;
   Qep twin;
   apply(rtl, Qep::In());
@@ -71,6 +71,12 @@ TEST_CASE("qep agrees with its twin on random lines, filters, presets and clears
     in.preset_value = static_cast<std::int32_t>(as_signed(end, 24));
     in.clear_error = random() % 100 == 0;
     apply(rtl, in);
+    if (random() % 2000 == 0) {
+      rtl.reset();  // two clocks; the synchronisers go on
+      twin.step(in);
+      twin.step(in);
+      twin.reset();
+    }
     REQUIRE(bool(rtl->quiescent_o) == twin.quiescent(in));
     rtl.tick();
     const Qep::Out out = twin.step(in);
@@ -179,6 +185,10 @@ TEST_CASE("qep latches the count at the rising index, the step of that clock inc
 TEST_CASE("qep starts without count or error whatever level the lines have") {
   for (int position = 0; position < 4; ++position) {
     Rtl rtl;
+    Qep::In high_index = at(position);
+    high_index.z = true;
+    start(rtl, high_index);
+    REQUIRE_FALSE(rtl->index_seen_o);
     start(rtl, at(position));
     REQUIRE(count(rtl) == 0);
     REQUIRE_FALSE(rtl->error_o);
