@@ -10,6 +10,7 @@ import re
 
 import formal
 import mutants
+import properties
 
 FRAMES = 60  # clocks of the bounded search for a difference
 
@@ -82,41 +83,38 @@ def write_miter(block):
 def compare(block, number, outputs, limit):
     """("equivalent", kind of proof), or ("different" | "open", what is known)."""
     folder = mutants.folder_of(block)
-    formal.yosys(MITER.format(top=block.split("/")[1], selector=mutants.SELECTOR,
-                              width=mutants.WIDTH, number=number), folder, "miter")
+    mutants.yosys(MITER.format(top=block.split("/")[1], selector=mutants.SELECTOR,
+                               width=mutants.WIDTH, number=number), folder, "miter")
     read = "read_aiger miter.aig; orpos; scleanup; scorr; dc2; scorr"
     # Where all registers were equal pairs, nothing sequential is left.
     if "UNSATISFIABLE" in formal.abc(folder, f"{read}; iprove", limit):
         return "equivalent", "induction"
-    text = formal.abc(folder, f"{read}; dprove -T {limit}", limit)
-    if formal.verdict(text) == "open":
-        text = formal.abc(folder, f"{read}; bmc3 -F {FRAMES} -T {limit}", limit)
-    match formal.verdict(text):
-        case "proven": return "equivalent", "reachability"
-        case "refuted": return "different", where(folder, outputs, formal.frame(text), limit)
-        case _: return "open", f"no difference found in {FRAMES} clocks, no proof in {limit} s"
-
-
-def where(folder, outputs, clock, limit):
-    """Which outputs can differ at that clock."""
-    seen = [name for index, name in enumerate(outputs)
-            if formal.reach(folder, "miter", index, clock + 1, limit) is not None]
-    return f"differs at clock {clock} in {', '.join(seen) or 'some output'}"
+    text = formal.abc(folder, f"{read}; dprove -T {limit}", 3 * limit)
+    if "Networks are equivalent" in text:
+        return "equivalent", "reachability"
+    seen = formal.reach(folder, "miter", outputs, FRAMES, limit)
+    if seen:
+        return "different", ", ".join(f"{name} differs at clock {clock}"
+                                      for name, clock in sorted(seen.items()))
+    if "was asserted in frame" in text:
+        return "different", "differs"
+    return "open", f"no difference found in {FRAMES} clocks, no proof in {limit} s"
 
 
 def refuted_by(block, number, limit):
-    """Label of the promise that the mutant breaks; None when there is none."""
-    path = formal.RTL / f"{block}_props.sv"
-    if not path.exists():
+    """Label of a promise that the mutant breaks; None when there is none."""
+    source = properties.RTL / f"{block}.sv"
+    if not source.with_name(f"{source.stem}_props.sv").exists():
         return None
-    props = formal.read_properties(block)
-    folder, stem = mutants.folder_of(block), props.stem
-    constant = f"  localparam logic [{mutants.WIDTH - 1}:0] {mutants.SELECTOR} = {number};\n"
-    netlist = mutants.with_selector(block, "mutants.v", constant, f"{stem}_mutant.sv")
-    order = formal.write_asserts(props, folder, "promises",
-                                 {formal.RTL / f"{block}.sv": netlist})
-    for index, label in enumerate(order):
-        if label in props.promises and \
-                formal.reach(folder, "promises", index, props.frames, limit) is not None:
-            return label
-    return None
+    props = properties.read(block)
+    folder = mutants.folder_of(block)
+    # The bound properties see the block's parameters by name.
+    constants = [f"  localparam {line};\n" for line in re.findall(
+        r"^ *parameter +(.+?),?$", source.read_text(encoding="utf-8"), re.M)]
+    constants.append(f"  localparam logic [{mutants.WIDTH - 1}:0] {mutants.SELECTOR} = {number};\n")
+    netlist = mutants.with_selector(block, "mutants.v", "".join(constants), "mutant.sv")
+    model = formal.Model("promises", only=props.promises,
+                         changed={source: netlist.read_text(encoding="utf-8")})
+    labels = formal.write_models(props, folder, [model])["promises"]
+    broken = formal.reach(folder, "promises", labels, props.frames, limit)
+    return min(broken, key=broken.get) if broken else None

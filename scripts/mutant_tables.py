@@ -9,11 +9,11 @@ import json
 import tomllib
 from dataclasses import dataclass, field
 
-import formal
 import mutants
+from properties import ROOT
 
-FOLDER = formal.ROOT / "tests" / "mutants"
-PAGE = formal.ROOT / "docs" / "mutation.md"
+FOLDER = ROOT / "tests" / "mutants"
+PAGE = ROOT / "docs" / "mutation.md"
 STRICT = {"drive", "sense", "bus"}  # what turns gates on and what it trusts
 SAMPLE = 20
 KINDS = ("promise", "equivalent", "left")
@@ -106,7 +106,7 @@ def problems(blocks):
             yield f"{block}: score {table.score:.1f} %, at least {table.floor:.0f} %"
     page = PAGE.read_text(encoding="utf-8") if PAGE.exists() else ""
     if not set(rows) <= set(page.split("\n")):
-        yield f"{PAGE.relative_to(formal.ROOT)} is older than the tables: trammel verify --page"
+        yield f"{PAGE.relative_to(ROOT)} is older than the tables: trammel verify --page"
 
 
 def row(table):

@@ -12,9 +12,10 @@ import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
-import formal
 import lint
 import mutants
+from mutants import MutationError
+from properties import ROOT, RTL
 
 DECLARATION = f"""  import "DPI-C" function int {mutants.SELECTOR}();
   reg [{mutants.WIDTH - 1}:0] selected;
@@ -22,18 +23,14 @@ DECLARATION = f"""  import "DPI-C" function int {mutants.SELECTOR}();
 """
 CHIP = "kung_xy"  # chips are tested as a whole: their inner modules through this one
 JOBS = 2
-MAIN = formal.ROOT / "build" / "tests" / "libtrammel_catch_main.a"
+MAIN = ROOT / "build" / "tests" / "libtrammel_catch_main.a"
 SLOWEST = 10  # a mutant that takes this many times the block's own time hangs
 AT_LEAST = 5.0  # [s]
 
 
-class MutationError(Exception):
-    """One line: why a block cannot be mutated."""
-
-
 def test_of(block):
     layer, stem = block.split("/")
-    return formal.ROOT / "tests" / layer / f"{CHIP if layer == 'chips' else stem}_test.cpp"
+    return ROOT / "tests" / layer / f"{CHIP if layer == 'chips' else stem}_test.cpp"
 
 
 def build(block):
@@ -45,14 +42,14 @@ def build(block):
     head, declaration, body = text.partition(DECLARATION)
     netlist.write_text(head + declaration + body.replace(f"{mutants.SELECTOR} ==", "selected =="),
                        encoding="utf-8")
-    rtl = [] if top == stem else [*map(str, lint.packages()), str(formal.RTL / layer / f"{top}.sv")]
-    search = [f"-I{d}" for d in sorted(formal.RTL.iterdir()) if d.is_dir() and d.name != "boards"]
-    main = [str(MAIN)] if MAIN.exists() else [str(formal.ROOT / "tests" / "support" / "main.cpp")]
+    rtl = [] if top == stem else [*map(str, lint.packages()), str(RTL / layer / f"{top}.sv")]
+    search = [f"-I{d}" for d in sorted(RTL.iterdir()) if d.is_dir() and d.name != "boards"]
+    main = [str(MAIN)] if MAIN.exists() else [str(ROOT / "tests" / "support" / "main.cpp")]
     command = ["verilator", "--cc", "--exe", "--build", "-j", str(JOBS), "-Wno-fatal", "-Wno-lint", "-fno-dfg",
                "--top-module", top, "--prefix", f"V{top}", "--Mdir", str(folder / "obj"),
-               "-CFLAGS", f"-std=c++17 -I{formal.ROOT}", "-o", "mutants", *search,
-               f"-I{formal.RTL}/chips/generated", *rtl, str(netlist), str(test_of(block)),
-               str(formal.ROOT / "tests" / "support" / "mutant.cpp"), *main]
+               "-CFLAGS", f"-std=c++17 -I{ROOT}", "-o", "mutants", *search,
+               f"-I{RTL}/chips/generated", *rtl, str(netlist), str(test_of(block)),
+               str(ROOT / "tests" / "support" / "mutant.cpp"), *main]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False,
                           env={**os.environ, "OBJCACHE": "ccache"})
     (folder / "build.log").write_text(done.stdout + done.stderr, encoding="utf-8")

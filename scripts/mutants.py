@@ -8,12 +8,14 @@ inside it, and no clock. The selector is an undriven net of the netlist; whoever
 
 import hashlib
 import re
+import subprocess
+import sys
 from dataclasses import dataclass
 
-import formal
 import lint
+from properties import ROOT, RTL
 
-OUT = formal.ROOT / "build" / "mutants"
+OUT = ROOT / "build" / "mutants"
 SELECTOR = "trammel_mutant"
 WIDTH = 8  # bits of the selector; 0 selects no mutant
 COUNT = 200
@@ -49,6 +51,10 @@ write_verilog -noattr split.v
 """
 
 
+class MutationError(Exception):
+    """One line: why a block cannot be mutated."""
+
+
 @dataclass
 class Mutant:
     number: int
@@ -63,17 +69,28 @@ def folder_of(block):
     return folder
 
 
+def yosys(script, folder, name):
+    """Runs a Yosys script in a process of its own; its log stays in the folder."""
+    (folder / f"{name}.ys").write_text(script, encoding="utf-8")
+    code = ("from pyosys import libyosys as ys\n"
+            f"ys.run_pass('tee -q -o {name}.log script {name}.ys', ys.Design())")
+    done = subprocess.run([sys.executable, "-c", code], cwd=folder, capture_output=True,
+                          text=True, check=False)
+    if done.returncode != 0:
+        raise MutationError(f"Yosys fails: {folder}/{name}.log")
+
+
 def source_hash(block):
     """Of what decides which mutants there are: the text without comments and spacing."""
-    text = (formal.RTL / f"{block}.sv").read_text(encoding="utf-8")
+    text = (RTL / f"{block}.sv").read_text(encoding="utf-8")
     code = " ".join(re.sub(r"//.*", "", text).split())
     return hashlib.sha256(code.encode()).hexdigest()[:16]
 
 
 def sources():
-    own = sorted(p for p in formal.RTL.glob("*/*.sv")
+    own = sorted(p for p in RTL.glob("*/*.sv")
                  if p.parent.name != "boards" and not p.stem.endswith(("_pkg", "_props")))
-    generated = sorted(p for p in (formal.RTL / "chips" / "generated").glob("*.sv")
+    generated = sorted(p for p in (RTL / "chips" / "generated").glob("*.sv")
                        if not p.stem.endswith("_pkg"))
     return [*lint.packages(), *own, *generated]
 
@@ -99,8 +116,8 @@ def excerpt(place, folder):
     text[-1] = text[-1][:end - 1]
     text[0] = text[0][column - 1:]
     short = " ".join(" ".join(text).split())
-    if path.is_relative_to(formal.ROOT):
-        path = path.relative_to(formal.ROOT)
+    if path.is_relative_to(ROOT):
+        path = path.relative_to(ROOT)
     return f"{path}:{line}", short if len(short) <= 60 else short[:57] + "..."
 
 
@@ -149,8 +166,8 @@ def make(block, count=COUNT, seed=SEED):
     """
     folder, top = folder_of(block), block.split("/")[1]
     files = " ".join(str(p) for p in sources())
-    formal.yosys(READ.format(top=top, files=files, count=count + SPARE, seed=seed),
-                 folder, "read")
+    yosys(READ.format(top=top, files=files, count=count + SPARE, seed=seed), folder,
+          "read")
     commands = [line for line in (folder / "list.txt").read_text(encoding="utf-8").split("\n")
                 if line.startswith("mutate ") and not is_clock(line)][:count]
     cells = read_cells(folder / "plain.il", top)
@@ -158,8 +175,8 @@ def make(block, count=COUNT, seed=SEED):
     mutations = "\n".join(
         m.command.split(" -src ")[0].replace(
             "mutate ", f"mutate -ctrl {SELECTOR} {WIDTH} {m.number} ", 1) for m in found)
-    formal.yosys(APPLY.format(top=top, selector=SELECTOR, width=WIDTH, mutations=mutations),
-                 folder, "apply")
+    yosys(APPLY.format(top=top, selector=SELECTOR, width=WIDTH, mutations=mutations), folder,
+          "apply")
     return found
 
 
@@ -169,7 +186,7 @@ def with_selector(block, netlist, declaration, name):
     text = (folder / netlist).read_text(encoding="utf-8")
     net = f"  wire [{WIDTH - 1}:0] {SELECTOR};\n"
     if text.count(net) != 1:
-        raise formal.FormalError(f"{folder}/{netlist}: selector is not there once")
+        raise MutationError(f"{folder}/{netlist}: selector is not there once")
     path = folder / name
     path.write_text(text.replace(net, declaration), encoding="utf-8")
     return path

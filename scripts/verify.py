@@ -18,20 +18,26 @@ Exit codes: 0 reached, 1 under the floor or stale, 2 no such block, 3 a tool is 
 import argparse
 import shutil
 import sys
+import time
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
-import formal  # noqa: E402
 import lint  # noqa: E402
 import mutant_proofs  # noqa: E402
 import mutant_tables  # noqa: E402
 import mutant_tests  # noqa: E402
 import mutants  # noqa: E402
+import properties  # noqa: E402
 import prove  # noqa: E402
 import python_tools  # noqa: E402
 
 # Small blocks that stand between a fault and the hardware; their models compile in seconds.
 SAMPLED = ["drive/gate_leg", "drive/supervisor", "sense/qep", "motion/watchdog"]
+
+
+def stopwatch():
+    begin = time.monotonic()
+    return lambda: time.monotonic() - begin
 
 
 def judge(block, mutant, outputs, limit):
@@ -48,7 +54,7 @@ def judge(block, mutant, outputs, limit):
 
 def campaign(block, limit, afresh):
     """Writes the table of a block; returns it."""
-    clock = formal.stopwatch()
+    clock = stopwatch()
     found = mutants.make(block)
     program = mutant_tests.build(block)
     built = clock()
@@ -56,7 +62,7 @@ def campaign(block, limit, afresh):
     tested = clock()
     outputs = mutant_proofs.write_miter(block)
     if mutant_proofs.compare(block, 0, outputs, limit)[0] != "equivalent":
-        raise mutant_tests.MutationError("control: no mutant is not equivalent to the block")
+        raise mutants.MutationError("control: no mutant is not equivalent to the block")
     table = mutant_tables.Table(block, mutants.source_hash(block), len(found))
     before = mutant_tables.read(block)
     known = {}
@@ -84,7 +90,7 @@ def sample(block):
     table = mutant_tables.read(block)
     if table is None or table.source != mutants.source_hash(block):
         return []  # --check says so
-    clock = formal.stopwatch()
+    clock = stopwatch()
     mutants.make(block)
     program = mutant_tests.build(block)
     accepted = mutant_tests.survivors(block, program, table.sample)
@@ -123,10 +129,10 @@ def run(arguments, every):
                     wrong += sample(block)
                 else:
                     campaign(block, arguments.limit, arguments.afresh)
-            except (formal.FormalError, mutant_tests.MutationError) as error:
+            except (properties.PropertiesError, mutants.MutationError) as error:
                 wrong.append(f"{block}: {error}")
     if arguments.mutants or arguments.page:
-        print(f"wrote {mutant_tables.write_page(every).relative_to(formal.ROOT)}")
+        print(f"wrote {mutant_tables.write_page(every).relative_to(properties.ROOT)}")
     if not arguments.page:
         wrong += mutant_tables.problems(arguments.blocks or every)
     return wrong
