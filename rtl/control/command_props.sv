@@ -43,17 +43,27 @@ module command_props
   count_t was_r_q;
   logic stays_q, taken_q, preset_q;
 
-  // Both ends of the way, in quarters of a count, seen from here.
-  wide_t stride, quarters, start, target;
+  // Quarters of a count: where the way should have led, and where it still leads.
+  wide_t distance, stride, quarters, model, target;
+  assign distance = wide_t'(to_q) - wide_t'(from_q);
   assign stride   = wide_t'(stride_q);
   assign quarters = wide_t'(quarters_q);
   always_comb begin
-    start  = quarters - stride;
+    model  = wide_t'(to_q) <<< 2;
     target = quarters;
     unique case (part_q)
-      3'd1: target = ((quarters + stride) + stride) + stride;
-      3'd2: target = (quarters + stride) + stride;
-      3'd3: target = quarters + stride;
+      3'd1: begin
+        model  = (wide_t'(from_q) <<< 2) + distance;
+        target = ((quarters + stride) + stride) + stride;
+      end
+      3'd2: begin
+        model  = ((wide_t'(from_q) <<< 2) + distance) + distance;
+        target = (quarters + stride) + stride;
+      end
+      3'd3: begin
+        model  = (((wide_t'(from_q) <<< 2) + distance) + distance) + distance;
+        target = quarters + stride;
+      end
       default: ;
     endcase
   end
@@ -93,7 +103,7 @@ module command_props
       moves_only_at_a_tick : assert (!stays_q || r_o == was_r_q);
       taken_at_the_next_tick : assert (!taken_q || r_o == to_q);
       preset_acts_at_once : assert (!preset_q || r_o == to_q);
-      parts_are_equal : assert (1'b1);
+      parts_are_equal : assert (wide_t'(r_o) == (model + wide_t'(2)) >>> 2);
       ends_exactly_at_the_command : assert (part_q != 3'd4 || r_o == to_q);
       never_overshoots :
       assert (from_q <= to_q ? r_o >= from_q && r_o <= to_q : r_o <= from_q && r_o >= to_q);
@@ -103,8 +113,9 @@ module command_props
 
       inv_asked : assert (pending_q == asked_q && (!asked_q || next_q == asked_for_q));
       inv_part : assert (3'(left_q) == 3'd4 - part_q && part_q >= 3'd1 && part_q <= 3'd4);
-      inv_stride : assert (part_q == 3'd4 || stride == wide_t'(to_q) - wide_t'(from_q));
-      inv_quarters : assert (target == wide_t'(to_q) <<< 2);
+      inv_stride : assert (part_q == 3'd4 || stride == distance);
+      inv_model : assert (quarters == model);
+      inv_target : assert (target == wide_t'(to_q) <<< 2);
 
       reaches_second_part : cover (part_q == 3'd2 && r_o != from_q && r_o != to_q);
       reaches_a_new_command_on_the_way : cover (part_q == 3'd3 && tick_pos_i && asked_q);
@@ -115,10 +126,9 @@ module command_props
   // breaks taken_at_the_next_tick: {next_q, 2'd0}; => {pos_cmd_i, 2'd0};
   // breaks taken_at_the_next_tick: tick_pos_i && pending_q) begin => tick_pos_i && commit_i) begin
   // breaks preset_acts_at_once: quarters_d = {preset_value_i, 2'd0}; => quarters_d = quarters_q;
-  // breaks parts_are_equal, never_overshoots: {r_o, 2'd0} + distance => {r_o, 2'd0} + stride_q
+  // breaks parts_are_equal, never_overshoots: {r_o, 2'd0} + distance => {r_o, 2'd0} + (distance <<< 3)
   // breaks parts_are_equal: {23'd0, quarters_q[1]} => {23'd0, quarters_q[0]}
   // breaks ends_exactly_at_the_command: ? 2'd3 : 2'd0; => ? 2'd2 : 2'd0;
-  // breaks never_overshoots: left_d     = left_q - 2'd1; => left_d     = left_q;
   // breaks quiescent_is_honest: !commit_i && !preset_i => !preset_i
   // breaks quiescent_is_honest: (pending_q || left_q != 2'd0) => pending_q
 
