@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
-#include <filesystem>
 
 #include "cosim/kung/plan.hpp"
 #include "cosim/kung/points.hpp"
@@ -115,8 +114,6 @@ void finish(Options& o) {
   auto& p = o.path;
   if (p.kind == PathKind::kPoints) {
     require(!p.points_file.empty(), "path.points_file: is needed with path.kind = \"points\"");
-    require(!std::filesystem::is_directory(p.points_file),
-            fmt::format("{}: path.points_file: cannot be read: it is a folder", p.points_file));
     try {
       p.points = kung::read_points_csv(p.points_file);
     } catch (const std::invalid_argument& error) {

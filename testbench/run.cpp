@@ -54,11 +54,8 @@ class Progress {
   Time last_{};
 };
 
-Options layered(const std::string& scenario, const RunArguments& arguments) {
-  Options options;
-  const fs::path file = find_scenario(scenario);
-  options.scenario = file.stem().string();
-  apply_file(options, file);
+// All that lies above a scenario.
+void apply_layers(Options& options, const RunArguments& arguments) {
   for (const std::string& more : arguments.files) apply_file(options, more);
   apply_environment(options, environment());
   for (const std::string& text : arguments.assignments) apply_assignment(options, text);
@@ -66,6 +63,14 @@ Options layered(const std::string& scenario, const RunArguments& arguments) {
     apply_assignment(options, "run.platform=" + arguments.platform, "--platform");
   }
   apply_waves(options, arguments.waves);
+}
+
+Options layered(const std::string& scenario, const RunArguments& arguments) {
+  Options options;
+  const fs::path file = find_scenario(scenario);
+  options.scenario = file.stem().string();
+  apply_file(options, file);
+  apply_layers(options, arguments);
   return options;
 }
 
@@ -77,6 +82,18 @@ bool guarded(const std::function<void()>& write) {
   } catch (const std::exception& error) {
     fmt::print(stderr, "trammel: no report: {}; the results are kept\n", error.what());
     return false;
+  }
+}
+
+// --all sets the controller itself; one that is also asked for would be lost without a word.
+void refuse_controller(const RunArguments& arguments) {
+  Options fc, afc;
+  fc.controller = kung::Controller::kFc;
+  afc.controller = kung::Controller::kAfc;
+  apply_layers(fc, arguments);
+  apply_layers(afc, arguments);
+  if (fc.controller == afc.controller) {
+    throw ConfigError("run: --all runs both controllers; controller beside it means neither");
   }
 }
 
@@ -162,6 +179,7 @@ int run_all(const RunArguments& arguments, const Simulate& simulate,
   std::vector<fs::path> folders;
   auto documents = nlohmann::ordered_json::array();
   int code = 0;
+  refuse_controller(arguments);
   for (const std::string scenario : {"step", "circle", "window", "star"}) {
     for (const std::string controller : {"fc", "afc"}) {
       if (stop) {

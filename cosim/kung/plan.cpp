@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cosim/kung/plan.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -17,13 +18,17 @@ constexpr int kMaxTicks = static_cast<int>(sw::kMaxTicks);
 constexpr double kMaxM = 0.65;  // the model integrator holds +-131071 counts (section 3)
 constexpr double kMaxPoints = 2147483647;
 
+// Whole numbers in full: 1048576, not 1.04858e+06.
+std::string number_text(double value) {
+  return value == std::floor(value) ? fmt::format("{:.0f}", value) : fmt::format("{:g}", value);
+}
+
 void in_range(const std::string& key, double value, double low, double high,
               const std::string& reason = "") {
   if (value >= low && value <= high) return;
-  std::ostringstream text;
-  text << key << ": value " << value << " is out of range " << low << ".." << high;
-  if (!reason.empty()) text << " (" << reason << ")";
-  throw std::invalid_argument(text.str());
+  throw std::invalid_argument(fmt::format("{}: value {} is out of range {}..{}{}", key,
+                                          number_text(value), number_text(low), number_text(high),
+                                          reason.empty() ? "" : " (" + reason + ")"));
 }
 
 sw::Q32 q32(double metres) {
@@ -158,11 +163,11 @@ void check_stroke(const Options& options, const sw::KungSetup& setup) {
     const sw::AxisSetup& axis = setup.axis[a];
     if (lows[a] >= axis.stroke_min && highs[a] <= axis.stroke_max) continue;
     const char name = a == 0 ? 'x' : 'y';
-    std::ostringstream text;
-    text << "path: " << name << " runs from " << lows[a] * kCountM << " to " << highs[a] * kCountM
-         << " m, permitted is chip." << name << ".stroke_min_m..stroke_max_m = "
-         << options.chip.axis[a].stroke_min_m << ".." << options.chip.axis[a].stroke_max_m;
-    throw std::invalid_argument(text.str());
+    throw std::invalid_argument(
+        fmt::format("path: {0} runs from {1:g} to {2:g} m, permitted is "
+                    "chip.{0}.stroke_min_m..stroke_max_m = {3:g}..{4:g}",
+                    name, lows[a] * kCountM, highs[a] * kCountM,
+                    options.chip.axis[a].stroke_min_m, options.chip.axis[a].stroke_max_m));
   }
 }
 

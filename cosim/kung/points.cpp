@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cosim/kung/points.hpp"
 
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <istream>
 #include <locale>
@@ -37,6 +40,14 @@ double checked(const std::string& name, int line, const char* column, double mm)
   refuse(name, line, text.str());
 }
 
+// Spreadsheets mark the encoding in the first bytes.
+std::string without_mark(const std::string& line, const std::string& name) {
+  if (line.rfind("\xFF\xFE", 0) == 0 || line.rfind("\xFE\xFF", 0) == 0) {
+    refuse(name, 1, "UTF-16 text; save it as UTF-8 or ASCII");
+  }
+  return line.rfind("\xEF\xBB\xBF", 0) == 0 ? line.substr(3) : line;
+}
+
 }  // namespace
 
 std::vector<PointM> read_points_csv(std::istream& text, const std::string& name) {
@@ -45,6 +56,7 @@ std::vector<PointM> read_points_csv(std::istream& text, const std::string& name)
   int line_number = 0;
   for (std::string line; std::getline(text, line);) {
     ++line_number;
+    if (line_number == 1) line = without_mark(line, name);
     line = trimmed(line);
     if (line.empty() || line.front() == '#') continue;
     const auto comma = line.find(',');
@@ -66,8 +78,12 @@ std::vector<PointM> read_points_csv(std::istream& text, const std::string& name)
 }
 
 std::vector<PointM> read_points_csv(const std::string& file) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(file, ignored)) {
+    throw std::invalid_argument(file + ": cannot be read: it is a folder");
+  }
   std::ifstream text(file);
-  if (!text) throw std::invalid_argument(file + ": cannot be read");
+  if (!text) throw std::invalid_argument(file + ": cannot be read: " + std::strerror(errno));
   return read_points_csv(text, file);
 }
 

@@ -148,7 +148,8 @@ Trigger parse_trigger(const std::string& text) {
   } else if (part[4].matched) {
     compare(trigger, part[4], part[5], part[6]);
   } else if (!name_event(trigger, part[7])) {
-    name_signal(trigger, part[7]);  // a signal alone says nothing; an unknown one is told first
+    const std::regex words("at|rise|fall|change|after");
+    if (!std::regex_match(part[7].str(), words)) name_signal(trigger, part[7]);  // known at all?
     throw std::invalid_argument(fmt::format("\"{}\" is none of: {}", text, kTriggerForms));
   }
   return trigger;

@@ -105,7 +105,7 @@ TEST_CASE("values that cannot run are refused with their key and the permitted r
 
   o = with(PathKind::kLine);
   o.path.line_ticks = 10;
-  CHECK_THROWS_WITH(plan(o), Contains("path.line_ticks: value 10") && Contains("166.."));
+  CHECK_THROWS_WITH(plan(o), Contains("path.line_ticks: value 10 ") && Contains("166..1048576"));
 
   o = {};
   o.gains[1].omega_n_rad_s = 40;

@@ -37,5 +37,14 @@ TEST_CASE("lines that are not two numbers are refused by line") {
   CHECK_THROWS_AS(read("1,2,3\n"), std::invalid_argument);
   CHECK_THROWS_AS(read("1,2 mm\n"), std::invalid_argument);
   CHECK_THROWS_AS(read("# nothing\n"), std::invalid_argument);
-  CHECK_THROWS_WITH(trammel::kung::read_points_csv("no/such.csv"), "no/such.csv: cannot be read");
+  CHECK_THROWS_WITH(trammel::kung::read_points_csv("no/such.csv"), "no/such.csv: cannot be read: No such file or directory");
+  CHECK_THROWS_WITH(trammel::kung::read_points_csv("."), ".: cannot be read: it is a folder");
+}
+
+TEST_CASE("a mark of the encoding is no part of the first line") {
+  const auto points = read("\xEF\xBB\xBF" "100,200\n101,200\n");
+  REQUIRE(points.size() == 2);
+  CHECK(points[0].x_m == Approx(0.1));
+  CHECK_THROWS_WITH(read(std::string("\xFF\xFE") + "1\0,\0"),
+                    "p.csv:1: UTF-16 text; save it as UTF-8 or ASCII");
 }

@@ -6,7 +6,6 @@
 #include "cosim/kung/words.hpp"
 #include "testbench/config.hpp"
 #include "testbench/paper.hpp"
-#include "testbench/run.hpp"
 
 using namespace trammel;
 using namespace trammel::testbench;
@@ -111,7 +110,7 @@ TEST_CASE("combinations that cannot run are refused") {
   CHECK_THAT(message_of("[path]\nkind = 'points'\npoints_file = 'none.csv'\n"),
              Contains("path.points_file: ") && Contains("none.csv: cannot be read"));
   CHECK_THAT(message_of("[path]\nkind = 'points'\npoints_file = '.'\n"),
-             Contains("path.points_file: cannot be read: it is a folder"));
+             Contains("path.points_file: ") && Contains("cannot be read: it is a folder"));
   CHECK_THAT(message_of("[run]\nwave = 'fst'\nwave_begin_s = 1\n"), Contains("run.wave_end_s"));
   CHECK_THAT(message_of("name = '../up'\n"), Contains("cannot name an output folder"));
   CHECK_THAT(message_of("name = \"a\\nb\"\n"), Contains("cannot name an output folder"));
@@ -142,13 +141,6 @@ TEST_CASE("assignments need key=value and a whole number stays whole") {
   CHECK_THROWS_WITH(apply_assignment(options, "gains.kp="), Contains("is not a number"));
   apply_assignment(options, "gains.kp=1e-1");
   CHECK(options.gains[1].kp == 0.1);
-}
-
-TEST_CASE("a window of waves reads seconds, milliseconds and microseconds") {
-  CHECK(parse_window("0:5ms").second == Approx(5e-3));
-  CHECK(parse_window("10us:0.5").first == Approx(1e-5));
-  CHECK_THROWS_AS(parse_window("5"), ConfigError);
-  CHECK_THROWS_AS(parse_window("0:5min"), ConfigError);
 }
 
 TEST_CASE("the built-in scenarios load, can run and are the paper's experiments") {

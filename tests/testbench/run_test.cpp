@@ -8,6 +8,7 @@
 
 #include "testbench/config.hpp"
 #include "testbench/output.hpp"
+#include "testbench/report.hpp"
 #include "testbench/run.hpp"
 
 using namespace trammel;
@@ -169,14 +170,33 @@ TEST_CASE("all experiments stopped before they ended are interrupted") {
   CHECK(entries(scratch.path) == 1);
 }
 
-TEST_CASE("a VCD that cannot be made leaves the FST") {
+TEST_CASE("a controller asked for beside all experiments is refused, whoever asks") {
   const Scratch scratch;
   fs::create_directories(scratch.path);
-  const fs::path fst = scratch.path / "it's.fst";
-  std::ofstream(fst) << "not waves";
-  CHECK_FALSE(fst_to_vcd(fst, scratch.path / "it's.vcd"));
-  CHECK(fs::exists(fst));
-  CHECK_FALSE(fs::exists(scratch.path / "it's.vcd"));
+  const std::atomic<bool> stop{false};
+  RunArguments arguments;
+  arguments.all = true;
+  arguments.json = true;
+  arguments.out = (scratch.path / "a").string();
+  arguments.assignments = {"controller=fc"};
+  CHECK_THROWS_WITH(run(arguments, standing(kung::EndReason::kDone), stop),
+                    Catch::Contains("--all runs both controllers"));
+  std::ofstream(scratch.path / "afc.toml") << "controller = 'afc'\n";
+  arguments.assignments = {"plant.payload_kg=1"};
+  CHECK(run(arguments, standing(kung::EndReason::kDone), stop) == 0);
+  arguments.files = {(scratch.path / "afc.toml").string()};
+  CHECK_THROWS_AS(run(arguments, standing(kung::EndReason::kDone), stop), ConfigError);
+}
+
+TEST_CASE("wide figures of a report do not run together") {
+  kung::Result result;
+  Metrics metrics;
+  metrics.samples = 1;
+  metrics.model_mm.mean = metrics.model_mm.std = metrics.model_mm.rms = 123456.789;
+  metrics.model_mm.variance = metrics.model_mm.max = 1234567890.123;
+  const std::string text = run_report(kung::Options{}, result, metrics, "out");
+  CHECK_THAT(text, Catch::Contains(
+                       " 123456.789 123456.789 1234567890.123 123456.789 1234567890.123\n"));
 }
 
 TEST_CASE("a stop without a fault of the chip is told apart from a trip") {
