@@ -38,7 +38,8 @@ FOLDERS = ("models/", "sw_nios/", "cosim/", "systemc/", "testbench/", "tests/")
 # Headers of libraries that only some folders may see.
 LIBRARIES = {"systemc": ("systemc", "tests"), "verilated": ("cosim", "tests"),
              "Eigen/": ("models/plant", "models/ideal", "tests")}
-CODE = {".sv", ".hpp", ".cpp", ".h", ".py", ".cmake", ".rdl", ".vlt", ""}
+CODE = {".sv", ".hpp", ".cpp", ".h", ".py", ".cmake", ".rdl", ".vlt", ".js", ".css",
+        ".html", ""}
 TEXT = CODE | {".md", ".toml", ".txt", ".json", ".in"}
 NO_LICENCE = {".md", ".toml", ".txt", ".json"}
 # Opening table of a block's page; more rows may follow.

@@ -67,7 +67,10 @@ void check_metrics(const fs::path& file, const Json& m) {
   for (const char* number :
        {"/tracking/model/mean_mm", "/tracking/model/samples", "/tracking/command/mean_mm",
         "/x/peak_current_A", "/y/peak_current_A", "/x/max_speed_m_s", "/y/max_speed_m_s",
-        "/options/plant.x.dc_link_V", "/options/plant.y.dc_link_V", "/options/gains.x.shift_e",
+        "/options/plant.x.dc_link_V", "/options/plant.y.dc_link_V",
+        "/options/plant.x.encoder_count_m", "/options/plant.y.encoder_count_m",
+        "/options/plant.x.current_full_scale_A", "/options/plant.y.current_full_scale_A",
+        "/options/gains.x.shift_e",
         "/options/gains.x.shift_de", "/options/gains.y.shift_e", "/options/gains.y.shift_de",
         "/options/path.square_half_samples", "/options/path.square_low_m",
         "/options/path.square_high_m",

@@ -5,13 +5,17 @@
 (function (T) {
   'use strict';
 
-  // Group, what the multiplier takes, what the adder or logic gives, its name and physical value.
-  const kCount = (w) => `${T.num(w * 5e-3, 3)} mm`;
-  const kModel = (w) => `${T.num(w / 16384 * 5e-3, 4)} mm`;
-  const kSpeed = (w) => `${T.num(w * 0.625e-3, 4)} m/s`;
+  // A word as a physical value; s: what a step of the axis' words is.
+  const kCount = (w, s) => `${T.num(w * s.count_m * 1e3, 3)} mm`;
+  const kModel = (w, s) => `${T.num(w / 16384 * s.count_m * 1e3, 4)} mm`;
+  const kChange = (w, s) => `${T.num(w * s.speed_m_s * 16, 4)} m/s`;
+  const kSpeed = (w, s) => `${T.num(w * s.speed_m_s, 4)} m/s`;
+  const kIntegral = (w, s) => kSpeed(w / 4096, s);
+  const kCurrent = (w, s) => `${T.num(w * s.command_A, 4)} A`;
   const kUnit = (w) => `${T.num(w / 256, 3)} units`;
   const kWeight = (w) => T.num(w / 2048, 4);
   const kRule = (w) => `${T.num(w / 1048576, 4)} units`;
+  // Group, product of the multiplier, what adder or logic leaves, its physical value.
   const kSteps = [
     ['model', 'B2 \u00b7 dx', 't = r(k) + r(k\u22122)'],
     ['model', '', 't + 2 r(k\u22121)'],
@@ -22,7 +26,7 @@
     ['model', '', 'x_r, rounded to counts', kCount],
     ['error', '', 'v, speed', kSpeed],
     ['error', '', 'e = x_r \u2212 x_p', kCount],
-    ['error', '', 'de = e \u2212 e(k\u22121)', (w) => `${T.num(w * 0.01, 4)} m/s`],
+    ['error', '', 'de = e \u2212 e(k\u22121)', kChange],
     ['fuzzify', '', 'membership of e in the lower set', kWeight],
     ['fuzzify', '', 'DE, scaled and clipped', kUnit],
     ['fuzzify', '', 'membership of de in the lower set', kWeight],
@@ -38,11 +42,11 @@
     ['infer', '', 'u, output of the fuzzy system', kUnit],
     ['control', 'Kp \u00b7 u', 'feed-forward'],
     ['control', 'Ki \u00b7 u', 'Kp product, rounded', kSpeed],
-    ['control', '', 'I, integrator', (w) => kSpeed(w / 4096)],
+    ['control', '', 'I, integrator', kIntegral],
     ['control', '', 'v*, speed command', kSpeed],
     ['control', '', 'v* \u2212 v', kSpeed],
     ['control', 'Kv \u00b7 (v* \u2212 v)', ''],
-    ['control', 'ETA \u00b7 e', 'i_q*, published', (w) => `${T.num(w * 4.8 / 2048, 4)} A`],
+    ['control', 'ETA \u00b7 e', 'i_q*, published', kCurrent],
     ['tune', 't \u00b7 d00', 't = ETA e kept'],
     ['tune', 't \u00b7 d01', 'c00, written back', kRule],
     ['tune', 't \u00b7 d10', 'c01, written back', kRule],
@@ -55,7 +59,8 @@
     control: 'actual', tune: 'other' };
   const kStepUs = 0.04;
 
-  T.afcStrip = function (moment, startAxis, adapting) {
+  // steps: of the words of both axes; adapting: the rules were tuned.
+  T.afcStrip = function (moment, steps, adapting) {
     const state = { step: 29 };
     const axes = ['x', 'y'];
     const word = (axis, step, which) => moment[axis].steps[step][which];
@@ -116,7 +121,8 @@
       ...axes.flatMap((axis) => {
         const value = word(axis, k, 1);
         return [T.el('td', {}, value === null ? '' : T.whole(value)),
-          T.el('td', { class: 'dim' }, value === null || !physical ? '' : physical(value))];
+          T.el('td', { class: 'dim' }, value === null || !physical ? ''
+            : physical(value, steps[axis]))];
       })));
 
     // What the chosen step does: its words and, where they have one, their physical values.
@@ -126,7 +132,7 @@
         T.el('dd', {}, what), ...axes.map((axis) => {
           const value = word(axis, state.step, which);
           return T.el('dd', {}, T.el('b', {}, T.whole(value)), which === 1 && physical
-            ? ` = ${physical(value)}` : '');
+            ? ` = ${physical(value, steps[axis])}` : '');
         })];
       detail.replaceChildren(T.el('dt', {}, T.el('b', {}, `s${state.step}`)),
         T.el('dd', {}, kGroups[group]), T.el('dt', {}, 'X'), T.el('dt', {}, 'Y'),

@@ -33,8 +33,6 @@
       box, xRange, yRange,
       x: (v) => box.x + (v - xRange[0]) / (xRange[1] - xRange[0]) * box.w,
       y: (v) => box.y + box.h - (v - yRange[0]) / (yRange[1] - yRange[0]) * box.h,
-      xAt: (px) => xRange[0] + (px - box.x) / box.w * (xRange[1] - xRange[0]),
-      yAt: (py) => yRange[0] + (box.y + box.h - py) / box.h * (yRange[1] - yRange[0]),
     };
   };
 

@@ -5,6 +5,8 @@
 (function (T) {
   'use strict';
 
+  const kSample = 0.5e-3;  // [s]
+
   // Name, unit, digits, where it is; true: more of it is neither good nor bad.
   const kFigures = [
     ['Mean tracking error', 'mm', 3, (m) => m.tracking.model.mean_mm],
@@ -39,8 +41,8 @@
     linked && run.page ? T.el('a', { href: run.page }, run.label) : T.el('b', {}, run.label)));
 
   // Differences are to the first run of the same path.
-  const baseOf = (runs, k) => runs.findIndex((run) => run.metrics.options['path.kind'] ===
-    runs[k].metrics.options['path.kind']);
+  const kindOf = (run) => run.metrics.options['path.kind'];
+  const baseOf = (runs, k) => runs.findIndex((run) => kindOf(run) === kindOf(runs[k]));
 
   function difference(value, base, digits, neutral) {
     const by = value - base;
@@ -61,14 +63,15 @@
         baseOf(runs, k) < k && typeof v === 'number' ? T.el('div', {}, difference(v,
           values[baseOf(runs, k)], digits, neutral)) : null))]);
     }
-    return T.el('div', { class: 'scroll' }, T.table(['Figure', ...runs.map((run, k) => T.el('th', {},
-      nameOf(run, k, true)))], rows));
+    return T.el('div', { class: 'scroll' }, T.table(['Figure', ...runs.map((run, k) => T.el('th',
+      {}, nameOf(run, k, true)))], rows));
   }
 
   function parameterTable(runs) {
     const names = [...new Set(runs.flatMap((run) => Object.keys(run.metrics.options)))]
       .filter((key) => key !== 'name' && key !== 'description');
-    const rows = names.filter((key) => new Set(runs.map((run) => run.metrics.options[key])).size > 1)
+    const differs = (key) => new Set(runs.map((run) => run.metrics.options[key])).size > 1;
+    const rows = names.filter(differs)
       .map((key) => [key, ...runs.map((run) => {
         const value = run.metrics.options[key];
         const same = value === runs[0].metrics.options[key];
@@ -96,10 +99,9 @@
 
   // Runs on one base of time, the samples since point 0; where a run has none there is a gap.
   function alignedErrors(runs) {
-    const period = 0.5e-3;
     const stride = Math.max(...runs.map((run) => run.stride));
     const count = Math.max(...runs.map((run) => Math.ceil(run.count * run.stride / stride)));
-    const times = Float64Array.from({ length: count }, (v, k) => k * stride * period);
+    const times = Float64Array.from({ length: count }, (v, k) => k * stride * kSample);
     const spread = (run, values) => Array.from({ length: count }, (v, k) => {
       const at = Math.round(k * stride / run.stride);
       return at < run.count ? values[at] : null;
@@ -140,22 +142,29 @@
     const { times, spread } = alignedErrors(runs);
     T.time.start(times);
     T.time.label = 'Time since the first point (s)';
-    const overlay = (id, title, small, yLabel, of) => T.timePlot({ id, title, small, yLabel,
-      tall: 260, series: runs.map((run, k) => ({ label: run.label, run: k, unit: 'mm',
-        digits: 3, data: of(run) ? spread(run, of(run)) : Array(times.length).fill(null) })) });
+    // One plot of some runs; a run keeps its colour everywhere.
+    const overlay = (id, title, small, of, some) => T.timePlot({ id, title, small, yLabel:
+      'error (mm)', tall: 260, series: some.filter((k) => of(runs[k])).map((k) => ({ run: k,
+      label: runs[k].label, unit: 'mm', digits: 3, data: spread(runs[k], of(runs[k])) })) });
 
-    const errors = T.section('errors', 'Errors', 'Drag in a plot to zoom all of them, double-click ' +
-      'to see everything. A click on a name hides its line.');
-    const cards = [overlay('tracking', 'Tracking error T(k)', 'to the reference model',
-      'error (mm)', (run) => run.data.toModel)];
-    if (runs.some((run) => run.data.toPath)) {
-      cards.push(overlay('contour', 'Contour error', 'to the commanded path', 'error (mm)',
-        (run) => run.data.toPath));
-    }
-    cards.push(overlay('error-x', 'X error', 'to the reference model', 'error (mm)',
-      (run) => run.data.errorX), overlay('error-y', 'Y error', 'to the reference model',
-      'error (mm)', (run) => run.data.errorY));
+    const errors = T.section('errors', 'Errors', 'Drag in a plot to zoom all of them, ' +
+      'double-click to see everything. A click on a name hides its line.');
+    const kinds = [...new Set(runs.map(kindOf))];
+    const all = runs.map((run, k) => k);
+    const toModel = (run) => run.data.toModel;
+    const cards = kinds.length > 1
+      ? kinds.map((kind) => overlay(`tracking-${kind}`, `Tracking error T(k), ${kind}`,
+        'to the reference model', toModel, all.filter((k) => kindOf(runs[k]) === kind)))
+      : [overlay('tracking', 'Tracking error T(k)', 'to the reference model', toModel, all),
+        ...(runs.some((run) => run.data.toPath) ? [overlay('contour', 'Contour error',
+          'to the commanded path', (run) => run.data.toPath, all)] : []),
+        overlay('error-x', 'X error', 'to the reference model', (run) => run.data.errorX, all),
+        overlay('error-y', 'Y error', 'to the reference model', (run) => run.data.errorY, all)];
     errors.append(T.el('div', { class: 'grid two' }, cards));
+    // Steps last long; beside them the paths would be a corner of their plots.
+    const paths = runs.filter((run) => kindOf(run) !== 'square');
+    T.time.opening = kinds.length > 1 && paths.length > 0 ? Math.max(...paths.map((run) =>
+      (run.count - 1) * run.stride * kSample)) : null;
 
     T.section('figures', 'Figures', '').append(T.el('div', { class: 'card long' },
       figureTable(runs)));

@@ -22,15 +22,6 @@
 
   T.num = (value, digits) => (Number.isFinite(value) ? minus(value.toFixed(digits)) : '\u2013');
 
-  // As many digits as the size of the value deserves.
-  T.short = function (value, figures = 4) {
-    if (!Number.isFinite(value)) return '\u2013';
-    if (value === 0) return '0';
-    const digits = figures - 1 - Math.floor(Math.log10(Math.abs(value)));
-    if (digits > 7 || digits < -6) return minus(value.toExponential(figures - 1));
-    return minus(value.toFixed(Math.max(0, Math.min(7, digits))));
-  };
-
   // A whole number with thin spaces between groups of three digits.
   T.whole = (value) => minus(String(Math.round(value))).replace(/\B(?=(\d{3})+$)/g, '\u2009');
 

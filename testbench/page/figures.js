@@ -14,7 +14,6 @@
   ];
 
   T.controller = (m) => (m.options.controller === 'fc' ? 'FC' : 'AFC');
-  T.errorLines = kErrors;
 
   const paperLine = (m, what) => (m.comparison || []).find((line) => line.what === what);
 
@@ -113,7 +112,8 @@
         : `${line.ours >= line.paper ? '+' : ''}${T.num((line.ours / line.paper - 1) * 100, 1)} %`;
       const within = line.expected === undefined ? T.el('td', { class: 'dim' }, '\u2013')
         : T.el('td', { class: line.within ? 'good' : 'bad' }, line.within ? 'within' : 'outside');
-      return T.el('tr', {}, T.el('th', {}, `${line.what} (${line.unit.replace('mm2', 'mm\u00b2')})`),
+      const unit = line.unit.replace('mm2', 'mm\u00b2');
+      return T.el('tr', {}, T.el('th', {}, `${line.what} (${unit})`),
         T.el('td', {}, T.num(line.ours, 2)),
         T.el('td', {}, line.paper === undefined ? '\u2013' : T.num(line.paper, 2)),
         T.el('td', { class: 'dim' }, off),
@@ -164,7 +164,8 @@
         rows.push(T.el('tr', { class: 'group' }, T.el('th', { colspan: 5 }, section)));
       }
       const { both, x, y } = line.values;
-      const cells = both !== undefined ? [T.el('td', { colspan: 2, class: 'both' }, T.valueText(both))]
+      const cells = both !== undefined
+        ? [T.el('td', { colspan: 2, class: 'both' }, T.valueText(both))]
         : [T.el('td', {}, T.valueText(x)), T.el('td', {}, T.valueText(y))];
       rows.push(T.el('tr', { class: line.changed ? 'changed' : null,
         'data-find': `${line.section}.${line.name} ${line.help}`.toLowerCase() },

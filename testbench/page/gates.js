@@ -132,8 +132,8 @@
     overview.scene = function (p, width, height, theme) {
       const frame = T.frame({ x: 62, y: 6, w: width - 76, h: height - 50 }, [0, length], [0, 1]);
       const bottom = height - 44;
-      axisOfTime(p, theme, frame, bottom, clockUs, 'Time since the 2 kHz tick (\u00b5s)'
-        .replace('the 2 kHz tick', gates.trip === undefined ? 'the 2 kHz tick' : 'the window began'));
+      axisOfTime(p, theme, frame, bottom, clockUs, gates.trip === undefined
+        ? 'Time since the 2 kHz tick (\u00b5s)' : 'Time since the window began (\u00b5s)');
       const top = hasCarrier ? 76 : 6;
       if (hasCarrier) drawCarrier(p, theme, frame, 4, 70, gates.compare, state.axis);
       const h = (bottom - top) / 3;
@@ -177,7 +177,8 @@
           align: 'center' });
         return;
       }
-      const frame = T.frame({ x: 52, y: 40, w: width - 66, h: bottom - 40 }, [z.from, z.to], [0, 1]);
+      const box = { x: 52, y: 40, w: width - 66, h: bottom - 40 };
+      const frame = T.frame(box, [z.from, z.to], [0, 1]);
       axisOfTime(p, theme, frame, bottom, clockUs, 'Time (\u00b5s)');
       const each = frame.box.w / (z.to - z.from);
       const every = [1, 5, 10, 50].find((n) => n * each >= 4) || 100;
@@ -185,8 +186,8 @@
         const x = frame.x(k);
         p.path([x, bottom, x, bottom - (k % (5 * every) === 0 ? 8 : 4)], { stroke: theme.axis });
       }
-      p.text(frame.box.x + frame.box.w, bottom - 12, `a tick is ${every} clock${every > 1 ? 's' : ''}`,
-        { fill: theme.faint, size: 11, align: 'right' });
+      p.text(box.x + box.w, bottom - 12, `a tick is ${every} clock${every > 1 ? 's' : ''}`, {
+        fill: theme.faint, size: 11, align: 'right' });
       drawDead(p, theme, frame, [z.span], 40, bottom - 40);
       drawLeg(p, theme, frame, legs()[state.phase], 46, bottom - 76, kPhases[state.phase]);
       const [x0, x1] = [frame.x(z.span.begin), frame.x(z.span.end)];

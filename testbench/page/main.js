@@ -5,11 +5,17 @@
   'use strict';
 
   const kMm = 1e3;
-  const kSpeedLsb = 0.625e-3;         // [m/s]
-  const kCommandLsb = 4.8 / 2048;     // i_q* [A]
-  const kCurrentLsb = 9.6 / 2048;     // measured currents [A]
+  const kSample = 0.5e-3;  // [s]
 
   const scaled = (values, factor) => values.map((v) => v * factor);
+
+  // What one step of the chip's words of an axis is (specification section 3).
+  function stepsOf(o, axis) {
+    const count = o[`plant.${axis}.encoder_count_m`];
+    const current = o[`plant.${axis}.current_full_scale_A`] / 2048;
+    return { count_m: count, speed_m_s: count / 16 / kSample, current_A: current,
+      command_A: current / 2, voltage_V: o[`plant.${axis}.dc_link_V`] / Math.sqrt(3) / 2048 };
+  }
 
   function prepare(run) {
     const s = run.series;
@@ -58,7 +64,8 @@
       width });
     const errors = T.timePlot({ id: 'error', title: 'Tracking error', small:
       'to the reference model', yLabel: 'error (mm)', tall: 270, series: [
-      error('T(k)', d.toModel, 'total', 2), error('x', d.errorX, 'x'), error('y', d.errorY, 'y')] });
+      error('T(k)', d.toModel, 'total', 2), error('x', d.errorX, 'x'),
+      error('y', d.errorY, 'y')] });
     const other = T.timePlot({ id: 'contour', title: d.toPath ? 'Contour error'
       : 'Distance from the command', small: d.toPath ? 'to the commanded path' : '',
     yLabel: 'error (mm)', tall: 270, series: d.toPath ? [
@@ -73,33 +80,34 @@
     const s = run.series;
     const d = run.data;
     const o = run.metrics.options;
-    const section = T.section('axes', 'Axes', 'What each axis was asked for, what it did, and the ' +
-      'effort it took: words of the chip in physical units, truth of the plant where it says so.');
+    const section = T.section('axes', 'Axes', 'What each axis was asked for, what it did, and ' +
+      'what effort it took: words of the chip in physical units, or of the plant where it says so.');
     const make = (id, title, small, yLabel, series) => (axis) => T.timePlot({ id: `${id}-${axis}`,
       title: `${axis.toUpperCase()} ${title}`, small, yLabel, series: series(axis) });
     const line = (label, data, role, unit, digits, more) => ({ label, data, role, unit, digits,
       ...more });
-    const volt = (axis) => o[`plant.${axis}.dc_link_V`] / Math.sqrt(3) / 2048;
+    const step = { x: stepsOf(o, 'x'), y: stepsOf(o, 'y') };
     const rows = [
       make('position', 'position', '', 'position (mm)', (a) => [
         line('command', d.command[a], 'asked', 'mm', 2, { steps: true, width: 2.5 }),
         line('reference', d.model[a], 'model', 'mm', 2),
         line('table', d.table[a], 'actual', 'mm', 2)]),
       make('speed', 'speed', 'v* is the effort of the position controller', 'speed (m/s)', (a) => [
-        line('v*', scaled(s[`${a}_v_star`], kSpeedLsb), 'asked', 'm/s', 3, { width: 2 }),
-        line('v (encoder)', scaled(s[`${a}_v`], kSpeedLsb), 'other', 'm/s', 3, { width: 1 }),
+        line('v*', scaled(s[`${a}_v_star`], step[a].speed_m_s), 'asked', 'm/s', 3, { width: 2 }),
+        line('v (encoder)', scaled(s[`${a}_v`], step[a].speed_m_s), 'other', 'm/s', 3,
+          { width: 1 }),
         line('v (plant)', s[`${a}_v_m_s`], 'actual', 'm/s', 3)]),
       make('current', 'currents', '', 'current (A)', (a) => [
-        line('i_q*', scaled(s[`${a}_i_q_ref`], kCommandLsb), 'asked', 'A', 3, { width: 2 }),
-        line('i_q', scaled(s[`${a}_i_q`], kCurrentLsb), 'actual', 'A', 3),
-        line('i_d', scaled(s[`${a}_i_d`], kCurrentLsb), 'model', 'A', 3),
+        line('i_q*', scaled(s[`${a}_i_q_ref`], step[a].command_A), 'asked', 'A', 3, { width: 2 }),
+        line('i_q', scaled(s[`${a}_i_q`], step[a].current_A), 'actual', 'A', 3),
+        line('i_d', scaled(s[`${a}_i_d`], step[a].current_A), 'model', 'A', 3),
         line('i_q (plant)', s[`${a}_i_q_A`], 'x', 'A', 3, { hidden: true }),
         line('i_d (plant)', s[`${a}_i_d_A`], 'y', 'A', 3, { hidden: true })]),
       make('voltage', 'voltages', 'output of the current controllers', 'voltage (V)', (a) => [
-        line('v_q', scaled(s[`${a}_v_q`], volt(a)), 'actual', 'V', 1),
-        line('v_d', scaled(s[`${a}_v_d`], volt(a)), 'model', 'V', 1)]),
-      make('fuzzy', 'fuzzy output', 'one unit is 1.28 mm of error at the default scale', 'u (units)',
-        (a) => [line('u', scaled(s[`${a}_u`], 1 / 256), 'actual', '', 3)]),
+        line('v_q', scaled(s[`${a}_v_q`], step[a].voltage_V), 'actual', 'V', 1),
+        line('v_d', scaled(s[`${a}_v_d`], step[a].voltage_V), 'model', 'V', 1)]),
+      make('fuzzy', 'fuzzy output', 'one unit is 1.28 mm of error at the default scale',
+        'u (units)', (a) => [line('u', scaled(s[`${a}_u`], 1 / 256), 'actual', '', 3)]),
       make('force', 'force', 'of the motor', 'force (N)', (a) => [
         line('force', s[`${a}_force_N`], 'actual', 'N', 2)]),
     ];
@@ -109,6 +117,7 @@
   function sampleSection(run) {
     const { moment, gates } = run.detail;
     if (!moment && !gates) return;
+    const o = run.metrics.options;
     const clockUs = run.metrics.run.clock_ps * 1e-6;
     const speed = (axis) => {
       const at = run.series.tick.findIndex((tick) => moment && tick >= moment.tick);
@@ -121,14 +130,15 @@
     const section = T.section('sample', 'One sample', gates && gates.trip !== undefined
       ? `${lead} The gates are shown around the trip, ${when(gates.trip)}.` : lead);
     if (gates) section.append(T.gatePlots(gates, axis, clockUs));
-    if (moment) section.append(T.afcStrip(moment, axis, T.controller(run.metrics) === 'AFC'));
+    if (moment) section.append(T.afcStrip(moment, { x: stepsOf(o, 'x'), y: stepsOf(o, 'y') },
+      T.controller(run.metrics) === 'AFC'));
   }
 
   function rulesSection(run) {
     const adapting = T.controller(run.metrics) === 'AFC';
     const section = T.section('rules', 'Rules', adapting
-      ? 'The table of 49 fuzzy rules, tuned while the table moved; the line shows where the run was.'
-      : 'The fixed table of 49 fuzzy rules; the line shows where the run was.');
+      ? 'The 49 fuzzy rules, tuned while the table moved; the line shows where the run was.'
+      : 'The 49 fuzzy rules, fixed; the line shows where the run was.');
     const o = run.metrics.options;
     section.append(T.el('div', { class: 'grid four' }, ['x', 'y'].flatMap((axis) => {
       const units = (word, shift) => scaled(run.series[`${axis}_${word}`], 2 ** shift / 256)
@@ -150,8 +160,8 @@
 
   function foot(m) {
     const facts = { ...m.versions, 'event hash': m.run.event_hash };
-    document.getElementById('foot').append(T.el('dl', {}, Object.entries(facts).map(([name, value]) =>
-      T.el('div', {}, T.el('dt', {}, name), T.el('dd', {}, String(value))))));
+    document.getElementById('foot').append(T.el('dl', {}, Object.entries(facts).map(
+      ([name, value]) => T.el('div', {}, T.el('dt', {}, name), T.el('dd', {}, String(value))))));
   }
 
   function runPage(run) {
@@ -184,6 +194,7 @@
     }
     foot(page.runs[0].metrics);
     T.startPlots();
+    if (T.time.opening) T.time.zoom(0, T.time.opening);
     requestAnimationFrame(() => setTimeout(() => {
       performance.mark('painted');
       document.documentElement.dataset.ready = 'yes';

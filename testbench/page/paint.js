@@ -159,9 +159,7 @@
     }
   }
 
-  T.CanvasPainter = CanvasPainter;
-
-  // Draws plot.scene into a canvas of that size in CSS pixels.
+  // Draws into a canvas of that size in CSS pixels.
   T.paint = function (canvas, width, height, ratio, draw) {
     canvas.width = Math.round(width * ratio);
     canvas.height = Math.round(height * ratio);

@@ -47,7 +47,8 @@
   function drawVisited(p, theme, visited, x0, cell, side) {
     const points = [];
     for (let k = 0; k < visited.e.length; ++k) {
-      points.push(x0 + (visited.e[k] / 2 + 3.5) * cell, 4 + side - (visited.de[k] / 2 + 3.5) * cell);
+      points.push(x0 + (visited.e[k] / 2 + 3.5) * cell,
+        4 + side - (visited.de[k] / 2 + 3.5) * cell);
     }
     if (points.length > 3) p.path(points, { stroke: theme.ink, width: 1, alpha: 0.7 });
   }
