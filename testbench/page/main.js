@@ -81,7 +81,7 @@
     const d = run.data;
     const o = run.metrics.options;
     const section = T.section('axes', 'Axes', 'What each axis was asked for, what it did, and ' +
-      'what effort it took: words of the chip in physical units, or of the plant where it says so.');
+      'what effort it took: words of the chip in physical units, or truth of the plant.');
     const make = (id, title, small, yLabel, series) => (axis) => T.timePlot({ id: `${id}-${axis}`,
       title: `${axis.toUpperCase()} ${title}`, small, yLabel, series: series(axis) });
     const line = (label, data, role, unit, digits, more) => ({ label, data, role, unit, digits,
