@@ -12,7 +12,7 @@ file(GLOB TRAMMEL_RTL_PACKAGES CONFIGURE_DEPENDS
 # A library of all .cpp files of a folder tree (header-only: an INTERFACE library).
 function(trammel_library name folder)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${folder}/*.cpp)
-  list(FILTER sources EXCLUDE REGEX "/verilated/")  # units of verilated models: see cosim/
+  list(FILTER sources EXCLUDE REGEX "/verilated/|/rv32im/")  # see cosim/, scripts/firmware.py
   if(sources)
     add_library(${name} STATIC ${sources})
     target_link_libraries(${name} PUBLIC trammel_options ${ARGN})
@@ -30,12 +30,37 @@ function(trammel_test name source prefix)
   set_tests_properties(${prefix} PROPERTIES TIMEOUT 300)
 endfunction()
 
-# A library of verilated models. Their headers are not ours: no warnings from them.
+# A library of verilated models. Their headers are not ours: no warnings from them. With
+# TRAMMEL_BASE it is that of another build of these sources, and nothing is verilated.
 function(trammel_verilated_library name)
-  add_library(${name} STATIC ${ARGN})
+  if(TRAMMEL_BASE)
+    trammel_imported_library(${name})
+    target_include_directories(${name} INTERFACE ${VERILATOR_ROOT}/include
+      ${VERILATOR_ROOT}/include/vltstd)
+    target_link_libraries(${name} INTERFACE z Threads::Threads)
+  else()
+    add_library(${name} STATIC ${ARGN})
+  endif()
   set_property(TARGET ${name} PROPERTY INTERFACE_SYSTEM_INCLUDE_DIRECTORIES
     $<TARGET_PROPERTY:${name},INTERFACE_INCLUDE_DIRECTORIES>)
 endfunction()
+
+# The library of this name and folder in the build TRAMMEL_BASE.
+function(trammel_imported_library name)
+  file(RELATIVE_PATH folder ${PROJECT_BINARY_DIR} ${CMAKE_CURRENT_BINARY_DIR})
+  add_library(${name} STATIC IMPORTED GLOBAL)
+  set_target_properties(${name} PROPERTIES
+    IMPORTED_LOCATION ${TRAMMEL_BASE}/${folder}/lib${name}.a)
+endfunction()
+
+if(TRAMMEL_BASE)
+  find_package(Threads REQUIRED)
+  function(verilate target)
+    cmake_parse_arguments(MODEL "" "DIRECTORY" "" ${ARGN})
+    string(REPLACE ${PROJECT_BINARY_DIR} ${TRAMMEL_BASE} folder ${MODEL_DIRECTORY})
+    target_include_directories(${target} INTERFACE ${folder})
+  endfunction()
+endif()
 
 # The model of a block for its unit test: assertions live, coverage counted. A chip carries the
 # properties of all blocks; what its blocks have of coverage they get in their own tests. A line
@@ -59,6 +84,9 @@ function(trammel_unit_model source test)
     SOURCES ${first} ${TRAMMEL_RTL_PACKAGES} ${PROJECT_SOURCE_DIR}/${source} ${properties}
     DIRECTORY ${PROJECT_BINARY_DIR}/verilated
     VERILATOR_ARGS -Wno-fatal --assert -fno-split ${parameters} ${TRAMMEL_RTL_SEARCH})
+  if(TRAMMEL_BASE)
+    return()
+  endif()
   # One unit a model: its many small ones take twice as long to compile.
   get_target_property(files trammel_rtl SOURCES)
   list(REMOVE_ITEM files ${before})

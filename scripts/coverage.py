@@ -6,7 +6,7 @@ usage: coverage.py [--keep] [--check rtl|cpp]
 
 Without --check it runs the tests that count (--keep: takes the counts that are there), prints a
 table of both and writes sources with counts to build/coverage: rtl/annotated, cpp/index.html.
-With --check it is a test of the one kind; CTest has run before it the tests that count.
+With --check it is a test of the one kind; CTest runs the tests that count before it.
 
 RTL, counted by the unit tests of the blocks: every line and branch is executed, or it stands in
 scripts/coverage.toml with a reason; toggles of signals and states that a `cover` of the properties
@@ -26,7 +26,6 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import coverage_cpp  # noqa: E402
-import formal  # noqa: E402
 
 ROOT = Path(__file__).resolve().parent.parent
 FLOORS = ROOT / "scripts" / "coverage.toml"
@@ -52,7 +51,7 @@ class Block:
 
 def read_points(path):
     """Fields and count of every point of a file that Verilator wrote: f file, l line, n column,
-    page kind, o comment."""
+    page kind and module, o comment."""
     for line in path.read_text(encoding="utf-8", errors="replace").split("\n"):
         if line.startswith("C '"):
             text, count = line[3:].rsplit("' ", 1)
@@ -63,13 +62,13 @@ def read_blocks(path):
     blocks = defaultdict(Block)
     for point, count in read_points(path):
         source = Path(point["f"])
-        kind, module = point["page"].split("/")
+        kind = point["page"].split("/")[0]
         if source.suffix != ".sv" or "generated" in source.parts:
             continue
         block = blocks[f"{source.parent.name}/{source.stem.removesuffix('_props')}"]
         place = int(point["l"]), int(point["n"])
         if kind == "v_user":
-            block.covers[module + ":" + str(place[0])] += count
+            block.covers[point["o"]] += count
         elif source.stem.endswith("_props"):
             continue
         elif kind == "v_toggle":
@@ -80,7 +79,7 @@ def read_blocks(path):
 
 
 def merged():
-    files = sorted(COUNTS.glob("*.dat"))
+    files = sorted(COUNTS.glob("*.dat.*"))
     if not files:
         raise CoverageError(f"no counts in {COUNTS.relative_to(ROOT)}: run `trammel coverage`")
     target = COUNTS.parent / "rtl.dat"
@@ -112,6 +111,11 @@ def check_lines(blocks, exceptions):
                 left[name, branch, text] -= 1
             else:
                 yield f"{name}:{line}: never executed ({branch}): {text}"
+    for source in sorted((ROOT / "rtl").glob("*/*.sv")):
+        block = f"{source.parent.name}/{source.stem}"
+        if source.parent.name != "boards" and not source.stem.endswith(("_pkg", "_props")) \
+                and block not in blocks:
+            yield f"rtl/{block}.sv: no test counts it"
     for (name, branch, text), count in left.items():
         if count > 0:
             yield f"{FLOORS.name}: stale exception: {name} ({branch}): {text}"
@@ -131,15 +135,15 @@ def check_floors(blocks, what, floors, share):
 
 
 def print_rtl(blocks):
-    print(f"{'RTL block':<24}{'lines':>14}{'toggles':>16}{'covers':>10}")
+    print(f"{'RTL block':<24}{'lines':>14}{'toggles':>17}{'covers':>15}")
     total = Block()
     for name, counts in blocks.items():
         print(f"{name:<24}", *(cell(points, width) for points, width in (
-            (counts.lines, 14), (counts.toggles, 16), (counts.covers, 10))), sep="")
+            (counts.lines, 14), (counts.toggles, 17), (counts.covers, 15))), sep="")
         for kind in ("lines", "toggles", "covers"):
             getattr(total, kind).update(
                 {(name, key): n for key, n in getattr(counts, kind).items()})
-    print(f"{'all':<24}{cell(total.lines, 14)}{cell(total.toggles, 16)}{cell(total.covers, 10)}")
+    print(f"{'all':<24}{cell(total.lines, 14)}{cell(total.toggles, 17)}{cell(total.covers, 15)}")
 
 
 def cell(points, width):
@@ -154,3 +158,47 @@ def check_rtl(floors):
     return [*check_lines(blocks, floors["exception"]),
             *check_floors(blocks, "toggles", floors["toggles"], lambda b: b.share(b.toggles)),
             *check_floors(blocks, "covers", floors["covers"], lambda b: b.share(b.covers))]
+
+
+def run_tests():
+    done = subprocess.run([ROOT / "trammel", "test", "-R", "^coverage\\."], check=False,
+                          stdout=sys.stderr)
+    return done.returncode
+
+
+def report(wrong):
+    for line in wrong:
+        print(f"coverage: {line}", file=sys.stderr)
+    return 1 if wrong else 0
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--keep", action="store_true", help="take the counts that are there")
+    parser.add_argument("--check", choices=("rtl", "cpp"), help="be a test of one kind")
+    options = parser.parse_args()
+    try:
+        floors = tomllib.loads(FLOORS.read_text(encoding="utf-8"))
+        if options.check == "rtl":
+            return report(check_rtl(floors["rtl"]))
+        if options.check == "cpp":
+            return report(coverage_cpp.check(floors["cpp"]))
+        if not options.keep and run_tests() not in (0, 1):
+            return NO_COUNTS
+        wrong = [*check_rtl(floors["rtl"]), *coverage_cpp.check(floors["cpp"])]
+        annotate(COUNTS.parent / "rtl.dat")
+        coverage_cpp.annotate()
+        print(f"sources with counts: {(COUNTS / 'annotated').relative_to(ROOT)}, "
+              f"{coverage_cpp.PAGES.relative_to(ROOT)}/index.html")
+        return report(wrong)
+    except CoverageError as error:
+        print(f"coverage: {error}", file=sys.stderr)
+        return NO_COUNTS
+    except FileNotFoundError as error:
+        print(f"coverage: {error.filename} is missing (trammel doctor)", file=sys.stderr)
+        return 3
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -2,28 +2,38 @@
 //
 // A verilated block under test: reset, clock edges, and signed reading of its ports.
 //
-// Models that count coverage (TRAMMEL_COVERAGE is defined) leave it in the file that the variable
-// TRAMMEL_COVERAGE of the environment names. A model holds its own counters, so all live to the
-// end of the program.
+// Models that count coverage (TRAMMEL_COVERAGE is defined) leave it in files <name>.<n>, one an
+// instance, <name> being the variable TRAMMEL_COVERAGE of the environment. A model holds its own
+// counters and writing takes time, so all live to the end of the program.
 #pragma once
 
 #include <verilated.h>
 
 #include <cstdint>
+#include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <string>
 #include <vector>
 
 namespace trammel::test {
 
 #ifdef TRAMMEL_COVERAGE
 struct Covered {
-  const char* file = std::getenv("TRAMMEL_COVERAGE");
-  std::shared_ptr<VerilatedContext> context = std::make_shared<VerilatedContext>();
-  std::vector<std::shared_ptr<void>> models;
+  struct Instance {
+    std::shared_ptr<VerilatedContext> context;
+    std::shared_ptr<void> model;
+  };
+
+  const char* name = std::getenv("TRAMMEL_COVERAGE");
+  std::vector<Instance> instances;
+
+  std::string file(std::size_t n) const { return name + ("." + std::to_string(n)); }
 
   ~Covered() {
-    if (file != nullptr) context->coveragep()->write(file);
+    std::size_t n = 0;
+    for (; n < instances.size(); ++n) instances[n].context->coveragep()->write(file(n).c_str());
+    while (std::remove(file(n).c_str()) == 0) ++n;  // of an earlier run with more of them
   }
 };
 
@@ -41,7 +51,7 @@ class Rtl {
     context_->randSeed(1);
     model_ = std::make_shared<Model>(context_.get(), "top");
 #ifdef TRAMMEL_COVERAGE
-    if (covered().file != nullptr) covered().models.push_back(model_);
+    if (covered().name != nullptr) covered().instances.push_back({context_, model_});
 #endif
     model_->clk_i = 0;
     model_->rst_i = 0;
@@ -70,21 +80,20 @@ class Rtl {
   void reset() {
     model_->rst_i = 1;
     tick();
+#ifdef TRAMMEL_COVERAGE
+    // What random values became zero is no toggle that a test made.
+    if (!was_reset_) context_->coveragep()->zero();
+#endif
+    was_reset_ = true;
     tick();
     model_->rst_i = 0;
     model_->eval();
   }
 
  private:
-  static std::shared_ptr<VerilatedContext> context() {
-#ifdef TRAMMEL_COVERAGE
-    if (covered().file != nullptr) return covered().context;
-#endif
-    return std::make_shared<VerilatedContext>();
-  }
-
-  std::shared_ptr<VerilatedContext> context_ = context();
+  std::shared_ptr<VerilatedContext> context_ = std::make_shared<VerilatedContext>();
   std::shared_ptr<Model> model_;
+  bool was_reset_ = false;
 };
 
 // The low `bits` of a port as a two's complement number.
