@@ -134,7 +134,9 @@ def check_commands(program, keys):
             for line in fence[3].split("\n"):
                 if not line.startswith("./trammel "):
                     continue
-                words = shlex.split(re.split(r"[|>]", line)[0], comments=True)[1:]
+                words = shlex.split(line, comments=True)[1:]
+                ends = [n for n, word in enumerate(words) if word in ("|", ">", ">>", "&&")]
+                words = words[:ends[0]] if ends else words
                 at = f"{page.relative_to(ROOT)}: '{line}'"
                 verb = words[0]
                 if verb in scripts or verb.startswith("-"):

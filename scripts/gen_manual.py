@@ -10,7 +10,7 @@ registers from the page that gen_regs.py makes. In manual.md only the text betwe
 "<!-- begin NAME -->" and "<!-- end NAME -->" is replaced; keys.md is written whole.
 --check writes nothing; exit 1 if a page is stale.
 
-Exit codes: 0 ok, 1 stale, 2 usage, 3 the program is not built.
+Exit codes: 0 ok, 1 stale or a verb without help, 2 usage, 3 the program is not built.
 """
 
 import argparse
@@ -44,13 +44,18 @@ and `gains.y.kp` one. Full scale of the words: [section 3](specification.md#3-nu
 """
 
 
+class NotSaid(Exception):
+    """A command failed instead of saying what it was asked; one line."""
+
+
 def said(*command):
     """What a command prints, in a fixed width."""
     environment = {**os.environ, "COLUMNS": "100", "NO_COLOR": "1", "TRAMMEL_VERBS": ""}
     done = subprocess.run([str(c) for c in command], capture_output=True, text=True, check=False,
                           cwd=ROOT, env=environment)
     if done.returncode != 0:
-        raise RuntimeError(f"{' '.join(map(str, command))}: exit {done.returncode}: {done.stderr}")
+        last = done.stderr.strip().rpartition("\n")[2]
+        raise NotSaid(f"{' '.join(map(str, command))}: exit {done.returncode}: {last}")
     return done.stdout.rstrip()
 
 
@@ -133,7 +138,7 @@ def replaced(text, name, content):
     head, found, rest = text.partition(begin)
     _, closed, tail = rest.partition(end)
     if not found or not closed:
-        raise RuntimeError(f"no lines {begin.strip()} and {end.strip()}")
+        raise NotSaid(f"no lines {begin.strip()} and {end.strip()}")
     return head + begin + content + end + tail
 
 
@@ -149,10 +154,15 @@ def main():
         print(f"gen_manual: {program}: not built", file=sys.stderr)
         return 3
     manual = MANUAL.read_text(encoding="utf-8")
-    manual = replaced(manual, "verbs", verbs_text(program))
-    manual = replaced(manual, "registers", registers_text())
+    try:
+        manual = replaced(manual, "verbs", verbs_text(program))
+        manual = replaced(manual, "registers", registers_text())
+        keys = keys_text(program)
+    except NotSaid as error:
+        print(f"gen_manual: {error}", file=sys.stderr)
+        return 1
     stale = False
-    for page, text in ((MANUAL, manual), (KEYS, keys_text(program))):
+    for page, text in ((MANUAL, manual), (KEYS, keys)):
         if page.exists() and page.read_text(encoding="utf-8") == text:
             continue
         name = page.relative_to(ROOT)
