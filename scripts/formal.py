@@ -164,8 +164,10 @@ def prove(folder, name, labels, depth, limit):
             before = left()
             for n in before:
                 ask([n], engine)
-            if len(left()) > 1 and (engine != engines[0] or left() != before):
-                ask(left(), engine)
+            helpers = [n for n in left() if labels[n].startswith("inv_")]
+            for group in (helpers, before):  # only where none is proven alone
+                if left() == before and len(group) > 1:
+                    ask(group, engine)
     return {label: state[n] for n, label in enumerate(labels)}
 
 
