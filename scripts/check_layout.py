@@ -78,7 +78,9 @@ def check_form(root, path):
             yield f"{path}:{number}: not ASCII"
         if "\t" in line and path.name != "Makefile":
             yield f"{path}:{number}: tab"
-        if len(line) > MAX_COLUMNS and path.suffix not in (".txt", ".json", ".md"):
+        # The changed text of a negative control is one line, see scripts/prove.py.
+        wide = len(line) > MAX_COLUMNS and not line.lstrip().startswith("// breaks ")
+        if wide and path.suffix not in (".txt", ".json", ".md"):
             yield f"{path}:{number}: {len(line)} columns, more than {MAX_COLUMNS}"
     needs = path.suffix in CODE - NO_LICENCE - {".cmake"}
     if needs and (path.suffix or text.startswith("#!")):

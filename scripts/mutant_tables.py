@@ -123,7 +123,8 @@ def write_page(blocks):
     rows = [f"| {table.block} | {mutant['mutation'].replace('|', chr(92) + '|')} | "
             f"{mutant['why']} |\n" for table in tables for mutant in table.left]
     if rows:
-        text += "\n## Left\n\nNeither refused nor proven equivalent.\n\n| block | mutant | found |\n"
+        text += ("\n## Left\n\nNeither refused nor proven equivalent.\n\n"
+                 "| block | mutant | found |\n")
         text += "|---|---|---|\n" + "".join(rows)
     PAGE.write_text(text, encoding="utf-8")
     return PAGE

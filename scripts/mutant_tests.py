@@ -45,7 +45,8 @@ def build(block):
     rtl = [] if top == stem else [*map(str, lint.packages()), str(RTL / layer / f"{top}.sv")]
     search = [f"-I{d}" for d in sorted(RTL.iterdir()) if d.is_dir() and d.name != "boards"]
     main = [str(MAIN)] if MAIN.exists() else [str(ROOT / "tests" / "support" / "main.cpp")]
-    command = ["verilator", "--cc", "--exe", "--build", "-j", str(JOBS), "-Wno-fatal", "-Wno-lint", "-fno-dfg",
+    command = ["verilator", "--cc", "--exe", "--build", "-j", str(JOBS),
+               "-Wno-fatal", "-Wno-lint", "-fno-dfg",
                "--top-module", top, "--prefix", f"V{top}", "--Mdir", str(folder / "obj"),
                "-CFLAGS", f"-std=c++17 -I{ROOT}", "-o", "mutants", *search,
                f"-I{RTL}/chips/generated", *rtl, str(netlist), str(test_of(block)),

@@ -22,8 +22,8 @@ std::string figure(const std::optional<double>& value, int digits) {
 
 std::string spread_line(const char* name, const Spread& s) {
   // A table thrown to its end stop has wide figures: a space stays between them.
-  return fmt::format("  {:<25} {:>9.3f} {:>8.3f} {:>10.3f} {:>8.3f} {:>8.3f}\n", name, s.mean, s.std,
-                     s.variance, s.rms, s.max);
+  return fmt::format("  {:<25} {:>9.3f} {:>8.3f} {:>10.3f} {:>8.3f} {:>8.3f}\n", name, s.mean,
+                     s.std, s.variance, s.rms, s.max);
 }
 
 std::string step_table(const Metrics& m) {

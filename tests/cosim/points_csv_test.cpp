@@ -37,7 +37,8 @@ TEST_CASE("lines that are not two numbers are refused by line") {
   CHECK_THROWS_AS(read("1,2,3\n"), std::invalid_argument);
   CHECK_THROWS_AS(read("1,2 mm\n"), std::invalid_argument);
   CHECK_THROWS_AS(read("# nothing\n"), std::invalid_argument);
-  CHECK_THROWS_WITH(trammel::kung::read_points_csv("no/such.csv"), "no/such.csv: cannot be read: No such file or directory");
+  CHECK_THROWS_WITH(trammel::kung::read_points_csv("no/such.csv"),
+                    "no/such.csv: cannot be read: No such file or directory");
   CHECK_THROWS_WITH(trammel::kung::read_points_csv("."), ".: cannot be read: it is a folder");
 }
 

@@ -53,9 +53,9 @@ class Words {
 };
 
 // Law of the flow shape, whatever the block computes: valid_o at the latency only, outputs that
-// hold after it while inputs change, ticks inside a calculation ignored, quiescent_o exactly between
-// calculations, and reset to `at_rest` from everywhere. `drive` sets random inputs, `outputs` reads
-// all outputs but valid_o and quiescent_o.
+// hold after it while inputs change, ticks inside a calculation ignored, quiescent_o exactly
+// between calculations, and reset to `at_rest` from everywhere. `drive` sets random inputs,
+// `outputs` reads all outputs but valid_o and quiescent_o.
 template <class Model, class Drive, class Outputs>
 void require_flow_shape(Rtl<Model>& rtl, int latency, const std::vector<std::int64_t>& at_rest,
                         Drive drive, Outputs outputs) {
