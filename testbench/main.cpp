@@ -62,8 +62,8 @@ struct CommandLine {
     run->add_option("--platform", run_arguments.platform, "systemc or direct");
     add_waves(run_arguments.waves);
     run->add_flag("--check", run_arguments.check, "exit 1 when a figure is out of tolerance");
-
-    run->add_flag("!--no-report", run_arguments.report, "no report.html");
+    run->add_flag_callback("--no-report", [this] { run_arguments.report = false; },
+                           "without report.html");
 
     report = app.add_subcommand("report", "a page of a run, or one that compares runs");
     report->add_option("folder", report_arguments.folders,

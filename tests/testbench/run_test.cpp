@@ -194,7 +194,7 @@ TEST_CASE("wide figures of a report do not run together") {
   metrics.samples = 1;
   metrics.model_mm.mean = metrics.model_mm.std = metrics.model_mm.rms = 123456.789;
   metrics.model_mm.variance = metrics.model_mm.max = 1234567890.123;
-  const std::string text = run_report(kung::Options{}, result, metrics, "out");
+  const std::string text = run_report(kung::Options{}, result, metrics, "out", "");
   CHECK_THAT(text, Catch::Contains(
                        " 123456.789 123456.789 1234567890.123 123456.789 1234567890.123\n"));
 }
