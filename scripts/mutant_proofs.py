@@ -12,7 +12,7 @@ import formal
 import mutants
 import properties
 
-FRAMES = 60  # clocks of the bounded search for a difference
+FRAMES = 60  # clocks of the search for the outputs in which a mutant differs
 
 # The block and a mutant side by side; a mutant of the number 0 is the control.
 MITER = """read_rtlil plain.il
@@ -89,16 +89,16 @@ def compare(block, number, outputs, limit):
     # Where all registers were equal pairs, nothing sequential is left.
     if "UNSATISFIABLE" in formal.abc(folder, f"{read}; iprove", limit):
         return "equivalent", "induction"
-    text = formal.abc(folder, f"{read}; dprove -T {limit}", 3 * limit)
-    if "Networks are equivalent" in text:
-        return "equivalent", "reachability"
-    seen = formal.reach(folder, "miter", outputs, FRAMES, limit)
-    if seen:
-        return "different", ", ".join(f"{name} differs at clock {clock}"
-                                      for name, clock in sorted(seen.items()))
-    if "was asserted in frame" in text:
-        return "different", "differs"
-    return "open", f"no difference found in {FRAMES} clocks, no proof in {limit} s"
+    for engine in ("pdr", "dprove"):
+        text = formal.abc(folder, f"{read}; {engine} -T {limit}", 3 * limit)
+        if re.search("Property proved|Networks are equivalent", text):
+            return "equivalent", "reachability"
+        late = re.search(r"was asserted in frame (\d+)", text)
+        if late:
+            seen = formal.reach(folder, "miter", outputs, min(int(late[1]) + 1, FRAMES), limit)
+            words = [f"{name} at clock {clock}" for name, clock in sorted(seen.items())]
+            return "different", "differs in " + (", ".join(words) or f"clock {late[1]}")
+    return "open", f"neither proven nor found different in {2 * limit} s"
 
 
 def refuted_by(block, number, limit):
@@ -113,8 +113,19 @@ def refuted_by(block, number, limit):
         r"^ *parameter +(.+?),?$", source.read_text(encoding="utf-8"), re.M)]
     constants.append(f"  localparam logic [{mutants.WIDTH - 1}:0] {mutants.SELECTOR} = {number};\n")
     netlist = mutants.with_selector(block, "mutants.v", "".join(constants), "mutant.sv")
-    model = formal.Model("promises", only=props.promises,
-                         changed={source: netlist.read_text(encoding="utf-8")})
+    model = formal.Model("promises", only=props.promises, changed={
+        source: netlist.read_text(encoding="utf-8"), props.path: named_bind(props.path)})
     labels = formal.write_models(props, folder, [model])["promises"]
     broken = formal.reach(folder, "promises", labels, props.frames, limit)
     return min(broken, key=broken.get) if broken else None
+
+
+def named_bind(path):
+    """The properties with ports bound by name: `.*` wants types, which a netlist has not."""
+    text = path.read_text(encoding="utf-8")
+    head, bind, tail = text.partition("\nbind ")
+    names = re.findall(r"^ +input .*?(\w+)(?: \[[^]]*\])?,?(?: *//.*)?$", head.split(");")[0], re.M)
+    links = [f".{name}({name})" for name in names if not re.search(rf"\.{name}\b", tail)]
+    # A name inside a generated scope is one word of the netlist.
+    tail = re.sub(r"(?<=[({ ])\w+(\[\d+\])?(\.\w+)+", lambda found: f"\\{found[0]} ", tail)
+    return head + bind + tail.replace(".*", ", ".join(links))

@@ -102,6 +102,32 @@ TEST_CASE("timebase interrupt period 0 acts as 1") {
   REQUIRE(ticks == 3);
 }
 
+TEST_CASE("timebase agrees with its twin over 8192 ticks and interrupt periods up to 255") {
+  Rtl rtl;
+  Timebase twin;
+  rtl.reset();
+  Random random(3);
+  Timebase::In in{255};
+  while (twin.out().tick_count < 8192) {
+    rtl->irq_period_i = in.irq_period;
+    rtl.eval();
+    require_equal(rtl, twin);
+    const Gap gap = twin.next();
+    rtl->leap_i = gap > 0 ? (gap - 1) & 0xFFF : 0;
+    if (gap > 0) {
+      twin.advance(gap);
+    } else {
+      const std::uint32_t any = random() % 2 == 0 ? random() : 1U << random() % 8;
+      if (twin.out().tick_irq) in.irq_period = static_cast<std::uint8_t>(any);
+      rtl->irq_period_i = in.irq_period;
+      twin.step(in);
+    }
+    rtl.tick();
+    rtl->leap_i = 0;
+    rtl.eval();
+  }
+}
+
 TEST_CASE("timebase needs at most three evaluations a period when it leaps") {
   Rtl rtl;
   rtl.reset();

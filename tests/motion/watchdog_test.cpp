@@ -3,6 +3,7 @@
 #include <Vwatchdog.h>
 
 #include <catch2/catch.hpp>
+#include <vector>
 
 #include "models/exact/motion/watchdog.hpp"
 #include "tests/support/random.hpp"
@@ -54,6 +55,52 @@ TEST_CASE("watchdog agrees with its twin on random inputs") {
     REQUIRE(bool(rtl->quiescent_o) == twin.quiescent(in));
     rtl.tick();
     REQUIRE(bool(rtl->bite_o) == twin.step(in));
+  }
+}
+
+TEST_CASE("watchdog counts the ticks of every bit of its limit, as its twin does") {
+  Rtl rtl;
+  Watchdog twin;
+  Random random(4);
+  std::vector<std::uint32_t> limits{0x5555, 0xAAAA, 0xFFFF};
+  for (int bit = 0; bit < 16; ++bit) limits.push_back(1U << bit);
+  for (const std::uint32_t limit : limits) {
+    rtl.reset();
+    twin.reset();
+    std::uint32_t ticks = 0;
+    while (!rtl->bite_o) {
+      const Watchdog::In in{random() % 8 != 0, false, true, static_cast<std::uint16_t>(limit)};
+      apply(rtl, in);
+      REQUIRE(bool(rtl->quiescent_o) == twin.quiescent(in));
+      rtl.tick();
+      ticks += in.tick_pos;
+      REQUIRE(bool(rtl->bite_o) == twin.step(in));
+    }
+    REQUIRE(ticks == limit + 1);
+    for (int i = 0; i < 4; ++i) {
+      const Watchdog::In in{true, true, true, static_cast<std::uint16_t>(limit)};
+      apply(rtl, in);
+      REQUIRE(bool(rtl->quiescent_o) == twin.quiescent(in));  // a kick forgets the count
+      rtl.tick();
+      REQUIRE(twin.step(in));
+    }
+  }
+}
+
+TEST_CASE("watchdog limit lowered below the count bites at the next tick, a kick forgets it all") {
+  Rtl rtl;
+  Random random(5);
+  for (int i = 0; i < 300; ++i) {
+    rtl.reset();
+    for (std::uint32_t n = random() % 300; n > 0; --n) after_tick(rtl, 0xFFFF);
+    if (random() % 4 == 0) {
+      kick(rtl, 1);
+      REQUIRE_FALSE(after_tick(rtl, 1));
+      REQUIRE(after_tick(rtl, 1));
+    } else {
+      after_tick(rtl, 0xFFFF);
+      REQUIRE(after_tick(rtl, 1));
+    }
   }
 }
 
