@@ -91,15 +91,14 @@ def read(block):
 
 
 def problems(blocks):
-    """One line a block whose table is missing, stale or under its floor, or whose page is old."""
+    """One line a block whose table is stale or under its floor, or whose row of the page is old."""
     rows = []
     for block in blocks:
         table = read(block)
         again = f"run trammel verify --mutants {block}"
+        rows.append(row(block, table))
         if table is None:
-            yield f"{block}: no table of mutants: {again}"
             continue
-        rows.append(row(table))
         if table.source != mutants.source_hash(block):
             yield f"{block}: table is stale: {again}"
         if table.score < table.floor:
@@ -109,7 +108,9 @@ def problems(blocks):
         yield f"{PAGE.relative_to(ROOT)} is older than the tables: trammel verify --page"
 
 
-def row(table):
+def row(block, table):
+    if table is None:
+        return f"| {block} | not measured yet | | | | | | |"
     return (f"| {table.block} | {table.mutants} | {table.by_test} | {len(table.promise)} "
             f"| {len(table.equivalent)} | {len(table.left)} | {table.score:.1f} % "
             f"| {table.floor:.0f} % |")
@@ -117,9 +118,9 @@ def row(table):
 
 def write_page(blocks):
     """docs/mutation.md: scores, and every mutant that is left."""
-    tables = [table for table in map(read, blocks) if table]
     text = INTRODUCTION.format(count=mutants.COUNT)
-    text += "".join(row(table) + "\n" for table in tables)
+    text += "".join(row(block, read(block)) + "\n" for block in blocks)
+    tables = [table for table in map(read, blocks) if table]
     rows = [f"| {table.block} | {mutant['mutation'].replace('|', chr(92) + '|')} | "
             f"{mutant['why']} |\n" for table in tables for mutant in table.left]
     if rows:

@@ -118,7 +118,7 @@ def excerpt(place, folder):
     short = " ".join(" ".join(text).split())
     if path.is_relative_to(ROOT):
         path = path.relative_to(ROOT)
-    return f"{path}:{line}", short if len(short) <= 60 else short[:57] + "..."
+    return f"{path}:{line}", short if len(short) <= 40 else short[:37] + "..."
 
 
 def describe(number, command, cells, folder):
@@ -133,10 +133,10 @@ def describe(number, command, cells, folder):
     spots = sorted((excerpt(p, folder) for p in places), key=lambda spot: len(spot[1]))
     where, text = spots[0] if spots else ("", cell)
     kind = cells.get(f"{cell} type", "")
-    words = f"{kind} `{text}`, {port} bit {bit} {effect}"
+    words = f"{kind} `{text}`, {port}[{bit}] {effect}"
     wire = field(command, "wire")
     if wire:
-        words += f" ({wire} bit {field(command, 'wirebit')})"
+        words += f" ({wire}[{field(command, 'wirebit')}])"
     return Mutant(number, command, words, where)
 
 
