@@ -118,7 +118,7 @@ def excerpt(place, folder):
     short = " ".join(" ".join(text).split())
     if path.is_relative_to(ROOT):
         path = path.relative_to(ROOT)
-    return f"{path}:{line}", short if len(short) <= 40 else short[:37] + "..."
+    return f"{path}:{line}", short if len(short) <= 30 else short[:27] + "..."
 
 
 def describe(number, command, cells, folder):
