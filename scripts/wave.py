@@ -77,7 +77,7 @@ def convert(args):
 
 
 def differences(one, two, names, windows):
-    """(seconds, name, value in one, value in two) where a signal first differs, and how many."""
+    """(femtoseconds, name, value in one, value in two) of each first difference; signals seen."""
     seen = set()
     compared = 0
     found = []
@@ -121,17 +121,17 @@ def compare(args):
     common = [name for name in names if name in other]
     alone = [(one.path, name) for name in names if name not in other]
     alone += [(two.path, name) for name in sorted(other - set(names))]
-    windows = [wave.window(args.window) for wave in (one, two)]
+    windows = [wave.reached(args.window) for wave in (one, two)]
     found, compared = differences(one, two, common, windows)
     equal = not found and not alone
     if args.json:
         print(json.dumps({"equal": equal, "compared": compared, "differing": len(found),
                           "only_in_one": len(alone),
-                          "first": [dict(zip(("t_s", "signal", "a", "b"), d))
+                          "first": [{"t_s": d[0] / 1e15, "signal": d[1], "a": d[2], "b": d[3]}
                                     for d in found[:args.first]]}, indent=1))
         return 0 if equal else 1
-    for seconds, name, value_one, value_two in found[:args.first]:
-        print(f"{time_text(seconds, 1):<18}{name}: {value_one} and {value_two}")
+    for time, name, value_one, value_two in found[:args.first]:
+        print(f"{time_text(time):<18}{name}: {value_one} and {value_two}")
     for path, name in alone[:args.first]:
         print(f"only in {path}: {name}")
     if equal:
@@ -156,13 +156,19 @@ def draw(args):
     return 0
 
 
+class Parser(argparse.ArgumentParser):
+    """Errors in one line."""
+
+    def error(self, message):
+        self.exit(2, f"wave: {message}; see trammel wave --help\n")
+
+
 def arguments():
-    parser = argparse.ArgumentParser(prog="trammel wave", usage=__doc__.split("\n\n")[1][7:],
-                                     description=__doc__.split("\n\n")[0])
+    parser = Parser(prog="trammel wave", add_help=False)
     verbs = parser.add_subparsers(dest="verb", required=True, metavar="VERB")
 
     def verb(name, action):
-        sub = verbs.add_parser(name, usage=argparse.SUPPRESS)
+        sub = verbs.add_parser(name)
         sub.set_defaults(action=action)
         return sub
 
@@ -202,9 +208,14 @@ def main():
     except Refused as error:
         print(f"wave: {error}", file=sys.stderr)
         return 2
+    except KeyboardInterrupt:
+        return 130
     except BrokenPipeError:  # the reader of a long list has seen enough
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
+    except OSError as error:
+        print(f"wave: {error.filename}: {error.strerror}", file=sys.stderr)
+        return 2
 
 
 if __name__ == "__main__":

@@ -8,7 +8,7 @@ import re
 import sys
 from pathlib import Path
 
-UNITS = {"s": 1.0, "ms": 1e-3, "us": 1e-6, "ns": 1e-9}
+FEMTO = {"s": 10**15, "ms": 10**12, "us": 10**9, "ns": 10**6}  # femtoseconds
 TIME = re.compile(r"([-+]?[0-9.]+(?:e[-+]?[0-9]+)?)(ns|us|ms|s|clk)?", re.I)
 
 
@@ -51,7 +51,7 @@ def pattern(glob):
 
 
 class WaveFile:
-    """Names of a wave file and the values of its signals; times are seconds."""
+    """Names of a wave file and the values of its signals; a time step is `step` femtoseconds."""
 
     def __init__(self, path):
         import pywellen  # pylint: disable=import-outside-toplevel
@@ -66,7 +66,7 @@ class WaveFile:
         with reading(path):
             self._wave = pywellen.Waveform(str(self.path))
             scale = self._wave.timescale
-            self.step = scale.factor * 10.0 ** scale.unit.to_exponent()
+            self.step = scale.factor * 10 ** (scale.unit.to_exponent() + 15)
             self._vars = {v.full_name: v for v in self._wave.all_vars()}
             self.names = sorted(self._vars, key=lambda name: (name.count("."), name))
             self._ids = {name: str(v.signal_id) for name, v in self._vars.items()}
@@ -115,16 +115,29 @@ class WaveFile:
         return found[0]
 
     def clock(self, name=None):
-        """First rising edge and period of the clock, in time steps; by default the top clk_i."""
+        """Name and rising edges of the clock, in time steps; by default the top clk_i."""
         if name is None:
             found = [full for full in self.names if full.rpartition(".")[2] in ("clk_i", "clk")]
             if not found:
                 raise Refused(f"{self.path}: no signal clk_i; name the clock with --clock")
             name = found[0]
+        else:
+            name = self.one(name)
         rising = [t for t, value in self.changes(name) if value == 1]
         if len(rising) < 2:
             raise Refused(f"{self.path}: {name} does not tick: no clock")
-        return name, rising[0], rising[1] - rising[0]
+        return name, rising
+
+    def span(self):
+        """First and last time step at which a signal changes."""
+        firsts, lasts = [], []
+        for name in {self._ids[name]: name for name in self.names}.values():
+            with reading(self.path):
+                signal = self._vars[name].signal
+                if len(signal):
+                    firsts.append(signal[0][0])
+                    lasts.append(signal[len(signal) - 1][0])
+        return min(firsts, default=0), max(lasts, default=0)
 
     def window(self, text, clock=None):
         """"a:b" in time steps; without text all of time."""
@@ -139,13 +152,23 @@ class WaveFile:
                 edges = []
                 break
             if found[2] == "clk":
-                edges.append(round(value) * self.clock(clock)[2])
+                rising = self.clock(clock)[1]
+                edges.append(round(value) * (rising[1] - rising[0]))
             else:
-                edges.append(round(value * UNITS[found[2] or "s"] / self.step))
+                edges.append(round(value * FEMTO[found[2] or "s"] / self.step))
         if len(edges) != 2 or not 0 <= edges[0] < edges[1]:
             raise Refused(f"--window: value {text} is not a:b with a before b, each with s, ms, "
                           "us, ns or clk behind it")
         return edges[0], edges[1]
+
+    def reached(self, text):
+        """The same, for a window in which there must be something."""
+        begin, end = self.window(text)
+        first, last = self.span()
+        if text is not None and (end <= first or begin > last):
+            raise Refused(f"--window: {text} lies outside {self.path}, which holds "
+                          f"{time_text(first * self.step)} to {time_text(last * self.step)}")
+        return begin, end
 
 
 def within(changes, window):
@@ -162,9 +185,8 @@ def within(changes, window):
     return first, inside
 
 
-def time_text(steps, step):
-    seconds = steps * step
-    for unit, size in UNITS.items():
-        if abs(seconds) >= size or unit == "ns":
-            return f"{seconds / size:.9g} {unit}"
+def time_text(femtoseconds):
+    for unit, size in FEMTO.items():
+        if femtoseconds >= size or unit == "ns":
+            return f"{femtoseconds / size:.9g} {unit}"
     return ""

@@ -4,7 +4,7 @@
 import json
 import re
 
-from wave_file import Refused, within
+from wave_file import Refused, time_text, within
 
 MOST_CELLS = 120  # clocks and gaps; a wider picture is none
 LONGEST = 200000  # clocks
@@ -134,14 +134,19 @@ def measure(lanes, picked, cells, pairs):
 
 
 def wave_json(wave_file, args):
-    clock_name, origin, period = wave_file.clock(args.clock)
+    clock_name, rising = wave_file.clock(args.clock)
+    period = rising[1] - rising[0]
     begin, end = wave_file.window(args.window, args.clock)
-    first = max(0, -(-(begin - origin) // period))
-    last = (end - origin + period - 1) // period
-    if last - first > LONGEST or last - first < 2:
-        raise Refused(f"--window: {args.window} is {last - first} clocks; 2..{LONGEST} can be "
-                      "drawn")
-    clocks = [origin + n * period for n in range(first, last)]
+    clocks = [time for time in rising if begin <= time < end]
+    if not clocks:
+        raise Refused(f"--window: {args.window} lies outside the waves of {wave_file.path}, which "
+                      f"hold {time_text(rising[0] * wave_file.step)} to "
+                      f"{time_text(rising[-1] * wave_file.step)}, perhaps with gaps")
+    if clocks[-1] - clocks[0] != (len(clocks) - 1) * period:
+        raise Refused(f"--window: {args.window}: in between the waves of {wave_file.path} have a "
+                      "gap")
+    if not 2 <= len(clocks) <= LONGEST:
+        raise Refused(f"--window: {args.window} is {len(clocks)} clocks; 2..{LONGEST} can be drawn")
     picked = []
     for text in args.signals:
         label, name, kind = split_name(text)
@@ -151,8 +156,6 @@ def wave_json(wave_file, args):
     labels = [label for label, *_ in picked]
     if len(set(labels)) < len(labels):
         raise Refused(f"--signals: two are called {max(labels, key=labels.count)}: give LABEL=NAME")
-    if all(value is None for *_, values in picked for value in values):
-        raise Refused(f"--window: {args.window} lies outside the waves of {wave_file.path}")
     cells = drawn_cells([values for *_, values in picked], max(1, args.around))
     if len(cells) > MOST_CELLS:
         raise Refused(f"--window: {args.window}: {len(cells)} clocks with changes are more than "
