@@ -131,7 +131,7 @@ def check_commands(program, keys):
     for page in pages():
         text = page.read_text(encoding="utf-8")
         for fence in FENCE.finditer(text):
-            for line in fence[3].split("\n"):
+            for line in fence[3].replace("\\\n", " ").split("\n"):
                 if not line.startswith("./trammel "):
                     continue
                 words = shlex.split(line, comments=True)[1:]

@@ -114,24 +114,25 @@ class WaveFile:
                           f"{found[0]} and {found[-1]}")
         return found[0]
 
+    def top_clock(self):
+        return next((name for name in self.names if name.rpartition(".")[2] in ("clk_i", "clk")),
+                    None)
+
     def clock(self, name=None):
         """Name and rising edges of the clock, in time steps; by default the top clk_i."""
+        name = self.top_clock() if name is None else self.one(name)
         if name is None:
-            found = [full for full in self.names if full.rpartition(".")[2] in ("clk_i", "clk")]
-            if not found:
-                raise Refused(f"{self.path}: no signal clk_i; name the clock with --clock")
-            name = found[0]
-        else:
-            name = self.one(name)
+            raise Refused(f"{self.path}: no signal clk_i; name the clock with --clock")
         rising = [t for t, value in self.changes(name) if value == 1]
         if len(rising) < 2:
             raise Refused(f"{self.path}: {name} does not tick: no clock")
         return name, rising
 
     def span(self):
-        """First and last time step at which a signal changes."""
+        """First and last time step at which the clock changes; without one, any signal."""
         firsts, lasts = [], []
-        for name in {self._ids[name]: name for name in self.names}.values():
+        clock = self.top_clock()
+        for name in [clock] if clock else self.names:
             with reading(self.path):
                 signal = self._vars[name].signal
                 if len(signal):

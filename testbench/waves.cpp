@@ -246,10 +246,10 @@ std::string waves_report(const Options& options, const kung::Result& result,
   if (result.waves.empty()) return "";
   std::string text;
   if (result.wave_trigger) {
-    text += fmt::format(
-        "  trigger `{}` at {} (clock {}), found in an untraced run before this one\n",
-        trigger_text(options), time_text(seconds_of(*result.wave_trigger, options)),
-        *result.wave_trigger);
+    const bool known = kung::wave_trigger(options.run)->when == kung::Trigger::When::kAt;
+    text += fmt::format("  trigger `{}` at {} (clock {}){}\n", trigger_text(options),
+                        time_text(seconds_of(*result.wave_trigger, options)), *result.wave_trigger,
+                        known ? "" : ", found in an untraced run before this one");
   }
   const kung::WaveSpan first = result.waves.front();
   text += fmt::format("  waves of {} to {}", time_text(seconds_of(first.begin, options)),

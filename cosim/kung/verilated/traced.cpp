@@ -34,15 +34,17 @@ class FstTrace {
   }
 
   bool shows(cosim::Clk edge) const {
-    return edge >= first() && edge < window_.end;
+    return edge >= 0 && edge >= window_.begin && edge < window_.end;
   }
   cosim::Clk next_shown(cosim::Clk edge) const {
     return edge < window_.begin ? window_.begin : cosim::kNever;
   }
 
-  // The rising edge n stands at n periods, the falling one before it half a period earlier.
+  // The rising edge n stands at n periods, the falling one before it half a period earlier; the
+  // file begins with a rising one.
   void dump(cosim::Clk edge, bool high) {
-    if (edge == first() && !high) return;
+    if (!begun_ && !high) return;
+    begun_ = true;
     const auto half = 2 * static_cast<std::uint64_t>(edge) - (high ? 0u : 1u);
     file_->dump(half * kHalfPeriodNs);
   }
@@ -57,10 +59,9 @@ class FstTrace {
   }
 
  private:
-  cosim::Clk first() const { return std::max<cosim::Clk>(0, window_.begin); }
-
   std::string name_;
   WaveWindow window_;
+  bool begun_ = false;
   std::unique_ptr<VerilatedFstC> file_;
 };
 
