@@ -13,6 +13,7 @@ import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 
+import aiger
 import lint
 from properties import ROOT, RTL, PropertiesError
 
@@ -39,8 +40,7 @@ class Model:
     """One AIGER file to be: assertions or covers of a block, perhaps with a changed file."""
 
     name: str
-    covers: bool = False
-    only: list[str] = field(default_factory=list)  # labels; none means all
+    only: list[str]  # labels
     parameters: list[str] = field(default_factory=list)
     changed: dict[Path, str] = field(default_factory=dict)  # {file: its text instead}
 
@@ -63,17 +63,12 @@ def write_script(props, folder, model):
         files[files.index(original)] = changed
     options = [f"-G {p}" for p in model.parameters]
     options += [f"--blackboxed-module {m}" for m in props.cut]
+    kept = " ".join(f"c:*.{label} %d" for label in model.only)
     lines = [f"read_slang --top {props.stem} {' '.join(options)} {' '.join(map(str, files))}",
-             f"prep -flatten -top {props.stem}"]
+             f"delete t:$check {kept}", f"prep -flatten -top {props.stem}"]
     lines += ["cutpoint -blackbox"] if props.cut else []
     lines += [f"cutpoint t:{cell} c:*_props.* %d" for cell in props.free]
-    lines += ["memory_map", "async2sync", "chformal -lower"]
-    if model.covers:
-        lines += ["chformal -assert -remove", "techmap -map cover_map.v"]
-    else:
-        lines += ["chformal -cover -remove"]
-    if model.only:
-        lines += ["delete t:$assert " + " ".join(f"c:*.{label} %d" for label in model.only)]
+    lines += ["memory_map", "async2sync", "chformal -lower", "techmap -map cover_map.v"]
     text = "\n".join(lines) + "\n" + TO_AIGER.format(name=model.name)
     (folder / f"{model.name}.ys").write_text(text, encoding="utf-8")
 
@@ -128,46 +123,49 @@ def abc(folder, commands, limit):
 def prove(folder, name, labels, depth, limit):
     """{label: proven, refuted or open} of the outputs of name.aig.
 
-    Induction first, of all together, for one may need another's help, then of each; what is proven
-    is a lemma for the rest; what stays open goes to pdr. abc's induction is the step only: the
-    bounded search before it is its base.
+    First by induction, all in one question. If that is too hard, by mutual induction one by one:
+    none is the first to fail. Those that cannot be shown so are left out and the rest tried again;
+    what is proven is a lemma for what is not yet. What stays open goes to pdr.
+
+    abc's induction is the step only; the bounded search before it is its base.
     """
     state = dict.fromkeys(range(len(labels)), "open")
+
+    def ask(outputs, engine, model=name):
+        lemmas = [n for n, verdict in state.items() if verdict == "proven"]
+        lines = [f"read_aiger {model}.aig", f"cone -N {','.join(map(str, [*outputs, *lemmas]))}"]
+        lines += [f"constr -N {len(lemmas)}", "fold"] if lemmas else []
+        lines += ["orpos"] if len(outputs) > 1 else []
+        return abc(folder, "; ".join([*lines, "scleanup", f"{engine} -T {limit}"]), limit + 30)
 
     def left():
         return [n for n, verdict in state.items() if verdict == "open"]
 
-    def ask(outputs, engine):
-        lemmas = [n for n, verdict in state.items() if verdict == "proven"]
-        lines = [f"read_aiger {name}.aig", f"cone -N {','.join(map(str, [*outputs, *lemmas]))}"]
-        lines += [f"constr -N {len(lemmas)}", "fold"] if lemmas else []
-        lines += ["orpos"] if len(outputs) > 1 else []
-        text = abc(folder, "; ".join([*lines, "scleanup", f"{engine} -T {limit}"]), limit + 30)
-        good = "Property proved"
-        if engine.startswith("ind"):  # an output without state is proven by the base
-            good = "Networks are equivalent|network is combinational"
-        if re.search(good, text):
-            state.update(dict.fromkeys(outputs, "proven"))
-        elif "was asserted in frame" in text and len(outputs) == 1:
-            state[outputs[0]] = "refuted"
+    def settle(outputs, verdict="proven"):
+        state.update(dict.fromkeys(outputs, verdict))
 
+    # An output without state is proven by the base.
+    good = re.compile("Networks are equivalent|network is combinational")
     base = abc(folder, f"read_aiger {name}.aig; bmc3 -a -F {depth} -T {limit}", limit + 30)
-    for n in risen(base):
-        state[n] = "refuted"
-    engines = ["dc2; scorr; pdr"]
+    settle(risen(base), "refuted")
     if f"No output asserted in {depth} frames" in base:
-        engines.insert(0, f"ind -F {depth}")
-        ask(left(), f"ind -F {depth} -C {EASY}")
-    for engine in engines:
-        before = None
-        while left() and left() != before:
-            before = left()
-            for n in before:
-                ask([n], engine)
-            helpers = [n for n in left() if labels[n].startswith("inv_")]
-            for group in (helpers, before):  # only where none is proven alone
-                if left() == before and len(group) > 1:
-                    ask(group, engine)
+        if good.search(ask(left(), f"ind -F {depth} -C {EASY}")):
+            settle(left())
+        hoped = left()
+        while hoped:
+            aiger.guard(folder / f"{name}.aig", folder / f"{name}_guarded.aig", hoped)
+            shown = [n for n in hoped if good.search(ask([n], f"ind -F {depth}",
+                                                         f"{name}_guarded"))]
+            if shown == hoped:
+                settle(shown)
+                shown = left() if shown else []
+            hoped = shown
+    for n in left():
+        text = ask([n], "dc2; scorr; pdr")
+        if "Property proved" in text:
+            settle([n])
+        elif "was asserted in frame" in text:
+            settle([n], "refuted")
     return {label: state[n] for n, label in enumerate(labels)}
 
 

@@ -45,10 +45,10 @@ def prove(block, limit):
     folder.mkdir(parents=True, exist_ok=True)
     configurations = props.configurations or [[]]
     first = configurations[0]
-    proofs = [formal.Model(f"asserts{n}", parameters=c) for n, c in enumerate(configurations)]
-    covers = [formal.Model("covers", covers=True, parameters=first)] if props.covers else []
-    controls = [formal.Model(f"control{n}", only=c.promises, parameters=first,
-                             changed=dict([c.file])) for n, c in enumerate(props.controls)]
+    proofs = [formal.Model(f"asserts{n}", props.asserts, c) for n, c in enumerate(configurations)]
+    covers = [formal.Model("covers", props.covers, first)] if props.covers else []
+    controls = [formal.Model(f"control{n}", c.promises, first, dict([c.file]))
+                for n, c in enumerate(props.controls)]
     order = formal.write_models(props, folder, [*proofs, *covers, *controls])
 
     wrong = []
