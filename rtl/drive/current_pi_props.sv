@@ -119,10 +119,10 @@ module current_pi_props
   // breaks error_is_saturated: (acc_t'(meas_i) <<< 1) => acc_t'(word_t'(meas_i <<< 1))
   // breaks multiplies_in_order: use_kp ? error_q : error_prev_q => error_q
   // breaks integral_is_the_equation: x[22:12] == '1 => x[22:11] == '1
-  // breaks integral_is_the_equation: 39'($signed(product_q[29:7])) => 39'($signed(product_q[28:7]))
+  // breaks integral_is_the_equation: 25'($signed(product_q[29:7])) => 25'($signed(product_q[28:7]))
   // breaks integral_within_limits: (x[24:23] != '0 || x[22:12] == '1) => x[24:23] != '0
   // breaks integral_holds: integral_d = integral_q; => integral_d = integral_q & {24{!tick_i}};
-  // breaks output_is_the_equation: {24{~x[38]}} => x[23:0]
+  // breaks output_is_the_equation: {24{~product_q[29]}} => product_q[23:0]
   // breaks output_is_the_equation: $signed({1'b0, term_q[11]}) => $signed({1'b0, term_q[12]})
   // breaks output_holds: v_d = v_q; => v_d = tick_i ? ref_i : v_q;
   // breaks error_before_is_kept: error_prev_d = error_q; => error_prev_d = ref_i;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Promises of pwm under any phase and compare values; the carrier is computed as specified.
+// Promises of pwm under any compare values, in every phase of the period as timebase keeps it.
 
 module pwm_props
   import trammel_pkg::*;
@@ -28,6 +28,7 @@ module pwm_props
 
   logic live_q = 1'b0;
   logic was_rst_q, was_quiescent_q, enable_q;
+  logic period_q;  // the phase of the edge before was one of the period
   logic [2:0] was_on_q, above, above_q;  // carrier > compare value, at the edge before
   cmp_t [2:0] cmp_q;  // c, b, a, taken at the latest load
   logic [32:0] state, was_state_q;
@@ -35,7 +36,7 @@ module pwm_props
   gap_t was_next_q;
   logic calm;  // inputs as at the edge before, but for the next phase
 
-  // 0 up to 1562 and down to 1; beyond the period there is no carrier.
+  // 0 up to 1562 and down to 1.
   function automatic logic signed [12:0] carrier(logic [11:0] phase);
     return phase <= 12'd1562 ? $signed({1'b0, phase}) : 13'sd3125 - $signed({1'b0, phase});
   endfunction
@@ -46,6 +47,7 @@ module pwm_props
 
   assign state = {cmp_c_q, cmp_b_q, cmp_a_q};
   assign calm  = was_quiescent_q && enable_i == enable_q && !load_i && !rst_i &&
+      phase_i < 12'(PwmPeriod) &&
       phase_i != '0 && phase_i == phase_q + 12'd1 && was_next_q >= 12'd2;
 
   always_ff @(posedge clk_i) begin
@@ -53,6 +55,7 @@ module pwm_props
     was_rst_q       <= rst_i;
     was_quiescent_q <= !rst_i && quiescent_o;
     enable_q        <= !rst_i && enable_i;
+    period_q        <= phase_i < 12'(PwmPeriod);
     above_q         <= above;
     was_on_q        <= on_o;
     was_state_q     <= state;
@@ -66,7 +69,7 @@ module pwm_props
     if (live_q) begin
       off_from_reset : assert (!was_rst_q || on_o == '0);
       off_when_disabled : assert (enable_q || on_o == '0);
-      carrier_above_compare : assert (!enable_q || on_o == above_q);
+      carrier_above_compare : assert (!enable_q || !period_q || on_o == above_q);
       values_change_at_load_only : assert (state == cmp_q);
       off_at_phase_zero : assert (was_rst_q || phase_q != '0 || on_o == '0);
       next_falls_by_one_at_most : assert (!calm || next_o >= was_next_q - 12'd1);
@@ -81,10 +84,10 @@ module pwm_props
 
   // breaks off_from_reset: on_q    <= '0; => on_q    <= on_d;
   // breaks off_when_disabled: on_d = '0; => on_d = on_q;
-  // breaks carrier_above_compare: return 12'(cmp) + 12'd1; => return 12'(cmp);
-  // breaks carrier_above_compare: 12'(PwmPeriod) - 12'(cmp) => 12'(PwmPeriod) - 12'(cmp) - 12'd1
+  // breaks carrier_above_compare: phase_i <= 12'(CmpMax) ? => phase_i < 12'(CmpMax) ?
+  // breaks carrier_above_compare: carrier > cmp_b_q => carrier >= cmp_b_q
   // breaks values_change_at_load_only: if (load_i) begin => if (load_i || phase_i == '0) begin
-  // breaks off_at_phase_zero: return phase >= rise(cmp) && phase => return phase
+  // breaks off_at_phase_zero: carrier > cmp_c_q => carrier >= cmp_c_q
   // breaks next_is_quiet: return fall(cmp) - phase; => return fall(cmp) - phase + 12'd1;
   // breaks next_falls_by_one_at_most: return rise(cmp) - phase; => return (rise(cmp) - phase) << 1;
   // breaks quiescent_is_honest: quiescent_o = !load_i && => quiescent_o =

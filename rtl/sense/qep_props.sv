@@ -189,7 +189,7 @@ module qep_props
 
   // prove: depth 5
 
-  // breaks count_is_that_of_the_model: count_q + count_t'(1) => count_q + count_t'(2)
+  // breaks count_is_that_of_the_model: {{23{!up}}, 1'b1} => {{22{!up}}, 2'b11}
   // breaks preset_wins: if (preset_i) count_d => if (preset_i && !step) count_d
   // breaks legal_motion_is_counted: same_q >= last => same_q > last
   // breaks legal_motion_is_counted: line_q[A] != prev_q[B]; => line_q[A] != prev_q[A];
