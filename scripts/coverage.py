@@ -192,7 +192,7 @@ def main():
         print(f"sources with counts: {(COUNTS / 'annotated').relative_to(ROOT)}, "
               f"{coverage_cpp.PAGES.relative_to(ROOT)}/index.html")
         return report(wrong)
-    except CoverageError as error:
+    except (CoverageError, coverage_cpp.NoCounts) as error:
         print(f"coverage: {error}", file=sys.stderr)
         return NO_COUNTS
     except FileNotFoundError as error:

@@ -96,6 +96,8 @@ void add_run(Table& t) {
   t.text("run.platform", "SystemC platform or direct wiring", TRAMMEL_LENS(run.platform));
   t.one("run.leap", 0, 0, "waiting clocks are not evaluated; false: every clock is",
         TRAMMEL_LENS(run.leap));
+  t.one("run.assertions", 0, 0, "the promises of the RTL are looked at, in every clock",
+        TRAMMEL_LENS(run.assertions));
   t.one("run.window_clk", 0, 1e9, "longest look-ahead; 0 = unbounded, 1 = lock step",
         TRAMMEL_LENS(run.window_clk));
   t.one("run.settle_s", 0, 10, "simulated after the last point, not counted",

@@ -61,6 +61,8 @@ struct CommandLine {
     run->add_option("-o,--out", run_arguments.out, "output folder, default out/<scenario>");
     run->add_option("--platform", run_arguments.platform, "systemc or direct");
     add_waves(run_arguments.waves);
+    run->add_flag("--assert", run_arguments.assertions,
+                  "look at the promises of the RTL; exit 4 when one is broken; 50 times slower");
     run->add_flag("--check", run_arguments.check, "exit 1 when a figure is out of tolerance");
     run->add_flag_callback("--no-report", [this] { run_arguments.report = false; },
                            "without report.html");

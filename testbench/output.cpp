@@ -113,6 +113,12 @@ Json metrics_json(const kung::Options& options, const kung::Result& result, cons
                      {"processor", result.fault.processor},
                      {"tick", result.fault.tick}};
   }
+  if (result.promise) {
+    json["promise"] = {{"name", result.promise->name},
+                       {"instance", result.promise->instance},
+                       {"place", result.promise->place},
+                       {"clock", result.promise->edge}};
+  }
   json["tracking"] = {{"model", to_json(m.model_mm)}, {"command", to_json(m.command_mm)}};
   if (m.contour_mm.n > 0) json["contour"] = to_json(m.contour_mm);
   json["x"] = to_json(m.axis[0]);
@@ -240,6 +246,13 @@ std::string cause_text(const kung::Fault& fault) {
   return fmt::format("{} on axis {}", fault_text(fault.code), fault.axis == 0 ? 'X' : 'Y');
 }
 
+std::string promise_text(const kung::Options& options, const cosim::BrokenPromise& promise) {
+  const double clock_s = static_cast<double>(options.plant.clock_ps) * 1e-12;
+  return fmt::format("{} of {} at {:.8f} s, clock {} ({})", promise.name,
+                     promise.instance.empty() ? "the chip" : promise.instance,
+                     static_cast<double>(promise.edge) * clock_s, promise.edge, promise.place);
+}
+
 const char* end_text(kung::EndReason end) {
   switch (end) {
     case kung::EndReason::kDone: return "done";
@@ -247,6 +260,7 @@ const char* end_text(kung::EndReason end) {
     case kung::EndReason::kDiverged: return "diverged";
     case kung::EndReason::kTimeout: return "timeout";
     case kung::EndReason::kStopped: return "interrupted";
+    case kung::EndReason::kPromise: return "promise broken";
   }
   return "unknown";
 }
@@ -255,6 +269,7 @@ int exit_code(const kung::Result& result) {
   switch (result.end) {
     case kung::EndReason::kDone: return 0;
     case kung::EndReason::kStopped: return 130;
+    case kung::EndReason::kPromise: return 4;
     default: return 5;
   }
 }

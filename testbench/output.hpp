@@ -53,6 +53,7 @@ std::string shell_word(const std::filesystem::path& path);
 
 const char* fault_text(kung::FaultCode code);
 std::string cause_text(const kung::Fault& fault);  // of a trip, with its axis
+std::string promise_text(const kung::Options& options, const cosim::BrokenPromise& promise);
 const char* end_text(kung::EndReason end);
 int exit_code(const kung::Result& result);
 

@@ -87,6 +87,8 @@ std::string verdict_text(const kung::Options& options, const kung::Result& resul
     case kung::EndReason::kTimeout:
       return fmt::format("NOT FINISHED within run.max_s = {:g}", options.run.max_s);
     case kung::EndReason::kStopped: return "INTERRUPTED: results up to there";
+    case kung::EndReason::kPromise:
+      return "PROMISE BROKEN: " + promise_text(options, *result.promise);
   }
   return "";
 }

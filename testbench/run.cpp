@@ -62,6 +62,7 @@ void apply_layers(Options& options, const RunArguments& arguments) {
   if (!arguments.platform.empty()) {
     apply_assignment(options, "run.platform=" + arguments.platform, "--platform");
   }
+  if (arguments.assertions) apply_assignment(options, "run.assertions=true", "--assert");
   apply_waves(options, arguments.waves);
 }
 
@@ -95,6 +96,11 @@ void refuse_controller(const RunArguments& arguments) {
   if (fc.controller == afc.controller) {
     throw ConfigError("run: --all runs both controllers; controller beside it means neither");
   }
+}
+
+std::string end_cause(const Options& options, const kung::Result& result) {
+  if (result.promise) return ": " + promise_text(options, *result.promise);
+  return result.end == kung::EndReason::kFault ? " by " + cause_text(result.fault) : "";
 }
 
 struct Outcome {
@@ -155,9 +161,7 @@ Outcome run_one(Options options, const fs::path& target, const RunArguments& arg
   }
   if (outcome.code != 0) {
     fmt::print(stderr, "trammel: {}: {}{}; record kept in {}\n", options.scenario,
-               end_text(result.end),
-               result.end == kung::EndReason::kFault ? " by " + cause_text(result.fault) : "",
-               shown.string());
+               end_text(result.end), end_cause(options, result), shown.string());
   }
   if (outcome.code == 0) outcome.code = waves_code;
   if (arguments.check && outcome.code == 0) {

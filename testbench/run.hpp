@@ -19,6 +19,7 @@ struct RunArguments {
   std::string scenario;
   std::vector<std::string> files;        // -c
   std::vector<std::string> assignments;  // -s
+  bool assertions = false;               // --assert, as its key
   std::string platform;                  // --platform, as its key
   WaveArguments waves;                   // --wave, --wave-*
   std::string out;

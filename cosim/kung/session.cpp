@@ -57,7 +57,10 @@ Session::Session(const Options& options, const Hooks& hooks, const Waves& waves)
 std::unique_ptr<KungChip> Session::make_chip() {
   const RunOptions& run = options_.run;
   if (waves_.search != nullptr) return make_watched_chip(*waves_.search, run.leap);
-  if (waves_.window) return make_traced_chip(run.wave_file, *waves_.window, run.leap);
+  if (waves_.window) {
+    return make_traced_chip(run.wave_file, *waves_.window, run.leap, run.assertions);
+  }
+  if (run.assertions) return make_checked_chip();
   return make_verilated_chip(run.leap);
 }
 
@@ -69,6 +72,7 @@ cosim::Clk Session::end() const { return edge_at(options_.run.max_s); }
 
 bool Session::over(const Sample& sample) {
   if (waves_.search != nullptr && waves_.search->found()) return true;
+  if (chip_->broken_promise()) return true;
   const auto period = static_cast<std::uint32_t>(
       ticks_per_point(options_.path, options_.chip.irq_period_ticks));
   result_.fault = chip_->fault();
@@ -109,6 +113,10 @@ Result Session::result() {
   result_.detail = detail_->take();
   result_.clocks = chip_->now();
   result_.evaluated = chip_->evaluated();
+  if (chip_->broken_promise()) {
+    result_.end = EndReason::kPromise;
+    result_.promise = chip_->broken_promise();
+  }
   if (waves_.window) result_.waves = wave_spans(*waves_.window, result_.clocks);
   result_.wall_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "cosim/cosim.hpp"
+#include "cosim/promise.hpp"
 #include "models/plant/xy_table.hpp"
 
 namespace trammel::kung {
@@ -108,6 +109,7 @@ struct RunOptions {
   Platform platform = Platform::kSystemC;
   std::int64_t window_clk = 0;    // longest look-ahead of the loop; 0 = unbounded, 1 = lock step
   bool leap = true;               // waiting clocks are not evaluated; off: every clock is
+  bool assertions = false;        // the promises of the RTL are looked at; every clock is evaluated
   double settle_s = 0;            // simulated after the last point, not counted in the figures
   double max_s = 60;              // simulated time a run may take
   double diverged_m = 0.05;       // tracking error that ends the run as diverged
@@ -162,7 +164,7 @@ struct Sample {
   std::array<AxisSample, 2> axis;
 };
 
-enum class EndReason { kDone, kFault, kDiverged, kTimeout, kStopped };
+enum class EndReason { kDone, kFault, kDiverged, kTimeout, kStopped, kPromise };
 
 enum class FaultCode { kNone, kTrip, kOverCurrent, kWatchdog, kEncoder, kStroke };
 
@@ -228,6 +230,7 @@ struct Result {
   std::uint32_t end_tick = 0;     // first sample after the last point's: figures use [first, end)
   std::uint32_t points = 0;       // written by the processor
   EndReason end = EndReason::kDone;
+  std::optional<cosim::BrokenPromise> promise;  // kPromise: the first one
   Fault fault;
   Detail detail;
   cosim::Clk clocks = 0;

@@ -61,6 +61,21 @@ TEST_CASE("a traced run has the events of an untraced one") {
   CHECK(traced.evaluated > base.evaluated);
 }
 
+TEST_CASE("a run that looks at every promise of the RTL finds none broken and the same events") {
+  Options options = piece();
+  options.run.platform = Platform::kDirect;
+  options.path.line_end_x_m = 0.101;
+  options.path.line_end_y_m = 0.1005;
+  options.path.line_ticks = 10;
+  const Result base = simulate(options, {});
+  options.run.assertions = true;
+  const Result checked = simulate(options, {});
+  CHECK(checked.end == EndReason::kDone);
+  CHECK_FALSE(checked.promise);
+  CHECK(checked.evaluated == checked.clocks);
+  CHECK(checked.event_hash == base.event_hash);
+}
+
 TEST_CASE("the event log sees a change of one clock of dead time") {
   const Result base = run(Platform::kDirect, 0);
   Options options = piece();

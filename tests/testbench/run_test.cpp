@@ -38,6 +38,9 @@ Simulate standing(kung::EndReason end) {
     result.points = 10;
     result.end = end;
     if (end == kung::EndReason::kFault) result.fault = {kung::FaultCode::kStroke, 1, 17};
+    if (end == kung::EndReason::kPromise) {
+      result.promise = {"no_shoot_through", "kung_xy.u_leg", "drive/gate_leg_props.sv:7", 617283};
+    }
     return result;
   };
 }
@@ -75,6 +78,18 @@ TEST_CASE("a tripped run exits with 5, keeps its record and names the first faul
   CHECK(json["fault"]["cause"] == "stroke exceeded");
   CHECK(json["fault"]["axis"] == "y");
   CHECK(json["fault"]["tick"] == 17);
+}
+
+TEST_CASE("a broken promise of the RTL exits with 4, keeps the record and is named in it") {
+  const Scratch scratch;
+  CHECK(run_to(scratch.path / "a", kung::EndReason::kPromise) == 4);
+  const auto json = nlohmann::json::parse(std::ifstream(scratch.path / "a" / "metrics.json"));
+  CHECK(json["end"] == "promise broken");
+  CHECK(json["promise"]["name"] == "no_shoot_through");
+  CHECK(json["promise"]["clock"] == 617283);
+  const std::string verdict = json["verdict"];
+  CHECK_THAT(verdict, Catch::Contains("no_shoot_through of kung_xy.u_leg at 0.01234566 s"));
+  CHECK(fs::exists(scratch.path / "a" / "trace.csv"));
 }
 
 TEST_CASE("diverged runs exit with 5 and interrupted ones with 130") {

@@ -22,10 +22,31 @@ namespace trammel::kung {
 // While every register waits (quiescent_o) the timers alone move, for next_o edges: one evaluation
 // with leap_i = n - 1 stands for n of them. A leap never passes `end` or an edge that is shown, and
 // none is made during a bus transfer, so that no pin moves inside it.
+// The clock value that a model compares with: its name is that of Verilator 5.006, or of 5.48.
+template <class Root>
+auto stored_clock(Root& root, int) -> decltype(root.__Vtrigrprev__TOP__clk_i)& {
+  return root.__Vtrigrprev__TOP__clk_i;
+}
+template <class Root>
+auto stored_clock(Root& root, long) -> decltype(root.__Vtrigprevexpr___TOP__clk_i__0)& {
+  return root.__Vtrigprevexpr___TOP__clk_i__0;
+}
+
+struct NoTrace {
+  template <class Model>
+  void attach(VerilatedContext&, Model&) {}
+  static constexpr bool shows(cosim::Clk) { return false; }
+  static constexpr cosim::Clk next_shown(cosim::Clk) { return cosim::kNever; }
+  void dump(cosim::Clk, bool) {}
+  void raised(cosim::Clk) {}
+};
+
 template <class Model, class Tracer>
 class ChipModel final : public KungChip {
  public:
-  ChipModel(Tracer tracer, bool leap) : tracer_(std::move(tracer)), leap_(leap) {
+  ChipModel(Tracer tracer, bool leap, bool checked = false)
+      : tracer_(std::move(tracer)), leap_(leap && !checked), checked_(checked) {
+    context_->assertOn(checked);
     context_->randReset(2);
     context_->randSeed(1);
     model_ = std::make_unique<Model>(context_.get(), "");  // no scope around the chip's
@@ -117,6 +138,7 @@ class ChipModel final : public KungChip {
     return probe_integral(*model_->rootp, axis);
   }
   Fault fault() const override { return probe_fault(*model_->rootp); }
+  const std::optional<cosim::BrokenPromise>& broken_promise() const override { return broken_; }
 
  private:
   static constexpr int kResetEdges = 4;
@@ -149,10 +171,16 @@ class ChipModel final : public KungChip {
 
   void raise(cosim::Clk edge) {
     model_->clk_i = 1;
-    model_->rootp->__Vtrigrprev__TOP__clk_i = 0;
+    stored_clock(*model_->rootp, 0) = 0;
     model_->eval();
     if (tracer_.shows(edge)) tracer_.dump(edge, true);
     tracer_.raised(edge);
+    if (checked_ && !broken_) look_for_broken_promise(edge);
+  }
+
+  void look_for_broken_promise(cosim::Clk edge) {
+    broken_ = cosim::take_broken_promise();
+    if (broken_) broken_->edge = edge;
   }
 
   // Edges from the present one on that only count; at least 1, the evaluated one.
@@ -240,6 +268,8 @@ class ChipModel final : public KungChip {
   std::unique_ptr<Model> model_;
   Tracer tracer_;
   bool leap_;
+  bool checked_;
+  std::optional<cosim::BrokenPromise> broken_;
   bool dirty_ = true;  // inputs changed since the last evaluation
   cosim::Clk now_ = -kResetEdges;
   cosim::Clk evaluated_ = 0;

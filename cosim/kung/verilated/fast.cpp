@@ -6,16 +6,6 @@
 
 namespace trammel::kung {
 
-namespace {
-struct NoTrace {
-  void attach(VerilatedContext&, Vkung_xy&) {}
-  static constexpr bool shows(cosim::Clk) { return false; }
-  static constexpr cosim::Clk next_shown(cosim::Clk) { return cosim::kNever; }
-  void dump(cosim::Clk, bool) {}
-  void raised(cosim::Clk) {}
-};
-}  // namespace
-
 std::unique_ptr<KungChip> make_verilated_chip(bool leap) {
   return std::make_unique<ChipModel<Vkung_xy, NoTrace>>(NoTrace{}, leap);
 }

@@ -97,8 +97,13 @@ const std::vector<Signal>& signals() {
 }
 
 std::unique_ptr<KungChip> make_traced_chip(const std::string& fst_file, const WaveWindow& window,
-                                           bool leap) {
-  return std::make_unique<ChipModel<Vkung_xy_fst, FstTrace>>(FstTrace{fst_file, window}, leap);
+                                           bool leap, bool checked) {
+  return std::make_unique<ChipModel<Vkung_xy_fst, FstTrace>>(FstTrace{fst_file, window}, leap,
+                                                             checked);
+}
+
+std::unique_ptr<KungChip> make_checked_chip() {
+  return std::make_unique<ChipModel<Vkung_xy_fst, NoTrace>>(NoTrace{}, false, true);
 }
 
 std::unique_ptr<KungChip> make_watched_chip(Watcher& watcher, bool leap) {

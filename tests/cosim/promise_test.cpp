@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cosim/promise.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "cosim/verilated/hooks.hpp"
+
+using trammel::cosim::take_broken_promise;
+
+void vl_stop(const char* file, int line, const char* scope);  // what Verilator's code calls
+
+namespace {
+
+void fail(const char* path) {
+  trammel_verilated_print("[0] %%Error: a_props.sv:7: Assertion failed in %s: 'assert' failed.\n",
+                          path);
+  vl_stop("/somewhere/rtl/drive/a_props.sv", 7, "");
+}
+
+}  // namespace
+
+TEST_CASE("a failed assertion is told by its label, its block's instance and its place") {
+  fail("kung_xy.gen_axis[0].u_axis.u_pwm.u_pwm_props.off_at_phase_zero");
+  const auto broken = take_broken_promise();
+  REQUIRE(broken);
+  CHECK(broken->name == "off_at_phase_zero");
+  CHECK(broken->instance == "kung_xy.gen_axis[0].u_axis.u_pwm");
+  CHECK(broken->place == "drive/a_props.sv:7");
+}
+
+TEST_CASE("of several broken promises the first counts, and once") {
+  fail("a.u_a_props.first");
+  fail("a.u_a_props.second");
+  CHECK(take_broken_promise()->name == "first");
+  CHECK_FALSE(take_broken_promise());
+}
+
+TEST_CASE("a stop that is no assertion is still one") {
+  trammel_verilated_print("something else\n");
+  vl_stop("x.sv", 3, "");
+  const auto broken = take_broken_promise();
+  REQUIRE(broken);
+  CHECK(broken->name == "$stop");
+  CHECK(broken->instance.empty());
+}
