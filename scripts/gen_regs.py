@@ -255,6 +255,10 @@ def gather(text: str) -> str:
     first, last = "        if(rd_mux_addr == ", "        readback_data = readback_data_var;\n"
     head, rest = text.split(first, 1)
     chain, tail = (first + rest).split(last, 1)
+    # An answer's address is that of the read channel, without the choice between read and write.
+    read = re.search(r"cpuif_addr = (\{axil_araddr.*\});", text)[1]
+    head = head.replace("rd_mux_addr = decoded_req ? decoded_addr : pending_rd_addr;",
+                        f"rd_mux_addr = external_pending ? pending_rd_addr : {read};")
     # One choice of many, not a chain of them.
     chain = re.sub(r"if\(rd_mux_addr == (\S+)\)", r"\1:", chain)
     chain = re.sub("^", "        ", chain, flags=re.M).rstrip(" ")

@@ -1091,7 +1091,7 @@ module kung_xy_regs (
             if(decoded_req) pending_rd_addr <= decoded_addr;
         end
     end
-    assign rd_mux_addr = decoded_req ? decoded_addr : pending_rd_addr;
+    assign rd_mux_addr = external_pending ? pending_rd_addr : {axil_araddr[9:2], 2'b0};
 
     logic readback_err;
     logic readback_done;
