@@ -239,7 +239,8 @@ module kung_axis
   );
 
   function automatic logic reached(sum_t current, logic [11:0] limit);
-    return limit != '0 && (current[12] ? -current : current) >= sum_t'({1'b0, limit});
+    return limit != '0 &&
+        (current >= sum_t'({1'b0, limit}) || current <= -sum_t'({1'b0, limit}));
   endfunction
 
   // The third current is -(i_a + i_b).
