@@ -3,6 +3,7 @@
 // The verb `run` without waves, for a chip of another Verilator: second OUT KEY=VALUE...
 #include <stdexcept>
 
+#include "cosim/kung/chip.hpp"
 #include "systemc/machines/kung.hpp"
 #include "testbench/run.hpp"
 
