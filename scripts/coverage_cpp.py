@@ -19,9 +19,13 @@ class NoCounts(Exception):
     """The sanitized build has not run."""
 
 
+def counted():
+    return next(OBJECTS.rglob("*.gcda"), None) is not None
+
+
 def gcovr(*output):
     python_tools.need("gcovr", "coverage")
-    if next(OBJECTS.rglob("*.gcda"), None) is None:
+    if not counted():
         raise NoCounts(f"no counts in {OBJECTS.relative_to(ROOT)}: run `trammel coverage`")
     filters = [f"--filter={ROOT}/{folder}/" for folder in FOLDERS]
     done = subprocess.run([sys.executable, "-m", "gcovr", "--root", ROOT, *filters, "-j", "2",

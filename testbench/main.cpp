@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The `trammel` program. Results go to stdout, all else to stderr. Exit codes: 0 ok, 1 a check
-// failed, 2 usage or configuration, 3 a tool is missing, 5 diverged or tripped, 70 internal,
-// 130 interrupted.
+// failed, 2 usage or configuration, 3 a tool is missing, 4 a promise of the RTL was broken,
+// 5 diverged or tripped, 70 internal, 130 interrupted.
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
