@@ -124,10 +124,11 @@ module command_props
 
   // breaks moves_only_at_a_tick: tick_pos_i && left_q != 2'd0) begin => left_q != 2'd0) begin
   // breaks taken_at_the_next_tick: {next_q, 2'd0}; => {pos_cmd_i, 2'd0};
-  // breaks taken_at_the_next_tick: tick_pos_i && pending_q) begin => tick_pos_i && commit_i) begin
+  // breaks taken_at_the_next_tick: take = tick_pos_i && pending_q; => take = tick_pos_i && commit_i;
   // breaks preset_acts_at_once: quarters_d = {preset_value_i, 2'd0}; => quarters_d = quarters_q;
-  // breaks parts_are_equal, never_overshoots: {r_o, 2'd0} + distance => {r_o, 2'd0} + (distance <<< 3)
+  // breaks parts_are_equal, never_overshoots: (take ? distance : stride_q) => (take ? distance <<< 3 : stride_q)
   // breaks parts_are_equal: {23'd0, quarters_q[1]} => {23'd0, quarters_q[0]}
+  // breaks parts_are_equal: up = take && quarters_q[1] => up = take && quarters_q[0]
   // breaks ends_exactly_at_the_command: ? 2'd3 : 2'd0; => ? 2'd2 : 2'd0;
   // breaks quiescent_is_honest: !commit_i && !preset_i => !preset_i
   // breaks quiescent_is_honest: (pending_q || left_q != 2'd0) => pending_q
