@@ -6,6 +6,7 @@ import contextlib
 import io
 import json
 import shutil
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -111,7 +112,9 @@ class WaveTest(unittest.TestCase):
                           "3 of 5 signals differ, 0 are in one file only"])
         self.assertEqual(self.run_wave("compare", one, two, "--signals", "low")[0], 0)
         self.assertEqual(self.run_wave("compare", one, two, "--first", "1")[1].count("\n"), 2)
-        document = json.loads(self.run_wave("compare", one, two, "--json")[1])
+        code, out, _ = self.run_wave("compare", one, two, "--json")
+        document = json.loads(out)
+        self.assertEqual((code, document["differing"], document["equal"]), (1, 3, False))
         self.assertEqual(document["first"][0],
                          {"t_s": 3e-7, "signal": "top.u_a[1].e", "a": 1, "b": 7})
 
@@ -166,6 +169,18 @@ class WaveTest(unittest.TestCase):
         self.assertIn("40 clk", svg)
         self.assertIn("dead time", svg)
 
+    def test_a_short_rest_is_drawn_and_a_longer_one_is_a_gap(self):
+        for clock, wave in ((16, "1.0.....1..|"), (18, "1.0.......1..|"), (19, "1.0..|..1..|")):
+            file = self.file("a.vcd", {0: '1"\n0#\n', 200: '0"\n', 20 * clock: '1"\n'})
+            lanes, _, _ = self.draw(file, "--window", "8clk:54clk", "--signals", "low")
+            self.assertEqual(lanes["low"]["wave"], wave)
+
+    def test_a_measure_ends_after_it_began(self):
+        file = self.file("a.vcd", {0: '1"\n0#\n', 200: '0"\n1#\n', 400: "0#\n"})
+        _, picture, _ = self.draw(file, "--window", "8clk:54clk", "--signals", "low", "high",
+                                  "--measure", "low", "high")
+        self.assertEqual(picture["edge"], ["A<~>B 10 clk"])
+
     def test_formats_of_values(self):
         self.assertEqual([wave_picture.value_text(0xfd, 8, k) for k in ("d", "u", "x", "b", "")],
                          ["-3", "253", "fd", "11111101", "fd"])
@@ -184,6 +199,13 @@ class WaveTest(unittest.TestCase):
                 self.assertIn(str(path), self.refused("compare", path, good))
         self.assertIn("No such file", self.refused("list", self.folder / "no.fst"))
         self.assertIn("is a folder", self.refused("list", self.folder))
+
+    def test_a_reader_that_panics_says_nothing_itself(self):
+        path = self.folder / "bits.vcd"
+        path.write_text(vcd({**BASE, 400: "b01zz9 $\n"}), encoding="ascii")
+        done = subprocess.run([sys.executable, SCRIPTS / "wave.py", "compare", path, path],
+                              capture_output=True, text=True, check=False)
+        self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1), done.stderr)
 
     def test_what_cannot_be_is_told_in_one_line(self):
         file = self.file("a.vcd", BASE)

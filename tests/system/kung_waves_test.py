@@ -99,8 +99,10 @@ class WavesTest(unittest.TestCase):
         tracked = (ROOT / "waves" / "kung.gtkw").read_text(encoding="ascii")
         self.assertEqual(view.split("[*]")[1], tracked.split("[*]")[1])
         marker = re.search(r"^\*\S+ (\d+) -1", view, re.M)[1]
-        rise = WaveFile(self.fst).changes("kung_xy.gate_hi_o")[1]
-        self.assertEqual(int(marker), rise[0])
+        rise = WaveFile(self.fst).changes("kung_xy.gate_hi_o")[1][0]
+        self.assertEqual(int(marker), rise)
+        begin = rise - 20_000
+        self.assertEqual(WaveFile(self.fst).clock()[1], list(range(begin, begin + 80_000, 20)))
 
     def test_a_window_of_every_period_and_nothing_between(self):
         wave = WaveFile(self.run_line("e", "--wave", "fst", "--wave-every", "5ms",
