@@ -26,13 +26,14 @@ constexpr double kLongWindowS = 0.002;
 // Order of magnitude of a trace of this chip, to warn before it fills a disk.
 constexpr double kVcdBytesPerS = 1.2e10;
 constexpr double kFstBytesPerS = 8e7;
+constexpr std::size_t kListed = 100;  // windows in metrics.json
 constexpr std::size_t kMarkers = 26;  // that a GTKWave view can name, A to Z
 
 double seconds(const std::string& text, const std::string& where) {
   const auto value = kung::parse_time(text);
   if (value) return *value;
-  throw ConfigError(fmt::format("{}: value \"{}\" is not a time with s, ms, us or ns behind it",
-                                where, text));
+  throw ConfigError(
+      fmt::format("{}: value \"{}\" is not a time with s, ms, us or ns behind it", where, text));
 }
 
 double seconds_of(cosim::Clk edge, const Options& options) {
@@ -84,13 +85,15 @@ int missing(const std::string& why) {
 
 std::pair<double, double> parse_window(const std::string& text) {
   const auto colon = text.find(':');
-  const auto begin = colon == std::string::npos ? std::nullopt
-                                                : kung::parse_time(text.substr(0, colon));
-  const auto end = colon == std::string::npos ? std::nullopt
-                                              : kung::parse_time(text.substr(colon + 1));
+  const auto begin =
+      colon == std::string::npos ? std::nullopt : kung::parse_time(text.substr(0, colon));
+  const auto end =
+      colon == std::string::npos ? std::nullopt : kung::parse_time(text.substr(colon + 1));
   if (!begin || !end || *begin >= *end) {
-    throw ConfigError(fmt::format("--wave-window: value \"{}\" is not a:b with a before b, each "
-                                  "with s, ms, us or ns behind it, for instance 0:5ms", text));
+    throw ConfigError(
+        fmt::format("--wave-window: value \"{}\" is not a:b with a before b, each "
+                    "with s, ms, us or ns behind it, for instance 0:5ms",
+                    text));
   }
   return {*begin, *end};
 }
@@ -121,8 +124,9 @@ void apply_waves(Options& options, const WaveArguments& arguments) {
   }
   if (!arguments.pre.empty()) {
     if (!arguments.window.empty() || !arguments.every.empty()) {
-      throw ConfigError("--wave-pre: is of the default window; with --wave-window or --wave-every "
-                        "write --wave-window -1ms:2ms");
+      throw ConfigError(
+          "--wave-pre: is of the default window; with --wave-window or --wave-every "
+          "write --wave-window -1ms:2ms");
     }
     set("run.wave_pre_s", seconds(arguments.pre, "--wave-pre"), "--wave-pre");
   }
@@ -142,9 +146,10 @@ void check_waves(const Options& options) {
                        run.wave_end_s, run.wave_begin_s));
   }
   if (!kung::trigger_asked(run) && (run.wave_begin_s < 0 || run.wave_begin_s >= run.max_s)) {
-    refuse(fmt::format("run.wave_begin_s: value {:g} is outside the run, 0..{:g} s (run.max_s); "
-                       "only a window around run.wave_trigger may begin below 0",
-                       run.wave_begin_s, run.max_s));
+    refuse(
+        fmt::format("run.wave_begin_s: value {:g} is outside the run, 0..{:g} s (run.max_s); "
+                    "only a window around run.wave_trigger may begin below 0",
+                    run.wave_begin_s, run.max_s));
   }
   const double length = own ? run.wave_end_s - run.wave_begin_s : kung::kEveryWindowS;
   if (run.wave_every_s != 0 && run.wave_every_s < length) {
@@ -172,8 +177,8 @@ void announce_waves(const Options& options) {
 }
 
 bool fst_to_vcd(const fs::path& fst, const fs::path& vcd) {
-  const std::string command = fmt::format("exec fst2vcd -f {} -o {} > /dev/null 2>&1",
-                                          shell_word(fst), shell_word(vcd));
+  const std::string command =
+      fmt::format("exec fst2vcd -f {} -o {} > /dev/null 2>&1", shell_word(fst), shell_word(vcd));
   std::error_code ignored;
   const bool good = std::system(command.c_str()) == 0 && fs::file_size(vcd, ignored) > 0;
   fs::remove(good ? fst : vcd, ignored);
@@ -184,7 +189,7 @@ std::string placed_view(const std::string& text, const fs::path& waves,
                         const kung::Result& result) {
   const kung::WaveSpan first = result.waves.front();
   constexpr int kNsPerClock = 20;
-  constexpr double kFrames = 1060.0 / 200;  // width of the view's waves; GTKWave counts 200 pixels
+  constexpr double kFrames = 1045.0 / 200;  // width of the view's waves; GTKWave counts 200 pixels
   std::string markers;
   for (std::size_t i = 0; i < kMarkers; ++i) {
     const bool used = result.waves.size() > 1 && i < result.waves.size();
@@ -192,10 +197,9 @@ std::string placed_view(const std::string& text, const fs::path& waves,
   }
   const double zoom =
       -std::log2(static_cast<double>(first.end - first.begin) * kNsPerClock / kFrames);
-  std::string placed = fmt::format("[dumpfile] \"{0}\"\n[savefile] \"{1}\"\n[timestart] {2}\n",
-                                   waves.string(),
-                                   fs::path(waves).replace_extension("gtkw").string(),
-                                   first.begin * kNsPerClock);
+  std::string placed =
+      fmt::format("[dumpfile] \"{0}\"\n[savefile] \"{1}\"\n[timestart] {2}\n", waves.string(),
+                  fs::path(waves).replace_extension("gtkw").string(), first.begin * kNsPerClock);
   placed += fmt::format("*{:.6f} {}{}\n", zoom,
                         result.wave_trigger ? *result.wave_trigger * kNsPerClock : -1, markers);
   std::istringstream lines(text);
@@ -268,7 +272,9 @@ nlohmann::ordered_json waves_json(const Options& options, const kung::Result& re
     json["trigger"] = trigger_text(options);
     json["trigger_s"] = seconds_of(*result.wave_trigger, options);
   }
-  for (const kung::WaveSpan& span : result.waves) {
+  json["windows"] = result.waves.size();
+  for (std::size_t i = 0; i < std::min(result.waves.size(), kListed); ++i) {
+    const kung::WaveSpan& span = result.waves[i];
     json["windows_s"].push_back({seconds_of(span.begin, options), seconds_of(span.end, options)});
   }
   return json;

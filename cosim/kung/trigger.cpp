@@ -99,8 +99,8 @@ void compare(Trigger& trigger, const std::string& name, const std::string& op,
   const std::int64_t span = std::int64_t{1} << signal.bits;
   const std::int64_t low = signal.is_signed ? -span / 2 : 0;
   if (errno != 0 || trigger.value < low || trigger.value >= low + span) {
-    throw std::invalid_argument(fmt::format("{}: value {} is out of range {}..{}", name, number,
-                                            low, low + span - 1));
+    throw std::invalid_argument(
+        fmt::format("{}: value {} is out of range {}..{}", name, number, low, low + span - 1));
   }
 }
 
@@ -142,7 +142,7 @@ Trigger parse_trigger(const std::string& text) {
     trigger.edge = edge_of(part[1]);
   } else if (part[2].matched) {
     name_signal(trigger, part[3]);
-    trigger.when = part[2] == "rise" ? When::kRises
+    trigger.when = part[2] == "rise"   ? When::kRises
                    : part[2] == "fall" ? When::kFalls
                                        : When::kChanges;
   } else if (part[4].matched) {
@@ -173,23 +173,34 @@ std::vector<std::string> trigger_names() {
 
 bool TriggerSearch::holds(std::int64_t value) const {
   switch (trigger_.relation) {
-    case Relation::kEqual: return value == trigger_.value;
-    case Relation::kNotEqual: return value != trigger_.value;
-    case Relation::kLess: return value < trigger_.value;
-    case Relation::kLessEqual: return value <= trigger_.value;
-    case Relation::kGreater: return value > trigger_.value;
-    case Relation::kGreaterEqual: return value >= trigger_.value;
+    case Relation::kEqual:
+      return value == trigger_.value;
+    case Relation::kNotEqual:
+      return value != trigger_.value;
+    case Relation::kLess:
+      return value < trigger_.value;
+    case Relation::kLessEqual:
+      return value <= trigger_.value;
+    case Relation::kGreater:
+      return value > trigger_.value;
+    case Relation::kGreaterEqual:
+      return value >= trigger_.value;
   }
   return false;
 }
 
 bool TriggerSearch::fires(std::int64_t before, std::int64_t now) const {
   switch (trigger_.when) {
-    case When::kAt: return false;
-    case When::kHolds: return holds(now) && !holds(before);
-    case When::kRises: return now > before;
-    case When::kFalls: return now < before;
-    case When::kChanges: return now != before;
+    case When::kAt:
+      return false;
+    case When::kHolds:
+      return holds(now) && !holds(before);
+    case When::kRises:
+      return now > before;
+    case When::kFalls:
+      return now < before;
+    case When::kChanges:
+      return now != before;
   }
   return false;
 }

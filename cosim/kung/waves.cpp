@@ -8,9 +8,7 @@
 namespace trammel::kung {
 
 namespace {
-bool default_window(const RunOptions& run) {
-  return run.wave_begin_s == 0 && run.wave_end_s == 0;
-}
+bool default_window(const RunOptions& run) { return run.wave_begin_s == 0 && run.wave_end_s == 0; }
 }  // namespace
 
 std::optional<Trigger> wave_trigger(const RunOptions& run) {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <catch2/catch.hpp>
+#include "cosim/kung/trigger.hpp"
 
 #include <algorithm>
+#include <catch2/catch.hpp>
 #include <map>
-
-#include "cosim/kung/trigger.hpp"
 
 using namespace trammel;
 using namespace trammel::kung;
@@ -17,8 +16,8 @@ struct FakeChip final : SignalReader {
   std::map<std::string, std::int64_t> values;  // "x.e", "TICK"
   std::int64_t read(std::size_t signal, int axis) const override {
     const Signal& s = signals()[signal];
-    const auto found = values.find((s.of_axis ? (axis == 0 ? "x." : "y.") : "") +
-                                   std::string(s.name));
+    const auto found =
+        values.find((s.of_axis ? (axis == 0 ? "x." : "y.") : "") + std::string(s.name));
     return found == values.end() ? 0 : found->second;
   }
 };

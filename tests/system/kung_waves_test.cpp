@@ -3,7 +3,6 @@
 // Triggers on the full machine: the events they name are where other evidence says they are, the
 // signals they read are what the bus reads, and looking changes nothing.
 #include <catch2/catch.hpp>
-
 #include <filesystem>
 
 #include "cosim/direct.hpp"

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <catch2/catch.hpp>
+#include "testbench/waves.hpp"
 
+#include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
-
 #include <nlohmann/json.hpp>
 
 #include "testbench/config.hpp"
 #include "testbench/run.hpp"
-#include "testbench/waves.hpp"
 
 using namespace trammel;
 using namespace trammel::testbench;
@@ -112,9 +111,8 @@ TEST_CASE("an unknown signal of a trigger is met with a suggestion") {
 
 TEST_CASE("waves that cannot be are refused before the run") {
   WaveArguments arguments;
-  for (std::string WaveArguments::* member :
-       {&WaveArguments::window, &WaveArguments::trigger, &WaveArguments::pre,
-        &WaveArguments::every}) {
+  for (std::string WaveArguments::*member : {&WaveArguments::window, &WaveArguments::trigger,
+                                             &WaveArguments::pre, &WaveArguments::every}) {
     arguments = {};
     arguments.*member = "1ms";
     CHECK_THAT(message_of(arguments), Contains("needs --wave vcd or --wave fst"));
@@ -176,6 +174,7 @@ TEST_CASE("waves stand with their view, their windows and the trigger's time in 
   CHECK(json["waves"]["file"] == "waves.fst");
   CHECK(json["waves"]["trigger"] == "x.e > 100");
   CHECK(json["waves"]["trigger_s"] == Approx(1e-3));
+  CHECK(json["waves"]["windows"] == 1);
   CHECK(json["waves"]["windows_s"][0][1] == Approx(2.8e-3));
   const std::string view = content(scratch.path / "a" / "waves.gtkw");
   CHECK_THAT(view, Contains("[dumpfile] \"" + (scratch.path / "a" / "waves.fst").string() + '"'));

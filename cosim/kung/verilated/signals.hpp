@@ -23,16 +23,18 @@ constexpr std::int64_t bits_of(std::uint64_t value, int bits, bool is_signed) {
   return static_cast<std::int64_t>(low) - (negative ? std::int64_t{1} << bits : 0);
 }
 
-#define TRAMMEL_IN_AXIS(path)                                             \
+#define TRAMMEL_IN_AXIS(path)                                                       \
   (axis == 0 ? root.kung_xy__DOT__gen_axis__BRA__0__KET____DOT__u_axis__DOT__##path \
              : root.kung_xy__DOT__gen_axis__BRA__1__KET____DOT__u_axis__DOT__##path)
 #define TRAMMEL_STORED(field) root.kung_xy__DOT__u_regs__DOT__field_storage_##field##_value
 #define TRAMMEL_STORED_AXIS(field) \
   (axis == 0 ? TRAMMEL_STORED(x_##field) : TRAMMEL_STORED(y_##field))
-#define TRAMMEL_ROW(name, bits, is_signed, of_axis, value, help)                       \
-  {{name, help, bits, is_signed, of_axis}, [](const Root& root, [[maybe_unused]] int axis) { \
-     return bits_of(static_cast<std::uint64_t>(value), bits, is_signed);               \
-   }}
+#define TRAMMEL_ROW(name, bits, is_signed, of_axis, value, help)                              \
+  {                                                                                           \
+    {name, help, bits, is_signed, of_axis}, [](const Root& root, [[maybe_unused]] int axis) { \
+      return bits_of(static_cast<std::uint64_t>(value), bits, is_signed);                     \
+    }                                                                                         \
+  }
 
 // Signed and unsigned values of an axis; plain names are the words of trace.csv and the block
 // pages, upper-case ones the register map's.

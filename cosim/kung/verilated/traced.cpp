@@ -26,8 +26,10 @@ class FstTrace {
     file_ = std::make_unique<VerilatedFstC>();
     file_->set_time_unit("1ns");
     file_->set_time_resolution("1ns");
-    // The chip's own scope only: around it Verilator repeats its ports.
+    // The chip's own scope only: around it Verilator repeats its ports. Its name begins with the
+    // space behind the empty name of the model, in newer Verilators not.
     file_->dumpvars(99, " kung_xy");
+    file_->dumpvars(99, "kung_xy");
     model.trace(file_.get(), 99);
     file_->open(name_.c_str());
     if (!file_->isOpen()) throw std::runtime_error("cannot write waves: " + name_);
