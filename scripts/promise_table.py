@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """The table of all promises in docs/proofs.md: names and controls from the properties files,
-sentences from the blocks' pages."""
+sentences from the blocks' pages; a promise without one is its own, for its name is a sentence."""
 
 import sys
 
@@ -11,19 +11,17 @@ MARK = "<!-- The rest is written by scripts/prove.py --table. -->\n"
 
 
 def block_rows(block):
-    """Lines of the table; raises when page and properties do not name the same promises."""
+    """Lines of the table; raises when the page names a promise that is none."""
     props = properties.read(block)
     said = properties.sentences(block)
-    for name in props.promises:
-        if name not in said:
-            raise properties.PropertiesError(f"rtl/{block}.md: no sentence for promise {name}")
     for name in said:
         if name not in props.promises:
             raise properties.PropertiesError(f"rtl/{block}.md: {name} is not promised")
     yield f"\n### {block}\n\n| promise | sentence | controls |\n|---|---|---|\n"
     for name in props.promises:
         controls = sum(name in control.promises for control in props.controls)
-        yield f"| `{name}` | {said[name]} | {controls} |\n"
+        sentence = said.get(name, f"{name.replace('_', ' ')}.")
+        yield f"| `{name}` | {sentence} | {controls} |\n"
 
 
 def run(check):
