@@ -175,7 +175,8 @@ def risen(text):
     return {int(output): int(clock) for output, clock in found}
 
 
-def reach(folder, name, labels, frames, limit):
-    """{label: clock at which its output of name.aig rises}, by bounded search."""
-    text = abc(folder, f"read_aiger {name}.aig; bmc3 -a -F {frames} -T {limit}", limit + 30)
+def reach(folder, name, labels, frames, limit, begin=0):
+    """{label: clock, not before begin, at which its output of name.aig rises}; bounded search."""
+    text = abc(folder, f"read_aiger {name}.aig; bmc3 -a -S {begin} -F {frames} -T {limit}",
+               limit + 30)
     return {labels[n]: clock for n, clock in risen(text).items()}

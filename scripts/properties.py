@@ -49,6 +49,7 @@ class Properties:
     configurations: list[list[str]] = field(default_factory=list)  # of Name=value
     depth: int = 4  # of the induction, in clocks
     frames: int = 100  # depth of the search for covers and refutations
+    begin: int = 0  # first clock of the search for refutations
 
     @property
     def stem(self):
@@ -127,6 +128,7 @@ def read_option(props, text, where):
         case "set": props.configurations.append(words)
         case "depth": props.depth = int(words[0])
         case "frames": props.frames = int(words[0])
+        case "from": props.begin = int(words[0])
         case _: raise PropertiesError(f"{where}: unknown option {option}")
 
 

@@ -18,6 +18,7 @@ RTL, refutes the promises it names. A properties file is bound to its block and 
   // prove: set Name=value ...   a configuration; each such line is proven, controls use the first
   // prove: depth N              of the induction in clocks, default 4
   // prove: frames N             of the search for covers and refutations, default 100
+  // prove: from N               the search for refutations leaves out the clocks before N
 
 Exit codes: 0 all proven, 1 a promise is open, refuted or without control, 2 no such block,
 3 a tool is missing. Logs and models stay in build/formal/<block>.
@@ -65,7 +66,8 @@ def prove(block, limit):
     controlled = []
     for model, control in zip(controls, props.controls):
         controlled += control.promises
-        reached = formal.reach(folder, model.name, order[model.name], props.frames, limit)
+        reached = formal.reach(folder, model.name, order[model.name], props.frames, limit,
+                               props.begin)
         for label in control.promises:
             if label not in reached:
                 wrong.append(f"{label}: line {control.line}: the control '{control.old} => "

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Promises of kung_axis whatever the registers hold and whatever its controllers say: those are
+// free here, only the table's write path, the PWM and the legs are in the proof.
+
+module kung_axis_props
+  import trammel_pkg::*;
+(
+    input logic clk_i,
+    input logic rst_i,
+
+    input gap_t leap_i,
+
+    input logic        tick_cur_i,
+    input logic        tick_pos_i,
+    input logic        trip_i,
+    input logic [11:0] current_limit_i,
+    input logic [ 9:0] dead_time_min_i,
+
+    input logic [2:0] gate_hi_o,
+    input logic [2:0] gate_lo_o,
+    input logic       over_current_o,
+    input logic       stroke_o,
+    input gap_t       next_o,
+    input logic       quiescent_o,
+
+    // fields of the registers
+    input logic               enable,
+    input logic               current_loop,
+    input logic               position_loop,
+    input logic        [ 9:0] dead_time_clk,
+    input logic signed [11:0] iq_manual,
+    input logic               stroke_en,
+    input logic signed [23:0] stroke_min,
+    input logic signed [23:0] stroke_max,
+    input logic               wr_ack,
+
+    input count_t     count,
+    input count_t     x_p_q,
+    input count_t     count_cur_q,
+    input word_t      iq_afc,
+    input word_t      i_q_ref_q,
+    input word_t      i_a,
+    input word_t      i_b,
+    input logic       loop_clear,
+    input logic       afc_busy,
+    input logic       tab_request,
+    input count_t     tab_value,
+    input count_t     tab_data_q,
+    input logic       tab_pending_q,
+    input gap_t       pwm_next,
+    input gap_t       leg_next_0,
+    input gap_t       leg_next_1,
+    input gap_t       leg_next_2,
+    input logic [2:0] allowed_q,
+    input logic [9:0] count_0,
+    input logic [9:0] count_1,
+    input logic [9:0] count_2
+);
+
+  localparam logic [12:0] Long = 13'd2047;  // clocks; more than any dead time
+
+  logic live_q = 1'b0;
+  logic was_rst_q;
+
+  // ---- gates: since_q clocks after the last one in which the leg had a gate on ----
+
+  logic told, told_q;
+  logic [2:0] any, was_any_q, was_hi_q, was_lo_q, early, late, hot;
+  logic [9:0] dead;  // the larger of both registers
+  logic [12:0] passed;
+  logic [12:0] since_q[3];
+  logic [9:0] need_q[3];  // least dead time asked for in those clocks
+  logic [9:0] counts[3];
+
+  assign told   = enable && !trip_i;
+  assign any    = gate_hi_o | gate_lo_o;
+  assign dead   = dead_time_clk > dead_time_min_i ? dead_time_clk : dead_time_min_i;
+  assign passed = 13'(leap_i) + 13'd1;
+  assign counts = '{count_0, count_1, count_2};
+
+  always_comb begin
+    for (int unsigned n = 0; n < 3; n++) begin
+      early[n] = any[n] && !was_any_q[n] && since_q[n] < 13'(need_q[n]);
+      hot[n]   = any[n] && counts[n] != '0;
+      late[n]  = told_q && !any[n] && 13'(counts[n]) + since_q[n] < 13'(need_q[n]);
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (rst_i) live_q <= 1'b1;
+    was_rst_q <= rst_i;
+    told_q    <= !rst_i && told;
+    was_any_q <= any;
+    was_hi_q  <= gate_hi_o;
+    was_lo_q  <= gate_lo_o;
+    for (int unsigned n = 0; n < 3; n++) begin
+      if (rst_i || any[n]) begin
+        since_q[n] <= '0;
+        need_q[n]  <= dead;
+      end else begin
+        since_q[n] <= since_q[n] + passed >= Long ? Long : since_q[n] + passed;
+        if (dead < need_q[n]) need_q[n] <= dead;
+      end
+    end
+    if (live_q) begin
+      no_shoot_through : assert ((gate_hi_o & gate_lo_o) == '0);
+      gates_off_from_reset : assert (!was_rst_q || any == '0);
+      gates_off_unless_enabled_and_untripped : assert (told_q || any == '0);
+      dead_time_is_at_least_both_registers : assert (early == '0);
+      no_side_to_side_without_a_pause :
+      assert (was_rst_q || ((was_hi_q & gate_lo_o) | (was_lo_q & gate_hi_o)) == '0);
+      inv_told : assert (allowed_q == {3{told_q}});
+      inv_on : assert (hot == '0);
+      inv_since : assert (since_q[0] <= Long && since_q[1] <= Long && since_q[2] <= Long);
+      inv_count_0 : assert (!late[0]);
+      inv_count_1 : assert (!late[1]);
+      inv_count_2 : assert (!late[2]);
+      reaches_gates : cover (gate_hi_o == 3'b001 && gate_lo_o == 3'b110);
+    end
+  end
+
+  // ---- latches of the ticks ----
+
+  word_t chosen_q, was_i_q_q;
+  count_t count_q, was_count_cur_q, was_x_p_q;
+  logic tick_q, tick_pos_q;
+
+  always_ff @(posedge clk_i) begin
+    chosen_q        <= position_loop ? iq_afc : iq_manual;
+    count_q         <= count;
+    tick_q          <= tick_cur_i;
+    tick_pos_q      <= tick_cur_i && tick_pos_i;
+    was_i_q_q       <= i_q_ref_q;
+    was_count_cur_q <= count_cur_q;
+    was_x_p_q       <= x_p_q;
+    if (live_q && !was_rst_q) begin
+      i_q_is_the_chosen_one_of_the_tick :
+      assert (i_q_ref_q == (tick_q ? chosen_q : was_i_q_q));
+      angle_is_that_of_the_tick : assert (count_cur_q == (tick_q ? count_q : was_count_cur_q));
+      position_is_that_of_the_tick : assert (x_p_q == (tick_pos_q ? count_q : was_x_p_q));
+    end
+    if (live_q) begin
+      current_loop_rests_unless_closed : assert (loop_clear || told && current_loop);
+    end
+  end
+
+  // ---- causes of a trip ----
+
+  logic signed [13:0] limit, a, b, c;
+
+  assign limit = {2'b00, current_limit_i};
+  assign a = 14'(i_a);
+  assign b = 14'(i_b);
+  assign c = -a - b;
+
+  always_ff @(posedge clk_i) begin
+    if (live_q) begin
+      over_current_of_any_phase :
+      assert (over_current_o == (limit != '0 &&
+          (a >= limit || -a >= limit || b >= limit || -b >= limit || c >= limit || -c >= limit)));
+      stroke_is_watched_when_enabled :
+      assert (stroke_o == (stroke_en && !(count >= stroke_min && count <= stroke_max)));
+    end
+  end
+
+  // ---- table writes and quiescence ----
+
+  logic asked_q;
+  count_t asked_value_q;
+  logic was_quiescent_q;
+  logic [66:0] state, was_state_q;
+
+  assign state = {gate_hi_o, gate_lo_o, tab_pending_q, x_p_q, count_cur_q, i_q_ref_q};
+
+  always_ff @(posedge clk_i) begin
+    was_quiescent_q <= !rst_i && quiescent_o && !tab_request;  // the bus is open then
+    was_state_q     <= state;
+    if (rst_i) asked_q <= 1'b0;
+    else if (tab_request) asked_q <= 1'b1;
+    else if (!afc_busy) asked_q <= 1'b0;
+    if (tab_request) asked_value_q <= tab_value;
+    if (live_q) begin
+      table_write_waits_for_the_controller_only : assert (wr_ack == (asked_q && !afc_busy));
+      table_write_has_its_value : assert (!wr_ack || tab_data_q == asked_value_q);
+      next_is_the_least :
+      assert (next_o <= pwm_next && next_o <= leg_next_0 && next_o <= leg_next_1 &&
+          next_o <= leg_next_2);
+      quiescent_is_honest :
+      assert (!was_quiescent_q || state == was_state_q);
+      inv_asked : assert (tab_pending_q == asked_q && (!asked_q || tab_data_q == asked_value_q));
+      reaches_waiting_write : cover (asked_q && afc_busy);
+    end
+  end
+
+  // breaks no_shoot_through (gate_leg): assign lo_d  = ready && !on_i; => assign lo_d  = ready;
+  // breaks gates_off_from_reset (gate_leg): hi_q      <= 1'b0; => hi_q      <= on_i;
+  // breaks gates_off_unless_enabled_and_untripped: .trip_i     (trip_i), => .trip_i     (1'b0),
+  // breaks dead_time_is_at_least_both_registers: dead_time_min_i ? dead_time_min_i : => dead_time_min_i ? regs_i.deadtime.clk.value :
+  // breaks no_side_to_side_without_a_pause (gate_leg): ready = allowed && !change && => ready = allowed &&
+  // breaks i_q_is_the_chosen_one_of_the_tick: assign iq_ref = regs_i.ctrl => assign iq_ref = !regs_i.ctrl
+  // breaks angle_is_that_of_the_tick: count_cur_q <= count; => count_cur_q <= x_p_q;
+  // breaks position_is_that_of_the_tick: if (tick_pos_i) x_p_q <= count; => x_p_q <= count;
+  // breaks current_loop_rests_unless_closed: loop_clear = trip_i || => loop_clear =
+  // breaks over_current_of_any_phase: reached(sum_t'(i_a) + => reached(sum_t'(i_a) -
+  // breaks stroke_is_watched_when_enabled: count > count_t' => count >= count_t'
+  // breaks table_write_waits_for_the_controller_only: tab_pending_q && !afc_busy; => tab_pending_q;
+  // breaks table_write_has_its_value: tab_data_q    <= tab_value; => tab_data_q    <= tab_data_q;
+  // breaks next_is_the_least: if (leg_next[n] < next_o) => if (leg_next[n] > next_o)
+  // breaks quiescent_is_honest: !tab_pending_q && !tick_cur_i => !tick_cur_i
+
+endmodule
+
+bind kung_axis kung_axis_props u_kung_axis_props (
+    .*,
+    .enable(regs_i.ctrl.enable.value),
+    .current_loop(regs_i.ctrl.current_loop.value),
+    .position_loop(regs_i.ctrl.position_loop.value),
+    .dead_time_clk(regs_i.deadtime.clk.value),
+    .iq_manual(regs_i.iq_manual.value.value),
+    .stroke_en(regs_i.stroke_en.enable.value),
+    .stroke_min(regs_i.stroke_min.value.value),
+    .stroke_max(regs_i.stroke_max.value.value),
+    .wr_ack(regs_o.tab_data.wr_ack),
+    .leg_next_0(leg_next[0]),
+    .leg_next_1(leg_next[1]),
+    .leg_next_2(leg_next[2]),
+    .allowed_q({gen_leg[2].u_leg.allowed_q, gen_leg[1].u_leg.allowed_q,
+                gen_leg[0].u_leg.allowed_q}),
+    .count_0(gen_leg[0].u_leg.count),
+    .count_1(gen_leg[1].u_leg.count),
+    .count_2(gen_leg[2].u_leg.count)
+);
+
+// prove: cut afc current_loop adc_if qep command
