@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Check that the folders keep their promises: companions of every block, its page (opening table,
-every port), who may use whom, and the form of the files (ASCII, 100 columns, 400 lines, licence
-line, newline at the end).
+"""Check that the folders keep their promises: companions of every block (properties of every one
+with registers), its page (opening table, every port), who may use whom, and the form of the files
+(ASCII, 100 columns, 400 lines, licence line, newline at the end).
 
 usage: check_layout.py [root]         prints file:line: what is wrong; exit 1 if anything is
 
@@ -88,7 +88,7 @@ def check_form(root, path):
             yield f"{path}:1: no line SPDX-License-Identifier: Apache-2.0"
 
 
-def check_companions(files, path):
+def check_companions(root, files, path):
     layer, stem = path.parts[1], path.stem
     if stem.endswith("_props"):
         if path.with_name(stem.removesuffix("_props") + ".sv") not in files:
@@ -101,6 +101,8 @@ def check_companions(files, path):
         wanted.append(Path("tests", layer, f"{stem}_test.cpp"))
         if layer != "bus":
             wanted.append(Path("models", "exact", layer, f"{stem}.hpp"))
+    if "always_ff" in (root / path).read_text(encoding="utf-8"):
+        wanted.append(path.with_name(f"{stem}_props.sv"))
     for companion in wanted:
         if companion not in files:
             yield f"{path}: companion {companion} is missing"
@@ -183,7 +185,7 @@ def findings(root):
         if path.suffix in TEXT:
             yield from check_form(root, path)
         if path.parts[0] == "rtl" and path.suffix == ".sv" and len(path.parts) == 3:
-            yield from check_companions(files, path)
+            yield from check_companions(root, files, path)
             yield from check_page(root, path, files)
             yield from check_rtl_uses(root, path, owner)
         if path.suffix in (".hpp", ".cpp", ".h"):
