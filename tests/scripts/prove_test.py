@@ -101,7 +101,8 @@ def main():
         said = done.stdout + done.stderr
         missing = [part for part in says if part not in said]
         if done.returncode != code or missing:
-            print(f"{name}: exit code {done.returncode}, not {code}, or not said: {missing}\n{said}")
+            print(f"{name}: exit code {done.returncode}, not {code}, or not said: {missing}\n"
+                  f"{said}")
             wrong += 1
     print(f"prover: {len(CASES)} cases, {wrong} wrong")
     return int(wrong > 0)
