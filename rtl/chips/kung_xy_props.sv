@@ -273,8 +273,8 @@ module kung_xy_props
       assert ((sticky & ~was_sticky_q & ~was_events_q) == '0);
       sticky_bits_fall_by_a_written_one_only :
       assert ((was_sticky_q & ~sticky & ~ones) == '0);
-      a_written_one_clears : assert ((sticky & ones) == '0);
-      event_sets_its_bit_unless_written : assert ((was_events_q & ~written & ~sticky) == '0);
+      a_written_one_clears : assert ((sticky & ones & ~was_events_q) == '0);
+      no_event_is_lost : assert ((was_events_q & ~sticky) == '0);
       irq_is_its_enabled_causes : assert (irq_o == ((sticky[1:0] & hwif_out.irq_en) != '0));
       trips_at_the_next_clock : assert (!was_cause_q || trip);
       trips_for_a_cause_only : assert (!trip || was_trip_q || was_cause_q);
@@ -353,7 +353,7 @@ module kung_xy_props
   // breaks limits_move_by_unlocked_writes_only (kung_xy_regs): decoded_addr == 10'h224 && => decoded_addr[7:2] == 6'h09 &&
   // breaks limits_reach_both_axes (kung_axis): < dead_time_min_i ? dead_time_min_i => < dead_time_min_i ? 10'd25
   // breaks limits_reach_both_axes: hwif_out.current_limit.value.value) => hwif_out.current_limit.value.value >> n)
-  // breaks sticky_bits_rise_by_their_event_only, event_sets_its_bit_unless_written: hwset       = tick_irq; => hwset       = trip;
+  // breaks sticky_bits_rise_by_their_event_only, no_event_is_lost: hwset       = tick_irq; => hwset       = trip;
   // breaks sticky_bits_fall_by_a_written_one_only, a_written_one_clears (kung_xy_regs): y_status_limited_value & ~(decoded_wr_data[4:4] & => y_status_limited_value & ~(decoded_wr_data[3:3] &
   // breaks irq_is_its_enabled_causes: hwif_out.irq_stat.fault.value && => tick_irq &&
   // breaks trips_at_the_next_clock: (stroke), => (stroke & enabled),

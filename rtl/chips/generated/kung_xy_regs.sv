@@ -821,10 +821,10 @@ module kung_xy_regs (
     always_ff @(posedge clk_i) begin
         if(rst_i) begin
             field_storage_x_status_overrun_value <= 1'h0;
-        end else if(decoded_reg_strb_x_status && decoded_req_is_wr) begin // SW write 1 clear
-            field_storage_x_status_overrun_value <= field_storage_x_status_overrun_value & ~(decoded_wr_data[1:1] & decoded_wr_biten[1:1]);
         end else if(hwif_in_x_status_overrun_hwset) begin // HW Set
             field_storage_x_status_overrun_value <= '1;
+        end else if(decoded_reg_strb_x_status && decoded_req_is_wr) begin // SW write 1 clear
+            field_storage_x_status_overrun_value <= field_storage_x_status_overrun_value & ~(decoded_wr_data[1:1] & decoded_wr_biten[1:1]);
         end
     end
     assign hwif_out.x.status.overrun.value = field_storage_x_status_overrun_value;
@@ -832,10 +832,10 @@ module kung_xy_regs (
     always_ff @(posedge clk_i) begin
         if(rst_i) begin
             field_storage_x_status_qep_error_value <= 1'h0;
-        end else if(decoded_reg_strb_x_status && decoded_req_is_wr) begin // SW write 1 clear
-            field_storage_x_status_qep_error_value <= field_storage_x_status_qep_error_value & ~(decoded_wr_data[2:2] & decoded_wr_biten[2:2]);
         end else if(hwif_in_x_status_qep_error_hwset) begin // HW Set
             field_storage_x_status_qep_error_value <= '1;
+        end else if(decoded_reg_strb_x_status && decoded_req_is_wr) begin // SW write 1 clear
+            field_storage_x_status_qep_error_value <= field_storage_x_status_qep_error_value & ~(decoded_wr_data[2:2] & decoded_wr_biten[2:2]);
         end
     end
     assign hwif_out.x.status.qep_error.value = field_storage_x_status_qep_error_value;
@@ -843,10 +843,10 @@ module kung_xy_regs (
     always_ff @(posedge clk_i) begin
         if(rst_i) begin
             field_storage_x_status_saturated_value <= 1'h0;
-        end else if(decoded_reg_strb_x_status && decoded_req_is_wr) begin // SW write 1 clear
-            field_storage_x_status_saturated_value <= field_storage_x_status_saturated_value & ~(decoded_wr_data[3:3] & decoded_wr_biten[3:3]);
         end else if(hwif_in_x_status_saturated_hwset) begin // HW Set
             field_storage_x_status_saturated_value <= '1;
+        end else if(decoded_reg_strb_x_status && decoded_req_is_wr) begin // SW write 1 clear
+            field_storage_x_status_saturated_value <= field_storage_x_status_saturated_value & ~(decoded_wr_data[3:3] & decoded_wr_biten[3:3]);
         end
     end
     assign hwif_out.x.status.saturated.value = field_storage_x_status_saturated_value;
@@ -854,10 +854,10 @@ module kung_xy_regs (
     always_ff @(posedge clk_i) begin
         if(rst_i) begin
             field_storage_x_status_limited_value <= 1'h0;
-        end else if(decoded_reg_strb_x_status && decoded_req_is_wr) begin // SW write 1 clear
-            field_storage_x_status_limited_value <= field_storage_x_status_limited_value & ~(decoded_wr_data[4:4] & decoded_wr_biten[4:4]);
         end else if(hwif_in_x_status_limited_hwset) begin // HW Set
             field_storage_x_status_limited_value <= '1;
+        end else if(decoded_reg_strb_x_status && decoded_req_is_wr) begin // SW write 1 clear
+            field_storage_x_status_limited_value <= field_storage_x_status_limited_value & ~(decoded_wr_data[4:4] & decoded_wr_biten[4:4]);
         end
     end
     assign hwif_out.x.status.limited.value = field_storage_x_status_limited_value;
@@ -919,10 +919,10 @@ module kung_xy_regs (
     always_ff @(posedge clk_i) begin
         if(rst_i) begin
             field_storage_y_status_overrun_value <= 1'h0;
-        end else if(decoded_reg_strb_y_status && decoded_req_is_wr) begin // SW write 1 clear
-            field_storage_y_status_overrun_value <= field_storage_y_status_overrun_value & ~(decoded_wr_data[1:1] & decoded_wr_biten[1:1]);
         end else if(hwif_in_y_status_overrun_hwset) begin // HW Set
             field_storage_y_status_overrun_value <= '1;
+        end else if(decoded_reg_strb_y_status && decoded_req_is_wr) begin // SW write 1 clear
+            field_storage_y_status_overrun_value <= field_storage_y_status_overrun_value & ~(decoded_wr_data[1:1] & decoded_wr_biten[1:1]);
         end
     end
     assign hwif_out.y.status.overrun.value = field_storage_y_status_overrun_value;
@@ -930,10 +930,10 @@ module kung_xy_regs (
     always_ff @(posedge clk_i) begin
         if(rst_i) begin
             field_storage_y_status_qep_error_value <= 1'h0;
-        end else if(decoded_reg_strb_y_status && decoded_req_is_wr) begin // SW write 1 clear
-            field_storage_y_status_qep_error_value <= field_storage_y_status_qep_error_value & ~(decoded_wr_data[2:2] & decoded_wr_biten[2:2]);
         end else if(hwif_in_y_status_qep_error_hwset) begin // HW Set
             field_storage_y_status_qep_error_value <= '1;
+        end else if(decoded_reg_strb_y_status && decoded_req_is_wr) begin // SW write 1 clear
+            field_storage_y_status_qep_error_value <= field_storage_y_status_qep_error_value & ~(decoded_wr_data[2:2] & decoded_wr_biten[2:2]);
         end
     end
     assign hwif_out.y.status.qep_error.value = field_storage_y_status_qep_error_value;
@@ -941,10 +941,10 @@ module kung_xy_regs (
     always_ff @(posedge clk_i) begin
         if(rst_i) begin
             field_storage_y_status_saturated_value <= 1'h0;
-        end else if(decoded_reg_strb_y_status && decoded_req_is_wr) begin // SW write 1 clear
-            field_storage_y_status_saturated_value <= field_storage_y_status_saturated_value & ~(decoded_wr_data[3:3] & decoded_wr_biten[3:3]);
         end else if(hwif_in_y_status_saturated_hwset) begin // HW Set
             field_storage_y_status_saturated_value <= '1;
+        end else if(decoded_reg_strb_y_status && decoded_req_is_wr) begin // SW write 1 clear
+            field_storage_y_status_saturated_value <= field_storage_y_status_saturated_value & ~(decoded_wr_data[3:3] & decoded_wr_biten[3:3]);
         end
     end
     assign hwif_out.y.status.saturated.value = field_storage_y_status_saturated_value;
@@ -952,10 +952,10 @@ module kung_xy_regs (
     always_ff @(posedge clk_i) begin
         if(rst_i) begin
             field_storage_y_status_limited_value <= 1'h0;
-        end else if(decoded_reg_strb_y_status && decoded_req_is_wr) begin // SW write 1 clear
-            field_storage_y_status_limited_value <= field_storage_y_status_limited_value & ~(decoded_wr_data[4:4] & decoded_wr_biten[4:4]);
         end else if(hwif_in_y_status_limited_hwset) begin // HW Set
             field_storage_y_status_limited_value <= '1;
+        end else if(decoded_reg_strb_y_status && decoded_req_is_wr) begin // SW write 1 clear
+            field_storage_y_status_limited_value <= field_storage_y_status_limited_value & ~(decoded_wr_data[4:4] & decoded_wr_biten[4:4]);
         end
     end
     assign hwif_out.y.status.limited.value = field_storage_y_status_limited_value;
@@ -1012,10 +1012,10 @@ module kung_xy_regs (
     always_ff @(posedge clk_i) begin
         if(rst_i) begin
             field_storage_irq_stat_tick_value <= 1'h0;
-        end else if(decoded_reg_strb_irq_stat && decoded_req_is_wr) begin // SW write 1 clear
-            field_storage_irq_stat_tick_value <= field_storage_irq_stat_tick_value & ~(decoded_wr_data[0:0] & decoded_wr_biten[0:0]);
         end else if(hwif_in_irq_stat_tick_hwset) begin // HW Set
             field_storage_irq_stat_tick_value <= '1;
+        end else if(decoded_reg_strb_irq_stat && decoded_req_is_wr) begin // SW write 1 clear
+            field_storage_irq_stat_tick_value <= field_storage_irq_stat_tick_value & ~(decoded_wr_data[0:0] & decoded_wr_biten[0:0]);
         end
     end
     assign hwif_out.irq_stat.tick.value = field_storage_irq_stat_tick_value;
@@ -1023,10 +1023,10 @@ module kung_xy_regs (
     always_ff @(posedge clk_i) begin
         if(rst_i) begin
             field_storage_irq_stat_fault_value <= 1'h0;
-        end else if(decoded_reg_strb_irq_stat && decoded_req_is_wr) begin // SW write 1 clear
-            field_storage_irq_stat_fault_value <= field_storage_irq_stat_fault_value & ~(decoded_wr_data[1:1] & decoded_wr_biten[1:1]);
         end else if(hwif_in_irq_stat_fault_hwset) begin // HW Set
             field_storage_irq_stat_fault_value <= '1;
+        end else if(decoded_reg_strb_irq_stat && decoded_req_is_wr) begin // SW write 1 clear
+            field_storage_irq_stat_fault_value <= field_storage_irq_stat_fault_value & ~(decoded_wr_data[1:1] & decoded_wr_biten[1:1]);
         end
     end
     assign hwif_out.irq_stat.fault.value = field_storage_irq_stat_fault_value;
