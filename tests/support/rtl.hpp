@@ -18,6 +18,14 @@
 
 namespace trammel::test {
 
+// Verilator's scopes leave the context of the thread, whichever was evaluated last: before a model
+// ends it must be the model's own, for the last one may be gone.
+template <class Model>
+void end_model(const std::shared_ptr<VerilatedContext>& context, std::shared_ptr<Model>& model) {
+  Verilated::threadContextp(context.get());
+  model.reset();
+}
+
 #ifdef TRAMMEL_COVERAGE
 struct Covered {
   struct Instance {
@@ -34,6 +42,7 @@ struct Covered {
     std::size_t n = 0;
     for (; n < instances.size(); ++n) instances[n].context->coveragep()->write(file(n).c_str());
     while (std::remove(file(n).c_str()) == 0) ++n;  // of an earlier run with more of them
+    for (Instance& one : instances) end_model(one.context, one.model);
   }
 };
 
@@ -58,7 +67,10 @@ class Rtl {
     model_->eval();
   }
 
-  ~Rtl() { model_->final(); }
+  ~Rtl() {
+    model_->final();
+    end_model(context_, model_);
+  }
 
   Rtl(const Rtl&) = delete;
   Rtl& operator=(const Rtl&) = delete;

@@ -66,7 +66,11 @@ class ChipModel final : public KungChip {
     remember_outputs();
   }
 
-  ~ChipModel() override { model_->final(); }
+  // The model leaves the context of the thread, which else is that of the chip evaluated last.
+  ~ChipModel() override {
+    Verilated::threadContextp(context_.get());
+    model_->final();
+  }
 
   cosim::Clk now() const override { return now_; }
   cosim::Clk evaluated() const override { return evaluated_; }
