@@ -33,12 +33,13 @@ struct Covered {
     std::shared_ptr<void> model;
   };
 
-  const char* name = std::getenv("TRAMMEL_COVERAGE");
+  const char* name = std::getenv("TRAMMEL_COVERAGE");  // nullptr: nothing is left
   std::vector<Instance> instances;
 
   std::string file(std::size_t n) const { return name + ("." + std::to_string(n)); }
 
   ~Covered() {
+    if (name == nullptr) return;
     std::size_t n = 0;
     for (; n < instances.size(); ++n) instances[n].context->coveragep()->write(file(n).c_str());
     while (std::remove(file(n).c_str()) == 0) ++n;  // of an earlier run with more of them
