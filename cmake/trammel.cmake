@@ -96,7 +96,8 @@ function(trammel_unit_model source test)
   set_source_files_properties(${files} PROPERTIES UNITY_GROUP ${block})
 endfunction()
 
-# rtl/<layer>/<block>.sv with tests/<layer>/<block>_test.cpp: lint test, verilated model, unit test.
+# rtl/<layer>/<block>.sv with tests/<layer>/<block>_test.cpp: lint test, verilated model, unit test;
+# a long test has parts, <block>_<part>_test.cpp.
 # The unit tests leave their counts of coverage for the test coverage.rtl.
 function(trammel_add_blocks)
   file(GLOB rtl CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/rtl/*/*.sv)
@@ -126,6 +127,8 @@ function(trammel_add_blocks)
     if(EXISTS ${test})
       trammel_unit_model(${source} ${test})
       trammel_test(${block}_test ${test} unit.${layer}.${block} trammel_rtl trammel_models)
+      file(GLOB parts CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${layer}/${block}_*_test.cpp)
+      target_sources(${block}_test PRIVATE ${parts})
       set_tests_properties(unit.${layer}.${block} PROPERTIES FIXTURES_SETUP rtl_coverage
         ENVIRONMENT TRAMMEL_COVERAGE=${PROJECT_BINARY_DIR}/coverage/rtl/${layer}.${block}.dat)
     endif()

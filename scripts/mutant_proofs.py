@@ -9,41 +9,37 @@ Leaps are those that math/timer permits: while quiescent, by less than next_o.
 import re
 
 import formal
+import mutant_pair
 import mutants
 import properties
 
 FRAMES = 60  # clocks of the search for the outputs in which a mutant differs
 
-# The block and a mutant side by side; a mutant of the number 0 is the control.
-MITER = """read_rtlil plain.il
+# The block, or all of its mutants, with its outputs and whether they matter.
+NETLIST = """read_rtlil {name}.il
 hierarchy -top {top}
-flatten
-opt_clean
-rename {top} gold
-design -stash gold
-read_rtlil mutants.il
-rename {top} gate
-cd gate
-connect -set {selector} {width}'d{number}
-cd ..
-design -stash gate
-read_verilog miter.v
+{choose}
+rename {top} block
+read_verilog around.v
 proc
-design -copy-from gold -as gold gold
-design -copy-from gate -as gate gate
-hierarchy -check -top miter
+hierarchy -check -top around
 flatten
 memory_map
-opt -full
+opt_expr
+opt_clean
 formalff -clk2ff
 setundef -undriven -init -zero
-opt -full
 techmap
-opt -fast
+opt_expr
 dffunmap
 aigmap
 opt_clean
-write_aiger -zinit miter.aig
+write_aiger -zinit -map {name}.map {name}.aig
+"""
+CHOOSE = """cd {top}
+add -input choose {width}
+connect -set {selector} choose
+cd ..
 """
 
 
@@ -54,51 +50,60 @@ def ports(netlist):
     return [(direction, width.strip(), name) for direction, width, name in found]
 
 
-def write_miter(block):
-    """miter.v: one output `differ_<name>` an output of the block; returns their names."""
-    folder = mutants.folder_of(block)
+def write_netlists(block):
+    """plain.aig and mutants.aig: the block's outputs, and `care`, which a leap too far ends."""
+    folder, top = mutants.folder_of(block), block.split("/")[1]
     pins = ports(folder / "mutants.v")
-    inputs = [(width, name) for direction, width, name in pins if direction == "input"]
-    outputs = [(width, name) for direction, width, name in pins if direction == "output"]
-    head = [f"input {width} {name}" for width, name in inputs]
-    head += [f"output differ_{name}" for _, name in outputs]
-    names = {name for _, name in inputs + outputs}
-    lines = ["module miter(", ",\n".join(head), ");", "reg live = 1'b0;", "reg legal = 1'b1;",
-             "always @(posedge clk_i) if (rst_i) live <= 1'b1;"]
+    names = {name for _, _, name in pins}
+    lines = ["reg live = 1'b0;", "reg legal = 1'b1;",
+             "always @(posedge clk_i) if (rst_i) live <= 1'b1;", "assign care = live && legal;"]
     if {"leap_i", "next_o"} <= names:
-        still = " || !gold_quiescent_o" if "quiescent_o" in names else ""
-        lines.append(f"always @(posedge clk_i) if (leap_i != 0 && (leap_i >= gold_next_o{still})) "
+        still = " || !quiescent_o" if "quiescent_o" in names else ""
+        lines.append(f"always @(posedge clk_i) if (leap_i != 0 && (leap_i >= next_o{still})) "
                      "legal <= 1'b0;")
-    for module in ("gold", "gate"):
-        lines += [f"wire {width} {module}_{name};" for width, name in outputs]
-        links = [f".{name}({name})" for _, name in inputs]
-        links += [f".{name}({module}_{name})" for _, name in outputs]
-        lines.append(f"{module} u_{module} ({', '.join(links)});")
-    lines += [f"assign differ_{name} = live && legal && gold_{name} != gate_{name};"
-              for _, name in outputs]
-    (folder / "miter.v").write_text("\n".join([*lines, "endmodule", ""]), encoding="utf-8")
-    return [name for _, name in outputs]
+    select = (f"input [{mutants.WIDTH - 1}:0] choose", [".choose(choose)"])
+    for name, (port, link) in (("plain", (None, [])), ("mutants", select)):
+        head = [f"{direction} {width} {pin}" for direction, width, pin in pins]
+        head += [port] if port else []
+        links = ", ".join([f".{pin}({pin})" for _, _, pin in pins] + link)
+        (folder / "around.v").write_text("\n".join([
+            "module around(", ",\n".join([*head, "output care"]), ");", *lines,
+            f"block u_block ({links});", "endmodule", ""]), encoding="utf-8")
+        choose = CHOOSE.format(top=top, selector=mutants.SELECTOR, width=mutants.WIDTH)
+        mutants.yosys(NETLIST.format(name=name, top=top, choose=choose if port else ""), folder,
+                      f"{name}_aig")
 
 
-def compare(block, number, outputs, limit):
-    """("equivalent", kind of proof), or ("different" | "open", what is known)."""
+def compare(block, number, limit):
+    """("equivalent", kind of proof), or ("different" | "open", what is known).
+
+    The mutant of the number 0 is the control: none of them, against the block itself.
+    """
     folder = mutants.folder_of(block)
-    mutants.yosys(MITER.format(top=block.split("/")[1], selector=mutants.SELECTOR,
-                               width=mutants.WIDTH, number=number), folder, "miter")
-    read = "read_aiger miter.aig; orpos; scleanup; scorr; dc2; scorr"
-    # Where all registers were equal pairs, nothing sequential is left.
-    if "UNSATISFIABLE" in formal.abc(folder, f"{read}; iprove", limit):
+    gate = mutant_pair.read(folder / "mutants")
+    gold = gate if number else mutant_pair.read(folder / "plain")
+    mutant_pair.Pair(gold, gate, "choose", number).step(folder / "step.aig")
+    if "UNSATISFIABLE" in formal.abc(folder, "read_aiger step.aig; iprove", limit):
         return "equivalent", "induction"
+    outputs = mutant_pair.Pair(gold, gate, "choose", number).chase(folder / "chase.aig")
+    (folder / "less.aig").unlink(missing_ok=True)
+    text = formal.abc(folder, "read_aiger chase.aig; orpos; scleanup; scorr; dc2; scorr; "
+                              "write_aiger less.aig; iprove", 2 * limit)
+    # Where all registers were equal pairs, nothing sequential is left.
+    if "UNSATISFIABLE" in text:
+        return "equivalent", "induction"
+    if not (folder / "less.aig").exists():
+        return "open", f"neither proven nor found different in {3 * limit} s"
     for engine in ("pdr", "dprove"):
-        text = formal.abc(folder, f"{read}; {engine} -T {limit}", 3 * limit)
+        text = formal.abc(folder, f"read_aiger less.aig; {engine} -T {limit}", 2 * limit)
         if re.search("Property proved|Networks are equivalent", text):
             return "equivalent", "reachability"
         late = re.search(r"was asserted in frame (\d+)", text)
         if late:
-            seen = formal.reach(folder, "miter", outputs, min(int(late[1]) + 1, FRAMES), limit)
+            seen = formal.reach(folder, "chase", outputs, min(int(late[1]) + 1, FRAMES), limit)
             words = [f"{name} at clock {clock}" for name, clock in sorted(seen.items())]
             return "different", "differs in " + (", ".join(words) or f"clock {late[1]}")
-    return "open", f"neither proven nor found different in {2 * limit} s"
+    return "open", f"neither proven nor found different in {5 * limit} s"
 
 
 def refuted_by(block, number, limit):

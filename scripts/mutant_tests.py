@@ -33,6 +33,12 @@ def test_of(block):
     return ROOT / "tests" / layer / f"{CHIP if layer == 'chips' else stem}_test.cpp"
 
 
+def files_of(block):
+    """The test, and its parts <stem>_<part>_test.cpp."""
+    test = test_of(block)
+    return [test, *sorted(test.parent.glob(f"{test.stem.removesuffix('_test')}_*_test.cpp"))]
+
+
 def build(block):
     """Compiles the test with the mutants; returns the program."""
     folder, (layer, stem) = mutants.folder_of(block), block.split("/")
@@ -49,7 +55,7 @@ def build(block):
                "-Wno-fatal", "-Wno-lint", "-fno-dfg",
                "--top-module", top, "--prefix", f"V{top}", "--Mdir", str(folder / "obj"),
                "-CFLAGS", f"-std=c++17 -I{ROOT}", "-o", "mutants", *search,
-               f"-I{RTL}/chips/generated", *rtl, str(netlist), str(test_of(block)),
+               f"-I{RTL}/chips/generated", *rtl, str(netlist), *map(str, files_of(block)),
                str(ROOT / "tests" / "support" / "mutant.cpp"), *main]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False,
                           env={**os.environ, "OBJCACHE": "ccache"})

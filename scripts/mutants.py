@@ -20,7 +20,9 @@ SELECTOR = "trammel_mutant"
 WIDTH = 8  # bits of the selector; 0 selects no mutant
 COUNT = 200
 SEED = 1
-SPARE = 200  # listed beyond COUNT, since clock pins are dropped
+SPARE = 200  # listed beyond COUNT, since some pins are dropped
+# Clocks, and pins that a memory has for other kinds of read ports than ours.
+EXEMPT = {"CLK", "clk_i", "WR_CLK", "RD_CLK", "RD_EN", "RD_ARST", "RD_SRST"}
 
 # Enables become part of the registers: a stuck or inverted output would else feed itself back while
 # nothing happens. Resets stay in the data path, so that their values can be changed.
@@ -100,10 +102,6 @@ def field(command, name):
     return found[1] if found else None
 
 
-def is_clock(command):
-    return field(command, "port") in ("CLK", "clk_i")
-
-
 def excerpt(place, folder):
     """Text of path:line.column-line.column, on one line; Yosys' paths start at the folder."""
     found = re.fullmatch(r"(.+):(\d+)\.(\d+)(?:-(\d+)\.(\d+))?", place)
@@ -169,7 +167,7 @@ def make(block, count=COUNT, seed=SEED):
     yosys(READ.format(top=top, files=files, count=count + SPARE, seed=seed), folder,
           "read")
     commands = [line for line in (folder / "list.txt").read_text(encoding="utf-8").split("\n")
-                if line.startswith("mutate ") and not is_clock(line)][:count]
+                if line.startswith("mutate ") and field(line, "port") not in EXEMPT][:count]
     cells = read_cells(folder / "plain.il", top)
     found = [describe(n, command, cells, folder) for n, command in enumerate(commands, 1)]
     mutations = "\n".join(

@@ -40,10 +40,10 @@ def stopwatch():
     return lambda: time.monotonic() - begin
 
 
-def judge(block, mutant, outputs, limit):
+def judge(block, mutant, limit):
     """(kind of row, row) for a mutant that the unit test accepts."""
     row = {"number": mutant.number, "mutation": mutant.words}
-    verdict, detail = mutant_proofs.compare(block, mutant.number, outputs, limit)
+    verdict, detail = mutant_proofs.compare(block, mutant.number, limit)
     if verdict == "equivalent":
         return "equivalent", {**row, "proof": detail}
     label = mutant_proofs.refuted_by(block, mutant.number, limit)
@@ -60,8 +60,8 @@ def campaign(block, limit, afresh):
     built = clock()
     accepted = mutant_tests.survivors(block, program, [m.number for m in found])
     tested = clock()
-    outputs = mutant_proofs.write_miter(block)
-    if mutant_proofs.compare(block, 0, outputs, limit)[0] != "equivalent":
+    mutant_proofs.write_netlists(block)
+    if mutant_proofs.compare(block, 0, limit)[0] != "equivalent":
         raise mutants.MutationError("control: no mutant is not equivalent to the block")
     table = mutant_tables.Table(block, mutants.source_hash(block), len(found))
     before = mutant_tables.read(block)
@@ -71,7 +71,7 @@ def campaign(block, limit, afresh):
     for number in accepted:
         mutant = found[number - 1]
         row = known.get((number, mutant.words))
-        kind, row = ("equivalent", row) if row else judge(block, mutant, outputs, limit)
+        kind, row = ("equivalent", row) if row else judge(block, mutant, limit)
         getattr(table, kind).append(row)
         if kind == "left":
             print(f"  {number} {mutant.where}: {mutant.words}: {row['why']}", flush=True)
