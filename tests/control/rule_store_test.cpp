@@ -172,3 +172,64 @@ TEST_CASE("A table reset takes 49 writes, waits for the controller and shuts out
   REQUIRE(bench.rtl->quiescent_o);
   bench.require_same();
 }
+
+TEST_CASE("Reads, writes and resets in any clock keep their latencies, quiescent tells them") {
+  Bench bench;
+  auto& rtl = bench.rtl;
+  std::mt19937 random(3);
+  const auto one_in = [&](unsigned n) { return random() % n == 0; };
+  int waits = 0, fills = 0;  // the table reset: 1 clock in which hold_i is low, then 49
+  bool written = true;       // by the edge before
+  int read_at = -1;          // the index of an edge without a write
+  std::int64_t rule = 0;
+  bool rule_known = false;
+  for (int n = 0; n < 30000; ++n) {
+    CAPTURE(n);
+    const bool busy = waits + fills > 0;
+    const bool reset = one_in(500), we = one_in(6), tune = !busy && one_in(8), read = one_in(4);
+    if (one_in(busy ? 100 : 20)) rtl->hold_i = !rtl->hold_i;
+    if (one_in(3)) {  // the next index differs in any of its bits
+      set(rtl->addr_i, one_in(2) ? random() % 64 : rtl->addr_i ^ (1u << random() % 6), 6);
+    }
+    const int index = rtl->addr_i, i = static_cast<int>(random() % 6),
+              j = static_cast<int>(random() % 6);
+    const unsigned which = random() % 4;
+    const auto fired = RuleStore::fired(i, j)[which];
+    const auto value = static_cast<std::int32_t>(random() & 0xffffff) - 0x800000;
+    rtl->reset_i = reset;
+    rtl->we_i = we;
+    rtl->tune_we_i = tune;
+    set(rtl->i_i, i, 3);
+    set(rtl->j_i, j, 3);
+    set(rtl->sel_i, which, 2);
+    set(rtl->wdata_i, value, 24);
+    set(rtl->tune_data_i, value, 24);
+    const bool writes_outside = we && !rtl->hold_i && !busy && !tune && index < 49;
+    // The two reads never meet a write to their rule.
+    rtl->read_i = read && !tune && !(writes_outside && index == fired) && fills == 0;
+    rtl.eval();
+    const bool settled = !written && index == read_at;
+    REQUIRE(bool(rtl->busy_o) == busy);
+    REQUIRE(bool(rtl->quiescent_o) ==
+            (!busy && !reset && !rtl->read_i && !tune && !we && settled));
+    if (settled) REQUIRE(as_signed(rtl->rdata_o, 24) == bench.twin.read(index));
+    if (rule_known) REQUIRE(as_signed(rtl->rule_o, 24) == rule);
+    if (rtl->read_i) {
+      rule = bench.twin.read(fired);
+      rule_known = true;
+    }
+    written = tune || writes_outside || fills > 0;
+    if (!written) read_at = index;
+    if (tune) bench.twin.write(fired, value);
+    if (writes_outside) bench.twin.write(index, value);
+    if (fills > 0) {
+      if (--fills == 0) bench.twin.reset();
+    } else if (waits > 0 && !rtl->hold_i) {
+      waits = 0;
+      fills = RuleStore::kRules;
+    } else if (!busy && reset) {
+      waits = 1;
+    }
+    rtl.tick();
+  }
+}
