@@ -141,6 +141,87 @@ TEST_CASE("current_loop goes to 50 % one clock after clear, and is quiescent the
   REQUIRE(rtl->cmp_c_o == 781);
 }
 
+TEST_CASE("current_loop takes the upper ten bits of the angle and turns exactly at their borders") {
+  Dut rtl;
+  test::begin(rtl);
+  CurrentLoop twin;
+  test::Words words(3);
+  CurrentLoop::In in;
+  in.clear = true;
+  for (int n = 0; n < 3000; ++n) {
+    in.code_a = 2048 + words();
+    in.code_b = 2048 + words();
+    in.count = static_cast<std::int32_t>(words.below(1u << 24)) - (1 << 23);
+    const std::uint32_t border = words.below(1024) << 22;
+    in.theta_ofs = border - words.below(2) - CurrentLoop::theta(in.count, 0);
+    drive(rtl, in);
+    REQUIRE(test::run_flow(rtl) == kLatency);
+    CAPTURE(n, in.code_a, in.code_b, in.count, in.theta_ofs);
+    check(rtl, twin.step(in));
+  }
+}
+
+TEST_CASE("current_loop keeps what a clear inside a calculation came too early for") {
+  Dut rtl;
+  test::begin(rtl);
+  test::Words words(5);
+  int late = 0, c_alone_at_rest = 0;
+  for (int n = 0; n < 2000; ++n) {
+    CurrentLoop::In in;
+    const bool small = n % 2 == 0;  // few counts around 50 %
+    in.kp = small ? Gain{1024, 1} : kKp;
+    in.i_q_ref = small ? words() / 256 : words();
+    in.i_d_ref = small ? words() / 256 : words();
+    in.theta_ofs = words.below(1024) << 22;
+    drive(rtl, in);
+    const int cleared_at = static_cast<int>(words.below(kLatency));
+    rtl->tick_i = 1;
+    for (int edge = 0; edge < kLatency; ++edge) {
+      rtl->clear_i = edge == cleared_at;
+      rtl.tick();
+      rtl->tick_i = 0;
+    }
+    rtl->clear_i = 0;
+    REQUIRE(rtl->valid_o);
+    rtl.tick();
+    REQUIRE(rtl->quiescent_o);
+    const bool off_a = rtl->cmp_a_o != 781, off_b = rtl->cmp_b_o != 781,
+               off_c = rtl->cmp_c_o != 781;
+    late += (off_a || off_b || off_c) && cleared_at > 34;
+    c_alone_at_rest += off_a && off_b && !off_c;
+    rtl->clear_i = 1;
+    rtl.eval();
+    CAPTURE(n, cleared_at);
+    if (off_a || off_b || off_c) REQUIRE_FALSE(rtl->quiescent_o);
+    rtl.tick();
+    REQUIRE(rtl->quiescent_o);
+    REQUIRE(rtl->cmp_a_o == 781);
+    REQUIRE(rtl->cmp_b_o == 781);
+    REQUIRE(rtl->cmp_c_o == 781);
+  }
+  REQUIRE(late > 500);
+  REQUIRE(c_alone_at_rest > 20);
+}
+
+TEST_CASE("current_loop has something to clear after an error of d or of q without a voltage") {
+  Dut rtl;
+  test::begin(rtl);
+  for (const bool of_d : {false, true}) {
+    CurrentLoop::In in;  // both gains are 0
+    (of_d ? in.i_d_ref : in.i_q_ref) = 5;
+    drive(rtl, in);
+    REQUIRE(test::run_flow(rtl) == kLatency);
+    rtl.tick();
+    REQUIRE(rtl->quiescent_o);
+    REQUIRE(rtl->cmp_b_o == 781);
+    rtl->clear_i = 1;
+    rtl.eval();
+    REQUIRE_FALSE(rtl->quiescent_o);
+    rtl.tick();
+    REQUIRE(rtl->quiescent_o);
+  }
+}
+
 TEST_CASE("current_loop has the flow shape, and is busy from the tick to the result") {
   Dut rtl;
   test::Words words(2);
