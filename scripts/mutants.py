@@ -113,10 +113,13 @@ def excerpt(place, folder):
     text = lines[line - 1:last]
     text[-1] = text[-1][:end - 1]
     text[0] = text[0][column - 1:]
-    short = " ".join(" ".join(text).split())
     if path.is_relative_to(ROOT):
         path = path.relative_to(ROOT)
-    return f"{path}:{line}", short if len(short) <= 30 else short[:27] + "..."
+    return f"{path}:{line}", shortened(" ".join(" ".join(text).split()))
+
+
+def shortened(text):
+    return text if len(text) <= 30 else text[:27] + "..."
 
 
 def describe(number, command, cells, folder):
@@ -129,11 +132,11 @@ def describe(number, command, cells, folder):
     places = cells.get(cell, [])
     # The narrowest place is the expression itself, the others are statements around it.
     spots = sorted((excerpt(p, folder) for p in places), key=lambda spot: len(spot[1]))
-    where, text = spots[0] if spots else ("", cell)
+    where, text = spots[0] if spots else ("", shortened(cell))
     kind = cells.get(f"{cell} type", "")
     words = f"{kind} `{text}`, {port}[{bit}] {effect}"
     wire = field(command, "wire")
-    if wire:
+    if wire and len(words) + len(wire) < 80:  # a table's line has 100 columns
         words += f" ({wire}[{field(command, 'wirebit')}])"
     return Mutant(number, command, words, where)
 
