@@ -27,11 +27,17 @@ or 1, inverted, or inverted while another bit of that port is 0 or 1. Yosys pick
 spread over its source lines, with a fixed seed. The block's unit test, unmodified, must refuse
 each; what it accepts must break a promise of `<block>_props.sv`, or be proven equivalent to the
 block: under any input, from the first reset on, all outputs equal in all clocks. Equivalent
-mutants do not count: score = refused / (all - equivalent). Blocks inside a block are not changed
-with it, they have scores of their own; chips are tested with their chip's test.
+mutants do not count: score = refused / (all - equivalent). What is undecided counts as accepted.
+
+Blocks inside a block are not changed with it, they have scores of their own. The modules of a chip
+are tested in the whole chip, with its test: both instances of `kung_axis` are the mutant. All
+mutants of a module are one netlist with a selector, so it is compiled once.
 
 Equivalent mutants come mostly from bits that cannot matter: the high bits of a wide sum before it
-is cut, a selector's don't-care, a count that never gets that far.
+is cut, a selector's don't-care, a count that never gets that far. They are proven in two steps.
+Block and mutant have the same registers: if equal registers always give equal outputs and equal
+registers again, that is induction, and most need no more. Otherwise the registers that the mutation
+reaches are doubled, the others shared, and abc looks for invariants of this product.
 
 | block | mutants | test | promises | equivalent | left | score | at least |
 |---|---|---|---|---|---|---|---|
@@ -96,9 +102,10 @@ def problems(blocks):
     for block in blocks:
         table = read(block)
         again = f"run trammel verify --mutants {block}"
-        rows.append(row(block, table))
         if table is None:
+            yield f"{block}: no table of mutants: {again}"
             continue
+        rows.append(row(block, table))
         if table.source != mutants.source_hash(block):
             yield f"{block}: table is stale: {again}"
         if table.score < table.floor:
@@ -110,7 +117,7 @@ def problems(blocks):
 
 def row(block, table):
     if table is None:
-        return f"| {block} | not measured yet | | | | | | |"
+        return f"| {block} | not measured | | | | | | |"
     return (f"| {table.block} | {table.mutants} | {table.by_test} | {len(table.promise)} "
             f"| {len(table.equivalent)} | {len(table.left)} | {table.score:.1f} % "
             f"| {table.floor:.0f} % |")
