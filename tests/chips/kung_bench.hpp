@@ -18,6 +18,8 @@ namespace trammel::test {
 
 class KungBench {
  public:
+  static constexpr int kPatience = 1000;  // edges that a bus transfer may take
+
   KungBench() {
     rtl_->leap_i = 0;
     rtl_->s_axil_awvalid_i = rtl_->s_axil_wvalid_i = rtl_->s_axil_arvalid_i = 0;
@@ -38,6 +40,9 @@ class KungBench {
     unsigned a = 2048, b = 2048;
   };
   std::array<Codes, 2> codes{};
+
+  // Clocks in which each gate was on, X a, b, c then Y.
+  std::array<int, 6> on_hi{}, on_lo{};
 
   std::int64_t now() const { return now_; }
 
@@ -62,6 +67,10 @@ class KungBench {
     rtl_->adc_sdata_b_i = static_cast<std::uint8_t>(data_b);
     rtl_.eval();
     if ((rtl_->gate_hi_o & rtl_->gate_lo_o) != 0) throw std::runtime_error("shoot-through");
+    for (std::size_t gate = 0; gate < 6; ++gate) {
+      on_hi[gate] += rtl_->gate_hi_o >> gate & 1;
+      on_lo[gate] += rtl_->gate_lo_o >> gate & 1;
+    }
   }
 
   void edges(int n) {
@@ -103,7 +112,8 @@ class KungBench {
     rtl_->s_axil_wdata_i = data;
     rtl_->s_axil_awvalid_i = rtl_->s_axil_wvalid_i = 1;
     rtl_.eval();
-    while (rtl_->s_axil_bvalid_o == 0) {
+    for (int waited = 0; rtl_->s_axil_bvalid_o == 0; ++waited) {
+      if (waited > kPatience) throw std::runtime_error("a write without response");
       const bool aw = rtl_->s_axil_awready_o != 0, w = rtl_->s_axil_wready_o != 0;
       edge();
       if (aw) rtl_->s_axil_awvalid_i = 0;
@@ -117,7 +127,8 @@ class KungBench {
     rtl_->s_axil_araddr_i = static_cast<std::uint16_t>(addr);
     rtl_->s_axil_arvalid_i = 1;
     rtl_.eval();
-    while (rtl_->s_axil_rvalid_o == 0) {
+    for (int waited = 0; rtl_->s_axil_rvalid_o == 0; ++waited) {
+      if (waited > kPatience) throw std::runtime_error("a read without response");
       const bool ar = rtl_->s_axil_arready_o != 0;
       edge();
       if (ar) rtl_->s_axil_arvalid_i = 0;
@@ -144,6 +155,12 @@ class KungBench {
     };
     rtl_->enc_a_i = put(rtl_->enc_a_i, phase == 1 || phase == 2);
     rtl_->enc_b_i = put(rtl_->enc_b_i, phase == 2 || phase == 3);
+    rtl_.eval();
+  }
+
+  void index(int axis, bool on) {
+    const unsigned bit = 1u << axis;
+    rtl_->enc_z_i = static_cast<std::uint8_t>(on ? rtl_->enc_z_i | bit : rtl_->enc_z_i & ~bit);
     rtl_.eval();
   }
 
