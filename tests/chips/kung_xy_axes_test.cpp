@@ -310,3 +310,59 @@ TEST_CASE("while the chip is quiescent its next event comes nearer by one a cloc
   }
   REQUIRE(events > 100);
 }
+
+TEST_CASE("a pin that changes ends quiescence until the encoder interface has followed") {
+  KungBench chip;
+  chip.until([&] { return chip->quiescent_o != 0 && chip->next_o > 100; });
+  for (int axis = 0; axis < 2; ++axis) {
+    const auto follows = [&] {
+      CAPTURE(axis);
+      for (int clock = 0; clock < 5; ++clock) {  // synchroniser and filter
+        REQUIRE_FALSE(chip->quiescent_o);
+        chip.edge();
+      }
+      chip.edges(3);
+      REQUIRE(chip->quiescent_o);
+    };
+    for (const int quarter : {1, 2, 3, 0}) {
+      chip.encoder(axis, quarter);
+      follows();
+    }
+    for (const bool on : {true, false}) {
+      chip.index(axis, on);
+      follows();
+    }
+  }
+}
+
+TEST_CASE("a table reset is not quiescent though all else rests") {
+  for (const std::uint32_t base : {reg::kX, reg::kY}) {
+    KungBench chip;
+    chip.until([&] { return chip->quiescent_o != 0 && chip->next_o > 200; });
+    chip.write(base + reg::kCtrl, reg::kCtrlResetTable);
+    for (int clock = 0; clock < 45; ++clock) {
+      REQUIRE_FALSE(chip->quiescent_o);
+      chip.edge();
+    }
+    chip.edges(10);
+    REQUIRE(chip->quiescent_o);
+  }
+}
+
+TEST_CASE("both converters are clocked 16 times a frame, and their clocks rest high between") {
+  KungBench chip;
+  chip.until([&] { return chip->adc_cs_n_o == 0; });
+  int falls = 0;
+  while (chip->adc_cs_n_o == 0) {
+    const auto before = chip->adc_sclk_o;
+    chip.edge();
+    REQUIRE((chip->adc_sclk_o == 0 || chip->adc_sclk_o == 3));
+    falls += before == 3 && chip->adc_sclk_o == 0;
+  }
+  REQUIRE(falls == 16);
+  for (int clock = 0; clock < 1000; ++clock) {
+    REQUIRE(chip->adc_cs_n_o == 3);
+    REQUIRE(chip->adc_sclk_o == 3);
+    chip.edge();
+  }
+}
