@@ -96,6 +96,8 @@ void add_run(Table& t) {
   t.text("run.platform", "SystemC platform or direct wiring", TRAMMEL_LENS(run.platform));
   t.one("run.leap", 0, 0, "waiting clocks are not evaluated; false: every clock is",
         TRAMMEL_LENS(run.leap));
+  t.one("run.audit", 0, 0, "a plain and a leaping chip in step: every register compared",
+        TRAMMEL_LENS(run.audit));
   t.one("run.assertions", 0, 0, "the promises of the RTL are looked at, in every clock",
         TRAMMEL_LENS(run.assertions));
   t.one("run.window_clk", 0, 1e9, "longest look-ahead; 0 = unbounded, 1 = lock step",

@@ -61,6 +61,10 @@ struct CommandLine {
     run->add_option("-o,--out", run_arguments.out, "output folder, default out/<scenario>");
     run->add_option("--platform", run_arguments.platform, "systemc or direct");
     add_waves(run_arguments.waves);
+    run->add_flag("--no-leap", run_arguments.plain, "evaluate every clock; the same events");
+    run->add_flag("--audit", run_arguments.audit,
+                  "a plain and a leaping chip in step, every register compared; exit 4 at the "
+                  "first that differs");
     run->add_flag("--assert", run_arguments.assertions,
                   "look at the promises of the RTL; exit 4 when one is broken; 50 times slower");
     run->add_flag("--check", run_arguments.check, "exit 1 when a figure is out of tolerance");

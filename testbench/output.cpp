@@ -27,6 +27,12 @@ constexpr const char* kOwnFiles[] = {"metrics.json", "trace.csv",  "detail.json"
                                      "report.html",  "path.svg",   "error.svg",   "waves.vcd",
                                      "waves.fst",    "waves.gtkw"};
 
+Json wakes_json(const kung::WakeCounts& wakes) {
+  Json json;
+  for (std::size_t n = 0; n < kung::kWakes; ++n) json[kung::kWakeNames[n]] = wakes[n];
+  return json;
+}
+
 Json to_json(const Spread& s) {
   return {{"samples", s.n},      {"mean_mm", s.mean}, {"std_mm", s.std},
           {"variance_mm2", s.variance}, {"rms_mm", s.rms},   {"max_mm", s.max}};
@@ -145,6 +151,7 @@ Json metrics_json(const kung::Options& options, const kung::Result& result, cons
                  {"clock_ps", options.plant.clock_ps},
                  {"clocks", result.clocks},
                  {"clocks_evaluated", result.evaluated},
+                 {"wakes", wakes_json(result.wakes)},
                  {"simulated_s", m.simulated_s},
                  {"wall_s", result.wall_s},
                  {"clocks_per_s", m.clocks_per_s},

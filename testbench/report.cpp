@@ -20,6 +20,24 @@ std::string figure(const std::optional<double>& value, int digits) {
   return value ? fmt::format("{:.{}f}", *value, digits) : "-";
 }
 
+// Share of the clocks evaluated, and what they were evaluated for.
+std::string evaluated_text(const kung::Result& result) {
+  const auto evaluated = static_cast<double>(std::max<cosim::Clk>(1, result.evaluated));
+  const auto clocks = static_cast<double>(std::max<cosim::Clk>(1, result.clocks));
+  std::string text = fmt::format("  {:.1f} % of the clocks evaluated, the others leapt over",
+                                 100 * evaluated / clocks);
+  std::string causes;
+  for (std::size_t n = 0; n < kung::kWakes; ++n) {
+    const double share = 100 * static_cast<double>(result.wakes[n]) / evaluated;
+    if (share < 0.05) continue;
+    std::string name = kung::kWakeNames[n];
+    std::replace(name.begin(), name.end(), '_', ' ');
+    causes += fmt::format("{}{} {:.1f} %", causes.empty() ? "" : ", ", name, share);
+  }
+  if (!causes.empty()) text += "\n  of these: " + causes;
+  return text + '\n';
+}
+
 std::string spread_line(const char* name, const Spread& s) {
   // A table thrown to its end stop has wide figures: a space stays between them.
   return fmt::format("  {:<25} {:>9.3f} {:>8.3f} {:>10.3f} {:>8.3f} {:>8.3f}\n", name, s.mean,
@@ -120,9 +138,7 @@ std::string run_report(const kung::Options& options, const kung::Result& result,
                       "real-time factor {:.3f}\n",
                       m.simulated_s, result.clocks, result.wall_s, m.clocks_per_s / 1e6,
                       m.real_time_factor);
-  text += fmt::format("  {:.1f} % of the clocks evaluated, the others leapt over\n",
-                      100.0 * static_cast<double>(result.evaluated) /
-                          static_cast<double>(std::max<cosim::Clk>(1, result.clocks)));
+  text += evaluated_text(result);
   text += fmt::format("  results in {}\n", folder);
   if (!page.empty()) text += fmt::format("  report: {}\n", page);
   return text;

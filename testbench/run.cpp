@@ -62,6 +62,8 @@ void apply_layers(Options& options, const RunArguments& arguments) {
   if (!arguments.platform.empty()) {
     apply_assignment(options, "run.platform=" + arguments.platform, "--platform");
   }
+  if (arguments.plain) apply_assignment(options, "run.leap=false", "--no-leap");
+  if (arguments.audit) apply_assignment(options, "run.audit=true", "--audit");
   if (arguments.assertions) apply_assignment(options, "run.assertions=true", "--assert");
   apply_waves(options, arguments.waves);
 }

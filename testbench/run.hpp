@@ -19,6 +19,8 @@ struct RunArguments {
   std::string scenario;
   std::vector<std::string> files;        // -c
   std::vector<std::string> assignments;  // -s
+  bool plain = false;                    // --no-leap, as its key
+  bool audit = false;                    // --audit, as its key
   bool assertions = false;               // --assert, as its key
   std::string platform;                  // --platform, as its key
   WaveArguments waves;                   // --wave, --wave-*

@@ -13,6 +13,7 @@
 #include "cosim/cosim.hpp"
 #include "cosim/kung/lines.hpp"
 #include "cosim/kung/types.hpp"
+#include "cosim/kung/wakes.hpp"
 #include "cosim/promise.hpp"
 
 namespace trammel::kung {
@@ -35,6 +36,7 @@ struct KungChip : cosim::Chip {
   virtual std::int32_t integral(int axis) const = 0;         // of v*, in v* LSB / 4096
   virtual Fault fault() const = 0;
   virtual cosim::Clk evaluated() const = 0;  // edges evaluated; the others were leapt over
+  virtual WakeCounts wakes() const { return {}; }  // of these, why; none for a chip without clocks
   // The first promise that did not hold, if the chip looks at them.
   virtual const std::optional<cosim::BrokenPromise>& broken_promise() const = 0;
 };
@@ -69,8 +71,11 @@ struct Watcher {
 };
 
 // leap: waiting clocks are not evaluated; the edges of all events stay the same.
+// An audited chip runs a plain and a leaping one in step; where a register, an output or a stop
+// differs, its promise leap_is_exact is broken.
 // checked: the promises of the RTL are looked at in every clock, and none is leapt over.
 std::unique_ptr<KungChip> make_verilated_chip(bool leap);
+std::unique_ptr<KungChip> make_audited_chip();
 std::unique_ptr<KungChip> make_checked_chip();
 std::unique_ptr<KungChip> make_traced_chip(const std::string& fst_file, const WaveWindow& window,
                                            bool leap, bool checked);

@@ -60,6 +60,7 @@ std::unique_ptr<KungChip> Session::make_chip() {
   if (waves_.window) {
     return make_traced_chip(run.wave_file, *waves_.window, run.leap, run.assertions);
   }
+  if (run.audit) return make_audited_chip();
   if (run.assertions) return make_checked_chip();
   return make_verilated_chip(run.leap);
 }
@@ -113,6 +114,7 @@ Result Session::result() {
   result_.detail = detail_->take();
   result_.clocks = chip_->now();
   result_.evaluated = chip_->evaluated();
+  result_.wakes = chip_->wakes();
   if (chip_->broken_promise()) {
     result_.end = EndReason::kPromise;
     result_.promise = chip_->broken_promise();

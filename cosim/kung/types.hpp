@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "cosim/cosim.hpp"
+#include "cosim/kung/wakes.hpp"
 #include "cosim/promise.hpp"
 #include "models/plant/xy_table.hpp"
 
@@ -109,6 +110,7 @@ struct RunOptions {
   Platform platform = Platform::kSystemC;
   std::int64_t window_clk = 0;    // longest look-ahead of the loop; 0 = unbounded, 1 = lock step
   bool leap = true;               // waiting clocks are not evaluated; off: every clock is
+  bool audit = false;             // a plain and a leaping chip in step, all registers compared
   bool assertions = false;        // the promises of the RTL are looked at; every clock is evaluated
   double settle_s = 0;            // simulated after the last point, not counted in the figures
   double max_s = 60;              // simulated time a run may take
@@ -235,6 +237,7 @@ struct Result {
   Detail detail;
   cosim::Clk clocks = 0;
   cosim::Clk evaluated = 0;       // of these; the others were leapt over
+  WakeCounts wakes{};             // why these were evaluated
   double wall_s = 0;
   std::uint64_t event_hash = 0;   // of all gate, interrupt and bus events with their edges
   std::optional<cosim::Clk> wave_trigger;  // edge at which it fired

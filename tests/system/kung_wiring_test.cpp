@@ -76,6 +76,30 @@ TEST_CASE("a run that looks at every promise of the RTL finds none broken and th
   CHECK(checked.event_hash == base.event_hash);
 }
 
+TEST_CASE("an audited run compares every register of a plain and a leaping chip") {
+  Options options = piece();
+  options.run.platform = Platform::kDirect;
+  options.path.line_end_x_m = 0.101;
+  options.path.line_end_y_m = 0.1005;
+  options.path.line_ticks = 10;
+  const Result base = simulate(options, {});
+  options.run.audit = true;
+  const Result audited = simulate(options, {});
+  CHECK(audited.end == EndReason::kDone);
+  CHECK_FALSE(audited.promise);
+  CHECK(audited.evaluated == base.evaluated);
+  CHECK(audited.event_hash == base.event_hash);
+}
+
+TEST_CASE("every evaluated clock has its cause") {
+  const Result result = run(Platform::kDirect, 0);
+  std::int64_t sum = 0;
+  for (const auto count : result.wakes) sum += count;
+  CHECK(sum == result.evaluated);
+  for (const auto count : result.wakes) CHECK(count > 0);
+  CHECK(result.wakes[static_cast<std::size_t>(Wake::kTick)] >= 2 * result.clocks / 25000 / 3);
+}
+
 TEST_CASE("the event log sees a change of one clock of dead time") {
   const Result base = run(Platform::kDirect, 0);
   Options options = piece();

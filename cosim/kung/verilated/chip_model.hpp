@@ -74,6 +74,8 @@ class ChipModel final : public KungChip {
 
   cosim::Clk now() const override { return now_; }
   cosim::Clk evaluated() const override { return evaluated_; }
+  WakeCounts wakes() const override { return wakes_; }
+  const auto& registers() const { return *model_->rootp; }
 
   void sense(cosim::Lines lines) override {
     Model& m = *model_;
@@ -85,6 +87,7 @@ class ChipModel final : public KungChip {
     m.enc_z_i = pick(encoder_z(0), encoder_z(1));
     m.trip_i = (lines >> kTripPin) & 1u;
     dirty_ = true;
+    sensed_ = now_;
   }
 
   void request(const cosim::BusOp& op) override {
@@ -109,6 +112,7 @@ class ChipModel final : public KungChip {
       const Handshake before = bus ? handshakes() : Handshake{};
       const cosim::Clk clocks = bus ? 1 : std::min(waiting(edge), end - edge);
       ++evaluated_;
+      ++wakes_[static_cast<std::size_t>(wake(edge, clocks))];
       if (clocks > 1) {
         leap(edge, clocks);
         continue;
@@ -146,6 +150,7 @@ class ChipModel final : public KungChip {
 
  private:
   static constexpr int kResetEdges = 4;
+  static constexpr cosim::Clk kEncoderSettles = 12;  // synchroniser, usual filters, decoder
 
   struct Handshake {
     bool aw = false, w = false, ar = false, b = false, r = false;
@@ -185,6 +190,20 @@ class ChipModel final : public KungChip {
   void look_for_broken_promise(cosim::Clk edge) {
     broken_ = cosim::take_broken_promise();
     if (broken_) broken_->edge = edge;
+  }
+
+  // Of the next edge, before it.
+  Wake wake(cosim::Clk edge, cosim::Clk clocks) {
+    const Model& m = *model_;
+    if (clocks > 1) return Wake::kLeap;
+    if (bus_active_) return Wake::kBus;
+    if (m.tick_o) position_ = true;
+    if (m.sample_o) position_ = false;
+    if (m.tick_o) return Wake::kTick;
+    if (m.adc_cs_n_o != 3) return Wake::kConverter;
+    if (probe_busy(*m.rootp, 0) || probe_busy(*m.rootp, 1)) return Wake::kCurrent;
+    if (position_) return Wake::kPosition;
+    return edge - sensed_ < kEncoderSettles ? Wake::kEncoder : Wake::kGate;
   }
 
   // Edges from the present one on that only count; at least 1, the evaluated one.
@@ -277,6 +296,9 @@ class ChipModel final : public KungChip {
   bool dirty_ = true;  // inputs changed since the last evaluation
   cosim::Clk now_ = -kResetEdges;
   cosim::Clk evaluated_ = 0;
+  WakeCounts wakes_{};
+  cosim::Clk sensed_ = 0;  // edge of the last change of a pin
+  bool position_ = false;  // the position controller computes
   std::array<std::array<SerialAdc, 2>, kAxes> adc_{};
   unsigned cs_n_ = 3, sclk_ = 3;
   unsigned hi_ = 0, lo_ = 0;

@@ -45,6 +45,11 @@ void probe_words(const Root& root, int axis, AxisSample& s) {
 }
 
 template <class Root>
+bool probe_busy(const Root& root, int axis) {
+  return TRAMMEL_AXIS(u_current_loop__DOT__busy_o) != 0;
+}
+
+template <class Root>
 CurrentWords probe_current(const Root& root, int axis) {
   using probe::word;
   CurrentWords c;
