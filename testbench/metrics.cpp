@@ -9,7 +9,6 @@ namespace {
 
 using kung::PointM;
 
-constexpr double kMm = 1e3;
 constexpr double kModelScale = 1.0 / 16384;  // x_m is Q14 of a count
 
 double segment_distance(const PointM& p, const PointM& a, const PointM& b) {

@@ -26,6 +26,7 @@ Spread spread(const std::vector<double>& series);  // Kung eq. 45, 46
 // Distance of two points (Kung eq. 44).
 double tracking_error(const kung::PointM& model, const kung::PointM& table);
 
+inline constexpr double kMm = 1e3;  // in a metre
 inline constexpr std::size_t kContourReach = 500;  // 250 ms; the model lags 67 ms on a ramp
 
 // For each point, its distance to the polyline through `path`, searched within `reach` samples of

@@ -14,7 +14,6 @@ namespace trammel::testbench {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr double kMm = 1e3;
 constexpr std::size_t kMaxPoints = 6000;  // more make a heavy picture, not a better one
 
 constexpr char kStyle[] =

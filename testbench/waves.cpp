@@ -69,8 +69,8 @@ const char* file_name(const Options& options) {
   return options.run.wave == WaveFormat::kVcd ? "waves.vcd" : "waves.fst";
 }
 
-std::string read_file(const fs::path& file) {
-  std::ifstream in(file);
+std::string view_text() {
+  std::ifstream in(fs::path(kViewFolder) / "kung.gtkw");
   std::stringstream text;
   text << in.rdbuf();
   return text.str();
@@ -235,7 +235,7 @@ int finish_waves(const Options& options, const kung::Result& result, const fs::p
       code = 1;
     }
   }
-  const std::string view = read_file(fs::path(kViewFolder) / "kung.gtkw");
+  const std::string view = view_text();
   if (view.empty()) {
     fmt::print(stderr, "trammel: no view for GTKWave: {}/kung.gtkw cannot be read\n", kViewFolder);
   } else {
