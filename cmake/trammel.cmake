@@ -18,9 +18,17 @@ function(trammel_library name folder)
   if(sources)
     add_library(${name} STATIC ${sources})
     target_link_libraries(${name} PUBLIC trammel_options ${ARGN})
+    trammel_unity_if_checked(${name})
   else()
     add_library(${name} INTERFACE)
     target_link_libraries(${name} INTERFACE trammel_options ${ARGN})
+  endif()
+endfunction()
+
+# Checks and counts in every template of a header library take long to compile: once a folder.
+function(trammel_unity_if_checked name)
+  if(TRAMMEL_BASE)
+    set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
   endif()
 endfunction()
 
@@ -98,7 +106,8 @@ endfunction()
 
 # rtl/<layer>/<block>.sv with tests/<layer>/<block>_test.cpp: lint test, verilated model, unit test;
 # a long test has parts, <block>_<part>_test.cpp.
-# The unit tests leave their counts of coverage for the test coverage.rtl.
+# The unit tests leave their counts of coverage for the test coverage.rtl; those of a build with
+# TRAMMEL_BASE do not, as when they are run by hand.
 function(trammel_add_blocks)
   file(GLOB rtl CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/rtl/*/*.sv)
   list(FILTER rtl EXCLUDE REGEX "_(pkg|props)\\.sv$|^rtl/boards/")
@@ -129,8 +138,10 @@ function(trammel_add_blocks)
       trammel_test(${block}_test ${test} unit.${layer}.${block} trammel_rtl trammel_models)
       file(GLOB parts CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${layer}/${block}_*_test.cpp)
       target_sources(${block}_test PRIVATE ${parts})
-      set_tests_properties(unit.${layer}.${block} PROPERTIES FIXTURES_SETUP rtl_coverage
-        ENVIRONMENT TRAMMEL_COVERAGE=${PROJECT_BINARY_DIR}/coverage/rtl/${layer}.${block}.dat)
+      if(NOT TRAMMEL_BASE)
+        set_tests_properties(unit.${layer}.${block} PROPERTIES FIXTURES_SETUP rtl_coverage
+          ENVIRONMENT TRAMMEL_COVERAGE=${PROJECT_BINARY_DIR}/coverage/rtl/${layer}.${block}.dat)
+      endif()
     endif()
   endforeach()
 endfunction()

@@ -41,15 +41,18 @@ def folder_of(name):
 
 
 def read_lines():
-    """Lines of each folder: (executed, all)."""
+    """Lines of each folder: (executed, all). A line of a template counts once."""
     PAGES.mkdir(parents=True, exist_ok=True)
-    summary = PAGES / "summary.json"
-    gcovr("--json-summary", summary)
+    counts = PAGES / "counts.json"
+    gcovr("--json", counts)
     hit, total = Counter(), Counter()
-    for file in json.loads(summary.read_text(encoding="utf-8"))["files"]:
-        folder = folder_of(file["filename"])
-        hit[folder] += file["line_covered"]
-        total[folder] += file["line_total"]
+    for file in json.loads(counts.read_text(encoding="utf-8"))["files"]:
+        lines = Counter()
+        for line in file["lines"]:
+            lines[line["line_number"]] += line["count"]
+        folder = folder_of(file["file"])
+        hit[folder] += sum(count > 0 for count in lines.values())
+        total[folder] += len(lines)
     return {folder: (hit[folder], total[folder]) for folder in sorted(total)}
 
 
