@@ -120,6 +120,7 @@ class KungBench {
       if (w) rtl_->s_axil_wvalid_i = 0;
       rtl_.eval();
     }
+    if (rtl_->s_axil_bresp_o != 0) throw std::runtime_error("a write is answered by an error");
     edge();
   }
 
@@ -134,6 +135,7 @@ class KungBench {
       if (ar) rtl_->s_axil_arvalid_i = 0;
       rtl_.eval();
     }
+    if (rtl_->s_axil_rresp_o != 0) throw std::runtime_error("a read is answered by an error");
     const std::uint32_t data = rtl_->s_axil_rdata_o;
     edge();
     return data;

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The bus of the chip as its leap contract sees it, and its lock.
+#include <catch2/catch.hpp>
+
+#include <cstdint>
+
+#include "tests/chips/kung_bench.hpp"
+
+using namespace trammel::sw;
+using trammel::test::KungBench;
+
+namespace {
+
+void to_rest(KungBench& chip) {
+  chip.until([&] { return chip->quiescent_o != 0 && chip->next_o > 200; });
+}
+
+}  // namespace
+
+TEST_CASE("the chip is quiescent from the end of the last bus transfer on, whatever comes late") {
+  for (int n = 0; n < 96; ++n) {
+    const bool writes = n % 3 != 0, reads = n % 3 != 1;
+    const int data_at = n / 3 % 4, address_at = n / 12 % 4, read_at = n / 48 * 2;
+    const int answer_at = n % 7 < 2 ? 0 : n % 7 * 5;  // ready for the responses from then on
+    CAPTURE(n);
+    KungBench chip;
+    to_rest(chip);
+    chip->s_axil_awaddr_i = chip->s_axil_araddr_i = reg::kX + reg::kThetaOfs;
+    chip->s_axil_wdata_i = 7;
+    chip->s_axil_bready_i = chip->s_axil_rready_i = 0;
+    int left = int(writes) + int(reads);
+    int open = 0;  // accepted addresses; data that come before theirs change nothing
+    for (int clock = 0; left > 0; ++clock) {
+      REQUIRE(clock < 200);
+      if (writes && clock == data_at) chip->s_axil_wvalid_i = 1;
+      if (writes && clock == address_at) chip->s_axil_awvalid_i = 1;
+      if (reads && clock == read_at) chip->s_axil_arvalid_i = 1;
+      if (clock == answer_at + 4) chip->s_axil_bready_i = 1;
+      if (clock == answer_at + 4 + n % 5) chip->s_axil_rready_i = 1;
+      chip->eval();
+      if (open > 0 || chip->s_axil_wvalid_i || chip->s_axil_awvalid_i || chip->s_axil_arvalid_i) {
+        REQUIRE_FALSE(chip->quiescent_o);
+      }
+      const bool aw = chip->s_axil_awvalid_i && chip->s_axil_awready_o;
+      const bool ar = chip->s_axil_arvalid_i && chip->s_axil_arready_o;
+      const bool w = chip->s_axil_wready_o;
+      const int answered = (chip->s_axil_bvalid_o && chip->s_axil_bready_i) +
+                           (chip->s_axil_rvalid_o && chip->s_axil_rready_i);
+      open += aw + ar - answered;
+      left -= answered;
+      chip.edge();
+      if (aw) chip->s_axil_awvalid_i = 0;
+      if (w) chip->s_axil_wvalid_i = 0;
+      if (ar) chip->s_axil_arvalid_i = 0;
+      chip->eval();
+    }
+    chip->s_axil_bready_i = chip->s_axil_rready_i = 1;
+    chip.edges(2);
+    REQUIRE(chip->quiescent_o);
+    CHECK(chip.read(reg::kX + reg::kThetaOfs) == (writes ? 7 : 0));
+  }
+}
+
+TEST_CASE("many transfers leave none open, and any but the two keys leaves the lock as it is") {
+  KungBench chip;
+  for (int n = 0; n < 32; ++n) {
+    chip.write(reg::kY + reg::kThetaOfs, 1u << n);
+    REQUIRE(chip.read(reg::kY + reg::kThetaOfs) == 1u << n);
+    for (const std::uint32_t key : {reg::kKeyLock, reg::kKeyUnlock}) {
+      chip.write(reg::kLock, key);
+      const bool locked = key == reg::kKeyLock;
+      REQUIRE(chip.read(reg::kLock) == (locked ? 1u : 0u));
+      chip.write(reg::kLock, (locked ? reg::kKeyUnlock : reg::kKeyLock) ^ 1u << n);
+      REQUIRE(chip.read(reg::kLock) == (locked ? 1u : 0u));
+      chip.read(reg::kTick);
+      REQUIRE(chip.read(reg::kLock) == (locked ? 1u : 0u));
+    }
+  }
+  to_rest(chip);
+}
+
+TEST_CASE("only the whole key forgets a fault, and a read of its register does not") {
+  KungBench chip;
+  chip->trip_i = 1;
+  chip.edges(5);
+  chip->trip_i = 0;
+  chip.edges(5);
+  for (int n = 0; n < 32; ++n) {
+    chip.write(reg::kFaultClear, reg::kKeyFaultClear ^ 1u << n);
+    REQUIRE(chip.fault_code() == reg::kFaultCodeExternalTrip);
+  }
+  chip.write(reg::kX + reg::kThetaOfs, reg::kKeyFaultClear);  // to another register
+  chip.write(reg::kLock, reg::kKeyFaultClear);
+  REQUIRE(chip.fault_code() == reg::kFaultCodeExternalTrip);
+  REQUIRE(chip.read(reg::kFault) >> reg::kFaultTickShift == 1);  // the tick count of the trip
+  chip.write(reg::kFaultClear, reg::kKeyFaultClear);
+  REQUIRE(chip.fault_code() == reg::kFaultCodeNone);
+}
+
+TEST_CASE("each interrupt comes through its own enable only") {
+  for (const std::uint32_t enabled : {0u, reg::kIrqEnTick, reg::kIrqEnFault, 3u}) {
+    for (const std::uint32_t cause : {0u, reg::kIrqStatTick, reg::kIrqStatFault, 3u}) {
+      CAPTURE(enabled, cause);
+      KungBench own;
+      REQUIRE(own.read(reg::kIrqStat) == reg::kIrqStatTick);  // of the first tick
+      if ((cause & reg::kIrqStatFault) != 0) {
+        own->trip_i = 1;
+        own.edges(5);
+        own->trip_i = 0;
+      }
+      own.write(reg::kIrqStat, ~cause & 3);
+      own.write(reg::kIrqEn, enabled);
+      REQUIRE(own.read(reg::kIrqStat) == cause);
+      REQUIRE(own->irq_o == ((enabled & cause) != 0));
+    }
+  }
+}
+
+TEST_CASE("the sample waits for the axis whose table reset delays it, and comes once") {
+  for (const std::uint32_t base : {reg::kX, reg::kY}) {
+    KungBench chip;
+    chip.to_tick();
+    chip.edges(25000 - 20);
+    chip.write(base + reg::kCtrl, reg::kCtrlResetTable);  // 50 clocks, of which some are left
+    int ticks = 0, samples = 0, latency = 0;
+    for (int clock = 0; clock < 1000; ++clock) {
+      if (chip->tick_o != 0) ticks = clock + 1;
+      if (chip->sample_o != 0) {
+        ++samples;
+        latency = clock + 1 - ticks;
+      }
+      chip.edge();
+    }
+    REQUIRE(ticks > 0);
+    REQUIRE(samples == 1);
+    REQUIRE(latency > 75);
+    REQUIRE(latency < 71 + 50);
+    REQUIRE(chip.to_sample() > 20000);
+  }
+}
