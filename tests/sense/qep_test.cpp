@@ -2,6 +2,7 @@
 
 #include <Vqep.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 
 #include "models/exact/sense/qep.hpp"
@@ -222,4 +223,30 @@ TEST_CASE("qep takes a preset") {
   REQUIRE(count(rtl) == -12345);
   run(rtl, at(1), 10);
   REQUIRE(count(rtl) == -12344);
+}
+
+TEST_CASE("qep's twin skips edges that only count equal samples") {
+  Qep plain, skipping;
+  Random random(6);
+  Qep::In in;
+  for (int change = 0; change < 3000; ++change) {
+    const auto bits = random();
+    in.a = (bits & 1u) != 0;
+    in.b = (bits & 2u) != 0;
+    in.z = (bits & 4u) != 0;
+    in.filter = static_cast<std::uint8_t>((bits >> 8) % 16);
+    int left = static_cast<int>((bits >> 16) % 30) + 1;
+    for (int n = 0; n < left; ++n) plain.step(in);
+    while (left > 0) {
+      const int gap = std::min(static_cast<int>(skipping.next(in)), left);
+      skipping.advance(static_cast<trammel::exact::Gap>(gap));
+      left -= gap;
+      if (left-- > 0) skipping.step(in);
+    }
+    CAPTURE(change);
+    REQUIRE(plain.out().count == skipping.out().count);
+    REQUIRE(plain.out().error == skipping.out().error);
+    REQUIRE(plain.out().index_latch == skipping.out().index_latch);
+    REQUIRE(plain.quiescent(in) == skipping.quiescent(in));
+  }
 }

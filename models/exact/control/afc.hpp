@@ -3,6 +3,9 @@
 // Bit-exact twin of rtl/control/afc.sv: reference model, fuzzy position controller, speed P
 // controller and tuning of the four fired rules (Kung et al. 2012); one step() is one 2 kHz sample.
 // Specification sections 4 and 5.
+//
+// start() and run_to() are the same sample clock by clock: each input is read, and each word shows,
+// at the clock 1..70 after the start at which the RTL does it.
 #pragma once
 
 #include <array>
@@ -52,59 +55,42 @@ class Afc {
   // Bumpless start at rest in x_p; the rules stay.
   void reset(std::int32_t x_p) {
     r_1_ = r_2_ = x_p_prev_ = x_p;
-    x_m_ = static_cast<std::int32_t>(fixed::wrap(fixed::shift_left(x_p, 14), 32));
-    dx_ = e_prev_ = integral_ = 0;
+    out_.x_m = static_cast<std::int32_t>(fixed::wrap(fixed::shift_left(x_p, 14), 32));
+    out_.dx = e_prev_ = integral_ = 0;
   }
 
   void reset_table() { rules_.reset(); }
   std::int32_t rule(int index) const { return rules_.read(index); }
   void set_rule(int index, std::int32_t value) { rules_.write(index, value); }
 
-  Out step(const Config& config, const In& in) {
-    using fixed::rs;
-    using fixed::sat;
-    Out out;
-    follow_model(config, in.r);
-    out.x_m = x_m_;
-    out.dx = dx_;
-    out.x_r = word(rs(x_m_, 14));
-    out.v = word(sat(16 * (std::int64_t{in.x_p} - x_p_prev_), 12));
-    out.e = word(sat(std::int64_t{out.x_r} - in.x_p, 12));  // Kung eq. 15
-    out.de = word(sat(std::int64_t{out.e} - e_prev_, 12));  // Kung eq. 16
-
-    const Membership a = fuzzify(out.e, config.shift_e);
-    const Membership b = fuzzify(out.de, config.shift_de);
-    out.i = a.section;
-    out.j = b.section;
-    // Kung eq. 20
-    out.d = {word(rs(a.low * b.low, 11)), word(rs(a.high * b.low, 11)),
-             word(rs(a.low * b.high, 11)), word(rs(a.high * b.high, 11))};
-    const std::array<int, 4> fired = RuleStore::fired(out.i, out.j);
-    std::int64_t weighted = 0;
-    for (std::size_t n = 0; n < 4; ++n) {
-      weighted += fixed::floor_shift(rules_.read(fired[n]), 12) * out.d[n];
-    }
-    out.u = word(sat(rs(weighted, 11), 12));
-
-    const std::int64_t ahead = config.feedforward ? rs(dx_, 10) : 0;
-    integral_ = word(sat(integral_ + scaled(config.ki, out.u, -1), 24));
-    out.v_star = word(sat(ahead + scaled(config.kp, out.u, 11) + rs(integral_, 12), 12));
-    const std::int64_t i_q = scaled(config.kv, sat(out.v_star - out.v, 12), 11);
-    out.i_q_ref = word(sat(i_q, 12));
-    out.saturated = i_q != out.i_q_ref;
-
-    if (config.adapt) {
-      const std::int64_t t = std::int64_t{config.eta.mant} * out.e;
-      for (std::size_t n = 0; n < 4; ++n) {
-        // Kung eq. 27
-        const std::int64_t change = rs(t * out.d[n], 10 - config.eta.exp);
-        rules_.write(fired[n], word(sat(rules_.read(fired[n]) + change, 24)));
-      }
-    }
-    e_prev_ = out.e;
-    x_p_prev_ = in.x_p;
-    return out;
+  const Out& step(const Config& config, const In& in) {
+    start(false);
+    run_to(kClocks, config, in);
+    return out_;
   }
+
+  static constexpr int kClocks = 70;         // of a sample
+  static constexpr int kPublished = 60;      // i_q_ref and saturated
+  static constexpr int kDone = kClocks + 1;  // no clock of the sample is left
+
+  // resetting: the sample begins with a reset() to x_p.
+  void start(bool resetting) {
+    resetting_ = resetting;
+    stage_ = 0;
+  }
+
+  // The first clock, of those to come, that does anything.
+  int next_clock() const { return stage_ < kAt.size() ? kAt[stage_] : kDone; }
+
+  // Executes the clocks up to `clock` with inputs that hold meanwhile.
+  void run_to(int clock, const Config& config, const In& in) {
+    while (stage_ < kAt.size() && kAt[stage_] <= clock) execute(kAt[stage_++], config, in);
+  }
+
+  const Out& out() const { return out_; }
+  std::int32_t r() const { return r_; }                // of the sample
+  std::int32_t x_p() const { return x_p_; }            // of the sample
+  std::int32_t integral() const { return integral_; }  // 1/4096 of a v_star LSB
 
  private:
   struct Membership {
@@ -113,12 +99,11 @@ class Afc {
     std::int64_t high = 0;  // of the knot above
   };
 
-  static std::int32_t word(std::int64_t x) { return static_cast<std::int32_t>(x); }
+  static constexpr std::array<std::uint8_t, 30> kAt{1,  2,  7,  10, 12, 14, 16, 18, 20, 24,
+                                                    46, 47, 48, 49, 50, 52, 54, 57, 58, 59,
+                                                    60, 61, 62, 63, 64, 65, 66, 67, 68, 70};
 
-  // value of the gain times x, where the product of mantissa and x has `point` bits to drop
-  static std::int64_t scaled(const fixed::Gain& gain, std::int64_t x, int point) {
-    return fixed::rs(gain.mant * x, point - gain.exp);
-  }
+  static std::int32_t word(std::int64_t x) { return static_cast<std::int32_t>(x); }
 
   static Membership fuzzify(std::int32_t error, int shift) {
     const std::int64_t from_lowest =
@@ -129,24 +114,137 @@ class Afc {
     return {static_cast<int>(section), 2048 - high, high};
   }
 
-  // Kung eq. 24 in the incremental form (specification section 4)
-  void follow_model(const Config& config, std::int32_t r) {
-    const std::int64_t commands = std::int64_t{r} + 2 * std::int64_t{r_1_} + r_2_;
-    const std::int64_t s =
-        fixed::sat(fixed::shift_left(commands, 6) - fixed::floor_shift(x_m_, 6), 24);
-    dx_ = word(fixed::sat(
-        fixed::rs(std::int64_t{config.b2} * dx_, 23) + fixed::rs(std::int64_t{config.a0} * s, 24),
-        24));
-    x_m_ = word(fixed::wrap(std::int64_t{x_m_} + dx_, 32));
-    r_2_ = r_1_;
-    r_1_ = r;
+  void execute(int clock, const Config& config, const In& in) {
+    if (clock <= 24) {
+      follow(clock, config, in);
+    } else if (clock == 46) {
+      infer();
+    } else if (clock <= 60) {
+      drive(clock, config);
+    }
+    if (clock > 60) tune(clock, config);
+  }
+
+  // Reference model, errors and their weights.
+  void follow(int clock, const Config& config, const In& in) {
+    using fixed::rs;
+    using fixed::sat;
+    switch (clock) {
+      case 1:
+        if (resetting_) reset(in.x_p);
+        sum_ = std::int64_t{resetting_ ? in.x_p : in.r} + r_2_;
+        term_ = rs(std::int64_t{config.b2} * out_.dx, 23);
+        break;
+      case 2:
+        r_ = resetting_ ? in.x_p : in.r;
+        x_p_ = in.x_p;
+        break;
+      case 7: {  // Kung eq. 24 in the incremental form (specification section 4)
+        const std::int64_t commands = sum_ + 2 * std::int64_t{r_1_};
+        const std::int64_t s =
+            sat(fixed::shift_left(commands, 6) - fixed::floor_shift(out_.x_m, 6), 24);
+        term_ = sat(term_ + rs(std::int64_t{config.a0} * s, 24), 24);
+        break;
+      }
+      case 10: out_.dx = word(term_); break;
+      case 12: out_.x_m = word(fixed::wrap(std::int64_t{out_.x_m} + out_.dx, 32)); break;
+      case 14:
+        out_.x_r = word(rs(out_.x_m, 14));
+        r_2_ = r_1_;
+        r_1_ = r_;
+        break;
+      case 16:
+        out_.v = resetting_ ? 0 : word(sat(16 * (std::int64_t{x_p_} - x_p_prev_), 12));
+        break;
+      case 18: out_.e = word(sat(std::int64_t{out_.x_r} - x_p_, 12)); break;  // Kung eq. 15
+      case 20:
+        out_.de = word(sat(std::int64_t{out_.e} - e_prev_, 12));  // Kung eq. 16
+        a_ = fuzzify(out_.e, config.shift_e);
+        break;
+      default: weigh(fuzzify(out_.de, config.shift_de)); break;
+    }
+  }
+
+  // Kung eq. 20
+  void weigh(const Membership& b) {
+    using fixed::rs;
+    out_.i = a_.section;
+    out_.j = b.section;
+    out_.d = {word(rs(a_.low * b.low, 11)), word(rs(a_.high * b.low, 11)),
+              word(rs(a_.low * b.high, 11)), word(rs(a_.high * b.high, 11))};
+  }
+
+  void infer() {
+    const std::array<int, 4> fired = RuleStore::fired(out_.i, out_.j);
+    std::int64_t weighted = 0;
+    for (std::size_t n = 0; n < 4; ++n) {
+      weighted += fixed::floor_shift(rules_.read(fired[n]), 12) * out_.d[n];
+    }
+    out_.u = word(fixed::sat(fixed::rs(weighted, 11), 12));
+  }
+
+  // A product with a gain takes two clocks: the first reads the mantissa and the three low bits of
+  // the shift, the second the others. `point` bits of it are dropped at exponent 0.
+  void multiply(const fixed::Gain& gain, std::int64_t x, int point) {
+    product_ = gain.mant * x;
+    low_ = (point - gain.exp) & 7;
+  }
+  std::int64_t scaled(const fixed::Gain& gain, int point) const {
+    return fixed::rs(product_, ((point - gain.exp) & ~7) | low_);
+  }
+
+  // v* and i_q*.
+  void drive(int clock, const Config& config) {
+    using fixed::sat;
+    switch (clock) {
+      case 47:
+        sum_ = config.feedforward ? fixed::rs(out_.dx, 10) : 0;
+        multiply(config.kp, out_.u, 11);
+        break;
+      case 48: sum_ += scaled(config.kp, 11); break;
+      case 49: multiply(config.ki, out_.u, -1); break;
+      case 50: term_ = scaled(config.ki, -1); break;
+      case 52: integral_ = word(sat(integral_ + term_, 24)); break;
+      case 54: out_.v_star = word(sat(sum_ + fixed::rs(integral_, 12), 12)); break;
+      case 57: multiply(config.kv, sat(out_.v_star - out_.v, 12), 11); break;
+      case 58: term_ = scaled(config.kv, 11); break;
+      case 59: rate_ = std::int64_t{config.eta.mant} * out_.e; break;
+      default:
+        out_.i_q_ref = word(sat(term_, 12));
+        out_.saturated = term_ != out_.i_q_ref;
+        break;
+    }
+  }
+
+  // Kung eq. 27: rule n is multiplied at clocks 61 + 2 n and 62 + 2 n and written at 64 + 2 n.
+  void tune(int clock, const Config& config) {
+    const auto n = static_cast<std::size_t>(clock - 61) / 2;
+    if (clock % 2 != 0) {
+      multiply({1, config.eta.exp}, rate_ * out_.d[n], 10);
+      return;
+    }
+    if (n > 0 && config.adapt) {
+      const int rule = RuleStore::fired(out_.i, out_.j)[n - 1];
+      rules_.write(rule, word(fixed::sat(rules_.read(rule) + term_, 24)));
+    }
+    if (n < 4) term_ = scaled(config.eta, 10);
+    if (clock != kClocks) return;
+    e_prev_ = out_.e;
+    x_p_prev_ = x_p_;
   }
 
   RuleStore rules_;
+  Out out_;
+  std::int32_t r_ = 0, x_p_ = 0;
   std::int32_t r_1_ = 0, r_2_ = 0;
-  std::int32_t x_m_ = 0, dx_ = 0;
   std::int32_t e_prev_ = 0, x_p_prev_ = 0;
   std::int32_t integral_ = 0;
+  bool resetting_ = false;
+  std::size_t stage_ = kAt.size();
+  Membership a_;
+  std::int64_t sum_ = 0, term_ = 0, product_ = 0;
+  std::int64_t rate_ = 0;  // of learning, times e
+  int low_ = 0;
 };
 
 }  // namespace trammel::exact

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Vector control of the current of one axis (specification section 7).
-// Twin of rtl/drive/current_loop.sv.
+// Twin of rtl/drive/current_loop.sv: step() is one sample; start() and run_to() are the same clock
+// by clock, each input read and each word shown at the clock 0..67 at which the RTL does it.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "models/exact/drive/clarke.hpp"
@@ -31,24 +34,38 @@ class CurrentLoop {
     bool limited = false;
   };
 
+  static constexpr int kClocks = 67;         // compare values are there
+  static constexpr int kDone = kClocks + 1;  // no clock of the sample is left
+
   void reset() {
     pi_d_.reset();
     pi_q_.reset();
   }
 
-  Out step(const In& in) {
-    const std::int32_t i_a = in.code_a - 2048, i_b = in.code_b - 2048;
-    const Sine::Out angle = sine_.step({theta(in.count, in.theta_ofs) >> 22});
-    const Clarke::Out i = clarke_.step({i_a, i_b});
-    const Rotator::Out i_dq = park_.step({i.i_alpha, i.i_beta, angle.sin, angle.cos});
-    const CurrentPi::Out d = pi_d_.step({in.clear, in.i_d_ref, i_dq.x, in.kp, in.ki});
-    const CurrentPi::Out q = pi_q_.step({in.clear, in.i_q_ref, i_dq.y, in.kp, in.ki});
-    const VectorLimit::Out v = limit_.step({d.v, q.v});
-    const Rotator::Out v_ab = inverse_.step({v.v_d, v.v_q, angle.sin, angle.cos});
-    const Svpwm::Out cmp = svpwm_.step({v_ab.x, v_ab.y});
-    return {cmp.cmp_a, cmp.cmp_b, cmp.cmp_c, i_a,   i_b,
-            i_dq.x,    i_dq.y,    v.v_d,     v.v_q, v.limited};
+  const Out& step(const In& in) {
+    if (in.clear) clear();
+    start();
+    run_to(kClocks, in);
+    return out_;
   }
+
+  void start() { stage_ = 0; }
+
+  // The first clock, of those to come, that does anything.
+  int next_clock() const { return stage_ < kAt.size() ? kAt[stage_] : kDone; }
+
+  // Executes the clocks up to `clock` with inputs that hold meanwhile.
+  void run_to(int clock, const In& in) {
+    while (stage_ < kAt.size() && kAt[stage_] <= clock) execute(kAt[stage_++], in);
+  }
+
+  // What each clock with in.clear does besides; once is enough while it lasts.
+  void clear() {
+    reset();
+    out_.cmp_a = out_.cmp_b = out_.cmp_c = kCentre;
+  }
+
+  const Out& out() const { return out_; }
 
   // Electrical angle, 2^32 = one turn = 12 200 counts.
   static std::uint32_t theta(std::int32_t count, std::uint32_t offset) {
@@ -56,6 +73,47 @@ class CurrentLoop {
   }
 
  private:
+  static constexpr std::int32_t kCentre = 781;  // compare value of 50 % duty
+  static constexpr std::array<std::uint8_t, 11> kAt{0,  21, 27, 29, 30, 31,
+                                                    32, 33, 34, 36, kClocks};
+
+  void execute(int clock, const In& in) {
+    switch (clock) {
+      case 0:
+        out_.i_a = in.code_a - 2048;
+        out_.i_b = in.code_b - 2048;
+        break;
+      case 21: angle_ = sine_.step({theta(in.count, in.theta_ofs) >> 22}); break;
+      case 27: {
+        const Clarke::Out i = clarke_.step({out_.i_a, out_.i_b});
+        i_dq_ = park_.step({i.i_alpha, i.i_beta, angle_.sin, angle_.cos});
+        out_.i_d = i_dq_.x;
+        break;
+      }
+      case 29: out_.i_q = i_dq_.y; break;
+      case 36: {
+        const VectorLimit::Out v = limit_.step({pi_d_.out().v, pi_q_.out().v});
+        out_.v_d = v.v_d;
+        out_.v_q = v.v_q;
+        out_.limited = v.limited;
+        break;
+      }
+      case kClocks: modulate(in.clear); break;
+      default:
+        pi_d_.run(clock - 30, {in.clear, in.i_d_ref, out_.i_d, in.kp, in.ki});
+        pi_q_.run(clock - 30, {in.clear, in.i_q_ref, out_.i_q, in.kp, in.ki});
+        break;
+    }
+  }
+
+  void modulate(bool clear) {
+    const Rotator::Out v = inverse_.step({out_.v_d, out_.v_q, angle_.sin, angle_.cos});
+    const Svpwm::Out cmp = svpwm_.step({v.x, v.y});
+    out_.cmp_a = clear ? kCentre : cmp.cmp_a;
+    out_.cmp_b = clear ? kCentre : cmp.cmp_b;
+    out_.cmp_c = clear ? kCentre : cmp.cmp_c;
+  }
+
   Sine sine_;
   Clarke clarke_;
   Rotator park_{{Rotator::Direction::kPark}};
@@ -63,6 +121,10 @@ class CurrentLoop {
   VectorLimit limit_;
   Rotator inverse_{{Rotator::Direction::kInverse}};
   Svpwm svpwm_;
+  Sine::Out angle_;
+  Rotator::Out i_dq_;
+  Out out_;
+  std::size_t stage_ = kAt.size();
 };
 
 }  // namespace trammel::exact

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Twin of rtl/sense/qep.sv. It has no timer: step() is one clock edge, and while quiescent() holds
-// an edge changes nothing.
+// an edge changes nothing. next() is the number of edges that only count equal samples.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
+#include "models/exact/math/timer.hpp"
 #include "models/fixed/fixed.hpp"
 
 namespace trammel::exact {
@@ -58,6 +60,20 @@ class Qep {
            !(in.clear_error && (out_.index_seen || out_.error));
   }
 
+  Gap next(const In& in) const {
+    if (start_ != 3 || in.preset || (in.clear_error && (out_.index_seen || out_.error))) return 0;
+    const int filter = in.filter == 0 ? 1 : in.filter;
+    return std::min({lines_[0].next(in.a, filter), lines_[1].next(in.b, filter),
+                     lines_[2].next(in.z, filter)});
+  }
+
+  // n <= next(): the same inputs at all these edges.
+  void advance(Gap n) {
+    for (Line& line : lines_) {
+      if (line.sync != line.line) line.same += static_cast<int>(n);
+    }
+  }
+
  private:
   struct Line {
     bool meta = false;
@@ -70,6 +86,12 @@ class Qep {
 
     bool quiescent(bool pin) const {
       return pin == meta && meta == sync && sync == line && line == prev && same == 0;
+    }
+
+    Gap next(bool pin, int filter) const {
+      if (pin != meta || meta != sync || line != prev) return 0;
+      if (sync == line) return same == 0 ? kGapMax : 0;
+      return same + 1 < filter ? static_cast<Gap>(filter - 1 - same) : 0;
     }
 
     void step(bool pin, bool live, int filter) {
