@@ -3,7 +3,8 @@
 """Make register block, C++ header and documentation from each rtl/chips/<chip>.rdl.
 
 Writes rtl/chips/generated/<chip>_regs.sv and <chip>_regs_pkg.sv (PeakRDL, AXI4-Lite),
-sw_nios/hal/generated/<chip>_regs.hpp and docs/registers/<chip>.md.
+sw_nios/hal/generated/<chip>_regs.hpp, models/exact/chips/generated/<chip>_map.hpp and
+docs/registers/<chip>.md.
 With --check nothing is written; the exit code is 1 when an output is stale.
 """
 
@@ -91,11 +92,9 @@ def constant(name: str, value: str, comment: str = "") -> str:
     return f"{line}  // {comment}" if comment and len(line) + len(comment) < 95 else line
 
 
-def header(top, note: str) -> str:
-    lines = [f"// {note}", "// SPDX-License-Identifier: Apache-2.0", "//",
-             f"// Byte addresses and bits of the registers of {top.inst_name}: an axis register is",
-             "// at base + offset, a system register at its own address.", "#pragma once", "",
-             "#include <cstdint>", "", "namespace trammel::sw::reg {", ""]
+def constants(top) -> list:
+    """Addresses, bits and encodings as C++ lines."""
+    lines = []
     for name, base, node in blocks(top):
         if node is not top:
             lines.append(constant(f"k{camel(name)}", f"0x{base:03X}u"))
@@ -114,7 +113,52 @@ def header(top, note: str) -> str:
         for member in encode:
             name = f"k{camel(encode.type_name)}{camel(member.name)}"
             lines.append(constant(name, f"0x{member.value:X}u", member.rdl_desc))
+    return lines
+
+
+def header(top, note: str) -> str:
+    lines = [f"// {note}", "// SPDX-License-Identifier: Apache-2.0", "//",
+             f"// Byte addresses and bits of the registers of {top.inst_name}: an axis register is",
+             "// at base + offset, a system register at its own address.", "#pragma once", "",
+             "#include <cstdint>", "", "namespace trammel::sw::reg {", "", *constants(top)]
     return "\n".join(lines + ["", "}  // namespace trammel::sw::reg", ""])
+
+
+def bits(fields) -> str:
+    return f"0x{sum(((1 << f.width) - 1) << f.low for f in fields):08X}u"
+
+
+def stored(reg):
+    """Row of the map: what a write does to a register; none where nothing is stored."""
+    fields = [] if reg.external else list(reg.fields())
+    plain = [f for f in fields if f.is_sw_writable and f.get_property("onwrite") is None]
+    pulsed = [f for f in plain if f.get_property("singlepulse")]
+    reset = sum((f.get_property("reset") or 0) << f.low for f in fields)
+    if not plain and not reset:
+        return
+    yield (f"    {{0x{reg.absolute_address:03X}u, 0x{reset:08X}u, "
+            f"{bits(f for f in plain if f not in pulsed)}, "
+            f"{bits(f for f in plain if f.get_property('swwel'))}, {bits(pulsed)}}},"
+            f"  // {'.'.join(reg.get_path_segments()[1:])}")
+
+
+def twin_map(top, note: str) -> str:
+    space = f"trammel::exact::{top.inst_name}_map"
+    rows = [row for _, _, node in blocks(top) for reg in registers(node) for row in stored(reg)]
+    lines = [f"// {note}", "// SPDX-License-Identifier: Apache-2.0", "//",
+             f"// Registers of {top.inst_name} for its twin: names of the firmware's header, and",
+             "// what a write does to the stored bits of each.", "#pragma once", "",
+             "#include <array>", "#include <cstdint>", "", f"namespace {space} {{", "",
+             *constants(top), "",
+             "struct Register {",
+             "  std::uint32_t address;",
+             "  std::uint32_t reset;",
+             "  std::uint32_t written;  // bits that keep what is written",
+             "  std::uint32_t locked;   // of them, those that LOCK protects",
+             "  std::uint32_t pulsed;   // bits that a written one sets for one clock",
+             "};", "",
+             f"inline constexpr std::array<Register, {len(rows)}> kRegisters{{{{", *rows, "}};"]
+    return "\n".join(lines + ["", f"}}  // namespace {space}", ""])
 
 
 def access(field) -> str:
@@ -321,6 +365,7 @@ def generate(source: pathlib.Path) -> dict:
     top = compiler.elaborate(top_def_name=chip).top
     outputs = {
         ROOT / f"sw_nios/hal/generated/{chip}_regs.hpp": header(top, note),
+        ROOT / f"models/exact/chips/generated/{chip}_map.hpp": twin_map(top, note),
         ROOT / f"docs/registers/{chip}.md": document(top, note),
     }
     with tempfile.TemporaryDirectory() as folder:

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Converter and current loop of one axis of kung_xy, edge by edge: advance(n) brings it to what it
+// shows after edge n, with inputs that hold since the edge it stood at.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "models/exact/chips/kung_time.hpp"
+#include "models/exact/drive/current_loop.hpp"
+
+namespace trammel::exact {
+
+class KungCurrent {
+ public:
+  struct Config {
+    std::uint32_t theta_ofs = 0;
+    fixed::Gain kp{}, ki{};
+  };
+
+  // Edges after that of the tick.
+  static constexpr Clk kCodes = 64;              // the frame has ended
+  static constexpr Clk kTaken = 65;              // the loop takes the currents
+  static constexpr Clk kLimited = 66 + CurrentLoop::kClocks;  // STATUS shows it
+
+  // The 16 kHz tick at edge n latches count and i_q*; the converters hold `codes` then.
+  void tick(Clk n, std::int32_t count, std::int32_t i_q_ref, std::array<std::int32_t, 2> codes) {
+    tick_ = n;
+    count_ = count;
+    i_q_ref_ = i_q_ref;
+    held_ = codes;
+    framed_ = false;
+    loop_.start();
+    limit_due_ = true;
+    schedule();
+  }
+
+  // From edge n on the integrators are held at 0, or no more.
+  void clear(Clk n, bool level) {
+    clear_ = level;
+    clear_at_ = level ? n : kNever;
+    schedule();
+  }
+
+  void advance(Clk n, const Config& config, Sticky& limited) {
+    if (n < due_) return;
+    if (!framed_ && n >= tick_ + kCodes) {
+      codes_ = held_;
+      framed_ = true;
+    }
+    CurrentLoop::In in;
+    in.clear = clear_;
+    in.code_a = held_[0];
+    in.code_b = held_[1];
+    in.count = count_;
+    in.theta_ofs = config.theta_ofs;
+    in.i_q_ref = i_q_ref_;
+    in.kp = config.kp;
+    in.ki = config.ki;
+    if (clear_at_ <= n) {
+      loop_.run_to(clock(clear_at_), in);
+      loop_.clear();
+      clear_at_ = kNever;
+    }
+    loop_.run_to(clock(n), in);
+    if (limit_due_ && n >= tick_ + kLimited) {
+      if (loop_.out().limited) limited.set(tick_ + kLimited);
+      limit_due_ = false;
+    }
+    schedule();
+  }
+
+  // The edge at which advance() next has something to do.
+  Clk due() const { return due_; }
+
+  bool busy(Clk n) const {
+    return n >= tick_ + kTaken && n < tick_ + kTaken + CurrentLoop::kClocks;
+  }
+  bool cleared() const { return clear_; }
+  const CurrentLoop::Out& out() const { return loop_.out(); }
+  const std::array<std::int32_t, 2>& codes() const { return codes_; }
+  std::int32_t count() const { return count_; }
+  std::int32_t i_q_ref() const { return i_q_ref_; }
+
+  // Does a phase current reach `limit` [9.6 A / 2048]? 0: never. The third is -(a + b).
+  static bool reaches(std::int32_t a, std::int32_t b, std::int32_t limit) {
+    const auto reached = [limit](std::int32_t i) { return i >= limit || i <= -limit; };
+    return limit != 0 && (reached(a) || reached(b) || reached(a + b));
+  }
+  bool over(std::int32_t limit) const { return reaches(loop_.out().i_a, loop_.out().i_b, limit); }
+  bool will_be_over(std::int32_t limit) const {
+    return reaches(held_[0] - 2048, held_[1] - 2048, limit);
+  }
+
+ private:
+  void schedule() {
+    due_ = clear_at_;
+    if (!framed_) due_ = std::min(due_, tick_ + kCodes);
+    if (loop_.next_clock() <= CurrentLoop::kClocks) {
+      due_ = std::min(due_, tick_ + kTaken + loop_.next_clock());
+    }
+    if (limit_due_) due_ = std::min(due_, tick_ + kLimited);
+  }
+
+  int clock(Clk n) const {
+    return static_cast<int>(std::min<Clk>(n - tick_ - kTaken, CurrentLoop::kClocks));
+  }
+
+  CurrentLoop loop_;
+  Clk tick_ = -kPeriod;
+  std::int32_t count_ = 0, i_q_ref_ = 0;
+  std::array<std::int32_t, 2> held_{2048, 2048}, codes_{};
+  bool framed_ = true, limit_due_ = false;
+  bool clear_ = true;
+  Clk clear_at_ = kNever;
+  Clk due_ = kNever;
+};
+
+}  // namespace trammel::exact

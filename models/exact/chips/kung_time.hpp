@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the parts of the chip's twin share: edges, and bits that events set and software clears.
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+namespace trammel::exact {
+
+using Clk = std::int64_t;  // index of a clock edge; the first after reset is 0
+inline constexpr Clk kNever = std::numeric_limits<Clk>::max();
+inline constexpr Clk kPeriod = 3125;  // [clk] of the 16 kHz tick
+
+// A register bit that an event sets and a written one clears; of the same edge, the event wins.
+class Sticky {
+ public:
+  void set(Clk edge) { set_ = edge; }
+  void clear(Clk edge) { cleared_ = edge; }
+  bool value() const { return set_ >= cleared_; }
+
+ private:
+  Clk set_ = -1, cleared_ = 0;
+};
+
+}  // namespace trammel::exact

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/exact/chips/kung_xy.hpp"
+
+#include <algorithm>
+
+namespace trammel::exact {
+
+namespace map = kung_xy_map;
+
+namespace {
+
+constexpr std::array<std::uint32_t, 2> kBases{map::kX, map::kY};
+constexpr Clk kOverSeen = KungCurrent::kTaken + 1;  // edges after the tick
+
+bool bit(std::uint64_t lines, int n) { return ((lines >> n) & 1u) != 0; }
+
+}  // namespace
+
+void KungXy::pins(std::uint64_t lines) {
+  for (int k = 0; k < 2; ++k) {
+    Axis& axis = axes_[static_cast<std::size_t>(k)];
+    const bool a = bit(lines, 3 * k), b = bit(lines, 3 * k + 1), z = bit(lines, 3 * k + 2);
+    if (a == axis.pins.a && b == axis.pins.b && z == axis.pins.z) continue;
+    axis.pins.a = a;
+    axis.pins.b = b;
+    axis.pins.z = z;
+    axis.qep_next = now_;
+  }
+  if (bit(lines, kTripPin) == trip_pin_) return;
+  trip_pin_ = !trip_pin_;
+  slow_ = std::min(slow_, now_);
+}
+
+// The address is taken at edge now(), the register read or written one later, the answer taken two
+// later.
+void KungXy::request(const BusOp& op) {
+  op_ = op;
+  op_.address &= 0x3FCu;
+  bus_acts_ = now_ + 1;
+  slow_ = std::min(slow_, bus_acts_);
+}
+
+KungXy::Stop KungXy::run(Clk end, const Converters& converters) {
+  while (now_ < end) {
+    const Axis& x = axes_[0];
+    const Axis& y = axes_[1];
+    const Clk n = std::min({slow_, x.gates.next(), x.qep_next, y.gates.next(), y.qep_next});
+    if (n >= end) {
+      now_ = end;
+      break;
+    }
+    now_ = n + 1;
+    ++events_;
+    const unsigned events = n == slow_ ? full(n, converters) : quick(n);
+    if (events == 0) continue;
+    if (words_ <= n) advance(n);
+    return {n, events};
+  }
+  if (words_ < now_) advance(now_ - 1);
+  return {now_ - 1, 0};
+}
+
+// An edge at which gates and encoders alone have something to do.
+unsigned KungXy::quick(Clk n) {
+  const bool trip = supervisor_.out().trip;
+  unsigned events = 0;
+  for (Axis& axis : axes_) {
+    if (axis.gates.next() == n) {
+      const unsigned before = axis.gates.gates();
+      axis.gates.step(n, {axis.regs.enable, trip, axis.regs.dead_time}, false);
+      if (axis.gates.gates() != before) events |= kGates;
+    }
+    if (axis.qep_next == n) {
+      step_qep(axis, n);
+      if (axis.qep.out().error || (stroke(axis) && !trip)) slow_ = n + 1;
+    }
+  }
+  return events;
+}
+
+// Any edge. Who reads a word of before the edge comes before who changes it.
+unsigned KungXy::full(Clk n, const Converters& converters) {
+  advance(n - 1);
+  const bool tick_cur = n == tick_;
+  const bool tick_pos = tick_cur && ticks_cur_ == 0;
+  const bool trip = supervisor_.out().trip;
+  const std::uint64_t gates_before = gates();
+  Write write;
+  if (n == bus_acts_) {
+    bus_acts_ = kNever;
+    write = {op_.write, op_.address, op_.data};
+    if (!op_.write) answer_ = read(n - 1, op_.address);
+    if (!(write.is(map::kX + map::kTabData) || write.is(map::kY + map::kTabData))) {
+      bus_ends_ = n + 1;
+    }
+  }
+  unsigned events = tick_pos ? kTick : 0u;
+  if (n == bus_ends_) {
+    bus_ends_ = kNever;
+    read_data_ = answer_;
+    events |= kBusDone;
+  }
+
+  for (Axis& axis : axes_) {
+    axis.gates.step(n, {axis.regs.enable, trip, axis.regs.dead_time}, true);
+    if (!tick_cur) continue;
+    const CurrentLoop::Out& cmp = axis.current.out();
+    axis.gates.load(n, {cmp.cmp_a, cmp.cmp_b, cmp.cmp_c});
+  }
+  if (gates() != gates_before) events |= kGates;
+
+  if (trip && !trip_before_) irq_fault_.set(n);
+  trip_before_ = trip;
+  supervisor_.step(supervision(write));
+  const auto limit = static_cast<std::uint16_t>(registers_.word(map::kWatchdog));
+  watchdog_.step({tick_pos, commit_, enabled(), limit});
+
+  const std::array<std::int32_t, 2> chosen{i_q_ref(axes_[0]), i_q_ref(axes_[1])};
+  if (step_positions(n, tick_pos)) events |= kSample;
+  if (tick_cur) tick(n, tick_pos, chosen, converters);
+  for (std::size_t k = 0; k < 2; ++k) {
+    Axis& axis = axes_[k];
+    const bool preset = write.is(kBases[k] + map::kPosPreset);
+    const std::int32_t value = signed_word(write.data, 24);
+    if (tick_pos || commit_ || preset) {
+      axis.command.clock(
+          {tick_pos, commit_, axis.regs.interpolate, preset, axis.regs.pos_cmd, value});
+      axis.position_in.r = axis.command.r();
+    }
+    if (axis.qep.out().error) axis.qep_error.set(n);
+    axis.pins.preset = preset;
+    axis.pins.preset_value = value;
+    if (preset || axis.qep_next == n) step_qep(axis, n);
+    axis.pins.preset = false;
+    axis.reset_table = false;
+    if (write.is(kBases[k] + map::kTabData)) {
+      axis.tab_pending = true;
+      axis.tab_data = signed_word(write.data, 24);
+    }
+  }
+  commit_ = false;
+  if (write.valid) apply(n, write);
+  for (Axis& axis : axes_) {
+    const bool level = clear_level(axis);
+    if (level != axis.current.cleared()) axis.current.clear(n + 1, level);
+  }
+
+  const std::uint32_t enables = registers_.word(map::kIrqEn);
+  const bool irq = (irq_tick_.value() && (enables & map::kIrqEnTick) != 0) ||
+                   (irq_fault_.value() && (enables & map::kIrqEnFault) != 0);
+  if (irq && !irq_) events |= kIrq;
+  irq_ = irq;
+  schedule(n, write.valid);
+  return events;
+}
+
+// Words of the controllers as they are after edge n.
+void KungXy::advance(Clk n) {
+  for (Axis& axis : axes_) {
+    axis.position.advance(n, axis.position_in, axis.saturated);
+    axis.current.advance(n, axis.regs.current, axis.limited);
+  }
+  schedule_words();
+}
+
+void KungXy::schedule_words() {
+  words_ = kNever;
+  for (const Axis& axis : axes_) {
+    words_ = std::min({words_, axis.current.due(), axis.position.next_word()});
+  }
+}
+
+Supervisor::In KungXy::supervision(const Write& write) const {
+  const auto limit = static_cast<std::int32_t>(registers_.word(map::kCurrentLimit));
+  Supervisor::In in;
+  in.tick_count = tick_count_;
+  in.clear = write.is(map::kFaultClear) && write.data == map::kKeyFaultClear;
+  in.trip_pin = trip_pin_;
+  in.watchdog = watchdog_.bite();
+  for (std::size_t k = 0; k < 2; ++k) {
+    in.enabled[k] = axes_[k].regs.enable;
+    in.over_current[k] = axes_[k].current.over(limit);
+    in.encoder[k] = axes_[k].qep_error.value();
+    in.stroke[k] = stroke(axes_[k]);
+  }
+  return in;
+}
+
+// The 16 kHz tick, position: one of 2 kHz too.
+void KungXy::tick(Clk n, bool position, const std::array<std::int32_t, 2>& i_q_ref_now,
+                  const Converters& converters) {
+  const auto limit = static_cast<std::int32_t>(registers_.word(map::kCurrentLimit));
+  over_due_ = kNever;
+  for (std::size_t k = 0; k < 2; ++k) {
+    Axis& axis = axes_[k];
+    const std::int32_t count = axis.qep.out().count;
+    axis.current.tick(n, count, i_q_ref_now[k], converters.hold(static_cast<int>(k), n));
+    if (axis.current.will_be_over(limit)) over_due_ = n + kOverSeen;
+    if (position) axis.position_in.x_p = count;
+  }
+  tick_ += kPeriod;
+  ticks_cur_ = (ticks_cur_ + 1) % 8;
+  if (!position) return;
+  ++tick_count_;
+  if (irq_left_ != 0) {
+    --irq_left_;
+    return;
+  }
+  irq_tick_.set(n);
+  const std::uint32_t period = registers_.word(map::kIrqPeriod);
+  irq_left_ = period == 0 ? 0 : period - 1;
+}
+
+// Not zero when the words of both are complete now.
+unsigned KungXy::step_positions(Clk n, bool position_tick) {
+  for (std::size_t k = 0; k < 2; ++k) {
+    Axis& axis = axes_[k];
+    if (position_tick && axis.position.overruns()) axis.overrun.set(n);
+    const bool table = axis.tab_pending && !axis.position.busy();
+    const bool done = axis.position.step(
+        n, axis.position_in, {position_tick, axis.reset_table, table, axis.tab_data},
+        axis.saturated);
+    if (table) {
+      axis.tab_pending = false;
+      bus_ends_ = n + 1;
+    }
+    if (done) done_ |= 1u << k;
+    axis.current.advance(n, axis.regs.current, axis.limited);
+  }
+  if (done_ != 3) return 0;
+  done_ = 0;
+  return 1;
+}
+
+void KungXy::step_qep(Axis& axis, Clk n) {
+  const Clk skipped = n - 1 - axis.qep_at;
+  if (skipped > 0) axis.qep.advance(static_cast<Gap>(skipped));
+  axis.pins.clear_error = axis.qep.out().error;
+  const Qep::Out& out = axis.qep.step(axis.pins);
+  axis.qep_at = n;
+  Qep::In held = axis.pins;
+  held.preset = false;
+  held.clear_error = out.error;
+  const Gap gap = axis.qep.next(held);
+  axis.qep_next = gap == kGapMax ? kNever : n + 1 + gap;
+}
+
+void KungXy::schedule(Clk n, bool again) {
+  if (over_due_ <= n) over_due_ = kNever;
+  // A write may have moved the limit of currents that are under way.
+  if (again && n < tick_ - kPeriod + kOverSeen) over_due_ = tick_ - kPeriod + kOverSeen;
+  again = again || trip_before_ != supervisor_.out().trip ||
+          !supervisor_.quiescent(supervision({}));
+  slow_ = std::min({tick_, bus_acts_, bus_ends_, over_due_});
+  for (const Axis& axis : axes_) {
+    again = again || axis.tab_pending || axis.qep.out().error;
+    slow_ = std::min(slow_, axis.position.due());
+  }
+  if (again) slow_ = n + 1;
+  schedule_words();
+}
+
+bool KungXy::stroke(const Axis& axis) const {
+  const std::int32_t count = axis.qep.out().count;
+  return axis.regs.stroke_enable &&
+         (count < axis.regs.stroke_min || count > axis.regs.stroke_max);
+}
+
+bool KungXy::clear_level(const Axis& axis) const {
+  return supervisor_.out().trip || !axis.regs.enable || !axis.regs.current_loop;
+}
+
+std::int32_t KungXy::i_q_ref(const Axis& axis) const {
+  return axis.regs.position_loop ? axis.position.afc().out().i_q_ref : axis.regs.iq_manual;
+}
+
+}  // namespace trammel::exact
