@@ -108,6 +108,19 @@ void check_path(const Options& o) {
   }
 }
 
+// What only the RTL has to show.
+void check_engine(const kung::RunOptions& run) {
+  if (run.engine == kung::Engine::kRtl) return;
+  require(run.wave == kung::WaveFormat::kNone && run.wave_trigger.empty(),
+          "run.engine: the twin has no signals to trace; waves and triggers need the RTL "
+          "(--engine rtl)");
+  require(!run.assertions,
+          "run.engine: the twin makes no promises; --assert needs the RTL (--engine rtl)");
+  require(run.leap && !run.audit,
+          "run.engine: the twin has no clocks to evaluate; --no-leap and --audit need the RTL "
+          "(--engine rtl)");
+}
+
 }  // namespace
 
 void finish(Options& o) {
@@ -126,6 +139,7 @@ void finish(Options& o) {
                       p.window_radius_m, p.window_side_m / 2));
   require(p.kind != PathKind::kSquare || p.square_low_m != p.square_high_m,
           "path.square_high_m: must differ from path.square_low_m");
+  check_engine(o.run);
   check_waves(o);
   require(!o.scenario.empty() && o.scenario.find('/') == std::string::npos &&
               o.scenario.front() != '.' &&

@@ -17,6 +17,7 @@ std::vector<std::string> names(kung::PathKind) {
   return {"circle", "window", "star", "square", "line", "points"};
 }
 std::vector<std::string> names(kung::Platform) { return {"systemc", "direct"}; }
+std::vector<std::string> names(kung::Engine) { return {"rtl", "twin"}; }
 std::vector<std::string> names(kung::WaveFormat) { return {"none", "vcd", "fst"}; }
 
 // Reads and writes the member that `lens` selects, whatever its type is.
@@ -93,6 +94,8 @@ void add_run(Table& t) {
   t.text("name", "name of the run and of its output folder", TRAMMEL_LENS(scenario));
   t.text("description", "one line for `trammel list`", TRAMMEL_LENS(description));
   t.text("controller", "fixed rule table (fc) or adaptive (afc)", TRAMMEL_LENS(controller));
+  t.text("run.engine", "the verilated RTL, or its bit-exact twins without SystemC: same results",
+         TRAMMEL_LENS(run.engine));
   t.text("run.platform", "SystemC platform or direct wiring", TRAMMEL_LENS(run.platform));
   t.one("run.leap", 0, 0, "waiting clocks are not evaluated; false: every clock is",
         TRAMMEL_LENS(run.leap));

@@ -59,6 +59,7 @@ struct CommandLine {
     run->add_option("-c,--config", run_arguments.files, "more TOML files, later ones win");
     run->add_option("-s,--set", run_arguments.assignments, "key=value (`trammel list keys`)");
     run->add_option("-o,--out", run_arguments.out, "output folder, default out/<scenario>");
+    run->add_option("--engine", run_arguments.engine, "rtl, or twin: its bit-exact twins, fast");
     run->add_option("--platform", run_arguments.platform, "systemc or direct");
     add_waves(run_arguments.waves);
     run->add_flag("--no-leap", run_arguments.plain, "evaluate every clock; the same events");

@@ -21,9 +21,13 @@ std::string figure(const std::optional<double>& value, int digits) {
 }
 
 // Share of the clocks evaluated, and what they were evaluated for.
-std::string evaluated_text(const kung::Result& result) {
+std::string evaluated_text(const kung::Options& options, const kung::Result& result) {
   const auto evaluated = static_cast<double>(std::max<cosim::Clk>(1, result.evaluated));
   const auto clocks = static_cast<double>(std::max<cosim::Clk>(1, result.clocks));
+  if (options.run.engine == kung::Engine::kTwin) {
+    return fmt::format("  twin engine, no clocks: {:.1f} % of them hold an event\n",
+                       100 * evaluated / clocks);
+  }
   std::string text = fmt::format("  {:.1f} % of the clocks evaluated, the others leapt over",
                                  100 * evaluated / clocks);
   std::string causes;
@@ -138,7 +142,7 @@ std::string run_report(const kung::Options& options, const kung::Result& result,
                       "real-time factor {:.3f}\n",
                       m.simulated_s, result.clocks, result.wall_s, m.clocks_per_s / 1e6,
                       m.real_time_factor);
-  text += evaluated_text(result);
+  text += evaluated_text(options, result);
   text += fmt::format("  results in {}\n", folder);
   if (!page.empty()) text += fmt::format("  report: {}\n", page);
   return text;

@@ -59,6 +59,9 @@ void apply_layers(Options& options, const RunArguments& arguments) {
   for (const std::string& more : arguments.files) apply_file(options, more);
   apply_environment(options, environment());
   for (const std::string& text : arguments.assignments) apply_assignment(options, text);
+  if (!arguments.engine.empty()) {
+    apply_assignment(options, "run.engine=" + arguments.engine, "--engine");
+  }
   if (!arguments.platform.empty()) {
     apply_assignment(options, "run.platform=" + arguments.platform, "--platform");
   }

@@ -22,6 +22,7 @@ struct RunArguments {
   bool plain = false;                    // --no-leap, as its key
   bool audit = false;                    // --audit, as its key
   bool assertions = false;               // --assert, as its key
+  std::string engine;                    // --engine, as its key
   std::string platform;                  // --platform, as its key
   WaveArguments waves;                   // --wave, --wave-*
   std::string out;

@@ -70,6 +70,9 @@ struct Watcher {
   virtual void after(cosim::Clk edge, const SignalReader& chip) = 0;
 };
 
+// The bit-exact twin of the verilated chips: the same stops and words.
+std::unique_ptr<KungChip> make_twin_chip();
+
 // leap: waiting clocks are not evaluated; the edges of all events stay the same.
 // An audited chip runs a plain and a leaping one in step; where a register, an output or a stop
 // differs, its promise leap_is_exact is broken.

@@ -56,6 +56,7 @@ Session::Session(const Options& options, const Hooks& hooks, const Waves& waves)
 
 std::unique_ptr<KungChip> Session::make_chip() {
   const RunOptions& run = options_.run;
+  if (run.engine == Engine::kTwin) return make_twin_chip();
   if (waves_.search != nullptr) return make_watched_chip(*waves_.search, run.leap);
   if (waves_.window) {
     return make_traced_chip(run.wave_file, *waves_.window, run.leap, run.assertions);

@@ -24,6 +24,7 @@ namespace trammel::kung {
 enum class Controller { kFc, kAfc };  // fixed rule table, or tuned while it runs
 enum class PathKind { kCircle, kWindow, kStar, kSquare, kLine, kPoints };
 enum class Platform { kSystemC, kDirect };
+enum class Engine { kRtl, kTwin };  // the verilated chip, or its bit-exact twin
 enum class WaveFormat { kNone, kVcd, kFst };
 
 struct PointM {
@@ -107,6 +108,7 @@ struct PathOptions {
 };
 
 struct RunOptions {
+  Engine engine = Engine::kRtl;   // kTwin: no SystemC, whatever the platform
   Platform platform = Platform::kSystemC;
   std::int64_t window_clk = 0;    // longest look-ahead of the loop; 0 = unbounded, 1 = lock step
   bool leap = true;               // waiting clocks are not evaluated; off: every clock is

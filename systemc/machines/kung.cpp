@@ -37,8 +37,8 @@ void run_systemc(Session& session) {
   sc_core::sc_start();
 }
 
-void wire(Session& session, Platform platform) {
-  if (platform == Platform::kSystemC) {
+void wire(Session& session, const RunOptions& run) {
+  if (run.platform == Platform::kSystemC && run.engine == Engine::kRtl) {
     run_systemc(session);
   } else {
     cosim::run_direct(session.loop(), session.firmware(), session.timing(), session.end(),
@@ -68,7 +68,7 @@ Result simulate(const Options& options, const Hooks& hooks) {
   } else if (event) {
     TriggerSearch search(*event);
     Session session(options, half(hooks, 0), {&search, {}});
-    wire(session, run.platform);
+    wire(session, run);
     trigger = search.found();
     // Without the event there is nothing to dump, and this was the run.
     if (!trigger && (trigger_asked(run) || session.stopped())) return session.result();
@@ -78,7 +78,7 @@ Result simulate(const Options& options, const Hooks& hooks) {
     waves.window = wave_window(run, trigger.value_or(wave_origin(run)));
   }
   Session session(options, own, waves);
-  wire(session, run.platform);
+  wire(session, run);
   Result result = session.result();
   result.wave_trigger = trigger;
   return result;
