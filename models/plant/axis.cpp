@@ -83,7 +83,7 @@ Axis::Axis(const AxisConfig& config, double period_s)
   }
   if (segment_ < 1e-7) throw std::invalid_argument("axis: friction speed too small for the mass");
   const MotorState rest{config.start_m, 0, 0, 0};
-  first_ = build(0, {rest, motor_.angle(rest.x)}, 7);
+  begin({rest, motor_.angle(rest.x)}, 7);
   next_ = predict();
 }
 
@@ -111,10 +111,19 @@ Axis::Point Axis::point(const Segment& s, double t, unsigned zero) const {
   return p;
 }
 
-Axis::Segment Axis::build(double start, const Point& at, unsigned zero) const {
-  Segment s;
+void Axis::begin(const Point& p, unsigned zero) {
+  if (chain_.empty()) chain_.emplace_back();
+  build(chain_[0], 0, p, zero);
+  known_ = 1;
+}
+
+// Writes every member of s.
+void Axis::build(Segment& s, double start, const Point& at, unsigned zero) const {
   s.start = start;
   s.length = segment_;
+  s.held = s.meets_stop = false;
+  s.dies = 0;
+  s.stop = 0;
   Point p = at;
   if (config_.hard_stops) {
     const bool low = p.motor.x <= config_.stroke_min_m && p.motor.v <= 0;
@@ -136,10 +145,9 @@ Axis::Segment Axis::build(double start, const Point& at, unsigned zero) const {
     return -dot(slope, kPhase[leg]) / per_volt;
   };
   s.legs = inverter_.resolve(gates_, current, zero, emf, keep_zero);
-  s.span = motor_.span(p.motor, p.angle, clarke(s.legs.volt), {s.held, s.legs.open});
+  motor_.span(s.span, p.motor, p.angle, clarke(s.legs.volt), {s.held, s.legs.open});
   if (some_off && !s.legs.open) end_at_dead_current(s);
   if (config_.hard_stops && !s.held) end_at_stop(s);
-  return s;
 }
 
 void Axis::end_at_dead_current(Segment& s) const {
@@ -175,25 +183,31 @@ void Axis::end_at_stop(Segment& s) const {
   }
 }
 
-Axis::Segment Axis::successor(const Segment& s) const {
+const Axis::Segment& Axis::successor(std::size_t k) const {
+  if (k + 1 < known_) return chain_[k + 1];
+  if (k + 1 == chain_.size()) chain_.emplace_back();
+  const Segment& s = chain_[k];
   const unsigned zero = s.legs.open ? 7u : s.legs.floating | s.dies;
   Point p = point(s, s.length, zero);
   if (s.meets_stop) p.motor.x = s.stop, p.motor.v = 0;
   if (s.held) p.motor.v = 0;
-  return build(s.start + s.length, p, zero);
+  build(chain_[k + 1], s.start + s.length, p, zero);
+  known_ = k + 2;
+  return chain_[k + 1];
 }
 
-Axis::Segment Axis::segment_at(double t) const {
-  Segment s = first_;
-  while (t > s.start + s.length) s = successor(s);
-  return s;
+// Valid until the next question.
+const Axis::Segment& Axis::segment_at(double t) const {
+  std::size_t k = 0;
+  const Segment* s = &chain_[0];
+  while (t > s->start + s->length) s = &successor(k++);
+  return *s;
 }
 
 void Axis::commit(Clk n, unsigned gates) {
   const bool own = n >= next_;
   const double t = seconds(n - anchor_);
-  const bool in_first = t <= first_.start + first_.length;
-  const Segment s = in_first ? first_ : segment_at(t);
+  const Segment& s = segment_at(t);
   const unsigned zero = s.legs.open ? 7u : s.legs.floating;
   const Point p = point(s, t - s.start, zero);
   // Only the axis' own event moves the lines, so that a drive change never alters them unseen.
@@ -201,13 +215,13 @@ void Axis::commit(Clk n, unsigned gates) {
   anchor_ = n;
   gates_ = gates;
   shoot_through_ = shoot_through_ || plant::shoot_through(gates);
-  first_ = build(0, p, zero);
+  begin(p, zero);
   next_ = predict();
 }
 
 AxisState Axis::state(Clk n) const {
   const double t = seconds(n - anchor_);
-  const Segment s = segment_at(t);
+  const Segment& s = segment_at(t);
   const Point p = point(s, t - s.start, s.legs.open ? 7u : s.legs.floating);
   const std::array<double, 3> i = to_phases(Pmlsm::stator(p.motor.i_d, p.motor.i_q, p.angle));
   return {p.motor.x, p.motor.v, p.motor.i_d, p.motor.i_q, i[0], i[1], motor_.force(p.motor)};
@@ -215,7 +229,7 @@ AxisState Axis::state(Clk n) const {
 
 double Axis::position(Clk n) const {
   const double t = seconds(n - anchor_);
-  const Segment s = segment_at(t);
+  const Segment& s = segment_at(t);
   return s.span.position(t - s.start);
 }
 
@@ -238,9 +252,9 @@ bool Axis::far_from_events(const Segment& s, double time) const {
 }
 
 Clk Axis::predict() const {
-  Segment s = first_;
   Clk from = 1;
-  while (true) {
+  for (std::size_t k = 0;; ++k) {
+    const Segment& s = k == 0 ? chain_[0] : successor(k - 1);
     if (far_from_events(s, seconds(horizon_) - s.start)) return anchor_ + horizon_;
     const double end = s.start + s.length;
     Clk to = std::min(horizon_, static_cast<Clk>(end / period_) + 1);
@@ -250,7 +264,6 @@ Clk Axis::predict() const {
     if (to >= horizon_) return anchor_ + horizon_;
     if (s.meets_stop) return anchor_ + std::max(to, from - 1) + 1;
     from = std::max(from, to + 1);
-    s = successor(s);
   }
 }
 

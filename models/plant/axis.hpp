@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "models/plant/current_sensor.hpp"
 #include "models/plant/encoder.hpp"
@@ -64,10 +65,10 @@ class Axis {
   int code(int phase, std::uint64_t seed, int channel, Clk n) const;
   const Encoder& encoder() const { return encoder_; }
   const Pmlsm& motor() const { return motor_; }
-  bool at_stop() const { return first_.held; }                              // at the last commit
+  bool at_stop() const { return chain_[0].held; }                           // at the last commit
   bool shoot_through() const { return shoot_through_; }                     // ever since the start
-  double leg_volt(std::size_t leg) const { return first_.legs.volt[leg]; }  // at the last commit
-  bool leg_floats(std::size_t leg) const { return ((first_.legs.floating >> leg) & 1u) != 0; }
+  double leg_volt(std::size_t leg) const { return chain_[0].legs.volt[leg]; }  // at the last commit
+  bool leg_floats(std::size_t leg) const { return ((chain_[0].legs.floating >> leg) & 1u) != 0; }
 
  private:
   struct Segment {
@@ -87,11 +88,12 @@ class Axis {
   static constexpr Clk kNoEdge = -1;
 
   double seconds(Clk clocks) const { return static_cast<double>(clocks) * period_; }
-  Segment build(double start, const Point& p, unsigned zero) const;
+  void begin(const Point& p, unsigned zero);
+  void build(Segment& s, double start, const Point& p, unsigned zero) const;
   void end_at_dead_current(Segment& s) const;
   void end_at_stop(Segment& s) const;
-  Segment successor(const Segment& s) const;
-  Segment segment_at(double t) const;
+  const Segment& successor(std::size_t k) const;
+  const Segment& segment_at(double t) const;
   Point point(const Segment& s, double t, unsigned zero) const;
   double phase_current(const Span& f, double t, std::size_t leg) const;
 
@@ -114,7 +116,9 @@ class Axis {
   unsigned gates_ = 0;
   bool shoot_through_ = false;
   Clk anchor_ = 0;
-  Segment first_;
+  // What follows from the last commit, as far as it was asked for; slots are used again.
+  mutable std::vector<Segment> chain_;
+  mutable std::size_t known_ = 0;
   Clk next_ = 0;
 };
 

@@ -133,59 +133,29 @@ class Pmlsm {
     return d * d * inv_ld_ + q * q * inv_lq_;
   }
 
-  // Series from state s under the constant stator-frame voltage u.
-  Span span(const MotorState& s, const SinCos& a, const AlphaBeta& u, Hold hold) const {
-    Span f;
+  // Series from state s under the constant stator-frame voltage u; writes every member of f.
+  void span(Span& f, const MotorState& s, const SinCos& a, const AlphaBeta& u, Hold hold) const {
     f.angle = a;
     f.x[0] = s.x;
-    f.v[0] = hold.carriage ? 0 : s.v;
-    if (!hold.currents) {
-      f.i_d[0] = s.i_d;
-      f.i_q[0] = s.i_q;
-    }
-    std::array<double, 4> u_d{}, u_q{}, cog{}, cog_cos{};
-    u_d[0] = u.alpha * a.cos + u.beta * a.sin;
-    u_q[0] = u.beta * a.cos - u.alpha * a.sin;
-    cog[0] = 2 * a.sin * a.cos;
-    cog_cos[0] = 1 - 2 * a.sin * a.sin;
+    f.v = {hold.carriage ? 0 : s.v, 0, 0, 0};
+    f.i_d = {hold.currents ? 0 : s.i_d, 0, 0, 0};
+    f.i_q = {hold.currents ? 0 : s.i_q, 0, 0, 0};
+    Push p;
+    p.u_d[0] = u.alpha * a.cos + u.beta * a.sin;
+    p.u_q[0] = u.beta * a.cos - u.alpha * a.sin;
+    p.cog[0] = 2 * a.sin * a.cos;
+    p.cog_cos[0] = 1 - 2 * a.sin * a.sin;
     const double width2 = c_.friction_speed * c_.friction_speed;
-    const double inv_r = 1 / std::sqrt(f.v[0] * f.v[0] + width2);
-    const double slope = width2 * inv_r * inv_r * inv_r;
-    const double saliency = c_.inductance_d - c_.inductance_q;
-    for (std::size_t n = 0; n < 3; ++n) {
-      const double scale = kInverse[n + 1];
-      if (!hold.currents) {
-        const double w_iq = k_ * product(f.v, f.i_q, n);
-        const double w_id = k_ * product(f.v, f.i_d, n);
-        f.i_d[n + 1] =
-            // Kung eq. 1
-            scale * inv_ld_ * (u_d[n] - c_.resistance * f.i_d[n] + c_.inductance_q * w_iq);
-        // Kung eq. 2
-        f.i_q[n + 1] =
-            scale * inv_lq_ *
-            (u_q[n] - c_.resistance * f.i_q[n] - c_.inductance_d * w_id - k_ * lambda_ * f.v[n]);
-        u_d[n + 1] = scale * k_ * product(f.v, u_q, n);
-        u_q[n + 1] = -scale * k_ * product(f.v, u_d, n);
-      }
-      f.x[n + 1] = scale * f.v[n];
-      if (hold.carriage) continue;
-      double push = force_ * lambda_ * f.i_q[n] - c_.viscous * f.v[n];
-      if (saliency != 0) push += force_ * saliency * product(f.i_d, f.i_q, n);
-      if (n == 0) {
-        push -= c_.external_force + c_.coulomb * f.v[0] * inv_r;
-      } else if (n == 1) {
-        push -= c_.coulomb * slope * f.v[1];
-      } else {
-        push -= c_.coulomb * slope * (f.v[2] - 1.5 * f.v[0] * inv_r * inv_r * f.v[1] * f.v[1]);
-      }
-      if (c_.cogging != 0) {
-        push -= c_.cogging * cog[n];
-        cog[n + 1] = scale * 2 * k_ * product(f.v, cog_cos, n);
-        cog_cos[n + 1] = -scale * 2 * k_ * product(f.v, cog, n);
-      }
-      f.v[n + 1] = scale * inv_mass_ * push;  // Kung eq. 6
-    }
+    p.inv_r = 1 / std::sqrt(f.v[0] * f.v[0] + width2);
+    p.slope = width2 * p.inv_r * p.inv_r * p.inv_r;
+    extend<0>(f, p, hold);
+    extend<1>(f, p, hold);
+    extend<2>(f, p, hold);
     f.x[4] = 0.25 * f.v[3];
+  }
+  Span span(const MotorState& s, const SinCos& a, const AlphaBeta& u, Hold hold) const {
+    Span f;
+    span(f, s, a, u, hold);
     return f;
   }
 
@@ -205,12 +175,57 @@ class Pmlsm {
  private:
   static constexpr std::array<double, 4> kInverse{0, 1, 0.5, 1.0 / 3};
 
+  // Series that a span is made from.
+  struct Push {
+    std::array<double, 4> u_d{}, u_q{}, cog{}, cog_cos{};
+    double inv_r = 0, slope = 0;  // of the Coulomb friction
+  };
+
   // Coefficient n of the product of two series.
-  static double product(const std::array<double, 4>& a, const std::array<double, 4>& b,
-                        std::size_t n) {
+  template <std::size_t n>
+  static double product(const std::array<double, 4>& a, const std::array<double, 4>& b) {
     double sum = a[0] * b[n];
-    for (std::size_t k = 1; k <= n; ++k) sum += a[k] * b[n - k];
+    if constexpr (n > 0) sum += a[1] * b[n - 1];
+    if constexpr (n > 1) sum += a[2] * b[n - 2];
     return sum;
+  }
+
+  // Coefficient n + 1 of all series.
+  template <std::size_t n>
+  void extend(Span& f, Push& p, Hold hold) const {
+    constexpr double scale = kInverse[n + 1];
+    if (!hold.currents) {
+      const double w_iq = k_ * product<n>(f.v, f.i_q);
+      const double w_id = k_ * product<n>(f.v, f.i_d);
+      f.i_d[n + 1] =
+          // Kung eq. 1
+          scale * inv_ld_ * (p.u_d[n] - c_.resistance * f.i_d[n] + c_.inductance_q * w_iq);
+      // Kung eq. 2
+      f.i_q[n + 1] =
+          scale * inv_lq_ *
+          (p.u_q[n] - c_.resistance * f.i_q[n] - c_.inductance_d * w_id - k_ * lambda_ * f.v[n]);
+      p.u_d[n + 1] = scale * k_ * product<n>(f.v, p.u_q);
+      p.u_q[n + 1] = -scale * k_ * product<n>(f.v, p.u_d);
+    }
+    f.x[n + 1] = scale * f.v[n];
+    if (hold.carriage) return;
+    const double saliency = c_.inductance_d - c_.inductance_q;
+    double push = force_ * lambda_ * f.i_q[n] - c_.viscous * f.v[n];
+    if (saliency != 0) push += force_ * saliency * product<n>(f.i_d, f.i_q);
+    if constexpr (n == 0) {
+      push -= c_.external_force + c_.coulomb * f.v[0] * p.inv_r;
+    } else if constexpr (n == 1) {
+      push -= c_.coulomb * p.slope * f.v[1];
+    } else {
+      push -=
+          c_.coulomb * p.slope * (f.v[2] - 1.5 * f.v[0] * p.inv_r * p.inv_r * f.v[1] * f.v[1]);
+    }
+    if (c_.cogging != 0) {
+      push -= c_.cogging * p.cog[n];
+      p.cog[n + 1] = scale * 2 * k_ * product<n>(f.v, p.cog_cos);
+      p.cog_cos[n + 1] = -scale * 2 * k_ * product<n>(f.v, p.cog);
+    }
+    f.v[n + 1] = scale * inv_mass_ * push;  // Kung eq. 6
   }
 
   PmlsmConfig c_;
