@@ -1,18 +1,21 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Verify RTL blocks: prove their promises, or measure how well their tests would see a fault.
+"""Verify RTL blocks: prove their promises, or measure how well their tests would see a fault; or
+whole runs: the twin engine against the RTL.
 
 usage: verify.py [layer/block ...]               the promises, as trammel prove
        verify.py --mutants [layer/block ...]     the whole campaign; writes the table of a block
        verify.py --sample [layer/block ...]      mutants the unit test refused must still be refused
        verify.py --check                         every block has a table, not stale, over its floor
        verify.py --page                          writes docs/mutation.md from the tables
+       verify.py --engines [scenario ...]        whole scenarios with both engines: the same events
 
 A campaign makes 200 mutants of a block, runs its unit test against each, and proves what it can of
 those the test accepts: refuted by a promise, or equivalent. --afresh proves again what the table
 already holds. Logs and models stay in build/mutants/<block>.
 
-Exit codes: 0 reached, 1 under the floor or stale, 2 no such block, 3 a tool is missing.
+Exit codes: 0 reached, 1 under the floor, stale or different, 2 no such block or scenario, 3 a tool
+is missing.
 """
 
 import argparse
@@ -22,6 +25,7 @@ import time
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
+import engines  # noqa: E402
 import lint  # noqa: E402
 import mutant_proofs  # noqa: E402
 import mutant_tables  # noqa: E402
@@ -105,13 +109,19 @@ def parse(every):
     parser = argparse.ArgumentParser(description=__doc__, prog="trammel verify",
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     what = parser.add_mutually_exclusive_group()
-    for name in ("mutants", "sample", "check", "page"):
+    for name in ("mutants", "sample", "check", "page", "engines"):
         what.add_argument(f"--{name}", action="store_true")
     parser.add_argument("--afresh", action="store_true")
     parser.add_argument("--limit", type=int, default=60, metavar="SECONDS",
                         help="for one proof (default 60)")
-    parser.add_argument("blocks", nargs="*", metavar="layer/block")
+    parser.add_argument("blocks", nargs="*", metavar="layer/block", help="or scenario")
     arguments = parser.parse_args()
+    if arguments.engines:
+        for name in arguments.blocks:
+            if name not in engines.scenarios():
+                parser.error(f"{name}: no such scenario; there are "
+                             f"{', '.join(engines.scenarios())}")
+        return arguments
     for block in arguments.blocks:
         if block not in every:
             parser.error(f"rtl/{block}.sv: no such block; there are {', '.join(every)}")
@@ -142,6 +152,14 @@ def run(arguments, every):
 def main():
     every = [b for b in lint.blocks() if mutant_tests.test_of(b).exists()]
     arguments = parse(every)
+    if arguments.engines:
+        try:
+            wrong = engines.compare(arguments.blocks or engines.scenarios())
+        except engines.EngineError as error:
+            wrong = [str(error)]
+        for line in wrong:
+            print(f"verify: {line}", file=sys.stderr)
+        return 1 if wrong else 0
     if not (arguments.mutants or arguments.sample or arguments.check or arguments.page):
         sys.argv[1:] = [f"--limit={arguments.limit}", *arguments.blocks]
         return prove.main()
