@@ -110,6 +110,10 @@ void check_path(const Options& o) {
 
 // What only the RTL has to show.
 void check_engine(const kung::RunOptions& run) {
+  require(!run.audit || (run.leap && !run.assertions && run.wave == kung::WaveFormat::kNone &&
+                         run.wave_trigger.empty()),
+          "run.audit: compares a leaping chip with a plain one; not with --no-leap, --assert or "
+          "waves");
   if (run.engine == kung::Engine::kRtl) return;
   require(run.wave == kung::WaveFormat::kNone && run.wave_trigger.empty(),
           "run.engine: the twin has no signals to trace; waves and triggers need the RTL "
