@@ -84,6 +84,7 @@ class Board final : public sc_core::sc_module, private sw::Bus {
   sc_core::sc_time stop_time(cosim::Clk end) const { return time_of(end) - half(); }
   sc_core::sc_time period() const { return 2 * half(); }
   std::uint64_t event_hash() const { return recorder_->event_hash(); }
+  std::size_t samples() { return recorder_->take_samples().size(); }
   cosim::Clk edge() const;  // the last one
 
  private:

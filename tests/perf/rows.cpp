@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Rows of `trammel perf` on the --cc model: `clocked` activates it in SystemC once a clock, the
-// others are the program's own platform with keys of their own (tests/perf/row.hpp).
+// Rows of `trammel perf` on the --cc model: `clocked` activates it in SystemC once a clock,
+// `speed` replaces its plant, the others are the program's own platform with keys of their own (tests/perf/row.hpp).
 #include <systemc>
 
 #include "cosim/kung/session.hpp"
 #include "systemc/machines/kung.hpp"
 #include "tests/perf/row.hpp"
+#include "tests/perf/speed.hpp"
 
 namespace trammel::perf {
 namespace {
@@ -76,6 +77,10 @@ class Processor final : public sc_module, private sw::Bus {
   kung::Session& session_;
 };
 
+Outcome outcome(const kung::Result& result) {
+  return {result.clocks, result.evaluated, result.event_hash, result.samples.size()};
+}
+
 Outcome run_clocked(kung::Options options) {
   options.run.leap = false;
   kung::Session session(options, {});
@@ -85,14 +90,13 @@ Outcome run_clocked(kung::Options options) {
   Processor processor("processor", chip, session);
   // Half a period before the edge that must not come.
   sc_start(clocks(session.end(), session.period_ps()) - clocks(1, session.period_ps() / 2));
-  const kung::Result result = session.result();
-  return {result.clocks, result.evaluated, result.event_hash};
+  return outcome(session.result());
 }
 
 Outcome run_row(const Arguments& arguments) {
   if (arguments.row == "clocked") return run_clocked(arguments.options);
-  const kung::Result result = kung::simulate(arguments.options, {});
-  return {result.clocks, result.evaluated, result.event_hash};
+  if (arguments.row == "speed") return run_speed(arguments);
+  return outcome(kung::simulate(arguments.options, {}));
 }
 
 }  // namespace

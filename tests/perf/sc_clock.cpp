@@ -61,7 +61,7 @@ Outcome run_sc(const Arguments& arguments) {
   sc_core::sc_start(board.stop_time(kung::edge_at(arguments.options.run.max_s)));
   const cosim::Clk clocks = board.edge() + 1;
   chip->final();
-  return {clocks, clocks, board.event_hash()};
+  return {clocks, clocks, board.event_hash(), board.samples()};
 }
 
 }  // namespace
