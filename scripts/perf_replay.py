@@ -5,11 +5,12 @@ import os
 import shutil
 import subprocess
 import time
+from pathlib import Path
 
 import mutants
 import perf_cocotb
 import python_tools
-from perf_rows import Measured, NotHere, Failed, OUT, PREFIX_S, ROOT, run_row
+from perf_rows import Failed, Measured, NotHere, OUT, PREFIX_S, ROOT, run_row
 
 NETLIST = """read_slang --top kung_xy {files}
 proc
@@ -67,6 +68,7 @@ class Replay:
         self.pins = OUT / "pins.txt"
         self.recorded = None
         self.program = None
+        self.cocotb_is_built = False
 
     def reference(self):
         """The event hash of the run that the pins were recorded of."""
@@ -77,7 +79,7 @@ class Replay:
 
     def run(self, row):
         self.reference()
-        return self.icarus() if row == "f" else perf_cocotb.run(self, event_hash)
+        return self.icarus() if row == "f" else self.cocotb()
 
     def prepare_icarus(self):
         if shutil.which("iverilog") is None:
@@ -97,36 +99,62 @@ class Replay:
     def icarus(self):
         if self.program is None:
             self.prepare_icarus()
-        return measured(["vvp", str(self.program), f"+pins={self.pins}", f"+end={self.clocks}"],
-                        OUT / "icarus.txt", self.clocks, event_hash)
+        events = OUT / "icarus.txt"
+        return measured(["vvp", self.program, f"+pins={self.pins}", f"+end={self.clocks}"],
+                        events, events, self.clocks)
+
+    def cocotb(self):
+        log, events = OUT / "cocotb.log", OUT / "cocotb.txt"
+        command = perf_cocotb.command("run")
+        environment = perf_cocotb.environment() | {
+            "PERF_PINS": str(self.pins), "PERF_EVENTS": str(events), "PERF_END": str(self.clocks)}
+        if not self.cocotb_is_built:
+            with log.open("wb") as file:
+                done = subprocess.run(perf_cocotb.command("build"), env=environment, stdout=file,
+                                      stderr=subprocess.STDOUT, check=False)
+            if done.returncode != 0:
+                raise Failed(f"cocotb does not build: {log}")
+            self.cocotb_is_built = True
+        events.unlink(missing_ok=True)
+        return measured(command, log, events, self.clocks, cwd=OUT, env=environment)
 
 
-def measured(command, printed, clocks, hash_of, **where):
-    """A process that prints events; start-up counts, it is below a hundredth."""
-    with printed.open("wb") as file:
+def measured(command, log, events, clocks, **where):
+    """A process that writes events; its start-up counts too."""
+    with log.open("wb") as file:
         start = time.monotonic()
         process = subprocess.Popen(command, stdout=file, stderr=subprocess.STDOUT, **where)
         peak = watch(process.pid)
         _, status, used = os.wait4(process.pid, 0)
         process.returncode = os.waitstatus_to_exitcode(status)
     wall = time.monotonic() - start
-    lines = printed.read_text(encoding="utf-8", errors="replace").split("\n")
-    if process.returncode != 0:
-        raise Failed(f"{command[0]}: exit code {process.returncode}: {' '.join(lines[-5:])}")
-    events = [line for line in lines if line[:1].isdigit()]
-    return Measured(clocks, clocks, hash_of(events), used.ru_utime + used.ru_stime, wall, peak)
+    if process.returncode != 0 or not events.exists():
+        raise Failed(f"{command[0]}: exit code {process.returncode}: see {log}")
+    lines = events.read_text(encoding="utf-8", errors="replace").split("\n")
+    found = event_hash(line for line in lines if line[:1].isdigit())
+    return Measured(clocks, clocks, found, used.ru_utime + used.ru_stime, wall, peak)
 
 
 def watch(pid):
-    """Peak memory [KiB] until the process ends. That of wait4() begins with our own."""
+    """Peak memory [KiB] of a process or of its child, until it ends. That of wait4() begins with
+    our own."""
     peak = 0
     while True:
         try:
-            with open(f"/proc/{pid}/status", encoding="ascii") as file:
-                found = [line for line in file if line.startswith("VmHWM:")]
+            children = Path(f"/proc/{pid}/task/{pid}/children").read_text(encoding="ascii").split()
+            own = high_water(pid)
         except OSError:
             return peak
-        if not found:  # a zombie has no memory
+        if own is None:  # a zombie has no memory
             return peak
-        peak = int(found[0].split()[1])
+        peak = max([peak, own, *(high_water(child) or 0 for child in children)])
         time.sleep(0.02)
+
+
+def high_water(pid):
+    status = Path(f"/proc/{pid}/status")
+    try:
+        lines = status.read_text(encoding="ascii").split("\n")
+    except OSError:
+        return None
+    return next((int(line.split()[1]) for line in lines if line.startswith("VmHWM:")), None)

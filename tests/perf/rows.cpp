@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Rows of `trammel perf` on the --cc model: `clocked` activates it in SystemC once a clock,
-// `speed` replaces its plant, the others are the program's own platform with keys of their own (tests/perf/row.hpp).
+// `speed` replaces its plant, the others are the program's own platform with keys of their own.
 #include <systemc>
 
 #include "cosim/kung/session.hpp"
