@@ -47,7 +47,8 @@ def main():
                      hdl_toplevel="kung_xy", build_dir=FOLDER, timescale=("1ns", "1ns"))
     else:
         sys.path.insert(0, str(ROOT / "tests" / "perf"))
-        runner.test(test_module="cocotb_replay", hdl_toplevel="kung_xy", build_dir=FOLDER)
+        runner.test(test_module="cocotb_replay", hdl_toplevel="kung_xy",
+                    hdl_toplevel_lang="verilog", build_dir=FOLDER)
     return 0
 
 
