@@ -112,6 +112,12 @@ TEST_CASE("combinations that cannot run are refused") {
   CHECK_THAT(message_of("[path]\nkind = 'points'\npoints_file = '.'\n"),
              Contains("path.points_file: ") && Contains("cannot be read: it is a folder"));
   CHECK_THAT(message_of("[run]\nwave = 'fst'\nwave_begin_s = 1\n"), Contains("run.wave_end_s"));
+  const std::string twin = "[run]\nengine = 'twin'\n";
+  CHECK(message_of(twin).empty());
+  CHECK_THAT(message_of(twin + "wave = 'fst'\n"), Contains("--engine rtl"));
+  CHECK_THAT(message_of(twin + "assertions = true\n"), Contains("--engine rtl"));
+  CHECK_THAT(message_of(twin + "leap = false\n"), Contains("--engine rtl"));
+  CHECK_THAT(message_of(twin + "audit = true\n"), Contains("--engine rtl"));
   CHECK_THAT(message_of("name = '../up'\n"), Contains("cannot name an output folder"));
   CHECK_THAT(message_of("name = \"a\\nb\"\n"), Contains("cannot name an output folder"));
 }
