@@ -37,6 +37,7 @@ ENVIRONMENT = os.environ | {
 LINE = ("-s", "path.kind=line", "-s", "path.line_end_x_m=0.1005", "-s", "path.line_end_y_m=0.1003",
         "-s", "path.line_ticks=10", "-s", "run.platform=direct")
 SHORT = ("run", "circle", *LINE)
+TWIN = ("--engine", "twin")
 WAVE = (*SHORT, "-o", "OUT/waves", "--wave")
 # Exit code, then the command line; `OUT` stands for the folder of all.
 RUNS = [
@@ -54,6 +55,14 @@ RUNS = [
     (5, *SHORT, "--platform", "systemc", "-o", "OUT/watchdog", "-s", "inject.processor_s=0.01",
      "-s", "chip.watchdog_ticks=5"),
     (5, *SHORT, "-o", "OUT/short", "-s", "run.max_s=0.005"),
+    (0, *SHORT, "-o", "OUT/audited", "--audit"),
+    (0, *SHORT, "-o", "OUT/twin", *TWIN, "-s", "gains.interpolate=true"),
+    (0, "run", "step", "-s", "path.square_half_samples=20", "-s", "path.square_periods=2",
+     "-o", "OUT/twin_step", *TWIN),
+    (5, *SHORT, "-o", "OUT/twin_tripped", *TWIN, "-s", "inject.trip_s=0.01"),
+    (5, *SHORT, "-o", "OUT/twin_encoder", *TWIN, "-s", "inject.encoder_s=0.01"),
+    (5, *SHORT, "-o", "OUT/twin_watchdog", *TWIN, "-s", "inject.processor_s=0.01",
+     "-s", "chip.watchdog_ticks=5"),
     (0, "report", "OUT/direct", "OUT/systemc", "-o", "OUT/two.html"),
     (0, "report", "OUT/step", "--json"),
     (0, "report", "OUT/direct", "OUT/direct", "-o", "OUT/two.html"),
@@ -79,6 +88,8 @@ REFUSED = [
      "-s", "path.points_file=OUT/bad.csv"),
     (2, "is not a folder", "run", "circle", "-o", "OUT/bad.csv"),
     (2, "is not a:b", *WAVE, "fst", "--wave-window", "5ms"),
+    (2, "run.audit", *SHORT, "--audit", "--no-leap", "-o", "OUT/waves"),
+    (2, "run.engine", *SHORT, *TWIN, "--audit", "-o", "OUT/waves"),
     (2, "is outside the run", *WAVE, "fst", "--wave-window", "200s:201s"),
     (1, "lies outside the run", *WAVE, "fst", "--wave-window", "5s:5.001s"),
     (1, "never fired", *WAVE, "fst", "--wave-trigger", "fault.stroke"),
