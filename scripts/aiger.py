@@ -1,5 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Adds to an AIGER model what makes induction mutual: the memory that something has failed."""
+"""Binary AIGER models; and what makes induction mutual: the memory that something has failed."""
+
+from dataclasses import dataclass
+
+
+@dataclass
+class Model:
+    """Literals are 2 * variable + inverted; inputs, latches and gates in this order."""
+
+    inputs: int
+    nexts: list[int]  # of the latches
+    outputs: list[int]
+    bad: list[int]
+    gates: list[tuple[int, int]]
 
 
 def number(data, place):
@@ -22,37 +35,51 @@ def coded(value):
     return bytes(groups)
 
 
+def read(source):
+    data = source.read_bytes()
+    head, _, rest = data.partition(b"\n")
+    _, inputs, latches, outputs, count, *more = map(int, head.split()[1:7])
+    bad = more[0] if more else 0
+    lines = rest.split(b"\n", latches + outputs + bad)
+    place = len(data) - len(lines.pop())
+    words = [int(line.split()[0]) for line in lines]
+    gates = []
+    for gate in range(count):
+        left = 2 * (inputs + latches + 1 + gate)
+        delta, place = number(data, place)
+        high = left - delta
+        delta, place = number(data, place)
+        gates.append((high, high - delta))
+    return Model(inputs, words[:latches], words[latches:latches + outputs],
+                 words[latches + outputs:], gates)
+
+
+def coded_gates(first, pairs):
+    """Bytes of gates whose first one has the literal `first`."""
+    return b"".join(coded(first + 2 * n - max(pair)) + coded(max(pair) - min(pair))
+                    for n, pair in enumerate(pairs))
+
+
 def guard(source, target, members):
     """Writes target: outputs as in source, but those of `members` only rise while none of them has
     been high at an earlier clock. What is never the first to fail never fails.
 
-    Binary AIGER: inputs, latches and gates are numbered in this order, so the new latch comes
-    between and the gates move up by one.
+    The new latch comes between inputs and gates, and the gates move up by one.
     """
-    data = source.read_bytes()
-    head, _, rest = data.partition(b"\n")
-    _, inputs, latches, outputs, gates, bad = map(int, head.split()[1:7])
-    lines = rest.split(b"\n", latches + outputs + bad)
-    place = len(data) - len(lines.pop())
-    words = [int(line.split()[0]) for line in lines]
+    model = read(source)
+    inputs, latches = model.inputs, len(model.nexts)
     last = 2 * (inputs + latches) + 1  # the highest literal that stays
 
     def moved(literal):
         return literal + 2 if literal > last else literal
 
     failed = last + 1  # the new latch
-    nexts = [moved(word) for word in words[:latches]]
-    tests = [moved(word) for word in words[latches:]]
-    pairs = []
-    for gate in range(gates):
-        left = 2 * (inputs + latches + 1 + gate)
-        delta, place = number(data, place)
-        high = left - delta
-        delta, place = number(data, place)
-        pairs.append((moved(high), moved(high - delta)))
+    nexts = [moved(word) for word in model.nexts]
+    tests = [moved(word) for word in model.outputs + model.bad]
+    pairs = [(moved(high), moved(low)) for high, low in model.gates]
 
     def both(a, b):
-        pairs.append((max(a, b), min(a, b)))
+        pairs.append((a, b))
         return failed + 2 * len(pairs)
 
     intact = failed ^ 1
@@ -63,6 +90,4 @@ def guard(source, target, members):
     text = f"aig {inputs + latches + 1 + len(pairs)} {inputs} {latches + 1} 0 {len(pairs)} " \
            f"{len(tests)}\n"
     text += "".join(f"{word}\n" for word in [*nexts, intact ^ 1, *tests])
-    body = b"".join(coded(failed + 2 * n - high) + coded(high - low)
-                    for n, (high, low) in enumerate(pairs, 1))
-    target.write_bytes(text.encode() + body)
+    target.write_bytes(text.encode() + coded_gates(failed + 2, pairs))

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Check that the folders keep their promises: companions of every block (properties of every one
-with registers), its page (opening table, every port), who may use whom, and the form of the files
-(ASCII, 100 columns, 400 lines, licence line, newline at the end).
+with registers, broken designs of every chip that leaps), its page (opening table, every port), who
+may use whom, and the form of the files (ASCII, 100 columns, 400 lines, licence line, newline at the
+end).
 
 usage: check_layout.py [root]         prints file:line: what is wrong; exit 1 if anything is
 
@@ -101,11 +102,20 @@ def check_companions(root, files, path):
         wanted.append(Path("tests", layer, f"{stem}_test.cpp"))
         if layer != "bus":
             wanted.append(Path("models", "exact", layer, f"{stem}.hpp"))
-    if "always_ff" in (root / path).read_text(encoding="utf-8"):
+    text = (root / path).read_text(encoding="utf-8")
+    if "always_ff" in text:
         wanted.append(path.with_name(f"{stem}_props.sv"))
+    if layer == "chips" and re.search(r"\bleap_i\b", text) and not is_inside(root, files, stem):
+        wanted.append(path.with_name(f"{stem}_leap.toml"))
     for companion in wanted:
         if companion not in files:
             yield f"{path}: companion {companion} is missing"
+
+
+def is_inside(root, files, stem):
+    """Whether a chip contains this module."""
+    return any(re.search(rf"^\s*{stem}\s+(#|u_\w+\s*\()", (root / p).read_text("utf-8"), re.M)
+               for p in files if p.parts[:2] == ("rtl", "chips") and p.suffix == ".sv")
 
 
 def check_page(root, path, files):

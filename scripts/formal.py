@@ -45,22 +45,23 @@ class Model:
     changed: dict[Path, str] = field(default_factory=dict)  # {file: its text instead}
 
 
-def sources(props):
-    """Every module; of the properties only the block's own. slang takes what the top needs."""
+def design(changed, folder, name):
+    """Every module, of which slang takes what the top needs; changed texts are put into folder."""
     own = sorted(p for p in RTL.glob("*/*.sv")
                  if p.parent.name != "boards" and not p.stem.endswith(("_pkg", "_props")))
     generated = sorted(p for p in (RTL / "chips" / "generated").glob("*.sv")
                        if not p.stem.endswith("_pkg"))
-    return [*lint.packages(), *own, *generated, props.path]
+    files = [*lint.packages(), *own, *generated]
+    for original, text in changed.items():
+        copy = folder / f"{name}_{original.name}"
+        copy.write_text(text, encoding="utf-8")
+        files[files.index(original)] = copy
+    return files
 
 
 def write_script(props, folder, model):
     """name.ys, the Yosys script that makes name.aig and name.json."""
-    files = sources(props)
-    for original, text in model.changed.items():
-        changed = folder / f"{model.name}_{original.name}"
-        changed.write_text(text, encoding="utf-8")
-        files[files.index(original)] = changed
+    files = [*design(model.changed, folder, model.name), props.path]
     options = [f"-G {p}" for p in model.parameters]
     options += [f"--blackboxed-module {m}" for m in props.cut]
     kept = " ".join(f"c:*.{label} %d" for label in model.only)
@@ -78,23 +79,37 @@ def write_models(props, folder, models):
     (folder / "cover_map.v").write_text(COVER_MAP, encoding="utf-8")
     for model in models:
         write_script(props, folder, model)
-        for ending in ("aig", "json", "log"):
-            (folder / f"{model.name}.{ending}").unlink(missing_ok=True)
+    said = run_scripts(folder, [m.name for m in models], ("aig", "json", "log"))
+    return {m.name: read_labels(folder, m.name, said) for m in models}
+
+
+def run_scripts(folder, names, endings):
+    """Runs each name.ys, old files with these endings removed; what Yosys said beside its logs."""
+    for name in names:
+        for ending in endings:
+            (folder / f"{name}.{ending}").unlink(missing_ok=True)
     code = ("from pyosys import libyosys as ys\n"
-            f"for name in {[m.name for m in models]}:\n"
+            f"for name in {names}:\n"
             "    ys.run_pass(f'tee -q -o {name}.log script {name}.ys', ys.Design())")
     done = subprocess.run([sys.executable, "-c", code], cwd=folder, capture_output=True,
                           text=True, check=False)
-    return {m.name: read_labels(folder, m.name, done.stdout + done.stderr) for m in models}
+    return done.stdout + done.stderr
 
 
 def read_labels(folder, name, output):
-    """The labels of name.aig, or an error that says in one line why there is none."""
+    """The labels of name.aig."""
+    check_made(folder, name, "json", output)
+    found = json.loads((folder / f"{name}.json").read_text(encoding="utf-8"))["asserts"]
+    return [path[0].split(".")[-1].lstrip("\\") for path in found]
+
+
+def check_made(folder, name, ending, output):
+    """An error that says in one line why there is no name.<ending>, the last file of a script."""
     log = folder / f"{name}.log"
     text = log.read_text(encoding="utf-8") if log.exists() else output
     if "implicitly declared" in text:
         raise PropertiesError("a name became a free net: 'implicitly declared' in the log")
-    if not (folder / f"{name}.json").exists():
+    if not (folder / f"{name}.{ending}").exists():
         placed = re.search(r"(\S+\.s?v:\d+): ERROR: (.*)", text)
         if placed:
             place = (folder / placed[1]).resolve()
@@ -102,8 +117,6 @@ def read_labels(folder, name, output):
             raise PropertiesError(f"{where}: {placed[2]}")
         lines = [line for line in text.split("\n") if "ERROR" in line] or [text.strip()[-300:]]
         raise PropertiesError(f"{name}: {lines[0]}")
-    found = json.loads((folder / f"{name}.json").read_text(encoding="utf-8"))["asserts"]
-    return [path[0].split(".")[-1].lstrip("\\") for path in found]
 
 
 def abc(folder, commands, limit):

@@ -50,6 +50,7 @@ class Properties:
     depth: int = 4  # of the induction, in clocks
     frames: int = 100  # depth of the search for covers and refutations
     begin: int = 0  # first clock of the search for refutations
+    leap: list[str] = field(default_factory=list)  # labels on which the leap of a chip rests
 
     @property
     def stem(self):
@@ -85,6 +86,9 @@ def read(block):
             read_option(props, comment[2], f"{where}:{number}")
     if not props.promises:
         raise PropertiesError(f"{where}: promises nothing")
+    for label in props.leap:
+        if label not in props.asserts:
+            raise PropertiesError(f"{where}: prove: leap: no assertion {label}")
     labels = props.asserts + props.covers
     for label in labels:
         if labels.count(label) > 1:
@@ -124,6 +128,7 @@ def read_option(props, text, where):
         raise PropertiesError(f"{where}: not `prove: option value`")
     match option:
         case "cut": props.cut += words
+        case "leap": props.leap += words
         case "free": props.free += words
         case "set": props.configurations.append(words)
         case "depth": props.depth = int(words[0])

@@ -3,6 +3,7 @@
 """Prove the promises of RTL blocks: rtl/<layer>/<block>_props.sv.
 
 usage: prove.py [--limit SECONDS] [layer/block ...]   without blocks: every one
+       prove.py --leap [--broken] [--limit SECONDS] [chips/chip ...]
        prove.py --table [--check]    write, or only check, the table in docs/proofs.md
 
 For each block: every assertion holds in every reachable state under any input (induction, then
@@ -19,8 +20,12 @@ RTL, refutes the promises it names. A properties file is bound to its block and 
   // prove: depth N              of the induction in clocks, default 4
   // prove: frames N             of the search for covers and refutations, default 100
   // prove: from N               the search for refutations leaves out the clocks before N
+  // prove: leap label ...       assertions on which the leap of a chip may rest
 
-Exit codes: 0 all proven, 1 a promise is open, refuted or without control, 2 no such block,
+--leap asks of every chip that leaps the lemmas of docs/leap.md; --broken asks them of the broken
+designs in rtl/chips/<chip>_leap.toml, and each must be refuted.
+
+Exit codes: 0 all proven, 1 a promise or lemma is open, refuted or without control, 2 no such block,
 3 a tool is missing. Logs and models stay in build/formal/<block>.
 """
 
@@ -31,6 +36,8 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import formal  # noqa: E402
+import leap  # noqa: E402
+import leap_model  # noqa: E402
 import promise_table  # noqa: E402
 import properties  # noqa: E402
 import python_tools  # noqa: E402
@@ -92,21 +99,27 @@ def main():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--limit", type=int, default=60, metavar="SECONDS",
                         help="for one question to the solver, default 60")
+    parser.add_argument("--leap", action="store_true")
+    parser.add_argument("--broken", action="store_true")
     parser.add_argument("--table", action="store_true")
     parser.add_argument("--check", action="store_true")
     parser.add_argument("blocks", nargs="*", metavar="layer/block")
     arguments = parser.parse_args()
     if arguments.check and not arguments.table:
         parser.error("--check belongs to --table")
-    every = properties.blocks()
+    if arguments.broken and not arguments.leap:
+        parser.error("--broken belongs to --leap")
+    every = leap_model.chips() if arguments.leap else properties.blocks()
     for block in arguments.blocks:
         if block not in every:
-            print(f"prove: rtl/{block}_props.sv: no such file; there are {', '.join(every)}",
-                  file=sys.stderr)
+            what = "no chip that leaps" if arguments.leap else f"rtl/{block}_props.sv: no such file"
+            print(f"prove: {block}: {what}; there are {', '.join(every)}", file=sys.stderr)
             return 2
     if arguments.table:
         return promise_table.run(arguments.check)
     python_tools.need("pyosys", "prove")
+    if arguments.leap:
+        return leap.run(arguments.blocks or every, arguments.broken, arguments.limit)
     bad = 0
     for block in arguments.blocks or every:
         try:

@@ -331,9 +331,9 @@ module kung_xy_props
       reaches_an_unlock : cover (was_locked_q && !locked_q && !was_rst_q);
     end
   end
-
   // prove: cut afc current_loop adc_if qep command pwm
-
+  // prove: leap inv_held inv_pointers inv_table inv_counts inv_pulse inv_rest
+  // prove: leap open_transfers_are_counted
   // breaks no_response_from_reset (kung_xy_regs): axil_resp_wptr <= '0; => axil_resp_wptr <= 2'd1;
   // breaks write_response_stays (kung_xy_regs): if(s_axil_bready_i) axil_resp_acked => axil_resp_acked
   // breaks read_response_stays, responses_in_order (kung_xy_regs): axil_n_in_flight < 2'd2 => axil_n_in_flight < 2'd3

@@ -372,3 +372,4 @@ bind afc afc_props u_afc_props (
 // prove: frames 130
 // prove: from 54
 // prove: depth 6
+// prove: leap inv_step

@@ -108,6 +108,8 @@ module timebase_props
   // breaks next_falls_by_the_clocks (timer): (count > step) => (count > step + Wide'(9))
   // breaks quiescent_is_honest: quiescent_o  = !tick_cur_o; => quiescent_o  = !tick_irq_o;
 
+  // prove: leap phase_within_period
+
 endmodule
 
 bind timebase timebase_props u_timebase_props (.*);

@@ -188,6 +188,7 @@ module qep_props
   end
 
   // prove: depth 5
+  // prove: leap inv_start
 
   // breaks count_is_that_of_the_model: {{23{!up}}, 1'b1} => {{22{!up}}, 2'b11}
   // breaks preset_wins: if (preset_i) count_d => if (preset_i && !step) count_d

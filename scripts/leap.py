@@ -1,0 +1,242 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The lemmas that allow a leap, asked of every chip that leaps (docs/leap.md), and the broken
+designs that must refute them: rtl/chips/<chip>_leap.toml, a table [[broken]] each with
+
+  what = "..."       the mistake
+  lemma = "..."      that must be refuted
+  module = "..."     whose text changes
+  old, new           of its text; old must occur once
+"""
+
+import sys
+import time
+import tomllib
+
+import formal
+import leap_model
+import miter
+from properties import ROOT, RTL, Control, PropertiesError
+
+OUT = ROOT / "build" / "formal"
+LEMMAS = {
+    "no_peeking": "no output depends on leap_i",
+    "stay": "next > 0: a clock leaves every register outside the timers as it is",
+    "stay_n": "so does a leap, for none of them reads leap_i",
+    "compose": "next > n: a leap of n + 1 clocks is a clock, then a leap of n, on the timers",
+    "down_outputs": "next > 0: a clock moves no output",
+    "down_quiescent": "next > 1: still quiescent after a clock",
+    "down_next": "next > 1: next falls by one at most",
+}
+WORD = 12  # bits of leap_i and next_o
+
+
+class Questions:
+    """Each method gives what must never be true: the opposite of a lemma."""
+
+    def __init__(self, chip):
+        self.chip = chip
+        self.graph = g = miter.Graph()
+        self.ports = {v: g.free() for p, v in chip.inputs.items() if not p.startswith("leap_i[")}
+        self.ports[chip.inputs["rst_i[0]"]] = 0
+        # Properties hold from the first reset on, which live_q remembers.
+        self.ports |= {v: 1 if name.endswith(".live_q") else g.free()
+                       for v, name in chip.shadows.items()}
+        self.now = {v: g.free() for v in chip.registers.values()}
+        self.more = g.word(WORD)  # clocks of a leap behind its first one
+        timers = set(chip.timers)
+        self.still = [bit for bit in chip.registers if bit not in timers]
+        nexts = [chip.nexts[bit] for bit in chip.registers]
+        outputs = [literal for word in chip.outputs.values() for literal in word]
+        plain = self.clock(self.now, [0] * WORD, nexts + outputs + chip.gates.bad)
+        self.after = dict(zip(chip.registers, plain))
+        self.before_words = self.words(plain[len(nexts):])
+        # One clock later only the timers have moved: that is what `stay` says.
+        self.then = {v: self.after[bit] if bit in timers else self.now[v]
+                     for bit, v in chip.registers.items()}
+        self.after_words = self.words(self.clock(self.then, [0] * WORD, outputs))
+        self.next = self.before_words["next_o"]
+        rests = g.every(bad ^ 1 for bad in plain[len(nexts) + len(outputs):])
+        self.quiet = g.both(rests, self.before_words["quiescent_o"][0])
+        self.some_next = g.both(self.quiet, g.some(self.next))
+        self.more_next = g.both(self.quiet, g.some(self.next[1:]))
+
+    def clock(self, registers, leap, roots):
+        given = self.ports | registers
+        given |= {self.chip.inputs[f"leap_i[{n}]"]: literal for n, literal in enumerate(leap)}
+        return self.graph.copy(self.chip.gates, given, roots)
+
+    def words(self, literals):
+        literals = iter(literals)
+        return {port: [next(literals) for _ in bits] for port, bits in self.chip.outputs.items()}
+
+    def pairs(self, lemma):
+        """{name: two literals that the lemma says are equal}."""
+        if lemma == "stay":
+            return {bit: (self.now[self.chip.registers[bit]], self.after[bit])
+                    for bit in self.still}
+        if lemma == "compose":
+            roots = [self.chip.nexts[bit] for bit in self.chip.timers]
+            at_once = self.clock(self.now, self.graph.plus_one(self.more)[:WORD], roots)
+            return dict(zip(self.chip.timers, zip(
+                at_once, self.clock(self.then, self.more, roots), strict=True)))
+        return {f"{port}[{n}]": pair for port, word in self.before_words.items()
+                if port != "quiescent_o" and not port.endswith("next_o")
+                for n, pair in enumerate(zip(word, self.after_words[port], strict=True))}
+
+    def differs(self, lemma, pairs):
+        g = self.graph
+        may = self.some_next
+        if lemma == "compose":
+            longer = g.plus_one(self.more)
+            may = g.both(self.quiet, g.less(longer, [*self.next, 0]))
+        return g.both(may, g.some(g.differ(a, b) for a, b in pairs.values()))
+
+    def no_more_quiescent(self):
+        return self.graph.both(self.more_next, self.after_words["quiescent_o"][0] ^ 1)
+
+    def falls_fast(self, port):
+        """The number at this port, a next_o of the chip or of a block, falls by more than one."""
+        g = self.graph
+        return g.both(self.more_next, g.less(g.plus_one(self.after_words[port]),
+                                             [*self.before_words[port], 0]))
+
+
+def ask(folder, name, graph, bad, limit):
+    """Whether `bad` can be true: proven (it cannot), refuted or open; and the values that do it."""
+    if bad == 0:
+        return "proven", None
+    graph.write(folder / f"{name}.aig", bad)
+    witness = folder / f"{name}.cex"
+    witness.unlink(missing_ok=True)
+    said = formal.abc(folder, f"read_aiger {name}.aig; strash; &get; &glucose; "
+                              f"write_cex -a {name}.cex", limit)
+    if "UNSATISFIABLE" in said:
+        return "proven", None
+    if "SATISFIABLE" not in said or not witness.exists():
+        return "open", None
+    bits = max(witness.read_text(encoding="ascii").split(), key=len)
+    value = graph.simulate(map(int, bits))
+    if not value(bad):
+        raise PropertiesError(f"{name}: abc's values do not refute the lemma")
+    return "refuted", value
+
+
+def number(value, word):
+    return sum(value(bit) << n for n, bit in enumerate(word))
+
+
+def settle(folder, name, chip, questions, lemma, limit):
+    """The verdict on one lemma, and what refutes it."""
+    if lemma == "no_peeking":
+        return ("refuted", ", ".join(chip.peeking)) if chip.peeking else ("proven", "")
+    if lemma == "stay_n":  # every register that reads leap_i is called a timer
+        return "proven", ""
+    if lemma == "down_next":
+        return fall(folder, name, questions, limit)
+    if lemma == "down_quiescent":
+        verdict, value = ask(folder, name, questions.graph, questions.no_more_quiescent(), limit)
+        return verdict, f"next {number(value, questions.next)}" if value else ""
+    pairs = questions.pairs(lemma)
+    verdict, value = ask(folder, name, questions.graph, questions.differs(lemma, pairs), limit)
+    if verdict != "refuted":
+        return verdict, ""
+    moved = list(dict.fromkeys(bit.rpartition("[")[0] for bit, (a, b) in pairs.items()
+                               if value(a) != value(b)))
+    return verdict, f"{', '.join(moved[:3])}{' ...' if moved[3:] else ''} with next " \
+                    f"{number(value, questions.next)}"
+
+
+def fall(folder, name, questions, limit):
+    """down_next. All at once is too hard: that the next_o of each block falls by one at most is
+    asked first, the innermost first, and helps where it is so."""
+    g = questions.graph
+    known = {}
+    ports = [port for port in questions.before_words if port.endswith("next_o")]
+    for port in sorted(ports, key=lambda port: -port.count(".")):
+        word = tuple(questions.before_words[port])
+        if word in known and port != "next_o":
+            continue
+        bad = questions.falls_fast(port)
+        lemmas = g.every(other ^ 1 for other in known.values())
+        verdict, value = ask(folder, name, g, g.both(bad, lemmas), limit)
+        if verdict == "proven":
+            known[word] = bad
+    if not value:
+        return verdict, ""
+    return verdict, f"from {number(value, questions.next)} to " \
+                    f"{number(value, questions.after_words['next_o'])}"
+
+
+def check_chip(chip, limit):
+    """Asks every lemma of a chip; lines of what went wrong."""
+    folder = OUT / f"{chip.replace('/', '_')}_leap"
+    folder.mkdir(parents=True, exist_ok=True)
+    begin = time.monotonic()
+    made = leap_model.make(folder, [leap_model.Source(chip, "chip")])["chip"]
+    widths = {}
+    for bit in made.timers:
+        widths[bit.rpartition("[")[0]] = widths.get(bit.rpartition("[")[0], 0) + 1
+    print(f"{chip}: {len(made.registers)} register bits, {len(made.timers)} of them move with a "
+          f"leap: {', '.join(f'{name} ({width})' for name, width in widths.items())}")
+    questions = Questions(made)
+    wrong = []
+    for lemma, sentence in LEMMAS.items():
+        start = time.monotonic()
+        verdict, how = settle(folder, lemma, made, questions, lemma, limit)
+        print(f"  {lemma:<15} {verdict:<8} {time.monotonic() - start:5.1f} s  {sentence}")
+        if verdict != "proven":
+            wrong.append(f"{lemma}: {verdict} {how}".rstrip())
+    print(f"{chip}: {len(LEMMAS)} lemmas in {time.monotonic() - begin:.1f} s")
+    return wrong
+
+
+def broken_designs(chip):
+    """[(what, lemma, Control)] of rtl/<chip>_leap.toml."""
+    path = RTL / f"{chip}_leap.toml"
+    where = f"rtl/{chip}_leap.toml"
+    try:
+        table = tomllib.loads(path.read_text(encoding="utf-8"))["broken"]
+        found = [(d["what"], d["lemma"], Control([d["lemma"]], d["module"], d["old"], d["new"], n))
+                 for n, d in enumerate(table, 1)]
+    except (OSError, KeyError, tomllib.TOMLDecodeError) as error:
+        raise PropertiesError(f"{where}: no table of broken designs: {error!r}") from error
+    lacking = set(LEMMAS) - {"stay_n"} - {lemma for _, lemma, _ in found}
+    unknown = {lemma for _, lemma, _ in found} - set(LEMMAS)
+    for lemma in sorted(lacking | unknown):
+        raise PropertiesError(f"{where}: {lemma}: "
+                              f"{'no broken design refutes it' if lemma in LEMMAS else 'no lemma'}")
+    return found
+
+
+def check_broken(chip, limit):
+    """Each broken design must be refuted by its lemma; lines of what went wrong."""
+    folder = OUT / f"{chip.replace('/', '_')}_broken"
+    folder.mkdir(parents=True, exist_ok=True)
+    begin = time.monotonic()
+    designs = broken_designs(chip)
+    sources = [leap_model.Source(chip, f"broken{n}", dict([control.file]))
+               for n, (_, _, control) in enumerate(designs)]
+    made = leap_model.make(folder, sources)
+    wrong = []
+    for source, (what, lemma, control) in zip(sources, designs, strict=True):
+        verdict, how = settle(folder, f"{source.name}_{lemma}", made[source.name],
+                              Questions(made[source.name]), lemma, limit)
+        print(f"  {lemma:<15} {verdict:<8} {what}: {how}")
+        if verdict != "refuted":
+            wrong.append(f"{what}: {lemma} does not refute '{control.old} => {control.new}'")
+    print(f"{chip}: {len(designs)} broken designs in {time.monotonic() - begin:.1f} s")
+    return wrong
+
+
+def run(chips, broken, limit):
+    """The exit code; prints a line a lemma or a broken design."""
+    bad = 0
+    for chip in chips:
+        try:
+            wrong = check_broken(chip, limit) if broken else check_chip(chip, limit)
+        except PropertiesError as error:
+            wrong = [str(error)]
+        for line in wrong:
+            print(f"prove: {chip}: {line}", file=sys.stderr)
+        bad += bool(wrong)
+    return 1 if bad else 0

@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A chip as gates: one clock of it as a function of its registers, its inputs and leap_i.
+
+Found by the folder: a chip that leaps is a module of rtl/chips with the ports of PORTS that no
+other chip contains. Multipliers are free values. Registers that no output shows are kept too.
+"""
+
+import re
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import aiger
+import formal
+import properties
+from properties import RTL, PropertiesError
+
+PORTS = ("leap_i", "next_o", "quiescent_o")
+# The state before the edge is asked about: no check waits for its clock.
+TO_GATES = """setparam -set TRG_ENABLE 0 t:$check
+chformal -lower
+memory_collect
+memory_map
+setattr -set keep 1 t:$*dff* c:*_props.* %d
+opt_clean
+expose w:*.next_o w:*_props.* %d
+opt -full
+cutpoint t:$mul
+async2sync
+setundef -undriven -anyseq
+techmap
+dffunmap
+aigmap
+write_aiger -map {name}.map {name}.aig
+"""
+
+
+def chips():
+    """chips/<chip> of every chip that leaps."""
+    texts = {p.stem: p.read_text(encoding="utf-8") for p in sorted(RTL.glob("chips/*.sv"))
+             if not p.stem.endswith(("_props", "_pkg"))}
+    return [f"chips/{name}" for name, text in texts.items()
+            if all(re.search(rf"\b{port}\b", text) for port in PORTS)
+            and not any(re.search(rf"^\s*{name}\s+(#|u_\w+\s*\()", other, re.M)
+                        for other in texts.values())]
+
+
+def rests():
+    """{properties file: labels} of what a leap proof may rest on: proven in each block's proof."""
+    found = {props.path: props.leap for props in map(properties.read, properties.blocks())}
+    return {path: labels for path, labels in found.items() if labels}
+
+
+@dataclass
+class Source:
+    """One model to be made: a chip, perhaps with a changed file."""
+
+    chip: str
+    name: str
+    changed: dict[Path, str] = field(default_factory=dict)
+
+    @property
+    def stem(self):
+        return self.chip.split("/")[1]
+
+
+def script(source, folder):
+    assumed = rests()
+    files = [*formal.design(source.changed, folder, source.name), *assumed]
+    checks = [f"c:*u_{path.stem}.{label}" for path, labels in assumed.items() for label in labels]
+    lines = [f"read_slang --top {source.stem} {' '.join(map(str, files))}"]
+    lines += [f"delete t:$check {' '.join(f'{check} %d' for check in checks)}"]
+    return "\n".join(lines) + "\n" + TO_GATES.format(name=source.name)
+
+
+@dataclass
+class Chip:
+    """Variables of the gates by name; a bit's name is like u_timebase.u_phase.count_q[3]."""
+
+    gates: aiger.Model
+    inputs: dict[str, int]  # ports; every other input is a free value
+    outputs: dict[str, list[int]]  # literals, lowest bit first; `next_o` of the blocks too
+    registers: dict[str, int]  # variable
+    nexts: dict[str, int]  # literal of the next value
+    shadows: dict[int, str]  # registers of properties by their variable
+    timers: list[str]  # registers that a leap moves
+    peeking: list[str]  # outputs that show leap_i
+
+
+def read(folder, name):
+    gates = aiger.read(folder / f"{name}.aig")
+    inputs, outputs, aliases = {}, {}, {}
+    for line in (folder / f"{name}.map").read_text(encoding="utf-8").splitlines():
+        kind, index, bit, signal = line.split(maxsplit=3)
+        if kind == "input":
+            inputs[f"{signal}[{bit}]"] = int(index) + 1
+        elif kind == "output":
+            outputs.setdefault(signal, {})[int(bit)] = gates.outputs[int(index)]
+        elif kind == "latch":
+            aliases.setdefault(int(index), []).append((signal, bit))
+    registers, nexts, shadows = {}, {}, {}
+    for index, literal in enumerate(gates.nexts):
+        variable = gates.inputs + index + 1
+        own = [a for a in aliases.get(index, []) if "_props." not in a[0]]
+        if own:
+            # The deepest name is that of the register itself; where a port has one too, its _q.
+            signal, bit = max(own, key=lambda a: (a[0].count("."), a[0].endswith("_q"), a[0]))
+            registers[f"{signal}[{bit}]"] = variable
+            nexts[f"{signal}[{bit}]"] = literal
+        else:
+            shadows[variable] = aliases.get(index, [("", 0)])[0][0]
+    leap = {variable for port, variable in inputs.items() if port.startswith("leap_i[")}
+    moved = reached(gates, leap)
+    words = {port: [bits[n] for n in sorted(bits)] for port, bits in outputs.items()}
+    return Chip(gates, inputs, words, registers, nexts, shadows,
+                [bit for bit, literal in nexts.items() if moved[literal >> 1]],
+                [port for port, bits in words.items() if any(moved[b >> 1] for b in bits)])
+
+
+def reached(gates, variables):
+    """Whether each node depends on one of the variables."""
+    first = 1 + gates.inputs + len(gates.nexts)
+    depends = bytearray(first + len(gates.gates))
+    for variable in variables:
+        depends[variable] = 1
+    for node, (a, b) in enumerate(gates.gates, first):
+        depends[node] = depends[a >> 1] | depends[b >> 1]
+    return depends
+
+
+def make(folder, sources):
+    """Runs Yosys for each source; {name: Chip}."""
+    for source in sources:
+        (folder / f"{source.name}.ys").write_text(script(source, folder), encoding="utf-8")
+    said = formal.run_scripts(folder, [source.name for source in sources], ("aig", "map", "log"))
+    made = {}
+    for source in sources:
+        formal.check_made(folder, source.name, "map", said)
+        made[source.name] = read(folder, source.name)
+        if not made[source.name].gates.bad and rests():
+            raise PropertiesError(f"{source.chip}: what the proof rests on did not arrive")
+    return made
