@@ -64,7 +64,7 @@ module afc_props
     input logic               tune_we,
     input logic        [ 1:0] rule_sel,
     input logic signed [47:0] product_q,
-    input logic        [ 5:0] place,
+    input logic        [ 2:0] place_low,
     input logic        [ 2:0] place_q,
     input logic               mul_used,
     input logic signed [39:0] shifted,
@@ -297,7 +297,7 @@ module afc_props
 
   always_ff @(posedge clk_i) begin
     fits_q <= left_q == '0 || fits_q && fits;
-    if (phase_q && mul_used) zeros_q <= ~place[2:0];
+    if (phase_q && mul_used) zeros_q <= ~place_low;
     if (live_q && running_q && shifting && fits && fits_q) begin
       shifter_loses_no_bit_on_the_left :
       assert (place_q != 3'o6 && place_q != 3'o7 ||
@@ -364,6 +364,7 @@ endmodule
 
 bind afc afc_props u_afc_props (
     .*,
+    .place_low(place[2:0]),
     .rules_q(u_rules.mem_q),
     .filling(u_rules.state_q[1])
 );

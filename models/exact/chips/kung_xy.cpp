@@ -9,7 +9,6 @@ namespace map = kung_xy_map;
 
 namespace {
 
-constexpr std::array<std::uint32_t, 2> kBases{map::kX, map::kY};
 constexpr Clk kOverSeen = KungCurrent::kTaken + 1;  // edges after the tick
 
 bool bit(std::uint64_t lines, int n) { return ((lines >> n) & 1u) != 0; }

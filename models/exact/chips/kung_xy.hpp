@@ -65,6 +65,8 @@ class KungXy {
   const Supervisor::Out& fault() const { return supervisor_.out(); }
 
  private:
+  static constexpr std::array<std::uint32_t, 2> kBases{kung_xy_map::kX, kung_xy_map::kY};
+
   struct Axis {
     Qep qep;
     Qep::In pins;

@@ -11,8 +11,6 @@ namespace map = kung_xy_map;
 
 namespace {
 
-constexpr std::array<std::uint32_t, 2> kBases{map::kX, map::kY};
-
 std::uint32_t word(std::int32_t value) { return static_cast<std::uint32_t>(value); }
 std::uint32_t halves(std::int32_t low, std::int32_t high) {
   return (word(low) & 0xFFFFu) | (word(high) << 16);
