@@ -10,7 +10,6 @@ all registers that the mutation never gets to, and doubles the others.
 from dataclasses import dataclass
 
 from aiger import coded, number
-from mutants import MutationError
 
 
 @dataclass
@@ -21,6 +20,7 @@ class Netlist:
     nexts: list[int]
     results: list[int]  # literals of the outputs
     gates: list[tuple[int, int]]
+    wires: list[tuple[str, int]]  # name[bit] and literal
 
 
 def read(stem):
@@ -38,31 +38,34 @@ def read(stem):
         right, place = number(data, place)
         pairs.append((left - delta, left - delta - right))
     names = {"input": {}, "latch": {}, "output": {}}
+    wires = []
     for line in stem.with_suffix(".map").read_text(encoding="utf-8").split("\n"):
         word = line.split()
-        if len(word) == 4 and word[0] in names:
+        if len(word) == 4 and word[0] == "wire" and not word[3].startswith("$"):
+            wires.append((f"{word[3]}[{word[2]}]", int(word[1])))
+        elif len(word) == 4 and word[0] in names:
             names[word[0]].setdefault(int(word[1]), set()).add(f"{word[3]}[{word[2]}]")
-    return Netlist([min(names["input"][n]) for n in range(inputs)],
+    # Inputs without a name are the unknowns of the netlist.
+    free = (f"unknown[{n}]" for n in range(inputs))
+    return Netlist([min(names["input"].get(n) or {next(free)}) for n in range(inputs)],
                    [names["latch"].get(n, set()) for n in range(latches)],
                    [min(names["output"].get(n, {"a constant"})) for n in range(outputs)],
-                   words[:latches], words[latches:], pairs)
+                   words[:latches], words[latches:], pairs, wires)
 
 
 def partners(ours, theirs):
-    """For each register of theirs the place of ours with a name in common, else the next one left.
+    """For each register of theirs the place of ours with a name in common; beyond ours for others.
 
     A wrong one proves nothing, for all registers begin at 0 and are then compared.
     """
-    if len(ours) != len(theirs):
-        raise MutationError("the mutants have other registers than the block")
     place = {name: n for n, names in enumerate(ours) for name in names}
-    found, taken = [], set()
+    found, taken, beyond = [], set(), len(ours)
     for names in theirs:
         places = {place[name] for name in names if name in place} - taken
-        found.append(min(places, default=-1))
+        found.append(min(places, default=beyond))
         taken.add(found[-1])
-    spare = (n for n in range(len(ours)) if n not in taken)
-    return [next(spare) if n < 0 else n for n in found]
+        beyond += not places
+    return found
 
 
 class Pair:
@@ -70,19 +73,21 @@ class Pair:
 
     def __init__(self, gold, gate, selector, selected):
         self.gold, self.gate = gold, gate
-        self.names = [name for name in gold.inputs if not name.startswith(f"{selector}[")]
+        self.names = [name for name in dict.fromkeys(gold.inputs + gate.inputs)
+                      if not name.startswith(f"{selector}[")]
         place = {name: 2 * (n + 1) for n, name in enumerate(self.names)}
         for bit in range(32):
             place[f"{selector}[{bit}]"] = 0
         chosen = {**place, **{f"{selector}[{bit}]": selected >> bit & 1 for bit in range(32)}}
         self.gold_inputs = [place[name] for name in gold.inputs]
         self.gate_inputs = [chosen[name] for name in gate.inputs]
-        count, size = len(self.names), len(gold.latches)
+        # Registers that only gate has, because the block does not need them, come behind gold's.
+        count, size = len(self.names), len(gold.latches) + len(gate.latches) * (gate is not gold)
         self.state = [2 * (count + 1 + n) for n in range(size)]
         self.double = [2 * (count + size + 1 + n) for n in range(size)]
         self.first = 2 * (count + 2 * size + 1)
-        self.order = partners(gold.latches, gate.latches)
         self.table, self.gates = {}, []
+        self.order = range(size) if gate is gold else partners(gold.latches, self.known())
 
     def both(self, a, b):
         if a < b:
@@ -105,21 +110,36 @@ class Pair:
             none = self.both(none, literal ^ 1)
         return none ^ 1
 
-    def copy(self, netlist, inputs, state):
-        """Literals of (next states, outputs) of a copy."""
+    def known(self):
+        """Names of the registers of `gate`; a mutated one has its name behind the mutation."""
+        state = self.state[:len(self.gate.latches)]
+        value = self.values(self.gate, self.gate_inputs, state)
+        names = {literal: set() for literal in state}
+        for name, literal in self.gate.wires:
+            names.get(value[literal >> 1] ^ (literal & 1), set()).add(name)
+        return [names[literal] for literal in state]
+
+    def values(self, netlist, inputs, state):
         value = [0, *inputs, *state]
         both = self.both
         for a, b in netlist.gates:
             value.append(both(value[a >> 1] ^ (a & 1), value[b >> 1] ^ (b & 1)))
+        return value
+
+    def copy(self, netlist, inputs, state):
+        """Literals of (next states, outputs) of a copy."""
+        value = self.values(netlist, inputs, state)
         return ([value[n >> 1] ^ (n & 1) for n in netlist.nexts],
                 [value[n >> 1] ^ (n & 1) for n in netlist.results])
 
     def copies(self, doubled):
         """(next states of gold, of gate in gold's order, how the outputs differ)."""
-        nexts, results = self.copy(self.gold, self.gold_inputs, self.state)
+        size = len(self.gold.latches)
+        nexts, results = self.copy(self.gold, self.gold_inputs, self.state[:size])
+        nexts += [0] * (len(self.state) - size)
         mixed = [self.double[n] if n in doubled else self.state[n] for n in self.order]
         changed, others = self.copy(self.gate, self.gate_inputs, mixed)
-        again = [0] * len(nexts)
+        again = list(nexts)
         for n, literal in zip(self.order, changed):
             again[n] = literal
         *results, care = results  # the same ports in the same order
@@ -139,6 +159,7 @@ class Pair:
     def step(self, path):
         """One output: equal registers, but unequal outputs or next states."""
         nexts, again, results = self.copies(frozenset())
+        nexts = nexts[:len(self.gold.latches)]
         wrong = [self.differ(a, b) for a, b in zip(nexts, again) if a != b]
         self.write(path, [], [self.any([*wrong, *results])], False)
 

@@ -24,7 +24,8 @@ read_verilog around.v
 proc
 hierarchy -check -top around
 flatten
-memory_map
+memory_map -formal
+setundef -anyseq
 opt_expr
 opt_clean
 formalff -clk2ff
@@ -34,7 +35,7 @@ opt_expr
 dffunmap
 aigmap
 opt_clean
-write_aiger -zinit -map {name}.map {name}.aig
+write_aiger -zinit -vmap {name}.map {name}.aig
 """
 CHOOSE = """cd {top}
 add -input choose {width}

@@ -37,7 +37,8 @@ Equivalent mutants come mostly from bits that cannot matter: the high bits of a 
 is cut, a selector's don't-care, a count that never gets that far. They are proven in two steps.
 Block and mutant have the same registers: if equal registers always give equal outputs and equal
 registers again, that is induction, and most need no more. Otherwise the registers that the mutation
-reaches are doubled, the others shared, and abc looks for invariants of this product.
+reaches are doubled, the others shared, and abc looks for invariants of this product. Where the
+netlist leaves a value unknown it is an input of both: the proof holds for any.
 
 | block | mutants | test | promises | equivalent | left | score | at least |
 |---|---|---|---|---|---|---|---|

@@ -65,7 +65,7 @@ def campaign(block, limit, afresh):
     accepted = mutant_tests.survivors(block, program, [m.number for m in found])
     tested = clock()
     mutant_proofs.write_netlists(block)
-    if mutant_proofs.compare(block, 0, 5 * limit)[0] != "equivalent":
+    if mutant_proofs.compare(block, 0, limit)[0] != "equivalent":
         raise mutants.MutationError("control: the netlist without a mutant is not the block, or "
                                     "that takes longer: --limit")
     table = mutant_tables.Table(block, mutants.source_hash(block), len(found))
