@@ -348,7 +348,7 @@ module afc_props
   // breaks words_move_in_their_step_only: r_q   <= r_new; => x_r_q <= r_new;
   // breaks i_q_moves_with_its_valid_only: r_q   <= r_new; => i_q_ref_q <= r_new[11:0];
   // breaks saturated_i_q_is_at_its_end: i_q_ref_q, saturated_q} <= '0; => i_q_ref_q, saturated_q} <= '1;
-  // breaks v_e_de_are_saturated_differences: '0 : sat12(acc_t'(sum) <<< 4) => '0 : sum[11:0]
+  // breaks v_e_de_are_saturated_differences: '0 : sat12(acc_t'(sum) <<< 4) => '0 : sat12(acc_t'(sum) <<< 3)
   // breaks degrees_sum_to_one: mu_a0_q <= sum[11:0]; => mu_a0_q <= sum[12:1];
   // breaks rules_move_only_when_adapting: step_end && adapt_i && => step_end &&
   // breaks rules_move_in_s31_to_s34, a_fired_rule_moves_once: step_q >= 6'd31 => step_q >= 6'd3
