@@ -9,13 +9,12 @@ invariants itself.
 import json
 import re
 import subprocess
-import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 
 import aiger
-import lint
-from properties import ROOT, RTL, PropertiesError
+import yosys
+from properties import ROOT, PropertiesError
 
 # A cover is an assertion of the opposite, to be refuted.
 COVER_MAP = """(* techmap_celltype = "$cover" *) module cover_as_assert (input A, EN);
@@ -46,12 +45,8 @@ class Model:
 
 
 def design(changed, folder, name):
-    """Every module, of which slang takes what the top needs; changed texts are put into folder."""
-    own = sorted(p for p in RTL.glob("*/*.sv")
-                 if p.parent.name != "boards" and not p.stem.endswith(("_pkg", "_props")))
-    generated = sorted(p for p in (RTL / "chips" / "generated").glob("*.sv")
-                       if not p.stem.endswith("_pkg"))
-    files = [*lint.packages(), *own, *generated]
+    """The modules; changed texts are put into folder."""
+    files = yosys.design()
     for original, text in changed.items():
         copy = folder / f"{name}_{original.name}"
         copy.write_text(text, encoding="utf-8")
@@ -88,11 +83,7 @@ def run_scripts(folder, names, endings):
     for name in names:
         for ending in endings:
             (folder / f"{name}.{ending}").unlink(missing_ok=True)
-    code = ("from pyosys import libyosys as ys\n"
-            f"for name in {names}:\n"
-            "    ys.run_pass(f'tee -q -o {name}.log script {name}.ys', ys.Design())")
-    done = subprocess.run([sys.executable, "-c", code], cwd=folder, capture_output=True,
-                          text=True, check=False)
+    done = yosys.run(folder, names)
     return done.stdout + done.stderr
 
 

@@ -12,6 +12,7 @@ import formal
 import mutant_pair
 import mutants
 import properties
+import yosys
 
 FRAMES = 60  # clocks of the search for the outputs in which a mutant differs
 
@@ -71,8 +72,8 @@ def write_netlists(block):
             "module around(", ",\n".join([*head, "output care"]), ");", *lines,
             f"block u_block ({links});", "endmodule", ""]), encoding="utf-8")
         choose = CHOOSE.format(top=top, selector=mutants.SELECTOR, width=mutants.WIDTH)
-        mutants.yosys(NETLIST.format(name=name, top=top, choose=choose if port else ""), folder,
-                      f"{name}_aig")
+        yosys.make(NETLIST.format(name=name, top=top, choose=choose if port else ""), folder,
+                   f"{name}_aig")
 
 
 def compare(block, number, limit):

@@ -8,11 +8,9 @@ inside it, and no clock. The selector is an undriven net of the netlist; whoever
 
 import hashlib
 import re
-import subprocess
-import sys
 from dataclasses import dataclass
 
-import lint
+import yosys
 from properties import ROOT, RTL
 
 OUT = ROOT / "build" / "mutants"
@@ -71,30 +69,11 @@ def folder_of(block):
     return folder
 
 
-def yosys(script, folder, name):
-    """Runs a Yosys script in a process of its own; its log stays in the folder."""
-    (folder / f"{name}.ys").write_text(script, encoding="utf-8")
-    code = ("from pyosys import libyosys as ys\n"
-            f"ys.run_pass('tee -q -o {name}.log script {name}.ys', ys.Design())")
-    done = subprocess.run([sys.executable, "-c", code], cwd=folder, capture_output=True,
-                          text=True, check=False)
-    if done.returncode != 0:
-        raise MutationError(f"Yosys fails: {folder}/{name}.log")
-
-
 def source_hash(block):
     """Of what decides which mutants there are: the text without comments and spacing."""
     text = (RTL / f"{block}.sv").read_text(encoding="utf-8")
     code = " ".join(re.sub(r"//.*", "", text).split())
     return hashlib.sha256(code.encode()).hexdigest()[:16]
-
-
-def sources():
-    own = sorted(p for p in RTL.glob("*/*.sv")
-                 if p.parent.name != "boards" and not p.stem.endswith(("_pkg", "_props")))
-    generated = sorted(p for p in (RTL / "chips" / "generated").glob("*.sv")
-                       if not p.stem.endswith("_pkg"))
-    return [*lint.packages(), *own, *generated]
 
 
 def field(command, name):
@@ -166,9 +145,8 @@ def make(block, count=COUNT, seed=SEED):
     drive in parts, which Verilator would take for loops.
     """
     folder, top = folder_of(block), block.split("/")[1]
-    files = " ".join(str(p) for p in sources())
-    yosys(READ.format(top=top, files=files, count=count + SPARE, seed=seed), folder,
-          "read")
+    files = " ".join(str(p) for p in yosys.design())
+    yosys.make(READ.format(top=top, files=files, count=count + SPARE, seed=seed), folder, "read")
     commands = [line for line in (folder / "list.txt").read_text(encoding="utf-8").split("\n")
                 if line.startswith("mutate ") and field(line, "port") not in EXEMPT][:count]
     cells = read_cells(folder / "plain.il", top)
@@ -176,8 +154,8 @@ def make(block, count=COUNT, seed=SEED):
     mutations = "\n".join(
         m.command.split(" -src ")[0].replace(
             "mutate ", f"mutate -ctrl {SELECTOR} {WIDTH} {m.number} ", 1) for m in found)
-    yosys(APPLY.format(top=top, selector=SELECTOR, width=WIDTH, mutations=mutations), folder,
-          "apply")
+    yosys.make(APPLY.format(top=top, selector=SELECTOR, width=WIDTH, mutations=mutations), folder,
+               "apply")
     return found
 
 

@@ -7,9 +7,9 @@ import subprocess
 import time
 from pathlib import Path
 
-import mutants
 import perf_cocotb
 import python_tools
+import yosys
 from perf_rows import Failed, Measured, NotHere, OUT, PREFIX_S, ROOT, run_row
 
 NETLIST = """read_slang --top kung_xy {files}
@@ -86,9 +86,8 @@ class Replay:
             raise NotHere("not installed: apt-get install iverilog")
         python_tools.need("pyosys", "perf")
         try:
-            mutants.yosys(NETLIST.format(files=" ".join(map(str, mutants.sources()))), OUT,
-                          "netlist")
-        except mutants.MutationError as error:
+            yosys.make(NETLIST.format(files=" ".join(map(str, yosys.design()))), OUT, "netlist")
+        except yosys.YosysError as error:
             raise Failed(str(error)) from error
         self.program = OUT / "replay.vvp"
         done = subprocess.run(["iverilog", "-g2005", "-s", "replay", "-o", self.program, BENCH,

@@ -34,6 +34,7 @@ import mutants  # noqa: E402
 import properties  # noqa: E402
 import prove  # noqa: E402
 import python_tools  # noqa: E402
+import yosys  # noqa: E402
 
 # Small blocks that stand between a fault and the hardware; their models compile in seconds.
 SAMPLED = ["drive/gate_leg", "drive/supervisor", "sense/adc_if", "motion/watchdog", "math/timer"]
@@ -140,7 +141,8 @@ def run(arguments, every):
                     wrong += sample(block)
                 else:
                     campaign(block, arguments.limit, arguments.afresh)
-            except (properties.PropertiesError, mutants.MutationError) as error:
+            except (properties.PropertiesError, mutants.MutationError,
+                    yosys.YosysError) as error:
                 wrong.append(f"{block}: {error}")
     if arguments.mutants or arguments.page:
         print(f"wrote {mutant_tables.write_page(every).relative_to(properties.ROOT)}")
