@@ -28,18 +28,14 @@ sys.path.insert(0, str(Path(__file__).resolve().parent))
 import perf_rows  # noqa: E402
 import perf_scaling  # noqa: E402
 import perf_table  # noqa: E402
+import python_tools  # noqa: E402
 from perf_replay import Replay  # noqa: E402
 from perf_rows import Failed, NotHere  # noqa: E402
 
 
-class Parser(argparse.ArgumentParser):
-    def error(self, message):
-        self.exit(2, f"perf: {message}\n")
-
-
 def arguments():
-    parser = Parser(prog="trammel perf", description=__doc__, allow_abbrev=False,
-                    formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = python_tools.Parser(prog="trammel perf", description=__doc__, allow_abbrev=False,
+                                 formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--rows", default="a,b,c,d,e,f,g", metavar="a,b,...", help="default all")
     parser.add_argument("--repeat", type=int, default=3, metavar="N", help="rounds, default 3")
     parser.add_argument("--seconds", type=float, default=0.25, metavar="S",
@@ -63,11 +59,6 @@ def arguments():
     return wanted
 
 
-def progress(text):
-    if sys.stderr.isatty():
-        print(f"\r\033[K{text}", end="", file=sys.stderr, flush=True)
-
-
 def rounds(wanted):
     """Row -> list of measurements, or the reason why there is none."""
     replay = Replay()
@@ -76,13 +67,13 @@ def rounds(wanted):
         for row in wanted.rows:
             if not isinstance(found[row], list):
                 continue
-            progress(f"round {number + 1} of {wanted.repeat}, row {row}")
+            python_tools.progress(f"round {number + 1} of {wanted.repeat}, row {row}")
             try:
                 found[row].append(replay.run(row) if row in perf_rows.REPLAYED
                                   else perf_rows.run_row(row, wanted.seconds))
             except (NotHere, Failed) as reason:
                 found[row] = reason
-    progress("")
+    python_tools.progress("")
     return found, replay
 
 
@@ -103,8 +94,8 @@ def compare(wanted):
 
 
 def scale(wanted):
-    result = perf_scaling.document(progress)
-    progress("")
+    result = perf_scaling.document(python_tools.progress)
+    python_tools.progress("")
     return result, perf_scaling.text(result)
 
 
@@ -114,11 +105,11 @@ def main():
         print("perf: there is no build: `trammel run circle` makes it", file=sys.stderr)
         return 2
     try:
-        progress("building")
+        python_tools.progress("building")
         perf_rows.build(["d"] if wanted.scaling else wanted.rows)
         result, table = scale(wanted) if wanted.scaling else compare(wanted)
     except Failed as error:
-        progress("")
+        python_tools.progress("")
         print(f"perf: {error}", file=sys.stderr)
         return 1
     print(json.dumps(result, indent=2) if wanted.json else table)
@@ -133,5 +124,5 @@ if __name__ == "__main__":
     try:
         sys.exit(main())
     except KeyboardInterrupt:
-        progress("")
+        python_tools.progress("")
         sys.exit(130)

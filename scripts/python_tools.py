@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Scripts that need a tool of .venv start themselves again with its Python."""
+"""What the verbs share: errors and progress on one line, and the Python of .venv for its tools."""
 
+import argparse
 import importlib.util
 import os
 import sys
@@ -18,3 +19,16 @@ def need(module, verb):
         os.execv(PYTHON, [str(PYTHON), *sys.argv])
     print(f"{verb}: {module} is missing (trammel doctor)", file=sys.stderr)
     sys.exit(SKIPPED if "CTEST_INTERACTIVE_DEBUG_MODE" in os.environ else 3)
+
+
+class Parser(argparse.ArgumentParser):
+    """Of `trammel <verb>`: errors in one line."""
+
+    def error(self, message):
+        self.exit(2, f"{self.prog.split()[-1]}: {message}\n")
+
+
+def progress(text):
+    """In place of the line before; nothing where nobody looks."""
+    if sys.stderr.isatty():
+        print(f"\r\033[K{text}", end="", file=sys.stderr, flush=True)

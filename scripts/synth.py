@@ -35,14 +35,9 @@ PAGE = ROOT / "docs" / "synthesis.md"
 MAX_SEED = 2**31 - 1
 
 
-class Parser(argparse.ArgumentParser):
-    def error(self, message):
-        self.exit(2, f"synth: {message}\n")
-
-
 def arguments():
-    parser = Parser(prog="trammel synth", description=__doc__, allow_abbrev=False,
-                    formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = python_tools.Parser(prog="trammel synth", description=__doc__, allow_abbrev=False,
+                                 formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--block", metavar="LAYER/BLOCK", help="one block alone: area only")
     parser.add_argument("--area", action="store_true", help="do not place and route")
     parser.add_argument("--seed", type=int, default=1, metavar="N",
@@ -65,11 +60,6 @@ def arguments():
     return wanted
 
 
-def progress(text):
-    if sys.stderr.isatty():
-        print(f"\r\033[K{text}", end="", file=sys.stderr, flush=True)
-
-
 def top_of(block):
     return block.split("/")[1]
 
@@ -90,14 +80,14 @@ def run(wanted, folder, placer):
         chip = None if wanted.block else pool.submit(synth_flow.map_to_ecp5, top, folder)
         jobs = {pool.submit(synth_flow.map_to_ecp5, top_of(b), folder): b for b in blocks}
         if chip:
-            progress("mapping the chip")
+            python_tools.progress("mapping the chip")
             concurrent.futures.wait([chip])
             netlist = Netlist(*synth_flow.read_netlist(top, folder), top)
             if not wanted.area:
-                progress("placing and routing the chip")
+                python_tools.progress("placing and routing the chip")
                 report = synth_flow.place_and_route(top, folder, wanted.seed, placer)
         for done, job in enumerate(concurrent.futures.as_completed(jobs), 1):
-            progress(f"[{done}/{len(jobs)}] {jobs[job]}")
+            python_tools.progress(f"[{done}/{len(jobs)}] {jobs[job]}")
     for block in blocks:
         result["blocks"][block] = alone(block, folder)
     if chip:
@@ -111,7 +101,7 @@ def run(wanted, folder, placer):
             result["paper"] = {"source": "Kung et al. 2012, Table 1",
                                **{name: dict(zip(("aluts", "bits"), row))
                                   for name, row in synth_report.PAPER.items()}}
-    progress("")
+    python_tools.progress("")
     return result
 
 
@@ -134,7 +124,7 @@ def main():
     try:
         result = run(wanted, folder, placer)
     except synth_flow.FlowError as error:
-        progress("")
+        python_tools.progress("")
         print(f"synth: {error}", file=sys.stderr)
         return 6
     result["over_budget"] = list(synth_report.findings(result, budget))
@@ -160,5 +150,5 @@ if __name__ == "__main__":
     try:
         sys.exit(main())
     except KeyboardInterrupt:
-        progress("")
+        python_tools.progress("")
         sys.exit(130)
