@@ -54,10 +54,15 @@ def read(source):
                  words[latches + outputs:], gates)
 
 
-def coded_gates(first, pairs):
-    """Bytes of gates whose first one has the literal `first`."""
-    return b"".join(coded(first + 2 * n - max(pair)) + coded(max(pair) - min(pair))
-                    for n, pair in enumerate(pairs))
+def write(target, model):
+    latches, gates = len(model.nexts), len(model.gates)
+    head = f"aig {model.inputs + latches + gates} {model.inputs} {latches} {len(model.outputs)} " \
+           f"{gates}" + (f" {len(model.bad)}" if model.bad else "") + "\n"
+    head += "".join(f"{word}\n" for word in [*model.nexts, *model.outputs, *model.bad])
+    first = 2 * (model.inputs + latches + 1)
+    target.write_bytes(head.encode() + b"".join(
+        coded(first + 2 * n - max(pair)) + coded(max(pair) - min(pair))
+        for n, pair in enumerate(model.gates)))
 
 
 def guard(source, target, members):
@@ -87,7 +92,4 @@ def guard(source, target, members):
         intact = both(intact, tests[member] ^ 1)
     for member in members:
         tests[member] = both(tests[member], failed ^ 1)
-    text = f"aig {inputs + latches + 1 + len(pairs)} {inputs} {latches + 1} 0 {len(pairs)} " \
-           f"{len(tests)}\n"
-    text += "".join(f"{word}\n" for word in [*nexts, intact ^ 1, *tests])
-    target.write_bytes(text.encode() + coded_gates(failed + 2, pairs))
+    write(target, Model(inputs, [*nexts, intact ^ 1], [], tests, pairs))

@@ -101,10 +101,8 @@ class Graph:
         number = {node: n for n, node in enumerate([0, *self.inputs, *sorted(needed)])}
         pairs = [[2 * number[literal >> 1] + (literal & 1) for literal in self.gates[node]]
                  for node in sorted(needed)]
-        inputs = len(self.inputs)
-        text = f"aig {inputs + len(pairs)} {inputs} 0 1 {len(pairs)}\n" \
-               f"{2 * number[output >> 1] + (output & 1)}\n"
-        path.write_bytes(text.encode() + aiger.coded_gates(2 * inputs + 2, pairs))
+        aiger.write(path, aiger.Model(len(self.inputs), [],
+                                      [2 * number[output >> 1] + (output & 1)], [], pairs))
 
     def simulate(self, bits):
         """A function that gives the value of a literal when the inputs are `bits`."""

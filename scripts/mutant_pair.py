@@ -9,34 +9,22 @@ all registers that the mutation never gets to, and doubles the others.
 
 from dataclasses import dataclass
 
-from aiger import coded, number
+import aiger
+import miter
 
 
 @dataclass
 class Netlist:
+    gates: aiger.Model
     inputs: list[str]  # name[bit]
     latches: list[set[str]]  # a register may have several names
     outputs: list[str]
-    nexts: list[int]
-    results: list[int]  # literals of the outputs
-    gates: list[tuple[int, int]]
     wires: list[tuple[str, int]]  # name[bit] and literal
 
 
 def read(stem):
     """stem.aig and stem.map by Yosys; all registers begin at 0."""
-    data = stem.with_suffix(".aig").read_bytes()
-    head, _, rest = data.partition(b"\n")
-    _, inputs, latches, outputs, gates = map(int, head.split()[1:6])
-    lines = rest.split(b"\n", latches + outputs)
-    place = len(data) - len(lines.pop())
-    words = [int(line.split()[0]) for line in lines]
-    pairs = []
-    for gate in range(gates):
-        left = 2 * (inputs + latches + 1 + gate)
-        delta, place = number(data, place)
-        right, place = number(data, place)
-        pairs.append((left - delta, left - delta - right))
+    gates = aiger.read(stem.with_suffix(".aig"))
     names = {"input": {}, "latch": {}, "output": {}}
     wires = []
     for line in stem.with_suffix(".map").read_text(encoding="utf-8").split("\n"):
@@ -46,11 +34,12 @@ def read(stem):
         elif len(word) == 4 and word[0] in names:
             names[word[0]].setdefault(int(word[1]), set()).add(f"{word[3]}[{word[2]}]")
     # Inputs without a name are the unknowns of the netlist.
-    free = (f"unknown[{n}]" for n in range(inputs))
-    return Netlist([min(names["input"].get(n) or {next(free)}) for n in range(inputs)],
-                   [names["latch"].get(n, set()) for n in range(latches)],
-                   [min(names["output"].get(n, {"a constant"})) for n in range(outputs)],
-                   words[:latches], words[latches:], pairs, wires)
+    free = (f"unknown[{n}]" for n in range(gates.inputs))
+    return Netlist(gates,
+                   [min(names["input"].get(n) or {next(free)}) for n in range(gates.inputs)],
+                   [names["latch"].get(n, set()) for n in range(len(gates.nexts))],
+                   [min(names["output"].get(n, {"a constant"})) for n in range(len(gates.outputs))],
+                   wires)
 
 
 def partners(ours, theirs):
@@ -75,93 +64,64 @@ class Pair:
         self.gold, self.gate = gold, gate
         self.names = [name for name in dict.fromkeys(gold.inputs + gate.inputs)
                       if not name.startswith(f"{selector}[")]
-        place = {name: 2 * (n + 1) for n, name in enumerate(self.names)}
+        self.graph = miter.Graph()
+        place = {name: self.graph.free() for name in self.names}
         for bit in range(32):
             place[f"{selector}[{bit}]"] = 0
         chosen = {**place, **{f"{selector}[{bit}]": selected >> bit & 1 for bit in range(32)}}
         self.gold_inputs = [place[name] for name in gold.inputs]
         self.gate_inputs = [chosen[name] for name in gate.inputs]
         # Registers that only gate has, because the block does not need them, come behind gold's.
-        count, size = len(self.names), len(gold.latches) + len(gate.latches) * (gate is not gold)
-        self.state = [2 * (count + 1 + n) for n in range(size)]
-        self.double = [2 * (count + size + 1 + n) for n in range(size)]
-        self.first = 2 * (count + 2 * size + 1)
-        self.table, self.gates = {}, []
+        size = len(gold.latches) + len(gate.latches) * (gate is not gold)
+        self.state = self.graph.word(size)
+        self.double = self.graph.word(size)
         self.order = range(size) if gate is gold else partners(gold.latches, self.known())
-
-    def both(self, a, b):
-        if a < b:
-            a, b = b, a
-        if b == 0 or a == b ^ 1:
-            return 0
-        if b == 1 or a == b:
-            return a
-        if (a, b) not in self.table:
-            self.table[a, b] = self.first + 2 * len(self.gates)
-            self.gates.append((a, b))
-        return self.table[a, b]
-
-    def differ(self, a, b):
-        return self.both(self.both(a, b ^ 1) ^ 1, self.both(a ^ 1, b) ^ 1) ^ 1
-
-    def any(self, literals):
-        none = 1
-        for literal in literals:
-            none = self.both(none, literal ^ 1)
-        return none ^ 1
 
     def known(self):
         """Names of the registers of `gate`; a mutated one has its name behind the mutation."""
         state = self.state[:len(self.gate.latches)]
-        value = self.values(self.gate, self.gate_inputs, state)
+        value = self.copy(self.gate, self.gate_inputs, state, [w for _, w in self.gate.wires])
         names = {literal: set() for literal in state}
-        for name, literal in self.gate.wires:
-            names.get(value[literal >> 1] ^ (literal & 1), set()).add(name)
+        for (name, _), literal in zip(self.gate.wires, value):
+            names.get(literal, set()).add(name)
         return [names[literal] for literal in state]
 
-    def values(self, netlist, inputs, state):
-        value = [0, *inputs, *state]
-        both = self.both
-        for a, b in netlist.gates:
-            value.append(both(value[a >> 1] ^ (a & 1), value[b >> 1] ^ (b & 1)))
-        return value
+    def copy(self, netlist, inputs, state, roots):
+        """The literals `roots` of a copy."""
+        return self.graph.copy(netlist.gates, dict(enumerate([*inputs, *state], 1)), roots)
 
-    def copy(self, netlist, inputs, state):
+    def next(self, netlist, inputs, state):
         """Literals of (next states, outputs) of a copy."""
-        value = self.values(netlist, inputs, state)
-        return ([value[n >> 1] ^ (n & 1) for n in netlist.nexts],
-                [value[n >> 1] ^ (n & 1) for n in netlist.results])
+        nexts, outputs = netlist.gates.nexts, netlist.gates.outputs
+        value = self.copy(netlist, inputs, state, [*nexts, *outputs])
+        return value[:len(nexts)], value[len(nexts):]
 
     def copies(self, doubled):
         """(next states of gold, of gate in gold's order, how the outputs differ)."""
         size = len(self.gold.latches)
-        nexts, results = self.copy(self.gold, self.gold_inputs, self.state[:size])
+        nexts, results = self.next(self.gold, self.gold_inputs, self.state[:size])
         nexts += [0] * (len(self.state) - size)
         mixed = [self.double[n] if n in doubled else self.state[n] for n in self.order]
-        changed, others = self.copy(self.gate, self.gate_inputs, mixed)
+        changed, others = self.next(self.gate, self.gate_inputs, mixed)
         again = list(nexts)
         for n, literal in zip(self.order, changed):
             again[n] = literal
         *results, care = results  # the same ports in the same order
-        return nexts, again, [self.both(care, self.differ(a, b)) for a, b in zip(results, others)]
+        return nexts, again, [self.graph.both(care, self.graph.differ(a, b))
+                              for a, b in zip(results, others)]
 
-    def write(self, path, nexts, results, registers):
-        """AIGER; the states are inputs when there are no registers."""
-        size = 2 * len(self.state)
-        count, latches = (len(self.names), size) if registers else (len(self.names) + size, 0)
-        head = (f"aig {count + latches + len(self.gates)} {count} {latches} {len(results)} "
-                f"{len(self.gates)}\n")
-        head += "".join(f"{word}\n" for word in [*(nexts if registers else []), *results])
-        body = b"".join(coded(self.first + 2 * n - a) + coded(a - b)
-                        for n, (a, b) in enumerate(self.gates))
-        path.write_bytes(head.encode() + body)
+    def write(self, path, nexts, results):
+        """AIGER; the states are inputs when there is no next one."""
+        given = len(self.names) + 2 * len(self.state)
+        gates = self.graph.gates[given + 1:]
+        aiger.write(path, aiger.Model(given - len(nexts), nexts, results, [], gates))
 
     def step(self, path):
         """One output: equal registers, but unequal outputs or next states."""
         nexts, again, results = self.copies(frozenset())
         nexts = nexts[:len(self.gold.latches)]
-        wrong = [self.differ(a, b) for a, b in zip(nexts, again) if a != b]
-        self.write(path, [], [self.any([*wrong, *results])], False)
+        wrong = [self.graph.differ(a, b) for a, b in zip(nexts, again) if a != b]
+        self.write(path, [], [self.graph.some([*wrong, *results])])
 
     def chase(self, path):
         """The product from reset on; one output an output of the block. Returns their names."""
@@ -176,6 +136,6 @@ class Pair:
         for name, literal in zip(self.gold.outputs, results):
             ports.setdefault(name.rsplit("[", 1)[0], []).append(literal)
         twice = [literal if n in doubled else 0 for n, literal in enumerate(again)]
-        tests = [self.any(literals) for literals in ports.values()]
-        self.write(path, nexts + twice, tests, True)
+        tests = [self.graph.some(literals) for literals in ports.values()]
+        self.write(path, nexts + twice, tests)
         return list(ports)
