@@ -62,12 +62,10 @@ class PinChip final : public kung::KungChip {
   std::int32_t rule(int, int) const override { return 0; }
   std::int32_t integral(int) const override { return 0; }
   kung::Fault fault() const override { return {}; }
-  const std::optional<cosim::BrokenPromise>& broken_promise() const override { return none_; }
 
  private:
   const Pins& pins_;
   Vkung_xy_sc& model_;
-  std::optional<cosim::BrokenPromise> none_;
   cosim::Clk now_ = 0;
   std::uint32_t rdata_ = 0;
 };

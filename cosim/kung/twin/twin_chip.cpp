@@ -77,7 +77,6 @@ class TwinChip final : public KungChip {
     return {static_cast<FaultCode>(fault.code), fault.axis ? 1 : 0, fault.tick};
   }
   cosim::Clk evaluated() const override { return chip_.events(); }
-  const std::optional<cosim::BrokenPromise>& broken_promise() const override { return none_; }
 
  private:
   class Converters final : public KungXy::Converters {
@@ -102,7 +101,6 @@ class TwinChip final : public KungChip {
   }
 
   KungXy chip_;
-  std::optional<cosim::BrokenPromise> none_;
 };
 
 }  // namespace

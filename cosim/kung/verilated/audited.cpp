@@ -51,7 +51,7 @@ class AuditedChip final : public KungChip {
   Fault fault() const override { return leaping_.fault(); }
   cosim::Clk evaluated() const override { return leaping_.evaluated(); }
   WakeCounts wakes() const override { return leaping_.wakes(); }
-  const std::optional<cosim::BrokenPromise>& broken_promise() const override { return broken_; }
+  std::optional<cosim::BrokenPromise> broken_promise() const override { return broken_; }
 
  private:
   void compare(cosim::Clk edge) {

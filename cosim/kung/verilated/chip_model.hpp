@@ -146,7 +146,7 @@ class ChipModel final : public KungChip {
     return probe_integral(*model_->rootp, axis);
   }
   Fault fault() const override { return probe_fault(*model_->rootp); }
-  const std::optional<cosim::BrokenPromise>& broken_promise() const override { return broken_; }
+  std::optional<cosim::BrokenPromise> broken_promise() const override { return broken_; }
 
  private:
   static constexpr int kResetEdges = 4;
@@ -195,10 +195,10 @@ class ChipModel final : public KungChip {
   // Of the next edge, before it.
   Wake wake(cosim::Clk edge, cosim::Clk clocks) {
     const Model& m = *model_;
-    if (clocks > 1) return Wake::kLeap;
-    if (bus_active_) return Wake::kBus;
     if (m.tick_o) position_ = true;
     if (m.sample_o) position_ = false;
+    if (clocks > 1) return Wake::kLeap;
+    if (bus_active_) return Wake::kBus;
     if (m.tick_o) return Wake::kTick;
     if (m.adc_cs_n_o != 3) return Wake::kConverter;
     if (probe_busy(*m.rootp, 0) || probe_busy(*m.rootp, 1)) return Wake::kCurrent;

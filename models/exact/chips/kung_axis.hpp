@@ -41,9 +41,7 @@ class KungAxis {
     in.i_q_ref = config.close_position ? i_q_ref_ : config.iq_manual;
     in.kp = config.kp_cur;
     in.ki = config.ki_cur;
-    CurrentLoop::Out out = current_.step(in);
-    if (in.clear) out.cmp_a = out.cmp_b = out.cmp_c = kCentre;
-    return out;
+    return current_.step(in);
   }
 
   Afc::Out step2k(const Config& config, std::int32_t r, std::int32_t x_p) {
@@ -55,8 +53,6 @@ class KungAxis {
   Afc& position() { return position_; }
 
  private:
-  static constexpr std::int32_t kCentre = 781;  // compare value of 50 % duty
-
   Afc position_;
   CurrentLoop current_;
   std::int32_t i_q_ref_ = 0;
