@@ -18,7 +18,6 @@ template counts once; generated files and the tests themselves do not count.
 Exit codes: 0 all above their floors, 1 something is not, 2 no counts, 3 a tool is missing.
 """
 
-import argparse
 import subprocess
 import sys
 import tomllib
@@ -29,6 +28,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parent))
 import coverage_cpp  # noqa: E402
 import lint  # noqa: E402
+import python_tools  # noqa: E402
 
 ROOT = Path(__file__).resolve().parent.parent
 FLOORS = ROOT / "scripts" / "coverage.toml"
@@ -174,8 +174,7 @@ def report(wrong):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = python_tools.Parser(prog="trammel coverage", description=__doc__)
     parser.add_argument("--keep", action="store_true", help="take the counts that are there")
     parser.add_argument("--check", choices=("rtl", "cpp"), help="be a test of one kind")
     options = parser.parse_args()

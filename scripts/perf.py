@@ -19,7 +19,6 @@ Exit codes: 0 all rows that ran agree, 1 a row failed or its events differ, 2 us
 build, 130 interrupted.
 """
 
-import argparse
 import json
 import sys
 from pathlib import Path
@@ -34,8 +33,7 @@ from perf_rows import Failed, NotHere  # noqa: E402
 
 
 def arguments():
-    parser = python_tools.Parser(prog="trammel perf", description=__doc__, allow_abbrev=False,
-                                 formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = python_tools.Parser(prog="trammel perf", description=__doc__)
     parser.add_argument("--rows", default="a,b,c,d,e,f,g", metavar="a,b,...", help="default all")
     parser.add_argument("--repeat", type=int, default=3, metavar="N", help="rounds, default 3")
     parser.add_argument("--seconds", type=float, default=0.25, metavar="S",

@@ -29,7 +29,6 @@ Exit codes: 0 all proven, 1 a promise or lemma is open, refuted or without contr
 3 a tool is missing. Logs and models stay in build/formal/<block>.
 """
 
-import argparse
 import sys
 import time
 from pathlib import Path
@@ -95,8 +94,7 @@ def prove(block, limit):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = python_tools.Parser(prog="trammel prove", description=__doc__)
     parser.add_argument("--limit", type=int, default=60, metavar="SECONDS",
                         help="for one question to the solver, default 60")
     parser.add_argument("--leap", action="store_true")

@@ -24,8 +24,12 @@ def need(module, verb):
 class Parser(argparse.ArgumentParser):
     """Of `trammel <verb>`: errors in one line."""
 
+    def __init__(self, **more):
+        super().__init__(allow_abbrev=False, formatter_class=argparse.RawDescriptionHelpFormatter,
+                         **more)
+
     def error(self, message):
-        self.exit(2, f"{self.prog.split()[-1]}: {message}\n")
+        self.exit(2, f"{self.prog.split()[1]}: {message}; see {self.prog} --help\n")
 
 
 def progress(text):

@@ -14,7 +14,6 @@ Exit codes: 0 in the budget, 2 usage, 3 a tool is missing, 6 synthesis failed, t
 50 MHz or something is over the budget, 130 interrupted.
 """
 
-import argparse
 import concurrent.futures
 import json
 import os
@@ -36,8 +35,7 @@ MAX_SEED = 2**31 - 1
 
 
 def arguments():
-    parser = python_tools.Parser(prog="trammel synth", description=__doc__, allow_abbrev=False,
-                                 formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = python_tools.Parser(prog="trammel synth", description=__doc__)
     parser.add_argument("--block", metavar="LAYER/BLOCK", help="one block alone: area only")
     parser.add_argument("--area", action="store_true", help="do not place and route")
     parser.add_argument("--seed", type=int, default=1, metavar="N",

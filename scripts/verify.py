@@ -18,7 +18,6 @@ Exit codes: 0 reached, 1 under the floor, stale or different, 2 no such block or
 is missing.
 """
 
-import argparse
 import shutil
 import sys
 import time
@@ -107,8 +106,7 @@ def sample(block):
 
 
 def parse(every):
-    parser = argparse.ArgumentParser(description=__doc__, prog="trammel verify",
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = python_tools.Parser(prog="trammel verify", description=__doc__)
     what = parser.add_mutually_exclusive_group()
     for name in ("mutants", "sample", "check", "page", "engines"):
         what.add_argument(f"--{name}", action="store_true")

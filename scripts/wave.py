@@ -21,7 +21,6 @@ Exit codes: 0 equal or done, 1 the files differ, 2 a file or an argument is wron
 missing.
 """
 
-import argparse
 import json
 import os
 import shutil
@@ -156,15 +155,8 @@ def draw(args):
     return 0
 
 
-class Parser(argparse.ArgumentParser):
-    """Errors in one line."""
-
-    def error(self, message):
-        self.exit(2, f"wave: {message}; see trammel wave --help\n")
-
-
 def arguments():
-    parser = Parser(prog="trammel wave", add_help=False)
+    parser = python_tools.Parser(prog="trammel wave", add_help=False)
     verbs = parser.add_subparsers(dest="verb", required=True, metavar="VERB")
 
     def verb(name, action):

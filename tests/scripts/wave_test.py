@@ -232,7 +232,7 @@ class WaveTest(unittest.TestCase):
                 (("draw", file, "--window", "0:1us", "--signals", "low", "-o", "p.png"), ".svg"),
                 (("convert", file, self.folder / "b.vcd"), "only .fst to .vcd"),
                 (("convert", file, self.folder / "no" / "b.fst"), "cannot be written"),
-                (("list",), "see trammel wave --help"),
+                (("list",), "see trammel wave list --help"),
                 (("lst", file), "invalid choice: 'lst'")):
             with self.subTest(told):
                 self.assertIn(told, self.refused(*words))
