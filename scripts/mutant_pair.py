@@ -65,7 +65,9 @@ class Pair:
         self.names = [name for name in dict.fromkeys(gold.inputs + gate.inputs)
                       if not name.startswith(f"{selector}[")]
         self.graph = miter.Graph()
-        place = {name: self.graph.free() for name in self.names}
+        # Two netlists do not number their unknowns alike: there they are 0, else free.
+        place = {name: 0 if gate is not gold and name.startswith("unknown[")
+                 else self.graph.free() for name in self.names}
         for bit in range(32):
             place[f"{selector}[{bit}]"] = 0
         chosen = {**place, **{f"{selector}[{bit}]": selected >> bit & 1 for bit in range(32)}}
@@ -112,7 +114,7 @@ class Pair:
 
     def write(self, path, nexts, results):
         """AIGER; the states are inputs when there is no next one."""
-        given = len(self.names) + 2 * len(self.state)
+        given = len(self.graph.inputs)
         gates = self.graph.gates[given + 1:]
         aiger.write(path, aiger.Model(given - len(nexts), nexts, results, [], gates))
 

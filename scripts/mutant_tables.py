@@ -38,7 +38,8 @@ is cut, a selector's don't-care, a count that never gets that far. They are prov
 Block and mutant have the same registers: if equal registers always give equal outputs and equal
 registers again, that is induction, and most need no more. Otherwise the registers that the mutation
 reaches are doubled, the others shared, and abc looks for invariants of this product. Where the
-netlist leaves a value unknown it is an input of both: the proof holds for any.
+netlist leaves a value unknown it is an input of both: the proof holds for any. Only the control,
+the netlist with no mutant chosen against the block itself, takes 0 there.
 
 | block | mutants | test | promises | equivalent | left | score | at least |
 |---|---|---|---|---|---|---|---|
