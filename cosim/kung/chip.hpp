@@ -41,8 +41,7 @@ struct KungChip : cosim::Chip {
   virtual std::optional<cosim::BrokenPromise> broken_promise() const { return {}; }
 };
 
-// What a traced chip dumps: the edges [begin, end), and the same again every `period` edges. Inside
-// them no clock is leapt over.
+// What a traced chip dumps: the edges [begin, end), and the same again every `period` edges.
 struct WaveWindow {
   cosim::Clk begin = 0;
   cosim::Clk end = 0;
@@ -77,6 +76,8 @@ std::unique_ptr<KungChip> make_twin_chip();
 // An audited chip runs a plain and a leaping one in step; where a register, an output or a stop
 // differs, its promise leap_is_exact is broken.
 // checked: the promises of the RTL are looked at in every clock, and none is leapt over.
+// A traced chip is one of these, and in its windows a second one that dumps every clock in step; if
+// they differ, the promise waves_are_exact is broken.
 std::unique_ptr<KungChip> make_verilated_chip(bool leap);
 std::unique_ptr<KungChip> make_audited_chip();
 std::unique_ptr<KungChip> make_checked_chip();

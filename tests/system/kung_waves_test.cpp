@@ -146,6 +146,56 @@ TEST_CASE("a window in every period is dumped, and the clocks between are leapt 
   CHECK(result.evaluated < base.evaluated + 50000);
 }
 
+TEST_CASE("windows that begin at any clock show the run exactly") {
+  // At the end of each the registers of both chips are compared. 2503 clocks are no part of any
+  // period of the chip, so that the 900 windows begin in all its states.
+  Options options = piece();
+  const Result base = simulate(options, {});
+  options.run.wave = WaveFormat::kFst;
+  options.run.wave_file = "kung_waves_test.fst";
+  options.run.wave_begin_s = 0;
+  options.run.wave_end_s = 97 * 20e-9;
+  options.run.wave_every_s = 2503 * 20e-9;
+  const auto check = [&base](const Options& shown) {
+    const Result result = simulate(shown, {});
+    std::filesystem::remove(shown.run.wave_file);
+    CHECK_FALSE(result.promise);
+    CHECK(result.end == EndReason::kDone);
+    CHECK(result.waves.size() > 800);
+    CHECK(result.event_hash == base.event_hash);
+    const auto inside = static_cast<std::int64_t>(97 * result.waves.size());
+    CHECK(result.evaluated > base.evaluated + inside * 3 / 4);
+    CHECK(result.evaluated <= base.evaluated + inside + inside / 97);
+    std::int64_t causes = 0;
+    for (const auto count : result.wakes) causes += count;
+    CHECK(causes == result.evaluated);
+  };
+  check(options);
+  options.run.platform = Platform::kSystemC;
+  check(options);
+}
+
+TEST_CASE("a run with waves that looks at promises has the same events") {
+  Options options = piece();
+  options.path.line_end_x_m = 0.101;
+  options.path.line_end_y_m = 0.1005;
+  options.path.line_ticks = 10;
+  const Result base = simulate(options, {});
+  options.run.assertions = true;
+  options.run.wave_every_s = 0.005;
+  options.run.wave_begin_s = 0.0010002;
+  options.run.wave_end_s = 0.0012;
+  options.run.wave = WaveFormat::kFst;
+  options.run.wave_file = "kung_waves_test.fst";
+  const Result result = simulate(options, {});
+  std::filesystem::remove(options.run.wave_file);
+  CHECK(result.end == EndReason::kDone);
+  CHECK_FALSE(result.promise);
+  CHECK(result.waves.size() > 5);
+  CHECK(result.evaluated == result.clocks);
+  CHECK(result.event_hash == base.event_hash);
+}
+
 TEST_CASE("a stop request ends the search and the run") {
   Options options = piece();
   options.run.wave = WaveFormat::kFst;

@@ -112,6 +112,19 @@ class WavesTest(unittest.TestCase):
         for place, time in enumerate(rising):
             self.assertEqual(time, (place // 500) * 5_000_000 + 1_000_000 + (place % 500) * 20)
 
+    def test_windows_show_what_a_run_traced_throughout_shows(self):
+        short = ["--wave", "fst", "-s", "run.max_s=0.0035"]
+        whole = self.run_line("g", *short, "--wave-window", "2ms:3.2ms", code=5) / "waves.fst"
+        parts = self.run_line("h", *short, "--wave-every", "501.34us", "--wave-window",
+                              "2.1ms:2.107ms", code=5) / "waves.fst"
+        begins = [2_100_000 + n * 501_340 for n in range(3)]
+        rising = set(WaveFile(parts).clock()[1])
+        for begin in begins:
+            self.assertLessEqual({begin, begin + 6980}, rising)
+            self.assertNotIn(begin + 7000, rising)
+            told = self.wave("compare", whole, parts, "--window", f"{begin}ns:{begin + 6980}ns")
+            self.assertRegex(told, r"^equal: 1\d\d\d signals$")
+
     def test_what_cannot_be_dumped_is_one_line_and_its_exit_code(self):
         def told(code, *words):
             done = self.trammel("run", "circle", *LINE, "--no-report", "-o", self.folder / "f",

@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The verilated chip behind the Chip interface; one template for the fast and the traced model.
-// Included only by the two units of this folder.
+// The verilated chip behind the Chip interface; one template for the fast, the checked and the
+// traced model. Included only by the units of this folder.
 #pragma once
 
 #include <verilated.h>
 
 #include "cosim/kung/chip.hpp"
-#include "cosim/kung/verilated/adc.hpp"
+#include "cosim/kung/verilated/chip_state.hpp"
 #include "cosim/kung/verilated/probe.hpp"
 
 namespace trammel::kung {
 
-// Tracer: attach(context, model) before time zero; dump(Clk, high) after each half period of the
-// edges that it shows: those for which shows(Clk) holds, the first one being next_shown(Clk);
-// raised(Clk) after every edge that is evaluated.
+// Tracer: attach(context, model) before time zero; fell(Clk) after the falling edge before each
+// rising one for which shows(Clk) holds, and raised(Clk) after every rising edge that is evaluated.
 //
-// Outside these an edge is one evaluation: the model's stored clock value is set back by hand, so
-// that the next evaluation sees a rising edge. Inputs that changed settle before it.
+// An edge is one evaluation: the model's stored clock value is set back by hand, so that the next
+// evaluation sees a rising edge. Inputs that changed settle before it.
 //
 // While every register waits (quiescent_o) the timers alone move, for next_o edges: one evaluation
-// with leap_i = n - 1 stands for n of them. A leap never passes `end` or an edge that is shown, and
-// none is made during a bus transfer, so that no pin moves inside it.
+// with leap_i = n - 1 stands for n of them. A leap never passes `end`, and none is made during a
+// bus transfer, so that no pin moves inside it.
+//
 // The clock value that a model compares with: its name is that of Verilator 5.006, or of 5.48.
 template <class Root>
 auto stored_clock(Root& root, int) -> decltype(root.__Vtrigrprev__TOP__clk_i)& {
@@ -36,14 +36,15 @@ struct NoTrace {
   template <class Model>
   void attach(VerilatedContext&, Model&) {}
   static constexpr bool shows(cosim::Clk) { return false; }
-  static constexpr cosim::Clk next_shown(cosim::Clk) { return cosim::kNever; }
-  void dump(cosim::Clk, bool) {}
+  void fell(cosim::Clk) {}
   void raised(cosim::Clk) {}
 };
 
 template <class Model, class Tracer>
-class ChipModel final : public KungChip {
+class ChipModel final : public KungChip, private ChipState {
  public:
+  using Root = std::remove_pointer_t<decltype(Model::rootp)>;
+
   ChipModel(Tracer tracer, bool leap, bool checked = false)
       : tracer_(std::move(tracer)), leap_(leap && !checked), checked_(checked) {
     context_->assertOn(checked);
@@ -75,7 +76,11 @@ class ChipModel final : public KungChip {
   cosim::Clk now() const override { return now_; }
   cosim::Clk evaluated() const override { return evaluated_; }
   WakeCounts wakes() const override { return wakes_; }
-  const auto& registers() const { return *model_->rootp; }
+
+  // Between two runs, all that the next edges depend on.
+  Root& registers() { return *model_->rootp; }
+  ChipState& state() { return *this; }
+  Tracer& tracer() { return tracer_; }
 
   void sense(cosim::Lines lines) override {
     Model& m = *model_;
@@ -110,7 +115,7 @@ class ChipModel final : public KungChip {
       if (dirty_ || bus_active_ || tracer_.shows(edge)) settle(edge);
       const bool bus = bus_active_;
       const Handshake before = bus ? handshakes() : Handshake{};
-      const cosim::Clk clocks = bus ? 1 : std::min(waiting(edge), end - edge);
+      const cosim::Clk clocks = bus ? 1 : std::min(waiting(), end - edge);
       ++evaluated_;
       ++wakes_[static_cast<std::size_t>(wake(edge, clocks))];
       if (clocks > 1) {
@@ -149,7 +154,6 @@ class ChipModel final : public KungChip {
   std::optional<cosim::BrokenPromise> broken_promise() const override { return broken_; }
 
  private:
-  static constexpr int kResetEdges = 4;
   static constexpr cosim::Clk kEncoderSettles = 12;  // synchroniser, usual filters, decoder
 
   struct Handshake {
@@ -173,8 +177,8 @@ class ChipModel final : public KungChip {
   void settle(cosim::Clk edge) {
     const bool shown = tracer_.shows(edge);
     if (shown) model_->clk_i = 0;
-    model_->eval();
-    if (shown) tracer_.dump(edge, false);
+    if (dirty_ || bus_active_) model_->eval();
+    if (shown) tracer_.fell(edge);
     dirty_ = false;
   }
 
@@ -182,7 +186,6 @@ class ChipModel final : public KungChip {
     model_->clk_i = 1;
     stored_clock(*model_->rootp, 0) = 0;
     model_->eval();
-    if (tracer_.shows(edge)) tracer_.dump(edge, true);
     tracer_.raised(edge);
     if (checked_ && !broken_) look_for_broken_promise(edge);
   }
@@ -207,10 +210,9 @@ class ChipModel final : public KungChip {
   }
 
   // Edges from the present one on that only count; at least 1, the evaluated one.
-  cosim::Clk waiting(cosim::Clk edge) const {
-    if (!leap_ || !model_->quiescent_o || tracer_.shows(edge)) return 1;
-    const cosim::Clk free = std::min<cosim::Clk>(model_->next_o, tracer_.next_shown(edge) - edge);
-    return std::max<cosim::Clk>(1, free);
+  cosim::Clk waiting() const {
+    if (!leap_ || !model_->quiescent_o) return 1;
+    return std::max<cosim::Clk>(1, model_->next_o);
   }
 
   void leap(cosim::Clk edge, cosim::Clk clocks) {
@@ -293,17 +295,6 @@ class ChipModel final : public KungChip {
   bool leap_;
   bool checked_;
   std::optional<cosim::BrokenPromise> broken_;
-  bool dirty_ = true;  // inputs changed since the last evaluation
-  cosim::Clk now_ = -kResetEdges;
-  cosim::Clk evaluated_ = 0;
-  WakeCounts wakes_{};
-  cosim::Clk sensed_ = 0;  // edge of the last change of a pin
-  bool position_ = false;  // the position controller computes
-  std::array<std::array<SerialAdc, 2>, kAxes> adc_{};
-  unsigned cs_n_ = 3, sclk_ = 3;
-  unsigned hi_ = 0, lo_ = 0;
-  bool irq_ = false, tick_ = false, bus_active_ = false;
-  std::uint32_t rdata_ = 0;
 };
 
 }  // namespace trammel::kung

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Reads by name what a trigger may watch; the signals are those of public.vlt and watched.vlt.
+// Reads by name what a trigger may watch; the signals are those of public.vlt.
 #pragma once
 
 #include <cstdint>

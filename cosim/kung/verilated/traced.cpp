@@ -1,115 +1,97 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <Vkung_xy_fst.h>
-#include <Vkung_xy_fst___024root.h>
-#include <verilated_fst_c.h>
+#include <Vkung_xy.h>
+#include <Vkung_xy___024root.h>
+#include <Vkung_xy_checked.h>
+#include <Vkung_xy_checked___024root.h>
 
-#include <stdexcept>
-
-#include "cosim/kung/verilated/chip_model.hpp"
-#include "cosim/kung/verilated/signals.hpp"
+#include "cosim/kung/verilated/fst_trace.hpp"
+#include "cosim/kung/verilated/in_step.hpp"
 
 namespace trammel::kung {
 
 namespace {
 
-using Root = Vkung_xy_fst___024root;
+template <class Model>
+using WavedPair = InStep<ChipModel<Model, NoTrace>, ChipModel<Vkung_xy_fst, FstTrace>>;
 
-constexpr std::uint64_t kHalfPeriodNs = 10;  // 50 MHz
+// The run is that of a chip without waves. In its windows a traced chip, which would take longer,
+// runs the same edges after it.
+template <class Model>
+class WavedChip final : public WavedPair<Model> {
+  using Base = WavedPair<Model>;
+  using Base::first_;
+  using Base::second_;
 
-// Time zero is edge 0; the reset before it is not dumped.
-class FstTrace {
  public:
-  FstTrace(std::string file, const WaveWindow& window) : name_(std::move(file)), window_(window) {}
-
-  void attach(VerilatedContext& context, Vkung_xy_fst& model) {
-    context.traceEverOn(true);
-    file_ = std::make_unique<VerilatedFstC>();
-    file_->set_time_unit("1ns");
-    file_->set_time_resolution("1ns");
-    // The chip's own scope only: around it Verilator repeats its ports. Its name begins with the
-    // space behind the empty name of the model, in newer Verilators not.
-    file_->dumpvars(99, " kung_xy");
-    file_->dumpvars(99, "kung_xy");
-    model.trace(file_.get(), 99);
-    file_->open(name_.c_str());
-    if (!file_->isOpen()) throw std::runtime_error("cannot write waves: " + name_);
+  WavedChip(const std::string& file, const WaveWindow& window, bool leap, bool checked)
+      : Base({"waves_are_exact", "in the run", "in its waves"},
+             std::tuple{NoTrace{}, leap, checked}, std::tuple{FstTrace{file}, false}),
+        window_(window) {
+    while (window_.end <= first_.now()) next_window();
+    if (window_.begin <= first_.now()) begin();
   }
 
-  bool shows(cosim::Clk edge) const {
-    return edge >= 0 && edge >= window_.begin && edge < window_.end;
+  void sense(cosim::Lines lines) override {
+    first_.sense(lines);
+    if (showing_) second_.sense(lines);
   }
-  cosim::Clk next_shown(cosim::Clk edge) const {
-    return edge < window_.begin ? window_.begin : cosim::kNever;
-  }
-
-  // The rising edge n stands at n periods, the falling one before it half a period earlier; the
-  // file begins with a rising one.
-  void dump(cosim::Clk edge, bool high) {
-    if (!begun_ && !high) return;
-    begun_ = true;
-    const auto half = 2 * static_cast<std::uint64_t>(edge) - (high ? 0u : 1u);
-    file_->dump(half * kHalfPeriodNs);
+  void request(const cosim::BusOp& op) override {
+    first_.request(op);
+    if (showing_) second_.request(op);
   }
 
-  // After the last edge of a window the next one is shown.
-  void raised(cosim::Clk edge) {
-    if (edge + 1 != window_.end) return;
-    file_->flush();
-    if (window_.period == cosim::kNever) return;
-    window_.begin += window_.period;
-    window_.end += window_.period;
+  cosim::Stop run(cosim::Clk end, const cosim::Plant& plant) override {
+    while (true) {
+      const cosim::Clk part = std::min(end, showing_ ? window_.end : window_.begin);
+      const cosim::Stop stop = first_.run(part, plant);
+      if (showing_) {
+        this->follow(stop, plant);
+        count();
+        if (first_.now() == window_.end) finish();
+      }
+      if (!showing_ && first_.now() >= window_.begin) begin();
+      if (stop.why != cosim::kLimit || first_.now() >= end) return stop;
+    }
   }
 
  private:
-  std::string name_;
+  void begin() {
+    this->hand_over();
+    second_.tracer().moved();
+    showing_ = true;
+  }
+
+  void finish() {
+    this->compare();
+    showing_ = false;
+    second_.tracer().flush();
+    next_window();
+  }
+
+  void next_window() {
+    const bool more = window_.period != cosim::kNever;
+    window_.begin = more ? window_.begin + window_.period : cosim::kNever;
+    window_.end = more ? window_.end + window_.period : cosim::kNever;
+  }
+
+  // In a window every clock is evaluated.
+  void count() {
+    first_.state().evaluated_ = second_.state().evaluated_;
+    first_.state().wakes_ = second_.state().wakes_;
+  }
+
   WaveWindow window_;
-  bool begun_ = false;
-  std::unique_ptr<VerilatedFstC> file_;
-};
-
-// Dumps nothing and lets a watcher see every evaluated edge.
-class Watch final : SignalReader {
- public:
-  explicit Watch(Watcher& watcher) : watcher_(watcher) {}
-
-  void attach(VerilatedContext&, Vkung_xy_fst& model) { root_ = model.rootp; }
-  static constexpr bool shows(cosim::Clk) { return false; }
-  static constexpr cosim::Clk next_shown(cosim::Clk) { return cosim::kNever; }
-  void dump(cosim::Clk, bool) {}
-  void raised(cosim::Clk edge) { watcher_.after(edge, *this); }
-
-  std::int64_t read(std::size_t signal, int axis) const override {
-    return signal_rows<Root>()[signal].read(*root_, axis);
-  }
-
- private:
-  Watcher& watcher_;
-  const Root* root_ = nullptr;
+  bool showing_ = false;
 };
 
 }  // namespace
 
-const std::vector<Signal>& signals() {
-  static const std::vector<Signal> all = [] {
-    std::vector<Signal> list;
-    for (const auto& row : signal_rows<Root>()) list.push_back(row.signal);
-    return list;
-  }();
-  return all;
-}
-
 std::unique_ptr<KungChip> make_traced_chip(const std::string& fst_file, const WaveWindow& window,
                                            bool leap, bool checked) {
-  return std::make_unique<ChipModel<Vkung_xy_fst, FstTrace>>(FstTrace{fst_file, window}, leap,
-                                                             checked);
-}
-
-std::unique_ptr<KungChip> make_checked_chip() {
-  return std::make_unique<ChipModel<Vkung_xy_fst, NoTrace>>(NoTrace{}, false, true);
-}
-
-std::unique_ptr<KungChip> make_watched_chip(Watcher& watcher, bool leap) {
-  return std::make_unique<ChipModel<Vkung_xy_fst, Watch>>(Watch{watcher}, leap);
+  if (checked) {
+    return std::make_unique<WavedChip<Vkung_xy_checked>>(fst_file, window, false, true);
+  }
+  return std::make_unique<WavedChip<Vkung_xy>>(fst_file, window, leap, false);
 }
 
 }  // namespace trammel::kung
