@@ -44,9 +44,9 @@ class Model:
     changed: dict[Path, str] = field(default_factory=dict)  # {file: its text instead}
 
 
-def design(changed, folder, name):
-    """The modules; changed texts are put into folder."""
-    files = yosys.design()
+def design(changed, folder, name, *more):
+    """The modules and more files; changed texts are put into folder."""
+    files = [*yosys.design(), *more]
     for original, text in changed.items():
         copy = folder / f"{name}_{original.name}"
         copy.write_text(text, encoding="utf-8")
@@ -56,7 +56,7 @@ def design(changed, folder, name):
 
 def write_script(props, folder, model):
     """name.ys, the Yosys script that makes name.aig and name.json."""
-    files = [*design(model.changed, folder, model.name), props.path]
+    files = design(model.changed, folder, model.name, props.path)
     options = [f"-G {p}" for p in model.parameters]
     options += [f"--blackboxed-module {m}" for m in props.cut]
     kept = " ".join(f"c:*.{label} %d" for label in model.only)

@@ -65,7 +65,7 @@ class Source:
 
 def script(source, folder):
     assumed = rests()
-    files = [*formal.design(source.changed, folder, source.name), *assumed]
+    files = formal.design(source.changed, folder, source.name, *assumed)
     checks = [f"c:*u_{path.stem}.{label}" for path, labels in assumed.items() for label in labels]
     lines = [f"read_slang --top {source.stem} {' '.join(map(str, files))}"]
     lines += [f"delete t:$check {' '.join(f'{check} %d' for check in checks)}"]
