@@ -67,15 +67,13 @@ module feed_rate (
   logic [2:0] which;  // 0..5
   logic [1:0] label;
   logic [7:0] x;
-  segment_t segment;
   logic [7:0] rise, member;
 
   assign which   = 3'(edge_q - 5'd1);
   assign label   = which >= 3'd3 ? 2'(which - 3'd3) : which[1:0];
   assign x       = which >= 3'd3 ? cc_i : c_i;
-  assign segment = x[7] ? Right[label] : Left[label];
   assign rise    = product[11:4];  // below 256: slopes are 32 / 16 at most
-  assign member  = segment.falls ? ~rise : rise;
+  assign member  = (x[7] ? Right[label].falls : Left[label].falls) ? ~rise : rise;
 
   // ---- rules ----
 
@@ -101,8 +99,16 @@ module feed_rate (
   logic fits;
 
   assign sum     = 2'(edge_q - Rules - 5'd1);
-  assign mul_a   = edge_q <= Members ? segment.slope : Singleton[sum];
-  assign mul_b   = edge_q <= Members ? {1'b0, x[6:0]} : strength_q[0];
+
+  always_comb begin
+    mul_a = Singleton[sum];
+    mul_b = strength_q[0];
+    if (edge_q <= Members) begin
+      mul_a = x[7] ? Right[label].slope : Left[label].slope;
+      mul_b = {1'b0, x[6:0]};
+    end
+  end
+
   assign {product, unused_product} = mul_a * mul_b;
   assign twice   = {tu_q, 1'b0};
   assign fits    = twice >= {1'b0, su_q};

@@ -116,8 +116,8 @@ module feed_rate_props (
   end
 
   // breaks valid_after_25_clocks: Last = 5'd24 => Last = 5'd23
-  // breaks memberships_are_the_listings: x[7] ? Right => x[6] ? Right
-  // breaks memberships_are_the_listings: segment.falls ? ~rise => segment.falls ? -rise
+  // breaks memberships_are_the_listings: x[7] ? Right[label].slope => x[6] ? Right[label].slope
+  // breaks memberships_are_the_listings: ? ~rise : rise => ? -rise : rise
   // breaks rules_are_the_listings: {L, Any, S} => {L, S, S}
   // breaks rules_are_the_listings: if_c < if_cc => if_c > if_cc
   // breaks some_rule_fires: {S, S, L}, {M, S, M} => {S, L, L}, {M, L, M}
