@@ -30,6 +30,7 @@ class Lm628Time {
     rest_ = inc() - 1;
   }
 
+  bool begins() const { return state_ == State::kReset && timer_.count() == 0; }
   bool ready() const { return state_ != State::kStart && state_ != State::kReset; }
   bool open() const { return state_ == State::kSettle || state_ == State::kOpen; }
   bool sample() const { return state_ == State::kBefore && timer_.count() == 0; }

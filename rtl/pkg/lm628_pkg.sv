@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Times, bits and commands of the LM628 (data sheet SNVS781C), and the instructions of its engine.
+//
+// An instruction has 18 bits:
+//   1 p cccccc tttttttttt   go to t if condition c is p
+//   0 ooooo aaaaaaaaaaaa    operation o with argument a
+// Argument of memory operations: {count - 1, address} with 6 bits each; the count is that of the
+// clocks which Mul, Div and Shl take.
+
+package lm628_pkg;
+
+  // Ticks of the part's clock, 8 or 6 MHz, in clocks of a fabric of 50 MHz: inc are 25 clocks.
+  function automatic int unsigned lm628_clocks(int unsigned inc, int unsigned ticks);
+    return (25 * ticks + inc - 1) / inc;
+  endfunction
+
+  localparam int unsigned Lm628Run = 128;  // [clk] for the execution of a command
+
+  // Opcodes that are more to the host port than words to take and to give.
+  localparam logic [7:0] CmdReset = 8'h00;
+  localparam logic [7:0] CmdSip   = 8'h03;
+  localparam logic [7:0] CmdMski  = 8'h1C;
+  localparam logic [7:0] CmdRsti  = 8'h1D;
+  localparam logic [7:0] CmdLfil  = 8'h1E;
+  localparam logic [7:0] CmdLtrj  = 8'h1F;
+
+  typedef logic [6:1] events_t;  // bits of the status byte
+  localparam int unsigned EventError = 1;
+
+  typedef logic signed [63:0] lm628_t;  // the engine's registers
+
+  typedef enum logic [4:0] {
+    OpHalt,
+    OpLd,     // acc = m
+    OpAdd,    // acc = acc + m
+    OpSub,    // acc = acc - m
+    OpIn,     // acc = outside word, see source_e in the upper bits of the argument
+    OpSt,     // m = acc
+    OpMul,    // acc = 2 acc + m if the multiplier's next bit is 1; 30 of them leave it as it was
+    OpDiv,    // acc = 2 acc + the dividend's next bit, less m if that goes: the quotient's bit
+    OpShl,    // acc = 2 acc
+    OpShr8,   // acc = acc / 256, rounded down
+    OpExt,    // acc = its low bits, see ext_e
+    OpToq,    // multiplier or dividend = acc, 30 bits; acc = 0
+    OpToq15,  // multiplier = acc, 15 bits, for 15 of Mul; acc = 0
+    OpFlag,   // flag a[4:0] = a[5]
+    OpCall,   // go to a and keep the place
+    OpRet,
+    OpOut,    // the sample's result: acc, events, motor off, width of the port
+    OpReply   // reply = acc
+  } op_e;
+
+  typedef enum logic [5:0] {
+    CondAlways = 6'd0,
+    CondN      = 6'd1,   // acc is negative
+    CondZ      = 6'd2,   // acc is 0
+    CondWrap   = 6'd3,   // products wrap
+    CondTake   = 6'd4,   // an index was captured
+    CondBit    = 6'd16,  // and the 15 after it: a bit of acc
+    CondFlag   = 6'd32   // and the 31 after it: a flag
+  } cond_e;
+
+  typedef enum logic [2:0] {
+    FromNumber,   // a[8:0]
+    FromWord,     // the command's next word
+    FromCount,    // encoder
+    FromIndex,    // encoder at the index
+    FromSignals
+  } source_e;
+
+  typedef enum logic [2:0] {
+    ExtZ15,
+    ExtS16,
+    ExtS24,
+    ExtZ30,
+    ExtS32,
+    ExtS48
+  } ext_e;
+
+  // 0 and 7 to 14 are bits of the signals register, 1 to 6 events of the status byte.
+  typedef enum logic [4:0] {
+    FlagIndexArmed,
+    FlagError,
+    FlagComplete,
+    FlagIndex,
+    FlagWraparound,
+    FlagPositionError,
+    FlagBreakpoint,
+    FlagOff,
+    FlagEightBits,
+    FlagOffOnError,
+    FlagOnTarget,
+    FlagVelocityMode,
+    FlagForward,
+    FlagFilter,
+    FlagAcceleration,
+    FlagMoving,
+    FlagPosition,      // a position was loaded since the last STT
+    FlagSmooth,        // the move is a smooth stop
+    FlagVelocity,      // the move is one of velocity
+    FlagArmed,         // breakpoint
+    FlagAbove,         // it was armed from below
+    FlagBelow,         // it was armed from above
+    FlagUp             // the target is above
+  } flag_e;
+
+  localparam int unsigned Flags = 23;
+
+endpackage
