@@ -84,7 +84,7 @@ class Lm628Port {
 
   bool quiescent(const In& in) const {
     return in.pins == meta_ && meta_ == sync_ && sync_ == prev_ && !publishes(in) &&
-           (state_ == State::kIdle || timer_.count() != 0 || (state_ == State::kWait && !in.open));
+           (state_ == State::kIdle || (state_ == State::kWait ? !in.open : timer_.count() != 0));
   }
   Gap next() const { return timer_.next({false, 0}); }
   void advance(Gap n) { timer_.advance(n); }
