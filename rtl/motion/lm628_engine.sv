@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Registers, commands and the sample of the LM628 (data sheet SNVS781C, AN-693): a machine of one
+// accumulator, one adder and 64 registers of 64 bits in lookup memory. Its program is
+// lm628_engine.asm; products and quotients are made bit by bit.
+//
+//   sample_i  encoder and index taken; the result stands at most 400 clocks later
+//   start_i   the command opcode_i is executed in at most 127 clocks
+//
+// After a reset the registers are cleared, about 110 clocks. A caller never asks while busy_o.
+
+module lm628_engine
+  import lm628_pkg::*;
+  import lm628_code_pkg::*;
+(
+    input logic clk_i,
+    input logic rst_i,
+
+    input logic sample_i,
+    input logic start_i,
+    input logic commit_i,  // the sample's events are taken
+    input logic end_i,     // the command's are
+
+    input logic       wrap_i,      // products and sum wrap, else they saturate
+    input logic [7:0] opcode_i,
+    input events_t    status_i,    // what RDSIGS shows of the host port
+    input logic       host_irq_i,
+    input logic       arm_i,       // capture the next index
+
+    input  logic        [15:0] word_i,        // word of the command at word_addr_o
+    output logic        [ 2:0] word_addr_o,
+    input  logic        [23:0] count_i,
+    input  logic               index_seen_i,
+    input  logic        [23:0] index_count_i,
+    output logic        [31:0] reply_o,
+    output events_t            sample_events_o,
+    output logic               sample_off_o,
+    output events_t            command_events_o,
+    output logic               command_off_o,
+    output logic signed [15:0] u_o,
+    output logic               eight_bits_o,
+    output logic               busy_o,
+    output logic               quiescent_o
+);
+
+  localparam int unsigned CodeBits = $clog2(CodeSize);
+  typedef logic [CodeBits-1:0] address_t;
+
+  // ---- program ----
+
+  logic [17:0] code_q[CodeSize];
+  initial begin
+    for (int i = 0; i < int'(CodeSize); i++) code_q[i] = Code[i];
+  end
+
+  logic [17:0] instr_q;
+  logic boot_q, busy_q, fetch;
+  address_t pc_q, pc_d, return_q;
+  logic [5:0] loop_q;
+  op_e op;
+  logic jump, branches, taken, loops, looping;
+
+  assign branches = instr_q[17];
+  assign op       = branches ? OpHalt : op_e'(instr_q[16:12]);
+  assign jump     = busy_q && branches && taken == instr_q[16];
+  assign loops    = op == OpMul || op == OpDiv || op == OpShl;
+  assign looping  = busy_q && loops && loop_q != instr_q[11:6];
+
+  logic halts;
+  assign halts = busy_q && !branches && op == OpHalt;
+
+  always_comb begin
+    pc_d = pc_q + 1'b1;
+    if (!busy_q) begin
+      if (boot_q) pc_d = '0;
+      else if (sample_i) pc_d = address_t'(CodeSample);
+      else pc_d = address_t'(opcode_i);
+    end else if (jump || (!branches && op == OpCall)) begin
+      pc_d = instr_q[CodeBits-1:0];
+    end else if (!branches && op == OpRet) begin
+      pc_d = return_q;
+    end
+  end
+
+  assign fetch = busy_q ? !looping && !halts : boot_q || sample_i || start_i;
+
+  always_ff @(posedge clk_i) begin
+    if (fetch) instr_q <= code_q[pc_d];
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (rst_i) begin
+      boot_q   <= 1'b1;
+      busy_q   <= 1'b0;
+      pc_q     <= '0;
+      return_q <= '0;
+      loop_q   <= '0;
+    end else begin
+      boot_q <= 1'b0;
+      busy_q <= fetch || looping;
+      if (fetch) pc_q <= pc_d;
+      if (busy_q && op == OpCall) return_q <= pc_q + 1'b1;
+      if (busy_q) loop_q <= looping ? loop_q + 6'd1 : '0;
+    end
+  end
+
+  // ---- registers ----
+
+  lm628_t m_q[64];
+  lm628_t m, acc_q, acc_d, a, b, shifted, sum, extended;
+  logic [29:0] q_q, q_d;
+  logic writes, subtracts, acc_en, q_en, to_q;
+
+  assign writes = busy_q && op == OpSt;
+  assign to_q = op inside {OpToq, OpToq15};
+  assign m      = m_q[instr_q[5:0]];
+
+  always_ff @(posedge clk_i) begin
+    if (writes) m_q[instr_q[5:0]] <= acc_q;
+  end
+
+  // ---- outside words ----
+
+  logic [23:0] outside, count_q, index_q;
+  logic [15:0] signals;
+  logic [Flags-1:0] flag_q, flag_d;
+
+  assign signals = {host_irq_i, flag_q[14:7], status_i, flag_q[FlagIndexArmed]};
+
+  always_comb begin
+    unique case (source_e'(instr_q[11:9]))
+      FromWord:    outside = {8'd0, word_i};
+      FromCount:   outside = count_q;
+      FromIndex:   outside = index_q;
+      FromSignals: outside = {8'd0, signals};
+      default:     outside = {15'd0, instr_q[8:0]};
+    endcase
+  end
+
+  // ---- accumulator ----
+
+  always_comb begin
+    shifted   = {acc_q[62:0], op == OpDiv && q_q[29]};
+    subtracts = op == OpSub || op == OpDiv;
+    a = acc_q;
+    if (op == OpLd || op == OpIn || to_q) a = '0;
+    if (loops) a = shifted;
+    b = m;
+    if (op == OpIn) b = {40'd0, outside};
+    if (op == OpShl || (op == OpMul && !q_q[29]) || to_q) b = '0;
+    sum = a + (subtracts ? ~b : b) + lm628_t'({1'b0, subtracts});
+  end
+
+  always_comb begin
+    extended = '0;
+    unique case (ext_e'(instr_q[2:0]))
+      ExtZ15:  extended = {49'd0, acc_q[14:0]};
+      ExtS16:  extended = {{48{acc_q[15]}}, acc_q[15:0]};
+      ExtS24:  extended = {{40{acc_q[23]}}, acc_q[23:0]};
+      ExtZ30:  extended = {34'd0, acc_q[29:0]};
+      ExtS32:  extended = {{32{acc_q[31]}}, acc_q[31:0]};
+      default: extended = {{16{acc_q[47]}}, acc_q[47:0]};
+    endcase
+  end
+
+  always_comb begin
+    acc_d = sum;
+    if (op == OpDiv && sum[63]) acc_d = shifted;
+    if (op == OpShr8) acc_d = {{8{acc_q[63]}}, acc_q[63:8]};
+    if (op == OpExt) acc_d = extended;
+    acc_en = busy_q && (op inside {OpLd, OpAdd, OpSub, OpIn, OpShr8, OpExt} || loops || to_q);
+    q_d = {q_q[28:0], op == OpMul ? q_q[29] : !sum[63]};
+    if (op == OpToq) q_d = acc_q[29:0];
+    if (op == OpToq15) q_d = {acc_q[14:0], 15'd0};
+    q_en = busy_q && (to_q || op inside {OpMul, OpDiv});
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (acc_en) acc_q <= acc_d;
+    if (q_en) q_q <= q_d;
+  end
+
+  // ---- conditions and flags ----
+
+  logic captured_q, capturing_q, take_q;
+  logic [5:0] cond;
+  logic [31:0] flags;
+  logic [15:0] low_bits;
+
+  assign cond  = instr_q[15:10];
+  assign flags = 32'(flag_q);
+  assign low_bits = acc_q[15:0];
+
+  always_comb begin
+    taken = 1'b1;
+    if (cond[5]) taken = flags[cond[4:0]];
+    else if (cond[4]) taken = low_bits[cond[3:0]];
+    else if (cond == CondN) taken = acc_q[63];
+    else if (cond == CondZ) taken = acc_q == '0;
+    else if (cond == CondWrap) taken = wrap_i;
+    else if (cond == CondTake) taken = take_q;
+  end
+
+  always_comb begin
+    flag_d = flag_q;
+    for (int unsigned i = 0; i < Flags; i++) begin
+      if (busy_q && op == OpFlag && instr_q[4:0] == 5'(i)) flag_d[i] = instr_q[5];
+    end
+    if (end_i || (busy_q && op == OpOut)) flag_d[FlagBreakpoint:FlagError] = '0;
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (rst_i) begin
+      flag_q <= Flags'(1 << FlagOff | 1 << FlagEightBits);
+    end else begin
+      flag_q <= flag_d;
+    end
+  end
+
+  // ---- results ----
+
+  events_t sample_events_q;
+  logic sample_off_q, eight_bits_q;
+  logic signed [15:0] u_q;
+  logic [31:0] reply_q;
+  logic [2:0] word_addr_q;
+
+  always_ff @(posedge clk_i) begin
+    if (rst_i) begin
+      sample_events_q <= '0;
+      sample_off_q    <= 1'b1;
+      eight_bits_q    <= 1'b1;
+      u_q             <= '0;
+    end else if (busy_q && op == OpOut) begin
+      sample_events_q <= flag_q[FlagBreakpoint:FlagError];
+      sample_off_q    <= flag_q[FlagOff];
+      eight_bits_q    <= flag_q[FlagEightBits];
+      u_q             <= acc_q[15:0];
+    end else if (commit_i) begin
+      sample_events_q <= '0;
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (rst_i) begin
+      word_addr_q <= '0;
+      reply_q     <= '0;
+    end else begin
+      if (start_i) word_addr_q <= '0;
+      else if (busy_q && op == OpIn && instr_q[11:9] == FromWord) word_addr_q <= word_addr_q + 3'd1;
+      if (busy_q && op == OpReply) reply_q <= acc_q[31:0];
+    end
+  end
+
+  assign word_addr_o      = word_addr_q;
+  assign reply_o          = reply_q;
+  assign sample_events_o  = sample_events_q;
+  assign sample_off_o     = sample_off_q;
+  assign command_events_o = flag_q[FlagBreakpoint:FlagError];
+  assign command_off_o    = flag_q[FlagOff];
+  assign u_o              = u_q;
+  assign eight_bits_o     = eight_bits_q;
+
+  // ---- index: its first count after it was armed, for the next sample ----
+
+  logic captures;
+  assign captures = capturing_q && index_seen_i;
+
+  always_ff @(posedge clk_i) begin
+    if (sample_i) count_q <= count_i;
+    if (captures) index_q <= index_count_i;
+    if (rst_i) begin
+      captured_q  <= 1'b0;
+      capturing_q <= 1'b0;
+      take_q      <= 1'b0;
+    end else begin
+      if (sample_i) take_q <= captured_q;
+      if (arm_i) begin
+        captured_q  <= 1'b0;
+        capturing_q <= 1'b1;
+      end else if (captures) begin
+        captured_q  <= 1'b1;
+        capturing_q <= 1'b0;
+      end else if (sample_i) begin
+        captured_q <= 1'b0;
+      end
+    end
+  end
+
+  assign busy_o      = busy_q || boot_q;
+  assign quiescent_o = !busy_o && !sample_i && !start_i && !arm_i && !captures &&
+      !(end_i && command_events_o != '0) && !(commit_i && sample_events_q != '0);
+
+endmodule

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Promises of lm628_engine under any input and, but where it is named, for any program: what its
+// memories give is free in the proof. What the program computes is compared with the twin.
+
+module lm628_engine_props
+  import lm628_pkg::*;
+(
+    input logic clk_i,
+    input logic rst_i,
+
+    input logic sample_i,
+    input logic start_i,
+    input logic commit_i,
+    input logic end_i,
+
+    input logic arm_i,
+
+    input logic        [23:0] count_i,
+    input logic               index_seen_i,
+    input logic        [23:0] index_count_i,
+    input logic        [31:0] reply_o,
+    input events_t            sample_events_o,
+    input logic               sample_off_o,
+    input events_t            command_events_o,
+    input logic               command_off_o,
+    input logic signed [15:0] u_o,
+    input logic               eight_bits_o,
+    input logic        [ 2:0] word_addr_o,
+    input logic               busy_o,
+    input logic               quiescent_o,
+
+    input logic               boot_q,
+    input logic        [17:0] instr_q,
+    input logic        [ 5:0] loop_q,
+    input logic signed [63:0] acc_q,
+    input logic        [29:0] q_q,
+    input logic        [23:0] count_q,
+    input logic        [23:0] index_q,
+    input logic               captured_q,
+    input logic               capturing_q,
+    input logic               take_q,
+    input logic        [22:0] flag_q
+);
+
+  logic live_q = 1'b0;
+  logic was_rst_q, was_busy_q, was_asked_q, was_commit_q, was_end_q, was_sample_q;
+  logic was_quiescent_q, was_halt_q;
+  logic [49:0] results, was_results_q;
+  logic [22:0] was_flag_q;
+  events_t was_sample_events_q;
+  logic signed [63:0] was_acc_q;
+  logic [29:0] was_mult_q;
+  logic [17:0] was_instr_q;
+  logic [ 5:0] was_loop_q;
+  logic [ 2:0] was_addr_q;
+  logic held, was_held_q;  // the instruction takes more clocks than those so far
+  logic is_out, was_out_q, was_reply_q, is_jump;
+
+  // Model of the capture.
+  logic armed_q, caught_q, taken_q;
+  logic [23:0] at_q, sampled_q;
+
+  assign results = {u_o, sample_off_o, eight_bits_o, reply_o};
+  assign is_jump = instr_q[17];
+  assign held    = busy_o && !boot_q && !is_jump && loop_q != instr_q[11:6] &&
+      instr_q[16:12] inside {OpMul, OpDiv, OpShl};
+  assign is_out  = busy_o && !boot_q && !is_jump && instr_q[16:12] == OpOut;
+
+  always_ff @(posedge clk_i) begin
+    if (rst_i) live_q <= 1'b1;
+    was_rst_q           <= rst_i;
+    was_busy_q          <= !rst_i && busy_o;
+    was_asked_q         <= !rst_i && !busy_o && (sample_i || start_i);
+    was_sample_q        <= !rst_i && sample_i;
+    was_commit_q        <= !rst_i && commit_i;
+    was_end_q           <= !rst_i && end_i;
+    was_quiescent_q     <= !rst_i && quiescent_o;
+    was_halt_q          <= !boot_q && !is_jump && instr_q[16:12] == OpHalt;
+    was_out_q           <= !rst_i && is_out;
+    was_reply_q         <= busy_o && !is_jump && instr_q[16:12] == OpReply;
+    was_held_q          <= !rst_i && held;
+    was_results_q       <= results;
+    was_flag_q          <= flag_q;
+    was_sample_events_q <= sample_events_o;
+    was_acc_q           <= acc_q;
+    was_mult_q          <= q_q;
+    was_instr_q         <= instr_q;
+    was_loop_q          <= loop_q;
+    was_addr_q          <= word_addr_o;
+    if (rst_i) begin
+      armed_q  <= 1'b0;
+      caught_q <= 1'b0;
+      taken_q  <= 1'b0;
+    end else begin
+      if (sample_i) begin
+        taken_q  <= caught_q;
+        caught_q <= 1'b0;
+      end
+      if (arm_i) begin
+        armed_q  <= 1'b1;
+        caught_q <= 1'b0;
+      end else if (armed_q && index_seen_i) begin
+        armed_q  <= 1'b0;
+        caught_q <= 1'b1;
+        at_q     <= index_count_i;
+      end
+    end
+    if (sample_i) sampled_q <= count_i;
+    if (live_q) begin
+      off_from_reset :
+      assert (!was_rst_q || (u_o == '0 && sample_off_o && command_off_o && eight_bits_o &&
+                             sample_events_o == '0 && command_events_o == '0));
+      busy_from_a_request_to_halt :
+      assert (was_rst_q || busy_o == (was_asked_q || (was_busy_q && !was_halt_q)));
+      results_move_by_their_operation :
+      assert (was_rst_q || was_out_q || was_reply_q || results == was_results_q);
+      events_go_with_their_end :
+      assert (was_rst_q || was_busy_q || was_sample_events_q == '0 || was_commit_q ||
+              sample_events_o == was_sample_events_q);
+      taken_events_are_gone :
+      assert (was_rst_q || was_out_q || !was_commit_q || sample_events_o == '0);
+      command_events_end_with_it :
+      assert (was_rst_q || !(was_end_q || was_out_q) || command_events_o == '0);
+      flags_rest_while_idle :
+      assert (was_rst_q || was_busy_q || was_end_q || flag_q == was_flag_q);
+      accumulator_rests_while_idle :
+      assert (was_rst_q || was_busy_q || (acc_q == was_acc_q && q_q == was_mult_q));
+      held_operations_count :
+      assert (!was_held_q || was_rst_q || (instr_q == was_instr_q &&
+                                           loop_q == was_loop_q + 6'd1));
+      others_do_not : assert (was_rst_q || was_held_q || !was_busy_q || loop_q == '0);
+      count_is_that_of_the_sample : assert (was_rst_q || !was_sample_q || count_q == sampled_q);
+      index_is_the_first_after_arming :
+      assert (was_rst_q || !captured_q || (caught_q && index_q == at_q));
+      index_is_taken_once : assert (was_rst_q || !was_sample_q || take_q == taken_q);
+      quiescent_is_honest :
+      assert (!was_quiescent_q || (results == was_results_q && flag_q == was_flag_q &&
+                                   acc_q == was_acc_q && instr_q == was_instr_q &&
+                                   loop_q == was_loop_q && word_addr_o == was_addr_q));
+      inv_capture : assert (capturing_q == armed_q && captured_q == caught_q);
+      inv_at : assert (!caught_q || index_q == at_q);
+      reaches_busy : cover (!was_rst_q && was_asked_q && busy_o);
+      reaches_index : cover (!was_rst_q && take_q && was_sample_q);
+    end
+  end
+
+  // breaks off_from_reset: u_q             <= '0; => u_q             <= acc_q[15:0];
+  // breaks busy_from_a_request_to_halt: busy_q <= fetch || looping; => busy_q <= fetch;
+  // breaks results_move_by_their_operation: if (busy_q && op == OpReply) reply_q => if (busy_q) reply_q
+  // breaks events_go_with_their_end: end else if (commit_i) begin => end else if (commit_i || !busy_q) begin
+  // breaks taken_events_are_gone: end else if (commit_i) begin => end else if (commit_i && end_i) begin
+  // breaks command_events_end_with_it: if (end_i || (busy_q && op == OpOut)) flag_d => if (busy_q && op == OpOut) flag_d
+  // breaks flags_rest_while_idle: flag_d = flag_q; => flag_d = sample_i ? '0 : flag_q;
+  // breaks accumulator_rests_while_idle: q_en = busy_q && => q_en = sample_i ||
+  // breaks held_operations_count: busy_q ? !looping && !halts => busy_q ? !halts
+  // breaks others_do_not: looping ? loop_q + 6'd1 : '0; => busy_q ? loop_q + 6'd1 : '0;
+  // breaks count_is_that_of_the_sample: if (sample_i) count_q <= count_i; => if (sample_i) count_q <= index_count_i;
+  // breaks index_is_the_first_after_arming: if (captures) index_q => if (index_seen_i) index_q
+  // breaks index_is_taken_once: end else if (sample_i) begin => end else if (start_i) begin
+  // breaks quiescent_is_honest: assign quiescent_o = !busy_o && !sample_i && !start_i => assign quiescent_o = !busy_o && !sample_i
+
+  // prove: free $mem_v2
+
+endmodule
+
+bind lm628_engine lm628_engine_props u_lm628_engine_props (.*);
