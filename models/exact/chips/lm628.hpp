@@ -47,11 +47,9 @@ class Lm628 {
     const Lm628Engine::In work = work_in(in, host);
     const bool by_command = port_.restarts(host);
     const bool restarts = !reset_n_sync_ || by_command;
-    const bool ready = time_.ready();
     const Lm628Output::In result = output_in();
-    port_.step(host);
     qep_.step(qep_in(in, work.arm));
-    if (!ready) qep_.reset();
+    port_.step(host);
     time_.step();
     output_.step(result);
     engine_.step(work);
@@ -64,7 +62,7 @@ class Lm628 {
     const Lm628Port::In host = host_in(in);
     return in.reset_n && reset_n_meta_ && reset_n_sync_ && time_.quiescent() &&
            port_.quiescent(host) && output_.quiescent(output_in()) &&
-           (!time_.ready() || qep_.quiescent(qep_in(in, false)));
+           qep_.quiescent(qep_in(in, false));
   }
 
   Gap next(const In& in) const {
@@ -127,12 +125,13 @@ class Lm628 {
   }
 
   // The index counts where both lines are low with it.
-  static Qep::In qep_in(const In& in, bool clear) {
+  Qep::In qep_in(const In& in, bool clear) const {
     Qep::In qep;
     qep.a = in.a;
     qep.b = in.b;
     qep.z = !in.a && !in.b && !in.index_n;
     qep.filter = 1;
+    qep.preset = time_.begins();
     qep.clear_error = clear;
     return qep;
   }

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// A host, an encoder and a clock for the LM628: its twin alone, or the RTL beside it with every pin
+// compared at every evaluated clock, leaping or not.
+#pragma once
+
+#include <Vlm628.h>
+
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cstdint>
+#include <initializer_list>
+#include <stdexcept>
+
+#include "models/exact/chips/lm628.hpp"
+#include "tests/support/rtl.hpp"
+
+namespace trammel::test {
+
+using exact::Lm628;
+using exact::Opcode;
+
+class Lm628Twin {
+ public:
+  Lm628::In in;
+
+  Lm628Twin() {
+    for (int i = 0; i < 2; ++i) twin_.step(in);
+    twin_.reset();
+  }
+
+  const Lm628& twin() const { return twin_; }
+
+  // Runs up to n clocks, at least one, and not past the edge that publishes a sample.
+  std::int64_t run(std::int64_t n) {
+    const std::int64_t gap = std::min<std::int64_t>(twin_.next(in), n);
+    if (gap == 0) {
+      twin_.step(in);
+      return 1;
+    }
+    twin_.advance(static_cast<exact::Gap>(gap));
+    return gap;
+  }
+
+ protected:
+  Lm628 twin_;
+};
+
+// next_o of the RTL is below the twin's while its engine works: the twin waits for it.
+class Lm628Pair : public Lm628Twin {
+ public:
+  bool leaps = true;
+
+  Lm628Pair() {
+    rtl_->leap_i = 0;
+    apply();
+    rtl_.reset();
+  }
+
+  std::int64_t run(std::int64_t n) {
+    apply();
+    std::int64_t gap = 1;
+    if (leaps && rtl_->quiescent_o && rtl_->next_o > 0) {
+      if (!twin_.quiescent(in)) throw std::logic_error("the RTL rests, the twin does not");
+      gap = std::min<std::int64_t>({rtl_->next_o, twin_.next(in), n});
+      if (rtl_->next_o != std::min<exact::Gap>(twin_.next(in), 4095)) same_ = false;
+    }
+    if (twin_.next(in) >= gap) {
+      twin_.advance(static_cast<exact::Gap>(gap));
+    } else {
+      twin_.step(in);
+    }
+    rtl_->leap_i = (gap - 1) & 0xFFF;
+    rtl_.tick();
+    rtl_->leap_i = 0;
+    rtl_.eval();
+    compare();
+    return gap;
+  }
+
+ private:
+  void apply() {
+    rtl_->wrap_i = in.wrap;
+    rtl_->reset_n_i = in.reset_n;
+    rtl_->cs_n_i = in.host.cs_n;
+    rtl_->rd_n_i = in.host.rd_n;
+    rtl_->wr_n_i = in.host.wr_n;
+    rtl_->ps_i = in.host.ps;
+    rtl_->d_i = in.host.d;
+    rtl_->enc_a_i = in.a;
+    rtl_->enc_b_i = in.b;
+    rtl_->enc_idx_n_i = in.index_n;
+    rtl_.eval();
+  }
+
+  void compare() {
+    const Lm628::Out out = twin_.out();
+    same_ = same_ && rtl_->d_o == out.d && bool(rtl_->d_oe_o) == out.d_oe &&
+            bool(rtl_->hi_o) == out.hi && rtl_->dac_o == out.drive.dac &&
+            bool(rtl_->dac_hi_lo_o) == out.drive.dac_hi_lo &&
+            bool(rtl_->dac_wr_n_o) == out.drive.dac_wr_n &&
+            bool(rtl_->pwm_mag_o) == out.drive.pwm_mag &&
+            bool(rtl_->pwm_sign_o) == out.drive.pwm_sign;
+    if (!same_) throw std::logic_error("a pin of the RTL differs from its twin's");
+  }
+
+  Rtl<Vlm628> rtl_;
+  bool same_ = true;
+};
+
+template <class Chip>
+class Lm628Bench {
+ public:
+  Chip chip;
+
+  std::int64_t now() const { return now_; }          // [clk]
+  std::int64_t samples() const { return samples_; }  // published so far
+  std::int64_t position() const { return position_; }
+  const exact::Lm628Engine& engine() const { return chip.twin().engine(); }
+  Lm628::Out out() const { return chip.twin().out(); }
+  bool follows = false;  // the motor is where it is told to be, from sample to sample
+
+  void clocks(std::int64_t n) {
+    const std::int64_t end = now_ + n;
+    while (now_ < end) edge(end - now_);
+  }
+
+  // Until the next sample has been published.
+  void sample() {
+    const std::int64_t before = samples_;
+    while (samples_ == before) edge(100000);
+    if (follows) move_to(engine().desired().position >> 16);
+  }
+  void sample(int n) {
+    for (int i = 0; i < n; ++i) sample();
+  }
+
+  // The encoder, a count every few clocks.
+  void move_to(std::int64_t position, int clocks_a_count = 3) {
+    while (position_ != position) {
+      position_ += position > position_ ? 1 : -1;
+      set_lines();
+      clocks(clocks_a_count);
+    }
+  }
+  void set_index(std::int64_t count) {
+    index_ = count;
+    has_index_ = true;
+    set_lines();
+  }
+
+  void hardware_reset(int low) {
+    chip.in.reset_n = false;
+    clocks(low);
+    chip.in.reset_n = true;
+    clocks(4);
+  }
+  void start() {
+    hardware_reset(60);
+    clocks(50010);
+  }
+
+  // Host port, its times those of the data sheet or a little more.
+  void write(bool ps, std::uint8_t value) {
+    auto& host = chip.in.host;
+    host.ps = ps;
+    host.cs_n = false;
+    host.d = value;
+    clocks(2);
+    host.wr_n = false;
+    clocks(5);
+    host.wr_n = true;
+    clocks(6);
+    host.cs_n = true;
+    clocks(1);
+  }
+  std::uint8_t read(bool ps) {
+    auto& host = chip.in.host;
+    host.ps = ps;
+    host.cs_n = false;
+    clocks(2);
+    host.rd_n = false;
+    clocks(9);
+    if (!out().d_oe) throw std::logic_error("no data on the bus");
+    const std::uint8_t value = out().d;
+    host.rd_n = true;
+    host.cs_n = true;
+    clocks(9);
+    if (out().d_oe) throw std::logic_error("data on the bus still");
+    return value;
+  }
+  std::uint8_t status() { return read(false); }
+  void ready() {
+    while ((status() & 1) != 0) clocks(100);
+  }
+
+  void command(Opcode opcode) {
+    write(false, static_cast<std::uint8_t>(opcode));
+    ready();
+  }
+  void word(unsigned value) {
+    write(true, static_cast<std::uint8_t>(value >> 8));
+    write(true, static_cast<std::uint8_t>(value));
+    ready();
+  }
+  void command(Opcode opcode, std::initializer_list<unsigned> words) {
+    command(opcode);
+    for (const unsigned value : words) word(value);
+  }
+  std::uint16_t read_word() {
+    const unsigned high = read(true);
+    const unsigned low = read(true);
+    ready();
+    return static_cast<std::uint16_t>(high << 8 | low);
+  }
+  std::int64_t ask(Opcode opcode) {
+    command(opcode);
+    const std::int64_t high = read_word();
+    if (exact::words_replied(static_cast<std::uint8_t>(opcode)) == 1) return high;
+    return as_signed(static_cast<std::uint64_t>(high << 16 | read_word()), 32);
+  }
+  void clear_status() { command(Opcode::kRsti, {0}); }
+
+  // LTRJ: control word, then acceleration, speed and position as far as it says.
+  void trajectory(unsigned control, std::initializer_list<std::int64_t> values) {
+    command(Opcode::kLtrj);
+    word(control);
+    for (const std::int64_t value : values) {
+      const std::uint32_t bits = as_bits(value, 32);
+      word(bits >> 16);
+      word(bits & 0xFFFF);
+    }
+  }
+
+ private:
+  void edge(std::int64_t limit) {
+    const bool commits = chip.twin().commits();
+    now_ += chip.run(limit);
+    if (commits) ++samples_;
+  }
+
+  void set_lines() {
+    const auto phase = static_cast<unsigned>(position_ & 3);
+    chip.in.a = phase == 1 || phase == 2;
+    chip.in.b = phase >= 2;
+    chip.in.index_n = !(has_index_ && position_ == index_);
+  }
+
+  std::int64_t now_ = 0, samples_ = 0, position_ = 0, index_ = 0;
+  bool has_index_ = false;
+};
+
+}  // namespace trammel::test
