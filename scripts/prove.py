@@ -4,7 +4,7 @@
 
 usage: prove.py [--limit SECONDS] [layer/block ...]   without blocks: every one
        prove.py --leap [--broken] [--limit SECONDS] [chips/chip ...]
-       prove.py --table [--check]    write, or only check, the table in docs/proofs.md
+       prove.py --table [--check]    write, or only check, docs/generated/promises.md
 
 For each block: every assertion holds in every reachable state under any input (induction, then
 pdr), every cover is reachable (bounded search), and every negative control, a changed text of the
