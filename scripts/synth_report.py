@@ -102,6 +102,10 @@ def findings(result, budget):
         cells = blocks.get(block, {}).get("isolated", {}).get("cells", 0)
         if cells > limit:
             yield f"{block}: {cells} cells, more than {limit}"
+    for block, limit in budget["multipliers"].items():
+        used = blocks.get(block, {}).get("isolated", {}).get("multipliers", 0)
+        if used > limit:
+            yield f"{block}: {used} multipliers, more than {limit}"
     if CURRENT_AXIS.keys() <= blocks.keys():
         cells = current_axis(blocks, "isolated")
         if cells > budget["axis"]["current_cells"]:

@@ -146,15 +146,17 @@ module lm628_output
 
   assign begins = commit_i || period == '0;
 
-  // 100 m / Inc clocks by shifts and sums; a third of m is 43 m / 128 for all m.
   always_comb begin
     m = top[6:0];
     if (top[7]) m = top[6:0] == '0 ? 7'd127 : ~top[6:0] + 7'd1;
-    if (Inc == 4) high_value = (13'(m) << 4) + (13'(m) << 3) + 13'(m);
-    else begin
-      high_value = (13'(m) << 5) + 13'(m) +
-          (((13'(m) << 5) + (13'(m) << 3) + (13'(m) << 1) + 13'(m)) >> 7);
-    end
+  end
+
+  // 100 m / Inc clocks by shifts and sums; a third of m is 43 m / 128 for all m.
+  if (Inc == 4) begin : gen_quarters
+    assign high_value = (13'(m) << 4) + (13'(m) << 3) + 13'(m);
+  end else begin : gen_thirds
+    assign high_value = (13'(m) << 5) + 13'(m) +
+        (((13'(m) << 5) + (13'(m) << 3) + (13'(m) << 1) + 13'(m)) >> 7);
   end
 
   assign pwm_mag_o  = high != '0;

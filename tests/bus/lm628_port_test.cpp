@@ -49,6 +49,7 @@ struct Pair {
   Rtl rtl;
   Lm628Port twin;
   In in;
+  bool filled = false;  // every word has been written
 
   Pair() {
     in.ready = in.open = true;
@@ -77,6 +78,7 @@ struct Pair {
     REQUIRE(rtl->status_o << 1 == (twin.flags(in) & 0x7E));
     REQUIRE(bool(rtl->host_irq_o) == (twin.flags(in) >= 0x8000));
     const Gap gap = twin.quiescent(in) ? std::min(twin.next(), most) : 0;
+    const bool restarts = twin.restarts(in);  // the chip resets its blocks then
     if (gap > 1) {
       REQUIRE(rtl->next_o == twin.next());
       rtl->leap_i = (gap - 1) & 0xFFF;
@@ -84,13 +86,33 @@ struct Pair {
     } else {
       twin.step(in);
     }
+    if (restarts) twin.reset(true);
+    rtl->rst_i = restarts;
     rtl.tick();
+    rtl->rst_i = 0;
     rtl->leap_i = 0;
     rtl.eval();
     REQUIRE(rtl->d_o == twin.d());
     REQUIRE(bool(rtl->d_oe_o) == twin.d_oe());
     REQUIRE(bool(rtl->hi_o) == twin.hi());
     REQUIRE(rtl->opcode_o == twin.opcode());
+    if (!filled) return;
+    rtl->word_addr_i = (rtl->word_addr_i + 1) % 7 & 7;
+    rtl.eval();
+    REQUIRE(rtl->word_o == twin.words()[rtl->word_addr_i]);
+  }
+
+  // LTRJ with all its seven words.
+  void fill(unsigned word) {
+    write(false, 0x1F);
+    clocks(1000);
+    for (int n = 0; n < 7; ++n) {
+      const unsigned bits = n == 0 ? word | 0x2A : word;
+      write(true, static_cast<std::uint8_t>(bits >> 8));
+      write(true, static_cast<std::uint8_t>(bits));
+      clocks(1000);
+    }
+    filled = true;
   }
 
   void clocks(int n) {
@@ -117,6 +139,7 @@ struct Pair {
 
 TEST_CASE("lm628_port agrees with its twin on random pins, ends, leaps and resets") {
   Pair pair;
+  for (const unsigned word : {0x0000U, 0xFFFFU, 0x0000U}) pair.fill(word);
   Random random(71);
   for (int i = 0; i < 60000; ++i) {
     In& in = pair.in;
@@ -140,6 +163,15 @@ TEST_CASE("lm628_port agrees with its twin on random pins, ends, leaps and reset
     in.commit = false;  // a pause
     for (int k = 0; k < 8; ++k) pair.edge(random() % 1000);
   }
+}
+
+TEST_CASE("lm628_port shows busy alone in the reset routine after RESET, 0 after the pin") {
+  Pair pair;
+  pair.write(false, 0x00);
+  pair.in.ready = false;
+  REQUIRE(pair.read(false) == 0x01);
+  pair.reset();
+  REQUIRE(pair.read(false) == 0x00);
 }
 
 TEST_CASE("lm628_port is busy for 1000 clocks after a byte of command and after each word") {

@@ -42,12 +42,13 @@ class Lm628Port {
 
   explicit Lm628Port(Lm628Clock clock = Lm628Clock::k8MHz) : clock_(clock) {}
 
-  // The synchronisers have no reset. After a RESET command the routine shows busy.
+  // Synchronisers and words have no reset. After a RESET command the routine shows busy.
   void reset(bool by_command) {
     Lm628Port fresh(clock_);
     fresh.meta_ = meta_;
     fresh.sync_ = sync_;
     fresh.prev_ = prev_;
+    fresh.words_ = words_;
     fresh.by_command_ = by_command;
     *this = fresh;
   }
