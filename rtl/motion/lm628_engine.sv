@@ -46,28 +46,61 @@ module lm628_engine
   localparam int unsigned CodeBits = $clog2(CodeSize);
   typedef logic [CodeBits-1:0] address_t;
 
-  // ---- program ----
+  // ---- program: the adder's controls are beside each instruction, decoded ----
 
-  logic [17:0] code_q[CodeSize];
+  typedef struct packed {
+    logic write;  // of the accumulator
+    logic zero;   // it begins from nothing,
+    logic shift;  // from twice itself
+    logic div;    // with the dividend's bit, and without the other word where that does not go
+    logic mul;    // the other word counts where the multiplier's bit is 1,
+    logic alone;  // not at all
+    logic sub;    // it is subtracted
+    logic shr8;   // what is written is no sum
+    logic ext;
+    logic in;
+  } controls_t;
+
+  function automatic controls_t controls(logic branch, op_e op);
+    controls_t c;
+    c.write = !branch && (op[4] || op[3]);
+    c.zero  = op inside {OpLd, OpToq, OpToq15};
+    c.shift = op inside {OpMul, OpDiv, OpShl};
+    c.div   = op == OpDiv;
+    c.mul   = op == OpMul;
+    c.alone = op inside {OpShl, OpToq, OpToq15};
+    c.sub   = op inside {OpSub, OpDiv};
+    c.shr8  = op == OpShr8;
+    c.ext   = op == OpExt;
+    c.in    = op == OpIn;
+    return c;
+  endfunction
+
+  localparam int unsigned Bits = $bits(controls_t) + 18;
+  logic [Bits-1:0] code_q[CodeSize];
   initial begin
-    for (int i = 0; i < int'(CodeSize); i++) code_q[i] = Code[i];
+    for (int i = 0; i < int'(CodeSize); i++) begin
+      code_q[i] = {controls(Code[i][17], op_e'(Code[i][16:12])), Code[i]};
+    end
   end
 
   logic [17:0] instr_q;
+  controls_t c_q;
   logic boot_q, busy_q, fetch;
   address_t pc_q, pc_d, return_q;
   logic [5:0] loop_q;
   op_e op;
-  logic jump, branches, taken, loops, looping;
+  logic runs, jump, branches, taken, loops, looping;
 
   assign branches = instr_q[17];
-  assign op       = branches ? OpHalt : op_e'(instr_q[16:12]);
-  assign jump     = busy_q && branches && taken == instr_q[16];
-  assign loops    = op == OpMul || op == OpDiv || op == OpShl;
-  assign looping  = busy_q && loops && loop_q != instr_q[11:6];
+  assign op       = op_e'(instr_q[16:12]);
+  assign runs     = busy_q && !branches;
+  assign jump     = branches && taken == instr_q[16];
+  assign loops    = op[4];
+  assign looping  = runs && loops && loop_q != instr_q[11:6];
 
   logic halts;
-  assign halts = busy_q && !branches && op == OpHalt;
+  assign halts = runs && op == OpHalt;
 
   always_comb begin
     pc_d = pc_q + 1'b1;
@@ -85,7 +118,7 @@ module lm628_engine
   assign fetch = busy_q ? !looping && !halts : boot_q || sample_i || start_i;
 
   always_ff @(posedge clk_i) begin
-    if (fetch) instr_q <= code_q[pc_d];
+    if (fetch) {c_q, instr_q} <= code_q[pc_d];
   end
 
   always_ff @(posedge clk_i) begin
@@ -99,7 +132,7 @@ module lm628_engine
       boot_q <= 1'b0;
       busy_q <= fetch || looping;
       if (fetch) pc_q <= pc_d;
-      if (busy_q && op == OpCall) return_q <= pc_q + 1'b1;
+      if (runs && op == OpCall) return_q <= pc_q + 1'b1;
       if (busy_q) loop_q <= looping ? loop_q + 6'd1 : '0;
     end
   end
@@ -108,11 +141,12 @@ module lm628_engine
 
   lm628_t m_q[64];
   lm628_t m, acc_q, acc_d, a, b, shifted, sum, extended;
+  logic unused_carry;
   logic [29:0] q_q, q_d;
-  logic writes, subtracts, acc_en, q_en, to_q;
+  logic writes, acc_en, q_en, to_q;
 
-  assign writes = busy_q && op == OpSt;
-  assign to_q = op inside {OpToq, OpToq15};
+  assign writes = runs && op == OpSt;
+  assign to_q = op == OpToq || op == OpToq15;
   assign m      = m_q[instr_q[5:0]];
 
   always_ff @(posedge clk_i) begin
@@ -140,15 +174,14 @@ module lm628_engine
   // ---- accumulator ----
 
   always_comb begin
-    shifted   = {acc_q[62:0], op == OpDiv && q_q[29]};
-    subtracts = op == OpSub || op == OpDiv;
+    shifted = {acc_q[62:0], c_q.div && q_q[29]};
     a = acc_q;
-    if (op == OpLd || op == OpIn || to_q) a = '0;
-    if (loops) a = shifted;
+    if (c_q.zero) a = '0;
+    if (c_q.shift) a = shifted;
     b = m;
-    if (op == OpIn) b = {40'd0, outside};
-    if (op == OpShl || (op == OpMul && !q_q[29]) || to_q) b = '0;
-    sum = a + (subtracts ? ~b : b) + lm628_t'({1'b0, subtracts});
+    if (c_q.alone || (c_q.mul && !q_q[29])) b = '0;
+    if (c_q.sub) b = ~b;
+    {sum, unused_carry} = {a, 1'b1} + {b, c_q.sub};
   end
 
   always_comb begin
@@ -165,14 +198,15 @@ module lm628_engine
 
   always_comb begin
     acc_d = sum;
-    if (op == OpDiv && sum[63]) acc_d = shifted;
-    if (op == OpShr8) acc_d = {{8{acc_q[63]}}, acc_q[63:8]};
-    if (op == OpExt) acc_d = extended;
-    acc_en = busy_q && (op inside {OpLd, OpAdd, OpSub, OpIn, OpShr8, OpExt} || loops || to_q);
-    q_d = {q_q[28:0], op == OpMul ? q_q[29] : !sum[63]};
+    if (c_q.div && sum[32]) acc_d = shifted;  // rest and divisor have 31 bits: it is negative
+    if (c_q.shr8) acc_d = {{8{acc_q[63]}}, acc_q[63:8]};
+    if (c_q.ext) acc_d = extended;
+    if (c_q.in) acc_d = {40'd0, outside};
+    acc_en = busy_q && c_q.write;
+    q_d = {q_q[28:0], c_q.mul ? q_q[29] : !sum[32]};
     if (op == OpToq) q_d = acc_q[29:0];
     if (op == OpToq15) q_d = {acc_q[14:0], 15'd0};
-    q_en = busy_q && (to_q || op inside {OpMul, OpDiv});
+    q_en = runs && (to_q || op == OpMul || op == OpDiv);
   end
 
   always_ff @(posedge clk_i) begin
@@ -204,9 +238,9 @@ module lm628_engine
   always_comb begin
     flag_d = flag_q;
     for (int unsigned i = 0; i < Flags; i++) begin
-      if (busy_q && op == OpFlag && instr_q[4:0] == 5'(i)) flag_d[i] = instr_q[5];
+      if (runs && op == OpFlag && instr_q[4:0] == 5'(i)) flag_d[i] = instr_q[5];
     end
-    if (end_i || (busy_q && op == OpOut)) flag_d[FlagBreakpoint:FlagError] = '0;
+    if (end_i || (runs && op == OpOut)) flag_d[FlagBreakpoint:FlagError] = '0;
   end
 
   always_ff @(posedge clk_i) begin
@@ -231,7 +265,7 @@ module lm628_engine
       sample_off_q    <= 1'b1;
       eight_bits_q    <= 1'b1;
       u_q             <= '0;
-    end else if (busy_q && op == OpOut) begin
+    end else if (runs && op == OpOut) begin
       sample_events_q <= flag_q[FlagBreakpoint:FlagError];
       sample_off_q    <= flag_q[FlagOff];
       eight_bits_q    <= flag_q[FlagEightBits];
@@ -247,8 +281,8 @@ module lm628_engine
       reply_q     <= '0;
     end else begin
       if (start_i) word_addr_q <= '0;
-      else if (busy_q && op == OpIn && instr_q[11:9] == FromWord) word_addr_q <= word_addr_q + 3'd1;
-      if (busy_q && op == OpReply) reply_q <= acc_q[31:0];
+      else if (runs && op == OpIn && instr_q[11:9] == FromWord) word_addr_q <= word_addr_q + 3'd1;
+      if (runs && op == OpReply) reply_q <= acc_q[31:0];
     end
   end
 

@@ -63,8 +63,7 @@ module lm628_engine_props
 
   assign results = {u_o, sample_off_o, eight_bits_o, reply_o};
   assign is_jump = instr_q[17];
-  assign held    = busy_o && !boot_q && !is_jump && loop_q != instr_q[11:6] &&
-      instr_q[16:12] inside {OpMul, OpDiv, OpShl};
+  assign held    = busy_o && !boot_q && !is_jump && instr_q[16] && loop_q != instr_q[11:6];
   assign is_out  = busy_o && !boot_q && !is_jump && instr_q[16:12] == OpOut;
 
   always_ff @(posedge clk_i) begin
@@ -147,12 +146,12 @@ module lm628_engine_props
 
   // breaks off_from_reset: u_q             <= '0; => u_q             <= acc_q[15:0];
   // breaks busy_from_a_request_to_halt: busy_q <= fetch || looping; => busy_q <= fetch;
-  // breaks results_move_by_their_operation: if (busy_q && op == OpReply) reply_q => if (busy_q) reply_q
+  // breaks results_move_by_their_operation: if (runs && op == OpReply) reply_q => if (runs) reply_q
   // breaks events_go_with_their_end: end else if (commit_i) begin => end else if (commit_i || !busy_q) begin
   // breaks taken_events_are_gone: end else if (commit_i) begin => end else if (commit_i && end_i) begin
-  // breaks command_events_end_with_it: if (end_i || (busy_q && op == OpOut)) flag_d => if (busy_q && op == OpOut) flag_d
+  // breaks command_events_end_with_it: if (end_i || (runs && op == OpOut)) flag_d => if (runs && op == OpOut) flag_d
   // breaks flags_rest_while_idle: flag_d = flag_q; => flag_d = sample_i ? '0 : flag_q;
-  // breaks accumulator_rests_while_idle: q_en = busy_q && => q_en = sample_i ||
+  // breaks accumulator_rests_while_idle: q_en = runs && => q_en = sample_i ||
   // breaks held_operations_count: busy_q ? !looping && !halts => busy_q ? !halts
   // breaks others_do_not: looping ? loop_q + 6'd1 : '0; => busy_q ? loop_q + 6'd1 : '0;
   // breaks count_is_that_of_the_sample: if (sample_i) count_q <= count_i; => if (sample_i) count_q <= index_count_i;

@@ -30,25 +30,26 @@ package lm628_pkg;
 
   typedef logic signed [63:0] lm628_t;  // the engine's registers
 
+  // From 8 on they write the accumulator, from 16 on they take several clocks.
   typedef enum logic [4:0] {
-    OpHalt,
-    OpLd,     // acc = m
-    OpAdd,    // acc = acc + m
-    OpSub,    // acc = acc - m
-    OpIn,     // acc = outside word, see source_e in the upper bits of the argument
-    OpSt,     // m = acc
-    OpMul,    // acc = 2 acc + m if the multiplier's next bit is 1; 30 of them leave it as it was
-    OpDiv,    // acc = 2 acc + the dividend's next bit, less m if that goes: the quotient's bit
-    OpShl,    // acc = 2 acc
-    OpShr8,   // acc = acc / 256, rounded down
-    OpExt,    // acc = its low bits, see ext_e
-    OpToq,    // multiplier or dividend = acc, 30 bits; acc = 0
-    OpToq15,  // multiplier = acc, 15 bits, for 15 of Mul; acc = 0
-    OpFlag,   // flag a[4:0] = a[5]
-    OpCall,   // go to a and keep the place
-    OpRet,
-    OpOut,    // the sample's result: acc, events, motor off, width of the port
-    OpReply   // reply = acc
+    OpHalt  = 5'd0,
+    OpSt    = 5'd1,   // m = acc
+    OpFlag  = 5'd2,   // flag a[4:0] = a[5]
+    OpCall  = 5'd3,   // go to a and keep the place
+    OpRet   = 5'd4,
+    OpOut   = 5'd5,   // the sample's result: acc, events, motor off, width of the port
+    OpReply = 5'd6,   // reply = acc
+    OpAdd   = 5'd8,   // acc = acc + m
+    OpSub   = 5'd9,   // acc = acc - m
+    OpShr8  = 5'd10,  // acc = acc / 256, rounded down
+    OpExt   = 5'd11,  // acc = its low bits, see ext_e
+    OpLd    = 5'd12,  // acc = m
+    OpToq   = 5'd13,  // multiplier or dividend = acc, 30 bits; acc = 0
+    OpIn    = 5'd14,  // acc = outside word, see source_e in the upper bits of the argument
+    OpToq15 = 5'd15,  // multiplier = acc, 15 bits, for 15 of Mul; acc = 0
+    OpMul   = 5'd16,  // acc = 2 acc + m if the multiplier's next bit is 1; 30 keep the multiplier
+    OpDiv   = 5'd17,  // acc = 2 acc + the dividend's next bit, less m if that goes, a quotient bit
+    OpShl   = 5'd18   // acc = 2 acc
   } op_e;
 
   typedef enum logic [5:0] {
