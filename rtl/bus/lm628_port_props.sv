@@ -195,6 +195,9 @@ module lm628_port_props
   // breaks arms_with_sip_only: arm_o   = end_o && opcode_q == CmdSip => arm_o   = end_o && opcode_q[1:0] == CmdSip[1:0]
   // breaks quiescent_is_honest: sync_q == prev_q && !commit_i && => sync_q == prev_q &&
 
+  // prove: set Inc=4
+  // prove: set Inc=3
+
 endmodule
 
 bind lm628_port lm628_port_props #(.Inc(Inc)) u_lm628_port_props (
