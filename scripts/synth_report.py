@@ -118,13 +118,14 @@ def rows(result):
     def figures(count):
         return [str(count[c]) for c in COLUMNS] if count else ["-"] * len(COLUMNS)
 
+    chip = any("in_chip" in row for row in result["blocks"].values())
     for block, row in sorted(result["blocks"].items()):
         if "in_chip" in row:
             inside = row["in_chip"]
             shown = [str(inside[c]) for c in ("cells", "ff", "block_ram", "multipliers")]
             yield [block, *figures(row.get("isolated")), str(row["instances"]), *shown]
         else:
-            yield [block, *figures(row.get("isolated"))]
+            yield [block, *figures(row.get("isolated")), *(["-"] * 5 if chip else [])]
 
 
 def heads(result):
