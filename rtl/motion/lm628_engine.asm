@@ -210,17 +210,8 @@ g_min:  st t
 g_rule4s:
         ld slow
         st w
-g_found:
+g_found:                        ; 0 with a way left cannot be: rule 2 took what m or v exceeds
         ld w
-        ifn z g_set
-        ld rest
-        if z g_set
-        ld acc
-        sub v
-        if n g_rest
-        ld least
-        jmp g_set
-g_rest: num 0
 g_set:  st w
         if up g_move
         num 0

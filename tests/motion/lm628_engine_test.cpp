@@ -77,3 +77,108 @@ TEST_CASE("L-15 lm628_engine agrees with its twin on 10,000 random commands, sam
   CHECK(bench.longest_sample() <= 400);
   CHECK(bench.longest_command() <= 127);
 }
+
+namespace {
+
+Lm628Engine::Words trajectory(unsigned control, std::int64_t first, std::int64_t second = 0,
+                              std::int64_t third = 0) {
+  Lm628Engine::Words w{static_cast<std::uint16_t>(control)};
+  std::size_t n = 1;
+  for (const std::int64_t value : {first, second, third}) {
+    w[n++] = static_cast<std::uint16_t>(value >> 16);
+    w[n++] = static_cast<std::uint16_t>(value);
+  }
+  return w;
+}
+
+void start(EngineBench& bench, const Lm628Engine::Words& w) {
+  bench.command(Opcode::kLtrj, w);
+  bench.command(Opcode::kStt);
+}
+
+// The motor follows; a move rarely comes to its end before the next one is begun.
+void follow(EngineBench& bench, unsigned samples) {
+  for (; samples > 0; --samples) {
+    bench.count += bench.twin().error();
+    bench.sample();
+  }
+}
+
+}  // namespace
+
+// Whole counts a sample meet the target exactly with speed left; fractions find every remainder.
+TEST_CASE("L-15 lm628_engine agrees with its twin on 3,000 moves that change in motion") {
+  EngineBench bench;
+  Random random(32);
+  for (int n = 0; n < 3000; ++n) {
+    CAPTURE(n);
+    const bool whole = n % 1000 < 300;
+    const auto fraction = [&](std::int64_t x) { return whole ? x / 65536 * 65536 : x; };
+    const std::int64_t a = fraction(1 + random() % (random() % 2 == 0 ? 400000 : 4000));
+    const std::int64_t v = fraction(random() % (random() % 2 == 0 ? 2000000 : 300000));
+    const std::int64_t here = bench.twin().desired().position >> 16;
+    const std::int64_t way = static_cast<std::int64_t>(random() % 61) - 30;
+    switch (random() % 16) {
+      case 0:
+        start(bench, trajectory(0x0400, 0));
+        break;
+      case 1:
+        start(bench, trajectory(random() % 2 == 0 ? 0x0200 : 0x0100, 0));
+        break;
+      case 2:
+        start(bench, trajectory(0x0808 | (random() % 2 << 12), v));
+        break;
+      case 3:  // at rest a new acceleration is taken; off and on again it is taken in motion
+        start(bench, trajectory(0x0100, 0));
+        if (random() % 2 == 0) bench.sample();
+        start(bench, trajectory(0x002A, random() % 8 == 0 ? 0 : a, v, here + way));
+        break;
+      case 4:
+        start(bench, trajectory(0x0008, v));
+        break;
+      case 5:
+        start(bench, trajectory(0x0002, here));
+        break;
+      default:
+        start(bench, trajectory(0x000A, v, here + way));
+    }
+    follow(bench, 1 + random() % (random() % 16 == 0 ? 60 : 4));
+  }
+  CHECK(bench.longest_sample() <= 400);
+}
+
+TEST_CASE("lm628_engine reports a wraparound as the position leaves +-2^30, not beyond it") {
+  for (const std::int64_t direction : {1, -1}) {
+    EngineBench bench;
+    int wraps = 0;
+    for (int n = 0; n < 140; ++n) {  // 2^23 - 1 counts are the most that a sample can tell
+      bench.count += direction * ((1 << 23) - 1);
+      bench.sample();
+      wraps += (bench.events >> trammel::exact::kWraparound & 1u) != 0;
+    }
+    REQUIRE(wraps == 1);
+    REQUIRE(bench.twin().actual() == direction * 140 * ((1 << 23) - 1));
+    for (int n = 0; n < 20; ++n) {  // back, which is none
+      bench.count -= direction * ((1 << 23) - 1);
+      bench.sample();
+      REQUIRE((bench.events >> trammel::exact::kWraparound & 1u) == 0);
+    }
+  }
+}
+
+TEST_CASE("lm628_engine fires a breakpoint once as it is passed, from below, above, and at once") {
+  for (const int bp : {40, -40, 0}) {
+    EngineBench bench;
+    bench.command(Opcode::kSbpa, {static_cast<std::uint16_t>(bp < 0 ? 0xFFFF : 0),
+                                  static_cast<std::uint16_t>(bp)});
+    int fired = 0;
+    for (int n = 0; n < 20; ++n) {
+      bench.count += bp < 0 ? -7 : 7;
+      bench.sample();
+      if ((bench.events >> trammel::exact::kBreakpoint & 1u) == 0) continue;
+      ++fired;
+      REQUIRE(std::abs(bench.count) == (bp == 0 ? 7 : 42));
+    }
+    REQUIRE(fired == 1);
+  }
+}
