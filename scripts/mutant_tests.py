@@ -21,16 +21,22 @@ DECLARATION = f"""  import "DPI-C" function int {mutants.SELECTOR}();
   reg [{mutants.WIDTH - 1}:0] selected;
   initial selected = {mutants.SELECTOR}();
 """
-CHIP = "kung_xy"  # chips are tested as a whole: their inner modules through this one
+CHIP = "kung_xy"  # a module of rtl/chips without a test of its own is tested through this one
 JOBS = 2
 MAIN = ROOT / "build" / "tests" / "libtrammel_catch_main.a"
 SLOWEST = 10  # a mutant that takes this many times the block's own time hangs
 AT_LEAST = 5.0  # [s]
 
 
-def test_of(block):
+def top_of(block):
+    """The module that the unit test of this block is about."""
     layer, stem = block.split("/")
-    return ROOT / "tests" / layer / f"{CHIP if layer == 'chips' else stem}_test.cpp"
+    own = (ROOT / "tests" / layer / f"{stem}_test.cpp").exists()
+    return CHIP if layer == "chips" and not own else stem
+
+
+def test_of(block):
+    return ROOT / "tests" / block.split("/")[0] / f"{top_of(block)}_test.cpp"
 
 
 def files_of(block):
@@ -41,8 +47,7 @@ def files_of(block):
 
 def build(block):
     """Compiles the test with the mutants; returns the program."""
-    folder, (layer, stem) = mutants.folder_of(block), block.split("/")
-    top = CHIP if layer == "chips" else stem
+    folder, (layer, stem), top = mutants.folder_of(block), block.split("/"), top_of(block)
     netlist = mutants.with_selector(block, "split.v", DECLARATION, f"{stem}.sv")
     text = netlist.read_text(encoding="utf-8")
     head, declaration, body = text.partition(DECLARATION)
