@@ -7,7 +7,7 @@
 //   sample_i  encoder and index taken; the result stands at most 400 clocks later
 //   start_i   the command opcode_i is executed in at most 127 clocks
 //
-// After a reset the registers are cleared, about 110 clocks. A caller never asks while busy_o.
+// After a reset the registers are cleared, 133 clocks. A caller never asks while busy_o.
 
 module lm628_engine
   import lm628_pkg::*;
