@@ -60,6 +60,9 @@ class Lm628Pair : public Lm628Twin {
   std::int64_t run(std::int64_t n) {
     apply();
     std::int64_t gap = 1;
+    // A sample takes 400 clocks, a command 128: after them the RTL rests wherever the twin does.
+    restless_ = !rtl_->quiescent_o && twin_.next(in) > 0 ? restless_ + 1 : 0;
+    if (restless_ > 600) throw std::logic_error("the RTL does not rest");
     if (leaps && rtl_->quiescent_o && rtl_->next_o > 0) {
       if (!twin_.quiescent(in)) throw std::logic_error("the RTL rests, the twin does not");
       gap = std::min<std::int64_t>({rtl_->next_o, twin_.next(in), n});
@@ -106,6 +109,7 @@ class Lm628Pair : public Lm628Twin {
 
   Rtl<Vlm628> rtl_;
   bool same_ = true;
+  int restless_ = 0;  // [clk]
 };
 
 template <class Chip>
