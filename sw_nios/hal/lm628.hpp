@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Driver of the LM628 (data sheet SNVS781C, AN-693): commands and words through its 8-bit port. As
+// the data sheet asks, the busy bit is checked before each command and each word, and not between
+// the two bytes of a word. Freestanding.
+#pragma once
+
+#include <cstdint>
+
+#include "sw_nios/hal/bus.hpp"
+
+namespace trammel::sw {
+
+// Where the port, its reset pin and the machine's timer are on the bus.
+namespace lm628_map {
+inline constexpr std::uint32_t kCommand = 0x0;  // PS low: a write is a command, a read the status
+inline constexpr std::uint32_t kData = 0x4;     // PS high: one byte
+inline constexpr std::uint32_t kReset = 0x8;    // a write strobes RST
+inline constexpr std::uint32_t kTimer = 0xC;    // [clk] until it interrupts, once; 0 = off
+inline constexpr std::uint32_t kIrq = 0x10;     // which interrupts
+inline constexpr std::uint32_t kIrqHost = 1u << 0;   // pin HI
+inline constexpr std::uint32_t kIrqTimer = 1u << 1;
+}  // namespace lm628_map
+
+enum class Lm628Command : std::uint8_t {
+  kStt = 0x01,
+  kDfh = 0x02,
+  kSip = 0x03,
+  kUdf = 0x04,
+  kPort8 = 0x05,
+  kPort12 = 0x06,
+  kRddv = 0x07,
+  kRddp = 0x08,
+  kRdip = 0x09,
+  kRdrp = 0x0A,
+  kRdrv = 0x0B,
+  kRdsigs = 0x0C,
+  kRdsum = 0x0D,
+  kLpes = 0x1A,
+  kLpei = 0x1B,
+  kMski = 0x1C,
+  kRsti = 0x1D,
+  kLfil = 0x1E,
+  kLtrj = 0x1F,
+  kSbpa = 0x20,
+  kSbpr = 0x21,
+};
+
+// Bits of the status byte; 1 to 6 also of MSKI and RSTI.
+namespace lm628_status {
+inline constexpr std::uint8_t kBusy = 1u << 0;
+inline constexpr std::uint8_t kCommandError = 1u << 1;
+inline constexpr std::uint8_t kTrajectoryComplete = 1u << 2;
+inline constexpr std::uint8_t kPositionError = 1u << 5;
+inline constexpr std::uint8_t kBreakpoint = 1u << 6;
+}  // namespace lm628_status
+
+class Lm628Port {
+ public:
+  // A command keeps the part busy for 70 us at most; a poll takes more than 0.4 us.
+  static constexpr std::uint32_t kPollLimit = 1024;
+
+  explicit Lm628Port(Bus& bus) : bus_(bus) {}
+
+  bool stuck() const { return stuck_; }  // busy did not clear; nothing was written since
+
+  std::uint8_t status() { return static_cast<std::uint8_t>(bus_.read(lm628_map::kCommand)); }
+
+  void command(Lm628Command code) {
+    if (ready()) bus_.write(lm628_map::kCommand, static_cast<std::uint32_t>(code));
+  }
+  void word(std::uint32_t value) {
+    if (!ready()) return;
+    bus_.write(lm628_map::kData, value >> 8 & 0xFF);
+    bus_.write(lm628_map::kData, value & 0xFF);
+  }
+  void long_word(std::int32_t value) {
+    const auto bits = static_cast<std::uint32_t>(value);
+    word(bits >> 16);
+    word(bits & 0xFFFF);
+  }
+  std::uint32_t read_word() {
+    if (!ready()) return 0;
+    const std::uint32_t high = bus_.read(lm628_map::kData) & 0xFF;
+    return high << 8 | (bus_.read(lm628_map::kData) & 0xFF);
+  }
+
+  void command(Lm628Command code, std::uint32_t value) {
+    command(code);
+    word(value);
+  }
+  void command_long(Lm628Command code, std::int32_t value) {
+    command(code);
+    long_word(value);
+  }
+  std::int32_t ask_long(Lm628Command code) {
+    command(code);
+    const std::uint32_t high = read_word();
+    return static_cast<std::int32_t>(high << 16 | read_word());
+  }
+
+ private:
+  bool ready() {
+    for (std::uint32_t polls = 0; !stuck_ && polls < kPollLimit; ++polls) {
+      if ((status() & lm628_status::kBusy) == 0) return true;
+    }
+    stuck_ = true;
+    return false;
+  }
+
+  Bus& bus_;
+  bool stuck_ = false;
+};
+
+}  // namespace trammel::sw
