@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+
+#include "models/plant/motor_axis.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+using trammel::plant::MotorAxis;
+
+TEST_CASE("motor_axis predicts every encoder edge at the first clock of its count") {
+  MotorAxis axis({});
+  axis.commit(1000, 0.25);
+  std::int64_t count = 0;
+  for (int edges = 0; edges < 2000;) {
+    const std::int64_t n = axis.next();
+    const double width = MotorAxis::kTurn / 4000;
+    const double half = 0.5 + 0.1;
+    const bool due = axis.state(n).theta >= (static_cast<double>(count) + half) * width;
+    if (due) {
+      REQUIRE(axis.state(n - 1).theta < (static_cast<double>(count) + half) * width);
+      ++count;
+      ++edges;
+    }
+    axis.commit(n, 0.25);
+    REQUIRE(axis.count() == count);
+  }
+}
+
+TEST_CASE("motor_axis is where the motor alone is, whatever is asked between") {
+  trammel::plant::MotorAxisConfig config;
+  MotorAxis axis(config);
+  axis.commit(0, 0.5);
+  while (axis.next() < 1'000'000) axis.commit(axis.next(), 0.5);
+  const auto s = trammel::plant::DcMotor(config.motor).after({}, 0.02, 12);
+  CHECK(axis.state(1'000'000).theta == Approx(s.theta).epsilon(1e-8));
+  CHECK(axis.voltage() == 12);
+}
+
+TEST_CASE("motor_axis turns back, and shows its index once a turn") {
+  MotorAxis axis({});
+  CHECK(axis.index());
+  int indices = 0;
+  axis.commit(0, 1);
+  std::int64_t last = 0;
+  bool was = true;
+  while (axis.count() < 9000) {
+    axis.commit(axis.next(), 1);
+    REQUIRE(std::abs(axis.count() - last) <= 1);
+    last = axis.count();
+    if (axis.index() && !was) ++indices;
+    was = axis.index();
+  }
+  CHECK(indices == 2);
+  while (axis.count() > 0) axis.commit(axis.next(), -1);
+  CHECK(axis.index());
+}
