@@ -3,17 +3,9 @@
 
 namespace trammel::kung {
 
-// One round of a 64-bit multiply-xorshift: cheap, and every event moves all later values.
-void Recorder::mix(std::uint64_t value) {
-  hash_ = (hash_ ^ value) * 0x9e3779b97f4a7c15u;
-  hash_ ^= hash_ >> 29;
-}
-
 void Recorder::on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant&) {
   if (done_ || stop.why == cosim::kLimit) return;
-  mix(static_cast<std::uint64_t>(stop.edge));
-  mix((std::uint64_t{stop.why} << 32) | chip.drive());
-  if ((stop.why & cosim::kBusDone) != 0) mix(chip.rdata());
+  hash_.mix(stop, chip);
   if ((stop.why & cosim::kTick) != 0) {
     pending_.tick = ++tick_;  // what TICK reads after this sample
     pending_.edge = stop.edge;
@@ -31,8 +23,8 @@ void Recorder::on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim:
     for (int axis = 0; axis < kAxes; ++axis) {
       AxisSample& sample = pending_.axis[static_cast<std::size_t>(axis)];
       chip_.read_words(axis, sample);
-      mix(static_cast<std::uint32_t>(sample.x_m));
-      mix(static_cast<std::uint32_t>(sample.i_q_ref));
+      hash_.mix(static_cast<std::uint32_t>(sample.x_m));
+      hash_.mix(static_cast<std::uint32_t>(sample.i_q_ref));
     }
     samples_.push_back(pending_);
     done_ = finished_(pending_);

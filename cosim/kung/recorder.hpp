@@ -7,6 +7,7 @@
 #include <functional>
 #include <vector>
 
+#include "cosim/event_hash.hpp"
 #include "cosim/kung/chip.hpp"
 #include "cosim/kung/types.hpp"
 
@@ -23,19 +24,17 @@ class Recorder final : public cosim::Observer {
   void on(const cosim::Stop& stop, const cosim::Chip&, const cosim::Plant&) override;
 
   bool done() const { return done_; }
-  std::uint64_t event_hash() const { return hash_; }
+  std::uint64_t event_hash() const { return hash_.value(); }
   std::vector<Sample> take_samples() { return std::move(samples_); }
 
  private:
-  void mix(std::uint64_t value);
-
   const KungChip& chip_;
   const plant::XyTable& truth_;
   std::function<bool(const Sample&)> finished_;
   std::vector<Sample> samples_;
   Sample pending_;
   std::uint32_t tick_ = 0;
-  std::uint64_t hash_ = 0xcbf29ce484222325u;
+  cosim::EventHash hash_;
   bool done_ = false;
 };
 

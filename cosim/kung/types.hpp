@@ -6,24 +6,27 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstdint>
-#include <functional>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "cosim/cosim.hpp"
 #include "cosim/kung/wakes.hpp"
+#include "cosim/machine.hpp"
 #include "cosim/promise.hpp"
 #include "models/plant/xy_table.hpp"
 
 namespace trammel::kung {
 
+using cosim::EndReason;
+using cosim::Hooks;
+using cosim::OptionsError;
+using cosim::Platform;
+using cosim::ProcessorOptions;
+
 enum class Controller { kFc, kAfc };  // fixed rule table, or tuned while it runs
 enum class PathKind { kCircle, kWindow, kStar, kSquare, kLine, kPoints };
-enum class Platform { kSystemC, kDirect };
 enum class Engine { kRtl, kTwin };  // the verilated chip, or its bit-exact twin
 enum class WaveFormat { kNone, kVcd, kFst };
 
@@ -63,11 +66,6 @@ struct ChipOptions {
   double current_limit_A = 6.0;   // trip level of the measured phase currents
   int irq_period_ticks = 4;       // 2 kHz samples an interrupt: 4 = 2 ms
   int watchdog_ticks = 100;       // 2 kHz samples between two COMMITs; 0 = off
-};
-
-struct ProcessorOptions {
-  int access_clk = 8;             // clocks one bus access costs besides its handshake
-  int interrupt_latency_clk = 100;  // from the interrupt line to the first access
 };
 
 // Path parameters; only those of `kind` count (specification section 10).
@@ -168,8 +166,6 @@ struct Sample {
   std::array<AxisSample, 2> axis;
 };
 
-enum class EndReason { kDone, kFault, kDiverged, kTimeout, kStopped, kPromise };
-
 enum class FaultCode { kNone, kTrip, kOverCurrent, kWatchdog, kEncoder, kStroke };
 
 struct Fault {
@@ -244,16 +240,6 @@ struct Result {
   std::uint64_t event_hash = 0;   // of all gate, interrupt and bus events with their edges
   std::optional<cosim::Clk> wave_trigger;  // edge at which it fired
   std::vector<WaveSpan> waves;    // what the wave file holds
-};
-
-struct Hooks {
-  std::function<void(double fraction)> progress;    // may be empty
-  const std::atomic<bool>* stop = nullptr;          // set: return what there is, kStopped
-};
-
-// A combination of options that cannot run; the text names the keys and what is allowed.
-struct OptionsError : std::runtime_error {
-  using std::runtime_error::runtime_error;
 };
 
 }  // namespace trammel::kung

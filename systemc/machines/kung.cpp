@@ -2,47 +2,17 @@
 #include "systemc/machines/kung.hpp"
 
 #include "cosim/kung/session.hpp"
-#include "systemc/chip_module.hpp"
-#include "systemc/soft_processor.hpp"
+#include "systemc/wire.hpp"
 
 namespace trammel::kung {
 
 namespace {
 
-// SystemC elaborates once per simulation context; a fresh one lets a process run many machines.
-class Context {
- public:
-  Context() {
-    sc_core::sc_curr_simcontext = sc_core::sc_default_global_context = context_.get();
-    sc_core::sc_report_handler::set_actions(sc_core::SC_INFO, sc_core::SC_DO_NOTHING);
-    sc_core::sc_set_stop_mode(sc_core::SC_STOP_IMMEDIATE);
-  }
-  ~Context() {
-    context_.reset();
-    sc_core::sc_curr_simcontext = sc_core::sc_default_global_context = nullptr;
-  }
-  Context(const Context&) = delete;
-  Context& operator=(const Context&) = delete;
-
- private:
-  std::unique_ptr<sc_core::sc_simcontext> context_ = std::make_unique<sc_core::sc_simcontext>();
-};
-
-void run_systemc(Session& session) {
-  Context context;
-  systemc::ChipModule chip("chip", session.loop(), session.period_ps(), session.end(),
-                           [&session] { return session.finished(); });
-  systemc::SoftProcessor processor("processor", chip, session.firmware(), session.timing(),
-                                   session.period_ps());
-  sc_core::sc_start();
-}
-
 void wire(Session& session, const RunOptions& run) {
   if (run.platform == Platform::kSystemC && run.engine == Engine::kRtl) {
-    run_systemc(session);
+    systemc::run(session);
   } else {
-    cosim::run_direct(session.loop(), session.firmware(), session.timing(), session.end(),
-                      [&session] { return session.finished(); });
+    systemc::run_direct(session);
   }
 }
 

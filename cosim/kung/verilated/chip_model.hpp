@@ -9,6 +9,7 @@
 #include "cosim/kung/chip.hpp"
 #include "cosim/kung/verilated/chip_state.hpp"
 #include "cosim/kung/verilated/probe.hpp"
+#include "cosim/verilated/stored_clock.hpp"
 
 namespace trammel::kung {
 
@@ -21,17 +22,6 @@ namespace trammel::kung {
 // While every register waits (quiescent_o) the timers alone move, for next_o edges: one evaluation
 // with leap_i = n - 1 stands for n of them. A leap never passes `end`, and none is made during a
 // bus transfer, so that no pin moves inside it.
-//
-// The clock value that a model compares with: its name is that of Verilator 5.006, or of 5.48.
-template <class Root>
-auto stored_clock(Root& root, int) -> decltype(root.__Vtrigrprev__TOP__clk_i)& {
-  return root.__Vtrigrprev__TOP__clk_i;
-}
-template <class Root>
-auto stored_clock(Root& root, long) -> decltype(root.__Vtrigprevexpr___TOP__clk_i__0)& {
-  return root.__Vtrigprevexpr___TOP__clk_i__0;
-}
-
 struct NoTrace {
   template <class Model>
   void attach(VerilatedContext&, Model&) {}
@@ -184,7 +174,7 @@ class ChipModel final : public KungChip, private ChipState {
 
   void raise(cosim::Clk edge) {
     model_->clk_i = 1;
-    stored_clock(*model_->rootp, 0) = 0;
+    cosim::stored_clock(*model_->rootp, 0) = 0;
     model_->eval();
     tracer_.raised(edge);
     if (checked_ && !broken_) look_for_broken_promise(edge);
