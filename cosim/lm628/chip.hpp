@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The LM628 as the loop sees it: its host port on a 32-bit bus beside a timer, its outputs behind
+// a 12-bit converter. The verilated model stays behind this header.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "cosim/cosim.hpp"
+#include "cosim/lm628/lines.hpp"
+
+namespace trammel::lm628 {
+
+// What the part holds when the results of a sample are published.
+struct Words {
+  std::int64_t position = 0;      // desired [2^-16 count]
+  std::int32_t speed = 0;         // desired [2^-16 count/sample]
+  std::int32_t actual = 0;        // [count]
+  std::int32_t error = 0;         // 16 bits [count]
+  std::int32_t proportional = 0;  // kp e, before any limit
+  std::int32_t integral = 0;      // ki s16, within il
+  std::int32_t derivative = 0;    // held for n + 1 samples
+  std::int32_t output = 0;        // 16 bits
+  std::uint8_t status = 0;
+};
+
+struct Lm628Chip : cosim::Chip {
+  virtual Words words() const = 0;
+  virtual bool host_irq() const = 0;  // pin HI; irq() is also the timer's
+  virtual cosim::Clk evaluated() const = 0;
+};
+
+// leap: waiting clocks are not evaluated; the edges of all events stay the same.
+std::unique_ptr<Lm628Chip> make_verilated_chip(bool leap);
+
+}  // namespace trammel::lm628

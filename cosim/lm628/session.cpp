@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cosim/lm628/session.hpp"
+
+#include <cmath>
+#include <cstdlib>
+
+namespace trammel::lm628 {
+namespace {
+
+sw::An693Setup program_setup(const Options& o) {
+  sw::An693Setup setup;
+  setup.program = o.program;
+  setup.filter = o.filter;
+  setup.acceleration = o.acceleration;
+  setup.velocity = o.velocity;
+  setup.position = o.position;
+  setup.breakpoint = o.breakpoint;
+  setup.steps = static_cast<std::uint32_t>(o.steps);
+  setup.wait_clk = static_cast<std::uint32_t>(
+      std::lround(o.wait_s * 1e12 / static_cast<double>(o.plant.clock_ps)));
+  return setup;
+}
+
+const char* failure_text(sw::An693Failure failure) {
+  switch (failure) {
+    case sw::An693Failure::kReset: return "the status after a reset is none of the data sheet's";
+    case sw::An693Failure::kBusy: return "the busy bit did not clear";
+    case sw::An693Failure::kCommandError: return "the part reported a command error";
+    case sw::An693Failure::kPositionError: return "the part reported a position error";
+    case sw::An693Failure::kNone: break;
+  }
+  return "";
+}
+
+}  // namespace
+
+Session::Session(const Options& options, const cosim::Hooks& hooks)
+    : options_(options),
+      hooks_(hooks),
+      plant_(options.plant),
+      chip_(make_verilated_chip(options.run.leap)),
+      app_(program_setup(options)),
+      recorder_(
+          *chip_,
+          [this](Sample& sample) {
+            const plant::DcMotorState s = plant_.axis().state(sample.edge);
+            sample.theta = s.theta;
+            sample.omega = s.omega;
+            sample.i = s.i;
+            sample.volt = plant_.axis().voltage();
+          },
+          [this](const Sample& sample) { return over(sample); }),
+      loop_(*chip_, plant_, recorder_,
+            options.run.window_clk == 0 ? cosim::kNever : options.run.window_clk) {}
+
+cosim::Clk Session::end() const {
+  return std::llround(options_.run.max_s * 1e12 / static_cast<double>(options_.plant.clock_ps));
+}
+
+bool Session::over(const Sample& sample) {
+  if (hooks_.stop != nullptr && hooks_.stop->load(std::memory_order_relaxed)) {
+    end_ = cosim::EndReason::kStopped;
+    return true;
+  }
+  if (app_.failed()) {
+    end_ = cosim::EndReason::kFault;
+    return true;
+  }
+  if (std::abs(sample.words.error) > options_.run.diverged_counts) {
+    end_ = cosim::EndReason::kDiverged;
+    return true;
+  }
+  // How long a program takes depends on the motor: progress is of the time it may take.
+  if (hooks_.progress && sample.edge % 64 == 0) {
+    hooks_.progress(static_cast<double>(sample.edge) / static_cast<double>(end()));
+  }
+  if (!app_.done()) return false;
+  end_ = cosim::EndReason::kDone;
+  return true;
+}
+
+Result Session::result() {
+  Result result;
+  result.samples = recorder_.take_samples();
+  result.end = end_;
+  result.fault = failure_text(app_.failure());
+  result.desired = app_.desired();
+  result.real = app_.real();
+  result.clocks = chip_->now();
+  result.evaluated = chip_->evaluated();
+  result.event_hash = recorder_.event_hash();
+  result.wall_s =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+  return result;
+}
+
+}  // namespace trammel::lm628

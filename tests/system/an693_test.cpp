@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The machine an693 whole: firmware, port, verilated LM628, motor. Numbers are those of AN-693 and
+// the data sheet.
+
+#include <catch2/catch.hpp>
+#include <cstdlib>
+
+#include "cosim/lm628/session.hpp"
+#include "systemc/machines/an693.hpp"
+
+using namespace trammel;
+using namespace trammel::lm628;
+using sw::An693Program;
+
+namespace {
+
+Options make_options(An693Program program) {
+  Options options;
+  options.run.platform = cosim::Platform::kDirect;
+  options.program = program;
+  options.filter.kp = 50;
+  options.filter.kd = 1000;
+  options.filter.interval = 4;
+  return options;
+}
+
+Options breakpoints() {
+  Options options = make_options(An693Program::kBreakpoints);
+  options.acceleration = 0x11;
+  options.velocity = 0x20C4A;
+  return options;
+}
+
+// The first sample of the motion is 1, as the samples of a profile are counted.
+struct Counted {
+  std::vector<long> interrupts;
+  long moving = 0;  // samples until the desired position stands for good
+};
+
+Counted counted(const std::vector<Sample>& samples) {
+  Counted c;
+  long n = 0;
+  bool was = false;
+  for (const Sample& s : samples) {
+    if (n == 0 && s.words.speed == 0) {
+      was = s.host_irq;
+      continue;
+    }
+    ++n;
+    if (s.words.speed != 0) c.moving = n + 1;
+    if (s.host_irq && !was) c.interrupts.push_back(n);
+    was = s.host_irq;
+  }
+  return c;
+}
+
+// A motor that is where it is told to be, from sample to sample.
+class Follower final : public cosim::Plant, public cosim::Observer {
+ public:
+  cosim::Lines sense() const override {
+    return cosim::Lines{((count_ + 1) & 2) != 0} << kEncoderA |
+           cosim::Lines{(count_ & 2) != 0} << kEncoderB;
+  }
+  cosim::Clk next() const override { return count_ == goal_ ? cosim::kNever : at_ + 4; }
+  void commit(cosim::Clk n, cosim::Lines) override {
+    if (n < next()) return;
+    count_ += goal_ > count_ ? 1 : -1;
+    at_ = n;
+  }
+  int sample(int, cosim::Clk) const override { return 0; }
+  void on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant& plant) override {
+    recorder->on(stop, chip, plant);
+    if ((stop.why & cosim::kSample) == 0) return;
+    goal_ = dynamic_cast<const Lm628Chip&>(chip).words().position >> 16;
+    at_ = stop.edge;
+  }
+
+  cosim::Observer* recorder = nullptr;
+
+ private:
+  std::int64_t count_ = 0, goal_ = 0;
+  cosim::Clk at_ = 0;
+};
+
+struct Followed {
+  std::vector<Sample> samples;
+  std::int32_t real = 0;
+};
+
+Followed follow(const sw::An693Setup& setup, cosim::Clk end) {
+  const auto chip = make_verilated_chip(true);
+  sw::An693App app(setup);
+  Recorder recorder(*chip, [](Sample&) {}, [&app](const Sample&) { return app.done(); });
+  Follower follower;
+  follower.recorder = &recorder;
+  cosim::Loop loop(*chip, follower, follower);
+  cosim::run_direct(loop, app, {}, end, [&recorder] { return recorder.done(); });
+  REQUIRE_FALSE(app.failed());
+  REQUIRE(app.done());
+  return {recorder.take_samples(), app.real()};
+}
+
+constexpr cosim::Clk kSecond = 50'000'000;
+
+}  // namespace
+
+TEST_CASE("L-05 an693 moves through the port by 200 000 counts in 76 345 samples") {
+  sw::An693Setup setup;
+  setup.program = An693Program::kAbsolute;
+  setup.acceleration = 9;
+  setup.velocity = 0x51EB8;
+  setup.position = 200000;
+  const Followed run = follow(setup, 25 * kSecond);
+  CHECK(run.real == 200000);
+  CHECK(std::abs(counted(run.samples).moving - 76345) <= 80);
+}
+
+TEST_CASE("L-06 an693 on an ideal follower changes speed at 43 011, 64 517 and 80 308") {
+  sw::An693Setup setup;
+  setup.program = An693Program::kBreakpoints;
+  setup.acceleration = 0x11;
+  setup.velocity = 0x20C4A;
+  const Followed run = follow(setup, 40 * kSecond);
+  const Counted c = counted(run.samples);
+  REQUIRE(c.interrupts.size() == 3);
+  CHECK(c.interrupts[0] == 43011);
+  CHECK(c.interrupts[1] == 64517);
+  CHECK(c.interrupts[2] == 80308);
+  // 192 344 where a host sends ten bytes and words within the sample of the breakpoint; here the
+  // second speed begins a sample later, 2 counts less.
+  CHECK(run.real == 192342);
+}
+
+// 45 088 are those of E7 at V = 41894h, the speed of E8.
+TEST_CASE("E6 and E7 an693 complete after 45 772 and 45 087 samples, at rest on their targets") {
+  Options options = make_options(An693Program::kAbsolute);
+  Result result = simulate(options, {});
+  CHECK(result.end == cosim::EndReason::kDone);
+  CHECK(result.desired == 8000);
+  CHECK(std::abs(result.real - 8000) <= 2);
+  CHECK(counted(result.samples).moving == 45772);
+
+  options = make_options(An693Program::kRelative);
+  options.acceleration = 0x11;
+  options.velocity = 0x41893;
+  options.position = 120000;
+  result = simulate(options, {});
+  CHECK(result.end == cosim::EndReason::kDone);
+  CHECK(result.desired == 120000);
+  CHECK(std::abs(result.real - 120000) <= 2);
+  CHECK(counted(result.samples).moving == 45087);
+}
+
+TEST_CASE("L-06 an693 with the motor leaps over 20 s of breakpoints in less than 60 s") {
+  const Result result = simulate(breakpoints(), {});
+  CHECK(result.end == cosim::EndReason::kDone);
+  const Counted c = counted(result.samples);
+  REQUIRE(c.interrupts.size() == 3);
+  CHECK(std::abs(c.interrupts[0] - 43010) <= 60);
+  CHECK(std::abs(result.real - 192338) <= 500);
+  CHECK(result.wall_s < 60);
+}
+
+TEST_CASE("an693 in SystemC, directly, in any window and without leaps has the same events") {
+  Options options = breakpoints();
+  options.run.max_s = 0.15;
+  const Result direct = simulate(options, {});
+  CHECK(direct.samples.size() > 500);
+  for (const cosim::Clk window : {cosim::Clk{0}, cosim::Clk{313}}) {
+    options.run.platform = cosim::Platform::kSystemC;
+    options.run.window_clk = window;
+    const Result other = simulate(options, {});
+    CHECK(other.event_hash == direct.event_hash);
+  }
+  options.run = {};
+  options.run.max_s = 0.15;
+  options.run.leap = false;
+  const Result plain = simulate(options, {});
+  CHECK(plain.event_hash == direct.event_hash);
+  CHECK(direct.evaluated * 5 < plain.evaluated);
+}
+
+TEST_CASE("an693 holds the shaft against a torque with kp e") {
+  Options options = make_options(An693Program::kHold);
+  options.filter = {};
+  options.wait_s = 2;
+  options.plant.motor.external_torque = 0.01;
+  const Result result = simulate(options, {});
+  CHECK(result.end == cosim::EndReason::kDone);
+  // 0.4 V for 0.2 A are 34 codes of 24 V / 2048, and a count is 10 / 16 of a code.
+  CHECK(std::abs(result.desired - result.real - 54.6) <= 2);
+}
+
+TEST_CASE("an693 steps there and back") {
+  Options options = make_options(An693Program::kTuning);
+  options.acceleration = options.velocity = 0x3FFFFFFF;
+  options.position = 50;
+  const Result result = simulate(options, {});
+  CHECK(result.end == cosim::EndReason::kDone);
+  CHECK(result.desired == 0);
+  CHECK(std::abs(result.real) <= 2);
+}
+
+TEST_CASE("an693 ends a program whose motor cannot follow, as diverged") {
+  Options options = make_options(An693Program::kRelative);
+  options.acceleration = 0x1000;
+  options.velocity = 0xA00000;  // 97 rev/s, where 24 V give 76
+  options.position = 3000000;
+  const Result result = simulate(options, {});
+  CHECK(result.end == cosim::EndReason::kDiverged);
+}
