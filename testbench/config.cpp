@@ -21,8 +21,6 @@ namespace trammel::testbench {
 namespace fs = std::filesystem;
 namespace {
 
-using kung::Options;
-
 std::string upper(std::string text) {
   for (char& c : text) {
     c = c == '.' ? '_' : static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
@@ -30,8 +28,18 @@ std::string upper(std::string text) {
   return text;
 }
 
+template <class Options>
+bool is_key_of(const std::string& name) {
+  return !find_keys_of<Options>(name).empty();
+}
+
+template <class Options>
 [[noreturn]] void unknown_key(const std::string& where, const std::string& name) {
-  const std::string near = suggest(name, key_names());
+  if (is_key_of<kung::Options>(name) || is_key_of<lm628::Options>(name)) {
+    throw ConfigError(fmt::format("{}: {}: is no key of the machine {}", where, name,
+                                  machine_name<Options>()));
+  }
+  const std::string near = suggest(name, key_names_of<Options>());
   throw ConfigError(fmt::format("{}: {}: unknown key{}", where, name,
                                 near.empty() ? "; `trammel list keys` names them all"
                                              : fmt::format("; did you mean {}?", near)));
@@ -48,7 +56,7 @@ bool is_utf8(const std::string& text) {
 }
 
 // Brings a value to the key's kind and checks its range.
-Value checked(const Key& key, const Value& value, const std::string& where) {
+Value checked(const KeyInfo& key, const Value& value, const std::string& where) {
   const auto fail = [&](const std::string& what) -> Value {
     throw ConfigError(fmt::format("{}: {}: value {} {}", where, key.name, value_text(value), what));
   };
@@ -79,7 +87,7 @@ Value checked(const Key& key, const Value& value, const std::string& where) {
 }
 
 // Text of the command line or environment, read as the key's kind wants it.
-Value parsed(const Key& key, const std::string& text) {
+Value parsed(const KeyInfo& key, const std::string& text) {
   const char* const end = text.data() + text.size();
   char* stop = nullptr;
   if (key.kind == Kind::kFlag) {
@@ -100,9 +108,10 @@ Value parsed(const Key& key, const std::string& text) {
   return text;
 }
 
-void set_keys(Options& options, const std::vector<const Key*>& found, const Value& value,
+template <class Options>
+void set_keys(Options& options, const std::vector<const KeyOf<Options>*>& found, const Value& value,
               const std::string& where, const fs::path& folder) {
-  for (const Key* key : found) {
+  for (const KeyOf<Options>* key : found) {
     Value good = checked(*key, value, where);
     if (key->name == "path.points_file") {
       const fs::path file = std::get<std::string>(good);
@@ -112,10 +121,11 @@ void set_keys(Options& options, const std::vector<const Key*>& found, const Valu
   }
 }
 
+template <class Options>
 void set_text(Options& options, const std::string& name, const std::string& text,
               const std::string& where) {
-  const auto found = find_keys(name);
-  if (found.empty()) unknown_key(where, name);
+  const auto found = find_keys_of<Options>(name);
+  if (found.empty()) unknown_key<Options>(where, name);
   set_keys(options, found, parsed(*found.front(), text), where, fs::current_path());
 }
 
@@ -163,6 +173,7 @@ std::string suggest(const std::string& word, const std::vector<std::string>& wor
   return best;
 }
 
+template <class Options>
 void apply_text(Options& options, const std::string& toml, const std::string& source,
                 const fs::path& folder) {
   toml::table table;
@@ -176,12 +187,12 @@ void apply_text(Options& options, const std::string& toml, const std::string& so
   flatten(table, "", entries);
   // Short forms (both axes) first, so that [plant.x] refines [plant] wherever it stands.
   std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
-    return find_keys(a.name).size() > find_keys(b.name).size();
+    return find_keys_of<Options>(a.name).size() > find_keys_of<Options>(b.name).size();
   });
   for (const Entry& entry : entries) {
     const std::string where = fmt::format("{}:{}", source, entry.node->source().begin.line);
-    const auto found = find_keys(entry.name);
-    if (found.empty()) unknown_key(where, entry.name);
+    const auto found = find_keys_of<Options>(entry.name);
+    if (found.empty()) unknown_key<Options>(where, entry.name);
     Value value;
     if (const auto* flag = entry.node->as_boolean()) {
       value = flag->get();
@@ -199,6 +210,7 @@ void apply_text(Options& options, const std::string& toml, const std::string& so
   }
 }
 
+template <class Options>
 void apply_file(Options& options, const fs::path& file) {
   std::error_code ignored;
   std::ifstream in(file);
@@ -211,6 +223,7 @@ void apply_file(Options& options, const fs::path& file) {
   apply_text(options, text.str(), file.string(), fs::absolute(file).parent_path());
 }
 
+template <class Options>
 void apply_assignment(Options& options, const std::string& assignment, const std::string& where) {
   const auto at = assignment.find('=');
   if (at == std::string::npos || at == 0) {
@@ -219,6 +232,7 @@ void apply_assignment(Options& options, const std::string& assignment, const std
   set_text(options, assignment.substr(0, at), assignment.substr(at + 1), where);
 }
 
+template <class Options>
 void apply_environment(Options& options,
                        const std::vector<std::pair<std::string, std::string>>& variables) {
   const std::string prefix = "TRAMMEL_";
@@ -226,7 +240,7 @@ void apply_environment(Options& options,
   for (const auto& [variable, value] : variables) {
     if (variable.rfind(prefix, 0) != 0) continue;
     const std::string rest = variable.substr(prefix.size());
-    const auto& all = key_names();
+    const auto& all = key_names_of<Options>();
     const auto key = std::find_if(all.begin(), all.end(),
                                   [&](const std::string& name) { return upper(name) == rest; });
     if (key != all.end()) {
@@ -246,7 +260,7 @@ void apply_environment(Options& options,
                                   near.empty() ? "" : fmt::format("; did you mean {}?", near)));
   }
   std::stable_sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
-    return find_keys(a.first).size() > find_keys(b.first).size();
+    return find_keys_of<Options>(a.first).size() > find_keys_of<Options>(b.first).size();
   });
   for (const auto& [key, value] : found) {
     set_text(options, key, value, "environment " + prefix + upper(key));
@@ -263,10 +277,11 @@ std::vector<std::pair<std::string, std::string>> environment() {
   return all;
 }
 
+template <class Options>
 std::string run_toml(const Options& options) {
   std::string text = "# Written by trammel; `trammel run run.toml` repeats this run.\n";
   std::string section;
-  for (const Key& key : keys()) {
+  for (const KeyOf<Options>& key : keys_of<Options>()) {
     const auto dot = key.name.rfind('.');
     const std::string here = dot == std::string::npos ? "" : key.name.substr(0, dot);
     if (here != section) text += fmt::format("\n[{}]\n", here);
@@ -277,11 +292,41 @@ std::string run_toml(const Options& options) {
   return text;
 }
 
-std::vector<fs::path> scenarios() {
+// The Options of every machine.
+#define TRAMMEL_INSTANTIATE(Options)                                                              \
+  template void apply_file(Options&, const fs::path&);                                            \
+  template void apply_text(Options&, const std::string&, const std::string&, const fs::path&);    \
+  template void apply_assignment(Options&, const std::string&, const std::string&);               \
+  template void apply_environment(Options&,                                                       \
+                                  const std::vector<std::pair<std::string, std::string>>&);       \
+  template std::string run_toml(const Options&)
+TRAMMEL_INSTANTIATE(kung::Options);
+TRAMMEL_INSTANTIATE(lm628::Options);
+#undef TRAMMEL_INSTANTIATE
+
+std::string machine_of(const fs::path& file) {
+  toml::table table;
+  try {
+    table = toml::parse_file(file.string());
+  } catch (const toml::parse_error&) {
+    return machines().front();
+  }
+  const auto* const key = table.get("machine");
+  if (key == nullptr || !key->is_string()) return machines().front();
+  const std::string name = key->as_string()->get();
+  if (std::find(machines().begin(), machines().end(), name) != machines().end()) return name;
+  const std::string near = suggest(name, machines());
+  throw ConfigError(fmt::format("{}:{}: machine: value \"{}\" is not one of {}{}", file.string(),
+                                key->source().begin.line, name, fmt::join(machines(), ", "),
+                                near.empty() ? "" : fmt::format("; did you mean {}?", near)));
+}
+
+std::vector<fs::path> scenarios(const std::string& machine) {
   std::vector<fs::path> all;
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(kScenarioFolder, ignored)) {
-    if (entry.path().extension() == ".toml") all.push_back(entry.path());
+    if (entry.path().extension() != ".toml") continue;
+    if (machine.empty() || machine_of(entry.path()) == machine) all.push_back(entry.path());
   }
   std::sort(all.begin(), all.end());
   return all;

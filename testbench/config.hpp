@@ -25,29 +25,40 @@ struct ToolMissing : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-// Applies a TOML file; relative paths in it are meant from its own folder.
-void apply_file(kung::Options& options, const std::filesystem::path& file);
-void apply_text(kung::Options& options, const std::string& toml, const std::string& source,
+// Applies a TOML file; relative paths in it are meant from its own folder. All of these are there
+// for the Options of every machine.
+template <class Options>
+void apply_file(Options& options, const std::filesystem::path& file);
+template <class Options>
+void apply_text(Options& options, const std::string& toml, const std::string& source,
                 const std::filesystem::path& folder);
 // "plant.x.mass_kg=3"; a relative path is meant from the working folder.
 // `where` is what the user wrote, for messages.
-void apply_assignment(kung::Options& options, const std::string& assignment,
+template <class Options>
+void apply_assignment(Options& options, const std::string& assignment,
                       const std::string& where = "-s");
 // Pairs of variable and value; TRAMMEL_PLANT_X_MASS_KG is plant.x.mass_kg.
-void apply_environment(kung::Options& options,
+template <class Options>
+void apply_environment(Options& options,
                        const std::vector<std::pair<std::string, std::string>>& variables);
 std::vector<std::pair<std::string, std::string>> environment();
 
 // Reads the file of points and checks what concerns more than one key, up to the words that the
 // firmware writes. Throws ConfigError.
 void finish(kung::Options& options);
+void finish(const lm628::Options& options);
 
 // Everything needed to repeat the run, as TOML.
-std::string run_toml(const kung::Options& options);
+template <class Options>
+std::string run_toml(const Options& options);
 
 // A built-in scenario's name or a path to a .toml file.
 std::filesystem::path find_scenario(const std::string& name);
-std::vector<std::filesystem::path> scenarios();
+std::vector<std::filesystem::path> scenarios(const std::string& machine = "");  // "" = of all
+
+// What the key `machine` of a file says; kung where it says nothing or is no TOML, which who reads
+// it whole will tell.
+std::string machine_of(const std::filesystem::path& file);
 
 // The nearest of `words` within a third of the length, or "".
 std::string suggest(const std::string& word, const std::vector<std::string>& words);

@@ -15,25 +15,38 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+template <class Options>
+constexpr bool is_of_kung = std::is_same_v<Options, kung::Options>;
+
+template <class Options>
+std::string description_of(const std::filesystem::path& file) {
+  Options options;
+  apply_file(options, file);
+  return options.description;
+}
+
 int list_scenarios(bool json) {
   Json all = Json::array();
   std::string text;
   for (const auto& file : scenarios()) {
-    kung::Options options;
-    apply_file(options, file);
+    const std::string machine = machine_of(file);
+    const std::string description = machine == "kung" ? description_of<kung::Options>(file)
+                                                      : description_of<lm628::Options>(file);
     const std::string name = file.stem().string();
-    all.push_back({{"name", name}, {"description", options.description}});
-    text += fmt::format("{:<10}{}\n", name, options.description);
+    all.push_back({{"name", name}, {"machine", machine}, {"description", description}});
+    text += fmt::format("{:<19}{}\n", name, description);
   }
   fmt::print("{}", json ? all.dump(2) + '\n' : text);
   return 0;
 }
 
+template <class Options>
 int list_keys(bool json) {
-  const kung::Options defaults;
+  const Options defaults;
   Json all = Json::array();
-  std::string text = "Axis keys without .x or .y set both axes.\n\n";
-  for (const Key& key : keys()) {
+  std::string text;
+  if (is_of_kung<Options>) text = "Axis keys without .x or .y set both axes.\n\n";
+  for (const KeyOf<Options>& key : keys_of<Options>()) {
     const std::string value = value_text(key.get(defaults));
     all.push_back({{"key", key.name}, {"default", value}, {"range", range_text(key)},
                    {"help", key.help}});
@@ -63,9 +76,10 @@ int list_signals(bool json) {
 
 }  // namespace
 
-int list(const std::string& topic, bool json) {
+int list(const std::string& topic, const std::string& machine, bool json) {
   if (topic == "signals") return list_signals(json);
-  return topic == "keys" ? list_keys(json) : list_scenarios(json);
+  if (topic != "keys") return list_scenarios(json);
+  return machine == "kung" ? list_keys<kung::Options>(json) : list_keys<lm628::Options>(json);
 }
 
 std::string version_text() {
@@ -81,8 +95,7 @@ int doctor(bool json) {
   constexpr Tool kTools[] = {{"gnuplot", "path.svg and error.svg"},
                              {"fst2vcd", "--wave vcd"},
                              {"gtkwave", "looking at waves"}};
-  Json all{{"trammel", kVersion},    {"commit", kCommit},     {"verilator", kVerilator},
-           {"systemc", kSystemC},    {"compiler", kCompiler}, {"build", kBuild}};
+  Json all = versions_json();
   std::string text = version_text() + '\n';
   int missing = 0;
   for (const Tool& tool : kTools) {

@@ -7,7 +7,7 @@
 
 namespace trammel::testbench {
 
-int list(const std::string& topic, bool json);
+int list(const std::string& topic, const std::string& machine, bool json);
 int doctor(bool json);
 std::string version_text();
 

@@ -1,72 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "testbench/keys.hpp"
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
-#include <type_traits>
+
+#include "testbench/key_table.hpp"
 
 namespace trammel::testbench {
+
+template <>
+std::vector<std::string> enum_names<kung::Controller>() {
+  return {"fc", "afc"};
+}
+template <>
+std::vector<std::string> enum_names<kung::PathKind>() {
+  return {"circle", "window", "star", "square", "line", "points"};
+}
+template <>
+std::vector<std::string> enum_names<kung::Engine>() {
+  return {"rtl", "twin"};
+}
+template <>
+std::vector<std::string> enum_names<kung::WaveFormat>() {
+  return {"none", "vcd", "fst"};
+}
+
 namespace {
 
 using kung::Options;
 
-std::vector<std::string> names(kung::Controller) { return {"fc", "afc"}; }
-std::vector<std::string> names(kung::PathKind) {
-  return {"circle", "window", "star", "square", "line", "points"};
-}
-std::vector<std::string> names(kung::Platform) { return {"systemc", "direct"}; }
-std::vector<std::string> names(kung::Engine) { return {"rtl", "twin"}; }
-std::vector<std::string> names(kung::WaveFormat) { return {"none", "vcd", "fst"}; }
-
-// Reads and writes the member that `lens` selects, whatever its type is.
-template <typename Lens>
-Key make(std::string name, double min, double max, std::string help, Lens lens) {
-  using T = std::decay_t<decltype(lens(std::declval<Options&>()))>;
-  Key key{std::move(name), Kind::kReal, min, max, {}, std::move(help), {}, {}};
-  if constexpr (std::is_enum_v<T>) {
-    key.kind = Kind::kChoice;
-    key.choices = names(T{});
-    key.get = [lens](const Options& o) -> Value {
-      return names(T{})[static_cast<std::size_t>(lens(o))];
-    };
-    key.set = [lens](Options& o, const Value& v) {
-      const auto all = names(T{});
-      lens(o) = static_cast<T>(std::find(all.begin(), all.end(), std::get<std::string>(v)) -
-                               all.begin());
-    };
-  } else if constexpr (std::is_same_v<T, bool> || std::is_same_v<T, std::string>) {
-    key.kind = std::is_same_v<T, bool> ? Kind::kFlag : Kind::kText;
-    key.get = [lens](const Options& o) -> Value { return lens(o); };
-    key.set = [lens](Options& o, const Value& v) { lens(o) = std::get<T>(v); };
-  } else if constexpr (std::is_integral_v<T>) {
-    key.kind = Kind::kInteger;
-    key.get = [lens](const Options& o) -> Value { return static_cast<std::int64_t>(lens(o)); };
-    key.set = [lens](Options& o, const Value& v) {
-      lens(o) = static_cast<T>(std::get<std::int64_t>(v));
-    };
-  } else {
-    key.get = [lens](const Options& o) -> Value { return lens(o); };
-    key.set = [lens](Options& o, const Value& v) { lens(o) = std::get<double>(v); };
-  }
-  return key;
-}
-
 constexpr const char* kAxisNames[] = {"x", "y"};
 
-struct Table {
-  std::vector<Key> keys;
-
-  template <typename Lens>
-  void one(std::string name, double min, double max, std::string help, Lens lens) {
-    keys.push_back(make(std::move(name), min, max, std::move(help), lens));
-  }
-  template <typename Lens>
-  void text(std::string name, std::string help, Lens lens) {
-    one(std::move(name), 0, 0, std::move(help), lens);
-  }
-};
+using Table = KeyTable<Options>;
 
 // Adds section.x.key and section.y.key.
 struct AxisTable {
@@ -77,8 +42,8 @@ struct AxisTable {
            const std::string& help, Lens lens) {
     for (std::size_t axis = 0; axis < 2; ++axis) {
       by_axis[axis].push_back(
-          make(fmt::format("{}.{}.{}", section, kAxisNames[axis], name), min, max, help,
-               [lens, axis](auto& o) -> auto& { return lens(o, axis); }));
+          make_key<Options>(fmt::format("{}.{}.{}", section, kAxisNames[axis], name), min, max,
+                            help, [lens, axis](auto& o) -> auto& { return lens(o, axis); }));
     }
   }
   void append_to(std::vector<Key>& all) {
@@ -263,7 +228,8 @@ void add_plant(Table& t) {
 #undef TRAMMEL_LENS
 #undef TRAMMEL_AXIS_LENS
 
-// "plant.x.mass_kg" -> "plant.mass_kg"; other names stay.
+}  // namespace
+
 std::string short_form(const std::string& name) {
   for (const char* axis : {".x.", ".y."}) {
     const auto at = name.find(axis);
@@ -272,9 +238,8 @@ std::string short_form(const std::string& name) {
   return name;
 }
 
-}  // namespace
-
-const std::vector<Key>& keys() {
+template <>
+const std::vector<Key>& keys_of<kung::Options>() {
   static const std::vector<Key> all = [] {
     Table t;
     add_run(t);
@@ -288,29 +253,7 @@ const std::vector<Key>& keys() {
   return all;
 }
 
-std::vector<const Key*> find_keys(std::string_view name) {
-  std::vector<const Key*> found;
-  for (const Key& key : keys()) {
-    if (key.name == name || short_form(key.name) == name) found.push_back(&key);
-  }
-  return found;
-}
-
-const std::vector<std::string>& key_names() {
-  static const std::vector<std::string> all = [] {
-    std::vector<std::string> list;
-    for (const Key& key : keys()) {
-      list.push_back(key.name);
-      list.push_back(short_form(key.name));
-    }
-    std::sort(list.begin(), list.end());
-    list.erase(std::unique(list.begin(), list.end()), list.end());
-    return list;
-  }();
-  return all;
-}
-
-std::string range_text(const Key& key) {
+std::string range_text(const KeyInfo& key) {
   switch (key.kind) {
     case Kind::kFlag: return "true or false";
     case Kind::kText: return "text";

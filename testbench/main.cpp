@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "cosim/kung/trigger.hpp"
+#include "systemc/machines/an693.hpp"
 #include "systemc/machines/kung.hpp"
 #include "testbench/config.hpp"
 #include "testbench/doctor.hpp"
@@ -40,6 +41,7 @@ struct CommandLine {
   CLI::App app{"Trammel: motion-control ICs, clock by clock, with the machine they drive"};
   tb::RunArguments run_arguments;
   std::string topic = "scenarios";
+  std::string machine = "kung";
   CLI::App* run = nullptr;
   CLI::App* list = nullptr;
   CLI::App* doctor = nullptr;
@@ -81,6 +83,8 @@ struct CommandLine {
     list = app.add_subcommand("list", "scenarios, every parameter with unit and range, or signals");
     list->add_option("topic", topic, "scenarios, keys or signals (for --wave-trigger)")
         ->check(CLI::IsMember({"scenarios", "keys", "signals"}));
+    list->add_option("machine", machine, "whose keys: kung or an693")
+        ->check(CLI::IsMember(tb::machines()));
     doctor = app.add_subcommand("doctor", "what is here and what is missing");
   }
 
@@ -109,7 +113,9 @@ std::vector<std::string> verbs(const CLI::App& app) {
 }
 
 int perform(const CommandLine& line) {
-  if (line.list->parsed()) return tb::list(line.topic, line.run_arguments.json);
+  if (line.list->parsed()) {
+    return tb::list(line.topic, line.machine, line.run_arguments.json);
+  }
   if (line.doctor->parsed()) return tb::doctor(line.run_arguments.json);
   if (line.report->parsed()) {
     tb::ReportArguments arguments = line.report_arguments;
@@ -117,7 +123,7 @@ int perform(const CommandLine& line) {
     return tb::report(arguments);
   }
   catch_interrupts();
-  return tb::run(line.run_arguments, trammel::kung::simulate, g_stop);
+  return tb::run(line.run_arguments, trammel::kung::simulate, g_stop, trammel::lm628::simulate);
 }
 
 }  // namespace

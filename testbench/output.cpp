@@ -57,11 +57,16 @@ Json to_json(const AxisMetrics& axis) {
   return json;
 }
 
-Json to_json(const Value& value) {
+}  // namespace
+
+Json value_json(const Value& value) {
   return std::visit([](const auto& v) { return Json(v); }, value);
 }
 
-}  // namespace
+Json versions_json() {
+  return {{"trammel", kVersion},   {"commit", kCommit},     {"verilator", kVerilator},
+          {"systemc", kSystemC},   {"compiler", kCompiler}, {"build", kBuild}};
+}
 
 OutputFolder::OutputFolder(const fs::path& target) : target_(fs::absolute(target)) {
   if (!target_.has_filename()) target_ = target_.parent_path();  // "out/" is "out"
@@ -158,9 +163,8 @@ Json metrics_json(const kung::Options& options, const kung::Result& result, cons
                  {"real_time_factor", m.real_time_factor},
                  {"event_hash", fmt::format("{:016x}", result.event_hash)}};
   if (const auto waves = waves_json(options, result); !waves.is_null()) json["waves"] = waves;
-  json["versions"] = {{"trammel", kVersion},   {"commit", kCommit},     {"verilator", kVerilator},
-                      {"systemc", kSystemC},   {"compiler", kCompiler}, {"build", kBuild}};
-  for (const Key& key : keys()) json["options"][key.name] = to_json(key.get(options));
+  json["versions"] = versions_json();
+  for (const Key& key : keys()) json["options"][key.name] = value_json(key.get(options));
   return json;
 }
 
@@ -272,8 +276,8 @@ const char* end_text(kung::EndReason end) {
   return "unknown";
 }
 
-int exit_code(const kung::Result& result) {
-  switch (result.end) {
+int exit_code(kung::EndReason end) {
+  switch (end) {
     case kung::EndReason::kDone: return 0;
     case kung::EndReason::kStopped: return 130;
     case kung::EndReason::kPromise: return 4;

@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "testbench/keys.hpp"
 #include "testbench/metrics.hpp"
 
 namespace trammel::testbench {
@@ -37,6 +38,9 @@ class OutputFolder {
 nlohmann::ordered_json metrics_json(const kung::Options& options, const kung::Result& result,
                                     const Metrics& metrics);
 
+nlohmann::ordered_json versions_json();
+nlohmann::ordered_json value_json(const Value& value);
+
 void write_text(const std::filesystem::path& file, const std::string& text);
 void write_trace(const std::filesystem::path& file, const kung::Options& options,
                  const kung::Result& result);
@@ -55,6 +59,6 @@ const char* fault_text(kung::FaultCode code);
 std::string cause_text(const kung::Fault& fault);  // of a trip, with its axis
 std::string promise_text(const kung::Options& options, const cosim::BrokenPromise& promise);
 const char* end_text(kung::EndReason end);
-int exit_code(const kung::Result& result);
+int exit_code(kung::EndReason end);
 
 }  // namespace trammel::testbench

@@ -2,16 +2,14 @@
 #include "testbench/run.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
-
-#include <chrono>
-#include <cstdio>
 #include <cstdlib>
 #include <memory>
 
+#include "testbench/an693.hpp"
 #include "testbench/config.hpp"
 #include "testbench/output.hpp"
 #include "testbench/paper.hpp"
+#include "testbench/progress.hpp"
 #include "testbench/report.hpp"
 #include "testbench/report_data.hpp"
 #include "testbench/report_page.hpp"
@@ -23,51 +21,24 @@ namespace {
 namespace fs = std::filesystem;
 using kung::Options;
 
-// A line that rewrites itself, on a terminal only.
-class Progress {
- public:
-  explicit Progress(std::string name)
-      : name_(std::move(name)), shown_(isatty(STDERR_FILENO) != 0) {}
-  ~Progress() {
-    if (drawn_) fmt::print(stderr, "\r\033[K");
-  }
-  Progress(const Progress&) = delete;
-  Progress& operator=(const Progress&) = delete;
-
-  void operator()(double fraction) {
-    const auto now = std::chrono::steady_clock::now();
-    if (!shown_ || now - last_ < std::chrono::milliseconds(100)) return;
-    last_ = now;
-    drawn_ = true;
-    const double elapsed = std::chrono::duration<double>(now - begin_).count();
-    const double left = fraction > 0 ? elapsed * (1 - fraction) / fraction : 0;
-    fmt::print(stderr, "\r\033[K{} {:3.0f} %  {:.0f} s left", name_, 100 * fraction, left);
-    std::fflush(stderr);
-  }
-
- private:
-  using Time = std::chrono::steady_clock::time_point;
-  std::string name_;
-  bool shown_;
-  bool drawn_ = false;
-  Time begin_ = std::chrono::steady_clock::now();
-  Time last_{};
-};
-
-// All that lies above a scenario.
-void apply_layers(Options& options, const RunArguments& arguments) {
+// What lies above a scenario and has no flag of its own.
+template <class AnyOptions>
+void apply_own_layers(AnyOptions& options, const RunArguments& arguments) {
   for (const std::string& more : arguments.files) apply_file(options, more);
   apply_environment(options, environment());
   for (const std::string& text : arguments.assignments) apply_assignment(options, text);
-  if (!arguments.engine.empty()) {
-    apply_assignment(options, "run.engine=" + arguments.engine, "--engine");
-  }
-  if (!arguments.platform.empty()) {
-    apply_assignment(options, "run.platform=" + arguments.platform, "--platform");
-  }
-  if (arguments.plain) apply_assignment(options, "run.leap=false", "--no-leap");
-  if (arguments.audit) apply_assignment(options, "run.audit=true", "--audit");
-  if (arguments.assertions) apply_assignment(options, "run.assertions=true", "--assert");
+  const auto flag = [&](bool given, const char* assignment, const char* name) {
+    if (given) apply_assignment(options, assignment, name);
+  };
+  flag(!arguments.engine.empty(), ("run.engine=" + arguments.engine).c_str(), "--engine");
+  flag(!arguments.platform.empty(), ("run.platform=" + arguments.platform).c_str(), "--platform");
+  flag(arguments.plain, "run.leap=false", "--no-leap");
+  flag(arguments.audit, "run.audit=true", "--audit");
+  flag(arguments.assertions, "run.assertions=true", "--assert");
+}
+
+void apply_layers(Options& options, const RunArguments& arguments) {
+  apply_own_layers(options, arguments);
   apply_waves(options, arguments.waves);
 }
 
@@ -139,7 +110,7 @@ Outcome run_one(Options options, const fs::path& target, const RunArguments& arg
   const int waves_code = finish_waves(options, result, folder.target());
   const Metrics metrics = evaluate(options, result);
   Outcome outcome{{options, metrics, result.end}, metrics_json(options, result, metrics),
-                  exit_code(result)};
+                  exit_code(result.end)};
   write_text(folder.scratch() / "metrics.json", outcome.json.dump(2) + '\n');
   write_text(folder.scratch() / "run.toml", run_toml(options));
   write_trace(folder.scratch() / "trace.csv", options, result);
@@ -217,9 +188,25 @@ int run_all(const RunArguments& arguments, const Simulate& simulate,
   return code;
 }
 
+lm628::Options layered_an693(const fs::path& file, const RunArguments& arguments) {
+  const WaveArguments& waves = arguments.waves;
+  for (const auto& [given, name] :
+       {std::pair{!waves.format.empty(), "--wave"}, {!waves.window.empty(), "--wave-window"},
+        {!waves.trigger.empty(), "--wave-trigger"}, {arguments.check, "--check"}}) {
+    if (given) throw ConfigError(fmt::format("{}: is not offered by the machine an693", name));
+  }
+  lm628::Options options;
+  options.scenario = file.stem().string();
+  apply_file(options, file);
+  apply_own_layers(options, arguments);
+  finish(options);
+  return options;
+}
+
 }  // namespace
 
-int run(const RunArguments& arguments, const Simulate& simulate, const std::atomic<bool>& stop) {
+int run(const RunArguments& arguments, const Simulate& simulate, const std::atomic<bool>& stop,
+        const SimulateAn693& simulate_an693) {
   if (arguments.all) {
     if (!arguments.scenario.empty()) {
       throw ConfigError("run: --all runs the paper's experiments; a scenario beside it means none");
@@ -228,6 +215,9 @@ int run(const RunArguments& arguments, const Simulate& simulate, const std::atom
   }
   if (arguments.scenario.empty()) {
     throw ConfigError("run: name a scenario (`trammel list` shows them) or give --all");
+  }
+  if (const fs::path file = find_scenario(arguments.scenario); machine_of(file) == "an693") {
+    return run_an693(layered_an693(file, arguments), arguments, simulate_an693, stop);
   }
   const Options options = layered(arguments.scenario, arguments);
   const fs::path target =

@@ -9,11 +9,13 @@
 #include <vector>
 
 #include "cosim/kung/types.hpp"
+#include "cosim/lm628/types.hpp"
 #include "testbench/waves.hpp"
 
 namespace trammel::testbench {
 
 using Simulate = std::function<kung::Result(const kung::Options&, const kung::Hooks&)>;
+using SimulateAn693 = std::function<lm628::Result(const lm628::Options&, const cosim::Hooks&)>;
 
 struct RunArguments {
   std::string scenario;
@@ -32,6 +34,8 @@ struct RunArguments {
   bool check = false;                    // exit 1 when a figure is outside its tolerance
 };
 
-int run(const RunArguments& arguments, const Simulate& simulate, const std::atomic<bool>& stop);
+// The scenario's file says which machine it is of.
+int run(const RunArguments& arguments, const Simulate& simulate, const std::atomic<bool>& stop,
+        const SimulateAn693& simulate_an693 = {});
 
 }  // namespace trammel::testbench

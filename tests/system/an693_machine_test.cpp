@@ -8,10 +8,12 @@
 
 #include "cosim/lm628/session.hpp"
 #include "systemc/machines/an693.hpp"
+#include "testbench/an693.hpp"
 
 using namespace trammel;
 using namespace trammel::lm628;
 using sw::An693Program;
+using testbench::An693Metrics;
 
 namespace {
 
@@ -32,27 +34,10 @@ Options breakpoints() {
   return options;
 }
 
-// The first sample of the motion is 1, as the samples of a profile are counted.
-struct Counted {
-  std::vector<long> interrupts;
-  long moving = 0;  // samples until the desired position stands for good
-};
-
-Counted counted(const std::vector<Sample>& samples) {
-  Counted c;
-  long n = 0;
-  bool was = false;
-  for (const Sample& s : samples) {
-    if (n == 0 && s.words.speed == 0) {
-      was = s.host_irq;
-      continue;
-    }
-    ++n;
-    if (s.words.speed != 0) c.moving = n + 1;
-    if (s.host_irq && !was) c.interrupts.push_back(n);
-    was = s.host_irq;
-  }
-  return c;
+An693Metrics figures(const std::vector<Sample>& samples) {
+  Result result;
+  result.samples = samples;
+  return testbench::evaluate({}, result);
 }
 
 // A motor that is where it is told to be, from sample to sample.
@@ -113,7 +98,7 @@ TEST_CASE("L-05 an693 moves through the port by 200 000 counts in 76 345 samples
   setup.position = 200000;
   const Followed run = follow(setup, 25 * kSecond);
   CHECK(run.real == 200000);
-  CHECK(std::abs(counted(run.samples).moving - 76345) <= 80);
+  CHECK(std::abs(figures(run.samples).moving_samples - 76345) <= 80);
 }
 
 TEST_CASE("L-06 an693 on an ideal follower changes speed at 43 011, 64 517 and 80 308") {
@@ -122,11 +107,11 @@ TEST_CASE("L-06 an693 on an ideal follower changes speed at 43 011, 64 517 and 8
   setup.acceleration = 0x11;
   setup.velocity = 0x20C4A;
   const Followed run = follow(setup, 40 * kSecond);
-  const Counted c = counted(run.samples);
+  const An693Metrics c = figures(run.samples);
   REQUIRE(c.interrupts.size() == 3);
-  CHECK(c.interrupts[0] == 43011);
-  CHECK(c.interrupts[1] == 64517);
-  CHECK(c.interrupts[2] == 80308);
+  CHECK(c.interrupts[0].sample == 43011);
+  CHECK(c.interrupts[1].sample == 64517);
+  CHECK(c.interrupts[2].sample == 80308);
   // 192 344 where a host sends ten bytes and words within the sample of the breakpoint; here the
   // second speed begins a sample later, 2 counts less.
   CHECK(run.real == 192342);
@@ -139,7 +124,7 @@ TEST_CASE("E6 and E7 an693 complete after 45 772 and 45 087 samples, at rest on 
   CHECK(result.end == cosim::EndReason::kDone);
   CHECK(result.desired == 8000);
   CHECK(std::abs(result.real - 8000) <= 2);
-  CHECK(counted(result.samples).moving == 45772);
+  CHECK(figures(result.samples).moving_samples == 45772);
 
   options = make_options(An693Program::kRelative);
   options.acceleration = 0x11;
@@ -149,15 +134,15 @@ TEST_CASE("E6 and E7 an693 complete after 45 772 and 45 087 samples, at rest on 
   CHECK(result.end == cosim::EndReason::kDone);
   CHECK(result.desired == 120000);
   CHECK(std::abs(result.real - 120000) <= 2);
-  CHECK(counted(result.samples).moving == 45087);
+  CHECK(figures(result.samples).moving_samples == 45087);
 }
 
 TEST_CASE("L-06 an693 with the motor leaps over 20 s of breakpoints in less than 60 s") {
   const Result result = simulate(breakpoints(), {});
   CHECK(result.end == cosim::EndReason::kDone);
-  const Counted c = counted(result.samples);
+  const An693Metrics c = figures(result.samples);
   REQUIRE(c.interrupts.size() == 3);
-  CHECK(std::abs(c.interrupts[0] - 43010) <= 60);
+  CHECK(std::abs(c.interrupts[0].sample - 43010) <= 60);
   CHECK(std::abs(result.real - 192338) <= 500);
   CHECK(result.wall_s < 60);
 }
@@ -192,14 +177,23 @@ TEST_CASE("an693 holds the shaft against a torque with kp e") {
   CHECK(std::abs(result.desired - result.real - 54.6) <= 2);
 }
 
-TEST_CASE("an693 steps there and back") {
+// L-16, with the real port and converter around it.
+TEST_CASE("an693 steps there and back, with 2 and 14 % of overshoot at kp 50 and 100") {
   Options options = make_options(An693Program::kTuning);
   options.acceleration = options.velocity = 0x3FFFFFFF;
   options.position = 50;
-  const Result result = simulate(options, {});
-  CHECK(result.end == cosim::EndReason::kDone);
-  CHECK(result.desired == 0);
-  CHECK(std::abs(result.real) <= 2);
+  for (const auto& [kp, percent] : {std::pair{50u, 2.0}, {100u, 14.3}}) {
+    options.filter.kp = kp;
+    const Result result = simulate(options, {});
+    CHECK(result.end == cosim::EndReason::kDone);
+    CHECK(result.desired == 0);
+    CHECK(std::abs(result.real) <= 2);
+    const An693Metrics c = testbench::evaluate(options, result);
+    CAPTURE(kp, c.settled_s);
+    CHECK(std::abs(c.overshoot_counts / 50 * 100 - percent) <= 3);
+    CHECK(c.interrupts.size() == 4);
+    if (kp == 50) CHECK(c.settled_s < 0.060);
+  }
 }
 
 TEST_CASE("an693 ends a program whose motor cannot follow, as diverged") {

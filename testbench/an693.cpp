@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "testbench/an693.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iterator>
+
+#include "testbench/config.hpp"
+#include "testbench/output.hpp"
+#include "testbench/progress.hpp"
+
+namespace trammel::testbench {
+namespace {
+
+constexpr double kSettledBand = 2.5;  // [count] that a step settles to
+constexpr double kPerCount = 65536;  // of a position or speed
+constexpr unsigned kMotorOff = 0x80;  // of the status
+
+double real_counts(const lm628::Options& options, const lm628::Sample& s) {
+  return s.theta / plant::MotorAxis::kTurn * options.plant.counts;
+}
+
+double seconds_at(const lm628::Options& options, cosim::Clk edge) {
+  return static_cast<double>(edge) * static_cast<double>(options.plant.clock_ps) * 1e-12;
+}
+
+nlohmann::ordered_json interrupts_json(const std::vector<An693Metrics::Interrupt>& list) {
+  auto all = nlohmann::ordered_json::array();
+  for (const auto& one : list) {
+    all.push_back({{"sample", one.sample}, {"time_s", one.time_s}, {"desired_count", one.desired},
+                   {"real_count", one.real}});
+  }
+  return all;
+}
+
+nlohmann::ordered_json an693_json(const lm628::Options& options, const lm628::Result& result,
+                                  const An693Metrics& m) {
+  nlohmann::ordered_json json;
+  json["machine"] = machine_name<lm628::Options>();
+  json["scenario"] = options.scenario;
+  json["end"] = end_text(result.end);
+  if (!result.fault.empty()) json["fault"] = result.fault;
+  json["motion"] = {{"samples", m.moving_samples},
+                    {"time_s", m.moving_s},
+                    {"desired_count", result.desired},
+                    {"real_count", result.real},
+                    {"max_error_counts", m.max_error_counts},
+                    {"overshoot_counts", m.overshoot_counts},
+                    {"settled_s", m.settled_s},
+                    {"max_speed_rev_s", m.max_speed_rev_s},
+                    {"max_voltage_V", m.max_voltage_V},
+                    {"max_current_A", m.max_current_A}};
+  json["interrupts"] = interrupts_json(m.interrupts);
+  const double simulated = seconds_at(options, result.clocks);
+  json["run"] = {{"samples", result.samples.size()},
+                 {"clock_ps", options.plant.clock_ps},
+                 {"clocks", result.clocks},
+                 {"clocks_evaluated", result.evaluated},
+                 {"simulated_s", simulated},
+                 {"wall_s", result.wall_s},
+                 {"real_time_factor", result.wall_s > 0 ? simulated / result.wall_s : 0},
+                 {"event_hash", fmt::format("{:016x}", result.event_hash)}};
+  json["versions"] = versions_json();
+  for (const auto& key : keys_of<lm628::Options>()) {
+    json["options"][key.name] = value_json(key.get(options));
+  }
+  return json;
+}
+
+void write_samples(const std::filesystem::path& file, const lm628::Options& options,
+                   const lm628::Result& result) {
+  fmt::memory_buffer text;
+  const auto out = std::back_inserter(text);
+  fmt::format_to(out,
+                 "t_s,desired_count,desired_speed,real_count,theta_count,e,p,i,d,output,"
+                 "status,host_irq,omega_rad_s,i_A,u_V\n");
+  for (const lm628::Sample& s : result.samples) {
+    const lm628::Words& w = s.words;
+    fmt::format_to(out,
+                   "{:.8f},{:.5f},{:.5f},{},{:.4f},{},{},{},{},{},{},{},{:.7g},{:.7g},{:.6g}\n",
+                   seconds_at(options, s.edge), static_cast<double>(w.position) / kPerCount,
+                   static_cast<double>(w.speed) / kPerCount, w.actual, real_counts(options, s),
+                   w.error, w.proportional, w.integral, w.derivative, w.output, w.status,
+                   s.host_irq ? 1 : 0, s.omega, s.i, s.volt);
+  }
+  write_text(file, fmt::to_string(text));
+}
+
+std::string an693_report(const lm628::Options& options, const lm628::Result& result,
+                         const An693Metrics& m, const std::string& folder) {
+  std::string text = fmt::format("{}: {}{}\n", options.scenario, end_text(result.end),
+                                 result.fault.empty() ? "" : ": " + result.fault);
+  if (!options.description.empty()) text += fmt::format("  {}\n", options.description);
+  const auto line = [&text](const char* name, const std::string& value) {
+    text += fmt::format("  {:<22}{}\n", name, value);
+  };
+  line("motion", fmt::format("{} samples, {:.4f} s", m.moving_samples, m.moving_s));
+  if (result.end == cosim::EndReason::kDone) {
+    line("end position", fmt::format("desired {}, real {} counts", result.desired, result.real));
+  }
+  for (const auto& one : m.interrupts) {
+    line("host interrupt", fmt::format("sample {}, {:.4f} s, desired {}, real {} counts",
+                                       one.sample, one.time_s, one.desired, one.real));
+    if (&one - m.interrupts.data() == 9 && m.interrupts.size() > 10) {
+      line("", fmt::format("and {} more", m.interrupts.size() - 10));
+      break;
+    }
+  }
+  line("overshoot", fmt::format("{:.2f} counts", m.overshoot_counts));
+  if (options.program == sw::An693Program::kTuning) {
+    line("first step settled", fmt::format("{:.1f} ms", 1e3 * m.settled_s));
+  }
+  line("largest error", fmt::format("{} counts", m.max_error_counts));
+  line("largest speed", fmt::format("{:.3f} rev/s", m.max_speed_rev_s));
+  line("largest voltage", fmt::format("{:.2f} V, current {:.3f} A", m.max_voltage_V,
+                                      m.max_current_A));
+  const double simulated = seconds_at(options, result.clocks);
+  line("simulated", fmt::format("{:.3f} s in {:.2f} s, {:.1f} % of the clocks evaluated", simulated,
+                                result.wall_s,
+                                100 * static_cast<double>(result.evaluated) /
+                                    static_cast<double>(std::max<cosim::Clk>(1, result.clocks))));
+  return text + fmt::format("  {}/metrics.json, trace.csv, run.toml\n", folder);
+}
+
+lm628::Result simulate_shown(const lm628::Options& options, const SimulateAn693& simulate,
+                             const std::atomic<bool>& stop) {
+  Progress progress(options.scenario);
+  cosim::Hooks hooks;
+  hooks.progress = [&progress](double fraction) { progress(fraction); };
+  hooks.stop = &stop;
+  return simulate(options, hooks);
+}
+
+}  // namespace
+
+An693Metrics evaluate(const lm628::Options& options, const lm628::Result& result) {
+  An693Metrics m;
+  std::int64_t sample = 0, before = 0;
+  int direction = 0;
+  bool irq = false, first = true;
+  for (const lm628::Sample& s : result.samples) {
+    const lm628::Words& w = s.words;
+    const bool off = (w.status & kMotorOff) != 0;  // the desired position follows the real one
+    const bool moves = !off && w.position != before;
+    if (sample > 0 || moves) ++sample;
+    if (moves) {
+      first = first && (m.moving_samples == 0 || sample == m.moving_samples + 1);
+      m.moving_samples = sample;
+      direction = w.position > before ? 1 : -1;
+    }
+    before = w.position;
+    const double beyond =
+        (real_counts(options, s) - static_cast<double>(w.position) / kPerCount) * direction;
+    // A step moves the desired position within one sample: what counts is where the shaft goes.
+    if (sample > 0 && !off) m.overshoot_counts = std::max(m.overshoot_counts, beyond);
+    if (first && std::fabs(beyond) > kSettledBand) {
+      m.settled_s = static_cast<double>(sample) * lm628::kSampleS;
+    }
+    if (s.host_irq && !irq && sample > 0) {
+      m.interrupts.push_back({sample, seconds_at(options, s.edge), w.position >> 16, w.actual});
+    }
+    irq = s.host_irq;
+    m.max_error_counts = std::max<std::int64_t>(m.max_error_counts, std::abs(w.error));
+    m.max_speed_rev_s = std::max(m.max_speed_rev_s, std::fabs(s.omega) / plant::MotorAxis::kTurn);
+    m.max_voltage_V = std::max(m.max_voltage_V, std::fabs(s.volt));
+    m.max_current_A = std::max(m.max_current_A, std::fabs(s.i));
+  }
+  m.moving_s = static_cast<double>(m.moving_samples) * lm628::kSampleS;
+  return m;
+}
+
+// Rules that concern more than one key.
+void finish(const lm628::Options& options) {
+  const plant::DcMotorConfig& c = options.plant.motor;
+  constexpr double kFastest = 1e5;  // [1/s], for steps of 16 us
+  const double electrical = c.resistance / c.inductance;
+  const double mechanical = (c.viscous + c.coulomb / c.friction_speed) / c.inertia;
+  if (electrical > kFastest || mechanical > kFastest) {
+    throw ConfigError(fmt::format(
+        "{}: {:g} 1/s is above 1e5 1/s, the fastest that the motor's steps of 16 us can follow",
+        electrical > kFastest ? "motor.resistance_ohm / motor.inductance_H"
+                              : "motor friction / motor.inertia_kg_m2",
+        std::max(electrical, mechanical)));
+  }
+  if (options.plant.counts % 4 != 0) {
+    throw ConfigError(fmt::format("encoder.counts: value {} is no multiple of 4",
+                                  options.plant.counts));
+  }
+}
+
+int run_an693(const lm628::Options& options, const RunArguments& arguments,
+              const SimulateAn693& simulate, const std::atomic<bool>& stop) {
+  namespace fs = std::filesystem;
+  const fs::path target =
+      arguments.out.empty() ? fs::path("out") / options.scenario : fs::path(arguments.out);
+  OutputFolder folder(target);
+  const lm628::Result result = simulate_shown(options, simulate, stop);
+  const An693Metrics metrics = evaluate(options, result);
+  const nlohmann::ordered_json json = an693_json(options, result, metrics);
+  write_text(folder.scratch() / "metrics.json", json.dump(2) + '\n');
+  write_text(folder.scratch() / "run.toml", run_toml(options));
+  write_samples(folder.scratch() / "trace.csv", options, result);
+  folder.publish();
+
+  const std::string shown = fs::proximate(folder.target()).string();
+  fmt::print("{}", arguments.json ? json.dump(2) + '\n'
+                                  : an693_report(options, result, metrics, shown));
+  if (arguments.report) fmt::print(stderr, "trammel: the machine an693 has no report page yet\n");
+  const int code = exit_code(result.end);
+  if (code != 0) {
+    fmt::print(stderr, "trammel: {}: {}{}; record kept in {}\n", options.scenario,
+               end_text(result.end), result.fault.empty() ? "" : " by " + result.fault, shown);
+  }
+  return code;
+}
+
+}  // namespace trammel::testbench

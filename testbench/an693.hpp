@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// A run of the machine an693: its figures, its files, and what a person reads of it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "testbench/run.hpp"
+
+namespace trammel::testbench {
+
+// Samples are counted from the first in which the desired position moves, that being 1.
+struct An693Metrics {
+  struct Interrupt {
+    std::int64_t sample = 0;
+    double time_s = 0;         // from the start of the run
+    std::int64_t desired = 0;  // [count]
+    std::int64_t real = 0;
+  };
+
+  std::vector<Interrupt> interrupts;  // at which HI rose
+  std::int64_t moving_samples = 0;    // until the desired position stood for good
+  double moving_s = 0;
+  std::int64_t max_error_counts = 0;
+  double overshoot_counts = 0;        // beyond the desired position, in the direction of motion
+  double settled_s = 0;               // from the first motion until within 2.5 counts, for good or
+                                      // until the next
+  double max_speed_rev_s = 0;
+  double max_voltage_V = 0;
+  double max_current_A = 0;
+};
+
+An693Metrics evaluate(const lm628::Options& options, const lm628::Result& result);
+
+// Simulates, writes the output folder and prints the figures; the exit code.
+int run_an693(const lm628::Options& options, const RunArguments& arguments,
+              const SimulateAn693& simulate, const std::atomic<bool>& stop);
+
+}  // namespace trammel::testbench

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// How a machine's table of keys is written: a lens names the member of its Options, and the type of
+// the member says what kind of key it is. Included only where a table is made.
+#pragma once
+
+#include <algorithm>
+#include <type_traits>
+#include <utility>
+
+#include "testbench/keys.hpp"
+
+namespace trammel::testbench {
+
+// Words of an enumeration, in its order.
+template <class Enum>
+std::vector<std::string> enum_names();
+template <>
+inline std::vector<std::string> enum_names<cosim::Platform>() {
+  return {"systemc", "direct"};
+}
+
+// Reads and writes the member that `lens` selects, whatever its type is.
+template <class Options, class Lens>
+KeyOf<Options> make_key(std::string name, double min, double max, std::string help, Lens lens) {
+  using T = std::decay_t<decltype(lens(std::declval<Options&>()))>;
+  KeyOf<Options> key;
+  key.name = std::move(name);
+  key.min = min;
+  key.max = max;
+  key.help = std::move(help);
+  if constexpr (std::is_enum_v<T>) {
+    key.kind = Kind::kChoice;
+    key.choices = enum_names<T>();
+    key.get = [lens](const Options& o) -> Value {
+      return enum_names<T>()[static_cast<std::size_t>(lens(o))];
+    };
+    key.set = [lens](Options& o, const Value& v) {
+      const auto all = enum_names<T>();
+      lens(o) = static_cast<T>(std::find(all.begin(), all.end(), std::get<std::string>(v)) -
+                               all.begin());
+    };
+  } else if constexpr (std::is_same_v<T, bool> || std::is_same_v<T, std::string>) {
+    key.kind = std::is_same_v<T, bool> ? Kind::kFlag : Kind::kText;
+    key.get = [lens](const Options& o) -> Value { return lens(o); };
+    key.set = [lens](Options& o, const Value& v) { lens(o) = std::get<T>(v); };
+  } else if constexpr (std::is_integral_v<T>) {
+    key.kind = Kind::kInteger;
+    key.get = [lens](const Options& o) -> Value { return static_cast<std::int64_t>(lens(o)); };
+    key.set = [lens](Options& o, const Value& v) {
+      lens(o) = static_cast<T>(std::get<std::int64_t>(v));
+    };
+  } else {
+    key.get = [lens](const Options& o) -> Value { return lens(o); };
+    key.set = [lens](Options& o, const Value& v) { lens(o) = std::get<double>(v); };
+  }
+  return key;
+}
+
+// Says which machine a file is of; no other can be set.
+template <class Options>
+KeyOf<Options> machine_key() {
+  KeyOf<Options> key;
+  key.name = "machine";
+  key.kind = Kind::kChoice;
+  key.choices = {machine_name<Options>()};
+  key.help = "what the scenario is of";
+  key.get = [](const Options&) -> Value { return std::string(machine_name<Options>()); };
+  key.set = [](Options&, const Value&) {};
+  return key;
+}
+
+template <class Options>
+struct KeyTable {
+  std::vector<KeyOf<Options>> keys{machine_key<Options>()};
+
+  template <class Lens>
+  void one(std::string name, double min, double max, std::string help, Lens lens) {
+    keys.push_back(make_key<Options>(std::move(name), min, max, std::move(help), lens));
+  }
+  template <class Lens>
+  void text(std::string name, std::string help, Lens lens) {
+    one(std::move(name), 0, 0, std::move(help), lens);
+  }
+};
+
+}  // namespace trammel::testbench

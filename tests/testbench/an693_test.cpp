@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Keys, figures and files of the machine an693, from results made by hand.
+
+#include "testbench/an693.hpp"
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "testbench/config.hpp"
+
+using namespace trammel;
+using namespace trammel::testbench;
+using Catch::Matchers::Contains;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string message_of(const std::string& toml) {
+  lm628::Options options;
+  try {
+    apply_text(options, toml, "some.toml", ".");
+    finish(options);
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// Off, then a step of 4 counts, overshoot by 1, an interrupt at the 5th sample.
+lm628::Result by_hand() {
+  lm628::Result result;
+  result.end = cosim::EndReason::kDone;
+  const int real[] = {0, 0, 1, 4, 5, 4, 4};
+  for (int n = 0; n < 7; ++n) {
+    lm628::Sample s;
+    s.edge = 12800 * (n + 1);
+    s.words.status = n == 0 ? 0x80 : 0x00;
+    s.words.position = std::int64_t{n == 0 ? 0 : 4} << 16;
+    s.words.actual = real[n];
+    s.words.error = n == 0 ? 0 : 4 - real[n];
+    s.theta = real[n] * plant::MotorAxis::kTurn / 4000;
+    s.host_irq = n >= 5;
+    s.volt = n == 3 ? -3.5 : 1;
+    result.samples.push_back(s);
+  }
+  result.desired = result.real = 4;
+  result.clocks = 100000;
+  result.evaluated = 1000;
+  return result;
+}
+
+std::string content(const fs::path& file) {
+  std::ifstream in(file);
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+}  // namespace
+
+TEST_CASE("an693 scenarios load, can run, and repeat from run.toml") {
+  const auto files = scenarios("an693");
+  CHECK(files.size() == 5);
+  for (const auto& file : files) {
+    INFO(file);
+    CHECK(machine_of(file) == "an693");
+    lm628::Options options, again;
+    apply_file(options, file);
+    finish(options);
+    apply_text(again, run_toml(options), "run.toml", ".");
+    for (const auto& key : keys_of<lm628::Options>()) {
+      CHECK(value_text(key.get(again)) == value_text(key.get(options)));
+    }
+  }
+}
+
+TEST_CASE("keys of another machine, unknown keys and bad values are refused in one line") {
+  CHECK(message_of("[gains]\nkp = 1\n") ==
+        "some.toml:2: gains.kp: is no key of the machine an693");
+  CHECK(message_of("[filter]\nkq = 1\n") ==
+        "some.toml:2: filter.kq: unknown key; did you mean filter.kd?");
+  CHECK_THAT(message_of("machine = 'kung'\n"), Contains("is not one of an693"));
+  CHECK_THAT(message_of("[filter]\nkp = 32768\n"), Contains("is out of range 0..32767"));
+  CHECK_THAT(message_of("[motor]\nresistance_ohm = 900\n"), Contains("motor.inductance_H"));
+  CHECK_THAT(message_of("[encoder]\ncounts = 4001\n"), Contains("no multiple of 4"));
+  kung::Options options;
+  CHECK_THROWS_WITH(apply_assignment(options, "filter.kp=1"),
+                    Contains("filter.kp: is no key of the machine kung"));
+}
+
+TEST_CASE("a file says of which machine it is") {
+  const fs::path file = "an693_test.toml";
+  std::ofstream(file) << "[path]\nkind = 'circle'\n";
+  CHECK(machine_of(file) == "kung");
+  std::ofstream(file) << "machine = [\n";
+  CHECK(machine_of(file) == "kung");  // who reads it tells what is wrong
+  std::ofstream(file) << "\nmachine = 'an692'\n";
+  CHECK_THROWS_WITH(machine_of(file),
+                    Contains("an693_test.toml:2: machine: value \"an692\"") &&
+                        Contains("did you mean an693?"));
+  fs::remove(file);
+}
+
+TEST_CASE("an693 figures count samples from the first that moves") {
+  const lm628::Options options;
+  const An693Metrics m = evaluate(options, by_hand());
+  CHECK(m.moving_samples == 1);
+  CHECK(m.overshoot_counts == Approx(1));
+  CHECK(m.max_error_counts == 4);
+  CHECK(m.max_voltage_V == 3.5);
+  CHECK(m.settled_s == Approx(2 * 256e-6));
+  REQUIRE(m.interrupts.size() == 1);
+  CHECK(m.interrupts[0].sample == 5);
+  CHECK(m.interrupts[0].real == 4);
+}
+
+TEST_CASE("an693 runs leave metrics.json, trace.csv and run.toml, and say how they ended") {
+  const std::atomic<bool> stop{false};
+  lm628::Options options;
+  RunArguments arguments;
+  arguments.out = "an693_test_out";
+  arguments.json = true;
+  lm628::Result result = by_hand();
+  const SimulateAn693 simulate = [&](const lm628::Options&, const cosim::Hooks& hooks) {
+    hooks.progress(0.5);
+    return result;
+  };
+  CHECK(run_an693(options, arguments, simulate, stop) == 0);
+  const auto json = nlohmann::json::parse(content("an693_test_out/metrics.json"));
+  CHECK(json["machine"] == "an693");
+  CHECK(json["motion"]["overshoot_counts"].get<double>() == Approx(1));
+  CHECK(json["options"]["motor.resistance_ohm"] == 2.0);
+  CHECK_THAT(content("an693_test_out/trace.csv"),
+             Contains("0.00025600,0.00000,0.00000,0,0.0000,0"));
+  CHECK_THAT(content("an693_test_out/run.toml"), Contains("machine = \"an693\""));
+
+  arguments.json = false;
+  options.program = sw::An693Program::kTuning;
+  options.description = "a step";
+  CHECK(run_an693(options, arguments, simulate, stop) == 0);
+  result.end = cosim::EndReason::kFault;
+  result.fault = "the busy bit did not clear";
+  CHECK(run_an693(options, arguments, simulate, stop) == 5);
+  fs::remove_all("an693_test_out");
+}
+
+TEST_CASE("run chooses the machine by the scenario, and refuses what this one has not") {
+  const std::atomic<bool> stop{false};
+  RunArguments arguments;
+  arguments.scenario = "an693-hold";
+  arguments.out = "an693_test_out";
+  arguments.platform = "direct";
+  arguments.report = false;
+  bool ran = false;
+  const SimulateAn693 simulate = [&](const lm628::Options& options, const cosim::Hooks&) {
+    ran = options.program == sw::An693Program::kHold &&
+          options.run.platform == cosim::Platform::kDirect;
+    return by_hand();
+  };
+  CHECK(run(arguments, {}, stop, simulate) == 0);
+  CHECK(ran);
+  arguments.waves.format = "fst";
+  CHECK_THROWS_WITH(run(arguments, {}, stop, simulate), Contains("--wave: is not offered"));
+  fs::remove_all("an693_test_out");
+}
