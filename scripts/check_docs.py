@@ -152,7 +152,7 @@ def check_commands(program, keys):
                     if word in ("-s", "--set") and key not in axis_free \
                             and "# exit code 2" not in line:
                         yield f"{at}: no key {key}"
-                if verb == "run" and len(words) > 1 and re.fullmatch(r"\w+", words[1]) \
+                if verb == "run" and len(words) > 1 and re.fullmatch(r"\w[\w-]*", words[1]) \
                         and words[1] not in scenarios:
                     yield f"{at}: no scenario {words[1]}"
 
@@ -220,8 +220,8 @@ def main():
     if arguments.run:
         problems = list(run_lessons(program, arguments.run.resolve()))
     else:
-        keys = {key["key"]: key["default"]
-                for key in json.loads(gen_manual.said(program, "list", "keys", "--json"))}
+        keys = {key["key"]: key["default"] for machine in ("an693", "kung")
+                for key in gen_manual.keys_of(program, machine)}
         problems = [*check_links(), *check_files(), *check_defaults(keys),
                     *check_commands(program, keys)]
     for problem in problems:

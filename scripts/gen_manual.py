@@ -33,6 +33,7 @@ REGISTERS = ROOT / "docs" / "registers"
 UNITS = {"_m": "m", "_s": "s", "_kg": "kg", "_N": "N", "_V": "V", "_A": "A", "_H": "H",
          "_ohm": "ohm", "_ns": "ns", "_clk": "clocks", "_rad": "rad", "_rad_s": "rad/s",
          "_m_s": "m/s", "_N_s_m": "N s/m", "_N_A": "N/A", "_V_A": "V/A", "_counts": "counts",
+         "_N_m": "N m", "_kg_m2": "kg m2", "_N_m_A": "N m/A", "_N_m_s": "N m s",
          "_ticks": "ticks", "_samples": "samples", "_bits": "bits"}
 
 KEYS_HEAD = """<!-- Generated from `trammel list keys` by scripts/gen_manual.py; do not edit. -->
@@ -41,6 +42,13 @@ KEYS_HEAD = """<!-- Generated from `trammel list keys` by scripts/gen_manual.py;
 Every key of a scenario, of `-c FILE`, of `-s key=value`, and (in capitals, `_` for `.`, with
 `TRAMMEL_` before it) of the environment. Where a name shows `[x.|y.]`, `gains.kp` sets both axes
 and `gains.y.kp` one. Full scale of the words: [section 3](specification.md#3-number-formats).
+
+First those of the machine kung, then [those of an693](#machine-an693).
+"""
+AN693_HEAD = """
+# Machine an693
+
+Keys of a scenario with `machine = "an693"`: [an693.md](an693.md).
 """
 
 
@@ -109,16 +117,25 @@ def unit(name):
     return UNITS[max(fitting, key=len)] if fitting else ""
 
 
+def keys_of(program, machine):
+    return json.loads(said(program, "list", "keys", machine, "--json"))
+
+
 def keys_text(program):
+    return (KEYS_HEAD + sections_text(keys_of(program, "kung")) +
+            AN693_HEAD + sections_text(keys_of(program, "an693")))
+
+
+def sections_text(listed):
     rows = {}  # section -> key without its axis -> row
-    for key in json.loads(said(program, "list", "keys", "--json")):
+    for key in listed:
         section, _, name = key["key"].rpartition(".")
         head = section.split(".")[0] or "run"
         axis = re.search(r"\.([xy])$", section)
         shown = f"{head}.[x.\\|y.]{name}" if axis else key["key"]
         row = rows.setdefault(head, {}).setdefault(shown, {**key, "values": {}})
         row["values"][axis[1] if axis else ""] = key["default"]
-    text = KEYS_HEAD
+    text = ""
     for section, keys in rows.items():
         text += f"\n## {section}\n\n| key | default | unit | range | meaning |\n"
         text += "|---|---|---|---|---|\n"

@@ -39,6 +39,7 @@ LINE = ("-s", "path.kind=line", "-s", "path.line_end_x_m=0.1005", "-s", "path.li
 SHORT = ("run", "circle", *LINE)
 TWIN = ("--engine", "twin")
 WAVE = (*SHORT, "-o", "OUT/waves", "--wave")
+AN693 = ("run", "an693-tuning", "-s", "trajectory.steps=1", "-s", "trajectory.wait_s=0.005")
 # Exit code, then the command line; `OUT` stands for the folder of all.
 RUNS = [
     (0, *SHORT, "-o", "OUT/direct", "--wave", "fst", "--wave-window", "20ms:20.1ms"),
@@ -67,7 +68,13 @@ RUNS = [
     (0, "report", "OUT/step", "--json"),
     (0, "report", "OUT/direct", "OUT/direct", "-o", "OUT/two.html"),
     (0, "run", "OUT/step/run.toml", "-o", "OUT/again", "-s", "name=a < b & c"),
-    (0, "list"), (0, "list", "keys"), (0, "list", "signals", "--json"), (0, "--version"),
+    (0, *AN693, "-o", "OUT/an693"),
+    (0, *AN693, "--json", "--platform", "direct", "-o", "OUT/an693"),
+    (0, *AN693, "--no-leap", "-s", "program=hold", "-o", "OUT/an693"),
+    (5, "run", "an693-relative", "-s", "run.max_s=0.05", "-o", "OUT/an693"),
+    (5, "run", "an693-hold", "-s", "run.diverged_counts=1", "-o", "OUT/an693"),
+    (0, "list", "keys", "an693"), (0, "list"), (0, "list", "keys"),
+    (0, "list", "signals", "--json"), (0, "--version"),
     (0, "list", "signals"), (0, "list", "keys", "--json"), (0, "--help"), (0, "run", "--help"),
     (0, "doctor", "--json"), (2,), (2, "list", "nothing"),
 ]
@@ -101,6 +108,9 @@ REFUSED = [
     (2, "no JSON at byte", "report", "OUT/cut_metrics"),
     (2, "does not hold 38 numbers", "report", "OUT/cut_trace"),
     (2, "does not hold 49 rules", "report", "OUT/no_rules"),
+    (2, "is no key of the machine an693", *AN693, "-s", "gains.kp=1"),
+    (2, "is no key of the machine kung", "run", "circle", "-s", "filter.kp=1"),
+    (2, "is not offered", *AN693, "--wave", "fst"), (2, "no report page", "report", "OUT/an693"),
     (2, "only runs of one machine", "report", "OUT/direct", "OUT/other", "-o", "OUT/two.html"),
     (2, "at most 8", "report", *["OUT/direct"] * 9, "-o", "OUT/two.html"),
     (2, "name a file", "report", "OUT/direct", "-o", "OUT/empty"),

@@ -192,7 +192,8 @@ lm628::Options layered_an693(const fs::path& file, const RunArguments& arguments
   const WaveArguments& waves = arguments.waves;
   for (const auto& [given, name] :
        {std::pair{!waves.format.empty(), "--wave"}, {!waves.window.empty(), "--wave-window"},
-        {!waves.trigger.empty(), "--wave-trigger"}, {arguments.check, "--check"}}) {
+        {!waves.trigger.empty(), "--wave-trigger"}, {!waves.pre.empty(), "--wave-pre"},
+        {!waves.every.empty(), "--wave-every"}, {arguments.check, "--check"}}) {
     if (given) throw ConfigError(fmt::format("{}: is not offered by the machine an693", name));
   }
   lm628::Options options;
