@@ -122,7 +122,7 @@ std::string an693_report(const lm628::Options& options, const lm628::Result& res
                                 result.wall_s,
                                 100 * static_cast<double>(result.evaluated) /
                                     static_cast<double>(std::max<cosim::Clk>(1, result.clocks))));
-  return text + fmt::format("  {}/metrics.json, trace.csv, run.toml\n", folder);
+  return text + fmt::format("  {}/metrics.json, trace.csv, motion.svg, run.toml\n", folder);
 }
 
 lm628::Result simulate_shown(const lm628::Options& options, const SimulateAn693& simulate,
@@ -203,6 +203,11 @@ int run_an693(const lm628::Options& options, const RunArguments& arguments,
   write_text(folder.scratch() / "metrics.json", json.dump(2) + '\n');
   write_text(folder.scratch() / "run.toml", run_toml(options));
   write_samples(folder.scratch() / "trace.csv", options, result);
+  if (!write_motion_picture(folder.scratch(), options, result)) {
+    fmt::print(stderr, "trammel: no picture: {}\n",
+               find_program("gnuplot").empty() ? "gnuplot is missing (see `trammel doctor`)"
+                                               : "there is nothing to draw");
+  }
   folder.publish();
 
   const std::string shown = fs::proximate(folder.target()).string();

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,10 @@ struct An693Metrics {
 };
 
 An693Metrics evaluate(const lm628::Options& options, const lm628::Result& result);
+
+// motion.svg: trajectory, terms of the filter, and status over time; false without gnuplot.
+bool write_motion_picture(const std::filesystem::path& folder, const lm628::Options& options,
+                          const lm628::Result& result);
 
 // Simulates, writes the output folder and prints the figures; the exit code.
 int run_an693(const lm628::Options& options, const RunArguments& arguments,

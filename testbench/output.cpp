@@ -24,8 +24,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr const char* kOwnFiles[] = {"metrics.json", "trace.csv",  "detail.json", "run.toml",
-                                     "report.html",  "path.svg",   "error.svg",   "waves.vcd",
-                                     "waves.fst",    "waves.gtkw"};
+                                     "report.html",  "path.svg",   "error.svg",   "motion.svg",
+                                     "waves.vcd",    "waves.fst",  "waves.gtkw"};
 
 Json wakes_json(const kung::WakeCounts& wakes) {
   Json json;

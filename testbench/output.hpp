@@ -49,6 +49,20 @@ void write_trace(const std::filesystem::path& file, const kung::Options& options
 bool write_pictures(const std::filesystem::path& folder, const kung::Options& options,
                     const kung::Result& result);
 
+// How our pictures look: a gnuplot terminal of width and height.
+inline constexpr char kPictureStyle[] =
+    "set terminal svg size {},{} dynamic enhanced font 'Helvetica,13' background '#ffffff'\n"
+    "set grid lc rgb '#dddddd' lt 1\n"
+    "set border lc rgb '#666666'\n"
+    "set key outside top center horizontal samplen 2\n";
+
+// Runs a script of gnuplot that writes `first`; false when gnuplot is missing or fails.
+bool draw(const std::filesystem::path& folder, const std::string& script,
+          const std::string& first);
+
+// What of a name gnuplot takes as text: a quote or mark-up in it is left out.
+std::string plain_text(const std::string& name);
+
 // First program of that name in PATH, or empty.
 std::filesystem::path find_program(const std::string& name);
 

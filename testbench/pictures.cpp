@@ -16,12 +16,6 @@ namespace {
 
 constexpr std::size_t kMaxPoints = 6000;  // more make a heavy picture, not a better one
 
-constexpr char kStyle[] =
-    "set terminal svg size {},{} dynamic enhanced font 'Helvetica,13' background '#ffffff'\n"
-    "set grid lc rgb '#dddddd' lt 1\n"
-    "set border lc rgb '#666666'\n"
-    "set key outside top center horizontal samplen 2\n";
-
 constexpr char kCommandLine[] = "lc rgb '#bbbbbb' lw 3";
 constexpr char kModelLine[] = "lc rgb '#1f77b4' lw 1.5";
 constexpr char kTableLine[] = "lc rgb '#d62728' lw 1.5";
@@ -60,7 +54,7 @@ std::string time_panel(const char* axis, int command, const char* extra) {
 }
 
 std::string path_script(bool over_time, const std::string& title) {
-  std::string text = fmt::format(kStyle, 800, over_time ? 640 : 760);
+  std::string text = fmt::format(kPictureStyle, 800, over_time ? 640 : 760);
   text += "set output 'path.svg'\n";
   if (over_time) {
     text += fmt::format("set multiplot layout 2,1 title '{}'\n", title);
@@ -80,7 +74,7 @@ std::string path_script(bool over_time, const std::string& title) {
 
 std::string error_script(bool over_time, const std::string& title) {
   std::string text = fmt::format("reset\n{}set output 'error.svg'\nset title '{}'\n",
-                                 fmt::format(kStyle, 800, 420), title);
+                                 fmt::format(kPictureStyle, 800, 420), title);
   text += "set xlabel 't (ms)'\nset ylabel 'error to the model (mm)'\n";
   text += "set offsets 0, 0, graph 0.05, graph 0.05\n";
   text += fmt::format(
@@ -96,30 +90,38 @@ std::string error_script(bool over_time, const std::string& title) {
 
 }  // namespace
 
-bool write_pictures(const fs::path& folder, const kung::Options& options,
-                    const kung::Result& result) {
-  const Range range = counted(result);
+bool draw(const fs::path& folder, const std::string& script, const std::string& first) {
   const fs::path gnuplot = find_program("gnuplot");
-  if (gnuplot.empty() || range.last < range.first + 2) return false;
-  const bool over_time = options.path.kind == kung::PathKind::kSquare;
-  std::string name;
-  for (const char c : options.scenario) {  // a quote or mark-up in the name is only text
-    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == ' ') name += c;
-  }
-  const std::string title = fmt::format(
-      "{}, {}", name, options.controller == kung::Controller::kFc ? "FC" : "AFC");
-
+  if (gnuplot.empty()) return false;
   std::signal(SIGPIPE, SIG_IGN);  // a gnuplot that dies is a return value, not the end of us
   const std::string command =
       fmt::format("cd {} && exec {} - 2>/dev/null", shell_word(folder), shell_word(gnuplot));
   std::FILE* const pipe = popen(command.c_str(), "w");
   if (pipe == nullptr) return false;
-  const std::string script = data_block(options, result) + path_script(over_time, title) +
-                             error_script(over_time, title) + "unset output\n";
   const bool sent = std::fwrite(script.data(), 1, script.size(), pipe) == script.size();
   const bool ended = pclose(pipe) == 0;
   std::error_code ignored;
-  return sent && ended && fs::file_size(folder / "path.svg", ignored) > 0;
+  return sent && ended && fs::file_size(folder / first, ignored) > 0;
+}
+
+std::string plain_text(const std::string& name) {
+  std::string text;
+  for (const char c : name) {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == ' ') text += c;
+  }
+  return text;
+}
+
+bool write_pictures(const fs::path& folder, const kung::Options& options,
+                    const kung::Result& result) {
+  const Range range = counted(result);
+  if (range.last < range.first + 2) return false;
+  const bool over_time = options.path.kind == kung::PathKind::kSquare;
+  const std::string title =
+      fmt::format("{}, {}", plain_text(options.scenario),
+                  options.controller == kung::Controller::kFc ? "FC" : "AFC");
+  return draw(folder, data_block(options, result) + path_script(over_time, title) +
+                          error_script(over_time, title) + "unset output\n", "path.svg");
 }
 
 }  // namespace trammel::testbench

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cosim/lm628/session.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -19,6 +20,22 @@ sw::An693Setup program_setup(const Options& o) {
   setup.wait_clk = static_cast<std::uint32_t>(
       std::lround(o.wait_s * 1e12 / static_cast<double>(o.plant.clock_ps)));
   return setup;
+}
+
+// As long as the trajectory alone takes: ramps and constant speed, and the waits.
+double expected_s(const Options& o) {
+  const double a = std::max(1, o.acceleration), v = std::max(1, o.velocity);
+  const double way = std::abs(static_cast<double>(o.position)) * 65536;
+  const double move = way > v * v / a ? v / a + way / v : 2 * std::sqrt(way / a);
+  switch (o.program) {
+    case sw::An693Program::kHold: return o.wait_s;
+    case sw::An693Program::kAbsolute: return move * kSampleS + o.wait_s;
+    case sw::An693Program::kRelative: return move * kSampleS + 2 * o.wait_s;
+    case sw::An693Program::kBreakpoints:
+      return (1.5 * o.breakpoint * 65536.0 / v + 2.75 * v / a) * kSampleS + o.wait_s;
+    case sw::An693Program::kTuning: return o.steps * o.wait_s;
+  }
+  return o.run.max_s;
 }
 
 const char* failure_text(sw::An693Failure failure) {
@@ -51,7 +68,8 @@ Session::Session(const Options& options, const cosim::Hooks& hooks)
           },
           [this](const Sample& sample) { return over(sample); }),
       loop_(*chip_, plant_, recorder_,
-            options.run.window_clk == 0 ? cosim::kNever : options.run.window_clk) {}
+            options.run.window_clk == 0 ? cosim::kNever : options.run.window_clk),
+      expected_s_(expected_s(options)) {}
 
 cosim::Clk Session::end() const {
   return std::llround(options_.run.max_s * 1e12 / static_cast<double>(options_.plant.clock_ps));
@@ -70,9 +88,8 @@ bool Session::over(const Sample& sample) {
     end_ = cosim::EndReason::kDiverged;
     return true;
   }
-  // How long a program takes depends on the motor: progress is of the time it may take.
-  if (hooks_.progress && sample.edge % 64 == 0) {
-    hooks_.progress(static_cast<double>(sample.edge) / static_cast<double>(end()));
+  if (hooks_.progress && ++samples_ % 64 == 0) {
+    hooks_.progress(std::min(1.0, static_cast<double>(samples_) * kSampleS / expected_s_));
   }
   if (!app_.done()) return false;
   end_ = cosim::EndReason::kDone;

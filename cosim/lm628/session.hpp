@@ -58,6 +58,8 @@ class Session {
   sw::An693App app_;
   Recorder recorder_;
   cosim::Loop loop_;
+  double expected_s_;
+  std::int64_t samples_ = 0;
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
   cosim::EndReason end_ = cosim::EndReason::kTimeout;
 };

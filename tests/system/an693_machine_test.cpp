@@ -166,6 +166,24 @@ TEST_CASE("an693 in SystemC, directly, in any window and without leaps has the s
   CHECK(direct.evaluated * 5 < plain.evaluated);
 }
 
+TEST_CASE("an693 tells its progress up to the end, and can be stopped") {
+  Options options = breakpoints();
+  options.breakpoint = 1000;
+  options.acceleration = 0x1100;
+  double last = 0;
+  std::atomic<bool> stop{false};
+  cosim::Hooks hooks;
+  hooks.progress = [&last](double fraction) {
+    CHECK(fraction >= last);
+    last = fraction;
+  };
+  hooks.stop = &stop;
+  CHECK(simulate(options, hooks).end == cosim::EndReason::kDone);
+  CHECK(last > 0.9);
+  hooks.progress = [&stop](double fraction) { stop = fraction > 0.1; };
+  CHECK(simulate(options, hooks).end == cosim::EndReason::kStopped);
+}
+
 TEST_CASE("an693 holds the shaft against a torque with kp e") {
   Options options = make_options(An693Program::kHold);
   options.filter = {};

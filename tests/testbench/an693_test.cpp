@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "testbench/config.hpp"
+#include "testbench/output.hpp"
 #include "testbench/report_page.hpp"
 
 using namespace trammel;
@@ -138,6 +139,7 @@ TEST_CASE("an693 runs leave metrics.json, trace.csv and run.toml, and say how th
   CHECK_THAT(content("an693_test_out/trace.csv"),
              Contains("0.00025600,0.00000,0.00000,0,0.0000,0"));
   CHECK_THAT(content("an693_test_out/run.toml"), Contains("machine = \"an693\""));
+  CHECK(fs::exists("an693_test_out/motion.svg") == !find_program("gnuplot").empty());
   CHECK_THROWS_WITH(report({{"an693_test_out"}, {}, false}), Contains("has no report page yet"));
 
   arguments.json = false;
