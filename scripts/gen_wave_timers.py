@@ -58,6 +58,8 @@ def statements(body):
 def divide(unit):
     """Root class, first code, the declared temporaries, and the statements."""
     function = re.search(r"^void (\w+)__trace_chg_sub_0\([^;{]*\{\n(.*?)\n\}", unit, re.M | re.S)
+    if "__trace_chg_sub_1" in unit:
+        raise ValueError("the dump has more than one part")
     head, body = function[2].split("// Body\n")
     first = re.search(r"oldp\(vlSymsp->__Vm_baseCode \+ (\d+)\)", head)[1]
     declared = {name: kind for kind, name in

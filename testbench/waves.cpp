@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "cosim/kung/waves.hpp"
+#include "cosim/kung/words.hpp"
 #include "testbench/build_info.hpp"
 #include "testbench/config.hpp"
 #include "testbench/output.hpp"
@@ -152,7 +153,13 @@ void check_waves(const Options& options) {
                     run.wave_begin_s, run.max_s));
   }
   const double length = own ? run.wave_end_s - run.wave_begin_s : kung::kEveryWindowS;
-  if (run.wave_every_s != 0 && run.wave_every_s < length) {
+  const std::int64_t clocks = own ? kung::edge_at(run.wave_end_s) - kung::edge_at(run.wave_begin_s)
+                                  : kung::edge_at(length);
+  if (clocks < 1) {
+    refuse(fmt::format("run.wave_end_s: a window of {:g} s holds no clock, they are 20 ns apart",
+                       length));
+  }
+  if (run.wave_every_s != 0 && kung::edge_at(run.wave_every_s) < clocks) {
     refuse(fmt::format("run.wave_every_s: value {:g} is shorter than its window of {:g} s",
                        run.wave_every_s, length));
   }

@@ -130,6 +130,12 @@ TEST_CASE("waves that cannot be are refused before the run") {
   CHECK_THAT(message_of(arguments), Contains("value 0.004 is shorter than its window of 0.005"));
   arguments.every = "5";
   CHECK(message_of(arguments).empty());
+  arguments.window = "0:1ns";
+  CHECK_THAT(message_of(arguments), Contains("a window of 1e-09 s holds no clock"));
+  arguments.window = "9ns:11ns";  // around the border between edges 0 and 1
+  arguments.every = "2ns";
+  CHECK_THAT(message_of(arguments), Contains("value 2e-09 is shorter than its window of 2e-09"));
+  arguments.window = "0:5ms";
   arguments.every = "5 ms";
   CHECK_THAT(message_of(arguments), Contains("--wave-every: value \"5 ms\" is not a time"));
   arguments = {"fsdb", "", "", "", ""};

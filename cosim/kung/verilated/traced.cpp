@@ -46,6 +46,7 @@ class WavedChip final : public WavedPair<Model> {
       const cosim::Stop stop = first_.run(part, plant);
       if (showing_) {
         this->follow(stop, plant);
+        if ((stop.why & cosim::kSample) != 0) this->compare();  // a run may end inside a window
         count();
         if (first_.now() == window_.end) finish();
       }
@@ -74,7 +75,7 @@ class WavedChip final : public WavedPair<Model> {
     window_.end = more ? window_.end + window_.period : cosim::kNever;
   }
 
-  // In a window every clock is evaluated.
+  // Of a window every clock counts: the traced chip evaluates it.
   void count() {
     first_.state().evaluated_ = second_.state().evaluated_;
     first_.state().wakes_ = second_.state().wakes_;
