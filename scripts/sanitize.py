@@ -71,7 +71,10 @@ RUNS = [
     (0, *AN693, "-o", "OUT/an693"),
     (0, *AN693, "--json", "--platform", "direct", "-o", "OUT/an693"),
     (0, *AN693, "--no-leap", "-s", "program=hold", "-o", "OUT/an693"),
-    (5, "run", "an693-relative", "-s", "run.max_s=0.05", "-o", "OUT/an693"),
+    *((5, "run", f"an693-{program}", "-s", "run.max_s=0.02", "-o", "OUT/an693")
+      for program in ("absolute", "relative", "breakpoints")),
+    # A gain that rounds up to the next power of two, and one below the least exponent.
+    (0, *SHORT, "-s", "gains.kp=0.99999", "-s", "gains.ki=1e-6", "-o", "OUT/gains"),
     (5, "run", "an693-hold", "-s", "run.diverged_counts=1", "-o", "OUT/an693"),
     (0, "list", "keys", "an693"), (0, "list"), (0, "list", "keys"),
     (0, "list", "signals", "--json"), (0, "--version"),
