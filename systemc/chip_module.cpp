@@ -33,15 +33,23 @@ cosim::Clk ChipModule::limit() const {
 }
 
 void ChipModule::execute() {
+  try {
+    simulate();
+  } catch (const sc_unwind_exception&) {
+    throw;
+  } catch (...) {
+    error_ = std::current_exception();
+  }
+  sc_stop();
+}
+
+void ChipModule::simulate() {
   for (;;) {
     // Everyone else acts first at a time; only this process may use the settle loop.
     do {
       wait(SC_ZERO_TIME);
     } while (sc_pending_activity_at_current_time());
-    if (finished_() || loop_.chip().now() >= end_) {
-      sc_stop();
-      return;
-    }
+    if (finished_() || loop_.chip().now() >= end_) return;
     const cosim::Clk until = limit();
     if (until <= loop_.chip().now()) {
       wait(sc_time_to_pending_activity());

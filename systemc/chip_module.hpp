@@ -7,6 +7,7 @@
 #include <tlm.h>
 #include <tlm_utils/simple_target_socket.h>
 
+#include <exception>
 #include <functional>
 #include <systemc>
 
@@ -25,8 +26,14 @@ class ChipModule final : public sc_core::sc_module {
 
   bool irq() const { return loop_.chip().irq(); }
 
+  // After the simulation: throws what the loop has thrown. SystemC would make a report of it.
+  void rethrow() const {
+    if (error_) std::rethrow_exception(error_);
+  }
+
  private:
   void execute();
+  void simulate();
   void transport(tlm::tlm_generic_payload& payload, sc_core::sc_time& delay);
   cosim::Clk limit() const;
   sc_core::sc_time time_of(cosim::Clk edge) const;
@@ -36,6 +43,7 @@ class ChipModule final : public sc_core::sc_module {
   cosim::Clk end_;
   std::function<bool()> finished_;
   sc_core::sc_event done_event_;
+  std::exception_ptr error_;
 };
 
 }  // namespace trammel::systemc

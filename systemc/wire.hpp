@@ -37,6 +37,7 @@ void run(Session& session) {
   SoftProcessor processor("processor", chip, session.firmware(), session.timing(),
                           session.period_ps());
   sc_core::sc_start();
+  chip.rethrow();
 }
 
 template <class Session>

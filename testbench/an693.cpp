@@ -72,21 +72,18 @@ nlohmann::ordered_json an693_json(const lm628::Options& options, const lm628::Re
 
 void write_samples(const std::filesystem::path& file, const lm628::Options& options,
                    const lm628::Result& result) {
-  fmt::memory_buffer text;
-  const auto out = std::back_inserter(text);
-  fmt::format_to(out,
-                 "t_s,desired_count,desired_speed,real_count,theta_count,e,p,i,d,output,"
-                 "status,host_irq,omega_rad_s,i_A,u_V\n");
-  for (const lm628::Sample& s : result.samples) {
-    const lm628::Words& w = s.words;
-    fmt::format_to(out,
-                   "{:.8f},{:.5f},{:.5f},{},{:.4f},{},{},{},{},{},{},{},{:.7g},{:.7g},{:.6g}\n",
-                   seconds_at(options, s.edge), static_cast<double>(w.position) / kPerCount,
-                   static_cast<double>(w.speed) / kPerCount, w.actual, real_counts(options, s),
-                   w.error, w.proportional, w.integral, w.derivative, w.output, w.status,
-                   s.host_irq ? 1 : 0, s.omega, s.i, s.volt);
-  }
-  write_text(file, fmt::to_string(text));
+  write_lines(file, [&](fmt::ostream& out) {
+    out.print("t_s,desired_count,desired_speed,real_count,theta_count,e,p,i,d,output,"
+              "status,host_irq,omega_rad_s,i_A,u_V\n");
+    for (const lm628::Sample& s : result.samples) {
+      const lm628::Words& w = s.words;
+      out.print("{:.8f},{:.5f},{:.5f},{},{:.4f},{},{},{},{},{},{},{},{:.7g},{:.7g},{:.6g}\n",
+                seconds_at(options, s.edge), static_cast<double>(w.position) / kPerCount,
+                static_cast<double>(w.speed) / kPerCount, w.actual, real_counts(options, s),
+                w.error, w.proportional, w.integral, w.derivative, w.output, w.status,
+                s.host_irq ? 1 : 0, s.omega, s.i, s.volt);
+    }
+  });
 }
 
 std::string an693_report(const lm628::Options& options, const lm628::Result& result,

@@ -148,6 +148,9 @@ int main(int argc, char** argv) {
   } catch (const tb::ConfigError& error) {
     fmt::print(stderr, "trammel: {}\n", error.what());
     return 2;
+  } catch (const std::system_error& error) {  // of a disk
+    fmt::print(stderr, "trammel: {}\n", error.what());
+    return 2;
   } catch (const tb::ToolMissing& error) {
     fmt::print(stderr, "trammel: {}\n", error.what());
     return 3;

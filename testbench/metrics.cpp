@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 
 namespace trammel::testbench {
 namespace {
@@ -23,7 +24,7 @@ double segment_distance(const PointM& p, const PointM& a, const PointM& b) {
 
 }  // namespace
 
-Spread spread(const std::vector<double>& series) {
+Spread spread(const Series& series) {
   Spread s;
   s.n = series.size();
   if (series.empty()) return s;
@@ -49,42 +50,43 @@ double tracking_error(const PointM& model, const PointM& table) {
   return std::hypot(model.x_m - table.x_m, model.y_m - table.y_m);
 }
 
-std::vector<double> contour_error(const std::vector<PointM>& table,
-                                  const std::vector<PointM>& path, std::size_t reach) {
-  std::vector<double> errors;
+Series contour_error(const Points& table, const Points& path, std::size_t reach) {
+  Series errors;
   if (path.empty()) return errors;
   // Commands are held for some samples: keep one vertex each, with the sample it came at.
-  std::vector<PointM> vertices{path.front()};
-  std::vector<std::size_t> at{0};
-  for (std::size_t k = 1; k < path.size(); ++k) {
-    if (path[k].x_m == vertices.back().x_m && path[k].y_m == vertices.back().y_m) continue;
-    vertices.push_back(path[k]);
-    at.push_back(k);
-  }
-  errors.reserve(table.size());
+  // Those within reach of the sample, and the one before them, are at hand.
+  struct Vertex {
+    PointM point;
+    std::size_t at;
+  };
+  std::deque<Vertex> near{{path.front(), 0}};
+  std::size_t ahead = 1;
   for (std::size_t k = 0; k < table.size(); ++k) {
-    const auto low = std::lower_bound(at.begin(), at.end(), k > reach ? k - reach : 0);
-    const auto first = static_cast<std::size_t>(low - at.begin());
-    const std::size_t begin = first > 0 ? first - 1 : 0;
-    double best = tracking_error(vertices[begin], table[k]);
-    for (std::size_t i = begin; i + 1 < vertices.size() && at[i] <= k + reach; ++i) {
-      best = std::min(best, segment_distance(table[k], vertices[i], vertices[i + 1]));
+    for (; ahead < path.size() && near.back().at <= k + reach; ++ahead) {
+      const PointM point = path[ahead];
+      if (point.x_m == near.back().point.x_m && point.y_m == near.back().point.y_m) continue;
+      near.push_back({point, ahead});
+    }
+    while (near.size() > 1 && near[1].at + reach < k) near.pop_front();
+    const PointM own = table[k];
+    double best = tracking_error(near.front().point, own);
+    for (std::size_t i = 0; i + 1 < near.size() && near[i].at <= k + reach; ++i) {
+      best = std::min(best, segment_distance(own, near[i].point, near[i + 1].point));
     }
     errors.push_back(best);
   }
   return errors;
 }
 
-std::vector<HalfPeriod> half_periods(const std::vector<double>& position_m,
-                                     const std::vector<double>& model_m, std::size_t half,
-                                     double low_m, double high_m) {
+std::vector<HalfPeriod> half_periods(const Series& position_m, const Series& model_m,
+                                     std::size_t half, double low_m, double high_m) {
   std::vector<HalfPeriod> halves;
   const double step = high_m - low_m;
   for (std::size_t begin = 0; begin + half <= position_m.size(); begin += half) {
     const bool up = halves.size() % 2 == 0;
     const double target = up ? high_m : low_m;
     double past = 0;
-    std::vector<double> error;
+    Series error;
     for (std::size_t k = begin; k < begin + half; ++k) {
       const double excursion = (position_m[k] - target) / step;
       past = std::max(past, up ? excursion : -excursion);
@@ -133,15 +135,11 @@ Metrics evaluate(const kung::Options& options, const kung::Result& result) {
   m.samples = range.last - range.first;
   m.complete = result.end == kung::EndReason::kDone;
 
-  std::vector<PointM> table;
-  std::vector<PointM> command;
-  std::vector<double> to_model;
-  std::vector<double> to_command;
-  std::array<std::vector<double>, 2> position;
-  std::array<std::vector<double>, 2> model;
-  std::array<std::vector<double>, 2> error_mm;
+  Points table, command;
+  Series to_model, to_command;
+  std::array<Series, 2> position, model, error_mm;
   for (std::size_t k = range.first; k < range.last; ++k) {
-    const auto& axes = result.samples[k].axis;
+    const auto axes = result.samples[k].axis;
     for (std::size_t a = 0; a < 2; ++a) {
       const double count_m = options.plant.axis[a].encoder_count_m;
       position[a].push_back(axes[a].x_true_m);
@@ -163,9 +161,11 @@ Metrics evaluate(const kung::Options& options, const kung::Result& result) {
 
   const auto& path = options.path;
   if (path.kind != kung::PathKind::kSquare) {
-    std::vector<double> contour = contour_error(table, command, kContourReach);
-    for (double& distance : contour) distance *= kMm;
-    m.contour_mm = spread(contour);
+    Series contour_mm;
+    for (const double distance : contour_error(table, command, kContourReach)) {
+      contour_mm.push_back(distance * kMm);
+    }
+    m.contour_mm = spread(contour_mm);
   }
   for (std::size_t a = 0; a < 2; ++a) {
     m.axis[a].model_mm = spread(error_mm[a]);

@@ -21,7 +21,11 @@ struct Spread {
   double max = 0;
 };
 
-Spread spread(const std::vector<double>& series);  // Kung eq. 45, 46
+// As long as the run, so kept where the run is.
+using Series = cosim::DiskVector<double>;
+using Points = cosim::DiskVector<kung::PointM>;
+
+Spread spread(const Series& series);  // Kung eq. 45, 46
 
 // Distance of two points (Kung eq. 44).
 double tracking_error(const kung::PointM& model, const kung::PointM& table);
@@ -31,8 +35,7 @@ inline constexpr std::size_t kContourReach = 500;  // 250 ms; the model lags 67 
 
 // For each point, its distance to the polyline through `path`, searched within `reach` samples of
 // the same index, so that a path that crosses itself is not mistaken for its other branch.
-std::vector<double> contour_error(const std::vector<kung::PointM>& table,
-                                  const std::vector<kung::PointM>& path, std::size_t reach);
+Series contour_error(const Points& table, const Points& path, std::size_t reach);
 
 // One half period of a square wave on one axis.
 struct HalfPeriod {
@@ -41,9 +44,8 @@ struct HalfPeriod {
 };
 
 // Half periods of `half` samples each; the first goes to `high`, the next to `low` [m].
-std::vector<HalfPeriod> half_periods(const std::vector<double>& position_m,
-                                     const std::vector<double>& model_m, std::size_t half,
-                                     double low_m, double high_m);
+std::vector<HalfPeriod> half_periods(const Series& position_m, const Series& model_m,
+                                     std::size_t half, double low_m, double high_m);
 
 // Both halves of a period: the worse one counts.
 std::vector<HalfPeriod> periods(const std::vector<HalfPeriod>& halves);

@@ -175,40 +175,49 @@ void write_text(const fs::path& file, const std::string& text) {
   if (!out) throw ConfigError(fmt::format("{}: cannot be written", file.string()));
 }
 
+void write_lines(const fs::path& file, const std::function<void(fmt::ostream&)>& print) {
+  try {
+    auto out = fmt::output_file(file.string());
+    print(out);
+    out.close();
+  } catch (const std::system_error&) {
+    throw ConfigError(fmt::format("{}: cannot be written", file.string()));
+  }
+}
+
 void write_trace(const fs::path& file, const kung::Options& options, const kung::Result& result) {
-  fmt::memory_buffer text;
-  const auto out = std::back_inserter(text);
-  fmt::format_to(out, "tick,t_s");
-  for (const char a : {'x', 'y'}) {
-    for (const char* column : {"command_m", "position_m", "model_m", "encoder_count"}) {
-      fmt::format_to(out, ",{}_{}", a, column);
-    }
-    for (const char* word :
-         {"e", "de", "u", "v_star", "v", "i_q_ref", "i_d", "i_q", "v_d", "v_q"}) {
-      fmt::format_to(out, ",{}_{}", a, word);
-    }
-    fmt::format_to(out, ",{0}_v_m_s,{0}_i_d_A,{0}_i_q_A,{0}_force_N", a);
-  }
-  fmt::format_to(out, "\n");
-  for (const kung::Sample& s : result.samples) {
-    const double t_s = static_cast<double>(s.edge) * static_cast<double>(options.plant.clock_ps) *
-                       1e-12;
-    fmt::format_to(out, "{},{:.8f}", s.tick, t_s);
-    for (std::size_t a = 0; a < 2; ++a) {
-      const kung::AxisSample& x = s.axis[a];
-      const double count_m = options.plant.axis[a].encoder_count_m;
-      fmt::format_to(out, ",{:.6f},{:.9f},{:.9f},{}", command_m(x, count_m), x.x_true_m,
-                     model_m(x, count_m), x.x_p);
-      for (const std::int32_t word :
-           {x.e, x.de, x.u, x.v_star, x.v, x.i_q_ref, x.i_d, x.i_q, x.v_d, x.v_q}) {
-        fmt::format_to(out, ",{}", word);
+  write_lines(file, [&](fmt::ostream& out) {
+    out.print("tick,t_s");
+    for (const char a : {'x', 'y'}) {
+      for (const char* column : {"command_m", "position_m", "model_m", "encoder_count"}) {
+        out.print(",{}_{}", a, column);
       }
-      fmt::format_to(out, ",{:.7g},{:.7g},{:.7g},{:.7g}", x.v_true_m_s, x.i_d_true_A, x.i_q_true_A,
-                     x.force_N);
+      for (const char* word :
+           {"e", "de", "u", "v_star", "v", "i_q_ref", "i_d", "i_q", "v_d", "v_q"}) {
+        out.print(",{}_{}", a, word);
+      }
+      out.print(",{0}_v_m_s,{0}_i_d_A,{0}_i_q_A,{0}_force_N", a);
     }
-    fmt::format_to(out, "\n");
-  }
-  write_text(file, fmt::to_string(text));
+    out.print("\n");
+    for (const kung::Sample& s : result.samples) {
+      const double t_s = static_cast<double>(s.edge) * static_cast<double>(options.plant.clock_ps) *
+                         1e-12;
+      out.print("{},{:.8f}", s.tick, t_s);
+      for (std::size_t a = 0; a < 2; ++a) {
+        const kung::AxisSample& x = s.axis[a];
+        const double count_m = options.plant.axis[a].encoder_count_m;
+        out.print(",{:.6f},{:.9f},{:.9f},{}", command_m(x, count_m), x.x_true_m,
+                  model_m(x, count_m), x.x_p);
+        for (const std::int32_t word :
+             {x.e, x.de, x.u, x.v_star, x.v, x.i_q_ref, x.i_d, x.i_q, x.v_d, x.v_q}) {
+          out.print(",{}", word);
+        }
+        out.print(",{:.7g},{:.7g},{:.7g},{:.7g}", x.v_true_m_s, x.i_d_true_A, x.i_q_true_A,
+                  x.force_N);
+      }
+      out.print("\n");
+    }
+  });
 }
 
 fs::path find_program(const std::string& name) {

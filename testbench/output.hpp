@@ -4,7 +4,10 @@
 // so that a run that fails leaves nothing half written and an older result stays whole until then.
 #pragma once
 
+#include <fmt/os.h>
+
 #include <filesystem>
+#include <functional>
 #include <string>
 
 #include <nlohmann/json.hpp>
@@ -42,6 +45,10 @@ nlohmann::ordered_json versions_json();
 nlohmann::ordered_json value_json(const Value& value);
 
 void write_text(const std::filesystem::path& file, const std::string& text);
+
+// A file as long as the run, printed as it goes; throws ConfigError when it cannot be written.
+void write_lines(const std::filesystem::path& file,
+                 const std::function<void(fmt::ostream&)>& print);
 void write_trace(const std::filesystem::path& file, const kung::Options& options,
                  const kung::Result& result);
 

@@ -22,13 +22,18 @@ namespace {
   throw ConfigError(fmt::format("{}: {}", file.string(), what));
 }
 
-std::string read_file(const fs::path& file) {
+std::ifstream open_file(const fs::path& file) {
   std::error_code ignored;
   std::ifstream in(file, std::ios::binary);
   if (!in || fs::is_directory(file, ignored)) {
     corrupt(file, fs::exists(file, ignored) ? "cannot be read"
                                             : "is missing: not a folder that `trammel run` wrote");
   }
+  return in;
+}
+
+std::string read_file(const fs::path& file) {
+  const std::ifstream in = open_file(file);
   std::stringstream text;
   text << in.rdbuf();
   return text.str();
@@ -136,33 +141,41 @@ std::vector<std::string> split(const std::string& line) {
   return parts;
 }
 
+// One line of a trace; false when it does not hold a number for each column.
+bool read_values(const std::string& line, const std::vector<Series*>& columns) {
+  const char* begin = line.data();
+  const char* const end = begin + line.size();
+  for (Series* const column : columns) {
+    double value = 0;
+    const auto [stop, code] = std::from_chars(begin, end, value);
+    const bool last = column == columns.back();
+    if (code != std::errc{} || !std::isfinite(value) || (last ? stop != end : *stop != ',')) {
+      return false;
+    }
+    column->push_back(value);
+    begin = stop + 1;
+  }
+  return true;
+}
+
 void read_trace(const fs::path& file, RunRecord& run) {
-  const std::string text = read_file(file);
-  std::size_t at = std::min(text.find('\n'), text.size());
-  const std::vector<std::string> names = split(text.substr(0, at));
+  std::ifstream in = open_file(file);
+  std::string line;
+  std::getline(in, line);
+  const std::vector<std::string> names = split(line);
   std::vector<std::string> wanted{"tick", "t_s"};
   for (const char* axis : {"x_", "y_"}) {
     for (const std::string& column : axis_columns()) wanted.push_back(axis + column);
   }
   if (names != wanted) corrupt(file, "is corrupt: line 1 does not name the columns of a trace");
 
-  std::vector<std::vector<double>*> columns;
+  std::vector<Series*> columns;
   for (const std::string& name : names) columns.push_back(&run.columns[name]);
-  const char* const end = text.data() + text.size();
-  for (std::size_t line = 2; at + 1 < text.size(); ++line) {
-    const char* next = text.data() + at;  // at the newline or comma before a value
-    for (std::vector<double>* const column : columns) {
-      double value = 0;
-      const auto [stop, code] = std::from_chars(next + 1, end, value);
-      if (code != std::errc{} || !std::isfinite(value) || stop == end ||
-          (*stop != '\n' && *stop != ',') || (*stop == '\n') != (column == columns.back())) {
-        corrupt(file, fmt::format("is corrupt: line {} does not hold {} numbers", line,
-                                  columns.size()));
-      }
-      column->push_back(value);
-      next = stop;
+  for (std::size_t number = 2; std::getline(in, line); ++number) {
+    if (in.eof() || !read_values(line, columns)) {  // the last line ends with a newline too
+      corrupt(file, fmt::format("is corrupt: line {} does not hold {} numbers", number,
+                                columns.size()));
     }
-    at = static_cast<std::size_t>(next - text.data());
   }
   run.rows = columns.front()->size();
   const auto samples = run.metrics["run"]["samples"].get<std::size_t>();
@@ -172,15 +185,17 @@ void read_trace(const fs::path& file, RunRecord& run) {
   }
 }
 
-// Distance of the table to the commanded path [m], from the first sample of the path on.
-std::vector<double> contour(const RunRecord& run) {
-  std::vector<kung::PointM> table;
-  std::vector<kung::PointM> path;
+// Distance of the table to the commanded path [m]; 0 before the first sample of the path.
+Series contour(const RunRecord& run) {
+  Points table, path;
   for (std::size_t k = run.first; k < run.rows; ++k) {
     table.push_back({run.columns.at("x_position_m")[k], run.columns.at("y_position_m")[k]});
     path.push_back({run.columns.at("x_command_m")[k], run.columns.at("y_command_m")[k]});
   }
-  return contour_error(table, path, kContourReach);
+  Series all;
+  for (std::size_t k = 0; k < run.first; ++k) all.push_back(0);
+  for (const double error : contour_error(table, path, kContourReach)) all.push_back(error);
+  return all;
 }
 
 // Fine enough for every figure of a page: 10 nm, 1 um/s, 10 uA, 1 mN; words of the chip are whole.
@@ -226,7 +241,6 @@ RunRecord read_run(const fs::path& folder) {
   if (begin != ticks.end()) run.first = static_cast<std::size_t>(begin - ticks.begin());
   if (run.metrics["options"]["path.kind"] != "square") {  // a square wave has no contour
     run.columns["contour_m"] = contour(run);
-    run.columns["contour_m"].insert(run.columns["contour_m"].begin(), run.first, 0.0);
   }
   return run;
 }

@@ -11,7 +11,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cosim/kung/types.hpp"
+#include "testbench/metrics.hpp"
 
 namespace trammel::testbench {
 
@@ -21,7 +21,7 @@ struct RunRecord {
   std::filesystem::path folder;
   Json metrics;                                        // metrics.json
   Json detail;                                         // detail.json
-  std::map<std::string, std::vector<double>> columns;  // of trace.csv
+  std::map<std::string, Series> columns;               // of trace.csv
   std::size_t first = 0;                               // row at which the path begins
   std::size_t rows = 0;
 };

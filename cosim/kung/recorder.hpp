@@ -5,8 +5,8 @@
 
 #include <cstdint>
 #include <functional>
-#include <vector>
 
+#include "cosim/disk_vector.hpp"
 #include "cosim/event_hash.hpp"
 #include "cosim/kung/chip.hpp"
 #include "cosim/kung/types.hpp"
@@ -25,13 +25,13 @@ class Recorder final : public cosim::Observer {
 
   bool done() const { return done_; }
   std::uint64_t event_hash() const { return hash_.value(); }
-  std::vector<Sample> take_samples() { return std::move(samples_); }
+  cosim::DiskVector<Sample> take_samples() { return std::move(samples_); }
 
  private:
   const KungChip& chip_;
   const plant::XyTable& truth_;
   std::function<bool(const Sample&)> finished_;
-  std::vector<Sample> samples_;
+  cosim::DiskVector<Sample> samples_;
   Sample pending_;
   std::uint32_t tick_ = 0;
   cosim::EventHash hash_;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cosim/cosim.hpp"
+#include "cosim/disk_vector.hpp"
 #include "cosim/kung/wakes.hpp"
 #include "cosim/machine.hpp"
 #include "cosim/promise.hpp"
@@ -225,7 +226,7 @@ struct Detail {
 };
 
 struct Result {
-  std::vector<Sample> samples;    // every 2 kHz sample from the first tick of the chip on
+  cosim::DiskVector<Sample> samples;    // every 2 kHz sample from the first tick of the chip on
   std::uint32_t first_tick = 0;   // sample at which point 0 of the path took effect
   std::uint32_t end_tick = 0;     // first sample after the last point's: figures use [first, end)
   std::uint32_t points = 0;       // written by the processor

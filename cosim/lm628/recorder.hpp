@@ -5,8 +5,8 @@
 
 #include <functional>
 #include <utility>
-#include <vector>
 
+#include "cosim/disk_vector.hpp"
 #include "cosim/event_hash.hpp"
 #include "cosim/lm628/types.hpp"
 
@@ -37,13 +37,13 @@ class Recorder final : public cosim::Observer {
 
   bool done() const { return done_; }
   std::uint64_t event_hash() const { return hash_.value(); }
-  std::vector<Sample> take_samples() { return std::move(samples_); }
+  cosim::DiskVector<Sample> take_samples() { return std::move(samples_); }
 
  private:
   const Lm628Chip& chip_;
   std::function<void(Sample&)> truth_;
   std::function<bool(const Sample&)> finished_;
-  std::vector<Sample> samples_;
+  cosim::DiskVector<Sample> samples_;
   cosim::EventHash hash_;
   bool done_ = false;
 };

@@ -5,9 +5,9 @@
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
 #include "cosim/cosim.hpp"
+#include "cosim/disk_vector.hpp"
 #include "cosim/lm628/chip.hpp"
 #include "cosim/machine.hpp"
 #include "models/plant/motor_axis.hpp"
@@ -53,7 +53,7 @@ struct Sample {
 };
 
 struct Result {
-  std::vector<Sample> samples;      // from the first after the reset routine on
+  cosim::DiskVector<Sample> samples;      // from the first after the reset routine on
   cosim::EndReason end = cosim::EndReason::kTimeout;
   std::string fault;                // kFault: what the program saw
   std::int32_t desired = 0;         // RDDP and RDRP at the end [count]

@@ -34,11 +34,7 @@ Options breakpoints() {
   return options;
 }
 
-An693Metrics figures(const std::vector<Sample>& samples) {
-  Result result;
-  result.samples = samples;
-  return testbench::evaluate({}, result);
-}
+An693Metrics figures(const Result& result) { return testbench::evaluate({}, result); }
 
 // A motor that is where it is told to be, from sample to sample.
 class Follower final : public cosim::Plant, public cosim::Observer {
@@ -69,7 +65,7 @@ class Follower final : public cosim::Plant, public cosim::Observer {
 };
 
 struct Followed {
-  std::vector<Sample> samples;
+  Result result;  // its samples
   std::int32_t real = 0;
 };
 
@@ -83,7 +79,10 @@ Followed follow(const sw::An693Setup& setup, cosim::Clk end) {
   cosim::run_direct(loop, app, {}, end, [&recorder] { return recorder.done(); });
   REQUIRE_FALSE(app.failed());
   REQUIRE(app.done());
-  return {recorder.take_samples(), app.real()};
+  Followed followed;
+  followed.result.samples = recorder.take_samples();
+  followed.real = app.real();
+  return followed;
 }
 
 constexpr cosim::Clk kSecond = 50'000'000;
@@ -98,7 +97,7 @@ TEST_CASE("L-05 an693 moves through the port by 200 000 counts in 76 345 samples
   setup.position = 200000;
   const Followed run = follow(setup, 25 * kSecond);
   CHECK(run.real == 200000);
-  CHECK(std::abs(figures(run.samples).moving_samples - 76345) <= 80);
+  CHECK(std::abs(figures(run.result).moving_samples - 76345) <= 80);
 }
 
 TEST_CASE("L-06 an693 on an ideal follower changes speed at 43 011, 64 517 and 80 308") {
@@ -107,7 +106,7 @@ TEST_CASE("L-06 an693 on an ideal follower changes speed at 43 011, 64 517 and 8
   setup.acceleration = 0x11;
   setup.velocity = 0x20C4A;
   const Followed run = follow(setup, 40 * kSecond);
-  const An693Metrics c = figures(run.samples);
+  const An693Metrics c = figures(run.result);
   REQUIRE(c.interrupts.size() == 3);
   CHECK(c.interrupts[0].sample == 43011);
   CHECK(c.interrupts[1].sample == 64517);
@@ -124,7 +123,7 @@ TEST_CASE("E6 and E7 an693 complete after 45 772 and 45 087 samples, at rest on 
   CHECK(result.end == cosim::EndReason::kDone);
   CHECK(result.desired == 8000);
   CHECK(std::abs(result.real - 8000) <= 2);
-  CHECK(figures(result.samples).moving_samples == 45772);
+  CHECK(figures(result).moving_samples == 45772);
 
   options = make_options(An693Program::kRelative);
   options.acceleration = 0x11;
@@ -134,13 +133,13 @@ TEST_CASE("E6 and E7 an693 complete after 45 772 and 45 087 samples, at rest on 
   CHECK(result.end == cosim::EndReason::kDone);
   CHECK(result.desired == 120000);
   CHECK(std::abs(result.real - 120000) <= 2);
-  CHECK(figures(result.samples).moving_samples == 45087);
+  CHECK(figures(result).moving_samples == 45087);
 }
 
 TEST_CASE("L-06 an693 with the motor leaps over 20 s of breakpoints in less than 60 s") {
   const Result result = simulate(breakpoints(), {});
   CHECK(result.end == cosim::EndReason::kDone);
-  const An693Metrics c = figures(result.samples);
+  const An693Metrics c = figures(result);
   REQUIRE(c.interrupts.size() == 3);
   CHECK(std::abs(c.interrupts[0].sample - 43010) <= 60);
   CHECK(std::abs(result.real - 192338) <= 500);

@@ -57,7 +57,7 @@ TEST_CASE("the fastest sample's steps end with the words of the chip") {
     for (const AxisSample& axis : sample.axis) fastest = std::max(fastest, axis.v_true_m_s);
   }
   REQUIRE(moment.tick > 0);
-  const Sample& sample = result.samples.at(moment.tick - result.samples.front().tick);
+  const Sample sample = result.samples[moment.tick - result.samples.front().tick];
   CHECK(sample.edge == moment.edge);
   CHECK(std::max(sample.axis[0].v_true_m_s, sample.axis[1].v_true_m_s) == fastest);
   CHECK(sample.axis[1].u == moment.end[1].u);

@@ -34,7 +34,7 @@ Result traced(const Options& base, const std::string& trigger) {
   options.run.wave = WaveFormat::kFst;
   options.run.wave_file = "kung_waves_test.fst";
   options.run.wave_trigger = trigger;
-  const Result result = simulate(options, {});
+  Result result = simulate(options, {});
   std::filesystem::remove(options.run.wave_file);
   return result;
 }
@@ -84,8 +84,8 @@ TEST_CASE("a search finds each event where the record or the bus says it is") {
   const auto found = std::find_if(base.samples.begin(), base.samples.end(),
                                   [](const Sample& s) { return s.axis[0].e > 10; });
   REQUIRE(found != base.samples.end());
-  CHECK(*word.wave_trigger > found->edge);
-  CHECK(*word.wave_trigger < found->edge + 71);
+  CHECK(*word.wave_trigger > (*found).edge);
+  CHECK(*word.wave_trigger < (*found).edge + 71);
 
   CHECK(*traced(options, "at 20ms").wave_trigger == 1000000);
 
@@ -187,7 +187,7 @@ TEST_CASE("a run with waves that looks at promises has the same events") {
   options.run.wave_end_s = 0.0012;
   options.run.wave = WaveFormat::kFst;
   options.run.wave_file = "kung_waves_test.fst";
-  const Result result = simulate(options, {});
+  Result result = simulate(options, {});
   std::filesystem::remove(options.run.wave_file);
   CHECK(result.end == EndReason::kDone);
   CHECK_FALSE(result.promise);

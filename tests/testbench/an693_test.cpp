@@ -126,9 +126,13 @@ TEST_CASE("an693 runs leave metrics.json, trace.csv and run.toml, and say how th
   RunArguments arguments;
   arguments.out = "an693_test_out";
   arguments.json = true;
-  lm628::Result result = by_hand();
+  auto end = cosim::EndReason::kDone;
+  std::string fault;
   const SimulateAn693 simulate = [&](const lm628::Options&, const cosim::Hooks& hooks) {
     hooks.progress(0.5);
+    lm628::Result result = by_hand();
+    result.end = end;
+    result.fault = fault;
     return result;
   };
   CHECK(run_an693(options, arguments, simulate, stop) == 0);
@@ -146,8 +150,8 @@ TEST_CASE("an693 runs leave metrics.json, trace.csv and run.toml, and say how th
   options.program = sw::An693Program::kTuning;
   options.description = "a step";
   CHECK(run_an693(options, arguments, simulate, stop) == 0);
-  result.end = cosim::EndReason::kFault;
-  result.fault = "the busy bit did not clear";
+  end = cosim::EndReason::kFault;
+  fault = "the busy bit did not clear";
   CHECK(run_an693(options, arguments, simulate, stop) == 5);
   fs::remove_all("an693_test_out");
 }

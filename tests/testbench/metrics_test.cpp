@@ -65,20 +65,21 @@ TEST_CASE("only samples from the first point to the end of the last one count") 
 
 TEST_CASE("a run that ended early counts what there is") {
   auto result = offset_run({{3e-3, 4e-3}, {6e-3, 8e-3}});
-  result.samples.resize(11);
+  cosim::DiskVector<kung::Sample> eleven;
+  for (std::size_t k = 0; k < 11; ++k) eleven.push_back(result.samples[k]);
+  result.samples = std::move(eleven);
   result.end = kung::EndReason::kFault;
   const Metrics m = evaluate(kung::Options{}, result);
   CHECK(m.samples == 1);
   CHECK_FALSE(m.complete);
   result.points = 0;  // the path had not begun
   CHECK(evaluate(kung::Options{}, result).samples == 0);
-  result.samples.clear();
+  result.samples = {};
   CHECK(evaluate(kung::Options{}, result).samples == 0);
 }
 
 TEST_CASE("the contour error of a lagging table on a circle is its radial error") {
-  std::vector<kung::PointM> path;
-  std::vector<kung::PointM> table;
+  Points path, table;
   for (int k = 0; k < 2000; ++k) {
     const double angle = 2 * kPi * k / 2000;
     path.push_back({0.1 * std::sin(angle), 0.1 * std::cos(angle)});
@@ -93,19 +94,17 @@ TEST_CASE("the contour error of a lagging table on a circle is its radial error"
 
 TEST_CASE("a crossing branch that is far away in time does not hide a contour error") {
   // Along y = 0, back at y = 5 mm much later; the table is 4 mm off on the first branch.
-  std::vector<kung::PointM> path;
+  Points path;
   for (int k = 0; k < 1000; ++k) path.push_back({k * 1e-3, 0});
   for (int k = 0; k < 1000; ++k) path.push_back({1 - k * 1e-3, 5e-3});
-  const std::vector<kung::PointM> table(1, {0.0, 4e-3});
+  const Points table{{0.0, 4e-3}};
   CHECK(contour_error(table, path, 100).front() == Approx(4e-3));
 }
 
 TEST_CASE("overshoot is the excursion past the target over the step, in both directions") {
-  const std::vector<double> model{0, 10e-3, 10e-3, 0, 0, 0, 10e-3, 10e-3, 10e-3, 0, 0, 0};
-  std::vector<double> position = model;
-  position[1] = 11.28e-3;  // 12.8 % up
-  position[4] = -2e-3;     // 20 % down
-  position[7] = 10.5e-3;
+  const Series model{0, 10e-3, 10e-3, 0, 0, 0, 10e-3, 10e-3, 10e-3, 0, 0, 0};
+  // 12.8 % up at the second value, 20 % down at the fifth, 5 % up at the eighth.
+  const Series position{0, 11.28e-3, 10e-3, 0, -2e-3, 0, 10e-3, 10.5e-3, 10e-3, 0, 0, 0};
   const auto halves = half_periods(position, model, 3, 0, 10e-3);
   REQUIRE(halves.size() == 4);
   CHECK(halves[0].overshoot_percent == Approx(12.8));
@@ -119,8 +118,8 @@ TEST_CASE("overshoot is the excursion past the target over the step, in both dir
 }
 
 TEST_CASE("a downward first step is measured the same way") {
-  const std::vector<double> model{0, -10e-3, -10e-3};
-  const std::vector<double> position{0, -11e-3, -9e-3};
+  const Series model{0, -10e-3, -10e-3};
+  const Series position{0, -11e-3, -9e-3};
   CHECK(half_periods(position, model, 3, 0, -10e-3).front().overshoot_percent == Approx(10));
 }
 

@@ -44,14 +44,17 @@ kung::Result drifting() {
   return result;
 }
 
-int run_to(const fs::path& out, const kung::Result& result, std::vector<std::string> set = {}) {
+int run_to(const fs::path& out, kung::Result result, std::vector<std::string> set = {}) {
   const std::atomic<bool> stop{false};
   RunArguments arguments;
   arguments.scenario = "circle";
   arguments.out = out.string();
   arguments.assignments = std::move(set);
   arguments.json = true;
-  return run(arguments, [&](const kung::Options&, const kung::Hooks&) { return result; }, stop);
+  const auto simulate = [&](const kung::Options&, const kung::Hooks&) {
+    return std::move(result);
+  };
+  return run(arguments, simulate, stop);
 }
 
 std::string content(const fs::path& file) {
@@ -115,21 +118,23 @@ TEST_CASE("runs without samples, without motion and with a trip have pages too")
   const Scratch scratch;
   kung::Result result;
   result.end = kung::EndReason::kStopped;
-  CHECK(run_to(scratch.path / "none", result) == 130);
+  CHECK(run_to(scratch.path / "none", std::move(result)) == 130);
   CHECK(fs::exists(scratch.path / "none" / "report.html"));
   result = drifting();
   result.end = kung::EndReason::kFault;
   result.fault = {kung::FaultCode::kStroke, 1, 17};
   result.detail.gates = {1000, 7250, 4125, {{1000, 5}, {4125, 0}}, {}};
-  CHECK(run_to(scratch.path / "trip", result) == 5);
+  CHECK(run_to(scratch.path / "trip", std::move(result)) == 5);
   CHECK(fs::exists(scratch.path / "trip" / "report.html"));
 }
 
 TEST_CASE("a run is never lost because its report failed") {
   const Scratch scratch;
   kung::Result result = drifting();
-  result.samples[20].axis[0].force_N = std::numeric_limits<double>::quiet_NaN();
-  CHECK(run_to(scratch.path / "a", result) == 0);
+  kung::Sample bad = result.samples.back();
+  bad.axis[0].force_N = std::numeric_limits<double>::quiet_NaN();
+  result.samples.push_back(bad);
+  CHECK(run_to(scratch.path / "a", std::move(result)) == 0);
   CHECK(fs::exists(scratch.path / "a" / "metrics.json"));
   CHECK(fs::exists(scratch.path / "a" / "trace.csv"));
   CHECK_FALSE(fs::exists(scratch.path / "a" / "report.html"));
