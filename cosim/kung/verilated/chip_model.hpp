@@ -9,19 +9,14 @@
 #include "cosim/kung/chip.hpp"
 #include "cosim/kung/verilated/chip_state.hpp"
 #include "cosim/kung/verilated/probe.hpp"
-#include "cosim/verilated/stored_clock.hpp"
+#include "cosim/verilated/clocked_model.hpp"
 
 namespace trammel::kung {
 
 // Tracer: attach(context, model) before time zero; fell(Clk) after the falling edge before each
 // rising one for which shows(Clk) holds, and raised(Clk) after every rising edge that is evaluated.
 //
-// An edge is one evaluation: the model's stored clock value is set back by hand, so that the next
-// evaluation sees a rising edge. Inputs that changed settle before it.
-//
-// While every register waits (quiescent_o) the timers alone move, for next_o edges: one evaluation
-// with leap_i = n - 1 stands for n of them. A leap never passes `end`, and none is made during a
-// bus transfer, so that no pin moves inside it.
+// A leap never passes `end`, and none is made during a bus transfer: no pin moves inside it.
 struct NoTrace {
   template <class Model>
   void attach(VerilatedContext&, Model&) {}
@@ -36,16 +31,9 @@ class ChipModel final : public KungChip, private ChipState {
   using Root = std::remove_pointer_t<decltype(Model::rootp)>;
 
   ChipModel(Tracer tracer, bool leap, bool checked = false)
-      : tracer_(std::move(tracer)), leap_(leap && !checked), checked_(checked) {
-    context_->assertOn(checked);
-    context_->randReset(2);
-    context_->randSeed(1);
-    model_ = std::make_unique<Model>(context_.get(), "");  // no scope around the chip's
-    tracer_.attach(*context_, *model_);
+      : model_(leap && !checked, checked), tracer_(std::move(tracer)), checked_(checked) {
+    tracer_.attach(model_.context(), *model_);
     quiet_inputs();
-    model_->s_axil_wstrb_i = 0xf;
-    model_->s_axil_bready_i = 1;
-    model_->s_axil_rready_i = 1;
     model_->rst_i = 1;
     for (int i = 0; i < kResetEdges; ++i) {
       settle(now_);
@@ -55,12 +43,6 @@ class ChipModel final : public KungChip, private ChipState {
     model_->rst_i = 0;
     dirty_ = true;
     remember_outputs();
-  }
-
-  // The model leaves the context of the thread, which else is that of the chip evaluated last.
-  ~ChipModel() override {
-    Verilated::threadContextp(context_.get());
-    model_->final();
   }
 
   cosim::Clk now() const override { return now_; }
@@ -86,26 +68,16 @@ class ChipModel final : public KungChip, private ChipState {
   }
 
   void request(const cosim::BusOp& op) override {
-    Model& m = *model_;
-    if (op.write) {
-      m.s_axil_awaddr_i = static_cast<std::uint16_t>(op.addr);
-      m.s_axil_wdata_i = op.data;
-      m.s_axil_awvalid_i = 1;
-      m.s_axil_wvalid_i = 1;
-    } else {
-      m.s_axil_araddr_i = static_cast<std::uint16_t>(op.addr);
-      m.s_axil_arvalid_i = 1;
-    }
-    bus_active_ = true;
+    bus_.request(*model_, op);
   }
 
   cosim::Stop run(cosim::Clk end, const cosim::Plant& plant) override {
     while (now_ < end) {
       const cosim::Clk edge = now_;
-      if (dirty_ || bus_active_ || tracer_.shows(edge)) settle(edge);
-      const bool bus = bus_active_;
-      const Handshake before = bus ? handshakes() : Handshake{};
-      const cosim::Clk clocks = bus ? 1 : std::min(waiting(), end - edge);
+      if (dirty_ || bus_.active() || tracer_.shows(edge)) settle(edge);
+      const bool bus = bus_.active();
+      if (bus) bus_.before_edge(*model_);
+      const cosim::Clk clocks = bus ? 1 : std::min(model_.waiting(), end - edge);
       ++evaluated_;
       ++wakes_[static_cast<std::size_t>(wake(edge, clocks))];
       if (clocks > 1) {
@@ -115,7 +87,10 @@ class ChipModel final : public KungChip, private ChipState {
       raise(edge);
       ++now_;
       unsigned why = 0;
-      if (bus && bus_edge(before)) why |= cosim::kBusDone;
+      if (bus) {
+        dirty_ = true;
+        if (bus_.after_edge(*model_)) why |= cosim::kBusDone;
+      }
       serve_converters(edge, plant);
       why |= changed_outputs();
       if (why != 0) return {edge, why};
@@ -128,7 +103,7 @@ class ChipModel final : public KungChip, private ChipState {
   }
 
   bool irq() const override { return irq_; }
-  std::uint32_t rdata() const override { return rdata_; }
+  std::uint32_t rdata() const override { return bus_.rdata(); }
 
   void read_words(int axis, AxisSample& sample) const override {
     probe_words(*model_->rootp, axis, sample);
@@ -146,19 +121,10 @@ class ChipModel final : public KungChip, private ChipState {
  private:
   static constexpr cosim::Clk kEncoderSettles = 12;  // synchroniser, usual filters, decoder
 
-  struct Handshake {
-    bool aw = false, w = false, ar = false, b = false, r = false;
-    std::uint32_t rdata = 0;
-  };
-
   // Inputs start at random values like every other unset bit.
   void quiet_inputs() {
     Model& m = *model_;
-    m.leap_i = 0;
-    m.s_axil_awvalid_i = m.s_axil_wvalid_i = m.s_axil_arvalid_i = 0;
-    m.s_axil_awaddr_i = m.s_axil_araddr_i = 0;
-    m.s_axil_awprot_i = m.s_axil_arprot_i = 0;
-    m.s_axil_wdata_i = 0;
+    bus_.reset(m);
     m.adc_sdata_a_i = m.adc_sdata_b_i = 0;
     sense(0);
   }
@@ -167,15 +133,13 @@ class ChipModel final : public KungChip, private ChipState {
   void settle(cosim::Clk edge) {
     const bool shown = tracer_.shows(edge);
     if (shown) model_->clk_i = 0;
-    if (dirty_ || bus_active_) model_->eval();
+    if (dirty_ || bus_.active()) model_->eval();
     if (shown) tracer_.fell(edge);
     dirty_ = false;
   }
 
   void raise(cosim::Clk edge) {
-    model_->clk_i = 1;
-    cosim::stored_clock(*model_->rootp, 0) = 0;
-    model_->eval();
+    model_.raise();
     tracer_.raised(edge);
     if (checked_ && !broken_) look_for_broken_promise(edge);
   }
@@ -191,7 +155,7 @@ class ChipModel final : public KungChip, private ChipState {
     if (m.tick_o) position_ = true;
     if (m.sample_o) position_ = false;
     if (clocks > 1) return Wake::kLeap;
-    if (bus_active_) return Wake::kBus;
+    if (bus_.active()) return Wake::kBus;
     if (m.tick_o) return Wake::kTick;
     if (m.adc_cs_n_o != 3) return Wake::kConverter;
     if (probe_busy(*m.rootp, 0) || probe_busy(*m.rootp, 1)) return Wake::kCurrent;
@@ -199,38 +163,11 @@ class ChipModel final : public KungChip, private ChipState {
     return edge - sensed_ < kEncoderSettles ? Wake::kEncoder : Wake::kGate;
   }
 
-  // Edges from the present one on that only count; at least 1, the evaluated one.
-  cosim::Clk waiting() const {
-    if (!leap_ || !model_->quiescent_o) return 1;
-    return std::max<cosim::Clk>(1, model_->next_o);
-  }
-
+  // No promise is looked at: a checked chip does not leap.
   void leap(cosim::Clk edge, cosim::Clk clocks) {
-    model_->leap_i = static_cast<std::uint16_t>(clocks - 1);
-    raise(edge);
-    model_->leap_i = 0;
+    model_.leap(clocks);
+    tracer_.raised(edge);
     now_ += clocks;
-  }
-
-  // Handshakes that the next rising edge completes. Ready and valid settle before it.
-  Handshake handshakes() const {
-    const Model& m = *model_;
-    return {m.s_axil_awvalid_i && m.s_axil_awready_o, m.s_axil_wvalid_i && m.s_axil_wready_o,
-            m.s_axil_arvalid_i && m.s_axil_arready_o, m.s_axil_bvalid_o != 0,
-            m.s_axil_rvalid_o != 0, m.s_axil_rdata_o};
-  }
-
-  // Takes the handshakes of the edge just executed; true when the transfer ended.
-  bool bus_edge(const Handshake& h) {
-    Model& m = *model_;
-    dirty_ = true;
-    if (h.aw) m.s_axil_awvalid_i = 0;
-    if (h.w) m.s_axil_wvalid_i = 0;
-    if (h.ar) m.s_axil_arvalid_i = 0;
-    if (h.r) rdata_ = h.rdata;
-    if (!h.b && !h.r) return false;
-    bus_active_ = false;
-    return true;
   }
 
   void serve_converters(cosim::Clk edge, const cosim::Plant& plant) {
@@ -279,10 +216,8 @@ class ChipModel final : public KungChip, private ChipState {
     return (hi << gate_hi(axis, 0)) | (lo << gate_lo(axis, 0));
   }
 
-  std::unique_ptr<VerilatedContext> context_ = std::make_unique<VerilatedContext>();
-  std::unique_ptr<Model> model_;
+  cosim::ClockedModel<Model> model_;
   Tracer tracer_;
-  bool leap_;
   bool checked_;
   std::optional<cosim::BrokenPromise> broken_;
 };

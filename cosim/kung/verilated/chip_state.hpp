@@ -11,6 +11,7 @@
 #include "cosim/kung/lines.hpp"
 #include "cosim/kung/verilated/adc.hpp"
 #include "cosim/kung/wakes.hpp"
+#include "cosim/verilated/axi_lite.hpp"
 
 namespace trammel::kung {
 
@@ -26,8 +27,8 @@ struct ChipState {
   std::array<std::array<SerialAdc, 2>, kAxes> adc_{};
   unsigned cs_n_ = 3, sclk_ = 3;
   unsigned hi_ = 0, lo_ = 0;
-  bool irq_ = false, tick_ = false, bus_active_ = false;
-  std::uint32_t rdata_ = 0;
+  bool irq_ = false, tick_ = false;
+  cosim::AxiLiteMaster bus_;
 };
 
 }  // namespace trammel::kung

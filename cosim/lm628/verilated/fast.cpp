@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The verilated LM628 behind the Chip interface. An edge is one evaluation; while every register
-// waits, one with leap_i = n - 1 stands for n edges. A leap passes neither `end` nor the timer, and
+// The verilated LM628 behind the Chip interface. A leap passes neither `end` nor the timer, and
 // none is made during a bus transfer, so that no pin moves inside it.
 #include <Vlm628_fast.h>
 #include <Vlm628_fast___024root.h>
-#include <verilated.h>
 
 #include <algorithm>
 
 #include "cosim/lm628/chip.hpp"
 #include "cosim/lm628/host_port.hpp"
-#include "cosim/verilated/stored_clock.hpp"
+#include "cosim/verilated/clocked_model.hpp"
 
 namespace trammel::lm628 {
 namespace {
@@ -22,28 +20,18 @@ enum Register { kPos = 0, kSpeed = 1, kActual = 5, kKp = 13, kKi = 14, kIl = 16,
 
 class VerilatedLm628 final : public Lm628Chip {
  public:
-  explicit VerilatedLm628(bool leap) : leap_(leap) {
-    context_->randReset(2);
-    context_->randSeed(1);
-    model_ = std::make_unique<Vlm628_fast>(context_.get(), "");
-    model_->leap_i = 0;
+  explicit VerilatedLm628(bool leap) : model_(leap) {
     model_->wrap_i = 0;
     sense(0);
     set_pins();
     model_->rst_i = 1;
     while (now_ < 0) {
       model_->eval();
-      raise();
+      model_.raise();
       ++now_;
     }
     model_->rst_i = 0;
     dirty_ = true;
-  }
-
-  // The model leaves the context of the thread, which else is that of the chip evaluated last.
-  ~VerilatedLm628() override {
-    Verilated::threadContextp(context_.get());
-    model_->final();
   }
 
   cosim::Clk now() const override { return now_; }
@@ -70,13 +58,14 @@ class VerilatedLm628 final : public Lm628Chip {
       if (dirty_ || bus) model_->eval();
       dirty_ = false;
       ++evaluated_;
-      const cosim::Clk clocks = bus ? 1 : std::min({waiting(), end - edge, to_timer(edge)});
+      const cosim::Clk clocks = bus ? 1 : std::min({model_.waiting(), end - edge, to_timer(edge)});
       if (clocks > 1) {
-        leap(clocks);
+        model_.leap(clocks);
+        now_ += clocks;
         continue;
       }
       const bool commits = model_->sample_o != 0;
-      raise();
+      model_.raise();
       ++now_;
       unsigned why = commits ? cosim::kSample : 0u;
       if (bus && bus_edge(edge)) why |= cosim::kBusDone;
@@ -124,27 +113,9 @@ class VerilatedLm628 final : public Lm628Chip {
     model_->reset_n_i = pins.reset_n;
   }
 
-  void raise() {
-    model_->clk_i = 1;
-    cosim::stored_clock(*model_->rootp, 0) = 0;
-    model_->eval();
-  }
-
-  cosim::Clk waiting() const {
-    if (!leap_ || !model_->quiescent_o) return 1;
-    return std::max<cosim::Clk>(1, model_->next_o);
-  }
-
   // The edge at which the timer ends is one of its own.
   cosim::Clk to_timer(cosim::Clk edge) const {
     return timer_ == cosim::kNever ? timer_ : std::max<cosim::Clk>(1, timer_ - edge);
-  }
-
-  void leap(cosim::Clk clocks) {
-    model_->leap_i = static_cast<std::uint16_t>(clocks - 1);
-    raise();
-    model_->leap_i = 0;
-    now_ += clocks;
   }
 
   // Passes the edge of a transfer; true when it ended.
@@ -180,9 +151,7 @@ class VerilatedLm628 final : public Lm628Chip {
     return why;
   }
 
-  std::unique_ptr<VerilatedContext> context_ = std::make_unique<VerilatedContext>();
-  std::unique_ptr<Vlm628_fast> model_;
-  bool leap_;
+  cosim::ClockedModel<Vlm628_fast> model_;
   HostPort port_;
   bool dirty_ = true;  // inputs changed since the last evaluation
   cosim::Clk now_ = -kResetEdges;
