@@ -10,22 +10,16 @@ std::vector<std::string> enum_names<sw::An693Program>() {
   return {"hold", "absolute", "relative", "breakpoints", "tuning"};
 }
 
-#define TRAMMEL_LENS(member) [](auto& o) -> auto& { return o.member; }
-
 template <>
 const std::vector<KeyOf<lm628::Options>>& keys_of<lm628::Options>() {
   static const auto all = [] {
     constexpr double kWord = 1073741823;  // 30 bits
     KeyTable<lm628::Options> t;
-    t.text("name", "name of the run and of its output folder", TRAMMEL_LENS(scenario));
-    t.text("description", "one line for `trammel list`", TRAMMEL_LENS(description));
+    t.names();
     t.text("program", "example of AN-693", TRAMMEL_LENS(program));
-    t.text("run.platform", "SystemC platform or direct wiring", TRAMMEL_LENS(run.platform));
-    t.one("run.leap", 0, 0, "waiting clocks are not evaluated; false: every clock is",
-          TRAMMEL_LENS(run.leap));
-    t.one("run.window_clk", 0, 1e9, "longest look-ahead; 0 = unbounded, 1 = lock step",
-          TRAMMEL_LENS(run.window_clk));
-    t.one("run.max_s", 1e-3, 3600, "simulated time a run may take", TRAMMEL_LENS(run.max_s));
+    t.platform_and_leap();
+    t.window();
+    t.longest_run();
     t.one("run.diverged_counts", 1, 32767, "position error that ends the run as diverged",
           TRAMMEL_LENS(run.diverged_counts));
     t.one("filter.kp", 0, 32767, "of the error", TRAMMEL_LENS(filter.kp));
@@ -44,10 +38,7 @@ const std::vector<KeyOf<lm628::Options>>& keys_of<lm628::Options>() {
     t.one("trajectory.steps", 1, 10000, "of tuning", TRAMMEL_LENS(steps));
     t.one("trajectory.wait_s", 1e-3, 60, "before STT, between steps, and at the end",
           TRAMMEL_LENS(wait_s));
-    t.one("processor.access_clk", 1, 10000, "clocks a bus access costs",
-          TRAMMEL_LENS(processor.access_clk));
-    t.one("processor.interrupt_latency_clk", 0, 90000, "from interrupt to first access",
-          TRAMMEL_LENS(processor.interrupt_latency_clk));
+    t.processor();
     t.one("motor.resistance_ohm", 0.01, 1000, "assumed", TRAMMEL_LENS(plant.motor.resistance));
     t.one("motor.inductance_H", 1e-4, 1, "assumed", TRAMMEL_LENS(plant.motor.inductance));
     t.one("motor.constant_N_m_A", 1e-3, 10, "torque of a current, and V s/rad; assumed",
@@ -70,7 +61,5 @@ const std::vector<KeyOf<lm628::Options>>& keys_of<lm628::Options>() {
   }();
   return all;
 }
-
-#undef TRAMMEL_LENS
 
 }  // namespace trammel::testbench

@@ -10,6 +10,8 @@
 
 #include "testbench/keys.hpp"
 
+#define TRAMMEL_LENS(member) [](auto& o) -> auto& { return o.member; }
+
 namespace trammel::testbench {
 
 // Words of an enumeration, in its order.
@@ -81,6 +83,30 @@ struct KeyTable {
   template <class Lens>
   void text(std::string name, std::string help, Lens lens) {
     one(std::move(name), 0, 0, std::move(help), lens);
+  }
+
+  // Keys that runs of all machines have; each table says where among its own they stand.
+  void names() {
+    text("name", "name of the run and of its output folder", TRAMMEL_LENS(scenario));
+    text("description", "one line for `trammel list`", TRAMMEL_LENS(description));
+  }
+  void platform_and_leap() {
+    text("run.platform", "SystemC platform or direct wiring", TRAMMEL_LENS(run.platform));
+    text("run.leap", "waiting clocks are not evaluated; false: every clock is",
+         TRAMMEL_LENS(run.leap));
+  }
+  void window() {
+    one("run.window_clk", 0, 1e9, "longest look-ahead; 0 = unbounded, 1 = lock step",
+        TRAMMEL_LENS(run.window_clk));
+  }
+  void longest_run() {
+    one("run.max_s", 1e-3, 3600, "simulated time a run may take", TRAMMEL_LENS(run.max_s));
+  }
+  void processor() {
+    one("processor.access_clk", 1, 10000, "clocks a bus access costs",
+        TRAMMEL_LENS(processor.access_clk));
+    one("processor.interrupt_latency_clk", 0, 90000, "from interrupt to first access",
+        TRAMMEL_LENS(processor.interrupt_latency_clk));
   }
 };
 

@@ -51,28 +51,23 @@ struct AxisTable {
   }
 };
 
-#define TRAMMEL_LENS(member) [](auto& o) -> auto& { return o.member; }
 #define TRAMMEL_AXIS_LENS(group, member) \
   [](auto& o, std::size_t axis_) -> auto& { return o.group[axis_].member; }
 
 void add_run(Table& t) {
-  t.text("name", "name of the run and of its output folder", TRAMMEL_LENS(scenario));
-  t.text("description", "one line for `trammel list`", TRAMMEL_LENS(description));
+  t.names();
   t.text("controller", "fixed rule table (fc) or adaptive (afc)", TRAMMEL_LENS(controller));
   t.text("run.engine", "the verilated RTL, or its bit-exact twins without SystemC: same results",
          TRAMMEL_LENS(run.engine));
-  t.text("run.platform", "SystemC platform or direct wiring", TRAMMEL_LENS(run.platform));
-  t.one("run.leap", 0, 0, "waiting clocks are not evaluated; false: every clock is",
-        TRAMMEL_LENS(run.leap));
+  t.platform_and_leap();
   t.one("run.audit", 0, 0, "a plain and a leaping chip in step: every register compared",
         TRAMMEL_LENS(run.audit));
   t.one("run.assertions", 0, 0, "the promises of the RTL are looked at, in every clock",
         TRAMMEL_LENS(run.assertions));
-  t.one("run.window_clk", 0, 1e9, "longest look-ahead; 0 = unbounded, 1 = lock step",
-        TRAMMEL_LENS(run.window_clk));
+  t.window();
   t.one("run.settle_s", 0, 10, "simulated after the last point, not counted",
         TRAMMEL_LENS(run.settle_s));
-  t.one("run.max_s", 1e-3, 3600, "simulated time a run may take", TRAMMEL_LENS(run.max_s));
+  t.longest_run();
   t.one("run.diverged_m", 1e-4, 1, "tracking error that ends the run as diverged",
         TRAMMEL_LENS(run.diverged_m));
   t.text("run.wave", "signal traces", TRAMMEL_LENS(run.wave));
@@ -145,10 +140,7 @@ void add_chip(Table& t) {
         TRAMMEL_LENS(chip.irq_period_ticks));
   t.one("chip.watchdog_ticks", 0, 65535, "2 kHz samples between COMMITs; 0 = off",
         TRAMMEL_LENS(chip.watchdog_ticks));
-  t.one("processor.access_clk", 1, 10000, "clocks a bus access costs",
-        TRAMMEL_LENS(processor.access_clk));
-  t.one("processor.interrupt_latency_clk", 0, 90000, "from interrupt to first access",
-        TRAMMEL_LENS(processor.interrupt_latency_clk));
+  t.processor();
   t.one("plant.seed", 0, 9007199254740992.0, "of the noise", TRAMMEL_LENS(plant.seed));
 
   AxisTable a;
@@ -225,7 +217,6 @@ void add_plant(Table& t) {
   a.append_to(t.keys);
 }
 
-#undef TRAMMEL_LENS
 #undef TRAMMEL_AXIS_LENS
 
 }  // namespace
