@@ -19,14 +19,6 @@ constexpr double kSettledBand = 2.5;  // [count] that a step settles to
 constexpr double kPerCount = 65536;  // of a position or speed
 constexpr unsigned kMotorOff = 0x80;  // of the status
 
-double real_counts(const lm628::Options& options, const lm628::Sample& s) {
-  return s.theta / plant::MotorAxis::kTurn * options.plant.counts;
-}
-
-double seconds_at(const lm628::Options& options, cosim::Clk edge) {
-  return static_cast<double>(edge) * static_cast<double>(options.plant.clock_ps) * 1e-12;
-}
-
 nlohmann::ordered_json interrupts_json(const std::vector<An693Metrics::Interrupt>& list) {
   auto all = nlohmann::ordered_json::array();
   for (const auto& one : list) {
@@ -79,7 +71,7 @@ void write_samples(const std::filesystem::path& file, const lm628::Options& opti
       const lm628::Words& w = s.words;
       out.print("{:.8f},{:.5f},{:.5f},{},{:.4f},{},{},{},{},{},{},{},{:.7g},{:.7g},{:.6g}\n",
                 seconds_at(options, s.edge), static_cast<double>(w.position) / kPerCount,
-                static_cast<double>(w.speed) / kPerCount, w.actual, real_counts(options, s),
+                static_cast<double>(w.speed) / kPerCount, w.actual, shaft_counts(options, s),
                 w.error, w.proportional, w.integral, w.derivative, w.output, w.status,
                 s.host_irq ? 1 : 0, s.omega, s.i, s.volt);
     }
@@ -133,6 +125,14 @@ lm628::Result simulate_shown(const lm628::Options& options, const SimulateAn693&
 
 }  // namespace
 
+double shaft_counts(const lm628::Options& options, const lm628::Sample& s) {
+  return s.theta / plant::MotorAxis::kTurn * options.plant.counts;
+}
+
+double seconds_at(const lm628::Options& options, cosim::Clk edge) {
+  return static_cast<double>(edge) * static_cast<double>(options.plant.clock_ps) * 1e-12;
+}
+
 An693Metrics evaluate(const lm628::Options& options, const lm628::Result& result) {
   An693Metrics m;
   std::int64_t sample = 0, before = 0;
@@ -150,7 +150,7 @@ An693Metrics evaluate(const lm628::Options& options, const lm628::Result& result
     }
     before = w.position;
     const double beyond =
-        (real_counts(options, s) - static_cast<double>(w.position) / kPerCount) * direction;
+        (shaft_counts(options, s) - static_cast<double>(w.position) / kPerCount) * direction;
     // A step moves the desired position within one sample: what counts is where the shaft goes.
     if (sample > 0 && !off) m.overshoot_counts = std::max(m.overshoot_counts, beyond);
     if (first && std::fabs(beyond) > kSettledBand) {

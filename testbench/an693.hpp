@@ -35,6 +35,9 @@ struct An693Metrics {
 
 An693Metrics evaluate(const lm628::Options& options, const lm628::Result& result);
 
+double seconds_at(const lm628::Options& options, cosim::Clk edge);
+double shaft_counts(const lm628::Options& options, const lm628::Sample& sample);  // the true angle
+
 // motion.svg: trajectory, terms of the filter, and status over time; false without gnuplot.
 bool write_motion_picture(const std::filesystem::path& folder, const lm628::Options& options,
                           const lm628::Result& result);

@@ -46,9 +46,6 @@ bool write_motion_picture(const std::filesystem::path& folder, const lm628::Opti
                           const lm628::Result& result) {
   const auto& samples = result.samples;
   if (samples.size() < 2) return false;
-  const auto seconds = [&options](const lm628::Sample& s) {
-    return static_cast<double>(s.edge) * static_cast<double>(options.plant.clock_ps) * 1e-12;
-  };
   const std::size_t stride = samples.size() / kMostDrawn + 1;
   fmt::memory_buffer text;
   const auto out = std::back_inserter(text);
@@ -62,9 +59,9 @@ bool write_motion_picture(const std::filesystem::path& folder, const lm628::Opti
     status |= w.status;  // a bit of one sample is seen though that sample is not drawn
     irq = irq || s.host_irq;
     if (n % stride != stride - 1) continue;
-    fmt::format_to(out, "{:.6f} {:.3f} {:.3f} {} {} {} {} {} {}", seconds(s),
+    fmt::format_to(out, "{:.6f} {:.3f} {:.3f} {} {} {} {} {} {}", seconds_at(options, s.edge),
                    static_cast<double>(w.position) / 65536,
-                   s.theta / plant::MotorAxis::kTurn * options.plant.counts, w.error,
+                   shaft_counts(options, s), w.error,
                    w.proportional, w.integral, w.derivative, w.output, irq ? 1 : 0);
     for (unsigned bit = 1; bit < 8; ++bit) fmt::format_to(out, " {}", status >> bit & 1u);
     fmt::format_to(out, "\n");
@@ -73,8 +70,8 @@ bool write_motion_picture(const std::filesystem::path& folder, const lm628::Opti
   }
   fmt::format_to(out, "EOD\n");
   fmt::format_to(out, kMotionScript, fmt::arg("title", plain_text(options.scenario)),
-                 fmt::arg("from", seconds(samples.front())),
-                 fmt::arg("to", seconds(samples.back())));
+                 fmt::arg("from", seconds_at(options, samples.front().edge)),
+                 fmt::arg("to", seconds_at(options, samples.back().edge)));
   return draw(folder, fmt::to_string(text), "motion.svg");
 }
 
