@@ -18,7 +18,6 @@ set output 'motion.svg'
 set multiplot layout 4,1 title '{title}'
 set lmargin 12
 set rmargin 12
-set key right top opaque vertical
 set xrange [{from}:{to}]
 set ylabel 'position (counts)'
 plot $d using 1:2 with lines lc rgb '#bbbbbb' lw 3 title 'desired', \
@@ -26,10 +25,10 @@ plot $d using 1:2 with lines lc rgb '#bbbbbb' lw 3 title 'desired', \
 set ylabel 'error (counts)'
 plot $d using 1:4 with lines lc rgb '#d62728' title ''
 set ylabel 'filter'
-plot $d using 1:5 with lines lc rgb '#1f77b4' title 'p', \
-     $d using 1:6 with lines lc rgb '#2ca02c' title 'i', \
+plot $d using 1:8 with lines lc rgb '#bbbbbb' title 'output', \
      $d using 1:7 with lines lc rgb '#9467bd' title 'd', \
-     $d using 1:8 with lines lc rgb '#444444' title 'output'
+     $d using 1:5 with lines lc rgb '#1f77b4' lw 1.5 title 'p', \
+     $d using 1:6 with lines lc rgb '#2ca02c' lw 1.5 title 'i'
 set ylabel 'status'
 set xlabel 'time (s)'
 set yrange [-0.3:8]
