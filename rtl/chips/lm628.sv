@@ -123,6 +123,22 @@ module lm628
 
   // ---- encoder: counts from the end of the reset routine on ----
 
+  // The index is formed of three pins, so each is synchronised before.
+  typedef struct packed {
+    logic a;
+    logic b;
+    logic idx_n;
+  } encoder_t;
+
+  encoder_t encoder, encoder_meta_q, encoder_q;
+
+  assign encoder = '{a: enc_a_i, b: enc_b_i, idx_n: enc_idx_n_i};
+
+  always_ff @(posedge clk_i) begin
+    encoder_meta_q <= encoder;
+    encoder_q      <= encoder_meta_q;
+  end
+
   count_t count, index_count;
   logic index_seen, unused_dir, unused_error, qep_quiescent;
 
@@ -135,7 +151,7 @@ module lm628
       .clear_error_i (arm),
       .enc_a_i       (enc_a_i),
       .enc_b_i       (enc_b_i),
-      .enc_z_i       (!enc_a_i && !enc_b_i && !enc_idx_n_i),
+      .enc_z_i       (encoder_q == '0),
       .count_o       (count),
       .dir_o         (unused_dir),
       .index_latch_o (index_count),
@@ -212,6 +228,7 @@ module lm628
   end
 
   assign quiescent_o = reset_n_i && reset_n_meta_q && reset_n_q && time_quiescent &&
-      port_quiescent && engine_quiescent && output_quiescent && qep_quiescent;
+      port_quiescent && engine_quiescent && output_quiescent && qep_quiescent &&
+      encoder == encoder_meta_q && encoder_meta_q == encoder_q;
 
 endmodule

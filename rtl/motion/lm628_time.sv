@@ -32,6 +32,7 @@ module lm628_time
   localparam int unsigned Lead = 24 / Inc + 4;           // last clock of tick 0, and the encoder's
   localparam int unsigned Commit = lm628_clocks(Inc, 400);
   localparam logic [1:0] Rest = 2'(Ticks % Inc);
+  localparam logic [1:0] FirstRest = 2'((25 * 8000 + Inc - 1) % Inc);  // the reset routine's
 
   typedef logic [15:0] clocks_t;
   localparam clocks_t Reset   = clocks_t'(lm628_clocks(Inc, 8000) - 2);
@@ -53,7 +54,7 @@ module lm628_time
   state_e state_d, state_q;
   clocks_t count, value;
   logic last;
-  logic [1:0] rest_d, rest_q;  // by how much sample times so far were rounded up, in 1/Inc clocks
+  logic [1:0] rest_d, rest_q;  // Inc - 1 less what the times so far were rounded up by, in 1/Inc
   logic [2:0] rest;
   logic longer;
 
@@ -108,7 +109,7 @@ module lm628_time
   always_ff @(posedge clk_i) begin
     if (rst_i) begin
       state_q <= StStart;
-      rest_q  <= 2'(Inc - 1);
+      rest_q  <= FirstRest;
     end else begin
       state_q <= state_d;
       rest_q  <= rest_d;

@@ -6,12 +6,14 @@
 #include <catch2/catch.hpp>
 
 #include "models/exact/drive/gate_leg.hpp"
+#include "tests/support/leaps.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/rtl.hpp"
 
 using trammel::exact::Gap;
 using trammel::exact::GateLeg;
 using In = GateLeg::In;
+using trammel::test::leap_or_step;
 using trammel::test::Random;
 
 namespace {
@@ -72,16 +74,7 @@ TEST_CASE("gate_leg agrees with its twin on random inputs, leaps and resets") {
     REQUIRE(rtl->next_o == twin.next(in));
     REQUIRE(bool(rtl->quiescent_o) == twin.quiescent(in));
     const Gap gap = twin.quiescent(in) ? twin.next(in) : 0;
-    if (gap > 0 && random() % 4 == 0) {
-      const Gap n = 1 + random() % std::min<Gap>(gap, 4095);
-      rtl->leap_i = (n - 1) & 0xFFF;
-      twin.advance(n);
-    } else {
-      twin.step(in);
-    }
-    rtl.tick();
-    rtl->leap_i = 0;
-    rtl.eval();
+    leap_or_step(rtl, twin, gap, random, 4, in);
     REQUIRE(bool(rtl->hi_o) == twin.out().hi);
     REQUIRE(bool(rtl->lo_o) == twin.out().lo);
   }

@@ -8,12 +8,14 @@
 #include <catch2/catch.hpp>
 #include <cstdint>
 
+#include "tests/support/leaps.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/rtl.hpp"
 
 using trammel::exact::Gap;
 using trammel::exact::Lm628Output;
 using trammel::test::as_bits;
+using trammel::test::leap_or_step;
 using trammel::test::Random;
 using In = Lm628Output::In;
 
@@ -65,17 +67,7 @@ TEST_CASE("lm628_output agrees with its twin on random commands, leaps and reset
     }
     REQUIRE(bool(rtl->quiescent_o) == twin.quiescent(in));
     if (twin.quiescent(in)) REQUIRE(rtl->next_o == twin.next(in));
-    const Gap gap = twin.next(in);
-    if (gap > 0 && random() % 4 == 0) {
-      const Gap n = 1 + random() % std::min<Gap>(gap, 4095);
-      rtl->leap_i = (n - 1) & 0xFFF;
-      twin.advance(n);
-    } else {
-      twin.step(in);
-    }
-    rtl.tick();
-    rtl->leap_i = 0;
-    rtl.eval();
+    leap_or_step(rtl, twin, twin.next(in), random, 4, in);
     const Lm628Output::Out out = twin.out();
     REQUIRE(rtl->dac_o == out.dac);
     REQUIRE(bool(rtl->dac_hi_lo_o) == out.dac_hi_lo);

@@ -7,11 +7,13 @@
 #include <vector>
 
 #include "models/exact/motion/timebase.hpp"
+#include "tests/support/leaps.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/rtl.hpp"
 
 using trammel::exact::Gap;
 using trammel::exact::Timebase;
+using trammel::test::leap_or_step;
 using trammel::test::Random;
 
 namespace {
@@ -48,17 +50,7 @@ TEST_CASE("timebase agrees with its twin on random leaps and interrupt periods")
       twin.reset();
     }
     require_equal(rtl, twin);
-    const Gap gap = twin.next();
-    if (gap > 0) {
-      const Gap n = 1 + random() % gap;
-      rtl->leap_i = (n - 1) & 0xFFF;
-      twin.advance(n);
-    } else {
-      twin.step(in);
-    }
-    rtl.tick();
-    rtl->leap_i = 0;
-    rtl.eval();
+    leap_or_step(rtl, twin, twin.next(), random, 1, in);
   }
 }
 

@@ -49,6 +49,8 @@ class Lm628 {
     const bool restarts = !reset_n_sync_ || by_command;
     const Lm628Output::In result = output_in();
     qep_.step(qep_in(in, work.arm));
+    encoder_sync_ = encoder_meta_;
+    encoder_meta_ = encoder(in);
     port_.step(host);
     time_.step();
     output_.step(result);
@@ -57,12 +59,12 @@ class Lm628 {
     reset_n_sync_ = reset_n_meta_;
     reset_n_meta_ = in.reset_n;
   }
-
   bool quiescent(const In& in) const {
     const Lm628Port::In host = host_in(in);
     return in.reset_n && reset_n_meta_ && reset_n_sync_ && time_.quiescent() &&
            port_.quiescent(host) && output_.quiescent(output_in()) &&
-           qep_.quiescent(qep_in(in, false));
+           qep_.quiescent(qep_in(in, false)) && encoder(in) == encoder_meta_ &&
+           encoder_meta_ == encoder_sync_;
   }
 
   Gap next(const In& in) const {
@@ -124,12 +126,16 @@ class Lm628 {
             engine_.output_eight_bits()};
   }
 
-  // The index counts where both lines are low with it.
+  static unsigned encoder(const In& in) {
+    return (in.a ? 4u : 0u) | (in.b ? 2u : 0u) | (in.index_n ? 1u : 0u);
+  }
+
+  // The index counts where both lines are low with it; each line passes two flip-flops before.
   Qep::In qep_in(const In& in, bool clear) const {
     Qep::In qep;
     qep.a = in.a;
     qep.b = in.b;
-    qep.z = !in.a && !in.b && !in.index_n;
+    qep.z = encoder_sync_ == 0;
     qep.filter = 1;
     qep.preset = time_.begins();
     qep.clear_error = clear;
@@ -142,6 +148,7 @@ class Lm628 {
   Qep qep_;
   Lm628Engine engine_;
   bool reset_n_meta_ = false, reset_n_sync_ = false;
+  unsigned encoder_meta_ = 0, encoder_sync_ = 0;
 };
 
 }  // namespace trammel::exact

@@ -27,7 +27,7 @@ class Lm628Time {
   void reset() {
     timer_.reset();
     state_ = State::kStart;
-    rest_ = inc() - 1;
+    rest_ = (25 * 8000 + inc() - 1) % inc();
   }
 
   bool begins() const { return state_ == State::kReset && timer_.count() == 0; }
@@ -87,7 +87,7 @@ class Lm628Time {
   Lm628Clock clock_;
   Timer timer_;
   State state_ = State::kStart;
-  std::uint32_t rest_ = 0;  // clocks of the sample times so far, rounded up, in 1/inc
+  std::uint32_t rest_ = 0;  // inc - 1 less what the times so far were rounded up by, in 1/inc
 };
 
 }  // namespace trammel::exact
