@@ -164,6 +164,24 @@ TEST_CASE("trapezoid does not crawl where the last step exceeds the stopping dis
   REQUIRE(samples(position(65536, 3 * 65536 + 1), 100) == 36);
 }
 
+TEST_CASE("trapezoid slows down by its acceleration beyond a target that came too near") {
+  constexpr std::int64_t kA = 2 * kOne;
+  const Config c = position(kA, 20 * kA);
+  for (const std::int64_t speed : {2 * kA, 2 * kA + 1}) {
+    Trapezoid t;
+    t.state.target = 1;  // half of the acceleration away
+    t.state.speed = speed;
+    CAPTURE(speed);
+    const bool ends = speed == 2 * kA;  // the last two samples may change it by twice as much
+    REQUIRE(t.step(c) == ends);
+    REQUIRE(t.state.position == (ends ? kOne : speed - kA));
+    Watch watch;
+    watch.speed = t.state.speed;
+    run(t, c, watch, 100);
+    REQUIRE(t.state.position == kOne);
+  }
+}
+
 TEST_CASE("trapezoid without acceleration or speed holds where it stands") {
   for (const Config& c : {position(0, 100), position(100, 0)}) {
     Trapezoid t;
