@@ -117,11 +117,12 @@ def constants(top) -> list:
 
 
 def header(top, note: str) -> str:
+    space = f"trammel::sw::{top.inst_name}_regs"
     lines = [f"// {note}", "// SPDX-License-Identifier: Apache-2.0", "//",
-             f"// Byte addresses and bits of the registers of {top.inst_name}: an axis register is",
-             "// at base + offset, a system register at its own address.", "#pragma once", "",
-             "#include <cstdint>", "", "namespace trammel::sw::reg {", "", *constants(top)]
-    return "\n".join(lines + ["", "}  // namespace trammel::sw::reg", ""])
+             f"// Byte addresses and bits of the registers of {top.inst_name}: those of a file",
+             "// are at base + offset, a system register at its own address.", "#pragma once", "",
+             "#include <cstdint>", "", f"namespace {space} {{", "", *constants(top)]
+    return "\n".join(lines + ["", f"}}  // namespace {space}", ""])
 
 
 def bits(fields) -> str:
@@ -173,7 +174,7 @@ def document(top, note: str) -> str:
              ""]
     bases = [f"{name.upper()} 0x{base:03X}" for name, base, node in blocks(top)
              if node is not top]
-    lines += ["Bases: " + ", ".join(bases) + ". Access W1C: write one to clear.", ""]
+    lines += [f"Bases: {', '.join(bases)}. " * bool(bases) + "Access W1C: write one to clear.", ""]
     for kind, node in distinct_blocks(top):
         lines += [f"## {kind}", "",
                   "| Offset | Register | Bits | Field | Access | Reset | Meaning |",
@@ -382,8 +383,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--check", action="store_true", help="compare only; 1 when stale")
-    check = parser.parse_args().check
-    stale = 0
+    check, stale = parser.parse_args().check, 0
     for source in sorted((ROOT / "rtl/chips").glob("*.rdl")):
         for path, text in generate(source).items():
             if path.exists() and path.read_text() == text:

@@ -59,7 +59,7 @@ class StallableApp final : public sw::Firmware {
     if (chip_->now() < stall_) {
       app_.isr(bus);
     } else {
-      bus.read(sw::reg::kId);
+      bus.read(sw::kung_xy_regs::kId);
     }
   }
   bool done() const override { return app_.done(); }

@@ -6,6 +6,8 @@
 namespace trammel::sw {
 namespace {
 
+namespace reg = kung_xy_regs;
+
 constexpr std::array<std::uint32_t, 2> kBases{reg::kX, reg::kY};
 constexpr std::uint32_t kStickyStatus =
     reg::kStatusOverrun | reg::kStatusQepError | reg::kStatusSaturated | reg::kStatusLimited;

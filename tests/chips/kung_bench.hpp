@@ -144,7 +144,8 @@ class KungBench {
   std::int32_t read_signed(std::uint32_t addr) { return static_cast<std::int32_t>(read(addr)); }
 
   unsigned fault_code() {
-    return (read(sw::reg::kFault) & sw::reg::kFaultCodeMask) >> sw::reg::kFaultCodeShift;
+    namespace reg = sw::kung_xy_regs;
+    return (read(reg::kFault) & reg::kFaultCodeMask) >> reg::kFaultCodeShift;
   }
 
   bool gates_off() { return rtl_->gate_hi_o == 0 && rtl_->gate_lo_o == 0; }

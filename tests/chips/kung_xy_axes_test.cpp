@@ -13,6 +13,7 @@
 
 using namespace trammel;
 using namespace trammel::sw;
+namespace reg = kung_xy_regs;
 using test::KungBench;
 
 namespace {

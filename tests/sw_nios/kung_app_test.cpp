@@ -10,6 +10,7 @@
 namespace {
 
 using namespace trammel::sw;
+namespace reg = kung_xy_regs;
 
 struct Access {
   std::uint32_t address, data;

@@ -11,7 +11,7 @@
 #include "tests/support/random.hpp"
 
 using namespace trammel;
-namespace reg = sw::reg;
+namespace reg = sw::kung_xy_regs;
 
 namespace {
 

@@ -12,7 +12,7 @@
 
 using namespace trammel;
 using namespace trammel::kung;
-namespace reg = trammel::sw::reg;
+namespace reg = trammel::sw::kung_xy_regs;
 
 namespace {
 

@@ -1,13 +1,13 @@
 // Generated from rtl/chips/kung_xy.rdl by scripts/gen_regs.py; do not edit.
 // SPDX-License-Identifier: Apache-2.0
 //
-// Byte addresses and bits of the registers of kung_xy: an axis register is
-// at base + offset, a system register at its own address.
+// Byte addresses and bits of the registers of kung_xy: those of a file
+// are at base + offset, a system register at its own address.
 #pragma once
 
 #include <cstdint>
 
-namespace trammel::sw::reg {
+namespace trammel::sw::kung_xy_regs {
 
 inline constexpr std::uint32_t kX = 0x000u;
 inline constexpr std::uint32_t kY = 0x100u;
@@ -152,4 +152,4 @@ inline constexpr std::uint32_t kKeyLock = 0x4C4F434Bu;  // to LOCK: set the lock
 inline constexpr std::uint32_t kKeyUnlock = 0x554E4C4Bu;
 inline constexpr std::uint32_t kKeyFaultClear = 0x434C5246u;
 
-}  // namespace trammel::sw::reg
+}  // namespace trammel::sw::kung_xy_regs
