@@ -3,13 +3,16 @@
 // Brushed DC motor behind a linear amplifier that saturates at its supply:
 //   L di/dt = u - R i - k w                    u = clip(command supply, +-supply)
 //   J dw/dt = k i - B w - T_c w/sqrt(w^2 + w_f^2) - T_ext,  dtheta/dt = w
-// Runge-Kutta steps of at most 16 us, a sixtieth of the shortest time constant of the default
-// motor: below 1e-9 of the current. The defaults are a small motor as used with the LM628 around
-// 1990; the application note's own motor is not known.
+// The current stays within its bounds, whatever voltage that takes, and the shaft loses its speed
+// at a stop. Runge-Kutta steps of at most 16 us, a sixtieth of the shortest time constant of the
+// default motor: below 1e-9 of the current; a bound is met at the end of a step. The defaults are a
+// small motor as used with the LM628 around 1990; the application note's own motor is not known.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace trammel::plant {
 
@@ -23,6 +26,7 @@ struct DcMotorConfig {
   double friction_speed = 0.1;  // [rad/s], width of the Coulomb transition
   double external_torque = 0;   // [N m], against positive motion
   double supply = 24;           // [V]
+  double current_limit = std::numeric_limits<double>::infinity();  // [A] of the amplifier
 };
 
 struct DcMotorState {
@@ -31,11 +35,25 @@ struct DcMotorState {
   double i = 0;      // [A]
 };
 
+// Where current and shaft can be.
+struct DcMotorBounds {
+  static constexpr double kFree = std::numeric_limits<double>::infinity();
+  double i_low = -kFree, i_high = kFree;          // [A]
+  double theta_low = -kFree, theta_high = kFree;  // [rad]
+};
+
 class DcMotor {
  public:
   explicit DcMotor(const DcMotorConfig& c) : c_(c) {}
 
   const DcMotorConfig& config() const { return c_; }
+
+  // What the amplifier leaves of these.
+  DcMotorBounds within(DcMotorBounds b) const {
+    b.i_low = std::max(b.i_low, -c_.current_limit);
+    b.i_high = std::min(b.i_high, c_.current_limit);
+    return b;
+  }
 
   // Voltage at the motor for a command, 1 is full scale.
   double voltage(double command) const {
@@ -43,17 +61,23 @@ class DcMotor {
   }
 
   DcMotorState after(const DcMotorState& s, double seconds, double volt) const {
+    return after(s, seconds, volt, within({}));
+  }
+
+  DcMotorState after(const DcMotorState& s, double seconds, double volt,
+                     const DcMotorBounds& b) const {
     const double steps = std::ceil(seconds / kStep);
     const double h = seconds / steps;
     Y y{s.theta, s.omega, s.i};
     for (double n = 0; n < steps; ++n) {
-      const Y k1 = slope(y, volt);
-      const Y k2 = slope(add(y, k1, 0.5 * h), volt);
-      const Y k3 = slope(add(y, k2, 0.5 * h), volt);
-      const Y k4 = slope(add(y, k3, h), volt);
+      const Y k1 = slope(y, volt, b);
+      const Y k2 = slope(add(y, k1, 0.5 * h), volt, b);
+      const Y k3 = slope(add(y, k2, 0.5 * h), volt, b);
+      const Y k4 = slope(add(y, k3, h), volt, b);
       for (std::size_t j = 0; j < y.size(); ++j) {
         y[j] += h * (1.0 / 6) * (k1[j] + 2 * (k2[j] + k3[j]) + k4[j]);
       }
+      y = kept(y, b);
     }
     return {y[0], y[1], y[2]};
   }
@@ -62,13 +86,20 @@ class DcMotor {
   using Y = std::array<double, 3>;
   static constexpr double kStep = 16e-6;  // [s]
 
-  Y slope(const Y& y, double volt) const {
+  Y slope(const Y& y, double volt, const DcMotorBounds& b) const {
     const double w = y[1];
     const double friction = w / std::sqrt(w * w + c_.friction_speed * c_.friction_speed);
     const double torque =
         c_.constant * y[2] - c_.viscous * w - c_.coulomb * friction - c_.external_torque;
-    return {w, torque / c_.inertia,
-            (volt - c_.resistance * y[2] - c_.constant * w) / c_.inductance};
+    const double rise = (volt - c_.resistance * y[2] - c_.constant * w) / c_.inductance;
+    const bool full = rise > 0 ? y[2] >= b.i_high : y[2] <= b.i_low;
+    const bool held = torque > 0 ? y[0] >= b.theta_high && w >= 0 : y[0] <= b.theta_low && w <= 0;
+    return {held ? 0 : w, held ? 0 : torque / c_.inertia, full ? 0 : rise};
+  }
+
+  static Y kept(const Y& y, const DcMotorBounds& b) {
+    const double theta = std::clamp(y[0], b.theta_low, b.theta_high);
+    return {theta, theta == y[0] ? y[1] : 0, std::clamp(y[2], b.i_low, b.i_high)};
   }
 
   static Y add(const Y& a, const Y& b, double h) {

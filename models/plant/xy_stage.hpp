@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Two leadscrew axes: signatures of cosim::Plant but for the packing of lines, which is the
+// machine's.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "models/plant/leadscrew_axis.hpp"
+
+namespace trammel::plant {
+
+using XyStageConfig = std::array<LeadscrewConfig, 2>;
+
+class XyStage {
+ public:
+  explicit XyStage(const XyStageConfig& c) : axes_{LeadscrewAxis(c[0]), LeadscrewAxis(c[1])} {}
+
+  const LeadscrewAxis& axis(std::size_t k) const { return axes_[k]; }
+  std::int64_t next() const { return std::min(axes_[0].next(), axes_[1].next()); }
+
+  // Codes of the converters, offset binary.
+  void commit(std::int64_t n, const std::array<unsigned, 2>& codes) {
+    for (std::size_t k = 0; k < axes_.size(); ++k) axes_[k].drive(n, codes[k]);
+  }
+
+ private:
+  std::array<LeadscrewAxis, 2> axes_;
+};
+
+}  // namespace trammel::plant

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "models/plant/leadscrew_axis.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "models/plant/xy_stage.hpp"
+
+using trammel::plant::LeadscrewAxis;
+using trammel::plant::LeadscrewConfig;
+using trammel::plant::XyStage;
+
+namespace {
+
+constexpr std::int64_t kSample = 17'067;  // [clk] of an LM628 at 6 MHz
+
+// Drives with one code until clock `end`, own events in between.
+void run(LeadscrewAxis& axis, std::int64_t from, std::int64_t end, unsigned code) {
+  axis.drive(from, code);
+  while (axis.next() < end) axis.drive(axis.next(), code);
+}
+
+LeadscrewConfig short_travel() {
+  LeadscrewConfig config;
+  config.switch_low = -1e-3;
+  config.switch_high = 1e-3;
+  config.overtravel = 0.5e-3;
+  return config;
+}
+
+}  // namespace
+
+TEST_CASE("leadscrew_axis counts up where the converter's code is above 80h") {
+  LeadscrewAxis axis({});
+  run(axis, 0, 5'000'000, 0xC0);
+  CHECK(axis.sensor().encoder().count() > 100);
+  CHECK(axis.position(5'000'000) > 0);
+  // 800 counts of 5.0165 um a turn.
+  CHECK(axis.position(5'000'000) / 5.0165e-6 ==
+        Approx(static_cast<double>(axis.sensor().encoder().count())).margin(0.6));
+}
+
+TEST_CASE("leadscrew_axis has an amplifier that gives 3 A and no more") {
+  LeadscrewAxis axis({});
+  axis.drive(0, 0xFF);
+  double most = 0, before = 0;
+  for (std::int64_t n = 1000; n <= 500'000; n += 1000) {
+    while (axis.next() < n) axis.drive(axis.next(), 0xFF);
+    most = std::fmax(most, axis.state(n).i);
+    if (n == 400'000) before = axis.state(n).omega;
+  }
+  CHECK(most == 3);
+  // k i - T_c over J: 1050 rad/s^2, once the current is there and the shaft moves.
+  const double rise = axis.state(500'000).omega - before;
+  CHECK(rise / 2e-3 == Approx((0.080 * 3 - 0.03) / 2e-4).epsilon(1e-3));
+}
+
+TEST_CASE("leadscrew_axis finds each change of a line at its first clock") {
+  LeadscrewAxis axis(short_travel());
+  axis.drive(0, 0xA0);
+  int changes = 0;
+  while (changes < 200) {
+    const std::int64_t n = axis.next();
+    if (axis.sensor().leaves(axis.state(n).theta)) {
+      REQUIRE_FALSE(axis.sensor().leaves(axis.state(n - 1).theta));
+      ++changes;
+    }
+    axis.drive(n, 0xA0);
+  }
+}
+
+TEST_CASE("F-11 a limit switch cuts the motor's power within one sample, and says so") {
+  LeadscrewAxis axis(short_travel());
+  axis.drive(0, 0xFF);
+  while (!axis.sensor().at_high()) axis.drive(axis.next(), 0xFF);
+  const std::int64_t hit = axis.next() - 1;
+  CHECK(axis.position(hit) == Approx(1e-3).margin(20e-6));
+  // From then on no current flows toward the switch, though the code asks for all there is.
+  for (std::int64_t n = hit; n < hit + 100 * kSample; n += kSample / 10) {
+    while (axis.next() < n) axis.drive(axis.next(), 0xFF);
+    REQUIRE(axis.state(n).i <= 0);
+  }
+  CHECK(axis.sensor().at_high());
+  CHECK_FALSE(axis.sensor().at_low());
+}
+
+TEST_CASE("leadscrew_axis comes to rest at its stop, and can be driven back off the switch") {
+  LeadscrewConfig config = short_travel();
+  config.overtravel = 0.1e-3;
+  LeadscrewAxis axis(config);
+  run(axis, 0, 5'000'000, 0x00);
+  CHECK(axis.sensor().at_low());
+  CHECK(axis.position(5'000'000) == Approx(-1.1e-3));
+  CHECK(axis.state(5'000'000).omega == 0);
+  CHECK(axis.state(5'000'000).i == 0);
+  run(axis, 5'000'000, 12'000'000, 0xC0);
+  CHECK_FALSE(axis.sensor().at_low());
+  CHECK(axis.position(12'000'000) > -1e-3);
+}
+
+TEST_CASE("an axis of the stage is where it is, whatever the other does") {
+  XyStage stage({}), alone({});
+  stage.commit(0, {0x90, 0x30});
+  alone.commit(0, {0x90, 0x80});
+  const std::int64_t end = 3'000'000;
+  while (stage.next() < end) stage.commit(stage.next(), {0x90, 0x30});
+  while (alone.next() < end) alone.commit(alone.next(), {0x90, 0x80});
+  CHECK(stage.axis(0).position(end) == alone.axis(0).position(end));
+  CHECK(stage.axis(1).position(end) < 0);
+}
