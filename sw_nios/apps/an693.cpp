@@ -12,10 +12,6 @@ constexpr std::uint32_t kForwardSpeed = 0x1828;   // velocity mode: acceleration
 constexpr std::uint32_t kForwardFaster = 0x180C;  // velocity mode: a velocity to be added
 constexpr std::uint32_t kStopBits = 0x0700;
 
-constexpr bool is_any(std::uint8_t value, std::uint8_t one, std::uint8_t other) {
-  return value == one || value == other;
-}
-
 }  // namespace
 
 void an693_stop(Lm628Port& port, An693Stop stop) {
@@ -43,23 +39,12 @@ void An693App::isr(Bus& bus) {
   if (port.stuck()) fail(bus, An693Failure::kBusy);
 }
 
-// AN-693, "Initialization": a part that is not as it should be is reset again.
-bool An693App::initialise(Lm628Port& port) {
-  if (!is_any(port.status(), 0x84, 0xC4)) return false;
-  port.command(Lm628Command::kPort12);
-  port.command(Lm628Command::kRsti, 0x0000);
-  while (!port.stuck()) {
-    const std::uint8_t status = port.status();
-    if ((status & lm628_status::kBusy) == 0) return is_any(status, 0x80, 0xC0);
-  }
-  return false;
-}
-
 void An693App::on_timer(Bus& bus, Lm628Port& port) {
   switch (state_) {
     case State::kReset:
-      if (initialise(port)) {
-        load_filter(port);
+      // A part that is not as it should be is reset again.
+      if (initialise(port, Lm628Command::kPort12)) {
+        load_filter(port, setup_.filter);
         begin(bus, port);
       } else if (resets_ < kResets) {
         start(bus);
@@ -83,19 +68,6 @@ void An693App::on_timer(Bus& bus, Lm628Port& port) {
     case State::kDone:
       break;
   }
-}
-
-// AN-693, "Filter programming".
-void An693App::load_filter(Lm628Port& port) const {
-  const An693Filter& f = setup_.filter;
-  const std::uint32_t loads = 8u | (f.ki != 0 ? 4u : 0) | (f.kd != 0 ? 2u : 0) |
-                              (f.il != 0 ? 1u : 0);
-  port.command(Lm628Command::kLfil, (f.interval - 1) << 8 | loads);
-  port.word(f.kp);
-  if (f.ki != 0) port.word(f.ki);
-  if (f.kd != 0) port.word(f.kd);
-  if (f.il != 0) port.word(f.il);
-  port.command(Lm628Command::kUdf);
 }
 
 void An693App::load_trajectory(Lm628Port& port, std::uint32_t control) const {

@@ -20,13 +20,7 @@ enum class An693Program : std::uint8_t {
   kTuning        // steps there and back
 };
 
-struct An693Filter {
-  std::uint32_t kp = 10;
-  std::uint32_t ki = 0;
-  std::uint32_t kd = 0;
-  std::uint32_t il = 0;
-  std::uint32_t interval = 1;  // of the derivative term, 1..256 samples
-};
+using An693Filter = Lm628Filter;
 
 struct An693Setup {
   An693Program program = An693Program::kHold;
@@ -67,8 +61,6 @@ class An693App final : public Firmware {
  private:
   enum class State : std::uint8_t { kReset, kLoaded, kMoving, kPause, kDone };
 
-  bool initialise(Lm628Port& port);
-  void load_filter(Lm628Port& port) const;
   void load_trajectory(Lm628Port& port, std::uint32_t control) const;
   void begin(Bus& bus, Lm628Port& port);
   void go(Lm628Port& port);

@@ -23,6 +23,7 @@ inline constexpr std::uint32_t kIrqTimer = 1u << 1;
 }  // namespace lm628_map
 
 enum class Lm628Command : std::uint8_t {
+  kReset = 0x00,
   kStt = 0x01,
   kDfh = 0x02,
   kSip = 0x03,
@@ -55,9 +56,10 @@ inline constexpr std::uint8_t kPositionError = 1u << 5;
 inline constexpr std::uint8_t kBreakpoint = 1u << 6;
 }  // namespace lm628_status
 
+// Commands and words at the addresses of lm628_map, of whatever bus stands behind them.
 class Lm628Port {
  public:
-  // A command keeps the part busy for 70 us at most; a poll takes more than 0.4 us.
+  // A command keeps the part busy for 94 us at most; a poll takes more than 0.4 us.
   static constexpr std::uint32_t kPollLimit = 1024;
 
   explicit Lm628Port(Bus& bus) : bus_(bus) {}
@@ -111,5 +113,40 @@ class Lm628Port {
   Bus& bus_;
   bool stuck_ = false;
 };
+
+struct Lm628Filter {
+  std::uint32_t kp = 10;
+  std::uint32_t ki = 0;
+  std::uint32_t kd = 0;
+  std::uint32_t il = 0;
+  std::uint32_t interval = 1;  // of the derivative term, 1..256 samples
+};
+
+// AN-693, "Filter programming": kp, the other coefficients that are not 0, and UDF.
+inline void load_filter(Lm628Port& port, const Lm628Filter& f) {
+  const std::uint32_t loads = 8u | (f.ki != 0 ? 4u : 0) | (f.kd != 0 ? 2u : 0) |
+                              (f.il != 0 ? 1u : 0);
+  port.command(Lm628Command::kLfil, (f.interval - 1) << 8 | loads);
+  port.word(f.kp);
+  if (f.ki != 0) port.word(f.ki);
+  if (f.kd != 0) port.word(f.kd);
+  if (f.il != 0) port.word(f.il);
+  port.command(Lm628Command::kUdf);
+}
+
+// AN-693, "Initialization", after a reset: false where the status is none that it names.
+inline bool initialise(Lm628Port& port, Lm628Command converter) {
+  const auto is_any = [](std::uint8_t value, std::uint8_t one, std::uint8_t other) {
+    return value == one || value == other;
+  };
+  if (!is_any(port.status(), 0x84, 0xC4)) return false;
+  port.command(converter);
+  port.command(Lm628Command::kRsti, 0x0000);
+  while (!port.stuck()) {
+    const std::uint8_t status = port.status();
+    if ((status & lm628_status::kBusy) == 0) return is_any(status, 0x80, 0xC0);
+  }
+  return false;
+}
 
 }  // namespace trammel::sw

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// McAfee's programs through the port picture to the twins of two LM628 at 6 MHz, with motors that
+// follow at once.
+
+#include "sw_nios/apps/mcafee.hpp"
+
+#include <catch2/catch.hpp>
+#include <string>
+#include <vector>
+
+#include "cosim/direct.hpp"
+#include "tests/support/mcafee_stand_in.hpp"
+
+using namespace trammel;
+using namespace trammel::sw;
+using trammel::test::McafeeStandIn;
+using trammel::test::XyFollower;
+
+namespace {
+
+constexpr double kClockS = 20e-9;
+
+// Runs a program to its end, or for so long.
+struct McafeeBench {
+  McafeeStandIn chip;
+  XyFollower follower{chip};
+  McafeeApp app;
+
+  struct Watch final : cosim::Observer {
+    McafeeBench* bench = nullptr;
+    std::int64_t moving = 0;       // samples in which X moved
+    std::int64_t fastest = 0;      // [2^-16 count/sample]
+    int apart = 0;                 // samples that took the new target of one axis alone
+    int starts = 0;                // samples with new targets
+    std::array<std::int64_t, 2> target{};
+    void on(const cosim::Stop& stop, const cosim::Chip& c, const cosim::Plant& p) override {
+      bench->follower.on(stop, c, p);
+      if ((stop.why & cosim::kSample) == 0) return;
+      const auto& desired = bench->chip.part(0).engine().desired();
+      if (desired.speed != 0 || desired.position >> 16 != last) ++moving;
+      last = desired.position >> 16;
+      fastest = std::max<std::int64_t>(fastest, std::abs(desired.speed));
+      const bool x = bench->chip.target(0) != target[0], y = bench->chip.target(1) != target[1];
+      if (x != y) ++apart;
+      if (x || y) ++starts;
+      target = {bench->chip.target(0), bench->chip.target(1)};
+    }
+    std::int64_t last = 0;
+  } watch;
+
+  explicit McafeeBench(const McafeeSetup& setup) : app(setup) { 
+    watch.bench = this;
+    chip.logs = true;
+  }
+
+  void run(double seconds) {
+    cosim::Loop loop(chip, follower, watch);
+    cosim::run_direct(loop, app, {}, static_cast<cosim::Clk>(seconds / kClockS),
+                      [this] { return app.done(); });
+  }
+};
+
+constexpr const char* kReady = "c05 c1D d00 d00 C05 C1D D00 D00 ";  // both initialised
+
+// What passed the port after a text.
+std::string after(const McafeeBench& bench, const std::string& text) {
+  const auto at = bench.chip.bytes.find(text);
+  return at == std::string::npos ? bench.chip.bytes : bench.chip.bytes.substr(at + text.size());
+}
+
+McafeeSetup stage(McafeeStage which) {
+  McafeeSetup setup;
+  setup.stage = which;
+  setup.wait_clk = 50'000;
+  return setup;
+}
+
+McafeeSetup tracking(const std::vector<McafeeRow>& rows) {
+  McafeeSetup setup = stage(McafeeStage::kTrack);
+  setup.rows = rows.data();
+  setup.row_count = static_cast<std::uint32_t>(rows.size());
+  return setup;
+}
+
+}  // namespace
+
+TEST_CASE("F-04 DECOMP gives EE2Dh and 769Eh") {
+  CHECK(mcafee_velocity(254, 255) == 0xEE2D);
+  CHECK(mcafee_velocity(127, 255) == 0x769E);
+  CHECK(mcafee_velocity(0, 255) == 0);
+}
+
+TEST_CASE("F-05 Stage II moves 52 800 counts in 24 173 samples at 6 MHz") {
+  McafeeSetup setup = stage(McafeeStage::kMove);
+  setup.acceleration = 0x25;
+  McafeeBench bench(setup);
+  bench.run(12);
+  CHECK(bench.app.done());
+  CHECK_FALSE(bench.app.failed());
+  CHECK(bench.app.real(0) == 52'800);
+  CHECK(bench.app.real(1) == 0);
+  CHECK(std::abs(bench.watch.moving - 24'173) <= 25);
+  CHECK(bench.watch.fastest == 0x2BB0D);
+  CHECK(after(bench, kReady) ==
+        "c1E d00 d08 d00 dFF c04 "
+        "c1F d00 d2A d00 d00 d00 d25 d00 d02 dBB d0D d00 d00 dCE d40 c01 "  // seven words
+        "c1D d00 d00 C1D D00 D00 "
+        "c0A r00 r00 rCE r40 C0A R00 R00 R00 R00 ");
+}
+
+TEST_CASE("F-06 Stage I reads FF FF FF FB again and again while the encoder stands at -5") {
+  McafeeSetup setup = stage(McafeeStage::kRead);
+  setup.readings = 20;
+  McafeeBench bench(setup);
+  bench.follower.hold({-5, 0});
+  bench.run(0.5);
+  CHECK(bench.app.done());
+  std::string expected;
+  for (int k = 0; k < 21; ++k) expected += "c0A rFF rFF rFF rFB ";
+  CHECK(after(bench, kReady) == expected + "C0A R00 R00 R00 R00 ");
+}
+
+TEST_CASE("Stage III loads an acceleration once, then for each row what of it is not 0") {
+  const std::vector<McafeeRow> rows{{0, 0, 255, 0, 50, 0}, {255, 0, 180, 180, 10, -10}};
+  McafeeBench bench(tracking(rows));
+  bench.run(2);
+  REQUIRE(bench.app.done());
+  CHECK_FALSE(bench.app.failed());
+  CHECK(bench.app.real(0) == 60);
+  CHECK(bench.app.real(1) == -10);
+  // Feed rates are 254 and 0, which is raised to 8: 8 * 180 >> 8 = 5, 5 * F1h = 04B5h.
+  const std::string text = after(bench, kReady);
+  const auto part = [](char c, char d) {
+    const std::string axis =
+        "c1C d00 d22 c1E d00 d08 d00 dFF c04 c1F d00 d20 d00 d00 dEA d60 c01 ";
+    std::string mapped = axis;
+    for (char& letter : mapped) letter = letter == 'c' ? c : letter == 'd' ? d : letter;
+    return mapped;
+  };
+  const std::string begin = part('c', 'd') + part('C', 'D') +
+                            "c1F d00 d0B d00 d00 dEE d2D d00 d00 d00 d32 c01 "
+                            "c1F d00 d0B d00 d00 d04 dB5 d00 d00 d00 d0A "
+                            "C1F D00 D0B D00 D00 D04 DB5 DFF DFF DFF DF6 ";
+  CHECK(text.substr(0, begin.size()) == begin);
+  CHECK(text.find("c01 C01 ") != std::string::npos);
+}
+
+TEST_CASE("Stage III gives no axis the velocity 0, and shifts what it gives") {
+  // 8 * 12 >> 8 = 0: F1h stands for it, shifted by 2 03C4h.
+  const std::vector<McafeeRow> rows{{255, 255, 255, 12, 100, 5}};
+  McafeeSetup setup = tracking(rows);
+  setup.velocity_shift = 2;
+  McafeeBench bench(setup);
+  bench.run(20);
+  REQUIRE(bench.app.done());
+  CHECK(bench.chip.bytes.find("C1F D00 D0B D00 D00 D03 DC4 D00 D00 D00 D05 ") != std::string::npos);
+  CHECK(bench.app.real(1) == 5);
+}
+
+TEST_CASE("no sample falls between the STT of the two axes, and the samples coincide") {
+  std::vector<McafeeRow> rows;
+  for (int k = 0; k < 60; ++k) {  // of many lengths, so that rows end anywhere in a sample
+    const auto way = static_cast<std::int8_t>(20 + k * 7 % 23);
+    const auto scale = static_cast<std::uint8_t>(100 + k * 29 % 155);
+    rows.push_back({0, 0, scale, 180, way, static_cast<std::int8_t>(k % 2 == 0 ? way : -way)});
+  }
+  McafeeBench bench(tracking(rows));
+  bench.run(5);
+  REQUIRE(bench.app.done());
+  CHECK(bench.watch.apart == 0);  // of all samples
+  CHECK(bench.watch.starts == 60);
+}
+
+TEST_CASE("a limit switch ends the program with both motors off") {
+  const std::vector<McafeeRow> rows(40, McafeeRow{0, 0, 255, 0, 100, 0});
+  McafeeBench bench(tracking(rows));
+  bench.follower.limit_at(1000);
+  bench.run(5);
+  CHECK(bench.app.failure() == McafeeFailure::kLimit);
+  CHECK(bench.chip.drive() == 0x8080);
+  const std::string off = "c1F d01 d00 c01 C1F D01 D00 C01 ";
+  REQUIRE(bench.chip.bytes.size() > off.size());
+  CHECK(bench.chip.bytes.substr(bench.chip.bytes.size() - off.size()) == off);
+}
