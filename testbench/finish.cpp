@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "cosim/kung/plan.hpp"
-#include "cosim/kung/points.hpp"
 #include "cosim/kung/words.hpp"
+#include "cosim/points.hpp"
 #include "testbench/config.hpp"
 #include "testbench/waves.hpp"
 
@@ -132,7 +132,7 @@ void finish(Options& o) {
   if (p.kind == PathKind::kPoints) {
     require(!p.points_file.empty(), "path.points_file: is needed with path.kind = \"points\"");
     try {
-      p.points = kung::read_points_csv(p.points_file);
+      p.points = cosim::read_points_csv(p.points_file);
     } catch (const std::invalid_argument& error) {
       throw ConfigError(fmt::format("path.points_file: {}", error.what()));
     }

@@ -15,6 +15,7 @@
 #include "cosim/disk_vector.hpp"
 #include "cosim/kung/wakes.hpp"
 #include "cosim/machine.hpp"
+#include "cosim/points.hpp"
 #include "cosim/promise.hpp"
 #include "models/plant/xy_table.hpp"
 
@@ -31,10 +32,7 @@ enum class PathKind { kCircle, kWindow, kStar, kSquare, kLine, kPoints };
 enum class Engine { kRtl, kTwin };  // the verilated chip, or its bit-exact twin
 enum class WaveFormat { kNone, kVcd, kFst };
 
-struct PointM {
-  double x_m = 0;
-  double y_m = 0;
-};
+using cosim::PointM;
 
 // One axis of the controller: the registers of the chip, in physical units.
 struct AxisGains {

@@ -2,13 +2,13 @@
 #include <catch2/catch.hpp>
 #include <sstream>
 
-#include "cosim/kung/points.hpp"
+#include "cosim/points.hpp"
 
 namespace {
 
-std::vector<trammel::kung::PointM> read(const std::string& text) {
+std::vector<trammel::cosim::PointM> read(const std::string& text) {
   std::istringstream stream(text);
-  return trammel::kung::read_points_csv(stream, "p.csv");
+  return trammel::cosim::read_points_csv(stream, "p.csv");
 }
 
 }  // namespace
@@ -37,9 +37,9 @@ TEST_CASE("lines that are not two numbers are refused by line") {
   CHECK_THROWS_AS(read("1,2,3\n"), std::invalid_argument);
   CHECK_THROWS_AS(read("1,2 mm\n"), std::invalid_argument);
   CHECK_THROWS_AS(read("# nothing\n"), std::invalid_argument);
-  CHECK_THROWS_WITH(trammel::kung::read_points_csv("no/such.csv"),
+  CHECK_THROWS_WITH(trammel::cosim::read_points_csv("no/such.csv"),
                     "no/such.csv: cannot be read: No such file or directory");
-  CHECK_THROWS_WITH(trammel::kung::read_points_csv("."), ".: cannot be read: it is a folder");
+  CHECK_THROWS_WITH(trammel::cosim::read_points_csv("."), ".: cannot be read: it is a folder");
 }
 
 TEST_CASE("a mark of the encoding is no part of the first line") {

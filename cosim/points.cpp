@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cosim/kung/points.hpp"
+#include "cosim/points.hpp"
 
 #include <cerrno>
 #include <cstring>
@@ -11,7 +11,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace trammel::kung {
+namespace trammel::cosim {
 namespace {
 
 std::string trimmed(const std::string& s) {
@@ -32,10 +32,11 @@ std::optional<double> number(const std::string& field) {
   throw std::invalid_argument(name + ":" + std::to_string(line) + ": " + what);
 }
 
-double checked(const std::string& name, int line, const char* column, double mm) {
-  if (mm >= kPointMinMm && mm <= kPointMaxMm) return mm * 1e-3;
+double checked(const std::string& name, int line, const char* column, double mm,
+               const PointRange& range) {
+  if (mm >= range.low_mm && mm <= range.high_mm) return mm * 1e-3;
   std::ostringstream text;
-  text << column << " = " << mm << " is out of range " << kPointMinMm << ".." << kPointMaxMm
+  text << column << " = " << mm << " is out of range " << range.low_mm << ".." << range.high_mm
        << " mm";
   refuse(name, line, text.str());
 }
@@ -50,7 +51,8 @@ std::string without_mark(const std::string& line, const std::string& name) {
 
 }  // namespace
 
-std::vector<PointM> read_points_csv(std::istream& text, const std::string& name) {
+std::vector<PointM> read_points_csv(std::istream& text, const std::string& name,
+                                    const PointRange& range) {
   std::vector<PointM> points;
   bool header_allowed = true;
   int line_number = 0;
@@ -68,23 +70,26 @@ std::vector<PointM> read_points_csv(std::istream& text, const std::string& name)
     }
     header_allowed = false;
     if (!x || !y) refuse(name, line_number, "expected two numbers x_mm,y_mm, found '" + line + "'");
-    points.push_back(
-        {checked(name, line_number, "x_mm", *x), checked(name, line_number, "y_mm", *y)});
+    points.push_back({checked(name, line_number, "x_mm", *x, range),
+                      checked(name, line_number, "y_mm", *y, range)});
   }
   if (points.empty()) {
-    refuse(name, line_number, "no points; expected lines x_mm,y_mm with values 0..600 mm");
+    std::ostringstream what;
+    what << "no points; expected lines x_mm,y_mm with values " << range.low_mm << ".."
+         << range.high_mm << " mm";
+    refuse(name, line_number, what.str());
   }
   return points;
 }
 
-std::vector<PointM> read_points_csv(const std::string& file) {
+std::vector<PointM> read_points_csv(const std::string& file, const PointRange& range) {
   std::error_code ignored;
   if (std::filesystem::is_directory(file, ignored)) {
     throw std::invalid_argument(file + ": cannot be read: it is a folder");
   }
   std::ifstream text(file);
   if (!text) throw std::invalid_argument(file + ": cannot be read: " + std::strerror(errno));
-  return read_points_csv(text, file);
+  return read_points_csv(text, file, range);
 }
 
-}  // namespace trammel::kung
+}  // namespace trammel::cosim

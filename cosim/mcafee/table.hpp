@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The table of a path as McAfee's Stage III takes it (1994, App. D, Table 5): rows of constant
+// length of way, of points that are exact and then rounded to counts, half away from zero.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "cosim/mcafee/path.hpp"
+#include "sw_nios/apps/mcafee.hpp"
+
+namespace trammel::mcafee {
+
+struct Table {
+  std::vector<sw::McafeeRow> rows;
+  double row_mm = 0;                  // length of way of each
+  std::vector<std::string> warnings;  // each names its row; rows count from 0
+};
+
+// Whose curvature is analytic, or for points that of the circle through the three at the row.
+// count_mm: of an encoder count. Throws cosim::OptionsError naming the row: its increments are
+// -127..127 counts, and one of them is not 0.
+Table make_table(const Path& path, const PathOptions& options, double count_mm);
+
+// c,cc,vx,vy,dx,dy, a line a row.
+std::string table_csv(const Table& table);
+
+}  // namespace trammel::mcafee

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Points of a path from a text file: two columns x_mm,y_mm, one point a line, at most one header
+// line; empty lines and lines that begin with '#' are skipped. Throws std::invalid_argument that
+// names file, line and what is permitted.
+#pragma once
+
+#include <iosfwd>
+#include <string>
+#include <vector>
+
+namespace trammel::cosim {
+
+struct PointM {
+  double x_m = 0;
+  double y_m = 0;
+};
+
+struct PointRange {
+  double low_mm = 0, high_mm = 600;  // stroke of Kung's table
+};
+
+std::vector<PointM> read_points_csv(std::istream& text, const std::string& name,
+                                    const PointRange& range = {});
+std::vector<PointM> read_points_csv(const std::string& file, const PointRange& range = {});
+
+}  // namespace trammel::cosim
