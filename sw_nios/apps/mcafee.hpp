@@ -69,6 +69,7 @@ class McafeeApp final : public Firmware {
 
   bool failed() const { return failure_ != McafeeFailure::kNone; }
   McafeeFailure failure() const { return failure_; }
+  bool ending() const { return state_ == State::kPause || done(); }  // all motion has ended
   std::uint32_t rows() const { return started_; }  // of which the motion was started
   std::uint32_t speed() const { return running_; }  // v of the last of them
   std::uint32_t readings() const { return readings_; }

@@ -58,8 +58,8 @@ TEST_CASE("F-09 the corner changes C at once and CC ten rows ahead of it") {
     REQUIRE(table.rows[k].vx == 255);
     REQUIRE(table.rows[k].dy == 0);
   }
-  for (std::size_t k = 200; k < 206; ++k) REQUIRE(table.rows[k].c == 255);
-  CHECK(table.rows[206].c == 0);
+  for (std::size_t k = 200; k < 207; ++k) REQUIRE(table.rows[k].c == 255);
+  CHECK(table.rows[207].c == 0);
   CHECK(table.rows[405].cc == 0);  // beyond the end it stays as it ends
   CHECK(table.rows[405].vy == 255);
 }
