@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "cosim/machine.hpp"
 #include "systemc/chip_module.hpp"
 #include "systemc/soft_processor.hpp"
 
@@ -44,6 +45,18 @@ template <class Session>
 void run_direct(Session& session) {
   cosim::run_direct(session.loop(), session.firmware(), session.timing(), session.end(),
                     [&session] { return session.finished(); });
+}
+
+// The wiring that these options ask for.
+template <class Session, class Options>
+auto simulate(const Options& options, const cosim::Hooks& hooks) {
+  Session session(options, hooks);
+  if (options.run.platform == cosim::Platform::kSystemC) {
+    run(session);
+  } else {
+    run_direct(session);
+  }
+  return session.result();
 }
 
 }  // namespace trammel::systemc

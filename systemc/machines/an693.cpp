@@ -7,13 +7,7 @@
 namespace trammel::lm628 {
 
 Result simulate(const Options& options, const cosim::Hooks& hooks) {
-  Session session(options, hooks);
-  if (options.run.platform == cosim::Platform::kSystemC) {
-    systemc::run(session);
-  } else {
-    systemc::run_direct(session);
-  }
-  return session.result();
+  return systemc::simulate<Session>(options, hooks);
 }
 
 }  // namespace trammel::lm628

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "cosim/direct.hpp"
-#include "tests/support/mcafee_stand_in.hpp"
+#include "tests/support/xy_follower.hpp"
 
 using namespace trammel;
 using namespace trammel::sw;
-using trammel::test::McafeeStandIn;
+using trammel::mcafee::TwinChip;
 using trammel::test::XyFollower;
 
 namespace {
@@ -23,7 +23,7 @@ constexpr double kClockS = 20e-9;
 
 // Runs a program to its end, or for so long.
 struct McafeeBench {
-  McafeeStandIn chip;
+  TwinChip chip;
   XyFollower follower{chip};
   McafeeApp app;
 

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "cosim/direct.hpp"
-#include "cosim/mcafee/table.hpp"
-#include "tests/support/mcafee_stand_in.hpp"
+#include "cosim/mcafee/session.hpp"
+#include "cosim/mcafee/twin_chip.hpp"
 
 using namespace trammel;
 using namespace trammel::mcafee;
@@ -32,14 +32,14 @@ struct Tracked {
 
 // Looks at the table in every sample.
 struct Follow final : cosim::Observer {
-  const test::StagePlant& plant;
+  const StagePlant& plant;
   const sw::McafeeApp& app;
   const Path& path;
   double row_mm;
   Tracked result;
   cosim::Clk begin = 0;
 
-  Follow(const test::StagePlant& p, const sw::McafeeApp& a, const Path& way, double row)
+  Follow(const StagePlant& p, const sw::McafeeApp& a, const Path& way, double row)
       : plant(p), app(a), path(way), row_mm(row) {}
 
   void on(const cosim::Stop& stop, const cosim::Chip&, const cosim::Plant&) override {
@@ -64,8 +64,8 @@ Tracked track(const PathOptions& options, sw::McafeeSetup setup,
   const Table table = make_table(path, options, kCountMm);
   setup.rows = table.rows.data();
   setup.row_count = static_cast<std::uint32_t>(table.rows.size());
-  test::McafeeStandIn chip;
-  test::StagePlant plant(stage);
+  TwinChip chip;
+  StagePlant plant(stage);
   sw::McafeeApp app(setup);
   Follow follow(plant, app, path, table.row_mm);
   cosim::Loop loop(chip, plant, follow);

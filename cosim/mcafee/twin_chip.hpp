@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// McAfee's machine without its RTL: the port picture in front of the twins of two LM628 and of the
-// feed rate, with the platform's timer; and what the parts can drive.
+// McAfee's machine of bit-exact twins: the port picture in front of two LM628 and the feed rate,
+// with the platform's timer. Its bus transfers take a constant time.
 #pragma once
 
 #include <algorithm>
@@ -10,31 +10,21 @@
 #include <cstdint>
 #include <string>
 
-#include "cosim/cosim.hpp"
+#include "cosim/mcafee/chip.hpp"
 #include "models/exact/chips/lm628.hpp"
 #include "models/exact/control/feed_rate.hpp"
-#include "models/plant/xy_stage.hpp"
 #include "sw_nios/hal/mcafee_xy.hpp"
 
-namespace trammel::test {
+namespace trammel::mcafee {
 
-// Bits of sense() of axis k; drive() holds the codes of the converters, X in the low byte.
-constexpr int encoder_a(std::size_t k) { return static_cast<int>(3 * k); }
-constexpr int encoder_b(std::size_t k) { return static_cast<int>(3 * k + 1); }
-constexpr int index_n(std::size_t k) { return static_cast<int>(3 * k + 2); }
-inline constexpr int kLimitLines = 6;
-constexpr unsigned code_of(cosim::Lines drive, std::size_t k) {
-  return static_cast<unsigned>(drive >> 8 * k & 0xFF);
-}
-
-class McafeeStandIn final : public cosim::Chip {
+class TwinChip final : public McafeeChip {
  public:
   static constexpr cosim::Clk kPulse = 275;  // 5.5 us
 
   std::string bytes;  // that passed the port: c 1F, d 00 to X, C and D to Y; r, R data read
   bool logs = false;
 
-  McafeeStandIn() {
+  TwinChip() {
     for (auto& part : parts_) {
       for (int i = 0; i < 2; ++i) part.step({});
       part.reset();
@@ -43,6 +33,14 @@ class McafeeStandIn final : public cosim::Chip {
 
   const exact::Lm628& part(std::size_t k) const { return parts_[k]; }
   std::int64_t target(std::size_t k) const { return targets_[k]; }  // that the last sample took
+
+  Words words(std::size_t axis) const override {
+    const exact::Lm628Engine& engine = parts_[axis].engine();
+    return {engine.desired().position, static_cast<std::int32_t>(engine.desired().speed),
+            static_cast<std::int32_t>(engine.actual()), static_cast<std::int32_t>(engine.error()),
+            static_cast<std::int32_t>(engine.output())};
+  }
+  cosim::Clk evaluated() const override { return evaluated_; }
 
   cosim::Clk now() const override { return now_; }
   cosim::Lines drive() const override { return drive_; }
@@ -59,7 +57,7 @@ class McafeeStandIn final : public cosim::Chip {
       in_[k].b = (lines >> encoder_b(k) & 1) != 0;
       in_[k].index_n = (lines >> index_n(k) & 1) != 0;
     }
-    limits_ = static_cast<std::uint32_t>(lines >> kLimitLines & 0xF);
+    limits_ = static_cast<std::uint32_t>(lines >> kLimits & 0xF);
   }
 
   cosim::Stop run(cosim::Clk end, const cosim::Plant&) override {
@@ -80,6 +78,7 @@ class McafeeStandIn final : public cosim::Chip {
         parts_[k].step(in_[k]);
       }
       ++now_;
+      ++evaluated_;
       unsigned why = commits ? cosim::kSample : 0u;
       sampled_ = sampled_ || commits;
       if (edge == pulse_begin_ + kSetup + kPulse - 1 && reads()) {
@@ -206,89 +205,15 @@ class McafeeStandIn final : public cosim::Chip {
   std::array<exact::Lm628::In, 2> in_;
   exact::FeedRate feed_rate_;
   cosim::BusOp op_;
-  cosim::Clk now_ = 0, bus_end_ = cosim::kNever, timer_ = cosim::kNever;
+  cosim::Clk now_ = 0, evaluated_ = 0;
+  cosim::Clk bus_end_ = cosim::kNever, timer_ = cosim::kNever;
   cosim::Clk pulse_begin_ = -1000, reset_end_ = -1000;
   std::uint32_t port_b_ = 0, limits_ = 0, rdata_ = 0;
   std::uint8_t port_c_ = 0, byte_ = 0;
   std::int32_t feed_ = 0;
   bool sampled_ = false, timer_irq_ = false, irq_ = false;
-  cosim::Lines drive_ = 0x8080;
+  cosim::Lines drive_ = kZeroCodes;
   std::array<std::int64_t, 2> targets_{};
 };
 
-// Encoder lines of a count, marker high.
-constexpr cosim::Lines count_lines(std::int64_t count, std::size_t k) {
-  return cosim::Lines{((count + 1) & 2) != 0} << encoder_a(k) |
-         cosim::Lines{(count & 2) != 0} << encoder_b(k) | cosim::Lines{1} << index_n(k);
-}
-
-// Motors that are where they are told to be, from sample to sample.
-class XyFollower final : public cosim::Plant, public cosim::Observer {
- public:
-  explicit XyFollower(const McafeeStandIn& chip) : chip_(chip) {}
-
-  // Goes there with the first sample, and stays.
-  void hold(std::array<std::int64_t, 2> counts) {
-    hold_ = counts;
-    held_ = true;
-  }
-  void limit_at(std::int64_t count) { limit_ = count; }  // of X
-
-  cosim::Lines sense() const override {
-    return count_lines(count_[0], 0) | count_lines(count_[1], 1) |
-           cosim::Lines{count_[0] >= limit_} << (kLimitLines + 1);
-  }
-  cosim::Clk next() const override { return count_ == goal_ ? cosim::kNever : at_ + 4; }
-  void commit(cosim::Clk n, cosim::Lines) override {
-    if (n < next()) return;
-    for (std::size_t k = 0; k < 2; ++k) {
-      if (count_[k] != goal_[k]) count_[k] += goal_[k] > count_[k] ? 1 : -1;
-    }
-    at_ = n;
-  }
-  int sample(int, cosim::Clk) const override { return 0; }
-  void on(const cosim::Stop& stop, const cosim::Chip&, const cosim::Plant&) override {
-    if ((stop.why & cosim::kSample) == 0) return;
-    for (std::size_t k = 0; k < 2; ++k) {
-      goal_[k] = held_ ? hold_[k] : chip_.part(k).engine().desired().position >> 16;
-    }
-    at_ = stop.edge;
-  }
-
- private:
-  const McafeeStandIn& chip_;
-  std::array<std::int64_t, 2> count_{}, goal_{}, hold_{};
-  cosim::Clk at_ = 0;
-  bool held_ = false;
-  std::int64_t limit_ = 1 << 30;
-};
-
-// The stage of models/ behind the interface of cosim/.
-class StagePlant final : public cosim::Plant {
- public:
-  explicit StagePlant(const plant::XyStageConfig& config) : stage_(config) {}
-
-  const plant::XyStage& stage() const { return stage_; }
-
-  cosim::Lines sense() const override {
-    cosim::Lines lines = 0;
-    for (std::size_t k = 0; k < 2; ++k) {
-      const plant::LeadscrewSensor& s = stage_.axis(k).sensor();
-      lines |= cosim::Lines{s.encoder().a()} << encoder_a(k) |
-               cosim::Lines{s.encoder().b()} << encoder_b(k) |
-               cosim::Lines{s.encoder().marker()} << index_n(k) |
-               (cosim::Lines{s.at_low()} | cosim::Lines{s.at_high()} << 1) << (kLimitLines + 2 * k);
-    }
-    return lines;
-  }
-  cosim::Clk next() const override { return stage_.next(); }
-  void commit(cosim::Clk n, cosim::Lines drive) override {
-    stage_.commit(n, {code_of(drive, 0), code_of(drive, 1)});
-  }
-  int sample(int, cosim::Clk) const override { return 0; }
-
- private:
-  plant::XyStage stage_;
-};
-
-}  // namespace trammel::test
+}  // namespace trammel::mcafee

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cosim/mcafee/session.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+namespace trammel::mcafee {
+namespace {
+
+Table table_for(const Options& o) {
+  if (o.stage != sw::McafeeStage::kTrack) return {};
+  return make_table(Path(o.path), o.path, o.count_mm());
+}
+
+const char* what_failed(sw::McafeeFailure failure) {
+  switch (failure) {
+    case sw::McafeeFailure::kReset: return "the status after a reset is none of the data sheet's";
+    case sw::McafeeFailure::kBusy: return "a busy bit did not clear";
+    case sw::McafeeFailure::kCommandError: return "a part reported a command error";
+    case sw::McafeeFailure::kPositionError: return "a part reported a position error";
+    case sw::McafeeFailure::kLimit: return "a limit switch was reached";
+    case sw::McafeeFailure::kNone: break;
+  }
+  return "";
+}
+
+}  // namespace
+
+unsigned StagePlant::limits() const {
+  unsigned lines = 0;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const plant::LeadscrewSensor& s = stage_.axis(k).sensor();
+    lines |= (s.at_low() ? 1u : 0u) << 2 * k | (s.at_high() ? 2u : 0u) << 2 * k;
+  }
+  return lines;
+}
+
+cosim::Lines StagePlant::sense() const {
+  cosim::Lines lines = cosim::Lines{limits()} << kLimits;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const plant::SineEncoder& e = stage_.axis(k).sensor().encoder();
+    lines |= cosim::Lines{e.a()} << encoder_a(k) | cosim::Lines{e.b()} << encoder_b(k) |
+             cosim::Lines{e.marker()} << index_n(k);
+  }
+  return lines;
+}
+
+Session::Session(const Options& options, const cosim::Hooks& hooks)
+    : options_(options),
+      hooks_(hooks),
+      table_(table_for(options)),
+      plant_({options.stage_axis, options.stage_axis}),
+      chip_(make_twin_chip()),
+      app_(program()),
+      loop_(*chip_, plant_, *this,
+            options.run.window_clk == 0 ? cosim::kNever : options.run.window_clk) {}
+
+sw::McafeeSetup Session::program() const {
+  const Options& o = options_;
+  sw::McafeeSetup setup;
+  setup.stage = o.stage;
+  setup.filter = o.filter;
+  setup.wait_clk =
+      static_cast<std::uint32_t>(std::lround(o.wait_s * 1e12 / static_cast<double>(period_ps())));
+  setup.readings = static_cast<std::uint32_t>(o.readings);
+  setup.acceleration = o.acceleration;
+  setup.velocity = o.velocity;
+  setup.position = o.position;
+  setup.rows = table_.rows.data();
+  setup.row_count = static_cast<std::uint32_t>(table_.rows.size());
+  setup.speed = static_cast<std::uint32_t>(o.speed);
+  setup.least_speed = static_cast<std::uint32_t>(o.least_speed);
+  setup.velocity_shift = static_cast<std::uint32_t>(o.velocity_shift);
+  return setup;
+}
+
+cosim::ProcessorTiming Session::timing() const {
+  const cosim::ProcessorOptions& p = options_.processor;
+  return {p.access_clk, p.interrupt_latency_clk};
+}
+
+cosim::Clk Session::end() const {
+  return std::llround(options_.run.max_s * 1e12 / static_cast<double>(period_ps()));
+}
+
+void Session::on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant&) {
+  if (over_ || stop.why == cosim::kLimit) return;
+  hash_.mix(stop, chip);
+  if ((stop.why & cosim::kSample) == 0) return;
+  samples_.push_back(sample_at(stop.edge));
+  for (const AxisSample& axis : samples_.back().axis) {
+    hash_.mix(static_cast<std::uint64_t>(axis.words.position));
+    hash_.mix(static_cast<std::uint32_t>(axis.words.actual));
+  }
+  if (const auto ended = end_after(samples_.back())) {
+    end_ = *ended;
+    over_ = true;
+  }
+}
+
+Sample Session::sample_at(cosim::Clk edge) const {
+  Sample sample;
+  sample.edge = edge;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const plant::LeadscrewAxis& axis = plant_.stage().axis(k);
+    const plant::DcMotorState state = axis.state(edge);
+    sample.axis[k] = {chip_->words(k), 1e3 * state.theta / axis.sensor().radians_per_m(), state.i,
+                      axis.voltage()};
+  }
+  sample.limits = plant_.limits();
+  sample.row = app_.rows();
+  sample.v = app_.speed();
+  return sample;
+}
+
+std::optional<cosim::EndReason> Session::end_after(const Sample& sample) {
+  if (hooks_.progress && samples_.size() % 64 == 0) hooks_.progress(std::min(1.0, progress()));
+  if (hooks_.stop != nullptr && hooks_.stop->load()) return cosim::EndReason::kStopped;
+  if (app_.failed()) return cosim::EndReason::kFault;
+  const auto off = [&](const AxisSample& axis) {
+    return std::abs(axis.words.error) > options_.run.diverged_counts;
+  };
+  if (std::any_of(sample.axis.begin(), sample.axis.end(), off)) return cosim::EndReason::kDiverged;
+  if (app_.done()) return cosim::EndReason::kDone;
+  return {};
+}
+
+double Session::progress() const {
+  const auto share = [](double part, double whole) { return whole > 0 ? part / whole : 1; };
+  switch (options_.stage) {
+    case sw::McafeeStage::kRead: return share(app_.readings(), options_.readings);
+    case sw::McafeeStage::kMove:
+      return share(chip_->words(0).actual, std::max(1, options_.position));
+    case sw::McafeeStage::kTrack: break;
+  }
+  return share(app_.rows(), static_cast<double>(table_.rows.size()));
+}
+
+Result Session::result() {
+  Result result;
+  result.samples = std::move(samples_);
+  result.end = end_;
+  result.fault = what_failed(app_.failure());
+  result.readings = app_.readings();
+  result.real = {app_.real(0), app_.real(1)};
+  result.table = table_;
+  result.clocks = chip_->now();
+  result.evaluated = chip_->evaluated();
+  result.wall_s =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+  result.event_hash = hash_.value();
+  return result;
+}
+
+}  // namespace trammel::mcafee

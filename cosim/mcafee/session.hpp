@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// One run of the machine mcafee, ready to be driven by a wiring: chip, plant, firmware, loop and
+// record, and the decision when the run is over.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "cosim/direct.hpp"
+#include "cosim/event_hash.hpp"
+#include "cosim/mcafee/types.hpp"
+
+namespace trammel::mcafee {
+
+// The stage of models/ behind the interface of cosim/.
+class StagePlant final : public cosim::Plant {
+ public:
+  explicit StagePlant(const plant::XyStageConfig& config) : stage_(config) {}
+
+  const plant::XyStage& stage() const { return stage_; }
+  unsigned limits() const;
+
+  cosim::Lines sense() const override;
+  cosim::Clk next() const override { return stage_.next(); }
+  void commit(cosim::Clk n, cosim::Lines drive) override {
+    stage_.commit(n, {code_of(drive, 0), code_of(drive, 1)});
+  }
+  int sample(int, cosim::Clk) const override { return 0; }  // there is no converter
+
+ private:
+  plant::XyStage stage_;
+};
+
+class Session final : private cosim::Observer {
+ public:
+  // Throws cosim::OptionsError or std::invalid_argument for a path that cannot be followed.
+  Session(const Options& options, const cosim::Hooks& hooks);
+
+  cosim::Loop& loop() { return loop_; }
+  sw::Firmware& firmware() { return app_; }
+  cosim::ProcessorTiming timing() const;
+  std::int64_t period_ps() const { return options_.stage_axis.clock_ps; }
+  cosim::Clk end() const;  // edge at which the run ends at the latest
+  bool finished() const { return over_; }
+
+  Result result();
+
+ private:
+  void on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant& plant) override;
+  Sample sample_at(cosim::Clk edge) const;
+  std::optional<cosim::EndReason> end_after(const Sample& sample);
+  sw::McafeeSetup program() const;
+  double progress() const;
+
+  Options options_;
+  cosim::Hooks hooks_;
+  Table table_;
+  StagePlant plant_;
+  std::unique_ptr<McafeeChip> chip_;
+  sw::McafeeApp app_;
+  cosim::Loop loop_;
+  std::vector<Sample> samples_;
+  cosim::EventHash hash_;
+  std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+  cosim::EndReason end_ = cosim::EndReason::kTimeout;
+  bool over_ = false;
+};
+
+}  // namespace trammel::mcafee
