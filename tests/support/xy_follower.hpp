@@ -13,7 +13,8 @@ namespace trammel::test {
 // Encoder lines of a count, marker high.
 constexpr cosim::Lines count_lines(std::int64_t count, std::size_t k) {
   return cosim::Lines{((count + 1) & 2) != 0} << mcafee::encoder_a(k) |
-         cosim::Lines{(count & 2) != 0} << mcafee::encoder_b(k) | cosim::Lines{1} << mcafee::index_n(k);
+         cosim::Lines{(count & 2) != 0} << mcafee::encoder_b(k) |
+         cosim::Lines{1} << mcafee::index_n(k);
 }
 
 // Motors that are where they are told to be, from sample to sample.
