@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 namespace trammel::lm628 {
 namespace {
@@ -51,12 +52,10 @@ const char* failure_text(sw::An693Failure failure) {
 
 }  // namespace
 
-Session::Session(const Options& options, const cosim::Hooks& hooks)
+Bench::Bench(const Options& options, std::function<bool(const Sample&)> finished)
     : options_(options),
-      hooks_(hooks),
       plant_(options.plant),
       chip_(make_verilated_chip(options.run.leap)),
-      app_(program_setup(options)),
       recorder_(
           *chip_,
           [this](Sample& sample) {
@@ -66,14 +65,30 @@ Session::Session(const Options& options, const cosim::Hooks& hooks)
             sample.i = s.i;
             sample.volt = plant_.axis().voltage();
           },
-          [this](const Sample& sample) { return over(sample); }),
+          std::move(finished)),
       loop_(*chip_, plant_, recorder_,
-            options.run.window_clk == 0 ? cosim::kNever : options.run.window_clk),
-      expected_s_(expected_s(options)) {}
+            options.run.window_clk == 0 ? cosim::kNever : options.run.window_clk) {}
 
-cosim::Clk Session::end() const {
+cosim::Clk Bench::end() const {
   return std::llround(options_.run.max_s * 1e12 / static_cast<double>(options_.plant.clock_ps));
 }
+
+Result Bench::result() {
+  Result result;
+  result.samples = recorder_.take_samples();
+  result.clocks = chip_->now();
+  result.evaluated = chip_->evaluated();
+  result.event_hash = recorder_.event_hash();
+  result.wall_s =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+  return result;
+}
+
+Session::Session(const Options& options, const cosim::Hooks& hooks)
+    : Bench(options, [this](const Sample& sample) { return over(sample); }),
+      hooks_(hooks),
+      app_(program_setup(options)),
+      expected_s_(expected_s(options)) {}
 
 bool Session::over(const Sample& sample) {
   if (hooks_.stop != nullptr && hooks_.stop->load(std::memory_order_relaxed)) {
@@ -84,7 +99,7 @@ bool Session::over(const Sample& sample) {
     end_ = cosim::EndReason::kFault;
     return true;
   }
-  if (std::abs(sample.words.error) > options_.run.diverged_counts) {
+  if (std::abs(sample.words.error) > options().run.diverged_counts) {
     end_ = cosim::EndReason::kDiverged;
     return true;
   }
@@ -97,17 +112,11 @@ bool Session::over(const Sample& sample) {
 }
 
 Result Session::result() {
-  Result result;
-  result.samples = recorder_.take_samples();
+  Result result = Bench::result();
   result.end = end_;
   result.fault = failure_text(app_.failure());
   result.desired = app_.desired();
   result.real = app_.real();
-  result.clocks = chip_->now();
-  result.evaluated = chip_->evaluated();
-  result.event_hash = recorder_.event_hash();
-  result.wall_s =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
   return result;
 }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// One run of the machine an693, ready to be driven by a wiring: chip, plant, firmware, loop and
-// record, and the decision when the run is over.
+// One run of the machine an693, ready to be driven by a wiring: chip, plant, loop and record, with
+// firmware and the decision when the run is over, or with somebody else at the port.
 #pragma once
 
 #include <chrono>
+#include <functional>
+#include <memory>
 
 #include "cosim/direct.hpp"
 #include "cosim/lm628/recorder.hpp"
@@ -33,12 +35,15 @@ class MotorPlant final : public cosim::Plant {
   plant::MotorAxis axis_;
 };
 
-class Session {
+// Chip, motor, loop and record: what every run of the machine has, whoever is at the port.
+class Bench {
  public:
-  Session(const Options& options, const cosim::Hooks& hooks);
+  // `finished` is asked after each sample, and after it said so nothing more is recorded.
+  Bench(const Options& options, std::function<bool(const Sample&)> finished);
 
   cosim::Loop& loop() { return loop_; }
-  sw::Firmware& firmware() { return app_; }
+  const Lm628Chip& chip() const { return *chip_; }
+  const MotorPlant& plant() const { return plant_; }
   cosim::ProcessorTiming timing() const {
     return {options_.processor.access_clk, options_.processor.interrupt_latency_clk};
   }
@@ -46,21 +51,35 @@ class Session {
   cosim::Clk end() const;  // edge at which the run ends at the latest
   bool finished() const { return recorder_.done(); }
 
+  Result result();  // all but how it ended, which only who is at the port can tell
+
+ protected:
+  const Options& options() const { return options_; }
+
+ private:
+  Options options_;
+  MotorPlant plant_;
+  std::unique_ptr<Lm628Chip> chip_;
+  Recorder recorder_;
+  cosim::Loop loop_;
+  std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+};
+
+// With the firmware at the port.
+class Session final : public Bench {
+ public:
+  Session(const Options& options, const cosim::Hooks& hooks);
+
+  sw::Firmware& firmware() { return app_; }
   Result result();
 
  private:
   bool over(const Sample& sample);
 
-  Options options_;
   cosim::Hooks hooks_;
-  MotorPlant plant_;
-  std::unique_ptr<Lm628Chip> chip_;
   sw::An693App app_;
-  Recorder recorder_;
-  cosim::Loop loop_;
   double expected_s_;
   std::int64_t samples_ = 0;
-  std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
   cosim::EndReason end_ = cosim::EndReason::kTimeout;
 };
 
