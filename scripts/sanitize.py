@@ -76,6 +76,8 @@ RUNS = [
     # A gain that rounds up to the next power of two, and one below the least exponent.
     (0, *SHORT, "-s", "gains.kp=0.99999", "-s", "gains.ki=1e-6", "-o", "OUT/gains"),
     (5, "run", "an693-hold", "-s", "run.diverged_counts=1", "-o", "OUT/an693"),
+    (0, "lm628", "tuning", "-o", "OUT/lm628"), (0, "lm628", "hold", "--json"), (0, "lm628"),
+    (0, "lm628", "OUT/all.lm628"),
     (0, "list", "keys", "an693"), (0, "list"), (0, "list", "keys"),
     (0, "list", "signals", "--json"), (0, "--version"),
     (0, "list", "signals"), (0, "list", "keys", "--json"), (0, "--help"), (0, "run", "--help"),
@@ -114,6 +116,10 @@ REFUSED = [
     (2, "is no key of the machine an693", *AN693, "-s", "gains.kp=1"),
     (2, "is no key of the machine kung", "run", "circle", "-s", "filter.kp=1"),
     (2, "is not offered", *AN693, "--wave", "fst"), (2, "no report page", "report", "OUT/an693"),
+    (2, "did you mean LTRJ?", "lm628", "OUT/bad.lm628"),
+    (2, "no such script", "lm628", "nothing"), (2, "is no key", "lm628", "hold", "-s", "a.b=1"),
+    (5, "not within 0.01 s", "lm628", "OUT/late.lm628"),
+    (5, "busy bit did not clear", "lm628", "OUT/busy.lm628"),
     (2, "only runs of one machine", "report", "OUT/direct", "OUT/other", "-o", "OUT/two.html"),
     (2, "at most 8", "report", *["OUT/direct"] * 9, "-o", "OUT/two.html"),
     (2, "name a file", "report", "OUT/direct", "-o", "OUT/empty"),
@@ -150,7 +156,17 @@ def damage(name, file, change):
     (OUT / name / file).write_text(change(text), encoding="utf-8")
 
 
+# Every word of the shell.
+WORDS = """RESET\nPORT8\nPORT12\nDFH\nSIP\nLPEI 1\nLPES 2\nSBPA -5\nSBPR 5\nMSKI 0\nRSTI 0
+LFIL 0Fh 1 2 3 4\nUDF\nLTRJ 3Fh 1 2 3\nSTT\nRDSTAT\nRDSIGS\nRDIP\nRDDP\nRDRP\nRDDV\nRDRV\nRDSUM
+byte c 0Ah\nwait 1 ms\nread d\nrst\nwait complete\nstatus\npins\nhelp\nhelp LFIL\nhelp RSTI
+help wait\nhelp status\nhelp byte\nhelp PORT12\nquit\n"""
+
+
 def write_bad_input():
+    (OUT / "bad.lm628").write_text("LTRK 0\n", encoding="utf-8")
+    (OUT / "late.lm628").write_text("RSTI 0\nwait hi 10 ms\n", encoding="utf-8")
+    (OUT / "busy.lm628").write_text("byte c 0\nRDRP\n", encoding="utf-8")
     (OUT / "empty").mkdir()
     (OUT / "bad.toml").write_text("[gains\nkp = 1\n", encoding="utf-8")
     (OUT / "bad.csv").write_text("1,2\n3;4\n", encoding="utf-8")
@@ -163,8 +179,8 @@ def write_bad_input():
 
 def succeeds(code, says, words):
     command = [PROGRAM, *(w.replace("OUT", str(OUT)) for w in words)]
-    done = subprocess.run(command, env=ENVIRONMENT, cwd=OUT, capture_output=True, text=True,
-                          errors="replace", check=False)
+    done = subprocess.run(command, env=ENVIRONMENT, cwd=OUT, stdin=subprocess.DEVNULL,
+                          capture_output=True, text=True, errors="replace", check=False)
     line = f"trammel {' '.join(words)}: exit code {done.returncode}"
     told = [text for text in done.stderr.split("\n")[:-1] if "waves of" not in text]
     clear = says is None or (len(told) == 1 and told[0].startswith("trammel: ") and says in told[0])
@@ -179,6 +195,7 @@ def succeeds(code, says, words):
 def program():
     shutil.rmtree(OUT, ignore_errors=True)
     OUT.mkdir(parents=True)
+    (OUT / "all.lm628").write_text(WORDS, encoding="utf-8")
     good = [succeeds(code, None, words) for code, *words in RUNS]
     if not all(good):
         return 1

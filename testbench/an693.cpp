@@ -11,6 +11,7 @@
 #include "testbench/config.hpp"
 #include "testbench/output.hpp"
 #include "testbench/progress.hpp"
+#include "testbench/report_page.hpp"
 
 namespace trammel::testbench {
 namespace {
@@ -19,6 +20,13 @@ constexpr double kSettledBand = 2.5;  // [count] that a step settles to
 constexpr double kPerCount = 65536;  // of a position or speed
 constexpr unsigned kMotorOff = 0x80;  // of the status
 
+// What a script does itself, or what does not end its run.
+bool of_firmware(const KeyInfo& key) {
+  return key.name == "program" || key.name == "run.platform" ||
+         key.name == "run.diverged_counts" || key.name == "processor.interrupt_latency_clk" ||
+         key.name.rfind("filter.", 0) == 0 || key.name.rfind("trajectory.", 0) == 0;
+}
+
 nlohmann::ordered_json interrupts_json(const std::vector<An693Metrics::Interrupt>& list) {
   auto all = nlohmann::ordered_json::array();
   for (const auto& one : list) {
@@ -26,40 +34,6 @@ nlohmann::ordered_json interrupts_json(const std::vector<An693Metrics::Interrupt
                    {"real_count", one.real}});
   }
   return all;
-}
-
-nlohmann::ordered_json an693_json(const lm628::Options& options, const lm628::Result& result,
-                                  const An693Metrics& m) {
-  nlohmann::ordered_json json;
-  json["machine"] = machine_name<lm628::Options>();
-  json["scenario"] = options.scenario;
-  json["end"] = end_text(result.end);
-  if (!result.fault.empty()) json["fault"] = result.fault;
-  json["motion"] = {{"samples", m.moving_samples},
-                    {"time_s", m.moving_s},
-                    {"desired_count", result.desired},
-                    {"real_count", result.real},
-                    {"max_error_counts", m.max_error_counts},
-                    {"overshoot_counts", m.overshoot_counts},
-                    {"settled_s", m.settled_s},
-                    {"max_speed_rev_s", m.max_speed_rev_s},
-                    {"max_voltage_V", m.max_voltage_V},
-                    {"max_current_A", m.max_current_A}};
-  json["interrupts"] = interrupts_json(m.interrupts);
-  const double simulated = seconds_at(options, result.clocks);
-  json["run"] = {{"samples", result.samples.size()},
-                 {"clock_ps", options.plant.clock_ps},
-                 {"clocks", result.clocks},
-                 {"clocks_evaluated", result.evaluated},
-                 {"simulated_s", simulated},
-                 {"wall_s", result.wall_s},
-                 {"real_time_factor", result.wall_s > 0 ? simulated / result.wall_s : 0},
-                 {"event_hash", fmt::format("{:016x}", result.event_hash)}};
-  json["versions"] = versions_json();
-  for (const auto& key : keys_of<lm628::Options>()) {
-    json["options"][key.name] = value_json(key.get(options));
-  }
-  return json;
 }
 
 void write_samples(const std::filesystem::path& file, const lm628::Options& options,
@@ -76,42 +50,6 @@ void write_samples(const std::filesystem::path& file, const lm628::Options& opti
                 s.host_irq ? 1 : 0, s.omega, s.i, s.volt);
     }
   });
-}
-
-std::string an693_report(const lm628::Options& options, const lm628::Result& result,
-                         const An693Metrics& m, const std::string& folder) {
-  std::string text = fmt::format("{}: {}{}\n", options.scenario, end_text(result.end),
-                                 result.fault.empty() ? "" : ": " + result.fault);
-  if (!options.description.empty()) text += fmt::format("  {}\n", options.description);
-  const auto line = [&text](const char* name, const std::string& value) {
-    text += fmt::format("  {:<22}{}\n", name, value);
-  };
-  line("motion", fmt::format("{} samples, {:.4f} s", m.moving_samples, m.moving_s));
-  if (result.end == cosim::EndReason::kDone) {
-    line("end position", fmt::format("desired {}, real {} counts", result.desired, result.real));
-  }
-  for (const auto& one : m.interrupts) {
-    line("host interrupt", fmt::format("sample {}, {:.4f} s, desired {}, real {} counts",
-                                       one.sample, one.time_s, one.desired, one.real));
-    if (&one - m.interrupts.data() == 9 && m.interrupts.size() > 10) {
-      line("", fmt::format("and {} more", m.interrupts.size() - 10));
-      break;
-    }
-  }
-  line("overshoot", fmt::format("{:.2f} counts", m.overshoot_counts));
-  if (options.program == sw::An693Program::kTuning) {
-    line("first step settled", fmt::format("{:.1f} ms", 1e3 * m.settled_s));
-  }
-  line("largest error", fmt::format("{} counts", m.max_error_counts));
-  line("largest speed", fmt::format("{:.3f} rev/s", m.max_speed_rev_s));
-  line("largest voltage", fmt::format("{:.2f} V, current {:.3f} A", m.max_voltage_V,
-                                      m.max_current_A));
-  const double simulated = seconds_at(options, result.clocks);
-  line("simulated", fmt::format("{:.3f} s in {:.2f} s, {:.1f} % of the clocks evaluated", simulated,
-                                result.wall_s,
-                                100 * static_cast<double>(result.evaluated) /
-                                    static_cast<double>(std::max<cosim::Clk>(1, result.clocks))));
-  return text + fmt::format("  {}/metrics.json, trace.csv, motion.svg, run.toml\n", folder);
 }
 
 lm628::Result simulate_shown(const lm628::Options& options, const SimulateAn693& simulate,
@@ -188,6 +126,103 @@ void finish(const lm628::Options& options) {
   }
 }
 
+nlohmann::ordered_json an693_json(const lm628::Options& options, const lm628::Result& result,
+                                  const std::string& command, const An693Script* script) {
+  const An693Metrics m = evaluate(options, result);
+  nlohmann::ordered_json json;
+  json["machine"] = machine_name<lm628::Options>();
+  json["scenario"] = options.scenario;
+  json["command"] = command;
+  json["end"] = end_text(result.end);
+  if (!result.fault.empty()) json["fault"] = result.fault;
+  json["motion"] = {{"samples", m.moving_samples},
+                    {"time_s", m.moving_s},
+                    {"desired_count", result.desired},
+                    {"real_count", result.real},
+                    {"max_error_counts", m.max_error_counts},
+                    {"overshoot_counts", m.overshoot_counts},
+                    {"settled_s", m.settled_s},
+                    {"max_speed_rev_s", m.max_speed_rev_s},
+                    {"max_voltage_V", m.max_voltage_V},
+                    {"max_current_A", m.max_current_A}};
+  json["interrupts"] = interrupts_json(m.interrupts);
+  const double simulated = seconds_at(options, result.clocks);
+  json["run"] = {{"samples", result.samples.size()},
+                 {"clock_ps", options.plant.clock_ps},
+                 {"clocks", result.clocks},
+                 {"clocks_evaluated", result.evaluated},
+                 {"simulated_s", simulated},
+                 {"wall_s", result.wall_s},
+                 {"real_time_factor", result.wall_s > 0 ? simulated / result.wall_s : 0},
+                 {"event_hash", fmt::format("{:016x}", result.event_hash)}};
+  if (script != nullptr) json["script"] = script->answers;
+  json["versions"] = versions_json();
+  for (const auto& key : keys_of<lm628::Options>()) {
+    if (script != nullptr && of_firmware(key)) continue;
+    json["options"][key.name] = value_json(key.get(options));
+  }
+  return json;
+}
+
+std::string an693_report(const lm628::Options& options, const lm628::Result& result,
+                         const std::string& folder, const std::string& page) {
+  const An693Metrics m = evaluate(options, result);
+  std::string text = fmt::format("{}: {}{}\n", options.scenario, end_text(result.end),
+                                 result.fault.empty() ? "" : ": " + result.fault);
+  if (!options.description.empty()) text += fmt::format("  {}\n", options.description);
+  const auto line = [&text](const char* name, const std::string& value) {
+    text += fmt::format("  {:<22}{}\n", name, value);
+  };
+  line("motion", fmt::format("{} samples, {:.4f} s", m.moving_samples, m.moving_s));
+  if (result.end == cosim::EndReason::kDone) {
+    line("end position", fmt::format("desired {}, real {} counts", result.desired, result.real));
+  }
+  for (const auto& one : m.interrupts) {
+    line("host interrupt", fmt::format("sample {}, {:.4f} s, desired {}, real {} counts",
+                                       one.sample, one.time_s, one.desired, one.real));
+    if (&one - m.interrupts.data() == 9 && m.interrupts.size() > 10) {
+      line("", fmt::format("and {} more", m.interrupts.size() - 10));
+      break;
+    }
+  }
+  line("overshoot", fmt::format("{:.2f} counts", m.overshoot_counts));
+  if (options.program == sw::An693Program::kTuning) {
+    line("first step settled", fmt::format("{:.1f} ms", 1e3 * m.settled_s));
+  }
+  line("largest error", fmt::format("{} counts", m.max_error_counts));
+  line("largest speed", fmt::format("{:.3f} rev/s", m.max_speed_rev_s));
+  line("largest voltage", fmt::format("{:.2f} V, current {:.3f} A", m.max_voltage_V,
+                                      m.max_current_A));
+  const double simulated = seconds_at(options, result.clocks);
+  line("simulated", fmt::format("{:.3f} s in {:.2f} s, {:.1f} % of the clocks evaluated", simulated,
+                                result.wall_s,
+                                100 * static_cast<double>(result.evaluated) /
+                                    static_cast<double>(std::max<cosim::Clk>(1, result.clocks))));
+  text += fmt::format("  results in {}\n", folder);
+  if (!page.empty()) text += fmt::format("  report: {}\n", page);
+  return text;
+}
+
+bool write_an693_files(const std::filesystem::path& folder, const lm628::Options& options,
+                       const lm628::Result& result, const nlohmann::ordered_json& metrics,
+                       const An693Script* script, bool report) {
+  write_text(folder / "metrics.json", metrics.dump(2) + '\n');
+  if (script == nullptr) {
+    write_text(folder / "run.toml", run_toml(options));
+  } else {
+    write_text(folder / "script.lm628", script->text);
+    write_text(folder / "run.toml", run_toml(options, metrics["command"], of_firmware));
+  }
+  write_samples(folder / "trace.csv", options, result);
+  if (!write_motion_picture(folder, options, result)) {
+    fmt::print(stderr, "trammel: no picture: {}\n",
+               find_program("gnuplot").empty() ? "gnuplot is missing (see `trammel doctor`)"
+                                               : "there is nothing to draw");
+  }
+  if (report) fmt::print(stderr, "trammel: the machine an693 has no report page yet\n");
+  return false;
+}
+
 int run_an693(const lm628::Options& options, const RunArguments& arguments,
               const SimulateAn693& simulate, const std::atomic<bool>& stop) {
   namespace fs = std::filesystem;
@@ -195,26 +230,21 @@ int run_an693(const lm628::Options& options, const RunArguments& arguments,
       arguments.out.empty() ? fs::path("out") / options.scenario : fs::path(arguments.out);
   OutputFolder folder(target);
   const lm628::Result result = simulate_shown(options, simulate, stop);
-  const An693Metrics metrics = evaluate(options, result);
-  const nlohmann::ordered_json json = an693_json(options, result, metrics);
-  write_text(folder.scratch() / "metrics.json", json.dump(2) + '\n');
-  write_text(folder.scratch() / "run.toml", run_toml(options));
-  write_samples(folder.scratch() / "trace.csv", options, result);
-  if (!write_motion_picture(folder.scratch(), options, result)) {
-    fmt::print(stderr, "trammel: no picture: {}\n",
-               find_program("gnuplot").empty() ? "gnuplot is missing (see `trammel doctor`)"
-                                               : "there is nothing to draw");
-  }
+  const nlohmann::ordered_json json = an693_json(options, result, repeat_command(options), nullptr);
+  const bool page =
+      write_an693_files(folder.scratch(), options, result, json, nullptr, arguments.report);
   folder.publish();
 
-  const std::string shown = fs::proximate(folder.target()).string();
-  fmt::print("{}", arguments.json ? json.dump(2) + '\n'
-                                  : an693_report(options, result, metrics, shown));
-  if (arguments.report) fmt::print(stderr, "trammel: the machine an693 has no report page yet\n");
+  const fs::path shown = fs::proximate(folder.target());
+  fmt::print("{}", arguments.json
+                       ? json.dump(2) + '\n'
+                       : an693_report(options, result, shown.string(),
+                                      page ? (shown / "report.html").string() : ""));
   const int code = exit_code(result.end);
   if (code != 0) {
     fmt::print(stderr, "trammel: {}: {}{}; record kept in {}\n", options.scenario,
-               end_text(result.end), result.fault.empty() ? "" : " by " + result.fault, shown);
+               end_text(result.end), result.fault.empty() ? "" : " by " + result.fault,
+               shown.string());
   }
   return code;
 }

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "testbench/run.hpp"
 
 namespace trammel::testbench {
@@ -41,6 +43,25 @@ double shaft_counts(const lm628::Options& options, const lm628::Sample& sample);
 // motion.svg: trajectory, terms of the filter, and status over time; false without gnuplot.
 bool write_motion_picture(const std::filesystem::path& folder, const lm628::Options& options,
                           const lm628::Result& result);
+
+// A run that a script drove, not the firmware: the keys of the firmware are none of it.
+struct An693Script {
+  std::string text;                 // script.lm628
+  nlohmann::ordered_json answers;   // an entry a line
+};
+
+// metrics.json; `command` repeats the run.
+nlohmann::ordered_json an693_json(const lm628::Options& options, const lm628::Result& result,
+                                  const std::string& command, const An693Script* script);
+
+// All files of a run, and one line on stderr for each that cannot be made. True with report.html.
+bool write_an693_files(const std::filesystem::path& folder, const lm628::Options& options,
+                       const lm628::Result& result, const nlohmann::ordered_json& metrics,
+                       const An693Script* script, bool report);
+
+// What a person reads at the end; `page` is report.html, or empty.
+std::string an693_report(const lm628::Options& options, const lm628::Result& result,
+                         const std::string& folder, const std::string& page);
 
 // Simulates, writes the output folder and prints the figures; the exit code.
 int run_an693(const lm628::Options& options, const RunArguments& arguments,

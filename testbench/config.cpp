@@ -210,8 +210,7 @@ void apply_text(Options& options, const std::string& toml, const std::string& so
   }
 }
 
-template <class Options>
-void apply_file(Options& options, const fs::path& file) {
+std::string read_text(const fs::path& file) {
   std::error_code ignored;
   std::ifstream in(file);
   if (!in || fs::is_directory(file, ignored)) {
@@ -220,7 +219,12 @@ void apply_file(Options& options, const fs::path& file) {
   }
   std::stringstream text;
   text << in.rdbuf();
-  apply_text(options, text.str(), file.string(), fs::absolute(file).parent_path());
+  return text.str();
+}
+
+template <class Options>
+void apply_file(Options& options, const fs::path& file) {
+  apply_text(options, read_text(file), file.string(), fs::absolute(file).parent_path());
 }
 
 template <class Options>
@@ -278,10 +282,12 @@ std::vector<std::pair<std::string, std::string>> environment() {
 }
 
 template <class Options>
-std::string run_toml(const Options& options) {
-  std::string text = "# Written by trammel; `trammel run run.toml` repeats this run.\n";
+std::string run_toml(const Options& options, const std::string& command,
+                     bool (*left_out)(const KeyInfo&)) {
+  std::string text = fmt::format("# Written by trammel; `{}` repeats this run.\n", command);
   std::string section;
   for (const KeyOf<Options>& key : keys_of<Options>()) {
+    if (left_out != nullptr && left_out(key)) continue;
     const auto dot = key.name.rfind('.');
     const std::string here = dot == std::string::npos ? "" : key.name.substr(0, dot);
     if (here != section) text += fmt::format("\n[{}]\n", here);
@@ -299,7 +305,7 @@ std::string run_toml(const Options& options) {
   template void apply_assignment(Options&, const std::string&, const std::string&);               \
   template void apply_environment(Options&,                                                       \
                                   const std::vector<std::pair<std::string, std::string>>&);       \
-  template std::string run_toml(const Options&)
+  template std::string run_toml(const Options&, const std::string&, bool (*)(const KeyInfo&))
 TRAMMEL_INSTANTIATE(kung::Options);
 TRAMMEL_INSTANTIATE(lm628::Options);
 #undef TRAMMEL_INSTANTIATE
@@ -321,29 +327,40 @@ std::string machine_of(const fs::path& file) {
                                 near.empty() ? "" : fmt::format("; did you mean {}?", near)));
 }
 
-std::vector<fs::path> scenarios(const std::string& machine) {
+std::vector<fs::path> built_in(const std::string& extension) {
   std::vector<fs::path> all;
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(kScenarioFolder, ignored)) {
-    if (entry.path().extension() != ".toml") continue;
-    if (machine.empty() || machine_of(entry.path()) == machine) all.push_back(entry.path());
+    if (entry.path().extension() == extension) all.push_back(entry.path());
   }
   std::sort(all.begin(), all.end());
   return all;
 }
 
-fs::path find_scenario(const std::string& name) {
+std::vector<fs::path> scenarios(const std::string& machine) {
+  std::vector<fs::path> all = built_in(".toml");
+  const auto other = [&machine](const fs::path& file) {
+    return !machine.empty() && machine_of(file) != machine;
+  };
+  all.erase(std::remove_if(all.begin(), all.end(), other), all.end());
+  return all;
+}
+
+fs::path find_built_in(const std::string& name, const std::string& extension,
+                       const std::string& kind) {
   std::vector<std::string> names;
-  for (const fs::path& file : scenarios()) {
+  for (const fs::path& file : built_in(extension)) {
     if (file.stem() == name) return file;
     names.push_back(file.stem().string());
   }
   const fs::path file = name;
-  if (file.extension() == ".toml" || file.has_parent_path()) return file;
+  if (file.extension() == extension || file.has_parent_path()) return file;
   const std::string near = suggest(name, names);
-  throw ConfigError(fmt::format("{}: no such scenario{}; built in: {}; or give a .toml file", name,
+  throw ConfigError(fmt::format("{}: no such {}{}; built in: {}; or give a {} file", name, kind,
                                 near.empty() ? "" : fmt::format(", did you mean {}?", near),
-                                fmt::join(names, ", ")));
+                                fmt::join(names, ", "), extension));
 }
+
+fs::path find_scenario(const std::string& name) { return find_built_in(name, ".toml", "scenario"); }
 
 }  // namespace trammel::testbench

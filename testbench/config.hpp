@@ -48,9 +48,18 @@ std::vector<std::pair<std::string, std::string>> environment();
 void finish(kung::Options& options);
 void finish(const lm628::Options& options);
 
-// Everything needed to repeat the run, as TOML.
+// Everything needed to repeat the run by `command`, as TOML, but the keys that `left_out` names.
 template <class Options>
-std::string run_toml(const Options& options);
+std::string run_toml(const Options& options, const std::string& command = "trammel run run.toml",
+                     bool (*left_out)(const KeyInfo&) = nullptr);
+
+// All of a file; one that cannot be read is a ConfigError.
+std::string read_text(const std::filesystem::path& file);
+
+// Files of that extension that are built in; one of them by its name, or a path.
+std::vector<std::filesystem::path> built_in(const std::string& extension);
+std::filesystem::path find_built_in(const std::string& name, const std::string& extension,
+                                    const std::string& kind);
 
 // A built-in scenario's name or a path to a .toml file.
 std::filesystem::path find_scenario(const std::string& name);

@@ -16,6 +16,7 @@
 #include "systemc/machines/kung.hpp"
 #include "testbench/config.hpp"
 #include "testbench/doctor.hpp"
+#include "testbench/lm628.hpp"
 #include "testbench/report_page.hpp"
 #include "testbench/run.hpp"
 
@@ -28,13 +29,14 @@ static_assert(std::atomic<bool>::is_always_lock_free, "set by a signal handler")
 
 void on_interrupt(int) { g_stop = true; }
 
-// The first Ctrl-C asks the run to end with what it has; a second one ends the program.
-void catch_interrupts() {
+// The first Ctrl-C asks the run to end with what it has; a second one ends the program. In a
+// conversation each one ends a wait.
+void catch_interrupts(bool conversation = false) {
   struct sigaction action {};
   action.sa_handler = on_interrupt;
-  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  action.sa_flags = conversation ? 0 : static_cast<int>(SA_RESETHAND);
   sigaction(SIGINT, &action, nullptr);
-  sigaction(SIGTERM, &action, nullptr);
+  if (!conversation) sigaction(SIGTERM, &action, nullptr);
 }
 
 struct CommandLine {
@@ -46,6 +48,7 @@ struct CommandLine {
   CLI::App* list = nullptr;
   CLI::App* doctor = nullptr;
   CLI::App* report = nullptr;
+  CLI::App* lm628 = nullptr;
   tb::ReportArguments report_arguments;
 
   CommandLine() {
@@ -58,21 +61,26 @@ struct CommandLine {
     run = app.add_subcommand("run", "simulate a scenario and show whether the table followed");
     run->add_option("scenario", run_arguments.scenario, "built-in name or path of a .toml file");
     run->add_flag("--all", run_arguments.all, "the paper's eight experiments");
-    run->add_option("-c,--config", run_arguments.files, "more TOML files, later ones win");
-    run->add_option("-s,--set", run_arguments.assignments, "key=value (`trammel list keys`)");
+    add_layers(run);
     run->add_option("-o,--out", run_arguments.out, "output folder, default out/<scenario>");
     run->add_option("--engine", run_arguments.engine, "rtl, or twin: its bit-exact twins, fast");
     run->add_option("--platform", run_arguments.platform, "systemc or direct");
     add_waves(run_arguments.waves);
-    run->add_flag("--no-leap", run_arguments.plain, "evaluate every clock; the same events");
     run->add_flag("--audit", run_arguments.audit,
                   "a plain and a leaping chip in step, every register compared; exit 4 at the "
                   "first that differs");
     run->add_flag("--assert", run_arguments.assertions,
                   "look at the promises of the RTL; exit 4 when one is broken; 50 times slower");
     run->add_flag("--check", run_arguments.check, "exit 1 when a figure is out of tolerance");
-    run->add_flag_callback("--no-report", [this] { run_arguments.report = false; },
-                           "without report.html");
+
+    lm628 = app.add_subcommand("lm628", "the commands of an LM628 with its motor: a script, or a "
+                                        "conversation");
+    lm628->add_option("script", run_arguments.scenario,
+                      "built-in name, file, or - for standard input; none on a terminal: a "
+                      "conversation, in which `help` names the commands");
+    add_layers(lm628);
+    lm628->add_option("-o,--out", run_arguments.out, "write what `trammel run` writes into this "
+                                                     "folder, and script.lm628");
 
     report = app.add_subcommand("report", "a page of a run, or one that compares runs");
     report->add_option("folder", report_arguments.folders,
@@ -86,6 +94,15 @@ struct CommandLine {
     list->add_option("machine", machine, "whose keys: kung or an693")
         ->check(CLI::IsMember(tb::machines()));
     doctor = app.add_subcommand("doctor", "what is here and what is missing");
+  }
+
+  // Of every verb that simulates.
+  void add_layers(CLI::App* verb) {
+    verb->add_option("-c,--config", run_arguments.files, "more TOML files, later ones win");
+    verb->add_option("-s,--set", run_arguments.assignments, "key=value (`trammel list keys`)");
+    verb->add_flag("--no-leap", run_arguments.plain, "evaluate every clock; the same events");
+    verb->add_flag_callback("--no-report", [this] { run_arguments.report = false; },
+                            "without report.html");
   }
 
   void add_waves(tb::WaveArguments& waves) {
@@ -121,6 +138,12 @@ int perform(const CommandLine& line) {
     tb::ReportArguments arguments = line.report_arguments;
     arguments.json = line.run_arguments.json;
     return tb::report(arguments);
+  }
+  if (line.lm628->parsed()) {
+    const bool conversation = tb::is_conversation(line.run_arguments);
+    catch_interrupts(conversation);
+    return tb::lm628_shell(line.run_arguments, g_stop,
+                           conversation ? tb::terminal_lines() : tb::ReadLine());
   }
   catch_interrupts();
   return tb::run(line.run_arguments, trammel::kung::simulate, g_stop, trammel::lm628::simulate);

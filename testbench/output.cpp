@@ -25,7 +25,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kOwnFiles[] = {"metrics.json", "trace.csv",  "detail.json", "run.toml",
                                      "report.html",  "path.svg",   "error.svg",   "motion.svg",
-                                     "waves.vcd",    "waves.fst",  "waves.gtkw"};
+                                     "waves.vcd",    "waves.fst",  "waves.gtkw",  "script.lm628"};
 
 Json wakes_json(const kung::WakeCounts& wakes) {
   Json json;

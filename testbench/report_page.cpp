@@ -237,19 +237,20 @@ int report(const ReportArguments& arguments) {
   return 0;
 }
 
-std::string repeat_command(const kung::Options& options) {
+template <class Options>
+std::string repeat_command(const Options& options) {
   constexpr std::size_t kMostShown = 8;
-  const std::vector<fs::path> all = scenarios();
+  const std::vector<fs::path> all = scenarios(machine_name<Options>());
   const auto file = std::find_if(all.begin(), all.end(), [&](const fs::path& one) {
     return one.stem() == options.scenario ||
            options.scenario.rfind(one.stem().string() + '-', 0) == 0;  // of run --all
   });
   if (file != all.end()) {
-    kung::Options reference;
+    Options reference;
     apply_file(reference, *file);
     std::string command = "./trammel run " + file->stem().string();
     std::size_t shown = 0;
-    for (const Key& key : keys()) {
+    for (const auto& key : keys_of<Options>()) {
       if (key.name == "name" || key.name == "description" ||
           key.get(options) == key.get(reference)) {
         continue;
@@ -264,5 +265,8 @@ std::string repeat_command(const kung::Options& options) {
   }
   return "./trammel run run.toml";
 }
+
+template std::string repeat_command(const kung::Options&);
+template std::string repeat_command(const lm628::Options&);
 
 }  // namespace trammel::testbench

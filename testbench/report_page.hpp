@@ -8,8 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "cosim/kung/types.hpp"
-
 namespace trammel::testbench {
 
 // <folder>/report.html from the folder's own files. Throws ConfigError when they are not those of a
@@ -30,6 +28,7 @@ struct ReportArguments {
 int report(const ReportArguments& arguments);  // the verb
 
 // The command that repeats a run: a built-in scenario with what differs from it, or its run.toml.
-std::string repeat_command(const kung::Options& options);
+template <class Options>
+std::string repeat_command(const Options& options);
 
 }  // namespace trammel::testbench

@@ -16,12 +16,7 @@
 #include "testbench/waves.hpp"
 
 namespace trammel::testbench {
-namespace {
 
-namespace fs = std::filesystem;
-using kung::Options;
-
-// What lies above a scenario and has no flag of its own.
 template <class AnyOptions>
 void apply_own_layers(AnyOptions& options, const RunArguments& arguments) {
   for (const std::string& more : arguments.files) apply_file(options, more);
@@ -36,6 +31,14 @@ void apply_own_layers(AnyOptions& options, const RunArguments& arguments) {
   flag(arguments.audit, "run.audit=true", "--audit");
   flag(arguments.assertions, "run.assertions=true", "--assert");
 }
+
+template void apply_own_layers(kung::Options&, const RunArguments&);
+template void apply_own_layers(lm628::Options&, const RunArguments&);
+
+namespace {
+
+namespace fs = std::filesystem;
+using kung::Options;
 
 void apply_layers(Options& options, const RunArguments& arguments) {
   apply_own_layers(options, arguments);

@@ -34,6 +34,10 @@ struct RunArguments {
   bool check = false;                    // exit 1 when a figure is outside its tolerance
 };
 
+// -c, the environment, -s and the flags that are keys: what lies above a scenario.
+template <class Options>
+void apply_own_layers(Options& options, const RunArguments& arguments);
+
 // The scenario's file says which machine it is of.
 int run(const RunArguments& arguments, const Simulate& simulate, const std::atomic<bool>& stop,
         const SimulateAn693& simulate_an693 = {});

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "testbench/lm628.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cstdio>
+#include <iostream>
+#include <iterator>
+#include <vector>
+
+#include "testbench/an693.hpp"
+#include "testbench/config.hpp"
+#include "testbench/lm628_shell.hpp"
+#include "testbench/output.hpp"
+
+namespace trammel::testbench {
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+constexpr char kHere[] = "lm628";  // where a line is from that somebody typed
+
+// What was executed so far, and how that ended.
+struct Conversation {
+  An693Script script{"", Json::array()};
+  cosim::EndReason end = cosim::EndReason::kDone;
+};
+
+void tell(const std::string& text) {
+  fmt::print(stderr, "trammel: {}\n", text);
+}
+
+void execute(Lm628Shell& shell, const Lm628Line& line, Conversation& all, bool quiet) {
+  if (line.word->action != Lm628Action::kHelp) all.script.text += line.text + '\n';
+  const Lm628Answer answer = shell.execute(line);
+  all.script.answers.push_back(answer.json);
+  if (!quiet) fmt::print("{}", answer.text);
+  if (!answer.note.empty()) tell(answer.note);
+  std::fflush(stdout);
+}
+
+void play(Lm628Shell& shell, const std::vector<Lm628Line>& script, Conversation& all, bool quiet) {
+  try {
+    for (const Lm628Line& line : script) {
+      if (line.word->action == Lm628Action::kQuit) return;
+      execute(shell, line, all, quiet);
+    }
+  } catch (const Lm628Halt& halt) {
+    all.end = halt.end;
+    tell(halt.what());
+  }
+}
+
+void converse(Lm628Shell& shell, const ReadLine& read_line, std::atomic<bool>& stop,
+              Conversation& all) {
+  fmt::print("LM628 of 8 MHz with a DC motor, after RST; `help` names the commands\n");
+  for (;;) {
+    const std::optional<std::string> text = read_line("lm628> ");
+    const bool interrupted = stop.exchange(false);
+    if (!text && interrupted) {
+      fmt::print("\n");
+      continue;
+    }
+    if (!text) return;
+    try {
+      const auto line = parse_lm628_line(*text, kHere);
+      if (!line) continue;
+      if (line->word->action == Lm628Action::kQuit) return;
+      execute(shell, *line, all, false);
+    } catch (const ConfigError& error) {
+      tell(error.what());
+    } catch (const Lm628Halt& halt) {
+      tell(halt.what());
+      stop = false;
+    }
+  }
+}
+
+std::string read_script(const std::string& name, std::string& source, std::string& stem) {
+  if (name.empty() || name == "-") {
+    source = "standard input";
+    return {std::istreambuf_iterator<char>(std::cin), {}};
+  }
+  const fs::path file = find_lm628_script(name);
+  source = file.string();
+  stem = file.stem().string();
+  return read_text(file);
+}
+
+}  // namespace
+
+bool is_conversation(const RunArguments& arguments) {
+  return arguments.scenario.empty() && isatty(STDIN_FILENO) != 0 && isatty(STDOUT_FILENO) != 0;
+}
+
+int lm628_shell(const RunArguments& arguments, std::atomic<bool>& stop,
+                const ReadLine& read_line) {
+  const bool talks = static_cast<bool>(read_line);
+  if (talks && arguments.json) throw ConfigError("lm628: --json: needs a script");
+  lm628::Options options;
+  options.scenario = "lm628";
+  std::vector<Lm628Line> lines;
+  if (!talks) {
+    std::string source;
+    const std::string text = read_script(arguments.scenario, source, options.scenario);
+    lines = parse_lm628_script(text, source);
+  }
+  apply_own_layers(options, arguments);
+  finish(options);
+  options.run.platform = cosim::Platform::kDirect;  // the host is this program
+  std::optional<OutputFolder> folder;
+  if (!arguments.out.empty()) folder.emplace(arguments.out);
+
+  Lm628Shell shell(options, stop);
+  Conversation all;
+  if (talks) {
+    converse(shell, read_line, stop, all);
+  } else {
+    play(shell, lines, all, arguments.json);
+  }
+  lm628::Result result = shell.result();
+  result.end = all.end;
+  Json json;
+  if (folder || arguments.json) {
+    json = an693_json(options, result, "./trammel lm628 script.lm628 -c run.toml", &all.script);
+  }
+  if (arguments.json) fmt::print("{}\n", json.dump(2));
+  if (folder) {
+    const bool page = write_an693_files(folder->scratch(), options, result, json, &all.script,
+                                        arguments.report);
+    folder->publish();
+    const fs::path target = fs::proximate(folder->target());
+    if (!arguments.json) {
+      fmt::print("{}", an693_report(options, result, target.string(),
+                                    page ? (target / "report.html").string() : ""));
+    }
+  }
+  return exit_code(result.end);
+}
+
+}  // namespace trammel::testbench

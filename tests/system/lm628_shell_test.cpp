@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Scripts of `trammel lm628` on the simulated part with its motor.
+
+#include "testbench/lm628_shell.hpp"
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "systemc/machines/an693.hpp"
+#include "testbench/an693.hpp"
+#include "testbench/config.hpp"
+#include "testbench/lm628.hpp"
+#include "testbench/output.hpp"
+
+using namespace trammel;
+using namespace trammel::testbench;
+using Catch::Matchers::Contains;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::atomic<bool> kNoStop{false};
+
+struct Played {
+  std::string text;
+  std::vector<nlohmann::ordered_json> answers;
+  std::string halt;
+  cosim::EndReason end = cosim::EndReason::kDone;
+  lm628::Result result;
+};
+
+Played play(const std::string& script, const lm628::Options& options = {}) {
+  Lm628Shell shell(options, kNoStop);
+  Played all;
+  try {
+    for (const Lm628Line& line : parse_lm628_script(script, "test")) {
+      const Lm628Answer answer = shell.execute(line);
+      all.text += answer.text;
+      all.answers.push_back(answer.json);
+    }
+  } catch (const Lm628Halt& halt) {
+    all.halt = halt.what();
+    all.end = halt.end;
+  }
+  all.result = shell.result();
+  return all;
+}
+
+nlohmann::json metrics_of(const fs::path& folder) {
+  return nlohmann::json::parse(read_text(folder / "metrics.json"));
+}
+
+}  // namespace
+
+TEST_CASE("a script of E6 gives the figures of the scenario an693-absolute, every one of them") {
+  lm628::Options options;
+  apply_file(options, find_scenario("an693-absolute"));
+  options.run.platform = cosim::Platform::kDirect;
+  const lm628::Result firmware = lm628::simulate(options, {});
+  const auto wanted = an693_json(options, firmware, "", nullptr);
+
+  RunArguments arguments;
+  arguments.scenario = "absolute";
+  arguments.out = "lm628_shell_test_out";
+  arguments.report = false;
+  std::atomic<bool> stop{false};
+  REQUIRE(lm628_shell(arguments, stop, {}) == 0);
+  const auto got = metrics_of(arguments.out);
+  CHECK(got["motion"] == nlohmann::json(wanted["motion"]));
+  CHECK(got["interrupts"] == nlohmann::json(wanted["interrupts"]));
+  CHECK(got["motion"]["samples"] == 45772);
+  CHECK(got["script"].size() == 12);
+  CHECK(got["script"][11]["hex"] == "00001F40h");
+  CHECK(got["script"][11]["value"] == 8000);
+  CHECK_FALSE(got["options"].contains("filter.kp"));
+  const std::string toml = read_text(arguments.out + "/run.toml");
+  CHECK_THAT(toml, Contains("`./trammel lm628 script.lm628 -c run.toml` repeats this run"));
+  CHECK(toml.find("filter") == std::string::npos);
+
+  // The folder repeats itself.
+  RunArguments again = arguments;
+  again.scenario = arguments.out + "/script.lm628";
+  again.files = {arguments.out + "/run.toml"};
+  again.out = "lm628_shell_test_again";
+  REQUIRE(lm628_shell(again, stop, {}) == 0);
+  CHECK(metrics_of(again.out)["run"]["event_hash"] == got["run"]["event_hash"]);
+  fs::remove_all(arguments.out);
+  fs::remove_all(again.out);
+}
+
+TEST_CASE("what is read is told in hexadecimal and in its unit") {
+  const Played run = play("RDSTAT\nRSTI 0\nRDRP\nRDDV\nRDSIGS\nPORT12\nRDSIGS\nRDSUM\nRDRV\nRDIP");
+  CHECK(run.halt.empty());
+  CHECK(run.text ==
+        "RDSTAT  84h  motor off, trajectory complete\n"
+        "RDRP    00000000h  0 counts\n"
+        "RDDV    00000000h  0.000000 counts/sample\n"
+        "RDSIGS  0180h  8-bit output, motor off\n"
+        "RDSIGS  0080h  motor off\n"
+        "RDSUM   0000h  0 256 counts\n"
+        "RDRV    0000h  0 counts/sample\n"
+        "RDIP    00000000h  0 counts\n");
+  CHECK(run.answers[0]["bits"] == "motor off, trajectory complete");
+  CHECK(run.answers[3]["unit"] == "counts/sample");
+}
+
+TEST_CASE("negative values come back as they were sent") {
+  const Played run = play(
+      "PORT12\nRSTI 0\nLFIL 030Ah 50 1000\nUDF\nLTRJ 002Bh 1000 100000h -300\nSTT\nwait 5 ms\n"
+      "RDDV\nRDRV\nRSTI 0\nwait complete 1 s\nwait 0.1 s\nRDDP\nRDRP\npins\nstatus");
+  CHECK(run.halt.empty());
+  CHECK_THAT(run.text, Contains("RDDV    FFFFB1E0h  -0.305176 counts/sample\n"));
+  CHECK_THAT(run.text, Contains("RDDP    FFFFFED4h  -300 counts\n"));
+  CHECK_THAT(run.text, Contains("HI 1  A "));
+  CHECK_THAT(run.text, Contains("  2 trajectory complete   1"));
+  CHECK_THAT(run.text, Contains("  0 busy                  0"));
+  CHECK(run.result.desired == -300);
+  CHECK(run.result.real == -300);
+}
+
+TEST_CASE("the part's own rules apply: a command while data are due is its error, not ours") {
+  const Played run = play(
+      "RSTI 0\nbyte c 1Eh\nwait 1 ms\nbyte d 0\nbyte c 0Ah\nwait 1 ms\nread d\nread d\nRDSTAT");
+  CHECK(run.halt.empty());
+  CHECK_THAT(run.text, Contains("read    00h  0\n"));
+  CHECK_THAT(run.text, Contains("RDSTAT  83h  motor off, command error, busy\n"));
+}
+
+TEST_CASE("what a RSTI is about to clear does not count, what is set already does") {
+  const Played late = play("RSTI 0\nwait complete 10 ms");
+  CHECK(late.end == cosim::EndReason::kTimeout);
+  CHECK(late.halt == "test:2: wait complete 10 ms: not within 0.01 s; status 80h");
+  const Played set = play("wait complete 10 ms");
+  CHECK(set.halt.empty());
+  CHECK(set.answers[0]["waited_s"].get<double>() < 1e-5);
+  const Played high = play("PORT12\nLTRJ 0\nSTT\nwait hi 10 ms\nRSTI 0\nwait hi 10 ms");
+  CHECK_THAT(high.text, Contains("wait hi 10 ms: after "));
+  CHECK_THAT(high.halt, Contains("test:6: wait hi 10 ms: not within 0.01 s"));
+}
+
+TEST_CASE("nothing hangs: a busy part, the longest run, an interrupt") {
+  const Played busy = play("byte c 0\nRDRP");
+  CHECK(busy.end == cosim::EndReason::kFault);
+  CHECK(busy.halt == "test:2: the busy bit did not clear");
+  CHECK(play("byte c 0\nwait 1500 us\nRDRP\nRESET\nRDRP\nrst\nRDRP").halt.empty());
+  lm628::Options options;
+  options.run.max_s = 0.1;
+  const Played ended = play("wait 200 s", options);
+  CHECK(ended.end == cosim::EndReason::kTimeout);
+  CHECK(ended.halt == "test:1: run.max_s = 0.1 s of simulated time are over");
+  const std::atomic<bool> stop{true};
+  Lm628Shell shell(options, stop);
+  CHECK_THROWS_WITH(shell.execute(*parse_lm628_line("wait 1 s", "test:1")),
+                    Contains("test:1: interrupted at "));
+}
+
+TEST_CASE("exit codes: 0 done, 2 refused before anything is simulated, 5 a wait too long") {
+  std::atomic<bool> stop{false};
+  RunArguments arguments;
+  arguments.report = false;
+  const fs::path file = "lm628_shell_test.lm628";
+  const auto code = [&](const std::string& script) {
+    write_text(file, script);
+    arguments.scenario = "./" + file.string();
+    return lm628_shell(arguments, stop, {});
+  };
+  CHECK(code("RDRP\nquit\nwait hi 1 ms\n") == 0);
+  CHECK(code("wait hi 1 ms\n") == 5);
+  arguments.out = "lm628_shell_test_out";
+  CHECK_THROWS_AS(code("RDRP\nSTT 1\n"), ConfigError);
+  CHECK_FALSE(fs::exists(arguments.out));
+  CHECK(code("STT\nwait hi 1 ms\n") == 0);  // without PORT12 the part moves, the motor does not
+  CHECK(code("wait hi 1 ms\n") == 5);
+  CHECK(metrics_of(arguments.out)["end"] == "timeout");
+  stop = true;
+  CHECK(code("RDRP\n") == 130);
+  fs::remove_all(arguments.out);
+  fs::remove(file);
+}
+
+TEST_CASE("a conversation goes on after errors, and an interrupt ends a wait, not itself") {
+  std::atomic<bool> stop{false};
+  RunArguments arguments;
+  arguments.out = "lm628_shell_test_out";
+  arguments.report = false;
+  const std::vector<std::string> typed{"RDR", "help STT", "wait hi 1 ms", "wait 1 s", "RDRP", "",
+                                       "quit", "RDDP"};
+  std::size_t at = 0;
+  const ReadLine read_line = [&](const std::string& prompt) -> std::optional<std::string> {
+    CHECK(prompt == "lm628> ");
+    return typed[at++];
+  };
+  CHECK(lm628_shell(arguments, stop, read_line) == 0);
+  CHECK(at == 7);
+  CHECK(read_text(arguments.out + "/script.lm628") == "wait hi 1 ms\nwait 1 s\nRDRP\n");
+  arguments.json = true;
+  CHECK_THROWS_WITH(lm628_shell(arguments, stop, read_line), Contains("--json: needs a script"));
+  fs::remove_all(arguments.out);
+}
