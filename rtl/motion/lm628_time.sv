@@ -34,7 +34,7 @@ module lm628_time
   localparam logic [1:0] Rest = 2'(Ticks % Inc);
   localparam logic [1:0] FirstRest = 2'((25 * 8000 + Inc - 1) % Inc);  // the reset routine's
 
-  typedef logic [15:0] clocks_t;
+  typedef logic [16:0] clocks_t;  // 8000 ticks of 6 MHz are 66 667
   localparam clocks_t Reset   = clocks_t'(lm628_clocks(Inc, 8000) - 2);
   localparam clocks_t First   = clocks_t'(Lead);
   localparam clocks_t Before  = clocks_t'(Lm628Run + 1 + Lead);
@@ -59,7 +59,7 @@ module lm628_time
   logic longer;
 
   timer #(
-      .Width(16)
+      .Width(17)
   ) u_part (
       .clk_i  (clk_i),
       .rst_i  (rst_i),

@@ -22,12 +22,13 @@ module lm628_time_props
     input gap_t next_o,
     input logic quiescent_o,
 
-    input logic [15:0] count,
+    input logic [16:0] count,
     input logic [ 2:0] state_q,
     input logic [ 1:0] rest_q
 );
 
   localparam int unsigned Lead = 24 / Inc + 4;
+  localparam logic [31:0] Routine = lm628_clocks(Inc, 8000) - 1;  // its last clock
   localparam logic [15:0] Sample = 16'(25 * 2048 / Inc);  // rounded down
   localparam logic [15:0] Commit = 16'(lm628_clocks(Inc, 400) - 1 - Lead);  // after the sample
   localparam logic [15:0] Opens  = 16'(32'(Commit) - Lm628Run);
@@ -40,6 +41,8 @@ module lm628_time_props
   gap_t was_next_q;
   logic known_q;  // no leap too far since the latest sample, of which there was one
   logic [15:0] since_q;  // clocks since then
+  logic begun_q;  // no leap too far since the reset
+  logic [31:0] begun_since_q;  // clocks since then
   logic [4:0] was_slow_q;
   logic event_now, longer;  // one of the pulses; the present sample has a clock more
   logic [2:0] rest;
@@ -63,10 +66,14 @@ module lm628_time_props
     if (open_o) was_longer_q <= longer;
     since_q <= sample_o ? 16'd1 : since_q + 16'(passed);
     known_q <= !rst_i && (known_q || sample_o) && (leap_i == '0 || leap_i < next_o);
+    begun_since_q <= rst_i ? '0 : begun_since_q + 32'(passed);
+    begun_q <= rst_i || (begun_q && (leap_i == '0 || leap_i < next_o));
     if (live_q) begin
       not_ready_from_reset : assert (!was_rst_q || (!ready_o && !open_o && !event_now));
       ready_after_its_pulse_only :
       assert (was_rst_q || ready_o == (was_ready_q || was_begin_q));
+      routine_of_8000_ticks :
+      assert (!begun_q || ready_o || begin_o == (begun_since_q == Routine));
       commit_at_tick_400 : assert (!known_q || commit_o == (since_q == Commit));
       sample_every_2048_ticks :
       assert (!known_q || sample_o == (since_q == Sample + 16'(was_longer_q)));
@@ -77,19 +84,22 @@ module lm628_time_props
       quiescent_is_honest :
       assert (!was_quiescent_q || {state_q, rest_q} == was_slow_q);
       inv_state : assert (state_q <= 3'd5 && 32'(rest_q) < Inc);
+      inv_start : assert (state_q != 3'd0 || (count == '0 && (!begun_q || begun_since_q == '0)));
+      inv_reset : assert (!begun_q || state_q != 3'd1 || 32'(count) + begun_since_q == Routine);
       inv_rest : assert (Step != '0 || 32'(rest_q) == Inc - 1);
       inv_known : assert (!known_q || ready_o);
-      inv_compute : assert (!known_q || state_q != 3'd3 || count + since_q + 16'd1 == Opens);
-      inv_settle : assert (!known_q || state_q != 3'd4 || count + since_q == Commit);
-      inv_open : assert (!known_q || state_q != 3'd5 || count + since_q + 16'd1 == Closes);
+      inv_compute : assert (!known_q || state_q != 3'd3 || 16'(count) + since_q + 16'd1 == Opens);
+      inv_settle : assert (!known_q || state_q != 3'd4 || 16'(count) + since_q == Commit);
+      inv_open : assert (!known_q || state_q != 3'd5 || 16'(count) + since_q + 16'd1 == Closes);
       inv_before :
-      assert (!known_q || state_q != 3'd2 || count + since_q == Sample + 16'(was_longer_q));
+      assert (!known_q || state_q != 3'd2 || 16'(count) + since_q == Sample + 16'(was_longer_q));
       reaches_commit : cover (!rst_i && commit_o && !was_rst_q);
     end
   end
 
   // breaks not_ready_from_reset: state_q <= StStart; => state_q <= StOpen;
   // breaks ready_after_its_pulse_only: assign begin_o     = state_q == StReset => assign begin_o     = state_q == StStart
+  // breaks routine_of_8000_ticks: lm628_clocks(Inc, 8000) - 2); => lm628_clocks(Inc, 8000) - 3);
   // breaks commit_at_tick_400: Settle  = clocks_t'(Lm628Run); => Settle  = clocks_t'(Lm628Run + 1);
   // breaks sample_every_2048_ticks: Open    = clocks_t'(Ticks / Inc - Commit => Open    = clocks_t'(Ticks / Inc + 1 - Commit
   // breaks open_where_a_command_ends_in_ticks_400_to_2047: Compute = clocks_t'(Commit - Lm628Run - 3 => Compute = clocks_t'(Commit - Lm628Run - 4
