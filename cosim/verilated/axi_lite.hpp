@@ -30,12 +30,12 @@ class AxiLiteMaster {
   template <class Model>
   void request(Model& m, const BusOp& op) {
     if (op.write) {
-      m.s_axil_awaddr_i = static_cast<std::uint16_t>(op.addr);
+      put(m.s_axil_awaddr_i, op.addr);
       m.s_axil_wdata_i = op.data;
       m.s_axil_awvalid_i = 1;
       m.s_axil_wvalid_i = 1;
     } else {
-      m.s_axil_araddr_i = static_cast<std::uint16_t>(op.addr);
+      put(m.s_axil_araddr_i, op.addr);
       m.s_axil_arvalid_i = 1;
     }
     active_ = true;
@@ -63,6 +63,11 @@ class AxiLiteMaster {
   }
 
  private:
+  template <class Pin>
+  static void put(Pin& pin, std::uint32_t address) {
+    pin = static_cast<Pin>(address);  // as wide as the chip's map
+  }
+
   bool active_ = false;
   bool aw_ = false, w_ = false, ar_ = false, b_ = false, r_ = false;
   std::uint32_t rdata_ = 0;

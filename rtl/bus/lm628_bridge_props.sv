@@ -166,7 +166,7 @@ module lm628_bridge_props
   // breaks quiescent_is_honest: (state_q == StRest ? ports == pins_q : !last) => (state_q == StRest || !last)
 
   // prove: set Pulse=275
-  // prove: leap inv_strobes
+  // prove: leap inv_strobes strobes_in_their_direction_only
 
 endmodule
 
