@@ -1,32 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// McAfee's two LM628 behind one port, with the platform's timer, as the loop sees them.
+// mcafee_xy as the loop sees it: its registers on a 32-bit bus beside a timer, a converter of 8
+// bits an axis. A sample is one of X. The verilated model stays behind this header.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <memory>
 
-#include "cosim/cosim.hpp"
+#include "cosim/lm628/chip.hpp"
 #include "cosim/mcafee/lines.hpp"
 
 namespace trammel::mcafee {
 
-// What a part holds when the results of a sample are published.
-struct Words {
-  std::int64_t position = 0;  // desired [2^-16 count]
-  std::int32_t speed = 0;     // desired [2^-16 count/sample]
-  std::int32_t actual = 0;    // [count]
-  std::int32_t error = 0;     // 16 bits [count]
-  std::int32_t output = 0;    // 16 bits
-};
+inline constexpr int kAxes = 2;
 
 struct McafeeChip : cosim::Chip {
-  virtual Words words(std::size_t axis) const = 0;
+  virtual lm628::Words words(int axis) const = 0;  // what its part holds
+  virtual bool host_irq(int axis) const = 0;       // pin HI; irq() is also the timer's
   virtual cosim::Clk evaluated() const = 0;
 };
 
-// The bit-exact twins of the parts.
-std::unique_ptr<McafeeChip> make_twin_chip();
+// leap: waiting clocks are not evaluated; the edges of all events stay the same.
+std::unique_ptr<McafeeChip> make_verilated_chip(bool leap);
 
 }  // namespace trammel::mcafee
