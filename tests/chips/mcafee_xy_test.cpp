@@ -141,9 +141,9 @@ TEST_CASE("F-12 mcafee_xy: every RD and WR is 5.5 us, data stand 50 ns before an
 
 TEST_CASE("mcafee_xy has the pins and bytes of its twin over random transfers, leaping") {
   Bench bench;
-  run_random(bench, 250, 92);
-  CHECK(bench.samples(0) > 60);
-  CHECK(bench.samples(1) > 60);
+  run_random(bench, 150, 92);
+  CHECK(bench.samples(0) > 40);
+  CHECK(bench.samples(1) > 40);
 }
 
 TEST_CASE("mcafee_xy has the pins and bytes of its twin over random transfers, not leaping") {
