@@ -31,7 +31,7 @@ nlohmann::ordered_json interrupts_json(const std::vector<An693Metrics::Interrupt
   auto all = nlohmann::ordered_json::array();
   for (const auto& one : list) {
     all.push_back({{"sample", one.sample}, {"time_s", one.time_s}, {"desired_count", one.desired},
-                   {"real_count", one.real}});
+                   {"real_count", one.real}, {"status", one.status}});
   }
   return all;
 }
@@ -95,7 +95,8 @@ An693Metrics evaluate(const lm628::Options& options, const lm628::Result& result
       m.settled_s = static_cast<double>(sample) * lm628::kSampleS;
     }
     if (s.host_irq && !irq && sample > 0) {
-      m.interrupts.push_back({sample, seconds_at(options, s.edge), w.position >> 16, w.actual});
+      m.interrupts.push_back(
+          {sample, seconds_at(options, s.edge), w.position >> 16, w.actual, w.status});
     }
     irq = s.host_irq;
     m.max_error_counts = std::max<std::int64_t>(m.max_error_counts, std::abs(w.error));
@@ -126,6 +127,21 @@ void finish(const lm628::Options& options) {
   }
 }
 
+std::string verdict_text(const lm628::Options& options, const lm628::Result& result) {
+  switch (result.end) {
+    case cosim::EndReason::kDone: return "done";
+    case cosim::EndReason::kFault: return "tripped: " + result.fault;
+    case cosim::EndReason::kDiverged:
+      return fmt::format("diverged: error above run.diverged_counts = {}",
+                         options.run.diverged_counts);
+    case cosim::EndReason::kTimeout:
+      return result.fault.empty() ? fmt::format("not finished within run.max_s = {:g}",
+                                                options.run.max_s)
+                                  : result.fault;
+    default: return end_text(result.end);
+  }
+}
+
 nlohmann::ordered_json an693_json(const lm628::Options& options, const lm628::Result& result,
                                   const std::string& command, const An693Script* script) {
   const An693Metrics m = evaluate(options, result);
@@ -134,6 +150,7 @@ nlohmann::ordered_json an693_json(const lm628::Options& options, const lm628::Re
   json["scenario"] = options.scenario;
   json["command"] = command;
   json["end"] = end_text(result.end);
+  json["verdict"] = verdict_text(options, result);
   if (!result.fault.empty()) json["fault"] = result.fault;
   json["motion"] = {{"samples", m.moving_samples},
                     {"time_s", m.moving_s},
@@ -219,8 +236,7 @@ bool write_an693_files(const std::filesystem::path& folder, const lm628::Options
                find_program("gnuplot").empty() ? "gnuplot is missing (see `trammel doctor`)"
                                                : "there is nothing to draw");
   }
-  if (report) fmt::print(stderr, "trammel: the machine an693 has no report page yet\n");
-  return false;
+  return report && guarded([&] { write_run_page(folder); });
 }
 
 int run_an693(const lm628::Options& options, const RunArguments& arguments,

@@ -21,6 +21,7 @@ struct An693Metrics {
     double time_s = 0;         // from the start of the run
     std::int64_t desired = 0;  // [count]
     std::int64_t real = 0;
+    unsigned status = 0;       // of that sample, which says why
   };
 
   std::vector<Interrupt> interrupts;  // at which HI rose
@@ -49,6 +50,9 @@ struct An693Script {
   std::string text;                 // script.lm628
   nlohmann::ordered_json answers;   // an entry a line
 };
+
+// How it ended, in one line; a script's own words where it could not go on.
+std::string verdict_text(const lm628::Options& options, const lm628::Result& result);
 
 // metrics.json; `command` repeats the run.
 nlohmann::ordered_json an693_json(const lm628::Options& options, const lm628::Result& result,

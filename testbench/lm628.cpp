@@ -26,6 +26,7 @@ constexpr char kHere[] = "lm628";  // where a line is from that somebody typed
 struct Conversation {
   An693Script script{"", Json::array()};
   cosim::EndReason end = cosim::EndReason::kDone;
+  std::string halt;  // where it could not go on
 };
 
 void tell(const std::string& text) {
@@ -49,6 +50,7 @@ void play(Lm628Shell& shell, const std::vector<Lm628Line>& script, Conversation&
     }
   } catch (const Lm628Halt& halt) {
     all.end = halt.end;
+    all.halt = halt.what();
     tell(halt.what());
   }
 }
@@ -122,6 +124,7 @@ int lm628_shell(const RunArguments& arguments, std::atomic<bool>& stop,
   }
   lm628::Result result = shell.result();
   result.end = all.end;
+  result.fault = all.halt;
   Json json;
   if (folder || arguments.json) {
     json = an693_json(options, result, "./trammel lm628 script.lm628 -c run.toml", &all.script);

@@ -59,36 +59,18 @@ void require(const fs::path& file, const Json& json, const std::string& path,
   }
 }
 
-void check_metrics(const fs::path& file, const Json& m) {
-  if (!m.contains("machine")) {
-    corrupt(file, "names no machine: written by an older trammel; run it again");
-  }
-  if (m["machine"] == machine_name<lm628::Options>()) {
-    corrupt(file, "is of the machine an693, which has no report page yet");
-  }
-  for (const char* text : {"/machine", "/scenario", "/end", "/command", "/verdict",
-                           "/options/controller", "/options/path.kind", "/run/event_hash"}) {
-    require(file, m, text, &Json::is_string);
-  }
-  for (const char* number : {"/run/samples", "/run/first_tick", "/run/end_tick", "/run/points"}) {
-    require(file, m, number, &Json::is_number_unsigned);
-  }
-  for (const char* number :
-       {"/tracking/model/mean_mm", "/tracking/model/samples", "/tracking/command/mean_mm",
-        "/x/peak_current_A", "/y/peak_current_A", "/x/max_speed_m_s", "/y/max_speed_m_s",
-        "/options/plant.x.dc_link_V", "/options/plant.y.dc_link_V",
-        "/options/plant.x.encoder_count_m", "/options/plant.y.encoder_count_m",
-        "/options/plant.x.current_full_scale_A", "/options/plant.y.current_full_scale_A",
-        "/options/gains.x.shift_e",
-        "/options/gains.x.shift_de", "/options/gains.y.shift_e", "/options/gains.y.shift_de",
-        "/options/path.square_half_samples", "/options/path.square_low_m",
-        "/options/path.square_high_m",
-        "/run/simulated_s", "/run/clocks", "/run/clock_ps"}) {
-    require(file, m, number, &Json::is_number);
-  }
-  for (const char* object : {"/options", "/versions", "/x/error_to_model", "/y/error_to_model"}) {
-    require(file, m, object, &Json::is_object);
-  }
+void check_metrics(const fs::path& file, const Json& m, const PageOf& page) {
+  const auto each = [&](const std::vector<std::string>& paths, bool (Json::*is)() const noexcept) {
+    for (const std::string& path : paths) require(file, m, path, is);
+  };
+  each({"/scenario", "/end", "/command", "/verdict", "/run/event_hash"}, &Json::is_string);
+  each({"/run/samples"}, &Json::is_number_unsigned);
+  each({"/run/simulated_s", "/run/clocks", "/run/clock_ps"}, &Json::is_number);
+  each({"/options", "/versions"}, &Json::is_object);
+  each(page.texts, &Json::is_string);
+  each(page.counts, &Json::is_number_unsigned);
+  each(page.numbers, &Json::is_number);
+  each(page.objects, &Json::is_object);
 }
 
 bool is_whole(const Json& json) { return json.is_number_integer(); }
@@ -163,11 +145,9 @@ void read_trace(const fs::path& file, RunRecord& run) {
   std::string line;
   std::getline(in, line);
   const std::vector<std::string> names = split(line);
-  std::vector<std::string> wanted{"tick", "t_s"};
-  for (const char* axis : {"x_", "y_"}) {
-    for (const std::string& column : axis_columns()) wanted.push_back(axis + column);
+  if (names != run.page->columns) {
+    corrupt(file, "is corrupt: line 1 does not name the columns of a trace");
   }
-  if (names != wanted) corrupt(file, "is corrupt: line 1 does not name the columns of a trace");
 
   std::vector<Series*> columns;
   for (const std::string& name : names) columns.push_back(&run.columns[name]);
@@ -198,28 +178,7 @@ Series contour(const RunRecord& run) {
   return all;
 }
 
-// Fine enough for every figure of a page: 10 nm, 1 um/s, 10 uA, 1 mN; words of the chip are whole.
-double lsb_of(const std::string& name) {
-  const auto ends = [&name](const std::string& unit) {
-    return name.size() > unit.size() &&
-           name.compare(name.size() - unit.size(), unit.size(), unit) == 0;
-  };
-  if (ends("_m_s")) return 1e-6;
-  if (ends("_m") || name == "t_s") return 1e-8;
-  if (ends("_A")) return 1e-5;
-  if (ends("_N")) return 1e-3;
-  return 1;
-}
-
 }  // namespace
-
-const std::vector<std::string>& axis_columns() {
-  static const std::vector<std::string> names{
-      "command_m", "position_m", "model_m", "encoder_count", "e",   "de",    "u",
-      "v_star",    "v",          "i_q_ref", "i_d",           "i_q", "v_d",   "v_q",
-      "v_m_s",     "i_d_A",      "i_q_A",   "force_N"};
-  return names;
-}
 
 RunRecord read_run(const fs::path& folder) {
   std::error_code ignored;
@@ -230,11 +189,19 @@ RunRecord read_run(const fs::path& folder) {
   }
   RunRecord run;
   run.folder = folder;
-  run.metrics = read_json(folder / "metrics.json");
-  check_metrics(folder / "metrics.json", run.metrics);
-  run.detail = read_json(folder / "detail.json");
-  check_detail(folder / "detail.json", run.detail);
+  const fs::path metrics = folder / "metrics.json";
+  run.metrics = read_json(metrics);
+  if (!run.metrics.contains("machine")) {
+    corrupt(metrics, "names no machine: written by an older trammel; run it again");
+  }
+  run.page = &page_of(run.metrics["machine"], metrics);
+  check_metrics(metrics, run.metrics, *run.page);
+  if (run.page->has_detail) {
+    run.detail = read_json(folder / "detail.json");
+    check_detail(folder / "detail.json", run.detail);
+  }
   read_trace(folder / "trace.csv", run);
+  if (!run.page->has_detail) return run;
   const auto& ticks = run.columns["tick"];
   const auto first = run.metrics["run"]["first_tick"].get<double>();
   const auto begin = std::lower_bound(ticks.begin(), ticks.end(), first);
@@ -253,12 +220,18 @@ PageSeries page_series(const RunRecord& run, const std::vector<std::string>& nam
   std::string bytes;
   for (const auto& [name, values] : run.columns) {
     if (!names.empty() && std::find(names.begin(), names.end(), name) == names.end()) continue;
-    const double lsb = lsb_of(name);
+    const double lsb = run.page->lsb(name);
+    const auto& flags = run.page->flags;
+    const bool bits = std::find(flags.begin(), flags.end(), name) != flags.end();
     std::vector<std::int64_t> whole;
     for (std::size_t k = run.first; k < values.size(); k += page.stride) {
       const double value = std::clamp(std::round(values[k] / lsb), -static_cast<double>(kMaxCoded),
                                       static_cast<double>(kMaxCoded));
       whole.push_back(static_cast<std::int64_t>(value));
+      const std::size_t next = std::min(values.size(), k + page.stride);
+      for (std::size_t n = k; bits && n < next; ++n) {
+        whole.back() |= static_cast<std::int64_t>(values[n]);
+      }
     }
     const Coded coded = delta_code(whole);
     page.channels.push_back({{"name", name}, {"lsb", lsb}, {"order", coded.order}});

@@ -17,10 +17,26 @@ namespace trammel::testbench {
 
 using Json = nlohmann::ordered_json;
 
+// What the files of a machine's runs must hold, and how fine a page shows them.
+struct PageOf {
+  std::vector<std::string> texts, counts, numbers, objects;  // members of metrics.json
+  std::vector<std::string> columns;                          // of trace.csv
+  std::vector<std::string> compared;                         // series of a page of several runs
+  std::vector<std::string> flags;                            // columns of bits: none is passed over
+  bool has_detail = false;                                   // detail.json is there
+  double (*lsb)(const std::string& column) = nullptr;        // of a series
+  Json (*keys)() = nullptr;                                  // default and meaning of each key
+  std::string (*title)(const Json& metrics) = nullptr;
+};
+
+// Throws ConfigError, which names the file, for a machine that has no page.
+const PageOf& page_of(const Json& machine, const std::filesystem::path& file);
+
 struct RunRecord {
   std::filesystem::path folder;
+  const PageOf* page = nullptr;                        // of its machine
   Json metrics;                                        // metrics.json
-  Json detail;                                         // detail.json
+  Json detail;                                         // detail.json, or null
   std::map<std::string, Series> columns;               // of trace.csv
   std::size_t first = 0;                               // row at which the path begins
   std::size_t rows = 0;
@@ -28,9 +44,6 @@ struct RunRecord {
 
 // Throws ConfigError with one line that names the file and what is wrong with it.
 RunRecord read_run(const std::filesystem::path& folder);
-
-// Columns of trace.csv after tick and t_s, with x_ or y_ in front.
-const std::vector<std::string>& axis_columns();
 
 // detail.json: the steps of one sample, the gates of two PWM periods, the rules.
 Json detail_json(const kung::Options& options, const kung::Result& result);

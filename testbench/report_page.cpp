@@ -21,28 +21,12 @@ constexpr std::size_t kMostValues = 16000;     // a series of one run's page
 constexpr std::size_t kMostCompared = 6000;    // a series of one of several runs
 constexpr std::size_t kMostRuns = 8;           // colours that can be told apart
 
-const std::vector<std::string> kCompared{
-    "tick",         "t_s",          "x_command_m", "x_position_m", "x_model_m",
-    "y_command_m",  "y_position_m", "y_model_m",   "contour_m"};
-
 Json run_json(const RunRecord& run, const std::string& label,
               const std::vector<std::string>& names, std::size_t most) {
   const PageSeries series = page_series(run, names, most);
   return {{"label", label},           {"metrics", run.metrics}, {"detail", run.detail},
           {"channels", series.channels}, {"count", series.count},  {"stride", series.stride},
           {"data", series.data}};
-}
-
-// Default and meaning of every parameter, for the table of parameters.
-Json keys_json() {
-  const kung::Options defaults;
-  Json all = Json::object();
-  for (const Key& key : keys()) {
-    all[key.name] = {{"default", std::visit([](const auto& v) { return Json(v); },
-                                            key.get(defaults))},
-                     {"help", key.help}};
-  }
-  return all;
 }
 
 std::string html_text(const std::string& text) {
@@ -110,15 +94,10 @@ void replace_file(const fs::path& file, const std::string& text) {
   }
 }
 
-std::string title_of(const Json& metrics) {
-  const std::string controller = metrics["options"]["controller"];
-  return fmt::format("{}, {}", metrics["scenario"].get<std::string>(),
-                     controller == "fc" ? "FC" : "AFC");
-}
-
 void write_page_of(const RunRecord& run, const fs::path& file) {
-  const std::string title = title_of(run.metrics);
-  const Json data{{"kind", "run"}, {"keys", keys_json()},
+  const std::string title = run.page->title(run.metrics);
+  const Json data{{"kind", "run"}, {"machine", run.metrics["machine"]},
+                  {"keys", run.page->keys()},
                   {"runs", {run_json(run, title, {}, kMostValues)}}};
   replace_file(file, page(title + " - Trammel", data));
 }
@@ -184,6 +163,16 @@ void write_run_page(const fs::path& folder) {
   write_page_of(read_run(folder), folder / "report.html");
 }
 
+bool guarded(const std::function<void()>& write) {
+  try {
+    write();
+    return true;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "trammel: no report: {}; the results are kept\n", error.what());
+    return false;
+  }
+}
+
 void write_comparison_page(const std::vector<fs::path>& folders, const fs::path& file) {
   if (folders.size() > kMostRuns) {
     throw ConfigError(fmt::format("report: {} runs: a page compares at most {}", folders.size(),
@@ -192,16 +181,20 @@ void write_comparison_page(const std::vector<fs::path>& folders, const fs::path&
   const std::vector<std::string> labels = labels_of(folders);
   Json runs = Json::array();
   std::string machine;
+  Json keys;
   for (std::size_t k = 0; k < folders.size(); ++k) {
     const RunRecord run = read_run(folders[k]);
     const std::string other = run.metrics["machine"];
-    if (machine.empty()) machine = other;
+    if (machine.empty()) {
+      machine = other;
+      keys = run.page->keys();
+    }
     if (other != machine) {
       throw ConfigError(fmt::format("report: {} is a run of machine {} and {} one of {}: only runs "
                                     "of one machine can be compared",
                                     folders.front().string(), machine, folders[k].string(), other));
     }
-    Json json = run_json(run, labels[k], kCompared, kMostCompared);
+    Json json = run_json(run, labels[k], run.page->compared, kMostCompared);
     json.erase("detail");
     std::error_code ignored;
     if (fs::exists(folders[k] / "report.html", ignored)) {
@@ -211,7 +204,8 @@ void write_comparison_page(const std::vector<fs::path>& folders, const fs::path&
     runs.push_back(json);
   }
   replace_file(file, page(fmt::format("{} runs - Trammel", folders.size()),
-                          {{"kind", "comparison"}, {"keys", keys_json()}, {"runs", runs}}));
+                          {{"kind", "comparison"}, {"machine", machine}, {"keys", keys},
+                           {"runs", runs}}));
 }
 
 int report(const ReportArguments& arguments) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,10 @@ namespace trammel::testbench {
 // <folder>/report.html from the folder's own files. Throws ConfigError when they are not those of a
 // run. The page replaces an older one only when it is complete.
 void write_run_page(const std::filesystem::path& folder);
+
+// Calls what writes a page at the end of a run, which is never lost because that failed: then one
+// line says so.
+bool guarded(const std::function<void()>& write);
 
 // A page that compares the runs of 2 to 8 folders, the first one being the reference. Throws
 // ConfigError, also for runs of different machines.

@@ -54,17 +54,6 @@ Options layered(const std::string& scenario, const RunArguments& arguments) {
   return options;
 }
 
-// A run is never lost because its report failed: one line says so.
-bool guarded(const std::function<void()>& write) {
-  try {
-    write();
-    return true;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "trammel: no report: {}; the results are kept\n", error.what());
-    return false;
-  }
-}
-
 // --all sets the controller itself; one that is also asked for would be lost without a word.
 void refuse_controller(const RunArguments& arguments) {
   Options fc, afc;

@@ -27,6 +27,9 @@
     return T.num(value, digits);
   };
 
+  // Pixels that labels of a vertical axis need.
+  T.tickRoom = (texts) => Math.max(46, 14 + 7 * Math.max(...texts.map((text) => text.length)));
+
   // A frame: box {x, y, w, h} in pixels, ranges [low, high] of both axes; y grows upward.
   T.frame = function (box, xRange, yRange) {
     return {
@@ -57,7 +60,8 @@
       { stroke: theme.axis });
     const label = { fill: theme.muted, size: 12, align: 'center' };
     p.text(box.x + box.w / 2, box.y + box.h + 34, style.xLabel, label);
-    p.text(box.x - 46, box.y + box.h / 2, style.yLabel, { ...label, turn: true });
+    p.text(box.x - T.tickRoom(ys.map((v) => T.tickText(v, ys))), box.y + box.h / 2, style.yLabel,
+      { ...label, turn: true });
   };
 
   // Lines of a legend from x on; returns where the next would begin.

@@ -17,10 +17,12 @@
 
   const paperLine = (m, what) => (m.comparison || []).find((line) => line.what === what);
 
+  T.tile = (name, value, digits, unit, aside) => T.el('div', { class: 'tile' },
+    T.el('dt', {}, name), T.el('dd', {}, T.num(value, digits), T.el('small', {}, unit),
+      T.el('div', { class: 'aside' }, aside || '\u00a0')));
+
   T.tiles = function (m) {
-    const tile = (name, value, digits, unit, aside) => T.el('div', { class: 'tile' },
-      T.el('dt', {}, name), T.el('dd', {}, T.num(value, digits), T.el('small', {}, unit),
-        T.el('div', { class: 'aside' }, aside || '\u00a0')));
+    const { tile } = T;
     const compared = (what) => {
       const line = paperLine(m, what);
       if (!line) return '';
@@ -157,14 +159,15 @@
     const idle = (line) => line.section === 'path' && kinds.some((other) => other !== kind &&
       line.name.startsWith(other + '_'));
     const rows = [];
+    const axes = [...lines.values()].some((line) => line.values.both === undefined);
     let section = '';
     for (const line of [...lines.values()].filter((l) => !idle(l))) {
       if (line.section !== section) {
         section = line.section;
-        rows.push(T.el('tr', { class: 'group' }, T.el('th', { colspan: 5 }, section)));
+        rows.push(T.el('tr', { class: 'group' }, T.el('th', { colspan: axes ? 5 : 4 }, section)));
       }
       const { both, x, y } = line.values;
-      const cells = both !== undefined
+      const cells = !axes ? [T.el('td', {}, T.valueText(both))] : both !== undefined
         ? [T.el('td', { colspan: 2, class: 'both' }, T.valueText(both))]
         : [T.el('td', {}, T.valueText(x)), T.el('td', {}, T.valueText(y))];
       rows.push(T.el('tr', { class: line.changed ? 'changed' : null,
@@ -173,8 +176,8 @@
       T.el('td', { class: 'dim' }, line.default === undefined ? '' : T.valueText(line.default)),
       T.el('td', { class: 'text dim' }, line.help)));
     }
-    const table = T.table([T.el('th', {}, 'Parameter'), 'X', 'Y', 'default', T.el('th',
-      { class: 'text' }, 'meaning')], rows);
+    const table = T.table([T.el('th', {}, 'Parameter'), ...(axes ? ['X', 'Y'] : ['value']),
+      'default', T.el('th', { class: 'text' }, 'meaning')], rows);
     const search = T.el('input', { type: 'search', placeholder: 'Find a parameter',
       'aria-label': 'Find a parameter' });
     const only = T.el('input', { type: 'checkbox' });

@@ -19,6 +19,7 @@
     values: null,
     label: 'Time (s)',
     digits: 4,
+    marks: [],  // times of events: a dashed line in every plot
     follow: (follower) => followers.push(follower),
   };
 
@@ -93,7 +94,8 @@
       scales: { x: { time: false, range: (u, low, high) => [low, high] } },
       axes: [
         { ...axis, label: T.time.label, labelSize: 18, size: 26, values },
-        { ...axis, label: plot.yLabel, labelSize: 20, size: 46, values },
+        { ...axis, label: plot.yLabel, labelSize: 20, values,
+          size: (u, texts) => (texts ? T.tickRoom(texts) : 46) },
       ],
       cursor: { y: false, drag: { x: true, y: false, dist: 4 }, points: { size: 7 } },
       legend: { live: true, markers: { width: 0, fill: (u, k) => (k > 0
@@ -110,6 +112,7 @@
           : `${T.num(v, s.digits)}${s.unit ? ' ' + s.unit : ''}`),
       }))],
       hooks: {
+        draw: [(u) => drawMarks(u)],
         setCursor: [(u) => T.time.point(u.cursor.left < 0 ? null : u.cursor.idx, plot)],
         setScale: [(u, key) => {
           if (key === 'x') T.time.zoom(u.scales.x.min, u.scales.x.max, plot);
@@ -118,13 +121,41 @@
     };
   }
 
+  const marksIn = ([low, high]) => T.time.marks.filter((t) => t >= low && t <= high);
+
+  function drawMarks(u) {
+    const { ctx, bbox } = u;
+    ctx.save();
+    ctx.strokeStyle = T.theme().muted;
+    ctx.lineWidth = 1;
+    ctx.setLineDash([4, 4]);
+    ctx.beginPath();
+    for (const t of marksIn([u.scales.x.min, u.scales.x.max])) {
+      const x = Math.round(u.valToPos(t, 'x', true)) + 0.5;
+      ctx.moveTo(x, bbox.top);
+      ctx.lineTo(x, bbox.top + bbox.height);
+    }
+    ctx.stroke();
+    ctx.restore();
+  }
+
+  // The same in a scene.
+  T.markEvents = function (p, theme, frame) {
+    const { y, h } = frame.box;
+    for (const t of marksIn(frame.xRange)) {
+      p.path([frame.x(t), y, frame.x(t), y + h], { stroke: theme.muted, dash: [4, 4] });
+    }
+  };
+
   // The same for papers, from the data and the ranges that are on the screen.
   function scene(plot, p, width, height, theme) {
     const u = plot.uplot;
     const shown = plot.series.filter((s, k) => u.series[k + 1].show);
-    const box = { x: 60, y: 26, w: width - 74, h: height - 72 };
     const y = u.scales.y;
     const yRange = y.min === null || y.min === undefined ? [0, 1] : [y.min, y.max];
+    const ticks = T.ticks(...yRange, Math.max(2, (height - 72) / 45));
+    const left = 14 + T.tickRoom(ticks.map((v) => T.tickText(v, ticks)));
+    const box = { x: left, y: 26, w: width - left - 14, h: height - 72 };
     const frame = T.frame(box, T.time.range, yRange);
     T.drawFrame(p, theme, frame, { xLabel: T.time.label, yLabel: plot.yLabel });
     T.drawKey(p, theme, box.x, 12, shown.map((s) => ({ label: s.label, stroke: color(theme, s),
@@ -134,6 +165,7 @@
     let last = times.length - 1;
     while (first + 1 < last && times[first + 1] < frame.xRange[0]) ++first;
     while (last - 1 > first && times[last - 1] > frame.xRange[1]) --last;
+    T.markEvents(p, theme, frame);
     p.clip(box.x, box.y, box.w, box.h);
     for (const s of shown) {
       let line = [];

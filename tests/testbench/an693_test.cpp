@@ -12,6 +12,7 @@
 
 #include "testbench/config.hpp"
 #include "testbench/output.hpp"
+#include "testbench/report_data.hpp"
 #include "testbench/report_page.hpp"
 
 using namespace trammel;
@@ -144,7 +145,8 @@ TEST_CASE("an693 runs leave metrics.json, trace.csv and run.toml, and say how th
              Contains("0.00025600,0.00000,0.00000,0,0.0000,0"));
   CHECK_THAT(content("an693_test_out/run.toml"), Contains("machine = \"an693\""));
   CHECK(fs::exists("an693_test_out/motion.svg") == !find_program("gnuplot").empty());
-  CHECK_THROWS_WITH(report({{"an693_test_out"}, {}, false}), Contains("has no report page yet"));
+  CHECK_THAT(content("an693_test_out/report.html"), Contains("\"machine\":\"an693\""));
+  CHECK(report({{"an693_test_out"}, {}, false}) == 0);
 
   arguments.json = false;
   options.program = sw::An693Program::kTuning;
@@ -154,6 +156,49 @@ TEST_CASE("an693 runs leave metrics.json, trace.csv and run.toml, and say how th
   fault = "the busy bit did not clear";
   CHECK(run_an693(options, arguments, simulate, stop) == 5);
   fs::remove_all("an693_test_out");
+}
+
+TEST_CASE("a bit of one sample is on a page that shows one of three") {
+  const std::atomic<bool> stop{false};
+  RunArguments arguments;
+  arguments.out = "an693_test_out";
+  arguments.json = true;
+  std::vector<std::string> series;
+  for (const int sample : {-1, 4}) {
+    const auto simulate = [sample](const lm628::Options&, const cosim::Hooks&) {
+      lm628::Result result;
+      for (int n = 0; n < 7; ++n) {
+        lm628::Sample s;
+        s.words.status = n == sample ? 0x40 : 0;
+        result.samples.push_back(s);
+      }
+      return result;
+    };
+    run_an693({}, arguments, simulate, stop);
+    const RunRecord run = read_run("an693_test_out");
+    CHECK(run.first == 0);
+    CHECK(page_series(run, {"status"}, 3).stride == 3);
+    series.push_back(page_series(run, {"status"}, 3).data);
+    CHECK(page_series(run, {}, 100).channels.size() == 15);
+  }
+  CHECK(series[0] != series[1]);
+  fs::remove_all("an693_test_out");
+}
+
+TEST_CASE("an693 says how a run ended") {
+  lm628::Options options;
+  lm628::Result result;
+  result.end = cosim::EndReason::kTimeout;
+  CHECK(verdict_text(options, result) == "not finished within run.max_s = 120");
+  result.end = cosim::EndReason::kDiverged;
+  CHECK(verdict_text(options, result) == "diverged: error above run.diverged_counts = 30000");
+  result.fault = "test:1: wait hi: not within 1 s";
+  result.end = cosim::EndReason::kTimeout;
+  CHECK(verdict_text(options, result) == result.fault);
+  result.end = cosim::EndReason::kFault;
+  CHECK(verdict_text(options, result) == "tripped: " + result.fault);
+  result.end = cosim::EndReason::kStopped;
+  CHECK(verdict_text(options, result) == "interrupted");
 }
 
 TEST_CASE("run chooses the machine by the scenario, and refuses what this one has not") {

@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The page of an LM628 with its motor: trajectory, filter, status bits and interrupts over time,
+// and the script when one drove it.
+(function (T) {
+  'use strict';
+
+  const kSample = 256e-6;  // [s]
+  const kBits = ['busy', 'command error', 'trajectory complete', 'index pulse', 'wraparound',
+    'position error', 'breakpoint', 'motor off'];
+  const kTurn = 2 * Math.PI;
+
+  // Names of the bits of a status that are set, but busy.
+  const bitsText = (status) => kBits.filter((name, bit) => bit > 0 && status >> bit & 1).reverse()
+    .join(', ') || '\u2013';
+
+  const perTurn = (m) => m.options['encoder.counts'];
+
+  function prepare(run) {
+    const s = run.series;
+    const counts = perTurn(run.metrics);
+    run.data = { position: s.theta_count, error: s.e, output: s.output,
+      speed: s.omega_rad_s.map((v) => v / kTurn),
+      asked: s.desired_speed && s.desired_speed.map((v) => v / counts / kSample) };
+  }
+
+  function tiles(m) {
+    const { motion } = m;
+    const turns = motion.real_count / perTurn(m);
+    return T.el('dl', { class: 'tiles' }, [
+      T.tile('Motion', motion.time_s, 3, 's', `${T.whole(motion.samples)} samples`),
+      T.tile('At the end', motion.real_count, 0, 'counts', `desired ${T.whole(
+        motion.desired_count)}; ${T.num(turns, 2)} turns`),
+      T.tile('Overshoot', motion.overshoot_counts, 2, 'counts', 'beyond the desired position'),
+      T.tile('Largest error', motion.max_error_counts, 0, 'counts', 'as the part saw it'),
+      T.tile('Top speed', motion.max_speed_rev_s, 3, 'rev/s', `${T.num(motion.max_speed_rev_s * 60,
+        0)} rev/min`),
+      T.tile('Peak voltage', motion.max_voltage_V, 2, 'V', `current ${T.num(motion.max_current_A,
+        3)} A`)]);
+  }
+
+  const line = (label, data, role, unit, digits, more) => ({ label, data, role, unit, digits,
+    ...more });
+
+  function motionSection(run) {
+    const s = run.series;
+    const d = run.data;
+    const section = T.section('motion', 'Motion', 'Drag in a plot to zoom all of them, ' +
+      'double-click to see everything. A click on a name hides its line. ' +
+      (T.time.marks.length > 0 ? 'Dashed: the part interrupts its host.' : ''));
+    section.append(T.timePlot({ id: 'position', title: 'Position', yLabel: 'position (counts)',
+      tall: 290, print: 'wide', series: [
+        line('desired', s.desired_count, 'asked', 'counts', 1, { width: 4 }),
+        line('shaft', d.position, 'actual', 'counts', 1),
+        line('real, as counted', s.real_count, 'model', 'counts', 0, { hidden: true,
+          steps: true })] }),
+    T.el('div', { class: 'grid two' },
+      T.timePlot({ id: 'speed', title: 'Speed', yLabel: 'speed (rev/s)', series: [
+        line('desired', d.asked, 'asked', 'rev/s', 3, { width: 3 }),
+        line('shaft', d.speed, 'actual', 'rev/s', 3)] }),
+      T.timePlot({ id: 'error', title: 'Error', small: 'desired less real', yLabel:
+        'error (counts)', series: [line('e', s.e, 'actual', 'counts', 0)] })));
+  }
+
+  function filterSection(run) {
+    const s = run.series;
+    const section = T.section('filter', 'Filter', 'What each sample adds up: the output has 16 ' +
+      'bits, of which the converter gets the upper 12; the motor answers.');
+    section.append(T.timePlot({ id: 'terms', title: 'Terms', yLabel: 'terms', print: 'wide',
+      series: [line('output', s.output, 'asked', '', 0, { width: 1 }),
+        line('d', s.d, 'y', '', 0, { width: 1 }), line('p', s.p, 'model', '', 0),
+        line('i', s.i, 'x', '', 0)] }),
+    T.el('div', { class: 'grid two' },
+      T.timePlot({ id: 'voltage', title: 'Voltage', small: 'of the amplifier', yLabel:
+        'voltage (V)', series: [line('u', s.u_V, 'model', 'V', 2, { width: 1 })] }),
+      T.timePlot({ id: 'current', title: 'Current', small: 'of the motor', yLabel: 'current (A)',
+        series: [line('i', s.i_A, 'actual', 'A', 3, { width: 1 })] })));
+  }
+
+  // A row for the pin HI and for each status bit; a bar where it is set.
+  function statusPlot(run) {
+    const s = run.series;
+    const rows = [['HI', s.host_irq, 0], ...[7, 6, 5, 4, 3, 2, 1].map((bit) => [kBits[bit],
+      s.status, bit])];
+    const plot = { id: 'status', title: 'Status bits', print: 'wide', height: () => 250,
+      count: () => run.count };
+    const times = () => T.time.values;
+    const frameOf = (width, height) => T.frame({ x: 146, y: 8, w: width - 160, h: height - 52 },
+      T.time.range, [0, rows.length]);
+    plot.scene = function (p, width, height, theme) {
+      const frame = frameOf(width, height);
+      const { box } = frame;
+      const ticks = T.ticks(...frame.xRange, Math.max(2, box.w / 90));
+      const end = times()[run.count - 1];
+      rows.forEach(([name, values, bit], n) => {
+        const y = box.y + (n + 0.5) * box.h / rows.length;
+        p.text(box.x - 10, y, name, { fill: theme.muted, size: 12, align: 'right', middle: true });
+        p.path([box.x, y, box.x + box.w, y], { stroke: theme.grid });
+      });
+      for (const v of ticks) {
+        p.text(frame.x(v), box.y + box.h + 16, T.tickText(v, ticks), { fill: theme.muted,
+          size: 11.5, align: 'center' });
+      }
+      p.text(box.x + box.w / 2, box.y + box.h + 34, T.time.label, { fill: theme.muted, size: 12,
+        align: 'center' });
+      T.markEvents(p, theme, frame);
+      p.clip(box.x, box.y, box.w, box.h);
+      rows.forEach(([name, values, bit], n) => {
+        const top = box.y + (n + 0.22) * box.h / rows.length;
+        for (let k = 0; k < run.count; ++k) {
+          if (!(values[k] >> bit & 1)) continue;
+          const from = times()[k];
+          while (k + 1 < run.count && values[k + 1] >> bit & 1) ++k;
+          const to = k + 1 < run.count ? times()[k + 1] : end;
+          if (to < frame.xRange[0] || from > frame.xRange[1]) continue;
+          p.rect(frame.x(from), top, Math.max(2, frame.x(to) - frame.x(from)),
+            0.56 * box.h / rows.length, { fill: n === 0 ? theme.actual : theme.model });
+        }
+      });
+      p.unclip();
+    };
+    plot.cursor = null;
+    plot.overlay = function (p, width, height, theme) {
+      if (plot.cursor === null) return;
+      const frame = frameOf(width, height);
+      const x = frame.x(times()[plot.cursor]);
+      p.path([x, frame.box.y, x, frame.box.y + frame.box.h], { stroke: theme.faint });
+    };
+    const card = T.figure(plot, 'and the pin that interrupts the host');
+    let shown = '';
+    T.time.follow((cursor, range) => {
+      plot.cursor = cursor;
+      if (shown === String(range)) return plot.redrawOver();
+      shown = String(range);
+      return plot.redraw();
+    });
+    return card;
+  }
+
+  function interruptTable(m) {
+    if (m.interrupts.length === 0) return T.el('p', {}, 'The part never interrupted.');
+    return T.el('div', { class: 'scroll' }, T.table(['Interrupt', 'sample', 'time (s)',
+      'desired (counts)', 'real (counts)', T.el('th', { class: 'text' }, 'status')],
+    m.interrupts.map((one, k) => [k + 1, T.whole(one.sample), T.num(one.time_s, 5),
+      T.whole(one.desired_count), T.whole(one.real_count), T.el('td', { class: 'text' },
+        bitsText(one.status))])));
+  }
+
+  // Name, unit, digits, where it is; true: more of it is neither good nor bad.
+  const kFigures = [
+    ['Motion', 'samples', 0, (m) => m.motion.samples, true],
+    ['Motion', 's', 4, (m) => m.motion.time_s, true],
+    ['Desired at the end', 'counts', 0, (m) => m.motion.desired_count, true],
+    ['Real at the end', 'counts', 0, (m) => m.motion.real_count, true],
+    ['Overshoot', 'counts', 2, (m) => m.motion.overshoot_counts],
+    ['First step settled', 'ms', 1, (m) => (m.options.program === 'tuning'
+      ? m.motion.settled_s * 1e3 : undefined)],
+    ['Largest error', 'counts', 0, (m) => m.motion.max_error_counts],
+    ['Top speed', 'rev/s', 3, (m) => m.motion.max_speed_rev_s, true],
+    ['Peak voltage', 'V', 2, (m) => m.motion.max_voltage_V, true],
+    ['Peak current', 'A', 3, (m) => m.motion.max_current_A, true],
+    ['Interrupts', '', 0, (m) => m.interrupts.length, true],
+  ];
+
+  function scriptCard(m) {
+    const reply = (one) => [one.hex || '', one.bits || (one.value === undefined ? ''
+      : `${one.value} ${one.unit || ''}`), one.waited_s === undefined ? ''
+      : `after ${T.num(one.waited_s, 6)} s`].filter(Boolean).join('  ');
+    return T.el('div', { class: 'card long' }, T.el('div', { class: 'scroll' }, T.table(['Time (s)',
+      T.el('th', { class: 'text' }, 'command'), T.el('th', { class: 'text' }, 'answer')],
+    m.script.map((one) => T.el('tr', {}, T.el('th', {}, T.num(one.time_s, 6)),
+      T.el('td', { class: 'text' }, T.el('code', {}, one.line)),
+      T.el('td', { class: 'text' }, reply(one)))))));
+  }
+
+  function sections(run) {
+    const m = run.metrics;
+    if (run.count > 1) {
+      T.time.start(run.series.t_s);
+      T.time.marks = m.interrupts.map((one) => one.time_s);
+      motionSection(run);
+      filterSection(run);
+      T.section('status', 'Status', '').append(statusPlot(run), T.el('div', { class: 'card' },
+        interruptTable(m)));
+    }
+    if (m.script) {
+      T.section('script', 'Script', 'Simulated time at the end of each line, from the start of ' +
+        'the run.').append(scriptCard(m));
+    }
+    const figures = kFigures.filter(([, , , of]) => of(m) !== undefined);
+    T.section('figures', 'Figures', '').append(T.el('div', { class: 'card' }, T.el('div',
+      { class: 'scroll' }, T.table(['Figure', 'value'], figures.map(([name, unit, digits, of]) => [
+        unit ? `${name} (${unit})` : name, T.num(of(m), digits)])))));
+    T.section('parameters', 'Parameters', 'Marked: what differs from the default.').append(
+      T.parameterCard(m, T.page.keys));
+  }
+
+  const plot = (id, title, yLabel, unit, digits) => ({ id, title, yLabel, unit, digits });
+  const compare = {
+    kindOf: (run) => run.metrics.options.program || 'script',
+    sample: kSample,
+    figures: kFigures,
+    plots: (runs, overlay) => [
+      overlay(plot('position', 'Position', 'position (counts)', 'counts', 1),
+        (run) => run.data.position),
+      overlay(plot('error', 'Error', 'error (counts)', 'counts', 0), (run) => run.data.error),
+      overlay(plot('speed', 'Speed', 'speed (rev/s)', 'rev/s', 3), (run) => run.data.speed),
+      overlay(plot('output', 'Output of the filter', 'output', '', 0), (run) => run.data.output)],
+    sections: () => {},
+    opening: () => null,
+    heading: 'Motion',
+    timeLabel: 'Time since the first sample (s)',
+    lead: 'Differences are to the first run of the same program.',
+  };
+
+  (T.machines = T.machines || {}).an693 = { prepare, tiles, sections, compare,
+    chips: (m) => ['LM628', ...(m.script ? ['script'] : [])] };
+})(window.Trammel = window.Trammel || {});
