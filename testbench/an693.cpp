@@ -109,8 +109,7 @@ An693Metrics evaluate(const lm628::Options& options, const lm628::Result& result
 }
 
 // Rules that concern more than one key.
-void finish(const lm628::Options& options) {
-  const plant::DcMotorConfig& c = options.plant.motor;
+void check_motor(const plant::DcMotorConfig& c) {
   constexpr double kFastest = 1e5;  // [1/s], for steps of 16 us
   const double electrical = c.resistance / c.inductance;
   const double mechanical = (c.viscous + c.coulomb / c.friction_speed) / c.inertia;
@@ -121,6 +120,11 @@ void finish(const lm628::Options& options) {
                               : "motor friction / motor.inertia_kg_m2",
         std::max(electrical, mechanical)));
   }
+}
+
+// Rules that concern more than one key.
+void finish(const lm628::Options& options) {
+  check_motor(options.plant.motor);
   if (options.plant.counts % 4 != 0) {
     throw ConfigError(fmt::format("encoder.counts: value {} is no multiple of 4",
                                   options.plant.counts));

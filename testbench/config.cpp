@@ -35,7 +35,8 @@ bool is_key_of(const std::string& name) {
 
 template <class Options>
 [[noreturn]] void unknown_key(const std::string& where, const std::string& name) {
-  if (is_key_of<kung::Options>(name) || is_key_of<lm628::Options>(name)) {
+  if (is_key_of<kung::Options>(name) || is_key_of<lm628::Options>(name) ||
+      is_key_of<mcafee::Options>(name)) {
     throw ConfigError(fmt::format("{}: {}: is no key of the machine {}", where, name,
                                   machine_name<Options>()));
   }
@@ -308,6 +309,7 @@ std::string run_toml(const Options& options, const std::string& command,
   template std::string run_toml(const Options&, const std::string&, bool (*)(const KeyInfo&))
 TRAMMEL_INSTANTIATE(kung::Options);
 TRAMMEL_INSTANTIATE(lm628::Options);
+TRAMMEL_INSTANTIATE(mcafee::Options);
 #undef TRAMMEL_INSTANTIATE
 
 std::string machine_of(const fs::path& file) {

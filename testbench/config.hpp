@@ -47,6 +47,10 @@ std::vector<std::pair<std::string, std::string>> environment();
 // firmware writes. Throws ConfigError.
 void finish(kung::Options& options);
 void finish(const lm628::Options& options);
+void finish(const mcafee::Options& options);
+
+// What the steps of plant::DcMotor can follow.
+void check_motor(const plant::DcMotorConfig& motor);
 
 // Everything needed to repeat the run by `command`, as TOML, but the keys that `left_out` names.
 template <class Options>

@@ -30,8 +30,9 @@ int list_scenarios(bool json) {
   std::string text;
   for (const auto& file : scenarios()) {
     const std::string machine = machine_of(file);
-    const std::string description = machine == "kung" ? description_of<kung::Options>(file)
-                                                      : description_of<lm628::Options>(file);
+    const std::string description = machine == "kung"    ? description_of<kung::Options>(file)
+                                    : machine == "an693" ? description_of<lm628::Options>(file)
+                                                         : description_of<mcafee::Options>(file);
     const std::string name = file.stem().string();
     all.push_back({{"name", name}, {"machine", machine}, {"description", description}});
     text += fmt::format("{:<19}{}\n", name, description);
@@ -79,7 +80,8 @@ int list_signals(bool json) {
 int list(const std::string& topic, const std::string& machine, bool json) {
   if (topic == "signals") return list_signals(json);
   if (topic != "keys") return list_scenarios(json);
-  return machine == "kung" ? list_keys<kung::Options>(json) : list_keys<lm628::Options>(json);
+  if (machine == "kung") return list_keys<kung::Options>(json);
+  return machine == "an693" ? list_keys<lm628::Options>(json) : list_keys<mcafee::Options>(json);
 }
 
 std::string version_text() {

@@ -14,6 +14,7 @@
 
 #include "cosim/kung/types.hpp"
 #include "cosim/lm628/types.hpp"
+#include "cosim/mcafee/types.hpp"
 
 namespace trammel::testbench {
 
@@ -48,8 +49,12 @@ template <>
 constexpr const char* machine_name<lm628::Options>() {
   return "an693";
 }
+template <>
+constexpr const char* machine_name<mcafee::Options>() {
+  return "mcafee";
+}
 inline const std::vector<std::string>& machines() {
-  static const std::vector<std::string> all{"kung", "an693"};
+  static const std::vector<std::string> all{"kung", "an693", "mcafee"};
   return all;
 }
 
@@ -60,6 +65,8 @@ template <>
 const std::vector<Key>& keys_of<kung::Options>();
 template <>
 const std::vector<KeyOf<lm628::Options>>& keys_of<lm628::Options>();
+template <>
+const std::vector<KeyOf<mcafee::Options>>& keys_of<mcafee::Options>();
 inline const std::vector<Key>& keys() { return keys_of<kung::Options>(); }
 
 // "plant.x.mass_kg" -> "plant.mass_kg"; other names stay.

@@ -14,9 +14,11 @@
 #include "cosim/kung/trigger.hpp"
 #include "systemc/machines/an693.hpp"
 #include "systemc/machines/kung.hpp"
+#include "systemc/machines/mcafee.hpp"
 #include "testbench/config.hpp"
 #include "testbench/doctor.hpp"
 #include "testbench/lm628.hpp"
+#include "testbench/mcafee.hpp"
 #include "testbench/report_page.hpp"
 #include "testbench/run.hpp"
 
@@ -49,6 +51,7 @@ struct CommandLine {
   CLI::App* doctor = nullptr;
   CLI::App* report = nullptr;
   CLI::App* lm628 = nullptr;
+  CLI::App* track = nullptr;
   tb::ReportArguments report_arguments;
 
   CommandLine() {
@@ -59,10 +62,10 @@ struct CommandLine {
     app.add_flag("--json", run_arguments.json, "print exactly one JSON document");
 
     run = app.add_subcommand("run", "simulate a scenario and show whether the table followed");
-    run->add_option("scenario", run_arguments.scenario, "built-in name or path of a .toml file");
+    add_layers(run, "scenario", "built-in name or path of a .toml file",
+               "output folder, default out/<scenario>");
+    add_simulation(run);
     run->add_flag("--all", run_arguments.all, "the paper's eight experiments");
-    add_layers(run);
-    run->add_option("-o,--out", run_arguments.out, "output folder, default out/<scenario>");
     run->add_option("--engine", run_arguments.engine, "rtl, or twin: its bit-exact twins, fast");
     run->add_option("--platform", run_arguments.platform, "systemc or direct");
     add_waves(run_arguments.waves);
@@ -75,12 +78,11 @@ struct CommandLine {
 
     lm628 = app.add_subcommand("lm628", "the commands of an LM628 with its motor: a script, or a "
                                         "conversation");
-    lm628->add_option("script", run_arguments.scenario,
-                      "built-in name, file, or - for standard input; none on a terminal: a "
-                      "conversation, in which `help` names the commands");
-    add_layers(lm628);
-    lm628->add_option("-o,--out", run_arguments.out, "write what `trammel run` writes into this "
-                                                     "folder, and script.lm628");
+    add_layers(lm628, "script",
+               "built-in name, file, or - for standard input; none on a terminal: a "
+               "conversation, in which `help` names the commands",
+               "write what `trammel run` writes into this folder, and script.lm628");
+    add_simulation(lm628);
 
     report = app.add_subcommand("report", "a page of a run, or one that compares runs");
     report->add_option("folder", report_arguments.folders,
@@ -88,18 +90,28 @@ struct CommandLine {
     report->add_option("-o,--out", report_arguments.out,
                        "the page; default report.html in the folder, or out/compare.html");
 
+    track = app.add_subcommand("track", "the table of a path of the machine mcafee, as CSV");
+    add_layers(track, "scenario", "scenario with the path, default mcafee-stage3",
+               "file of the table; default: standard output");
+
     list = app.add_subcommand("list", "scenarios, every parameter with unit and range, or signals");
     list->add_option("topic", topic, "scenarios, keys or signals (for --wave-trigger)")
         ->check(CLI::IsMember({"scenarios", "keys", "signals"}));
-    list->add_option("machine", machine, "whose keys: kung or an693")
+    list->add_option("machine", machine, "whose keys")
         ->check(CLI::IsMember(tb::machines()));
     doctor = app.add_subcommand("doctor", "what is here and what is missing");
   }
 
-  // Of every verb that simulates.
-  void add_layers(CLI::App* verb) {
+  // Of every verb that takes a machine's keys.
+  void add_layers(CLI::App* verb, const char* name, const char* scenario, const char* out) {
+    verb->add_option(name, run_arguments.scenario, scenario);
     verb->add_option("-c,--config", run_arguments.files, "more TOML files, later ones win");
     verb->add_option("-s,--set", run_arguments.assignments, "key=value (`trammel list keys`)");
+    verb->add_option("-o,--out", run_arguments.out, out);
+  }
+
+  // Of every verb that simulates.
+  void add_simulation(CLI::App* verb) {
     verb->add_flag("--no-leap", run_arguments.plain, "evaluate every clock; the same events");
     verb->add_flag_callback("--no-report", [this] { run_arguments.report = false; },
                             "without report.html");
@@ -145,8 +157,10 @@ int perform(const CommandLine& line) {
     return tb::lm628_shell(line.run_arguments, g_stop,
                            conversation ? tb::terminal_lines() : tb::ReadLine());
   }
+  if (line.track->parsed()) return tb::track(line.run_arguments);
   catch_interrupts();
-  return tb::run(line.run_arguments, trammel::kung::simulate, g_stop, trammel::lm628::simulate);
+  return tb::run(line.run_arguments, trammel::kung::simulate, g_stop, trammel::lm628::simulate,
+                 trammel::mcafee::simulate);
 }
 
 }  // namespace

@@ -25,7 +25,8 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char* kOwnFiles[] = {"metrics.json", "trace.csv",  "detail.json", "run.toml",
                                      "report.html",  "path.svg",   "error.svg",   "motion.svg",
-                                     "waves.vcd",    "waves.fst",  "waves.gtkw",  "script.lm628"};
+                                     "waves.vcd",    "waves.fst",  "waves.gtkw",  "script.lm628",
+                                     "table.csv",    "contour.svg"};
 
 Json wakes_json(const kung::WakeCounts& wakes) {
   Json json;

@@ -7,6 +7,7 @@
 
 #include "testbench/an693.hpp"
 #include "testbench/config.hpp"
+#include "testbench/mcafee.hpp"
 #include "testbench/output.hpp"
 #include "testbench/paper.hpp"
 #include "testbench/progress.hpp"
@@ -180,26 +181,32 @@ int run_all(const RunArguments& arguments, const Simulate& simulate,
   return code;
 }
 
-lm628::Options layered_an693(const fs::path& file, const RunArguments& arguments) {
+}  // namespace
+
+template <class AnyOptions>
+AnyOptions layered_machine(const fs::path& file, const RunArguments& arguments) {
   const WaveArguments& waves = arguments.waves;
   for (const auto& [given, name] :
        {std::pair{!waves.format.empty(), "--wave"}, {!waves.window.empty(), "--wave-window"},
         {!waves.trigger.empty(), "--wave-trigger"}, {!waves.pre.empty(), "--wave-pre"},
         {!waves.every.empty(), "--wave-every"}, {arguments.check, "--check"}}) {
-    if (given) throw ConfigError(fmt::format("{}: is not offered by the machine an693", name));
+    if (given) {
+      throw ConfigError(fmt::format("{}: is not offered by the machine {}", name,
+                                    machine_name<AnyOptions>()));
+    }
   }
-  lm628::Options options;
+  AnyOptions options;
   options.scenario = file.stem().string();
   apply_file(options, file);
   apply_own_layers(options, arguments);
   finish(options);
   return options;
 }
-
-}  // namespace
+template lm628::Options layered_machine(const fs::path&, const RunArguments&);
+template mcafee::Options layered_machine(const fs::path&, const RunArguments&);
 
 int run(const RunArguments& arguments, const Simulate& simulate, const std::atomic<bool>& stop,
-        const SimulateAn693& simulate_an693) {
+        const SimulateAn693& simulate_an693, const SimulateMcafee& simulate_mcafee) {
   if (arguments.all) {
     if (!arguments.scenario.empty()) {
       throw ConfigError("run: --all runs the paper's experiments; a scenario beside it means none");
@@ -209,8 +216,14 @@ int run(const RunArguments& arguments, const Simulate& simulate, const std::atom
   if (arguments.scenario.empty()) {
     throw ConfigError("run: name a scenario (`trammel list` shows them) or give --all");
   }
-  if (const fs::path file = find_scenario(arguments.scenario); machine_of(file) == "an693") {
-    return run_an693(layered_an693(file, arguments), arguments, simulate_an693, stop);
+  const fs::path file = find_scenario(arguments.scenario);
+  if (machine_of(file) == machine_name<lm628::Options>()) {
+    return run_an693(layered_machine<lm628::Options>(file, arguments), arguments, simulate_an693,
+                     stop);
+  }
+  if (machine_of(file) == machine_name<mcafee::Options>()) {
+    return run_mcafee(layered_machine<mcafee::Options>(file, arguments), arguments,
+                      simulate_mcafee, stop);
   }
   const Options options = layered(arguments.scenario, arguments);
   const fs::path target =

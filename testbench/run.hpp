@@ -4,18 +4,22 @@
 #pragma once
 
 #include <atomic>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "cosim/kung/types.hpp"
 #include "cosim/lm628/types.hpp"
+#include "cosim/mcafee/types.hpp"
 #include "testbench/waves.hpp"
 
 namespace trammel::testbench {
 
 using Simulate = std::function<kung::Result(const kung::Options&, const kung::Hooks&)>;
 using SimulateAn693 = std::function<lm628::Result(const lm628::Options&, const cosim::Hooks&)>;
+using SimulateMcafee =
+    std::function<mcafee::Result(const mcafee::Options&, const cosim::Hooks&)>;
 
 struct RunArguments {
   std::string scenario;
@@ -40,6 +44,10 @@ void apply_own_layers(Options& options, const RunArguments& arguments);
 
 // The scenario's file says which machine it is of.
 int run(const RunArguments& arguments, const Simulate& simulate, const std::atomic<bool>& stop,
-        const SimulateAn693& simulate_an693 = {});
+        const SimulateAn693& simulate_an693 = {}, const SimulateMcafee& simulate_mcafee = {});
+
+// Options of a machine other than kung, from all layers and checked.
+template <class Options>
+Options layered_machine(const std::filesystem::path& file, const RunArguments& arguments);
 
 }  // namespace trammel::testbench

@@ -40,7 +40,8 @@ struct Options {
   int speed = 0;             // 1..255: constant; 0: the feed rate's
   int least_speed = 40;
   int velocity_shift = 2;
-  double wait_s = 0.05;      // between readings, and at the end
+  double wait_s = 0.5;       // between readings, and at the end
+  bool compare = false;      // also at constant speeds, 254 and the least one
   plant::LeadscrewConfig stage_axis;  // both
   cosim::ProcessorOptions processor;
   RunOptions run;

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "testbench/mcafee.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iterator>
+
+#include "testbench/config.hpp"
+#include "testbench/output.hpp"
+#include "testbench/progress.hpp"
+
+namespace trammel::testbench {
+namespace {
+
+using mcafee::Options;
+using mcafee::Result;
+using mcafee::Sample;
+using sw::McafeeStage;
+
+constexpr std::size_t kShownWarnings = 5;
+constexpr int kFastest = 254;  // what the feed rate gives at most
+
+double time_s(const Options& options, const Sample& s) {
+  return static_cast<double>(s.edge) * static_cast<double>(options.stage_axis.clock_ps) * 1e-12;
+}
+
+bool same_target(const Sample& a, const Sample& b) {
+  return a.axis[0].words.position == b.axis[0].words.position &&
+         a.axis[1].words.position == b.axis[1].words.position;
+}
+
+nlohmann::ordered_json figures_json(const Result& result, const McafeeMetrics& m) {
+  nlohmann::ordered_json json{{"time_s", m.moving_s}};
+  if (!m.contour_mm.empty()) {
+    json["rows"] = result.samples.empty() ? 0 : result.samples.back().row;
+    json["contour_max_mm"] = m.contour_max_mm;
+    json["contour_rms_mm"] = m.contour_rms_mm;
+    json["contour_end_mm"] = m.contour_end_mm;
+  }
+  json["max_error_counts"] = m.max_error_counts;
+  json["max_speed_mm_s"] = m.max_speed_mm_s;
+  json["max_current_A"] = m.max_current_A;
+  return json;
+}
+
+nlohmann::ordered_json run_json(const Options& options, const std::vector<McafeeRun>& runs) {
+  const Result& result = runs.front().result;
+  nlohmann::ordered_json json;
+  json["machine"] = machine_name<Options>();
+  json["scenario"] = options.scenario;
+  json["end"] = end_text(result.end);
+  if (!result.fault.empty()) json["fault"] = result.fault;
+  json["motion"] = figures_json(result, runs.front().metrics);
+  json["real_count"] = result.real;
+  if (options.stage == McafeeStage::kRead) json["readings"] = result.readings;
+  for (std::size_t k = 1; k < runs.size(); ++k) {
+    json["compared"][runs[k].name] = figures_json(runs[k].result, runs[k].metrics);
+  }
+  const double simulated = static_cast<double>(result.clocks) *
+                           static_cast<double>(options.stage_axis.clock_ps) * 1e-12;
+  json["run"] = {{"samples", result.samples.size()}, {"clocks", result.clocks},
+                 {"clocks_evaluated", result.evaluated}, {"simulated_s", simulated},
+                 {"wall_s", result.wall_s},
+                 {"event_hash", fmt::format("{:016x}", result.event_hash)}};
+  json["versions"] = versions_json();
+  for (const auto& key : keys_of<Options>()) {
+    json["options"][key.name] = value_json(key.get(options));
+  }
+  return json;
+}
+
+void write_tracked(const std::filesystem::path& file, const Options& options,
+                   const McafeeRun& run) {
+  fmt::memory_buffer text;
+  const auto out = std::back_inserter(text);
+  fmt::format_to(out, "t_s,row,v,limits,contour_mm");
+  for (const char axis : {'x', 'y'}) {
+    fmt::format_to(out, ",{0}_desired_count,{0}_real_count,{0}_mm,{0}_e,{0}_output,{0}_i_A,{0}_u_V",
+                   axis);
+  }
+  fmt::format_to(out, "\n");
+  for (std::size_t k = 0; k < run.result.samples.size(); ++k) {
+    const Sample& s = run.result.samples[k];
+    const double contour = run.metrics.contour_mm.empty() ? 0 : run.metrics.contour_mm[k];
+    fmt::format_to(out, "{:.8f},{},{},{},{:.5f}", time_s(options, s), s.row, s.v, s.limits,
+                   contour);
+    for (const mcafee::AxisSample& a : s.axis) {
+      fmt::format_to(out, ",{:.5f},{},{:.5f},{},{},{:.5g},{:.5g}",
+                     static_cast<double>(a.words.position) / 65536, a.words.actual, a.x_mm,
+                     a.words.error, a.words.output, a.i, a.volt);
+    }
+    fmt::format_to(out, "\n");
+  }
+  write_text(file, fmt::to_string(text));
+}
+
+std::string figures_line(const McafeeRun& run) {
+  const McafeeMetrics& m = run.metrics;
+  std::string text = fmt::format("  {:<22}{:.3f} s", run.name, m.moving_s);
+  if (!m.contour_mm.empty()) {
+    text += fmt::format(", contour error {:.4f} mm at most, {:.4f} mm rms", m.contour_max_mm,
+                        m.contour_rms_mm);
+  }
+  return text + '\n';
+}
+
+std::string text_report(const Options& options, const std::vector<McafeeRun>& runs,
+                        const std::string& folder, bool pictures) {
+  const Result& result = runs.front().result;
+  const McafeeMetrics& m = runs.front().metrics;
+  std::string text = fmt::format("{}: {}{}\n", options.scenario, end_text(result.end),
+                                 result.fault.empty() ? "" : ": " + result.fault);
+  if (!options.description.empty()) text += fmt::format("  {}\n", options.description);
+  for (const McafeeRun& run : runs) text += figures_line(run);
+  if (options.stage == McafeeStage::kRead) {
+    text += fmt::format("  {:<22}{}\n", "readings", result.readings);
+  } else {
+    text += fmt::format("  {:<22}{}, {} counts\n", "real position", result.real[0], result.real[1]);
+  }
+  text += fmt::format("  {:<22}{} counts\n", "largest error", m.max_error_counts);
+  text += fmt::format("  {:<22}{:.2f} mm/s, current {:.2f} A\n", "largest speed", m.max_speed_mm_s,
+                      m.max_current_A);
+  return text + fmt::format("  {}/metrics.json, trace.csv, run.toml{}{}\n", folder,
+                            options.stage == McafeeStage::kTrack ? ", table.csv" : "",
+                            pictures ? ", path.svg, contour.svg" : "");
+}
+
+void warn(const std::string& scenario, const std::vector<std::string>& warnings) {
+  for (std::size_t k = 0; k < std::min(warnings.size(), kShownWarnings); ++k) {
+    fmt::print(stderr, "trammel: {}: {}\n", scenario, warnings[k]);
+  }
+  if (warnings.size() > kShownWarnings) {
+    fmt::print(stderr, "trammel: {}: and {} more such rows\n", scenario,
+               warnings.size() - kShownWarnings);
+  }
+}
+
+mcafee::Table table_of(const Options& options) {
+  try {
+    return make_table(mcafee::Path(options.path), options.path, options.count_mm());
+  } catch (const cosim::OptionsError& error) {
+    throw ConfigError(error.what());
+  } catch (const std::invalid_argument& error) {  // the file of points
+    throw ConfigError(fmt::format("path.points_file: {}", error.what()));
+  }
+}
+
+McafeeRun simulated(const std::string& name, const Options& options, const SimulateMcafee& simulate,
+                    const std::atomic<bool>& stop) {
+  Progress progress(fmt::format("{}, {}", options.scenario, name));
+  cosim::Hooks hooks;
+  hooks.progress = [&progress](double fraction) { progress(fraction); };
+  hooks.stop = &stop;
+  McafeeRun run{name, simulate(options, hooks), {}};
+  run.metrics = evaluate(options, run.result);
+  return run;
+}
+
+std::vector<McafeeRun> all_runs(const Options& options, const SimulateMcafee& simulate,
+                                const std::atomic<bool>& stop) {
+  const bool tracks = options.stage == McafeeStage::kTrack;
+  std::vector<McafeeRun> runs;
+  const std::string pace = options.speed == 0 ? "self-paced" : fmt::format("v = {}", options.speed);
+  runs.push_back(simulated(tracks ? pace : "motion", options, simulate, stop));
+  if (!tracks || !options.compare || runs.front().result.end != cosim::EndReason::kDone) {
+    return runs;
+  }
+  for (const int speed : {kFastest, options.least_speed}) {
+    if (stop) break;
+    Options other = options;
+    other.speed = speed;
+    runs.push_back(simulated(fmt::format("v = {}", speed), other, simulate, stop));
+  }
+  return runs;
+}
+
+}  // namespace
+
+McafeeMetrics evaluate(const Options& options, const Result& result) {
+  McafeeMetrics m;
+  const bool tracks = options.stage == McafeeStage::kTrack;
+  std::vector<mcafee::Path> path;
+  if (tracks) path.emplace_back(options.path);
+  const mcafee::PointMm origin = tracks ? path[0].at(0) : mcafee::PointMm{};
+  constexpr double kReachMm = 10;  // a path may cross itself
+  double squares = 0;
+  std::size_t last = 0;
+  bool begun = false;
+  const double count_mm = options.count_mm();
+  for (std::size_t k = 0; k < result.samples.size(); ++k) {
+    const Sample& s = result.samples[k];
+    const bool moves = k > 0 && !same_target(s, result.samples[k - 1]);
+    if (!begun && (tracks ? s.row > 0 : moves)) {
+      begun = true;
+      m.first = k;
+    }
+    if (begun && moves) last = k;
+    if (tracks) {
+      const mcafee::PointMm at{origin.x + s.axis[0].x_mm, origin.y + s.axis[1].x_mm};
+      const double way = result.table.row_mm * s.row;
+      m.contour_mm.push_back(path[0].distance(at, way, kReachMm));
+      m.contour_max_mm = std::max(m.contour_max_mm, m.contour_mm.back());
+      m.contour_end_mm = m.contour_mm.back();
+      if (begun) squares += m.contour_end_mm * m.contour_end_mm;
+    }
+    for (const mcafee::AxisSample& a : s.axis) {
+      m.max_error_counts = std::max<std::int64_t>(m.max_error_counts, std::abs(a.words.error));
+      const double speed = std::fabs(static_cast<double>(a.words.speed)) / 65536 * count_mm;
+      m.max_speed_mm_s = std::max(m.max_speed_mm_s, speed / mcafee::kSampleS);
+      m.max_current_A = std::max(m.max_current_A, std::fabs(a.i));
+    }
+  }
+  const auto moving = result.samples.size() - m.first;
+  if (tracks && moving > 0) m.contour_rms_mm = std::sqrt(squares / static_cast<double>(moving));
+  if (last > m.first) m.moving_s = static_cast<double>(last - m.first) * mcafee::kSampleS;
+  return m;
+}
+
+void finish(const Options& options) {
+  check_motor(options.stage_axis.motor);
+  if (options.stage == McafeeStage::kTrack) table_of(options);
+}
+
+int run_mcafee(const Options& options, const RunArguments& arguments,
+               const SimulateMcafee& simulate, const std::atomic<bool>& stop) {
+  namespace fs = std::filesystem;
+  const fs::path target =
+      arguments.out.empty() ? fs::path("out") / options.scenario : fs::path(arguments.out);
+  OutputFolder folder(target);
+  const std::vector<McafeeRun> runs = all_runs(options, simulate, stop);
+  const McafeeRun& run = runs.front();
+  const nlohmann::ordered_json json = run_json(options, runs);
+  write_text(folder.scratch() / "metrics.json", json.dump(2) + '\n');
+  write_text(folder.scratch() / "run.toml", run_toml(options));
+  write_tracked(folder.scratch() / "trace.csv", options, run);
+  bool pictures = false;
+  if (options.stage == McafeeStage::kTrack) {
+    warn(options.scenario, run.result.table.warnings);
+    write_text(folder.scratch() / "table.csv", table_csv(run.result.table));
+    pictures = write_tracking_pictures(folder.scratch(), options, runs);
+    if (!pictures) fmt::print(stderr, "trammel: no pictures: gnuplot is missing or failed\n");
+  }
+  folder.publish();
+
+  const std::string shown = fs::proximate(folder.target()).string();
+  fmt::print("{}", arguments.json ? json.dump(2) + '\n'
+                                  : text_report(options, runs, shown, pictures));
+  const int code = exit_code(run.result.end);
+  if (code != 0) {
+    fmt::print(stderr, "trammel: {}: {}{}; record kept in {}\n", options.scenario,
+               end_text(run.result.end),
+               run.result.fault.empty() ? "" : " by " + run.result.fault, shown);
+  }
+  return code;
+}
+
+int track(const RunArguments& arguments) {
+  const Options options = layered_machine<Options>(
+      find_scenario(arguments.scenario.empty() ? "mcafee-stage3" : arguments.scenario), arguments);
+  const mcafee::Table table = table_of(options);
+  warn("track", table.warnings);
+  if (arguments.out.empty()) {
+    fmt::print("{}", table_csv(table));
+    return 0;
+  }
+  write_text(arguments.out, table_csv(table));
+  fmt::print("{}: {} rows of {:.5f} mm\n", arguments.out, table.rows.size(), table.row_mm);
+  return 0;
+}
+
+}  // namespace trammel::testbench
