@@ -6,6 +6,8 @@
 #include <cstdlib>
 #include <utility>
 
+#include "cosim/mcafee/twin_chip.hpp"
+
 namespace trammel::mcafee {
 namespace {
 
@@ -38,11 +40,12 @@ unsigned StagePlant::limits() const {
 }
 
 cosim::Lines StagePlant::sense() const {
-  cosim::Lines lines = cosim::Lines{limits()} << kLimits;
-  for (std::size_t k = 0; k < 2; ++k) {
-    const plant::SineEncoder& e = stage_.axis(k).sensor().encoder();
-    lines |= cosim::Lines{e.a()} << encoder_a(k) | cosim::Lines{e.b()} << encoder_b(k) |
-             cosim::Lines{e.marker()} << index_n(k);
+  cosim::Lines lines = cosim::Lines{limits()} << limit_low(0);
+  for (int axis = 0; axis < kAxes; ++axis) {
+    const plant::SineEncoder& e =
+        stage_.axis(static_cast<std::size_t>(axis)).sensor().encoder();
+    lines |= cosim::Lines{e.a()} << encoder_a(axis) | cosim::Lines{e.b()} << encoder_b(axis) |
+             cosim::Lines{e.marker()} << marker(axis);
   }
   return lines;
 }
@@ -106,8 +109,8 @@ Sample Session::sample_at(cosim::Clk edge) const {
   for (std::size_t k = 0; k < 2; ++k) {
     const plant::LeadscrewAxis& axis = plant_.stage().axis(k);
     const plant::DcMotorState state = axis.state(edge);
-    sample.axis[k] = {chip_->words(k), 1e3 * state.theta / axis.sensor().radians_per_m(), state.i,
-                      axis.voltage()};
+    sample.axis[k] = {chip_->words(static_cast<int>(k)),
+                      1e3 * state.theta / axis.sensor().radians_per_m(), state.i, axis.voltage()};
   }
   sample.limits = plant_.limits();
   sample.row = app_.rows();

@@ -26,7 +26,8 @@ class StagePlant final : public cosim::Plant {
   cosim::Lines sense() const override;
   cosim::Clk next() const override { return stage_.next(); }
   void commit(cosim::Clk n, cosim::Lines drive) override {
-    stage_.commit(n, {code_of(drive, 0), code_of(drive, 1)});
+    stage_.commit(n, {static_cast<unsigned>(code(drive, 0)),
+                      static_cast<unsigned>(code(drive, 1))});
   }
   int sample(int, cosim::Clk) const override { return 0; }  // there is no converter
 

@@ -50,7 +50,7 @@ struct Options {
 };
 
 struct AxisSample {
-  Words words;
+  lm628::Words words;
   double x_mm = 0;  // where the table is, from its start
   double i = 0;     // [A]
   double volt = 0;  // [V] that the amplifier is told to give

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sw_nios/apps/mcafee.hpp"
 
+#include "sw_nios/hal/mcafee_map.hpp"
 #include "sw_nios/hal/mcafee_xy.hpp"
 
 namespace trammel::sw {
+
+namespace regs = mcafee_xy_regs;
+
 namespace {
 
 // Control words of LTRJ.
@@ -36,21 +40,21 @@ struct McafeeApp::Parts {
 
 // Both parts at once, by their pins: their samples coincide from then on.
 void McafeeApp::start(Bus& bus) {
-  bus.write(mcafee_map::kReset, 1);
+  bus.write(regs::kReset, regs::kResetStrobe);
   wait(bus, State::kReset, kResetClk);
 }
 
 void McafeeApp::isr(Bus& bus) {
   Parts parts(bus);
-  if (bus.read(mcafee_map::kTimerIrq) != 0) {
+  if ((bus.read(mcafee_map::kIrq) & mcafee_map::kIrqTimer) != 0) {
     bus.write(mcafee_map::kTimer, 0);
-    if (state_ != State::kReset && bus.read(mcafee_map::kLimits) != 0) {
+    if (state_ != State::kReset && bus.read(regs::kLimits) != 0) {
       fail(bus, McafeeFailure::kLimit);
     } else {
       on_timer(bus, parts);
     }
   }
-  if (bus.read(mcafee_map::kIrq) != 0) on_host(bus, parts);
+  if (bus.read(regs::kIrq) != 0) on_host(bus, parts);
   if (parts.stuck()) fail(bus, McafeeFailure::kBusy);
 }
 
@@ -77,7 +81,7 @@ void McafeeApp::on_timer(Bus& bus, Parts& parts) {
       watch_row(bus, parts);
       break;
     case State::kSample:
-      if ((bus.read(mcafee_map::kStatus) & mcafee_map::kSample) != 0) {
+      if ((bus.read(regs::kStatus) & regs::kStatusSample) != 0) {
         start_row(bus, parts);
       } else {
         wait(bus, State::kSample, kSoon);
@@ -131,15 +135,15 @@ void McafeeApp::begin(Bus& bus, Parts& parts) {
     port.command(Lm628Command::kStt);
   }
   load_row(bus, parts);
-  bus.write(mcafee_map::kStatus, mcafee_map::kSample);
+  bus.write(regs::kStatus, regs::kStatusSample);
   wait(bus, State::kSample, kSoon);
 }
 
 std::uint32_t McafeeApp::feed_rate(Bus& bus, const McafeeRow& row) {
-  bus.write(mcafee_map::kFeedIn, row.c | std::uint32_t{row.cc} << 8);
+  bus.write(regs::kFeedIn, row.c | std::uint32_t{row.cc} << 8);
   for (std::uint32_t polls = 0; polls < McafeePart::kPollLimit; ++polls) {
-    const std::uint32_t out = bus.read(mcafee_map::kFeedOut);
-    if ((out & mcafee_map::kFeedReady) != 0) return out & 0xFF;
+    const std::uint32_t out = bus.read(regs::kFeedOut);
+    if ((out & regs::kFeedOutReady) != 0) return out & 0xFF;
   }
   fail(bus, McafeeFailure::kBusy);
   return 0;
@@ -191,7 +195,7 @@ void McafeeApp::watch_row(Bus& bus, Parts& parts) {
   const std::uint32_t speed = magnitude(port.ask_long(Lm628Command::kRddv));
   const std::uint32_t left = magnitude(axes_[longer_].target - desired) << 16;
   if (left <= 2 * speed) {
-    bus.write(mcafee_map::kStatus, mcafee_map::kSample);
+    bus.write(regs::kStatus, regs::kStatusSample);
     return wait(bus, State::kSample, kSoon);
   }
   // Sleeps until two samples before that, should the axis be as fast as it may.

@@ -11,10 +11,10 @@
 namespace trammel::test {
 
 // Encoder lines of a count, marker high.
-constexpr cosim::Lines count_lines(std::int64_t count, std::size_t k) {
+constexpr cosim::Lines count_lines(std::int64_t count, int k) {
   return cosim::Lines{((count + 1) & 2) != 0} << mcafee::encoder_a(k) |
          cosim::Lines{(count & 2) != 0} << mcafee::encoder_b(k) |
-         cosim::Lines{1} << mcafee::index_n(k);
+         cosim::Lines{1} << mcafee::marker(k);
 }
 
 // Motors that are where they are told to be, from sample to sample.
@@ -31,7 +31,7 @@ class XyFollower final : public cosim::Plant, public cosim::Observer {
 
   cosim::Lines sense() const override {
     return count_lines(count_[0], 0) | count_lines(count_[1], 1) |
-           cosim::Lines{count_[0] >= limit_} << (mcafee::kLimits + 1);
+           cosim::Lines{count_[0] >= limit_} << mcafee::limit_high(0);
   }
   cosim::Clk next() const override { return count_ == goal_ ? cosim::kNever : at_ + 4; }
   void commit(cosim::Clk n, cosim::Lines) override {
@@ -45,7 +45,8 @@ class XyFollower final : public cosim::Plant, public cosim::Observer {
   void on(const cosim::Stop& stop, const cosim::Chip&, const cosim::Plant&) override {
     if ((stop.why & cosim::kSample) == 0) return;
     for (std::size_t k = 0; k < 2; ++k) {
-      goal_[k] = held_ ? hold_[k] : chip_.part(k).engine().desired().position >> 16;
+      const exact::Lm628& part = chip_.part(static_cast<int>(k));
+      goal_[k] = held_ ? hold_[k] : part.engine().desired().position >> 16;
     }
     at_ = stop.edge;
   }
