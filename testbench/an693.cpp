@@ -108,7 +108,6 @@ An693Metrics evaluate(const lm628::Options& options, const lm628::Result& result
   return m;
 }
 
-// Rules that concern more than one key.
 void check_motor(const plant::DcMotorConfig& c) {
   constexpr double kFastest = 1e5;  // [1/s], for steps of 16 us
   const double electrical = c.resistance / c.inductance;
