@@ -26,7 +26,7 @@ constexpr char kTrajectory[] =
     "  LTRJ 002Ah 2 346Eh 8000    all three, absolute; STT makes them work\n"
     "  LTRJ 1828h 11h 20C4Ah      velocity mode, forward\n"
     "  LTRJ 0400h                 stop smoothly\n";
-constexpr char kStatusBits[] =
+constexpr char kStatusHelp[] =
     "bit 7 motor off, 6 breakpoint, 5 position error, 4 wraparound, 3 index pulse,\n"
     "2 trajectory complete, 1 command error, 0 busy; 1 to 6 hold until RSTI clears them.\n";
 constexpr char kWaitMore[] =
@@ -40,14 +40,14 @@ constexpr char kRaw[] =
 
 const char* more_of(const Lm628Word& word) {
   if (word.action == Action::kWait) return kWaitMore;
-  if (word.action == Action::kRdstat || word.action == Action::kStatus) return kStatusBits;
+  if (word.action == Action::kRdstat || word.action == Action::kStatus) return kStatusHelp;
   if (word.action == Action::kByte || word.action == Action::kRead) return kRaw;
   if (word.action != Action::kCommand) return "";
   switch (word.code) {
     case Lm628Command::kLfil: return kFilter;
     case Lm628Command::kLtrj: return kTrajectory;
     case Lm628Command::kMski:
-    case Lm628Command::kRsti: return kStatusBits;
+    case Lm628Command::kRsti: return kStatusHelp;
     case Lm628Command::kPort12: return "The converter of this machine has 12 bits and takes them "
                                        "by their strobes: the motor needs PORT12.\n";
     default: return "";
