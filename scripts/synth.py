@@ -4,8 +4,10 @@
 
 Yosys maps every block alone and the whole IC; nextpnr places and routes the IC. The table shows
 each block alone (leap inputs tied to 0, as on a board) and all its instances in the chip, where
-logic between two blocks counts for the one it feeds. Cells are nextpnr's: a lookup table of 4
-inputs or a bit of a carry chain. The result is held to scripts/synth_budget.toml.
+logic between two blocks counts for the one it feeds. Chips with a budget stand there alone, as
+mapped, and the LM628 is mapped for an iCE40 UP5K too; neither is placed. Cells are nextpnr's: a
+lookup table of 4 inputs or a bit of a carry chain. The result is held to
+scripts/synth_budget.toml.
 
 Writes synth.json, netlists, logs and the FPGA configuration into the output folder. Some
 minutes; the same sources, tools and seed give the same result.
@@ -31,6 +33,7 @@ from synth_netlist import Netlist  # noqa: E402
 ROOT = lint.ROOT
 BUDGET = ROOT / "scripts" / "synth_budget.toml"
 PAGE = ROOT / "docs" / "synthesis.md"
+ICE40 = "lm628"  # the chip that is mapped for an iCE40 too
 MAX_SEED = 2**31 - 1
 
 
@@ -67,15 +70,16 @@ def alone(block, folder):
                                 top_of(block)).total().table()}
 
 
-def run(wanted, folder, placer):
+def run(wanted, folder, placer, budget):
     """The result as one document."""
     top = synth_flow.TOP
-    blocks = [wanted.block] if wanted.block else [b for b in lint.blocks()
-                                                  if not b.startswith("chips/")]
+    blocks = [wanted.block] if wanted.block else [
+        b for b in lint.blocks() if not b.startswith("chips/") or b in budget["cells"]]
     result = {"design": wanted.block or "chips/kung_xy", "device": "LFE5U-25F CABGA381",
               "seed": wanted.seed, "tools": synth_flow.versions(), "blocks": {}}
     with concurrent.futures.ProcessPoolExecutor(os.cpu_count()) as pool:
         chip = None if wanted.block else pool.submit(synth_flow.map_to_ecp5, top, folder)
+        ice40 = None if wanted.block else pool.submit(synth_flow.map_to_ice40, ICE40, folder)
         jobs = {pool.submit(synth_flow.map_to_ecp5, top_of(b), folder): b for b in blocks}
         if chip:
             python_tools.progress("mapping the chip")
@@ -89,6 +93,7 @@ def run(wanted, folder, placer):
     for block in blocks:
         result["blocks"][block] = alone(block, folder)
     if chip:
+        result["ice40"] = {"block": f"chips/{ICE40}", **ice40.result()}
         for block, (instances, count) in netlist.by_block().items():
             if not block.startswith("boards/"):
                 result["blocks"].setdefault(block, {}).update(instances=instances,
@@ -120,7 +125,7 @@ def main():
         return 2
     budget = tomllib.loads(BUDGET.read_text(encoding="utf-8"))
     try:
-        result = run(wanted, folder, placer)
+        result = run(wanted, folder, placer, budget)
     except synth_flow.FlowError as error:
         python_tools.progress("")
         print(f"synth: {error}", file=sys.stderr)

@@ -67,12 +67,11 @@ def output_to(log):
                 os.close(copy)
 
 
-def map_to_ecp5(top, folder):
-    """Writes <top>.modules.json (before flattening) and <top>.json (mapped) into the folder."""
+@contextlib.contextmanager
+def read_design(top, log):
+    """The design without its leap contract, and what runs a command of Yosys on it."""
     signal.signal(signal.SIGINT, signal.SIG_DFL)  # in a worker: end without a traceback
     from pyosys import libyosys as ys  # takes 0.2 s: not for --help
-    folder = Path(folder)
-    log = folder / f"{top}.yosys.log"
     with output_to(log):
         design = ys.Design()
 
@@ -86,6 +85,13 @@ def map_to_ecp5(top, folder):
         for name in LEAP_OUTPUTS:
             run(f"delete -output {top}/w:{name}")
         run(f"setundef -undriven -zero {top}")
+        yield design, run
+
+
+def map_to_ecp5(top, folder):
+    """Writes <top>.modules.json (before flattening) and <top>.json (mapped) into the folder."""
+    folder = Path(folder)
+    with read_design(top, folder / f"{top}.yosys.log") as (design, run):
         run(f"write_json {folder / top}.modules.json")
         design.scratchpad_set_string("abc9.D", ABC_LIMIT)
         run(f"synth_ecp5 -top {top} -run begin:map_gates")
@@ -94,6 +100,23 @@ def map_to_ecp5(top, folder):
         run("check -noinit -assert")
         run("blackbox =A:whitebox")
         run(f"write_json {folder / top}.json")
+
+
+def map_to_ice40(top, folder):
+    """Cells of the mapped design by type; no placement."""
+    folder = Path(folder)
+    netlist = folder / f"{top}.ice40.json"
+    netlist.unlink(missing_ok=True)
+    log = folder / f"{top}.ice40.log"
+    with read_design(top, log) as (_, run):
+        run(f"synth_ice40 -device u -abc9 -top {top} -json {netlist}")
+    if not netlist.exists():
+        raise FlowError(f"Yosys gave no netlist of {top} for iCE40: see {log}")
+    cells = json.loads(netlist.read_text(encoding="utf-8"))["modules"][top]["cells"].values()
+    kinds = [cell["type"] for cell in cells]
+    return {"lut4": kinds.count("SB_LUT4"), "carry": kinds.count("SB_CARRY"),
+            "ff": sum(kind.startswith("SB_DFF") for kind in kinds),
+            "block_ram": sum(kind.startswith("SB_RAM40") for kind in kinds)}
 
 
 def read_netlist(top, folder):

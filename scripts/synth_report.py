@@ -15,6 +15,7 @@ PAPER = {"processor": (8275, 46848), "afc": (16110, 0), "current": (6818, 595968
 CURRENT_AXIS = {"drive/current_loop": 1, "drive/pwm": 1, "drive/gate_leg": 3, "sense/qep": 1,
                 "sense/adc_if": 1}
 BLOCK_RAM_BITS = 18432  # of a DP16KD, used or not
+UP5K = {"cells": 5280, "block_ram": 30}
 
 
 def current_axis(blocks, column):
@@ -211,10 +212,23 @@ def axis_line(result):
     return line
 
 
+def ice40_lines(result):
+    row = result["ice40"]
+    yield (f"the LM628 ({row['block']}) mapped for an iCE40 UP5K, not placed: {row['lut4']} LUT4, "
+           f"{row['carry']} bits of carry chain, {row['ff']} FF, {row['block_ram']} of "
+           f"{UP5K['block_ram']} block RAMs")
+    if row["ff"] + row["lut4"] > UP5K["cells"]:
+        yield (f"it does not fit: {UP5K['cells']} logic cells hold a LUT4 and a FF each, and there "
+               "is no lookup memory, so that the register file becomes flip-flops")
+
+
 def text(result):
     yield from text_table(heads(result), list(rows(result)))
     if CURRENT_AXIS.keys() <= result["blocks"].keys():
         yield axis_line(result)
+    if "ice40" in result:
+        yield ""
+        yield from ice40_lines(result)
     if "timing" in result:
         yield ""
         yield from chip_lines(result)
@@ -232,7 +246,8 @@ def sections(result):
     chip = [f"* {line[0].upper()}{line[1:]}." for line in [*chip_lines(result), axis_line(result)]]
     chip.append(f"* Yosys {tools['yosys']}, nextpnr-ecp5 {tools['nextpnr-ecp5']}; target of the "
                 f"placer {synth_flow.TARGET_MHZ} MHz.")
-    return {"chip": "\n".join(chip),
+    ice40 = [f"* {line[0].upper()}{line[1:]}." for line in ice40_lines(result)]
+    return {"chip": "\n".join(chip), "ice40": "\n".join(ice40),
             "blocks": "\n".join(markdown_table(heads(result), list(rows(result)))),
             "paper": "\n".join([*markdown_table(PAPER_HEADS, paper_lines(result)), "",
                                 *(f"* {line}" for line in DIFFERENCES)])}
