@@ -7,7 +7,7 @@
 //   clocks  stage
 //   1       a transceiver or part that was on goes off before the other goes on
 //   2       PS, CS and data before the strobe: 30 ns
-//   Pulse   WR or RD low; the end of RD takes the byte
+//   Pulse   WR or RD low, 5.5 us at 50 MHz; the end of RD takes the byte
 //   9       hold: WR 120 ns, a part off the bus 180 ns after RD
 //
 // A strobe starts nothing while a pulse runs, and none in the direction that `read` is not: it
@@ -16,7 +16,7 @@
 module lm628_bridge
   import trammel_pkg::*;
 #(
-    parameter int unsigned Pulse = 275  // 5.5 us at 50 MHz
+    parameter int unsigned Pulse = 275
 ) (
     input logic clk_i,
     input logic rst_i,
