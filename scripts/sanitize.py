@@ -40,6 +40,8 @@ SHORT = ("run", "circle", *LINE)
 TWIN = ("--engine", "twin")
 WAVE = (*SHORT, "-o", "OUT/waves", "--wave")
 AN693 = ("run", "an693-tuning", "-s", "trajectory.steps=1", "-s", "trajectory.wait_s=0.005")
+MCAFEE = ("run", "mcafee-stage3", "-s", "path.kind=corner", "-s", "path.side_mm=2", "-s",
+          "path.radius_mm=1", "-s", "compare=false", "-s", "trajectory.wait_s=0.001")
 # Exit code, then the command line; `OUT` stands for the folder of all.
 RUNS = [
     (0, *SHORT, "-o", "OUT/direct", "--wave", "fst", "--wave-window", "20ms:20.1ms"),
@@ -73,6 +75,15 @@ RUNS = [
     (0, *AN693, "--no-leap", "-s", "program=hold", "-o", "OUT/an693"),
     *((5, "run", f"an693-{program}", "-s", "run.max_s=0.02", "-o", "OUT/an693")
       for program in ("absolute", "relative", "breakpoints")),
+    (0, *MCAFEE, "-o", "OUT/mcafee"),
+    (0, *MCAFEE, "--json", "--platform", "direct", "--no-leap", "-o", "OUT/mcafee"),
+    (0, *MCAFEE, "--engine", "twin", "-s", "path.kind=star", "-s", "path.side_mm=4",
+     "-s", "path.radius_mm=0.2", "-s", "compare=true", "-o", "OUT/mcafee"),
+    (0, "run", "mcafee-stage1", "-s", "trajectory.readings=3", "-o", "OUT/mcafee"),
+    (5, "run", "mcafee-stage2", "-s", "run.max_s=0.02", "-o", "OUT/mcafee"),
+    (5, *MCAFEE, "-s", "path.side_mm=4", "-s", "stage.switch_high_m=0.001", "-o", "OUT/mcafee"),
+    (0, "track"), (0, "track", "-s", "path.kind=circle", "-o", "OUT/circle.csv"),
+    (0, "list", "keys", "mcafee"),
     # A gain that rounds up to the next power of two, and one below the least exponent.
     (0, *SHORT, "-s", "gains.kp=0.99999", "-s", "gains.ki=1e-6", "-o", "OUT/gains"),
     (5, "run", "an693-hold", "-s", "run.diverged_counts=1", "-o", "OUT/an693"),
@@ -114,6 +125,9 @@ REFUSED = [
     (2, "does not hold 38 numbers", "report", "OUT/cut_trace"),
     (2, "does not hold 49 rules", "report", "OUT/no_rules"),
     (2, "is no key of the machine an693", *AN693, "-s", "gains.kp=1"),
+    (2, "row 0: increments 139, 0", *MCAFEE, "-s", "path.row_mm=0.7", "-o", "OUT/mcafee"),
+    (2, "path.radius_mm", "track", "-s", "path.radius_mm=31"),
+    (2, "is not offered", *MCAFEE, "--check"), (2, "is not one of mcafee", "track", "an693-hold"),
     (2, "is no key of the machine kung", "run", "circle", "-s", "filter.kp=1"),
     (2, "is not offered", *AN693, "--wave", "fst"),
     (2, "no report page", "report", "OUT/other"),
