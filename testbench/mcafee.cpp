@@ -15,24 +15,21 @@
 namespace trammel::testbench {
 namespace {
 
-using mcafee::Options;
-using mcafee::Result;
-using mcafee::Sample;
 using sw::McafeeStage;
 
 constexpr std::size_t kShownWarnings = 5;
-constexpr int kFastest = 254;  // what the feed rate gives at most
+constexpr int kMostFeed = 254;  // what the feed rate gives at most
 
-double time_s(const Options& options, const Sample& s) {
+double time_s(const mcafee::Options& options, const mcafee::Sample& s) {
   return static_cast<double>(s.edge) * static_cast<double>(options.stage_axis.clock_ps) * 1e-12;
 }
 
-bool same_target(const Sample& a, const Sample& b) {
+bool same_target(const mcafee::Sample& a, const mcafee::Sample& b) {
   return a.axis[0].words.position == b.axis[0].words.position &&
          a.axis[1].words.position == b.axis[1].words.position;
 }
 
-nlohmann::ordered_json figures_json(const Result& result, const McafeeMetrics& m) {
+nlohmann::ordered_json figures_json(const mcafee::Result& result, const McafeeMetrics& m) {
   nlohmann::ordered_json json{{"time_s", m.moving_s}};
   if (!m.contour_mm.empty()) {
     json["rows"] = result.samples.empty() ? 0 : result.samples.back().row;
@@ -46,10 +43,11 @@ nlohmann::ordered_json figures_json(const Result& result, const McafeeMetrics& m
   return json;
 }
 
-nlohmann::ordered_json run_json(const Options& options, const std::vector<McafeeRun>& runs) {
-  const Result& result = runs.front().result;
+nlohmann::ordered_json run_json(const mcafee::Options& options,
+                                const std::vector<McafeeRun>& runs) {
+  const mcafee::Result& result = runs.front().result;
   nlohmann::ordered_json json;
-  json["machine"] = machine_name<Options>();
+  json["machine"] = machine_name<mcafee::Options>();
   json["scenario"] = options.scenario;
   json["end"] = end_text(result.end);
   if (!result.fault.empty()) json["fault"] = result.fault;
@@ -66,13 +64,13 @@ nlohmann::ordered_json run_json(const Options& options, const std::vector<Mcafee
                  {"wall_s", result.wall_s},
                  {"event_hash", fmt::format("{:016x}", result.event_hash)}};
   json["versions"] = versions_json();
-  for (const auto& key : keys_of<Options>()) {
+  for (const auto& key : keys_of<mcafee::Options>()) {
     json["options"][key.name] = value_json(key.get(options));
   }
   return json;
 }
 
-void write_tracked(const std::filesystem::path& file, const Options& options,
+void write_tracked(const std::filesystem::path& file, const mcafee::Options& options,
                    const McafeeRun& run) {
   fmt::memory_buffer text;
   const auto out = std::back_inserter(text);
@@ -83,7 +81,7 @@ void write_tracked(const std::filesystem::path& file, const Options& options,
   }
   fmt::format_to(out, "\n");
   for (std::size_t k = 0; k < run.result.samples.size(); ++k) {
-    const Sample& s = run.result.samples[k];
+    const mcafee::Sample& s = run.result.samples[k];
     const double contour = run.metrics.contour_mm.empty() ? 0 : run.metrics.contour_mm[k];
     fmt::format_to(out, "{:.8f},{},{},{},{:.5f}", time_s(options, s), s.row, s.v, s.limits,
                    contour);
@@ -107,9 +105,9 @@ std::string figures_line(const McafeeRun& run) {
   return text + '\n';
 }
 
-std::string text_report(const Options& options, const std::vector<McafeeRun>& runs,
+std::string text_report(const mcafee::Options& options, const std::vector<McafeeRun>& runs,
                         const std::string& folder, bool pictures) {
-  const Result& result = runs.front().result;
+  const mcafee::Result& result = runs.front().result;
   const McafeeMetrics& m = runs.front().metrics;
   std::string text = fmt::format("{}: {}{}\n", options.scenario, end_text(result.end),
                                  result.fault.empty() ? "" : ": " + result.fault);
@@ -138,7 +136,7 @@ void warn(const std::string& scenario, const std::vector<std::string>& warnings)
   }
 }
 
-mcafee::Table table_of(const Options& options) {
+mcafee::Table table_of(const mcafee::Options& options) {
   try {
     return make_table(mcafee::Path(options.path), options.path, options.count_mm());
   } catch (const cosim::OptionsError& error) {
@@ -148,8 +146,8 @@ mcafee::Table table_of(const Options& options) {
   }
 }
 
-McafeeRun simulated(const std::string& name, const Options& options, const SimulateMcafee& simulate,
-                    const std::atomic<bool>& stop) {
+McafeeRun simulated(const std::string& name, const mcafee::Options& options,
+                    const SimulateMcafee& simulate, const std::atomic<bool>& stop) {
   Progress progress(fmt::format("{}, {}", options.scenario, name));
   cosim::Hooks hooks;
   hooks.progress = [&progress](double fraction) { progress(fraction); };
@@ -159,7 +157,7 @@ McafeeRun simulated(const std::string& name, const Options& options, const Simul
   return run;
 }
 
-std::vector<McafeeRun> all_runs(const Options& options, const SimulateMcafee& simulate,
+std::vector<McafeeRun> all_runs(const mcafee::Options& options, const SimulateMcafee& simulate,
                                 const std::atomic<bool>& stop) {
   const bool tracks = options.stage == McafeeStage::kTrack;
   std::vector<McafeeRun> runs;
@@ -168,9 +166,9 @@ std::vector<McafeeRun> all_runs(const Options& options, const SimulateMcafee& si
   if (!tracks || !options.compare || runs.front().result.end != cosim::EndReason::kDone) {
     return runs;
   }
-  for (const int speed : {kFastest, options.least_speed}) {
+  for (const int speed : {kMostFeed, options.least_speed}) {
     if (stop) break;
-    Options other = options;
+    mcafee::Options other = options;
     other.speed = speed;
     runs.push_back(simulated(fmt::format("v = {}", speed), other, simulate, stop));
   }
@@ -179,7 +177,7 @@ std::vector<McafeeRun> all_runs(const Options& options, const SimulateMcafee& si
 
 }  // namespace
 
-McafeeMetrics evaluate(const Options& options, const Result& result) {
+McafeeMetrics evaluate(const mcafee::Options& options, const mcafee::Result& result) {
   McafeeMetrics m;
   const bool tracks = options.stage == McafeeStage::kTrack;
   std::vector<mcafee::Path> path;
@@ -191,7 +189,7 @@ McafeeMetrics evaluate(const Options& options, const Result& result) {
   bool begun = false;
   const double count_mm = options.count_mm();
   for (std::size_t k = 0; k < result.samples.size(); ++k) {
-    const Sample& s = result.samples[k];
+    const mcafee::Sample& s = result.samples[k];
     const bool moves = k > 0 && !same_target(s, result.samples[k - 1]);
     if (!begun && (tracks ? s.row > 0 : moves)) {
       begun = true;
@@ -219,12 +217,12 @@ McafeeMetrics evaluate(const Options& options, const Result& result) {
   return m;
 }
 
-void finish(const Options& options) {
+void finish(const mcafee::Options& options) {
   check_motor(options.stage_axis.motor);
   if (options.stage == McafeeStage::kTrack) table_of(options);
 }
 
-int run_mcafee(const Options& options, const RunArguments& arguments,
+int run_mcafee(const mcafee::Options& options, const RunArguments& arguments,
                const SimulateMcafee& simulate, const std::atomic<bool>& stop) {
   namespace fs = std::filesystem;
   const fs::path target =
@@ -258,7 +256,7 @@ int run_mcafee(const Options& options, const RunArguments& arguments,
 }
 
 int track(const RunArguments& arguments) {
-  const Options options = layered_machine<Options>(
+  const mcafee::Options options = layered_machine<mcafee::Options>(
       find_scenario(arguments.scenario.empty() ? "mcafee-stage3" : arguments.scenario), arguments);
   const mcafee::Table table = table_of(options);
   warn("track", table.warnings);

@@ -10,6 +10,10 @@ std::vector<std::string> enum_names<sw::McafeeStage>() {
   return {"read", "move", "track"};
 }
 template <>
+std::vector<std::string> enum_names<mcafee::Engine>() {
+  return {"rtl", "twin"};
+}
+template <>
 std::vector<std::string> enum_names<mcafee::PathKind>() {
   return {"square", "circle", "star", "corner", "points"};
 }
@@ -20,9 +24,10 @@ const std::vector<KeyOf<mcafee::Options>>& keys_of<mcafee::Options>() {
     constexpr double kWord = 1073741823;  // 30 bits
     KeyTable<mcafee::Options> t;
     t.names();
-    t.text("stage", "program: I, II or III", TRAMMEL_LENS(stage));
+    t.text("program", "stage I, II or III", TRAMMEL_LENS(stage));
     t.text("compare", "also track at constant speeds, 254 and the least one",
            TRAMMEL_LENS(compare));
+    t.text("run.engine", "verilated chip, or its twin, which is faster", TRAMMEL_LENS(run.engine));
     t.platform_and_leap();
     t.window();
     t.longest_run();

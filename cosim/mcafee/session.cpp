@@ -18,11 +18,11 @@ Table table_for(const Options& o) {
 
 const char* what_failed(sw::McafeeFailure failure) {
   switch (failure) {
-    case sw::McafeeFailure::kReset: return "the status after a reset is none of the data sheet's";
-    case sw::McafeeFailure::kBusy: return "a busy bit did not clear";
-    case sw::McafeeFailure::kCommandError: return "a part reported a command error";
-    case sw::McafeeFailure::kPositionError: return "a part reported a position error";
-    case sw::McafeeFailure::kLimit: return "a limit switch was reached";
+    case sw::McafeeFailure::kReset: return "a status after reset that the data sheet has not";
+    case sw::McafeeFailure::kBusy: return "a busy bit that did not clear";
+    case sw::McafeeFailure::kCommandError: return "a command error of a part";
+    case sw::McafeeFailure::kPositionError: return "a position error of a part";
+    case sw::McafeeFailure::kLimit: return "a limit switch";
     case sw::McafeeFailure::kNone: break;
   }
   return "";
@@ -45,7 +45,7 @@ cosim::Lines StagePlant::sense() const {
     const plant::SineEncoder& e =
         stage_.axis(static_cast<std::size_t>(axis)).sensor().encoder();
     lines |= cosim::Lines{e.a()} << encoder_a(axis) | cosim::Lines{e.b()} << encoder_b(axis) |
-             cosim::Lines{e.marker()} << marker(axis);
+             cosim::Lines{!e.marker()} << marker(axis);
   }
   return lines;
 }
@@ -55,7 +55,8 @@ Session::Session(const Options& options, const cosim::Hooks& hooks)
       hooks_(hooks),
       table_(table_for(options)),
       plant_({options.stage_axis, options.stage_axis}),
-      chip_(make_twin_chip()),
+      chip_(options.run.engine == Engine::kRtl ? make_verilated_chip(options.run.leap)
+                                               : make_twin_chip()),
       app_(program()),
       loop_(*chip_, plant_, *this,
             options.run.window_clk == 0 ? cosim::kNever : options.run.window_clk) {}

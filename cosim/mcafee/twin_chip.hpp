@@ -63,7 +63,7 @@ class TwinChip final : public McafeeChip {
       const auto k = static_cast<std::size_t>(axis);
       in_.a[k] = bit(encoder_a(axis));
       in_.b[k] = bit(encoder_b(axis));
-      in_.index_n[k] = bit(marker(axis));
+      in_.index_n[k] = !bit(marker(axis));
       in_.limits = static_cast<std::uint8_t>(in_.limits |
                                              (bit(limit_low(axis)) ? 1u : 0u) << 2 * axis |
                                              (bit(limit_high(axis)) ? 2u : 0u) << 2 * axis);
@@ -104,7 +104,7 @@ class TwinChip final : public McafeeChip {
     if (open_ && (to_platform() || !chip_.open())) {
       open_ = false;
       if (to_platform()) platform(edge);
-      if (!to_platform() && !op_.write) rdata_ = chip_.read_data();
+      if (!to_platform()) rdata_ = chip_.read_data();
       why |= cosim::kBusDone;
     }
     return why | changed_outputs();

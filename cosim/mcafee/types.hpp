@@ -19,7 +19,10 @@ namespace trammel::mcafee {
 
 inline constexpr double kSampleS = 2048 / 6e6;
 
+enum class Engine { kRtl, kTwin };  // the verilated chip, or its bit-exact twin
+
 struct RunOptions {
+  Engine engine = Engine::kRtl;
   cosim::Platform platform = cosim::Platform::kSystemC;
   std::int64_t window_clk = 0;  // longest look-ahead of the loop; 0 = unbounded, 1 = lock step
   bool leap = true;             // waiting clocks are not evaluated; off: every clock is

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The machine mcafee whole: firmware, verilated chip, stage. Its behaviour is tested with the twin;
+// here, that the chip and every wiring do the same.
+
+#include <catch2/catch.hpp>
+
+#include "systemc/machines/mcafee.hpp"
+
+using namespace trammel;
+using namespace trammel::mcafee;
+
+namespace {
+
+// Some rows around a small corner.
+Options small_corner() {
+  Options options;
+  options.run.platform = cosim::Platform::kDirect;
+  options.path.kind = PathKind::kCorner;
+  options.path.side_mm = 2;
+  options.path.radius_mm = 1;
+  options.path.kappa_max_1_mm = 1;
+  options.path.preview_rows = 2;
+  options.wait_s = 0.02;
+  return options;
+}
+
+Result run(const Options& options) { return simulate(options, {}); }
+
+}  // namespace
+
+TEST_CASE("mcafee: SystemC, direct, any window, leapt or plain give the same events") {
+  const Options options = small_corner();
+  const Result result = run(options);
+  REQUIRE(result.end == cosim::EndReason::kDone);
+  CHECK(result.samples.back().row == result.table.rows.size());
+  CHECK(result.evaluated < result.clocks / 2);
+  Options other = options;
+  other.run.window_clk = 313;
+  CHECK(run(other).event_hash == result.event_hash);
+  other = options;
+  other.run.platform = cosim::Platform::kSystemC;
+  CHECK(run(other).event_hash == result.event_hash);
+  other = options;
+  other.run.leap = false;
+  CHECK(run(other).event_hash == result.event_hash);
+  CHECK(run(other).evaluated >= result.clocks);
+}
+
+TEST_CASE("mcafee: the twin gives the events of the chip") {
+  Options options = small_corner();
+  const Result chip = run(options);
+  options.run.engine = Engine::kTwin;
+  const Result twin = run(options);
+  REQUIRE(twin.samples.size() == chip.samples.size());
+  for (std::size_t k = 0; k < chip.samples.size(); ++k) {
+    CAPTURE(k);
+    REQUIRE(twin.samples[k].edge == chip.samples[k].edge);
+    for (std::size_t a = 0; a < 2; ++a) {
+      REQUIRE(twin.samples[k].axis[a].words.position == chip.samples[k].axis[a].words.position);
+      REQUIRE(twin.samples[k].axis[a].words.output == chip.samples[k].axis[a].words.output);
+    }
+  }
+  CHECK(twin.event_hash == chip.event_hash);
+}
+
+TEST_CASE("F-05 Stage II moves the stage by 52 800 counts in 8.251 s") {
+  Options options = small_corner();
+  options.run.engine = Engine::kTwin;
+  options.stage = sw::McafeeStage::kMove;
+  options.acceleration = 0x25;
+  const Result result = run(options);
+  REQUIRE(result.end == cosim::EndReason::kDone);
+  // Friction of 0.03 N m holds what kp = 255 makes of three counts.
+  CHECK(std::abs(result.real[0] - 52'800) <= 3);
+}
