@@ -72,27 +72,24 @@ nlohmann::ordered_json run_json(const mcafee::Options& options,
 
 void write_tracked(const std::filesystem::path& file, const mcafee::Options& options,
                    const McafeeRun& run) {
-  fmt::memory_buffer text;
-  const auto out = std::back_inserter(text);
-  fmt::format_to(out, "t_s,row,v,limits,contour_mm");
-  for (const char axis : {'x', 'y'}) {
-    fmt::format_to(out, ",{0}_desired_count,{0}_real_count,{0}_mm,{0}_e,{0}_output,{0}_i_A,{0}_u_V",
-                   axis);
-  }
-  fmt::format_to(out, "\n");
-  for (std::size_t k = 0; k < run.result.samples.size(); ++k) {
-    const mcafee::Sample& s = run.result.samples[k];
-    const double contour = run.metrics.contour_mm.empty() ? 0 : run.metrics.contour_mm[k];
-    fmt::format_to(out, "{:.8f},{},{},{},{:.5f}", time_s(options, s), s.row, s.v, s.limits,
-                   contour);
-    for (const mcafee::AxisSample& a : s.axis) {
-      fmt::format_to(out, ",{:.5f},{},{:.5f},{},{},{:.5g},{:.5g}",
-                     static_cast<double>(a.words.position) / 65536, a.words.actual, a.x_mm,
-                     a.words.error, a.words.output, a.i, a.volt);
+  write_lines(file, [&](fmt::ostream& out) {
+    out.print("t_s,row,v,limits,contour_mm");
+    for (const char axis : {'x', 'y'}) {
+      out.print(",{0}_desired_count,{0}_real_count,{0}_mm,{0}_e,{0}_output,{0}_i_A,{0}_u_V", axis);
     }
-    fmt::format_to(out, "\n");
-  }
-  write_text(file, fmt::to_string(text));
+    out.print("\n");
+    for (std::size_t k = 0; k < run.result.samples.size(); ++k) {
+      const mcafee::Sample s = run.result.samples[k];
+      const double contour = run.metrics.contour_mm.empty() ? 0 : run.metrics.contour_mm[k];
+      out.print("{:.8f},{},{},{},{:.5f}", time_s(options, s), s.row, s.v, s.limits, contour);
+      for (const mcafee::AxisSample& a : s.axis) {
+        out.print(",{:.5f},{},{:.5f},{},{},{:.5g},{:.5g}",
+                  static_cast<double>(a.words.position) / 65536, a.words.actual, a.x_mm,
+                  a.words.error, a.words.output, a.i, a.volt);
+      }
+      out.print("\n");
+    }
+  });
 }
 
 std::string figures_line(const McafeeRun& run) {
@@ -187,10 +184,12 @@ McafeeMetrics evaluate(const mcafee::Options& options, const mcafee::Result& res
   double squares = 0;
   std::size_t last = 0;
   bool begun = false;
+  mcafee::Sample before;
   const double count_mm = options.count_mm();
   for (std::size_t k = 0; k < result.samples.size(); ++k) {
-    const mcafee::Sample& s = result.samples[k];
-    const bool moves = k > 0 && !same_target(s, result.samples[k - 1]);
+    const mcafee::Sample s = result.samples[k];
+    const bool moves = k > 0 && !same_target(s, before);
+    before = s;
     if (!begun && (tracks ? s.row > 0 : moves)) {
       begun = true;
       m.first = k;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cosim/mcafee/types.hpp"
+#include "testbench/metrics.hpp"
 #include "testbench/run.hpp"
 
 namespace trammel::testbench {
@@ -22,7 +23,7 @@ struct McafeeMetrics {
   double contour_max_mm = 0;       // distance of the table from the path: its largest,
   double contour_rms_mm = 0;       // its root mean square while moving,
   double contour_end_mm = 0;       // and at the end
-  std::vector<double> contour_mm;  // in every sample, of Stage III
+  Series contour_mm;               // in every sample, of Stage III
   std::int64_t max_error_counts = 0;  // of an axis
   double max_speed_mm_s = 0;          // of an axis, desired
   double max_current_A = 0;

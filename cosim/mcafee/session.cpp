@@ -93,12 +93,13 @@ void Session::on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::
   if (over_ || stop.why == cosim::kLimit) return;
   hash_.mix(stop, chip);
   if ((stop.why & cosim::kSample) == 0) return;
-  samples_.push_back(sample_at(stop.edge));
-  for (const AxisSample& axis : samples_.back().axis) {
+  const Sample sample = sample_at(stop.edge);
+  samples_.push_back(sample);
+  for (const AxisSample& axis : sample.axis) {
     hash_.mix(static_cast<std::uint64_t>(axis.words.position));
     hash_.mix(static_cast<std::uint32_t>(axis.words.actual));
   }
-  if (const auto ended = end_after(samples_.back())) {
+  if (const auto ended = end_after(sample)) {
     end_ = *ended;
     over_ = true;
   }

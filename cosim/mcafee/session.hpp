@@ -7,7 +7,6 @@
 #include <chrono>
 #include <memory>
 #include <optional>
-#include <vector>
 
 #include "cosim/direct.hpp"
 #include "cosim/event_hash.hpp"
@@ -63,7 +62,7 @@ class Session final : private cosim::Observer {
   std::unique_ptr<McafeeChip> chip_;
   sw::McafeeApp app_;
   cosim::Loop loop_;
-  std::vector<Sample> samples_;
+  cosim::DiskVector<Sample> samples_;
   cosim::EventHash hash_;
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
   cosim::EndReason end_ = cosim::EndReason::kTimeout;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "cosim/disk_vector.hpp"
 #include "cosim/machine.hpp"
 #include "cosim/mcafee/chip.hpp"
 #include "cosim/mcafee/table.hpp"
@@ -69,7 +70,7 @@ struct Sample {
 };
 
 struct Result {
-  std::vector<Sample> samples;  // from the first after the reset routine on
+  cosim::DiskVector<Sample> samples;  // from the first after the reset routine on
   cosim::EndReason end = cosim::EndReason::kTimeout;
   std::string fault;            // kFault: what the program saw
   std::uint32_t readings = 0;   // of Stage I
