@@ -48,20 +48,19 @@ void SoftProcessor::write(std::uint32_t addr, std::uint32_t data) {
 }
 
 void SoftProcessor::transfer(tlm::tlm_command command, std::uint32_t addr, std::uint32_t& data) {
-  tlm::tlm_generic_payload payload;
-  payload.set_command(command);
-  payload.set_address(addr);
-  payload.set_data_ptr(reinterpret_cast<unsigned char*>(&data));
-  payload.set_data_length(sizeof data);
-  payload.set_streaming_width(sizeof data);
-  payload.set_byte_enable_ptr(nullptr);
-  payload.set_response_status(tlm::TLM_INCOMPLETE_RESPONSE);
+  payload_.set_command(command);
+  payload_.set_address(addr);
+  payload_.set_data_ptr(reinterpret_cast<unsigned char*>(&data));
+  payload_.set_data_length(sizeof data);
+  payload_.set_streaming_width(sizeof data);
+  payload_.set_byte_enable_ptr(nullptr);
+  payload_.set_response_status(tlm::TLM_INCOMPLETE_RESPONSE);
   sc_time delay = access_;
-  bus->b_transport(payload, delay);
-  if (payload.is_response_error()) {
+  bus->b_transport(payload_, delay);
+  if (payload_.is_response_error()) {
     throw std::logic_error(fmt::format("bus: {} at address {:#x} was refused: {}",
                                        command == tlm::TLM_READ_COMMAND ? "read" : "write", addr,
-                                       payload.get_response_string()));
+                                       payload_.get_response_string()));
   }
 }
 

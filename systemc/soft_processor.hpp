@@ -31,6 +31,7 @@ class SoftProcessor final : public sc_core::sc_module, private sw::Bus {
   sw::Firmware& firmware_;
   sc_core::sc_time access_;
   sc_core::sc_time latency_;
+  tlm::tlm_generic_payload payload_;  // the stack of a process that is stopped is not unwound
 };
 
 }  // namespace trammel::systemc

@@ -6,8 +6,7 @@ namespace {
 
 // Control words of LTRJ.
 constexpr std::uint32_t kHere = 0x0000;           // nothing follows
-constexpr std::uint32_t kAbsoluteMove = 0x002A;   // acceleration, velocity and position follow
-constexpr std::uint32_t kRelativeMove = 0x002B;   // the position is a distance
+constexpr std::uint32_t kRelativeMove = 0x002B;   // an absolute move, but for the position
 constexpr std::uint32_t kForwardSpeed = 0x1828;   // velocity mode: acceleration, velocity
 constexpr std::uint32_t kForwardFaster = 0x180C;  // velocity mode: a velocity to be added
 constexpr std::uint32_t kStopBits = 0x0700;
@@ -85,7 +84,7 @@ void An693App::begin(Bus& bus, Lm628Port& port) {
       wait(bus, State::kPause);
       break;
     case An693Program::kAbsolute:
-      load_trajectory(port, kAbsoluteMove);
+      load_trajectory(port, kLm628AbsoluteMove);
       go(port);
       state_ = State::kMoving;
       break;

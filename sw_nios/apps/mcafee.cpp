@@ -12,7 +12,6 @@ namespace {
 
 // Control words of LTRJ.
 constexpr std::uint32_t kAcceleration = 0x0020;
-constexpr std::uint32_t kAbsoluteMove = 0x002A;  // acceleration, velocity, position
 constexpr std::uint32_t kRowMove = 0x000B;       // velocity, and a position that is a distance
 constexpr std::uint32_t kMotorOff = 0x0100;
 
@@ -120,7 +119,7 @@ void McafeeApp::begin(Bus& bus, Parts& parts) {
   if (setup_.stage == McafeeStage::kMove) {
     Lm628Port& port = parts.port[0];
     load_filter(port, setup_.filter);
-    port.command(Lm628Command::kLtrj, kAbsoluteMove);
+    port.command(Lm628Command::kLtrj, kLm628AbsoluteMove);
     port.long_word(setup_.acceleration);
     port.long_word(setup_.velocity);
     port.long_word(setup_.position);

@@ -57,6 +57,9 @@ inline constexpr std::uint8_t kBreakpoint = 1u << 6;
 }  // namespace lm628_status
 
 // Commands and words at the addresses of lm628_map, of whatever bus stands behind them.
+// Control word of LTRJ: acceleration, velocity and position follow.
+inline constexpr std::uint32_t kLm628AbsoluteMove = 0x002A;
+
 class Lm628Port {
  public:
   // A command keeps the part busy for 94 us at most; a poll takes more than 0.4 us.
