@@ -125,7 +125,7 @@ REFUSED = [
     (2, "does not hold 38 numbers", "report", "OUT/cut_trace"),
     (2, "does not hold 49 rules", "report", "OUT/no_rules"),
     (2, "is no key of the machine an693", *AN693, "-s", "gains.kp=1"),
-    (2, "row 0: increments 139, 0", *MCAFEE, "-s", "path.row_mm=0.7", "-o", "OUT/mcafee"),
+    (2, "row 0: increments 142, 0", *MCAFEE, "-s", "path.row_mm=0.7", "-o", "OUT/mcafee"),
     (2, "path.radius_mm", "track", "-s", "path.radius_mm=31"),
     (2, "is not offered", *MCAFEE, "--check"), (2, "is not one of mcafee", "track", "an693-hold"),
     (2, "is no key of the machine kung", "run", "circle", "-s", "filter.kp=1"),
