@@ -52,6 +52,7 @@ RUNS = [
     (0, "run", "step", "-s", "path.square_half_samples=20", "-s", "path.square_periods=2",
      "-o", "OUT/step"),
     (0, *SHORT, "-o", "OUT/asserted", "--assert", "--check", "-s", "run.leap=false"),
+    (0, "run", "step", *TWIN, "-o", "OUT/whole_step"),
     (0, "run", "--all", *LINE, "-o", "OUT/all"),
     (5, *SHORT, "--platform", "systemc", "-o", "OUT/tripped", "-s", "inject.trip_s=0.01"),
     (5, *SHORT, "-o", "OUT/encoder", "-s", "inject.encoder_s=0.01"),

@@ -35,8 +35,6 @@ cosim::Clk ChipModule::limit() const {
 void ChipModule::execute() {
   try {
     simulate();
-  } catch (const sc_unwind_exception&) {
-    throw;
   } catch (...) {
     error_ = std::current_exception();
   }

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "cosim/direct.hpp"
+#include "sw_nios/hal/mcafee_map.hpp"
+#include "sw_nios/hal/mcafee_xy.hpp"
 #include "tests/support/xy_follower.hpp"
 
 using namespace trammel;
@@ -49,7 +51,7 @@ struct McafeeBench {
     std::int64_t last = 0;
   } watch;
 
-  explicit McafeeBench(const McafeeSetup& setup) : app(setup) { 
+  explicit McafeeBench(const McafeeSetup& setup) : app(setup) {
     watch.bench = this;
     chip.logs = true;
   }
@@ -82,6 +84,31 @@ McafeeSetup tracking(const std::vector<McafeeRow>& rows) {
   setup.row_count = static_cast<std::uint32_t>(rows.size());
   return setup;
 }
+
+// Two parts that answer, and a feed rate that never does; the timer has always just ended.
+class DeafFeed final : public Bus {
+ public:
+  std::uint32_t read(std::uint32_t addr) override {
+    if (addr == mcafee_map::kIrq) return mcafee_map::kIrqTimer;
+    if (addr == mcafee_xy_regs::kPortC) return cleared_[part_] ? 0x80 : 0x84;
+    return 0;
+  }
+  void write(std::uint32_t addr, std::uint32_t data) override {
+    if (addr == mcafee_xy_regs::kPortC) byte_ = data;
+    if (addr != mcafee_xy_regs::kPortB) return;
+    part_ = (data & mcafee_xy_regs::kPortBY) != 0;
+    const bool command = (data & mcafee_xy_regs::kPortBPs) == 0;
+    const bool writes = (data & mcafee_xy_regs::kPortBWriteStrobe) != 0;
+    if (command && writes && byte_ == static_cast<std::uint32_t>(Lm628Command::kRsti)) {
+      cleared_[part_] = true;
+    }
+  }
+
+ private:
+  std::array<bool, 2> cleared_{};
+  std::size_t part_ = 0;
+  std::uint32_t byte_ = 0;
+};
 
 }  // namespace
 
@@ -170,6 +197,19 @@ TEST_CASE("no sample falls between the STT of the two axes, and the samples coin
   REQUIRE(bench.app.done());
   CHECK(bench.watch.apart == 0);  // of all samples
   CHECK(bench.watch.starts == 60);
+}
+
+TEST_CASE("a feed rate that never comes ends the program, and nothing begins it again") {
+  const std::vector<McafeeRow> rows(4, McafeeRow{0, 0, 255, 0, 100, 0});
+  DeafFeed bus;
+  McafeeApp app(tracking(rows));
+  app.start(bus);
+  for (int n = 0; n < 2; ++n) {
+    app.isr(bus);
+    CHECK(app.failure() == McafeeFailure::kBusy);
+    CHECK(app.done());
+    CHECK(app.rows() == 0);
+  }
 }
 
 TEST_CASE("a limit switch ends the program with both motors off") {
