@@ -17,7 +17,7 @@ std::vector<std::string> enum_names<kung::PathKind>() {
   return {"circle", "window", "star", "square", "line", "points"};
 }
 template <>
-std::vector<std::string> enum_names<kung::Engine>() {
+std::vector<std::string> enum_names<cosim::Engine>() {
   return {"rtl", "twin"};
 }
 template <>

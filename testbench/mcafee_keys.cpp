@@ -10,10 +10,6 @@ std::vector<std::string> enum_names<sw::McafeeStage>() {
   return {"read", "move", "track"};
 }
 template <>
-std::vector<std::string> enum_names<mcafee::Engine>() {
-  return {"rtl", "twin"};
-}
-template <>
 std::vector<std::string> enum_names<mcafee::PathKind>() {
   return {"square", "circle", "star", "corner", "points"};
 }

@@ -176,8 +176,7 @@ Metrics evaluate(const kung::Options& options, const kung::Result& result) {
       m.axis[a].periods = periods(m.axis[a].halves);
     }
   }
-  m.simulated_s = static_cast<double>(result.clocks) *
-                  static_cast<double>(options.plant.clock_ps) * 1e-12;
+  m.simulated_s = cosim::seconds_of(result.clocks, options.plant.clock_ps);
   if (result.wall_s > 0) {
     m.clocks_per_s = static_cast<double>(result.clocks) / result.wall_s;
     m.real_time_factor = m.simulated_s / result.wall_s;

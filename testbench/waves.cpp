@@ -38,7 +38,7 @@ double seconds(const std::string& text, const std::string& where) {
 }
 
 double seconds_of(cosim::Clk edge, const Options& options) {
-  return static_cast<double>(edge) * static_cast<double>(options.plant.clock_ps) * 1e-12;
+  return cosim::seconds_of(edge, options.plant.clock_ps);
 }
 
 // 0.0018 -> "1.8 ms"

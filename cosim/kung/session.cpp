@@ -49,8 +49,7 @@ Session::Session(const Options& options, const Hooks& hooks, const Waves& waves)
   detail_ = std::make_unique<DetailRecorder>(*chip_, plant_->table());
   tee_.detail = detail_.get();
   tee_.recorder = recorder_.get();
-  const cosim::Clk window = options_.run.window_clk == 0 ? cosim::kNever : options_.run.window_clk;
-  loop_ = std::make_unique<cosim::Loop>(*chip_, *plant_, tee_, window);
+  loop_ = std::make_unique<cosim::Loop>(*chip_, *plant_, tee_, options_.run.window());
   result_.end = EndReason::kTimeout;
 }
 

@@ -22,6 +22,7 @@
 namespace trammel::kung {
 
 using cosim::EndReason;
+using cosim::Engine;
 using cosim::Hooks;
 using cosim::OptionsError;
 using cosim::Platform;
@@ -29,7 +30,6 @@ using cosim::ProcessorOptions;
 
 enum class Controller { kFc, kAfc };  // fixed rule table, or tuned while it runs
 enum class PathKind { kCircle, kWindow, kStar, kSquare, kLine, kPoints };
-enum class Engine { kRtl, kTwin };  // the verilated chip, or its bit-exact twin
 enum class WaveFormat { kNone, kVcd, kFst };
 
 using cosim::PointM;
@@ -104,15 +104,13 @@ struct PathOptions {
   std::vector<PointM> points;     // its content
 };
 
-struct RunOptions {
+struct RunOptions : cosim::RunBasics {
+  RunOptions() { max_s = 60; }
+
   Engine engine = Engine::kRtl;   // kTwin: no SystemC, whatever the platform
-  Platform platform = Platform::kSystemC;
-  std::int64_t window_clk = 0;    // longest look-ahead of the loop; 0 = unbounded, 1 = lock step
-  bool leap = true;               // waiting clocks are not evaluated; off: every clock is
   bool audit = false;             // a plain and a leaping chip in step, all registers compared
   bool assertions = false;        // the promises of the RTL are looked at; every clock is evaluated
   double settle_s = 0;            // simulated after the last point, not counted in the figures
-  double max_s = 60;              // simulated time a run may take
   double diverged_m = 0.05;       // tracking error that ends the run as diverged
   WaveFormat wave = WaveFormat::kNone;
   double wave_begin_s = 0;        // from the start of the run, or from the trigger; both zero: the

@@ -18,8 +18,7 @@ sw::An693Setup program_setup(const Options& o) {
   setup.position = o.position;
   setup.breakpoint = o.breakpoint;
   setup.steps = static_cast<std::uint32_t>(o.steps);
-  setup.wait_clk = static_cast<std::uint32_t>(
-      std::lround(o.wait_s * 1e12 / static_cast<double>(o.plant.clock_ps)));
+  setup.wait_clk = static_cast<std::uint32_t>(cosim::clocks_of(o.wait_s, o.plant.clock_ps));
   return setup;
 }
 
@@ -66,11 +65,10 @@ Bench::Bench(const Options& options, std::function<bool(const Sample&)> finished
             sample.volt = plant_.axis().voltage();
           },
           std::move(finished)),
-      loop_(*chip_, plant_, recorder_,
-            options.run.window_clk == 0 ? cosim::kNever : options.run.window_clk) {}
+      loop_(*chip_, plant_, recorder_, options.run.window()) {}
 
 cosim::Clk Bench::end() const {
-  return std::llround(options_.run.max_s * 1e12 / static_cast<double>(options_.plant.clock_ps));
+  return cosim::clocks_of(options_.run.max_s, period_ps());
 }
 
 Result Bench::result() {

@@ -17,12 +17,8 @@ namespace trammel::lm628 {
 
 inline constexpr double kSampleS = 256e-6;  // 2048 ticks of 8 MHz
 
-struct RunOptions {
-  cosim::Platform platform = cosim::Platform::kSystemC;
-  std::int64_t window_clk = 0;    // longest look-ahead of the loop; 0 = unbounded, 1 = lock step
-  bool leap = true;               // waiting clocks are not evaluated; off: every clock is
-  double max_s = 120;             // simulated time a run may take
-  int diverged_counts = 30000;    // position error that ends the run as diverged
+struct RunOptions : cosim::RunBasics {
+  int diverged_counts = 30000;  // position error that ends the run as diverged
 };
 
 struct Options {

@@ -58,16 +58,14 @@ Session::Session(const Options& options, const cosim::Hooks& hooks)
       chip_(options.run.engine == Engine::kRtl ? make_verilated_chip(options.run.leap)
                                                : make_twin_chip()),
       app_(program()),
-      loop_(*chip_, plant_, *this,
-            options.run.window_clk == 0 ? cosim::kNever : options.run.window_clk) {}
+      loop_(*chip_, plant_, *this, options.run.window()) {}
 
 sw::McafeeSetup Session::program() const {
   const Options& o = options_;
   sw::McafeeSetup setup;
   setup.stage = o.stage;
   setup.filter = o.filter;
-  setup.wait_clk =
-      static_cast<std::uint32_t>(std::lround(o.wait_s * 1e12 / static_cast<double>(period_ps())));
+  setup.wait_clk = static_cast<std::uint32_t>(cosim::clocks_of(o.wait_s, period_ps()));
   setup.readings = static_cast<std::uint32_t>(o.readings);
   setup.acceleration = o.acceleration;
   setup.velocity = o.velocity;
@@ -86,7 +84,7 @@ cosim::ProcessorTiming Session::timing() const {
 }
 
 cosim::Clk Session::end() const {
-  return std::llround(options_.run.max_s * 1e12 / static_cast<double>(period_ps()));
+  return cosim::clocks_of(options_.run.max_s, period_ps());
 }
 
 void Session::on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant&) {

@@ -20,14 +20,10 @@ namespace trammel::mcafee {
 
 inline constexpr double kSampleS = 2048 / 6e6;
 
-enum class Engine { kRtl, kTwin };  // the verilated chip, or its bit-exact twin
+using cosim::Engine;
 
-struct RunOptions {
+struct RunOptions : cosim::RunBasics {
   Engine engine = Engine::kRtl;
-  cosim::Platform platform = cosim::Platform::kSystemC;
-  std::int64_t window_clk = 0;  // longest look-ahead of the loop; 0 = unbounded, 1 = lock step
-  bool leap = true;             // waiting clocks are not evaluated; off: every clock is
-  double max_s = 120;           // simulated time a run may take
   int diverged_counts = 4000;   // position error that ends the run as diverged
 };
 
