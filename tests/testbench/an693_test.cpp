@@ -14,6 +14,7 @@
 #include "testbench/output.hpp"
 #include "testbench/report_data.hpp"
 #include "testbench/report_page.hpp"
+#include "tests/support/message.hpp"
 
 using namespace trammel;
 using namespace trammel::testbench;
@@ -23,14 +24,7 @@ namespace fs = std::filesystem;
 namespace {
 
 std::string message_of(const std::string& toml) {
-  lm628::Options options;
-  try {
-    apply_text(options, toml, "some.toml", ".");
-    finish(options);
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "";
+  return test::message_of<lm628::Options>(toml);
 }
 
 // Off, then a step of 4 counts, overshoot by 1, an interrupt at the 5th sample.

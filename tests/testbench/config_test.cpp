@@ -6,6 +6,7 @@
 #include "cosim/kung/words.hpp"
 #include "testbench/config.hpp"
 #include "testbench/paper.hpp"
+#include "tests/support/message.hpp"
 
 using namespace trammel;
 using namespace trammel::testbench;
@@ -18,14 +19,7 @@ void take(kung::Options& options, const std::string& toml) {
 }
 
 std::string message_of(const std::string& toml) {
-  kung::Options options;
-  try {
-    take(options, toml);
-    finish(options);
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "";
+  return test::message_of<kung::Options>(toml);
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "testbench/config.hpp"
+#include "tests/support/message.hpp"
 
 using namespace trammel;
 using namespace trammel::testbench;
@@ -16,15 +17,8 @@ using Catch::Matchers::Contains;
 
 namespace {
 
-std::string complaint(const std::string& toml) {
-  mcafee::Options options;
-  try {
-    apply_text(options, toml, "some.toml", ".");
-    finish(options);
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "";
+std::string message_of(const std::string& toml) {
+  return test::message_of<mcafee::Options>(toml);
 }
 
 // Along the first side of the square, 0.25 mm beside it in the third sample.
@@ -52,16 +46,16 @@ mcafee::Result tracked() {
 }  // namespace
 
 TEST_CASE("mcafee: a path or motor that cannot be is refused with key, row and range") {
-  CHECK(complaint("") == "");
-  CHECK_THAT(complaint("[path]\nrow_mm = 0.7"), Contains("row 0: increments 139, 0"));
-  CHECK_THAT(complaint("[path]\nradius_mm = 31"), Contains("out of range 0..30"));
-  CHECK_THAT(complaint("[path]\nkind = \"points\""), Contains("path.points_file: is needed"));
-  CHECK_THAT(complaint("[path]\nkind = \"points\"\npoints_file = \"none.csv\""),
+  CHECK(message_of("") == "");
+  CHECK_THAT(message_of("[path]\nrow_mm = 0.7"), Contains("row 0: increments 139, 0"));
+  CHECK_THAT(message_of("[path]\nradius_mm = 31"), Contains("out of range 0..30"));
+  CHECK_THAT(message_of("[path]\nkind = \"points\""), Contains("path.points_file: is needed"));
+  CHECK_THAT(message_of("[path]\nkind = \"points\"\npoints_file = \"none.csv\""),
              Contains("none.csv: cannot be read"));
-  CHECK_THAT(complaint("[path]\nkind = \"spiral\""), Contains("square, circle, star"));
-  CHECK_THAT(complaint("[track]\nspeed = 256"), Contains("out of range 0..255"));
-  CHECK_THAT(complaint("[motor]\nresistance_ohm = 500"), Contains("is above 1e5 1/s"));
-  CHECK_THAT(complaint("[gains]\nkp = 1"), Contains("is no key of the machine mcafee"));
+  CHECK_THAT(message_of("[path]\nkind = \"spiral\""), Contains("square, circle, star"));
+  CHECK_THAT(message_of("[track]\nspeed = 256"), Contains("out of range 0..255"));
+  CHECK_THAT(message_of("[motor]\nresistance_ohm = 500"), Contains("is above 1e5 1/s"));
+  CHECK_THAT(message_of("[gains]\nkp = 1"), Contains("is no key of the machine mcafee"));
 }
 
 TEST_CASE("mcafee: figures count from the first row, contour errors from the path") {
