@@ -55,10 +55,7 @@ void write_samples(const std::filesystem::path& file, const lm628::Options& opti
 lm628::Result simulate_shown(const lm628::Options& options, const SimulateAn693& simulate,
                              const std::atomic<bool>& stop) {
   Progress progress(options.scenario);
-  cosim::Hooks hooks;
-  hooks.progress = [&progress](double fraction) { progress(fraction); };
-  hooks.stop = &stop;
-  return simulate(options, hooks);
+  return simulate(options, shown_in(progress, stop));
 }
 
 }  // namespace
@@ -68,7 +65,7 @@ double shaft_counts(const lm628::Options& options, const lm628::Sample& s) {
 }
 
 double seconds_at(const lm628::Options& options, cosim::Clk edge) {
-  return static_cast<double>(edge) * static_cast<double>(options.plant.clock_ps) * 1e-12;
+  return cosim::seconds_of(edge, options.plant.clock_ps);
 }
 
 An693Metrics evaluate(const lm628::Options& options, const lm628::Result& result) {
@@ -146,8 +143,8 @@ std::string verdict_text(const lm628::Options& options, const lm628::Result& res
 }
 
 nlohmann::ordered_json an693_json(const lm628::Options& options, const lm628::Result& result,
-                                  const std::string& command, const An693Script* script) {
-  const An693Metrics m = evaluate(options, result);
+                                  const An693Metrics& m, const std::string& command,
+                                  const An693Script* script) {
   nlohmann::ordered_json json;
   json["machine"] = machine_name<lm628::Options>();
   json["scenario"] = options.scenario;
@@ -185,8 +182,8 @@ nlohmann::ordered_json an693_json(const lm628::Options& options, const lm628::Re
 }
 
 std::string an693_report(const lm628::Options& options, const lm628::Result& result,
-                         const std::string& folder, const std::string& page) {
-  const An693Metrics m = evaluate(options, result);
+                         const An693Metrics& m, const std::string& folder,
+                         const std::string& page) {
   std::string text = fmt::format("{}: {}{}\n", options.scenario, end_text(result.end),
                                  result.fault.empty() ? "" : ": " + result.fault);
   if (!options.description.empty()) text += fmt::format("  {}\n", options.description);
@@ -245,11 +242,11 @@ bool write_an693_files(const std::filesystem::path& folder, const lm628::Options
 int run_an693(const lm628::Options& options, const RunArguments& arguments,
               const SimulateAn693& simulate, const std::atomic<bool>& stop) {
   namespace fs = std::filesystem;
-  const fs::path target =
-      arguments.out.empty() ? fs::path("out") / options.scenario : fs::path(arguments.out);
-  OutputFolder folder(target);
+  OutputFolder folder(target_of(arguments.out, options.scenario));
   const lm628::Result result = simulate_shown(options, simulate, stop);
-  const nlohmann::ordered_json json = an693_json(options, result, repeat_command(options), nullptr);
+  const An693Metrics metrics = evaluate(options, result);
+  const nlohmann::ordered_json json =
+      an693_json(options, result, metrics, repeat_command(options), nullptr);
   const bool page =
       write_an693_files(folder.scratch(), options, result, json, nullptr, arguments.report);
   folder.publish();
@@ -257,15 +254,10 @@ int run_an693(const lm628::Options& options, const RunArguments& arguments,
   const fs::path shown = fs::proximate(folder.target());
   fmt::print("{}", arguments.json
                        ? json.dump(2) + '\n'
-                       : an693_report(options, result, shown.string(),
+                       : an693_report(options, result, metrics, shown.string(),
                                       page ? (shown / "report.html").string() : ""));
-  const int code = exit_code(result.end);
-  if (code != 0) {
-    fmt::print(stderr, "trammel: {}: {}{}; record kept in {}\n", options.scenario,
-               end_text(result.end), result.fault.empty() ? "" : " by " + result.fault,
-               shown.string());
-  }
-  return code;
+  return tell_end(options.scenario, result.end,
+                  result.fault.empty() ? "" : " by " + result.fault, shown.string());
 }
 
 }  // namespace trammel::testbench

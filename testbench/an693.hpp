@@ -56,7 +56,8 @@ std::string verdict_text(const lm628::Options& options, const lm628::Result& res
 
 // metrics.json; `command` repeats the run.
 nlohmann::ordered_json an693_json(const lm628::Options& options, const lm628::Result& result,
-                                  const std::string& command, const An693Script* script);
+                                  const An693Metrics& metrics, const std::string& command,
+                                  const An693Script* script);
 
 // All files of a run, and one line on stderr for each that cannot be made. True with report.html.
 bool write_an693_files(const std::filesystem::path& folder, const lm628::Options& options,
@@ -65,7 +66,8 @@ bool write_an693_files(const std::filesystem::path& folder, const lm628::Options
 
 // What a person reads at the end; `page` is report.html, or empty.
 std::string an693_report(const lm628::Options& options, const lm628::Result& result,
-                         const std::string& folder, const std::string& page);
+                         const An693Metrics& metrics, const std::string& folder,
+                         const std::string& page);
 
 // Simulates, writes the output folder and prints the figures; the exit code.
 int run_an693(const lm628::Options& options, const RunArguments& arguments,

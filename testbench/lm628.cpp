@@ -125,10 +125,10 @@ int lm628_shell(const RunArguments& arguments, std::atomic<bool>& stop,
   lm628::Result result = shell.result();
   result.end = all.end;
   result.fault = all.halt;
-  Json json;
-  if (folder || arguments.json) {
-    json = an693_json(options, result, "./trammel lm628 script.lm628 -c run.toml", &all.script);
-  }
+  if (!folder && !arguments.json) return exit_code(result.end);
+  const An693Metrics metrics = evaluate(options, result);
+  const Json json = an693_json(options, result, metrics,
+                               "./trammel lm628 script.lm628 -c run.toml", &all.script);
   if (arguments.json) fmt::print("{}\n", json.dump(2));
   if (folder) {
     const bool page = write_an693_files(folder->scratch(), options, result, json, &all.script,
@@ -136,7 +136,7 @@ int lm628_shell(const RunArguments& arguments, std::atomic<bool>& stop,
     folder->publish();
     const fs::path target = fs::proximate(folder->target());
     if (!arguments.json) {
-      fmt::print("{}", an693_report(options, result, target.string(),
+      fmt::print("{}", an693_report(options, result, metrics, target.string(),
                                     page ? (target / "report.html").string() : ""));
     }
   }

@@ -62,8 +62,7 @@ Lm628Shell::Lm628Shell(const lm628::Options& options, const std::atomic<bool>& s
 double Lm628Shell::seconds() const { return seconds_at(options_, bench_.chip().now()); }
 
 Clk Lm628Shell::clocks(double seconds) const {
-  return std::max<Clk>(1, std::llround(seconds * 1e12 /
-                                       static_cast<double>(options_.plant.clock_ps)));
+  return std::max<Clk>(1, cosim::clocks_of(seconds, options_.plant.clock_ps));
 }
 
 void Lm628Shell::strobe_reset() {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <iterator>
+#include <optional>
 
 #include "testbench/config.hpp"
 #include "testbench/output.hpp"
@@ -19,10 +19,6 @@ using sw::McafeeStage;
 
 constexpr std::size_t kShownWarnings = 5;
 constexpr int kMostFeed = 254;  // what the feed rate gives at most
-
-double time_s(const mcafee::Options& options, const mcafee::Sample& s) {
-  return static_cast<double>(s.edge) * static_cast<double>(options.stage_axis.clock_ps) * 1e-12;
-}
 
 bool same_target(const mcafee::Sample& a, const mcafee::Sample& b) {
   return a.axis[0].words.position == b.axis[0].words.position &&
@@ -57,8 +53,7 @@ nlohmann::ordered_json run_json(const mcafee::Options& options,
   for (std::size_t k = 1; k < runs.size(); ++k) {
     json["compared"][runs[k].name] = figures_json(runs[k].result, runs[k].metrics);
   }
-  const double simulated = static_cast<double>(result.clocks) *
-                           static_cast<double>(options.stage_axis.clock_ps) * 1e-12;
+  const double simulated = cosim::seconds_of(result.clocks, options.stage_axis.clock_ps);
   json["run"] = {{"samples", result.samples.size()}, {"clocks", result.clocks},
                  {"clocks_evaluated", result.evaluated}, {"simulated_s", simulated},
                  {"wall_s", result.wall_s},
@@ -81,7 +76,8 @@ void write_tracked(const std::filesystem::path& file, const mcafee::Options& opt
     for (std::size_t k = 0; k < run.result.samples.size(); ++k) {
       const mcafee::Sample s = run.result.samples[k];
       const double contour = run.metrics.contour_mm.empty() ? 0 : run.metrics.contour_mm[k];
-      out.print("{:.8f},{},{},{},{:.5f}", time_s(options, s), s.row, s.v, s.limits, contour);
+      out.print("{:.8f},{},{},{},{:.5f}", cosim::seconds_of(s.edge, options.stage_axis.clock_ps),
+                s.row, s.v, s.limits, contour);
       for (const mcafee::AxisSample& a : s.axis) {
         out.print(",{:.5f},{},{:.5f},{},{},{:.5g},{:.5g}",
                   static_cast<double>(a.words.position) / 65536, a.words.actual, a.x_mm,
@@ -146,10 +142,7 @@ mcafee::Table table_of(const mcafee::Options& options) {
 McafeeRun simulated(const std::string& name, const mcafee::Options& options,
                     const SimulateMcafee& simulate, const std::atomic<bool>& stop) {
   Progress progress(fmt::format("{}, {}", options.scenario, name));
-  cosim::Hooks hooks;
-  hooks.progress = [&progress](double fraction) { progress(fraction); };
-  hooks.stop = &stop;
-  McafeeRun run{name, simulate(options, hooks), {}};
+  McafeeRun run{name, simulate(options, shown_in(progress, stop)), {}};
   run.metrics = evaluate(options, run.result);
   return run;
 }
@@ -177,9 +170,9 @@ std::vector<McafeeRun> all_runs(const mcafee::Options& options, const SimulateMc
 McafeeMetrics evaluate(const mcafee::Options& options, const mcafee::Result& result) {
   McafeeMetrics m;
   const bool tracks = options.stage == McafeeStage::kTrack;
-  std::vector<mcafee::Path> path;
-  if (tracks) path.emplace_back(options.path);
-  const mcafee::PointMm origin = tracks ? path[0].at(0) : mcafee::PointMm{};
+  std::optional<mcafee::Path> path;
+  if (tracks) path.emplace(options.path);
+  const mcafee::PointMm origin = tracks ? path->at(0) : mcafee::PointMm{};
   constexpr double kReachMm = 10;  // a path may cross itself
   double squares = 0;
   std::size_t last = 0;
@@ -198,7 +191,7 @@ McafeeMetrics evaluate(const mcafee::Options& options, const mcafee::Result& res
     if (tracks) {
       const mcafee::PointMm at{origin.x + s.axis[0].x_mm, origin.y + s.axis[1].x_mm};
       const double way = result.table.row_mm * s.row;
-      m.contour_mm.push_back(path[0].distance(at, way, kReachMm));
+      m.contour_mm.push_back(path->distance(at, way, kReachMm));
       m.contour_max_mm = std::max(m.contour_max_mm, m.contour_mm.back());
       m.contour_end_mm = m.contour_mm.back();
       if (begun) squares += m.contour_end_mm * m.contour_end_mm;
@@ -224,9 +217,7 @@ void finish(const mcafee::Options& options) {
 int run_mcafee(const mcafee::Options& options, const RunArguments& arguments,
                const SimulateMcafee& simulate, const std::atomic<bool>& stop) {
   namespace fs = std::filesystem;
-  const fs::path target =
-      arguments.out.empty() ? fs::path("out") / options.scenario : fs::path(arguments.out);
-  OutputFolder folder(target);
+  OutputFolder folder(target_of(arguments.out, options.scenario));
   const std::vector<McafeeRun> runs = all_runs(options, simulate, stop);
   const McafeeRun& run = runs.front();
   const nlohmann::ordered_json json = run_json(options, runs);
@@ -245,13 +236,8 @@ int run_mcafee(const mcafee::Options& options, const RunArguments& arguments,
   const std::string shown = fs::proximate(folder.target()).string();
   fmt::print("{}", arguments.json ? json.dump(2) + '\n'
                                   : text_report(options, runs, shown, pictures));
-  const int code = exit_code(run.result.end);
-  if (code != 0) {
-    fmt::print(stderr, "trammel: {}: {}{}; record kept in {}\n", options.scenario,
-               end_text(run.result.end),
-               run.result.fault.empty() ? "" : " by " + run.result.fault, shown);
-  }
-  return code;
+  return tell_end(options.scenario, run.result.end,
+                  run.result.fault.empty() ? "" : " by " + run.result.fault, shown);
 }
 
 int track(const RunArguments& arguments) {

@@ -176,6 +176,20 @@ void write_text(const fs::path& file, const std::string& text) {
   if (!out) throw ConfigError(fmt::format("{}: cannot be written", file.string()));
 }
 
+fs::path target_of(const std::string& out, const std::string& scenario) {
+  return out.empty() ? fs::path("out") / scenario : fs::path(out);
+}
+
+int tell_end(const std::string& scenario, kung::EndReason end, const std::string& cause,
+             const std::string& folder) {
+  const int code = exit_code(end);
+  if (code != 0) {
+    fmt::print(stderr, "trammel: {}: {}{}; record kept in {}\n", scenario, end_text(end), cause,
+               folder);
+  }
+  return code;
+}
+
 void write_lines(const fs::path& file, const std::function<void(fmt::ostream&)>& print) {
   try {
     auto out = fmt::output_file(file.string());
@@ -201,9 +215,7 @@ void write_trace(const fs::path& file, const kung::Options& options, const kung:
     }
     out.print("\n");
     for (const kung::Sample& s : result.samples) {
-      const double t_s = static_cast<double>(s.edge) * static_cast<double>(options.plant.clock_ps) *
-                         1e-12;
-      out.print("{},{:.8f}", s.tick, t_s);
+      out.print("{},{:.8f}", s.tick, cosim::seconds_of(s.edge, options.plant.clock_ps));
       for (std::size_t a = 0; a < 2; ++a) {
         const kung::AxisSample& x = s.axis[a];
         const double count_m = options.plant.axis[a].encoder_count_m;

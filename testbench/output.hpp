@@ -37,6 +37,13 @@ class OutputFolder {
   std::filesystem::path scratch_;
 };
 
+// Where a run goes: `out` as it was asked for, or the scenario's own folder.
+std::filesystem::path target_of(const std::string& out, const std::string& scenario);
+
+// A line on stderr for a run that did not end as it should; the exit code.
+int tell_end(const std::string& scenario, kung::EndReason end, const std::string& cause,
+             const std::string& folder);
+
 // metrics.json: figures, comparison, versions, options.
 nlohmann::ordered_json metrics_json(const kung::Options& options, const kung::Result& result,
                                     const Metrics& metrics);

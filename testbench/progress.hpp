@@ -6,10 +6,13 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <chrono>
 #include <cstdio>
 #include <string>
 #include <utility>
+
+#include "cosim/machine.hpp"
 
 namespace trammel::testbench {
 
@@ -42,5 +45,13 @@ class Progress {
   Time begin_ = std::chrono::steady_clock::now();
   Time last_{};
 };
+
+// What a run tells a person, and asks, while it goes on.
+inline cosim::Hooks shown_in(Progress& progress, const std::atomic<bool>& stop) {
+  cosim::Hooks hooks;
+  hooks.progress = [&progress](double fraction) { progress(fraction); };
+  hooks.stop = &stop;
+  return hooks;
+}
 
 }  // namespace trammel::testbench

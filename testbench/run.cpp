@@ -89,11 +89,8 @@ Outcome run_one(Options options, const fs::path& target, const RunArguments& arg
   kung::Result result;
   {
     Progress progress(options.scenario);
-    kung::Hooks hooks;
-    hooks.progress = [&progress](double fraction) { progress(fraction); };
-    hooks.stop = &stop;
     try {
-      result = simulate(options, hooks);
+      result = simulate(options, shown_in(progress, stop));
     } catch (const std::invalid_argument& error) {  // what only the plant can tell
       throw ConfigError(error.what());
     } catch (const kung::OptionsError& error) {
@@ -128,10 +125,7 @@ Outcome run_one(Options options, const fs::path& target, const RunArguments& arg
                options.controller == kung::Controller::kFc ? "FC" : "AFC", end_text(result.end),
                result.wall_s);
   }
-  if (outcome.code != 0) {
-    fmt::print(stderr, "trammel: {}: {}{}; record kept in {}\n", options.scenario,
-               end_text(result.end), end_cause(options, result), shown.string());
-  }
+  tell_end(options.scenario, result.end, end_cause(options, result), shown.string());
   if (outcome.code == 0) outcome.code = waves_code;
   if (arguments.check && outcome.code == 0) {
     for (const Comparison& line : compare(options, metrics)) {
@@ -147,7 +141,7 @@ Outcome run_one(Options options, const fs::path& target, const RunArguments& arg
 
 int run_all(const RunArguments& arguments, const Simulate& simulate,
             const std::atomic<bool>& stop) {
-  const fs::path base = arguments.out.empty() ? fs::path("out") / "all" : fs::path(arguments.out);
+  const fs::path base = target_of(arguments.out, "all");
   std::vector<Finished> finished;
   std::vector<fs::path> folders;
   auto documents = nlohmann::ordered_json::array();
@@ -226,8 +220,7 @@ int run(const RunArguments& arguments, const Simulate& simulate, const std::atom
                       simulate_mcafee, stop);
   }
   const Options options = layered(arguments.scenario, arguments);
-  const fs::path target =
-      arguments.out.empty() ? fs::path("out") / options.scenario : fs::path(arguments.out);
+  const fs::path target = target_of(arguments.out, options.scenario);
   const Outcome outcome = run_one(options, target, arguments, simulate, stop);
   if (arguments.json) fmt::print("{}\n", outcome.json.dump(2));
   return outcome.code;

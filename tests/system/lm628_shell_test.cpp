@@ -60,7 +60,7 @@ TEST_CASE("a script of E6 gives the figures of the scenario an693-absolute, ever
   apply_file(options, find_scenario("an693-absolute"));
   options.run.platform = cosim::Platform::kDirect;
   const lm628::Result firmware = lm628::simulate(options, {});
-  const auto wanted = an693_json(options, firmware, "", nullptr);
+  const auto wanted = an693_json(options, firmware, evaluate(options, firmware), "", nullptr);
 
   RunArguments arguments;
   arguments.scenario = "absolute";
