@@ -4,8 +4,10 @@
 #include <catch2/catch.hpp>
 
 #include <cstdint>
+#include <vector>
 
 #include "tests/chips/kung_bench.hpp"
+#include "tests/support/axi_lite.hpp"
 
 using namespace trammel::sw;
 namespace reg = kung_xy_regs;
@@ -61,6 +63,22 @@ TEST_CASE("the chip is quiescent from the end of the last bus transfer on, whate
     REQUIRE(chip->quiescent_o);
     CHECK(chip.read(reg::kX + reg::kThetaOfs) == (writes ? 7 : 0));
   }
+}
+
+TEST_CASE("the chip takes bytes, in any order of the channels, and answers each transfer") {
+  KungBench chip;
+  const auto clock = [&] {
+    chip.edge();
+    chip->eval();
+  };
+  trammel::test::AxiLiteTraffic<KungBench, decltype(clock)> traffic(chip, clock, 61);
+  std::vector<trammel::test::AxiRegister> registers{{reg::kId, 0}, {reg::kIrqPeriod, 0xFF}};
+  for (const std::uint32_t axis : {reg::kX, reg::kY}) {
+    registers.push_back({axis + reg::kThetaOfs, ~0u});
+    registers.push_back({axis + reg::kA0, 0x3FFFF});
+    registers.push_back({axis + reg::kIqManual, 0xFFF});
+  }
+  CHECK(wrong_register(traffic, registers, 200, 62) == -1);
 }
 
 TEST_CASE("many transfers leave none open, and any but the two keys leaves the lock as it is") {
