@@ -168,18 +168,18 @@ void McafeeApp::load_row(Bus& bus, Parts& parts) {
     parts.port[k].long_word(static_cast<std::int32_t>(axis.velocity));
     parts.port[k].long_word(way[k]);
   }
-  longer_next_ = magnitude(way[1]) > magnitude(way[0]) ? 1 : 0;
 }
 
 // A sample was just published: no other one falls between the two STT.
 void McafeeApp::start_row(Bus& bus, Parts& parts) {
   for (std::uint32_t k = 0; k < 2; ++k) {
-    if (!axes_[k].loaded) continue;
+    Axis& axis = axes_[k];
+    if (!axis.loaded) continue;
     parts.port[k].command(Lm628Command::kStt);
-    axes_[k].target = axes_[k].next;
+    axis.target = axis.next;
+    axis.fastest = axis.velocity;
+    axis.near = false;
   }
-  longer_ = longer_next_;
-  fastest_ = axes_[longer_].velocity;
   running_ = speed_;
   ++started_;
   if (loaded_ == setup_.row_count) return wait(bus, State::kLast, kSampleClk);
@@ -187,18 +187,28 @@ void McafeeApp::start_row(Bus& bus, Parts& parts) {
   wait(bus, State::kRow, kSoon);
 }
 
-// The next row is due when the longer axis is two samples from its target, at the speed it has.
+// The next row is due when both axes have been two samples from their targets, at the speed they
+// had: the one with the shorter way is often the later one, for its velocity is rounded down more.
 void McafeeApp::watch_row(Bus& bus, Parts& parts) {
-  Lm628Port& port = parts.port[longer_];
-  const std::int32_t desired = port.ask_long(Lm628Command::kRddp);
-  const std::uint32_t speed = magnitude(port.ask_long(Lm628Command::kRddv));
-  const std::uint32_t left = magnitude(axes_[longer_].target - desired) << 16;
-  if (left <= 2 * speed) {
+  bool due = true;
+  std::uint32_t samples = 0;
+  for (std::uint32_t k = 0; k < 2; ++k) {
+    Axis& axis = axes_[k];
+    if (axis.near) continue;
+    const std::int32_t desired = parts.port[k].ask_long(Lm628Command::kRddp);
+    const std::uint32_t speed = magnitude(parts.port[k].ask_long(Lm628Command::kRddv));
+    const std::uint32_t left = magnitude(axis.target - desired) << 16;
+    axis.near = left <= 2 * speed;
+    if (axis.near) continue;
+    due = false;
+    const std::uint32_t least = left / (speed > axis.fastest ? speed : axis.fastest);
+    samples = samples > least ? samples : least;
+  }
+  if (due) {
     bus.write(regs::kStatus, regs::kStatusSample);
     return wait(bus, State::kSample, kSoon);
   }
-  // Sleeps until two samples before that, should the axis be as fast as it may.
-  const std::uint32_t samples = left / (speed > fastest_ ? speed : fastest_);
+  // Sleeps until two samples before that, should the axes be as fast as they may.
   wait(bus, State::kRow, samples > 5 ? (samples - 4) * kSampleClk : kSoon);
 }
 

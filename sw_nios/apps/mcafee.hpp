@@ -104,14 +104,14 @@ class McafeeApp final : public Firmware {
     std::int32_t next = 0;       // of the row that is loaded
     std::uint32_t velocity = 0;  // of the row that is loaded
     bool loaded = false;         // it has a part in that row
+    std::uint32_t fastest = 1;   // in the row that runs
+    bool near = true;            // its target of that row
   };
 
   McafeeSetup setup_;
   State state_ = State::kReset;
   McafeeFailure failure_ = McafeeFailure::kNone;
   std::array<Axis, 2> axes_;
-  std::uint32_t longer_ = 0, longer_next_ = 0;  // axis with the larger way in a row; X on a tie
-  std::uint32_t fastest_ = 1;                 // its velocity in the row that runs
   std::uint32_t loaded_ = 0, started_ = 0;    // rows
   std::uint32_t speed_ = 0, running_ = 0;     // of these
   std::uint32_t readings_ = 0;
