@@ -19,6 +19,8 @@ TARGET = RTL / "pkg" / "lm628_code_pkg.sv"
 REGISTERS = 64
 SAMPLE, COMMAND = 400, 127  # most clocks
 PER_LINE = 8
+ENTRIES = 0x22  # of boot and the commands
+READERS = ("ld", "add", "sub", "mul", "div")  # of a register
 
 
 class AsmError(Exception):
@@ -48,9 +50,11 @@ class Assembler:
         self.registers, self.zeroed = {}, []
         self.labels, self.lines = {}, {}  # address -> (place, words)
 
-    def read(self):
-        lines = [(f"{name}:{number}", line) for name in SOURCES for number, line in
-                 enumerate((RTL / "motion" / name).read_text(encoding="utf-8").split("\n"), 1)]
+    def read(self, edit=lambda text: text):
+        texts = {name: edit((RTL / "motion" / name).read_text(encoding="utf-8"))
+                 for name in SOURCES}
+        lines = [(f"{name}:{number}", line) for name, text in texts.items()
+                 for number, line in enumerate(text.split("\n"), 1)]
         address = 0
         for number, line in lines:
             code = line.split(";")[0].strip()
@@ -142,6 +146,18 @@ class Assembler:
 
         return clocks(start)
 
+    def check_reads(self):
+        """A register is read as its instruction is fetched: a store of the clock before is not yet
+        done then, and nothing says which for the first one of a command or sample."""
+        for address, (number, words) in self.lines.items():
+            reads = words[1] if words[0] in READERS else None
+            if reads and (address < ENTRIES or address == self.labels["sample"]):
+                raise AsmError(f"{number}: the first instruction of a command or sample reads "
+                               f"{reads}; it may read no register")
+            if reads and self.lines.get(address - 1, (0, []))[1] == ["st", reads]:
+                raise AsmError(f"{number}: reads {reads} in the clock after its store; "
+                               "one instruction must lie between")
+
     def assemble(self):
         code = [self.op("halt")] * (max(self.lines) + 1)
         for address, (number, words) in self.lines.items():
@@ -174,6 +190,7 @@ def main():
     try:
         assembler.read()
         code = assembler.assemble()
+        assembler.check_reads()
         sample = assembler.longest(assembler.labels["sample"])
         commands = max(assembler.longest(address) for address in range(1, 0x22)
                        if address in assembler.lines)

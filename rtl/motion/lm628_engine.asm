@@ -200,16 +200,14 @@ g_min:  st t
         num 0
         mul delta 30
         add t
-        st t
-        add t
+        shl 1
         add f
         if n g_rule4s
         ld v
-        st w
-        jmp g_found
+        jmp g_set
 g_rule4s:
         ld slow
-        st w
+        jmp g_set
 g_found:                        ; 0 with a way left cannot be: rule 2 took what m or v exceeds
         ld w
 g_set:  st w

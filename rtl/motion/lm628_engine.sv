@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Registers, commands and the sample of the LM628 (data sheet SNVS781C, AN-693): a machine of one
-// accumulator, one adder and 64 registers of 64 bits in lookup memory. Its program is
+// accumulator, one adder and 64 registers of 64 bits in block memory. Its program is
 // lm628_engine.asm; products and quotients are made bit by bit.
 //
 //   sample_i  encoder and index taken; the result stands at most 400 clocks later
@@ -46,7 +46,9 @@ module lm628_engine
   localparam int unsigned CodeBits = $clog2(CodeSize);
   typedef logic [CodeBits-1:0] address_t;
 
-  // ---- program: the adder's controls are beside each instruction, decoded ----
+  // ---- program ----
+
+  typedef logic [5:0] register_t;
 
   typedef struct packed {
     logic write;  // of the accumulator
@@ -76,16 +78,26 @@ module lm628_engine
     return c;
   endfunction
 
-  localparam int unsigned Bits = $bits(controls_t) + 18;
-  logic [Bits-1:0] code_q[CodeSize];
+  // Beside an instruction: the register of the one that follows, which is read while that is
+  // fetched, and the adder's controls; in a branch or call the register of its target instead.
+  // As many as addresses: memories of 4 bits an address then hold it without a multiplexer.
+  localparam int unsigned Bits = $bits(register_t) + $bits(controls_t) + 18;
+  logic [Bits-1:0] code_q[2**CodeBits];
   initial begin
-    for (int i = 0; i < int'(CodeSize); i++) begin
-      code_q[i] = {controls(Code[i][17], op_e'(Code[i][16:12])), Code[i]};
+    for (int unsigned i = 0; i < CodeSize; i++) begin
+      code_q[i] = {
+        register_t'(Code[(i+1)%CodeSize]),
+        Code[i][17] || op_e'(Code[i][16:12]) == OpCall ?
+            controls_t'(register_t'(Code[address_t'(Code[i])])) :
+            controls(Code[i][17], op_e'(Code[i][16:12])),
+        Code[i]
+      };
     end
   end
 
   logic [17:0] instr_q;
   controls_t c_q;
+  register_t after_q, return_after_q, read;
   logic boot_q, busy_q, fetch;
   address_t pc_q, pc_d, return_q;
   logic [5:0] loop_q;
@@ -104,53 +116,58 @@ module lm628_engine
 
   always_comb begin
     pc_d = pc_q + 1'b1;
+    read = after_q;
     if (!busy_q) begin
       if (boot_q) pc_d = '0;
       else if (sample_i) pc_d = address_t'(CodeSample);
       else pc_d = address_t'(opcode_i);
     end else if (jump || (!branches && op == OpCall)) begin
       pc_d = instr_q[CodeBits-1:0];
+      read = register_t'(c_q);
     end else if (!branches && op == OpRet) begin
       pc_d = return_q;
+      read = return_after_q;
     end
   end
 
   assign fetch = busy_q ? !looping && !halts : boot_q || sample_i || start_i;
 
   always_ff @(posedge clk_i) begin
-    if (fetch) {c_q, instr_q} <= code_q[pc_d];
+    if (fetch) {after_q, c_q, instr_q} <= code_q[pc_d];
   end
 
   always_ff @(posedge clk_i) begin
     if (rst_i) begin
-      boot_q   <= 1'b1;
-      busy_q   <= 1'b0;
-      pc_q     <= '0;
-      return_q <= '0;
-      loop_q   <= '0;
+      boot_q         <= 1'b1;
+      busy_q         <= 1'b0;
+      pc_q           <= '0;
+      return_q       <= '0;
+      return_after_q <= '0;
+      loop_q         <= '0;
     end else begin
       boot_q <= 1'b0;
       busy_q <= fetch || looping;
       if (fetch) pc_q <= pc_d;
-      if (runs && op == OpCall) return_q <= pc_q + 1'b1;
+      if (runs && op == OpCall) {return_q, return_after_q} <= {pc_q + 1'b1, after_q};
       if (busy_q) loop_q <= looping ? loop_q + 6'd1 : '0;
     end
   end
 
-  // ---- registers ----
+  // ---- registers: what is read as it is written is never used, gen_lm628.py sees to that ----
 
+  (* no_rw_check *)
   lm628_t m_q[64];
-  lm628_t m, acc_q, acc_d, a, b, shifted, sum, extended;
+  lm628_t operand_q, acc_q, acc_d, a, b, shifted, sum, extended;
   logic unused_carry;
   logic [29:0] q_q, q_d;
   logic writes, acc_en, q_en, to_q;
 
   assign writes = runs && op == OpSt;
-  assign to_q = op == OpToq || op == OpToq15;
-  assign m      = m_q[instr_q[5:0]];
+  assign to_q   = op == OpToq || op == OpToq15;
 
   always_ff @(posedge clk_i) begin
     if (writes) m_q[instr_q[5:0]] <= acc_q;
+    if (fetch) operand_q <= m_q[read];
   end
 
   // ---- outside words ----
@@ -178,7 +195,7 @@ module lm628_engine
     a = acc_q;
     if (c_q.zero) a = '0;
     if (c_q.shift) a = shifted;
-    b = m;
+    b = operand_q;
     if (c_q.alone || (c_q.mul && !q_q[29])) b = '0;
     if (c_q.sub) b = ~b;
     {sum, unused_carry} = {a, 1'b1} + {b, c_q.sub};

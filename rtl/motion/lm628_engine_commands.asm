@@ -97,8 +97,9 @@ ltrj:   in word
         ifn bit4 l_acc
         ld t
         add acc_buf
-        st t
+        jmp l_acc_new
 l_acc:  ld t
+l_acc_new:
         ext z30
         st acc_buf
         set acceleration
@@ -110,8 +111,9 @@ l_vel:  ifn bit3 l_pos
         ifn bit2 l_v
         ld t
         add vel_buf
-        st t
+        jmp l_vel_new
 l_v:    ld t
+l_vel_new:
         ext z30
         st vel_buf
         ld control
@@ -122,8 +124,9 @@ l_pos:  ifn bit1 l_end
         ifn bit0 l_p
         ld t
         add target
-        st t
+        jmp l_pos_new
 l_p:    ld t
+l_pos_new:
         ext s32
         st pos_buf
         set position

@@ -33,6 +33,11 @@ module lm628_engine_props
     input logic               boot_q,
     input logic        [17:0] instr_q,
     input logic        [ 5:0] loop_q,
+    input logic        [ 9:0] pc_q,
+    input logic        [ 9:0] return_q,
+    input logic        [ 5:0] after_q,
+    input logic        [ 5:0] return_after_q,
+    input logic signed [63:0] operand_q,
     input logic signed [63:0] acc_q,
     input logic        [29:0] q_q,
     input logic        [23:0] count_q,
@@ -49,13 +54,14 @@ module lm628_engine_props
   logic [49:0] results, was_results_q;
   logic [22:0] was_flag_q;
   events_t was_sample_events_q;
-  logic signed [63:0] was_acc_q;
+  logic signed [63:0] was_acc_q, was_operand_q;
   logic [29:0] was_mult_q;
   logic [17:0] was_instr_q;
   logic [ 5:0] was_loop_q;
   logic [ 2:0] was_addr_q;
   logic held, was_held_q;  // the instruction takes more clocks than those so far
-  logic is_out, was_out_q, was_reply_q, is_jump;
+  logic is_out, was_out_q, was_reply_q, was_call_q, is_jump;
+  logic [15:0] was_return_q, was_place_q;  // behind a call: address, register that is read there
 
   // Model of the capture.
   logic armed_q, caught_q, taken_q;
@@ -79,6 +85,10 @@ module lm628_engine_props
     was_out_q           <= !rst_i && is_out;
     was_reply_q         <= busy_o && !is_jump && instr_q[16:12] == OpReply;
     was_held_q          <= !rst_i && held;
+    was_call_q          <= busy_o && !boot_q && !is_jump && instr_q[16:12] == OpCall;
+    was_return_q        <= {return_q, return_after_q};
+    was_place_q         <= {pc_q + 10'd1, after_q};
+    was_operand_q       <= operand_q;
     was_results_q       <= results;
     was_flag_q          <= flag_q;
     was_sample_events_q <= sample_events_o;
@@ -128,6 +138,10 @@ module lm628_engine_props
       held_operations_count :
       assert (!was_held_q || was_rst_q || (instr_q == was_instr_q &&
                                            loop_q == was_loop_q + 6'd1));
+      a_word_stays_with_its_operation :
+      assert (was_rst_q || !(was_held_q || was_quiescent_q) || operand_q == was_operand_q);
+      a_call_keeps_its_place :
+      assert (was_rst_q || {return_q, return_after_q} == (was_call_q ? was_place_q : was_return_q));
       others_do_not : assert (was_rst_q || was_held_q || !was_busy_q || loop_q == '0);
       count_is_that_of_the_sample : assert (was_rst_q || !was_sample_q || count_q == sampled_q);
       index_is_the_first_after_arming :
@@ -153,6 +167,9 @@ module lm628_engine_props
   // breaks flags_rest_while_idle: flag_d = flag_q; => flag_d = sample_i ? '0 : flag_q;
   // breaks accumulator_rests_while_idle: q_en = runs && => q_en = sample_i ||
   // breaks held_operations_count: busy_q ? !looping && !halts => busy_q ? !halts
+  // breaks a_word_stays_with_its_operation: if (fetch) operand_q <= m_q[read]; => operand_q <= m_q[read];
+  // breaks a_call_keeps_its_place: <= {pc_q + 1'b1, after_q}; => <= {pc_q + 1'b1, read};
+  // breaks a_call_keeps_its_place: if (runs && op == OpCall) {return_q => if (runs && loops) {return_q
   // breaks others_do_not: looping ? loop_q + 6'd1 : '0; => busy_q ? loop_q + 6'd1 : '0;
   // breaks count_is_that_of_the_sample: if (sample_i) count_q <= count_i; => if (sample_i) count_q <= index_count_i;
   // breaks index_is_the_first_after_arming: if (captures) index_q => if (index_seen_i) index_q
