@@ -73,14 +73,14 @@ if(TRAMMEL_BASE)
   endfunction()
 endif()
 
-# The model of a block for its unit test: assertions live, coverage counted. A chip carries the
-# properties of all blocks; what its blocks have of coverage they get in their own tests. A line
+# The model of a block for its unit test: assertions live, coverage counted. A chip or board carries
+# the properties of all blocks; what its blocks have of coverage they get in their own tests. A line
 # `// verilate: ARGS` in the test sets parameters of the module.
 function(trammel_unit_model source test)
   cmake_path(GET source STEM block)
   cmake_path(GET source PARENT_PATH folder)
   cmake_path(GET folder FILENAME layer)
-  if(layer STREQUAL chips)
+  if(layer STREQUAL chips OR folder MATCHES "^rtl/boards/")
     set(properties ${TRAMMEL_RTL_PROPERTIES})
     set(first ${PROJECT_BINARY_DIR}/chips_only.vlt)
   else()
@@ -150,5 +150,17 @@ function(trammel_add_blocks)
           ENVIRONMENT TRAMMEL_COVERAGE=${PROJECT_BINARY_DIR}/coverage/rtl/${layer}.${block}.dat)
       endif()
     endif()
+  endforeach()
+endfunction()
+
+# rtl/boards/<board>/<top>.sv with tests/boards/<top>_test.cpp.
+function(trammel_add_boards)
+  file(GLOB tests CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/boards/*_test.cpp)
+  foreach(test IN LISTS tests)
+    cmake_path(GET test STEM name)
+    string(REGEX REPLACE "_test$" "" top ${name})
+    file(GLOB source RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/rtl/boards/*/${top}.sv)
+    trammel_unit_model(${source} ${test})
+    trammel_test(${name} ${test} unit.boards.${top} trammel_rtl trammel_models)
   endforeach()
 endfunction()

@@ -197,6 +197,7 @@ module lm628_port_props
 
   // prove: set Inc=4
   // prove: set Inc=3
+  // prove: set Inc=10
 
 endmodule
 

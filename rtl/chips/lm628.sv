@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Motion controller compatible with National's LM628 and LM629 (data sheet SNVS781C, AN-693), in a
-// fabric of 50 MHz. Inc sets the part's clock: 4 for 8 MHz (LM628-8), 3 for 6 MHz (-6).
+// fabric of 50 MHz. Inc sets the part's clock: 4 for 8 MHz (LM628-8), 3 for 6 MHz (-6); 10 is 8 MHz
+// in a fabric of 20 MHz.
 //
 // The pins are those of the part; reset_n_i is one, rst_i is not. The index is where enc_a_i,
 // enc_b_i and enc_idx_n_i are low together. wrap_i is ours: products and sum

@@ -152,11 +152,15 @@ module lm628_output
   end
 
   // 100 m / Inc clocks by shifts and sums; a third of m is 43 m / 128 for all m.
-  if (Inc == 4) begin : gen_quarters
-    assign high_value = (13'(m) << 4) + (13'(m) << 3) + 13'(m);
-  end else begin : gen_thirds
+  if (Inc == 3) begin : gen_thirds
     assign high_value = (13'(m) << 5) + 13'(m) +
         (((13'(m) << 5) + (13'(m) << 3) + (13'(m) << 1) + 13'(m)) >> 7);
+  end else if (Inc == 4) begin : gen_quarters
+    assign high_value = (13'(m) << 4) + (13'(m) << 3) + 13'(m);
+  end else if (Inc == 10) begin : gen_tenths
+    assign high_value = (13'(m) << 3) + (13'(m) << 1);
+  end else begin : gen_refused
+    $error("lm628_output: Inc is 3, 4 or 10");
   end
 
   assign pwm_mag_o  = high != '0;

@@ -38,12 +38,12 @@ module lm628_output_props
   localparam logic [15:0] Strobe = 16'(lm628_clocks(Inc, 8));
   localparam logic [15:0] Period = 16'(lm628_clocks(Inc, 512));
 
-  // Clocks of 4 m ticks, rounded down; the products are constants.
+  // Clocks of 4 m ticks, rounded down; a division there would be one in the proof.
   function automatic logic [15:0] clocks_of(logic signed [7:0] u);
     logic [15:0] m;
     m = 16'(u);
     if (u[7]) m = u == -8'sd128 ? 16'd127 : -16'(u);
-    return Inc == 4 ? 16'd25 * m : 16'd33 * m + ((16'd43 * m) >> 7);
+    return Inc == 3 ? 16'd33 * m + ((16'd43 * m) >> 7) : 16'(100 / Inc) * m;
   endfunction
 
   logic live_q = 1'b0;
@@ -147,6 +147,7 @@ module lm628_output_props
 
   // prove: set Inc=4
   // prove: set Inc=3
+  // prove: set Inc=10
 
 endmodule
 

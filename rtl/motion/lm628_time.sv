@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Time of the LM628 (data sheet SNVS781C): 8000 ticks of its clock for the reset routine, then
-// samples of 2048 ticks, in clocks of a fabric of 50 MHz. Inc ticks are 25 clocks: 4 for 8 MHz, 3
-// for 6 MHz. One timer goes round the parts of a sample; at 8 MHz, with tick 0 at clock 0:
+// samples of 2048 ticks, in clocks of the fabric. Inc ticks are 25 clocks: 4 for 8 MHz and 3 for
+// 6 MHz in one of 50 MHz, 10 for 8 MHz in one of 20. One timer goes round the parts of a sample; of
+// 8 MHz in 50, with tick 0 at clock 0:
 //
 //   clock  10           sample_o, when every edge of tick 0 has been counted
 //   clocks 2371..12670  open_o: a command begun then ends in ticks 400..2047
@@ -31,8 +32,11 @@ module lm628_time
   localparam int unsigned Ticks = 25 * 2048;             // of a sample, in 1/Inc clocks
   localparam int unsigned Lead = 24 / Inc + 4;           // last clock of tick 0, and the encoder's
   localparam int unsigned Commit = lm628_clocks(Inc, 400);
-  localparam logic [1:0] Rest = 2'(Ticks % Inc);
-  localparam logic [1:0] FirstRest = 2'((25 * 8000 + Inc - 1) % Inc);  // the reset routine's
+
+  localparam int unsigned RestBits = $clog2(Inc);
+  typedef logic [RestBits-1:0] rest_t;
+  localparam rest_t Rest = rest_t'(Ticks % Inc);
+  localparam rest_t FirstRest = rest_t'((25 * 8000 + Inc - 1) % Inc);  // the reset routine's
 
   typedef logic [16:0] clocks_t;  // 8000 ticks of 6 MHz are 66 667
   localparam clocks_t Reset   = clocks_t'(lm628_clocks(Inc, 8000) - 2);
@@ -54,8 +58,8 @@ module lm628_time
   state_e state_d, state_q;
   clocks_t count, value;
   logic last;
-  logic [1:0] rest_d, rest_q;  // Inc - 1 less what the times so far were rounded up by, in 1/Inc
-  logic [2:0] rest;
+  rest_t rest_d, rest_q;  // Inc - 1 less what the times so far were rounded up by, in 1/Inc
+  logic [RestBits:0] rest;
   logic longer;
 
   timer #(
@@ -71,8 +75,8 @@ module lm628_time
   );
 
   assign last   = count == '0;
-  assign rest   = 3'(rest_q) + 3'(Rest);
-  assign longer = rest >= 3'(Inc);
+  assign rest   = {1'b0, rest_q} + {1'b0, Rest};
+  assign longer = 32'(rest) >= Inc;
 
   always_comb begin
     state_d = state_q;
@@ -100,7 +104,7 @@ module lm628_time
         default: begin  // StOpen
           state_d = StBefore;
           value   = Before + clocks_t'(longer);
-          rest_d  = longer ? 2'(rest - 3'(Inc)) : rest[1:0];
+          rest_d  = longer ? rest_t'(32'(rest) - Inc) : rest_t'(rest);
         end
       endcase
     end

@@ -24,7 +24,7 @@ module lm628_time_props
 
     input logic [16:0] count,
     input logic [ 2:0] state_q,
-    input logic [ 1:0] rest_q
+    input logic [$clog2(Inc)-1:0] rest_q
 );
 
   localparam int unsigned Lead = 24 / Inc + 4;
@@ -33,7 +33,7 @@ module lm628_time_props
   localparam logic [15:0] Commit = 16'(lm628_clocks(Inc, 400) - 1 - Lead);  // after the sample
   localparam logic [15:0] Opens  = 16'(32'(Commit) - Lm628Run);
   localparam logic [15:0] Closes = 16'(32'(Sample) - Lm628Run - 1 - Lead);
-  localparam logic [1:0] Step = 2'(25 * 2048 % Inc);
+  localparam int unsigned Step = 25 * 2048 % Inc;
 
   logic live_q = 1'b0;
   logic was_rst_q, was_ready_q, was_begin_q, was_quiescent_q;
@@ -43,14 +43,13 @@ module lm628_time_props
   logic [15:0] since_q;  // clocks since then
   logic begun_q;  // no leap too far since the reset
   logic [31:0] begun_since_q;  // clocks since then
-  logic [4:0] was_slow_q;
+  logic [2:0] was_state_q;
+  logic [$clog2(Inc)-1:0] was_rest_q;
   logic event_now, longer;  // one of the pulses; the present sample has a clock more
-  logic [2:0] rest;
 
   assign passed    = 13'(leap_i) + 13'd1;
   assign event_now = begin_o || sample_o || commit_o;
-  assign rest      = 3'(rest_q) + 3'(Step);
-  assign longer    = rest >= 3'(Inc);
+  assign longer    = 32'(rest_q) + Step >= Inc;
 
   logic was_longer_q;
 
@@ -62,7 +61,8 @@ module lm628_time_props
     was_quiescent_q <= !rst_i && quiescent_o;
     was_next_q      <= next_o;
     passed_q        <= passed;
-    was_slow_q      <= {state_q, rest_q};
+    was_state_q     <= state_q;
+    was_rest_q      <= rest_q;
     if (open_o) was_longer_q <= longer;
     since_q <= sample_o ? 16'd1 : since_q + 16'(passed);
     known_q <= !rst_i && (known_q || sample_o) && (leap_i == '0 || leap_i < next_o);
@@ -82,11 +82,11 @@ module lm628_time_props
       pulses_need_readiness : assert (!sample_o && !commit_o && !open_o || ready_o);
       no_pulse_within_next : assert (was_rst_q || passed_q > 13'(was_next_q) || !event_now);
       quiescent_is_honest :
-      assert (!was_quiescent_q || {state_q, rest_q} == was_slow_q);
+      assert (!was_quiescent_q || (state_q == was_state_q && rest_q == was_rest_q));
       inv_state : assert (state_q <= 3'd5 && 32'(rest_q) < Inc);
       inv_start : assert (state_q != 3'd0 || (count == '0 && (!begun_q || begun_since_q == '0)));
       inv_reset : assert (!begun_q || state_q != 3'd1 || 32'(count) + begun_since_q == Routine);
-      inv_rest : assert (Step != '0 || 32'(rest_q) == Inc - 1);
+      inv_rest : assert (Step != 0 || 32'(rest_q) == Inc - 1);
       inv_known : assert (!known_q || ready_o);
       inv_compute : assert (!known_q || state_q != 3'd3 || 16'(count) + since_q + 16'd1 == Opens);
       inv_settle : assert (!known_q || state_q != 3'd4 || 16'(count) + since_q == Commit);
@@ -109,6 +109,7 @@ module lm628_time_props
 
   // prove: set Inc=4
   // prove: set Inc=3
+  // prove: set Inc=10
 
 endmodule
 

@@ -10,7 +10,8 @@
 
 package lm628_pkg;
 
-  // Ticks of the part's clock, 8 or 6 MHz, in clocks of a fabric of 50 MHz: inc are 25 clocks.
+  // Ticks of the part's clock in clocks of the fabric, inc to 25: of 50 MHz 4 are 8 MHz and 3 are
+  // 6 MHz, of 20 MHz 10 are 8 MHz.
   function automatic int unsigned lm628_clocks(int unsigned inc, int unsigned ticks);
     return (25 * ticks + inc - 1) / inc;
   endfunction

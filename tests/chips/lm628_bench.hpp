@@ -24,7 +24,7 @@ class Lm628Twin {
  public:
   Lm628::In in;
 
-  Lm628Twin() {
+  explicit Lm628Twin(exact::Lm628Clock clock = exact::Lm628Clock::k8MHz) : twin_(clock) {
     for (int i = 0; i < 2; ++i) twin_.step(in);
     twin_.reset();
   }
@@ -198,8 +198,10 @@ class Lm628Bench {
     while ((status() & 1) != 0) clocks(100);
   }
 
+  static std::uint8_t code(Opcode opcode) { return static_cast<std::uint8_t>(opcode); }
+
   void command(Opcode opcode) {
-    write(false, static_cast<std::uint8_t>(opcode));
+    write(false, code(opcode));
     ready();
   }
   void word(unsigned value) {

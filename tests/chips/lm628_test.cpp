@@ -2,27 +2,19 @@
 //
 // The chip beside its twin, pin by pin: the first acceptance scenarios, and random transfers.
 
-#include <array>
 #include <catch2/catch.hpp>
 #include <cstdint>
 #include <cstdlib>
 
-#include "tests/chips/lm628_bench.hpp"
-#include "tests/support/random.hpp"
+#include "tests/chips/lm628_transfers.hpp"
 
 using trammel::exact::is_known;
 using trammel::exact::Opcode;
 using trammel::exact::words_due;
 using trammel::exact::words_replied;
 using trammel::test::Lm628Pair;
-using trammel::test::Random;
+using trammel::test::run_random;
 using Bench = trammel::test::Lm628Bench<Lm628Pair>;
-
-namespace {
-
-std::uint8_t code(Opcode opcode) { return static_cast<std::uint8_t>(opcode); }
-
-}  // namespace
 
 // AN-693, "Initialize": status 84h within 1.5 ms, 80h after RSTI.
 TEST_CASE("L-01 lm628 reset: status 00, then 84h within 1.5 ms, then 80h after RSTI 0000") {
@@ -31,7 +23,7 @@ TEST_CASE("L-01 lm628 reset: status 00, then 84h within 1.5 ms, then 80h after R
   REQUIRE(bench.status() == 0);
   bench.clocks(40000);
   REQUIRE(bench.status() == 0);
-  bench.write(false, code(Opcode::kPort12));  // ignored
+  bench.write(false, Bench::code(Opcode::kPort12));  // ignored
   bench.clocks(20000);
   REQUIRE(bench.status() == 0x84);
   REQUIRE_FALSE(bench.out().hi);
@@ -39,7 +31,7 @@ TEST_CASE("L-01 lm628 reset: status 00, then 84h within 1.5 ms, then 80h after R
   REQUIRE(bench.status() == 0x80);
   REQUIRE(bench.out().drive.dac == 0x80);
   REQUIRE((bench.ask(Opcode::kRdsigs) & 0x0100) != 0);
-  bench.write(false, code(Opcode::kReset));  // the same by command, but busy
+  bench.write(false, Bench::code(Opcode::kReset));  // the same by command, but busy
   bench.clocks(10);
   REQUIRE(bench.status() == 0x01);
   bench.clocks(49900);
@@ -97,8 +89,8 @@ TEST_CASE("L-03 lm628 ignores writes while it is busy, without command error") {
   Bench bench;
   bench.start();
   bench.clear_status();
-  bench.write(false, code(Opcode::kRdsigs));
-  bench.write(false, code(Opcode::kPort12));
+  bench.write(false, Bench::code(Opcode::kRdsigs));
+  bench.write(false, Bench::code(Opcode::kPort12));
   bench.write(true, 0x55);
   bench.read(true);
   bench.ready();
@@ -115,7 +107,7 @@ TEST_CASE("L-03 lm628 is busy for 160 ticks, longer where a sample is computed")
     bench.clocks(12800 - 2500 + after);                  // from tick 0 on
     const std::int64_t begin = bench.now() + 2 + 5 + 3;  // the strobe's end is seen
     const std::int64_t tick0 = bench.now() - after;
-    bench.write(false, code(Opcode::kUdf));
+    bench.write(false, Bench::code(Opcode::kUdf));
     bench.ready();
     const std::int64_t fall = std::max(begin + 1000, tick0 + 2500 + (after > 11000 ? 12800 : 0));
     const bool late = (begin + 1000 - tick0) % 12800 < 2500;
@@ -145,91 +137,6 @@ TEST_CASE("lm628 drops a transfer that a command interrupts, and a half word at 
   REQUIRE(bench.status() == 0x82);
   REQUIRE_FALSE(bench.out().hi);  // only the breakpoint interrupts
 }
-
-namespace {
-
-// A transfer as it should be, of the kind that makes moves, stops and interrupts.
-void ordered(Bench& bench, Random& random) {
-  static constexpr std::array<Opcode, 9> kPlain{Opcode::kStt,   Opcode::kDfh,    Opcode::kSip,
-                                                Opcode::kUdf,   Opcode::kPort8,  Opcode::kPort12,
-                                                Opcode::kRdsum, Opcode::kRdsigs, Opcode::kRdrv};
-  static constexpr std::array<Opcode, 4> kLong{Opcode::kRddv, Opcode::kRddp, Opcode::kRdip,
-                                               Opcode::kRdrp};
-  const unsigned some = random() % 2000;
-  switch (random() % 10) {
-    case 0:
-    case 1: {
-      const unsigned control = random() % 8 == 0 ? 0x100u << random() % 3 : random() % 2 << 11;
-      const std::int64_t way = static_cast<std::int64_t>(random() % 200) - 100;
-      bench.trajectory(control | (random() % 2 << 12) | 0x2A | random() % 2,
-                       {random() % 90000, random() % 900000, way});
-      break;
-    }
-    case 2:
-      bench.command(Opcode::kLfil, {0x000Fu | random() % 4 << 8, some, some / 50, some, some});
-      break;
-    case 3:
-      bench.command(random() % 2 == 0 ? Opcode::kMski : Opcode::kRsti, {random() % 128});
-      break;
-    case 4:
-      bench.command(random() % 3 == 0 ? Opcode::kLpes : Opcode::kLpei, {100 + some});
-      break;
-    case 5:
-      bench.command(Opcode::kSbpr, {0, random() % 100});
-      break;
-    case 6:
-      bench.ask(kLong[random() % kLong.size()]);
-      break;
-    case 7:
-      bench.command(Opcode::kStt);
-      break;
-    default: {
-      const Opcode op = kPlain[random() % kPlain.size()];
-      bench.command(op);
-      if (words_replied(code(op)) != 0) bench.read_word();
-    }
-  }
-}
-
-// Any access at any time.
-void wild(Bench& bench, Random& random) {
-  switch (random() % 4) {
-    case 0:
-      bench.write(false, static_cast<std::uint8_t>(1 + random() % 0x23));
-      break;
-    case 1:
-      bench.read(true);
-      break;
-    case 2:
-      bench.status();
-      break;
-    default:
-      bench.write(true, static_cast<std::uint8_t>(random() % 4));
-  }
-  bench.clocks(random() % 2 == 0 ? 1100 : random() % 1100);
-}
-
-void run_random(Bench& bench, int transfers, std::uint32_t seed) {
-  Random random(seed);
-  bench.start();
-  for (int n = 0; n < transfers; ++n) {
-    CAPTURE(n);
-    bench.chip.in.wrap = n / 500 % 2 == 1;
-    if (random() % 10 == 0) {
-      wild(bench, random);
-    } else {
-      bench.ready();
-      ordered(bench, random);
-    }
-    if (random() % 4 == 0) bench.clocks(random() % 20000);
-    const std::int64_t error = bench.engine().desired().position / 65536 - bench.position();
-    bench.set_index(bench.position() / 64 * 64);
-    if (std::abs(error) < 3000) bench.move_to(bench.position() + error / 4);
-    if (random() % 1000 == 0) bench.start();
-  }
-}
-
-}  // namespace
 
 TEST_CASE("L-15 lm628 has the pins of its twin over 10,000 random transfers, leaping") {
   Bench bench;

@@ -80,7 +80,7 @@ class Lm628 {
 
  private:
   static Lm628Output::Config output_config(Lm628Clock clock) {
-    return {lm628_clocks(clock, 8), lm628_clocks(clock, 512), clock == Lm628Clock::k6MHz};
+    return {lm628_clocks(clock, 8), lm628_clocks(clock, 512), static_cast<std::uint32_t>(clock)};
   }
 
   void restart(bool by_command) {

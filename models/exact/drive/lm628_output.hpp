@@ -16,7 +16,7 @@ class Lm628Output {
   struct Config {  // [clk]
     std::uint32_t strobe = 50;
     std::uint32_t period = 3200;
-    bool thirds = false;  // a tick is 25/3 clocks, not 25/4
+    std::uint32_t inc = 4;  // ticks in 25 clocks
   };
 
   struct In {
@@ -90,10 +90,10 @@ class Lm628Output {
     return s == State::kIdle ? State::kIdle : static_cast<State>(static_cast<int>(s) + 1);
   }
 
-  // 4 m ticks; |-128| acts as 127.
+  // 4 m ticks, rounded down; |-128| acts as 127.
   std::uint32_t high_time() const {
     const auto m = static_cast<std::uint32_t>(std::min(std::abs(u_ >> 8), 127));
-    return c_.thirds ? 33 * m + (43 * m >> 7) : 25 * m;
+    return 100 * m / c_.inc;
   }
 
   Config c_;

@@ -9,8 +9,8 @@
 
 namespace trammel::exact {
 
-// Clock frequencies of the part, in ticks a 25 clocks of a fabric of 50 MHz.
-enum class Lm628Clock : std::uint32_t { k6MHz = 3, k8MHz = 4 };
+// Clock frequencies of the part, in ticks a 25 clocks of a fabric of 50 MHz, or of 20 MHz.
+enum class Lm628Clock : std::uint32_t { k6MHz = 3, k8MHz = 4, k8MHzOf20 = 10 };
 
 // Clocks until the last of so many ticks.
 constexpr std::uint32_t lm628_clocks(Lm628Clock clock, std::uint32_t ticks) {

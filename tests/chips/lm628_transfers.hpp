@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Random transfers at the host port of an LM628 that follows its moves more or less.
+#pragma once
+
+#include <array>
+#include <catch2/catch.hpp>
+#include <cstdint>
+#include <cstdlib>
+
+#include "tests/chips/lm628_bench.hpp"
+#include "tests/support/random.hpp"
+
+namespace trammel::test {
+
+// A transfer as it should be, of the kind that makes moves, stops and interrupts.
+template <class Bench>
+void ordered(Bench& bench, Random& random) {
+  static constexpr std::array<Opcode, 9> kPlain{Opcode::kStt,   Opcode::kDfh,    Opcode::kSip,
+                                                Opcode::kUdf,   Opcode::kPort8,  Opcode::kPort12,
+                                                Opcode::kRdsum, Opcode::kRdsigs, Opcode::kRdrv};
+  static constexpr std::array<Opcode, 4> kLong{Opcode::kRddv, Opcode::kRddp, Opcode::kRdip,
+                                               Opcode::kRdrp};
+  const unsigned some = random() % 2000;
+  switch (random() % 10) {
+    case 0:
+    case 1: {
+      const unsigned control = random() % 8 == 0 ? 0x100u << random() % 3 : random() % 2 << 11;
+      const std::int64_t way = static_cast<std::int64_t>(random() % 200) - 100;
+      bench.trajectory(control | (random() % 2 << 12) | 0x2A | random() % 2,
+                       {random() % 90000, random() % 900000, way});
+      break;
+    }
+    case 2:
+      bench.command(Opcode::kLfil, {0x000Fu | random() % 4 << 8, some, some / 50, some, some});
+      break;
+    case 3:
+      bench.command(random() % 2 == 0 ? Opcode::kMski : Opcode::kRsti, {random() % 128});
+      break;
+    case 4:
+      bench.command(random() % 3 == 0 ? Opcode::kLpes : Opcode::kLpei, {100 + some});
+      break;
+    case 5:
+      bench.command(Opcode::kSbpr, {0, random() % 100});
+      break;
+    case 6:
+      bench.ask(kLong[random() % kLong.size()]);
+      break;
+    case 7:
+      bench.command(Opcode::kStt);
+      break;
+    default: {
+      const Opcode op = kPlain[random() % kPlain.size()];
+      bench.command(op);
+      if (exact::words_replied(Bench::code(op)) != 0) bench.read_word();
+    }
+  }
+}
+
+// Any access at any time.
+template <class Bench>
+void wild(Bench& bench, Random& random) {
+  switch (random() % 4) {
+    case 0:
+      bench.write(false, static_cast<std::uint8_t>(1 + random() % 0x23));
+      break;
+    case 1:
+      bench.read(true);
+      break;
+    case 2:
+      bench.status();
+      break;
+    default:
+      bench.write(true, static_cast<std::uint8_t>(random() % 4));
+  }
+  bench.clocks(random() % 2 == 0 ? 1100 : random() % 1100);
+}
+
+template <class Bench>
+void run_random(Bench& bench, int transfers, std::uint32_t seed) {
+  Random random(seed);
+  bench.start();
+  for (int n = 0; n < transfers; ++n) {
+    CAPTURE(n);
+    bench.chip.in.wrap = n / 500 % 2 == 1;
+    if (random() % 10 == 0) {
+      wild(bench, random);
+    } else {
+      bench.ready();
+      ordered(bench, random);
+    }
+    if (random() % 4 == 0) bench.clocks(random() % 20000);
+    const std::int64_t error = bench.engine().desired().position / 65536 - bench.position();
+    bench.set_index(bench.position() / 64 * 64);
+    if (std::abs(error) < 3000) bench.move_to(bench.position() + error / 4);
+    if (random() % 1000 == 0) bench.start();
+  }
+}
+
+}  // namespace trammel::test
