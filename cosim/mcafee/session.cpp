@@ -109,8 +109,10 @@ Sample Session::sample_at(cosim::Clk edge) const {
   for (std::size_t k = 0; k < 2; ++k) {
     const plant::LeadscrewAxis& axis = plant_.stage().axis(k);
     const plant::DcMotorState state = axis.state(edge);
-    sample.axis[k] = {chip_->words(static_cast<int>(k)),
-                      1e3 * state.theta / axis.sensor().radians_per_m(), state.i, axis.voltage()};
+    const double mm = 1e3 / axis.sensor().radians_per_m();  // a radian
+    const int part = static_cast<int>(k);
+    sample.axis[k] = {chip_->words(part), chip_->host_irq(part), mm * state.theta,
+                      mm * state.omega,   state.i,               axis.voltage()};
   }
   sample.limits = plant_.limits();
   sample.row = app_.rows();

@@ -39,7 +39,11 @@ class TwinChip final : public McafeeChip {
     w.speed = static_cast<std::int32_t>(engine.desired().speed);
     w.actual = static_cast<std::int32_t>(engine.actual());
     w.error = static_cast<std::int32_t>(engine.error());
+    w.proportional = static_cast<std::int32_t>(engine.filter().kp * engine.error());
+    w.integral = static_cast<std::int32_t>(engine.pid().integral(engine.filter()));
+    w.derivative = static_cast<std::int32_t>(engine.pid().derivative());
     w.output = static_cast<std::int32_t>(engine.output());
+    w.status = part(axis).status();
     return w;
   }
   bool host_irq(int axis) const override { return part(axis).out().hi; }

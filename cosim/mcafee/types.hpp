@@ -51,9 +51,11 @@ struct Options {
 
 struct AxisSample {
   lm628::Words words;
-  double x_mm = 0;  // where the table is, from its start
-  double i = 0;     // [A]
-  double volt = 0;  // [V] that the amplifier is told to give
+  bool host_irq = false;
+  double x_mm = 0;    // where the table is, from its start
+  double mm_s = 0;    // its speed
+  double i = 0;       // [A]
+  double volt = 0;    // [V] that the amplifier is told to give
 };
 
 // At the edge that publishes a sample's results.

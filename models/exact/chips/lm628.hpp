@@ -39,6 +39,7 @@ class Lm628 {
 
   Out out() const { return {port_.d(), port_.d_oe(), port_.hi(), output_.out()}; }
   const Lm628Engine& engine() const { return engine_; }
+  std::uint8_t status() const { return port_.status(host_in({})); }
   bool samples() const { return time_.sample(); }  // at the present edge
   bool commits() const { return time_.commit(); }
 

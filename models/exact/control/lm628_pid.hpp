@@ -37,11 +37,12 @@ class Lm628Pid {
       last_e_ = e;
       wait_ = c.interval;
     }
-    const std::int64_t integral = fixed::clip(c.ki * sum(), -c.il, c.il);
-    return word(c, word(c, c.kp * e) + integral + derivative_);
+    return word(c, word(c, c.kp * e) + integral(c) + derivative_);
   }
 
   std::int64_t sum() const { return fixed::floor_shift(sum_, 8); }  // what RDSUM returns
+  std::int64_t integral(const Config& c) const { return fixed::clip(c.ki * sum(), -c.il, c.il); }
+  std::int64_t derivative() const { return derivative_; }  // the one that is held
 
  private:
   static constexpr std::int64_t kSumLimit = (1 << 23) - 1;

@@ -82,6 +82,8 @@ class Lm628Engine {
   std::int64_t actual() const { return actual_; }
   std::int64_t error() const { return error_; }
   std::int64_t output() const { return output_; }  // 16 bits, of the last sample
+  const Lm628Pid& pid() const { return pid_; }
+  const Lm628Pid::Config& filter() const { return filter_; }  // working, not the buffers
   bool output_eight_bits() const { return output_eight_; }
   bool moving() const { return moving_; }
 
