@@ -83,6 +83,7 @@ RUNS = [
     (0, "run", "mcafee-stage1", "-s", "trajectory.readings=3", "-o", "OUT/mcafee"),
     (5, "run", "mcafee-stage2", "-s", "run.max_s=0.02", "-o", "OUT/mcafee"),
     (5, *MCAFEE, "-s", "path.side_mm=4", "-s", "stage.switch_high_m=0.001", "-o", "OUT/mcafee"),
+    (0, "report", "OUT/mcafee"), (0, "report", "OUT/mcafee", "OUT/mcafee", "-o", "OUT/two.html"),
     (0, "track"), (0, "track", "-s", "path.kind=circle", "-o", "OUT/circle.csv"),
     (0, "list", "keys", "mcafee"),
     # A gain that rounds up to the next power of two, and one below the least exponent.
@@ -138,6 +139,7 @@ REFUSED = [
     (5, "not within 0.01 s", "lm628", "OUT/late.lm628"),
     (5, "busy bit did not clear", "lm628", "OUT/busy.lm628"),
     (2, "only runs of one machine", "report", "OUT/direct", "OUT/an693", "-o", "OUT/two.html"),
+    (2, "only runs of one machine", "report", "OUT/mcafee", "OUT/an693", "-o", "OUT/two.html"),
     (2, "at most 8", "report", *["OUT/direct"] * 9, "-o", "OUT/two.html"),
     (2, "name a file", "report", "OUT/direct", "-o", "OUT/empty"),
 ]

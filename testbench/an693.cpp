@@ -10,6 +10,7 @@
 
 #include "testbench/config.hpp"
 #include "testbench/output.hpp"
+#include "testbench/part_json.hpp"
 #include "testbench/progress.hpp"
 #include "testbench/report_page.hpp"
 
@@ -17,8 +18,6 @@ namespace trammel::testbench {
 namespace {
 
 constexpr double kSettledBand = 2.5;  // [count] that a step settles to
-constexpr double kPerCount = 65536;  // of a position or speed
-constexpr unsigned kMotorOff = 0x80;  // of the status
 
 // What a script does itself, or what does not end its run.
 bool of_firmware(const KeyInfo& key) {
@@ -127,31 +126,10 @@ void finish(const lm628::Options& options) {
   }
 }
 
-std::string verdict_text(const lm628::Options& options, const lm628::Result& result) {
-  switch (result.end) {
-    case cosim::EndReason::kDone: return "done";
-    case cosim::EndReason::kFault: return "tripped: " + result.fault;
-    case cosim::EndReason::kDiverged:
-      return fmt::format("diverged: error above run.diverged_counts = {}",
-                         options.run.diverged_counts);
-    case cosim::EndReason::kTimeout:
-      return result.fault.empty() ? fmt::format("not finished within run.max_s = {:g}",
-                                                options.run.max_s)
-                                  : result.fault;
-    default: return end_text(result.end);
-  }
-}
-
 nlohmann::ordered_json an693_json(const lm628::Options& options, const lm628::Result& result,
                                   const An693Metrics& m, const std::string& command,
                                   const An693Script* script) {
-  nlohmann::ordered_json json;
-  json["machine"] = machine_name<lm628::Options>();
-  json["scenario"] = options.scenario;
-  json["command"] = command;
-  json["end"] = end_text(result.end);
-  json["verdict"] = verdict_text(options, result);
-  if (!result.fault.empty()) json["fault"] = result.fault;
+  nlohmann::ordered_json json = head_json(options, result, command);
   json["motion"] = {{"samples", m.moving_samples},
                     {"time_s", m.moving_s},
                     {"desired_count", result.desired},
@@ -163,15 +141,7 @@ nlohmann::ordered_json an693_json(const lm628::Options& options, const lm628::Re
                     {"max_voltage_V", m.max_voltage_V},
                     {"max_current_A", m.max_current_A}};
   json["interrupts"] = interrupts_json(m.interrupts);
-  const double simulated = seconds_at(options, result.clocks);
-  json["run"] = {{"samples", result.samples.size()},
-                 {"clock_ps", options.plant.clock_ps},
-                 {"clocks", result.clocks},
-                 {"clocks_evaluated", result.evaluated},
-                 {"simulated_s", simulated},
-                 {"wall_s", result.wall_s},
-                 {"real_time_factor", result.wall_s > 0 ? simulated / result.wall_s : 0},
-                 {"event_hash", fmt::format("{:016x}", result.event_hash)}};
+  json["run"] = simulation_json(result, options.plant.clock_ps);
   if (script != nullptr) json["script"] = script->answers;
   json["versions"] = versions_json();
   for (const auto& key : keys_of<lm628::Options>()) {

@@ -51,9 +51,6 @@ struct An693Script {
   nlohmann::ordered_json answers;   // an entry a line
 };
 
-// How it ended, in one line; a script's own words where it could not go on.
-std::string verdict_text(const lm628::Options& options, const lm628::Result& result);
-
 // metrics.json; `command` repeats the run.
 nlohmann::ordered_json an693_json(const lm628::Options& options, const lm628::Result& result,
                                   const An693Metrics& metrics, const std::string& command,

@@ -10,7 +10,9 @@
 
 #include "testbench/config.hpp"
 #include "testbench/output.hpp"
+#include "testbench/part_json.hpp"
 #include "testbench/progress.hpp"
+#include "testbench/report_page.hpp"
 
 namespace trammel::testbench {
 namespace {
@@ -25,11 +27,14 @@ bool same_target(const mcafee::Sample& a, const mcafee::Sample& b) {
          a.axis[1].words.position == b.axis[1].words.position;
 }
 
+constexpr const char* kSwitches[] = {"low switch", "high switch"};
+
 nlohmann::ordered_json figures_json(const mcafee::Result& result, const McafeeMetrics& m) {
   nlohmann::ordered_json json{{"time_s", m.moving_s}};
   if (!m.contour_mm.empty()) {
     json["rows"] = result.samples.empty() ? 0 : result.samples.back().row;
     json["contour_max_mm"] = m.contour_max_mm;
+    json["contour_max_s"] = m.contour_max_s;
     json["contour_rms_mm"] = m.contour_rms_mm;
     json["contour_end_mm"] = m.contour_end_mm;
   }
@@ -39,25 +44,31 @@ nlohmann::ordered_json figures_json(const mcafee::Result& result, const McafeeMe
   return json;
 }
 
+nlohmann::ordered_json events_json(const std::vector<McafeeMetrics::Event>& events) {
+  auto all = nlohmann::ordered_json::array();
+  for (const McafeeMetrics::Event& one : events) {
+    all.push_back({{"sample", one.sample}, {"time_s", one.time_s},
+                   {"axis", one.axis == 0 ? "x" : "y"}, {"what", one.what},
+                   {"desired_count", one.desired}, {"real_count", one.real},
+                   {"status", one.status}});
+  }
+  return all;
+}
+
 nlohmann::ordered_json run_json(const mcafee::Options& options,
                                 const std::vector<McafeeRun>& runs) {
   const mcafee::Result& result = runs.front().result;
-  nlohmann::ordered_json json;
-  json["machine"] = machine_name<mcafee::Options>();
-  json["scenario"] = options.scenario;
-  json["end"] = end_text(result.end);
-  if (!result.fault.empty()) json["fault"] = result.fault;
-  json["motion"] = figures_json(result, runs.front().metrics);
+  const McafeeMetrics& m = runs.front().metrics;
+  nlohmann::ordered_json json = head_json(options, result, repeat_command(options));
+  json["motion"] = figures_json(result, m);
   json["real_count"] = result.real;
   if (options.stage == McafeeStage::kRead) json["readings"] = result.readings;
   for (std::size_t k = 1; k < runs.size(); ++k) {
     json["compared"][runs[k].name] = figures_json(runs[k].result, runs[k].metrics);
   }
-  const double simulated = cosim::seconds_of(result.clocks, options.stage_axis.clock_ps);
-  json["run"] = {{"samples", result.samples.size()}, {"clocks", result.clocks},
-                 {"clocks_evaluated", result.evaluated}, {"simulated_s", simulated},
-                 {"wall_s", result.wall_s},
-                 {"event_hash", fmt::format("{:016x}", result.event_hash)}};
+  json["events"] = events_json(m.events);
+  json["run"] = simulation_json(result, options.stage_axis.clock_ps);
+  json["run"]["first_sample"] = options.stage == McafeeStage::kTrack ? m.first : 0;
   json["versions"] = versions_json();
   for (const auto& key : keys_of<mcafee::Options>()) {
     json["options"][key.name] = value_json(key.get(options));
@@ -70,7 +81,8 @@ void write_tracked(const std::filesystem::path& file, const mcafee::Options& opt
   write_lines(file, [&](fmt::ostream& out) {
     out.print("t_s,row,v,limits,contour_mm");
     for (const char axis : {'x', 'y'}) {
-      out.print(",{0}_desired_count,{0}_real_count,{0}_mm,{0}_e,{0}_output,{0}_i_A,{0}_u_V", axis);
+      out.print(",{0}_desired_count,{0}_desired_speed,{0}_real_count,{0}_mm,{0}_mm_s,{0}_e,{0}_p,"
+                "{0}_i,{0}_d,{0}_output,{0}_status,{0}_host_irq,{0}_i_A,{0}_u_V", axis);
     }
     out.print("\n");
     for (std::size_t k = 0; k < run.result.samples.size(); ++k) {
@@ -79,9 +91,12 @@ void write_tracked(const std::filesystem::path& file, const mcafee::Options& opt
       out.print("{:.8f},{},{},{},{:.5f}", cosim::seconds_of(s.edge, options.stage_axis.clock_ps),
                 s.row, s.v, s.limits, contour);
       for (const mcafee::AxisSample& a : s.axis) {
-        out.print(",{:.5f},{},{:.5f},{},{},{:.5g},{:.5g}",
-                  static_cast<double>(a.words.position) / 65536, a.words.actual, a.x_mm,
-                  a.words.error, a.words.output, a.i, a.volt);
+        const lm628::Words& w = a.words;
+        out.print(",{:.5f},{:.5f},{},{:.5f},{:.4f},{},{},{},{},{},{},{},{:.5g},{:.5g}",
+                  static_cast<double>(w.position) / kPerCount,
+                  static_cast<double>(w.speed) / kPerCount, w.actual, a.x_mm, a.mm_s, w.error,
+                  w.proportional, w.integral, w.derivative, w.output, w.status,
+                  a.host_irq ? 1 : 0, a.i, a.volt);
       }
       out.print("\n");
     }
@@ -99,7 +114,7 @@ std::string figures_line(const McafeeRun& run) {
 }
 
 std::string text_report(const mcafee::Options& options, const std::vector<McafeeRun>& runs,
-                        const std::string& folder, bool pictures) {
+                        const std::string& folder, bool pictures, const std::string& page) {
   const mcafee::Result& result = runs.front().result;
   const McafeeMetrics& m = runs.front().metrics;
   std::string text = fmt::format("{}: {}{}\n", options.scenario, end_text(result.end),
@@ -114,9 +129,11 @@ std::string text_report(const mcafee::Options& options, const std::vector<Mcafee
   text += fmt::format("  {:<22}{} counts\n", "largest error", m.max_error_counts);
   text += fmt::format("  {:<22}{:.2f} mm/s, current {:.2f} A\n", "largest speed", m.max_speed_mm_s,
                       m.max_current_A);
-  return text + fmt::format("  {}/metrics.json, trace.csv, run.toml{}{}\n", folder,
-                            options.stage == McafeeStage::kTrack ? ", table.csv" : "",
-                            pictures ? ", path.svg, contour.svg" : "");
+  text += fmt::format("  {}/metrics.json, trace.csv, run.toml{}{}\n", folder,
+                      options.stage == McafeeStage::kTrack ? ", table.csv, detail.json" : "",
+                      pictures ? ", path.svg, contour.svg" : "");
+  if (!page.empty()) text += fmt::format("  report: {}\n", page);
+  return text;
 }
 
 void warn(const std::string& scenario, const std::vector<std::string>& warnings) {
@@ -145,6 +162,25 @@ McafeeRun simulated(const std::string& name, const mcafee::Options& options,
   McafeeRun run{name, simulate(options, shown_in(progress, stop)), {}};
   run.metrics = evaluate(options, run.result);
   return run;
+}
+
+// What began with sample k.
+void add_events(std::vector<McafeeMetrics::Event>& events, const mcafee::Sample& before,
+                const mcafee::Sample& s, std::size_t k, std::int64_t clock_ps) {
+  for (std::size_t a = 0; a < 2; ++a) {
+    const lm628::Words& w = s.axis[a].words;
+    const auto add = [&](const std::string& what) {
+      events.push_back({k, cosim::seconds_of(s.edge, clock_ps), static_cast<int>(a), what,
+                        w.position >> 16, w.actual, w.status});
+    };
+    if (s.axis[a].host_irq && !before.axis[a].host_irq) add("interrupt");
+    if ((w.status & ~before.axis[a].words.status & kMotorOff) != 0) add("motor off");
+    for (std::size_t end = 0; end < 2; ++end) {
+      const unsigned open = s.limits >> (2 * a + end) & 1;
+      if (open == (before.limits >> (2 * a + end) & 1)) continue;
+      add(std::string(kSwitches[end]) + (open != 0 ? " open" : " closed"));
+    }
+  }
 }
 
 std::vector<McafeeRun> all_runs(const mcafee::Options& options, const SimulateMcafee& simulate,
@@ -182,6 +218,7 @@ McafeeMetrics evaluate(const mcafee::Options& options, const mcafee::Result& res
   for (std::size_t k = 0; k < result.samples.size(); ++k) {
     const mcafee::Sample s = result.samples[k];
     const bool moves = k > 0 && !same_target(s, before);
+    if (k > 0) add_events(m.events, before, s, k, options.stage_axis.clock_ps);
     before = s;
     if (!begun && (tracks ? s.row > 0 : moves)) {
       begun = true;
@@ -192,13 +229,16 @@ McafeeMetrics evaluate(const mcafee::Options& options, const mcafee::Result& res
       const mcafee::PointMm at{origin.x + s.axis[0].x_mm, origin.y + s.axis[1].x_mm};
       const double way = result.table.row_mm * s.row;
       m.contour_mm.push_back(path->distance(at, way, kReachMm));
-      m.contour_max_mm = std::max(m.contour_max_mm, m.contour_mm.back());
       m.contour_end_mm = m.contour_mm.back();
+      if (m.contour_end_mm > m.contour_max_mm) {
+        m.contour_max_mm = m.contour_end_mm;
+        m.contour_max_s = begun ? static_cast<double>(k - m.first) * mcafee::kSampleS : 0;
+      }
       if (begun) squares += m.contour_end_mm * m.contour_end_mm;
     }
     for (const mcafee::AxisSample& a : s.axis) {
       m.max_error_counts = std::max<std::int64_t>(m.max_error_counts, std::abs(a.words.error));
-      const double speed = std::fabs(static_cast<double>(a.words.speed)) / 65536 * count_mm;
+      const double speed = std::fabs(static_cast<double>(a.words.speed)) / kPerCount * count_mm;
       m.max_speed_mm_s = std::max(m.max_speed_mm_s, speed / mcafee::kSampleS);
       m.max_current_A = std::max(m.max_current_A, std::fabs(a.i));
     }
@@ -228,14 +268,19 @@ int run_mcafee(const mcafee::Options& options, const RunArguments& arguments,
   if (options.stage == McafeeStage::kTrack) {
     warn(options.scenario, run.result.table.warnings);
     write_text(folder.scratch() / "table.csv", table_csv(run.result.table));
+    write_text(folder.scratch() / "detail.json", tracking_json(options, runs).dump() + '\n');
     pictures = write_tracking_pictures(folder.scratch(), options, runs);
     if (!pictures) fmt::print(stderr, "trammel: no pictures: gnuplot is missing or failed\n");
   }
+  const bool page = arguments.report && guarded([&] { write_run_page(folder.scratch()); });
   folder.publish();
 
-  const std::string shown = fs::proximate(folder.target()).string();
-  fmt::print("{}", arguments.json ? json.dump(2) + '\n'
-                                  : text_report(options, runs, shown, pictures));
+  const fs::path target = fs::proximate(folder.target());
+  const std::string shown = target.string();
+  fmt::print("{}", arguments.json
+                       ? json.dump(2) + '\n'
+                       : text_report(options, runs, shown, pictures,
+                                     page ? (target / "report.html").string() : ""));
   return tell_end(options.scenario, run.result.end,
                   run.result.fault.empty() ? "" : " by " + run.result.fault, shown);
 }

@@ -5,10 +5,13 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
+
+#include <nlohmann/json.hpp>
 
 #include "cosim/mcafee/types.hpp"
 #include "testbench/metrics.hpp"
@@ -18,9 +21,21 @@ namespace trammel::testbench {
 
 // Of Stage III from the first row on, of the others from the first motion.
 struct McafeeMetrics {
+  struct Event {
+    std::size_t sample = 0;  // of the record
+    double time_s = 0;       // from the start of the run
+    int axis = 0;
+    std::string what;          // "interrupt", "motor off", "low switch open"...
+    std::int64_t desired = 0;  // [count]
+    std::int64_t real = 0;
+    unsigned status = 0;
+  };
+
+  std::vector<Event> events;
   std::size_t first = 0;           // sample with which the motion begins
   double moving_s = 0;             // until the desired position stood for good
   double contour_max_mm = 0;       // distance of the table from the path: its largest,
+  double contour_max_s = 0;        // when that was, from the first row on;
   double contour_rms_mm = 0;       // its root mean square while moving,
   double contour_end_mm = 0;       // and at the end
   Series contour_mm;               // in every sample, of Stage III
@@ -42,6 +57,10 @@ struct McafeeRun {
 // false without gnuplot.
 bool write_tracking_pictures(const std::filesystem::path& folder, const mcafee::Options& options,
                              const std::vector<McafeeRun>& runs);
+
+// detail.json of a run that tracks, for its page: rows of its table, contour errors of all runs.
+nlohmann::ordered_json tracking_json(const mcafee::Options& options,
+                                     const std::vector<McafeeRun>& runs);
 
 // Simulates, writes the output folder and prints the figures; the exit code.
 int run_mcafee(const mcafee::Options& options, const RunArguments& arguments,

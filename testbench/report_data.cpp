@@ -16,11 +16,21 @@
 
 namespace trammel::testbench {
 namespace fs = std::filesystem;
-namespace {
 
-[[noreturn]] void corrupt(const fs::path& file, const std::string& what) {
+void corrupt(const fs::path& file, const std::string& what) {
   throw ConfigError(fmt::format("{}: {}", file.string(), what));
 }
+
+void require(const fs::path& file, const Json& json, const std::string& path,
+             bool (Json::*is)() const noexcept) {
+  const Json::json_pointer pointer(path);
+  if (!json.contains(pointer)) corrupt(file, fmt::format("is corrupt: {} is missing", path));
+  if (!(json.at(pointer).*is)()) {
+    corrupt(file, fmt::format("is corrupt: {} is of a wrong kind", path));
+  }
+}
+
+namespace {
 
 std::ifstream open_file(const fs::path& file) {
   std::error_code ignored;
@@ -49,16 +59,6 @@ Json read_json(const fs::path& file) {
   corrupt(file, "is corrupt: not a JSON object");
 }
 
-// The member that `path` names must be there and of that type.
-void require(const fs::path& file, const Json& json, const std::string& path,
-             bool (Json::*is)() const noexcept) {
-  const Json::json_pointer pointer(path);
-  if (!json.contains(pointer)) corrupt(file, fmt::format("is corrupt: {} is missing", path));
-  if (!(json.at(pointer).*is)()) {
-    corrupt(file, fmt::format("is corrupt: {} is of a wrong kind", path));
-  }
-}
-
 void check_metrics(const fs::path& file, const Json& m, const PageOf& page) {
   const auto each = [&](const std::vector<std::string>& paths, bool (Json::*is)() const noexcept) {
     for (const std::string& path : paths) require(file, m, path, is);
@@ -71,49 +71,7 @@ void check_metrics(const fs::path& file, const Json& m, const PageOf& page) {
   each(page.counts, &Json::is_number_unsigned);
   each(page.numbers, &Json::is_number);
   each(page.objects, &Json::is_object);
-}
-
-bool is_whole(const Json& json) { return json.is_number_integer(); }
-bool is_whole_or_null(const Json& json) { return json.is_number_integer() || json.is_null(); }
-
-// An array of `size` entries (0: any number) that all are what `each` says.
-template <class Each>
-bool is_list(const Json& json, std::size_t size, Each each) {
-  return json.is_array() && (size == 0 || json.size() == size) &&
-         std::all_of(json.begin(), json.end(), each);
-}
-
-void check_detail(const fs::path& file, const Json& d) {
-  for (const std::string axis : {"x", "y"}) {
-    for (const std::string when : {"first", "last"}) {
-      const std::string path = "/rules/" + axis + '/' + when;
-      require(file, d, path, &Json::is_array);
-      if (!is_list(d.at(Json::json_pointer(path)), 49, is_whole)) {
-        corrupt(file, fmt::format("is corrupt: {} does not hold 49 rules", path));
-      }
-    }
-    if (d.contains("moment") && d["moment"].is_object()) {
-      const std::string path = "/moment/" + axis + "/steps";
-      require(file, d, path, &Json::is_array);
-      const auto step = [](const Json& one) { return is_list(one, 2, is_whole_or_null); };
-      if (!is_list(d.at(Json::json_pointer(path)), 35, step)) {
-        corrupt(file, fmt::format("is corrupt: {} does not hold 35 steps", path));
-      }
-    }
-  }
-  if (d.contains("gates") && d["gates"].is_object()) {
-    require(file, d, "/gates/begin", &Json::is_number_integer);
-    require(file, d, "/gates/end", &Json::is_number_integer);
-    require(file, d, "/gates/edges", &Json::is_array);
-    require(file, d, "/gates/compare", &Json::is_array);
-    const auto edge = [](const Json& one) { return is_list(one, 2, is_whole); };
-    const auto axis = [](const Json& one) { return is_list(one, 3, is_whole); };
-    const auto period = [&](const Json& one) { return is_list(one, 2, axis); };
-    if (!is_list(d["gates"]["edges"], 0, edge) || d["gates"]["edges"].empty() ||
-        !is_list(d["gates"]["compare"], 0, period)) {
-      corrupt(file, "is corrupt: /gates does not hold gate edges and compare values");
-    }
-  }
+  each(page.arrays, &Json::is_array);
 }
 
 std::vector<std::string> split(const std::string& line) {
@@ -165,19 +123,6 @@ void read_trace(const fs::path& file, RunRecord& run) {
   }
 }
 
-// Distance of the table to the commanded path [m]; 0 before the first sample of the path.
-Series contour(const RunRecord& run) {
-  Points table, path;
-  for (std::size_t k = run.first; k < run.rows; ++k) {
-    table.push_back({run.columns.at("x_position_m")[k], run.columns.at("y_position_m")[k]});
-    path.push_back({run.columns.at("x_command_m")[k], run.columns.at("y_command_m")[k]});
-  }
-  Series all;
-  for (std::size_t k = 0; k < run.first; ++k) all.push_back(0);
-  for (const double error : contour_error(table, path, kContourReach)) all.push_back(error);
-  return all;
-}
-
 }  // namespace
 
 RunRecord read_run(const fs::path& folder) {
@@ -196,19 +141,12 @@ RunRecord read_run(const fs::path& folder) {
   }
   run.page = &page_of(run.metrics["machine"], metrics);
   check_metrics(metrics, run.metrics, *run.page);
-  if (run.page->has_detail) {
+  if (run.page->has_detail != nullptr && run.page->has_detail(run.metrics)) {
     run.detail = read_json(folder / "detail.json");
-    check_detail(folder / "detail.json", run.detail);
+    run.page->check_detail(folder / "detail.json", run.detail);
   }
   read_trace(folder / "trace.csv", run);
-  if (!run.page->has_detail) return run;
-  const auto& ticks = run.columns["tick"];
-  const auto first = run.metrics["run"]["first_tick"].get<double>();
-  const auto begin = std::lower_bound(ticks.begin(), ticks.end(), first);
-  if (begin != ticks.end()) run.first = static_cast<std::size_t>(begin - ticks.begin());
-  if (run.metrics["options"]["path.kind"] != "square") {  // a square wave has no contour
-    run.columns["contour_m"] = contour(run);
-  }
+  if (run.page->complete != nullptr) run.page->complete(run);
   return run;
 }
 

@@ -17,13 +17,17 @@ namespace trammel::testbench {
 
 using Json = nlohmann::ordered_json;
 
+struct RunRecord;
+
 // What the files of a machine's runs must hold, and how fine a page shows them.
 struct PageOf {
-  std::vector<std::string> texts, counts, numbers, objects;  // members of metrics.json
+  std::vector<std::string> texts, counts, numbers, objects, arrays;  // members of metrics.json
   std::vector<std::string> columns;                          // of trace.csv
   std::vector<std::string> compared;                         // series of a page of several runs
   std::vector<std::string> flags;                            // columns of bits: none is passed over
-  bool has_detail = false;                                   // detail.json is there
+  bool (*has_detail)(const Json& metrics) = nullptr;         // detail.json is there
+  void (*check_detail)(const std::filesystem::path& file, const Json& detail) = nullptr;
+  void (*complete)(RunRecord& run) = nullptr;                // first row, series made of others
   double (*lsb)(const std::string& column) = nullptr;        // of a series
   Json (*keys)() = nullptr;                                  // default and meaning of each key
   std::string (*title)(const Json& metrics) = nullptr;
@@ -41,6 +45,12 @@ struct RunRecord {
   std::size_t first = 0;                               // row at which the path begins
   std::size_t rows = 0;
 };
+
+[[noreturn]] void corrupt(const std::filesystem::path& file, const std::string& what);
+
+// The member that `path` names must be there and of that type.
+void require(const std::filesystem::path& file, const Json& json, const std::string& path,
+             bool (Json::*is)() const noexcept);
 
 // Throws ConfigError with one line that names the file and what is wrong with it.
 RunRecord read_run(const std::filesystem::path& folder);

@@ -262,5 +262,6 @@ std::string repeat_command(const Options& options) {
 
 template std::string repeat_command(const kung::Options&);
 template std::string repeat_command(const lm628::Options&);
+template std::string repeat_command(const mcafee::Options&);
 
 }  // namespace trammel::testbench

@@ -6,13 +6,7 @@
   'use strict';
 
   const kSample = 256e-6;  // [s]
-  const kBits = ['busy', 'command error', 'trajectory complete', 'index pulse', 'wraparound',
-    'position error', 'breakpoint', 'motor off'];
   const kTurn = 2 * Math.PI;
-
-  // Names of the bits of a status that are set, but busy.
-  const bitsText = (status) => kBits.filter((name, bit) => bit > 0 && status >> bit & 1).reverse()
-    .join(', ') || '\u2013';
 
   const perTurn = (m) => m.options['encoder.counts'];
 
@@ -39,12 +33,10 @@
         3)} A`)]);
   }
 
-  const line = (label, data, role, unit, digits, more) => ({ label, data, role, unit, digits,
-    ...more });
-
   function motionSection(run) {
     const s = run.series;
     const d = run.data;
+    const { line } = T.lm628;
     const section = T.section('motion', 'Motion', 'Drag in a plot to zoom all of them, ' +
       'double-click to see everything. A click on a name hides its line. ' +
       (T.time.marks.length > 0 ? 'Dashed: the part interrupts its host.' : ''));
@@ -58,83 +50,15 @@
       T.timePlot({ id: 'speed', title: 'Speed', yLabel: 'speed (rev/s)', series: [
         line('desired', d.asked, 'asked', 'rev/s', 3, { width: 3 }),
         line('shaft', d.speed, 'actual', 'rev/s', 3)] }),
-      T.timePlot({ id: 'error', title: 'Error', small: 'desired less real', yLabel:
-        'error (counts)', series: [line('e', s.e, 'actual', 'counts', 0)] })));
+      T.lm628.errorPlot(s, '')));
   }
 
   function filterSection(run) {
     const s = run.series;
     const section = T.section('filter', 'Filter', 'What each sample adds up: the output has 16 ' +
       'bits, of which the converter gets the upper 12; the motor answers.');
-    section.append(T.timePlot({ id: 'terms', title: 'Terms', yLabel: 'terms', print: 'wide',
-      series: [line('output', s.output, 'asked', '', 0, { width: 1 }),
-        line('d', s.d, 'y', '', 0, { width: 1 }), line('p', s.p, 'model', '', 0),
-        line('i', s.i, 'x', '', 0)] }),
-    T.el('div', { class: 'grid two' },
-      T.timePlot({ id: 'voltage', title: 'Voltage', small: 'of the amplifier', yLabel:
-        'voltage (V)', series: [line('u', s.u_V, 'model', 'V', 2, { width: 1 })] }),
-      T.timePlot({ id: 'current', title: 'Current', small: 'of the motor', yLabel: 'current (A)',
-        series: [line('i', s.i_A, 'actual', 'A', 3, { width: 1 })] })));
-  }
-
-  // A row for the pin HI and for each status bit; a bar where it is set.
-  function statusPlot(run) {
-    const s = run.series;
-    const rows = [['HI', s.host_irq, 0], ...[7, 6, 5, 4, 3, 2, 1].map((bit) => [kBits[bit],
-      s.status, bit])];
-    const plot = { id: 'status', title: 'Status bits', print: 'wide', height: () => 250,
-      count: () => run.count };
-    const times = () => T.time.values;
-    const frameOf = (width, height) => T.frame({ x: 146, y: 8, w: width - 160, h: height - 52 },
-      T.time.range, [0, rows.length]);
-    plot.scene = function (p, width, height, theme) {
-      const frame = frameOf(width, height);
-      const { box } = frame;
-      const ticks = T.ticks(...frame.xRange, Math.max(2, box.w / 90));
-      const end = times()[run.count - 1];
-      rows.forEach(([name, values, bit], n) => {
-        const y = box.y + (n + 0.5) * box.h / rows.length;
-        p.text(box.x - 10, y, name, { fill: theme.muted, size: 12, align: 'right', middle: true });
-        p.path([box.x, y, box.x + box.w, y], { stroke: theme.grid });
-      });
-      for (const v of ticks) {
-        p.text(frame.x(v), box.y + box.h + 16, T.tickText(v, ticks), { fill: theme.muted,
-          size: 11.5, align: 'center' });
-      }
-      p.text(box.x + box.w / 2, box.y + box.h + 34, T.time.label, { fill: theme.muted, size: 12,
-        align: 'center' });
-      T.markEvents(p, theme, frame);
-      p.clip(box.x, box.y, box.w, box.h);
-      rows.forEach(([name, values, bit], n) => {
-        const top = box.y + (n + 0.22) * box.h / rows.length;
-        for (let k = 0; k < run.count; ++k) {
-          if (!(values[k] >> bit & 1)) continue;
-          const from = times()[k];
-          while (k + 1 < run.count && values[k + 1] >> bit & 1) ++k;
-          const to = k + 1 < run.count ? times()[k + 1] : end;
-          if (to < frame.xRange[0] || from > frame.xRange[1]) continue;
-          p.rect(frame.x(from), top, Math.max(2, frame.x(to) - frame.x(from)),
-            0.56 * box.h / rows.length, { fill: n === 0 ? theme.actual : theme.model });
-        }
-      });
-      p.unclip();
-    };
-    plot.cursor = null;
-    plot.overlay = function (p, width, height, theme) {
-      if (plot.cursor === null) return;
-      const frame = frameOf(width, height);
-      const x = frame.x(times()[plot.cursor]);
-      p.path([x, frame.box.y, x, frame.box.y + frame.box.h], { stroke: theme.faint });
-    };
-    const card = T.figure(plot, 'and the pin that interrupts the host');
-    let shown = '';
-    T.time.follow((cursor, range) => {
-      plot.cursor = cursor;
-      if (shown === String(range)) return plot.redrawOver();
-      shown = String(range);
-      return plot.redraw();
-    });
-    return card;
+    section.append(T.lm628.termsPlot(s, '', 'wide'), T.el('div', { class: 'grid two' },
+      T.lm628.voltagePlot(s, ''), T.lm628.currentPlot(s, '')));
   }
 
   function interruptTable(m) {
@@ -143,7 +67,7 @@
       'desired (counts)', 'real (counts)', T.el('th', { class: 'text' }, 'status')],
     m.interrupts.map((one, k) => [k + 1, T.whole(one.sample), T.num(one.time_s, 5),
       T.whole(one.desired_count), T.whole(one.real_count), T.el('td', { class: 'text' },
-        bitsText(one.status))])));
+        T.lm628.bitsText(one.status))])));
   }
 
   // Name, unit, digits, where it is; true: more of it is neither good nor bad.
@@ -180,17 +104,15 @@
       T.time.marks = m.interrupts.map((one) => one.time_s);
       motionSection(run);
       filterSection(run);
-      T.section('status', 'Status', '').append(statusPlot(run), T.el('div', { class: 'card' },
-        interruptTable(m)));
+      T.section('status', 'Status', '').append(T.lm628.statusPlot(run, '', [],
+        'and the pin that interrupts the host'), T.el('div', { class: 'card' },
+      interruptTable(m)));
     }
     if (m.script) {
       T.section('script', 'Script', 'Simulated time at the end of each line, from the start of ' +
         'the run.').append(scriptCard(m));
     }
-    const figures = kFigures.filter(([, , , of]) => of(m) !== undefined);
-    T.section('figures', 'Figures', '').append(T.el('div', { class: 'card' }, T.el('div',
-      { class: 'scroll' }, T.table(['Figure', 'value'], figures.map(([name, unit, digits, of]) => [
-        unit ? `${name} (${unit})` : name, T.num(of(m), digits)])))));
+    T.section('figures', 'Figures', '').append(T.figureCard(m, kFigures));
     T.section('parameters', 'Parameters', 'Marked: what differs from the default.').append(
       T.parameterCard(m, T.page.keys));
   }

@@ -102,6 +102,12 @@
     return node;
   }
 
+  // Figures of a run by a machine's list: [name, unit, digits, of(metrics)].
+  T.figureCard = (m, list) => T.el('div', { class: 'card' }, T.el('div', { class: 'scroll' },
+    T.table(['Figure', 'value'], list.filter(([, , , of]) => of(m) !== undefined)
+      .map(([name, unit, digits, of]) => [unit ? `${name} (${unit})` : name, T.num(of(m),
+        digits)]))));
+
   // What must be said wherever these figures are shown.
   T.paperNote = function (list) {
     const notes = [...new Set(list.map((m) => m.comparison_note).filter(Boolean))];

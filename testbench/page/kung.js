@@ -29,6 +29,10 @@
     data.toCommand = data.command.x.map((v, k) => Math.hypot(v - data.table.x[k],
       data.command.y[k] - data.table.y[k]));
     data.toPath = s.contour_m ? scaled(s.contour_m, kMm) : null;
+    data.names = ['command', 'reference'];
+    data.colours = [{ button: 'to reference', label: 'table, error (mm)', values: data.toModel },
+      ...(data.toPath ? [{ button: 'to path', label: 'table, contour (mm)', values: data.toPath }]
+        : [])];
     run.data = data;
   }
 

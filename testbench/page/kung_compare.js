@@ -42,29 +42,6 @@
       'ours', 'paper', 'expected', ''], rows));
   }
 
-  // The table's paths in small frames of one scale, the first run's in grey behind each.
-  function pathCards(runs) {
-      return runs.map((run, index) => {
-      const plot = { id: `path-${index + 1}`, title: run.label, print: 'quarter', saveWidth: 520,
-        height: (width) => Math.round(Math.min(width, 420) * 0.95), count: () => run.count };
-      plot.scene = function (p, width, height, theme) {
-        const box = { x: 54, y: 8, w: width - 64, h: height - 56 };
-        const { x, y } = run.data.table;
-        const xs = T.range(run.data.command.x, ...T.range(x));
-        const ys = T.range(run.data.command.y, ...T.range(y));
-        const scale = Math.max((xs[1] - xs[0]) / box.w, (ys[1] - ys[0]) / box.h) * 1.1 || 1;
-        const around = ([a, b], n) => [(a + b - scale * n) / 2, (a + b + scale * n) / 2];
-        const frame = T.frame(box, around(xs, box.w), around(ys, box.h));
-        T.drawFrame(p, theme, frame, { xLabel: 'x (mm)', yLabel: 'y (mm)', xCount: 3, yCount: 3 });
-        const line = (of) => Array.from({ length: 2 * run.count }, (v, k) => (k % 2 === 0
-          ? frame.x(of.x[k >> 1]) : frame.y(of.y[k >> 1])));
-        p.path(line(run.data.command), { stroke: theme.asked, width: 4, alpha: 0.5 });
-        p.path(line(run.data.table), { stroke: theme.runs[index], width: 1.6 });
-      };
-      return T.figure(plot, T.controller(run.metrics));
-    });
-  }
-
   const kindOf = (run) => run.metrics.options['path.kind'];
 
   function errorCards(runs, overlay) {
@@ -85,7 +62,7 @@
 
   function sections(runs) {
     T.section('paths', 'Paths', 'Command in grey, table in the colour of its run.').append(T.el(
-      'div', { class: 'grid four' }, pathCards(runs)));
+      'div', { class: 'grid four' }, T.pathCards(runs, (run) => T.controller(run.metrics))));
     if (runs.some((run) => run.metrics.comparison)) {
       T.section('paper', 'Paper', 'Figures of Kung et al. 2012 (DOI 10.5772/48457), and those ' +
         'expected of a bit-exact model.').append(T.el('div', { class: 'card long' },

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The X-Y path: command, reference model and table with equal axes; the table's line is coloured by
-// its error, and its distance from the reference can be drawn larger than it is.
+// The X-Y path: command, what the controllers follow and the table, with equal axes; the table's
+// line is coloured by what is chosen, and its distance from what is followed can be drawn larger
+// than it is.
 (function (T) {
   'use strict';
 
@@ -18,10 +19,14 @@
     return T.frame(box, around(xRange, box.w), around(yRange, box.h));
   }
 
+  // data: {n, command, model, table, names, colours} and optionally way, the command as a line of
+  // its own; points are {x, y} in millimetres. names: of command and model. A colour is {button,
+  // label, values}.
   T.pathPlot = function (data) {
-    const { n, command, model, table, toModel, toPath } = data;
-    const state = { magnify: 1, by: 'model', range: null, cursor: null };
-    const error = () => (state.by === 'model' ? toModel : toPath);
+    const { n, command, model, table, names, colours } = data;
+    const way = data.way || command;
+    const state = { magnify: 1, by: colours[0], range: null, cursor: null };
+    const coloured = () => state.by.values;
     const shown = (k, axis) => model[axis][k] + state.magnify * (table[axis][k] - model[axis][k]);
 
     const plot = { id: 'path', title: 'Path', height: (width) => Math.round(Math.min(width + kFoot(
@@ -29,8 +34,8 @@
 
     plot.frame = function (width, height) {
       const box = { x: 60, y: 14, w: width - 74, h: height - kFoot(width) };
-      let xs = T.range(command.x, ...T.range(model.x));
-      let ys = T.range(command.y, ...T.range(model.y));
+      let xs = T.range(way.x, ...T.range(model.x));
+      let ys = T.range(way.y, ...T.range(model.y));
       for (let k = 0; k < n; ++k) {
         const x = shown(k, 'x');
         const y = shown(k, 'y');
@@ -45,7 +50,7 @@
 
     const line = (frame, of) => {
       const points = [];
-      for (let k = 0; k < n; ++k) points.push(frame.x(of.x[k]), frame.y(of.y[k]));
+      for (let k = 0; k < of.x.length; ++k) points.push(frame.x(of.x[k]), frame.y(of.y[k]));
       return points;
     };
 
@@ -56,9 +61,9 @@
       T.drawFrame(p, theme, frame, { xLabel: 'x (mm)', yLabel: 'y (mm)', xCount: count,
         yCount: count });
       p.clip(box.x, box.y, box.w, box.h);
-      p.path(line(frame, command), { stroke: theme.asked, width: 4, alpha: 0.5, cap: 'round' });
+      p.path(line(frame, way), { stroke: theme.asked, width: 4, alpha: 0.5, cap: 'round' });
       p.path(line(frame, model), { stroke: theme.model, width: 1.4 });
-      const e = error();
+      const e = coloured();
       const top = plot.top();
       const bin = (k) => Math.min(kBins - 1, Math.floor(e[k] / top * kBins)) + (inRange(k) ? 0
         : kBins);
@@ -77,14 +82,14 @@
       plot.key(p, theme, frame, height, top);
     };
 
-    plot.top = () => T.range(error())[1] || 1;
+    plot.top = () => T.range(coloured())[1] || 1;
 
     plot.key = function (p, theme, frame, height, top) {
       const { box } = frame;
       const y = height - 22;
       T.drawKey(p, theme, box.x, kFoot(box.w + 74) > 100 ? y - 26 : y, [
-        { label: 'command', stroke: theme.asked, width: 4 },
-        { label: 'reference', stroke: theme.model }]);
+        { label: names[0], stroke: theme.asked, width: 4 },
+        { label: names[1], stroke: theme.model }]);
       const wide = Math.min(190, box.w);
       const x = kFoot(box.w + 74) > 100 ? box.x : box.x + box.w - wide;
       const parts = 48;
@@ -94,9 +99,9 @@
       }
       const text = { fill: theme.muted, size: 11.5 };
       p.text(x, y + 15, '0', text);
-      p.text(x + wide / 2, y + 15, state.by === 'model' ? 'table, error (mm)'
-        : 'table, contour (mm)', { ...text, align: 'center' });
-      p.text(x + wide, y + 15, T.num(top, 2), { ...text, align: 'right' });
+      p.text(x + wide / 2, y + 15, state.by.label, { ...text, align: 'center' });
+      p.text(x + wide, y + 15, T.num(top, top < 1 ? 3 : top < 10 ? 2 : 0), { ...text,
+        align: 'right' });
     };
 
     plot.overlay = function (p, width, height, theme) {
@@ -119,7 +124,7 @@
         state.magnify = value;
         plot.redraw();
       }),
-      toPath ? T.segments('Colour', [['model', 'to reference'], ['path', 'to path']], 'model',
+      colours.length > 1 ? T.segments('Colour', colours.map((one) => [one, one.button]), colours[0],
         (value) => {
           state.by = value;
           plot.redraw();
@@ -148,4 +153,23 @@
     plot.canvas.addEventListener('mouseleave', () => T.time.point(null, null));
     return card;
   };
+
+  // The table's paths of runs that have one in small frames, the command in grey behind each.
+  T.pathCards = (runs, small) => runs.flatMap((run, index) => {
+    const { command, table } = run.data;
+    if (!command) return [];
+    const plot = { id: `path-${index + 1}`, title: run.label, print: 'quarter', saveWidth: 520,
+      height: (width) => Math.round(Math.min(width, 420) * 0.95), count: () => run.count };
+    plot.scene = function (p, width, height, theme) {
+      const box = { x: 54, y: 8, w: width - 64, h: height - 56 };
+      const range = (axis) => T.padded(T.range(command[axis], ...T.range(table[axis])), 0.05);
+      const frame = equalFrame(box, range('x'), range('y'));
+      T.drawFrame(p, theme, frame, { xLabel: 'x (mm)', yLabel: 'y (mm)', xCount: 3, yCount: 3 });
+      const line = (of) => Array.from({ length: 2 * run.count }, (v, k) => (k % 2 === 0
+        ? frame.x(of.x[k >> 1]) : frame.y(of.y[k >> 1])));
+      p.path(line(command), { stroke: theme.asked, width: 4, alpha: 0.5 });
+      p.path(line(table), { stroke: theme.runs[index], width: 1.6 });
+    };
+    return T.figure(plot, small(run));
+  });
 })(window.Trammel = window.Trammel || {});

@@ -2,7 +2,9 @@
 //
 // Plots over time, drawn by uPlot. All of a page share one cursor and one range of time: what the
 // pointer does in one of them happens in all. A series is {label, data, role, unit, digits} and
-// optionally width, dash, steps, hidden; `role` names its colour in theme.js.
+// optionally width, dash, steps, hidden, peak: [time, value], which is marked; `role` names its
+// colour in theme.js. A plot with `times` has a base of its own, as long as it likes: it follows
+// the others' cursor and zoom, and they follow it as far as they reach.
 (function (T) {
   'use strict';
 
@@ -30,6 +32,24 @@
     for (const follower of followers) follower(cursor, T.time.range);
   }
 
+  const timesOf = (plot) => plot.times || T.time.values;
+  const fullOf = ({ times }) => (times ? [times[0], times[times.length - 1]] : T.time.full);
+
+  // The sample nearest to a time, null outside of all.
+  T.time.at = function (t) {
+    const { values } = T.time;
+    const last = values.length - 1;
+    if (!(t >= values[0] && t <= values[last])) return null;
+    let low = 0;
+    let high = last;
+    while (high - low > 1) {
+      const middle = low + high >> 1;
+      if (values[middle] <= t) low = middle;
+      else high = middle;
+    }
+    return t - values[low] < values[high] - t ? low : high;
+  };
+
   // The cursor of all plots at sample `index`; null takes it away.
   T.time.point = function (index, source) {
     if (busy || index === cursor) return;
@@ -48,18 +68,21 @@
   T.time.zoom = function (low, high, source) {
     if (busy) return;
     const [first, last] = T.time.full;
-    const range = [Math.max(first, low), Math.min(last, high)];
+    const [begin, end] = fullOf(source || {});
+    const everything = low <= begin && high >= end;
+    const range = everything ? [first, last] : [Math.max(first, low), Math.min(last, high)];
+    const whole = range[0] <= first && range[1] >= last;
+    document.getElementById('zoom-reset').disabled = everything;
     if (!(range[1] > range[0])) return;
     busy = true;
     T.time.range = range;
     for (const plot of all) {
       if (plot !== source && plot.uplot) {
-        plot.uplot.setScale('x', { min: range[0], max: range[1] });
+        const [min, max] = whole ? fullOf(plot) : range;
+        plot.uplot.setScale('x', { min, max });
       }
     }
     busy = false;
-    const whole = range[0] <= first && range[1] >= last;
-    document.getElementById('zoom-reset').disabled = whole;
     tell();
   };
 
@@ -76,6 +99,12 @@
 
   const color = (theme, series) => theme[series.role] || theme.runs[series.run];
 
+  // uPlot's own, but that a flat line has a range of its size.
+  function yRange(u, low, high) {
+    if (low === null || low === undefined) return [null, null];
+    return low === high ? [low - 1, high + 1] : uPlot.rangeNum(low, high, 0.1, true);
+  }
+
   function options(plot, width) {
     const axis = {
       stroke: () => T.theme().muted,
@@ -91,7 +120,8 @@
       width,
       height: plot.height(width),
       padding: [8, 10, 0, 0],
-      scales: { x: { time: false, range: (u, low, high) => [low, high] } },
+      scales: { x: { time: false, range: (u, low, high) => [low, high] },
+        y: { range: yRange } },
       axes: [
         { ...axis, label: T.time.label, labelSize: 18, size: 26, values },
         { ...axis, label: plot.yLabel, labelSize: 20, values,
@@ -112,10 +142,13 @@
           : `${T.num(v, s.digits)}${s.unit ? ' ' + s.unit : ''}`),
       }))],
       hooks: {
-        draw: [(u) => drawMarks(u)],
-        setCursor: [(u) => T.time.point(u.cursor.left < 0 ? null : u.cursor.idx, plot)],
+        draw: [(u) => (plot.times ? drawPeaks(u, plot) : drawMarks(u))],
+        setCursor: [(u) => T.time.point(u.cursor.left < 0 ? null : plot.times
+          ? T.time.at(plot.times[u.cursor.idx]) : u.cursor.idx, plot)],
         setScale: [(u, key) => {
-          if (key === 'x') T.time.zoom(u.scales.x.min, u.scales.x.max, plot);
+          const { min, max } = u.scales.x;
+          const known = min === T.time.range[0] && max === T.time.range[1];
+          if (key === 'x' && !(plot.times && known)) T.time.zoom(min, max, plot);
         }],
       },
     };
@@ -139,6 +172,34 @@
     ctx.restore();
   }
 
+  const peaksOf = (u, plot) => plot.series.filter((s, k) => s.peak && u.series[k + 1].show);
+  const peakText = (s) => `${T.num(s.peak[1], s.digits)} ${s.unit}`;
+
+  function drawPeaks(u, plot) {
+    const { ctx, bbox } = u;
+    const scale = window.devicePixelRatio || 1;
+    const theme = T.theme();
+    ctx.save();
+    ctx.beginPath();
+    ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+    ctx.clip();
+    ctx.lineWidth = 1.5 * scale;
+    ctx.font = `600 ${11.5 * scale}px system-ui, sans-serif`;
+    ctx.textAlign = 'left';
+    ctx.textBaseline = 'middle';
+    for (const s of peaksOf(u, plot)) {
+      const [x, y] = [u.valToPos(s.peak[0], 'x', true), u.valToPos(s.peak[1], 'y', true)];
+      ctx.beginPath();
+      ctx.arc(x, y, 4.5 * scale, 0, 2 * Math.PI);
+      ctx.fillStyle = color(theme, s);
+      ctx.fill();
+      ctx.strokeStyle = theme.surface;
+      ctx.stroke();
+      ctx.fillText(peakText(s), x + 8 * scale, y + 1 * scale);
+    }
+    ctx.restore();
+  }
+
   // The same in a scene.
   T.markEvents = function (p, theme, frame) {
     const { y, h } = frame.box;
@@ -156,16 +217,17 @@
     const ticks = T.ticks(...yRange, Math.max(2, (height - 72) / 45));
     const left = 14 + T.tickRoom(ticks.map((v) => T.tickText(v, ticks)));
     const box = { x: left, y: 26, w: width - left - 14, h: height - 72 };
-    const frame = T.frame(box, T.time.range, yRange);
+    const xRange = plot.times ? [u.scales.x.min, u.scales.x.max] : T.time.range;
+    const frame = T.frame(box, xRange, yRange);
     T.drawFrame(p, theme, frame, { xLabel: T.time.label, yLabel: plot.yLabel });
     T.drawKey(p, theme, box.x, 12, shown.map((s) => ({ label: s.label, stroke: color(theme, s),
       width: s.width, dash: s.dash })));
-    const times = T.time.values;
+    const times = timesOf(plot);
     let first = 0;
     let last = times.length - 1;
     while (first + 1 < last && times[first + 1] < frame.xRange[0]) ++first;
     while (last - 1 > first && times[last - 1] > frame.xRange[1]) --last;
-    T.markEvents(p, theme, frame);
+    if (!plot.times) T.markEvents(p, theme, frame);
     p.clip(box.x, box.y, box.w, box.h);
     for (const s of shown) {
       let line = [];
@@ -188,6 +250,11 @@
       }
       flush();
     }
+    for (const s of peaksOf(u, plot)) {
+      const [x, y] = [frame.x(s.peak[0]), frame.y(s.peak[1])];
+      p.circle(x, y, 4.5, { fill: color(theme, s), stroke: theme.surface, width: 1.5 });
+      p.text(x + 8, y + 1, peakText(s), { fill: color(theme, s), size: 11.5, weight: 600 });
+    }
     p.unclip();
   }
 
@@ -200,7 +267,7 @@
     const card = T.card(plot.title, plot.small, plot);
     const frame = T.el('div', { class: 'plot screen-only' });
     card.append(frame);
-    plot.count = () => plot.series.length * T.time.values.length;
+    plot.count = () => plot.series.length * timesOf(plot).length;
     plot.scene = (p, width, height, theme) => scene(plot, p, width, height, theme);
     plot.redraw = () => {
       if (!plot.uplot) return;
@@ -214,7 +281,7 @@
       if (width <= 0) return;
       if (!plot.uplot) {
         busy = true;  // its first ranges are no wish of the reader
-        plot.uplot = new uPlot(options(plot, width), [T.time.values,
+        plot.uplot = new uPlot(options(plot, width), [timesOf(plot),
           ...plot.series.map((s) => s.data)], frame);
         busy = false;
       } else if (width !== plot.uplot.width) {

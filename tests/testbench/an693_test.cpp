@@ -8,16 +8,18 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
-#include <sstream>
 
 #include "testbench/config.hpp"
 #include "testbench/output.hpp"
+#include "testbench/part_json.hpp"
 #include "testbench/report_data.hpp"
 #include "testbench/report_page.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/message.hpp"
 
 using namespace trammel;
 using namespace trammel::testbench;
+using test::content;
 using Catch::Matchers::Contains;
 namespace fs = std::filesystem;
 
@@ -48,13 +50,6 @@ lm628::Result by_hand() {
   result.clocks = 100000;
   result.evaluated = 1000;
   return result;
-}
-
-std::string content(const fs::path& file) {
-  std::ifstream in(file);
-  std::stringstream text;
-  text << in.rdbuf();
-  return text.str();
 }
 
 }  // namespace
@@ -183,16 +178,16 @@ TEST_CASE("an693 says how a run ended") {
   lm628::Options options;
   lm628::Result result;
   result.end = cosim::EndReason::kTimeout;
-  CHECK(verdict_text(options, result) == "not finished within run.max_s = 120");
+  CHECK(part_verdict(options, result) == "not finished within run.max_s = 120");
   result.end = cosim::EndReason::kDiverged;
-  CHECK(verdict_text(options, result) == "diverged: error above run.diverged_counts = 30000");
+  CHECK(part_verdict(options, result) == "diverged: error above run.diverged_counts = 30000");
   result.fault = "test:1: wait hi: not within 1 s";
   result.end = cosim::EndReason::kTimeout;
-  CHECK(verdict_text(options, result) == result.fault);
+  CHECK(part_verdict(options, result) == result.fault);
   result.end = cosim::EndReason::kFault;
-  CHECK(verdict_text(options, result) == "tripped: " + result.fault);
+  CHECK(part_verdict(options, result) == "tripped: " + result.fault);
   result.end = cosim::EndReason::kStopped;
-  CHECK(verdict_text(options, result) == "interrupted");
+  CHECK(part_verdict(options, result) == "interrupted");
 }
 
 TEST_CASE("run chooses the machine by the scenario, and refuses what this one has not") {

@@ -6,14 +6,21 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <filesystem>
 #include <string>
 
 #include "testbench/config.hpp"
+#include "testbench/output.hpp"
+#include "testbench/report_data.hpp"
+#include "testbench/report_page.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/message.hpp"
 
 using namespace trammel;
 using namespace trammel::testbench;
+using test::content;
 using Catch::Matchers::Contains;
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -64,11 +71,98 @@ TEST_CASE("mcafee: figures count from the first row, contour errors from the pat
   CHECK(m.moving_s == Approx(2 * 2048 / 6e6));
   REQUIRE(m.contour_mm.size() == 5);
   CHECK(m.contour_max_mm == Approx(0.25));
+  CHECK(m.contour_max_s == Approx(2048 / 6e6));
   CHECK(m.contour_end_mm == Approx(0.1));
   CHECK(m.contour_rms_mm == Approx(std::sqrt((0.0625 + 0.01) / 3)));
   CHECK(m.max_error_counts == 7);
   CHECK(m.max_current_A == 2.5);
   CHECK(m.max_speed_mm_s == Approx(4 * 4.0132 / 800 / (2048 / 6e6)));
+}
+
+TEST_CASE("mcafee: interrupts, motors turned off and switches are events, once each") {
+  mcafee::Result result;
+  for (int n = 0; n < 6; ++n) {
+    mcafee::Sample s;
+    s.edge = 50'000 * n;
+    s.axis[0].words.status = n == 0 || n >= 4 ? 0x80 : 0;  // off from the start, and at the end
+    s.axis[1].host_irq = n == 2 || n == 3;
+    s.axis[1].words.status = n == 2 ? 0x20 : 0;
+    s.axis[1].words.actual = 7;
+    s.limits = n == 3 ? 0b0110 : 0;
+    result.samples.push_back(s);
+  }
+  mcafee::Options options;
+  options.stage = sw::McafeeStage::kMove;
+  std::string seen;
+  for (const McafeeMetrics::Event& one : evaluate(options, result).events) {
+    seen += std::to_string(one.sample) + (one.axis == 0 ? " x " : " y ") + one.what + "; ";
+    if (one.what == "interrupt") {
+      CHECK(one.time_s == Approx(2e-3));
+      CHECK(one.status == 0x20);
+      CHECK(one.real == 7);
+    }
+  }
+  CHECK(seen == "2 y interrupt; 3 x high switch open; 3 y low switch open; 4 x motor off; "
+                "4 x high switch closed; 4 y low switch closed; ");
+}
+
+TEST_CASE("mcafee: runs leave their files and a page, made again from them byte by byte") {
+  const fs::path folder = fs::absolute("mcafee_test_out");
+  fs::remove_all(folder);
+  const std::atomic<bool> stop{false};
+  mcafee::Options options;
+  options.compare = true;
+  RunArguments arguments;
+  arguments.out = folder.string();
+  arguments.json = true;
+  const SimulateMcafee simulate = [](const mcafee::Options& o, const cosim::Hooks&) {
+    mcafee::Result result = tracked();
+    result.table = make_table(mcafee::Path(o.path), o.path, o.count_mm());
+    return result;
+  };
+  REQUIRE(run_mcafee(options, arguments, simulate, stop) == 0);
+  const auto metrics = nlohmann::json::parse(content(folder / "metrics.json"));
+  CHECK(metrics["verdict"] == "done");
+  CHECK(metrics["command"] == "./trammel run mcafee-stage3");
+  CHECK(metrics["run"]["first_sample"] == 2);
+  CHECK(metrics["compared"]["v = 40"]["contour_max_mm"].get<double>() == Approx(0.25));
+  const auto detail = nlohmann::json::parse(content(folder / "detail.json"));
+  CHECK(detail["contours"].size() == 3);
+  CHECK(detail["contours"][1]["mm"] == nlohmann::json({0.0, 0.25, 0.1}));
+  CHECK(detail["rows"]["x_mm"].size() == detail["rows"]["c"].size() + 1);
+  CHECK(detail["rows"]["y_mm"][0] == -30.0);
+
+  const std::string page = content(folder / "report.html");
+  CHECK_THAT(page, Contains("\"machine\":\"mcafee\""));
+  fs::remove(folder / "report.html");
+  write_run_page(folder);
+  CHECK(content(folder / "report.html") == page);
+  CHECK(read_run(folder).first == 2);
+
+  const auto refused = [&](const std::string& changed) {
+    write_text(folder / "detail.json", changed);
+    CHECK_THROWS_WITH(write_run_page(folder), Contains("detail.json: is corrupt: /"));
+    CHECK(content(folder / "report.html") == page);
+  };
+  auto other = detail;
+  other["rows"]["cc"].erase(0);
+  refused(other.dump());
+  other = detail;
+  other["contours"][2].erase("mm");
+  refused(other.dump());
+  other = detail;
+  other.erase("contour_step_s");
+  refused(other.dump());
+
+  arguments.report = arguments.json = false;
+  options.stage = sw::McafeeStage::kMove;
+  options.scenario = "mcafee-stage2";
+  CHECK(run_mcafee(options, arguments, simulate, stop) == 0);
+  CHECK_FALSE(fs::exists(folder / "report.html"));
+  CHECK_FALSE(fs::exists(folder / "detail.json"));
+  write_run_page(folder);
+  CHECK(fs::exists(folder / "report.html"));
+  fs::remove_all(folder);
 }
 
 TEST_CASE("mcafee: run.toml repeats the options") {

@@ -8,18 +8,16 @@ usage: report_page_check.py PROGRAM FOLDER     PROGRAM: trammel; FOLDER: for the
 """
 
 import base64
-import csv
 import json
-import shutil
 import struct
 import subprocess
 import sys
-import unittest
 import xml.etree.ElementTree as ElementTree
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parent.parent / "support"))
 import browser  # noqa: E402
+import report_pages  # noqa: E402
 
 RUNS = {  # folder: arguments
     "circle": ["circle"],
@@ -30,78 +28,21 @@ RUNS = {  # folder: arguments
              "-s", "inject.trip_s=0.05"],
     "an693": ["an693-tuning", "-s", "trajectory.steps=2"],
     "script": ["lm628", "tuning"],
+    **report_pages.MCAFEE,
 }
-TRIPPED = 5
-PAINTED = """
-  const canvas = arguments[0];
-  const data = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
-  const seen = new Set();
-  for (let k = 0; k < data.length; k += 4) {
-    if (data[k + 3] > 0) seen.add(data[k] << 16 | data[k + 1] << 8 | data[k + 2]);
-  }
-  return seen.size;
-"""
 
 
-class Page(unittest.TestCase):
-    program, folder, driver = None, None, None
-
-    @classmethod
-    def setUpClass(cls):
-        shutil.rmtree(cls.folder, ignore_errors=True)
-        for name, arguments in RUNS.items():
-            verb = [] if arguments[0] == "lm628" else ["run"]
-            done = subprocess.run([cls.program, *verb, *arguments, "-o", cls.folder / name],
-                                  capture_output=True, text=True, check=False)
-            assert done.returncode == (TRIPPED if name == "trip" else 0), done.stderr
-        cls.driver = browser.start()
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.driver.quit()
-
-    def setUp(self):
-        browser.resize(self.driver, 1360)
-        browser.prefer(self.driver, "light")
-
-    def js(self, script, *arguments):
-        return self.driver.execute_script(script, *arguments)
-
-    def open(self, name, page="report.html"):
-        browser.open_page(self.driver, self.folder / name / page)
-
-    def drag(self, plot, begin, end):
-        """Drags over parts of the plot's width."""
-        from selenium.webdriver import ActionChains
-        over = self.driver.find_element("css selector", f"[data-plot={plot}] .u-over")
-        self.js("arguments[0].scrollIntoView({block: 'center'})", over)
-        width = over.size["width"]
-        ActionChains(self.driver, duration=20).move_to_element_with_offset(
-            over, round((begin - 0.5) * width), 0).click_and_hold().move_by_offset(
-            round((end - begin) * width), 0).release().perform()
-
-    def until(self, holds):
-        """The page answers the pointer and the system in its own time."""
-        from selenium.webdriver.support.ui import WebDriverWait
-        WebDriverWait(self.driver, 10, 0.05).until(lambda driver: holds())
-
-    def ranges(self):
-        return self.js("return Trammel.time.plots.map((p) => "
-                       "[p.uplot.scales.x.min, p.uplot.scales.x.max])")
-
-    def rows(self, name):
-        run = json.loads((self.folder / name / "metrics.json").read_text())["run"]
-        first = run.get("first_tick", 0)
-        with open(self.folder / name / "trace.csv", newline="", encoding="utf-8") as file:
-            return [row for row in csv.DictReader(file) if int(row.get("tick", 0)) >= first]
+class Page(report_pages.ReportPages):
+    runs = RUNS
 
     def test_every_plot_holds_the_data_of_the_files(self):
         for name in RUNS:
             self.open(name)
             rows = self.rows(name)
-            series = self.js("return Trammel.time.plots.map((p) => p.uplot.data.map((s) => "
+            series = self.js("return Trammel.time.plots.filter((p) => !p.times).map((p) => "
+                             "p.uplot.data.map((s) => "
                              "[s.length, [...s].filter(Number.isFinite).length]))")
-            self.assertGreaterEqual(len(series), 13 if "x_e" in rows[0] else 6)
+            self.assertGreaterEqual(len(series), 13 if "x_model_m" in rows[0] else 6)
             for plot in series:
                 for length, finite in plot:
                     self.assertEqual((length, finite), (len(rows), len(rows)), name)
@@ -114,7 +55,10 @@ class Page(unittest.TestCase):
                 ("circle", {"t_s": 1e-8, "x_position_m": 1e-8, "y_model_m": 1e-8, "x_i_q_ref": 0,
                             "y_force_N": 1e-3}),
                 ("an693", {"t_s": 1e-8, "desired_count": 1e-3, "theta_count": 1e-3, "p": 0,
-                           "status": 0, "host_irq": 0, "omega_rad_s": 1e-4, "u_V": 1e-4})):
+                           "status": 0, "host_irq": 0, "omega_rad_s": 1e-4, "u_V": 1e-4}),
+                ("mcafee", {"t_s": 1e-8, "row": 0, "v": 0, "contour_mm": 1e-5, "x_mm": 1e-5,
+                            "y_mm_s": 1e-3, "x_desired_count": 1e-3, "y_desired_speed": 1e-5,
+                            "x_p": 0, "y_i": 0, "x_d": 0, "y_status": 0, "x_u_V": 1e-4})):
             self.open(run)
             rows = self.rows(run)
             for name, step in lsb.items():
@@ -149,10 +93,10 @@ class Page(unittest.TestCase):
         self.assertEqual(browser.complaints(self.driver), [])
 
     def test_every_plot_is_painted(self):
-        for name in ("circle", "trip", "an693"):
+        for name in ("circle", "trip", "an693", "mcafee", "move"):
             self.open(name)
             for canvas in self.driver.find_elements("css selector", ".plot canvas:not(.over)"):
-                self.assertGreater(self.js(PAINTED, canvas), 3)
+                self.assertGreater(self.js(report_pages.PAINTED, canvas), 3)
 
     def test_zoom_is_shared_and_taken_back(self):
         from selenium.webdriver import ActionChains
@@ -185,7 +129,7 @@ class Page(unittest.TestCase):
         self.assertEqual(set(at), {at[0]})
         for legend in self.driver.find_elements("css selector", ".u-series:nth-child(2) .u-value"):
             self.assertRegex(legend.text, r"\d")
-        self.assertGreater(self.js(PAINTED, self.driver.find_element(
+        self.assertGreater(self.js(report_pages.PAINTED, self.driver.find_element(
             "css selector", "[data-plot=path] .over")), 3)
         # The other way: a point of the path is the cursor of all plots.
         path = self.driver.find_element("css selector", "[data-plot=path] canvas")
@@ -202,7 +146,7 @@ class Page(unittest.TestCase):
 
     def test_every_plot_can_be_saved(self):
         seen = set()
-        for name in ("circle", "step", "small-fc", "an693"):
+        for name in ("circle", "step", "small-fc", "an693", "mcafee"):
             self.open(name)
             plots = set(self.js("return Trammel.plots.map((p) => p.id)")) - seen
             seen |= plots
@@ -220,7 +164,7 @@ class Page(unittest.TestCase):
                       const image = await createImageBitmap(blob);
                       const canvas = new OffscreenCanvas(image.width, image.height);
                       canvas.getContext('2d').drawImage(image, 0, 0);
-                      const seen = (function () {""" + PAINTED + """})(canvas);
+                      const seen = (function () {""" + report_pages.PAINTED + """})(canvas);
                       const reader = new FileReader();
                       reader.onload = () => done([reader.result, seen]);
                       reader.readAsDataURL(blob);
@@ -311,15 +255,5 @@ class Page(unittest.TestCase):
         self.assertEqual(self.js("return document.querySelectorAll('.print-only').length"), 0)
 
 
-def main():
-    if len(sys.argv) != 3 or sys.argv[1] in ("-h", "--help"):
-        print(__doc__)
-        return 0 if "--help" in sys.argv or "-h" in sys.argv else 2
-    browser.need("report_page_check")
-    Page.program, Page.folder = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
-    suite = unittest.defaultTestLoader.loadTestsFromTestCase(Page)
-    return 0 if unittest.TextTestRunner(verbosity=2).run(suite).wasSuccessful() else 1
-
-
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(report_pages.main(Page, __doc__))
