@@ -95,6 +95,7 @@ class Page(report_pages.ReportPages):
                                max(speeds), delta=1e-2)
         self.assertIn("Aerotech 1075", self.driver.find_element("id", "assumptions").text)
         self.open("switch")
+        self.assertFalse(self.driver.find_element("id", "zoom-reset").is_enabled())
         events = self.driver.find_element("id", "status").text
         self.assertIn("X high switch open", events)  # the record ends before the motors are off
         metrics = json.loads((self.folder / "switch" / "metrics.json").read_text())
