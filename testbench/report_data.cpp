@@ -21,8 +21,8 @@ void corrupt(const fs::path& file, const std::string& what) {
   throw ConfigError(fmt::format("{}: {}", file.string(), what));
 }
 
-void require(const fs::path& file, const Json& json, const std::string& path,
-             bool (Json::*is)() const noexcept) {
+void require_member(const fs::path& file, const Json& json, const std::string& path,
+                    bool (Json::*is)() const noexcept) {
   const Json::json_pointer pointer(path);
   if (!json.contains(pointer)) corrupt(file, fmt::format("is corrupt: {} is missing", path));
   if (!(json.at(pointer).*is)()) {
@@ -61,7 +61,7 @@ Json read_json(const fs::path& file) {
 
 void check_metrics(const fs::path& file, const Json& m, const PageOf& page) {
   const auto each = [&](const std::vector<std::string>& paths, bool (Json::*is)() const noexcept) {
-    for (const std::string& path : paths) require(file, m, path, is);
+    for (const std::string& path : paths) require_member(file, m, path, is);
   };
   each({"/scenario", "/end", "/command", "/verdict", "/run/event_hash"}, &Json::is_string);
   each({"/run/samples"}, &Json::is_number_unsigned);

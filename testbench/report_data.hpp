@@ -49,8 +49,8 @@ struct RunRecord {
 [[noreturn]] void corrupt(const std::filesystem::path& file, const std::string& what);
 
 // The member that `path` names must be there and of that type.
-void require(const std::filesystem::path& file, const Json& json, const std::string& path,
-             bool (Json::*is)() const noexcept);
+void require_member(const std::filesystem::path& file, const Json& json, const std::string& path,
+                    bool (Json::*is)() const noexcept);
 
 // Throws ConfigError with one line that names the file and what is wrong with it.
 RunRecord read_run(const std::filesystem::path& folder);

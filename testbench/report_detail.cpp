@@ -40,14 +40,14 @@ void check_kung_detail(const fs::path& file, const Json& d) {
   for (const std::string axis : {"x", "y"}) {
     for (const std::string when : {"first", "last"}) {
       const std::string path = "/rules/" + axis + '/' + when;
-      require(file, d, path, &Json::is_array);
+      require_member(file, d, path, &Json::is_array);
       if (!is_list(d.at(Json::json_pointer(path)), 49, is_whole)) {
         corrupt(file, fmt::format("is corrupt: {} does not hold 49 rules", path));
       }
     }
     if (d.contains("moment") && d["moment"].is_object()) {
       const std::string path = "/moment/" + axis + "/steps";
-      require(file, d, path, &Json::is_array);
+      require_member(file, d, path, &Json::is_array);
       const auto step = [](const Json& one) { return is_list(one, 2, is_whole_or_null); };
       if (!is_list(d.at(Json::json_pointer(path)), 35, step)) {
         corrupt(file, fmt::format("is corrupt: {} does not hold 35 steps", path));
@@ -55,10 +55,10 @@ void check_kung_detail(const fs::path& file, const Json& d) {
     }
   }
   if (d.contains("gates") && d["gates"].is_object()) {
-    require(file, d, "/gates/begin", &Json::is_number_integer);
-    require(file, d, "/gates/end", &Json::is_number_integer);
-    require(file, d, "/gates/edges", &Json::is_array);
-    require(file, d, "/gates/compare", &Json::is_array);
+    require_member(file, d, "/gates/begin", &Json::is_number_integer);
+    require_member(file, d, "/gates/end", &Json::is_number_integer);
+    require_member(file, d, "/gates/edges", &Json::is_array);
+    require_member(file, d, "/gates/compare", &Json::is_array);
     const auto edge = [](const Json& one) { return is_list(one, 2, is_whole); };
     const auto axis = [](const Json& one) { return is_list(one, 3, is_whole); };
     const auto period = [&](const Json& one) { return is_list(one, 2, axis); };
@@ -80,14 +80,14 @@ void complete_kung(RunRecord& run) {
 }
 
 void check_mcafee_detail(const fs::path& file, const Json& d) {
-  require(file, d, "/rows/c", &Json::is_array);
-  require(file, d, "/contour_step_s", &Json::is_number);
-  require(file, d, "/contours", &Json::is_array);
+  require_member(file, d, "/rows/c", &Json::is_array);
+  require_member(file, d, "/contour_step_s", &Json::is_number);
+  require_member(file, d, "/contours", &Json::is_array);
   const std::size_t rows = d["rows"]["c"].size();
   for (const char* name : {"c", "cc", "vx", "vy", "x_mm", "y_mm"}) {
     const std::size_t values = rows + (std::string(name).find("_mm") == std::string::npos ? 0 : 1);
     const std::string path = std::string("/rows/") + name;
-    require(file, d, path, &Json::is_array);
+    require_member(file, d, path, &Json::is_array);
     if (rows == 0 || !is_list(d.at(Json::json_pointer(path)), values, is_figure)) {
       corrupt(file, fmt::format("is corrupt: {} does not hold {} numbers", path, values));
     }

@@ -17,6 +17,25 @@
   const runName = (m) => (m.options['track.speed'] === 0 ? 'self-paced'
     : `v = ${m.options['track.speed']}`);
 
+  // The point of the rows nearest to where the table is, sought around the row that runs: its lag
+  // is some rows at most.
+  function nearest(rows, row, x, y) {
+    const kReach = 10;
+    const first = Math.max(0, row - 1 - kReach);
+    const last = Math.min(rows.c.length, row + kReach);
+    let best = Infinity;
+    let found = [x, y];
+    for (let k = first; k < last; ++k) {
+      const [ax, ay] = [rows.x_mm[k], rows.y_mm[k]];
+      const [dx, dy] = [rows.x_mm[k + 1] - ax, rows.y_mm[k + 1] - ay];
+      const part = Math.min(1, Math.max(0, ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy)));
+      const [px, py] = [ax + part * dx, ay + part * dy];
+      const distance = Math.hypot(x - px, y - py);
+      if (distance < best) [best, found] = [distance, [px, py]];
+    }
+    return found;
+  }
+
   function prepare(run) {
     const s = run.series;
     const o = run.metrics.options;
@@ -39,12 +58,14 @@
     const last = rows.c.length - 1;
     const now = (values, more) => s.row.map((row) => values[Math.min(last, Math.max(0, row - 1))
       + more]);
-    Object.assign(d, { c: now(rows.c, 0), cc: now(rows.cc, 0), model: d.desired,
+    const points = Array.from(s.row, (row, k) => nearest(rows, row, d.table.x[k], d.table.y[k]));
+    Object.assign(d, { from: both((a, k) => points.map((point) => point[k])), model: d.desired,
+      c: now(rows.c, 0), cc: now(rows.cc, 0),
       command: both((a) => now(rows[`${a}_mm`], 1)), way: { x: rows.x_mm, y: rows.y_mm },
       names: ['rows', 'desired'], colours: [
         { button: 'speed', label: 'table, speed (mm/s)', values: d.speed },
-        { button: 'feed rate', label: 'v (0..255)', values: s.v },
-        { button: 'contour error', label: 'table, contour error (mm)', values: s.contour_mm }] });
+        { button: 'feed rate', label: 'table, v (0..255)', values: s.v },
+        { button: 'contour error', label: 'table, contour (mm)', values: s.contour_mm }] });
   }
 
   const others = (m) => Object.entries(m.compared || {});

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The X-Y path: command, what the controllers follow and the table, with equal axes; the table's
-// line is coloured by what is chosen, and its distance from what is followed can be drawn larger
-// than it is.
+// line is coloured by what is chosen, and its error can be drawn larger than it is.
 (function (T) {
   'use strict';
 
@@ -20,14 +19,15 @@
   }
 
   // data: {n, command, model, table, names, colours} and optionally way, the command as a line of
-  // its own; points are {x, y} in millimetres. names: of command and model. A colour is {button,
-  // label, values}.
+  // its own, and from, where errors begin instead of the model; points are {x, y} in millimetres.
+  // names: of command and model. A colour is {button, label, values}.
   T.pathPlot = function (data) {
     const { n, command, model, table, names, colours } = data;
     const way = data.way || command;
+    const from = data.from || model;
     const state = { magnify: 1, by: colours[0], range: null, cursor: null };
     const coloured = () => state.by.values;
-    const shown = (k, axis) => model[axis][k] + state.magnify * (table[axis][k] - model[axis][k]);
+    const shown = (k, axis) => from[axis][k] + state.magnify * (table[axis][k] - from[axis][k]);
 
     const plot = { id: 'path', title: 'Path', height: (width) => Math.round(Math.min(width + kFoot(
       width) - 74, 664)), saveWidth: 760, count: () => n, print: 'half' };
@@ -112,7 +112,7 @@
       const [cx, cy] = at(command.x[k], command.y[k]);
       const [mx, my] = at(model.x[k], model.y[k]);
       const [tx, ty] = at(shown(k, 'x'), shown(k, 'y'));
-      p.path([mx, my, tx, ty], { stroke: theme.ink, width: 1 });
+      p.path([...at(from.x[k], from.y[k]), tx, ty], { stroke: theme.ink, width: 1 });
       p.circle(cx, cy, 5, { fill: theme.asked, stroke: theme.surface, width: 1.5 });
       p.circle(mx, my, 5, { fill: theme.model, stroke: theme.surface, width: 1.5 });
       p.circle(tx, ty, 5, { fill: theme.actual, stroke: theme.surface, width: 1.5 });

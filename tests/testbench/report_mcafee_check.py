@@ -93,6 +93,10 @@ class Page(report_pages.ReportPages):
         speeds = [math.hypot(float(row["x_mm_s"]), float(row["y_mm_s"])) for row in trace]
         self.assertAlmostEqual(self.js("return Trammel.plots.find((p) => p.id === 'path').top()"),
                                max(speeds), delta=1e-2)
+        far = self.js("const d = Trammel.page.runs[0].data; return Math.max(...d.from.x.map((x, k) "
+                      "=> Math.hypot(d.table.x[k] - x, d.table.y[k] - d.from.y[k])))")
+        # A chord of a row of 0.5 mm lies 0.03 mm inside of an arc of 1 mm.
+        self.assertAlmostEqual(far, max(float(row["contour_mm"]) for row in trace), delta=0.032)
         self.assertIn("Aerotech 1075", self.driver.find_element("id", "assumptions").text)
         self.open("switch")
         self.assertFalse(self.driver.find_element("id", "zoom-reset").is_enabled())
