@@ -8,8 +8,10 @@
 #include <cstdint>
 #include <functional>
 #include <stdexcept>
+#include <string>
 
 #include "cosim/cosim.hpp"
+#include "cosim/waves.hpp"
 
 namespace trammel::cosim {
 
@@ -19,8 +21,19 @@ enum class Engine { kRtl, kTwin };  // the verilated chip, or its bit-exact twin
 struct RunBasics {
   Platform platform = Platform::kSystemC;
   std::int64_t window_clk = 0;  // longest look-ahead of the loop; 0 = unbounded, 1 = lock step
-  bool leap = true;             // waiting clocks are not evaluated; off: every clock is
+  bool leap = true;             // waiting clocks are not evaluated; the events stay the same
+  Engine engine = Engine::kRtl;
+  bool audit = false;           // a plain and a leaping chip in step, all registers compared; where
+                                // one differs its promise leap_is_exact is broken
+  bool assertions = false;      // the promises of the RTL are looked at; every clock is evaluated
   double max_s = 120;           // simulated time a run may take
+  WaveFormat wave = WaveFormat::kNone;
+  double wave_begin_s = 0;      // from the start of the run, or from the trigger; both zero: the
+  double wave_end_s = 0;        // machine's default window
+  std::string wave_trigger;     // an event of the machine's; "" = none
+  double wave_pre_s = 0.0002;   // of the default window, before the trigger
+  double wave_every_s = 0;      // the window again in every such period; 0 = once
+  std::string wave_file;        // set by the program: where the waves go
 
   Clk window() const { return window_clk == 0 ? kNever : window_clk; }  // as the loop takes it
 };

@@ -76,7 +76,10 @@ RUNS = [
     (0, *AN693, "--no-leap", "-s", "program=hold", "-o", "OUT/an693"),
     *((5, "run", f"an693-{program}", "-s", "run.max_s=0.02", "-o", "OUT/an693")
       for program in ("absolute", "relative", "breakpoints")),
+    (0, *AN693, "--audit", "-o", "OUT/an693"), (0, *AN693, "--assert", "-o", "OUT/an693"),
     (0, *MCAFEE, "-o", "OUT/mcafee"),
+    *((5, *MCAFEE, way, "-s", "run.max_s=0.01", "-o", "OUT/mcafee")
+      for way in ("--audit", "--assert")),
     (0, *MCAFEE, "--json", "--platform", "direct", "--no-leap", "-o", "OUT/mcafee"),
     (0, *MCAFEE, "--engine", "twin", "-s", "path.kind=star", "-s", "path.side_mm=4",
      "-s", "path.radius_mm=0.2", "-s", "compare=true", "-o", "OUT/mcafee"),
@@ -89,7 +92,8 @@ RUNS = [
     # A gain that rounds up to the next power of two, and one below the least exponent.
     (0, *SHORT, "-s", "gains.kp=0.99999", "-s", "gains.ki=1e-6", "-o", "OUT/gains"),
     (5, "run", "an693-hold", "-s", "run.diverged_counts=1", "-o", "OUT/an693"),
-    (0, "lm628", "tuning", "-o", "OUT/lm628"), (0, "lm628", "hold", "--json"), (0, "lm628"),
+    (0, "lm628", "tuning", "-o", "OUT/lm628"), (0, "lm628", "hold", "--json"),
+    (0, "lm628", "--audit"),
     (0, "lm628", "OUT/all.lm628"), (0, "report", "OUT/an693", "OUT/lm628", "-o", "OUT/two.html"),
     (0, "list", "keys", "an693"), (0, "list"), (0, "list", "keys"),
     (0, "list", "signals", "--json"), (0, "--version"),
@@ -115,6 +119,7 @@ REFUSED = [
     (2, "is not a:b", *WAVE, "fst", "--wave-window", "5ms"),
     (2, "run.audit", *SHORT, "--audit", "--no-leap", "-o", "OUT/waves"),
     (2, "run.engine", *SHORT, *TWIN, "--audit", "-o", "OUT/waves"),
+    (2, "run.engine", *MCAFEE, *TWIN, "--assert", "-o", "OUT/mcafee"),
     (2, "is outside the run", *WAVE, "fst", "--wave-window", "200s:201s"),
     (1, "lies outside the run", *WAVE, "fst", "--wave-window", "5s:5.001s"),
     (1, "never fired", *WAVE, "fst", "--wave-trigger", "fault.stroke"),

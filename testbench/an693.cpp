@@ -119,6 +119,7 @@ void check_motor(const plant::DcMotorConfig& c) {
 
 // Rules that concern more than one key.
 void finish(const lm628::Options& options) {
+  check_engine(options.run);
   check_motor(options.plant.motor);
   if (options.plant.counts % 4 != 0) {
     throw ConfigError(fmt::format("encoder.counts: value {} is no multiple of 4",
@@ -226,8 +227,8 @@ int run_an693(const lm628::Options& options, const RunArguments& arguments,
                        ? json.dump(2) + '\n'
                        : an693_report(options, result, metrics, shown.string(),
                                       page ? (shown / "report.html").string() : ""));
-  return tell_end(options.scenario, result.end,
-                  result.fault.empty() ? "" : " by " + result.fault, shown.string());
+  return tell_end(options.scenario, result.end, end_cause(result, options.plant.clock_ps),
+                  shown.string());
 }
 
 }  // namespace trammel::testbench

@@ -17,7 +17,7 @@ const std::vector<KeyOf<lm628::Options>>& keys_of<lm628::Options>() {
     KeyTable<lm628::Options> t;
     t.names();
     t.text("program", "example of AN-693", TRAMMEL_LENS(program));
-    t.platform_and_leap();
+    t.platform_and_clocks();
     t.window();
     t.longest_run();
     t.one("run.diverged_counts", 1, 32767, "position error that ends the run as diverged",

@@ -49,6 +49,9 @@ void finish(kung::Options& options);
 void finish(const lm628::Options& options);
 void finish(const mcafee::Options& options);
 
+// How chips are looked at: some ways exclude others, and a twin offers few. Throws ConfigError.
+void check_engine(const cosim::RunBasics& run);
+
 // What the steps of plant::DcMotor can follow.
 void check_motor(const plant::DcMotorConfig& motor);
 

@@ -108,14 +108,15 @@ void check_path(const Options& o) {
   }
 }
 
-// What only the RTL has to show.
-void check_engine(const kung::RunOptions& run) {
-  require(!run.audit || (run.leap && !run.assertions && run.wave == kung::WaveFormat::kNone &&
+}  // namespace
+
+void check_engine(const cosim::RunBasics& run) {
+  require(!run.audit || (run.leap && !run.assertions && run.wave == cosim::WaveFormat::kNone &&
                          run.wave_trigger.empty()),
           "run.audit: compares a leaping chip with a plain one; not with --no-leap, --assert or "
           "waves");
-  if (run.engine == kung::Engine::kRtl) return;
-  require(run.wave == kung::WaveFormat::kNone && run.wave_trigger.empty(),
+  if (run.engine == cosim::Engine::kRtl) return;
+  require(run.wave == cosim::WaveFormat::kNone && run.wave_trigger.empty(),
           "run.engine: the twin has no signals to trace; waves and triggers need the RTL "
           "(--engine rtl)");
   require(!run.assertions,
@@ -124,8 +125,6 @@ void check_engine(const kung::RunOptions& run) {
           "run.engine: the twin has no clocks to evaluate; --no-leap and --audit need the RTL "
           "(--engine rtl)");
 }
-
-}  // namespace
 
 void finish(Options& o) {
   auto& p = o.path;

@@ -90,10 +90,14 @@ struct KeyTable {
     text("name", "name of the run and of its output folder", TRAMMEL_LENS(scenario));
     text("description", "one line for `trammel list`", TRAMMEL_LENS(description));
   }
-  void platform_and_leap() {
+  void platform_and_clocks() {
     text("run.platform", "SystemC platform or direct wiring", TRAMMEL_LENS(run.platform));
     text("run.leap", "waiting clocks are not evaluated; false: every clock is",
          TRAMMEL_LENS(run.leap));
+    one("run.audit", 0, 0, "a plain and a leaping chip in step: every register compared",
+        TRAMMEL_LENS(run.audit));
+    one("run.assertions", 0, 0, "the promises of the RTL are looked at, in every clock",
+        TRAMMEL_LENS(run.assertions));
   }
   void window() {
     one("run.window_clk", 0, 1e9, "longest look-ahead; 0 = unbounded, 1 = lock step",

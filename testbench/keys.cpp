@@ -21,7 +21,7 @@ std::vector<std::string> enum_names<cosim::Engine>() {
   return {"rtl", "twin"};
 }
 template <>
-std::vector<std::string> enum_names<kung::WaveFormat>() {
+std::vector<std::string> enum_names<cosim::WaveFormat>() {
   return {"none", "vcd", "fst"};
 }
 
@@ -59,11 +59,7 @@ void add_run(Table& t) {
   t.text("controller", "fixed rule table (fc) or adaptive (afc)", TRAMMEL_LENS(controller));
   t.text("run.engine", "the verilated RTL, or its bit-exact twins without SystemC: same results",
          TRAMMEL_LENS(run.engine));
-  t.platform_and_leap();
-  t.one("run.audit", 0, 0, "a plain and a leaping chip in step: every register compared",
-        TRAMMEL_LENS(run.audit));
-  t.one("run.assertions", 0, 0, "the promises of the RTL are looked at, in every clock",
-        TRAMMEL_LENS(run.assertions));
+  t.platform_and_clocks();
   t.window();
   t.one("run.settle_s", 0, 10, "simulated after the last point, not counted",
         TRAMMEL_LENS(run.settle_s));

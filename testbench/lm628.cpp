@@ -123,7 +123,7 @@ int lm628_shell(const RunArguments& arguments, std::atomic<bool>& stop,
     play(shell, lines, all, arguments.json);
   }
   lm628::Result result = shell.result();
-  result.end = all.end;
+  result.end = result.promise ? cosim::EndReason::kPromise : all.end;
   result.fault = all.halt;
   if (!folder && !arguments.json) return exit_code(result.end);
   const An693Metrics metrics = evaluate(options, result);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "testbench/an693.hpp"
+#include "testbench/output.hpp"
 
 namespace trammel::testbench {
 namespace {
@@ -70,8 +71,17 @@ void Lm628Shell::strobe_reset() {
   twelve_bits_ = false;
 }
 
+void Lm628Shell::look_at_promises(const std::string& where) const {
+  const auto broken = bench_.chip().broken_promise();
+  if (!broken) return;
+  throw Lm628Halt(cosim::EndReason::kPromise,
+                  fmt::format("{}: promise broken: {}", where,
+                              promise_text(*broken, options_.plant.clock_ps)));
+}
+
 // Throws when there is no more time, or no wish to go on.
 void Lm628Shell::go_on(const std::string& where) const {
+  look_at_promises(where);
   if (stop_.load(std::memory_order_relaxed)) {
     throw Lm628Halt(cosim::EndReason::kStopped, fmt::format("{}: interrupted at {:.6f} s", where,
                                                             seconds()));
@@ -116,6 +126,7 @@ Lm628Answer Lm628Shell::execute(const Lm628Line& line) {
     case Lm628Action::kHelp: answer.text = lm628_help(line.topic); break;
     case Lm628Action::kQuit: break;
   }
+  look_at_promises(line.where);
   answer.json["time_s"] = seconds();
   return answer;
 }

@@ -44,6 +44,7 @@ class Lm628Shell {
   void strobe_reset();
   void pass(const std::string& where, cosim::Clk count);
   void go_on(const std::string& where) const;
+  void look_at_promises(const std::string& where) const;
   void command(const Lm628Line& line, Lm628Answer& answer);
   void wait(const Lm628Line& line, Lm628Answer& answer);
   void tell(const Lm628Word& word, std::uint32_t bits, Lm628Answer& answer) const;

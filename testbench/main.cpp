@@ -69,11 +69,6 @@ struct CommandLine {
     run->add_option("--engine", run_arguments.engine, "rtl, or twin: its bit-exact twins, fast");
     run->add_option("--platform", run_arguments.platform, "systemc or direct");
     add_waves(run_arguments.waves);
-    run->add_flag("--audit", run_arguments.audit,
-                  "a plain and a leaping chip in step, every register compared; exit 4 at the "
-                  "first that differs");
-    run->add_flag("--assert", run_arguments.assertions,
-                  "look at the promises of the RTL; exit 4 when one is broken; 50 times slower");
     run->add_flag("--check", run_arguments.check, "exit 1 when a figure is out of tolerance");
 
     lm628 = app.add_subcommand("lm628", "the commands of an LM628 with its motor: a script, or a "
@@ -113,6 +108,11 @@ struct CommandLine {
   // Of every verb that simulates.
   void add_simulation(CLI::App* verb) {
     verb->add_flag("--no-leap", run_arguments.plain, "evaluate every clock; the same events");
+    verb->add_flag("--audit", run_arguments.audit,
+                   "a plain and a leaping chip in step, every register compared; exit 4 at the "
+                   "first that differs");
+    verb->add_flag("--assert", run_arguments.assertions,
+                   "look at the promises of the RTL; exit 4 when one is broken; 50 times slower");
     verb->add_flag_callback("--no-report", [this] { run_arguments.report = false; },
                             "without report.html");
   }

@@ -250,6 +250,7 @@ McafeeMetrics evaluate(const mcafee::Options& options, const mcafee::Result& res
 }
 
 void finish(const mcafee::Options& options) {
+  check_engine(options.run);
   check_motor(options.stage_axis.motor);
   if (options.stage == McafeeStage::kTrack) table_of(options);
 }
@@ -282,7 +283,7 @@ int run_mcafee(const mcafee::Options& options, const RunArguments& arguments,
                        : text_report(options, runs, shown, pictures,
                                      page ? (target / "report.html").string() : ""));
   return tell_end(options.scenario, run.result.end,
-                  run.result.fault.empty() ? "" : " by " + run.result.fault, shown);
+                  end_cause(run.result, options.stage_axis.clock_ps), shown);
 }
 
 int track(const RunArguments& arguments) {

@@ -24,7 +24,7 @@ const std::vector<KeyOf<mcafee::Options>>& keys_of<mcafee::Options>() {
     t.text("compare", "also track at constant speeds, 254 and the least one",
            TRAMMEL_LENS(compare));
     t.text("run.engine", "verilated chip, or its twin, which is faster", TRAMMEL_LENS(run.engine));
-    t.platform_and_leap();
+    t.platform_and_clocks();
     t.window();
     t.longest_run();
     t.one("run.diverged_counts", 1, 32767, "position error that ends the run as diverged",

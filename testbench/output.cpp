@@ -125,12 +125,7 @@ Json metrics_json(const kung::Options& options, const kung::Result& result, cons
                      {"processor", result.fault.processor},
                      {"tick", result.fault.tick}};
   }
-  if (result.promise) {
-    json["promise"] = {{"name", result.promise->name},
-                       {"instance", result.promise->instance},
-                       {"place", result.promise->place},
-                       {"clock", result.promise->edge}};
-  }
+  if (result.promise) json["promise"] = promise_json(*result.promise);
   json["tracking"] = {{"model", to_json(m.model_mm)}, {"command", to_json(m.command_mm)}};
   if (m.contour_mm.n > 0) json["contour"] = to_json(m.contour_mm);
   json["x"] = to_json(m.axis[0]);
@@ -279,11 +274,17 @@ std::string cause_text(const kung::Fault& fault) {
   return fmt::format("{} on axis {}", fault_text(fault.code), fault.axis == 0 ? 'X' : 'Y');
 }
 
-std::string promise_text(const kung::Options& options, const cosim::BrokenPromise& promise) {
-  const double clock_s = static_cast<double>(options.plant.clock_ps) * 1e-12;
+std::string promise_text(const cosim::BrokenPromise& promise, std::int64_t clock_ps) {
   return fmt::format("{} of {} at {:.8f} s, clock {} ({})", promise.name,
                      promise.instance.empty() ? "the chip" : promise.instance,
-                     static_cast<double>(promise.edge) * clock_s, promise.edge, promise.place);
+                     cosim::seconds_of(promise.edge, clock_ps), promise.edge, promise.place);
+}
+
+nlohmann::ordered_json promise_json(const cosim::BrokenPromise& promise) {
+  return {{"name", promise.name},
+          {"instance", promise.instance},
+          {"place", promise.place},
+          {"clock", promise.edge}};
 }
 
 const char* end_text(kung::EndReason end) {

@@ -85,7 +85,16 @@ std::string shell_word(const std::filesystem::path& path);
 
 const char* fault_text(kung::FaultCode code);
 std::string cause_text(const kung::Fault& fault);  // of a trip, with its axis
-std::string promise_text(const kung::Options& options, const cosim::BrokenPromise& promise);
+std::string promise_text(const cosim::BrokenPromise& promise, std::int64_t clock_ps);
+nlohmann::ordered_json promise_json(const cosim::BrokenPromise& promise);
+
+// What stands behind the end of a run: the promise that broke, or the fault.
+template <class Result>
+std::string end_cause(const Result& result, std::int64_t clock_ps) {
+  if (result.promise) return ": " + promise_text(*result.promise, clock_ps);
+  return result.fault.empty() ? "" : " by " + result.fault;
+}
+
 const char* end_text(kung::EndReason end);
 int exit_code(kung::EndReason end);
 

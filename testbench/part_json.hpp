@@ -19,6 +19,11 @@ namespace trammel::testbench {
 inline constexpr double kPerCount = 65536;  // of a position or speed
 inline constexpr unsigned kMotorOff = 0x80;  // of the status
 
+inline std::int64_t clock_ps_of(const lm628::Options& options) { return options.plant.clock_ps; }
+inline std::int64_t clock_ps_of(const mcafee::Options& options) {
+  return options.stage_axis.clock_ps;
+}
+
 // How it ended, in one line; a script's own words where it could not go on.
 template <class Options, class Result>
 std::string part_verdict(const Options& options, const Result& result) {
@@ -32,6 +37,8 @@ std::string part_verdict(const Options& options, const Result& result) {
       return result.fault.empty() ? fmt::format("not finished within run.max_s = {:g}",
                                                 options.run.max_s)
                                   : result.fault;
+    case cosim::EndReason::kPromise:
+      return "promise broken: " + promise_text(*result.promise, clock_ps_of(options));
     default: return end_text(result.end);
   }
 }
@@ -47,6 +54,7 @@ nlohmann::ordered_json head_json(const Options& options, const Result& result,
   json["end"] = end_text(result.end);
   json["verdict"] = part_verdict(options, result);
   if (!result.fault.empty()) json["fault"] = result.fault;
+  if (result.promise) json["promise"] = promise_json(*result.promise);
   return json;
 }
 

@@ -110,7 +110,7 @@ std::string verdict_text(const kung::Options& options, const kung::Result& resul
       return fmt::format("NOT FINISHED within run.max_s = {:g}", options.run.max_s);
     case kung::EndReason::kStopped: return "INTERRUPTED: results up to there";
     case kung::EndReason::kPromise:
-      return "PROMISE BROKEN: " + promise_text(options, *result.promise);
+      return "PROMISE BROKEN: " + promise_text(*result.promise, options.plant.clock_ps);
   }
   return "";
 }

@@ -68,7 +68,7 @@ void refuse_controller(const RunArguments& arguments) {
 }
 
 std::string end_cause(const Options& options, const kung::Result& result) {
-  if (result.promise) return ": " + promise_text(options, *result.promise);
+  if (result.promise) return ": " + promise_text(*result.promise, options.plant.clock_ps);
   return result.end == kung::EndReason::kFault ? " by " + cause_text(result.fault) : "";
 }
 

@@ -14,7 +14,7 @@
 #include "cosim/kung/lines.hpp"
 #include "cosim/kung/types.hpp"
 #include "cosim/kung/wakes.hpp"
-#include "cosim/promise.hpp"
+#include "cosim/machine_chip.hpp"
 
 namespace trammel::kung {
 
@@ -29,23 +29,16 @@ struct CurrentWords {
   bool clear = false;  // integrators are held at 0
 };
 
-struct KungChip : cosim::Chip {
+using cosim::WaveWindow;
+
+struct KungChip : cosim::MachineChip {
   virtual void read_words(int axis, AxisSample& sample) const = 0;  // controller words only
   virtual CurrentWords current(int axis) const = 0;
   virtual std::int32_t rule(int axis, int index) const = 0;  // stored rule 7 j + i, Q20 of a unit
   virtual std::int32_t integral(int axis) const = 0;         // of v*, in v* LSB / 4096
   virtual Fault fault() const = 0;
-  virtual cosim::Clk evaluated() const = 0;  // edges evaluated; the others were leapt over
-  virtual WakeCounts wakes() const { return {}; }  // of these, why; none for a chip without clocks
-  // The first promise that did not hold, if the chip looks at them.
-  virtual std::optional<cosim::BrokenPromise> broken_promise() const { return {}; }
-};
-
-// What a traced chip dumps: the edges [begin, end), and the same again every `period` edges.
-struct WaveWindow {
-  cosim::Clk begin = 0;
-  cosim::Clk end = 0;
-  cosim::Clk period = cosim::kNever;
+  // Of the edges evaluated, why; none for a chip without clocks.
+  virtual WakeCounts wakes() const { return {}; }
 };
 
 // A value inside the chip that a trigger may name: a word of the controllers or a register.

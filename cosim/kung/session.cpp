@@ -119,7 +119,7 @@ Result Session::result() {
     result_.end = EndReason::kPromise;
     result_.promise = chip_->broken_promise();
   }
-  if (waves_.window) result_.waves = wave_spans(*waves_.window, result_.clocks);
+  if (waves_.window) result_.waves = cosim::wave_spans(*waves_.window, result_.clocks);
   result_.wall_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
   return std::move(result_);

@@ -17,6 +17,7 @@
 #include "cosim/machine.hpp"
 #include "cosim/points.hpp"
 #include "cosim/promise.hpp"
+#include "cosim/waves.hpp"
 #include "models/plant/xy_table.hpp"
 
 namespace trammel::kung {
@@ -27,10 +28,11 @@ using cosim::Hooks;
 using cosim::OptionsError;
 using cosim::Platform;
 using cosim::ProcessorOptions;
+using cosim::WaveFormat;
+using cosim::WaveSpan;
 
 enum class Controller { kFc, kAfc };  // fixed rule table, or tuned while it runs
 enum class PathKind { kCircle, kWindow, kStar, kSquare, kLine, kPoints };
-enum class WaveFormat { kNone, kVcd, kFst };
 
 using cosim::PointM;
 
@@ -107,18 +109,8 @@ struct PathOptions {
 struct RunOptions : cosim::RunBasics {
   RunOptions() { max_s = 60; }
 
-  Engine engine = Engine::kRtl;   // kTwin: no SystemC, whatever the platform
-  bool audit = false;             // a plain and a leaping chip in step, all registers compared
-  bool assertions = false;        // the promises of the RTL are looked at; every clock is evaluated
   double settle_s = 0;            // simulated after the last point, not counted in the figures
   double diverged_m = 0.05;       // tracking error that ends the run as diverged
-  WaveFormat wave = WaveFormat::kNone;
-  double wave_begin_s = 0;        // from the start of the run, or from the trigger; both zero: the
-  double wave_end_s = 0;          // default window of waves.hpp
-  std::string wave_trigger;       // see trigger.hpp; "" = none
-  double wave_pre_s = 0.0002;     // of the default window, before the trigger
-  double wave_every_s = 0;        // the window again in every such period; 0 = once
-  std::string wave_file;          // set by the program: where the waves go
 };
 
 // Faults to be seen by the chip; 0 = never.
@@ -170,12 +162,6 @@ struct Fault {
   int axis = 0;
   std::uint32_t tick = 0;
   std::string processor = {};  // code kNone: the check of the firmware that stopped the drives
-};
-
-// Clock edges [begin, end) that waves were dumped of.
-struct WaveSpan {
-  cosim::Clk begin = 0;
-  cosim::Clk end = 0;
 };
 
 using RuleTable = std::array<std::int32_t, 49>;  // rule 7 j + i, Q20 of a unit

@@ -33,24 +33,8 @@ WaveWindow wave_window(const RunOptions& run, cosim::Clk origin) {
   }
   WaveWindow window{origin + edge_at(begin_s), origin + edge_at(end_s), cosim::kNever};
   if (run.wave_every_s > 0) window.period = edge_at(run.wave_every_s);
-  while (window.end <= 0 && window.period != cosim::kNever) {
-    window.begin += window.period;
-    window.end += window.period;
-  }
+  while (window.end <= 0 && window.period != cosim::kNever) window.next();
   return window;
-}
-
-std::vector<WaveSpan> wave_spans(const WaveWindow& window, cosim::Clk clocks) {
-  std::vector<WaveSpan> spans;
-  WaveSpan span{window.begin, window.end};
-  while (span.begin < clocks) {
-    const WaveSpan cut{std::max<cosim::Clk>(0, span.begin), std::min(span.end, clocks)};
-    if (cut.begin < cut.end) spans.push_back(cut);
-    if (window.period == cosim::kNever) break;
-    span.begin += window.period;
-    span.end += window.period;
-  }
-  return spans;
 }
 
 }  // namespace trammel::kung

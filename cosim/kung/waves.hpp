@@ -34,7 +34,4 @@ cosim::Clk wave_origin(const RunOptions& run);
 // The window around edge `origin`; it may begin before edge 0, which is then the first one shown.
 WaveWindow wave_window(const RunOptions& run, cosim::Clk origin);
 
-// What of it a run of so many clocks has dumped.
-std::vector<WaveSpan> wave_spans(const WaveWindow& window, cosim::Clk clocks);
-
 }  // namespace trammel::kung

@@ -9,6 +9,8 @@
 
 #include "cosim/cosim.hpp"
 #include "cosim/lm628/lines.hpp"
+#include "cosim/machine.hpp"
+#include "cosim/machine_chip.hpp"
 
 namespace trammel::lm628 {
 
@@ -25,13 +27,11 @@ struct Words {
   std::uint8_t status = 0;
 };
 
-struct Lm628Chip : cosim::Chip {
+struct Lm628Chip : cosim::MachineChip {
   virtual Words words() const = 0;
   virtual bool host_irq() const = 0;  // pin HI; irq() is also the timer's
-  virtual cosim::Clk evaluated() const = 0;
 };
 
-// leap: waiting clocks are not evaluated; the edges of all events stay the same.
-std::unique_ptr<Lm628Chip> make_verilated_chip(bool leap);
+std::unique_ptr<Lm628Chip> make_verilated_chip(const cosim::RunBasics& run);
 
 }  // namespace trammel::lm628

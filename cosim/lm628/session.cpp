@@ -54,7 +54,7 @@ const char* failure_text(sw::An693Failure failure) {
 Bench::Bench(const Options& options, std::function<bool(const Sample&)> finished)
     : options_(options),
       plant_(options.plant),
-      chip_(make_verilated_chip(options.run.leap)),
+      chip_(make_verilated_chip(options.run)),
       recorder_(
           *chip_,
           [this](Sample& sample) {
@@ -77,6 +77,7 @@ Result Bench::result() {
   result.clocks = chip_->now();
   result.evaluated = chip_->evaluated();
   result.event_hash = recorder_.event_hash();
+  result.promise = chip_->broken_promise();
   result.wall_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
   return result;
@@ -89,6 +90,7 @@ Session::Session(const Options& options, const cosim::Hooks& hooks)
       expected_s_(expected_s(options)) {}
 
 bool Session::over(const Sample& sample) {
+  if (chip().broken_promise()) return true;
   if (hooks_.stop != nullptr && hooks_.stop->load(std::memory_order_relaxed)) {
     end_ = cosim::EndReason::kStopped;
     return true;
@@ -111,7 +113,7 @@ bool Session::over(const Sample& sample) {
 
 Result Session::result() {
   Result result = Bench::result();
-  result.end = end_;
+  result.end = result.promise ? cosim::EndReason::kPromise : end_;
   result.fault = failure_text(app_.failure());
   result.desired = app_.desired();
   result.real = app_.real();

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "cosim/cosim.hpp"
@@ -52,6 +53,7 @@ struct Result {
   cosim::DiskVector<Sample> samples;      // from the first after the reset routine on
   cosim::EndReason end = cosim::EndReason::kTimeout;
   std::string fault;                // kFault: what the program saw
+  std::optional<cosim::BrokenPromise> promise;  // kPromise: the first one
   std::int32_t desired = 0;         // RDDP and RDRP at the end [count]
   std::int32_t real = 0;
   cosim::Clk clocks = 0;

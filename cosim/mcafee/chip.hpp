@@ -14,13 +14,11 @@ namespace trammel::mcafee {
 
 inline constexpr int kAxes = 2;
 
-struct McafeeChip : cosim::Chip {
+struct McafeeChip : cosim::MachineChip {
   virtual lm628::Words words(int axis) const = 0;  // what its part holds
   virtual bool host_irq(int axis) const = 0;       // pin HI; irq() is also the timer's
-  virtual cosim::Clk evaluated() const = 0;
 };
 
-// leap: waiting clocks are not evaluated; the edges of all events stay the same.
-std::unique_ptr<McafeeChip> make_verilated_chip(bool leap);
+std::unique_ptr<McafeeChip> make_verilated_chip(const cosim::RunBasics& run);
 
 }  // namespace trammel::mcafee

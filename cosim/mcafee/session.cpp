@@ -55,7 +55,7 @@ Session::Session(const Options& options, const cosim::Hooks& hooks)
       hooks_(hooks),
       table_(table_for(options)),
       plant_({options.stage_axis, options.stage_axis}),
-      chip_(options.run.engine == Engine::kRtl ? make_verilated_chip(options.run.leap)
+      chip_(options.run.engine == Engine::kRtl ? make_verilated_chip(options.run)
                                                : make_twin_chip()),
       app_(program()),
       loop_(*chip_, plant_, *this, options.run.window()) {}
@@ -121,6 +121,7 @@ Sample Session::sample_at(cosim::Clk edge) const {
 }
 
 std::optional<cosim::EndReason> Session::end_after(const Sample& sample) {
+  if (chip_->broken_promise()) return cosim::EndReason::kPromise;
   if (hooks_.progress && samples_.size() % 64 == 0) hooks_.progress(std::min(1.0, progress()));
   if (hooks_.stop != nullptr && hooks_.stop->load()) return cosim::EndReason::kStopped;
   if (app_.failed()) return cosim::EndReason::kFault;
@@ -156,6 +157,8 @@ Result Session::result() {
   result.wall_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
   result.event_hash = hash_.value();
+  result.promise = chip_->broken_promise();
+  if (result.promise) result.end = cosim::EndReason::kPromise;
   return result;
 }
 

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,6 @@ inline constexpr double kSampleS = 2048 / 6e6;
 using cosim::Engine;
 
 struct RunOptions : cosim::RunBasics {
-  Engine engine = Engine::kRtl;
   int diverged_counts = 4000;   // position error that ends the run as diverged
 };
 
@@ -71,6 +71,7 @@ struct Result {
   cosim::DiskVector<Sample> samples;  // from the first after the reset routine on
   cosim::EndReason end = cosim::EndReason::kTimeout;
   std::string fault;            // kFault: what the program saw
+  std::optional<cosim::BrokenPromise> promise;  // kPromise: the first one
   std::uint32_t readings = 0;   // of Stage I
   std::array<std::int32_t, 2> real{};  // RDRP at the end [count]
   Table table;                  // that the program followed

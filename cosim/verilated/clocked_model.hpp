@@ -2,7 +2,8 @@
 //
 // A verilated chip with the ports clk_i, leap_i, next_o and quiescent_o, in a context of its own.
 // An edge is one evaluation: the model's stored clock value is set back by hand, so that the next
-// evaluation sees a rising edge. Inputs that changed settle before it.
+// evaluation sees a rising edge. Inputs that changed settle before it. A tracer looks on, and a
+// checked model's promises are looked at.
 //
 // While every register waits (quiescent_o) the timers alone move, for next_o edges: one evaluation
 // with leap_i = n - 1 stands for n of them. No pin may move inside a leap.
@@ -13,8 +14,12 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
+#include <optional>
+#include <utility>
 
 #include "cosim/cosim.hpp"
+#include "cosim/promise.hpp"
+#include "cosim/verilated/tracer.hpp"
 
 namespace trammel::cosim {
 
@@ -28,16 +33,17 @@ auto stored_clock(Root& root, long) -> decltype(root.__Vtrigprevexpr___TOP__clk_
   return root.__Vtrigprevexpr___TOP__clk_i__0;
 }
 
-template <class Model>
+template <class Model, class Tracer>
 class ClockedModel {
  public:
-  // leap: waiting() may be more than one edge; checked: assertions are looked at.
-  explicit ClockedModel(bool leap, bool checked = false) : leap_(leap) {
-    context_->assertOn(checked);
+  ClockedModel(Tracer tracer, ModelMode mode)
+      : leap_(mode.leap && !mode.checked), checked_(mode.checked), tracer_(std::move(tracer)) {
+    context_->assertOn(mode.checked);
     context_->randReset(2);
     context_->randSeed(1);
     model_ = std::make_unique<Model>(context_.get(), "");  // no scope around the chip's
     model_->leap_i = 0;
+    tracer_.attach(*context_, *model_);
   }
 
   // The model leaves the context of the thread, which else is that of the chip evaluated last.
@@ -51,12 +57,21 @@ class ClockedModel {
 
   Model& operator*() const { return *model_; }
   Model* operator->() const { return model_.get(); }
-  VerilatedContext& context() const { return *context_; }
+  Tracer& tracer() { return tracer_; }
+  bool shows(Clk edge) const { return tracer_.shows(edge); }
 
-  void raise() {
-    model_->clk_i = 1;
-    stored_clock(*model_->rootp, 0) = 0;
-    model_->eval();
+  // Before the rising edge: inputs that changed reach the combinational logic.
+  void settle(Clk edge, bool changed) {
+    const bool shown = shows(edge);
+    if (shown) model_->clk_i = 0;
+    if (changed) model_->eval();
+    if (shown) tracer_.fell(edge);
+  }
+
+  void raise(Clk edge) {
+    rise();
+    tracer_.raised(edge);
+    if (checked_ && !broken_) look_for_broken_promise(edge);
   }
 
   // Edges from the present one on that only count; at least 1, the evaluated one.
@@ -65,17 +80,34 @@ class ClockedModel {
     return std::max<Clk>(1, model_->next_o);
   }
 
-  // One evaluation for so many edges, at most waiting().
-  void leap(Clk clocks) {
+  // One evaluation for so many edges, at most waiting(). No promise is looked at: a checked model
+  // does not leap.
+  void leap(Clk edge, Clk clocks) {
     model_->leap_i = static_cast<std::uint16_t>(clocks - 1);
-    raise();
+    rise();
     model_->leap_i = 0;
+    tracer_.raised(edge);
   }
 
+  const std::optional<BrokenPromise>& broken_promise() const { return broken_; }
+
  private:
+  void rise() {
+    model_->clk_i = 1;
+    stored_clock(*model_->rootp, 0) = 0;
+    model_->eval();
+  }
+
+  void look_for_broken_promise(Clk edge) {
+    broken_ = take_broken_promise();
+    if (broken_) broken_->edge = edge;
+  }
+
   std::unique_ptr<VerilatedContext> context_ = std::make_unique<VerilatedContext>();
   std::unique_ptr<Model> model_;
-  bool leap_;
+  bool leap_, checked_;
+  Tracer tracer_;
+  std::optional<BrokenPromise> broken_;
 };
 
 }  // namespace trammel::cosim

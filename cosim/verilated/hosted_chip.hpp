@@ -7,80 +7,96 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <type_traits>
+#include <utility>
 
 #include "cosim/host_timer.hpp"
 #include "cosim/verilated/clocked_model.hpp"
 
 namespace trammel::cosim {
 
-template <class Base, class Model>
+// What is kept beside a model. Together with the model's registers and inputs it is all that the
+// next edges depend on, so that another model can go on from here; chips add their own to it.
+struct HostedState {
+  bool dirty = true;  // inputs changed since the last evaluation
+  Clk now = -4;       // the first ones are the reset's
+  Clk evaluated = 0;
+  HostTimer timer;
+  std::uint32_t rdata = 0;
+  bool irq = false;
+
+  void count_as(const HostedState& other) { evaluated = other.evaluated; }
+};
+
+template <class Base, class State, class Model, class Tracer>
 class HostedChip : public Base {
  public:
-  Clk now() const override { return now_; }
-  Clk evaluated() const override { return evaluated_; }
-  bool irq() const override { return irq_; }
-  std::uint32_t rdata() const override { return rdata_; }
+  using Root = std::remove_pointer_t<decltype(Model::rootp)>;
+
+  Clk now() const override { return state_.now; }
+  Clk evaluated() const override { return state_.evaluated; }
+  bool irq() const override { return state_.irq; }
+  std::uint32_t rdata() const override { return state_.rdata; }
+  std::optional<BrokenPromise> broken_promise() const override { return model_.broken_promise(); }
+
+  Root& registers() { return *model_->rootp; }
+  State& state() { return state_; }
+  Tracer& tracer() { return model_.tracer(); }
 
   Stop run(Clk end, const Plant&) override {
-    while (now_ < end) {
-      const Clk edge = now_;
+    State& s = state_;
+    while (s.now < end) {
+      const Clk edge = s.now;
       const bool bus = bus_active();
-      settle(bus);
-      dirty_ = false;
-      ++evaluated_;
-      const Clk clocks =
-          bus ? 1 : std::min({model_.waiting(), end - edge, timer_.waiting(edge)});
+      if (bus) put_transfer();
+      model_.settle(edge, s.dirty || bus);
+      if (bus) see_transfer();
+      s.dirty = false;
+      ++s.evaluated;
+      const Clk clocks = bus ? 1 : std::min({model_.waiting(), end - edge, s.timer.waiting(edge)});
       if (clocks > 1) {
-        model_.leap(clocks);
-        now_ += clocks;
+        model_.leap(edge, clocks);
+        s.now += clocks;
         continue;
       }
       unsigned why = publishes() ? kSample : 0u;
-      model_.raise();
-      ++now_;
+      model_.raise(edge);
+      ++s.now;
       if (bus && bus_edge(edge)) why |= kBusDone;
-      timer_.pass(edge);
+      s.timer.pass(edge);
       if (drive_changed()) why |= kDrive;
-      const bool irq = host_pin() || timer_.irq();
-      if (irq && !irq_) why |= kIrq;
-      irq_ = irq;
+      const bool irq = host_pin() || s.timer.irq();
+      if (irq && !s.irq) why |= kIrq;
+      s.irq = irq;
       if (why != 0) return {edge, why};
     }
-    return {now_ - 1, kLimit};
+    return {s.now - 1, kLimit};
   }
 
  protected:
-  explicit HostedChip(bool leap) : model_(leap) {}
+  HostedChip(Tracer tracer, ModelMode mode) : model_(std::move(tracer), mode) {}
 
   // With all inputs set.
   void reset() {
     model_->rst_i = 1;
-    for (; now_ < 0; ++now_) {
-      model_->eval();
-      model_.raise();
+    for (; state_.now < 0; ++state_.now) {
+      model_.settle(state_.now, true);
+      model_.raise(state_.now);
     }
     model_->rst_i = 0;
-    dirty_ = true;
+    state_.dirty = true;
   }
 
   virtual bool bus_active() const = 0;
-  virtual void settle(bool bus) = 0;       // inputs reach the logic before an edge
+  virtual void put_transfer() {}           // its inputs before an edge
+  virtual void see_transfer() {}           // its outputs, settled, before the edge
   virtual bool bus_edge(Clk edge) = 0;     // passes an edge of a transfer; true when it ended
   virtual bool publishes() const = 0;      // results of a sample, at the edge to come
   virtual bool drive_changed() = 0;        // by the edge just executed
   virtual bool host_pin() const = 0;       // the chip interrupts
 
-  ClockedModel<Model> model_;
-  HostTimer timer_;
-  bool dirty_ = true;  // inputs changed since the last evaluation
-  std::uint32_t rdata_ = 0;
-
- private:
-  static constexpr Clk kResetEdges = 4;
-
-  Clk now_ = -kResetEdges;
-  Clk evaluated_ = 0;
-  bool irq_ = false;
+  ClockedModel<Model, Tracer> model_;
+  State state_;
 };
 
 }  // namespace trammel::cosim

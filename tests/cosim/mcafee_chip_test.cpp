@@ -57,8 +57,14 @@ struct Run {
   Events events;
   cosim::Loop loop;
 
+  static cosim::RunBasics mode(bool leap) {
+    cosim::RunBasics run;
+    run.leap = leap;
+    return run;
+  }
+
   Run(bool leap, cosim::Clk window)
-      : chip(mcafee::make_verilated_chip(leap)), loop(*chip, plant, events, window) {}
+      : chip(mcafee::make_verilated_chip(mode(leap))), loop(*chip, plant, events, window) {}
 
   cosim::Stop transfer(const cosim::BusOp& op) {
     chip->request(op);

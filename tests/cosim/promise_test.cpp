@@ -3,24 +3,13 @@
 
 #include <catch2/catch.hpp>
 
-#include "cosim/verilated/hooks.hpp"
+#include "tests/support/broken_promise.hpp"
 
 using trammel::cosim::take_broken_promise;
-
-void vl_stop(const char* file, int line, const char* scope);  // what Verilator's code calls
-
-namespace {
-
-void fail(const char* path) {
-  trammel_verilated_print("[0] %%Error: a_props.sv:7: Assertion failed in %s: 'assert' failed.\n",
-                          path);
-  vl_stop("/somewhere/rtl/drive/a_props.sv", 7, "");
-}
-
-}  // namespace
+using trammel::test::break_promise;
 
 TEST_CASE("a failed assertion is told by its label, its block's instance and its place") {
-  fail("kung_xy.gen_axis[0].u_axis.u_pwm.u_pwm_props.off_at_phase_zero");
+  break_promise("kung_xy.gen_axis[0].u_axis.u_pwm.u_pwm_props.off_at_phase_zero");
   const auto broken = take_broken_promise();
   REQUIRE(broken);
   CHECK(broken->name == "off_at_phase_zero");
@@ -29,8 +18,8 @@ TEST_CASE("a failed assertion is told by its label, its block's instance and its
 }
 
 TEST_CASE("of several broken promises the first counts, and once") {
-  fail("a.u_a_props.first");
-  fail("a.u_a_props.second");
+  break_promise("a.u_a_props.first");
+  break_promise("a.u_a_props.second");
   CHECK(take_broken_promise()->name == "first");
   CHECK_FALSE(take_broken_promise());
 }

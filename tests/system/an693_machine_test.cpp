@@ -9,6 +9,7 @@
 #include "cosim/lm628/session.hpp"
 #include "systemc/machines/an693.hpp"
 #include "testbench/an693.hpp"
+#include "tests/support/broken_promise.hpp"
 
 using namespace trammel;
 using namespace trammel::lm628;
@@ -24,6 +25,15 @@ Options make_options(An693Program program) {
   options.filter.kp = 50;
   options.filter.kd = 1000;
   options.filter.interval = 4;
+  return options;
+}
+
+// A step of 50 counts.
+Options one_step() {
+  Options options = make_options(An693Program::kTuning);
+  options.acceleration = options.velocity = 0x3FFFFFFF;
+  options.position = 50;
+  options.steps = 1;
   return options;
 }
 
@@ -70,7 +80,7 @@ struct Followed {
 };
 
 Followed follow(const sw::An693Setup& setup, cosim::Clk end) {
-  const auto chip = make_verilated_chip(true);
+  const auto chip = make_verilated_chip({});
   sw::An693App app(setup);
   Recorder recorder(*chip, [](Sample&) {}, [&app](const Sample&) { return app.done(); });
   Follower follower;
@@ -165,6 +175,42 @@ TEST_CASE("an693 in SystemC, directly, in any window and without leaps has the s
   CHECK(direct.evaluated * 5 < plain.evaluated);
 }
 
+TEST_CASE("an693 audited, or with its promises looked at, has the same events and none is broken") {
+  Options options = one_step();
+  options.wait_s = 0.005;
+  const Result base = simulate(options, {});
+  REQUIRE(base.end == cosim::EndReason::kDone);
+  options.run.audit = true;
+  const Result audited = simulate(options, {});
+  CHECK(audited.end == cosim::EndReason::kDone);
+  CHECK_FALSE(audited.promise);
+  CHECK(audited.evaluated == base.evaluated);
+  CHECK(audited.event_hash == base.event_hash);
+  options.run.audit = false;
+  options.run.assertions = true;
+  const Result checked = simulate(options, {});
+  CHECK(checked.end == cosim::EndReason::kDone);
+  CHECK_FALSE(checked.promise);
+  CHECK(checked.evaluated >= checked.clocks);
+  CHECK(checked.event_hash == base.event_hash);
+}
+
+TEST_CASE("an693 ends at the sample after a broken promise, and keeps its record") {
+  Options options = one_step();
+  options.run.assertions = true;
+  cosim::Hooks hooks;
+  hooks.progress = [](double) { test::break_promise("lm628.u_port.u_lm628_port_props.busy_ends"); };
+  const Result result = simulate(options, hooks);
+  CHECK(result.end == cosim::EndReason::kPromise);
+  REQUIRE(result.promise);
+  CHECK(result.promise->name == "busy_ends");
+  CHECK(result.promise->instance == "lm628.u_port");
+  REQUIRE(result.samples.size() == 65);
+  const Sample last = result.samples.back();
+  CHECK(result.promise->edge < last.edge);
+  CHECK(result.promise->edge > last.edge - 12800);
+}
+
 TEST_CASE("an693 tells its progress up to the end, and can be stopped") {
   Options options = breakpoints();
   options.breakpoint = 1000;
@@ -196,9 +242,8 @@ TEST_CASE("an693 holds the shaft against a torque with kp e") {
 
 // L-16, with the real port and converter around it.
 TEST_CASE("an693 steps there and back, with 2 and 14 % of overshoot at kp 50 and 100") {
-  Options options = make_options(An693Program::kTuning);
-  options.acceleration = options.velocity = 0x3FFFFFFF;
-  options.position = 50;
+  Options options = one_step();
+  options.steps = 4;
   for (const auto& [kp, percent] : {std::pair{50u, 2.0}, {100u, 14.3}}) {
     options.filter.kp = kp;
     const Result result = simulate(options, {});

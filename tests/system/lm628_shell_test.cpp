@@ -14,6 +14,7 @@
 #include "testbench/config.hpp"
 #include "testbench/lm628.hpp"
 #include "testbench/output.hpp"
+#include "tests/support/broken_promise.hpp"
 
 using namespace trammel;
 using namespace trammel::testbench;
@@ -105,6 +106,30 @@ TEST_CASE("what is read is told in hexadecimal and in its unit") {
         "RDIP    00000000h  0 counts\n");
   CHECK(run.answers[0]["bits"] == "motor off, trajectory complete");
   CHECK(run.answers[3]["unit"] == "counts/sample");
+}
+
+TEST_CASE("a broken promise ends a script with the line at which it was seen") {
+  lm628::Options options;
+  options.run.assertions = true;
+  Lm628Shell shell(options, kNoStop);
+  const auto script = parse_lm628_script("RDRP\nRDDP\nRDRV", "test");
+  shell.execute(script[0]);
+  test::break_promise("lm628.u_port.u_lm628_port_props.busy_ends");
+  CHECK_THROWS_WITH(shell.execute(script[1]),
+                    Contains("test:2: promise broken: busy_ends of lm628.u_port at 0.0"));
+  CHECK_THROWS_AS(shell.execute(script[2]), Lm628Halt);
+  CHECK(shell.result().promise);
+}
+
+TEST_CASE("an audited script answers as any other") {
+  lm628::Options options;
+  options.run.audit = true;
+  const std::string script =
+      "PORT12\nLFIL 8 50\nUDF\nLTRJ 002Ah 9000 90000 300\nSTT\nwait 5 ms\nRDRP";
+  const Played audited = play(script, options);
+  CHECK(audited.halt.empty());
+  CHECK_FALSE(audited.result.promise);
+  CHECK(audited.text == play(script).text);
 }
 
 TEST_CASE("negative values come back as they were sent") {

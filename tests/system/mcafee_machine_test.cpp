@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "systemc/machines/mcafee.hpp"
+#include "tests/support/broken_promise.hpp"
 
 using namespace trammel;
 using namespace trammel::mcafee;
@@ -45,6 +46,37 @@ TEST_CASE("mcafee: SystemC, direct, any window, leapt or plain give the same eve
   other.run.leap = false;
   CHECK(run(other).event_hash == result.event_hash);
   CHECK(run(other).evaluated >= result.clocks);
+}
+
+TEST_CASE("mcafee: audited, or with its promises looked at, it has the same events") {
+  Options options = small_corner();
+  options.run.max_s = 0.03;  // the first rows
+  const Result base = run(options);
+  REQUIRE(base.samples.size() > 80);
+  REQUIRE(base.samples.back().row > 0);
+  options.run.audit = true;
+  const Result audited = run(options);
+  CHECK_FALSE(audited.promise);
+  CHECK(audited.evaluated == base.evaluated);
+  CHECK(audited.event_hash == base.event_hash);
+  options.run.audit = false;
+  options.run.assertions = true;
+  const Result checked = run(options);
+  CHECK(checked.end == base.end);
+  CHECK_FALSE(checked.promise);
+  CHECK(checked.event_hash == base.event_hash);
+}
+
+TEST_CASE("mcafee: a broken promise ends the run at the next sample") {
+  Options options = small_corner();
+  options.run.assertions = true;
+  cosim::Hooks hooks;
+  hooks.progress = [](double) { test::break_promise("mcafee_xy.u_x.u_lm628_props.kept"); };
+  const Result result = simulate(options, hooks);
+  CHECK(result.end == cosim::EndReason::kPromise);
+  REQUIRE(result.promise);
+  CHECK(result.promise->instance == "mcafee_xy.u_x");
+  CHECK(result.samples.size() == 65);
 }
 
 TEST_CASE("mcafee: the twin gives the events of the chip") {

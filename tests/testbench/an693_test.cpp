@@ -188,6 +188,11 @@ TEST_CASE("an693 says how a run ended") {
   CHECK(part_verdict(options, result) == "tripped: " + result.fault);
   result.end = cosim::EndReason::kStopped;
   CHECK(part_verdict(options, result) == "interrupted");
+  result.end = cosim::EndReason::kPromise;
+  result.promise = {"busy_ends", "lm628.u_port", "bus/lm628_port_props.sv:7", 50000};
+  CHECK(part_verdict(options, result) ==
+        "promise broken: busy_ends of lm628.u_port at 0.00100000 s, clock 50000 "
+        "(bus/lm628_port_props.sv:7)");
 }
 
 TEST_CASE("run chooses the machine by the scenario, and refuses what this one has not") {
@@ -205,6 +210,17 @@ TEST_CASE("run chooses the machine by the scenario, and refuses what this one ha
   };
   CHECK(run(arguments, {}, stop, simulate) == 0);
   CHECK(ran);
+  const SimulateAn693 breaks = [](const lm628::Options&, const cosim::Hooks&) {
+    lm628::Result result = by_hand();
+    result.end = cosim::EndReason::kPromise;
+    result.promise = {"busy_ends", "lm628.u_port", "bus/lm628_port_props.sv:7", 50000};
+    return result;
+  };
+  CHECK(run(arguments, {}, stop, breaks) == 4);
+  CHECK_THAT(content(fs::path(arguments.out) / "metrics.json"), Contains("\"clock\": 50000"));
+  arguments.audit = arguments.plain = true;
+  CHECK_THROWS_WITH(run(arguments, {}, stop, simulate), Contains("not with --no-leap"));
+  arguments.audit = arguments.plain = false;
   arguments.waves.format = "fst";
   CHECK_THROWS_WITH(run(arguments, {}, stop, simulate), Contains("--wave: is not offered"));
   fs::remove_all("an693_test_out");

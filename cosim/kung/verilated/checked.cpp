@@ -7,7 +7,8 @@
 namespace trammel::kung {
 
 std::unique_ptr<KungChip> make_checked_chip() {
-  return std::make_unique<ChipModel<Vkung_xy_checked, NoTrace>>(NoTrace{}, false, true);
+  return std::make_unique<ChipModel<Vkung_xy_checked, cosim::NoTrace>>(
+      cosim::NoTrace{}, cosim::ModelMode{false, true});
 }
 
 }  // namespace trammel::kung

@@ -13,31 +13,18 @@
 
 namespace trammel::kung {
 
-// Tracer: attach(context, model) before time zero; fell(Clk) after the falling edge before each
-// rising one for which shows(Clk) holds, and raised(Clk) after every rising edge that is evaluated.
-//
 // A leap never passes `end`, and none is made during a bus transfer: no pin moves inside it.
-struct NoTrace {
-  template <class Model>
-  void attach(VerilatedContext&, Model&) {}
-  static constexpr bool shows(cosim::Clk) { return false; }
-  void fell(cosim::Clk) {}
-  void raised(cosim::Clk) {}
-};
-
 template <class Model, class Tracer>
-class ChipModel final : public KungChip, private ChipState {
+class ChipModel : public KungChip, private ChipState {
  public:
   using Root = std::remove_pointer_t<decltype(Model::rootp)>;
 
-  ChipModel(Tracer tracer, bool leap, bool checked = false)
-      : model_(leap && !checked, checked), tracer_(std::move(tracer)), checked_(checked) {
-    tracer_.attach(model_.context(), *model_);
+  ChipModel(Tracer tracer, cosim::ModelMode mode) : model_(std::move(tracer), mode) {
     quiet_inputs();
     model_->rst_i = 1;
     for (int i = 0; i < kResetEdges; ++i) {
       settle(now_);
-      raise(now_);
+      model_.raise(now_);
       ++now_;
     }
     model_->rst_i = 0;
@@ -52,7 +39,7 @@ class ChipModel final : public KungChip, private ChipState {
   // Between two runs, all that the next edges depend on.
   Root& registers() { return *model_->rootp; }
   ChipState& state() { return *this; }
-  Tracer& tracer() { return tracer_; }
+  Tracer& tracer() { return model_.tracer(); }
 
   void sense(cosim::Lines lines) override {
     Model& m = *model_;
@@ -74,17 +61,18 @@ class ChipModel final : public KungChip, private ChipState {
   cosim::Stop run(cosim::Clk end, const cosim::Plant& plant) override {
     while (now_ < end) {
       const cosim::Clk edge = now_;
-      if (dirty_ || bus_.active() || tracer_.shows(edge)) settle(edge);
+      if (dirty_ || bus_.active() || model_.shows(edge)) settle(edge);
       const bool bus = bus_.active();
       if (bus) bus_.before_edge(*model_);
       const cosim::Clk clocks = bus ? 1 : std::min(model_.waiting(), end - edge);
       ++evaluated_;
       ++wakes_[static_cast<std::size_t>(wake(edge, clocks))];
       if (clocks > 1) {
-        leap(edge, clocks);
+        model_.leap(edge, clocks);
+        now_ += clocks;
         continue;
       }
-      raise(edge);
+      model_.raise(edge);
       ++now_;
       unsigned why = 0;
       if (bus) {
@@ -116,7 +104,9 @@ class ChipModel final : public KungChip, private ChipState {
     return probe_integral(*model_->rootp, axis);
   }
   Fault fault() const override { return probe_fault(*model_->rootp); }
-  std::optional<cosim::BrokenPromise> broken_promise() const override { return broken_; }
+  std::optional<cosim::BrokenPromise> broken_promise() const override {
+    return model_.broken_promise();
+  }
 
  private:
   static constexpr cosim::Clk kEncoderSettles = 12;  // synchroniser, usual filters, decoder
@@ -129,24 +119,9 @@ class ChipModel final : public KungChip, private ChipState {
     sense(0);
   }
 
-  // Inputs reach the combinational logic; no rising edge.
   void settle(cosim::Clk edge) {
-    const bool shown = tracer_.shows(edge);
-    if (shown) model_->clk_i = 0;
-    if (dirty_ || bus_.active()) model_->eval();
-    if (shown) tracer_.fell(edge);
+    model_.settle(edge, dirty_ || bus_.active());
     dirty_ = false;
-  }
-
-  void raise(cosim::Clk edge) {
-    model_.raise();
-    tracer_.raised(edge);
-    if (checked_ && !broken_) look_for_broken_promise(edge);
-  }
-
-  void look_for_broken_promise(cosim::Clk edge) {
-    broken_ = cosim::take_broken_promise();
-    if (broken_) broken_->edge = edge;
   }
 
   // Of the next edge, before it.
@@ -161,13 +136,6 @@ class ChipModel final : public KungChip, private ChipState {
     if (probe_busy(*m.rootp, 0) || probe_busy(*m.rootp, 1)) return Wake::kCurrent;
     if (position_) return Wake::kPosition;
     return edge - sensed_ < kEncoderSettles ? Wake::kEncoder : Wake::kGate;
-  }
-
-  // No promise is looked at: a checked chip does not leap.
-  void leap(cosim::Clk edge, cosim::Clk clocks) {
-    model_.leap(clocks);
-    tracer_.raised(edge);
-    now_ += clocks;
   }
 
   void serve_converters(cosim::Clk edge, const cosim::Plant& plant) {
@@ -216,10 +184,7 @@ class ChipModel final : public KungChip, private ChipState {
     return (hi << gate_hi(axis, 0)) | (lo << gate_lo(axis, 0));
   }
 
-  cosim::ClockedModel<Model> model_;
-  Tracer tracer_;
-  bool checked_;
-  std::optional<cosim::BrokenPromise> broken_;
+  cosim::ClockedModel<Model, Tracer> model_;
 };
 
 }  // namespace trammel::kung

@@ -7,7 +7,8 @@
 namespace trammel::kung {
 
 std::unique_ptr<KungChip> make_verilated_chip(bool leap) {
-  return std::make_unique<ChipModel<Vkung_xy, NoTrace>>(NoTrace{}, leap);
+  return std::make_unique<ChipModel<Vkung_xy, cosim::NoTrace>>(cosim::NoTrace{},
+                                                               cosim::ModelMode{leap, false});
 }
 
 }  // namespace trammel::kung

@@ -42,7 +42,8 @@ const std::vector<Signal>& signals() {
 }
 
 std::unique_ptr<KungChip> make_watched_chip(Watcher& watcher, bool leap) {
-  return std::make_unique<ChipModel<Vkung_xy, Watch>>(Watch{watcher}, leap);
+  return std::make_unique<ChipModel<Vkung_xy, Watch>>(Watch{watcher},
+                                                      cosim::ModelMode{leap, false});
 }
 
 }  // namespace trammel::kung

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <Vmcafee_fast.h>
-#include <Vmcafee_fast___024root.h>
+//
+// The verilated mcafee_xy behind the Chip interface; one template for all its models. Included only
+// by the units of this folder.
+#pragma once
 
 #include "cosim/lm628/verilated/words.hpp"
 #include "cosim/mcafee/chip.hpp"
@@ -9,18 +11,29 @@
 #include "sw_nios/hal/mcafee_map.hpp"
 
 namespace trammel::mcafee {
-namespace {
 
-class VerilatedMcafee final : public cosim::HostedChip<McafeeChip, Vmcafee_fast> {
+struct ChipState : cosim::HostedState {
+  cosim::AxiLiteMaster bus;
+  cosim::BusOp platform;  // of its own registers
+  bool platform_active = false;
+  cosim::Lines codes = 0;
+};
+
+template <class Model, class Tracer>
+class ChipModel : public cosim::HostedChip<McafeeChip, ChipState, Model, Tracer> {
+  using Hosted = cosim::HostedChip<McafeeChip, ChipState, Model, Tracer>;
+  using Hosted::model_;
+  using Hosted::state_;
+
  public:
-  explicit VerilatedMcafee(bool leap) : HostedChip(leap) {
-    bus_.reset(*model_);
+  ChipModel(Tracer tracer, cosim::ModelMode mode) : Hosted(std::move(tracer), mode) {
+    state_.bus.reset(*model_);
     sense(0);
-    reset();
+    this->reset();
     drive_changed();
   }
 
-  cosim::Lines drive() const override { return codes_; }
+  cosim::Lines drive() const override { return state_.codes; }
   bool host_irq(int axis) const override { return (model_->hi_o >> axis & 1) != 0; }
 
   void sense(cosim::Lines lines) override {
@@ -32,15 +45,15 @@ class VerilatedMcafee final : public cosim::HostedChip<McafeeChip, Vmcafee_fast>
     model_->enc_idx_n_i = static_cast<std::uint8_t>(~pick(marker(0), marker(1)) & 3u);
     model_->limit_i = static_cast<std::uint8_t>(pick(limit_low(0), limit_high(0)) |
                                                 pick(limit_low(1), limit_high(1)) << 2);
-    dirty_ = true;
+    state_.dirty = true;
   }
 
   void request(const cosim::BusOp& op) override {
     if (op.addr >= sw::mcafee_map::kTimer) {
-      platform_ = op;
-      platform_active_ = true;
+      state_.platform = op;
+      state_.platform_active = true;
     } else {
-      bus_.request(*model_, op);
+      state_.bus.request(*model_, op);
     }
   }
 
@@ -57,32 +70,31 @@ class VerilatedMcafee final : public cosim::HostedChip<McafeeChip, Vmcafee_fast>
   }
 
  private:
-  bool bus_active() const override { return bus_.active() || platform_active_; }
-  void settle(bool) override {
-    if (dirty_ || bus_.active()) model_->eval();
-    if (bus_.active()) bus_.before_edge(*model_);
+  bool bus_active() const override { return state_.bus.active() || state_.platform_active; }
+  void see_transfer() override {
+    if (state_.bus.active()) state_.bus.before_edge(*model_);
   }
   bool publishes() const override { return (model_->sample_o & 1) != 0; }
   bool host_pin() const override { return model_->irq_o != 0; }
 
   bool bus_edge(cosim::Clk edge) override {
-    if (platform_active_) return platform_edge(edge);
-    dirty_ = true;
-    if (!bus_.after_edge(*model_)) return false;
-    rdata_ = bus_.rdata();
+    if (state_.platform_active) return platform_edge(edge);
+    state_.dirty = true;
+    if (!state_.bus.after_edge(*model_)) return false;
+    state_.rdata = state_.bus.rdata();
     return true;
   }
 
   // A transfer of its own registers takes one clock.
   bool platform_edge(cosim::Clk edge) {
     namespace map = sw::mcafee_map;
-    platform_active_ = false;
-    if (platform_.addr == map::kTimer && platform_.write) {
-      timer_.write(edge, platform_.data);
-    } else if (!platform_.write) {
-      rdata_ = platform_.addr != map::kIrq
+    state_.platform_active = false;
+    if (state_.platform.addr == map::kTimer && state_.platform.write) {
+      state_.timer.write(edge, state_.platform.data);
+    } else if (!state_.platform.write) {
+      state_.rdata = state_.platform.addr != map::kIrq
                    ? 0
-                   : (host_pin() ? map::kIrqHost : 0u) | (timer_.irq() ? map::kIrqTimer : 0u);
+                   : (host_pin() ? map::kIrqHost : 0u) | (state_.timer.irq() ? map::kIrqTimer : 0u);
     }
     return true;
   }
@@ -90,21 +102,10 @@ class VerilatedMcafee final : public cosim::HostedChip<McafeeChip, Vmcafee_fast>
   bool drive_changed() override {
     const cosim::Lines codes = cosim::Lines{model_->dac_x_o} << converter(0) |
                                cosim::Lines{model_->dac_y_o} << converter(1);
-    const bool changed = codes != codes_;
-    codes_ = codes;
+    const bool changed = codes != state_.codes;
+    state_.codes = codes;
     return changed;
   }
-
-  cosim::AxiLiteMaster bus_;
-  cosim::BusOp platform_;
-  bool platform_active_ = false;
-  cosim::Lines codes_ = 0;
 };
-
-}  // namespace
-
-std::unique_ptr<McafeeChip> make_verilated_chip(bool leap) {
-  return std::make_unique<VerilatedMcafee>(leap);
-}
 
 }  // namespace trammel::mcafee

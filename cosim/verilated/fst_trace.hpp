@@ -1,37 +1,35 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The waves of a verilated chip: every signal at every edge from 0 on, as a file. Included only by
-// the unit of the traced chip.
+// the unit of a traced chip.
 //
 // Verilator looks through all signals at each dump. In most clocks nothing moves but the clock and
 // timers, so the others are compared with the last dump first: as bytes of the model, at once.
 #pragma once
 
-#include <Vkung_xy_fst.h>
-#include <Vkung_xy_fst__Syms.h>
 #include <verilated_fst_c.h>
 
 #include <algorithm>
-#include <kung_xy_timers.hpp>
+#include <cstdint>
+#include <memory>
 #include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "cosim/cosim.hpp"
 
-// Verilator calls it once, before the first evaluation: all logic that no clock drives is computed
-// from registers and inputs.
-void Vkung_xy_fst___024root___eval_settle(Vkung_xy_fst___024root* root);
-
-namespace trammel::kung {
+namespace trammel::cosim {
 
 // The part of a model that signals other than timers depend on, and its bytes at the last dump.
+template <class Traced>
 class StillBytes {
  public:
-  explicit StillBytes(const Vkung_xy_fst___024root& root)
+  explicit StillBytes(const typename Traced::Root& root)
       : now_(reinterpret_cast<const unsigned char*>(&root)),
         mask_(sizeof root),
         last_(sizeof root) {
-    for_each_still(root, [this](const auto& member) {
+    Traced::for_each_still(root, [this](const auto& member) {
       const auto first = reinterpret_cast<const unsigned char*>(&member) - now_;
       std::fill_n(mask_.begin() + first, sizeof member, static_cast<unsigned char>(0xff));
     });
@@ -53,45 +51,49 @@ class StillBytes {
   std::vector<unsigned char> mask_, last_;
 };
 
+// Traced: the generated description of a model with an FST writer.
+template <class Traced>
 class FstTrace {
+  using Root = typename Traced::Root;
+
  public:
   explicit FstTrace(std::string file) : name_(std::move(file)) {}
 
-  void attach(VerilatedContext& context, Vkung_xy_fst& model) {
+  void attach(VerilatedContext& context, typename Traced::Model& model) {
     root_ = model.rootp;
-    still_ = std::make_unique<StillBytes>(*root_);
+    still_ = std::make_unique<StillBytes<Traced>>(*root_);
     context.traceEverOn(true);
     file_ = std::make_unique<VerilatedFstC>();
     file_->set_time_unit("1ns");
     file_->set_time_resolution("1ns");
     // The chip's own scope only: around it Verilator repeats its ports. Its name begins with the
     // space behind the empty name of the model, in newer Verilators not.
-    file_->dumpvars(99, " kung_xy");
-    file_->dumpvars(99, "kung_xy");
+    file_->dumpvars(99, std::string(" ") + Traced::kScope);
+    file_->dumpvars(99, Traced::kScope);
     model.trace(file_.get(), 99);
     file_->open(name_.c_str());
     if (!file_->isOpen()) throw std::runtime_error("cannot write waves: " + name_);
     file_->spTrace()->addChgCb(
         [](void* root, VerilatedFst::Buffer* buffer) {
-          dump_timers(static_cast<const Vkung_xy_fst___024root*>(root), buffer);
+          Traced::dump_timers(static_cast<const Root*>(root), buffer);
         },
         root_);
   }
 
-  static constexpr bool shows(cosim::Clk edge) { return edge >= 0; }
+  static constexpr bool shows(Clk edge) { return edge >= 0; }
 
   // The rising edge n stands at n periods, the falling one before it half a period earlier; the
   // file begins with a rising one.
-  void fell(cosim::Clk edge) {
+  void fell(Clk edge) {
     if (begun_) dump(2 * static_cast<std::uint64_t>(edge) - 1);
   }
-  void raised(cosim::Clk edge) {
+  void raised(Clk edge) {
     if (edge >= 0) dump(2 * static_cast<std::uint64_t>(edge));
   }
 
   // Registers and inputs were written from outside: all that depends on them is to follow.
   void moved() {
-    Vkung_xy_fst___024root___eval_settle(root_);
+    Traced::settle(root_);
     for (auto& activity : root_->__Vm_traceActivity.m_storage) activity = 1;
     root_->vlSymsp->__Vm_activity = true;
   }
@@ -113,9 +115,9 @@ class FstTrace {
 
   std::string name_;
   bool begun_ = false;
-  Vkung_xy_fst___024root* root_ = nullptr;
-  std::unique_ptr<StillBytes> still_;
+  Root* root_ = nullptr;
+  std::unique_ptr<StillBytes<Traced>> still_;
   std::unique_ptr<VerilatedFstC> file_;
 };
 
-}  // namespace trammel::kung
+}  // namespace trammel::cosim

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the chip of every machine tells besides what the loop asks.
+#pragma once
+
+#include <optional>
+
+#include "cosim/cosim.hpp"
+#include "cosim/promise.hpp"
+
+namespace trammel::cosim {
+
+struct MachineChip : Chip {
+  virtual Clk evaluated() const = 0;  // edges evaluated; the others were leapt over
+  // The first promise that did not hold, if the chip looks at them.
+  virtual std::optional<BrokenPromise> broken_promise() const { return {}; }
+};
+
+}  // namespace trammel::cosim

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Which clocks of a run are dumped as waves.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "cosim/cosim.hpp"
+
+namespace trammel::cosim {
+
+enum class WaveFormat { kNone, kVcd, kFst };
+
+// What a traced chip dumps: the edges [begin, end), and the same again every `period` edges.
+struct WaveWindow {
+  Clk begin = 0;
+  Clk end = 0;
+  Clk period = kNever;
+
+  void next() {
+    const bool more = period != kNever;
+    begin = more ? begin + period : kNever;
+    end = more ? end + period : kNever;
+  }
+};
+
+// Clock edges [begin, end) that waves were dumped of.
+struct WaveSpan {
+  Clk begin = 0;
+  Clk end = 0;
+};
+
+// What of a window, which may begin before edge 0, a run of so many clocks has dumped.
+inline std::vector<WaveSpan> wave_spans(WaveWindow window, Clk clocks) {
+  std::vector<WaveSpan> spans;
+  for (; window.begin < clocks; window.next()) {
+    const WaveSpan cut{std::max<Clk>(0, window.begin), std::min(window.end, clocks)};
+    if (cut.begin < cut.end) spans.push_back(cut);
+  }
+  return spans;
+}
+
+}  // namespace trammel::cosim
