@@ -33,8 +33,11 @@ module lm628_engine_props
     input logic               boot_q,
     input logic        [17:0] instr_q,
     input logic        [ 5:0] loop_q,
+    input logic        [ 9:0] c_q,
+    input logic        [ 9:0] pc_d,
     input logic        [ 9:0] pc_q,
     input logic        [ 9:0] return_q,
+    input logic        [ 5:0] read,
     input logic        [ 5:0] after_q,
     input logic        [ 5:0] return_after_q,
     input logic signed [63:0] operand_q,
@@ -52,7 +55,9 @@ module lm628_engine_props
   logic was_rst_q, was_busy_q, was_asked_q, was_commit_q, was_end_q, was_sample_q;
   logic was_quiescent_q, was_halt_q;
   logic [49:0] results, was_results_q;
-  logic [22:0] was_flag_q;
+  logic [22:0] was_flag_q, flags, flags_q, one;  // as the operations say
+  logic [2:0] addr_q;
+  logic [2:0] was_capture_q;
   events_t was_sample_events_q;
   logic signed [63:0] was_acc_q, was_operand_q;
   logic [29:0] was_mult_q;
@@ -60,7 +65,7 @@ module lm628_engine_props
   logic [ 5:0] was_loop_q;
   logic [ 2:0] was_addr_q;
   logic held, was_held_q;  // the instruction takes more clocks than those so far
-  logic is_out, was_out_q, was_reply_q, was_call_q, is_jump;
+  logic is_out, was_out_q, was_reply_q, was_call_q, is_jump, runs, is_word, is_flag;
   logic [15:0] was_return_q, was_place_q;  // behind a call: address, register that is read there
 
   // Model of the capture.
@@ -69,8 +74,21 @@ module lm628_engine_props
 
   assign results = {u_o, sample_off_o, eight_bits_o, reply_o};
   assign is_jump = instr_q[17];
-  assign held    = busy_o && !boot_q && !is_jump && instr_q[16] && loop_q != instr_q[11:6];
-  assign is_out  = busy_o && !boot_q && !is_jump && instr_q[16:12] == OpOut;
+  logic unused_controls;
+  assign unused_controls = ^c_q[9:6];
+
+  assign runs    = busy_o && !boot_q && !is_jump;
+  assign held    = runs && instr_q[16] && loop_q != instr_q[11:6];
+  assign is_out  = runs && instr_q[16:12] == OpOut;
+  assign is_flag = runs && instr_q[16:12] == OpFlag;
+  assign is_word = runs && instr_q[16:12] == OpIn && instr_q[11:9] == FromWord;
+  assign one     = 23'd1 << instr_q[4:0];
+
+  always_comb begin
+    flags = flag_q;
+    if (is_flag) flags = instr_q[5] ? flag_q | one : flag_q & ~one;
+    if (end_i || is_out) flags[6:1] = '0;
+  end
 
   always_ff @(posedge clk_i) begin
     if (rst_i) live_q <= 1'b1;
@@ -85,12 +103,15 @@ module lm628_engine_props
     was_out_q           <= !rst_i && is_out;
     was_reply_q         <= busy_o && !is_jump && instr_q[16:12] == OpReply;
     was_held_q          <= !rst_i && held;
-    was_call_q          <= busy_o && !boot_q && !is_jump && instr_q[16:12] == OpCall;
+    was_call_q          <= runs && instr_q[16:12] == OpCall;
     was_return_q        <= {return_q, return_after_q};
     was_place_q         <= {pc_q + 10'd1, after_q};
     was_operand_q       <= operand_q;
     was_results_q       <= results;
     was_flag_q          <= flag_q;
+    flags_q             <= flags;
+    addr_q              <= start_i ? '0 : word_addr_o + 3'(is_word);
+    was_capture_q       <= {captured_q, capturing_q, take_q};
     was_sample_events_q <= sample_events_o;
     was_acc_q           <= acc_q;
     was_mult_q          <= q_q;
@@ -119,7 +140,8 @@ module lm628_engine_props
     if (live_q) begin
       off_from_reset :
       assert (!was_rst_q || (u_o == '0 && sample_off_o && command_off_o && eight_bits_o &&
-                             sample_events_o == '0 && command_events_o == '0));
+                             sample_events_o == '0 && command_events_o == '0 &&
+                             reply_o == '0 && word_addr_o == '0));
       busy_from_a_request_to_halt :
       assert (was_rst_q || busy_o == (was_asked_q || (was_busy_q && !was_halt_q)));
       results_move_by_their_operation :
@@ -133,6 +155,12 @@ module lm628_engine_props
       assert (was_rst_q || !(was_end_q || was_out_q) || command_events_o == '0);
       flags_rest_while_idle :
       assert (was_rst_q || was_busy_q || was_end_q || flag_q == was_flag_q);
+      flags_move_by_their_operation : assert (was_rst_q || flag_q == flags_q);
+      words_go_on_as_they_are_taken : assert (was_rst_q || word_addr_o == addr_q);
+      address_and_register_are_of_one_place :
+      assert (boot_q || !busy_o || {pc_d, read} == {pc_q + 10'd1, after_q} ||
+              {pc_d, read} == {instr_q[9:0], c_q[5:0]} ||
+              {pc_d, read} == {return_q, return_after_q});
       accumulator_rests_while_idle :
       assert (was_rst_q || was_busy_q || (acc_q == was_acc_q && q_q == was_mult_q));
       held_operations_count :
@@ -150,7 +178,13 @@ module lm628_engine_props
       quiescent_is_honest :
       assert (!was_quiescent_q || (results == was_results_q && flag_q == was_flag_q &&
                                    acc_q == was_acc_q && instr_q == was_instr_q &&
-                                   loop_q == was_loop_q && word_addr_o == was_addr_q));
+                                   loop_q == was_loop_q && word_addr_o == was_addr_q &&
+                                   sample_events_o == was_sample_events_q &&
+                                   {captured_q, capturing_q, take_q} == was_capture_q));
+      rests_unless_asked :
+      assert (quiescent_o || busy_o || sample_i || start_i || arm_i ||
+              (capturing_q && index_seen_i) || (end_i && command_events_o != '0) ||
+              (commit_i && sample_events_o != '0));
       inv_capture : assert (capturing_q == armed_q && captured_q == caught_q);
       inv_at : assert (!caught_q || index_q == at_q);
       reaches_busy : cover (!was_rst_q && was_asked_q && busy_o);
@@ -165,6 +199,9 @@ module lm628_engine_props
   // breaks taken_events_are_gone: end else if (commit_i) begin => end else if (commit_i && end_i) begin
   // breaks command_events_end_with_it: if (end_i || (runs && op == OpOut)) flag_d => if (runs && op == OpOut) flag_d
   // breaks flags_rest_while_idle: flag_d = flag_q; => flag_d = sample_i ? '0 : flag_q;
+  // breaks flags_move_by_their_operation: op == OpFlag && instr_q[4:0] => op == OpFlag && !instr_q[6] && instr_q[4:0]
+  // breaks words_go_on_as_they_are_taken: op == OpIn && instr_q[11:9] == FromWord => op == OpIn && instr_q[10:9] == 2'd1
+  // breaks address_and_register_are_of_one_place: read = return_after_q; => read = after_q;
   // breaks accumulator_rests_while_idle: q_en = runs && => q_en = sample_i ||
   // breaks held_operations_count: busy_q ? !looping && !halts => busy_q ? !halts
   // breaks a_word_stays_with_its_operation: if (fetch) operand_q <= m_q[read]; => operand_q <= m_q[read];
@@ -175,6 +212,7 @@ module lm628_engine_props
   // breaks index_is_the_first_after_arming: if (captures) index_q => if (index_seen_i) index_q
   // breaks index_is_taken_once: end else if (sample_i) begin => end else if (start_i) begin
   // breaks quiescent_is_honest: assign quiescent_o = !busy_o && !sample_i && !start_i => assign quiescent_o = !busy_o && !sample_i
+  // breaks rests_unless_asked: !arm_i && !captures && => !arm_i && !index_seen_i &&
 
   // prove: free $mem_v2
 

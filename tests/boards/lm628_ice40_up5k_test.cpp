@@ -35,12 +35,7 @@ class Board : public Lm628Twin {
   std::int64_t run(std::int64_t) {
     edge();
     const Lm628::Out out = twin_.out();
-    const bool same = rtl_->d_io == (out.d_oe ? out.d : 0) && bool(rtl_->hi_o) == out.hi &&
-                      rtl_->dac_o == out.drive.dac &&
-                      bool(rtl_->dac_hi_lo_o) == out.drive.dac_hi_lo &&
-                      bool(rtl_->dac_wr_n_o) == out.drive.dac_wr_n &&
-                      bool(rtl_->pwm_mag_o) == out.drive.pwm_mag &&
-                      bool(rtl_->pwm_sign_o) == out.drive.pwm_sign;
+    const bool same = rtl_->d_io == (out.d_oe ? out.d : 0) && same_pins(rtl_, out);
     if (!same) throw std::logic_error("a pin of the board differs from the twin's");
     return 1;
   }
@@ -48,16 +43,9 @@ class Board : public Lm628Twin {
  private:
   // Verilator shows a bus that nobody drives as 0, and takes what is there before the edge.
   void edge() {
-    rtl_->reset_n_i = in.reset_n;
-    rtl_->cs_n_i = in.host.cs_n;
-    rtl_->rd_n_i = in.host.rd_n;
-    rtl_->wr_n_i = in.host.wr_n;
-    rtl_->ps_i = in.host.ps;
-    if (!twin_.out().d_oe) rtl_->d_io = in.host.d;
-    in.host.d = twin_.out().d_oe ? twin_.out().d : in.host.d;
-    rtl_->enc_a_i = in.a;
-    rtl_->enc_b_i = in.b;
-    rtl_->enc_idx_n_i = in.index_n;
+    set_pins(rtl_, in);
+    if (twin_.out().d_oe) in.host.d = twin_.out().d;
+    rtl_->d_io = in.host.d;
     rtl_.tick();
     twin_.step(in);
   }

@@ -46,6 +46,27 @@ class Lm628Twin {
   Lm628 twin_;
 };
 
+// Pins that the chip and its boards share.
+template <class Model>
+void set_pins(Rtl<Model>& rtl, const Lm628::In& in) {
+  rtl->reset_n_i = in.reset_n;
+  rtl->cs_n_i = in.host.cs_n;
+  rtl->rd_n_i = in.host.rd_n;
+  rtl->wr_n_i = in.host.wr_n;
+  rtl->ps_i = in.host.ps;
+  rtl->enc_a_i = in.a;
+  rtl->enc_b_i = in.b;
+  rtl->enc_idx_n_i = in.index_n;
+}
+
+template <class Model>
+bool same_pins(Rtl<Model>& rtl, const Lm628::Out& out) {
+  return bool(rtl->hi_o) == out.hi && rtl->dac_o == out.drive.dac &&
+         bool(rtl->dac_hi_lo_o) == out.drive.dac_hi_lo &&
+         bool(rtl->dac_wr_n_o) == out.drive.dac_wr_n && bool(rtl->pwm_mag_o) == out.drive.pwm_mag &&
+         bool(rtl->pwm_sign_o) == out.drive.pwm_sign;
+}
+
 // next_o of the RTL is below the twin's while its engine works: the twin waits for it.
 class Lm628Pair : public Lm628Twin {
  public:
@@ -83,27 +104,15 @@ class Lm628Pair : public Lm628Twin {
 
  private:
   void apply() {
+    set_pins(rtl_, in);
     rtl_->wrap_i = in.wrap;
-    rtl_->reset_n_i = in.reset_n;
-    rtl_->cs_n_i = in.host.cs_n;
-    rtl_->rd_n_i = in.host.rd_n;
-    rtl_->wr_n_i = in.host.wr_n;
-    rtl_->ps_i = in.host.ps;
     rtl_->d_i = in.host.d;
-    rtl_->enc_a_i = in.a;
-    rtl_->enc_b_i = in.b;
-    rtl_->enc_idx_n_i = in.index_n;
     rtl_.eval();
   }
 
   void compare() {
     const Lm628::Out out = twin_.out();
-    same_ = same_ && rtl_->d_o == out.d && bool(rtl_->d_oe_o) == out.d_oe &&
-            bool(rtl_->hi_o) == out.hi && rtl_->dac_o == out.drive.dac &&
-            bool(rtl_->dac_hi_lo_o) == out.drive.dac_hi_lo &&
-            bool(rtl_->dac_wr_n_o) == out.drive.dac_wr_n &&
-            bool(rtl_->pwm_mag_o) == out.drive.pwm_mag &&
-            bool(rtl_->pwm_sign_o) == out.drive.pwm_sign;
+    same_ = same_ && rtl_->d_o == out.d && bool(rtl_->d_oe_o) == out.d_oe && same_pins(rtl_, out);
     if (!same_) throw std::logic_error("a pin of the RTL differs from its twin's");
   }
 
