@@ -42,6 +42,9 @@ class EngineBench {
     rtl_.reset();
     twin_.reset();
     count = 0;
+    armed_ = false;
+    REQUIRE(rtl_->reply_o == 0);
+    REQUIRE(rtl_->word_addr_o == 0);
     wait();
   }
 
@@ -73,10 +76,12 @@ class EngineBench {
     in.start = true;
     in.opcode = opcode;
     in.words = words_ = words;
-    in.flags = 0x8014;
+    const unsigned status = ++commands_ % 64;  // bits 6 to 1
+    const bool host_irq = commands_ / 64 % 2 == 0;
+    in.flags = static_cast<std::uint16_t>(host_irq << 15 | status << 1);
     rtl_->opcode_i = static_cast<std::uint8_t>(opcode);
-    rtl_->status_i = 0x14 >> 1;
-    rtl_->host_irq_i = 1;
+    rtl_->status_i = static_cast<std::uint8_t>(status);
+    rtl_->host_irq_i = host_irq;
     rtl_->start_i = 1;
     edge(in);
     rtl_->start_i = 0;
@@ -98,6 +103,7 @@ class EngineBench {
     rtl_->arm_i = 1;
     edge(in);
     rtl_->arm_i = 0;
+    armed_ = true;
   }
 
   void index(std::int64_t at) {
@@ -108,6 +114,7 @@ class EngineBench {
     rtl_->index_seen_i = 1;
     edge(in);
     rtl_->index_seen_i = 0;
+    armed_ = false;
   }
 
   void compare() {
@@ -134,6 +141,11 @@ class EngineBench {
   std::uint8_t rtl_opcode() const { return const_cast<EngineBench*>(this)->rtl_->opcode_i; }
 
   void edge(const Lm628Engine::In& in) {
+    rtl_.eval();
+    const bool asked = in.sample || in.start || in.arm || (in.index_seen && armed_) ||
+                       (in.end && rtl_->command_events_o != 0) ||
+                       (in.commit && rtl_->sample_events_o != 0);
+    if (bool(rtl_->quiescent_o) == (rtl_->busy_o || asked)) FAIL("quiescent_o is wrong");
     rtl_.tick();
     twin_.step(in);
   }
@@ -152,6 +164,8 @@ class EngineBench {
   Lm628Engine::Words words_{};
   mutable int reply_bits_ = 16;
   int longest_sample_ = 0, longest_command_ = 0;
+  unsigned commands_ = 0;
+  bool armed_ = false;  // for an index
 };
 
 }  // namespace trammel::test
