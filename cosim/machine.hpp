@@ -7,10 +7,13 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "cosim/cosim.hpp"
+#include "cosim/promise.hpp"
 #include "cosim/waves.hpp"
 
 namespace trammel::cosim {
@@ -38,6 +41,8 @@ struct RunBasics {
   Clk window() const { return window_clk == 0 ? kNever : window_clk; }  // as the loop takes it
 };
 
+inline constexpr std::int64_t kClockPs = 20'000;  // 50 MHz, of every chip's fabric
+
 inline double seconds_of(Clk clocks, std::int64_t clock_ps) {
   return static_cast<double>(clocks) * static_cast<double>(clock_ps) * 1e-12;
 }
@@ -51,6 +56,18 @@ struct ProcessorOptions {
 };
 
 enum class EndReason { kDone, kFault, kDiverged, kTimeout, kStopped, kPromise };
+
+// What a run of any machine gives besides its record.
+struct RunResult {
+  EndReason end = EndReason::kTimeout;
+  std::optional<BrokenPromise> promise;  // kPromise: the first one
+  Clk clocks = 0;
+  Clk evaluated = 0;                     // of these; the others were leapt over
+  double wall_s = 0;
+  std::uint64_t event_hash = 0;          // of all drive, interrupt, sample and bus events
+  std::optional<Clk> wave_trigger;       // edge at which it fired
+  std::vector<WaveSpan> waves;           // what the wave file holds
+};
 
 struct Hooks {
   std::function<void(double fraction)> progress;  // may be empty

@@ -12,6 +12,7 @@ namespace trammel::cosim {
 
 struct MachineChip : Chip {
   virtual Clk evaluated() const = 0;  // edges evaluated; the others were leapt over
+  virtual Clk host_rise() const { return kNever; }  // edge at which the pin HI last rose
   // The first promise that did not hold, if the chip looks at them.
   virtual std::optional<BrokenPromise> broken_promise() const { return {}; }
 };

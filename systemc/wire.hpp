@@ -4,8 +4,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
-#include "cosim/machine.hpp"
+#include "cosim/wave_plan.hpp"
 #include "systemc/chip_module.hpp"
 #include "systemc/soft_processor.hpp"
 
@@ -47,16 +48,53 @@ void run_direct(Session& session) {
                     [&session] { return session.finished(); });
 }
 
-// The wiring that these options ask for.
-template <class Session, class Options>
-auto simulate(const Options& options, const cosim::Hooks& hooks) {
-  Session session(options, hooks);
-  if (options.run.platform == cosim::Platform::kSystemC) {
+template <class Session>
+void run(Session& session, cosim::Platform platform) {
+  if (platform == cosim::Platform::kSystemC) {
     run(session);
   } else {
     run_direct(session);
   }
-  return session.result();
+}
+
+// Progress of one of two runs: that of the search, or of the one that is dumped.
+inline cosim::Hooks half(const cosim::Hooks& hooks, double from) {
+  cosim::Hooks own = hooks;
+  if (hooks.progress) {
+    own.progress = [&hooks, from](double fraction) { hooks.progress(from + fraction / 2); };
+  }
+  return own;
+}
+
+// In the wiring that these options ask for. Where waves hang at an event, the run is made twice:
+// first until it is there.
+template <class Session, class Options>
+auto simulate(const Options& options, const cosim::Hooks& hooks, cosim::Platform platform) {
+  using Search = typename Session::Waves::Search;
+  const cosim::RunBasics& basics = options.run;
+  typename Session::Waves waves;
+  cosim::Hooks own = hooks;
+  std::optional<cosim::Clk> trigger;
+  const auto event = Search::event(basics);
+  if (event && event->known()) {
+    trigger = event->edge;
+  } else if (event) {
+    Search search(*event);
+    Session session(options, half(hooks, 0), {&search, {}});
+    run(session, platform);
+    trigger = search.found();
+    // Without the event there is nothing to dump, and this was the run.
+    if (!trigger && (cosim::trigger_asked(basics) || session.stopped())) return session.result();
+    own = half(hooks, 0.5);
+  }
+  if (basics.wave != cosim::WaveFormat::kNone) {
+    waves.window = cosim::wave_window(basics, trigger.value_or(cosim::wave_origin(basics)));
+  }
+  Session session(options, own, waves);
+  run(session, platform);
+  auto result = session.result();
+  result.wave_trigger = trigger;
+  return result;
 }
 
 }  // namespace trammel::systemc

@@ -120,6 +120,7 @@ void check_motor(const plant::DcMotorConfig& c) {
 // Rules that concern more than one key.
 void finish(const lm628::Options& options) {
   check_engine(options.run);
+  check_waves(options);
   check_motor(options.plant.motor);
   if (options.plant.counts % 4 != 0) {
     throw ConfigError(fmt::format("encoder.counts: value {} is no multiple of 4",
@@ -143,6 +144,7 @@ nlohmann::ordered_json an693_json(const lm628::Options& options, const lm628::Re
                     {"max_current_A", m.max_current_A}};
   json["interrupts"] = interrupts_json(m.interrupts);
   json["run"] = simulation_json(result, options.plant.clock_ps);
+  if (!result.waves.empty()) json["waves"] = waves_json(options, result);
   if (script != nullptr) json["script"] = script->answers;
   json["versions"] = versions_json();
   for (const auto& key : keys_of<lm628::Options>()) {
@@ -188,7 +190,7 @@ std::string an693_report(const lm628::Options& options, const lm628::Result& res
                                     static_cast<double>(std::max<cosim::Clk>(1, result.clocks))));
   text += fmt::format("  results in {}\n", folder);
   if (!page.empty()) text += fmt::format("  report: {}\n", page);
-  return text;
+  return text + waves_report(options, result, folder);
 }
 
 bool write_an693_files(const std::filesystem::path& folder, const lm628::Options& options,
@@ -210,11 +212,14 @@ bool write_an693_files(const std::filesystem::path& folder, const lm628::Options
   return report && guarded([&] { write_run_page(folder); });
 }
 
-int run_an693(const lm628::Options& options, const RunArguments& arguments,
+int run_an693(lm628::Options options, const RunArguments& arguments,
               const SimulateAn693& simulate, const std::atomic<bool>& stop) {
   namespace fs = std::filesystem;
+  announce_waves(options);
   OutputFolder folder(target_of(arguments.out, options.scenario));
+  options.run.wave_file = wave_file(folder.scratch());
   const lm628::Result result = simulate_shown(options, simulate, stop);
+  const int waves_code = finish_waves(options, result, folder.target());
   const An693Metrics metrics = evaluate(options, result);
   const nlohmann::ordered_json json =
       an693_json(options, result, metrics, repeat_command(options), nullptr);
@@ -227,8 +232,9 @@ int run_an693(const lm628::Options& options, const RunArguments& arguments,
                        ? json.dump(2) + '\n'
                        : an693_report(options, result, metrics, shown.string(),
                                       page ? (shown / "report.html").string() : ""));
-  return tell_end(options.scenario, result.end, end_cause(result, options.plant.clock_ps),
-                  shown.string());
+  const int code = tell_end(options.scenario, result.end,
+                            end_cause(result, options.plant.clock_ps), shown.string());
+  return code != 0 ? code : waves_code;
 }
 
 }  // namespace trammel::testbench

@@ -67,7 +67,7 @@ std::string an693_report(const lm628::Options& options, const lm628::Result& res
                          const std::string& page);
 
 // Simulates, writes the output folder and prints the figures; the exit code.
-int run_an693(const lm628::Options& options, const RunArguments& arguments,
+int run_an693(lm628::Options options, const RunArguments& arguments,
               const SimulateAn693& simulate, const std::atomic<bool>& stop);
 
 }  // namespace trammel::testbench

@@ -22,6 +22,7 @@ const std::vector<KeyOf<lm628::Options>>& keys_of<lm628::Options>() {
     t.longest_run();
     t.one("run.diverged_counts", 1, 32767, "position error that ends the run as diverged",
           TRAMMEL_LENS(run.diverged_counts));
+    t.waves("the first drive", "see docs/waves.md");
     add_filter(t);
     t.one("trajectory.acceleration", 0, kWord, "2^-16 count/sample^2", TRAMMEL_LENS(acceleration));
     t.one("trajectory.velocity", 0, kWord, "2^-16 count/sample; of breakpoints the first speed",

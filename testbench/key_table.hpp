@@ -99,6 +99,21 @@ struct KeyTable {
     one("run.assertions", 0, 0, "the promises of the RTL are looked at, in every clock",
         TRAMMEL_LENS(run.assertions));
   }
+  void waves(const std::string& begins, const std::string& events) {
+    text("run.wave", "signal traces", TRAMMEL_LENS(run.wave));
+    one("run.wave_begin_s", -3600, 3600,
+        "traced window, from the start or the trigger; 0 and 0: 2 ms around the trigger, or " +
+            begins,
+        TRAMMEL_LENS(run.wave_begin_s));
+    one("run.wave_end_s", -3600, 3600, "its end", TRAMMEL_LENS(run.wave_end_s));
+    text("run.wave_trigger", "event at which the window hangs, " + events,
+         TRAMMEL_LENS(run.wave_trigger));
+    one("run.wave_pre_s", 0, 10, "of the default window before the trigger",
+        TRAMMEL_LENS(run.wave_pre_s));
+    one("run.wave_every_s", 0, 3600, "the window again in each such period; 0 = once",
+        TRAMMEL_LENS(run.wave_every_s));
+  }
+
   void window() {
     one("run.window_clk", 0, 1e9, "longest look-ahead; 0 = unbounded, 1 = lock step",
         TRAMMEL_LENS(run.window_clk));

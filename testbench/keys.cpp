@@ -66,17 +66,7 @@ void add_run(Table& t) {
   t.longest_run();
   t.one("run.diverged_m", 1e-4, 1, "tracking error that ends the run as diverged",
         TRAMMEL_LENS(run.diverged_m));
-  t.text("run.wave", "signal traces", TRAMMEL_LENS(run.wave));
-  t.one("run.wave_begin_s", -3600, 3600, "traced window, from the start or the trigger; 0 and 0: "
-        "2 ms around the trigger, or where the drives start",
-        TRAMMEL_LENS(run.wave_begin_s));
-  t.one("run.wave_end_s", -3600, 3600, "its end", TRAMMEL_LENS(run.wave_end_s));
-  t.text("run.wave_trigger", "event at which the window hangs, see `trammel list signals`",
-         TRAMMEL_LENS(run.wave_trigger));
-  t.one("run.wave_pre_s", 0, 10, "of the default window before the trigger",
-        TRAMMEL_LENS(run.wave_pre_s));
-  t.one("run.wave_every_s", 0, 3600, "the window again in each such period; 0 = once",
-        TRAMMEL_LENS(run.wave_every_s));
+  t.waves("where the drives start", "see `trammel list signals`");
 }
 
 void add_faults(Table& t) {

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <vector>
 
+#include "cosim/wave_event.hpp"
 #include "testbench/an693.hpp"
 #include "testbench/config.hpp"
 #include "testbench/lm628_shell.hpp"
@@ -80,6 +81,17 @@ void converse(Lm628Shell& shell, const ReadLine& read_line, std::atomic<bool>& s
   }
 }
 
+// Nobody knows beforehand when an event comes, and there is no second run.
+void check_script_waves(const cosim::RunBasics& run, const std::string& out) {
+  if (run.wave == cosim::WaveFormat::kNone) return;
+  if (out.empty()) throw ConfigError("lm628: --wave: needs a folder for the waves (-o)");
+  if (cosim::trigger_asked(run) && !cosim::parse_wave_event(run.wave_trigger).known()) {
+    throw ConfigError(fmt::format("lm628: --wave-trigger: \"{}\" is not known before the script "
+                                  "runs; give at TIME, or --wave-window",
+                                  run.wave_trigger));
+  }
+}
+
 std::string read_script(const std::string& name, std::string& source, std::string& stem) {
   if (name.empty() || name == "-") {
     source = "standard input";
@@ -110,22 +122,32 @@ int lm628_shell(const RunArguments& arguments, std::atomic<bool>& stop,
     lines = parse_lm628_script(text, source);
   }
   apply_own_layers(options, arguments);
+  apply_waves(options, arguments.waves);
   finish(options);
+  check_script_waves(options.run, arguments.out);
+  announce_waves(options);
   options.run.platform = cosim::Platform::kDirect;  // the host is this program
   std::optional<OutputFolder> folder;
-  if (!arguments.out.empty()) folder.emplace(arguments.out);
-
-  Lm628Shell shell(options, stop);
-  Conversation all;
-  if (talks) {
-    converse(shell, read_line, stop, all);
-  } else {
-    play(shell, lines, all, arguments.json);
+  if (!arguments.out.empty()) {
+    folder.emplace(arguments.out);
+    options.run.wave_file = wave_file(folder->scratch());
   }
-  lm628::Result result = shell.result();
+
+  Conversation all;
+  lm628::Result result;
+  {
+    Lm628Shell shell(options, stop);
+    if (talks) {
+      converse(shell, read_line, stop, all);
+    } else {
+      play(shell, lines, all, arguments.json);
+    }
+    result = shell.result();
+  }  // its waves are whole
   result.end = result.promise ? cosim::EndReason::kPromise : all.end;
   result.fault = all.halt;
   if (!folder && !arguments.json) return exit_code(result.end);
+  const int waves_code = folder ? finish_waves(options, result, folder->target()) : 0;
   const An693Metrics metrics = evaluate(options, result);
   const Json json = an693_json(options, result, metrics,
                                "./trammel lm628 script.lm628 -c run.toml", &all.script);
@@ -140,7 +162,8 @@ int lm628_shell(const RunArguments& arguments, std::atomic<bool>& stop,
                                     page ? (target / "report.html").string() : ""));
     }
   }
-  return exit_code(result.end);
+  const int code = exit_code(result.end);
+  return code != 0 ? code : waves_code;
 }
 
 }  // namespace trammel::testbench

@@ -44,6 +44,16 @@ double number_of(const Lm628Word& word, std::uint32_t bits) {
   return std::ldexp(static_cast<double>(value), -word.fraction_bits);
 }
 
+lm628::Waves waves_of(const lm628::Options& options) {
+  lm628::Waves waves;
+  if (options.run.wave == cosim::WaveFormat::kNone) return waves;
+  const auto event = cosim::EventSearch::event(options.run);
+  const Clk first_line = Lm628Shell::kResetClk;
+  const Clk origin = !event ? 0 : event->known() ? event->edge : first_line;
+  waves.window = cosim::wave_window(options.run, origin);
+  return waves;
+}
+
 void check(const sw::Lm628Port& port, const std::string& where) {
   if (!port.stuck()) return;
   throw Lm628Halt(cosim::EndReason::kFault, where + ": the busy bit did not clear");
@@ -54,7 +64,7 @@ void check(const sw::Lm628Port& port, const std::string& where) {
 Lm628Shell::Lm628Shell(const lm628::Options& options, const std::atomic<bool>& stop)
     : options_(options),
       stop_(stop),
-      bench_(options, [](const lm628::Sample&) { return false; }),
+      bench_(options, [](const lm628::Sample&) { return false; }, waves_of(options)),
       bus_(bench_.loop(), bench_.timing()) {
   strobe_reset();
   bus_.wait(kResetClk);

@@ -31,7 +31,8 @@ class Lm628Shell {
  public:
   static constexpr cosim::Clk kResetClk = 75'000;  // 1.5 ms at 50 MHz
 
-  // Strobes RST and waits until the part is ready. `stop` ends a wait.
+  // Strobes RST and waits until the part is ready. `stop` ends a wait. A default window of waves
+  // begins with the first line, where no trigger says when.
   Lm628Shell(const lm628::Options& options, const std::atomic<bool>& stop);
 
   Lm628Answer execute(const Lm628Line& line);  // throws Lm628Halt

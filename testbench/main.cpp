@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "cosim/kung/trigger.hpp"
+#include "cosim/wave_event.hpp"
 #include "systemc/machines/an693.hpp"
 #include "systemc/machines/kung.hpp"
 #include "systemc/machines/mcafee.hpp"
@@ -68,7 +69,6 @@ struct CommandLine {
     run->add_flag("--all", run_arguments.all, "the paper's eight experiments");
     run->add_option("--engine", run_arguments.engine, "rtl, or twin: its bit-exact twins, fast");
     run->add_option("--platform", run_arguments.platform, "systemc or direct");
-    add_waves(run_arguments.waves);
     run->add_flag("--check", run_arguments.check, "exit 1 when a figure is out of tolerance");
 
     lm628 = app.add_subcommand("lm628", "the commands of an LM628 with its motor: a script, or a "
@@ -113,21 +113,24 @@ struct CommandLine {
                    "first that differs");
     verb->add_flag("--assert", run_arguments.assertions,
                    "look at the promises of the RTL; exit 4 when one is broken; 50 times slower");
+    add_waves(verb);
     verb->add_flag_callback("--no-report", [this] { run_arguments.report = false; },
                             "without report.html");
   }
 
-  void add_waves(tb::WaveArguments& waves) {
-    run->add_option("--wave", waves.format, "signal traces: vcd or fst");
-    run->add_option("--wave-window", waves.window,
-                    "a:b from the start of the run, or from the trigger (-1ms:2ms); default: 2 ms "
-                    "around the trigger, or from where the drives start");
-    run->add_option("--wave-trigger", waves.trigger,
-                    std::string("begin at an event, found in an untraced run before: ") +
-                        trammel::kung::kTriggerForms + "; names: `trammel list signals`");
-    run->add_option("--wave-pre", waves.pre, "before the trigger, default 0.2ms");
-    run->add_option("--wave-every", waves.every,
-                    "the window again in each such period, for instance 50ms");
+  void add_waves(CLI::App* verb) {
+    tb::WaveArguments& waves = run_arguments.waves;
+    verb->add_option("--wave", waves.format, "signal traces: vcd or fst");
+    verb->add_option("--wave-window", waves.window,
+                     "a:b from the start of the run, or from the trigger (-1ms:2ms); default: 2 ms "
+                     "around the trigger, or from where the drives start");
+    verb->add_option("--wave-trigger", waves.trigger,
+                     fmt::format("begin at an event, found in an untraced run before. kung: {}; "
+                                 "names: `trammel list signals`. an693, mcafee: {}",
+                                 trammel::kung::kTriggerForms, trammel::cosim::kWaveEvents));
+    verb->add_option("--wave-pre", waves.pre, "before the trigger, default 0.2ms");
+    verb->add_option("--wave-every", waves.every,
+                     "the window again in each such period, for instance 50ms");
   }
 };
 

@@ -69,6 +69,7 @@ nlohmann::ordered_json run_json(const mcafee::Options& options,
   json["events"] = events_json(m.events);
   json["run"] = simulation_json(result, options.stage_axis.clock_ps);
   json["run"]["first_sample"] = options.stage == McafeeStage::kTrack ? m.first : 0;
+  if (!result.waves.empty()) json["waves"] = waves_json(options, result);
   json["versions"] = versions_json();
   for (const auto& key : keys_of<mcafee::Options>()) {
     json["options"][key.name] = value_json(key.get(options));
@@ -196,6 +197,7 @@ std::vector<McafeeRun> all_runs(const mcafee::Options& options, const SimulateMc
     if (stop) break;
     mcafee::Options other = options;
     other.speed = speed;
+    other.run.wave = cosim::WaveFormat::kNone;  // they are of the first
     runs.push_back(simulated(fmt::format("v = {}", speed), other, simulate, stop));
   }
   return runs;
@@ -251,16 +253,20 @@ McafeeMetrics evaluate(const mcafee::Options& options, const mcafee::Result& res
 
 void finish(const mcafee::Options& options) {
   check_engine(options.run);
+  check_waves(options);
   check_motor(options.stage_axis.motor);
   if (options.stage == McafeeStage::kTrack) table_of(options);
 }
 
-int run_mcafee(const mcafee::Options& options, const RunArguments& arguments,
+int run_mcafee(mcafee::Options options, const RunArguments& arguments,
                const SimulateMcafee& simulate, const std::atomic<bool>& stop) {
   namespace fs = std::filesystem;
+  announce_waves(options);
   OutputFolder folder(target_of(arguments.out, options.scenario));
+  options.run.wave_file = wave_file(folder.scratch());
   const std::vector<McafeeRun> runs = all_runs(options, simulate, stop);
   const McafeeRun& run = runs.front();
+  const int waves_code = finish_waves(options, run.result, folder.target());
   const nlohmann::ordered_json json = run_json(options, runs);
   write_text(folder.scratch() / "metrics.json", json.dump(2) + '\n');
   write_text(folder.scratch() / "run.toml", run_toml(options));
@@ -281,9 +287,11 @@ int run_mcafee(const mcafee::Options& options, const RunArguments& arguments,
   fmt::print("{}", arguments.json
                        ? json.dump(2) + '\n'
                        : text_report(options, runs, shown, pictures,
-                                     page ? (target / "report.html").string() : ""));
-  return tell_end(options.scenario, run.result.end,
-                  end_cause(run.result, options.stage_axis.clock_ps), shown);
+                                     page ? (target / "report.html").string() : "") +
+                             waves_report(options, run.result, shown));
+  const int code = tell_end(options.scenario, run.result.end,
+                            end_cause(run.result, options.stage_axis.clock_ps), shown);
+  return code != 0 ? code : waves_code;
 }
 
 int track(const RunArguments& arguments) {

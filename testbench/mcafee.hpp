@@ -63,7 +63,7 @@ nlohmann::ordered_json tracking_json(const mcafee::Options& options,
                                      const std::vector<McafeeRun>& runs);
 
 // Simulates, writes the output folder and prints the figures; the exit code.
-int run_mcafee(const mcafee::Options& options, const RunArguments& arguments,
+int run_mcafee(mcafee::Options options, const RunArguments& arguments,
                const SimulateMcafee& simulate, const std::atomic<bool>& stop);
 
 // The verb `track`: the table of a path, as CSV to standard output or into `out`.

@@ -29,6 +29,7 @@ const std::vector<KeyOf<mcafee::Options>>& keys_of<mcafee::Options>() {
     t.longest_run();
     t.one("run.diverged_counts", 1, 32767, "position error that ends the run as diverged",
           TRAMMEL_LENS(run.diverged_counts));
+    t.waves("the first drive", "see docs/waves.md");
     t.text("path.kind", "shape", TRAMMEL_LENS(path.kind));
     t.one("path.side_mm", 1, 600, "of the square, an edge of the star, a leg of the corner",
           TRAMMEL_LENS(path.side_mm));

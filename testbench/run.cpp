@@ -41,7 +41,8 @@ namespace {
 namespace fs = std::filesystem;
 using kung::Options;
 
-void apply_layers(Options& options, const RunArguments& arguments) {
+template <class AnyOptions>
+void apply_layers(AnyOptions& options, const RunArguments& arguments) {
   apply_own_layers(options, arguments);
   apply_waves(options, arguments.waves);
 }
@@ -83,9 +84,7 @@ Outcome run_one(Options options, const fs::path& target, const RunArguments& arg
   finish(options);
   announce_waves(options);
   OutputFolder folder(target);
-  if (options.run.wave != kung::WaveFormat::kNone) {
-    options.run.wave_file = (folder.scratch() / "waves.fst").string();
-  }
+  options.run.wave_file = wave_file(folder.scratch());
   kung::Result result;
   {
     Progress progress(options.scenario);
@@ -179,20 +178,14 @@ int run_all(const RunArguments& arguments, const Simulate& simulate,
 
 template <class AnyOptions>
 AnyOptions layered_machine(const fs::path& file, const RunArguments& arguments) {
-  const WaveArguments& waves = arguments.waves;
-  for (const auto& [given, name] :
-       {std::pair{!waves.format.empty(), "--wave"}, {!waves.window.empty(), "--wave-window"},
-        {!waves.trigger.empty(), "--wave-trigger"}, {!waves.pre.empty(), "--wave-pre"},
-        {!waves.every.empty(), "--wave-every"}, {arguments.check, "--check"}}) {
-    if (given) {
-      throw ConfigError(fmt::format("{}: is not offered by the machine {}", name,
-                                    machine_name<AnyOptions>()));
-    }
+  if (arguments.check) {
+    throw ConfigError(fmt::format("--check: is not offered by the machine {}",
+                                  machine_name<AnyOptions>()));
   }
   AnyOptions options;
   options.scenario = file.stem().string();
   apply_file(options, file);
-  apply_own_layers(options, arguments);
+  apply_layers(options, arguments);
   finish(options);
   return options;
 }

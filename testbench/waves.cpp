@@ -11,7 +11,7 @@
 #include <sstream>
 
 #include "cosim/kung/waves.hpp"
-#include "cosim/kung/words.hpp"
+#include "cosim/wave_event.hpp"
 #include "testbench/build_info.hpp"
 #include "testbench/config.hpp"
 #include "testbench/output.hpp"
@@ -20,26 +20,21 @@ namespace trammel::testbench {
 namespace fs = std::filesystem;
 namespace {
 
-using kung::Options;
-using kung::WaveFormat;
+using cosim::RunResult;
+using cosim::WaveFormat;
 
 constexpr double kLongWindowS = 0.002;
-// Order of magnitude of a trace of this chip, to warn before it fills a disk.
-constexpr double kVcdBytesPerS = 1.2e10;
-constexpr double kFstBytesPerS = 8e7;
 constexpr std::size_t kListed = 100;  // windows in metrics.json
 constexpr std::size_t kMarkers = 26;  // that a GTKWave view can name, A to Z
 
 double seconds(const std::string& text, const std::string& where) {
-  const auto value = kung::parse_time(text);
+  const auto value = cosim::parse_time(text);
   if (value) return *value;
   throw ConfigError(
       fmt::format("{}: value \"{}\" is not a time with s, ms, us or ns behind it", where, text));
 }
 
-double seconds_of(cosim::Clk edge, const Options& options) {
-  return cosim::seconds_of(edge, options.plant.clock_ps);
-}
+double seconds_of(cosim::Clk edge) { return cosim::seconds_of(edge, cosim::kClockPs); }
 
 // 0.0018 -> "1.8 ms"
 std::string time_text(double s) {
@@ -49,11 +44,11 @@ std::string time_text(double s) {
   return fmt::format("{:.9g} us", s * 1e6);
 }
 
-std::string trigger_text(const Options& options) {
-  return kung::trigger_asked(options.run) ? options.run.wave_trigger : "drives";
+std::string trigger_text(const WaveRequest& waves) {
+  return cosim::wave_trigger_text(waves.run, waves.machine.start).value_or("");
 }
 
-void check_trigger(const std::string& text, const std::string& where) {
+void check_kung_trigger(const std::string& text, const std::string& where) {
   try {
     kung::parse_trigger(text);
   } catch (const kung::UnknownName& error) {
@@ -66,12 +61,20 @@ void check_trigger(const std::string& text, const std::string& where) {
   }
 }
 
-const char* file_name(const Options& options) {
-  return options.run.wave == WaveFormat::kVcd ? "waves.vcd" : "waves.fst";
+void check_event(const std::string& text, const std::string& where) {
+  try {
+    cosim::parse_wave_event(text);
+  } catch (const std::invalid_argument& error) {
+    throw ConfigError(fmt::format("{}: {}", where, error.what()));
+  }
 }
 
-std::string view_text() {
-  std::ifstream in(fs::path(kViewFolder) / "kung.gtkw");
+const char* file_name(const cosim::RunBasics& run) {
+  return run.wave == WaveFormat::kVcd ? "waves.vcd" : "waves.fst";
+}
+
+std::string view_text(const std::string& view) {
+  std::ifstream in(fs::path(kViewFolder) / view);
   std::stringstream text;
   text << in.rdbuf();
   return text.str();
@@ -84,12 +87,30 @@ int missing(const std::string& why) {
 
 }  // namespace
 
+template <>
+const WaveMachine& wave_machine<kung::Options>() {
+  static const WaveMachine machine{"kung.gtkw", kung::kWaveStart, check_kung_trigger, 1.2e10, 8e7};
+  return machine;
+}
+template <>
+const WaveMachine& wave_machine<lm628::Options>() {
+  static const WaveMachine machine{"lm628.gtkw", cosim::EventSearch::kStart, check_event, 8.5e9,
+                                   3e7};
+  return machine;
+}
+template <>
+const WaveMachine& wave_machine<mcafee::Options>() {
+  static const WaveMachine machine{"mcafee.gtkw", cosim::EventSearch::kStart, check_event, 1.7e10,
+                                   4e8};
+  return machine;
+}
+
 std::pair<double, double> parse_window(const std::string& text) {
   const auto colon = text.find(':');
   const auto begin =
-      colon == std::string::npos ? std::nullopt : kung::parse_time(text.substr(0, colon));
+      colon == std::string::npos ? std::nullopt : cosim::parse_time(text.substr(0, colon));
   const auto end =
-      colon == std::string::npos ? std::nullopt : kung::parse_time(text.substr(colon + 1));
+      colon == std::string::npos ? std::nullopt : cosim::parse_time(text.substr(colon + 1));
   if (!begin || !end || *begin >= *end) {
     throw ConfigError(
         fmt::format("--wave-window: value \"{}\" is not a:b with a before b, each "
@@ -99,6 +120,7 @@ std::pair<double, double> parse_window(const std::string& text) {
   return {*begin, *end};
 }
 
+template <class Options>
 void apply_waves(Options& options, const WaveArguments& arguments) {
   const auto set = [&options](const char* key, const auto& value, const char* where) {
     apply_assignment(options, fmt::format("{}={}", key, value), where);
@@ -120,7 +142,7 @@ void apply_waves(Options& options, const WaveArguments& arguments) {
     set("run.wave_end_s", end, "--wave-window");
   }
   if (!arguments.trigger.empty()) {
-    check_trigger(arguments.trigger, "--wave-trigger");
+    wave_machine<Options>().check_trigger(arguments.trigger, "--wave-trigger");
     set("run.wave_trigger", arguments.trigger, "--wave-trigger");
   }
   if (!arguments.pre.empty()) {
@@ -136,45 +158,51 @@ void apply_waves(Options& options, const WaveArguments& arguments) {
   }
 }
 
-void check_waves(const Options& options) {
-  const kung::RunOptions& run = options.run;
+template void apply_waves(kung::Options&, const WaveArguments&);
+template void apply_waves(lm628::Options&, const WaveArguments&);
+template void apply_waves(mcafee::Options&, const WaveArguments&);
+
+void check_waves(const WaveRequest& waves) {
+  const cosim::RunBasics& run = waves.run;
   if (run.wave == WaveFormat::kNone) return;
   const auto refuse = [](const std::string& message) { throw ConfigError(message); };
-  if (kung::trigger_asked(run)) check_trigger(run.wave_trigger, "run.wave_trigger");
+  if (cosim::trigger_asked(run)) {
+    waves.machine.check_trigger(run.wave_trigger, "run.wave_trigger");
+  }
   const bool own = run.wave_begin_s != 0 || run.wave_end_s != 0;
   if (own && run.wave_begin_s >= run.wave_end_s) {
     refuse(fmt::format("run.wave_end_s: value {:g} must be above run.wave_begin_s = {:g}",
                        run.wave_end_s, run.wave_begin_s));
   }
-  if (!kung::trigger_asked(run) && (run.wave_begin_s < 0 || run.wave_begin_s >= run.max_s)) {
+  if (!cosim::trigger_asked(run) && (run.wave_begin_s < 0 || run.wave_begin_s >= run.max_s)) {
     refuse(
         fmt::format("run.wave_begin_s: value {:g} is outside the run, 0..{:g} s (run.max_s); "
                     "only a window around run.wave_trigger may begin below 0",
                     run.wave_begin_s, run.max_s));
   }
-  const double length = own ? run.wave_end_s - run.wave_begin_s : kung::kEveryWindowS;
-  const std::int64_t clocks = own ? kung::edge_at(run.wave_end_s) - kung::edge_at(run.wave_begin_s)
-                                  : kung::edge_at(length);
+  const double length = own ? run.wave_end_s - run.wave_begin_s : cosim::kEveryWindowS;
+  const cosim::Clk clocks = own ? cosim::edge_at(run.wave_end_s) - cosim::edge_at(run.wave_begin_s)
+                                : cosim::edge_at(length);
   if (clocks < 1) {
     refuse(fmt::format("run.wave_end_s: a window of {:g} s holds no clock, they are 20 ns apart",
                        length));
   }
-  if (run.wave_every_s != 0 && kung::edge_at(run.wave_every_s) < clocks) {
+  if (run.wave_every_s != 0 && cosim::edge_at(run.wave_every_s) < clocks) {
     refuse(fmt::format("run.wave_every_s: value {:g} is shorter than its window of {:g} s",
                        run.wave_every_s, length));
   }
 }
 
-void announce_waves(const Options& options) {
-  const kung::RunOptions& run = options.run;
+void announce_waves(const WaveRequest& waves) {
+  const cosim::RunBasics& run = waves.run;
   if (run.wave == WaveFormat::kNone) return;
   const bool vcd = run.wave == WaveFormat::kVcd;
   if (vcd && find_program("fst2vcd").empty()) {
     throw ToolMissing("--wave vcd: fst2vcd is missing (see `trammel doctor`)");
   }
-  const kung::WaveWindow window = kung::wave_window(run, 0);
-  const double length = seconds_of(window.end - window.begin, options);
-  const double mega = length * (vcd ? kVcdBytesPerS : kFstBytesPerS) / 1e6;
+  const cosim::WaveWindow window = cosim::wave_window(run, 0);
+  const double length = seconds_of(window.end - window.begin);
+  const double mega = length * (vcd ? waves.machine.vcd_bytes_s : waves.machine.fst_bytes_s) / 1e6;
   if (run.wave_every_s > 0) {
     fmt::print(stderr, "trammel: waves take about {:.2g} MB a second of the run\n",
                mega / run.wave_every_s);
@@ -193,8 +221,8 @@ bool fst_to_vcd(const fs::path& fst, const fs::path& vcd) {
 }
 
 std::string placed_view(const std::string& text, const fs::path& waves,
-                        const kung::Result& result) {
-  const kung::WaveSpan first = result.waves.front();
+                        const RunResult& result) {
+  const cosim::WaveSpan first = result.waves.front();
   constexpr int kNsPerClock = 20;
   constexpr double kFrames = 1045.0 / 200;  // width of the view's waves; GTKWave counts 200 pixels
   std::string markers;
@@ -218,23 +246,23 @@ std::string placed_view(const std::string& text, const fs::path& waves,
   return placed;
 }
 
-int finish_waves(const Options& options, const kung::Result& result, const fs::path& folder) {
-  if (options.run.wave == WaveFormat::kNone) return 0;
-  const fs::path fst = options.run.wave_file;
-  const double ran_s = seconds_of(result.clocks, options);
+int finish_waves(const WaveRequest& waves, const RunResult& result, const fs::path& folder) {
+  if (waves.run.wave == WaveFormat::kNone) return 0;
+  const fs::path fst = waves.run.wave_file;
+  const double ran_s = seconds_of(result.clocks);
   if (result.waves.empty()) {
     std::error_code ignored;
     fs::remove(fst, ignored);
-    if (result.end == kung::EndReason::kStopped) return missing("the run was interrupted");
-    if (kung::trigger_asked(options.run) && !result.wave_trigger) {
-      return missing(fmt::format("the trigger \"{}\" never fired in {}", trigger_text(options),
+    if (result.end == cosim::EndReason::kStopped) return missing("the run was interrupted");
+    if (cosim::trigger_asked(waves.run) && !result.wave_trigger) {
+      return missing(fmt::format("the trigger \"{}\" never fired in {}", trigger_text(waves),
                                  time_text(ran_s)));
     }
     return missing(fmt::format("their window lies outside the run, 0..{}", time_text(ran_s)));
   }
   fs::path file = fst;
   int code = 0;
-  if (options.run.wave == WaveFormat::kVcd) {
+  if (waves.run.wave == WaveFormat::kVcd) {
     file.replace_extension("vcd");
     if (!fst_to_vcd(fst, file)) {
       fmt::print(stderr, "trammel: fst2vcd failed; the waves are kept as waves.fst\n");
@@ -242,9 +270,10 @@ int finish_waves(const Options& options, const kung::Result& result, const fs::p
       code = 1;
     }
   }
-  const std::string view = view_text();
+  const std::string view = view_text(waves.machine.view);
   if (view.empty()) {
-    fmt::print(stderr, "trammel: no view for GTKWave: {}/kung.gtkw cannot be read\n", kViewFolder);
+    fmt::print(stderr, "trammel: no view for GTKWave: {}/{} cannot be read\n", kViewFolder,
+               waves.machine.view);
   } else {
     write_text(fst.parent_path() / "waves.gtkw",
                placed_view(view, folder / file.filename(), result));
@@ -252,37 +281,37 @@ int finish_waves(const Options& options, const kung::Result& result, const fs::p
   return code;
 }
 
-std::string waves_report(const Options& options, const kung::Result& result,
+std::string waves_report(const WaveRequest& waves, const RunResult& result,
                          const std::string& folder) {
   if (result.waves.empty()) return "";
   std::string text;
   if (result.wave_trigger) {
-    const bool known = kung::wave_trigger(options.run)->when == kung::Trigger::When::kAt;
-    text += fmt::format("  trigger `{}` at {} (clock {}){}\n", trigger_text(options),
-                        time_text(seconds_of(*result.wave_trigger, options)), *result.wave_trigger,
+    const bool known = trigger_text(waves).find("at ") == 0;
+    text += fmt::format("  trigger `{}` at {} (clock {}){}\n", trigger_text(waves),
+                        time_text(seconds_of(*result.wave_trigger)), *result.wave_trigger,
                         known ? "" : ", found in an untraced run before this one");
   }
-  const kung::WaveSpan first = result.waves.front();
-  text += fmt::format("  waves of {} to {}", time_text(seconds_of(first.begin, options)),
-                      time_text(seconds_of(first.end, options)));
+  const cosim::WaveSpan first = result.waves.front();
+  text += fmt::format("  waves of {} to {}", time_text(seconds_of(first.begin)),
+                      time_text(seconds_of(first.end)));
   if (result.waves.size() > 1) {
     text += fmt::format(" and {} more windows, the last from {}", result.waves.size() - 1,
-                        time_text(seconds_of(result.waves.back().begin, options)));
+                        time_text(seconds_of(result.waves.back().begin)));
   }
   return text + fmt::format("; to look at them: gtkwave {}/waves.gtkw\n", folder);
 }
 
-nlohmann::ordered_json waves_json(const Options& options, const kung::Result& result) {
+nlohmann::ordered_json waves_json(const WaveRequest& waves, const RunResult& result) {
   if (result.waves.empty()) return nullptr;
-  nlohmann::ordered_json json{{"file", file_name(options)}};
+  nlohmann::ordered_json json{{"file", file_name(waves.run)}};
   if (result.wave_trigger) {
-    json["trigger"] = trigger_text(options);
-    json["trigger_s"] = seconds_of(*result.wave_trigger, options);
+    json["trigger"] = trigger_text(waves);
+    json["trigger_s"] = seconds_of(*result.wave_trigger);
   }
   json["windows"] = result.waves.size();
   for (std::size_t i = 0; i < std::min(result.waves.size(), kListed); ++i) {
-    const kung::WaveSpan& span = result.waves[i];
-    json["windows_s"].push_back({seconds_of(span.begin, options), seconds_of(span.end, options)});
+    const cosim::WaveSpan& span = result.waves[i];
+    json["windows_s"].push_back({seconds_of(span.begin), seconds_of(span.end)});
   }
   return json;
 }

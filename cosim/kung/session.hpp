@@ -74,6 +74,7 @@ class StallableApp final : public sw::Firmware {
 
 class Session {
  public:
+  using Waves = kung::Waves;
   // Throws OptionsError or std::invalid_argument for options that cannot run.
   Session(const Options& options, const Hooks& hooks, const Waves& waves = {});
 

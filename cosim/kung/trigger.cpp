@@ -4,19 +4,16 @@
 #include <fmt/format.h>
 
 #include <cerrno>
-#include <cmath>
 #include <cstdlib>
 #include <regex>
 
-#include "cosim/kung/words.hpp"
+#include "cosim/wave_plan.hpp"
 
 namespace trammel::kung {
 namespace {
 
 using When = Trigger::When;
 using Relation = Trigger::Relation;
-
-constexpr double kLongestS = 3600;  // as run.max_s
 
 constexpr struct {
   const char* text;
@@ -104,28 +101,7 @@ void compare(Trigger& trigger, const std::string& name, const std::string& op,
   }
 }
 
-cosim::Clk edge_of(const std::string& text) {
-  const auto seconds = parse_time(text);
-  if (!seconds || !(*seconds >= 0 && *seconds <= kLongestS)) {
-    throw std::invalid_argument(fmt::format(
-        "value {} is not a time 0..{:g} s with s, ms, us or ns behind it", text, kLongestS));
-  }
-  return edge_at(*seconds);
-}
-
 }  // namespace
-
-std::optional<double> parse_time(const std::string& text) {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  if (end == text.c_str() || !std::isfinite(value)) return {};
-  const std::string unit = end;
-  if (unit.empty() || unit == "s") return value;
-  if (unit == "ms") return value * 1e-3;
-  if (unit == "us") return value * 1e-6;
-  if (unit == "ns") return value * 1e-9;
-  return {};
-}
 
 Trigger parse_trigger(const std::string& text) {
   static const std::regex form(
@@ -136,10 +112,10 @@ Trigger parse_trigger(const std::string& text) {
     throw std::invalid_argument(fmt::format("\"{}\" is none of: {}", text, kTriggerForms));
   }
   Trigger trigger;
-  if (part[8].matched) trigger.edge = edge_of(part[8]);
+  if (part[8].matched) trigger.edge = cosim::parse_edge(part[8]);
   if (part[1].matched) {
     if (part[8].matched) throw std::invalid_argument("`at` and `after` exclude each other");
-    trigger.edge = edge_of(part[1]);
+    trigger.edge = cosim::parse_edge(part[1]);
   } else if (part[2].matched) {
     name_signal(trigger, part[3]);
     trigger.when = part[2] == "rise"   ? When::kRises

@@ -38,6 +38,8 @@ struct Trigger {
   bool either = false;  // axis 0 or 1
   Relation relation = Relation::kEqual;
   std::int64_t value = 0;
+
+  bool known() const { return when == When::kAt; }  // without a search
 };
 
 // A name that is no signal, to be met with a suggestion.
@@ -50,15 +52,15 @@ struct UnknownName : std::invalid_argument {
 // Throws UnknownName, or std::invalid_argument that says what is wrong and what is allowed.
 Trigger parse_trigger(const std::string& text);
 
-// Seconds of "10ms"; s, ms, us or ns behind the number, none means s.
-std::optional<double> parse_time(const std::string& text);
-
 // All that may stand for a NAME or EVENT, for suggestions.
 std::vector<std::string> trigger_names();
 
 // Looks for every event but kAt, whose edge is known.
 class TriggerSearch final : public Watcher {
  public:
+  // What these options look for; throws as parse_trigger() does.
+  static std::optional<Trigger> event(const cosim::RunBasics& run);
+
   explicit TriggerSearch(const Trigger& trigger) : trigger_(trigger) {}
 
   void after(cosim::Clk edge, const SignalReader& chip) override;

@@ -207,22 +207,16 @@ struct Detail {
   GateWindow gates;
 };
 
-struct Result {
+struct Result : cosim::RunResult {
+  Result() { end = EndReason::kDone; }
+
   cosim::DiskVector<Sample> samples;    // every 2 kHz sample from the first tick of the chip on
   std::uint32_t first_tick = 0;   // sample at which point 0 of the path took effect
   std::uint32_t end_tick = 0;     // first sample after the last point's: figures use [first, end)
   std::uint32_t points = 0;       // written by the processor
-  EndReason end = EndReason::kDone;
-  std::optional<cosim::BrokenPromise> promise;  // kPromise: the first one
   Fault fault;
   Detail detail;
-  cosim::Clk clocks = 0;
-  cosim::Clk evaluated = 0;       // of these; the others were leapt over
-  WakeCounts wakes{};             // why these were evaluated
-  double wall_s = 0;
-  std::uint64_t event_hash = 0;   // of all gate, interrupt and bus events with their edges
-  std::optional<cosim::Clk> wave_trigger;  // edge at which it fired
-  std::vector<WaveSpan> waves;    // what the wave file holds
+  WakeCounts wakes{};             // why clocks were evaluated
 };
 
 }  // namespace trammel::kung

@@ -6,11 +6,11 @@
 #include <cmath>
 #include <cstdint>
 
+#include "cosim/wave_plan.hpp"
 #include "models/fixed/fixed.hpp"
 
 namespace trammel::kung {
 
-inline constexpr double kClocksPerSecond = 50e6;
 inline constexpr double kCountM = 5e-6;               // encoder resolution [m]
 inline constexpr double kSampleS = 0.5e-3;            // position sample [s]
 inline constexpr double kSpeedLsbMS = 0.625e-3;       // speed words [m/s]
@@ -18,8 +18,7 @@ inline constexpr double kCurrentRefLsbA = 4.8 / 2048;  // i_q* [A]
 inline constexpr double kCurrentLsbA = 9.6 / 2048;    // measured currents [A]
 inline constexpr double kModelLsbM = kCountM / 16384;  // x_m, dx [m]
 
-// Clock edge at a time [s].
-inline std::int64_t edge_at(double seconds) { return std::llround(seconds * kClocksPerSecond); }
+using cosim::edge_at;
 
 // Smallest voltage step [V]: full scale is the largest linear phase voltage.
 inline double voltage_lsb_V(double dc_link_V) { return dc_link_V / std::sqrt(3.0) / 2048; }

@@ -51,10 +51,12 @@ const char* failure_text(sw::An693Failure failure) {
 
 }  // namespace
 
-Bench::Bench(const Options& options, std::function<bool(const Sample&)> finished)
+Bench::Bench(const Options& options, std::function<bool(const Sample&)> finished,
+             const Waves& waves)
     : options_(options),
+      waves_(waves),
       plant_(options.plant),
-      chip_(make_verilated_chip(options.run)),
+      chip_(make_verilated_chip(options.run, waves.window)),
       recorder_(
           *chip_,
           [this](Sample& sample) {
@@ -65,7 +67,7 @@ Bench::Bench(const Options& options, std::function<bool(const Sample&)> finished
             sample.volt = plant_.axis().voltage();
           },
           std::move(finished)),
-      loop_(*chip_, plant_, recorder_, options.run.window()) {}
+      loop_(*chip_, plant_, *this, options.run.window()) {}
 
 cosim::Clk Bench::end() const {
   return cosim::clocks_of(options_.run.max_s, period_ps());
@@ -78,19 +80,20 @@ Result Bench::result() {
   result.evaluated = chip_->evaluated();
   result.event_hash = recorder_.event_hash();
   result.promise = chip_->broken_promise();
+  if (waves_.window) result.waves = cosim::wave_spans(*waves_.window, result.clocks);
   result.wall_s =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
   return result;
 }
 
-Session::Session(const Options& options, const cosim::Hooks& hooks)
-    : Bench(options, [this](const Sample& sample) { return over(sample); }),
+Session::Session(const Options& options, const cosim::Hooks& hooks, const Waves& waves)
+    : Bench(options, [this](const Sample& sample) { return over(sample); }, waves),
       hooks_(hooks),
       app_(program_setup(options)),
       expected_s_(expected_s(options)) {}
 
 bool Session::over(const Sample& sample) {
-  if (chip().broken_promise()) return true;
+  if (found() || chip().broken_promise()) return true;
   if (hooks_.stop != nullptr && hooks_.stop->load(std::memory_order_relaxed)) {
     end_ = cosim::EndReason::kStopped;
     return true;

@@ -11,6 +11,7 @@
 #include "cosim/direct.hpp"
 #include "cosim/lm628/recorder.hpp"
 #include "cosim/lm628/types.hpp"
+#include "cosim/wave_event.hpp"
 
 namespace trammel::lm628 {
 
@@ -35,11 +36,14 @@ class MotorPlant final : public cosim::Plant {
   plant::MotorAxis axis_;
 };
 
+using Waves = cosim::Waves<cosim::EventSearch>;
+
 // Chip, motor, loop and record: what every run of the machine has, whoever is at the port.
-class Bench {
+class Bench : private cosim::Observer {
  public:
   // `finished` is asked after each sample, and after it said so nothing more is recorded.
-  Bench(const Options& options, std::function<bool(const Sample&)> finished);
+  Bench(const Options& options, std::function<bool(const Sample&)> finished,
+        const Waves& waves = {});
 
   cosim::Loop& loop() { return loop_; }
   const Lm628Chip& chip() const { return *chip_; }
@@ -55,9 +59,16 @@ class Bench {
 
  protected:
   const Options& options() const { return options_; }
+  bool found() const { return waves_.search != nullptr && waves_.search->found(); }
 
  private:
+  void on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant& plant) override {
+    if (waves_.search != nullptr) waves_.search->on(stop, *chip_);
+    recorder_.on(stop, chip, plant);
+  }
+
   Options options_;
+  Waves waves_;
   MotorPlant plant_;
   std::unique_ptr<Lm628Chip> chip_;
   Recorder recorder_;
@@ -68,7 +79,10 @@ class Bench {
 // With the firmware at the port.
 class Session final : public Bench {
  public:
-  Session(const Options& options, const cosim::Hooks& hooks);
+  using Waves = lm628::Waves;
+  Session(const Options& options, const cosim::Hooks& hooks, const Waves& waves = {});
+
+  bool stopped() const { return end_ == cosim::EndReason::kStopped; }
 
   sw::Firmware& firmware() { return app_; }
   Result result();

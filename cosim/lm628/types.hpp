@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 
 #include "cosim/cosim.hpp"
@@ -49,17 +48,11 @@ struct Sample {
   double volt = 0;   // [V]
 };
 
-struct Result {
+struct Result : cosim::RunResult {
   cosim::DiskVector<Sample> samples;      // from the first after the reset routine on
-  cosim::EndReason end = cosim::EndReason::kTimeout;
   std::string fault;                // kFault: what the program saw
-  std::optional<cosim::BrokenPromise> promise;  // kPromise: the first one
   std::int32_t desired = 0;         // RDDP and RDRP at the end [count]
   std::int32_t real = 0;
-  cosim::Clk clocks = 0;
-  cosim::Clk evaluated = 0;         // of these; the others were leapt over
-  double wall_s = 0;
-  std::uint64_t event_hash = 0;     // of all converter, interrupt, sample and bus events
 };
 
 }  // namespace trammel::lm628

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "cosim/lm628/chip.hpp"
 #include "cosim/mcafee/lines.hpp"
@@ -19,6 +20,9 @@ struct McafeeChip : cosim::MachineChip {
   virtual bool host_irq(int axis) const = 0;       // pin HI; irq() is also the timer's
 };
 
-std::unique_ptr<McafeeChip> make_verilated_chip(const cosim::RunBasics& run);
+// As the run asks; with a window its waves are dumped into run.wave_file. Where the chip that dumps
+// them differs from the one that runs, the promise waves_are_exact is broken.
+std::unique_ptr<McafeeChip> make_verilated_chip(
+    const cosim::RunBasics& run, const std::optional<cosim::WaveWindow>& window = {});
 
 }  // namespace trammel::mcafee

@@ -50,12 +50,13 @@ cosim::Lines StagePlant::sense() const {
   return lines;
 }
 
-Session::Session(const Options& options, const cosim::Hooks& hooks)
+Session::Session(const Options& options, const cosim::Hooks& hooks, const Waves& waves)
     : options_(options),
       hooks_(hooks),
+      waves_(waves),
       table_(table_for(options)),
       plant_({options.stage_axis, options.stage_axis}),
-      chip_(options.run.engine == Engine::kRtl ? make_verilated_chip(options.run)
+      chip_(options.run.engine == Engine::kRtl ? make_verilated_chip(options.run, waves.window)
                                                : make_twin_chip()),
       app_(program()),
       loop_(*chip_, plant_, *this, options.run.window()) {}
@@ -89,6 +90,7 @@ cosim::Clk Session::end() const {
 
 void Session::on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant&) {
   if (over_ || stop.why == cosim::kLimit) return;
+  if (waves_.search != nullptr) waves_.search->on(stop, *chip_);
   hash_.mix(stop, chip);
   if ((stop.why & cosim::kSample) == 0) return;
   const Sample sample = sample_at(stop.edge);
@@ -122,6 +124,7 @@ Sample Session::sample_at(cosim::Clk edge) const {
 
 std::optional<cosim::EndReason> Session::end_after(const Sample& sample) {
   if (chip_->broken_promise()) return cosim::EndReason::kPromise;
+  if (waves_.search != nullptr && waves_.search->found()) return cosim::EndReason::kDone;
   if (hooks_.progress && samples_.size() % 64 == 0) hooks_.progress(std::min(1.0, progress()));
   if (hooks_.stop != nullptr && hooks_.stop->load()) return cosim::EndReason::kStopped;
   if (app_.failed()) return cosim::EndReason::kFault;
@@ -158,6 +161,7 @@ Result Session::result() {
       std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
   result.event_hash = hash_.value();
   result.promise = chip_->broken_promise();
+  if (waves_.window) result.waves = cosim::wave_spans(*waves_.window, result.clocks);
   if (result.promise) result.end = cosim::EndReason::kPromise;
   return result;
 }

@@ -11,6 +11,7 @@
 #include "cosim/direct.hpp"
 #include "cosim/event_hash.hpp"
 #include "cosim/mcafee/types.hpp"
+#include "cosim/wave_event.hpp"
 
 namespace trammel::mcafee {
 
@@ -37,7 +38,8 @@ class StagePlant final : public cosim::Plant {
 class Session final : private cosim::Observer {
  public:
   // Throws cosim::OptionsError or std::invalid_argument for a path that cannot be followed.
-  Session(const Options& options, const cosim::Hooks& hooks);
+  using Waves = cosim::Waves<cosim::EventSearch>;
+  Session(const Options& options, const cosim::Hooks& hooks, const Waves& waves = {});
 
   cosim::Loop& loop() { return loop_; }
   sw::Firmware& firmware() { return app_; }
@@ -45,6 +47,7 @@ class Session final : private cosim::Observer {
   std::int64_t period_ps() const { return options_.stage_axis.clock_ps; }
   cosim::Clk end() const;  // edge at which the run ends at the latest
   bool finished() const { return over_; }
+  bool stopped() const { return end_ == cosim::EndReason::kStopped; }
 
   Result result();
 
@@ -57,6 +60,7 @@ class Session final : private cosim::Observer {
 
   Options options_;
   cosim::Hooks hooks_;
+  Waves waves_;
   Table table_;
   StagePlant plant_;
   std::unique_ptr<McafeeChip> chip_;

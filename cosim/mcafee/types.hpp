@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -67,18 +66,12 @@ struct Sample {
   unsigned v = 0;         // speed of the last of them, 0..255
 };
 
-struct Result {
+struct Result : cosim::RunResult {
   cosim::DiskVector<Sample> samples;  // from the first after the reset routine on
-  cosim::EndReason end = cosim::EndReason::kTimeout;
   std::string fault;            // kFault: what the program saw
-  std::optional<cosim::BrokenPromise> promise;  // kPromise: the first one
   std::uint32_t readings = 0;   // of Stage I
   std::array<std::int32_t, 2> real{};  // RDRP at the end [count]
   Table table;                  // that the program followed
-  cosim::Clk clocks = 0;
-  cosim::Clk evaluated = 0;     // of these; the others were leapt over
-  double wall_s = 0;
-  std::uint64_t event_hash = 0;  // of all converter, interrupt, sample and bus events
 };
 
 }  // namespace trammel::mcafee

@@ -24,6 +24,8 @@ struct HostedState {
   HostTimer timer;
   std::uint32_t rdata = 0;
   bool irq = false;
+  bool host = false;  // the chip interrupts
+  Clk host_rise = kNever;
 
   void count_as(const HostedState& other) { evaluated = other.evaluated; }
 };
@@ -38,6 +40,8 @@ class HostedChip : public Base {
   bool irq() const override { return state_.irq; }
   std::uint32_t rdata() const override { return state_.rdata; }
   std::optional<BrokenPromise> broken_promise() const override { return model_.broken_promise(); }
+
+  Clk host_rise() const override { return state_.host_rise; }
 
   Root& registers() { return *model_->rootp; }
   State& state() { return state_; }
@@ -65,7 +69,10 @@ class HostedChip : public Base {
       if (bus && bus_edge(edge)) why |= kBusDone;
       s.timer.pass(edge);
       if (drive_changed()) why |= kDrive;
-      const bool irq = host_pin() || s.timer.irq();
+      const bool host = host_pin();
+      if (host && !s.host) s.host_rise = edge;
+      s.host = host;
+      const bool irq = host || s.timer.irq();
       if (irq && !s.irq) why |= kIrq;
       s.irq = irq;
       if (why != 0) return {edge, why};

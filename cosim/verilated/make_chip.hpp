@@ -4,21 +4,32 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "cosim/machine.hpp"
-#include "cosim/verilated/in_step.hpp"
+#include "cosim/verilated/fst_trace.hpp"
+#include "cosim/verilated/waved_chip.hpp"
 
 namespace trammel::cosim {
 
-// Fast: for speed; Checked: with the promises of its blocks.
+// Fast: for speed; Checked: with the promises of its blocks; Traced: the description of the one
+// that dumps a window of waves.
 template <class Interface, template <class Model, class Tracer> class ChipModel, class Fast,
-          class Checked, class Registers>
-std::unique_ptr<Interface> make_chip(const RunBasics& run) {
+          class Checked, class Traced, class Registers>
+std::unique_ptr<Interface> make_chip(const RunBasics& run,
+                                     const std::optional<WaveWindow>& window) {
+  using Trace = FstTrace<Traced>;
+  using Shown = ChipModel<typename Traced::Model, Trace>;
+  const ModelMode mode{run.leap, run.assertions};
+  const auto make = [&](auto* kind) -> std::unique_ptr<Interface> {
+    using Chip = std::remove_pointer_t<decltype(kind)>;
+    if (!window) return std::make_unique<Chip>(NoTrace{}, mode);
+    return std::make_unique<WavedChip<Chip, Shown, Registers>>(mode, Trace(run.wave_file), *window);
+  };
   using Untraced = ChipModel<Fast, NoTrace>;
   if (run.audit) return std::make_unique<AuditedChip<Untraced, Registers>>();
-  const ModelMode mode{run.leap, run.assertions};
-  if (run.assertions) return std::make_unique<ChipModel<Checked, NoTrace>>(NoTrace{}, mode);
-  return std::make_unique<Untraced>(NoTrace{}, mode);
+  if (run.assertions) return make(static_cast<ChipModel<Checked, NoTrace>*>(nullptr));
+  return make(static_cast<Untraced*>(nullptr));
 }
 
 }  // namespace trammel::cosim

@@ -5,6 +5,8 @@
 #include <catch2/catch.hpp>
 #include <map>
 
+#include "cosim/wave_plan.hpp"
+
 using namespace trammel;
 using namespace trammel::kung;
 using Catch::Contains;
@@ -125,10 +127,12 @@ TEST_CASE("every name in the list of names is one") {
 }
 
 TEST_CASE("times carry their unit") {
-  CHECK(*parse_time("5") == 5);
-  CHECK(*parse_time("5s") == 5);
-  CHECK(*parse_time("-5ms") == Approx(-5e-3));
-  CHECK(*parse_time("2.5us") == Approx(2.5e-6));
-  CHECK(*parse_time("20ns") == Approx(20e-9));
-  for (const char* text : {"", "ms", "5 ms", "5min", "inf", "5msx"}) CHECK_FALSE(parse_time(text));
+  CHECK(*cosim::parse_time("5") == 5);
+  CHECK(*cosim::parse_time("5s") == 5);
+  CHECK(*cosim::parse_time("-5ms") == Approx(-5e-3));
+  CHECK(*cosim::parse_time("2.5us") == Approx(2.5e-6));
+  CHECK(*cosim::parse_time("20ns") == Approx(20e-9));
+  for (const char* text : {"", "ms", "5 ms", "5min", "inf", "5msx"}) {
+    CHECK_FALSE(cosim::parse_time(text));
+  }
 }

@@ -29,20 +29,20 @@ TEST_CASE("without a window of its own a run is dumped around its trigger, 2 ms 
 
 TEST_CASE("the trigger is the drives' start unless a window, a period or a trigger is given") {
   RunOptions run = traced();
-  REQUIRE(wave_trigger(run));
-  CHECK(std::string(signals()[wave_trigger(run)->signal].name) == "CTRL.enable");
+  REQUIRE(TriggerSearch::event(run));
+  CHECK(std::string(signals()[TriggerSearch::event(run)->signal].name) == "CTRL.enable");
   // Where the drives never start, the default window begins with the run.
   CHECK(wave_window(run, wave_origin(run)).begin == 0);
   CHECK(wave_window(run, wave_origin(run)).end == 2 * kMs);
   run.wave_end_s = 0.005;
-  CHECK_FALSE(wave_trigger(run));
+  CHECK_FALSE(TriggerSearch::event(run));
   run = traced();
   run.wave_every_s = 0.05;
-  CHECK_FALSE(wave_trigger(run));
+  CHECK_FALSE(TriggerSearch::event(run));
   run.wave_trigger = "fault";
-  CHECK(std::string(signals()[wave_trigger(run)->signal].name) == "FAULT.code");
+  CHECK(std::string(signals()[TriggerSearch::event(run)->signal].name) == "FAULT.code");
   run.wave = WaveFormat::kNone;
-  CHECK_FALSE(wave_trigger(run));
+  CHECK_FALSE(TriggerSearch::event(run));
 }
 
 TEST_CASE("a window counts from its trigger, or from the start of the run") {

@@ -4,7 +4,9 @@
 // the data sheet.
 
 #include <catch2/catch.hpp>
+#include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 
 #include "cosim/lm628/session.hpp"
 #include "systemc/machines/an693.hpp"
@@ -193,6 +195,59 @@ TEST_CASE("an693 audited, or with its promises looked at, has the same events an
   CHECK_FALSE(checked.promise);
   CHECK(checked.evaluated >= checked.clocks);
   CHECK(checked.event_hash == base.event_hash);
+}
+
+TEST_CASE("an693 with waves has the same events; windows that begin anywhere show it exactly") {
+  Options options = one_step();
+  options.wait_s = 0.005;
+  const Result base = simulate(options, {});
+  options.run.wave = cosim::WaveFormat::kFst;
+  options.run.wave_file = "an693_machine_test.fst";
+  Options every = options;  // 2503 clocks are no part of a sample or of a pulse
+  every.run.wave_end_s = 97 * 20e-9;
+  every.run.wave_every_s = 2503 * 20e-9;
+  Options checked = options;
+  checked.run.assertions = true;
+  for (const Options& shown : {options, every, checked}) {
+    const Result result = simulate(shown, {});
+    std::filesystem::remove(shown.run.wave_file);
+    CHECK_FALSE(result.promise);
+    CHECK(result.end == base.end);
+    CHECK_FALSE(result.waves.empty());
+    CHECK(result.event_hash == base.event_hash);
+    CHECK(result.samples.size() == base.samples.size());
+  }
+}
+
+TEST_CASE("an693 waves begin where the converter, HI or the interrupt first moves") {
+  Options options = one_step();
+  options.wait_s = 0.005;
+  options.run.wave = cosim::WaveFormat::kFst;
+  options.run.wave_file = "an693_machine_test.fst";
+  const auto traced = [&options](const std::string& trigger) {
+    options.run.wave_trigger = trigger;
+    Result result = simulate(options, {});
+    std::filesystem::remove(options.run.wave_file);
+    return result;
+  };
+  const Result hi = traced("hi");
+  REQUIRE(hi.wave_trigger);
+  const auto first = std::find_if(hi.samples.begin(), hi.samples.end(),
+                                  [](const Sample& s) { return s.host_irq; });
+  REQUIRE(first != hi.samples.end());
+  CHECK(*hi.wave_trigger <= (*first).edge);
+  CHECK(*hi.wave_trigger > (*first).edge - 12800);
+  const Result drive = traced("");
+  REQUIRE(drive.wave_trigger);
+  CHECK(*drive.wave_trigger > *hi.wave_trigger);  // the strobes follow the results
+  CHECK(drive.waves[0].end - drive.waves[0].begin == 100000);
+  CHECK(*traced("irq").wave_trigger <= *hi.wave_trigger);
+  CHECK(*traced("irq after 3ms").wave_trigger >= 150000);
+  CHECK(*traced("at 4ms").wave_trigger == 200000);
+  const Result never = traced("hi after 1s");
+  CHECK_FALSE(never.wave_trigger);
+  CHECK(never.waves.empty());
+  CHECK(never.event_hash == hi.event_hash);
 }
 
 TEST_CASE("an693 ends at the sample after a broken promise, and keeps its record") {

@@ -9,20 +9,13 @@ import json
 import re
 import shlex
 import shutil
-import subprocess
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "scripts"))
-import python_tools  # noqa: E402
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
+from wave_case import ROOT, WaveCase, WaveFile  # noqa: E402  pylint: disable=wrong-import-position
 
-python_tools.need("pywellen", "kung_waves_test.py")
-from wave_file import WaveFile  # noqa: E402  pylint: disable=wrong-import-position
-
-PROGRAM = Path(sys.argv[1] if len(sys.argv) > 1 else "trammel").resolve()
 LINE = ["-s", "path.kind=line", "-s", "path.line_end_x_m=0.11", "-s",
         "path.line_end_y_m=0.105", "-s", "path.line_ticks=10"]
 GROUPS = ("Chip", "Bus AXI4-Lite", "Faults",
@@ -30,34 +23,19 @@ GROUPS = ("Chip", "Bus AXI4-Lite", "Faults",
             ("PWM and gates", "current loop", "position (AFC)", "encoder", "ADC")))
 
 
-class WavesTest(unittest.TestCase):
+class WavesTest(WaveCase):
     @classmethod
     def setUpClass(cls):
-        cls.folder = Path(tempfile.mkdtemp(dir=Path.cwd()))
-        cls.addClassCleanup(shutil.rmtree, cls.folder)
+        super().setUpClass()
         window = ["--wave-trigger", "rise x.gate_hi", "--wave-window", "-20us:60us"]
         cls.fst = cls.run_line("a", "--wave", "fst", *window) / "waves.fst"
         cls.vcd = cls.run_line("b", "--wave", "vcd", *window) / "waves.vcd"
-
-    @classmethod
-    def trammel(cls, *words, code=0):
-        done = subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True,
-                              check=False)
-        if done.returncode != code:
-            raise AssertionError(f"{words}: exit {done.returncode}\n{done.stdout}{done.stderr}")
-        return done
 
     @classmethod
     def run_line(cls, name, *words, code=0):
         out = cls.folder / name
         cls.trammel("run", "circle", *LINE, "--no-report", "-o", out, *words, code=code)
         return out
-
-    def wave(self, *words, code=0):
-        done = subprocess.run([sys.executable, ROOT / "scripts" / "wave.py", *map(str, words)],
-                              capture_output=True, text=True, check=False)
-        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
-        return done.stdout
 
     def test_vcd_and_fst_hold_the_same(self):
         self.assertRegex(self.wave("compare", self.fst, self.vcd), r"^equal: 1\d\d\d signals$")
@@ -87,17 +65,7 @@ class WavesTest(unittest.TestCase):
                          ["kung_xy.s_axil_awaddr_i", "kung_xy.u_regs.s_axil_awaddr_i"])
 
     def test_the_view_names_signals_that_are_there_in_all_its_groups(self):
-        view = (self.fst.parent / "waves.gtkw").read_text(encoding="ascii")
-        bits = {name: WaveFile(self.fst).bits(name) for name in WaveFile(self.fst).names}
-        shown = re.findall(r"^(?:\+\{[^}]*\} )?(kung_xy\.\S+)$", view, re.M)
-        self.assertGreater(len(shown), 100)
-        for signal in shown:
-            name, width = re.fullmatch(r"(.*?)(?:\[(\d+):0\])?", signal).groups()
-            self.assertEqual(bits.get(name), int(width or 0) + 1, signal)
-        for group in GROUPS:
-            self.assertEqual(view.count(f"\n-{group}\n"), 2, group)  # its begin and its end
-        tracked = (ROOT / "waves" / "kung.gtkw").read_text(encoding="ascii")
-        self.assertEqual(view.split("[*]")[1], tracked.split("[*]")[1])
+        view = self.check_view(self.fst, "kung.gtkw", GROUPS)
         marker = re.search(r"^\*\S+ (\d+) -1", view, re.M)[1]
         rise = WaveFile(self.fst).changes("kung_xy.gate_hi_o")[1][0]
         self.assertEqual(int(marker), rise)

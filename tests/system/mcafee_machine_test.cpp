@@ -4,6 +4,7 @@
 // here, that the chip and every wiring do the same.
 
 #include <catch2/catch.hpp>
+#include <filesystem>
 
 #include "systemc/machines/mcafee.hpp"
 #include "tests/support/broken_promise.hpp"
@@ -65,6 +66,25 @@ TEST_CASE("mcafee: audited, or with its promises looked at, it has the same even
   CHECK(checked.end == base.end);
   CHECK_FALSE(checked.promise);
   CHECK(checked.event_hash == base.event_hash);
+}
+
+TEST_CASE("mcafee: with waves it has the same events, and windows show them exactly") {
+  Options options = small_corner();
+  options.run.max_s = 0.03;
+  const Result base = run(options);
+  options.run.wave = cosim::WaveFormat::kFst;
+  options.run.wave_file = "mcafee_machine_test.fst";
+  Options every = options;
+  every.run.wave_end_s = 97 * 20e-9;
+  every.run.wave_every_s = 5003 * 20e-9;
+  every.run.platform = cosim::Platform::kSystemC;
+  for (const Options& shown : {options, every}) {
+    const Result result = run(shown);
+    std::filesystem::remove(shown.run.wave_file);
+    CHECK_FALSE(result.promise);
+    CHECK(result.waves.size() == (shown.run.wave_every_s > 0 ? 300 : 1));
+    CHECK(result.event_hash == base.event_hash);
+  }
 }
 
 TEST_CASE("mcafee: a broken promise ends the run at the next sample") {

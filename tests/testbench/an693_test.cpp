@@ -221,7 +221,23 @@ TEST_CASE("run chooses the machine by the scenario, and refuses what this one ha
   arguments.audit = arguments.plain = true;
   CHECK_THROWS_WITH(run(arguments, {}, stop, simulate), Contains("not with --no-leap"));
   arguments.audit = arguments.plain = false;
+  arguments.check = true;
+  CHECK_THROWS_WITH(run(arguments, {}, stop, simulate), Contains("--check: is not offered"));
+  arguments.check = false;
   arguments.waves.format = "fst";
-  CHECK_THROWS_WITH(run(arguments, {}, stop, simulate), Contains("--wave: is not offered"));
+  arguments.waves.trigger = "x.e > 3";
+  CHECK_THROWS_WITH(run(arguments, {}, stop, simulate), Contains("is none of: drive (a converter"));
+  arguments.waves.trigger = "";
+  const SimulateAn693 traced = [](const lm628::Options& options, const cosim::Hooks&) {
+    lm628::Result result = by_hand();
+    result.waves = {{90000, 95000}};
+    result.wave_trigger = 91000;
+    std::ofstream(options.run.wave_file) << "waves";
+    return result;
+  };
+  CHECK(run(arguments, {}, stop, traced) == 0);
+  const fs::path out = arguments.out;
+  CHECK_THAT(content(out / "metrics.json"), Contains("\"trigger\": \"drive\""));
+  CHECK_THAT(content(out / "waves.gtkw"), Contains(" 1820000 -1") && Contains("-Host port"));
   fs::remove_all("an693_test_out");
 }

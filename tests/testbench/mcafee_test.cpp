@@ -62,7 +62,8 @@ TEST_CASE("mcafee: a path or motor that cannot be is refused with key, row and r
   CHECK_THAT(message_of("[path]\nkind = \"spiral\""), Contains("square, circle, star"));
   CHECK_THAT(message_of("[track]\nspeed = 256"), Contains("out of range 0..255"));
   CHECK_THAT(message_of("[motor]\nresistance_ohm = 500"), Contains("is above 1e5 1/s"));
-  for (const char* key : {"audit = true", "assertions = true", "leap = false"}) {
+  for (const char* key : {"audit = true", "assertions = true", "leap = false",
+                          "wave = \"fst\""}) {
     INFO(key);
     CHECK_THAT(message_of(std::string("[run]\nengine = \"twin\"\n") + key),
                Contains("run.engine: the twin") && Contains("need"));

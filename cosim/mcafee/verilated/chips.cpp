@@ -5,15 +5,17 @@
 #include <Vmcafee_fast___024root.h>
 
 #include <mcafee_xy_registers.hpp>
+#include <mcafee_xy_traced.hpp>
 
 #include "cosim/mcafee/verilated/chip_model.hpp"
 #include "cosim/verilated/make_chip.hpp"
 
 namespace trammel::mcafee {
 
-std::unique_ptr<McafeeChip> make_verilated_chip(const cosim::RunBasics& run) {
+std::unique_ptr<McafeeChip> make_verilated_chip(const cosim::RunBasics& run,
+                                                const std::optional<cosim::WaveWindow>& window) {
   return cosim::make_chip<McafeeChip, ChipModel, Vmcafee_fast, Vmcafee_checked,
-                          cosim::McafeeXyRegisters>(run);
+                          cosim::McafeeXyTraced, cosim::McafeeXyRegisters>(run, window);
 }
 
 }  // namespace trammel::mcafee

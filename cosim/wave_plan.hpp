@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Which clocks of a run are dumped. Without a window of the user's own: 2 ms around the trigger;
+// without a trigger either, the machine's own start event is it.
+#pragma once
+
+#include <cmath>
+#include <optional>
+#include <string>
+
+#include "cosim/machine.hpp"
+
+namespace trammel::cosim {
+
+inline constexpr double kAfterTriggerS = 0.0018;  // of the default window; run.wave_pre_s before it
+inline constexpr double kEveryWindowS = 0.0002;   // default window of run.wave_every_s
+
+// Clock edge at a time [s], of the 50 MHz of every chip.
+inline Clk edge_at(double seconds) { return std::llround(seconds * 50e6); }
+
+// What a session does for waves: looks for the trigger, or dumps a window, or neither.
+template <class AnySearch>
+struct Waves {
+  using Search = AnySearch;
+  Search* search = nullptr;  // the run ends when it has found its trigger
+  std::optional<WaveWindow> window;
+};
+
+// Seconds of "10ms"; s, ms, us or ns behind the number, none means s.
+std::optional<double> parse_time(const std::string& text);
+
+// Edge of such a time of a run; throws std::invalid_argument that says what is allowed.
+Clk parse_edge(const std::string& text);
+
+// Whether the user named the event at which the window hangs: then its absence is an error.
+inline bool trigger_asked(const RunBasics& run) { return !run.wave_trigger.empty(); }
+
+// That event: the user's, or `start` of the default window; none when it counts from the start of
+// the run.
+std::optional<std::string> wave_trigger_text(const RunBasics& run, const char* start);
+
+// Where the window begins to count when there is no trigger, or none came.
+Clk wave_origin(const RunBasics& run);
+
+// The window around edge `origin`; it may begin before edge 0, which is then the first one shown.
+WaveWindow wave_window(const RunBasics& run, Clk origin);
+
+}  // namespace trammel::cosim
