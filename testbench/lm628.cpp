@@ -149,8 +149,10 @@ int lm628_shell(const RunArguments& arguments, std::atomic<bool>& stop,
   if (!folder && !arguments.json) return exit_code(result.end);
   const int waves_code = folder ? finish_waves(options, result, folder->target()) : 0;
   const An693Metrics metrics = evaluate(options, result);
-  const Json json = an693_json(options, result, metrics,
-                               "./trammel lm628 script.lm628 -c run.toml", &all.script);
+  const std::string again = folder                       ? "script.lm628 -c run.toml"
+                            : arguments.scenario.empty() ? "-"
+                                                         : shell_word(arguments.scenario);
+  const Json json = an693_json(options, result, metrics, "./trammel lm628 " + again, &all.script);
   if (arguments.json) fmt::print("{}\n", json.dump(2));
   if (folder) {
     const bool page = write_an693_files(folder->scratch(), options, result, json, &all.script,

@@ -124,10 +124,14 @@ struct CommandLine {
     verb->add_option("--wave-window", waves.window,
                      "a:b from the start of the run, or from the trigger (-1ms:2ms); default: 2 ms "
                      "around the trigger, or from where the drives start");
+    const bool of_script = verb->get_name() == "lm628";  // it runs once
     verb->add_option("--wave-trigger", waves.trigger,
-                     fmt::format("begin at an event, found in an untraced run before. kung: {}; "
-                                 "names: `trammel list signals`. an693, mcafee: {}",
-                                 trammel::kung::kTriggerForms, trammel::cosim::kWaveEvents));
+                     of_script ? "at TIME"
+                               : fmt::format("begin at an event, found in an untraced run before. "
+                                             "kung: {}; names: `trammel list signals`. an693, "
+                                             "mcafee: {}",
+                                             trammel::kung::kTriggerForms,
+                                             trammel::cosim::kWaveEvents));
     verb->add_option("--wave-pre", waves.pre, "before the trigger, default 0.2ms");
     verb->add_option("--wave-every", waves.every,
                      "the window again in each such period, for instance 50ms");

@@ -65,6 +65,7 @@ nlohmann::ordered_json run_json(const mcafee::Options& options,
   if (options.stage == McafeeStage::kRead) json["readings"] = result.readings;
   for (std::size_t k = 1; k < runs.size(); ++k) {
     json["compared"][runs[k].name] = figures_json(runs[k].result, runs[k].metrics);
+    json["compared"][runs[k].name]["end"] = end_text(runs[k].result.end);
   }
   json["events"] = events_json(m.events);
   json["run"] = simulation_json(result, options.stage_axis.clock_ps);
@@ -147,6 +148,15 @@ void warn(const std::string& scenario, const std::vector<std::string>& warnings)
   }
 }
 
+nlohmann::ordered_json table_json(const mcafee::Table& table) {
+  auto rows = nlohmann::ordered_json::array();
+  for (const sw::McafeeRow& row : table.rows) {
+    rows.push_back({{"c", row.c}, {"cc", row.cc}, {"vx", row.vx}, {"vy", row.vy},
+                    {"dx", row.dx}, {"dy", row.dy}});
+  }
+  return {{"row_mm", table.row_mm}, {"rows", rows}};
+}
+
 mcafee::Table table_of(const mcafee::Options& options) {
   try {
     return make_table(mcafee::Path(options.path), options.path, options.count_mm());
@@ -194,11 +204,15 @@ std::vector<McafeeRun> all_runs(const mcafee::Options& options, const SimulateMc
     return runs;
   }
   for (const int speed : {kMostFeed, options.least_speed}) {
-    if (stop) break;
     mcafee::Options other = options;
     other.speed = speed;
     other.run.wave = cosim::WaveFormat::kNone;  // they are of the first
-    runs.push_back(simulated(fmt::format("v = {}", speed), other, simulate, stop));
+    McafeeRun run = simulated(fmt::format("v = {}", speed), other, simulate, stop);
+    if (run.result.end == cosim::EndReason::kStopped) {  // a part of it is nothing to compare with
+      runs.front().result.end = cosim::EndReason::kStopped;
+      break;
+    }
+    runs.push_back(std::move(run));
   }
   return runs;
 }
@@ -289,8 +303,13 @@ int run_mcafee(mcafee::Options options, const RunArguments& arguments,
                        : text_report(options, runs, shown, pictures,
                                      page ? (target / "report.html").string() : "") +
                              waves_report(options, run.result, shown));
-  const int code = tell_end(options.scenario, run.result.end,
-                            end_cause(run.result, options.stage_axis.clock_ps), shown);
+  int code = 0;
+  for (const McafeeRun& one : runs) {
+    const int its = tell_end(&one == &run ? options.scenario : options.scenario + ", " + one.name,
+                             one.result.end,
+                             end_cause(one.result, options.stage_axis.clock_ps), shown);
+    if (code == 0) code = its;
+  }
   return code != 0 ? code : waves_code;
 }
 
@@ -299,11 +318,15 @@ int track(const RunArguments& arguments) {
       find_scenario(arguments.scenario.empty() ? "mcafee-stage3" : arguments.scenario), arguments);
   const mcafee::Table table = table_of(options);
   warn("track", table.warnings);
+  if (!arguments.out.empty()) write_text(arguments.out, table_csv(table));
+  if (arguments.json) {
+    fmt::print("{}\n", table_json(table).dump(2));
+    return 0;
+  }
   if (arguments.out.empty()) {
     fmt::print("{}", table_csv(table));
     return 0;
   }
-  write_text(arguments.out, table_csv(table));
   fmt::print("{}: {} rows of {:.5f} mm\n", arguments.out, table.rows.size(), table.row_mm);
   return 0;
 }

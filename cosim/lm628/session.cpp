@@ -120,6 +120,11 @@ Result Session::result() {
   result.fault = failure_text(app_.failure());
   result.desired = app_.desired();
   result.real = app_.real();
+  if (end_ != cosim::EndReason::kDone && !result.samples.empty()) {  // it did not come to ask
+    const Words last = result.samples.back().words;
+    result.desired = static_cast<std::int32_t>(last.position >> 16);
+    result.real = last.actual;
+  }
   return result;
 }
 

@@ -74,9 +74,9 @@ Table make_table(const Path& path, const PathOptions& options, double count_mm) 
     }
     if (dx == 0 && dy == 0) {
       throw cosim::OptionsError(fmt::format(
-          "path.row_mm: row {}: both increments are 0 counts; value {:g} is too short for counts "
-          "of {:.4g} mm",
-          k, options.row_mm, count_mm));
+          "path.row_mm: row {}: both increments are 0 counts; rows of {:.4g} mm (value {:g}, on a "
+          "path of {:.4g} mm) are too short for counts of {:.4g} mm",
+          k, table.row_mm, options.row_mm, path.length(), count_mm));
     }
     const double length = std::hypot(static_cast<double>(dx), static_cast<double>(dy));
     const auto scale = [length](long d) {

@@ -171,6 +171,34 @@ TEST_CASE("mcafee: runs leave their files and a page, made again from them byte 
   fs::remove_all(folder);
 }
 
+TEST_CASE("mcafee: a comparison that ends early ends the run, and what was stopped is no figure") {
+  const fs::path folder = fs::absolute("mcafee_test_out");
+  fs::remove_all(folder);
+  const std::atomic<bool> stop{false};
+  mcafee::Options options;
+  options.compare = true;
+  RunArguments arguments;
+  arguments.out = folder.string();
+  arguments.report = false;
+  cosim::EndReason end = cosim::EndReason::kStopped;
+  const SimulateMcafee simulate = [&end](const mcafee::Options& o, const cosim::Hooks&) {
+    mcafee::Result result = tracked();
+    result.table = make_table(mcafee::Path(o.path), o.path, o.count_mm());
+    if (o.speed == 40) result.end = end;
+    return result;
+  };
+  CHECK(run_mcafee(options, arguments, simulate, stop) == exit_code(end));
+  auto metrics = nlohmann::json::parse(content(folder / "metrics.json"));
+  CHECK(metrics["end"] == end_text(end));
+  CHECK(metrics["compared"].size() == 1);
+  end = cosim::EndReason::kDiverged;
+  CHECK(run_mcafee(options, arguments, simulate, stop) == exit_code(end));
+  metrics = nlohmann::json::parse(content(folder / "metrics.json"));
+  CHECK(metrics["end"] == "done");
+  CHECK(metrics["compared"]["v = 40"]["end"] == end_text(end));
+  fs::remove_all(folder);
+}
+
 TEST_CASE("mcafee: run.toml repeats the options") {
   mcafee::Options options, again;
   options.path.kind = mcafee::PathKind::kStar;
