@@ -60,13 +60,13 @@ void converse(Lm628Shell& shell, const ReadLine& read_line, std::atomic<bool>& s
               Conversation& all) {
   fmt::print("LM628 of 8 MHz with a DC motor, after RST; `help` names the commands\n");
   for (;;) {
+    stop = false;
     const std::optional<std::string> text = read_line("lm628> ");
-    const bool interrupted = stop.exchange(false);
-    if (!text && interrupted) {
+    if (!text && stop) {
       fmt::print("\n");
       continue;
     }
-    if (!text) return;
+    if (!text) return;  // one right behind the line stays for what it asks
     try {
       const auto line = parse_lm628_line(*text, kHere);
       if (!line) continue;
@@ -76,7 +76,6 @@ void converse(Lm628Shell& shell, const ReadLine& read_line, std::atomic<bool>& s
       tell(error.what());
     } catch (const Lm628Halt& halt) {
       tell(halt.what());
-      stop = false;
     }
   }
 }

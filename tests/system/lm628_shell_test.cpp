@@ -225,3 +225,26 @@ TEST_CASE("a conversation goes on after errors, and an interrupt ends a wait, no
   CHECK_THROWS_WITH(lm628_shell(arguments, stop, read_line), Contains("--json: needs a script"));
   fs::remove_all(arguments.out);
 }
+
+TEST_CASE("Ctrl-C right behind a line ends what it asks, at the prompt it ends the line alone") {
+  std::atomic<bool> stop{false};
+  RunArguments arguments;
+  arguments.out = "lm628_shell_test_out";
+  int at = 0;
+  const ReadLine read_line = [&](const std::string&) -> std::optional<std::string> {
+    stop = at < 2;
+    switch (at++) {
+      case 0: return std::nullopt;
+      case 1: return "wait 50 s";
+      case 2: return "RDRP";
+      default: return std::nullopt;  // Ctrl-D
+    }
+  };
+  arguments.report = false;
+  CHECK(lm628_shell(arguments, stop, read_line) == 0);
+  CHECK(at == 4);
+  const auto metrics = metrics_of(arguments.out);
+  CHECK(metrics["run"]["simulated_s"].get<double>() < 1);
+  CHECK(read_text(arguments.out + "/script.lm628") == "wait 50 s\nRDRP\n");
+  fs::remove_all(arguments.out);
+}
