@@ -65,7 +65,7 @@ TEST_CASE("a script of E6 gives the figures of the scenario an693-absolute, ever
 
   RunArguments arguments;
   arguments.scenario = "absolute";
-  arguments.out = "lm628_shell_test_out";
+  arguments.out = "lm628_shell_test_script";
   arguments.report = false;
   std::atomic<bool> stop{false};
   REQUIRE(lm628_shell(arguments, stop, {}) == 0);
@@ -194,7 +194,7 @@ TEST_CASE("exit codes: 0 done, 2 refused before anything is simulated, 5 a wait 
   };
   CHECK(code("RDRP\nquit\nwait hi 1 ms\n") == 0);
   CHECK(code("wait hi 1 ms\n") == 5);
-  arguments.out = "lm628_shell_test_out";
+  arguments.out = "lm628_shell_test_codes";
   CHECK_THROWS_AS(code("RDRP\nSTT 1\n"), ConfigError);
   CHECK_FALSE(fs::exists(arguments.out));
   CHECK(code("STT\nwait hi 1 ms\n") == 0);  // without PORT12 the part moves, the motor does not
@@ -209,7 +209,7 @@ TEST_CASE("exit codes: 0 done, 2 refused before anything is simulated, 5 a wait 
 TEST_CASE("a conversation goes on after errors, and an interrupt ends a wait, not itself") {
   std::atomic<bool> stop{false};
   RunArguments arguments;
-  arguments.out = "lm628_shell_test_out";
+  arguments.out = "lm628_shell_test_typed";
   arguments.report = false;
   const std::vector<std::string> typed{"RDR", "help STT", "wait hi 1 ms", "wait 1 s", "RDRP", "",
                                        "quit", "RDDP"};
@@ -229,7 +229,7 @@ TEST_CASE("a conversation goes on after errors, and an interrupt ends a wait, no
 TEST_CASE("Ctrl-C right behind a line ends what it asks, at the prompt it ends the line alone") {
   std::atomic<bool> stop{false};
   RunArguments arguments;
-  arguments.out = "lm628_shell_test_out";
+  arguments.out = "lm628_shell_test_stopped";
   int at = 0;
   const ReadLine read_line = [&](const std::string&) -> std::optional<std::string> {
     stop = at < 2;
