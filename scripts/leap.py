@@ -8,6 +8,7 @@ designs that must refute them: rtl/chips/<chip>_leap.toml, a table [[broken]] ea
   old, new           of its text; old must occur once
 """
 
+import itertools
 import sys
 import time
 import tomllib
@@ -19,9 +20,9 @@ from properties import ROOT, RTL, Control, PropertiesError
 
 OUT = ROOT / "build" / "formal"
 LEMMAS = {
-    "no_peeking": "no output depends on leap_i",
-    "stay": "next > 0: a clock leaves every register outside the timers as it is",
-    "stay_n": "so does a leap, for none of them reads leap_i",
+    "no_peeking": "no output and no memory depends on leap_i",
+    "stay": "next > 0: a clock leaves memories and registers outside the timers as they are",
+    "stay_n": "so does a leap, for none of these reads leap_i",
     "compose": "next > n: a leap of n + 1 clocks is a clock, then a leap of n, on the timers",
     "down_outputs": "next > 0: a clock moves no output",
     "down_quiescent": "next > 1: still quiescent after a clock",
@@ -42,28 +43,45 @@ class Questions:
         self.ports |= {v: 1 if name.endswith(".live_q") else g.free()
                        for v, name in chip.shadows.items()}
         self.now = {v: g.free() for v in chip.registers.values()}
+        self.reads = []  # (memory, address, word) of the graph
         self.more = g.word(WORD)  # clocks of a leap behind its first one
         timers = set(chip.timers)
         self.still = [bit for bit in chip.registers if bit not in timers]
         nexts = [chip.nexts[bit] for bit in chip.registers]
         outputs = [literal for word in chip.outputs.values() for literal in word]
-        plain = self.clock(self.now, [0] * WORD, nexts + outputs + chip.gates.bad)
+        enables = [literal for memory in chip.memories.values() for literal in memory.enables]
+        plain = self.clock(self.now, [0] * WORD, nexts + outputs + enables + chip.gates.bad)
         self.after = dict(zip(chip.registers, plain))
         self.before_words = self.words(plain[len(nexts):])
+        rests = plain[len(nexts) + len(outputs):]
+        self.writes = dict(zip((f"{name}[{n}]" for name, memory in chip.memories.items()
+                                for n in range(len(memory.enables))), rests))
         # One clock later only the timers have moved: that is what `stay` says.
         self.then = {v: self.after[bit] if bit in timers else self.now[v]
                      for bit, v in chip.registers.items()}
         self.after_words = self.words(self.clock(self.then, [0] * WORD, outputs))
         self.next = self.before_words["next_o"]
-        rests = g.every(bad ^ 1 for bad in plain[len(nexts) + len(outputs):])
-        self.quiet = g.both(rests, self.before_words["quiescent_o"][0])
-        self.some_next = g.both(self.quiet, g.some(self.next))
-        self.more_next = g.both(self.quiet, g.some(self.next[1:]))
+        self.quiet = g.both(g.every(bad ^ 1 for bad in rests[len(enables):]),
+                            self.before_words["quiescent_o"][0])
 
     def clock(self, registers, leap, roots):
         given = self.ports | registers
         given |= {self.chip.inputs[f"leap_i[{n}]"]: literal for n, literal in enumerate(leap)}
+        for memory in self.chip.memories.values():
+            address = self.graph.copy(self.chip.gates, given, memory.address)
+            word = self.graph.word(len(memory.data))
+            given |= zip(memory.data, word)
+            self.reads.append((memory, address, word))
         return self.graph.copy(self.chip.gates, given, roots)
+
+    def quiet_for(self, clocks):
+        """Quiescent, `clocks` (1 or 2) before the next event at least, and of each memory the same
+        word at the same address: none is written, says `stay`."""
+        g = self.graph
+        same = [g.either(g.unequal(a, b), g.unequal(x, y) ^ 1)
+                for (one, a, x), (other, b, y) in itertools.combinations(self.reads, 2)
+                if one is other]
+        return g.every([self.quiet, g.some(self.next[clocks - 1:]), *same])
 
     def words(self, literals):
         literals = iter(literals)
@@ -72,8 +90,9 @@ class Questions:
     def pairs(self, lemma):
         """{name: two literals that the lemma says are equal}."""
         if lemma == "stay":
-            return {bit: (self.now[self.chip.registers[bit]], self.after[bit])
-                    for bit in self.still}
+            written = {bit: (0, enable) for bit, enable in self.writes.items()}
+            return written | {bit: (self.now[self.chip.registers[bit]], self.after[bit])
+                              for bit in self.still}
         if lemma == "compose":
             roots = [self.chip.nexts[bit] for bit in self.chip.timers]
             at_once = self.clock(self.now, self.graph.plus_one(self.more)[:WORD], roots)
@@ -85,19 +104,19 @@ class Questions:
 
     def differs(self, lemma, pairs):
         g = self.graph
-        may = self.some_next
+        may = self.quiet_for(1)
         if lemma == "compose":
             longer = g.plus_one(self.more)
-            may = g.both(self.quiet, g.less(longer, [*self.next, 0]))
+            may = g.both(may, g.less(longer, [*self.next, 0]))
         return g.both(may, g.some(g.differ(a, b) for a, b in pairs.values()))
 
     def no_more_quiescent(self):
-        return self.graph.both(self.more_next, self.after_words["quiescent_o"][0] ^ 1)
+        return self.graph.both(self.quiet_for(2), self.after_words["quiescent_o"][0] ^ 1)
 
     def falls_fast(self, port):
         """The number at this port, a next_o of the chip or of a block, falls by more than one."""
         g = self.graph
-        return g.both(self.more_next, g.less(g.plus_one(self.after_words[port]),
+        return g.both(self.quiet_for(2), g.less(g.plus_one(self.after_words[port]),
                                              [*self.before_words[port], 0]))
 
 

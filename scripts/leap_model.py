@@ -3,7 +3,7 @@
 
 Found by the folder: a chip that leaps is a module of rtl/chips with the ports of PORTS that no
 other chip contains, or that has broken designs of its own. Multipliers are free values. Registers
-that no output shows are kept too.
+that no output shows are kept too. A large memory is left out: its ports become ports of the chip.
 """
 
 import re
@@ -16,10 +16,13 @@ import properties
 from properties import RTL, PropertiesError
 
 PORTS = ("leap_i", "next_o", "quiescent_o")
+MEMORY_PORTS = tuple(f".{side}_{port}" for side in ("RD", "WR")
+                     for port in ("ADDR", "ARST", "CLK", "DATA", "EN", "SRST"))
 # The state before the edge is asked about: no check waits for its clock.
 TO_GATES = """setparam -set TRG_ENABLE 0 t:$check
 chformal -lower
 memory_collect
+expose -evert t:$mem_v2 r:SIZE>=32 %i r:RD_PORTS=1 %i
 memory_map
 setattr -set keep 1 t:$*dff* c:*_props.* %d
 opt_clean
@@ -75,17 +78,27 @@ def script(source, folder):
 
 
 @dataclass
+class Memory:
+    """A memory with one read port and no register in it."""
+
+    address: list[int]  # literals
+    data: list[int]  # variables of what is read
+    enables: list[int]  # literals of what lets a bit be written
+
+
+@dataclass
 class Chip:
     """Variables of the gates by name; a bit's name is like u_timebase.u_phase.count_q[3]."""
 
     gates: aiger.Model
     inputs: dict[str, int]  # ports; every other input is a free value
     outputs: dict[str, list[int]]  # literals, lowest bit first; `next_o` of the blocks too
+    memories: dict[str, Memory]  # behind those whose words their addresses show
     registers: dict[str, int]  # variable
     nexts: dict[str, int]  # literal of the next value
     shadows: dict[int, str]  # registers of properties by their variable
     timers: list[str]  # registers that a leap moves
-    peeking: list[str]  # outputs that show leap_i
+    peeking: list[str]  # outputs and ports of memories that show leap_i
 
 
 def read(folder, name):
@@ -99,10 +112,11 @@ def read(folder, name):
             outputs.setdefault(signal, {})[int(bit)] = gates.outputs[int(index)]
         elif kind == "latch":
             aliases.setdefault(int(index), []).append((signal, bit))
+    ports = {port for port in outputs if port.endswith(MEMORY_PORTS)}
     registers, nexts, shadows = {}, {}, {}
     for index, literal in enumerate(gates.nexts):
         variable = gates.inputs + index + 1
-        own = [a for a in aliases.get(index, []) if "_props." not in a[0]]
+        own = [a for a in aliases.get(index, []) if "_props." not in a[0] and a[0] not in ports]
         if own:
             # The deepest name is that of the register itself; where a port has one too, its _q.
             signal, bit = max(own, key=lambda a: (a[0].count("."), a[0].endswith("_q"), a[0]))
@@ -113,9 +127,26 @@ def read(folder, name):
     leap = {variable for port, variable in inputs.items() if port.startswith("leap_i[")}
     moved = reached(gates, leap)
     words = {port: [bits[n] for n in sorted(bits)] for port, bits in outputs.items()}
-    return Chip(gates, inputs, words, registers, nexts, shadows,
+    kept = {port: word for port, word in words.items() if port not in ports}
+    return Chip(gates, inputs, kept, memories(gates, inputs, words), registers, nexts, shadows,
                 [bit for bit, literal in nexts.items() if moved[literal >> 1]],
                 [port for port, bits in words.items() if any(moved[b >> 1] for b in bits)])
+
+
+def memories(gates, inputs, words):
+    """{name: Memory} of those that were left out."""
+    found = {}
+    for port, address in words.items():
+        name, _, kind = port.rpartition(".")
+        if kind == "RD_ADDR":
+            data = []
+            while (bit := f"{name}.RD_DATA[{len(data)}]") in inputs:
+                data.append(inputs[bit])
+            found[name] = Memory(address, data, words.get(f"{name}.WR_EN", []))
+    shown = [reached(gates, memory.data) for memory in found.values()]
+    depth = {name: sum(any(word[literal >> 1] for literal in memory.address) for word in shown)
+             for name, memory in found.items()}
+    return dict(sorted(found.items(), key=lambda entry: depth[entry[0]]))
 
 
 def reached(gates, variables):
