@@ -56,6 +56,21 @@ function(trammel_verilated_library name)
     $<TARGET_PROPERTY:${name},INTERFACE_INCLUDE_DIRECTORIES>)
 endfunction()
 
+# The sources that a verilated model added to a library since it had those of `before`, as one unit:
+# many small ones take twice as long to compile.
+function(trammel_one_unit library name before options)
+  get_target_property(files ${library} SOURCES)
+  list(REMOVE_ITEM files ${before})
+  list(FILTER files INCLUDE REGEX "/verilated/.*\\.cpp$")
+  list(TRANSFORM files REPLACE "(.+)" "#include \"\\1\"\n" OUTPUT_VARIABLE includes)
+  string(CONCAT text ${includes})
+  set(unit ${PROJECT_BINARY_DIR}/verilated/${library}/${name}.cpp)
+  file(CONFIGURE OUTPUT ${unit} CONTENT "${text}" @ONLY)
+  set_source_files_properties(${files} PROPERTIES HEADER_FILE_ONLY ON)
+  set_source_files_properties(${unit} PROPERTIES COMPILE_OPTIONS "${options}")
+  target_sources(${library} PRIVATE ${unit})
+endfunction()
+
 # The library of this name and folder in the build TRAMMEL_BASE.
 function(trammel_imported_library name)
   file(RELATIVE_PATH folder ${PROJECT_BINARY_DIR} ${CMAKE_CURRENT_BINARY_DIR})
@@ -97,11 +112,7 @@ function(trammel_unit_model source test)
   if(TRAMMEL_BASE)
     return()
   endif()
-  # One unit a model: its many small ones take twice as long to compile.
-  get_target_property(files trammel_rtl SOURCES)
-  list(REMOVE_ITEM files ${before})
-  list(FILTER files INCLUDE REGEX "/verilated/.*\\.cpp$")
-  set_source_files_properties(${files} PROPERTIES UNITY_GROUP ${block})
+  trammel_one_unit(trammel_rtl ${block} "${before}" "")
 endfunction()
 
 # rtl/<layer>/<block>.sv with tests/<layer>/<block>_test.cpp: lint test, verilated model, unit test;
