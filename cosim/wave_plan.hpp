@@ -4,7 +4,6 @@
 // without a trigger either, the machine's own start event is it.
 #pragma once
 
-#include <cmath>
 #include <optional>
 #include <string>
 
@@ -15,8 +14,8 @@ namespace trammel::cosim {
 inline constexpr double kAfterTriggerS = 0.0018;  // of the default window; run.wave_pre_s before it
 inline constexpr double kEveryWindowS = 0.0002;   // default window of run.wave_every_s
 
-// Clock edge at a time [s], of the 50 MHz of every chip.
-inline Clk edge_at(double seconds) { return std::llround(seconds * 50e6); }
+// Clock edge at a time [s].
+inline Clk edge_at(double seconds) { return clocks_of(seconds, kClockPs); }
 
 // What a session does for waves: looks for the trigger, or dumps a window, or neither.
 template <class AnySearch>
@@ -24,6 +23,8 @@ struct Waves {
   using Search = AnySearch;
   Search* search = nullptr;  // the run ends when it has found its trigger
   std::optional<WaveWindow> window;
+
+  bool found() const { return search != nullptr && search->found(); }
 };
 
 // Seconds of "10ms"; s, ms, us or ns behind the number, none means s.

@@ -124,7 +124,8 @@ std::string text_report(const mcafee::Options& options, const std::vector<Mcafee
   if (!options.description.empty()) text += fmt::format("  {}\n", options.description);
   for (const McafeeRun& run : runs) text += figures_line(run);
   if (options.stage == McafeeStage::kRead) {
-    text += fmt::format("  {:<22}{}\n", "readings", result.readings);
+    text += fmt::format("  {:<22}{} of X, {} counts at the end\n", "readings", result.readings,
+                        result.real[0]);
   } else {
     text += fmt::format("  {:<22}{}, {} counts\n", "real position", result.real[0], result.real[1]);
   }
@@ -304,10 +305,10 @@ int run_mcafee(mcafee::Options options, const RunArguments& arguments,
                                      page ? (target / "report.html").string() : "") +
                              waves_report(options, run.result, shown));
   int code = 0;
-  for (const McafeeRun& one : runs) {
-    const int its = tell_end(&one == &run ? options.scenario : options.scenario + ", " + one.name,
-                             one.result.end,
-                             end_cause(one.result, options.stage_axis.clock_ps), shown);
+  for (std::size_t k = 0; k < runs.size(); ++k) {
+    const std::string name = k == 0 ? options.scenario : options.scenario + ", " + runs[k].name;
+    const int its = tell_end(name, runs[k].result.end,
+                             end_cause(runs[k].result, options.stage_axis.clock_ps), shown);
     if (code == 0) code = its;
   }
   return code != 0 ? code : waves_code;
@@ -321,13 +322,11 @@ int track(const RunArguments& arguments) {
   if (!arguments.out.empty()) write_text(arguments.out, table_csv(table));
   if (arguments.json) {
     fmt::print("{}\n", table_json(table).dump(2));
-    return 0;
-  }
-  if (arguments.out.empty()) {
+  } else if (arguments.out.empty()) {
     fmt::print("{}", table_csv(table));
-    return 0;
+  } else {
+    fmt::print("{}: {} rows of {:.5f} mm\n", arguments.out, table.rows.size(), table.row_mm);
   }
-  fmt::print("{}: {} rows of {:.5f} mm\n", arguments.out, table.rows.size(), table.row_mm);
   return 0;
 }
 

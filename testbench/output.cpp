@@ -158,7 +158,7 @@ Json metrics_json(const kung::Options& options, const kung::Result& result, cons
                  {"clocks_per_s", m.clocks_per_s},
                  {"real_time_factor", m.real_time_factor},
                  {"event_hash", fmt::format("{:016x}", result.event_hash)}};
-  if (const auto waves = waves_json(options, result); !waves.is_null()) json["waves"] = waves;
+  if (!result.waves.empty()) json["waves"] = waves_json(options, result);
   json["versions"] = versions_json();
   for (const Key& key : keys()) json["options"][key.name] = value_json(key.get(options));
   return json;

@@ -223,7 +223,7 @@ bool fst_to_vcd(const fs::path& fst, const fs::path& vcd) {
 std::string placed_view(const std::string& text, const fs::path& waves,
                         const RunResult& result) {
   const cosim::WaveSpan first = result.waves.front();
-  constexpr int kNsPerClock = 20;
+  constexpr auto kNsPerClock = cosim::kClockPs / 1000;
   constexpr double kFrames = 1045.0 / 200;  // width of the view's waves; GTKWave counts 200 pixels
   std::string markers;
   for (std::size_t i = 0; i < kMarkers; ++i) {
@@ -302,7 +302,6 @@ std::string waves_report(const WaveRequest& waves, const RunResult& result,
 }
 
 nlohmann::ordered_json waves_json(const WaveRequest& waves, const RunResult& result) {
-  if (result.waves.empty()) return nullptr;
   nlohmann::ordered_json json{{"file", file_name(waves.run)}};
   if (result.wave_trigger) {
     json["trigger"] = trigger_text(waves);

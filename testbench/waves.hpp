@@ -77,7 +77,7 @@ int finish_waves(const WaveRequest& waves, const cosim::RunResult& result,
 std::string waves_report(const WaveRequest& waves, const cosim::RunResult& result,
                          const std::string& folder);
 
-// The same for metrics.json; null without waves.
+// The same for metrics.json, of a run with waves.
 nlohmann::ordered_json waves_json(const WaveRequest& waves, const cosim::RunResult& result);
 
 // Writes vcd and removes fst; false when fst2vcd fails, and then fst stays.

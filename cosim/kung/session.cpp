@@ -72,7 +72,7 @@ cosim::ProcessorTiming Session::timing() const {
 cosim::Clk Session::end() const { return edge_at(options_.run.max_s); }
 
 bool Session::over(const Sample& sample) {
-  if (waves_.search != nullptr && waves_.search->found()) return true;
+  if (waves_.found()) return true;
   if (chip_->broken_promise()) return true;
   const auto period = static_cast<std::uint32_t>(
       ticks_per_point(options_.path, options_.chip.irq_period_ticks));
@@ -112,16 +112,8 @@ Result Session::result() {
   result_.samples = recorder_->take_samples();
   result_.event_hash = recorder_->event_hash();
   result_.detail = detail_->take();
-  result_.clocks = chip_->now();
-  result_.evaluated = chip_->evaluated();
   result_.wakes = chip_->wakes();
-  if (chip_->broken_promise()) {
-    result_.end = EndReason::kPromise;
-    result_.promise = chip_->broken_promise();
-  }
-  if (waves_.window) result_.waves = cosim::wave_spans(*waves_.window, result_.clocks);
-  result_.wall_s =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+  conclude(result_, *chip_, waves_.window, started_);
   return std::move(result_);
 }
 

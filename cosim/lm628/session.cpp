@@ -76,13 +76,8 @@ cosim::Clk Bench::end() const {
 Result Bench::result() {
   Result result;
   result.samples = recorder_.take_samples();
-  result.clocks = chip_->now();
-  result.evaluated = chip_->evaluated();
   result.event_hash = recorder_.event_hash();
-  result.promise = chip_->broken_promise();
-  if (waves_.window) result.waves = cosim::wave_spans(*waves_.window, result.clocks);
-  result.wall_s =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
+  conclude(result, *chip_, waves_.window, started_);
   return result;
 }
 
@@ -116,7 +111,7 @@ bool Session::over(const Sample& sample) {
 
 Result Session::result() {
   Result result = Bench::result();
-  result.end = result.promise ? cosim::EndReason::kPromise : end_;
+  if (!result.promise) result.end = end_;
   result.fault = failure_text(app_.failure());
   result.desired = app_.desired();
   result.real = app_.real();

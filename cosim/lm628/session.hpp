@@ -59,7 +59,7 @@ class Bench : private cosim::Observer {
 
  protected:
   const Options& options() const { return options_; }
-  bool found() const { return waves_.search != nullptr && waves_.search->found(); }
+  bool found() const { return waves_.found(); }
 
  private:
   void on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant& plant) override {

@@ -124,7 +124,7 @@ Sample Session::sample_at(cosim::Clk edge) const {
 
 std::optional<cosim::EndReason> Session::end_after(const Sample& sample) {
   if (chip_->broken_promise()) return cosim::EndReason::kPromise;
-  if (waves_.search != nullptr && waves_.search->found()) return cosim::EndReason::kDone;
+  if (waves_.found()) return cosim::EndReason::kDone;
   if (hooks_.progress && samples_.size() % 64 == 0) hooks_.progress(std::min(1.0, progress()));
   if (hooks_.stop != nullptr && hooks_.stop->load()) return cosim::EndReason::kStopped;
   if (app_.failed()) return cosim::EndReason::kFault;
@@ -159,14 +159,8 @@ Result Session::result() {
     result.real = {last.axis[0].words.actual, last.axis[1].words.actual};
   }
   result.table = table_;
-  result.clocks = chip_->now();
-  result.evaluated = chip_->evaluated();
-  result.wall_s =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - started_).count();
   result.event_hash = hash_.value();
-  result.promise = chip_->broken_promise();
-  if (waves_.window) result.waves = cosim::wave_spans(*waves_.window, result.clocks);
-  if (result.promise) result.end = cosim::EndReason::kPromise;
+  conclude(result, *chip_, waves_.window, started_);
   return result;
 }
 

@@ -50,6 +50,33 @@ mcafee::Result tracked() {
   return result;
 }
 
+// Runs of what `tracked` gives, in a folder of their own; the slow one ends as `slow_end`.
+struct Runs {
+  const fs::path folder = fs::absolute("mcafee_test_out");
+  mcafee::Options options;
+  RunArguments arguments;
+  cosim::EndReason slow_end = cosim::EndReason::kDone;
+
+  Runs() {
+    fs::remove_all(folder);
+    options.compare = true;
+    arguments.out = folder.string();
+  }
+  ~Runs() { fs::remove_all(folder); }
+
+  int run() {
+    const std::atomic<bool> stop{false};
+    const SimulateMcafee simulate = [this](const mcafee::Options& o, const cosim::Hooks&) {
+      mcafee::Result result = tracked();
+      result.table = make_table(mcafee::Path(o.path), o.path, o.count_mm());
+      if (o.speed == o.least_speed) result.end = slow_end;
+      return result;
+    };
+    return run_mcafee(options, arguments, simulate, stop);
+  }
+  nlohmann::json metrics() const { return nlohmann::json::parse(content(folder / "metrics.json")); }
+};
+
 }  // namespace
 
 TEST_CASE("mcafee: a path or motor that cannot be is refused with key, row and range") {
@@ -112,22 +139,11 @@ TEST_CASE("mcafee: interrupts, motors turned off and switches are events, once e
                 "4 x high switch closed; 4 y low switch closed; ");
 }
 
-TEST_CASE("mcafee: runs leave their files and a page, made again from them byte by byte") {
-  const fs::path folder = fs::absolute("mcafee_test_out");
-  fs::remove_all(folder);
-  const std::atomic<bool> stop{false};
-  mcafee::Options options;
-  options.compare = true;
-  RunArguments arguments;
-  arguments.out = folder.string();
+TEST_CASE_METHOD(Runs,
+                 "mcafee: runs leave their files and a page, made again from them byte by byte") {
   arguments.json = true;
-  const SimulateMcafee simulate = [](const mcafee::Options& o, const cosim::Hooks&) {
-    mcafee::Result result = tracked();
-    result.table = make_table(mcafee::Path(o.path), o.path, o.count_mm());
-    return result;
-  };
-  REQUIRE(run_mcafee(options, arguments, simulate, stop) == 0);
-  const auto metrics = nlohmann::json::parse(content(folder / "metrics.json"));
+  REQUIRE(run() == 0);
+  const auto metrics = this->metrics();
   CHECK(metrics["verdict"] == "done");
   CHECK(metrics["command"] == "./trammel run mcafee-stage3");
   CHECK(metrics["run"]["first_sample"] == 2);
@@ -163,40 +179,24 @@ TEST_CASE("mcafee: runs leave their files and a page, made again from them byte 
   arguments.report = arguments.json = false;
   options.stage = sw::McafeeStage::kMove;
   options.scenario = "mcafee-stage2";
-  CHECK(run_mcafee(options, arguments, simulate, stop) == 0);
+  CHECK(run() == 0);
   CHECK_FALSE(fs::exists(folder / "report.html"));
   CHECK_FALSE(fs::exists(folder / "detail.json"));
   write_run_page(folder);
   CHECK(fs::exists(folder / "report.html"));
-  fs::remove_all(folder);
 }
 
-TEST_CASE("mcafee: a comparison that ends early ends the run, and what was stopped is no figure") {
-  const fs::path folder = fs::absolute("mcafee_test_out");
-  fs::remove_all(folder);
-  const std::atomic<bool> stop{false};
-  mcafee::Options options;
-  options.compare = true;
-  RunArguments arguments;
-  arguments.out = folder.string();
+TEST_CASE_METHOD(Runs,
+                 "mcafee: a comparison that ends early ends the run, stopped ones are no figure") {
   arguments.report = false;
-  cosim::EndReason end = cosim::EndReason::kStopped;
-  const SimulateMcafee simulate = [&end](const mcafee::Options& o, const cosim::Hooks&) {
-    mcafee::Result result = tracked();
-    result.table = make_table(mcafee::Path(o.path), o.path, o.count_mm());
-    if (o.speed == 40) result.end = end;
-    return result;
-  };
-  CHECK(run_mcafee(options, arguments, simulate, stop) == exit_code(end));
-  auto metrics = nlohmann::json::parse(content(folder / "metrics.json"));
-  CHECK(metrics["end"] == end_text(end));
-  CHECK(metrics["compared"].size() == 1);
-  end = cosim::EndReason::kDiverged;
-  CHECK(run_mcafee(options, arguments, simulate, stop) == exit_code(end));
-  metrics = nlohmann::json::parse(content(folder / "metrics.json"));
-  CHECK(metrics["end"] == "done");
-  CHECK(metrics["compared"]["v = 40"]["end"] == end_text(end));
-  fs::remove_all(folder);
+  slow_end = cosim::EndReason::kStopped;
+  CHECK(run() == exit_code(slow_end));
+  CHECK(metrics()["end"] == end_text(slow_end));
+  CHECK(metrics()["compared"].size() == 1);
+  slow_end = cosim::EndReason::kDiverged;
+  CHECK(run() == exit_code(slow_end));
+  CHECK(metrics()["end"] == "done");
+  CHECK(metrics()["compared"]["v = 40"]["end"] == end_text(slow_end));
 }
 
 TEST_CASE("mcafee: run.toml repeats the options") {
