@@ -231,7 +231,9 @@ def program():
         return 1
     write_bad_input()
     refused = [succeeds(code, says, words) for code, says, *words in REFUSED]
-    return 0 if all(refused) else 1
+    talk = subprocess.run([ROOT / "tests/testbench/lm628_prompt_check.py", PROGRAM],
+                          env=ENVIRONMENT, cwd=OUT, check=False)
+    return 0 if all(refused) and talk.returncode == 0 else 1
 
 
 def main():

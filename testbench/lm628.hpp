@@ -15,8 +15,8 @@ namespace trammel::testbench {
 // Shows a prompt and gives what was typed; nothing at the end of input.
 using ReadLine = std::function<std::optional<std::string>(const std::string& prompt)>;
 
-// Of a terminal, with history, line editing and completion of mnemonics.
-ReadLine terminal_lines();
+// Of a terminal, with history, line editing and completion of mnemonics. `stop` ends the line.
+ReadLine terminal_lines(const std::atomic<bool>& stop);
 
 // Neither a script nor anything piped: a person.
 bool is_conversation(const RunArguments& arguments);

@@ -3,9 +3,14 @@
 // libedit, through its interface of readline: BSD licence. Its callbacks take no context, so what
 // they need is static here.
 #include <editline/readline.h>
+#include <poll.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
@@ -64,9 +69,33 @@ char** complete(const char* text, int start, int) {
   return rl_completion_matches(text, next_offered);
 }
 
+const std::atomic<bool>* interrupted = nullptr;
+
+// A key, or EOF at the end of input or when the line was interrupted. An interrupt is let in only
+// while this waits: one that comes while libedit draws would be known at the next key.
+int read_key(FILE* in) {
+  sigset_t interrupts, before;
+  sigemptyset(&interrupts);
+  sigaddset(&interrupts, SIGINT);
+  pthread_sigmask(SIG_BLOCK, &interrupts, &before);
+  pollfd input{fileno(in), POLLIN, 0};
+  unsigned char byte = 0;
+  bool is_read = false;
+  while (!*interrupted) {
+    const int ready = ppoll(&input, 1, nullptr, &before);
+    if (ready < 0 && errno == EINTR) continue;
+    is_read = ready == 1 && read(input.fd, &byte, 1) == 1;
+    break;
+  }
+  pthread_sigmask(SIG_SETMASK, &before, nullptr);
+  return is_read ? byte : EOF;
+}
+
 }  // namespace
 
-ReadLine terminal_lines() {
+ReadLine terminal_lines(const std::atomic<bool>& stop) {
+  interrupted = &stop;
+  rl_getc_function = read_key;
   rl_initialize();
   using_history();
   rl_attempted_completion_function = complete;

@@ -162,7 +162,7 @@ int perform(const CommandLine& line) {
     const bool conversation = tb::is_conversation(line.run_arguments);
     catch_interrupts(conversation);
     return tb::lm628_shell(line.run_arguments, g_stop,
-                           conversation ? tb::terminal_lines() : tb::ReadLine());
+                           conversation ? tb::terminal_lines(g_stop) : tb::ReadLine());
   }
   if (line.track->parsed()) return tb::track(line.run_arguments);
   catch_interrupts();
