@@ -22,7 +22,7 @@ MEMORY_PORTS = tuple(f".{side}_{port}" for side in ("RD", "WR")
 TO_GATES = """setparam -set TRG_ENABLE 0 t:$check
 chformal -lower
 memory_collect
-expose -evert t:$mem_v2 r:SIZE>=32 %i r:RD_PORTS=1 %i
+expose -evert t:$mem_v2 r:SIZE>=32 %i r:RD_PORTS=1 %i r:RD_CLK_ENABLE=1'b0 %i
 memory_map
 setattr -set keep 1 t:$*dff* c:*_props.* %d
 opt_clean
