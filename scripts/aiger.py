@@ -13,6 +13,7 @@ class Model:
     outputs: list[int]
     bad: list[int]
     gates: list[tuple[int, int]]
+    symbols: str = ""  # the text behind the gates
 
 
 def number(data, place):
@@ -51,7 +52,7 @@ def read(source):
         delta, place = number(data, place)
         gates.append((high, high - delta))
     return Model(inputs, words[:latches], words[latches:latches + outputs],
-                 words[latches + outputs:], gates)
+                 words[latches + outputs:], gates, data[place:].decode())
 
 
 def write(target, model):

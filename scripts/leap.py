@@ -67,11 +67,12 @@ class Questions:
     def clock(self, registers, leap, roots):
         given = self.ports | registers
         given |= {self.chip.inputs[f"leap_i[{n}]"]: literal for n, literal in enumerate(leap)}
-        for memory in self.chip.memories.values():
-            address = self.graph.copy(self.chip.gates, given, memory.address)
-            word = self.graph.word(len(memory.data))
-            given |= zip(memory.data, word)
-            self.reads.append((memory, address, word))
+        # An address may show what another memory reads: all words are there before any address.
+        read = [(memory, self.graph.word(len(memory.data)))
+                for memory in self.chip.memories.values()]
+        given |= {v: bit for memory, word in read for v, bit in zip(memory.data, word)}
+        self.reads += [(memory, self.graph.copy(self.chip.gates, given, memory.address), word)
+                       for memory, word in read]
         return self.graph.copy(self.chip.gates, given, roots)
 
     def quiet_for(self, clocks):
@@ -148,7 +149,7 @@ def settle(folder, name, chip, questions, lemma, limit):
     """The verdict on one lemma, and what refutes it."""
     if lemma == "no_peeking":
         return ("refuted", ", ".join(chip.peeking)) if chip.peeking else ("proven", "")
-    if lemma == "stay_n":  # every register that reads leap_i is called a timer
+    if lemma == "stay_n":  # what reads leap_i is called a timer, and no memory does: no_peeking
         return "proven", ""
     if lemma == "down_next":
         return fall(folder, name, questions, limit)

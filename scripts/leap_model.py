@@ -3,7 +3,8 @@
 
 Found by the folder: a chip that leaps is a module of rtl/chips with the ports of PORTS that no
 other chip contains, or that has broken designs of its own. Multipliers are free values. Registers
-that no output shows are kept too. A large memory is left out: its ports become ports of the chip.
+that no output shows are kept too. A large memory with one read port and no register in it is left
+out: its ports become ports of the chip.
 """
 
 import re
@@ -34,7 +35,7 @@ setundef -undriven -anyseq
 techmap
 dffunmap
 aigmap
-write_aiger -map {name}.map {name}.aig
+write_aiger -symbols -map {name}.map {name}.aig
 """
 
 
@@ -79,7 +80,7 @@ def script(source, folder):
 
 @dataclass
 class Memory:
-    """A memory with one read port and no register in it."""
+    """What is asked of a memory that was left out."""
 
     address: list[int]  # literals
     data: list[int]  # variables of what is read
@@ -93,7 +94,7 @@ class Chip:
     gates: aiger.Model
     inputs: dict[str, int]  # ports; every other input is a free value
     outputs: dict[str, list[int]]  # literals, lowest bit first; `next_o` of the blocks too
-    memories: dict[str, Memory]  # behind those whose words their addresses show
+    memories: dict[str, Memory]
     registers: dict[str, int]  # variable
     nexts: dict[str, int]  # literal of the next value
     shadows: dict[int, str]  # registers of properties by their variable
@@ -108,10 +109,13 @@ def read(folder, name):
         kind, index, bit, signal = line.split(maxsplit=3)
         if kind == "input":
             inputs[f"{signal}[{bit}]"] = int(index) + 1
-        elif kind == "output":
-            outputs.setdefault(signal, {})[int(bit)] = gates.outputs[int(index)]
         elif kind == "latch":
             aliases.setdefault(int(index), []).append((signal, bit))
+    # The map has no outputs that are constant.
+    for index, names in re.findall(r"^o(\d+) (.+)$", gates.symbols, re.M):
+        for name in names.split():
+            signal, bit = re.fullmatch(r"(.+?)(?:\[(\d+)\])?", name).groups()
+            outputs.setdefault(signal, {})[int(bit or 0)] = gates.outputs[int(index)]
     ports = {port for port in outputs if port.endswith(MEMORY_PORTS)}
     registers, nexts, shadows = {}, {}, {}
     for index, literal in enumerate(gates.nexts):
@@ -128,12 +132,12 @@ def read(folder, name):
     moved = reached(gates, leap)
     words = {port: [bits[n] for n in sorted(bits)] for port, bits in outputs.items()}
     kept = {port: word for port, word in words.items() if port not in ports}
-    return Chip(gates, inputs, kept, memories(gates, inputs, words), registers, nexts, shadows,
+    return Chip(gates, inputs, kept, memories(inputs, words), registers, nexts, shadows,
                 [bit for bit, literal in nexts.items() if moved[literal >> 1]],
                 [port for port, bits in words.items() if any(moved[b >> 1] for b in bits)])
 
 
-def memories(gates, inputs, words):
+def memories(inputs, words):
     """{name: Memory} of those that were left out."""
     found = {}
     for port, address in words.items():
@@ -143,10 +147,7 @@ def memories(gates, inputs, words):
             while (bit := f"{name}.RD_DATA[{len(data)}]") in inputs:
                 data.append(inputs[bit])
             found[name] = Memory(address, data, words.get(f"{name}.WR_EN", []))
-    shown = [reached(gates, memory.data) for memory in found.values()]
-    depth = {name: sum(any(word[literal >> 1] for literal in memory.address) for word in shown)
-             for name, memory in found.items()}
-    return dict(sorted(found.items(), key=lambda entry: depth[entry[0]]))
+    return found
 
 
 def reached(gates, variables):
