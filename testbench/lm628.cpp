@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdio>
 #include <iostream>
 #include <iterator>
@@ -135,7 +136,12 @@ int lm628_shell(const RunArguments& arguments, std::atomic<bool>& stop,
   Conversation all;
   lm628::Result result;
   {
+    // Signals are for this thread: one that the chip begins has its mask.
+    sigset_t all_signals, before;
+    sigfillset(&all_signals);
+    pthread_sigmask(SIG_BLOCK, &all_signals, &before);
     Lm628Shell shell(options, stop);
+    pthread_sigmask(SIG_SETMASK, &before, nullptr);
     if (talks) {
       converse(shell, read_line, stop, all);
     } else {

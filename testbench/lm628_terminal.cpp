@@ -71,30 +71,50 @@ char** complete(const char* text, int start, int) {
 
 const std::atomic<bool>* interrupted = nullptr;
 
-// A key, or EOF at the end of input or when the line was interrupted. An interrupt is let in only
-// while this waits: one that comes while libedit draws would be known at the next key.
+// libedit handles a stop and a resize once a line, and passes them on to us; so do the later ones.
+volatile std::sig_atomic_t continued = 0, resized = 0;
+
+void note(int signal) { (signal == SIGCONT ? continued : resized) = 1; }
+
+// A key, or EOF at the end of input or when the line was interrupted, be it between two keys:
+// libedit would know of that at the next one.
 int read_key(FILE* in) {
-  sigset_t interrupts, before;
-  sigemptyset(&interrupts);
-  sigaddset(&interrupts, SIGINT);
-  pthread_sigmask(SIG_BLOCK, &interrupts, &before);
+  sigset_t heeded, before;  // let in while this waits: none comes between a look and the wait
+  sigemptyset(&heeded);
+  for (const int signal : {SIGCONT, SIGINT, SIGWINCH}) sigaddset(&heeded, signal);
+  pthread_sigmask(SIG_BLOCK, &heeded, &before);
   pollfd input{fileno(in), POLLIN, 0};
-  unsigned char byte = 0;
-  bool is_read = false;
+  int key = EOF;
   while (!*interrupted) {
-    const int ready = ppoll(&input, 1, nullptr, &before);
-    if (ready < 0 && errno == EINTR) continue;
-    is_read = ready == 1 && read(input.fd, &byte, 1) == 1;
+    if (continued != 0) {
+      continued = 0;
+      rl_prep_terminal(1);
+      rl_forced_update_display();
+    }
+    if (resized != 0) {
+      resized = 0;
+      rl_resize_terminal();
+    }
+    unsigned char byte = 0;
+    const bool is_there = ppoll(&input, 1, nullptr, &before) == 1;
+    const ssize_t size = is_there ? read(input.fd, &byte, 1) : -1;
+    if (size < 0 && (errno == EINTR || errno == EAGAIN)) continue;
+    if (size == 1 && byte >= 0x80) continue;  // no letter of any command; libedit has keys there
+    if (size == 1) key = byte;
     break;
   }
   pthread_sigmask(SIG_SETMASK, &before, nullptr);
-  return is_read ? byte : EOF;
+  return key;
 }
 
 }  // namespace
 
 ReadLine terminal_lines(const std::atomic<bool>& stop) {
   interrupted = &stop;
+  struct sigaction noted {};
+  noted.sa_handler = note;
+  sigaction(SIGCONT, &noted, nullptr);
+  sigaction(SIGWINCH, &noted, nullptr);
   rl_getc_function = read_key;
   rl_initialize();
   using_history();

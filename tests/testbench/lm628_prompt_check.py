@@ -8,6 +8,7 @@ usage: lm628_prompt_check.py PROGRAM
 import os
 import pty
 import select
+import signal
 import subprocess
 import sys
 import termios
@@ -92,6 +93,16 @@ class Prompt(unittest.TestCase):
         self.answer("\x03", "\n")
         self.answer("RDRP\r", "00000000h  0 counts")
         self.answer("nonsense\r", "nonsense: unknown command")
+        self.type("quit\r")
+        self.assertEqual(self.ended(), 0)
+
+    def test_a_line_outlives_stops_resizes_and_other_letters(self):
+        self.type("RD\u00b5R")
+        self.until("RDR")
+        for _ in range(3):
+            os.kill(self.child, signal.SIGWINCH)
+            os.kill(self.child, signal.SIGCONT)  # as after a stop
+        self.answer("P\r", "00000000h  0 counts")
         self.type("quit\r")
         self.assertEqual(self.ended(), 0)
 
