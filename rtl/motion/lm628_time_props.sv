@@ -99,7 +99,7 @@ module lm628_time_props
 
   // breaks not_ready_from_reset: state_q <= StStart; => state_q <= StOpen;
   // breaks ready_after_its_pulse_only: assign begin_o     = state_q == StReset => assign begin_o     = state_q == StStart
-  // breaks routine_of_8000_ticks: lm628_clocks(Inc, 8000) - 2); => lm628_clocks(Inc, 800) - 2);
+  // breaks routine_of_8000_ticks: lm628_clocks(Inc, 8000) - 2); => lm628_clocks(Inc, 8000) - 3);
   // breaks commit_at_tick_400: Settle  = clocks_t'(Lm628Run); => Settle  = clocks_t'(Lm628Run + 1);
   // breaks sample_every_2048_ticks: Open    = clocks_t'(Ticks / Inc - Commit => Open    = clocks_t'(Ticks / Inc + 1 - Commit
   // breaks open_where_a_command_ends_in_ticks_400_to_2047: Compute = clocks_t'(Commit - Lm628Run - 3 => Compute = clocks_t'(Commit - Lm628Run - 4
@@ -107,9 +107,9 @@ module lm628_time_props
   // breaks no_pulse_within_next: .leap_i (leap_i) => .leap_i (leap_i << 1)
   // breaks quiescent_is_honest: assign quiescent_o = !last; => assign quiescent_o = !commit_o;
 
+  // prove: set Inc=10
   // prove: set Inc=4
   // prove: set Inc=3
-  // prove: set Inc=10
 
 endmodule
 
