@@ -56,9 +56,14 @@ function(trammel_verilated_library name)
     $<TARGET_PROPERTY:${name},INTERFACE_INCLUDE_DIRECTORIES>)
 endfunction()
 
-# The sources that a verilated model added to a library since it had those of `before`, as one unit:
-# many small ones take twice as long to compile.
-function(trammel_one_unit library name before options)
+# verilate(library ...) with the model as one unit of that name, compiled with these options: its many
+# small ones take twice as long to compile.
+function(trammel_verilate library name options)
+  get_target_property(before ${library} SOURCES)
+  verilate(${library} ${ARGN})
+  if(TRAMMEL_BASE)
+    return()
+  endif()
   get_target_property(files ${library} SOURCES)
   list(REMOVE_ITEM files ${before})
   list(FILTER files INCLUDE REGEX "/verilated/.*\\.cpp$")
@@ -104,15 +109,10 @@ function(trammel_unit_model source test)
   file(STRINGS ${test} parameters REGEX "^// verilate: ")
   string(REPLACE "// verilate: " "" parameters "${parameters}")
   separate_arguments(parameters)
-  get_target_property(before trammel_rtl SOURCES)
-  verilate(trammel_rtl COVERAGE TOP_MODULE ${block} PREFIX V${block}
+  trammel_verilate(trammel_rtl ${block} "" COVERAGE TOP_MODULE ${block} PREFIX V${block}
     SOURCES ${first} ${TRAMMEL_RTL_PACKAGES} ${PROJECT_SOURCE_DIR}/${source} ${properties}
     DIRECTORY ${PROJECT_BINARY_DIR}/verilated
     VERILATOR_ARGS -Wno-fatal --assert -fno-split ${parameters} ${TRAMMEL_RTL_SEARCH})
-  if(TRAMMEL_BASE)
-    return()
-  endif()
-  trammel_one_unit(trammel_rtl ${block} "${before}" "")
 endfunction()
 
 # rtl/<layer>/<block>.sv with tests/<layer>/<block>_test.cpp: lint test, verilated model, unit test;
