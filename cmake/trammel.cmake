@@ -56,8 +56,8 @@ function(trammel_verilated_library name)
     $<TARGET_PROPERTY:${name},INTERFACE_INCLUDE_DIRECTORIES>)
 endfunction()
 
-# verilate(library ...) with the model as one unit of that name, compiled with these options: its many
-# small ones take twice as long to compile.
+# verilate(library ...) with the model as one unit of that name, compiled with these options: its
+# many small ones take twice as long to compile.
 function(trammel_verilate library name options)
   get_target_property(before ${library} SOURCES)
   verilate(${library} ${ARGN})
