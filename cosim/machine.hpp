@@ -72,6 +72,8 @@ struct RunResult {
 struct Hooks {
   std::function<void(double fraction)> progress;  // may be empty
   const std::atomic<bool>* stop = nullptr;        // set: return what there is, kStopped
+
+  bool stopped() const { return stop != nullptr && stop->load(std::memory_order_relaxed); }
 };
 
 // A combination of options that cannot run; the text names the keys and what is allowed.

@@ -82,7 +82,7 @@ bool Session::over(const Sample& sample) {
     result_.fault.processor = check_text(firmware_->app().failure());
     return ++after_fault_ > kSamplesAfterFault;
   }
-  if (hooks_.stop != nullptr && hooks_.stop->load(std::memory_order_relaxed)) {
+  if (hooks_.stopped()) {
     result_.end = EndReason::kStopped;
     return true;
   }

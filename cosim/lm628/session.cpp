@@ -89,7 +89,7 @@ Session::Session(const Options& options, const cosim::Hooks& hooks, const Waves&
 
 bool Session::over(const Sample& sample) {
   if (found() || chip().broken_promise()) return true;
-  if (hooks_.stop != nullptr && hooks_.stop->load(std::memory_order_relaxed)) {
+  if (hooks_.stopped()) {
     end_ = cosim::EndReason::kStopped;
     return true;
   }

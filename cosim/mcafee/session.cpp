@@ -126,7 +126,7 @@ std::optional<cosim::EndReason> Session::end_after(const Sample& sample) {
   if (chip_->broken_promise()) return cosim::EndReason::kPromise;
   if (waves_.found()) return cosim::EndReason::kDone;
   if (hooks_.progress && samples_.size() % 64 == 0) hooks_.progress(std::min(1.0, progress()));
-  if (hooks_.stop != nullptr && hooks_.stop->load()) return cosim::EndReason::kStopped;
+  if (hooks_.stopped()) return cosim::EndReason::kStopped;
   if (app_.failed()) return cosim::EndReason::kFault;
   const auto off = [&](const AxisSample& axis) {
     return std::abs(axis.words.error) > options_.run.diverged_counts;
