@@ -48,9 +48,10 @@ void run_direct(Session& session) {
                     [&session] { return session.finished(); });
 }
 
+// As asked; a twin without SystemC.
 template <class Session>
-void run(Session& session, cosim::Platform platform) {
-  if (platform == cosim::Platform::kSystemC) {
+void run(Session& session, const cosim::RunBasics& basics) {
+  if (basics.platform == cosim::Platform::kSystemC && basics.engine == cosim::Engine::kRtl) {
     run(session);
   } else {
     run_direct(session);
@@ -69,7 +70,7 @@ inline cosim::Hooks half(const cosim::Hooks& hooks, double from) {
 // In the wiring that these options ask for. Where waves hang at an event, the run is made twice:
 // first until it is there.
 template <class Session, class Options>
-auto simulate(const Options& options, const cosim::Hooks& hooks, cosim::Platform platform) {
+auto simulate(const Options& options, const cosim::Hooks& hooks) {
   using Search = typename Session::Waves::Search;
   const cosim::RunBasics& basics = options.run;
   typename Session::Waves waves;
@@ -81,7 +82,7 @@ auto simulate(const Options& options, const cosim::Hooks& hooks, cosim::Platform
   } else if (event) {
     Search search(*event);
     Session session(options, half(hooks, 0), {&search, {}});
-    run(session, platform);
+    run(session, basics);
     trigger = search.found();
     // Without the event there is nothing to dump, and this was the run.
     if (!trigger && (cosim::trigger_asked(basics) || session.stopped())) return session.result();
@@ -91,7 +92,7 @@ auto simulate(const Options& options, const cosim::Hooks& hooks, cosim::Platform
     waves.window = cosim::wave_window(basics, trigger.value_or(cosim::wave_origin(basics)));
   }
   Session session(options, own, waves);
-  run(session, platform);
+  run(session, basics);
   auto result = session.result();
   result.wave_trigger = trigger;
   return result;

@@ -91,6 +91,8 @@ struct KeyTable {
     text("description", "one line for `trammel list`", TRAMMEL_LENS(description));
   }
   void platform_and_clocks() {
+    text("run.engine", "the verilated RTL, or its bit-exact twins without SystemC: same results",
+         TRAMMEL_LENS(run.engine));
     text("run.platform", "SystemC platform or direct wiring", TRAMMEL_LENS(run.platform));
     text("run.leap", "waiting clocks are not evaluated; false: every clock is",
          TRAMMEL_LENS(run.leap));

@@ -57,8 +57,6 @@ struct AxisTable {
 void add_run(Table& t) {
   t.names();
   t.text("controller", "fixed rule table (fc) or adaptive (afc)", TRAMMEL_LENS(controller));
-  t.text("run.engine", "the verilated RTL, or its bit-exact twins without SystemC: same results",
-         TRAMMEL_LENS(run.engine));
   t.platform_and_clocks();
   t.window();
   t.one("run.settle_s", 0, 10, "simulated after the last point, not counted",

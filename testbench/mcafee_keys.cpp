@@ -23,7 +23,6 @@ const std::vector<KeyOf<mcafee::Options>>& keys_of<mcafee::Options>() {
     t.text("program", "stage I, II or III", TRAMMEL_LENS(stage));
     t.text("compare", "also track at constant speeds, 254 and the least one",
            TRAMMEL_LENS(compare));
-    t.text("run.engine", "verilated chip, or its twin, which is faster", TRAMMEL_LENS(run.engine));
     t.platform_and_clocks();
     t.window();
     t.longest_run();

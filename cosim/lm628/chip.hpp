@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The LM628 as the loop sees it: its host port on a 32-bit bus beside a timer, its outputs behind
-// a 12-bit converter. The verilated model stays behind this header.
+// a 12-bit converter. The verilated model and the twin stay behind this header.
 #pragma once
 
 #include <cstdint>
@@ -37,5 +37,6 @@ struct Lm628Chip : cosim::MachineChip {
 // them differs from the one that runs, the promise waves_are_exact is broken.
 std::unique_ptr<Lm628Chip> make_verilated_chip(
     const cosim::RunBasics& run, const std::optional<cosim::WaveWindow>& window = {});
+std::unique_ptr<Lm628Chip> make_twin_chip();
 
 }  // namespace trammel::lm628

@@ -56,7 +56,9 @@ Bench::Bench(const Options& options, std::function<bool(const Sample&)> finished
     : options_(options),
       waves_(waves),
       plant_(options.plant),
-      chip_(make_verilated_chip(options.run, waves.window)),
+      chip_(options.run.engine == cosim::Engine::kTwin
+                ? make_twin_chip()
+                : make_verilated_chip(options.run, waves.window)),
       recorder_(
           *chip_,
           [this](Sample& sample) {

@@ -7,9 +7,7 @@
 namespace trammel::kung {
 
 Result simulate(const Options& options, const Hooks& hooks) {
-  const bool twin = options.run.engine == Engine::kTwin;
-  return systemc::simulate<Session>(options, hooks,
-                                    twin ? Platform::kDirect : options.run.platform);
+  return systemc::simulate<Session>(options, hooks);
 }
 
 }  // namespace trammel::kung

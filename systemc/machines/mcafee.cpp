@@ -7,7 +7,7 @@
 namespace trammel::mcafee {
 
 Result simulate(const Options& options, const cosim::Hooks& hooks) {
-  return systemc::simulate<Session>(options, hooks, options.run.platform);
+  return systemc::simulate<Session>(options, hooks);
 }
 
 }  // namespace trammel::mcafee

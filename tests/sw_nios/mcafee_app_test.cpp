@@ -5,7 +5,10 @@
 
 #include "sw_nios/apps/mcafee.hpp"
 
+#include <array>
 #include <catch2/catch.hpp>
+#include <cctype>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -16,16 +19,45 @@
 
 using namespace trammel;
 using namespace trammel::sw;
-using trammel::mcafee::TwinChip;
 using trammel::test::XyFollower;
 
 namespace {
 
 constexpr double kClockS = 20e-9;
 
+// Listens at the port, and to what the samples take.
+class SpiedChip final : public mcafee::TwinChip {
+ public:
+  std::string bytes;  // that passed: c 1F, d 00 to X, C and D to Y; r, R data read
+  std::array<std::int64_t, 2> target{};  // that the last sample took [count]
+
+ private:
+  void raise(cosim::Clk edge) override {
+    for (int axis = 0; axis < 2; ++axis) {
+      if (!part(axis).samples()) continue;
+      target[static_cast<std::size_t>(axis)] = part(axis).engine().desired().target;
+    }
+    const exact::Lm628Bridge::Out before = twin_.port();
+    TwinChip::raise(edge);
+    log(before, twin_.port());
+  }
+
+  // At the end of a strobe.
+  void log(const exact::Lm628Bridge::Out& was, const exact::Lm628Bridge::Out& is) {
+    const bool wrote = !was.wr_n && is.wr_n, read = !was.rd_n && is.rd_n && was.ps;
+    if (!wrote && !read) return;
+    const int axis = was.cs_x_n ? 1 : 0;
+    const char kind = read ? 'r' : was.ps ? 'd' : 'c';
+    const unsigned byte = read ? part(axis).out().d : was.d;
+    constexpr const char* kDigits = "0123456789ABCDEF";
+    bytes += {axis == 1 ? static_cast<char>(std::toupper(kind)) : kind, kDigits[byte >> 4],
+              kDigits[byte & 15], ' '};
+  }
+};
+
 // Runs a program to its end, or for so long.
 struct McafeeBench {
-  TwinChip chip;
+  SpiedChip chip;
   XyFollower follower{chip};
   McafeeApp app;
 
@@ -43,18 +75,16 @@ struct McafeeBench {
       if (desired.speed != 0 || desired.position >> 16 != last) ++moving;
       last = desired.position >> 16;
       fastest = std::max<std::int64_t>(fastest, std::abs(desired.speed));
-      const bool x = bench->chip.target(0) != target[0], y = bench->chip.target(1) != target[1];
+      const auto& taken = bench->chip.target;
+      const bool x = taken[0] != target[0], y = taken[1] != target[1];
       if (x != y) ++apart;
       if (x || y) ++starts;
-      target = {bench->chip.target(0), bench->chip.target(1)};
+      target = taken;
     }
     std::int64_t last = 0;
   } watch;
 
-  explicit McafeeBench(const McafeeSetup& setup) : app(setup) {
-    watch.bench = this;
-    chip.logs = true;
-  }
+  explicit McafeeBench(const McafeeSetup& setup) : app(setup) { watch.bench = this; }
 
   void run(double seconds) {
     cosim::Loop loop(chip, follower, watch);

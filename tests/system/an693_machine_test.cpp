@@ -12,6 +12,7 @@
 #include "systemc/machines/an693.hpp"
 #include "testbench/an693.hpp"
 #include "tests/support/broken_promise.hpp"
+#include "tests/support/lm628_words.hpp"
 
 using namespace trammel;
 using namespace trammel::lm628;
@@ -175,6 +176,29 @@ TEST_CASE("an693 in SystemC, directly, in any window and without leaps has the s
   const Result plain = simulate(options, {});
   CHECK(plain.event_hash == direct.event_hash);
   CHECK(direct.evaluated * 5 < plain.evaluated);
+}
+
+TEST_CASE("an693: the twin gives the events and words of the chip") {
+  for (const An693Program program : {An693Program::kBreakpoints, An693Program::kTuning}) {
+    Options options = program == An693Program::kTuning ? one_step() : breakpoints();
+    options.filter = {100, 20, 3000, 500, 2};
+    options.run.max_s = 0.3;
+    const Result chip = simulate(options, {});
+    options.run.engine = cosim::Engine::kTwin;
+    const Result twin = simulate(options, {});
+    REQUIRE(chip.samples.size() > 300);
+    REQUIRE(twin.samples.size() == chip.samples.size());
+    for (std::size_t k = 0; k < chip.samples.size(); ++k) {
+      CAPTURE(k);
+      const Sample c = chip.samples[k], t = twin.samples[k];
+      REQUIRE(t.edge == c.edge);
+      test::require_same(t.words, c.words);
+      REQUIRE(t.host_irq == c.host_irq);
+    }
+    CHECK(twin.event_hash == chip.event_hash);
+    CHECK(twin.end == chip.end);
+    CHECK(twin.real == chip.real);
+  }
 }
 
 TEST_CASE("an693 audited, or with its promises looked at, has the same events and none is broken") {

@@ -8,6 +8,7 @@
 
 #include "systemc/machines/mcafee.hpp"
 #include "tests/support/broken_promise.hpp"
+#include "tests/support/lm628_words.hpp"
 
 using namespace trammel;
 using namespace trammel::mcafee;
@@ -111,13 +112,7 @@ TEST_CASE("mcafee: the twin gives the events of the chip") {
     REQUIRE(twin.samples[k].edge == chip.samples[k].edge);
     for (std::size_t a = 0; a < 2; ++a) {
       const AxisSample t = twin.samples[k].axis[a], c = chip.samples[k].axis[a];
-      REQUIRE(t.words.position == c.words.position);
-      REQUIRE(t.words.speed == c.words.speed);
-      REQUIRE(t.words.proportional == c.words.proportional);
-      REQUIRE(t.words.integral == c.words.integral);
-      REQUIRE(t.words.derivative == c.words.derivative);
-      REQUIRE(t.words.output == c.words.output);
-      REQUIRE(static_cast<int>(t.words.status) == static_cast<int>(c.words.status));
+      test::require_same(t.words, c.words);
       REQUIRE(t.host_irq == c.host_irq);
     }
   }

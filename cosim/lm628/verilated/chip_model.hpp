@@ -4,23 +4,16 @@
 // the units of this folder.
 #pragma once
 
+#include "cosim/lm628/board.hpp"
 #include "cosim/lm628/chip.hpp"
-#include "cosim/lm628/host_port.hpp"
 #include "cosim/lm628/verilated/words.hpp"
 #include "cosim/verilated/hosted_chip.hpp"
 
 namespace trammel::lm628 {
 
-struct ChipState : cosim::HostedState {
-  HostPort port;
-  bool dac_wr_n = true;
-  unsigned low_six = 0;
-  unsigned code = static_cast<unsigned>(kZeroCode);
-};
-
 template <class Model, class Tracer>
-class ChipModel : public cosim::HostedChip<Lm628Chip, ChipState, Model, Tracer> {
-  using Hosted = cosim::HostedChip<Lm628Chip, ChipState, Model, Tracer>;
+class ChipModel : public cosim::HostedChip<Lm628Chip, Board, Model, Tracer> {
+  using Hosted = cosim::HostedChip<Lm628Chip, Board, Model, Tracer>;
   using Hosted::model_;
   using Hosted::state_;
 
@@ -66,29 +59,14 @@ class ChipModel : public cosim::HostedChip<Lm628Chip, ChipState, Model, Tracer> 
   }
 
   bool bus_edge(cosim::Clk edge) override {
-    namespace map = sw::lm628_map;
-    if (state_.port.takes_data()) state_.rdata = model_->d_o;
-    if (!state_.port.advance()) return false;
-    const cosim::BusOp& op = state_.port.op();
-    if (op.addr == map::kTimer && op.write) {
-      state_.timer.write(edge, op.data);
-    } else if (op.addr == map::kIrq && !op.write) {
-      state_.rdata = (host_pin() ? map::kIrqHost : 0u) | (state_.timer.irq() ? map::kIrqTimer : 0u);
-    }
+    if (!state_.bus_edge(edge, model_->d_o, host_pin())) return false;
     put_transfer();
     state_.dirty = true;
     return true;
   }
 
   bool drive_changed() override {
-    ChipState& s = state_;
-    const bool strobe = model_->dac_wr_n_o && !s.dac_wr_n;
-    s.dac_wr_n = model_->dac_wr_n_o != 0;
-    const unsigned six = model_->dac_o >> 2;
-    if (strobe && !model_->dac_hi_lo_o) s.low_six = six;
-    if (!strobe || !model_->dac_hi_lo_o || (six << 6 | s.low_six) == s.code) return false;
-    s.code = six << 6 | s.low_six;
-    return true;
+    return state_.convert(model_->dac_o, model_->dac_hi_lo_o != 0, model_->dac_wr_n_o != 0);
   }
 };
 

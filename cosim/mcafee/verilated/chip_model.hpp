@@ -5,18 +5,15 @@
 #pragma once
 
 #include "cosim/lm628/verilated/words.hpp"
+#include "cosim/mcafee/board.hpp"
 #include "cosim/mcafee/chip.hpp"
 #include "cosim/verilated/axi_lite.hpp"
 #include "cosim/verilated/hosted_chip.hpp"
-#include "sw_nios/hal/mcafee_map.hpp"
 
 namespace trammel::mcafee {
 
-struct ChipState : cosim::HostedState {
+struct ChipState : Board {
   cosim::AxiLiteMaster bus;
-  cosim::BusOp platform;  // of its own registers
-  bool platform_active = false;
-  cosim::Lines codes = 0;
 };
 
 template <class Model, class Tracer>
@@ -49,12 +46,7 @@ class ChipModel : public cosim::HostedChip<McafeeChip, ChipState, Model, Tracer>
   }
 
   void request(const cosim::BusOp& op) override {
-    if (op.addr >= sw::mcafee_map::kTimer) {
-      state_.platform = op;
-      state_.platform_active = true;
-    } else {
-      state_.bus.request(*model_, op);
-    }
+    if (!state_.request(op)) state_.bus.request(*model_, op);
   }
 
   lm628::Words words(int axis) const override {
@@ -78,34 +70,17 @@ class ChipModel : public cosim::HostedChip<McafeeChip, ChipState, Model, Tracer>
   bool host_pin() const override { return model_->irq_o != 0; }
 
   bool bus_edge(cosim::Clk edge) override {
-    if (state_.platform_active) return platform_edge(edge);
+    if (state_.platform_active) {
+      state_.platform_edge(edge, host_pin());
+      return true;
+    }
     state_.dirty = true;
     if (!state_.bus.after_edge(*model_)) return false;
     state_.rdata = state_.bus.rdata();
     return true;
   }
 
-  // A transfer of its own registers takes one clock.
-  bool platform_edge(cosim::Clk edge) {
-    namespace map = sw::mcafee_map;
-    state_.platform_active = false;
-    if (state_.platform.addr == map::kTimer && state_.platform.write) {
-      state_.timer.write(edge, state_.platform.data);
-    } else if (!state_.platform.write) {
-      state_.rdata = state_.platform.addr != map::kIrq
-                   ? 0
-                   : (host_pin() ? map::kIrqHost : 0u) | (state_.timer.irq() ? map::kIrqTimer : 0u);
-    }
-    return true;
-  }
-
-  bool drive_changed() override {
-    const cosim::Lines codes = cosim::Lines{model_->dac_x_o} << converter(0) |
-                               cosim::Lines{model_->dac_y_o} << converter(1);
-    const bool changed = codes != state_.codes;
-    state_.codes = codes;
-    return changed;
-  }
+  bool drive_changed() override { return state_.convert(model_->dac_x_o, model_->dac_y_o); }
 };
 
 }  // namespace trammel::mcafee
