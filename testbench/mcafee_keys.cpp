@@ -34,7 +34,7 @@ const std::vector<KeyOf<mcafee::Options>>& keys_of<mcafee::Options>() {
           TRAMMEL_LENS(path.side_mm));
     t.one("path.radius_mm", 0.01, 300, "of corners and tips, or of the circle",
           TRAMMEL_LENS(path.radius_mm));
-    t.text("path.points_file", "CSV of x_mm,y_mm within the travel",
+    t.text("path.points_file", "CSV of x_mm,y_mm; the table starts at the first",
            TRAMMEL_LENS(path.points_file));
     t.one("path.row_mm", 1e-3, 10, "way of a row; made to fit the path a whole number of times",
           TRAMMEL_LENS(path.row_mm));

@@ -29,14 +29,14 @@ PointMm turned(const PointMm& a, double turns) {
   return {a.x * r.cos - a.y * r.sin, a.x * r.sin + a.y * r.cos};
 }
 
-constexpr double kTravelMm = 304.8;  // to either side of the middle
+constexpr double kFarthestMm = 1e4;  // of a coordinate; where the table can go is asked elsewhere
 
 std::vector<PointMm> read_points(const std::string& file) {
   if (file.empty()) {
     throw cosim::OptionsError("path.points_file: is needed with path.kind = \"points\"");
   }
   std::vector<PointMm> points;
-  for (const cosim::PointM& p : cosim::read_points_csv(file, {-kTravelMm, kTravelMm})) {
+  for (const cosim::PointM& p : cosim::read_points_csv(file, {-kFarthestMm, kFarthestMm})) {
     const PointMm next{p.x_m * 1e3, p.y_m * 1e3};
     if (points.empty() || norm(next - points.back()) > 0) points.push_back(next);
   }
@@ -60,7 +60,7 @@ Path::Path(const PathOptions& o) {
   const double largest = o.kind == PathKind::kSquare   ? h
                          : o.kind == PathKind::kStar   ? h / std::tan(0.4 * kPi)
                          : o.kind == PathKind::kCorner ? a
-                                                       : kTravelMm;
+                                                       : kFarthestMm;
   if (o.radius_mm > largest) {
     throw cosim::OptionsError(
         fmt::format("path.radius_mm: value {:g} is out of range 0..{:.6g} at path.side_mm = {:g}",

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 
 #include "cosim/machine.hpp"
 
@@ -15,10 +16,16 @@ namespace {
 constexpr long kMostCounts = 127;
 
 // Of the circle through three points: 4 times the triangle's area over the product of its sides.
+// Infinite where the way turns back on itself.
 double curvature_through(const PointMm& a, const PointMm& b, const PointMm& c) {
   const double area2 = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
   const double sides = std::hypot(b.x - a.x, b.y - a.y) * std::hypot(c.x - b.x, c.y - b.y) *
                        std::hypot(a.x - c.x, a.y - c.y);
+  const double onward = (b.x - a.x) * (c.x - b.x) + (b.y - a.y) * (c.y - b.y);
+  constexpr double kStraight = 1e-9;  // of the product of two rows
+  if (onward < 0 && std::fabs(area2) < -kStraight * onward) {
+    return std::numeric_limits<double>::infinity();
+  }
   return sides == 0 ? 0 : 2 * std::fabs(area2) / sides;
 }
 
@@ -57,7 +64,9 @@ Table make_table(const Path& path, const PathOptions& options, double count_mm) 
     const double kappa = path.sampled() ? sampled_curvature(k)
                                         : path.curvature(static_cast<double>(k) * table.row_mm);
     const double c = std::round(255 * kappa / options.kappa_max_1_mm);
-    if (c > 255) {
+    if (std::isinf(c)) {
+      table.warnings.push_back(fmt::format("row {}: the path turns back on itself; C = 255", k));
+    } else if (c > 255) {
       table.warnings.push_back(
           fmt::format("row {}: curvature {:.4g} 1/mm is above path.kappa_max_1_mm = {:g}; C = 255",
                       k, kappa, options.kappa_max_1_mm));
@@ -71,6 +80,12 @@ Table make_table(const Path& path, const PathOptions& options, double count_mm) 
           "path.row_mm: row {}: increments {}, {} are out of range -127..127 counts; value {:g} "
           "is too long, at most {:.4g} mm",
           k, dx, dy, options.row_mm, kMostCounts * count_mm));
+    }
+    if (dx == 0 && dy == 0 && table.row_mm > 2 * count_mm) {
+      throw cosim::OptionsError(fmt::format(
+          "path.row_mm: row {}: the path turns back in the middle of the row, and both increments "
+          "are 0 counts; a row must end at the turn, none does with value {:g}",
+          k, options.row_mm));
     }
     if (dx == 0 && dy == 0) {
       throw cosim::OptionsError(fmt::format(

@@ -141,6 +141,28 @@ TEST_CASE("a curvature above kappa_max saturates with a warning that names its r
   CHECK(table.rows[20].c == 255);
 }
 
+TEST_CASE("a path that turns back on itself bends without limit there, however its rows lie") {
+  const auto with = [](const std::string& text) {
+    const PointsFile file(text);
+    PathOptions o;
+    o.kind = PathKind::kPoints;
+    o.points_file = file.name;
+    return table_of(o);
+  };
+  const Table spike = with("0,0\n20,0\n20,10\n20,0\n40,0\n");
+  REQUIRE(spike.warnings.size() == 3);  // two corners, and the tip between them
+  CHECK(spike.warnings[1] == "row 60: the path turns back on itself; C = 255");
+  CHECK(spike.rows[60].c == 255);
+  CHECK(spike.rows[50].cc == 255);
+  CHECK(with("0,0\n10,0\n0,0\n").rows[20].c == 255);
+  CHECK(with("0,0\n7,7\n-7,-7\n").warnings.size() == 1);
+  // Within a row, which is shorter for it: the rows at both its ends see it.
+  const Table inside = with("0,0\n10.1,0\n-20,0\n");
+  CHECK(std::max(inside.rows[20].c, inside.rows[21].c) == 255);
+  CHECK_THROWS_WITH(with("0,0\n10.25,0\n0,0\n"),
+                    Catch::Contains("row 20: the path turns back in the middle of the row"));
+}
+
 TEST_CASE("a row that cannot be is refused with its number and the range") {
   PathOptions o = shape(PathKind::kSquare, 60, 5);
   o.row_mm = 0.7;
