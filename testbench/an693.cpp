@@ -19,13 +19,6 @@ namespace {
 
 constexpr double kSettledBand = 2.5;  // [count] that a step settles to
 
-// What a script does itself, or what does not end its run.
-bool of_firmware(const KeyInfo& key) {
-  return key.name == "program" || key.name == "run.platform" ||
-         key.name == "run.diverged_counts" || key.name == "processor.interrupt_latency_clk" ||
-         key.name.rfind("filter.", 0) == 0 || key.name.rfind("trajectory.", 0) == 0;
-}
-
 nlohmann::ordered_json interrupts_json(const std::vector<An693Metrics::Interrupt>& list) {
   auto all = nlohmann::ordered_json::array();
   for (const auto& one : list) {
@@ -59,6 +52,12 @@ lm628::Result simulate_shown(const lm628::Options& options, const SimulateAn693&
 
 }  // namespace
 
+bool of_firmware(const KeyInfo& key) {
+  return key.name == "program" || key.name == "run.platform" ||
+         key.name == "run.diverged_counts" || key.name == "processor.interrupt_latency_clk" ||
+         key.name.rfind("filter.", 0) == 0 || key.name.rfind("trajectory.", 0) == 0;
+}
+
 double shaft_counts(const lm628::Options& options, const lm628::Sample& s) {
   return s.theta / plant::MotorAxis::kTurn * options.plant.counts;
 }
@@ -74,7 +73,8 @@ An693Metrics evaluate(const lm628::Options& options, const lm628::Result& result
   bool irq = false, first = true;
   for (const lm628::Sample& s : result.samples) {
     const lm628::Words& w = s.words;
-    const bool off = (w.status & kMotorOff) != 0;  // the desired position follows the real one
+    // The desired position follows the real one.
+    const bool off = (w.status & sw::lm628_status::kMotorOff) != 0;
     const bool moves = !off && w.position != before;
     if (sample > 0 || moves) ++sample;
     if (moves) {
@@ -90,7 +90,7 @@ An693Metrics evaluate(const lm628::Options& options, const lm628::Result& result
     if (first && std::fabs(beyond) > kSettledBand) {
       m.settled_s = static_cast<double>(sample) * lm628::kSampleS;
     }
-    if (s.host_irq && !irq && sample > 0) {
+    if (s.host_irq && !irq) {
       m.interrupts.push_back(
           {sample, seconds_at(options, s.edge), w.position >> 16, w.actual, w.status});
     }
@@ -168,8 +168,9 @@ std::string an693_report(const lm628::Options& options, const lm628::Result& res
     line("end position", fmt::format("desired {}, real {} counts", result.desired, result.real));
   }
   for (const auto& one : m.interrupts) {
-    line("host interrupt", fmt::format("sample {}, {:.4f} s, desired {}, real {} counts",
-                                       one.sample, one.time_s, one.desired, one.real));
+    const auto when = one.sample == 0 ? "before the motion" : fmt::format("sample {}", one.sample);
+    line("host interrupt", fmt::format("{}, {:.4f} s, desired {}, real {} counts", when,
+                                       one.time_s, one.desired, one.real));
     if (&one - m.interrupts.data() == 9 && m.interrupts.size() > 10) {
       line("", fmt::format("and {} more", m.interrupts.size() - 10));
       break;

@@ -10,6 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "testbench/config.hpp"
 #include "testbench/run.hpp"
 
 namespace trammel::testbench {
@@ -17,7 +18,7 @@ namespace trammel::testbench {
 // Samples are counted from the first in which the desired position moves, that being 1.
 struct An693Metrics {
   struct Interrupt {
-    std::int64_t sample = 0;
+    std::int64_t sample = 0;   // 0: before the motion
     double time_s = 0;         // from the start of the run
     std::int64_t desired = 0;  // [count]
     std::int64_t real = 0;
@@ -37,6 +38,9 @@ struct An693Metrics {
 };
 
 An693Metrics evaluate(const lm628::Options& options, const lm628::Result& result);
+
+// What a script does itself, or what does not end its run.
+bool of_firmware(const KeyInfo& key);
 
 double seconds_at(const lm628::Options& options, cosim::Clk edge);
 double shaft_counts(const lm628::Options& options, const lm628::Sample& sample);  // the true angle

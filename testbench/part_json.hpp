@@ -17,7 +17,6 @@
 namespace trammel::testbench {
 
 inline constexpr double kPerCount = 65536;  // of a position or speed
-inline constexpr unsigned kMotorOff = 0x80;  // of the status
 
 inline std::int64_t clock_ps_of(const lm628::Options& options) { return options.plant.clock_ps; }
 inline std::int64_t clock_ps_of(const mcafee::Options& options) {

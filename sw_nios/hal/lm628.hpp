@@ -54,16 +54,17 @@ inline constexpr std::uint8_t kCommandError = 1u << 1;
 inline constexpr std::uint8_t kTrajectoryComplete = 1u << 2;
 inline constexpr std::uint8_t kPositionError = 1u << 5;
 inline constexpr std::uint8_t kBreakpoint = 1u << 6;
+inline constexpr std::uint8_t kMotorOff = 1u << 7;
 }  // namespace lm628_status
 
-// Commands and words at the addresses of lm628_map, of whatever bus stands behind them.
 // Control word of LTRJ: acceleration, velocity and position follow.
 inline constexpr std::uint32_t kLm628AbsoluteMove = 0x002A;
 
+// Commands and words at the addresses of lm628_map, of whatever bus stands behind them.
 class Lm628Port {
  public:
-  // A command keeps the part busy for 94 us at most; a poll takes more than 0.4 us.
-  static constexpr std::uint32_t kPollLimit = 1024;
+  // A command keeps the part busy for 94 us at most, RESET for 1.5 ms; a poll takes above 0.4 us.
+  static constexpr std::uint32_t kPollLimit = 4096;
 
   explicit Lm628Port(Bus& bus) : bus_(bus) {}
 

@@ -65,7 +65,8 @@
     if (m.interrupts.length === 0) return T.el('p', {}, 'The part never interrupted.');
     return T.el('div', { class: 'scroll' }, T.table(['Interrupt', 'sample', 'time (s)',
       'desired (counts)', 'real (counts)', T.el('th', { class: 'text' }, 'status')],
-    m.interrupts.map((one, k) => [k + 1, T.whole(one.sample), T.num(one.time_s, 5),
+    m.interrupts.map((one, k) => [k + 1, one.sample === 0 ? 'before the motion' :
+      T.whole(one.sample), T.num(one.time_s, 5),
       T.whole(one.desired_count), T.whole(one.real_count), T.el('td', { class: 'text' },
         T.lm628.bitsText(one.status))])));
   }

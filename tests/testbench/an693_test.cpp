@@ -110,6 +110,20 @@ TEST_CASE("an693 figures count samples from the first that moves") {
   CHECK(m.interrupts[0].real == 4);
 }
 
+TEST_CASE("an693 interrupts before the desired position moves are told, as of sample 0") {
+  lm628::Result result;
+  for (int n = 0; n < 4; ++n) {
+    lm628::Sample s;
+    s.edge = 12800 * (n + 1);
+    s.host_irq = n == 1 || n == 3;
+    result.samples.push_back(s);
+  }
+  const An693Metrics m = evaluate(lm628::Options{}, result);
+  REQUIRE(m.interrupts.size() == 2);
+  CHECK(m.interrupts[0].sample == 0);
+  CHECK(m.interrupts[1].time_s == Approx(4 * 256e-6));
+}
+
 TEST_CASE("an693 runs leave metrics.json, trace.csv and run.toml, and say how they ended") {
   const std::atomic<bool> stop{false};
   lm628::Options options;
