@@ -40,6 +40,7 @@ nlohmann::ordered_json figures_json(const mcafee::Result& result, const McafeeMe
   }
   json["max_error_counts"] = m.max_error_counts;
   json["max_speed_mm_s"] = m.max_speed_mm_s;
+  json["max_desired_mm_s"] = m.max_desired_mm_s;
   json["max_current_A"] = m.max_current_A;
   return json;
 }
@@ -130,8 +131,8 @@ std::string text_report(const mcafee::Options& options, const std::vector<Mcafee
     text += fmt::format("  {:<22}{}, {} counts\n", "real position", result.real[0], result.real[1]);
   }
   text += fmt::format("  {:<22}{} counts\n", "largest error", m.max_error_counts);
-  text += fmt::format("  {:<22}{:.2f} mm/s, current {:.2f} A\n", "largest speed", m.max_speed_mm_s,
-                      m.max_current_A);
+  text += fmt::format("  {:<22}{:.2f} mm/s, desired {:.2f}; current {:.2f} A\n", "largest speed",
+                      m.max_speed_mm_s, m.max_desired_mm_s, m.max_current_A);
   text += fmt::format("  {}/metrics.json, trace.csv, run.toml{}{}\n", folder,
                       options.stage == McafeeStage::kTrack ? ", table.csv, detail.json" : "",
                       pictures ? ", path.svg, contour.svg" : "");
@@ -158,9 +159,29 @@ nlohmann::ordered_json table_json(const mcafee::Table& table) {
   return {{"row_mm", table.row_mm}, {"rows", rows}};
 }
 
+// The rows lead from the start, where an axis has its 0, to nowhere beyond a switch.
+void check_travel(const mcafee::Table& table, const mcafee::Options& options) {
+  const plant::LeadscrewConfig& axis = options.stage_axis;
+  const double low = 1e3 * axis.switch_low, high = 1e3 * axis.switch_high;
+  double x = 0, y = 0;
+  for (std::size_t k = 0; k < table.rows.size(); ++k) {
+    x += table.rows[k].dx * options.count_mm();
+    y += table.rows[k].dy * options.count_mm();
+    for (const auto& [name, at] : {std::pair{"x", x}, std::pair{"y", y}}) {
+      if (at > low && at < high) continue;
+      throw ConfigError(fmt::format("path: row {}: leads to {} = {:.1f} mm from the start, out of "
+                                    "range {:g}..{:g} mm between stage.switch_low_m and "
+                                    "stage.switch_high_m", k, name, at, low, high));
+    }
+  }
+}
+
 mcafee::Table table_of(const mcafee::Options& options) {
   try {
-    return make_table(mcafee::Path(options.path), options.path, options.count_mm());
+    mcafee::Table table =
+        make_table(mcafee::Path(options.path), options.path, options.count_mm());
+    check_travel(table, options);
+    return table;
   } catch (const cosim::OptionsError& error) {
     throw ConfigError(error.what());
   } catch (const std::invalid_argument& error) {  // the file of points
@@ -186,7 +207,8 @@ void add_events(std::vector<McafeeMetrics::Event>& events, const mcafee::Sample&
                         w.position >> 16, w.actual, w.status});
     };
     if (s.axis[a].host_irq && !before.axis[a].host_irq) add("interrupt");
-    if ((w.status & ~before.axis[a].words.status & kMotorOff) != 0) add("motor off");
+    const unsigned begun = w.status & ~before.axis[a].words.status;
+    if ((begun & sw::lm628_status::kMotorOff) != 0) add("motor off");
     for (std::size_t end = 0; end < 2; ++end) {
       const unsigned open = s.limits >> (2 * a + end) & 1;
       if (open == (before.limits >> (2 * a + end) & 1)) continue;
@@ -256,7 +278,8 @@ McafeeMetrics evaluate(const mcafee::Options& options, const mcafee::Result& res
     for (const mcafee::AxisSample& a : s.axis) {
       m.max_error_counts = std::max<std::int64_t>(m.max_error_counts, std::abs(a.words.error));
       const double speed = std::fabs(static_cast<double>(a.words.speed)) / kPerCount * count_mm;
-      m.max_speed_mm_s = std::max(m.max_speed_mm_s, speed / mcafee::kSampleS);
+      m.max_desired_mm_s = std::max(m.max_desired_mm_s, speed / mcafee::kSampleS);
+      m.max_speed_mm_s = std::max(m.max_speed_mm_s, std::fabs(a.mm_s));
       m.max_current_A = std::max(m.max_current_A, std::fabs(a.i));
     }
   }

@@ -40,7 +40,8 @@ struct McafeeMetrics {
   double contour_end_mm = 0;       // and at the end
   Series contour_mm;               // in every sample, of Stage III
   std::int64_t max_error_counts = 0;  // of an axis
-  double max_speed_mm_s = 0;          // of an axis, desired
+  double max_speed_mm_s = 0;          // of an axis: the table's,
+  double max_desired_mm_s = 0;        // and that of the trajectory generator
   double max_current_A = 0;
 };
 

@@ -111,7 +111,8 @@ PageOf mcafee_page() {
   page.texts = {"/options/program"};
   page.counts = {"/run/first_sample"};
   page.numbers = {"/motion/time_s", "/motion/max_error_counts", "/motion/max_speed_mm_s",
-                  "/motion/max_current_A", "/options/encoder.lines", "/options/stage.pitch_m"};
+                  "/motion/max_desired_mm_s", "/motion/max_current_A",
+                  "/options/encoder.lines", "/options/stage.pitch_m"};
   page.arrays = {"/events", "/real_count"};
   page.columns = {"t_s", "row", "v", "limits", "contour_mm"};
   page.compared = {"row", "v", "contour_mm"};

@@ -87,7 +87,8 @@
         `${T.num(m.real_count[0] * mm, 3)} mm from the start`),
       T.tile('Largest error', motion.max_error_counts, 0, 'counts', `of an axis, ${T.num(
         motion.max_error_counts * mm, 3)} mm`),
-      T.tile('Top speed', motion.max_speed_mm_s, 1, 'mm/s', 'of an axis, desired'),
+      T.tile('Top speed', motion.max_speed_mm_s, 1, 'mm/s', `of an axis, desired ${T.num(
+        motion.max_desired_mm_s, 1)}`),
       T.tile('Peak current', motion.max_current_A, 2, 'A', `limit ${T.num(
         m.options['motor.current_limit_A'], 1)} A`));
   }
@@ -116,10 +117,12 @@
     const runs = [[runName(m), m.motion], ...others(m)];
     const rows = runs.map(([name, one]) => [name, T.num(one.time_s, 3), T.num(one.contour_max_mm,
       4), T.num(one.contour_max_s, 3), T.num(one.contour_rms_mm, 4), T.num(one.contour_end_mm, 4),
-    T.num(one.max_error_counts, 0), T.num(one.max_speed_mm_s, 2), T.num(one.max_current_A, 2)]);
+    T.num(one.max_error_counts, 0), T.num(one.max_speed_mm_s, 2), T.num(one.max_desired_mm_s, 2),
+    T.num(one.max_current_A, 2)]);
     const card = T.el('div', { class: 'card' }, T.el('div', { class: 'scroll' }, T.table(['Run',
       'time (s)', 'largest contour error (mm)', 'when (s)', 'rms (mm)', 'at the end (mm)',
-      'largest error of an axis (counts)', 'top speed of an axis (mm/s)', 'peak current (A)'],
+      'largest error of an axis (counts)', 'top speed of an axis (mm/s)', 'desired',
+      'peak current (A)'],
     rows)));
     const [fast, slow] = others(m);
     if (fast && slow) {
@@ -276,7 +279,8 @@
     ['X at the end', 'counts', 0, (m) => m.real_count[0], true],
     ['Y at the end', 'counts', 0, (m) => m.real_count[1], true],
     ['Largest error of an axis', 'counts', 0, (m) => m.motion.max_error_counts],
-    ['Top speed of an axis, desired', 'mm/s', 2, (m) => m.motion.max_speed_mm_s, true],
+    ['Top speed of an axis', 'mm/s', 2, (m) => m.motion.max_speed_mm_s, true],
+    ['Top speed of an axis, desired', 'mm/s', 2, (m) => m.motion.max_desired_mm_s, true],
     ['Peak current', 'A', 2, (m) => m.motion.max_current_A, true],
     ['Interrupts and limit switches', '', 0, (m) => m.events.length, true],
   ];
@@ -291,7 +295,8 @@
     [['stage.pitch_m'], 'the 0.158 in that are stated; 158 turns over 24 in would be 0.1519'],
     [['filter.ki', 'filter.kd'], 'none is listed; Stage II has kp = 255 alone'],
     [['trajectory.acceleration'], 'Stage III lists none; 60 000 is far above what 3 A can give'],
-    [['track.least_speed', 'track.velocity_shift'], 'ours: v = 0 in a corner would never end'],
+    [['track.least_speed'], 'ours: v = 0 in a corner would never end'],
+    [['track.velocity_shift'], 'ours: DECOMP alone reaches 13.7 mm/s'],
   ];
 
   function assumptionCard(m) {

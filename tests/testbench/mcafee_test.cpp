@@ -44,6 +44,7 @@ mcafee::Result tracked() {
     s.axis[0].x_mm = n < 2 ? 0 : 0.5 * (n - 1);
     s.axis[1].x_mm = beside[n];
     s.axis[1].words.error = n == 4 ? -7 : 0;
+    s.axis[1].mm_s = n == 4 ? -12.5 : 1;
     s.axis[0].i = n == 2 ? -2.5 : 1;
     result.samples.push_back(s);
   }
@@ -83,6 +84,12 @@ TEST_CASE("mcafee: a path or motor that cannot be is refused with key, row and r
   CHECK(message_of("") == "");
   CHECK_THAT(message_of("[path]\nrow_mm = 0.7"), Contains("row 0: increments 139, 0"));
   CHECK_THAT(message_of("[path]\nradius_mm = 31"), Contains("out of range 0..30"));
+  CHECK_THAT(message_of("[path]\nkind = \"circle\"\nradius_mm = 160"),
+             Contains("path: row ") && Contains("out of range -304.8..304.8 mm"));
+  CHECK_THAT(message_of("[stage]\nswitch_high_m = 0.02"),
+             Contains("path: row 40: leads to x = 20.5 mm from the start, out of range -304.8..20 mm"));
+  CHECK(message_of("[path]\nkind = \"circle\"\nradius_mm = 160\n"
+                   "[stage]\nswitch_low_m = -1") == "");
   CHECK_THAT(message_of("[path]\nkind = \"points\""), Contains("path.points_file: is needed"));
   CHECK_THAT(message_of("[path]\nkind = \"points\"\npoints_file = \"none.csv\""),
              Contains("none.csv: cannot be read"));
@@ -109,7 +116,8 @@ TEST_CASE("mcafee: figures count from the first row, contour errors from the pat
   CHECK(m.contour_rms_mm == Approx(std::sqrt((0.0625 + 0.01) / 3)));
   CHECK(m.max_error_counts == 7);
   CHECK(m.max_current_A == 2.5);
-  CHECK(m.max_speed_mm_s == Approx(4 * 4.0132 / 800 / (2048 / 6e6)));
+  CHECK(m.max_desired_mm_s == Approx(4 * 4.0132 / 800 / (2048 / 6e6)));
+  CHECK(m.max_speed_mm_s == 12.5);
 }
 
 TEST_CASE("mcafee: interrupts, motors turned off and switches are events, once each") {
