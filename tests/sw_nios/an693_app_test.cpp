@@ -174,6 +174,17 @@ TEST_CASE("an693 E8 and E4 change speed at two breakpoints and stop smoothly") {
   CHECK(bench.app.starts() == 3);
 }
 
+TEST_CASE("an693 E4 turns the motor off, stops abruptly or smoothly") {
+  for (const auto& [stop, word] : {std::pair{An693Stop::kOff, "d01"}, {An693Stop::kAbrupt, "d02"},
+                                   {An693Stop::kSmooth, "d04"}}) {
+    FakePart part;
+    part.states = {0x80};
+    Lm628Port port(part);
+    an693_stop(port, stop);
+    CHECK(part.log == std::string("c1F ") + word + " d00 c01 ");
+  }
+}
+
 TEST_CASE("an693 E9 steps there and back as often as it is asked") {
   An693Setup setup = make_setup(An693Program::kTuning);
   setup.acceleration = setup.velocity = 0x3FFFFFFF;
