@@ -92,6 +92,17 @@ void check_script_waves(const cosim::RunBasics& run, const std::string& out) {
   }
 }
 
+// A key that would do nothing.
+void refuse_firmware_keys(const lm628::Options& options) {
+  const lm628::Options untouched;
+  for (const auto& key : keys_of<lm628::Options>()) {
+    if (!of_firmware(key)) continue;
+    if (value_text(key.get(options)) == value_text(key.get(untouched))) continue;
+    throw ConfigError(fmt::format("lm628: {}: is of the programs of `trammel run an693-*`; here "
+                                  "the commands are at the port", key.name));
+  }
+}
+
 std::string read_script(const std::string& name, std::string& source, std::string& stem) {
   if (name.empty() || name == "-") {
     source = "standard input";
@@ -123,6 +134,7 @@ int lm628_shell(const RunArguments& arguments, std::atomic<bool>& stop,
   }
   apply_own_layers(options, arguments);
   apply_waves(options, arguments.waves);
+  refuse_firmware_keys(options);
   finish(options);
   check_script_waves(options.run, arguments.out);
   announce_waves(options);

@@ -206,7 +206,7 @@ void read_wait(Lm628Line& line, std::vector<std::string> data) {
     throw ConfigError(fmt::format("{}: wait: expects a time as 0.5 s, 10 ms, 300 us or 100 samples,"
                                   " or hi or complete with the longest time to wait", line.where));
   }
-  if (!(*seconds > 0 && *seconds <= kLongestTime)) {
+  if (!(*seconds >= 0 && *seconds <= kLongestTime)) {
     throw ConfigError(fmt::format("{}: wait: {} is out of range 0..{} s", line.where,
                                   shown(joined), kLongestTime));
   }

@@ -166,11 +166,10 @@ TEST_CASE("what a RSTI is about to clear does not count, what is set already doe
   CHECK_THAT(high.halt, Contains("test:6: wait hi 10 ms: not within 0.01 s"));
 }
 
-TEST_CASE("nothing hangs: a busy part, the longest run, an interrupt") {
-  const Played busy = play("byte c 0\nRDRP");
-  CHECK(busy.end == cosim::EndReason::kFault);
-  CHECK(busy.halt == "test:2: the busy bit did not clear");
-  CHECK(play("byte c 0\nwait 1500 us\nRDRP\nRESET\nRDRP\nrst\nRDRP").halt.empty());
+TEST_CASE("nothing hangs: a part busy with its reset, the longest run, an interrupt") {
+  CHECK(play("byte c 0\nRDRP\nRESET\nRDRP\nrst\nRDRP").halt.empty());
+  CHECK(play("wait 0 s\nSTT\nwait 2 samples\nwait hi 0 s").halt.empty());
+  CHECK_THAT(play("wait hi 0 s").halt, Contains("test:1: wait hi 0 s: not within 0 s"));
   lm628::Options options;
   options.run.max_s = 0.1;
   const Played ended = play("wait 200 s", options);
@@ -180,6 +179,17 @@ TEST_CASE("nothing hangs: a busy part, the longest run, an interrupt") {
   Lm628Shell shell(options, stop);
   CHECK_THROWS_WITH(shell.execute(*parse_lm628_line("wait 1 s", "test:1")),
                     Contains("test:1: interrupted at "));
+}
+
+TEST_CASE("keys of the firmware's programs are refused: they would do nothing") {
+  for (const char* key : {"filter.kp=1", "trajectory.steps=2", "program=tuning"}) {
+    RunArguments arguments;
+    arguments.scenario = "absolute";
+    arguments.assignments = {key};
+    std::atomic<bool> stop{false};
+    CHECK_THROWS_WITH(lm628_shell(arguments, stop, {}),
+                      Contains("is of the programs of `trammel run an693-*`"));
+  }
 }
 
 TEST_CASE("exit codes: 0 done, 2 refused before anything is simulated, 5 a wait too long") {
