@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cosim/points.hpp"
 
+#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -26,6 +27,16 @@ std::optional<double> number(const std::string& field) {
   double value = 0;
   if (!(text >> value) || text.peek() != std::istringstream::traits_type::eof()) return {};
   return value;
+}
+
+// What a terminal can show of a line that may be anything.
+std::string shown(std::string line) {
+  constexpr std::size_t kMost = 60;
+  if (line.size() > kMost) line = line.substr(0, kMost) + "...";
+  for (char& c : line) {
+    if (std::iscntrl(static_cast<unsigned char>(c)) != 0) c = '?';
+  }
+  return line;
 }
 
 [[noreturn]] void refuse(const std::string& name, int line, const std::string& what) {
@@ -69,7 +80,9 @@ std::vector<PointM> read_points_csv(std::istream& text, const std::string& name,
       continue;
     }
     header_allowed = false;
-    if (!x || !y) refuse(name, line_number, "expected two numbers x_mm,y_mm, found '" + line + "'");
+    if (!x || !y) {
+      refuse(name, line_number, "expected two numbers x_mm,y_mm, found '" + shown(line) + "'");
+    }
     points.push_back({checked(name, line_number, "x_mm", *x, range),
                       checked(name, line_number, "y_mm", *y, range)});
   }

@@ -166,6 +166,8 @@ std::string suggest(const std::string& word, const std::vector<std::string>& wor
         row[j] = std::min({replaced, row[j] + 1, row[j - 1] + 1});
       }
     }
+    const bool begun = word.size() >= 2 && other.rfind(word, 0) == 0;  // no more was typed
+    if (begun) row.back() = 1;
     if (row.back() < best_distance) {
       best_distance = row.back();
       best = other;

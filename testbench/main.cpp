@@ -185,7 +185,10 @@ int main(int argc, char** argv) {
                  near.empty() ? "" : fmt::format(", did you mean {}?", near));
       return 2;
     }
-    return line.app.exit(error) == 0 ? 0 : 2;  // help and version end here too
+    if (error.get_exit_code() == 0) return line.app.exit(error);  // help and version
+    fmt::print(stderr, "trammel: {}; see trammel {}--help\n", error.what(),
+               verb.rfind('-', 0) == 0 ? "" : verb + ' ');
+    return 2;
   }
   try {
     return perform(line);
