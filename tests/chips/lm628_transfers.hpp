@@ -93,7 +93,13 @@ void run_random(Bench& bench, int transfers, std::uint32_t seed) {
     const std::int64_t error = bench.engine().desired().position / 65536 - bench.position();
     bench.set_index(bench.position() / 64 * 64);
     if (std::abs(error) < 3000) bench.move_to(bench.position() + error / 4);
-    if (random() % 1000 == 0) bench.start();
+    if (random() % 500 == 0) {
+      if (random() % 2 == 0) {
+        bench.start();
+      } else {
+        bench.command(Opcode::kReset);  // in the midst of whatever it does
+      }
+    }
   }
 }
 
