@@ -47,7 +47,7 @@ double ideal_samples_on(const Config& c, double target, double speed) {
   if (stop > way) return speed / a + from_rest(stop - way);
   const double top = std::min(v, std::sqrt(a * way + stop * a));
   if (speed > top) {  // down to V, and on
-    return (speed - v) / a + (way - (speed * speed - v * v) / (2 * a) - v * v / (2 * a)) / v + v / a;
+    return (speed - v) / a + (way - speed * speed / (2 * a)) / v + v / a;
   }
   return (top - speed) / a + top / a + (way - (2 * top * top - speed * speed) / (2 * a)) / top;
 }
