@@ -151,7 +151,9 @@ void flatten(const toml::table& table, const std::string& prefix, std::vector<En
 std::string suggest(const std::string& word, const std::vector<std::string>& words) {
   // The last part is what people mistype most: `coulomb` alone still finds `plant.coulomb_N`.
   std::string best;
-  std::size_t best_distance = std::max<std::size_t>(2, word.size() / 3) + 1;
+  // Half of a short word is another one.
+  const std::size_t most = word.size() < 5 ? 1 : std::max<std::size_t>(2, word.size() / 3);
+  std::size_t best_distance = most + 1;
   for (const std::string& other : words) {
     std::vector<std::size_t> row(other.size() + 1);
     for (std::size_t j = 0; j <= other.size(); ++j) row[j] = j;

@@ -90,7 +90,8 @@ const std::vector<Lm628Word>& lm628_words() {
       {"status", Action::kStatus, {}, "", "status byte and signals, by name"},
       {"pins", Action::kPins, {}, "", "HI, encoder, converter, and the motor behind them"},
       {"help", Action::kHelp, {}, "[mnemonic]", "this, or all of one"},
-      {"quit", Action::kQuit, {}, "", "end"}};
+      {"quit", Action::kQuit, {}, "", "end"},
+      {"exit", Action::kQuit, {}, "", "end"}};
   return all;
 }
 

@@ -159,29 +159,10 @@ nlohmann::ordered_json table_json(const mcafee::Table& table) {
   return {{"row_mm", table.row_mm}, {"rows", rows}};
 }
 
-// The rows lead from the start, where an axis has its 0, to nowhere beyond a switch.
-void check_travel(const mcafee::Table& table, const mcafee::Options& options) {
-  const plant::LeadscrewConfig& axis = options.stage_axis;
-  const double low = 1e3 * axis.switch_low, high = 1e3 * axis.switch_high;
-  double x = 0, y = 0;
-  for (std::size_t k = 0; k < table.rows.size(); ++k) {
-    x += table.rows[k].dx * options.count_mm();
-    y += table.rows[k].dy * options.count_mm();
-    for (const auto& [name, at] : {std::pair{"x", x}, std::pair{"y", y}}) {
-      if (at > low && at < high) continue;
-      throw ConfigError(fmt::format("path: row {}: leads to {} = {:.1f} mm from the start, out of "
-                                    "range {:g}..{:g} mm between stage.switch_low_m and "
-                                    "stage.switch_high_m", k, name, at, low, high));
-    }
-  }
-}
-
 mcafee::Table table_of(const mcafee::Options& options) {
   try {
-    mcafee::Table table =
-        make_table(mcafee::Path(options.path), options.path, options.count_mm());
-    check_travel(table, options);
-    return table;
+    return make_table(mcafee::Path(options.path), options.path, options.count_mm(),
+                      options.travel_mm());
   } catch (const cosim::OptionsError& error) {
     throw ConfigError(error.what());
   } catch (const std::invalid_argument& error) {  // the file of points
@@ -300,6 +281,7 @@ int run_mcafee(mcafee::Options options, const RunArguments& arguments,
                const SimulateMcafee& simulate, const std::atomic<bool>& stop) {
   namespace fs = std::filesystem;
   announce_waves(options);
+  if (options.stage == McafeeStage::kTrack) warn(options.scenario, table_of(options).warnings);
   OutputFolder folder(target_of(arguments.out, options.scenario));
   options.run.wave_file = wave_file(folder.scratch());
   const std::vector<McafeeRun> runs = all_runs(options, simulate, stop);
@@ -311,7 +293,6 @@ int run_mcafee(mcafee::Options options, const RunArguments& arguments,
   write_tracked(folder.scratch() / "trace.csv", options, run);
   bool pictures = false;
   if (options.stage == McafeeStage::kTrack) {
-    warn(options.scenario, run.result.table.warnings);
     write_text(folder.scratch() / "table.csv", table_csv(run.result.table));
     write_text(folder.scratch() / "detail.json", tracking_json(options, runs).dump() + '\n');
     pictures = write_tracking_pictures(folder.scratch(), options, runs);

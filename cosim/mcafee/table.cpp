@@ -7,6 +7,7 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <utility>
 
 #include "cosim/machine.hpp"
 
@@ -33,9 +34,27 @@ struct Counts {
   long x = 0, y = 0;
 };
 
+// The rows lead from the start; the first one that reaches a limit switch has a warning.
+void warn_of_switch(Table& table, double count_mm, const TravelMm& travel) {
+  Counts at;
+  for (std::size_t k = 0; k < table.rows.size(); ++k) {
+    at.x += table.rows[k].dx;
+    at.y += table.rows[k].dy;
+    for (const auto& [name, counts] : {std::pair{"x", at.x}, std::pair{"y", at.y}}) {
+      const double mm = static_cast<double>(counts) * count_mm;
+      if (mm > travel.low && mm < travel.high) continue;
+      table.warnings.push_back(fmt::format(
+          "row {}: {} = {:.4g} mm from the start is at a limit switch or beyond, out of range "
+          "{:g}..{:g} mm; the program ends there", k, name, mm, travel.low, travel.high));
+      return;
+    }
+  }
+}
+
 }  // namespace
 
-Table make_table(const Path& path, const PathOptions& options, double count_mm) {
+Table make_table(const Path& path, const PathOptions& options, double count_mm,
+                 const TravelMm& travel) {
   const auto rows =
       static_cast<std::size_t>(std::max(1.0, std::round(path.length() / options.row_mm)));
   Table table;
@@ -103,6 +122,7 @@ Table make_table(const Path& path, const PathOptions& options, double count_mm) 
     row.dx = static_cast<std::int8_t>(dx);
     row.dy = static_cast<std::int8_t>(dy);
   }
+  warn_of_switch(table, count_mm, travel);
   const auto preview = static_cast<std::size_t>(options.preview_rows);
   for (std::size_t k = 0; k < rows; ++k) {
     const std::size_t ahead =

@@ -46,6 +46,9 @@ struct Options {
   RunOptions run;
 
   double count_mm() const { return 1e3 * stage_axis.pitch / (4 * stage_axis.encoder.lines); }
+  TravelMm travel_mm() const {
+    return {1e3 * stage_axis.switch_low, 1e3 * stage_axis.switch_high};
+  }
 };
 
 struct AxisSample {

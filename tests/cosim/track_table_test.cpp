@@ -163,6 +163,21 @@ TEST_CASE("a path that turns back on itself bends without limit there, however i
                     Catch::Contains("row 20: the path turns back in the middle of the row"));
 }
 
+TEST_CASE("the first row that leads to a limit switch has a warning, wherever the path lies") {
+  const auto warned = [](double x, double travel) {
+    const PointsFile file(std::to_string(x) + ",0\n" + std::to_string(x - 20) + ",0\n");
+    PathOptions o;
+    o.kind = PathKind::kPoints;
+    o.points_file = file.name;
+    return make_table(Path(o), o, kCountMm, {-travel, travel}).warnings;
+  };
+  CHECK(warned(0, 20.1).empty());
+  CHECK(warned(1000, 20.1).empty());
+  REQUIRE(warned(1000, 9.9).size() == 1);
+  CHECK(warned(1000, 9.9)[0] == "row 19: x = -9.998 mm from the start is at a limit switch or "
+                                "beyond, out of range -9.9..9.9 mm; the program ends there");
+}
+
 TEST_CASE("a row that cannot be is refused with its number and the range") {
   PathOptions o = shape(PathKind::kSquare, 60, 5);
   o.row_mm = 0.7;

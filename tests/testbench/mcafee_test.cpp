@@ -84,13 +84,6 @@ TEST_CASE("mcafee: a path or motor that cannot be is refused with key, row and r
   CHECK(message_of("") == "");
   CHECK_THAT(message_of("[path]\nrow_mm = 0.7"), Contains("row 0: increments 139, 0"));
   CHECK_THAT(message_of("[path]\nradius_mm = 31"), Contains("out of range 0..30"));
-  CHECK_THAT(message_of("[path]\nkind = \"circle\"\nradius_mm = 160"),
-             Contains("path: row ") && Contains("out of range -304.8..304.8 mm"));
-  CHECK_THAT(message_of("[stage]\nswitch_high_m = 0.02"),
-             Contains("path: row 40: leads to x = 20.5 mm from the start, out of range "
-                      "-304.8..20 mm"));
-  CHECK(message_of("[path]\nkind = \"circle\"\nradius_mm = 160\n"
-                   "[stage]\nswitch_low_m = -1") == "");
   CHECK_THAT(message_of("[path]\nkind = \"points\""), Contains("path.points_file: is needed"));
   CHECK_THAT(message_of("[path]\nkind = \"points\"\npoints_file = \"none.csv\""),
              Contains("none.csv: cannot be read"));
