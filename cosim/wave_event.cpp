@@ -1,39 +1,49 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cosim/wave_event.hpp"
 
-#include <fmt/format.h>
-
-#include <regex>
+#include <algorithm>
+#include <iterator>
 
 namespace trammel::cosim {
+namespace {
 
-WaveEvent parse_wave_event(const std::string& text) {
-  using What = WaveEvent::What;
-  static const std::regex form(R"(\s*(?:at\s+(\S+)|(drive|hi|irq)(?:\s+after\s+(\S+))?)\s*)");
-  std::smatch part;
-  if (!std::regex_match(text, part, form)) {
-    throw std::invalid_argument(fmt::format("\"{}\" is none of: {}", text, kWaveEvents));
-  }
-  if (part[1].matched) return {What::kAt, parse_edge(part[1])};
-  const What what = part[2] == "drive" ? What::kDrive : part[2] == "hi" ? What::kHost : What::kIrq;
-  return {what, part[3].matched ? parse_edge(part[3]) : 0};
+constexpr const char* kEvents[] = {"drive", "hi", "irq"};
+enum Event : std::size_t { kDriveChanges, kHostRises, kInterrupts };
+
+bool name_event(Trigger& trigger, const std::string& word) {
+  const auto* found = std::find(std::begin(kEvents), std::end(kEvents), word);
+  if (found == std::end(kEvents)) return false;
+  trigger.when = Trigger::When::kEvent;
+  trigger.signal = static_cast<std::size_t>(found - std::begin(kEvents));
+  return true;
 }
 
-std::optional<WaveEvent> EventSearch::event(const RunBasics& run) {
-  const auto text = wave_trigger_text(run, kStart);
-  if (!text) return {};
-  return parse_wave_event(*text);
+}  // namespace
+
+Trigger parse_wave_event(const std::string& text, const std::vector<Signal>& signals) {
+  return parse_trigger(text, {signals, kWaveEvents, name_event});
 }
 
-void EventSearch::on(const Stop& stop, const MachineChip& chip) {
+std::vector<std::string> wave_event_names(const std::vector<Signal>& signals) {
+  std::vector<std::string> names(std::begin(kEvents), std::end(kEvents));
+  for (const std::string& name : signal_names(signals)) names.push_back(name);
+  return names;
+}
+
+void EventSearch::on(const Stop& stop, const MachineChip& chip, const SignalReader& words) {
   if (found_) return;
-  if (event_.what == WaveEvent::What::kHost) {
-    const Clk rise = chip.host_rise();
-    if (rise != kNever && rise >= event_.edge) found_ = rise;
+  if (trigger_.when != Trigger::When::kEvent) {
+    if ((stop.why & kSample) != 0) signal_.after(stop.edge, words);
+    found_ = signal_.found();
     return;
   }
-  const unsigned why = event_.what == WaveEvent::What::kDrive ? kDrive : kIrq;
-  if ((stop.why & why) != 0 && stop.edge >= event_.edge) found_ = stop.edge;
+  if (trigger_.signal == kHostRises) {
+    const Clk rise = chip.host_rise();
+    if (rise != kNever && rise >= trigger_.edge) found_ = rise;
+    return;
+  }
+  const unsigned why = trigger_.signal == kDriveChanges ? kDrive : kIrq;
+  if ((stop.why & why) != 0 && stop.edge >= trigger_.edge) found_ = stop.edge;
 }
 
 }  // namespace trammel::cosim

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What begins a window of waves of a chip with a host: one event that is seen from outside, found
-// in a run of its own before the one that is dumped.
+// Triggers of a chip with a host: cosim/trigger.hpp with these words, which are seen from outside
+// the chip at their very clock, and the words of its samples, seen where a sample is published.
 //
-//   EXPR := EVENT [after TIME] | at TIME      EVENT := drive | hi | irq
+//   EVENT := drive | hi | irq
 #pragma once
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cosim/machine_chip.hpp"
+#include "cosim/trigger.hpp"
 #include "cosim/wave_plan.hpp"
 
 namespace trammel::cosim {
@@ -17,37 +19,44 @@ namespace trammel::cosim {
 // One line of it, for help texts.
 inline constexpr char kWaveEvents[] =
     "drive (a converter's code changes), hi (the pin HI rises), irq (HI or the timer interrupts), "
-    "each with `after TIME` behind it if wanted; at 10ms";
+    "at 10ms, rise|fall|change status.breakpoint, e > 20, each with `after TIME` behind it if "
+    "wanted";
 
-struct WaveEvent {
-  enum class What { kAt, kDrive, kHost, kIrq };
+// Throws UnknownName, or std::invalid_argument that says what is wrong and what is allowed.
+Trigger parse_wave_event(const std::string& text, const std::vector<Signal>& signals);
 
-  What what = What::kAt;
-  Clk edge = 0;  // kAt: there; else not before it
-
-  bool known() const { return what == What::kAt; }  // without a search
-};
-
-// Throws std::invalid_argument that says what is allowed.
-WaveEvent parse_wave_event(const std::string& text);
+// All that may stand for a NAME or EVENT, for suggestions.
+std::vector<std::string> wave_event_names(const std::vector<Signal>& signals);
 
 class EventSearch {
  public:
   static constexpr char kStart[] = "drive";  // of the default window
 
-  // What these options look for.
-  static std::optional<WaveEvent> event(const RunBasics& run);
+  explicit EventSearch(const Trigger& trigger) : trigger_(trigger), signal_(trigger) {}
 
-  explicit EventSearch(const WaveEvent& event) : event_(event) {}
-
-  void on(const Stop& stop, const MachineChip& chip);
+  // `words` are read where a sample was published.
+  void on(const Stop& stop, const MachineChip& chip, const SignalReader& words);
 
   // The first clock edge after which the event is there.
   std::optional<Clk> found() const { return found_; }
 
  private:
-  WaveEvent event_;
+  Trigger trigger_;
+  SignalSearch signal_;
   std::optional<Clk> found_;
+};
+
+// Of a machine with these signals.
+template <const std::vector<Signal>& (*kSignals)()>
+struct EventSearchOf : EventSearch {
+  using EventSearch::EventSearch;
+
+  // What these options look for.
+  static std::optional<Trigger> event(const RunBasics& run) {
+    const auto text = wave_trigger_text(run, kStart);
+    if (!text) return {};
+    return parse_wave_event(*text, kSignals());
+  }
 };
 
 }  // namespace trammel::cosim

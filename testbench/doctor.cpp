@@ -6,6 +6,8 @@
 #include <nlohmann/json.hpp>
 
 #include "cosim/kung/trigger.hpp"
+#include "cosim/mcafee/signals.hpp"
+#include "cosim/wave_event.hpp"
 #include "testbench/build_info.hpp"
 #include "testbench/config.hpp"
 #include "testbench/output.hpp"
@@ -59,18 +61,25 @@ int list_keys(bool json) {
 
 int list_signals(bool json) {
   Json all = Json::array();
-  std::string text = fmt::format(
+  std::string text =
       "What --wave-trigger may name. With x. or y. before it a signal of that axis; without, of "
-      "either.\nEvents: {}\n\n", kung::kTriggerForms);
-  for (const kung::Signal& signal : kung::signals()) {
-    const std::int64_t span = std::int64_t{1} << signal.bits;
-    const std::int64_t low = signal.is_signed ? -span / 2 : 0;
-    const std::string range = fmt::format("{}..{}", low, low + span - 1);
-    all.push_back({{"signal", signal.name}, {"axis", signal.of_axis}, {"range", range},
-                   {"help", signal.help}});
-    text += fmt::format("{:<6}{:<20}{:<26}{}\n", signal.of_axis ? "x. y." : "", signal.name, range,
-                        signal.help);
-  }
+      "either.\n";
+  const auto add = [&](const char* machine, const char* forms,
+                       const std::vector<cosim::Signal>& signals) {
+    text += fmt::format("\n{}. Events: {}\n\n", machine, forms);
+    for (const cosim::Signal& signal : signals) {
+      const std::int64_t span = std::int64_t{1} << signal.bits;
+      const std::int64_t low = signal.is_signed ? -span / 2 : 0;
+      const std::string range = fmt::format("{}..{}", low, low + span - 1);
+      all.push_back({{"machine", machine}, {"signal", signal.name}, {"axis", signal.of_axis},
+                     {"range", range}, {"help", signal.help}});
+      text += fmt::format("{:<6}{:<22}{:<26}{}\n", signal.of_axis ? "x. y." : "", signal.name,
+                          range, signal.help);
+    }
+  };
+  add("kung", kung::kTriggerForms, kung::signals());
+  add("an693", cosim::kWaveEvents, lm628::signals());
+  add("mcafee", cosim::kWaveEvents, mcafee::signals());
   fmt::print("{}", json ? all.dump(2) + '\n' : text);
   return 0;
 }

@@ -85,7 +85,8 @@ void converse(Lm628Shell& shell, const ReadLine& read_line, std::atomic<bool>& s
 void check_script_waves(const cosim::RunBasics& run, const std::string& out) {
   if (run.wave == cosim::WaveFormat::kNone) return;
   if (out.empty()) throw ConfigError("lm628: --wave: needs a folder for the waves (-o)");
-  if (cosim::trigger_asked(run) && !cosim::parse_wave_event(run.wave_trigger).known()) {
+  if (cosim::trigger_asked(run) &&
+      !cosim::parse_wave_event(run.wave_trigger, lm628::signals()).known()) {
     throw ConfigError(fmt::format("lm628: --wave-trigger: \"{}\" is not known before the script "
                                   "runs; give at TIME, or --wave-window",
                                   run.wave_trigger));

@@ -47,7 +47,7 @@ double number_of(const Lm628Word& word, std::uint32_t bits) {
 lm628::Waves waves_of(const lm628::Options& options) {
   lm628::Waves waves;
   if (options.run.wave == cosim::WaveFormat::kNone) return waves;
-  const auto event = cosim::EventSearch::event(options.run);
+  const auto event = lm628::Waves::Search::event(options.run);
   const Clk first_line = Lm628Shell::kResetClk;
   const Clk origin = !event ? 0 : event->known() ? event->edge : first_line;
   waves.window = cosim::wave_window(options.run, origin);

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "cosim/kung/waves.hpp"
+#include "cosim/mcafee/signals.hpp"
 #include "cosim/wave_event.hpp"
 #include "testbench/build_info.hpp"
 #include "testbench/config.hpp"
@@ -48,11 +49,14 @@ std::string trigger_text(const WaveRequest& waves) {
   return cosim::wave_trigger_text(waves.run, waves.machine.start).value_or("");
 }
 
-void check_kung_trigger(const std::string& text, const std::string& where) {
+// `parse` refuses what is none; `names` are those it knows.
+template <class Parse>
+void check_trigger(const std::string& where, const Parse& parse,
+                   const std::vector<std::string>& names) {
   try {
-    kung::parse_trigger(text);
-  } catch (const kung::UnknownName& error) {
-    const std::string near = suggest(error.name, kung::trigger_names());
+    parse();
+  } catch (const cosim::UnknownName& error) {
+    const std::string near = suggest(error.name, names);
     throw ConfigError(fmt::format("{}: {}{}", where, error.what(),
                                   near.empty() ? "; `trammel list signals` names them all"
                                                : fmt::format("; did you mean {}?", near)));
@@ -61,12 +65,14 @@ void check_kung_trigger(const std::string& text, const std::string& where) {
   }
 }
 
+void check_kung_trigger(const std::string& text, const std::string& where) {
+  check_trigger(where, [&text] { kung::parse_trigger(text); }, kung::trigger_names());
+}
+
+template <const std::vector<cosim::Signal>& (*kSignals)()>
 void check_event(const std::string& text, const std::string& where) {
-  try {
-    cosim::parse_wave_event(text);
-  } catch (const std::invalid_argument& error) {
-    throw ConfigError(fmt::format("{}: {}", where, error.what()));
-  }
+  check_trigger(where, [&text] { cosim::parse_wave_event(text, kSignals()); },
+                cosim::wave_event_names(kSignals()));
 }
 
 const char* file_name(const cosim::RunBasics& run) {
@@ -94,14 +100,14 @@ const WaveMachine& wave_machine<kung::Options>() {
 }
 template <>
 const WaveMachine& wave_machine<lm628::Options>() {
-  static const WaveMachine machine{"lm628.gtkw", cosim::EventSearch::kStart, check_event, 8.5e9,
-                                   3e7};
+  static const WaveMachine machine{"lm628.gtkw", cosim::EventSearch::kStart,
+                                   check_event<lm628::signals>, 8.5e9, 3e7};
   return machine;
 }
 template <>
 const WaveMachine& wave_machine<mcafee::Options>() {
-  static const WaveMachine machine{"mcafee.gtkw", cosim::EventSearch::kStart, check_event, 1.7e10,
-                                   4e8};
+  static const WaveMachine machine{"mcafee.gtkw", cosim::EventSearch::kStart,
+                                   check_event<mcafee::signals>, 1.7e10, 4e8};
   return machine;
 }
 

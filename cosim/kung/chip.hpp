@@ -15,6 +15,7 @@
 #include "cosim/kung/types.hpp"
 #include "cosim/kung/wakes.hpp"
 #include "cosim/machine_chip.hpp"
+#include "cosim/trigger.hpp"
 
 namespace trammel::kung {
 
@@ -41,20 +42,10 @@ struct KungChip : cosim::MachineChip {
   virtual WakeCounts wakes() const { return {}; }
 };
 
-// A value inside the chip that a trigger may name: a word of the controllers or a register.
-struct Signal {
-  const char* name;  // without axis: "e", "STATUS.step", "TICK"
-  const char* help;
-  int bits;
-  bool is_signed;
-  bool of_axis;      // there are two, x.<name> and y.<name>
-};
+// What a trigger may name: words of the controllers and registers.
+using cosim::Signal;
+using cosim::SignalReader;
 const std::vector<Signal>& signals();
-
-struct SignalReader {
-  virtual ~SignalReader() = default;
-  virtual std::int64_t read(std::size_t signal, int axis) const = 0;  // index into signals()
-};
 
 // Sees the chip after each edge that is evaluated; at the others no signal changes.
 struct Watcher {

@@ -10,6 +10,7 @@
 
 #include "cosim/direct.hpp"
 #include "cosim/lm628/recorder.hpp"
+#include "cosim/lm628/signals.hpp"
 #include "cosim/lm628/types.hpp"
 #include "cosim/wave_event.hpp"
 
@@ -36,10 +37,10 @@ class MotorPlant final : public cosim::Plant {
   plant::MotorAxis axis_;
 };
 
-using Waves = cosim::Waves<cosim::EventSearch>;
+using Waves = cosim::Waves<cosim::EventSearchOf<signals>>;
 
 // Chip, motor, loop and record: what every run of the machine has, whoever is at the port.
-class Bench : private cosim::Observer {
+class Bench : private cosim::Observer, private cosim::SignalReader {
  public:
   // `finished` is asked after each sample, and after it said so nothing more is recorded.
   Bench(const Options& options, std::function<bool(const Sample&)> finished,
@@ -63,8 +64,12 @@ class Bench : private cosim::Observer {
 
  private:
   void on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant& plant) override {
-    if (waves_.search != nullptr) waves_.search->on(stop, *chip_);
+    if (waves_.search != nullptr) waves_.search->on(stop, *chip_, *this);
     recorder_.on(stop, chip, plant);
+  }
+
+  std::int64_t read(std::size_t signal, int) const override {
+    return word(chip_->words(), signal);
   }
 
   Options options_;

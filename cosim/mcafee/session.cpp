@@ -90,7 +90,7 @@ cosim::Clk Session::end() const {
 
 void Session::on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant&) {
   if (over_ || stop.why == cosim::kLimit) return;
-  if (waves_.search != nullptr) waves_.search->on(stop, *chip_);
+  if (waves_.search != nullptr) waves_.search->on(stop, *chip_, *this);
   hash_.mix(stop, chip);
   if ((stop.why & cosim::kSample) == 0) return;
   const Sample sample = sample_at(stop.edge);
@@ -103,6 +103,17 @@ void Session::on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::
     end_ = *ended;
     over_ = true;
   }
+}
+
+std::int64_t Session::read(std::size_t signal, int axis) const {
+  const std::size_t own = lm628::signals().size();
+  if (signal < own) return lm628::word(chip_->words(axis), signal);
+  switch (static_cast<OwnSignal>(signal - own)) {
+    case OwnSignal::kRow: return app_.rows();
+    case OwnSignal::kSpeed: return app_.speed();
+    case OwnSignal::kLimits: return plant_.limits();
+  }
+  return 0;
 }
 
 Sample Session::sample_at(cosim::Clk edge) const {

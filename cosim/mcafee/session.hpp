@@ -11,6 +11,7 @@
 #include "cosim/direct.hpp"
 #include "cosim/event_hash.hpp"
 #include "cosim/mcafee/types.hpp"
+#include "cosim/mcafee/signals.hpp"
 #include "cosim/wave_event.hpp"
 
 namespace trammel::mcafee {
@@ -35,10 +36,10 @@ class StagePlant final : public cosim::Plant {
   plant::XyStage stage_;
 };
 
-class Session final : private cosim::Observer {
+class Session final : private cosim::Observer, private cosim::SignalReader {
  public:
   // Throws cosim::OptionsError or std::invalid_argument for a path that cannot be followed.
-  using Waves = cosim::Waves<cosim::EventSearch>;
+  using Waves = cosim::Waves<cosim::EventSearchOf<signals>>;
   Session(const Options& options, const cosim::Hooks& hooks, const Waves& waves = {});
 
   cosim::Loop& loop() { return loop_; }
@@ -53,6 +54,7 @@ class Session final : private cosim::Observer {
 
  private:
   void on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant& plant) override;
+  std::int64_t read(std::size_t signal, int axis) const override;
   Sample sample_at(cosim::Clk edge) const;
   std::optional<cosim::EndReason> end_after(const Sample& sample);
   sw::McafeeSetup program() const;

@@ -93,6 +93,16 @@ class PortTest(WaveCase):
                 self.assertEqual(level(irq, edge), int(row["host_irq"]), row["t_s"])
         self.assertIn("1", [row["host_irq"] for row in rows])
 
+    def test_a_word_triggers_at_the_sample_that_first_has_it(self):
+        with (self.plain / "trace.csv").open() as file:
+            rows = list(csv.DictReader(file))
+        for text, is_so in (("e > 20", lambda row: int(row["e"]) > 20),
+                            ("rise status.complete", lambda row: int(row["status"]) & 4)):
+            out = self.run_to("word", STEP, "--wave", "fst", "--wave-trigger", text)
+            first = next(b for a, b in zip(rows, rows[1:]) if is_so(b) and not is_so(a))
+            told = json.loads((out / "metrics.json").read_text())["waves"]["trigger_s"]
+            self.assertAlmostEqual(told, float(first["t_s"]), 9, text)
+
     def test_vcd_and_fst_hold_the_same(self):
         short = ["--wave-window", "2ms:2.3ms"]
         vcd = self.run_to("vcd", STEP, "--wave", "vcd", *short) / "waves.vcd"
@@ -127,7 +137,10 @@ class PortTest(WaveCase):
 
     def test_what_cannot_be_dumped_is_one_line_and_its_exit_code(self):
         for code, says, words in (
-                (2, "is none of: drive", [*STEP, "--wave", "fst", "--wave-trigger", "x.e > 3"]),
+                (2, "is none of: drive", [*STEP, "--wave", "fst", "--wave-trigger", "e ~ 3"]),
+                (2, "x.e: unknown signal", [*STEP, "--wave", "fst", "--wave-trigger", "x.e > 3"]),
+                (2, "out of range -32768..32767", [*CORNER, "--wave", "fst", "--wave-trigger",
+                                                   "x.e > 40000"]),
                 (2, "needs --wave vcd or --wave fst", [*STEP, "--wave-window", "0:1ms"]),
                 (2, "the twin has no signals", [*CORNER, "--engine", "twin", "--wave", "fst"]),
                 (2, "needs a folder", ["lm628", "hold", "--wave", "fst"]),
