@@ -240,7 +240,7 @@ TEST_CASE("run chooses the machine by the scenario, and refuses what this one ha
   arguments.check = false;
   arguments.waves.format = "fst";
   arguments.waves.trigger = "x.e > 3";
-  CHECK_THROWS_WITH(run(arguments, {}, stop, simulate), Contains("--wave-trigger: x.e: unknown signal"));
+  CHECK_THROWS_WITH(run(arguments, {}, stop, simulate), Contains("x.e: unknown signal"));
   arguments.waves.trigger = "";
   const SimulateAn693 traced = [](const lm628::Options& options, const cosim::Hooks&) {
     lm628::Result result = by_hand();
