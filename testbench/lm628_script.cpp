@@ -138,7 +138,7 @@ std::vector<Field> first_field(const Lm628Word& word) {
 
 std::string names_of(const std::vector<Field>& fields) {
   std::string text;
-  for (const Field& f : fields) text += (text.empty() ? "" : ", ") + f.name;
+  for (const Field& f : fields) text += (text.empty() ? "" : ", ") + f.name + ' ' + range_of(f);
   return text.empty() ? "nothing" : text;
 }
 

@@ -88,6 +88,8 @@ struct CommandLine {
     track = app.add_subcommand("track", "the table of a path of the machine mcafee, as CSV");
     add_layers(track, "scenario", "scenario with the path, default mcafee-stage3",
                "file of the table; default: standard output");
+    track->add_flag("--listing", run_arguments.listing,
+                    "rows as McAfee's listing has them in memory: bytes C CC Vx Vy dY dX");
 
     list = app.add_subcommand("list", "scenarios, every parameter with unit and range, or signals");
     list->add_option("topic", topic, "scenarios, keys or signals (for --wave-trigger)")

@@ -323,11 +323,13 @@ int track(const RunArguments& arguments) {
       find_scenario(arguments.scenario.empty() ? "mcafee-stage3" : arguments.scenario), arguments);
   const mcafee::Table table = table_of(options);
   warn("track", table.warnings);
-  if (!arguments.out.empty()) write_text(arguments.out, table_csv(table));
+  if (arguments.listing && arguments.json) throw ConfigError("track: --listing: not with --json");
+  const std::string text = arguments.listing ? listing_text(table) : table_csv(table);
+  if (!arguments.out.empty()) write_text(arguments.out, text);
   if (arguments.json) {
     fmt::print("{}\n", table_json(table).dump(2));
   } else if (arguments.out.empty()) {
-    fmt::print("{}", table_csv(table));
+    fmt::print("{}", text);
   } else {
     fmt::print("{}: {} rows of {:.5f} mm\n", arguments.out, table.rows.size(), table.row_mm);
   }

@@ -35,6 +35,7 @@ struct RunArguments {
   bool all = false;
   bool json = false;
   bool report = true;                    // report.html in the folder
+  bool listing = false;                  // track: the rows as bytes of the listing
   bool check = false;                    // exit 1 when a figure is outside its tolerance
 };
 

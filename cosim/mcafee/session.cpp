@@ -23,6 +23,9 @@ const char* what_failed(sw::McafeeFailure failure) {
     case sw::McafeeFailure::kCommandError: return "a command error of a part";
     case sw::McafeeFailure::kPositionError: return "a position error of a part";
     case sw::McafeeFailure::kLimit: return "a limit switch";
+    case sw::McafeeFailure::kLate:
+      return "a sample between the STT of both axes: the processor is too slow "
+             "(processor.access_clk, processor.interrupt_latency_clk)";
     case sw::McafeeFailure::kNone: break;
   }
   return "";

@@ -132,6 +132,16 @@ Table make_table(const Path& path, const PathOptions& options, double count_mm,
   return table;
 }
 
+std::string listing_text(const Table& table) {
+  std::string text;
+  for (const sw::McafeeRow& r : table.rows) {
+    fmt::format_to(std::back_inserter(text), "{:02X} {:02X} {:02X} {:02X} {:02X} {:02X}\n", r.c,
+                   r.cc, r.vx, r.vy, static_cast<std::uint8_t>(r.dy),
+                   static_cast<std::uint8_t>(r.dx));
+  }
+  return text;
+}
+
 std::string table_csv(const Table& table) {
   std::string text = "c,cc,vx,vy,dx,dy\n";
   for (const sw::McafeeRow& r : table.rows) {

@@ -31,6 +31,10 @@ struct TravelMm {
 Table make_table(const Path& path, const PathOptions& options, double count_mm,
                  const TravelMm& travel = {});
 
+// The six bytes of each row as McAfee's listing has them in memory, C CC Vx Vy dY dX, a line a row,
+// hexadecimal.
+std::string listing_text(const Table& table);
+
 // c,cc,vx,vy,dx,dy, a line a row.
 std::string table_csv(const Table& table);
 

@@ -9,9 +9,17 @@ constexpr std::uint32_t kHere = 0x0000;           // nothing follows
 constexpr std::uint32_t kRelativeMove = 0x002B;   // an absolute move, but for the position
 constexpr std::uint32_t kForwardSpeed = 0x1828;   // velocity mode: acceleration, velocity
 constexpr std::uint32_t kForwardFaster = 0x180C;  // velocity mode: a velocity to be added
+constexpr std::uint32_t kMove = 0x000A;           // velocity and position, both absolute
 constexpr std::uint32_t kStopBits = 0x0700;
 
 }  // namespace
+
+void an693_move(Lm628Port& port, std::int32_t velocity, std::int32_t position) {
+  port.command(Lm628Command::kLtrj, kMove);
+  port.long_word(velocity);
+  port.long_word(position);
+  port.command(Lm628Command::kStt);
+}
 
 void an693_stop(Lm628Port& port, An693Stop stop) {
   port.command(Lm628Command::kLtrj, static_cast<std::uint32_t>(stop) & kStopBits);
@@ -134,18 +142,19 @@ void An693App::on_host(Bus& bus, Lm628Port& port) {
   }
 }
 
-// AN-693, "Velocity profile with breakpoints". The mask changes for the end only: that the shaft
-// has come to rest is an interrupt too.
+// AN-693, "Velocity profile with breakpoints". That the shaft has come to rest is an interrupt too:
+// the mask says so before the stop, since a mask raises nothing that is there already.
 void An693App::at_breakpoint(Lm628Port& port) {
   if (starts_ == 1) {
     port.command_long(Lm628Command::kSbpa, 2 * setup_.breakpoint);
     port.command(Lm628Command::kLtrj, kForwardFaster);
     port.long_word(setup_.velocity);
     go(port);
+    port.command(Lm628Command::kMski,
+                 lm628_status::kBreakpoint | lm628_status::kTrajectoryComplete);
   } else {
     an693_stop(port, An693Stop::kSmooth);
     ++starts_;
-    port.command(Lm628Command::kMski, lm628_status::kTrajectoryComplete);
   }
 }
 

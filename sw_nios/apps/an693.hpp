@@ -80,6 +80,9 @@ class An693App final : public Firmware {
   std::int32_t desired_ = 0, real_ = 0;
 };
 
+// Trajectory module of AN-693: an absolute move with the acceleration that the part has already.
+void an693_move(Lm628Port& port, std::int32_t velocity, std::int32_t position);
+
 // Stop module of AN-693: motor off, abruptly, or smoothly.
 enum class An693Stop : std::uint32_t { kOff = 0x0100, kAbrupt = 0x0200, kSmooth = 0x0400 };
 void an693_stop(Lm628Port& port, An693Stop stop);

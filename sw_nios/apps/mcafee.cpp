@@ -170,8 +170,11 @@ void McafeeApp::load_row(Bus& bus, Parts& parts) {
   }
 }
 
-// A sample was just published: no other one falls between the two STT.
+// A sample was just published: no other one must fall between the two STT. A command that comes in
+// a sample is executed behind it, so that a part which is ready again has taken its STT, and the
+// samples until then were published.
 void McafeeApp::start_row(Bus& bus, Parts& parts) {
+  bus.write(regs::kStatus, regs::kStatusSample);
   for (std::uint32_t k = 0; k < 2; ++k) {
     Axis& axis = axes_[k];
     if (!axis.loaded) continue;
@@ -179,6 +182,10 @@ void McafeeApp::start_row(Bus& bus, Parts& parts) {
     axis.target = axis.next;
     axis.fastest = axis.velocity;
     axis.near = false;
+  }
+  if (axes_[0].loaded && axes_[1].loaded && parts.port[1].ready() &&
+      (bus.read(regs::kStatus) & regs::kStatusSample) != 0) {
+    return fail(bus, McafeeFailure::kLate);
   }
   running_ = speed_;
   ++started_;

@@ -53,7 +53,8 @@ enum class McafeeFailure : std::uint8_t {
   kBusy,           // the busy bit, or the feed rate's, did not clear
   kCommandError,   // status bit 1
   kPositionError,  // status bit 5
-  kLimit           // a limit switch was reached
+  kLimit,          // a limit switch was reached
+  kLate            // a sample fell between the STT of both axes: the processor is too slow
 };
 
 class McafeeApp final : public Firmware {

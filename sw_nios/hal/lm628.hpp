@@ -72,6 +72,16 @@ class Lm628Port {
 
   std::uint8_t status() { return static_cast<std::uint8_t>(bus_.read(lm628_map::kCommand)); }
 
+  // Waits until the part takes the next command or word, and so has executed the last one; false:
+  // it is stuck.
+  bool ready() {
+    for (std::uint32_t polls = 0; !stuck_ && polls < kPollLimit; ++polls) {
+      if ((status() & lm628_status::kBusy) == 0) return true;
+    }
+    stuck_ = true;
+    return false;
+  }
+
   void command(Lm628Command code) {
     if (ready()) bus_.write(lm628_map::kCommand, static_cast<std::uint32_t>(code));
   }
@@ -106,14 +116,6 @@ class Lm628Port {
   }
 
  private:
-  bool ready() {
-    for (std::uint32_t polls = 0; !stuck_ && polls < kPollLimit; ++polls) {
-      if ((status() & lm628_status::kBusy) == 0) return true;
-    }
-    stuck_ = true;
-    return false;
-  }
-
   Bus& bus_;
   bool stuck_ = false;
 };

@@ -27,8 +27,14 @@ void ordered(Bench& bench, Random& random) {
     case 1: {
       const unsigned control = random() % 8 == 0 ? 0x100u << random() % 3 : random() % 2 << 11;
       const std::int64_t way = static_cast<std::int64_t>(random() % 200) - 100;
-      bench.trajectory(control | (random() % 2 << 12) | 0x2A | random() % 2,
-                       {random() % 90000, random() % 900000, way});
+      const unsigned bits = control | random() % 2 << 12;
+      if (random() % 3 == 0) {  // added to what is there
+        bench.trajectory(bits | 0x1C, {static_cast<std::int64_t>(random() % 20000) - 10000});
+      } else if (random() % 4 == 0) {
+        bench.trajectory(bits | 0x02 | random() % 2, {way});
+      } else {
+        bench.trajectory(bits | 0x2A | random() % 2, {random() % 90000, random() % 900000, way});
+      }
       break;
     }
     case 2:
@@ -41,7 +47,7 @@ void ordered(Bench& bench, Random& random) {
       bench.command(random() % 3 == 0 ? Opcode::kLpes : Opcode::kLpei, {100 + some});
       break;
     case 5:
-      bench.command(Opcode::kSbpr, {0, random() % 100});
+      bench.command(random() % 2 == 0 ? Opcode::kSbpr : Opcode::kSbpa, {0, random() % 100});
       break;
     case 6:
       bench.ask(kLong[random() % kLong.size()]);

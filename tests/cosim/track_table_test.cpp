@@ -193,4 +193,5 @@ TEST_CASE("the table is written with a line a row") {
   Table table;
   table.rows = {{1, 2, 255, 4, 99, -5}};
   CHECK(table_csv(table) == "c,cc,vx,vy,dx,dy\n1,2,255,4,99,-5\n");
+  CHECK(listing_text(table) == "01 02 FF 04 FB 63\n");
 }

@@ -167,11 +167,19 @@ TEST_CASE("an693 E8 and E4 change speed at two breakpoints and stop smoothly") {
                                 "c1C d00 d40 c20 d00 d01 d38 d80 "
                                 "c1F d18 d28 d00 d00 d00 d11 d00 d02 d0C d4A c01 ");
   CHECK(bench.on_host(0x40) ==
-        "c1D d00 d00 c20 d00 d02 d71 d00 c1F d18 d0C d00 d02 d0C d4A c01 ");
-  CHECK(bench.on_host(0x40) == "c1D d00 d00 c1F d04 d00 c01 c1C d00 d04 ");
+        "c1D d00 d00 c20 d00 d02 d71 d00 c1F d18 d0C d00 d02 d0C d4A c01 c1C d00 d44 ");
+  CHECK(bench.on_host(0x40) == "c1D d00 d00 c1F d04 d00 c01 ");
   CHECK(bench.on_host(0x04) == "c1D d00 d00 ");
   CHECK(bench.on_timer() == "c08 c0A ");
   CHECK(bench.app.starts() == 3);
+}
+
+TEST_CASE("an693 E3 moves with the acceleration that is loaded") {
+  FakePart part;
+  part.states = {0x80};
+  Lm628Port port(part);
+  an693_move(port, 0x346E, -2);
+  CHECK(part.log == "c1F d00 d0A d00 d00 d34 d6E dFF dFF dFF dFE c01 ");
 }
 
 TEST_CASE("an693 E4 turns the motor off, stops abruptly or smoothly") {

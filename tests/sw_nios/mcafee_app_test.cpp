@@ -86,9 +86,9 @@ struct McafeeBench {
 
   explicit McafeeBench(const McafeeSetup& setup) : app(setup) { watch.bench = this; }
 
-  void run(double seconds) {
+  void run(double seconds, const cosim::ProcessorTiming& timing = {}) {
     cosim::Loop loop(chip, follower, watch);
-    cosim::run_direct(loop, app, {}, static_cast<cosim::Clk>(seconds / kClockS),
+    cosim::run_direct(loop, app, timing, static_cast<cosim::Clk>(seconds / kClockS),
                       [this] { return app.done(); });
   }
 };
@@ -225,8 +225,25 @@ TEST_CASE("no sample falls between the STT of the two axes, and the samples coin
   McafeeBench bench(tracking(rows));
   bench.run(5);
   REQUIRE(bench.app.done());
+  CHECK_FALSE(bench.app.failed());
   CHECK(bench.watch.apart == 0);  // of all samples
   CHECK(bench.watch.starts == 60);
+
+  // A processor that is too slow for it says so, at the first pair that a sample has parted.
+  int late = 0;
+  for (const auto& [access, latency] :
+       {std::pair{8, 14000}, {8, 15000}, {8, 16000}, {8, 17000}, {8, 20000}, {40, 100}, {300, 100},
+        {500, 100}, {600, 100}, {800, 100}, {1000, 100}}) {
+    McafeeBench slow(tracking(rows));
+    slow.run(20, {access, latency});
+    CAPTURE(access, latency);
+    const bool failed = slow.app.failure() == McafeeFailure::kLate;
+    late += failed;
+    CHECK(slow.watch.apart <= (failed ? 2 : 0));  // that pair, and the stop after it
+    CHECK((failed || slow.watch.starts == 60));
+  }
+  CHECK(late >= 5);
+  CHECK(late <= 9);
 }
 
 TEST_CASE("a feed rate that never comes ends the program, and nothing begins it again") {

@@ -78,12 +78,13 @@ TEST_CASE("LFIL takes what its control word asks for, in the part's order and wi
   CHECK(values("LFIL 0") == std::vector<std::int64_t>{0});
   for (const Lm628Value& value : parsed("LFIL 000Fh 1 2 3 4").values) CHECK(value.bits == 16);
   CHECK(refusal("\nLFIL 000Ah 50") ==
-        "move.lm628:2: LFIL 000Ah asks for kp, kd: 2 values, not 1");
+        "move.lm628:2: LFIL 000Ah asks for kp 0..32767 (7FFFh), kd 0..32767 (7FFFh): "
+        "2 values, not 1");
   CHECK(refusal("LFIL 0008h 32768") ==
         "move.lm628:1: LFIL: kp: 32768 is out of range 0..32767 (7FFFh)");
   CHECK_THAT(refusal("LFIL 0004h -1"), Contains("LFIL: ki: -1 is out of range"));
-  CHECK_THAT(refusal("LFIL 000Fh"), Contains("asks for kp, ki, kd, il: 4 values, not 0"));
-  CHECK_THAT(refusal("LFIL 0001h"), Contains("asks for il: 1 value, not 0"));
+  CHECK_THAT(refusal("LFIL 000Fh"), Contains(", il 0..32767 (7FFFh): 4 values, not 0"));
+  CHECK_THAT(refusal("LFIL 0001h"), Contains("asks for il 0..32767 (7FFFh): 1 value, not 0"));
   CHECK_THAT(refusal("LFIL"), Contains("control word 0..65535 (FFFFh) is missing"));
   CHECK_THAT(refusal("LFIL 10000h"), Contains("control word: 10000h is out of range"));
 }
@@ -98,8 +99,9 @@ TEST_CASE("LTRJ takes what its control word asks for; relative values may be neg
   CHECK(values("LTRJ 0100h") == std::vector<std::int64_t>{0x100});
   CHECK(values("LTRJ 1815h") == std::vector<std::int64_t>{0x1815});  // relative, but nothing loaded
   CHECK_THAT(refusal("LTRJ 002Ah 2 3"),
-             Contains("LTRJ 002Ah asks for acceleration, velocity, position: 3 values, not 2"));
-  CHECK_THAT(refusal("LTRJ 0003h"), Contains("asks for distance: 1 value, not 0"));
+             Contains("LTRJ 002Ah asks for acceleration 0..1073741823 (") &&
+                 Contains("3 values, not 2"));
+  CHECK_THAT(refusal("LTRJ 0003h"), Contains("asks for distance -1073741824..1073741823 ("));
   CHECK_THAT(refusal("LTRJ 0100h 5"), Contains("asks for nothing: 0 values, not 1"));
   CHECK_THAT(refusal("LTRJ 0008h 40000000h"),
              Contains("velocity: 40000000h is out of range 0..1073741823 (3FFFFFFFh)"));
