@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <stdexcept>
 
+#include "tests/chips/lm628_bench.hpp"
 #include "tests/chips/lm628_transfers.hpp"
 
 using trammel::exact::Lm628;

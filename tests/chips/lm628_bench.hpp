@@ -9,10 +9,10 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdint>
-#include <initializer_list>
 #include <stdexcept>
 
 #include "models/exact/chips/lm628.hpp"
+#include "tests/support/lm628_commands.hpp"
 #include "tests/support/rtl.hpp"
 
 namespace trammel::test {
@@ -122,7 +122,7 @@ class Lm628Pair : public Lm628Twin {
 };
 
 template <class Chip>
-class Lm628Bench {
+class Lm628Bench : public Lm628Commands<Lm628Bench<Chip>> {
  public:
   Chip chip;
 
@@ -201,50 +201,6 @@ class Lm628Bench {
     clocks(9);
     if (out().d_oe) throw std::logic_error("data on the bus still");
     return value;
-  }
-  std::uint8_t status() { return read(false); }
-  void ready() {
-    while ((status() & 1) != 0) clocks(100);
-  }
-
-  static std::uint8_t code(Opcode opcode) { return static_cast<std::uint8_t>(opcode); }
-
-  void command(Opcode opcode) {
-    write(false, code(opcode));
-    ready();
-  }
-  void word(unsigned value) {
-    write(true, static_cast<std::uint8_t>(value >> 8));
-    write(true, static_cast<std::uint8_t>(value));
-    ready();
-  }
-  void command(Opcode opcode, std::initializer_list<unsigned> words) {
-    command(opcode);
-    for (const unsigned value : words) word(value);
-  }
-  std::uint16_t read_word() {
-    const unsigned high = read(true);
-    const unsigned low = read(true);
-    ready();
-    return static_cast<std::uint16_t>(high << 8 | low);
-  }
-  std::int64_t ask(Opcode opcode) {
-    command(opcode);
-    const std::int64_t high = read_word();
-    if (exact::words_replied(static_cast<std::uint8_t>(opcode)) == 1) return high;
-    return as_signed(static_cast<std::uint64_t>(high << 16 | read_word()), 32);
-  }
-  void clear_status() { command(Opcode::kRsti, {0}); }
-
-  // LTRJ: control word, then acceleration, speed and position as far as it says.
-  void trajectory(unsigned control, std::initializer_list<std::int64_t> values) {
-    command(Opcode::kLtrj);
-    word(control);
-    for (const std::int64_t value : values) {
-      const std::uint32_t bits = as_bits(value, 32);
-      word(bits >> 16);
-      word(bits & 0xFFFF);
-    }
   }
 
  private:

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "tests/chips/lm628_bench.hpp"
+#include "tests/support/lm628_commands.hpp"
 #include "tests/support/random.hpp"
 
 namespace trammel::test {

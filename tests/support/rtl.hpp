@@ -16,6 +16,8 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/bits.hpp"
+
 namespace trammel::test {
 
 // Verilator's scopes leave the context of the thread, whichever was evaluated last: before a model
@@ -108,17 +110,5 @@ class Rtl {
   std::shared_ptr<Model> model_;
   bool was_reset_ = false;
 };
-
-// The low `bits` of a port as a two's complement number.
-inline std::int64_t as_signed(std::uint64_t value, int bits) {
-  const int shift = 64 - bits;
-  return static_cast<std::int64_t>(value << shift) >> shift;
-}
-
-// The low `bits` of a number, to be written to a port.
-inline std::uint32_t as_bits(std::int64_t value, int bits) {
-  const std::uint64_t mask = (std::uint64_t{1} << bits) - 1;
-  return static_cast<std::uint32_t>(static_cast<std::uint64_t>(value) & mask);
-}
 
 }  // namespace trammel::test
