@@ -79,6 +79,8 @@ RUNS = [
     (0, *AN693, "--audit", "-o", "OUT/an693"), (0, *AN693, "--assert", "-o", "OUT/an693"),
     (0, *MCAFEE, "-o", "OUT/mcafee"),
     (0, *AN693, "--wave", "vcd", "--wave-trigger", "hi", "-o", "OUT/an693"),
+    (0, *AN693, "--engine", "twin", "-o", "OUT/an693"), (0, "track", "--listing"),
+    (0, *MCAFEE, "--wave", "fst", "--wave-trigger", "row == 1", "-o", "OUT/mcafee"),
     (0, "lm628", "hold", "--wave", "fst", "--wave-window", "1.5ms:1.6ms", "-o", "OUT/lm628"),
     (0, *MCAFEE, "--wave", "fst", "--wave-window", "5ms:5.1ms", "-o", "OUT/mcafee"),
     *((5, *MCAFEE, way, "-s", "run.max_s=0.01", "-o", "OUT/mcafee")
@@ -139,7 +141,9 @@ REFUSED = [
     (2, "path.radius_mm", "track", "-s", "path.radius_mm=31"),
     (2, "is not offered", *MCAFEE, "--check"), (2, "is not one of mcafee", "track", "an693-hold"),
     (2, "is no key of the machine kung", "run", "circle", "-s", "filter.kp=1"),
-    (2, "is none of: drive", *AN693, "--wave", "fst", "--wave-trigger", "x.e > 3"),
+    (2, "is none of: drive", *AN693, "--wave", "fst", "--wave-trigger", "e ~ 3"),
+    (2, "did you mean status.index?", *AN693, "--wave", "fst", "--wave-trigger",
+     "rise status.idex"),
     (2, "needs a folder", "lm628", "hold", "--wave", "fst"),
     (2, "is not known before", "lm628", "hold", "--wave", "fst", "--wave-trigger", "hi", "-o",
      "OUT/lm628"),
@@ -148,7 +152,7 @@ REFUSED = [
     (2, "no such script", "lm628", "nothing"),
     (2, "is no key", "lm628", "hold", "-s", "gains.kp=1"),
     (5, "not within 0.01 s", "lm628", "OUT/late.lm628"),
-    (5, "busy bit did not clear", "lm628", "OUT/busy.lm628"),
+    (2, "here the commands are at the port", "lm628", "hold", "-s", "filter.kp=1"),
     (2, "only runs of one machine", "report", "OUT/direct", "OUT/an693", "-o", "OUT/two.html"),
     (2, "only runs of one machine", "report", "OUT/mcafee", "OUT/an693", "-o", "OUT/two.html"),
     (2, "at most 8", "report", *["OUT/direct"] * 9, "-o", "OUT/two.html"),
@@ -196,7 +200,6 @@ help wait\nhelp status\nhelp byte\nhelp PORT12\nquit\n"""
 def write_bad_input():
     (OUT / "bad.lm628").write_text("LTRK 0\n", encoding="utf-8")
     (OUT / "late.lm628").write_text("RSTI 0\nwait hi 10 ms\n", encoding="utf-8")
-    (OUT / "busy.lm628").write_text("byte c 0\nRDRP\n", encoding="utf-8")
     (OUT / "empty").mkdir()
     (OUT / "bad.toml").write_text("[gains\nkp = 1\n", encoding="utf-8")
     (OUT / "bad.csv").write_text("1,2\n3;4\n", encoding="utf-8")

@@ -33,23 +33,37 @@ double ideal_samples(const Config& c, std::int64_t counts) {
   return v * v / a <= way ? v / a + way / v : 2 * std::sqrt(way / a);
 }
 
-// From a speed, along ramps to rest at a target so far off. A sample's step leads half of its speed
-// less far than the ramp from it.
-double ideal_samples_on(const Config& c, double target, double speed) {
-  const double way = target + speed / 2;
-  if (way < 0) return ideal_samples_on(c, -target, -speed);
-  const double a = static_cast<double>(c.acceleration), v = static_cast<double>(c.velocity);
-  const double stop = speed * speed / (2 * a);
-  const auto from_rest = [&](double w) {
-    return v * v / a <= w ? v / a + w / v : 2 * std::sqrt(w / a);
-  };
-  if (speed < 0) return -speed / a + from_rest(way + stop);
-  if (stop > way) return speed / a + from_rest(stop - way);
-  const double top = std::min(v, std::sqrt(a * way + stop * a));
-  if (speed > top) {  // down to V, and on
-    return (speed - v) / a + (way - speed * speed / (2 * a)) / v + v / a;
+struct Fall {
+  double samples = 0, way = 0;
+};
+
+// By steps of the acceleration to a lower speed.
+Fall fall(double acceleration, double speed, double lowest) {
+  Fall f;
+  while (speed > lowest) {
+    speed = std::max(speed - acceleration, lowest);
+    f.way += speed;
+    ++f.samples;
   }
-  return (top - speed) / a + top / a + (way - (2 * top * top - speed * speed) / (2 * a)) / top;
+  return f;
+}
+
+// From a speed to rest at a target so far off, as fast as steps of the acceleration let it.
+double ideal_samples_on(const Config& c, double target, double speed) {
+  if (target < 0) return ideal_samples_on(c, -target, -speed);
+  const double a = static_cast<double>(c.acceleration), v = static_cast<double>(c.velocity);
+  const auto from_rest = [&](double way) {
+    return v * v / a <= way ? v / a + way / v : 2 * std::sqrt(way / a);
+  };
+  const Fall stop = fall(a, std::fabs(speed), 0);
+  if (speed < 0) return stop.samples + from_rest(target + stop.way);
+  if (stop.way > target) return stop.samples + from_rest(stop.way - target);
+  if (speed > v) {  // down to V, on, and to rest
+    const Fall down = fall(a, speed, v), last = fall(a, v, 0);
+    return down.samples + (target - down.way - last.way) / v + last.samples;
+  }
+  // As from rest, without the part that is behind it.
+  return from_rest(target + speed * speed / (2 * a) + speed / 2) - speed / a;
 }
 
 // What the sample before the present one was like, and whether the step from it was lawful.
@@ -59,16 +73,18 @@ struct Watch {
   int turns = 0;       // of it
   bool steep = false;  // its change was one that only the last two samples of a move may have
 
+  // now: the way of this sample; after the last one it rests.
   void check(const Config& c, std::int64_t now, bool finished) {
     const std::int64_t change = std::abs(now - speed);
     if (change > 2 * c.acceleration || (steep && !finished)) FAIL("acceleration");
+    if (finished && std::abs(now) > 2 * c.acceleration) FAIL("acceleration of the last sample");
     if (std::abs(now) > c.velocity && std::abs(now) >= std::abs(speed)) FAIL("velocity");
     steep = change > c.acceleration && !finished;
     if (now != 0) {
       if (direction * now < 0) ++turns;
       direction = now > 0 ? 1 : -1;
     }
-    speed = now;
+    speed = finished ? 0 : now;
   }
 };
 
@@ -77,8 +93,9 @@ std::int64_t rest_of(const Trapezoid& t) { return t.state.target * kOne - t.stat
 // Samples until the move is finished, every one lawful; at most `patience`.
 int run(Trapezoid& t, const Config& c, Watch& watch, int patience) {
   for (int n = 1; n <= patience; ++n) {
+    const std::int64_t before = t.state.position;
     const bool finished = t.step(c);
-    watch.check(c, t.state.speed, finished);
+    watch.check(c, t.state.position - before, finished);
     if (finished) return n;
   }
   return patience + 1;
@@ -106,7 +123,8 @@ TEST_CASE("trapezoid ends 10,000 random moves exactly, lawfully and in time") {
   Random random(21);
   double worst = 0;
   for (int move = 0; move < 10000;) {
-    const Config c = position(spread(random, 30), spread(random, 30));
+    const std::int64_t acceleration = spread(random, 30);
+    const Config c = position(acceleration, spread(random, 30));
     const std::int64_t target = spread(random, 30) * (random() % 2 == 0 ? 1 : -1);
     const double ideal = ideal_samples(c, std::abs(target));
     if (ideal > 3000) continue;
@@ -118,8 +136,9 @@ TEST_CASE("trapezoid ends 10,000 random moves exactly, lawfully and in time") {
     bool turned = false;
     int n = 0;
     for (bool finished = false; !finished && n < 4000; ++n) {
+      const std::int64_t before = t.state.position;
       finished = t.step(c);
-      watch.check(c, t.state.speed, finished);
+      watch.check(c, t.state.position - before, finished);
       turned = turned || (target > 0 ? t.state.speed < 0 : t.state.speed > 0);
     }
     REQUIRE(t.state.position == target * kOne);
@@ -135,11 +154,13 @@ TEST_CASE("trapezoid ends 10,000 moves exactly whose speed and target change in 
   Random random(22);
   double worst = 0;
   for (int move = 0; move < 10000; ++move) {
-    Config c = position(spread(random, 24), spread(random, 28));
+    const std::int64_t acceleration = spread(random, 24);
+    Config c = position(acceleration, spread(random, 28));
     Trapezoid t;
     Watch watch;
     CAPTURE(move, c.acceleration);
     for (int change = 0; change < 4; ++change) {
+      watch.steep = false;  // a new target may come between the last two samples
       const std::int64_t least = std::max<std::int64_t>(c.acceleration / 64, 1);
       c.velocity = std::min(least * spread(random, 12), (std::int64_t{1} << 30) - 1);
       const std::int64_t reach = std::min<std::int64_t>(c.velocity * 100 / kOne + 10, 1 << 30);
