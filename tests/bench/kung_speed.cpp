@@ -11,6 +11,7 @@
 
 #include "cosim/kung/chip.hpp"
 #include "systemc/machines/kung.hpp"
+#include "tests/support/no_plant.hpp"
 
 using namespace trammel;
 
@@ -18,14 +19,6 @@ namespace {
 
 constexpr double kSimulatedS = 0.1;
 constexpr cosim::Clk kClocks = 5'000'000;
-
-// Nothing moves and nothing is measured.
-struct NoPlant final : cosim::Plant {
-  cosim::Lines sense() const override { return 0; }
-  cosim::Clk next() const override { return cosim::kNever; }
-  void commit(cosim::Clk, cosim::Lines) override {}
-  int sample(int, cosim::Clk) const override { return 2048; }
-};
 
 double seconds(const std::function<void()>& work) {
   const auto start = std::chrono::steady_clock::now();
@@ -35,7 +28,7 @@ double seconds(const std::function<void()>& work) {
 
 double bare_clocks_per_s() {
   const auto chip = kung::make_verilated_chip(false);
-  const NoPlant plant;
+  const test::NoPlant plant;
   return kClocks / seconds([&] {
            while (chip->now() < kClocks) chip->run(kClocks, plant);
          });

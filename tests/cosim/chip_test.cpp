@@ -2,19 +2,12 @@
 #include <catch2/catch.hpp>
 
 #include "cosim/kung/chip.hpp"
+#include "tests/support/no_plant.hpp"
 
 using namespace trammel;
 using namespace trammel::kung;
 
 namespace {
-
-// Nothing moves; each converter reads its middle.
-struct NoPlant final : cosim::Plant {
-  cosim::Lines sense() const override { return 0; }
-  cosim::Clk next() const override { return cosim::kNever; }
-  void commit(cosim::Clk, cosim::Lines) override {}
-  int sample(int, cosim::Clk) const override { return 2048; }
-};
 
 struct RangeWatch final : Watcher {
   int edges = 0;
@@ -39,7 +32,7 @@ struct RangeWatch final : Watcher {
 TEST_CASE("every signal that a trigger may name is read in its range from the reset on") {
   RangeWatch watch;
   const auto chip = make_watched_chip(watch, false);
-  const NoPlant plant;
+  const test::NoPlant plant;
   while (chip->now() < 2000) chip->run(2000, plant);
   CHECK(watch.edges > 1900);
   CHECK(watch.outside.empty());
@@ -47,7 +40,7 @@ TEST_CASE("every signal that a trigger may name is read in its range from the re
 
 TEST_CASE("of two chips either may end first, whichever was evaluated last") {
   RangeWatch watch;
-  const NoPlant plant;
+  const test::NoPlant plant;
   auto first = make_watched_chip(watch, false);
   auto second = make_watched_chip(watch, false);
   second->run(2, plant);

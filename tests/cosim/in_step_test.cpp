@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 
 #include "cosim/machine_chip.hpp"
+#include "tests/support/no_plant.hpp"
 
 using namespace trammel;
 
@@ -62,20 +63,13 @@ struct Visited {
   }
 };
 
-struct NoPlant final : cosim::Plant {
-  cosim::Lines sense() const override { return 0; }
-  cosim::Clk next() const override { return cosim::kNever; }
-  void commit(cosim::Clk, cosim::Lines) override {}
-  int sample(int, cosim::Clk) const override { return 0; }
-};
-
 using Audited = cosim::AuditedChip<Counter, Visited>;
 
 // Its broken promise after some runs with a transfer and a changed pin between.
 std::optional<cosim::BrokenPromise> audited(const Faults& wrong) {
   faults = wrong;
   Audited chip;
-  const NoPlant plant;
+  const test::NoPlant plant;
   chip.run(60, plant);
   chip.sense(5);
   chip.run(150, plant);
@@ -90,7 +84,7 @@ std::optional<cosim::BrokenPromise> audited(const Faults& wrong) {
 TEST_CASE("chips that do the same keep the promise, and from outside they are the first") {
   CHECK_FALSE(audited({}));
   Audited chip;
-  CHECK(chip.run(1000, NoPlant()).edge == 99);
+  CHECK(chip.run(1000, test::NoPlant()).edge == 99);
   CHECK(chip.now() == 100);
   CHECK(chip.evaluated() == 1);
   CHECK(chip.registers().count == 100);

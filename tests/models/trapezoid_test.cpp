@@ -26,10 +26,9 @@ std::int64_t spread(Random& random, unsigned bits) {
   return 1 + random() % ((1u << (1 + random() % bits)) - 1);
 }
 
-double ideal_samples(const Config& c, std::int64_t counts) {
+double ideal_samples(const Config& c, double way) {
   const double a = static_cast<double>(c.acceleration);
   const double v = static_cast<double>(c.velocity);
-  const double way = static_cast<double>(counts) * kOne;
   return v * v / a <= way ? v / a + way / v : 2 * std::sqrt(way / a);
 }
 
@@ -52,18 +51,15 @@ Fall fall(double acceleration, double speed, double lowest) {
 double ideal_samples_on(const Config& c, double target, double speed) {
   if (target < 0) return ideal_samples_on(c, -target, -speed);
   const double a = static_cast<double>(c.acceleration), v = static_cast<double>(c.velocity);
-  const auto from_rest = [&](double way) {
-    return v * v / a <= way ? v / a + way / v : 2 * std::sqrt(way / a);
-  };
   const Fall stop = fall(a, std::fabs(speed), 0);
-  if (speed < 0) return stop.samples + from_rest(target + stop.way);
-  if (stop.way > target) return stop.samples + from_rest(stop.way - target);
+  if (speed < 0) return stop.samples + ideal_samples(c, target + stop.way);
+  if (stop.way > target) return stop.samples + ideal_samples(c, stop.way - target);
   if (speed > v) {  // down to V, on, and to rest
     const Fall down = fall(a, speed, v), last = fall(a, v, 0);
     return down.samples + (target - down.way - last.way) / v + last.samples;
   }
   // As from rest, without the part that is behind it.
-  return from_rest(target + speed * speed / (2 * a) + speed / 2) - speed / a;
+  return ideal_samples(c, target + speed * speed / (2 * a) + speed / 2) - speed / a;
 }
 
 // What the sample before the present one was like, and whether the step from it was lawful.
@@ -126,7 +122,7 @@ TEST_CASE("trapezoid ends 10,000 random moves exactly, lawfully and in time") {
     const std::int64_t acceleration = spread(random, 30);
     const Config c = position(acceleration, spread(random, 30));
     const std::int64_t target = spread(random, 30) * (random() % 2 == 0 ? 1 : -1);
-    const double ideal = ideal_samples(c, std::abs(target));
+    const double ideal = ideal_samples(c, static_cast<double>(std::abs(target)) * kOne);
     if (ideal > 3000) continue;
     ++move;
     CAPTURE(c.acceleration, c.velocity, target);

@@ -11,18 +11,12 @@
 #include "sw_nios/hal/lm628.hpp"
 #include "tests/chips/lm628_transfers.hpp"
 #include "tests/support/lm628_words.hpp"
+#include "tests/support/no_plant.hpp"
 
 using namespace trammel;
 using test::Random;
 
 namespace {
-
-struct NoPlant final : cosim::Plant {
-  cosim::Lines sense() const override { return 0; }
-  cosim::Clk next() const override { return cosim::kNever; }
-  void commit(cosim::Clk, cosim::Lines) override {}
-  int sample(int, cosim::Clk) const override { return 0; }
-};
 
 class ChipsBench final : public test::Lm628Commands<ChipsBench> {
  public:
@@ -69,7 +63,7 @@ class ChipsBench final : public test::Lm628Commands<ChipsBench> {
   }
 
   unsigned run(cosim::Clk end) {
-    const NoPlant plant;
+    const test::NoPlant plant;
     const cosim::Stop stop = rtl_->run(end, plant), same = twin_->run(end, plant);
     REQUIRE(same.edge == stop.edge);
     REQUIRE(same.why == stop.why);
