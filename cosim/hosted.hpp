@@ -44,8 +44,7 @@ class Hosted : public Base {
     while (s.now < end) {
       const Clk edge = s.now;
       const bool bus = bus_active();
-      const Clk quiet = settle(edge, bus);
-      const Clk clocks = bus ? 1 : std::min({quiet, end - edge, s.timer.waiting(edge)});
+      const Clk clocks = std::min({settle(edge, bus), end - edge, s.timer.waiting(edge)});
       if (clocks > 1) {
         leap(edge, clocks);
         s.now += clocks;
@@ -70,7 +69,8 @@ class Hosted : public Base {
 
  protected:
   virtual bool bus_active() const = 0;
-  virtual Clk settle(Clk edge, bool bus) = 0;     // before an edge: from it on so many only count
+  // Before an edge: from it on so many only count, at most 1 with a transfer on the bus.
+  virtual Clk settle(Clk edge, bool bus) = 0;
   virtual void leap(Clk edge, Clk clocks) = 0;    // passes as many at once
   virtual void raise(Clk edge) = 0;               // passes one
   virtual bool bus_edge(Clk edge) = 0;            // of a transfer was passed; true when it ended

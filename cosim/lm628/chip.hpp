@@ -4,6 +4,7 @@
 // a 12-bit converter. The verilated model and the twin stay behind this header.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <optional>
@@ -27,6 +28,14 @@ struct Words {
   std::int32_t output = 0;        // 16 bits
   std::uint8_t status = 0;
 };
+
+// The error as positions stand now, where a sample that turned the motor off has set the desired
+// one back, and kp times it.
+inline void derive_error(Words& w, std::int64_t kp) {
+  w.error = static_cast<std::int32_t>(
+      std::clamp<std::int64_t>((w.position >> 16) - w.actual, -32768, 32767));
+  w.proportional = static_cast<std::int32_t>(kp * w.error);
+}
 
 struct Lm628Chip : cosim::MachineChip {
   virtual Words words() const = 0;

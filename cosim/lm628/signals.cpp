@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cosim/lm628/signals.hpp"
 
-#include "sw_nios/hal/lm628.hpp"
+#include <iterator>
+
+#include "models/exact/motion/lm628_opcode.hpp"
 
 namespace trammel::lm628 {
 namespace {
@@ -33,11 +35,15 @@ constexpr struct {
 constexpr struct {
   const char* name;
   int bit;
-} kBits[] = {{"status.command_error", 1}, {"status.complete", 2},   {"status.index", 3},
-             {"status.wraparound", 4},    {"status.position_error", 5},
-             {"status.breakpoint", 6},    {"status.motor_off", 7}};
+} kBits[] = {{"status.command_error", exact::kCommandError},
+             {"status.complete", exact::kTrajectoryComplete},
+             {"status.index", exact::kIndex},
+             {"status.wraparound", exact::kWraparound},
+             {"status.position_error", exact::kPositionError},
+             {"status.breakpoint", exact::kBreakpoint},
+             {"status.motor_off", 7}};
 
-constexpr std::size_t kRowCount = sizeof kRows / sizeof *kRows;
+constexpr std::size_t kRowCount = std::size(kRows);
 
 }  // namespace
 

@@ -3,7 +3,6 @@
 // The words of the twin of an LM628 for the record.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
 
 #include "cosim/lm628/chip.hpp"
@@ -17,10 +16,7 @@ inline Words words_of(const exact::Lm628& part) {
   w.position = engine.desired().position;
   w.speed = static_cast<std::int32_t>(engine.desired().speed);
   w.actual = static_cast<std::int32_t>(engine.actual());
-  // As it stands now: a sample that turned the motor off has set the desired position back.
-  w.error = static_cast<std::int32_t>(
-      std::clamp<std::int64_t>((w.position >> 16) - w.actual, -32768, 32767));
-  w.proportional = static_cast<std::int32_t>(engine.filter().kp * w.error);
+  derive_error(w, engine.filter().kp);
   w.integral = static_cast<std::int32_t>(engine.pid().integral(engine.filter()));
   w.derivative = static_cast<std::int32_t>(engine.pid().derivative());
   w.output = static_cast<std::int32_t>(engine.output());

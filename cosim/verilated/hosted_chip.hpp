@@ -49,7 +49,7 @@ class HostedChip : public Hosted<Base, State> {
     if (bus) see_transfer();
     state_.dirty = false;
     ++state_.evaluated;
-    return model_.waiting();
+    return bus ? 1 : model_.waiting();
   }
   void leap(Clk edge, Clk clocks) final { model_.leap(edge, clocks); }
   void raise(Clk edge) final { model_.raise(edge); }

@@ -24,9 +24,7 @@ Words words_of(const Memory& memory, unsigned output, unsigned status) {
   w.position = m(kPos);
   w.speed = static_cast<std::int32_t>(m(kSpeed));
   w.actual = static_cast<std::int32_t>(m(kActual));
-  w.error = static_cast<std::int32_t>(
-      std::clamp<std::int64_t>((w.position >> 16) - w.actual, -32768, 32767));
-  w.proportional = static_cast<std::int32_t>(m(kKp) * w.error);
+  derive_error(w, m(kKp));
   w.integral = static_cast<std::int32_t>(
       std::clamp<std::int64_t>(m(kKi) * (m(kSum) >> 8), -m(kIl), m(kIl)));
   w.derivative = static_cast<std::int32_t>(m(kDeriv));
