@@ -6,7 +6,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
-import gen_lm628  # noqa: E402
+from trammel_tools.generate import gen_lm628
 
 CASES = [  # what becomes what, and the complaint; none where it is right
     ("nothing", "", "", None),

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""scripts/wave.py on small files written by hand: what it finds, draws and refuses."""
+"""trammel wave on small files written by hand: what it finds, draws and refuses."""
 
 import contextlib
 import io
@@ -13,13 +13,10 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-SCRIPTS = Path(__file__).resolve().parents[2] / "scripts"
-sys.path.insert(0, str(SCRIPTS))
-import python_tools  # noqa: E402
-
-python_tools.need("pywellen", "wave_test.py")
-import wave  # noqa: E402  pylint: disable=wrong-import-position
-import wave_picture  # noqa: E402  pylint: disable=wrong-import-position
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
+from trammel_tools import python_tools
+from trammel_tools.paths import TOOL
+from trammel_tools.waves import wave, wave_picture
 
 HEAD = """$timescale 1ns $end
 $scope module top $end
@@ -63,7 +60,7 @@ class WaveTest(unittest.TestCase):
     def run_wave(self, *words):
         """Exit code, standard output and standard error."""
         out, err = io.StringIO(), io.StringIO()
-        with mock.patch.object(sys, "argv", ["wave.py", *map(str, words)]), \
+        with mock.patch.object(sys, "argv", ["wave", *map(str, words)]), \
                 contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
             try:
                 code = wave.main()
@@ -170,10 +167,10 @@ class WaveTest(unittest.TestCase):
         self.assertIn("dead time", svg)
 
     def test_a_short_rest_is_drawn_and_a_longer_one_is_a_gap(self):
-        for clock, wave in ((16, "1.0.....1..|"), (18, "1.0.......1..|"), (19, "1.0..|..1..|")):
+        for clock, drawn in ((16, "1.0.....1..|"), (18, "1.0.......1..|"), (19, "1.0..|..1..|")):
             file = self.file("a.vcd", {0: '1"\n0#\n', 200: '0"\n', 20 * clock: '1"\n'})
             lanes, _, _ = self.draw(file, "--window", "8clk:54clk", "--signals", "low")
-            self.assertEqual(lanes["low"]["wave"], wave)
+            self.assertEqual(lanes["low"]["wave"], drawn)
 
     def test_a_measure_ends_after_it_began(self):
         file = self.file("a.vcd", {0: '1"\n0#\n', 200: '0"\n1#\n', 400: "0#\n"})
@@ -203,7 +200,7 @@ class WaveTest(unittest.TestCase):
     def test_a_reader_that_panics_says_nothing_itself(self):
         path = self.folder / "bits.vcd"
         path.write_text(vcd({**BASE, 400: "b01zz9 $\n"}), encoding="ascii")
-        done = subprocess.run([sys.executable, SCRIPTS / "wave.py", "compare", path, path],
+        done = subprocess.run([sys.executable, TOOL, "wave", "compare", path, path],
                               capture_output=True, text=True, check=False)
         self.assertEqual((done.returncode, done.stderr.count("\n")), (2, 1), done.stderr)
 
@@ -246,4 +243,5 @@ class WaveTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
+    python_tools.need("pywellen", "wave_test.py")
     unittest.main()

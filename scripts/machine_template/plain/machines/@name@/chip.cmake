@@ -1,0 +1,1 @@
+trammel_chip(@name@_pwm INTERFACE cosim::PinnedChip)

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The parts of machine.cpp that stand in units of their own.
+#pragma once
+
+#include <vector>
+
+#include "lab/machine.hpp"
+
+namespace trammel::@name@ {
+
+const std::vector<lab::Key>& keys();   // keys.cpp
+const lab::ColumnTable& columns();     // figures.cpp, as what follows
+std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult& result);
+const std::vector<cosim::Signal>& signals();  // session.cpp
+
+}  // namespace trammel::@name@

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Checks of the repository, its documentation, its builds and what the tests cover."""

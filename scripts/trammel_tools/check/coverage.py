@@ -1,0 +1,202 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Coverage of the RTL and of the C++ code by the tests, against floors.
+
+usage: trammel coverage [--keep] [--check rtl|cpp]
+
+Without --check it runs the tests that count (--keep: takes the counts that are there), prints a
+table of both and writes sources with counts to build/coverage: rtl/annotated, cpp/index.html.
+With --check it is a test of the one kind; CTest runs the tests that count before it. Floors are in
+scripts/coverage.toml and coverage.toml of each machine and part.
+
+RTL, counted by the unit tests of the blocks: every line and branch is executed, or it stands in
+coverage.toml with a reason; toggles of signals and states that a `cover` of the properties
+names stay above a floor for each block. Registers that a generator wrote are exempt.
+C++, counted by the unit tests and runs of the sanitized build (scripts/tool sanitize): lines of
+models, sw_nios, cosim, systemc, lab, parts, machines and testbench stay above a floor for each
+folder. A line of a template counts once; generated files and the tests themselves do not count.
+
+Exit codes: 0 all above their floors, 1 something is not, 2 no counts, 3 a tool is missing.
+"""
+
+import subprocess
+import sys
+from collections import Counter, defaultdict
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from trammel_tools import machines, python_tools
+from trammel_tools.check import coverage_cpp
+from trammel_tools.paths import ROOT
+from trammel_tools.rtl import lint
+
+FLOORS = ROOT / "scripts" / "coverage.toml"
+COUNTS = ROOT / "build" / "coverage" / "rtl"
+NO_COUNTS = 2
+
+
+class CoverageError(Exception):
+    """No counts, or floors that cannot be read."""
+
+
+@dataclass
+class Block:
+    """Counts of one RTL file and its properties, whatever instances it has in whatever model."""
+    lines: Counter = field(default_factory=Counter)  # (line, column, kind) -> executions
+    toggles: Counter = field(default_factory=Counter)  # (line, signal) -> changes
+    covers: Counter = field(default_factory=Counter)  # label -> times reached
+
+    @staticmethod
+    def share(points):
+        return 100 * sum(n > 0 for n in points.values()) / len(points) if points else 100.0
+
+
+def read_points(path):
+    """Fields and count of every point of a file that Verilator wrote: f file, l line, n column,
+    page kind and module, o comment."""
+    for line in path.read_text(encoding="utf-8", errors="replace").split("\n"):
+        if line.startswith("C '"):
+            text, count = line[3:].rsplit("' ", 1)
+            yield dict(f.split("\2", 1) for f in text.split("\1")[1:]), int(count)
+
+
+def read_blocks(path):
+    blocks = defaultdict(Block)
+    for point, count in read_points(path):
+        source = Path(point["f"])
+        kind = point["page"].split("/")[0]
+        if source.suffix != ".sv" or "generated" in source.parts:
+            continue
+        block = blocks[f"{source.parent.name}/{source.stem.removesuffix('_props')}"]
+        place = int(point["l"]), int(point["n"])
+        if kind == "v_user":
+            block.covers[point["o"]] += count
+        elif source.stem.endswith("_props"):
+            continue
+        elif kind == "v_toggle":
+            block.toggles[place[0], point["o"]] += count
+        else:
+            block.lines[*place, point["o"]] += count
+    return dict(sorted(blocks.items()))
+
+
+def merged():
+    files = sorted(COUNTS.glob("*.dat.*"))
+    if not files:
+        raise CoverageError(f"no counts in {COUNTS.relative_to(ROOT)}: run `trammel coverage`")
+    target = COUNTS.parent / "rtl.dat"
+    subprocess.run(["verilator_coverage", "--write", target, *files], check=True,
+                   capture_output=True)
+    return target
+
+
+def annotate(counts):
+    subprocess.run(["verilator_coverage", "--annotate", COUNTS / "annotated", "--annotate-all",
+                    counts], check=True, capture_output=True, cwd=ROOT)
+
+
+def line_text(block, line):
+    text = (ROOT / "rtl" / f"{block}.sv").read_text(encoding="utf-8").split("\n")
+    return text[line - 1].strip()
+
+
+def check_lines(blocks, exceptions):
+    """What is not executed and not excepted, and exceptions that nothing needs."""
+    left = Counter((e["file"], e["branch"], e["text"]) for e in exceptions)
+    for block, counts in blocks.items():
+        for (line, _, branch), count in sorted(counts.lines.items()):
+            if count > 0:
+                continue
+            name = f"rtl/{block}.sv"
+            text = line_text(block, line)
+            if (name, branch, text) in left:
+                left[name, branch, text] -= 1
+            else:
+                yield f"{name}:{line}: never executed ({branch}): {text}"
+    for block in lint.blocks():
+        if block not in blocks:
+            yield f"rtl/{block}.sv: no test counts it"
+    for (name, branch, text), count in left.items():
+        if count > 0:
+            yield f"{FLOORS.name}: stale exception: {name} ({branch}): {text}"
+
+
+def floor_of(floors, block):
+    return floors.get(block, floors["default"])
+
+
+def check_floors(blocks, what, floors, share):
+    for block, counts in blocks.items():
+        got, floor = share(counts), floor_of(floors, block)
+        if got < floor:
+            yield f"{block}: {what} {got:.1f} %, below its floor of {floor} %"
+    for block in floors.keys() - blocks.keys() - {"default"}:
+        yield f"{FLOORS.name}: {what}: no block {block}"
+
+
+def print_rtl(blocks):
+    print(f"{'RTL block':<24}{'lines':>14}{'toggles':>17}{'covers':>15}")
+    total = Block()
+    for name, counts in blocks.items():
+        print(f"{name:<24}", *(cell(points, width) for points, width in (
+            (counts.lines, 14), (counts.toggles, 17), (counts.covers, 15))), sep="")
+        for kind in ("lines", "toggles", "covers"):
+            getattr(total, kind).update(
+                {(name, key): n for key, n in getattr(counts, kind).items()})
+    print(f"{'all':<24}{cell(total.lines, 14)}{cell(total.toggles, 17)}{cell(total.covers, 15)}")
+
+
+def cell(points, width):
+    if not points:
+        return " " * (width - 1) + "-"
+    return f"{Block.share(points):.1f} % of {len(points)}".rjust(width)
+
+
+def check_rtl(floors):
+    blocks = read_blocks(merged())
+    print_rtl(blocks)
+    return [*check_lines(blocks, floors["exception"]),
+            *check_floors(blocks, "toggles", floors["toggles"], lambda b: b.share(b.toggles)),
+            *check_floors(blocks, "covers", floors["covers"], lambda b: b.share(b.covers))]
+
+
+def run_tests():
+    done = subprocess.run([ROOT / "trammel", "test", "-R", "^coverage\\."], check=False,
+                          stdout=sys.stderr)
+    return done.returncode
+
+
+def report(wrong):
+    for line in wrong:
+        print(f"coverage: {line}", file=sys.stderr)
+    return 1 if wrong else 0
+
+
+def main():
+    parser = python_tools.Parser(prog="trammel coverage", description=__doc__)
+    parser.add_argument("--keep", action="store_true", help="take the counts that are there")
+    parser.add_argument("--check", choices=("rtl", "cpp"), help="be a test of one kind")
+    options = parser.parse_args()
+    try:
+        floors = machines.tables("coverage.toml", FLOORS)
+        if options.check == "rtl":
+            return report(check_rtl(floors["rtl"]))
+        if options.check == "cpp":
+            return report(coverage_cpp.check(floors["cpp"]))
+        if not options.keep and run_tests() not in (0, 1):
+            return NO_COUNTS
+        wrong = check_rtl(floors["rtl"])
+        annotate(COUNTS.parent / "rtl.dat")
+        print(f"sources with counts: {(COUNTS / 'annotated').relative_to(ROOT)}")
+        if coverage_cpp.counted():
+            wrong += coverage_cpp.check(floors["cpp"])
+            coverage_cpp.annotate()
+            print(f"sources with counts: {coverage_cpp.PAGES.relative_to(ROOT)}/index.html")
+        else:
+            print("C++ code: not counted")
+        return report(wrong)
+    except (CoverageError, coverage_cpp.NoCounts, machines.MachineError) as error:
+        print(f"coverage: {error}", file=sys.stderr)
+        return NO_COUNTS
+    except FileNotFoundError as error:
+        print(f"coverage: {error.filename} is missing (trammel doctor)", file=sys.stderr)
+        return 3

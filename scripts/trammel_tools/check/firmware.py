@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Build the firmware for a small RISC-V core (rv32im, no operating system) and look at it.
+
+usage: scripts/tool firmware
+
+Compiles sw_nios/ as freestanding C++17 with every warning an error. An app with a main of its own,
+sw_nios/apps/<m>/rv32im/main.cpp, is linked with sw_nios/rv32im/link.ld, and its size is printed. It
+fails when the program holds a heap, a stream, exceptions, or arithmetic of floating point numbers:
+what must run to completion with the same result on every core has none of these.
+
+Exit codes: 0 as it should be, 1 it does not build or holds what it must not, 3 the cross compiler
+is missing (under CTest 77). The programs are build/firmware/<m>.elf.
+"""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+from trammel_tools.paths import ROOT
+
+SOURCES = ROOT / "sw_nios"
+OUT = ROOT / "build" / "firmware"
+PREFIX = "riscv64-unknown-elf-"
+CORE = ["-march=rv32im", "-mabi=ilp32"]
+COMPILE = ["-std=c++17", "-ffreestanding", "-fno-exceptions", "-fno-rtti",
+           "-fno-threadsafe-statics", "-fno-use-cxa-atexit", "-ffunction-sections",
+           "-fdata-sections", "-Os", "-Wall", "-Wextra", "-Wshadow", "-Wconversion", "-Werror",
+           "-I.", "-isystem", "sw_nios/rv32im/include"]
+LINK = ["--specs=picolibc.specs", "-nostartfiles", "-nostdlib", "-T", "sw_nios/rv32im/link.ld",
+        "-Wl,--gc-sections,--fatal-warnings,--no-warn-rwx-segments"]
+FORBIDDEN = {
+    "heap": r"malloc|free|calloc|realloc|_?sbrk|_Zn[wa]j.*|_Zd[la]Pv.*",
+    "floating point": r"__(add|sub|mul|div|neg|cmp|eq|ne|lt|le|gt|ge|unord|pow)[sdt]f[23i]+"
+                      r"|__(fix|fixuns|float|floatun|extend|trunc)\w*[sdt]f\w*",
+    "streams": r"_ZNSt8ios_base\w*|_ZSt4cout|_ZSt3cin|printf|puts",
+    "exceptions": r"__cxa_(throw|begin_catch|allocate_exception)|_Unwind_\w+",
+}
+
+
+def run(*command):
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        print((done.stdout + done.stderr).strip(), file=sys.stderr)
+    return done.stdout if done.returncode == 0 else None
+
+
+def compiled():
+    """{source: its object}, or None."""
+    OUT.mkdir(parents=True, exist_ok=True)
+    objects = {}
+    for source in sorted([*SOURCES.rglob("*.cpp"), *SOURCES.rglob("*.S")]):
+        name = "_".join(source.relative_to(SOURCES).with_suffix(".o").parts)
+        flags = COMPILE if source.suffix == ".cpp" else []
+        if run(f"{PREFIX}g++", *CORE, *flags, "-c", str(source), "-o", str(OUT / name)) is None:
+            return None
+        objects[source.relative_to(SOURCES)] = str(OUT / name)
+    return objects
+
+
+def app_of(source):
+    """The app that a source is of; None: all have it."""
+    return source.parts[1] if source.parts[0] == "apps" else None
+
+
+def programs(sources):
+    """Apps that have a main for the core."""
+    return [app_of(source) for source in sources
+            if app_of(source) and source == Path("apps", app_of(source), "rv32im", "main.cpp")]
+
+
+def link(app, objects):
+    """The program of an app, or None."""
+    program = OUT / f"{app}.elf"
+    own = [name for source, name in objects.items() if app_of(source) in (None, app)]
+    linked = run(f"{PREFIX}g++", *CORE, *LINK, *own, "-Wl,--start-group", "-lc", "-lgcc",
+                 "-Wl,--end-group", "-o", str(program))
+    return None if linked is None else program
+
+
+def forbidden(symbols):
+    for what, pattern in FORBIDDEN.items():
+        found = sorted(s for s in symbols if re.fullmatch(pattern, s))
+        if found:
+            yield f"firmware: {what} is linked: {', '.join(found)}"
+
+
+def main():
+    if any(a in ("-h", "--help") for a in sys.argv[1:]):
+        print(__doc__)
+        return 0
+    if shutil.which(f"{PREFIX}g++") is None:
+        print(f"firmware: {PREFIX}g++ is missing (trammel doctor)", file=sys.stderr)
+        return 77 if "CTEST_INTERACTIVE_DEBUG_MODE" in os.environ else 3
+    objects = compiled()
+    if objects is None:
+        return 1
+    apps = programs(objects)
+    if not apps:
+        print("firmware: no app has an rv32im/main.cpp", file=sys.stderr)
+        return 1
+    wrong = []
+    for program in [link(app, objects) for app in apps]:
+        if program is None:
+            return 1
+        text, data, bss = run(f"{PREFIX}size", str(program)).split("\n")[1].split()[:3]
+        print(f"firmware: {program.relative_to(ROOT)}: text {text}, data {data}, bss {bss} bytes")
+        names = run(f"{PREFIX}nm", "--format=posix", str(program)).split("\n")
+        wrong += forbidden({line.split()[0] for line in names if line})
+    for line in wrong:
+        print(line, file=sys.stderr)
+    return 1 if wrong else 0

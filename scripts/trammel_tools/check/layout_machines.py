@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What makes a folder of machines/ a machine, and where its name may stand.
+
+A name is free in the machine's own folders, in rtl/ and models/, in generated files and in all that
+is not program text (pages, README, CHANGELOG). Everywhere else the folders are asked.
+"""
+
+import difflib
+import re
+from pathlib import Path
+
+PROGRAM_TEXT = {".cpp", ".hpp", ".h", ".S", ".js", ".css", ".html", ".py", ".cmake", ".in", ".toml",
+                ".sh", ".vlt"}
+PROGRAM_FILES = {"CMakeLists.txt", "CMakePresets.json"}
+FREE = {"rtl", "models", "third_party"}
+# Companions of machines/<m>/, from the folder that holds machines/.
+COMPANIONS = ("machines/{0}/machine.cpp", "machines/{0}/README.md", "sw_nios/apps/{0}/{0}.hpp",
+              "sw_nios/apps/{0}/{0}.cpp", "waves/{0}.gtkw")
+CHIPS = Path("rtl/chips")
+
+
+def machines_of(files):
+    return sorted({p.parts[1] for p in files if p.parts[0] == "machines" and len(p.parts) > 2})
+
+
+def read(root, path):
+    return (root / path).read_text(encoding="utf-8")
+
+
+def is_program(root, path):
+    if path.suffix in PROGRAM_TEXT or path.name in PROGRAM_FILES:
+        return True
+    return not path.suffix and (root / path).read_bytes()[:2] == b"#!"
+
+
+def is_free(path, machine):
+    """Whether a file may name the machine."""
+    return (path.parts[0] in FREE or "generated" in path.parts or path.name == "trammel.core"
+            or path.parts[:2] == ("machines", machine)
+            or path.parts[:3] == ("sw_nios", "apps", machine))
+
+
+def check_names(root, files, machines):
+    """Names of machines in what all of them share."""
+    if not machines:
+        return
+    word = re.compile(rf"(?<!\w)({'|'.join(map(re.escape, machines))})(?!\w)")
+    for path in sorted(files):
+        if all(is_free(path, machine) for machine in machines) or not is_program(root, path):
+            continue
+        for number, line in enumerate(read(root, path).split("\n"), 1):
+            for name in dict.fromkeys(word.findall(line)):
+                if not is_free(path, name):
+                    yield f"{path}:{number}: names the machine {name}"
+
+
+def chips_of(root, files, machine):
+    """Chips that the machine's chip.cmake names."""
+    path = Path("machines", machine, "chip.cmake")
+    text = read(root, path) if path in files else ""
+    return re.findall(r"^\s*trammel_chip\(\s*(\w+)", text, re.M)
+
+
+def has_part(root, files, machine):
+    """Whether the machine is made with the chip of a part."""
+    used = {Path("parts", part, "chip.cmake") for p in files
+            if p.parts[:2] == ("machines", machine) and p.suffix in (".cpp", ".hpp")
+            for part in re.findall(r'#include "parts/(\w+)/', read(root, p))}
+    return bool(used & files)
+
+
+def lacks(root, files, machine, what):
+    """Whether machine.cpp says that the chip has no `leap` contract or no `twin`."""
+    path = Path("machines", machine, "machine.cpp")
+    return path in files and re.search(rf"\bcan\.{what} = false;", read(root, path)) is not None
+
+
+def can_leap(text):
+    return re.search(r"\bleap_i\b", text) and re.search(r"\bquiescent_o\b", text)
+
+
+def plain_chips(root, files):
+    """Chips without the leap contract, whose machines say so."""
+    chips = {CHIPS / f"{chip}.sv" for machine in machines_of(files)
+             if lacks(root, files, machine, "leap") for chip in chips_of(root, files, machine)}
+    return {path for path in chips & files if not can_leap(read(root, path))}
+
+
+def check_chips(root, files, machine):
+    folder = Path("machines", machine)
+    for chip in chips_of(root, files, machine):
+        path = CHIPS / f"{chip}.sv"
+        if path not in files:
+            yield f"{folder}/chip.cmake: there is no {path}"
+            continue
+        if not lacks(root, files, machine, "leap") and not can_leap(read(root, path)):
+            yield (f"{path}: has no ports leap_i and quiescent_o, and {folder}/machine.cpp does "
+                   "not say `can.leap = false;`")
+        twin = Path("models", "exact", "chips", f"{chip}.hpp")
+        if not lacks(root, files, machine, "twin") and twin not in files:
+            yield (f"{path}: companion {twin} is missing, and {folder}/machine.cpp does not say "
+                   "`can.twin = false;`")
+
+
+def check_machine(root, files, machine):
+    """Companions of one folder of machines/."""
+    folder = Path("machines", machine)
+    for companion in COMPANIONS:
+        if Path(companion.format(machine)) not in files:
+            yield f"{folder}/: companion {companion.format(machine)} is missing"
+    inside = [p.relative_to(folder) for p in files if p.is_relative_to(folder)]
+    if not any(p.parts[0] == "scenarios" and p.suffix == ".toml" for p in inside):
+        yield f"{folder}/: no scenario in {folder}/scenarios/"
+    if not any(p.parts[0] == "tests" for p in inside):
+        yield f"{folder}/: no test in {folder}/tests/"
+    if folder / "chip.cmake" not in files and not has_part(root, files, machine):
+        yield f"{folder}/: neither {folder}/chip.cmake nor the chip of a part of parts/"
+    yield from check_chips(root, files, machine)
+
+
+def check_strays(files, machines):
+    """Firmware and views of no machine."""
+    apps = {(Path(*p.parts[:3]), p.parts[2]) for p in files
+            if p.parts[:2] == ("sw_nios", "apps") and len(p.parts) > 3}
+    views = {(p, p.stem) for p in files if p.parts[0] == "waves" and p.suffix == ".gtkw"}
+    for path, name in sorted(apps | views):
+        if name not in machines:
+            near = difflib.get_close_matches(name, machines, 1)
+            hint = f"; did you mean {near[0]}?" if near else ""
+            yield f"{path}: there is no machines/{name}/{hint}"
+
+
+def check(root, files):
+    machines = machines_of(files)
+    for machine in machines:
+        yield from check_machine(root, files, machine)
+    yield from check_strays(files, machines)
+    yield from check_names(root, files, machines)

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Which folder of the C++ code may include what: of the repository and of libraries."""
+
+import re
+
+FOLDERS = ("rtl/", "models/", "sw_nios/", "cosim/", "systemc/", "lab/", "parts/", "machines/",
+           "testbench/", "examples/", "tests/")
+FIRMWARE = ["sw_nios/hal/", "sw_nios/path/"]
+LOOP = ["cosim/", "models/", *FIRMWARE, "rtl/chips/generated/"]
+PART = ["parts/", "lab/", *LOOP]
+MACHINE = ["parts/", "lab/", "systemc/", *LOOP]  # and its own folders
+# Folder of a C++ file -> prefixes of the repository's headers that it may include.
+USES = {
+    "models/fixed": ["models/fixed/"],
+    "models/exact": ["models/exact/", "models/fixed/"],
+    "models/ideal": ["models/ideal/"],
+    "models/plant": ["models/plant/", "models/fixed/"],
+    "sw_nios": [*FIRMWARE, "models/fixed/"],
+    "cosim": LOOP,
+    "systemc": ["systemc/", *LOOP],
+    "lab": ["lab/", "systemc/", "cosim/"],
+    "parts": PART,
+    "testbench": ["testbench/", "lab/", "cosim/"],
+    "examples": ["lab/", "cosim/"],
+    "tests": [*FOLDERS, "support/"],
+}
+# Register maps, which all of them may have; and signals of a chip by their place in its model.
+REGISTERS = re.compile(r"rtl/chips/generated/\w+_regs\.hpp")
+SIGNALS = re.compile(r"rtl/chips/generated/\w+_signals\.hpp")
+# Headers that Verilator has or writes, and ours that include them.
+VERILATED = re.compile(r"verilated\w*\.h|V\w+\.h|\w+_(registers|traced)\.hpp|.*/verilated/.*")
+# Headers of other libraries that only some folders may see.
+LIBRARIES = {"systemc": ("systemc", "tests"),
+             "Eigen/": ("models/plant", "models/ideal", "tests")}
+
+
+def place_of(path):
+    """(folder as USES or a reader calls it, prefixes it may include) of a file; or (None, [])."""
+    first, second = path.parts[:2]
+    if first == "machines" and len(path.parts) > 2:
+        own = [f"machines/{second}/", f"sw_nios/apps/{second}/"]
+        inner = path.parts[2]
+        if inner == "tests":
+            return "tests", [*own, *MACHINE, "testbench/", "tests/"]
+        return f"{first}/{second}", [*own, *MACHINE, *(["testbench/"] * (inner == "verbs"))]
+    if path.parts[:2] == ("sw_nios", "apps"):
+        app = "/".join(path.parts[:3])
+        return app, [*USES["sw_nios"], f"{app}/"]
+    two = f"{first}/{second}"
+    folder = two if two in USES else first
+    return (folder, USES[folder]) if folder in USES else (None, [])
+
+
+def is_forbidden(path, folder, allowed, name):
+    if name.startswith(FOLDERS) and not REGISTERS.fullmatch(name) and (
+            not name.startswith(tuple(allowed))):
+        return True
+    sees_models = folder == "tests" or path.parent.name == "verilated"
+    if (VERILATED.fullmatch(name) or SIGNALS.fullmatch(name)) and not sees_models:
+        return True
+    if SIGNALS.fullmatch(name) and path.parts[0] not in ("machines", "parts"):
+        return True
+    return any(name.startswith(library) and not name.startswith(FOLDERS) and folder not in users
+               for library, users in LIBRARIES.items())
+
+
+def check(root, path):
+    folder, allowed = place_of(path) if len(path.parts) > 1 else (None, [])
+    if folder is None:
+        return
+    for number, line in enumerate((root / path).read_text(encoding="utf-8").split("\n"), 1):
+        found = re.match(r'\s*#\s*include\s*["<]([^">]+)[">]', line)
+        if found and is_forbidden(path, folder, allowed, found[1]):
+            yield f"{path}:{number}: {folder} may not include {found[1]}"
+        elif found and folder == "models/exact" and found[1] in ("cmath", "math.h"):
+            yield f"{path}:{number}: {folder} holds integers only, no {found[1]}"

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The machines, found by their folders, and what their files tell the tools.
+
+A table of a tool may be in several files: the shared one and machines/<m>/NAME, parts/<p>/NAME.
+"""
+
+import importlib.util
+import json
+import subprocess
+import tomllib
+
+from trammel_tools.paths import ROOT
+
+
+class MachineError(Exception):
+    """A file of a machine that cannot be used, or the program does not say what it has."""
+
+
+def folders():
+    """Folder of each machine, by its name."""
+    return {path.parent.name: path.parent for path in sorted(ROOT.glob("machines/*/machine.cpp"))}
+
+
+def scenarios():
+    """{scenario: machine}."""
+    return {path.stem: name for name, folder in folders().items()
+            for path in sorted(folder.glob("scenarios/*.toml"))}
+
+
+def described(program):
+    """What `trammel list machines` says, in the program's order."""
+    done = subprocess.run([program, "list", "machines", "--json"], capture_output=True, text=True,
+                          check=False)
+    if done.returncode != 0:
+        raise MachineError(f"{program} list machines: exit {done.returncode}: "
+                           f"{done.stderr.strip()}")
+    return json.loads(done.stdout)
+
+
+def read(path):
+    try:
+        return tomllib.loads(path.read_text(encoding="utf-8"))
+    except tomllib.TOMLDecodeError as error:
+        raise MachineError(f"{path.relative_to(ROOT)}: {error}") from error
+
+
+def merge(into, more, path):
+    """Adds a table to another; a value that both have is an error, lists are joined."""
+    for key, value in more.items():
+        if isinstance(value, dict):
+            merge(into.setdefault(key, {}), value, path)
+        elif isinstance(value, list):
+            into[key] = into.get(key, []) + value
+        elif key in into:
+            raise MachineError(f"{path.relative_to(ROOT)}: {key} is in another file too")
+        else:
+            into[key] = value
+
+
+def tables(name, shared=None):
+    """The shared file and those of this name in machines/*/ and parts/*/ as one table."""
+    whole = {}
+    for path in [*([shared] if shared else []),
+                 *sorted([*ROOT.glob(f"machines/*/{name}"), *ROOT.glob(f"parts/*/{name}")])]:
+        merge(whole, read(path), path)
+    return whole
+
+
+def runs(name):
+    """machines/<m>/tests/runs.toml: what tests that all machines share run of this one."""
+    path = ROOT / "machines" / name / "tests" / "runs.toml"
+    return read(path) if path.exists() else {}
+
+
+def modules(name):
+    """{machine: module} of the files machines/<m>/tests/NAME.py."""
+    found = {}
+    for machine, folder in folders().items():
+        path = folder / "tests" / f"{name}.py"
+        if path.exists():
+            spec = importlib.util.spec_from_file_location(f"{machine}_{name}", path)
+            found[machine] = importlib.util.module_from_spec(spec)
+            spec.loader.exec_module(found[machine])
+    return found

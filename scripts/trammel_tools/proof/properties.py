@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Reads rtl/<layer>/<block>_props.sv: its promises, covers, negative controls and options; and the
+sentence of each promise on the block's page."""
+
+import re
+from dataclasses import dataclass, field
+
+from trammel_tools.paths import RTL
+from trammel_tools.proof import controls
+from trammel_tools.proof.controls import Control
+
+
+class PropertiesError(Exception):
+    """What is wrong with a properties file or with what the tools said of it; one line."""
+
+
+@dataclass
+class Properties:
+    block: str  # layer/stem
+    promises: list[str] = field(default_factory=list)
+    helpers: list[str] = field(default_factory=list)  # inv_*: they only help the proof
+    covers: list[str] = field(default_factory=list)
+    controls: list[Control] = field(default_factory=list)
+    complaints: list[tuple[int, str]] = field(default_factory=list)  # (line, what a control lacks)
+    cut: list[str] = field(default_factory=list)  # modules whose outputs are free
+    free: list[str] = field(default_factory=list)  # cell types whose outputs are free
+    configurations: list[list[str]] = field(default_factory=list)  # of Name=value
+    depth: int = 4  # of the induction, in clocks
+    frames: int = 100  # depth of the search for covers and refutations
+    begin: int = 0  # first clock of the search for refutations
+    leap: list[str] = field(default_factory=list)  # labels on which the leap of a chip rests
+
+    @property
+    def stem(self):
+        return self.block.split("/")[1]
+
+    @property
+    def path(self):
+        return RTL / f"{self.block}_props.sv"
+
+    @property
+    def asserts(self):
+        return self.promises + self.helpers
+
+
+def blocks():
+    """Every block that has a properties file."""
+    return sorted(f"{p.parent.name}/{p.stem.removesuffix('_props')}"
+                  for p in RTL.glob("*/*_props.sv"))
+
+
+def read(block):
+    """Labels, negative controls and options of rtl/<block>_props.sv."""
+    props = Properties(block)
+    where = f"rtl/{block}_props.sv"
+    text = props.path.read_text(encoding="utf-8")
+    code = "\n".join(line.split("//")[0] for line in text.split("\n"))
+    read_labels(props, code, where)
+    for number, line in enumerate(text.split("\n"), 1):
+        comment = re.match(r"\s*// (breaks|prove)\b(.*)$", line)
+        if comment and comment[1] == "breaks":
+            read_control(props, comment[2], number)
+        elif comment:
+            read_option(props, comment[2], f"{where}:{number}")
+    if not props.promises:
+        raise PropertiesError(f"{where}: promises nothing")
+    for label in props.leap:
+        if label not in props.asserts:
+            raise PropertiesError(f"{where}: prove: leap: no assertion {label}")
+    labels = props.asserts + props.covers
+    for label in labels:
+        if labels.count(label) > 1:
+            raise PropertiesError(f"{where}: label {label} twice")
+    return props
+
+
+def read_labels(props, code, where):
+    for label, kind in re.findall(r"(\w+)\s*:\s*(assert|cover)\s*\(", code):
+        if (kind == "cover") != label.startswith("reaches_"):
+            raise PropertiesError(f"{where}: {label}: covers, and only they, are named reaches_...")
+        wanted = props.covers if kind == "cover" else (
+            props.helpers if label.startswith("inv_") else props.promises)
+        wanted.append(label)
+    if re.search(r"\bassume\b", code):
+        raise PropertiesError(f"{where}: no assume; make the restriction an antecedent")
+    if re.search(r"\b(?:assert|cover)\s+(?:property|final)\b|\b(?:assert|cover)\s*#0", code):
+        raise PropertiesError(f"{where}: immediate assertions only")
+    if len(re.findall(r"\b(?:assert|cover)\b", code)) != len(props.asserts) + len(props.covers):
+        raise PropertiesError(f"{where}: every assert and cover needs a label")
+
+
+def read_control(props, text, number):
+    """A mistake in it does not hide what the promises are worth: it is told after them."""
+    try:
+        control = controls.parse(text)
+    except controls.ControlError as error:
+        props.complaints.append((number, str(error)))
+        return
+    for name in control.promises:
+        if name not in props.promises:
+            props.complaints.append((number, f"the control is of no promise {name}"))
+    control.promises = [name for name in control.promises if name in props.promises]
+    control.module, control.line = control.module or props.stem, number
+    props.controls.append(control)
+
+
+def read_option(props, text, where):
+    option, *words = text.removeprefix(":").split() or [""]
+    if not words:
+        raise PropertiesError(f"{where}: not `prove: option value`")
+    match option:
+        case "cut": props.cut += words
+        case "leap": props.leap += words
+        case "free": props.free += words
+        case "set": props.configurations.append(words)
+        case "depth": props.depth = int(words[0])
+        case "frames": props.frames = int(words[0])
+        case "from": props.begin = int(words[0])
+        case _: raise PropertiesError(f"{where}: unknown option {option}")
+
+
+def sentences(block):
+    """{promise: sentence} of the list under `## Promises` on the block's page."""
+    page = (RTL / f"{block}.md").read_text(encoding="utf-8")
+    _, _, after = page.partition("\n## Promises\n")
+    section = after.split("\n## ")[0]
+    items = re.findall(r"^[-*] `(\w+)`\s*[:=]\s*(.+(?:\n  .+)*)", section, re.M)
+    return {name: " ".join(text.split()) for name, text in items}

@@ -1,0 +1,86 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Lint RTL blocks with verilator -Wall and verible-verilog-lint (default rules).
+
+usage: trammel lint [layer/block ...]      without arguments: every block
+
+Exit codes: 0 clean, 1 findings, 2 no such block, 3 verilator is missing,
+77 verible is missing and verilator found nothing (CTest counts it as skipped).
+"""
+
+import shutil
+import subprocess
+import sys
+
+from trammel_tools.paths import ROOT, RTL
+
+GENERATED = RTL / "chips" / "generated"
+WAIVERS = ROOT / "scripts" / "lint.vlt"
+SKIPPED = 77
+
+
+def blocks():
+    """Own blocks; packages are linted with the blocks that use them, boards are exempt."""
+    for source in sorted(RTL.glob("*/*.sv")):
+        if source.parent.name != "boards" and not source.stem.endswith(("_pkg", "_props")):
+            yield f"{source.parent.name}/{source.stem}"
+
+
+def packages():
+    """In an order in which each finds the ones it imports."""
+    found = [*RTL.glob("pkg/*_pkg.sv"), *RTL.glob("math/*_pkg.sv"), *GENERATED.glob("*_pkg.sv")]
+    return sorted(found, key=lambda p: (["pkg", "math", "generated"].index(p.parent.name), p.name))
+
+
+def find_verible():
+    local = ROOT / ".venv" / "bin" / "verible-verilog-lint"
+    return str(local) if local.exists() else shutil.which("verible-verilog-lint")
+
+
+def run(command):
+    done = subprocess.run(command, capture_output=True, text=True, cwd=ROOT, check=False)
+    if done.returncode != 0:
+        print((done.stdout + done.stderr).replace(f"{ROOT}/", ""), end="")
+    return done.returncode == 0
+
+
+def lint_verilator(block):
+    source = RTL / f"{block}.sv"
+    search = [f"-I{d}" for d in sorted(RTL.iterdir()) if d.is_dir() and d.name != "boards"]
+    props = source.with_name(f"{source.stem}_props.sv")
+    return run(["verilator", "--lint-only", "-Wall", "--assert", *search, f"-I{GENERATED}",
+                "--top-module", source.stem, str(WAIVERS), *map(str, packages()), str(source),
+                *([str(props)] if props.exists() else [])])
+
+
+def lint_verible(verible, block):
+    stem = RTL / block
+    own = [stem.with_suffix(".sv"), stem.with_name(f"{stem.name}_props.sv")]
+    own += [p for p in packages() if p.parent != GENERATED]
+    return run([verible, *(str(p) for p in own if p.exists())])
+
+
+def main():
+    if any(a in ("-h", "--help") for a in sys.argv[1:]):
+        print(__doc__)
+        return 0
+    wanted = sys.argv[1:] or list(blocks())
+    for block in wanted:
+        if not (RTL / f"{block}.sv").exists():
+            print(f"lint: rtl/{block}.sv: no such block", file=sys.stderr)
+            return 2
+    if shutil.which("verilator") is None:
+        print("lint: verilator is missing (trammel doctor)", file=sys.stderr)
+        return 3
+    verible = find_verible()
+    clean = True
+    for block in wanted:
+        clean = lint_verilator(block) and clean
+        if verible:
+            clean = lint_verible(verible, block) and clean
+    if not clean:
+        return 1
+    if not verible:
+        print("skipped: verible missing")
+        return SKIPPED
+    print(f"lint: {len(wanted)} block(s) clean")
+    return 0

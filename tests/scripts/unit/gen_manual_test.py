@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Pages that are made of what the program says."""
+
+import unittest
+
+from trammel_tools.generate import gen_manual
+
+
+def key(name, default, text="a gain", limits="0 to 1"):
+    return {"key": name, "default": default, "range": limits, "help": text}
+
+
+class GenManualTest(unittest.TestCase):
+    def test_the_longest_end_of_a_name_is_its_unit(self):
+        for name, unit in (("x_m", "m"), ("v_m_s", "m/s"), ("v_max_m_s", "m/s"), ("kt_N_A", "N/A"),
+                           ("limit_m_max", "m"), ("gain", ""), ("plant.mass_kg", "kg")):
+            self.assertEqual(gen_manual.unit(name), unit, name)
+
+    def test_axes_of_one_key_are_one_row(self):
+        text = gen_manual.sections_text([key("name", "circle"), key("gains.x.kp", "1"),
+                                         key("gains.y.kp", "1"), key("gains.x.ki", "2"),
+                                         key("gains.y.ki", "3"), key("gains.mode", "a|b", "<or>")])
+        self.assertIn("\n## run\n", text)
+        self.assertEqual([line for line in text.split("\n") if line.startswith("| `gains")], [
+            "| `gains.[x.\\|y.]kp` | 1 |  | 0 to 1 | a gain |",
+            "| `gains.[x.\\|y.]ki` | x 2, y 3 |  | 0 to 1 | a gain |",
+            "| `gains.mode` | a\\|b |  | 0 to 1 | &lt;or&gt; |"])
+
+    def test_only_the_text_between_the_marks_is_replaced(self):
+        page = "a\n<!-- begin x -->\nold\n<!-- end x -->\nb\n"
+        self.assertEqual(gen_manual.replaced(page, "x", "new\n"), page.replace("old", "new"))
+        for broken in ("a\n", page.replace("end", "stop")):
+            with self.assertRaisesRegex(gen_manual.NotSaid, "no lines <!-- begin x --> and"):
+                gen_manual.replaced(broken, "x", "new\n")
+
+    def test_a_command_that_fails_says_nothing(self):
+        with self.assertRaisesRegex(gen_manual.NotSaid, "exit 3: the last line"):
+            gen_manual.said("sh", "-c", "echo first >&2; echo the last line >&2; exit 3")

@@ -1,0 +1,192 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The layout check on machines: companions, names in shared text, chips without a contract."""
+
+from scratch import Scratch
+from trammel_tools.check import check_layout
+
+LICENCE = "// SPDX-License-Identifier: Apache-2.0\n"
+PLAIN = LICENCE + """module winder_pwm (
+    input logic clk_i
+);
+  always_ff @(posedge clk_i) on_o <= 1;
+endmodule
+"""
+PAGE = """# chips/winder_pwm
+
+| | |
+|---|---|
+| Shape | a |
+| Latency | 1 |
+| Source | - |
+| Twin | - |
+| Properties | none |
+"""
+MACHINE = "machines/winder/machine.cpp"
+CHIP = "rtl/chips/winder_pwm.sv"
+NO_CONTRACT = LICENCE + "  m.can.leap = false;\n  m.can.twin = false;\n"
+GOOD = {
+    MACHINE: NO_CONTRACT,
+    "machines/winder/README.md": "# winder\n",
+    "machines/winder/chip.cmake": "trammel_chip(winder_pwm)\n",
+    "machines/winder/scenarios/winder-spin.toml": 'machine = "winder"\n',
+    "machines/winder/tests/keys_test.cpp": LICENCE,
+    "sw_nios/apps/winder/winder.hpp": LICENCE,
+    "sw_nios/apps/winder/winder.cpp": LICENCE,
+    "waves/winder.gtkw": "[*] winder\n",
+    CHIP: PLAIN,
+    "rtl/chips/winder_pwm.md": PAGE,
+    "docs/page.md": "The machine winder.\n",
+}
+
+
+class Layout(Scratch):
+    def findings(self, changes):
+        """Of a good repository with these files added, changed, or, with None, left out."""
+        self.setUp()
+        self.init()
+        for path, text in {**GOOD, **changes}.items():
+            if text is not None:
+                self.write(path, text)
+        return list(check_layout.findings(self.folder))
+
+    def finds(self, told, changes):
+        with self.subTest(told):
+            self.assertEqual(self.findings(changes), [told])
+
+
+class CompanionsTest(Layout):
+    def test_there_is_nothing_to_say_of_a_good_machine(self):
+        self.assertEqual(self.findings({}), [])
+
+    def test_a_missing_companion_is_named(self):
+        for path in ("machines/winder/README.md", "sw_nios/apps/winder/winder.cpp",
+                     "sw_nios/apps/winder/winder.hpp", "waves/winder.gtkw"):
+            self.finds(f"machines/winder/: companion {path} is missing", {path: None})
+        self.finds("machines/winder/: no scenario in machines/winder/scenarios/",
+                   {"machines/winder/scenarios/winder-spin.toml": None})
+        self.finds("machines/winder/: no test in machines/winder/tests/",
+                   {"machines/winder/tests/keys_test.cpp": None})
+
+    def test_a_description_of_another_name_is_missing(self):
+        self.assertIn("machines/winder/: companion machines/winder/machine.cpp is missing",
+                      self.findings({MACHINE: None, "machines/winder/machines.cpp": NO_CONTRACT}))
+
+    def test_a_machine_has_a_chip_or_that_of_a_part(self):
+        bare = {"machines/winder/chip.cmake": None, CHIP: None, "rtl/chips/winder_pwm.md": None}
+        told = ("machines/winder/: neither machines/winder/chip.cmake nor the chip of a part of "
+                "parts/")
+        self.finds(told, bare)
+        part = {"parts/servo/chip.cmake": "trammel_chip(servo)\n", "parts/servo/lines.hpp": LICENCE}
+        self.finds(told, {**bare, **part})
+        used = {MACHINE: NO_CONTRACT + '#include "parts/servo/lines.hpp"\n'}
+        self.assertEqual(self.findings({**bare, **part, **used}), [])
+
+    def test_firmware_and_views_of_no_machine_are_named(self):
+        stray = "there is no machines/winde/; did you mean winder?"
+        self.finds(f"sw_nios/apps/winde: {stray}", {"sw_nios/apps/winde/winde.hpp": LICENCE})
+        self.finds(f"waves/winde.gtkw: {stray}", {"waves/winde.gtkw": "[*] x\n"})
+        self.finds("waves/zz.gtkw: there is no machines/zz/", {"waves/zz.gtkw": "[*] x\n"})
+
+
+class NamesTest(Layout):
+    def test_program_text_that_machines_share_does_not_name_one(self):
+        for path, line in (("lab/machine.cpp", LICENCE + "// as winder does"),
+                           ("lab/page/main.js", LICENCE + "if (name === 'winder') {}"),
+                           ("scripts/tools/x.py", LICENCE.replace("//", "#") + "M = 'winder'"),
+                           ("cmake/x.cmake", "\nset(all winder)"),
+                           ("scripts/floors.toml", "\nwinder = 3"),
+                           ("tests/CMakeLists.txt", "\nrun(winder-spin)"),
+                           ("go", "#!/bin/sh\n# SPDX-License-Identifier: Apache-2.0\nrun winder"),
+                           ("machines/other.cpp", LICENCE + "// winder")):
+            number = line.count("\n") + 1
+            self.finds(f"{path}:{number}: names the machine winder", {path: line + "\n"})
+
+    def test_a_machine_does_not_name_another_one(self):
+        other = {path.replace("winder", "saw"): text.replace("winder", "saw")
+                 for path, text in GOOD.items()}
+        self.assertEqual(self.findings(other), [])
+        self.finds("machines/saw/keys.cpp:2: names the machine winder",
+                   {**other, "machines/saw/keys.cpp": LICENCE + "// winder\n"})
+        self.finds("sw_nios/apps/saw/saw.cpp:2: names the machine winder",
+                   {**other, "sw_nios/apps/saw/saw.cpp": LICENCE + "// winder\n"})
+
+    def test_other_words_names_of_sources_and_pages_are_free(self):
+        self.assertEqual(self.findings({
+            "lab/machine.cpp": LICENCE + "// Winder 2012 eq. 3; rewinder; winder_pwm\n",
+            "README.md": "winder\n", "CHANGELOG.md": "winder\n",
+            "rtl/chips/generated/x.hpp": "// winder\n",
+            "models/plant/winder.hpp": LICENCE + "// of winder\n"}), [])
+
+
+class ContractTest(Layout):
+    def test_a_chip_without_a_contract_says_so(self):
+        told = (f"{CHIP}: has no ports leap_i and quiescent_o, and {MACHINE} does not say "
+                "`can.leap = false;`")
+        twin = (f"{CHIP}: companion models/exact/chips/winder_pwm.hpp is missing, and {MACHINE} "
+                "does not say `can.twin = false;`")
+        props = f"{CHIP}: companion rtl/chips/winder_pwm_props.sv is missing"
+        self.assertEqual(self.findings({MACHINE: LICENCE}), [props, told, twin])
+        self.assertEqual(self.findings({
+            MACHINE: LICENCE + "  m.can.leap = false;\n",
+            "models/exact/chips/winder_pwm.hpp": LICENCE}), [])
+
+    def test_a_chip_with_a_contract_has_the_companions_of_one(self):
+        ports = "    input logic leap_i,\n    output logic quiescent_o,\n"
+        self.assertEqual(
+            self.findings({CHIP: PLAIN.replace("(\n", f"(\n{ports}", 1),
+                           "rtl/chips/winder_pwm.md": PAGE + "`leap_i` `quiescent_o`\n"}),
+            [f"{CHIP}: companion rtl/chips/winder_pwm_props.sv is missing",
+             f"{CHIP}: companion rtl/chips/winder_pwm_leap.toml is missing"])
+
+    def test_a_chip_that_is_named_is_there(self):
+        self.finds("machines/winder/chip.cmake: there is no rtl/chips/winder.sv",
+                   {"machines/winder/chip.cmake": "trammel_chip(winder)\n", CHIP: None,
+                    "rtl/chips/winder_pwm.md": None})
+
+
+class UsesTest(Layout):
+    def test_folders_include_only_what_lies_below(self):
+        good = {"parts/servo/chip.cmake": "trammel_chip(servo)\n"}
+        for path, name, who in (
+                ("cosim/loop.hpp", "lab/record.hpp", "cosim"),
+                ("cosim/loop.hpp", "systemc/wire.hpp", "cosim"),
+                ("systemc/wire.hpp", "lab/record.hpp", "systemc"),
+                ("lab/record.hpp", "testbench/run.hpp", "lab"),
+                ("lab/record.hpp", "parts/servo/lines.hpp", "lab"),
+                ("lab/record.hpp", "models/plant/motor.hpp", "lab"),
+                ("parts/servo/lines.hpp", "testbench/run.hpp", "parts"),
+                ("parts/servo/lines.hpp", "systemc/wire.hpp", "parts"),
+                ("testbench/run.hpp", "parts/servo/lines.hpp", "testbench"),
+                ("testbench/run.hpp", "systemc/wire.hpp", "testbench"),
+                ("sw_nios/hal/bus.hpp", "cosim/loop.hpp", "sw_nios"),
+                ("sw_nios/apps/winder/winder.hpp", "lab/record.hpp", "sw_nios/apps/winder"),
+                ("machines/winder/keys.cpp", "testbench/run.hpp", "machines/winder"),
+                ("machines/winder/keys.cpp", "tests/support/x.hpp", "machines/winder"),
+                ("machines/winder/keys.cpp", "machines/saw/keys.hpp", "machines/winder"),
+                ("machines/winder/keys.cpp", "sw_nios/apps/saw/saw.hpp", "machines/winder"),
+                ("machines/winder/keys.cpp", "rtl/chips/generated/x_signals.hpp",
+                 "machines/winder"),
+                ("machines/winder/keys.cpp", "cosim/verilated/x.hpp", "machines/winder"),
+                ("machines/winder/keys.cpp", "verilated.h", "machines/winder"),
+                ("machines/winder/keys.cpp", "Vwinder_pwm.h", "machines/winder"),
+                ("machines/winder/keys.cpp", "winder_pwm_traced.hpp", "machines/winder"),
+                ("cosim/verilated/x.hpp", "rtl/chips/generated/x_signals.hpp", "cosim"),
+                ("lab/record.hpp", "systemc", "lab"),
+                ("lab/record.hpp", "Eigen/Dense", "lab")):
+            self.finds(f"{path}:2: {who} may not include {name}",
+                       {**good, path: f'{LICENCE}#include "{name}"\n'})
+
+    def test_what_lies_below_is_free(self):
+        for path, names in (
+                ("cosim/loop.hpp", ("models/plant/x.hpp", "sw_nios/hal/bus.hpp",
+                                    "rtl/chips/generated/x_regs.hpp")),
+                ("cosim/verilated/x.hpp", ("verilated.h", "cosim/verilated/y.hpp")),
+                ("parts/servo/verilated/x.hpp", ("Vservo.h", "rtl/chips/generated/x_signals.hpp")),
+                ("testbench/run.hpp", ("lab/record.hpp", "cosim/loop.hpp")),
+                ("machines/winder/keys.cpp", ("systemc/wire.hpp", "parts/servo/x.hpp",
+                                              "sw_nios/apps/winder/winder.hpp", "lab/x.hpp")),
+                ("machines/winder/verbs/verbs.cpp", ("testbench/run.hpp",)),
+                ("machines/winder/tests/keys_test.cpp", ("testbench/run.hpp", "verilated.h",
+                                                         "tests/support/x.hpp", "systemc"))):
+            text = LICENCE + "".join(f'#include "{name}"\n' for name in names)
+            self.assertEqual(self.findings({path: text}), [], path)

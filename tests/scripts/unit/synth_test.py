@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Whose a cell is, what the cells cost, and what is over the budget."""
+
+import unittest
+
+from trammel_tools.synth import synth_netlist, synth_report
+from trammel_tools.synth.synth_netlist import Count
+
+
+def cell(kind, inputs=(), outputs=()):
+    return {"type": kind, "connections": {"I": list(inputs), "O": list(outputs)},
+            "port_directions": {"I": "input", "O": "output"}}
+
+
+def module(source, ports, cells=None, names=None):
+    found = {"attributes": {"src": f"rtl/{source}:1.1"}, "cells": cells or {}, "netnames": {},
+             "ports": {}}
+    for name, (direction, bit) in ports.items():
+        found["ports"][name] = {"direction": direction, "bits": [bit]}
+        found["netnames"][name] = {"bits": [bit]}
+    for name, bit in (names or {}).items():
+        found["netnames"][name] = {"bits": [bit]}
+    return found
+
+
+def instance(kind, **ports):
+    return {"type": kind, "connections": {port: [bit] for port, bit in ports.items()}}
+
+
+# Two registers in a row, each in a block of its own; what lies between feeds the second.
+MODULES = {"modules": {
+    "chip": module("chips/chip.sv", {"in_i": ("input", 2), "out_o": ("output", 4)},
+                   {"u_a": instance("a", d_i=2, q_o=3), "u_b": instance("b", d_i=3, q_o=4)},
+                   {"middle": 3}),
+    "a": module("math/a.sv", {"d_i": ("input", 2), "q_o": ("output", 3)}, names={"x_q": 3}),
+    "b": module("drive/b.sv", {"d_i": ("input", 2), "q_o": ("output", 3)}, names={"y_q": 3})}}
+MAPPED = {"modules": {"chip": {
+    "cells": {"ff_a": cell("TRELLIS_FF", [2], [10]), "lut": cell("LUT4", [10], [20]),
+              "ff_b": cell("TRELLIS_FF", [20], [30])},
+    "netnames": {"u_a.x_q": {"bits": [10]}, "u_b.y_q": {"bits": [30]},
+                 "hidden": {"bits": [20], "hide_name": 1}}}}}
+
+
+class SynthNetlistTest(unittest.TestCase):
+    def test_logic_belongs_to_the_block_it_feeds(self):
+        netlist = synth_netlist.Netlist(MODULES, MAPPED, "chip")
+        self.assertEqual({name: netlist.owner(name) for name in netlist.cells},
+                         {"ff_a": "u_a", "lut": "u_b", "ff_b": "u_b"})
+        self.assertEqual(netlist.signal("ff_a"), ("u_a", "x_q"))
+        blocks = netlist.by_block()
+        self.assertEqual(blocks["math/a"], (1, {"TRELLIS_FF": 1}))
+        self.assertEqual(blocks["drive/b"], (1, {"TRELLIS_FF": 1, "LUT4": 1}))
+        self.assertEqual(blocks["chips/chip"][1], netlist.total())
+
+    def test_what_feeds_several_belongs_to_the_one_around_them(self):
+        for scopes, around in ((["u_x.u_a", "u_x.u_b"], "u_x"), (["u_x.u_a", "u_y"], ""),
+                               (["u_x.u_a"], "u_x.u_a"), (["u_x", "u_x.u_a"], "u_x"), ([], "")):
+            self.assertEqual(synth_netlist.common(scopes), around)
+
+    def test_cells_of_a_carry_chain_and_a_memory(self):
+        count = Count(LUT4=5, CCU2C=3, chain=1, TRELLIS_DPR16X4=2, DP16KD=1, MULT18X18D=4,
+                      TRELLIS_FF=7)
+        self.assertEqual(count.table(), {"cells": 5 + 10 + 12, "lut4": 5, "carry": 10, "ff": 7,
+                                         "block_ram": 1, "multipliers": 4})
+
+
+class SynthReportTest(unittest.TestCase):
+    BUDGET = {"cells": {"math/a": 10}, "multipliers": {"math/a": 1},
+              "ecp5": {"clock_mhz": 50, "limits": {"cells": 90, "fmax_mhz": 60}},
+              "group": [{"name": "a loop", "cells": 30, "blocks": {"math/a": 2, "math/b": 1}}]}
+
+    def findings(self, **used):
+        return list(synth_report.findings({"blocks": {"math/a": {"isolated": used}}}, self.BUDGET))
+
+    def test_what_is_over_the_budget_is_told(self):
+        self.assertEqual(self.findings(cells=10, multipliers=1), [])
+        self.assertEqual(self.findings(cells=11, multipliers=2),
+                         ["math/a: 11 cells, more than 10", "math/a: 2 multipliers, more than 1"])
+
+    def test_a_placed_chip_is_held_to_its_clock_and_its_limits(self):
+        def findings(cells, speed):
+            return list(synth_report.placed_findings("chip", {"cells": cells}, speed,
+                                                     self.BUDGET["ecp5"]))
+
+        self.assertEqual(findings(90, 60), [])
+        self.assertEqual(findings(91, 59),
+                         ["chip: 59 MHz, less than the budget's 60",
+                          "chip: 91 cells, more than 90"])
+        self.assertEqual(findings(90, 49), ["chip: 49 MHz, less than the 50 MHz it runs at"])
+
+    def test_blocks_of_a_group_are_counted_together(self):
+        blocks = {"math/a": {"isolated": {"cells": 10}, "in_chip": {"cells": 36}, "instances": 4},
+                  "math/b": {"isolated": {"cells": 11}, "in_chip": {"cells": 20}, "instances": 2}}
+        result = {"blocks": blocks}
+        self.assertEqual(list(synth_report.findings(result, self.BUDGET)),
+                         ["a loop: 31 cells, more than 30"])
+        self.assertEqual(list(synth_report.group_lines(result, self.BUDGET)),
+                         ["a loop: 31 cells alone, 28 in the chip"])
+        del blocks["math/b"]
+        self.assertEqual(list(synth_report.group_lines(result, self.BUDGET)), [])
+
+    def test_another_design_stands_beside_ours(self):
+        result = {"chip": {"cells": 1000, "block_ram": 3},
+                  "blocks": {"math/a": {"in_chip": {"cells": 300, "block_ram": 1}}}}
+        rows = [{"name": "first", "theirs": [16110, 0], "blocks": ["math/a"]},
+                {"name": "other", "of": "rest"}, {"name": "all", "theirs": [2, 3], "of": "chip"},
+                {"name": "theirs alone", "theirs": [5, 6]}]
+        self.assertEqual(list(synth_report.comparison_lines(result, {"rows": rows})), [
+            ["first", "16,110", "0", "300", "18,432"], ["other", "-", "-", "700", "36,864"],
+            ["all", "2", "3", "1,000", "55,296"], ["theirs alone", "5", "6", "-", "-"]])
+
+    def test_a_column_is_as_wide_as_its_widest_cell(self):
+        self.assertEqual(list(synth_report.text_table(["block", "n"], [["a", "100"]])),
+                         ["block    n", "a      100"])

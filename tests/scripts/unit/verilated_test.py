@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is read out of the C++ that Verilator writes: registers, inputs, what a dump depends on."""
+
+from scratch import Scratch, call
+from trammel_tools.generate import gen_registers, gen_wave_timers
+from trammel_tools.rtl import hierarchy
+
+RTL = """module chip;  // old <= new
+  always_ff @(posedge clk_i) begin
+    count_q <= count_d;
+    {sum_q, carry_q} <= a + b;
+    memory[address] <= word; if (x <= y) flag_q <= 1;
+  end
+endmodule
+"""
+ROOT = """
+    VL_IN8(clk_i,0,0);
+    VL_IN8(rst_i,0,0);
+    VL_INW(word_i,95,0,3);
+    VL_OUT8(done_o,0,0);
+    CData/*0:0*/ chip__DOT__flag_q;
+    SData/*11:0*/ chip__DOT__u_a__DOT__count_q;
+    IData/*31:0*/ chip__DOT__u_a__DOT__count_d;
+    QData/*47:0*/ chip__DOT__gen_axis__BRA__1__KET____DOT__sum_q;
+    CData/*0:0*/ __Vdly__chip__DOT__flag_q;
+    VlUnpacked<SData/*15:0*/, 64> chip__DOT__memory;
+"""
+DUMP = """void Vchip___024root__trace_chg_sub_0(Vchip___024root* vlSelf, Buffer* bufp) {
+    uint32_t* const oldp = bufp->oldp(vlSymsp->__Vm_baseCode + 7);
+    VlWide<3>/*95:0*/ __Vtemp_1;
+    // Body
+    if (VL_UNLIKELY(vlSelf->__Vm_traceActivity[0U])) {
+        bufp->chgBit(oldp+0,(vlSelf->chip__DOT__flag_q));
+    }
+    __Vtemp_1[0U] = vlSelf->chip__DOT__wide[0U];
+    bufp->chgWData(oldp+1,(__Vtemp_1),96);
+    bufp->chgBit(oldp+4,(vlSelf->clk_i));
+}
+"""
+
+
+class GenRegistersTest(Scratch):
+    def test_a_register_is_what_the_rtl_assigns_with_an_arrow(self):
+        assigned = gen_registers.assigned_names(
+            "".join(hierarchy.modules("chip", [self.write("chip.sv", RTL)]).values()))
+        self.assertLessEqual({"count_q", "sum_q", "carry_q", "memory", "flag_q"}, assigned)
+        self.assertNotIn("count_d", assigned)
+        self.assertNotIn("old", assigned)
+        self.assertEqual(gen_registers.registers(ROOT, assigned), [
+            "chip__DOT__flag_q", "chip__DOT__u_a__DOT__count_q",
+            "chip__DOT__gen_axis__BRA__1__KET____DOT__sum_q", "chip__DOT__memory"])
+
+    def test_an_output_that_the_rtl_assigns_with_an_arrow_is_a_register(self):
+        self.assertEqual(gen_registers.outputs(ROOT, {"done_o", "count_q"}), ["done_o"])
+        self.assertEqual(gen_registers.outputs(ROOT, {"count_q"}), [])
+
+    def test_inputs_are_all_but_the_clock(self):
+        self.assertEqual(gen_registers.inputs(ROOT), ["rst_i", "word_i"])
+        self.assertEqual(gen_registers.inputs("VL_IN8(clk,0,0);\nVL_IN8(rst,0,0);"), ["rst"])
+
+    def test_modules_of_other_chips_are_not_looked_at(self):
+        inside = hierarchy.modules("chip", [
+            self.write("chip.sv", "module chip;\n  part #(\n    .N(1)\n  ) u_part (.x(y));\n"
+                                  "  leaf u_leaf (.*);  // other u_other (\nendmodule\n"),
+            self.write("part.sv", "module part;\nendmodule\n"),
+            self.write("leaf.sv", "module leaf;\nendmodule\n"),
+            self.write("other.sv", "module other;\nendmodule\n")])
+        self.assertEqual(sorted(inside), ["chip", "leaf", "part"])
+
+    def test_a_member_is_read_as_its_name_in_the_rtl(self):
+        self.assertEqual(
+            gen_registers.readable("chip__DOT__gen_axis__BRA__1__KET____DOT__sum_q"),
+            "chip.gen_axis[1].sum_q")
+
+    def run_on(self, *members):
+        """Exit code and complaint of models with two registers, and the second with these too."""
+        rtl = self.write("chip.sv", "".join(f"r{n}_q <= 0;\n" for n in range(60)))
+        kept = "".join(f"    CData/*0:0*/ chip__DOT__r{n}_q;\n" for n in (7, 8))
+        first = self.write("first.h", kept)
+        more = "".join(f"    CData/*0:0*/ {member};\n" for member in members)
+        code, _, err = call(gen_registers.main, self.folder / "chip_registers.hpp", first,
+                            self.write("second.h", kept + more), rtl)
+        return code, err
+
+    def test_a_register_that_only_another_model_has_is_refused(self):
+        self.assertEqual(self.run_on(), (0, ""))
+        text = (self.folder / "chip_registers.hpp").read_text()
+        self.assertIn("struct ChipRegisters {", text)
+        self.assertIn('    visit("chip.r7_q", a.chip__DOT__r7_q, b.chip__DOT__r7_q);\n', text)
+        self.assertEqual(self.run_on("chip__DOT__u_x_props__DOT__r55_q"), (0, ""))
+        code, err = self.run_on("chip__DOT__r55_q")
+        self.assertEqual(code, 1)
+        self.assertIn("name them in public.vlt: chip.r55_q\n", err)
+
+    def test_a_model_without_a_register_is_refused(self):
+        code, _, err = call(gen_registers.main, self.folder / "chip_registers.hpp",
+                            self.write("first.h", "    CData/*0:0*/ chip__DOT__r7_q;\n"),
+                            self.write("chip.sv", "assign r7_q = 0;\n"))
+        self.assertEqual(code, 1)
+        self.assertIn("no register in ", err)
+
+
+class GenWaveTimersTest(Scratch):
+    def test_a_dump_is_divided_into_its_statements_with_what_they_compute(self):
+        root, first, declared, found = gen_wave_timers.divide(DUMP)
+        self.assertEqual((root, first, declared), ("Vchip___024root", "7",
+                                                   {"__Vtemp_1": "VlWide<3>"}))
+        self.assertEqual(found, [
+            "bufp->chgBit(oldp+0,(vlSelf->chip__DOT__flag_q));",
+            "__Vtemp_1[0U] = vlSelf->chip__DOT__wide[0U];\n"
+            "bufp->chgWData(oldp+1,(__Vtemp_1),96);",
+            "bufp->chgBit(oldp+4,(vlSelf->clk_i));"])
+
+    def test_a_dump_that_is_not_understood_is_refused(self):
+        for old, new, told in (("    bufp->chgBit(oldp+4", "    other(1);\n    bufp->chgBit(oldp+4",
+                                "not understood: other"),
+                               ("__Vtemp_1),96", "__Vtemp_2),96", "depends on more than members"),
+                               ("}\n", "}\nvoid V__trace_chg_sub_1();\n", "more than one part")):
+            with self.subTest(told), self.assertRaisesRegex(ValueError, told):
+                gen_wave_timers.divide(DUMP.replace(old, new, 1))
+
+    def test_timers_move_and_other_registers_do_not(self):
+        for name, moves in (("clk_i", True), ("clk", True), ("next_o", True), ("u_next_o", True),
+                            ("chip__DOT__u_pwm__DOT__phase", True),
+                            ("chip__DOT__u_t__DOT__u_period__DOT__count_q", True),
+                            ("chip__DOT__u_t__DOT__u_other__DOT__count_q", False),
+                            ("chip__DOT__flag_q", False)):
+            self.assertEqual(bool(gen_wave_timers.MOVING.fullmatch(name)), moves, name)
