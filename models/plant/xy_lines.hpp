@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Pins of the two-axis table in packed words; equal to cosim/kung/lines.hpp, which asserts it.
+// Pins of the two-axis table in packed words; the machine with such a table tests that its chip has
+// them there.
 #pragma once
 
 #include <cstdint>

@@ -6,6 +6,8 @@
 
 #include <cstdint>
 
+#include "sw_nios/hal/mailbox.hpp"
+
 namespace trammel::sw {
 
 struct Bus {
@@ -20,7 +22,7 @@ struct Bus {
 struct Firmware {
   virtual void start(Bus& bus) = 0;
   virtual void isr(Bus& bus) = 0;
-  virtual bool done() const = 0;  // the program has ended: nothing more will be commanded
+  virtual const Mailbox& mailbox() const = 0;
 
  protected:
   ~Firmware() = default;

@@ -8,16 +8,16 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "models/exact/chips/generated/kung_xy_map.hpp"
 #include "models/exact/chips/kung_current.hpp"
 #include "models/fixed/fixed.hpp"
+#include "rtl/chips/generated/kung_xy_regs.hpp"
 
 namespace trammel::exact {
 
 class KungRegisters {
  public:
   KungRegisters() {
-    for (const kung_xy_map::Register& reg : kung_xy_map::kRegisters) {
+    for (const kung_xy_regs::Register& reg : kung_xy_regs::kRegisters) {
       words_[reg.address / 4] = reg.reset;
     }
   }
@@ -30,9 +30,9 @@ class KungRegisters {
   // Returns the bits that pulse.
   std::uint32_t write(std::uint32_t address, std::uint32_t data, bool locked) {
     const auto* const reg = std::lower_bound(
-        kung_xy_map::kRegisters.begin(), kung_xy_map::kRegisters.end(), address,
-        [](const kung_xy_map::Register& r, std::uint32_t a) { return r.address < a; });
-    if (reg == kung_xy_map::kRegisters.end() || reg->address != address) return 0;
+        kung_xy_regs::kRegisters.begin(), kung_xy_regs::kRegisters.end(), address,
+        [](const kung_xy_regs::Register& r, std::uint32_t a) { return r.address < a; });
+    if (reg == kung_xy_regs::kRegisters.end() || reg->address != address) return 0;
     const std::uint32_t bits = reg->written & ~(locked ? reg->locked : 0);
     std::uint32_t& word = words_[address / 4];
     word = (word & ~bits) | (data & bits);
@@ -40,7 +40,7 @@ class KungRegisters {
   }
 
  private:
-  std::array<std::uint32_t, kung_xy_map::kRegisters.back().address / 4 + 1> words_{};
+  std::array<std::uint32_t, kung_xy_regs::kRegisters.back().address / 4 + 1> words_{};
 };
 
 struct KungAxisRegisters {
@@ -60,7 +60,7 @@ constexpr std::int32_t signed_word(std::uint32_t word, int bits) {
 }
 
 constexpr fixed::Gain gain_of(std::uint32_t word) {
-  using namespace kung_xy_map;
+  using namespace kung_xy_regs;
   return {static_cast<std::int32_t>((word & kKpMantMask) >> kKpMantShift),
           signed_word((word & kKpExpMask) >> kKpExpShift, 5)};
 }

@@ -5,7 +5,7 @@
 
 namespace trammel::exact {
 
-namespace map = kung_xy_map;
+namespace map = kung_xy_regs;
 
 namespace {
 

@@ -65,7 +65,7 @@ class KungXy {
   const Supervisor::Out& fault() const { return supervisor_.out(); }
 
  private:
-  static constexpr std::array<std::uint32_t, 2> kBases{kung_xy_map::kX, kung_xy_map::kY};
+  static constexpr std::array<std::uint32_t, 2> kBases{kung_xy_regs::kX, kung_xy_regs::kY};
 
   struct Axis {
     Qep qep;

@@ -11,9 +11,9 @@
 #include <utility>
 
 #include "models/exact/bus/lm628_bridge.hpp"
-#include "models/exact/chips/generated/mcafee_xy_map.hpp"
 #include "models/exact/chips/lm628.hpp"
 #include "models/exact/control/feed_rate.hpp"
+#include "rtl/chips/generated/mcafee_xy_regs.hpp"
 
 namespace trammel::exact {
 
@@ -65,8 +65,8 @@ class McafeeXy {
     limit_ = limit_meta_;
     limit_meta_ = in.limits;
     if (acts && write_) write();
-    if (refused) status_ |= mcafee_xy_map::kStatusRefused;
-    if (sample) status_ |= mcafee_xy_map::kStatusSample;
+    if (refused) status_ |= mcafee_xy_regs::kStatusRefused;
+    if (sample) status_ |= mcafee_xy_regs::kStatusSample;
     if (phase_ != 0) phase_ = phase_ == kEdges ? 0 : phase_ + 1;
   }
 
@@ -93,7 +93,7 @@ class McafeeXy {
   static constexpr int kFeed = 25;                // [clk] of the feed rate
 
   Lm628Bridge::In bridge_in() const {
-    using namespace mcafee_xy_map;
+    using namespace mcafee_xy_regs;
     const auto bit = [this](std::uint32_t mask) { return (port_b_ & mask) != 0; };
     return {bit(kPortBWriteStrobe), bit(kPortBReadStrobe), bit(kPortBPs),       bit(kPortBRead),
             bit(kPortBY),           port_c_,               parts_[0].out().d, parts_[1].out().d};
@@ -121,7 +121,7 @@ class McafeeXy {
   bool feed_ready() const { return fed_ && !feed_asked_; }
 
   void write() {
-    using namespace mcafee_xy_map;
+    using namespace mcafee_xy_regs;
     switch (address_) {
       case kPortB: port_b_ = data_ & 0x1F; break;
       case kPortC: port_c_ = static_cast<std::uint8_t>(data_); break;
@@ -136,7 +136,7 @@ class McafeeXy {
   }
 
   std::uint32_t read(const Lm628Bridge::In& host) const {
-    using namespace mcafee_xy_map;
+    using namespace mcafee_xy_regs;
     switch (address_) {
       case kId: return kIdValue;
       case kPortB: return port_b_;
@@ -155,7 +155,7 @@ class McafeeXy {
     if (!feed_ready()) return 0;
     const FeedRate::In in{static_cast<std::int32_t>(feed_in_ & 0xFF),
                           static_cast<std::int32_t>(feed_in_ >> 8)};
-    return mcafee_xy_map::kFeedOutReady | static_cast<std::uint32_t>(FeedRate().step(in).v);
+    return mcafee_xy_regs::kFeedOutReady | static_cast<std::uint32_t>(FeedRate().step(in).v);
   }
 
   std::array<Lm628, 2> parts_{Lm628(Lm628Clock::k6MHz), Lm628(Lm628Clock::k6MHz)};
