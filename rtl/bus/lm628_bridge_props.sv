@@ -144,26 +144,26 @@ module lm628_bridge_props
     end
   end
 
-  // breaks quiet_from_reset: byte_q      <= '0; => byte_q      <= d_x_i;
-  // breaks never_both_selected: assign cs_y_n_o      = !pins_q.y || change_q; => assign cs_y_n_o      = 1'b0;
-  // breaks never_both_drive: assign selector_o    = pins_q.read && !change_q; => assign selector_o    = read_i && !change_q;
-  // breaks off_for_a_clock_between: change_q    <= change; => change_q    <= change && read_i;
-  // breaks never_both_strobes: reads_q     <= state_d == StPulse && pins_q.read; => reads_q     <= state_d == StPulse;
-  // breaks strobes_in_their_direction_only: writes_q    <= state_d == StPulse && !pins_q.read; => writes_q    <= state_d == StPulse && !read_i;
-  // breaks pulse_is_exact: Low = 9'(Pulse - 1) => Low = 9'(Pulse - 2)
-  // breaks pulse_ends: Low = 9'(Pulse - 1) => Low = 9'(Pulse)
-  // breaks set_up_for_2_clocks: if (change_q) value = Setup; => if (change_q) value = '0;
-  // breaks set_up_for_2_clocks: localparam logic [8:0] Setup = 9'd1 => localparam logic [8:0] Setup = 9'd0
-  // breaks pins_stand_still_for_9_clocks_after: Hold = 9'd8; => Hold = 9'd6;
-  // breaks pins_stand_still_for_9_clocks_after: if (state_q == StRest) pins_q => if (state_q == StRest || state_q == StHold) pins_q
-  // breaks every_strobe_starts_or_is_refused, refuses_what_it_does_not_start: (write_rises && !(start && !read_i)) || => (write_rises && read_i) ||
-  // breaks starts_at_rest_by_its_own_strobe: write_rises = write_strobe_i && !write_was_q; => write_rises = write_strobe_i;
-  // breaks busy_from_start_to_end: busy_o        = state_q != StRest || start => busy_o        = state_q != StRest
-  // breaks no_pulse_at_rest: reads_q     <= state_d == StPulse => reads_q     <= (state_d == StPulse || state_q == StHold)
-  // breaks takes_the_byte_at_the_end_of_rd: if (reads_q && last) byte_q => if (last && pins_q.read) byte_q
-  // breaks takes_that_of_the_selected_part: byte_q <= pins_q.y ? d_y_i => byte_q <= y_i ? d_y_i
-  // breaks pins_follow_the_ports_at_rest: if (state_q == StRest) pins_q => if (start) pins_q
-  // breaks quiescent_is_honest: (state_q == StRest ? ports == pins_q : !last) => (state_q == StRest || !last)
+  // breaks quiet_from_reset: byte_q <= rst_i ? d_x_i : next
+  // breaks never_both_selected: cs_y_n_o = 1'b0
+  // breaks never_both_drive: selector_o = read_i && !change_q
+  // breaks off_for_a_clock_between: change_q <= next && read_i
+  // breaks never_both_strobes: reads_q <= !rst_i && state_d == StPulse
+  // breaks strobes_in_their_direction_only: writes_q <= !rst_i && state_d == StPulse && !read_i
+  // breaks pulse_is_exact: Low = Low - 9'd1
+  // breaks pulse_ends: Low = Low + 9'd1
+  // breaks set_up_for_2_clocks: value = state_q == StSetup && change_q ? '0 : value
+  // breaks set_up_for_2_clocks: Setup = 9'd0
+  // breaks pins_stand_still_for_9_clocks_after: Hold = 9'd6
+  // breaks pins_stand_still_for_9_clocks_after: pins_q <= state_q == StHold && !rst_i ? ports : next
+  // breaks every_strobe_starts_or_is_refused, refuses_what_it_does_not_start: refused_o = (write_rises && read_i) || (read_rises && !(start && read_i))
+  // breaks starts_at_rest_by_its_own_strobe: write_rises = write_strobe_i
+  // breaks busy_from_start_to_end: busy_o = state_q != StRest
+  // breaks no_pulse_at_rest: reads_q <= next || (state_q == StHold && pins_q.read && !rst_i)
+  // breaks takes_the_byte_at_the_end_of_rd: byte_q <= last && pins_q.read && !rst_i ? (pins_q.y ? d_y_i : d_x_i) : next
+  // breaks takes_that_of_the_selected_part: byte_q <= reads_q && last && !rst_i ? (y_i ? d_y_i : d_x_i) : next
+  // breaks pins_follow_the_ports_at_rest: pins_q <= start || rst_i ? next : pins_q
+  // breaks quiescent_is_honest: quiescent_o = !change_q && write_strobe_i == write_was_q && read_strobe_i == read_was_q && (state_q == StRest || !last)
 
   // prove: set Pulse=275
   // prove: leap inv_strobes strobes_in_their_direction_only

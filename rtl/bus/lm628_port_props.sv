@@ -172,28 +172,28 @@ module lm628_port_props
     end
   end
 
-  // breaks quiet_from_reset: off_q    <= 1'b1; => off_q    <= 1'b0;
-  // breaks routine_reads_0_or_busy: : {7'd0, by_command_q} => : {off_q, 6'd0, by_command_q}
-  // breaks nothing_is_taken_while_busy: assign command    = written && !prev_q.ps && idle; => assign command    = written && !prev_q.ps && ready_i;
-  // breaks busy_160_ticks: lm628_clocks(Inc, 160) - Lm628Run - 1 => lm628_clocks(Inc, 160) - Lm628Run
-  // breaks busy_not_shorter: lm628_clocks(Inc, 160) - Lm628Run - 1 => lm628_clocks(Inc, 160) - Lm628Run - 2
-  // breaks starts_only_where_open: last && (open_i || !executes_q) => last && (open_i || executes_q)
-  // breaks ends_128_clocks_after_its_start: Run  = 11'(Lm628Run - 1) => Run  = 11'(Lm628Run - 2)
-  // breaks no_start_before_the_end: (state_q == StWait && open_i) => (state_q >= StWait && open_i)
-  // breaks restarts_by_its_opcode_only: assign restart_o  = command && code == CmdReset; => assign restart_o  = command && code[7:1] == '0;
-  // breaks events_are_never_lost: if (end_o) raised |= => if (end_o && !commit_i) raised |=
-  // breaks rsti_clears_the_zero_bits: kept   = resets ? operand_q => kept   = resets ? ~operand_q
-  // breaks only_events_set_bits: if (commit_i) raised |= sample_events_i; => raised |= sample_events_i;
-  // breaks irq_by_a_new_unmasked_event_only: events_t'(wrong)) & mask_q) != '0 => events_t'(wrong)) | mask_q) != '0
-  // breaks irq_of_every_unmasked_event: hi_q <= !resets && (hi_q || ((raised | => hi_q <= !resets && (hi_q || ((status_q |
-  // breaks irq_falls_by_rsti_only: hi_q <= !resets && (hi_q || => hi_q <= !resets && (hi_q && !commit_i ||
-  // breaks mask_moves_by_mski_only: if (end_o && opcode_q == CmdMski) mask_q => if (end_o && opcode_q[7:1] == CmdMski[7:1]) mask_q
-  // breaks off_is_that_of_the_last_end: if (end_o) off_q <= command_off_i; => if (end_o && !commit_i) off_q <= command_off_i;
-  // breaks data_hold_from_read_to_read: end else if (read) begin => end else if (reading) begin
-  // breaks status_is_that_of_the_read: if (!sync_q.ps) d_q <= status; => if (!prev_q.ps) d_q <= status;
-  // breaks busy_reads_repeat_the_last_byte: assign give       = read && sync_q.ps && idle && => assign give       = read && sync_q.ps && ready_i &&
-  // breaks arms_with_sip_only: arm_o   = end_o && opcode_q == CmdSip => arm_o   = end_o && opcode_q[1:0] == CmdSip[1:0]
-  // breaks quiescent_is_honest: sync_q == prev_q && !commit_i && => sync_q == prev_q &&
+  // breaks quiet_from_reset: off_q <= next && !rst_i
+  // breaks routine_reads_0_or_busy: status = ready_i ? status : {off_q, 6'd0, by_command_q}
+  // breaks nothing_is_taken_while_busy: command = written && !prev_q.ps && ready_i
+  // breaks busy_160_ticks: Busy = Busy + 11'd1
+  // breaks busy_not_shorter: Busy = Busy - 11'd1
+  // breaks starts_only_where_open: runs = (state_q == StBusy && last && (open_i || executes_q)) || (state_q == StWait && open_i)
+  // breaks ends_128_clocks_after_its_start: Run = Run - 11'd1
+  // breaks no_start_before_the_end: runs = (state_q == StBusy && last && (open_i || !executes_q)) || (state_q >= StWait && open_i)
+  // breaks restarts_by_its_opcode_only: restart_o = command && code[7:1] == '0
+  // breaks events_are_never_lost: raised = commit_i ? sample_events_i : raised
+  // breaks rsti_clears_the_zero_bits: kept = resets ? ~operand_q : '1
+  // breaks only_events_set_bits: raised = raised | sample_events_i
+  // breaks irq_by_a_new_unmasked_event_only: hi_q <= !rst_i && !resets && (hi_q || (raised | events_t'(wrong) | mask_q) != '0)
+  // breaks irq_of_every_unmasked_event: hi_q <= !rst_i && !resets && (hi_q || ((status_q | events_t'(wrong)) & mask_q) != '0)
+  // breaks irq_falls_by_rsti_only: hi_q <= next && !(hi_q && commit_i && ((raised | events_t'(wrong)) & mask_q) == '0)
+  // breaks mask_moves_by_mski_only: mask_q <= !rst_i && end_o && opcode_q[7:1] == CmdMski[7:1] ? operand_q : next
+  // breaks off_is_that_of_the_last_end: off_q <= !rst_i && end_o && commit_i ? sample_off_i : next
+  // breaks data_hold_from_read_to_read: d_q <= !rst_i && reading && !sync_q.ps ? status : next
+  // breaks status_is_that_of_the_read: d_q <= read && !rst_i ? (prev_q.ps ? (give ? byte_out : last_q) : status) : next
+  // breaks busy_reads_repeat_the_last_byte: give = read && sync_q.ps && ready_i && left_q != '0
+  // breaks arms_with_sip_only: arm_o = end_o && opcode_q[1:0] == CmdSip[1:0]
+  // breaks quiescent_is_honest: quiescent_o = pins == meta_q && meta_q == sync_q && sync_q == prev_q && (state_q == StIdle || (state_q == StWait ? !open_i : !last))
 
   // prove: set Inc=4
   // prove: set Inc=3

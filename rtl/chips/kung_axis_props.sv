@@ -193,21 +193,21 @@ module kung_axis_props
     end
   end
 
-  // breaks no_shoot_through (gate_leg): assign lo_d  = ready && !on_i; => assign lo_d  = ready;
-  // breaks gates_off_from_reset (gate_leg): hi_q      <= 1'b0; => hi_q      <= on_i;
-  // breaks gates_off_unless_enabled_and_untripped: .trip_i     (trip_i), => .trip_i     (1'b0),
-  // breaks dead_time_is_at_least_both_registers: dead_time_min_i ? dead_time_min_i : => dead_time_min_i ? regs_i.deadtime.clk.value :
-  // breaks no_side_to_side_without_a_pause (gate_leg): ready = allowed && !change && => ready = allowed &&
-  // breaks i_q_is_the_chosen_one_of_the_tick: assign iq_ref = regs_i.ctrl => assign iq_ref = !regs_i.ctrl
-  // breaks angle_is_that_of_the_tick: count_cur_q <= count; => count_cur_q <= x_p_q;
-  // breaks position_is_that_of_the_tick: if (tick_pos_i) x_p_q <= count; => x_p_q <= count;
-  // breaks current_loop_rests_unless_closed: loop_clear = trip_i || => loop_clear =
-  // breaks over_current_of_any_phase: reached(sum_t'(i_a) + => reached(sum_t'(i_a) -
-  // breaks stroke_is_watched_when_enabled: count > count_t' => count >= count_t'
-  // breaks table_write_waits_for_the_controller_only: tab_pending_q && !afc_busy; => tab_pending_q;
-  // breaks table_write_has_its_value: tab_data_q    <= tab_value; => tab_data_q    <= tab_data_q;
-  // breaks next_is_the_least: if (leg_next[n] < next_o) => if (leg_next[n] > next_o)
-  // breaks quiescent_is_honest: !tab_pending_q && !tick_cur_i => !tick_cur_i
+  // breaks no_shoot_through (gate_leg): lo_d = ready
+  // breaks gates_off_from_reset (gate_leg): hi_q <= rst_i ? on_i : next
+  // breaks gates_off_unless_enabled_and_untripped: gen_leg[0].u_leg.trip_i = 1'b0
+  // breaks dead_time_is_at_least_both_registers: dead_time = regs_i.deadtime.clk.value
+  // breaks no_side_to_side_without_a_pause (gate_leg): ready = allowed && count <= 10'd1
+  // breaks i_q_is_the_chosen_one_of_the_tick: iq_ref = !regs_i.ctrl.position_loop.value ? iq_afc : word_t'(regs_i.iq_manual.value.value)
+  // breaks angle_is_that_of_the_tick: count_cur_q <= tick_cur_i && !rst_i ? x_p_q : next
+  // breaks position_is_that_of_the_tick: x_p_q <= tick_cur_i && !rst_i ? count : next
+  // breaks current_loop_rests_unless_closed: loop_clear = !regs_i.ctrl.enable.value || !regs_i.ctrl.current_loop.value
+  // breaks over_current_of_any_phase: over_current_o = reached(sum_t'(i_a), current_limit_i) || reached(sum_t'(i_b), current_limit_i) || reached(sum_t'(i_a) - sum_t'(i_b), current_limit_i)
+  // breaks stroke_is_watched_when_enabled: stroke_o = regs_i.stroke_en.enable.value && (count < count_t'(regs_i.stroke_min.value.value) || count >= count_t'(regs_i.stroke_max.value.value))
+  // breaks table_write_waits_for_the_controller_only: tab_write = tab_pending_q
+  // breaks table_write_has_its_value: tab_data_q <= rst_i ? next : tab_data_q
+  // breaks next_is_the_least: next_o = leg_next[2] > next_o ? leg_next[2] : next_o
+  // breaks quiescent_is_honest: quiescent_o = qep_quiescent && !qep_error && command_quiescent && afc_quiescent && !tick_cur_i && adc_quiescent && loop_quiescent && pwm_quiescent && leg_quiescent == '1
 
 endmodule
 

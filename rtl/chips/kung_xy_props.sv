@@ -334,41 +334,41 @@ module kung_xy_props
   // prove: cut afc current_loop adc_if qep command pwm
   // prove: leap inv_held inv_pointers inv_table inv_counts inv_pulse inv_rest
   // prove: leap open_transfers_are_counted
-  // breaks no_response_from_reset (kung_xy_regs): axil_resp_wptr <= '0; => axil_resp_wptr <= 2'd1;
-  // breaks write_response_stays (kung_xy_regs): if(s_axil_bready_i) axil_resp_acked => axil_resp_acked
-  // breaks read_response_stays, responses_in_order (kung_xy_regs): axil_n_in_flight < 2'd2 => axil_n_in_flight < 2'd3
-  // breaks no_write_response_without_request (kung_xy_regs): axil_awvalid && axil_wvalid) => axil_awvalid)
-  // breaks no_read_response_without_request (kung_xy_regs): if(axil_arvalid && !axil_prev_was_rd) => if(!axil_prev_was_rd)
-  // breaks every_response_is_okay (kung_xy_regs): readback_err = '0; => readback_err = rd_mux_addr > 10'h22c;
-  // breaks lone_request_answered_after_2_clocks, read_answered_within_4_clocks (kung_xy_regs): else if(axil_arvalid) => else if(axil_arvalid && axil_awvalid)
-  // breaks write_answered_within_4_clocks (kung_xy_regs): axil_awvalid && axil_wvalid) => axil_awvalid && axil_wvalid && !axil_arvalid)
-  // breaks write_answered_within_4_clocks (kung_axis): tab_pending_q && !afc_busy; => tab_pending_q && !afc_busy && tick_cur_i;
-  // breaks reads_show_the_register (kung_xy_regs): : {axil_araddr[9:2], 2'b0}; => : cpuif_addr & 10'h1ff;
-  // breaks reads_show_the_register: {31'd0, locked_q} => {31'd0, trip_q}
-  // breaks unlocked_from_reset: locked_q <= 1'b0; => locked_q <= 1'b1;
-  // breaks locks_by_its_key_only: hwif_out.lock.req && hwif_out.lock.req_is_wr; => hwif_out.lock.req;
-  // breaks unlocks_by_its_key_disabled_only: KeyUnlock && enabled == '0 => KeyUnlock && enabled != '1
-  // breaks locked_registers_hold: hwif_in.deadtime_min.clk.swwel    = locked_q => hwif_in.deadtime_min.clk.swwel = trip_q
-  // breaks locked_registers_hold (kung_xy_regs): 10'h16c && !(hwif_in_y_deadtime_clk_swwel) => 10'h16c
-  // breaks limits_move_by_unlocked_writes_only (kung_xy_regs): decoded_addr == 10'h224 && => decoded_addr[7:2] == 6'h09 &&
-  // breaks limits_reach_both_axes (kung_axis): < dead_time_min_i ? dead_time_min_i => < dead_time_min_i ? 10'd25
-  // breaks limits_reach_both_axes: hwif_out.current_limit.value.value) => hwif_out.current_limit.value.value >> n)
-  // breaks sticky_bits_rise_by_their_event_only, no_event_is_lost: hwset       = tick_irq; => hwset       = trip;
-  // breaks sticky_bits_fall_by_a_written_one_only, a_written_one_clears (kung_xy_regs): y_status_limited_value & ~(decoded_wr_data[4:4] & => y_status_limited_value & ~(decoded_wr_data[3:3] &
-  // breaks irq_is_its_enabled_causes: hwif_out.irq_stat.fault.value && => tick_irq &&
-  // breaks trips_at_the_next_clock: (stroke), => (stroke & enabled),
-  // breaks trips_for_a_cause_only: .watchdog_i    (bite) => .watchdog_i    (tick_pos)
-  // breaks trip_stays_until_cleared: .enabled_i     (enabled) => .enabled_i     (enabled & 2'b01)
-  // breaks trip_3_clocks_after_the_pin (supervisor): pin_q  <= meta_q; => pin_q  <= pin_q && meta_q;
-  // breaks gates_off_4_clocks_after_the_pin, gates_off_while_tripped: .trip_i         (trip) => .trip_i         (trip && trip_q)
-  // breaks gates_off_from_reset (gate_leg): hi_q      <= 1'b0; => hi_q      <= on_i;
-  // breaks gates_off_unless_enabled: axis_out[1] = hwif_out.y; => axis_out[1] = hwif_out.x;
-  // breaks no_shoot_through (gate_leg): lo_d  = ready && !on_i; => lo_d  = ready;
-  // breaks sample_once_both_are_done: sample_o ? '0 : all_done => all_done
-  // breaks open_transfers_are_counted: s_axil_arvalid_i && s_axil_arready_o => s_axil_arvalid_i
-  // breaks next_is_the_least: if (axis_next[1] < next_o) next_o = => if (axis_next[1] > next_o) next_o =
-  // breaks quiescent_only_if_nothing_is_open, quiescent_is_honest: bus_idle = open_q == '0 && => bus_idle =
-  // breaks quiescent_is_honest: supervisor_quiescent && trip == trip_q && => supervisor_quiescent &&
+  // breaks no_response_from_reset (kung_xy_regs): axil_resp_wptr <= rst_i ? 2'd1 : next
+  // breaks write_response_stays (kung_xy_regs): axil_resp_acked = axil_resp_acked || s_axil_bvalid_o
+  // breaks read_response_stays, responses_in_order (kung_xy_regs): axil_n_in_flight <= next == 2'd2 ? 2'd1 : next
+  // breaks no_write_response_without_request (kung_xy_regs): axil_wvalid = axil_awvalid
+  // breaks no_read_response_without_request (kung_xy_regs): axil_arvalid = axil_arvalid || !axil_prev_was_rd
+  // breaks every_response_is_okay (kung_xy_regs): readback_err = rd_mux_addr > 10'h22c
+  // breaks lone_request_answered_after_2_clocks, read_answered_within_4_clocks (kung_xy_regs): axil_arvalid = axil_arvalid && (!axil_prev_was_rd || axil_awvalid)
+  // breaks write_answered_within_4_clocks (kung_xy_regs): axil_wvalid = axil_wvalid && !axil_arvalid
+  // breaks write_answered_within_4_clocks (kung_axis): tab_write = tab_write && tick_cur_i
+  // breaks reads_show_the_register (kung_xy_regs): rd_mux_addr = external_pending ? pending_rd_addr : cpuif_addr & 10'h1ff
+  // breaks reads_show_the_register: u_regs.hwif_in_lock_rd_data = {31'd0, trip_q}
+  // breaks unlocked_from_reset: locked_q <= rst_i || next
+  // breaks locks_by_its_key_only: lock_write = hwif_out.lock.req
+  // breaks unlocks_by_its_key_disabled_only: locked_d = lock_write && lock_key == kung_xy_regs_pkg::KeyUnlock && enabled != '1 ? 1'b0 : locked_d
+  // breaks locked_registers_hold: u_regs.hwif_in_deadtime_min_clk_swwel = trip_q
+  // breaks locked_registers_hold (kung_xy_regs): hwif_in_y_deadtime_clk_swwel = 1'b0
+  // breaks limits_move_by_unlocked_writes_only (kung_xy_regs): field_storage_current_limit_value_value <= decoded_req && decoded_req_is_wr && decoded_addr == 10'h124 && !hwif_in_current_limit_value_swwel ? decoded_wr_data[11:0] : next
+  // breaks limits_reach_both_axes (kung_axis): dead_time = regs_i.deadtime.clk.value < dead_time_min_i ? 10'd25 : regs_i.deadtime.clk.value
+  // breaks limits_reach_both_axes: gen_axis[1].u_axis.current_limit_i = hwif_out.current_limit.value.value >> 1
+  // breaks sticky_bits_rise_by_their_event_only, no_event_is_lost: u_regs.hwif_in_irq_stat_tick_hwset = trip
+  // breaks sticky_bits_fall_by_a_written_one_only, a_written_one_clears (kung_xy_regs): field_storage_y_status_limited_value <= decoded_reg_strb_y_status && decoded_req_is_wr && !hwif_in_y_status_limited_hwset && !rst_i ? field_storage_y_status_limited_value & ~(decoded_wr_data[3] & decoded_wr_biten[4]) : next
+  // breaks irq_is_its_enabled_causes: irq_o = (hwif_out.irq_stat.tick.value && hwif_out.irq_en.tick.value) || (tick_irq && hwif_out.irq_en.fault.value)
+  // breaks trips_at_the_next_clock: u_supervisor.stroke_i = stroke & enabled
+  // breaks trips_for_a_cause_only: u_supervisor.watchdog_i = tick_pos
+  // breaks trip_stays_until_cleared: u_supervisor.enabled_i = enabled & 2'b01
+  // breaks trip_3_clocks_after_the_pin (supervisor): pin_q <= next && pin_q
+  // breaks gates_off_4_clocks_after_the_pin, gates_off_while_tripped: gen_axis[0].u_axis.trip_i = trip && trip_q
+  // breaks gates_off_from_reset (gate_leg): hi_q <= rst_i ? on_i : next
+  // breaks gates_off_unless_enabled: gen_axis[1].u_axis.regs_i = hwif_out.x
+  // breaks no_shoot_through (gate_leg): lo_d = ready
+  // breaks sample_once_both_are_done: done_q <= rst_i ? next : all_done
+  // breaks open_transfers_are_counted: open_d = open_q + 3'(s_axil_awvalid_i && s_axil_awready_o) + 3'(s_axil_arvalid_i) - 3'(s_axil_bvalid_o && s_axil_bready_i) - 3'(s_axil_rvalid_o && s_axil_rready_i)
+  // breaks next_is_the_least: next_o = axis_next[1] > next_o ? axis_next[1] : next_o
+  // breaks quiescent_only_if_nothing_is_open, quiescent_is_honest: bus_idle = !s_axil_awvalid_i && !s_axil_wvalid_i && !s_axil_arvalid_i
+  // breaks quiescent_is_honest: quiescent_o = bus_idle && timebase_quiescent && watchdog_quiescent && supervisor_quiescent && done == '0 && axis_quiescent == '1
 
 endmodule
 

@@ -69,13 +69,13 @@ module lm628_props
     end
   end
 
-  // breaks pin_resets_after_2_clocks: reset_n_q      <= reset_n_meta_q; => reset_n_q      <= reset_n_q || reset_n_meta_q;
-  // breaks zero_from_reset (lm628_output): u_q     <= '0; => u_q     <= u_i;
-  // breaks routine_follows_every_reset: assign rst = rst_i || !reset_n_q || restart; => assign rst = rst_i || !reset_n_q;
-  // breaks counts_from_the_end_of_the_routine: .preset_i      (begins), => .preset_i      (1'b0),
-  // breaks next_is_the_least: if (output_next < next_o) next_o = output_next; => if (output_next > next_o) next_o = output_next;
-  // breaks samples_when_ready: assign sample_o = commit; => assign sample_o = time_quiescent;
-  // breaks quiescent_holds_the_pins (lm628_output): assign pwm_mag_o  = high != '0; => assign pwm_mag_o  = high[0];
+  // breaks pin_resets_after_2_clocks: reset_n_q <= next || reset_n_q
+  // breaks zero_from_reset (lm628_output): u_q <= rst_i ? u_i : next
+  // breaks routine_follows_every_reset: rst = rst_i || !reset_n_q
+  // breaks counts_from_the_end_of_the_routine: u_qep.preset_i = 1'b0
+  // breaks next_is_the_least: next_o = output_next > next_o ? output_next : next_o
+  // breaks samples_when_ready: sample_o = time_quiescent
+  // breaks quiescent_holds_the_pins (lm628_output): pwm_mag_o = high[0]
 
   // prove: free $mem_v2
 

@@ -131,22 +131,22 @@ module mcafee_xy_props
     end
   end
 
-  // breaks never_both_selected: .cs_y_n_o      (cs_y_n_o), => .cs_y_n_o      (),
-  // breaks never_both_drive_port_or_bus (lm628_bridge): assign selector_o    = pins_q.read && => assign selector_o    = read_i &&
-  // breaks strobes_by_their_driver (lm628_bridge): writes_q    <= state_d == StPulse && !pins_q.read; => writes_q    <= state_d == StPulse && !read_i;
-  // breaks never_both_parts_on_the_bus: .cs_n_i     (cs_y_n_o), => .cs_n_i     (1'b0),
-  // breaks converters_at_zero_in_the_low_bits: assign dac_y_o = high[1] ? => assign dac_y_o = high[0] ?
-  // breaks quiet_from_reset (lm628_output): u_q     <= '0; => u_q     <= u_i;
-  // breaks reset_reaches_both_parts (lm628): reset_n_q      <= reset_n_meta_q; => reset_n_q      <= reset_n_q || reset_n_meta_q;
-  // breaks one_part_alone_by_its_command_only (lm628): rst = rst_i || !reset_n_q || restart; => rst = rst_i || !reset_n_q || restart || !cs_n_i;
-  // breaks samples_coincide_from_a_common_reset (lm628_time): state_q <= StStart; => state_q <= state_d;
-  // breaks irq_is_that_of_either_part: assign irq_o = hi_o != '0; => assign irq_o = hi_o == '1;
-  // breaks limits_shown_2_clocks_later: limit_q      <= limit_meta_q; => limit_q      <= limit_i;
-  // breaks not_ready_after_a_write: feed_ready  = fed_q && !feed_asked_q => feed_ready  = fed_q
-  // breaks ready_by_a_result_only: feed_valid || (fed_q && !feed_starts) => feed_valid || !feed_starts
-  // breaks next_is_the_least: if (next_y < next_o) next_o = next_y; => if (next_y > next_o) next_o = next_y;
-  // breaks quiescent_without_transfers_only: !asked && !asked_q && => !asked &&
-  // breaks quiescent_holds_the_pins: !feeding_q && limit_i == limit_meta_q && limit_meta_q => !feeding_q && limit_i
+  // breaks never_both_selected: cs_y_n_o = 1'b0
+  // breaks never_both_drive_port_or_bus (lm628_bridge): selector_o = read_i && !change_q
+  // breaks strobes_by_their_driver (lm628_bridge): writes_q <= !rst_i && state_d == StPulse && !read_i
+  // breaks never_both_parts_on_the_bus: u_y.cs_n_i = 1'b0
+  // breaks converters_at_zero_in_the_low_bits: dac_y_o = high[0] ? dac_y : 8'h80
+  // breaks quiet_from_reset (lm628_output): u_q <= rst_i ? u_i : next
+  // breaks reset_reaches_both_parts (lm628): reset_n_q <= next || reset_n_q
+  // breaks one_part_alone_by_its_command_only (lm628): rst = rst_i || !reset_n_q || restart || !cs_n_i
+  // breaks samples_coincide_from_a_common_reset (lm628_time): state_q <= rst_i ? state_d : next
+  // breaks irq_is_that_of_either_part: irq_o = hi_o == '1
+  // breaks limits_shown_2_clocks_later: limit_q <= limit_i
+  // breaks not_ready_after_a_write: feed_ready = fed_q
+  // breaks ready_by_a_result_only: fed_q <= !rst_i && (feed_valid || !feed_starts)
+  // breaks next_is_the_least: next_o = next_y > next_o ? next_y : next_o
+  // breaks quiescent_without_transfers_only: bus_idle = !asked && !s_axil_bvalid_o && !s_axil_rvalid_o
+  // breaks quiescent_holds_the_pins: quiescent_o = bus_idle && bridge_quiescent && quiescent == '1 && feed_quiescent && !feed_asked_q && !feeding_q && limit_i == limit_q
 
   // prove: cut lm628_engine qep feed_rate
   // prove: leap inv_in_flight inv_waits inv_pulse

@@ -339,26 +339,26 @@ module afc_props
     end
   end
 
-  // breaks done_after_70_clocks, the_four_fired_rules_move: step_q == 6'd34; => step_q == 6'd33;
-  // breaks step_is_two_clocks: phase_d     = running_q && !phase_q; => phase_d     = running_q;
-  // breaks busy_from_start_to_done: running_q || waiting_q || table_busy_o; => running_q || table_busy_o;
-  // breaks lost_start_is_an_overrun: start_i && (running_q || waiting_q) => start_i && running_q
-  // breaks i_q_is_valid_after_s29_only: step_end && step_q == 6'd29 => step_end && step_q == 6'd28
-  // breaks quiescent_is_honest: !busy_o && !start_i => !busy_o
-  // breaks words_move_in_their_step_only: r_q   <= r_new; => x_r_q <= r_new;
-  // breaks i_q_moves_with_its_valid_only: r_q   <= r_new; => i_q_ref_q <= r_new[11:0];
-  // breaks saturated_i_q_is_at_its_end: i_q_ref_q, saturated_q} <= '0; => i_q_ref_q, saturated_q} <= '1;
-  // breaks v_e_de_are_saturated_differences: '0 : sat12(acc_t'(sum) <<< 4) => '0 : sat12(acc_t'(sum) <<< 3)
-  // breaks degrees_sum_to_one: mu_a0_q <= sum[11:0]; => mu_a0_q <= sum[12:1];
-  // breaks rules_move_only_when_adapting: step_end && adapt_i && => step_end &&
-  // breaks rules_move_in_s31_to_s34, a_fired_rule_moves_once: step_q >= 6'd31 => step_q >= 6'd3
-  // breaks section_stays_from_s13_on: 6'd11: scaled_q => 6'd15: row_q <= sum[2:0]; 6'd11: scaled_q
-  // breaks a_degree_weighs_its_own_rule: if (phase_q) step_d = step_q + 6'd1; => if (phase_q) step_d = step_q == 6'd0 ? 6'd19 : step_q + 6'd1;
-  // breaks a_rule_is_summed_with_itself: if (phase_q) step_d = step_q + 6'd1; => if (phase_q) step_d = step_q == 6'd0 ? 6'd31 : step_q + 6'd1;
-  // breaks a_rule_moves_only_when_fired_or_from_outside: .hold_i(running_q) => .hold_i(1'b0)
-  // breaks adder_never_overflows: add_b = sum_t'(r_2); => add_b = {r_2, 16'd0};
-  // breaks shifter_loses_no_bit_on_the_left: logic [5:0] Place24 = 6'o47; => logic [5:0] Place24 = 6'o67;
-  // breaks words_fit_their_registers: sum_t'(x_m_q) >>> 14; => sum_t'(x_m_q) >>> 13;
+  // breaks done_after_70_clocks, the_four_fired_rules_move: step_d = step_q == 6'd32 && phase_q ? 6'd34 : step_d
+  // breaks step_is_two_clocks: phase_d = running_q
+  // breaks busy_from_start_to_done: busy_o = running_q || table_busy_o
+  // breaks lost_start_is_an_overrun: overrun_o = start_i && running_q
+  // breaks i_q_is_valid_after_s29_only: iq_valid_d = step_end && step_q == 6'd28
+  // breaks quiescent_is_honest: quiescent_o = !busy_o && asked_q == asked_d && !done_q && !iq_valid_q && store_quiescent
+  // breaks words_move_in_their_step_only: x_r_q <= step_end && step_q == 6'd0 && !rst_i ? r_new : next
+  // breaks i_q_moves_with_its_valid_only: i_q_ref_q <= step_end && step_q == 6'd0 && !rst_i ? r_new[11:0] : next
+  // breaks saturated_i_q_is_at_its_end: saturated_q <= next || rst_i
+  // breaks v_e_de_are_saturated_differences: v_q <= step_end && step_q == 6'd7 && !resetting_q && !rst_i ? sat12(acc_t'(sum) <<< 3) : next
+  // breaks degrees_sum_to_one: mu_a0_q <= step_end && step_q == 6'd10 && !rst_i ? sum[12:1] : next
+  // breaks rules_move_only_when_adapting: tune_we = step_end && step_q >= 6'd31
+  // breaks rules_move_in_s31_to_s34, a_fired_rule_moves_once: tune_we = step_end && adapt_i && step_q >= 6'd3
+  // breaks section_stays_from_s13_on: row_q <= step_end && step_q == 6'd15 && !rst_i ? sum[2:0] : next
+  // breaks a_degree_weighs_its_own_rule: step_d = running_q && phase_q && step_q == 6'd0 ? 6'd19 : step_d
+  // breaks a_rule_is_summed_with_itself: step_d = running_q && phase_q && step_q == 6'd0 ? 6'd31 : step_d
+  // breaks a_rule_moves_only_when_fired_or_from_outside: u_rules.hold_i = 1'b0
+  // breaks adder_never_overflows: add_b = step_q == 6'd0 ? {r_2, 16'd0} : add_b
+  // breaks shifter_loses_no_bit_on_the_left: Place24 = 6'o67
+  // breaks words_fit_their_registers: add_b = step_q == 6'd6 ? sum_t'(x_m_q) >>> 13 : add_b
 
 endmodule
 

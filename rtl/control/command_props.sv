@@ -122,16 +122,16 @@ module command_props
     end
   end
 
-  // breaks moves_only_at_a_tick: tick_pos_i && left_q != 2'd0) begin => left_q != 2'd0) begin
-  // breaks taken_at_the_next_tick: {next_q, 2'd0}; => {pos_cmd_i, 2'd0};
-  // breaks taken_at_the_next_tick: take = tick_pos_i && pending_q; => take = tick_pos_i && commit_i;
-  // breaks preset_acts_at_once: quarters_d = {preset_value_i, 2'd0}; => quarters_d = quarters_q;
-  // breaks parts_are_equal, never_overshoots: (take ? distance : stride_q) => (take ? distance <<< 3 : stride_q)
-  // breaks parts_are_equal: {23'd0, quarters_q[1]} => {23'd0, quarters_q[0]}
-  // breaks parts_are_equal: up = take && quarters_q[1] => up = take && quarters_q[0]
-  // breaks ends_exactly_at_the_command: ? 2'd3 : 2'd0; => ? 2'd2 : 2'd0;
-  // breaks quiescent_is_honest: !commit_i && !preset_i => !preset_i
-  // breaks quiescent_is_honest: (pending_q || left_q != 2'd0) => pending_q
+  // breaks moves_only_at_a_tick: quarters_d = !take && left_q != 2'd0 && !preset_i ? moved : quarters_d
+  // breaks taken_at_the_next_tick: quarters_d = take && !interpolate_i && !preset_i ? {pos_cmd_i, 2'd0} : quarters_d
+  // breaks taken_at_the_next_tick: take = tick_pos_i && commit_i
+  // breaks preset_acts_at_once: quarters_d = preset_i ? quarters_q : quarters_d
+  // breaks parts_are_equal, never_overshoots: moved = {quarters_q[25:2], take ? {2{up}} : quarters_q[1:0]} + (take ? distance <<< 3 : stride_q) + quarter_t'({1'b0, up})
+  // breaks parts_are_equal: r_o = quarters_q[25:2] + {23'd0, quarters_q[0]}
+  // breaks parts_are_equal: up = take && quarters_q[0]
+  // breaks ends_exactly_at_the_command: left_d = take && interpolate_i && !preset_i ? 2'd2 : left_d
+  // breaks quiescent_is_honest: quiescent_o = !preset_i && !(tick_pos_i && (pending_q || left_q != 2'd0))
+  // breaks quiescent_is_honest: quiescent_o = !commit_i && !preset_i && !(tick_pos_i && pending_q)
 
 endmodule
 

@@ -115,17 +115,17 @@ module feed_rate_props (
     end
   end
 
-  // breaks valid_after_25_clocks: Last = 5'd24 => Last = 5'd23
-  // breaks memberships_are_the_listings: x[7] ? Right[label].slope => x[6] ? Right[label].slope
-  // breaks memberships_are_the_listings: ? ~rise : rise => ? -rise : rise
-  // breaks rules_are_the_listings: {L, Any, S} => {L, S, S}
-  // breaks rules_are_the_listings: if_c < if_cc => if_c > if_cc
-  // breaks some_rule_fires: {S, S, L}, {M, S, M} => {S, L, L}, {M, L, M}
-  // breaks average_below_singletons: 10'(product[15:8]) => 10'(product[14:7])
-  // breaks divides_bit_by_bit: fits ? twice - {1'b0, su_q} => fits ? twice - {1'b0, tu_q}
-  // breaks remainder_within_divisor: fits    = twice >= => fits    = twice >
-  // breaks output_holds: if (edge_q == Last) v_q => if (edge_q >= Sums) v_q
-  // breaks quiescent_is_honest: edge_q == '0 && !tick_i && !valid_q => edge_q == '0 && !valid_q
+  // breaks valid_after_25_clocks: Last = Last - 5'd1
+  // breaks memberships_are_the_listings: mul_a = edge_q <= Members ? (x[6] ? Right[label].slope : Left[label].slope) : mul_a
+  // breaks memberships_are_the_listings: member = (x[7] ? Right[label].falls : Left[label].falls) ? -rise : rise
+  // breaks rules_are_the_listings: rule = number == 3'd0 ? rule_t'({L, S, S}) : rule
+  // breaks rules_are_the_listings: strength = if_c > if_cc ? if_c : if_cc
+  // breaks some_rule_fires: rule = number == 3'd6 ? rule_t'({S, L, L}) : number == 3'd5 ? rule_t'({M, L, M}) : rule
+  // breaks average_below_singletons: tu_q <= edge_q > Rules && edge_q <= Sums ? tu_q + 10'(product[14:7]) : next
+  // breaks divides_bit_by_bit: rest = 10'(fits ? twice - {1'b0, tu_q} : twice)
+  // breaks remainder_within_divisor: fits = twice > {1'b0, su_q}
+  // breaks output_holds: v_q <= edge_q >= Sums && !rst_i ? {quotient_q, fits} : next
+  // breaks quiescent_is_honest: quiescent_o = edge_q == '0 && !valid_q
 
 endmodule
 

@@ -141,17 +141,17 @@ module rule_store_props
     end
   end
 
-  // breaks table_reset_takes_1_and_49_clocks: fill_j_q == Last) state_d => fill_j_q == 3'd5) state_d
-  // breaks table_reset_takes_1_and_49_clocks: if (!hold_i) state_d => state_d
-  // breaks read_returns_last_written: we = we_i && !hold_i && ext_valid; => we = we_i && !hold_i;
-  // breaks read_returns_last_written: we = we_i && !hold_i && ext_valid; => we = we_i && ext_valid;
-  // breaks read_returns_last_written: stale    = written_q || => stale    =
-  // breaks above_48_reads_zero: ext_valid_q ? ext_q => 1'b1 ? ext_q
-  // breaks settles_in_one_clock: ext_addr_q  <= addr_i; => ext_addr_q  <= addr_i & 6'd62;
-  // breaks section_reads_its_four_rules: fired_j = j_i + 3'(sel_i[1]); => fired_j = j_i;
-  // breaks section_reads_its_four_rules: if (read_i) rule_q => rule_q
-  // breaks quiescent_is_honest: !reset_i && !read_i && !tune_we_i => !reset_i && !read_i
-  // breaks quiescent_is_honest: !busy_o && !reset_i => !busy_o
+  // breaks table_reset_takes_1_and_49_clocks: state_d = state_q == StFill && fill_i_q == Last && fill_j_q == 3'd5 ? StIdle : state_d
+  // breaks table_reset_takes_1_and_49_clocks: state_d = state_q == StAsked ? StFill : state_d
+  // breaks read_returns_last_written: we = we || (we_i && !hold_i && !tune_we_i && !busy_o)
+  // breaks read_returns_last_written: we = we || (we_i && ext_valid && !tune_we_i && !busy_o)
+  // breaks read_returns_last_written: stale = addr_i != ext_addr_q
+  // breaks above_48_reads_zero: rdata_o = ext_q
+  // breaks settles_in_one_clock: ext_addr_q <= stale && !we && !rst_i ? addr_i & 6'd62 : next
+  // breaks section_reads_its_four_rules: fired_j = j_i
+  // breaks section_reads_its_four_rules: rule_q <= mem_q[{fired_j, fired_i}]
+  // breaks quiescent_is_honest: quiescent_o = !busy_o && !reset_i && !read_i && !we_i && !stale
+  // breaks quiescent_is_honest: quiescent_o = !busy_o && !read_i && !tune_we_i && !we_i && !stale
 
 endmodule
 

@@ -63,13 +63,13 @@ module clarke_props
     end
   end
 
-  // breaks valid_after_2_clocks: busy_d = tick_i && !busy_q; => busy_d = tick_i;
-  // breaks alpha_is_a: i_alpha_d = i_a_i; => i_alpha_d = i_b_i;
-  // breaks beta_is_rounded_and_saturated: 6'sd11)); => 6'sd12));
-  // breaks no_overflow: 12'sd1182; => 12'sd1183;
-  // breaks no_overflow: 14'(i_a_i) + (14'(i_b_i) <<< 1) => 14'(12'(i_a_i + (i_b_i <<< 1)))
-  // breaks outputs_hold: if (busy_q) begin => if (busy_d) begin
-  // breaks quiescent_is_honest: !busy_q && !tick_i && !valid_q => !busy_q && !valid_q
+  // breaks valid_after_2_clocks: busy_d = tick_i
+  // breaks alpha_is_a: i_alpha_d = busy_q ? i_b_i : i_alpha_d
+  // breaks beta_is_rounded_and_saturated: i_beta_d = busy_q ? sat12(rs(acc_t'(product_q), 6'sd12)) : i_beta_d
+  // breaks no_overflow: InvSqrt3 = 12'sd1183
+  // breaks no_overflow: sum = 14'(12'(i_a_i + (i_b_i <<< 1)))
+  // breaks outputs_hold: i_alpha_d = busy_d ? i_a_i : i_alpha_q
+  // breaks quiescent_is_honest: quiescent_o = !busy_q && !valid_q
 
 endmodule
 

@@ -113,13 +113,13 @@ module current_loop_props
 
   // prove: free $mul
 
-  // breaks valid_after_68_clocks: FirstBit      = 5'd18 => FirstBit      = 5'd17
-  // breaks busy_until_valid: if (svpwm_valid) state_d => if (inverse_valid) state_d
-  // breaks centred_while_cleared: cmp_c_d = Centre; => cmp_c_d = cmp_c_q;
-  // breaks new_values_with_valid: cmp_b_d = cmp_b; => cmp_b_d = cmp_a;
-  // breaks values_hold: cmp_a_d = cmp_a_q; => cmp_a_d = cmp_a;
-  // breaks offset_binary: {~code_b_i[11], code_b_i[10:0]} => code_b_i
-  // breaks quiescent_is_honest: !busy_o && !tick_i && => !busy_o &&
+  // breaks valid_after_68_clocks: FirstBit = FirstBit - 5'd1
+  // breaks busy_until_valid: state_d = state_q == StChain && inverse_valid ? StIdle : state_d
+  // breaks centred_while_cleared: cmp_c_d = clear_i ? cmp_c_q : cmp_c_d
+  // breaks new_values_with_valid: cmp_b_d = svpwm_valid && !clear_i ? cmp_a : cmp_b_d
+  // breaks values_hold: cmp_a_d = svpwm_valid || clear_i ? cmp_a_d : cmp_a
+  // breaks offset_binary: i_b_d = state_q == StIdle && tick_i ? code_b_i : i_b_d
+  // breaks quiescent_is_honest: quiescent_o = !busy_o && !valid_q && !(clear_i && (cmp_a_q != Centre || cmp_b_q != Centre || cmp_c_q != Centre)) && clarke_quiescent && sine_quiescent && park_quiescent && pi_d_quiescent && pi_q_quiescent && limit_quiescent && inverse_quiescent && svpwm_quiescent
 
 endmodule
 

@@ -115,19 +115,19 @@ module current_pi_props
   // prove: free $mul
   // prove: depth 5
 
-  // breaks valid_after_5_clocks: state_d = StOutput; => state_d = clear_i ? StIdle : StOutput;
-  // breaks error_is_saturated: (acc_t'(meas_i) <<< 1) => acc_t'(word_t'(meas_i <<< 1))
-  // breaks multiplies_in_order: use_kp ? error_q : error_prev_q => error_q
-  // breaks integral_is_the_equation: x[22:12] == '1 => x[22:11] == '1
-  // breaks integral_is_the_equation: 25'($signed(product_q[29:7])) => 25'($signed(product_q[28:7]))
-  // breaks integral_within_limits: (x[24:23] != '0 || x[22:12] == '1) => x[24:23] != '0
-  // breaks integral_holds: integral_d = integral_q; => integral_d = integral_q & {24{!tick_i}};
-  // breaks output_is_the_equation: {24{~product_q[29]}} => product_q[23:0]
-  // breaks output_is_the_equation: $signed({1'b0, term_q[11]}) => $signed({1'b0, term_q[12]})
-  // breaks output_holds: v_d = v_q; => v_d = tick_i ? ref_i : v_q;
-  // breaks error_before_is_kept: error_prev_d = error_q; => error_prev_d = ref_i;
-  // breaks clear_empties: if (clear_i) begin => if (clear_i && !valid_d) begin
-  // breaks quiescent_is_honest: error_prev_q != '0 || integral_q != '0 => integral_q != '0
+  // breaks valid_after_5_clocks: state_d = state_q == StAccumulate && clear_i ? StIdle : state_d
+  // breaks error_is_saturated: error_d = state_q == StIdle && tick_i ? sat12(acc_t'(ref_i) - acc_t'(word_t'(meas_i <<< 1))) : error_d
+  // breaks multiplies_in_order: factor = error_q
+  // breaks integral_is_the_equation: integral_d = state_q == StAccumulate && !clear_i && sum[25:11] == 15'h0ffe ? sum[23:0] : integral_d
+  // breaks integral_is_the_equation: term = coarse == 2'b11 ? 25'($signed(product_q[28:7])) : term
+  // breaks integral_within_limits: integral_d = state_q == StAccumulate && !clear_i && sum[25:23] == '0 ? sum[23:0] : integral_d
+  // breaks integral_holds: integral_d = state_q != StAccumulate && tick_i && !clear_i ? '0 : integral_d
+  // breaks output_is_the_equation: term = fits ? term : {product_q[29], product_q[23:0]}
+  // breaks output_is_the_equation: v_sum = 15'($signed(term_q[24:12])) + 15'(v_integral) + 15'($signed({1'b0, term_q[12]}))
+  // breaks output_holds: v_d = state_q != StOutput && tick_i && !clear_i ? ref_i : v_d
+  // breaks error_before_is_kept: error_prev_d = state_q == StOutput && !clear_i ? ref_i : error_prev_d
+  // breaks clear_empties: v_d = state_q == StOutput && clear_i ? sat12(acc_t'(v_sum)) : v_d
+  // breaks quiescent_is_honest: quiescent_o = state_q == StIdle && !tick_i && !valid_q && !(clear_i && (integral_q != '0 || v_q != '0))
 
 endmodule
 

@@ -91,16 +91,16 @@ module gate_leg_props
     end
   end
 
-  // breaks no_shoot_through: assign lo_d  = ready && !on_i; => assign lo_d  = ready;
-  // breaks off_from_reset: hi_q      <= 1'b0; => hi_q      <= on_i;
-  // breaks off_when_told: assign allowed = enable_i && !trip_i; => assign allowed = enable_i;
-  // breaks only_the_wanted_gate: assign hi_d  = ready && on_i; => assign hi_d  = ready && !on_i;
-  // breaks break_before_make: assign ready = allowed && !change && => assign ready = allowed &&
-  // breaks dead_time_at_least: count <= 10'd1; => count <= 10'd2;
-  // breaks dead_time_at_least: .load_i (allowed && change) => .load_i (allowed && change && on_i)
-  // breaks dead_time_exactly: count <= 10'd1; => count == 10'd0;
-  // breaks next_is_quiet: .leap_i (leap_i) => .leap_i (leap_i << 1)
-  // breaks quiescent_is_honest: allowed == allowed_q && side_d == side_q => side_d == side_q
+  // breaks no_shoot_through: lo_d = ready
+  // breaks off_from_reset: hi_q <= rst_i ? on_i : next
+  // breaks off_when_told: allowed = enable_i
+  // breaks only_the_wanted_gate: hi_d = ready && !on_i
+  // breaks break_before_make: ready = allowed && count <= 10'd1
+  // breaks dead_time_at_least: ready = allowed && !change && count <= 10'd2
+  // breaks dead_time_at_least: u_dead_time.load_i = allowed && change && on_i
+  // breaks dead_time_exactly: ready = allowed && !change && count == 10'd0
+  // breaks next_is_quiet: u_dead_time.leap_i = leap_i << 1
+  // breaks quiescent_is_honest: quiescent_o = side_d == side_q && hi_d == hi_q && lo_d == lo_q
 
 endmodule
 

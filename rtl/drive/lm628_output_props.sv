@@ -134,16 +134,16 @@ module lm628_output_props
     end
   end
 
-  // breaks zero_from_reset: u_q     <= '0; => u_q     <= u_i;
-  // breaks eight_bits_are_the_upper_ones: eight_q ? u_q[5:4] : => eight_q ? u_q[3:2] :
-  // breaks low_six_bits_first: if (low) dac_o => if (low && dac_wr_n_o) dac_o
-  // breaks high_six_bits_16_ticks_later: StLowHold:  state_d = StHighWrite; => StLowHold:  state_d = StLowHold;
-  // breaks strobes_of_8_ticks: lm628_clocks(Inc, 8) - 1 => lm628_clocks(Inc, 8)
-  // breaks data_holds_as_a_strobe_ends: StLowWrite: state_d = StLowHold; => StLowWrite: state_d = StIdle;
-  // breaks high_for_4_m_ticks: top[6:0] == '0 ? 7'd127 : => top[6:0] == '0 ? 7'd126 :
-  // breaks high_for_4_m_ticks: commit_i ? u_i[11:4] : u_q[11:4] => u_q[11:4]
-  // breaks sign_is_that_of_the_command: pwm_sign_o = u_q[11] => pwm_sign_o = u_q[10]
-  // breaks quiescent_is_honest: assign quiescent_o = !begins && => assign quiescent_o =
+  // breaks zero_from_reset: u_q <= rst_i ? u_i : next
+  // breaks eight_bits_are_the_upper_ones: dac_o = eight_q && !low ? {~u_q[11], u_q[10:6], u_q[3:2]} : dac_o
+  // breaks low_six_bits_first: dac_o = low && !dac_wr_n_o ? {~u_q[11], u_q[10:6], eight_q ? u_q[5:4] : 2'b00} : dac_o
+  // breaks high_six_bits_16_ticks_later: state_d = state_q == StLowHold && strobe_last && !commit_i ? StLowHold : state_d
+  // breaks strobes_of_8_ticks: Strobe = Strobe + 7'd1
+  // breaks data_holds_as_a_strobe_ends: state_d = state_q == StLowWrite && strobe_last && !commit_i ? StIdle : state_d
+  // breaks high_for_4_m_ticks: m = top == 8'h80 ? 7'd126 : m
+  // breaks high_for_4_m_ticks: top = u_q[11:4]
+  // breaks sign_is_that_of_the_command: pwm_sign_o = u_q[10]
+  // breaks quiescent_is_honest: quiescent_o = state_q == StIdle || !strobe_last
 
   // prove: set Inc=4
   // prove: set Inc=3

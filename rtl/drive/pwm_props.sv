@@ -82,15 +82,15 @@ module pwm_props
     end
   end
 
-  // breaks off_from_reset: on_q    <= '0; => on_q    <= on_d;
-  // breaks off_when_disabled: on_d = '0; => on_d = on_q;
-  // breaks carrier_above_compare: phase_i <= 12'(CmpMax) ? => phase_i < 12'(CmpMax) ?
-  // breaks carrier_above_compare: carrier > cmp_b_q => carrier >= cmp_b_q
-  // breaks values_change_at_load_only: if (load_i) begin => if (load_i || phase_i == '0) begin
-  // breaks off_at_phase_zero: carrier > cmp_c_q => carrier >= cmp_c_q
-  // breaks next_is_quiet: return fall(cmp) - phase; => return fall(cmp) - phase + 12'd1;
-  // breaks next_falls_by_one_at_most: return rise(cmp) - phase; => return (rise(cmp) - phase) << 1;
-  // breaks quiescent_is_honest: quiescent_o = !load_i && => quiescent_o =
+  // breaks off_from_reset: on_q <= on_d
+  // breaks off_when_disabled: on_d = enable_i ? on_d : on_q
+  // breaks carrier_above_compare: carrier = cmp_t'(phase_i < 12'(CmpMax) ? phase_i : 12'(PwmPeriod) - phase_i)
+  // breaks carrier_above_compare: on_d = on_d | {1'b0, enable_i && carrier >= cmp_b_q, 1'b0}
+  // breaks values_change_at_load_only: cmp_a_q <= phase_i == '0 && !rst_i ? cmp_a_i : next
+  // breaks off_at_phase_zero: on_d = on_d | {enable_i && carrier >= cmp_c_q, 2'b00}
+  // breaks next_is_quiet: next_o = next_o == GapMax ? next_o : next_o + 12'd1
+  // breaks next_falls_by_one_at_most: next_o = phase_i <= 12'(CmpMax) ? next_o << 1 : next_o
+  // breaks quiescent_is_honest: quiescent_o = on_d == on_q
 
 endmodule
 

@@ -91,16 +91,16 @@ module rotator_props
   // prove: free $mul
   // prove: depth 5
 
-  // breaks valid_after_5_clocks: state_d = StXSin; => state_d = StYCos;
-  // breaks multiplies_in_order: factor_b = cos_i; => factor_b = sin_i;
-  // breaks multiplies_in_order: multiply = tick_i; => multiply = 1'b1;
-  // breaks x_is_rounded_and_saturated: sum_t Half = 26'sd1024 => sum_t Half = 26'sd1023
-  // breaks x_is_rounded_and_saturated: minus = Inverse; => minus = !Inverse;
-  // breaks y_is_rounded_and_saturated: minus = !Inverse; => minus = Inverse;
-  // breaks y_is_rounded_and_saturated: sum = sum_q + addend + 26'(minus) => sum = 24'(sum_q + addend + 26'(minus))
-  // breaks outputs_hold, x_holds: if (tick_i) begin => if (tick_i) begin x_d = '0;
-  // breaks x_holds: y_d = rounded; => y_d = rounded; x_d = '0;
-  // breaks quiescent_is_honest: StIdle && !tick_i && !valid_q => StIdle && !valid_q
+  // breaks valid_after_5_clocks: state_d = state_q == StYSin ? StYCos : state_d
+  // breaks multiplies_in_order: factor_b = state_q == StIdle || state_q == StXSin ? sin_i : factor_b
+  // breaks multiplies_in_order: multiply = multiply || state_q == StIdle
+  // breaks x_is_rounded_and_saturated: Half = 26'sd1023
+  // breaks x_is_rounded_and_saturated: minus = state_q == StYSin ? !Inverse : minus
+  // breaks y_is_rounded_and_saturated: minus = state_q == StXSin ? Inverse : minus
+  // breaks y_is_rounded_and_saturated: sum = 24'(sum_q + addend + 26'(minus))
+  // breaks outputs_hold, x_holds: x_d = state_q == StIdle && tick_i ? '0 : x_d
+  // breaks x_holds: x_d = state_q == StYCos ? '0 : x_d
+  // breaks quiescent_is_honest: quiescent_o = state_q == StIdle && !valid_q
 
 endmodule
 

@@ -65,13 +65,13 @@ module sine_props
 
   // prove: depth 5
 
-  // breaks valid_after_4_clocks: state_d = StReadCos; => state_d = angle_q[0] ? StReadCos : StLast;
-  // breaks signs_of_the_quadrant: if (value_angle[9]) value => if (value_angle[8]) value
-  // breaks signs_of_the_quadrant: angle_q + 10'd256; => angle_q - 10'd256;
-  // breaks crest_is_full_scale: 9'd256 ? 12'd2048 => 9'd256 ? 12'd2047
-  // breaks minus_one_only_near_its_crest: magnitude[11] ? 12'sd2047 : $signed => $signed
-  // breaks outputs_hold: if (tick_i) begin => if (tick_i) begin cos_d = '0;
-  // breaks quiescent_is_honest: StIdle && !tick_i && !valid_q => StIdle && !valid_q
+  // breaks valid_after_4_clocks: state_d = state_q == StReadSin && !angle_q[0] ? StLast : state_d
+  // breaks signs_of_the_quadrant: value = value_angle[8] ? -$signed(magnitude) : magnitude[11] ? 12'sd2047 : $signed(magnitude)
+  // breaks signs_of_the_quadrant: value_angle = state_q == StLast ? angle_q - 10'd256 : value_angle
+  // breaks crest_is_full_scale: magnitude = value_angle[8:0] == 9'd256 ? 12'd2047 : magnitude_q
+  // breaks minus_one_only_near_its_crest: value = value_angle[9] ? value : $signed(magnitude)
+  // breaks outputs_hold: cos_d = state_q == StIdle && tick_i ? '0 : cos_d
+  // breaks quiescent_is_honest: quiescent_o = state_q == StIdle && !valid_q
 
 endmodule
 

@@ -82,18 +82,18 @@ module supervisor_props (
     end
   end
 
-  // breaks no_trip_from_reset: if (rst_i) begin => if (rst_i && !trip_q) begin
-  // breaks trips_at_the_next_clock: pin_q  <= meta_q; => pin_q  <= pin_q && meta_q;
-  // breaks trips_only_for_a_cause: if (pin_q) begin => if (meta_q) begin
-  // breaks latched_until_cleared: clear_i && enabled_i == '0 => clear_i
-  // breaks latched_until_cleared: enabled_i == '0 && cause == FaultNone => enabled_i == '0
-  // breaks clears_when_it_may: end else if (clear) begin => end else if (clear && !axis_q) begin
-  // breaks names_the_lowest_cause: else if (watchdog_i) begin => else if (stroke_i[0]) begin
-  // breaks names_the_axis: axis  = !encoder_i[0]; => axis  = encoder_i[1];
-  // breaks keeps_the_tick: tick_q <= tick_count_i; => tick_q <= tick_count_i + 32'd1;
-  // breaks first_fault_is_kept: assign set   = !trip_q && => assign set   =
-  // breaks no_trip_no_fault: trip_o       = trip_q; => trip_o       = trip_q && !clear_i;
-  // breaks quiescent_is_honest: meta_q == pin_q && !set => !set
+  // breaks no_trip_from_reset: trip_q <= next || (rst_i && trip_q)
+  // breaks trips_at_the_next_clock: pin_q <= next && pin_q
+  // breaks trips_only_for_a_cause: cause = meta_q ? FaultExternal : cause
+  // breaks latched_until_cleared: clear = trip_q && clear_i && cause == FaultNone
+  // breaks latched_until_cleared: clear = trip_q && clear_i && enabled_i == '0
+  // breaks clears_when_it_may: trip_q <= next || (clear && axis_q && !rst_i)
+  // breaks names_the_lowest_cause: cause = stroke_i[0] && !pin_q && over_current_i == '0 ? FaultWatchdog : cause
+  // breaks names_the_axis: axis = cause == FaultEncoder ? encoder_i[1] : axis
+  // breaks keeps_the_tick: tick_q <= set && !rst_i ? tick_count_i + 32'd1 : next
+  // breaks first_fault_is_kept: set = cause != FaultNone
+  // breaks no_trip_no_fault: trip_o = trip_q && !clear_i
+  // breaks quiescent_is_honest: quiescent_o = trip_pin_i == meta_q && !set && !clear
 
 endmodule
 

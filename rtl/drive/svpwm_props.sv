@@ -215,21 +215,21 @@ module svpwm_props
 
   // prove: frames 60
 
-  // breaks valid_after_25_clocks: LastBit    = 4'd13 => LastBit    = 4'd12
-  // breaks multiplies_in_order: factor_a = 15'(v_beta_i); => factor_a = 15'(v_alpha_i);
-  // breaks no_overflow: y_d = scaled; => y_d = {{2{scaled[16]}}, scaled[16:0]};
-  // breaks no_overflow: scaled = 19'(rs(acc_t'(product_q), 6'sd8)) => scaled = product_q[26:8]
-  // breaks sector_is_of_the_signs: minus < 20'sd0, x_q => minus <= 20'sd0, x_q
-  // breaks duty_is_min_max: negative = !first; end => negative = first; end
-  // breaks duty_is_min_max: {t1_q, 1'b0}); => {1'b0, t1_q});
-  // breaks over_modulated_to_the_ends: over_q ? CmpMax : rounded => rounded
-  // breaks over_modulated_to_the_ends: over_q ? divided : mid_q => mid_q
-  // breaks divides_bit_by_bit: {quotient_q[12:0], fits} => {quotient_q[12:0], !fits}
-  // breaks divides_bit_by_bit: fits ? remainder[18:0] : => !fits ? remainder[18:0] :
-  // breaks remainder_within_divisor: fits = !remainder[19] => fits = remainder[19]
-  // breaks compare_within_carrier: off_q < 20'sd128 => off_q < -20'sd9999
-  // breaks outputs_hold: cmp_c_d = cmp_c_q; => cmp_c_d = low_q;
-  // breaks quiescent_is_honest: StIdle && !tick_i && !valid_q => StIdle
+  // breaks valid_after_25_clocks: LastBit = LastBit - 4'd1
+  // breaks multiplies_in_order: factor_a = state_q == StIdle ? 15'(v_alpha_i) : factor_a
+  // breaks no_overflow: y_d = state_q == StAlpha ? {{2{scaled[16]}}, scaled[16:0]} : y_d
+  // breaks no_overflow: scaled = product_q[26:8]
+  // breaks sector_is_of_the_signs: sector = {plus < 20'sd0, minus <= 20'sd0, x_q > 19'sd0}
+  // breaks duty_is_min_max: magnitude = sector_q == 3'd2 ? (first ? ~picked + 19'd1 : picked) : magnitude
+  // breaks duty_is_min_max: addend = state_q == StB ? $signed({1'b0, t1_q}) : addend
+  // breaks over_modulated_to_the_ends: high = rounded
+  // breaks over_modulated_to_the_ends: mid = mid_q
+  // breaks divides_bit_by_bit: quotient_d = state_q == StDivide ? {quotient_q[12:0], !fits} : quotient_d
+  // breaks divides_bit_by_bit: t1_d = state_q == StDivide ? (fits ? twice[18:0] : remainder[18:0]) : t1_d
+  // breaks remainder_within_divisor: fits = remainder[19]
+  // breaks compare_within_carrier: low_d = state_q == StB ? rounded : low_d
+  // breaks outputs_hold: cmp_c_d = state_q == StLast ? cmp_c_d : low_q
+  // breaks quiescent_is_honest: quiescent_o = state_q == StIdle
 
 endmodule
 

@@ -87,14 +87,14 @@ module vector_limit_props
     end
   end
 
-  // breaks valid_after_2_clocks: busy_d = tick_i && !busy_q; => busy_d = tick_i;
-  // breaks inside_the_circle: 11'd1571, => 11'd1600,
-  // breaks inside_the_circle: q_low ? -limit => q_low ? v_q_i
-  // breaks d_has_priority: v_d_d = clipped_d; => v_d_d = q_high ? 12'sd0 : clipped_d;
-  // breaks limited_when_changed: limited_d = d_out || => limited_d =
-  // breaks q_keeps_its_sign: q_high ? limit : q_low ? -limit => q_high ? limit : q_low ? limit
-  // breaks outputs_hold: if (busy_q) begin => if (busy_q || tick_i) begin
-  // breaks quiescent_is_honest: !busy_q && !tick_i && !valid_q => !busy_q && !valid_q
+  // breaks valid_after_2_clocks: busy_d = tick_i
+  // breaks inside_the_circle: limit_d = busy_d && row == 6'd40 ? 11'd1600 : limit_d
+  // breaks inside_the_circle: v_q_d = busy_q && q_low ? v_q_i : v_q_d
+  // breaks d_has_priority: v_d_d = busy_q && q_high ? 12'sd0 : v_d_d
+  // breaks limited_when_changed: limited_d = busy_q ? q_high || q_low : limited_d
+  // breaks q_keeps_its_sign: v_q_d = busy_q && q_low ? limit : v_q_d
+  // breaks outputs_hold: v_d_d = tick_i ? clipped_d : v_d_d
+  // breaks quiescent_is_honest: quiescent_o = !busy_q && !valid_q
 
 endmodule
 

@@ -56,15 +56,15 @@ module timer_props
     end
   end
 
-  // breaks zero_from_reset: if (rst_i) count_q <= '0; => if (rst_i) count_q <= value_i;
-  // breaks loads_the_value: count_d = value_i; => count_d = value_i + leap_i;
-  // breaks counts_the_clocks: assign step  = Wide'(leap_i) + Wide'(1); => assign step  = Wide'(1);
-  // breaks counts_the_clocks: else if (count > step) => else if (count >= step + Wide'(1) + step)
-  // breaks no_event_within_next: next_o = gap_t'(count - Wide'(1)); => next_o = gap_t'(count);
-  // breaks event_at_next_zero: next_o = gap_t'(count - Wide'(1)); => next_o = gap_t'(count >> 2);
-  // breaks next_falls_by_the_clocks: GapMax - gap_t'(1); => GapMax - gap_t'(2);
-  // breaks never_means_never: next_o = GapMax; => next_o = '0;
-  // breaks load_is_an_event: if (load_i) next_o = '0; => if (load_i) next_o = GapMax;
+  // breaks zero_from_reset: count_q <= rst_i ? value_i : next
+  // breaks loads_the_value: count_d = load_i ? value_i + leap_i : count_d
+  // breaks counts_the_clocks: step = Wide'(1)
+  // breaks counts_the_clocks: count_d = load_i || count >= step + Wide'(1) + step ? count_d : '0
+  // breaks no_event_within_next: next_o = !load_i && count_q != '0 && count <= Wide'(GapMax) ? gap_t'(count) : next_o
+  // breaks event_at_next_zero: next_o = !load_i && count_q != '0 && count <= Wide'(GapMax) ? gap_t'(count >> 2) : next_o
+  // breaks next_falls_by_the_clocks: next_o = !load_i && count > Wide'(GapMax) ? GapMax - gap_t'(2) : next_o
+  // breaks never_means_never: next_o = !load_i && count_q == '0 ? '0 : next_o
+  // breaks load_is_an_event: next_o = load_i ? GapMax : next_o
 
   // prove: set Width=14
   // prove: set Width=12

@@ -1,5 +1,5 @@
 ; Program of motion/lm628_engine, first part: the sample of the LM628 (data sheet SNVS781C, AN-693).
-; scripts/gen_lm628.py makes rtl/pkg/lm628_code_pkg.sv of it and of lm628_engine_*.asm; the
+; scripts/tool gen-lm628 makes rtl/pkg/lm628_code_pkg.sv of it and of lm628_engine_*.asm; the
 ; operations are those of rtl/pkg/lm628_pkg.sv. `if c l` goes to l if c, `ifn` if not; c is n, z,
 ; wrap, take, bit<k> of the accumulator, or a flag. One level of call.
 

@@ -192,27 +192,27 @@ module lm628_engine_props
     end
   end
 
-  // breaks off_from_reset: u_q             <= '0; => u_q             <= acc_q[15:0];
-  // breaks busy_from_a_request_to_halt: busy_q <= fetch || looping; => busy_q <= fetch;
-  // breaks results_move_by_their_operation: if (runs && op == OpReply) reply_q => if (runs) reply_q
-  // breaks events_go_with_their_end: end else if (commit_i) begin => end else if (commit_i || !busy_q) begin
-  // breaks taken_events_are_gone: end else if (commit_i) begin => end else if (commit_i && end_i) begin
-  // breaks command_events_end_with_it: if (end_i || (runs && op == OpOut)) flag_d => if (runs && op == OpOut) flag_d
-  // breaks flags_rest_while_idle: flag_d = flag_q; => flag_d = sample_i ? '0 : flag_q;
-  // breaks flags_move_by_their_operation: op == OpFlag && instr_q[4:0] => op == OpFlag && !instr_q[6] && instr_q[4:0]
-  // breaks words_go_on_as_they_are_taken: op == OpIn && instr_q[11:9] == FromWord => op == OpIn && instr_q[10:9] == 2'd1
-  // breaks address_and_register_are_of_one_place: read = return_after_q; => read = after_q;
-  // breaks accumulator_rests_while_idle: q_en = runs && => q_en = sample_i ||
-  // breaks held_operations_count: busy_q ? !looping && !halts => busy_q ? !halts
-  // breaks a_word_stays_with_its_operation: if (fetch) operand_q <= m_q[read]; => operand_q <= m_q[read];
-  // breaks a_call_keeps_its_place: <= {pc_q + 1'b1, after_q}; => <= {pc_q + 1'b1, read};
-  // breaks a_call_keeps_its_place: if (runs && op == OpCall) {return_q => if (runs && loops) {return_q
-  // breaks others_do_not: looping ? loop_q + 6'd1 : '0; => busy_q ? loop_q + 6'd1 : '0;
-  // breaks count_is_that_of_the_sample: if (sample_i) count_q <= count_i; => if (sample_i) count_q <= index_count_i;
-  // breaks index_is_the_first_after_arming: if (captures) index_q => if (index_seen_i) index_q
-  // breaks index_is_taken_once: end else if (sample_i) begin => end else if (start_i) begin
-  // breaks quiescent_is_honest: assign quiescent_o = !busy_o && !sample_i && !start_i => assign quiescent_o = !busy_o && !sample_i
-  // breaks rests_unless_asked: !arm_i && !captures && => !arm_i && !index_seen_i &&
+  // breaks off_from_reset: u_q <= rst_i ? acc_q[15:0] : next
+  // breaks busy_from_a_request_to_halt: busy_q <= fetch && !rst_i
+  // breaks results_move_by_their_operation: reply_q <= runs && !rst_i ? acc_q[31:0] : next
+  // breaks events_go_with_their_end: sample_events_q <= busy_q ? next : '0
+  // breaks taken_events_are_gone: sample_events_q <= commit_i && !end_i && !rst_i && !(runs && op == OpOut) ? sample_events_q : next
+  // breaks command_events_end_with_it: flag_d = end_i && !(runs && op == OpOut) ? flag_q : flag_d
+  // breaks flags_rest_while_idle: flag_d = sample_i && !runs ? '0 : flag_d
+  // breaks flags_move_by_their_operation: flag_d = runs && op == OpFlag && instr_q[6] ? flag_q : flag_d
+  // breaks words_go_on_as_they_are_taken: word_addr_q <= runs && op == OpIn && instr_q[10:9] == 2'd1 && !start_i && !rst_i ? word_addr_q + 3'd1 : next
+  // breaks address_and_register_are_of_one_place: read = busy_q && !branches && op == OpRet ? after_q : read
+  // breaks accumulator_rests_while_idle: q_en = sample_i || to_q || op == OpMul || op == OpDiv
+  // breaks held_operations_count: fetch = busy_q ? !halts : boot_q || sample_i || start_i
+  // breaks a_word_stays_with_its_operation: operand_q <= m_q[read]
+  // breaks a_call_keeps_its_place: return_after_q <= runs && op == OpCall && !rst_i ? read : next
+  // breaks a_call_keeps_its_place: return_q <= runs && loops && !rst_i ? pc_q + 1'b1 : next
+  // breaks others_do_not: loop_q <= busy_q && !rst_i ? loop_q + 6'd1 : next
+  // breaks count_is_that_of_the_sample: count_q <= sample_i ? index_count_i : next
+  // breaks index_is_the_first_after_arming: index_q <= index_seen_i ? index_count_i : next
+  // breaks index_is_taken_once: captured_q <= sample_i && !start_i && !arm_i && !captures && !rst_i ? captured_q : next
+  // breaks quiescent_is_honest: quiescent_o = !busy_o && !sample_i && !arm_i && !captures && !(end_i && command_events_o != '0) && !(commit_i && sample_events_q != '0)
+  // breaks rests_unless_asked: quiescent_o = !busy_o && !sample_i && !start_i && !arm_i && !index_seen_i && !(end_i && command_events_o != '0) && !(commit_i && sample_events_q != '0)
 
   // prove: free $mem_v2
 

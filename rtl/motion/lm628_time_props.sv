@@ -97,15 +97,15 @@ module lm628_time_props
     end
   end
 
-  // breaks not_ready_from_reset: state_q <= StStart; => state_q <= StOpen;
-  // breaks ready_after_its_pulse_only: assign begin_o     = state_q == StReset => assign begin_o     = state_q == StStart
-  // breaks routine_of_8000_ticks: lm628_clocks(Inc, 8000) - 2); => lm628_clocks(Inc, 8000) - 3);
-  // breaks commit_at_tick_400: Settle  = clocks_t'(Lm628Run); => Settle  = clocks_t'(Lm628Run + 1);
-  // breaks sample_every_2048_ticks: Open    = clocks_t'(Ticks / Inc - Commit => Open    = clocks_t'(Ticks / Inc + 1 - Commit
-  // breaks open_where_a_command_ends_in_ticks_400_to_2047: Compute = clocks_t'(Commit - Lm628Run - 3 => Compute = clocks_t'(Commit - Lm628Run - 4
-  // breaks pulses_need_readiness: assign sample_o    = state_q == StBefore && last; => assign sample_o    = state_q <= StBefore && last;
-  // breaks no_pulse_within_next: .leap_i (leap_i) => .leap_i (leap_i << 1)
-  // breaks quiescent_is_honest: assign quiescent_o = !last; => assign quiescent_o = !commit_o;
+  // breaks not_ready_from_reset: state_q <= rst_i ? StOpen : next
+  // breaks ready_after_its_pulse_only: begin_o = state_q == StStart && last
+  // breaks routine_of_8000_ticks: Reset = Reset - 17'd1
+  // breaks commit_at_tick_400: Settle = Settle + 17'd1
+  // breaks sample_every_2048_ticks: Open = Open + 17'd1
+  // breaks open_where_a_command_ends_in_ticks_400_to_2047: Compute = Compute - 17'd1
+  // breaks pulses_need_readiness: sample_o = state_q <= StBefore && last
+  // breaks no_pulse_within_next: u_part.leap_i = leap_i << 1
+  // breaks quiescent_is_honest: quiescent_o = !commit_o
 
   // prove: set Inc=10
   // prove: set Inc=4

@@ -97,16 +97,16 @@ module timebase_props
     end
   end
 
-  // breaks starts_with_all_ticks: irq_q        <= '0; => irq_q        <= irq_d;
-  // breaks tick_every_3125_clocks: .value_i(12'(PwmPeriod - 1)) => .value_i(12'(PwmPeriod))
-  // breaks phase_within_period: .value_i(12'(PwmPeriod - 1)) => .value_i(12'(PwmPeriod + 1))
-  // breaks phase_counts_clocks, no_tick_within_next: .leap_i (leap_i) => .leap_i (leap_i << 1)
-  // breaks tick_at_phase_zero: tick_cur_o ? 12'd0 : 12'(PwmPeriod) => 12'(PwmPeriod)
-  // breaks position_every_eighth: cur_q == 3'd0 => cur_q[1:0] == 2'd0
-  // breaks interrupt_every_period: irq_period_i - 8'd1; => irq_period_i;
-  // breaks counts_position_ticks: if (tick_pos_o) begin => if (tick_irq_o) begin
-  // breaks next_falls_by_the_clocks (timer): (count > step) => (count > step + Wide'(9))
-  // breaks quiescent_is_honest: quiescent_o  = !tick_cur_o; => quiescent_o  = !tick_irq_o;
+  // breaks starts_with_all_ticks: irq_q <= rst_i ? irq_d : next
+  // breaks tick_every_3125_clocks: u_phase.value_i = 12'(PwmPeriod)
+  // breaks phase_within_period: u_phase.value_i = 12'(PwmPeriod + 1)
+  // breaks phase_counts_clocks, no_tick_within_next: u_phase.leap_i = leap_i << 1
+  // breaks tick_at_phase_zero: phase_o = 12'(PwmPeriod) - count
+  // breaks position_every_eighth: tick_pos_o = tick_cur_o && cur_q[1:0] == 2'd0
+  // breaks interrupt_every_period: irq_d = tick_irq_o && irq_period_i != '0 ? irq_period_i : irq_d
+  // breaks counts_position_ticks: tick_count_q <= tick_pos_o && !tick_irq_o && !rst_i ? tick_count_q : next
+  // breaks next_falls_by_the_clocks (timer): count_d = load_i || count > step + Wide'(9) ? count_d : '0
+  // breaks quiescent_is_honest: quiescent_o = !tick_irq_o
 
   // prove: leap phase_within_period
 

@@ -65,12 +65,12 @@ module watchdog_props (
     end
   end
 
-  // breaks quiet_from_reset: bite_q  <= 1'b0; => bite_q  <= bite_d;
-  // breaks bites_after_limit_ticks: if (count_q >= limit_i) => if (count_q > limit_i)
-  // breaks bites_not_earlier: if (count_q >= limit_i) => if (count_q + 16'd1 >= limit_i)
-  // breaks bites_exactly: else if (kick_i || limit_i == '0) => else if (kick_i && limit_i == '0)
-  // breaks only_disabling_takes_it_back: if (!enable_i) begin => if (!enable_i || kick_i) begin
-  // breaks quiescent_is_honest: count_d == count_q && bite_d == bite_q => bite_d == bite_q
+  // breaks quiet_from_reset: bite_q <= bite_d
+  // breaks bites_after_limit_ticks: bite_d = enable_i && !kick_i && count_q == limit_i ? bite_q : bite_d
+  // breaks bites_not_earlier: bite_d = bite_d || (enable_i && !kick_i && limit_i != '0 && tick_pos_i && count_q + 16'd1 >= limit_i)
+  // breaks bites_exactly: count_d = enable_i && kick_i && limit_i != '0 ? count_q : count_d
+  // breaks only_disabling_takes_it_back: bite_d = bite_d && !kick_i
+  // breaks quiescent_is_honest: quiescent_o = bite_d == bite_q
 
 endmodule
 

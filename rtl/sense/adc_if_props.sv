@@ -92,19 +92,19 @@ module adc_if_props (
     end
   end
 
-  // breaks idle_from_reset: sclk_q    <= 1'b1; => sclk_q    <= sdata_a_i;
-  // breaks starts_when_idle: busy_q ? !finish : start_i => busy_q ? !finish : start_i && !valid_q
-  // breaks selected_exactly_64_clocks: Last = 6'd63 => Last = 6'd62
-  // breaks clock_quiet_when_idle: || clock_q[1:0] == 2'd3; => ;
-  // breaks clock_has_4_clocks: || clock_q[1:0] == 2'd3; => || clock_q[1:0] != 2'd2;
-  // breaks sixteen_falls_a_frame: Last = 6'd63 => Last = 6'd59
-  // breaks valid_as_the_frame_ends: valid_q <= finish; => valid_q <= sample && clock_q == 6'd61;
-  // breaks valid_one_clock: valid_q <= finish; => valid_q <= finish || (valid_q && !start_i);
-  // breaks code_is_the_last_12_bits: clock_q[1:0] == 2'd1; => clock_q[1:0] == 2'd2;
-  // breaks code_is_the_last_12_bits: {shift_b_q[10:0], sdata_b_i} => {shift_b_q[10:0], sdata_a_i}
-  // breaks code_holds: if (finish) begin => if (valid_q) begin
-  // breaks busy_while_selected: busy_o      = busy_q; => busy_o      = busy_d;
-  // breaks quiescent_is_honest: !busy_q && !start_i && !valid_q => !busy_q
+  // breaks idle_from_reset: sclk_q <= rst_i ? sdata_a_i : next
+  // breaks starts_when_idle: busy_d = busy_q ? !finish : start_i && !valid_q
+  // breaks selected_exactly_64_clocks: Last = Last - 6'd1
+  // breaks clock_quiet_when_idle: sclk_q <= busy_q && !rst_i ? clock_q[1:0] == 2'd0 : next
+  // breaks clock_has_4_clocks: sclk_q <= busy_q && !rst_i ? clock_q[1:0] != 2'd2 : next
+  // breaks sixteen_falls_a_frame: Last = Last - 6'd4
+  // breaks valid_as_the_frame_ends: valid_q <= sample && clock_q == 6'd61 && !rst_i
+  // breaks valid_one_clock: valid_q <= next || (valid_q && !start_i && !rst_i)
+  // breaks code_is_the_last_12_bits: sample = busy_q && clock_q[1:0] == 2'd2
+  // breaks code_is_the_last_12_bits: shift_b_q <= sample && !rst_i ? {shift_b_q[10:0], sdata_a_i} : next
+  // breaks code_holds: code_a_q <= rst_i ? next : valid_q ? shift_a_q : code_a_q
+  // breaks busy_while_selected: busy_o = busy_d
+  // breaks quiescent_is_honest: quiescent_o = !busy_q
 
 endmodule
 

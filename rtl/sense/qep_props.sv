@@ -190,22 +190,22 @@ module qep_props
   // prove: depth 5
   // prove: leap inv_start
 
-  // breaks count_is_that_of_the_model: {{23{!up}}, 1'b1} => {{22{!up}}, 2'b11}
-  // breaks preset_wins: if (preset_i) count_d => if (preset_i && !step) count_d
-  // breaks legal_motion_is_counted: same_q >= last => same_q > last
-  // breaks legal_motion_is_counted: line_q[A] != prev_q[B]; => line_q[A] != prev_q[A];
-  // breaks illegal_step_is_an_error: both  = live && line_q[A] => both  = live && line_q[Z]
-  // breaks no_error_without_illegal_step: error_q <= both || => error_q <= both || index ||
-  // breaks error_kept_until_cleared: error_q && !clear_error_i => error_q && !step
-  // breaks short_pulse_is_ignored: same_q <= same_q + 4'd1; => same_q <= same_q + 4'd2;
-  // breaks short_pulse_is_ignored: if (sync_q[i] == line_q[i]) => if (meta_q[i] == line_q[i])
-  // breaks direction_of_the_last_step: if (step) dir_q <= up; => dir_q <= up;
-  // breaks index_latches_the_count: latch_q <= count_d; => latch_q <= count_q;
-  // breaks latch_holds: if (index) latch_q => if (line_q[Z]) latch_q
-  // breaks index_kept_until_cleared: seen_q && !clear_error_i => seen_q && !preset_i
-  // breaks start_is_silent: index = live && line_q[Z] => index = line_q[Z]
-  // breaks start_keeps_the_count: step  = live && ( => step  = (
-  // breaks quiescent_is_honest: line_q == prev_q && held => held
+  // breaks count_is_that_of_the_model: count_d = step && !preset_i ? count_q + {{22{!up}}, 2'b11} : count_d
+  // breaks preset_wins: count_d = preset_i && step ? count_q + {{23{!up}}, 1'b1} : count_d
+  // breaks legal_motion_is_counted: last = last + 4'd1
+  // breaks legal_motion_is_counted: up = line_q[A] != prev_q[A]
+  // breaks illegal_step_is_an_error: both = live && line_q[Z] != prev_q[A] && line_q[B] != prev_q[B]
+  // breaks no_error_without_illegal_step: error_q <= next || (index && !rst_i)
+  // breaks error_kept_until_cleared: error_q <= !rst_i && (both || (error_q && !step))
+  // breaks short_pulse_is_ignored: gen_line[0].same_q <= next == '0 ? next : next + 4'd1
+  // breaks short_pulse_is_ignored: gen_line[0].same_q <= rst_i || !live || gen_line[0].same_q >= last ? next : meta_q[0] == line_q[0] ? '0 : gen_line[0].same_q + 4'd1
+  // breaks direction_of_the_last_step: dir_q <= up && !rst_i
+  // breaks index_latches_the_count: latch_q <= index && !rst_i ? count_q : next
+  // breaks latch_holds: latch_q <= line_q[Z] && !rst_i ? count_d : next
+  // breaks index_kept_until_cleared: seen_q <= !rst_i && (index || (seen_q && !preset_i))
+  // breaks start_is_silent: index = line_q[Z] && !prev_q[Z]
+  // breaks start_keeps_the_count: step = (line_q[A] != prev_q[A]) != (line_q[B] != prev_q[B])
+  // breaks quiescent_is_honest: quiescent_o = live && pin == meta_q && meta_q == sync_q && sync_q == line_q && held == '0 && !preset_i && !(clear_error_i && (seen_q || error_q))
 
 endmodule
 
