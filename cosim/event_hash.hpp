@@ -12,6 +12,7 @@ namespace trammel::cosim {
 class EventHash {
  public:
   std::uint64_t value() const { return hash_; }
+  Clk events() const { return events_; }  // clocks at which the loop saw something
 
   // One round of a 64-bit multiply-xorshift: cheap, and every event moves all later values.
   void mix(std::uint64_t value) {
@@ -20,6 +21,7 @@ class EventHash {
   }
 
   void mix(const Stop& stop, const Chip& chip) {
+    ++events_;
     mix(static_cast<std::uint64_t>(stop.edge));
     mix((std::uint64_t{stop.why} << 32) | chip.drive());
     if ((stop.why & kBusDone) != 0) mix(chip.rdata());
@@ -27,6 +29,7 @@ class EventHash {
 
  private:
   std::uint64_t hash_ = 0xcbf29ce484222325u;
+  Clk events_ = 0;
 };
 
 }  // namespace trammel::cosim

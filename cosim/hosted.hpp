@@ -25,6 +25,9 @@ struct HostedState {
   bool host = false;  // the chip interrupts
   Clk host_rise = kNever;
 
+  // Edges from `edge` on in which nothing beside the chip happens: at least 1.
+  Clk waiting(Clk edge) const { return timer.waiting(edge); }
+
   void count_as(const HostedState& other) { evaluated = other.evaluated; }
 };
 
@@ -44,7 +47,7 @@ class Hosted : public Base {
     while (s.now < end) {
       const Clk edge = s.now;
       const bool bus = bus_active();
-      const Clk clocks = std::min({settle(edge, bus), end - edge, s.timer.waiting(edge)});
+      const Clk clocks = std::min({settle(edge, bus), end - edge, s.waiting(edge)});
       if (clocks > 1) {
         leap(edge, clocks);
         s.now += clocks;

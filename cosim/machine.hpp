@@ -59,10 +59,18 @@ enum class EndReason { kDone, kFault, kDiverged, kTimeout, kStopped, kPromise };
 
 // What a run of any machine gives besides its record.
 struct RunResult {
+  RunResult() = default;
+  RunResult(RunResult&&) = default;
+  RunResult& operator=(RunResult&&) = default;
+  virtual ~RunResult() = default;
+  virtual std::size_t sample_count() const { return 0; }
+  virtual std::string fault_text() const { return {}; }  // what stopped it, for people
+
   EndReason end = EndReason::kTimeout;
   std::optional<BrokenPromise> promise;  // kPromise: the first one
   Clk clocks = 0;
   Clk evaluated = 0;                     // of these; the others were leapt over
+  Clk events = 0;                        // clocks that hold an event; 0: nobody counted them
   double wall_s = 0;
   std::uint64_t event_hash = 0;          // of all drive, interrupt, sample and bus events
   std::optional<Clk> wave_trigger;       // edge at which it fired

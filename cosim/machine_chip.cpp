@@ -3,8 +3,9 @@
 
 namespace trammel::cosim {
 
-void conclude(RunResult& result, const MachineChip& chip, const std::optional<WaveWindow>& window,
-              std::chrono::steady_clock::time_point started) {
+void close_result(RunResult& result, const MachineChip& chip,
+                  const std::optional<WaveWindow>& window,
+                  std::chrono::steady_clock::time_point started) {
   result.clocks = chip.now();
   result.evaluated = chip.evaluated();
   result.promise = chip.broken_promise();

@@ -22,7 +22,8 @@ struct MachineChip : Chip {
 
 // What a session of any machine knows at the end of a run that began at `started` and dumped the
 // clocks of `window`. A promise that did not hold is why it ended.
-void conclude(RunResult& result, const MachineChip& chip, const std::optional<WaveWindow>& window,
-              std::chrono::steady_clock::time_point started);
+void close_result(RunResult& result, const MachineChip& chip,
+                  const std::optional<WaveWindow>& window,
+                  std::chrono::steady_clock::time_point started);
 
 }  // namespace trammel::cosim

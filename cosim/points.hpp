@@ -17,11 +17,11 @@ struct PointM {
 };
 
 struct PointRange {
-  double low_mm = 0, high_mm = 600;  // stroke of Kung's table
+  double low_mm = 0, high_mm = 0;
 };
 
 std::vector<PointM> read_points_csv(std::istream& text, const std::string& name,
-                                    const PointRange& range = {});
-std::vector<PointM> read_points_csv(const std::string& file, const PointRange& range = {});
+                                    const PointRange& range);
+std::vector<PointM> read_points_csv(const std::string& file, const PointRange& range);
 
 }  // namespace trammel::cosim

@@ -84,9 +84,9 @@ Trigger parse_trigger(const std::string& text, const TriggerForms& forms) {
   return trigger;
 }
 
-std::vector<std::string> signal_names(const std::vector<Signal>& signals) {
-  std::vector<std::string> names;
-  for (const Signal& signal : signals) {
+std::vector<std::string> trigger_names(const TriggerForms& forms) {
+  std::vector<std::string> names = forms.events;
+  for (const Signal& signal : forms.signals) {
     names.emplace_back(signal.name);
     if (!signal.of_axis) continue;
     names.push_back(std::string("x.") + signal.name);

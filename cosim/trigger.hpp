@@ -37,6 +37,12 @@ struct SignalReader {
   virtual std::int64_t read(std::size_t signal, int axis) const = 0;  // its place in the list
 };
 
+// Sees a chip after each edge that is evaluated; at the others no signal changes.
+struct Watcher {
+  virtual ~Watcher() = default;
+  virtual void after(Clk edge, const SignalReader& chip) = 0;
+};
+
 struct Trigger {
   enum class When { kAt, kEvent, kHolds, kRises, kFalls, kChanges };
   enum class Relation { kEqual, kNotEqual, kLess, kLessEqual, kGreater, kGreaterEqual };
@@ -66,7 +72,9 @@ struct UnknownName : std::invalid_argument {
 // What a machine's triggers may be.
 struct TriggerForms {
   const std::vector<Signal>& signals;
-  const char* help;  // one line of all of them
+  std::vector<std::string> events;  // words of its own, for suggestions
+  const char* help;                 // one line of all forms
+  const char* start;                // the event to which the default window is anchored
   // Puts an event of the machine's own into the trigger; false: the word is none. May throw
   // UnknownName.
   bool (*event)(Trigger& trigger, const std::string& word);
@@ -78,8 +86,8 @@ Trigger parse_trigger(const std::string& text, const TriggerForms& forms);
 // "x.e" is signal e of axis 0. Throws UnknownName.
 void name_signal(Trigger& trigger, const std::string& name, const std::vector<Signal>& signals);
 
-// All that may stand for a NAME, for suggestions.
-std::vector<std::string> signal_names(const std::vector<Signal>& signals);
+// All that may stand for a NAME or EVENT, for suggestions.
+std::vector<std::string> trigger_names(const TriggerForms& forms);
 
 // Looks for a comparison or a change of a signal, edge by edge.
 class SignalSearch {

@@ -17,23 +17,13 @@ inline constexpr double kEveryWindowS = 0.0002;   // default window of run.wave_
 // Clock edge at a time [s].
 inline Clk edge_at(double seconds) { return clocks_of(seconds, kClockPs); }
 
-// What a session does for waves: looks for the trigger, or dumps a window, or neither.
-template <class AnySearch>
-struct Waves {
-  using Search = AnySearch;
-  Search* search = nullptr;  // the run ends when it has found its trigger
-  std::optional<WaveWindow> window;
-
-  bool found() const { return search != nullptr && search->found(); }
-};
-
 // Seconds of "10ms"; s, ms, us or ns behind the number, none means s.
 std::optional<double> parse_time(const std::string& text);
 
 // Edge of such a time of a run; throws std::invalid_argument that says what is allowed.
 Clk parse_edge(const std::string& text);
 
-// Whether the user named the event at which the window hangs: then its absence is an error.
+// Whether the user named the event that the window is anchored to: then its absence is an error.
 inline bool trigger_asked(const RunBasics& run) { return !run.wave_trigger.empty(); }
 
 // That event: the user's, or `start` of the default window; none when it counts from the start of

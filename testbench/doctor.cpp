@@ -5,55 +5,69 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cosim/kung/trigger.hpp"
-#include "cosim/mcafee/signals.hpp"
-#include "cosim/wave_event.hpp"
-#include "testbench/build_info.hpp"
-#include "testbench/config.hpp"
-#include "testbench/output.hpp"
+#include "lab/build_info.hpp"
+#include "lab/files.hpp"
+#include "lab/machine.hpp"
+#include "lab/scenarios.hpp"
+#include "lab/write.hpp"
 
 namespace trammel::testbench {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-template <class Options>
-constexpr bool is_of_kung = std::is_same_v<Options, kung::Options>;
-
-template <class Options>
-std::string description_of(const std::filesystem::path& file) {
-  Options options;
-  apply_file(options, file);
-  return options.description;
-}
-
-int list_scenarios(bool json) {
+int list_machines(bool json) {
   Json all = Json::array();
   std::string text;
-  for (const auto& file : scenarios()) {
-    const std::string machine = machine_of(file);
-    const std::string description = machine == "kung"    ? description_of<kung::Options>(file)
-                                    : machine == "an693" ? description_of<lm628::Options>(file)
-                                                         : description_of<mcafee::Options>(file);
-    const std::string name = file.stem().string();
-    all.push_back({{"name", name}, {"machine", machine}, {"description", description}});
-    text += fmt::format("{:<19}{}\n", name, description);
+  for (const lab::Machine* machine : lab::machines()) {
+    all.push_back({{"name", machine->name}, {"title", machine->title},
+                   {"source", machine->source},
+                   {"leap", machine->can.leap},
+                   {"twin", machine->can.twin}});
+    text += fmt::format("{:<10}{}\n{:<10}{}\n", machine->name, machine->title, "",
+                        machine->source);
   }
   fmt::print("{}", json ? all.dump(2) + '\n' : text);
   return 0;
 }
 
-template <class Options>
-int list_keys(bool json) {
-  const Options defaults;
+int list_scenarios(bool json) {
   Json all = Json::array();
   std::string text;
-  if (is_of_kung<Options>) text = "Axis keys without .x or .y set both axes.\n\n";
-  for (const KeyOf<Options>& key : keys_of<Options>()) {
-    const std::string value = value_text(key.get(defaults));
-    all.push_back({{"key", key.name}, {"default", value}, {"range", range_text(key)},
-                   {"help", key.help}});
-    text += fmt::format("{:<35} {:<11} {:<45} {}\n", key.name, value, range_text(key), key.help);
+  for (const auto& file : lab::scenarios()) {
+    const auto settings = lab::load_scenario(file);
+    const std::string name = file.stem().string();
+    all.push_back({{"name", name}, {"machine", settings->machine().name},
+                   {"description", settings->description}});
+    text += fmt::format("{:<19}{}\n", name, settings->description);
+  }
+  fmt::print("{}", json ? all.dump(2) + '\n' : text);
+  return 0;
+}
+
+int list_keys(const lab::Machine& machine, bool json) {
+  const auto defaults = machine.defaults();
+  Json all = Json::array();
+  std::string lines;
+  bool two_axes = false;
+  for (const lab::Key& key : machine.keys()) {
+    const std::string value = lab::value_text(key.get(*defaults));
+    const std::string range = lab::range_text(key);
+    two_axes = two_axes || lab::short_form(key.name) != key.name;
+    all.push_back({{"key", key.name}, {"default", value}, {"range", range}, {"help", key.help}});
+    lines += fmt::format("{:<35} {:<11} {:<45} {}\n", key.name, value, range, key.help);
+  }
+  const char* const head = two_axes ? "Axis keys without .x or .y set both axes.\n\n" : "";
+  fmt::print("{}", json ? all.dump(2) + '\n' : head + lines);
+  return 0;
+}
+
+int list_columns(const lab::Machine& machine, bool json) {
+  Json all = Json::array();
+  std::string text;
+  for (const lab::Column& column : machine.columns().columns) {
+    all.push_back({{"column", column.name}, {"unit", column.unit}, {"help", column.help}});
+    text += fmt::format("{:<18}{:<24}{}\n", column.name, column.unit, column.help);
   }
   fmt::print("{}", json ? all.dump(2) + '\n' : text);
   return 0;
@@ -64,22 +78,19 @@ int list_signals(bool json) {
   std::string text =
       "What --wave-trigger may name. With x. or y. before it a signal of that axis; without, of "
       "either.\n";
-  const auto add = [&](const char* machine, const char* forms,
-                       const std::vector<cosim::Signal>& signals) {
-    text += fmt::format("\n{}. Events: {}\n\n", machine, forms);
-    for (const cosim::Signal& signal : signals) {
+  for (const lab::Machine* machine : lab::machines()) {
+    const cosim::TriggerForms& forms = machine->triggers();
+    text += fmt::format("\n{}. Events: {}\n\n", machine->name, forms.help);
+    for (const cosim::Signal& signal : forms.signals) {
       const std::int64_t span = std::int64_t{1} << signal.bits;
       const std::int64_t low = signal.is_signed ? -span / 2 : 0;
       const std::string range = fmt::format("{}..{}", low, low + span - 1);
-      all.push_back({{"machine", machine}, {"signal", signal.name}, {"axis", signal.of_axis},
-                     {"range", range}, {"help", signal.help}});
+      all.push_back({{"machine", machine->name}, {"signal", signal.name},
+                     {"axis", signal.of_axis}, {"range", range}, {"help", signal.help}});
       text += fmt::format("{:<6}{:<22}{:<26}{}\n", signal.of_axis ? "x. y." : "", signal.name,
                           range, signal.help);
     }
-  };
-  add("kung", kung::kTriggerForms, kung::signals());
-  add("an693", cosim::kWaveEvents, lm628::signals());
-  add("mcafee", cosim::kWaveEvents, mcafee::signals());
+  }
   fmt::print("{}", json ? all.dump(2) + '\n' : text);
   return 0;
 }
@@ -87,15 +98,17 @@ int list_signals(bool json) {
 }  // namespace
 
 int list(const std::string& topic, const std::string& machine, bool json) {
+  const lab::Machine& asked =
+      machine.empty() ? *lab::machines().front() : *lab::find_machine(machine);
   if (topic == "signals") return list_signals(json);
-  if (topic != "keys") return list_scenarios(json);
-  if (machine == "kung") return list_keys<kung::Options>(json);
-  return machine == "an693" ? list_keys<lm628::Options>(json) : list_keys<mcafee::Options>(json);
+  if (topic == "machines") return list_machines(json);
+  if (topic == "keys") return list_keys(asked, json);
+  return topic == "columns" ? list_columns(asked, json) : list_scenarios(json);
 }
 
 std::string version_text() {
-  return fmt::format("trammel {} commit {}\nverilator {}, systemc {}, {}, {}", kVersion, kCommit,
-                     kVerilator, kSystemC, kCompiler, kBuild);
+  return fmt::format("trammel {} commit {}\nverilator {}, systemc {}, {}, {}", lab::kVersion,
+                     lab::kCommit, lab::kVerilator, lab::kSystemC, lab::kCompiler, lab::kBuild);
 }
 
 int doctor(bool json) {
@@ -103,21 +116,21 @@ int doctor(bool json) {
     const char* name;
     const char* use;
   };
-  constexpr Tool kTools[] = {{"gnuplot", "path.svg and error.svg"},
+  constexpr Tool kTools[] = {{"gnuplot", "pictures of a run"},
                              {"fst2vcd", "--wave vcd"},
                              {"gtkwave", "looking at waves"}};
-  Json all = versions_json();
+  Json all = lab::versions_json();
   std::string text = version_text() + '\n';
   int missing = 0;
   for (const Tool& tool : kTools) {
-    const std::string where = find_program(tool.name).string();
+    const std::string where = lab::find_program(tool.name).string();
     all["tools"][tool.name] = where;
     text += fmt::format("{:<10}{:<26}{}\n", tool.name, where.empty() ? "MISSING" : where, tool.use);
     missing += where.empty() ? 1 : 0;
   }
-  const std::size_t count = scenarios().size();
+  const std::size_t count = lab::scenarios().size();
   all["scenarios"] = count;
-  text += fmt::format("{} scenarios in {}\n", count, kScenarioFolder);
+  text += fmt::format("{} scenarios in {}\n", count, lab::kMachineFolder);
   fmt::print("{}", json ? all.dump(2) + '\n' : text);
   return missing > 0 || count == 0 ? 3 : 0;
 }

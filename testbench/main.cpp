@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The `trammel` program. Results go to stdout, all else to stderr. Exit codes: 0 ok, 1 a check
-// failed, 2 usage or configuration, 3 a tool is missing, 4 a promise of the RTL was broken,
+// failed, 2 usage or configuration, 3 a tool is missing, 4 an assertion of the RTL failed,
 // 5 diverged or tripped, 70 internal, 130 interrupted.
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -11,16 +11,10 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "cosim/kung/trigger.hpp"
-#include "cosim/wave_event.hpp"
-#include "systemc/machines/an693.hpp"
-#include "systemc/machines/kung.hpp"
-#include "systemc/machines/mcafee.hpp"
-#include "testbench/config.hpp"
+#include "lab/errors.hpp"
+#include "lab/machine.hpp"
+#include "testbench/arguments.hpp"
 #include "testbench/doctor.hpp"
-#include "testbench/lm628.hpp"
-#include "testbench/mcafee.hpp"
-#include "testbench/report_page.hpp"
 #include "testbench/run.hpp"
 
 namespace {
@@ -44,15 +38,14 @@ void catch_interrupts(bool conversation = false) {
 
 struct CommandLine {
   CLI::App app{"Trammel: motion-control ICs, clock by clock, with the machine they drive"};
-  tb::RunArguments run_arguments;
+  tb::Arguments arguments;
   std::string topic = "scenarios";
-  std::string machine = "kung";
+  std::string machine;
   CLI::App* run = nullptr;
   CLI::App* list = nullptr;
   CLI::App* doctor = nullptr;
   CLI::App* report = nullptr;
-  CLI::App* lm628 = nullptr;
-  CLI::App* track = nullptr;
+  std::vector<std::pair<CLI::App*, const tb::Verb*>> of_machines;
   tb::ReportArguments report_arguments;
 
   CommandLine() {
@@ -60,24 +53,19 @@ struct CommandLine {
     app.require_subcommand(1);
     app.fallthrough();
     app.set_version_flag("--version", tb::version_text());
-    app.add_flag("--json", run_arguments.json, "print exactly one JSON document");
+    app.add_flag("--json", arguments.json, "print exactly one JSON document");
 
-    run = app.add_subcommand("run", "simulate a scenario and show whether the table followed");
+    run = app.add_subcommand("run", "simulate a scenario and show whether the machine followed");
     add_layers(run, "scenario", "built-in name or path of a .toml file",
                "output folder, default out/<scenario>");
-    add_simulation(run);
-    run->add_flag("--all", run_arguments.all, "the paper's eight experiments");
-    run->add_option("--engine", run_arguments.engine, "rtl, or twin: its bit-exact twins, fast");
-    run->add_option("--platform", run_arguments.platform, "systemc or direct");
-    run->add_flag("--check", run_arguments.check, "exit 1 when a figure is out of tolerance");
+    add_simulation(run, trigger_help());
+    run->add_flag("--all", arguments.all, "the experiments of the first machine's source");
+    run->add_option("--engine", arguments.engine, "rtl, or twin: its bit-exact twins, fast");
+    run->add_option("--platform", arguments.platform, "systemc or direct");
+    run->add_flag("--check", arguments.check,
+                  "exit 1 when a figure is out of tolerance, 2 when none is expected");
 
-    lm628 = app.add_subcommand("lm628", "the commands of an LM628 with its motor: a script, or a "
-                                        "conversation");
-    add_layers(lm628, "script",
-               "built-in name, file, or - for standard input; none on a terminal: a "
-               "conversation, in which `help` names the commands",
-               "write what `trammel run` writes into this folder, and script.lm628");
-    add_simulation(lm628);
+    for (const tb::Verb& verb : tb::machine_verbs()) add_verb(verb);
 
     report = app.add_subcommand("report", "a page of a run, or one that compares runs");
     report->add_option("folder", report_arguments.folders,
@@ -85,55 +73,67 @@ struct CommandLine {
     report->add_option("-o,--out", report_arguments.out,
                        "the page; default report.html in the folder, or out/compare.html");
 
-    track = app.add_subcommand("track", "the table of a path of the machine mcafee, as CSV");
-    add_layers(track, "scenario", "scenario with the path, default mcafee-stage3",
-               "file of the table; default: standard output");
-    track->add_flag("--listing", run_arguments.listing,
-                    "rows as McAfee's listing has them in memory: bytes C CC Vx Vy dY dX");
-
-    list = app.add_subcommand("list", "scenarios, every parameter with unit and range, or signals");
-    list->add_option("topic", topic, "scenarios, keys or signals (for --wave-trigger)")
-        ->check(CLI::IsMember({"scenarios", "keys", "signals"}));
-    list->add_option("machine", machine, "whose keys")
-        ->check(CLI::IsMember(tb::machines()));
+    list = app.add_subcommand("list",
+                              "scenarios, machines, and what a machine has: every parameter "
+                              "with unit and range, the columns of its trace, signals");
+    list->add_option("topic", topic,
+                     "scenarios, machines, keys, columns or signals (for --wave-trigger)")
+        ->check(CLI::IsMember({"scenarios", "machines", "keys", "columns", "signals"}));
+    list->add_option("machine", machine, "whose keys or columns; default: the first one's")
+        ->check(CLI::IsMember(trammel::lab::machine_names()));
     doctor = app.add_subcommand("doctor", "what is here and what is missing");
   }
 
+  static std::string trigger_help() {
+    std::string text =
+        "begin at an event, found in an untraced run before; names: `trammel list signals`.";
+    for (const trammel::lab::Machine* one : trammel::lab::machines()) {
+      text += fmt::format(" {}: {}.", one->name, one->triggers().help);
+    }
+    return text;
+  }
+
+  void add_verb(const tb::Verb& verb) {
+    CLI::App* const app_verb = app.add_subcommand(verb.name, verb.help);
+    add_layers(app_verb, verb.argument, verb.argument_help, verb.out_help);
+    if (verb.simulates) add_simulation(app_verb, verb.trigger_help);
+    for (const tb::Verb::Flag& flag : verb.flags) {
+      app_verb->add_flag_callback(flag.name,
+                                  [this, name = flag.name] { arguments.flags.insert(name); },
+                                  flag.help);
+    }
+    of_machines.emplace_back(app_verb, &verb);
+  }
+
   // Of every verb that takes a machine's keys.
-  void add_layers(CLI::App* verb, const char* name, const char* scenario, const char* out) {
-    verb->add_option(name, run_arguments.scenario, scenario);
-    verb->add_option("-c,--config", run_arguments.files, "more TOML files, later ones win");
-    verb->add_option("-s,--set", run_arguments.assignments, "key=value (`trammel list keys`)");
-    verb->add_option("-o,--out", run_arguments.out, out);
+  void add_layers(CLI::App* verb, const std::string& name, const std::string& scenario,
+                  const std::string& out) {
+    verb->add_option(name, arguments.scenario, scenario);
+    verb->add_option("-c,--config", arguments.files, "more TOML files, later ones win");
+    verb->add_option("-s,--set", arguments.assignments, "key=value (`trammel list keys`)");
+    verb->add_option("-o,--out", arguments.out, out);
   }
 
   // Of every verb that simulates.
-  void add_simulation(CLI::App* verb) {
-    verb->add_flag("--no-leap", run_arguments.plain, "evaluate every clock; the same events");
-    verb->add_flag("--audit", run_arguments.audit,
+  void add_simulation(CLI::App* verb, const std::string& trigger) {
+    verb->add_flag("--no-leap", arguments.plain, "evaluate every clock; the same events");
+    verb->add_flag("--audit", arguments.audit,
                    "a plain and a leaping chip in step, every register compared; exit 4 at the "
                    "first that differs");
-    verb->add_flag("--assert", run_arguments.assertions,
-                   "look at the promises of the RTL; exit 4 when one is broken; 50 times slower");
-    add_waves(verb);
-    verb->add_flag_callback("--no-report", [this] { run_arguments.report = false; },
+    verb->add_flag("--assert", arguments.assertions,
+                   "check the assertions of the RTL; exit 4 when one fails; 50 times slower");
+    add_waves(verb, trigger);
+    verb->add_flag_callback("--no-report", [this] { arguments.report = false; },
                             "without report.html");
   }
 
-  void add_waves(CLI::App* verb) {
-    tb::WaveArguments& waves = run_arguments.waves;
+  void add_waves(CLI::App* verb, const std::string& trigger) {
+    trammel::lab::WaveArguments& waves = arguments.waves;
     verb->add_option("--wave", waves.format, "signal traces: vcd or fst");
     verb->add_option("--wave-window", waves.window,
                      "a:b from the start of the run, or from the trigger (-1ms:2ms); default: 2 ms "
                      "around the trigger, or from where the drives start");
-    const bool of_script = verb->get_name() == "lm628";  // it runs once
-    verb->add_option("--wave-trigger", waves.trigger,
-                     of_script ? "at TIME"
-                               : fmt::format("begin at an event, found in an untraced run before. "
-                                             "kung: {}; names: `trammel list signals`. an693, "
-                                             "mcafee: {}",
-                                             trammel::kung::kTriggerForms,
-                                             trammel::cosim::kWaveEvents));
+    verb->add_option("--wave-trigger", waves.trigger, trigger);
     verb->add_option("--wave-pre", waves.pre, "before the trigger, default 0.2ms");
     verb->add_option("--wave-every", waves.every,
                      "the window again in each such period, for instance 50ms");
@@ -152,24 +152,21 @@ std::vector<std::string> verbs(const CLI::App& app) {
 
 int perform(const CommandLine& line) {
   if (line.list->parsed()) {
-    return tb::list(line.topic, line.machine, line.run_arguments.json);
+    return tb::list(line.topic, line.machine, line.arguments.json);
   }
-  if (line.doctor->parsed()) return tb::doctor(line.run_arguments.json);
+  if (line.doctor->parsed()) return tb::doctor(line.arguments.json);
   if (line.report->parsed()) {
     tb::ReportArguments arguments = line.report_arguments;
-    arguments.json = line.run_arguments.json;
+    arguments.json = line.arguments.json;
     return tb::report(arguments);
   }
-  if (line.lm628->parsed()) {
-    const bool conversation = tb::is_conversation(line.run_arguments);
-    catch_interrupts(conversation);
-    return tb::lm628_shell(line.run_arguments, g_stop,
-                           conversation ? tb::terminal_lines(g_stop) : tb::ReadLine());
+  for (const auto& [parsed, verb] : line.of_machines) {
+    if (!parsed->parsed()) continue;
+    catch_interrupts(verb->is_conversation != nullptr && verb->is_conversation(line.arguments));
+    return verb->perform(line.arguments, g_stop);
   }
-  if (line.track->parsed()) return tb::track(line.run_arguments);
   catch_interrupts();
-  return tb::run(line.run_arguments, trammel::kung::simulate, g_stop, trammel::lm628::simulate,
-                 trammel::mcafee::simulate);
+  return tb::run(line.arguments, g_stop);
 }
 
 }  // namespace
@@ -182,7 +179,7 @@ int main(int argc, char** argv) {
     const std::string verb = argc > 1 ? argv[1] : "-";
     const std::vector<std::string> known = verbs(line.app);
     if (std::find(known.begin(), known.end(), verb) == known.end() && verb.rfind('-', 0) != 0) {
-      const std::string near = tb::suggest(verb, known);
+      const std::string near = trammel::lab::suggest(verb, known);
       fmt::print(stderr, "trammel: {}: unknown verb{}; see trammel --help\n", verb,
                  near.empty() ? "" : fmt::format(", did you mean {}?", near));
       return 2;
@@ -194,13 +191,13 @@ int main(int argc, char** argv) {
   }
   try {
     return perform(line);
-  } catch (const tb::ConfigError& error) {
+  } catch (const trammel::lab::ConfigError& error) {
     fmt::print(stderr, "trammel: {}\n", error.what());
     return 2;
   } catch (const std::system_error& error) {  // of a disk
     fmt::print(stderr, "trammel: {}\n", error.what());
     return 2;
-  } catch (const tb::ToolMissing& error) {
+  } catch (const trammel::lab::ToolMissing& error) {
     fmt::print(stderr, "trammel: {}\n", error.what());
     return 3;
   } catch (const std::exception& error) {

@@ -2,221 +2,222 @@
 #include "testbench/run.hpp"
 
 #include <fmt/format.h>
-#include <cstdlib>
-#include <memory>
 
-#include "testbench/an693.hpp"
-#include "testbench/config.hpp"
-#include "testbench/mcafee.hpp"
-#include "testbench/output.hpp"
-#include "testbench/paper.hpp"
+#include <algorithm>
+
+#include "lab/files.hpp"
+#include "lab/layers.hpp"
+#include "lab/machine.hpp"
+#include "lab/report_page.hpp"
+#include "lab/scenarios.hpp"
+#include "lab/write.hpp"
 #include "testbench/progress.hpp"
-#include "testbench/report.hpp"
-#include "testbench/report_data.hpp"
-#include "testbench/report_page.hpp"
-#include "testbench/waves.hpp"
 
 namespace trammel::testbench {
 
-template <class AnyOptions>
-void apply_own_layers(AnyOptions& options, const RunArguments& arguments) {
-  for (const std::string& more : arguments.files) apply_file(options, more);
-  apply_environment(options, environment());
-  for (const std::string& text : arguments.assignments) apply_assignment(options, text);
-  const auto flag = [&](bool given, const char* assignment, const char* name) {
-    if (given) apply_assignment(options, assignment, name);
+void apply_layers(lab::Settings& settings, const Arguments& arguments) {
+  for (const std::string& more : arguments.files) lab::apply_file(settings, more);
+  lab::apply_environment(settings, lab::environment());
+  for (const std::string& text : arguments.assignments) lab::apply_assignment(settings, text);
+  const auto flag = [&](bool given, const std::string& assignment, const char* name) {
+    if (given) lab::apply_assignment(settings, assignment, name);
   };
-  flag(!arguments.engine.empty(), ("run.engine=" + arguments.engine).c_str(), "--engine");
-  flag(!arguments.platform.empty(), ("run.platform=" + arguments.platform).c_str(), "--platform");
+  flag(!arguments.engine.empty(), "run.engine=" + arguments.engine, "--engine");
+  flag(!arguments.platform.empty(), "run.platform=" + arguments.platform, "--platform");
   flag(arguments.plain, "run.leap=false", "--no-leap");
   flag(arguments.audit, "run.audit=true", "--audit");
   flag(arguments.assertions, "run.assertions=true", "--assert");
+  lab::apply_waves(settings, arguments.waves);
 }
 
-template void apply_own_layers(kung::Options&, const RunArguments&);
-template void apply_own_layers(lm628::Options&, const RunArguments&);
+std::unique_ptr<lab::Settings> layered(const std::filesystem::path& file,
+                                       const Arguments& arguments) {
+  auto settings = lab::load_scenario(file);
+  apply_layers(*settings, arguments);
+  lab::validate(*settings);
+  return settings;
+}
+
+void tell(const std::string& text) { fmt::print(stderr, "trammel: {}\n", text); }
+
+int tell_end(const lab::Record& record, const std::string& name, const std::string& folder) {
+  const int code = lab::exit_code(record.result->end);
+  if (code != 0) {
+    tell(fmt::format("{}: {}{}; record kept in {}", name, lab::end_text(record.result->end),
+                     lab::cause_text(*record.result), folder));
+  }
+  return code;
+}
 
 namespace {
 
 namespace fs = std::filesystem;
-using kung::Options;
-
-template <class AnyOptions>
-void apply_layers(AnyOptions& options, const RunArguments& arguments) {
-  apply_own_layers(options, arguments);
-  apply_waves(options, arguments.waves);
-}
-
-Options layered(const std::string& scenario, const RunArguments& arguments) {
-  Options options;
-  const fs::path file = find_scenario(scenario);
-  options.scenario = file.stem().string();
-  apply_file(options, file);
-  apply_layers(options, arguments);
-  return options;
-}
-
-// --all sets the controller itself; one that is also asked for would be lost without a word.
-void refuse_controller(const RunArguments& arguments) {
-  Options fc, afc;
-  fc.controller = kung::Controller::kFc;
-  afc.controller = kung::Controller::kAfc;
-  apply_layers(fc, arguments);
-  apply_layers(afc, arguments);
-  if (fc.controller == afc.controller) {
-    throw ConfigError("run: --all runs both controllers; controller beside it means neither");
-  }
-}
-
-std::string end_cause(const Options& options, const kung::Result& result) {
-  if (result.promise) return ": " + promise_text(*result.promise, options.plant.clock_ps);
-  return result.end == kung::EndReason::kFault ? " by " + cause_text(result.fault) : "";
-}
 
 struct Outcome {
-  Finished finished;
+  lab::Record record;
   nlohmann::ordered_json json;
   int code = 0;
 };
 
-Outcome run_one(Options options, const fs::path& target, const RunArguments& arguments,
-                const Simulate& simulate, const std::atomic<bool>& stop) {
-  finish(options);
-  announce_waves(options);
-  OutputFolder folder(target);
-  options.run.wave_file = wave_file(folder.scratch());
-  kung::Result result;
-  {
-    Progress progress(options.scenario);
-    try {
-      result = simulate(options, shown_in(progress, stop));
-    } catch (const std::invalid_argument& error) {  // what only the plant can tell
-      throw ConfigError(error.what());
-    } catch (const kung::OptionsError& error) {
-      throw ConfigError(error.what());
-    }
+void warn(const lab::Settings& settings) {
+  constexpr std::size_t kShown = 5;
+  if (settings.machine().warnings == nullptr) return;
+  const std::vector<std::string> warnings = settings.machine().warnings(settings);
+  for (std::size_t k = 0; k < std::min(warnings.size(), kShown); ++k) {
+    tell(settings.scenario + ": " + warnings[k]);
   }
-  const int waves_code = finish_waves(options, result, folder.target());
-  const Metrics metrics = evaluate(options, result);
-  Outcome outcome{{options, metrics, result.end}, metrics_json(options, result, metrics),
-                  exit_code(result.end)};
-  write_text(folder.scratch() / "metrics.json", outcome.json.dump(2) + '\n');
-  write_text(folder.scratch() / "run.toml", run_toml(options));
-  write_trace(folder.scratch() / "trace.csv", options, result);
-  if (!write_pictures(folder.scratch(), options, result)) {
-    fmt::print(stderr, "trammel: no pictures: {}\n",
-               find_program("gnuplot").empty() ? "gnuplot is missing (see `trammel doctor`)"
-                                               : "there is nothing to draw");
+  if (warnings.size() > kShown) {
+    tell(fmt::format("{}: and {} more such warnings", settings.scenario,
+                     warnings.size() - kShown));
   }
-  const bool page = guarded([&] {
-    write_text(folder.scratch() / "detail.json", detail_json(options, result).dump() + '\n');
-    if (arguments.report) write_run_page(folder.scratch());
-  }) && arguments.report;
-  folder.publish();
+}
 
-  const fs::path shown = fs::proximate(folder.target());
-  if (!arguments.json && !arguments.all) {
-    fmt::print("{}{}", run_report(options, result, metrics, shown.string(),
-                                  page ? (shown / "report.html").string() : ""),
-               waves_report(options, result, shown.string()));
-  } else if (arguments.all) {
-    fmt::print(stderr, "trammel: {} {}: {} in {:.1f} s\n", options.scenario,
-               options.controller == kung::Controller::kFc ? "FC" : "AFC", end_text(result.end),
-               result.wall_s);
+// 1 with a line for each figure that lies outside its tolerance; 2 when nothing is expected.
+int check(const lab::Record& record) {
+  const std::string& scenario = record.settings->scenario;
+  if (!lab::any_expected(record.figures)) {
+    tell(fmt::format("{}: --check: nothing is expected of this scenario with these settings",
+                     scenario));
+    return 2;
   }
-  tell_end(options.scenario, result.end, end_cause(options, result), shown.string());
-  if (outcome.code == 0) outcome.code = waves_code;
-  if (arguments.check && outcome.code == 0) {
-    for (const Comparison& line : compare(options, metrics)) {
-      if (line.good()) continue;
-      fmt::print(stderr, "trammel: {}: {} {:.3f} {} is outside {:.3f} +- {:.3f}\n",
-                 options.scenario, line.what, line.ours, line.unit, *line.expected,
-                 line.tolerance);
-      outcome.code = 1;
-    }
+  const std::vector<std::string> lines = lab::outside(record.figures);
+  for (const std::string& line : lines) tell(scenario + ": " + line);
+  return lines.empty() ? 0 : 1;
+}
+
+Outcome run_one(lab::Settings& settings, const fs::path& target, const Arguments& arguments,
+                const Simulate& simulate, const std::atomic<bool>& stop) {
+  if (const auto notice = lab::waves_notice(settings)) tell(*notice);
+  warn(settings);
+  lab::OutputFolder folder(target);
+  settings.run.wave_file = lab::wave_file(folder.scratch());
+  Outcome outcome;
+  {
+    Progress progress(settings.scenario);
+    outcome.record = simulate(settings, shown_in(progress, stop));
   }
+  const lab::Record& record = outcome.record;
+  outcome.json = lab::metrics_json(record);
+  const lab::Written written =
+      lab::write_record(record, folder, outcome.json, {}, arguments.report);
+  folder.publish();
+  for (const std::string& note : written.notes) tell(note);
+
+  const std::string shown = fs::proximate(folder.target()).string();
+  if (arguments.all) {
+    tell(fmt::format("{}: {} in {:.1f} s", settings.scenario, record.verdict,
+                     record.result->wall_s));
+  } else if (!arguments.json) {
+    fmt::print("{}", lab::report_text(record, shown, written.page));
+  }
+  outcome.code = tell_end(record, settings.scenario, shown);
+  for (const lab::Record& beside : record.companions) {
+    const int code = tell_end(beside, settings.scenario + ", " + beside.name, shown);
+    if (outcome.code == 0) outcome.code = code;
+  }
+  if (outcome.code == 0 && !written.waves) outcome.code = 1;
+  if (outcome.code == 0 && arguments.check) outcome.code = check(record);
   return outcome;
 }
 
-int run_all(const RunArguments& arguments, const Simulate& simulate,
+// An experiment sets some keys itself; one that is also asked for would be lost without a word.
+std::unique_ptr<lab::Settings> settings_of(const lab::Experiment& experiment,
+                                           const Arguments& arguments) {
+  auto settings = lab::load_scenario(lab::find_scenario(experiment.scenario));
+  for (const std::string& text : experiment.assignments) lab::apply_assignment(*settings, text);
+  const auto own = settings->clone();
+  apply_layers(*settings, arguments);
+  for (const std::string& text : experiment.assignments) {
+    const std::string name = text.substr(0, text.find('='));
+    for (const lab::Key* key : lab::find_keys(settings->machine().keys(), name)) {
+      if (key->get(*settings) == key->get(*own)) continue;
+      throw lab::ConfigError(fmt::format("run: --all sets {0} itself; {0} beside it means neither",
+                                         name));
+    }
+  }
+  settings->scenario = experiment.name;
+  lab::validate(*settings);
+  return settings;
+}
+
+int run_all(const lab::Machine& machine, const Arguments& arguments, const Simulate& simulate,
             const std::atomic<bool>& stop) {
-  const fs::path base = target_of(arguments.out, "all");
-  std::vector<Finished> finished;
+  const fs::path base = lab::target_of(arguments.out, "all");
+  std::vector<Outcome> outcomes;
   std::vector<fs::path> folders;
   auto documents = nlohmann::ordered_json::array();
   int code = 0;
-  refuse_controller(arguments);
-  for (const std::string scenario : {"step", "circle", "window", "star"}) {
-    for (const std::string controller : {"fc", "afc"}) {
-      if (stop) {
-        code = 130;
-        continue;
-      }
-      Options options = layered(scenario, arguments);
-      apply_assignment(options, "controller=" + controller);
-      options.scenario = scenario + '-' + controller;
-      Outcome outcome = run_one(options, base / options.scenario, arguments, simulate, stop);
-      finished.push_back(outcome.finished);
-      folders.push_back(base / options.scenario);
-      documents.push_back(outcome.json);
-      code = std::max(code, outcome.code);
+  for (const lab::Experiment& experiment : machine.experiments) settings_of(experiment, arguments);
+  for (const lab::Experiment& experiment : machine.experiments) {
+    if (stop) {
+      code = 130;
+      continue;
     }
+    const auto settings = settings_of(experiment, arguments);
+    folders.push_back(base / experiment.name);
+    outcomes.push_back(run_one(*settings, folders.back(), arguments, simulate, stop));
+    documents.push_back(outcomes.back().json);
+    code = std::max(code, outcomes.back().code);
   }
   const fs::path index = base / "index.html";
-  const bool page = arguments.report && folders.size() > 1 &&
-                    guarded([&] { write_comparison_page(folders, index); });
+  bool page = arguments.report && folders.size() > 1;
+  try {
+    if (page) lab::write_comparison_page(folders, index);
+  } catch (const std::exception& error) {
+    tell(fmt::format("no report: {}; the results are kept", error.what()));
+    page = false;
+  }
   if (arguments.json) {
     fmt::print("{}\n", documents.dump(2));
-  } else {
-    fmt::print("{}", experiments_report(finished));
-    if (page) fmt::print("\nreport: {}\n", fs::proximate(index).string());
+    return code;
   }
+  std::vector<const lab::Record*> records;
+  for (const Outcome& outcome : outcomes) records.push_back(&outcome.record);
+  fmt::print("{}", machine.experiments_text(records));
+  if (page) fmt::print("\nreport: {}\n", fs::proximate(index).string());
   return code;
 }
 
 }  // namespace
 
-template <class AnyOptions>
-AnyOptions layered_machine(const fs::path& file, const RunArguments& arguments) {
-  if (arguments.check) {
-    throw ConfigError(fmt::format("--check: is not offered by the machine {}",
-                                  machine_name<AnyOptions>()));
-  }
-  AnyOptions options;
-  options.scenario = file.stem().string();
-  apply_file(options, file);
-  apply_layers(options, arguments);
-  finish(options);
-  return options;
-}
-template lm628::Options layered_machine(const fs::path&, const RunArguments&);
-template mcafee::Options layered_machine(const fs::path&, const RunArguments&);
-
-int run(const RunArguments& arguments, const Simulate& simulate, const std::atomic<bool>& stop,
-        const SimulateAn693& simulate_an693, const SimulateMcafee& simulate_mcafee) {
+int run(const Arguments& arguments, const std::atomic<bool>& stop, const Simulate& simulate) {
   if (arguments.all) {
     if (!arguments.scenario.empty()) {
-      throw ConfigError("run: --all runs the paper's experiments; a scenario beside it means none");
+      throw lab::ConfigError(
+          "run: --all runs the experiments of the source; a scenario beside it means none");
     }
-    return run_all(arguments, simulate, stop);
+    const auto& all = lab::machines();
+    const auto found = std::find_if(all.begin(), all.end(), [](const lab::Machine* machine) {
+      return !machine->experiments.empty();
+    });
+    if (found == all.end()) throw lab::ConfigError("run: --all: no machine names experiments");
+    return run_all(**found, arguments, simulate, stop);
   }
   if (arguments.scenario.empty()) {
-    throw ConfigError("run: name a scenario (`trammel list` shows them) or give --all");
+    throw lab::ConfigError("run: name a scenario (`trammel list` shows them) or give --all");
   }
-  const fs::path file = find_scenario(arguments.scenario);
-  if (machine_of(file) == machine_name<lm628::Options>()) {
-    return run_an693(layered_machine<lm628::Options>(file, arguments), arguments, simulate_an693,
-                     stop);
-  }
-  if (machine_of(file) == machine_name<mcafee::Options>()) {
-    return run_mcafee(layered_machine<mcafee::Options>(file, arguments), arguments,
-                      simulate_mcafee, stop);
-  }
-  const Options options = layered(arguments.scenario, arguments);
-  const fs::path target = target_of(arguments.out, options.scenario);
-  const Outcome outcome = run_one(options, target, arguments, simulate, stop);
+  const auto settings = layered(lab::find_scenario(arguments.scenario), arguments);
+  const fs::path target = lab::target_of(arguments.out, settings->scenario);
+  const Outcome outcome = run_one(*settings, target, arguments, simulate, stop);
   if (arguments.json) fmt::print("{}\n", outcome.json.dump(2));
   return outcome.code;
+}
+
+int report(const ReportArguments& arguments) {
+  std::vector<fs::path> folders(arguments.folders.begin(), arguments.folders.end());
+  if (folders.empty()) folders.push_back(lab::latest_run("out"));
+  fs::path file = arguments.out;
+  if (file.empty()) {
+    file = folders.size() == 1 ? folders.front() / "report.html" : fs::path("out/compare.html");
+  }
+  lab::write_page(folders, file);
+  if (arguments.json) {
+    const nlohmann::ordered_json json{{"page", file.string()}, {"bytes", fs::file_size(file)}};
+    fmt::print("{}\n", json.dump(2));
+  } else {
+    fmt::print("{}\n", file.string());
+  }
+  return 0;
 }
 
 }  // namespace trammel::testbench

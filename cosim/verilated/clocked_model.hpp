@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A verilated chip with the ports clk_i, leap_i, next_o and quiescent_o, in a context of its own.
-// An edge is one evaluation: the model's stored clock value is set back by hand, so that the next
-// evaluation sees a rising edge. Inputs that changed settle before it. A tracer looks on, and a
-// checked model's promises are looked at.
+// A verilated chip with a clock clk_i or clk, in a context of its own. An edge is one evaluation:
+// the model's stored clock value is set back by hand, so that the next evaluation sees a rising
+// edge. Inputs that changed settle before it. A tracer looks on, and a checked model's promises are
+// looked at.
 //
-// While every register waits (quiescent_o) the timers alone move, for next_o edges: one evaluation
-// with leap_i = n - 1 stands for n of them. No pin may move inside a leap.
+// A chip with the ports leap_i, next_o and quiescent_o leaps: while every register waits
+// (quiescent_o) the timers alone move, for next_o edges, and one evaluation with leap_i = n - 1
+// stands for n of them. No pin may move inside a leap. Every edge of another chip is evaluated.
 #pragma once
 
 #include <verilated.h>
@@ -15,23 +16,43 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <type_traits>
 #include <utility>
 
 #include "cosim/cosim.hpp"
 #include "cosim/promise.hpp"
+#include "cosim/verilated/clock_pins.hpp"
 #include "cosim/verilated/tracer.hpp"
 
 namespace trammel::cosim {
 
-// The clock value that a model compares with: its name is that of Verilator 5.006, or of 5.48.
+// The clock value that a model compares with, which has one of these names: with the clock's own,
+// that of Verilator 5.006, or of 5.48.
 template <class Root>
-auto stored_clock(Root& root, int) -> decltype(root.__Vtrigrprev__TOP__clk_i)& {
+auto stored_clock(Root& root) -> decltype(root.__Vtrigrprev__TOP__clk_i)& {
   return root.__Vtrigrprev__TOP__clk_i;
 }
 template <class Root>
-auto stored_clock(Root& root, long) -> decltype(root.__Vtrigprevexpr___TOP__clk_i__0)& {
+auto stored_clock(Root& root) -> decltype(root.__Vtrigrprev__TOP__clk)& {
+  return root.__Vtrigrprev__TOP__clk;
+}
+template <class Root>
+auto stored_clock(Root& root) -> decltype(root.__Vtrigprevexpr___TOP__clk_i__0)& {
   return root.__Vtrigprevexpr___TOP__clk_i__0;
 }
+template <class Root>
+auto stored_clock(Root& root) -> decltype(root.__Vtrigprevexpr___TOP__clk__0)& {
+  return root.__Vtrigprevexpr___TOP__clk__0;
+}
+
+// Whether a model has the ports of the leap contract.
+template <class Model, class = void>
+inline constexpr bool kLeaps = false;
+template <class Model>
+inline constexpr bool kLeaps<Model, std::void_t<decltype(std::declval<Model&>().leap_i),
+                                                decltype(std::declval<Model&>().next_o),
+                                                decltype(std::declval<Model&>().quiescent_o)>> =
+    true;
 
 template <class Model, class Tracer>
 class ClockedModel {
@@ -42,7 +63,7 @@ class ClockedModel {
     context_->randReset(2);
     context_->randSeed(1);
     model_ = std::make_unique<Model>(context_.get(), "");  // no scope around the chip's
-    model_->leap_i = 0;
+    if constexpr (kLeaps<Model>) model_->leap_i = 0;
     tracer_.attach(*context_, *model_);
   }
 
@@ -63,7 +84,7 @@ class ClockedModel {
   // Before the rising edge: inputs that changed reach the combinational logic.
   void settle(Clk edge, bool changed) {
     const bool shown = shows(edge);
-    if (shown) model_->clk_i = 0;
+    if (shown) clock_pin(*model_) = 0;
     if (changed) model_->eval();
     if (shown) tracer_.fell(edge);
   }
@@ -76,16 +97,20 @@ class ClockedModel {
 
   // Edges from the present one on that only count; at least 1, the evaluated one.
   Clk waiting() const {
-    if (!leap_ || !model_->quiescent_o) return 1;
-    return std::max<Clk>(1, model_->next_o);
+    if constexpr (kLeaps<Model>) {
+      if (leap_ && model_->quiescent_o) return std::max<Clk>(1, model_->next_o);
+    }
+    return 1;
   }
 
   // One evaluation for so many edges, at most waiting(). No promise is looked at: a checked model
   // does not leap.
   void leap(Clk edge, Clk clocks) {
-    model_->leap_i = static_cast<std::uint16_t>(clocks - 1);
-    rise();
-    model_->leap_i = 0;
+    if constexpr (kLeaps<Model>) {
+      model_->leap_i = static_cast<std::uint16_t>(clocks - 1);
+      rise();
+      model_->leap_i = 0;
+    }
     tracer_.raised(edge);
   }
 
@@ -93,8 +118,8 @@ class ClockedModel {
 
  private:
   void rise() {
-    model_->clk_i = 1;
-    stored_clock(*model_->rootp, 0) = 0;
+    clock_pin(*model_) = 1;
+    stored_clock(*model_->rootp) = 0;
     model_->eval();
   }
 

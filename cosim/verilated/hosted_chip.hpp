@@ -28,12 +28,13 @@ class HostedChip : public Hosted<Base, State> {
 
   // With all inputs set; its edges are those before 0.
   void reset() {
-    model_->rst_i = 1;
+    auto& pin = reset_pin(*model_);
+    pin = 1;
     for (state_.now = -4; state_.now < 0; ++state_.now) {
       model_.settle(state_.now, true);
       model_.raise(state_.now);
     }
-    model_->rst_i = 0;
+    pin = 0;
     state_.dirty = true;
   }
 

@@ -1,8 +1,0 @@
-// SPDX-License-Identifier: Apache-2.0
-#include "cosim/mcafee/twin_chip.hpp"
-
-namespace trammel::mcafee {
-
-std::unique_ptr<McafeeChip> make_twin_chip() { return std::make_unique<TwinChip>(); }
-
-}  // namespace trammel::mcafee

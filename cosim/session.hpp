@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// One run of any machine, ready to be driven by a wiring: chip, plant, firmware, loop and record,
+// and the decision when the run is over.
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "cosim/direct.hpp"
+#include "cosim/machine.hpp"
+#include "cosim/trigger_search.hpp"
+
+namespace trammel::cosim {
+
+struct Session {
+  virtual ~Session() = default;
+
+  virtual Loop& loop() = 0;
+  virtual sw::Firmware& firmware() = 0;
+  virtual ProcessorTiming timing() const = 0;
+  virtual std::int64_t period_ps() const = 0;
+  virtual Clk end() const = 0;        // edge at which the run ends at the latest
+  virtual bool finished() const = 0;  // the record is complete
+  virtual bool stopped() const = 0;   // from outside, by Hooks::stop
+
+  // What was recorded, with all that only the session knows; once, after the run.
+  virtual std::unique_ptr<RunResult> result() = 0;
+};
+
+// Makes the session of a run, or of the search for its trigger.
+using MakeSession = std::function<std::unique_ptr<Session>(const Hooks&, const Waves&)>;
+
+}  // namespace trammel::cosim

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// A verilated chip of any ports, whose pins a processor reads and writes as words. `Pins` says what
+// they are, for every model of the chip:
+//
+//   static constexpr Clk kSampleClk;                          from one sample tick to the next
+//   static constexpr std::uint32_t kInputs;                   input words 0 to kInputs - 1
+//   static void write(Model&, std::uint32_t number, std::uint32_t data)
+//   static std::uint32_t read(const Model&, std::uint32_t number)
+//   static void sense(Model&, Lines)                          pins that the plant drives
+//   static Lines drive(const Model&)                          pins that drive the plant
+#pragma once
+
+#include <cstdint>
+#include <utility>
+
+#include "cosim/pin_board.hpp"
+#include "cosim/verilated/hosted_chip.hpp"
+#include "sw_nios/hal/pin_map.hpp"
+
+namespace trammel::cosim {
+
+template <class Pins, class Model, class Tracer>
+class PinChip : public HostedChip<PinnedChip, PinBoard, Model, Tracer> {
+  using Hosted = HostedChip<PinnedChip, PinBoard, Model, Tracer>;
+  using Hosted::model_;
+  using Hosted::state_;
+
+ public:
+  PinChip(Tracer tracer, ModelMode mode) : Hosted(std::move(tracer), mode) {
+    state_.sample_clk = Pins::kSampleClk;
+    for (std::uint32_t n = 0; n < Pins::kInputs; ++n) Pins::write(*model_, n, 0);
+    sense(0);
+    this->reset();
+    state_.lines = Pins::drive(*model_);
+  }
+
+  Lines drive() const override { return state_.lines; }
+  std::uint32_t word(std::uint32_t number) const override { return Pins::read(*model_, number); }
+
+  void sense(Lines lines) override {
+    Pins::sense(*model_, lines);
+    state_.dirty = true;
+  }
+
+  void request(const BusOp& op) override {
+    state_.op = op;
+    state_.active = true;
+  }
+
+ private:
+  bool bus_active() const override { return state_.active; }
+  bool publishes() const override { return state_.samples(state_.now); }
+  bool host_pin() const override { return false; }
+
+  // The transfer ends at its first edge; what it wrote is at the pins from the next one on.
+  bool bus_edge(Clk edge) override {
+    namespace map = sw::pin_map;
+    const BusOp& op = state_.op;
+    state_.active = false;
+    if (op.addr == map::kTimer) {
+      if (op.write) state_.timer.write(edge, op.data);
+    } else if (op.addr == map::kIrq) {
+      state_.rdata = state_.timer.irq() ? map::kIrqTimer : 0;
+    } else if (op.write) {
+      Pins::write(*model_, op.addr / 4, op.data);
+      state_.dirty = true;
+    } else {
+      state_.rdata = word(op.addr / 4);
+    }
+    return true;
+  }
+
+  bool drive_changed() override {
+    const Lines lines = Pins::drive(*model_);
+    if (lines == state_.lines) return false;
+    state_.lines = lines;
+    return true;
+  }
+};
+
+}  // namespace trammel::cosim

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The description of a machine: all that the laboratory knows of it. machines/<name>/machine.cpp
+// defines one; the build finds it by its folder.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "cosim/session.hpp"
+#include "lab/column.hpp"
+#include "lab/figure.hpp"
+#include "lab/record.hpp"
+#include "lab/settings.hpp"
+
+namespace trammel::lab {
+
+struct RunFolder;
+
+// What a machine's chip and its twin declare. A chip without a leap contract is evaluated clock by
+// clock; one without a twin has its RTL alone.
+struct Capabilities {
+  bool leap = true;
+  bool twin = true;
+};
+
+// One of a set of runs whose figures belong together, as those of a paper.
+struct Experiment {
+  std::string name;                      // of its folder
+  std::string scenario;
+  std::vector<std::string> assignments;  // key=value
+};
+
+// What a machine's report page needs besides its figures and columns.
+struct Page {
+  std::vector<std::string> texts, counts, numbers, objects, arrays;  // members of metrics.json
+  std::vector<Column> derived;  // series made of others when a run is read back
+  bool (*has_detail)(const nlohmann::ordered_json& metrics) = nullptr;  // detail.json is there
+  void (*check_detail)(const std::filesystem::path& file,
+                       const nlohmann::ordered_json& detail) = nullptr;
+  void (*complete)(RunFolder& run) = nullptr;  // first row, derived series
+  std::string (*title)(const nlohmann::ordered_json& metrics) = nullptr;  // none: the scenario
+};
+
+struct Machine {
+  std::string name;    // its folder in machines/
+  std::string title;   // one line
+  std::string source;  // the document it follows
+  int order = 100;     // in lists; a file that names no machine is of the first
+  Capabilities can;
+
+  // Settings: their defaults, every key, and rules that concern more than one key.
+  std::unique_ptr<Settings> (*defaults)() = nullptr;
+  const std::vector<Key>& (*keys)() = nullptr;
+  void (*validate)(Settings& settings) = nullptr;
+  std::vector<std::string> (*warnings)(const Settings& settings) = nullptr;  // before a run
+
+  // Waves: what triggers may be, and the order of magnitude of a trace.
+  const cosim::TriggerForms& (*triggers)() = nullptr;
+  double vcd_bytes_s = 1e10;
+  double fst_bytes_s = 1e8;
+
+  // A run, and what is recorded and made of it.
+  std::unique_ptr<cosim::Session> (*session)(const Settings& settings, const cosim::Hooks& hooks,
+                                             const cosim::Waves& waves) = nullptr;
+  const ColumnTable& (*columns)() = nullptr;
+  std::vector<Figure> (*figures)(const Settings& settings, cosim::RunResult& result) = nullptr;
+  std::string (*verdict)(const Settings& settings, const cosim::RunResult& result) = nullptr;
+  std::vector<std::string> (*remarks)(const Record& record) = nullptr;  // lines behind the figures
+
+  // Runs beside the first one, which it is compared with; they are made when it is done.
+  std::vector<Companion> (*companions)(const Settings& settings) = nullptr;
+  std::string (*run_name)(const Settings& settings) = nullptr;  // of the first among them
+
+  // Files of a run besides those that every machine has.
+  void (*metrics)(const Record& record, nlohmann::ordered_json& json) = nullptr;
+  nlohmann::ordered_json (*detail)(const Record& record) = nullptr;  // null: no detail.json
+  void (*files)(const Record& record, const std::filesystem::path& folder) = nullptr;
+  Range (*drawn)(const Record& record) = nullptr;  // samples in pictures/*.gp; none: all
+  Page page;
+
+  // The runs of `trammel run --all`, and what is said of them together.
+  std::vector<Experiment> experiments;
+  std::string (*experiments_text)(const std::vector<const Record*>& records) = nullptr;
+};
+
+// All of them, in their order.
+const std::vector<const Machine*>& machines();
+std::vector<std::string> machine_names();
+const Machine* find_machine(const std::string& name);  // nullptr: there is none
+
+}  // namespace trammel::lab

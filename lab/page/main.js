@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Builds the page of a run, or of several. What is special to a machine is in T.machines, by its
+// name; plain.js says what there can be, and what stands where it is missing.
+(function (T) {
+  'use strict';
+
+  function head(run, machine) {
+    const m = run.metrics;
+    const good = m.end === 'done';
+    const verdict = m.verdict.charAt(0).toUpperCase() + m.verdict.slice(1);
+    const copy = T.el('button', { type: 'button', onclick: async (event) => {
+      try {
+        await navigator.clipboard.writeText(m.command);
+        event.target.textContent = 'Copied';
+      } catch (error) {
+        event.target.textContent = 'Select it and copy';
+      }
+    } }, 'Copy');
+    document.getElementById('top').append(T.el('div', { class: 'head' },
+      T.el('div', {}, T.el('div', { class: 'head-title' }, T.el('h1', {}, m.scenario),
+        machine.chips(m).map((text) => T.el('span', { class: 'chip' }, text)),
+        T.el('span', { class: `chip ${good ? 'good' : 'bad'}` }, verdict)),
+      T.el('p', { class: 'lead' }, m.options.description || '')),
+      T.tiles(m, machine.asides(m)),
+      T.el('div', { class: 'repeat' }, T.el('span', {}, 'Repeat it'), T.el('code', {}, m.command),
+        copy),
+      run.stride > 1 ? T.el('p', { class: 'lead' }, `The run has ${T.whole(m.run.samples)} ` +
+        `samples; the plots show one of ${run.stride}.`) : null));
+  }
+
+  function foot(m) {
+    const facts = { ...m.versions, 'event hash': m.run.event_hash };
+    document.getElementById('foot').append(T.el('dl', {}, Object.entries(facts).map(
+      ([name, value]) => T.el('div', {}, T.el('dt', {}, name), T.el('dd', {}, String(value))))));
+  }
+
+  async function show() {
+    const page = JSON.parse(document.getElementById('run-data').textContent);
+    T.page = page;
+    T.startTheme();
+    const machine = T.machineOf(page.machine);
+    for (const run of page.runs) {
+      await T.decode(run);
+      machine.prepare(run);
+    }
+    if (page.kind === 'run') {
+      T.fileStem = page.runs[0].metrics.scenario.replace(/[^\w-]+/g, '_');
+      head(page.runs[0], machine);
+      machine.sections(page.runs[0]);
+      T.figureSection(page.runs[0].metrics, machine);
+      machine.closing(page.runs[0]);
+      T.parameterSection(page.runs[0].metrics, machine);
+    } else {
+      T.fileStem = 'compare';
+      T.comparisonPage(page.runs, machine);
+    }
+    foot(page.runs[0].metrics);
+    T.startPlots();
+    if (T.time.opening) T.time.zoom(0, T.time.opening);
+    requestAnimationFrame(() => setTimeout(() => {
+      performance.mark('painted');
+      document.documentElement.dataset.ready = 'yes';
+    }));
+  }
+
+  T.start = function () {
+    show().catch((error) => {
+      document.getElementById('top').prepend(T.el('p', { class: 'chip bad' },
+        typeof DecompressionStream === 'undefined' ? 'This browser is too old for this page: it ' +
+          'needs DecompressionStream (2023).' : `The page could not be drawn: ${error.message}`));
+      throw error;
+    });
+  };
+})(window.Trammel = window.Trammel || {});

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "lab/record.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "lab/machine.hpp"
+#include "systemc/wire.hpp"
+
+namespace trammel::lab {
+namespace {
+
+std::unique_ptr<cosim::RunResult> by_session(const Settings& settings, const cosim::Hooks& hooks) {
+  const Machine& machine = settings.machine();
+  const cosim::MakeSession make = [&](const cosim::Hooks& own, const cosim::Waves& waves) {
+    return machine.session(settings, own, waves);
+  };
+  try {
+    return systemc::simulate(settings.run, machine.triggers(), make, hooks);
+  } catch (const std::invalid_argument& error) {  // what only plant and firmware can tell
+    throw ConfigError(error.what());
+  } catch (const cosim::OptionsError& error) {
+    throw ConfigError(error.what());
+  }
+}
+
+}  // namespace
+
+Record judged(std::shared_ptr<const Settings> settings, std::unique_ptr<cosim::RunResult> result) {
+  const Machine& machine = settings->machine();
+  Record record;
+  if (machine.run_name != nullptr) record.name = machine.run_name(*settings);
+  record.figures = machine.figures(*settings, *result);
+  record.verdict = machine.verdict(*settings, *result);
+  record.settings = std::move(settings);
+  record.result = std::move(result);
+  return record;
+}
+
+Record run(const Settings& settings, const cosim::Hooks& hooks) {
+  return run_by(by_session, settings, hooks);
+}
+
+Record run_by(const Simulate& simulate, const Settings& settings, const cosim::Hooks& hooks) {
+  const Machine& machine = settings.machine();
+  Record record = judged(settings.clone(), simulate(settings, hooks));
+  if (machine.companions == nullptr || record.result->end != cosim::EndReason::kDone) {
+    return record;
+  }
+  for (Companion& companion : machine.companions(settings)) {
+    auto result = simulate(*companion.settings, hooks);
+    if (result->end == cosim::EndReason::kStopped) {  // a part of it is nothing to compare with
+      record.result->end = cosim::EndReason::kStopped;
+      record.verdict = machine.verdict(settings, *record.result);
+      break;
+    }
+    record.companions.push_back(judged(std::move(companion.settings), std::move(result)));
+    record.companions.back().name = companion.name;
+  }
+  return record;
+}
+
+const char* end_text(cosim::EndReason end) {
+  switch (end) {
+    case cosim::EndReason::kDone: return "done";
+    case cosim::EndReason::kFault: return "tripped";
+    case cosim::EndReason::kDiverged: return "diverged";
+    case cosim::EndReason::kTimeout: return "timeout";
+    case cosim::EndReason::kStopped: return "interrupted";
+    case cosim::EndReason::kPromise: return "promise broken";
+  }
+  return "unknown";
+}
+
+int exit_code(cosim::EndReason end) {
+  switch (end) {
+    case cosim::EndReason::kDone: return 0;
+    case cosim::EndReason::kStopped: return 130;
+    case cosim::EndReason::kPromise: return 4;
+    default: return 5;
+  }
+}
+
+double seconds_of(cosim::Clk edge) { return cosim::seconds_of(edge, cosim::kClockPs); }
+
+std::string promise_text(const cosim::BrokenPromise& promise) {
+  return fmt::format("{} of {} at {:.8f} s, clock {} ({})", promise.name,
+                     promise.instance.empty() ? "the chip" : promise.instance,
+                     seconds_of(promise.edge), promise.edge, promise.place);
+}
+
+std::string cause_text(const cosim::RunResult& result) {
+  if (result.promise) return ": " + promise_text(*result.promise);
+  const std::string fault = result.fault_text();
+  return fault.empty() ? "" : " by " + fault;
+}
+
+}  // namespace trammel::lab

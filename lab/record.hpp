@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// A run that is done: what was asked for, what happened, and what it is worth.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cosim/machine.hpp"
+#include "lab/figure.hpp"
+#include "lab/settings.hpp"
+
+namespace trammel::lab {
+
+// A run that another one is compared with.
+struct Companion {
+  std::string name;
+  std::unique_ptr<Settings> settings;
+};
+
+// Samples [first, last) of a record.
+struct Range {
+  std::size_t first = 0;
+  std::size_t last = 0;
+};
+
+struct Record {
+  std::string name;                          // among companions
+  std::shared_ptr<const Settings> settings;
+  std::unique_ptr<cosim::RunResult> result;  // of the machine's own type
+  std::vector<Figure> figures;
+  std::string verdict;                       // how it ended, in one line
+  std::vector<Record> companions;
+
+  const Machine& machine() const { return settings->machine(); }
+};
+
+// Simulates: the run, and those it is compared with. Faults and divergence are values in the
+// record. Throws ConfigError for settings that cannot run; they must have been validated.
+Record run(const Settings& settings, const cosim::Hooks& hooks = {});
+
+// The same, where each of these runs is what `simulate` gives.
+using Simulate =
+    std::function<std::unique_ptr<cosim::RunResult>(const Settings&, const cosim::Hooks&)>;
+Record run_by(const Simulate& simulate, const Settings& settings, const cosim::Hooks& hooks = {});
+
+// The figures and the verdict of a result that is there already.
+Record judged(std::shared_ptr<const Settings> settings, std::unique_ptr<cosim::RunResult> result);
+
+const char* end_text(cosim::EndReason end);  // "done", "tripped"...
+int exit_code(cosim::EndReason end);
+
+// One line: promise, instance, time and place.
+std::string promise_text(const cosim::BrokenPromise& promise);
+double seconds_of(cosim::Clk edge);  // from the start of a run
+
+// What stands behind an end that was not meant: ": PROMISE", " by FAULT", or nothing.
+std::string cause_text(const cosim::RunResult& result);
+
+}  // namespace trammel::lab

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "lab/report_data.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+#include "lab/delta_code.hpp"
+#include "lab/errors.hpp"
+
+namespace trammel::lab {
+namespace fs = std::filesystem;
+
+void corrupt(const fs::path& file, const std::string& what) {
+  throw ConfigError(fmt::format("{}: {}", file.string(), what));
+}
+
+void require_member(const fs::path& file, const Json& json, const std::string& path,
+                    bool (Json::*is)() const noexcept) {
+  const Json::json_pointer pointer(path);
+  if (!json.contains(pointer)) corrupt(file, fmt::format("is corrupt: {} is missing", path));
+  if (!(json.at(pointer).*is)()) {
+    corrupt(file, fmt::format("is corrupt: {} is of a wrong kind", path));
+  }
+}
+
+namespace {
+
+std::ifstream open_file(const fs::path& file) {
+  std::error_code ignored;
+  std::ifstream in(file, std::ios::binary);
+  if (!in || fs::is_directory(file, ignored)) {
+    corrupt(file, fs::exists(file, ignored) ? "cannot be read"
+                                            : "is missing: not a folder that `trammel run` wrote");
+  }
+  return in;
+}
+
+std::string read_file(const fs::path& file) {
+  const std::ifstream in = open_file(file);
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+Json read_json(const fs::path& file) {
+  try {
+    Json json = Json::parse(read_file(file));
+    if (json.is_object()) return json;
+  } catch (const Json::parse_error& error) {
+    corrupt(file, fmt::format("is corrupt: no JSON at byte {}", error.byte));
+  }
+  corrupt(file, "is corrupt: not a JSON object");
+}
+
+void check_metrics(const fs::path& file, const Json& m, const Page& page) {
+  const auto each = [&](const std::vector<std::string>& paths, bool (Json::*is)() const noexcept) {
+    for (const std::string& path : paths) require_member(file, m, path, is);
+  };
+  each({"/scenario", "/end", "/command", "/verdict", "/run/event_hash"}, &Json::is_string);
+  each({"/run/samples"}, &Json::is_number_unsigned);
+  each({"/run/simulated_s", "/run/clocks", "/run/clock_ps"}, &Json::is_number);
+  each({"/options", "/versions"}, &Json::is_object);
+  each({"/figures"}, &Json::is_array);
+  for (const Json& one : m["figures"]) {
+    const bool good = one.is_object() && one.contains("id") && one["id"].is_string() &&
+                      one.contains("name") && one["name"].is_string() && one.contains("unit") &&
+                      one["unit"].is_string() && one.contains("value") &&
+                      one["value"].is_number();
+    if (!good) corrupt(file, "is corrupt: /figures does not hold id, name, unit and value");
+  }
+  each(page.texts, &Json::is_string);
+  each(page.counts, &Json::is_number_unsigned);
+  each(page.numbers, &Json::is_number);
+  each(page.objects, &Json::is_object);
+  each(page.arrays, &Json::is_array);
+}
+
+std::vector<std::string> split(const std::string& line) {
+  std::vector<std::string> parts;
+  std::stringstream in(line);
+  for (std::string part; std::getline(in, part, ',');) parts.push_back(part);
+  return parts;
+}
+
+// One line of a trace; false when it does not hold a number for each column.
+bool read_values(const std::string& line, const std::vector<Series*>& columns) {
+  const char* begin = line.data();
+  const char* const end = begin + line.size();
+  for (Series* const column : columns) {
+    double value = 0;
+    const auto [stop, code] = std::from_chars(begin, end, value);
+    const bool last = column == columns.back();
+    if (code != std::errc{} || !std::isfinite(value) || (last ? stop != end : *stop != ',')) {
+      return false;
+    }
+    column->push_back(value);
+    begin = stop + 1;
+  }
+  return true;
+}
+
+void read_trace(const fs::path& file, RunFolder& run) {
+  std::ifstream in = open_file(file);
+  std::string line;
+  std::getline(in, line);
+  const std::vector<std::string> names = split(line);
+  const auto& wanted = run.machine->columns().columns;
+  const bool same = std::equal(names.begin(), names.end(), wanted.begin(), wanted.end(),
+                               [](const auto& a, const Column& b) { return a == b.name; });
+  if (!same) {
+    corrupt(file, "is corrupt: line 1 does not name the columns of a trace");
+  }
+
+  std::vector<Series*> columns;
+  for (const std::string& name : names) columns.push_back(&run.columns[name]);
+  for (std::size_t number = 2; std::getline(in, line); ++number) {
+    if (in.eof() || !read_values(line, columns)) {  // the last line ends with a newline too
+      corrupt(file, fmt::format("is corrupt: line {} does not hold {} numbers", number,
+                                columns.size()));
+    }
+  }
+  run.rows = columns.front()->size();
+  const auto samples = run.metrics["run"]["samples"].get<std::size_t>();
+  if (run.rows != samples) {
+    corrupt(file, fmt::format("is corrupt: {} samples, but the run recorded {}", run.rows,
+                              samples));
+  }
+}
+
+}  // namespace
+
+RunFolder read_run(const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::is_directory(folder, ignored)) {
+    throw ConfigError(fmt::format("{}: {}", folder.string(),
+                                  fs::exists(folder, ignored) ? "is not a folder"
+                                                              : "no such folder"));
+  }
+  RunFolder run;
+  run.folder = folder;
+  const fs::path metrics = folder / "metrics.json";
+  run.metrics = read_json(metrics);
+  if (!run.metrics.contains("machine")) {
+    corrupt(metrics, "names no machine: written by an older trammel; run it again");
+  }
+  const Json& name = run.metrics["machine"];
+  run.machine = name.is_string() ? find_machine(name.get<std::string>()) : nullptr;
+  if (run.machine == nullptr) {
+    corrupt(metrics,
+            fmt::format("is of the machine {}, which this trammel does not have; it has {}",
+                        name.dump(), fmt::join(machine_names(), ", ")));
+  }
+  const Page& page = run.machine->page;
+  check_metrics(metrics, run.metrics, page);
+  if (page.has_detail != nullptr && page.has_detail(run.metrics)) {
+    run.detail = read_json(folder / "detail.json");
+    page.check_detail(folder / "detail.json", run.detail);
+  }
+  read_trace(folder / "trace.csv", run);
+  if (page.complete != nullptr) page.complete(run);
+  return run;
+}
+
+PageSeries page_series(const RunFolder& run, bool compared, std::size_t most) {
+  PageSeries page;
+  page.channels = Json::array();
+  page.stride = std::max<std::size_t>(1, (run.rows - run.first + most - 1) / most);
+  std::string bytes;
+  std::vector<Column> columns = run.machine->columns().columns;
+  const auto& derived = run.machine->page.derived;
+  columns.insert(columns.end(), derived.begin(), derived.end());
+  for (const Column& column : columns) {
+    const auto found = run.columns.find(column.name);
+    if (found == run.columns.end() || (compared && !column.compared)) continue;
+    const Series& values = found->second;
+    std::vector<std::int64_t> whole;
+    for (std::size_t k = run.first; k < values.size(); k += page.stride) {
+      const double value =
+          std::clamp(std::round(values[k] / column.resolution), -static_cast<double>(kMaxCoded),
+                     static_cast<double>(kMaxCoded));
+      whole.push_back(static_cast<std::int64_t>(value));
+      const std::size_t next = std::min(values.size(), k + page.stride);
+      for (std::size_t n = k; column.bits && n < next; ++n) {
+        whole.back() |= static_cast<std::int64_t>(values[n]);
+      }
+    }
+    const Coded coded = delta_code(whole);
+    page.channels.push_back({{"name", column.name}, {"unit", column.unit}, {"help", column.help},
+                             {"lsb", column.resolution}, {"order", coded.order}});
+    bytes += coded.bytes;
+    page.count = whole.size();
+  }
+  page.data = base64(deflate(bytes));
+  return page;
+}
+
+}  // namespace trammel::lab

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "lab/scenarios.hpp"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+
+#include "lab/build_info.hpp"
+#include "lab/files.hpp"
+#include "lab/layers.hpp"
+
+namespace trammel::lab {
+namespace fs = std::filesystem;
+
+const Machine& machine_of(const fs::path& file) {
+  const Machine& first = *machines().front();
+  toml::table table;
+  try {
+    table = toml::parse_file(file.string());
+  } catch (const toml::parse_error&) {
+    return first;
+  }
+  const auto* const key = table.get("machine");
+  if (key == nullptr || !key->is_string()) return first;
+  const std::string name = key->as_string()->get();
+  if (const Machine* const found = find_machine(name)) return *found;
+  throw ConfigError(fmt::format("{}:{}: machine: value \"{}\" is not one of {}{}", file.string(),
+                                key->source().begin.line, name,
+                                fmt::join(machine_names(), ", "), hint(name, machine_names())));
+}
+
+std::vector<fs::path> built_in(const std::string& extension) {
+  std::vector<fs::path> all;
+  for (const Machine* machine : machines()) {
+    std::error_code ignored;
+    const fs::path folder = fs::path(kMachineFolder) / machine->name / "scenarios";
+    for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+      if (entry.path().extension() == extension) all.push_back(entry.path());
+    }
+  }
+  std::sort(all.begin(), all.end(), [](const fs::path& a, const fs::path& b) {
+    return a.filename() < b.filename();
+  });
+  return all;
+}
+
+std::vector<fs::path> scenarios() { return built_in(".toml"); }
+
+fs::path find_built_in(const std::string& name, const std::string& extension,
+                       const std::string& kind) {
+  std::vector<std::string> names;
+  for (const fs::path& file : built_in(extension)) {
+    if (file.stem() == name) return file;
+    names.push_back(file.stem().string());
+  }
+  const fs::path file = name;
+  if (file.extension() == extension || file.has_parent_path()) return file;
+  const std::string near = suggest(name, names);
+  throw ConfigError(fmt::format("{}: no such {}{}; built in: {}; or give a {} file", name, kind,
+                                near.empty() ? "" : fmt::format(", did you mean {}?", near),
+                                fmt::join(names, ", "), extension));
+}
+
+fs::path find_scenario(const std::string& name) { return find_built_in(name, ".toml", "scenario"); }
+
+std::unique_ptr<Settings> load_scenario(const fs::path& file) {
+  auto settings = machine_of(file).defaults();
+  settings->scenario = file.stem().string();
+  apply_file(*settings, file);
+  return settings;
+}
+
+std::string repeat_command(const Settings& settings) {
+  constexpr std::size_t kMostShown = 8;
+  const std::vector<fs::path> all = scenarios();
+  const auto file = std::find_if(all.begin(), all.end(), [&](const fs::path& one) {
+    return (one.stem() == settings.scenario ||
+            settings.scenario.rfind(one.stem().string() + '-', 0) == 0) &&  // of run --all
+           &machine_of(one) == &settings.machine();
+  });
+  if (file != all.end()) {
+    const auto reference = load_scenario(*file);
+    std::string command = "./trammel run " + file->stem().string();
+    std::size_t shown = 0;
+    for (const Key& key : settings.machine().keys()) {
+      const Value value = key.get(settings);
+      if (key.name == "name" || key.name == "description" || value == key.get(*reference)) continue;
+      const auto* const word = std::get_if<std::string>(&value);
+      command += " -s " + shell_argument(key.name + '=' +
+                                         (word != nullptr ? *word : value_text(value)));
+      ++shown;
+    }
+    if (shown <= kMostShown) return command;
+  }
+  return "./trammel run run.toml";
+}
+
+}  // namespace trammel::lab

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What comes with the machines: scenarios in machines/<name>/scenarios/, and other files there.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lab/machine.hpp"
+
+namespace trammel::lab {
+
+// Files of that extension that are built in; one of them by its name, or a path. `kind` is what
+// messages call it.
+std::vector<std::filesystem::path> built_in(const std::string& extension);
+std::filesystem::path find_built_in(const std::string& name, const std::string& extension,
+                                    const std::string& kind);
+
+// A built-in scenario's name or a path to a .toml file.
+std::filesystem::path find_scenario(const std::string& name);
+std::vector<std::filesystem::path> scenarios();
+
+// The machine that the key `machine` of a file names; the first one where it says nothing or the
+// file cannot be parsed, which reading it as a scenario will report.
+const Machine& machine_of(const std::filesystem::path& file);
+
+// A scenario as its file has it: defaults of its machine, then the file.
+std::unique_ptr<Settings> load_scenario(const std::filesystem::path& file);
+
+// The command that repeats a run: a built-in scenario with what differs from it, or its run.toml.
+std::string repeat_command(const Settings& settings);
+
+}  // namespace trammel::lab

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What one run of any machine is asked to do. Each machine derives its own plain data from Settings
+// and declares every parameter once, as a Key: name with unit, range, help, and where it lives.
+// Files, the environment, -s, run.toml, metrics.json and `trammel list keys` all read that table.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "cosim/machine.hpp"
+#include "lab/errors.hpp"
+
+namespace trammel::lab {
+
+struct Machine;
+
+struct Settings {
+  virtual ~Settings() = default;
+  virtual const Machine& machine() const = 0;
+  virtual std::unique_ptr<Settings> clone() const = 0;
+
+  std::string scenario;     // names the run and its output folder
+  std::string description;  // one line
+  cosim::RunBasics run;
+  cosim::ProcessorOptions processor;
+
+ protected:
+  Settings() = default;
+  Settings(const Settings&) = default;
+  Settings& operator=(const Settings&) = default;
+};
+
+// The base of a machine's own; kMachine is its description.
+template <class Derived, const Machine& (*kMachine)()>
+struct SettingsOf : Settings {
+  const Machine& machine() const override { return kMachine(); }
+  std::unique_ptr<Settings> clone() const override {
+    return std::make_unique<Derived>(static_cast<const Derived&>(*this));
+  }
+};
+
+using Value = std::variant<bool, std::int64_t, double, std::string>;
+
+enum class Kind { kFlag, kInteger, kReal, kChoice, kText, kFile };
+
+struct Key {
+  std::string name;  // dotted: section.key or section.axis.key
+  Kind kind = Kind::kReal;
+  double min = 0;  // [same unit as the value]
+  double max = 0;
+  std::vector<std::string> choices;  // of Kind::kChoice
+  std::string help;
+  std::function<Value(const Settings&)> get;
+  std::function<void(Settings&, const Value&)> set;  // takes a value that passed the checks
+};
+
+// "plant.x.mass_kg" -> "plant.mass_kg"; other names stay.
+std::string short_form(const std::string& name);
+
+// The key of that name; `plant.mass_kg` gives the keys of both axes.
+std::vector<const Key*> find_keys(const std::vector<Key>& keys, std::string_view name);
+
+// Names a person may write, for suggestions: those of the keys and the two-axis short forms.
+std::vector<std::string> key_names(const std::vector<Key>& keys);
+
+std::string range_text(const Key& key);      // "0..5", "one of fc, afc", "true or false"
+std::string value_text(const Value& value);  // as TOML writes it
+
+// The nearest of `words` within a third of the length, or "".
+std::string suggest(const std::string& word, const std::vector<std::string>& words);
+
+// "; did you mean NEAR?", or what else there is to say.
+std::string hint(const std::string& word, const std::vector<std::string>& words,
+                 const std::string& otherwise = "");
+
+}  // namespace trammel::lab

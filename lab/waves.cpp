@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "lab/waves.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <sstream>
+
+#include "lab/build_info.hpp"
+#include "lab/files.hpp"
+#include "lab/layers.hpp"
+#include "lab/machine.hpp"
+
+namespace trammel::lab {
+namespace fs = std::filesystem;
+namespace {
+
+using cosim::RunResult;
+using cosim::WaveFormat;
+
+constexpr double kLongWindowS = 0.002;
+constexpr std::size_t kListed = 100;  // windows in metrics.json
+constexpr std::size_t kMarkers = 26;  // that a GTKWave view can name, A to Z
+
+double seconds(const std::string& text, const std::string& where) {
+  const auto value = cosim::parse_time(text);
+  if (value) return *value;
+  throw ConfigError(
+      fmt::format("{}: value \"{}\" is not a time with s, ms, us or ns behind it", where, text));
+}
+
+// 0.0018 -> "1.8 ms"
+std::string time_text(double s) {
+  const double size = std::abs(s);
+  if (size >= 1 || size == 0) return fmt::format("{:.9g} s", s);
+  if (size >= 1e-3) return fmt::format("{:.9g} ms", s * 1e3);
+  return fmt::format("{:.9g} us", s * 1e6);
+}
+
+std::string trigger_text(const Settings& settings) {
+  const cosim::TriggerForms& forms = settings.machine().triggers();
+  return cosim::wave_trigger_text(settings.run, forms.start).value_or("");
+}
+
+const char* file_name(const cosim::RunBasics& run) {
+  return run.wave == WaveFormat::kVcd ? "waves.vcd" : "waves.fst";
+}
+
+std::string view_text(const std::string& view) {
+  std::ifstream in(fs::path(kViewFolder) / view);
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+}  // namespace
+
+void check_trigger(const Settings& settings, const std::string& text, const std::string& where) {
+  const cosim::TriggerForms& forms = settings.machine().triggers();
+  try {
+    cosim::parse_trigger(text, forms);
+  } catch (const cosim::UnknownName& error) {
+    throw ConfigError(fmt::format("{}: {}{}", where, error.what(),
+                                  hint(error.name, cosim::trigger_names(forms),
+                                       "; `trammel list signals` names them all")));
+  } catch (const std::invalid_argument& error) {
+    throw ConfigError(fmt::format("{}: {}", where, error.what()));
+  }
+}
+
+std::pair<double, double> parse_window(const std::string& text) {
+  const auto colon = text.find(':');
+  const auto begin =
+      colon == std::string::npos ? std::nullopt : cosim::parse_time(text.substr(0, colon));
+  const auto end =
+      colon == std::string::npos ? std::nullopt : cosim::parse_time(text.substr(colon + 1));
+  if (!begin || !end || *begin >= *end) {
+    throw ConfigError(
+        fmt::format("--wave-window: value \"{}\" is not a:b with a before b, each "
+                    "with s, ms, us or ns behind it, for instance 0:5ms",
+                    text));
+  }
+  return {*begin, *end};
+}
+
+void apply_waves(Settings& settings, const WaveArguments& arguments) {
+  const auto set = [&settings](const char* key, const auto& value, const char* where) {
+    apply_assignment(settings, fmt::format("{}={}", key, value), where);
+  };
+  if (!arguments.format.empty()) set("run.wave", arguments.format, "--wave");
+  const std::pair<const char*, const std::string*> others[] = {
+      {"--wave-window", &arguments.window},
+      {"--wave-trigger", &arguments.trigger},
+      {"--wave-pre", &arguments.pre},
+      {"--wave-every", &arguments.every}};
+  for (const auto& [name, value] : others) {
+    if (!value->empty() && settings.run.wave == WaveFormat::kNone) {
+      throw ConfigError(fmt::format("{}: needs --wave vcd or --wave fst", name));
+    }
+  }
+  if (!arguments.window.empty()) {
+    const auto [begin, end] = parse_window(arguments.window);
+    set("run.wave_begin_s", begin, "--wave-window");
+    set("run.wave_end_s", end, "--wave-window");
+  }
+  if (!arguments.trigger.empty()) {
+    check_trigger(settings, arguments.trigger, "--wave-trigger");
+    set("run.wave_trigger", arguments.trigger, "--wave-trigger");
+  }
+  if (!arguments.pre.empty()) {
+    if (!arguments.window.empty() || !arguments.every.empty()) {
+      throw ConfigError(
+          "--wave-pre: is of the default window; with --wave-window or --wave-every "
+          "write --wave-window -1ms:2ms");
+    }
+    set("run.wave_pre_s", seconds(arguments.pre, "--wave-pre"), "--wave-pre");
+  }
+  if (!arguments.every.empty()) {
+    set("run.wave_every_s", seconds(arguments.every, "--wave-every"), "--wave-every");
+  }
+}
+
+void check_waves(const Settings& settings) {
+  const cosim::RunBasics& run = settings.run;
+  if (run.wave == WaveFormat::kNone) return;
+  const auto refuse = [](const std::string& message) { throw ConfigError(message); };
+  if (cosim::trigger_asked(run)) {
+    check_trigger(settings, run.wave_trigger, "run.wave_trigger");
+  }
+  const bool own = run.wave_begin_s != 0 || run.wave_end_s != 0;
+  if (own && run.wave_begin_s >= run.wave_end_s) {
+    refuse(fmt::format("run.wave_end_s: value {:g} must be above run.wave_begin_s = {:g}",
+                       run.wave_end_s, run.wave_begin_s));
+  }
+  if (!cosim::trigger_asked(run) && (run.wave_begin_s < 0 || run.wave_begin_s >= run.max_s)) {
+    refuse(
+        fmt::format("run.wave_begin_s: value {:g} is outside the run, 0..{:g} s (run.max_s); "
+                    "only a window around run.wave_trigger may begin below 0",
+                    run.wave_begin_s, run.max_s));
+  }
+  const double length = own ? run.wave_end_s - run.wave_begin_s : cosim::kEveryWindowS;
+  const cosim::Clk clocks = own ? cosim::edge_at(run.wave_end_s) - cosim::edge_at(run.wave_begin_s)
+                                : cosim::edge_at(length);
+  if (clocks < 1) {
+    refuse(fmt::format("run.wave_end_s: a window of {:g} s holds no clock, they are 20 ns apart",
+                       length));
+  }
+  if (run.wave_every_s != 0 && cosim::edge_at(run.wave_every_s) < clocks) {
+    refuse(fmt::format("run.wave_every_s: value {:g} is shorter than its window of {:g} s",
+                       run.wave_every_s, length));
+  }
+}
+
+std::optional<std::string> waves_notice(const Settings& settings) {
+  const cosim::RunBasics& run = settings.run;
+  if (run.wave == WaveFormat::kNone) return {};
+  const bool vcd = run.wave == WaveFormat::kVcd;
+  if (vcd && find_program("fst2vcd").empty()) {
+    throw ToolMissing("--wave vcd: fst2vcd is missing (see `trammel doctor`)");
+  }
+  const Machine& machine = settings.machine();
+  const cosim::WaveWindow window = cosim::wave_window(run, 0);
+  const double length = seconds_of(window.end - window.begin);
+  const double mega = length * (vcd ? machine.vcd_bytes_s : machine.fst_bytes_s) / 1e6;
+  if (run.wave_every_s > 0) {
+    return fmt::format("waves take about {:.2g} MB a second of the run", mega / run.wave_every_s);
+  }
+  if (length <= kLongWindowS * 1.001) return {};
+  return fmt::format("waves of {} take about {:.2g} MB", time_text(length), mega);
+}
+
+bool fst_to_vcd(const fs::path& fst, const fs::path& vcd) {
+  const std::string command =
+      fmt::format("exec fst2vcd -f {} -o {} > /dev/null 2>&1", shell_word(fst), shell_word(vcd));
+  std::error_code ignored;
+  const bool good = std::system(command.c_str()) == 0 && fs::file_size(vcd, ignored) > 0;
+  fs::remove(good ? fst : vcd, ignored);
+  return good;
+}
+
+std::string placed_view(const std::string& text, const fs::path& waves,
+                        const RunResult& result) {
+  const cosim::WaveSpan first = result.waves.front();
+  constexpr auto kNsPerClock = cosim::kClockPs / 1000;
+  constexpr double kFrames = 1045.0 / 200;  // width of the view's waves; GTKWave counts 200 pixels
+  std::string markers;
+  for (std::size_t i = 0; i < kMarkers; ++i) {
+    const bool used = result.waves.size() > 1 && i < result.waves.size();
+    markers += fmt::format(" {}", used ? result.waves[i].begin * kNsPerClock : -1);
+  }
+  const double zoom =
+      -std::log2(static_cast<double>(first.end - first.begin) * kNsPerClock / kFrames);
+  std::string placed =
+      fmt::format("[dumpfile] \"{0}\"\n[savefile] \"{1}\"\n[timestart] {2}\n", waves.string(),
+                  fs::path(waves).replace_extension("gtkw").string(), first.begin * kNsPerClock);
+  placed += fmt::format("*{:.6f} {}{}\n", zoom,
+                        result.wave_trigger ? *result.wave_trigger * kNsPerClock : -1, markers);
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);) {
+    const bool replaced = line.rfind("[dumpfile]", 0) == 0 || line.rfind("[savefile]", 0) == 0 ||
+                          line.rfind("[timestart]", 0) == 0 || line.rfind('*', 0) == 0;
+    if (!replaced) placed += line + '\n';
+  }
+  return placed;
+}
+
+bool finish_waves(const Settings& settings, const RunResult& result, const fs::path& folder,
+                  std::vector<std::string>& notes) {
+  if (settings.run.wave == WaveFormat::kNone) return true;
+  const auto missing = [&notes](const std::string& why) {
+    notes.push_back(fmt::format("no waves: {}; the run's results are kept", why));
+    return false;
+  };
+  const fs::path fst = settings.run.wave_file;
+  const double ran_s = seconds_of(result.clocks);
+  if (result.waves.empty()) {
+    std::error_code ignored;
+    fs::remove(fst, ignored);
+    if (result.end == cosim::EndReason::kStopped) return missing("the run was interrupted");
+    if (cosim::trigger_asked(settings.run) && !result.wave_trigger) {
+      return missing(fmt::format("the trigger \"{}\" never fired in {}", trigger_text(settings),
+                                 time_text(ran_s)));
+    }
+    return missing(fmt::format("their window lies outside the run, 0..{}", time_text(ran_s)));
+  }
+  fs::path file = fst;
+  bool good = true;
+  if (settings.run.wave == WaveFormat::kVcd) {
+    file.replace_extension("vcd");
+    good = fst_to_vcd(fst, file);
+    if (!good) {
+      notes.emplace_back("fst2vcd failed; the waves are kept as waves.fst");
+      file = fst;
+    }
+  }
+  const std::string name = settings.machine().name + ".gtkw";
+  const std::string view = view_text(name);
+  if (view.empty()) {
+    notes.push_back(fmt::format("no view for GTKWave: {}/{} cannot be read", kViewFolder, name));
+  } else {
+    write_text(fst.parent_path() / "waves.gtkw",
+               placed_view(view, folder / file.filename(), result));
+  }
+  return good;
+}
+
+std::string waves_text(const Settings& settings, const RunResult& result,
+                         const std::string& folder) {
+  if (result.waves.empty()) return "";
+  std::string text;
+  if (result.wave_trigger) {
+    const bool known = trigger_text(settings).find("at ") == 0;
+    text += fmt::format("  trigger `{}` at {} (clock {}){}\n", trigger_text(settings),
+                        time_text(seconds_of(*result.wave_trigger)), *result.wave_trigger,
+                        known ? "" : ", found in an untraced run before this one");
+  }
+  const cosim::WaveSpan first = result.waves.front();
+  text += fmt::format("  waves of {} to {}", time_text(seconds_of(first.begin)),
+                      time_text(seconds_of(first.end)));
+  if (result.waves.size() > 1) {
+    text += fmt::format(" and {} more windows, the last from {}", result.waves.size() - 1,
+                        time_text(seconds_of(result.waves.back().begin)));
+  }
+  return text + fmt::format("; to look at them: gtkwave {}/waves.gtkw\n", folder);
+}
+
+nlohmann::ordered_json waves_json(const Settings& settings, const RunResult& result) {
+  nlohmann::ordered_json json{{"file", file_name(settings.run)}};
+  if (result.wave_trigger) {
+    json["trigger"] = trigger_text(settings);
+    json["trigger_s"] = seconds_of(*result.wave_trigger);
+  }
+  json["windows"] = result.waves.size();
+  for (std::size_t i = 0; i < std::min(result.waves.size(), kListed); ++i) {
+    const cosim::WaveSpan& span = result.waves[i];
+    json["windows_s"].push_back({seconds_of(span.begin), seconds_of(span.end)});
+  }
+  return json;
+}
+
+}  // namespace trammel::lab

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "lab/write.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+#include "lab/build_info.hpp"
+#include "lab/layers.hpp"
+#include "lab/machine.hpp"
+#include "lab/pictures.hpp"
+#include "lab/report_page.hpp"
+#include "lab/scenarios.hpp"
+#include "lab/waves.hpp"
+
+namespace trammel::lab {
+namespace fs = std::filesystem;
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json simulation_json(const cosim::RunResult& result) {
+  const double simulated = seconds_of(result.clocks);
+  const double wall = result.wall_s;
+  return {{"samples", result.sample_count()},
+          {"clock_ps", cosim::kClockPs},
+          {"clocks", result.clocks},
+          {"clocks_evaluated", result.evaluated},
+          {"simulated_s", simulated},
+          {"wall_s", wall},
+          {"clocks_per_s", wall > 0 ? static_cast<double>(result.clocks) / wall : 0},
+          {"real_time_factor", wall > 0 ? simulated / wall : 0},
+          {"event_hash", fmt::format("{:016x}", result.event_hash)}};
+}
+
+void print_value(std::string& line, const Format& format, double value) {
+  const auto out = std::back_inserter(line);
+  switch (format.kind) {
+    case Format::Kind::kWhole: fmt::format_to(out, "{}", std::llround(value)); break;
+    case Format::Kind::kFixed: fmt::format_to(out, "{:.{}f}", value, format.digits); break;
+    case Format::Kind::kGeneral: fmt::format_to(out, "{:.{}g}", value, format.digits); break;
+  }
+}
+
+// Share of the clocks that were evaluated, or of those that hold an event.
+std::string evaluated_text(const Settings& settings, const cosim::RunResult& result) {
+  const double share = 100 * static_cast<double>(result.evaluated) /
+                       static_cast<double>(std::max<cosim::Clk>(1, result.clocks));
+  if (settings.run.engine == cosim::Engine::kTwin) {
+    return fmt::format("twin engine: {:.1f} % of the clocks hold an event", share);
+  }
+  if (!settings.machine().can.leap) {
+    std::string text = "every clock evaluated: the chip declares no leap contract (docs/leap.md)";
+    if (result.events > 0) {
+      const double clocks = static_cast<double>(result.clocks);
+      const double events = static_cast<double>(result.events);
+      text += fmt::format("\n  with one, clocks that only count are leapt over: {:.3g} % hold an "
+                          "event here, so at most {:.0f} times fewer",
+                          100 * events / clocks, std::floor(clocks / events));
+    }
+    return text;
+  }
+  return fmt::format("{:.1f} % of the clocks evaluated, the others leapt over", share);
+}
+
+}  // namespace
+
+Json versions_json() {
+  return {{"trammel", kVersion},   {"commit", kCommit},     {"verilator", kVerilator},
+          {"systemc", kSystemC},   {"compiler", kCompiler}, {"build", kBuild}};
+}
+
+Json value_json(const Value& value) {
+  return std::visit([](const auto& v) -> Json { return v; }, value);
+}
+
+Json metrics_json(const Record& record, const Origin& origin) {
+  const Settings& settings = *record.settings;
+  const Machine& machine = record.machine();
+  const cosim::RunResult& result = *record.result;
+  Json json;
+  json["machine"] = machine.name;
+  json["scenario"] = settings.scenario;
+  json["command"] = origin.command.empty() ? repeat_command(settings) : origin.command;
+  json["end"] = end_text(result.end);
+  json["verdict"] = record.verdict;
+  if (const std::string fault = result.fault_text(); !fault.empty()) json["fault"] = fault;
+  if (result.promise) {
+    json["promise"] = {{"name", result.promise->name},
+                       {"instance", result.promise->instance},
+                       {"place", result.promise->place},
+                       {"clock", result.promise->edge}};
+  }
+  put_figures(json, record.figures);
+  for (const Record& companion : record.companions) {
+    Json beside;
+    put_figures(beside, companion.figures);
+    beside["end"] = end_text(companion.result->end);
+    json["compared"][companion.name] = beside;
+  }
+  json["run"] = simulation_json(result);
+  if (machine.metrics != nullptr) machine.metrics(record, json);
+  if (origin.more.is_object()) json.update(origin.more);
+  if (!result.waves.empty()) json["waves"] = waves_json(settings, result);
+  json["versions"] = versions_json();
+  for (const Key& key : machine.keys()) {
+    if (origin.left_out != nullptr && origin.left_out(key)) continue;
+    json["options"][key.name] = value_json(key.get(settings));
+  }
+  return json;
+}
+
+void write_trace(const fs::path& file, const Record& record) {
+  const ColumnTable& table = record.machine().columns();
+  write_lines(file, [&](fmt::ostream& out) {
+    std::string line;
+    for (const Column& column : table.columns) {
+      line += (line.empty() ? "" : ",") + column.name;
+    }
+    out.print("{}\n", line);
+    std::vector<double> values;
+    for (std::size_t k = 0; k < record.result->sample_count(); ++k) {
+      table.read(*record.settings, *record.result, k, values);
+      line.clear();
+      for (std::size_t n = 0; n < values.size(); ++n) {
+        if (n > 0) line += ',';
+        print_value(line, table.columns[n].format, values[n]);
+      }
+      out.print("{}\n", line);
+    }
+  });
+}
+
+Written write_record(const Record& record, const OutputFolder& folder, const Json& metrics,
+                     const Origin& origin, bool page) {
+  const Machine& machine = record.machine();
+  const fs::path& scratch = folder.scratch();
+  Written written;
+  written.waves = finish_waves(*record.settings, *record.result, folder.target(), written.notes);
+  write_text(scratch / "metrics.json", metrics.dump(2) + '\n');
+  write_text(scratch / "run.toml",
+             origin.command.empty() ? run_toml(*record.settings)
+                                    : run_toml(*record.settings, origin.command, origin.left_out));
+  for (const auto& [name, content] : origin.files) write_text(scratch / name, content);
+  write_trace(scratch / "trace.csv", record);
+  if (machine.files != nullptr) machine.files(record, scratch);
+  if (!draw_pictures(record, scratch)) {
+    written.notes.push_back(fmt::format(
+        "no pictures: {}", find_program("gnuplot").empty()
+                               ? "gnuplot is missing (see `trammel doctor`)"
+                               : "there is nothing to draw"));
+  }
+  try {
+    const Json detail = machine.detail == nullptr ? Json() : machine.detail(record);
+    if (!detail.is_null()) write_text(scratch / "detail.json", detail.dump() + '\n');
+    if (page) write_run_page(scratch);
+    written.page = page;
+  } catch (const std::exception& error) {  // a run is never lost because its page failed
+    written.notes.push_back(fmt::format("no report: {}; the results are kept", error.what()));
+  }
+  return written;
+}
+
+std::string report_text(const Record& record, const std::string& folder, bool page) {
+  const Settings& settings = *record.settings;
+  const cosim::RunResult& result = *record.result;
+  std::string text = fmt::format("{}{}: {}\n", settings.scenario,
+                                 record.name.empty() ? "" : fmt::format(" ({})", record.name),
+                                 record.verdict);
+  if (!settings.description.empty()) text += fmt::format("  {}\n", settings.description);
+  text += figures_text(record.figures);
+  for (const Record& companion : record.companions) {
+    text += fmt::format("\n  {}: {}\n{}", companion.name, companion.verdict,
+                        figures_text(companion.figures));
+  }
+  if (record.machine().remarks != nullptr) {
+    for (const std::string& remark : record.machine().remarks(record)) {
+      text += fmt::format("  {}\n", remark);
+    }
+  }
+  const double simulated = seconds_of(result.clocks);
+  text += fmt::format("\n  simulated {:.3f} s = {} clocks in {:.2f} s: real-time factor {:.3f}\n",
+                      simulated, result.clocks, result.wall_s,
+                      result.wall_s > 0 ? simulated / result.wall_s : 0);
+  text += fmt::format("  {}\n", evaluated_text(settings, result));
+  text += fmt::format("  results in {}\n", folder);
+  if (page) text += fmt::format("  report: {}\n", (fs::path(folder) / "report.html").string());
+  return text + waves_text(settings, result, folder);
+}
+
+}  // namespace trammel::lab

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The files of a run, of any machine.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "lab/files.hpp"
+#include "lab/record.hpp"
+
+namespace trammel::lab {
+
+// What a run that was not made by `trammel run SCENARIO` says of itself.
+struct Origin {
+  std::string command;                       // repeats it; "": a scenario and what differs from it
+  bool (*left_out)(const Key&) = nullptr;    // keys that are none of it
+  nlohmann::ordered_json more = nullptr;     // members of metrics.json
+  std::map<std::string, std::string> files;  // name and content of further files
+};
+
+struct Written {
+  bool page = false;               // report.html is there
+  bool waves = true;               // or none were asked for
+  std::vector<std::string> notes;  // a line for each file that cannot be made
+};
+
+// metrics.json: how it ended, figures, speed, versions, settings.
+nlohmann::ordered_json metrics_json(const Record& record, const Origin& origin = {});
+nlohmann::ordered_json versions_json();
+nlohmann::ordered_json value_json(const Value& value);
+
+// trace.csv: a line a sample, from the machine's columns.
+void write_trace(const std::filesystem::path& file, const Record& record);
+
+// All files of a run, into the scratch of a folder that is to be published then. Throws ConfigError
+// where one of those that hold the record cannot be written.
+Written write_record(const Record& record, const OutputFolder& folder,
+                     const nlohmann::ordered_json& metrics, const Origin& origin, bool page);
+
+// What a person reads at the end of a run; `page`: report.html is there.
+std::string report_text(const Record& record, const std::string& folder, bool page);
+
+}  // namespace trammel::lab

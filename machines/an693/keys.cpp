@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Keys of the machine an693. Words of the trajectory are those that the LM628 takes.
+#include "machines/an693/machine.hpp"
+#include "parts/lm628/keys.hpp"
+
+namespace trammel::lab {
+
+template <>
+std::vector<std::string> enum_names<sw::An693Program>() {
+  return {"hold", "absolute", "relative", "breakpoints", "tuning"};
+}
+
+}  // namespace trammel::lab
+
+namespace trammel::an693 {
+
+const std::vector<lab::Key>& keys() {
+  static const auto all = [] {
+    constexpr double kWord = 1073741823;  // 30 bits
+    lab::KeyTable<Options> t(machine().name);
+    t.names();
+    t.text("program", "example of AN-693", TRAMMEL_LENS(program));
+    t.platform_and_clocks();
+    t.window();
+    t.longest_run();
+    t.one("run.diverged_counts", 1, 32767, "position error that ends the run as diverged",
+          TRAMMEL_LENS(diverged_counts));
+    t.waves("the first drive", "see docs/waves.md");
+    lm628::add_filter(t);
+    t.one("trajectory.acceleration", 0, kWord, "2^-16 count/sample^2", TRAMMEL_LENS(acceleration));
+    t.one("trajectory.velocity", 0, kWord, "2^-16 count/sample; of breakpoints the first speed",
+          TRAMMEL_LENS(velocity));
+    t.one("trajectory.position_counts", -kWord - 1, kWord, "target, distance, or size of a step",
+          TRAMMEL_LENS(position));
+    t.one("trajectory.breakpoint_counts", 1, 500000000, "the first; the second is as far from it",
+          TRAMMEL_LENS(breakpoint));
+    t.one("trajectory.steps", 1, 10000, "of tuning", TRAMMEL_LENS(steps));
+    t.one("trajectory.wait_s", 1e-3, 60, "before STT, between steps, and at the end",
+          TRAMMEL_LENS(wait_s));
+    t.processor();
+    lm628::add_motor(t, TRAMMEL_LENS(plant.motor));
+    t.one("encoder.counts", 4, 100000, "counts per turn, after x4 decoding",
+          TRAMMEL_LENS(plant.counts));
+    t.one("encoder.hysteresis_counts", 0, 0.9, "of its comparators",
+          TRAMMEL_LENS(plant.hysteresis));
+    return t.keys;
+  }();
+  return all;
+}
+
+}  // namespace trammel::an693

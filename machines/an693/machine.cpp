@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "machines/an693/machine.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "machines/an693/session.hpp"
+#include "parts/lm628/columns.hpp"
+#include "parts/lm628/motor.hpp"
+#include "parts/lm628/signals.hpp"
+
+namespace trammel::an693 {
+namespace {
+
+void validate(lab::Settings& settings) {
+  const auto& options = static_cast<const Options&>(settings);
+  lm628::check_motor(options.plant.motor);
+  if (options.plant.counts % 4 != 0) {
+    throw lab::ConfigError(fmt::format("encoder.counts: value {} is no multiple of 4",
+                                       options.plant.counts));
+  }
+}
+
+lab::Machine describe() {
+  lab::Machine m;
+  m.name = "an693";
+  m.title = "LM628 motion controller with a DC motor, driven by the programs of AN-693";
+  m.source = "National Semiconductor AN-693; data sheet SNVS781C";
+  m.order = 2;
+  m.defaults = [] { return std::unique_ptr<lab::Settings>(std::make_unique<Options>()); };
+  m.keys = keys;
+  m.validate = validate;
+  m.triggers = triggers;
+  m.vcd_bytes_s = 8.5e9;
+  m.fst_bytes_s = 3e7;
+  m.session = [](const lab::Settings& settings, const cosim::Hooks& hooks,
+                 const cosim::Waves& waves) {
+    return std::unique_ptr<cosim::Session>(
+        std::make_unique<Session>(static_cast<const Options&>(settings), hooks, waves));
+  };
+  m.columns = columns;
+  m.figures = figures;
+  m.verdict = lm628::verdict<Options, Result>;
+  m.remarks = remarks;
+  m.metrics = add_metrics;
+  m.page.numbers = {"/motion/samples", "/motion/time_s", "/options/encoder.counts"};
+  m.page.arrays = {"/interrupts"};
+  return m;
+}
+
+}  // namespace
+
+const cosim::TriggerForms& triggers() {
+  static const cosim::TriggerForms forms{
+      lm628::signals(),
+      {std::begin(cosim::kStopEventNames), std::end(cosim::kStopEventNames)},
+      cosim::kStopEvents, "drive", cosim::name_stop_event};
+  return forms;
+}
+
+const lab::Machine& machine() {
+  static const lab::Machine description = describe();
+  return description;
+}
+
+}  // namespace trammel::an693

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The parts of machine.cpp that stand in units of their own.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lab/machine.hpp"
+#include "machines/an693/options.hpp"
+#include "machines/an693/record.hpp"
+
+namespace trammel::an693 {
+
+const std::vector<lab::Key>& keys();    // keys.cpp
+const lab::ColumnTable& columns();      // figures.cpp, as all that follow
+std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult& result);
+void add_metrics(const lab::Record& record, nlohmann::ordered_json& json);
+std::vector<std::string> remarks(const lab::Record& record);
+
+const cosim::TriggerForms& triggers();  // machine.cpp
+
+inline const Options& options_of(const lab::Record& record) {
+  return static_cast<const Options&>(*record.settings);
+}
+inline const Result& result_of(const lab::Record& record) {
+  return static_cast<const Result&>(*record.result);
+}
+
+// One run; faults and divergence are values in the result.
+Result simulate(const Options& options, const cosim::Hooks& hooks = {});
+
+}  // namespace trammel::an693

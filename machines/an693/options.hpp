@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a run of the machine an693 takes: an LM628, a DC motor, a program of AN-693.
+#pragma once
+
+#include "lab/settings.hpp"
+#include "models/plant/motor_axis.hpp"
+#include "sw_nios/apps/an693/an693.hpp"
+
+namespace trammel::an693 {
+
+const lab::Machine& machine();
+
+struct Options final : lab::SettingsOf<Options, machine> {
+  Options() { scenario = "an693-absolute"; }
+
+  sw::An693Program program = sw::An693Program::kAbsolute;
+  sw::An693Filter filter;
+  int acceleration = 2;          // as the part takes them: [2^-16 count/sample^2],
+  int velocity = 0x346E;         // [2^-16 count/sample]
+  int position = 8000;           // [count]
+  int breakpoint = 80000;        // [count]
+  int steps = 4;
+  double wait_s = 0.1;           // before STT, between steps, and at the end
+  int diverged_counts = 30000;   // position error that ends the run as diverged
+  plant::MotorAxisConfig plant;
+};
+
+}  // namespace trammel::an693

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a run of the machine an693 gives.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "cosim/disk_vector.hpp"
+#include "machines/an693/options.hpp"
+#include "parts/lm628/chip.hpp"
+
+namespace trammel::an693 {
+
+inline constexpr double kSampleS = 256e-6;  // 2048 ticks of 8 MHz
+
+// At the edge that publishes a sample's results.
+struct Sample {
+  cosim::Clk edge = 0;
+  lm628::Words words;
+  bool host_irq = false;
+  double theta = 0;  // [rad]
+  double omega = 0;  // [rad/s]
+  double i = 0;      // [A]
+  double volt = 0;   // [V]
+};
+
+struct Result : cosim::RunResult {
+  std::size_t sample_count() const override { return samples.size(); }
+  std::string fault_text() const override { return fault; }
+
+  cosim::DiskVector<Sample> samples;  // from the first after the reset routine on
+  std::string fault;                  // kFault: what the program saw
+  std::int32_t desired = 0;           // RDDP and RDRP at the end [count]
+  std::int32_t real = 0;
+};
+
+}  // namespace trammel::an693

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "machines/an693/session.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+#include "machines/an693/machine.hpp"
+#include "systemc/wire.hpp"
+
+namespace trammel::an693 {
+namespace {
+
+sw::An693Setup program_setup(const Options& o) {
+  sw::An693Setup setup;
+  setup.program = o.program;
+  setup.filter = o.filter;
+  setup.acceleration = o.acceleration;
+  setup.velocity = o.velocity;
+  setup.position = o.position;
+  setup.breakpoint = o.breakpoint;
+  setup.steps = static_cast<std::uint32_t>(o.steps);
+  setup.wait_clk = static_cast<std::uint32_t>(cosim::clocks_of(o.wait_s, o.plant.clock_ps));
+  return setup;
+}
+
+// As long as the trajectory alone takes: ramps and constant speed, and the waits.
+double expected_s(const Options& o) {
+  const double a = std::max(1, o.acceleration), v = std::max(1, o.velocity);
+  const double way = std::abs(static_cast<double>(o.position)) * 65536;
+  const double move = way > v * v / a ? v / a + way / v : 2 * std::sqrt(way / a);
+  switch (o.program) {
+    case sw::An693Program::kHold: return o.wait_s;
+    case sw::An693Program::kAbsolute: return move * kSampleS + o.wait_s;
+    case sw::An693Program::kRelative: return move * kSampleS + 2 * o.wait_s;
+    case sw::An693Program::kBreakpoints:
+      return (1.5 * o.breakpoint * 65536.0 / v + 2.75 * v / a) * kSampleS + o.wait_s;
+    case sw::An693Program::kTuning: return o.steps * o.wait_s;
+  }
+  return o.run.max_s;
+}
+
+const char* failure_text(const sw::Mailbox& mailbox) {
+  switch (static_cast<sw::An693Failure>(mailbox.failure)) {
+    case sw::An693Failure::kReset: return "the status after a reset is none of the data sheet's";
+    case sw::An693Failure::kBusy: return "the busy bit did not clear";
+    case sw::An693Failure::kCommandError: return "the part reported a command error";
+    case sw::An693Failure::kPositionError: return "the part reported a position error";
+    case sw::An693Failure::kNone: break;
+  }
+  return "";
+}
+
+}  // namespace
+
+Bench::Bench(const Options& options, std::function<bool(const Sample&)> finished,
+             const cosim::Waves& waves)
+    : options_(options),
+      waves_(waves),
+      plant_(options.plant),
+      chip_(options.run.engine == cosim::Engine::kTwin
+                ? lm628::make_twin_chip()
+                : lm628::make_verilated_chip(options.run, waves.window)),
+      recorder_(
+          *chip_,
+          [this](Sample& sample) {
+            const plant::DcMotorState s = plant_.axis().state(sample.edge);
+            sample.theta = s.theta;
+            sample.omega = s.omega;
+            sample.i = s.i;
+            sample.volt = plant_.axis().voltage();
+          },
+          std::move(finished)),
+      loop_(*chip_, plant_, *this, options.run.window()) {}
+
+cosim::Clk Bench::end() const {
+  return cosim::clocks_of(options_.run.max_s, period_ps());
+}
+
+Result Bench::result() {
+  Result result;
+  result.samples = recorder_.take_samples();
+  result.event_hash = recorder_.event_hash();
+  close_result(result, *chip_, waves_.window, started_);
+  return result;
+}
+
+Session::Session(const Options& options, const cosim::Hooks& hooks, const cosim::Waves& waves)
+    : Bench(options, [this](const Sample& sample) { return over(sample); }, waves),
+      hooks_(hooks),
+      app_(program_setup(options)),
+      expected_s_(expected_s(options)) {}
+
+bool Session::over(const Sample& sample) {
+  if (found() || chip().broken_promise()) return true;
+  if (hooks_.stopped()) {
+    end_ = cosim::EndReason::kStopped;
+    return true;
+  }
+  if (app_.mailbox().failure != 0) {
+    end_ = cosim::EndReason::kFault;
+    return true;
+  }
+  if (std::abs(sample.words.error) > options().diverged_counts) {
+    end_ = cosim::EndReason::kDiverged;
+    return true;
+  }
+  if (hooks_.progress && ++samples_ % 64 == 0) {
+    hooks_.progress(std::min(1.0, static_cast<double>(samples_) * kSampleS / expected_s_));
+  }
+  if (app_.mailbox().done == 0) return false;
+  end_ = cosim::EndReason::kDone;
+  return true;
+}
+
+std::unique_ptr<cosim::RunResult> Session::result() {
+  auto result = std::make_unique<Result>(Bench::result());
+  const sw::Mailbox& mailbox = app_.mailbox();
+  if (!result->promise) result->end = end_;
+  result->fault = failure_text(mailbox);
+  result->desired = mailbox.desired[0];
+  result->real = mailbox.real[0];
+  if (end_ != cosim::EndReason::kDone && !result->samples.empty()) {  // it did not come to ask
+    const lm628::Words last = result->samples.back().words;
+    result->desired = static_cast<std::int32_t>(last.position >> 16);
+    result->real = last.actual;
+  }
+  return result;
+}
+
+Result simulate(const Options& options, const cosim::Hooks& hooks) {
+  const auto make = [&options](const cosim::Hooks& own, const cosim::Waves& waves) {
+    return std::make_unique<Session>(options, own, waves);
+  };
+  auto result = systemc::simulate(options.run, triggers(), make, hooks);
+  return std::move(static_cast<Result&>(*result));
+}
+
+}  // namespace trammel::an693

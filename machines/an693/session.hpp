@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// One run of the machine an693, ready to be driven by a wiring: chip, plant, loop and record, with
+// firmware and the decision when the run is over, or with somebody else at the port.
+#pragma once
+
+#include <chrono>
+#include <functional>
+#include <memory>
+
+#include "cosim/session.hpp"
+#include "machines/an693/recorder.hpp"
+#include "parts/lm628/signals.hpp"
+#include "machines/an693/record.hpp"
+
+namespace trammel::an693 {
+
+// The motor of models/ behind the interface of cosim/.
+class MotorPlant final : public cosim::Plant {
+ public:
+  explicit MotorPlant(const plant::MotorAxisConfig& config) : axis_(config) {}
+
+  cosim::Lines sense() const override {
+    return cosim::Lines{axis_.a()} << lm628::kEncoderA |
+           cosim::Lines{axis_.b()} << lm628::kEncoderB |
+           cosim::Lines{axis_.index()} << lm628::kIndex;
+  }
+  cosim::Clk next() const override { return axis_.next(); }
+  void commit(cosim::Clk n, cosim::Lines drive) override {
+    axis_.commit(n, (static_cast<double>(drive) - static_cast<double>(lm628::kZeroCode)) / 2048);
+  }
+  int sample(int, cosim::Clk) const override { return 0; }  // there is no converter
+
+  const plant::MotorAxis& axis() const { return axis_; }
+
+ private:
+  plant::MotorAxis axis_;
+};
+
+// Chip, motor, loop and record: what every run of the machine has, whoever is at the port.
+class Bench : private cosim::Observer, private cosim::SignalReader {
+ public:
+  // `finished` is asked after each sample, and after it said so nothing more is recorded.
+  Bench(const Options& options, std::function<bool(const Sample&)> finished,
+        const cosim::Waves& waves = {});
+
+  cosim::Loop& loop() { return loop_; }
+  const lm628::Lm628Chip& chip() const { return *chip_; }
+  const MotorPlant& plant() const { return plant_; }
+  cosim::ProcessorTiming timing() const {
+    return {options_.processor.access_clk, options_.processor.interrupt_latency_clk};
+  }
+  std::int64_t period_ps() const { return options_.plant.clock_ps; }
+  cosim::Clk end() const;  // edge at which the run ends at the latest
+  bool finished() const { return recorder_.done(); }
+
+  Result result();  // all but how it ended, which only who is at the port can tell
+
+ protected:
+  const Options& options() const { return options_; }
+  bool found() const { return waves_.found(); }
+
+ private:
+  void on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant& plant) override {
+    if (waves_.search != nullptr) waves_.search->on(stop, *chip_, *this);
+    recorder_.on(stop, chip, plant);
+  }
+
+  std::int64_t read(std::size_t signal, int) const override {
+    return lm628::word(chip_->words(), signal);
+  }
+
+  Options options_;
+  cosim::Waves waves_;
+  MotorPlant plant_;
+  std::unique_ptr<lm628::Lm628Chip> chip_;
+  Recorder recorder_;
+  cosim::Loop loop_;
+  std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+};
+
+// With the firmware at the port.
+class Session final : public Bench, public cosim::Session {
+ public:
+  Session(const Options& options, const cosim::Hooks& hooks, const cosim::Waves& waves = {});
+
+  cosim::Loop& loop() override { return Bench::loop(); }
+  sw::Firmware& firmware() override { return app_; }
+  cosim::ProcessorTiming timing() const override { return Bench::timing(); }
+  std::int64_t period_ps() const override { return Bench::period_ps(); }
+  cosim::Clk end() const override { return Bench::end(); }
+  bool finished() const override { return Bench::finished(); }
+  bool stopped() const override { return end_ == cosim::EndReason::kStopped; }
+  std::unique_ptr<cosim::RunResult> result() override;
+
+ private:
+  bool over(const Sample& sample);
+
+  cosim::Hooks hooks_;
+  sw::An693App app_;
+  double expected_s_;
+  std::int64_t samples_ = 0;
+  cosim::EndReason end_ = cosim::EndReason::kTimeout;
+};
+
+}  // namespace trammel::an693

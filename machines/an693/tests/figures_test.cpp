@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Keys, figures and files of the machine an693, from results made by hand.
+
+#include "machines/an693/figures.hpp"
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "lab/files.hpp"
+#include "lab/layers.hpp"
+#include "lab/report_data.hpp"
+#include "lab/report_page.hpp"
+#include "lab/scenarios.hpp"
+#include "machines/an693/machine.hpp"
+#include "testbench/run.hpp"
+#include "tests/support/files.hpp"
+#include "tests/support/message.hpp"
+#include "tests/support/told.hpp"
+
+using namespace trammel;
+using namespace trammel::lab;
+using test::content;
+using Catch::Matchers::Contains;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string message_of(const std::string& toml) {
+  return test::message_of<an693::Options>(toml);
+}
+
+// Off, then a step of 4 counts, overshoot by 1, an interrupt at the 5th sample.
+an693::Result by_hand() {
+  an693::Result result;
+  result.end = cosim::EndReason::kDone;
+  const int real[] = {0, 0, 1, 4, 5, 4, 4};
+  for (int n = 0; n < 7; ++n) {
+    an693::Sample s;
+    s.edge = 12800 * (n + 1);
+    s.words.status = n == 0 ? 0x80 : 0x00;
+    s.words.position = std::int64_t{n == 0 ? 0 : 4} << 16;
+    s.words.actual = real[n];
+    s.words.error = n == 0 ? 0 : 4 - real[n];
+    s.theta = real[n] * plant::MotorAxis::kTurn / 4000;
+    s.host_irq = n >= 5;
+    s.volt = n == 3 ? -3.5 : 1;
+    result.samples.push_back(s);
+  }
+  result.desired = result.real = 4;
+  result.clocks = 100000;
+  result.evaluated = 1000;
+  return result;
+}
+
+Record record_of(const Settings& settings, an693::Result result) {
+  return judged(settings.clone(), std::make_unique<an693::Result>(std::move(result)));
+}
+
+}  // namespace
+
+TEST_CASE("an693 scenarios load, can run, and repeat from run.toml") {
+  int own = 0;
+  for (const auto& file : scenarios()) {
+    if (&machine_of(file) != &an693::machine()) continue;
+    ++own;
+    INFO(file);
+    CHECK(file.parent_path().parent_path().filename() == "an693");
+    an693::Options options, again;
+    apply_file(options, file);
+    validate(options);
+    apply_text(again, run_toml(options), "run.toml", ".");
+    for (const auto& key : an693::keys()) {
+      CHECK(value_text(key.get(again)) == value_text(key.get(options)));
+    }
+  }
+  CHECK(own == 5);
+}
+
+TEST_CASE("keys of another machine, unknown keys and bad values are refused in one line") {
+  CHECK(message_of("[gains]\nkp = 1\n") ==
+        "some.toml:2: gains.kp: is no key of the machine an693");
+  CHECK(message_of("[filter]\nkq = 1\n") ==
+        "some.toml:2: filter.kq: unknown key; did you mean filter.kd?");
+  CHECK_THAT(message_of("machine = 'another'\n"), Contains("is not one of an693"));
+  CHECK_THAT(message_of("[filter]\nkp = 32768\n"), Contains("is out of range 0..32767"));
+  CHECK_THAT(message_of("[motor]\nresistance_ohm = 900\n"), Contains("motor.inductance_H"));
+  CHECK_THAT(message_of("[encoder]\ncounts = 4001\n"), Contains("no multiple of 4"));
+}
+
+TEST_CASE("an693 figures count samples from the first that moves") {
+  const an693::Options options;
+  const an693::Metrics m = evaluate(options, by_hand());
+  CHECK(m.moving_samples == 1);
+  CHECK(m.overshoot_counts == Approx(1));
+  CHECK(m.max_error_counts == 4);
+  CHECK(m.max_voltage_V == 3.5);
+  CHECK(m.settled_s == Approx(2 * 256e-6));
+  REQUIRE(m.interrupts.size() == 1);
+  CHECK(m.interrupts[0].sample == 5);
+  CHECK(m.interrupts[0].real == 4);
+}
+
+TEST_CASE("an693 interrupts before the desired position moves are told, as of sample 0") {
+  an693::Result result;
+  for (int n = 0; n < 4; ++n) {
+    an693::Sample s;
+    s.edge = 12800 * (n + 1);
+    s.host_irq = n == 1 || n == 3;
+    result.samples.push_back(s);
+  }
+  const an693::Metrics m = evaluate(an693::Options{}, result);
+  REQUIRE(m.interrupts.size() == 2);
+  CHECK(m.interrupts[0].sample == 0);
+  CHECK(m.interrupts[1].time_s == Approx(4 * 256e-6));
+}
+
+TEST_CASE("an693 runs leave metrics.json, trace.csv and run.toml, and say how they ended") {
+  const std::atomic<bool> stop{false};
+  testbench::Arguments arguments;
+  arguments.scenario = "an693-absolute";
+  arguments.out = "an693_test_out";
+  arguments.json = true;
+  auto end = cosim::EndReason::kDone;
+  std::string fault;
+  const testbench::Simulate simulate = [&](const Settings& settings, const cosim::Hooks& hooks) {
+    hooks.progress(0.5);
+    an693::Result result = by_hand();
+    result.end = end;
+    result.fault = fault;
+    return record_of(settings, std::move(result));
+  };
+  CHECK(testbench::run(arguments, stop, simulate) == 0);
+  const auto json = nlohmann::json::parse(content("an693_test_out/metrics.json"));
+  CHECK(json["machine"] == "an693");
+  CHECK(json["motion"]["overshoot_counts"].get<double>() == Approx(1));
+  CHECK(json["options"]["motor.resistance_ohm"] == 2.0);
+  CHECK_THAT(content("an693_test_out/trace.csv"),
+             Contains("0.00025600,0.00000,0.00000,0,0.0000,0"));
+  CHECK_THAT(content("an693_test_out/run.toml"), Contains("machine = \"an693\""));
+  CHECK(fs::exists("an693_test_out/motion.svg") == !find_program("gnuplot").empty());
+  CHECK_THAT(content("an693_test_out/report.html"), Contains("\"machine\":\"an693\""));
+  CHECK(testbench::report({{"an693_test_out"}, {}, false}) == 0);
+
+  arguments.json = false;
+  arguments.assignments = {"program=tuning", "description=a step"};
+  CHECK(testbench::run(arguments, stop, simulate) == 0);
+  end = cosim::EndReason::kFault;
+  fault = "the busy bit did not clear";
+  CHECK(testbench::run(arguments, stop, simulate) == 5);
+  fs::remove_all("an693_test_out");
+}
+
+TEST_CASE("a bit of one sample is on a page that shows one of three") {
+  const std::atomic<bool> stop{false};
+  testbench::Arguments arguments;
+  arguments.scenario = "an693-absolute";
+  arguments.out = "an693_test_out";
+  arguments.json = true;
+  std::vector<std::string> series;
+  for (const int sample : {-1, 4}) {
+    const auto simulate = [sample](const Settings& settings, const cosim::Hooks&) {
+      an693::Result result;
+      for (int n = 0; n < 7; ++n) {
+        an693::Sample s;
+        s.words.status = n == sample ? 0x40 : 0;
+        result.samples.push_back(s);
+      }
+      return record_of(settings, std::move(result));
+    };
+    testbench::run(arguments, stop, simulate);
+    const RunFolder run = read_run("an693_test_out");
+    CHECK(run.first == 0);
+    CHECK(page_series(run, false, 3).stride == 3);
+    series.push_back(page_series(run, false, 3).data);
+    CHECK(page_series(run, false, 100).channels.size() == 15);
+  }
+  CHECK(series[0] != series[1]);
+  fs::remove_all("an693_test_out");
+}
+
+TEST_CASE("an693 says how a run ended") {
+  const an693::Options options;
+  an693::Result result;
+  const auto verdict = [&] { return an693::machine().verdict(options, result); };
+  result.end = cosim::EndReason::kTimeout;
+  CHECK(verdict() == "not finished within run.max_s = 120");
+  result.end = cosim::EndReason::kDiverged;
+  CHECK(verdict() == "diverged: error above run.diverged_counts = 30000");
+  result.fault = "test:1: wait hi: not within 1 s";
+  result.end = cosim::EndReason::kTimeout;
+  CHECK(verdict() == result.fault);
+  result.end = cosim::EndReason::kFault;
+  CHECK(verdict() == "tripped: " + result.fault);
+  result.end = cosim::EndReason::kStopped;
+  CHECK(verdict() == "interrupted");
+  result.end = cosim::EndReason::kPromise;
+  result.promise = {"busy_ends", "lm628.u_port", "bus/lm628_port_props.sv:7", 50000};
+  CHECK(verdict() ==
+        "assertion failed: busy_ends of lm628.u_port at 0.00100000 s, clock 50000 "
+        "(bus/lm628_port_props.sv:7)");
+}
+
+TEST_CASE("run chooses the machine by the scenario, and refuses what this one has not") {
+  const std::atomic<bool> stop{false};
+  testbench::Arguments arguments;
+  arguments.scenario = "an693-hold";
+  arguments.out = "an693_test_out";
+  arguments.platform = "direct";
+  arguments.report = false;
+  bool ran = false;
+  const testbench::Simulate simulate = [&](const Settings& settings, const cosim::Hooks&) {
+    REQUIRE(&settings.machine() == &an693::machine());
+    const auto& options = static_cast<const an693::Options&>(settings);
+    ran = options.program == sw::An693Program::kHold &&
+          options.run.platform == cosim::Platform::kDirect;
+    return record_of(settings, by_hand());
+  };
+  CHECK(testbench::run(arguments, stop, simulate) == 0);
+  CHECK(ran);
+  const testbench::Simulate breaks = [](const Settings& settings, const cosim::Hooks&) {
+    an693::Result result = by_hand();
+    result.end = cosim::EndReason::kPromise;
+    result.promise = {"busy_ends", "lm628.u_port", "bus/lm628_port_props.sv:7", 50000};
+    return record_of(settings, std::move(result));
+  };
+  CHECK(testbench::run(arguments, stop, breaks) == 4);
+  CHECK_THAT(content(fs::path(arguments.out) / "metrics.json"), Contains("\"clock\": 50000"));
+  arguments.audit = arguments.plain = true;
+  CHECK_THROWS_WITH(testbench::run(arguments, stop, simulate), Contains("not with --no-leap"));
+  arguments.audit = arguments.plain = false;
+  arguments.check = true;
+  CHECK(test::told([&] { CHECK(testbench::run(arguments, stop, simulate) == 2); }) ==
+        "trammel: an693-hold: --check: nothing is expected of this scenario with these "
+        "settings\n");
+  arguments.check = false;
+  arguments.waves.format = "fst";
+  arguments.waves.trigger = "x.e > 3";
+  CHECK_THROWS_WITH(testbench::run(arguments, stop, simulate), Contains("x.e: unknown signal"));
+  arguments.waves.trigger = "";
+  const testbench::Simulate traced = [](const Settings& settings, const cosim::Hooks&) {
+    an693::Result result = by_hand();
+    result.waves = {{90000, 95000}};
+    result.wave_trigger = 91000;
+    std::ofstream(settings.run.wave_file) << "waves";
+    return record_of(settings, std::move(result));
+  };
+  CHECK(testbench::run(arguments, stop, traced) == 0);
+  const fs::path out = arguments.out;
+  CHECK_THAT(content(out / "metrics.json"), Contains("\"trigger\": \"drive\""));
+  CHECK_THAT(content(out / "waves.gtkw"), Contains(" 1820000 -1") && Contains("-Host port"));
+  fs::remove_all("an693_test_out");
+}

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The programs of AN-693 send the bytes of the application note; a part that is always ready, with
+// a status of its own, stands in for the LM628.
+
+#include "sw_nios/apps/an693/an693.hpp"
+
+#include <catch2/catch.hpp>
+#include <deque>
+#include <string>
+
+using namespace trammel::sw;
+
+namespace {
+
+// Writes as text: c 1F, d 00, and R for a strobe of RST.
+class FakePart final : public Bus {
+ public:
+  std::string log;
+  std::uint32_t irq = 0;
+  std::uint32_t timer = 0;
+  std::deque<std::uint8_t> states;  // status of the next reads; the last one stays
+  std::uint32_t busy_polls = 0;     // of every command and word
+  std::uint32_t written_busy = 0;   // commands and words that came while it was busy
+
+  std::uint32_t read(std::uint32_t addr) override {
+    if (addr == lm628_map::kIrq) return irq;
+    if (addr == lm628_map::kData) return 0;
+    if (busy_ > 0) {
+      --busy_;
+      return lm628_status::kBusy;
+    }
+    const std::uint8_t status = states.front();
+    if (states.size() > 1) states.pop_front();
+    return status;
+  }
+
+  void write(std::uint32_t addr, std::uint32_t data) override {
+    if (addr == lm628_map::kTimer) {
+      timer = data;
+      return;
+    }
+    if (addr == lm628_map::kReset) {
+      log += "R ";
+      return;
+    }
+    constexpr const char* kDigits = "0123456789ABCDEF";
+    const bool is_data = addr == lm628_map::kData;
+    log += is_data ? 'd' : 'c';
+    log += kDigits[data >> 4 & 15];
+    log += kDigits[data & 15];
+    log += ' ';
+    second_ = is_data && !second_;
+    if (busy_ > 0) ++written_busy;
+    if (!second_) busy_ = busy_polls;
+  }
+
+ private:
+  bool second_ = false;  // the first byte of a word was written
+  std::uint32_t busy_ = 0;
+};
+
+constexpr const char* kInit = "c06 c1D d00 d00 ";
+constexpr const char* kFilter = "c1E d00 d08 d00 d0A c04 ";
+
+struct Bench {
+  FakePart part;
+  An693App app;
+
+  explicit Bench(const An693Setup& setup) : app(setup) {
+    part.states = {0x84, 0x80};
+    app.start(part);
+    part.log.clear();
+  }
+  std::string on_timer() { return interrupt(lm628_map::kIrqTimer); }
+  std::string on_host(std::uint8_t status) {
+    part.states = {status, 0x80};
+    return interrupt(lm628_map::kIrqHost);
+  }
+
+ private:
+  std::string interrupt(std::uint32_t cause) {
+    part.log.clear();
+    part.irq = cause;
+    app.isr(part);
+    return part.log;
+  }
+};
+
+An693Failure failure_of(const An693App& app) {
+  return static_cast<An693Failure>(app.mailbox().failure);
+}
+
+An693Setup make_setup(An693Program program) {
+  An693Setup setup;
+  setup.program = program;
+  return setup;
+}
+
+}  // namespace
+
+TEST_CASE("an693 E1 strobes RST, waits 1.5 ms and initialises the part") {
+  FakePart part;
+  part.states = {0x84, 0x80};
+  An693App app(make_setup(An693Program::kHold));
+  app.start(part);
+  CHECK(part.log == "R ");
+  CHECK(part.timer == 75'000);
+}
+
+TEST_CASE("an693 E1 resets a part again whose status is wrong, and gives up after three") {
+  An693App app(make_setup(An693Program::kHold));
+  FakePart part;
+  part.states = {0x00};
+  app.start(part);
+  part.irq = lm628_map::kIrqTimer;
+  app.isr(part);
+  app.isr(part);
+  CHECK(part.log == "R R R ");
+  app.isr(part);
+  CHECK(failure_of(app) == An693Failure::kReset);
+  CHECK(app.mailbox().done);
+  CHECK(part.timer == 0);
+}
+
+TEST_CASE("an693 E2 and E5 load kp = 10 and close the loop where the shaft is") {
+  Bench bench(make_setup(An693Program::kHold));
+  CHECK(bench.on_timer() == std::string(kInit) + kFilter + "c1F d00 d00 c01 ");
+  CHECK(bench.on_host(0x04) == "c1D d00 d00 ");
+  CHECK_FALSE(bench.app.mailbox().done);
+  CHECK(bench.on_timer() == "c08 c0A ");
+  CHECK(bench.app.mailbox().done);
+}
+
+TEST_CASE("an693 loads the coefficients that are not 0, with the interval in the control word") {
+  An693Setup setup = make_setup(An693Program::kHold);
+  setup.filter = {35, 5, 4000, 100, 4};
+  Bench bench(setup);
+  CHECK(bench.on_timer() ==
+        std::string(kInit) +
+            "c1E d03 d0F d00 d23 d00 d05 d0F dA0 d00 d64 c04 c1F d00 d00 c01 ");
+}
+
+TEST_CASE("an693 E6 moves to 8 000") {
+  Bench bench(make_setup(An693Program::kAbsolute));
+  CHECK(bench.on_timer() == std::string(kInit) + kFilter +
+                                "c1F d00 d2A d00 d00 d00 d02 d00 d00 d34 d6E d00 d00 d1F d40 c01 ");
+  CHECK(bench.on_host(0x04) == "c1D d00 d00 ");
+  CHECK(bench.part.timer == 5'000'000);
+  CHECK(bench.on_timer() == "c08 c0A ");
+  CHECK(bench.app.mailbox().done);
+}
+
+TEST_CASE("an693 E7 loads a distance, waits and starts") {
+  An693Setup setup = make_setup(An693Program::kRelative);
+  setup.acceleration = 0x11;
+  setup.velocity = 0x41893;
+  setup.position = 120000;
+  Bench bench(setup);
+  CHECK(bench.on_timer() == std::string(kInit) + kFilter +
+                                "c1F d00 d2B d00 d00 d00 d11 d00 d04 d18 d93 d00 d01 dD4 dC0 ");
+  CHECK(bench.on_timer() == "c01 ");
+}
+
+TEST_CASE("an693 E8 and E4 change speed at two breakpoints and stop smoothly") {
+  An693Setup setup = make_setup(An693Program::kBreakpoints);
+  setup.acceleration = 0x11;
+  setup.velocity = 0x20C4A;
+  Bench bench(setup);
+  CHECK(bench.on_timer() == std::string(kInit) + kFilter +
+                                "c1C d00 d40 c20 d00 d01 d38 d80 "
+                                "c1F d18 d28 d00 d00 d00 d11 d00 d02 d0C d4A c01 ");
+  CHECK(bench.on_host(0x40) ==
+        "c1D d00 d00 c20 d00 d02 d71 d00 c1F d18 d0C d00 d02 d0C d4A c01 c1C d00 d44 ");
+  CHECK(bench.on_host(0x40) == "c1D d00 d00 c1F d04 d00 c01 ");
+  CHECK(bench.on_host(0x04) == "c1D d00 d00 ");
+  CHECK(bench.on_timer() == "c08 c0A ");
+  CHECK(bench.app.mailbox().point == 3);
+}
+
+TEST_CASE("an693 E3 moves with the acceleration that is loaded") {
+  FakePart part;
+  part.states = {0x80};
+  Lm628Port port(part);
+  an693_move(port, 0x346E, -2);
+  CHECK(part.log == "c1F d00 d0A d00 d00 d34 d6E dFF dFF dFF dFE c01 ");
+}
+
+TEST_CASE("an693 E4 turns the motor off, stops abruptly or smoothly") {
+  for (const auto& [stop, word] : {std::pair{An693Stop::kOff, "d01"}, {An693Stop::kAbrupt, "d02"},
+                                   {An693Stop::kSmooth, "d04"}}) {
+    FakePart part;
+    part.states = {0x80};
+    Lm628Port port(part);
+    an693_stop(port, stop);
+    CHECK(part.log == std::string("c1F ") + word + " d00 c01 ");
+  }
+}
+
+TEST_CASE("an693 E9 steps there and back as often as it is asked") {
+  An693Setup setup = make_setup(An693Program::kTuning);
+  setup.acceleration = setup.velocity = 0x3FFFFFFF;
+  setup.position = 50;
+  setup.steps = 2;
+  Bench bench(setup);
+  const std::string fast = "c1F d00 d2B d3F dFF dFF dFF d3F dFF dFF dFF ";
+  CHECK(bench.on_timer() == std::string(kInit) + kFilter + fast + "d00 d00 d00 d32 c01 ");
+  CHECK(bench.on_host(0x04) == "c1D d00 d00 ");
+  CHECK(bench.on_timer() == fast + "dFF dFF dFF dCE c01 ");
+  bench.on_host(0x04);
+  bench.on_timer();
+  CHECK(bench.app.mailbox().done);
+}
+
+TEST_CASE("an693 turns the motor off at a position error, and stops at a command error") {
+  for (const bool position : {true, false}) {
+    Bench bench(make_setup(An693Program::kAbsolute));
+    bench.on_timer();
+    CHECK(bench.on_host(position ? 0x20 : 0x02) == "c1D d00 d00 c1F d01 d00 c01 ");
+    CHECK(failure_of(bench.app) ==
+          (position ? An693Failure::kPositionError : An693Failure::kCommandError));
+  }
+}
+
+TEST_CASE("an693 gives up on a part that stays busy, after its first command or in the midst") {
+  for (const bool at_once : {true, false}) {
+    Bench bench(make_setup(An693Program::kAbsolute));
+    if (at_once) bench.part.busy_polls = Lm628Port::kPollLimit + 1;
+    bench.on_timer();
+    bench.part.busy_polls = Lm628Port::kPollLimit + 1;
+    if (!at_once) bench.on_host(0x04);
+    CHECK(failure_of(bench.app) == An693Failure::kBusy);
+    CHECK(bench.app.mailbox().done);
+    bench.part.busy_polls = 0;
+    CHECK(bench.on_timer().empty());
+  }
+}
+
+TEST_CASE("lm628 driver asks for busy before each command and word, and gives up on a stuck part") {
+  FakePart part;
+  part.states = {0x80};
+  part.busy_polls = 3;
+  Lm628Port port(part);
+  port.command(Lm628Command::kLtrj, 0x002A);
+  port.long_word(-2);
+  CHECK(part.log == "c1F d00 d2A dFF dFF dFF dFE ");
+  CHECK(part.written_busy == 0);
+  part.busy_polls = Lm628Port::kPollLimit + 1;
+  port.command(Lm628Command::kStt);
+  port.command(Lm628Command::kStt);
+  CHECK(port.stuck());
+  CHECK(part.log == "c1F d00 d2A dFF dFF dFF dFE c01 ");
+}

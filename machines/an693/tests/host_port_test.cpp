@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Times of SNVS781C p.4 at the port of the LM628, in clocks of 20 ns.
+
+#include "parts/lm628/host_port.hpp"
+
+#include <catch2/catch.hpp>
+#include <vector>
+
+using namespace trammel;
+using lm628::HostPins;
+using lm628::HostPort;
+
+namespace {
+
+// Pins of a whole transfer, and of the clock after it.
+std::vector<HostPins> transfer(HostPort& port, const cosim::BusOp& op, int* taken = nullptr) {
+  std::vector<HostPins> all;
+  port.request(op);
+  do {
+    all.push_back(port.pins());
+    if (taken != nullptr && port.takes_data()) *taken = static_cast<int>(all.size()) - 1;
+  } while (!port.advance());
+  all.push_back(port.pins());
+  return all;
+}
+
+int count(const std::vector<HostPins>& all, bool (*is)(const HostPins&)) {
+  int n = 0;
+  for (const HostPins& pins : all) n += is(pins) ? 1 : 0;
+  return n;
+}
+
+bool idle(const HostPins& p) { return p.cs_n && p.rd_n && p.wr_n && p.reset_n; }
+
+}  // namespace
+
+TEST_CASE("lm628 port writes with 100 ns of WR, data 50 ns before its end and 120 ns after it") {
+  HostPort port;
+  const auto all = transfer(port, {sw::lm628_map::kData, 0xA5, true});
+  CHECK(count(all, [](const HostPins& p) { return !p.wr_n; }) * 20 >= 100);
+  int after = 0;
+  bool low = false;
+  for (const HostPins& p : all) {
+    low = low || !p.wr_n;
+    if (!p.wr_n) CHECK((p.d == 0xA5 && p.ps && !p.cs_n && p.rd_n));
+    if (low && p.wr_n && p.d == 0xA5) ++after;
+  }
+  CHECK(after * 20 >= 120);
+  CHECK(all.front().wr_n);
+  CHECK(idle(all.back()));
+}
+
+TEST_CASE("lm628 port takes data 180 ns after RD falls and leaves the bus 180 ns more") {
+  HostPort port;
+  int taken = -1;
+  const auto all = transfer(port, {sw::lm628_map::kCommand, 0, false}, &taken);
+  CHECK(count(all, [](const HostPins& p) { return !p.rd_n; }) * 20 >= 180);
+  const auto at = static_cast<std::size_t>(taken);
+  CHECK_FALSE(all[at].rd_n);
+  CHECK(all[at + 1].rd_n);
+  CHECK_FALSE(all[at].ps);
+  CHECK((static_cast<int>(all.size()) - 2 - taken) * 20 >= 180);
+  CHECK(idle(all.back()));
+}
+
+TEST_CASE("lm628 port strobes RST for 8 clocks of a part of 6 MHz") {
+  HostPort port;
+  const auto all = transfer(port, {sw::lm628_map::kReset, 1, true});
+  CHECK(count(all, [](const HostPins& p) { return !p.reset_n; }) * 20 >= 8 * 1000 / 6);
+  CHECK(idle(all.back()));
+  CHECK(count(transfer(port, {sw::lm628_map::kIrq, 0, false}), idle) == 2);
+}

@@ -1,0 +1,60 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Whole runs of this machine for scripts/tool sanitize, good and bad input; its prompt."""
+
+import subprocess
+from pathlib import Path
+
+TUNING = ("run", "an693-tuning", "-s", "trajectory.steps=1", "-s", "trajectory.wait_s=0.005")
+FOLDER = "OUT/an693"
+RUNS = [
+    (0, *TUNING, "-o", FOLDER),
+    (0, *TUNING, "--json", "--platform", "direct", "-o", FOLDER),
+    (0, *TUNING, "--no-leap", "-s", "program=hold", "-o", FOLDER),
+    *((5, "run", f"an693-{program}", "-s", "run.max_s=0.02", "-o", FOLDER)
+      for program in ("absolute", "relative", "breakpoints")),
+    (0, *TUNING, "--audit", "-o", FOLDER), (0, *TUNING, "--assert", "-o", FOLDER),
+    (0, *TUNING, "--wave", "vcd", "--wave-trigger", "hi", "-o", FOLDER),
+    (0, *TUNING, "--engine", "twin", "-o", FOLDER),
+    (5, "run", "an693-hold", "-s", "run.diverged_counts=1", "-o", FOLDER),
+    (0, "lm628", "hold", "--wave", "fst", "--wave-window", "1.5ms:1.6ms", "-o", "OUT/lm628"),
+    (0, "lm628", "tuning", "-o", "OUT/lm628"), (0, "lm628", "hold", "--json"),
+    (0, "lm628", "--audit"),
+    (0, "lm628", "OUT/all.lm628"), (0, "report", FOLDER, "OUT/lm628", "-o", "OUT/two.html"),
+]
+REFUSED = [
+    (2, "is no key of the machine an693", *TUNING, "-s", "gains.kp=1"),
+    (2, "is none of: drive", *TUNING, "--wave", "fst", "--wave-trigger", "e ~ 3"),
+    (2, "did you mean status.index?", *TUNING, "--wave", "fst", "--wave-trigger",
+     "rise status.idex"),
+    (2, "needs a folder", "lm628", "hold", "--wave", "fst"),
+    (2, "is not known before", "lm628", "hold", "--wave", "fst", "--wave-trigger", "hi", "-o",
+     "OUT/lm628"),
+    (2, "did you mean LTRJ?", "lm628", "OUT/bad.lm628"),
+    (2, "no such script", "lm628", "nothing"),
+    (2, "is no key", "lm628", "hold", "-s", "gains.kp=1"),
+    (5, "not within 0.01 s", "lm628", "OUT/late.lm628"),
+    (2, "here the commands are at the port", "lm628", "hold", "-s", "filter.kp=1"),
+]
+# Every word of the shell.
+WORDS = """RESET\nPORT8\nPORT12\nDFH\nSIP\nLPEI 1\nLPES 2\nSBPA -5\nSBPR 5\nMSKI 0\nRSTI 0
+LFIL 0Fh 1 2 3 4\nUDF\nLTRJ 3Fh 1 2 3\nSTT\nRDSTAT\nRDSIGS\nRDIP\nRDDP\nRDRP\nRDDV\nRDRV\nRDSUM
+byte c 0Ah\nwait 1 ms\nread d\nrst\nwait complete\nstatus\npins\nhelp\nhelp LFIL\nhelp RSTI
+help wait\nhelp status\nhelp byte\nhelp PORT12\nquit\n"""
+
+
+def write_input(out):
+    """Before the runs."""
+    (out / "all.lm628").write_text(WORDS, encoding="utf-8")
+
+
+def write_bad_input(out):
+    """After the runs, before what is refused."""
+    (out / "bad.lm628").write_text("LTRK 0\n", encoding="utf-8")
+    (out / "late.lm628").write_text("RSTI 0\nwait hi 10 ms\n", encoding="utf-8")
+
+
+def passes(program, environment, out):
+    """What is more than one command: a talk with the prompt."""
+    talk = subprocess.run([Path(__file__).with_name("prompt_check.py"), program], env=environment,
+                          cwd=out, check=False)
+    return talk.returncode == 0

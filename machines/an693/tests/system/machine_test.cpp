@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The machine an693 whole: firmware, port, verilated LM628, motor. Numbers are those of AN-693 and
+// the data sheet.
+
+#include <catch2/catch.hpp>
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include "machines/an693/figures.hpp"
+#include "machines/an693/machine.hpp"
+#include "tests/support/broken_promise.hpp"
+#include "tests/support/lm628_words.hpp"
+
+using namespace trammel;
+using namespace trammel::an693;
+using sw::An693Program;
+
+namespace {
+
+Options make_options(An693Program program) {
+  Options options;
+  options.run.platform = cosim::Platform::kDirect;
+  options.program = program;
+  options.filter.kp = 50;
+  options.filter.kd = 1000;
+  options.filter.interval = 4;
+  return options;
+}
+
+// A step of 50 counts.
+Options one_step() {
+  Options options = make_options(An693Program::kTuning);
+  options.acceleration = options.velocity = 0x3FFFFFFF;
+  options.position = 50;
+  options.steps = 1;
+  return options;
+}
+
+Options breakpoints() {
+  Options options = make_options(An693Program::kBreakpoints);
+  options.acceleration = 0x11;
+  options.velocity = 0x20C4A;
+  return options;
+}
+
+Metrics figures(const Result& result) { return evaluate({}, result); }
+
+}  // namespace
+
+// 45 088 are those of E7 at V = 41894h, the speed of E8.
+TEST_CASE("E6 and E7 an693 complete after 45 772 and 45 087 samples, at rest on their targets") {
+  Options options = make_options(An693Program::kAbsolute);
+  Result result = simulate(options, {});
+  CHECK(result.end == cosim::EndReason::kDone);
+  CHECK(result.desired == 8000);
+  CHECK(std::abs(result.real - 8000) <= 2);
+  CHECK(figures(result).moving_samples == 45772);
+
+  options = make_options(An693Program::kRelative);
+  options.acceleration = 0x11;
+  options.velocity = 0x41893;
+  options.position = 120000;
+  result = simulate(options, {});
+  CHECK(result.end == cosim::EndReason::kDone);
+  CHECK(result.desired == 120000);
+  CHECK(std::abs(result.real - 120000) <= 2);
+  CHECK(figures(result).moving_samples == 45087);
+}
+
+TEST_CASE("L-06 an693 with the motor leaps over 20 s of breakpoints in less than 60 s") {
+  const Result result = simulate(breakpoints(), {});
+  CHECK(result.end == cosim::EndReason::kDone);
+  const Metrics c = figures(result);
+  REQUIRE(c.interrupts.size() == 3);
+  CHECK(std::abs(c.interrupts[0].sample - 43010) <= 60);
+  CHECK(std::abs(result.real - 192338) <= 500);
+  CHECK(result.wall_s < 60);
+}
+
+TEST_CASE("an693 in SystemC, directly, in any window and without leaps has the same events") {
+  Options options = breakpoints();
+  options.run.max_s = 0.15;
+  const Result direct = simulate(options, {});
+  CHECK(direct.samples.size() > 500);
+  for (const cosim::Clk window : {cosim::Clk{0}, cosim::Clk{313}}) {
+    options.run.platform = cosim::Platform::kSystemC;
+    options.run.window_clk = window;
+    const Result other = simulate(options, {});
+    CHECK(other.event_hash == direct.event_hash);
+  }
+  options.run = {};
+  options.run.max_s = 0.15;
+  options.run.leap = false;
+  const Result plain = simulate(options, {});
+  CHECK(plain.event_hash == direct.event_hash);
+  CHECK(direct.evaluated * 5 < plain.evaluated);
+}
+
+TEST_CASE("an693: the twin gives the events and words of the chip") {
+  for (const An693Program program : {An693Program::kBreakpoints, An693Program::kTuning}) {
+    Options options = program == An693Program::kTuning ? one_step() : breakpoints();
+    options.filter = {100, 20, 3000, 500, 2};
+    options.run.max_s = 0.3;
+    const Result chip = simulate(options, {});
+    options.run.engine = cosim::Engine::kTwin;
+    const Result twin = simulate(options, {});
+    REQUIRE(chip.samples.size() > 300);
+    REQUIRE(twin.samples.size() == chip.samples.size());
+    for (std::size_t k = 0; k < chip.samples.size(); ++k) {
+      CAPTURE(k);
+      const Sample c = chip.samples[k], t = twin.samples[k];
+      REQUIRE(t.edge == c.edge);
+      test::require_same(t.words, c.words);
+      REQUIRE(t.host_irq == c.host_irq);
+    }
+    CHECK(twin.event_hash == chip.event_hash);
+    CHECK(twin.end == chip.end);
+    CHECK(twin.real == chip.real);
+  }
+}
+
+TEST_CASE("an693 audited, or with its promises looked at, has the same events and none is broken") {
+  Options options = one_step();
+  options.wait_s = 0.005;
+  const Result base = simulate(options, {});
+  REQUIRE(base.end == cosim::EndReason::kDone);
+  options.run.audit = true;
+  const Result audited = simulate(options, {});
+  CHECK(audited.end == cosim::EndReason::kDone);
+  CHECK_FALSE(audited.promise);
+  CHECK(audited.evaluated == base.evaluated);
+  CHECK(audited.event_hash == base.event_hash);
+  options.run.audit = false;
+  options.run.assertions = true;
+  const Result checked = simulate(options, {});
+  CHECK(checked.end == cosim::EndReason::kDone);
+  CHECK_FALSE(checked.promise);
+  CHECK(checked.evaluated >= checked.clocks);
+  CHECK(checked.event_hash == base.event_hash);
+}
+
+TEST_CASE("an693 with waves has the same events, and windows that begin anywhere show it exactly") {
+  Options options = one_step();
+  options.wait_s = 0.005;
+  const Result base = simulate(options, {});
+  options.run.wave = cosim::WaveFormat::kFst;
+  options.run.wave_file = "an693_machine_test.fst";
+  Options every = options;  // 2503 clocks are no part of a sample or of a pulse
+  every.run.wave_end_s = 97 * 20e-9;
+  every.run.wave_every_s = 2503 * 20e-9;
+  Options checked = options;
+  checked.run.assertions = true;
+  for (const Options& shown : {options, every, checked}) {
+    const Result result = simulate(shown, {});
+    std::filesystem::remove(shown.run.wave_file);
+    CHECK_FALSE(result.promise);
+    CHECK(result.end == base.end);
+    CHECK_FALSE(result.waves.empty());
+    CHECK(result.event_hash == base.event_hash);
+    CHECK(result.samples.size() == base.samples.size());
+  }
+}
+
+TEST_CASE("an693 waves begin where the converter, HI or the interrupt first moves") {
+  Options options = one_step();
+  options.wait_s = 0.005;
+  options.run.wave = cosim::WaveFormat::kFst;
+  options.run.wave_file = "an693_machine_test.fst";
+  const auto traced = [&options](const std::string& trigger) {
+    options.run.wave_trigger = trigger;
+    Result result = simulate(options, {});
+    std::filesystem::remove(options.run.wave_file);
+    return result;
+  };
+  const Result hi = traced("hi");
+  REQUIRE(hi.wave_trigger);
+  const auto first = std::find_if(hi.samples.begin(), hi.samples.end(),
+                                  [](const Sample& s) { return s.host_irq; });
+  REQUIRE(first != hi.samples.end());
+  CHECK(*hi.wave_trigger <= (*first).edge);
+  CHECK(*hi.wave_trigger > (*first).edge - 12800);
+  const Result drive = traced("");
+  REQUIRE(drive.wave_trigger);
+  CHECK(*drive.wave_trigger > *hi.wave_trigger);  // the strobes follow the results
+  CHECK(drive.waves[0].end - drive.waves[0].begin == 100000);
+  CHECK(*traced("irq").wave_trigger <= *hi.wave_trigger);
+  CHECK(*traced("irq after 3ms").wave_trigger >= 150000);
+  CHECK(*traced("at 4ms").wave_trigger == 200000);
+  const Result never = traced("hi after 1s");
+  CHECK_FALSE(never.wave_trigger);
+  CHECK(never.waves.empty());
+  CHECK(never.event_hash == hi.event_hash);
+}
+
+TEST_CASE("an693 ends at the sample after a broken promise, and keeps its record") {
+  Options options = one_step();
+  options.run.assertions = true;
+  cosim::Hooks hooks;
+  hooks.progress = [](double) { test::break_promise("lm628.u_port.u_lm628_port_props.busy_ends"); };
+  const Result result = simulate(options, hooks);
+  CHECK(result.end == cosim::EndReason::kPromise);
+  REQUIRE(result.promise);
+  CHECK(result.promise->name == "busy_ends");
+  CHECK(result.promise->instance == "lm628.u_port");
+  REQUIRE(result.samples.size() == 65);
+  const Sample last = result.samples.back();
+  CHECK(result.promise->edge < last.edge);
+  CHECK(result.promise->edge > last.edge - 12800);
+}
+
+TEST_CASE("an693 tells its progress up to the end, and can be stopped") {
+  Options options = breakpoints();
+  options.breakpoint = 1000;
+  options.acceleration = 0x1100;
+  double last = 0;
+  std::atomic<bool> stop{false};
+  cosim::Hooks hooks;
+  hooks.progress = [&last](double fraction) {
+    CHECK(fraction >= last);
+    last = fraction;
+  };
+  hooks.stop = &stop;
+  CHECK(simulate(options, hooks).end == cosim::EndReason::kDone);
+  CHECK(last > 0.9);
+  hooks.progress = [&stop](double fraction) { stop = fraction > 0.1; };
+  CHECK(simulate(options, hooks).end == cosim::EndReason::kStopped);
+}
+
+TEST_CASE("an693 holds the shaft against a torque with kp e") {
+  Options options = make_options(An693Program::kHold);
+  options.filter = {};
+  options.wait_s = 2;
+  options.plant.motor.external_torque = 0.01;
+  const Result result = simulate(options, {});
+  CHECK(result.end == cosim::EndReason::kDone);
+  // 0.4 V for 0.2 A are 34 codes of 24 V / 2048, and a count is 10 / 16 of a code.
+  CHECK(std::abs(result.desired - result.real - 54.6) <= 2);
+}
+
+// L-16, with the real port and converter around it.
+TEST_CASE("an693 steps there and back, with 2 and 14 % of overshoot at kp 50 and 100") {
+  Options options = one_step();
+  options.steps = 4;
+  for (const auto& [kp, percent] : {std::pair{50u, 2.0}, {100u, 14.3}}) {
+    options.filter.kp = kp;
+    const Result result = simulate(options, {});
+    CHECK(result.end == cosim::EndReason::kDone);
+    CHECK(result.desired == 0);
+    CHECK(std::abs(result.real) <= 2);
+    const Metrics c = evaluate(options, result);
+    CAPTURE(kp, c.settled_s);
+    CHECK(std::abs(c.overshoot_counts / 50 * 100 - percent) <= 3);
+    CHECK(c.interrupts.size() == 4);
+    if (kp == 50) CHECK(c.settled_s < 0.060);
+  }
+}
+
+TEST_CASE("an693 ends a program whose motor cannot follow, as diverged") {
+  Options options = make_options(An693Program::kRelative);
+  options.acceleration = 0x1000;
+  options.velocity = 0xA00000;  // 97 rev/s, where 24 V give 76
+  options.position = 3000000;
+  const Result result = simulate(options, {});
+  CHECK(result.end == cosim::EndReason::kDiverged);
+}

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Scripts of `trammel lm628` on the simulated part with its motor.
+
+#include "machines/an693/verbs/shell.hpp"
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "lab/files.hpp"
+#include "lab/layers.hpp"
+#include "lab/scenarios.hpp"
+#include "lab/write.hpp"
+#include "machines/an693/machine.hpp"
+#include "machines/an693/verbs/console.hpp"
+#include "tests/support/broken_promise.hpp"
+
+using namespace trammel;
+using namespace trammel::an693;
+using lab::read_text;
+using testbench::Arguments;
+using Catch::Matchers::Contains;
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::atomic<bool> kNoStop{false};
+
+struct Played {
+  std::string text;
+  std::vector<nlohmann::ordered_json> answers;
+  std::string halt;
+  cosim::EndReason end = cosim::EndReason::kDone;
+  Result result;
+};
+
+Played play(const std::string& script, const Options& options = {}) {
+  Lm628Shell shell(options, kNoStop);
+  Played all;
+  try {
+    for (const Lm628Line& line : parse_lm628_script(script, "test")) {
+      const Lm628Answer answer = shell.execute(line);
+      all.text += answer.text;
+      all.answers.push_back(answer.json);
+    }
+  } catch (const Lm628Halt& halt) {
+    all.halt = halt.what();
+    all.end = halt.end;
+  }
+  all.result = shell.result();
+  return all;
+}
+
+nlohmann::json metrics_of(const fs::path& folder) {
+  return nlohmann::json::parse(read_text(folder / "metrics.json"));
+}
+
+}  // namespace
+
+TEST_CASE("a script of E6 gives the figures of the scenario an693-absolute, every one of them") {
+  Options options;
+  lab::apply_file(options, lab::find_scenario("an693-absolute"));
+  options.run.platform = cosim::Platform::kDirect;
+  const nlohmann::json wanted = lab::metrics_json(lab::run(options));
+
+  Arguments arguments;
+  arguments.scenario = "absolute";
+  arguments.out = "lm628_shell_test_script";
+  arguments.report = false;
+  std::atomic<bool> stop{false};
+  REQUIRE(lm628_shell(arguments, stop, {}) == 0);
+  const auto got = metrics_of(arguments.out);
+  CHECK(got["figures"] == wanted["figures"]);
+  CHECK(got["motion"] == wanted["motion"]);
+  CHECK(got["interrupts"] == wanted["interrupts"]);
+  CHECK(got["motion"]["samples"] == 45772);
+  CHECK(got["script"].size() == 12);
+  CHECK(got["script"][11]["hex"] == "00001F40h");
+  CHECK(got["script"][11]["value"] == 8000);
+  CHECK_FALSE(got["options"].contains("filter.kp"));
+  const std::string toml = read_text(arguments.out + "/run.toml");
+  CHECK_THAT(toml, Contains("`./trammel lm628 script.lm628 -c run.toml` repeats this run"));
+  CHECK(toml.find("filter") == std::string::npos);
+
+  // The folder repeats itself.
+  Arguments again = arguments;
+  again.scenario = arguments.out + "/script.lm628";
+  again.files = {arguments.out + "/run.toml"};
+  again.out = "lm628_shell_test_again";
+  REQUIRE(lm628_shell(again, stop, {}) == 0);
+  CHECK(metrics_of(again.out)["run"]["event_hash"] == got["run"]["event_hash"]);
+  fs::remove_all(arguments.out);
+  fs::remove_all(again.out);
+}
+
+TEST_CASE("what is read is told in hexadecimal and in its unit") {
+  const Played run = play("RDSTAT\nRSTI 0\nRDRP\nRDDV\nRDSIGS\nPORT12\nRDSIGS\nRDSUM\nRDRV\nRDIP");
+  CHECK(run.halt.empty());
+  CHECK(run.text ==
+        "RDSTAT  84h  motor off, trajectory complete\n"
+        "RDRP    00000000h  0 counts\n"
+        "RDDV    00000000h  0.000000 counts/sample\n"
+        "RDSIGS  0180h  8-bit output, motor off\n"
+        "RDSIGS  0080h  motor off\n"
+        "RDSUM   0000h  0 256 counts\n"
+        "RDRV    0000h  0 counts/sample\n"
+        "RDIP    00000000h  0 counts\n");
+  CHECK(run.answers[0]["bits"] == "motor off, trajectory complete");
+  CHECK(run.answers[3]["unit"] == "counts/sample");
+}
+
+TEST_CASE("a broken promise ends a script with the line at which it was seen") {
+  Options options;
+  options.run.assertions = true;
+  Lm628Shell shell(options, kNoStop);
+  const auto script = parse_lm628_script("RDRP\nRDDP\nRDRV", "test");
+  shell.execute(script[0]);
+  test::break_promise("lm628.u_port.u_lm628_port_props.busy_ends");
+  CHECK_THROWS_WITH(shell.execute(script[1]),
+                    Contains("test:2: assertion failed: busy_ends of lm628.u_port at 0.0"));
+  CHECK_THROWS_AS(shell.execute(script[2]), Lm628Halt);
+  CHECK(shell.result().promise);
+}
+
+TEST_CASE("an audited script answers as any other") {
+  Options options;
+  options.run.audit = true;
+  const std::string script =
+      "PORT12\nLFIL 8 50\nUDF\nLTRJ 002Ah 9000 90000 300\nSTT\nwait 5 ms\nRDRP";
+  const Played audited = play(script, options);
+  CHECK(audited.halt.empty());
+  CHECK_FALSE(audited.result.promise);
+  CHECK(audited.text == play(script).text);
+}
+
+TEST_CASE("negative values come back as they were sent") {
+  const Played run = play(
+      "PORT12\nRSTI 0\nLFIL 030Ah 50 1000\nUDF\nLTRJ 002Bh 1000 100000h -300\nSTT\nwait 5 ms\n"
+      "RDDV\nRDRV\nRSTI 0\nwait complete 1 s\nwait 0.1 s\nRDDP\nRDRP\npins\nstatus");
+  CHECK(run.halt.empty());
+  CHECK_THAT(run.text, Contains("RDDV    FFFFB1E0h  -0.305176 counts/sample\n"));
+  CHECK_THAT(run.text, Contains("RDDP    FFFFFED4h  -300 counts\n"));
+  CHECK_THAT(run.text, Contains("HI 1  A "));
+  CHECK_THAT(run.text, Contains("  2 trajectory complete   1"));
+  CHECK_THAT(run.text, Contains("  0 busy                  0"));
+  CHECK(run.result.desired == -300);
+  CHECK(run.result.real == -300);
+}
+
+TEST_CASE("the part's own rules apply: a command while data are due is its error, not ours") {
+  const Played run = play(
+      "RSTI 0\nbyte c 1Eh\nwait 1 ms\nbyte d 0\nbyte c 0Ah\nwait 1 ms\nread d\nread d\nRDSTAT");
+  CHECK(run.halt.empty());
+  CHECK_THAT(run.text, Contains("read    00h  0\n"));
+  CHECK_THAT(run.text, Contains("RDSTAT  83h  motor off, command error, busy\n"));
+}
+
+TEST_CASE("what a RSTI is about to clear does not count, what is set already does") {
+  const Played late = play("RSTI 0\nwait complete 10 ms");
+  CHECK(late.end == cosim::EndReason::kTimeout);
+  CHECK(late.halt == "test:2: wait complete 10 ms: not within 0.01 s; status 80h");
+  const Played set = play("wait complete 10 ms");
+  CHECK(set.halt.empty());
+  CHECK(set.answers[0]["waited_s"].get<double>() < 1e-5);
+  const Played high = play("PORT12\nLTRJ 0\nSTT\nwait hi 10 ms\nRSTI 0\nwait hi 10 ms");
+  CHECK_THAT(high.text, Contains("wait hi 10 ms: after "));
+  CHECK_THAT(high.halt, Contains("test:6: wait hi 10 ms: not within 0.01 s"));
+}
+
+TEST_CASE("nothing hangs: a part busy with its reset, the longest run, an interrupt") {
+  CHECK(play("byte c 0\nRDRP\nRESET\nRDRP\nrst\nRDRP").halt.empty());
+  CHECK(play("wait 0 s\nSTT\nwait 2 samples\nwait hi 0 s").halt.empty());
+  CHECK_THAT(play("wait hi 0 s").halt, Contains("test:1: wait hi 0 s: not within 0 s"));
+  Options options;
+  options.run.max_s = 0.1;
+  const Played ended = play("wait 200 s", options);
+  CHECK(ended.end == cosim::EndReason::kTimeout);
+  CHECK(ended.halt == "test:1: run.max_s = 0.1 s of simulated time are over");
+  const std::atomic<bool> stop{true};
+  Lm628Shell shell(options, stop);
+  CHECK_THROWS_WITH(shell.execute(*parse_lm628_line("wait 1 s", "test:1")),
+                    Contains("test:1: interrupted at "));
+}
+
+TEST_CASE("keys of the firmware's programs are refused: they would do nothing") {
+  for (const char* key : {"filter.kp=1", "trajectory.steps=2", "program=tuning"}) {
+    Arguments arguments;
+    arguments.scenario = "absolute";
+    arguments.assignments = {key};
+    std::atomic<bool> stop{false};
+    CHECK_THROWS_WITH(lm628_shell(arguments, stop, {}),
+                      Contains("is of the programs of `trammel run an693-*`"));
+  }
+}
+
+TEST_CASE("exit codes: 0 done, 2 refused before anything is simulated, 5 a wait too long") {
+  std::atomic<bool> stop{false};
+  Arguments arguments;
+  arguments.report = false;
+  const fs::path file = "lm628_shell_test.lm628";
+  const auto code = [&](const std::string& script) {
+    lab::write_text(file, script);
+    arguments.scenario = "./" + file.string();
+    return lm628_shell(arguments, stop, {});
+  };
+  CHECK(code("RDRP\nquit\nwait hi 1 ms\n") == 0);
+  CHECK(code("wait hi 1 ms\n") == 5);
+  arguments.out = "lm628_shell_test_codes";
+  CHECK_THROWS_AS(code("RDRP\nSTT 1\n"), lab::ConfigError);
+  CHECK_FALSE(fs::exists(arguments.out));
+  CHECK(code("STT\nwait hi 1 ms\n") == 0);  // without PORT12 the part moves, the motor does not
+  CHECK(code("wait hi 1 ms\n") == 5);
+  CHECK(metrics_of(arguments.out)["end"] == "timeout");
+  stop = true;
+  CHECK(code("RDRP\n") == 130);
+  fs::remove_all(arguments.out);
+  fs::remove(file);
+}
+
+TEST_CASE("a conversation goes on after errors, and an interrupt ends a wait, not itself") {
+  std::atomic<bool> stop{false};
+  Arguments arguments;
+  arguments.out = "lm628_shell_test_typed";
+  arguments.report = false;
+  const std::vector<std::string> typed{"RDR", "help STT", "wait hi 1 ms", "wait 1 s", "RDRP", "",
+                                       "quit", "RDDP"};
+  std::size_t at = 0;
+  const ReadLine read_line = [&](const std::string& prompt) -> std::optional<std::string> {
+    CHECK(prompt == "lm628> ");
+    return typed[at++];
+  };
+  CHECK(lm628_shell(arguments, stop, read_line) == 0);
+  CHECK(at == 7);
+  CHECK(read_text(arguments.out + "/script.lm628") == "wait hi 1 ms\nwait 1 s\nRDRP\n");
+  arguments.json = true;
+  CHECK_THROWS_WITH(lm628_shell(arguments, stop, read_line), Contains("--json: needs a script"));
+  fs::remove_all(arguments.out);
+}
+
+TEST_CASE("Ctrl-C right behind a line ends what it asks, at the prompt it ends the line alone") {
+  std::atomic<bool> stop{false};
+  Arguments arguments;
+  arguments.out = "lm628_shell_test_stopped";
+  int at = 0;
+  const ReadLine read_line = [&](const std::string&) -> std::optional<std::string> {
+    stop = at < 2;
+    switch (at++) {
+      case 0: return std::nullopt;
+      case 1: return "wait 50 s";
+      case 2: return "RDRP";
+      default: return std::nullopt;  // Ctrl-D
+    }
+  };
+  arguments.report = false;
+  CHECK(lm628_shell(arguments, stop, read_line) == 0);
+  CHECK(at == 4);
+  const auto metrics = metrics_of(arguments.out);
+  CHECK(metrics["run"]["simulated_s"].get<double>() < 1);
+  CHECK(read_text(arguments.out + "/script.lm628") == "wait 50 s\nRDRP\n");
+  fs::remove_all(arguments.out);
+}

@@ -1,0 +1,1 @@
+trammel_chip(kung_xy INTERFACE KungChip)

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The two-axis chip kung_xy as the loop sees it, and the words of its controllers for the record.
+// The verilated model stays behind this header.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cosim/cosim.hpp"
+#include "machines/kung/lines.hpp"
+#include "machines/kung/record.hpp"
+#include "cosim/machine_chip.hpp"
+#include "cosim/trigger.hpp"
+
+namespace trammel::kung {
+
+// What the current loop of one axis took and gave at its last run.
+struct CurrentWords {
+  std::int32_t code_a = 0, code_b = 0;         // converter codes, 2048 = 0 A
+  std::int32_t count = 0;                      // encoder at the 16 kHz tick
+  std::int32_t i_q_ref = 0;                    // command it used
+  std::int32_t cmp_a = 0, cmp_b = 0, cmp_c = 0;  // compare values 0..1562
+  std::int32_t i_d = 0, i_q = 0, v_d = 0, v_q = 0;
+  bool busy = false;   // it is computing: the words are in motion
+  bool clear = false;  // integrators are held at 0
+};
+
+struct KungChip : cosim::MachineChip {
+  virtual void read_words(int axis, AxisSample& sample) const = 0;  // controller words only
+  virtual CurrentWords current(int axis) const = 0;
+  virtual std::int32_t rule(int axis, int index) const = 0;  // stored rule 7 j + i, Q20 of a unit
+  virtual std::int32_t integral(int axis) const = 0;         // of v*, in v* LSB / 4096
+  virtual Fault fault() const = 0;
+  // Of the edges evaluated, why; none for a chip without clocks.
+  virtual WakeCounts wakes() const { return {}; }
+};
+
+// What a trigger may name: words of the controllers and registers.
+using cosim::Signal;
+using cosim::SignalReader;
+const std::vector<Signal>& signals();
+
+// The bit-exact twin of the verilated chips: the same stops and words.
+std::unique_ptr<KungChip> make_twin_chip();
+
+// As the run asks. An audited chip runs a plain and a leaping one in step; where a register, an
+// output or a stop differs, its promise leap_is_exact is broken. With a window its waves are dumped
+// into run.wave_file by a second chip in step; if they differ, the promise waves_are_exact is
+// broken.
+std::unique_ptr<KungChip> make_verilated_chip(
+    const cosim::RunBasics& run, const std::optional<cosim::WaveWindow>& window = {});
+
+// Shows every evaluated edge to a watcher.
+std::unique_ptr<KungChip> make_watched_chip(cosim::Watcher& watcher, bool leap);
+
+}  // namespace trammel::kung

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The columns of trace.csv, a row each 2 kHz sample.
+#include "machines/kung/figures.hpp"
+#include "machines/kung/machine.hpp"
+
+namespace trammel::kung {
+namespace {
+
+using Table = lab::Columns<Options, Result>;
+using lab::fixed;
+using lab::general;
+using lab::whole;
+
+// A column of each axis is one twice; `get` takes sample, length of a count [m].
+template <class Get>
+void add(Table& t, std::size_t axis, const char* name, lab::Column column, Get get) {
+  column.name = (axis == 0 ? "x_" : "y_") + std::string(name);
+  t.add(column, [axis, get](const Table::At& at) {
+    return static_cast<double>(
+        get(at.sample.axis[axis], at.options.plant.axis[axis].encoder_count_m));
+  });
+}
+
+void add_axis(Table& t, std::size_t axis) {
+  const auto length = [](int digits, const char* help, bool compared = true) {
+    return lab::Column{"", "m", 1e-8, fixed(digits), help, compared};
+  };
+  add(t, axis, "command_m", length(6, "command in force"),
+      [](const AxisSample& s, double count_m) { return command_m(s, count_m); });
+  add(t, axis, "position_m", length(9, "true position"),
+      [](const AxisSample& s, double) { return s.x_true_m; });
+  add(t, axis, "model_m", length(9, "output of the reference model"),
+      [](const AxisSample& s, double count_m) { return model_m(s, count_m); });
+  const auto word = [&](const char* name, const char* unit, std::int32_t AxisSample::* member,
+                        const char* help) {
+    add(t, axis, name, {"", unit, 1, whole(), help},
+        [member](const AxisSample& s, double) { return s.*member; });
+  };
+  word("encoder_count", "count", &AxisSample::x_p, "encoder");
+  word("e", "count", &AxisSample::e, "error to the model");
+  word("de", "count", &AxisSample::de, "its change per sample");
+  word("u", "unit / 256", &AxisSample::u, "fuzzy output");
+  word("v_star", "count / 16 per sample", &AxisSample::v_star, "speed command");
+  word("v", "count / 16 per sample", &AxisSample::v, "speed");
+  word("i_q_ref", "4.8 A / 2048", &AxisSample::i_q_ref, "current command");
+  word("i_d", "9.6 A / 2048", &AxisSample::i_d, "measured direct current");
+  word("i_q", "9.6 A / 2048", &AxisSample::i_q, "measured quadrature current");
+  word("v_d", "V_dc / sqrt 3 / 2048", &AxisSample::v_d, "direct voltage");
+  word("v_q", "V_dc / sqrt 3 / 2048", &AxisSample::v_q, "quadrature voltage");
+  const auto truth = [&](const char* name, const char* unit, double resolution,
+                         double AxisSample::* member, const char* help) {
+    add(t, axis, name, {"", unit, resolution, general(7), help},
+        [member](const AxisSample& s, double) { return s.*member; });
+  };
+  truth("v_m_s", "m/s", 1e-6, &AxisSample::v_true_m_s, "true speed");
+  truth("i_d_A", "A", 1e-5, &AxisSample::i_d_true_A, "true direct current");
+  truth("i_q_A", "A", 1e-5, &AxisSample::i_q_true_A, "true quadrature current");
+  truth("force_N", "N", 1e-3, &AxisSample::force_N, "thrust");
+}
+
+}  // namespace
+
+const lab::ColumnTable& columns() {
+  static const lab::ColumnTable all = [] {
+    Table t;
+    t.add({"tick", "", 1, whole(), "TICK register of the chip", true},
+          [](const Table::At& at) { return static_cast<double>(at.sample.tick); });
+    t.add({"t_s", "s", 1e-8, fixed(8), "time from the start of the run", true},
+          [](const Table::At& at) { return lab::seconds_of(at.sample.edge); });
+    for (std::size_t axis = 0; axis < 2; ++axis) add_axis(t, axis);
+    return std::move(t).table();
+  }();
+  return all;
+}
+
+}  // namespace trammel::kung

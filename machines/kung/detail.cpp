@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "machines/kung/detail.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace trammel::kung {
+
+namespace {
+constexpr cosim::Clk kPwmPeriod = 3125;
+// From here to the end of a period the current loop shows the compare values of the next one.
+constexpr cosim::Clk kLoopDone = 200;
+}  // namespace
+
+RuleTable DetailRecorder::rules(int axis) const {
+  RuleTable table{};
+  for (int n = 0; n < 49; ++n) table[static_cast<std::size_t>(n)] = chip_.rule(axis, n);
+  return table;
+}
+
+void DetailRecorder::path_begins() {
+  for (int axis = 0; axis < kAxes; ++axis) {
+    detail_.rules_first[static_cast<std::size_t>(axis)] = rules(axis);
+  }
+}
+
+void DetailRecorder::on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant&) {
+  if (open_.end != 0 && stop.edge >= open_.end) close_window();
+  if ((stop.why & cosim::kDrive) != 0) keep_edge(stop, chip.drive());
+  const cosim::Clk inside = stop.edge - open_.begin;
+  if (open_.compare.size() == 1 && inside > kLoopDone && inside < kPwmPeriod) {
+    open_.compare.emplace_back();
+    for (int axis = 0; axis < kAxes; ++axis) {
+      const CurrentWords words = chip_.current(axis);
+      open_.compare.back()[static_cast<std::size_t>(axis)] = {words.cmp_a, words.cmp_b,
+                                                              words.cmp_c};
+    }
+  }
+  if ((stop.why & cosim::kTick) != 0) look(stop.edge);
+  if ((stop.why & cosim::kSample) != 0) {
+    before_ = last_;
+    for (int axis = 0; axis < kAxes; ++axis) {
+      chip_.read_words(axis, last_[static_cast<std::size_t>(axis)]);
+    }
+    if (moment_open_) moment_.end = last_;
+    moment_open_ = false;
+  }
+}
+
+void DetailRecorder::look(cosim::Clk edge) {
+  ++tick_;
+  double speed = 0;
+  for (int axis = 0; axis < kAxes; ++axis) {
+    speed = std::fmax(speed, std::fabs(truth_.state(axis, edge).v_m_s));
+  }
+  if (tripped_ || speed <= fastest_m_s_) return;
+  fastest_m_s_ = speed;
+  moment_.tick = tick_;
+  moment_.edge = edge;
+  open_ = {edge, edge + 2 * kPwmPeriod, cosim::kNever, {}, {{}}};
+  for (int axis = 0; axis < kAxes; ++axis) {
+    const auto k = static_cast<std::size_t>(axis);
+    const CurrentWords words = chip_.current(axis);
+    open_.compare[0][k] = {words.cmp_a, words.cmp_b, words.cmp_c};
+    moment_.start[k] = {0, last_[k].r, before_[k].r, 0, last_[k].x_p, last_[k].x_m,
+                        last_[k].dx, last_[k].e, chip_.integral(axis), rules(axis)};
+  }
+  moment_open_ = true;
+}
+
+void DetailRecorder::keep_edge(const cosim::Stop& stop, cosim::Lines gates) {
+  while (recent_.size() > 1 && recent_[1].edge < stop.edge - 3 * kPwmPeriod) recent_.pop_front();
+  recent_.push_back({stop.edge, gates});
+  if (tripped_ || gates != 0 || chip_.fault().code == FaultCode::kNone) return;
+  tripped_ = true;
+  open_ = {stop.edge - kPwmPeriod, stop.edge + kPwmPeriod, stop.edge, {}, {}};
+}
+
+void DetailRecorder::close_window() {
+  open_.edges = {{open_.begin, 0}};
+  for (const GateEdge& edge : recent_) {
+    if (edge.edge >= open_.end) break;
+    if (edge.edge <= open_.begin) {
+      open_.edges.front().gates = edge.gates;
+    } else {
+      open_.edges.push_back(edge);
+    }
+  }
+  if (open_.trip == cosim::kNever) detail_.moment = moment_;
+  detail_.gates = std::exchange(open_, {});
+}
+
+Detail DetailRecorder::take() {
+  if (open_.trip != cosim::kNever) {  // the run ended soon after the trip
+    open_.end = std::min(open_.end, chip_.now());
+    close_window();
+  }
+  for (int axis = 0; axis < kAxes; ++axis) {
+    const auto k = static_cast<std::size_t>(axis);
+    detail_.rules_last[k] = rules(axis);
+    detail_.moment.start[k].r = detail_.moment.end[k].r;
+    detail_.moment.start[k].x_p = detail_.moment.end[k].x_p;
+  }
+  return std::move(detail_);
+}
+
+}  // namespace trammel::kung

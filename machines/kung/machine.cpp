@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "machines/kung/machine.hpp"
+
+#include "machines/kung/figures.hpp"
+#include "machines/kung/session.hpp"
+
+namespace trammel::kung {
+namespace {
+
+std::vector<lab::Experiment> experiments() {
+  std::vector<lab::Experiment> all;
+  for (const std::string scenario : {"step", "circle", "window", "star"}) {
+    for (const std::string controller : {"fc", "afc"}) {
+      all.push_back({scenario + '-' + controller, scenario, {"controller=" + controller}});
+    }
+  }
+  return all;
+}
+
+lab::Machine describe() {
+  lab::Machine m;
+  m.name = "kung";
+  m.title = "X-Y table with adaptive fuzzy control, current vector control and space-vector PWM";
+  m.source = "Kung et al. 2012, DOI 10.5772/48457";
+  m.order = 1;
+  m.defaults = [] { return std::unique_ptr<lab::Settings>(std::make_unique<Options>()); };
+  m.keys = keys;
+  m.validate = validate;
+  m.triggers = triggers;
+  m.vcd_bytes_s = 1.2e10;
+  m.fst_bytes_s = 8e7;
+  m.session = [](const lab::Settings& settings, const Hooks& hooks, const cosim::Waves& waves) {
+    return std::unique_ptr<cosim::Session>(
+        std::make_unique<Session>(static_cast<const Options&>(settings), hooks, waves));
+  };
+  m.columns = columns;
+  m.figures = figures;
+  m.verdict = verdict;
+  m.remarks = remarks;
+  m.run_name = [](const lab::Settings& settings) {
+    const auto controller = static_cast<const Options&>(settings).controller;
+    return std::string(controller == Controller::kFc ? "FC" : "AFC");
+  };
+  m.metrics = add_metrics;
+  m.detail = [](const lab::Record& record) {
+    return detail_json(options_of(record), result_of(record));
+  };
+  m.drawn = [](const lab::Record& record) { return counted(result_of(record)); };
+  m.page = page();
+  m.experiments = experiments();
+  m.experiments_text = experiments_text;
+  return m;
+}
+
+}  // namespace
+
+const lab::Machine& machine() {
+  static const lab::Machine description = describe();
+  return description;
+}
+
+}  // namespace trammel::kung

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The parts of machine.cpp that stand in units of their own.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cosim/session.hpp"
+#include "lab/machine.hpp"
+#include "lab/report_data.hpp"
+#include "machines/kung/options.hpp"
+#include "machines/kung/record.hpp"
+
+namespace trammel::kung {
+
+const std::vector<lab::Key>& keys();                              // keys.cpp
+void validate(lab::Settings& settings);                           // validate.cpp
+const cosim::TriggerForms& triggers();                            // trigger.cpp
+const lab::ColumnTable& columns();                                // columns.cpp
+std::vector<lab::Figure> figures(const lab::Settings& settings,   // figures_list.cpp
+                                 cosim::RunResult& result);
+std::string verdict(const lab::Settings& settings, const cosim::RunResult& result);
+std::vector<std::string> remarks(const lab::Record& record);
+void add_metrics(const lab::Record& record, nlohmann::ordered_json& json);
+nlohmann::ordered_json detail_json(const Options& options, const Result& result);
+lab::Page page();                                                 // page.cpp
+std::string experiments_text(const std::vector<const lab::Record*>& records);
+
+inline const Options& options_of(const lab::Record& record) {
+  return static_cast<const Options&>(*record.settings);
+}
+inline const Result& result_of(const lab::Record& record) {
+  return static_cast<const Result&>(*record.result);
+}
+
+// One run. Throws cosim::OptionsError or std::invalid_argument for options that cannot run.
+Result simulate(const Options& options, const Hooks& hooks = {});
+
+}  // namespace trammel::kung

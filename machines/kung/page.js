@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The page of the X-Y table. Data that its plots share are made here once, in millimetres.
+(function (T) {
+  'use strict';
+
+  const kMm = 1e3;
+  const kSample = 0.5e-3;  // [s]
+
+  const scaled = (values, factor) => values.map((v) => v * factor);
+
+  // What one step of the chip's words of an axis is (specification section 3).
+  function stepsOf(o, axis) {
+    const count = o[`plant.${axis}.encoder_count_m`];
+    const current = o[`plant.${axis}.current_full_scale_A`] / 2048;
+    return { count_m: count, speed_m_s: count / 16 / kSample, current_A: current,
+      command_A: current / 2, voltage_V: o[`plant.${axis}.dc_link_V`] / Math.sqrt(3) / 2048 };
+  }
+
+  function prepare(run) {
+    const s = run.series;
+    const axes = (name) => ({ x: scaled(s[`x_${name}`], kMm), y: scaled(s[`y_${name}`], kMm) });
+    const data = { n: run.count, t: s.t_s, command: axes('command_m'), model: axes('model_m'),
+      table: axes('position_m') };
+    const less = (a, b) => a.map((v, k) => v - b[k]);
+    data.errorX = less(data.model.x, data.table.x);
+    data.errorY = less(data.model.y, data.table.y);
+    data.toModel = data.errorX.map((v, k) => Math.hypot(v, data.errorY[k]));
+    data.toCommand = data.command.x.map((v, k) => Math.hypot(v - data.table.x[k],
+      data.command.y[k] - data.table.y[k]));
+    data.toPath = s.contour_m ? scaled(s.contour_m, kMm) : null;
+    data.names = ['command', 'reference'];
+    data.colours = [{ button: 'to reference', label: 'table, error (mm)', values: data.toModel },
+      ...(data.toPath ? [{ button: 'to path', label: 'table, contour (mm)', values: data.toPath }]
+        : [])];
+    run.data = data;
+  }
+
+  function pathSection(run) {
+    const d = run.data;
+    const section = T.section('tracking', 'Tracking', T.zoomLead());
+    const error = (label, data, role, width) => ({ label, data, role, unit: 'mm', digits: 3,
+      width });
+    const errors = T.timePlot({ id: 'error', title: 'Tracking error', small:
+      'to the reference model', yLabel: 'error (mm)', tall: 270, series: [
+      error('T(k)', d.toModel, 'total', 2), error('x', d.errorX, 'x'),
+      error('y', d.errorY, 'y')] });
+    const other = T.timePlot({ id: 'contour', title: d.toPath ? 'Contour error'
+      : 'Distance from the command', small: d.toPath ? 'to the commanded path' : '',
+    yLabel: 'error (mm)', tall: 270, series: d.toPath ? [
+      error('contour', d.toPath, 'actual', 2),
+      { ...error('distance from the command', d.toCommand, 'asked'), hidden: true }]
+      : [error('to command', d.toCommand, 'actual')] });
+    section.append(T.el('div', { class: 'grid path' }, T.pathPlot(d), T.el('div',
+      { class: 'stack' }, errors, other)));
+  }
+
+  function axesSection(run) {
+    const s = run.series;
+    const d = run.data;
+    const o = run.metrics.options;
+    const section = T.section('axes', 'Axes', 'What each axis was asked for, what it did, and ' +
+      'what effort it took: words of the chip in physical units, or truth of the plant.');
+    const make = (id, title, small, yLabel, series) => (axis) => T.timePlot({ id: `${id}-${axis}`,
+      title: `${axis.toUpperCase()} ${title}`, small, yLabel, series: series(axis) });
+    const line = (label, data, role, unit, digits, more) => ({ label, data, role, unit, digits,
+      ...more });
+    const step = { x: stepsOf(o, 'x'), y: stepsOf(o, 'y') };
+    const rows = [
+      make('position', 'position', '', 'position (mm)', (a) => [
+        line('command', d.command[a], 'asked', 'mm', 2, { steps: true, width: 2.5 }),
+        line('reference', d.model[a], 'model', 'mm', 2),
+        line('table', d.table[a], 'actual', 'mm', 2)]),
+      make('speed', 'speed', 'v* is the effort of the position controller', 'speed (m/s)', (a) => [
+        line('v*', scaled(s[`${a}_v_star`], step[a].speed_m_s), 'asked', 'm/s', 3, { width: 2 }),
+        line('v (encoder)', scaled(s[`${a}_v`], step[a].speed_m_s), 'other', 'm/s', 3,
+          { width: 1 }),
+        line('v (plant)', s[`${a}_v_m_s`], 'actual', 'm/s', 3)]),
+      make('current', 'currents', '', 'current (A)', (a) => [
+        line('i_q*', scaled(s[`${a}_i_q_ref`], step[a].command_A), 'asked', 'A', 3, { width: 2 }),
+        line('i_q', scaled(s[`${a}_i_q`], step[a].current_A), 'actual', 'A', 3),
+        line('i_d', scaled(s[`${a}_i_d`], step[a].current_A), 'model', 'A', 3),
+        line('i_q (plant)', s[`${a}_i_q_A`], 'x', 'A', 3, { hidden: true }),
+        line('i_d (plant)', s[`${a}_i_d_A`], 'y', 'A', 3, { hidden: true })]),
+      make('voltage', 'voltages', 'output of the current controllers', 'voltage (V)', (a) => [
+        line('v_q', scaled(s[`${a}_v_q`], step[a].voltage_V), 'actual', 'V', 1),
+        line('v_d', scaled(s[`${a}_v_d`], step[a].voltage_V), 'model', 'V', 1)]),
+      make('fuzzy', 'fuzzy output', 'one unit is 1.28 mm of error at the default scale',
+        'u (units)', (a) => [line('u', scaled(s[`${a}_u`], 1 / 256), 'actual', '', 3)]),
+      make('force', 'force', 'of the motor', 'force (N)', (a) => [
+        line('force', s[`${a}_force_N`], 'actual', 'N', 2)]),
+    ];
+    section.append(T.el('div', { class: 'grid two' }, rows.flatMap((row) => [row('x'), row('y')])));
+  }
+
+  function sampleSection(run) {
+    const { moment, gates } = run.detail;
+    if (!moment && !gates) return;
+    const o = run.metrics.options;
+    const clockUs = run.metrics.run.clock_ps * 1e-6;
+    const speed = (axis) => {
+      const at = run.series.tick.findIndex((tick) => moment && tick >= moment.tick);
+      return at < 0 ? 0 : Math.abs(run.series[`${axis}_v_m_s`][at]);
+    };
+    const axis = speed('y') > speed('x') ? 1 : 0;
+    const when = (edge) => `t = ${T.num(edge * clockUs * 1e-6, 4)} s`;
+    const lead = moment ? `The 2 kHz sample at which an axis moved fastest: tick ${moment.tick}, ` +
+      `${when(moment.edge)}.` : '';
+    const section = T.section('sample', 'One sample', gates && gates.trip !== undefined
+      ? `${lead} The gates are shown around the trip, ${when(gates.trip)}.` : lead);
+    if (gates) section.append(T.gatePlots(gates, axis, clockUs));
+    if (moment) section.append(T.afcStrip(moment, { x: stepsOf(o, 'x'), y: stepsOf(o, 'y') },
+      T.controller(run.metrics) === 'AFC'));
+  }
+
+  function rulesSection(run) {
+    const adapting = T.controller(run.metrics) === 'AFC';
+    const section = T.section('rules', 'Rules', adapting
+      ? 'The 49 fuzzy rules, tuned while the table moved; the line shows where the run was.'
+      : 'The 49 fuzzy rules, fixed; the line shows where the run was.');
+    const o = run.metrics.options;
+    section.append(T.el('div', { class: 'grid four' }, ['x', 'y'].flatMap((axis) => {
+      const units = (word, shift) => scaled(run.series[`${axis}_${word}`], 2 ** shift / 256)
+        .map((v) => Math.max(-6, Math.min(6, v)));
+      return T.ruleCards(axis, run.detail.rules[axis], { e: units('e',
+        o[`gains.${axis}.shift_e`]), de: units('de', o[`gains.${axis}.shift_de`]) }, adapting);
+    })));
+  }
+
+  (T.machines = T.machines || {}).kung = {
+    prepare,
+    get compare() { return T.kungComparison; },
+    chips: (m) => [T.controller(m)],
+    asides: (m) => T.kungAsides(m),
+    figures: (f) => !T.isPeriod(f),  // they stand beside the step response
+    figureNote: (m) => m.comparison_note && m.comparison_note.replace('->', '\u2192'),
+    idle: (key, options) => T.idleKey(key, options),
+    sections(run) {
+      if (run.count > 1) {
+        T.time.start(run.data.t);
+        if (run.metrics.x.periods) T.stepSection(run);
+        pathSection(run);
+        axesSection(run);
+      }
+      sampleSection(run);
+      rulesSection(run);
+    },
+  };
+})(window.Trammel = window.Trammel || {});

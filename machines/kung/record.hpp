@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a run of the X-Y table gives: the words of the chip and the truth of the plant at each 2 kHz
+// sample, and a close look at one place. Axis 0 is X, axis 1 is Y.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cosim/disk_vector.hpp"
+#include "machines/kung/options.hpp"
+#include "machines/kung/wakes.hpp"
+
+namespace trammel::kung {
+
+// One axis at one 2 kHz sample: the words of the chip (section 3) and the truth of the plant.
+struct AxisSample {
+  std::int32_t r = 0;    // command [count]
+  std::int32_t x_p = 0;  // encoder [count]
+  std::int32_t x_r = 0;  // model, rounded [count]
+  std::int32_t x_m = 0;  // model [count Q14]
+  std::int32_t dx = 0;   // model increment [count Q14 a sample]
+  std::int32_t e = 0, de = 0, u = 0, v_star = 0, v = 0, i_q_ref = 0;
+  std::int32_t i_d = 0, i_q = 0, v_d = 0, v_q = 0;
+  double x_true_m = 0;
+  double v_true_m_s = 0;
+  double i_d_true_A = 0;
+  double i_q_true_A = 0;
+  double force_N = 0;
+};
+
+struct Sample {
+  std::uint32_t tick = 0;  // TICK register of the chip
+  cosim::Clk edge = 0;     // at which the encoders were latched
+  std::array<AxisSample, 2> axis;
+};
+
+enum class FaultCode { kNone, kTrip, kOverCurrent, kWatchdog, kEncoder, kStroke };
+
+struct Fault {
+  FaultCode code = FaultCode::kNone;
+  int axis = 0;
+  std::uint32_t tick = 0;
+  std::string processor = {};  // code kNone: the check of the firmware that stopped the drives
+};
+
+std::string cause_text(const Fault& fault);  // of a trip, with its axis
+
+using RuleTable = std::array<std::int32_t, 49>;  // rule 7 j + i, Q20 of a unit
+
+// What the position controller of one axis starts a sample from, and what it takes.
+struct AfcStart {
+  std::int32_t r = 0, r_1 = 0, r_2 = 0;      // command of this and of the two samples before
+  std::int32_t x_p = 0, x_p_prev = 0;        // [count]
+  std::int32_t x_m = 0, dx = 0;              // [count Q14]
+  std::int32_t e_prev = 0;
+  std::int32_t integral = 0;                 // [v* LSB / 4096]
+  RuleTable rules{};
+};
+
+// The position sample at which an axis moved fastest.
+struct Moment {
+  std::uint32_t tick = 0;                    // 0: the table never moved
+  cosim::Clk edge = 0;
+  std::array<AfcStart, 2> start;
+  std::array<AxisSample, 2> end;             // words it ended with
+};
+
+struct GateEdge {
+  cosim::Clk edge = 0;
+  cosim::Lines gates = 0;                    // from this edge on
+};
+
+// All gates over two PWM periods: those that begin with the moment, or those around a trip.
+struct GateWindow {
+  cosim::Clk begin = 0;
+  cosim::Clk end = 0;                        // 0: there is none
+  cosim::Clk trip = cosim::kNever;           // edge at which a fault turned the gates off
+  std::vector<GateEdge> edges;               // the first stands at `begin`
+  // Compare values of the periods at the moment: [period][axis][phase]; none around a trip.
+  std::vector<std::array<std::array<std::int32_t, 3>, 2>> compare;
+};
+
+// A close look that the 2 kHz samples cannot give.
+struct Detail {
+  std::array<RuleTable, 2> rules_first{};    // when point 0 of the path took effect
+  std::array<RuleTable, 2> rules_last{};
+  Moment moment;
+  GateWindow gates;
+};
+
+struct Result : cosim::RunResult {
+  Result() { end = EndReason::kDone; }
+  std::size_t sample_count() const override { return samples.size(); }
+  std::string fault_text() const override;
+
+  cosim::DiskVector<Sample> samples;    // every 2 kHz sample from the first tick of the chip on
+  std::uint32_t first_tick = 0;   // sample at which point 0 of the path took effect
+  std::uint32_t end_tick = 0;     // first sample after the last point's: figures use [first, end)
+  std::uint32_t points = 0;       // written by the processor
+  Fault fault;
+  Detail detail;
+  WakeCounts wakes{};             // why clocks were evaluated
+};
+
+}  // namespace trammel::kung

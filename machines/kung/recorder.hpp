@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Records a run: a sample at every 2 kHz tick and a hash over all events with their edges.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+
+#include "cosim/disk_vector.hpp"
+#include "cosim/event_hash.hpp"
+#include "machines/kung/chip.hpp"
+#include "machines/kung/record.hpp"
+
+namespace trammel::kung {
+
+class Recorder final : public cosim::Observer {
+ public:
+  // `truth` is the plant behind the loop; `finished` is asked after each complete sample. After it
+  // said so nothing more is recorded: what a wiring still executes to leave its loop is no event.
+  Recorder(const KungChip& chip, const plant::XyTable& truth,
+           std::function<bool(const Sample&)> finished)
+      : chip_(chip), truth_(truth), finished_(std::move(finished)) {}
+
+  void on(const cosim::Stop& stop, const cosim::Chip&, const cosim::Plant&) override;
+
+  bool done() const { return done_; }
+  std::uint64_t event_hash() const { return hash_.value(); }
+  cosim::DiskVector<Sample> take_samples() { return std::move(samples_); }
+
+ private:
+  const KungChip& chip_;
+  const plant::XyTable& truth_;
+  std::function<bool(const Sample&)> finished_;
+  cosim::DiskVector<Sample> samples_;
+  Sample pending_;
+  std::uint32_t tick_ = 0;
+  cosim::EventHash hash_;
+  bool done_ = false;
+};
+
+}  // namespace trammel::kung

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "machines/kung/session.hpp"
+
+#include <cmath>
+
+#include "machines/kung/machine.hpp"
+#include "machines/kung/plan.hpp"
+#include "machines/kung/words.hpp"
+#include "models/plant/xy_lines.hpp"
+#include "systemc/wire.hpp"
+
+namespace trammel::kung {
+
+static_assert(encoder_a(1) == plant::xy::encoder_a(1) && encoder_z(1) == plant::xy::encoder_z(1) &&
+                  gate_hi(1, 2) == plant::xy::gate_hi(1, 2) &&
+                  gate_lo(1, 2) == plant::xy::gate_lo(1, 2),
+              "plant and chip disagree about their pins");
+
+namespace {
+constexpr std::uint32_t kSamplesAfterFault = 20;  // enough to see the fault's effect in the record
+
+const char* check_text(const sw::Mailbox& mailbox) {
+  switch (static_cast<sw::Failure>(mailbox.failure)) {
+    case sw::Failure::kWrongChip: return "the chip's ID is not that of the register map";
+    case sw::Failure::kOutOfStroke: return "the path leaves the stroke";
+    case sw::Failure::kBusy: return "a busy bit did not clear";
+    case sw::Failure::kPreset: return "the position did not become the start point";
+    case sw::Failure::kLate: return "an interrupt was lost, or its service crossed a 2 kHz tick";
+    case sw::Failure::kNone:
+    case sw::Failure::kFault: break;
+  }
+  return "";
+}
+
+cosim::Clk fault_at(double seconds) { return seconds > 0 ? edge_at(seconds) : cosim::kNever; }
+}  // namespace
+
+Session::Session(const Options& options, const Hooks& hooks, const cosim::Waves& waves)
+    : options_(options), hooks_(hooks), waves_(waves) {
+  const sw::KungSetup setup = plan_firmware(options_, points_);
+  firmware_ = std::make_unique<StallableApp>(setup, fault_at(options_.inject.processor_s));
+  const sw::Trajectory path(setup);
+  const sw::Point start = path.start();
+  path_points_ = path.size();
+  options_.plant.axis[0].start_m = start.x * kCountM;
+  options_.plant.axis[1].start_m = start.y * kCountM;
+  plant_ = std::make_unique<TablePlant>(options_.plant, fault_at(options_.inject.trip_s),
+                                        fault_at(options_.inject.encoder_s));
+  chip_ = make_chip();
+  firmware_->runs_on(*chip_);
+  recorder_ = std::make_unique<Recorder>(*chip_, plant_->table(),
+                                         [this](const Sample& sample) { return over(sample); });
+  detail_ = std::make_unique<DetailRecorder>(*chip_, plant_->table());
+  tee_.detail = detail_.get();
+  tee_.recorder = recorder_.get();
+  loop_ = std::make_unique<cosim::Loop>(*chip_, *plant_, tee_, options_.run.window());
+  result_.end = EndReason::kTimeout;
+}
+
+std::unique_ptr<KungChip> Session::make_chip() {
+  const cosim::RunBasics& run = options_.run;
+  if (run.engine == Engine::kTwin) return make_twin_chip();
+  if (waves_.search != nullptr) return make_watched_chip(*waves_.search, run.leap);
+  return make_verilated_chip(run, waves_.window);
+}
+
+cosim::ProcessorTiming Session::timing() const {
+  return {options_.processor.access_clk, options_.processor.interrupt_latency_clk};
+}
+
+cosim::Clk Session::end() const { return edge_at(options_.run.max_s); }
+
+bool Session::over(const Sample& sample) {
+  if (waves_.found()) return true;
+  if (chip_->broken_promise()) return true;
+  const auto period = static_cast<std::uint32_t>(
+      ticks_per_point(options_.path, options_.chip.irq_period_ticks));
+  const sw::Mailbox& mailbox = firmware_->mailbox();
+  result_.fault = chip_->fault();
+  if (result_.fault.code != FaultCode::kNone || mailbox.failure != 0) {
+    result_.end = EndReason::kFault;
+    result_.fault.processor = check_text(mailbox);
+    return ++after_fault_ > kSamplesAfterFault;
+  }
+  if (hooks_.stopped()) {
+    result_.end = EndReason::kStopped;
+    return true;
+  }
+  if (mailbox.point == 0) return false;
+  if (result_.points == 0) detail_->path_begins();
+  result_.first_tick = mailbox.first_tick;
+  result_.points = mailbox.point;
+  result_.end_tick = result_.first_tick + path_points_ * period;
+  for (const AxisSample& axis : sample.axis) {
+    const double error = axis.x_m * kModelLsbM - axis.x_true_m;
+    if (sample.tick >= result_.first_tick && std::abs(error) > options_.diverged_m) {
+      result_.end = EndReason::kDiverged;
+      return true;
+    }
+  }
+  const auto settle = static_cast<std::uint32_t>(std::lround(options_.settle_s / kSampleS));
+  const std::uint32_t last = result_.end_tick + settle - 1;
+  if (hooks_.progress && sample.tick % 20 == 0) {
+    hooks_.progress(static_cast<double>(sample.tick) / last);
+  }
+  if (sample.tick < last) return false;
+  result_.end = EndReason::kDone;
+  return true;
+}
+
+std::unique_ptr<cosim::RunResult> Session::result() {
+  result_.samples = recorder_->take_samples();
+  result_.event_hash = recorder_->event_hash();
+  result_.detail = detail_->take();
+  result_.wakes = chip_->wakes();
+  close_result(result_, *chip_, waves_.window, started_);
+  return std::make_unique<Result>(std::move(result_));
+}
+
+Result simulate(const Options& options, const Hooks& hooks) {
+  const auto make = [&options](const Hooks& own, const cosim::Waves& waves) {
+    return std::make_unique<Session>(options, own, waves);
+  };
+  auto result = systemc::simulate(options.run, triggers(), make, hooks);
+  return std::move(static_cast<Result&>(*result));
+}
+
+}  // namespace trammel::kung

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// One run of the two-axis machine, ready to be driven by a wiring: chip, plant, firmware, loop and
+// record, and the decision when the run is over.
+#pragma once
+
+#include <chrono>
+#include <memory>
+
+#include "cosim/session.hpp"
+#include "machines/kung/chip.hpp"
+#include "machines/kung/detail.hpp"
+#include "machines/kung/recorder.hpp"
+#include "machines/kung/record.hpp"
+#include "sw_nios/apps/kung/kung.hpp"
+#include "rtl/chips/generated/kung_xy_regs.hpp"
+
+namespace trammel::kung {
+
+// The plant of models/ behind the interface of cosim/, with faults on its lines when asked for.
+class TablePlant final : public cosim::Plant {
+ public:
+  // Edges at which the trip pin rises and both lines of encoder X flip; kNever = never.
+  TablePlant(const plant::XyTableConfig& config, cosim::Clk trip, cosim::Clk encoder)
+      : table_(config), trip_(trip), encoder_(encoder) {}
+
+  cosim::Lines sense() const override { return table_.sense() ^ faults_; }
+  cosim::Clk next() const override { return std::min({table_.next(), trip_, encoder_}); }
+  void commit(cosim::Clk n, cosim::Lines drive) override {
+    table_.commit(n, drive);
+    inject(trip_, n, cosim::Lines{1} << kTripPin);
+    inject(encoder_, n, cosim::Lines{1} << encoder_a(0) | cosim::Lines{1} << encoder_b(0));
+  }
+  int sample(int channel, cosim::Clk n) const override { return table_.sample(channel, n); }
+
+  const plant::XyTable& table() const { return table_; }
+
+ private:
+  void inject(cosim::Clk& at, cosim::Clk now, cosim::Lines lines) {
+    if (now < at) return;
+    faults_ ^= lines;
+    at = cosim::kNever;
+  }
+
+  plant::XyTable table_;
+  cosim::Clk trip_, encoder_;
+  cosim::Lines faults_ = 0;
+};
+
+// The application, until the processor hangs at edge `stall`: then its routine only reads.
+class StallableApp final : public sw::Firmware {
+ public:
+  StallableApp(const sw::KungSetup& setup, cosim::Clk stall) : app_(setup), stall_(stall) {}
+
+  void runs_on(const cosim::Chip& chip) { chip_ = &chip; }
+  void start(sw::Bus& bus) override { app_.start(bus); }
+  void isr(sw::Bus& bus) override {
+    if (chip_->now() < stall_) {
+      app_.isr(bus);
+    } else {
+      bus.read(kung_xy_regs::kId);
+    }
+  }
+  const sw::Mailbox& mailbox() const override { return app_.mailbox(); }
+
+ private:
+  sw::KungApp app_;
+  const cosim::Chip* chip_ = nullptr;
+  cosim::Clk stall_;
+};
+
+class Session final : public cosim::Session {
+ public:
+  // Throws OptionsError or std::invalid_argument for options that cannot run.
+  Session(const Options& options, const Hooks& hooks, const cosim::Waves& waves = {});
+
+  cosim::Loop& loop() override { return *loop_; }
+  sw::Firmware& firmware() override { return *firmware_; }
+  cosim::ProcessorTiming timing() const override;
+  std::int64_t period_ps() const override { return options_.plant.clock_ps; }
+  cosim::Clk end() const override;
+  bool finished() const override { return recorder_->done(); }
+  bool stopped() const override { return result_.end == EndReason::kStopped; }
+  std::unique_ptr<cosim::RunResult> result() override;
+
+  const KungChip& chip() const { return *chip_; }
+
+  // One more observer of every stop, after the record.
+  void watch(cosim::Observer& observer) { tee_.guest = &observer; }
+
+ private:
+  struct Tee final : cosim::Observer {
+    void on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant& plant) override {
+      detail->on(stop, chip, plant);
+      recorder->on(stop, chip, plant);
+      if (guest != nullptr) guest->on(stop, chip, plant);
+    }
+    cosim::Observer* detail = nullptr;
+    cosim::Observer* recorder = nullptr;
+    cosim::Observer* guest = nullptr;
+  };
+
+  bool over(const Sample& sample);
+
+  std::unique_ptr<KungChip> make_chip();
+
+  Options options_;
+  Hooks hooks_;
+  cosim::Waves waves_;
+  std::vector<sw::Point> points_;
+  std::unique_ptr<TablePlant> plant_;
+  std::unique_ptr<KungChip> chip_;
+  std::unique_ptr<StallableApp> firmware_;
+  std::unique_ptr<DetailRecorder> detail_;
+  std::unique_ptr<Recorder> recorder_;
+  Tee tee_;
+  std::unique_ptr<cosim::Loop> loop_;
+  std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+  std::uint32_t path_points_ = 0;  // of the whole path
+  std::uint32_t after_fault_ = 0;
+  Result result_;
+};
+
+}  // namespace trammel::kung

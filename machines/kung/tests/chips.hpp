@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The verilated chips of the X-Y table by what tests ask of them.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "machines/kung/chip.hpp"
+
+namespace trammel::kung {
+
+inline std::unique_ptr<KungChip> make_verilated_chip(bool leap) {
+  cosim::RunBasics run;
+  run.leap = leap;
+  return make_verilated_chip(run);
+}
+
+inline std::unique_ptr<KungChip> make_audited_chip() {
+  cosim::RunBasics run;
+  run.audit = true;
+  return make_verilated_chip(run);
+}
+
+inline std::unique_ptr<KungChip> make_checked_chip() {
+  cosim::RunBasics run;
+  run.assertions = true;
+  return make_verilated_chip(run);
+}
+
+inline std::unique_ptr<KungChip> make_traced_chip(const std::string& fst_file,
+                                                  const cosim::WaveWindow& window, bool leap,
+                                                  bool checked) {
+  cosim::RunBasics run;
+  run.leap = leap;
+  run.assertions = checked;
+  run.wave_file = fst_file;
+  return make_verilated_chip(run, window);
+}
+
+}  // namespace trammel::kung

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <catch2/catch.hpp>
+
+#include <string>
+
+#include "lab/layers.hpp"
+#include "lab/scenarios.hpp"
+#include "machines/kung/machine.hpp"
+#include "machines/kung/paper.hpp"
+#include "machines/kung/words.hpp"
+#include "tests/support/message.hpp"
+
+using namespace trammel;
+using namespace trammel::lab;
+using Catch::Contains;
+
+namespace {
+
+void take(kung::Options& options, const std::string& toml) {
+  apply_text(options, toml, "some.toml", ".");
+}
+
+std::string message_of(const std::string& toml) {
+  return test::message_of<kung::Options>(toml);
+}
+
+}  // namespace
+
+TEST_CASE("a section without axis sets both, and [plant.x] refines it wherever it stands") {
+  kung::Options options;
+  take(options, "[plant.x]\nmass_kg = 3\n[plant]\nmass_kg = 4\n");
+  CHECK(options.plant.axis[0].mass_kg == 3);
+  CHECK(options.plant.axis[1].mass_kg == 4);
+}
+
+TEST_CASE("a value out of range names file, line, key and range") {
+  CHECK(message_of("[chip.x]\n\nqep_filter_clk = 16\n") ==
+        "some.toml:3: chip.x.qep_filter_clk: value 16 is out of range 1..15");
+  CHECK_THAT(message_of("[gains]\nkp = nan\n"), Contains("value nan is out of range"));
+  CHECK_THAT(message_of("[gains]\nshift_e = 1.5\n"), Contains("is not a whole number 0..11"));
+  CHECK_THAT(message_of("controller = 'pid'\n"), Contains("is not one of fc, afc"));
+  CHECK_THAT(message_of("[plant]\nhard_stops = 1\n"), Contains("is not true or false"));
+  CHECK_THAT(message_of("[gains]\nkp = [1, 2]\n"), Contains("some.toml:2: gains.kp: expects"));
+}
+
+TEST_CASE("an unknown key is an error with a suggestion") {
+  CHECK(message_of("[plant]\ncoulomb_M = 3\n") ==
+        "some.toml:2: plant.coulomb_M: unknown key; did you mean plant.coulomb_N?");
+  CHECK_THAT(message_of("controler = 'fc'\n"), Contains("did you mean controller?"));
+  CHECK_THAT(message_of("zzzzzzzzzzzz = 1\n"), Contains("trammel list keys"));
+}
+
+TEST_CASE("combinations that cannot run are refused") {
+  CHECK_THAT(message_of("[path]\ncircle_radius_m = 0.3\n"), Contains("beyond the hard stops"));
+  const std::string wide =
+      "[path]\ncircle_radius_m = 0.3\ncircle_ticks = 1000\n[plant]\nhard_stops = false\n";
+  CHECK_THAT(message_of(wide), Contains("chip.x.stroke_min_m..stroke_max_m"));
+  CHECK(message_of(wide + "[chip]\nstroke_min_m = -0.1\n").empty());
+  CHECK_THAT(message_of("[path]\ncircle_ticks = 16\n"), Contains("feed at most 1.28 m/s"));
+  CHECK_THAT(message_of("[chip]\nwatchdog_ticks = 3\n"), Contains("out of range 5..65535"));
+  CHECK_THAT(message_of("[path]\nkind = 'window'\nwindow_radius_m = 0.11\n"),
+             Contains("path.window_radius_m"));
+  CHECK_THAT(message_of("[chip]\ndead_time_ns = 100\n"), Contains("chip.dead_time_min_ns = 200"));
+  CHECK_THAT(message_of("[path]\nkind = 'points'\n"), Contains("path.points_file"));
+  CHECK_THAT(message_of("[path]\nkind = 'points'\npoints_file = 'none.csv'\n"),
+             Contains("path.points_file: ") && Contains("none.csv: cannot be read"));
+  CHECK_THAT(message_of("[path]\nkind = 'points'\npoints_file = '.'\n"),
+             Contains("path.points_file: ") && Contains("cannot be read: it is a folder"));
+  CHECK_THAT(message_of("[run]\nwave = 'fst'\nwave_begin_s = 1\n"), Contains("run.wave_end_s"));
+}
+
+TEST_CASE("the environment sets keys by their upper-case names") {
+  kung::Options options;
+  apply_environment(options, {{"TRAMMEL_PLANT_X_MASS_KG", "3.5"},
+                              {"TRAMMEL_PLANT_MASS_KG", "7"},
+                              {"TRAMMEL_CONTROLLER", "fc"},
+                              {"TRAMMEL_SOMETHING_ELSE", "1"},
+                              {"HOME", "/"}});
+  CHECK(options.plant.axis[0].mass_kg == 3.5);
+  CHECK(options.plant.axis[1].mass_kg == 7);
+  CHECK(options.controller == kung::Controller::kFc);
+  CHECK_THROWS_WITH(apply_environment(options, {{"TRAMMEL_PLANT_MASS_KO", "3"}}),
+                    Contains("did you mean TRAMMEL_PLANT_MASS_KG?"));
+  CHECK_THROWS_WITH(apply_environment(options, {{"TRAMMEL_INJECT_TRIP", "3"}}),
+                    Contains("TRAMMEL_INJECT_TRIP: unknown key"));
+  CHECK_THROWS_WITH(apply_environment(options, {{"TRAMMEL_PLANT_MASS_KG", "x"}}),
+                    Contains("environment TRAMMEL_PLANT_MASS_KG: plant.x.mass_kg: value \"x\""));
+}
+
+TEST_CASE("the built-in scenarios load, can run and are the paper's experiments") {
+  int loaded = 0;
+  for (const auto& file : scenarios()) {
+    if (&machine_of(file) != &kung::machine()) continue;
+    ++loaded;
+    INFO(file);
+    kung::Options options;
+    apply_file(options, file);
+    lab::validate(options);
+    CHECK(kung::is_paper_experiment(options));
+    options.gains[0].kp = 0.5;
+    CHECK_FALSE(kung::is_paper_experiment(options));
+  }
+  CHECK(loaded >= 4);
+}
+
+TEST_CASE("default gains are the words of the specification") {
+  const kung::AxisGains g;
+  const auto same = [](fixed::Gain word, std::int32_t mant, std::int32_t exp) {
+    return word.value() == fixed::Gain{mant, exp}.value();  // 1536, -1 is 768, 0
+  };
+  CHECK(same(kung::gain_word(g.kp), 768, 0));
+  CHECK(same(kung::gain_word(g.ki), 839, -7));
+  CHECK(same(kung::gain_word(g.kv), 1884, 1));
+  CHECK(same(kung::gain_word(kung::eta_value(g.learning_rate, g.kp, g.ki, g.kv)), 1140, -8));
+  CHECK(same(kung::gain_word(kung::current_gain_value(g.current_kp_V_A, 311)), 1275, 2));
+  CHECK(same(kung::gain_word(kung::current_gain_value(g.current_ki_V_A, 311)), 1478, -2));
+  const auto model = kung::model_words(g.omega_n_rad_s, g.zeta);
+  CHECK(model.a0 == 238008);
+  CHECK(model.b2 == 8140683);
+}

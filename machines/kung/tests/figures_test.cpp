@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+#include "machines/kung/figures.hpp"
+
+using namespace trammel;
+using namespace trammel::kung;
+
+namespace {
+
+constexpr double kPi = 3.14159265358979323846;
+
+// A run whose model stands still and whose table is `offset` [m] away from it.
+kung::Result offset_run(const std::vector<kung::PointM>& offset) {
+  kung::Result result;
+  result.first_tick = 10;
+  result.points = static_cast<std::uint32_t>(offset.size());
+  result.end_tick = 10 + result.points;
+  for (std::size_t k = 0; k < offset.size() + 20; ++k) {
+    kung::Sample s;
+    s.tick = static_cast<std::uint32_t>(k);
+    for (auto& axis : s.axis) {
+      axis.r = 2000;
+      axis.x_m = 2000 << 14;
+    }
+    const bool inside = k >= 10 && k < 10 + offset.size();
+    s.axis[0].x_true_m = 0.01 - (inside ? offset[k - 10].x_m : 1.0);
+    s.axis[1].x_true_m = 0.01 - (inside ? offset[k - 10].y_m : 1.0);
+    result.samples.push_back(s);
+  }
+  return result;
+}
+
+}  // namespace
+
+// Kung eq. 44
+TEST_CASE("equation 44 is the distance of model output and table") {
+  CHECK(tracking_error({3e-3, 0}, {0, 4e-3}) == Approx(5e-3));
+}
+
+// Kung eq. 45, 46
+TEST_CASE("equations 45 and 46 are the mean and the root of the mean squared deviation") {
+  const Spread s = spread({1, 2, 3, 4, 10});
+  CHECK(s.mean == Approx(4));
+  CHECK(s.variance == Approx((9 + 4 + 1 + 0 + 36) / 5.0));  // by n, not n - 1
+  CHECK(s.std == Approx(std::sqrt(10.0)));
+  CHECK(s.rms == Approx(std::sqrt(130.0 / 5)));
+  CHECK(s.max == 10);
+  CHECK(spread({}).n == 0);
+}
+
+TEST_CASE("only samples from the first point to the end of the last one count") {
+  const auto result = offset_run({{3e-3, 4e-3}, {6e-3, 8e-3}});
+  const Metrics m = evaluate(kung::Options{}, result);
+  CHECK(m.samples == 2);
+  CHECK(m.model_mm.mean == Approx(7.5));
+  CHECK(m.model_mm.variance == Approx(6.25));
+  CHECK(m.command_mm.mean == Approx(7.5));
+  CHECK(m.axis[0].model_mm.mean == Approx(4.5));
+  CHECK(m.axis[1].model_mm.max == Approx(8));
+}
+
+TEST_CASE("a run that ended early counts what there is") {
+  auto result = offset_run({{3e-3, 4e-3}, {6e-3, 8e-3}});
+  cosim::DiskVector<kung::Sample> eleven;
+  for (std::size_t k = 0; k < 11; ++k) eleven.push_back(result.samples[k]);
+  result.samples = std::move(eleven);
+  result.end = kung::EndReason::kFault;
+  const Metrics m = evaluate(kung::Options{}, result);
+  CHECK(m.samples == 1);
+  CHECK_FALSE(m.complete);
+  result.points = 0;  // the path had not begun
+  CHECK(evaluate(kung::Options{}, result).samples == 0);
+  result.samples = {};
+  CHECK(evaluate(kung::Options{}, result).samples == 0);
+}
+
+TEST_CASE("the contour error of a lagging table on a circle is its radial error") {
+  Points path, table;
+  for (int k = 0; k < 2000; ++k) {
+    const double angle = 2 * kPi * k / 2000;
+    path.push_back({0.1 * std::sin(angle), 0.1 * std::cos(angle)});
+    const double behind = angle - 0.3;
+    table.push_back({0.097 * std::sin(behind), 0.097 * std::cos(behind)});
+  }
+  const auto errors = contour_error(table, path, 200);
+  REQUIRE(errors.size() == 2000);
+  // A chord of the polyline is 0.5 um inside the circle.
+  for (std::size_t k = 100; k < 2000; ++k) CHECK(errors[k] == Approx(3e-3).margin(1e-6));
+}
+
+TEST_CASE("a crossing branch that is far away in time does not hide a contour error") {
+  // Along y = 0, back at y = 5 mm much later; the table is 4 mm off on the first branch.
+  Points path;
+  for (int k = 0; k < 1000; ++k) path.push_back({k * 1e-3, 0});
+  for (int k = 0; k < 1000; ++k) path.push_back({1 - k * 1e-3, 5e-3});
+  const Points table{{0.0, 4e-3}};
+  CHECK(contour_error(table, path, 100).front() == Approx(4e-3));
+}
+
+TEST_CASE("overshoot is the excursion past the target over the step, in both directions") {
+  const Series model{0, 10e-3, 10e-3, 0, 0, 0, 10e-3, 10e-3, 10e-3, 0, 0, 0};
+  // 12.8 % up at the second value, 20 % down at the fifth, 5 % up at the eighth.
+  const Series position{0, 11.28e-3, 10e-3, 0, -2e-3, 0, 10e-3, 10.5e-3, 10e-3, 0, 0, 0};
+  const auto halves = half_periods(position, model, 3, 0, 10e-3);
+  REQUIRE(halves.size() == 4);
+  CHECK(halves[0].overshoot_percent == Approx(12.8));
+  CHECK(halves[0].rms_mm == Approx(1.28 / std::sqrt(3.0)));
+  CHECK(halves[1].overshoot_percent == Approx(20));
+  CHECK(halves[3].overshoot_percent == Approx(0).margin(1e-9));
+  const auto both = periods(halves);
+  REQUIRE(both.size() == 2);
+  CHECK(both[0].overshoot_percent == Approx(20));
+  CHECK(both[1].overshoot_percent == Approx(5));
+}
+
+TEST_CASE("a downward first step is measured the same way") {
+  const Series model{0, -10e-3, -10e-3};
+  const Series position{0, -11e-3, -9e-3};
+  CHECK(half_periods(position, model, 3, 0, -10e-3).front().overshoot_percent == Approx(10));
+}

@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <catch2/catch.hpp>
+#include <algorithm>
+#include <map>
+#include <vector>
+
+#include "sw_nios/apps/kung/kung.hpp"
+#include "rtl/chips/generated/kung_xy_regs.hpp"
+
+namespace {
+
+using namespace trammel::sw;
+namespace reg = trammel::kung_xy_regs;
+
+struct Access {
+  std::uint32_t address, data;
+  bool write;
+};
+
+// Registers as plain memory with the few reactions the program relies on.
+class FakeChip final : public Bus {
+ public:
+  std::map<std::uint32_t, std::uint32_t> registers{{reg::kId, reg::kIdValue}};
+  std::vector<Access> log;
+  std::uint32_t busy_polls = 3;  // STATUS reads a table reset stays busy for
+  bool presets = true;
+  bool fault_stays = false;
+  std::uint32_t ticks_per_commit = 0;
+
+  std::uint32_t read(std::uint32_t address) override {
+    std::uint32_t data = registers[address];
+    if (address == reg::kX + reg::kStatus || address == reg::kY + reg::kStatus) {
+      std::uint32_t& left = busy_[address >= reg::kY];
+      data = left > 0 ? reg::kStatusBusy : 0;
+      left -= left > 0 ? 1 : 0;
+    }
+    log.push_back({address, data, false});
+    return data;
+  }
+
+  void write(std::uint32_t address, std::uint32_t data) override {
+    log.push_back({address, data, true});
+    for (const std::uint32_t base : {reg::kX, reg::kY}) {
+      if (address == base + reg::kPosPreset && presets) registers[base + reg::kPos] = data;
+      if (address == base + reg::kCtrl && (data & reg::kCtrlResetTable) != 0) {
+        busy_[base == reg::kY] = busy_polls;
+        data &= ~reg::kCtrlResetTable;
+      }
+    }
+    if (address == reg::kFaultClear && data == reg::kKeyFaultClear && !fault_stays) {
+      registers[reg::kFault] = 0;
+    }
+    if (address == reg::kCommit) registers[reg::kTick] += ticks_per_commit;
+    if (address == reg::kIrqStat) data = registers[address] & ~data;
+    registers[address] = data;
+  }
+
+  void tick(std::uint32_t ticks) {
+    registers[reg::kTick] += ticks;
+    registers[reg::kIrqStat] |= reg::kIrqStatTick;
+  }
+
+  std::vector<Access> writes(std::size_t from = 0) const {
+    std::vector<Access> list;
+    std::copy_if(log.begin() + static_cast<std::ptrdiff_t>(from), log.end(),
+                 std::back_inserter(list), [](const Access& a) { return a.write; });
+    return list;
+  }
+
+  // Index in the log of the n-th write to that address, or the length of the log.
+  std::size_t write_index(std::uint32_t address, int n = 0) const {
+    for (std::size_t i = 0; i < log.size(); ++i) {
+      if (log[i].write && log[i].address == address && n-- == 0) return i;
+    }
+    return log.size();
+  }
+
+ private:
+  std::uint32_t busy_[2] = {0, 0};
+};
+
+struct Machine {
+  FakeChip chip;
+  KungApp app;
+  std::uint32_t period;
+
+  explicit Machine(const KungSetup& setup = {}) : app(setup), period(setup.irq_period) {}
+  void interrupt() {
+    chip.tick(period);
+    app.isr(chip);
+  }
+  void arm() {
+    app.start(chip);
+    interrupt();
+  }
+};
+
+Failure failure(const Machine& m) { return static_cast<Failure>(m.app.mailbox().failure); }
+
+bool axes_off(FakeChip& chip) {
+  return chip.registers[reg::kX + reg::kCtrl] == 0 && chip.registers[reg::kY + reg::kCtrl] == 0 &&
+         chip.registers[reg::kIrqEn] == 0;
+}
+
+}  // namespace
+
+TEST_CASE("start sets every register with both axes off and enables only the tick interrupt") {
+  KungSetup setup;
+  setup.axis[1].kv = {1709, -4};
+  setup.axis[1].dead_time = 77;
+  setup.axis[1].theta_ofs = 0x80000000u;
+  Machine m(setup);
+  m.app.start(m.chip);
+  CHECK(m.app.mailbox().failure == 0);
+  for (const Access& w : m.chip.writes()) {
+    if (w.address == reg::kX + reg::kCtrl || w.address == reg::kY + reg::kCtrl) {
+      CHECK((w.data & reg::kCtrlEnable) == 0);
+      CHECK((w.data & reg::kCtrlResetModel) != 0);
+    }
+  }
+  auto& r = m.chip.registers;
+  CHECK(r[reg::kX + reg::kKp] == 768);
+  CHECK(r[reg::kX + reg::kKi] == (0x190000u | 839));  // exponent -7 in five bits
+  CHECK(r[reg::kX + reg::kKv] == (0x010000u | 1884));
+  CHECK(r[reg::kX + reg::kEta] == (0x180000u | 1140));
+  CHECK(r[reg::kX + reg::kShift] == 0x200u);
+  CHECK(r[reg::kX + reg::kA0] == 238008);
+  CHECK(r[reg::kX + reg::kB2] == 8140683);
+  CHECK(r[reg::kX + reg::kKpCur] == (0x020000u | 1275));
+  CHECK(r[reg::kX + reg::kKiCur] == (0x1E0000u | 1478));
+  CHECK(r[reg::kX + reg::kDeadtime] == (3u << 16 | 100));
+  CHECK(r[reg::kY + reg::kKv] == (0x1C0000u | 1709));
+  CHECK(r[reg::kY + reg::kDeadtime] == (3u << 16 | 77));
+  CHECK(r[reg::kY + reg::kThetaOfs] == 0x80000000u);
+  CHECK(r[reg::kX + reg::kPosPreset] == 50000);
+  CHECK(r[reg::kY + reg::kPosPreset] == 70000);
+  CHECK(r[reg::kX + reg::kPosCmd] == 50000);
+  CHECK(r[reg::kY + reg::kPosCmd] == 70000);
+  CHECK(r[reg::kIrqPeriod] == 4);
+  CHECK(r[reg::kWatchdog] == 100);
+  CHECK(r[reg::kIrqEn] == reg::kIrqEnTick);
+}
+
+TEST_CASE("start unlocks first, resets the table, then commits the start point, then interrupts") {
+  Machine m;
+  m.app.start(m.chip);
+  const auto& c = m.chip;
+  CHECK(c.log[c.write_index(reg::kLock)].data == reg::kKeyUnlock);
+  CHECK(c.write_index(reg::kLock) < c.write_index(reg::kDeadtimeMin));
+  CHECK(c.write_index(reg::kDeadtimeMin) < c.write_index(reg::kX + reg::kDeadtime));
+  CHECK(c.write_index(reg::kX + reg::kPosPreset) < c.write_index(reg::kX + reg::kCtrl, 1));
+  const auto reset = c.log[c.write_index(reg::kY + reg::kCtrl, 1)];
+  CHECK((reset.data & reg::kCtrlResetTable) != 0);
+  CHECK(c.write_index(reg::kY + reg::kCtrl, 1) < c.write_index(reg::kX + reg::kPosCmd));
+  CHECK(c.write_index(reg::kCommit) < c.write_index(reg::kIrqEn, 1));
+}
+
+TEST_CASE("the first interrupt enables both axes, locks the guards and writes no point") {
+  KungSetup setup;
+  setup.axis[0].adapt = true;
+  setup.axis[1].stroke_check = true;
+  setup.axis[1].interpolate = true;
+  setup.axis[1].feedforward = true;
+  Machine m(setup);
+  m.chip.registers[reg::kFault] = reg::kFaultCodeEncoder;  // left over from power-up
+  m.arm();
+  CHECK(m.app.mailbox().failure == 0);
+  auto& r = m.chip.registers;
+  CHECK(r[reg::kX + reg::kCtrl] == (reg::kCtrlEnable | reg::kCtrlCurrentLoop |
+                                    reg::kCtrlPositionLoop | reg::kCtrlAdapt));
+  CHECK(r[reg::kY + reg::kCtrl] == (reg::kCtrlEnable | reg::kCtrlCurrentLoop |
+                                    reg::kCtrlPositionLoop | reg::kCtrlInterpolate |
+                                    reg::kCtrlFeedforward));
+  CHECK(r[reg::kX + reg::kStrokeEn] == 0);
+  CHECK(r[reg::kY + reg::kStrokeEn] == 1);
+  CHECK(r[reg::kLock] == reg::kKeyLock);
+  CHECK(r[reg::kIrqEn] == (reg::kIrqEnTick | reg::kIrqEnFault));
+  CHECK(m.app.mailbox().point == 0);
+}
+
+TEST_CASE("each interrupt acknowledges, reads the response, then writes X, Y and COMMIT") {
+  Machine m;
+  m.arm();
+  const std::size_t before = m.chip.log.size();
+  m.interrupt();
+  CHECK(m.chip.log[before].address == reg::kIrqStat);
+  CHECK_FALSE(m.chip.log[before].write);
+  const auto writes = m.chip.writes(before);
+  REQUIRE(writes.size() == 4);
+  CHECK(writes[0].address == reg::kIrqStat);
+  CHECK(writes[0].data == reg::kIrqStatTick);
+  CHECK(writes[1].address == reg::kX + reg::kPosCmd);
+  CHECK(writes[1].data == 50000);
+  CHECK(writes[2].address == reg::kY + reg::kPosCmd);
+  CHECK(writes[2].data == 70000);
+  CHECK(writes[3].address == reg::kCommit);
+  CHECK(writes[3].data == reg::kCommitTake);
+  const auto at = [&](std::uint32_t address) {
+    return std::find_if(m.chip.log.begin() + static_cast<std::ptrdiff_t>(before), m.chip.log.end(),
+                        [&](const Access& a) { return a.address == address; });
+  };
+  CHECK(at(reg::kY + reg::kPosModel) < at(reg::kX + reg::kPosCmd));
+}
+
+TEST_CASE("point 0 takes effect at the tick after its interrupt; all 629 points are committed") {
+  Machine m;
+  m.arm();
+  m.interrupt();
+  CHECK(m.app.mailbox().first_tick == m.chip.registers[reg::kTick] + 1);
+  CHECK(m.app.mailbox().point == 1);
+  const std::uint32_t first = m.app.mailbox().first_tick;
+  int interrupts = 1;
+  while (m.app.mailbox().done == 0 && interrupts < 1000) {
+    m.interrupt();
+    ++interrupts;
+  }
+  CHECK(interrupts == 629);
+  CHECK(m.app.mailbox().point == m.app.points());
+  CHECK(m.app.mailbox().first_tick == first);
+  CHECK(m.chip.registers[reg::kX + reg::kPosCmd] == 50000);
+  CHECK(m.chip.registers[reg::kY + reg::kPosCmd] == 70000);
+}
+
+TEST_CASE("after the last point the program holds it and keeps feeding the watchdog") {
+  const Point list[] = {{100, 200}, {110, 210}};
+  KungSetup setup;
+  setup.path = Path::kPoints;
+  setup.points = list;
+  setup.n_points = 2;
+  Machine m(setup);
+  m.arm();
+  m.interrupt();
+  CHECK(m.app.mailbox().done == 0);
+  m.interrupt();
+  CHECK(m.app.mailbox().done == 1);
+  const std::size_t before = m.chip.log.size();
+  m.interrupt();
+  const auto writes = m.chip.writes(before);
+  CHECK(writes.back().address == reg::kCommit);
+  CHECK(m.chip.registers[reg::kX + reg::kPosCmd] == 110);
+  CHECK(m.app.mailbox().point == 2);
+  CHECK(m.app.mailbox().failure == 0);
+}
+
+TEST_CASE("the square wave rests at low, steps at its first point and runs at every tick") {
+  KungSetup setup;
+  setup.path = Path::kSquare;
+  setup.repeats = 8;
+  setup.irq_period = 1;
+  Machine m(setup);
+  CHECK(Trajectory(setup).start() == Point{0, 0});
+  CHECK(m.app.points() == 12000);
+  m.arm();
+  for (const std::uint32_t preset : {reg::kX + reg::kPosPreset, reg::kY + reg::kPosPreset}) {
+    REQUIRE(m.chip.write_index(preset) < m.chip.log.size());
+    CHECK(m.chip.registers[preset] == 0);
+  }
+  CHECK(m.chip.registers[reg::kIrqPeriod] == 1);
+  CHECK(m.chip.registers[reg::kX + reg::kPosCmd] == 0);
+  m.interrupt();
+  CHECK(m.chip.registers[reg::kX + reg::kPosCmd] == 2000);
+  for (int i = 1; i < 750; ++i) m.interrupt();
+  CHECK(m.chip.registers[reg::kX + reg::kPosCmd] == 2000);
+  m.interrupt();
+  CHECK(m.chip.registers[reg::kX + reg::kPosCmd] == 0);
+}
+
+TEST_CASE("the log keeps the response with the point written, and the newest records") {
+  Machine m;
+  m.arm();
+  m.chip.registers[reg::kX + reg::kPos] = 50003;
+  m.chip.registers[reg::kY + reg::kPosModel] = static_cast<std::uint32_t>(-5);
+  m.chip.registers[reg::kX + reg::kIqCmd] = static_cast<std::uint32_t>(-178);
+  m.interrupt();
+  REQUIRE(m.app.log_size() == 1);
+  const LogRecord r = m.app.log(0);
+  CHECK(r.tick == m.chip.registers[reg::kTick]);
+  CHECK(r.x_cmd == 50000);
+  CHECK(r.y_cmd == 70000);
+  CHECK(r.x_pos == 50003);
+  CHECK(r.y_model == -5);
+  CHECK(r.x_iq == -178);
+  for (int i = 0; i < 299; ++i) m.interrupt();
+  REQUIRE(m.app.log_size() == KungApp::kLogSize);
+  CHECK(m.app.log(0).tick == r.tick + 4 * (300 - KungApp::kLogSize));
+  CHECK(m.app.log(KungApp::kLogSize - 1).tick == r.tick + 4 * 299);
+}
+
+TEST_CASE("a fault while running switches both axes off and is reported with its register") {
+  Machine m;
+  m.arm();
+  m.interrupt();
+  m.chip.registers[reg::kFault] = 0x1200u | reg::kFaultAxis | reg::kFaultCodeStroke;
+  m.chip.registers[reg::kIrqStat] |= reg::kIrqStatFault;
+  m.app.isr(m.chip);
+  CHECK(m.app.mailbox().failure != 0);
+  CHECK(m.app.mailbox().done == 1);
+  CHECK(failure(m) == Failure::kFault);
+  CHECK((m.app.fault() & reg::kFaultCodeMask) == reg::kFaultCodeStroke);
+  CHECK(axes_off(m.chip));
+  const std::uint32_t written = m.app.mailbox().point;
+  m.interrupt();
+  CHECK(m.app.mailbox().point == written);
+  CHECK(axes_off(m.chip));
+}
+
+TEST_CASE("a fault that cannot be cleared keeps the axes off") {
+  Machine m;
+  m.chip.fault_stays = true;
+  m.chip.registers[reg::kFault] = reg::kFaultCodeExternalTrip;
+  m.arm();
+  CHECK(failure(m) == Failure::kFault);
+  CHECK(axes_off(m.chip));
+}
+
+TEST_CASE("a table reset that never ends is given up after a bounded number of polls") {
+  Machine m;
+  m.chip.busy_polls = 0xFFFFFFFFu;
+  m.app.start(m.chip);
+  CHECK(failure(m) == Failure::kBusy);
+  CHECK(m.chip.log.size() < KungApp::kPollLimit + 200);
+  CHECK(axes_off(m.chip));
+}
+
+TEST_CASE("the program refuses another chip, a lost preset and a path beyond the stroke") {
+  Machine other;
+  other.chip.registers[reg::kId] = 1;
+  other.app.start(other.chip);
+  CHECK(failure(other) == Failure::kWrongChip);
+  CHECK(axes_off(other.chip));
+
+  Machine lost;
+  lost.chip.presets = false;
+  lost.arm();
+  CHECK(failure(lost) == Failure::kPreset);
+  CHECK(axes_off(lost.chip));
+
+  KungSetup setup;
+  setup.axis[1].stroke_max = 69999;  // the circle's top is at 70000
+  Machine beyond(setup);
+  beyond.app.start(beyond.chip);
+  CHECK(failure(beyond) == Failure::kOutOfStroke);
+  CHECK(axes_off(beyond.chip));
+}
+
+TEST_CASE("a lost interrupt and a service that crosses a tick are reported as late") {
+  Machine lost;
+  lost.arm();
+  lost.interrupt();
+  lost.chip.tick(8);
+  lost.app.isr(lost.chip);
+  CHECK(failure(lost) == Failure::kLate);
+  CHECK(axes_off(lost.chip));
+
+  Machine slow;
+  slow.arm();
+  slow.chip.ticks_per_commit = 1;
+  slow.interrupt();
+  CHECK(failure(slow) == Failure::kLate);
+}
+
+TEST_CASE("an interrupt without a cause does nothing") {
+  Machine m;
+  m.arm();
+  m.interrupt();
+  m.app.isr(m.chip);
+  CHECK(m.app.mailbox().point == 1);
+  CHECK(m.app.mailbox().failure == 0);
+}

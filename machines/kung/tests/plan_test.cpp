@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include <catch2/catch.hpp>
+#include <vector>
+
+#include "machines/kung/plan.hpp"
+#include "models/fixed/fixed.hpp"
+
+namespace {
+
+using namespace trammel;
+using namespace trammel::kung;
+using Catch::Contains;
+
+sw::KungSetup plan(const Options& options) {
+  static std::vector<sw::Point> points;
+  return plan_firmware(options, points);
+}
+
+Options with(PathKind kind) {
+  Options o;
+  o.path.kind = kind;
+  return o;
+}
+
+bool equal(sw::Gain a, sw::Gain b) { return a.mant == b.mant && a.exp == b.exp; }
+
+}  // namespace
+
+TEST_CASE("the default options give the words of the specification") {
+  const auto s = plan({});
+  const sw::AxisSetup specified;
+  for (const auto& axis : s.axis) {
+    CHECK(fixed::Gain{axis.kp.mant, axis.kp.exp}.value() == 0.375);
+    CHECK(fixed::Gain{axis.ki.mant, axis.ki.exp}.value() == Approx(0.0032).epsilon(0.0005));
+    CHECK(fixed::Gain{axis.eta.mant, axis.eta.exp}.value() == Approx(0.00217).epsilon(0.003));
+    CHECK(equal(axis.kv, specified.kv));
+    CHECK(equal(axis.kp_cur, specified.kp_cur));
+    CHECK(equal(axis.ki_cur, specified.ki_cur));
+    CHECK(axis.a0 == 238008);
+    CHECK(axis.b2 == 8140683);
+    CHECK(axis.dead_time == 100);
+    CHECK(axis.stroke_max == 120000);
+    CHECK(axis.adapt);
+  }
+  CHECK(s.irq_period == 4);
+  CHECK(s.current_limit == sw::KungSetup{}.current_limit);
+}
+
+TEST_CASE("the fixed controller does not learn") {
+  Options o;
+  o.controller = Controller::kFc;
+  const auto s = plan(o);
+  CHECK_FALSE(s.axis[0].adapt);
+  CHECK(s.axis[0].eta.mant == 0);
+}
+
+TEST_CASE("the default paths in metres are the firmware's default paths") {
+  const PathKind kinds[] = {PathKind::kCircle, PathKind::kWindow, PathKind::kStar,
+                            PathKind::kSquare};
+  const sw::Path paths[] = {sw::Path::kCircle, sw::Path::kWindow, sw::Path::kStar,
+                            sw::Path::kSquare};
+  const std::uint32_t sizes[] = {629, 1069, 911, 12000};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const auto s = plan(with(kinds[i]));
+    sw::PathSetup d;
+    d.path = paths[i];
+    d.repeats = s.repeats;
+    sw::Trajectory planned(s), specified(d);
+    REQUIRE(planned.size() == sizes[i]);
+    REQUIRE(specified.size() == sizes[i]);
+    bool same = true;
+    for (std::uint32_t k = 0; k < sizes[i]; ++k) same = same && planned.next() == specified.next();
+    CHECK(same);
+  }
+  CHECK(plan(with(PathKind::kSquare)).irq_period == 1);
+}
+
+TEST_CASE("points become counts and stay with their owner") {
+  Options o = with(PathKind::kPoints);
+  o.path.points = {{0.1, 0.2}, {0.100005, 0.2}};
+  std::vector<sw::Point> points;
+  const auto s = plan_firmware(o, points);
+  REQUIRE(points.size() == 2);
+  CHECK(s.points == points.data());
+  CHECK(points[1] == sw::Point{20001, 40000});
+  o.path.repeats = 2;
+  CHECK_THROWS_WITH(plan(o), Contains("path.repeats") && Contains("1..1"));
+}
+
+TEST_CASE("values that cannot run are refused with their key and the permitted range") {
+  Options o;
+  o.path.circle_ticks = 245;  // 2 pi 100 mm in 245 * 2 ms = 1.282 m/s
+  CHECK_THROWS_WITH(plan(o), Contains("path.circle_ticks: value 245") && Contains("246.."));
+  o.path.circle_ticks = 246;
+  CHECK_NOTHROW(plan(o));
+
+  o = {};
+  o.path.circle_center_x_m = 0.05;
+  CHECK_THROWS_WITH(plan(o),
+                    Contains("path: x runs from -0.05") && Contains("chip.x.stroke_min_m"));
+
+  o = with(PathKind::kWindow);
+  o.path.window_radius_m = 0.1;
+  CHECK_THROWS_WITH(plan(o), Contains("path.window_radius_m"));
+
+  o = with(PathKind::kLine);
+  o.path.line_ticks = 10;
+  CHECK_THROWS_WITH(plan(o), Contains("path.line_ticks: value 10 ") && Contains("166..1048576"));
+
+  o = {};
+  o.gains[1].omega_n_rad_s = 40;
+  CHECK_THROWS_WITH(plan(o), Contains("gains.y.omega_n_rad_s: value 40"));
+  o.gains[1].omega_n_rad_s = 31;
+  CHECK_NOTHROW(plan(o));
+
+  o = {};
+  o.chip.axis[0].dead_time_ns = 20480;
+  CHECK_THROWS_WITH(plan(o), Contains("chip.x.dead_time_ns") && Contains("0..20460"));
+
+  o = {};
+  o.chip.watchdog_ticks = 4;
+  CHECK_THROWS_WITH(plan(o), Contains("chip.watchdog_ticks: value 4") && Contains("5.."));
+  o.chip.watchdog_ticks = 0;
+  CHECK_NOTHROW(plan(o));
+}

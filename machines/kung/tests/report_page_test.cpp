@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What pages of the table hold beside what every page does (tests/lab).
+#include <catch2/catch.hpp>
+#include <limits>
+
+#include "lab/files.hpp"
+#include "lab/layers.hpp"
+#include "lab/report_data.hpp"
+#include "lab/report_page.hpp"
+#include "machines/kung/tests/by_hand.hpp"
+#include "tests/support/files.hpp"
+#include "tests/support/scratch.hpp"
+
+using namespace trammel;
+using namespace trammel::lab;
+using test::content;
+using test::run_kung;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Scratch : test::Scratch {
+  Scratch() : test::Scratch("kung_report_page_test_out") {}
+};
+
+// A machine that drifts for 60 samples; the path begins at the 11th.
+kung::Result drifting() {
+  kung::Result result;
+  for (std::uint32_t k = 1; k <= 60; ++k) {
+    kung::Sample sample;
+    sample.tick = k;
+    sample.edge = 25000 * static_cast<cosim::Clk>(k - 1);
+    sample.axis[0].x_true_m = 0.25 + 1e-4 * k;
+    sample.axis[1].force_N = -0.5 * k;
+    result.samples.push_back(sample);
+  }
+  result.first_tick = 11;
+  result.end_tick = 61;
+  result.points = 10;
+  return result;
+}
+
+void replace(const fs::path& file, const std::string& old, const std::string& text) {
+  std::string all = content(file);
+  const auto at = all.find(old);
+  REQUIRE(at != std::string::npos);
+  write_text(file, all.replace(at, old.size(), text));
+}
+
+}  // namespace
+
+TEST_CASE("a page holds the samples from the first point on") {
+  const Scratch scratch;
+  REQUIRE(run_kung(scratch.path / "a", drifting()) == 0);
+  const RunFolder run = read_run(scratch.path / "a");
+  CHECK(run.rows == 60);
+  CHECK(run.first == 10);
+  const PageSeries all = page_series(run, false, 1000);
+  CHECK(all.count == 50);
+  // The columns of the trace, and the distance to the path.
+  CHECK(all.channels.size() == run.machine->columns().columns.size() + 1);
+  CHECK(all.channels.back()["name"] == "contour_m");
+  const PageSeries few = page_series(run, true, 20);
+  CHECK(few.stride == 3);
+  CHECK(few.count == 17);
+}
+
+TEST_CASE("runs without samples, without motion and with a trip have pages too") {
+  const Scratch scratch;
+  kung::Result result;
+  result.end = kung::EndReason::kStopped;
+  CHECK(run_kung(scratch.path / "none", std::move(result)) == 130);
+  CHECK(fs::exists(scratch.path / "none" / "report.html"));
+  result = drifting();
+  result.end = kung::EndReason::kFault;
+  result.fault = {kung::FaultCode::kStroke, 1, 17};
+  result.detail.gates = {1000, 7250, 4125, {{1000, 5}, {4125, 0}}, {}};
+  CHECK(run_kung(scratch.path / "trip", std::move(result)) == 5);
+  CHECK(fs::exists(scratch.path / "trip" / "report.html"));
+}
+
+TEST_CASE("a run is never lost because its trace holds what a page cannot show") {
+  const Scratch scratch;
+  kung::Result result = drifting();
+  kung::Sample bad = result.samples.back();
+  bad.axis[0].force_N = std::numeric_limits<double>::quiet_NaN();
+  result.samples.push_back(bad);
+  CHECK(run_kung(scratch.path / "a", std::move(result)) == 0);
+  CHECK(fs::exists(scratch.path / "a" / "metrics.json"));
+  CHECK(fs::exists(scratch.path / "a" / "trace.csv"));
+  CHECK_FALSE(fs::exists(scratch.path / "a" / "report.html"));
+}
+
+TEST_CASE("corrupt figures, rules and gates are one line that names the file") {
+  const Scratch scratch;
+  const fs::path folder = scratch.path / "a";
+  REQUIRE(run_kung(folder, drifting()) == 0);
+  const std::string page = content(folder / "report.html");
+  const auto check = [&](const std::string& says) {
+    try {
+      write_run_page(folder);
+      FAIL("the page was written");
+    } catch (const ConfigError& error) {
+      const std::string line = error.what();
+      CHECK_THAT(line, Catch::Contains(says));
+      CHECK(line.find('\n') == std::string::npos);
+    }
+    CHECK(content(folder / "report.html") == page);
+    CHECK_FALSE(fs::exists(folder / "report.html.new"));
+  };
+  const std::string metrics = content(folder / "metrics.json");
+  const std::string detail = content(folder / "detail.json");
+
+  replace(folder / "metrics.json", "\"mean_mm\"", "\"mean\"");
+  check("metrics.json: is corrupt: /tracking/model/mean_mm is missing");
+  write_text(folder / "metrics.json", metrics);
+  replace(folder / "metrics.json", "\"samples\": 60", "\"samples\": \"many\"");
+  check("metrics.json: is corrupt: /run/samples is of a wrong kind");
+  write_text(folder / "metrics.json", metrics);
+
+  replace(folder / "detail.json", "\"first\":[0,", "\"first\":[");
+  check("detail.json: is corrupt: /rules/x/first does not hold 49 rules");
+  write_text(folder / "detail.json", detail);
+  replace(folder / "detail.json", "\"gates\":null",
+          "\"gates\":{\"begin\":1,\"end\":2,\"edges\":[3],\"compare\":[]}");
+  check("detail.json: is corrupt: /gates does not hold gate edges");
+  fs::remove(folder / "detail.json");
+  check("detail.json: is missing");
+  write_text(folder / "detail.json", detail);
+  write_run_page(folder);
+  CHECK(content(folder / "report.html") == page);
+}
+
+TEST_CASE("the command that repeats a run names what differs from its scenario") {
+  kung::Options options;
+  apply_file(options, find_scenario("circle"));
+  CHECK(repeat_command(options) == "./trammel run circle");
+  apply_assignment(options, "controller=fc");
+  apply_assignment(options, "plant.x.payload_kg=2.5");
+  CHECK(repeat_command(options) ==
+        "./trammel run circle -s controller=fc -s plant.x.payload_kg=2.5");
+  options.scenario = "circle-fc";
+  CHECK(repeat_command(options) ==
+        "./trammel run circle -s controller=fc -s plant.x.payload_kg=2.5");
+  options.scenario = "mine";
+  CHECK(repeat_command(options) == "./trammel run run.toml");
+}

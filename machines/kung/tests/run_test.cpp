@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a run of the table leaves behind beside what every run does (tests/testbench).
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "lab/errors.hpp"
+#include "machines/kung/tests/by_hand.hpp"
+#include "tests/support/files.hpp"
+#include "tests/support/scratch.hpp"
+
+using namespace trammel;
+using namespace trammel::kung;
+using Catch::Contains;
+using test::run_kung;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Scratch : test::Scratch {
+  Scratch() : test::Scratch("kung_run_test_out") {}
+};
+
+// The table stands still for 40 samples and ends as told.
+Result standing(EndReason end, const Fault& fault = {}) {
+  Result result;
+  for (std::uint32_t k = 0; k < 40; ++k) {
+    Sample sample;
+    sample.tick = k;
+    sample.edge = 25000 * static_cast<cosim::Clk>(k);
+    result.samples.push_back(sample);
+  }
+  result.end_tick = 40;
+  result.points = 10;
+  result.end = end;
+  result.fault = fault;
+  return result;
+}
+
+nlohmann::json metrics_of(const fs::path& folder) {
+  return nlohmann::json::parse(test::content(folder / "metrics.json"));
+}
+
+}  // namespace
+
+TEST_CASE("a tripped run exits with 5, keeps its record and names the first fault") {
+  const Scratch scratch;
+  CHECK(run_kung(scratch.path / "a", standing(EndReason::kFault, {FaultCode::kStroke, 1, 17})) ==
+        5);
+  const auto json = metrics_of(scratch.path / "a");
+  CHECK(json["end"] == "tripped");
+  CHECK(json["verdict"] == "TRIPPED: stroke exceeded on axis Y at 2 kHz tick 17 (0.0085 s)");
+  CHECK(json["fault"]["cause"] == "stroke exceeded");
+  CHECK(json["fault"]["axis"] == "y");
+  CHECK(json["fault"]["tick"] == 17);
+}
+
+TEST_CASE("how a run ended is told with the figures that decided it") {
+  const Scratch scratch;
+  const struct {
+    EndReason end;
+    const char* verdict;
+  } all[] = {{EndReason::kDone, "followed 10 points"},
+             {EndReason::kDiverged, "DIVERGED: error to the model above run.diverged_m = 0.05"},
+             {EndReason::kTimeout, "NOT FINISHED within run.max_s = 60"},
+             {EndReason::kStopped, "INTERRUPTED: results up to there"}};
+  for (const auto& [end, verdict] : all) {
+    CAPTURE(verdict);
+    run_kung(scratch.path / "a", standing(end));
+    CHECK(metrics_of(scratch.path / "a")["verdict"] == verdict);
+  }
+}
+
+TEST_CASE("the errors of a file of points name its line and the key") {
+  const Scratch scratch;
+  const fs::path file = scratch.path / "points.csv";
+  const std::vector<std::string> set{"path.kind=points", "path.points_file=" + file.string()};
+  std::ofstream(file) << "x_mm,y_mm\n100,200\n100.5,200\n";
+  CHECK(run_kung(scratch.path / "a", standing(EndReason::kDone), set) == 0);
+  std::ofstream(file) << "100,200\n601,nan\n";
+  CHECK_THROWS_AS(run_kung(scratch.path / "b", standing(EndReason::kDone), set), lab::ConfigError);
+  CHECK_THROWS_WITH(run_kung(scratch.path / "b", standing(EndReason::kDone), set),
+                    Contains("path.points_file: ") && Contains("points.csv:2: "));
+  CHECK_FALSE(fs::exists(scratch.path / "b"));
+}
+
+TEST_CASE("a stop without a fault of the chip is told apart from a trip") {
+  CHECK(cause_text({FaultCode::kStroke, 1, 17}) == "stroke exceeded on axis Y");
+  CHECK_THAT(cause_text({}), Contains("processor"));
+  const Scratch scratch;
+  const Fault fault{FaultCode::kNone, 0, 0, "a busy bit did not clear"};
+  CHECK(run_kung(scratch.path / "a", standing(EndReason::kFault, fault)) == 5);
+  CHECK(metrics_of(scratch.path / "a")["verdict"] ==
+        "TRIPPED: the processor's check: a busy bit did not clear");
+}

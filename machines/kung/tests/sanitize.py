@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Whole runs of this machine for scripts/tool sanitize, good and bad input."""
+
+import json
+import shutil
+
+# A few points, so that start-up, service routine and every output of a run are there.
+LINE = ("-s", "path.kind=line", "-s", "path.line_end_x_m=0.1005", "-s", "path.line_end_y_m=0.1003",
+        "-s", "path.line_ticks=10", "-s", "run.platform=direct")
+SHORT = ("run", "circle", *LINE)
+TWIN = ("--engine", "twin")
+WAVE = (*SHORT, "-o", "OUT/waves", "--wave")
+STEP = ("run", "step", "-s", "path.square_half_samples=20", "-s", "path.square_periods=2")
+WATCHDOG = ("-s", "inject.processor_s=0.01", "-s", "chip.watchdog_ticks=5")
+FOLDER = "OUT/direct"
+RUNS = [
+    (0, *SHORT, "-o", FOLDER, "--wave", "fst", "--wave-window", "20ms:20.1ms"),
+    (0, *SHORT, "--platform", "systemc", "-o", "OUT/systemc", "--json"),
+    (0, *WAVE, "vcd", "--wave-trigger", "drives", "--wave-window", "0:10us", "-s", "controller=fc"),
+    (0, *WAVE, "fst", "--wave-trigger", "x.e > 0 after 1ms", "--wave-every", "10ms",
+     "--wave-window", "0:10us", "--platform", "systemc"),
+    (0, *STEP, "-o", "OUT/step"),
+    (0, *SHORT, "-o", "OUT/asserted", "--assert", "-s", "run.leap=false"),
+    (0, "run", "step", *TWIN, "-o", "OUT/whole_step"),
+    (0, "run", "--all", *LINE, "-o", "OUT/all"),
+    (5, *SHORT, "--platform", "systemc", "-o", "OUT/tripped", "-s", "inject.trip_s=0.01"),
+    (5, *SHORT, "-o", "OUT/encoder", "-s", "inject.encoder_s=0.01"),
+    (5, *SHORT, "--platform", "systemc", "-o", "OUT/watchdog", *WATCHDOG),
+    (5, *SHORT, "-o", "OUT/short", "-s", "run.max_s=0.005"),
+    (0, *SHORT, "-o", "OUT/audited", "--audit"),
+    (0, *SHORT, "-o", "OUT/twin", *TWIN, "-s", "gains.interpolate=true"),
+    (0, *STEP, "-o", "OUT/twin_step", *TWIN),
+    (5, *SHORT, "-o", "OUT/twin_tripped", *TWIN, "-s", "inject.trip_s=0.01"),
+    (5, *SHORT, "-o", "OUT/twin_encoder", *TWIN, "-s", "inject.encoder_s=0.01"),
+    (5, *SHORT, "-o", "OUT/twin_watchdog", *TWIN, *WATCHDOG),
+    (0, "report", FOLDER, "OUT/systemc", "-o", "OUT/two.html"),
+    (0, "report", "OUT/step", "--json"),
+    (0, "report", FOLDER, FOLDER, "-o", "OUT/two.html"),
+    (0, "run", "OUT/step/run.toml", "-o", "OUT/again", "-s", "name=a < b & c"),
+    # A gain that rounds up to the next power of two, and one below the least exponent.
+    (0, *SHORT, "-s", "gains.kp=0.99999", "-s", "gains.ki=1e-6", "-o", "OUT/gains"),
+]
+REFUSED = [
+    (2, "a scenario beside it", "run", "--all", "circle"),
+    (2, "--all sets controller itself", "run", "--all", "-s", "controller=fc"),
+    (2, "nothing is expected", *SHORT, "--check", "-o", "OUT/checked"),
+    (2, "is out of range", "run", "circle", "-s", "gains.kp=33"),
+    (2, "did you mean", "run", "circle", "-s", "gains.kpp=1"),
+    (2, "expects key=value", "run", "circle", "-s", "gains.kp"),
+    (2, "not a whole number", "run", "circle", "-s", "path.line_ticks=ten"),
+    (2, "cannot be read", "run", "circle", "-c", "OUT/none.toml"),
+    (2, "bad.toml:1", "run", "circle", "-c", "OUT/bad.toml"),
+    (2, "path.points_file", "run", "circle", "-s", "path.kind=points"),
+    (2, "bad.csv:2", "run", "circle", "-s", "path.kind=points",
+     "-s", "path.points_file=OUT/bad.csv"),
+    (2, "is not a folder", "run", "circle", "-o", "OUT/bad.csv"),
+    (2, "is not a:b", *WAVE, "fst", "--wave-window", "5ms"),
+    (2, "run.audit", *SHORT, "--audit", "--no-leap", "-o", "OUT/waves"),
+    (2, "run.engine", *SHORT, *TWIN, "--audit", "-o", "OUT/waves"),
+    (2, "is outside the run", *WAVE, "fst", "--wave-window", "200s:201s"),
+    (1, "lies outside the run", *WAVE, "fst", "--wave-window", "5s:5.001s"),
+    (1, "never fired", *WAVE, "fst", "--wave-trigger", "fault.stroke"),
+    (2, "unknown signal", *WAVE, "fst", "--wave-trigger", "x.nothing > 3"),
+    (2, "did you mean x.CTRL.enable?", *WAVE, "fst", "--wave-trigger", "rise x.CTRL.enabl"),
+    (2, "needs --wave", "run", "circle", "--wave-every", "1ms"),
+    (2, "no JSON at byte", "report", "OUT/cut_metrics"),
+    (2, "does not hold 38 numbers", "report", "OUT/cut_trace"),
+    (2, "does not hold 49 rules", "report", "OUT/no_rules"),
+    (2, "which this trammel does not have", "report", "OUT/other"),
+    (2, "is no key of the machine kung", "run", "circle", "-s", "filter.kp=1"),
+]
+
+
+def damage(out, name, file, change):
+    """A copy of the first run in which one file is changed."""
+    shutil.copytree(out / "direct", out / name)
+    text = (out / name / file).read_text(encoding="utf-8")
+    (out / name / file).write_text(change(text), encoding="utf-8")
+
+
+def write_bad_input(out):
+    """After the runs, before what is refused."""
+    damage(out, "cut_metrics", "metrics.json", lambda text: text[:400])
+    damage(out, "cut_trace", "trace.csv", lambda text: text[:2000])
+    damage(out, "no_rules", "detail.json", lambda text: json.dumps(
+        json.loads(text) | {"rules": {axis: {"first": [], "last": []} for axis in "xy"}}))
+    damage(out, "other", "metrics.json", lambda text: text.replace('"kung"', '"other"', 1))

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// A piece of every scenario, of every kind of path and of every fault with both engines: the same
+// stops, words, rules and end. Whole scenarios: `trammel verify --engines`.
+#include <catch2/catch.hpp>
+
+#include "cosim/direct.hpp"
+#include "machines/kung/session.hpp"
+#include "lab/layers.hpp"
+#include "lab/scenarios.hpp"
+#include "machines/kung/tests/chip_words.hpp"
+
+using namespace trammel;
+using namespace trammel::kung;
+
+namespace {
+
+struct Event {
+  cosim::Clk edge;
+  unsigned why;
+  cosim::Lines drive;
+};
+
+// What the event hash is made of, but for the words.
+struct Record final : cosim::Observer {
+  void on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant&) override {
+    if (stop.why != cosim::kLimit) events.push_back({stop.edge, stop.why, chip.drive()});
+  }
+  std::vector<Event> events;
+};
+
+struct Run {
+  Result result;
+  std::vector<Event> events;
+};
+
+Run run(Options options, Engine engine) {
+  options.run.engine = engine;
+  options.run.platform = Platform::kDirect;
+  Session session(options, {});
+  Record record;
+  session.watch(record);
+  cosim::run_direct(session.loop(), session.firmware(), session.timing(), session.end(),
+                    [&session] { return session.finished(); });
+  auto result = session.result();
+  return {std::move(static_cast<Result&>(*result)), std::move(record.events)};
+}
+
+std::string text(const std::vector<Event>& events, std::size_t at) {
+  if (at >= events.size()) return "no stop";
+  return "edge " + std::to_string(events[at].edge) + ", why " + std::to_string(events[at].why) +
+         ", gates " + std::to_string(events[at].drive);
+}
+
+void check_same(const Options& options) {
+  const Run rtl = run(options, Engine::kRtl);
+  const Run twin = run(options, Engine::kTwin);
+  std::size_t at = 0;
+  while (at < std::max(rtl.events.size(), twin.events.size()) &&
+         text(rtl.events, at) == text(twin.events, at)) {
+    ++at;
+  }
+  INFO("stop " << at << " of the RTL: " << text(rtl.events, at));
+  INFO("stop " << at << " of the twin: " << text(twin.events, at));
+  CHECK(at == rtl.events.size());
+  CHECK(twin.result.event_hash == rtl.result.event_hash);
+  CHECK(twin.result.clocks == rtl.result.clocks);
+  CHECK(twin.result.end == rtl.result.end);
+  CHECK(twin.result.fault.code == rtl.result.fault.code);
+  CHECK(twin.result.fault.axis == rtl.result.fault.axis);
+  CHECK(twin.result.fault.tick == rtl.result.fault.tick);
+  CHECK(twin.result.fault.processor == rtl.result.fault.processor);
+  CHECK(twin.result.detail.rules_first == rtl.result.detail.rules_first);
+  CHECK(twin.result.detail.rules_last == rtl.result.detail.rules_last);
+  CHECK(twin.result.detail.gates.compare == rtl.result.detail.gates.compare);
+  REQUIRE(twin.result.samples.size() == rtl.result.samples.size());
+  CHECK(rtl.result.samples.size() > 25);
+  for (std::size_t n = 0; n < rtl.result.samples.size(); ++n) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const auto ours = test::integer_words(twin.result.samples[n].axis[axis]);
+      const auto theirs = test::integer_words(rtl.result.samples[n].axis[axis]);
+      if (ours == theirs) continue;
+      CAPTURE(n, axis);
+      REQUIRE(ours == theirs);
+    }
+  }
+}
+
+Options piece(double seconds = 0.05) {
+  Options options;
+  options.run.max_s = seconds;
+  return options;
+}
+
+}  // namespace
+
+TEST_CASE("both engines agree on a piece of every built-in scenario, fixed and adaptive") {
+  int scenarios = 0;
+  for (const auto& file : lab::scenarios()) {
+    if (&lab::machine_of(file) != &machine()) continue;
+    ++scenarios;
+    for (const Controller controller : {Controller::kFc, Controller::kAfc}) {
+      Options options;
+      lab::apply_file(options, file);
+      lab::validate(options);
+      options.controller = controller;
+      options.run.max_s = 0.06;
+      CAPTURE(file, static_cast<int>(controller));
+      check_same(options);
+    }
+  }
+  CHECK(scenarios >= 4);
+}
+
+TEST_CASE("both engines agree on lines and points, interpolated and fed forward") {
+  Options options = piece();
+  options.path.kind = PathKind::kLine;
+  options.path.line_ticks = 15;
+  options.path.line_end_x_m = 0.12;
+  options.path.line_end_y_m = 0.103;
+  for (AxisGains& gains : options.gains) gains.interpolate = gains.feedforward = true;
+  check_same(options);
+  CHECK(run(options, Engine::kTwin).result.end == EndReason::kDone);
+
+  options = piece();
+  options.path.kind = PathKind::kPoints;
+  options.path.points = {{0.1, 0.1}, {0.101, 0.1}, {0.102, 0.103}, {0.1, 0.1}};
+  options.path.repeats = 5;
+  check_same(options);
+}
+
+TEST_CASE("both engines agree whatever the processor's speed") {
+  for (const int access : {1, 3, 37}) {
+    for (const int latency : {0, 41}) {
+      Options options = piece(0.03);
+      options.processor.access_clk = access;
+      options.processor.interrupt_latency_clk = latency;
+      CAPTURE(access, latency);
+      check_same(options);
+    }
+  }
+}
+
+TEST_CASE("both engines agree on gates without margin, noise and a slow filter") {
+  Options options = piece();
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    options.chip.axis[axis].dead_time_ns = axis == 0 ? 200 : 20000;
+    options.chip.axis[axis].qep_filter_clk = axis == 0 ? 1 : 15;
+    options.plant.axis[axis].current_noise_a = 0.05;
+    options.plant.axis[axis].cogging_n = 2;
+    options.gains[axis].kp = 4;
+  }
+  options.chip.irq_period_ticks = 3;
+  check_same(options);
+}
+
+TEST_CASE("both engines see the same fault at the same edge") {
+  Options options = piece(0.1);
+  SECTION("trip pin") { options.inject.trip_s = 0.0300311; }
+  SECTION("encoder") { options.inject.encoder_s = 0.0300322; }
+  SECTION("processor") {
+    options.inject.processor_s = 0.03;
+    options.chip.watchdog_ticks = 10;
+  }
+  SECTION("over-current") { options.chip.current_limit_A = 0.1; }
+  SECTION("stroke") {
+    options.chip.axis[0].stroke_check = true;
+    options.chip.axis[0].stroke_max_m = 0.3500001;
+    options.plant.axis[0].external_force_n = -40;
+  }
+  SECTION("diverged") { options.diverged_m = 0.0002; }
+  check_same(options);
+  const EndReason end = run(options, Engine::kTwin).result.end;
+  CHECK((end == EndReason::kFault || end == EndReason::kDiverged));
+}
+
+TEST_CASE("the twin gives the same events whatever the window of the loop") {
+  Options options = piece(0.03);
+  const std::uint64_t whole = run(options, Engine::kTwin).result.event_hash;
+  for (const int window : {1, 7, 313}) {
+    options.run.window_clk = window;
+    CHECK(run(options, Engine::kTwin).result.event_hash == whole);
+  }
+}

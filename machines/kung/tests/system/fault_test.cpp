@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Faults on the full machine: the drives trip, the first fault is named, the record is kept.
+#include <catch2/catch.hpp>
+
+#include "machines/kung/machine.hpp"
+
+using namespace trammel::kung;
+
+namespace {
+
+Options short_circle() {
+  Options options;
+  options.run.max_s = 0.2;
+  return options;
+}
+
+// After a trip all gates are off: the currents die out within a few L/R = 0.86 ms.
+void check_tripped(const Result& result, FaultCode code, int axis) {
+  CHECK(result.end == EndReason::kFault);
+  CHECK(result.fault.code == code);
+  CHECK(result.fault.axis == axis);
+  REQUIRE(result.samples.size() > 20);
+  CHECK(result.samples.back().tick > result.fault.tick);
+  for (const AxisSample& a : result.samples.back().axis) {
+    CHECK(std::abs(a.i_q_true_A) < 1e-3);
+    CHECK(std::abs(a.i_d_true_A) < 1e-3);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("a run without faults ends without one") {
+  Options options = short_circle();
+  const Result result = simulate(options, {});
+  CHECK(result.end == EndReason::kTimeout);
+  CHECK(result.fault.code == FaultCode::kNone);
+}
+
+TEST_CASE("the trip pin ends the run") {
+  Options options = short_circle();
+  options.inject.trip_s = 0.05;
+  const Result result = simulate(options, {});
+  check_tripped(result, FaultCode::kTrip, 0);
+  CHECK(result.fault.tick == 101);  // ticks at 0, 0.5 ms, ..., 50 ms have passed
+}
+
+TEST_CASE("a jump of both encoder lines ends the run") {
+  Options options = short_circle();
+  options.inject.encoder_s = 0.05;
+  check_tripped(simulate(options, {}), FaultCode::kEncoder, 0);
+}
+
+TEST_CASE("an over-current ends the run") {
+  Options options = short_circle();
+  options.chip.current_limit_A = 0.1;
+  const Result result = simulate(options, {});
+  check_tripped(result, FaultCode::kOverCurrent, result.fault.axis);
+}
+
+TEST_CASE("leaving the stroke ends the run") {
+  Options options = short_circle();
+  options.path.kind = PathKind::kSquare;  // overshoots its own end points
+  options.path.square_low_m = 0.1;
+  options.path.square_high_m = 0.11;
+  options.plant.axis[1].payload_kg = 11;
+  for (AxisChip& axis : options.chip.axis) {
+    axis.stroke_check = true;
+    axis.stroke_min_m = 0.09;
+  }
+  options.chip.axis[1].stroke_max_m = 0.1101;
+  options.run.max_s = 2;
+  check_tripped(simulate(options, {}), FaultCode::kStroke, 1);
+}
+
+TEST_CASE("the watchdog bites when the processor hangs") {
+  Options options = short_circle();
+  options.chip.watchdog_ticks = 10;
+  options.inject.processor_s = 0.05;
+  const Result result = simulate(options, {});
+  check_tripped(result, FaultCode::kWatchdog, 0);
+  CHECK(result.fault.tick > 105);  // at most 4 ticks since the last COMMIT, 10 allowed
+  CHECK(result.fault.tick < 115);
+}
+
+TEST_CASE("a stop request ends the run with what there is") {
+  Options options = short_circle();
+  std::atomic<bool> stop{false};
+  Hooks hooks;
+  hooks.stop = &stop;
+  hooks.progress = [&stop](double fraction) { stop = fraction > 0.05; };
+  const Result result = simulate(options, hooks);
+  CHECK(result.end == EndReason::kStopped);
+  CHECK(result.samples.size() > 100);
+}

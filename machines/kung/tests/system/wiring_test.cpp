@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The same run in every wiring and window gives the same events, edge by edge.
+#include <catch2/catch.hpp>
+
+#include "machines/kung/machine.hpp"
+
+using namespace trammel::kung;
+
+namespace {
+
+// A short piece of the circle: start-up and 40 points, 80 ms.
+Options piece() {
+  Options options;
+  options.path.kind = PathKind::kLine;
+  options.path.line_end_x_m = 0.11;
+  options.path.line_end_y_m = 0.12;
+  options.path.line_ticks = 40;
+  return options;
+}
+
+// Ten points, for chips that evaluate every clock.
+Options dash() {
+  Options options = piece();
+  options.run.platform = Platform::kDirect;
+  options.path.line_end_x_m = 0.101;
+  options.path.line_end_y_m = 0.1005;
+  options.path.line_ticks = 10;
+  return options;
+}
+
+Result run(Platform platform, std::int64_t window) {
+  Options options = piece();
+  options.run.platform = platform;
+  options.run.window_clk = window;
+  return simulate(options, {});
+}
+
+}  // namespace
+
+TEST_CASE("SystemC with look-ahead, lock step and the direct wiring give equal event logs") {
+  const Result systemc = run(Platform::kSystemC, 0);
+  REQUIRE(systemc.end == EndReason::kDone);
+  REQUIRE(systemc.samples.size() > 160);
+  CHECK(run(Platform::kDirect, 0).event_hash == systemc.event_hash);
+  CHECK(run(Platform::kDirect, 1).event_hash == systemc.event_hash);
+  CHECK(run(Platform::kDirect, 313).event_hash == systemc.event_hash);
+  CHECK(run(Platform::kSystemC, 1).event_hash == systemc.event_hash);
+}
+
+TEST_CASE("a leaping run has the events of a run that evaluates every clock") {
+  Options options = piece();
+  options.run.platform = Platform::kDirect;
+  const Result leaping = simulate(options, {});
+  options.run.leap = false;
+  const Result plain = simulate(options, {});
+  CHECK(leaping.event_hash == plain.event_hash);
+  CHECK(plain.evaluated == plain.clocks);
+  CHECK(leaping.evaluated < plain.evaluated / 3);
+}
+
+TEST_CASE("a traced run has the events of an untraced one") {
+  Options options = piece();
+  const Result base = simulate(options, {});
+  options.run.wave = WaveFormat::kFst;
+  options.run.wave_file = "kung_wiring_test.fst";
+  options.run.wave_begin_s = 0.0101234;
+  options.run.wave_end_s = 0.011;
+  const Result traced = simulate(options, {});
+  CHECK(traced.event_hash == base.event_hash);
+  CHECK(traced.evaluated > base.evaluated);
+}
+
+TEST_CASE("a run that looks at every promise of the RTL finds none broken and the same events") {
+  Options options = dash();
+  const Result base = simulate(options, {});
+  options.run.assertions = true;
+  const Result checked = simulate(options, {});
+  CHECK(checked.end == EndReason::kDone);
+  CHECK_FALSE(checked.promise);
+  CHECK(checked.evaluated == checked.clocks);
+  CHECK(checked.event_hash == base.event_hash);
+}
+
+TEST_CASE("an audited run compares every register of a plain and a leaping chip") {
+  Options options = dash();
+  const Result base = simulate(options, {});
+  options.run.audit = true;
+  const Result audited = simulate(options, {});
+  CHECK(audited.end == EndReason::kDone);
+  CHECK_FALSE(audited.promise);
+  CHECK(audited.evaluated == base.evaluated);
+  CHECK(audited.event_hash == base.event_hash);
+}
+
+TEST_CASE("every evaluated clock has its cause") {
+  const Result result = run(Platform::kDirect, 0);
+  std::int64_t sum = 0;
+  for (const auto count : result.wakes) sum += count;
+  CHECK(sum == result.evaluated);
+  for (const auto count : result.wakes) CHECK(count > 0);
+  CHECK(result.wakes[static_cast<std::size_t>(Wake::kTick)] >= 2 * result.clocks / 25000 / 3);
+}
+
+TEST_CASE("the event log sees a change of one clock of dead time") {
+  const Result base = run(Platform::kDirect, 0);
+  Options options = piece();
+  options.run.platform = Platform::kDirect;
+  options.chip.axis[1].dead_time_ns += 20;
+  CHECK(simulate(options, {}).event_hash != base.event_hash);
+}
+
+TEST_CASE("a sample's tick is what the TICK register reads, and ticks are 25000 clocks apart") {
+  const Result result = run(Platform::kDirect, 0);
+  for (std::size_t k = 1; k < result.samples.size(); ++k) {
+    REQUIRE(result.samples[k].tick == result.samples[k - 1].tick + 1);
+    REQUIRE(result.samples[k].edge - result.samples[k - 1].edge == 25000);
+  }
+  // Point 0 takes effect at first_tick: up to there the command stands still at the start.
+  REQUIRE(result.first_tick > 0);
+  const auto at = [&](std::uint32_t tick) { return result.samples[tick - result.samples[0].tick]; };
+  CHECK(at(result.first_tick).axis[0].r == 20000);
+  CHECK(at(result.first_tick + 3).axis[0].r == 20000);
+  CHECK(at(result.first_tick + 4).axis[0].r == 20050);
+  CHECK(at(result.end_tick - 1).axis[0].r == 22000);
+}

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The bit-exact twin of the chip behind the interface that the verilated one has.
+#include "machines/kung/chip.hpp"
+#include "models/exact/chips/kung_xy.hpp"
+
+namespace trammel::kung {
+
+namespace {
+
+using exact::KungXy;
+
+static_assert(encoder_a(1) == 3 && encoder_z(1) == 5 && kTripPin == KungXy::kTripPin &&
+                  gate_hi(1, 0) == 6 && gate_lo(1, 0) == 9,
+              "twin and chip disagree about their pins");
+
+class TwinChip final : public KungChip {
+ public:
+  cosim::Clk now() const override { return chip_.now(); }
+  void sense(cosim::Lines lines) override { chip_.pins(lines); }
+  void request(const cosim::BusOp& op) override { chip_.request({op.addr, op.data, op.write}); }
+
+  cosim::Stop run(cosim::Clk end, const cosim::Plant& plant) override {
+    const KungXy::Stop stop = chip_.run(end, Converters(plant));
+    return {stop.edge, why(stop.events)};
+  }
+
+  cosim::Lines drive() const override { return chip_.gates(); }
+  bool irq() const override { return chip_.irq(); }
+  std::uint32_t rdata() const override { return chip_.read_data(); }
+
+  void read_words(int axis, AxisSample& s) const override {
+    const exact::Afc& afc = chip_.afc(axis);
+    const exact::Afc::Out& p = afc.out();
+    const exact::CurrentLoop::Out& c = chip_.current(axis).out();
+    s.r = afc.r();
+    s.x_p = afc.x_p();
+    s.x_m = p.x_m;
+    s.x_r = p.x_r;
+    s.dx = p.dx;
+    s.e = p.e;
+    s.de = p.de;
+    s.u = p.u;
+    s.v_star = p.v_star;
+    s.v = p.v;
+    s.i_q_ref = p.i_q_ref;
+    s.i_d = c.i_d;
+    s.i_q = c.i_q;
+    s.v_d = c.v_d;
+    s.v_q = c.v_q;
+  }
+
+  CurrentWords current(int axis) const override {
+    const exact::KungCurrent& loop = chip_.current(axis);
+    const exact::CurrentLoop::Out& out = loop.out();
+    CurrentWords words;
+    words.code_a = loop.codes()[0];
+    words.code_b = loop.codes()[1];
+    words.count = loop.count();
+    words.i_q_ref = loop.i_q_ref();
+    words.cmp_a = out.cmp_a;
+    words.cmp_b = out.cmp_b;
+    words.cmp_c = out.cmp_c;
+    words.i_d = out.i_d;
+    words.i_q = out.i_q;
+    words.v_d = out.v_d;
+    words.v_q = out.v_q;
+    words.busy = loop.busy(chip_.now() - 1);
+    words.clear = loop.cleared();
+    return words;
+  }
+
+  std::int32_t rule(int axis, int index) const override { return chip_.afc(axis).rule(index); }
+  std::int32_t integral(int axis) const override { return chip_.afc(axis).integral(); }
+  Fault fault() const override {
+    const exact::Supervisor::Out& fault = chip_.fault();
+    return {static_cast<FaultCode>(fault.code), fault.axis ? 1 : 0, fault.tick};
+  }
+  cosim::Clk evaluated() const override { return chip_.events(); }
+
+ private:
+  class Converters final : public KungXy::Converters {
+   public:
+    explicit Converters(const cosim::Plant& plant) : plant_(plant) {}
+    std::array<std::int32_t, 2> hold(int axis, exact::Clk edge) const override {
+      return {plant_.sample(adc_channel(axis, 0), edge) & 0xFFF,
+              plant_.sample(adc_channel(axis, 1), edge) & 0xFFF};
+    }
+
+   private:
+    const cosim::Plant& plant_;
+  };
+
+  static unsigned why(unsigned events) {
+    if (events == 0) return cosim::kLimit;
+    static_assert(KungXy::kGates << 1 == cosim::kDrive && KungXy::kIrq << 1 == cosim::kIrq &&
+                      KungXy::kBusDone << 1 == cosim::kBusDone &&
+                      KungXy::kTick << 1 == cosim::kTick && KungXy::kSample << 1 == cosim::kSample,
+                  "the same reasons in the same order");
+    return events << 1;
+  }
+
+  KungXy chip_;
+};
+
+}  // namespace
+
+std::unique_ptr<KungChip> make_twin_chip() { return std::make_unique<TwinChip>(); }
+
+}  // namespace trammel::kung

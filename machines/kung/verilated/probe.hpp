@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Reads controller words out of a verilated chip; the signals are those of public.vlt.
+// The names are Verilator's, so a macro joins them; `Root` is the model's root structure.
+#pragma once
+
+#include <cstdint>
+
+#include "machines/kung/chip.hpp"
+
+namespace trammel::kung {
+
+namespace probe {
+constexpr std::int32_t word(std::uint32_t bits) {  // 12 bits, two's complement
+  return static_cast<std::int32_t>(bits << 20) >> 20;
+}
+constexpr std::int32_t count(std::uint32_t bits) {  // 24 bits
+  return static_cast<std::int32_t>(bits << 8) >> 8;
+}
+}  // namespace probe
+
+#define TRAMMEL_AXIS(name)                                                \
+  (axis == 0 ? root.kung_xy__DOT__gen_axis__BRA__0__KET____DOT__u_axis__DOT__##name \
+             : root.kung_xy__DOT__gen_axis__BRA__1__KET____DOT__u_axis__DOT__##name)
+
+template <class Root>
+void probe_words(const Root& root, int axis, AxisSample& s) {
+  using probe::count;
+  using probe::word;
+  s.r = count(TRAMMEL_AXIS(u_afc__DOT__r_q));
+  s.x_p = count(TRAMMEL_AXIS(u_afc__DOT__x_p_q));
+  s.x_m = static_cast<std::int32_t>(TRAMMEL_AXIS(u_afc__DOT__x_m_q));
+  s.x_r = count(TRAMMEL_AXIS(u_afc__DOT__x_r_q));
+  s.dx = count(TRAMMEL_AXIS(u_afc__DOT__dx_q));
+  s.e = word(TRAMMEL_AXIS(u_afc__DOT__e_q));
+  s.de = word(TRAMMEL_AXIS(u_afc__DOT__de_q));
+  s.u = word(TRAMMEL_AXIS(u_afc__DOT__u_q));
+  s.v_star = word(TRAMMEL_AXIS(u_afc__DOT__v_star_q));
+  s.v = word(TRAMMEL_AXIS(u_afc__DOT__v_q));
+  s.i_q_ref = word(TRAMMEL_AXIS(u_afc__DOT__i_q_ref_q));
+  s.i_d = word(TRAMMEL_AXIS(u_current_loop__DOT__i_d_o));
+  s.i_q = word(TRAMMEL_AXIS(u_current_loop__DOT__i_q_o));
+  s.v_d = word(TRAMMEL_AXIS(u_current_loop__DOT__v_d_o));
+  s.v_q = word(TRAMMEL_AXIS(u_current_loop__DOT__v_q_o));
+}
+
+template <class Root>
+bool probe_busy(const Root& root, int axis) {
+  return TRAMMEL_AXIS(u_current_loop__DOT__busy_o) != 0;
+}
+
+template <class Root>
+CurrentWords probe_current(const Root& root, int axis) {
+  using probe::word;
+  CurrentWords c;
+  c.code_a = TRAMMEL_AXIS(code_a);
+  c.code_b = TRAMMEL_AXIS(code_b);
+  c.count = probe::count(TRAMMEL_AXIS(count_cur_q));
+  c.i_q_ref = word(TRAMMEL_AXIS(i_q_ref_q));
+  c.cmp_a = TRAMMEL_AXIS(u_current_loop__DOT__cmp_a_o);
+  c.cmp_b = TRAMMEL_AXIS(u_current_loop__DOT__cmp_b_o);
+  c.cmp_c = TRAMMEL_AXIS(u_current_loop__DOT__cmp_c_o);
+  c.i_d = word(TRAMMEL_AXIS(u_current_loop__DOT__i_d_o));
+  c.i_q = word(TRAMMEL_AXIS(u_current_loop__DOT__i_q_o));
+  c.v_d = word(TRAMMEL_AXIS(u_current_loop__DOT__v_d_o));
+  c.v_q = word(TRAMMEL_AXIS(u_current_loop__DOT__v_q_o));
+  c.busy = TRAMMEL_AXIS(u_current_loop__DOT__busy_o) != 0;
+  c.clear = TRAMMEL_AXIS(loop_clear) != 0;
+  return c;
+}
+
+// Integrator of v*, 1 LSB = v* LSB / 4096.
+template <class Root>
+std::int32_t probe_integral(const Root& root, int axis) {
+  return probe::count(TRAMMEL_AXIS(u_afc__DOT__integral_q));
+}
+
+// Rule 7 j + i lies at {j, i}.
+template <class Root>
+std::int32_t probe_rule(const Root& root, int axis, int index) {
+  const auto at = static_cast<std::size_t>(index / 7 * 8 + index % 7);
+  return probe::count(TRAMMEL_AXIS(u_afc__DOT__u_rules__DOT__mem_q)[at]);
+}
+
+#undef TRAMMEL_AXIS
+
+template <class Root>
+Fault probe_fault(const Root& root) {
+  return {static_cast<FaultCode>(root.kung_xy__DOT__u_supervisor__DOT__code_q),
+          root.kung_xy__DOT__u_supervisor__DOT__axis_q,
+          root.kung_xy__DOT__u_supervisor__DOT__tick_q};
+}
+
+}  // namespace trammel::kung

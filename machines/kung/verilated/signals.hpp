@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Reads by name what a trigger may watch: words of the controllers and pins, listed here, and the
+// registers, whose list is that of the register map. The signals are those of public.vlt.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "machines/kung/chip.hpp"
+#include "rtl/chips/generated/kung_xy_signals.hpp"
+
+namespace trammel::kung {
+
+template <class Root>
+struct SignalRow {
+  Signal signal;
+  std::uint32_t (*read)(const Root& root, int axis);
+};
+
+// `bits` low bits of a value; two's complement when `is_signed`.
+constexpr std::int64_t bits_of(std::uint64_t value, int bits, bool is_signed) {
+  const std::uint64_t low = value & ((std::uint64_t{1} << bits) - 1);
+  const bool negative = is_signed && ((low >> (bits - 1)) & 1u) != 0;
+  return static_cast<std::int64_t>(low) - (negative ? std::int64_t{1} << bits : 0);
+}
+
+#define TRAMMEL_IN_AXIS(path)                                                       \
+  (axis == 0 ? root.kung_xy__DOT__gen_axis__BRA__0__KET____DOT__u_axis__DOT__##path \
+             : root.kung_xy__DOT__gen_axis__BRA__1__KET____DOT__u_axis__DOT__##path)
+#define TRAMMEL_ROW(name, bits, is_signed, of_axis, value, help)                              \
+  {                                                                                           \
+    {name, help, bits, is_signed, of_axis}, [](const Root& root, [[maybe_unused]] int axis) { \
+      return static_cast<std::uint32_t>(value);                                               \
+    }                                                                                         \
+  }
+
+// Signed and unsigned values of an axis; the names are the words of trace.csv and the block pages.
+#define TRAMMEL_S(name, bits, path, help) \
+  TRAMMEL_ROW(name, bits, true, true, TRAMMEL_IN_AXIS(path), help)
+#define TRAMMEL_U(name, bits, path, help) \
+  TRAMMEL_ROW(name, bits, false, true, TRAMMEL_IN_AXIS(path), help)
+
+template <class Root>
+std::vector<SignalRow<Root>> inner_rows() {
+  return {
+      TRAMMEL_S("r", 24, u_afc__DOT__r_q, "command of the sample [count]"),
+      TRAMMEL_S("x_p", 24, u_afc__DOT__x_p_q, "position of the sample [count]"),
+      TRAMMEL_S("x_m", 32, u_afc__DOT__x_m_q, "model [count Q14]"),
+      TRAMMEL_S("x_r", 24, u_afc__DOT__x_r_q, "model, rounded [count]"),
+      TRAMMEL_S("dx", 24, u_afc__DOT__dx_q, "model increment [count Q14 a sample]"),
+      TRAMMEL_S("e", 12, u_afc__DOT__e_q, "error to the model [count]"),
+      TRAMMEL_S("de", 12, u_afc__DOT__de_q, "its change a sample [count]"),
+      TRAMMEL_S("u", 12, u_afc__DOT__u_q, "fuzzy output [1/256 unit]"),
+      TRAMMEL_S("v_star", 12, u_afc__DOT__v_star_q, "speed command [1/16 count a sample]"),
+      TRAMMEL_S("v", 12, u_afc__DOT__v_q, "speed [1/16 count a sample]"),
+      TRAMMEL_S("i_q_ref", 12, u_afc__DOT__i_q_ref_q, "current command [4.8 A / 2048]"),
+      TRAMMEL_U("afc", 1, u_afc__DOT__running_q, "position controller in its 35 steps"),
+      TRAMMEL_U("step", 6, u_afc__DOT__step_q, "its step, 0..34"),
+      TRAMMEL_S("count", 24, u_qep__DOT__count_q, "encoder counter [count]"),
+      TRAMMEL_U("code_a", 12, code_a, "converter, phase a; 2048 = 0 A"),
+      TRAMMEL_U("code_b", 12, code_b, "converter, phase b; 2048 = 0 A"),
+      TRAMMEL_S("i_a", 12, u_current_loop__DOT__i_a_o, "phase current [9.6 A / 2048]"),
+      TRAMMEL_S("i_b", 12, u_current_loop__DOT__i_b_o, "phase current [9.6 A / 2048]"),
+      TRAMMEL_S("i_d", 12, u_current_loop__DOT__i_d_o, "direct current [9.6 A / 2048]"),
+      TRAMMEL_S("i_q", 12, u_current_loop__DOT__i_q_o, "quadrature current [9.6 A / 2048]"),
+      TRAMMEL_S("v_d", 12, u_current_loop__DOT__v_d_o, "voltage [V_dc / sqrt 3 / 2048]"),
+      TRAMMEL_S("v_q", 12, u_current_loop__DOT__v_q_o, "voltage [V_dc / sqrt 3 / 2048]"),
+      TRAMMEL_U("cmp_a", 11, u_current_loop__DOT__cmp_a_o, "compare value of phase a, 0..1562"),
+      TRAMMEL_U("cmp_b", 11, u_current_loop__DOT__cmp_b_o, "compare value of phase b, 0..1562"),
+      TRAMMEL_U("cmp_c", 11, u_current_loop__DOT__cmp_c_o, "compare value of phase c, 0..1562"),
+      TRAMMEL_ROW("gate_hi", 3, false, true, root.gate_hi_o >> (3 * axis), "upper gates c b a"),
+      TRAMMEL_ROW("gate_lo", 3, false, true, root.gate_lo_o >> (3 * axis), "lower gates c b a"),
+      TRAMMEL_ROW("irq", 1, false, false, root.irq_o, "interrupt line"),
+      TRAMMEL_ROW("trip", 1, false, false, root.trip_i, "trip pin"),
+  };
+}
+
+#undef TRAMMEL_IN_AXIS
+#undef TRAMMEL_ROW
+#undef TRAMMEL_S
+#undef TRAMMEL_U
+
+template <class Root>
+const std::vector<SignalRow<Root>>& signal_rows() {
+  static const std::vector<SignalRow<Root>> rows = [] {
+    std::vector<SignalRow<Root>> all = inner_rows<Root>();
+    for (const auto& [field, read] : kung_xy_regs::kReadings<Root>) {
+      all.push_back({{field.name, field.help, field.bits, field.is_signed, field.of_axis}, read});
+    }
+    return all;
+  }();
+  return rows;
+}
+
+}  // namespace trammel::kung

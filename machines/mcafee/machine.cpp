@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "machines/mcafee/machine.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "lab/files.hpp"
+#include "machines/mcafee/session.hpp"
+#include "parts/lm628/columns.hpp"
+#include "parts/lm628/motor.hpp"
+
+namespace trammel::mcafee {
+namespace {
+
+constexpr int kMostFeed = 254;  // what the feed rate gives at most
+
+std::string name_of(int speed) { return fmt::format("v = {}", speed); }
+
+void validate(lab::Settings& settings) {
+  const auto& options = static_cast<const Options&>(settings);
+  lm628::check_motor(options.stage_axis.motor);
+  if (options.tracks()) table_of(options);
+}
+
+// The same path at constant speeds.
+std::vector<lab::Companion> companions(const lab::Settings& settings) {
+  const auto& options = static_cast<const Options&>(settings);
+  std::vector<lab::Companion> all;
+  if (!options.tracks() || !options.compare) return all;
+  for (const int speed : {kMostFeed, options.least_speed}) {
+    auto other = std::make_unique<Options>(options);
+    other->speed = speed;
+    other->run.wave = cosim::WaveFormat::kNone;  // waves are of the first
+    all.push_back({name_of(speed), std::move(other)});
+  }
+  return all;
+}
+
+// table.csv, the rows of the path; contours.csv, the contour errors of all runs over time.
+void write_tables(const lab::Record& record, const std::filesystem::path& folder) {
+  if (!options_of(record).tracks()) return;
+  lab::write_text(folder / "table.csv", table_csv(result_of(record).table));
+  const nlohmann::ordered_json detail = tracking_json(record);
+  const auto& runs = detail["contours"];
+  const double step_s = detail["contour_step_s"];
+  std::string text = "t_s";
+  std::size_t longest = 0;
+  for (const auto& run : runs) {
+    text += ',' + run["name"].get<std::string>();
+    longest = std::max(longest, run["mm"].size());
+  }
+  for (std::size_t k = 0; k < longest; ++k) {
+    text += fmt::format("\n{:.5f}", static_cast<double>(k) * step_s);
+    for (const auto& run : runs) {
+      text += k < run["mm"].size() ? fmt::format(",{}", run["mm"][k].get<double>()) : ",";
+    }
+  }
+  lab::write_text(folder / "contours.csv", text + '\n');
+}
+
+lab::Machine describe() {
+  lab::Machine m;
+  m.name = "mcafee";
+  m.title = "two LM628 and a fuzzy feed rate with a leadscrew stage: self-paced tracking";
+  m.source = "McAfee 1994";
+  m.order = 3;
+  m.defaults = [] { return std::unique_ptr<lab::Settings>(std::make_unique<Options>()); };
+  m.keys = keys;
+  m.validate = validate;
+  m.warnings = [](const lab::Settings& settings) {
+    const auto& options = static_cast<const Options&>(settings);
+    return options.tracks() ? table_of(options).warnings : std::vector<std::string>{};
+  };
+  m.triggers = triggers;
+  m.vcd_bytes_s = 1.7e10;
+  m.fst_bytes_s = 4e8;
+  m.session = [](const lab::Settings& settings, const cosim::Hooks& hooks,
+                 const cosim::Waves& waves) {
+    return std::unique_ptr<cosim::Session>(
+        std::make_unique<Session>(static_cast<const Options&>(settings), hooks, waves));
+  };
+  m.columns = columns;
+  m.figures = figures;
+  m.verdict = lm628::verdict<Options, Result>;
+  m.companions = companions;
+  m.run_name = [](const lab::Settings& settings) {
+    const auto& options = static_cast<const Options&>(settings);
+    if (!options.tracks()) return std::string("motion");
+    return options.speed == 0 ? std::string("self-paced") : name_of(options.speed);
+  };
+  m.metrics = add_metrics;
+  m.detail = [](const lab::Record& record) {
+    return options_of(record).tracks() ? tracking_json(record) : nlohmann::ordered_json();
+  };
+  m.files = write_tables;
+  m.drawn = [](const lab::Record& record) {
+    const Result& result = result_of(record);
+    return lab::Range{result.first, result.samples.size()};
+  };
+  m.page = page();
+  return m;
+}
+
+}  // namespace
+
+Table table_of(const Options& options) {
+  try {
+    return make_table(Path(options.path), options.path, options.count_mm(), options.travel_mm());
+  } catch (const cosim::OptionsError& error) {
+    throw lab::ConfigError(error.what());
+  } catch (const std::invalid_argument& error) {  // the file of points
+    throw lab::ConfigError(fmt::format("path.points_file: {}", error.what()));
+  }
+}
+
+const cosim::TriggerForms& triggers() {
+  static const cosim::TriggerForms forms{
+      signals(),
+      {std::begin(cosim::kStopEventNames), std::end(cosim::kStopEventNames)},
+      cosim::kStopEvents, "drive", cosim::name_stop_event};
+  return forms;
+}
+
+const lab::Machine& machine() {
+  static const lab::Machine description = describe();
+  return description;
+}
+
+}  // namespace trammel::mcafee

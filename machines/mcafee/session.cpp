@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "machines/mcafee/session.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <utility>
+
+#include "machines/mcafee/machine.hpp"
+#include "machines/mcafee/twin.hpp"
+#include "systemc/wire.hpp"
+
+namespace trammel::mcafee {
+namespace {
+
+Table table_for(const Options& o) {
+  if (o.stage != sw::McafeeStage::kTrack) return {};
+  return make_table(Path(o.path), o.path, o.count_mm(), o.travel_mm());
+}
+
+const char* what_failed(const sw::Mailbox& mailbox) {
+  switch (static_cast<sw::McafeeFailure>(mailbox.failure)) {
+    case sw::McafeeFailure::kReset: return "a status after reset that the data sheet has not";
+    case sw::McafeeFailure::kBusy: return "a busy bit that did not clear";
+    case sw::McafeeFailure::kCommandError: return "a command error of a part";
+    case sw::McafeeFailure::kPositionError: return "a position error of a part";
+    case sw::McafeeFailure::kLimit: return "a limit switch";
+    case sw::McafeeFailure::kLate:
+      return "a sample between the STT of both axes: the processor is too slow "
+             "(processor.access_clk, processor.interrupt_latency_clk)";
+    case sw::McafeeFailure::kNone: break;
+  }
+  return "";
+}
+
+}  // namespace
+
+unsigned StagePlant::limits() const {
+  unsigned lines = 0;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const plant::LeadscrewSensor& s = stage_.axis(k).sensor();
+    lines |= (s.at_low() ? 1u : 0u) << 2 * k | (s.at_high() ? 2u : 0u) << 2 * k;
+  }
+  return lines;
+}
+
+cosim::Lines StagePlant::sense() const {
+  cosim::Lines lines = cosim::Lines{limits()} << limit_low(0);
+  for (int axis = 0; axis < kAxes; ++axis) {
+    const plant::SineEncoder& e =
+        stage_.axis(static_cast<std::size_t>(axis)).sensor().encoder();
+    lines |= cosim::Lines{e.a()} << encoder_a(axis) | cosim::Lines{e.b()} << encoder_b(axis) |
+             cosim::Lines{!e.marker()} << marker(axis);
+  }
+  return lines;
+}
+
+Session::Session(const Options& options, const cosim::Hooks& hooks, const cosim::Waves& waves)
+    : options_(options),
+      hooks_(hooks),
+      waves_(waves),
+      table_(table_for(options)),
+      plant_({options.stage_axis, options.stage_axis}),
+      chip_(options.run.engine == cosim::Engine::kRtl
+                ? make_verilated_chip(options.run, waves.window)
+                : make_twin_chip()),
+      app_(program()),
+      loop_(*chip_, plant_, *this, options.run.window()) {}
+
+sw::McafeeSetup Session::program() const {
+  const Options& o = options_;
+  sw::McafeeSetup setup;
+  setup.stage = o.stage;
+  setup.filter = o.filter;
+  setup.wait_clk = static_cast<std::uint32_t>(cosim::clocks_of(o.wait_s, period_ps()));
+  setup.readings = static_cast<std::uint32_t>(o.readings);
+  setup.acceleration = o.acceleration;
+  setup.velocity = o.velocity;
+  setup.position = o.position;
+  setup.rows = table_.rows.data();
+  setup.row_count = static_cast<std::uint32_t>(table_.rows.size());
+  setup.speed = static_cast<std::uint32_t>(o.speed);
+  setup.least_speed = static_cast<std::uint32_t>(o.least_speed);
+  setup.velocity_shift = static_cast<std::uint32_t>(o.velocity_shift);
+  return setup;
+}
+
+cosim::ProcessorTiming Session::timing() const {
+  const cosim::ProcessorOptions& p = options_.processor;
+  return {p.access_clk, p.interrupt_latency_clk};
+}
+
+cosim::Clk Session::end() const {
+  return cosim::clocks_of(options_.run.max_s, period_ps());
+}
+
+void Session::on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant&) {
+  if (over_ || stop.why == cosim::kLimit) return;
+  if (waves_.search != nullptr) waves_.search->on(stop, *chip_, *this);
+  hash_.mix(stop, chip);
+  if ((stop.why & cosim::kSample) == 0) return;
+  const Sample sample = sample_at(stop.edge);
+  samples_.push_back(sample);
+  for (const AxisSample& axis : sample.axis) {
+    hash_.mix(static_cast<std::uint64_t>(axis.words.position));
+    hash_.mix(static_cast<std::uint32_t>(axis.words.actual));
+  }
+  if (const auto ended = end_after(sample)) {
+    end_ = *ended;
+    over_ = true;
+  }
+}
+
+std::int64_t Session::read(std::size_t signal, int axis) const {
+  const std::size_t own = lm628::signals().size();
+  if (signal < own) return lm628::word(chip_->words(axis), signal);
+  switch (static_cast<OwnSignal>(signal - own)) {
+    case OwnSignal::kRow: return rows();
+    case OwnSignal::kSpeed: return app_.mailbox().speed;
+    case OwnSignal::kLimits: return plant_.limits();
+  }
+  return 0;
+}
+
+Sample Session::sample_at(cosim::Clk edge) const {
+  Sample sample;
+  sample.edge = edge;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const plant::LeadscrewAxis& axis = plant_.stage().axis(k);
+    const plant::DcMotorState state = axis.state(edge);
+    const double mm = 1e3 / axis.sensor().radians_per_m();  // a radian
+    const int part = static_cast<int>(k);
+    sample.axis[k] = {chip_->words(part), chip_->host_irq(part), mm * state.theta,
+                      mm * state.omega,   state.i,               axis.voltage()};
+  }
+  sample.limits = plant_.limits();
+  sample.row = rows();
+  sample.v = app_.mailbox().speed;
+  return sample;
+}
+
+std::optional<cosim::EndReason> Session::end_after(const Sample& sample) {
+  if (chip_->broken_promise()) return cosim::EndReason::kPromise;
+  if (waves_.found()) return cosim::EndReason::kDone;
+  if (hooks_.progress && samples_.size() % 64 == 0) hooks_.progress(std::min(1.0, progress()));
+  if (hooks_.stopped()) return cosim::EndReason::kStopped;
+  if (app_.mailbox().failure != 0) return cosim::EndReason::kFault;
+  const auto off = [&](const AxisSample& axis) {
+    return std::abs(axis.words.error) > options_.diverged_counts;
+  };
+  if (std::any_of(sample.axis.begin(), sample.axis.end(), off)) return cosim::EndReason::kDiverged;
+  if (app_.mailbox().done != 0) return cosim::EndReason::kDone;
+  return {};
+}
+
+double Session::progress() const {
+  const auto share = [](double part, double whole) { return whole > 0 ? part / whole : 1; };
+  switch (options_.stage) {
+    case sw::McafeeStage::kRead: return share(app_.mailbox().point, options_.readings);
+    case sw::McafeeStage::kMove:
+      return share(chip_->words(0).actual, std::max(1, options_.position));
+    case sw::McafeeStage::kTrack: break;
+  }
+  return share(app_.mailbox().point, static_cast<double>(table_.rows.size()));
+}
+
+std::unique_ptr<cosim::RunResult> Session::result() {
+  auto result = std::make_unique<Result>();
+  const sw::Mailbox& mailbox = app_.mailbox();
+  result->samples = std::move(samples_);
+  result->end = end_;
+  result->fault = what_failed(mailbox);
+  if (options_.stage == sw::McafeeStage::kRead) result->readings = mailbox.point;
+  result->real = {mailbox.real[0], mailbox.real[1]};
+  if (end_ != cosim::EndReason::kDone && !result->samples.empty()) {  // it did not ask
+    const Sample& last = result->samples.back();
+    result->real = {last.axis[0].words.actual, last.axis[1].words.actual};
+  }
+  result->table = table_;
+  result->event_hash = hash_.value();
+  close_result(*result, *chip_, waves_.window, started_);
+  return result;
+}
+
+Result simulate(const Options& options, const cosim::Hooks& hooks) {
+  const auto make = [&options](const cosim::Hooks& own, const cosim::Waves& waves) {
+    return std::make_unique<Session>(options, own, waves);
+  };
+  auto result = systemc::simulate(options.run, triggers(), make, hooks);
+  return std::move(static_cast<Result&>(*result));
+}
+
+}  // namespace trammel::mcafee

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// One run of the machine mcafee, ready to be driven by a wiring: chip, plant, firmware, loop and
+// record, and the decision when the run is over.
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <optional>
+
+#include "cosim/event_hash.hpp"
+#include "machines/mcafee/record.hpp"
+#include "machines/mcafee/signals.hpp"
+#include "cosim/session.hpp"
+
+namespace trammel::mcafee {
+
+// The stage of models/ behind the interface of cosim/.
+class StagePlant final : public cosim::Plant {
+ public:
+  explicit StagePlant(const plant::XyStageConfig& config) : stage_(config) {}
+
+  const plant::XyStage& stage() const { return stage_; }
+  unsigned limits() const;
+
+  cosim::Lines sense() const override;
+  cosim::Clk next() const override { return stage_.next(); }
+  void commit(cosim::Clk n, cosim::Lines drive) override {
+    stage_.commit(n, {static_cast<unsigned>(code(drive, 0)),
+                      static_cast<unsigned>(code(drive, 1))});
+  }
+  int sample(int, cosim::Clk) const override { return 0; }  // there is no converter
+
+ private:
+  plant::XyStage stage_;
+};
+
+class Session final : public cosim::Session,
+                      private cosim::Observer,
+                      private cosim::SignalReader {
+ public:
+  // Throws cosim::OptionsError or std::invalid_argument for a path that cannot be followed.
+  Session(const Options& options, const cosim::Hooks& hooks, const cosim::Waves& waves = {});
+
+  cosim::Loop& loop() override { return loop_; }
+  sw::Firmware& firmware() override { return app_; }
+  cosim::ProcessorTiming timing() const override;
+  std::int64_t period_ps() const override { return options_.stage_axis.clock_ps; }
+  cosim::Clk end() const override;
+  bool finished() const override { return over_; }
+  bool stopped() const override { return end_ == cosim::EndReason::kStopped; }
+  std::unique_ptr<cosim::RunResult> result() override;
+
+ private:
+  void on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant& plant) override;
+  std::int64_t read(std::size_t signal, int axis) const override;
+  Sample sample_at(cosim::Clk edge) const;
+  std::optional<cosim::EndReason> end_after(const Sample& sample);
+  sw::McafeeSetup program() const;
+  double progress() const;
+  std::uint32_t rows() const { return options_.tracks() ? app_.mailbox().point : 0; }
+
+  Options options_;
+  cosim::Hooks hooks_;
+  cosim::Waves waves_;
+  Table table_;
+  StagePlant plant_;
+  std::unique_ptr<McafeeChip> chip_;
+  sw::McafeeApp app_;
+  cosim::Loop loop_;
+  cosim::DiskVector<Sample> samples_;
+  cosim::EventHash hash_;
+  std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+  cosim::EndReason end_ = cosim::EndReason::kTimeout;
+  bool over_ = false;
+};
+
+}  // namespace trammel::mcafee

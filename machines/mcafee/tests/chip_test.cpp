@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The verilated mcafee_xy in the loop: every window, leapt or plain, gives the same events, and
+// they are those of its twin.
+
+#include <catch2/catch.hpp>
+#include <cstdint>
+#include <vector>
+
+#include "cosim/event_hash.hpp"
+#include "machines/mcafee/chip.hpp"
+#include "models/exact/chips/mcafee_xy.hpp"
+#include "rtl/chips/generated/mcafee_xy_regs.hpp"
+#include "sw_nios/hal/lm628.hpp"
+#include "sw_nios/apps/mcafee/mcafee_map.hpp"
+
+using namespace trammel;
+namespace reg = mcafee_xy_regs;
+namespace map = sw::mcafee_map;
+
+namespace {
+
+// Encoders that move by themselves, X forward and Y backward, and switches, whatever drives them.
+struct Motion final : cosim::Plant {
+  static constexpr cosim::Clk kStep = 1111;  // [clk] a count
+  cosim::Clk at = 0;
+
+  static cosim::Lines lines(cosim::Clk count) {
+    const auto phase = static_cast<unsigned>(count & 3);
+    const cosim::Lines first = phase == 1 || phase == 2, second = phase >= 2;
+    return first << mcafee::encoder_a(0) | second << mcafee::encoder_b(0) |
+           second << mcafee::encoder_a(1) | first << mcafee::encoder_b(1) |
+           cosim::Lines{count > 100} << mcafee::limit_high(0) |
+           cosim::Lines{count > 150} << mcafee::limit_low(1);
+  }
+  cosim::Lines sense() const override { return lines(at / kStep); }
+  cosim::Clk next() const override { return (at / kStep + 1) * kStep; }
+  void commit(cosim::Clk n, cosim::Lines) override { at = n; }
+  int sample(int, cosim::Clk) const override { return 0; }
+};
+
+struct Events final : cosim::Observer {
+  cosim::EventHash hash;
+  int samples = 0, drives = 0;
+  void on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant&) override {
+    if (stop.why == cosim::kLimit) return;
+    hash.mix(stop, chip);
+    samples += (stop.why & cosim::kSample) != 0;
+    drives += (stop.why & cosim::kDrive) != 0;
+  }
+};
+
+// A processor with nothing to do between two accesses.
+struct Run {
+  std::unique_ptr<mcafee::McafeeChip> chip;
+  Motion plant;
+  Events events;
+  cosim::Loop loop;
+
+  static cosim::RunBasics mode(bool leap) {
+    cosim::RunBasics run;
+    run.leap = leap;
+    return run;
+  }
+
+  Run(bool leap, cosim::Clk window)
+      : chip(mcafee::make_verilated_chip(mode(leap))), loop(*chip, plant, events, window) {}
+
+  cosim::Stop transfer(const cosim::BusOp& op) {
+    chip->request(op);
+    return loop.advance(cosim::kNever, cosim::kBusDone);
+  }
+  std::uint32_t read(std::uint32_t address) {
+    transfer({address, 0, false});
+    return chip->rdata();
+  }
+  void write(std::uint32_t address, std::uint32_t data) { transfer({address, data, true}); }
+  void rest() {
+    while ((read(reg::kStatus) & reg::kStatusBusy) != 0) loop.advance(chip->now() + 40, 0);
+  }
+  void put(std::uint32_t pins, std::uint32_t byte) {
+    write(reg::kPortC, byte);
+    write(reg::kPortB, pins | reg::kPortBWriteStrobe);
+    write(reg::kPortB, pins);
+    rest();
+    loop.advance(chip->now() + 6000, 0);  // busy, 560 ticks at most
+  }
+  std::uint32_t get(std::uint32_t pins) {
+    write(reg::kPortB, pins | reg::kPortBRead | reg::kPortBReadStrobe);
+    write(reg::kPortB, pins | reg::kPortBRead);
+    rest();
+    return read(reg::kPortC);
+  }
+  void command(std::uint32_t axis, sw::Lm628Command code, const std::vector<std::uint32_t>& bytes) {
+    put(axis, static_cast<std::uint32_t>(code));
+    for (const std::uint32_t byte : bytes) put(axis | reg::kPortBPs, byte);
+  }
+
+  // Both loops closed with a gain, while the encoders move away.
+  void program() {
+    loop.advance(70000, 0);
+    for (const std::uint32_t axis : {0u, reg::kPortBY}) {
+      command(axis, sw::Lm628Command::kLfil, {0, 8, 0, 64});
+      command(axis, sw::Lm628Command::kUdf, {});
+      command(axis, sw::Lm628Command::kLtrj, {0, 0});
+      command(axis, sw::Lm628Command::kStt, {});
+    }
+    write(map::kTimer, 60000);
+    loop.advance(chip->now() + 100000, 0);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("mcafee chip has the same events plain and leaping, in every window") {
+  Run base(true, cosim::kNever);
+  base.program();
+  CHECK(base.events.samples >= 7);
+  CHECK(base.events.drives >= 10);
+  CHECK(base.chip->evaluated() < base.chip->now() / 3);
+  for (const cosim::Clk window : {cosim::kNever, cosim::Clk{1}, cosim::Clk{313}}) {
+    for (const bool leap : {true, false}) {
+      Run other(leap, window);
+      other.program();
+      CHECK(other.chip->now() == base.chip->now());
+      CHECK(other.events.hash.value() == base.events.hash.value());
+    }
+  }
+}
+
+TEST_CASE("mcafee chip drives each axis by its own error and shows its words and switches") {
+  Run run(true, cosim::kNever);
+  CHECK(run.read(reg::kId) == reg::kIdValue);
+  CHECK(mcafee::code(run.chip->drive(), 0) == mcafee::kZeroCode);
+  CHECK(mcafee::code(run.chip->drive(), 1) == mcafee::kZeroCode);
+  run.program();
+  for (const int axis : {0, 1}) {
+    const lm628::Words words = run.chip->words(axis);
+    CAPTURE(axis, words.error);
+    CHECK((axis == 0 ? words.error < 0 : words.error > 0));
+    CHECK(words.proportional == 64 * words.error);
+    CHECK(words.output == words.proportional);
+    CHECK(static_cast<int>(mcafee::code(run.chip->drive(), axis)) == 0x80 + (words.output >> 8));
+    CHECK(words.status == (run.get(axis == 0 ? 0 : reg::kPortBY) & 0xFF));
+  }
+  CHECK(run.read(reg::kLimits) == (reg::kLimitsXHigh | reg::kLimitsYLow));
+}
+
+TEST_CASE("mcafee chip's timer interrupts once, after so many clocks, and not when it is 0") {
+  Run run(true, cosim::kNever);
+  const cosim::Stop written = run.transfer({map::kTimer, 5000, true});
+  CHECK(run.read(map::kIrq) == 0);
+  CHECK(run.loop.advance(cosim::kNever, cosim::kIrq).edge == written.edge + 5000);
+  CHECK(run.chip->irq());
+  CHECK_FALSE(run.chip->host_irq(0));
+  CHECK(run.read(map::kIrq) == map::kIrqTimer);
+  run.write(map::kTimer, 0);
+  CHECK(run.read(map::kIrq) == 0);
+  CHECK_FALSE(run.chip->irq());
+}
+
+// The twin of models/ takes the same accesses at the same edges.
+TEST_CASE("mcafee chip reads and drives what its twin does") {
+  Run run(true, cosim::kNever);
+  exact::McafeeXy twin;
+  exact::McafeeXy::In in;
+  for (int i = 0; i < 6; ++i) twin.step(in);
+  twin.reset();
+  cosim::Clk now = 0;
+  const auto follow = [&](cosim::Clk end) {
+    for (; now < end; ++now) {
+      const cosim::Lines lines = Motion::lines(now / Motion::kStep);
+      for (int axis = 0; axis < 2; ++axis) {
+        const auto n = static_cast<std::size_t>(axis);
+        in.a[n] = (lines >> mcafee::encoder_a(axis) & 1) != 0;
+        in.b[n] = (lines >> mcafee::encoder_b(axis) & 1) != 0;
+      }
+      in.limits = static_cast<std::uint8_t>(lines >> mcafee::limit_low(0) & 15);
+      twin.step(in);
+    }
+  };
+  for (unsigned n = 0; n < 200; ++n) {
+    const cosim::BusOp op{n * 7 % 10 * 4, n * 2654435761u >> 7 & 31, n % 3 != 0};
+    if (op.write && op.addr == reg::kReset) continue;
+    follow(run.chip->now());
+    twin.request(op.addr, op.data, op.write);
+    run.transfer(op);
+    follow(run.chip->now());
+    REQUIRE_FALSE(twin.open());
+    if (!op.write) REQUIRE(run.chip->rdata() == twin.read_data());
+    REQUIRE(mcafee::code(run.chip->drive(), 0) == twin.dac(0));
+    run.loop.advance(run.chip->now() + n * 13 % 700, 0);
+  }
+}

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Keys and figures of the machine mcafee, from results made by hand.
+
+#include "machines/mcafee/figures.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <filesystem>
+#include <string>
+
+#include "lab/files.hpp"
+#include "lab/layers.hpp"
+#include "lab/report_data.hpp"
+#include "lab/report_page.hpp"
+#include "testbench/run.hpp"
+#include "tests/support/files.hpp"
+#include "tests/support/message.hpp"
+
+using namespace trammel;
+using namespace trammel::lab;
+using test::content;
+using Catch::Matchers::Contains;
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string message_of(const std::string& toml) {
+  return test::message_of<mcafee::Options>(toml);
+}
+
+// Along the first side of the square, 0.25 mm beside it in the third sample.
+mcafee::Result tracked() {
+  mcafee::Result result;
+  result.end = cosim::EndReason::kDone;
+  result.table.row_mm = 0.5;
+  const double beside[] = {0, 0, 0, 0.25, -0.1};
+  for (int n = 0; n < 5; ++n) {
+    mcafee::Sample s;
+    s.edge = 17'067 * (n + 1);
+    s.row = n < 2 ? 0 : static_cast<std::uint32_t>(n - 1);
+    s.v = 254;
+    s.axis[0].words.position = std::int64_t{n < 2 ? 0 : 100 * (n - 1)} << 16;
+    s.axis[0].words.speed = n == 3 ? 4 << 16 : 0;
+    s.axis[0].x_mm = n < 2 ? 0 : 0.5 * (n - 1);
+    s.axis[1].x_mm = beside[n];
+    s.axis[1].words.error = n == 4 ? -7 : 0;
+    s.axis[1].mm_s = n == 4 ? -12.5 : 1;
+    s.axis[0].i = n == 2 ? -2.5 : 1;
+    result.samples.push_back(s);
+  }
+  return result;
+}
+
+// Runs of what `tracked` gives, in a folder of their own; the slow one ends as `slow_end`.
+struct Runs {
+  const fs::path folder = fs::absolute("mcafee_test_out");
+  testbench::Arguments arguments;
+  cosim::EndReason slow_end = cosim::EndReason::kDone;
+
+  Runs() {
+    fs::remove_all(folder);
+    arguments.scenario = "mcafee-stage3";  // which compares
+    arguments.out = folder.string();
+  }
+  ~Runs() { fs::remove_all(folder); }
+
+  int run() {
+    const std::atomic<bool> stop{false};
+    const Simulate simulate = [this](const Settings& settings, const cosim::Hooks&) {
+      const auto& o = static_cast<const mcafee::Options&>(settings);
+      auto result = std::make_unique<mcafee::Result>(tracked());
+      result->table = make_table(mcafee::Path(o.path), o.path, o.count_mm());
+      if (o.speed == o.least_speed) result->end = slow_end;
+      return result;
+    };
+    return testbench::run(arguments, stop, [&](const Settings& settings, const cosim::Hooks& h) {
+      return run_by(simulate, settings, h);
+    });
+  }
+  nlohmann::json metrics() const { return nlohmann::json::parse(content(folder / "metrics.json")); }
+};
+
+}  // namespace
+
+TEST_CASE("mcafee: a path or motor that cannot be is refused with key, row and range") {
+  CHECK(message_of("") == "");
+  CHECK_THAT(message_of("[path]\nrow_mm = 0.7"), Contains("row 0: increments 139, 0"));
+  CHECK_THAT(message_of("[path]\nradius_mm = 31"), Contains("out of range 0..30"));
+  CHECK_THAT(message_of("[path]\nkind = \"points\""), Contains("path.points_file: is needed"));
+  CHECK_THAT(message_of("[path]\nkind = \"points\"\npoints_file = \"none.csv\""),
+             Contains("none.csv: cannot be read"));
+  CHECK_THAT(message_of("[path]\nkind = \"spiral\""), Contains("square, circle, star"));
+  CHECK_THAT(message_of("[track]\nspeed = 256"), Contains("out of range 0..255"));
+  CHECK_THAT(message_of("[motor]\nresistance_ohm = 500"), Contains("is above 1e5 1/s"));
+  for (const char* key : {"audit = true", "assertions = true", "leap = false",
+                          "wave = \"fst\""}) {
+    INFO(key);
+    CHECK_THAT(message_of(std::string("[run]\nengine = \"twin\"\n") + key),
+               Contains("run.engine: the twin") && Contains("need"));
+  }
+  CHECK_THAT(message_of("[gains]\nkp = 1"), Contains("is no key of the machine mcafee"));
+}
+
+TEST_CASE("mcafee: figures count from the first row, contour errors from the path") {
+  mcafee::Result result = tracked();
+  const mcafee::Metrics m = evaluate(mcafee::Options{}, result);
+  CHECK(result.first == 2);
+  CHECK(m.moving_s == Approx(2 * 2048 / 6e6));
+  REQUIRE(result.contour_mm.size() == 5);
+  CHECK(m.contour_max_mm == Approx(0.25));
+  CHECK(m.contour_max_s == Approx(2048 / 6e6));
+  CHECK(m.contour_end_mm == Approx(0.1));
+  CHECK(m.contour_rms_mm == Approx(std::sqrt((0.0625 + 0.01) / 3)));
+  CHECK(m.max_error_counts == 7);
+  CHECK(m.max_current_A == 2.5);
+  CHECK(m.max_desired_mm_s == Approx(4 * 4.0132 / 800 / (2048 / 6e6)));
+  CHECK(m.max_speed_mm_s == 12.5);
+}
+
+TEST_CASE("mcafee: interrupts, motors turned off and switches are events, once each") {
+  mcafee::Result result;
+  for (int n = 0; n < 6; ++n) {
+    mcafee::Sample s;
+    s.edge = 50'000 * n;
+    s.axis[0].words.status = n == 0 || n >= 4 ? 0x80 : 0;  // off from the start, and at the end
+    s.axis[1].host_irq = n == 2 || n == 3;
+    s.axis[1].words.status = n == 2 ? 0x20 : 0;
+    s.axis[1].words.actual = 7;
+    s.limits = n == 3 ? 0b0110 : 0;
+    result.samples.push_back(s);
+  }
+  mcafee::Options options;
+  options.stage = sw::McafeeStage::kMove;
+  evaluate(options, result);
+  std::string seen;
+  for (const mcafee::Event& one : result.events) {
+    seen += std::to_string(one.sample) + (one.axis == 0 ? " x " : " y ") + one.what + "; ";
+    if (one.what == "interrupt") {
+      CHECK(one.time_s == Approx(2e-3));
+      CHECK(one.status == 0x20);
+      CHECK(one.real == 7);
+    }
+  }
+  CHECK(seen == "2 y interrupt; 3 x high switch open; 3 y low switch open; 4 x motor off; "
+                "4 x high switch closed; 4 y low switch closed; ");
+}
+
+TEST_CASE_METHOD(Runs,
+                 "mcafee: runs leave their files and a page, made again from them byte by byte") {
+  arguments.json = true;
+  REQUIRE(run() == 0);
+  const auto metrics = this->metrics();
+  CHECK(metrics["verdict"] == "done");
+  CHECK(metrics["command"] == "./trammel run mcafee-stage3");
+  CHECK(metrics["run"]["first_sample"] == 2);
+  CHECK(metrics["compared"]["v = 40"]["motion"]["contour_max_mm"].get<double>() == Approx(0.25));
+  const auto detail = nlohmann::json::parse(content(folder / "detail.json"));
+  CHECK(detail["contours"].size() == 3);
+  CHECK(detail["contours"][1]["mm"] == nlohmann::json({0.0, 0.25, 0.1}));
+  CHECK(detail["rows"]["x_mm"].size() == detail["rows"]["c"].size() + 1);
+  CHECK(detail["rows"]["y_mm"][0] == -30.0);
+
+  const std::string page = content(folder / "report.html");
+  CHECK_THAT(page, Contains("\"machine\":\"mcafee\""));
+  fs::remove(folder / "report.html");
+  write_run_page(folder);
+  CHECK(content(folder / "report.html") == page);
+  CHECK(read_run(folder).first == 2);
+
+  const auto refused = [&](const std::string& changed) {
+    write_text(folder / "detail.json", changed);
+    CHECK_THROWS_WITH(write_run_page(folder), Contains("detail.json: is corrupt: /"));
+    CHECK(content(folder / "report.html") == page);
+  };
+  auto other = detail;
+  other["rows"]["cc"].erase(0);
+  refused(other.dump());
+  other = detail;
+  other["contours"][2].erase("mm");
+  refused(other.dump());
+  other = detail;
+  other.erase("contour_step_s");
+  refused(other.dump());
+
+  arguments.report = arguments.json = false;
+  arguments.scenario = "mcafee-stage2";
+  CHECK(run() == 0);
+  CHECK_FALSE(fs::exists(folder / "report.html"));
+  CHECK_FALSE(fs::exists(folder / "detail.json"));
+  write_run_page(folder);
+  CHECK(fs::exists(folder / "report.html"));
+}
+
+TEST_CASE_METHOD(Runs,
+                 "mcafee: a comparison that ends early ends the run, stopped ones are no figure") {
+  arguments.report = false;
+  slow_end = cosim::EndReason::kStopped;
+  CHECK(run() == exit_code(slow_end));
+  CHECK(metrics()["end"] == end_text(slow_end));
+  CHECK(metrics()["verdict"] == end_text(slow_end));
+  CHECK(metrics()["compared"].size() == 1);
+  slow_end = cosim::EndReason::kDiverged;
+  CHECK(run() == exit_code(slow_end));
+  CHECK(metrics()["end"] == "done");
+  CHECK(metrics()["compared"]["v = 40"]["end"] == end_text(slow_end));
+}
+
+TEST_CASE("mcafee: run.toml repeats the options") {
+  mcafee::Options options, again;
+  options.path.kind = mcafee::PathKind::kStar;
+  options.run.engine = cosim::Engine::kTwin;
+  options.stage_axis.motor.current_limit = 2.25;
+  apply_text(again, run_toml(options), "run.toml", ".");
+  CHECK(run_toml(again) == run_toml(options));
+  CHECK(again.stage_axis.motor.current_limit == 2.25);
+}

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The machine mcafee whole: firmware, verilated chip, stage. Its behaviour is tested with the twin;
+// here, that the chip and every wiring do the same.
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+
+#include "machines/mcafee/machine.hpp"
+#include "tests/support/broken_promise.hpp"
+#include "tests/support/lm628_words.hpp"
+
+using namespace trammel;
+using namespace trammel::mcafee;
+
+namespace {
+
+// Some rows around a small corner.
+Options small_corner() {
+  Options options;
+  options.run.platform = cosim::Platform::kDirect;
+  options.path.kind = PathKind::kCorner;
+  options.path.side_mm = 2;
+  options.path.radius_mm = 1;
+  options.path.kappa_max_1_mm = 1;
+  options.path.preview_rows = 2;
+  options.wait_s = 0.02;
+  return options;
+}
+
+Result run(const Options& options) { return simulate(options, {}); }
+
+}  // namespace
+
+TEST_CASE("mcafee: SystemC, direct, any window, leapt or plain give the same events") {
+  const Options options = small_corner();
+  const Result result = run(options);
+  REQUIRE(result.end == cosim::EndReason::kDone);
+  CHECK(result.samples.back().row == result.table.rows.size());
+  CHECK(result.evaluated < result.clocks / 2);
+  Options other = options;
+  other.run.window_clk = 313;
+  CHECK(run(other).event_hash == result.event_hash);
+  other = options;
+  other.run.platform = cosim::Platform::kSystemC;
+  CHECK(run(other).event_hash == result.event_hash);
+  other = options;
+  other.run.leap = false;
+  CHECK(run(other).event_hash == result.event_hash);
+  CHECK(run(other).evaluated >= result.clocks);
+}
+
+TEST_CASE("mcafee: audited, or with its promises looked at, it has the same events") {
+  Options options = small_corner();
+  options.run.max_s = 0.03;  // the first rows
+  const Result base = run(options);
+  REQUIRE(base.samples.size() > 80);
+  REQUIRE(base.samples.back().row > 0);
+  options.run.audit = true;
+  const Result audited = run(options);
+  CHECK_FALSE(audited.promise);
+  CHECK(audited.evaluated == base.evaluated);
+  CHECK(audited.event_hash == base.event_hash);
+  options.run.audit = false;
+  options.run.assertions = true;
+  const Result checked = run(options);
+  CHECK(checked.end == base.end);
+  CHECK_FALSE(checked.promise);
+  CHECK(checked.event_hash == base.event_hash);
+}
+
+TEST_CASE("mcafee: with waves it has the same events, and windows show them exactly") {
+  Options options = small_corner();
+  options.run.max_s = 0.03;
+  const Result base = run(options);
+  options.run.wave = cosim::WaveFormat::kFst;
+  options.run.wave_file = "mcafee_machine_test.fst";
+  Options every = options;
+  every.run.wave_end_s = 97 * 20e-9;
+  every.run.wave_every_s = 5003 * 20e-9;
+  every.run.platform = cosim::Platform::kSystemC;
+  for (const Options& shown : {options, every}) {
+    const Result result = run(shown);
+    std::filesystem::remove(shown.run.wave_file);
+    CHECK_FALSE(result.promise);
+    CHECK(result.waves.size() == (shown.run.wave_every_s > 0 ? 300 : 1));
+    CHECK(result.event_hash == base.event_hash);
+  }
+}
+
+TEST_CASE("mcafee: a broken promise ends the run at the next sample") {
+  Options options = small_corner();
+  options.run.assertions = true;
+  cosim::Hooks hooks;
+  hooks.progress = [](double) { test::break_promise("mcafee_xy.u_x.u_lm628_props.kept"); };
+  const Result result = simulate(options, hooks);
+  CHECK(result.end == cosim::EndReason::kPromise);
+  REQUIRE(result.promise);
+  CHECK(result.promise->instance == "mcafee_xy.u_x");
+  CHECK(result.samples.size() == 65);
+}
+
+TEST_CASE("mcafee: the twin gives the events of the chip") {
+  Options options = small_corner();
+  options.filter = {255, 20, 3000, 500, 2};
+  const Result chip = run(options);
+  options.run.engine = cosim::Engine::kTwin;
+  const Result twin = run(options);
+  REQUIRE(twin.samples.size() == chip.samples.size());
+  for (std::size_t k = 0; k < chip.samples.size(); ++k) {
+    CAPTURE(k);
+    REQUIRE(twin.samples[k].edge == chip.samples[k].edge);
+    for (std::size_t a = 0; a < 2; ++a) {
+      const AxisSample t = twin.samples[k].axis[a], c = chip.samples[k].axis[a];
+      test::require_same(t.words, c.words);
+      REQUIRE(t.host_irq == c.host_irq);
+    }
+  }
+  CHECK(twin.event_hash == chip.event_hash);
+}
+
+TEST_CASE("F-05 Stage II moves the stage by 52 800 counts in 8.251 s") {
+  Options options = small_corner();
+  options.run.engine = cosim::Engine::kTwin;
+  options.stage = sw::McafeeStage::kMove;
+  options.acceleration = 0x25;
+  const Result result = run(options);
+  REQUIRE(result.end == cosim::EndReason::kDone);
+  // Friction of 0.03 N m holds what kp = 255 makes of three counts.
+  CHECK(std::abs(result.real[0] - 52'800) <= 3);
+}

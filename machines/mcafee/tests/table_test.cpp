@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "machines/mcafee/table.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+
+#include "cosim/machine.hpp"
+#include "models/plant/trig.hpp"
+
+using namespace trammel;
+using namespace trammel::mcafee;
+
+namespace {
+
+constexpr double kCountMm = 4.0132 / 800;
+
+PathOptions shape(PathKind kind, double side, double radius) {
+  PathOptions o;
+  o.kind = kind;
+  o.side_mm = side;
+  o.radius_mm = radius;
+  return o;
+}
+
+Table table_of(const PathOptions& o) { return make_table(Path(o), o, kCountMm); }
+
+// Where the rows lead [count].
+PointMm sum(const Table& table) {
+  PointMm at;
+  for (const sw::McafeeRow& row : table.rows) {
+    at.x += row.dx;
+    at.y += row.dy;
+  }
+  return at;
+}
+
+struct PointsFile {
+  std::string name = "track_points.csv";
+  explicit PointsFile(const std::string& text) { std::ofstream(name) << text; }
+  ~PointsFile() { std::remove(name.c_str()); }
+};
+
+}  // namespace
+
+TEST_CASE("F-09 the corner changes C at once and CC ten rows ahead of it") {
+  PathOptions o = shape(PathKind::kCorner, 102, 2);
+  o.kappa_max_1_mm = 0.5;
+  const Table table = table_of(o);
+  REQUIRE(table.rows.size() == 406);  // 203.14 mm
+  CHECK(table.warnings.empty());
+  for (std::size_t k = 0; k < 200; ++k) {
+    CAPTURE(k);
+    REQUIRE(table.rows[k].c == 0);
+    // The corner is 6.3 rows long: ten rows ahead of the last three it is over.
+    REQUIRE(table.rows[k].cc == (k < 190 || k > 196 ? 0 : 255));
+    REQUIRE(table.rows[k].vx == 255);
+    REQUIRE(table.rows[k].dy == 0);
+  }
+  for (std::size_t k = 200; k < 207; ++k) REQUIRE(table.rows[k].c == 255);
+  CHECK(table.rows[207].c == 0);
+  CHECK(table.rows[405].cc == 0);  // beyond the end it stays as it ends
+  CHECK(table.rows[405].vy == 255);
+}
+
+TEST_CASE("F-10 the rounded square has 463 rows and leads back to its start") {
+  const PathOptions o = shape(PathKind::kSquare, 60, 5);
+  const Table table = table_of(o);
+  CHECK(table.rows.size() == 463);
+  CHECK(table.row_mm == Approx((200 + 10 * 3.14159265) / 463));
+  CHECK(sum(table).x == 0);
+  CHECK(sum(table).y == 0);
+  int curved = 0;
+  for (const sw::McafeeRow& row : table.rows) {
+    REQUIRE((row.c == 0 || row.c == 255));
+    if (row.c == 255) ++curved;
+  }
+  CHECK(curved == Approx(10 * 3.14159 / table.row_mm).margin(4));
+}
+
+TEST_CASE("the preview of a closed path goes on past its end") {
+  PathOptions o = shape(PathKind::kSquare, 60, 5);
+  o.preview_rows = 60;  // the first corner begins 25 mm behind the start
+  const Table table = table_of(o);
+  CHECK(table.rows[455].cc == 255);
+  CHECK(table.rows[430].cc == 0);
+}
+
+TEST_CASE("rows have equal length, directions of 255 and the curvature of their circle") {
+  PathOptions o = shape(PathKind::kCircle, 0, 20);
+  o.kappa_max_1_mm = 0.1;
+  const Table table = table_of(o);
+  CHECK(table.rows.size() == 251);
+  for (const sw::McafeeRow& row : table.rows) {
+    REQUIRE(row.c == 128);  // 0.05 of 0.1, 127.5 rounded
+    REQUIRE(row.cc == 0);
+    REQUIRE(std::hypot(row.dx, row.dy) == Approx(table.row_mm / kCountMm).margin(1.5));
+    REQUIRE(std::hypot(row.vx, row.vy) == Approx(255).margin(1));
+  }
+  CHECK(table.rows[0].dx < 1);
+  CHECK(table.rows[0].dy > 90);  // counterclockwise
+}
+
+TEST_CASE("a star's tips turn by 144 degrees within their radius") {
+  PathOptions o = shape(PathKind::kStar, 100, 3);
+  const Path path(o);
+  CHECK(path.curvature(49) == 0);
+  CHECK(path.curvature(50 - 3 * std::tan(0.4 * plant::kPi) + 0.1) == Approx(1.0 / 3));
+  const double arcs = 5 * 0.8 * plant::kPi * 3, cuts = 10 * 3 * std::tan(0.4 * plant::kPi);
+  CHECK(path.length() == Approx(500 - cuts + arcs));
+  CHECK(sum(table_of(o)).x == 0);
+  CHECK(path.distance(path.at(77), 77, 1) == Approx(0).margin(1e-9));
+  CHECK(path.distance({path.at(10).x, path.at(10).y + 0.25}, 10, 1) == Approx(0.25));
+}
+
+TEST_CASE("points are resampled, their curvature is that of the circle through three") {
+  std::string text = "x_mm,y_mm\n";
+  for (int k = 0; k <= 360; ++k) {
+    text += std::to_string(10 * std::cos(k * plant::kPi / 180)) + ',' +
+            std::to_string(k == 360 ? 0 : 10 * std::sin(k * plant::kPi / 180)) + '\n';
+  }
+  const PointsFile file(text);
+  PathOptions o;
+  o.kind = PathKind::kPoints;
+  o.points_file = file.name;
+  const Table table = table_of(o);
+  CHECK(table.rows.size() == 126);
+  for (const sw::McafeeRow& row : table.rows) REQUIRE(row.c == Approx(127).margin(5));
+}
+
+TEST_CASE("a curvature above kappa_max saturates with a warning that names its row") {
+  const PointsFile file("0,0\n10,0\n10,10\n");
+  PathOptions o;
+  o.kind = PathKind::kPoints;
+  o.points_file = file.name;
+  const Table table = table_of(o);
+  REQUIRE(table.warnings.size() == 1);
+  CHECK(table.warnings[0] ==
+        "row 20: curvature 2.828 1/mm is above path.kappa_max_1_mm = 0.2; C = 255");
+  CHECK(table.rows[20].c == 255);
+}
+
+TEST_CASE("a path that turns back on itself bends without limit there, however its rows lie") {
+  const auto with = [](const std::string& text) {
+    const PointsFile file(text);
+    PathOptions o;
+    o.kind = PathKind::kPoints;
+    o.points_file = file.name;
+    return table_of(o);
+  };
+  const Table spike = with("0,0\n20,0\n20,10\n20,0\n40,0\n");
+  REQUIRE(spike.warnings.size() == 3);  // two corners, and the tip between them
+  CHECK(spike.warnings[1] == "row 60: the path turns back on itself; C = 255");
+  CHECK(spike.rows[60].c == 255);
+  CHECK(spike.rows[50].cc == 255);
+  CHECK(with("0,0\n10,0\n0,0\n").rows[20].c == 255);
+  CHECK(with("0,0\n7,7\n-7,-7\n").warnings.size() == 1);
+  // Within a row, which is shorter for it: the rows at both its ends see it.
+  const Table inside = with("0,0\n10.1,0\n-20,0\n");
+  CHECK(std::max(inside.rows[20].c, inside.rows[21].c) == 255);
+  CHECK_THROWS_WITH(with("0,0\n10.25,0\n0,0\n"),
+                    Catch::Contains("row 20: the path turns back in the middle of the row"));
+}
+
+TEST_CASE("the first row that leads to a limit switch has a warning, wherever the path lies") {
+  const auto warned = [](double x, double travel) {
+    const PointsFile file(std::to_string(x) + ",0\n" + std::to_string(x - 20) + ",0\n");
+    PathOptions o;
+    o.kind = PathKind::kPoints;
+    o.points_file = file.name;
+    return make_table(Path(o), o, kCountMm, {-travel, travel}).warnings;
+  };
+  CHECK(warned(0, 20.1).empty());
+  CHECK(warned(1000, 20.1).empty());
+  REQUIRE(warned(1000, 9.9).size() == 1);
+  CHECK(warned(1000, 9.9)[0] == "row 19: x = -9.998 mm from the start is at a limit switch or "
+                                "beyond, out of range -9.9..9.9 mm; the program ends there");
+}
+
+TEST_CASE("a row that cannot be is refused with its number and the range") {
+  PathOptions o = shape(PathKind::kSquare, 60, 5);
+  o.row_mm = 0.7;
+  CHECK_THROWS_WITH(table_of(o),
+                    Catch::Contains("row 0: increments 139, 0 are out of range -127..127"));
+  o.row_mm = 0.002;
+  CHECK_THROWS_WITH(table_of(o), Catch::Contains("row 0: both increments are 0 counts"));
+  CHECK_THROWS_WITH(Path(shape(PathKind::kSquare, 60, 31)),
+                    "path.radius_mm: value 31 is out of range 0..30 at path.side_mm = 60");
+}
+
+TEST_CASE("the table is written with a line a row") {
+  Table table;
+  table.rows = {{1, 2, 255, 4, 99, -5}};
+  CHECK(table_csv(table) == "c,cc,vx,vy,dx,dy\n1,2,255,4,99,-5\n");
+  CHECK(listing_text(table) == "01 02 FF 04 FB 63\n");
+}

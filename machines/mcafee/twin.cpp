@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "machines/mcafee/twin.hpp"
+
+namespace trammel::mcafee {
+
+std::unique_ptr<McafeeChip> make_twin_chip() { return std::make_unique<TwinChip>(); }
+
+}  // namespace trammel::mcafee

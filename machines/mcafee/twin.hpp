@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// mcafee_xy of its bit-exact twin behind the Chip interface.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+#include "cosim/hosted_twin.hpp"
+#include "parts/lm628/twin_words.hpp"
+#include "machines/mcafee/board.hpp"
+#include "machines/mcafee/chip.hpp"
+#include "models/exact/chips/mcafee_xy.hpp"
+
+namespace trammel::mcafee {
+
+class TwinChip : public cosim::HostedTwin<McafeeChip, Board, exact::McafeeXy> {
+ public:
+  TwinChip() : HostedTwin(exact::McafeeXy()) { reset(); }
+
+  const exact::Lm628& part(int axis) const { return twin_.part(static_cast<std::size_t>(axis)); }
+
+  lm628::Words words(int axis) const override { return lm628::words_of(part(axis)); }
+  bool host_irq(int axis) const override { return part(axis).out().hi; }
+  cosim::Lines drive() const override { return state_.codes; }
+
+  void request(const cosim::BusOp& op) override {
+    if (!state_.request(op)) twin_.request(op.addr, op.data, op.write);
+  }
+
+  void sense(cosim::Lines lines) override {
+    const auto bit = [lines](int n) { return (lines >> n & 1) != 0; };
+    in_.limits = 0;
+    for (int axis = 0; axis < kAxes; ++axis) {
+      const auto k = static_cast<std::size_t>(axis);
+      in_.a[k] = bit(encoder_a(axis));
+      in_.b[k] = bit(encoder_b(axis));
+      in_.index_n[k] = !bit(marker(axis));
+      in_.limits = static_cast<std::uint8_t>(in_.limits |
+                                             (bit(limit_low(axis)) ? 1u : 0u) << 2 * axis |
+                                             (bit(limit_high(axis)) ? 2u : 0u) << 2 * axis);
+    }
+  }
+
+ private:
+  bool bus_active() const override { return state_.platform_active || twin_.open(); }
+  bool host_pin() const override { return twin_.irq(); }
+  bool publishes() const override { return part(0).commits(); }
+
+  bool bus_edge(cosim::Clk edge) override {
+    if (state_.platform_active) {
+      state_.platform_edge(edge, host_pin());
+      return true;
+    }
+    if (twin_.open()) return false;
+    state_.rdata = twin_.read_data();
+    return true;
+  }
+
+  bool drive_changed() override { return state_.convert(twin_.dac(0), twin_.dac(1)); }
+};
+
+std::unique_ptr<McafeeChip> make_twin_chip();
+
+}  // namespace trammel::mcafee

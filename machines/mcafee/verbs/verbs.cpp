@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The verb `track`: the table of a path, as CSV to standard output or into a file.
+#include <fmt/format.h>
+
+#include "lab/files.hpp"
+#include "lab/scenarios.hpp"
+#include "machines/mcafee/machine.hpp"
+#include "testbench/run.hpp"
+
+namespace trammel::mcafee {
+namespace {
+
+nlohmann::ordered_json table_json(const Table& table) {
+  auto rows = nlohmann::ordered_json::array();
+  for (const sw::McafeeRow& row : table.rows) {
+    rows.push_back({{"c", row.c}, {"cc", row.cc}, {"vx", row.vx}, {"vy", row.vy},
+                    {"dx", row.dx}, {"dy", row.dy}});
+  }
+  return {{"row_mm", table.row_mm}, {"rows", rows}};
+}
+
+int track(const testbench::Arguments& arguments, std::atomic<bool>&) {
+  const bool listing = arguments.flags.count("--listing") > 0;
+  const std::string name = arguments.scenario.empty() ? "mcafee-stage3" : arguments.scenario;
+  const auto file = lab::find_scenario(name);
+  if (&lab::machine_of(file) != &machine()) {
+    throw lab::ConfigError(fmt::format("track: {} is a scenario of the machine {}, not of {}", name,
+                                       lab::machine_of(file).name, machine().name));
+  }
+  if (listing && arguments.json) throw lab::ConfigError("track: --listing: not with --json");
+  const auto settings = testbench::layered(file, arguments);
+  const Table table = table_of(static_cast<const Options&>(*settings));
+  for (const std::string& warning : table.warnings) testbench::tell("track: " + warning);
+  const std::string text = listing ? listing_text(table) : table_csv(table);
+  if (!arguments.out.empty()) lab::write_text(arguments.out, text);
+  if (arguments.json) {
+    fmt::print("{}\n", table_json(table).dump(2));
+  } else if (arguments.out.empty()) {
+    fmt::print("{}", text);
+  } else {
+    fmt::print("{}: {} rows of {:.5f} mm\n", arguments.out, table.rows.size(), table.row_mm);
+  }
+  return 0;
+}
+
+}  // namespace
+
+std::vector<testbench::Verb> verbs() {
+  testbench::Verb verb;
+  verb.name = "track";
+  verb.help = "the table of a path of the machine mcafee, as CSV";
+  verb.argument = "scenario";
+  verb.argument_help = "scenario with the path, default mcafee-stage3";
+  verb.out_help = "file of the table; default: standard output";
+  verb.flags = {
+      {"--listing", "rows as McAfee's listing has them in memory: bytes C CC Vx Vy dY dX"}};
+  verb.perform = track;
+  return {verb};
+}
+
+}  // namespace trammel::mcafee

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the steps of plant::DcMotor can follow.
+#pragma once
+
+#include "models/plant/dc_motor.hpp"
+
+namespace trammel::lm628 {
+
+// Throws lab::ConfigError, which names the keys of a motor that is too fast for them.
+void check_motor(const plant::DcMotorConfig& motor);
+
+}  // namespace trammel::lm628

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Example programs of National's application note AN-693 for the LM628. start() strobes RST; the
+// timer's interrupt, 1.5 ms later, finds the part ready and begins the chosen program, which goes
+// on at each interrupt of the part or the timer. Freestanding; it waits for interrupts and never
+// polls but for busy.
+#pragma once
+
+#include <cstdint>
+
+#include "sw_nios/hal/lm628.hpp"
+
+namespace trammel::sw {
+
+enum class An693Program : std::uint8_t {
+  kHold,         // the loop closes where the shaft is
+  kAbsolute,     // one move to a position
+  kRelative,     // one move by a distance, begun after it was loaded
+  kBreakpoints,  // velocity mode: two speeds and a stop, changed at breakpoints
+  kTuning        // steps there and back
+};
+
+using An693Filter = Lm628Filter;
+
+struct An693Setup {
+  An693Program program = An693Program::kHold;
+  An693Filter filter;
+  std::int32_t acceleration = 2;       // [2^-16 count/sample^2]
+  std::int32_t velocity = 0x346E;      // [2^-16 count/sample]; of breakpoints the first speed
+  std::int32_t position = 8000;        // [count] target, distance, or size of a step
+  std::int32_t breakpoint = 80000;     // [count] the first; the second is as far from it
+  std::uint32_t steps = 4;             // of tuning
+  std::uint32_t wait_clk = 5'000'000;  // before STT, between steps, and at the end
+};
+
+enum class An693Failure : std::uint32_t {
+  kNone,
+  kReset,         // the status after a reset is none that the data sheet names
+  kBusy,          // the busy bit did not clear
+  kCommandError,  // status bit 1
+  kPositionError  // status bit 5
+};
+
+class An693App final : public Firmware {
+ public:
+  static constexpr std::uint32_t kResetClk = 75'000;  // 1.5 ms at 50 MHz
+  static constexpr std::uint32_t kResets = 3;         // tried before it fails
+
+  explicit An693App(const An693Setup& setup) : setup_(setup) {}
+
+  void start(Bus& bus) override;
+  void isr(Bus& bus) override;
+  // Its failure is an An693Failure, a point an STT given, of a move or its change; desired and real
+  // position by RDDP and RDRP.
+  const Mailbox& mailbox() const override { return mail_; }
+
+ private:
+  enum class State : std::uint8_t { kReset, kLoaded, kMoving, kPause, kDone };
+
+  void load_trajectory(Lm628Port& port, std::uint32_t control) const;
+  void begin(Bus& bus, Lm628Port& port);
+  void go(Lm628Port& port);
+  void step(Lm628Port& port);
+  void on_timer(Bus& bus, Lm628Port& port);
+  void on_host(Bus& bus, Lm628Port& port);
+  void at_breakpoint(Lm628Port& port);
+  void wait(Bus& bus, State state);
+  void finish(Lm628Port& port);
+  void fail(Bus& bus, An693Failure failure);
+
+  Mailbox mail_;
+  An693Setup setup_;
+  State state_ = State::kReset;
+  std::uint32_t resets_ = 0;
+};
+
+// Trajectory module of AN-693: an absolute move with the acceleration that the part has already.
+void an693_move(Lm628Port& port, std::int32_t velocity, std::int32_t position);
+
+// Stop module of AN-693: motor off, abruptly, or smoothly.
+enum class An693Stop : std::uint32_t { kOff = 0x0100, kAbrupt = 0x0200, kSmooth = 0x0400 };
+void an693_stop(Lm628Port& port, An693Stop stop);
+
+}  // namespace trammel::sw

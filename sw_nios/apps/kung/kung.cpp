@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sw_nios/apps/kung/kung.hpp"
+
+#include "rtl/chips/generated/kung_xy_regs.hpp"
+
+namespace trammel::sw {
+namespace {
+
+namespace reg = kung_xy_regs;
+
+constexpr std::array<std::uint32_t, 2> kBases{reg::kX, reg::kY};
+constexpr std::uint32_t kStickyStatus =
+    reg::kStatusOverrun | reg::kStatusQepError | reg::kStatusSaturated | reg::kStatusLimited;
+constexpr std::uint32_t kAllIrqs = reg::kIrqStatTick | reg::kIrqStatFault;
+
+constexpr std::uint32_t word(std::int32_t value) { return static_cast<std::uint32_t>(value); }
+
+constexpr std::uint32_t gain_word(Gain gain) {
+  return (word(gain.mant) & reg::kKpMantMask) |
+         ((word(gain.exp) << reg::kKpExpShift) & reg::kKpExpMask);
+}
+
+constexpr std::uint32_t mode(const AxisSetup& axis) {
+  return reg::kCtrlCurrentLoop | reg::kCtrlPositionLoop | (axis.adapt ? reg::kCtrlAdapt : 0) |
+         (axis.interpolate ? reg::kCtrlInterpolate : 0) |
+         (axis.feedforward ? reg::kCtrlFeedforward : 0);
+}
+
+std::int32_t read_signed(Bus& bus, std::uint32_t address) {
+  return static_cast<std::int32_t>(bus.read(address));
+}
+
+bool wait_idle(Bus& bus, std::uint32_t base) {
+  for (std::uint32_t polls = 0; polls < KungApp::kPollLimit; ++polls) {
+    if ((bus.read(base + reg::kStatus) & reg::kStatusBusy) == 0) return true;
+  }
+  return false;
+}
+
+bool wait_both_idle(Bus& bus) { return wait_idle(bus, reg::kX) && wait_idle(bus, reg::kY); }
+
+void write_command(Bus& bus, Point point) {
+  bus.write(reg::kX + reg::kPosCmd, word(point.x));
+  bus.write(reg::kY + reg::kPosCmd, word(point.y));
+  bus.write(reg::kCommit, reg::kCommitTake);
+}
+
+void configure_axis(Bus& bus, std::uint32_t base, const AxisSetup& axis, std::int32_t start) {
+  bus.write(base + reg::kKp, gain_word(axis.kp));
+  bus.write(base + reg::kKi, gain_word(axis.ki));
+  bus.write(base + reg::kKv, gain_word(axis.kv));
+  bus.write(base + reg::kEta, gain_word(axis.eta));
+  bus.write(base + reg::kShift,
+            axis.shift_e << reg::kShiftEShift | axis.shift_de << reg::kShiftDeShift);
+  bus.write(base + reg::kA0, axis.a0);
+  bus.write(base + reg::kB2, axis.b2);
+  bus.write(base + reg::kKpCur, gain_word(axis.kp_cur));
+  bus.write(base + reg::kKiCur, gain_word(axis.ki_cur));
+  bus.write(base + reg::kThetaOfs, axis.theta_ofs);
+  bus.write(base + reg::kDeadtime, axis.dead_time << reg::kDeadtimeClkShift |
+                                       axis.qep_filter << reg::kDeadtimeQepFilterShift);
+  bus.write(base + reg::kStrokeMin, word(axis.stroke_min));
+  bus.write(base + reg::kStrokeMax, word(axis.stroke_max));
+  bus.write(base + reg::kIqManual, 0);
+  bus.write(base + reg::kPosPreset, word(start));
+}
+
+}  // namespace
+
+KungApp::KungApp(const KungSetup& setup)
+    : setup_(setup),
+      trajectory_(setup),
+      start_(trajectory_.start()),
+      command_(start_),
+      size_(trajectory_.size()) {}
+
+bool KungApp::within_stroke(Point point) const {
+  const AxisSetup& x = setup_.axis[0];
+  const AxisSetup& y = setup_.axis[1];
+  return point.x >= x.stroke_min && point.x <= x.stroke_max && point.y >= y.stroke_min &&
+         point.y <= y.stroke_max;
+}
+
+bool KungApp::path_within_stroke() const {
+  PathSetup once = setup_;  // every pass has the same bounds
+  once.repeats = 1;
+  Trajectory rehearsal(once);
+  bool within = within_stroke(start_);
+  for (std::uint32_t i = rehearsal.size(); within && i > 0; --i)
+    within = within_stroke(rehearsal.next());
+  return within;
+}
+
+void KungApp::start(Bus& bus) {
+  bus.write(reg::kIrqEn, 0);
+  for (const std::uint32_t base : kBases) bus.write(base + reg::kCtrl, reg::kCtrlResetModel);
+  if (bus.read(reg::kId) != reg::kIdValue) return fail(bus, Failure::kWrongChip);
+  if (!path_within_stroke()) return fail(bus, Failure::kOutOfStroke);
+
+  bus.write(reg::kLock, reg::kKeyUnlock);
+  bus.write(reg::kIrqPeriod, setup_.irq_period);
+  bus.write(reg::kWatchdog, setup_.watchdog_ticks);
+  bus.write(reg::kCurrentLimit, setup_.current_limit);
+  bus.write(reg::kDeadtimeMin, setup_.dead_time_min);
+  for (const std::uint32_t base : kBases) bus.write(base + reg::kStrokeEn, 0);
+  configure_axis(bus, reg::kX, setup_.axis[0], start_.x);
+  configure_axis(bus, reg::kY, setup_.axis[1], start_.y);
+
+  if (!wait_both_idle(bus)) return fail(bus, Failure::kBusy);
+  for (const std::uint32_t base : kBases) {
+    bus.write(base + reg::kCtrl, reg::kCtrlResetModel | reg::kCtrlResetTable);
+  }
+  if (!wait_both_idle(bus)) return fail(bus, Failure::kBusy);
+
+  write_command(bus, start_);
+  state_ = State::kArming;
+  bus.write(reg::kIrqStat, kAllIrqs);
+  bus.write(reg::kIrqEn, reg::kIrqEnTick);
+}
+
+void KungApp::isr(Bus& bus) {
+  const std::uint32_t cause = bus.read(reg::kIrqStat);
+  bus.write(reg::kIrqStat, cause);
+  if (state_ == State::kRunning && (cause & reg::kIrqStatFault) != 0) {
+    fault_ = bus.read(reg::kFault);
+    return fail(bus, Failure::kFault);
+  }
+  if ((cause & reg::kIrqStatTick) == 0) return;
+  if (state_ == State::kArming) {
+    arm(bus);
+  } else if (state_ == State::kRunning) {
+    serve(bus);
+  }
+}
+
+// The chip has latched the preset counts and taken the start point: now the model starts at rest.
+void KungApp::arm(Bus& bus) {
+  last_tick_ = bus.read(reg::kTick);
+  if (read_signed(bus, reg::kX + reg::kPos) != start_.x ||
+      read_signed(bus, reg::kY + reg::kPos) != start_.y) {
+    return fail(bus, Failure::kPreset);
+  }
+  for (const std::uint32_t base : kBases) bus.write(base + reg::kStatus, kStickyStatus);
+  bus.write(reg::kFaultClear, reg::kKeyFaultClear);
+  bus.write(reg::kIrqStat, reg::kIrqStatFault);
+  fault_ = bus.read(reg::kFault);
+  if ((fault_ & reg::kFaultCodeMask) != reg::kFaultCodeNone) return fail(bus, Failure::kFault);
+
+  bus.write(reg::kX + reg::kStrokeEn, setup_.axis[0].stroke_check ? reg::kStrokeEnEnable : 0);
+  bus.write(reg::kY + reg::kStrokeEn, setup_.axis[1].stroke_check ? reg::kStrokeEnEnable : 0);
+  bus.write(reg::kLock, reg::kKeyLock);
+  if (!wait_both_idle(bus)) return fail(bus, Failure::kBusy);
+  bus.write(reg::kX + reg::kCtrl, mode(setup_.axis[0]) | reg::kCtrlEnable);
+  bus.write(reg::kY + reg::kCtrl, mode(setup_.axis[1]) | reg::kCtrlEnable);
+  state_ = State::kRunning;
+  bus.write(reg::kIrqEn, reg::kIrqEnTick | reg::kIrqEnFault);
+}
+
+void KungApp::serve(Bus& bus) {
+  LogRecord record;
+  record.tick = bus.read(reg::kTick);
+  const std::uint32_t period = setup_.irq_period == 0 ? 1 : setup_.irq_period;
+  if (record.tick != last_tick_ + period) return fail(bus, Failure::kLate);
+  last_tick_ = record.tick;
+  read_response(bus, record);
+
+  const bool more = mail_.point < size_;
+  if (more) command_ = trajectory_.next();
+  write_command(bus, command_);
+  if (more && mail_.point == 0) {
+    if (bus.read(reg::kTick) != record.tick) return fail(bus, Failure::kLate);
+    mail_.first_tick = record.tick + 1;
+  }
+  if (more) ++mail_.point;
+  if (mail_.point == size_) mail_.done = 1;
+
+  record.x_cmd = command_.x;
+  record.y_cmd = command_.y;
+  log_[logged_ % kLogSize] = record;
+  ++logged_;
+}
+
+void KungApp::read_response(Bus& bus, LogRecord& record) const {
+  record.x_status = bus.read(reg::kX + reg::kStatus);
+  record.y_status = bus.read(reg::kY + reg::kStatus);
+  record.x_pos = read_signed(bus, reg::kX + reg::kPos);
+  record.y_pos = read_signed(bus, reg::kY + reg::kPos);
+  record.x_model = read_signed(bus, reg::kX + reg::kPosModel);
+  record.y_model = read_signed(bus, reg::kY + reg::kPosModel);
+  record.x_iq = read_signed(bus, reg::kX + reg::kIqCmd);
+  record.y_iq = read_signed(bus, reg::kY + reg::kIqCmd);
+}
+
+void KungApp::fail(Bus& bus, Failure failure) {
+  mail_.failure = static_cast<std::uint32_t>(failure);
+  mail_.done = 1;
+  state_ = State::kOff;
+  for (const std::uint32_t base : kBases) bus.write(base + reg::kCtrl, 0);
+  bus.write(reg::kIrqEn, 0);
+}
+
+}  // namespace trammel::sw

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Trajectory program of the two-axis table (specification section 10). start() sets the registers
+// with both axes off; the first interrupt, when the chip has latched the preset positions, enables
+// the axes; every later one reads the response, writes the next point and logs. After the last
+// point the table is held there: COMMITs go on, so the watchdog stays fed. Freestanding; never
+// waits longer than a bounded poll of a busy bit.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "sw_nios/hal/bus.hpp"
+#include "sw_nios/path/trajectory.hpp"
+
+namespace trammel::sw {
+
+// value = mant / 2048 * 2^exp; mant 0..2047, exp -16..15.
+struct Gain {
+  std::int32_t mant = 0;
+  std::int32_t exp = 0;
+};
+
+// Register words of one axis; defaults of the specification, without adaptation.
+struct AxisSetup {
+  Gain kp{768, 0};
+  Gain ki{839, -7};
+  Gain kv{1884, 1};
+  Gain eta{1140, -8};
+  Gain kp_cur{1275, 2};
+  Gain ki_cur{1478, -2};
+  std::uint32_t shift_e = 0;
+  std::uint32_t shift_de = 2;
+  std::uint32_t a0 = 238008;      // [2^-32]
+  std::uint32_t b2 = 8140683;     // [2^-23]
+  std::uint32_t theta_ofs = 0;    // electrical angle at count 0 [2^-32 turn]
+  std::uint32_t dead_time = 100;  // [clk]
+  std::uint32_t qep_filter = 3;   // equal samples, 1..15
+  std::int32_t stroke_min = 0;    // [count] no point outside is ever commanded
+  std::int32_t stroke_max = 120000;
+  bool stroke_check = false;  // the chip trips when the position leaves the stroke
+  bool adapt = false;
+  bool interpolate = false;
+  bool feedforward = false;
+};
+
+struct KungSetup : PathSetup {
+  std::array<AxisSetup, 2> axis;
+  std::uint32_t irq_period = 4;        // 2 kHz ticks per point; 1 for the square wave
+  std::uint32_t watchdog_ticks = 100;  // 0 = off
+  std::uint32_t current_limit = 1280;  // 6 A [9.6 A / 2048], 0 = off
+  std::uint32_t dead_time_min = 25;    // [clk]
+};
+
+// Response read at one interrupt, and the point written by it (in force from the next tick on).
+struct LogRecord {
+  std::uint32_t tick = 0;
+  std::int32_t x_cmd = 0, y_cmd = 0;      // [count]
+  std::int32_t x_pos = 0, y_pos = 0;      // [count]
+  std::int32_t x_model = 0, y_model = 0;  // [count]
+  std::int32_t x_iq = 0, y_iq = 0;        // i_q* [4.8 A / 2048]
+  std::uint32_t x_status = 0, y_status = 0;
+};
+
+enum class Failure : std::uint32_t {
+  kNone,
+  kWrongChip,    // ID is not that of the register map
+  kOutOfStroke,  // the path holds a point outside a stroke; nothing was enabled
+  kBusy,         // a busy bit did not clear
+  kPreset,       // the position did not become the start point
+  kLate,         // an interrupt was lost or its service crossed a tick
+  kFault         // the chip latched a fault: fault()
+};
+
+class KungApp final : public Firmware {
+ public:
+  static constexpr std::uint32_t kLogSize = 256;
+  static constexpr std::uint32_t kPollLimit = 4096;  // the table reset takes about 100 clk
+
+  explicit KungApp(const KungSetup& setup);
+
+  void start(Bus& bus) override;
+  void isr(Bus& bus) override;
+  // Its failure is a Failure, a point one of the path that was written.
+  const Mailbox& mailbox() const override { return mail_; }
+
+  std::uint32_t fault() const { return fault_; }  // FAULT register at kFault: code, axis, tick
+  std::uint32_t points() const { return size_; }  // the whole path
+
+  std::uint32_t log_size() const { return logged_ < kLogSize ? logged_ : kLogSize; }
+  // The n-th of the records kept, oldest first; n < log_size().
+  const LogRecord& log(std::uint32_t n) const {
+    return log_[(logged_ - log_size() + n) % kLogSize];
+  }
+
+ private:
+  enum class State : std::uint8_t { kOff, kArming, kRunning };
+
+  bool within_stroke(Point point) const;
+  bool path_within_stroke() const;
+  void arm(Bus& bus);
+  void serve(Bus& bus);
+  void read_response(Bus& bus, LogRecord& record) const;
+  void fail(Bus& bus, Failure failure);
+
+  Mailbox mail_;
+  KungSetup setup_;
+  Trajectory trajectory_;
+  Point start_;
+  Point command_;
+  std::uint32_t size_;
+  std::uint32_t last_tick_ = 0;
+  std::uint32_t fault_ = 0;
+  State state_ = State::kOff;
+  std::uint32_t logged_ = 0;
+  std::array<LogRecord, kLogSize> log_{};
+};
+
+}  // namespace trammel::sw

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "systemc/wire.hpp"
+
+#include "systemc/chip_module.hpp"
+#include "systemc/soft_processor.hpp"
+
+namespace trammel::systemc {
+namespace {
+
+// SystemC elaborates once per simulation context; a fresh one lets a process run many machines.
+class Context {
+ public:
+  Context() {
+    sc_core::sc_curr_simcontext = sc_core::sc_default_global_context = context_.get();
+    sc_core::sc_report_handler::set_actions(sc_core::SC_INFO, sc_core::SC_DO_NOTHING);
+    sc_core::sc_set_stop_mode(sc_core::SC_STOP_IMMEDIATE);
+  }
+  ~Context() {
+    context_.reset();
+    sc_core::sc_curr_simcontext = sc_core::sc_default_global_context = nullptr;
+  }
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+
+ private:
+  std::unique_ptr<sc_core::sc_simcontext> context_ = std::make_unique<sc_core::sc_simcontext>();
+};
+
+void run_in_systemc(cosim::Session& session) {
+  Context context;
+  ChipModule chip("chip", session.loop(), session.period_ps(), session.end(),
+                  [&session] { return session.finished(); });
+  SoftProcessor processor("processor", chip, session.firmware(), session.timing(),
+                          session.period_ps());
+  sc_core::sc_start();
+  chip.rethrow();
+}
+
+// Progress of one of two runs: that of the search, or of the one that is dumped.
+cosim::Hooks half(const cosim::Hooks& hooks, double from) {
+  cosim::Hooks own = hooks;
+  if (hooks.progress) {
+    own.progress = [&hooks, from](double fraction) { hooks.progress(from + fraction / 2); };
+  }
+  return own;
+}
+
+}  // namespace
+
+void run(cosim::Session& session, const cosim::RunBasics& basics) {
+  if (basics.platform == cosim::Platform::kSystemC && basics.engine == cosim::Engine::kRtl) {
+    run_in_systemc(session);
+  } else {
+    cosim::run_direct(session.loop(), session.firmware(), session.timing(), session.end(),
+                      [&session] { return session.finished(); });
+  }
+}
+
+std::unique_ptr<cosim::RunResult> simulate(const cosim::RunBasics& basics,
+                                           const cosim::TriggerForms& forms,
+                                           const cosim::MakeSession& make,
+                                           const cosim::Hooks& hooks) {
+  cosim::Waves waves;
+  cosim::Hooks own = hooks;
+  std::optional<cosim::Clk> trigger;
+  const auto event = cosim::wave_event(basics, forms);
+  if (event && event->known()) {
+    trigger = event->edge;
+  } else if (event) {
+    cosim::TriggerSearch search(*event);
+    const auto session = make(half(hooks, 0), {&search, {}});
+    run(*session, basics);
+    trigger = search.found();
+    // Without the event there is nothing to dump, and this was the run.
+    if (!trigger && (cosim::trigger_asked(basics) || session->stopped())) return session->result();
+    own = half(hooks, 0.5);
+  }
+  if (basics.wave != cosim::WaveFormat::kNone) {
+    waves.window = cosim::wave_window(basics, trigger.value_or(cosim::wave_origin(basics)));
+  }
+  const auto session = make(own, waves);
+  run(*session, basics);
+  auto result = session->result();
+  result->wave_trigger = trigger;
+  return result;
+}
+
+}  // namespace trammel::systemc

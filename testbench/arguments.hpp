@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a command line asks for, and the verbs that machines add to it.
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "lab/settings.hpp"
+#include "lab/waves.hpp"
+
+namespace trammel::testbench {
+
+struct Arguments {
+  std::string scenario;                  // or what else a verb takes
+  std::vector<std::string> files;        // -c
+  std::vector<std::string> assignments;  // -s
+  bool plain = false;                    // --no-leap, as its key
+  bool audit = false;                    // --audit, as its key
+  bool assertions = false;               // --assert, as its key
+  std::string engine;                    // --engine, as its key
+  std::string platform;                  // --platform, as its key
+  lab::WaveArguments waves;              // --wave, --wave-*
+  std::string out;
+  bool all = false;
+  bool json = false;
+  bool report = true;                    // report.html in the folder
+  bool check = false;                    // exit 1 when a figure is outside its tolerance
+  std::set<std::string> flags;           // those of a machine's verb
+};
+
+// -c, the environment, -s and the flags that are keys: what lies above a scenario.
+void apply_layers(lab::Settings& settings, const Arguments& arguments);
+
+// A scenario with all that lies above it, checked. Throws ConfigError.
+std::unique_ptr<lab::Settings> layered(const std::filesystem::path& file,
+                                       const Arguments& arguments);
+
+// A verb that one machine has: machines/<name>/verbs/verbs.cpp defines a list of them.
+struct Verb {
+  struct Flag {
+    std::string name;  // "--listing"
+    std::string help;
+  };
+  std::string name, help;
+  std::string argument, argument_help;  // what stands behind it: "script"
+  std::string out_help;                 // of -o
+  bool simulates = false;               // takes --audit, --assert, --wave...
+  std::string trigger_help;             // of --wave-trigger, then
+  std::vector<Flag> flags;
+  bool (*is_conversation)(const Arguments&) = nullptr;  // a person types: Ctrl-C ends a wait only
+  int (*perform)(const Arguments&, std::atomic<bool>& stop) = nullptr;  // the exit code
+};
+
+const std::vector<Verb>& machine_verbs();
+
+}  // namespace trammel::testbench
