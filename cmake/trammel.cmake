@@ -14,7 +14,7 @@ list(FILTER TRAMMEL_RTL_PROPERTIES EXCLUDE REGEX "/boards/")
 # A library of all .cpp files of a folder tree (header-only: an INTERFACE library).
 function(trammel_library name folder)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${folder}/*.cpp)
-  list(FILTER sources EXCLUDE REGEX "/verilated/|/rv32im/")  # see cosim/, scripts/firmware.py
+  list(FILTER sources EXCLUDE REGEX "/verilated/|/rv32im/")  # see cosim/, scripts/tool firmware
   if(sources)
     add_library(${name} STATIC ${sources})
     target_link_libraries(${name} PUBLIC trammel_options ${ARGN})
@@ -32,13 +32,29 @@ function(trammel_unity_if_checked name)
   endif()
 endfunction()
 
-# An executable of Catch2 cases; every case becomes a test named <prefix>.<case>.
+# An executable of Catch2 cases from one file or a list of them, a test of that prefix.
 function(trammel_test name source prefix)
-  add_executable(${name} ${source})
-  target_link_libraries(${name} PRIVATE trammel_options trammel_catch_main ${ARGN})
+  trammel_test_program(${name} "${source}" ${ARGN})
   add_dependencies(trammel_checked ${name})
   add_test(NAME ${prefix} COMMAND ${name})
   set_tests_properties(${prefix} PROPERTIES TIMEOUT 300)
+endfunction()
+
+function(trammel_test_program name source)
+  add_executable(${name} ${source})
+  target_link_libraries(${name} PRIVATE trammel_options trammel_catch_main ${ARGN})
+endfunction()
+
+# A test is of the first tier, `trammel test`, unless it is named here: then it is of the rest,
+# `trammel test --full-only` (docs/verification.md).
+function(trammel_full_tier)
+  set_property(TEST ${ARGN} PROPERTY LABELS full)
+endfunction()
+
+# Programs that only tests of the full tier need; the target trammel_full builds them.
+function(trammel_full_programs)
+  set_target_properties(${ARGN} PROPERTIES EXCLUDE_FROM_ALL ON)
+  add_dependencies(trammel_full ${ARGN})
 endfunction()
 
 # A library of verilated models. Their headers are not ours: no warnings from them. With
@@ -46,34 +62,63 @@ endfunction()
 function(trammel_verilated_library name)
   if(TRAMMEL_BASE)
     trammel_imported_library(${name})
-    target_include_directories(${name} INTERFACE ${VERILATOR_ROOT}/include
-      ${VERILATOR_ROOT}/include/vltstd)
-    target_link_libraries(${name} INTERFACE z Threads::Threads)
   else()
-    add_library(${name} STATIC ${ARGN})
+    add_library(${name} STATIC)
+    target_include_directories(${name} PRIVATE ${VERILATOR_ROOT}/include
+      ${VERILATOR_ROOT}/include/vltstd)
   endif()
+  target_include_directories(${name} INTERFACE ${VERILATOR_ROOT}/include
+    ${VERILATOR_ROOT}/include/vltstd)
+  target_link_libraries(${name} INTERFACE z Threads::Threads)
   set_property(TARGET ${name} PROPERTY INTERFACE_SYSTEM_INCLUDE_DIRECTORIES
     $<TARGET_PROPERTY:${name},INTERFACE_INCLUDE_DIRECTORIES>)
 endfunction()
 
-# verilate(library ...) with the model as one unit of that name, compiled with these options: its
-# many small ones take twice as long to compile.
+# Verilator's runtime, and those parts of it: cov, dpi, fst_c.
+function(trammel_verilator_runtime library)
+  if(NOT TRAMMEL_BASE)
+    set(parts ${ARGN})
+    list(TRANSFORM parts REPLACE "(.+)" "${VERILATOR_ROOT}/include/verilated_\\1.cpp")
+    target_sources(${library} PRIVATE ${VERILATOR_ROOT}/include/verilated.cpp
+      ${VERILATOR_ROOT}/include/verilated_threads.cpp ${parts})
+  endif()
+endfunction()
+
+# A model as one unit of a library, <name>.cpp in build/verilated/<name>, compiled with these
+# options: its many small ones take twice as long to compile. It is verilated when it is built, so
+# that a block can be built alone.
 function(trammel_verilate library name options)
-  get_target_property(before ${library} SOURCES)
-  verilate(${library} ${ARGN})
+  cmake_parse_arguments(MODEL "COVERAGE;TRACE_FST" "TOP_MODULE;PREFIX" "SOURCES;VERILATOR_ARGS"
+    ${ARGN})
+  set(folder verilated/${name})
   if(TRAMMEL_BASE)
+    target_include_directories(${library} INTERFACE ${TRAMMEL_BASE}/${folder})
     return()
   endif()
-  get_target_property(files ${library} SOURCES)
-  list(REMOVE_ITEM files ${before})
-  list(FILTER files INCLUDE REGEX "/verilated/.*\\.cpp$")
-  list(TRANSFORM files REPLACE "(.+)" "#include \"\\1\"\n" OUTPUT_VARIABLE includes)
-  string(CONCAT text ${includes})
-  set(unit ${PROJECT_BINARY_DIR}/verilated/${library}/${name}.cpp)
-  file(CONFIGURE OUTPUT ${unit} CONTENT "${text}" @ONLY)
-  set_source_files_properties(${files} PROPERTIES HEADER_FILE_ONLY ON)
+  set(folder ${PROJECT_BINARY_DIR}/${folder})
+  set(unit ${folder}/${name}.cpp)
+  set(command ${VERILATOR_BIN} --cc --top ${MODEL_TOP_MODULE})
+  if(MODEL_COVERAGE)
+    list(APPEND command --coverage)
+    target_compile_definitions(${library} PRIVATE VM_COVERAGE=1)
+  endif()
+  if(MODEL_TRACE_FST)
+    list(APPEND command --trace-fst)
+    target_compile_definitions(${library} PRIVATE VM_TRACE=1 VM_TRACE_FST=1)
+    set(keep ${MODEL_PREFIX}__Trace__0.cpp)  # scripts/tool gen-wave-timers reads it
+  endif()
+  list(APPEND command ${MODEL_VERILATOR_ARGS} ${MODEL_SOURCES})
+  string(REPLACE "${PROJECT_SOURCE_DIR}/" "" command "${command}")
+  set(kept ${MODEL_PREFIX}.h ${MODEL_PREFIX}___024root.h ${MODEL_PREFIX}__Syms.h ${keep})
+  list(TRANSFORM kept PREPEND ${folder}/)
+  add_custom_command(OUTPUT ${unit} BYPRODUCTS ${kept}
+    COMMAND ${CMAKE_COMMAND} -DUNIT=${unit} -DPREFIX=${MODEL_PREFIX} -DKEEP=${keep}
+      -DSOURCE=${PROJECT_SOURCE_DIR} -P ${PROJECT_SOURCE_DIR}/cmake/verilate.cmake -- ${command}
+    DEPENDS ${MODEL_SOURCES} ${PROJECT_SOURCE_DIR}/cmake/verilate.cmake
+    DEPFILE ${unit}.d COMMENT "Verilating ${name}" VERBATIM)
   set_source_files_properties(${unit} PROPERTIES COMPILE_OPTIONS "${options}")
   target_sources(${library} PRIVATE ${unit})
+  target_include_directories(${library} PUBLIC ${folder})
 endfunction()
 
 # The library of this name and folder in the build TRAMMEL_BASE.
@@ -84,19 +129,11 @@ function(trammel_imported_library name)
     IMPORTED_LOCATION ${TRAMMEL_BASE}/${folder}/lib${name}.a)
 endfunction()
 
-if(TRAMMEL_BASE)
-  find_package(Threads REQUIRED)
-  function(verilate target)
-    cmake_parse_arguments(MODEL "" "DIRECTORY" "" ${ARGN})
-    string(REPLACE ${PROJECT_BINARY_DIR} ${TRAMMEL_BASE} folder ${MODEL_DIRECTORY})
-    target_include_directories(${target} INTERFACE ${folder})
-  endfunction()
-endif()
-
-# The model of a block for its unit test: assertions live, coverage counted. A chip or board carries
-# the properties of all blocks; what its blocks have of coverage they get in their own tests. A line
-# `// verilate: ARGS` in the test sets parameters of the module.
-function(trammel_unit_model source test)
+# The model of a block for its unit test, a library of that name: assertions live, coverage counted
+# when it is asked for. With -Og it compiles in half of the time of -O1 and runs a sixth slower. A
+# chip or board carries the properties of all blocks; what its blocks have of coverage they get in
+# their own tests. A line `// verilate: ARGS` in the test sets parameters of the module.
+function(trammel_unit_model library source test)
   cmake_path(GET source STEM block)
   cmake_path(GET source PARENT_PATH folder)
   cmake_path(GET folder FILENAME layer)
@@ -109,56 +146,75 @@ function(trammel_unit_model source test)
   file(STRINGS ${test} parameters REGEX "^// verilate: ")
   string(REPLACE "// verilate: " "" parameters "${parameters}")
   separate_arguments(parameters)
-  trammel_verilate(trammel_rtl ${block} "" COVERAGE TOP_MODULE ${block} PREFIX V${block}
+  trammel_verilated_library(${library})
+  target_link_libraries(${library} INTERFACE trammel_rtl_runtime)
+  trammel_verilate(${library} ${library} -Og ${ARGN} TOP_MODULE ${block} PREFIX V${block}
     SOURCES ${first} ${TRAMMEL_RTL_PACKAGES} ${PROJECT_SOURCE_DIR}/${source} ${properties}
-    DIRECTORY ${PROJECT_BINARY_DIR}/verilated
     VERILATOR_ARGS -Wno-fatal --assert -fno-split ${parameters} ${TRAMMEL_RTL_SEARCH})
 endfunction()
 
-# rtl/<layer>/<block>.sv with tests/<layer>/<block>_test.cpp: lint test, verilated model, unit test;
-# a long test has parts, <block>_<part>_test.cpp.
-# The unit tests leave their counts of coverage for the test coverage.rtl; those of a build with
-# TRAMMEL_BASE do not, as when they are run by hand.
+# The unit test <block>_test of a block or board with its model; a long test has parts,
+# <block>_<part>_test.cpp.
+function(trammel_unit_test block source test prefix)
+  cmake_path(GET test PARENT_PATH folder)
+  file(GLOB parts CONFIGURE_DEPENDS ${folder}/${block}_*_test.cpp)
+  trammel_unit_model(rtl_${block} ${source} ${test})
+  trammel_test(${block}_test "${test};${parts}" unit.${prefix} rtl_${block} trammel_models)
+endfunction()
+
+# The unit test once more, with a model that counts coverage. That takes five times as long to
+# compile, so it is of the full tier. Its counts are for the test coverage.rtl.
+function(trammel_coverage_test block source test prefix)
+  cmake_path(GET test PARENT_PATH folder)
+  file(GLOB parts CONFIGURE_DEPENDS ${folder}/${block}_*_test.cpp)
+  set(name ${block}_coverage)
+  trammel_unit_model(rtl_${name} ${source} ${test} COVERAGE)
+  trammel_test_program(${name} "${test};${parts}" rtl_${name} trammel_models)
+  target_compile_definitions(${name} PRIVATE TRAMMEL_COVERAGE)
+  trammel_full_programs(rtl_${name} ${name})
+  add_test(NAME coverage.${prefix} COMMAND ${name})
+  set_tests_properties(coverage.${prefix} PROPERTIES TIMEOUT 600 FIXTURES_SETUP rtl_coverage
+    ENVIRONMENT TRAMMEL_COVERAGE=${PROJECT_BINARY_DIR}/coverage/rtl/${prefix}.dat)
+  trammel_full_tier(coverage.${prefix})
+endfunction()
+
+# rtl/<layer>/<block>.sv with tests/<layer>/<block>_test.cpp: lint test, proofs, unit test.
 function(trammel_add_blocks)
   file(GLOB rtl CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/rtl/*/*.sv)
   list(FILTER rtl EXCLUDE REGEX "_(pkg|props)\\.sv$|^rtl/boards/")
   set(off ${TRAMMEL_RTL_DIRS})
   list(FILTER off EXCLUDE REGEX "/chips$")
-  list(TRANSFORM off REPLACE "^.*/rtl/(.*)$" "coverage_off -file \"*/rtl/\\1/*\"\n")
+  list(TRANSFORM off REPLACE "^.*/rtl/(.*)$" "coverage_off -file \"*rtl/\\1/*\"\n")
   string(CONCAT off "`verilator_config\n" ${off} "coverage_off -file \"*/generated/*\"\n")
   file(CONFIGURE OUTPUT ${PROJECT_BINARY_DIR}/chips_only.vlt CONTENT "${off}" @ONLY)
   file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/coverage/rtl)
-  if(TRAMMEL_ONLY)
-    list(FILTER rtl INCLUDE REGEX "/(${TRAMMEL_ONLY})\\.sv$")
-  endif()
   foreach(source IN LISTS rtl)
     cmake_path(GET source STEM block)
     cmake_path(GET source PARENT_PATH folder)
     cmake_path(GET folder FILENAME layer)
-    add_test(NAME lint.${layer}.${block}
-      COMMAND ${PROJECT_SOURCE_DIR}/scripts/lint.py ${layer}/${block})
-    set_tests_properties(lint.${layer}.${block} PROPERTIES SKIP_RETURN_CODE 77)
+    set(prefix ${layer}.${block})
+    add_test(NAME lint.${prefix}
+      COMMAND ${PROJECT_SOURCE_DIR}/scripts/tool lint ${layer}/${block})
+    set_tests_properties(lint.${prefix} PROPERTIES SKIP_RETURN_CODE 77)
     if(EXISTS ${PROJECT_SOURCE_DIR}/rtl/${layer}/${block}_props.sv)
-      add_test(NAME formal.${layer}.${block}
-        COMMAND ${PROJECT_SOURCE_DIR}/scripts/prove.py ${layer}/${block})
-      set_tests_properties(formal.${layer}.${block} PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600)
+      add_test(NAME formal.${prefix}
+        COMMAND ${PROJECT_SOURCE_DIR}/scripts/tool prove ${layer}/${block})
+      set_tests_properties(formal.${prefix} PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600)
+      trammel_full_tier(formal.${prefix})
     endif()
     if(EXISTS ${PROJECT_SOURCE_DIR}/rtl/${layer}/${block}_leap.toml)
-      set(leap ${PROJECT_SOURCE_DIR}/scripts/prove.py --leap)
+      set(leap ${PROJECT_SOURCE_DIR}/scripts/tool prove --leap)
       add_test(NAME formal.leap.${block} COMMAND ${leap} ${layer}/${block})
       add_test(NAME formal.leap.broken.${block} COMMAND ${leap} --broken ${layer}/${block})
       set_tests_properties(formal.leap.${block} formal.leap.broken.${block} PROPERTIES
-        SKIP_RETURN_CODE 77 TIMEOUT 1200)
+        SKIP_RETURN_CODE 77 TIMEOUT 1200 COST 500)
+      trammel_full_tier(formal.leap.${block} formal.leap.broken.${block})
     endif()
     set(test ${PROJECT_SOURCE_DIR}/tests/${layer}/${block}_test.cpp)
     if(EXISTS ${test})
-      trammel_unit_model(${source} ${test})
-      trammel_test(${block}_test ${test} unit.${layer}.${block} trammel_rtl trammel_models)
-      file(GLOB parts CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/tests/${layer}/${block}_*_test.cpp)
-      target_sources(${block}_test PRIVATE ${parts})
+      trammel_unit_test(${block} ${source} ${test} ${prefix})
       if(NOT TRAMMEL_BASE)
-        set_tests_properties(unit.${layer}.${block} PROPERTIES FIXTURES_SETUP rtl_coverage
-          ENVIRONMENT TRAMMEL_COVERAGE=${PROJECT_BINARY_DIR}/coverage/rtl/${layer}.${block}.dat)
+        trammel_coverage_test(${block} ${source} ${test} ${prefix})
       endif()
     endif()
   endforeach()
@@ -171,7 +227,23 @@ function(trammel_add_boards)
     cmake_path(GET test STEM name)
     string(REGEX REPLACE "_test$" "" top ${name})
     file(GLOB source RELATIVE ${PROJECT_SOURCE_DIR} ${PROJECT_SOURCE_DIR}/rtl/boards/*/${top}.sv)
-    trammel_unit_model(${source} ${test})
-    trammel_test(${name} ${test} unit.boards.${top} trammel_rtl trammel_models)
+    trammel_unit_test(${top} ${source} ${test} boards.${top})
   endforeach()
+endfunction()
+
+# A unit that gathers what a function of each of these machines gives; its path in `out`.
+#   trammel_machine_table(out machine "const lab::Machine&" NAMES...)
+function(trammel_machine_table out function result)
+  set(declared)
+  set(called)
+  foreach(machine IN LISTS ARGN)
+    string(APPEND declared "namespace ${machine} { ${result} ${function}(); }\n")
+    string(APPEND called "    add(${machine}::${function}());\n")
+  endforeach()
+  string(TOLOWER "${function}" stem)
+  set(unit ${CMAKE_CURRENT_BINARY_DIR}/${stem}_table.cpp)
+  set(TABLE_DECLARED "${declared}")
+  set(TABLE_CALLED "${called}")
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/${stem}_table.cpp.in ${unit} @ONLY)
+  set(${out} ${unit} PARENT_SCOPE)
 endfunction()

@@ -1,0 +1,90 @@
+# The verilated chips of machines and parts: a folder with verilated/ has a chip.cmake that names
+# its chip by trammel_chip(), which alone makes the models and what goes with them.
+
+# Of rtl/chips/<chip>.sv, in the library trammel_chip_models: V<chip>_fast, for speed; V<chip>_fst,
+# with an FST writer (5.006 builds one format a model), which is evaluated in the windows of waves
+# alone; and V<chip>_checked, with the properties of all blocks, for `run --assert`, since they
+# would double the cost of an evaluation. These two are optimised less: they compile in a third of
+# the time. Integers only, so this code alone may use the machine's own
+# instructions. And the headers <chip>_registers.hpp, the registers and inputs of the models for
+# `run --audit` and waves, and <chip>_traced.hpp, what moves in every clock of the waves. And the
+# unit with make_verilated_chip(), which makes the one that a run asks for.
+#   INTERFACE name    what the chip is to the loop, in the namespace of the folder that calls;
+#                     verilated/chip_model.hpp there has the template ChipModel<Model, Tracer>
+#   VISIBLE FILE...   .vlt files with the signals that C++ reads; default: verilated/*.vlt there
+#   TRACE_ARRAYS N    memories up to this size are in the waves
+macro(trammel_chip chip)
+  cmake_parse_arguments(CHIP "" "INTERFACE;TRACE_ARRAYS" "VISIBLE" ${ARGN})
+  set(CHIP_FOLDER ${CMAKE_CURRENT_LIST_DIR})
+  trammel_chip_models_of(${chip})
+  trammel_chip_headers_of(${chip})
+  trammel_chip_unit_of(${chip})
+endmacro()
+
+function(trammel_chip_unit_of chip)
+  cmake_path(GET CHIP_FOLDER FILENAME CHIP_NAMESPACE)
+  cmake_path(RELATIVE_PATH CHIP_FOLDER BASE_DIRECTORY ${PROJECT_SOURCE_DIR}
+    OUTPUT_VARIABLE CHIP_HEADER)
+  string(APPEND CHIP_HEADER /verilated/chip_model.hpp)
+  string(REPLACE "_" ";" words ${chip})
+  set(camel)
+  foreach(word IN LISTS words)
+    string(SUBSTRING ${word} 0 1 first)
+    string(SUBSTRING ${word} 1 -1 rest)
+    string(TOUPPER ${first} first)
+    string(APPEND camel ${first}${rest})
+  endforeach()
+  set(unit ${CMAKE_CURRENT_BINARY_DIR}/${chip}/chips.cpp)
+  configure_file(${PROJECT_SOURCE_DIR}/cmake/chip_unit.cpp.in ${unit} @ONLY)
+  set(chip_units ${chip_units} ${unit} PARENT_SCOPE)
+endfunction()
+
+function(trammel_chip_model chip kind opt)
+  cmake_parse_arguments(MODEL "TRACE_FST" "" "SOURCES;ARGS" ${ARGN})
+  set(trace)
+  if(MODEL_TRACE_FST)
+    set(trace TRACE_FST)
+  endif()
+  trammel_verilate(trammel_chip_models ${chip}_${kind} "${opt};-march=native" ${trace}
+    TOP_MODULE ${chip} PREFIX V${chip}_${kind}
+    SOURCES ${CHIP_VISIBLE} ${TRAMMEL_RTL_PACKAGES} ${PROJECT_SOURCE_DIR}/rtl/chips/${chip}.sv
+      ${MODEL_SOURCES}
+    VERILATOR_ARGS -Wno-fatal -O3 --x-assign fast --x-initial unique ${TRAMMEL_RTL_SEARCH}
+      ${MODEL_ARGS})
+endfunction()
+
+function(trammel_chip_models_of chip)
+  if(NOT CHIP_VISIBLE)
+    file(GLOB CHIP_VISIBLE CONFIGURE_DEPENDS ${CHIP_FOLDER}/verilated/*.vlt)
+  endif()
+  set(arrays)
+  if(CHIP_TRACE_ARRAYS)
+    set(arrays --trace-max-array ${CHIP_TRACE_ARRAYS})
+  endif()
+  trammel_chip_model(${chip} fast -O3)
+  trammel_chip_model(${chip} fst -Og TRACE_FST ARGS ${arrays})
+  trammel_chip_model(${chip} checked -Og SOURCES ${TRAMMEL_RTL_PROPERTIES} ARGS --assert)
+endfunction()
+
+function(trammel_chip_headers_of chip)
+  set(generated ${registers}/${chip}_registers.hpp ${registers}/${chip}_traced.hpp)
+  set(chip_headers ${chip_headers} ${generated} PARENT_SCOPE)
+  if(TRAMMEL_BASE)
+    return()
+  endif()
+  set(models ${PROJECT_BINARY_DIR}/verilated)
+  set(roots)
+  foreach(kind fast fst checked)
+    list(APPEND roots ${models}/${chip}_${kind}/V${chip}_${kind}___024root.h)
+  endforeach()
+  set(generate ${PROJECT_SOURCE_DIR}/scripts/trammel_tools/generate)
+  set(traced ${models}/${chip}_fst/V${chip}_fst__Trace__0.cpp)
+  add_custom_command(OUTPUT ${registers}/${chip}_registers.hpp
+    COMMAND ${PROJECT_SOURCE_DIR}/scripts/tool gen-registers ${registers}/${chip}_registers.hpp
+      ${roots} ${chip_rtl}
+    DEPENDS ${generate}/gen_registers.py ${roots} ${chip_rtl})
+  add_custom_command(OUTPUT ${registers}/${chip}_traced.hpp
+    COMMAND ${PROJECT_SOURCE_DIR}/scripts/tool gen-wave-timers ${traced}
+      ${registers}/${chip}_traced.hpp
+    DEPENDS ${generate}/gen_wave_timers.py ${traced})
+endfunction()
