@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <stdexcept>
 
-#include "sw_nios/hal/generated/kung_xy_regs.hpp"
+#include "rtl/chips/generated/kung_xy_regs.hpp"
 #include "tests/support/rtl.hpp"
 
 namespace trammel::test {
@@ -144,7 +144,7 @@ class KungBench {
   std::int32_t read_signed(std::uint32_t addr) { return static_cast<std::int32_t>(read(addr)); }
 
   unsigned fault_code() {
-    namespace reg = sw::kung_xy_regs;
+    namespace reg = kung_xy_regs;
     return (read(reg::kFault) & reg::kFaultCodeMask) >> reg::kFaultCodeShift;
   }
 

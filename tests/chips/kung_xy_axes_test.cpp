@@ -12,8 +12,7 @@
 #include "tests/support/random.hpp"
 
 using namespace trammel;
-using namespace trammel::sw;
-namespace reg = kung_xy_regs;
+namespace reg = trammel::kung_xy_regs;
 using test::KungBench;
 
 namespace {

@@ -9,8 +9,7 @@
 #include "tests/chips/kung_bench.hpp"
 #include "tests/support/axi_lite.hpp"
 
-using namespace trammel::sw;
-namespace reg = kung_xy_regs;
+namespace reg = trammel::kung_xy_regs;
 using trammel::test::KungBench;
 
 namespace {

@@ -6,8 +6,7 @@
 
 #include "tests/chips/kung_bench.hpp"
 
-using namespace trammel::sw;
-namespace reg = kung_xy_regs;
+namespace reg = trammel::kung_xy_regs;
 using trammel::test::KungBench;
 
 namespace {

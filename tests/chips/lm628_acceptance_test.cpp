@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <cstdlib>
 
-#include "tests/chips/lm628_bench.hpp"
+#include "tests/chips/lm628_pair.hpp"
 
 using trammel::exact::Opcode;
 using trammel::test::Lm628Pair;

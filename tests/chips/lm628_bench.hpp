@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A host, an encoder and a clock for the LM628: its twin alone, or the RTL beside it with every pin
-// compared at every evaluated clock, leaping or not.
+// A host, an encoder and a clock for the LM628: its twin alone, or what is beside it; for the RTL
+// see lm628_pair.hpp.
 #pragma once
-
-#include <Vlm628.h>
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -66,60 +64,6 @@ bool same_pins(Rtl<Model>& rtl, const Lm628::Out& out) {
          bool(rtl->dac_wr_n_o) == out.drive.dac_wr_n && bool(rtl->pwm_mag_o) == out.drive.pwm_mag &&
          bool(rtl->pwm_sign_o) == out.drive.pwm_sign;
 }
-
-// next_o of the RTL is below the twin's while its engine works: the twin waits for it.
-class Lm628Pair : public Lm628Twin {
- public:
-  bool leaps = true;
-
-  Lm628Pair() {
-    rtl_->leap_i = 0;
-    apply();
-    rtl_.reset();
-  }
-
-  std::int64_t run(std::int64_t n) {
-    apply();
-    std::int64_t gap = 1;
-    // A sample takes 400 clocks, a command 128: after them the RTL rests wherever the twin does.
-    restless_ = !rtl_->quiescent_o && twin_.next(in) > 0 ? restless_ + 1 : 0;
-    if (restless_ > 600) throw std::logic_error("the RTL does not rest");
-    if (leaps && rtl_->quiescent_o && rtl_->next_o > 0) {
-      if (!twin_.quiescent(in)) throw std::logic_error("the RTL rests, the twin does not");
-      gap = std::min<std::int64_t>({rtl_->next_o, twin_.next(in), n});
-      if (rtl_->next_o != std::min<exact::Gap>(twin_.next(in), 4095)) same_ = false;
-    }
-    if (twin_.next(in) >= gap) {
-      twin_.advance(static_cast<exact::Gap>(gap));
-    } else {
-      twin_.step(in);
-    }
-    rtl_->leap_i = (gap - 1) & 0xFFF;
-    rtl_.tick();
-    rtl_->leap_i = 0;
-    rtl_.eval();
-    compare();
-    return gap;
-  }
-
- private:
-  void apply() {
-    set_pins(rtl_, in);
-    rtl_->wrap_i = in.wrap;
-    rtl_->d_i = in.host.d;
-    rtl_.eval();
-  }
-
-  void compare() {
-    const Lm628::Out out = twin_.out();
-    same_ = same_ && rtl_->d_o == out.d && bool(rtl_->d_oe_o) == out.d_oe && same_pins(rtl_, out);
-    if (!same_) throw std::logic_error("a pin of the RTL differs from its twin's");
-  }
-
-  Rtl<Vlm628> rtl_;
-  bool same_ = true;
-  int restless_ = 0;  // [clk]
-};
 
 template <class Chip>
 class Lm628Bench : public Lm628Commands<Lm628Bench<Chip>> {

@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <map>
 
-#include "tests/chips/lm628_bench.hpp"
+#include "tests/chips/lm628_pair.hpp"
 #include "tests/chips/lm628_transfers.hpp"
 
 using trammel::exact::Opcode;

@@ -15,13 +15,13 @@
 
 #include "cosim/verilated/axi_lite.hpp"
 #include "models/exact/chips/mcafee_xy.hpp"
-#include "sw_nios/hal/generated/mcafee_xy_regs.hpp"
+#include "rtl/chips/generated/mcafee_xy_regs.hpp"
 #include "sw_nios/hal/lm628.hpp"
 #include "tests/support/rtl.hpp"
 
 namespace trammel::test {
 
-namespace reg = sw::mcafee_xy_regs;
+namespace reg = mcafee_xy_regs;
 
 class McafeeTwin {
  public:

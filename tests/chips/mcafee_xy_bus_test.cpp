@@ -7,11 +7,11 @@
 #include <cstdint>
 #include <vector>
 
-#include "sw_nios/hal/generated/mcafee_xy_regs.hpp"
+#include "rtl/chips/generated/mcafee_xy_regs.hpp"
 #include "tests/support/axi_lite.hpp"
 #include "tests/support/rtl.hpp"
 
-namespace reg = trammel::sw::mcafee_xy_regs;
+namespace reg = trammel::mcafee_xy_regs;
 using trammel::test::AxiLiteTraffic;
 
 namespace {

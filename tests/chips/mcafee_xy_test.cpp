@@ -17,7 +17,7 @@ using trammel::sw::Lm628Port;
 using trammel::test::McafeePair;
 using trammel::test::McafeeTwin;
 using trammel::test::Random;
-namespace reg = trammel::sw::mcafee_xy_regs;
+namespace reg = trammel::mcafee_xy_regs;
 using Bench = trammel::test::McafeeBench<McafeePair>;
 using TwinBench = trammel::test::McafeeBench<McafeeTwin>;
 

@@ -8,7 +8,7 @@ namespace {
 
 std::vector<trammel::cosim::PointM> read(const std::string& text) {
   std::istringstream stream(text);
-  return trammel::cosim::read_points_csv(stream, "p.csv");
+  return trammel::cosim::read_points_csv(stream, "p.csv", {0, 600});
 }
 
 }  // namespace
@@ -37,9 +37,9 @@ TEST_CASE("lines that are not two numbers are refused by line") {
   CHECK_THROWS_AS(read("1,2,3\n"), std::invalid_argument);
   CHECK_THROWS_AS(read("1,2 mm\n"), std::invalid_argument);
   CHECK_THROWS_AS(read("# nothing\n"), std::invalid_argument);
-  CHECK_THROWS_WITH(trammel::cosim::read_points_csv("no/such.csv"),
+  CHECK_THROWS_WITH(trammel::cosim::read_points_csv("no/such.csv", {}),
                     "no/such.csv: cannot be read: No such file or directory");
-  CHECK_THROWS_WITH(trammel::cosim::read_points_csv("."), ".: cannot be read: it is a folder");
+  CHECK_THROWS_WITH(trammel::cosim::read_points_csv(".", {}), ".: cannot be read: it is a folder");
 }
 
 TEST_CASE("a mark of the encoding is no part of the first line") {

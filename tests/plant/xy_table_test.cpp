@@ -5,7 +5,6 @@
 #include <cstring>
 #include <vector>
 
-#include "cosim/kung/lines.hpp"
 #include "tests/plant/vector_pwm.hpp"
 
 using namespace trammel::plant;
@@ -48,19 +47,6 @@ void coast(XyTable& t, Clk& now, Clk clocks, Lines drive) {
 }
 
 }  // namespace
-
-TEST_CASE("the pins are where the chip's side expects them") {
-  for (int k = 0; k < xy::kAxes; ++k) {
-    CHECK(xy::encoder_a(k) == trammel::kung::encoder_a(k));
-    CHECK(xy::encoder_b(k) == trammel::kung::encoder_b(k));
-    CHECK(xy::encoder_z(k) == trammel::kung::encoder_z(k));
-    for (int phase = 0; phase < 3; ++phase) {
-      CHECK(xy::gate_hi(k, phase) == trammel::kung::gate_hi(k, phase));
-      CHECK(xy::gate_lo(k, phase) == trammel::kung::gate_lo(k, phase));
-      CHECK(xy::adc_channel(k, phase) == trammel::kung::adc_channel(k, phase));
-    }
-  }
-}
 
 TEST_CASE("next() is the first clock at which the position leaves the count") {
   XyTable table(middle());

@@ -7,7 +7,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
-import python_tools  # noqa: E402
+from trammel_tools import python_tools
 
 SKIPPED = 77  # CTest counts it as skipped
 

@@ -3,7 +3,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "cosim/lm628/chip.hpp"
+#include "parts/lm628/chip.hpp"
 
 namespace trammel::test {
 

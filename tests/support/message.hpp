@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "testbench/config.hpp"
+#include "lab/layers.hpp"
 
 namespace trammel::test {
 
@@ -14,9 +14,9 @@ template <class Options>
 std::string message_of(const std::string& toml) {
   Options options;
   try {
-    testbench::apply_text(options, toml, "some.toml", ".");
-    testbench::finish(options);
-  } catch (const testbench::ConfigError& error) {
+    lab::apply_text(options, toml, "some.toml", ".");
+    lab::validate(options);
+  } catch (const lab::ConfigError& error) {
     return error.what();
   }
   return "";

@@ -1,25 +1,22 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Report pages of runs made anew, opened in headless Chromium: what their tests share."""
+"""Report pages of runs made anew, opened in headless Chromium: what holds for every machine. A
+machine's test derives from it and says which runs; what its page alone shows, it tests itself."""
 
+import base64
 import csv
 import json
 import shutil
+import struct
 import subprocess
 import sys
 import unittest
+import xml.etree.ElementTree as ElementTree
+from decimal import ROUND_HALF_UP, Decimal
 from pathlib import Path
 
 import browser
 
-MCAFEE = {  # folder: arguments
-    "mcafee": ["mcafee-stage3", "--engine", "twin", "-s", "path.side_mm=6",
-               "-s", "path.radius_mm=1", "-s", "path.kappa_max_1_mm=1", "-s", "filter.ki=5",
-               "-s", "filter.il=500"],
-    "move": ["mcafee-stage2", "--engine", "twin", "-s", "trajectory.position_counts=2000"],
-    "switch": ["mcafee-stage3", "--engine", "twin", "-s", "compare=false",
-               "-s", "stage.switch_high_m=0.004"],
-}
-TRIPPED = {"trip", "switch"}
+MACHINES = Path(__file__).resolve().parents[2] / "machines"
 PAINTED = """
   const canvas = arguments[0];
   const data = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
@@ -31,23 +28,51 @@ PAINTED = """
 """
 
 
+def figure_text(figure):
+    """As the page writes a figure: a whole number in groups of three digits, or with its digits."""
+    if "digits" in figure:
+        step = Decimal(1).scaleb(-figure["digits"])
+        value = Decimal(figure["value"]).quantize(step, ROUND_HALF_UP)
+        text = str(abs(value) if value == 0 else value)
+    else:
+        text = f"{figure['value']:,}".replace(",", "\u2009")
+    return text.replace("-", "\u2212")
+
+
 class ReportPages(unittest.TestCase):
-    runs = {}  # folder: arguments
+    runs = {}         # folder: arguments of the program
+    tripped = set()   # those of them that end with exit 5
+    compared = ()     # two or more of them, for compare.html
+    values = {}       # folder: {column of its trace: step of its values on the page, 0 if exact}
+    least_plots = 1   # over time, of any of the runs
+    least_saved = 1   # plots of all kinds, of all runs together
     program, folder, driver = None, None, None
 
     @classmethod
     def setUpClass(cls):
         shutil.rmtree(cls.folder, ignore_errors=True)
         for name, arguments in cls.runs.items():
-            verb = [] if arguments[0] == "lm628" else ["run"]
-            done = subprocess.run([cls.program, *verb, *arguments, "-o", cls.folder / name],
-                                  capture_output=True, text=True, check=False)
-            assert done.returncode == (5 if name in TRIPPED else 0), done.stderr
+            cls.make(name, arguments, 5 if name in cls.tripped else 0)
+        cls.report(*cls.compared)
         cls.driver = browser.start()
 
     @classmethod
     def tearDownClass(cls):
         cls.driver.quit()
+
+    @classmethod
+    def make(cls, name, arguments, code=0):
+        done = subprocess.run([cls.program, *arguments, "-o", cls.folder / name],
+                              capture_output=True, text=True, check=False)
+        assert done.returncode == code, f"{arguments}: exit {done.returncode}\n{done.stderr}"
+
+    @classmethod
+    def report(cls, *names, page="compare.html", code=0):
+        """Compares runs; what the program said on stderr."""
+        done = subprocess.run([cls.program, "report", *(cls.folder / name for name in names), "-o",
+                               cls.folder / page], capture_output=True, text=True, check=False)
+        assert done.returncode == code, f"{names}: exit {done.returncode}\n{done.stderr}"
+        return done.stderr
 
     def setUp(self):
         browser.resize(self.driver, 1360)
@@ -78,12 +103,204 @@ class ReportPages(unittest.TestCase):
         return self.js("return Trammel.time.plots.map((p) => "
                        "[p.uplot.scales.x.min, p.uplot.scales.x.max])")
 
+    def filled(self):
+        """Of each plot over time: how many values its base and each of its lines have."""
+        return self.js("return Trammel.time.plots.map((p) => p.uplot.data.map((s) => "
+                       "[...s].filter((v) => v !== null).length))")
+
+    def metrics(self, name):
+        return json.loads((self.folder / name / "metrics.json").read_text())
+
     def rows(self, name):
-        run = json.loads((self.folder / name / "metrics.json").read_text())["run"]
+        run = self.metrics(name)["run"]
         first = run.get("first_tick", 0)
         with open(self.folder / name / "trace.csv", newline="", encoding="utf-8") as file:
             rows = [row for row in csv.DictReader(file) if int(row.get("tick", 0)) >= first]
         return rows[run.get("first_sample", 0):]
+
+    def check_widths(self, name, page="report.html"):
+        for width in (390, 768, 1360):
+            browser.resize(self.driver, width)
+            self.open(name, page)
+            self.js("for (const d of document.querySelectorAll('details')) d.open = true")
+            self.assertLessEqual(self.js("return document.documentElement.scrollWidth"), width,
+                                 f"{name}/{page} at {width}")
+        browser.resize(self.driver, 1360)
+
+    def check_tiles(self, metrics):
+        shown = self.js("return [...document.querySelectorAll('.tile')].map((tile) => "
+                        "[tile.children[0].textContent, tile.children[1].firstChild.textContent])")
+        self.assertEqual(shown, [[f["tile"], figure_text(f)] for f in metrics["figures"]
+                                 if "tile" in f])
+
+    def test_every_plot_holds_the_data_of_the_files(self):
+        for name in self.runs:
+            self.open(name)
+            count = len(self.rows(name))
+            series = self.js("return Trammel.time.plots.filter((p) => !p.times).map((p) => "
+                             "p.uplot.data.map((s) => "
+                             "[s.length, [...s].filter(Number.isFinite).length]))")
+            self.assertGreaterEqual(len(series), self.least_plots)
+            for plot in series:
+                for length, finite in plot:
+                    self.assertEqual((length, finite), (count, count), name)
+            self.assertEqual(browser.complaints(self.driver), [], name)
+            for plot in self.js("return Trammel.plots.map((p) => [p.id, p.count()])"):
+                self.assertGreater(plot[1], 0, plot[0])
+
+    def test_values_are_those_of_the_trace(self):
+        self.assertNotEqual(self.values, {})
+        for run, steps in self.values.items():
+            self.open(run)
+            rows = self.rows(run)
+            for name, step in steps.items():
+                column = [float(row[name]) for row in rows]
+                values = self.js("return [...Trammel.page.runs[0].series[arguments[0]]]", name)
+                worst = max(abs(a - b) for a, b in zip(column, values, strict=True))
+                self.assertLessEqual(worst, 0.5001 * step, f"{run} {name}")
+
+    def test_tiles_and_tables_hold_the_figures(self):
+        for name in self.runs:
+            self.open(name)
+            metrics = self.metrics(name)
+            self.check_tiles(metrics)
+            cells = set(self.js("return [...document.querySelectorAll('td')].map((cell) => "
+                                "cell.textContent)"))
+            for figure in metrics["figures"]:
+                if figure.get("shown", True):
+                    self.assertIn(figure_text(figure), cells, f"{name} {figure['id']}")
+            judged = [f for f in metrics["figures"] if "printed" in f or "expected" in f]
+            within = {True: "within", False: "outside", None: "\u2013"}
+            section = self.driver.find_element("id", "figures")
+            marks = self.js("return [...arguments[0].querySelectorAll('tr')].filter((row) => "
+                            "row.cells.length === 7).slice(1).map((row) => "
+                            "[row.cells[1].textContent, row.cells[5].textContent])", section)
+            self.assertEqual(marks, [[figure_text(f), within[f.get("within")]] for f in judged])
+            for source in {f["source"] for f in judged if "source" in f}:
+                self.assertIn(source[1:], section.text)  # it begins with a capital there
+
+    def test_every_plot_is_painted(self):
+        for name in self.runs:
+            self.open(name)
+            for canvas in self.driver.find_elements("css selector", ".plot canvas:not(.over)"):
+                self.assertGreater(self.js(PAINTED, canvas), 3, name)
+
+    def test_every_plot_can_be_saved(self):
+        seen = set()
+        for name in self.runs:
+            self.open(name)
+            plots = set(self.js("return Trammel.plots.map((p) => p.id)")) - seen
+            seen |= plots
+            for plot in sorted(plots):
+                self.check_pictures(plot)
+            self.assertEqual(browser.complaints(self.driver), [])
+        self.assertGreaterEqual(len(seen), self.least_saved)
+
+    def check_pictures(self, plot):
+        text = self.js("return Trammel.svgText(Trammel.plots.find((p) => "
+                       "p.id === arguments[0]))", plot)
+        root = ElementTree.fromstring(text)
+        marks = [e for e in root.iter() if e.tag.endswith(("path", "rect", "text"))]
+        self.assertGreater(len(marks), 12, plot)
+        self.assertNotIn("NaN", text, plot)
+        url, colors = self.driver.execute_async_script("""
+            const [id, done] = arguments;
+            (async () => {
+              const blob = await Trammel.pngBlob(Trammel.plots.find((p) => p.id === id));
+              const image = await createImageBitmap(blob);
+              const canvas = new OffscreenCanvas(image.width, image.height);
+              canvas.getContext('2d').drawImage(image, 0, 0);
+              const seen = (function () {""" + PAINTED + """})(canvas);
+              const reader = new FileReader();
+              reader.onload = () => done([reader.result, seen]);
+              reader.readAsDataURL(blob);
+            })();""", plot)
+        data = base64.b64decode(url.split(",")[1])
+        self.assertEqual(data[:8], b"\x89PNG\r\n\x1a\n", plot)
+        self.assertGreater(struct.unpack(">I", data[16:20])[0], 1200, plot)
+        self.assertGreater(colors, 4, plot)
+
+    def test_nothing_is_loaded_from_elsewhere(self):
+        for name in self.runs:
+            browser.requests(self.driver)
+            self.open(name)
+            page = (self.folder / name / "report.html").resolve().as_uri()
+            foreign = [url for url in browser.requests(self.driver)
+                       if url != page and not url.startswith(("data:", "blob:"))]
+            self.assertEqual(foreign, [])
+
+    def test_no_width_overflows(self):
+        for name in self.runs:
+            self.check_widths(name)
+        self.check_widths(".", "compare.html")
+
+    def test_runs_of_two_machines_are_not_compared(self):
+        own = next(iter(self.runs))
+        others = sorted(path for path in MACHINES.glob("*/scenarios/*.toml")
+                        if path.parts[-3] != self.metrics(own)["machine"])
+        if not others:
+            self.skipTest("there is one machine")
+        self.make("other", ["run", others[0].stem, "-s", "run.max_s=0.002"], 5)
+        said = self.report(own, "other", page="mixed.html", code=2)
+        self.assertIn("only runs of one machine can be compared", said)
+        self.assertFalse((self.folder / "mixed.html").exists())
+
+    def plain(self, name, page):
+        """The page as it would be had the machine none of its own."""
+        text = (self.folder / name / page).read_text(encoding="utf-8")
+        machine = f'"machine":"{self.metrics(next(iter(self.runs)))["machine"]}"'
+        self.assertIn(machine, text)
+        (self.folder / name / f"plain_{page}").write_text(
+            text.replace(machine, '"machine":"none"', 1), encoding="utf-8")
+        self.open(name, f"plain_{page}")
+        self.assertEqual(browser.complaints(self.driver), [])
+
+    def test_a_machine_needs_no_page_of_its_own(self):
+        lines = ("return Trammel.time.plots.flatMap((p) => p.series.map((s, k) => [s.label, "
+                 "p.uplot.root.querySelectorAll('.u-series')[k + 1].title, s.data.length]))")
+        for name in self.runs:
+            self.plain(name, "report.html")
+            metrics, count = self.metrics(name), len(self.rows(name))
+            channels = self.js("return Trammel.page.runs[0].channels")
+            self.assertEqual(sorted(self.js(lines)), sorted(
+                [one["name"], one["help"], count] for one in channels if one["unit"] != "s"))
+            self.check_tiles(metrics)
+            self.assertNotEqual(self.driver.find_element("id", "columns").text.count("\n"), 0)
+            listed = self.js("return [...document.querySelectorAll('#figures td')].map((cell) => "
+                             "cell.textContent)")
+            for figure in metrics["figures"]:
+                if figure.get("shown", True):
+                    self.assertIn(figure_text(figure), listed, f"{name} {figure['id']}")
+            self.assertGreater(len(self.js("return [...document.querySelectorAll("
+                                           "'#parameters tr[data-find]')]")), 20)
+            for canvas in self.driver.find_elements("css selector", ".plot canvas:not(.over)"):
+                self.assertGreater(self.js(PAINTED, canvas), 3, name)
+            self.check_widths(name, "plain_report.html")
+
+    def test_runs_of_a_machine_without_a_page_are_compared(self):
+        self.plain(".", "compare.html")
+        titles = self.js("return Trammel.time.plots.map((p) => p.title)")
+        channels = self.js("return Trammel.page.runs[0].channels")
+        self.assertEqual(titles, [one["name"] for one in channels if one["unit"] != "s"])
+        self.assertNotEqual(titles, [])
+        lengths = [len(self.rows(name)) for name in self.compared]
+        for plot in self.filled():
+            self.assertEqual(plot, [max(lengths), *lengths])
+        ids = {f["id"] for name in self.compared for f in self.metrics(name)["figures"]
+               if f.get("shown", True)}
+        self.assertEqual(len(self.driver.find_elements("css selector", "#figures tbody tr")),
+                         len(ids))
+
+    def test_print_has_a_picture_of_every_plot(self):
+        browser.prefer(self.driver, "dark")
+        self.open(next(iter(self.runs)))
+        plots = self.js("return Trammel.plots.length")
+        self.js("window.seen = 0; window.addEventListener('beforeprint', () => {"
+                "  seen = document.querySelectorAll('.card > .print-only svg').length; });")
+        pdf = base64.b64decode(self.driver.execute_cdp_cmd("Page.printToPDF", {})["data"])
+        self.assertEqual(pdf[:5], b"%PDF-")
+        self.assertEqual(self.js("return seen"), plots)
+        self.assertEqual(self.js("return document.querySelectorAll('.print-only').length"), 0)
 
 
 def main(cases, usage):

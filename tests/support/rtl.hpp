@@ -8,6 +8,9 @@
 #pragma once
 
 #include <verilated.h>
+#ifdef TRAMMEL_COVERAGE
+#include <verilated_cov.h>
+#endif
 
 #include <cstdint>
 #include <cstdio>
@@ -16,6 +19,7 @@
 #include <string>
 #include <vector>
 
+#include "cosim/verilated/clock_pins.hpp"
 #include "tests/support/bits.hpp"
 
 namespace trammel::test {
@@ -65,8 +69,8 @@ class Rtl {
 #ifdef TRAMMEL_COVERAGE
     if (covered().name != nullptr) covered().instances.push_back({context_, model_});
 #endif
-    model_->clk_i = 0;
-    model_->rst_i = 0;
+    cosim::clock_pin(*model_) = 0;
+    cosim::reset_pin(*model_) = 0;
     model_->eval();
   }
 
@@ -86,14 +90,14 @@ class Rtl {
   // One rising edge; outputs are those after the edge.
   void tick() {
     model_->eval();
-    model_->clk_i = 1;
+    cosim::clock_pin(*model_) = 1;
     model_->eval();
-    model_->clk_i = 0;
+    cosim::clock_pin(*model_) = 0;
     model_->eval();
   }
 
   void reset() {
-    model_->rst_i = 1;
+    cosim::reset_pin(*model_) = 1;
     tick();
 #ifdef TRAMMEL_COVERAGE
     // What random values became zero is no toggle that a test made.
@@ -101,7 +105,7 @@ class Rtl {
 #endif
     was_reset_ = true;
     tick();
-    model_->rst_i = 0;
+    cosim::reset_pin(*model_) = 0;
     model_->eval();
   }
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """A test case that runs the program for its wave files, and what holds for each of them."""
 
+import itertools
 import re
 import shutil
 import subprocess
@@ -9,14 +10,27 @@ import tempfile
 import unittest
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "scripts"))
-import python_tools  # noqa: E402  pylint: disable=wrong-import-position
-
-python_tools.need("pywellen", Path(sys.argv[0]).name)
-from wave_file import WaveFile  # noqa: E402  pylint: disable=wrong-import-position
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
+from trammel_tools import python_tools
+from trammel_tools.paths import ROOT, TOOL
+from trammel_tools.waves.wave_file import WaveFile
 
 PROGRAM = Path(sys.argv[1] if len(sys.argv) > 1 else "trammel").resolve()
+
+# Groups of a view that shows an LM628.
+LM628_GROUPS = ("Command", "Sample and engine", "Profile (counts, counts/sample)", "Filter",
+                "Encoder", "DAC and PWM")
+
+
+def level(changes, time):
+    return [value for at, value in changes if at <= time][-1]
+
+
+def pulses(changes, active=0):
+    """Begin and end of each time at which the line is active."""
+    edges = [(time, value) for n, (time, value) in enumerate(changes)
+             if n == 0 or changes[n - 1][1] != value]
+    return [(a[0], b[0]) for a, b in itertools.pairwise(edges) if a[1] == active]
 
 
 class WaveCase(unittest.TestCase):
@@ -33,8 +47,21 @@ class WaveCase(unittest.TestCase):
             raise AssertionError(f"{words}: exit {done.returncode}\n{done.stdout}{done.stderr}")
         return done
 
+    @classmethod
+    def run_to(cls, name, words, *more, code=0):
+        out = cls.folder / name
+        cls.trammel(*words, "--no-report", "-o", out, *more, code=code)
+        return out
+
+    def check_refused(self, cases):
+        """Exit code and words of the one line that each command ends with."""
+        for code, says, words in cases:
+            done = self.trammel(*words, "--json", code=code)
+            self.assertIn(says, done.stderr)
+            self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
+
     def wave(self, *words, code=0):
-        done = subprocess.run([sys.executable, ROOT / "scripts" / "wave.py", *map(str, words)],
+        done = subprocess.run([sys.executable, TOOL, "wave", *map(str, words)],
                               capture_output=True, text=True, check=False)
         self.assertEqual(done.returncode, code, done.stdout + done.stderr)
         return done.stdout
@@ -56,3 +83,8 @@ class WaveCase(unittest.TestCase):
         self.assertEqual(view.split("[*]")[1], text.split("[*]")[1])
         self.assertGreater(len(shown), 50)
         return view
+
+
+def main():
+    python_tools.need("pywellen", Path(sys.argv[0]).name)
+    unittest.main(argv=sys.argv[:1])

@@ -1,220 +1,316 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <catch2/catch.hpp>
+//
+// What `trammel run` leaves behind and how it exits, by the same rules for every machine.
+#include "testbench/run.hpp"
 
+#include <fmt/format.h>
+
+#include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
-
 #include <nlohmann/json.hpp>
 
-#include "testbench/config.hpp"
-#include "testbench/output.hpp"
-#include "testbench/report.hpp"
-#include "testbench/run.hpp"
+#include "lab/layers.hpp"
+#include "lab/machine.hpp"
+#include "lab/scenarios.hpp"
+#include "tests/support/files.hpp"
+#include "tests/support/scratch.hpp"
+#include "tests/support/short_run.hpp"
 
 using namespace trammel;
 using namespace trammel::testbench;
+using Catch::Contains;
+using cosim::EndReason;
+using test::arguments_for;
+using test::ending;
+using test::entries;
 namespace fs = std::filesystem;
 
 namespace {
 
-// A folder of this test in the build folder, empty at the start and gone at the end.
-struct Scratch {
-  fs::path path = fs::absolute("run_test_out");
-  Scratch() { fs::remove_all(path); }
-  ~Scratch() { fs::remove_all(path); }
+struct Scratch : test::Scratch {
+  test::NoPrograms no_pictures;
+  Scratch() : test::Scratch("run_test_out") {}
 };
 
-// A machine that stands still for 40 samples and ends as told.
-Simulate standing(kung::EndReason end) {
-  return [end](const kung::Options&, const kung::Hooks&) {
-    kung::Result result;
-    for (std::uint32_t k = 0; k < 40; ++k) {
-      kung::Sample sample;
-      sample.tick = k;
-      sample.edge = 25000 * static_cast<cosim::Clk>(k);
-      result.samples.push_back(sample);
-    }
-    result.end_tick = 40;
-    result.points = 10;
-    result.end = end;
-    if (end == kung::EndReason::kFault) result.fault = {kung::FaultCode::kStroke, 1, 17};
-    if (end == kung::EndReason::kPromise) {
-      result.promise = {"no_shoot_through", "kung_xy.u_leg", "drive/gate_leg_props.sv:7", 617283};
-    }
-    return result;
-  };
+nlohmann::json metrics_of(const fs::path& folder) {
+  return nlohmann::json::parse(test::content(folder / "metrics.json"));
 }
 
-int run_to(const fs::path& out, kung::EndReason end, std::vector<std::string> set = {}) {
-  const std::atomic<bool> stop{false};
-  RunArguments arguments;
-  arguments.scenario = "circle";
-  arguments.out = out.string();
-  arguments.assignments = std::move(set);
-  arguments.json = true;
-  return run(arguments, standing(end), stop);
+int run_to(const fs::path& out, const lab::Machine& machine, EndReason end,
+           std::vector<std::string> set = {}) {
+  return test::run(arguments_for(test::scenario_of(machine), out, std::move(set)), ending(end));
 }
 
-std::size_t entries(const fs::path& folder) {
-  return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder), {}));
+// A simulation that must not begin.
+lab::Record never(const lab::Settings&, const cosim::Hooks&) {
+  FAIL("a run that is refused was begun");
+  return {};
+}
+
+template <class Check>
+void each_machine(Check check) {
+  for (const lab::Machine* const machine : lab::machines()) {
+    CAPTURE(machine->name);
+    const Scratch scratch;
+    check(*machine, scratch.path);
+  }
 }
 
 }  // namespace
 
 TEST_CASE("a run leaves one folder with its record and nothing beside it") {
-  const Scratch scratch;
-  CHECK(run_to(scratch.path / "a", kung::EndReason::kDone) == 0);
-  for (const char* file : {"metrics.json", "trace.csv", "run.toml"}) {
-    CHECK(fs::file_size(scratch.path / "a" / file) > 0);
-  }
-  CHECK(entries(scratch.path) == 1);
+  each_machine([](const lab::Machine& machine, const fs::path& base) {
+    CHECK(run_to(base / "a", machine, EndReason::kDone) == 0);
+    for (const char* file : {"metrics.json", "trace.csv", "run.toml", "report.html"}) {
+      CAPTURE(file);
+      CHECK(fs::file_size(base / "a" / file) > 0);
+    }
+    CHECK(entries(base) == 1);
+    const auto json = metrics_of(base / "a");
+    CHECK(json["machine"] == machine.name);
+    CHECK(json["scenario"] == test::scenario_of(machine));
+    CHECK(json["end"] == "done");
+    CHECK(json["run"]["samples"] > 10);
+    for (const lab::Key& key : machine.keys()) CHECK(json["options"].contains(key.name));
+  });
 }
 
-TEST_CASE("a tripped run exits with 5, keeps its record and names the first fault") {
-  const Scratch scratch;
-  CHECK(run_to(scratch.path / "a", kung::EndReason::kFault) == 5);
-  const auto json = nlohmann::json::parse(std::ifstream(scratch.path / "a" / "metrics.json"));
-  CHECK(json["end"] == "tripped");
-  CHECK(json["fault"]["cause"] == "stroke exceeded");
-  CHECK(json["fault"]["axis"] == "y");
-  CHECK(json["fault"]["tick"] == 17);
+TEST_CASE("without a report a run leaves no page") {
+  each_machine([](const lab::Machine& machine, const fs::path& base) {
+    auto arguments = arguments_for(test::scenario_of(machine), base / "a");
+    arguments.report = false;
+    CHECK(test::run(arguments, ending(EndReason::kDone)) == 0);
+    CHECK(fs::exists(base / "a" / "metrics.json"));
+    CHECK_FALSE(fs::exists(base / "a" / "report.html"));
+  });
 }
 
-TEST_CASE("a broken promise of the RTL exits with 4, keeps the record and is named in it") {
-  const Scratch scratch;
-  CHECK(run_to(scratch.path / "a", kung::EndReason::kPromise) == 4);
-  const auto json = nlohmann::json::parse(std::ifstream(scratch.path / "a" / "metrics.json"));
-  CHECK(json["end"] == "promise broken");
-  CHECK(json["promise"]["name"] == "no_shoot_through");
-  CHECK(json["promise"]["clock"] == 617283);
-  const std::string verdict = json["verdict"];
-  CHECK_THAT(verdict, Catch::Contains("no_shoot_through of kung_xy.u_leg at 0.01234566 s"));
-  CHECK(fs::exists(scratch.path / "a" / "trace.csv"));
+TEST_CASE("how a run ended is its exit code, and its record is kept") {
+  const struct {
+    EndReason end;
+    int code;
+    const char* text;
+  } ends[] = {{EndReason::kDone, 0, "done"},         {EndReason::kFault, 5, "tripped"},
+              {EndReason::kDiverged, 5, "diverged"}, {EndReason::kTimeout, 5, "timeout"},
+              {EndReason::kStopped, 130, "interrupted"},
+              {EndReason::kPromise, 4, "promise broken"}};
+  each_machine([&](const lab::Machine& machine, const fs::path& base) {
+    for (const auto& [end, code, text] : ends) {
+      CAPTURE(text);
+      CHECK(run_to(base / text, machine, end) == code);
+      CHECK(metrics_of(base / text)["end"] == text);
+      CHECK(fs::file_size(base / text / "trace.csv") > 0);
+    }
+  });
 }
 
-TEST_CASE("diverged runs exit with 5 and interrupted ones with 130") {
-  const Scratch scratch;
-  CHECK(run_to(scratch.path / "a", kung::EndReason::kDiverged) == 5);
-  CHECK(run_to(scratch.path / "a", kung::EndReason::kStopped) == 130);
-  CHECK(fs::exists(scratch.path / "a" / "trace.csv"));
+TEST_CASE("an assertion that failed is named in the record") {
+  each_machine([](const lab::Machine& machine, const fs::path& base) {
+    CHECK(run_to(base / "a", machine, EndReason::kPromise) == 4);
+    const auto json = metrics_of(base / "a");
+    CHECK(json["promise"]["name"] == "no_shoot_through");
+    CHECK(json["promise"]["instance"] == "chip.u_leg");
+    CHECK(json["promise"]["place"] == "drive/gate_leg_props.sv:7");
+    CHECK(json["promise"]["clock"] == 617283);
+    const std::string verdict = json["verdict"];
+    CHECK_THAT(verdict, Contains("assertion failed: no_shoot_through of chip.u_leg at "
+                                 "0.01234566 s, clock 617283 (drive/gate_leg_props.sv:7)",
+                                 Catch::CaseSensitive::No));
+  });
 }
 
 TEST_CASE("a second run replaces what the first wrote and leaves foreign files alone") {
-  const Scratch scratch;
-  const fs::path folder = scratch.path / "a";
-  fs::create_directories(folder);
-  std::ofstream(folder / "notes.txt") << "mine";
-  std::ofstream(folder / "waves.fst") << "stale";
-  CHECK(run_to(folder, kung::EndReason::kDone) == 0);
-  CHECK(fs::exists(folder / "notes.txt"));
-  CHECK_FALSE(fs::exists(folder / "waves.fst"));
-  CHECK(fs::exists(folder / "metrics.json"));
+  each_machine([](const lab::Machine& machine, const fs::path& base) {
+    const fs::path folder = base / "a";
+    fs::create_directories(folder);
+    std::ofstream(folder / "notes.txt") << "mine";
+    std::ofstream(folder / "waves.fst") << "stale";
+    CHECK(run_to(folder, machine, EndReason::kDone) == 0);
+    CHECK(test::content(folder / "notes.txt") == "mine");
+    CHECK_FALSE(fs::exists(folder / "waves.fst"));
+    CHECK(fs::exists(folder / "metrics.json"));
+  });
+}
+
+TEST_CASE("a name that cannot be a folder's is refused before anything is written") {
+  each_machine([](const lab::Machine& machine, const fs::path& base) {
+    const test::WorkingFolder here(base);  // without -o a run goes to out/NAME
+    for (const std::string& name : {std::string("../x"), std::string(), std::string("."),
+                                    std::string(".hidden"), std::string("a/b"),
+                                    std::string("a\nb"), std::string(201, 'x')}) {
+      for (const char* out : {"", "a"}) {
+        CAPTURE(name, out);
+        const auto arguments =
+            arguments_for(test::scenario_of(machine), out, {"name=" + name});
+        CHECK_THROWS_AS(test::run(arguments, never), lab::ConfigError);
+        CHECK_THROWS_WITH(test::run(arguments, never),
+                          Contains("name: " + lab::value_text(name) +
+                                   " cannot name an output folder"));
+      }
+    }
+    CHECK(entries(base) == 0);
+  });
+}
+
+TEST_CASE("a run goes to out/NAME unless it is told where") {
+  each_machine([](const lab::Machine& machine, const fs::path& base) {
+    const test::WorkingFolder here(base);
+    CHECK(run_to("", machine, EndReason::kDone, {"name=a b"}) == 0);
+    CHECK(fs::exists(base / "out" / "a b" / "metrics.json"));
+    CHECK(run_to("", machine, EndReason::kDone) == 0);
+    CHECK(fs::exists(base / "out" / test::scenario_of(machine) / "metrics.json"));
+    CHECK(entries(base) == 1);
+  });
 }
 
 TEST_CASE("a refused or failed run leaves nothing half written") {
-  const Scratch scratch;
-  fs::create_directories(scratch.path);
-  CHECK_THROWS_AS(run_to(scratch.path / "a", kung::EndReason::kDone, {"gains.kp=-1"}),
-                  ConfigError);
-  CHECK(entries(scratch.path) == 0);
-  const std::atomic<bool> stop{false};
-  RunArguments arguments;
-  arguments.scenario = "circle";
-  arguments.out = (scratch.path / "a").string();
-  const Simulate broken = [](const kung::Options&, const kung::Hooks&) -> kung::Result {
-    throw std::runtime_error("broken");
-  };
-  CHECK_THROWS_AS(run(arguments, broken, stop), std::runtime_error);
-  CHECK(entries(scratch.path) == 0);
+  each_machine([](const lab::Machine& machine, const fs::path& base) {
+    const auto refused = [&](std::vector<std::string> set) {
+      const auto arguments = arguments_for(test::scenario_of(machine), base / "a", std::move(set));
+      CHECK_THROWS_AS(test::run(arguments, never), lab::ConfigError);
+    };
+    refused({"run.max_s=-1"});
+    refused({"no.such.key=1"});
+    refused({"run.engine=twin", "run.audit=true"});
+    const Simulate broken = [](const lab::Settings&, const cosim::Hooks&) -> lab::Record {
+      throw std::runtime_error("broken");
+    };
+    CHECK_THROWS_WITH(test::run(arguments_for(test::scenario_of(machine), base / "a"), broken),
+                      "broken");
+    CHECK(entries(base) == 0);
+  });
 }
 
 TEST_CASE("an output folder that cannot be one is refused before the run") {
-  const Scratch scratch;
-  fs::create_directories(scratch.path);
-  std::ofstream(scratch.path / "file") << "a file";
-  CHECK_THROWS_AS(run_to(scratch.path / "file", kung::EndReason::kDone), ConfigError);
-  CHECK_THROWS_AS(run_to(scratch.path / "file" / "below", kung::EndReason::kDone), ConfigError);
+  each_machine([](const lab::Machine& machine, const fs::path& base) {
+    std::ofstream(base / "file") << "a file";
+    for (const fs::path& out : {base / "file", base / "file" / "below"}) {
+      CHECK_THROWS_AS(test::run(arguments_for(test::scenario_of(machine), out), never),
+                      lab::ConfigError);
+      CHECK_THROWS_WITH(test::run(arguments_for(test::scenario_of(machine), out), never),
+                        Contains("--out: "));
+    }
+    CHECK(entries(base) == 1);
+  });
 }
 
 TEST_CASE("what was run is what run.toml repeats") {
-  const Scratch scratch;
-  REQUIRE(run_to(scratch.path / "a", kung::EndReason::kDone, {"plant.payload_kg=2.5"}) == 0);
-  kung::Options again;
-  apply_file(again, scratch.path / "a" / "run.toml");
-  CHECK(again.scenario == "circle");
-  CHECK(again.plant.axis[1].payload_kg == 2.5);
+  each_machine([](const lab::Machine& machine, const fs::path& base) {
+    auto arguments =
+        arguments_for(test::scenario_of(machine), base / "a", {"run.max_s=7.5", "name=other"});
+    std::ofstream(base / "more.toml") << "description = 'quotes \" and \\'\nrun.max_s = 3\n";
+    arguments.files = {(base / "more.toml").string()};
+    arguments.platform = "direct";
+    std::unique_ptr<lab::Settings> ran;
+    const Simulate simulate = [&ran](const lab::Settings& settings, const cosim::Hooks&) {
+      ran = settings.clone();
+      return test::short_run(settings, EndReason::kDone);
+    };
+    REQUIRE(test::run(arguments, simulate) == 0);
+    const auto again = lab::load_scenario(base / "a" / "run.toml");
+    CHECK(&again->machine() == &machine);
+    CHECK(again->scenario == "other");
+    CHECK(again->description == "quotes \" and \\");
+    CHECK(again->run.max_s == 7.5);
+    CHECK(again->run.platform == cosim::Platform::kDirect);
+    for (const lab::Key& key : machine.keys()) {
+      CAPTURE(key.name);
+      CHECK(key.get(*again) == key.get(*ran));
+    }
+  });
 }
 
-TEST_CASE("the errors of a file of points name its line and the key") {
-  const Scratch scratch;
-  fs::create_directories(scratch.path);
-  const fs::path file = scratch.path / "points.csv";
-  const std::vector<std::string> set{"path.kind=points", "path.points_file=" + file.string()};
-  std::ofstream(file) << "x_mm,y_mm\n100,200\n100.5,200\n";
-  CHECK(run_to(scratch.path / "a", kung::EndReason::kDone, set) == 0);
-  std::ofstream(file) << "100,200\n601,nan\n";
-  CHECK_THROWS_WITH(run_to(scratch.path / "b", kung::EndReason::kDone, set),
-                    Catch::Contains("path.points_file: ") && Catch::Contains("points.csv:2: "));
-  CHECK_FALSE(fs::exists(scratch.path / "b"));
+TEST_CASE("a check where nothing is expected exits 2, and the record is kept") {
+  each_machine([](const lab::Machine& machine, const fs::path& base) {
+    // No source tells of a processor this slow.
+    auto arguments =
+        arguments_for(test::scenario_of(machine), base / "a", {"processor.access_clk=9"});
+    arguments.check = true;
+    CHECK(test::run(arguments, ending(EndReason::kDone)) == 2);
+    CHECK(fs::exists(base / "a" / "metrics.json"));
+    CHECK(test::run(arguments, ending(EndReason::kDiverged)) == 5);
+    arguments.check = false;
+    CHECK(test::run(arguments, ending(EndReason::kDone)) == 0);
+  });
 }
 
-TEST_CASE("what only the machine can refuse is still the user's mistake") {
+TEST_CASE("a check exits 1 where a figure lies outside its tolerance") {
+  each_machine([](const lab::Machine& machine, const fs::path& base) {
+    auto arguments = arguments_for(test::scenario_of(machine), base / "a");
+    for (const double off : {0.0, 0.4, 0.6}) {
+      const Simulate simulate = [off](const lab::Settings& settings, const cosim::Hooks&) {
+        lab::Record record = test::short_run(settings, EndReason::kDone);
+        for (lab::Figure& figure : record.figures) figure.expected.reset();
+        lab::Figure& figure = record.figures.back();
+        figure.expected = figure.value + off;
+        figure.tolerance = 0.5;
+        return record;
+      };
+      CAPTURE(off);
+      arguments.check = true;
+      CHECK(test::run(arguments, simulate) == (off > 0.5 ? 1 : 0));
+      const auto figure = metrics_of(base / "a")["figures"].back();
+      CHECK(figure["within"] == (off < 0.5));
+      CHECK(figure["tolerance"] == 0.5);
+      arguments.check = false;
+      CHECK(test::run(arguments, simulate) == 0);
+    }
+  });
+}
+
+TEST_CASE("a run beside the first that did not end well is told by the exit code") {
+  each_machine([](const lab::Machine& machine, const fs::path& base) {
+    for (const auto& [end, code] : {std::pair{EndReason::kDone, 0}, {EndReason::kPromise, 4}}) {
+      const Simulate simulate = [end = end](const lab::Settings& settings, const cosim::Hooks&) {
+        lab::Record record = test::short_run(settings, EndReason::kDone);
+        record.companions.push_back(test::short_run(settings, end));
+        record.companions.back().name = "other";
+        return record;
+      };
+      CHECK(test::run(arguments_for(test::scenario_of(machine), base / "a"), simulate) == code);
+      CHECK(metrics_of(base / "a")["compared"]["other"]["end"] == lab::end_text(end));
+    }
+  });
+}
+
+TEST_CASE("a run names one scenario, or asks for all experiments") {
   const Scratch scratch;
-  const std::atomic<bool> stop{false};
-  RunArguments arguments;
+  Arguments arguments = arguments_for("", scratch.path / "a");
+  CHECK_THROWS_WITH(test::run(arguments, never), Contains("run: name a scenario"));
+  arguments.all = true;
   arguments.scenario = "circle";
-  arguments.out = (scratch.path / "a").string();
-  const Simulate refused = [](const kung::Options&, const kung::Hooks&) -> kung::Result {
-    throw std::invalid_argument("plant.x.mass_kg: too small");
-  };
-  CHECK_THROWS_AS(run(arguments, refused, stop), ConfigError);
+  CHECK_THROWS_WITH(test::run(arguments, never),
+                    "run: --all runs the experiments of the source; a scenario beside it means "
+                    "none");
+  CHECK(entries(scratch.path) == 0);
 }
 
 TEST_CASE("all experiments stopped before they ended are interrupted") {
   const Scratch scratch;
   std::atomic<bool> stop{false};
-  RunArguments arguments;
+  Arguments arguments = arguments_for("", scratch.path);
   arguments.all = true;
-  arguments.json = true;
-  arguments.out = scratch.path.string();
-  const Simulate stopped_behind = [&stop](const kung::Options& options, const kung::Hooks& hooks) {
+  const Simulate stopped_behind = [&stop](const lab::Settings& settings, const cosim::Hooks&) {
     stop = true;
-    return standing(kung::EndReason::kDone)(options, hooks);
+    return test::short_run(settings, EndReason::kDone);
   };
-  CHECK(run(arguments, stopped_behind, stop) == 130);
+  CHECK(run(arguments, stop, stopped_behind) == 130);
   CHECK(entries(scratch.path) == 1);
 }
 
-TEST_CASE("a controller asked for beside all experiments is refused, whoever asks") {
+TEST_CASE("a key that experiments set is refused beside all of them, whoever asks") {
   const Scratch scratch;
-  fs::create_directories(scratch.path);
-  const std::atomic<bool> stop{false};
-  RunArguments arguments;
+  Arguments arguments = arguments_for("", scratch.path / "a");
   arguments.all = true;
-  arguments.json = true;
-  arguments.out = (scratch.path / "a").string();
+  arguments.report = false;
   arguments.assignments = {"controller=fc"};
-  CHECK_THROWS_WITH(run(arguments, standing(kung::EndReason::kDone), stop),
-                    Catch::Contains("--all runs both controllers"));
+  CHECK_THROWS_WITH(test::run(arguments, never),
+                    "run: --all sets controller itself; controller beside it means neither");
   std::ofstream(scratch.path / "afc.toml") << "controller = 'afc'\n";
   arguments.assignments = {"plant.payload_kg=1"};
-  CHECK(run(arguments, standing(kung::EndReason::kDone), stop) == 0);
+  CHECK(test::run(arguments, ending(EndReason::kDone)) == 0);
+  CHECK(entries(scratch.path / "a") == lab::machines().front()->experiments.size());
   arguments.files = {(scratch.path / "afc.toml").string()};
-  CHECK_THROWS_AS(run(arguments, standing(kung::EndReason::kDone), stop), ConfigError);
-}
-
-TEST_CASE("wide figures of a report do not run together") {
-  kung::Result result;
-  Metrics metrics;
-  metrics.samples = 1;
-  metrics.model_mm.mean = metrics.model_mm.std = metrics.model_mm.rms = 123456.789;
-  metrics.model_mm.variance = metrics.model_mm.max = 1234567890.123;
-  const std::string text = run_report(kung::Options{}, result, metrics, "out", "");
-  CHECK_THAT(text, Catch::Contains(
-                       " 123456.789 123456.789 1234567890.123 123456.789 1234567890.123\n"));
-}
-
-TEST_CASE("a stop without a fault of the chip is told apart from a trip") {
-  CHECK(cause_text({kung::FaultCode::kStroke, 1, 17}) == "stroke exceeded on axis Y");
-  CHECK_THAT(cause_text({}), Catch::Contains("processor"));
+  CHECK_THROWS_AS(test::run(arguments, never), lab::ConfigError);
 }

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Pages of finished runs, by the same rules for every machine: made again the same, closed, nothing
+// from elsewhere, and none of a folder that is not whole.
+#include "lab/report_page.hpp"
+
+#include <fmt/format.h>
+
+#include <catch2/catch.hpp>
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "lab/files.hpp"
+#include "lab/machine.hpp"
+#include "lab/report_data.hpp"
+#include "tests/support/files.hpp"
+#include "tests/support/scratch.hpp"
+#include "tests/support/short_run.hpp"
+
+using namespace trammel;
+using namespace trammel::lab;
+using Catch::Contains;
+using cosim::EndReason;
+using test::content;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Scratch : test::Scratch {
+  test::NoPrograms no_pictures;
+  Scratch() : test::Scratch("report_page_test_out") {}
+};
+
+int run_to(const fs::path& out, const Machine& machine, EndReason end = EndReason::kDone,
+           std::vector<std::string> set = {}) {
+  return test::run(test::arguments_for(test::scenario_of(machine), out, std::move(set)),
+                   test::ending(end));
+}
+
+template <class Check>
+void each_machine(Check check) {
+  for (const Machine* const machine : machines()) {
+    CAPTURE(machine->name);
+    const Scratch scratch;
+    check(*machine, scratch.path);
+  }
+}
+
+void replace(const fs::path& file, const std::string& old, const std::string& text) {
+  std::string all = content(file);
+  const auto at = all.find(old);
+  REQUIRE(at != std::string::npos);
+  write_text(file, all.replace(at, old.size(), text));
+}
+
+// The page of `folder` is refused in one line that says so, and the one that is there stays.
+void check_refused(const fs::path& folder, const std::string& says) {
+  CAPTURE(says);
+  const std::string page = content(folder / "report.html");
+  try {
+    write_run_page(folder);
+    FAIL_CHECK("the page was written");
+  } catch (const ConfigError& error) {
+    const std::string line = error.what();
+    CHECK_THAT(line, Contains(says));
+    CHECK(line.find('\n') == std::string::npos);
+  }
+  CHECK(content(folder / "report.html") == page);
+  CHECK_FALSE(fs::exists(folder / "report.html.new"));
+}
+
+}  // namespace
+
+TEST_CASE("a report made again from its folder is the same, byte by byte") {
+  each_machine([](const Machine& machine, const fs::path& base) {
+    const fs::path folder = base / "a";
+    REQUIRE(run_to(folder, machine) == 0);
+    const std::string first = content(folder / "report.html");
+    CHECK(first.size() > 50'000);
+    fs::remove(folder / "report.html");
+    write_run_page(folder);
+    CHECK(content(folder / "report.html") == first);
+  });
+}
+
+TEST_CASE("a page holds every column of the trace, and passes over samples where there are more") {
+  each_machine([](const Machine& machine, const fs::path& base) {
+    REQUIRE(run_to(base / "a", machine) == 0);
+    const RunFolder run = read_run(base / "a");
+    CHECK(run.machine == &machine);
+    CHECK(run.rows == run.metrics["run"]["samples"]);
+    REQUIRE(run.rows - run.first > 20);
+    const PageSeries all = page_series(run, false, 100000);
+    CHECK(all.count == run.rows - run.first);
+    CHECK(all.stride == 1);
+    std::vector<std::string> names;
+    for (const auto& channel : all.channels) names.push_back(channel["name"]);
+    std::vector<std::string> compared;
+    for (const Column& column : machine.columns().columns) {
+      CHECK(std::count(names.begin(), names.end(), column.name) == 1);
+      if (column.compared) compared.push_back(column.name);
+    }
+    const PageSeries few = page_series(run, true, 20);
+    CHECK(few.channels.size() >= compared.size());
+    CHECK(few.channels.size() < all.channels.size());
+    CHECK(few.count <= 20);
+    CHECK(few.stride == (run.rows - run.first + 19) / 20);
+    CHECK(few.count == (run.rows - run.first + few.stride - 1) / few.stride);
+  });
+}
+
+TEST_CASE("nothing a run is called ends the script that carries it") {
+  each_machine([](const Machine& machine, const fs::path& base) {
+    REQUIRE(run_to(base / "a", machine, EndReason::kDone, {"description=</script><b> &"}) == 0);
+    const std::string page = content(base / "a" / "report.html");
+    CHECK(page.find("</script><b>") == std::string::npos);
+    CHECK(page.find("\\u003c/script>\\u003cb>") != std::string::npos);
+  });
+}
+
+TEST_CASE("a page holds no address to load from") {
+  each_machine([](const Machine& machine, const fs::path& base) {
+    REQUIRE(run_to(base / "a", machine) == 0);
+    const std::string page = content(base / "a" / "report.html");
+    for (const char* loads :
+         {"src=\"", "@import", "url(http", "fetch(", "<link rel=\"stylesheet"}) {
+      CAPTURE(loads);
+      CHECK(page.find(loads) == std::string::npos);
+    }
+  });
+}
+
+TEST_CASE("runs have a page however they ended, without samples too") {
+  each_machine([](const Machine& machine, const fs::path& base) {
+    for (const EndReason end : {EndReason::kFault, EndReason::kDiverged, EndReason::kTimeout,
+                                EndReason::kStopped, EndReason::kPromise}) {
+      CAPTURE(end_text(end));
+      run_to(base / end_text(end), machine, end);
+      CHECK(fs::exists(base / end_text(end) / "report.html"));
+    }
+    std::atomic<bool> stop{true};  // before the first sample
+    const auto arguments = test::arguments_for(test::scenario_of(machine), base / "none",
+                                               {"run.engine=twin"});
+    CHECK(testbench::run(arguments, stop) == 130);
+    CHECK(read_run(base / "none").rows <= 1);
+    CHECK(fs::exists(base / "none" / "report.html"));
+  });
+}
+
+TEST_CASE("a run is never lost because its report failed") {
+  each_machine([](const Machine& machine, const fs::path& base) {
+    const testbench::Simulate simulate = [](const Settings& settings, const cosim::Hooks&) {
+      Record record = test::short_run(settings, EndReason::kDone);
+      record.figures.back().value = std::numeric_limits<double>::quiet_NaN();  // null in JSON
+      record.figures.back().digits = 3;
+      return record;
+    };
+    CHECK(test::run(test::arguments_for(test::scenario_of(machine), base / "a"), simulate) == 0);
+    CHECK(fs::exists(base / "a" / "metrics.json"));
+    CHECK(fs::exists(base / "a" / "trace.csv"));
+    CHECK_FALSE(fs::exists(base / "a" / "report.html"));
+  });
+}
+
+TEST_CASE("a corrupt folder is one line that names the file, and the old page stays") {
+  each_machine([](const Machine& machine, const fs::path& base) {
+    const fs::path folder = base / "a";
+    REQUIRE(run_to(folder, machine) == 0);
+    const fs::path trace_file = folder / "trace.csv";
+    const fs::path metrics_file = folder / "metrics.json";
+    const std::string trace = content(trace_file);
+    const std::string metrics = content(metrics_file);
+    const std::size_t rows = read_run(folder).rows;
+
+    write_text(trace_file, trace.substr(0, trace.size() / 2));
+    check_refused(folder, "trace.csv: is corrupt: line ");
+    write_text(trace_file, trace.substr(0, trace.rfind('\n', trace.size() - 2) + 1));
+    check_refused(folder, "trace.csv: is corrupt: " + std::to_string(rows - 1) +
+                              " samples, but the run recorded " + std::to_string(rows));
+    write_text(trace_file, trace);
+    replace(trace_file, machine.columns().columns[1].name, "medal");
+    check_refused(folder, "trace.csv: is corrupt: line 1 does not name the columns of a trace");
+    write_text(trace_file, "");
+    check_refused(folder, "trace.csv: is corrupt: line 1 ");
+    fs::remove(trace_file);
+    check_refused(folder, "trace.csv: is missing: not a folder that `trammel run` wrote");
+    fs::create_directory(trace_file);
+    check_refused(folder, "trace.csv: cannot be read");
+    fs::remove(trace_file);
+    write_text(trace_file, trace);
+
+    write_text(metrics_file, metrics.substr(0, metrics.size() / 2));
+    check_refused(folder, "metrics.json: is corrupt: no JSON at byte ");
+    write_text(metrics_file, "[]");
+    check_refused(folder, "metrics.json: is corrupt: not a JSON object");
+    write_text(metrics_file, metrics);
+    replace(metrics_file, "\"machine\":", "\"moschine\":");
+    check_refused(folder, "metrics.json: names no machine: written by an older trammel");
+    write_text(metrics_file, metrics);
+    replace(metrics_file, "\"machine\": \"" + machine.name, "\"machine\": \"other");
+    check_refused(folder,
+                  fmt::format("metrics.json: is of the machine \"other\", which this trammel does "
+                              "not have; it has {}",
+                              fmt::join(machine_names(), ", ")));
+    write_text(metrics_file, metrics);
+    replace(metrics_file, "\"id\":", "\"di\":");
+    check_refused(folder,
+                  "metrics.json: is corrupt: /figures does not hold id, name, unit and value");
+    write_text(metrics_file, metrics);
+    write_run_page(folder);
+    CHECK_THROWS_WITH(write_run_page(base / "b"), Contains("b: no such folder"));
+    CHECK_THROWS_WITH(write_run_page(trace_file), Contains("trace.csv: is not a folder"));
+  });
+}
+
+TEST_CASE("every member that a machine's page needs is asked for by its name") {
+  each_machine([](const Machine& machine, const fs::path& base) {
+    const fs::path folder = base / "a";
+    REQUIRE(run_to(folder, machine) == 0);
+    const auto metrics = Json::parse(content(folder / "metrics.json"));
+    std::vector<std::string> members{"/scenario",        "/end",           "/command",
+                                     "/verdict",         "/run/samples",   "/run/simulated_s",
+                                     "/run/clocks",      "/run/clock_ps",  "/run/event_hash",
+                                     "/options",         "/versions",      "/figures"};
+    for (const auto* list : {&machine.page.texts, &machine.page.counts, &machine.page.numbers,
+                             &machine.page.objects, &machine.page.arrays}) {
+      members.insert(members.end(), list->begin(), list->end());
+    }
+    for (const std::string& member : members) {
+      const Json::json_pointer place(member);
+      Json less = metrics;
+      REQUIRE(less.contains(place));
+      less[place] = nullptr;
+      write_text(folder / "metrics.json", less.dump());
+      check_refused(folder, "metrics.json: is corrupt: " + member + " is of a wrong kind");
+      less = metrics;
+      less[place.parent_pointer()].erase(place.back());
+      write_text(folder / "metrics.json", less.dump());
+      check_refused(folder, "metrics.json: is corrupt: " + member + " is missing");
+    }
+  });
+}
+
+TEST_CASE("runs of one machine are compared on one page, at most eight of them") {
+  each_machine([](const Machine& machine, const fs::path& base) {
+    const fs::path a = base / "one" / "a";
+    const fs::path b = base / "two" / "a";
+    REQUIRE(run_to(a, machine) == 0);
+    REQUIRE(run_to(b, machine, EndReason::kDone, {"processor.access_clk=9"}) == 0);
+    const fs::path file = base / "compare.html";
+    write_comparison_page({a, b}, file);
+    const std::string page = content(file);
+    CHECK(page.find("\"label\":\"one/a\"") != std::string::npos);
+    CHECK(page.find("\"label\":\"two/a\"") != std::string::npos);
+    CHECK(page.find("\"page\":\"two/a/report.html\"") != std::string::npos);
+    CHECK_THROWS_WITH(write_comparison_page(std::vector<fs::path>(9, a), file),
+                      Contains("at most 8"));
+    for (const Machine* const other : machines()) {
+      if (other == &machine) continue;
+      REQUIRE(run_to(base / "three", *other) == 0);
+      CHECK_THROWS_WITH(write_comparison_page({a, base / "three"}, file),
+                        Contains("only runs of one machine can be compared"));
+    }
+    CHECK(content(file) == page);
+  });
+}

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What of waves may be asked for, and what is made of them, by the same rules for every machine.
+#include "lab/waves.hpp"
+
+#include <fmt/format.h>
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "lab/files.hpp"
+#include "lab/layers.hpp"
+#include "lab/machine.hpp"
+#include "tests/support/files.hpp"
+#include "tests/support/scratch.hpp"
+#include "tests/support/short_run.hpp"
+
+using namespace trammel;
+using namespace trammel::lab;
+using Catch::Contains;
+using test::content;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Scratch : test::Scratch {
+  Scratch() : test::Scratch("waves_test_out") {}
+};
+
+std::unique_ptr<Settings> taken(const Machine& machine, const WaveArguments& arguments) {
+  auto settings = machine.defaults();
+  apply_waves(*settings, arguments);
+  check_waves(*settings);
+  return settings;
+}
+
+std::string message_of(const Machine& machine, const WaveArguments& arguments) {
+  try {
+    taken(machine, arguments);
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+WaveArguments fst() { return {"fst", "", "", "", ""}; }
+
+// A short run, whose trigger fired as given and whose waves are these.
+testbench::Simulate ran(std::optional<cosim::Clk> trigger, std::vector<cosim::WaveSpan> spans) {
+  return [=](const Settings& settings, const cosim::Hooks&) {
+    auto result = test::short_result(settings, cosim::EndReason::kDone);
+    result->wave_trigger = trigger;
+    result->waves = spans;
+    std::ofstream(settings.run.wave_file) << "waves";
+    return judged(settings.clone(), std::move(result));
+  };
+}
+
+int run_to(const fs::path& out, const Machine& machine, const WaveArguments& waves,
+           const testbench::Simulate& simulate) {
+  auto arguments = test::arguments_for(test::scenario_of(machine), out);
+  arguments.waves = waves;
+  arguments.report = false;
+  return test::run(arguments, simulate);
+}
+
+template <class Check>
+void each_machine(Check check) {
+  for (const Machine* const machine : machines()) {
+    CAPTURE(machine->name);
+    const Scratch scratch;
+    check(*machine, scratch.path);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("the command line of waves sets their keys") {
+  each_machine([](const Machine& machine, const fs::path&) {
+    const std::string start = machine.triggers().start;
+    WaveArguments arguments = fst();
+    arguments.window = "-1ms:3ms";
+    arguments.trigger = start;
+    const auto settings = taken(machine, arguments);
+    CHECK(settings->run.wave == cosim::WaveFormat::kFst);
+    CHECK(settings->run.wave_begin_s == Approx(-1e-3));
+    CHECK(settings->run.wave_end_s == Approx(3e-3));
+    CHECK(settings->run.wave_trigger == start);
+    arguments = fst();
+    arguments.pre = "0.5ms";
+    CHECK(taken(machine, arguments)->run.wave_pre_s == Approx(0.5e-3));
+    arguments = fst();
+    arguments.every = "50ms";
+    CHECK(taken(machine, arguments)->run.wave_every_s == Approx(0.05));
+  });
+}
+
+TEST_CASE("a window reads seconds, milliseconds, microseconds and nanoseconds") {
+  CHECK(parse_window("0:5ms").second == Approx(5e-3));
+  CHECK(parse_window("10us:0.5").first == Approx(1e-5));
+  CHECK(parse_window("20ns:1us").first == Approx(2e-8));
+  for (const char* text : {"5", "0:5min", "5ms:1ms", "1ms:1ms", ":", "a:b"}) {
+    INFO(text);
+    CHECK_THROWS_WITH(parse_window(text), Contains("--wave-window: value"));
+  }
+}
+
+TEST_CASE("every name that triggers may have is one, and none other") {
+  each_machine([](const Machine& machine, const fs::path&) {
+    const cosim::TriggerForms& forms = machine.triggers();
+    WaveArguments arguments = fst();
+    for (const std::string& name : cosim::trigger_names(forms)) {
+      CAPTURE(name);
+      const bool event =
+          std::find(forms.events.begin(), forms.events.end(), name) != forms.events.end();
+      arguments.trigger = event ? name : "change " + name;
+      CHECK(message_of(machine, arguments).empty());
+      arguments.trigger = (event ? name : "change " + name) + " after 1ms";
+      CHECK(message_of(machine, arguments).empty());
+      // Of a name with a letter too many the nearest is told.
+      arguments.trigger = "change " + name + "q";
+      CHECK_THAT(message_of(machine, arguments),
+                 Contains("--wave-trigger: " + name + "q: unknown signal; did you mean "));
+    }
+    arguments.trigger = "qqqqqqqqqqqq > 1";
+    CHECK(message_of(machine, arguments) ==
+          "--wave-trigger: qqqqqqqqqqqq: unknown signal; `trammel list signals` names them all");
+    arguments.trigger = "1 >";
+    CHECK(message_of(machine, arguments) ==
+          fmt::format("--wave-trigger: \"1 >\" is none of: {}", forms.help));
+    const auto settings = machine.defaults();
+    settings->run.wave = cosim::WaveFormat::kFst;
+    settings->run.wave_trigger = "1 >";
+    CHECK_THROWS_WITH(validate(*settings),
+                      fmt::format("run.wave_trigger: \"1 >\" is none of: {}", forms.help));
+  });
+}
+
+TEST_CASE("waves that cannot be are refused before the run") {
+  each_machine([](const Machine& machine, const fs::path&) {
+    WaveArguments arguments;
+    for (std::string WaveArguments::*member : {&WaveArguments::window, &WaveArguments::trigger,
+                                               &WaveArguments::pre, &WaveArguments::every}) {
+      arguments = {};
+      arguments.*member = "1ms";
+      CHECK_THAT(message_of(machine, arguments), Contains("needs --wave vcd or --wave fst"));
+    }
+    arguments = fst();
+    arguments.window = "-1ms:1ms";
+    CHECK_THAT(message_of(machine, arguments), Contains("only a window around run.wave_trigger"));
+    const double longest = machine.defaults()->run.max_s;
+    arguments.window = fmt::format("{0}s:{1}s", longest, longest + 1);
+    CHECK_THAT(message_of(machine, arguments),
+               Contains(fmt::format("value {0} is outside the run, 0..{0} s", longest)));
+    arguments.window = "0:5ms";
+    arguments.pre = "1ms";
+    CHECK_THAT(message_of(machine, arguments), Contains("--wave-pre: is of the default window"));
+    arguments.pre = "";
+    arguments.every = "4ms";
+    CHECK_THAT(message_of(machine, arguments),
+               Contains("value 0.004 is shorter than its window of 0.005"));
+    arguments.every = "5";
+    CHECK(message_of(machine, arguments).empty());
+    arguments.window = "0:1ns";
+    CHECK_THAT(message_of(machine, arguments), Contains("a window of 1e-09 s holds no clock"));
+    arguments.window = "9ns:11ns";  // around the border between edges 0 and 1
+    arguments.every = "2ns";
+    CHECK_THAT(message_of(machine, arguments),
+               Contains("value 2e-09 is shorter than its window of 2e-09"));
+    arguments.window = "0:5ms";
+    arguments.every = "5 ms";
+    CHECK_THAT(message_of(machine, arguments),
+               Contains("--wave-every: value \"5 ms\" is not a time"));
+    arguments = {"fsdb", "", "", "", ""};
+    CHECK_THAT(message_of(machine, arguments), Contains("--wave: run.wave: value \"fsdb\""));
+  });
+}
+
+TEST_CASE("a trigger that never fired is one failure, and the run's record is kept") {
+  each_machine([](const Machine& machine, const fs::path& base) {
+    WaveArguments arguments = fst();
+    arguments.trigger = machine.triggers().start;
+    CHECK(run_to(base / "a", machine, arguments, ran({}, {})) == 1);
+    CHECK(fs::exists(base / "a" / "metrics.json"));
+    CHECK_FALSE(fs::exists(base / "a" / "waves.fst"));
+    CHECK_FALSE(fs::exists(base / "a" / "waves.gtkw"));
+  });
+}
+
+TEST_CASE("a window behind the end of the run is one failure, and the run's record is kept") {
+  each_machine([](const Machine& machine, const fs::path& base) {
+    WaveArguments arguments = fst();
+    arguments.window = "1s:2s";
+    CHECK(run_to(base / "a", machine, arguments, ran({}, {})) == 1);
+    CHECK(fs::exists(base / "a" / "metrics.json"));
+    CHECK_FALSE(fs::exists(base / "a" / "waves.fst"));
+  });
+}
+
+TEST_CASE("a VCD that cannot be made leaves the FST and is told by the exit code") {
+  each_machine([](const Machine& machine, const fs::path& base) {
+    WaveArguments arguments = fst();
+    arguments.format = "vcd";
+    CHECK(run_to(base / "a", machine, arguments, ran(100, {{90, 190}})) == 1);
+    CHECK(fs::exists(base / "a" / "waves.fst"));
+    CHECK_FALSE(fs::exists(base / "a" / "waves.vcd"));
+  });
+}
+
+TEST_CASE("waves stand with their view, their windows and the trigger's time in the record") {
+  each_machine([](const Machine& machine, const fs::path& base) {
+    WaveArguments arguments = fst();
+    arguments.trigger = machine.triggers().start + std::string(" after 1us");
+    CHECK(run_to(base / "a", machine, arguments, ran(50000, {{40000, 140000}})) == 0);
+    CHECK(content(base / "a" / "waves.fst") == "waves");
+    const auto json = nlohmann::json::parse(content(base / "a" / "metrics.json"));
+    CHECK(json["waves"]["file"] == "waves.fst");
+    CHECK(json["waves"]["trigger"] == arguments.trigger);
+    CHECK(json["waves"]["trigger_s"] == Approx(1e-3));
+    CHECK(json["waves"]["windows"] == 1);
+    CHECK(json["waves"]["windows_s"][0][1] == Approx(2.8e-3));
+    const std::string view = content(base / "a" / "waves.gtkw");
+    CHECK_THAT(view, Contains("[dumpfile] \"" + (base / "a" / "waves.fst").string() + '"'));
+    CHECK_THAT(view, Contains("[timestart] 800000\n"));
+    CHECK_THAT(view, Contains(" 1000000 -1 -1"));  // the trigger is the marker, in ns
+    CHECK_THAT(view, Contains("\n@28\n"));
+  });
+}
+
+TEST_CASE("a run tells how large its waves will be where they are long") {
+  each_machine([](const Machine& machine, const fs::path&) {
+    const auto settings = machine.defaults();
+    CHECK_FALSE(waves_notice(*settings));
+    settings->run.wave = cosim::WaveFormat::kFst;
+    CHECK_FALSE(waves_notice(*settings));
+    settings->run.wave_end_s = 0.5;
+    CHECK(waves_notice(*settings) ==
+          fmt::format("waves of 500 ms take about {:.2g} MB", 0.5 * machine.fst_bytes_s / 1e6));
+    settings->run.wave_every_s = 1;
+    CHECK(waves_notice(*settings) == fmt::format("waves take about {:.2g} MB a second of the run",
+                                                 0.5 * machine.fst_bytes_s / 1e6));
+  });
+}
+
+TEST_CASE("a view names the windows by markers and keeps nothing of another file") {
+  cosim::RunResult result;
+  result.waves = {{0, 10000}, {2500000, 2510000}};
+  const std::string view = placed_view(
+      "[dumpfile] \"old\"\n[savefile] \"old\"\n[timestart] 7\n*-3.0 5 5\n[size] 1 1\n@28\na.b\n",
+      "/o/waves.vcd", result);
+  CHECK_THAT(view, Contains("[dumpfile] \"/o/waves.vcd\"\n[savefile] \"/o/waves.gtkw\"\n"));
+  CHECK_THAT(view, Contains(" -1 0 50000000 -1 -1"));
+  CHECK_THAT(view, Contains("[size] 1 1\n@28\na.b\n"));
+  CHECK_THAT(view, !Contains("old") && !Contains("*-3.0"));
+}
+
+TEST_CASE("a file that is not FST gives no VCD and stays") {
+  const Scratch scratch;
+  const fs::path file = scratch.path / "it's.fst";
+  std::ofstream(file) << "not waves";
+  CHECK_FALSE(fst_to_vcd(file, scratch.path / "it's.vcd"));
+  CHECK(fs::exists(file));
+  CHECK_FALSE(fs::exists(scratch.path / "it's.vcd"));
+}
