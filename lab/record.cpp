@@ -68,7 +68,7 @@ const char* end_text(cosim::EndReason end) {
     case cosim::EndReason::kDiverged: return "diverged";
     case cosim::EndReason::kTimeout: return "timeout";
     case cosim::EndReason::kStopped: return "interrupted";
-    case cosim::EndReason::kPromise: return "promise broken";
+    case cosim::EndReason::kPromise: return "assertion failed";
   }
   return "unknown";
 }

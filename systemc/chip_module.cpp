@@ -53,10 +53,10 @@ void ChipModule::simulate() {
       wait(sc_time_to_pending_activity());
       continue;
     }
-    const cosim::Stop stop =
-        loop_.advance(until, cosim::kIrq | cosim::kBusDone | cosim::kSample);
-    const bool told = (stop.why & (cosim::kIrq | cosim::kBusDone | cosim::kSample)) != 0;
-    const sc_time at = time_of(told ? stop.edge : loop_.chip().now());
+    constexpr unsigned kAnswered = cosim::kIrq | cosim::kBusDone | cosim::kSample;
+    const cosim::Stop stop = loop_.advance(until, kAnswered);
+    const bool early = (stop.why & kAnswered) != 0;
+    const sc_time at = time_of(early ? stop.edge : loop_.chip().now());
     if (at > sc_time_stamp()) wait(at - sc_time_stamp());
     if ((stop.why & cosim::kBusDone) != 0) done_event_.notify(SC_ZERO_TIME);
     if ((stop.why & cosim::kIrq) != 0) irq_event.notify(SC_ZERO_TIME);

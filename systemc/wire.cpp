@@ -37,7 +37,7 @@ void run_in_systemc(cosim::Session& session) {
 }
 
 // Progress of one of two runs: that of the search, or of the one that is dumped.
-cosim::Hooks half(const cosim::Hooks& hooks, double from) {
+cosim::Hooks half_of_progress(const cosim::Hooks& hooks, double from) {
   cosim::Hooks own = hooks;
   if (hooks.progress) {
     own.progress = [&hooks, from](double fraction) { hooks.progress(from + fraction / 2); };
@@ -68,12 +68,12 @@ std::unique_ptr<cosim::RunResult> simulate(const cosim::RunBasics& basics,
     trigger = event->edge;
   } else if (event) {
     cosim::TriggerSearch search(*event);
-    const auto session = make(half(hooks, 0), {&search, {}});
+    const auto session = make(half_of_progress(hooks, 0), {&search, {}});
     run(*session, basics);
     trigger = search.found();
     // Without the event there is nothing to dump, and this was the run.
     if (!trigger && (cosim::trigger_asked(basics) || session->stopped())) return session->result();
-    own = half(hooks, 0.5);
+    own = half_of_progress(hooks, 0.5);
   }
   if (basics.wave != cosim::WaveFormat::kNone) {
     waves.window = cosim::wave_window(basics, trigger.value_or(cosim::wave_origin(basics)));

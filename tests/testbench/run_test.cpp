@@ -94,7 +94,7 @@ TEST_CASE("how a run ended is its exit code, and its record is kept") {
   } ends[] = {{EndReason::kDone, 0, "done"},         {EndReason::kFault, 5, "tripped"},
               {EndReason::kDiverged, 5, "diverged"}, {EndReason::kTimeout, 5, "timeout"},
               {EndReason::kStopped, 130, "interrupted"},
-              {EndReason::kPromise, 4, "promise broken"}};
+              {EndReason::kPromise, 4, "assertion failed"}};
   each_machine([&](const lab::Machine& machine, const fs::path& base) {
     for (const auto& [end, code, text] : ends) {
       CAPTURE(text);
