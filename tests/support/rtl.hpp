@@ -22,6 +22,21 @@
 #include "cosim/verilated/clock_pins.hpp"
 #include "tests/support/bits.hpp"
 
+#ifdef TRAMMEL_WAVES
+#include "tests/support/waves.hpp"
+#else
+namespace trammel::test {
+struct Waves {  // none, unless a failed test is run again
+  template <class Model>
+  void begin(VerilatedContext&, Model&) {}
+  void settled() {}
+  void rose() {}
+  void fell() {}
+  void end() {}
+};
+}  // namespace trammel::test
+#endif
+
 namespace trammel::test {
 
 // Verilator's scopes leave the context of the thread, whichever was evaluated last: before a model
@@ -69,6 +84,7 @@ class Rtl {
 #ifdef TRAMMEL_COVERAGE
     if (covered().name != nullptr) covered().instances.push_back({context_, model_});
 #endif
+    waves_.begin(*context_, *model_);
     cosim::clock_pin(*model_) = 0;
     cosim::reset_pin(*model_) = 0;
     model_->eval();
@@ -76,6 +92,7 @@ class Rtl {
 
   ~Rtl() {
     model_->final();
+    waves_.end();
     end_model(context_, model_);
   }
 
@@ -90,10 +107,13 @@ class Rtl {
   // One rising edge; outputs are those after the edge.
   void tick() {
     model_->eval();
+    waves_.settled();
     cosim::clock_pin(*model_) = 1;
     model_->eval();
+    waves_.rose();
     cosim::clock_pin(*model_) = 0;
     model_->eval();
+    waves_.fell();
   }
 
   void reset() {
@@ -113,6 +133,7 @@ class Rtl {
   std::shared_ptr<VerilatedContext> context_ = std::make_shared<VerilatedContext>();
   std::shared_ptr<Model> model_;
   bool was_reset_ = false;
+  Waves waves_;
 };
 
 }  // namespace trammel::test

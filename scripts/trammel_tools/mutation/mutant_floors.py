@@ -51,8 +51,7 @@ def read(blocks):
         try:
             table = tomllib.loads(path.read_text(encoding="utf-8"))
             floor, survivors = table.get("floor", {}), table.get("survivors", {})
-            known = {block: dict(rows)
-                     for block, rows in survivors.items()}
+            known = {block: dict(rows) for block, rows in survivors.items()}
         except (OSError, tomllib.TOMLDecodeError, AttributeError, TypeError, ValueError) as error:
             found.wrong.append(f"{where}: {error}")
             continue

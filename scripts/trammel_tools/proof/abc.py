@@ -10,7 +10,7 @@ from trammel_tools.proof.properties import PropertiesError
 
 TRIES = 1000  # conflicts for one output at one clock of the quick search
 SIMULATED = 1  # [s] of random inputs
-QUICK = 6  # [s] for all of the quick search
+QUICK = 4  # [s] for all of the quick search
 
 
 def ask(folder, commands, limit):

@@ -111,8 +111,8 @@ class Counterexample:
         stem = self.props.stem
         columns = {}
         for name, net in found.items():
-            own = found.get(name.removeprefix(f"{scope}."))
-            if (own is not net and own is not None and own.bits == net.bits) or name == "clk_i":
+            own = found.get(name.removeprefix(f"{scope}."), net)
+            if name == "clk_i" or (own is not net and own.bits == net.bits):
                 continue
             columns[vcd.Signal(f"{stem}.{name}", net.width)] = [net.value(node) for node in nodes]
         promise = vcd.Signal(f"{stem}.{scope}.{self.label}", 1)
@@ -142,7 +142,8 @@ class Counterexample:
         vcd.write_view(self.view, self.waves, f"{self.label} of {props.block}, refuted at clock "
                        f"{self.clock}; written by trammel prove",
                        {"Promise": [clock, *reset, *promise], "It says": says, "Behind it": behind,
-                        "Inputs that matter": ports}, self.clock + 1)
+                        "Inputs that matter": ports},
+                       (0, (self.clock + 1) * vcd.PERIOD), self.clock * vcd.PERIOD)
 
     def words(self):
         """The values in the last clock of what the promise says."""

@@ -69,12 +69,12 @@ def write(path, clock, columns):
     path.write_text("\n".join(lines) + "\n", encoding="ascii")
 
 
-def write_view(path, waves, title, groups, clocks):
-    """groups {heading: [Signal]}; the marker stands where the last of the clocks begins."""
-    zoom = -math.log2(clocks * PERIOD / PIXELS)
+def write_view(path, waves, title, groups, span, marker):
+    """groups {heading: [Signal]}; the first and the last time to be seen, and the marker's [ns]."""
+    zoom = -math.log2((span[1] - span[0]) / PIXELS)
     lines = [f"[*] {title}", f'[dumpfile] "{waves.resolve()}"', f'[savefile] "{path.resolve()}"',
-             "[timestart] 0", "[size] 1400 900", "[pos] -1 -1",
-             f"*{zoom:.6f} {(clocks - 1) * PERIOD} -1", "[sst_width] 220", "[signals_width] 300",
+             f"[timestart] {span[0]}", "[size] 1400 900", "[pos] -1 -1",
+             f"*{zoom:.6f} {marker} -1", "[sst_width] 220", "[signals_width] 300",
              "[sst_expanded] 1"]
     for heading, signals in groups.items():
         if not signals:
