@@ -169,6 +169,11 @@ int perform(const CommandLine& line) {
   return tb::run(line.arguments, g_stop);
 }
 
+int fail(const std::exception& error, int code, const char* kind = "") {
+  fmt::print(stderr, "trammel: {}{}\n", kind, error.what());
+  return code;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -192,16 +197,12 @@ int main(int argc, char** argv) {
   try {
     return perform(line);
   } catch (const trammel::lab::ConfigError& error) {
-    fmt::print(stderr, "trammel: {}\n", error.what());
-    return 2;
+    return fail(error, 2);
   } catch (const std::system_error& error) {  // of a disk
-    fmt::print(stderr, "trammel: {}\n", error.what());
-    return 2;
+    return fail(error, 2);
   } catch (const trammel::lab::ToolMissing& error) {
-    fmt::print(stderr, "trammel: {}\n", error.what());
-    return 3;
+    return fail(error, 3);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "trammel: internal error: {}\n", error.what());
-    return 70;
+    return fail(error, 70, "internal error: ");
   }
 }

@@ -23,6 +23,7 @@ RUNS = [
     (0, *SHORT, "-o", "OUT/asserted", "--assert", "-s", "run.leap=false"),
     (0, "run", "step", *TWIN, "-o", "OUT/whole_step"),
     (0, "run", "--all", *LINE, "-o", "OUT/all"),
+    (0, "run", "--all", *LINE, "--json", "--no-report", "-o", "OUT/all"),
     (5, *SHORT, "--platform", "systemc", "-o", "OUT/tripped", "-s", "inject.trip_s=0.01"),
     (5, *SHORT, "-o", "OUT/encoder", "-s", "inject.encoder_s=0.01"),
     (5, *SHORT, "--platform", "systemc", "-o", "OUT/watchdog", *WATCHDOG),
