@@ -103,6 +103,7 @@ def main():
     shutil.copytree(ROOT / "scripts", root / "scripts",
                     ignore=shutil.ignore_patterns("__pycache__"))
     shutil.copytree(ROOT / "tests" / "support", root / "tests" / "support")
+    shutil.copytree(ROOT / "cosim" / "verilated", root / "cosim" / "verilated")
     for name, text in (("rtl/math/toy.sv", BLOCK), ("tests/math/toy_test.cpp", TEST)):
         (root / name).parent.mkdir(parents=True)
         (root / name).write_text(text, encoding="ascii")
