@@ -60,8 +60,9 @@ Metrics evaluate(const Options& options, const Result& result) {
 
 std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult& run) {
   const auto& options = static_cast<const Options&>(settings);
-  const auto& result = static_cast<const Result&>(run);
+  auto& result = static_cast<Result&>(run);
   const Metrics m = evaluate(options, result);
+  result.interrupts = m.interrupts;
   const bool done = result.end == cosim::EndReason::kDone;
   std::vector<lab::Figure> list;
   const auto add = [&list](lab::Figure f, const char* tile = "", bool shown = true) {
@@ -93,7 +94,7 @@ std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult
 
 void add_metrics(const lab::Record& record, nlohmann::ordered_json& json) {
   auto& all = json["interrupts"] = nlohmann::ordered_json::array();
-  for (const auto& one : evaluate(options_of(record), result_of(record)).interrupts) {
+  for (const auto& one : result_of(record).interrupts) {
     all.push_back({{"sample", one.sample}, {"time_s", one.time_s}, {"desired_count", one.desired},
                    {"real_count", one.real}, {"status", one.status}});
   }
@@ -101,7 +102,7 @@ void add_metrics(const lab::Record& record, nlohmann::ordered_json& json) {
 
 std::vector<std::string> remarks(const lab::Record& record) {
   constexpr std::size_t kMost = 10;
-  const auto interrupts = evaluate(options_of(record), result_of(record)).interrupts;
+  const auto& interrupts = result_of(record).interrupts;
   std::vector<std::string> lines;
   for (const auto& one : interrupts) {
     if (lines.size() == kMost) {

@@ -12,14 +12,6 @@ namespace trammel::an693 {
 
 // Samples are counted from the first in which the desired position moves, that being 1.
 struct Metrics {
-  struct Interrupt {
-    std::int64_t sample = 0;   // 0: before the motion
-    double time_s = 0;         // from the start of the run
-    std::int64_t desired = 0;  // [count]
-    std::int64_t real = 0;
-    unsigned status = 0;       // of that sample, which says why
-  };
-
   std::vector<Interrupt> interrupts;  // at which HI rose
   std::int64_t moving_samples = 0;    // until the desired position stood for good
   double moving_s = 0;

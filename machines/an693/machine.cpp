@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
 
 #include "machines/an693/session.hpp"
 #include "parts/lm628/columns.hpp"
@@ -52,10 +51,7 @@ lab::Machine describe() {
 }  // namespace
 
 const cosim::TriggerForms& triggers() {
-  static const cosim::TriggerForms forms{
-      lm628::signals(),
-      {std::begin(cosim::kStopEventNames), std::end(cosim::kStopEventNames)},
-      cosim::kStopEvents, "drive", cosim::name_stop_event};
+  static const cosim::TriggerForms forms = cosim::stop_forms(lm628::signals());
   return forms;
 }
 

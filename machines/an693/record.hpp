@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "cosim/disk_vector.hpp"
 #include "machines/an693/options.hpp"
@@ -25,6 +26,15 @@ struct Sample {
   double volt = 0;   // [V]
 };
 
+// Of the part: HI rose.
+struct Interrupt {
+  std::int64_t sample = 0;   // 0: before the motion
+  double time_s = 0;         // from the start of the run
+  std::int64_t desired = 0;  // [count]
+  std::int64_t real = 0;
+  unsigned status = 0;       // of that sample, which says why
+};
+
 struct Result : cosim::RunResult {
   std::size_t sample_count() const override { return samples.size(); }
   std::string fault_text() const override { return fault; }
@@ -33,6 +43,7 @@ struct Result : cosim::RunResult {
   std::string fault;                  // kFault: what the program saw
   std::int32_t desired = 0;           // RDDP and RDRP at the end [count]
   std::int32_t real = 0;
+  std::vector<Interrupt> interrupts;  // what evaluate() found
 };
 
 }  // namespace trammel::an693

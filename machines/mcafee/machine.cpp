@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 
 #include "lab/files.hpp"
 #include "machines/mcafee/session.hpp"
@@ -116,10 +115,7 @@ Table table_of(const Options& options) {
 }
 
 const cosim::TriggerForms& triggers() {
-  static const cosim::TriggerForms forms{
-      signals(),
-      {std::begin(cosim::kStopEventNames), std::end(cosim::kStopEventNames)},
-      cosim::kStopEvents, "drive", cosim::name_stop_event};
+  static const cosim::TriggerForms forms = cosim::stop_forms(signals());
   return forms;
 }
 
