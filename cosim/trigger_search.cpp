@@ -9,6 +9,8 @@ namespace {
 
 enum StopEvent : std::size_t { kDriveChanges, kHostRises, kInterrupts };  // of kStopEventNames
 
+}  // namespace
+
 bool name_stop_event(Trigger& trigger, const std::string& word) {
   const auto* found = std::find(std::begin(kStopEventNames), std::end(kStopEventNames), word);
   if (found == std::end(kStopEventNames)) return false;
@@ -16,8 +18,6 @@ bool name_stop_event(Trigger& trigger, const std::string& word) {
   trigger.signal = static_cast<std::size_t>(found - std::begin(kStopEventNames));
   return true;
 }
-
-}  // namespace
 
 TriggerForms stop_forms(const std::vector<Signal>& signals) {
   return {signals,

@@ -19,6 +19,7 @@ inline constexpr char kStopEvents[] =
     "at 10ms, rise|fall|change status.breakpoint, e > 20, each with `after TIME` behind it if "
     "wanted";
 inline constexpr const char* kStopEventNames[] = {"drive", "hi", "irq"};
+bool name_stop_event(Trigger& trigger, const std::string& word);
 TriggerForms stop_forms(const std::vector<Signal>& signals);  // these words and those signals
 
 class TriggerSearch final : public Watcher {
