@@ -10,7 +10,7 @@ from trammel_tools.proof.properties import PropertiesError
 
 TRIES = 1000  # conflicts for one output at one clock of the quick search
 SIMULATED = 1  # [s] of random inputs
-QUICK = 4  # [s] for all of the quick search
+QUICK = 2  # [s] for all of the quick search
 
 
 def ask(folder, commands, limit):
@@ -51,15 +51,6 @@ def reach(folder, name, labels, frames, limit, begin=0):
     text = ask(folder, f"read_aiger {name}.aig; bmc3 -a -S {begin} -F {frames} -T {limit}",
                limit + 30)
     return {labels[n]: clock for n, clock in risen(text).items()}, searched(text)
-
-
-def refute(folder, name, labels, frames, limit, begin):
-    """(labels whose outputs of name.aig rise, clocks searched): random inputs mostly do it."""
-    found = {labels[n] for n in random(folder, name, frames)}
-    if len(found) == len(labels):
-        return found, frames
-    reached, clocks = reach(folder, name, labels, frames, limit, begin)
-    return found | reached.keys(), clocks
 
 
 def random(folder, name, frames):

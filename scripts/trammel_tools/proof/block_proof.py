@@ -113,8 +113,8 @@ class BlockProof:
             except PropertiesError as error:
                 self.inapplicable(control, error)
                 continue
-            reached, clocks = abc.refute(self.folder, model.name, labels, props.frames, self.limit,
-                                         props.begin)
+            reached, clocks = abc.reach(self.folder, model.name, labels, props.frames, self.limit,
+                                        props.begin)
             kept = [label for label in control.promises if label not in reached]
             self.wrong += [f"{label}: line {control.line}: the control '{control.words}' does not "
                            f"refute it in {clocks} clocks" for label in kept]
