@@ -92,7 +92,7 @@ class Pmlsm {
   }
   SinCos angle(double x) const { return sin_cos_turns(x * turns_per_m_); }
 
-  // Everything that pushes the carriage at speed 0, away from a stop or against it.
+  // Force on the carriage at speed 0, where friction is none: it moves the carriage off a stop.
   double push(const MotorState& s) const {
     const SinCos a = angle(s.x);
     return force(s) - c_.cogging * 2 * a.sin * a.cos - c_.external_force;

@@ -25,7 +25,7 @@ class SensedMotor {
   }
 
   const Sensor& sensor() const { return sensor_; }
-  double voltage() const { return volt_; }  // [V] at the motor
+  double voltage() const { return volt_; }  // [V] commanded from the amplifier
 
   std::int64_t next() const { return next_; }
 

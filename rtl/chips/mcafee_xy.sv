@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Two 6 MHz LM628 behind McAfee's port of two bytes, and the fuzzy feed rate of self-paced tracking
-// (McAfee 1994; specification SPFTC sections 1, 2 and 6), in a 50 MHz fabric.
+// (McAfee 1994, chapters IV and VI, appendices B to D), in a 50 MHz fabric.
 //
 // Both parts leave reset together, and their samples then coincide; a command RESET to one of them
 // ends that. The limit switches are only reported: they cut the motors' power themselves.

@@ -255,7 +255,7 @@ module afc_props
 
   // ---- the adder: with products of their true size nothing is lost before a saturation ----
 
-  logic fits, fits_q;   // so do all products of the sample so far
+  logic fits, fits_q;   // the product has its true size; so had those before it
   logic used, shifting;  // the sum, the shifted product is used
   logic [2:0] zeros_q;  // below the product, for a shifted factor
   logic [5:0] last_place;
