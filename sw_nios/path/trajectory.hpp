@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// One of the paths, chosen when the program starts. A plain value: a copy continues on its own.
+// One of the paths, chosen when the program starts. A plain value: a copy continues separately.
 #pragma once
 
 #include <cstdint>
