@@ -1,16 +1,16 @@
 # The verilated chips of machines and parts: a folder with verilated/ has a chip.cmake that names
 # its chip by trammel_chip(), which alone makes the models and what goes with them.
 
-# Of rtl/chips/<chip>.sv, in the library trammel_chip_models: V<chip>_fast, for speed; V<chip>_fst,
-# with an FST writer (5.006 builds one format a model), which is evaluated in the windows of waves
-# alone; and V<chip>_checked, with the properties of all blocks, for `run --assert`, since they
-# would double the cost of an evaluation. These two are optimised less: they compile in a third of
-# the time. Integers only, so this code alone may use the machine's own
-# instructions. And the headers <chip>_registers.hpp, the registers and inputs of the models for
-# `run --audit` and waves, and <chip>_traced.hpp, what moves in every clock of the waves. And the
-# unit with make_verilated_chip(), which makes the one that a run asks for.
-#   INTERFACE name    what the chip is to the loop, in the namespace of the folder that calls;
-#                     verilated/chip_model.hpp there has the template ChipModel<Model, Tracer>
+# From rtl/chips/<chip>.sv, in the library trammel_chip_models: V<chip>_fast, for speed;
+# V<chip>_fst, with an FST writer (5.006 builds one format per model), which is evaluated only in
+# windows of waves; and V<chip>_checked, with the properties of all blocks, for `run --assert`,
+# since they would double the cost of an evaluation. These two are optimised less: they compile in
+# a third of the time. It is integer code, so it alone may use all instructions of this computer.
+# Also the headers <chip>_registers.hpp, the registers and inputs of the models for `run --audit`
+# and waves, and <chip>_traced.hpp, the signals that change in every clock of the waves. And the
+# unit with make_verilated_chip(), which makes the model that a run needs.
+#   INTERFACE name    the class by which the loop knows the chip, in the namespace of the calling
+#                     folder; its verilated/chip_model.hpp has the template ChipModel<Model, Tracer>
 #   VISIBLE FILE...   .vlt files with the signals that C++ reads; default: verilated/*.vlt there
 #   TRACE_ARRAYS N    memories up to this size are in the waves
 macro(trammel_chip chip)

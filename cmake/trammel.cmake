@@ -25,14 +25,14 @@ function(trammel_library name folder)
   endif()
 endfunction()
 
-# Checks and counts in every template of a header library take long to compile: once a folder.
+# With checks and counters the templates of a header library compile slowly: one unit per folder.
 function(trammel_unity_if_checked name)
   if(TRAMMEL_BASE)
     set_target_properties(${name} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 0)
   endif()
 endfunction()
 
-# An executable of Catch2 cases from one file or a list of them, a test of that prefix.
+# An executable of Catch2 cases from one file or a list of files; the test has the name `prefix`.
 function(trammel_test name source prefix)
   trammel_test_program(${name} "${source}" ${ARGN})
   add_dependencies(trammel_checked ${name})
@@ -45,7 +45,7 @@ function(trammel_test_program name source)
   target_link_libraries(${name} PRIVATE trammel_options trammel_catch_main ${ARGN})
 endfunction()
 
-# A test is of the first tier, `trammel test`, unless it is named here: then it is of the rest,
+# Tests belong to the first tier, `trammel test`, except those named here: they belong to the rest,
 # `trammel test --full-only` (docs/verification.md).
 function(trammel_full_tier)
   set_property(TEST ${ARGN} PROPERTY LABELS full)
@@ -74,7 +74,7 @@ function(trammel_verilated_library name)
     $<TARGET_PROPERTY:${name},INTERFACE_INCLUDE_DIRECTORIES>)
 endfunction()
 
-# Verilator's runtime, and those parts of it: cov, dpi, fst_c.
+# Verilator's runtime, with the given parts of it: cov, dpi, fst_c.
 function(trammel_verilator_runtime library)
   if(NOT TRAMMEL_BASE)
     set(parts ${ARGN})
@@ -85,8 +85,8 @@ function(trammel_verilator_runtime library)
 endfunction()
 
 # A model as one unit of a library, <name>.cpp in build/verilated/<name>, compiled with these
-# options: its many small ones take twice as long to compile. It is verilated when it is built, so
-# that a block can be built alone.
+# options: many small units would take twice as long. It is verilated when it is built, so that a
+# block can be built alone.
 function(trammel_verilate library name options)
   cmake_parse_arguments(MODEL "COVERAGE;TRACE_FST" "TOP_MODULE;PREFIX" "SOURCES;VERILATOR_ARGS"
     ${ARGN})
@@ -129,10 +129,10 @@ function(trammel_imported_library name)
     IMPORTED_LOCATION ${TRAMMEL_BASE}/${folder}/lib${name}.a)
 endfunction()
 
-# The model of a block for its unit test, a library of that name: assertions live, coverage counted
-# when it is asked for. With -Og it compiles in half of the time of -O1 and runs a sixth slower. A
-# chip or board carries the properties of all blocks; what its blocks have of coverage they get in
-# their own tests. A line `// verilate: ARGS` in the test sets parameters of the module.
+# The model of a block for its unit test, a library of that name: assertions enabled, coverage
+# counted on request. With -Og it compiles in half the time of -O1 and runs a sixth slower. A chip
+# or board includes the properties of all blocks; the coverage of its blocks is counted in their own
+# tests. A line `// verilate: ARGS` in the test sets parameters of the module.
 function(trammel_unit_model library source test)
   cmake_path(GET source STEM block)
   cmake_path(GET source PARENT_PATH folder)
@@ -163,7 +163,7 @@ function(trammel_unit_test block source test prefix)
 endfunction()
 
 # The unit test once more, with a model that counts coverage. That takes five times as long to
-# compile, so it is of the full tier. Its counts are for the test coverage.rtl.
+# compile, so it belongs to the full tier. Its counts are for the test coverage.rtl.
 function(trammel_coverage_test block source test prefix)
   cmake_path(GET test PARENT_PATH folder)
   file(GLOB parts CONFIGURE_DEPENDS ${folder}/${block}_*_test.cpp)
@@ -231,7 +231,7 @@ function(trammel_add_boards)
   endforeach()
 endfunction()
 
-# A unit that gathers what a function of each of these machines gives; its path in `out`.
+# A unit that collects what a function of each of these machines returns; its path in `out`.
 #   trammel_machine_table(out machine "const lab::Machine&" NAMES...)
 function(trammel_machine_table out function result)
   set(declared)

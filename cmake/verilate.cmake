@@ -1,11 +1,11 @@
-# Verilates a model and writes all of its code as one unit, run by trammel_verilate() when a file
-# the model is made of has changed:
+# Verilates a model and writes all of its code as one unit; run by trammel_verilate() when a source
+# of the model has changed:
 #
 #   cmake -DUNIT=model.cpp -DPREFIX=Vblock -DSOURCE=folder -P verilate.cmake -- VERILATOR ARGS...
 #
 # Verilator runs in the folder SOURCE with relative names, so that two clones of the repository get
-# the same code and share it in the compiler's cache. Headers stay beside the unit. What comes out
-# as it was before keeps its time: a change that no port sees does not compile the test again.
+# the same code and share it in the compiler's cache. Headers stay beside the unit. Output that is
+# as before keeps its time stamp: a change that no port sees does not recompile the test.
 
 set(command)
 math(EXPR last "${CMAKE_ARGC} - 1")
@@ -24,7 +24,7 @@ file(MAKE_DIRECTORY ${new})
 execute_process(COMMAND ${command} --prefix ${PREFIX} --Mdir ${new} --MMD
   WORKING_DIRECTORY ${SOURCE} OUTPUT_VARIABLE said ERROR_VARIABLE said RESULT_VARIABLE code)
 if(NOT code EQUAL 0)
-  message(FATAL_ERROR "${said}")  # warnings are the business of the lint tests
+  message(FATAL_ERROR "${said}")  # warnings are left to the lint tests
 endif()
 
 file(GLOB headers RELATIVE ${new} ${new}/*.h)
@@ -38,7 +38,7 @@ foreach(extra IN LISTS KEEP)
   file(COPY_FILE ${new}/${extra} ${folder}/${extra} ONLY_IF_DIFFERENT)
 endforeach()
 
-# The hashes of all headers in front: what includes them through the unit needs no list of them.
+# The hashes of all headers come first: whatever includes them via the unit needs no list of them.
 file(WRITE ${new}/unit "${hashes}\n")
 file(GLOB parts ${new}/*.cpp)
 execute_process(COMMAND ${CMAKE_COMMAND} -E cat ${new}/unit ${parts}

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The only home of shifts, rounding and saturation. Integers only.
+// The only place for shifts, rounding and saturation. Integers only.
 // Twin of rtl/math/math_pkg.sv, function by function.
 #pragma once
 

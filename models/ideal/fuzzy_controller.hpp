@@ -2,8 +2,8 @@
 //
 // Adaptive fuzzy controller in double precision (Kung et al. 2012; specification section 5):
 // triangular memberships, product inference, PI, speed gain and the tuning law. Quantities have
-// the scale of the words (counts, 1/16 count per sample, 4.8 A / 2048) but no grain; limits are
-// those of the words.
+// the scale of the words (counts, 1/16 count per sample, 4.8 A / 2048) but are not quantised; the
+// limits are those of the words.
 #pragma once
 
 #include <algorithm>
@@ -20,8 +20,8 @@ class FuzzyController {
     double ki = 839.0 / 2048 / 128;
     double kv = 1884.0 / 2048 * 2;
     double eta = 1140.0 / 2048 / 256;  // alpha (Kp + Ki) Kv / 32
-    double e_unit = 256;               // [counts] of e that are one unit of the universe
-    double de_unit = 64;               // [counts per sample]
+    double e_unit = 256;               // [counts] of e per unit of the universe
+    double de_unit = 64;               // [counts per sample] of de per unit
   };
 
   struct Out {
@@ -40,7 +40,7 @@ class FuzzyController {
     }
   }
 
-  // Bumpless start at rest in x_p; the rules stay.
+  // Bumpless start at rest at x_p; the rules are kept.
   void reset(double x_p) {
     x_p_prev_ = x_p;
     e_prev_ = integral_ = 0;

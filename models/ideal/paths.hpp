@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Trajectories in double precision, written from the table of specification section 10: positions
-// in millimetres, point k of one pass. The firmware's integer generators are held against these.
+// in millimetres, point k of one pass. The firmware's integer generators are compared with these.
 #pragma once
 
 #include <cmath>
@@ -54,7 +54,7 @@ inline PointMm window_point(int k) {
 
 inline constexpr int kStarTicks = 910;
 
-// Kung eq. 39 to 43: the five strokes of the default star, by their increments a tick.
+// Kung eq. 39 to 43: the five strokes of the default star, by their increments per tick.
 inline PointMm star_point(int k) {
   constexpr int kStroke = 182;
   constexpr double kStep = 100.0 / kStroke;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Reference model of the adaptive fuzzy controller: second order, bilinear transform, in the
-// paper's five-multiplication form. Double precision carries what 24-bit words cannot
+// paper's five-multiplication form, for which double precision suffices and 24-bit words do not
 // (specification section 4).
 #pragma once
 
@@ -32,7 +32,7 @@ class ReferenceModel {
             (k * k - 2 * config.zeta * w * k + w * w) / denominator};
   }
 
-  // Rest at x.
+  // At rest at x.
   void reset(double x) { x_1_ = x_2_ = r_1_ = r_2_ = x; }
 
   double step(double r) {

@@ -12,7 +12,7 @@
 namespace trammel::ideal {
 
 struct OffTimes {
-  double a = 0.5, b = 0.5, c = 0.5;  // fraction of the period the upper switch is off
+  double a = 0.5, b = 0.5, c = 0.5;  // fraction of the period in which the upper switch is off
   int sector = 0;
 };
 
@@ -46,7 +46,7 @@ inline OffTimes svpwm(const AlphaBeta& v) {
   }
 }
 
-// Duty of the three phases by injection of the common mode; valid inside the hexagon.
+// Duty of the three phases by common-mode injection; valid inside the hexagon.
 inline Phases min_max_duty(const AlphaBeta& v) {
   const Phases p = inverse_clarke(v);
   const double middle = (std::max({p.a, p.b, p.c}) + std::min({p.a, p.b, p.c})) / 2;

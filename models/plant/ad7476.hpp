@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Serial side of an AD7476-style converter: holds at the fall of cs_n and shows the first of four
-// leading zeros; each fall of sclk brings the next bit, 12 bits follow MSB first.
+// Serial side of an AD7476-style converter: it samples at the fall of cs_n and shows the first of
+// four leading zeros; each fall of sclk brings the next bit, and 12 bits follow MSB first.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ namespace trammel::plant {
 
 class Ad7476 {
  public:
-  // Called with the pins after each clock; `code` is asked for only at the hold edge.
+  // Called with the pins after each clock; `code` is called only at the sampling edge.
   template <class Code>
   bool step(bool cs_n, bool sclk, Code&& code) {
     if (cs_n_ && !cs_n) {
@@ -24,7 +24,7 @@ class Ad7476 {
   }
 
  private:
-  std::uint32_t word_ = 0;  // the bit on the line is bit 15
+  std::uint32_t word_ = 0;  // bit 15 is on the line
   bool cs_n_ = true;
   bool sclk_ = true;
 };

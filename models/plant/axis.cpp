@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kSegment = 6.25e-6;  // [s] longest span of one series
 constexpr double kHorizon =
-    62.5e-6;                        // [s] look-ahead of next(); then the axis asks to be committed
+    62.5e-6;                        // [s] look-ahead of next(), at whose end the axis is committed
 constexpr double kShortest = 1e-9;  // [s] keeps a chain of events finite
 constexpr std::array<AlphaBeta, 3> kPhase{AlphaBeta{1, 0}, AlphaBeta{-0.5, 0.86602540378443865},
                                           AlphaBeta{-0.5, -0.86602540378443865}};
@@ -30,7 +30,7 @@ PmlsmConfig motor_config(const AxisConfig& c) {
   return m;
 }
 
-// Friction near rest decays with M v_f/F_c; a span stays well below that time where it is shorter.
+// Near rest friction has the time constant M v_f/F_c; a span stays well below it if it is short.
 double segment_length(const PmlsmConfig& m) {
   const double friction = std::fabs(m.coulomb) * 4;
   return friction * kSegment > m.mass * m.friction_speed ? m.mass * m.friction_speed / friction
@@ -39,7 +39,7 @@ double segment_length(const PmlsmConfig& m) {
 
 double dot(const AlphaBeta& a, const AlphaBeta& b) { return a.alpha * b.alpha + a.beta * b.beta; }
 
-// Zero of a function of t in (0, length), its sign at 0 being known and the other at length.
+// Zero of a function of t in (0, length) that changes sign there.
 template <class F>
 double root(F f, double length) {
   double a = 0, b = length, f_a = f(0.0), f_b = f(length);
@@ -98,7 +98,7 @@ Axis::Point Axis::point(const Segment& s, double t, unsigned zero) const {
   Point p{s.span.at(t), {}};
   p.angle = motor_.angle(p.motor.x);
   if (zero == 0) return p;
-  if ((zero & (zero - 1)) != 0) {  // two currents zero: all are
+  if ((zero & (zero - 1)) != 0) {  // two currents are zero: all are
     p.motor.i_d = p.motor.i_q = 0;
     return p;
   }
@@ -196,7 +196,7 @@ const Axis::Segment& Axis::successor(std::size_t k) const {
   return chain_[k + 1];
 }
 
-// Valid until the next question.
+// Valid until the next call.
 const Axis::Segment& Axis::segment_at(double t) const {
   std::size_t k = 0;
   const Segment* s = &chain_[0];
@@ -210,7 +210,7 @@ void Axis::commit(Clk n, unsigned gates) {
   const Segment& s = segment_at(t);
   const unsigned zero = s.legs.open ? 7u : s.legs.floating;
   const Point p = point(s, t - s.start, zero);
-  // Only the axis' own event moves the lines, so that a drive change never alters them unseen.
+  // Only the axis' own event moves the lines, so that a change of the drive never does so unseen.
   if (own) encoder_.follow(p.motor.x);
   anchor_ = n;
   gates_ = gates;
@@ -267,12 +267,12 @@ Clk Axis::predict() const {
   }
 }
 
-// First clock in [from, to] of a segment with the position outside the encoder's present count.
+// First clock in [from, to] of a segment at which the position is outside the encoder's count.
 Clk Axis::first_edge(const Segment& s, Clk from, Clk to) const {
   const double t_0 = seconds(from - 1) - s.start;
   const double t_1 = seconds(to) - s.start;
   if ((s.span.speed(t_0) > 0) != (s.span.speed(t_1) > 0) && to > from) {
-    // The carriage turns round: the farthest position may lie inside.
+    // The carriage reverses: the extreme position may lie in between.
     const double turn =
         t_0 + root([&](double t) { return s.span.speed(t_0 + t); }, t_1 - t_0) + s.start;
     const Clk m = std::clamp(static_cast<Clk>(turn / period_), from, to - 1);

@@ -3,7 +3,7 @@
 // One table axis: inverter, motor, carriage with stops, encoder, current sensors. The gate bits
 // hold from a commit on; from there the motion is a chain of segments (motor spans) that end
 // after 6.25 us, where a diode current dies out, or where the carriage meets a stop. Segments
-// follow from the last commit alone, so every question in between is pure and next() agrees with
+// follow from the last commit alone, so every query in between is pure and next() agrees with
 // what commit() will find.
 #pragma once
 
@@ -116,7 +116,7 @@ class Axis {
   unsigned gates_ = 0;
   bool shoot_through_ = false;
   Clk anchor_ = 0;
-  // What follows from the last commit, as far as it was asked for; slots are used again.
+  // Segments since the last commit, as far as they were needed; slots are reused.
   mutable std::vector<Segment> chain_;
   mutable std::size_t known_ = 0;
   Clk next_ = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Phase current sensor with its converter: offset binary, code = 2^(bits-1) + round(i / LSB),
-// clipped. Noise is a pure function of (seed, channel, clock): asking again gives the same answer.
+// clipped. Noise is a pure function of (seed, channel, clock): another call gives the same value.
 #pragma once
 
 #include <algorithm>

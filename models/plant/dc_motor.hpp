@@ -5,8 +5,9 @@
 //   J dw/dt = k i - B w - T_c w/sqrt(w^2 + w_f^2) - T_ext,  dtheta/dt = w
 // The current stays within its bounds, whatever voltage that takes, and the shaft loses its speed
 // at a stop. Runge-Kutta steps of at most 16 us, a sixtieth of the shortest time constant of the
-// default motor: below 1e-9 of the current; a bound is met at the end of a step. The defaults are a
-// small motor as used with the LM628 around 1990; the application note's own motor is not known.
+// default motor: the error is below 1e-9 of the current; bounds act at the end of a step. The
+// defaults are a small motor as used with the LM628 around 1990; that of the application note is
+// not known.
 #pragma once
 
 #include <algorithm>
@@ -26,7 +27,7 @@ struct DcMotorConfig {
   double friction_speed = 0.1;  // [rad/s], width of the Coulomb transition
   double external_torque = 0;   // [N m], against positive motion
   double supply = 24;           // [V]
-  double current_limit = std::numeric_limits<double>::infinity();  // [A] of the amplifier
+  double current_limit = std::numeric_limits<double>::infinity();  // [A], of the amplifier
 };
 
 struct DcMotorState {
@@ -35,7 +36,7 @@ struct DcMotorState {
   double i = 0;      // [A]
 };
 
-// Where current and shaft can be.
+// Limits of current and shaft angle.
 struct DcMotorBounds {
   static constexpr double kFree = std::numeric_limits<double>::infinity();
   double i_low = -kFree, i_high = kFree;          // [A]
@@ -48,14 +49,14 @@ class DcMotor {
 
   const DcMotorConfig& config() const { return c_; }
 
-  // What the amplifier leaves of these.
+  // These bounds, narrowed by those of the amplifier.
   DcMotorBounds within(DcMotorBounds b) const {
     b.i_low = std::max(b.i_low, -c_.current_limit);
     b.i_high = std::min(b.i_high, c_.current_limit);
     return b;
   }
 
-  // Voltage at the motor for a command, 1 is full scale.
+  // Voltage at the motor for a command; 1 is full scale.
   double voltage(double command) const {
     return std::fmax(-1.0, std::fmin(1.0, command)) * c_.supply;
   }

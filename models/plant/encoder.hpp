@@ -11,7 +11,7 @@
 namespace trammel::plant {
 
 struct EncoderConfig {
-  double count = 5e-6;      // [m] per count, after quadrupling
+  double count = 5e-6;      // [m] per count, after x4 decoding
   double hysteresis = 0.2;  // [counts], full width
   double index = 0.25;      // [m]
 };

@@ -2,8 +2,8 @@
 //
 // Three-leg voltage source inverter on a stiff DC link, from its actual gate bits. Currents count
 // positive out of the leg. A leg with one switch on is tied to a rail; with both off the sign of
-// its current picks the diode (out: lower, in: upper); with both off and no current it floats at
-// the voltage that keeps the current zero, unless that voltage would open a diode.
+// its current selects the diode (out: lower, in: upper); with both off and no current it floats at
+// the voltage that keeps the current zero, unless a diode would conduct at that voltage.
 #pragma once
 
 #include <array>
@@ -42,8 +42,8 @@ class Inverter {
   const InverterConfig& config() const { return c_; }
 
   // current: phase currents; zero: bit per leg whose current is known to be zero; emf: phase
-  // back-EMF; keep_zero(leg, volt): voltage of `leg` that keeps its current zero, the other two
-  // being given.
+  // back-EMF; keep_zero(leg, volt): voltage of `leg` that keeps its current zero, given the other
+  // two.
   template <class KeepZero>
   Legs resolve(unsigned gates, const std::array<double, 3>& current, unsigned zero,
                const std::array<double, 3>& emf, KeepZero keep_zero) const {
@@ -92,7 +92,7 @@ class Inverter {
     legs.floating &= ~(1u << leg);
   }
 
-  // Nothing conducts: a pair of diodes opens when the line back-EMF exceeds the link (rectifier).
+  // No leg conducts: a pair of diodes does when the line back-EMF exceeds the link (rectifier).
   void open_all(Legs& legs, const std::array<double, 3>& emf) const {
     std::size_t high = 0, low = 0;
     for (std::size_t k = 1; k < 3; ++k) {
@@ -104,8 +104,8 @@ class Inverter {
     clamp(legs, low, 1);
   }
 
-  // One leg fixes the potential and its current is zero; the leg that leaves the rails most
-  // conducts.
+  // One leg fixes the potential and its current is zero; of the others, the one farthest outside
+  // the rails conducts.
   void open_two(Legs& legs, const std::array<double, 3>& emf) const {
     const std::size_t fixed = first(~legs.floating & 7u);
     std::size_t worst = fixed;

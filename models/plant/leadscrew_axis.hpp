@@ -2,9 +2,9 @@
 //
 // Axis of a leadscrew stage (McAfee 1994, ch. IV): 8-bit converter, amplifier of the LM675 class
 // that limits its current, DC motor, screw, encoder on the shaft, optical limit switches at both
-// ends of the travel and stops behind them. An open switch lets a diode alone carry the motor's
-// current: none flows toward the switch, at once, while the amplifier can still drive away from it
-// and the moving motor brakes. Signatures of cosim::Plant, of one axis.
+// ends of the travel and stops behind them. Past an open switch only a diode carries the motor's
+// current: at once none flows toward the switch, while the amplifier can still drive away from it
+// and the moving motor brakes. Signatures of cosim::Plant, for one axis.
 #pragma once
 
 #include <cstdint>
@@ -14,8 +14,8 @@
 
 namespace trammel::plant {
 
-// Electrical data of the Aerotech 1075 and the friction are assumed; rotor, screw and carriage
-// together are the inertia.
+// Electrical data of the Aerotech 1075 and the friction are assumed; the inertia is that of rotor,
+// screw and carriage together.
 inline DcMotorConfig leadscrew_motor() {
   DcMotorConfig c;
   c.resistance = 1.1;
@@ -31,7 +31,7 @@ inline DcMotorConfig leadscrew_motor() {
 struct LeadscrewConfig {
   DcMotorConfig motor = leadscrew_motor();
   SineEncoderConfig encoder;
-  double pitch = 4.0132e-3;           // [m] a turn, 0.158 in
+  double pitch = 4.0132e-3;           // [m] per revolution, 0.158 in
   double switch_low = -0.3048;        // [m] from where the axis starts; 24 in of travel
   double switch_high = 0.3048;        // [m]
   double switch_hysteresis = 20e-6;   // [m]
@@ -92,7 +92,7 @@ class LeadscrewAxis : public SensedMotor<LeadscrewSensor> {
   explicit LeadscrewAxis(const LeadscrewConfig& c)
       : SensedMotor(c.motor, LeadscrewSensor(c), c.clock_ps) {}
 
-  // Its own event or a new code alone advances the state.
+  // Only an event of the axis or a new code advances the state.
   void drive(std::int64_t n, unsigned code) {
     if (code == code_ && n < next()) return;
     code_ = code;

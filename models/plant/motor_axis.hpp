@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A DC motor with an incremental encoder on its shaft, which turns freely: signatures of
+// A DC motor with an incremental encoder on its shaft, which rotates freely: signatures of
 // cosim::Plant (models/ may not see cosim/, which wraps it).
 #pragma once
 
@@ -13,7 +13,7 @@ namespace trammel::plant {
 
 struct MotorAxisConfig {
   DcMotorConfig motor;
-  int counts = 4000;        // a turn, after quadrupling
+  int counts = 4000;        // per revolution, after x4 decoding
   double hysteresis = 0.2;  // [counts], full width
   std::int64_t clock_ps = 20000;
 };

@@ -6,7 +6,8 @@
 //   M dv/dt = F_e - B v - F_c v/sqrt(v^2 + v_f^2) - F_cog sin(2 pi x/tau) - F_ext,  dx/dt = v
 //   F_e = 3 pi/(2 tau) ((L_d - L_q) i_d + lambda_f) i_q
 // Under constant phase voltages the solution over a short span (6.25 us) is a Taylor series in
-// time: currents and speed to t^3, position to t^4. The truncation is below 1e-9 of the current.
+// time: currents and speed to t^3, position to t^4. Its truncation error is below 1e-9 of the
+// current.
 #pragma once
 
 #include <array>
@@ -21,7 +22,7 @@ struct PmlsmConfig {
   double inductance_d = 23.3e-3;   // [H]
   double inductance_q = 23.3e-3;   // [H]
   double force_constant = 79.9;    // [N/A], peak of the amplitude-invariant i_q
-  double pole_pitch = 30.5e-3;     // [m], north to south: half an electrical turn
+  double pole_pitch = 30.5e-3;     // [m], north to south: half an electrical revolution
   double mass = 2.5;               // [kg], moving
   double coulomb = 3.0;            // [N]
   double viscous = 20;             // [N s/m]
@@ -49,7 +50,7 @@ inline std::array<double, 3> to_phases(const AlphaBeta& s) {
   return {s.alpha, -0.5 * s.alpha + half, -0.5 * s.alpha - half};
 }
 
-// What holds the carriage or the currents while a span lasts.
+// What holds the carriage or the currents during a span.
 struct Hold {
   bool carriage = false;  // against a stop: v = 0
   bool currents = false;  // no leg conducts: i = 0
@@ -91,7 +92,7 @@ class Pmlsm {
   }
   SinCos angle(double x) const { return sin_cos_turns(x * turns_per_m_); }
 
-  // Everything that pushes the carriage at speed 0: what leaves a stop.
+  // Force on the carriage at speed 0, where friction is none: it moves the carriage off a stop.
   double push(const MotorState& s) const {
     const SinCos a = angle(s.x);
     return force(s) - c_.cogging * 2 * a.sin * a.cos - c_.external_force;
@@ -159,7 +160,7 @@ class Pmlsm {
     return f;
   }
 
-  // Electrical angle t seconds into a span; the turn since its start is small.
+  // Electrical angle t seconds into a span; its change since the start is small.
   SinCos angle_at(const Span& f, double t) const {
     const double a = k_ * (f.position(t) - f.x[0]);
     const double z = a * a;
@@ -175,7 +176,7 @@ class Pmlsm {
  private:
   static constexpr std::array<double, 4> kInverse{0, 1, 0.5, 1.0 / 3};
 
-  // Series that a span is made from.
+  // Series from which a span is computed.
   struct Push {
     std::array<double, 4> u_d{}, u_q{}, cog{}, cog_cos{};
     double inv_r = 0, slope = 0;  // of the Coulomb friction

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A DC motor whose shaft moves a sensor with lines, behind a converter and a linear amplifier. The
-// first clock at which a line changes is found ahead under the voltage that holds, with the same
-// steps that a commit takes. A Sensor says whether its lines change at an angle (`leaves`), takes
-// the angle (`follow`), and what of the motor's freedom it leaves (`bounds`).
+// first clock at which a line changes is predicted under the present voltage, with the same steps
+// that a commit takes. A Sensor says whether its lines change at an angle (`leaves`), takes the
+// angle (`follow`), and gives the limits of current and angle (`bounds`).
 #pragma once
 
 #include <algorithm>
@@ -25,11 +25,11 @@ class SensedMotor {
   }
 
   const Sensor& sensor() const { return sensor_; }
-  double voltage() const { return volt_; }  // [V] that the amplifier is told to give
+  double voltage() const { return volt_; }  // [V] commanded from the amplifier
 
   std::int64_t next() const { return next_; }
 
-  // `command`: 1 is full scale, from clock n on.
+  // `command` acts from clock n on; 1 is full scale.
   void commit(std::int64_t n, double command) {
     state_ = state(n);
     since_ = n;
@@ -49,7 +49,7 @@ class SensedMotor {
 
  private:
   static constexpr std::int64_t kStep = 800;      // [clk], one step of the motor's integration
-  static constexpr std::int64_t kAhead = 100000;  // [clk], as far as an edge is looked for
+  static constexpr std::int64_t kAhead = 100000;  // [clk], how far ahead an edge is searched for
 
   DcMotorState after(const DcMotorState& s, std::int64_t clocks) const {
     return clocks == 0 ? s
@@ -57,7 +57,7 @@ class SensedMotor {
   }
 
   // The first clock after `since_` at which a line changes; where there is none within kAhead, the
-  // motor is committed there and looks on.
+  // motor is committed there and the search goes on.
   void predict() {
     DcMotorState s = state_;
     for (std::int64_t begin = 0; begin < kAhead; begin += kStep) {

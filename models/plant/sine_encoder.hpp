@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Rotary encoder with sinusoidal outputs and a marker once a turn, behind comparators with a small
-// hysteresis (McAfee 1994, ch. IV: 0.5 V around 2.5 V, LM339). Line A is the comparator of the
-// cosine and B that of the sine, so that A leads B when the angle grows, which an LM628 counts up;
-// with the two swapped it counts down. At angle 0 both lines are low, and so is the marker, for one
-// line of the disc: an LM628 takes an index where all three are low, once a turn.
+// Rotary encoder with sinusoidal outputs and a marker once per revolution, behind comparators with
+// a small hysteresis (McAfee 1994, ch. IV: 0.5 V around 2.5 V, LM339). Line A is the comparator of
+// the cosine and B that of the sine, so that A leads B when the angle grows, and an LM628 counts
+// up; with the two swapped it counts down. At angle 0 both lines are low, and so is the marker, for
+// one line of the disc: an LM628 takes an index where all three are low, once per revolution.
 #pragma once
 
 #include <cmath>
@@ -15,11 +15,11 @@
 namespace trammel::plant {
 
 struct SineEncoderConfig {
-  int lines = 200;            // a turn; four counts each
+  int lines = 200;            // per revolution; four counts each
   double amplitude = 0.5;     // [V]
   double centre = 2.5;        // [V], also the comparators' threshold
   double hysteresis = 0.02;   // [V], full width, below twice the amplitude
-  double cosine_offset = 0;   // [V] error of the channel's centre
+  double cosine_offset = 0;   // [V], error of the channel's centre
   double sine_offset = 0;     // [V]
   bool swapped = false;       // sine on A
 };
@@ -35,8 +35,8 @@ class SineEncoder {
   bool a() const { return c_.swapped ? now_.sine : now_.cosine; }
   bool b() const { return c_.swapped ? now_.cosine : now_.sine; }
   bool marker() const { return now_.marker; }  // active low
-  std::int64_t count() const { return count_; }  // along the angle, swapped or not
-  int counts() const { return 4 * c_.lines; }  // a turn
+  std::int64_t count() const { return count_; }  // grows with the angle, swapped or not
+  int counts() const { return 4 * c_.lines; }  // per revolution
 
   Signals signals(double theta) const {
     const double turns = theta / (2 * kPi);
@@ -63,7 +63,7 @@ class SineEncoder {
   struct Levels {
     bool cosine = false, sine = false, marker = false;
   };
-  static constexpr double kBothLow = 0.625;  // [lines] amid the quarter in which both are low
+  static constexpr double kBothLow = 0.625;  // [lines] middle of the quarter in which both are low
 
   bool level(double volt, bool was) const {
     return volt > c_.centre + (was ? -0.5 : 0.5) * c_.hysteresis;

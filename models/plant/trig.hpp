@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sine and cosine of an angle in turns from +, * and floor only: the same bits with every C
+// Sine and cosine of an angle in revolutions from +, * and floor only: the same bits with every C
 // library. Error below 2e-16 for |turns| < 1e6.
 #pragma once
 

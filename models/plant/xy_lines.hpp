@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Pins of the two-axis table in packed words; the machine with such a table tests that its chip has
-// them there.
+// Pins of the two-axis table in packed words; the machine with such a table tests that its chip
+// has the same packing.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Two leadscrew axes: signatures of cosim::Plant but for the packing of lines, which is the
-// machine's.
+// Two leadscrew axes: signatures of cosim::Plant except for the packing of lines, which is left to
+// the machine.
 #pragma once
 
 #include <algorithm>

@@ -2,16 +2,16 @@
 //
 // Port of two bytes to two LM628 (McAfee 1994, tables 2 to 4): a rising strobe bit of port B starts
 // a pulse of WR or RD, as the 74LS123 do there. From that edge on, until the pulse and its hold
-// time are over, the pins stand still, whatever is written to the ports.
+// time are over, the pins do not change, whatever is written to the ports.
 //
 //   clocks  stage
 //   1       a transceiver or part that was on goes off before the other goes on
 //   2       PS, CS and data before the strobe: 30 ns
 //   Pulse   WR or RD low, 5.5 us at 50 MHz; the end of RD takes the byte
-//   9       hold: WR 120 ns, a part off the bus 180 ns after RD
+//   9       hold: 120 ns after WR; a part is off the bus 180 ns after RD
 //
-// A strobe starts nothing while a pulse runs, and none in the direction that `read` is not: it
-// would be lost in a longer pulse, or two would drive the bus. refused_o says so.
+// A strobe starts nothing while a pulse runs, where it would be lost in a longer pulse, nor against
+// the direction of `read`, where two would drive the bus. refused_o reports it.
 
 module lm628_bridge
   import trammel_pkg::*;
@@ -66,7 +66,7 @@ module lm628_bridge
 
   state_e state_q, state_d;
   pins_t ports, pins_q;
-  logic change, change_q;  // of what drives or is selected: nothing is, for a clock
+  logic change, change_q;  // of driver or part: for a clock nothing drives or is selected
   logic write_was_q, read_was_q, write_rises, read_rises;
   logic start, load, last, writes_q, reads_q;
   logic [7:0] byte_q;
@@ -100,7 +100,7 @@ module lm628_bridge
       StRest: if (start) state_d = StSetup;
       StSetup: begin
         value = Low;
-        // The clock in which nothing was selected is none of the set-up time.
+        // The clock in which nothing was selected does not count as set-up time.
         if (change_q) value = Setup;
         else if (last) state_d = StPulse;
       end

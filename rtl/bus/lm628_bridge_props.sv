@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Promises of lm628_bridge under any input; clocks passed by leaps count.
+// Properties of lm628_bridge for any input; clocks passed by leaps count.
 
 module lm628_bridge_props
   import trammel_pkg::*;
@@ -48,12 +48,12 @@ module lm628_bridge_props
   logic was_rst_q, was_quiescent_q, was_rest_q;
   logic was_write_q, was_read_q, write_rose, read_rose;  // strobe bits
   logic was_strobe_q, strobe, was_wr_n_q;
-  logic [12:0] pins, was_pins_q;  // what a strobe needs to stand still
+  logic [12:0] pins, was_pins_q;  // what must not change around a strobe
   logic [12:0] ports, was_ports_q;
   logic [7:0] was_byte_q, was_x_q, was_y_q;
   logic [12:0] passed;
-  logic allowed, exact_q;  // no leap too far since the last start
-  logic [9:0] low_q, still_q, rest_q;  // clocks of a strobe, of unmoved pins, since a strobe
+  logic allowed, exact_q;  // no leap beyond next_o since the last start
+  logic [9:0] low_q, still_q, rest_q;  // clocks of a strobe, with unchanged pins, since a strobe
   logic [24:0] state, was_state_q;
 
   assign strobe     = !rd_n_o || !wr_n_o;

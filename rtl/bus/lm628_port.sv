@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Host port of the LM628 (data sheet SNVS781C): commands and data by bytes, status, interrupt.
+// Host port of the LM628 (data sheet SNVS781C): commands and data in bytes, status, interrupt.
 //
 //   clocks  stage
-//   3       pins: two flip-flops of synchronisation, one to see edges
+//   3       pins: two synchroniser flip-flops, one to detect edges
 //   160 t   busy after a command, a data word, and a word read (t: ticks of 25 / Inc clocks)
 //   128     the last of these clocks: a command with all its words is executed
 //
-// A write counts when its strobe ends, with ps and data as they were before; a read when it begins.
+// A write acts when its strobe ends, with ps and data as they were before; a read when it begins.
 // A command that would end in ticks 0..399 of a sample waits for open_i.
 
 module lm628_port
@@ -47,7 +47,7 @@ module lm628_port
     input  logic           sample_off_i,
     input  events_t        command_events_i,
     input  logic           command_off_i,
-    output events_t        status_o,          // as they will be when published
+    output events_t        status_o,          // bits 1 to 6 as they will be published
     output logic           host_irq_o,
     output gap_t           next_o,
     output logic           quiescent_o
@@ -82,7 +82,7 @@ module lm628_port
   assign written     = !prev_q.cs_n && !prev_q.wr_n && (sync_q.cs_n || sync_q.wr_n);
   assign read        = reading && !was_reading && !written;
 
-  // ---- what the transfer is ----
+  // ---- transfers ----
 
   typedef enum logic [1:0] {
     StIdle,
@@ -106,7 +106,7 @@ module lm628_port
   assign word_given = give && half_read_q;
   assign restart_o  = command && code == CmdReset;
 
-  // Words that follow the opcode; LFIL and LTRJ say with their first how many more.
+  // Words that follow the opcode; the first of LFIL and LTRJ says how many more.
   assign code  = prev_q.d;
   assign known = code <= 8'h0D || (code >= 8'h1A && code <= 8'h21);
 

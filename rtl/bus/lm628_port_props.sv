@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Promises of lm628_port under any input; clocks passed by leaps count.
+// Properties of lm628_port for any input; clocks passed by leaps count.
 
 module lm628_port_props
   import trammel_pkg::*;
@@ -66,8 +66,8 @@ module lm628_port_props
   logic was_sample_off_q, was_command_off_q;
   logic [12:0] passed;
   logic busy, allowed;
-  logic exact_q;            // no leap too far since busy_q began to count
-  logic [15:0] busy_q, run_q;  // clocks of being busy, and since a start; at most Long
+  logic exact_q;            // no leap beyond next_o since busy_q began to count
+  logic [15:0] busy_q, run_q;  // clocks busy, and since a start; at most Long
 
   assign busy    = state_q != 2'd0;
   assign passed  = 13'(leap_i) + 13'd1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// One axis of kung_xy: encoder, converter, position and current controllers, inverter gates.
+// One axis of kung_xy: encoder, converters, position and current controllers, inverter gates.
 //
 //   edges after that of the 16 kHz tick
 //   0        count and i_q* latched, compare values taken, converter started
@@ -107,7 +107,7 @@ module kung_axis
       .quiescent_o   (command_quiescent)
   );
 
-  // A table write waits until the position controller leaves its table.
+  // A table write waits until the position controller is idle.
   logic tab_request, tab_pending_q, tab_write;
   count_t tab_value, tab_data_q;
 
@@ -301,7 +301,7 @@ module kung_axis
 
   // ---- what the registers show ----
 
-  // Continuous, not procedural: simulators then see single fields, not one wide word.
+  // Continuous, not procedural: simulators then see separate fields, not one wide word.
   assign regs_o.status.busy.next        = afc_busy;
   assign regs_o.status.overrun.hwset    = overrun;
   assign regs_o.status.qep_error.hwset  = qep_error;

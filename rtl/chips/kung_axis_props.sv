@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Promises of kung_axis whatever the registers hold and whatever its controllers say: those are
+// Properties of kung_axis whatever the registers hold and whatever its controllers give: those are
 // free here, only the table's write path, the PWM and the legs are in the proof.
 
 module kung_axis_props
@@ -63,14 +63,14 @@ module kung_axis_props
   logic live_q = 1'b0;
   logic was_rst_q;
 
-  // ---- gates: since_q clocks after the last one in which the leg had a gate on ----
+  // ---- gates: since_q counts clocks since the leg last had a gate on ----
 
   logic told, told_q;
   logic [2:0] any, was_any_q, was_hi_q, was_lo_q, early, late, hot;
   logic [9:0] dead;  // the larger of both registers
   logic [12:0] passed;
   logic [12:0] since_q[3];
-  logic [9:0] need_q[3];  // least dead time asked for in those clocks
+  logic [9:0] need_q[3];  // least dead time required in those clocks
   logic [9:0] counts[3];
 
   assign told   = enable && !trip_i;

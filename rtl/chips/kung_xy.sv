@@ -145,7 +145,7 @@ module kung_xy
       .quiescent_o   (supervisor_quiescent)
   );
 
-  // Locking always works; unlocking asks for both axes disabled.
+  // Locking always works; unlocking requires both axes disabled.
   logic locked_d, locked_q, lock_write;
   logic [31:0] lock_key;
 
@@ -162,7 +162,7 @@ module kung_xy
     end
   end
 
-  // ---- bus transfers that are open: accepted addresses without their response ----
+  // ---- open bus transfers: accepted addresses that wait for their response ----
 
   logic [2:0] open_d, open_q;
   logic bus_idle;

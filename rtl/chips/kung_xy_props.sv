@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Promises of kung_xy under any input, on its bus and its pins. The blocks that compute are cut:
-// what they say is free. What the bus accepts is kept apart, in registers of the properties; only
-// the clock at which it is served is the register block's word.
+// Properties of kung_xy for any input, on its bus and its pins. The blocks that compute are cut:
+// what they give is free. What the bus accepts is tracked in registers of the properties; only the
+// clock in which it is served is taken from the register block.
 
 module kung_xy_props
   import trammel_pkg::*;
@@ -39,7 +39,7 @@ module kung_xy_props
     input logic          tick_irq,
     input logic [31:0]   tick_count,
     input logic [31:0]   fault,   // as the register shows it
-    input logic [6:0]    causes,  // of a trip, the pin apart
+    input logic [6:0]    causes,  // of a trip, except the pin
     input logic          trip,
     input logic          trip_q,
     input logic          locked_q,
@@ -54,7 +54,7 @@ module kung_xy_props
     input logic [1:0]    in_flight,
     input logic [1:0]    write_pointer,
     input logic [1:0]    read_pointer,
-    input logic [32:0]   slot_even,  // a write, data
+    input logic [32:0]   slot_even,  // is a write; data
     input logic [32:0]   slot_odd,
     input logic [1:0]    slot_errors,
     input logic [10:0]   held_address,
@@ -86,14 +86,14 @@ module kung_xy_props
   logic [31:0] wdata_q;
   logic [3:0] wstrb_q;
   logic [2:0] addresses_q, words_q, reads_q;  // accepted, not yet answered
-  logic [1:0] served_q, answered_q, owes;  // requests; answers are due in the order of serving
-  answer_t even_q, odd_q, first, second;  // owed; by their number, by their order
+  logic [1:0] served_q, answered_q, owes;  // requests; responses are due in the order of serving
+  answer_t even_q, odd_q, first, second;  // answers owed: by their number; in their order
   logic write_first, write_second, read_first, read_second;  // are owed
   logic [32:0] first_slot, second_slot;
   logic address, word, read, b_taken, r_taken, held_up, nothing;
-  logic [2:0] write_wait_q, read_wait_q;  // clocks the oldest request waits, held_up apart
-  logic [2:0] write_left, read_left;  // and how many it may still have to
-  logic [3:0] lone_q;  // nothing else is open: a read 2 and 1 clocks ago, a write
+  logic [2:0] write_wait_q, read_wait_q;  // clocks the oldest request has waited
+  logic [2:0] write_left, read_left;  // and how many more it may have to
+  logic [3:0] lone_q;  // with nothing else open: a read 2 and 1 clocks ago; a write
   logic [1:0] table_q;  // a served write of TAB_DATA waits for its controller
   logic table_write;  // the next write is one
 
@@ -114,7 +114,7 @@ module kung_xy_props
   assign second_slot = answered_q[0] ? slot_even : slot_odd;
   assign table_write = !awaddr_q[9] && awaddr_q[7:2] == 6'h1d;
 
-  // A read goes before a write if the last request served was a write.
+  // A read is served before a write if the last request served was a write.
   assign write_left = write_first ? 3'd1 + 3'(pending && owes == 2'd1) :
       write_second ? 3'd2 : 3'd2 + 3'(table_write) +
       3'(owes == 2'd2 || owes == 2'd0 && ar_q && !read_was_last);
@@ -127,7 +127,7 @@ module kung_xy_props
         (!answer.is_read || !answer.known || slot_of[31:0] == answer.data);
   endfunction
 
-  // What a read that is served now has to show, where that is known here.
+  // What a read that is served now must return, where that is known here.
   logic knows;
   logic [31:0] shown;
   always_comb begin
@@ -144,7 +144,7 @@ module kung_xy_props
       10'h224: shown = {20'd0, hwif_out.current_limit.value.value};
       10'h228: shown = {22'd0, hwif_out.deadtime_min.clk.value};
       10'h22c: shown = {24'd0, hwif_out.irq_period.ticks.value};
-      default:  // nothing there, or nothing to read
+      default:  // no register, or nothing to read
       knows = araddr_q[9] || araddr_q[7:2] inside {[6'hd : 6'hf], 6'h17, 6'h1e, [6'h24 : 6'h3f]};
     endcase
   end
@@ -181,7 +181,7 @@ module kung_xy_props
     end
   end
 
-  // ---- the clock before ----
+  // ---- the previous clock ----
   logic was_bvalid_q, was_rvalid_q;  // and not taken
   logic [31:0] was_rdata_q, word_q;
   logic [3:0] was_resp_q, pin_q;  // the trip pin 1..4 clocks ago
@@ -189,12 +189,12 @@ module kung_xy_props
   logic [7:0] at_q;  // its word address
   logic [1:0] enabled, was_enabled_q;
   logic was_quiescent_q, was_locked_q, was_trip_q, strobe_q, cause, was_cause_q;
-  logic unlocked, lock_key, unlock_key, clear_key;  // a write was, and of these
+  logic unlocked, lock_key, unlock_key, clear_key;  // a write: while unlocked; of one of the keys
   logic [9:0] sticky, events, was_sticky_q, was_events_q, written, ones;
   logic [1:0] seen_q;  // dones since the last sample
   logic [11:0] gates, was_gates_q;
-  logic [10:0] held, was_held_q;  // registers that show nowhere else
-  kung_xy__out_t lasting, was_lasting_q;  // those of the map, without STATUS
+  logic [10:0] held, was_held_q;  // registers that are visible nowhere else
+  kung_xy__out_t lasting, was_lasting_q;  // registers of the map, without STATUS
   logic [117:0] guarded, was_guarded_q;
   logic [21:0] limits, was_limits_q;
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Motion controller compatible with National's LM628 and LM629 (data sheet SNVS781C, AN-693), in a
-// fabric of 50 MHz. Inc sets the part's clock: 4 for 8 MHz (LM628-8), 3 for 6 MHz (-6); 10 is 8 MHz
-// in a fabric of 20 MHz.
+// 50 MHz fabric. Inc sets the part's clock: 4 for 8 MHz (LM628-8), 3 for 6 MHz (-6); 10 is 8 MHz in
+// a 20 MHz fabric.
 //
 // The pins are those of the part; reset_n_i is one, rst_i is not. The index is where enc_a_i,
-// enc_b_i and enc_idx_n_i are low together. wrap_i is ours: products and sum
-// of the filter wrap at 16 bits, where they else saturate.
+// enc_b_i and enc_idx_n_i are low together. wrap_i is ours: products and sum of the filter wrap at
+// 16 bits instead of saturating.
 
 module lm628
   import trammel_pkg::*;
@@ -41,7 +41,7 @@ module lm628
     output logic       pwm_mag_o,
     output logic       pwm_sign_o,
 
-    output logic sample_o,  // the edge at which results of a sample are published
+    output logic sample_o,  // at the edge that publishes the results of a sample
     output gap_t next_o,
     output logic quiescent_o
 );
@@ -124,7 +124,7 @@ module lm628
 
   // ---- encoder: counts from the end of the reset routine on ----
 
-  // The index is formed of three pins, so each is synchronised before.
+  // The index is formed from three pins, so each is synchronised first.
   typedef struct packed {
     logic a;
     logic b;

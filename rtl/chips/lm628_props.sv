@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Promises of the whole LM628 under any input, its engine's program left out: what memories give is
+// Properties of the whole LM628 for any input, without its engine's program: what memories give is
 // free in the proof. Clocks passed by leaps count.
 
 module lm628_props
@@ -33,7 +33,7 @@ module lm628_props
 
   logic live_q = 1'b0;
   logic was_rst_q, was_begins_q, was_quiescent_q, was_hi_q, was_mag_q;
-  logic [1:0] low_q;  // reset_n_i at the two edges before
+  logic [1:0] low_q;  // reset_n_i at the two previous edges
   logic [7:0] was_dac_q;
   logic [1:0] history_q;  // edges since live, up to 3
   gap_t was_next_q, was_leap_q;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Two LM628 of 6 MHz behind McAfee's port of two bytes, and the fuzzy feed rate of self-paced
-// tracking (McAfee 1994; specification SPFTC sections 1, 2 and 6), in a fabric of 50 MHz.
+// Two 6 MHz LM628 behind McAfee's port of two bytes, and the fuzzy feed rate of self-paced tracking
+// (McAfee 1994, chapters IV and VI, appendices B to D), in a 50 MHz fabric.
 //
-// Both parts leave the reset together and then have one phase of samples; a command RESET to one
-// of them ends that. The limit switches are only reported: they cut the motors' power themselves.
+// Both parts leave reset together, and their samples then coincide; a command RESET to one of them
+// ends that. The limit switches are only reported: they cut the motors' power themselves.
 
 module mcafee_xy
   import trammel_pkg::*;
@@ -41,7 +41,7 @@ module mcafee_xy
     output logic [7:0] dac_x_o,
     output logic [7:0] dac_y_o,
 
-    // The bus between bridge and parts, to be measured.
+    // The bus between bridge and parts, for measurement.
     output logic cs_x_n_o,
     output logic cs_y_n_o,
     output logic rd_n_o,
@@ -89,7 +89,7 @@ module mcafee_xy
       .hwif_out        (hwif_out)
   );
 
-  // Where a request is on its way, one came in the clock before or its response stands there.
+  // Busy where a request is there, one came in the previous clock or its response is waiting.
   logic asked, asked_q, bus_idle;
 
   assign asked    = s_axil_awvalid_i || s_axil_wvalid_i || s_axil_arvalid_i;
@@ -215,12 +215,12 @@ module mcafee_xy
       .quiescent_o(quiescent[1])
   );
 
-  // As it leaves its reset a part puts 12 bits of zero out, the low ones first: no byte for these
+  // As it leaves its reset a part puts out 12 bits of zero, the low ones first: no byte for these
   // converters.
   assign dac_x_o = high[0] ? dac_x : 8'h80;
   assign dac_y_o = high[1] ? dac_y : 8'h80;
 
-  // ---- feed rate: a write while it computes is taken after it ----
+  // ---- feed rate: a write while it computes is taken afterwards ----
 
   logic feed_asked_q, feeding_q, fed_q, feed_starts, feed_valid, feed_ready, feed_quiescent;
   logic [7:0] speed;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Promises of mcafee_xy under any input, on its bus and its pins. The parts' engines and encoders
-// and the feed rate are cut: what they say is free. Clocks passed by leaps count.
+// Properties of mcafee_xy for any input, on its bus and its pins. The parts' engines and encoders
+// and the feed rate are cut: what they give is free. Clocks passed by leaps count.
 
 module mcafee_xy_props
   import trammel_pkg::*;
@@ -39,7 +39,7 @@ module mcafee_xy_props
     input logic        feed_ready,
     input logic        feed_valid,
     input logic        asked_q,
-    input logic [ 1:0] high,  // of 12 bits; or all 8
+    input logic [ 1:0] high,  // the high part of 12 bits, or all 8
     input gap_t        next_x,
     input gap_t        next_y,
     input gap_t        bridge_next,
@@ -55,12 +55,12 @@ module mcafee_xy_props
     input logic [3:0]  reset_stages,  // of both pins
     input logic [21:0] time_x,
     input logic [21:0] time_y,
-    input logic [3:0]  limits         // as the register shows them
+    input logic [3:0]  limits         // as in the register
 );
 
   logic live_q = 1'b0;
   logic was_rst_q, was_asked_q, was_ready_q, was_quiescent_q, was_reset_n_q;
-  logic parted_q;  // one part was reset alone since both were
+  logic parted_q;  // one part was reset alone since both were last
   logic was_swmod_q, was_valid_q;
   logic [3:0] limit_q, limit_late_q;
   logic [1:0] history_q, low_q;  // edges since live, up to 3; RST at the two edges before

@@ -8,7 +8,7 @@
 //   s7-s9    v, e, de                        s10-s12 sections and memberships (s13 empty)
 //   s14-s18  weights d                       s18-s22 u = sum of c d
 //   s23-s26  v* = PI(u) (+ dx)               s27-s29 i_q* = Kv (v* - v), published at s29
-//   s29-s34  four rules += ETA e d, written as they come; s34 keeps e and x_p for the next sample
+//   s29-s34  four rules += ETA e d, written one by one; s34 keeps e and x_p for the next sample
 
 module afc
   import trammel_pkg::*;
@@ -68,12 +68,12 @@ module afc
   logic running_q, running_d;
   logic phase_q, phase_d;
   logic [5:0] step_q, step_d;
-  logic waiting_q, waiting_d;      // a start met the table reset
+  logic waiting_q, waiting_d;      // a start came during the table reset
   logic asked_q, asked_d;          // reset_model_i was seen since the last start
-  logic resetting_q, resetting_d;  // this sample begins with the reset state
+  logic resetting_q, resetting_d;  // this sample begins in the reset state
   logic done_q, done_d;
   logic iq_valid_q, iq_valid_d;
-  logic step_begin, step_end;  // the first clock prepares operands, the second keeps results
+  logic step_begin, step_end;  // the first clock prepares operands, the second stores results
 
   assign step_begin = running_q && !phase_q;
   assign step_end   = running_q && phase_q;
@@ -142,18 +142,18 @@ module afc
 
   // ---- multiplier: operands of each step ----
 
-  // The product goes to the adder shifted right by place, which a gain moves to both sides. Its low
-  // bits are made 1 by shifting a factor of 12 bits to the left first, so that few shifts of the
+  // The product goes to the adder shifted right by place, which a gain raises or lowers. Its low
+  // bits are made 1 by first shifting a factor of 12 bits to the left, so that few shifts of the
   // product remain: place[5:3] chooses -9, -1, 7, 15, 23 or 31.
-  localparam logic [5:0] Place24 = 6'o47;  // between them, for A0
+  localparam logic [5:0] Place24 = 6'o47;  // a shift by 24, for A0
 
   count_t mul_a, mul_b, mul_a_q, mul_b_q;
   logic [11:0] factor;
   logic [18:0] scaled_factor;
   logic [5:0] place;
   logic [2:0] place_q;
-  logic mul_used;  // otherwise the product stays
-  count_t rule;    // of the four the one of this step, in its first clock
+  logic mul_used;  // otherwise the product holds
+  count_t rule;    // the one of the four that this step uses, in its first clock
 
   function automatic count_t unsigned12(logic [11:0] x);
     return {12'd0, x};
@@ -274,7 +274,7 @@ module afc
   logic [1:0] rule_sel;
 
   assign tune_we = step_end && adapt_i && step_q >= 6'd31;  // Kung eq. 27: s31 to s34
-  // Of s18 to s21 and s31 to s34; the first clock of a step reads for the next one.
+  // For s18 to s21 and s31 to s34; the first clock of a step reads for the next one.
   assign rule_sel = step_q[1:0] + (step_q[5] || step_q[3:2] == '1 ? 2'd1 : 2'd2) + 2'(!phase_q);
 
   rule_store u_rules (
@@ -297,7 +297,7 @@ module afc
       .quiescent_o(store_quiescent)
   );
 
-  // ---- what each step keeps ----
+  // ---- what each step stores ----
 
   // clip(x 2^n, -1536, 1535)
   function automatic word_t universe(word_t x, logic [3:0] n);
@@ -367,7 +367,7 @@ module afc
         default: acc_q <= sum;
       endcase
     end else if (running_q && resetting_q && step_q == 6'd0) begin
-      // Rest at x_p, from the first clock on; r_2 at s0 and the speed at s7 see to themselves.
+      // Rest at x_p, from the first clock on; s0 takes care of r_2 and s7 of the speed.
       r_1_q <= x_p_i;
       x_m_q <= {x_p_i[17:0], 14'd0};
       {dx_q, e_prev_q, integral_q} <= '0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Promises of afc under any input: its schedule, its rules and its words. The multiplier is a free
-// value and the table another block's promise; what needs a product says so (fits_q).
+// Properties of afc for any input: its schedule, its rules and its words. The product is a free
+// value, and the table is proven in its block; what needs a product of true size says so (fits_q).
 
 module afc_props
   import trammel_pkg::*;
@@ -211,11 +211,11 @@ module afc_props
     end
   end
 
-  // ---- one rule, any one: the watched cell of the table ----
+  // ---- one rule, any of them: the watched cell of the table ----
 
   logic [2:0] watch_i_q, watch_j_q;
   logic may_move_q, read_q, summed, weighed;
-  logic [1:0] at_s18, at_s31;  // the rule that a step uses: {j + 1, i + 1}
+  logic [1:0] at_s18, at_s31;  // the rule that this step uses: {j + 1, i + 1}
   count_t watched, was_watched_q;
 
   assign watched = rules_q[{watch_j_q, watch_i_q}];
@@ -255,8 +255,8 @@ module afc_props
 
   // ---- the adder: with products of their true size nothing is lost before a saturation ----
 
-  logic fits, fits_q;   // all products of the sample so far
-  logic used, shifting;  // the sum, the shifted product is kept
+  logic fits, fits_q;   // the product has its true size; so had those before it
+  logic used, shifting;  // the sum, the shifted product is used
   logic [2:0] zeros_q;  // below the product, for a shifted factor
   logic [5:0] last_place;
   exact_t exact;

@@ -39,14 +39,14 @@ module command
   assign take = tick_pos_i && pending_q;
   assign distance = quarter_t'(next_q) - quarter_t'(r_o);
 
-  // A new command moves from r_o: quarters without their fraction, a count up where it rounds.
-  // Then their low bits are 11, so that one adder's carry-in does it.
+  // A new command starts from r_o: quarters without their fraction, one count up where r_o rounds
+  // up. Their low bits are then 11, so that the carry-in of the one adder adds this count.
   assign up = take && quarters_q[1];
   assign moved = {quarters_q[25:2], take ? {2{up}} : quarters_q[1:0]} +
       (take ? distance : stride_q) + quarter_t'({1'b0, up});
 
-  // rs(quarters, 2): the highest dropped bit rounds. A concatenation, because Yosys' slang widens
-  // a select of a signed type with its sign.
+  // rs(quarters, 2): the highest dropped bit rounds. A concatenation, because Yosys' slang
+  // sign-extends a select of a signed type.
   assign r_o = quarters_q[25:2] + {23'd0, quarters_q[1]};
 
   always_comb begin

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Promises of command under any input, against a model that knows only where a command came from,
-// where it goes and how many of its four parts have passed.
+// Properties of command for any input, against a model that knows only where a command started,
+// where it ends and how many of its four parts have passed.
 
 module command_props
   import trammel_pkg::*;
@@ -39,11 +39,11 @@ module command_props
   logic asked_q;         // a command is committed and not yet taken
   count_t asked_for_q;
   count_t from_q, to_q;
-  logic [2:0] part_q;    // of the way, 4 = there
+  logic [2:0] part_q;    // of the move, 4 = at its end
   count_t was_r_q;
   logic stays_q, taken_q, preset_q;
 
-  // Quarters of a count: where the way should have led, and where it still leads.
+  // In quarters of a count: where the move should be, and where it will end.
   wide_t distance, stride, quarters, model, target;
   assign distance = wide_t'(to_q) - wide_t'(from_q);
   assign stride   = wide_t'(stride_q);

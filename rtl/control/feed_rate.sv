@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Fuzzy feed rate of self-paced tracking (McAfee 1994, appendix D): a speed from the curvature c of
-// the path and its change cc ahead. Labels S, M, L; minimum for AND, maximum to merge rules, the
-// average of singletons weighted by strength. Rule tables and slopes are the listing's.
+// the path and its change cc ahead. Labels S, M, L; minimum for AND, maximum to merge rules, then
+// the average of singletons weighted by strength. Rule tables and slopes are those of the listing.
 // valid_o is high at the 25th clock edge after the one that sees tick_i; inputs hold until then.
 //
 //   edge 1-6     memberships c.S c.M c.L cc.S cc.M cc.L      multiplier: slope x mod 80h
@@ -32,8 +32,8 @@ module feed_rate (
   localparam logic [1:0] L = 2'd2;
   localparam logic [1:0] Any = 2'd3;
 
-  // Over half the universe it rises from 0, or falls from 255, by slope / 16 a unit. The listing
-  // has x = 80h in the left half; both give the same there.
+  // Over half the universe a membership rises from 0, or falls from 255, by slope / 16 per unit.
+  // The listing has x = 80h in the left half; there both halves give the same.
   typedef struct packed {
     logic       falls;
     logic [7:0] slope;
@@ -50,8 +50,8 @@ module feed_rate (
   localparam logic [2:0][7:0] Singleton = {8'hFF, 8'h80, 8'h00};  // L, M, S
 
   logic valid_q;
-  logic [4:0] edge_q;  // the next one of this calculation, 0 = idle
-  logic [5:0][7:0] member_q;  // as listed above, the first one lowest
+  logic [4:0] edge_q;  // number of the next edge, 0 = idle
+  logic [5:0][7:0] member_q;  // in the order of edges 1-6, the first one lowest
   logic [2:0][7:0] strength_q;  // of the labels of v
   logic [9:0] tu_q;  // then the remainder
   logic [9:0] su_q;
@@ -93,7 +93,7 @@ module feed_rate (
 
   // ---- sums and quotient ----
 
-  logic [ 1:0] sum;  // label whose strength is the lowest
+  logic [ 1:0] sum;  // label whose strength is in strength_q[0]
   logic [10:0] twice;
   logic [ 9:0] rest;
   logic fits;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Promises of feed_rate for inputs that hold from the tick to valid, as its callers' do.
+// Properties of feed_rate for inputs that hold from tick to valid, as those of its callers do.
 
 module feed_rate_props (
     input logic clk_i,
@@ -25,7 +25,7 @@ module feed_rate_props (
 
   typedef logic [7:0] byte_t;
 
-  // Memberships as the listing means them: 2 x, clipped; S and M change places at 80h.
+  // Memberships as the listing intends them: 2 x, clipped; from 80h on M falls and L rises.
   function automatic byte_t rising(byte_t x);
     return x[7] ? 8'hFF : {x[6:0], 1'b0};
   endfunction

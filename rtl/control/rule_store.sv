@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The 49 rules c[j][i] of the fuzzy controller (i of the error, j of its change, 0..6), Q20 of a
-// unit, in block memory. Of the four rules around section (i, j) one is read or tuned in a clock.
+// unit, in block memory. Of the four rules around section (i, j) one is read or tuned per clock.
 // Table reset: 49 clocks, c[j][i] = clip(2 (i + j - 6), -6, 6), begins when hold_i is low; it also
-// follows rst_i, because memory has no reset. Outside access is by index 7 j + i; it writes only
-// while neither hold_i nor busy_o is high. What it reads follows its index by one clock, and a
+// follows rst_i, because memory has no reset. External access is by index 7 j + i; it writes only
+// while neither hold_i nor busy_o is high. What it reads follows the index by one clock, and a
 // write, to any rule, by two.
 
 module rule_store
@@ -13,7 +13,7 @@ module rule_store
     input logic clk_i,
     input logic rst_i,
 
-    input logic reset_i,  // pulse: ask for the table reset
+    input logic reset_i,  // pulse: request the table reset
     input logic hold_i,   // the controller runs: the table belongs to it
 
     input  logic   [2:0] i_i,     // section of the error, 0..5
@@ -56,7 +56,7 @@ module rule_store
         fill_j_d = '0;
         if (!hold_i) state_d = StFill;
       end
-      default: begin  // StFill; a reset asked for meanwhile is this one
+      default: begin  // StFill; a reset requested meanwhile is this one
         fill_i_d = fill_i_q == Last ? '0 : fill_i_q + 3'd1;
         if (fill_i_q == Last) fill_j_d = fill_j_q + 3'd1;
         if (fill_i_q == Last && fill_j_q == Last) state_d = StIdle;
@@ -76,12 +76,12 @@ module rule_store
     end
   end
 
-  logic stale;  // rdata_o is not what lies at addr_i
+  logic stale;  // rdata_o is not the rule at addr_i
 
   assign busy_o = state_q != StIdle;
   assign quiescent_o = !busy_o && !reset_i && !read_i && !tune_we_i && !we_i && !stale;
 
-  // Initial value (Kung eq. 19): units of the clipped plane, in the top four bits.
+  // Initial value (Kung eq. 19): the clipped plane in units, in the top four bits.
   function automatic count_t initial_rule(logic [2:0] i, logic [2:0] j);
     logic signed [4:0] twice;  // i + j - 6, -6..6
     twice = 5'(i) + 5'(j) - 5'd6;
@@ -106,7 +106,7 @@ module rule_store
   assign fired_i = i_i + 3'(sel_i[0]);
   assign fired_j = j_i + 3'(sel_i[1]);
 
-  // One writer at a time: table reset, tuning, outside.
+  // One writer at a time: table reset, tuning, external access.
   logic we;
   logic [2:0] write_i, write_j;
   count_t wdata;
@@ -129,8 +129,8 @@ module rule_store
     end
   end
 
-  // The two reads never meet a write to their rule: the controller reads others than it tunes, and
-  // the outside waits for a clock without a write.
+  // Neither read coincides with a write to its rule: the controller does not read the rule that it
+  // tunes, and the external read waits for a clock without a write.
   (* no_rw_check *) count_t mem_q[64];  // at {j, i}
   count_t rule_q, ext_q;
   logic [5:0] ext_addr_q;

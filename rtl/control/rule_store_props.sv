@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Promises of rule_store under any input. One rule is watched: its index is the address at reset
-// or at a request for the table reset, any one for the proof, and shadow_q is what it must hold.
+// Properties of rule_store for any input. One rule is watched: its index is the address at reset
+// or at a request for the table reset, so any of them in the proof; shadow_q is what it must hold.
 
 module rule_store_props
   import trammel_pkg::*;
@@ -76,7 +76,7 @@ module rule_store_props
   end
 
   assign watch = index(watch_i_q, watch_j_q);
-  assign section = i_i <= 3'd5 && j_i <= 3'd5;  // there is one
+  assign section = i_i <= 3'd5 && j_i <= 3'd5;  // there is such a section
   assign idle = left_q == '0;
   assign fired = index(i_i + 3'(sel_i[0]), j_i + 3'(sel_i[1])) == watch;
   assign tuned = tune_we_i && section && fired;
@@ -85,7 +85,7 @@ module rule_store_props
   count_t watched;  // the cell itself
   assign watched = mem_q[{watch_j_q, watch_i_q}];
 
-  logic quiet_q;  // no write at the clock before, which had the address addr_q
+  logic quiet_q;  // no write in the previous clock, whose address was addr_q
   logic [5:0] addr_q;
 
   always_ff @(posedge clk_i) begin

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Promises of clarke under any input; the equation is computed in 32 bits.
+// Properties of clarke for any input; the equation is computed in 32 bits.
 
 module clarke_props
   import trammel_pkg::*;
@@ -28,7 +28,7 @@ module clarke_props
   logic live_q = 1'b0;
   logic was_rst_q, was_quiescent_q;
   logic start;
-  logic [1:0] due_q;  // samples on their way, the older at the higher bit
+  logic [1:0] due_q;  // samples in flight, the older in the higher bit
   word_t a_q;  // of the tick
   wide_t scaled, product_was_q, beta;
   logic steady_q;  // the inputs held since the tick

@@ -4,7 +4,7 @@
 // valid_o is high at the 68th clock edge after the one that sees tick_i; inputs hold until then.
 //
 //   edges      what
-//   0..19      angle: count 352047 mod 2^32, one bit of the constant a clock; + offset
+//   0..19      angle: count 352047 mod 2^32, one bit of the constant per clock; + offset
 //   19..20     Clarke
 //   21..24     sine, cosine
 //   25..29     Park
@@ -14,7 +14,7 @@
 //   42..66     space vector modulation
 //   67         compare values of the next period; valid
 //
-// While clear_i is high the integrators are 0 and the compare values 50 %; currents are measured.
+// While clear_i is high the integrators are 0 and the duty is 50 %; currents are still measured.
 
 module current_loop
   import trammel_pkg::*;
@@ -77,7 +77,7 @@ module current_loop
   angle_t angle;
   logic [2:0] unused_sector;
 
-  // The angle by Horner's rule from the highest bit of the constant.
+  // theta_q: the product by Horner's rule, from the highest bit of the constant.
   assign angle = 10'((theta_q + theta_ofs_i) >> 22);
 
   always_comb begin

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Promises of current_loop under any input: its schedule and its own registers. The multipliers are
-// free in the proof; what the blocks of the chain compute is promised by their own properties.
+// Properties of current_loop for any input: its schedule and its registers. The multipliers are
+// free in the proof; what the blocks of the chain compute is proven with each of them.
 
 module current_loop_props
   import trammel_pkg::*;
@@ -30,7 +30,7 @@ module current_loop_props
     input cmp_t        cmp_b,
     input cmp_t        cmp_c,
 
-    // How far the blocks of the chain are.
+    // Progress of the blocks of the chain.
     input logic       clarke_valid,
     input logic       sine_valid,
     input logic       park_valid,
@@ -55,13 +55,13 @@ module current_loop_props
   logic live_q = 1'b0;
   logic was_rst_q, was_clear_q, was_quiescent_q;
   logic start;
-  logic [67:0] due_q;  // samples on their way, the oldest at the highest bit
+  logic [67:0] due_q;  // samples in flight, the oldest in the highest bit
   logic took_q;
   logic [23:0] codes_q;
   logic [32:0] cmp, was_cmp_q, new_q;
   logic [94:0] state, was_state_q;
 
-  // Four states in turn.
+  // Number of the state in a sequence of four, 0 = idle.
   function automatic logic [2:0] four(logic [3:0] due);
     return due[0] ? 3'd1 : due[1] ? 3'd2 : due[2] ? 3'd3 : due[3] ? 3'd4 : 3'd0;
   endfunction

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// PI controller of one current component; the integrator takes the error of the sample before.
+// PI controller of one current component; the integrator takes the error of the previous sample.
 // valid_o is high at the 5th clock edge after the one that sees tick_i; inputs hold until then.
 //
-//   e   = sat(ref - 2 meas)                              the reference has half the full scale
+//   e   = sat(ref - 2 meas)                              full scale of ref: half that of meas
 //   v_i = clip(v_i + rs(ki_m e_prev, -1 - ki_s), -2048 * 4096, 2047 * 4096)
 //   v   = sat(rs(kp_m e, 11 - kp_s) + rs(v_i, 12))
 //
@@ -76,7 +76,7 @@ module current_pi
     if (multiply) product_d = 30'($signed({1'b0, coefficient})) * 30'(factor);
   end
 
-  // product * 2^(1 + 8 h), clipped to the width of a term. The product one state behind use_kp.
+  // product * 2^(1 + 8 h), clipped to the width of a term. The product lags use_kp by a state.
   always_comb begin
     coarse = use_kp ? ki_i.exp[4:3] : kp_i.exp[4:3];
     dropped = 1'b0;
@@ -123,7 +123,7 @@ module current_pi
           state_d = StIntegral;
         end
       end
-      StIntegral: begin  // Kung eq. 13: the error of the sample before
+      StIntegral: begin  // Kung eq. 13: the error of the previous sample
         multiply = 1'b1;
         state_d = StProportional;
       end

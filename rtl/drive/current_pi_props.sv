@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Promises of current_pi under any input. The multiplier is free in the proof: it gets the right
-// words, and whatever its products are, what follows is the equation in 48 bits, saturated where it
-// says so and nowhere else.
+// Properties of current_pi for any input. The multiplier is free in the proof: it gets the right
+// words, and whatever its products are, the rest follows the equation in 48 bits, saturated where
+// that says so and nowhere else.
 
 module current_pi_props
   import trammel_pkg::*;
@@ -43,8 +43,8 @@ module current_pi_props
   logic live_q = 1'b0;
   logic was_rst_q, was_clear_q, was_quiescent_q;
   logic start;
-  logic [4:0] due_q;  // errors on their way, the oldest at the highest bit
-  wide_t error_wide_q, step_q, output_q, was_integral_q;  // results of the edge before, unclipped
+  logic [4:0] due_q;  // errors in flight, the oldest in the highest bit
+  wide_t error_wide_q, step_q, output_q, was_integral_q;  // results of the previous edge, unclipped
   word_t was_error_q, was_error_prev_q, was_v_q;
   logic [118:0] state, was_state_q;
 

@@ -6,7 +6,7 @@
 //   edge E + D  the gate of the new side on, D = dead_time_i at edge E, 0 acts as 1
 //
 // trip_i, or enable_i low, turns both gates off at the next edge; coming back is a new E. A change
-// of side inside a dead time starts it anew. A change of dead_time_i counts from the next E on.
+// of side within a dead time restarts it. A change of dead_time_i counts from the next E on.
 
 module gate_leg
   import trammel_pkg::*;
@@ -29,7 +29,7 @@ module gate_leg
 );
 
   logic allowed, change, ready;
-  logic allowed_q;  // allowed at the edge before
+  logic allowed_q;  // allowed at the previous edge
   logic side_d, side_q;
   logic hi_d, lo_d, hi_q, lo_q;
   logic [9:0] count;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Promises of gate_leg under any input. Clocks passed by leaps count; a turn-on is exact as long as
-// no leap went beyond next_o, a mistake of the caller, and at least late enough in any case.
+// Properties of gate_leg for any input. Clocks passed by leaps count; a turn-on is exact as long as
+// no leap went beyond next_o, an error of the caller, and never too early in any case.
 
 module gate_leg_props
   import trammel_pkg::*;
@@ -31,14 +31,14 @@ module gate_leg_props
 
   logic live_q = 1'b0;
   logic was_rst_q, was_hi_q, was_lo_q;
-  logic told, told_q, want_q;  // gates wanted, the upper one wanted, at the edge before
-  logic edge_e;  // a side is wanted that was not wanted at the edge before
+  logic told, told_q, want_q;  // gates allowed; at the previous edge, and the upper one wanted
+  logic edge_e;  // a side is wanted that was not at the previous edge
   logic [9:0] dead_q;  // dead time of the latest edge E
-  logic [12:0] passed, since_q;  // clocks of an edge; those after E
-  logic exact_q;  // no leap too far since E
+  logic [12:0] passed, since_q;  // clocks passed by an edge; those since E
+  logic exact_q;  // no leap beyond next_o since E
   logic time_up;
   logic was_quiescent_q, was_allowed_q, was_side_q;
-  logic calm_q, calm;  // quiescent, and the inputs of the edge before
+  logic calm_q, calm;  // quiescent, and the inputs of the previous edge
   gap_t was_next_q;
 
   assign told    = enable_i && !trip_i;

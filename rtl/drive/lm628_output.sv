@@ -4,9 +4,9 @@
 //
 //   8 bits   dac = u / 256 + 80h from the edge of commit_i on
 //   12 bits  u / 16 + 800h on dac[7:2]: its low six bits with dac_hi_lo_o low, its high six with
-//            it high, 16 ticks apart; dac_wr_n_o is low for the first 8 of each and strobes as
-//            it rises
-//   LM629    sign, and magnitude m = min(|u / 256|, 127) as 4 m of 512 ticks, begun by commit_i
+//            it high, 16 ticks apart; dac_wr_n_o is low for the first 8 of each and strobes at
+//            its rise
+//   LM629    sign, and magnitude m = min(|u / 256|, 127) as 4 m of 512 ticks, from commit_i on
 //
 // A reset puts out 800h with its strobes, and then 80h. A tick is 25 / Inc clocks.
 
@@ -48,8 +48,8 @@ module lm628_output
   } state_e;
 
   state_e state_d, state_q;
-  logic [11:0] u_q;  // offset binary but for its first bit
-  logic [7:0] top;  // of the command in use from the next edge on
+  logic [11:0] u_q;  // two's complement; offset binary inverts its top bit
+  logic [7:0] top;  // upper bits of the command in use from the next edge on
   logic eight_q;
 
   assign top = commit_i ? u_i[11:4] : u_q[11:4];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Promises of lm628_output under any input; clocks passed by leaps count. After a leap beyond
-// next_o, a mistake of the caller, times are known again from the next commit on.
+// Properties of lm628_output for any input; clocks passed by leaps count. After a leap beyond
+// next_o, an error of the caller, times are known again from the next commit on.
 
 module lm628_output_props
   import trammel_pkg::*;
@@ -38,7 +38,7 @@ module lm628_output_props
   localparam logic [15:0] Strobe = 16'(lm628_clocks(Inc, 8));
   localparam logic [15:0] Period = 16'(lm628_clocks(Inc, 512));
 
-  // Clocks of 4 m ticks, rounded down; a division there would be one in the proof.
+  // Clocks of 4 m ticks, rounded down, without a division, which the proof would have to carry.
   function automatic logic [15:0] clocks_of(logic signed [7:0] u);
     logic [15:0] m;
     m = 16'(u);
@@ -52,11 +52,11 @@ module lm628_output_props
   logic [2:0] was_state_q;
   logic [12:0] passed;
   logic allowed;
-  logic [11:0] u_q;  // command in use, of 12 bits or 8
+  logic [11:0] u_q;  // command in use, 12 or 8 bits of it
   logic eight_q;
-  logic known_q;  // no leap too far since the last commit, of which there was one
+  logic known_q;  // there was a commit, and no leap beyond next_o since
   logic [15:0] clocks_q;  // 4 m ticks
-  logic [15:0] since_q, turn_q;  // clocks since the last commit, up to 4095; in the period
+  logic [15:0] since_q, turn_q;  // clocks since the last commit, up to 4095; into the period
   logic [11:0] code;
 
   assign passed  = 13'(leap_i) + 13'd1;

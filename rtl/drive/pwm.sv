@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Triangle carrier against three compare values (specification section 8).
+// Triangular carrier against three compare values (specification section 8).
 //
 //   carrier = phase <= 1562 ? phase : 3125 - phase;  on = carrier > CMP, one clock later
 //   that is: on from phase CMP + 1 to phase 3124 - CMP, 3124 - 2 CMP clocks of 3125
@@ -36,7 +36,7 @@ module pwm
     return 12'(PwmPeriod) - 12'(cmp);
   endfunction
 
-  // Clocks up to the phase whose edge switches; the period's end is the time base's event.
+  // Clocks to the phase whose edge switches; the end of the period is an event of the time base.
   function automatic gap_t gap(logic [11:0] phase, cmp_t cmp);
     if (phase < rise(cmp)) return rise(cmp) - phase;
     if (phase < fall(cmp)) return fall(cmp) - phase;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Promises of pwm under any compare values, in every phase of the period as timebase keeps it.
+// Properties of pwm for any compare values, in every phase of the period that timebase makes.
 
 module pwm_props
   import trammel_pkg::*;
@@ -28,15 +28,15 @@ module pwm_props
 
   logic live_q = 1'b0;
   logic was_rst_q, was_quiescent_q, enable_q;
-  logic period_q;  // the phase of the edge before was one of the period
-  logic [2:0] was_on_q, above, above_q;  // carrier > compare value, at the edge before
+  logic period_q;  // the previous phase was within the period
+  logic [2:0] was_on_q, above, above_q;  // carrier > compare value; at the previous edge
   cmp_t [2:0] cmp_q;  // c, b, a, taken at the latest load
   logic [32:0] state, was_state_q;
   logic [11:0] phase_q;
   gap_t was_next_q;
-  logic calm;  // inputs as at the edge before, but for the next phase
+  logic calm;  // inputs as at the previous edge, except for the next phase
 
-  // 0 up to 1562 and down to 1.
+  // From 0 up to 1562 and down to 1.
   function automatic logic signed [12:0] carrier(logic [11:0] phase);
     return phase <= 12'd1562 ? $signed({1'b0, phase}) : 13'sd3125 - $signed({1'b0, phase});
   endfunction

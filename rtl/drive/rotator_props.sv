@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Promises of rotator. The multiplier is free in the proof: it gets the right words, and whatever
+// Properties of rotator. The multiplier is free in the proof: it gets the right words, and whatever
 // its products are, their sums do not overflow and are rounded and saturated once.
 
 module rotator_props
@@ -36,8 +36,8 @@ module rotator_props
   logic live_q = 1'b0;
   logic was_rst_q, was_quiescent_q;
   logic start;
-  logic [4:0] due_q;  // vectors on their way, the oldest at the highest bit
-  wide_t first_q, x_q, y_q;  // product before this one; sums of two products
+  logic [4:0] due_q;  // vectors in flight, the oldest in the highest bit
+  wide_t first_q, x_q, y_q;  // the previous product; sums of two products
   logic [76:0] state, was_state_q;
 
   assign start = tick_i && due_q[3:0] == '0;

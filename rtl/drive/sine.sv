@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sine and cosine of an angle of 1024 steps a turn, from one quarter-wave table read twice.
+// Sine and cosine of an angle, 1024 steps per revolution, from one quarter-wave table read twice.
 // valid_o is high at the 4th clock edge after the one that sees tick_i.
 //
 //   edge 0     latch the angle
@@ -39,7 +39,7 @@ module sine
   word_t  cos_d, cos_q;
 
   // The angle of the read (next) and of the value just read (current).
-  logic [8:0]  read_angle;  // the half turn does not matter here
+  logic [8:0]  read_angle;  // without bit 9, the sign, which the magnitude does not need
   angle_t      value_angle;
   logic        read;
   logic [7:0]  address;
@@ -47,11 +47,11 @@ module sine
   logic [11:0] magnitude;
   word_t       value;
 
-  // A falling quarter is read backwards; its first entry, 256, is the crest and not in the table.
+  // A falling quarter is read backwards; its first entry, 256, is the crest, not in the table.
   assign address = read_angle[8] ? -read_angle[7:0] : read_angle[7:0];
   assign magnitude = value_angle[8:0] == 9'd256 ? 12'd2048 : magnitude_q;
 
-  // +1.0 is no word: clipped to 2047. -1.0 is one.
+  // +1.0 does not fit a word and is clipped to 2047; -1.0 fits.
   always_comb begin
     if (value_angle[9]) value = -$signed(magnitude);
     else value = magnitude[11] ? 12'sd2047 : $signed(magnitude);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Promises of sine under any input. The table's values are the twin's affair.
+// Properties of sine for any input. The values of the table are checked against the twin.
 
 module sine_props
   import trammel_pkg::*;
@@ -25,14 +25,14 @@ module sine_props
   logic live_q = 1'b0;
   logic was_rst_q, was_quiescent_q;
   logic start;
-  logic [3:0] due_q;  // angles on their way, the oldest at the highest bit
+  logic [3:0] due_q;  // angles in flight, the oldest in the highest bit
   angle_t took_q;  // angle of the tick
   logic [47:0] state, was_state_q;
 
   assign start = tick_i && due_q[2:0] == '0;
   assign state = {state_q, angle_q, magnitude_q, sin_o, cos_o};
 
-  // The sign of a sine: of the half turn, and 0 at its ends.
+  // The sign of a sine: that of the half revolution, 0 at its ends.
   function automatic logic signed_as(word_t value, angle_t angle);
     return angle[8:0] == '0 ? value == '0 : angle[9] ? value < 12'sd0 : value > 12'sd0;
   endfunction

@@ -4,7 +4,7 @@
 //
 //   code  1 external trip, 2 over-current, 3 watchdog, 4 encoder, 5 stroke, 0 none
 //
-// Causes of the same clock: the lowest code wins, then axis X (0). Codes 1 and 3 belong to no axis
+// Causes in the same clock: the lowest code wins, then axis X (0). Codes 1 and 3 belong to no axis
 // and report 0. The trip pin passes two flip-flops; trip_o follows 1 clock after them and the gates
 // 1 clock later. clear_i acts only while both axes are disabled and no cause is present.
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Promises of supervisor under any input; the pin's synchroniser is modelled apart.
+// Properties of supervisor for any input; the synchroniser of the pin is modelled separately.
 
 module supervisor_props (
     input logic clk_i,
@@ -33,7 +33,7 @@ module supervisor_props (
   logic [5:1] cause, cause_q;  // by code
   logic axis, axis_q;
   logic [31:0] tick_count_q;
-  logic [38:0] state, was_state_q;  // all registers but the trip
+  logic [38:0] state, was_state_q;  // all registers except the trip
 
   assign cause = {stroke_i != '0, encoder_i != '0, watchdog_i, over_current_i != '0, second_q};
   assign state = {meta_q, pin_q, fault_code_o, fault_axis_o, fault_tick_o};

@@ -6,7 +6,7 @@
 //
 //   x = rs(v_beta 12496, 8), y = rs(v_alpha 21644, 8)      Q6; 12496 / 2^14 = 781 / 1024
 //   X = 2 x, Y = x + y, Z = x - y                          Q7; 21644 / 12496 = sqrt 3
-//   S = t1 + t2 and t1 are magnitudes of X, Y, Z: table below
+//   S = t1 + t2 and t1 are magnitudes of X, Y, Z: case table below
 //   a = 1562 - S, b = a + 2 t1, c = 1562 + S               Q8, twice the off-times in Q7
 //   S > 1562: a = 0, b = 1562 t1 / S, c = 1562
 //
@@ -14,7 +14,7 @@
 //   0..2       v_beta 12496; x, v_alpha 21644; y
 //   3..5       sector; t1; S
 //   6..8       a; b; c
-//   9..22      14 bits of t1 / S, always, so that the time is fixed
+//   9..22      14 bits of t1 / S, always, so that the latency is fixed
 //   23..24     quotient 1562; output, valid
 
 module svpwm
@@ -51,7 +51,7 @@ module svpwm
   localparam factor_t    BetaScale  = 16'sd12496;
   localparam factor_t    AlphaScale = 16'sd21644;
   localparam factor_t    Full       = 16'sd1562;
-  localparam off_t       FullOff    = 20'sd200064;  // 781 in Q8, and the half of the rounding
+  localparam off_t       FullOff    = 20'sd200064;  // 781 in Q8, plus the rounding half
   localparam logic [3:0] LastBit    = 4'd13;
 
   state_e      state_d, state_q;
@@ -73,7 +73,7 @@ module svpwm
   cmp_t        cmp_b_d, cmp_b_q;
   cmp_t        cmp_c_d, cmp_c_q;
 
-  // The one multiplier, and its rounded product
+  // The one multiplier and its rounded product
   logic               multiply;
   logic signed [14:0] factor_a;
   factor_t            factor_b;
@@ -130,7 +130,7 @@ module svpwm
   cmp_t rounded, mid, high;
 
   assign off_d = base + (subtract ? ~addend : addend) + 20'(subtract);
-  assign rounded = off_q[18:8];  // the half is in FullOff
+  assign rounded = off_q[18:8];  // the rounding half is in FullOff
   assign mid = over_q ? divided : mid_q;
   assign high = over_q ? CmpMax : rounded;
 

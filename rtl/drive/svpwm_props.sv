@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Promises of svpwm under any input. The model knows no sectors: from the differences of the phases
+// Properties of svpwm for any input. The model knows no sectors: from the differences of the phases
 // X = u_b - u_c, Y = u_a - u_c, Z = u_b - u_a the off-time is 781 - (u - (u_max + u_min) / 2).
 
 module svpwm_props
@@ -47,14 +47,14 @@ module svpwm_props
   localparam wide_t ScaleMax = 36'sd16383 * 36'sd1562;
   localparam line_t XMax     = 22'sd99968;  // Q6
   localparam line_t YMax     = 22'sd173152;
-  localparam line_t Full     = 22'sd199936;  // the period in Q7, half of it in Q8
+  localparam line_t Full     = 22'sd199936;  // 1562 in Q7, 781 in Q8
   localparam line_t Half     = 22'sd128;  // of the rounding
 
   logic live_q = 1'b0;
   logic was_rst_q, was_quiescent_q;
   logic start;
-  logic [24:0] due_q;  // vectors on their way, the oldest at the highest bit
-  logic step_q;  // of the division, at the edge before
+  logic [24:0] due_q;  // vectors in flight, the oldest in the highest bit
+  logic step_q;  // of the division, at the previous edge
   line_t x, y;  // Q6
   line_t u_bc, u_ac, u_ba;  // differences of the phases
   line_t span, spread, rest;  // u_max - u_min, u_max - u_mid, u_mid - u_min
@@ -75,7 +75,7 @@ module svpwm_props
     return p < q ? p : q;
   endfunction
 
-  // Off-time in Q8 of a phase with these differences to the others, with the half of the rounding.
+  // Off-time in Q8 of a phase with these differences to the others, plus the rounding half.
   function automatic line_t off_time(line_t p, line_t q);
     return Full + Half - more(more(p, q), 22'sd0) - less(less(p, q), 22'sd0);
   endfunction
@@ -84,7 +84,7 @@ module svpwm_props
     return line_t'({11'd0, found}) == off >>> 8;
   endfunction
 
-  // Over-modulated: the highest phase is never off, the lowest always, the one between by division.
+  // Over-modulated: off-time 0 for the highest phase, 1562 for the lowest, a quotient between.
   function automatic logic is_over(cmp_t found, line_t p, line_t q);
     if (p > 22'sd0 && q > 22'sd0) return found == '0;
     if (p < 22'sd0 && q < 22'sd0) return found == CmpMax;

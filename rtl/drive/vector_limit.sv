@@ -7,7 +7,7 @@
 //   v_d = clip(v_d, +-2047)
 //   |v_q| <= L(n), n = |v_d| >> 5, L(n) = floor(sqrt(2047^2 - min(2047, 32 (n + 1))^2))
 //
-//   edge 0     look L(n) up
+//   edge 0     L(n) from the table
 //   edge 1     v_d, v_q; valid
 
 module vector_limit
@@ -47,7 +47,7 @@ module vector_limit
   word_t       v_q_d, v_q_q;
   logic        limited_d, limited_q;
 
-  logic        d_out, q_high, q_low;  // out of the limit
+  logic        d_out, q_high, q_low;  // outside the limit
   word_t       clipped_d;
   logic [5:0]  row;  // |v_d| >> 5
   word_t       limit;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Promises of vector_limit for inputs that hold from the tick to valid, as its callers' do.
+// Properties of vector_limit for inputs that hold from tick to valid, as those of its callers do.
 
 module vector_limit_props
   import trammel_pkg::*;
@@ -45,7 +45,7 @@ module vector_limit_props
   logic live_q = 1'b0;
   logic was_rst_q, was_quiescent_q;
   logic start;
-  logic [1:0] due_q;  // vectors on their way, the older at the higher bit
+  logic [1:0] due_q;  // vectors in flight, the older in the higher bit
   word_t v_d_q, v_q_q;  // of the tick
   logic steady_q;  // the inputs held since the tick
   logic same_d, same_q;

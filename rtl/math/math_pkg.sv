@@ -7,7 +7,7 @@ package math_pkg;
 
   typedef logic signed [55:0] acc_t;  // wide enough for every product of this IC and its shift
 
-  // Tests of the bits above the word, not comparisons: these would be carry chains of 56 bits.
+  // The bits above the word are tested: a comparison would be a carry chain of 56 bits.
   function automatic logic signed [11:0] sat12(acc_t x);
     return x[55:11] == '0 || x[55:11] == '1 ? x[11:0] : {x[55], {11{~x[55]}}};
   endfunction

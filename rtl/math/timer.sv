@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Down counter: the one primitive behind every count that runs or waits by itself.
+// Down counter: the one primitive behind everything that counts or waits by itself.
 //
 //   load:     count' = value
 //   no load:  count' = max(count - (1 + leap), 0)
@@ -25,7 +25,7 @@ module timer
     output gap_t             next_o
 );
 
-  // Both the count and 1 + leap fit.
+  // Wide enough for both the count and 1 + leap.
   localparam int unsigned Wide = Width > 13 ? Width : 13;
 
   logic [Width-1:0] count_d, count_q;

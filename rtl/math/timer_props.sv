@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Promises of timer under any load, value and leap.
+// Properties of timer for any load, value and leap.
 
 module timer_props
   import trammel_pkg::*;
@@ -21,9 +21,9 @@ module timer_props
 
   logic live_q = 1'b0;
   logic was_rst_q, was_load_q;
-  logic [31:0] now, was_q, value_q, passed_q;  // clocks of the edge before: 1 and the leap
+  logic [31:0] now, was_q, value_q, passed_q;  // clocks passed by the previous edge: 1 + leap
   gap_t was_next_q;
-  logic quiet;  // the edge before did nothing but count
+  logic quiet;  // the previous edge did nothing but count
 
   assign now   = 32'(count_o);
   assign quiet = !was_rst_q && !was_load_q;
@@ -43,7 +43,7 @@ module timer_props
       // next_o edges do nothing but count: none of them makes the count 0 ...
       no_event_within_next :
       assert (!quiet || passed_q > 32'(was_next_q) || (now == '0) == (was_q == '0));
-      // ... the one after them does, and the promise is kept from clock to clock.
+      // ... the one after them does, and next_o stays consistent from clock to clock.
       event_at_next_zero : assert (!quiet || was_next_q != '0 || (was_q == 32'd1 && now == '0));
       next_falls_by_the_clocks :
       assert (!quiet || load_i || passed_q > 32'(was_next_q) || was_next_q == GapMax ||

@@ -1,7 +1,7 @@
 ; Program of motion/lm628_engine, first part: the sample of the LM628 (data sheet SNVS781C, AN-693).
-; scripts/tool gen-lm628 makes rtl/pkg/lm628_code_pkg.sv of it and of lm628_engine_*.asm; the
-; operations are those of rtl/pkg/lm628_pkg.sv. `if c l` goes to l if c, `ifn` if not; c is n, z,
-; wrap, take, bit<k> of the accumulator, or a flag. One level of call.
+; scripts/tool gen-lm628 makes rtl/pkg/lm628_code_pkg.sv from it and lm628_engine_*.asm; the
+; operations are those of rtl/pkg/lm628_pkg.sv. `if c l` goes to l if c holds, `ifn` if not; c is n,
+; z, wrap, take, bit<k> of the accumulator, or a flag. One level of call.
 
 ; Cleared by a reset, in this order.
 .zero pos speed target acc vel actual count velocity
@@ -10,7 +10,7 @@
 .var  threshold one k15 k16 low16 k23 k30 k31
 .var  t u e rest rest2 v w p f slow limit clipped delta
 
-; ---- entries: a command begins at its opcode ----
+; ---- entries: a command starts at the address of its opcode ----
 .at 0x00
         jmp boot
         jmp stt
@@ -29,7 +29,7 @@
 .at 0x1a
         jmp lpes
         jmp lpei
-        halt                    ; MSKI and RSTI are the host port's
+        halt                    ; MSKI and RSTI concern the host port alone
         halt
         jmp lfil
         jmp ltrj
@@ -49,7 +49,7 @@ sample: in count                ; encoder: 24 bits, its difference moves the act
         ld t
         st count
         ifn filter s_index
-        ld kp_buf               ; UDF: copies the filter; the command cleared wait
+        ld kp_buf               ; UDF: copy the filter; the command has cleared wait
         st kp
         ld kd_buf
         st kd
@@ -72,7 +72,7 @@ s_index:
         st index
         clr index_armed
         set index
-s_wrap: ld actual               ; wraparound: legal before and not now
+s_wrap: ld actual               ; wraparound: legal before, not any more
         add k30
         if n s_moved
         sub k31
@@ -88,7 +88,7 @@ s_moved:
         ld u
         st actual
         ifn off g_on
-        shl 16                  ; off: the desired position follows
+        shl 16                  ; off: the desired position follows the actual one
         st pos
         num 0
         st speed
@@ -111,7 +111,7 @@ g_down: ld speed
         if z g_hold
         ld vel
         ifn z g_way
-g_hold: ld pos                  ; rule 0: neither speed nor a way to have one
+g_hold: ld pos                  ; rule 0: no speed and no means to gain any
         shr8
         shr8
         st target
@@ -123,7 +123,7 @@ g_there:
         if z g_done
         if n g_way
         set up
-g_way:  if up g_plus            ; from here on: rest and v toward the target
+g_way:  if up g_plus            ; from here on rest and v are toward the target
         num 0
         sub rest
         st rest
@@ -133,7 +133,7 @@ g_way:  if up g_plus            ; from here on: rest and v toward the target
 g_plus: ld speed
 g_v:    st v
         ifn n g_toward
-        add acc                 ; rule 1: moving away
+        add acc                 ; rule 1: it moves away
         if n g_set
         num 0
         jmp g_set
@@ -186,7 +186,7 @@ g_rule4:
 g_fits4:
         call fits
         ifn n g_found
-        st f                    ; v fits if f + 2 n d + 2 min(d, p) is not negative, d = w - v
+        st f                    ; v fits if f + 2 n d + 2 min(d, p) >= 0, d = w - v
         ld w
         sub v
         st delta
@@ -208,7 +208,7 @@ g_min:  st t
 g_rule4s:
         ld slow
         jmp g_set
-g_found:                        ; 0 with a way left cannot be: rule 2 took what m or v exceeds
+g_found:                        ; not 0 short of the target: rule 2 has taken such cases
         ld w
 g_set:  st w
         if up g_move

@@ -2,12 +2,12 @@
 //
 // Registers, commands and the sample of the LM628 (data sheet SNVS781C, AN-693): a machine of one
 // accumulator, one adder and 64 registers of 64 bits in block memory. Its program is
-// lm628_engine.asm; products and quotients are made bit by bit.
+// lm628_engine.asm; products and quotients are formed bit by bit.
 //
-//   sample_i  encoder and index taken; the result stands at most 400 clocks later
+//   sample_i  encoder and index taken; the result is there at most 400 clocks later
 //   start_i   the command opcode_i is executed in at most 127 clocks
 //
-// After a reset the registers are cleared, 133 clocks. A caller never asks while busy_o.
+// After a reset the registers are cleared, 133 clocks. A caller requests nothing while busy_o.
 
 module lm628_engine
   import lm628_pkg::*;
@@ -19,9 +19,9 @@ module lm628_engine
     input logic sample_i,
     input logic start_i,
     input logic commit_i,  // the sample's events are taken
-    input logic end_i,     // the command's are
+    input logic end_i,     // the command's events are taken
 
-    input logic       wrap_i,      // products and sum wrap, else they saturate
+    input logic       wrap_i,      // products and sum wrap; else they saturate
     input logic [7:0] opcode_i,
     input events_t    status_i,    // what RDSIGS shows of the host port
     input logic       host_irq_i,
@@ -51,16 +51,16 @@ module lm628_engine
   typedef logic [5:0] register_t;
 
   typedef struct packed {
-    logic write;  // of the accumulator
-    logic zero;   // it begins from nothing,
-    logic shift;  // from twice itself
-    logic div;    // with the dividend's bit, and without the other word where that does not go
-    logic mul;    // the other word counts where the multiplier's bit is 1,
-    logic alone;  // not at all
+    logic write;  // to the accumulator
+    logic zero;   // first operand: 0 instead of the accumulator,
+    logic shift;  // twice the accumulator
+    logic div;    // plus the dividend's bit; the difference only where it is not negative
+    logic mul;    // second operand: the word where the multiplier's bit is 1,
+    logic alone;  // none
     logic sub;    // it is subtracted
-    logic shr8;   // what is written is no sum
-    logic ext;
-    logic in;
+    logic shr8;   // instead of the sum: the accumulator / 256,
+    logic ext;    // extended,
+    logic in;     // an input word
   } controls_t;
 
   function automatic controls_t controls(logic branch, op_e op);
@@ -78,9 +78,9 @@ module lm628_engine
     return c;
   endfunction
 
-  // Beside an instruction: the register of the one that follows, which is read while that is
-  // fetched, and the adder's controls; in a branch or call the register of its target instead.
-  // As many as addresses: memories of 4 bits an address then hold it without a multiplexer.
+  // Stored with an instruction: the register of the next one, which is read while that is fetched,
+  // and the adder's controls; in a branch or call the register of its target in their place. The
+  // memory has all 2^CodeBits words, so that memory blocks of 4 bits hold it without a multiplexer.
   localparam int unsigned Bits = $bits(register_t) + $bits(controls_t) + 18;
   logic [Bits-1:0] code_q[2**CodeBits];
   initial begin
@@ -153,7 +153,7 @@ module lm628_engine
     end
   end
 
-  // ---- registers: what is read as it is written is never used, gen_lm628.py sees to that ----
+  // ---- registers: none is used that was read as it was written, gen_lm628.py checks that ----
 
   (* no_rw_check *)
   lm628_t m_q[64];
@@ -170,7 +170,7 @@ module lm628_engine
     if (fetch) operand_q <= m_q[read];
   end
 
-  // ---- outside words ----
+  // ---- input words ----
 
   logic [23:0] outside, count_q, index_q;
   logic [15:0] signals;
@@ -215,7 +215,7 @@ module lm628_engine
 
   always_comb begin
     acc_d = sum;
-    if (c_q.div && sum[32]) acc_d = shifted;  // rest and divisor have 31 bits: it is negative
+    if (c_q.div && sum[32]) acc_d = shifted;  // remainder and divisor have 31 bits: negative
     if (c_q.shr8) acc_d = {{8{acc_q[63]}}, acc_q[63:8]};
     if (c_q.ext) acc_d = extended;
     if (c_q.in) acc_d = {40'd0, outside};
@@ -312,7 +312,7 @@ module lm628_engine
   assign u_o              = u_q;
   assign eight_bits_o     = eight_bits_q;
 
-  // ---- index: its first count after it was armed, for the next sample ----
+  // ---- index: the first one after arming, for the next sample ----
 
   logic captures;
   assign captures = capturing_q && index_seen_i;

@@ -237,7 +237,7 @@ a_off:  call turn_off
 a_end:  ld target
         shl 16
         st goal
-        num 0                   ; bits 10 to 8 are used up
+        num 0                   ; bits 10 to 8 have been used
         ifn forward a_vel
         num 16
 a_vel:  st t

@@ -23,7 +23,7 @@ g_ramp: st t
         jmp s_error
 
 ; ---- subroutines ----
-ramp:   ld t                    ; speed toward t by at most acc; acc of the machine: the speed
+ramp:   ld t                    ; speed toward t by at most acc; the accumulator ends with it
         sub speed
         st delta
         if n r_down
@@ -46,8 +46,8 @@ r_step: ld speed
         ld speed
         ret
 
-fits:   ld acc                  ; negative if w and the way to stop from it exceed the rest:
-        if z f_const            ; 2 rest - (n + 1)(w + p), n = w / acc and p over
+fits:   ld acc                  ; negative if w and the stopping distance exceed the rest:
+        if z f_const            ; 2 rest - (n + 1)(w + p), n = w / acc with remainder p
         ld w
         toq
         div acc 30
@@ -66,7 +66,7 @@ f_const:
         sub w
         ret
 
-word:   if wrap w_wrap          ; 16 bits of a product or sum
+word:   if wrap w_wrap          ; a product or sum in 16 bits
 clip:   st clipped              ; to +-limit
         if n c_neg
         sub limit

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Promises of lm628_engine under any input and, but where it is named, for any program: what its
-// memories give is free in the proof. What the program computes is compared with the twin.
+// Properties of lm628_engine for any input and any program: what its memories give is free in the
+// proof. What its program computes is compared with the twin.
 
 module lm628_engine_props
   import lm628_pkg::*;
@@ -55,7 +55,7 @@ module lm628_engine_props
   logic was_rst_q, was_busy_q, was_asked_q, was_commit_q, was_end_q, was_sample_q;
   logic was_quiescent_q, was_halt_q;
   logic [49:0] results, was_results_q;
-  logic [22:0] was_flag_q, flags, flags_q, one;  // as the operations say
+  logic [22:0] was_flag_q, flags, flags_q, one;  // as the operations set them
   logic [2:0] addr_q;
   logic [2:0] was_capture_q;
   events_t was_sample_events_q;
@@ -66,7 +66,7 @@ module lm628_engine_props
   logic [ 2:0] was_addr_q;
   logic held, was_held_q;  // the instruction takes more clocks than those so far
   logic is_out, was_out_q, was_reply_q, was_call_q, is_jump, runs, is_word, is_flag;
-  logic [15:0] was_return_q, was_place_q;  // behind a call: address, register that is read there
+  logic [15:0] was_return_q, was_place_q;  // after a call: address, register that is read there
 
   // Model of the capture.
   logic armed_q, caught_q, taken_q;

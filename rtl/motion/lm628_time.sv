@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Time of the LM628 (data sheet SNVS781C): 8000 ticks of its clock for the reset routine, then
+// Timing of the LM628 (data sheet SNVS781C): 8000 ticks of its clock for the reset routine, then
 // samples of 2048 ticks, in clocks of the fabric. Inc ticks are 25 clocks: 4 for 8 MHz and 3 for
-// 6 MHz in one of 50 MHz, 10 for 8 MHz in one of 20. One timer goes round the parts of a sample; of
-// 8 MHz in 50, with tick 0 at clock 0:
+// 6 MHz in a 50 MHz fabric, 10 for 8 MHz in one of 20 MHz. One timer goes through the parts of a
+// sample; at 8 MHz in 50 MHz, with tick 0 at clock 0:
 //
 //   clock  10           sample_o, when every edge of tick 0 has been counted
 //   clocks 2371..12670  open_o: a command begun then ends in ticks 400..2047
-//   clock  2499         commit_o: the results are seen from tick 400 on
+//   clock  2499         commit_o: the results are visible from tick 400 on
 
 module lm628_time
   import trammel_pkg::*;
@@ -30,7 +30,7 @@ module lm628_time
 );
 
   localparam int unsigned Ticks = 25 * 2048;             // of a sample, in 1/Inc clocks
-  localparam int unsigned Lead = 24 / Inc + 4;           // last clock of tick 0, and the encoder's
+  localparam int unsigned Lead = 24 / Inc + 4;           // last clock of tick 0, and encoder delay
   localparam int unsigned Commit = lm628_clocks(Inc, 400);
 
   localparam int unsigned RestBits = $clog2(Inc);

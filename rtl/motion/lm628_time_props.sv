@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Promises of lm628_time; clocks passed by leaps count. After a leap beyond next_o, a mistake of
+// Properties of lm628_time; clocks passed by leaps count. After a leap beyond next_o, an error of
 // the caller, distances are known again from the next sample on.
 
 module lm628_time_props
@@ -37,15 +37,15 @@ module lm628_time_props
 
   logic live_q = 1'b0;
   logic was_rst_q, was_ready_q, was_begin_q, was_quiescent_q;
-  logic [12:0] passed, passed_q;  // clocks of an edge: 1 and the leap
+  logic [12:0] passed, passed_q;  // clocks passed by an edge: 1 + leap
   gap_t was_next_q;
-  logic known_q;  // no leap too far since the latest sample, of which there was one
+  logic known_q;  // there was a sample, and no leap beyond next_o since
   logic [15:0] since_q;  // clocks since then
-  logic begun_q;  // no leap too far since the reset
+  logic begun_q;  // no leap beyond next_o since the reset
   logic [31:0] begun_since_q;  // clocks since then
   logic [2:0] was_state_q;
   logic [$clog2(Inc)-1:0] was_rest_q;
-  logic event_now, longer;  // one of the pulses; the present sample has a clock more
+  logic event_now, longer;  // one of the pulses; the present sample is a clock longer
 
   assign passed    = 13'(leap_i) + 13'd1;
   assign event_now = begin_o || sample_o || commit_o;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Promises of timebase; clocks passed by leaps count. After a leap beyond next_o, a mistake of the
+// Properties of timebase; clocks passed by leaps count. After a leap beyond next_o, an error of the
 // caller, the distance of ticks is known again from the next tick on.
 
 module timebase_props
@@ -28,14 +28,14 @@ module timebase_props
 
   logic live_q = 1'b0;
   logic was_rst_q, was_cur_q, was_pos_q, was_quiescent_q;
-  logic [12:0] passed, passed_q;  // clocks of an edge: 1 and the leap
+  logic [12:0] passed, passed_q;  // clocks passed by an edge: 1 + leap
   gap_t was_next_q;
   logic [11:0] was_phase_q;
-  logic allowed;  // the leap
-  logic known_q;  // no leap too far since the last tick
+  logic allowed;  // the leap stays within next_o
+  logic known_q;  // no leap beyond next_o since the last tick
   logic [12:0] since_q;  // clocks since the last tick_cur
   logic [2:0] eighth_q;  // tick_cur since the last tick_pos
-  logic [8:0] pos_q, period_q;  // tick_pos since the last tick_irq, and how many there are to be
+  logic [8:0] pos_q, period_q;  // tick_pos since the last tick_irq; the number that is due
   logic [31:0] was_tick_count_q;
   logic [10:0] slow, was_slow_q;  // registers outside the timer, tick_count_o apart
 

@@ -2,8 +2,8 @@
 //
 // Bites when more than limit_i position ticks (2 kHz) pass between two kicks.
 //
-// The bite is a level that only enable_i low takes back: a late kick does not hide it. Limit 0
-// means off. A kick at the clock of a tick wins over the tick.
+// The bite is a level that only enable_i low clears: a late kick does not hide it. Limit 0
+// means off. A kick in the clock of a tick wins over the tick.
 
 module watchdog (
     input logic clk_i,

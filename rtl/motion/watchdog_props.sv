@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Promises of watchdog under any input; the model counts ticks since the last kick by itself.
+// Properties of watchdog for any input; the model counts ticks since the last kick independently.
 
 module watchdog_props (
     input logic clk_i,
@@ -20,7 +20,7 @@ module watchdog_props (
 
   logic live_q = 1'b0;
   logic was_rst_q, was_bite_q, was_tick_q, was_enable_q, was_quiescent_q;
-  logic hungry;  // nothing that forgives the ticks so far
+  logic hungry;  // nothing resets the ticks counted so far
   logic was_hungry_q;
   logic [16:0] ticks_d, ticks_q;  // since the last kick, at most one more than any limit
   logic [15:0] limit_q, was_count_q;

@@ -5,20 +5,20 @@
 // An instruction has 18 bits:
 //   1 p cccccc tttttttttt   go to t if condition c is p
 //   0 ooooo aaaaaaaaaaaa    operation o with argument a
-// Argument of memory operations: {count - 1, address} with 6 bits each; the count is that of the
-// clocks which Mul, Div and Shl take.
+// Argument of memory operations: {count - 1, address} with 6 bits each; count is the number of
+// clocks that Mul, Div and Shl take.
 
 package lm628_pkg;
 
-  // Ticks of the part's clock in clocks of the fabric, inc to 25: of 50 MHz 4 are 8 MHz and 3 are
-  // 6 MHz, of 20 MHz 10 are 8 MHz.
+  // Clocks of the fabric for so many ticks of the part's clock, inc ticks in 25 clocks: in 50 MHz,
+  // inc = 4 is 8 MHz and 3 is 6 MHz; in 20 MHz, 10 is 8 MHz.
   function automatic int unsigned lm628_clocks(int unsigned inc, int unsigned ticks);
     return (25 * ticks + inc - 1) / inc;
   endfunction
 
   localparam int unsigned Lm628Run = 128;  // [clk] for the execution of a command
 
-  // Opcodes that are more to the host port than words to take and to give.
+  // Opcodes that the host port treats differently from the others.
   localparam logic [7:0] CmdReset = 8'h00;
   localparam logic [7:0] CmdSip   = 8'h03;
   localparam logic [7:0] CmdMski  = 8'h1C;
@@ -31,14 +31,14 @@ package lm628_pkg;
 
   typedef logic signed [63:0] lm628_t;  // the engine's registers
 
-  // From 8 on they write the accumulator, from 16 on they take several clocks.
+  // Those from 8 on write the accumulator, those from 16 on take several clocks.
   typedef enum logic [4:0] {
     OpHalt  = 5'd0,
     OpSt    = 5'd1,   // m = acc
     OpFlag  = 5'd2,   // flag a[4:0] = a[5]
-    OpCall  = 5'd3,   // go to a and keep the place
+    OpCall  = 5'd3,   // go to a, keep the return address
     OpRet   = 5'd4,
-    OpOut   = 5'd5,   // the sample's result: acc, events, motor off, width of the port
+    OpOut   = 5'd5,   // the sample's result: acc, events, motor off, port width
     OpReply = 5'd6,   // reply = acc
     OpAdd   = 5'd8,   // acc = acc + m
     OpSub   = 5'd9,   // acc = acc - m
@@ -46,10 +46,10 @@ package lm628_pkg;
     OpExt   = 5'd11,  // acc = its low bits, see ext_e
     OpLd    = 5'd12,  // acc = m
     OpToq   = 5'd13,  // multiplier or dividend = acc, 30 bits; acc = 0
-    OpIn    = 5'd14,  // acc = outside word, see source_e in the upper bits of the argument
-    OpToq15 = 5'd15,  // multiplier = acc, 15 bits, for 15 of Mul; acc = 0
-    OpMul   = 5'd16,  // acc = 2 acc + m if the multiplier's next bit is 1; 30 keep the multiplier
-    OpDiv   = 5'd17,  // acc = 2 acc + the dividend's next bit, less m if that goes, a quotient bit
+    OpIn    = 5'd14,  // acc = input word, chosen by source_e in the upper bits of the argument
+    OpToq15 = 5'd15,  // multiplier = acc, 15 bits, for 15 steps of Mul; acc = 0
+    OpMul   = 5'd16,  // acc = 2 acc, + m if the multiplier's next bit is 1; 30 steps restore it
+    OpDiv   = 5'd17,  // acc = 2 acc + the dividend's next bit, - m if it fits; a quotient bit
     OpShl   = 5'd18   // acc = 2 acc
   } op_e;
 
@@ -100,10 +100,10 @@ package lm628_pkg;
     FlagMoving,
     FlagPosition,      // a position was loaded since the last STT
     FlagSmooth,        // the move is a smooth stop
-    FlagVelocity,      // the move is one of velocity
-    FlagArmed,         // breakpoint
-    FlagAbove,         // it was armed from below
-    FlagBelow,         // it was armed from above
+    FlagVelocity,      // the move is in velocity mode
+    FlagArmed,         // a breakpoint is set
+    FlagAbove,         // it was above the position when set
+    FlagBelow,         // it was below the position when set
     FlagUp             // the target is above
   } flag_e;
 

@@ -9,7 +9,7 @@ package trammel_pkg;
   typedef logic signed [23:0] count_t;   // positions [counts], integrators, stored rules
   typedef logic signed [31:0] model_t;   // reference model position, Q14 of a count
   typedef logic        [11:0] member_t;  // memberships and rule weights, 2048 = 1.0
-  typedef logic        [9:0]  angle_t;   // 1024 = one electrical turn
+  typedef logic        [9:0]  angle_t;   // 1024 = one electrical revolution
   typedef logic        [10:0] cmp_t;     // compare value of the carrier, 0..1562
   typedef logic        [11:0] gap_t;     // clocks without an event, see math/timer
 

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Frame of two serial converters of the AD7476 kind that share chip select and clock.
+// Frame of two serial converters of the AD7476 type that share chip select and clock.
 //
 //   clock after start_i  0    2     6         62       64
 //                        |    |     |         |        |
 //   cs_n                 fall                          rise, valid_o
 //   sclk (idles high)         fall1 fall2 ... fall16
 //
-// The converter holds at the fall of cs_n and shows the first of four zeros then; each fall of sclk
-// brings the next bit, 12 bits follow MSB first. The bit is sampled at the edge that lowers sclk,
-// when it has been stable for a whole period of 4 clocks. A start during a frame is ignored.
+// The converter samples at the fall of cs_n and shows the first of four zeros then; each fall of
+// sclk brings the next bit, and 12 bits follow MSB first. A bit is taken at the edge that lowers
+// sclk, when it has been stable for a whole period of 4 clocks. A start during a frame is ignored.
 
 module adc_if (
     input logic clk_i,
@@ -34,7 +34,7 @@ module adc_if (
   logic busy_d, busy_q, sclk_q, valid_q;
   logic [5:0] clock_q;  // clocks since the fall of cs_n
   logic sample, finish;
-  logic [11:0] shift_a_q, shift_b_q;  // the leading zeros leave at the top
+  logic [11:0] shift_a_q, shift_b_q;  // the leading zeros drop out at the top
   logic [11:0] code_a_q, code_b_q;
 
   assign sample = busy_q && clock_q[1:0] == 2'd1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Promises of adc_if under any input; frame_q counts clocks since the fall of cs_n by itself.
+// Properties of adc_if for any input; frame_q independently counts clocks since the fall of cs_n.
 
 module adc_if_props (
     input logic clk_i,
@@ -28,14 +28,14 @@ module adc_if_props (
 
   logic live_q = 1'b0;
   logic was_rst_q, was_cs_n_q, was_sclk_q, was_start_q, was_valid_q, was_quiescent_q;
-  logic [6:0] frame_q;  // clocks since cs_n fell, Clocks without a frame
+  logic [6:0] frame_q;  // clocks since cs_n fell; Clocks = no frame
   logic [4:0] falls_q;  // falls of sclk in this frame
   logic [11:0] bits_a_q, bits_b_q;  // of this frame, by the fall that follows them
   logic [23:0] was_codes_q;
-  logic [54:0] state, was_state_q;  // all registers but the line data
+  logic [54:0] state, was_state_q;  // all registers except the line data
   logic falls;
-  logic [4:0] taken;  // samples of this frame
-  logic [11:0] mask;  // bits of them without the leading zeros
+  logic [4:0] taken;  // samples of this frame so far
+  logic [11:0] mask;  // of their bits, without the leading zeros
 
   assign falls = was_sclk_q && !sclk_o;
   assign taken = 5'((frame_q + 7'd2) >> 2);

@@ -3,7 +3,7 @@
 // Quadrature encoder: synchroniser, filter, x4 decoder, 24-bit counter (specification section 9).
 //
 //   clocks  stage
-//   2       synchroniser of two flip-flops a line
+//   2       synchroniser: two flip-flops per line
 //   N       a line changes after N equal samples, N = filter_i, 0 acts as 1
 //   1       decoder and counter: A leads B counts up, 00 10 11 01
 //
@@ -100,7 +100,7 @@ module qep
       count_q <= count_d;
       if (step) dir_q <= up;
       if (index) latch_q <= count_d;
-      // What happens now is not lost to a clear that comes at the same clock.
+      // An event is not lost to a clear in the same clock.
       seen_q  <= index || (seen_q && !clear_error_i);
       error_q <= both || (error_q && !clear_error_i);
     end

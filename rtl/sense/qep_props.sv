@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Promises of qep. The model decodes by the position in the Gray code and filters by a history of
-// samples, under any input; what holds for legal motion is said of the pins alone.
+// Properties of qep, for any input. The model decodes by the position in the Gray code and filters
+// by a history of samples; what holds for legal motion is stated in terms of the pins alone.
 
 module qep_props
   import trammel_pkg::*;
@@ -37,38 +37,38 @@ module qep_props
 );
 
   localparam int unsigned Depth = 19;
-  typedef logic [Depth-1:0] history_t;  // of a line, the newest sample at bit 0
+  typedef logic [Depth-1:0] history_t;  // of a line, the newest sample in bit 0
 
   logic live_q = 1'b0;
   logic was_rst_q, was_live_q, was_preset_q, was_clear_q, was_error_q, was_seen_q, was_dir_q;
   logic was_quiescent_q;
-  logic [1:0] adopt_q;  // clocks left in which the lines are adopted
+  logic [1:0] adopt_q;  // clocks left during which the lines are adopted
   logic adopted;
-  logic [3:0] n, n_q, n_qq;  // samples of the filter: now, 1 and 2 edges before
+  logic [3:0] n, n_q, n_qq;  // length of the filter: now, 1 and 2 edges ago
   history_t [2:0] pins_q;  // Z, B, A
-  logic [2:0] differ, model_q, before_q;  // lines of the model, and one clock before
+  logic [2:0] differ, model_q, before_q;  // lines of the model, and one clock earlier
   count_t count_q, preset_q, was_count_q, was_latch_q;
   logic [1:0] moved, moved_q;  // steps in the Gray code modulo 4
   logic index, index_q;
-  logic [2:0][4:0] run_q;  // equal samples from the one of the second flip-flop back, or fewer
-  logic [2:0] sure_q;  // the line is its pin delayed: rested once, and no level was too short since
-  logic [1:0] legal;  // steps of pins that were legal, one latency ago
-  logic [1:0] full;  // as many equal samples as the filter wants, before the line changed
-  logic [53:0] state, was_state_q;  // all registers but the lines
+  logic [2:0][4:0] run_q;  // equal samples, from that of the second flip-flop back, or fewer
+  logic [2:0] sure_q;  // the line is its pin delayed: rested once, no level too short since
+  logic [1:0] legal;  // steps of the pins, one latency ago: 0, 1, 3 are legal
+  logic [1:0] full;  // as many equal samples as the filter needs, before the line changed
+  logic [53:0] state, was_state_q;  // all registers except the lines
   logic [23:0] lines, was_lines_q;
 
-  // Position in the Gray code of {B, A}: 00 10 11 01 of AB is 0 1 2 3.
+  // Position in the Gray code: AB = 00, 10, 11, 01 are 0, 1, 2, 3.
   function automatic logic [1:0] place(logic b, logic a);
     return {b, a ^ b};
   endfunction
 
-  // The first so many bits are equal to `level`.
+  // The first `many` bits equal `level`.
   function automatic logic all(history_t history, logic [3:0] many, logic level);
     all = 1'b1;
     for (int unsigned k = 0; k < 15; k++) all &= k >= 32'(many) || history[k] == level;
   endfunction
 
-  // `same` samples before that of the second flip-flop differ from the line, and no more.
+  // Exactly `same` samples before that of the second flip-flop differ from the line.
   function automatic logic counted(logic [3:0] same, history_t history, logic line);
     counted = same != 4'd15 && history[5'(same)+5'd2] == line;
     for (int unsigned k = 0; k < 15; k++) counted &= k >= 32'(same) || history[k+2] != line;
@@ -79,7 +79,7 @@ module qep_props
     for (int unsigned k = 1; k < 18; k++) ran &= k >= 32'(run) || history[k+1] == history[1];
   endfunction
 
-  // The line is its pin delayed, and changes once at most in as many samples as the filter takes.
+  // The line is its pin delayed, and changes at most once in as many samples as the filter takes.
   function automatic logic delayed(history_t history, logic line, logic prev, logic [3:0] many);
     history_t changes;
     changes = ((history ^ history >> 1) >> 1) & ~('1 << many);
@@ -129,7 +129,7 @@ module qep_props
     before_q <= adopted ? model_q : {pins_q[2][1], pins_q[1][1], pins_q[0][1]};
     for (int i = 0; i < 3; i++) begin
       pins_q[i] <= {pins_q[i][Depth-2:0], i == 0 ? enc_a_i : i == 1 ? enc_b_i : enc_z_i};
-      if (!live_q) pins_q[i][1] <= meta_q[i];  // which has no reset
+      if (!live_q) pins_q[i][1] <= meta_q[i];  // meta_q has no reset
       if (rst_i || !adopted || differ[i]) model_q[i] <= pins_q[i][1];
       if (pins_q[i][0] != pins_q[i][1]) run_q[i] <= 5'd1;
       else if (run_q[i] != 5'd18) run_q[i] <= run_q[i] + 5'd1;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What firmware sees of the machine: a 32-bit register bus and the entry points of an application.
+// Interface of firmware to the machine: a 32-bit register bus and the entry points of an
+// application.
 // Freestanding: no heap, no iostream.
 #pragma once
 
@@ -18,7 +19,7 @@ struct Bus {
   ~Bus() = default;
 };
 
-// Run to completion: no stack survives a wait. On a core: start(); for (;;) { wait; isr(); }
+// Runs to completion: no stack survives a wait. On a core: start(); for (;;) { wait; isr(); }
 struct Firmware {
   virtual void start(Bus& bus) = 0;
   virtual void isr(Bus& bus) = 0;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Driver of the LM628 (data sheet SNVS781C, AN-693): commands and words through its 8-bit port. As
-// the data sheet asks, the busy bit is checked before each command and each word, and not between
-// the two bytes of a word. Freestanding.
+// the data sheet requires, the busy bit is checked before each command and each word, but not
+// between the two bytes of a word. Freestanding.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,13 @@
 
 namespace trammel::sw {
 
-// Where the port, its reset pin and the machine's timer are on the bus.
+// Bus addresses of the port, its reset pin and the machine's timer.
 namespace lm628_map {
 inline constexpr std::uint32_t kCommand = 0x0;  // PS low: a write is a command, a read the status
 inline constexpr std::uint32_t kData = 0x4;     // PS high: one byte
 inline constexpr std::uint32_t kReset = 0x8;    // a write strobes RST
-inline constexpr std::uint32_t kTimer = 0xC;    // [clk] until it interrupts, once; 0 = off
-inline constexpr std::uint32_t kIrq = 0x10;     // which interrupts
+inline constexpr std::uint32_t kTimer = 0xC;    // [clk] until its one interrupt; 0 = off
+inline constexpr std::uint32_t kIrq = 0x10;     // causes of the interrupt
 inline constexpr std::uint32_t kIrqHost = 1u << 0;   // pin HI
 inline constexpr std::uint32_t kIrqTimer = 1u << 1;
 }  // namespace lm628_map
@@ -47,7 +47,7 @@ enum class Lm628Command : std::uint8_t {
   kSbpr = 0x21,
 };
 
-// Bits of the status byte; 1 to 6 also of MSKI and RSTI.
+// Bits of the status byte; 1 to 6 are also those of MSKI and RSTI.
 namespace lm628_status {
 inline constexpr std::uint8_t kBusy = 1u << 0;
 inline constexpr std::uint8_t kCommandError = 1u << 1;
@@ -60,10 +60,10 @@ inline constexpr std::uint8_t kMotorOff = 1u << 7;
 // Control word of LTRJ: acceleration, velocity and position follow.
 inline constexpr std::uint32_t kLm628AbsoluteMove = 0x002A;
 
-// Commands and words at the addresses of lm628_map, of whatever bus stands behind them.
+// Commands and words at the addresses of lm628_map, on any bus that has them.
 class Lm628Port {
  public:
-  // A command keeps the part busy for 94 us at most, RESET for 1.5 ms; a poll takes above 0.4 us.
+  // A command keeps the part busy for 94 us at most, RESET for 1.5 ms; a poll takes over 0.4 us.
   static constexpr std::uint32_t kPollLimit = 4096;
 
   explicit Lm628Port(Bus& bus) : bus_(bus) {}
@@ -72,8 +72,8 @@ class Lm628Port {
 
   std::uint8_t status() { return static_cast<std::uint8_t>(bus_.read(lm628_map::kCommand)); }
 
-  // Waits until the part takes the next command or word, and so has executed the last one; false:
-  // it is stuck.
+  // Waits until the part takes the next command or word, and so has executed the last one. Returns
+  // false if it is stuck.
   bool ready() {
     for (std::uint32_t polls = 0; !stuck_ && polls < kPollLimit; ++polls) {
       if ((status() & lm628_status::kBusy) == 0) return true;
@@ -140,7 +140,7 @@ inline void load_filter(Lm628Port& port, const Lm628Filter& f) {
   port.command(Lm628Command::kUdf);
 }
 
-// AN-693, "Initialization", after a reset: false where the status is none that it names.
+// AN-693, "Initialization", after a reset. Returns false if the status is not one that it names.
 inline bool initialise(Lm628Port& port, Lm628Command converter) {
   const auto is_any = [](std::uint8_t value, std::uint8_t one, std::uint8_t other) {
     return value == one || value == other;

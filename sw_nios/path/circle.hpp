@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Circle (specification section 10): x = cx + r sin(theta), y = cy + r cos(theta), theta from 0 by
+// Circle (specification section 10): x = cx + r sin(theta), y = cy + r cos(theta), theta from 0 in
 // equal steps; starts at the top, clockwise. size() = laps * ticks + 1 points; every lap ends
 // exactly at its start.
 #pragma once
@@ -16,7 +16,7 @@ class Circle {
   struct Setup {
     Vec center{from_counts(50000), from_counts(50000)};
     Q32 radius = from_counts(20000);
-    std::uint32_t ticks = 628;  // steps a turn, 4..kMaxTicks
+    std::uint32_t ticks = 628;  // steps per lap, 4..kMaxTicks
   };
 
   constexpr Circle(const Setup& setup, std::uint32_t laps)

@@ -14,7 +14,7 @@ class Line {
   struct Setup {
     Vec from{from_counts(20000), from_counts(20000)};
     Vec to{from_counts(80000), from_counts(80000)};
-    std::uint32_t ticks = 500;  // a pass
+    std::uint32_t ticks = 500;  // per pass
   };
 
   constexpr Line(const Setup& setup, std::uint32_t passes) : setup_(setup), passes_(passes) {}

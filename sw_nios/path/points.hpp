@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Points given as a list, one an interrupt. A further lap begins at the first point without writing
-// it twice, so the list of a repeated path must be closed (last point = first point).
+// Points given as a list, one per interrupt. A further lap begins at the first point without
+// writing it twice, so the list of a repeated path must be closed (last point = first point).
 #pragma once
 
 #include <cstdint>

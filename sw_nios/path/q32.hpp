@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Arithmetic of the path generators: lengths are counts in Q32 (64 bits), directions are vectors
-// turned by a rotation in Q62. Integers only, so that every machine writes the same points; a turn
-// of 100 000 steps drifts by less than 0.0001 count.
+// rotated in Q62. Integers only, so that every computer writes the same points; a revolution of
+// 100 000 steps drifts by less than 0.0001 count.
 #pragma once
 
 #include <cstdint>
@@ -18,12 +18,12 @@ constexpr bool operator==(Point a, Point b) { return a.x == b.x && a.y == b.y; }
 
 using Q32 = std::int64_t;  // 2^-32 count
 
-// Longest stretch (turn, arc, stroke) a generator takes: keeps accumulated rounding invisible.
+// Longest part (lap, arc, stroke) of a path, in steps: keeps accumulated rounding invisible.
 inline constexpr std::uint32_t kMaxTicks = 1u << 20;
 
 constexpr Q32 from_counts(std::int32_t counts) { return static_cast<Q32>(counts) * (Q32{1} << 32); }
 
-// Nearest count; halves go up.
+// Nearest count; halves are rounded up.
 constexpr std::int32_t to_counts(Q32 q) {
   return static_cast<std::int32_t>((q + (Q32{1} << 31)) >> 32);
 }
@@ -38,7 +38,7 @@ constexpr Vec operator-(Vec a, Vec b) { return {a.x - b.x, a.y - b.y}; }
 constexpr Vec from_counts(Point p) { return {from_counts(p.x), from_counts(p.y)}; }
 constexpr Point to_counts(Vec v) { return {to_counts(v.x), to_counts(v.y)}; }
 
-// Quarter turns are exact.
+// Rotations by 90 degrees are exact.
 constexpr Vec quarter_left(Vec v) { return {-v.y, v.x}; }
 constexpr Vec quarter_right(Vec v) { return {v.y, -v.x}; }
 
@@ -68,7 +68,7 @@ struct Rotation {
   std::int64_t cos = std::int64_t{1} << 62;  // Q62
   std::int64_t sin = 0;                      // Q62
 
-  // One n-th of a turn, n >= 4, from the series of exp(i angle): once per path, no table needed.
+  // By 1/n of a revolution, n >= 4, from the series of exp(i angle): once per path, no table.
   static constexpr Rotation per_turn(std::uint32_t n) {
     constexpr std::int64_t kHalfPi = 0x6487ED5110B4611A;  // Q62
     const std::int64_t angle = kHalfPi / n * 4 + kHalfPi % n * 4 / n;
@@ -88,7 +88,7 @@ struct Rotation {
 
   constexpr Rotation inverse() const { return {cos, -sin}; }
 
-  // Turns v counter-clockwise.
+  // Rotates v counter-clockwise.
   constexpr Vec operator()(Vec v) const {
     return {mul_q62(v.x, cos) - mul_q62(v.y, sin), mul_q62(v.x, sin) + mul_q62(v.y, cos)};
   }

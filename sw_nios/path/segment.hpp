@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A straight stroke or a quarter arc walked in equal steps. The last step lands on the nominal end.
+// A straight stroke or a quarter arc in equal steps. The last step ends exactly at the nominal end.
 #pragma once
 
 #include <cstdint>
@@ -49,7 +49,7 @@ class Segment {
 
  private:
   Vec center_;  // arc only
-  Vec at_;      // position; of an arc, relative to its centre
+  Vec at_;      // position; for an arc, relative to its centre
   Vec step_;    // stroke only
   Vec end_;
   Rotation turn_;  // arc only

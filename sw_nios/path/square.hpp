@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Square wave of the step test (specification sections 10 and 12): `high` for half_ticks points,
-// then `low` for as many, each period. The table rests at `low` before the first step, which is
+// then `low` for as many, in each period. The table rests at `low` before the first step, which is
 // point 0. A half period of 375 ms is 187.5 interrupts of 2 ms, so it is written at 2 kHz: 750
-// points. Swapping low and high turns the polarity; low = -high is the symmetric wave.
+// points. Swapping low and high reverses the polarity; low = -high is the symmetric wave.
 #pragma once
 
 #include <cstdint>

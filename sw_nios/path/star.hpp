@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Star (specification section 10): equal strokes, each turned left by turns/strokes of a full turn
-// against the one before; the first points along +x. Five strokes and three turns give directions
-// of 0, 216, 72, 288, 144 degrees; four strokes and one turn a square. The last stroke ends at the
-// start.
+// Star (specification section 10): equal strokes, each turned left by turns/strokes of a revolution
+// from the previous one; the first runs along +x. Five strokes and three turns give directions of
+// 0, 216, 72, 288, 144 degrees; four strokes and one turn give a square. The last stroke ends at
+// the start.
 #pragma once
 
 #include <cstdint>
@@ -54,7 +54,7 @@ class Star {
   }
 
   Setup setup_;
-  Rotation quarter_step_;  // a quarter of 1/strokes turn: small enough for any number of strokes
+  Rotation quarter_step_;  // by a quarter of 1/strokes revolution: small enough for any star
   Segment segment_;
   Vec corner_;
   Vec edge_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// One of the paths, chosen when the program starts. Plain value: a copy replays from where it is.
+// One of the paths, chosen when the program starts. A plain value: a copy continues separately.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace trammel::sw {
 
 enum class Path : std::uint8_t { kCircle, kWindow, kStar, kSquare, kLine, kPoints };
 
-// Only the parameters of `path` count.
+// Only the parameters of the chosen `path` matter.
 struct PathSetup {
   Path path = Path::kCircle;
   Circle::Setup circle;
@@ -53,7 +53,7 @@ class Trajectory {
         line_(s.line, s.repeats),
         points_({s.points, s.n_points}, s.repeats) {}
 
-  // Points the path has; next() gives them in order.
+  // Number of points of the path; next() returns them in order.
   constexpr std::uint32_t size() const {
     return visit(*this, [](const auto& g) { return g.size(); });
   }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Window (specification section 10): a square whose four corners are bitten out by quarter circles
-// centred on them. Clockwise from the middle of the left side; nine parts a..i: strokes and arcs in
-// turn, the first and the last stroke half as long as the others. Corner n + 1 is corner n turned
-// right by a quarter; the arcs themselves turn left.
+// Window (specification section 10): a square whose four corners are cut out by quarter circles
+// centred on them. Clockwise from the middle of the left side; nine parts a..i: strokes and arcs
+// alternate, the first and the last stroke half as long as the others. Corner n + 1 is corner n
+// rotated right by 90 degrees; the arcs themselves run left.
 #pragma once
 
 #include <cstdint>

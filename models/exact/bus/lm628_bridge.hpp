@@ -12,8 +12,8 @@ namespace trammel::exact {
 class Lm628Bridge {
  public:
   static constexpr std::uint32_t kSetup = 2;    // [clk] before a pulse
-  static constexpr std::uint32_t kPulse = 275;  // 5.5 us at 50 MHz
-  static constexpr std::uint32_t kHold = 9;     // after it
+  static constexpr std::uint32_t kPulse = 275;  // [clk] 5.5 us at 50 MHz
+  static constexpr std::uint32_t kHold = 9;     // [clk] after it
 
   struct In {
     bool write_strobe = false, read_strobe = false;  // port B
@@ -69,7 +69,7 @@ class Lm628Bridge {
         if (begins) enter(State::kSetup, kSetup);
         break;
       case State::kSetup:
-        // The clock in which nothing was selected is none of the set-up time.
+        // The clock in which nothing was selected does not count as set-up time.
         if (change_) {
           enter(State::kSetup, kSetup);
         } else if (last) {

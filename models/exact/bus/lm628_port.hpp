@@ -25,7 +25,7 @@ class Lm628Port {
     bool writes() const { return !cs_n && !wr_n; }
   };
 
-  // What a sample or a command leaves, to be shown at its end.
+  // What a sample or a command yields, shown at its end.
   struct Result {
     std::uint8_t events = 0;  // status bits 1 to 6
     bool off = true;
@@ -34,7 +34,7 @@ class Lm628Port {
   struct In {
     Pins pins;
     bool ready = false;   // not in the reset routine
-    bool open = false;    // a command may be begun
+    bool open = false;    // a command may begin
     bool commit = false;  // the end of a sample
     Result sample, command;
     std::uint32_t reply = 0;
@@ -42,7 +42,7 @@ class Lm628Port {
 
   explicit Lm628Port(Lm628Clock clock = Lm628Clock::k8MHz) : clock_(clock) {}
 
-  // Synchronisers and words have no reset. After a RESET command the routine shows busy.
+  // Synchronisers and words have no reset. After a command RESET the routine shows busy.
   void reset(bool by_command) {
     Lm628Port fresh(clock_);
     fresh.meta_ = meta_;
@@ -67,7 +67,7 @@ class Lm628Port {
 
   std::uint8_t opcode() const { return opcode_; }
   const std::array<std::uint16_t, 8>& words() const { return words_; }
-  // Status bits 1 to 6 and, in bit 15, the host interrupt, as they will be when published.
+  // Status bits 1 to 6 and, in bit 15, the host interrupt, as they will be published.
   std::uint16_t flags(const In& in) const {
     const bool hi = hi_ || (in.sample.events & mask_) != 0;
     return static_cast<std::uint16_t>((hi ? 0x8000u : 0u) | status_ | in.sample.events);
@@ -148,7 +148,7 @@ class Lm628Port {
     if (opcode_ == static_cast<std::uint8_t>(Opcode::kMski)) mask_ = low_ & 0x7E;
   }
 
-  // These three say whether it was a mistake of the host.
+  // These three return whether the host made an error.
 
   bool write_command() {
     const bool error = due_ != 0 || left_ != 0 || !is_known(prev_.d);
@@ -207,7 +207,7 @@ class Lm628Port {
   Timer timer_;
   State state_ = State::kIdle;
   bool by_command_ = false;
-  bool executes_ = false;  // the busy time ends with a command
+  bool executes_ = false;  // the busy time ends with the execution of a command
   std::uint8_t opcode_ = 0;
   std::array<std::uint16_t, 8> words_{};
   int due_ = 0;   // words to be written

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Bit-exact twin of the controllers of rtl/chips/kung_axis.sv, sample by sample: position
-// controller at 2 kHz, current loop at 16 kHz. At a tick of both, call step16k() first: it uses
-// the old i_q*.
+// controller at 2 kHz, current loop at 16 kHz. Where both ticks coincide, call step16k() first: it
+// uses the old i_q*.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Converter and current loop of one axis of kung_xy, edge by edge: advance(n) brings it to what it
-// shows after edge n, with inputs that hold since the edge it stood at.
+// shows after edge n, with inputs that have held since the last edge it was brought to.
 #pragma once
 
 #include <algorithm>
@@ -23,7 +23,7 @@ class KungCurrent {
   // Edges after that of the tick.
   static constexpr Clk kCodes = 64;              // the frame has ended
   static constexpr Clk kTaken = 65;              // the loop takes the currents
-  static constexpr Clk kLimited = 66 + CurrentLoop::kClocks;  // STATUS shows it
+  static constexpr Clk kLimited = 66 + CurrentLoop::kClocks;  // STATUS shows the limit
 
   // The 16 kHz tick at edge n latches count and i_q*; the converters hold `codes` then.
   void tick(Clk n, std::int32_t count, std::int32_t i_q_ref, std::array<std::int32_t, 2> codes) {

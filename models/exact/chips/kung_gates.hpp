@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // PWM and gates of one axis of kung_xy (rtl/drive/pwm.sv, gate_leg.sv and their wiring), edge by
-// edge: next() is the first edge at which a leg does anything while enable, trip and the dead time
-// hold; only there, and where one of these changes, step() is due.
+// edge: next() is the first edge at which a leg does anything as long as enable, trip and the dead
+// time hold; step() is due only there, and where one of these changes.
 #pragma once
 
 #include <algorithm>
@@ -25,7 +25,7 @@ class KungGates {
   // The register CTRL.enable changes at `edge`; legs see it one edge later.
   void enable_rises(Clk edge) { enabled_from_ = edge + 1; }
 
-  // Edge n of all legs that are due, or of all.
+  // Edge n for all legs that are due, or for all.
   void step(Clk n, const In& in, bool all) {
     const bool allowed = in.enable && !in.trip;
     for (std::size_t k = 0; k < 3; ++k) {
@@ -39,7 +39,7 @@ class KungGates {
     begin_ = n;
     for (std::size_t k = 0; k < 3; ++k) {
       legs_[k].cmp = cmp[k];
-      // A switch that is still on (compare value 0) has gone off at this edge, the leg follows.
+      // A switch still on (compare value 0) goes off at this edge, and the leg follows.
       if (legs_[k].allowed) legs_[k].next = std::min(ready(legs_[k]), change(legs_[k], n));
     }
     next_ = std::min({legs_[0].next, legs_[1].next, legs_[2].next});
@@ -55,7 +55,7 @@ class KungGates {
 
   struct Leg {
     std::int32_t cmp = kCmpMax;
-    bool allowed = false;  // at the edge before
+    bool allowed = false;  // at the previous edge
     bool side = false;
     Clk ready = 0;         // end of the dead time
     bool on = false;       // one of the gates
@@ -70,7 +70,7 @@ class KungGates {
 
   static Clk ready(const Leg& leg) { return leg.on ? kNever : leg.ready; }
 
-  // The first edge after n at which the leg sees another side than its own.
+  // The first edge after n at which the leg sees the other side.
   Clk change(const Leg& leg, Clk n) const {
     const Clk up = begin_ + leg.cmp + 2, down = begin_ + kPeriod + 1 - leg.cmp;
     if (leg.side) return above(leg, n) ? down : n + 1;

@@ -2,8 +2,8 @@
 //
 // Position controller of one axis of kung_xy with its sequence, its table reset and the registers
 // TAB_ADDR and TAB_DATA (rtl/control/afc.sv, rule_store.sv and their wiring). advance(n) passes
-// edges at which only the sample or the reset under way goes on; step(n) is any edge. due() is the
-// first edge that asks for a step.
+// edges at which only the sample or the table reset in progress continues; step(n) is any edge.
+// due() is the first edge that needs a step.
 #pragma once
 
 #include <algorithm>
@@ -107,12 +107,12 @@ class KungPosition {
 
  private:
   enum class Table { kIdle, kAsked, kFill };
-  static constexpr Clk kSaturated = Afc::kPublished + 1;  // STATUS shows it
+  static constexpr Clk kSaturated = Afc::kPublished + 1;  // STATUS shows saturation
 
   // After reset the table is filled first.
   void ask() { table_ = Table::kAsked; }
 
-  // A table that waits for its reset takes no more tuning.
+  // A table that waits for its reset is no longer tuned.
   void run_to(Clk n, const In& in, bool writable, Sticky& saturated) {
     const auto clock = static_cast<int>(n - start_);
     const Afc::In words{in.r, in.x_p};
@@ -151,7 +151,7 @@ class KungPosition {
     afc_.set_rule(addr, value);
   }
 
-  // The outside port reads again in the first clock without a write, once it is stale.
+  // Once stale, the external port reads again in the first clock without a write.
   void before_write(Clk n, int addr) {
     refresh(n - 1, addr);
     port_due_ = n + 1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the parts of the chip's twin share: edges, and bits that events set and software clears.
+// Shared by the parts of the chip's twin: edges, and bits that events set and software clears.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ using Clk = std::int64_t;  // index of a clock edge; the first after reset is 0
 inline constexpr Clk kNever = std::numeric_limits<Clk>::max();
 inline constexpr Clk kPeriod = 3125;  // [clk] of the 16 kHz tick
 
-// A register bit that an event sets and a written one clears; of the same edge, the event wins.
+// A register bit that an event sets and writing 1 clears; at the same edge the event wins.
 class Sticky {
  public:
   void set(Clk edge) { set_ = edge; }

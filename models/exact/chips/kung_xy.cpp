@@ -30,8 +30,8 @@ void KungXy::pins(std::uint64_t lines) {
   slow_ = std::min(slow_, now_);
 }
 
-// The address is taken at edge now(), the register read or written one later, the answer taken two
-// later.
+// The address is taken at edge now(), the register is read or written one edge later, and the
+// response is taken two edges later.
 void KungXy::request(const BusOp& op) {
   op_ = op;
   op_.address &= 0x3FCu;
@@ -59,7 +59,7 @@ KungXy::Stop KungXy::run(Clk end, const Converters& converters) {
   return {now_ - 1, 0};
 }
 
-// An edge at which gates and encoders alone have something to do.
+// An edge at which only gates and encoders have something to do.
 unsigned KungXy::quick(Clk n) {
   const bool trip = supervisor_.out().trip;
   unsigned events = 0;
@@ -77,7 +77,7 @@ unsigned KungXy::quick(Clk n) {
   return events;
 }
 
-// Any edge. Who reads a word of before the edge comes before who changes it.
+// Any edge. A word is read, as it was before the edge, ahead of the code that changes it.
 unsigned KungXy::full(Clk n, const Converters& converters) {
   advance(n - 1);
   const bool tick_cur = n == tick_;
@@ -185,7 +185,7 @@ Supervisor::In KungXy::supervision(const Write& write) const {
   return in;
 }
 
-// The 16 kHz tick, position: one of 2 kHz too.
+// The 16 kHz tick; position: it is a 2 kHz tick too.
 void KungXy::tick(Clk n, bool position, const std::array<std::int32_t, 2>& i_q_ref_now,
                   const Converters& converters) {
   const auto limit = static_cast<std::int32_t>(registers_.word(map::kCurrentLimit));
@@ -210,7 +210,7 @@ void KungXy::tick(Clk n, bool position, const std::array<std::int32_t, 2>& i_q_r
   irq_left_ = period == 0 ? 0 : period - 1;
 }
 
-// Not zero when the words of both are complete now.
+// Nonzero when the words of both axes are complete now.
 unsigned KungXy::step_positions(Clk n, bool position_tick) {
   for (std::size_t k = 0; k < 2; ++k) {
     Axis& axis = axes_[k];
@@ -246,7 +246,7 @@ void KungXy::step_qep(Axis& axis, Clk n) {
 
 void KungXy::schedule(Clk n, bool again) {
   if (over_due_ <= n) over_due_ = kNever;
-  // A write may have moved the limit of currents that are under way.
+  // A write may have changed the limit for currents still in conversion.
   if (again && n < tick_ - kPeriod + kOverSeen) over_due_ = tick_ - kPeriod + kOverSeen;
   again = again || trip_before_ != supervisor_.out().trip ||
           !supervisor_.quiescent(supervision({}));

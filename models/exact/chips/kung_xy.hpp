@@ -3,7 +3,7 @@
 // Bit-exact, edge-exact twin of the chip rtl/chips/kung_xy.sv at its pins, without a clock: it
 // knows the next edge at which anything can change and goes there. What a bus transfer reads, when
 // a write acts, gates, interrupt, faults and every word of the controllers are those of the RTL at
-// every edge. Words of the controllers are worked out when they are asked for or consumed.
+// every edge. Words of the controllers are computed when they are read or used.
 #pragma once
 
 #include <array>
@@ -48,7 +48,7 @@ class KungXy {
     virtual std::array<std::int32_t, 2> hold(int axis, Clk edge) const = 0;
   };
 
-  static constexpr int kTripPin = 6;  // of pins(); below it A, B, index of X, then Y
+  static constexpr int kTripPin = 6;  // of pins(); below it A, B, index of X, then of Y
 
   Clk now() const { return now_; }    // next edge to execute
   void pins(std::uint64_t lines);     // seen from edge now() on
@@ -83,7 +83,7 @@ class KungXy {
     bool tab_pending = false;
     std::int32_t tab_data = 0;
   };
-  struct Write {  // that acts at this edge
+  struct Write {  // takes effect at this edge
     bool valid = false;
     std::uint32_t address = 0, data = 0;
     bool is(std::uint32_t reg) const { return valid && address == reg; }

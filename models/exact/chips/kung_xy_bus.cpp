@@ -22,7 +22,7 @@ KungXy::KungXy() {
   for (std::size_t k = 0; k < 2; ++k) decode(axes_[k], kBases[k], -1);
 }
 
-// Locking always works; unlocking asks for both axes disabled.
+// Locking always works; unlocking requires both axes disabled.
 void KungXy::lock(std::uint32_t key) {
   if (key == map::kKeyLock) locked_ = true;
   if (key == map::kKeyUnlock && !enabled()) locked_ = false;
@@ -99,7 +99,7 @@ void KungXy::decode(Axis& axis, std::uint32_t base, Clk n) {
   axis.qep_next = std::min(axis.qep_next, n + 1);
 }
 
-// As it is after edge n, at which the controllers stand.
+// As it is after edge n, to which the controllers have been advanced.
 std::uint32_t KungXy::read(Clk n, std::uint32_t address) {
   for (std::size_t k = 0; k < 2; ++k) {
     if (address >= kBases[k] && address < kBases[k] + 0x100u) {

@@ -21,7 +21,7 @@ class Lm628 {
     Lm628Port::Pins host;
     bool reset_n = true;
     bool a = false, b = false, index_n = true;  // encoder
-    bool wrap = false;                          // products wrap, instead of saturating
+    bool wrap = false;                          // products wrap instead of saturating
   };
 
   struct Out {
@@ -34,7 +34,7 @@ class Lm628 {
   explicit Lm628(Lm628Clock clock = Lm628Clock::k8MHz)
       : time_(clock), port_(clock), output_(output_config(clock)) {}
 
-  // The block reset; the pin's synchroniser and that of the port have none.
+  // The reset of all blocks; the synchronisers of this pin and of the port have none.
   void reset() { restart(false); }
 
   Out out() const { return {port_.d(), port_.d_oe(), port_.hi(), output_.out()}; }
@@ -131,7 +131,7 @@ class Lm628 {
     return (in.a ? 4u : 0u) | (in.b ? 2u : 0u) | (in.index_n ? 1u : 0u);
   }
 
-  // The index counts where both lines are low with it; each line passes two flip-flops before.
+  // The index counts where both lines are low too; each line first passes two flip-flops.
   Qep::In qep_in(const In& in, bool clear) const {
     Qep::In qep;
     qep.a = in.a;

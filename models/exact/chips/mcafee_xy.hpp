@@ -110,7 +110,7 @@ class McafeeXy {
             false};
   }
 
-  // A write while it computes is taken after it.
+  // A write while it computes is taken afterwards.
   void step_feed() {
     const bool starts = feed_asked_ && feed_left_ == 0;
     if (feed_left_ > 0) fed_ = --feed_left_ == 0;

@@ -4,8 +4,8 @@
 // controller and tuning of the four fired rules (Kung et al. 2012); one step() is one 2 kHz sample.
 // Specification sections 4 and 5.
 //
-// start() and run_to() are the same sample clock by clock: each input is read, and each word shows,
-// at the clock 1..70 after the start at which the RTL does it.
+// start() and run_to() are the same sample clock by clock: each input is read and each word appears
+// at that clock, 1..70 after the start, at which it does in the RTL.
 #pragma once
 
 #include <array>
@@ -52,7 +52,7 @@ class Afc {
     std::array<std::int32_t, 4> d{};  // weights of rules (j,i) (j,i+1) (j+1,i) (j+1,i+1), Q11
   };
 
-  // Bumpless start at rest in x_p; the rules stay.
+  // Bumpless start at rest at x_p; the rules are kept.
   void reset(std::int32_t x_p) {
     r_1_ = r_2_ = x_p_prev_ = x_p;
     out_.x_m = static_cast<std::int32_t>(fixed::wrap(fixed::shift_left(x_p, 14), 32));
@@ -71,7 +71,7 @@ class Afc {
 
   static constexpr int kClocks = 70;         // of a sample
   static constexpr int kPublished = 60;      // i_q_ref and saturated
-  static constexpr int kDone = kClocks + 1;  // no clock of the sample is left
+  static constexpr int kDone = kClocks + 1;  // no clocks of the sample left
 
   // resetting: the sample begins with a reset() to x_p.
   void start(bool resetting) {
@@ -79,10 +79,10 @@ class Afc {
     stage_ = 0;
   }
 
-  // The first clock, of those to come, that does anything.
+  // The next clock that does anything.
   int next_clock() const { return stage_ < kAt.size() ? kAt[stage_] : kDone; }
 
-  // Executes the clocks up to `clock` with inputs that hold meanwhile.
+  // Executes the clocks up to `clock`, during which the inputs hold.
   void run_to(int clock, const Config& config, const In& in) {
     while (stage_ < kAt.size() && kAt[stage_] <= clock) execute(kAt[stage_++], config, in);
   }
@@ -184,7 +184,7 @@ class Afc {
   }
 
   // A product with a gain takes two clocks: the first reads the mantissa and the three low bits of
-  // the shift, the second the others. `point` bits of it are dropped at exponent 0.
+  // the shift, the second the others. At exponent 0 `point` bits of it are dropped.
   void multiply(const fixed::Gain& gain, std::int64_t x, int point) {
     product_ = gain.mant * x;
     low_ = (point - gain.exp) & 7;
@@ -243,7 +243,7 @@ class Afc {
   std::size_t stage_ = kAt.size();
   Membership a_;
   std::int64_t sum_ = 0, term_ = 0, product_ = 0;
-  std::int64_t rate_ = 0;  // of learning, times e
+  std::int64_t rate_ = 0;  // learning gain times e
   int low_ = 0;
 };
 

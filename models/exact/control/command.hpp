@@ -58,7 +58,7 @@ class Command {
   }
 
   bool pending_ = false;
-  std::int32_t next_ = 0;      // committed, waits for the tick [counts]
+  std::int32_t next_ = 0;      // committed, waiting for the tick [counts]
   std::int64_t quarters_ = 0;  // present command [1/4 count]
   std::int64_t stride_ = 0;    // [1/4 count per tick]
   int left_ = 0;               // ticks still to move

@@ -36,11 +36,11 @@ class FeedRate {
       weighted += fixed::floor_shift(std::int64_t{strength[label]} * kSingletons[label], 8);
       sum += strength[label];
     }
-    // No input leaves all rules without strength, and the average of singletons is below 256.
+    // Every input fires a rule, and the average of singletons is below 256.
     return {static_cast<std::int32_t>(fixed::shift_left(weighted, 8) / sum)};
   }
 
-  // Of the labels S, M and L, 255 = entirely.
+  // Degrees of the labels S, M and L, 255 = 1.
   using Members = std::array<std::int32_t, 3>;
 
   static Members fuzzify(std::int32_t x) {

@@ -3,7 +3,7 @@
 // Position loop of the LM628 (data sheet SNVS781C, "PID compensation filter"):
 //   u = kp e + min(|ki S / 256|, il) sign + kd (e - e'), S the sum of e in 24 bits
 // The derivative is taken every (n + 1) samples and held. The chip keeps 16 bits of every product
-// and of the sum; what it does beyond them is not published: they saturate, or wrap when asked to.
+// and of the sum; what it does on overflow is not published: they saturate, or wrap on request.
 #pragma once
 
 #include <cstdint>

@@ -2,7 +2,8 @@
 //
 // Vector control of the current of one axis (specification section 7).
 // Twin of rtl/drive/current_loop.sv: step() is one sample; start() and run_to() are the same clock
-// by clock, each input read and each word shown at the clock 0..67 at which the RTL does it.
+// by clock: each input is read and each word appears at that clock, 0..67, at which it does in the
+// RTL.
 #pragma once
 
 #include <array>
@@ -34,8 +35,8 @@ class CurrentLoop {
     bool limited = false;
   };
 
-  static constexpr int kClocks = 67;         // compare values are there
-  static constexpr int kDone = kClocks + 1;  // no clock of the sample is left
+  static constexpr int kClocks = 67;         // compare values are ready
+  static constexpr int kDone = kClocks + 1;  // no clocks of the sample left
 
   void reset() {
     pi_d_.reset();
@@ -51,15 +52,15 @@ class CurrentLoop {
 
   void start() { stage_ = 0; }
 
-  // The first clock, of those to come, that does anything.
+  // The next clock that does anything.
   int next_clock() const { return stage_ < kAt.size() ? kAt[stage_] : kDone; }
 
-  // Executes the clocks up to `clock` with inputs that hold meanwhile.
+  // Executes the clocks up to `clock`, during which the inputs hold.
   void run_to(int clock, const In& in) {
     while (stage_ < kAt.size() && kAt[stage_] <= clock) execute(kAt[stage_++], in);
   }
 
-  // What each clock with in.clear does besides; once is enough while it lasts.
+  // What each clock with in.clear also does; once is enough while it is high.
   void clear() {
     reset();
     out_.cmp_a = out_.cmp_b = out_.cmp_c = kCentre;
@@ -67,7 +68,7 @@ class CurrentLoop {
 
   const Out& out() const { return out_; }
 
-  // Electrical angle, 2^32 = one turn = 12 200 counts.
+  // Electrical angle, 2^32 = one revolution = 12 200 counts.
   static std::uint32_t theta(std::int32_t count, std::uint32_t offset) {
     return static_cast<std::uint32_t>(count) * 352047u + offset;
   }

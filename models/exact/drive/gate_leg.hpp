@@ -48,7 +48,7 @@ class GateLeg {
  private:
   static bool allowed(const In& in) { return in.enable && !in.trip; }
 
-  // A dead time starts: gates come back, or the side changes.
+  // A dead time starts: the gates are allowed again, or the side changes.
   bool starts(const In& in) const { return allowed(in) && (!allowed_ || in.on != side_); }
 
   Out after(const In& in) const {
@@ -57,7 +57,7 @@ class GateLeg {
   }
 
   Timer timer_;
-  bool allowed_ = false;  // at the edge before
+  bool allowed_ = false;  // at the previous edge
   bool side_ = false;
   Out out_;
 };

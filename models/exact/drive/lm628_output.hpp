@@ -16,12 +16,12 @@ class Lm628Output {
   struct Config {  // [clk]
     std::uint32_t strobe = 50;
     std::uint32_t period = 3200;
-    std::uint32_t inc = 4;  // ticks in 25 clocks
+    std::uint32_t inc = 4;  // ticks per 25 clocks
   };
 
   struct In {
     bool commit = false;
-    std::int32_t u = 0;  // 16 bits
+    std::int32_t u = 0;  // 16 bits, signed
     bool eight_bits = true;
   };
 

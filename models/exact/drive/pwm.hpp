@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Twin of rtl/drive/pwm.sv. The phase comes from the time base, so that it has no time of its own:
-// next() counts edges from the phase given, and the switches hold until then.
+// Twin of rtl/drive/pwm.sv. The phase comes from the time base, so that it keeps no time itself:
+// next() counts edges from the given phase, and the switches hold until then.
 #pragma once
 
 #include <algorithm>
@@ -30,7 +30,7 @@ class Pwm {
 
   void reset() { *this = Pwm(); }
 
-  // Bits 0, 1, 2: upper switch of phase a, b, c wanted on.
+  // Bits 0, 1, 2: upper switch of phase a, b, c on.
   unsigned step(const In& in) {
     on_ = wanted(in);
     if (in.load) cmp_ = in.cmp;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Sine and cosine of an angle of 1024 steps a turn: round(2048 sin), clipped to 2047.
+// Sine and cosine of an angle, 1024 steps per revolution: round(2048 sin), clipped to 2047.
 // Twin of rtl/drive/sine.sv.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace trammel::exact {
 
-// The first quarter, crest included. Rotation by 1/1024 turn in Q30: the error stays below 1e-4 of
+// The first quarter, crest included. Rotation by 2 pi / 1024 in Q30: the error stays below 1e-4 of
 // a step, and the entry nearest to a rounding boundary is 9e-4 away. Integers, so that every
 // compiler and C library gives this table.
 constexpr std::array<std::int32_t, 257> sine_quarter() {

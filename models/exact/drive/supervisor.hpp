@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Twin of rtl/drive/supervisor.sv. It has no time of its own.
+// Twin of rtl/drive/supervisor.sv. It has no timer.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Voltage limit with priority of the d axis. Twin of rtl/drive/vector_limit.sv.
+// Voltage limit with priority for the d axis. Twin of rtl/drive/vector_limit.sv.
 #pragma once
 
 #include <algorithm>

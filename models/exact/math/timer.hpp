@@ -10,7 +10,7 @@
 namespace trammel::exact {
 
 using Gap = std::uint32_t;             // [clk]
-inline constexpr Gap kGapMax = 0xFFF;  // no event of mine in sight
+inline constexpr Gap kGapMax = 0xFFF;  // no event in sight
 
 class Timer {
  public:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Twin of rtl/motion/lm628_engine.sv: registers, commands and the sample of the LM628 (data sheet
-// SNVS781C, application note AN-693). A sample or a command is done at the edge that begins it; the
-// RTL takes up to 400 or 128 clocks, and nothing of it is shown before its end.
+// SNVS781C, application note AN-693). A sample or a command is computed at the edge that begins it;
+// the RTL takes up to 400 or 127 clocks, but shows none of it before the end.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ class Lm628Engine {
  public:
   using Words = std::array<std::uint16_t, 8>;
 
-  // Bits of the signals register that are held here; 1 to 7 are those of the status byte.
+  // Bits of the signals register that are held here; 1 to 6 are those of the status byte.
   struct Signals {
     bool acceleration_loaded = false;  // 14
     bool filter_pending = false;       // 13
@@ -39,7 +39,7 @@ class Lm628Engine {
     Words words{};
     std::uint16_t flags = 0;  // status bits 1 to 6 and, in bit 15, the host interrupt
     bool commit = false;      // the sample's events are taken
-    bool end = false;         // the command's are
+    bool end = false;         // the command's events are taken
     std::int64_t count = 0;   // encoder, 24 bits
     bool arm = false;         // capture the next index
     bool index_seen = false;
@@ -47,7 +47,7 @@ class Lm628Engine {
     bool wrap = false;  // products wrap
   };
 
-  // What a sample or a command leaves, shown at its end: status bits 1 to 6 of its events.
+  // What a sample or a command yields, shown at its end: its events as status bits 1 to 6.
   struct Result {
     std::uint8_t events = 0;
     bool off = true;
@@ -83,7 +83,7 @@ class Lm628Engine {
   std::int64_t error() const { return error_; }
   std::int64_t output() const { return output_; }  // 16 bits, of the last sample
   const Lm628Pid& pid() const { return pid_; }
-  const Lm628Pid::Config& filter() const { return filter_; }  // working, not the buffers
+  const Lm628Pid::Config& filter() const { return filter_; }  // in use, not the buffers
   bool output_eight_bits() const { return output_eight_; }
   bool moving() const { return moving_; }
 
@@ -125,7 +125,7 @@ class Lm628Engine {
     events_ = 0;
   }
 
-  // Executes a command; the reply, 16 or 32 bits, of one that has one, else the one before.
+  // Executes a command. Returns its reply, 16 or 32 bits, or else the previous one.
   std::uint32_t execute(Opcode opcode, const Words& words, std::uint16_t flags) {
     switch (opcode) {
       case Opcode::kStt:
@@ -179,13 +179,13 @@ class Lm628Engine {
             long_word(words, 0));
         break;
       default:
-        break;  // RESET, MSKI and RSTI are the host port's
+        break;  // RESET, MSKI and RSTI concern the host port alone
     }
     return reply_;
   }
 
  private:
-  static constexpr std::int64_t kReach = std::int64_t{1} << 30;  // of the legal positions [counts]
+  static constexpr std::int64_t kReach = std::int64_t{1} << 30;  // of legal positions [counts]
   static constexpr std::int64_t kMask30 = kReach - 1;
 
   struct Buffer {

@@ -51,7 +51,7 @@ constexpr bool is_known(std::uint8_t code) {
   return code <= 0x0D || (code >= 0x1A && code <= 0x21);
 }
 
-// Words to be written after the opcode; LFIL and LTRJ say with their first how many follow.
+// Words to be written after the opcode; the first of LFIL and LTRJ says how many more follow.
 constexpr int words_due(std::uint8_t code) {
   if (code >= 0x1A && code <= 0x1F) return 1;
   return code == 0x20 || code == 0x21 ? 2 : 0;
@@ -64,7 +64,7 @@ constexpr int words_after_control(std::uint8_t code, std::uint16_t control) {
   return 0;
 }
 
-// Words that can be read when the command is executed.
+// Words that can be read once the command has been executed.
 constexpr int words_replied(std::uint8_t code) {
   if (code >= 0x07 && code <= 0x0A) return 2;
   return code >= 0x0B && code <= 0x0D ? 1 : 0;

@@ -9,10 +9,10 @@
 
 namespace trammel::exact {
 
-// Clock frequencies of the part, in ticks a 25 clocks of a fabric of 50 MHz, or of 20 MHz.
+// Clock frequencies of the part, in ticks per 25 clocks of a 50 MHz fabric, or one of 20 MHz.
 enum class Lm628Clock : std::uint32_t { k6MHz = 3, k8MHz = 4, k8MHzOf20 = 10 };
 
-// Clocks until the last of so many ticks.
+// Clocks for so many ticks, rounded up.
 constexpr std::uint32_t lm628_clocks(Lm628Clock clock, std::uint32_t ticks) {
   const auto inc = static_cast<std::uint32_t>(clock);
   return (25 * ticks + inc - 1) / inc;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Trapezoidal velocity profile of the LM628 (data sheet SNVS781C, "Trajectory generation"): a new
-// desired position every sample, its end exact, target, speed and mode free to change in motion.
+// desired position every sample and an exact end; target, speed and mode may change in motion.
 //
-// Position 32.16 counts, speed 16.16 counts a sample, acceleration 16.16 counts a sample squared.
-// D(w) = sum of (w - k A) > 0 is the way still needed to stop from speed w. With n = floor(w / A)
-// and the remainder p, w + D(w) = (n + 1)(w + p) / 2: the RTL compares that, this file the sum.
+// Position in counts as 32.16 bits, speed in counts/sample and acceleration in counts/sample^2 as
+// 16.16. D(w), the sum of all (w - k A) > 0, is the stopping distance from speed w. With
+// n = floor(w / A) and remainder p, w + D(w) = (n + 1)(w + p) / 2: the RTL compares that, this file
+// the sum.
 #pragma once
 
 #include <algorithm>
@@ -28,7 +29,7 @@ class Trapezoid {
   };
 
   struct State {
-    std::int64_t position = 0;  // 48 bits, 16 of them of the fraction
+    std::int64_t position = 0;  // 48 bits, 16 of them fractional
     std::int64_t speed = 0;
     std::int64_t target = 0;  // 32 bits
   };
@@ -37,7 +38,7 @@ class Trapezoid {
 
   std::int64_t count() const { return state.position >> 16; }
 
-  // One sample; whether the move is finished.
+  // One sample. Returns whether the move is finished.
   bool step(const Config& c) {
     switch (c.mode) {
       case Mode::kPosition:
@@ -54,7 +55,7 @@ class Trapezoid {
     return false;
   }
 
-  // Way from speed w, after this sample, until rest.
+  // Distance from speed w, after this sample, to rest.
   static std::int64_t stopping(std::int64_t w, std::int64_t acceleration) {
     if (acceleration == 0) return 0;
     const std::int64_t n = w / acceleration;
@@ -83,7 +84,7 @@ class Trapezoid {
     return true;
   }
 
-  // v: present speed toward the target, r: way to it.
+  // v: present speed toward the target, r: distance to it.
   static std::int64_t next_speed(const Config& c, std::int64_t r, std::int64_t v) {
     const std::int64_t a = c.acceleration;
     const std::int64_t least = std::min(a, c.velocity);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Twin of rtl/motion/watchdog.sv. It waits for ticks only: between them it has no time of its own.
+// Twin of rtl/motion/watchdog.sv. It counts ticks only, so it has no timer.
 #pragma once
 
 #include <cstdint>

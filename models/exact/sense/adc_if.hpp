@@ -10,7 +10,7 @@ namespace trammel::exact {
 class AdcIf {
  public:
   static constexpr int kFrame = 64;          // [clk] 16 periods of 4 clocks
-  static constexpr int kLatency = kFrame + 1;  // [clk] from start to valid, in edges
+  static constexpr int kLatency = kFrame + 1;  // [clk] from start to valid, both edges included
 
   struct In {
     bool start = false;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// kung_xy on an ECP5-25F: what surrounds the IC on a board. The clock is that of the pin, 50 MHz;
-// the reset pin is low-active and synchronised; the clock never leaps. The bus leaves on pins, for
-// a processor beside the FPGA; one inside it takes their place. Pin numbers: the board's LPF file.
+// kung_xy on an ECP5-25F: what surrounds the IC on a board. The clock comes from its pin, 50 MHz,
+// and never leaps; the reset pin is active low and synchronised. The bus is on pins, for a
+// processor beside the FPGA; one inside would take their place. Pin numbers: the board's LPF file.
 
 module kung_xy_ecp5_25f (
     input logic clk_i,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// lm628 on an iCE40 UP5K: what surrounds the part on a board. The clock is that of the pin, 20 MHz,
-// of which the part takes 8 MHz; the clock never leaps. The pins are those of the LM628 and LM629
-// together, the data bus in both directions. Pin numbers: the board's PCF file.
+// lm628 on an iCE40 UP5K: what surrounds the part on a board. The clock comes from its pin, 20 MHz,
+// from which the part makes its 8 MHz; it never leaps. The pins are those of the LM628 and LM629
+// together, with a bidirectional data bus. Pin numbers: the board's PCF file.
 
 module lm628_ice40_up5k (
     input logic clk_i,

@@ -144,12 +144,12 @@ inline constexpr std::uint32_t kIrqPeriodTicksMask = 0x000000FFu;
 inline constexpr std::uint32_t kFaultCodeNone = 0x0u;  // no fault since the last clear
 inline constexpr std::uint32_t kFaultCodeExternalTrip = 0x1u;  // trip pin
 inline constexpr std::uint32_t kFaultCodeOverCurrent = 0x2u;
-inline constexpr std::uint32_t kFaultCodeWatchdog = 0x3u;  // no COMMIT for WATCHDOG ticks
+inline constexpr std::uint32_t kFaultCodeWatchdog = 0x3u;  // no COMMIT within WATCHDOG ticks
 inline constexpr std::uint32_t kFaultCodeEncoder = 0x4u;  // double transition of the encoder lines
 inline constexpr std::uint32_t kFaultCodeStroke = 0x5u;  // position outside STROKE_MIN..STROKE_MAX
 
 // key
-inline constexpr std::uint32_t kKeyLock = 0x4C4F434Bu;  // to LOCK: set the lock (ASCII LOCK)
+inline constexpr std::uint32_t kKeyLock = 0x4C4F434Bu;  // to LOCK: sets the lock (ASCII LOCK)
 inline constexpr std::uint32_t kKeyUnlock = 0x554E4C4Bu;
 inline constexpr std::uint32_t kKeyFaultClear = 0x434C5246u;
 
@@ -262,11 +262,11 @@ inline constexpr std::array<Register, 76> kRegisters{{
 
 inline constexpr std::array<Field, 71> kFields{{
     {"CTRL.enable", "inverter on", 0x00u, 0, 1, 1, false, true, Access::kReadWrite},
-    {"CTRL.current_loop", "close the current loop (0: 50 % duty on all phases)", 0x00u, 1, 1, 1, false, true, Access::kReadWrite},
-    {"CTRL.position_loop", "close the position loop (0: i_q* is IQ_MANUAL)", 0x00u, 2, 1, 1, false, true, Access::kReadWrite},
-    {"CTRL.adapt", "tune the rule table", 0x00u, 3, 1, 1, false, true, Access::kReadWrite},
-    {"CTRL.reset_model", "keep model and integrators in their reset state", 0x00u, 4, 1, 1, false, true, Access::kReadWrite},
-    {"CTRL.reset_table", "reset the rule table: self-clearing, STATUS.busy while it lasts", 0x00u, 5, 1, 1, false, true, Access::kReadWrite},
+    {"CTRL.current_loop", "current loop closed (0: 50 % duty on all phases)", 0x00u, 1, 1, 1, false, true, Access::kReadWrite},
+    {"CTRL.position_loop", "position loop closed (0: i_q* is IQ_MANUAL)", 0x00u, 2, 1, 1, false, true, Access::kReadWrite},
+    {"CTRL.adapt", "adaptation: tune the rule table", 0x00u, 3, 1, 1, false, true, Access::kReadWrite},
+    {"CTRL.reset_model", "hold model and integrators in their reset state", 0x00u, 4, 1, 1, false, true, Access::kReadWrite},
+    {"CTRL.reset_table", "reset the rule table: self-clearing, STATUS.busy until it ends", 0x00u, 5, 1, 1, false, true, Access::kReadWrite},
     {"CTRL.interpolate", "interpolate commands over 4 ticks", 0x00u, 6, 1, 1, false, true, Access::kReadWrite},
     {"CTRL.feedforward", "velocity feed-forward", 0x00u, 7, 1, 1, false, true, Access::kReadWrite},
     {"STATUS.busy", "position controller or table reset running", 0x04u, 0, 1, 1, false, true, Access::kRead},
@@ -284,10 +284,10 @@ inline constexpr std::array<Field, 71> kFields{{
     {"VSTAR", "speed command v* [1/16 count per sample]", 0x20u, 0, 32, 12, true, true, Access::kRead},
     {"IQ_CMD", "current command i_q* [4.8 A / 2048]", 0x24u, 0, 32, 12, true, true, Access::kRead},
     {"SPEED", "speed v [1/16 count per sample]", 0x28u, 0, 32, 12, true, true, Access::kRead},
-    {"ID_IQ.i_d", "direct current [9.6 A / 2048]", 0x2Cu, 0, 16, 12, true, true, Access::kRead},
-    {"ID_IQ.i_q", "quadrature current [9.6 A / 2048]", 0x2Cu, 16, 16, 12, true, true, Access::kRead},
-    {"VD_VQ.v_d", "direct voltage [V_dc / sqrt 3 / 2048]", 0x30u, 0, 16, 12, true, true, Access::kRead},
-    {"VD_VQ.v_q", "quadrature voltage [V_dc / sqrt 3 / 2048]", 0x30u, 16, 16, 12, true, true, Access::kRead},
+    {"ID_IQ.i_d", "d current [9.6 A / 2048]", 0x2Cu, 0, 16, 12, true, true, Access::kRead},
+    {"ID_IQ.i_q", "q current [9.6 A / 2048]", 0x2Cu, 16, 16, 12, true, true, Access::kRead},
+    {"VD_VQ.v_d", "d voltage [V_dc / sqrt 3 / 2048]", 0x30u, 0, 16, 12, true, true, Access::kRead},
+    {"VD_VQ.v_q", "q voltage [V_dc / sqrt 3 / 2048]", 0x30u, 16, 16, 12, true, true, Access::kRead},
     {"KP.mant", "mantissa / 2048", 0x40u, 0, 11, 11, false, true, Access::kReadWrite},
     {"KP.exp", "exponent of 2", 0x40u, 16, 5, 5, true, true, Access::kReadWrite},
     {"KI.mant", "mantissa / 2048", 0x44u, 0, 11, 11, false, true, Access::kReadWrite},
@@ -304,30 +304,30 @@ inline constexpr std::array<Field, 71> kFields{{
     {"KP_CUR.exp", "exponent of 2", 0x60u, 16, 5, 5, true, true, Access::kReadWrite},
     {"KI_CUR.mant", "mantissa / 2048", 0x64u, 0, 11, 11, false, true, Access::kReadWrite},
     {"KI_CUR.exp", "exponent of 2", 0x64u, 16, 5, 5, true, true, Access::kReadWrite},
-    {"THETA_OFS", "electrical angle at count 0 [2^-32 turn]", 0x68u, 0, 32, 32, false, true, Access::kReadWrite},
+    {"THETA_OFS", "electrical angle at count 0 [2^-32 revolution]", 0x68u, 0, 32, 32, false, true, Access::kReadWrite},
     {"DEADTIME.clk", "dead time [clk]; locked by LOCK", 0x6Cu, 0, 10, 10, false, true, Access::kReadWrite},
-    {"DEADTIME.qep_filter", "equal samples the encoder filter asks for, 1..15", 0x6Cu, 16, 4, 4, false, true, Access::kReadWrite},
-    {"TAB_ADDR", "rule that TAB_DATA means: 7 j + i", 0x70u, 0, 6, 6, false, true, Access::kReadWrite},
+    {"DEADTIME.qep_filter", "equal samples the encoder filter needs, 1..15", 0x6Cu, 16, 4, 4, false, true, Access::kReadWrite},
+    {"TAB_ADDR", "rule that TAB_DATA accesses: 7 j + i", 0x70u, 0, 6, 6, false, true, Access::kReadWrite},
     {"TAB_DATA", "stored rule [2^-20 unit], sign-extended when read", 0x74u, 0, 32, 24, true, true, Access::kReadWrite},
-    {"POS_PRESET", "loads the encoder counter [counts]", 0x78u, 0, 24, 24, true, true, Access::kWrite},
+    {"POS_PRESET", "loads the encoder counter and the command [counts]", 0x78u, 0, 24, 24, true, true, Access::kWrite},
     {"INDEX_LATCH", "count at the last index pulse", 0x7Cu, 0, 32, 24, true, true, Access::kRead},
     {"STROKE_MIN", "lowest allowed position [counts]; locked by LOCK", 0x80u, 0, 24, 24, true, true, Access::kReadWrite},
     {"STROKE_MAX", "highest allowed position [counts]; locked by LOCK", 0x84u, 0, 24, 24, true, true, Access::kReadWrite},
-    {"STROKE_EN", "leaving the stroke trips; locked by LOCK", 0x88u, 0, 1, 1, false, true, Access::kReadWrite},
+    {"STROKE_EN", "trip when the position leaves the stroke; locked by LOCK", 0x88u, 0, 1, 1, false, true, Access::kReadWrite},
     {"IQ_MANUAL", "current command while the position loop is open [4.8 A / 2048]", 0x8Cu, 0, 12, 12, true, true, Access::kReadWrite},
     {"ID.version", "identity of the IC and version of its register map", 0x200u, 0, 16, 16, false, false, Access::kRead},
     {"ID.chip", "identity of the IC and version of its register map", 0x200u, 16, 16, 16, false, false, Access::kRead},
-    {"COMMIT", "writing 1 takes both POS_CMD at the next 2 kHz tick and feeds the watchdog", 0x204u, 0, 1, 1, false, false, Access::kWrite},
-    {"IRQ_EN.tick", "interrupts by ticks", 0x208u, 0, 1, 1, false, false, Access::kReadWrite},
-    {"IRQ_EN.fault", "interrupts by faults", 0x208u, 1, 1, 1, false, false, Access::kReadWrite},
+    {"COMMIT", "writing 1 makes the next 2 kHz tick take both POS_CMD, and feeds the watchdog", 0x204u, 0, 1, 1, false, false, Access::kWrite},
+    {"IRQ_EN.tick", "interrupt by IRQ_STAT.tick", 0x208u, 0, 1, 1, false, false, Access::kReadWrite},
+    {"IRQ_EN.fault", "interrupt by IRQ_STAT.fault", 0x208u, 1, 1, 1, false, false, Access::kReadWrite},
     {"IRQ_STAT.tick", "IRQ_PERIOD ticks have passed", 0x20Cu, 0, 1, 1, false, false, Access::kWriteOneToClear},
     {"IRQ_STAT.fault", "a fault was latched", 0x20Cu, 1, 1, 1, false, false, Access::kWriteOneToClear},
     {"TICK", "2 kHz sample counter", 0x210u, 0, 32, 32, false, false, Access::kRead},
     {"FAULT.code", "cause, 1..5; 0 = none", 0x214u, 0, 4, 4, false, false, Access::kRead},
     {"FAULT.axis", "0 X, 1 Y", 0x214u, 4, 1, 1, false, false, Access::kRead},
-    {"FAULT.tick", "low 24 bits of TICK when it came", 0x214u, 8, 24, 24, false, false, Access::kRead},
-    {"FAULT_CLEAR", "the key clears the fault, both axes disabled and the cause gone", 0x218u, 0, 32, 32, false, false, Access::kWrite},
-    {"WATCHDOG", "ticks allowed between COMMITs while an axis is enabled; 0 = off; a bite trips", 0x21Cu, 0, 16, 16, false, false, Access::kReadWrite},
+    {"FAULT.tick", "low 24 bits of TICK at the fault", 0x214u, 8, 24, 24, false, false, Access::kRead},
+    {"FAULT_CLEAR", "the key clears the fault if both axes are disabled and the cause is gone", 0x218u, 0, 32, 32, false, false, Access::kWrite},
+    {"WATCHDOG", "ticks allowed between COMMITs while an axis is enabled; more trip; 0 = off", 0x21Cu, 0, 16, 16, false, false, Access::kReadWrite},
     {"LOCK", "lock of dead times, current limit and strokes: write a key; bit 0 reads 1 if locked", 0x220u, 0, 32, 1, false, false, Access::kReadWrite},
     {"CURRENT_LIMIT", "trip level of |i_a|, |i_b|, |i_a + i_b| [9.6 A / 2048]; 0 = off; locked by LOCK", 0x224u, 0, 12, 12, false, false, Access::kReadWrite},
     {"DEADTIME_MIN", "lowest dead time in effect [clk]; locked by LOCK", 0x228u, 0, 10, 10, false, false, Access::kReadWrite},

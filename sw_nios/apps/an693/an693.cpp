@@ -6,9 +6,9 @@ namespace {
 
 // Control words of LTRJ.
 constexpr std::uint32_t kHere = 0x0000;           // nothing follows
-constexpr std::uint32_t kRelativeMove = 0x002B;   // an absolute move, but for the position
+constexpr std::uint32_t kRelativeMove = 0x002B;   // acceleration, velocity, relative position
 constexpr std::uint32_t kForwardSpeed = 0x1828;   // velocity mode: acceleration, velocity
-constexpr std::uint32_t kForwardFaster = 0x180C;  // velocity mode: a velocity to be added
+constexpr std::uint32_t kForwardFaster = 0x180C;  // velocity mode: an increment of velocity
 constexpr std::uint32_t kMove = 0x000A;           // velocity and position, both absolute
 constexpr std::uint32_t kStopBits = 0x0700;
 
@@ -26,7 +26,7 @@ void an693_stop(Lm628Port& port, An693Stop stop) {
   port.command(Lm628Command::kStt);
 }
 
-// AN-693, "Hardware reset": RST, then at least 1.5 ms until the status counts.
+// AN-693, "Hardware reset": RST, then at least 1.5 ms until the status is valid.
 void An693App::start(Bus& bus) {
   ++resets_;
   state_ = State::kReset;
@@ -49,7 +49,7 @@ void An693App::isr(Bus& bus) {
 void An693App::on_timer(Bus& bus, Lm628Port& port) {
   switch (state_) {
     case State::kReset:
-      // A part that is not as it should be is reset again.
+      // A part whose status is wrong is reset again.
       if (initialise(port, Lm628Command::kPort12)) {
         load_filter(port, setup_.filter);
         begin(bus, port);
@@ -134,7 +134,7 @@ void An693App::on_host(Bus& bus, Lm628Port& port) {
   port.command(Lm628Command::kRsti, 0x0000);
   if ((status & lm628_status::kPositionError) != 0) return fail(bus, An693Failure::kPositionError);
   if ((status & lm628_status::kCommandError) != 0) return fail(bus, An693Failure::kCommandError);
-  if (state_ != State::kMoving) return;  // the hold's trajectory is complete at once
+  if (state_ != State::kMoving) return;  // kHold: its trajectory is complete at once
   if (setup_.program == An693Program::kBreakpoints && mail_.point < 3) {
     at_breakpoint(port);
   } else if ((status & lm628_status::kTrajectoryComplete) != 0) {
@@ -142,8 +142,8 @@ void An693App::on_host(Bus& bus, Lm628Port& port) {
   }
 }
 
-// AN-693, "Velocity profile with breakpoints". That the shaft has come to rest is an interrupt too:
-// the mask says so before the stop, since a mask raises nothing that is there already.
+// AN-693, "Velocity profile with breakpoints". The end of the stop interrupts too: it is unmasked
+// before the stop, since unmasking an event that is already there raises no interrupt.
 void An693App::at_breakpoint(Lm628Port& port) {
   if (mail_.point == 1) {
     port.command_long(Lm628Command::kSbpa, 2 * setup_.breakpoint);

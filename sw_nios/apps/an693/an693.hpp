@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Example programs of National's application note AN-693 for the LM628. start() strobes RST; the
-// timer's interrupt, 1.5 ms later, finds the part ready and begins the chosen program, which goes
-// on at each interrupt of the part or the timer. Freestanding; it waits for interrupts and never
-// polls but for busy.
+// timer's interrupt, 1.5 ms later, finds the part ready and begins the chosen program, which
+// continues at each interrupt of the part or the timer. Freestanding; it waits for interrupts and
+// polls nothing but the busy bit.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@ namespace trammel::sw {
 enum class An693Program : std::uint8_t {
   kHold,         // the loop closes where the shaft is
   kAbsolute,     // one move to a position
-  kRelative,     // one move by a distance, begun after it was loaded
+  kRelative,     // one move by a distance, started some time after it was loaded
   kBreakpoints,  // velocity mode: two speeds and a stop, changed at breakpoints
   kTuning        // steps there and back
 };
@@ -26,16 +26,16 @@ struct An693Setup {
   An693Program program = An693Program::kHold;
   An693Filter filter;
   std::int32_t acceleration = 2;       // [2^-16 count/sample^2]
-  std::int32_t velocity = 0x346E;      // [2^-16 count/sample]; of breakpoints the first speed
+  std::int32_t velocity = 0x346E;      // [2^-16 count/sample]; of kBreakpoints the first speed
   std::int32_t position = 8000;        // [count] target, distance, or size of a step
-  std::int32_t breakpoint = 80000;     // [count] the first; the second is as far from it
-  std::uint32_t steps = 4;             // of tuning
+  std::int32_t breakpoint = 80000;     // [count] the first; the second is at twice that
+  std::uint32_t steps = 4;             // of kTuning
   std::uint32_t wait_clk = 5'000'000;  // before STT, between steps, and at the end
 };
 
 enum class An693Failure : std::uint32_t {
   kNone,
-  kReset,         // the status after a reset is none that the data sheet names
+  kReset,         // the status after a reset is not one that the data sheet names
   kBusy,          // the busy bit did not clear
   kCommandError,  // status bit 1
   kPositionError  // status bit 5
@@ -44,14 +44,14 @@ enum class An693Failure : std::uint32_t {
 class An693App final : public Firmware {
  public:
   static constexpr std::uint32_t kResetClk = 75'000;  // 1.5 ms at 50 MHz
-  static constexpr std::uint32_t kResets = 3;         // tried before it fails
+  static constexpr std::uint32_t kResets = 3;         // attempts before it fails
 
   explicit An693App(const An693Setup& setup) : setup_(setup) {}
 
   void start(Bus& bus) override;
   void isr(Bus& bus) override;
-  // Its failure is an An693Failure, a point an STT given, of a move or its change; desired and real
-  // position by RDDP and RDRP.
+  // `failure` is an An693Failure; a point is an STT, for a move or a change of it; desired and real
+  // position are read by RDDP and RDRP.
   const Mailbox& mailbox() const override { return mail_; }
 
  private:
@@ -74,7 +74,7 @@ class An693App final : public Firmware {
   std::uint32_t resets_ = 0;
 };
 
-// Trajectory module of AN-693: an absolute move with the acceleration that the part has already.
+// Trajectory module of AN-693: an absolute move with the acceleration that the part already has.
 void an693_move(Lm628Port& port, std::int32_t velocity, std::int32_t position);
 
 // Stop module of AN-693: motor off, abruptly, or smoothly.

@@ -133,7 +133,7 @@ void KungApp::isr(Bus& bus) {
   }
 }
 
-// The chip has latched the preset counts and taken the start point: now the model starts at rest.
+// The chip has latched the preset counts and taken the start point: the model now starts at rest.
 void KungApp::arm(Bus& bus) {
   last_tick_ = bus.read(reg::kTick);
   if (read_signed(bus, reg::kX + reg::kPos) != start_.x ||

@@ -3,7 +3,7 @@
 // Trajectory program of the two-axis table (specification section 10). start() sets the registers
 // with both axes off; the first interrupt, when the chip has latched the preset positions, enables
 // the axes; every later one reads the response, writes the next point and logs. After the last
-// point the table is held there: COMMITs go on, so the watchdog stays fed. Freestanding; never
+// point the table is held there: COMMITs continue, so the watchdog stays fed. Freestanding; never
 // waits longer than a bounded poll of a busy bit.
 #pragma once
 
@@ -33,7 +33,7 @@ struct AxisSetup {
   std::uint32_t shift_de = 2;
   std::uint32_t a0 = 238008;      // [2^-32]
   std::uint32_t b2 = 8140683;     // [2^-23]
-  std::uint32_t theta_ofs = 0;    // electrical angle at count 0 [2^-32 turn]
+  std::uint32_t theta_ofs = 0;    // electrical angle at count 0 [2^-32 revolution]
   std::uint32_t dead_time = 100;  // [clk]
   std::uint32_t qep_filter = 3;   // equal samples, 1..15
   std::int32_t stroke_min = 0;    // [count] no point outside is ever commanded
@@ -52,7 +52,7 @@ struct KungSetup : PathSetup {
   std::uint32_t dead_time_min = 25;    // [clk]
 };
 
-// Response read at one interrupt, and the point written by it (in force from the next tick on).
+// Response read at one interrupt, and the point written then (in effect from the next tick on).
 struct LogRecord {
   std::uint32_t tick = 0;
   std::int32_t x_cmd = 0, y_cmd = 0;      // [count]
@@ -65,7 +65,7 @@ struct LogRecord {
 enum class Failure : std::uint32_t {
   kNone,
   kWrongChip,    // ID is not that of the register map
-  kOutOfStroke,  // the path holds a point outside a stroke; nothing was enabled
+  kOutOfStroke,  // the path has a point outside a stroke; nothing was enabled
   kBusy,         // a busy bit did not clear
   kPreset,       // the position did not become the start point
   kLate,         // an interrupt was lost or its service crossed a tick
@@ -75,20 +75,20 @@ enum class Failure : std::uint32_t {
 class KungApp final : public Firmware {
  public:
   static constexpr std::uint32_t kLogSize = 256;
-  static constexpr std::uint32_t kPollLimit = 4096;  // the table reset takes about 100 clk
+  static constexpr std::uint32_t kPollLimit = 4096;  // a table reset takes 50 clk
 
   explicit KungApp(const KungSetup& setup);
 
   void start(Bus& bus) override;
   void isr(Bus& bus) override;
-  // Its failure is a Failure, a point one of the path that was written.
+  // `failure` is a Failure; a point is one of the path, counted when written.
   const Mailbox& mailbox() const override { return mail_; }
 
   std::uint32_t fault() const { return fault_; }  // FAULT register at kFault: code, axis, tick
-  std::uint32_t points() const { return size_; }  // the whole path
+  std::uint32_t points() const { return size_; }  // of the whole path
 
   std::uint32_t log_size() const { return logged_ < kLogSize ? logged_ : kLogSize; }
-  // The n-th of the records kept, oldest first; n < log_size().
+  // The n-th of the kept records, oldest first; n < log_size().
   const LogRecord& log(std::uint32_t n) const {
     return log_[(logged_ - log_size() + n) % kLogSize];
   }

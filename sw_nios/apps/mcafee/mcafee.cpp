@@ -12,7 +12,7 @@ namespace {
 
 // Control words of LTRJ.
 constexpr std::uint32_t kAcceleration = 0x0020;
-constexpr std::uint32_t kRowMove = 0x000B;       // velocity, and a position that is a distance
+constexpr std::uint32_t kRowMove = 0x000B;       // velocity and position, the latter relative
 constexpr std::uint32_t kMotorOff = 0x0100;
 
 constexpr std::uint32_t kLeastVelocity = 0xF1;  // one of the steps of mcafee_velocity
@@ -37,7 +37,7 @@ struct McafeeApp::Parts {
   bool stuck() const { return port[0].stuck() || port[1].stuck(); }
 };
 
-// Both parts at once, by their pins: their samples coincide from then on.
+// Both parts at once, by their pins, so that their samples coincide from then on.
 void McafeeApp::start(Bus& bus) {
   bus.write(regs::kReset, regs::kResetStrobe);
   wait(bus, State::kReset, kResetClk);
@@ -73,7 +73,7 @@ void McafeeApp::on_timer(Bus& bus, Parts& parts) {
         wait(bus, State::kReading, setup_.wait_clk);
       }
       break;
-    case State::kMoving:  // its end interrupts; the timer is for the limit switches
+    case State::kMoving:  // the end of the move interrupts; the timer watches the limit switches
       wait(bus, State::kMoving, kSampleClk);
       break;
     case State::kRow:
@@ -148,8 +148,8 @@ std::uint32_t McafeeApp::feed_rate(Bus& bus, const McafeeRow& row) {
   return 0;
 }
 
-// While a row runs the next one waits in the buffers of the parts. An axis without a way in it is
-// left alone; a velocity of 0 would never end.
+// While a row runs, the next one waits in the buffers of the parts. An axis that does not move in
+// it is left alone; a move of velocity 0 would never end.
 void McafeeApp::load_row(Bus& bus, Parts& parts) {
   const McafeeRow& row = setup_.rows[loaded_++];
   const std::uint32_t v = setup_.speed != 0 ? setup_.speed : feed_rate(bus, row);
@@ -170,9 +170,9 @@ void McafeeApp::load_row(Bus& bus, Parts& parts) {
   }
 }
 
-// A sample was just published: no other one must fall between the two STT. A command that comes in
-// a sample is executed behind it, so that a part which is ready again has taken its STT, and the
-// samples until then were published.
+// A sample was just published: no other one may fall between the two STT. A command that comes
+// within a sample is executed after it, so that a part which is ready again has taken its STT, and
+// the samples until then have been published.
 void McafeeApp::start_row(Bus& bus, Parts& parts) {
   bus.write(regs::kStatus, regs::kStatusSample);
   for (std::uint32_t k = 0; k < 2; ++k) {
@@ -194,8 +194,8 @@ void McafeeApp::start_row(Bus& bus, Parts& parts) {
   wait(bus, State::kRow, kSoon);
 }
 
-// The next row is due when both axes have been two samples from their targets, at the speed they
-// had: the one with the shorter way is often the later one, for its velocity is rounded down more.
+// The next row is due when both axes have come within two samples of their targets, at the speed
+// they had: the one with the shorter move is often later, since its velocity is rounded down more.
 void McafeeApp::watch_row(Bus& bus, Parts& parts) {
   bool due = true;
   std::uint32_t samples = 0;
@@ -215,7 +215,7 @@ void McafeeApp::watch_row(Bus& bus, Parts& parts) {
     bus.write(regs::kStatus, regs::kStatusSample);
     return wait(bus, State::kSample, kSoon);
   }
-  // Sleeps until two samples before that, should the axes be as fast as they may.
+  // Sleeps until two samples before that, for axes at their highest speed.
   wait(bus, State::kRow, samples > 5 ? (samples - 4) * kSampleClk : kSoon);
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // McAfee's three programs (1994, ch. VI, App. B to D) for two LM628 behind one port. Stage I reads
-// a position again and again, Stage II makes one long move, Stage III follows a table of rows, its
-// speed from the fuzzy feed rate: the self-paced tracking. Integers only, run to completion.
+// a position repeatedly, Stage II makes one long move, Stage III follows a table of rows at the
+// speed of the fuzzy feed rate: self-paced tracking. Integers only, run to completion.
 #pragma once
 
 #include <array>
@@ -15,11 +15,11 @@ namespace trammel::sw {
 
 enum class McafeeStage : std::uint8_t { kRead, kMove, kTrack };
 
-// A piece of the path, all of equal length: what the path tool wrote (App. D, Table 5).
+// A piece of the path, all of equal length, as written by the path tool (App. D, Table 5).
 struct McafeeRow {
-  std::uint8_t c = 0;   // curvature where it begins
+  std::uint8_t c = 0;   // curvature at its start
   std::uint8_t cc = 0;  // magnitude of its change over the preview
-  std::uint8_t vx = 0;  // 255 |dx| over the length
+  std::uint8_t vx = 0;  // 255 |dx| / length
   std::uint8_t vy = 0;
   std::int8_t dx = 0;  // [count]
   std::int8_t dy = 0;
@@ -34,7 +34,7 @@ struct McafeeSetup {
   McafeeStage stage = McafeeStage::kTrack;
   Lm628Filter filter{255, 0, 0, 0, 1};
   std::uint32_t wait_clk = 5'000'000;  // between readings of Stage I, and at the end of the others
-  std::uint32_t readings = 0;          // of Stage I; 0 = for ever
+  std::uint32_t readings = 0;          // of Stage I; 0 = endless
 
   std::int32_t acceleration = 60'000;  // [2^-16 count/sample^2]
   std::int32_t velocity = 0x2BB0D;     // [2^-16 count/sample], of Stage II
@@ -42,15 +42,15 @@ struct McafeeSetup {
 
   const McafeeRow* rows = nullptr;  // of Stage III
   std::uint32_t row_count = 0;
-  std::uint32_t speed = 0;           // 1..255: constant; 0 = the feed rate's
-  std::uint32_t least_speed = 8;     // the feed rate of a sharp corner is 0, which would never end
-  std::uint32_t velocity_shift = 0;  // left, of the LM628 velocity
+  std::uint32_t speed = 0;           // 1..255: constant; 0 = from the feed rate
+  std::uint32_t least_speed = 8;     // at a sharp corner the feed rate is 0, which would never end
+  std::uint32_t velocity_shift = 0;  // left shift of the LM628 velocity
 };
 
 enum class McafeeFailure : std::uint32_t {
   kNone,
-  kReset,          // the status after a reset is none that the data sheet names
-  kBusy,           // the busy bit, or the feed rate's, did not clear
+  kReset,          // the status after a reset is not one that the data sheet names
+  kBusy,           // the busy bit did not clear, or the feed rate was not ready
   kCommandError,   // status bit 1
   kPositionError,  // status bit 5
   kLimit,          // a limit switch was reached
@@ -66,8 +66,8 @@ class McafeeApp final : public Firmware {
 
   void start(Bus& bus) override;
   void isr(Bus& bus) override;
-  // Its failure is a McafeeFailure; a point is a reading, or a row whose motion was started, and
-  // speed the v of that row; the real position by RDRP.
+  // `failure` is a McafeeFailure; a point is a reading, or a row whose motion was started, and
+  // `speed` the v of that row; the real position is read by RDRP.
   const Mailbox& mailbox() const override { return mail_; }
   bool ending() const { return state_ == State::kPause || mail_.done != 0; }  // no motion left
 
@@ -77,7 +77,7 @@ class McafeeApp final : public Firmware {
     kReading,  // Stage I
     kMoving,   // Stage II
     kRow,      // a row runs
-    kSample,   // the next one begins with the next sample
+    kSample,   // the next one starts at the next sample
     kLast,     // the last one runs
     kPause,
     kDone
@@ -99,9 +99,9 @@ class McafeeApp final : public Firmware {
     std::int32_t target = 0;     // [count] of the row that runs
     std::int32_t next = 0;       // of the row that is loaded
     std::uint32_t velocity = 0;  // of the row that is loaded
-    bool loaded = false;         // it has a part in that row
+    bool loaded = false;         // it moves in that row
     std::uint32_t fastest = 1;   // in the row that runs
-    bool near = true;            // its target of that row
+    bool near = true;            // close to the target of that row
   };
 
   Mailbox mail_;
@@ -109,7 +109,7 @@ class McafeeApp final : public Firmware {
   State state_ = State::kReset;
   std::array<Axis, 2> axes_;
   std::uint32_t loaded_ = 0;  // rows
-  std::uint32_t speed_ = 0;   // of the last of them
+  std::uint32_t speed_ = 0;   // v of the last one
 };
 
 }  // namespace trammel::sw

@@ -7,8 +7,8 @@
 
 namespace trammel::sw::mcafee_map {
 
-inline constexpr std::uint32_t kTimer = 0x100;  // [clk] until it interrupts, once; 0 = off
-inline constexpr std::uint32_t kIrq = 0x104;    // which interrupts
+inline constexpr std::uint32_t kTimer = 0x100;  // [clk] until its one interrupt; 0 = off
+inline constexpr std::uint32_t kIrq = 0x104;    // causes of the interrupt
 inline constexpr std::uint32_t kIrqHost = 1u << 0;  // HI of a part, see the chip's IRQ
 inline constexpr std::uint32_t kIrqTimer = 1u << 1;
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Driver of McAfee's port picture (1994, ch. VI, canonical bits of his Stage I): a byte goes to or
-// comes from one of two LM628 by port C, and port B says which, how, and when. Each rising strobe
-// starts one pulse; nothing of the port may move before it has ended. Freestanding.
+// Driver for McAfee's port (1994, ch. VI, bits as in his Stage I): a byte goes to or comes from one
+// of two LM628 through port C, and port B says which, in which direction and when. Each rising
+// strobe starts one pulse; the port must not change before it has ended. Freestanding.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace trammel::sw {
 
-// One of the two parts as the bus that Lm628Port speaks to.
+// One of the two parts, as the bus that Lm628Port uses.
 class McafeePart final : public Bus {
  public:
   // A pulse lasts 5.5 us, a poll more than 0.1 us.

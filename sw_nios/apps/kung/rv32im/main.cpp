@@ -2,7 +2,7 @@
 //
 // The table's program on a small RISC-V core: registers of the chip in its address space, its
 // interrupt line as the core's external interrupt. Interrupts are never taken: a routine runs to
-// completion and the next one is waited for.
+// completion, then the core waits for the next one.
 #include "sw_nios/apps/kung/kung.hpp"
 
 namespace trammel::sw {
@@ -22,7 +22,7 @@ class MappedBus final : public Bus {
   }
 };
 
-// The assembler counts the machine's own registers as an extension; every core has them.
+// The assembler counts control and status registers as an extension; every core has them.
 #define TRAMMEL_CSR(text) ".option push\n.option arch, +zicsr\n" text "\n.option pop"
 
 void allow_external() { asm volatile(TRAMMEL_CSR("csrs mie, %0") : : "r"(kExternal)); }
@@ -40,7 +40,7 @@ void wait_for_interrupt() {
 }  // namespace
 }  // namespace trammel::sw
 
-// A call of an abstract function, which nothing here can make.
+// A call of a pure virtual function, which nothing here can make.
 extern "C" void __cxa_pure_virtual() {
   for (;;) {
   }
