@@ -57,9 +57,10 @@ module kung_axis
   // ---- position ----
 
   count_t count, index_latch, preset_value;
-  logic preset, qep_error, qep_quiescent, unused_dir, unused_index_seen;
+  logic preset, preset_write, qep_error, qep_quiescent, unused_dir, unused_index_seen;
 
-  assign preset       = regs_i.pos_preset.req && regs_i.pos_preset.req_is_wr;
+  assign preset_write = regs_i.pos_preset.req && regs_i.pos_preset.req_is_wr;
+  assign preset       = preset_write && !locked_i;
   assign preset_value = count_t'(regs_i.pos_preset.wr_data.value);
 
   qep u_qep (
@@ -328,7 +329,7 @@ module kung_axis
   assign regs_o.tab_data.rd_data.value  = 32'(rule_rdata);
   assign regs_o.tab_data.rd_ack         = regs_i.tab_data.req && !regs_i.tab_data.req_is_wr;
   assign regs_o.tab_data.wr_ack         = tab_write;
-  assign regs_o.pos_preset.wr_ack       = preset;
+  assign regs_o.pos_preset.wr_ack       = preset_write;
 
   logic unused_regs;
   assign unused_regs = ^{regs_i.status, regs_i.tab_data, regs_i.pos_preset};

@@ -14,6 +14,7 @@ module kung_axis_props
     input logic        tick_cur_i,
     input logic        tick_pos_i,
     input logic        trip_i,
+    input logic        locked_i,
     input logic [11:0] current_limit_i,
     input logic [ 9:0] dead_time_min_i,
 
@@ -35,6 +36,7 @@ module kung_axis_props
     input logic signed [23:0] stroke_max,
     input logic               wr_ack,
 
+    input logic       preset,
     input count_t     count,
     input count_t     x_p_q,
     input count_t     count_cur_q,
@@ -188,6 +190,7 @@ module kung_axis_props
           next_o <= leg_next_2);
       quiescent_is_honest :
       assert (!was_quiescent_q || state == was_state_q);
+      preset_only_while_unlocked : assert (!preset || !locked_i);
       inv_asked : assert (tab_pending_q == asked_q && (!asked_q || tab_data_q == asked_value_q));
       reaches_waiting_write : cover (asked_q && afc_busy);
     end
@@ -206,6 +209,7 @@ module kung_axis_props
   // breaks stroke_is_watched_when_enabled: stroke_o = regs_i.stroke_en.enable.value && (count < count_t'(regs_i.stroke_min.value.value) || count >= count_t'(regs_i.stroke_max.value.value))
   // breaks table_write_waits_for_the_controller_only: tab_write = tab_pending_q
   // breaks table_write_has_its_value: tab_data_q <= rst_i ? next : tab_data_q
+  // breaks preset_only_while_unlocked: preset = preset_write
   // breaks next_is_the_least: next_o = leg_next[2] > next_o ? leg_next[2] : next_o
   // breaks quiescent_is_honest: quiescent_o = qep_quiescent && !qep_error && command_quiescent && afc_quiescent && !tick_cur_i && adc_quiescent && loop_quiescent && pwm_quiescent && leg_quiescent == '1
 

@@ -248,6 +248,7 @@ module kung_xy
   assign hwif_in.lock.wr_ack               = lock_write;
   assign hwif_in.current_limit.value.swwel = locked_q;
   assign hwif_in.deadtime_min.clk.swwel    = locked_q;
+  assign hwif_in.watchdog.limit.swwel      = locked_q;
 
   assign irq_o = (hwif_out.irq_stat.tick.value && hwif_out.irq_en.tick.value) ||
       (hwif_out.irq_stat.fault.value && hwif_out.irq_en.fault.value);

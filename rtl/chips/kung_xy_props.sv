@@ -195,7 +195,7 @@ module kung_xy_props
   logic [11:0] gates, was_gates_q;
   logic [10:0] held, was_held_q;  // registers that are visible nowhere else
   kung_xy__out_t lasting, was_lasting_q;  // registers of the map, without STATUS
-  logic [117:0] guarded, was_guarded_q;
+  logic [155:0] guarded, was_guarded_q;
   logic [21:0] limits, was_limits_q;
 
   assign enabled    = {hwif_out.y.ctrl.enable.value, hwif_out.x.ctrl.enable.value};
@@ -215,7 +215,8 @@ module kung_xy_props
   assign guarded    = {hwif_out.x.deadtime.clk.value, hwif_out.y.deadtime.clk.value,
                        hwif_out.x.stroke_min.value.value, hwif_out.y.stroke_min.value.value,
                        hwif_out.x.stroke_max.value.value, hwif_out.y.stroke_max.value.value,
-                       hwif_out.x.stroke_en.enable.value, hwif_out.y.stroke_en.enable.value};
+                       hwif_out.x.stroke_en.enable.value, hwif_out.y.stroke_en.enable.value,
+                       hwif_out.watchdog.limit.value, limits};
   assign limits     = {hwif_out.current_limit.value.value, hwif_out.deadtime_min.clk.value};
 
   always_comb begin
@@ -261,8 +262,7 @@ module kung_xy_props
       locks_by_its_key_only : assert (was_locked_q || locked_q == lock_key);
       unlocks_by_its_key_disabled_only :
       assert (!was_locked_q || locked_q == !(unlock_key && was_enabled_q == '0));
-      locked_registers_hold :
-      assert (!was_locked_q || {guarded, limits} == {was_guarded_q, was_limits_q});
+      locked_registers_hold : assert (!was_locked_q || guarded == was_guarded_q);
       limits_move_by_unlocked_writes_only :
       assert (was_rst_q || (limits[21:10] == was_limits_q[21:10] || unlocked && at_q == 8'h89) &&
               (limits[9:0] == was_limits_q[9:0] || unlocked && at_q == 8'h8a));
@@ -348,7 +348,7 @@ module kung_xy_props
   // breaks unlocked_from_reset: locked_q <= rst_i || next
   // breaks locks_by_its_key_only: lock_write = hwif_out.lock.req
   // breaks unlocks_by_its_key_disabled_only: locked_d = lock_write && lock_key == kung_xy_regs_pkg::KeyUnlock && enabled != '1 ? 1'b0 : locked_d
-  // breaks locked_registers_hold: u_regs.hwif_in_deadtime_min_clk_swwel = trip_q
+  // breaks locked_registers_hold: u_regs.hwif_in_watchdog_limit_swwel = trip_q
   // breaks locked_registers_hold (kung_xy_regs): hwif_in_y_deadtime_clk_swwel = 1'b0
   // breaks limits_move_by_unlocked_writes_only (kung_xy_regs): field_storage_current_limit_value_value <= decoded_req && decoded_req_is_wr && decoded_addr == 10'h124 && !hwif_in_current_limit_value_swwel ? decoded_wr_data[11:0] : next
   // breaks limits_reach_both_axes (kung_axis): dead_time = regs_i.deadtime.clk.value < dead_time_min_i ? 10'd25 : regs_i.deadtime.clk.value

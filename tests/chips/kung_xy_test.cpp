@@ -79,7 +79,7 @@ TEST_CASE("the dead time in effect is never below DEADTIME_MIN") {
   }
 }
 
-TEST_CASE("while locked, dead time, current limit and strokes cannot be written") {
+TEST_CASE("while locked, dead time, current limit, strokes and watchdog cannot be written") {
   KungBench chip;
   chip.write(reg::kX + reg::kCtrl, reg::kCtrlEnable);
   chip.write(reg::kLock, 1);  // not the key
@@ -89,7 +89,8 @@ TEST_CASE("while locked, dead time, current limit and strokes cannot be written"
 
   const std::vector<std::uint32_t> guarded{
       reg::kCurrentLimit,           reg::kDeadtimeMin,           reg::kX + reg::kStrokeMin,
-      reg::kY + reg::kStrokeMax,    reg::kX + reg::kStrokeEn,    reg::kY + reg::kStrokeMin};
+      reg::kY + reg::kStrokeMax,    reg::kX + reg::kStrokeEn,    reg::kY + reg::kStrokeMin,
+      reg::kWatchdog};
   for (const std::uint32_t addr : guarded) {
     const std::uint32_t before = chip.read(addr);
     chip.write(addr, before ^ 1u);
@@ -206,6 +207,32 @@ TEST_CASE("an encoder error trips and is cleared through STATUS first") {
   CHECK((chip.read(reg::kX + reg::kStatus) & reg::kStatusQepError) == 0);
   disable_and_clear(chip);
   CHECK(chip.fault_code() == reg::kFaultCodeNone);
+}
+
+TEST_CASE("while locked a preset moves no count, so that it cannot lead past the stroke limits") {
+  KungBench chip;
+  for (const std::uint32_t base : {reg::kX, reg::kY}) {
+    chip.write(base + reg::kPosPreset, 1000);
+    chip.write(base + reg::kStrokeEn, reg::kStrokeEnEnable);
+    chip.write(base + reg::kStrokeMax, 1002);
+  }
+  chip.write(reg::kLock, reg::kKeyLock);
+  for (const std::uint32_t base : {reg::kX, reg::kY}) {
+    chip.write(base + reg::kPosPreset, 200);
+    chip.to_sample();
+    CHECK(chip.read_signed(base + reg::kPos) == 1000);
+  }
+  for (const int phase : {1, 2, 3}) {  // 1001, 1002, 1003
+    CHECK(chip.fault_code() == reg::kFaultCodeNone);
+    chip.encoder(0, phase);
+    chip.edges(20);
+  }
+  CHECK(chip.fault_code() == reg::kFaultCodeStroke);
+  disable_and_clear(chip);
+  chip.write(reg::kLock, reg::kKeyUnlock);
+  chip.write(reg::kX + reg::kPosPreset, 200);
+  chip.to_sample();
+  CHECK(chip.read_signed(reg::kX + reg::kPos) == 200);
 }
 
 TEST_CASE("POS_PRESET loads the counter and leaving an enabled stroke trips") {

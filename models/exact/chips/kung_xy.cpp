@@ -119,7 +119,7 @@ unsigned KungXy::full(Clk n, const Converters& converters) {
   if (tick_cur) tick(n, tick_pos, chosen, converters);
   for (std::size_t k = 0; k < 2; ++k) {
     Axis& axis = axes_[k];
-    const bool preset = write.is(kBases[k] + map::kPosPreset);
+    const bool preset = write.is(kBases[k] + map::kPosPreset) && !locked_;
     const std::int32_t value = signed_word(write.data, 24);
     if (tick_pos || commit_ || preset) {
       axis.command.clock(

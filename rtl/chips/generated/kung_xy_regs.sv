@@ -47,6 +47,8 @@ module kung_xy_regs (
     assign hwif_in_y_stroke_max_value_swwel = hwif_in.y.stroke_max.value.swwel;
     logic hwif_in_y_stroke_en_enable_swwel;
     assign hwif_in_y_stroke_en_enable_swwel = hwif_in.y.stroke_en.enable.swwel;
+    logic hwif_in_watchdog_limit_swwel;
+    assign hwif_in_watchdog_limit_swwel = hwif_in.watchdog.limit.swwel;
     logic hwif_in_current_limit_value_swwel;
     assign hwif_in_current_limit_value_swwel = hwif_in.current_limit.value.swwel;
     logic hwif_in_deadtime_min_clk_swwel;
@@ -782,7 +784,7 @@ module kung_xy_regs (
                 if(decoded_wr_biten[0]) field_storage_irq_en_tick_value <= decoded_wr_data[0:0];
                 if(decoded_wr_biten[1]) field_storage_irq_en_fault_value <= decoded_wr_data[1:1];
             end
-            if(decoded_addr == 10'h21c) begin
+            if(decoded_addr == 10'h21c && !(hwif_in_watchdog_limit_swwel)) begin
                 if(decoded_wr_biten[0]) field_storage_watchdog_limit_value[7:0] <= decoded_wr_data[7:0];
                 if(decoded_wr_biten[8]) field_storage_watchdog_limit_value[15:8] <= decoded_wr_data[15:8];
             end

@@ -251,6 +251,14 @@ package kung_xy_regs_pkg;
     } kung_xy__fault_clear__external__in_t;
 
     typedef struct packed {
+        logic swwel;
+    } kung_xy__watchdog__limit__in_t;
+
+    typedef struct packed {
+        kung_xy__watchdog__limit__in_t limit;
+    } kung_xy__watchdog__in_t;
+
+    typedef struct packed {
         logic [31:0] key;
     } kung_xy__lock__external__fields__in_t;
 
@@ -283,6 +291,7 @@ package kung_xy_regs_pkg;
         kung_xy__tick__in_t tick;
         kung_xy__fault__in_t fault;
         kung_xy__fault_clear__external__in_t fault_clear;
+        kung_xy__watchdog__in_t watchdog;
         kung_xy__lock__external__in_t lock;
         kung_xy__current_limit__in_t current_limit;
         kung_xy__deadtime_min__in_t deadtime_min;
