@@ -7,8 +7,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 #include <stdexcept>
-#include <type_traits>
+#include <string>
 #include <vector>
 
 #include "tests/support/random.hpp"
@@ -104,9 +105,9 @@ struct AxiRegister {
 };
 
 // Random bytes of random registers are written, and all are read: each holds what was written to it
-// alone. Returns the address of a register that does not, or -1.
+// alone. Says of the first that does not where it is, what it shows and what it should; else "".
 template <class Traffic>
-std::int64_t wrong_register(Traffic& traffic, const std::vector<AxiRegister>& registers, int rounds,
+std::string wrong_register(Traffic& traffic, const std::vector<AxiRegister>& registers, int rounds,
                             std::uint32_t seed) {
   Random random(seed);
   std::vector<std::uint32_t> addresses, held;
@@ -128,10 +129,14 @@ std::int64_t wrong_register(Traffic& traffic, const std::vector<AxiRegister>& re
     traffic.write(writes);
     const std::vector<std::uint32_t> values = traffic.read(addresses);
     for (std::size_t n = 0; n < values.size(); ++n) {
-      if (values[n] != held[n]) return addresses[n];
+      if (values[n] == held[n]) continue;
+      char text[80];
+      std::snprintf(text, sizeof text, "register 0x%03X reads 0x%08X, not 0x%08X, in round %d",
+                    addresses[n], values[n], held[n], round);
+      return text;
     }
   }
-  return -1;
+  return "";
 }
 
 }  // namespace trammel::test
