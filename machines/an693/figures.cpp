@@ -70,7 +70,9 @@ std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult
   const bool done = result.end == cosim::EndReason::kDone;
   const auto largest = [&](auto get) {
     double most = 0;
-    for (const Sample& s : result.samples) most = std::max(most, std::fabs(std::invoke(get, s)));
+    for (const Sample& s : result.samples) {
+      most = std::max(most, std::fabs(static_cast<double>(std::invoke(get, s))));
+    }
     return most;
   };
   std::vector<lab::Figure> list;
@@ -92,7 +94,7 @@ std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult
   add(figure("motion.settled_s", "first step settled", "", m.settled_s, "s", 4), "",
       options.program == sw::An693Program::kTuning);
   add(count("motion.max_error_counts", "largest error", "",
-            largest([](const Sample& s) { return static_cast<double>(s.words.error); }), "counts"),
+            largest([](const Sample& s) { return s.words.error; }), "counts"),
       "Largest error");
   add(figure("motion.max_speed_rev_s", "largest speed", "",
              largest(&Sample::omega) / plant::MotorAxis::kTurn, "rev/s"), "Top speed");

@@ -19,8 +19,8 @@ using ReadLine = std::function<std::optional<std::string>(const std::string& pro
 ReadLine terminal_lines(const std::atomic<bool>& stop);
 
 // `arguments.scenario` is the script: a built-in name, a file, "" or "-" for standard input. With
-// `read_line` it is a conversation, in which a set `stop` ends a wait and is then cleared; otherwise
-// it ends the run. Returns the exit code.
+// `read_line` it is a conversation, in which a set `stop` ends a wait and is then cleared; without,
+// it ends the run. The exit code.
 int lm628_shell(const testbench::Arguments& arguments, std::atomic<bool>& stop,
                 const ReadLine& read_line);
 
