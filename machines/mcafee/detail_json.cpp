@@ -69,7 +69,7 @@ Json tracking_json(const lab::Record& record) {
   for (const lab::Record* run : runs) {
     contours.push_back({{"name", run->name}, {"mm", contour_json(result_of(*run), stride)}});
   }
-  return {{"row_mm", table.row_mm}, {"origin_mm", {origin.x, origin.y}}, {"rows", rows},
+  return {{"row_mm", table.row_mm}, {"origin_mm", {origin.real(), origin.imag()}}, {"rows", rows},
           {"contour_step_s", static_cast<double>(stride) * kSampleS}, {"contours", contours}};
 }
 

@@ -66,7 +66,7 @@ Motion motion_of(const Options& options, Result& result) {
     }
     if (begun && moves) last = k;
     if (!path) continue;
-    m.contour_end_mm = path->distance({origin.x + s.axis[0].x_mm, origin.y + s.axis[1].x_mm},
+    m.contour_end_mm = path->distance(origin + PointMm{s.axis[0].x_mm, s.axis[1].x_mm},
                                       result.table.row_mm * s.row, kReachMm);
     result.contour_mm.push_back(m.contour_end_mm);
     if (m.contour_end_mm > m.contour_max_mm) {

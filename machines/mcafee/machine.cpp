@@ -81,7 +81,7 @@ lab::Machine describe() {
 
 Table table_of(const Options& options) {
   try {
-    return make_table(Path(options.path), options.path, options.count_mm(), options.travel_mm());
+    return make_table(options.path, options.count_mm(), options.travel_mm());
   } catch (const cosim::OptionsError& error) {
     throw lab::ConfigError(error.what());
   } catch (const std::invalid_argument& error) {  // the file of points

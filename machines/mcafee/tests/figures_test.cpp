@@ -71,7 +71,7 @@ struct Runs {
     const Simulate simulate = [this](const Settings& settings, const cosim::Hooks&) {
       const auto& o = static_cast<const mcafee::Options&>(settings);
       auto result = std::make_unique<mcafee::Result>(tracked());
-      result->table = make_table(mcafee::Path(o.path), o.path, o.count_mm());
+      result->table = make_table(o.path, o.count_mm());
       if (o.speed == o.least_speed) result->end = slow_end;
       return result;
     };
