@@ -50,8 +50,8 @@
 
   function filterSection(run) {
     const s = run.series;
-    const section = T.section('filter', 'Filter', 'What each sample adds up: the output has 16 ' +
-      'bits, of which the converter gets the upper 12; the motor answers.');
+    const section = T.section('filter', 'Filter', 'The terms of each sample: the output has 16 ' +
+      'bits, of which the converter gets the upper 12; then what the motor does.');
     section.append(T.lm628.termsPlot(s, '', 'wide'), T.el('div', { class: 'grid two' },
       T.lm628.voltagePlot(s, ''), T.lm628.currentPlot(s, '')));
   }

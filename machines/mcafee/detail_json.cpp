@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the page of a run that tracks needs beyond its trace: detail.json, with the rows of its table
-// and the contour errors of all runs, and contours.csv, from which they are drawn.
+// What the page of a run that tracks needs beyond its trace: detail.json, with the rows of its
+// table and the contour errors of all runs; and the same as CSV, for the pictures.
 #include <algorithm>
 #include <cmath>
 

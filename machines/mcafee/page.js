@@ -28,8 +28,8 @@
     return { c, cc, vx, vy, dx, dy, x: corners(dx, x), y: corners(dy, y) };
   }
 
-  // The point of the rows nearest to where the table is, sought around the row that runs: its lag
-  // is some rows at most.
+  // The point of the rows nearest to where the table is, sought around the current row: the lag
+  // is a few rows at most.
   function nearest(rows, row, x, y) {
     const kReach = 10;
     let best = Infinity;
@@ -137,7 +137,7 @@
       'Dashed: an interrupt of a part, or a limit switch.'));
     const speed = T.timePlot({ id: 'path-speed', title: 'Path speed', yLabel: 'speed (mm/s)',
       series: T.lm628.pair('table', 'mm/s', 2, d.askedSpeed, d.speed) });
-    speed.append(note('\u221a(v_x\u00b2 + v_y\u00b2). Notches of the desired one: a generator ' +
+    speed.append(note('\u221a(v_x\u00b2 + v_y\u00b2). Notches in the desired speed: a generator ' +
       'begins to slow down for the end of its row before the next row is sent.'));
     section.append(T.el('div', { class: 'grid path' }, T.pathPlot(d), T.el('div',
       { class: 'stack' }, contourPlot(run), speed)), runTable(run.metrics));
@@ -174,10 +174,10 @@
     const shift = o['track.velocity_shift'];
     const ahead = o['path.preview_rows'];
     const section = T.section('feed', 'Feed rate', `${d.rows.c.length} rows of ${T.num(
-      run.detail.row_mm, 5)} mm. Each takes its v from its curvature C and from CC, the change of ` +
-      `C ${ahead} rows ahead.`);
+      run.detail.row_mm, 5)} mm. Each takes its v from its curvature C and from CC, the change ` +
+      `of C ${ahead} rows ahead.`);
     const curvature = T.timePlot({ id: 'curvature', title: 'Curvature', small:
-      'of the row that runs', yLabel: 'C, CC (0..255)', series: [
+      'of the current row', yLabel: 'C, CC (0..255)', series: [
       line('C', d.c, 'x', '', 0, { steps: true }),
       line('CC', d.cc, 'y', '', 0, { steps: true })] });
     curvature.append(note(`C = round(255 \u03ba / \u03ba_max), where \u03ba = |x\u2032y\u2033 ` +
@@ -190,7 +190,7 @@
     const most = (254 * 255 >> 8) * 0xF1 * 2 ** shift / 65536 * d.mm / kSample;
     feed.append(note('Seven fuzzy rules for C and CC, then v = 256 TU / SU (McAfee 1994, App. D).' +
       ` Speed of an axis (DECOMP): ((v V) >> 8) 241 \u00b7 2^${shift}, V = 255 |d| / ` +
-      '\u221a(dX\u00b2 + dY\u00b2), in 2^\u221216 counts a sample; v = 254 along an axis is ' +
+      '\u221a(dX\u00b2 + dY\u00b2), in 2^\u221216 counts per sample; v = 254 along an axis is ' +
       `${T.num(most, 2)} mm/s.`));
     const table = T.el('div');
     const details = T.el('details', { ontoggle: () => {
@@ -206,10 +206,10 @@
     const s = run.series;
     const d = run.data;
     const axes = tracks(run.metrics) ? kAxes : ['x'];
-    const lead = 'What the trajectory generator of a part wants, what the part counts and where ' +
-      'the table is. ';
+    const lead = 'What the trajectory generator of each part asks for, what the part counts and ' +
+      'where the table really is. ';
     const section = axes.length > 1 ? T.section('axes', 'Axes', lead) : T.section('axes', 'Motion',
-      [lead, 'The program speaks to X alone. ', T.zoomLead()]);
+      [lead, 'The program uses X only. ', T.zoomLead()]);
     const { line, pair } = T.lm628;
     const plot = (id, unit, series) => (a) => T.timePlot({ id: `${id}-${a}`, title:
       `${a.toUpperCase()} ${id}`, yLabel: `${id} (${unit})`, series: series(a) });
@@ -222,7 +222,7 @@
         `${a}_`))];
     const o = run.metrics.options;
     section.append(T.el('div', { class: 'grid two' }, plots.flatMap((make) => axes.map(make))),
-      T.el('div', { class: 'card' }, note(`One count is ${T.num(1e3 * d.mm, 4)} \u00b5m of way, ` +
+      T.el('div', { class: 'card' }, note(`A count is ${T.num(1e3 * d.mm, 4)} \u00b5m of travel, ` +
         `a sample ${T.num(1e6 * kSample, 1)} \u00b5s. Terms (data sheet SNVS781C): p = kp e, ` +
         'shown before its limit of 16 bits, i = ki \u03a3e / 256 within \u00b1il, d = kd (e ' +
         `\u2212 e\u2032); kp = ${o['filter.kp']}, ki = ${o['filter.ki']}, kd = ` +
@@ -236,8 +236,8 @@
     const axes = tracks(run.metrics) ? kAxes : ['x'];
     const several = axes.length > 1;
     const { events } = run.metrics;
-    T.section('status', 'Status', 'A bar where the bit is set; a bit of one sample is seen ' +
-      'however many are shown. ' + (several ? 'Stage III never clears \u201ctrajectory ' +
+    T.section('status', 'Status', 'A bar where the bit is set, if only in one of the samples ' +
+      'that a pixel stands for. ' + (several ? 'Stage III never clears \u201ctrajectory ' +
       'complete\u201d: it asks for the desired position.' : '')).append(T.el('div',
       { class: several ? 'grid two' : 'grid' }, axes.map((a, k) => T.lm628.statusPlot(run, `${a}_`,
         ['low switch', 'high switch'].map((name, end) => [name, run.series.limits, 2 * k + end]),
@@ -289,8 +289,8 @@
     statusSection(run);
   }
 
-  const closing = (run) => T.section('assumptions', 'Assumptions', 'What McAfee 1994 does not ' +
-    'say, and the value that this run had.').append(assumptionCard(run.metrics));
+  const closing = (run) => T.section('assumptions', 'Assumptions', 'What McAfee 1994 leaves ' +
+    'open, and the value used in this run.').append(assumptionCard(run.metrics));
 
   // ---- several runs ----
 

@@ -87,7 +87,7 @@ TEST_CASE("keys of another machine, unknown keys and bad values are refused in o
   CHECK_THAT(message_of("machine = 'another'\n"), Contains("is not one of an693"));
   CHECK_THAT(message_of("[filter]\nkp = 32768\n"), Contains("is out of range 0..32767"));
   CHECK_THAT(message_of("[motor]\nresistance_ohm = 900\n"), Contains("motor.inductance_H"));
-  CHECK_THAT(message_of("[encoder]\ncounts = 4001\n"), Contains("no multiple of 4"));
+  CHECK_THAT(message_of("[encoder]\ncounts = 4001\n"), Contains("is not a multiple of 4"));
 }
 
 TEST_CASE("an693 figures count samples from the first that moves") {

@@ -66,7 +66,7 @@ TEST_CASE("numbers are decimal or hexadecimal, and of a signed width a pattern t
   CHECK_THAT(refusal("SBPA 80000001h"), Contains("move.lm628:1: SBPA: position: 80000001h is out"));
   CHECK_THAT(refusal("SBPA 40000000h"), Contains("-1073741824..1073741823 (C0000000h..3FFFFFFFh)"));
   for (const char* word : {"12a", "h", "0x", "-", "1.5", "--1", "99999999999999999999x"}) {
-    CHECK_THAT(refusal(std::string("SBPA ") + word), Contains("is no number"));
+    CHECK_THAT(refusal(std::string("SBPA ") + word), Contains("is not a number"));
   }
   CHECK_THAT(refusal("SBPA 99999999999999999999"), Contains("is out of range"));
   CHECK_THAT(refusal("SBPA FFFFFFFFFFFFFFFFh"), Contains("is out of range"));

@@ -24,27 +24,26 @@ constexpr double kLongestTime = 3600;  // [s]
 constexpr char kFilterHelp[] =
     "control word: bits 15..8 n, the derivative is formed every n + 1 samples;\n"
     "bit 3 kp, 2 ki, 1 kd, 0 il follow, in this order, each 0..32767.\n"
-    "  LFIL 030Ah 50 1000    kp = 50, kd = 1000, every 4 samples; UDF makes them work\n";
+    "  LFIL 030Ah 50 1000    kp = 50, kd = 1000, every 4 samples; UDF activates them\n";
 constexpr char kTrajectoryHelp[] =
     "control word: bit 5 acceleration, 3 velocity, 1 position follow, in this order; the bit\n"
     "below each (4, 2, 0): it is relative. Bit 11 velocity mode, 12 forward in it;\n"
     "10 stop smoothly, 9 stop abruptly, 8 motor off.\n"
     "Acceleration in 2^-16 count/sample^2, velocity in 2^-16 count/sample, position in counts.\n"
-    "  LTRJ 002Ah 2 346Eh 8000    all three, absolute; STT makes them work\n"
+    "  LTRJ 002Ah 2 346Eh 8000    all three, absolute; STT starts the move\n"
     "  LTRJ 1828h 11h 20C4Ah      velocity mode, forward\n"
     "  LTRJ 0400h                 stop smoothly\n";
 constexpr char kStatusHelp[] =
     "bit 7 motor off, 6 breakpoint, 5 position error, 4 wraparound, 3 index pulse,\n"
     "2 trajectory complete, 1 command error, 0 busy; 1 to 6 hold until RSTI clears them.\n";
 constexpr char kConverterHelp[] =
-    "The converter of this machine has 12 bits and takes them by their strobes: the motor needs "
-    "PORT12.\n";
+    "The converter of this machine latches 12 bits by their strobes: the motor needs PORT12.\n";
 constexpr char kWaitHelp[] =
     "  wait 0.5 s           also ms, us, and samples of 256 us\n"
     "  wait hi              until the pin HI is high\n"
     "  wait complete        until status bit 2 is set, read every sample; a bit that is still set\n"
     "                       from before counts: RSTI 0 clears it\n"
-    "  wait complete 5 s    for at most 5 s; 60 s where nothing is said\n";
+    "  wait complete 5 s    for at most 5 s; the default is 60 s\n";
 constexpr char kPortHelp[] =
     "One access of the port, whether the part is busy or not: c is PS low, d is PS high.\n";
 
@@ -53,7 +52,7 @@ std::string lower(std::string text) {
   return text;
 }
 
-// What a terminal can show of a word that may be anything.
+// A word that may be anything, as a terminal can show it.
 std::string printable(std::string word) {
   constexpr std::size_t kMost = 40;
   for (char& c : word) {
@@ -83,8 +82,8 @@ Value value_of(const Command& command, const Field& field, const std::string& te
   const char* const end = digits.data() + digits.size();
   const auto [stop, code] = std::from_chars(digits.data(), end, bits, base);
   if (stop != end || code == std::errc::invalid_argument) {
-    throw ConfigError(fmt::format("{}: {}: {} is no number {}; write 31, 0x1F or 1Fh", command.name,
-                                  field.name, text, range_of(field)));
+    throw ConfigError(fmt::format("{}: {}: {} is not a number {}; write 31, 0x1F or 1Fh",
+                                  command.name, field.name, text, range_of(field)));
   }
   constexpr std::int64_t kMost = std::numeric_limits<std::int64_t>::max();
   const bool fits = code == std::errc{} && bits <= static_cast<std::uint64_t>(kMost);
@@ -219,28 +218,30 @@ const std::vector<Command>& commands() {
   static const Field control{"control", 16, 0, 0xFFFF};
   static const Field mask{"mask", 16, 0, 0xFFFF};
   static const Field threshold{"threshold", 16, 0, kCoefficient};
+  static const Field position{"position", 32, -kReach, kReach - 1};
+  static const Field distance{"distance", 32, -kReach, kReach - 1};
   static const Reply counts{32, "counts"};
   static const std::vector<Command> all{
-      {"RESET", "as a low RST; then waits 1.5 ms", Op::kReset},
+      {"RESET", "like a low RST; then waits 1.5 ms", Op::kReset},
       {"PORT8", "output of 8 bits", Op::kPort8},
       {"PORT12", "output of 12 bits", Op::kPort12, {}, {}, kConverterHelp},
-      {"DFH", "here is position 0", Op::kDfh},
+      {"DFH", "define the present position as 0", Op::kDfh},
       {"SIP", "take the position at the next index pulse", Op::kSip},
       {"LPEI", "position error that interrupts", Op::kLpei, {threshold}},
       {"LPES", "position error that stops the motor", Op::kLpes, {threshold}},
-      {"SBPA", "breakpoint", Op::kSbpa, {{"position", 32, -kReach, kReach - 1}}},
-      {"SBPR", "breakpoint, from the target", Op::kSbpr, {{"distance", 32, -kReach, kReach - 1}}},
+      {"SBPA", "breakpoint", Op::kSbpa, {position}},
+      {"SBPR", "breakpoint, relative to the target", Op::kSbpr, {distance}},
       {"MSKI", "1: this status bit may interrupt", Op::kMski, {mask}, {}, kStatusHelp},
       {"RSTI", "0: clear this status bit; HI goes low", Op::kRsti, {mask}, {}, kStatusHelp},
       {"LFIL", "load the filter", Op::kLfil,
        {control, {"kp", 16, 0, kCoefficient, 8}, {"ki", 16, 0, kCoefficient, 4},
         {"kd", 16, 0, kCoefficient, 2}, {"il", 16, 0, kCoefficient, 1}}, {}, kFilterHelp},
-      {"UDF", "use the filter that was loaded", Op::kUdf},
+      {"UDF", "use the loaded filter", Op::kUdf},
       {"LTRJ", "load a trajectory", Op::kLtrj,
        {control, {"acceleration", 32, 0, kRate, 0x20, "acceleration"},
         {"velocity", 32, 0, kRate, 0x08, "velocity"},
         {"position", 32, -kReach, kReach - 1, 0x02, "distance"}}, {}, kTrajectoryHelp},
-      {"STT", "start what was loaded", Op::kStt},
+      {"STT", "start the loaded trajectory", Op::kStt},
       {"RDSTAT", "status byte", {}, {}, {8}, kStatusHelp, Action::kRead},
       {"RDSIGS", "signals register", Op::kRdsigs, {}, {16}},
       {"RDIP", "index position", Op::kRdip, {}, counts},
@@ -258,7 +259,7 @@ const std::vector<Command>& commands() {
        "time | hi [time] | complete [time]"},
       {"status", "status byte and signals, by name", {}, {}, {}, kStatusHelp, Action::kStatus},
       {"pins", "HI, encoder, converter, and the motor behind them", {}, {}, {}, "", Action::kPins},
-      {"help", "this, or all of one", {}, {}, {}, "", Action::kHelp, {}, "[mnemonic]"},
+      {"help", "all commands, or one in detail", {}, {}, {}, "", Action::kHelp, {}, "[mnemonic]"},
       {"quit", "end", {}, {}, {}, "", Action::kQuit},
       {"exit", "end", {}, {}, {}, "", Action::kQuit}};
   return all;

@@ -78,7 +78,7 @@ void Shell::check_assertions() const {
   }
 }
 
-// Throws when there is no more time, or no wish to go on.
+// Throws when simulated time is up, or the user interrupts.
 void Shell::go_on() const {
   check_assertions();
   if (stop_.load(std::memory_order_relaxed)) {
@@ -203,8 +203,8 @@ void Shell::wait(const Line& line, Answer& answer) {
   answer.text = fmt::format("{}: after {:.6f} s\n", line.text, waited);
 }
 
-// Both registers as a table: 8 rows of a status bit and two signals. The part has ended what was
-// before.
+// Both registers as a table: 8 rows of a status bit and two signals. First the part finishes the
+// command before.
 void Shell::tell_status(Answer& answer) {
   pass(clocks(kLongestBusy));
   const std::uint32_t status = bus_.read(map::kCommand);
