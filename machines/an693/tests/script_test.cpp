@@ -23,11 +23,9 @@ Line parsed(const std::string& text) {
   return *line;
 }
 
-std::vector<std::int64_t> values(const std::string& text) {
-  std::vector<std::int64_t> all;
-  for (const Value& one : parsed(text).values) all.push_back(one.value);
-  return all;
-}
+using Words = std::vector<std::uint32_t>;
+
+Words words(const std::string& text) { return parsed(text).words; }
 
 std::string refusal(const std::string& text) {
   try {
@@ -57,12 +55,12 @@ TEST_CASE("commands are the mnemonics of the data sheet in any case, and have it
 }
 
 TEST_CASE("numbers are decimal or hexadecimal, and of a signed width a pattern too") {
-  CHECK(values("SBPA 80000") == std::vector<std::int64_t>{80000});
-  CHECK(values("SBPA -10") == std::vector<std::int64_t>{-10});
-  CHECK(values("SBPA -0xA") == std::vector<std::int64_t>{-10});
-  CHECK(values("SBPA FFFFFFF6h") == std::vector<std::int64_t>{-10});
-  CHECK(values("SBPA 0x3fffffff") == std::vector<std::int64_t>{0x3FFFFFFF});
-  CHECK(values("SBPA C0000000h") == std::vector<std::int64_t>{-(1 << 30)});
+  CHECK(words("SBPA 80000") == Words{1, 80000 - 65536});
+  CHECK(words("SBPA -10") == Words{0xFFFF, 0xFFF6});
+  CHECK(words("SBPA -0xA") == Words{0xFFFF, 0xFFF6});
+  CHECK(words("SBPA FFFFFFF6h") == Words{0xFFFF, 0xFFF6});
+  CHECK(words("SBPA 0x3fffffff") == Words{0x3FFF, 0xFFFF});
+  CHECK(words("SBPA C0000000h") == Words{0xC000, 0});
   CHECK_THAT(refusal("SBPA 80000001h"), Contains("move.lm628:1: SBPA: position: 80000001h is out"));
   CHECK_THAT(refusal("SBPA 40000000h"), Contains("-1073741824..1073741823 (C0000000h..3FFFFFFFh)"));
   for (const char* word : {"12a", "h", "0x", "-", "1.5", "--1", "99999999999999999999x"}) {
@@ -73,11 +71,9 @@ TEST_CASE("numbers are decimal or hexadecimal, and of a signed width a pattern t
 }
 
 TEST_CASE("LFIL takes what its control word asks for, in the part's order and width") {
-  CHECK(values("LFIL 030Fh 50 5 1000 32767") ==
-        std::vector<std::int64_t>{0x30F, 50, 5, 1000, 32767});
-  CHECK(values("LFIL 0009h 50 7") == std::vector<std::int64_t>{9, 50, 7});
-  CHECK(values("LFIL 0") == std::vector<std::int64_t>{0});
-  for (const Value& value : parsed("LFIL 000Fh 1 2 3 4").values) CHECK(value.bits == 16);
+  CHECK(words("LFIL 030Fh 50 5 1000 32767") == Words{0x30F, 50, 5, 1000, 32767});
+  CHECK(words("LFIL 0009h 50 7") == Words{9, 50, 7});
+  CHECK(words("LFIL 0") == Words{0});
   CHECK(refusal("\nLFIL 000Ah 50") ==
         "move.lm628:2: LFIL 000Ah asks for kp 0..32767 (7FFFh), kd 0..32767 (7FFFh): "
         "2 values, not 1");
@@ -91,14 +87,12 @@ TEST_CASE("LFIL takes what its control word asks for, in the part's order and wi
 }
 
 TEST_CASE("LTRJ takes what its control word asks for; relative values may be negative") {
-  CHECK(values("LTRJ 002Ah 2 346Eh 8000") == std::vector<std::int64_t>{0x2A, 2, 0x346E, 8000});
-  CHECK(values("LTRJ 003Fh -2 -1 -8000") == std::vector<std::int64_t>{0x3F, -2, -1, -8000});
-  const Line line = parsed("LTRJ 0002h FFFFE0C0h");
-  CHECK(line.values[0].bits == 16);
-  CHECK(line.values[1].bits == 32);
-  CHECK(line.values[1].value == -8000);
-  CHECK(values("LTRJ 0100h") == std::vector<std::int64_t>{0x100});
-  CHECK(values("LTRJ 1815h") == std::vector<std::int64_t>{0x1815});  // relative, but nothing loaded
+  CHECK(words("LTRJ 002Ah 2 346Eh 8000") == Words{0x2A, 0, 2, 0, 0x346E, 0, 8000});
+  CHECK(words("LTRJ 003Fh -2 -1 -8000") ==
+        Words{0x3F, 0xFFFF, 0xFFFE, 0xFFFF, 0xFFFF, 0xFFFF, 0xE0C0});
+  CHECK(words("LTRJ 0002h FFFFE0C0h") == Words{2, 0xFFFF, 0xE0C0});
+  CHECK(words("LTRJ 0100h") == Words{0x100});
+  CHECK(words("LTRJ 1815h") == Words{0x1815});  // relative, but nothing loaded
   CHECK_THAT(refusal("LTRJ 002Ah 2 3"),
              Contains("LTRJ 002Ah asks for acceleration 0..1073741823 (") &&
                  Contains("3 values, not 2"));
@@ -110,9 +104,9 @@ TEST_CASE("LTRJ takes what its control word asks for; relative values may be neg
 }
 
 TEST_CASE("the other commands take one number or none") {
-  CHECK(values("LPES 7FFFh") == std::vector<std::int64_t>{0x7FFF});
-  CHECK(values("MSKI 0040h") == std::vector<std::int64_t>{0x40});
-  CHECK(values("byte d 255") == std::vector<std::int64_t>{255});
+  CHECK(words("LPES 7FFFh") == Words{0x7FFF});
+  CHECK(words("MSKI 0040h") == Words{0x40});
+  CHECK(words("byte d 255") == Words{255});
   CHECK(parsed("byte d 255").choice == "d");
   CHECK(parsed("READ C").choice == "c");
   CHECK_THAT(refusal("LPEI 8000h"), Contains("LPEI: threshold: 8000h is out of range"));
@@ -158,12 +152,12 @@ TEST_CASE("help tells of all words, or of one") {
 }
 
 TEST_CASE("what may stand at a place is completed, in the case in which it was begun") {
-  using Words = std::vector<std::string>;
-  CHECK(completions("", "RDS") == Words{"RDSTAT", "RDSIGS", "RDSUM"});
-  CHECK(completions("", "port1") == Words{"port12"});
-  CHECK(completions("Help ", "wa") == Words{"wait"});
-  CHECK(completions("wait ", "") == Words{"hi", "complete"});
-  CHECK(completions("read ", "D") == Words{"d"});
+  using Names = std::vector<std::string>;
+  CHECK(completions("", "RDS") == Names{"RDSTAT", "RDSIGS", "RDSUM"});
+  CHECK(completions("", "port1") == Names{"port12"});
+  CHECK(completions("Help ", "wa") == Names{"wait"});
+  CHECK(completions("wait ", "") == Names{"hi", "complete"});
+  CHECK(completions("read ", "D") == Names{"d"});
   CHECK(completions("", "").size() == commands().size());
   CHECK(completions("RDRP ", "").empty());
 }

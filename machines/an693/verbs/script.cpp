@@ -67,7 +67,7 @@ std::string range_of(const Field& f) {
   return fmt::format("{}..{} ({}{})", f.low, f.high, low, hex(f.high, f.bits));
 }
 
-Value value_of(const Command& command, const Field& field, const std::string& text) {
+std::int64_t value_of(const Command& command, const Field& field, const std::string& text) {
   const bool negative = text.front() == '-';
   std::string digits = lower(text.substr(negative ? 1 : 0));
   int base = 10;
@@ -98,7 +98,7 @@ Value value_of(const Command& command, const Field& field, const std::string& te
     throw ConfigError(fmt::format("{}: {}: {} is out of range {}", command.name, field.name, text,
                                   range_of(field)));
   }
-  return {value, field.bits};
+  return value;
 }
 
 // What a control word asks for, itself included.
@@ -115,7 +115,7 @@ std::vector<Field> asked_for(const std::vector<Field>& fields, std::int64_t cont
   return asked;
 }
 
-void read_values(Line& line, const std::vector<std::string>& data) {
+void read_data(Line& line, const std::vector<std::string>& data) {
   const Command& command = *line.command;
   std::vector<Field> fields = command.fields;
   std::string asks = command.name;
@@ -125,9 +125,9 @@ void read_values(Line& line, const std::vector<std::string>& data) {
   }
   std::size_t first = 0;  // behind the control word
   if (fields.size() > 1) {
-    const Value control = value_of(command, fields[0], data[0]);
-    asks += ' ' + hex(control.value, control.bits);
-    fields = asked_for(fields, control.value);
+    const std::int64_t control = value_of(command, fields[0], data[0]);
+    asks += ' ' + hex(control, 16);
+    fields = asked_for(fields, control);
     first = 1;
   }
   if (data.size() != fields.size()) {
@@ -141,7 +141,9 @@ void read_values(Line& line, const std::vector<std::string>& data) {
                                   data.size() - first));
   }
   for (std::size_t k = 0; k < data.size(); ++k) {
-    line.values.push_back(value_of(command, fields[k], data[k]));
+    const auto value = static_cast<std::uint32_t>(value_of(command, fields[k], data[k]));
+    if (fields[k].bits == 32) line.words.push_back(value >> 16);
+    line.words.push_back(value & 0xFFFF);
   }
 }
 
@@ -205,7 +207,7 @@ void read_line(Line& line, std::vector<std::string> data) {
     throw ConfigError(fmt::format("{}: expects c (PS low: command, status) or d (PS high: data)",
                                   command.name));
   }
-  read_values(line, data);
+  read_data(line, data);
 }
 
 }  // namespace

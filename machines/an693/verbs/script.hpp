@@ -59,21 +59,16 @@ struct Command {
 // All that the script, the shell, completion and help know.
 const std::vector<Command>& commands();
 
-struct Value {
-  std::int64_t value = 0;
-  int bits = 16;
-};
-
 inline constexpr double kLongestWait = 60;  // [s] simulated, unless a script says otherwise
 
 struct Line {
   const Command* command = nullptr;
-  std::string choice;               // one of the command's, or empty
-  std::vector<Value> values;        // data in the order in which the part takes them
-  double seconds = kLongestWait;    // kWait: how long, or how long at most
-  const Command* topic = nullptr;   // kHelp: one command; none: all
-  std::string text;                 // as it was written
-  std::string where;                // "file:line", for messages
+  std::string choice;                // one of the command's, or empty
+  std::vector<std::uint32_t> words;  // data as the part takes them, of 16 bits each; or a byte
+  double seconds = kLongestWait;     // kWait: how long, or how long at most
+  const Command* topic = nullptr;    // kHelp: one command; none: all
+  std::string text;                  // as it was written
+  std::string where;                 // "file:line", for messages
 };
 
 // One line; nothing where it holds no command. Throws lab::ConfigError, which begins with `where`.

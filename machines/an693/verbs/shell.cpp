@@ -106,9 +106,7 @@ Answer Shell::execute(const Line& line) {
     switch (line.command->action) {
       case Action::kCommand: command(line, answer); break;
       case Action::kRead: tell(*line.command, bus_.read(address(line)), answer); break;
-      case Action::kWrite:
-        bus_.write(address(line), static_cast<std::uint32_t>(line.values[0].value));
-        break;
+      case Action::kWrite: bus_.write(address(line), line.words[0]); break;
       case Action::kReset:
         strobe_reset();
         pass(kResetClk);
@@ -132,13 +130,7 @@ void Shell::command(const Line& line, Answer& answer) {
   const Command& command = *line.command;
   sw::Lm628Port port(bus_);
   port.command(command.opcode);
-  for (const Value& data : line.values) {
-    if (data.bits == 16) {
-      port.word(static_cast<std::uint32_t>(data.value));
-    } else {
-      port.long_word(static_cast<std::int32_t>(data.value));
-    }
-  }
+  for (const std::uint32_t word : line.words) port.word(word);
   std::uint32_t reply = command.reply.bits > 0 ? port.read_word() : 0;
   if (command.reply.bits == 32) reply = reply << 16 | port.read_word();
   check(port);
