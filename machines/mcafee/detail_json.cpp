@@ -54,6 +54,7 @@ void check_detail(const std::filesystem::path& file, const Json& d) {
 }  // namespace
 
 Json tracking_json(const lab::Record& record) {
+  if (!options_of(record).tracks()) return {};
   const Table& table = result_of(record).table;
   const PointMm origin = Path(options_of(record).path).at(0);
   Json rows = Json::array();
@@ -75,9 +76,9 @@ Json tracking_json(const lab::Record& record) {
 
 // table.csv, the rows of the path; contours.csv, the contour errors of all runs over time.
 void write_tables(const lab::Record& record, const std::filesystem::path& folder) {
-  if (!options_of(record).tracks()) return;
-  lab::write_text(folder / "table.csv", table_csv(result_of(record).table));
   const Json detail = tracking_json(record);
+  if (detail.is_null()) return;
+  lab::write_text(folder / "table.csv", table_csv(result_of(record).table));
   const Json& runs = detail["contours"];
   const double step_s = detail["contour_step_s"];
   std::string text = "t_s";

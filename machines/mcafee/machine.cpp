@@ -65,9 +65,7 @@ lab::Machine describe() {
     return options.speed == 0 ? std::string("self-paced") : name_of(options.speed);
   };
   m.metrics = add_metrics;
-  m.detail = [](const lab::Record& record) {
-    return options_of(record).tracks() ? tracking_json(record) : nlohmann::ordered_json();
-  };
+  m.detail = tracking_json;
   m.files = write_tables;
   m.drawn = [](const lab::Record& record) {
     const Result& result = result_of(record);

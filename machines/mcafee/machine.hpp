@@ -21,7 +21,7 @@ const cosim::TriggerForms& triggers();  // machine.cpp
 // The table of a path. Throws lab::ConfigError for one that cannot be followed.
 Table table_of(const Options& options);
 
-// detail_json.cpp: detail.json of a run that tracks, its tables, and what its page needs.
+// detail_json.cpp: detail.json of a run that tracks (else null), its tables, and its page.
 nlohmann::ordered_json tracking_json(const lab::Record& record);
 void write_tables(const lab::Record& record, const std::filesystem::path& folder);
 lab::Page page();

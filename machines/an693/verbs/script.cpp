@@ -61,7 +61,7 @@ std::string printable(std::string word) {
   return word.size() > kMost ? word.substr(0, kMost) + "..." : word;
 }
 
-// "kp 0..32767 (7FFFh)"
+// "0..32767 (7FFFh)"
 std::string range_of(const Field& f) {
   const std::string low = f.low < 0 ? hex(f.low, f.bits) + ".." : "";
   return fmt::format("{}..{} ({}{})", f.low, f.high, low, hex(f.high, f.bits));

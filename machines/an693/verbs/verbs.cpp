@@ -67,16 +67,18 @@ void converse(Shell& shell, const ReadLine& read_line, std::atomic<bool>& stop, 
       fmt::print("\n");
       continue;
     }
-    try {  // a stop that came right behind the line ends what it asks
+    try {  // a stop that comes right after the line ends what the line asks for
       const auto line = parse_line(*text, "lm628");
       if (line && !execute(shell, *line, all)) return;
-    } catch (const std::runtime_error& error) {  // a mistake, or a Halt
+    } catch (const ConfigError& error) {
       tell(error.what());
+    } catch (const Halt& halt) {
+      tell(halt.what());
     }
   }
 }
 
-// Nobody knows beforehand when an event comes, and there is no second run.
+// The time of an event is not known in advance, and a script is not run twice.
 void check_script_waves(const cosim::RunBasics& run, const std::string& out) {
   if (run.wave == cosim::WaveFormat::kNone) return;
   if (out.empty()) throw ConfigError("lm628: --wave: needs a folder for the waves (-o)");
@@ -190,12 +192,12 @@ int lm628_shell(const testbench::Arguments& arguments, std::atomic<bool>& stop,
 std::vector<testbench::Verb> verbs() {
   testbench::Verb verb;
   verb.name = "lm628";
-  verb.help = "the commands of an LM628 with its motor: a script, or a conversation";
+  verb.help = "send commands to an LM628 with its motor, from a script or typed at a prompt";
   verb.argument = "script";
   verb.argument_help =
-      "built-in name, file, or - for standard input; none on a terminal: a conversation, in which "
-      "`help` names the commands";
-  verb.out_help = "write what `trammel run` writes into this folder, and script.lm628";
+      "built-in name, file, or - for standard input; none on a terminal: a prompt, at which `help` "
+      "names the commands";
+  verb.out_help = "folder for the files that `trammel run` writes, and script.lm628";
   verb.simulates = true;
   verb.trigger_help = "at TIME";  // a script runs once, so that no event is known before
   verb.is_conversation = is_conversation;
