@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "machines/an693/figures.hpp"
-
+//
+// What a run of the machine an693 is judged by, and the columns of its trace.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "machines/an693/machine.hpp"
 #include "parts/lm628/columns.hpp"
@@ -12,58 +13,68 @@
 namespace trammel::an693 {
 namespace {
 
-constexpr double kSettledBand = 2.5;  // [count] that a step settles to
+// Samples are counted from the first in which the desired position moves, that being 1.
+struct Motion {
+  std::int64_t samples = 0;    // until the desired position stood for good
+  double overshoot_counts = 0; // beyond the desired position, in the direction of motion
+  double settled_s = 0;        // from the first motion until within the band, for good or until
+                               // the next
+};
 
-}  // namespace
-
-double shaft_counts(const Options& options, const Sample& s) {
-  return s.theta / plant::MotorAxis::kTurn * options.plant.counts;
-}
-
-Metrics evaluate(const Options& options, const Result& result) {
-  Metrics m;
+// Also puts the interrupts into the result.
+Motion motion_of(const Options& options, Result& result) {
+  constexpr double kSettledBand = 2.5;  // [count]
+  Motion m;
   std::int64_t sample = 0, before = 0;
   int direction = 0;
   bool irq = false, first = true;
+  result.interrupts.clear();
   for (const Sample& s : result.samples) {
     const lm628::Words& w = s.words;
-    // The desired position follows the real one.
+    // With the motor off, the desired position follows the real one.
     const bool off = (w.status & sw::lm628_status::kMotorOff) != 0;
     const bool moves = !off && w.position != before;
     if (sample > 0 || moves) ++sample;
     if (moves) {
-      first = first && (m.moving_samples == 0 || sample == m.moving_samples + 1);
-      m.moving_samples = sample;
+      first = first && (m.samples == 0 || sample == m.samples + 1);
+      m.samples = sample;
       direction = w.position > before ? 1 : -1;
     }
     before = w.position;
-    const double beyond =
-        (shaft_counts(options, s) - static_cast<double>(w.position) / lm628::kPerCount) * direction;
+    const double desired = static_cast<double>(w.position) / lm628::kPerCount;
+    const double beyond = (shaft_counts(options, s.theta) - desired) * direction;
     // A step moves the desired position within one sample: what counts is where the shaft goes.
     if (sample > 0 && !off) m.overshoot_counts = std::max(m.overshoot_counts, beyond);
     if (first && std::fabs(beyond) > kSettledBand) {
       m.settled_s = static_cast<double>(sample) * kSampleS;
     }
     if (s.host_irq && !irq) {
-      m.interrupts.push_back(
+      result.interrupts.push_back(
           {sample, lab::seconds_of(s.edge), w.position >> 16, w.actual, w.status});
     }
     irq = s.host_irq;
-    m.max_error_counts = std::max<std::int64_t>(m.max_error_counts, std::abs(w.error));
-    m.max_speed_rev_s = std::max(m.max_speed_rev_s, std::fabs(s.omega) / plant::MotorAxis::kTurn);
-    m.max_voltage_V = std::max(m.max_voltage_V, std::fabs(s.volt));
-    m.max_current_A = std::max(m.max_current_A, std::fabs(s.i));
   }
-  m.moving_s = static_cast<double>(m.moving_samples) * kSampleS;
   return m;
+}
+
+}  // namespace
+
+double shaft_counts(const Options& options, double theta) {
+  return theta / plant::MotorAxis::kTurn * options.plant.counts;
 }
 
 std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult& run) {
   const auto& options = static_cast<const Options&>(settings);
   auto& result = static_cast<Result&>(run);
-  const Metrics m = evaluate(options, result);
-  result.interrupts = m.interrupts;
+  const Motion m = motion_of(options, result);
   const bool done = result.end == cosim::EndReason::kDone;
+  const auto largest = [&](auto get) {
+    double most = 0;
+    for (const Sample& s : result.samples) {
+      most = std::max(most, std::fabs(static_cast<double>(std::invoke(get, s))));
+    }
+    return most;
+  };
   std::vector<lab::Figure> list;
   const auto add = [&list](lab::Figure f, const char* tile = "", bool shown = true) {
     f.tile = tile;
@@ -72,8 +83,9 @@ std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult
   };
   using lab::count;
   using lab::figure;
-  add(count("motion.samples", "motion", "", static_cast<double>(m.moving_samples), "samples"));
-  add(figure("motion.time_s", "motion", "", m.moving_s, "s", 4), "Motion");
+  const auto samples = static_cast<double>(m.samples);
+  add(count("motion.samples", "motion", "", samples, "samples"));
+  add(figure("motion.time_s", "motion", "", samples * kSampleS, "s", 4), "Motion");
   add(count("motion.desired_count", "end position", "desired", result.desired, "counts"), "", done);
   add(count("motion.real_count", "end position", "real", result.real, "counts"), "Real position",
       done);
@@ -82,13 +94,15 @@ std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult
   add(figure("motion.settled_s", "first step settled", "", m.settled_s, "s", 4), "",
       options.program == sw::An693Program::kTuning);
   add(count("motion.max_error_counts", "largest error", "",
-            static_cast<double>(m.max_error_counts), "counts"),
+            largest([](const Sample& s) { return s.words.error; }), "counts"),
       "Largest error");
-  add(figure("motion.max_speed_rev_s", "largest speed", "", m.max_speed_rev_s, "rev/s"),
-      "Top speed");
-  add(figure("motion.max_voltage_V", "largest voltage", "", m.max_voltage_V, "V", 2));
-  add(figure("motion.max_current_A", "largest current", "", m.max_current_A, "A"), "Peak current");
-  add(count("motion.interrupts", "host interrupts", "", static_cast<double>(m.interrupts.size())));
+  add(figure("motion.max_speed_rev_s", "largest speed", "",
+             largest(&Sample::omega) / plant::MotorAxis::kTurn, "rev/s"), "Top speed");
+  add(figure("motion.max_voltage_V", "largest voltage", "", largest(&Sample::volt), "V", 2));
+  add(figure("motion.max_current_A", "largest current", "", largest(&Sample::i), "A"),
+      "Peak current");
+  add(count("motion.interrupts", "host interrupts", "",
+            static_cast<double>(result.interrupts.size())));
   return list;
 }
 
@@ -129,7 +143,7 @@ const lab::ColumnTable& columns() {
           [](const At& at) { return lab::seconds_of(at.sample.edge); });
     lm628::add_trajectory(t, "", words, false);
     t.add({"theta_count", "count", 1e-3, fixed(4), "true angle of the shaft", true},
-          [](const At& at) { return shaft_counts(at.options, at.sample); });
+          [](const At& at) { return shaft_counts(at.options, at.sample.theta); });
     lm628::add_filter_words(t, "", words, [](const At& at) { return at.sample.host_irq; }, true);
     t.add({"omega_rad_s", "rad/s", 1e-4, general(7), "true speed of the shaft", true},
           [](const At& at) { return at.sample.omega; });

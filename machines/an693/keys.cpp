@@ -21,12 +21,7 @@ const std::vector<lab::Key>& keys() {
     lab::KeyTable<Options> t(machine().name);
     t.names();
     t.text("program", "example of AN-693", TRAMMEL_LENS(program));
-    t.platform_and_clocks();
-    t.window();
-    t.longest_run();
-    t.one("run.diverged_counts", 1, 32767, "position error that ends the run as diverged",
-          TRAMMEL_LENS(diverged_counts));
-    t.waves("the first drive", "see docs/waves.md");
+    lm628::add_run(t);
     lm628::add_filter(t);
     t.one("trajectory.acceleration", 0, kWord, "2^-16 count/sample^2", TRAMMEL_LENS(acceleration));
     t.one("trajectory.velocity", 0, kWord, "2^-16 count/sample; of breakpoints the first speed",

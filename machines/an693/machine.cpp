@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-
 #include "machines/an693/session.hpp"
 #include "parts/lm628/columns.hpp"
 #include "parts/lm628/motor.hpp"
@@ -16,7 +15,7 @@ void validate(lab::Settings& settings) {
   const auto& options = static_cast<const Options&>(settings);
   lm628::check_motor(options.plant.motor);
   if (options.plant.counts % 4 != 0) {
-    throw lab::ConfigError(fmt::format("encoder.counts: value {} is no multiple of 4",
+    throw lab::ConfigError(fmt::format("encoder.counts: value {} is not a multiple of 4",
                                        options.plant.counts));
   }
 }

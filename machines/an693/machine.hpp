@@ -17,6 +17,7 @@ const lab::ColumnTable& columns();      // figures.cpp, as all that follow
 std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult& result);
 void add_metrics(const lab::Record& record, nlohmann::ordered_json& json);
 std::vector<std::string> remarks(const lab::Record& record);
+double shaft_counts(const Options& options, double theta);  // of the true angle [rad]
 
 const cosim::TriggerForms& triggers();  // machine.cpp
 

@@ -34,49 +34,36 @@
   function motionSection(run) {
     const s = run.series;
     const d = run.data;
-    const { line } = T.lm628;
+    const { line, pair } = T.lm628;
     const section = T.section('motion', 'Motion', T.zoomLead(T.time.marks.length > 0 &&
       'Dashed: the part interrupts its host.'));
     section.append(T.timePlot({ id: 'position', title: 'Position', yLabel: 'position (counts)',
       tall: 290, print: 'wide', series: [
-        line('desired', s.desired_count, 'asked', 'counts', 1, { width: 4 }),
-        line('shaft', d.position, 'actual', 'counts', 1),
+        ...pair('shaft', 'counts', 1, s.desired_count, d.position, 4),
         line('real, as counted', s.real_count, 'model', 'counts', 0, { hidden: true,
           steps: true })] }),
     T.el('div', { class: 'grid two' },
-      T.timePlot({ id: 'speed', title: 'Speed', yLabel: 'speed (rev/s)', series: [
-        line('desired', d.asked, 'asked', 'rev/s', 3, { width: 3 }),
-        line('shaft', d.speed, 'actual', 'rev/s', 3)] }),
+      T.timePlot({ id: 'speed', title: 'Speed', yLabel: 'speed (rev/s)', series: pair('shaft',
+        'rev/s', 3, d.asked, d.speed) }),
       T.lm628.errorPlot(s, '')));
   }
 
   function filterSection(run) {
     const s = run.series;
-    const section = T.section('filter', 'Filter', 'What each sample adds up: the output has 16 ' +
-      'bits, of which the converter gets the upper 12; the motor answers.');
+    const section = T.section('filter', 'Filter', 'The terms of each sample: the output has 16 ' +
+      'bits, of which the converter gets the upper 12; then what the motor does.');
     section.append(T.lm628.termsPlot(s, '', 'wide'), T.el('div', { class: 'grid two' },
       T.lm628.voltagePlot(s, ''), T.lm628.currentPlot(s, '')));
   }
 
-  function interruptTable(m) {
-    if (m.interrupts.length === 0) return T.el('p', {}, 'The part never interrupted.');
-    return T.el('div', { class: 'scroll' }, T.table(['Interrupt', 'sample', 'time (s)',
-      'desired (counts)', 'real (counts)', T.el('th', { class: 'text' }, 'status')],
-    m.interrupts.map((one, k) => [k + 1, one.sample === 0 ? 'before the motion' :
-      T.whole(one.sample), T.num(one.time_s, 5),
-      T.whole(one.desired_count), T.whole(one.real_count), T.el('td', { class: 'text' },
-        T.lm628.bitsText(one.status))])));
-  }
-
   function scriptCard(m) {
+    const { text } = T.lm628;
     const reply = (one) => [one.hex || '', one.bits || (one.value === undefined ? ''
       : `${one.value} ${one.unit || ''}`), one.waited_s === undefined ? ''
       : `after ${T.num(one.waited_s, 6)} s`].filter(Boolean).join('  ');
-    return T.el('div', { class: 'card long' }, T.el('div', { class: 'scroll' }, T.table(['Time (s)',
-      T.el('th', { class: 'text' }, 'command'), T.el('th', { class: 'text' }, 'answer')],
-    m.script.map((one) => T.el('tr', {}, T.el('th', {}, T.num(one.time_s, 6)),
-      T.el('td', { class: 'text' }, T.el('code', {}, one.line)),
-      T.el('td', { class: 'text' }, reply(one)))))));
+    return T.el('div', { class: 'card long' }, T.lm628.table(['Time (s)', text('command', 'th'),
+      text('answer', 'th')], m.script.map((one) => [T.num(one.time_s, 6), text(T.el('code', {},
+      one.line)), text(reply(one))])));
   }
 
   function sections(run) {
@@ -88,7 +75,8 @@
       filterSection(run);
       T.section('status', 'Status', '').append(T.lm628.statusPlot(run, '', [],
         'and the pin that interrupts the host'), T.el('div', { class: 'card' },
-      interruptTable(m)));
+      m.interrupts.length > 0 ? T.lm628.eventTable('Interrupt', m.interrupts)
+        : T.el('p', {}, 'The part never interrupted.')));
     }
     if (m.script) {
       T.section('script', 'Script', 'Simulated time at the end of each line, from the start of ' +

@@ -1,103 +1,99 @@
 // SPDX-License-Identifier: Apache-2.0
+//
+// What the page of a run that tracks needs beyond its trace: detail.json, with the rows of its
+// table and the contour errors of all runs; and the same as CSV, for the pictures.
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "lab/files.hpp"
 #include "lab/report_data.hpp"
 #include "machines/mcafee/machine.hpp"
 
 namespace trammel::mcafee {
 namespace {
 
-using lab::corrupt;
-using lab::is_list;
 using lab::Json;
-using lab::require_member;
-using lab::RunFolder;
 
 constexpr std::size_t kMostContour = 6000;  // of the longest run's contour error
 
-double rounded(double mm) { return std::round(mm * 1e5) / 1e5; }
-
-// Corners of the rows as the parts are told them, in the table's coordinates.
-Json rows_json(const Options& options, const Table& table) {
-  const PointMm origin = Path(options.path).at(0);
-  Json json{{"row_mm", table.row_mm}};
-  for (const char* name : {"x_mm", "y_mm", "c", "cc", "vx", "vy"}) json[name] = Json::array();
-  int x = 0, y = 0;
-  const auto corner = [&] {
-    json["x_mm"].push_back(rounded(origin.x + x * options.count_mm()));
-    json["y_mm"].push_back(rounded(origin.y + y * options.count_mm()));
-  };
-  corner();
-  for (const sw::McafeeRow& row : table.rows) {
-    x += row.dx;
-    y += row.dy;
-    corner();
-    json["c"].push_back(row.c);
-    json["cc"].push_back(row.cc);
-    json["vx"].push_back(row.vx);
-    json["vy"].push_back(row.vy);
+// The largest of each `stride` contour errors from the first row on, to 1e-5 mm.
+Json contour_json(const Result& result, std::size_t stride) {
+  Json values = Json::array();
+  const auto& all = result.contour_mm;
+  for (std::size_t k = result.first; k < all.size(); k += stride) {
+    double worst = 0;
+    for (std::size_t n = k; n < std::min(all.size(), k + stride); ++n) {
+      worst = std::max(worst, all[n]);
+    }
+    values.push_back(std::round(worst * 1e5) / 1e5);
   }
-  return json;
+  return values;
 }
 
-bool is_figure(const Json& json) { return json.is_number(); }
+bool is_number(const Json& json) { return json.is_number(); }
 
 void check_detail(const std::filesystem::path& file, const Json& d) {
-  require_member(file, d, "/rows/c", &Json::is_array);
-  require_member(file, d, "/contour_step_s", &Json::is_number);
-  require_member(file, d, "/contours", &Json::is_array);
-  const std::size_t rows = d["rows"]["c"].size();
-  for (const char* name : {"c", "cc", "vx", "vy", "x_mm", "y_mm"}) {
-    const std::size_t values = rows + (std::string(name).find("_mm") == std::string::npos ? 0 : 1);
-    const std::string path = std::string("/rows/") + name;
-    require_member(file, d, path, &Json::is_array);
-    if (rows == 0 || !is_list(d.at(Json::json_pointer(path)), values, is_figure)) {
-      corrupt(file, fmt::format("is corrupt: {} does not hold {} numbers", path, values));
-    }
-  }
-  const auto run = [](const Json& one) {
-    return one.is_object() && one.contains("name") && one["name"].is_string() &&
-           one.contains("mm") && is_list(one["mm"], 0, is_figure);
+  lab::require_member(file, d, "/contour_step_s", &Json::is_number);
+  lab::require_member(file, d, "/row_mm", &Json::is_number);
+  const auto check = [&](const char* name, std::size_t size, const char* what, auto each) {
+    lab::require_member(file, d, std::string("/") + name, &Json::is_array);
+    if (!d[name].empty() && lab::is_list(d[name], size, each)) return;
+    lab::corrupt(file, fmt::format("is corrupt: /{} does not hold {}", name, what));
   };
-  if (d["contours"].empty() || !is_list(d["contours"], 0, run)) {
-    corrupt(file, "is corrupt: /contours does not hold names and contour errors");
-  }
-}
-
-void complete(RunFolder& run) {
-  run.first = std::min(run.rows, run.metrics["run"]["first_sample"].get<std::size_t>());
+  check("origin_mm", 2, "two numbers", is_number);
+  check("rows", 0, "rows of six numbers",
+        [](const Json& row) { return lab::is_list(row, 6, is_number); });
+  check("contours", 0, "names and contour errors", [](const Json& one) {
+    return one.is_object() && one.contains("name") && one["name"].is_string() &&
+           one.contains("mm") && lab::is_list(one["mm"], 0, is_number);
+  });
 }
 
 }  // namespace
 
 Json tracking_json(const lab::Record& record) {
-  const std::vector<const lab::Record*> runs = runs_of(record);
+  if (!options_of(record).tracks()) return {};
+  const Table& table = result_of(record).table;
+  const PointMm origin = Path(options_of(record).path).at(0);
+  Json rows = Json::array();
+  for (const sw::McafeeRow& r : table.rows) rows.push_back({r.c, r.cc, r.vx, r.vy, r.dx, r.dy});
+  std::vector<const lab::Record*> runs{&record};
+  for (const lab::Record& beside : record.companions) runs.push_back(&beside);
   std::size_t longest = 1;
   for (const lab::Record* run : runs) {
-    const Result& result = result_of(*run);
-    longest = std::max(longest, result.contour_mm.size() - result.first);
+    longest = std::max(longest, result_of(*run).contour_mm.size() - result_of(*run).first);
   }
   const std::size_t stride = (longest + kMostContour - 1) / kMostContour;
   Json contours = Json::array();
   for (const lab::Record* run : runs) {
-    const Result& result = result_of(*run);
-    const auto& all = result.contour_mm;
-    Json values = Json::array();
-    for (std::size_t k = result.first; k < all.size(); k += stride) {
-      double worst = 0;
-      for (std::size_t n = k; n < std::min(all.size(), k + stride); ++n) {
-        worst = std::max(worst, all[n]);
-      }
-      values.push_back(rounded(worst));
-    }
-    contours.push_back({{"name", run->name}, {"mm", values}});
+    contours.push_back({{"name", run->name}, {"mm", contour_json(result_of(*run), stride)}});
   }
-  return {{"rows", rows_json(options_of(record), result_of(record).table)},
-          {"contour_step_s", static_cast<double>(stride) * kSampleS},
-          {"contours", contours}};
+  return {{"row_mm", table.row_mm}, {"origin_mm", {origin.real(), origin.imag()}}, {"rows", rows},
+          {"contour_step_s", static_cast<double>(stride) * kSampleS}, {"contours", contours}};
+}
+
+// table.csv, the rows of the path; contours.csv, the contour errors of all runs over time.
+void write_tables(const lab::Record& record, const std::filesystem::path& folder) {
+  const Json detail = tracking_json(record);
+  if (detail.is_null()) return;
+  lab::write_text(folder / "table.csv", table_csv(result_of(record).table));
+  const Json& runs = detail["contours"];
+  const double step_s = detail["contour_step_s"];
+  std::string text = "t_s";
+  std::size_t longest = 0;
+  for (const Json& run : runs) {
+    text += ',' + run["name"].get<std::string>();
+    longest = std::max(longest, run["mm"].size());
+  }
+  for (std::size_t k = 0; k < longest; ++k) {
+    text += fmt::format("\n{:.5f}", static_cast<double>(k) * step_s);
+    for (const Json& run : runs) {
+      text += k < run["mm"].size() ? fmt::format(",{}", run["mm"][k].get<double>()) : ",";
+    }
+  }
+  lab::write_text(folder / "contours.csv", text + '\n');
 }
 
 lab::Page page() {
@@ -108,7 +104,9 @@ lab::Page page() {
   page.arrays = {"/events", "/real_count"};
   page.has_detail = [](const Json& metrics) { return metrics["options"]["program"] == "track"; };
   page.check_detail = check_detail;
-  page.complete = complete;
+  page.complete = [](lab::RunFolder& run) {
+    run.first = std::min(run.rows, run.metrics["run"]["first_sample"].get<std::size_t>());
+  };
   return page;
 }
 

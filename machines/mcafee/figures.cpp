@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "machines/mcafee/figures.hpp"
-
+//
+// What a run of the machine mcafee is judged by, and the columns of its trace.
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
 
 #include "machines/mcafee/machine.hpp"
@@ -11,90 +12,92 @@
 namespace trammel::mcafee {
 namespace {
 
-constexpr const char* kSwitches[] = {"low switch", "high switch"};
-
-bool same_target(const Sample& a, const Sample& b) {
-  return a.axis[0].words.position == b.axis[0].words.position &&
-         a.axis[1].words.position == b.axis[1].words.position;
-}
+// Of Stage III from the first row on, of the others from the first motion.
+struct Motion {
+  double time_s = 0;          // until the desired position stood for good
+  double contour_max_mm = 0;  // distance of the table from the path: its largest,
+  double contour_max_s = 0;   // when that was, from the first row on,
+  double contour_rms_mm = 0;  // its root mean square while moving,
+  double contour_end_mm = 0;  // and at the end
+};
 
 // What began with sample k.
-void add_events(std::vector<Event>& events, const Sample& before,
-                const Sample& s, std::size_t k) {
+void add_events(std::vector<Event>& events, const Sample& before, const Sample& s, std::size_t k) {
   for (std::size_t a = 0; a < 2; ++a) {
     const lm628::Words& w = s.axis[a].words;
     const auto add = [&](const std::string& what) {
-      events.push_back({k, lab::seconds_of(s.edge), static_cast<int>(a), what,
-                        w.position >> 16, w.actual, w.status});
+      events.push_back({k, lab::seconds_of(s.edge), static_cast<int>(a), what, w.position >> 16,
+                        w.actual, w.status});
     };
     if (s.axis[a].host_irq && !before.axis[a].host_irq) add("interrupt");
     const unsigned begun = w.status & ~before.axis[a].words.status;
     if ((begun & sw::lm628_status::kMotorOff) != 0) add("motor off");
-    for (std::size_t end = 0; end < 2; ++end) {
-      const unsigned open = s.limits >> (2 * a + end) & 1;
-      if (open == (before.limits >> (2 * a + end) & 1)) continue;
-      add(std::string(kSwitches[end]) + (open != 0 ? " open" : " closed"));
+    for (const auto& [name, bit] : {std::pair{"low switch", 2 * a}, {"high switch", 2 * a + 1}}) {
+      const unsigned open = s.limits >> bit & 1;
+      if (open == (before.limits >> bit & 1)) continue;
+      add(std::string(name) + (open != 0 ? " open" : " closed"));
     }
   }
 }
 
-}  // namespace
-
-Metrics evaluate(const Options& options, Result& result) {
-  Metrics m;
+// Also puts into the result where its motion begins, the events, and the contour errors.
+Motion motion_of(const Options& options, Result& result) {
+  constexpr double kReachMm = 10;  // a path may cross itself
+  Motion m;
   result.first = 0;
   result.events.clear();
   result.contour_mm = {};
-  const bool tracks = options.tracks();
   std::optional<Path> path;
-  if (tracks) path.emplace(options.path);
-  const PointMm origin = tracks ? path->at(0) : PointMm{};
-  constexpr double kReachMm = 10;  // a path may cross itself
+  if (options.tracks()) path.emplace(options.path);
+  const PointMm origin = path ? path->at(0) : PointMm{};
   double squares = 0;
   std::size_t last = 0;
   bool begun = false;
   Sample before;
-  const double count_mm = options.count_mm();
   for (std::size_t k = 0; k < result.samples.size(); ++k) {
     const Sample s = result.samples[k];
-    const bool moves = k > 0 && !same_target(s, before);
+    const bool moves = k > 0 && (s.axis[0].words.position != before.axis[0].words.position ||
+                                 s.axis[1].words.position != before.axis[1].words.position);
     if (k > 0) add_events(result.events, before, s, k);
     before = s;
-    if (!begun && (tracks ? s.row > 0 : moves)) {
+    if (!begun && (path ? s.row > 0 : moves)) {
       begun = true;
       result.first = k;
     }
     if (begun && moves) last = k;
-    if (tracks) {
-      const PointMm at{origin.x + s.axis[0].x_mm, origin.y + s.axis[1].x_mm};
-      const double way = result.table.row_mm * s.row;
-      m.contour_end_mm = path->distance(at, way, kReachMm);
-      result.contour_mm.push_back(m.contour_end_mm);
-      if (m.contour_end_mm > m.contour_max_mm) {
-        m.contour_max_mm = m.contour_end_mm;
-        m.contour_max_s = begun ? static_cast<double>(k - result.first) * kSampleS : 0;
-      }
-      if (begun) squares += m.contour_end_mm * m.contour_end_mm;
+    if (!path) continue;
+    m.contour_end_mm = path->distance(origin + PointMm{s.axis[0].x_mm, s.axis[1].x_mm},
+                                      result.table.row_mm * s.row, kReachMm);
+    result.contour_mm.push_back(m.contour_end_mm);
+    if (m.contour_end_mm > m.contour_max_mm) {
+      m.contour_max_mm = m.contour_end_mm;
+      m.contour_max_s = begun ? static_cast<double>(k - result.first) * kSampleS : 0;
     }
-    for (const AxisSample& a : s.axis) {
-      m.max_error_counts = std::max<std::int64_t>(m.max_error_counts, std::abs(a.words.error));
-      const double speed =
-          std::fabs(static_cast<double>(a.words.speed)) / lm628::kPerCount * count_mm;
-      m.max_desired_mm_s = std::max(m.max_desired_mm_s, speed / kSampleS);
-      m.max_speed_mm_s = std::max(m.max_speed_mm_s, std::fabs(a.mm_s));
-      m.max_current_A = std::max(m.max_current_A, std::fabs(a.i));
-    }
+    if (begun) squares += m.contour_end_mm * m.contour_end_mm;
   }
   const auto moving = result.samples.size() - result.first;
-  if (tracks && moving > 0) m.contour_rms_mm = std::sqrt(squares / static_cast<double>(moving));
-  if (last > result.first) m.moving_s = static_cast<double>(last - result.first) * kSampleS;
+  if (path && moving > 0) m.contour_rms_mm = std::sqrt(squares / static_cast<double>(moving));
+  if (last > result.first) m.time_s = static_cast<double>(last - result.first) * kSampleS;
   return m;
 }
+
+}  // namespace
 
 std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult& run) {
   const auto& options = static_cast<const Options&>(settings);
   auto& result = static_cast<Result&>(run);
-  const Metrics m = evaluate(options, result);
+  const Motion m = motion_of(options, result);
+  const auto largest = [&](auto get) {  // of an axis
+    double most = 0;
+    for (const Sample& s : result.samples) {
+      for (const AxisSample& a : s.axis) {
+        most = std::max(most, std::fabs(static_cast<double>(std::invoke(get, a))));
+      }
+    }
+    return most;
+  };
+  const double desired = largest([](const AxisSample& a) { return a.words.speed; }) /
+                         lm628::kPerCount * options.count_mm() / kSampleS;
   std::vector<lab::Figure> list;
   const auto add = [&list](lab::Figure f, const char* tile = "") {
     f.tile = tile;
@@ -102,7 +105,7 @@ std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult
   };
   using lab::count;
   using lab::figure;
-  add(figure("motion.time_s", "motion", "", m.moving_s, "s"),
+  add(figure("motion.time_s", "motion", "", m.time_s, "s"),
       options.stage == sw::McafeeStage::kRead ? "" : "Time");
   if (options.tracks()) {
     const std::size_t rows = result.samples.empty() ? 0 : result.samples.back().row;
@@ -115,12 +118,12 @@ std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult
     add(figure("motion.contour_end_mm", "contour error", "at the end", m.contour_end_mm, "mm", 4));
   }
   add(count("motion.max_error_counts", "largest error", "",
-            static_cast<double>(m.max_error_counts), "counts"),
+            largest([](const AxisSample& a) { return a.words.error; }), "counts"),
       options.tracks() ? "" : "Largest error");
-  add(figure("motion.max_speed_mm_s", "largest speed", "", m.max_speed_mm_s, "mm/s", 2),
+  add(figure("motion.max_speed_mm_s", "largest speed", "", largest(&AxisSample::mm_s), "mm/s", 2),
       "Top speed");
-  add(figure("motion.max_desired_mm_s", "largest speed", "desired", m.max_desired_mm_s, "mm/s", 2));
-  add(figure("motion.max_current_A", "largest current", "", m.max_current_A, "A", 2),
+  add(figure("motion.max_desired_mm_s", "largest speed", "desired", desired, "mm/s", 2));
+  add(figure("motion.max_current_A", "largest current", "", largest(&AxisSample::i), "A", 2),
       "Peak current");
   add(count("real_count.0", "end position", "X", result.real[0], "counts"),
       options.tracks() ? "" : "X at the end");

@@ -27,24 +27,18 @@ const std::vector<lab::Key>& keys() {
     t.text("program", "stage I, II or III", TRAMMEL_LENS(stage));
     t.text("compare", "also track at constant speeds, 254 and the least one",
            TRAMMEL_LENS(compare));
-    t.platform_and_clocks();
-    t.window();
-    t.longest_run();
-    t.one("run.diverged_counts", 1, 32767, "position error that ends the run as diverged",
-          TRAMMEL_LENS(diverged_counts));
-    t.waves("the first drive", "see docs/waves.md");
-    t.text("path.kind", "shape", TRAMMEL_LENS(path.kind));
-    t.one("path.side_mm", 1, 600, "of the square, an edge of the star, a leg of the corner",
-          TRAMMEL_LENS(path.side_mm));
-    t.one("path.radius_mm", 0.01, 300, "of corners and tips, or of the circle",
-          TRAMMEL_LENS(path.radius_mm));
+    lm628::add_run(t);
+    using P = PathOptions;
+    const auto path = lm628::keys_of(t, "path.", TRAMMEL_LENS(path));
+    path("kind", 0, 0, "shape", &P::kind);
+    path("side_mm", 1, 600, "of the square, an edge of the star, a leg of the corner", &P::side_mm);
+    path("radius_mm", 0.01, 300, "of corners and tips, or of the circle", &P::radius_mm);
     t.file("path.points_file", "CSV of x_mm,y_mm; the table starts at the first",
            TRAMMEL_LENS(path.points_file));
-    t.one("path.row_mm", 1e-3, 10, "length of a row; made to fit the path a whole number of times",
-          TRAMMEL_LENS(path.row_mm));
-    t.one("path.kappa_max_1_mm", 1e-4, 1000, "curvature that is C = 255",
-          TRAMMEL_LENS(path.kappa_max_1_mm));
-    t.one("path.preview_rows", 0, 10000, "ahead of a row, for CC", TRAMMEL_LENS(path.preview_rows));
+    path("row_mm", 1e-3, 10, "length of a row; made to fit the path a whole number of times",
+         &P::row_mm);
+    path("kappa_max_1_mm", 1e-4, 1000, "curvature that is C = 255", &P::kappa_max_1_mm);
+    path("preview_rows", 0, 10000, "ahead of a row, for CC", &P::preview_rows);
     lm628::add_filter(t);
     t.one("track.speed", 0, 255, "constant; 0 = self-paced by the feed rate", TRAMMEL_LENS(speed));
     t.one("track.least_speed", 1, 255, "floor of the speed", TRAMMEL_LENS(least_speed));
@@ -61,26 +55,20 @@ const std::vector<lab::Key>& keys() {
     lm628::add_motor(t, TRAMMEL_LENS(stage_axis.motor));
     t.one("motor.current_limit_A", 0.01, 1000, "of the amplifier; assumed",
           TRAMMEL_LENS(stage_axis.motor.current_limit));
-    t.one("stage.pitch_m", 1e-4, 0.1, "travel of the table per turn",
-          TRAMMEL_LENS(stage_axis.pitch));
-    t.one("stage.switch_low_m", -10, -1e-3, "limit switch, from the start",
-          TRAMMEL_LENS(stage_axis.switch_low));
-    t.one("stage.switch_high_m", 1e-3, 10, "limit switch, from the start",
-          TRAMMEL_LENS(stage_axis.switch_high));
-    t.one("stage.switch_hysteresis_m", 0, 1e-3, "of both switches",
-          TRAMMEL_LENS(stage_axis.switch_hysteresis));
-    t.one("stage.overtravel_m", 0, 0.1, "from a switch to the stop behind it",
-          TRAMMEL_LENS(stage_axis.overtravel));
-    t.one("encoder.lines", 1, 25000, "lines per turn; four counts each",
-          TRAMMEL_LENS(stage_axis.encoder.lines));
-    t.one("encoder.hysteresis_V", 0, 0.5, "of its comparators, full width",
-          TRAMMEL_LENS(stage_axis.encoder.hysteresis));
-    t.one("encoder.cosine_offset_V", -0.2, 0.2, "error of a channel",
-          TRAMMEL_LENS(stage_axis.encoder.cosine_offset));
-    t.one("encoder.sine_offset_V", -0.2, 0.2, "error of a channel",
-          TRAMMEL_LENS(stage_axis.encoder.sine_offset));
-    t.text("encoder.swapped", "sine and cosine exchanged: it counts the wrong way",
-           TRAMMEL_LENS(stage_axis.encoder.swapped));
+    using S = plant::LeadscrewConfig;
+    const auto stage = lm628::keys_of(t, "stage.", TRAMMEL_LENS(stage_axis));
+    stage("pitch_m", 1e-4, 0.1, "travel of the table per turn", &S::pitch);
+    stage("switch_low_m", -10, -1e-3, "limit switch, from the start", &S::switch_low);
+    stage("switch_high_m", 1e-3, 10, "limit switch, from the start", &S::switch_high);
+    stage("switch_hysteresis_m", 0, 1e-3, "of both switches", &S::switch_hysteresis);
+    stage("overtravel_m", 0, 0.1, "from a switch to the stop behind it", &S::overtravel);
+    using E = plant::SineEncoderConfig;
+    const auto encoder = lm628::keys_of(t, "encoder.", TRAMMEL_LENS(stage_axis.encoder));
+    encoder("lines", 1, 25000, "lines per turn; four counts each", &E::lines);
+    encoder("hysteresis_V", 0, 0.5, "of its comparators, full width", &E::hysteresis);
+    encoder("cosine_offset_V", -0.2, 0.2, "error of a channel", &E::cosine_offset);
+    encoder("sine_offset_V", -0.2, 0.2, "error of a channel", &E::sine_offset);
+    encoder("swapped", 0, 0, "sine and cosine exchanged: it counts the wrong way", &E::swapped);
     return t.keys;
   }();
   return all;

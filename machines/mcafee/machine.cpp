@@ -3,9 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
-#include "lab/files.hpp"
 #include "machines/mcafee/session.hpp"
 #include "parts/lm628/columns.hpp"
 #include "parts/lm628/motor.hpp"
@@ -35,28 +32,6 @@ std::vector<lab::Companion> companions(const lab::Settings& settings) {
     all.push_back({name_of(speed), std::move(other)});
   }
   return all;
-}
-
-// table.csv, the rows of the path; contours.csv, the contour errors of all runs over time.
-void write_tables(const lab::Record& record, const std::filesystem::path& folder) {
-  if (!options_of(record).tracks()) return;
-  lab::write_text(folder / "table.csv", table_csv(result_of(record).table));
-  const nlohmann::ordered_json detail = tracking_json(record);
-  const auto& runs = detail["contours"];
-  const double step_s = detail["contour_step_s"];
-  std::string text = "t_s";
-  std::size_t longest = 0;
-  for (const auto& run : runs) {
-    text += ',' + run["name"].get<std::string>();
-    longest = std::max(longest, run["mm"].size());
-  }
-  for (std::size_t k = 0; k < longest; ++k) {
-    text += fmt::format("\n{:.5f}", static_cast<double>(k) * step_s);
-    for (const auto& run : runs) {
-      text += k < run["mm"].size() ? fmt::format(",{}", run["mm"][k].get<double>()) : ",";
-    }
-  }
-  lab::write_text(folder / "contours.csv", text + '\n');
 }
 
 lab::Machine describe() {
@@ -90,9 +65,7 @@ lab::Machine describe() {
     return options.speed == 0 ? std::string("self-paced") : name_of(options.speed);
   };
   m.metrics = add_metrics;
-  m.detail = [](const lab::Record& record) {
-    return options_of(record).tracks() ? tracking_json(record) : nlohmann::ordered_json();
-  };
+  m.detail = tracking_json;
   m.files = write_tables;
   m.drawn = [](const lab::Record& record) {
     const Result& result = result_of(record);
@@ -106,7 +79,7 @@ lab::Machine describe() {
 
 Table table_of(const Options& options) {
   try {
-    return make_table(Path(options.path), options.path, options.count_mm(), options.travel_mm());
+    return make_table(options.path, options.count_mm(), options.travel_mm());
   } catch (const cosim::OptionsError& error) {
     throw lab::ConfigError(error.what());
   } catch (const std::invalid_argument& error) {  // the file of points

@@ -3,7 +3,7 @@
 // The parts of machine.cpp that stand in units of their own.
 #pragma once
 
-#include <string>
+#include <filesystem>
 #include <vector>
 
 #include "lab/machine.hpp"
@@ -21,22 +21,16 @@ const cosim::TriggerForms& triggers();  // machine.cpp
 // The table of a path. Throws lab::ConfigError for one that cannot be followed.
 Table table_of(const Options& options);
 
-// detail.json of a run that tracks, for its page: rows of its table, contour errors of all runs.
+// detail_json.cpp: detail.json of a run that tracks (else null), its tables, and its page.
 nlohmann::ordered_json tracking_json(const lab::Record& record);
-lab::Page page();  // detail_json.cpp, as the one before
+void write_tables(const lab::Record& record, const std::filesystem::path& folder);
+lab::Page page();
 
 inline const Options& options_of(const lab::Record& record) {
   return static_cast<const Options&>(*record.settings);
 }
 inline const Result& result_of(const lab::Record& record) {
   return static_cast<const Result&>(*record.result);
-}
-
-// The run itself, and those it is compared with.
-inline std::vector<const lab::Record*> runs_of(const lab::Record& record) {
-  std::vector<const lab::Record*> all{&record};
-  for (const lab::Record& beside : record.companions) all.push_back(&beside);
-  return all;
 }
 
 // One run. Throws cosim::OptionsError for a path that cannot be followed.

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "lab/settings.hpp"
-#include "machines/mcafee/table.hpp"
+#include "machines/mcafee/path.hpp"
 #include "models/plant/xy_stage.hpp"
 #include "sw_nios/apps/mcafee/mcafee.hpp"
 

@@ -7,7 +7,6 @@
 
   const kSample = 2048 / 6e6;  // [s]
   const kAxes = ['x', 'y'];
-  const kSwitches = ['low switch', 'high switch'];
 
   const tracks = (m) => m.options.program === 'track';
   const scaled = (values, factor, offset = 0) => values && values.map((v) => v * factor + offset);
@@ -17,17 +16,27 @@
   const runName = (m) => (m.options['track.speed'] === 0 ? 'self-paced'
     : `v = ${m.options['track.speed']}`);
 
-  // The point of the rows nearest to where the table is, sought around the row that runs: its lag
-  // is some rows at most.
+  // Columns of the table of a path, and the corners of its rows.
+  function rowsOf(detail, mm) {
+    const [c, cc, vx, vy, dx, dy] = Array.from({ length: 6 }, (v, n) => detail.rows.map((row) =>
+      row[n]));
+    const corners = (steps, begin) => {
+      let counts = 0;
+      return [begin, ...steps.map((step) => begin + (counts += step) * mm)];
+    };
+    const [x, y] = detail.origin_mm;
+    return { c, cc, vx, vy, dx, dy, x: corners(dx, x), y: corners(dy, y) };
+  }
+
+  // The point of the rows nearest to where the table is, sought around the current row: the lag
+  // is a few rows at most.
   function nearest(rows, row, x, y) {
     const kReach = 10;
-    const first = Math.max(0, row - 1 - kReach);
-    const last = Math.min(rows.c.length, row + kReach);
     let best = Infinity;
     let found = [x, y];
-    for (let k = first; k < last; ++k) {
-      const [ax, ay] = [rows.x_mm[k], rows.y_mm[k]];
-      const [dx, dy] = [rows.x_mm[k + 1] - ax, rows.y_mm[k + 1] - ay];
+    for (let k = Math.max(0, row - 1 - kReach); k < Math.min(rows.c.length, row + kReach); ++k) {
+      const [ax, ay] = [rows.x[k], rows.y[k]];
+      const [dx, dy] = [rows.x[k + 1] - ax, rows.y[k + 1] - ay];
       const part = Math.min(1, Math.max(0, ((x - ax) * dx + (y - ay) * dy) / (dx * dx + dy * dy)));
       const [px, py] = [ax + part * dx, ay + part * dy];
       const distance = Math.hypot(x - px, y - py);
@@ -38,11 +47,10 @@
 
   function prepare(run) {
     const s = run.series;
-    const o = run.metrics.options;
-    const mm = countMm(o);
-    const rows = run.detail && run.detail.rows;
-    const origin = rows ? { x: rows.x_mm[0], y: rows.y_mm[0] } : { x: 0, y: 0 };
-    const d = { n: run.count, mm };
+    const mm = countMm(run.metrics.options);
+    const rows = run.detail && rowsOf(run.detail, mm);
+    const origin = rows ? { x: rows.x[0], y: rows.y[0] } : { x: 0, y: 0 };
+    const d = { n: run.count, mm, rows };
     d.desired = both((a) => scaled(s[`${a}_desired_count`], mm, origin[a]));
     d.table = both((a) => scaled(s[`${a}_mm`], 1, origin[a]));
     d.counted = both((a) => scaled(s[`${a}_real_count`], mm, origin[a]));
@@ -54,22 +62,17 @@
     d.askedSpeed = hypot(d.asked);
     d.command = d.desired;
     if (!rows) return;
-    d.t = s.t_s.map((t) => t - s.t_s[0]);
-    const last = rows.c.length - 1;
-    const now = (values, more) => s.row.map((row) => values[Math.min(last, Math.max(0, row - 1))
-      + more]);
+    const now = (values, more = 0) => s.row.map((row) => values[Math.min(rows.c.length - 1,
+      Math.max(0, row - 1)) + more]);
     const points = Array.from(s.row, (row, k) => nearest(rows, row, d.table.x[k], d.table.y[k]));
-    Object.assign(d, { from: both((a, k) => points.map((point) => point[k])), model: d.desired,
-      c: now(rows.c, 0), cc: now(rows.cc, 0),
-      command: both((a) => now(rows[`${a}_mm`], 1)), way: { x: rows.x_mm, y: rows.y_mm },
+    Object.assign(d, { t: s.t_s.map((t) => t - s.t_s[0]), c: now(rows.c), cc: now(rows.cc),
+      from: both((a, k) => points.map((point) => point[k])), model: d.desired,
+      command: both((a) => now(rows[a], 1)), way: rows,
       names: ['rows', 'desired'], colours: [
         { button: 'speed', label: 'table, speed (mm/s)', values: d.speed },
         { button: 'feed rate', label: 'table, v (0..255)', values: s.v },
         { button: 'contour error', label: 'table, contour (mm)', values: s.contour_mm }] });
   }
-
-  // The other runs of the path: [name, figures of the motion].
-  const others = (m) => Object.entries(m.compared || {}).map(([name, one]) => [name, one.motion]);
 
   function asides(m) {
     const { motion } = m;
@@ -84,14 +87,17 @@
   }
 
   const note = (...parts) => T.el('p', { class: 'note' }, parts);
-  const line = (...parts) => T.lm628.line(...parts);
 
   // ---- tracking ----
+
+  // All runs of the path: [name, figures of the motion].
+  const runsOf = (m) => [[runName(m), m.motion], ...Object.entries(m.compared || {}).map(([name,
+    one]) => [name, one.motion])];
 
   function contourPlot(run) {
     const { contours, contour_step_s: step } = run.detail;
     const count = Math.max(...contours.map((one) => one.mm.length));
-    const figures = [run.metrics.motion, ...others(run.metrics).map(([, one]) => one)];
+    const figures = runsOf(run.metrics).map(([, motion]) => motion);
     const card = T.timePlot({ id: 'contour', title: 'Contour error', small:
       'of each run, from its first row on', yLabel: 'error (mm)', tall: 290,
     times: Float64Array.from({ length: count }, (v, k) => k * step),
@@ -103,21 +109,22 @@
     return card;
   }
 
+  const kRunColumns = [['time (s)', 'time_s', 3],
+    ['largest contour error (mm)', 'contour_max_mm', 4], ['when (s)', 'contour_max_s', 3],
+    ['rms (mm)', 'contour_rms_mm', 4], ['at the end (mm)', 'contour_end_mm', 4],
+    ['largest error of an axis (counts)', 'max_error_counts', 0],
+    ['top speed of an axis (mm/s)', 'max_speed_mm_s', 2], ['desired', 'max_desired_mm_s', 2],
+    ['peak current (A)', 'max_current_A', 2]];
+
   function runTable(m) {
-    const runs = [[runName(m), m.motion], ...others(m)];
-    const rows = runs.map(([name, one]) => [name, T.num(one.time_s, 3), T.num(one.contour_max_mm,
-      4), T.num(one.contour_max_s, 3), T.num(one.contour_rms_mm, 4), T.num(one.contour_end_mm, 4),
-    T.num(one.max_error_counts, 0), T.num(one.max_speed_mm_s, 2), T.num(one.max_desired_mm_s, 2),
-    T.num(one.max_current_A, 2)]);
-    const card = T.el('div', { class: 'card' }, T.el('div', { class: 'scroll' }, T.table(['Run',
-      'time (s)', 'largest contour error (mm)', 'when (s)', 'rms (mm)', 'at the end (mm)',
-      'largest error of an axis (counts)', 'top speed of an axis (mm/s)', 'desired',
-      'peak current (A)'],
-    rows)));
-    const [fast, slow] = others(m);
+    const runs = runsOf(m);
+    const card = T.el('div', { class: 'card' }, T.lm628.table(['Run', ...kRunColumns.map(([head]) =>
+      head)], runs.map(([name, motion]) => [name, ...kRunColumns.map(([, of, digits]) =>
+      T.num(motion[of], digits))])));
+    const [own, fast, slow] = runs;
     if (fast && slow) {
-      const part = (of, one) => T.num(m.motion[of] / one[1][of], 2);
-      card.append(note(`The run ${runName(m)} has ${part('contour_max_mm', fast)} of the largest ` +
+      const part = (of, one) => T.num(own[1][of] / one[1][of], 2);
+      card.append(note(`The run ${own[0]} has ${part('contour_max_mm', fast)} of the largest ` +
         `contour error of ${fast[0]}, and takes ${part('time_s', slow)} of the time of ` +
         `${slow[0]}. McAfee gives no figures to compare with: his machine never moved.`));
     }
@@ -129,9 +136,8 @@
     const section = T.section('tracking', 'Tracking', T.zoomLead(T.time.marks.length > 0 &&
       'Dashed: an interrupt of a part, or a limit switch.'));
     const speed = T.timePlot({ id: 'path-speed', title: 'Path speed', yLabel: 'speed (mm/s)',
-      series: [line('desired', d.askedSpeed, 'asked', 'mm/s', 2, { width: 3 }),
-        line('table', d.speed, 'actual', 'mm/s', 2)] });
-    speed.append(note('\u221a(v_x\u00b2 + v_y\u00b2). Notches of the desired one: a generator ' +
+      series: T.lm628.pair('table', 'mm/s', 2, d.askedSpeed, d.speed) });
+    speed.append(note('\u221a(v_x\u00b2 + v_y\u00b2). Notches in the desired speed: a generator ' +
       'begins to slow down for the end of its row before the next row is sent.'));
     section.append(T.el('div', { class: 'grid path' }, T.pathPlot(d), T.el('div',
       { class: 'stack' }, contourPlot(run), speed)), runTable(run.metrics));
@@ -142,49 +148,49 @@
   const kMostRows = 1000;
 
   function rowTable(run) {
-    const { rows } = run.detail;
+    const { rows, t } = run.data;
     const begins = new Map();
     run.series.row.forEach((row, k) => {
       if (!begins.has(row)) begins.set(row, k);
     });
-    const at = (row) => run.data.t[begins.get(row)];
-    const counts = (axis, k) => Math.round((rows[`${axis}_mm`][k + 1] - rows[`${axis}_mm`][k]) /
-      run.data.mm);
+    const at = (row) => t[begins.get(row)];
     const shown = Math.min(kMostRows, rows.c.length);
-    return T.el('div', { class: 'scroll' }, T.table(['Row', 'x (mm)', 'y (mm)', 'dX (counts)',
-      'dY (counts)', 'C', 'CC', 'Vx', 'Vy', 'v', 'begins (s)', 'mean speed (mm/s)'], Array.from(
-      { length: shown }, (v, k) => [k, T.num(rows.x_mm[k], 3), T.num(rows.y_mm[k], 3),
-        T.num(counts('x', k), 0), T.num(counts('y', k), 0), rows.c[k], rows.cc[k], rows.vx[k],
-        rows.vy[k], begins.has(k + 1) ? run.series.v[begins.get(k + 1)] : '\u2013',
-        T.num(at(k + 1), 3), T.num(rows.row_mm / (at(k + 2) - at(k + 1)), 2)])),
-    shown < rows.c.length ? note(`The first ${shown} of ${rows.c.length} rows; all are in ` +
-      'table.csv.') : null);
+    const table = T.lm628.table(['Row', 'x (mm)', 'y (mm)', 'dX (counts)', 'dY (counts)', 'C', 'CC',
+      'Vx', 'Vy', 'v', 'begins (s)', 'mean speed (mm/s)'], Array.from({ length: shown }, (v, k) => [
+      k, T.num(rows.x[k], 3), T.num(rows.y[k], 3), T.num(rows.dx[k], 0), T.num(rows.dy[k], 0),
+      rows.c[k], rows.cc[k], rows.vx[k], rows.vy[k], begins.has(k + 1)
+        ? run.series.v[begins.get(k + 1)] : '\u2013', T.num(at(k + 1), 3),
+      T.num(run.detail.row_mm / (at(k + 2) - at(k + 1)), 2)]));
+    if (shown < rows.c.length) {
+      table.append(note(`The first ${shown} of ${rows.c.length} rows; all are in table.csv.`));
+    }
+    return table;
   }
 
   function feedSection(run) {
-    const s = run.series;
+    const { line } = T.lm628;
     const d = run.data;
     const o = run.metrics.options;
-    const { rows } = run.detail;
     const shift = o['track.velocity_shift'];
-    const section = T.section('feed', 'Feed rate', `${rows.c.length} rows of ${T.num(rows.row_mm,
-      5)} mm. Each takes its v from its curvature C and from CC, the change of C ${
-      o['path.preview_rows']} rows ahead.`);
+    const ahead = o['path.preview_rows'];
+    const section = T.section('feed', 'Feed rate', `${d.rows.c.length} rows of ${T.num(
+      run.detail.row_mm, 5)} mm. Each takes its v from its curvature C and from CC, the change ` +
+      `of C ${ahead} rows ahead.`);
     const curvature = T.timePlot({ id: 'curvature', title: 'Curvature', small:
-      'of the row that runs', yLabel: 'C, CC (0..255)', series: [
+      'of the current row', yLabel: 'C, CC (0..255)', series: [
       line('C', d.c, 'x', '', 0, { steps: true }),
       line('CC', d.cc, 'y', '', 0, { steps: true })] });
     curvature.append(note(`C = round(255 \u03ba / \u03ba_max), where \u03ba = |x\u2032y\u2033 ` +
       `\u2212 y\u2032x\u2033| / (x\u2032\u00b2 + y\u2032\u00b2)^1.5 and \u03ba_max = ` +
-      `${o['path.kappa_max_1_mm']} 1/mm; CC = |C(row + ${o['path.preview_rows']}) \u2212 C(row)|.` +
+      `${o['path.kappa_max_1_mm']} 1/mm; CC = |C(row + ${ahead}) \u2212 C(row)|.` +
       ' Path data: McAfee 1994, Table 5; the curvature is ours, his formula is that of a length.'));
     const feed = T.timePlot({ id: 'feed', title: 'Feed rate', small: `no less than ${
-      o['track.least_speed']}`, yLabel: 'v (0..255)', series: [line('v', s.v, 'actual', '', 0,
-      { steps: true })] });
+      o['track.least_speed']}`, yLabel: 'v (0..255)', series: [line('v', run.series.v, 'actual', '',
+      0, { steps: true })] });
     const most = (254 * 255 >> 8) * 0xF1 * 2 ** shift / 65536 * d.mm / kSample;
     feed.append(note('Seven fuzzy rules for C and CC, then v = 256 TU / SU (McAfee 1994, App. D).' +
       ` Speed of an axis (DECOMP): ((v V) >> 8) 241 \u00b7 2^${shift}, V = 255 |d| / ` +
-      '\u221a(dX\u00b2 + dY\u00b2), in 2^\u221216 counts a sample; v = 254 along an axis is ' +
+      '\u221a(dX\u00b2 + dY\u00b2), in 2^\u221216 counts per sample; v = 254 along an axis is ' +
       `${T.num(most, 2)} mm/s.`));
     const table = T.el('div');
     const details = T.el('details', { ontoggle: () => {
@@ -200,27 +206,23 @@
     const s = run.series;
     const d = run.data;
     const axes = tracks(run.metrics) ? kAxes : ['x'];
-    const lead = 'What the trajectory generator of a part wants, what the part counts and where ' +
-      'the table is. ';
+    const lead = 'What the trajectory generator of each part asks for, what the part counts and ' +
+      'where the table really is. ';
     const section = axes.length > 1 ? T.section('axes', 'Axes', lead) : T.section('axes', 'Motion',
-      [lead, 'The program speaks to X alone. ', T.zoomLead()]);
-    const plot = (id, title, small, yLabel, series) => (a) => T.timePlot({ id: `${id}-${a}`, title:
-      `${a.toUpperCase()} ${title}`, small, yLabel, series: series(a) });
-    const of = (make) => (a) => make(s, `${a}_`);
+      [lead, 'The program uses X only. ', T.zoomLead()]);
+    const { line, pair } = T.lm628;
+    const plot = (id, unit, series) => (a) => T.timePlot({ id: `${id}-${a}`, title:
+      `${a.toUpperCase()} ${id}`, yLabel: `${id} (${unit})`, series: series(a) });
     const plots = [
-      plot('position', 'position', '', 'position (mm)', (a) => [
-        line('desired', d.desired[a], 'asked', 'mm', 3, { width: 4 }),
-        line('table', d.table[a], 'actual', 'mm', 3),
+      plot('position', 'mm', (a) => [...pair('table', 'mm', 3, d.desired[a], d.table[a], 4),
         line('real, as counted', d.counted[a], 'model', 'mm', 3, { hidden: axes.length > 1,
           steps: true })]),
-      plot('speed', 'speed', '', 'speed (mm/s)', (a) => [
-        line('desired', d.asked[a], 'asked', 'mm/s', 2, { width: 3 }),
-        line('table', s[`${a}_mm_s`], 'actual', 'mm/s', 2)]),
-      of(T.lm628.errorPlot), of(T.lm628.termsPlot), of(T.lm628.voltagePlot),
-      of(T.lm628.currentPlot)];
+      plot('speed', 'mm/s', (a) => pair('table', 'mm/s', 2, d.asked[a], s[`${a}_mm_s`])),
+      ...['error', 'terms', 'voltage', 'current'].map((name) => (a) => T.lm628[`${name}Plot`](s,
+        `${a}_`))];
     const o = run.metrics.options;
     section.append(T.el('div', { class: 'grid two' }, plots.flatMap((make) => axes.map(make))),
-      T.el('div', { class: 'card' }, note(`One count is ${T.num(1e3 * d.mm, 4)} \u00b5m of way, ` +
+      T.el('div', { class: 'card' }, note(`A count is ${T.num(1e3 * d.mm, 4)} \u00b5m of travel, ` +
         `a sample ${T.num(1e6 * kSample, 1)} \u00b5s. Terms (data sheet SNVS781C): p = kp e, ` +
         'shown before its limit of 16 bits, i = ki \u03a3e / 256 within \u00b1il, d = kd (e ' +
         `\u2212 e\u2032); kp = ${o['filter.kp']}, ki = ${o['filter.ki']}, kd = ` +
@@ -230,29 +232,19 @@
 
   // ---- status ----
 
-  function eventTable(m) {
-    if (m.events.length === 0) {
-      return T.el('p', {}, 'No part interrupted its host, and no limit switch opened.');
-    }
-    const text = (value) => T.el('td', { class: 'text' }, value);
-    const head = (value) => T.el('th', { class: 'text' }, value);
-    return T.el('div', { class: 'scroll' }, T.table(['Event', head('axis'), head('what'), 'sample',
-      'time in the run (s)', 'desired (counts)', 'real (counts)', head('status')],
-    m.events.map((one, k) => [k + 1, text(one.axis.toUpperCase()), text(one.what),
-      T.whole(one.sample), T.num(one.time_s, 5), T.whole(one.desired_count),
-      T.whole(one.real_count), text(T.lm628.bitsText(one.status))])));
-  }
-
   function statusSection(run) {
     const axes = tracks(run.metrics) ? kAxes : ['x'];
     const several = axes.length > 1;
-    T.section('status', 'Status', 'A bar where the bit is set; a bit of one sample is seen ' +
-      'however many are shown. ' + (several ? 'Stage III never clears \u201ctrajectory ' +
+    const { events } = run.metrics;
+    T.section('status', 'Status', 'A bar where the bit is set, if only in one of the samples ' +
+      'that a pixel stands for. ' + (several ? 'Stage III never clears \u201ctrajectory ' +
       'complete\u201d: it asks for the desired position.' : '')).append(T.el('div',
       { class: several ? 'grid two' : 'grid' }, axes.map((a, k) => T.lm628.statusPlot(run, `${a}_`,
-        kSwitches.map((name, end) => [name, run.series.limits, 2 * k + end]),
+        ['low switch', 'high switch'].map((name, end) => [name, run.series.limits, 2 * k + end]),
         'and its limit switches'))),
-    T.el('div', { class: 'card' }, eventTable(run.metrics)));
+    T.el('div', { class: 'card' }, events.length > 0 ? T.lm628.eventTable('Event', events, [
+      ['axis', (one) => one.axis.toUpperCase()], ['what', (one) => one.what]])
+      : T.el('p', {}, 'No part interrupted its host, and no limit switch opened.')));
   }
 
   // ---- assumptions ----
@@ -272,33 +264,33 @@
   ];
 
   function assumptionCard(m) {
+    const why = (value) => T.el('td', { class: 'text dim' }, value);
     const rows = kAssumed.filter(([keys]) => tracks(m) || !/^(traj|track)/.test(keys[0]))
-      .flatMap(([keys, why]) => keys.map((key) => [key, T.valueText(m.options[key]),
-        T.el('td', { class: 'text dim' }, why)]));
-    rows.push(['clock of the parts', '6 MHz', T.el('td', { class: 'text dim' },
-      'not stated; the numbers of Stage II are round for it alone')]);
-    return T.el('div', { class: 'card long' }, T.el('div', { class: 'scroll' }, T.table([
-      'Assumed', 'value', T.el('th', { class: 'text' }, 'because')], rows)));
+      .flatMap(([keys, reason]) => keys.map((key) => [key, T.valueText(m.options[key]),
+        why(reason)]));
+    rows.push(['clock of the parts', '6 MHz', why('not stated; the numbers of Stage II are round ' +
+      'for it alone')]);
+    return T.el('div', { class: 'card long' }, T.lm628.table(['Assumed', 'value',
+      T.lm628.text('because', 'th')], rows));
   }
 
   function sections(run) {
     const m = run.metrics;
-    if (run.count > 1) {
-      const begin = run.data.t ? run.series.t_s[0] : 0;
-      T.time.start(run.data.t || run.series.t_s);
-      if (run.data.t) T.time.label = 'Time since the first row (s)';
-      T.time.marks = m.events.map((one) => one.time_s - begin);
-      if (run.detail) {
-        trackingSection(run);
-        feedSection(run);
-      }
-      axesSection(run);
-      statusSection(run);
+    if (run.count < 2) return;
+    const begin = run.data.t ? run.series.t_s[0] : 0;
+    T.time.start(run.data.t || run.series.t_s);
+    if (run.data.t) T.time.label = 'Time since the first row (s)';
+    T.time.marks = m.events.map((one) => one.time_s - begin);
+    if (run.detail) {
+      trackingSection(run);
+      feedSection(run);
     }
+    axesSection(run);
+    statusSection(run);
   }
 
-  const closing = (run) => T.section('assumptions', 'Assumptions', 'What McAfee 1994 does not ' +
-    'say, and the value that this run had.').append(assumptionCard(run.metrics));
+  const closing = (run) => T.section('assumptions', 'Assumptions', 'What McAfee 1994 leaves ' +
+    'open, and the value used in this run.').append(assumptionCard(run.metrics));
 
   // ---- several runs ----
 

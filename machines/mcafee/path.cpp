@@ -5,7 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <iterator>
+#include <utility>
 
 #include "cosim/machine.hpp"
 #include "cosim/points.hpp"
@@ -14,34 +15,33 @@
 namespace trammel::mcafee {
 namespace {
 
+using cosim::OptionsError;
 using plant::kPi;
 
-PointMm operator+(const PointMm& a, const PointMm& b) { return {a.x + b.x, a.y + b.y}; }
-PointMm operator-(const PointMm& a, const PointMm& b) { return {a.x - b.x, a.y - b.y}; }
-PointMm operator*(double k, const PointMm& a) { return {k * a.x, k * a.y}; }
-double dot(const PointMm& a, const PointMm& b) { return a.x * b.x + a.y * b.y; }
-double cross(const PointMm& a, const PointMm& b) { return a.x * b.y - a.y * b.x; }
-double norm(const PointMm& a) { return std::hypot(a.x, a.y); }
-PointMm unit(const PointMm& a) { return 1 / norm(a) * a; }
-
-PointMm turned(const PointMm& a, double turns) {
-  const plant::SinCos r = plant::sin_cos_turns(turns);
-  return {a.x * r.cos - a.y * r.sin, a.x * r.sin + a.y * r.cos};
-}
-
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kFarthestMm = 1e4;  // of a coordinate; where the table can go is asked elsewhere
+constexpr long kMostCounts = 127;    // of an increment
+
+double dot(const PointMm& a, const PointMm& b) { return (std::conj(a) * b).real(); }
+double cross(const PointMm& a, const PointMm& b) { return (std::conj(a) * b).imag(); }
+
+// The unit vector in a direction.
+PointMm direction(double turns) {
+  const plant::SinCos r = plant::sin_cos_turns(turns);
+  return {r.cos, r.sin};
+}
 
 std::vector<PointMm> read_points(const std::string& file) {
   if (file.empty()) {
-    throw cosim::OptionsError("path.points_file: is needed with path.kind = \"points\"");
+    throw OptionsError("path.points_file: is needed with path.kind = \"points\"");
   }
   std::vector<PointMm> points;
   for (const cosim::PointM& p : cosim::read_points_csv(file, {-kFarthestMm, kFarthestMm})) {
     const PointMm next{p.x_m * 1e3, p.y_m * 1e3};
-    if (points.empty() || norm(next - points.back()) > 0) points.push_back(next);
+    if (points.empty() || next != points.back()) points.push_back(next);
   }
   if (points.size() < 2) {
-    throw cosim::OptionsError(
+    throw OptionsError(
         fmt::format("path.points_file: {}: has one point; a path has 2 or more", file));
   }
   return points;
@@ -53,6 +53,17 @@ std::vector<PointMm> from_middle(std::vector<PointMm> corners) {
   return corners;
 }
 
+// Of the circle through three points: 4 times the triangle's area over the product of its sides.
+// Infinite where the path turns back on itself.
+double curvature_through(const PointMm& a, const PointMm& b, const PointMm& c) {
+  const double area2 = cross(b - a, c - a);
+  const double sides = std::abs(b - a) * std::abs(c - b) * std::abs(a - c);
+  const double onward = dot(b - a, c - b);
+  constexpr double kStraight = 1e-9;  // of the product of two rows
+  if (onward < 0 && std::fabs(area2) < -kStraight * onward) return kInfinity;
+  return sides == 0 ? 0 : 2 * std::fabs(area2) / sides;
+}
+
 }  // namespace
 
 Path::Path(const PathOptions& o) {
@@ -62,31 +73,27 @@ Path::Path(const PathOptions& o) {
                          : o.kind == PathKind::kCorner ? a
                                                        : kFarthestMm;
   if (o.radius_mm > largest) {
-    throw cosim::OptionsError(
+    throw OptionsError(
         fmt::format("path.radius_mm: value {:g} is out of range 0..{:.6g} at path.side_mm = {:g}",
                     o.radius_mm, largest, a));
   }
+  closed_ = o.kind != PathKind::kCorner;
   switch (o.kind) {
     case PathKind::kSquare:
-      add_rounded(from_middle({{h, -h}, {h, h}, {-h, h}, {-h, -h}}), o.radius_mm, true);
+      add_rounded(from_middle({{h, -h}, {h, h}, {-h, h}, {-h, -h}}), o.radius_mm);
       break;
-    case PathKind::kCircle:
-      add_arc({0, 0}, {o.radius_mm, 0}, 2 * kPi);
-      closed_ = true;
-      break;
+    case PathKind::kCircle: add_arc({0, 0}, {o.radius_mm, 0}, 2 * kPi); break;
     case PathKind::kStar: {  // five edges that cross, and turn by 144 degrees at each tip
       std::vector<PointMm> tips{{h, 0}};
-      for (int k = 1; k < 5; ++k) tips.push_back(tips.back() + turned({a, 0}, 0.4 * k));
-      add_rounded(from_middle(tips), o.radius_mm, true);
+      for (int k = 1; k < 5; ++k) tips.push_back(tips.back() + a * direction(0.4 * k));
+      add_rounded(from_middle(tips), o.radius_mm);
       break;
     }
-    case PathKind::kCorner:
-      add_rounded({{0, 0}, {a, 0}, {a, a}}, o.radius_mm, false);
-      break;
+    case PathKind::kCorner: add_rounded({{0, 0}, {a, 0}, {a, a}}, o.radius_mm); break;
     case PathKind::kPoints: {
       const std::vector<PointMm> points = read_points(o.points_file);
       for (std::size_t k = 1; k < points.size(); ++k) add_line(points[k - 1], points[k]);
-      closed_ = points.size() > 3 && norm(points.back() - points.front()) == 0;
+      closed_ = points.size() > 3 && points.back() == points.front();
       sampled_ = true;
       break;
     }
@@ -94,82 +101,181 @@ Path::Path(const PathOptions& o) {
 }
 
 void Path::add_line(const PointMm& from, const PointMm& to) {
-  const double length = norm(to - from);
+  const double length = std::abs(to - from);
   if (length == 0) return;
-  segments_.push_back({from, 1 / length * (to - from), length, 0, 0, length_});
+  segments_.push_back({from, 1 / length * (to - from), length, 0, length_});
   length_ += length;
 }
 
 void Path::add_arc(const PointMm& centre, const PointMm& begin, double angle) {
-  const PointMm along = begin - centre;
-  const double radius = norm(along);
+  const double radius = std::abs(begin - centre);
   const double length = radius * std::fabs(angle);
   if (length == 0) return;
-  segments_.push_back({centre, along, length, radius, angle > 0 ? 1.0 : -1.0, length_});
+  segments_.push_back({centre, begin - centre, length, std::copysign(radius, angle), length_});
   length_ += length;
 }
 
 // Lines between corners, and arcs in them; a closed path begins and ends at its first corner.
-void Path::add_rounded(const std::vector<PointMm>& corners, double radius, bool closed) {
-  closed_ = closed;
+void Path::add_rounded(const std::vector<PointMm>& corners, double radius) {
   const std::size_t n = corners.size();
   PointMm at = corners[0];
-  for (std::size_t k = 1; k < (closed ? n : n - 1); ++k) {
-    const PointMm& corner = corners[k];
-    const PointMm in = unit(corner - corners[k - 1]);
-    const PointMm out = unit(corners[(k + 1) % n] - corner);
-    const double angle = std::atan2(cross(in, out), dot(in, out));
+  for (std::size_t k = 1; k < (closed_ ? n : n - 1); ++k) {
+    const PointMm in = corners[k] - corners[k - 1], out = corners[(k + 1) % n] - corners[k];
+    const PointMm ahead = 1 / std::abs(in) * in, onward = 1 / std::abs(out) * out;
+    const double angle = std::arg(std::conj(ahead) * onward);
     const double cut = radius * std::tan(std::fabs(angle) / 2);
-    const PointMm begin = corner - cut * in;
-    const double side = angle > 0 ? radius : -radius;
+    const PointMm begin = corners[k] - cut * ahead;
     add_line(at, begin);
-    add_arc(begin + side * PointMm{-in.y, in.x}, begin, angle);
-    at = corner + cut * out;
+    add_arc(begin + PointMm{0, std::copysign(radius, angle)} * ahead, begin, angle);
+    at = corners[k] + cut * onward;
   }
-  add_line(at, corners[closed ? 0 : n - 1]);
+  add_line(at, corners[closed_ ? 0 : n - 1]);
 }
 
-const Path::Segment& Path::segment(double way) const {
-  const auto after = std::upper_bound(segments_.begin(), segments_.end(), way,
-                                      [](double w, const Segment& s) { return w < s.begin; });
+const Path::Segment& Path::segment(double s) const {
+  const auto after = std::upper_bound(segments_.begin(), segments_.end(), s,
+                                      [](double w, const Segment& one) { return w < one.begin; });
   return after == segments_.begin() ? segments_.front() : *(after - 1);
 }
 
-PointMm Path::point(const Segment& s, double way) {
-  if (s.radius == 0) return s.from + way * s.along;
-  return s.from + turned(s.along, s.turn * way / (2 * kPi * s.radius));
+PointMm Path::Segment::at(double s) const {
+  return from + (radius == 0 ? s * along : along * direction(s / (2 * kPi * radius)));
 }
 
-PointMm Path::at(double way) const {
-  const Segment& s = segment(way);
-  return point(s, way - s.begin);
+PointMm Path::at(double s) const { return segment(s).at(s - segment(s).begin); }
+
+double Path::curvature(double s) const {
+  const double radius = segment(s).radius;
+  return radius == 0 ? 0 : 1 / std::fabs(radius);
 }
 
-double Path::curvature(double way) const {
-  const Segment& s = segment(way);
-  return s.radius == 0 ? 0 : 1 / s.radius;
-}
-
-double Path::distance(const PointMm& p, double way, double reach) const {
-  double best = std::numeric_limits<double>::infinity();
-  for (const Segment& s : segments_) {
+double Path::distance(const PointMm& p, double s, double reach) const {
+  double best = kInfinity;
+  for (const Segment& one : segments_) {
     for (const double lap : {-length_, 0.0, length_}) {
       if (lap != 0 && !closed_) continue;
-      const double low = std::max(0.0, way + lap - reach - s.begin);
-      const double high = std::min(s.length, way + lap + reach - s.begin);
+      const double low = std::max(0.0, s + lap - reach - one.begin);
+      const double high = std::min(one.length, s + lap + reach - one.begin);
       if (low > high) continue;
-      double nearest = dot(p - s.from, s.along);
-      if (s.radius != 0) {
-        const PointMm off = p - s.from;
-        const double angle = s.turn * std::atan2(cross(s.along, off), dot(s.along, off));
-        nearest = (angle < 0 ? angle + 2 * kPi : angle) * s.radius;
+      double nearest = dot(p - one.from, one.along);
+      if (one.radius != 0) {
+        const double angle = std::copysign(1, one.radius) *
+                             std::arg(std::conj(one.along) * (p - one.from));
+        nearest = (angle < 0 ? angle + 2 * kPi : angle) * std::fabs(one.radius);
       }
       for (const double w : {low, high, std::clamp(nearest, low, high)}) {
-        best = std::min(best, norm(p - point(s, w)));
+        best = std::min(best, std::abs(p - one.at(w)));
       }
     }
   }
   return best;
+}
+
+Table make_table(const PathOptions& options, double count_mm, const TravelMm& travel) {
+  const Path path(options);
+  const auto rows =
+      static_cast<std::size_t>(std::max(1.0, std::round(path.length() / options.row_mm)));
+  Table table;
+  table.row_mm = path.length() / static_cast<double>(rows);
+  std::vector<PointMm> points;  // at which the rows begin, and the last one ends
+  for (std::size_t k = 0; k < rows; ++k) {
+    points.push_back(path.at(static_cast<double>(k) * table.row_mm));
+  }
+  points.push_back(path.at(path.closed() ? 0 : path.length()));
+  // Three neighbouring points; at the ends of an open path the first or last three.
+  const auto sampled_curvature = [&](std::size_t k) {
+    if (rows < 2) return 0.0;
+    const std::size_t middle = path.closed() ? k : std::clamp<std::size_t>(k, 1, rows - 1);
+    return curvature_through(points[(middle + rows - 1) % rows], points[middle],
+                             points[middle + 1]);
+  };
+  const auto warn = [&table](std::size_t row, const std::string& what) {
+    table.warnings.push_back(fmt::format("row {}: {}", row, what));
+  };
+  table.rows.resize(rows);
+  long x = 0, y = 0;  // [count] from the start
+  bool within = true;
+  for (std::size_t k = 0; k < rows; ++k) {
+    sw::McafeeRow& row = table.rows[k];
+    const double kappa = path.sampled() ? sampled_curvature(k)
+                                        : path.curvature(static_cast<double>(k) * table.row_mm);
+    const double c = std::round(255 * kappa / options.kappa_max_1_mm);
+    if (std::isinf(c)) {
+      warn(k, "the path turns back on itself; C = 255");
+    } else if (c > 255) {
+      warn(k, fmt::format("curvature {:.4g} 1/mm is above path.kappa_max_1_mm = {:g}; C = 255",
+                          kappa, options.kappa_max_1_mm));
+    }
+    row.c = static_cast<std::uint8_t>(std::min(255.0, c));
+
+    const PointMm from_start = points[k + 1] - points[0];
+    const long dx = std::lround(from_start.real() / count_mm) - x;
+    const long dy = std::lround(from_start.imag() / count_mm) - y;
+    if (std::max(std::labs(dx), std::labs(dy)) > kMostCounts) {
+      throw OptionsError(fmt::format(
+          "path.row_mm: row {}: increments {}, {} are out of range -127..127 counts; value {:g} "
+          "is too long, at most {:.4g} mm",
+          k, dx, dy, options.row_mm, kMostCounts * count_mm));
+    }
+    if (dx == 0 && dy == 0 && table.row_mm > 2 * count_mm) {
+      throw OptionsError(fmt::format(
+          "path.row_mm: row {}: the path turns back in the middle of the row, and both increments "
+          "are 0 counts; a row must end at the turn, none does with value {:g}",
+          k, options.row_mm));
+    }
+    if (dx == 0 && dy == 0) {
+      throw OptionsError(fmt::format(
+          "path.row_mm: row {}: both increments are 0 counts; rows of {:.4g} mm (value {:g}, on a "
+          "path of {:.4g} mm) are too short for counts of {:.4g} mm",
+          k, table.row_mm, options.row_mm, path.length(), count_mm));
+    }
+    const double length = std::hypot(static_cast<double>(dx), static_cast<double>(dy));
+    const auto share = [length](long d) {
+      return static_cast<std::uint8_t>(
+          std::lround(255 * (std::fabs(static_cast<double>(d)) / length)));
+    };
+    row.vx = share(dx);
+    row.vy = share(dy);
+    row.dx = static_cast<std::int8_t>(dx);
+    row.dy = static_cast<std::int8_t>(dy);
+
+    x += dx;
+    y += dy;
+    for (const auto& [name, counts] : {std::pair{"x", x}, std::pair{"y", y}}) {
+      const double mm = static_cast<double>(counts) * count_mm;
+      if (!within || (mm > travel.low && mm < travel.high)) continue;
+      within = false;
+      warn(k, fmt::format("{} = {:.4g} mm from the start is at a limit switch or beyond, out of "
+                          "range {:g}..{:g} mm; the program ends there",
+                          name, mm, travel.low, travel.high));
+    }
+  }
+  const auto preview = static_cast<std::size_t>(options.preview_rows);
+  for (std::size_t k = 0; k < rows; ++k) {
+    const std::size_t ahead =
+        path.closed() ? (k + preview) % rows : std::min(k + preview, rows - 1);
+    table.rows[k].cc = static_cast<std::uint8_t>(std::abs(table.rows[ahead].c - table.rows[k].c));
+  }
+  return table;
+}
+
+std::string listing_text(const Table& table) {
+  std::string text;
+  for (const sw::McafeeRow& r : table.rows) {
+    fmt::format_to(std::back_inserter(text), "{:02X} {:02X} {:02X} {:02X} {:02X} {:02X}\n", r.c,
+                   r.cc, r.vx, r.vy, static_cast<std::uint8_t>(r.dy),
+                   static_cast<std::uint8_t>(r.dx));
+  }
+  return text;
+}
+
+std::string table_csv(const Table& table) {
+  std::string text = "c,cc,vx,vy,dx,dy\n";
+  for (const sw::McafeeRow& r : table.rows) {
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{},{}\n", r.c, r.cc, r.vx, r.vy, r.dx,
+                   r.dy);
+  }
+  return text;
 }
 
 }  // namespace trammel::mcafee

@@ -15,7 +15,7 @@ namespace {
 
 Table table_for(const Options& o) {
   if (o.stage != sw::McafeeStage::kTrack) return {};
-  return make_table(Path(o.path), o.path, o.count_mm(), o.travel_mm());
+  return make_table(o.path, o.count_mm(), o.travel_mm());
 }
 
 const char* what_failed(const sw::Mailbox& mailbox) {

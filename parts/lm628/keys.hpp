@@ -4,36 +4,55 @@
 #pragma once
 
 #include "lab/key_table.hpp"
+#include "models/plant/dc_motor.hpp"
+#include "sw_nios/hal/lm628.hpp"
 
 namespace trammel::lm628 {
 
+// A function that adds the key PREFIX + name of a member of what `select` finds in the options.
+template <class Options, class Select>
+auto keys_of(lab::KeyTable<Options>& t, const std::string& prefix, Select select) {
+  return [=, &t](const char* name, double min, double max, const char* help, auto member) {
+    t.one(prefix + name, min, max, help, [=](auto& o) -> auto& { return select(o).*member; });
+  };
+}
+
+// Keys of a run, from its engine to its waves.
+template <class Options>
+void add_run(lab::KeyTable<Options>& t) {
+  t.platform_and_clocks();
+  t.window();
+  t.longest_run();
+  t.one("run.diverged_counts", 1, 32767, "position error that ends the run as diverged",
+        TRAMMEL_LENS(diverged_counts));
+  t.waves("the first drive", "see docs/waves.md");
+}
+
 template <class Options>
 void add_filter(lab::KeyTable<Options>& t) {
-  t.one("filter.kp", 0, 32767, "of the error", TRAMMEL_LENS(filter.kp));
-  t.one("filter.ki", 0, 32767, "of the sum of errors / 256", TRAMMEL_LENS(filter.ki));
-  t.one("filter.kd", 0, 32767, "of the change of the error", TRAMMEL_LENS(filter.kd));
-  t.one("filter.il", 0, 32767, "limit of the integral term", TRAMMEL_LENS(filter.il));
-  t.one("filter.interval_samples", 1, 256, "of the derivative term",
-        TRAMMEL_LENS(filter.interval));
+  using F = sw::Lm628Filter;
+  const auto add = keys_of(t, "filter.", TRAMMEL_LENS(filter));
+  add("kp", 0, 32767, "of the error", &F::kp);
+  add("ki", 0, 32767, "of the sum of errors / 256", &F::ki);
+  add("kd", 0, 32767, "of the change of the error", &F::kd);
+  add("il", 0, 32767, "limit of the integral term", &F::il);
+  add("interval_samples", 1, 256, "of the derivative term", &F::interval);
 }
 
 // `motor` selects the plant::DcMotorConfig of the Options.
 template <class Options, class Lens>
 void add_motor(lab::KeyTable<Options>& t, Lens motor) {
-  const auto add = [&](const char* name, double min, double max, const char* help, auto member) {
-    t.one(name, min, max, help,
-          [motor, member](auto& o) -> auto& { return motor(o).*member; });
-  };
+  const auto add = keys_of(t, "motor.", motor);
   using M = plant::DcMotorConfig;
-  add("motor.resistance_ohm", 0.01, 1000, "of the winding; assumed", &M::resistance);
-  add("motor.inductance_H", 1e-4, 1, "of the winding; assumed", &M::inductance);
-  add("motor.constant_N_m_A", 1e-3, 10, "torque of a current, and V s/rad; assumed", &M::constant);
-  add("motor.inertia_kg_m2", 1e-6, 1, "of rotor and load; assumed", &M::inertia);
-  add("motor.viscous_N_m_s", 0, 1, "viscous friction, per rad/s; assumed", &M::viscous);
-  add("motor.coulomb_N_m", 0, 1, "Coulomb friction", &M::coulomb);
-  add("motor.friction_speed_rad_s", 1e-3, 10, "where friction smooths out", &M::friction_speed);
-  add("motor.external_torque_N_m", -10, 10, "against positive motion", &M::external_torque);
-  add("motor.supply_V", 1, 100, "of the amplifier, at full scale of the converter; assumed",
+  add("resistance_ohm", 0.01, 1000, "of the winding; assumed", &M::resistance);
+  add("inductance_H", 1e-4, 1, "of the winding; assumed", &M::inductance);
+  add("constant_N_m_A", 1e-3, 10, "torque of a current, and V s/rad; assumed", &M::constant);
+  add("inertia_kg_m2", 1e-6, 1, "of rotor and load; assumed", &M::inertia);
+  add("viscous_N_m_s", 0, 1, "viscous friction, per rad/s; assumed", &M::viscous);
+  add("coulomb_N_m", 0, 1, "Coulomb friction", &M::coulomb);
+  add("friction_speed_rad_s", 1e-3, 10, "where friction smooths out", &M::friction_speed);
+  add("external_torque_N_m", -10, 10, "against positive motion", &M::external_torque);
+  add("supply_V", 1, 100, "of the amplifier, at full scale of the converter; assumed",
       &M::supply);
 }
 

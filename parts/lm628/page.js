@@ -8,34 +8,42 @@
   const kBits = ['busy', 'command error', 'trajectory complete', 'index pulse', 'wraparound',
     'position error', 'breakpoint', 'motor off'];
 
-  const named = (prefix, spec) => (prefix === '' ? spec : { ...spec, id: `${spec.id}-${prefix[0]}`,
-    title: `${prefix[0].toUpperCase()} ${spec.title.toLowerCase()}` });
   const line = (label, data, role, unit, digits, more) => ({ label, data, role, unit, digits,
     ...more });
-
-  const plot = (prefix, spec) => T.timePlot(named(prefix, spec));
+  // What is wanted and what is done.
+  const pair = (name, unit, digits, desired, actual, width = 3) => [
+    line('desired', desired, 'asked', unit, digits, { width }),
+    line(name, actual, 'actual', unit, digits)];
+  const table = (head, rows) => T.el('div', { class: 'scroll' }, T.table(head, rows));
+  const text = (value, tag = 'td') => T.el(tag, { class: 'text' }, value);
 
   // Names of the bits of a status that are set, but busy.
   const bitsText = (status) => kBits.filter((name, bit) => bit > 0 && status >> bit & 1).reverse()
     .join(', ') || '\u2013';
 
-  const errorPlot = (s, prefix) => plot(prefix, { id: 'error', title: 'Error', small:
-    'desired less real', yLabel: 'error (counts)', series: [line('e', s[`${prefix}e`], 'actual',
-    'counts', 0)] });
+  // Events of parts; `more` are columns of text behind the number: [title, of(event)].
+  const eventTable = (name, events, more = []) => table([name, ...more.map(([title]) => text(title,
+    'th')), 'sample', 'time in the run (s)', 'desired (counts)', 'real (counts)', text('status',
+    'th')], events.map((one, k) => [k + 1, ...more.map(([, of]) => text(of(one))),
+    one.sample === 0 ? 'before the motion' : T.whole(one.sample), T.num(one.time_s, 5),
+    T.whole(one.desired_count), T.whole(one.real_count), text(bitsText(one.status))]));
 
-  const termsPlot = (s, prefix, print) => plot(prefix, { id: 'terms', title: 'Terms', yLabel:
-    'terms', print, series: [
-    line('output', s[`${prefix}output`], 'asked', '', 0, { width: 1 }),
-    line('d', s[`${prefix}d`], 'y', '', 0, { width: 1 }),
-    line('p', s[`${prefix}p`], 'model', '', 0), line('i', s[`${prefix}i`], 'x', '', 0)] });
+  const named = (prefix, spec) => (prefix === '' ? spec : { ...spec, id: `${spec.id}-${prefix[0]}`,
+    title: `${prefix[0].toUpperCase()} ${spec.title.toLowerCase()}` });
 
-  const voltagePlot = (s, prefix) => plot(prefix, { id: 'voltage', title: 'Voltage', small:
-    'of the amplifier', yLabel: 'voltage (V)', series: [line('u', s[`${prefix}u_V`], 'model', 'V',
-    2, { width: 1 })] });
-
-  const currentPlot = (s, prefix) => plot(prefix, { id: 'current', title: 'Current', small:
-    'of the motor', yLabel: 'current (A)', series: [line('i', s[`${prefix}i_A`], 'actual', 'A', 3,
-    { width: 1 })] });
+  // A plot of columns of a part: [label, column, role, unit, digits, more].
+  const plotOf = (spec, columns) => (s, prefix, print) => T.timePlot(named(prefix, { ...spec, print,
+    series: columns.map(([label, column, ...how]) => line(label, s[prefix + column], ...how)) }));
+  const thin = { width: 1 };
+  const errorPlot = plotOf({ id: 'error', title: 'Error', small: 'desired less real', yLabel:
+    'error (counts)' }, [['e', 'e', 'actual', 'counts', 0]]);
+  const termsPlot = plotOf({ id: 'terms', title: 'Terms', yLabel: 'terms' }, [
+    ['output', 'output', 'asked', '', 0, thin], ['d', 'd', 'y', '', 0, thin],
+    ['p', 'p', 'model', '', 0], ['i', 'i', 'x', '', 0]]);
+  const voltagePlot = plotOf({ id: 'voltage', title: 'Voltage', small: 'of the amplifier', yLabel:
+    'voltage (V)' }, [['u', 'u_V', 'model', 'V', 2, thin]]);
+  const currentPlot = plotOf({ id: 'current', title: 'Current', small: 'of the motor', yLabel:
+    'current (A)' }, [['i', 'i_A', 'actual', 'A', 3, thin]]);
 
   // A row for the pin HI, for each status bit and for what else is given: [name, values, bit]; a
   // bar where it is set.
@@ -104,5 +112,6 @@
     return node;
   }
 
-  T.lm628 = { line, bitsText, errorPlot, termsPlot, voltagePlot, currentPlot, statusPlot };
+  T.lm628 = { line, pair, table, text, eventTable, errorPlot, termsPlot, voltagePlot, currentPlot,
+    statusPlot };
 })(window.Trammel = window.Trammel || {});

@@ -2,7 +2,7 @@
 //
 // Keys, figures and files of the machine an693, from results made by hand.
 
-#include "machines/an693/figures.hpp"
+#include "machines/an693/machine.hpp"
 
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -14,8 +14,8 @@
 #include "lab/report_data.hpp"
 #include "lab/report_page.hpp"
 #include "lab/scenarios.hpp"
-#include "machines/an693/machine.hpp"
 #include "testbench/run.hpp"
+#include "tests/support/figures.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/message.hpp"
 #include "tests/support/told.hpp"
@@ -87,20 +87,23 @@ TEST_CASE("keys of another machine, unknown keys and bad values are refused in o
   CHECK_THAT(message_of("machine = 'another'\n"), Contains("is not one of an693"));
   CHECK_THAT(message_of("[filter]\nkp = 32768\n"), Contains("is out of range 0..32767"));
   CHECK_THAT(message_of("[motor]\nresistance_ohm = 900\n"), Contains("motor.inductance_H"));
-  CHECK_THAT(message_of("[encoder]\ncounts = 4001\n"), Contains("no multiple of 4"));
+  CHECK_THAT(message_of("[encoder]\ncounts = 4001\n"), Contains("is not a multiple of 4"));
 }
 
 TEST_CASE("an693 figures count samples from the first that moves") {
-  const an693::Options options;
-  const an693::Metrics m = evaluate(options, by_hand());
-  CHECK(m.moving_samples == 1);
-  CHECK(m.overshoot_counts == Approx(1));
-  CHECK(m.max_error_counts == 4);
-  CHECK(m.max_voltage_V == 3.5);
-  CHECK(m.settled_s == Approx(2 * 256e-6));
-  REQUIRE(m.interrupts.size() == 1);
-  CHECK(m.interrupts[0].sample == 5);
-  CHECK(m.interrupts[0].real == 4);
+  an693::Result result = by_hand();
+  const auto motion = [&](const std::string& name) {
+    return test::figure(an693::Options{}, result, "motion." + name);
+  };
+  CHECK(motion("samples") == 1);
+  CHECK(motion("overshoot_counts") == Approx(1));
+  CHECK(motion("max_error_counts") == 4);
+  CHECK(motion("max_voltage_V") == 3.5);
+  CHECK(motion("settled_s") == Approx(2 * 256e-6));
+  CHECK(motion("interrupts") == 1);
+  REQUIRE(result.interrupts.size() == 1);
+  CHECK(result.interrupts[0].sample == 5);
+  CHECK(result.interrupts[0].real == 4);
 }
 
 TEST_CASE("an693 interrupts before the desired position moves are told, as of sample 0") {
@@ -111,10 +114,10 @@ TEST_CASE("an693 interrupts before the desired position moves are told, as of sa
     s.host_irq = n == 1 || n == 3;
     result.samples.push_back(s);
   }
-  const an693::Metrics m = evaluate(an693::Options{}, result);
-  REQUIRE(m.interrupts.size() == 2);
-  CHECK(m.interrupts[0].sample == 0);
-  CHECK(m.interrupts[1].time_s == Approx(4 * 256e-6));
+  an693::figures(an693::Options{}, result);
+  REQUIRE(result.interrupts.size() == 2);
+  CHECK(result.interrupts[0].sample == 0);
+  CHECK(result.interrupts[1].time_s == Approx(4 * 256e-6));
 }
 
 TEST_CASE("an693 runs leave metrics.json, trace.csv and run.toml, and say how they ended") {

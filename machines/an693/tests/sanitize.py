@@ -33,7 +33,7 @@ REFUSED = [
     (2, "no such script", "lm628", "nothing"),
     (2, "is no key", "lm628", "hold", "-s", "gains.kp=1"),
     (5, "not within 0.01 s", "lm628", "OUT/late.lm628"),
-    (2, "here the commands are at the port", "lm628", "hold", "-s", "filter.kp=1"),
+    (2, "here the script gives the commands", "lm628", "hold", "-s", "filter.kp=1"),
 ]
 # Every word of the shell.
 WORDS = """RESET\nPORT8\nPORT12\nDFH\nSIP\nLPEI 1\nLPES 2\nSBPA -5\nSBPR 5\nMSKI 0\nRSTI 0

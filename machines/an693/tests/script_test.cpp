@@ -17,21 +17,19 @@ using sw::Lm628Command;
 
 namespace {
 
-Lm628Line parsed(const std::string& text) {
-  const auto line = parse_lm628_line(text, "a:1");
+Line parsed(const std::string& text) {
+  const auto line = parse_line(text, "a:1");
   REQUIRE(line);
   return *line;
 }
 
-std::vector<std::int64_t> values(const std::string& text) {
-  std::vector<std::int64_t> all;
-  for (const Lm628Value& one : parsed(text).values) all.push_back(one.value);
-  return all;
-}
+using Words = std::vector<std::uint32_t>;
+
+Words words(const std::string& text) { return parsed(text).words; }
 
 std::string refusal(const std::string& text) {
   try {
-    parse_lm628_script(text, "move.lm628");
+    parse_script(text, "move.lm628");
   } catch (const lab::ConfigError& error) {
     const std::string line = error.what();
     CHECK(line.find('\n') == std::string::npos);
@@ -43,41 +41,39 @@ std::string refusal(const std::string& text) {
 }  // namespace
 
 TEST_CASE("commands are the mnemonics of the data sheet in any case, and have its codes") {
-  CHECK(parsed("STT").word->code == Lm628Command::kStt);
-  CHECK(parsed("  stt  # go").word->code == Lm628Command::kStt);
-  CHECK(parsed("rdRP;").word->reply_bits == 32);
-  CHECK_FALSE(parse_lm628_line(" # nothing", "a:1"));
-  CHECK_FALSE(parse_lm628_line("", "a:1"));
+  CHECK(parsed("STT").command->opcode == Lm628Command::kStt);
+  CHECK(parsed("  stt  # go").command->opcode == Lm628Command::kStt);
+  CHECK(parsed("rdRP;").command->reply.bits == 32);
+  CHECK_FALSE(parse_line(" # nothing", "a:1"));
+  CHECK_FALSE(parse_line("", "a:1"));
   std::set<int> codes;
-  for (const Lm628Word& word : lm628_words()) {
-    if (word.action == Lm628Action::kCommand) codes.insert(static_cast<int>(word.code));
+  for (const Command& command : commands()) {
+    if (command.action == Action::kCommand) codes.insert(static_cast<int>(command.opcode));
   }
   CHECK(codes == std::set<int>{0x00, 0x01, 0x02, 0x03, 0x04, 0x05, 0x06, 0x07, 0x08, 0x09, 0x0A,
                                0x0B, 0x0C, 0x0D, 0x1A, 0x1B, 0x1C, 0x1D, 0x1E, 0x1F, 0x20, 0x21});
 }
 
 TEST_CASE("numbers are decimal or hexadecimal, and of a signed width a pattern too") {
-  CHECK(values("SBPA 80000") == std::vector<std::int64_t>{80000});
-  CHECK(values("SBPA -10") == std::vector<std::int64_t>{-10});
-  CHECK(values("SBPA -0xA") == std::vector<std::int64_t>{-10});
-  CHECK(values("SBPA FFFFFFF6h") == std::vector<std::int64_t>{-10});
-  CHECK(values("SBPA 0x3fffffff") == std::vector<std::int64_t>{0x3FFFFFFF});
-  CHECK(values("SBPA C0000000h") == std::vector<std::int64_t>{-(1 << 30)});
+  CHECK(words("SBPA 80000") == Words{1, 80000 - 65536});
+  CHECK(words("SBPA -10") == Words{0xFFFF, 0xFFF6});
+  CHECK(words("SBPA -0xA") == Words{0xFFFF, 0xFFF6});
+  CHECK(words("SBPA FFFFFFF6h") == Words{0xFFFF, 0xFFF6});
+  CHECK(words("SBPA 0x3fffffff") == Words{0x3FFF, 0xFFFF});
+  CHECK(words("SBPA C0000000h") == Words{0xC000, 0});
   CHECK_THAT(refusal("SBPA 80000001h"), Contains("move.lm628:1: SBPA: position: 80000001h is out"));
   CHECK_THAT(refusal("SBPA 40000000h"), Contains("-1073741824..1073741823 (C0000000h..3FFFFFFFh)"));
   for (const char* word : {"12a", "h", "0x", "-", "1.5", "--1", "99999999999999999999x"}) {
-    CHECK_THAT(refusal(std::string("SBPA ") + word), Contains("is no number"));
+    CHECK_THAT(refusal(std::string("SBPA ") + word), Contains("is not a number"));
   }
   CHECK_THAT(refusal("SBPA 99999999999999999999"), Contains("is out of range"));
   CHECK_THAT(refusal("SBPA FFFFFFFFFFFFFFFFh"), Contains("is out of range"));
 }
 
 TEST_CASE("LFIL takes what its control word asks for, in the part's order and width") {
-  CHECK(values("LFIL 030Fh 50 5 1000 32767") ==
-        std::vector<std::int64_t>{0x30F, 50, 5, 1000, 32767});
-  CHECK(values("LFIL 0009h 50 7") == std::vector<std::int64_t>{9, 50, 7});
-  CHECK(values("LFIL 0") == std::vector<std::int64_t>{0});
-  for (const Lm628Value& value : parsed("LFIL 000Fh 1 2 3 4").values) CHECK(value.bits == 16);
+  CHECK(words("LFIL 030Fh 50 5 1000 32767") == Words{0x30F, 50, 5, 1000, 32767});
+  CHECK(words("LFIL 0009h 50 7") == Words{9, 50, 7});
+  CHECK(words("LFIL 0") == Words{0});
   CHECK(refusal("\nLFIL 000Ah 50") ==
         "move.lm628:2: LFIL 000Ah asks for kp 0..32767 (7FFFh), kd 0..32767 (7FFFh): "
         "2 values, not 1");
@@ -86,19 +82,17 @@ TEST_CASE("LFIL takes what its control word asks for, in the part's order and wi
   CHECK_THAT(refusal("LFIL 0004h -1"), Contains("LFIL: ki: -1 is out of range"));
   CHECK_THAT(refusal("LFIL 000Fh"), Contains(", il 0..32767 (7FFFh): 4 values, not 0"));
   CHECK_THAT(refusal("LFIL 0001h"), Contains("asks for il 0..32767 (7FFFh): 1 value, not 0"));
-  CHECK_THAT(refusal("LFIL"), Contains("control word 0..65535 (FFFFh) is missing"));
-  CHECK_THAT(refusal("LFIL 10000h"), Contains("control word: 10000h is out of range"));
+  CHECK_THAT(refusal("LFIL"), Contains("control 0..65535 (FFFFh) is missing"));
+  CHECK_THAT(refusal("LFIL 10000h"), Contains("control: 10000h is out of range"));
 }
 
 TEST_CASE("LTRJ takes what its control word asks for; relative values may be negative") {
-  CHECK(values("LTRJ 002Ah 2 346Eh 8000") == std::vector<std::int64_t>{0x2A, 2, 0x346E, 8000});
-  CHECK(values("LTRJ 003Fh -2 -1 -8000") == std::vector<std::int64_t>{0x3F, -2, -1, -8000});
-  const Lm628Line line = parsed("LTRJ 0002h FFFFE0C0h");
-  CHECK(line.values[0].bits == 16);
-  CHECK(line.values[1].bits == 32);
-  CHECK(line.values[1].value == -8000);
-  CHECK(values("LTRJ 0100h") == std::vector<std::int64_t>{0x100});
-  CHECK(values("LTRJ 1815h") == std::vector<std::int64_t>{0x1815});  // relative, but nothing loaded
+  CHECK(words("LTRJ 002Ah 2 346Eh 8000") == Words{0x2A, 0, 2, 0, 0x346E, 0, 8000});
+  CHECK(words("LTRJ 003Fh -2 -1 -8000") ==
+        Words{0x3F, 0xFFFF, 0xFFFE, 0xFFFF, 0xFFFF, 0xFFFF, 0xE0C0});
+  CHECK(words("LTRJ 0002h FFFFE0C0h") == Words{2, 0xFFFF, 0xE0C0});
+  CHECK(words("LTRJ 0100h") == Words{0x100});
+  CHECK(words("LTRJ 1815h") == Words{0x1815});  // relative, but nothing loaded
   CHECK_THAT(refusal("LTRJ 002Ah 2 3"),
              Contains("LTRJ 002Ah asks for acceleration 0..1073741823 (") &&
                  Contains("3 values, not 2"));
@@ -110,18 +104,18 @@ TEST_CASE("LTRJ takes what its control word asks for; relative values may be neg
 }
 
 TEST_CASE("the other commands take one number or none") {
-  CHECK(values("LPES 7FFFh") == std::vector<std::int64_t>{0x7FFF});
-  CHECK(values("MSKI 0040h") == std::vector<std::int64_t>{0x40});
-  CHECK(values("byte d 255") == std::vector<std::int64_t>{255});
-  CHECK(parsed("byte d 255").to_data);
-  CHECK_FALSE(parsed("READ c").to_data);
+  CHECK(words("LPES 7FFFh") == Words{0x7FFF});
+  CHECK(words("MSKI 0040h") == Words{0x40});
+  CHECK(words("byte d 255") == Words{255});
+  CHECK(parsed("byte d 255").choice == "d");
+  CHECK(parsed("READ C").choice == "c");
   CHECK_THAT(refusal("LPEI 8000h"), Contains("LPEI: threshold: 8000h is out of range"));
   CHECK_THAT(refusal("RSTI"), Contains("RSTI: mask 0..65535 (FFFFh) is missing"));
   CHECK_THAT(refusal("STT 3"), Contains("STT asks for nothing: 0 values, not 1"));
   CHECK_THAT(refusal("byte d 256"), Contains("byte: 256 is out of range 0..255 (FFh)"));
   CHECK_THAT(refusal("byte 3"), Contains("expects c (PS low"));
   CHECK_THAT(refusal("read"), Contains("expects c (PS low"));
-  CHECK_THAT(refusal("rdsatt"), Contains("unknown command, did you mean RDSTAT?"));
+  CHECK_THAT(refusal("rdsatt"), Contains("rdsatt: unknown command; did you mean RDSTAT?"));
   CHECK_THAT(refusal("\x1b[2J"), Contains("?[2J: unknown command"));
   CHECK(refusal("STT\nquit\nfoo") ==
         "move.lm628:3: foo: unknown command; `help` names them all");
@@ -132,10 +126,10 @@ TEST_CASE("waits have a time, or an event with the longest time") {
   CHECK(parsed("wait 10ms").seconds == Approx(0.01));
   CHECK(parsed("wait 300 us").seconds == Approx(300e-6));
   CHECK(parsed("wait 100 samples").seconds == Approx(100 * 256e-6));
-  CHECK(parsed("wait 100 samples").until == Lm628Until::kTime);
-  CHECK(parsed("WAIT HI").until == Lm628Until::kHost);
+  CHECK(parsed("wait 100 samples").choice.empty());
+  CHECK(parsed("WAIT HI").choice == "hi");
   CHECK(parsed("wait hi").seconds == kLongestWait);
-  CHECK(parsed("wait complete 2 s").until == Lm628Until::kComplete);
+  CHECK(parsed("wait complete 2 s").choice == "complete");
   CHECK(parsed("wait complete 2 s").seconds == 2);
   for (const char* bad : {"wait", "wait 5", "wait s", "wait -1 s", "wait hi 4 days", "wait inf s",
                           "wait 1 s 2", "wait done"}) {
@@ -146,14 +140,26 @@ TEST_CASE("waits have a time, or an event with the longest time") {
 }
 
 TEST_CASE("help tells of all words, or of one") {
-  const std::string all = lm628_help("");
-  for (const Lm628Word& word : lm628_words()) CHECK_THAT(all, Contains(word.name));
-  CHECK_THAT(all, Contains("1Fh  LTRJ control [acceleration]"));
-  CHECK_THAT(lm628_help(parsed("help ltrj").topic), Contains("bit 5 acceleration"));
-  CHECK_THAT(lm628_help("PORT12"), Contains("the motor needs PORT12"));
-  CHECK(lm628_help("STT").find("LTRJ") == std::string::npos);
+  const auto help = [](const std::string& text) { return help_text(parsed(text).topic); };
+  for (const Command& command : commands()) CHECK_THAT(help("help"), Contains(command.name));
+  CHECK_THAT(help("help"), Contains("1Fh  LTRJ control [acceleration] [velocity] [position] "));
+  CHECK_THAT(help("help"), Contains("     byte c|d byte  "));
+  CHECK_THAT(help("help ltrj"), Contains("bit 5 acceleration"));
+  CHECK_THAT(help("help PORT12"), Contains("the motor needs PORT12"));
+  CHECK(help("help STT").find("LTRJ") == std::string::npos);
   CHECK_THAT(refusal("help lfl"), Contains("did you mean LFIL?"));
   CHECK_THAT(refusal("help a b"), Contains("expects one mnemonic"));
+}
+
+TEST_CASE("what may stand at a place is completed, in the case in which it was begun") {
+  using Names = std::vector<std::string>;
+  CHECK(completions("", "RDS") == Names{"RDSTAT", "RDSIGS", "RDSUM"});
+  CHECK(completions("", "port1") == Names{"port12"});
+  CHECK(completions("Help ", "wa") == Names{"wait"});
+  CHECK(completions("wait ", "") == Names{"hi", "complete"});
+  CHECK(completions("read ", "D") == Names{"d"});
+  CHECK(completions("", "").size() == commands().size());
+  CHECK(completions("RDRP ", "").empty());
 }
 
 TEST_CASE("built-in scripts can be read, and have names") {
@@ -161,10 +167,10 @@ TEST_CASE("built-in scripts can be read, and have names") {
   CHECK(files.size() == 5);
   for (const auto& file : files) {
     INFO(file);
-    CHECK(find_lm628_script(file.stem().string()) == file);
-    CHECK(parse_lm628_script(lab::read_text(file), file.string()).size() > 5);
+    CHECK(find_script(file.stem().string()) == file);
+    CHECK(parse_script(lab::read_text(file), file.string()).size() > 5);
   }
-  CHECK_THROWS_WITH(find_lm628_script("absolut"),
+  CHECK_THROWS_WITH(find_script("absolut"),
                     Contains("no such script, did you mean absolute?"));
-  CHECK(find_lm628_script("my/move") == "my/move");
+  CHECK(find_script("my/move") == "my/move");
 }

@@ -16,65 +16,75 @@
 
 namespace trammel::an693 {
 
-enum class Lm628Action {
-  kCommand,  // of the part, by its code
-  kRdstat,
+enum class Action {
+  kCommand,  // of the part, by its opcode
+  kWrite,    // one access of the port, busy or not
+  kRead,
+  kReset,    // the pin RST
+  kWait,
   kStatus,
   kPins,
-  kRst,
-  kWait,
-  kByte,     // one access of the port, without a look at busy
-  kRead,
   kHelp,
   kQuit
 };
 
-struct Lm628Word {
+// A number that a command takes.
+struct Field {
   const char* name;
-  Lm628Action action;
-  sw::Lm628Command code;  // of kCommand
-  const char* data;       // what follows it, for people
-  const char* help;
-  int reply_bits = 0;     // that the part answers: 0, 16 or 32
-  const char* unit = "";  // of the answer
-  bool is_signed = false;
+  int bits;  // of its transfer
+  std::int64_t low, high;
+  std::int64_t asked_by = 0;       // bit of the control word that asks for it; 0: always there
+  const char* relative = nullptr;  // its name if the bit below is set: then it may be negative
+};
+
+// What a command answers with: flags, or a number, which is signed if it has a unit.
+struct Reply {
+  int bits = 0;
+  const char* unit = nullptr;  // of a number
   int fraction_bits = 0;
 };
 
-const std::vector<Lm628Word>& lm628_words();
-
-struct Lm628Value {
-  std::int64_t value = 0;
-  int bits = 16;
+struct Command {
+  const char* name;
+  const char* help;
+  sw::Lm628Command opcode{};  // of kCommand
+  std::vector<Field> fields{};
+  Reply reply{};
+  const char* more = "";  // what `help NAME` adds
+  Action action = Action::kCommand;
+  std::vector<std::string> choices{};  // words of which one may come first
+  const char* data = "";               // what follows the name, where fields do not say it
 };
 
-enum class Lm628Until { kTime, kHost, kComplete };  // a span; the pin HI; status bit 2
+// All that the script, the shell, completion and help know.
+const std::vector<Command>& commands();
 
-struct Lm628Line {
-  const Lm628Word* word = nullptr;
-  std::vector<Lm628Value> values;        // data in the order in which the part takes them
-  bool to_data = false;                  // kByte, kRead: PS high
-  Lm628Until until = Lm628Until::kTime;  // kWait
-  double seconds = 0;                    // kWait: the span, or the longest
-  std::string topic;                     // kHelp: a mnemonic, or empty
-  std::string text;                      // as it was written
-  std::string where;                     // "file:line", for messages
+inline constexpr double kLongestWait = 60;  // [s] simulated, unless a script says otherwise
+
+struct Line {
+  const Command* command = nullptr;
+  std::string choice;                // one of the command's, or empty
+  std::vector<std::uint32_t> words;  // data as the part takes them, of 16 bits each; or a byte
+  double seconds = kLongestWait;     // kWait: how long, or how long at most
+  const Command* topic = nullptr;    // kHelp: one command; none: all
+  std::string text;                  // as it was written
+  std::string where;                 // "file:line", for messages
 };
-
-inline constexpr double kLongestWait = 60;  // [s] simulated, where a script names no other
 
 // One line; nothing where it holds no command. Throws lab::ConfigError, which begins with `where`.
-std::optional<Lm628Line> parse_lm628_line(const std::string& text, const std::string& where);
+std::optional<Line> parse_line(const std::string& text, const std::string& where);
 
 // All lines of a script; those after `quit` are read too.
-std::vector<Lm628Line> parse_lm628_script(const std::string& text, const std::string& source);
+std::vector<Line> parse_script(const std::string& text, const std::string& source);
 
 // A built-in script's name or a path. Throws lab::ConfigError.
-std::filesystem::path find_lm628_script(const std::string& name);
+std::filesystem::path find_script(const std::string& name);
 
-// All words with their data, or the one of that name with what there is to know.
-std::string lm628_help(const std::string& topic);
+// What may stand behind `before` and begins with `text`, in the case in which that was begun.
+std::vector<std::string> completions(const std::string& before, const std::string& text);
 
-std::string lm628_hex(std::int64_t value, int bits);  // "00001F40h"
+std::string help_text(const Command* topic);
+
+std::string hex(std::int64_t value, int bits);  // "00001F40h"
 
 }  // namespace trammel::an693

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "machines/an693/figures.hpp"
 #include "machines/an693/machine.hpp"
 
 namespace trammel::an693 {
@@ -14,54 +13,46 @@ namespace {
 
 namespace map = sw::lm628_map;
 using cosim::Clk;
-using Json = nlohmann::ordered_json;
-using sw::Lm628Command;
+using cosim::EndReason;
 
 constexpr double kLongestBusy = 100e-6;  // [s] of a command or word
-constexpr const char* kStatusBits[] = {"busy",        "command error",  "trajectory complete",
-                                       "index pulse", "wraparound",     "position error",
-                                       "breakpoint",  "motor off"};
 constexpr const char* kSignalBits[] = {
     "acquire next index", "command error",     "trajectory complete", "index pulse",
     "wraparound",         "position error",    "breakpoint",          "motor off",
     "8-bit output",       "turn off on error", "on target",           "velocity mode",
     "forward",            "UDF executed",      "acceleration loaded", "host interrupt"};
 
-std::string names_of(std::uint32_t bits, const char* const* names, int count) {
+// Bits 1 to 7 of the status byte are those of the signals register.
+const char* status_bit(unsigned bit) { return bit == 0 ? "busy" : kSignalBits[bit]; }
+
+std::string names_of(std::uint32_t bits, unsigned count) {
   std::string text;
-  for (int bit = count - 1; bit >= 0; --bit) {
-    if ((bits >> bit & 1u) != 0) text += (text.empty() ? "" : ", ") + std::string(names[bit]);
+  for (unsigned bit = count; bit-- > 0;) {
+    if ((bits >> bit & 1u) == 0) continue;
+    text += (text.empty() ? "" : ", ") + std::string(count == 8 ? status_bit(bit)
+                                                                : kSignalBits[bit]);
   }
   return text.empty() ? "no bit set" : text;
-}
-
-// The pattern as the word's number: sign, fraction.
-double number_of(const Lm628Word& word, std::uint32_t bits) {
-  auto value = static_cast<std::int64_t>(bits);
-  if (word.is_signed && (bits >> (word.reply_bits - 1) & 1u) != 0) {
-    value -= std::int64_t{1} << word.reply_bits;
-  }
-  return std::ldexp(static_cast<double>(value), -word.fraction_bits);
 }
 
 cosim::Waves waves_of(const Options& options) {
   cosim::Waves waves;
   if (options.run.wave == cosim::WaveFormat::kNone) return waves;
   const auto event = cosim::wave_event(options.run, triggers());
-  const Clk first_line = Lm628Shell::kResetClk;
-  const Clk origin = !event ? 0 : event->known() ? event->edge : first_line;
+  const Clk origin = !event ? 0 : event->known() ? event->edge : Shell::kResetClk;
   waves.window = cosim::wave_window(options.run, origin);
   return waves;
 }
 
-void check(const sw::Lm628Port& port, const std::string& where) {
-  if (!port.stuck()) return;
-  throw Lm628Halt(cosim::EndReason::kFault, where + ": the busy bit did not clear");
+std::uint32_t address(const Line& line) { return line.choice == "d" ? map::kData : map::kCommand; }
+
+void check(const sw::Lm628Port& port) {
+  if (port.stuck()) throw Halt(EndReason::kFault, "the busy bit did not clear");
 }
 
 }  // namespace
 
-Lm628Shell::Lm628Shell(const Options& options, const std::atomic<bool>& stop)
+Shell::Shell(const Options& options, const std::atomic<bool>& stop)
     : options_(options),
       stop_(stop),
       bench_(options, [](const Sample&) { return false; }, waves_of(options)),
@@ -70,130 +61,116 @@ Lm628Shell::Lm628Shell(const Options& options, const std::atomic<bool>& stop)
   bus_.wait(kResetClk);
 }
 
-double Lm628Shell::seconds() const { return lab::seconds_of(bench_.chip().now()); }
+double Shell::seconds() const { return lab::seconds_of(bench_.chip().now()); }
 
-Clk Lm628Shell::clocks(double seconds) const {
+Clk Shell::clocks(double seconds) const {
   return std::max<Clk>(1, cosim::clocks_of(seconds, options_.plant.clock_ps));
 }
 
-void Lm628Shell::strobe_reset() {
+void Shell::strobe_reset() {
   bus_.write(map::kReset, 1);
   twelve_bits_ = false;
 }
 
-void Lm628Shell::look_at_promises(const std::string& where) const {
-  const auto broken = bench_.chip().broken_promise();
-  if (!broken) return;
-  throw Lm628Halt(cosim::EndReason::kPromise,
-                  fmt::format("{}: assertion failed: {}", where,
-                              lab::promise_text(*broken)));
+void Shell::check_assertions() const {
+  if (const auto broken = bench_.chip().broken_promise()) {
+    throw Halt(EndReason::kPromise, "assertion failed: " + lab::promise_text(*broken));
+  }
 }
 
-// Throws when there is no more time, or no wish to go on.
-void Lm628Shell::go_on(const std::string& where) const {
-  look_at_promises(where);
+// Throws when simulated time is up, or the user interrupts.
+void Shell::go_on() const {
+  check_assertions();
   if (stop_.load(std::memory_order_relaxed)) {
-    throw Lm628Halt(cosim::EndReason::kStopped, fmt::format("{}: interrupted at {:.6f} s", where,
-                                                            seconds()));
+    throw Halt(EndReason::kStopped, fmt::format("interrupted at {:.6f} s", seconds()));
   }
   if (bench_.chip().now() >= bench_.end()) {
-    throw Lm628Halt(cosim::EndReason::kTimeout,
-                    fmt::format("{}: run.max_s = {:g} s of simulated time are over", where,
-                                options_.run.max_s));
+    throw Halt(EndReason::kTimeout, fmt::format("run.max_s = {:g} s of simulated time are over",
+                                                options_.run.max_s));
   }
 }
 
-void Lm628Shell::pass(const std::string& where, Clk count) {
+void Shell::pass(Clk count) {
   const Clk sample = clocks(kSampleS);
   for (Clk left = count; left > 0; left -= sample) {
-    go_on(where);
+    go_on();
     bus_.wait(std::min(left, sample));
   }
 }
 
-Lm628Answer Lm628Shell::execute(const Lm628Line& line) {
-  go_on(line.where);
-  Lm628Answer answer;
+Answer Shell::execute(const Line& line) {
+  Answer answer;
   answer.json["line"] = line.text;
-  const Lm628Word& word = *line.word;
-  switch (word.action) {
-    case Lm628Action::kCommand: command(line, answer); break;
-    case Lm628Action::kRdstat: tell(word, bus_.read(map::kCommand), answer); break;
-    case Lm628Action::kRead:
-      tell(word, bus_.read(line.to_data ? map::kData : map::kCommand), answer);
-      break;
-    case Lm628Action::kByte:
-      bus_.write(line.to_data ? map::kData : map::kCommand,
-                 static_cast<std::uint32_t>(line.values[0].value));
-      break;
-    case Lm628Action::kRst:
-      strobe_reset();
-      pass(line.where, kResetClk);
-      break;
-    case Lm628Action::kWait: wait(line, answer); break;
-    case Lm628Action::kStatus: tell_status(line.where, answer); break;
-    case Lm628Action::kPins: tell_pins(answer); break;
-    case Lm628Action::kHelp: answer.text = lm628_help(line.topic); break;
-    case Lm628Action::kQuit: break;
+  try {
+    go_on();
+    switch (line.command->action) {
+      case Action::kCommand: command(line, answer); break;
+      case Action::kRead: tell(*line.command, bus_.read(address(line)), answer); break;
+      case Action::kWrite: bus_.write(address(line), line.words[0]); break;
+      case Action::kReset:
+        strobe_reset();
+        pass(kResetClk);
+        break;
+      case Action::kWait: wait(line, answer); break;
+      case Action::kStatus: tell_status(answer); break;
+      case Action::kPins: tell_pins(answer); break;
+      case Action::kHelp: answer.text = help_text(line.topic); break;
+      case Action::kQuit: break;
+    }
+    check_assertions();
+  } catch (const Halt& halt) {
+    throw Halt(halt.end, line.where + ": " + halt.what());
   }
-  look_at_promises(line.where);
   answer.json["time_s"] = seconds();
   return answer;
 }
 
-void Lm628Shell::command(const Lm628Line& line, Lm628Answer& answer) {
-  const Lm628Word& word = *line.word;
+void Shell::command(const Line& line, Answer& answer) {
+  using Op = sw::Lm628Command;
+  const Command& command = *line.command;
   sw::Lm628Port port(bus_);
-  port.command(word.code);
-  for (const Lm628Value& data : line.values) {
-    if (data.bits == 16) {
-      port.word(static_cast<std::uint32_t>(data.value));
-    } else {
-      port.long_word(static_cast<std::int32_t>(data.value));
-    }
-  }
-  std::uint32_t reply = word.reply_bits > 0 ? port.read_word() : 0;
-  if (word.reply_bits == 32) reply = reply << 16 | port.read_word();
-  check(port, line.where);
-  if (word.reply_bits > 0) tell(word, reply, answer);
-  if (word.code == Lm628Command::kPort12) twelve_bits_ = true;
-  if (word.code == Lm628Command::kPort8) twelve_bits_ = false;
-  if (word.code == Lm628Command::kReset) {
-    twelve_bits_ = false;
-    pass(line.where, kResetClk);
-  }
-  if (word.code == Lm628Command::kStt && !twelve_bits_) {
+  port.command(command.opcode);
+  for (const std::uint32_t word : line.words) port.word(word);
+  std::uint32_t reply = command.reply.bits > 0 ? port.read_word() : 0;
+  if (command.reply.bits == 32) reply = reply << 16 | port.read_word();
+  check(port);
+  if (command.reply.bits > 0) tell(command, reply, answer);
+  if (command.opcode == Op::kPort12) twelve_bits_ = true;
+  if (command.opcode == Op::kPort8 || command.opcode == Op::kReset) twelve_bits_ = false;
+  if (command.opcode == Op::kReset) pass(kResetClk);
+  if (command.opcode == Op::kStt && !twelve_bits_) {
     answer.note = line.where + ": STT: the motor gets nothing before PORT12";
   }
 }
 
-void Lm628Shell::tell(const Lm628Word& word, std::uint32_t bits, Lm628Answer& answer) const {
-  const std::string hex = lm628_hex(bits, word.reply_bits);
-  answer.json["hex"] = hex;
-  if (word.action == Lm628Action::kRead) {
-    answer.json["value"] = bits;
-    answer.text = fmt::format("read    {}  {}\n", hex, bits);
-  } else if (*word.unit == '\0') {
-    const bool is_status = word.reply_bits == 8;
-    const std::string names = names_of(bits, is_status ? kStatusBits : kSignalBits,
-                                       word.reply_bits);
-    answer.json["bits"] = names;
-    answer.text = fmt::format("{:<8}{}  {}\n", word.name, hex, names);
+void Shell::tell(const Command& command, std::uint32_t bits, Answer& answer) const {
+  const Reply& reply = command.reply;
+  const std::string pattern = hex(bits, reply.bits);
+  answer.json["hex"] = pattern;
+  std::string text;
+  if (reply.unit == nullptr) {
+    text = names_of(bits, static_cast<unsigned>(reply.bits));
+    answer.json["bits"] = text;
   } else {
-    const double value = number_of(word, bits);
+    const bool negative = *reply.unit != '\0' && (bits >> (reply.bits - 1) & 1u) != 0;
+    const double whole = bits - (negative ? std::ldexp(1, reply.bits) : 0);
+    const double value = std::ldexp(whole, -reply.fraction_bits);
     answer.json["value"] = value;
-    answer.json["unit"] = word.unit;
-    answer.text = fmt::format("{:<8}{}  {:.{}f} {}\n", word.name, hex, value,
-                              word.fraction_bits > 0 ? 6 : 0, word.unit);
+    text = fmt::format("{:.{}f}", value, reply.fraction_bits > 0 ? 6 : 0);
+    if (*reply.unit != '\0') {
+      answer.json["unit"] = reply.unit;
+      text += fmt::format(" {}", reply.unit);
+    }
   }
+  answer.text = fmt::format("{:<8}{}  {}\n", command.name, pattern, text);
 }
 
-void Lm628Shell::wait(const Lm628Line& line, Lm628Answer& answer) {
+void Shell::wait(const Line& line, Answer& answer) {
   const Clk begin = bench_.chip().now();
   const Clk limit = begin + clocks(line.seconds);
-  if (line.until == Lm628Until::kTime) return pass(line.where, limit - begin);
+  if (line.choice.empty()) return pass(limit - begin);
   sw::Lm628Port port(bus_);
-  const bool for_host = line.until == Lm628Until::kHost;
+  const bool for_host = line.choice == "hi";
   const Clk sample = clocks(kSampleS);
   for (;;) {
     const std::uint8_t status = for_host ? bench_.chip().words().status : port.status();
@@ -201,12 +178,11 @@ void Lm628Shell::wait(const Lm628Line& line, Lm628Answer& answer) {
                                    : (status & sw::lm628_status::kTrajectoryComplete) != 0;
     // A part that is busy may not yet have taken back what the last RSTI clears.
     if (is_there && (status & sw::lm628_status::kBusy) == 0) break;
-    go_on(line.where);
+    go_on();
     const Clk now = bench_.chip().now();
     if (now >= limit) {
-      throw Lm628Halt(cosim::EndReason::kTimeout,
-                      fmt::format("{}: {}: not within {:g} s; status {}", line.where, line.text,
-                                  line.seconds, lm628_hex(status, 8)));
+      throw Halt(EndReason::kTimeout, fmt::format("{}: not within {:g} s; status {}", line.text,
+                                                  line.seconds, hex(status, 8)));
     }
     if (for_host && !is_there) {
       bus_.wait_until(bench_.loop().advance(std::min(limit, now + sample), cosim::kIrq).edge);
@@ -219,21 +195,20 @@ void Lm628Shell::wait(const Lm628Line& line, Lm628Answer& answer) {
   answer.text = fmt::format("{}: after {:.6f} s\n", line.text, waited);
 }
 
-// Both registers as a table: 8 rows of a status bit and two signals. The part has ended what was
-// before.
-void Lm628Shell::tell_status(const std::string& where, Lm628Answer& answer) {
-  pass(where, clocks(kLongestBusy));
+// Both registers as a table: 8 rows of a status bit and two signals. First the part finishes the
+// command before.
+void Shell::tell_status(Answer& answer) {
+  pass(clocks(kLongestBusy));
   const std::uint32_t status = bus_.read(map::kCommand);
   sw::Lm628Port port(bus_);
-  port.command(Lm628Command::kRdsigs);
+  port.command(sw::Lm628Command::kRdsigs);
   const std::uint32_t signals = port.read_word();
-  check(port, where);
-  const std::string hex = lm628_hex(signals, 16);
-  answer.json["status"] = lm628_hex(status, 8);
-  answer.json["signals"] = hex;
-  answer.text = fmt::format("{:<32}{}\n", "status " + lm628_hex(status, 8), "signals " + hex);
+  check(port);
+  answer.json["status"] = hex(status, 8);
+  answer.json["signals"] = hex(signals, 16);
+  answer.text = fmt::format("status {:<25}signals {}\n", hex(status, 8), hex(signals, 16));
   for (unsigned row = 8; row-- > 0;) {
-    answer.text += fmt::format("{:>3} {:<22}{}  ", row, kStatusBits[row], status >> row & 1u);
+    answer.text += fmt::format("{:>3} {:<22}{}  ", row, status_bit(row), status >> row & 1u);
     for (const unsigned bit : {row + 8, row}) {
       answer.text += fmt::format("  {:>2} {:<22}{}", bit, kSignalBits[bit], signals >> bit & 1u);
     }
@@ -241,29 +216,25 @@ void Lm628Shell::tell_status(const std::string& where, Lm628Answer& answer) {
   }
 }
 
-void Lm628Shell::tell_pins(Lm628Answer& answer) const {
+void Shell::tell_pins(Answer& answer) const {
   const cosim::Lines lines = bench_.plant().sense();
   const auto level = [lines](int bit) { return static_cast<int>(lines >> bit & 1u); };
+  const int hi = bench_.chip().host_irq() ? 1 : 0, a = level(lm628::kEncoderA);
+  const int b = level(lm628::kEncoderB), in = 1 - level(lm628::kIndex);  // active low at the part
   const cosim::Lines code = bench_.chip().drive();
   const plant::DcMotorState motor = bench_.plant().axis().state(bench_.chip().now() - 1);
-  Sample shaft;
-  shaft.theta = motor.theta;
   const double volt = bench_.plant().axis().voltage();
-  const int in = 1 - level(lm628::kIndex);  // active low at the part
-  const double counts = shaft_counts(options_, shaft);
+  const double counts = shaft_counts(options_, motor.theta);
   const double speed = motor.omega / plant::MotorAxis::kTurn;
-  answer.json["pins"] = {{"HI", bench_.chip().host_irq() ? 1 : 0}, {"A", level(lm628::kEncoderA)},
-                         {"B", level(lm628::kEncoderB)}, {"IN", in}, {"DAC", code}};
+  answer.json["pins"] = {{"HI", hi}, {"A", a}, {"B", b}, {"IN", in}, {"DAC", code}};
   answer.json["motor"] = {{"volt_V", volt}, {"current_A", motor.i}, {"speed_rev_s", speed},
                           {"shaft_counts", counts}};
-  answer.text = fmt::format("HI {}  A {}  B {}  IN {}  DAC {:03X}h\n",
-                            bench_.chip().host_irq() ? 1 : 0, level(lm628::kEncoderA),
-                            level(lm628::kEncoderB), in, code);
-  answer.text += fmt::format("motor {:.3f} V  {:.4f} A  {:.4f} rev/s  {:.2f} counts\n", volt,
-                             motor.i, speed, counts);
+  answer.text = fmt::format("HI {}  A {}  B {}  IN {}  DAC {:03X}h\n"
+                            "motor {:.3f} V  {:.4f} A  {:.4f} rev/s  {:.2f} counts\n",
+                            hi, a, b, in, code, volt, motor.i, speed, counts);
 }
 
-Result Lm628Shell::result() {
+Result Shell::result() {
   Result result = bench_.result();
   const lm628::Words words = bench_.chip().words();
   result.desired = static_cast<std::int32_t>(words.position >> 16);

@@ -15,27 +15,27 @@
 
 namespace trammel::an693 {
 
-// A line that cannot be ended: a wait that took too long, a part that stays busy. One line of text.
-struct Lm628Halt : std::runtime_error {
-  Lm628Halt(cosim::EndReason why, const std::string& text) : std::runtime_error(text), end(why) {}
+// A line that cannot be completed: a wait that took too long, a part that stays busy.
+struct Halt : std::runtime_error {
+  Halt(cosim::EndReason why, const std::string& line) : std::runtime_error(line), end(why) {}
   cosim::EndReason end;
 };
 
-struct Lm628Answer {
+struct Answer {
   std::string text;             // lines for stdout, or nothing
   nlohmann::ordered_json json;  // the line, when it was done, and what came back
   std::string note;             // for stderr, or nothing
 };
 
-class Lm628Shell {
+class Shell {
  public:
   static constexpr cosim::Clk kResetClk = 75'000;  // 1.5 ms at 50 MHz
 
   // Strobes RST and waits until the part is ready. `stop` ends a wait. A default window of waves
-  // begins with the first line, where no trigger says when.
-  Lm628Shell(const Options& options, const std::atomic<bool>& stop);
+  // begins with the first line unless a trigger says when.
+  Shell(const Options& options, const std::atomic<bool>& stop);
 
-  Lm628Answer execute(const Lm628Line& line);  // throws Lm628Halt
+  Answer execute(const Line& line);  // throws Halt
 
   Result result();  // of all that was executed
 
@@ -43,14 +43,14 @@ class Lm628Shell {
   double seconds() const;
   cosim::Clk clocks(double seconds) const;
   void strobe_reset();
-  void pass(const std::string& where, cosim::Clk count);
-  void go_on(const std::string& where) const;
-  void look_at_promises(const std::string& where) const;
-  void command(const Lm628Line& line, Lm628Answer& answer);
-  void wait(const Lm628Line& line, Lm628Answer& answer);
-  void tell(const Lm628Word& word, std::uint32_t bits, Lm628Answer& answer) const;
-  void tell_status(const std::string& where, Lm628Answer& answer);
-  void tell_pins(Lm628Answer& answer) const;
+  void pass(cosim::Clk count);
+  void go_on() const;
+  void check_assertions() const;
+  void command(const Line& line, Answer& answer);
+  void wait(const Line& line, Answer& answer);
+  void tell(const Command& command, std::uint32_t bits, Answer& answer) const;
+  void tell_status(Answer& answer);
+  void tell_pins(Answer& answer) const;
 
   Options options_;
   const std::atomic<bool>& stop_;

@@ -6,75 +6,38 @@
 #include <poll.h>
 #include <unistd.h>
 
-#include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <memory>
-#include <vector>
 
-#include "machines/an693/verbs/console.hpp"
 #include "machines/an693/verbs/script.hpp"
+#include "machines/an693/verbs/verbs.hpp"
 
 namespace trammel::an693 {
 namespace {
 
-// What may stand at that place and begins with `text`, in the case that it was begun in.
-std::vector<std::string> candidates(const std::string& before, const std::string& text) {
-  std::vector<std::string> words;
-  if (before.empty() || before == "help ") {
-    for (const Lm628Word& word : lm628_words()) words.emplace_back(word.name);
-  } else if (before == "wait ") {
-    words = {"hi", "complete"};
-  } else if (before == "byte " || before == "read ") {
-    words = {"c", "d"};
-  }
-  const bool small = !text.empty() && std::islower(static_cast<unsigned char>(text[0])) != 0;
-  std::vector<std::string> fitting;
-  for (std::string& word : words) {
-    const auto same = [](char a, char b) {
-      return std::tolower(static_cast<unsigned char>(a)) ==
-             std::tolower(static_cast<unsigned char>(b));
-    };
-    if (text.size() > word.size() || !std::equal(text.begin(), text.end(), word.begin(), same)) {
-      continue;
-    }
-    if (small) {
-      for (char& c : word) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    }
-    fitting.push_back(std::move(word));
-  }
-  return fitting;
-}
-
-std::vector<std::string>& offered() {
+// The words that may stand where `text` was begun, one a call; the first call has the state 0.
+char* next_word(const char* text, int state) {
   static std::vector<std::string> words;
-  return words;
-}
-
-char* next_offered(const char*, int state) {
-  static std::size_t at = 0;
-  if (state == 0) at = 0;
-  return at < offered().size() ? strdup(offered()[at++].c_str()) : nullptr;
-}
-
-char** complete(const char* text, int start, int) {
-  std::string before(rl_line_buffer, static_cast<std::size_t>(start));
-  for (char& c : before) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  offered() = candidates(before, text);
-  rl_attempted_completion_over = 1;  // no names of files
-  return rl_completion_matches(text, next_offered);
+  if (state == 0) {
+    const std::size_t begin = static_cast<std::size_t>(rl_point) - std::strlen(text);
+    words = completions({rl_line_buffer, begin}, text);
+  }
+  if (words.empty()) return nullptr;
+  char* const word = strdup(words.back().c_str());
+  words.pop_back();
+  return word;
 }
 
 const std::atomic<bool>* interrupted = nullptr;
 
 // libedit handles a stop and a resize once a line, and passes them on to us; so do the later ones.
-volatile std::sig_atomic_t continued = 0, resized = 0;
+volatile std::sig_atomic_t disturbed = 0;
 
-void note(int signal) { (signal == SIGCONT ? continued : resized) = 1; }
+void note(int) { disturbed = 1; }
 
 // A key, or EOF at the end of input or when the line was interrupted, be it between two keys:
 // libedit would know of that at the next one.
@@ -86,14 +49,11 @@ int read_key(FILE* in) {
   pollfd input{fileno(in), POLLIN, 0};
   int key = EOF;
   while (!*interrupted) {
-    if (continued != 0) {
-      continued = 0;
+    if (disturbed != 0) {
+      disturbed = 0;
       rl_prep_terminal(1);
-      rl_forced_update_display();
-    }
-    if (resized != 0) {
-      resized = 0;
       rl_resize_terminal();
+      rl_forced_update_display();
     }
     unsigned char byte = 0;
     const bool is_there = ppoll(&input, 1, nullptr, &before) == 1;
@@ -116,9 +76,9 @@ ReadLine terminal_lines(const std::atomic<bool>& stop) {
   sigaction(SIGCONT, &noted, nullptr);
   sigaction(SIGWINCH, &noted, nullptr);
   rl_getc_function = read_key;
+  rl_completion_entry_function = next_word;
   rl_initialize();
   using_history();
-  rl_attempted_completion_function = complete;
   return [](const std::string& prompt) -> std::optional<std::string> {
     const std::unique_ptr<char, void (*)(void*)> line(readline(prompt.c_str()), std::free);
     if (line == nullptr) return {};

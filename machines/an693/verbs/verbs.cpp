@@ -1,25 +1,207 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "machines/an693/verbs/console.hpp"
-#include "testbench/arguments.hpp"
+#include "machines/an693/verbs/verbs.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdio>
+#include <iostream>
+#include <iterator>
+#include <vector>
+
+#include "lab/files.hpp"
+#include "lab/layers.hpp"
+#include "lab/write.hpp"
+#include "machines/an693/machine.hpp"
+#include "machines/an693/verbs/shell.hpp"
+#include "testbench/run.hpp"
 
 namespace trammel::an693 {
+namespace {
+
+namespace fs = std::filesystem;
+using lab::ConfigError;
+using testbench::tell;
+using Json = nlohmann::ordered_json;
+
+// What was executed so far, and how that ended.
+struct Transcript {
+  std::string script;  // the lines
+  Json answers = Json::array();
+  cosim::EndReason end = cosim::EndReason::kDone;
+  std::string halt;  // where it could not go on
+};
+
+// False at the command that ends it all.
+bool execute(Shell& shell, const Line& line, Transcript& all, bool quiet = false) {
+  if (line.command->action == Action::kQuit) return false;
+  if (line.command->action != Action::kHelp) all.script += line.text + '\n';
+  const Answer answer = shell.execute(line);
+  all.answers.push_back(answer.json);
+  if (!quiet) fmt::print("{}", answer.text);
+  if (!answer.note.empty()) tell(answer.note);
+  std::fflush(stdout);
+  return true;
+}
+
+void play(Shell& shell, const std::vector<Line>& script, Transcript& all, bool quiet) {
+  try {
+    for (const Line& line : script) {
+      if (!execute(shell, line, all, quiet)) return;
+    }
+  } catch (const Halt& halt) {
+    all.end = halt.end;
+    all.halt = halt.what();
+    tell(halt.what());
+  }
+}
+
+void converse(Shell& shell, const ReadLine& read_line, std::atomic<bool>& stop, Transcript& all) {
+  fmt::print("LM628 of 8 MHz with a DC motor, after RST; `help` names the commands\n");
+  for (;;) {
+    stop = false;
+    const std::optional<std::string> text = read_line("lm628> ");
+    if (!text && !stop) return;
+    if (!text) {
+      fmt::print("\n");
+      continue;
+    }
+    try {  // a stop that comes right after the line ends what the line asks for
+      const auto line = parse_line(*text, "lm628");
+      if (line && !execute(shell, *line, all)) return;
+    } catch (const ConfigError& error) {
+      tell(error.what());
+    } catch (const Halt& halt) {
+      tell(halt.what());
+    }
+  }
+}
+
+// The time of an event is not known in advance, and a script is not run twice.
+void check_script_waves(const cosim::RunBasics& run, const std::string& out) {
+  if (run.wave == cosim::WaveFormat::kNone) return;
+  if (out.empty()) throw ConfigError("lm628: --wave: needs a folder for the waves (-o)");
+  if (cosim::trigger_asked(run) && !cosim::parse_trigger(run.wave_trigger, triggers()).known()) {
+    throw ConfigError(fmt::format("lm628: --wave-trigger: \"{}\" is not known before the script "
+                                  "runs; give at TIME, or --wave-window",
+                                  run.wave_trigger));
+  }
+}
+
+// What a script does itself, or what does not end its run.
+bool of_firmware(const lab::Key& key) {
+  return key.name == "program" || key.name == "run.platform" ||
+         key.name == "run.diverged_counts" || key.name == "processor.interrupt_latency_clk" ||
+         key.name.rfind("filter.", 0) == 0 || key.name.rfind("trajectory.", 0) == 0;
+}
+
+// Keys that would do nothing.
+void refuse_firmware_keys(const Options& options) {
+  const Options untouched;
+  for (const lab::Key& key : keys()) {
+    if (!of_firmware(key) || key.get(options) == key.get(untouched)) continue;
+    throw ConfigError(fmt::format("lm628: {}: belongs to the programs of `trammel run an693-*`; "
+                                  "here the script gives the commands",
+                                  key.name));
+  }
+}
+
+// The script that was asked for, and its name.
+std::vector<Line> read_script(const std::string& asked, std::string& name) {
+  if (asked.empty() || asked == "-") {
+    return parse_script({std::istreambuf_iterator<char>(std::cin), {}}, "standard input");
+  }
+  const fs::path file = find_script(asked);
+  name = file.stem().string();
+  return parse_script(lab::read_text(file), file.string());
+}
+
+// Nothing piped and no script: a person.
+bool is_conversation(const testbench::Arguments& arguments) {
+  return arguments.scenario.empty() && isatty(STDIN_FILENO) != 0 && isatty(STDOUT_FILENO) != 0;
+}
+
+int perform(const testbench::Arguments& arguments, std::atomic<bool>& stop) {
+  return lm628_shell(arguments, stop,
+                     is_conversation(arguments) ? terminal_lines(stop) : ReadLine());
+}
+
+}  // namespace
+
+int lm628_shell(const testbench::Arguments& arguments, std::atomic<bool>& stop,
+                const ReadLine& read_line) {
+  const bool talks = static_cast<bool>(read_line);
+  if (talks && arguments.json) throw ConfigError("lm628: --json: needs a script");
+  const auto settings = std::make_shared<Options>();
+  Options& options = *settings;
+  options.scenario = "lm628";
+  std::vector<Line> script;
+  if (!talks) script = read_script(arguments.scenario, options.scenario);
+  testbench::apply_layers(options, arguments);
+  refuse_firmware_keys(options);
+  lab::validate(options);
+  check_script_waves(options.run, arguments.out);
+  if (const auto notice = lab::waves_notice(options)) tell(*notice);
+  options.run.platform = cosim::Platform::kDirect;  // the host is this program
+  std::optional<lab::OutputFolder> folder;
+  if (!arguments.out.empty()) {
+    folder.emplace(arguments.out);
+    options.run.wave_file = lab::wave_file(folder->scratch());
+  }
+
+  Transcript all;
+  auto result = std::make_unique<Result>();
+  {
+    // Signals are for this thread: one that the chip begins has its mask.
+    sigset_t all_signals, before;
+    sigfillset(&all_signals);
+    pthread_sigmask(SIG_BLOCK, &all_signals, &before);
+    Shell shell(options, stop);
+    pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    if (talks) {
+      converse(shell, read_line, stop, all);
+    } else {
+      play(shell, script, all, arguments.json);
+    }
+    *result = shell.result();
+  }  // its waves are whole
+  result->end = result->promise ? cosim::EndReason::kPromise : all.end;
+  result->fault = all.halt;
+  const int code = lab::exit_code(result->end);
+  if (!folder && !arguments.json) return code;
+  const lab::Record record = lab::judged(settings, std::move(result));
+  const std::string again = folder                       ? "script.lm628 -c run.toml"
+                            : arguments.scenario.empty() ? "-"
+                                                         : lab::shell_word(arguments.scenario);
+  const lab::Origin origin{"./trammel lm628 " + again, of_firmware, {{"script", all.answers}},
+                           {{"script.lm628", all.script}}};
+  const Json json = lab::metrics_json(record, origin);
+  if (arguments.json) fmt::print("{}\n", json.dump(2));
+  if (!folder) return code;
+  const lab::Written written = lab::write_record(record, *folder, json, origin, arguments.report);
+  folder->publish();
+  for (const std::string& note : written.notes) tell(note);
+  if (!arguments.json) {
+    const std::string shown = fs::proximate(folder->target()).string();
+    fmt::print("{}", lab::report_text(record, shown, written.page));
+  }
+  return code == 0 && !written.waves ? 1 : code;
+}
 
 std::vector<testbench::Verb> verbs() {
   testbench::Verb verb;
   verb.name = "lm628";
-  verb.help = "the commands of an LM628 with its motor: a script, or a conversation";
+  verb.help = "send commands to an LM628 with its motor, from a script or typed at a prompt";
   verb.argument = "script";
   verb.argument_help =
-      "built-in name, file, or - for standard input; none on a terminal: a conversation, in which "
-      "`help` names the commands";
-  verb.out_help = "write what `trammel run` writes into this folder, and script.lm628";
+      "built-in name, file, or - for standard input; none on a terminal: a prompt, at which `help` "
+      "names the commands";
+  verb.out_help = "folder for the files that `trammel run` writes, and script.lm628";
   verb.simulates = true;
   verb.trigger_help = "at TIME";  // a script runs once, so that no event is known before
   verb.is_conversation = is_conversation;
-  verb.perform = [](const testbench::Arguments& arguments, std::atomic<bool>& stop) {
-    return lm628_shell(arguments, stop,
-                       is_conversation(arguments) ? terminal_lines(stop) : ReadLine());
-  };
+  verb.perform = perform;
   return {verb};
 }
 

@@ -2,7 +2,7 @@
 //
 // Keys and figures of the machine mcafee, from results made by hand.
 
-#include "machines/mcafee/figures.hpp"
+#include "machines/mcafee/machine.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -14,6 +14,7 @@
 #include "lab/report_data.hpp"
 #include "lab/report_page.hpp"
 #include "testbench/run.hpp"
+#include "tests/support/figures.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/message.hpp"
 
@@ -70,7 +71,7 @@ struct Runs {
     const Simulate simulate = [this](const Settings& settings, const cosim::Hooks&) {
       const auto& o = static_cast<const mcafee::Options&>(settings);
       auto result = std::make_unique<mcafee::Result>(tracked());
-      result->table = make_table(mcafee::Path(o.path), o.path, o.count_mm());
+      result->table = make_table(o.path, o.count_mm());
       if (o.speed == o.least_speed) result->end = slow_end;
       return result;
     };
@@ -104,18 +105,20 @@ TEST_CASE("mcafee: a path or motor that cannot be is refused with key, row and r
 
 TEST_CASE("mcafee: figures count from the first row, contour errors from the path") {
   mcafee::Result result = tracked();
-  const mcafee::Metrics m = evaluate(mcafee::Options{}, result);
+  const auto motion = [&](const std::string& name) {
+    return test::figure(mcafee::Options{}, result, "motion." + name);
+  };
+  CHECK(motion("time_s") == Approx(2 * 2048 / 6e6));
   CHECK(result.first == 2);
-  CHECK(m.moving_s == Approx(2 * 2048 / 6e6));
   REQUIRE(result.contour_mm.size() == 5);
-  CHECK(m.contour_max_mm == Approx(0.25));
-  CHECK(m.contour_max_s == Approx(2048 / 6e6));
-  CHECK(m.contour_end_mm == Approx(0.1));
-  CHECK(m.contour_rms_mm == Approx(std::sqrt((0.0625 + 0.01) / 3)));
-  CHECK(m.max_error_counts == 7);
-  CHECK(m.max_current_A == 2.5);
-  CHECK(m.max_desired_mm_s == Approx(4 * 4.0132 / 800 / (2048 / 6e6)));
-  CHECK(m.max_speed_mm_s == 12.5);
+  CHECK(motion("contour_max_mm") == Approx(0.25));
+  CHECK(motion("contour_max_s") == Approx(2048 / 6e6));
+  CHECK(motion("contour_end_mm") == Approx(0.1));
+  CHECK(motion("contour_rms_mm") == Approx(std::sqrt((0.0625 + 0.01) / 3)));
+  CHECK(motion("max_error_counts") == 7);
+  CHECK(motion("max_current_A") == 2.5);
+  CHECK(motion("max_desired_mm_s") == Approx(4 * 4.0132 / 800 / (2048 / 6e6)));
+  CHECK(motion("max_speed_mm_s") == 12.5);
 }
 
 TEST_CASE("mcafee: interrupts, motors turned off and switches are events, once each") {
@@ -132,7 +135,7 @@ TEST_CASE("mcafee: interrupts, motors turned off and switches are events, once e
   }
   mcafee::Options options;
   options.stage = sw::McafeeStage::kMove;
-  evaluate(options, result);
+  mcafee::figures(options, result);
   std::string seen;
   for (const mcafee::Event& one : result.events) {
     seen += std::to_string(one.sample) + (one.axis == 0 ? " x " : " y ") + one.what + "; ";
@@ -158,8 +161,9 @@ TEST_CASE_METHOD(Runs,
   const auto detail = nlohmann::json::parse(content(folder / "detail.json"));
   CHECK(detail["contours"].size() == 3);
   CHECK(detail["contours"][1]["mm"] == nlohmann::json({0.0, 0.25, 0.1}));
-  CHECK(detail["rows"]["x_mm"].size() == detail["rows"]["c"].size() + 1);
-  CHECK(detail["rows"]["y_mm"][0] == -30.0);
+  CHECK(detail["rows"].size() == 463);
+  CHECK(detail["rows"][0] == nlohmann::json({0, 0, 255, 0, 100, 0}));
+  CHECK(detail["origin_mm"] == nlohmann::json({0.0, -30.0}));
 
   const std::string page = content(folder / "report.html");
   CHECK_THAT(page, Contains("\"machine\":\"mcafee\""));
@@ -174,7 +178,7 @@ TEST_CASE_METHOD(Runs,
     CHECK(content(folder / "report.html") == page);
   };
   auto other = detail;
-  other["rows"]["cc"].erase(0);
+  other["rows"][3].erase(0);
   refused(other.dump());
   other = detail;
   other["contours"][2].erase("mm");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "machines/mcafee/table.hpp"
+#include "machines/mcafee/path.hpp"
 
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -24,15 +24,12 @@ PathOptions shape(PathKind kind, double side, double radius) {
   return o;
 }
 
-Table table_of(const PathOptions& o) { return make_table(Path(o), o, kCountMm); }
+Table table_of(const PathOptions& o) { return make_table(o, kCountMm); }
 
 // Where the rows lead [count].
 PointMm sum(const Table& table) {
   PointMm at;
-  for (const sw::McafeeRow& row : table.rows) {
-    at.x += row.dx;
-    at.y += row.dy;
-  }
+  for (const sw::McafeeRow& row : table.rows) at += PointMm(row.dx, row.dy);
   return at;
 }
 
@@ -69,8 +66,7 @@ TEST_CASE("F-10 the rounded square has 463 rows and leads back to its start") {
   const Table table = table_of(o);
   CHECK(table.rows.size() == 463);
   CHECK(table.row_mm == Approx((200 + 10 * 3.14159265) / 463));
-  CHECK(sum(table).x == 0);
-  CHECK(sum(table).y == 0);
+  CHECK(sum(table) == 0.0);
   int curved = 0;
   for (const sw::McafeeRow& row : table.rows) {
     REQUIRE((row.c == 0 || row.c == 255));
@@ -109,9 +105,9 @@ TEST_CASE("a star's tips turn by 144 degrees within their radius") {
   CHECK(path.curvature(50 - 3 * std::tan(0.4 * plant::kPi) + 0.1) == Approx(1.0 / 3));
   const double arcs = 5 * 0.8 * plant::kPi * 3, cuts = 10 * 3 * std::tan(0.4 * plant::kPi);
   CHECK(path.length() == Approx(500 - cuts + arcs));
-  CHECK(sum(table_of(o)).x == 0);
+  CHECK(sum(table_of(o)) == 0.0);
   CHECK(path.distance(path.at(77), 77, 1) == Approx(0).margin(1e-9));
-  CHECK(path.distance({path.at(10).x, path.at(10).y + 0.25}, 10, 1) == Approx(0.25));
+  CHECK(path.distance(path.at(10) + PointMm{0, 0.25}, 10, 1) == Approx(0.25));
 }
 
 TEST_CASE("points are resampled, their curvature is that of the circle through three") {
@@ -169,7 +165,7 @@ TEST_CASE("the first row that leads to a limit switch has a warning, wherever th
     PathOptions o;
     o.kind = PathKind::kPoints;
     o.points_file = file.name;
-    return make_table(Path(o), o, kCountMm, {-travel, travel}).warnings;
+    return make_table(o, kCountMm, {-travel, travel}).warnings;
   };
   CHECK(warned(0, 20.1).empty());
   CHECK(warned(1000, 20.1).empty());

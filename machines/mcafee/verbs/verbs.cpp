@@ -49,12 +49,12 @@ int track(const testbench::Arguments& arguments, std::atomic<bool>&) {
 std::vector<testbench::Verb> verbs() {
   testbench::Verb verb;
   verb.name = "track";
-  verb.help = "the table of a path of the machine mcafee, as CSV";
+  verb.help = "write the table of a path of the machine mcafee, as CSV";
   verb.argument = "scenario";
-  verb.argument_help = "scenario with the path, default mcafee-stage3";
+  verb.argument_help = "scenario that has the path, default mcafee-stage3";
   verb.out_help = "file of the table; default: standard output";
   verb.flags = {
-      {"--listing", "rows as McAfee's listing has them in memory: bytes C CC Vx Vy dY dX"}};
+      {"--listing", "rows as bytes in the order of McAfee's listing: C CC Vx Vy dY dX"}};
   verb.perform = track;
   return {verb};
 }

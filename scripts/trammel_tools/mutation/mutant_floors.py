@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the mutants of a block must come to: tests/mutants.toml, and machines/<machine>/mutants.toml
-for the chips of a machine; and docs/mutation.md, which shows them.
+"""What the mutants of a block must come to: tests/mutants.toml, and for chips mutants.toml of their
+machine or part; and docs/mutation.md, which shows them.
 
 A mutant is known by what it changes, not by a number or a hash, so what is written of it outlives
 edits of other lines.
@@ -40,7 +40,8 @@ def lowest(block):
 
 
 def files():
-    return [ROOT / "tests" / "mutants.toml", *sorted(ROOT.glob("machines/*/mutants.toml"))]
+    return [ROOT / "tests" / "mutants.toml", *sorted([*ROOT.glob("machines/*/mutants.toml"),
+                                                      *ROOT.glob("parts/*/mutants.toml")])]
 
 
 def read(blocks):

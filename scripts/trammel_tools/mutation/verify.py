@@ -12,7 +12,7 @@ usage: trammel verify [layer/block ...]            the promises, as trammel prov
 A campaign makes 200 mutants of a block, runs its unit test against each, and proves what it can of
 those the test accepts: refuted by a promise, or equivalent. Its result, logs and models stay in
 build/mutants/<block>; --afresh proves again what the result of this source already holds. Floors
-and what is known of survivors stand in tests/mutants.toml and machines/<machine>/mutants.toml.
+and what is known of survivors stand in tests/mutants.toml and mutants.toml of machines and parts.
 
 Exit codes: 0 reached, 1 under the floor, not explained or different, 2 no such block or scenario,
 3 a tool is missing.
@@ -116,7 +116,7 @@ def sample(block, limit, floors):
         kinds[kind] += 1
         if kind == "left":
             wrong.append(f"{block}: mutant {left(block, mutant, row, floors)}: better the test or "
-                         "say in tests/mutants.toml why")
+                         "say in its mutants.toml why")
     print(f"{block}: {len(chosen)} mutants, {len(chosen) - len(accepted)} refused by the test, "
           f"{kinds['promise']} by promises, {kinds['equivalent']} equivalent, {len(known)} known, "
           f"{kinds['left']} not explained in {clock():.0f} s", flush=True)

@@ -127,9 +127,12 @@ class MutantFloorsTest(Scratch):
                          {"add `a + b`, Y[3] inverted": "beyond the range"})
         self.assertEqual((floors.known("drive/a"), floors.wrong), ({}, []))
 
-    def test_a_machine_keeps_the_floors_of_its_chips(self):
+    def test_machines_and_parts_keep_the_floors_of_their_chips(self):
         self.write("machines/m/mutants.toml", '[floor]\n"chips/toy" = 91.5\n')
-        self.assertEqual((self.read().of("chips/toy"), self.read().wrong), (91.5, []))
+        self.write("parts/p/mutants.toml", '[floor]\n"control/toy" = 92.5\n')
+        floors = self.read()
+        self.assertEqual((floors.of("chips/toy"), floors.of("control/toy"), floors.wrong),
+                         (91.5, 92.5, []))
 
     def test_what_is_wrong_in_the_files_is_told(self):
         for text, told in (('[floor]\n"drive/toy" = 94\n', "drive/toy: 94: a floor is 95 to 100"),

@@ -7,9 +7,10 @@
 #include <cstdlib>
 
 #include "cosim/direct.hpp"
-#include "machines/an693/figures.hpp"
+#include "machines/an693/machine.hpp"
 #include "machines/an693/recorder.hpp"
 #include "sw_nios/apps/an693/an693.hpp"
+#include "tests/support/figures.hpp"
 
 using namespace trammel;
 using namespace trammel::an693;
@@ -118,9 +119,9 @@ TEST_CASE("L-05 an693 moves through the port by 200 000 counts in 76 345 samples
   setup.acceleration = 9;
   setup.velocity = 0x51EB8;
   setup.position = 200000;
-  const Followed run = follow(setup, 25 * kSecond);
+  Followed run = follow(setup, 25 * kSecond);
   CHECK(run.real == 200000);
-  CHECK(std::abs(evaluate({}, run.result).moving_samples - 76345) <= 80);
+  CHECK(std::abs(test::figure(Options{}, run.result, "motion.samples") - 76345) <= 80);
 }
 
 TEST_CASE("L-06 an693 on an ideal follower changes speed at 43 011, 64 517 and 80 308") {
@@ -128,12 +129,13 @@ TEST_CASE("L-06 an693 on an ideal follower changes speed at 43 011, 64 517 and 8
   setup.program = An693Program::kBreakpoints;
   setup.acceleration = 0x11;
   setup.velocity = 0x20C4A;
-  const Followed run = follow(setup, 40 * kSecond);
-  const Metrics c = evaluate({}, run.result);
-  REQUIRE(c.interrupts.size() == 3);
-  CHECK(c.interrupts[0].sample == 43011);
-  CHECK(c.interrupts[1].sample == 64517);
-  CHECK(c.interrupts[2].sample == 80308);
+  Followed run = follow(setup, 40 * kSecond);
+  figures(Options{}, run.result);
+  const auto& interrupts = run.result.interrupts;
+  REQUIRE(interrupts.size() == 3);
+  CHECK(interrupts[0].sample == 43011);
+  CHECK(interrupts[1].sample == 64517);
+  CHECK(interrupts[2].sample == 80308);
   // 192 344 where a host sends ten bytes and words within the sample of the breakpoint; here the
   // second speed begins a sample later, 2 counts less.
   CHECK(run.real == 192342);

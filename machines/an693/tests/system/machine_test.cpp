@@ -8,9 +8,9 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "machines/an693/figures.hpp"
 #include "machines/an693/machine.hpp"
 #include "tests/support/broken_promise.hpp"
+#include "tests/support/figures.hpp"
 #include "tests/support/lm628_words.hpp"
 
 using namespace trammel;
@@ -45,8 +45,6 @@ Options breakpoints() {
   return options;
 }
 
-Metrics figures(const Result& result) { return evaluate({}, result); }
-
 }  // namespace
 
 // 45 088 are those of E7 at V = 41894h, the speed of E8.
@@ -56,7 +54,7 @@ TEST_CASE("E6 and E7 an693 complete after 45 772 and 45 087 samples, at rest on 
   CHECK(result.end == cosim::EndReason::kDone);
   CHECK(result.desired == 8000);
   CHECK(std::abs(result.real - 8000) <= 2);
-  CHECK(figures(result).moving_samples == 45772);
+  CHECK(test::figure(options, result, "motion.samples") == 45772);
 
   options = make_options(An693Program::kRelative);
   options.acceleration = 0x11;
@@ -66,15 +64,15 @@ TEST_CASE("E6 and E7 an693 complete after 45 772 and 45 087 samples, at rest on 
   CHECK(result.end == cosim::EndReason::kDone);
   CHECK(result.desired == 120000);
   CHECK(std::abs(result.real - 120000) <= 2);
-  CHECK(figures(result).moving_samples == 45087);
+  CHECK(test::figure(options, result, "motion.samples") == 45087);
 }
 
 TEST_CASE("L-06 an693 with the motor leaps over 20 s of breakpoints in less than 60 s") {
-  const Result result = simulate(breakpoints(), {});
+  Result result = simulate(breakpoints(), {});
   CHECK(result.end == cosim::EndReason::kDone);
-  const Metrics c = figures(result);
-  REQUIRE(c.interrupts.size() == 3);
-  CHECK(std::abs(c.interrupts[0].sample - 43010) <= 60);
+  figures(breakpoints(), result);
+  REQUIRE(result.interrupts.size() == 3);
+  CHECK(std::abs(result.interrupts[0].sample - 43010) <= 60);
   CHECK(std::abs(result.real - 192338) <= 500);
   CHECK(result.wall_s < 60);
 }
@@ -245,15 +243,16 @@ TEST_CASE("an693 steps there and back, with 2 and 14 % of overshoot at kp 50 and
   options.steps = 4;
   for (const auto& [kp, percent] : {std::pair{50u, 2.0}, {100u, 14.3}}) {
     options.filter.kp = kp;
-    const Result result = simulate(options, {});
+    Result result = simulate(options, {});
     CHECK(result.end == cosim::EndReason::kDone);
     CHECK(result.desired == 0);
     CHECK(std::abs(result.real) <= 2);
-    const Metrics c = evaluate(options, result);
-    CAPTURE(kp, c.settled_s);
-    CHECK(std::abs(c.overshoot_counts / 50 * 100 - percent) <= 3);
-    CHECK(c.interrupts.size() == 4);
-    if (kp == 50) CHECK(c.settled_s < 0.060);
+    const double settled_s = test::figure(options, result, "motion.settled_s");
+    const double overshoot = test::figure(options, result, "motion.overshoot_counts") / 50 * 100;
+    CAPTURE(kp, settled_s);
+    CHECK(std::abs(overshoot - percent) <= 3);
+    CHECK(result.interrupts.size() == 4);
+    if (kp == 50) CHECK(settled_s < 0.060);
   }
 }
 

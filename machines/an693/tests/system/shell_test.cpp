@@ -14,7 +14,7 @@
 #include "lab/scenarios.hpp"
 #include "lab/write.hpp"
 #include "machines/an693/machine.hpp"
-#include "machines/an693/verbs/console.hpp"
+#include "machines/an693/verbs/verbs.hpp"
 #include "tests/support/broken_promise.hpp"
 
 using namespace trammel;
@@ -37,15 +37,15 @@ struct Played {
 };
 
 Played play(const std::string& script, const Options& options = {}) {
-  Lm628Shell shell(options, kNoStop);
+  Shell shell(options, kNoStop);
   Played all;
   try {
-    for (const Lm628Line& line : parse_lm628_script(script, "test")) {
-      const Lm628Answer answer = shell.execute(line);
+    for (const Line& line : parse_script(script, "test")) {
+      const Answer answer = shell.execute(line);
       all.text += answer.text;
       all.answers.push_back(answer.json);
     }
-  } catch (const Lm628Halt& halt) {
+  } catch (const Halt& halt) {
     all.halt = halt.what();
     all.end = halt.end;
   }
@@ -114,13 +114,13 @@ TEST_CASE("what is read is told in hexadecimal and in its unit") {
 TEST_CASE("a broken promise ends a script with the line at which it was seen") {
   Options options;
   options.run.assertions = true;
-  Lm628Shell shell(options, kNoStop);
-  const auto script = parse_lm628_script("RDRP\nRDDP\nRDRV", "test");
+  Shell shell(options, kNoStop);
+  const auto script = parse_script("RDRP\nRDDP\nRDRV", "test");
   shell.execute(script[0]);
   test::break_promise("lm628.u_port.u_lm628_port_props.busy_ends");
   CHECK_THROWS_WITH(shell.execute(script[1]),
                     Contains("test:2: assertion failed: busy_ends of lm628.u_port at 0.0"));
-  CHECK_THROWS_AS(shell.execute(script[2]), Lm628Halt);
+  CHECK_THROWS_AS(shell.execute(script[2]), Halt);
   CHECK(shell.result().promise);
 }
 
@@ -179,8 +179,8 @@ TEST_CASE("nothing hangs: a part busy with its reset, the longest run, an interr
   CHECK(ended.end == cosim::EndReason::kTimeout);
   CHECK(ended.halt == "test:1: run.max_s = 0.1 s of simulated time are over");
   const std::atomic<bool> stop{true};
-  Lm628Shell shell(options, stop);
-  CHECK_THROWS_WITH(shell.execute(*parse_lm628_line("wait 1 s", "test:1")),
+  Shell shell(options, stop);
+  CHECK_THROWS_WITH(shell.execute(*parse_line("wait 1 s", "test:1")),
                     Contains("test:1: interrupted at "));
 }
 
@@ -191,7 +191,7 @@ TEST_CASE("keys of the firmware's programs are refused: they would do nothing") 
     arguments.assignments = {key};
     std::atomic<bool> stop{false};
     CHECK_THROWS_WITH(lm628_shell(arguments, stop, {}),
-                      Contains("is of the programs of `trammel run an693-*`"));
+                      Contains("belongs to the programs of `trammel run an693-*`"));
   }
 }
 

@@ -49,9 +49,8 @@ struct Follow final : cosim::Observer {
     if ((stop.why & cosim::kSample) == 0 || app.mailbox().point == 0) return;
     if (begin == 0) begin = stop.edge;
     if (app.mailbox().point > result.speeds.size()) result.speeds.push_back(app.mailbox().speed);
-    const PointMm origin = path.at(0);
-    const PointMm at{origin.x + 1e3 * x.position(stop.edge),
-                     origin.y + 1e3 * plant.stage().axis(1).position(stop.edge)};
+    const PointMm moved{x.position(stop.edge), plant.stage().axis(1).position(stop.edge)};
+    const PointMm at = path.at(0) + 1e3 * moved;
     result.end_mm = path.distance(at, row_mm * app.mailbox().point, 10);
     result.contour_mm = std::max(result.contour_mm, result.end_mm);
     if (!app.ending()) result.seconds = static_cast<double>(stop.edge - begin) * kClockS;
@@ -61,7 +60,7 @@ struct Follow final : cosim::Observer {
 Tracked track(const PathOptions& options, sw::McafeeSetup setup,
               const plant::XyStageConfig& stage = {}) {
   const Path path(options);
-  const Table table = make_table(path, options, kCountMm);
+  const Table table = make_table(options, kCountMm);
   setup.rows = table.rows.data();
   setup.row_count = static_cast<std::uint32_t>(table.rows.size());
   TwinChip chip;

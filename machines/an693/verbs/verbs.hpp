@@ -18,12 +18,9 @@ using ReadLine = std::function<std::optional<std::string>(const std::string& pro
 // Of a terminal, with history, line editing and completion of mnemonics. `stop` ends the line.
 ReadLine terminal_lines(const std::atomic<bool>& stop);
 
-// Neither a script nor anything piped: a person.
-bool is_conversation(const testbench::Arguments& arguments);
-
 // `arguments.scenario` is the script: a built-in name, a file, "" or "-" for standard input. With
-// `read_line` it is a conversation, in which a set `stop` ends a wait and is taken back; else it
-// ends the run. The exit code.
+// `read_line` it is a conversation, in which a set `stop` ends a wait and is then cleared; without,
+// it ends the run. The exit code.
 int lm628_shell(const testbench::Arguments& arguments, std::atomic<bool>& stop,
                 const ReadLine& read_line);
 
