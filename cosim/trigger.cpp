@@ -43,6 +43,10 @@ void compare(Trigger& trigger, const std::string& name, const std::string& op,
 
 }  // namespace
 
+std::string described(const Word& word) {
+  return *word.unit == 0 ? word.help : fmt::format("{} [{}]", word.help, word.unit);
+}
+
 void name_signal(Trigger& trigger, const std::string& name, const std::vector<Signal>& signals) {
   const bool of_axis = name.rfind("x.", 0) == 0 || name.rfind("y.", 0) == 0;
   const std::string bare = of_axis ? name.substr(2) : name;

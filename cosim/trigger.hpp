@@ -23,13 +23,18 @@
 
 namespace trammel::cosim {
 
-// A value inside a chip that a trigger may name.
-struct Signal {
+// A value inside a chip, described once for the columns of trace.csv and the names of triggers.
+struct Word {
   const char* name;  // without axis: "e", "STATUS.step", "TICK"
+  const char* unit;  // "" where it has none or `help` tells it
   const char* help;
   int bits;
   bool is_signed;
-  bool of_axis;      // there are two, x.<name> and y.<name>
+};
+
+// One that a trigger may name.
+struct Signal : Word {
+  bool of_axis;  // there are two, x.<name> and y.<name>
 };
 
 struct SignalReader {
@@ -61,6 +66,8 @@ struct Trigger {
  private:
   bool holds(std::int64_t value) const;
 };
+
+std::string described(const Word& word);  // "encoder counter [count]"
 
 // A name that is no signal, to be met with a suggestion.
 struct UnknownName : std::invalid_argument {

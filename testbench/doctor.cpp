@@ -86,9 +86,10 @@ int list_signals(bool json) {
       const std::int64_t low = signal.is_signed ? -span / 2 : 0;
       const std::string range = fmt::format("{}..{}", low, low + span - 1);
       all.push_back({{"machine", machine->name}, {"signal", signal.name},
-                     {"axis", signal.of_axis}, {"range", range}, {"help", signal.help}});
+                     {"axis", signal.of_axis}, {"range", range}, {"unit", signal.unit},
+                     {"help", signal.help}});
       text += fmt::format("{:<6}{:<22}{:<26}{}\n", signal.of_axis ? "x. y." : "", signal.name,
-                          range, signal.help);
+                          range, cosim::described(signal));
     }
   }
   fmt::print("{}", json ? all.dump(2) + '\n' : text);

@@ -42,6 +42,20 @@ struct KungChip : cosim::MachineChip {
 // What a trigger may name: words of the controllers and registers.
 using cosim::Signal;
 using cosim::SignalReader;
+// Words of an axis that a column of trace.csv and a signal of that name show.
+namespace words {
+inline constexpr cosim::Word kE{"e", "count", "error to the model", 12, true};
+inline constexpr cosim::Word kDe{"de", "count", "its change per sample", 12, true};
+inline constexpr cosim::Word kU{"u", "unit / 256", "fuzzy output", 12, true};
+inline constexpr cosim::Word kVStar{"v_star", "count / 16 per sample", "speed command", 12, true};
+inline constexpr cosim::Word kV{"v", "count / 16 per sample", "speed", 12, true};
+inline constexpr cosim::Word kIqRef{"i_q_ref", "4.8 A / 2048", "current command", 12, true};
+inline constexpr cosim::Word kId{"i_d", "9.6 A / 2048", "measured d current", 12, true};
+inline constexpr cosim::Word kIq{"i_q", "9.6 A / 2048", "measured q current", 12, true};
+inline constexpr cosim::Word kVd{"v_d", "V_dc / sqrt 3 / 2048", "d voltage", 12, true};
+inline constexpr cosim::Word kVq{"v_q", "V_dc / sqrt 3 / 2048", "q voltage", 12, true};
+}  // namespace words
+
 const std::vector<Signal>& signals();
 
 // The bit-exact twin of the verilated chips: the same stops and words.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The columns of trace.csv, a row each 2 kHz sample.
+#include "machines/kung/chip.hpp"
 #include "machines/kung/figures.hpp"
 #include "machines/kung/machine.hpp"
 
@@ -32,30 +33,30 @@ void add_axis(Table& t, std::size_t axis) {
       [](const AxisSample& s, double) { return s.x_true_m; });
   add(t, axis, "model_m", length(9, "output of the reference model"),
       [](const AxisSample& s, double count_m) { return model_m(s, count_m); });
-  const auto word = [&](const char* name, const char* unit, std::int32_t AxisSample::* member,
-                        const char* help) {
-    add(t, axis, name, {"", unit, 1, whole(), help},
+  add(t, axis, "encoder_count", {"", "count", 1, whole(), "encoder"},
+      [](const AxisSample& s, double) { return s.x_p; });
+  const auto word = [&](const cosim::Word& told, std::int32_t AxisSample::* member) {
+    add(t, axis, told.name, {"", told.unit, 1, whole(), told.help},
         [member](const AxisSample& s, double) { return s.*member; });
   };
-  word("encoder_count", "count", &AxisSample::x_p, "encoder");
-  word("e", "count", &AxisSample::e, "error to the model");
-  word("de", "count", &AxisSample::de, "its change per sample");
-  word("u", "unit / 256", &AxisSample::u, "fuzzy output");
-  word("v_star", "count / 16 per sample", &AxisSample::v_star, "speed command");
-  word("v", "count / 16 per sample", &AxisSample::v, "speed");
-  word("i_q_ref", "4.8 A / 2048", &AxisSample::i_q_ref, "current command");
-  word("i_d", "9.6 A / 2048", &AxisSample::i_d, "measured direct current");
-  word("i_q", "9.6 A / 2048", &AxisSample::i_q, "measured quadrature current");
-  word("v_d", "V_dc / sqrt 3 / 2048", &AxisSample::v_d, "direct voltage");
-  word("v_q", "V_dc / sqrt 3 / 2048", &AxisSample::v_q, "quadrature voltage");
+  word(words::kE, &AxisSample::e);
+  word(words::kDe, &AxisSample::de);
+  word(words::kU, &AxisSample::u);
+  word(words::kVStar, &AxisSample::v_star);
+  word(words::kV, &AxisSample::v);
+  word(words::kIqRef, &AxisSample::i_q_ref);
+  word(words::kId, &AxisSample::i_d);
+  word(words::kIq, &AxisSample::i_q);
+  word(words::kVd, &AxisSample::v_d);
+  word(words::kVq, &AxisSample::v_q);
   const auto truth = [&](const char* name, const char* unit, double resolution,
                          double AxisSample::* member, const char* help) {
     add(t, axis, name, {"", unit, resolution, general(7), help},
         [member](const AxisSample& s, double) { return s.*member; });
   };
   truth("v_m_s", "m/s", 1e-6, &AxisSample::v_true_m_s, "true speed");
-  truth("i_d_A", "A", 1e-5, &AxisSample::i_d_true_A, "true direct current");
-  truth("i_q_A", "A", 1e-5, &AxisSample::i_q_true_A, "true quadrature current");
+  truth("i_d_A", "A", 1e-5, &AxisSample::i_d_true_A, "true d current");
+  truth("i_q_A", "A", 1e-5, &AxisSample::i_q_true_A, "true q current");
   truth("force_N", "N", 1e-3, &AxisSample::force_N, "thrust");
 }
 

@@ -13,9 +13,10 @@ enum class OwnSignal : std::size_t { kRow, kSpeed, kLimits };
 inline const std::vector<cosim::Signal>& signals() {
   static const std::vector<cosim::Signal> all = [] {
     std::vector<cosim::Signal> list = lm628::signals_of_part(true);
-    list.push_back({"row", "rows begun, Stage III", 16, false, false});
-    list.push_back({"v", "speed of the last of them", 8, false, false});
-    list.push_back({"limits", "open switches: bits X low, X high, Y low, Y high", 4, false, false});
+    list.push_back({{"row", "", "rows begun, Stage III", 16, false}, false});
+    list.push_back({{"v", "", "speed of the last of them", 8, false}, false});
+    list.push_back(
+        {{"limits", "", "open switches: bits X low, X high, Y low, Y high", 4, false}, false});
     return list;
   }();
   return all;

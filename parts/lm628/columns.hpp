@@ -5,48 +5,47 @@
 
 #include <fmt/format.h>
 
-#include <cstdint>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <string>
 
 #include "lab/column.hpp"
 #include "lab/record.hpp"
-#include "parts/lm628/chip.hpp"
+#include "parts/lm628/signals.hpp"
 
 namespace trammel::lm628 {
 
-inline constexpr double kPerCount = 65536;  // of a position or speed
+// Columns of kWords[first] to kWords[last]; `words` gives the part's from a row of the table.
+template <class Table, class GetWords>
+void add_words(Table& t, const std::string& prefix, GetWords words, std::size_t first,
+               std::size_t last, const std::string& compared) {
+  for (std::size_t n = first; n <= last; ++n) {
+    const PartWord& word = kWords[n];
+    const double scale = std::ldexp(1.0, -word.fraction);
+    t.add({prefix + word.name, word.unit, word.resolution,
+           word.fraction == 0 ? lab::whole() : lab::fixed(5), word.help, compared == word.name,
+           !word.is_signed},
+          [words, scale, read = word.read](const typename Table::At& at) {
+            return static_cast<double>(read(words(at))) * scale;
+          });
+  }
+}
 
-// The trajectory: `words` gives those of the part from a row of the table.
+// The trajectory.
 template <class Table, class GetWords>
 void add_trajectory(Table& t, const std::string& prefix, GetWords words, bool compared) {
-  using lab::fixed;
-  using At = typename Table::At;
-  t.add({prefix + "desired_count", "count", 1e-3, fixed(5), "trajectory generator", compared},
-        [words](const At& at) { return static_cast<double>(words(at).position) / kPerCount; });
-  t.add({prefix + "desired_speed", "count per sample", 1e-5, fixed(5), "trajectory generator"},
-        [words](const At& at) { return static_cast<double>(words(at).speed) / kPerCount; });
-  t.add({prefix + "real_count", "count", 1, {}, "what the part counted"},
-        [words](const At& at) { return static_cast<double>(words(at).actual); });
+  add_words(t, prefix, words, 0, 2, compared ? kWords[0].name : "");
 }
 
 // The filter and the status; `irq` gives the pin HI.
 template <class Table, class GetWords, class GetIrq>
 void add_filter_words(Table& t, const std::string& prefix, GetWords words, GetIrq irq,
                       bool output_compared) {
-  using At = typename Table::At;
-  const auto add = [&](const char* name, const char* unit, auto member, const char* help,
-                       bool compared = false, bool bits = false) {
-    t.add({prefix + name, unit, 1, {}, help, compared, bits},
-          [words, member](const At& at) { return static_cast<double>(words(at).*member); });
-  };
-  add("e", "count", &Words::error, "position error", true);
-  add("p", "", &Words::proportional, "kp e, before its limit of 16 bits");
-  add("i", "", &Words::integral, "integral term");
-  add("d", "", &Words::derivative, "derivative term");
-  add("output", "", &Words::output, "of the filter", output_compared);
-  add("status", "", &Words::status, "status byte", false, true);
+  add_words(t, prefix, words, 3, 3, "e");
+  add_words(t, prefix, words, 4, std::size(kWords) - 1, output_compared ? "output" : "");
   t.add({prefix + "host_irq", "", 1, {}, "pin HI", false, true},
-        [irq](const At& at) { return irq(at) ? 1.0 : 0.0; });
+        [irq](const typename Table::At& at) { return irq(at) ? 1.0 : 0.0; });
 }
 
 // How a run ended, in one line; a script's own words where it could not go on.

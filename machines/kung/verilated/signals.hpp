@@ -12,6 +12,8 @@
 
 namespace trammel::kung {
 
+using cosim::Word;
+
 template <class Root>
 struct SignalRow {
   Signal signal;
@@ -28,51 +30,54 @@ constexpr std::int64_t bits_of(std::uint64_t value, int bits, bool is_signed) {
 #define TRAMMEL_IN_AXIS(path)                                                       \
   (axis == 0 ? root.kung_xy__DOT__gen_axis__BRA__0__KET____DOT__u_axis__DOT__##path \
              : root.kung_xy__DOT__gen_axis__BRA__1__KET____DOT__u_axis__DOT__##path)
-#define TRAMMEL_ROW(name, bits, is_signed, of_axis, value, help)                              \
-  {                                                                                           \
-    {name, help, bits, is_signed, of_axis}, [](const Root& root, [[maybe_unused]] int axis) { \
-      return static_cast<std::uint32_t>(value);                                               \
-    }                                                                                         \
+#define TRAMMEL_ROW(word, of_axis, value)                                                   \
+  {                                                                                         \
+    {word, of_axis}, [](const Root& root, [[maybe_unused]] int axis) {                      \
+      return static_cast<std::uint32_t>(value);                                             \
+    }                                                                                       \
   }
 
-// Signed and unsigned values of an axis; the names are the words of trace.csv and the block pages.
-#define TRAMMEL_S(name, bits, path, help) \
-  TRAMMEL_ROW(name, bits, true, true, TRAMMEL_IN_AXIS(path), help)
+// A word that a column shows too; signed and unsigned values of an axis that none shows.
+#define TRAMMEL_W(word, path) TRAMMEL_ROW(words::word, true, TRAMMEL_IN_AXIS(path))
+#define TRAMMEL_S(name, bits, path, unit, help) \
+  TRAMMEL_ROW((Word{name, unit, help, bits, true}), true, TRAMMEL_IN_AXIS(path))
 #define TRAMMEL_U(name, bits, path, help) \
-  TRAMMEL_ROW(name, bits, false, true, TRAMMEL_IN_AXIS(path), help)
+  TRAMMEL_ROW((Word{name, "", help, bits, false}), true, TRAMMEL_IN_AXIS(path))
 
 template <class Root>
 std::vector<SignalRow<Root>> inner_rows() {
   return {
-      TRAMMEL_S("r", 24, u_afc__DOT__r_q, "command of the sample [count]"),
-      TRAMMEL_S("x_p", 24, u_afc__DOT__x_p_q, "position of the sample [count]"),
-      TRAMMEL_S("x_m", 32, u_afc__DOT__x_m_q, "model [count Q14]"),
-      TRAMMEL_S("x_r", 24, u_afc__DOT__x_r_q, "model, rounded [count]"),
-      TRAMMEL_S("dx", 24, u_afc__DOT__dx_q, "model increment [count Q14 a sample]"),
-      TRAMMEL_S("e", 12, u_afc__DOT__e_q, "error to the model [count]"),
-      TRAMMEL_S("de", 12, u_afc__DOT__de_q, "its change a sample [count]"),
-      TRAMMEL_S("u", 12, u_afc__DOT__u_q, "fuzzy output [1/256 unit]"),
-      TRAMMEL_S("v_star", 12, u_afc__DOT__v_star_q, "speed command [1/16 count a sample]"),
-      TRAMMEL_S("v", 12, u_afc__DOT__v_q, "speed [1/16 count a sample]"),
-      TRAMMEL_S("i_q_ref", 12, u_afc__DOT__i_q_ref_q, "current command [4.8 A / 2048]"),
+      TRAMMEL_S("r", 24, u_afc__DOT__r_q, "count", "command of the sample"),
+      TRAMMEL_S("x_p", 24, u_afc__DOT__x_p_q, "count", "position of the sample"),
+      TRAMMEL_S("x_m", 32, u_afc__DOT__x_m_q, "count Q14", "model"),
+      TRAMMEL_S("x_r", 24, u_afc__DOT__x_r_q, "count", "model, rounded"),
+      TRAMMEL_S("dx", 24, u_afc__DOT__dx_q, "count Q14 per sample", "model increment"),
+      TRAMMEL_W(kE, u_afc__DOT__e_q),
+      TRAMMEL_W(kDe, u_afc__DOT__de_q),
+      TRAMMEL_W(kU, u_afc__DOT__u_q),
+      TRAMMEL_W(kVStar, u_afc__DOT__v_star_q),
+      TRAMMEL_W(kV, u_afc__DOT__v_q),
+      TRAMMEL_W(kIqRef, u_afc__DOT__i_q_ref_q),
       TRAMMEL_U("afc", 1, u_afc__DOT__running_q, "position controller in its 35 steps"),
       TRAMMEL_U("step", 6, u_afc__DOT__step_q, "its step, 0..34"),
-      TRAMMEL_S("count", 24, u_qep__DOT__count_q, "encoder counter [count]"),
+      TRAMMEL_S("count", 24, u_qep__DOT__count_q, "count", "encoder counter"),
       TRAMMEL_U("code_a", 12, code_a, "converter, phase a; 2048 = 0 A"),
       TRAMMEL_U("code_b", 12, code_b, "converter, phase b; 2048 = 0 A"),
-      TRAMMEL_S("i_a", 12, u_current_loop__DOT__i_a_o, "phase current [9.6 A / 2048]"),
-      TRAMMEL_S("i_b", 12, u_current_loop__DOT__i_b_o, "phase current [9.6 A / 2048]"),
-      TRAMMEL_S("i_d", 12, u_current_loop__DOT__i_d_o, "direct current [9.6 A / 2048]"),
-      TRAMMEL_S("i_q", 12, u_current_loop__DOT__i_q_o, "quadrature current [9.6 A / 2048]"),
-      TRAMMEL_S("v_d", 12, u_current_loop__DOT__v_d_o, "voltage [V_dc / sqrt 3 / 2048]"),
-      TRAMMEL_S("v_q", 12, u_current_loop__DOT__v_q_o, "voltage [V_dc / sqrt 3 / 2048]"),
+      TRAMMEL_S("i_a", 12, u_current_loop__DOT__i_a_o, "9.6 A / 2048", "phase current"),
+      TRAMMEL_S("i_b", 12, u_current_loop__DOT__i_b_o, "9.6 A / 2048", "phase current"),
+      TRAMMEL_W(kId, u_current_loop__DOT__i_d_o),
+      TRAMMEL_W(kIq, u_current_loop__DOT__i_q_o),
+      TRAMMEL_W(kVd, u_current_loop__DOT__v_d_o),
+      TRAMMEL_W(kVq, u_current_loop__DOT__v_q_o),
       TRAMMEL_U("cmp_a", 11, u_current_loop__DOT__cmp_a_o, "compare value of phase a, 0..1562"),
       TRAMMEL_U("cmp_b", 11, u_current_loop__DOT__cmp_b_o, "compare value of phase b, 0..1562"),
       TRAMMEL_U("cmp_c", 11, u_current_loop__DOT__cmp_c_o, "compare value of phase c, 0..1562"),
-      TRAMMEL_ROW("gate_hi", 3, false, true, root.gate_hi_o >> (3 * axis), "upper gates c b a"),
-      TRAMMEL_ROW("gate_lo", 3, false, true, root.gate_lo_o >> (3 * axis), "lower gates c b a"),
-      TRAMMEL_ROW("irq", 1, false, false, root.irq_o, "interrupt line"),
-      TRAMMEL_ROW("trip", 1, false, false, root.trip_i, "trip pin"),
+      TRAMMEL_ROW((Word{"gate_hi", "", "upper gates c b a", 3, false}), true,
+                  root.gate_hi_o >> (3 * axis)),
+      TRAMMEL_ROW((Word{"gate_lo", "", "lower gates c b a", 3, false}), true,
+                  root.gate_lo_o >> (3 * axis)),
+      TRAMMEL_ROW((Word{"irq", "", "interrupt line", 1, false}), false, root.irq_o),
+      TRAMMEL_ROW((Word{"trip", "", "trip pin", 1, false}), false, root.trip_i),
   };
 }
 
@@ -80,13 +85,15 @@ std::vector<SignalRow<Root>> inner_rows() {
 #undef TRAMMEL_ROW
 #undef TRAMMEL_S
 #undef TRAMMEL_U
+#undef TRAMMEL_W
 
 template <class Root>
 const std::vector<SignalRow<Root>>& signal_rows() {
   static const std::vector<SignalRow<Root>> rows = [] {
     std::vector<SignalRow<Root>> all = inner_rows<Root>();
     for (const auto& [field, read] : kung_xy_regs::kReadings<Root>) {
-      all.push_back({{field.name, field.help, field.bits, field.is_signed, field.of_axis}, read});
+      all.push_back({{{field.name, "", field.help, field.bits, field.is_signed}, field.of_axis},
+                     read});
     }
     return all;
   }();
