@@ -18,7 +18,7 @@ Json moment_json(const Options& options, const Moment& moment) {
   if (moment.tick == 0) return nullptr;
   Json json{{"tick", moment.tick}, {"edge", moment.edge}};
   for (std::size_t a = 0; a < 2; ++a) {
-    const AfcTrace trace = trace_afc(plan_axis(options, static_cast<int>(a)), moment.start[a]);
+    const AfcTrace trace = trace_afc(plan_axis(options, a), moment.start[a]);
     const AxisSample& chip = moment.end[a];
     if (trace.end.x_m != chip.x_m || trace.end.u != chip.u || trace.end.v_star != chip.v_star ||
         trace.end.i_q_ref != chip.i_q_ref) {

@@ -12,6 +12,7 @@
 #include "cosim/points.hpp"
 #include "lab/settings.hpp"
 #include "models/plant/xy_table.hpp"
+#include "sw_nios/path/trajectory.hpp"
 
 namespace trammel::kung {
 
@@ -25,7 +26,7 @@ using cosim::WaveFormat;
 using cosim::WaveSpan;
 
 enum class Controller { kFc, kAfc };  // fixed rule table, or tuned while it runs
-enum class PathKind { kCircle, kWindow, kStar, kSquare, kLine, kPoints };
+using PathKind = sw::Path;            // as the firmware names them
 
 using cosim::PointM;
 
