@@ -6,7 +6,7 @@
 #include "lab/layers.hpp"
 #include "lab/scenarios.hpp"
 #include "machines/kung/machine.hpp"
-#include "machines/kung/paper.hpp"
+#include "machines/kung/figures.hpp"
 #include "machines/kung/words.hpp"
 #include "tests/support/message.hpp"
 
