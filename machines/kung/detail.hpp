@@ -26,6 +26,7 @@ class DetailRecorder final : public cosim::Observer {
   void keep_edge(const cosim::Stop& stop, cosim::Lines gates);
   void close_window();
   RuleTable rules(int axis) const;
+  std::array<std::array<std::int32_t, 3>, 2> compare_values() const;  // [axis][phase]
 
   const KungChip& chip_;
   const plant::XyTable& truth_;

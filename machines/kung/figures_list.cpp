@@ -210,7 +210,9 @@ void add_metrics(const lab::Record& record, nlohmann::ordered_json& json) {
   for (std::size_t n = 0; n < kWakes; ++n) run["wakes"][kWakeNames[n]] = result.wakes[n];
   const bool compared = std::any_of(record.figures.begin(), record.figures.end(),
                                     [](const Figure& f) { return f.printed.has_value(); });
-  if (compared && options_of(record).path.kind == PathKind::kCircle) json["comparison_note"] = kCircleNote;
+  if (compared && options_of(record).path.kind == PathKind::kCircle) {
+    json["comparison_note"] = kCircleNote;
+  }
 }
 
 std::string cause_text(const Fault& fault) {
