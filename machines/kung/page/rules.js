@@ -6,6 +6,7 @@
 
   const kUnit = 1 << 20;
   const kKnots = [-6, -4, -2, 0, 2, 4, 6];
+  const kGrid = 24;  // facets of the surface, each way
 
   function heatMap(id, title, small, values, top, digits, visited) {
     const plot = { id, title, print: 'quarter', saveWidth: 460, height: (width) => Math.min(width,
@@ -68,7 +69,6 @@
   function surface(id, title, rules) {
     const plot = { id, title, print: 'quarter', saveWidth: 460, height: (width) => Math.min(width,
       340), count: () => kGrid * kGrid };
-    const kGrid = 24;
     plot.scene = function (p, width, height, theme) {
       const scale = Math.min(width / 10.9, height / 7.6);
       const cx = width / 2;
@@ -90,22 +90,18 @@
         }
       }
       const label = { fill: theme.muted, size: 12 };
-      const [ex, ey] = at(1, -6, -8);
-      const [dx, dy] = at(6, 1, -8);
-      p.text(ex - 10, ey + 16, 'e', { ...label, align: 'right' });
-      p.text(dx + 10, dy + 16, 'de', label);
-      const [ux, uy] = at(-6, 6, output(rules, -6, 6));
-      p.path([...at(6, -6, -8), ...at(6, -6, output(rules, 6, -6))], { stroke: theme.axis,
-        dash: [3, 3] });
-      p.path([...at(6, 6, -8), ...at(6, 6, output(rules, 6, 6))], { stroke: theme.axis,
-        dash: [3, 3] });
-      const [tx, ty] = at(6, 6, output(rules, 6, 6));
-      p.text(tx + 2, ty - 8, T.num(output(rules, 6, 6), 1), { ...label, size: 11,
-        align: 'center' });
-      const [bx, by] = at(-6, -6, output(rules, -6, -6));
-      p.text(bx + 2, by - 8, T.num(output(rules, -6, -6), 1), { ...label, size: 11,
-        align: 'center' });
-      p.text(ux, uy - 10, 'u (units)', { ...label, align: 'center' });
+      const text = ([x, y], dx, dy, words, style) => p.text(x + dx, y + dy, words, { ...label,
+        ...style });
+      const top = (e, de) => at(e, de, output(rules, e, de));
+      const value = (e, de) => T.num(output(rules, e, de), 1);
+      for (const de of [-6, 6]) {
+        p.path([...at(6, de, -8), ...top(6, de)], { stroke: theme.axis, dash: [3, 3] });
+      }
+      text(at(1, -6, -8), -10, 16, 'e', { align: 'right' });
+      text(at(6, 1, -8), 10, 16, 'de');
+      text(top(6, 6), 2, -8, value(6, 6), { size: 11, align: 'center' });
+      text(top(-6, -6), 2, -8, value(-6, -6), { size: 11, align: 'center' });
+      text(top(-6, 6), 0, -10, 'u (units)', { align: 'center' });
     };
     return T.figure(plot);
   }
