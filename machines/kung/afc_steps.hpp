@@ -15,7 +15,7 @@ namespace trammel::kung {
 
 struct AfcStep {
   std::optional<std::int64_t> product;  // of the step's two factors, as the multiplier keeps it
-  std::optional<std::int64_t> result;   // what the step leaves behind for later ones
+  std::optional<std::int64_t> result;   // what the step hands to later ones
 };
 
 using AfcSteps = std::array<AfcStep, 35>;

@@ -9,7 +9,7 @@ namespace trammel::kung {
 
 namespace {
 constexpr cosim::Clk kPwmPeriod = 3125;
-// From here to the end of a period the current loop shows the compare values of the next one.
+// From this clock of a period on, the current loop shows the compare values of the next one.
 constexpr cosim::Clk kLoopDone = 200;
 }  // namespace
 
@@ -36,7 +36,7 @@ void DetailRecorder::on(const cosim::Stop& stop, const cosim::Chip& chip, const 
   if (open_.compare.size() == 1 && inside > kLoopDone && inside < kPwmPeriod) {
     open_.compare.push_back(compare_values());
   }
-  if ((stop.why & cosim::kTick) != 0) look(stop.edge);
+  if ((stop.why & cosim::kTick) != 0) open_if_fastest(stop.edge);
   if ((stop.why & cosim::kSample) != 0) {
     before_ = last_;
     for (int axis = 0; axis < kAxes; ++axis) {
@@ -47,7 +47,7 @@ void DetailRecorder::on(const cosim::Stop& stop, const cosim::Chip& chip, const 
   }
 }
 
-void DetailRecorder::look(cosim::Clk edge) {
+void DetailRecorder::open_if_fastest(cosim::Clk edge) {
   ++tick_;
   double speed = 0;
   for (int axis = 0; axis < kAxes; ++axis) {

@@ -23,20 +23,20 @@ struct Spread {
   double max = 0;
 };
 
-// As long as the run, so kept where the run is.
+// As long as the run, hence on disk as its samples are.
 using Series = cosim::DiskVector<double>;
 using Points = cosim::DiskVector<PointM>;
 
 Spread spread(const Series& series);  // Kung eq. 45, 46
 
-// Distance of two points (Kung eq. 44).
+// Distance between two points (Kung eq. 44).
 double tracking_error(const PointM& model, const PointM& table);
 
 inline constexpr double kMm = 1e3;  // in a metre
 inline constexpr std::size_t kContourReach = 500;  // 250 ms; the model lags 67 ms on a ramp
 
 // For each point, its distance to the polyline through `path`, searched within `reach` samples of
-// the same index, so that a path that crosses itself is not mistaken for its other branch.
+// the same index, so that where the path crosses itself the other branch is not taken for it.
 Series contour_error(const Points& table, const Points& path, std::size_t reach);
 
 // One half period of a square wave on one axis.
@@ -49,7 +49,7 @@ struct HalfPeriod {
 std::vector<HalfPeriod> half_periods(const Series& position_m, const Series& model_m,
                                      std::size_t half, double low_m, double high_m);
 
-// Both halves of a period: the worse one counts.
+// Whole periods: of the two halves the worse one counts.
 std::vector<HalfPeriod> periods(const std::vector<HalfPeriod>& halves);
 
 // Model output, command and true position of a sample [m].

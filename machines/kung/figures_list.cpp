@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The figures of a run as the laboratory's list, and how its end is told.
+// The figures of a run as the laboratory's list, and the texts about its end.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -168,7 +168,7 @@ std::string verdict(const lab::Settings& settings, const cosim::RunResult& run) 
                          options.diverged_m);
     case EndReason::kTimeout:
       return fmt::format("not finished within run.max_s = {:g}", options.run.max_s);
-    case EndReason::kStopped: return "interrupted: results up to there";
+    case EndReason::kStopped: return "interrupted: results up to that point";
     case EndReason::kPromise:
       return "assertion failed: " + lab::promise_text(*result.promise);
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the report page needs beside figures and columns: detail.json, as it is written and as it is
-// read back, and the contour error.
+// What the report page needs besides figures and columns: detail.json, written and read back, and
+// the contour error.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -27,7 +27,7 @@ constexpr const char* kAxes[] = {"x", "y"};
 bool is_whole(const Json& json) { return json.is_number_integer(); }
 bool is_whole_or_null(const Json& json) { return json.is_number_integer() || json.is_null(); }
 
-// Distance of the table to the commanded path [m]; 0 before the first sample of the path.
+// Distance of the table from the commanded path [m]; 0 before the first sample of the path.
 Series contour(const RunFolder& run) {
   Points table, path;
   for (std::size_t k = run.first; k < run.rows; ++k) {

@@ -1,20 +1,41 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The page of the X-Y table. Data that its plots share are made here once, in millimetres.
+// The page of the X-Y table. Data shared by its plots are computed here once, in millimetres.
 (function (T) {
   'use strict';
 
   const kMm = 1e3;
   const kSample = 0.5e-3;  // [s]
 
+  const kKinds = ['circle', 'window', 'star', 'square', 'line', 'points'];
+
+  T.controller = (m) => (m.options.controller === 'fc' ? 'FC' : 'AFC');
+  T.isPeriod = (f) => /^[xy]\.periods\./.test(f.id);
+
   const scaled = (values, factor) => values.map((v) => v * factor);
 
-  // What one step of the chip's words of an axis is (specification section 3).
+  // The unit of each kind of word of an axis (specification section 3).
   function stepsOf(o, axis) {
     const count = o[`plant.${axis}.encoder_count_m`];
     const current = o[`plant.${axis}.current_full_scale_A`] / 2048;
     return { count_m: count, speed_m_s: count / 16 / kSample, current_A: current,
       command_A: current / 2, voltage_V: o[`plant.${axis}.dc_link_V`] / Math.sqrt(3) / 2048 };
+  }
+
+  // What stands below the tiles, by the figure's id.
+  function asidesOf(m) {
+    const asides = { 'tracking.model.max_mm': 'to the reference model' };
+    for (const [name, digits] of [['peak_current_A', 2], ['max_speed_m_s', 3]]) {
+      asides[name] = `X ${T.num(m.x[name], digits)}, Y ${T.num(m.y[name], digits)}`;
+    }
+    if (m.contour) asides['contour.mean_mm'] = `largest ${T.num(m.contour.max_mm, 3)}`;
+    for (const axis of ['x', 'y']) {
+      const { periods } = m[axis];
+      if (!periods || periods.length === 0) continue;
+      asides[`${axis}.periods.${periods.length - 1}.overshoot_percent`] =
+        `last period; first ${T.num(periods[0].overshoot_percent, 1)}`;
+    }
+    return asides;
   }
 
   function prepare(run) {
@@ -59,8 +80,8 @@
     const s = run.series;
     const d = run.data;
     const o = run.metrics.options;
-    const section = T.section('axes', 'Axes', 'What each axis was asked for, what it did, and ' +
-      'what effort it took: words of the chip in physical units, or truth of the plant.');
+    const section = T.section('axes', 'Axes', 'What each axis was commanded to do, what it did, ' +
+      'and with what effort: words of the chip in physical units, or true values of the plant.');
     const make = (id, title, small, yLabel, series) => (axis) => T.timePlot({ id: `${id}-${axis}`,
       title: `${axis.toUpperCase()} ${title}`, small, yLabel, series: series(axis) });
     const line = (label, data, role, unit, digits, more) => ({ label, data, role, unit, digits,
@@ -116,8 +137,8 @@
   function rulesSection(run) {
     const adapting = T.controller(run.metrics) === 'AFC';
     const section = T.section('rules', 'Rules', adapting
-      ? 'The 49 fuzzy rules, tuned while the table moved; the line shows where the run was.'
-      : 'The 49 fuzzy rules, fixed; the line shows where the run was.');
+      ? 'The 49 fuzzy rules, tuned while the table moved; the line traces e and de over the run.'
+      : 'The 49 fuzzy rules, fixed; the line traces e and de over the run.');
     const o = run.metrics.options;
     section.append(T.el('div', { class: 'grid four' }, ['x', 'y'].flatMap((axis) => {
       const units = (word, shift) => scaled(run.series[`${axis}_${word}`], 2 ** shift / 256)
@@ -131,10 +152,11 @@
     prepare,
     get compare() { return T.kungComparison; },
     chips: (m) => [T.controller(m)],
-    asides: (m) => T.kungAsides(m),
+    asides: asidesOf,
     figures: (f) => !T.isPeriod(f),  // they stand beside the step response
     figureNote: (m) => m.comparison_note && m.comparison_note.replace('->', '\u2192'),
-    idle: (key, options) => T.idleKey(key, options),
+    idle: (key, options) => kKinds.some((kind) => kind !== options['path.kind'] &&
+      key.startsWith(`path.${kind}_`)),
     sections(run) {
       if (run.count > 1) {
         T.time.start(run.data.t);

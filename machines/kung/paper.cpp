@@ -176,9 +176,9 @@ std::string experiments_text(const std::vector<const lab::Record*>& records) {
                                          100 * (1 - *afc->printed / *fc->printed))
                            : "-");
     }
-    text += row(fmt::format("AFC less {}", spread), cells);
+    text += row(fmt::format("reduction of {}", spread), cells);
   }
-  text += fmt::format("  {}\n  the paper's spread has a square root but is labelled variance\n",
+  text += fmt::format("  {}\n  the paper's spread is a square root but is labelled variance\n",
                       kCircleNote);
 
   text += "\nStep of 10 mm with 11 kg (Kung Figs. 11, 12), ours / paper\n\n";

@@ -52,7 +52,7 @@ std::int32_t counts(double metres) {
 
 std::uint32_t word(int value) { return static_cast<std::uint32_t>(value); }
 
-// Interrupts over a length: enough of them to keep the feed.
+// Interrupts for a stretch of that length: enough to stay below the maximum feed.
 std::uint32_t ticks_word(const std::string& key, int ticks, double length_m, double point_s) {
   in_range(key, ticks, std::max(1.0, std::ceil(length_m / (kMaxFeedMS * point_s) - 1e-9)),
            kMaxTicks, "feed at most 1.28 m/s");
@@ -148,8 +148,8 @@ std::uint32_t clocks(int ns, std::int64_t clock_ps) {
   return static_cast<std::uint32_t>((std::int64_t{1000} * ns + clock_ps - 1) / clock_ps);
 }
 
-// The whole path must lie where the table can go, where the chip lets it and where the model can
-// follow.
+// The whole path must lie within the hard stops, the stroke of the chip and the range of the
+// reference model.
 void check_extent(const Options& options, const sw::PathSetup& setup) {
   sw::PathSetup once = setup;  // every pass has the same bounds
   once.repeats = 1;

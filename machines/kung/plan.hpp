@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// From physical options to the integers the firmware takes (specification sections 3, 10 and 11),
-// and every rule between options on the way; what one alone may be, keys.cpp says. Broken rules
-// throw std::invalid_argument that names the key and the permitted range.
+// Converts physical options to the integers the firmware takes (specification sections 3, 10 and
+// 11) and checks every rule that involves more than one option; the range of a single option is in
+// keys.cpp. Throws std::invalid_argument that names the key and the permitted range.
 #pragma once
 
 #include <vector>

@@ -5,7 +5,7 @@
 (function (T) {
   'use strict';
 
-  // A word as a physical value; s: what a step of the axis' words is.
+  // A word as a physical value; s: the units of the axis' words.
   const kCount = (w, s) => `${T.num(w * s.count_m * 1e3, 3)} mm`;
   const kModel = (w, s) => `${T.num(w / 16384 * s.count_m * 1e3, 4)} mm`;
   const kChange = (w, s) => `${T.num(w * s.speed_m_s * 16, 4)} m/s`;
@@ -47,11 +47,11 @@
     ['control', '', 'v* \u2212 v', kSpeed],
     ['control', 'Kv \u00b7 (v* \u2212 v)', ''],
     ['control', 'ETA \u00b7 e', 'i_q*, published', kCurrent],
-    ['tune', 't \u00b7 d00', 't = ETA e kept'],
+    ['tune', 't \u00b7 d00', 't = ETA e, stored'],
     ['tune', 't \u00b7 d01', 'c00, written back', kRule],
     ['tune', 't \u00b7 d10', 'c01, written back', kRule],
     ['tune', 't \u00b7 d11', 'c10, written back', kRule],
-    ['tune', '', 'c11, written back; e and x_p kept', kRule],
+    ['tune', '', 'c11, written back; e and x_p stored', kRule],
   ];
   // Of each group its name and the role that colours it.
   const kGroups = { model: ['Reference model', 'model'], error: ['Errors', 'asked'],
@@ -101,7 +101,7 @@
         }
       });
       p.path([at(30), 34, at(30), 120], { stroke: theme.ink, width: 1.3 });
-      p.text(at(30) - 5, height - 6, 'i_q* is out after s29', { fill: theme.ink, size: 12,
+      p.text(at(30) - 5, height - 6, 'i_q* is ready after s29', { fill: theme.ink, size: 12,
         align: 'right' });
       if (w > 14) {
         p.text(kLeft, height - 6, `${kStepNs} ns a step, ${T.num(kStepNs * 35e-3, 1)} \u00b5s in ` +
@@ -138,7 +138,7 @@
       rows.forEach((row, k) => row.classList.toggle('picked', k === picked));
     }
 
-    const card = T.figure(plot, 'point at a step');
+    const card = T.figure(plot, 'hover over a step');
     card.classList.add('long');
     plot.canvas.addEventListener('mousemove', (event) => {
       const k = Math.floor((event.offsetX - kLeft) / cell(plot.canvas.clientWidth));

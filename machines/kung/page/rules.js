@@ -44,7 +44,7 @@
     return T.figure(plot, small);
   }
 
-  // Where the run was: a knot lies in the middle of its cell.
+  // The run through the rules: a knot lies in the middle of its cell.
   function drawVisited(p, theme, visited, x0, cell, side) {
     const points = [];
     for (let k = 0; k < visited.e.length; ++k) {

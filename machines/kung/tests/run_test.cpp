@@ -65,7 +65,7 @@ TEST_CASE("how a run ended is told with the figures that decided it") {
   } all[] = {{EndReason::kDone, "followed 10 points"},
              {EndReason::kDiverged, "diverged: error to the model above run.diverged_m = 0.05"},
              {EndReason::kTimeout, "not finished within run.max_s = 60"},
-             {EndReason::kStopped, "interrupted: results up to there"}};
+             {EndReason::kStopped, "interrupted: results up to that point"}};
   for (const auto& [end, verdict] : all) {
     CAPTURE(verdict);
     run_kung(scratch.path / "a", standing(end));
