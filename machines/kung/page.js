@@ -15,11 +15,12 @@
   const scaled = (values, factor) => values.map((v) => v * factor);
 
   // The unit of each kind of word of an axis (specification section 3).
-  function stepsOf(o, axis) {
+  function unitsOf(o, axis) {
     const count = o[`plant.${axis}.encoder_count_m`];
     const current = o[`plant.${axis}.current_full_scale_A`] / 2048;
     return { count_m: count, speed_m_s: count / 16 / kSample, current_A: current,
-      command_A: current / 2, voltage_V: o[`plant.${axis}.dc_link_V`] / Math.sqrt(3) / 2048 };
+      command_A: current / 2, voltage_V: o[`plant.${axis}.dc_link_V`] / Math.sqrt(3) / 2048,
+      fuzzy: 1 / 256 };
   }
 
   // What stands below the tiles, by the figure's id.
@@ -82,36 +83,38 @@
     const o = run.metrics.options;
     const section = T.section('axes', 'Axes', 'What each axis was commanded to do, what it did, ' +
       'and with what effort: words of the chip in physical units, or true values of the plant.');
-    const make = (id, title, small, yLabel, series) => (axis) => T.timePlot({ id: `${id}-${axis}`,
-      title: `${axis.toUpperCase()} ${title}`, small, yLabel, series: series(axis) });
-    const line = (label, data, role, unit, digits, more) => ({ label, data, role, unit, digits,
-      ...more });
-    const step = { x: stepsOf(o, 'x'), y: stepsOf(o, 'y') };
-    const rows = [
-      make('position', 'position', '', 'position (mm)', (a) => [
-        line('command', d.command[a], 'asked', 'mm', 2, { steps: true, width: 2.5 }),
-        line('reference', d.model[a], 'model', 'mm', 2),
-        line('table', d.table[a], 'actual', 'mm', 2)]),
-      make('speed', 'speed', 'v* is the effort of the position controller', 'speed (m/s)', (a) => [
-        line('v*', scaled(s[`${a}_v_star`], step[a].speed_m_s), 'asked', 'm/s', 3, { width: 2 }),
-        line('v (encoder)', scaled(s[`${a}_v`], step[a].speed_m_s), 'other', 'm/s', 3,
-          { width: 1 }),
-        line('v (plant)', s[`${a}_v_m_s`], 'actual', 'm/s', 3)]),
-      make('current', 'currents', '', 'current (A)', (a) => [
-        line('i_q*', scaled(s[`${a}_i_q_ref`], step[a].command_A), 'asked', 'A', 3, { width: 2 }),
-        line('i_q', scaled(s[`${a}_i_q`], step[a].current_A), 'actual', 'A', 3),
-        line('i_d', scaled(s[`${a}_i_d`], step[a].current_A), 'model', 'A', 3),
-        line('i_q (plant)', s[`${a}_i_q_A`], 'x', 'A', 3, { hidden: true }),
-        line('i_d (plant)', s[`${a}_i_d_A`], 'y', 'A', 3, { hidden: true })]),
-      make('voltage', 'voltages', 'output of the current controllers', 'voltage (V)', (a) => [
-        line('v_q', scaled(s[`${a}_v_q`], step[a].voltage_V), 'actual', 'V', 1),
-        line('v_d', scaled(s[`${a}_v_d`], step[a].voltage_V), 'model', 'V', 1)]),
-      make('fuzzy', 'fuzzy output', 'one unit is 1.28 mm of error at the default scale',
-        'u (units)', (a) => [line('u', scaled(s[`${a}_u`], 1 / 256), 'actual', '', 3)]),
-      make('force', 'force', 'of the motor', 'force (N)', (a) => [
-        line('force', s[`${a}_force_N`], 'actual', 'N', 2)]),
-    ];
-    section.append(T.el('div', { class: 'grid two' }, rows.flatMap((row) => [row('x'), row('y')])));
+    const units = { x: unitsOf(o, 'x'), y: unitsOf(o, 'y') };
+    const word = (a, name, unit) => scaled(s[`${a}_${name}`], units[a][unit]);
+    // Title, what stands beside it, label and unit of the vertical axis, digits, lines of an axis:
+    // label, data, role, more.
+    const plots = {
+      position: ['position', '', 'position', 'mm', 2, (a) => [
+        ['command', d.command[a], 'asked', { steps: true, width: 2.5 }],
+        ['reference', d.model[a], 'model'],
+        ['table', d.table[a], 'actual']]],
+      speed: ['speed', 'v* is the effort of the position controller', 'speed', 'm/s', 3, (a) => [
+        ['v*', word(a, 'v_star', 'speed_m_s'), 'asked', { width: 2 }],
+        ['v (encoder)', word(a, 'v', 'speed_m_s'), 'other', { width: 1 }],
+        ['v (plant)', s[`${a}_v_m_s`], 'actual']]],
+      current: ['currents', '', 'current', 'A', 3, (a) => [
+        ['i_q*', word(a, 'i_q_ref', 'command_A'), 'asked', { width: 2 }],
+        ['i_q', word(a, 'i_q', 'current_A'), 'actual'],
+        ['i_d', word(a, 'i_d', 'current_A'), 'model'],
+        ['i_q (plant)', s[`${a}_i_q_A`], 'x', { hidden: true }],
+        ['i_d (plant)', s[`${a}_i_d_A`], 'y', { hidden: true }]]],
+      voltage: ['voltages', 'output of the current controllers', 'voltage', 'V', 1, (a) => [
+        ['v_q', word(a, 'v_q', 'voltage_V'), 'actual'],
+        ['v_d', word(a, 'v_d', 'voltage_V'), 'model']]],
+      fuzzy: ['fuzzy output', 'one unit is 1.28 mm of error at the default scale', 'u', 'units', 3,
+        (a) => [['u', word(a, 'u', 'fuzzy'), 'actual', { unit: '' }]]],
+      force: ['force', 'of the motor', 'force', 'N', 2, (a) => [
+        ['force', s[`${a}_force_N`], 'actual']]],
+    };
+    section.append(T.el('div', { class: 'grid two' }, Object.entries(plots).flatMap(([id, [title,
+      small, label, unit, digits, lines]]) => ['x', 'y'].map((axis) => T.timePlot({
+      id: `${id}-${axis}`, title: `${axis.toUpperCase()} ${title}`, small,
+      yLabel: `${label} (${unit})`, series: lines(axis).map(([name, data, role, more]) => ({
+        label: name, data, role, unit, digits, ...more })) })))));
   }
 
   function sampleSection(run) {
@@ -130,7 +133,7 @@
     const section = T.section('sample', 'One sample', gates && gates.trip !== undefined
       ? `${lead} The gates are shown around the trip, ${when(gates.trip)}.` : lead);
     if (gates) section.append(T.gatePlots(gates, axis, clockUs));
-    if (moment) section.append(T.afcStrip(moment, { x: stepsOf(o, 'x'), y: stepsOf(o, 'y') },
+    if (moment) section.append(T.afcStrip(moment, { x: unitsOf(o, 'x'), y: unitsOf(o, 'y') },
       T.controller(run.metrics) === 'AFC'));
   }
 
