@@ -59,11 +59,6 @@ std::uint32_t ticks_word(const std::string& key, int ticks, double length_m, dou
   return word(ticks);
 }
 
-sw::Circle::Setup plan_circle(const PathOptions& p, double point_s) {
-  return {q32(p.circle_center_x_m, p.circle_center_y_m), q32(p.circle_radius_m),
-          ticks_word("path.circle_ticks", p.circle_ticks, 2 * kPi * p.circle_radius_m, point_s)};
-}
-
 sw::Window::Setup plan_window(const PathOptions& p, double point_s) {
   in_range("path.window_radius_m", p.window_radius_m, kCountM, p.window_side_m / 2 - kCountM,
            "the straight parts need some length");
@@ -78,30 +73,6 @@ sw::Window::Setup plan_window(const PathOptions& p, double point_s) {
                      point_s)};
 }
 
-sw::Star::Setup plan_star(const PathOptions& p, double point_s) {
-  sw::Star::Setup setup;
-  setup.start = q32(p.star_start_x_m, p.star_start_y_m);
-  setup.edge = q32(p.star_edge_m);
-  setup.stroke_ticks =
-      ticks_word("path.star_stroke_ticks", p.star_stroke_ticks, p.star_edge_m, point_s);
-  return setup;
-}
-
-sw::Square::Setup plan_square(const PathOptions& p) {
-  require(p.square_low_m != p.square_high_m,
-          "path.square_high_m: must differ from path.square_low_m");
-  const std::int32_t low = counts(p.square_low_m);
-  const std::int32_t high = counts(p.square_high_m);
-  return {{low, low}, {high, high}, word(p.square_half_samples)};
-}
-
-sw::Line::Setup plan_line(const PathOptions& p, double point_s) {
-  const double length_m =
-      std::hypot(p.line_end_x_m - p.line_start_x_m, p.line_end_y_m - p.line_start_y_m);
-  return {q32(p.line_start_x_m, p.line_start_y_m), q32(p.line_end_x_m, p.line_end_y_m),
-          ticks_word("path.line_ticks", p.line_ticks, length_m, point_s)};
-}
-
 void plan_points(const PathOptions& p, std::vector<sw::Point>& points) {
   in_range("path.points_file: number of points", static_cast<double>(p.points.size()), 1,
            kMaxTicks);
@@ -112,25 +83,46 @@ void plan_points(const PathOptions& p, std::vector<sw::Point>& points) {
   }
 }
 
-sw::PathSetup plan_path(const PathOptions& path, int irq_period_ticks,
+sw::PathSetup plan_path(const PathOptions& p, int irq_period_ticks,
                         std::vector<sw::Point>& points) {
-  const double point_s = ticks_per_point(path, irq_period_ticks) * kSampleS;
+  const double point_s = ticks_per_point(p, irq_period_ticks) * kSampleS;
+  const auto ticks = [point_s](const char* key, int value, double length_m) {
+    return ticks_word(key, value, length_m, point_s);
+  };
   sw::PathSetup s;
-  s.path = path.kind;
-  switch (path.kind) {
-    case PathKind::kCircle: s.circle = plan_circle(path, point_s); break;
-    case PathKind::kWindow: s.window = plan_window(path, point_s); break;
-    case PathKind::kStar: s.star = plan_star(path, point_s); break;
-    case PathKind::kSquare: s.square = plan_square(path); break;
-    case PathKind::kLine: s.line = plan_line(path, point_s); break;
+  s.path = p.kind;
+  switch (p.kind) {
+    case PathKind::kCircle:
+      s.circle = {q32(p.circle_center_x_m, p.circle_center_y_m), q32(p.circle_radius_m),
+                  ticks("path.circle_ticks", p.circle_ticks, 2 * kPi * p.circle_radius_m)};
+      break;
+    case PathKind::kWindow: s.window = plan_window(p, point_s); break;
+    case PathKind::kStar:
+      s.star.start = q32(p.star_start_x_m, p.star_start_y_m);
+      s.star.edge = q32(p.star_edge_m);
+      s.star.stroke_ticks = ticks("path.star_stroke_ticks", p.star_stroke_ticks, p.star_edge_m);
+      break;
+    case PathKind::kSquare:
+      require(p.square_low_m != p.square_high_m,
+              "path.square_high_m: must differ from path.square_low_m");
+      s.square = {{counts(p.square_low_m), counts(p.square_low_m)},
+                  {counts(p.square_high_m), counts(p.square_high_m)},
+                  word(p.square_half_samples)};
+      break;
+    case PathKind::kLine:
+      s.line = {q32(p.line_start_x_m, p.line_start_y_m), q32(p.line_end_x_m, p.line_end_y_m),
+                ticks("path.line_ticks", p.line_ticks,
+                      std::hypot(p.line_end_x_m - p.line_start_x_m,
+                                 p.line_end_y_m - p.line_start_y_m))};
+      break;
     case PathKind::kPoints:
-      plan_points(path, points);
+      plan_points(p, points);
       s.points = points.data();
       s.n_points = static_cast<std::uint32_t>(points.size());
       break;
   }
-  const bool square = path.kind == PathKind::kSquare;
-  const int repeats = square ? path.square_periods : path.repeats;
+  const bool square = p.kind == PathKind::kSquare;
+  const int repeats = square ? p.square_periods : p.repeats;
   in_range(square ? "path.square_periods" : "path.repeats", repeats, 1,
            std::floor(kMaxPoints / sw::Trajectory(s).size()));
   s.repeats = word(repeats);
