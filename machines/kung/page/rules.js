@@ -15,43 +15,38 @@
       const side = Math.min(width - 44, height - 44);
       const x0 = 40 + (width - 44 - side) / 2;
       const cell = side / 7;
-      for (let j = 0; j < 7; ++j) {
-        const y = 4 + (6 - j) * cell;
-        p.text(x0 - 6, y + cell / 2, T.num(kKnots[j], 0), { fill: theme.muted, size: 11,
-          align: 'right', middle: true });
-        for (let i = 0; i < 7; ++i) {
-          const value = values[7 * j + i];
-          const fill = T.diverge(theme, top > 0 ? value / top : 0);
-          p.rect(x0 + i * cell + 0.5, y + 0.5, cell - 1, cell - 1, { fill });
-        }
+      // Pixels of e and de in units; a knot lies in the middle of its cell.
+      const x = (e) => x0 + (e / 2 + 3.5) * cell;
+      const y = (de) => 4 + side - (de / 2 + 3.5) * cell;
+      const at = (n) => [x(kKnots[n % 7]), y(kKnots[Math.floor(n / 7)])];
+      const color = (value) => T.diverge(theme, top > 0 ? value / top : 0);
+      for (const knot of kKnots) {
+        const text = T.num(knot, 0);
+        p.text(x0 - 6, y(knot), text, { fill: theme.muted, size: 11, align: 'right',
+          middle: true });
+        p.text(x(knot), side + 18, text, { fill: theme.muted, size: 11, align: 'center' });
       }
-      if (visited) drawVisited(p, theme, visited, x0, cell, side);
+      values.forEach((value, n) => {
+        const [cx, cy] = at(n);
+        p.rect(cx - cell / 2 + 0.5, cy - cell / 2 + 0.5, cell - 1, cell - 1,
+          { fill: color(value) });
+      });
+      if (visited && visited.e.length > 1) {
+        p.path(Array.from(visited.e, (e, k) => [x(e), y(visited.de[k])]).flat(),
+          { stroke: theme.ink, width: 1, alpha: 0.7 });
+      }
       values.forEach((value, n) => {
         if (cell <= 24 || (digits > 1 && Math.abs(value) < 0.005)) return;
-        const y = 4 + (6 - Math.floor(n / 7)) * cell + (visited ? 0.24 : 0.5) * cell;
-        p.text(x0 + (n % 7 + 0.5) * cell, y, T.num(value, digits), { align: 'center', middle: true,
-          fill: T.inkOn(T.diverge(theme, top > 0 ? value / top : 0)), size: cell > 36 ? 11 : 10 });
+        const [cx, cy] = at(n);
+        p.text(cx, cy - (visited ? 0.26 * cell : 0), T.num(value, digits), { align: 'center',
+          middle: true, fill: T.inkOn(color(value)), size: cell > 36 ? 11 : 10 });
       });
-      for (let i = 0; i < 7; ++i) {
-        p.text(x0 + (i + 0.5) * cell, side + 18, T.num(kKnots[i], 0), { fill: theme.muted,
-          size: 11, align: 'center' });
-      }
       p.text(x0 + side / 2, side + 36, 'e (units)', { fill: theme.muted, size: 12,
         align: 'center' });
       p.text(x0 - 32, 4 + side / 2, 'de (units)', { fill: theme.muted, size: 12, align: 'center',
         turn: true });
     };
     return T.figure(plot, small);
-  }
-
-  // The run through the rules: a knot lies in the middle of its cell.
-  function drawVisited(p, theme, visited, x0, cell, side) {
-    const points = [];
-    for (let k = 0; k < visited.e.length; ++k) {
-      points.push(x0 + (visited.e[k] / 2 + 3.5) * cell,
-        4 + side - (visited.de[k] / 2 + 3.5) * cell);
-    }
-    if (points.length > 3) p.path(points, { stroke: theme.ink, width: 1, alpha: 0.7 });
   }
 
   // Output of the fuzzy system at E, DE in units, each -6..6 (specification section 5).

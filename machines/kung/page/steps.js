@@ -17,8 +17,7 @@
       height: (width) => (width < 420 ? 240 : 300), count: () => periods * length };
     plot.scene = function (p, width, height, theme) {
       const used = (of) => of.subarray(0, periods * length);
-      let ys = T.range(used(d.table[axis]));
-      ys = T.range(used(d.model[axis]), ...ys);
+      const ys = T.range(used(d.model[axis]), ...T.range(used(d.table[axis])));
       const frame = T.frame({ x: 60, y: 24, w: width - 74, h: height - 70 }, [0, 2 * half],
         T.padded(ys, 0.05));
       T.drawFrame(p, theme, frame, { xLabel: 'Time since the period began (s)',
