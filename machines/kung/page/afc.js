@@ -104,8 +104,9 @@
       p.text(at(30) - 5, height - 6, 'i_q* is ready after s29', { fill: theme.ink, size: 12,
         align: 'right' });
       if (w > 14) {
-        p.text(kLeft, height - 6, `${kStepNs} ns per step, ${T.num(kStepNs * 35e-3, 1)} \u00b5s in ` +
-          'all', { fill: theme.muted, size: 12 });
+        const all = T.num(kStepNs * 35e-3, 1);
+        p.text(kLeft, height - 6, `${kStepNs} ns per step, ${all} \u00b5s in all`, {
+          fill: theme.muted, size: 12 });
       }
     };
     plot.overlay = function (p, width, height, theme) {
