@@ -15,17 +15,11 @@ namespace trammel::kung {
 
 struct AfcStep {
   std::optional<std::int64_t> product;  // of the step's two factors, as the multiplier keeps it
-  std::optional<std::int64_t> result;   // what the step leaves behind for later ones
+  std::optional<std::int64_t> result;   // what the step hands to later ones
 };
 
-struct AfcTrace {
-  std::array<AfcStep, 35> steps;
-  kung::AxisSample end;                 // the words the chip shows after the sample
-  std::int32_t integral = 0;
-  std::array<int, 4> fired{};           // rules 7 j + i that s31 to s34 change
-  int section_e = 0, section_de = 0;    // i and j
-};
+using AfcSteps = std::array<AfcStep, 35>;
 
-AfcTrace trace_afc(const sw::AxisSetup& setup, const kung::AfcStart& start);
+AfcSteps afc_steps(const sw::AxisSetup& setup, const AfcStart& start);
 
 }  // namespace trammel::kung

@@ -9,7 +9,7 @@ namespace trammel::kung {
 
 namespace {
 constexpr cosim::Clk kPwmPeriod = 3125;
-// From here to the end of a period the current loop shows the compare values of the next one.
+// From this clock of a period on, the current loop shows the compare values of the next one.
 constexpr cosim::Clk kLoopDone = 200;
 }  // namespace
 
@@ -19,10 +19,14 @@ RuleTable DetailRecorder::rules(int axis) const {
   return table;
 }
 
+std::array<std::array<std::int32_t, 3>, 2> DetailRecorder::compare_values() const {
+  const CurrentWords x = chip_.current(0);
+  const CurrentWords y = chip_.current(1);
+  return {{{x.cmp_a, x.cmp_b, x.cmp_c}, {y.cmp_a, y.cmp_b, y.cmp_c}}};
+}
+
 void DetailRecorder::path_begins() {
-  for (int axis = 0; axis < kAxes; ++axis) {
-    detail_.rules_first[static_cast<std::size_t>(axis)] = rules(axis);
-  }
+  detail_.rules_first = {rules(0), rules(1)};
 }
 
 void DetailRecorder::on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant&) {
@@ -30,14 +34,9 @@ void DetailRecorder::on(const cosim::Stop& stop, const cosim::Chip& chip, const 
   if ((stop.why & cosim::kDrive) != 0) keep_edge(stop, chip.drive());
   const cosim::Clk inside = stop.edge - open_.begin;
   if (open_.compare.size() == 1 && inside > kLoopDone && inside < kPwmPeriod) {
-    open_.compare.emplace_back();
-    for (int axis = 0; axis < kAxes; ++axis) {
-      const CurrentWords words = chip_.current(axis);
-      open_.compare.back()[static_cast<std::size_t>(axis)] = {words.cmp_a, words.cmp_b,
-                                                              words.cmp_c};
-    }
+    open_.compare.push_back(compare_values());
   }
-  if ((stop.why & cosim::kTick) != 0) look(stop.edge);
+  if ((stop.why & cosim::kTick) != 0) open_if_fastest(stop.edge);
   if ((stop.why & cosim::kSample) != 0) {
     before_ = last_;
     for (int axis = 0; axis < kAxes; ++axis) {
@@ -48,7 +47,7 @@ void DetailRecorder::on(const cosim::Stop& stop, const cosim::Chip& chip, const 
   }
 }
 
-void DetailRecorder::look(cosim::Clk edge) {
+void DetailRecorder::open_if_fastest(cosim::Clk edge) {
   ++tick_;
   double speed = 0;
   for (int axis = 0; axis < kAxes; ++axis) {
@@ -58,11 +57,9 @@ void DetailRecorder::look(cosim::Clk edge) {
   fastest_m_s_ = speed;
   moment_.tick = tick_;
   moment_.edge = edge;
-  open_ = {edge, edge + 2 * kPwmPeriod, cosim::kNever, {}, {{}}};
+  open_ = {edge, edge + 2 * kPwmPeriod, cosim::kNever, {}, {compare_values()}};
   for (int axis = 0; axis < kAxes; ++axis) {
     const auto k = static_cast<std::size_t>(axis);
-    const CurrentWords words = chip_.current(axis);
-    open_.compare[0][k] = {words.cmp_a, words.cmp_b, words.cmp_c};
     moment_.start[k] = {0, last_[k].r, before_[k].r, 0, last_[k].x_p, last_[k].x_m,
                         last_[k].dx, last_[k].e, chip_.integral(axis), rules(axis)};
   }

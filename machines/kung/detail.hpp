@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Keeps a close look at one place of the run beside the 2 kHz record: the fastest position sample,
-// the gates of the two PWM periods that begin with it, and the rules first and last. When a fault
-// turns the gates off, the window is moved around that edge. Bounded, and idle between its events.
+// Records what the 2 kHz samples cannot show: the fastest position sample from inside, the gates
+// over the two PWM periods that begin with it, and the rules at the start and at the end. When a
+// fault turns the gates off, the window of gates is moved to that edge. Its memory is bounded.
 #pragma once
 
 #include <deque>
@@ -18,14 +18,15 @@ class DetailRecorder final : public cosim::Observer {
 
   void on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant&) override;
 
-  void path_begins();  // the rules are those of a table not yet used
+  void path_begins();  // when no rule has been tuned yet
   Detail take();
 
  private:
-  void look(cosim::Clk edge);                      // at a 2 kHz tick: is it the fastest so far?
+  void open_if_fastest(cosim::Clk edge);           // at a 2 kHz tick
   void keep_edge(const cosim::Stop& stop, cosim::Lines gates);
   void close_window();
   RuleTable rules(int axis) const;
+  std::array<std::array<std::int32_t, 3>, 2> compare_values() const;  // [axis][phase]
 
   const KungChip& chip_;
   const plant::XyTable& truth_;
@@ -35,7 +36,7 @@ class DetailRecorder final : public cosim::Observer {
   GateWindow open_;                                // end 0: none is open
   Moment moment_;                                  // of the open window, kept when it is complete
   std::uint32_t tick_ = 0;
-  double fastest_m_s_ = 1e-3;                      // slower than this the table stands still
+  double fastest_m_s_ = 1e-3;                      // below this the table stands still
   bool moment_open_ = false;
   bool tripped_ = false;
 };

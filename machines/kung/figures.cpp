@@ -8,8 +8,6 @@
 namespace trammel::kung {
 namespace {
 
-using kung::PointM;
-
 constexpr double kModelScale = 1.0 / 16384;  // x_m is Q14 of a count
 
 double segment_distance(const PointM& p, const PointM& a, const PointM& b) {
@@ -106,19 +104,19 @@ std::vector<HalfPeriod> periods(const std::vector<HalfPeriod>& halves) {
   return all;
 }
 
-double model_m(const kung::AxisSample& sample, double count_m) {
+double model_m(const AxisSample& sample, double count_m) {
   return sample.x_m * kModelScale * count_m;
 }
 
-double command_m(const kung::AxisSample& sample, double count_m) { return sample.r * count_m; }
+double command_m(const AxisSample& sample, double count_m) { return sample.r * count_m; }
 
-Range counted(const kung::Result& result) {
+Range counted(const Result& result) {
   Range range;
   const auto& all = result.samples;
   if (result.points == 0) return range;  // no point of the path took effect
   const auto position = [&](std::uint32_t tick) {
     const auto at = std::lower_bound(all.begin(), all.end(), tick,
-                                     [](const kung::Sample& s, std::uint32_t t) {
+                                     [](const Sample& s, std::uint32_t t) {
                                        return s.tick < t;
                                      });
     return static_cast<std::size_t>(at - all.begin());
@@ -127,61 +125,6 @@ Range counted(const kung::Result& result) {
   // A run that ended early has no end tick, or one that was never reached.
   range.last = result.end_tick > result.first_tick ? position(result.end_tick) : all.size();
   return range;
-}
-
-Metrics evaluate(const kung::Options& options, const kung::Result& result) {
-  Metrics m;
-  const Range range = counted(result);
-  m.samples = range.last - range.first;
-  m.complete = result.end == kung::EndReason::kDone;
-
-  Points table, command;
-  Series to_model, to_command;
-  std::array<Series, 2> position, model, error_mm;
-  for (std::size_t k = range.first; k < range.last; ++k) {
-    const auto axes = result.samples[k].axis;
-    for (std::size_t a = 0; a < 2; ++a) {
-      const double count_m = options.plant.axis[a].encoder_count_m;
-      position[a].push_back(axes[a].x_true_m);
-      model[a].push_back(model_m(axes[a], count_m));
-      error_mm[a].push_back((model[a].back() - axes[a].x_true_m) * kMm);
-      AxisMetrics& axis = m.axis[a];
-      axis.peak_current_A = std::max(axis.peak_current_A, std::abs(axes[a].i_q_true_A));
-      axis.max_speed_m_s = std::max(axis.max_speed_m_s, std::abs(axes[a].v_true_m_s));
-    }
-    const auto& plant = options.plant.axis;
-    table.push_back({axes[0].x_true_m, axes[1].x_true_m});
-    command.push_back({command_m(axes[0], plant[0].encoder_count_m),
-                       command_m(axes[1], plant[1].encoder_count_m)});
-    to_model.push_back(tracking_error({model[0].back(), model[1].back()}, table.back()) * kMm);
-    to_command.push_back(tracking_error(command.back(), table.back()) * kMm);
-  }
-  m.model_mm = spread(to_model);
-  m.command_mm = spread(to_command);
-
-  const auto& path = options.path;
-  if (path.kind != kung::PathKind::kSquare) {
-    Series contour_mm;
-    for (const double distance : contour_error(table, command, kContourReach)) {
-      contour_mm.push_back(distance * kMm);
-    }
-    m.contour_mm = spread(contour_mm);
-  }
-  for (std::size_t a = 0; a < 2; ++a) {
-    m.axis[a].model_mm = spread(error_mm[a]);
-    if (path.kind == kung::PathKind::kSquare) {
-      m.axis[a].halves =
-          half_periods(position[a], model[a], static_cast<std::size_t>(path.square_half_samples),
-                       path.square_low_m, path.square_high_m);
-      m.axis[a].periods = periods(m.axis[a].halves);
-    }
-  }
-  m.simulated_s = cosim::seconds_of(result.clocks, options.plant.clock_ps);
-  if (result.wall_s > 0) {
-    m.clocks_per_s = static_cast<double>(result.clocks) / result.wall_s;
-    m.real_time_factor = m.simulated_s / result.wall_s;
-  }
-  return m;
 }
 
 }  // namespace trammel::kung

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Figures of merit of one run. Tracking indices as the paper's (specification section 12).
+// Figures of merit of one run, with tracking indices as the paper's (specification section 12), and
+// what Kung et al. 2012 (DOI 10.5772/48457) print or the specification expects of them.
 #pragma once
 
 #include <array>
@@ -22,20 +23,20 @@ struct Spread {
   double max = 0;
 };
 
-// As long as the run, so kept where the run is.
+// As long as the run, hence on disk as its samples are.
 using Series = cosim::DiskVector<double>;
-using Points = cosim::DiskVector<kung::PointM>;
+using Points = cosim::DiskVector<PointM>;
 
 Spread spread(const Series& series);  // Kung eq. 45, 46
 
-// Distance of two points (Kung eq. 44).
-double tracking_error(const kung::PointM& model, const kung::PointM& table);
+// Distance between two points (Kung eq. 44).
+double tracking_error(const PointM& model, const PointM& table);
 
 inline constexpr double kMm = 1e3;  // in a metre
 inline constexpr std::size_t kContourReach = 500;  // 250 ms; the model lags 67 ms on a ramp
 
 // For each point, its distance to the polyline through `path`, searched within `reach` samples of
-// the same index, so that a path that crosses itself is not mistaken for its other branch.
+// the same index, so that where the path crosses itself the other branch is not taken for it.
 Series contour_error(const Points& table, const Points& path, std::size_t reach);
 
 // One half period of a square wave on one axis.
@@ -48,37 +49,26 @@ struct HalfPeriod {
 std::vector<HalfPeriod> half_periods(const Series& position_m, const Series& model_m,
                                      std::size_t half, double low_m, double high_m);
 
-// Both halves of a period: the worse one counts.
+// Whole periods: of the two halves the worse one counts.
 std::vector<HalfPeriod> periods(const std::vector<HalfPeriod>& halves);
 
-struct AxisMetrics {
-  Spread model_mm;               // of the signed error to the model output
-  double peak_current_A = 0;
-  double max_speed_m_s = 0;
-  std::vector<HalfPeriod> halves;   // square wave only
-  std::vector<HalfPeriod> periods;
-};
-
-struct Metrics {
-  std::size_t samples = 0;       // counted: from the first point to four samples after the last
-  bool complete = false;         // the whole path was travelled
-  Spread model_mm;               // T(k) against the reference model
-  Spread command_mm;             // T(k) against the command
-  Spread contour_mm;             // distance to the commanded path
-  std::array<AxisMetrics, 2> axis;
-  double simulated_s = 0;
-  double clocks_per_s = 0;
-  double real_time_factor = 0;   // simulated / wall time
-};
-
-Metrics evaluate(const kung::Options& options, const kung::Result& result);
-
 // Model output, command and true position of a sample [m].
-double model_m(const kung::AxisSample& sample, double count_m);
-double command_m(const kung::AxisSample& sample, double count_m);
+double model_m(const AxisSample& sample, double count_m);
+double command_m(const AxisSample& sample, double count_m);
 
-// Samples that count, [first, last).
+// Samples that count, [first, last): from the first point to four samples after the last.
 using lab::Range;
-Range counted(const kung::Result& result);
+Range counted(const Result& result);
+
+// True when the run is one of the paper's eight experiments, with nothing but seed, platform,
+// name and waves changed.
+bool is_paper_experiment(const Options& options);
+
+// Sets what is printed and expected in the figures of a complete run of such an experiment.
+void compare(const Options& options, std::vector<lab::Figure>& figures);
+
+// What must be said wherever Table 2 is shown (specification section 14.14).
+inline constexpr char kCircleNote[] =
+    "not reproduced: the paper's 33.3 % smaller spread of the circle under AFC (0.60 -> 0.40)";
 
 }  // namespace trammel::kung

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The figures of a run as the laboratory's list, and what is said of its end.
+// The figures of a run as the laboratory's list, and the texts about its end.
 #include <fmt/format.h>
 
 #include <algorithm>
 
 #include "machines/kung/figures.hpp"
 #include "machines/kung/machine.hpp"
-#include "machines/kung/paper.hpp"
 
 namespace trammel::kung {
 namespace {
@@ -15,27 +14,47 @@ namespace {
 using lab::Figure;
 using List = std::vector<Figure>;
 
-void add_spread(List& list, const std::string& id, const std::string& row, const Spread& s,
-                bool shown) {
-  const std::size_t first = list.size();
-  list.push_back(lab::figure(id + ".mean_mm", row, "mean", s.mean, "mm"));
-  list.push_back(lab::figure(id + ".std_mm", row, "std", s.std, "mm"));
-  list.push_back(lab::figure(id + ".variance_mm2", row, "var", s.variance, "mm2"));
-  list.push_back(lab::figure(id + ".rms_mm", row, "rms", s.rms, "mm"));
-  list.push_back(lab::figure(id + ".max_mm", row, "max", s.max, "mm"));
-  for (std::size_t n = first; n < list.size(); ++n) list[n].shown = shown;
+// What the figures of an axis are made of.
+struct AxisSignals {
+  Series position_m, model_m, error_mm;
+  double peak_current_A = 0, max_speed_m_s = 0;
+};
+
+const char* cause_name(FaultCode code) {
+  switch (code) {
+    case FaultCode::kNone: return "none";
+    case FaultCode::kTrip: return "external trip";
+    case FaultCode::kOverCurrent: return "over-current";
+    case FaultCode::kWatchdog: return "watchdog";
+    case FaultCode::kEncoder: return "encoder fault";
+    case FaultCode::kStroke: return "stroke exceeded";
+  }
+  return "unknown";
+}
+
+void add_spread(List& list, const std::string& id, const std::string& row, const Series& series) {
+  const Spread s = spread(series);
+  const auto add = [&](const char* name, const char* column, double value, const char* unit) {
+    list.push_back(lab::figure(id + name, row, column, value, unit));
+    list.back().shown = s.n > 0;
+  };
+  add(".mean_mm", "mean", s.mean, "mm");
+  add(".std_mm", "std", s.std, "mm");
+  add(".variance_mm2", "var", s.variance, "mm2");
+  add(".rms_mm", "rms", s.rms, "mm");
+  add(".max_mm", "max", s.max, "mm");
   list.push_back(lab::count(id + ".samples", row, "samples", static_cast<double>(s.n)));
   list.back().shown = false;
 }
 
-void add_halves(List& list, const std::string& id, const std::string& of, char axis,
-                const std::vector<HalfPeriod>& halves, bool shown) {
+void add_periods(List& list, const std::string& id, const std::string& of,
+                 const std::vector<HalfPeriod>& all, bool shown) {
   const auto add = [&](const char* name, const char* what, double HalfPeriod::* member,
                        const char* unit, int digits) {
-    for (std::size_t k = 0; k < halves.size(); ++k) {
+    for (std::size_t k = 0; k < all.size(); ++k) {
       list.push_back(lab::figure(fmt::format("{}.{}.{}", id, k, name),
-                                 fmt::format("{} {}, {}", what, axis, of), fmt::format("{}", k + 1),
-                                 halves[k].*member, unit, digits));
+                                 fmt::format("{} {}", what, of), fmt::format("{}", k + 1),
+                                 all[k].*member, unit, digits));
       list.back().shown = shown;
     }
   };
@@ -43,58 +62,93 @@ void add_halves(List& list, const std::string& id, const std::string& of, char a
   add("rms_mm", "rms error", &HalfPeriod::rms_mm, "mm", 2);
 }
 
-void set_tile(List& list, const std::string& id, const char* name) {
-  for (Figure& f : list) {
-    if (f.id == id) f.tile = name;
+void set_tiles(List& list, std::size_t periods) {
+  const auto set = [&list](const std::string& id, const char* name) {
+    for (Figure& f : list) {
+      if (f.id == id) f.tile = name;
+    }
+  };
+  set("tracking.model.mean_mm", "Mean tracking error");
+  set("tracking.model.std_mm", "Standard deviation");
+  set("tracking.model.max_mm", "Largest error");
+  set("contour.mean_mm", "Mean contour error");
+  set("peak_current_A", "Peak current");
+  if (periods == 0) {
+    set("max_speed_m_s", "Top speed");
+  } else {
+    set(fmt::format("x.periods.{}.overshoot_percent", periods - 1), "Overshoot X");
+    set(fmt::format("y.periods.{}.overshoot_percent", periods - 1), "Overshoot Y");
   }
 }
-
-const char* cause_name(FaultCode code);
 
 }  // namespace
 
 List figures(const lab::Settings& settings, cosim::RunResult& run) {
   const auto& options = static_cast<const Options&>(settings);
-  const Metrics m = evaluate(options, static_cast<const Result&>(run));
-  const bool shown = m.samples > 0;
+  const auto& result = static_cast<const Result&>(run);
+  const Range range = counted(result);
+  Points table, command;
+  Series to_model_mm, to_command_mm, contour_mm;
+  std::array<AxisSignals, 2> axes;
+  for (std::size_t k = range.first; k < range.last; ++k) {
+    const Sample sample = result.samples[k];
+    double asked_m[2];
+    for (std::size_t a = 0; a < 2; ++a) {
+      const AxisSample& at = sample.axis[a];
+      const double count_m = options.plant.axis[a].encoder_count_m;
+      AxisSignals& axis = axes[a];
+      asked_m[a] = command_m(at, count_m);
+      axis.position_m.push_back(at.x_true_m);
+      axis.model_m.push_back(model_m(at, count_m));
+      axis.error_mm.push_back((axis.model_m.back() - at.x_true_m) * kMm);
+      axis.peak_current_A = std::max(axis.peak_current_A, std::abs(at.i_q_true_A));
+      axis.max_speed_m_s = std::max(axis.max_speed_m_s, std::abs(at.v_true_m_s));
+    }
+    table.push_back({axes[0].position_m.back(), axes[1].position_m.back()});
+    command.push_back({asked_m[0], asked_m[1]});
+    const PointM model{axes[0].model_m.back(), axes[1].model_m.back()};
+    to_model_mm.push_back(tracking_error(model, table.back()) * kMm);
+    to_command_mm.push_back(tracking_error(command.back(), table.back()) * kMm);
+  }
+  const auto& path = options.path;
+  const bool square = path.kind == PathKind::kSquare;
+  if (!square) {
+    for (const double distance : contour_error(table, command, kContourReach)) {
+      contour_mm.push_back(distance * kMm);
+    }
+  }
+
   List list;
-  add_spread(list, "tracking.model", "T(k) to reference model", m.model_mm, shown);
-  add_spread(list, "tracking.command", "T(k) to command", m.command_mm, shown);
-  if (m.contour_mm.n > 0) add_spread(list, "contour", "contour", m.contour_mm, shown);
-  add_spread(list, "x.error_to_model", "X to reference model", m.axis[0].model_mm, shown);
-  add_spread(list, "y.error_to_model", "Y to reference model", m.axis[1].model_mm, shown);
-  const auto add_both = [&](const char* name, const char* row, double AxisMetrics::* member,
+  add_spread(list, "tracking.model", "T(k) to reference model", to_model_mm);
+  add_spread(list, "tracking.command", "T(k) to command", to_command_mm);
+  if (!contour_mm.empty()) add_spread(list, "contour", "contour", contour_mm);
+  add_spread(list, "x.error_to_model", "X to reference model", axes[0].error_mm);
+  add_spread(list, "y.error_to_model", "Y to reference model", axes[1].error_mm);
+  const auto add_peak = [&](const std::string& id, const char* row, double AxisSignals::* member,
                             const char* unit, int digits) {
-    const double x = m.axis[0].*member;
-    const double y = m.axis[1].*member;
-    list.push_back(lab::figure(name, row, "", std::max(x, y), unit, digits));
-    list.push_back(lab::figure(std::string("x.") + name, row, "X", x, unit, digits));
-    list.push_back(lab::figure(std::string("y.") + name, row, "Y", y, unit, digits));
-    for (std::size_t n = list.size() - 3; n < list.size(); ++n) list[n].shown = shown;
+    const double x = axes[0].*member;
+    const double y = axes[1].*member;
+    list.push_back(lab::figure(id, row, "", std::max(x, y), unit, digits));
+    list.push_back(lab::figure("x." + id, row, "X", x, unit, digits));
+    list.push_back(lab::figure("y." + id, row, "Y", y, unit, digits));
+    for (std::size_t n = list.size() - 3; n < list.size(); ++n) {
+      list[n].shown = range.last > range.first;
+    }
   };
-  add_both("peak_current_A", "peak current", &AxisMetrics::peak_current_A, "A", 2);
-  add_both("max_speed_m_s", "top speed", &AxisMetrics::max_speed_m_s, "m/s", 3);
-  for (std::size_t a = 0; a < 2; ++a) {
-    const std::string axis = a == 0 ? "x." : "y.";
-    add_halves(list, axis + "half_periods", "half period", a == 0 ? 'X' : 'Y', m.axis[a].halves,
-               false);
+  add_peak("peak_current_A", "peak current", &AxisSignals::peak_current_A, "A", 2);
+  add_peak("max_speed_m_s", "top speed", &AxisSignals::max_speed_m_s, "m/s", 3);
+  std::vector<HalfPeriod> halves[2];
+  for (std::size_t a = 0; a < 2 && square; ++a) {
+    halves[a] = half_periods(axes[a].position_m, axes[a].model_m,
+                             static_cast<std::size_t>(path.square_half_samples), path.square_low_m,
+                             path.square_high_m);
   }
-  for (std::size_t a = 0; a < 2; ++a) {
-    const std::string axis = a == 0 ? "x." : "y.";
-    add_halves(list, axis + "periods", "period", a == 0 ? 'X' : 'Y', m.axis[a].periods, true);
-  }
-  set_tile(list, "tracking.model.mean_mm", "Mean tracking error");
-  set_tile(list, "tracking.model.std_mm", "Standard deviation");
-  set_tile(list, "tracking.model.max_mm", "Largest error");
-  set_tile(list, "contour.mean_mm", "Mean contour error");
-  if (!m.axis[0].periods.empty()) {
-    const std::size_t last = m.axis[0].periods.size() - 1;
-    set_tile(list, fmt::format("x.periods.{}.overshoot_percent", last), "Overshoot X");
-    set_tile(list, fmt::format("y.periods.{}.overshoot_percent", last), "Overshoot Y");
-  }
-  set_tile(list, "peak_current_A", "Peak current");
-  if (m.axis[0].periods.empty()) set_tile(list, "max_speed_m_s", "Top speed");
-  if (m.complete) compare(options, list);
+  add_periods(list, "x.half_periods", "X, half period", halves[0], false);
+  add_periods(list, "y.half_periods", "Y, half period", halves[1], false);
+  add_periods(list, "x.periods", "X, period", periods(halves[0]), true);
+  add_periods(list, "y.periods", "Y, period", periods(halves[1]), true);
+  set_tiles(list, halves[0].size() / 2);
+  if (result.end == EndReason::kDone) compare(options, list);
   return list;
 }
 
@@ -105,18 +159,18 @@ std::string verdict(const lab::Settings& settings, const cosim::RunResult& run) 
     case EndReason::kDone: return fmt::format("followed {} points", result.points);
     case EndReason::kFault:
       if (result.fault.code == FaultCode::kNone) {
-        return fmt::format("TRIPPED: {}", cause_text(result.fault));
+        return fmt::format("tripped: {}", cause_text(result.fault));
       }
-      return fmt::format("TRIPPED: {} at 2 kHz tick {} ({:.4f} s)", cause_text(result.fault),
+      return fmt::format("tripped: {} at 2 kHz tick {} ({:.4f} s)", cause_text(result.fault),
                          result.fault.tick, result.fault.tick * 0.5e-3);
     case EndReason::kDiverged:
-      return fmt::format("DIVERGED: error to the model above run.diverged_m = {:g}",
+      return fmt::format("diverged: error to the model above run.diverged_m = {:g}",
                          options.diverged_m);
     case EndReason::kTimeout:
-      return fmt::format("NOT FINISHED within run.max_s = {:g}", options.run.max_s);
-    case EndReason::kStopped: return "INTERRUPTED: results up to there";
+      return fmt::format("not finished within run.max_s = {:g}", options.run.max_s);
+    case EndReason::kStopped: return "interrupted: results up to that point";
     case EndReason::kPromise:
-      return "ASSERTION FAILED: " + lab::promise_text(*result.promise);
+      return "assertion failed: " + lab::promise_text(*result.promise);
   }
   return "";
 }
@@ -154,27 +208,12 @@ void add_metrics(const lab::Record& record, nlohmann::ordered_json& json) {
   run["first_tick"] = result.first_tick;
   run["end_tick"] = result.end_tick;
   for (std::size_t n = 0; n < kWakes; ++n) run["wakes"][kWakeNames[n]] = result.wakes[n];
-  const Options& options = options_of(record);
   const bool compared = std::any_of(record.figures.begin(), record.figures.end(),
                                     [](const Figure& f) { return f.printed.has_value(); });
-  if (compared && options.path.kind == PathKind::kCircle) json["comparison_note"] = kCircleNote;
-}
-
-namespace {
-
-const char* cause_name(FaultCode code) {
-  switch (code) {
-    case FaultCode::kNone: return "none";
-    case FaultCode::kTrip: return "external trip";
-    case FaultCode::kOverCurrent: return "over-current";
-    case FaultCode::kWatchdog: return "watchdog";
-    case FaultCode::kEncoder: return "encoder fault";
-    case FaultCode::kStroke: return "stroke exceeded";
+  if (compared && options_of(record).path.kind == PathKind::kCircle) {
+    json["comparison_note"] = kCircleNote;
   }
-  return "unknown";
 }
-
-}  // namespace
 
 std::string cause_text(const Fault& fault) {
   if (fault.code == FaultCode::kNone) return "the processor's check: " + fault.processor;
@@ -185,8 +224,7 @@ std::string cause_text(const Fault& fault) {
 }
 
 std::string Result::fault_text() const {
-  if (end != cosim::EndReason::kFault) return {};
-  return cause_text(fault);
+  return end == EndReason::kFault ? cause_text(fault) : "";
 }
 
 }  // namespace trammel::kung

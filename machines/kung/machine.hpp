@@ -17,7 +17,7 @@
 namespace trammel::kung {
 
 const std::vector<lab::Key>& keys();                              // keys.cpp
-void validate(lab::Settings& settings);                           // validate.cpp
+void validate(lab::Settings& settings);                           // plan.cpp
 const cosim::TriggerForms& triggers();                            // trigger.cpp
 const lab::ColumnTable& columns();                                // columns.cpp
 std::vector<lab::Figure> figures(const lab::Settings& settings,   // figures_list.cpp
@@ -25,8 +25,8 @@ std::vector<lab::Figure> figures(const lab::Settings& settings,   // figures_lis
 std::string verdict(const lab::Settings& settings, const cosim::RunResult& result);
 std::vector<std::string> remarks(const lab::Record& record);
 void add_metrics(const lab::Record& record, nlohmann::ordered_json& json);
-nlohmann::ordered_json detail_json(const Options& options, const Result& result);
-lab::Page page();                                                 // page.cpp
+nlohmann::ordered_json detail_json(const Options& options, const Result& result);  // page.cpp
+lab::Page page();
 std::string experiments_text(const std::vector<const lab::Record*>& records);
 
 inline const Options& options_of(const lab::Record& record) {

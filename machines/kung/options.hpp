@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a run of the X-Y table takes: plain data in SI units (specification sections 2 to 11). Axis
-// 0 is X, axis 1 is Y.
+// The parameters of a run of the X-Y table: plain data in SI units (specification sections 2 to
+// 11). Axis 0 is X, axis 1 is Y.
 #pragma once
 
 #include <array>
@@ -12,6 +12,7 @@
 #include "cosim/points.hpp"
 #include "lab/settings.hpp"
 #include "models/plant/xy_table.hpp"
+#include "sw_nios/path/trajectory.hpp"
 
 namespace trammel::kung {
 
@@ -25,18 +26,18 @@ using cosim::WaveFormat;
 using cosim::WaveSpan;
 
 enum class Controller { kFc, kAfc };  // fixed rule table, or tuned while it runs
-enum class PathKind { kCircle, kWindow, kStar, kSquare, kLine, kPoints };
+using PathKind = sw::Path;            // as the firmware names them
 
 using cosim::PointM;
 
 // One axis of the controller: the registers of the chip, in physical units.
 struct AxisGains {
   double kp = 0.375;           // position error to speed command, in words (46.9 1/s)
-  double ki = 0.0032;          // integral part of it, in words a sample
+  double ki = 0.0032;          // integral part of it, in words per sample
   double kv = 1.840;           // speed error to current command, in words (6.9 A/(m/s))
   double learning_rate = 0.1;  // alpha; ETA = alpha (kp + ki) kv / 32 under AFC, 0 under FC
   int shift_e = 0;             // sE: one fuzzy unit = 256 / 2^sE counts
-  int shift_de = 2;            // sD: one fuzzy unit = 256 / 2^sD counts a sample
+  int shift_de = 2;            // sD: one fuzzy unit = 256 / 2^sD counts per sample
   double omega_n_rad_s = 30;   // reference model
   double zeta = 1;
   double current_kp_V_A = 93.17;  // 4000 rad/s * L, rounded to the word 2.491
@@ -47,7 +48,7 @@ struct AxisGains {
 };
 
 struct AxisChip {
-  int dead_time_ns = 2000;     // multiple of the clock period is what acts
+  int dead_time_ns = 2000;     // rounded up to whole clocks
   int qep_filter_clk = 3;      // equal samples an encoder edge needs
   bool stroke_check = false;   // leaving [stroke_min_m, stroke_max_m] trips
   double stroke_min_m = 0;     // what the chip checks; the end stops belong to the plant
@@ -58,11 +59,11 @@ struct ChipOptions {
   std::array<AxisChip, 2> axis;
   int dead_time_min_ns = 200;     // lowest dead time the chip accepts
   double current_limit_A = 6.0;   // trip level of the measured phase currents
-  int irq_period_ticks = 4;       // 2 kHz samples an interrupt: 4 = 2 ms
+  int irq_period_ticks = 4;       // 2 kHz samples per interrupt: 4 = 2 ms
   int watchdog_ticks = 100;       // 2 kHz samples between two COMMITs; 0 = off
 };
 
-// Path parameters; only those of `kind` count (specification section 10).
+// Path parameters; only those of `kind` matter (specification section 10).
 struct PathOptions {
   PathKind kind = PathKind::kCircle;
   int repeats = 1;  // passes of a circle, window, star or points path
@@ -70,23 +71,23 @@ struct PathOptions {
   double circle_radius_m = 0.1;
   double circle_center_x_m = 0.25;
   double circle_center_y_m = 0.25;
-  int circle_ticks = 628;         // interrupts a turn
+  int circle_ticks = 628;         // interrupts per revolution
 
   double window_side_m = 0.2;
   double window_radius_m = 0.03;
   double window_center_x_m = 0.25;
   double window_center_y_m = 0.25;
-  double window_step_m = 0.7e-3;  // along the straight parts, an interrupt
+  double window_step_m = 0.7e-3;  // per interrupt, on the straight parts
   int window_arc_ticks = 67;
 
   double star_edge_m = 0.1;
   double star_start_x_m = 0.2;
   double star_start_y_m = 0.26625;
-  int star_stroke_ticks = 182;    // interrupts a stroke
+  int star_stroke_ticks = 182;    // interrupts per stroke
 
   double square_low_m = 0;
   double square_high_m = 0.01;
-  int square_half_samples = 750;  // 2 kHz samples a half period: 375 ms
+  int square_half_samples = 750;  // 2 kHz samples per half period: 375 ms
   int square_periods = 8;
 
   double line_start_x_m = 0.1;
@@ -95,15 +96,15 @@ struct PathOptions {
   double line_end_y_m = 0.4;
   int line_ticks = 500;
 
-  std::string points_file;        // CSV of x_mm,y_mm; one point an interrupt
+  std::string points_file;        // CSV of x_mm,y_mm; one point per interrupt
   std::vector<PointM> points;     // its content
 };
 
-// Faults to be seen by the chip; 0 = never.
+// Faults injected into what the chip sees; 0 = never.
 struct FaultInjection {
   double trip_s = 0;     // the trip pin rises
   double encoder_s = 0;  // both encoder lines of X jump at once
-  double processor_s = 0;  // the service routine stops doing its work
+  double processor_s = 0;  // the interrupt routine stops doing its work
 };
 
 const lab::Machine& machine();

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
+//
+// What the report page needs besides figures and columns: detail.json, written and read back, and
+// the contour error.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
+#include "machines/kung/afc_steps.hpp"
 #include "machines/kung/figures.hpp"
 #include "machines/kung/machine.hpp"
+#include "machines/kung/plan.hpp"
 
 namespace trammel::kung {
 namespace fs = std::filesystem;
@@ -16,10 +22,12 @@ using lab::Json;
 using lab::require_member;
 using lab::RunFolder;
 
+constexpr const char* kAxes[] = {"x", "y"};
+
 bool is_whole(const Json& json) { return json.is_number_integer(); }
 bool is_whole_or_null(const Json& json) { return json.is_number_integer() || json.is_null(); }
 
-// Distance of the table to the commanded path [m]; 0 before the first sample of the path.
+// Distance of the table from the commanded path [m]; 0 before the first sample of the path.
 Series contour(const RunFolder& run) {
   Points table, path;
   for (std::size_t k = run.first; k < run.rows; ++k) {
@@ -32,37 +40,59 @@ Series contour(const RunFolder& run) {
   return all;
 }
 
+Json moment_json(const Options& options, const Moment& moment) {
+  if (moment.tick == 0) return nullptr;
+  Json json{{"tick", moment.tick}, {"edge", moment.edge}};
+  for (std::size_t a = 0; a < 2; ++a) {
+    const AfcSteps steps = afc_steps(plan_axis(options, a), moment.start[a]);
+    const AxisSample& chip = moment.end[a];
+    if (steps[5].result != chip.x_m || steps[22].result != chip.u ||
+        steps[26].result != chip.v_star || steps[29].result != chip.i_q_ref) {
+      throw std::logic_error(fmt::format("the steps of tick {}, axis {}, end with i_q* = {}, the "
+                                         "chip with {}",
+                                         moment.tick, kAxes[a], *steps[29].result, chip.i_q_ref));
+    }
+    for (const AfcStep& step : steps) {
+      json[kAxes[a]]["steps"].push_back({step.product ? Json(*step.product) : Json(nullptr),
+                                         step.result ? Json(*step.result) : Json(nullptr)});
+    }
+  }
+  return json;
+}
+
+Json gates_json(const GateWindow& window) {
+  if (window.end == 0) return nullptr;
+  Json edges = Json::array();
+  for (const GateEdge& edge : window.edges) edges.push_back({edge.edge, edge.gates});
+  Json json{{"begin", window.begin}, {"end", window.end}, {"edges", edges}};
+  if (window.trip != cosim::kNever) json["trip"] = window.trip;
+  json["compare"] = window.compare;
+  return json;
+}
+
 void check_detail(const fs::path& file, const Json& d) {
-  for (const std::string axis : {"x", "y"}) {
-    for (const std::string when : {"first", "last"}) {
-      const std::string path = "/rules/" + axis + '/' + when;
-      require_member(file, d, path, &Json::is_array);
-      if (!is_list(d.at(Json::json_pointer(path)), 49, is_whole)) {
-        corrupt(file, fmt::format("is corrupt: {} does not hold 49 rules", path));
-      }
+  const auto check = [&](const std::string& path, std::size_t size, auto each, const char* what) {
+    require_member(file, d, path, &Json::is_array);
+    if (!is_list(d.at(Json::json_pointer(path)), size, each)) {
+      corrupt(file, fmt::format("is corrupt: {} does not hold {}", path, what));
     }
-    if (d.contains("moment") && d["moment"].is_object()) {
-      const std::string path = "/moment/" + axis + "/steps";
-      require_member(file, d, path, &Json::is_array);
-      const auto step = [](const Json& one) { return is_list(one, 2, is_whole_or_null); };
-      if (!is_list(d.at(Json::json_pointer(path)), 35, step)) {
-        corrupt(file, fmt::format("is corrupt: {} does not hold 35 steps", path));
-      }
-    }
+  };
+  const auto step = [](const Json& one) { return is_list(one, 2, is_whole_or_null); };
+  const auto edge = [](const Json& one) { return is_list(one, 2, is_whole); };
+  const auto axis = [](const Json& one) { return is_list(one, 3, is_whole); };
+  const auto period = [&](const Json& one) { return is_list(one, 2, axis); };
+  const auto there = [&](const char* name) { return d.contains(name) && d[name].is_object(); };
+  for (const std::string name : kAxes) {
+    check("/rules/" + name + "/first", 49, is_whole, "49 rules");
+    check("/rules/" + name + "/last", 49, is_whole, "49 rules");
+    if (there("moment")) check("/moment/" + name + "/steps", 35, step, "35 steps");
   }
-  if (d.contains("gates") && d["gates"].is_object()) {
-    require_member(file, d, "/gates/begin", &Json::is_number_integer);
-    require_member(file, d, "/gates/end", &Json::is_number_integer);
-    require_member(file, d, "/gates/edges", &Json::is_array);
-    require_member(file, d, "/gates/compare", &Json::is_array);
-    const auto edge = [](const Json& one) { return is_list(one, 2, is_whole); };
-    const auto axis = [](const Json& one) { return is_list(one, 3, is_whole); };
-    const auto period = [&](const Json& one) { return is_list(one, 2, axis); };
-    if (!is_list(d["gates"]["edges"], 0, edge) || d["gates"]["edges"].empty() ||
-        !is_list(d["gates"]["compare"], 0, period)) {
-      corrupt(file, "is corrupt: /gates does not hold gate edges and compare values");
-    }
-  }
+  if (!there("gates")) return;
+  require_member(file, d, "/gates/begin", &Json::is_number_integer);
+  require_member(file, d, "/gates/end", &Json::is_number_integer);
+  check("/gates/edges", 0, edge, "gate edges");
+  check("/gates/compare", 0, period, "compare values");
+  if (d["gates"]["edges"].empty()) corrupt(file, "is corrupt: /gates/edges is empty");
 }
 
 void complete(RunFolder& run) {
@@ -77,6 +107,17 @@ void complete(RunFolder& run) {
 
 }  // namespace
 
+Json detail_json(const Options& options, const Result& result) {
+  const Detail& detail = result.detail;
+  Json json;
+  for (std::size_t a = 0; a < 2; ++a) {
+    json["rules"][kAxes[a]] = {{"first", detail.rules_first[a]}, {"last", detail.rules_last[a]}};
+  }
+  json["moment"] = moment_json(options, detail.moment);
+  json["gates"] = gates_json(detail.gates);
+  return json;
+}
+
 lab::Page page() {
   lab::Page page;
   page.texts = {"/options/controller", "/options/path.kind"};
@@ -84,7 +125,7 @@ lab::Page page() {
   page.numbers = {"/tracking/model/mean_mm", "/tracking/model/samples", "/tracking/command/mean_mm",
                   "/options/path.square_half_samples", "/options/path.square_low_m",
                   "/options/path.square_high_m"};
-  for (const std::string axis : {"x", "y"}) {
+  for (const std::string axis : kAxes) {
     for (const char* figure : {"peak_current_A", "max_speed_m_s"}) {
       page.numbers.push_back('/' + axis + '/' + figure);
     }

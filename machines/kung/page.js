@@ -1,20 +1,42 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The page of the X-Y table. Data that its plots share are made here once, in millimetres.
+// The page of the X-Y table. Data shared by its plots are computed here once, in millimetres.
 (function (T) {
   'use strict';
 
   const kMm = 1e3;
   const kSample = 0.5e-3;  // [s]
 
+  const kKinds = ['circle', 'window', 'star', 'square', 'line', 'points'];
+
+  T.controller = (m) => (m.options.controller === 'fc' ? 'FC' : 'AFC');
+  T.isPeriod = (f) => /^[xy]\.periods\./.test(f.id);
+
   const scaled = (values, factor) => values.map((v) => v * factor);
 
-  // What one step of the chip's words of an axis is (specification section 3).
-  function stepsOf(o, axis) {
+  // The unit of each kind of word of an axis (specification section 3).
+  function unitsOf(o, axis) {
     const count = o[`plant.${axis}.encoder_count_m`];
     const current = o[`plant.${axis}.current_full_scale_A`] / 2048;
     return { count_m: count, speed_m_s: count / 16 / kSample, current_A: current,
-      command_A: current / 2, voltage_V: o[`plant.${axis}.dc_link_V`] / Math.sqrt(3) / 2048 };
+      command_A: current / 2, voltage_V: o[`plant.${axis}.dc_link_V`] / Math.sqrt(3) / 2048,
+      fuzzy: 1 / 256 };
+  }
+
+  // What stands below the tiles, by the figure's id.
+  function asidesOf(m) {
+    const asides = { 'tracking.model.max_mm': 'to the reference model' };
+    for (const [name, digits] of [['peak_current_A', 2], ['max_speed_m_s', 3]]) {
+      asides[name] = `X ${T.num(m.x[name], digits)}, Y ${T.num(m.y[name], digits)}`;
+    }
+    if (m.contour) asides['contour.mean_mm'] = `largest ${T.num(m.contour.max_mm, 3)}`;
+    for (const axis of ['x', 'y']) {
+      const { periods } = m[axis];
+      if (!periods || periods.length === 0) continue;
+      asides[`${axis}.periods.${periods.length - 1}.overshoot_percent`] =
+        `last period; first ${T.num(periods[0].overshoot_percent, 1)}`;
+    }
+    return asides;
   }
 
   function prepare(run) {
@@ -59,38 +81,40 @@
     const s = run.series;
     const d = run.data;
     const o = run.metrics.options;
-    const section = T.section('axes', 'Axes', 'What each axis was asked for, what it did, and ' +
-      'what effort it took: words of the chip in physical units, or truth of the plant.');
-    const make = (id, title, small, yLabel, series) => (axis) => T.timePlot({ id: `${id}-${axis}`,
-      title: `${axis.toUpperCase()} ${title}`, small, yLabel, series: series(axis) });
-    const line = (label, data, role, unit, digits, more) => ({ label, data, role, unit, digits,
-      ...more });
-    const step = { x: stepsOf(o, 'x'), y: stepsOf(o, 'y') };
-    const rows = [
-      make('position', 'position', '', 'position (mm)', (a) => [
-        line('command', d.command[a], 'asked', 'mm', 2, { steps: true, width: 2.5 }),
-        line('reference', d.model[a], 'model', 'mm', 2),
-        line('table', d.table[a], 'actual', 'mm', 2)]),
-      make('speed', 'speed', 'v* is the effort of the position controller', 'speed (m/s)', (a) => [
-        line('v*', scaled(s[`${a}_v_star`], step[a].speed_m_s), 'asked', 'm/s', 3, { width: 2 }),
-        line('v (encoder)', scaled(s[`${a}_v`], step[a].speed_m_s), 'other', 'm/s', 3,
-          { width: 1 }),
-        line('v (plant)', s[`${a}_v_m_s`], 'actual', 'm/s', 3)]),
-      make('current', 'currents', '', 'current (A)', (a) => [
-        line('i_q*', scaled(s[`${a}_i_q_ref`], step[a].command_A), 'asked', 'A', 3, { width: 2 }),
-        line('i_q', scaled(s[`${a}_i_q`], step[a].current_A), 'actual', 'A', 3),
-        line('i_d', scaled(s[`${a}_i_d`], step[a].current_A), 'model', 'A', 3),
-        line('i_q (plant)', s[`${a}_i_q_A`], 'x', 'A', 3, { hidden: true }),
-        line('i_d (plant)', s[`${a}_i_d_A`], 'y', 'A', 3, { hidden: true })]),
-      make('voltage', 'voltages', 'output of the current controllers', 'voltage (V)', (a) => [
-        line('v_q', scaled(s[`${a}_v_q`], step[a].voltage_V), 'actual', 'V', 1),
-        line('v_d', scaled(s[`${a}_v_d`], step[a].voltage_V), 'model', 'V', 1)]),
-      make('fuzzy', 'fuzzy output', 'one unit is 1.28 mm of error at the default scale',
-        'u (units)', (a) => [line('u', scaled(s[`${a}_u`], 1 / 256), 'actual', '', 3)]),
-      make('force', 'force', 'of the motor', 'force (N)', (a) => [
-        line('force', s[`${a}_force_N`], 'actual', 'N', 2)]),
-    ];
-    section.append(T.el('div', { class: 'grid two' }, rows.flatMap((row) => [row('x'), row('y')])));
+    const section = T.section('axes', 'Axes', 'What each axis was commanded to do, what it did, ' +
+      'and with what effort: words of the chip in physical units, or true values of the plant.');
+    const units = { x: unitsOf(o, 'x'), y: unitsOf(o, 'y') };
+    const word = (a, name, unit) => scaled(s[`${a}_${name}`], units[a][unit]);
+    // Title, what stands beside it, label and unit of the vertical axis, digits, lines of an axis:
+    // label, data, role, more.
+    const plots = {
+      position: ['position', '', 'position', 'mm', 2, (a) => [
+        ['command', d.command[a], 'asked', { steps: true, width: 2.5 }],
+        ['reference', d.model[a], 'model'],
+        ['table', d.table[a], 'actual']]],
+      speed: ['speed', 'v* is the effort of the position controller', 'speed', 'm/s', 3, (a) => [
+        ['v*', word(a, 'v_star', 'speed_m_s'), 'asked', { width: 2 }],
+        ['v (encoder)', word(a, 'v', 'speed_m_s'), 'other', { width: 1 }],
+        ['v (plant)', s[`${a}_v_m_s`], 'actual']]],
+      current: ['currents', '', 'current', 'A', 3, (a) => [
+        ['i_q*', word(a, 'i_q_ref', 'command_A'), 'asked', { width: 2 }],
+        ['i_q', word(a, 'i_q', 'current_A'), 'actual'],
+        ['i_d', word(a, 'i_d', 'current_A'), 'model'],
+        ['i_q (plant)', s[`${a}_i_q_A`], 'x', { hidden: true }],
+        ['i_d (plant)', s[`${a}_i_d_A`], 'y', { hidden: true }]]],
+      voltage: ['voltages', 'output of the current controllers', 'voltage', 'V', 1, (a) => [
+        ['v_q', word(a, 'v_q', 'voltage_V'), 'actual'],
+        ['v_d', word(a, 'v_d', 'voltage_V'), 'model']]],
+      fuzzy: ['fuzzy output', 'one unit is 1.28 mm of error at the default scale', 'u', 'units', 3,
+        (a) => [['u', word(a, 'u', 'fuzzy'), 'actual', { unit: '' }]]],
+      force: ['force', 'of the motor', 'force', 'N', 2, (a) => [
+        ['force', s[`${a}_force_N`], 'actual']]],
+    };
+    section.append(T.el('div', { class: 'grid two' }, Object.entries(plots).flatMap(([id, [title,
+      small, label, unit, digits, lines]]) => ['x', 'y'].map((axis) => T.timePlot({
+      id: `${id}-${axis}`, title: `${axis.toUpperCase()} ${title}`, small,
+      yLabel: `${label} (${unit})`, series: lines(axis).map(([name, data, role, more]) => ({
+        label: name, data, role, unit, digits, ...more })) })))));
   }
 
   function sampleSection(run) {
@@ -109,15 +133,15 @@
     const section = T.section('sample', 'One sample', gates && gates.trip !== undefined
       ? `${lead} The gates are shown around the trip, ${when(gates.trip)}.` : lead);
     if (gates) section.append(T.gatePlots(gates, axis, clockUs));
-    if (moment) section.append(T.afcStrip(moment, { x: stepsOf(o, 'x'), y: stepsOf(o, 'y') },
+    if (moment) section.append(T.afcStrip(moment, { x: unitsOf(o, 'x'), y: unitsOf(o, 'y') },
       T.controller(run.metrics) === 'AFC'));
   }
 
   function rulesSection(run) {
     const adapting = T.controller(run.metrics) === 'AFC';
     const section = T.section('rules', 'Rules', adapting
-      ? 'The 49 fuzzy rules, tuned while the table moved; the line shows where the run was.'
-      : 'The 49 fuzzy rules, fixed; the line shows where the run was.');
+      ? 'The 49 fuzzy rules, tuned while the table moved; the line traces e and de over the run.'
+      : 'The 49 fuzzy rules, fixed; the line traces e and de over the run.');
     const o = run.metrics.options;
     section.append(T.el('div', { class: 'grid four' }, ['x', 'y'].flatMap((axis) => {
       const units = (word, shift) => scaled(run.series[`${axis}_${word}`], 2 ** shift / 256)
@@ -131,10 +155,11 @@
     prepare,
     get compare() { return T.kungComparison; },
     chips: (m) => [T.controller(m)],
-    asides: (m) => T.kungAsides(m),
+    asides: asidesOf,
     figures: (f) => !T.isPeriod(f),  // they stand beside the step response
     figureNote: (m) => m.comparison_note && m.comparison_note.replace('->', '\u2192'),
-    idle: (key, options) => T.idleKey(key, options),
+    idle: (key, options) => kKinds.some((kind) => kind !== options['path.kind'] &&
+      key.startsWith(`path.${kind}_`)),
     sections(run) {
       if (run.count > 1) {
         T.time.start(run.data.t);

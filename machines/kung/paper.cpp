@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "machines/kung/paper.hpp"
-
+//
+// What Kung et al. 2012 print beside what a run shows: its figures, and the table of all eight
+// experiments.
 #include <fmt/format.h>
 
-#include <optional>
-#include <string>
+#include <algorithm>
+#include <iterator>
 
 #include "lab/scenarios.hpp"
+#include "machines/kung/figures.hpp"
 #include "machines/kung/machine.hpp"
 
 namespace trammel::kung {
@@ -29,20 +31,17 @@ constexpr Tracking kTracking[] = {
     {PathKind::kStar, Controller::kAfc, 1.43, 1.85, 1.38, 2.43, 1.56},
 };
 
-// Kung section 4, Figs. 11 and 12: overshoot of FC [%]; specification section 12: first and last of
+// Kung section 4, Figs. 11 and 12: overshoot of FC; specification section 12: first and last of
 // eight periods.
 struct Step {
-  Controller controller;
   std::optional<double> paper;
-  double first, last;   // [%]
-  double rms_first, rms_last;   // [mm], 0 = not given
+  double first, last;                              // [%]
+  std::optional<double> rms_first{}, rms_last{};   // [mm]
 };
 
-const Step kStep[] = {
-    {Controller::kFc, 12.8, 12.8, 12.8, 0, 0},
-    {Controller::kFc, 23.1, 23.1, 22.8, 0, 0},
-    {Controller::kAfc, {}, 12.7, 1.2, 1.15, 0.61},
-    {Controller::kAfc, {}, 23.5, 4.0, 1.57, 0.72},
+const Step kStep[2][2] = {  // [controller][axis]
+    {{12.8, 12.8, 12.8}, {23.1, 23.1, 22.8}},
+    {{{}, 12.7, 1.2, 1.15, 0.61}, {{}, 23.5, 4.0, 1.57, 0.72}},
 };
 
 constexpr char kSource[] =
@@ -55,29 +54,63 @@ constexpr double kCurrentTolerance = 0.05;       // [A]
 // "Expected" figures are printed with two digits after the point: half a digit is theirs.
 constexpr double kDigit = 0.005;
 
-const char* builtin_name(PathKind kind) {
-  switch (kind) {
-    case PathKind::kCircle: return "circle";
-    case PathKind::kWindow: return "window";
-    case PathKind::kStar: return "star";
-    case PathKind::kSquare: return "step";
-    default: return "";
+constexpr const char* kScenarios[] = {"circle", "window", "star", "step"};  // of each PathKind
+
+constexpr const char* kMean = "tracking.model.mean_mm";
+constexpr const char* kVariance = "tracking.model.variance_mm2";
+constexpr const char* kStd = "tracking.model.std_mm";
+
+std::string overshoot(char axis, int period) {
+  return fmt::format("{}.periods.{}.overshoot_percent", axis, period);
+}
+
+std::string rms(char axis, int period) { return fmt::format("{}.periods.{}.rms_mm", axis, period); }
+
+// The figures of one experiment; there are none when it is missing or incomplete.
+struct Experiment {
+  const lab::Record* record = nullptr;
+
+  std::optional<lab::Figure> figure(const std::string& id) const {
+    if (record == nullptr || record->result->end != EndReason::kDone) return {};
+    for (const lab::Figure& f : record->figures) {
+      if (f.id == id) return f;
+    }
+    return {};
   }
+  std::string ours_and_printed(const std::string& id, int digits) const {
+    const auto f = figure(id);
+    return f ? fmt::format("{} / {}", lab::figure_text(f->value, digits),
+                           lab::figure_text(f->printed, digits))
+             : "not finished";
+  }
+};
+
+Experiment find(const std::vector<const lab::Record*>& records, PathKind path,
+                Controller controller) {
+  for (const lab::Record* record : records) {
+    const Options& options = options_of(*record);
+    if (options.path.kind == path && options.controller == controller) return {record};
+  }
+  return {};
+}
+
+std::string row(const std::string& label, const std::vector<std::string>& cells) {
+  std::string text = fmt::format("  {:<22}", label);
+  for (const std::string& cell : cells) text += fmt::format("{:>16}", cell);
+  return text + '\n';
 }
 
 }  // namespace
 
 bool is_paper_experiment(const Options& options) {
-  const std::string name = builtin_name(options.path.kind);
-  if (name.empty()) return false;
-  const auto reference = lab::load_scenario(lab::find_scenario(name));
-  for (const lab::Key& key : keys()) {
-    const bool free = key.name == "name" || key.name == "description" ||
-                      key.name == "controller" || key.name == "plant.seed" ||
-                      key.name.rfind("run.", 0) == 0;
-    if (!free && key.get(options) != key.get(*reference)) return false;
-  }
-  return true;
+  const auto kind = static_cast<std::size_t>(options.path.kind);
+  if (kind >= std::size(kScenarios)) return false;
+  const auto reference = lab::load_scenario(lab::find_scenario(kScenarios[kind]));
+  return std::all_of(keys().begin(), keys().end(), [&](const lab::Key& key) {
+    return key.name == "name" || key.name == "description" || key.name == "controller" ||
+           key.name == "plant.seed" || key.name.rfind("run.", 0) == 0 ||
+           key.get(options) == key.get(*reference);
+  });
 }
 
 void compare(const Options& options, std::vector<lab::Figure>& figures) {
@@ -94,24 +127,83 @@ void compare(const Options& options, std::vector<lab::Figure>& figures) {
   };
   for (const Tracking& t : kTracking) {
     if (t.path != options.path.kind || t.controller != options.controller) continue;
-    set("tracking.model.mean_mm", t.paper_mean, t.mean, kMeanTolerance * t.mean + kDigit);
-    set("tracking.model.variance_mm2", t.paper_spread, t.variance,
-        kVarianceTolerance * (1 + t.variance));
-    set("tracking.model.std_mm", {}, t.std, kVarianceTolerance * (1 + t.variance) / (2 * t.std));
+    const double variance_tolerance = kVarianceTolerance * (1 + t.variance);
+    set(kMean, t.paper_mean, t.mean, kMeanTolerance * t.mean + kDigit);
+    set(kVariance, t.paper_spread, t.variance, variance_tolerance);
+    set(kStd, {}, t.std, variance_tolerance / (2 * t.std));
   }
   if (options.path.kind != PathKind::kSquare) return;
-  const bool adapts = options.controller == Controller::kAfc;
-  const auto last = fmt::format("periods.{}", options.path.square_periods - 1);
+  const int last = options.path.square_periods - 1;
   for (std::size_t a = 0; a < 2; ++a) {
-    const Step& step = kStep[(adapts ? 2 : 0) + a];
-    const std::string axis = a == 0 ? "x." : "y.";
-    set(axis + "periods.0.overshoot_percent", step.paper, step.first, kOvershootTolerance);
-    set(axis + last + ".overshoot_percent", {}, step.last, kOvershootTolerance);
-    if (step.rms_first <= 0) continue;
-    set(axis + "periods.0.rms_mm", {}, step.rms_first, kMeanTolerance * step.rms_first + kDigit);
-    set(axis + last + ".rms_mm", {}, step.rms_last, kMeanTolerance * step.rms_last + kDigit);
+    const Step& step = kStep[static_cast<std::size_t>(options.controller)][a];
+    const char axis = a == 0 ? 'x' : 'y';
+    set(overshoot(axis, 0), step.paper, step.first, kOvershootTolerance);
+    set(overshoot(axis, last), {}, step.last, kOvershootTolerance);
+    if (!step.rms_first) continue;
+    set(rms(axis, 0), {}, step.rms_first, kMeanTolerance * *step.rms_first + kDigit);
+    set(rms(axis, last), {}, step.rms_last, kMeanTolerance * *step.rms_last + kDigit);
   }
-  if (adapts) set("peak_current_A", {}, kPeakCurrentA, kCurrentTolerance + kDigit * 10);
+  if (options.controller == Controller::kAfc) {
+    set("peak_current_A", {}, kPeakCurrentA, kCurrentTolerance + kDigit * 10);
+  }
+}
+
+std::string experiments_text(const std::vector<const lab::Record*>& records) {
+  constexpr PathKind kPaths[] = {PathKind::kCircle, PathKind::kWindow, PathKind::kStar};
+  constexpr std::pair<const char*, Controller> kControllers[] = {{"FC", Controller::kFc},
+                                                                 {"AFC", Controller::kAfc}};
+  constexpr std::pair<const char*, const char*> kSpreads[] = {
+      {"mean", kMean}, {"variance", kVariance}, {"std", kStd}};
+
+  std::string text = "Tracking error in mm (Kung Table 2), ours / paper\n\n";
+  text += row("", {"circle", "window", "star"});
+  for (const auto& [name, controller] : kControllers) {
+    for (const auto& [spread, id] : kSpreads) {
+      std::vector<std::string> cells;
+      for (const PathKind path : kPaths) {
+        cells.push_back(find(records, path, controller).ours_and_printed(id, 2));
+      }
+      text += row(fmt::format("{} {}", name, spread), cells);
+    }
+  }
+  for (const auto& [spread, id] : {kSpreads[0], kSpreads[1]}) {
+    std::vector<std::string> cells;
+    for (const PathKind path : kPaths) {
+      const auto fc = find(records, path, Controller::kFc).figure(id);
+      const auto afc = find(records, path, Controller::kAfc).figure(id);
+      const bool both = fc && afc && fc->printed && afc->printed;
+      cells.push_back(both ? fmt::format("{:.1f} / {:.1f} %", 100 * (1 - afc->value / fc->value),
+                                         100 * (1 - *afc->printed / *fc->printed))
+                           : "-");
+    }
+    text += row(fmt::format("reduction of {}", spread), cells);
+  }
+  text += fmt::format("  {}\n  the paper's spread is a square root but is labelled variance\n",
+                      kCircleNote);
+
+  text += "\nStep of 10 mm with 11 kg (Kung Figs. 11, 12), ours / paper\n\n";
+  text += row("overshoot (%)", {"first period", "last period"});
+  for (const auto& [name, controller] : kControllers) {
+    const Experiment step = find(records, PathKind::kSquare, controller);
+    const int last =
+        step.record == nullptr ? 0 : options_of(*step.record).path.square_periods - 1;
+    for (const char axis : {'x', 'y'}) {
+      text += row(fmt::format("{} {}", name, axis == 'x' ? 'X' : 'Y'),
+                  {step.ours_and_printed(overshoot(axis, 0), 1),
+                   step.ours_and_printed(overshoot(axis, last), 1)});
+    }
+  }
+  text += "  the paper says of AFC only that it closely follows the model after 1 or 2 periods\n";
+  const Experiment adapted = find(records, PathKind::kSquare, Controller::kAfc);
+  if (adapted.record == nullptr) return text;
+  for (const char axis : {'x', 'y'}) {
+    int k = 0;
+    auto f = adapted.figure(overshoot(axis, k));
+    while (f && f->value >= 5) f = adapted.figure(overshoot(axis, ++k));
+    text += fmt::format("  ours, {}: {}\n", axis == 'x' ? 'X' : 'Y',
+                        f ? fmt::format("below 5 % in period {}", k + 1) : "never below 5 %");
+  }
+  return text;
 }
 
 }  // namespace trammel::kung

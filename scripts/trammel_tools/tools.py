@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Run one of the tools: a module that has a `main`, of this package or of machines/<m>/tools/.
+"""Run one of the tools: a module with a `main`, of this package or of machines/<m>/tests/tools/.
 
 usage: scripts/tool NAME [argument ...]    its arguments: scripts/tool NAME --help
        scripts/tool --list                 the names, and what each does
@@ -23,7 +23,8 @@ PACKAGE = Path(__file__).resolve().parent
 def every():
     """{name: module's file} of all tools."""
     return {path.stem.replace("_", "-"): path
-            for path in sorted([*PACKAGE.glob("*/*.py"), *ROOT.glob("machines/*/tools/*.py")],
+            for path in sorted([*PACKAGE.glob("*/*.py"),
+                                *ROOT.glob("machines/*/tests/tools/*.py")],
                                key=lambda path: path.stem)
             if re.search(r"^def main\(", path.read_text(encoding="utf-8"), re.M)}
 

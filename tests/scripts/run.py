@@ -4,7 +4,7 @@
 
 usage: run.py [NAME ...]     those of unit/NAME_test.py alone, for instance run.py properties
 
-Tests of a machine's tools are machines/<m>/tests/tools/NAME_test.py.
+Tests of a machine's tools stand beside them: machines/<m>/tests/tools/NAME_test.py.
 
 Exit codes: 0 all passed, 1 one failed, 2 there is no such test.
 """
@@ -31,7 +31,7 @@ def main():
             print(f"run.py: {name}: no such test; there are {', '.join(there)}", file=sys.stderr)
             return 2
     python_tools.restart()
-    sys.path[:0] = map(str, [*FOLDERS, *sorted(ROOT.glob("machines/*/tools"))])
+    sys.path[:0] = map(str, FOLDERS)
     suite = unittest.defaultTestLoader.loadTestsFromNames(
         f"{name}_test" for name in sys.argv[1:] or there)
     return 0 if unittest.TextTestRunner().run(suite).wasSuccessful() else 1

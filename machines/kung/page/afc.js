@@ -5,7 +5,7 @@
 (function (T) {
   'use strict';
 
-  // A word as a physical value; s: what a step of the axis' words is.
+  // A word as a physical value; s: the units of the axis' words.
   const kCount = (w, s) => `${T.num(w * s.count_m * 1e3, 3)} mm`;
   const kModel = (w, s) => `${T.num(w / 16384 * s.count_m * 1e3, 4)} mm`;
   const kChange = (w, s) => `${T.num(w * s.speed_m_s * 16, 4)} m/s`;
@@ -47,110 +47,108 @@
     ['control', '', 'v* \u2212 v', kSpeed],
     ['control', 'Kv \u00b7 (v* \u2212 v)', ''],
     ['control', 'ETA \u00b7 e', 'i_q*, published', kCurrent],
-    ['tune', 't \u00b7 d00', 't = ETA e kept'],
+    ['tune', 't \u00b7 d00', 't = ETA e, stored'],
     ['tune', 't \u00b7 d01', 'c00, written back', kRule],
     ['tune', 't \u00b7 d10', 'c01, written back', kRule],
     ['tune', 't \u00b7 d11', 'c10, written back', kRule],
-    ['tune', '', 'c11, written back; e and x_p kept', kRule],
+    ['tune', '', 'c11, written back; e and x_p stored', kRule],
   ];
-  const kGroups = { model: 'Reference model', error: 'Errors', fuzzify: 'Memberships',
-    infer: 'Inference', control: 'PI, speed, current', tune: 'Tuning' };
-  const kRoles = { model: 'model', error: 'asked', fuzzify: 'y', infer: 'x',
-    control: 'actual', tune: 'other' };
-  const kStepUs = 0.04;
+  // Of each group its name and the role that colours it.
+  const kGroups = { model: ['Reference model', 'model'], error: ['Errors', 'asked'],
+    fuzzify: ['Memberships', 'y'], infer: ['Inference', 'x'],
+    control: ['PI, speed, current', 'actual'], tune: ['Tuning', 'other'] };
+  const kStepNs = 40;
+  const kLeft = 82;  // pixels before the first step
 
-  // steps: of the words of both axes; adapting: the rules were tuned.
-  T.afcStrip = function (moment, steps, adapting) {
-    const state = { step: 29 };
+  // units: of the words of both axes; adapting: the rules were tuned.
+  T.afcStrip = function (moment, units, adapting) {
+    let picked = 29;
     const axes = ['x', 'y'];
-    const word = (axis, step, which) => moment[axis].steps[step][which];
     const cell = (width) => (width - 96) / 35;
+    const wordOf = (axis, k, which) => moment[axis].steps[k][which];
+    const physicalOf = (axis, k) => {
+      const physical = kSteps[k][3];
+      return physical && wordOf(axis, k, 1) !== null
+        ? physical(wordOf(axis, k, 1), units[axis]) : '';
+    };
 
     const plot = { id: 'afc', title: 'Position controller, 35 steps', print: 'wide',
       height: () => 172, count: () => 35 };
     plot.scene = function (p, width, height, theme) {
-      const x0 = 82;
       const w = cell(width);
-      const rows = { groups: 8, multiplier: 40, adder: 80 };
+      const at = (k) => kLeft + k * w;
       for (const [text, y] of [['multiplier', 40], ['adder, logic', 80]]) {
-        p.text(x0 - 10, y + 17, text, { fill: theme.muted, size: 12, align: 'right',
+        p.text(kLeft - 10, y + 17, text, { fill: theme.muted, size: 12, align: 'right',
           middle: true });
       }
-      for (let k = 0; k < 35;) {
-        let end = k;
-        while (end < 35 && kSteps[end][0] === kSteps[k][0]) ++end;
-        const color = theme[kRoles[kSteps[k][0]]];
-        p.rect(x0 + k * w + 1, rows.groups + 20, (end - k) * w - 2, 3, { fill: color });
-        const name = kGroups[kSteps[k][0]];
-        if (name && (end - k) * w > 6.2 * name.length) {
-          p.text(x0 + (k + end) / 2 * w, rows.groups + 12, name, { fill: theme.muted, size: 12,
+      for (const [group, [name, role]] of Object.entries(kGroups)) {
+        const first = kSteps.findIndex((step) => step[0] === group);
+        const count = kSteps.filter((step) => step[0] === group).length;
+        p.rect(at(first) + 1, 28, count * w - 2, 3, { fill: theme[role] });
+        if (count * w > 6.2 * name.length) {
+          p.text(at(first + count / 2), 20, name, { fill: theme.muted, size: 12,
             align: 'center' });
         }
-        k = end;
       }
       kSteps.forEach(([group, product, result], k) => {
-        const color = theme[kRoles[group]];
-        const at = x0 + k * w;
-        p.rect(at + 1, rows.multiplier, w - 2, 34, product ? { fill: color, alpha: 0.8 }
-          : { fill: theme.soft });
-        p.rect(at + 1, rows.adder, w - 2, 34, result ? { fill: color, alpha: 0.45 }
-          : { fill: theme.soft });
+        const color = theme[kGroups[group][1]];
+        for (const [y, used, alpha] of [[40, product, 0.8], [80, result, 0.45]]) {
+          p.rect(at(k) + 1, y, w - 2, 34, used ? { fill: color, alpha } : { fill: theme.soft });
+        }
         if (w > 19 || k % 5 === 4 || k === 0) {
-          p.text(at + w / 2, 132, `s${k}`, { fill: k === 29 ? theme.ink : theme.muted, size: 11,
+          p.text(at(k + 0.5), 132, `s${k}`, { fill: k === 29 ? theme.ink : theme.muted, size: 11,
             weight: k === 29 ? 600 : 400, align: 'center' });
         }
       });
-      const done = x0 + 30 * w;
-      p.path([done, 34, done, 120], { stroke: theme.ink, width: 1.3 });
-      p.text(done - 5, height - 6, 'i_q* is out after s29', { fill: theme.ink, size: 12,
+      p.path([at(30), 34, at(30), 120], { stroke: theme.ink, width: 1.3 });
+      p.text(at(30) - 5, height - 6, 'i_q* is ready after s29', { fill: theme.ink, size: 12,
         align: 'right' });
       if (w > 14) {
-        p.text(x0, height - 6, `${kStepUs * 1000} ns a step, 1.4 \u00b5s in all`, {
+        const all = T.num(kStepNs * 35e-3, 1);
+        p.text(kLeft, height - 6, `${kStepNs} ns per step, ${all} \u00b5s in all`, {
           fill: theme.muted, size: 12 });
       }
     };
     plot.overlay = function (p, width, height, theme) {
       const w = cell(width);
-      p.rect(82 + state.step * w, 37, w, 80, { stroke: theme.accent, width: 2 });
+      p.rect(kLeft + picked * w, 37, w, 80, { stroke: theme.accent, width: 2 });
     };
 
     const detail = T.el('dl', { class: 'step' });
-    const rows = kSteps.map(([, product, result, physical], k) => T.el('tr', {},
+    const rows = kSteps.map(([, product, result], k) => T.el('tr', {},
       T.el('th', {}, `s${k}`), T.el('td', { class: 'text' }, product),
       T.el('td', { class: 'text' }, result),
       ...axes.flatMap((axis) => {
-        const value = word(axis, k, 1);
-        return [T.el('td', {}, value === null ? '' : T.whole(value)),
-          T.el('td', { class: 'dim' }, value === null || !physical ? ''
-            : physical(value, steps[axis]))];
+        const word = wordOf(axis, k, 1);
+        return [T.el('td', {}, word === null ? '' : T.whole(word)),
+          T.el('td', { class: 'dim' }, physicalOf(axis, k))];
       })));
 
-    // What the chosen step does: its words and, where they have one, their physical values.
-    function tell() {
-      const [group, product, result, physical] = kSteps[state.step];
-      const line = (what, which) => [T.el('dt', {}, which === 0 ? 'multiplier' : 'adder, logic'),
-        T.el('dd', {}, what), ...axes.map((axis) => {
-          const value = word(axis, state.step, which);
-          return T.el('dd', {}, T.el('b', {}, T.whole(value)), which === 1 && physical
-            ? ` = ${physical(value, steps[axis])}` : '');
-        })];
-      detail.replaceChildren(T.el('dt', {}, T.el('b', {}, `s${state.step}`)),
-        T.el('dd', {}, kGroups[group]), T.el('dt', {}, 'X'), T.el('dt', {}, 'Y'),
-        ...(product ? line(product, 0) : []),
-        ...(result && word('x', state.step, 1) !== null ? line(result, 1) : []));
-      rows.forEach((row, k) => row.classList.toggle('picked', k === state.step));
+    // What the picked step does: its words and, where they have one, their physical values.
+    function showStep() {
+      const [group, ...parts] = kSteps[picked];
+      detail.replaceChildren(T.el('dt', {}, T.el('b', {}, `s${picked}`)),
+        T.el('dd', {}, kGroups[group][0]), T.el('dt', {}, 'X'), T.el('dt', {}, 'Y'),
+        ...['multiplier', 'adder, logic'].flatMap((where, which) => (
+          !parts[which] || wordOf('x', picked, which) === null ? []
+            : [T.el('dt', {}, where), T.el('dd', {}, parts[which]), ...axes.map((axis) => {
+              const physical = which === 1 ? physicalOf(axis, picked) : '';
+              return T.el('dd', {}, T.el('b', {}, T.whole(wordOf(axis, picked, which))),
+                physical ? ` = ${physical}` : '');
+            })])));
+      rows.forEach((row, k) => row.classList.toggle('picked', k === picked));
     }
 
-    const card = T.figure(plot, 'point at a step');
+    const card = T.figure(plot, 'hover over a step');
     card.classList.add('long');
     plot.canvas.addEventListener('mousemove', (event) => {
-      const k = Math.floor((event.offsetX - 82) / cell(plot.canvas.clientWidth));
-      if (k < 0 || k > 34 || k === state.step) return;
-      state.step = k;
+      const k = Math.floor((event.offsetX - kLeft) / cell(plot.canvas.clientWidth));
+      if (k < 0 || k > 34 || k === picked) return;
+      picked = k;
       plot.redrawOver();
-      tell();
+      showStep();
     });
-    tell();
+    showStep();
     card.append(detail, T.el('details', {}, T.el('summary', {}, 'All 35 steps as a table'),
       T.el('div', { class: 'scroll' }, T.table([T.el('th', {}, 'Step'),
         T.el('th', { class: 'text' }, 'Multiplier'), T.el('th', { class: 'text' },

@@ -37,7 +37,7 @@
       'div', { class: 'grid four' }, T.pathCards(runs, (run) => T.controller(run.metrics))));
   }
 
-  // Steps last long; beside them the paths would be a corner of their plots.
+  // A square wave lasts long: on its time scale the paths would fill a corner of their plots.
   function opening(runs) {
     const paths = runs.filter((run) => kindOf(run) !== 'square');
     return new Set(runs.map(kindOf)).size > 1 && paths.length > 0 ? Math.max(...paths.map((run) =>

@@ -6,6 +6,7 @@
 
   const kUnit = 1 << 20;
   const kKnots = [-6, -4, -2, 0, 2, 4, 6];
+  const kGrid = 24;  // facets of the surface, each way
 
   function heatMap(id, title, small, values, top, digits, visited) {
     const plot = { id, title, print: 'quarter', saveWidth: 460, height: (width) => Math.min(width,
@@ -14,43 +15,38 @@
       const side = Math.min(width - 44, height - 44);
       const x0 = 40 + (width - 44 - side) / 2;
       const cell = side / 7;
-      for (let j = 0; j < 7; ++j) {
-        const y = 4 + (6 - j) * cell;
-        p.text(x0 - 6, y + cell / 2, T.num(kKnots[j], 0), { fill: theme.muted, size: 11,
-          align: 'right', middle: true });
-        for (let i = 0; i < 7; ++i) {
-          const value = values[7 * j + i];
-          const fill = T.diverge(theme, top > 0 ? value / top : 0);
-          p.rect(x0 + i * cell + 0.5, y + 0.5, cell - 1, cell - 1, { fill });
-        }
+      // Pixels of e and de in units; a knot lies in the middle of its cell.
+      const x = (e) => x0 + (e / 2 + 3.5) * cell;
+      const y = (de) => 4 + side - (de / 2 + 3.5) * cell;
+      const at = (n) => [x(kKnots[n % 7]), y(kKnots[Math.floor(n / 7)])];
+      const color = (value) => T.diverge(theme, top > 0 ? value / top : 0);
+      for (const knot of kKnots) {
+        const text = T.num(knot, 0);
+        p.text(x0 - 6, y(knot), text, { fill: theme.muted, size: 11, align: 'right',
+          middle: true });
+        p.text(x(knot), side + 18, text, { fill: theme.muted, size: 11, align: 'center' });
       }
-      if (visited) drawVisited(p, theme, visited, x0, cell, side);
+      values.forEach((value, n) => {
+        const [cx, cy] = at(n);
+        p.rect(cx - cell / 2 + 0.5, cy - cell / 2 + 0.5, cell - 1, cell - 1,
+          { fill: color(value) });
+      });
+      if (visited && visited.e.length > 1) {
+        p.path(Array.from(visited.e, (e, k) => [x(e), y(visited.de[k])]).flat(),
+          { stroke: theme.ink, width: 1, alpha: 0.7 });
+      }
       values.forEach((value, n) => {
         if (cell <= 24 || (digits > 1 && Math.abs(value) < 0.005)) return;
-        const y = 4 + (6 - Math.floor(n / 7)) * cell + (visited ? 0.24 : 0.5) * cell;
-        p.text(x0 + (n % 7 + 0.5) * cell, y, T.num(value, digits), { align: 'center', middle: true,
-          fill: T.inkOn(T.diverge(theme, top > 0 ? value / top : 0)), size: cell > 36 ? 11 : 10 });
+        const [cx, cy] = at(n);
+        p.text(cx, cy - (visited ? 0.26 * cell : 0), T.num(value, digits), { align: 'center',
+          middle: true, fill: T.inkOn(color(value)), size: cell > 36 ? 11 : 10 });
       });
-      for (let i = 0; i < 7; ++i) {
-        p.text(x0 + (i + 0.5) * cell, side + 18, T.num(kKnots[i], 0), { fill: theme.muted,
-          size: 11, align: 'center' });
-      }
       p.text(x0 + side / 2, side + 36, 'e (units)', { fill: theme.muted, size: 12,
         align: 'center' });
       p.text(x0 - 32, 4 + side / 2, 'de (units)', { fill: theme.muted, size: 12, align: 'center',
         turn: true });
     };
     return T.figure(plot, small);
-  }
-
-  // Where the run was: a knot lies in the middle of its cell.
-  function drawVisited(p, theme, visited, x0, cell, side) {
-    const points = [];
-    for (let k = 0; k < visited.e.length; ++k) {
-      points.push(x0 + (visited.e[k] / 2 + 3.5) * cell,
-        4 + side - (visited.de[k] / 2 + 3.5) * cell);
-    }
-    if (points.length > 3) p.path(points, { stroke: theme.ink, width: 1, alpha: 0.7 });
   }
 
   // Output of the fuzzy system at E, DE in units, each -6..6 (specification section 5).
@@ -68,7 +64,6 @@
   function surface(id, title, rules) {
     const plot = { id, title, print: 'quarter', saveWidth: 460, height: (width) => Math.min(width,
       340), count: () => kGrid * kGrid };
-    const kGrid = 24;
     plot.scene = function (p, width, height, theme) {
       const scale = Math.min(width / 10.9, height / 7.6);
       const cx = width / 2;
@@ -90,22 +85,18 @@
         }
       }
       const label = { fill: theme.muted, size: 12 };
-      const [ex, ey] = at(1, -6, -8);
-      const [dx, dy] = at(6, 1, -8);
-      p.text(ex - 10, ey + 16, 'e', { ...label, align: 'right' });
-      p.text(dx + 10, dy + 16, 'de', label);
-      const [ux, uy] = at(-6, 6, output(rules, -6, 6));
-      p.path([...at(6, -6, -8), ...at(6, -6, output(rules, 6, -6))], { stroke: theme.axis,
-        dash: [3, 3] });
-      p.path([...at(6, 6, -8), ...at(6, 6, output(rules, 6, 6))], { stroke: theme.axis,
-        dash: [3, 3] });
-      const [tx, ty] = at(6, 6, output(rules, 6, 6));
-      p.text(tx + 2, ty - 8, T.num(output(rules, 6, 6), 1), { ...label, size: 11,
-        align: 'center' });
-      const [bx, by] = at(-6, -6, output(rules, -6, -6));
-      p.text(bx + 2, by - 8, T.num(output(rules, -6, -6), 1), { ...label, size: 11,
-        align: 'center' });
-      p.text(ux, uy - 10, 'u (units)', { ...label, align: 'center' });
+      const text = ([x, y], dx, dy, words, style) => p.text(x + dx, y + dy, words, { ...label,
+        ...style });
+      const top = (e, de) => at(e, de, output(rules, e, de));
+      const value = (e, de) => T.num(output(rules, e, de), 1);
+      for (const de of [-6, 6]) {
+        p.path([...at(6, de, -8), ...top(6, de)], { stroke: theme.axis, dash: [3, 3] });
+      }
+      text(at(1, -6, -8), -10, 16, 'e', { align: 'right' });
+      text(at(6, 1, -8), 10, 16, 'de');
+      text(top(6, 6), 2, -8, value(6, 6), { size: 11, align: 'center' });
+      text(top(-6, -6), 2, -8, value(-6, -6), { size: 11, align: 'center' });
+      text(top(-6, 6), 0, -10, 'u (units)', { align: 'center' });
     };
     return T.figure(plot);
   }

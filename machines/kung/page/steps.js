@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Step response of a square wave: every period of it over the other ones, so that what the rules
-// learn from period to period can be seen.
+// Step response to a square wave, its periods superimposed, so that what the rules learn from one
+// to the next can be seen.
 (function (T) {
   'use strict';
 
@@ -17,8 +17,7 @@
       height: (width) => (width < 420 ? 240 : 300), count: () => periods * length };
     plot.scene = function (p, width, height, theme) {
       const used = (of) => of.subarray(0, periods * length);
-      let ys = T.range(used(d.table[axis]));
-      ys = T.range(used(d.model[axis]), ...ys);
+      const ys = T.range(used(d.model[axis]), ...T.range(used(d.table[axis])));
       const frame = T.frame({ x: 60, y: 24, w: width - 74, h: height - 70 }, [0, 2 * half],
         T.padded(ys, 0.05));
       T.drawFrame(p, theme, frame, { xLabel: 'Time since the period began (s)',
@@ -51,14 +50,15 @@
         { label: name(1), stroke: T.mix(theme.soft, theme.actual, 0.3) },
         { label: name(periods), stroke: theme.actual }]);
     };
-    return T.figure(plot, 'laid over each other');
+    return T.figure(plot, 'superimposed');
   }
 
   T.stepSection = function (run) {
     if (run.metrics.x.periods.length === 0) return;
-    const section = T.section('step', 'Step response', 'Pale is early, strong is late: the last ' +
-      'period shows what the rules have become.');
+    const section = T.section('step', 'Step response', 'Early periods are pale, late ones ' +
+      'strong: the last shows what the rules have learnt.');
     section.append(T.el('div', { class: 'grid two' }, periodPlot(run, 'x'), periodPlot(run, 'y')),
-      T.el('div', { class: 'card' }, T.periodTables(run.metrics)));
+      T.el('div', { class: 'card' }, T.figureTables(run.metrics.figures
+        .filter(T.isPeriod))));
   };
 })(window.Trammel = window.Trammel || {});

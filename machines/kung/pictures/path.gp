@@ -1,5 +1,5 @@
 # path.svg: command, reference model and table; a square wave over time. error.svg: error to the
-# model. Of the samples first..last of trace.csv one in `step`; settings are variables.
+# model. Draws every `step`-th of the samples first..last of trace.csv.
 over_time = path_kind eq 'square'
 command = "lc rgb '#bbbbbb' lw 3"
 model = "lc rgb '#1f77b4' lw 1.5"

@@ -9,8 +9,8 @@
 #include "machines/kung/afc_steps.hpp"
 
 using namespace trammel;
-using kung::AfcTrace;
-using kung::trace_afc;
+using kung::afc_steps;
+using kung::AfcSteps;
 
 namespace {
 
@@ -41,30 +41,31 @@ void check_chase(const sw::AxisSetup& setup, int reach) {
     start.r = k % 50 == 0 ? start.r_1 + jump(random) : start.r_1;
     start.x_p = start.x_p_prev + jump(random) / 100;
     const exact::Afc::Out expected = twin.step(twin_config(setup), {start.r, start.x_p});
-    const AfcTrace trace = trace_afc(setup, start);
+    const AfcSteps steps = afc_steps(setup, start);
     CAPTURE(k);
-    REQUIRE(trace.end.x_m == expected.x_m);
-    REQUIRE(trace.end.x_r == expected.x_r);
-    REQUIRE(trace.end.dx == expected.dx);
-    REQUIRE(trace.end.e == expected.e);
-    REQUIRE(trace.end.de == expected.de);
-    REQUIRE(trace.end.v == expected.v);
-    REQUIRE(trace.end.u == expected.u);
-    REQUIRE(trace.end.v_star == expected.v_star);
-    REQUIRE(trace.end.i_q_ref == expected.i_q_ref);
-    REQUIRE(trace.section_e == expected.i);
-    REQUIRE(trace.section_de == expected.j);
+    REQUIRE(steps[4].result == expected.dx);
+    REQUIRE(steps[5].result == expected.x_m);
+    REQUIRE(steps[6].result == expected.x_r);
+    REQUIRE(steps[7].result == expected.v);
+    REQUIRE(steps[8].result == expected.e);
+    REQUIRE(steps[9].result == expected.de);
+    REQUIRE(steps[22].result == expected.u);
+    REQUIRE(steps[25].result == twin.integral());
+    REQUIRE(steps[26].result == expected.v_star);
+    REQUIRE(steps[29].result == expected.i_q_ref);
+    const auto fired = exact::RuleStore::fired(expected.i, expected.j);
     for (std::size_t n = 0; n < 4; ++n) {
-      REQUIRE(*trace.steps[31 + n].result == twin.rule(trace.fired[n]));
-      start.rules[static_cast<std::size_t>(trace.fired[n])] = twin.rule(trace.fired[n]);
+      REQUIRE(steps[15 + n].result == expected.d[n]);
+      REQUIRE(steps[31 + n].result == twin.rule(fired[n]));
+      start.rules[static_cast<std::size_t>(fired[n])] = twin.rule(fired[n]);
     }
     start.r_2 = start.r_1;
     start.r_1 = start.r;
     start.x_p_prev = start.x_p;
-    start.x_m = trace.end.x_m;
-    start.dx = trace.end.dx;
-    start.e_prev = trace.end.e;
-    start.integral = trace.integral;
+    start.x_m = expected.x_m;
+    start.dx = expected.dx;
+    start.e_prev = expected.e;
+    start.integral = twin.integral();
   }
 }
 
@@ -90,15 +91,14 @@ TEST_CASE("the steps are those of the specification's table for its check vector
   start.r = start.r_1 = start.r_2 = 1000;  // the model rests there
   start.x_m = 1000 << 14;
   start.e_prev = 800;
-  const AfcTrace trace = trace_afc({}, start);
-  CHECK(*trace.steps[8].result == 1000);
-  CHECK(*trace.steps[9].result == 200);
-  CHECK(*trace.steps[15].result == 42);
-  CHECK(*trace.steps[16].result == 854);
-  CHECK(*trace.steps[17].result == 54);
-  CHECK(*trace.steps[18].result == 1098);
-  CHECK(*trace.steps[22].result == 1526);
-  CHECK(*trace.steps[26].result == 577);
-  CHECK(*trace.steps[29].result == 1062);
-  CHECK(trace.fired == std::array<int, 4>{32, 33, 39, 40});
+  const AfcSteps steps = afc_steps({}, start);
+  CHECK(steps[8].result == 1000);
+  CHECK(steps[9].result == 200);
+  CHECK(steps[15].result == 42);
+  CHECK(steps[16].result == 854);
+  CHECK(steps[17].result == 54);
+  CHECK(steps[18].result == 1098);
+  CHECK(steps[22].result == 1526);
+  CHECK(steps[26].result == 577);
+  CHECK(steps[29].result == 1062);
 }

@@ -6,7 +6,7 @@
 #include "lab/layers.hpp"
 #include "lab/scenarios.hpp"
 #include "machines/kung/machine.hpp"
-#include "machines/kung/paper.hpp"
+#include "machines/kung/figures.hpp"
 #include "machines/kung/words.hpp"
 #include "tests/support/message.hpp"
 
@@ -51,7 +51,8 @@ TEST_CASE("an unknown key is an error with a suggestion") {
 }
 
 TEST_CASE("combinations that cannot run are refused") {
-  CHECK_THAT(message_of("[path]\ncircle_radius_m = 0.3\n"), Contains("beyond the hard stops"));
+  CHECK_THAT(message_of("[path]\ncircle_radius_m = 0.3\ncircle_ticks = 1000\n"),
+             Contains("beyond the hard stops"));
   const std::string wide =
       "[path]\ncircle_radius_m = 0.3\ncircle_ticks = 1000\n[plant]\nhard_stops = false\n";
   CHECK_THAT(message_of(wide), Contains("chip.x.stroke_min_m..stroke_max_m"));

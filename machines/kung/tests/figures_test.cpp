@@ -2,8 +2,12 @@
 #include <catch2/catch.hpp>
 
 #include <cmath>
+#include <map>
+#include <string>
 
+#include "lab/scenarios.hpp"
 #include "machines/kung/figures.hpp"
+#include "machines/kung/machine.hpp"
 
 using namespace trammel;
 using namespace trammel::kung;
@@ -33,6 +37,13 @@ kung::Result offset_run(const std::vector<kung::PointM>& offset) {
   return result;
 }
 
+// The value of each figure.
+std::map<std::string, double> values(kung::Result& result) {
+  std::map<std::string, double> all;
+  for (const lab::Figure& f : figures(kung::Options{}, result)) all[f.id] = f.value;
+  return all;
+}
+
 }  // namespace
 
 // Kung eq. 44
@@ -52,14 +63,14 @@ TEST_CASE("equations 45 and 46 are the mean and the root of the mean squared dev
 }
 
 TEST_CASE("only samples from the first point to the end of the last one count") {
-  const auto result = offset_run({{3e-3, 4e-3}, {6e-3, 8e-3}});
-  const Metrics m = evaluate(kung::Options{}, result);
-  CHECK(m.samples == 2);
-  CHECK(m.model_mm.mean == Approx(7.5));
-  CHECK(m.model_mm.variance == Approx(6.25));
-  CHECK(m.command_mm.mean == Approx(7.5));
-  CHECK(m.axis[0].model_mm.mean == Approx(4.5));
-  CHECK(m.axis[1].model_mm.max == Approx(8));
+  auto result = offset_run({{3e-3, 4e-3}, {6e-3, 8e-3}});
+  const auto m = values(result);
+  CHECK(m.at("tracking.model.samples") == 2);
+  CHECK(m.at("tracking.model.mean_mm") == Approx(7.5));
+  CHECK(m.at("tracking.model.variance_mm2") == Approx(6.25));
+  CHECK(m.at("tracking.command.mean_mm") == Approx(7.5));
+  CHECK(m.at("x.error_to_model.mean_mm") == Approx(4.5));
+  CHECK(m.at("y.error_to_model.max_mm") == Approx(8));
 }
 
 TEST_CASE("a run that ended early counts what there is") {
@@ -68,13 +79,20 @@ TEST_CASE("a run that ended early counts what there is") {
   for (std::size_t k = 0; k < 11; ++k) eleven.push_back(result.samples[k]);
   result.samples = std::move(eleven);
   result.end = kung::EndReason::kFault;
-  const Metrics m = evaluate(kung::Options{}, result);
-  CHECK(m.samples == 1);
-  CHECK_FALSE(m.complete);
+  CHECK(values(result).at("tracking.model.samples") == 1);
   result.points = 0;  // the path had not begun
-  CHECK(evaluate(kung::Options{}, result).samples == 0);
+  CHECK(values(result).at("tracking.model.samples") == 0);
+  CHECK_FALSE(figures(kung::Options{}, result).front().shown);
   result.samples = {};
-  CHECK(evaluate(kung::Options{}, result).samples == 0);
+  CHECK(values(result).at("tracking.model.samples") == 0);
+}
+
+TEST_CASE("only a complete run of the paper's experiment stands beside the paper's figures") {
+  const auto settings = lab::load_scenario(lab::find_scenario("circle"));
+  auto result = offset_run({{3e-3, 4e-3}, {6e-3, 8e-3}});
+  CHECK(lab::any_expected(figures(*settings, result)));
+  result.end = kung::EndReason::kFault;
+  CHECK_FALSE(lab::any_expected(figures(*settings, result)));
 }
 
 TEST_CASE("the contour error of a lagging table on a circle is its radial error") {

@@ -96,8 +96,15 @@ TEST_CASE("values that cannot run are refused with their key and the permitted r
 
   o = {};
   o.path.circle_center_x_m = 0.05;
-  CHECK_THROWS_WITH(plan(o),
-                    Contains("path: x runs from -0.05") && Contains("chip.x.stroke_min_m"));
+  CHECK_THROWS_WITH(plan(o), Contains("path: x runs from -0.05 to 0.15 m, beyond the hard stops "
+                                      "plant.x.stroke_min_m..stroke_max_m = 0..0.6"));
+  o.plant.axis[0].hard_stops = false;
+  CHECK_THROWS_WITH(plan(o), Contains("path: x runs from -0.05 to 0.15 m, beyond "
+                                      "chip.x.stroke_min_m..stroke_max_m = 0..0.6"));
+  o.chip.axis[0].stroke_min_m = -0.1;
+  CHECK_NOTHROW(plan(o));
+  o.plant.axis[0].encoder_count_m = 1e-6;
+  CHECK_THROWS_WITH(plan(o), Contains("beyond the range of the reference model = -0.131071.."));
 
   o = with(PathKind::kWindow);
   o.path.window_radius_m = 0.1;
@@ -114,8 +121,20 @@ TEST_CASE("values that cannot run are refused with their key and the permitted r
   CHECK_NOTHROW(plan(o));
 
   o = {};
-  o.chip.axis[0].dead_time_ns = 20480;
-  CHECK_THROWS_WITH(plan(o), Contains("chip.x.dead_time_ns") && Contains("0..20460"));
+  o.chip.axis[0].stroke_max_m = 0.7;
+  CHECK_THROWS_WITH(plan(o), Contains("chip.x.stroke_max_m: value 0.7 is out of range 0..0.65"));
+  o = {};
+  o.plant.axis[1].stroke_max_m = -1;
+  CHECK_THROWS_WITH(plan(o), Contains("plant.y.stroke_min_m: must be below plant.y.stroke_max_m"));
+  o = {};
+  o.gains[1].current_kp_V_A = 1000;
+  o.plant.axis[1].dc_link_v = 100;
+  CHECK_THROWS_WITH(plan(o), Contains("gains.y.current_kp_V_A: value 1000 is out of range 0..") &&
+                                 Contains("(at plant.y.dc_link_V = 100)"));
+
+  o = with(PathKind::kSquare);
+  o.path.square_high_m = o.path.square_low_m;
+  CHECK_THROWS_WITH(plan(o), Contains("path.square_high_m: must differ"));
 
   o = {};
   o.chip.watchdog_ticks = 4;

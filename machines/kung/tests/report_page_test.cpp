@@ -124,7 +124,7 @@ TEST_CASE("corrupt figures, rules and gates are one line that names the file") {
   write_text(folder / "detail.json", detail);
   replace(folder / "detail.json", "\"gates\":null",
           "\"gates\":{\"begin\":1,\"end\":2,\"edges\":[3],\"compare\":[]}");
-  check("detail.json: is corrupt: /gates does not hold gate edges");
+  check("detail.json: is corrupt: /gates/edges does not hold gate edges");
   fs::remove(folder / "detail.json");
   check("detail.json: is missing");
   write_text(folder / "detail.json", detail);

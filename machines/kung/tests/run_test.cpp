@@ -51,7 +51,7 @@ TEST_CASE("a tripped run exits with 5, keeps its record and names the first faul
         5);
   const auto json = metrics_of(scratch.path / "a");
   CHECK(json["end"] == "tripped");
-  CHECK(json["verdict"] == "TRIPPED: stroke exceeded on axis Y at 2 kHz tick 17 (0.0085 s)");
+  CHECK(json["verdict"] == "tripped: stroke exceeded on axis Y at 2 kHz tick 17 (0.0085 s)");
   CHECK(json["fault"]["cause"] == "stroke exceeded");
   CHECK(json["fault"]["axis"] == "y");
   CHECK(json["fault"]["tick"] == 17);
@@ -63,9 +63,9 @@ TEST_CASE("how a run ended is told with the figures that decided it") {
     EndReason end;
     const char* verdict;
   } all[] = {{EndReason::kDone, "followed 10 points"},
-             {EndReason::kDiverged, "DIVERGED: error to the model above run.diverged_m = 0.05"},
-             {EndReason::kTimeout, "NOT FINISHED within run.max_s = 60"},
-             {EndReason::kStopped, "INTERRUPTED: results up to there"}};
+             {EndReason::kDiverged, "diverged: error to the model above run.diverged_m = 0.05"},
+             {EndReason::kTimeout, "not finished within run.max_s = 60"},
+             {EndReason::kStopped, "interrupted: results up to that point"}};
   for (const auto& [end, verdict] : all) {
     CAPTURE(verdict);
     run_kung(scratch.path / "a", standing(end));
@@ -93,5 +93,5 @@ TEST_CASE("a stop without a fault of the chip is told apart from a trip") {
   const Fault fault{FaultCode::kNone, 0, 0, "a busy bit did not clear"};
   CHECK(run_kung(scratch.path / "a", standing(EndReason::kFault, fault)) == 5);
   CHECK(metrics_of(scratch.path / "a")["verdict"] ==
-        "TRIPPED: the processor's check: a busy bit did not clear");
+        "tripped: the processor's check: a busy bit did not clear");
 }

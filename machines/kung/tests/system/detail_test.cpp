@@ -60,7 +60,7 @@ TEST_CASE("the fastest sample's steps end with the words of the chip") {
   CHECK(sample.edge == moment.edge);
   CHECK(std::max(sample.axis[0].v_true_m_s, sample.axis[1].v_true_m_s) == fastest);
   CHECK(sample.axis[1].u == moment.end[1].u);
-  // detail_json traces the steps and throws where they end elsewhere.
+  // detail_json computes the steps and throws where they end elsewhere.
   const auto json = detail_json(options, result);
   CHECK(json["moment"]["y"]["steps"][29][1] == moment.end[1].i_q_ref);
   CHECK(result.detail.rules_first[1] != result.detail.rules_last[1]);

