@@ -53,6 +53,16 @@ struct Machine {
   int order = 100;     // in lists; a file that names no machine is of the first
   Capabilities can;
 
+  // Takes defaults and sessions from the types of a machine.
+  template <class Options, class Session>
+  void of_types() {
+    defaults = []() -> std::unique_ptr<Settings> { return std::make_unique<Options>(); };
+    session = [](const Settings& settings, const cosim::Hooks& hooks,
+                 const cosim::Waves& waves) -> std::unique_ptr<cosim::Session> {
+      return std::make_unique<Session>(static_cast<const Options&>(settings), hooks, waves);
+    };
+  }
+
   // Settings: their defaults, every key, and rules that concern more than one key.
   std::unique_ptr<Settings> (*defaults)() = nullptr;
   const std::vector<Key>& (*keys)() = nullptr;

@@ -9,9 +9,8 @@
 #include "systemc/wire.hpp"
 
 namespace trammel::lab {
-namespace {
 
-std::unique_ptr<cosim::RunResult> by_session(const Settings& settings, const cosim::Hooks& hooks) {
+std::unique_ptr<cosim::RunResult> simulate(const Settings& settings, const cosim::Hooks& hooks) {
   const Machine& machine = settings.machine();
   const cosim::MakeSession make = [&](const cosim::Hooks& own, const cosim::Waves& waves) {
     return machine.session(settings, own, waves);
@@ -25,8 +24,6 @@ std::unique_ptr<cosim::RunResult> by_session(const Settings& settings, const cos
   }
 }
 
-}  // namespace
-
 Record judged(std::shared_ptr<const Settings> settings, std::unique_ptr<cosim::RunResult> result) {
   const Machine& machine = settings->machine();
   Record record;
@@ -39,7 +36,10 @@ Record judged(std::shared_ptr<const Settings> settings, std::unique_ptr<cosim::R
 }
 
 Record run(const Settings& settings, const cosim::Hooks& hooks) {
-  return run_by(by_session, settings, hooks);
+  const Simulate simulated = [](const Settings& one, const cosim::Hooks& own) {
+    return simulate(one, own);
+  };
+  return run_by(simulated, settings, hooks);
 }
 
 Record run_by(const Simulate& simulate, const Settings& settings, const cosim::Hooks& hooks) {

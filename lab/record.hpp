@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cosim/machine.hpp"
@@ -37,6 +38,17 @@ struct Record {
 
   const Machine& machine() const { return settings->machine(); }
 };
+
+// One run, of a result of the machine's own type. Faults and divergence are values in it. Throws
+// ConfigError for settings that cannot run; they must have been validated.
+std::unique_ptr<cosim::RunResult> simulate(const Settings& settings, const cosim::Hooks& hooks);
+
+// The same where that type is known.
+template <class Options, class Result = typename Options::Result>
+Result simulate(const Options& options, const cosim::Hooks& hooks = {}) {
+  const Settings& settings = options;
+  return std::move(static_cast<Result&>(*simulate(settings, hooks)));
+}
 
 // Simulates: the run, and those it is compared with. Faults and divergence are values in the
 // record. Throws ConfigError for settings that cannot run; they must have been validated.

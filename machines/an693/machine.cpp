@@ -26,17 +26,12 @@ lab::Machine describe() {
   m.title = "LM628 motion controller with a DC motor, driven by the programs of AN-693";
   m.source = "National Semiconductor AN-693; data sheet SNVS781C";
   m.order = 2;
-  m.defaults = [] { return std::unique_ptr<lab::Settings>(std::make_unique<Options>()); };
+  m.of_types<Options, Session>();
   m.keys = keys;
   m.validate = validate;
   m.triggers = triggers;
   m.vcd_bytes_s = 8.5e9;
   m.fst_bytes_s = 3e7;
-  m.session = [](const lab::Settings& settings, const cosim::Hooks& hooks,
-                 const cosim::Waves& waves) {
-    return std::unique_ptr<cosim::Session>(
-        std::make_unique<Session>(static_cast<const Options&>(settings), hooks, waves));
-  };
   m.columns = columns;
   m.figures = figures;
   m.verdict = lm628::verdict<Options, Result>;

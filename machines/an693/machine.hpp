@@ -28,7 +28,4 @@ inline const Result& result_of(const lab::Record& record) {
   return static_cast<const Result&>(*record.result);
 }
 
-// One run; faults and divergence are values in the result.
-Result simulate(const Options& options, const cosim::Hooks& hooks = {});
-
 }  // namespace trammel::an693

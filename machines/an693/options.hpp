@@ -11,7 +11,11 @@ namespace trammel::an693 {
 
 const lab::Machine& machine();
 
+struct Result;  // record.hpp
+
 struct Options final : lab::SettingsOf<Options, machine> {
+  using Result = an693::Result;
+
   Options() { scenario = "an693-absolute"; }
 
   sw::An693Program program = sw::An693Program::kAbsolute;

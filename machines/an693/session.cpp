@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "machines/an693/machine.hpp"
-#include "systemc/wire.hpp"
 
 namespace trammel::an693 {
 namespace {
@@ -127,14 +126,6 @@ std::unique_ptr<cosim::RunResult> Session::result() {
     result->real = last.actual;
   }
   return result;
-}
-
-Result simulate(const Options& options, const cosim::Hooks& hooks) {
-  const auto make = [&options](const cosim::Hooks& own, const cosim::Waves& waves) {
-    return std::make_unique<Session>(options, own, waves);
-  };
-  auto result = systemc::simulate(options.run, triggers(), make, hooks);
-  return std::move(static_cast<Result&>(*result));
 }
 
 }  // namespace trammel::an693

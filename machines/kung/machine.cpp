@@ -23,16 +23,12 @@ lab::Machine describe() {
   m.title = "X-Y table with adaptive fuzzy control, current vector control and space-vector PWM";
   m.source = "Kung et al. 2012, DOI 10.5772/48457";
   m.order = 1;
-  m.defaults = [] { return std::unique_ptr<lab::Settings>(std::make_unique<Options>()); };
+  m.of_types<Options, Session>();
   m.keys = keys;
   m.validate = validate;
   m.triggers = triggers;
   m.vcd_bytes_s = 1.2e10;
   m.fst_bytes_s = 8e7;
-  m.session = [](const lab::Settings& settings, const Hooks& hooks, const cosim::Waves& waves) {
-    return std::unique_ptr<cosim::Session>(
-        std::make_unique<Session>(static_cast<const Options&>(settings), hooks, waves));
-  };
   m.columns = columns;
   m.figures = figures;
   m.verdict = verdict;

@@ -36,7 +36,4 @@ inline const Result& result_of(const lab::Record& record) {
   return static_cast<const Result&>(*record.result);
 }
 
-// One run. Throws cosim::OptionsError or std::invalid_argument for options that cannot run.
-Result simulate(const Options& options, const Hooks& hooks = {});
-
 }  // namespace trammel::kung

@@ -109,7 +109,11 @@ struct FaultInjection {
 
 const lab::Machine& machine();
 
+struct Result;  // record.hpp
+
 struct Options final : lab::SettingsOf<Options, machine> {
+  using Result = kung::Result;
+
   Options() {
     scenario = "circle";
     run.max_s = 60;

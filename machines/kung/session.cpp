@@ -7,7 +7,6 @@
 #include "machines/kung/plan.hpp"
 #include "machines/kung/words.hpp"
 #include "models/plant/xy_lines.hpp"
-#include "systemc/wire.hpp"
 
 namespace trammel::kung {
 
@@ -115,14 +114,6 @@ std::unique_ptr<cosim::RunResult> Session::result() {
   result_.wakes = chip_->wakes();
   close_result(result_, *chip_, waves_.window, started_);
   return std::make_unique<Result>(std::move(result_));
-}
-
-Result simulate(const Options& options, const Hooks& hooks) {
-  const auto make = [&options](const Hooks& own, const cosim::Waves& waves) {
-    return std::make_unique<Session>(options, own, waves);
-  };
-  auto result = systemc::simulate(options.run, triggers(), make, hooks);
-  return std::move(static_cast<Result&>(*result));
 }
 
 }  // namespace trammel::kung

@@ -40,7 +40,7 @@ lab::Machine describe() {
   m.title = "two LM628 and a fuzzy feed rate with a leadscrew stage: self-paced tracking";
   m.source = "McAfee 1994";
   m.order = 3;
-  m.defaults = [] { return std::unique_ptr<lab::Settings>(std::make_unique<Options>()); };
+  m.of_types<Options, Session>();
   m.keys = keys;
   m.validate = validate;
   m.warnings = [](const lab::Settings& settings) {
@@ -50,11 +50,6 @@ lab::Machine describe() {
   m.triggers = triggers;
   m.vcd_bytes_s = 1.7e10;
   m.fst_bytes_s = 4e8;
-  m.session = [](const lab::Settings& settings, const cosim::Hooks& hooks,
-                 const cosim::Waves& waves) {
-    return std::unique_ptr<cosim::Session>(
-        std::make_unique<Session>(static_cast<const Options&>(settings), hooks, waves));
-  };
   m.columns = columns;
   m.figures = figures;
   m.verdict = lm628::verdict<Options, Result>;

@@ -33,7 +33,4 @@ inline const Result& result_of(const lab::Record& record) {
   return static_cast<const Result&>(*record.result);
 }
 
-// One run. Throws cosim::OptionsError for a path that cannot be followed.
-Result simulate(const Options& options, const cosim::Hooks& hooks = {});
-
 }  // namespace trammel::mcafee

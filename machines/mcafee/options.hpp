@@ -13,7 +13,11 @@ namespace trammel::mcafee {
 
 const lab::Machine& machine();
 
+struct Result;  // record.hpp
+
 struct Options final : lab::SettingsOf<Options, machine> {
+  using Result = mcafee::Result;
+
   Options() { scenario = "mcafee-stage3"; }
 
   sw::McafeeStage stage = sw::McafeeStage::kTrack;

@@ -8,7 +8,6 @@
 
 #include "machines/mcafee/machine.hpp"
 #include "machines/mcafee/twin.hpp"
-#include "systemc/wire.hpp"
 
 namespace trammel::mcafee {
 namespace {
@@ -180,14 +179,6 @@ std::unique_ptr<cosim::RunResult> Session::result() {
   result->event_hash = hash_.value();
   close_result(*result, *chip_, waves_.window, started_);
   return result;
-}
-
-Result simulate(const Options& options, const cosim::Hooks& hooks) {
-  const auto make = [&options](const cosim::Hooks& own, const cosim::Waves& waves) {
-    return std::make_unique<Session>(options, own, waves);
-  };
-  auto result = systemc::simulate(options.run, triggers(), make, hooks);
-  return std::move(static_cast<Result&>(*result));
 }
 
 }  // namespace trammel::mcafee

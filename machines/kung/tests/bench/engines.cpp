@@ -23,7 +23,7 @@ double speed(kung::Engine engine, bool leap, double simulated_s) {
   options.run.leap = leap;
   options.run.max_s = simulated_s;
   const std::clock_t start = std::clock();
-  const kung::Result result = kung::simulate(options);
+  const kung::Result result = simulate(options);
   const double cpu_s = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
   return static_cast<double>(result.clocks) / cpu_s / 1e6;
 }

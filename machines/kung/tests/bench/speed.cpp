@@ -38,7 +38,7 @@ double platform_clocks_per_s() {
   kung::Options options;
   options.run.leap = false;
   options.run.max_s = kSimulatedS;
-  return kClocks / seconds([&] { kung::simulate(options); });
+  return kClocks / seconds([&] { simulate(options); });
 }
 
 }  // namespace

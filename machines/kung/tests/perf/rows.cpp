@@ -96,7 +96,7 @@ Outcome run_clocked(kung::Options options) {
 Outcome run_row(const Arguments& arguments) {
   if (arguments.row == "clocked") return run_clocked(arguments.options);
   if (arguments.row == "speed") return run_speed(arguments);
-  return outcome(kung::simulate(arguments.options));
+  return outcome(simulate(arguments.options));
 }
 
 }  // namespace

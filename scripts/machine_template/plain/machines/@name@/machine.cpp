@@ -39,14 +39,9 @@ lab::Machine describe() {
   m.source = "scripts/new_machine.py";
   m.can.leap = @leap@;  // whether the chip has the ports of docs/leap.md
   m.can.twin = false;
-  m.defaults = [] { return std::unique_ptr<lab::Settings>(std::make_unique<Options>()); };
+  m.of_types<Options, Session>();
   m.keys = keys;
   m.triggers = triggers;
-  m.session = [](const lab::Settings& settings, const cosim::Hooks& hooks,
-                 const cosim::Waves& waves) {
-    return std::unique_ptr<cosim::Session>(
-        std::make_unique<Session>(static_cast<const Options&>(settings), hooks, waves));
-  };
   m.columns = columns;
   m.figures = figures;
   m.verdict = verdict;
