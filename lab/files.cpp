@@ -67,15 +67,19 @@ void OutputFolder::publish() {
   }
 }
 
-std::string read_text(const fs::path& file) {
+std::ifstream open_text(const fs::path& file) {
   std::error_code ignored;
   std::ifstream in(file);
   if (!in || fs::is_directory(file, ignored)) {
     throw ConfigError(fmt::format("{}: cannot be read: {}", file.string(),
                                   in ? "it is a folder" : std::strerror(errno)));
   }
+  return in;
+}
+
+std::string read_text(const fs::path& file) {
   std::stringstream text;
-  text << in.rdbuf();
+  text << open_text(file).rdbuf();
   return text.str();
 }
 

@@ -155,7 +155,7 @@ Written write_record(const Record& record, const OutputFolder& folder, const Jso
   try {
     const Json detail = machine.detail == nullptr ? Json() : machine.detail(record);
     if (!detail.is_null()) write_text(scratch / "detail.json", detail.dump() + '\n');
-    if (page) write_run_page(scratch);
+    if (page) write_page({scratch}, scratch / "report.html");
     written.page = page;
   } catch (const std::exception& error) {  // a run is never lost because its page failed
     written.notes.push_back(fmt::format("no report: {}; the results are kept", error.what()));

@@ -162,7 +162,7 @@ int run_all(const lab::Machine& machine, const Arguments& arguments, const Simul
   const fs::path index = base / "index.html";
   bool page = arguments.report && folders.size() > 1;
   try {
-    if (page) lab::write_comparison_page(folders, index);
+    if (page) lab::write_page(folders, index);
   } catch (const std::exception& error) {
     tell(fmt::format("no report: {}; the results are kept", error.what()));
     page = false;

@@ -30,7 +30,7 @@
     const shown = (k, axis) => from[axis][k] + state.magnify * (table[axis][k] - from[axis][k]);
 
     const plot = { id: 'path', title: 'Path', height: (width) => Math.round(Math.min(width + kFoot(
-      width) - 74, 664)), saveWidth: 760, count: () => n, print: 'half' };
+      width) - 74, 664)), saveWidth: 760 };
 
     plot.frame = function (width, height) {
       const box = { x: 60, y: 14, w: width - 74, h: height - kFoot(width) };
@@ -57,9 +57,7 @@
     plot.scene = function (p, width, height, theme) {
       const frame = plot.frame(width, height);
       const { box } = frame;
-      const count = Math.max(3, box.w / 90);
-      T.drawFrame(p, theme, frame, { xLabel: 'x (mm)', yLabel: 'y (mm)', xCount: count,
-        yCount: count });
+      T.drawFrame(p, theme, frame, { xLabel: 'x (mm)', yLabel: 'y (mm)', yCount: box.w / 90 });
       p.clip(box.x, box.y, box.w, box.h);
       p.path(line(frame, way), { stroke: theme.asked, width: 4, alpha: 0.5, cap: 'round' });
       p.path(line(frame, model), { stroke: theme.model, width: 1.4 });
@@ -159,7 +157,7 @@
     const { command, table } = run.data;
     if (!command) return [];
     const plot = { id: `path-${index + 1}`, title: run.label, print: 'quarter', saveWidth: 520,
-      height: (width) => Math.round(Math.min(width, 420) * 0.95), count: () => run.count };
+      height: (width) => Math.round(Math.min(width, 420) * 0.95) };
     plot.scene = function (p, width, height, theme) {
       const box = { x: 54, y: 8, w: width - 64, h: height - 56 };
       const range = (axis) => T.padded(T.range(command[axis], ...T.range(table[axis])), 0.05);

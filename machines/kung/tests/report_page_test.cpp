@@ -99,7 +99,7 @@ TEST_CASE("corrupt figures, rules and gates are one line that names the file") {
   const std::string page = content(folder / "report.html");
   const auto check = [&](const std::string& says) {
     try {
-      write_run_page(folder);
+      write_page({folder}, folder / "report.html");
       FAIL("the page was written");
     } catch (const ConfigError& error) {
       const std::string line = error.what();
@@ -128,7 +128,7 @@ TEST_CASE("corrupt figures, rules and gates are one line that names the file") {
   fs::remove(folder / "detail.json");
   check("detail.json: is missing");
   write_text(folder / "detail.json", detail);
-  write_run_page(folder);
+  write_page({folder}, folder / "report.html");
   CHECK(content(folder / "report.html") == page);
 }
 

@@ -164,13 +164,14 @@ TEST_CASE_METHOD(Runs,
   const std::string page = content(folder / "report.html");
   CHECK_THAT(page, Contains("\"machine\":\"mcafee\""));
   fs::remove(folder / "report.html");
-  write_run_page(folder);
+  write_page({folder}, folder / "report.html");
   CHECK(content(folder / "report.html") == page);
   CHECK(read_run(folder).first == 2);
 
   const auto refused = [&](const std::string& changed) {
     write_text(folder / "detail.json", changed);
-    CHECK_THROWS_WITH(write_run_page(folder), Contains("detail.json: is corrupt: /"));
+    CHECK_THROWS_WITH(write_page({folder}, folder / "report.html"),
+                      Contains("detail.json: is corrupt: /"));
     CHECK(content(folder / "report.html") == page);
   };
   auto other = detail;
@@ -188,7 +189,7 @@ TEST_CASE_METHOD(Runs,
   CHECK(run() == 0);
   CHECK_FALSE(fs::exists(folder / "report.html"));
   CHECK_FALSE(fs::exists(folder / "detail.json"));
-  write_run_page(folder);
+  write_page({folder}, folder / "report.html");
   CHECK(fs::exists(folder / "report.html"));
 }
 
