@@ -19,14 +19,9 @@ void apply_layers(lab::Settings& settings, const Arguments& arguments) {
   for (const std::string& more : arguments.files) lab::apply_file(settings, more);
   lab::apply_environment(settings, lab::environment());
   for (const std::string& text : arguments.assignments) lab::apply_assignment(settings, text);
-  const auto flag = [&](bool given, const std::string& assignment, const char* name) {
-    if (given) lab::apply_assignment(settings, assignment, name);
-  };
-  flag(!arguments.engine.empty(), "run.engine=" + arguments.engine, "--engine");
-  flag(!arguments.platform.empty(), "run.platform=" + arguments.platform, "--platform");
-  flag(arguments.plain, "run.leap=false", "--no-leap");
-  flag(arguments.audit, "run.audit=true", "--audit");
-  flag(arguments.assertions, "run.assertions=true", "--assert");
+  for (const auto& [option, text] : arguments.keys) {
+    lab::apply_assignment(settings, text, option);
+  }
   lab::apply_waves(settings, arguments.waves);
 }
 
@@ -203,7 +198,7 @@ int run(const Arguments& arguments, const std::atomic<bool>& stop, const Simulat
   return outcome.code;
 }
 
-int report(const ReportArguments& arguments) {
+int report(const Arguments& arguments) {
   std::vector<fs::path> folders(arguments.folders.begin(), arguments.folders.end());
   if (folders.empty()) folders.push_back(lab::latest_run("out"));
   fs::path file = arguments.out;

@@ -6,7 +6,6 @@
 #include <atomic>
 #include <functional>
 #include <string>
-#include <vector>
 
 #include "lab/record.hpp"
 #include "testbench/arguments.hpp"
@@ -24,11 +23,7 @@ int tell_end(const lab::Record& record, const std::string& name, const std::stri
 
 void tell(const std::string& text);  // a line on stderr
 
-struct ReportArguments {
-  std::vector<std::string> folders;  // none: the latest run in out/
-  std::string out;                   // default: report.html in the folder, or out/compare.html
-  bool json = false;
-};
-int report(const ReportArguments& arguments);
+// The page of the folders, or of the latest run in out/ where there are none.
+int report(const Arguments& arguments);
 
 }  // namespace trammel::testbench

@@ -201,7 +201,7 @@ TEST_CASE("what was run is what run.toml repeats") {
         arguments_for(test::scenario_of(machine), base / "a", {"run.max_s=7.5", "name=other"});
     std::ofstream(base / "more.toml") << "description = 'quotes \" and \\'\nrun.max_s = 3\n";
     arguments.files = {(base / "more.toml").string()};
-    arguments.platform = "direct";
+    arguments.keys = {{"--platform", "run.platform=direct"}};
     std::unique_ptr<lab::Settings> ran;
     const Simulate simulate = [&ran](const lab::Settings& settings, const cosim::Hooks&) {
       ran = settings.clone();

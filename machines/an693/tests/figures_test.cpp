@@ -142,7 +142,9 @@ TEST_CASE("an693 runs leave metrics.json, trace.csv and run.toml, and say how th
   CHECK_THAT(content("an693_test_out/run.toml"), Contains("machine = \"an693\""));
   CHECK(fs::exists("an693_test_out/motion.svg") == !find_program("gnuplot").empty());
   CHECK_THAT(content("an693_test_out/report.html"), Contains("\"machine\":\"an693\""));
-  CHECK(testbench::report({{"an693_test_out"}, {}, false}) == 0);
+  testbench::Arguments again;
+  again.folders = {"an693_test_out"};
+  CHECK(testbench::report(again) == 0);
 
   arguments.json = false;
   arguments.assignments = {"program=tuning", "description=a step"};
@@ -208,7 +210,7 @@ TEST_CASE("run chooses the machine by the scenario, and refuses what this one ha
   testbench::Arguments arguments;
   arguments.scenario = "an693-hold";
   arguments.out = "an693_test_out";
-  arguments.platform = "direct";
+  arguments.keys = {{"--platform", "run.platform=direct"}};
   arguments.report = false;
   bool ran = false;
   const testbench::Simulate simulate = [&](const Settings& settings, const cosim::Hooks&) {
@@ -228,9 +230,9 @@ TEST_CASE("run chooses the machine by the scenario, and refuses what this one ha
   };
   CHECK(testbench::run(arguments, stop, breaks) == 4);
   CHECK_THAT(content(fs::path(arguments.out) / "metrics.json"), Contains("\"clock\": 50000"));
-  arguments.audit = arguments.plain = true;
+  arguments.keys = {{"--audit", "run.audit=true"}, {"--no-leap", "run.leap=false"}};
   CHECK_THROWS_WITH(testbench::run(arguments, stop, simulate), Contains("not with --no-leap"));
-  arguments.audit = arguments.plain = false;
+  arguments.keys.clear();
   arguments.check = true;
   CHECK(test::told([&] { CHECK(testbench::run(arguments, stop, simulate) == 2); }) ==
         "trammel: an693-hold: --check: nothing is expected of this scenario with these "
