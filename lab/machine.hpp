@@ -90,7 +90,18 @@ struct Machine {
 
 // All of them, in their order.
 const std::vector<const Machine*>& machines();
-std::vector<std::string> machine_names();
-const Machine* find_machine(const std::string& name);  // nullptr: there is none
+
+inline std::vector<std::string> machine_names() {
+  std::vector<std::string> names;
+  for (const Machine* machine : machines()) names.push_back(machine->name);
+  return names;
+}
+
+inline const Machine* find_machine(const std::string& name) {  // nullptr: there is none
+  for (const Machine* machine : machines()) {
+    if (machine->name == name) return machine;
+  }
+  return nullptr;
+}
 
 }  // namespace trammel::lab

@@ -91,11 +91,10 @@
       T.el('td', { class: 'dim' }, line.default === undefined ? '' : T.valueText(line.default)),
       T.el('td', { class: 'text dim' }, line.help)));
     }
-    const table = T.table([T.el('th', {}, 'Parameter'), ...(columns.length > 0
-      ? columns.map((column) => column.toUpperCase()) : ['value']), 'default', T.el('th',
-      { class: 'text' }, 'meaning')], rows);
-    return T.el('div', { class: 'card long' }, filterOf(rows), T.el('div', { class: 'scroll' },
-      table));
+    const heads = columns.length > 0 ? columns.map((column) => column.toUpperCase()) : ['value'];
+    const card = T.tableCard(['Parameter', ...heads, 'default', ['meaning', 'text']], rows);
+    card.prepend(filterOf(rows));
+    return card;
   }
 
   T.parameterSection = function (m, machine) {

@@ -6,7 +6,7 @@
   'use strict';
 
   const kBins = 32;
-  const kFoot = (width) => (width < 430 ? 126 : 100);  // pixels below the frame: labels and key
+  const kFoot = (width) => (width < 460 ? 126 : 100);  // pixels below the frame: labels and key
 
   // Square boxes of pixels for equal lengths: the range that is too short is widened.
   function equalFrame(box, xRange, yRange) {

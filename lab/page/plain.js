@@ -61,11 +61,9 @@
     const shown = run.channels.filter((channel) => channel !== time);
     T.section('traces', 'Traces', T.zoomLead()).append(T.el('div', { class: 'grid two' },
       groupsOf(run, shown).map((group, k) => plotOf(run, group, k))));
-    const text = (value) => T.el('td', { class: 'text' }, value);
-    T.section('columns', 'Columns', 'What the lines show.').append(T.el('div',
-      { class: 'card long' }, T.el('div', { class: 'scroll' }, T.table(['Column', ...['unit',
-        'meaning'].map((head) => T.el('th', { class: 'text' }, head))], run.channels.map(
-        (channel) => [channel.name, text(T.unit(channel.unit)), text(channel.help)])))));
+    T.section('columns', 'Columns', 'What the lines show.').append(T.tableCard(['Column',
+      ['unit', 'text'], ['meaning', 'text']], run.channels.map(({ name, unit, help }) => [name,
+      T.unit(unit), help])));
   }
 
   // Time from one value to the next, of a run that has one a sample.

@@ -123,7 +123,7 @@
       ],
       cursor: { y: false, drag: { x: true, y: false, dist: 4 }, points: { size: 7 } },
       legend: { live: true, markers: { width: 0, fill: (u, k) => (k > 0
-        ? color(T.theme(), plot.series[k - 1]) : null) } },
+        ? `var(--${plot.series[k - 1].role || `run${plot.series[k - 1].run}`})` : null) } },
       series: [{ label: 't' }, ...plot.series.map((s) => ({
         label: s.label,
         show: !s.hidden,
@@ -225,13 +225,7 @@
     const frame = T.el('div', { class: 'plot screen-only' });
     card.append(frame);
     plot.scene = (p, width, height, theme) => scene(plot, p, width, height, theme);
-    plot.redraw = () => {
-      if (!plot.uplot) return;
-      plot.uplot.redraw(false, true);
-      frame.querySelectorAll('.u-marker').forEach((mark, k) => {
-        if (k > 0) mark.style.background = color(T.theme(), plot.series[k - 1]);
-      });
-    };
+    plot.redraw = () => plot.uplot && plot.uplot.redraw(false, true);
     plot.resize = () => {
       const width = Math.floor(frame.clientWidth);
       if (width <= 0) return;
