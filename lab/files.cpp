@@ -96,16 +96,16 @@ fs::path target_of(const std::string& out, const std::string& scenario) {
 
 void replace_file(const fs::path& file, const std::string& text) {
   const fs::path scratch = fs::path(file).concat(".new");
+  std::error_code failed;
   try {
     write_text(scratch, text);
     fs::rename(scratch, file);
   } catch (const fs::filesystem_error& error) {
-    fs::remove(scratch);
+    fs::remove(scratch, failed);
     throw ConfigError(fmt::format("{}: cannot be written: {}", file.string(),
                                   error.code().message()));
   } catch (...) {
-    std::error_code ignored;
-    fs::remove(scratch, ignored);
+    fs::remove(scratch, failed);
     throw;
   }
 }

@@ -2,8 +2,11 @@
 #include "testbench/run.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cstdio>
 
 #include "lab/files.hpp"
 #include "lab/layers.hpp"
@@ -11,7 +14,6 @@
 #include "lab/report_page.hpp"
 #include "lab/scenarios.hpp"
 #include "lab/write.hpp"
-#include "testbench/progress.hpp"
 
 namespace trammel::testbench {
 
@@ -47,6 +49,35 @@ int tell_end(const lab::Record& record, const std::string& name, const std::stri
 namespace {
 
 namespace fs = std::filesystem;
+
+// A line that rewrites itself while a run goes on, on a terminal only.
+class Progress {
+ public:
+  explicit Progress(std::string name) : name_(std::move(name)) {}
+  ~Progress() {
+    if (drawn_) fmt::print(stderr, "\r\033[K");
+  }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void operator()(double fraction) {
+    const auto now = std::chrono::steady_clock::now();
+    if (!shown_ || now - last_ < std::chrono::milliseconds(100)) return;
+    last_ = now;
+    drawn_ = true;
+    const double elapsed = std::chrono::duration<double>(now - begin_).count();
+    const double left = fraction > 0 ? elapsed * (1 - fraction) / fraction : 0;
+    fmt::print(stderr, "\r\033[K{} {:3.0f} %  {:.0f} s left", name_, 100 * fraction, left);
+    std::fflush(stderr);
+  }
+
+ private:
+  std::string name_;
+  bool shown_ = isatty(STDERR_FILENO) != 0;
+  bool drawn_ = false;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point last_{};
+};
 
 struct Outcome {
   lab::Record record;
@@ -89,7 +120,10 @@ Outcome run_one(lab::Settings& settings, const fs::path& target, const Arguments
   Outcome outcome;
   {
     Progress progress(settings.scenario);
-    outcome.record = simulate(settings, shown_in(progress, stop));
+    cosim::Hooks hooks;
+    hooks.progress = [&progress](double fraction) { progress(fraction); };
+    hooks.stop = &stop;
+    outcome.record = simulate(settings, hooks);
   }
   const lab::Record& record = outcome.record;
   outcome.json = lab::metrics_json(record);
