@@ -33,7 +33,7 @@ std::string upper(std::string text) {
                               const std::string& name) {
   for (const Machine* other : machines()) {
     if (find_keys(other->keys(), name).empty()) continue;
-    throw ConfigError(fmt::format("{}: {}: is no key of the machine {}", where, name,
+    throw ConfigError(fmt::format("{}: {}: not a key of the machine {}", where, name,
                                   settings.machine().name));
   }
   throw ConfigError(fmt::format("{}: {}: unknown key{}", where, name,

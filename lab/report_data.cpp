@@ -24,7 +24,7 @@ void require_member(const fs::path& file, const Json& json, const std::string& p
   const Json::json_pointer pointer(path);
   if (!json.contains(pointer)) corrupt(file, fmt::format("is corrupt: {} is missing", path));
   if (!(json.at(pointer).*is)()) {
-    corrupt(file, fmt::format("is corrupt: {} is of a wrong kind", path));
+    corrupt(file, fmt::format("is corrupt: {} has the wrong type", path));
   }
 }
 

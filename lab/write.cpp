@@ -53,7 +53,7 @@ constexpr char kStyle[] =
     "set grid lc rgb '#dddddd' lt 1\nset border lc rgb '#666666'\n"
     "set key outside top center horizontal samplen 2\n";
 
-// What of a text gnuplot takes as such: a quote or mark-up in it is left out.
+// A text for gnuplot, without what it takes for a quote or mark-up.
 std::string quoted(const std::string& text) {
   std::string kept = "'";
   for (const char c : text) {

@@ -102,7 +102,7 @@ void warn(const lab::Settings& settings) {
 int check(const lab::Record& record) {
   const std::string& scenario = record.settings->scenario;
   if (!lab::any_expected(record.figures)) {
-    tell(fmt::format("{}: --check: nothing is expected of this scenario with these settings",
+    tell(fmt::format("{}: --check: no figure of this scenario has an expected value with these settings",
                      scenario));
     return 2;
   }
@@ -149,7 +149,7 @@ Outcome run_one(lab::Settings& settings, const fs::path& target, const Arguments
   return outcome;
 }
 
-// An experiment sets some keys itself; one that is also asked for would be lost without a word.
+// An experiment sets some keys itself; another value asked for them would be lost silently.
 std::unique_ptr<lab::Settings> settings_of(const lab::Experiment& experiment,
                                            const Arguments& arguments) {
   auto settings = lab::load_scenario(lab::find_scenario(experiment.scenario));
@@ -160,7 +160,7 @@ std::unique_ptr<lab::Settings> settings_of(const lab::Experiment& experiment,
     const std::string name = text.substr(0, text.find('='));
     for (const lab::Key* key : lab::find_keys(settings->machine().keys(), name)) {
       if (key->get(*settings) == key->get(*own)) continue;
-      throw lab::ConfigError(fmt::format("run: --all sets {0} itself; {0} beside it means neither",
+      throw lab::ConfigError(fmt::format("run: --all sets {0} itself; do not set it as well",
                                          name));
     }
   }
@@ -213,7 +213,7 @@ int run(const Arguments& arguments, const std::atomic<bool>& stop, const Simulat
   if (arguments.all) {
     if (!arguments.scenario.empty()) {
       throw lab::ConfigError(
-          "run: --all runs the experiments of the source; a scenario beside it means none");
+          "run: --all runs the experiments of the source and takes no scenario");
     }
     const auto& all = lab::machines();
     const auto found = std::find_if(all.begin(), all.end(), [](const lab::Machine* machine) {

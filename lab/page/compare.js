@@ -89,9 +89,9 @@
       if (note) judged.append(note);
       T.section('judged', 'Printed and expected', '').append(judged);
     }
-    T.section('parameters', 'Changed parameters', '').append(parameterTable(runs));
+    T.section('parameters', 'Parameters that differ', '').append(parameterTable(runs));
     T.section('runs', 'Runs', '').append(T.tableCard(['Run', ['Outcome', 'text'], [
-      'Command that repeats it', 'text']], runs.map((run, k) => [T.runName(run, k, true),
+      'Command to repeat it', 'text']], runs.map((run, k) => [T.runName(run, k, true),
       run.metrics.verdict, T.el('code', {}, run.metrics.command)])));
   };
 })(window.Trammel = window.Trammel || {});

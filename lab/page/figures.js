@@ -148,7 +148,7 @@
       printedText(f), T.el('td', { class: 'dim' }, offText(f)), expectedText(f), withinCell(f),
       gauge(f)]);
     return T.el('div', { class: 'card' }, T.el('div', { class: 'scroll' }, T.table(['Figure',
-      'ours', 'printed', 'to the printed', 'expected', '', 'tolerance band (bar: printed)'],
+      'ours', 'printed', 'difference', 'expected', '', 'tolerance band (bar: printed)'],
     rows)), T.sourceNote([m], machine.figureNote));
   }
 

@@ -14,7 +14,7 @@
         await navigator.clipboard.writeText(m.command);
         event.target.textContent = 'Copied';
       } catch (error) {
-        event.target.textContent = 'Select it and copy';
+        event.target.textContent = 'Select and copy it';
       }
     } }, 'Copy');
     document.getElementById('top').append(T.el('div', { class: 'head' },
@@ -26,7 +26,7 @@
       T.el('div', { class: 'repeat' }, T.el('span', {}, 'Repeat it'), T.el('code', {}, m.command),
         copy),
       run.stride > 1 ? T.el('p', { class: 'lead' }, `The run has ${T.whole(m.run.samples)} ` +
-        `samples; the plots show one of ${run.stride}.`) : null));
+        `samples; the plots show one in ${run.stride}.`) : null));
   }
 
   function foot(m) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The parameters of a run with their defaults and meanings, to be searched and sifted.
+// The parameters of a run with their defaults and meanings, to be searched and filtered.
 (function (T) {
   'use strict';
 
@@ -67,7 +67,7 @@
     search.addEventListener('input', sift);
     only.addEventListener('change', sift);
     return T.el('div', { class: 'filter' }, search, T.el('label', {}, only,
-      'only what differs from the default'));
+      'only those that differ from the default'));
   }
 
   function parameterCard(m, keys, idle) {
@@ -98,7 +98,7 @@
   }
 
   T.parameterSection = function (m, machine) {
-    T.section('parameters', 'Parameters', 'Marked: what differs from the default.').append(
+    T.section('parameters', 'Parameters', 'Marked: those that differ from the default.').append(
       parameterCard(m, T.page.keys, machine.idle));
   };
 })(window.Trammel = window.Trammel || {});

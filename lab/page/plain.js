@@ -9,7 +9,7 @@
 
   // The lead of a section of plots over time; paper needs no advice on how to use them.
   T.zoomLead = (more) => [T.el('span', { class: 'screen-only' }, 'Drag in a plot to zoom all of ' +
-    'them, double-click to see everything. A click on a name hides its line. '), more || ''];
+    'them, double-click to see everything. Click a name to hide its line. '), more || ''];
 
   const digitsOf = ({ lsb }) => Math.min(6, Math.max(0, Math.ceil(-Math.log10(lsb) - 1e-9)));
   const timeOf = (run) => run.channels.find((channel) => channel.unit === 's');
@@ -61,7 +61,7 @@
     const shown = run.channels.filter((channel) => channel !== time);
     T.section('traces', 'Traces', T.zoomLead()).append(T.el('div', { class: 'grid two' },
       groupsOf(run, shown).map((group, k) => plotOf(run, group, k))));
-    T.section('columns', 'Columns', 'What the lines show.').append(T.tableCard(['Column',
+    T.section('columns', 'Columns', 'Unit and meaning of each line.').append(T.tableCard(['Column',
       ['unit', 'text'], ['meaning', 'text']], run.channels.map(({ name, unit, help }) => [name,
       T.unit(unit), help])));
   }

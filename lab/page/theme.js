@@ -35,7 +35,7 @@
   T.theme = () => ((chosen || (system.matches ? 'dark' : 'light')) === 'dark' ? dark : light);
   T.onTheme = (listener) => listeners.push(listener);
 
-  function dress(theme) {
+  function setColours(theme) {
     const { style } = document.documentElement;
     style.colorScheme = theme.name;
     for (const [name, value] of Object.entries(theme)) style.setProperty(`--${name}`, value);
@@ -43,7 +43,7 @@
   }
 
   function apply() {
-    dress(T.theme());
+    setColours(T.theme());
     for (const listener of listeners) listener();
   }
 
@@ -59,8 +59,8 @@
   T.startTheme = function () {
     chosen = stored((storage) => storage.getItem('trammel-theme'));
     system.addEventListener('change', apply);
-    window.addEventListener('beforeprint', () => dress(light));
-    window.addEventListener('afterprint', () => dress(T.theme()));
+    window.addEventListener('beforeprint', () => setColours(light));
+    window.addEventListener('afterprint', () => setColours(T.theme()));
     document.getElementById('theme').addEventListener('click', () => {
       chosen = T.theme() === dark ? 'light' : 'dark';
       stored((storage) => storage.setItem('trammel-theme', chosen));

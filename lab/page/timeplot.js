@@ -11,7 +11,7 @@
   const kHeight = 210;
   const kKeyLine = 16;   // pixels
   const all = [];        // every time plot
-  const followers = [];  // told of the cursor (an index, or null) and of the range
+  const followers = [];  // called with the cursor (an index, or null) and the range
   let busy = false;
   let cursor = null;
 
@@ -26,7 +26,7 @@
     follow: (follower) => followers.push(follower),
   };
 
-  function tell() {
+  function notify() {
     const now = document.getElementById('time-now');
     now.textContent = cursor === null ? ''
       : `t = ${T.num(T.time.values[cursor], T.time.digits)} s`;
@@ -56,7 +56,7 @@
       u.setCursor({ left, top: index === null ? -10 : 1 }, false);
     }
     busy = false;
-    tell();
+    notify();
   };
 
   T.time.zoom = function (low, high, source) {
@@ -77,7 +77,7 @@
       }
     }
     busy = false;
-    tell();
+    notify();
   };
 
   T.time.reset = () => T.time.zoom(...T.time.full);

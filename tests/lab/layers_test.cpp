@@ -240,7 +240,7 @@ TEST_CASE("a key of another machine is refused with the name of this one") {
       CAPTURE(other_machine->name);
       const auto settings = other_machine->defaults();
       const std::string what =
-          fmt::format("{}: is no key of the machine {}", key.name, other_machine->name);
+          fmt::format("{}: not a key of the machine {}", key.name, other_machine->name);
       CHECK_THROWS_WITH(apply_assignment(*settings, key.name + "=1"), "-s: " + what);
       CHECK_THROWS_WITH(apply_text(*settings, key.name + " = 1", "a.toml", "."),
                         "a.toml:1: " + what);

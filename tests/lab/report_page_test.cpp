@@ -272,7 +272,7 @@ TEST_CASE("every member that a machine's page needs is asked for by its name") {
       REQUIRE(less.contains(place));
       less[place] = nullptr;
       write_text(folder / "metrics.json", less.dump());
-      check_refused(folder, "metrics.json: is corrupt: " + member + " is of a wrong kind");
+      check_refused(folder, "metrics.json: is corrupt: " + member + " has the wrong type");
       less = metrics;
       less[place.parent_pointer()].erase(place.back());
       write_text(folder / "metrics.json", less.dump());

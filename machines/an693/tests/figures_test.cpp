@@ -81,7 +81,7 @@ TEST_CASE("an693 scenarios load, can run, and repeat from run.toml") {
 
 TEST_CASE("keys of another machine, unknown keys and bad values are refused in one line") {
   CHECK(message_of("[gains]\nkp = 1\n") ==
-        "some.toml:2: gains.kp: is no key of the machine an693");
+        "some.toml:2: gains.kp: not a key of the machine an693");
   CHECK(message_of("[filter]\nkq = 1\n") ==
         "some.toml:2: filter.kq: unknown key; did you mean filter.kd?");
   CHECK_THAT(message_of("machine = 'another'\n"), Contains("is not one of an693"));
@@ -235,8 +235,8 @@ TEST_CASE("run chooses the machine by the scenario, and refuses what this one ha
   arguments.keys.clear();
   arguments.check = true;
   CHECK(test::told([&] { CHECK(testbench::run(arguments, stop, simulate) == 2); }) ==
-        "trammel: an693-hold: --check: nothing is expected of this scenario with these "
-        "settings\n");
+        "trammel: an693-hold: --check: no figure of this scenario has an expected value with "
+        "these settings\n");
   arguments.check = false;
   arguments.waves.format = "fst";
   arguments.waves.trigger = "x.e > 3";

@@ -22,7 +22,7 @@ RUNS = [
     (0, "lm628", "OUT/all.lm628"), (0, "report", FOLDER, "OUT/lm628", "-o", "OUT/two.html"),
 ]
 REFUSED = [
-    (2, "is no key of the machine an693", *TUNING, "-s", "gains.kp=1"),
+    (2, "not a key of the machine an693", *TUNING, "-s", "gains.kp=1"),
     (2, "is none of: drive", *TUNING, "--wave", "fst", "--wave-trigger", "e ~ 3"),
     (2, "did you mean status.index?", *TUNING, "--wave", "fst", "--wave-trigger",
      "rise status.idex"),

@@ -116,7 +116,7 @@ TEST_CASE("corrupt figures, rules and gates are one line that names the file") {
   check("metrics.json: is corrupt: /tracking/model/mean_mm is missing");
   write_text(folder / "metrics.json", metrics);
   replace(folder / "metrics.json", "\"samples\": 60", "\"samples\": \"many\"");
-  check("metrics.json: is corrupt: /run/samples is of a wrong kind");
+  check("metrics.json: is corrupt: /run/samples has the wrong type");
   write_text(folder / "metrics.json", metrics);
 
   replace(folder / "detail.json", "\"first\":[0,", "\"first\":[");

@@ -99,7 +99,7 @@ TEST_CASE("mcafee: a path or motor that cannot be is refused with key, row and r
     CHECK_THAT(message_of(std::string("[run]\nengine = \"twin\"\n") + key),
                Contains("run.engine: the twin") && Contains("need"));
   }
-  CHECK_THAT(message_of("[gains]\nkp = 1"), Contains("is no key of the machine mcafee"));
+  CHECK_THAT(message_of("[gains]\nkp = 1"), Contains("not a key of the machine mcafee"));
 }
 
 TEST_CASE("mcafee: figures count from the first row, contour errors from the path") {
