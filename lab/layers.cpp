@@ -92,9 +92,9 @@ Value checked(const Key& key, const Value& value, const std::string& where) {
 
 // Text of the command line or environment, read as the key's kind wants it.
 Value parsed(const Key& key, const std::string& text) {
-  static const std::map<std::string, bool> kFlags{{"true", true},   {"on", true},   {"yes", true},
-                                                  {"1", true},      {"false", false}, {"off", false},
-                                                  {"no", false},    {"0", false}};
+  static const std::map<std::string, bool> kFlags{
+      {"true", true},   {"on", true},   {"yes", true}, {"1", true},
+      {"false", false}, {"off", false}, {"no", false}, {"0", false}};
   const char* const end = text.data() + text.size();
   char* stop = nullptr;
   if (key.kind == Kind::kFlag) {
@@ -112,7 +112,7 @@ Value parsed(const Key& key, const std::string& text) {
 
 struct Entry {
   std::string name;
-  std::string where;                   // begins messages
+  std::string where;                       // begins messages
   std::function<Value(const Key&)> value;  // as that key wants it
 };
 
@@ -246,6 +246,9 @@ std::string run_toml(const Settings& settings, const std::string& command,
   return text;
 }
 
+namespace {
+
+// The name of a run is that of its folder.
 void check_name(const std::string& name, const std::string& what) {
   constexpr std::size_t kLongest = 200;  // bytes; a file system takes 255 with what is added
   const bool bad = name.empty() || name.front() == '.' || name.size() > kLongest ||
@@ -257,8 +260,6 @@ void check_name(const std::string& name, const std::string& what) {
                                 "or control character, no dot at the start",
                                 what, value_text(name), kLongest));
 }
-
-namespace {
 
 // Ways to run a chip that exclude each other, and what a machine does not offer.
 void check_engine(const Settings& settings) {
@@ -273,7 +274,8 @@ void check_engine(const Settings& settings) {
                    "nothing to compare", lacking)},
       {twin && !can.twin, fmt::format("run.engine: {} bit-exact twin of its chip", lacking)},
       {run.audit && (!run.leap || run.assertions || waves),
-       "run.audit: compares a leaping chip with a plain one; not with --no-leap, --assert or waves"},
+       "run.audit: compares a leaping chip with a plain one; not with --no-leap, --assert or "
+       "waves"},
       {twin && waves,
        "run.engine: the twin has no signals to trace; waves and triggers need the RTL (--engine "
        "rtl)"},

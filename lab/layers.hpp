@@ -32,11 +32,6 @@ std::string run_toml(const Settings& settings,
                      const std::string& command = "trammel run run.toml",
                      bool (*left_out)(const Key&) = nullptr);
 
-// Rules for whatever names a file or folder of the user's: of scenarios, of runs. Throws where the
-// name is empty, begins with a dot, holds a slash or control characters, or is longer than 200
-// bytes; `what` begins the message.
-void check_name(const std::string& name, const std::string& what);
-
 // Rules that concern keys of every machine, then those of its own. Called once all layers are in.
 void validate(Settings& settings);
 

@@ -91,11 +91,10 @@ bool run_gnuplot(const fs::path& folder, const std::string& script) {
   return pclose(pipe) == 0 && sent;
 }
 
-// Runs machines/<name>/pictures/*.gp in the folder of a run, scripts of gnuplot that read its files.
-// Their variables are every setting (path.kind is path_kind), the title, and the samples worth
-// drawing: from `first` to `last`, of which one in `step` makes a picture that is not heavy, and the
-// times `from` and `to` [s] of both. False when gnuplot is missing or fails, or there are no two
-// samples.
+// Runs the gnuplot scripts machines/<name>/pictures/*.gp in the folder of a run, whose files they
+// read. Their variables: every setting (path.kind is path_kind), the title, and the samples worth
+// drawing, `first` to `last` at the times `from` and `to` [s], every `step`-th of them. False when
+// gnuplot is missing or fails, or there are fewer than two samples.
 bool draw_pictures(const Record& record, const fs::path& folder) {
   const Machine& machine = record.machine();
   std::vector<fs::path> scripts;

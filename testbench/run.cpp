@@ -102,8 +102,8 @@ void warn(const lab::Settings& settings) {
 int check(const lab::Record& record) {
   const std::string& scenario = record.settings->scenario;
   if (!lab::any_expected(record.figures)) {
-    tell(fmt::format("{}: --check: no figure of this scenario has an expected value with these settings",
-                     scenario));
+    tell(scenario + ": --check: no figure of this scenario has an expected value with these "
+                    "settings");
     return 2;
   }
   const std::vector<std::string> lines = lab::outside(record.figures);

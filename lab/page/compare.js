@@ -5,8 +5,9 @@
 (function (T) {
   'use strict';
 
-  T.runName = (run, k, linked) => T.el('span', { class: 'key' }, T.el('span', {}, T.el('i',
-    { style: `border-top-color: var(--run${k})` }), linked && run.page ? T.el('a', { href: run.page }, run.label) : T.el('b', {}, run.label)));
+  T.runName = (run, k, linked) => T.el('span', { class: 'key' }, T.el('span', {},
+    T.el('i', { style: `border-top-color: var(--run${k})` }),
+    linked && run.page ? T.el('a', { href: run.page }, run.label) : T.el('b', {}, run.label)));
 
   // Differences are to the first run of the same kind.
   const baseOf = (runs, kindOf, k) => runs.findIndex((run) => kindOf(run) === kindOf(runs[k]));

@@ -15,9 +15,7 @@
 
   function looks(style) {
     let text = ` fill="${style.fill || 'none'}"`;
-    if (style.stroke) {
-      text += ` stroke="${style.stroke}" stroke-width="${style.width || 1}" stroke-linejoin="round"`;
-    }
+    if (style.stroke) text += ` stroke="${style.stroke}" stroke-width="${style.width || 1}"`;
     if (style.dash) text += ` stroke-dasharray="${style.dash.join(' ')}"`;
     if (style.cap) text += ` stroke-linecap="${style.cap}"`;
     if (style.alpha !== undefined) text += ` opacity="${style.alpha}"`;
@@ -74,7 +72,8 @@
   };
 
   T.svg = (width, height, shapes) => `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ` +
-    `${width} ${height}" width="${width}" height="${height}" font-family="${safe(kFont)}">` +
+    `${width} ${height}" width="${width}" height="${height}" font-family="${safe(kFont)}" ` +
+    'stroke-linejoin="round">' +
     `${shapes}</svg>`;
 
   T.svgOf = (scene, width, height, theme) => T.svg(width, height, T.shapes(scene, width, height,

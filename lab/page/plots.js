@@ -52,8 +52,8 @@
     download(blob, `${T.fileStem}-${plot.id}.${kind}`);
   };
 
-  // A plot drawn by its scene, as wide as its card, on plot.canvas; above it, what its overlay draws
-  // moves with the cursor.
+  // A plot drawn on plot.canvas, as wide as its card: its scene and, over it, an overlay that moves
+  // with the cursor.
   T.figure = function (plot, small) {
     T.register(plot);
     const card = T.card(plot.title, small, plot);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Colours, light and dark, and the choice between them; style sheets see them as --surface, --ink...
-// The hues of the plots are told apart with every kind of colour vision (after Okabe and Ito); a
-// role keeps its hue in all plots: the command is grey, the model blue, the table vermilion.
+// Colours, light and dark, and the choice between them; in style sheets they are --surface, --ink
+// and so on. The hues of the plots can be told apart with every kind of colour vision (after Okabe
+// and Ito); a role keeps its hue in all plots: the command is grey, the model blue, the table
+// vermilion.
 (function (T) {
   'use strict';
 

@@ -8,6 +8,7 @@
 (function (T) {
   'use strict';
 
+  const kFace = 'px system-ui, "Segoe UI", Roboto, "Liberation Sans", Arial, sans-serif';
   const kHeight = 210;
   const kKeyLine = 16;   // pixels
   const all = [];        // every time plot
@@ -80,15 +81,14 @@
     notify();
   };
 
-  T.time.reset = () => T.time.zoom(...T.time.full);
-
   // The base of all plots: its values, and the tools in the bar.
   T.time.start = function (values) {
     T.time.values = values;
     if (values.length < 2) return;
     T.time.full = T.time.range = [values[0], values[values.length - 1]];
     document.getElementById('time-tools').hidden = false;
-    document.getElementById('zoom-reset').addEventListener('click', T.time.reset);
+    document.getElementById('zoom-reset').addEventListener('click', () => T.time.zoom(
+      ...T.time.full));
   };
 
   const color = (theme, series) => theme[series.role] || theme.runs[series.run];
@@ -104,8 +104,8 @@
       stroke: () => T.theme().muted,
       grid: { stroke: () => T.theme().grid, width: 1 },
       ticks: { stroke: () => T.theme().grid, width: 1, size: 4 },
-      font: '11.5px system-ui, "Segoe UI", Roboto, "Liberation Sans", Arial, sans-serif',
-      labelFont: '12px system-ui, "Segoe UI", Roboto, "Liberation Sans", Arial, sans-serif',
+      font: '11.5' + kFace,
+      labelFont: '12' + kFace,
       labelGap: 0,
       gap: 4,
     };

@@ -5,8 +5,9 @@ usage: scripts/tool gen-manual [--check] [--program FILE]
 
 FILE is the built program, build/testbench/trammel unless given. Verbs come from its --help and
 from `tools` in the launcher, each with its own --help; the parameters from `list keys`; the
-columns of trace.csv from `list columns`; the registers from the page that scripts/tool gen-regs makes. In manual.md only the text between the
-lines "<!-- begin NAME -->" and "<!-- end NAME -->" is replaced; the others are written whole.
+columns of trace.csv from `list columns`; the registers from the page that scripts/tool gen-regs
+makes. In manual.md only the text between the lines "<!-- begin NAME -->" and "<!-- end NAME -->"
+is replaced; the others are written whole.
 --check writes nothing; exit 1 if a page is stale.
 
 Exit codes: 0 ok, 1 stale or a verb without help, 2 usage, 3 the program is not built.
@@ -46,7 +47,7 @@ and `gains.y.kp` one. Full scale of the words: [section 3](specification.md#3-nu
 
 Machines: {0}. A scenario that names none is of the first.
 """
-COLUMNS_HEAD = """<!-- Generated from `trammel list columns` by scripts/tool gen-manual; do not edit. -->
+COLUMNS_HEAD = """<!-- Generated from `list columns` by scripts/tool gen-manual; do not edit. -->
 # Columns of trace.csv
 
 A line is one sample. A column of a physical value has its unit in its name; the others hold words
