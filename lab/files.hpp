@@ -55,10 +55,10 @@ void write_lines(const std::filesystem::path& file,
 // First program of that name in PATH, or empty.
 std::filesystem::path find_program(const std::string& name);
 
-// A word of the shell, whatever it holds.
+// Quoted as one word of the shell.
 std::string shell_word(const std::filesystem::path& path);
 
-// Quoted only where the shell would see more than a word.
+// The same, but quoted only where that is needed.
 std::string shell_argument(const std::string& text);
 
 }  // namespace trammel::lab

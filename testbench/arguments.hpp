@@ -17,7 +17,7 @@
 namespace trammel::testbench {
 
 struct Arguments {
-  std::string scenario;                  // or what else a verb takes
+  std::string scenario;                  // or another positional argument
   std::vector<std::string> folders;      // of runs, for `report`; none: the latest in out/
   std::vector<std::string> files;        // -c
   std::vector<std::string> assignments;  // -s
@@ -45,7 +45,7 @@ struct Verb {
     std::string help;
   };
   std::string name, help;
-  std::string argument, argument_help;  // what stands behind it: "script"
+  std::string argument, argument_help;  // its positional argument: "script"
   std::string out_help;                 // of -o
   bool simulates = false;               // takes --audit, --assert, --wave...
   std::string trigger_help;             // of --wave-trigger, then

@@ -46,7 +46,7 @@
     return T.el('div', { class: 'card', 'data-plot': plot ? plot.id : null }, head);
   };
 
-  // Buttons of which one is pressed; `choose` is told which.
+  // A group of buttons, one of them pressed; `choose` is called with its value.
   T.segments = function (label, options, chosen, choose) {
     const group = T.el('div', { class: 'segments', role: 'group', 'aria-label': label });
     for (const [value, text] of options) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Builds the page of a run, or of several. What is special to a machine is in T.machines, by its
-// name; plain.js says what there can be, and what stands where it is missing.
+// name; plain.js lists what that can be, and the defaults.
 (function (T) {
   'use strict';
 

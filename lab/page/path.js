@@ -18,12 +18,12 @@
     return T.frame(box, around(xRange, box.w), around(yRange, box.h));
   }
 
-  // data: {n, command, model, table, names, colours} and optionally way, the command as a line of
-  // its own, and from, where errors begin instead of the model; points are {x, y} in millimetres.
+  // data: {n, command, model, table, names, colours} and optionally polyline, the command as a
+  // line, and from, where errors begin instead of the model; points are {x, y} in millimetres.
   // names: of command and model. A colour is {button, label, values}.
   T.pathPlot = function (data) {
     const { n, command, model, table, names, colours } = data;
-    const way = data.way || command;
+    const polyline = data.polyline || command;
     const from = data.from || model;
     const state = { magnify: 1, by: colours[0], range: null, cursor: null };
     const coloured = () => state.by.values;
@@ -34,8 +34,8 @@
 
     plot.frame = function (width, height) {
       const box = { x: 60, y: 14, w: width - 74, h: height - kFoot(width) };
-      let xs = T.range(way.x, ...T.range(model.x));
-      let ys = T.range(way.y, ...T.range(model.y));
+      let xs = T.range(polyline.x, ...T.range(model.x));
+      let ys = T.range(polyline.y, ...T.range(model.y));
       for (let k = 0; k < n; ++k) {
         const x = shown(k, 'x');
         const y = shown(k, 'y');
@@ -59,7 +59,7 @@
       const { box } = frame;
       T.drawFrame(p, theme, frame, { xLabel: 'x (mm)', yLabel: 'y (mm)', yCount: box.w / 90 });
       p.clip(box.x, box.y, box.w, box.h);
-      p.path(line(frame, way), { stroke: theme.asked, width: 4, alpha: 0.5, cap: 'round' });
+      p.path(line(frame, polyline), { stroke: theme.asked, width: 4, alpha: 0.5, cap: 'round' });
       p.path(line(frame, model), { stroke: theme.model, width: 1.4 });
       const e = coloured();
       const top = plot.top();

@@ -230,7 +230,7 @@
       const width = Math.floor(frame.clientWidth);
       if (width <= 0) return;
       if (!plot.uplot) {
-        busy = true;  // its first ranges are no wish of the reader
+        busy = true;  // its first ranges are not the reader's choice
         plot.uplot = new uPlot(options(plot, width), [timesOf(plot),
           ...plot.series.map((s) => s.data)], frame);
         busy = false;

@@ -61,7 +61,7 @@
     const points = Array.from(s.row, (row, k) => nearest(rows, row, d.table.x[k], d.table.y[k]));
     Object.assign(d, { from: both((a, k) => points.map((point) => point[k])), model: d.desired,
       c: now(rows.c, 0), cc: now(rows.cc, 0),
-      command: both((a) => now(rows[`${a}_mm`], 1)), way: { x: rows.x_mm, y: rows.y_mm },
+      command: both((a) => now(rows[`${a}_mm`], 1)), polyline: { x: rows.x_mm, y: rows.y_mm },
       names: ['rows', 'desired'], colours: [
         { button: 'speed', label: 'table, speed (mm/s)', values: d.speed },
         { button: 'feed rate', label: 'table, v (0..255)', values: s.v },

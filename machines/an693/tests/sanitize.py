@@ -31,7 +31,7 @@ REFUSED = [
      "OUT/lm628"),
     (2, "did you mean LTRJ?", "lm628", "OUT/bad.lm628"),
     (2, "no such script", "lm628", "nothing"),
-    (2, "is no key", "lm628", "hold", "-s", "gains.kp=1"),
+    (2, "not a key", "lm628", "hold", "-s", "gains.kp=1"),
     (5, "not within 0.01 s", "lm628", "OUT/late.lm628"),
     (2, "here the commands are at the port", "lm628", "hold", "-s", "filter.kp=1"),
 ]
