@@ -188,7 +188,6 @@ std::vector<std::int64_t> steps_of(const Column& column, const Series& values, s
 PageSeries page_series(const RunFolder& run, bool compared, std::size_t most) {
   PageSeries page;
   page.stride = std::max<std::size_t>(1, (run.rows - run.first + most - 1) / most);
-  Json differences = Json::array();
   std::vector<Column> columns = run.machine->columns().columns;
   const auto& derived = run.machine->page.derived;
   columns.insert(columns.end(), derived.begin(), derived.end());
@@ -196,13 +195,11 @@ PageSeries page_series(const RunFolder& run, bool compared, std::size_t most) {
     const auto found = run.columns.find(column.name);
     if (found == run.columns.end() || (compared && !column.compared)) continue;
     std::vector<std::int64_t> steps = steps_of(column, found->second, run.first, page.stride);
-    page.channels.push_back({{"name", column.name}, {"unit", column.unit}, {"help", column.help},
-                             {"lsb", column.resolution}});
     page.count = steps.size();
     std::adjacent_difference(steps.begin(), steps.end(), steps.begin());
-    differences.push_back(steps);
+    page.channels.push_back({{"name", column.name}, {"unit", column.unit}, {"help", column.help},
+                             {"lsb", column.resolution}, {"data", packed(Json(steps).dump())}});
   }
-  page.data = packed(differences.dump());
   return page;
 }
 

@@ -46,11 +46,10 @@ bool is_list(const Json& json, std::size_t size, Each each) {
 // Throws ConfigError with one line that names the file and what is wrong with it.
 RunFolder read_run(const std::filesystem::path& folder);
 
-// The series a page holds: JSON of whole steps of each channel, each less the one before it, in
-// zlib's format as base64. lab/page/main.js unpacks it.
+// The series a page holds. The data of each are whole steps of its resolution `lsb`, each less the
+// one before it, as JSON in zlib's format in base64; lab/page/main.js unpacks them.
 struct PageSeries {
-  Json channels = Json::array();  // [{name, unit, help, lsb}]
-  std::string data;
+  Json channels = Json::array();  // [{name, unit, help, lsb, data}]
   std::size_t count = 0;   // values a channel
   std::size_t stride = 1;  // samples from one value to the next
 };

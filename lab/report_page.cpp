@@ -20,7 +20,7 @@ constexpr std::size_t kMostRuns = 8;         // colours that can be told apart
 Json run_json(const RunFolder& run, bool compared) {
   PageSeries series = page_series(run, compared, compared ? kMostCompared : kMostValues);
   return {{"metrics", run.metrics}, {"channels", series.channels}, {"count", series.count},
-          {"stride", series.stride}, {"data", series.data}};
+          {"stride", series.stride}};
 }
 
 // Default and meaning of each key.

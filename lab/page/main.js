@@ -35,20 +35,15 @@
       ([name, value]) => T.el('div', {}, T.el('dt', {}, name), T.el('dd', {}, String(value))))));
   }
 
-  // Adds run.series: name -> Float64Array of run.count values. In the page they are JSON, packed by
-  // zlib: of each channel whole steps of its resolution, each less the one before it.
-  async function unpack(run) {
-    const packed = Uint8Array.from(atob(run.data), (c) => c.charCodeAt(0));
+  // The values of a channel: in the page they are whole steps of its resolution, each less the one
+  // before it, as JSON packed by zlib.
+  async function unpack({ lsb, data }) {
+    const packed = Uint8Array.from(atob(data), (c) => c.charCodeAt(0));
     const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream('deflate'));
-    const differences = await new Response(stream).json();
-    run.series = {};
-    run.channels.forEach(({ name, lsb }, n) => {
-      // A division by a power of ten rounds right, a product does not.
-      const steps = Number((1 / lsb).toPrecision(12));
-      let sum = 0;
-      run.series[name] = Float64Array.from(differences[n], (by) => (sum += by) / steps);
-    });
-    delete run.data;
+    // A division by a power of ten rounds right, a product does not.
+    const steps = Number((1 / lsb).toPrecision(12));
+    let sum = 0;
+    return Float64Array.from(await new Response(stream).json(), (by) => (sum += by) / steps);
   }
 
   async function show() {
@@ -57,7 +52,8 @@
     T.startTheme();
     const machine = T.machineOf(page.machine);
     for (const run of page.runs) {
-      await unpack(run);
+      run.series = {};
+      for (const channel of run.channels) run.series[channel.name] = await unpack(channel);
       machine.prepare(run);
     }
     if (page.runs.length === 1) {

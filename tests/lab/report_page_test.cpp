@@ -128,14 +128,14 @@ TEST_CASE("a page holds every column of the trace, and passes over samples where
       CHECK(std::count(names.begin(), names.end(), column.name) == 1);
       if (column.compared) compared.push_back(column.name);
     }
-    const Json steps = Json::parse(unpacked(all.data));
-    REQUIRE(steps.size() == all.channels.size());
-    for (std::size_t n = 0; n < steps.size(); ++n) {
-      const Series& values = run.columns.at(all.channels[n]["name"]);
-      const double lsb = all.channels[n]["lsb"];
+    for (const auto& channel : all.channels) {
+      const Json steps = Json::parse(unpacked(channel["data"]));
+      REQUIRE(steps.size() == all.count);
+      const Series& values = run.columns.at(channel["name"]);
+      const double lsb = channel["lsb"];
       double value = 0;
       for (std::size_t k = 0; k < all.count; ++k) {
-        value += steps[n][k].get<double>();
+        value += steps[k].get<double>();
         REQUIRE(std::abs(value * lsb - values[run.first + k]) <= 0.5001 * lsb);
       }
     }

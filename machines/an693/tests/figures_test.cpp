@@ -176,7 +176,7 @@ TEST_CASE("a bit of one sample is on a page that shows one of three") {
     const RunFolder run = read_run("an693_test_out");
     CHECK(run.first == 0);
     CHECK(page_series(run, false, 3).stride == 3);
-    series.push_back(page_series(run, false, 3).data);
+    series.push_back(page_series(run, false, 3).channels.dump());
     CHECK(page_series(run, false, 100).channels.size() == 15);
   }
   CHECK(series[0] != series[1]);
