@@ -249,16 +249,16 @@ std::string run_toml(const Settings& settings, const std::string& command,
 namespace {
 
 // The name of a run is that of its folder.
-void check_name(const std::string& name, const std::string& what) {
+void check_name(const std::string& name) {
   constexpr std::size_t kLongest = 200;  // bytes; a file system takes 255 with what is added
   const bool bad = name.empty() || name.front() == '.' || name.size() > kLongest ||
                    name.find('/') != std::string::npos ||
                    std::any_of(name.begin(), name.end(),
                                [](unsigned char c) { return std::iscntrl(c) != 0; });
   if (!bad) return;
-  throw ConfigError(fmt::format("{}: {} cannot name an output folder: 1 to {} bytes, no slash "
+  throw ConfigError(fmt::format("name: {} cannot name an output folder: 1 to {} bytes, no slash "
                                 "or control character, no dot at the start",
-                                what, value_text(name), kLongest));
+                                value_text(name), kLongest));
 }
 
 // Ways to run a chip that exclude each other, and what a machine does not offer.
@@ -292,7 +292,7 @@ void check_engine(const Settings& settings) {
 }  // namespace
 
 void validate(Settings& settings) {
-  check_name(settings.scenario, "name");
+  check_name(settings.scenario);
   check_engine(settings);
   check_waves(settings);
   if (settings.machine().validate != nullptr) settings.machine().validate(settings);

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "testbench/doctor.hpp"
-
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -10,6 +8,7 @@
 #include "lab/machine.hpp"
 #include "lab/scenarios.hpp"
 #include "lab/write.hpp"
+#include "testbench/run.hpp"
 
 namespace trammel::testbench {
 namespace {

@@ -14,7 +14,6 @@
 #include "lab/errors.hpp"
 #include "lab/machine.hpp"
 #include "testbench/arguments.hpp"
-#include "testbench/doctor.hpp"
 #include "testbench/run.hpp"
 
 namespace {

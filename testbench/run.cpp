@@ -37,15 +37,6 @@ std::unique_ptr<lab::Settings> layered(const std::filesystem::path& file,
 
 void tell(const std::string& text) { fmt::print(stderr, "trammel: {}\n", text); }
 
-int tell_end(const lab::Record& record, const std::string& name, const std::string& folder) {
-  const int code = lab::exit_code(record.result->end);
-  if (code != 0) {
-    tell(fmt::format("{}: {}{}; record kept in {}", name, lab::end_text(record.result->end),
-                     lab::cause_text(*record.result), folder));
-  }
-  return code;
-}
-
 namespace {
 
 namespace fs = std::filesystem;
@@ -78,6 +69,16 @@ class Progress {
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   std::chrono::steady_clock::time_point last_{};
 };
+
+// A line for a run that did not end as it should; the exit code.
+int tell_end(const lab::Record& record, const std::string& name, const std::string& folder) {
+  const int code = lab::exit_code(record.result->end);
+  if (code != 0) {
+    tell(fmt::format("{}: {}{}; record kept in {}", name, lab::end_text(record.result->end),
+                     lab::cause_text(*record.result), folder));
+  }
+  return code;
+}
 
 struct Outcome {
   lab::Record record;

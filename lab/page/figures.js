@@ -59,15 +59,14 @@
     : f.name);
   const like = (a, b) => a.length === b.length && a.every((f, k) => f.column === b[k].column);
 
-  // [[figure, ...], ...]: neighbours of one row.
-  function rowsOf(figures) {
-    const rows = [];
-    for (const f of figures) {
-      const last = rows[rows.length - 1];
-      if (last && rowName(last[0]) === rowName(f)) last.push(f);
-      else rows.push([f]);
-    }
-    return rows;
+  // Neighbours that are the same, in lists of their own.
+  function grouped(items, same) {
+    const groups = [];
+    items.forEach((item, k) => {
+      if (k > 0 && same(items[k - 1], item)) groups[groups.length - 1].push(item);
+      else groups.push([item]);
+    });
+    return groups;
   }
 
   // Rows with the same columns; a unit stands in the heading, in the row's name, or in its cells.
@@ -87,26 +86,10 @@
 
   // Tables of figures: rows with the same columns together, the others as a list.
   T.figureTables = function (figures) {
-    const tables = [];
-    let single = [];
-    const flush = () => {
-      if (single.length > 0) tables.push(list(single));
-      single = [];
-    };
-    const rows = rowsOf(figures);
-    for (let k = 0; k < rows.length;) {
-      let end = k + 1;
-      while (end < rows.length && like(rows[k], rows[end])) ++end;
-      if (rows[k].length >= kTable && end - k > 1) {
-        flush();
-        tables.push(matrix(rows.slice(k, end)));
-      } else {
-        single.push(...rows.slice(k, end).flat());
-      }
-      k = end;
-    }
-    flush();
-    return tables.map((table) => T.el('div', { class: 'scroll' }, table));
+    const rows = grouped(figures, (a, b) => rowName(a) === rowName(b));
+    const isTable = (group) => group.length > 1 && group[0].length >= kTable;
+    return grouped(grouped(rows, like), (a, b) => !isTable(a) && !isTable(b)).map((part) => T.el(
+      'div', { class: 'scroll' }, isTable(part[0]) ? matrix(part[0]) : list(part.flat(2))));
   };
 
   // ---- beside a source ----
