@@ -8,7 +8,6 @@
   function head(run, machine) {
     const m = run.metrics;
     const good = m.end === 'done';
-    const verdict = m.verdict.charAt(0).toUpperCase() + m.verdict.slice(1);
     const copy = T.el('button', { type: 'button', onclick: async (event) => {
       try {
         await navigator.clipboard.writeText(m.command);
@@ -20,7 +19,7 @@
     document.getElementById('top').append(T.el('div', { class: 'head' },
       T.el('div', {}, T.el('div', { class: 'head-title' }, T.el('h1', {}, m.scenario),
         machine.chips(m).map((text) => T.el('span', { class: 'chip' }, text)),
-        T.el('span', { class: `chip ${good ? 'good' : 'bad'}` }, verdict)),
+        T.el('span', { class: `chip ${good ? 'good' : 'bad'}` }, T.capital(m.verdict))),
       T.el('p', { class: 'lead' }, m.options.description || '')),
       T.tiles(m, machine.asides(m)),
       T.el('div', { class: 'repeat' }, T.el('span', {}, 'Repeat it'), T.el('code', {}, m.command),

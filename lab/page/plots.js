@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // All plots of the page: drawn as figures, saved as SVG or PNG, and printed. A plot is
-// {id, scene(painter, width, height, theme), height(width), count()}.
+// {id, title, scene(painter, width, height, theme), height(width)}.
 (function (T) {
   'use strict';
 

@@ -22,7 +22,6 @@
     range: [0, 1],
     values: null,
     label: 'Time (s)',
-    digits: 4,
     marks: [],  // times of events: a dashed line in every plot
     follow: (follower) => followers.push(follower),
   };
@@ -30,7 +29,7 @@
   function notify() {
     const now = document.getElementById('time-now');
     now.textContent = cursor === null ? ''
-      : `t = ${T.num(T.time.values[cursor], T.time.digits)} s`;
+      : `t = ${T.num(T.time.values[cursor], 4)} s`;
     for (const follower of followers) follower(cursor, T.time.range);
   }
 

@@ -67,7 +67,7 @@
     const cell = (width) => (width - 96) / 35;
 
     const plot = { id: 'afc', title: 'Position controller, 35 steps', print: 'wide',
-      height: () => 172, count: () => 35 };
+      height: () => 172 };
     plot.scene = function (p, width, height, theme) {
       const x0 = 82;
       const w = cell(width);
