@@ -75,7 +75,7 @@ Value checked(const Key& key, const Value& value, const std::string& where) {
       return value;
     }
     case Kind::kInteger:
-      if (whole == nullptr) fail("is not a whole number " + range_text(key));
+      if (whole == nullptr) fail("is not a whole number in " + range_text(key));
       // Compared as integers: a double does not hold every one of them.
       if (*whole < static_cast<std::int64_t>(key.min) ||
           *whole > static_cast<std::int64_t>(key.max)) {
@@ -84,7 +84,7 @@ Value checked(const Key& key, const Value& value, const std::string& where) {
       return value;
     case Kind::kReal: break;
   }
-  if (whole == nullptr && real == nullptr) fail("is not a number " + range_text(key));
+  if (whole == nullptr && real == nullptr) fail("is not a number in " + range_text(key));
   const double x = whole != nullptr ? static_cast<double>(*whole) : *real;
   if (!(x >= key.min && x <= key.max)) fail("is out of range " + range_text(key));
   return x;

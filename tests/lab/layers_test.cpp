@@ -146,12 +146,12 @@ TEST_CASE("a value of another kind is refused with its key and what it takes") {
     switch (key.kind) {
       case Kind::kFlag: refused("2", "value 2 is not true or false"); break;
       case Kind::kInteger:
-        refused("1.5", "value 1.5 is not a whole number " + range_text(key));
-        refused("'1'", "value \"1\" is not a whole number " + range_text(key));
+        refused("1.5", "value 1.5 is not a whole number in " + range_text(key));
+        refused("'1'", "value \"1\" is not a whole number in " + range_text(key));
         break;
       case Kind::kReal:
-        refused("'1'", "value \"1\" is not a number " + range_text(key));
-        refused("true", "value true is not a number " + range_text(key));
+        refused("'1'", "value \"1\" is not a number in " + range_text(key));
+        refused("true", "value true is not a number in " + range_text(key));
         refused("nan", "value nan is out of range " + range_text(key));
         break;
       case Kind::kChoice:
