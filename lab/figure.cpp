@@ -26,98 +26,87 @@ Json::json_pointer place(const std::string& id) {
   return Json::json_pointer(path);
 }
 
-// The figures of one row, first and end.
-struct Row {
-  List::const_iterator first, end;
+using Rows = std::vector<List>;  // figures of one row each
 
-  std::size_t size() const { return static_cast<std::size_t>(end - first); }
-  bool like(const Row& other) const {
-    return size() == other.size() &&
-           std::equal(first, end, other.first, [](const Figure& a, const Figure& b) {
-             return a.column == b.column && a.unit == b.unit;
-           });
-  }
-  bool one_unit() const {
-    return std::all_of(first, end, [this](const Figure& f) { return f.unit == first->unit; });
-  }
-};
-
-std::vector<Row> rows_of(const List& shown) {
-  std::vector<Row> rows;
-  for (auto at = shown.begin(); at != shown.end();) {
-    const auto end =
-        std::find_if(at, shown.end(), [&](const Figure& f) { return f.row != at->row; });
-    rows.push_back({at, end});
-    at = end;
+Rows rows_of(const List& figures) {
+  Rows rows;
+  for (const Figure& f : figures) {
+    if (!f.shown) continue;
+    if (rows.empty() || rows.back().front().row != f.row) rows.emplace_back();
+    rows.back().push_back(f);
   }
   return rows;
 }
 
-std::string with_unit(const Figure& f) {
-  return figure_text(f.value, f.digits) + (f.unit.empty() ? "" : ' ' + f.unit);
+bool same_columns(const List& a, const List& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const Figure& x, const Figure& y) {
+    return x.column == y.column && x.unit == y.unit;
+  });
+}
+
+std::string with_unit(const std::string& name, const std::string& unit) {
+  return unit.empty() ? name : fmt::format("{} ({})", name, unit);
 }
 
 // "  largest speed         12.00 mm/s, desired 11.90 mm/s"
-std::string line(const Row& row) {
-  std::string text = fmt::format("  {:<25}", row.first->row);
-  for (auto f = row.first; f != row.end; ++f) {
-    text += fmt::format("{}{}{}", f == row.first ? " " : ", ",
-                        f->column.empty() ? "" : f->column + ' ', with_unit(*f));
+std::string line(const List& row) {
+  std::string text = fmt::format("  {:<25}", row.front().row);
+  for (const Figure& f : row) {
+    text += fmt::format("{}{}{}{}", &f == &row.front() ? " " : ", ",
+                        f.column.empty() ? "" : f.column + ' ', figure_text(f.value, f.digits),
+                        f.unit.empty() ? "" : ' ' + f.unit);
   }
   return text + '\n';
 }
 
-// Rows with the same columns, the unit in the heading where they have but one.
-std::string table(const std::vector<Row>& rows) {
-  const Row& head = rows.front();
-  const bool one_unit = head.one_unit() && !head.first->unit.empty();
-  std::string text =
-      fmt::format("\n  {:<25}", one_unit ? fmt::format("({})", head.first->unit) : "");
-  const auto heading = [&](const Figure& f) {
-    return one_unit || f.unit.empty() ? f.column : fmt::format("{} ({})", f.column, f.unit);
-  };
-  const auto width = [&](const Figure& f) {
-    std::size_t most = heading(f).size();
-    for (const Row& row : rows) {
-      const auto& same = *(row.first + (&f - &*head.first));
-      most = std::max(most, figure_text(same.value, same.digits).size());
+// Lines of cells, the first of each `first` wide, the others set to the right in their columns.
+std::string aligned(const std::vector<std::vector<std::string>>& lines, std::size_t first) {
+  std::string text;
+  for (const auto& cells : lines) {
+    text += fmt::format("  {:<{}}", cells.front(), first);
+    for (std::size_t n = 1; n < cells.size(); ++n) {
+      std::size_t width = 0;
+      for (const auto& other : lines) width = std::max(width, other[n].size());
+      text += fmt::format("  {:>{}}", cells[n], width);
     }
-    return most;
-  };
-  for (auto f = head.first; f != head.end; ++f) {
-    text += fmt::format("  {:>{}}", heading(*f), width(*f));
-  }
-  text += '\n';
-  for (const Row& row : rows) {
-    text += fmt::format("  {:<25}", row.first->row);
-    for (auto f = head.first; f != head.end; ++f) {
-      const Figure& same = *(row.first + (f - head.first));
-      text += fmt::format("  {:>{}}", figure_text(same.value, same.digits), width(*f));
-    }
+    text.erase(text.find_last_not_of(' ') + 1);
     text += '\n';
   }
   return text;
 }
 
+// Rows with the same columns, the unit in the heading where they have but one.
+std::string table(Rows::const_iterator begin, Rows::const_iterator end) {
+  const std::string& unit = begin->front().unit;
+  const bool one_unit = std::all_of(begin->begin(), begin->end(),
+                                    [&](const Figure& f) { return f.unit == unit; });
+  std::vector<std::vector<std::string>> lines{
+      {one_unit && !unit.empty() ? fmt::format("({})", unit) : ""}};
+  for (const Figure& f : *begin) {
+    lines.front().push_back(one_unit ? f.column : with_unit(f.column, f.unit));
+  }
+  for (auto row = begin; row != end; ++row) {
+    lines.push_back({row->front().row});
+    for (const Figure& f : *row) lines.back().push_back(figure_text(f.value, f.digits));
+  }
+  return '\n' + aligned(lines, 25);
+}
+
 // Ours beside what the source prints and what is expected.
 std::string comparison(const List& figures) {
-  std::string text;
+  std::vector<std::vector<std::string>> lines{{"", "ours", "printed", "expected", ""}};
   std::string sources;
   for (const Figure& f : figures) {
     if (!f.printed && !f.expected) continue;
-    if (text.empty()) {
-      text = fmt::format("\n  {:<42} {:>8} {:>8} {:>9}\n", "", "ours", "printed", "expected");
-    }
-    const std::string name = f.unit.empty() ? f.name() : fmt::format("{} ({})", f.name(), f.unit);
-    text += fmt::format("  {:<42} {:>8} {:>8} {:>9}{}\n", name, figure_text(f.value, 2),
-                        figure_text(f.printed, 2), figure_text(f.expected, 2),
-                        f.good() ? "" : "  outside its tolerance");
+    lines.push_back({with_unit(f.name(), f.unit), figure_text(f.value, 2),
+                     figure_text(f.printed, 2), figure_text(f.expected, 2),
+                     f.good() ? "" : "outside its tolerance"});
     if (!f.source.empty() && sources.find(f.source) == std::string::npos) {
-      sources += (sources.empty() ? "" : "; ") + f.source;
+      sources += (sources.empty() ? "  " : "; ") + f.source;
     }
   }
-  if (!sources.empty()) text += fmt::format("  {}\n", sources);
-  return text;
+  if (lines.size() == 1) return "";
+  return '\n' + aligned(lines, 42) + sources + (sources.empty() ? "" : "\n");
 }
 
 }  // namespace
@@ -177,23 +166,19 @@ std::string figure_text(const std::optional<double>& value, int digits) {
 }
 
 std::string figures_text(const List& figures) {
-  List shown;
-  std::copy_if(figures.begin(), figures.end(), std::back_inserter(shown),
-               [](const Figure& f) { return f.shown; });
-  const std::vector<Row> rows = rows_of(shown);
+  const Rows rows = rows_of(figures);
   std::string text;
   bool after_table = false;
   for (auto at = rows.begin(); at != rows.end();) {
-    const auto end = std::find_if(at, rows.end(), [&](const Row& row) { return !row.like(*at); });
-    if (at->size() >= kTable && end - at > 1) {
-      text += table({at, end});
-      after_table = true;
-    } else {
-      if (after_table) text += '\n';
-      after_table = false;
-      for (auto row = at; row != end; ++row) text += line(*row);
+    const auto end = std::find_if(
+        at, rows.end(), [&](const List& row) { return !same_columns(row, *at); });
+    const bool is_table = at->size() >= kTable && end - at > 1;
+    if (after_table && !is_table) text += '\n';
+    after_table = is_table;
+    if (is_table) text += table(at, end);
+    for (; at != end; ++at) {
+      if (!is_table) text += line(*at);
     }
-    at = end;
   }
   return text + comparison(figures);
 }

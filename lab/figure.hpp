@@ -42,7 +42,7 @@ Figure count(std::string id, std::string row, std::string column, double value,
 // Puts every value at its place in `json`, and the list itself under "figures".
 void put_figures(nlohmann::ordered_json& json, const std::vector<Figure>& figures);
 
-// "12.34", "17", "-" for a value that there is not.
+// "12.34", "17", or "-" where there is no value.
 std::string figure_text(const std::optional<double>& value, int digits);
 
 // Tables and lines of all that are shown; then ours beside the source's, where there are such.

@@ -67,15 +67,19 @@ void OutputFolder::publish() {
   }
 }
 
-std::string read_text(const fs::path& file) {
+std::ifstream open_text(const fs::path& file) {
   std::error_code ignored;
   std::ifstream in(file);
   if (!in || fs::is_directory(file, ignored)) {
     throw ConfigError(fmt::format("{}: cannot be read: {}", file.string(),
                                   in ? "it is a folder" : std::strerror(errno)));
   }
+  return in;
+}
+
+std::string read_text(const fs::path& file) {
   std::stringstream text;
-  text << in.rdbuf();
+  text << open_text(file).rdbuf();
   return text.str();
 }
 
@@ -92,16 +96,16 @@ fs::path target_of(const std::string& out, const std::string& scenario) {
 
 void replace_file(const fs::path& file, const std::string& text) {
   const fs::path scratch = fs::path(file).concat(".new");
+  std::error_code failed;
   try {
     write_text(scratch, text);
     fs::rename(scratch, file);
   } catch (const fs::filesystem_error& error) {
-    fs::remove(scratch);
+    fs::remove(scratch, failed);
     throw ConfigError(fmt::format("{}: cannot be written: {}", file.string(),
                                   error.code().message()));
   } catch (...) {
-    std::error_code ignored;
-    fs::remove(scratch, ignored);
+    fs::remove(scratch, failed);
     throw;
   }
 }

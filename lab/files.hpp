@@ -8,6 +8,7 @@
 #include <fmt/os.h>
 
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <string>
 
@@ -38,7 +39,8 @@ class OutputFolder {
 // Where a run goes: `out` as it was asked for, or the scenario's own folder.
 std::filesystem::path target_of(const std::string& out, const std::string& scenario);
 
-// All of a file; one that cannot be read is a ConfigError.
+// A file, or all of it; one that cannot be read is a ConfigError.
+std::ifstream open_text(const std::filesystem::path& file);
 std::string read_text(const std::filesystem::path& file);
 
 void write_text(const std::filesystem::path& file, const std::string& text);
@@ -53,10 +55,10 @@ void write_lines(const std::filesystem::path& file,
 // First program of that name in PATH, or empty.
 std::filesystem::path find_program(const std::string& name);
 
-// A word of the shell, whatever it holds.
+// Quoted as one word of the shell.
 std::string shell_word(const std::filesystem::path& path);
 
-// Quoted only where the shell would see more than a word.
+// The same, but quoted only where that is needed.
 std::string shell_argument(const std::string& text);
 
 }  // namespace trammel::lab

@@ -78,7 +78,7 @@ inline Key machine_key(const std::string& name) {
   key.name = "machine";
   key.kind = Kind::kChoice;
   key.choices = {name};
-  key.help = "which machine the scenario is of";
+  key.help = "machine of the scenario";
   key.get = [name](const Settings&) -> Value { return name; };
   key.set = [](Settings&, const Value&) {};
   return key;
@@ -108,31 +108,32 @@ struct KeyTable {
   // Keys that runs of all machines have; each table says where among its own they stand.
   void names() {
     text("name", "name of the run and of its output folder", TRAMMEL_LENS(scenario));
-    text("description", "one line for `trammel list`", TRAMMEL_LENS(description));
+    text("description", "one line, shown by `trammel list`", TRAMMEL_LENS(description));
   }
   void platform_and_clocks() {
     text("run.engine", "the verilated RTL, or its bit-exact twins without SystemC: same results",
          TRAMMEL_LENS(run.engine));
     text("run.platform", "SystemC platform or direct wiring", TRAMMEL_LENS(run.platform));
-    text("run.leap", "waiting clocks are not evaluated; false: every clock is",
+    text("run.leap", "skip clocks in which nothing happens; false: evaluate every clock",
          TRAMMEL_LENS(run.leap));
-    one("run.audit", 0, 0, "a plain and a leaping chip in step: every register compared",
+    one("run.audit", 0, 0, "run a leaping and a plain chip in lock step, compare every register",
         TRAMMEL_LENS(run.audit));
-    one("run.assertions", 0, 0, "the assertions of the RTL are checked in every clock",
+    one("run.assertions", 0, 0, "check the assertions of the RTL in every clock",
         TRAMMEL_LENS(run.assertions));
   }
   void waves(const std::string& begins, const std::string& events) {
-    text("run.wave", "signal traces", TRAMMEL_LENS(run.wave));
+    text("run.wave", "format of signal traces", TRAMMEL_LENS(run.wave));
     one("run.wave_begin_s", -3600, 3600,
-        "traced window, from the start or the trigger; 0 and 0: 2 ms around the trigger, or " +
+        "begin of the traced window, from the start of the run or the trigger; begin and end "
+        "0: 2 ms around the trigger, or from " +
             begins,
         TRAMMEL_LENS(run.wave_begin_s));
-    one("run.wave_end_s", -3600, 3600, "its end", TRAMMEL_LENS(run.wave_end_s));
+    one("run.wave_end_s", -3600, 3600, "end of the traced window", TRAMMEL_LENS(run.wave_end_s));
     text("run.wave_trigger", "event that the window is anchored to, " + events,
          TRAMMEL_LENS(run.wave_trigger));
-    one("run.wave_pre_s", 0, 10, "of the default window before the trigger",
+    one("run.wave_pre_s", 0, 10, "part of the default window before the trigger",
         TRAMMEL_LENS(run.wave_pre_s));
-    one("run.wave_every_s", 0, 3600, "the window again in each such period; 0 = once",
+    one("run.wave_every_s", 0, 3600, "period with which the window is repeated; 0 = once",
         TRAMMEL_LENS(run.wave_every_s));
   }
 
@@ -141,12 +142,12 @@ struct KeyTable {
         TRAMMEL_LENS(run.window_clk));
   }
   void longest_run() {
-    one("run.max_s", 1e-3, 3600, "simulated time a run may take", TRAMMEL_LENS(run.max_s));
+    one("run.max_s", 1e-3, 3600, "longest simulated time of a run", TRAMMEL_LENS(run.max_s));
   }
   void processor() {
-    one("processor.access_clk", 1, 10000, "clocks a bus access costs",
+    one("processor.access_clk", 1, 10000, "clocks per bus access",
         TRAMMEL_LENS(processor.access_clk));
-    one("processor.interrupt_latency_clk", 0, 90000, "from interrupt to first access",
+    one("processor.interrupt_latency_clk", 0, 90000, "clocks from an interrupt to the first access",
         TRAMMEL_LENS(processor.interrupt_latency_clk));
   }
 };

@@ -9,9 +9,8 @@
 #include <cctype>
 #include <cerrno>
 #include <cstdlib>
-#include <cstring>
-#include <fstream>
-#include <sstream>
+#include <functional>
+#include <map>
 
 #include <nlohmann/json.hpp>
 
@@ -30,17 +29,15 @@ std::string upper(std::string text) {
   return text;
 }
 
-const std::vector<Key>& keys_of(const Settings& settings) { return settings.machine().keys(); }
-
 [[noreturn]] void unknown_key(const Settings& settings, const std::string& where,
                               const std::string& name) {
   for (const Machine* other : machines()) {
     if (find_keys(other->keys(), name).empty()) continue;
-    throw ConfigError(fmt::format("{}: {}: is no key of the machine {}", where, name,
+    throw ConfigError(fmt::format("{}: {}: not a key of the machine {}", where, name,
                                   settings.machine().name));
   }
   throw ConfigError(fmt::format("{}: {}: unknown key{}", where, name,
-                                hint(name, key_names(keys_of(settings)),
+                                hint(name, key_names(settings.machine().keys()),
                                      "; `trammel list keys` names them all")));
 }
 
@@ -56,50 +53,52 @@ bool is_utf8(const std::string& text) {
 
 // Brings a value to the key's kind and checks its range.
 Value checked(const Key& key, const Value& value, const std::string& where) {
-  const auto fail = [&](const std::string& what) -> Value {
+  const auto fail = [&](const std::string& what) {
     throw ConfigError(fmt::format("{}: {}: value {} {}", where, key.name, value_text(value), what));
   };
-  const auto in_range = [&](double x) { return x >= key.min && x <= key.max; };
-  const auto whole_in_range = [&](std::int64_t x) {  // a double does not hold every one of them
-    return x >= static_cast<std::int64_t>(key.min) && x <= static_cast<std::int64_t>(key.max);
-  };
-  const auto* whole = std::get_if<std::int64_t>(&value);
-  const auto* real = std::get_if<double>(&value);
+  const auto* const text = std::get_if<std::string>(&value);
+  const auto* const whole = std::get_if<std::int64_t>(&value);
+  const auto* const real = std::get_if<double>(&value);
   switch (key.kind) {
     case Kind::kFlag:
-      return std::holds_alternative<bool>(value) ? value : fail("is not true or false");
+      if (!std::holds_alternative<bool>(value)) fail("is not true or false");
+      return value;
     case Kind::kText:
     case Kind::kFile:
-      if (!std::holds_alternative<std::string>(value)) return fail("is not text");
-      return is_utf8(std::get<std::string>(value)) ? value : fail("is not UTF-8");
+      if (text == nullptr) fail("is not text");
+      if (!is_utf8(*text)) fail("is not UTF-8");
+      return value;
     case Kind::kChoice: {
-      const auto* text = std::get_if<std::string>(&value);
-      const bool known = text != nullptr && std::find(key.choices.begin(), key.choices.end(),
-                                                      *text) != key.choices.end();
-      return known ? value : fail("is not " + range_text(key));
+      const auto& all = key.choices;
+      const bool known = text != nullptr && std::find(all.begin(), all.end(), *text) != all.end();
+      if (!known) fail("is not " + range_text(key));
+      return value;
     }
     case Kind::kInteger:
-      if (whole == nullptr) return fail("is not a whole number " + range_text(key));
-      if (!whole_in_range(*whole)) return fail("is out of range " + range_text(key));
+      if (whole == nullptr) fail("is not a whole number in " + range_text(key));
+      // Compared as integers: a double does not hold every one of them.
+      if (*whole < static_cast<std::int64_t>(key.min) ||
+          *whole > static_cast<std::int64_t>(key.max)) {
+        fail("is out of range " + range_text(key));
+      }
       return value;
     case Kind::kReal: break;
   }
-  if (whole == nullptr && real == nullptr) return fail("is not a number " + range_text(key));
+  if (whole == nullptr && real == nullptr) fail("is not a number in " + range_text(key));
   const double x = whole != nullptr ? static_cast<double>(*whole) : *real;
-  return in_range(x) ? Value{x} : fail("is out of range " + range_text(key));
+  if (!(x >= key.min && x <= key.max)) fail("is out of range " + range_text(key));
+  return x;
 }
 
 // Text of the command line or environment, read as the key's kind wants it.
 Value parsed(const Key& key, const std::string& text) {
+  static const std::map<std::string, bool> kFlags{
+      {"true", true},   {"on", true},   {"yes", true}, {"1", true},
+      {"false", false}, {"off", false}, {"no", false}, {"0", false}};
   const char* const end = text.data() + text.size();
   char* stop = nullptr;
   if (key.kind == Kind::kFlag) {
-    for (const char* yes : {"true", "on", "yes", "1"}) {
-      if (text == yes) return true;
-    }
-    for (const char* no : {"false", "off", "no", "0"}) {
-      if (text == no) return false;
-    }
+    if (const auto flag = kFlags.find(text); flag != kFlags.end()) return flag->second;
   } else if (key.kind == Kind::kInteger && !text.empty()) {
     errno = 0;
     const long long whole = std::strtoll(text.c_str(), &stop, 10);
@@ -111,37 +110,55 @@ Value parsed(const Key& key, const std::string& text) {
   return text;
 }
 
-void set_keys(Settings& settings, const std::vector<const Key*>& found, const Value& value,
-              const std::string& where, const fs::path& folder) {
-  for (const Key* key : found) {
-    Value good = checked(*key, value, where);
-    if (key->kind == Kind::kFile) {
-      const fs::path file = std::get<std::string>(good);
-      if (!file.empty() && file.is_relative()) good = fs::absolute(folder / file).string();
+struct Entry {
+  std::string name;
+  std::string where;                       // begins messages
+  std::function<Value(const Key&)> value;  // as that key wants it
+};
+
+Entry text_entry(const std::string& name, const std::string& text, const std::string& where) {
+  return {name, where, [text](const Key& key) { return parsed(key, text); }};
+}
+
+void apply(Settings& settings, std::vector<Entry> entries, const fs::path& folder) {
+  const std::vector<Key>& keys = settings.machine().keys();
+  // Short forms (both axes) first, so that [plant.x] refines [plant] wherever it stands.
+  std::stable_sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
+    return find_keys(keys, a.name).size() > find_keys(keys, b.name).size();
+  });
+  for (const Entry& entry : entries) {
+    const auto found = find_keys(keys, entry.name);
+    if (found.empty()) unknown_key(settings, entry.where, entry.name);
+    for (const Key* key : found) {
+      Value value = checked(*key, entry.value(*key), entry.where);
+      if (key->kind == Kind::kFile) {
+        const fs::path file = std::get<std::string>(value);
+        if (!file.empty() && file.is_relative()) value = fs::absolute(folder / file).string();
+      }
+      key->set(settings, value);
     }
-    key->set(settings, good);
   }
 }
 
-void set_text(Settings& settings, const std::string& name, const std::string& text,
-              const std::string& where) {
-  const auto found = find_keys(keys_of(settings), name);
-  if (found.empty()) unknown_key(settings, where, name);
-  set_keys(settings, found, parsed(*found.front(), text), where, fs::current_path());
+Entry node_entry(const std::string& name, const toml::node& node, const std::string& source) {
+  const std::string where = fmt::format("{}:{}", source, node.source().begin.line);
+  return {name, where, [&node, name, where](const Key& key) -> Value {
+            if (const auto* flag = node.as_boolean()) return flag->get();
+            if (const auto* whole = node.as_integer()) return whole->get();
+            if (const auto* real = node.as_floating_point()) return real->get();
+            if (const auto* text = node.as_string()) return text->get();
+            throw ConfigError(fmt::format("{}: {}: expects {}", where, name, range_text(key)));
+          }};
 }
 
-struct Entry {
-  std::string name;
-  const toml::node* node;
-};
-
-void flatten(const toml::table& table, const std::string& prefix, std::vector<Entry>& entries) {
+void flatten(const toml::table& table, const std::string& prefix, const std::string& source,
+             std::vector<Entry>& entries) {
   for (const auto& [key, node] : table) {
     const std::string name = prefix + std::string(key.str());
     if (const auto* inner = node.as_table()) {
-      flatten(*inner, name + '.', entries);
+      flatten(*inner, name + '.', source, entries);
     } else {
-      entries.push_back({name, &node});
+      entries.push_back(node_entry(name, node, source));
     }
   }
 }
@@ -158,31 +175,8 @@ void apply_text(Settings& settings, const std::string& toml, const std::string& 
                                   std::string(error.description())));
   }
   std::vector<Entry> entries;
-  flatten(table, "", entries);
-  // Short forms (both axes) first, so that [plant.x] refines [plant] wherever it stands.
-  std::stable_sort(entries.begin(), entries.end(), [&settings](const Entry& a, const Entry& b) {
-    return find_keys(keys_of(settings), a.name).size() >
-           find_keys(keys_of(settings), b.name).size();
-  });
-  for (const Entry& entry : entries) {
-    const std::string where = fmt::format("{}:{}", source, entry.node->source().begin.line);
-    const auto found = find_keys(keys_of(settings), entry.name);
-    if (found.empty()) unknown_key(settings, where, entry.name);
-    Value value;
-    if (const auto* flag = entry.node->as_boolean()) {
-      value = flag->get();
-    } else if (const auto* whole = entry.node->as_integer()) {
-      value = whole->get();
-    } else if (const auto* real = entry.node->as_floating_point()) {
-      value = real->get();
-    } else if (const auto* text = entry.node->as_string()) {
-      value = text->get();
-    } else {
-      throw ConfigError(fmt::format("{}: {}: expects {}", where, entry.name,
-                                    range_text(*found.front())));
-    }
-    set_keys(settings, found, value, where, folder);
-  }
+  flatten(table, "", source, entries);
+  apply(settings, entries, folder);
 }
 
 void apply_file(Settings& settings, const fs::path& file) {
@@ -194,21 +188,22 @@ void apply_assignment(Settings& settings, const std::string& assignment, const s
   if (at == std::string::npos || at == 0) {
     throw ConfigError(fmt::format("{} {}: expects key=value", where, assignment));
   }
-  set_text(settings, assignment.substr(0, at), assignment.substr(at + 1), where);
+  apply(settings, {text_entry(assignment.substr(0, at), assignment.substr(at + 1), where)},
+        fs::current_path());
 }
 
 void apply_environment(Settings& settings,
                        const std::vector<std::pair<std::string, std::string>>& variables) {
   const std::string prefix = "TRAMMEL_";
-  const std::vector<std::string> all = key_names(keys_of(settings));
-  std::vector<std::pair<std::string, std::string>> found;  // key and value
+  const std::vector<std::string> all = key_names(settings.machine().keys());
+  std::vector<Entry> entries;
   for (const auto& [variable, value] : variables) {
     if (variable.rfind(prefix, 0) != 0) continue;
     const std::string rest = variable.substr(prefix.size());
     const auto key = std::find_if(all.begin(), all.end(),
                                   [&](const std::string& name) { return upper(name) == rest; });
     if (key != all.end()) {
-      found.emplace_back(*key, value);
+      entries.push_back(text_entry(*key, value, "environment " + variable));
       continue;
     }
     // Other programs may own TRAMMEL_ variables; inside a section it can only be a mistake.
@@ -222,13 +217,7 @@ void apply_environment(Settings& settings,
     throw ConfigError(
         fmt::format("environment: {}: unknown key{}", variable, hint(variable, names)));
   }
-  std::stable_sort(found.begin(), found.end(), [&settings](const auto& a, const auto& b) {
-    return find_keys(keys_of(settings), a.first).size() >
-           find_keys(keys_of(settings), b.first).size();
-  });
-  for (const auto& [key, value] : found) {
-    set_text(settings, key, value, "environment " + prefix + upper(key));
-  }
+  apply(settings, entries, fs::current_path());
 }
 
 std::vector<std::pair<std::string, std::string>> environment() {
@@ -245,7 +234,7 @@ std::string run_toml(const Settings& settings, const std::string& command,
                      bool (*left_out)(const Key&)) {
   std::string text = fmt::format("# Written by trammel; `{}` repeats this run.\n", command);
   std::string section;
-  for (const Key& key : keys_of(settings)) {
+  for (const Key& key : settings.machine().keys()) {
     if (left_out != nullptr && left_out(key)) continue;
     const auto dot = key.name.rfind('.');
     const std::string here = dot == std::string::npos ? "" : key.name.substr(0, dot);
@@ -257,52 +246,53 @@ std::string run_toml(const Settings& settings, const std::string& command,
   return text;
 }
 
-void check_name(const std::string& name, const std::string& what) {
+namespace {
+
+// The name of a run is that of its folder.
+void check_name(const std::string& name) {
   constexpr std::size_t kLongest = 200;  // bytes; a file system takes 255 with what is added
   const bool bad = name.empty() || name.front() == '.' || name.size() > kLongest ||
                    name.find('/') != std::string::npos ||
                    std::any_of(name.begin(), name.end(),
                                [](unsigned char c) { return std::iscntrl(c) != 0; });
   if (!bad) return;
-  throw ConfigError(fmt::format("{}: {} cannot name an output folder: 1 to {} bytes, no slash "
+  throw ConfigError(fmt::format("name: {} cannot name an output folder: 1 to {} bytes, no slash "
                                 "or control character, no dot at the start",
-                                what, value_text(name), kLongest));
+                                value_text(name), kLongest));
 }
 
-namespace {
-
-// Ways to look at a chip that exclude each other, and what a machine does not offer.
+// Ways to run a chip that exclude each other, and what a machine does not offer.
 void check_engine(const Settings& settings) {
   const cosim::RunBasics& run = settings.run;
-  const auto refuse_if = [](bool bad, const std::string& message) {
-    if (bad) throw ConfigError(message);
-  };
-  const bool waves = run.wave != cosim::WaveFormat::kNone || !run.wave_trigger.empty();
-  const std::string lacking = fmt::format("the machine {} declares no", settings.machine().name);
   const Capabilities& can = settings.machine().can;
-  refuse_if(run.audit && !can.leap,
-            fmt::format("run.audit: {} leap contract, so that no clock is leapt over and there is "
-                        "nothing to compare", lacking));
-  refuse_if(run.engine == cosim::Engine::kTwin && !can.twin,
-            fmt::format("run.engine: {} bit-exact twin of its chip", lacking));
-  refuse_if(run.audit && (!run.leap || run.assertions || waves),
-            "run.audit: compares a leaping chip with a plain one; not with --no-leap, --assert or "
-            "waves");
-  if (run.engine == cosim::Engine::kRtl) return;
-  refuse_if(waves,
-            "run.engine: the twin has no signals to trace; waves and triggers need the RTL "
-            "(--engine rtl)");
-  refuse_if(run.assertions,
-            "run.engine: the twin has no assertions; --assert needs the RTL (--engine rtl)");
-  refuse_if(!run.leap || run.audit,
-            "run.engine: the twin has no clocks to evaluate; --no-leap and --audit need the RTL "
-            "(--engine rtl)");
+  const bool waves = run.wave != cosim::WaveFormat::kNone || !run.wave_trigger.empty();
+  const bool twin = run.engine == cosim::Engine::kTwin;
+  const std::string lacking = fmt::format("the machine {} declares no", settings.machine().name);
+  const std::pair<bool, std::string> rules[] = {
+      {run.audit && !can.leap,
+       fmt::format("run.audit: {} leap contract, so that no clock is leapt over and there is "
+                   "nothing to compare", lacking)},
+      {twin && !can.twin, fmt::format("run.engine: {} bit-exact twin of its chip", lacking)},
+      {run.audit && (!run.leap || run.assertions || waves),
+       "run.audit: compares a leaping chip with a plain one; not with --no-leap, --assert or "
+       "waves"},
+      {twin && waves,
+       "run.engine: the twin has no signals to trace; waves and triggers need the RTL (--engine "
+       "rtl)"},
+      {twin && run.assertions,
+       "run.engine: the twin has no assertions; --assert needs the RTL (--engine rtl)"},
+      {twin && (!run.leap || run.audit),
+       "run.engine: the twin has no clocks to evaluate; --no-leap and --audit need the RTL "
+       "(--engine rtl)"}};
+  for (const auto& [broken, message] : rules) {
+    if (broken) throw ConfigError(message);
+  }
 }
 
 }  // namespace
 
 void validate(Settings& settings) {
-  check_name(settings.scenario, "name");
+  check_name(settings.scenario);
   check_engine(settings);
   check_waves(settings);
   if (settings.machine().validate != nullptr) settings.machine().validate(settings);

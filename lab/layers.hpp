@@ -14,12 +14,11 @@
 
 namespace trammel::lab {
 
-// Applies a TOML file; relative paths in it are meant from its own folder.
+// Applies a TOML file; relative paths in it start at its own folder.
 void apply_file(Settings& settings, const std::filesystem::path& file);
 void apply_text(Settings& settings, const std::string& toml, const std::string& source,
                 const std::filesystem::path& folder);
-// "plant.x.mass_kg=3"; a relative path is meant from the working folder.
-// `where` is what the user wrote, for messages.
+// "plant.x.mass_kg=3"; a relative path starts at the working folder. `where` begins messages.
 void apply_assignment(Settings& settings, const std::string& assignment,
                       const std::string& where = "-s");
 // Pairs of variable and value; TRAMMEL_PLANT_X_MASS_KG is plant.x.mass_kg.
@@ -27,17 +26,12 @@ void apply_environment(Settings& settings,
                        const std::vector<std::pair<std::string, std::string>>& variables);
 std::vector<std::pair<std::string, std::string>> environment();
 
-// Everything needed to repeat the run by `command`, as TOML, but the keys that `left_out` names.
+// Everything needed to repeat the run by `command`, as TOML, except keys that are `left_out`.
 std::string run_toml(const Settings& settings,
                      const std::string& command = "trammel run run.toml",
                      bool (*left_out)(const Key&) = nullptr);
 
-// Rules for whatever names a file or folder of the user's: of scenarios, of runs. Throws where the
-// name is empty, begins with a dot, holds a slash or control characters, or is longer than 200
-// bytes; `what` begins the message.
-void check_name(const std::string& name, const std::string& what);
-
-// Rules that concern keys of every machine, then those of its own. Called once all layers are in.
+// Checks the rules of every machine, then those of this one. Called once all layers are in.
 void validate(Settings& settings);
 
 }  // namespace trammel::lab

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The description of a machine: all that the laboratory knows of it. machines/<name>/machine.cpp
+// The description of a machine: all that the library knows of it. machines/<name>/machine.cpp
 // defines one; the build finds it by its folder.
 #pragma once
 
@@ -50,7 +50,7 @@ struct Machine {
   std::string name;    // its folder in machines/
   std::string title;   // one line
   std::string source;  // the document it follows
-  int order = 100;     // in lists; a file that names no machine is of the first
+  int order = 100;     // in lists; a file without a machine belongs to the first
   Capabilities can;
 
   // Takes defaults and sessions from the types of a machine.
@@ -80,7 +80,7 @@ struct Machine {
   const ColumnTable& (*columns)() = nullptr;
   std::vector<Figure> (*figures)(const Settings& settings, cosim::RunResult& result) = nullptr;
   std::string (*verdict)(const Settings& settings, const cosim::RunResult& result) = nullptr;
-  std::vector<std::string> (*remarks)(const Record& record) = nullptr;  // lines behind the figures
+  std::vector<std::string> (*remarks)(const Record& record) = nullptr;  // lines after the figures
 
   // Runs beside the first one, which it is compared with; they are made when it is done.
   std::vector<Companion> (*companions)(const Settings& settings) = nullptr;
@@ -100,7 +100,18 @@ struct Machine {
 
 // All of them, in their order.
 const std::vector<const Machine*>& machines();
-std::vector<std::string> machine_names();
-const Machine* find_machine(const std::string& name);  // nullptr: there is none
+
+inline std::vector<std::string> machine_names() {
+  std::vector<std::string> names;
+  for (const Machine* machine : machines()) names.push_back(machine->name);
+  return names;
+}
+
+inline const Machine* find_machine(const std::string& name) {  // nullptr: there is none
+  for (const Machine* machine : machines()) {
+    if (machine->name == name) return machine;
+  }
+  return nullptr;
+}
 
 }  // namespace trammel::lab

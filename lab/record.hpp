@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A run that is done: what was asked for, what happened, and what it is worth.
+// A finished run: what was asked for, what happened, and how it is judged.
 #pragma once
 
 #include <cstddef>
@@ -69,7 +69,7 @@ int exit_code(cosim::EndReason end);
 std::string promise_text(const cosim::BrokenPromise& promise);
 double seconds_of(cosim::Clk edge);  // from the start of a run
 
-// What stands behind an end that was not meant: ": PROMISE", " by FAULT", or nothing.
+// Cause of an end that is an error: ": PROMISE", " by FAULT", or nothing.
 std::string cause_text(const cosim::RunResult& result);
 
 }  // namespace trammel::lab

@@ -2,15 +2,15 @@
 #include "lab/report_data.hpp"
 
 #include <fmt/format.h>
+#include <zlib.h>
 
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <fstream>
-#include <sstream>
+#include <numeric>
 
-#include "lab/delta_code.hpp"
-#include "lab/errors.hpp"
+#include "lab/files.hpp"
 
 namespace trammel::lab {
 namespace fs = std::filesystem;
@@ -24,7 +24,7 @@ void require_member(const fs::path& file, const Json& json, const std::string& p
   const Json::json_pointer pointer(path);
   if (!json.contains(pointer)) corrupt(file, fmt::format("is corrupt: {} is missing", path));
   if (!(json.at(pointer).*is)()) {
-    corrupt(file, fmt::format("is corrupt: {} is of a wrong kind", path));
+    corrupt(file, fmt::format("is corrupt: {} has the wrong type", path));
   }
 }
 
@@ -32,24 +32,16 @@ namespace {
 
 std::ifstream open_file(const fs::path& file) {
   std::error_code ignored;
-  std::ifstream in(file, std::ios::binary);
-  if (!in || fs::is_directory(file, ignored)) {
-    corrupt(file, fs::exists(file, ignored) ? "cannot be read"
-                                            : "is missing: not a folder that `trammel run` wrote");
+  if (!fs::exists(file, ignored)) {
+    corrupt(file, "is missing: not a folder that `trammel run` wrote");
   }
-  return in;
-}
-
-std::string read_file(const fs::path& file) {
-  const std::ifstream in = open_file(file);
-  std::stringstream text;
-  text << in.rdbuf();
-  return text.str();
+  return open_text(file);
 }
 
 Json read_json(const fs::path& file) {
   try {
-    Json json = Json::parse(read_file(file));
+    std::ifstream in = open_file(file);
+    Json json = Json::parse(in);
     if (json.is_object()) return json;
   } catch (const Json::parse_error& error) {
     corrupt(file, fmt::format("is corrupt: no JSON at byte {}", error.byte));
@@ -80,13 +72,6 @@ void check_metrics(const fs::path& file, const Json& m, const Page& page) {
   each(page.arrays, &Json::is_array);
 }
 
-std::vector<std::string> split(const std::string& line) {
-  std::vector<std::string> parts;
-  std::stringstream in(line);
-  for (std::string part; std::getline(in, part, ',');) parts.push_back(part);
-  return parts;
-}
-
 // One line of a trace; false when it does not hold a number for each column.
 bool read_values(const std::string& line, const std::vector<Series*>& columns) {
   const char* begin = line.data();
@@ -108,16 +93,13 @@ void read_trace(const fs::path& file, RunFolder& run) {
   std::ifstream in = open_file(file);
   std::string line;
   std::getline(in, line);
-  const std::vector<std::string> names = split(line);
-  const auto& wanted = run.machine->columns().columns;
-  const bool same = std::equal(names.begin(), names.end(), wanted.begin(), wanted.end(),
-                               [](const auto& a, const Column& b) { return a == b.name; });
-  if (!same) {
-    corrupt(file, "is corrupt: line 1 does not name the columns of a trace");
-  }
-
+  std::string names;
   std::vector<Series*> columns;
-  for (const std::string& name : names) columns.push_back(&run.columns[name]);
+  for (const Column& column : run.machine->columns().columns) {
+    names += (names.empty() ? "" : ",") + column.name;
+    columns.push_back(&run.columns[column.name]);
+  }
+  if (line != names) corrupt(file, "is corrupt: line 1 does not name the columns of a trace");
   for (std::size_t number = 2; std::getline(in, line); ++number) {
     if (in.eof() || !read_values(line, columns)) {  // the last line ends with a newline too
       corrupt(file, fmt::format("is corrupt: line {} does not hold {} numbers", number,
@@ -166,36 +148,58 @@ RunFolder read_run(const fs::path& folder) {
   return run;
 }
 
+namespace {
+
+// zlib's format as base64.
+std::string packed(const std::string& text) {
+  constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  uLongf size = compressBound(text.size());
+  std::vector<Bytef> bytes(size + 2);  // zeros behind them fill the last group
+  const int code = compress2(bytes.data(), &size, reinterpret_cast<const Bytef*>(text.data()),
+                             text.size(), Z_BEST_COMPRESSION);
+  if (code != Z_OK) throw std::runtime_error(fmt::format("zlib failed with {}", code));
+  std::string digits;
+  for (std::size_t at = 0; at < size; at += 3) {
+    const unsigned group = bytes[at] << 16u | bytes[at + 1] << 8u | bytes[at + 2];
+    for (const unsigned shift : {18u, 12u, 6u, 0u}) digits += kDigits[group >> shift & 63u];
+  }
+  for (std::size_t k = 0; k < (3 - size % 3) % 3; ++k) digits[digits.size() - 1 - k] = '=';
+  return digits;
+}
+
+// Values of a column in whole steps of its resolution, one in `stride` rows.
+std::vector<std::int64_t> steps_of(const Column& column, const Series& values, std::size_t first,
+                                   std::size_t stride) {
+  constexpr double kMost = 1LL << 50;  // doubles hold these exactly, and so do their differences
+  std::vector<std::int64_t> steps;
+  for (std::size_t k = first; k < values.size(); k += stride) {
+    const double value = std::round(values[k] / column.resolution);
+    steps.push_back(static_cast<std::int64_t>(std::clamp(value, -kMost, kMost)));
+    const std::size_t next = std::min(values.size(), k + stride);
+    for (std::size_t n = k; column.bits && n < next; ++n) {
+      steps.back() |= static_cast<std::int64_t>(values[n]);
+    }
+  }
+  return steps;
+}
+
+}  // namespace
+
 PageSeries page_series(const RunFolder& run, bool compared, std::size_t most) {
   PageSeries page;
-  page.channels = Json::array();
   page.stride = std::max<std::size_t>(1, (run.rows - run.first + most - 1) / most);
-  std::string bytes;
   std::vector<Column> columns = run.machine->columns().columns;
   const auto& derived = run.machine->page.derived;
   columns.insert(columns.end(), derived.begin(), derived.end());
   for (const Column& column : columns) {
     const auto found = run.columns.find(column.name);
     if (found == run.columns.end() || (compared && !column.compared)) continue;
-    const Series& values = found->second;
-    std::vector<std::int64_t> whole;
-    for (std::size_t k = run.first; k < values.size(); k += page.stride) {
-      const double value =
-          std::clamp(std::round(values[k] / column.resolution), -static_cast<double>(kMaxCoded),
-                     static_cast<double>(kMaxCoded));
-      whole.push_back(static_cast<std::int64_t>(value));
-      const std::size_t next = std::min(values.size(), k + page.stride);
-      for (std::size_t n = k; column.bits && n < next; ++n) {
-        whole.back() |= static_cast<std::int64_t>(values[n]);
-      }
-    }
-    const Coded coded = delta_code(whole);
+    std::vector<std::int64_t> steps = steps_of(column, found->second, run.first, page.stride);
+    page.count = steps.size();
+    std::adjacent_difference(steps.begin(), steps.end(), steps.begin());
     page.channels.push_back({{"name", column.name}, {"unit", column.unit}, {"help", column.help},
-                             {"lsb", column.resolution}, {"order", coded.order}});
-    bytes += coded.bytes;
-    page.count = whole.size();
+                             {"lsb", column.resolution}, {"data", packed(Json(steps).dump())}});
   }
-  page.data = base64(deflate(bytes));
   return page;
 }
 

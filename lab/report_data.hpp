@@ -46,10 +46,10 @@ bool is_list(const Json& json, std::size_t size, Each each) {
 // Throws ConfigError with one line that names the file and what is wrong with it.
 RunFolder read_run(const std::filesystem::path& folder);
 
-// The series a page holds, ready for it: names, scales and one block of coded integers.
+// The series a page holds. The data of each are whole steps of its resolution `lsb`, each less the
+// one before it, as JSON in zlib's format in base64; lab/page/main.js unpacks them.
 struct PageSeries {
-  Json channels;           // [{name, unit, help, lsb, order}]
-  std::string data;        // base64 of zlib of all of them, delta-coded
+  Json channels = Json::array();  // [{name, unit, help, lsb, data}]
   std::size_t count = 0;   // values a channel
   std::size_t stride = 1;  // samples from one value to the next
 };

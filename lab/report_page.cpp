@@ -3,14 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
-#include <cstring>
 #include <set>
 
-#include "lab/errors.hpp"
 #include "lab/files.hpp"
-#include "lab/page_parts.hpp"
 #include "lab/report_data.hpp"
 #include "lab/write.hpp"
 
@@ -18,15 +13,14 @@ namespace trammel::lab {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr std::size_t kMostValues = 16000;     // a series of one run's page
-constexpr std::size_t kMostCompared = 6000;    // a series of one of several runs
-constexpr std::size_t kMostRuns = 8;           // colours that can be told apart
+constexpr std::size_t kMostValues = 16000;   // a series of one run's page
+constexpr std::size_t kMostCompared = 6000;  // a series of one of several runs
+constexpr std::size_t kMostRuns = 8;         // colours that can be told apart
 
-Json run_json(const RunFolder& run, const std::string& label, bool compared, std::size_t most) {
-  const PageSeries series = page_series(run, compared, most);
-  return {{"label", label},           {"metrics", run.metrics}, {"detail", run.detail},
-          {"channels", series.channels}, {"count", series.count},  {"stride", series.stride},
-          {"data", series.data}};
+Json run_json(const RunFolder& run, bool compared) {
+  PageSeries series = page_series(run, compared, compared ? kMostCompared : kMostValues);
+  return {{"metrics", run.metrics}, {"channels", series.channels}, {"count", series.count},
+          {"stride", series.stride}};
 }
 
 // Default and meaning of each key.
@@ -39,65 +33,26 @@ Json keys_json(const Machine& machine) {
   return all;
 }
 
-std::string title_of(const RunFolder& run) {
-  const auto own = run.machine->page.title;
-  return own != nullptr ? own(run.metrics) : run.metrics["scenario"].get<std::string>();
-}
-
-std::string html_text(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    if (c == '&') {
-      safe += "&amp;";
-    } else if (c == '<') {
-      safe += "&lt;";
-    } else {
-      safe += c;
-    }
+std::string replaced(std::string text, const std::string& old, std::string_view by) {
+  for (std::size_t at = 0; (at = text.find(old, at)) != std::string::npos; at += by.size()) {
+    text.replace(at, old.size(), by);
   }
-  return safe;
-}
-
-// JSON inside a script element: nothing in it may end the element.
-std::string script_text(const Json& json) {
-  const std::string text = json.dump(-1, ' ', true, Json::error_handler_t::replace);
-  std::string safe;
-  safe.reserve(text.size());
-  for (const char c : text) {
-    if (c == '<') {
-      safe += "\\u003c";
-    } else {
-      safe += c;
-    }
-  }
-  return safe;
-}
-
-std::string page(const std::string& title, const Json& data) {
-  std::string_view rest = kPageHtml;
-  std::string text;
-  const std::string json = script_text(data);
-  const std::string safe_title = html_text(title);
-  const std::pair<std::string_view, std::string_view> parts[] = {{"@TITLE@", safe_title},
-                                                                 {"@STYLE@", kPageStyle},
-                                                                 {"@DATA@", json},
-                                                                 {"@SCRIPT@", kPageScript}};
-  for (const auto& [mark, part] : parts) {
-    const std::size_t at = rest.find(mark);
-    text += rest.substr(0, at);
-    text += part;
-    rest = rest.substr(at + mark.size());
-  }
-  text += rest;
   return text;
 }
 
-void write_page_of(const RunFolder& run, const fs::path& file) {
-  const std::string title = title_of(run);
-  const Json data{{"kind", "run"}, {"machine", run.metrics["machine"]},
-                  {"keys", keys_json(*run.machine)},
-                  {"runs", {run_json(run, title, false, kMostValues)}}};
-  replace_file(file, page(title + " - Trammel", data));
+std::string page(const std::string& title, const Json& data) {
+  const std::string safe_title =
+      replaced(replaced(replaced(title, "&", "&amp;"), "<", "&lt;"), "@", "&#64;");
+  // Nothing inside a script element may end it.
+  const std::string json =
+      replaced(data.dump(-1, ' ', true, Json::error_handler_t::replace), "<", "\\u003c");
+  // The data last: whatever they hold is not looked through.
+  return replaced(replaced(std::string(kPage), "@TITLE@", safe_title), "@DATA@", json);
+}
+
+std::string title_of(const RunFolder& run) {
+  const auto own = run.machine->page.title;
+  return own != nullptr ? own(run.metrics) : run.metrics["scenario"].get<std::string>();
 }
 
 // The folders' names; with more of the path in front where two have the same.
@@ -118,49 +73,45 @@ std::vector<std::string> labels_of(const std::vector<fs::path>& folders) {
   return labels;
 }
 
-std::string name_of(const fs::path& folder) {
-  return folder.has_filename() ? folder.filename().string() : folder.string();
-}
-
 }  // namespace
 
-void write_run_page(const fs::path& folder) {
-  write_page_of(read_run(folder), folder / "report.html");
-}
-
-void write_comparison_page(const std::vector<fs::path>& folders, const fs::path& file) {
+void write_page(const std::vector<fs::path>& folders, const fs::path& file) {
+  const bool compared = folders.size() > 1;
   if (folders.size() > kMostRuns) {
     throw ConfigError(fmt::format("report: {} runs: a page compares at most {}", folders.size(),
                                   kMostRuns));
   }
+  std::error_code ignored;
+  if (fs::is_directory(file, ignored)) {
+    throw ConfigError(fmt::format("{}: --out: is a folder; name a file", file.string()));
+  }
   const std::vector<std::string> labels = labels_of(folders);
+  std::string title = fmt::format("{} runs", folders.size());
+  const Machine* machine = nullptr;
   Json runs = Json::array();
-  std::string machine;
-  Json keys;
   for (std::size_t k = 0; k < folders.size(); ++k) {
     const RunFolder run = read_run(folders[k]);
-    const std::string other = run.metrics["machine"];
-    if (machine.empty()) {
-      machine = other;
-      keys = keys_json(*run.machine);
-    }
-    if (other != machine) {
+    if (machine == nullptr) machine = run.machine;
+    if (run.machine != machine) {
       throw ConfigError(fmt::format("report: {} is a run of machine {} and {} one of {}: only runs "
                                     "of one machine can be compared",
-                                    folders.front().string(), machine, folders[k].string(), other));
+                                    folders.front().string(), machine->name, folders[k].string(),
+                                    run.machine->name));
     }
-    Json json = run_json(run, labels[k], true, kMostCompared);
-    json.erase("detail");
-    std::error_code ignored;
-    if (fs::exists(folders[k] / "report.html", ignored)) {
+    Json json = run_json(run, compared);
+    if (!compared) title = title_of(run);
+    json["label"] = compared ? labels[k] : title;
+    if (!compared) json["detail"] = run.detail;
+    if (compared && fs::exists(folders[k] / "report.html", ignored)) {
       json["page"] = fs::proximate(folders[k] / "report.html",
                                    fs::absolute(file).parent_path()).generic_string();
     }
-    runs.push_back(json);
+    runs.push_back(std::move(json));
   }
-  replace_file(file, page(fmt::format("{} runs - Trammel", folders.size()),
-                          {{"kind", "comparison"}, {"machine", machine}, {"keys", keys},
-                           {"runs", runs}}));
+  if (file.has_parent_path()) fs::create_directories(file.parent_path(), ignored);
+  replace_file(file, page(title + " - Trammel", {{"machine", machine->name},
+                                                 {"keys", keys_json(*machine)},
+                                                 {"runs", runs}}));
 }
 
 fs::path latest_run(const fs::path& base) {
@@ -169,35 +120,15 @@ fs::path latest_run(const fs::path& base) {
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(base, ignored)) {
     const fs::path metrics = entry.path() / "metrics.json";
-    if (name_of(entry.path()).front() == '.' || !fs::exists(metrics, ignored)) continue;
+    if (entry.path().filename().string().front() == '.' || !fs::exists(metrics, ignored)) continue;
     const auto written = fs::last_write_time(metrics, ignored);
     if (latest.empty() || written > when) {
       latest = entry.path();
       when = written;
     }
   }
-  if (latest.empty())
-    throw ConfigError(
-        fmt::format("report: no run in {}/; name the folder of a run", base.string()));
-  return latest;
-}
-
-void check_page_target(const fs::path& file) {
-  std::error_code ignored;
-  if (fs::is_directory(file, ignored)) {
-    throw ConfigError(fmt::format("{}: --out: is a folder; name a file", file.string()));
-  }
-  if (file.has_parent_path()) fs::create_directories(file.parent_path(), ignored);
-}
-
-void write_page(const std::vector<fs::path>& folders, const fs::path& file) {
-  if (folders.size() > 1) {
-    check_page_target(file);
-    return write_comparison_page(folders, file);
-  }
-  const RunFolder run = read_run(folders.front());
-  check_page_target(file);
-  write_page_of(run, file);
+  if (!latest.empty()) return latest;
+  throw ConfigError(fmt::format("report: no run in {}/; name the folder of a run", base.string()));
 }
 
 }  // namespace trammel::lab

@@ -5,28 +5,22 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
+#include <string_view>
 #include <vector>
 
 namespace trammel::lab {
 
-// <folder>/report.html from the folder's own files. Throws ConfigError when they are not those of a
-// run. The page replaces an older one only when it is complete.
-void write_run_page(const std::filesystem::path& folder);
-
-// A page that compares the runs of 2 to 8 folders, the first one being the reference. Throws
-// ConfigError, also for runs of different machines.
-void write_comparison_page(const std::vector<std::filesystem::path>& folders,
-                           const std::filesystem::path& file);
+// The page of one folder of a run, or one that compares those of 2 to 8, the first being the
+// reference. It replaces an older one only when it is complete. Throws ConfigError where a folder
+// is not that of a run, runs are of different machines, or the file cannot be written.
+void write_page(const std::vector<std::filesystem::path>& folders,
+                const std::filesystem::path& file);
 
 // The folder of the run in `base` that was written last. Throws ConfigError when there is none.
 std::filesystem::path latest_run(const std::filesystem::path& base);
 
-// Throws ConfigError where a page cannot be written as that file.
-void check_page_target(const std::filesystem::path& file);
-
-// The page of one folder, or of several, as that file.
-void write_page(const std::vector<std::filesystem::path>& folders,
-                const std::filesystem::path& file);
+// The page without its data, for which @TITLE@ and @DATA@ stand; in a unit that embed_page.cmake
+// writes.
+extern const std::string_view kPage;
 
 }  // namespace trammel::lab

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What one run of any machine is asked to do. Each machine derives its own plain data from Settings
+// The settings of one run, of any machine. Each machine derives its own plain data from Settings
 // and declares every parameter once, as a Key: name with unit, range, help, and where it lives.
 // Files, the environment, -s, run.toml, metrics.json and `trammel list keys` all read that table.
 #pragma once
@@ -75,7 +75,7 @@ std::string value_text(const Value& value);  // as TOML writes it
 // The nearest of `words` within a third of the length, or "".
 std::string suggest(const std::string& word, const std::vector<std::string>& words);
 
-// "; did you mean NEAR?", or what else there is to say.
+// "; did you mean NEAR?", or `otherwise` where nothing is near.
 std::string hint(const std::string& word, const std::vector<std::string>& words,
                  const std::string& otherwise = "");
 

@@ -4,13 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <csignal>
+#include <cstdio>
 #include <iterator>
 
 #include "lab/build_info.hpp"
 #include "lab/layers.hpp"
 #include "lab/machine.hpp"
-#include "lab/pictures.hpp"
 #include "lab/report_page.hpp"
 #include "lab/scenarios.hpp"
 #include "lab/waves.hpp"
@@ -42,6 +44,79 @@ void print_value(std::string& line, const Format& format, double value) {
     case Format::Kind::kFixed: fmt::format_to(out, "{:.{}f}", value, format.digits); break;
     case Format::Kind::kGeneral: fmt::format_to(out, "{:.{}g}", value, format.digits); break;
   }
+}
+
+constexpr std::size_t kMostDrawn = 6000;  // samples: more make a heavy picture, not a better one
+
+constexpr char kStyle[] =
+    "set datafile separator ','\nset datafile columnheaders\n"
+    "set grid lc rgb '#dddddd' lt 1\nset border lc rgb '#666666'\n"
+    "set key outside top center horizontal samplen 2\n";
+
+// A text for gnuplot, without what it takes for a quote or mark-up.
+std::string quoted(const std::string& text) {
+  std::string kept = "'";
+  for (const char c : text) {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == ' ') kept += c;
+  }
+  return kept + "'";
+}
+
+std::string assigned(const Key& key, const Settings& settings) {
+  std::string name = key.name;
+  std::replace(name.begin(), name.end(), '.', '_');
+  const Value value = key.get(settings);
+  if (const auto* flag = std::get_if<bool>(&value)) return fmt::format("{} = {:d}\n", name, *flag);
+  const auto* const text = std::get_if<std::string>(&value);
+  return fmt::format("{} = {}\n", name, text != nullptr ? quoted(*text) : value_text(value));
+}
+
+double time_of(const Record& record, std::size_t sample) {
+  const ColumnTable& table = record.machine().columns();
+  std::vector<double> values;
+  table.read(*record.settings, *record.result, sample, values);
+  for (std::size_t n = 0; n < values.size(); ++n) {
+    if (table.columns[n].name == "t_s") return values[n];
+  }
+  return 0;
+}
+
+bool run_gnuplot(const fs::path& folder, const std::string& script) {
+  std::signal(SIGPIPE, SIG_IGN);  // a gnuplot that dies is a return value, not the end of us
+  const std::string command = fmt::format("cd {} && exec {} - > /dev/null 2>&1",
+                                          shell_word(folder), shell_word(find_program("gnuplot")));
+  std::FILE* const pipe = popen(command.c_str(), "w");
+  if (pipe == nullptr) return false;
+  const bool sent = std::fwrite(script.data(), 1, script.size(), pipe) == script.size();
+  return pclose(pipe) == 0 && sent;
+}
+
+// Runs the gnuplot scripts machines/<name>/pictures/*.gp in the folder of a run, whose files they
+// read. Their variables: every setting (path.kind is path_kind), the title, and the samples worth
+// drawing, `first` to `last` at the times `from` and `to` [s], every `step`-th of them. False when
+// gnuplot is missing or fails, or there are fewer than two samples.
+bool draw_pictures(const Record& record, const fs::path& folder) {
+  const Machine& machine = record.machine();
+  std::vector<fs::path> scripts;
+  std::error_code none;
+  for (const auto& entry :
+       fs::directory_iterator(fs::path(kMachineFolder) / machine.name / "pictures", none)) {
+    if (entry.path().extension() == ".gp") scripts.push_back(entry.path());
+  }
+  if (scripts.empty()) return true;
+  Range drawn{0, record.result->sample_count()};
+  if (machine.drawn != nullptr) drawn = machine.drawn(record);
+  if (find_program("gnuplot").empty() || drawn.last < drawn.first + 2) return false;
+  std::string variables = kStyle;
+  for (const Key& key : machine.keys()) variables += assigned(key, *record.settings);
+  variables += fmt::format(
+      "title = {}\nfirst = {}\nlast = {}\nstep = {}\nfrom = {}\nto = {}\n",
+      quoted(record.settings->scenario + (record.name.empty() ? "" : " " + record.name)),
+      drawn.first, drawn.last - 1, (drawn.last - drawn.first) / kMostDrawn + 1,
+      time_of(record, drawn.first), time_of(record, drawn.last - 1));
+  return std::all_of(scripts.begin(), scripts.end(), [&](const fs::path& script) {
+    return run_gnuplot(folder, variables + read_text(script) + "unset output\n");
+  });
 }
 
 // Share of the clocks that were evaluated, or of those that hold an event.
@@ -155,7 +230,7 @@ Written write_record(const Record& record, const OutputFolder& folder, const Jso
   try {
     const Json detail = machine.detail == nullptr ? Json() : machine.detail(record);
     if (!detail.is_null()) write_text(scratch / "detail.json", detail.dump() + '\n');
-    if (page) write_run_page(scratch);
+    if (page) write_page({scratch}, scratch / "report.html");
     written.page = page;
   } catch (const std::exception& error) {  // a run is never lost because its page failed
     written.notes.push_back(fmt::format("no report: {}; the results are kept", error.what()));

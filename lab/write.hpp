@@ -15,10 +15,10 @@
 
 namespace trammel::lab {
 
-// What a run that was not made by `trammel run SCENARIO` says of itself.
+// How a run describes itself that was not made by `trammel run SCENARIO`.
 struct Origin {
   std::string command;                       // repeats it; "": a scenario and what differs from it
-  bool (*left_out)(const Key&) = nullptr;    // keys that are none of it
+  bool (*left_out)(const Key&) = nullptr;    // keys that do not apply to it
   nlohmann::ordered_json more = nullptr;     // members of metrics.json
   std::map<std::string, std::string> files;  // name and content of further files
 };

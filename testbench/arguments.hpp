@@ -8,6 +8,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "lab/settings.hpp"
@@ -16,14 +17,11 @@
 namespace trammel::testbench {
 
 struct Arguments {
-  std::string scenario;                  // or what else a verb takes
+  std::string scenario;                  // or another positional argument
+  std::vector<std::string> folders;      // of runs, for `report`; none: the latest in out/
   std::vector<std::string> files;        // -c
   std::vector<std::string> assignments;  // -s
-  bool plain = false;                    // --no-leap, as its key
-  bool audit = false;                    // --audit, as its key
-  bool assertions = false;               // --assert, as its key
-  std::string engine;                    // --engine, as its key
-  std::string platform;                  // --platform, as its key
+  std::vector<std::pair<std::string, std::string>> keys;  // {"--audit", "run.audit=true"}
   lab::WaveArguments waves;              // --wave, --wave-*
   std::string out;
   bool all = false;
@@ -33,7 +31,7 @@ struct Arguments {
   std::set<std::string> flags;           // those of a machine's verb
 };
 
-// -c, the environment, -s and the flags that are keys: what lies above a scenario.
+// -c, the environment, -s and the options that set keys: what lies above a scenario.
 void apply_layers(lab::Settings& settings, const Arguments& arguments);
 
 // A scenario with all that lies above it, checked. Throws ConfigError.
@@ -47,7 +45,7 @@ struct Verb {
     std::string help;
   };
   std::string name, help;
-  std::string argument, argument_help;  // what stands behind it: "script"
+  std::string argument, argument_help;  // its positional argument: "script"
   std::string out_help;                 // of -o
   bool simulates = false;               // takes --audit, --assert, --wave...
   std::string trigger_help;             // of --wave-trigger, then

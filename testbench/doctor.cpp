@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "testbench/doctor.hpp"
-
 #include <fmt/format.h>
 
 #include <nlohmann/json.hpp>
@@ -10,89 +8,92 @@
 #include "lab/machine.hpp"
 #include "lab/scenarios.hpp"
 #include "lab/write.hpp"
+#include "testbench/run.hpp"
 
 namespace trammel::testbench {
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-int list_machines(bool json) {
-  Json all = Json::array();
+struct List {
+  Json json = Json::array();
   std::string text;
+};
+
+List machines() {
+  List all;
   for (const lab::Machine* machine : lab::machines()) {
-    all.push_back({{"name", machine->name}, {"title", machine->title},
-                   {"source", machine->source},
-                   {"leap", machine->can.leap},
-                   {"twin", machine->can.twin}});
-    text += fmt::format("{:<10}{}\n{:<10}{}\n", machine->name, machine->title, "",
-                        machine->source);
+    all.json.push_back({{"name", machine->name}, {"title", machine->title},
+                        {"source", machine->source},
+                        {"leap", machine->can.leap},
+                        {"twin", machine->can.twin}});
+    all.text += fmt::format("{:<10}{}\n{:<10}{}\n", machine->name, machine->title, "",
+                            machine->source);
   }
-  fmt::print("{}", json ? all.dump(2) + '\n' : text);
-  return 0;
+  return all;
 }
 
-int list_scenarios(bool json) {
-  Json all = Json::array();
-  std::string text;
+List scenarios() {
+  List all;
   for (const auto& file : lab::scenarios()) {
     const auto settings = lab::load_scenario(file);
     const std::string name = file.stem().string();
-    all.push_back({{"name", name}, {"machine", settings->machine().name},
-                   {"description", settings->description}});
-    text += fmt::format("{:<19}{}\n", name, settings->description);
+    all.json.push_back({{"name", name}, {"machine", settings->machine().name},
+                        {"description", settings->description}});
+    all.text += fmt::format("{:<19}{}\n", name, settings->description);
   }
-  fmt::print("{}", json ? all.dump(2) + '\n' : text);
-  return 0;
+  return all;
 }
 
-int list_keys(const lab::Machine& machine, bool json) {
+List keys(const lab::Machine& machine) {
   const auto defaults = machine.defaults();
-  Json all = Json::array();
-  std::string lines;
+  List all;
   bool two_axes = false;
   for (const lab::Key& key : machine.keys()) {
     const std::string value = lab::value_text(key.get(*defaults));
     const std::string range = lab::range_text(key);
     two_axes = two_axes || lab::short_form(key.name) != key.name;
-    all.push_back({{"key", key.name}, {"default", value}, {"range", range}, {"help", key.help}});
-    lines += fmt::format("{:<35} {:<11} {:<45} {}\n", key.name, value, range, key.help);
+    all.json.push_back(
+        {{"key", key.name}, {"default", value}, {"range", range}, {"help", key.help}});
+    all.text += fmt::format("{:<35} {:<11} {:<45} {}\n", key.name, value, range, key.help);
   }
-  const char* const head = two_axes ? "Axis keys without .x or .y set both axes.\n\n" : "";
-  fmt::print("{}", json ? all.dump(2) + '\n' : head + lines);
-  return 0;
+  if (two_axes) all.text = "A key of an axis without its .x or .y sets both axes.\n\n" + all.text;
+  return all;
 }
 
-int list_columns(const lab::Machine& machine, bool json) {
-  Json all = Json::array();
-  std::string text;
+List columns(const lab::Machine& machine) {
+  List all;
   for (const lab::Column& column : machine.columns().columns) {
-    all.push_back({{"column", column.name}, {"unit", column.unit}, {"help", column.help}});
-    text += fmt::format("{:<18}{:<24}{}\n", column.name, column.unit, column.help);
+    all.json.push_back({{"column", column.name}, {"unit", column.unit}, {"help", column.help}});
+    all.text += fmt::format("{:<18}{:<24}{}\n", column.name, column.unit, column.help);
   }
-  fmt::print("{}", json ? all.dump(2) + '\n' : text);
-  return 0;
+  return all;
 }
 
-int list_signals(bool json) {
-  Json all = Json::array();
-  std::string text =
-      "What --wave-trigger may name. With x. or y. before it a signal of that axis; without, of "
+List signals() {
+  List all;
+  all.text =
+      "Signals for --wave-trigger: x.NAME or y.NAME is that of one axis, NAME alone that of "
       "either.\n";
   for (const lab::Machine* machine : lab::machines()) {
     const cosim::TriggerForms& forms = machine->triggers();
-    text += fmt::format("\n{}. Events: {}\n\n", machine->name, forms.help);
+    all.text += fmt::format("\n{}. Events: {}\n\n", machine->name, forms.help);
     for (const cosim::Signal& signal : forms.signals) {
       const std::int64_t span = std::int64_t{1} << signal.bits;
       const std::int64_t low = signal.is_signed ? -span / 2 : 0;
       const std::string range = fmt::format("{}..{}", low, low + span - 1);
-      all.push_back({{"machine", machine->name}, {"signal", signal.name},
-                     {"axis", signal.of_axis}, {"range", range}, {"unit", signal.unit},
-                     {"help", signal.help}});
-      text += fmt::format("{:<6}{:<22}{:<26}{}\n", signal.of_axis ? "x. y." : "", signal.name,
-                          range, cosim::described(signal));
+      all.json.push_back({{"machine", machine->name}, {"signal", signal.name},
+                          {"axis", signal.of_axis}, {"range", range}, {"unit", signal.unit},
+                          {"help", signal.help}});
+      all.text += fmt::format("{:<6}{:<22}{:<26}{}\n", signal.of_axis ? "x. y." : "", signal.name,
+                              range, cosim::described(signal));
     }
   }
-  fmt::print("{}", json ? all.dump(2) + '\n' : text);
+  return all;
+}
+
+int print(const List& all, bool json) {
+  fmt::print("{}", json ? all.json.dump(2) + '\n' : all.text);
   return 0;
 }
 
@@ -101,10 +102,10 @@ int list_signals(bool json) {
 int list(const std::string& topic, const std::string& machine, bool json) {
   const lab::Machine& asked =
       machine.empty() ? *lab::machines().front() : *lab::find_machine(machine);
-  if (topic == "signals") return list_signals(json);
-  if (topic == "machines") return list_machines(json);
-  if (topic == "keys") return list_keys(asked, json);
-  return topic == "columns" ? list_columns(asked, json) : list_scenarios(json);
+  if (topic == "signals") return print(signals(), json);
+  if (topic == "machines") return print(machines(), json);
+  if (topic == "keys") return print(keys(asked), json);
+  return print(topic == "columns" ? columns(asked) : scenarios(), json);
 }
 
 std::string version_text() {

@@ -14,7 +14,6 @@
 #include "lab/errors.hpp"
 #include "lab/machine.hpp"
 #include "testbench/arguments.hpp"
-#include "testbench/doctor.hpp"
 #include "testbench/run.hpp"
 
 namespace {
@@ -37,7 +36,7 @@ void catch_interrupts(bool conversation = false) {
 }
 
 struct CommandLine {
-  CLI::App app{"Trammel: motion-control ICs, clock by clock, with the machine they drive"};
+  CLI::App app{"Trammel: simulates motion-control ICs clock by clock, with the machine they drive"};
   tb::Arguments arguments;
   std::string topic = "scenarios";
   std::string machine;
@@ -46,7 +45,6 @@ struct CommandLine {
   CLI::App* doctor = nullptr;
   CLI::App* report = nullptr;
   std::vector<std::pair<CLI::App*, const tb::Verb*>> of_machines;
-  tb::ReportArguments report_arguments;
 
   CommandLine() {
     app.name("trammel");
@@ -55,42 +53,35 @@ struct CommandLine {
     app.set_version_flag("--version", tb::version_text());
     app.add_flag("--json", arguments.json, "print exactly one JSON document");
 
-    run = app.add_subcommand("run", "simulate a scenario and show whether the machine followed");
-    add_layers(run, "scenario", "built-in name or path of a .toml file",
-               "output folder, default out/<scenario>");
-    add_simulation(run, trigger_help());
-    run->add_flag("--all", arguments.all, "the experiments of the first machine's source");
-    run->add_option("--engine", arguments.engine, "rtl, or twin: its bit-exact twins, fast");
-    run->add_option("--platform", arguments.platform, "systemc or direct");
+    run = app.add_subcommand("run", "simulate a scenario and report how well the machine followed");
+    add_layers(run, "scenario", "name of a built-in scenario, or path of a .toml file",
+               "output folder; default: out/<scenario>");
+    add_simulation(run,
+                   "event that places the window, such as `x.e > 100`, found by an untraced run "
+                   "first; `trammel list signals` shows those of each machine");
+    run->add_flag("--all", arguments.all,
+                  "run the experiments of the first machine's source and compare them");
+    add_key(run, "--engine", "run.engine", "rtl, or twin: its bit-exact C++ twin, which is faster");
+    add_key(run, "--platform", "run.platform", "systemc, or direct: without SystemC");
     run->add_flag("--check", arguments.check,
-                  "exit 1 when a figure is out of tolerance, 2 when none is expected");
+                  "exit 1 if a figure is outside its tolerance, 2 if none has an expected value");
 
     for (const tb::Verb& verb : tb::machine_verbs()) add_verb(verb);
 
-    report = app.add_subcommand("report", "a page of a run, or one that compares runs");
-    report->add_option("folder", report_arguments.folders,
-                       "of finished runs; none: the latest in out/");
-    report->add_option("-o,--out", report_arguments.out,
-                       "the page; default report.html in the folder, or out/compare.html");
+    report = app.add_subcommand("report", "write the page of a run, or one that compares runs");
+    report->add_option("folder", arguments.folders,
+                       "folders of finished runs; default: the latest in out/");
+    report->add_option("-o,--out", arguments.out,
+                       "file of the page; default: report.html in the folder, or out/compare.html");
 
     list = app.add_subcommand("list",
-                              "scenarios, machines, and what a machine has: every parameter "
-                              "with unit and range, the columns of its trace, signals");
-    list->add_option("topic", topic,
-                     "scenarios, machines, keys, columns or signals (for --wave-trigger)")
+                              "show scenarios, machines, or what a machine has: its keys, the "
+                              "columns of its trace, the signals that can trigger");
+    list->add_option("topic", topic, "default: scenarios")
         ->check(CLI::IsMember({"scenarios", "machines", "keys", "columns", "signals"}));
-    list->add_option("machine", machine, "whose keys or columns; default: the first one's")
+    list->add_option("machine", machine, "whose keys or columns; default: the first machine's")
         ->check(CLI::IsMember(trammel::lab::machine_names()));
-    doctor = app.add_subcommand("doctor", "what is here and what is missing");
-  }
-
-  static std::string trigger_help() {
-    std::string text =
-        "begin at an event, found in an untraced run before; names: `trammel list signals`.";
-    for (const trammel::lab::Machine* one : trammel::lab::machines()) {
-      text += fmt::format(" {}: {}.", one->name, one->triggers().help);
-    }
-    return text;
+    doctor = app.add_subcommand("doctor", "show versions and which tools are installed");
   }
 
   void add_verb(const tb::Verb& verb) {
@@ -105,38 +96,51 @@ struct CommandLine {
     of_machines.emplace_back(app_verb, &verb);
   }
 
+  // An option with the value of a key, or a flag that gives it `value`.
+  void add_key(CLI::App* verb, const std::string& name, const std::string& key, const char* help,
+               const std::string& value = "") {
+    const auto set = [this, name, key](const std::string& word) {
+      arguments.keys.emplace_back(name, key + '=' + word);
+    };
+    if (value.empty()) {
+      verb->add_option_function<std::string>(name, set, help);
+    } else {
+      verb->add_flag_callback(name, [set, value] { set(value); }, help);
+    }
+  }
+
   // Of every verb that takes a machine's keys.
   void add_layers(CLI::App* verb, const std::string& name, const std::string& scenario,
                   const std::string& out) {
     verb->add_option(name, arguments.scenario, scenario);
-    verb->add_option("-c,--config", arguments.files, "more TOML files, later ones win");
-    verb->add_option("-s,--set", arguments.assignments, "key=value (`trammel list keys`)");
+    verb->add_option("-c,--config", arguments.files, "further TOML files; later ones win");
+    verb->add_option("-s,--set", arguments.assignments, "key=value; keys: `trammel list keys`");
     verb->add_option("-o,--out", arguments.out, out);
   }
 
   // Of every verb that simulates.
   void add_simulation(CLI::App* verb, const std::string& trigger) {
-    verb->add_flag("--no-leap", arguments.plain, "evaluate every clock; the same events");
-    verb->add_flag("--audit", arguments.audit,
-                   "a plain and a leaping chip in step, every register compared; exit 4 at the "
-                   "first that differs");
-    verb->add_flag("--assert", arguments.assertions,
-                   "check the assertions of the RTL; exit 4 when one fails; 50 times slower");
-    add_waves(verb, trigger);
-    verb->add_flag_callback("--no-report", [this] { arguments.report = false; },
-                            "without report.html");
-  }
-
-  void add_waves(CLI::App* verb, const std::string& trigger) {
+    add_key(verb, "--no-leap", "run.leap", "evaluate every clock; the events are the same",
+            "false");
+    add_key(verb, "--audit", "run.audit",
+            "run a leaping chip and one that evaluates every clock in lock step; exit 4 at the "
+            "first register that differs",
+            "true");
+    add_key(verb, "--assert", "run.assertions",
+            "check the assertions of the RTL in every clock, 50 times slower; exit 4 if one fails",
+            "true");
     trammel::lab::WaveArguments& waves = arguments.waves;
-    verb->add_option("--wave", waves.format, "signal traces: vcd or fst");
+    verb->add_option("--wave", waves.format, "trace signals: vcd or fst");
     verb->add_option("--wave-window", waves.window,
-                     "a:b from the start of the run, or from the trigger (-1ms:2ms); default: 2 ms "
-                     "around the trigger, or from where the drives start");
+                     "begin:end from the start of the run or from the trigger, such as -1ms:2ms; "
+                     "default: 2 ms around the trigger, or from when the drives start");
     verb->add_option("--wave-trigger", waves.trigger, trigger);
-    verb->add_option("--wave-pre", waves.pre, "before the trigger, default 0.2ms");
+    verb->add_option("--wave-pre", waves.pre,
+                     "part of the default window before the trigger; default: 0.2ms");
     verb->add_option("--wave-every", waves.every,
-                     "the window again in each such period, for instance 50ms");
+                     "repeat the window with this period, such as 50ms");
+    verb->add_flag_callback("--no-report", [this] { arguments.report = false; },
+                            "do not write report.html");
   }
 };
 
@@ -151,15 +155,9 @@ std::vector<std::string> verbs(const CLI::App& app) {
 }
 
 int perform(const CommandLine& line) {
-  if (line.list->parsed()) {
-    return tb::list(line.topic, line.machine, line.arguments.json);
-  }
+  if (line.list->parsed()) return tb::list(line.topic, line.machine, line.arguments.json);
   if (line.doctor->parsed()) return tb::doctor(line.arguments.json);
-  if (line.report->parsed()) {
-    tb::ReportArguments arguments = line.report_arguments;
-    arguments.json = line.arguments.json;
-    return tb::report(arguments);
-  }
+  if (line.report->parsed()) return tb::report(line.arguments);
   for (const auto& [parsed, verb] : line.of_machines) {
     if (!parsed->parsed()) continue;
     catch_interrupts(verb->is_conversation != nullptr && verb->is_conversation(line.arguments));

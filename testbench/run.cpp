@@ -2,8 +2,11 @@
 #include "testbench/run.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
+#include <cstdio>
 
 #include "lab/files.hpp"
 #include "lab/layers.hpp"
@@ -11,7 +14,6 @@
 #include "lab/report_page.hpp"
 #include "lab/scenarios.hpp"
 #include "lab/write.hpp"
-#include "testbench/progress.hpp"
 
 namespace trammel::testbench {
 
@@ -19,14 +21,9 @@ void apply_layers(lab::Settings& settings, const Arguments& arguments) {
   for (const std::string& more : arguments.files) lab::apply_file(settings, more);
   lab::apply_environment(settings, lab::environment());
   for (const std::string& text : arguments.assignments) lab::apply_assignment(settings, text);
-  const auto flag = [&](bool given, const std::string& assignment, const char* name) {
-    if (given) lab::apply_assignment(settings, assignment, name);
-  };
-  flag(!arguments.engine.empty(), "run.engine=" + arguments.engine, "--engine");
-  flag(!arguments.platform.empty(), "run.platform=" + arguments.platform, "--platform");
-  flag(arguments.plain, "run.leap=false", "--no-leap");
-  flag(arguments.audit, "run.audit=true", "--audit");
-  flag(arguments.assertions, "run.assertions=true", "--assert");
+  for (const auto& [option, text] : arguments.keys) {
+    lab::apply_assignment(settings, text, option);
+  }
   lab::apply_waves(settings, arguments.waves);
 }
 
@@ -40,6 +37,40 @@ std::unique_ptr<lab::Settings> layered(const std::filesystem::path& file,
 
 void tell(const std::string& text) { fmt::print(stderr, "trammel: {}\n", text); }
 
+namespace {
+
+namespace fs = std::filesystem;
+
+// A line that rewrites itself while a run goes on, on a terminal only.
+class Progress {
+ public:
+  explicit Progress(std::string name) : name_(std::move(name)) {}
+  ~Progress() {
+    if (drawn_) fmt::print(stderr, "\r\033[K");
+  }
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  void operator()(double fraction) {
+    const auto now = std::chrono::steady_clock::now();
+    if (!shown_ || now - last_ < std::chrono::milliseconds(100)) return;
+    last_ = now;
+    drawn_ = true;
+    const double elapsed = std::chrono::duration<double>(now - begin_).count();
+    const double left = fraction > 0 ? elapsed * (1 - fraction) / fraction : 0;
+    fmt::print(stderr, "\r\033[K{} {:3.0f} %  {:.0f} s left", name_, 100 * fraction, left);
+    std::fflush(stderr);
+  }
+
+ private:
+  std::string name_;
+  bool shown_ = isatty(STDERR_FILENO) != 0;
+  bool drawn_ = false;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point last_{};
+};
+
+// A line for a run that did not end as it should; the exit code.
 int tell_end(const lab::Record& record, const std::string& name, const std::string& folder) {
   const int code = lab::exit_code(record.result->end);
   if (code != 0) {
@@ -48,10 +79,6 @@ int tell_end(const lab::Record& record, const std::string& name, const std::stri
   }
   return code;
 }
-
-namespace {
-
-namespace fs = std::filesystem;
 
 struct Outcome {
   lab::Record record;
@@ -76,8 +103,8 @@ void warn(const lab::Settings& settings) {
 int check(const lab::Record& record) {
   const std::string& scenario = record.settings->scenario;
   if (!lab::any_expected(record.figures)) {
-    tell(fmt::format("{}: --check: nothing is expected of this scenario with these settings",
-                     scenario));
+    tell(scenario + ": --check: no figure of this scenario has an expected value with these "
+                    "settings");
     return 2;
   }
   const std::vector<std::string> lines = lab::outside(record.figures);
@@ -94,7 +121,10 @@ Outcome run_one(lab::Settings& settings, const fs::path& target, const Arguments
   Outcome outcome;
   {
     Progress progress(settings.scenario);
-    outcome.record = simulate(settings, shown_in(progress, stop));
+    cosim::Hooks hooks;
+    hooks.progress = [&progress](double fraction) { progress(fraction); };
+    hooks.stop = &stop;
+    outcome.record = simulate(settings, hooks);
   }
   const lab::Record& record = outcome.record;
   outcome.json = lab::metrics_json(record);
@@ -120,7 +150,7 @@ Outcome run_one(lab::Settings& settings, const fs::path& target, const Arguments
   return outcome;
 }
 
-// An experiment sets some keys itself; one that is also asked for would be lost without a word.
+// An experiment sets some keys itself; another value asked for them would be lost silently.
 std::unique_ptr<lab::Settings> settings_of(const lab::Experiment& experiment,
                                            const Arguments& arguments) {
   auto settings = lab::load_scenario(lab::find_scenario(experiment.scenario));
@@ -131,7 +161,7 @@ std::unique_ptr<lab::Settings> settings_of(const lab::Experiment& experiment,
     const std::string name = text.substr(0, text.find('='));
     for (const lab::Key* key : lab::find_keys(settings->machine().keys(), name)) {
       if (key->get(*settings) == key->get(*own)) continue;
-      throw lab::ConfigError(fmt::format("run: --all sets {0} itself; {0} beside it means neither",
+      throw lab::ConfigError(fmt::format("run: --all sets {0} itself; do not set it as well",
                                          name));
     }
   }
@@ -162,7 +192,7 @@ int run_all(const lab::Machine& machine, const Arguments& arguments, const Simul
   const fs::path index = base / "index.html";
   bool page = arguments.report && folders.size() > 1;
   try {
-    if (page) lab::write_comparison_page(folders, index);
+    if (page) lab::write_page(folders, index);
   } catch (const std::exception& error) {
     tell(fmt::format("no report: {}; the results are kept", error.what()));
     page = false;
@@ -184,7 +214,7 @@ int run(const Arguments& arguments, const std::atomic<bool>& stop, const Simulat
   if (arguments.all) {
     if (!arguments.scenario.empty()) {
       throw lab::ConfigError(
-          "run: --all runs the experiments of the source; a scenario beside it means none");
+          "run: --all runs the experiments of the source and takes no scenario");
     }
     const auto& all = lab::machines();
     const auto found = std::find_if(all.begin(), all.end(), [](const lab::Machine* machine) {
@@ -203,7 +233,7 @@ int run(const Arguments& arguments, const std::atomic<bool>& stop, const Simulat
   return outcome.code;
 }
 
-int report(const ReportArguments& arguments) {
+int report(const Arguments& arguments) {
   std::vector<fs::path> folders(arguments.folders.begin(), arguments.folders.end());
   if (folders.empty()) folders.push_back(lab::latest_run("out"));
   fs::path file = arguments.out;

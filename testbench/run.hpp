@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The verbs `run` and `report`.
+// The verbs of the program.
 #pragma once
 
 #include <atomic>
 #include <functional>
 #include <string>
-#include <vector>
 
 #include "lab/record.hpp"
 #include "testbench/arguments.hpp"
@@ -19,16 +18,14 @@ using Simulate = std::function<lab::Record(const lab::Settings&, const cosim::Ho
 int run(const Arguments& arguments, const std::atomic<bool>& stop,
         const Simulate& simulate = lab::run);
 
-// A line on stderr for a run that did not end as it should; the exit code.
-int tell_end(const lab::Record& record, const std::string& name, const std::string& folder);
-
 void tell(const std::string& text);  // a line on stderr
 
-struct ReportArguments {
-  std::vector<std::string> folders;  // none: the latest run in out/
-  std::string out;                   // default: report.html in the folder, or out/compare.html
-  bool json = false;
-};
-int report(const ReportArguments& arguments);
+// The page of the folders, or of the latest run in out/ where there are none.
+int report(const Arguments& arguments);
+
+// Lists, and what is installed: doctor.cpp.
+int list(const std::string& topic, const std::string& machine, bool json);
+int doctor(bool json);
+std::string version_text();
 
 }  // namespace trammel::testbench

@@ -5,15 +5,8 @@
 (function (T) {
   'use strict';
 
-  const swatch = (run) => {
-    const mark = T.el('i');
-    const paint = () => { mark.style.borderTopColor = T.theme().runs[run]; };
-    T.onTheme(paint);
-    paint();
-    return mark;
-  };
-
-  T.runName = (run, k, linked) => T.el('span', { class: 'key' }, T.el('span', {}, swatch(k),
+  T.runName = (run, k, linked) => T.el('span', { class: 'key' }, T.el('span', {},
+    T.el('i', { style: `border-top-color: var(--run${k})` }),
     linked && run.page ? T.el('a', { href: run.page }, run.label) : T.el('b', {}, run.label)));
 
   // Differences are to the first run of the same kind.
@@ -29,33 +22,31 @@
   }
 
   function figureTable(runs, machine) {
-    const rows = [];
     const base = (k) => baseOf(runs, machine.kindOf, k);
-    for (const [f, values] of T.commonFigures(runs, machine.figures)) {
+    const rows = T.commonFigures(runs, machine.figures).map(([f, values]) => {
       const known = (k) => values[k] !== undefined;
-      rows.push([T.capital(T.withUnit(f.name, f.unit)), ...values.map((v, k) => T.el('td', {},
+      return [T.capital(T.withUnit(f.name, f.unit)), ...values.map((v, k) => [
         known(k) ? T.figureText(f, v) : '\u2013',
         base(k) < k && known(k) && known(base(k)) ? T.el('div', {}, difference(v, values[base(k)],
-          f.digits || 0, !machine.smallerIsBetter(f))) : null))]);
-    }
-    return T.el('div', { class: 'scroll' }, T.table(['Figure', ...runs.map((run, k) => T.el('th',
-      {}, T.runName(run, k, true)))], rows));
+          f.digits || 0, !machine.smallerIsBetter(f))) : null])];
+    });
+    return T.tableCard(['Figure', ...runs.map((run, k) => T.el('th', {}, T.runName(run, k,
+      true)))], rows);
   }
 
   function parameterTable(runs) {
+    const [{ metrics: { options: first } }] = runs;
     const names = [...new Set(runs.flatMap((run) => Object.keys(run.metrics.options)))]
       .filter((key) => key !== 'name' && key !== 'description');
-    const differs = (key) => new Set(runs.map((run) => run.metrics.options[key])).size > 1;
-    const rows = names.filter(differs)
-      .map((key) => [key, ...runs.map((run) => {
-        const value = run.metrics.options[key];
-        const same = value === runs[0].metrics.options[key];
-        return T.el('td', { class: same ? 'dim' : null }, value === undefined ? '\u2013'
-          : T.valueText(value));
-      })]);
+    const differs = (key) => runs.some((run) => run.metrics.options[key] !== first[key]);
+    const rows = names.filter(differs).map((key) => [key, ...runs.map((run) => {
+      const value = run.metrics.options[key];
+      return T.el('td', { class: value === first[key] ? 'dim' : null }, value === undefined
+        ? '\u2013' : T.valueText(value));
+    })]);
     if (rows.length === 0) return T.el('p', { class: 'note' }, 'No parameter differs.');
-    return T.el('div', { class: 'scroll' }, T.table(['Parameter', ...runs.map((run, k) => T.el('th',
-      {}, T.runName(run, k, false)))], rows));
+    return T.tableCard(['Parameter', ...runs.map((run, k) => T.el('th', {}, T.runName(run, k,
+      false)))], rows);
   }
 
   // Runs on one base of time, the samples since their first; where a run has none there is a gap.
@@ -91,19 +82,17 @@
       T.time.opening = machine.opening(runs);
     }
 
-    T.section('figures', 'Figures', '').append(T.el('div', { class: 'card long' },
-      figureTable(runs, machine)));
+    T.section('figures', 'Figures', '').append(figureTable(runs, machine));
     machine.sections(runs);
     if (runs.some((run) => T.judged(run.metrics).length > 0)) {
-      T.section('judged', 'Printed and expected', '').append(T.el('div', { class: 'card long' },
-        T.judgedTable(runs), T.sourceNote(runs.map((run) => run.metrics), figureNote)));
+      const judged = T.judgedTable(runs);
+      const note = T.sourceNote(runs.map((run) => run.metrics), figureNote);
+      if (note) judged.append(note);
+      T.section('judged', 'Printed and expected', '').append(judged);
     }
-    T.section('parameters', 'Changed parameters', '').append(T.el('div', { class: 'card long' },
-      parameterTable(runs)));
-    T.section('runs', 'Runs', '').append(T.el('div', { class: 'card long' }, T.el('div',
-      { class: 'scroll' }, T.table(['Run', T.el('th', { class: 'text' }, 'Outcome'), T.el('th',
-        { class: 'text' }, 'Command that repeats it')], runs.map((run, k) => T.el('tr', {},
-        T.el('th', {}, T.runName(run, k, true)), T.el('td', { class: 'text' }, run.metrics.verdict),
-        T.el('td', { class: 'text' }, T.el('code', {}, run.metrics.command))))))));
+    T.section('parameters', 'Parameters that differ', '').append(parameterTable(runs));
+    T.section('runs', 'Runs', '').append(T.tableCard(['Run', ['Outcome', 'text'], [
+      'Command to repeat it', 'text']], runs.map((run, k) => [T.runName(run, k, true),
+      run.metrics.verdict, T.el('code', {}, run.metrics.command)])));
   };
 })(window.Trammel = window.Trammel || {});

@@ -46,7 +46,7 @@
     return T.el('div', { class: 'card', 'data-plot': plot ? plot.id : null }, head);
   };
 
-  // Buttons of which one is pressed; `choose` is told which.
+  // A group of buttons, one of them pressed; `choose` is called with its value.
   T.segments = function (label, options, chosen, choose) {
     const group = T.el('div', { class: 'segments', role: 'group', 'aria-label': label });
     for (const [value, text] of options) {
@@ -62,11 +62,19 @@
     return T.el('span', {}, label, group);
   };
 
+  const isCell = (c) => c instanceof HTMLTableCellElement;
+
+  // A column whose head is [name, class] has that class. Cells are what stands in them, or ready.
   T.table = function (head, rows, attributes) {
-    const cell = (tag, c) => (c instanceof Node ? c : T.el(tag, {}, c === null ? '' : String(c)));
+    const columns = head.map((one) => (Array.isArray(one) ? one : [one, null]));
+    const cell = (tag, c, k) => (isCell(c) ? c : T.el(tag, { class: columns[k][1] }, c));
     return T.el('table', attributes || {},
-      T.el('thead', {}, T.el('tr', {}, head.map((c) => cell('th', c)))),
+      T.el('thead', {}, T.el('tr', {}, columns.map(([name], k) => cell('th', name, k)))),
       T.el('tbody', {}, rows.map((row) => (row instanceof Node ? row
-        : T.el('tr', {}, row.map((c, k) => cell(k === 0 ? 'th' : 'td', c)))))));
+        : T.el('tr', {}, row.map((c, k) => cell(k === 0 ? 'th' : 'td', c, k)))))));
   };
+
+  // A table in a card that may be broken over pages.
+  T.tableCard = (...table) => T.el('div', { class: 'card long' }, T.el('div', { class: 'scroll' },
+    T.table(...table)));
 })(window.Trammel = window.Trammel || {});

@@ -59,15 +59,14 @@
     : f.name);
   const like = (a, b) => a.length === b.length && a.every((f, k) => f.column === b[k].column);
 
-  // [[figure, ...], ...]: neighbours of one row.
-  function rowsOf(figures) {
-    const rows = [];
-    for (const f of figures) {
-      const last = rows[rows.length - 1];
-      if (last && rowName(last[0]) === rowName(f)) last.push(f);
-      else rows.push([f]);
-    }
-    return rows;
+  // Neighbours that are the same, in lists of their own.
+  function grouped(items, same) {
+    const groups = [];
+    items.forEach((item, k) => {
+      if (k > 0 && same(items[k - 1], item)) groups[groups.length - 1].push(item);
+      else groups.push([item]);
+    });
+    return groups;
   }
 
   // Rows with the same columns; a unit stands in the heading, in the row's name, or in its cells.
@@ -87,26 +86,10 @@
 
   // Tables of figures: rows with the same columns together, the others as a list.
   T.figureTables = function (figures) {
-    const tables = [];
-    let single = [];
-    const flush = () => {
-      if (single.length > 0) tables.push(list(single));
-      single = [];
-    };
-    const rows = rowsOf(figures);
-    for (let k = 0; k < rows.length;) {
-      let end = k + 1;
-      while (end < rows.length && like(rows[k], rows[end])) ++end;
-      if (rows[k].length >= kTable && end - k > 1) {
-        flush();
-        tables.push(matrix(rows.slice(k, end)));
-      } else {
-        single.push(...rows.slice(k, end).flat());
-      }
-      k = end;
-    }
-    flush();
-    return tables.map((table) => T.el('div', { class: 'scroll' }, table));
+    const rows = grouped(figures, (a, b) => rowName(a) === rowName(b));
+    const isTable = (group) => group.length > 1 && group[0].length >= kTable;
+    return grouped(grouped(rows, like), (a, b) => !isTable(a) && !isTable(b)).map((part) => T.el(
+      'div', { class: 'scroll' }, isTable(part[0]) ? matrix(part[0]) : list(part.flat(2))));
   };
 
   // ---- beside a source ----
@@ -117,22 +100,17 @@
     const w = 150;
     const reach = Math.max(1.7 * f.tolerance, 1.15 * Math.abs(f.value - f.expected)) || 1;
     const at = (v) => w / 2 + Math.max(-1, Math.min(1, (v - f.expected) / reach)) * (w / 2 - 6);
-    const svg = (tag, attributes) => {
-      const node = document.createElementNS('http://www.w3.org/2000/svg', tag);
-      for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);
-      return node;
-    };
-    const node = svg('svg', { class: 'gauge', viewBox: `0 0 ${w} 16`, 'aria-hidden': 'true' });
+    const color = f.within ? 'var(--good)' : 'var(--bad)';
     const [low, high] = [at(f.expected - f.tolerance), at(f.expected + f.tolerance)];
-    node.append(svg('rect', { x: 0, y: 7, width: w, height: 2, rx: 1, fill: 'var(--line)' }),
-      svg('rect', { x: low, y: 4, width: high - low, height: 8, rx: 4,
-        fill: f.within ? 'var(--good)' : 'var(--bad)', opacity: 0.25 }));
-    if (f.printed !== undefined && Math.abs(f.printed - f.expected) <= reach) {
-      node.append(svg('rect', { x: at(f.printed) - 1, y: 1, width: 2, height: 14,
-        fill: 'var(--muted)' }));
-    }
-    node.append(svg('circle', { cx: at(f.value), cy: 8, r: 4.5,
-      fill: f.within ? 'var(--good)' : 'var(--bad)' }));
+    const node = T.el('span', { class: 'gauge', 'aria-hidden': 'true' });
+    node.innerHTML = T.svgOf((p) => {
+      p.rect(0, 7, w, 2, { fill: 'var(--line)' });
+      p.rect(low, 4, high - low, 8, { fill: color, alpha: 0.25 });
+      if (f.printed !== undefined && Math.abs(f.printed - f.expected) <= reach) {
+        p.rect(at(f.printed) - 1, 1, 2, 14, { fill: 'var(--muted)' });
+      }
+      p.circle(at(f.value), 8, 4.5, { fill: color });
+    }, w, 16);
     return node;
   }
 
@@ -149,22 +127,19 @@
   };
 
   function judgedCard(m, machine) {
-    const rows = T.judged(m).map((f) => T.el('tr', {}, T.el('th', {}, T.capital(T.withUnit(f.name,
-      f.unit))), T.el('td', {}, T.figureText(f)), T.el('td', {}, printedText(f)),
-    T.el('td', { class: 'dim' }, offText(f)), T.el('td', {}, expectedText(f)), withinCell(f),
-    T.el('td', {}, gauge(f))));
+    const rows = T.judged(m).map((f) => [T.capital(T.withUnit(f.name, f.unit)), T.figureText(f),
+      printedText(f), T.el('td', { class: 'dim' }, offText(f)), expectedText(f), withinCell(f),
+      gauge(f)]);
     return T.el('div', { class: 'card' }, T.el('div', { class: 'scroll' }, T.table(['Figure',
-      'ours', 'printed', 'to the printed', 'expected', '', 'band of the expected (bar: printed)'],
+      'ours', 'printed', 'difference', 'expected', '', 'tolerance band (bar: printed)'],
     rows)), T.sourceNote([m], machine.figureNote));
   }
 
   // The same of several runs: [{run, name(), metrics}].
-  T.judgedTable = (runs) => T.el('div', { class: 'scroll' }, T.table(['Run', T.el('th',
-    { class: 'text' }, 'Figure'), 'ours', 'printed', 'expected', ''], runs.flatMap((run, k) =>
-    T.judged(run.metrics).map((f, n) => T.el('tr', {}, T.el('th', {}, n === 0 ? T.runName(run, k,
-      true) : ''), T.el('td', { class: 'text' }, T.capital(T.withUnit(f.name, f.unit))),
-    T.el('td', {}, T.figureText(f)), T.el('td', {}, printedText(f)), T.el('td', {},
-      expectedText(f)), withinCell(f))))));
+  T.judgedTable = (runs) => T.tableCard(['Run', ['Figure', 'text'], 'ours', 'printed', 'expected',
+    ''], runs.flatMap((run, k) => T.judged(run.metrics).map((f, n) => [n === 0 ? T.runName(run, k,
+    true) : '', T.capital(T.withUnit(f.name, f.unit)), T.figureText(f), printedText(f),
+  expectedText(f), withinCell(f)])));
 
   T.figureSection = function (m, machine) {
     const section = T.section('figures', 'Figures', '');

@@ -1,34 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The parameters of a run with their defaults and meanings, to be searched and sifted.
+// The parameters of a run with their defaults and meanings, to be searched and filtered.
 (function (T) {
   'use strict';
-
-  const kMostColumns = 3;  // of values that differ by the middle part of their keys: x, y
 
   T.valueText = (value) => (typeof value === 'string' ? value || '\u2013'
     : typeof value === 'number' && !Number.isInteger(value) ? String(Number(value.toPrecision(10)))
       : String(value));
 
-  // "plant.x.mass_kg" -> ["plant", "x", "mass_kg"]; apart: ["plant.x", "", "mass_kg"]
-  function keyParts(key, apart) {
+  // "plant.x.mass_kg" -> ["plant", "x", "mass_kg"]
+  function keyParts(key) {
     const parts = key.split('.');
-    if (parts.length === 1) return ['run', '', key];
     const name = parts.pop();
-    return apart ? [parts.join('.'), '', name] : [parts[0], parts.slice(1).join('.'), name];
+    const axis = /^[xy]$/.test(parts[parts.length - 1]) ? parts.pop() : '';
+    return [parts.join('.') || 'run', axis, name];
   }
 
-  // [{section, name, help, values: middle part -> value, default, changed}], in the keys' order.
-  function linesOf(m, keys, idle, apart) {
+  // [{section, name, help, values: axis -> value, default, changed}], in the keys' order.
+  function linesOf(m, keys, idle) {
     const lines = new Map();
     for (const [key, value] of Object.entries(m.options)) {
       if (key === 'name' || key === 'description' || idle(key, m.options)) continue;
-      const [section, middle, name] = keyParts(key, apart);
+      const [section, axis, name] = keyParts(key);
       const id = `${section}.${name}`;
       const known = keys[key] || {};
       const line = lines.get(id) || { section, name, help: known.help || '', values: {},
         changed: false };
-      line.values[middle] = value;
+      line.values[axis] = value;
       line.default = known.default;
       line.changed = line.changed || (known.default !== undefined && known.default !== value);
       lines.set(id, line);
@@ -67,16 +65,12 @@
     search.addEventListener('input', sift);
     only.addEventListener('change', sift);
     return T.el('div', { class: 'filter' }, search, T.el('label', {}, only,
-      'only what differs from the default'));
+      'only those that differ from the default'));
   }
 
   function parameterCard(m, keys, idle) {
-    const columnsOf = (lines) => [...new Set(lines.flatMap((line) => Object.keys(line.values)))]
-      .filter(Boolean);
-    const together = linesOf(m, keys, idle, false);
-    const apart = columnsOf(together).length > kMostColumns;
-    const lines = apart ? linesOf(m, keys, idle, true) : together;
-    const columns = columnsOf(lines);
+    const lines = linesOf(m, keys, idle);
+    const columns = [...new Set(lines.flatMap((line) => Object.keys(line.values)))].filter(Boolean);
     const rows = [];
     let section = '';
     for (const line of lines) {
@@ -91,15 +85,14 @@
       T.el('td', { class: 'dim' }, line.default === undefined ? '' : T.valueText(line.default)),
       T.el('td', { class: 'text dim' }, line.help)));
     }
-    const table = T.table([T.el('th', {}, 'Parameter'), ...(columns.length > 0
-      ? columns.map((column) => column.toUpperCase()) : ['value']), 'default', T.el('th',
-      { class: 'text' }, 'meaning')], rows);
-    return T.el('div', { class: 'card long' }, filterOf(rows), T.el('div', { class: 'scroll' },
-      table));
+    const heads = columns.length > 0 ? columns.map((column) => column.toUpperCase()) : ['value'];
+    const card = T.tableCard(['Parameter', ...heads, 'default', ['meaning', 'text']], rows);
+    card.prepend(filterOf(rows));
+    return card;
   }
 
   T.parameterSection = function (m, machine) {
-    T.section('parameters', 'Parameters', 'Marked: what differs from the default.').append(
+    T.section('parameters', 'Parameters', 'Marked: those that differ from the default.').append(
       parameterCard(m, T.page.keys, machine.idle));
   };
 })(window.Trammel = window.Trammel || {});

@@ -6,7 +6,7 @@
   'use strict';
 
   const kBins = 32;
-  const kFoot = (width) => (width < 430 ? 126 : 100);  // pixels below the frame: labels and key
+  const kFoot = (width) => (width < 460 ? 126 : 100);  // pixels below the frame: labels and key
 
   // Square boxes of pixels for equal lengths: the range that is too short is widened.
   function equalFrame(box, xRange, yRange) {
@@ -18,73 +18,58 @@
     return T.frame(box, around(xRange, box.w), around(yRange, box.h));
   }
 
-  // data: {n, command, model, table, names, colours} and optionally way, the command as a line of
-  // its own, and from, where errors begin instead of the model; points are {x, y} in millimetres.
+  const line = (frame, { x, y }) => Array.from(x).flatMap((v, k) => [frame.x(v), frame.y(y[k])]);
+
+  // data: {n, command, model, table, names, colours} and optionally polyline, the command as a
+  // line, and from, where errors begin instead of the model; points are {x, y} in millimetres.
   // names: of command and model. A colour is {button, label, values}.
   T.pathPlot = function (data) {
     const { n, command, model, table, names, colours } = data;
-    const way = data.way || command;
+    const polyline = data.polyline || command;
     const from = data.from || model;
     const state = { magnify: 1, by: colours[0], range: null, cursor: null };
-    const coloured = () => state.by.values;
-    const shown = (k, axis) => from[axis][k] + state.magnify * (table[axis][k] - from[axis][k]);
+    const enlarged = (axis) => Array.from({ length: n }, (v, k) => from[axis][k] +
+      state.magnify * (table[axis][k] - from[axis][k]));
+    const shown = () => ({ x: enlarged('x'), y: enlarged('y') });
 
     const plot = { id: 'path', title: 'Path', height: (width) => Math.round(Math.min(width + kFoot(
-      width) - 74, 664)), saveWidth: 760, count: () => n, print: 'half' };
+      width) - 74, 664)), saveWidth: 760 };
 
     plot.frame = function (width, height) {
       const box = { x: 60, y: 14, w: width - 74, h: height - kFoot(width) };
-      let xs = T.range(way.x, ...T.range(model.x));
-      let ys = T.range(way.y, ...T.range(model.y));
-      for (let k = 0; k < n; ++k) {
-        const x = shown(k, 'x');
-        const y = shown(k, 'y');
-        xs = [Math.min(xs[0], x), Math.max(xs[1], x)];
-        ys = [Math.min(ys[0], y), Math.max(ys[1], y)];
-      }
-      return equalFrame(box, T.padded(xs, 0.04), T.padded(ys, 0.04));
+      const range = (axis) => T.padded(T.range(polyline[axis], ...T.range(model[axis],
+        ...T.range(enlarged(axis)))), 0.04);
+      return equalFrame(box, range('x'), range('y'));
     };
 
     const inRange = (k) => state.range === null ||
       (T.time.values[k] >= state.range[0] && T.time.values[k] <= state.range[1]);
 
-    const line = (frame, of) => {
-      const points = [];
-      for (let k = 0; k < of.x.length; ++k) points.push(frame.x(of.x[k]), frame.y(of.y[k]));
-      return points;
-    };
+    plot.top = () => T.range(state.by.values)[1] || 1;  // of the colours
 
     plot.scene = function (p, width, height, theme) {
       const frame = plot.frame(width, height);
       const { box } = frame;
-      const count = Math.max(3, box.w / 90);
-      T.drawFrame(p, theme, frame, { xLabel: 'x (mm)', yLabel: 'y (mm)', xCount: count,
-        yCount: count });
+      T.drawFrame(p, theme, frame, { xLabel: 'x (mm)', yLabel: 'y (mm)', yCount: box.w / 90 });
       p.clip(box.x, box.y, box.w, box.h);
-      p.path(line(frame, way), { stroke: theme.asked, width: 4, alpha: 0.5, cap: 'round' });
+      p.path(line(frame, polyline), { stroke: theme.asked, width: 4, alpha: 0.5, cap: 'round' });
       p.path(line(frame, model), { stroke: theme.model, width: 1.4 });
-      const e = coloured();
+      const { values } = state.by;
       const top = plot.top();
-      const bin = (k) => Math.min(kBins - 1, Math.floor(e[k] / top * kBins)) + (inRange(k) ? 0
+      const bin = (k) => Math.min(kBins - 1, Math.floor(values[k] / top * kBins)) + (inRange(k) ? 0
         : kBins);
+      const points = line(frame, shown());
       for (let k = 0; k + 1 < n;) {
-        const now = bin(k);
-        const points = [frame.x(shown(k, 'x')), frame.y(shown(k, 'y'))];
-        while (k + 1 < n) {
-          ++k;
-          points.push(frame.x(shown(k, 'x')), frame.y(shown(k, 'y')));
-          if (bin(k) !== now) break;
-        }
-        p.path(points, { stroke: T.ramp(theme, (now % kBins) / (kBins - 1)), width: 2.4,
-          alpha: now >= kBins ? 0.15 : 1 });
+        const [now, begin] = [bin(k), k];
+        do ++k; while (k + 1 < n && bin(k) === now);
+        p.path(points.slice(2 * begin, 2 * k + 2), { width: 2.4, alpha: now >= kBins ? 0.15 : 1,
+          stroke: T.ramp(theme, (now % kBins) / (kBins - 1)) });
       }
       p.unclip();
-      plot.key(p, theme, frame, height, top);
+      key(p, theme, frame, height, top);
     };
 
-    plot.top = () => T.range(coloured())[1] || 1;
-
-    plot.key = function (p, theme, frame, height, top) {
+    function key(p, theme, frame, height, top) {
       const { box } = frame;
       const y = height - 22;
       T.drawKey(p, theme, box.x, kFoot(box.w + 74) > 100 ? y - 26 : y, [
@@ -102,20 +87,18 @@
       p.text(x + wide / 2, y + 15, state.by.label, { ...text, align: 'center' });
       p.text(x + wide, y + 15, T.num(top, top < 1 ? 3 : top < 10 ? 2 : 0), { ...text,
         align: 'right' });
-    };
+    }
 
     plot.overlay = function (p, width, height, theme) {
       const k = state.cursor;
       if (k === null || k >= n) return;
       const frame = plot.frame(width, height);
-      const at = (x, y) => [frame.x(x), frame.y(y)];
-      const [cx, cy] = at(command.x[k], command.y[k]);
-      const [mx, my] = at(model.x[k], model.y[k]);
-      const [tx, ty] = at(shown(k, 'x'), shown(k, 'y'));
-      p.path([...at(from.x[k], from.y[k]), tx, ty], { stroke: theme.ink, width: 1 });
-      p.circle(cx, cy, 5, { fill: theme.asked, stroke: theme.surface, width: 1.5 });
-      p.circle(mx, my, 5, { fill: theme.model, stroke: theme.surface, width: 1.5 });
-      p.circle(tx, ty, 5, { fill: theme.actual, stroke: theme.surface, width: 1.5 });
+      const at = ({ x, y }) => [frame.x(x[k]), frame.y(y[k])];
+      p.path([...at(from), ...at(shown())], { stroke: theme.ink, width: 1 });
+      for (const [of, fill] of [[command, theme.asked], [model, theme.model], [shown(),
+        theme.actual]]) {
+        p.circle(...at(of), 5, { fill, stroke: theme.surface, width: 1.5 });
+      }
     };
 
     const card = T.figure(plot, 'equal scales');
@@ -141,11 +124,11 @@
     // The nearest sample of the table under the pointer becomes the cursor of all time plots.
     plot.canvas.addEventListener('mousemove', (event) => {
       const frame = plot.frame(plot.canvas.clientWidth, plot.canvas.clientHeight);
-      let best = 30 ** 2;
+      const points = line(frame, shown());
+      let best = 30;  // pixels
       let nearest = null;
       for (let k = 0; k < n; ++k) {
-        const d = (frame.x(shown(k, 'x')) - event.offsetX) ** 2 +
-          (frame.y(shown(k, 'y')) - event.offsetY) ** 2;
+        const d = Math.hypot(points[2 * k] - event.offsetX, points[2 * k + 1] - event.offsetY);
         if (d < best) [best, nearest] = [d, k];
       }
       T.time.point(nearest, null);
@@ -159,16 +142,14 @@
     const { command, table } = run.data;
     if (!command) return [];
     const plot = { id: `path-${index + 1}`, title: run.label, print: 'quarter', saveWidth: 520,
-      height: (width) => Math.round(Math.min(width, 420) * 0.95), count: () => run.count };
+      height: (width) => Math.round(Math.min(width, 420) * 0.95) };
     plot.scene = function (p, width, height, theme) {
       const box = { x: 54, y: 8, w: width - 64, h: height - 56 };
       const range = (axis) => T.padded(T.range(command[axis], ...T.range(table[axis])), 0.05);
       const frame = equalFrame(box, range('x'), range('y'));
       T.drawFrame(p, theme, frame, { xLabel: 'x (mm)', yLabel: 'y (mm)', xCount: 3, yCount: 3 });
-      const line = (of) => Array.from({ length: 2 * run.count }, (v, k) => (k % 2 === 0
-        ? frame.x(of.x[k >> 1]) : frame.y(of.y[k >> 1])));
-      p.path(line(command), { stroke: theme.asked, width: 4, alpha: 0.5 });
-      p.path(line(table), { stroke: theme.runs[index], width: 1.6 });
+      p.path(line(frame, command), { stroke: theme.asked, width: 4, alpha: 0.5 });
+      p.path(line(frame, table), { stroke: theme.runs[index], width: 1.6 });
     };
     return T.figure(plot, small(run));
   });

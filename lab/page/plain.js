@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The page of a machine that brings none: every column over time, those of a unit together. What a
-// machine's page.js puts into T.machines[its name] takes the place of what stands here.
+// The page of a machine without one of its own: every column over time, those of a unit together.
+// What a machine's page.js puts into T.machines[its name] takes the place of what stands here.
 (function (T) {
   'use strict';
 
@@ -9,7 +9,7 @@
 
   // The lead of a section of plots over time; paper needs no advice on how to use them.
   T.zoomLead = (more) => [T.el('span', { class: 'screen-only' }, 'Drag in a plot to zoom all of ' +
-    'them, double-click to see everything. A click on a name hides its line. '), more || ''];
+    'them, double-click to see everything. Click a name to hide its line. '), more || ''];
 
   const digitsOf = ({ lsb }) => Math.min(6, Math.max(0, Math.ceil(-Math.log10(lsb) - 1e-9)));
   const timeOf = (run) => run.channels.find((channel) => channel.unit === 's');
@@ -61,11 +61,9 @@
     const shown = run.channels.filter((channel) => channel !== time);
     T.section('traces', 'Traces', T.zoomLead()).append(T.el('div', { class: 'grid two' },
       groupsOf(run, shown).map((group, k) => plotOf(run, group, k))));
-    const text = (value) => T.el('td', { class: 'text' }, value);
-    T.section('columns', 'Columns', 'What the lines show.').append(T.el('div',
-      { class: 'card long' }, T.el('div', { class: 'scroll' }, T.table(['Column', ...['unit',
-        'meaning'].map((head) => T.el('th', { class: 'text' }, head))], run.channels.map(
-        (channel) => [channel.name, text(T.unit(channel.unit)), text(channel.help)])))));
+    T.section('columns', 'Columns', 'Unit and meaning of each line.').append(T.tableCard(['Column',
+      ['unit', 'text'], ['meaning', 'text']], run.channels.map(({ name, unit, help }) => [name,
+      T.unit(unit), help])));
   }
 
   // Time from one value to the next, of a run that has one a sample.

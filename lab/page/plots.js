@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // All plots of the page: drawn as figures, saved as SVG or PNG, and printed. A plot is
-// {id, scene(painter, width, height, theme), height(width), count()}.
+// {id, title, scene(painter, width, height, theme), height(width)}.
 (function (T) {
   'use strict';
 
   const kSaveWidth = 900;
   const kPngScale = 3;  // 2700 pixels wide: 300 dpi over two columns
+  const kTitle = 26;    // pixels above a saved plot
 
   T.plots = [];
 
@@ -24,92 +25,58 @@
     setTimeout(() => URL.revokeObjectURL(link.href), 10000);
   }
 
-  function saveSize(plot) {
-    const width = plot.saveWidth || kSaveWidth;
-    return [width, (plot.saveHeight || plot.height(width)) + kTitle];
-  }
-
+  // For papers: white ground, light colours, the title above.
   T.svgText = function (plot) {
-    const [width, height] = saveSize(plot);
-    return T.svgOf(T.titled(plot), width, height);
+    const width = plot.saveWidth || kSaveWidth;
+    const height = plot.saveHeight || plot.height(width);
+    const ground = T.shapes((p) => {
+      p.rect(0, 0, width, height + kTitle, { fill: T.light.surface });
+      p.text(10, 18, plot.title, { fill: T.light.ink, size: 14, weight: 600 });
+    });
+    return T.svg(width, height + kTitle, `${ground}<g transform="translate(0 ${kTitle})">` +
+      `${T.shapes(plot.scene, width, height, T.light)}</g>`);
   };
 
-  T.pngBlob = function (plot) {
-    const [width, height] = saveSize(plot);
-    const canvas = T.el('canvas');
-    T.paint(canvas, width, height, kPngScale, (p) => T.titled(plot).scene(p, width, height,
-      T.light));
+  T.pngBlob = async function (plot) {
+    const image = T.el('img', { src: `data:image/svg+xml,${encodeURIComponent(T.svgText(plot))}` });
+    await image.decode();
+    const [width, height] = [image.naturalWidth * kPngScale, image.naturalHeight * kPngScale];
+    const canvas = T.el('canvas', { width, height });
+    canvas.getContext('2d').drawImage(image, 0, 0, width, height);
     return new Promise((done) => canvas.toBlob(done, 'image/png'));
   };
 
-  // For papers: white ground, light colours, the title above.
-  const kTitle = 26;
-  class Lowered {
-    constructor(p, by) {
-      Object.assign(this, { p, by });
-    }
-
-    rect(x, y, w, h, style) { this.p.rect(x, y + this.by, w, h, style); }
-    circle(x, y, r, style) { this.p.circle(x, y + this.by, r, style); }
-    text(x, y, text, style) { this.p.text(x, y + this.by, text, style); }
-    clip(x, y, w, h) { this.p.clip(x, y + this.by, w, h); }
-    unclip() { this.p.unclip(); }
-    path(points, style) {
-      this.p.path(points.map((v, k) => (k % 2 === 0 ? v : v + this.by)), style);
-    }
-  }
-
-  T.titled = (plot) => ({
-    scene(p, width, height, theme) {
-      p.rect(0, 0, width, height, { fill: theme.surface });
-      p.text(10, 18, plot.title, { fill: theme.ink, size: 14, weight: 600 });
-      plot.scene(new Lowered(p, kTitle), width, height - kTitle, theme);
-    },
-  });
-
   T.save = async function (plot, kind) {
-    const name = `${T.fileStem}-${plot.id}.${kind}`;
-    if (kind === 'svg') {
-      download(new Blob([T.svgText(plot)], { type: 'image/svg+xml' }), name);
-    } else {
-      download(await T.pngBlob(plot), name);
-    }
+    const blob = kind === 'png' ? await T.pngBlob(plot)
+      : new Blob([T.svgText(plot)], { type: 'image/svg+xml' });
+    download(blob, `${T.fileStem}-${plot.id}.${kind}`);
   };
 
-  // A plot drawn by its scene on a canvas that follows the card's width, with a second one above it
-  // for what moves with the cursor.
+  // A plot drawn on plot.canvas, as wide as its card: its scene and, over it, an overlay that moves
+  // with the cursor.
   T.figure = function (plot, small) {
     T.register(plot);
     const card = T.card(plot.title, small, plot);
-    const canvas = T.el('canvas', { role: 'img', 'aria-label': plot.title });
-    const over = plot.overlay ? T.el('canvas', { class: 'over' }) : null;
-    const frame = T.el('div', { class: 'plot screen-only' }, canvas, over);
-    card.append(frame);
+    const [ground, over] = [T.el('div'), T.el('div', { class: 'over' })];
+    plot.canvas = T.el('div', { class: 'plot screen-only', role: 'img', 'aria-label': plot.title },
+      ground, over);
+    card.append(plot.canvas);
     let width = 0;
 
-    const place = (target, draw) => {
-      const height = plot.height(width);
-      target.style.height = `${height}px`;
-      target.style.width = `${width}px`;
-      T.paint(target, width, height, window.devicePixelRatio || 1, (p) => draw.call(plot, p,
-        width, height, T.theme()));
+    const draw = (target, scene) => {
+      if (width > 0) target.innerHTML = T.svgOf(scene, width, plot.height(width), T.theme());
     };
-    plot.redrawOver = () => {
-      if (over && width > 0) place(over, plot.overlay);
-    };
+    plot.redrawOver = () => plot.overlay && draw(over, plot.overlay);
     plot.redraw = () => {
-      if (width <= 0) return;
-      place(canvas, plot.scene);
+      draw(ground, plot.scene);
       plot.redrawOver();
     };
     plot.resize = () => {
-      const now = Math.floor(frame.clientWidth);
+      const now = Math.floor(plot.canvas.clientWidth);
       if (now === width || now <= 0) return;
       width = now;
       plot.redraw();
     };
-    plot.canvas = canvas;
-    plot.count = plot.count || (() => 1);
     return card;
   };
 
@@ -126,7 +93,7 @@
     window.addEventListener('afterprint', afterPrint);
   };
 
-  // Paper gets vectors in light colours, each as wide as its card is on a page.
+  // On paper plots have light colours and the width of their card on a page.
   const kPrintWidth = { wide: 760, half: 440, quarter: 240 };
   let opened = [];
 
@@ -135,8 +102,8 @@
       const card = document.querySelector(`[data-plot="${plot.id}"]`);
       const width = kPrintWidth[plot.print || 'half'];
       const picture = T.el('div', { class: 'print-only' });
-      picture.innerHTML = T.svgOf(plot, width, plot.printHeight ? plot.printHeight(width)
-        : plot.height(width));
+      picture.innerHTML = T.svgOf(plot.scene, width, (plot.printHeight || plot.height)(width),
+        T.light);
       card.insertBefore(picture, card.children[1] || null);
     }
     opened = [...document.querySelectorAll('details:not([open])')];

@@ -1,25 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Colours of the plots, light and dark, and the choice between them. The hues are told apart with
-// every kind of colour vision (after Okabe and Ito); a role keeps its hue in all plots: what is
-// asked for is grey, what the model gives is blue, what the table does is vermilion.
+// Colours, light and dark, and the choice between them; in style sheets they are --surface, --ink
+// and so on. The hues of the plots can be told apart with every kind of colour vision (after Okabe
+// and Ito); a role keeps its hue in all plots: the command is grey, the model blue, the table
+// vermilion.
 (function (T) {
   'use strict';
 
   const light = {
     name: 'light', surface: '#ffffff', ink: '#161a21', muted: '#5c6675', faint: '#8b95a3',
-    grid: '#e9ecf0', axis: '#c3cad3', soft: '#eef1f5',
+    grid: '#e9ecf0', axis: '#c3cad3', soft: '#eef1f5', page: '#f5f6f8', line: '#e2e6eb',
+    good: '#00795a', bad: '#b43a00', goodSoft: '#e2f3ee', badSoft: '#fbe9df',
     asked: '#98a2b0', model: '#0072b2', actual: '#d55e00', x: '#00916a', y: '#b04f94',
-    other: '#4aa6dc', total: '#161a21', accent: '#0b62b8', band: '#d55e0026',
+    other: '#4aa6dc', total: '#161a21', accent: '#0b62b8',
     ramp: ['#f3c65a', '#ee8a33', '#d1481d', '#7c1023'],
     cold: '#0b5fa5', middle: '#f4f5f7', warm: '#c4580a',
     runs: ['#161a21', '#0072b2', '#d55e00', '#00916a', '#b04f94', '#4aa6dc', '#b58900', '#7a7f87'],
   };
   const dark = {
     name: 'dark', surface: '#161b22', ink: '#e9edf2', muted: '#9ba6b4', faint: '#707b8a',
-    grid: '#232a33', axis: '#3d4754', soft: '#1f262f',
+    grid: '#232a33', axis: '#3d4754', soft: '#1f262f', page: '#0e1116', line: '#29303a',
+    good: '#45cfa4', bad: '#ff9a62', goodSoft: '#12312a', badSoft: '#3a2114',
     asked: '#7d8896', model: '#4fa9ea', actual: '#ff8b45', x: '#35c79d', y: '#e08cc6',
-    other: '#8fd0f7', total: '#e9edf2', accent: '#5ab0f5', band: '#ff8b4530',
+    other: '#8fd0f7', total: '#e9edf2', accent: '#5ab0f5',
     ramp: ['#7a4fa3', '#c8447c', '#f57d3f', '#fde26b'],
     cold: '#4a9fe0', middle: '#232a33', warm: '#f08a3c',
     runs: ['#e9edf2', '#4fa9ea', '#ff8b45', '#35c79d', '#e08cc6', '#8fd0f7', '#e5bd3f', '#8b95a3'],
@@ -33,26 +36,36 @@
   T.theme = () => ((chosen || (system.matches ? 'dark' : 'light')) === 'dark' ? dark : light);
   T.onTheme = (listener) => listeners.push(listener);
 
+  function setColours(theme) {
+    const { style } = document.documentElement;
+    style.colorScheme = theme.name;
+    for (const [name, value] of Object.entries(theme)) style.setProperty(`--${name}`, value);
+    theme.runs.forEach((value, k) => style.setProperty(`--run${k}`, value));
+  }
+
   function apply() {
-    document.documentElement.dataset.theme = T.theme().name;
+    setColours(T.theme());
     for (const listener of listeners) listener();
   }
 
-  T.startTheme = function () {
+  // A page that is a file may have no storage.
+  function stored(use) {
     try {
-      chosen = localStorage.getItem('trammel-theme');
+      return use(localStorage);
     } catch (error) {
-      chosen = null;  // a file: page may have no storage
+      return null;
     }
+  }
+
+  T.startTheme = function () {
+    chosen = stored((storage) => storage.getItem('trammel-theme'));
     system.addEventListener('change', apply);
+    window.addEventListener('beforeprint', () => setColours(light));
+    window.addEventListener('afterprint', () => setColours(T.theme()));
     document.getElementById('theme').addEventListener('click', () => {
       chosen = T.theme() === dark ? 'light' : 'dark';
-      try {
-        localStorage.setItem('trammel-theme', chosen);
-      } catch (error) {
-        return apply();
-      }
-      return apply();
+      stored((storage) => storage.setItem('trammel-theme', chosen));
+      apply();
     });
     apply();
   };

@@ -8,10 +8,11 @@
 (function (T) {
   'use strict';
 
+  const kFace = 'px system-ui, "Segoe UI", Roboto, "Liberation Sans", Arial, sans-serif';
   const kHeight = 210;
   const kKeyLine = 16;   // pixels
   const all = [];        // every time plot
-  const followers = [];  // told of the cursor (an index, or null) and of the range
+  const followers = [];  // called with the cursor (an index, or null) and the range
   let busy = false;
   let cursor = null;
 
@@ -21,15 +22,14 @@
     range: [0, 1],
     values: null,
     label: 'Time (s)',
-    digits: 4,
     marks: [],  // times of events: a dashed line in every plot
     follow: (follower) => followers.push(follower),
   };
 
-  function tell() {
+  function notify() {
     const now = document.getElementById('time-now');
     now.textContent = cursor === null ? ''
-      : `t = ${T.num(T.time.values[cursor], T.time.digits)} s`;
+      : `t = ${T.num(T.time.values[cursor], 4)} s`;
     for (const follower of followers) follower(cursor, T.time.range);
   }
 
@@ -38,17 +38,10 @@
 
   // The sample nearest to a time, null outside of all.
   T.time.at = function (t) {
-    const { values } = T.time;
-    const last = values.length - 1;
-    if (!(t >= values[0] && t <= values[last])) return null;
-    let low = 0;
-    let high = last;
-    while (high - low > 1) {
-      const middle = low + high >> 1;
-      if (values[middle] <= t) low = middle;
-      else high = middle;
-    }
-    return t - values[low] < values[high] - t ? low : high;
+    const { values, full } = T.time;
+    if (!(t >= full[0] && t <= full[1])) return null;
+    const next = values.findIndex((v) => v >= t);
+    return next > 0 && t - values[next - 1] < values[next] - t ? next - 1 : next;
   };
 
   // The cursor of all plots at sample `index`; null takes it away.
@@ -63,7 +56,7 @@
       u.setCursor({ left, top: index === null ? -10 : 1 }, false);
     }
     busy = false;
-    tell();
+    notify();
   };
 
   T.time.zoom = function (low, high, source) {
@@ -84,10 +77,8 @@
       }
     }
     busy = false;
-    tell();
+    notify();
   };
-
-  T.time.reset = () => T.time.zoom(...T.time.full);
 
   // The base of all plots: its values, and the tools in the bar.
   T.time.start = function (values) {
@@ -95,7 +86,8 @@
     if (values.length < 2) return;
     T.time.full = T.time.range = [values[0], values[values.length - 1]];
     document.getElementById('time-tools').hidden = false;
-    document.getElementById('zoom-reset').addEventListener('click', T.time.reset);
+    document.getElementById('zoom-reset').addEventListener('click', () => T.time.zoom(
+      ...T.time.full));
   };
 
   const color = (theme, series) => theme[series.role] || theme.runs[series.run];
@@ -111,8 +103,8 @@
       stroke: () => T.theme().muted,
       grid: { stroke: () => T.theme().grid, width: 1 },
       ticks: { stroke: () => T.theme().grid, width: 1, size: 4 },
-      font: '11.5px system-ui, "Segoe UI", Roboto, "Liberation Sans", Arial, sans-serif',
-      labelFont: '12px system-ui, "Segoe UI", Roboto, "Liberation Sans", Arial, sans-serif',
+      font: '11.5' + kFace,
+      labelFont: '12' + kFace,
       labelGap: 0,
       gap: 4,
     };
@@ -130,7 +122,7 @@
       ],
       cursor: { y: false, drag: { x: true, y: false, dist: 4 }, points: { size: 7 } },
       legend: { live: true, markers: { width: 0, fill: (u, k) => (k > 0
-        ? color(T.theme(), plot.series[k - 1]) : null) } },
+        ? `var(--${plot.series[k - 1].role || `run${plot.series[k - 1].run}`})` : null) } },
       series: [{ label: 't' }, ...plot.series.map((s) => ({
         label: s.label,
         show: !s.hidden,
@@ -143,7 +135,7 @@
           : `${T.num(v, s.digits)}${s.unit ? ' ' + s.unit : ''}`),
       }))],
       hooks: {
-        draw: [(u) => (plot.times ? drawPeaks(u, plot) : drawMarks(u))],
+        draw: [(u) => drawNotes(u, plot)],
         setCursor: [(u) => T.time.point(u.cursor.left < 0 ? null : plot.times
           ? T.time.at(plot.times[u.cursor.idx]) : u.cursor.idx, plot)],
         setScale: [(u, key) => {
@@ -155,59 +147,32 @@
     };
   }
 
-  const marksIn = ([low, high]) => T.time.marks.filter((t) => t >= low && t <= high);
-
-  function drawMarks(u) {
-    const { ctx, bbox } = u;
-    ctx.save();
-    ctx.strokeStyle = T.theme().muted;
-    ctx.lineWidth = 1;
-    ctx.setLineDash([4, 4]);
-    ctx.beginPath();
-    for (const t of marksIn([u.scales.x.min, u.scales.x.max])) {
-      const x = Math.round(u.valToPos(t, 'x', true)) + 0.5;
-      ctx.moveTo(x, bbox.top);
-      ctx.lineTo(x, bbox.top + bbox.height);
-    }
-    ctx.stroke();
-    ctx.restore();
-  }
-
-  const peaksOf = (u, plot) => plot.series.filter((s, k) => s.peak && u.series[k + 1].show);
-  const peakText = (s) => `${T.num(s.peak[1], s.digits)} ${s.unit}`;
-
-  function drawPeaks(u, plot) {
-    const { ctx, bbox } = u;
-    const scale = window.devicePixelRatio || 1;
-    const theme = T.theme();
-    ctx.save();
-    ctx.beginPath();
-    ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
-    ctx.clip();
-    ctx.lineWidth = 1.5 * scale;
-    ctx.font = `600 ${11.5 * scale}px system-ui, sans-serif`;
-    ctx.textAlign = 'left';
-    ctx.textBaseline = 'middle';
-    for (const s of peaksOf(u, plot)) {
-      const [x, y] = [u.valToPos(s.peak[0], 'x', true), u.valToPos(s.peak[1], 'y', true)];
-      ctx.beginPath();
-      ctx.arc(x, y, 4.5 * scale, 0, 2 * Math.PI);
-      ctx.fillStyle = color(theme, s);
-      ctx.fill();
-      ctx.strokeStyle = theme.surface;
-      ctx.stroke();
-      ctx.fillText(peakText(s), x + 8 * scale, y + 1 * scale);
-    }
-    ctx.restore();
-  }
-
-  // The same in a scene.
-  T.markEvents = function (p, theme, frame) {
-    const { y, h } = frame.box;
-    for (const t of marksIn(frame.xRange)) {
-      p.path([frame.x(t), y, frame.x(t), y + h], { stroke: theme.muted, dash: [4, 4] });
+  // Events as dashed lines in a frame.
+  T.markEvents = function (p, theme, { box, x, xRange }) {
+    for (const t of T.time.marks.filter((t) => t >= xRange[0] && t <= xRange[1])) {
+      p.path([x(t), box.y, x(t), box.y + box.h], { stroke: theme.muted, dash: [4, 4] });
     }
   };
+
+  // Events, and the peaks of the lines that are shown.
+  function annotate(p, u, plot, theme, frame) {
+    if (!plot.times) T.markEvents(p, theme, frame);
+    plot.series.filter((s, k) => s.peak && u.series[k + 1].show).forEach((s) => {
+      const [x, y] = [frame.x(s.peak[0]), frame.y(s.peak[1])];
+      p.circle(x, y, 4.5, { fill: color(theme, s), stroke: theme.surface, width: 1.5 });
+      p.text(x + 8, y + 1, `${T.num(s.peak[1], s.digits)} ${s.unit}`, { fill: color(theme, s),
+        size: 11.5, weight: 600, middle: true });
+    });
+  }
+
+  // The same over the lines that uPlot has drawn.
+  function drawNotes(u, plot) {
+    const { clientWidth: w, clientHeight: h } = u.over;
+    const { x, y } = u.scales;
+    const frame = T.frame({ x: 0, y: 0, w, h }, [x.min, x.max], [y.min, y.max]);
+    plot.notes = plot.notes || u.over.appendChild(T.el('div', { class: 'over' }));
+    plot.notes.innerHTML = T.svgOf((p) => annotate(p, u, plot, T.theme(), frame), w, h);
+  }
 
   // The same for papers, from the data and the ranges that are on the screen.
   function scene(plot, p, width, height, theme) {
@@ -226,65 +191,45 @@
     T.drawFrame(p, theme, frame, { xLabel: T.time.label, yLabel: plot.yLabel });
     key.forEach((line, k) => T.drawKey(p, theme, box.x, 12 + kKeyLine * k, line));
     const times = timesOf(plot);
-    let first = 0;
-    let last = times.length - 1;
-    while (first + 1 < last && times[first + 1] < frame.xRange[0]) ++first;
-    while (last - 1 > first && times[last - 1] > frame.xRange[1]) --last;
-    if (!plot.times) T.markEvents(p, theme, frame);
+    const first = Math.max(0, times.findIndex((t) => t > xRange[0]) - 1);
+    const after = times.findIndex((t) => t > xRange[1]);
+    const last = after < 0 ? times.length - 1 : after;
     p.clip(box.x, box.y, box.w, box.h);
     for (const s of shown) {
+      const style = { stroke: color(theme, s), width: s.width || 1.5, dash: s.dash };
       let line = [];
-      const flush = () => {
-        if (line.length > 3) {
-          p.path(line, { stroke: color(theme, s), width: s.width || 1.5, dash: s.dash });
-        }
-        line = [];
-      };
       for (let k = first; k <= last; ++k) {
-        const v = s.data[k];
-        if (v === null) {
-          flush();
-          continue;
+        if (s.data[k] !== null) {
+          const x = frame.x(times[k]);
+          if (s.steps && line.length > 0) line.push(x, line[line.length - 1]);
+          line.push(x, frame.y(s.data[k]));
         }
-        const px = frame.x(times[k]);
-        const py = frame.y(v);
-        if (s.steps && line.length > 0) line.push(px, line[line.length - 1]);
-        line.push(px, py);
+        if ((s.data[k] === null || k === last) && line.length > 0) {
+          p.path(line, style);
+          line = [];
+        }
       }
-      flush();
     }
-    for (const s of peaksOf(u, plot)) {
-      const [x, y] = [frame.x(s.peak[0]), frame.y(s.peak[1])];
-      p.circle(x, y, 4.5, { fill: color(theme, s), stroke: theme.surface, width: 1.5 });
-      p.text(x + 8, y + 1, peakText(s), { fill: color(theme, s), size: 11.5, weight: 600 });
-    }
+    annotate(p, u, plot, theme, frame);
     p.unclip();
   }
 
   // spec: {id, title, small, yLabel, series}; the card of the plot.
   T.timePlot = function (spec) {
-    const plot = T.register({ ...spec, height: (width) => spec.tall || (width < 420 ? 180
-      : kHeight), printHeight: () => (spec.tall ? 230 : 138) + kKeyLine * Math.floor(
-      spec.series.length / 4),
-      saveHeight: 400 });
+    const plot = T.register({ ...spec, saveHeight: 400,
+      height: (width) => spec.tall || (width < 420 ? 180 : kHeight),
+      printHeight: () => (spec.tall ? 230 : 138) + kKeyLine * Math.floor(spec.series.length / 4) });
     all.push(plot);
     const card = T.card(plot.title, plot.small, plot);
     const frame = T.el('div', { class: 'plot screen-only' });
     card.append(frame);
-    plot.count = () => plot.series.length * timesOf(plot).length;
     plot.scene = (p, width, height, theme) => scene(plot, p, width, height, theme);
-    plot.redraw = () => {
-      if (!plot.uplot) return;
-      plot.uplot.redraw(false, true);
-      frame.querySelectorAll('.u-marker').forEach((mark, k) => {
-        if (k > 0) mark.style.background = color(T.theme(), plot.series[k - 1]);
-      });
-    };
+    plot.redraw = () => plot.uplot && plot.uplot.redraw(false, true);
     plot.resize = () => {
       const width = Math.floor(frame.clientWidth);
       if (width <= 0) return;
       if (!plot.uplot) {
-        busy = true;  // its first ranges are no wish of the reader
+        busy = true;  // its first ranges are not the reader's choice
         plot.uplot = new uPlot(options(plot, width), [timesOf(plot),
           ...plot.series.map((s) => s.data)], frame);
         busy = false;

@@ -67,7 +67,7 @@
     const points = Array.from(s.row, (row, k) => nearest(rows, row, d.table.x[k], d.table.y[k]));
     Object.assign(d, { t: s.t_s.map((t) => t - s.t_s[0]), c: now(rows.c), cc: now(rows.cc),
       from: both((a, k) => points.map((point) => point[k])), model: d.desired,
-      command: both((a) => now(rows[a], 1)), way: rows,
+      command: both((a) => now(rows[a], 1)), polyline: rows,
       names: ['rows', 'desired'], colours: [
         { button: 'speed', label: 'table, speed (mm/s)', values: d.speed },
         { button: 'feed rate', label: 'table, v (0..255)', values: s.v },

@@ -52,7 +52,7 @@
     const rows = [['HI', s[`${prefix}host_irq`], 0], ...[7, 6, 5, 4, 3, 2, 1].map((bit) => [
       kBits[bit], s[`${prefix}status`], bit]), ...more];
     const card = named(prefix, { id: 'status', title: 'Status bits', print: prefix ? 'half'
-      : 'wide', height: () => 50 + 25 * rows.length, count: () => run.count, cursor: null });
+      : 'wide', height: () => 50 + 25 * rows.length, cursor: null });
     const times = () => T.time.values;
     const frameOf = (width, height) => T.frame({ x: 146, y: 8, w: width - 160, h: height - 52 },
       T.time.range, [0, rows.length]);

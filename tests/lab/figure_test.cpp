@@ -108,9 +108,9 @@ TEST_CASE("ours stands beside what the source prints and what is expected") {
   other.source = "a paper";
   CHECK(figures_text({f, other}) ==
         "\n"
-        "                                                 ours  printed  expected\n"
-        "  error, mean (mm)                               2.20     2.05      2.11  outside its "
+        "                                              ours  printed  expected\n"
+        "  error, mean (mm)                            2.20     2.05      2.11  outside its "
         "tolerance\n"
-        "  peak (A)                                       1.50        -      1.40\n"
+        "  peak (A)                                    1.50        -      1.40\n"
         "  a paper\n");
 }

@@ -146,12 +146,12 @@ TEST_CASE("a value of another kind is refused with its key and what it takes") {
     switch (key.kind) {
       case Kind::kFlag: refused("2", "value 2 is not true or false"); break;
       case Kind::kInteger:
-        refused("1.5", "value 1.5 is not a whole number " + range_text(key));
-        refused("'1'", "value \"1\" is not a whole number " + range_text(key));
+        refused("1.5", "value 1.5 is not a whole number in " + range_text(key));
+        refused("'1'", "value \"1\" is not a whole number in " + range_text(key));
         break;
       case Kind::kReal:
-        refused("'1'", "value \"1\" is not a number " + range_text(key));
-        refused("true", "value true is not a number " + range_text(key));
+        refused("'1'", "value \"1\" is not a number in " + range_text(key));
+        refused("true", "value true is not a number in " + range_text(key));
         refused("nan", "value nan is out of range " + range_text(key));
         break;
       case Kind::kChoice:
@@ -240,7 +240,7 @@ TEST_CASE("a key of another machine is refused with the name of this one") {
       CAPTURE(other_machine->name);
       const auto settings = other_machine->defaults();
       const std::string what =
-          fmt::format("{}: is no key of the machine {}", key.name, other_machine->name);
+          fmt::format("{}: not a key of the machine {}", key.name, other_machine->name);
       CHECK_THROWS_WITH(apply_assignment(*settings, key.name + "=1"), "-s: " + what);
       CHECK_THROWS_WITH(apply_text(*settings, key.name + " = 1", "a.toml", "."),
                         "a.toml:1: " + what);

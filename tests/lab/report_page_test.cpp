@@ -5,8 +5,10 @@
 #include "lab/report_page.hpp"
 
 #include <fmt/format.h>
+#include <zlib.h>
 
 #include <catch2/catch.hpp>
+#include <cstring>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -58,7 +60,7 @@ void check_refused(const fs::path& folder, const std::string& says) {
   CAPTURE(says);
   const std::string page = content(folder / "report.html");
   try {
-    write_run_page(folder);
+    write_page({folder}, folder / "report.html");
     FAIL_CHECK("the page was written");
   } catch (const ConfigError& error) {
     const std::string line = error.what();
@@ -67,6 +69,32 @@ void check_refused(const fs::path& folder, const std::string& says) {
   }
   CHECK(content(folder / "report.html") == page);
   CHECK_FALSE(fs::exists(folder / "report.html.new"));
+}
+
+// What base64 of RFC 4648 and zlib hold.
+std::string unpacked(const std::string& text) {
+  const char* const digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  REQUIRE(text.size() % 4 == 0);
+  std::string bytes;
+  unsigned group = 1;  // its top bit says how many digits are in it
+  for (const char c : text.substr(0, text.find('='))) {
+    const char* const digit = std::strchr(digits, c);
+    REQUIRE(digit != nullptr);
+    group = group << 6 | static_cast<unsigned>(digit - digits);
+    if (group >> 24 == 0) continue;
+    for (const int shift : {16, 8, 0}) bytes += static_cast<char>(group >> shift);
+    group = 1;
+  }
+  if (group >> 18 != 0) {
+    bytes += {static_cast<char>(group >> 10), static_cast<char>(group >> 2)};
+  } else if (group >> 12 != 0) {
+    bytes += static_cast<char>(group >> 4);
+  }
+  std::string json(1u << 20, '\0');
+  uLongf size = json.size();
+  REQUIRE(uncompress(reinterpret_cast<Bytef*>(json.data()), &size,
+                     reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()) == Z_OK);
+  return json.substr(0, size);
 }
 
 }  // namespace
@@ -78,7 +106,7 @@ TEST_CASE("a report made again from its folder is the same, byte by byte") {
     const std::string first = content(folder / "report.html");
     CHECK(first.size() > 50'000);
     fs::remove(folder / "report.html");
-    write_run_page(folder);
+    write_page({folder}, folder / "report.html");
     CHECK(content(folder / "report.html") == first);
   });
 }
@@ -99,6 +127,17 @@ TEST_CASE("a page holds every column of the trace, and passes over samples where
     for (const Column& column : machine.columns().columns) {
       CHECK(std::count(names.begin(), names.end(), column.name) == 1);
       if (column.compared) compared.push_back(column.name);
+    }
+    for (const auto& channel : all.channels) {
+      const Json steps = Json::parse(unpacked(channel["data"]));
+      REQUIRE(steps.size() == all.count);
+      const Series& values = run.columns.at(channel["name"]);
+      const double lsb = channel["lsb"];
+      double value = 0;
+      for (std::size_t k = 0; k < all.count; ++k) {
+        value += steps[k].get<double>();
+        REQUIRE(std::abs(value * lsb - values[run.first + k]) <= 0.5001 * lsb);
+      }
     }
     const PageSeries few = page_series(run, true, 20);
     CHECK(few.channels.size() >= compared.size());
@@ -207,9 +246,10 @@ TEST_CASE("a corrupt folder is one line that names the file, and the old page st
     check_refused(folder,
                   "metrics.json: is corrupt: /figures does not hold id, name, unit and value");
     write_text(metrics_file, metrics);
-    write_run_page(folder);
-    CHECK_THROWS_WITH(write_run_page(base / "b"), Contains("b: no such folder"));
-    CHECK_THROWS_WITH(write_run_page(trace_file), Contains("trace.csv: is not a folder"));
+    write_page({folder}, folder / "report.html");
+    CHECK_THROWS_WITH(write_page({base / "b"}, base / "b.html"), Contains("b: no such folder"));
+    CHECK_THROWS_WITH(write_page({trace_file}, base / "b.html"),
+                      Contains("trace.csv: is not a folder"));
   });
 }
 
@@ -232,7 +272,7 @@ TEST_CASE("every member that a machine's page needs is asked for by its name") {
       REQUIRE(less.contains(place));
       less[place] = nullptr;
       write_text(folder / "metrics.json", less.dump());
-      check_refused(folder, "metrics.json: is corrupt: " + member + " is of a wrong kind");
+      check_refused(folder, "metrics.json: is corrupt: " + member + " has the wrong type");
       less = metrics;
       less[place.parent_pointer()].erase(place.back());
       write_text(folder / "metrics.json", less.dump());
@@ -248,17 +288,17 @@ TEST_CASE("runs of one machine are compared on one page, at most eight of them")
     REQUIRE(run_to(a, machine) == 0);
     REQUIRE(run_to(b, machine, EndReason::kDone, {"processor.access_clk=9"}) == 0);
     const fs::path file = base / "compare.html";
-    write_comparison_page({a, b}, file);
+    write_page({a, b}, file);
     const std::string page = content(file);
     CHECK(page.find("\"label\":\"one/a\"") != std::string::npos);
     CHECK(page.find("\"label\":\"two/a\"") != std::string::npos);
     CHECK(page.find("\"page\":\"two/a/report.html\"") != std::string::npos);
-    CHECK_THROWS_WITH(write_comparison_page(std::vector<fs::path>(9, a), file),
+    CHECK_THROWS_WITH(write_page(std::vector<fs::path>(9, a), file),
                       Contains("at most 8"));
     for (const Machine* const other : machines()) {
       if (other == &machine) continue;
       REQUIRE(run_to(base / "three", *other) == 0);
-      CHECK_THROWS_WITH(write_comparison_page({a, base / "three"}, file),
+      CHECK_THROWS_WITH(write_page({a, base / "three"}, file),
                         Contains("only runs of one machine can be compared"));
     }
     CHECK(content(file) == page);

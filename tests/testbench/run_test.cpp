@@ -201,7 +201,7 @@ TEST_CASE("what was run is what run.toml repeats") {
         arguments_for(test::scenario_of(machine), base / "a", {"run.max_s=7.5", "name=other"});
     std::ofstream(base / "more.toml") << "description = 'quotes \" and \\'\nrun.max_s = 3\n";
     arguments.files = {(base / "more.toml").string()};
-    arguments.platform = "direct";
+    arguments.keys = {{"--platform", "run.platform=direct"}};
     std::unique_ptr<lab::Settings> ran;
     const Simulate simulate = [&ran](const lab::Settings& settings, const cosim::Hooks&) {
       ran = settings.clone();
@@ -281,8 +281,7 @@ TEST_CASE("a run names one scenario, or asks for all experiments") {
   arguments.all = true;
   arguments.scenario = "circle";
   CHECK_THROWS_WITH(test::run(arguments, never),
-                    "run: --all runs the experiments of the source; a scenario beside it means "
-                    "none");
+                    "run: --all runs the experiments of the source and takes no scenario");
   CHECK(entries(scratch.path) == 0);
 }
 
@@ -306,7 +305,7 @@ TEST_CASE("a key that experiments set is refused beside all of them, whoever ask
   arguments.report = false;
   arguments.assignments = {"controller=fc"};
   CHECK_THROWS_WITH(test::run(arguments, never),
-                    "run: --all sets controller itself; controller beside it means neither");
+                    "run: --all sets controller itself; do not set it as well");
   std::ofstream(scratch.path / "afc.toml") << "controller = 'afc'\n";
   arguments.assignments = {"plant.payload_kg=1"};
   CHECK(test::run(arguments, ending(EndReason::kDone)) == 0);

@@ -81,7 +81,7 @@ TEST_CASE("an693 scenarios load, can run, and repeat from run.toml") {
 
 TEST_CASE("keys of another machine, unknown keys and bad values are refused in one line") {
   CHECK(message_of("[gains]\nkp = 1\n") ==
-        "some.toml:2: gains.kp: is no key of the machine an693");
+        "some.toml:2: gains.kp: not a key of the machine an693");
   CHECK(message_of("[filter]\nkq = 1\n") ==
         "some.toml:2: filter.kq: unknown key; did you mean filter.kd?");
   CHECK_THAT(message_of("machine = 'another'\n"), Contains("is not one of an693"));
@@ -145,7 +145,9 @@ TEST_CASE("an693 runs leave metrics.json, trace.csv and run.toml, and say how th
   CHECK_THAT(content("an693_test_out/run.toml"), Contains("machine = \"an693\""));
   CHECK(fs::exists("an693_test_out/motion.svg") == !find_program("gnuplot").empty());
   CHECK_THAT(content("an693_test_out/report.html"), Contains("\"machine\":\"an693\""));
-  CHECK(testbench::report({{"an693_test_out"}, {}, false}) == 0);
+  testbench::Arguments again;
+  again.folders = {"an693_test_out"};
+  CHECK(testbench::report(again) == 0);
 
   arguments.json = false;
   arguments.assignments = {"program=tuning", "description=a step"};
@@ -177,7 +179,7 @@ TEST_CASE("a bit of one sample is on a page that shows one of three") {
     const RunFolder run = read_run("an693_test_out");
     CHECK(run.first == 0);
     CHECK(page_series(run, false, 3).stride == 3);
-    series.push_back(page_series(run, false, 3).data);
+    series.push_back(page_series(run, false, 3).channels.dump());
     CHECK(page_series(run, false, 100).channels.size() == 15);
   }
   CHECK(series[0] != series[1]);
@@ -211,7 +213,7 @@ TEST_CASE("run chooses the machine by the scenario, and refuses what this one ha
   testbench::Arguments arguments;
   arguments.scenario = "an693-hold";
   arguments.out = "an693_test_out";
-  arguments.platform = "direct";
+  arguments.keys = {{"--platform", "run.platform=direct"}};
   arguments.report = false;
   bool ran = false;
   const testbench::Simulate simulate = [&](const Settings& settings, const cosim::Hooks&) {
@@ -231,13 +233,13 @@ TEST_CASE("run chooses the machine by the scenario, and refuses what this one ha
   };
   CHECK(testbench::run(arguments, stop, breaks) == 4);
   CHECK_THAT(content(fs::path(arguments.out) / "metrics.json"), Contains("\"clock\": 50000"));
-  arguments.audit = arguments.plain = true;
+  arguments.keys = {{"--audit", "run.audit=true"}, {"--no-leap", "run.leap=false"}};
   CHECK_THROWS_WITH(testbench::run(arguments, stop, simulate), Contains("not with --no-leap"));
-  arguments.audit = arguments.plain = false;
+  arguments.keys.clear();
   arguments.check = true;
   CHECK(test::told([&] { CHECK(testbench::run(arguments, stop, simulate) == 2); }) ==
-        "trammel: an693-hold: --check: nothing is expected of this scenario with these "
-        "settings\n");
+        "trammel: an693-hold: --check: no figure of this scenario has an expected value with "
+        "these settings\n");
   arguments.check = false;
   arguments.waves.format = "fst";
   arguments.waves.trigger = "x.e > 3";

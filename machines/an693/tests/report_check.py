@@ -30,7 +30,7 @@ class Page(report_pages.ReportPages):
         interrupts = self.metrics("tuning")["interrupts"]
         self.assertEqual(self.js("return Trammel.time.marks"),
                          [one["time_s"] for one in interrupts])
-        table = self.driver.find_element("id", "status").text
+        table = self.driver.find_element("css selector", "#status table").text
         self.assertEqual(table.count("trajectory complete"), len(interrupts))
         self.assertIn("First step settled", self.driver.find_element("id", "figures").text)
         self.open("script")

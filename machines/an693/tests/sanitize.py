@@ -22,7 +22,7 @@ RUNS = [
     (0, "lm628", "OUT/all.lm628"), (0, "report", FOLDER, "OUT/lm628", "-o", "OUT/two.html"),
 ]
 REFUSED = [
-    (2, "is no key of the machine an693", *TUNING, "-s", "gains.kp=1"),
+    (2, "not a key of the machine an693", *TUNING, "-s", "gains.kp=1"),
     (2, "is none of: drive", *TUNING, "--wave", "fst", "--wave-trigger", "e ~ 3"),
     (2, "did you mean status.index?", *TUNING, "--wave", "fst", "--wave-trigger",
      "rise status.idex"),
@@ -31,7 +31,7 @@ REFUSED = [
      "OUT/lm628"),
     (2, "did you mean LTRJ?", "lm628", "OUT/bad.lm628"),
     (2, "no such script", "lm628", "nothing"),
-    (2, "is no key", "lm628", "hold", "-s", "gains.kp=1"),
+    (2, "not a key", "lm628", "hold", "-s", "gains.kp=1"),
     (5, "not within 0.01 s", "lm628", "OUT/late.lm628"),
     (2, "here the script gives the commands", "lm628", "hold", "-s", "filter.kp=1"),
 ]

@@ -73,7 +73,7 @@
     };
 
     const plot = { id: 'afc', title: 'Position controller, 35 steps', print: 'wide',
-      height: () => 172, count: () => 35 };
+      height: () => 172 };
     plot.scene = function (p, width, height, theme) {
       const w = cell(width);
       const at = (k) => kLeft + k * w;

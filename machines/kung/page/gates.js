@@ -87,7 +87,7 @@
     const wholeOf = (leg) => deadOf(leg).filter((s) => s.begin > 0 && s.end < length);
 
     const overview = { id: 'pwm', title: 'Gates over two PWM periods', print: 'half',
-      height: () => (hasCarrier ? 372 : 302), count: () => gates.edges.length };
+      height: () => (hasCarrier ? 372 : 302) };
     overview.scene = function (p, width, height, theme) {
       const frame = T.frame({ x: 62, y: 6, w: width - 76, h: height - 50 }, [0, length], [0, 1]);
       const bottom = height - 44;
@@ -125,7 +125,7 @@
     }
 
     const zoom = { id: 'dead-time', title: 'One edge, clock by clock', print: 'half',
-      height: overview.height, count: () => (zoomed() ? 2 : 0) };
+      height: overview.height };
     zoom.scene = function (p, width, height, theme) {
       const z = zoomed();
       const bottom = height - 44;

@@ -10,7 +10,7 @@
 
   function heatMap(id, title, small, values, top, digits, visited) {
     const plot = { id, title, print: 'quarter', saveWidth: 460, height: (width) => Math.min(width,
-      340), count: () => 49 };
+      340) };
     plot.scene = function (p, width, height, theme) {
       const side = Math.min(width - 44, height - 44);
       const x0 = 40 + (width - 44 - side) / 2;
@@ -63,7 +63,7 @@
 
   function surface(id, title, rules) {
     const plot = { id, title, print: 'quarter', saveWidth: 460, height: (width) => Math.min(width,
-      340), count: () => kGrid * kGrid };
+      340) };
     plot.scene = function (p, width, height, theme) {
       const scale = Math.min(width / 10.9, height / 7.6);
       const cx = width / 2;

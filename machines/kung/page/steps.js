@@ -14,7 +14,7 @@
     const periods = Math.max(1, Math.floor(d.n / length));
     const half = o['path.square_half_samples'] * 0.5e-3;
     const plot = { id: `periods-${axis}`, title: `${axis.toUpperCase()} all periods`,
-      height: (width) => (width < 420 ? 240 : 300), count: () => periods * length };
+      height: (width) => (width < 420 ? 240 : 300) };
     plot.scene = function (p, width, height, theme) {
       const used = (of) => of.subarray(0, periods * length);
       const ys = T.range(used(d.model[axis]), ...T.range(used(d.table[axis])));

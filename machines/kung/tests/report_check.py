@@ -63,10 +63,10 @@ class Page(report_pages.ReportPages):
         self.assertEqual(set(at), {at[0]})
         for legend in self.driver.find_elements("css selector", ".u-series:nth-child(2) .u-value"):
             self.assertRegex(legend.text, r"\d")
-        self.assertGreater(self.js(report_pages.PAINTED, self.driver.find_element(
-            "css selector", "[data-plot=path] .over")), 3)
+        self.assertEqual(len(self.driver.find_elements(
+            "css selector", "[data-plot=path] .over circle")), 3)
         # The other way: a point of the path is the cursor of all plots.
-        path = self.driver.find_element("css selector", "[data-plot=path] canvas")
+        path = self.driver.find_element("css selector", "[data-plot=path] .plot")
         self.js("arguments[0].scrollIntoView({block: 'center'})", path)
         x, y = self.js("""const plot = Trammel.plots.find((p) => p.id === 'path');
             const c = plot.canvas, d = Trammel.page.runs[0].data;

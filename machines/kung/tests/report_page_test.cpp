@@ -99,7 +99,7 @@ TEST_CASE("corrupt figures, rules and gates are one line that names the file") {
   const std::string page = content(folder / "report.html");
   const auto check = [&](const std::string& says) {
     try {
-      write_run_page(folder);
+      write_page({folder}, folder / "report.html");
       FAIL("the page was written");
     } catch (const ConfigError& error) {
       const std::string line = error.what();
@@ -116,7 +116,7 @@ TEST_CASE("corrupt figures, rules and gates are one line that names the file") {
   check("metrics.json: is corrupt: /tracking/model/mean_mm is missing");
   write_text(folder / "metrics.json", metrics);
   replace(folder / "metrics.json", "\"samples\": 60", "\"samples\": \"many\"");
-  check("metrics.json: is corrupt: /run/samples is of a wrong kind");
+  check("metrics.json: is corrupt: /run/samples has the wrong type");
   write_text(folder / "metrics.json", metrics);
 
   replace(folder / "detail.json", "\"first\":[0,", "\"first\":[");
@@ -128,7 +128,7 @@ TEST_CASE("corrupt figures, rules and gates are one line that names the file") {
   fs::remove(folder / "detail.json");
   check("detail.json: is missing");
   write_text(folder / "detail.json", detail);
-  write_run_page(folder);
+  write_page({folder}, folder / "report.html");
   CHECK(content(folder / "report.html") == page);
 }
 

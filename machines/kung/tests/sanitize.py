@@ -42,9 +42,9 @@ RUNS = [
     (0, *SHORT, "-s", "gains.kp=0.99999", "-s", "gains.ki=1e-6", "-o", "OUT/gains"),
 ]
 REFUSED = [
-    (2, "a scenario beside it", "run", "--all", "circle"),
+    (2, "takes no scenario", "run", "--all", "circle"),
     (2, "--all sets controller itself", "run", "--all", "-s", "controller=fc"),
-    (2, "nothing is expected", *SHORT, "--check", "-o", "OUT/checked"),
+    (2, "has an expected value", *SHORT, "--check", "-o", "OUT/checked"),
     (2, "is out of range", "run", "circle", "-s", "gains.kp=33"),
     (2, "did you mean", "run", "circle", "-s", "gains.kpp=1"),
     (2, "expects key=value", "run", "circle", "-s", "gains.kp"),
@@ -68,7 +68,7 @@ REFUSED = [
     (2, "does not hold 38 numbers", "report", "OUT/cut_trace"),
     (2, "does not hold 49 rules", "report", "OUT/no_rules"),
     (2, "which this trammel does not have", "report", "OUT/other"),
-    (2, "is no key of the machine kung", "run", "circle", "-s", "filter.kp=1"),
+    (2, "not a key of the machine kung", "run", "circle", "-s", "filter.kp=1"),
 ]
 
 

@@ -100,7 +100,7 @@ TEST_CASE("mcafee: a path or motor that cannot be is refused with key, row and r
     CHECK_THAT(message_of(std::string("[run]\nengine = \"twin\"\n") + key),
                Contains("run.engine: the twin") && Contains("need"));
   }
-  CHECK_THAT(message_of("[gains]\nkp = 1"), Contains("is no key of the machine mcafee"));
+  CHECK_THAT(message_of("[gains]\nkp = 1"), Contains("not a key of the machine mcafee"));
 }
 
 TEST_CASE("mcafee: figures count from the first row, contour errors from the path") {
@@ -168,13 +168,14 @@ TEST_CASE_METHOD(Runs,
   const std::string page = content(folder / "report.html");
   CHECK_THAT(page, Contains("\"machine\":\"mcafee\""));
   fs::remove(folder / "report.html");
-  write_run_page(folder);
+  write_page({folder}, folder / "report.html");
   CHECK(content(folder / "report.html") == page);
   CHECK(read_run(folder).first == 2);
 
   const auto refused = [&](const std::string& changed) {
     write_text(folder / "detail.json", changed);
-    CHECK_THROWS_WITH(write_run_page(folder), Contains("detail.json: is corrupt: /"));
+    CHECK_THROWS_WITH(write_page({folder}, folder / "report.html"),
+                      Contains("detail.json: is corrupt: /"));
     CHECK(content(folder / "report.html") == page);
   };
   auto other = detail;
@@ -192,7 +193,7 @@ TEST_CASE_METHOD(Runs,
   CHECK(run() == 0);
   CHECK_FALSE(fs::exists(folder / "report.html"));
   CHECK_FALSE(fs::exists(folder / "detail.json"));
-  write_run_page(folder);
+  write_page({folder}, folder / "report.html");
   CHECK(fs::exists(folder / "report.html"));
 }
 

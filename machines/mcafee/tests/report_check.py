@@ -89,7 +89,7 @@ class Page(report_pages.ReportPages):
         self.until(lambda: len({tuple(r) for r in self.ranges()}) == 1)
         reset.click()
         # A point of the status bits is the cursor of all, also of the longer one.
-        status = self.driver.find_element("css selector", "[data-plot=status-x] canvas")
+        status = self.driver.find_element("css selector", "[data-plot=status-x] .plot")
         self.js("arguments[0].scrollIntoView({block: 'center'})", status)
         ActionChains(self.driver, duration=20).move_to_element(status).perform()
         at = "return Trammel.time.plots.map((p) => p.uplot.data[0][p.uplot.cursor.idx] || 0)"

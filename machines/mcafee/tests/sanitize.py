@@ -23,6 +23,6 @@ REFUSED = [
     (2, "run.engine", *CORNER, "--engine", "twin", "--assert", "-o", FOLDER),
     (2, "row 0: increments 142, 0", *CORNER, "-s", "path.row_mm=0.7", "-o", FOLDER),
     (2, "path.radius_mm", "track", "-s", "path.radius_mm=31"),
-    (2, "nothing is expected", "run", "mcafee-stage1", "-s", "trajectory.readings=3", "--check"),
+    (2, "has an expected value", "run", "mcafee-stage1", "-s", "trajectory.readings=3", "--check"),
     (2, "is not one of mcafee", "track", "-s", "machine=other"),
 ]

@@ -26,6 +26,14 @@ class GenManualTest(unittest.TestCase):
             "| `gains.[x.\\|y.]ki` | x 2, y 3 |  | 0 to 1 | a gain |",
             "| `gains.mode` | a\\|b |  | 0 to 1 | &lt;or&gt; |"])
 
+    def test_columns_of_both_axes_are_one_row(self):
+        names = ("t_s", "x_e", "x_lone", "y_e", "v|w")
+        text = gen_manual.column_rows([{"column": name, "unit": "<m>", "help": f"of {name[-1]}"}
+                                       for name in names])
+        self.assertEqual(text.split("\n"), [
+            "| `t_s` | &lt;m&gt; | of s |", "| `[x_\\|y_]e` | &lt;m&gt; | of e |",
+            "| `x_lone` | &lt;m&gt; | of e |", "| `v|w` | &lt;m&gt; | of w |", ""])
+
     def test_only_the_text_between_the_marks_is_replaced(self):
         page = "a\n<!-- begin x -->\nold\n<!-- end x -->\nb\n"
         self.assertEqual(gen_manual.replaced(page, "x", "new\n"), page.replace("old", "new"))
