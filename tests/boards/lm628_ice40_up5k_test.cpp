@@ -85,7 +85,7 @@ TEST_CASE("lm628_ice40_up5k resets for 1 ms, samples every 256 us, is busy for 2
   REQUIRE(bench.now() - begin < 520);  // a poll
 }
 
-TEST_CASE("lm628_ice40_up5k puts out 12 bits with strobes of 1 us, and 4 m of 512 ticks") {
+TEST_CASE("lm628_ice40_up5k puts out 12 bits with strobes of 1 us, pulses of 4 m of 512 ticks") {
   Bench bench;
   bench.start();
   bench.command(Opcode::kPort12);

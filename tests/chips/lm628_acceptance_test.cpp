@@ -215,7 +215,7 @@ TEST_CASE("lm628 takes no index while a line of the encoder is high") {
   }
 }
 
-TEST_CASE("L-10 lm628 refuses a new acceleration in motion, which goes on as it would") {
+TEST_CASE("L-10 lm628 refuses a new acceleration in motion, which continues unchanged") {
   Bench asked, left;
   for (Bench* bench : {&asked, &left}) {
     bench->start();

@@ -255,7 +255,7 @@ TEST_CASE("A table reset restores the 49 rules and a start waits for it") {
   bench.require_same_rules();
 }
 
-TEST_CASE("A table reset asked for during a sample acts after it") {
+TEST_CASE("A table reset requested during a sample acts after it") {
   Bench bench;
   for (int n = 0; n < 49; ++n) bench.write(n, 12345 * n);
   bench.start({700, 0});

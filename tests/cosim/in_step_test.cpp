@@ -81,7 +81,7 @@ std::optional<cosim::BrokenPromise> audited(const Faults& wrong) {
 
 }  // namespace
 
-TEST_CASE("chips that do the same keep the promise, and from outside they are the first") {
+TEST_CASE("chips that agree break no assertion, and from outside look like the first one") {
   CHECK_FALSE(audited({}));
   Audited chip;
   CHECK(chip.run(1000, test::NoPlant()).edge == 99);
@@ -90,7 +90,7 @@ TEST_CASE("chips that do the same keep the promise, and from outside they are th
   CHECK(chip.registers().count == 100);
 }
 
-TEST_CASE("a leap that counts one clock too many is told with register, values and clock") {
+TEST_CASE("a leap that counts one clock too many is reported with register, values and clock") {
   const auto broken = audited({true, false});
   REQUIRE(broken);
   CHECK(broken->name == "leap_is_exact");
@@ -99,7 +99,7 @@ TEST_CASE("a leap that counts one clock too many is told with register, values a
   CHECK(broken->edge == 59);
 }
 
-TEST_CASE("a stop that comes at another clock is told with both clocks and reasons") {
+TEST_CASE("a stop that comes at another clock is reported with both clocks and reasons") {
   const auto broken = audited({false, true});
   REQUIRE(broken);
   CHECK(broken->instance == "the stop");

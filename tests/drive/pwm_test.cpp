@@ -117,7 +117,7 @@ TEST_CASE("pwm takes compare values at phase 0 only") {
   }
 }
 
-TEST_CASE("pwm disabled wants no switch and announces no event") {
+TEST_CASE("pwm disabled turns no switch on and announces no event") {
   Rtl rtl;
   rtl.reset();
   Pwm::In in = at(0, {0, 0, 0});

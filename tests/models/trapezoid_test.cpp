@@ -115,7 +115,7 @@ int samples(const Config& c, std::int64_t target) {
 
 }  // namespace
 
-TEST_CASE("trapezoid ends 10,000 random moves exactly, lawfully and in time") {
+TEST_CASE("trapezoid ends 10,000 random moves exactly, within limits and in time") {
   Random random(21);
   double worst = 0;
   for (int move = 0; move < 10000;) {

@@ -40,7 +40,7 @@ TEST_CASE("leadscrew_axis counts up where the converter's code is above 80h") {
         Approx(static_cast<double>(axis.sensor().encoder().count())).margin(0.6));
 }
 
-TEST_CASE("leadscrew_axis has an amplifier that gives 3 A and no more") {
+TEST_CASE("leadscrew_axis has an amplifier that gives at most 3 A") {
   LeadscrewAxis axis({});
   axis.drive(0, 0xFF);
   double most = 0, before = 0;
@@ -98,7 +98,7 @@ TEST_CASE("leadscrew_axis comes to rest at its stop, and can be driven back off 
   CHECK(axis.position(12'000'000) > -1e-3);
 }
 
-TEST_CASE("an axis of the stage is where it is, whatever the other does") {
+TEST_CASE("an axis of the stage is independent of the other") {
   XyStage stage({}), alone({});
   stage.commit(0, {0x90, 0x30});
   alone.commit(0, {0x90, 0x80});

@@ -90,7 +90,7 @@ TEST_CASE("keys of another machine, unknown keys and bad values are refused in o
   CHECK_THAT(message_of("[encoder]\ncounts = 4001\n"), Contains("no multiple of 4"));
 }
 
-TEST_CASE("an693 figures count samples from the first that moves") {
+TEST_CASE("an693 figures count samples from the first in which the desired position moves") {
   const an693::Options options;
   const an693::Metrics m = evaluate(options, by_hand());
   CHECK(m.moving_samples == 1);
@@ -103,7 +103,7 @@ TEST_CASE("an693 figures count samples from the first that moves") {
   CHECK(m.interrupts[0].real == 4);
 }
 
-TEST_CASE("an693 interrupts before the desired position moves are told, as of sample 0") {
+TEST_CASE("an693 interrupts before the desired position moves are listed as of sample 0") {
   an693::Result result;
   for (int n = 0; n < 4; ++n) {
     an693::Sample s;
@@ -153,7 +153,7 @@ TEST_CASE("an693 runs leave metrics.json, trace.csv and run.toml, and say how th
   fs::remove_all("an693_test_out");
 }
 
-TEST_CASE("a bit of one sample is on a page that shows one of three") {
+TEST_CASE("a status bit of one sample shows on a page that keeps every third sample") {
   const std::atomic<bool> stop{false};
   testbench::Arguments arguments;
   arguments.scenario = "an693-absolute";
@@ -203,7 +203,7 @@ TEST_CASE("an693 says how a run ended") {
         "(bus/lm628_port_props.sv:7)");
 }
 
-TEST_CASE("run chooses the machine by the scenario, and refuses what this one has not") {
+TEST_CASE("run chooses the machine by the scenario, and refuses what that machine lacks") {
   const std::atomic<bool> stop{false};
   testbench::Arguments arguments;
   arguments.scenario = "an693-hold";

@@ -42,7 +42,7 @@ std::string refusal(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("commands are the mnemonics of the data sheet in any case, and have its codes") {
+TEST_CASE("commands are the data sheet's mnemonics in upper or lower case, with its opcodes") {
   CHECK(parsed("STT").word->code == Lm628Command::kStt);
   CHECK(parsed("  stt  # go").word->code == Lm628Command::kStt);
   CHECK(parsed("rdRP;").word->reply_bits == 32);
@@ -56,7 +56,7 @@ TEST_CASE("commands are the mnemonics of the data sheet in any case, and have it
                                0x0B, 0x0C, 0x0D, 0x1A, 0x1B, 0x1C, 0x1D, 0x1E, 0x1F, 0x20, 0x21});
 }
 
-TEST_CASE("numbers are decimal or hexadecimal, and of a signed width a pattern too") {
+TEST_CASE("numbers are decimal or hexadecimal; a signed value may be given as a bit pattern") {
   CHECK(values("SBPA 80000") == std::vector<std::int64_t>{80000});
   CHECK(values("SBPA -10") == std::vector<std::int64_t>{-10});
   CHECK(values("SBPA -0xA") == std::vector<std::int64_t>{-10});
@@ -109,7 +109,7 @@ TEST_CASE("LTRJ takes what its control word asks for; relative values may be neg
   CHECK_THAT(refusal("LTRJ 0028h -1 1"), Contains("acceleration: -1 is out of range"));
 }
 
-TEST_CASE("the other commands take one number or none") {
+TEST_CASE("all other commands take one number or none") {
   CHECK(values("LPES 7FFFh") == std::vector<std::int64_t>{0x7FFF});
   CHECK(values("MSKI 0040h") == std::vector<std::int64_t>{0x40});
   CHECK(values("byte d 255") == std::vector<std::int64_t>{255});
@@ -127,7 +127,7 @@ TEST_CASE("the other commands take one number or none") {
         "move.lm628:3: foo: unknown command; `help` names them all");
 }
 
-TEST_CASE("waits have a time, or an event with the longest time") {
+TEST_CASE("a wait takes a time, or an event with a time limit") {
   CHECK(parsed("wait 0.5 s").seconds == Approx(0.5));
   CHECK(parsed("wait 10ms").seconds == Approx(0.01));
   CHECK(parsed("wait 300 us").seconds == Approx(300e-6));
@@ -145,7 +145,7 @@ TEST_CASE("waits have a time, or an event with the longest time") {
   CHECK_THAT(refusal("wait 1e9 s"), Contains("is out of range"));
 }
 
-TEST_CASE("help tells of all words, or of one") {
+TEST_CASE("help lists all commands, or describes one") {
   const std::string all = lm628_help("");
   for (const Lm628Word& word : lm628_words()) CHECK_THAT(all, Contains(word.name));
   CHECK_THAT(all, Contains("1Fh  LTRJ control [acceleration]"));
@@ -156,7 +156,7 @@ TEST_CASE("help tells of all words, or of one") {
   CHECK_THAT(refusal("help a b"), Contains("expects one mnemonic"));
 }
 
-TEST_CASE("built-in scripts can be read, and have names") {
+TEST_CASE("built-in scripts are found by name and can be parsed") {
   const auto files = lab::built_in(".lm628");
   CHECK(files.size() == 5);
   for (const auto& file : files) {

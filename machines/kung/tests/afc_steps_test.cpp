@@ -70,7 +70,7 @@ void check_chase(const sw::AxisSetup& setup, int reach) {
 
 }  // namespace
 
-TEST_CASE("the steps of a sample end with the words and rules of the twin") {
+TEST_CASE("the steps of a sample end at the words and rules of the twin") {
   sw::AxisSetup setup;
   check_chase(setup, 2000);
   setup.adapt = true;
@@ -82,7 +82,7 @@ TEST_CASE("the steps of a sample end with the words and rules of the twin") {
   check_chase(setup, 2000);
 }
 
-TEST_CASE("the steps are those of the specification's table for its check vector") {
+TEST_CASE("the steps are those of the specification for its check vector") {
   // Section 5: e = 1000, de = 200 with a fresh table.
   kung::AfcStart start;
   const exact::Afc fresh;

@@ -83,7 +83,7 @@ struct Runs {
 
 }  // namespace
 
-TEST_CASE("mcafee: a path or motor that cannot be is refused with key, row and range") {
+TEST_CASE("mcafee: an impossible path or motor is refused with key, row and range") {
   CHECK(message_of("") == "");
   CHECK_THAT(message_of("[path]\nrow_mm = 0.7"), Contains("row 0: increments 139, 0"));
   CHECK_THAT(message_of("[path]\nradius_mm = 31"), Contains("out of range 0..30"));
@@ -147,7 +147,7 @@ TEST_CASE("mcafee: interrupts, motors turned off and switches are events, once e
 }
 
 TEST_CASE_METHOD(Runs,
-                 "mcafee: runs leave their files and a page, made again from them byte by byte") {
+                 "mcafee: runs leave their files and a page that can be made again byte for byte") {
   arguments.json = true;
   REQUIRE(run() == 0);
   const auto metrics = this->metrics();
@@ -193,7 +193,7 @@ TEST_CASE_METHOD(Runs,
 }
 
 TEST_CASE_METHOD(Runs,
-                 "mcafee: a comparison that ends early ends the run, stopped ones are no figure") {
+                 "mcafee: a stopped comparison ends the run; one that fails is listed by its end") {
   arguments.report = false;
   slow_end = cosim::EndReason::kStopped;
   CHECK(run() == exit_code(slow_end));

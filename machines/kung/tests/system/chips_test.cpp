@@ -193,7 +193,7 @@ void compare(std::uint32_t seed, std::uint32_t pace, std::uint32_t gap, int tran
 
 }  // namespace
 
-TEST_CASE("under random traffic the twin answers as the RTL at every edge") {
+TEST_CASE("under random traffic the twin answers as the RTL does at every edge") {
   const int scale = GENERATE(0, 1, 2, 3);
   CAPTURE(scale);
   constexpr std::uint32_t kPaces[] = {400, 60, 2000, 12};

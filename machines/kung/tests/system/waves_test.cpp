@@ -119,7 +119,7 @@ TEST_CASE("a fault is found at the clock that latched it") {
   CHECK(*traced(options, "fault").wave_trigger == *result.wave_trigger);
 }
 
-TEST_CASE("a trigger that never fires leaves the run whole and no waves") {
+TEST_CASE("a trigger that never fires leaves a complete run and no waves") {
   const Options options = piece();
   const Result base = simulate(options, {});
   const Result result = traced(options, "fault");
@@ -183,7 +183,7 @@ TEST_CASE("windows that begin at any clock show the run exactly") {
   check(options);
 }
 
-TEST_CASE("a run with waves that looks at promises has the same events") {
+TEST_CASE("a run with waves that checks assertions has the same events") {
   Options options = piece();
   options.path.line_end_x_m = 0.101;
   options.path.line_end_y_m = 0.1005;
