@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Both axes of the chip against their twins under random registers, pins and commands, and the
-// borders of what trips them.
+// exact limits at which they trip.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -195,7 +195,7 @@ TEST_CASE("both axes compute and switch as their twins do under random registers
         const auto gate = std::size_t(3 * axis.number + phase);
         const int on = std::max(3124 - 2 * cmp[phase], 0), off = kPeriod - on;
         const int dead = axis.dead_time;
-        // The window ends behind the tick: the next period has not switched yet.
+        // The window ends after the tick: the next period has not switched yet.
         if (settled && axis.enabled && on > dead && next[phase] > 20) {
           CAPTURE(phase, dead, cmp[phase], cmp_before[gate]);
           CHECK(chip.on_hi[gate] - hi[gate] == on - dead);

@@ -98,7 +98,7 @@ TEST_CASE("L-05 lm628 ends the data sheet's move at 200 000 after 76 345 samples
   CHECK(bench.status() == 0x04);
 }
 
-// AN-693, "Velocity profile with breakpoints", on a motor that is where it is told to be.
+// AN-693, "Velocity profile with breakpoints", on a motor that is at its desired position.
 TEST_CASE("L-06 lm628 goes through the three speeds of AN-693 at 80 000 and 160 000") {
   TwinBench bench;
   bench.start();

@@ -170,7 +170,7 @@ TEST_CASE("mcafee_xy: the parts answer separately, and a strobe that starts noth
   CHECK((bench.read(reg::kStatus) & reg::kStatusRefused) == 0);
 }
 
-// McAfee 1994, appendix B: the position for ever.
+// McAfee 1994, appendix B: reads the position for ever.
 TEST_CASE("F-06 mcafee_xy reads FF FF FF FB again and again while the encoder holds -5") {
   Bench bench;
   bench.start();

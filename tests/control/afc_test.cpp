@@ -343,7 +343,7 @@ TEST_CASE("In the linear area u is E + DE within one, and the weights sum to one
 TEST_CASE("Sample by sample the words stay near double precision") {
   // Same inputs to both. u: the floor of c costs below 1, the rounding of four d below 4 / 2 * 6
   // units / 2048 = 1.5, of u 0.5. Kp passes on 1.1 of these 3 and the integrator Ki 3 per sample,
-  // less because u errs to both sides; Kv doubles it.
+  // less because u errs in both directions; Kv doubles it.
   Afc afc;
   trammel::ideal::FuzzyController ideal;
   for (int k = 0; k < 2000; ++k) {

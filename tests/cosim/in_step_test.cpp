@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Two chips in step, with a chip of one counter that can be made to err.
+// Two chips in lock-step, each a counter that can be made to err.
 #include "cosim/verilated/in_step.hpp"
 
 #include <catch2/catch.hpp>
@@ -65,7 +65,7 @@ struct Visited {
 
 using Audited = cosim::AuditedChip<Counter, Visited>;
 
-// Its broken promise after some runs with a transfer and a changed pin between.
+// The failed assertion, if any, after some runs with a transfer and a changed pin between.
 std::optional<cosim::BrokenPromise> audited(const Faults& wrong) {
   faults = wrong;
   Audited chip;

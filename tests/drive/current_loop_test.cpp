@@ -90,7 +90,7 @@ TEST_CASE("current_loop answers a step of 427 with v_q = 1063, 1140, 1217, 1294"
 
 TEST_CASE("current_loop completes an electrical period in 12 200 counts") {
   REQUIRE(CurrentLoop::theta(0, 5) == 5);
-  REQUIRE(CurrentLoop::theta(12200, 0) == 6104);  // 12 200 * 352047 - 2^32: 1.4e-6 of a turn
+  REQUIRE(CurrentLoop::theta(12200, 0) == 6104);  // 12 200 * 352047 - 2^32: 1.4e-6 of a period
   REQUIRE(CurrentLoop::theta(-3050, 0) >> 22 == 767);
   REQUIRE(CurrentLoop::theta(3050, 0) >> 22 == 256);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// How settings come together, by the same rules for every key of every machine.
+// How settings are layered, by the same rules for every key of every machine.
 #include "lab/layers.hpp"
 
 #include <fmt/format.h>
@@ -66,7 +66,7 @@ void each_key(Check check) {
   }
 }
 
-// What is said of text that is refused; "" when it is taken.
+// The message for text that is refused; "" when it is accepted.
 std::string message_of(const Machine& machine, const std::string& toml) {
   const auto settings = machine.defaults();
   try {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Pages of finished runs, by the same rules for every machine: made again the same, closed, nothing
-// from elsewhere, and none of a folder that is not whole.
+// Pages of finished runs, by the same rules for every machine: reproducible, self-contained, and
+// none from an incomplete folder.
 #include "lab/report_page.hpp"
 
 #include <fmt/format.h>

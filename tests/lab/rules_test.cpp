@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is refused of the settings of every machine before a run: names, and ways to look at a chip
-// that exclude each other.
+// Which settings of every machine are refused before a run: names, and ways to observe a chip that
+// exclude each other.
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
@@ -23,7 +23,7 @@ namespace {
 constexpr char kAudit[] =
     "run.audit: compares a leaping chip with a plain one; not with --no-leap, --assert or waves";
 
-// What is said of these settings of the machine; "" when they can run.
+// The message for these settings of the machine; "" when they can run.
 std::string message_of(const Machine& machine, const std::vector<std::string>& assignments) {
   const auto settings = machine.defaults();
   try {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What of waves may be asked for, and what is made of them, by the same rules for every machine.
+// Which waves may be requested, and what is made of them, by the same rules for every machine.
 #include "lab/waves.hpp"
 
 #include <fmt/format.h>
@@ -119,7 +119,7 @@ TEST_CASE("every listed trigger name is accepted, and no other") {
       CHECK(message_of(machine, arguments).empty());
       arguments.trigger = (event ? name : "change " + name) + " after 1ms";
       CHECK(message_of(machine, arguments).empty());
-      // Of a name with a letter too many the nearest is told.
+      // For a name with a letter too many the nearest one is suggested.
       arguments.trigger = "change " + name + "q";
       CHECK_THAT(message_of(machine, arguments),
                  Contains("--wave-trigger: " + name + "q: unknown signal; did you mean "));

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kStep = 6.25e-6;
 
-// The equations of the head of pmlsm.hpp, written a second time, integrated by fine Runge-Kutta
+// The equations at the head of pmlsm.hpp, written independently and integrated by fine Runge-Kutta
 // steps.
 struct Reference {
   PmlsmConfig c;

@@ -42,7 +42,7 @@ int run_to(const fs::path& out, const lab::Machine& machine, EndReason end,
   return test::run(arguments_for(test::scenario_of(machine), out, std::move(set)), ending(end));
 }
 
-// A simulation that must not begin.
+// A simulation that must not start.
 lab::Record never(const lab::Settings&, const cosim::Hooks&) {
   FAIL("a run that is refused was begun");
   return {};

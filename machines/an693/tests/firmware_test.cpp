@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The programs of AN-693 send the bytes of the application note; a part that is always ready, with
-// a status of its own, stands in for the LM628.
+// a status set by the test, stands in for the LM628.
 
 #include "sw_nios/apps/an693/an693.hpp"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The language of `trammel lm628`: what it takes, and what it says of what it refuses.
+// The language of `trammel lm628`: what it accepts, and its messages for what it refuses.
 
 #include "machines/an693/verbs/script.hpp"
 

@@ -29,7 +29,7 @@ exact::Afc::Config twin_config(const sw::AxisSetup& s) {
   return c;
 }
 
-// The table chases a command that jumps about, so that every section and both limits are met.
+// The table follows a command that jumps about, so that every section and both limits are reached.
 void check_chase(const sw::AxisSetup& setup, int reach) {
   std::mt19937 random(1);
   std::uniform_int_distribution<int> jump(-reach, reach);

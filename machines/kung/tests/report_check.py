@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Open report pages of the machine kung in headless Chromium: what holds for every machine, and
-what a reader relies on: zoom and cursor are shared, also with the path, buttons save pictures, dark
-follows the system, runs are compared with the paper and with each other.
+what a reader relies on: zoom and cursor are shared, also with the path, buttons save pictures, the
+dark theme follows the system, runs are compared with the paper and with each other.
 
 usage: report_check.py PROGRAM FOLDER     PROGRAM: trammel; FOLDER: for the runs, made anew
 """
@@ -65,7 +65,7 @@ class Page(report_pages.ReportPages):
             self.assertRegex(legend.text, r"\d")
         self.assertGreater(self.js(report_pages.PAINTED, self.driver.find_element(
             "css selector", "[data-plot=path] .over")), 3)
-        # The other way: a point of the path is the cursor of all plots.
+        # The reverse: pointing at the path moves the cursor of all plots.
         path = self.driver.find_element("css selector", "[data-plot=path] canvas")
         self.js("arguments[0].scrollIntoView({block: 'center'})", path)
         x, y = self.js("""const plot = Trammel.plots.find((p) => p.id === 'path');

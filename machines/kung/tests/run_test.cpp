@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a run of the table leaves behind beside what every run does (tests/testbench).
+// What a run of the table leaves behind besides what every run does (tests/testbench).
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -23,7 +23,7 @@ struct Scratch : test::Scratch {
   Scratch() : test::Scratch("kung_run_test_out") {}
 };
 
-// The table stands still for 40 samples and ends as told.
+// The table stands still for 40 samples and the run ends as given.
 Result standing(EndReason end, const Fault& fault = {}) {
   Result result;
   for (std::uint32_t k = 0; k < 40; ++k) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Waves of the table beside what holds for those of every machine (tests/lab).
+// Waves of the table besides what holds for those of every machine (tests/lab).
 #include <catch2/catch.hpp>
 #include <fstream>
 

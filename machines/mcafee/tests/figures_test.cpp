@@ -52,7 +52,7 @@ mcafee::Result tracked() {
   return result;
 }
 
-// Runs of what `tracked` gives, in a folder of their own; the slow one ends as `slow_end`.
+// Runs with the result of `tracked`, in their own folder; the slow one ends as `slow_end`.
 struct Runs {
   const fs::path folder = fs::absolute("mcafee_test_out");
   testbench::Arguments arguments;

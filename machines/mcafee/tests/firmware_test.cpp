@@ -25,7 +25,7 @@ namespace {
 
 constexpr double kClockS = 20e-9;
 
-// Listens at the port, and to what the samples take.
+// Observes the port, and what the samples take.
 class SpiedChip final : public mcafee::TwinChip {
  public:
   std::string bytes;  // that passed: c 1F, d 00 to X, C and D to Y; r, R data read
@@ -55,7 +55,7 @@ class SpiedChip final : public mcafee::TwinChip {
   }
 };
 
-// Runs a program to its end, or for so long.
+// Runs a program to its end, or up to this time.
 struct McafeeBench {
   SpiedChip chip;
   XyFollower follower{chip};

@@ -88,7 +88,7 @@ class Page(report_pages.ReportPages):
         self.drag("error-x", 0.5, 0.6)
         self.until(lambda: len({tuple(r) for r in self.ranges()}) == 1)
         reset.click()
-        # A point of the status bits is the cursor of all, also of the longer one.
+        # Pointing at the status bits moves the cursor of all plots, also of the longer one.
         status = self.driver.find_element("css selector", "[data-plot=status-x] canvas")
         self.js("arguments[0].scrollIntoView({block: 'center'})", status)
         ActionChains(self.driver, duration=20).move_to_element(status).perform()

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The machine an693 whole: firmware, port, verilated LM628, motor. Numbers are those of AN-693 and
+// The whole machine an693: firmware, port, verilated LM628, motor. Numbers are those of AN-693 and
 // the data sheet.
 
 #include <catch2/catch.hpp>

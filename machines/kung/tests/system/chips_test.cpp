@@ -110,7 +110,7 @@ cosim::BusOp random_transfer(Random& random) {
   }
 }
 
-// What a program does to get running again after a trip.
+// What a program does to restart after a trip.
 std::vector<cosim::BusOp> recovery(Random& random) {
   const auto mode = [&random] { return (random() & 0xCEu) | 1u; };
   return {{reg::kX + reg::kCtrl, 0, true},

@@ -21,8 +21,8 @@ using namespace trammel::kung;
 
 namespace {
 
-// A run is the same on every machine: what differs here was changed by somebody (then
-// scripts/tool gen-results writes the new figures) or is a mistake.
+// A run is the same on every computer: a difference here is a deliberate change (then
+// scripts/tool gen-results writes the new figures) or an error.
 void check_documented(const std::string& run, const lab::Record& record, const Metrics& metrics) {
   const auto root = std::filesystem::path(lab::kMachineFolder).parent_path();
   std::ifstream in(root / "docs" / "results.json");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The machine mcafee whole: firmware, verilated chip, stage. Its behaviour is tested with the twin;
+// The whole machine mcafee: firmware, verilated chip, stage. Its behaviour is tested with the twin;
 // here, that the chip and every wiring do the same.
 
 #include <catch2/catch.hpp>
