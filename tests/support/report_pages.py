@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Report pages of fresh runs, opened in headless Chromium: what holds for every machine. The test of
-a machine derives from it and names the runs; it tests itself what only its page shows."""
+"""Report pages of fresh runs, opened in headless Chromium: what holds for every machine. The test
+of a machine derives from it and names the runs; it tests itself what only its page shows."""
 
 import base64
 import csv

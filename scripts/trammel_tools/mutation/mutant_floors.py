@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What the mutants of a block must come to: tests/mutants.toml, and machines/<machine>/mutants.toml
-for the chips of a machine; and docs/mutation.md, which shows them.
+"""The mutation score that a block must reach: tests/mutants.toml, or machines/<m>/mutants.toml for
+the chips of a machine; and docs/mutation.md, which shows the scores.
 
-A mutant is known by what it changes, not by a number or a hash, so what is written of it outlives
-edits of other lines.
+A mutant is identified by what it changes, not by a number or a hash, so its entry survives edits of
+other lines.
 """
 
 import json
@@ -138,7 +138,7 @@ def problems(blocks):
 
 
 def write_page(blocks):
-    """docs/mutation.md: the tables anew behind its text."""
+    """docs/mutation.md: new tables after its text."""
     text, _, _ = PAGE.read_text(encoding="utf-8").partition(HEAD)
     PAGE.write_text(text + tables(blocks), encoding="utf-8")
     return PAGE

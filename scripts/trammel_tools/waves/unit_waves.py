@@ -4,12 +4,12 @@
 usage: scripts/tool unit-waves TEST [CASE]    TEST: <layer>/<block>_test.cpp; CASE: its text
 
 A unit test that fails calls this. The test is compiled again, with a model that traces, and run
-twice: once to learn in which clock of which instance of the block the first assertion failed,
-once to trace the clocks before it. Nothing of this is in the tests as they are built to pass. The
-waves, the view and the model stay in build/waves/<layer>_<block>.
+twice: once to find in which clock of which instance of the block the first assertion failed, once
+to trace the clocks before it. The tests themselves are built without any of this. The waves, the
+view and the model stay in build/waves/<layer>_<block>.
 
-Exit codes: 0 there are waves, 1 the case does not fail or does not build, 2 there is no such test,
-3 Verilator is missing.
+Exit codes: 0 waves were written, 1 the case does not fail or does not build, 2 there is no such
+test, 3 Verilator is missing.
 """
 
 import os
