@@ -14,7 +14,7 @@ SKIPPED = 77  # CTest counts it as skipped
 
 
 def restart():
-    """Begins again with the Python of .venv, if that is there and not this one."""
+    """Starts again with the Python of .venv, if that exists and is not this one."""
     if PYTHON.exists() and Path(sys.executable) != PYTHON:
         os.execv(PYTHON, [str(PYTHON), *sys.orig_argv[1:]])
 
@@ -40,6 +40,6 @@ class Parser(argparse.ArgumentParser):
 
 
 def progress(text):
-    """In place of the line before; nothing where nobody looks."""
+    """Replaces the line before; prints nothing unless on a terminal."""
     if sys.stderr.isatty():
         print(f"\r\033[K{text}", end="", file=sys.stderr, flush=True)

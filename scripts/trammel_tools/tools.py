@@ -4,7 +4,7 @@
 usage: scripts/tool NAME [argument ...]    its arguments: scripts/tool NAME --help
        scripts/tool --list                 the names, and what each does
 
-Exit codes: those of the tool; 2 there is no such tool.
+Exit codes: those of the tool; 2 if there is no such tool.
 """
 
 import ast

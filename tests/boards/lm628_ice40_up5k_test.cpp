@@ -56,7 +56,7 @@ class Board : public Lm628Twin {
 
 using Bench = Lm628Bench<Board>;
 
-// Clocks until a pin of the twin does what is asked for.
+// Clocks until a pin of the twin meets a condition.
 template <class Until>
 std::int64_t clocks_until(Bench& bench, Until until) {
   const std::int64_t begin = bench.now();
@@ -85,7 +85,7 @@ TEST_CASE("lm628_ice40_up5k resets for 1 ms, samples every 256 us, is busy for 2
   REQUIRE(bench.now() - begin < 520);  // a poll
 }
 
-TEST_CASE("lm628_ice40_up5k puts out 12 bits with strobes of 1 us, and 4 m of 512 ticks") {
+TEST_CASE("lm628_ice40_up5k puts out 12 bits with strobes of 1 us, pulses of 4 m of 512 ticks") {
   Bench bench;
   bench.start();
   bench.command(Opcode::kPort12);
@@ -108,8 +108,8 @@ TEST_CASE("lm628_ice40_up5k puts out 12 bits with strobes of 1 us, and 4 m of 51
   REQUIRE(clocks_until(bench, high) == 1280 - 10 * 19);
 }
 
-// SNVS781C p.4 in clocks of 50 ns, the shorter way: WR low for 100 ns, data held for 120, 180 from
-// RD to the data.
+// SNVS781C p.4 in clocks of 50 ns, the shortest times: WR low for 100 ns, data held for 120, 180
+// from RD to the data.
 TEST_CASE("lm628_ice40_up5k takes and gives bytes at the data sheet's shortest times") {
   Bench bench;
   bench.start();

@@ -17,7 +17,7 @@ using trammel::test::Random;
 
 namespace {
 
-// Both in step: what they say before the edge and after it.
+// Both in step: their outputs before the edge and after it.
 struct Pair {
   trammel::test::Rtl<Vlm628_bridge> rtl;
   Lm628Bridge twin;
@@ -163,7 +163,7 @@ TEST_CASE("lm628_bridge refuses a strobe while a pulse runs, and one against the
   pair.edge();
   pair.in.write_strobe = false;
   pair.clocks(100);
-  pair.in.write_strobe = true;  // a 74LS123 would begin anew
+  pair.in.write_strobe = true;  // a 74LS123 would restart
   pair.apply();
   REQUIRE(bool(pair.rtl->refused_o));
   int low = 0;

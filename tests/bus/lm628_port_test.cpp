@@ -44,7 +44,7 @@ struct Rtl : trammel::test::Rtl<Vlm628_port> {
   }
 };
 
-// Both in step: what they say before the edge and after it.
+// Both in step: their outputs before the edge and after it.
 struct Pair {
   Rtl rtl;
   Lm628Port twin;
@@ -184,7 +184,7 @@ TEST_CASE("lm628_port is busy for 1000 clocks after a byte of command and after 
   REQUIRE(busy >= 1000 - 15);
   REQUIRE(busy <= 1000 + 30);
   pair.write(true, 0x00);
-  REQUIRE((pair.read(false) & 1) == 0);  // a byte is no word, and this drops it
+  REQUIRE((pair.read(false) & 1) == 0);  // a byte is not a word, and this drops it
   pair.write(true, 0x00);
   pair.write(true, 0x40);
   REQUIRE((pair.read(false) & 1) == 1);

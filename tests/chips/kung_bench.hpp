@@ -77,7 +77,7 @@ class KungBench {
     for (int i = 0; i < n; ++i) edge();
   }
 
-  // One edge that also does the work of those after it that would only count; returns how many.
+  // One edge that also stands for the edges after it that would only count; returns how many.
   int leap_edge() {
     const unsigned more = rtl_->quiescent_o != 0 && rtl_->next_o > 0 ? rtl_->next_o - 1u : 0u;
     rtl_->leap_i = static_cast<std::uint16_t>(more);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Both axes of the chip against their twins under random registers, pins and commands, and the
-// borders of what trips them.
+// exact limits at which they trip.
 #include <catch2/catch.hpp>
 
 #include <algorithm>
@@ -158,7 +158,7 @@ struct Axis {
 
 }  // namespace
 
-TEST_CASE("both axes compute and switch as their twins under random registers and pins") {
+TEST_CASE("both axes compute and switch as their twins do under random registers and pins") {
   KungBench chip;
   test::Random random(1);
   std::array<Axis, 2> axes;
@@ -195,7 +195,7 @@ TEST_CASE("both axes compute and switch as their twins under random registers an
         const auto gate = std::size_t(3 * axis.number + phase);
         const int on = std::max(3124 - 2 * cmp[phase], 0), off = kPeriod - on;
         const int dead = axis.dead_time;
-        // The window ends behind the tick: the next period has not switched yet.
+        // The window ends after the tick: the next period has not switched yet.
         if (settled && axis.enabled && on > dead && next[phase] > 20) {
           CAPTURE(phase, dead, cmp[phase], cmp_before[gate]);
           CHECK(chip.on_hi[gate] - hi[gate] == on - dead);
@@ -284,7 +284,7 @@ TEST_CASE("an enabled stroke trips one count beyond either end, in both axes") {
   }
 }
 
-TEST_CASE("while the chip is quiescent its next event comes nearer by one a clock") {
+TEST_CASE("while the chip is quiescent its next event comes nearer by one per clock") {
   KungBench chip;
   chip.codes[0] = {2048 + 60, 2048 - 20};
   chip.codes[1] = {2048 - 90, 2048 + 120};
@@ -335,7 +335,7 @@ TEST_CASE("a pin that changes ends quiescence until the encoder interface has fo
   }
 }
 
-TEST_CASE("a table reset is not quiescent though all else rests") {
+TEST_CASE("a table reset is not quiescent even when all else rests") {
   for (const std::uint32_t base : {reg::kX, reg::kY}) {
     KungBench chip;
     chip.until([&] { return chip->quiescent_o != 0 && chip->next_o > 200; });
@@ -349,7 +349,7 @@ TEST_CASE("a table reset is not quiescent though all else rests") {
   }
 }
 
-TEST_CASE("both converters are clocked 16 times a frame, and their clocks rest high between") {
+TEST_CASE("both converters are clocked 16 times per frame, and their clocks rest high between") {
   KungBench chip;
   chip.until([&] { return chip->adc_cs_n_o == 0; });
   int falls = 0;

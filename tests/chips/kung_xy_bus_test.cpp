@@ -111,7 +111,7 @@ TEST_CASE("a reset leaves in every register the value of the specification") {
   }
 }
 
-TEST_CASE("many transfers leave none open, and any but the two keys leaves the lock as it is") {
+TEST_CASE("many transfers leave none open, and only the two keys change the lock") {
   KungBench chip;
   for (int n = 0; n < 32; ++n) {
     chip.write(reg::kY + reg::kThetaOfs, 1u << n);
@@ -129,7 +129,7 @@ TEST_CASE("many transfers leave none open, and any but the two keys leaves the l
   to_rest(chip);
 }
 
-TEST_CASE("only the whole key forgets a fault, and a read of its register does not") {
+TEST_CASE("only a write of the whole key clears a fault, and a read of its register does not") {
   KungBench chip;
   chip->trip_i = 1;
   chip.edges(5);
@@ -147,7 +147,7 @@ TEST_CASE("only the whole key forgets a fault, and a read of its register does n
   REQUIRE(chip.fault_code() == reg::kFaultCodeNone);
 }
 
-TEST_CASE("each interrupt comes through its own enable only") {
+TEST_CASE("each interrupt comes only through its own enable") {
   for (const std::uint32_t enabled : {0u, reg::kIrqEnTick, reg::kIrqEnFault, 3u}) {
     for (const std::uint32_t cause : {0u, reg::kIrqStatTick, reg::kIrqStatFault, 3u}) {
       CAPTURE(enabled, cause);

@@ -38,7 +38,7 @@ std::vector<Span> spans(KungBench& chip, int clocks) {
 
 }  // namespace
 
-TEST_CASE("the chip tells its name and its reset values") {
+TEST_CASE("the chip reports its ID and its reset values") {
   KungBench chip;
   CHECK(chip.read(reg::kId) == reg::kIdValue);
   CHECK(chip.read(reg::kX + reg::kCtrl) == 0);
@@ -173,7 +173,7 @@ TEST_CASE("the watchdog trips when COMMITs stay away for its limit of ticks") {
   CHECK(chip.fault_code() == reg::kFaultCodeNone);
 }
 
-TEST_CASE("over-current trips at CURRENT_LIMIT, also of the third phase, and names the axis") {
+TEST_CASE("over-current trips at CURRENT_LIMIT, in the third phase too, and names the axis") {
   KungBench chip;
   chip.write(reg::kCurrentLimit, 500);
   chip.write(reg::kY + reg::kCtrl, reg::kCtrlEnable);

@@ -98,7 +98,7 @@ TEST_CASE("L-05 lm628 ends the data sheet's move at 200 000 after 76 345 samples
   CHECK(bench.status() == 0x04);
 }
 
-// AN-693, "Velocity profile with breakpoints", on a motor that is where it is told to be.
+// AN-693, "Velocity profile with breakpoints", on a motor that is at its desired position.
 TEST_CASE("L-06 lm628 goes through the three speeds of AN-693 at 80 000 and 160 000") {
   TwinBench bench;
   bench.start();
@@ -215,7 +215,7 @@ TEST_CASE("lm628 takes no index while a line of the encoder is high") {
   }
 }
 
-TEST_CASE("L-10 lm628 refuses a new acceleration in motion, which goes on as it would") {
+TEST_CASE("L-10 lm628 refuses a new acceleration in motion, which continues unchanged") {
   Bench asked, left;
   for (Bench* bench : {&asked, &left}) {
     bench->start();

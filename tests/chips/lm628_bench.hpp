@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A host, an encoder and a clock for the LM628: its twin alone, or what is beside it; for the RTL
-// see lm628_pair.hpp.
+// A host, an encoder and a clock for the LM628: for its twin alone, or with a model beside it; for
+// the RTL see lm628_pair.hpp.
 #pragma once
 
 #include <algorithm>
@@ -75,7 +75,7 @@ class Lm628Bench : public Lm628Commands<Lm628Bench<Chip>> {
   std::int64_t position() const { return position_; }
   const exact::Lm628Engine& engine() const { return chip.twin().engine(); }
   Lm628::Out out() const { return chip.twin().out(); }
-  bool follows = false;  // the motor is where it is told to be, from sample to sample
+  bool follows = false;  // the motor is at its desired position from sample to sample
 
   void clocks(std::int64_t n) {
     const std::int64_t end = now_ + n;

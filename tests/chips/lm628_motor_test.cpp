@@ -20,7 +20,7 @@ using Bench = trammel::test::Lm628Bench<Lm628Twin>;
 namespace {
 
 constexpr double kTick = 0.125e-6;           // [s]
-constexpr double kCounts = 4000;             // a turn: 1000 lines
+constexpr double kCounts = 4000;             // per revolution: 1000 lines
 constexpr double kTurn = 6.283185307179586;  // [rad]
 constexpr double kSample = 2048 * kTick;
 

@@ -74,7 +74,7 @@ TEST_CASE("L-02 lm628 takes every opcode with its words without command error, n
   }
 }
 
-TEST_CASE("L-02 lm628 takes of LFIL and LTRJ the words that their control words ask for") {
+TEST_CASE("L-02 lm628 takes for LFIL and LTRJ the words that their control words ask for") {
   Bench bench;
   bench.start();
   for (unsigned control = 0; control < 64; ++control) {

@@ -103,7 +103,7 @@ void run_random(Bench& bench, int transfers, std::uint32_t seed) {
       if (random() % 2 == 0) {
         bench.start();
       } else {
-        bench.command(Opcode::kReset);  // in the midst of whatever it does
+        bench.command(Opcode::kReset);  // in the middle of whatever it does
       }
     }
   }

@@ -173,7 +173,7 @@ class McafeeBench final : public sw::Bus {
   Chip chip;
   McafeePart part_x{*this, false}, part_y{*this, true};
   sw::Lm628Port x{part_x}, y{part_y};
-  std::array<bool, 2> follows{};  // the motor is where it is told to be, from sample to sample
+  std::array<bool, 2> follows{};  // the motor is at its desired position from sample to sample
   std::function<void(std::int64_t)> watch;  // called with the clock after each run
 
   std::int64_t now() const { return now_; }  // [clk]

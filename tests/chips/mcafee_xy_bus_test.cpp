@@ -73,7 +73,7 @@ TEST_CASE("mcafee_xy: a reset ends a feed rate, done or not") {
   }
 }
 
-TEST_CASE("mcafee_xy: a strobe starts a pulse by a write of its byte only") {
+TEST_CASE("mcafee_xy: a strobe starts a pulse only by a write of its byte") {
   Bench bench;
   auto traffic = bench.traffic(98);
   for (const std::uint32_t strobes : {0xEu, 0x1u}) {

@@ -152,7 +152,7 @@ TEST_CASE("mcafee_xy has the pins and bytes of its twin over random transfers, n
   run_random(bench, 25, 93);
 }
 
-TEST_CASE("mcafee_xy: both parts answer apart, and a strobe that starts nothing is reported") {
+TEST_CASE("mcafee_xy: the parts answer separately, and a strobe that starts nothing is reported") {
   Bench bench;
   REQUIRE(bench.read(reg::kId) == reg::kIdValue);
   bench.start();
@@ -170,7 +170,7 @@ TEST_CASE("mcafee_xy: both parts answer apart, and a strobe that starts nothing 
   CHECK((bench.read(reg::kStatus) & reg::kStatusRefused) == 0);
 }
 
-// McAfee 1994, appendix B: the position for ever.
+// McAfee 1994, appendix B: reads the position for ever.
 TEST_CASE("F-06 mcafee_xy reads FF FF FF FB again and again while the encoder holds -5") {
   Bench bench;
   bench.start();
@@ -184,7 +184,7 @@ TEST_CASE("F-06 mcafee_xy reads FF FF FF FB again and again while the encoder ho
   }
 }
 
-TEST_CASE("mcafee_xy shows limit switches, interrupts and who raised them") {
+TEST_CASE("mcafee_xy shows limit switches, interrupts and their sources") {
   Bench bench;
   bench.start();
   for (unsigned limits = 0; limits < 16; ++limits) {

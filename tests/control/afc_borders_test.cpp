@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Values at the borders of words, which random samples seldom meet.
+// Values at the limits of words, which random samples seldom reach.
 #include <catch2/catch.hpp>
 #include <random>
 

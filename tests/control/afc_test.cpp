@@ -255,7 +255,7 @@ TEST_CASE("A table reset restores the 49 rules and a start waits for it") {
   bench.require_same_rules();
 }
 
-TEST_CASE("A table reset asked for during a sample acts after it") {
+TEST_CASE("A table reset requested during a sample acts after it") {
   Bench bench;
   for (int n = 0; n < 49; ++n) bench.write(n, 12345 * n);
   bench.start({700, 0});
@@ -343,7 +343,7 @@ TEST_CASE("In the linear area u is E + DE within one, and the weights sum to one
 TEST_CASE("Sample by sample the words stay near double precision") {
   // Same inputs to both. u: the floor of c costs below 1, the rounding of four d below 4 / 2 * 6
   // units / 2048 = 1.5, of u 0.5. Kp passes on 1.1 of these 3 and the integrator Ki 3 per sample,
-  // less because u errs to both sides; Kv doubles it.
+  // less because u errs in both directions; Kv doubles it.
   Afc afc;
   trammel::ideal::FuzzyController ideal;
   for (int k = 0; k < 2000; ++k) {

@@ -94,7 +94,7 @@ TEST_CASE("Interpolation reaches the command in four equal parts, exactly") {
   REQUIRE(bench.twin.r() == -8388608);
 }
 
-TEST_CASE("Interpolated commands of a constant feed advance by the same part at every tick") {
+TEST_CASE("Interpolated commands of a constant feed advance equally at every tick") {
   Bench bench;
   bench.in.interpolate = true;
   std::int64_t before = 0;

@@ -173,7 +173,7 @@ TEST_CASE("A table reset takes 49 writes, waits for the controller and shuts out
   bench.require_same();
 }
 
-TEST_CASE("Reads, writes and resets in any clock keep their latencies, quiescent tells them") {
+TEST_CASE("Reads, writes and resets in any clock keep their latencies, as quiescent_o shows") {
   Bench bench;
   auto& rtl = bench.rtl;
   std::mt19937 random(3);

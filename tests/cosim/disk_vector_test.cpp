@@ -39,7 +39,7 @@ TEST_CASE("a disk vector holds what a vector would, before, at and behind a full
   }
 }
 
-TEST_CASE("a disk vector is searched as a vector is") {
+TEST_CASE("a disk vector is searched like a vector") {
   DiskVector<double> all{1, 2, 4};
   for (int n = 5; n < 20000; ++n) all.push_back(n);
   CHECK(std::lower_bound(all.begin(), all.end(), 3.5) - all.begin() == 2);
@@ -48,7 +48,7 @@ TEST_CASE("a disk vector is searched as a vector is") {
   CHECK(all.front() == 1);
 }
 
-TEST_CASE("a disk that is full is an error, not a record with a hole") {
+TEST_CASE("a full disk is an error, not a record with a hole") {
   std::signal(SIGXFSZ, SIG_IGN);
   rlimit before{};
   getrlimit(RLIMIT_FSIZE, &before);

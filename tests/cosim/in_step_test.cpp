@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Two chips in step, with a chip of one counter that can be made to err.
+// Two chips in lock-step, each a counter that can be made to err.
 #include "cosim/verilated/in_step.hpp"
 
 #include <catch2/catch.hpp>
@@ -65,7 +65,7 @@ struct Visited {
 
 using Audited = cosim::AuditedChip<Counter, Visited>;
 
-// Its broken promise after some runs with a transfer and a changed pin between.
+// The failed assertion, if any, after some runs with a transfer and a changed pin between.
 std::optional<cosim::BrokenPromise> audited(const Faults& wrong) {
   faults = wrong;
   Audited chip;
@@ -81,7 +81,7 @@ std::optional<cosim::BrokenPromise> audited(const Faults& wrong) {
 
 }  // namespace
 
-TEST_CASE("chips that do the same keep the promise, and from outside they are the first") {
+TEST_CASE("chips that agree break no assertion, and from outside look like the first one") {
   CHECK_FALSE(audited({}));
   Audited chip;
   CHECK(chip.run(1000, test::NoPlant()).edge == 99);
@@ -90,7 +90,7 @@ TEST_CASE("chips that do the same keep the promise, and from outside they are th
   CHECK(chip.registers().count == 100);
 }
 
-TEST_CASE("a leap that counts one clock too many is told with register, values and clock") {
+TEST_CASE("a leap that counts one clock too many is reported with register, values and clock") {
   const auto broken = audited({true, false});
   REQUIRE(broken);
   CHECK(broken->name == "leap_is_exact");
@@ -99,7 +99,7 @@ TEST_CASE("a leap that counts one clock too many is told with register, values a
   CHECK(broken->edge == 59);
 }
 
-TEST_CASE("a stop that comes at another clock is told with both clocks and reasons") {
+TEST_CASE("a stop that comes at another clock is reported with both clocks and reasons") {
   const auto broken = audited({false, true});
   REQUIRE(broken);
   CHECK(broken->instance == "the stop");

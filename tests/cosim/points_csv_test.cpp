@@ -30,7 +30,7 @@ TEST_CASE("a point off the table is refused with file, line and the permitted ra
   CHECK_THROWS_AS(read("1,nan\n"), std::invalid_argument);
 }
 
-TEST_CASE("lines that are not two numbers are refused by line") {
+TEST_CASE("lines that are not two numbers are refused with their line number") {
   CHECK_THROWS_WITH(read("1,2\nx,y\n"), "p.csv:2: expected two numbers x_mm,y_mm, found 'x,y'");
   CHECK_THROWS_WITH(read("x,y\nx,y\n"), "p.csv:2: expected two numbers x_mm,y_mm, found 'x,y'");
   CHECK_THROWS_AS(read("1\n"), std::invalid_argument);
@@ -42,7 +42,7 @@ TEST_CASE("lines that are not two numbers are refused by line") {
   CHECK_THROWS_WITH(trammel::cosim::read_points_csv(".", {}), ".: cannot be read: it is a folder");
 }
 
-TEST_CASE("a mark of the encoding is no part of the first line") {
+TEST_CASE("a byte-order mark is not part of the first line") {
   const auto points = read("\xEF\xBB\xBF" "100,200\n101,200\n");
   REQUIRE(points.size() == 2);
   CHECK(points[0].x_m == Approx(0.1));

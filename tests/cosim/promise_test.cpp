@@ -8,7 +8,7 @@
 using trammel::cosim::take_broken_promise;
 using trammel::test::break_promise;
 
-TEST_CASE("a failed assertion is told by its label, its block's instance and its place") {
+TEST_CASE("a failed assertion is reported with its label, its block's instance and its place") {
   break_promise("kung_xy.gen_axis[0].u_axis.u_pwm.u_pwm_props.off_at_phase_zero");
   const auto broken = take_broken_promise();
   REQUIRE(broken);
@@ -17,14 +17,14 @@ TEST_CASE("a failed assertion is told by its label, its block's instance and its
   CHECK(broken->place == "drive/a_props.sv:7");
 }
 
-TEST_CASE("of several broken promises the first counts, and once") {
+TEST_CASE("of several failed assertions the first counts, and only once") {
   break_promise("a.u_a_props.first");
   break_promise("a.u_a_props.second");
   CHECK(take_broken_promise()->name == "first");
   CHECK_FALSE(take_broken_promise());
 }
 
-TEST_CASE("a stop that is no assertion is still one") {
+TEST_CASE("a stop that is not an assertion is reported as one") {
   trammel_verilated_print("something else\n");
   vl_stop("x.sv", 3, "");
   const auto broken = take_broken_promise();

@@ -88,9 +88,9 @@ TEST_CASE("current_loop answers a step of 427 with v_q = 1063, 1140, 1217, 1294"
   }
 }
 
-TEST_CASE("current_loop turns its angle once in 12 200 counts") {
+TEST_CASE("current_loop completes an electrical period in 12 200 counts") {
   REQUIRE(CurrentLoop::theta(0, 5) == 5);
-  REQUIRE(CurrentLoop::theta(12200, 0) == 6104);  // 12 200 * 352047 - 2^32: 1.4e-6 of a turn
+  REQUIRE(CurrentLoop::theta(12200, 0) == 6104);  // 12 200 * 352047 - 2^32: 1.4e-6 of a period
   REQUIRE(CurrentLoop::theta(-3050, 0) >> 22 == 767);
   REQUIRE(CurrentLoop::theta(3050, 0) >> 22 == 256);
 }
@@ -161,7 +161,7 @@ TEST_CASE("current_loop takes the upper ten bits of the angle and turns exactly 
   }
 }
 
-TEST_CASE("current_loop keeps what a clear inside a calculation came too early for") {
+TEST_CASE("current_loop needs a second clear for values that it computes after the first") {
   Dut rtl;
   test::begin(rtl);
   test::Words words(5);
@@ -203,7 +203,7 @@ TEST_CASE("current_loop keeps what a clear inside a calculation came too early f
   REQUIRE(c_alone_at_rest > 20);
 }
 
-TEST_CASE("current_loop has something to clear after an error of d or of q without a voltage") {
+TEST_CASE("current_loop has an error to clear, of d or of q, even without a voltage") {
   Dut rtl;
   test::begin(rtl);
   for (const bool of_d : {false, true}) {

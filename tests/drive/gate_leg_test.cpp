@@ -121,7 +121,7 @@ TEST_CASE("gate_leg counts a new dead time from the next change on") {
   REQUIRE(edges_to_on(rtl, wish(false, 700)) == 5);
 }
 
-TEST_CASE("gate_leg starts the dead time anew when the side changes inside it") {
+TEST_CASE("gate_leg restarts the dead time when the side changes inside it") {
   Rtl rtl;
   rtl.reset();
   run(rtl, wish(false, 100), 200);

@@ -39,7 +39,7 @@ std::uint32_t any_cmp(Random& random) {
   }
 }
 
-// Independent values, or three close to one another: which of them comes first is then tight.
+// Independent values, or three close to one another, so that it is close which comes first.
 std::array<std::uint32_t, 3> any_cmps(Random& random) {
   if (random() % 2 == 0) return {any_cmp(random), any_cmp(random), any_cmp(random)};
   const std::uint32_t base = random() % (Pwm::kCmpMax - 20);
@@ -108,7 +108,7 @@ TEST_CASE("pwm takes compare values at phase 0 only") {
   Rtl rtl;
   rtl.reset();
   for (std::uint32_t n = 0; n < 2 * Pwm::kPeriod; ++n) {
-    // The wish changes inside the first period and holds for the second.
+    // The compare values change inside the first period and hold for the second.
     const std::uint32_t cmp = n < 100 ? 1000 : 200;
     apply(rtl, at(n, {cmp, cmp, cmp}));
     rtl.tick();
@@ -117,7 +117,7 @@ TEST_CASE("pwm takes compare values at phase 0 only") {
   }
 }
 
-TEST_CASE("pwm disabled wants no switch and announces no event") {
+TEST_CASE("pwm disabled turns no switch on and announces no event") {
   Rtl rtl;
   rtl.reset();
   Pwm::In in = at(0, {0, 0, 0});

@@ -165,7 +165,7 @@ TEST_CASE("supervisor keeps the first fault") {
   REQUIRE(rtl->fault_tick_o == 5);
 }
 
-TEST_CASE("supervisor clears only with both axes disabled, the causes gone and a clear") {
+TEST_CASE("supervisor clears only on a clear with both axes disabled and the causes gone") {
   Rtl rtl;
   rtl.reset();
   In in;

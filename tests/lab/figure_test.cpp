@@ -19,7 +19,7 @@ Figure expecting(double value, double expected, double tolerance) {
 
 }  // namespace
 
-TEST_CASE("a figure fails beyond its tolerance and without an expectation never") {
+TEST_CASE("a figure fails beyond its tolerance, and never without an expected value") {
   Figure f = expecting(2.15, 2.11, 0.03 * 2.11);
   f.printed = 2.05;
   CHECK(f.good());
@@ -31,7 +31,7 @@ TEST_CASE("a figure fails beyond its tolerance and without an expectation never"
   CHECK(f.good());
 }
 
-TEST_CASE("a figure that lies outside is one line with its name, unit and tolerance") {
+TEST_CASE("a figure out of tolerance gives one line with its name, unit and tolerance") {
   const Figure good = expecting(2.15, 2.11, 0.05);
   const Figure bad = expecting(2.2, 2.11, 0.05);
   CHECK(outside({good, bad, figure("a", "a", "", 1, "")}) ==
@@ -42,7 +42,7 @@ TEST_CASE("a figure that lies outside is one line with its name, unit and tolera
   CHECK_FALSE(any_expected({printed}));
 }
 
-TEST_CASE("a figure stands at the place its id names, and in the list of all") {
+TEST_CASE("a figure is at the place its id names, and in the list of all") {
   nlohmann::ordered_json json;
   Figure mean = expecting(2.2, 2.11, 0.05);
   mean.printed = 2.05;
@@ -71,7 +71,7 @@ TEST_CASE("a figure stands at the place its id names, and in the list of all") {
   CHECK(json["figures"][3]["shown"] == false);
 }
 
-TEST_CASE("rows of equal columns are a table whose wide figures do not run together") {
+TEST_CASE("rows of equal columns make a table whose wide figures do not run together") {
   std::vector<Figure> figures;
   for (const char* row : {"to the model", "to the command"}) {
     figures.push_back(figure("a", row, "mean", 123456.789, "mm"));
@@ -86,7 +86,7 @@ TEST_CASE("rows of equal columns are a table whose wide figures do not run toget
         "  to the command                  1.000  123456.789  1234567890.123\n");
 }
 
-TEST_CASE("other rows are lines, and what is not shown is none") {
+TEST_CASE("other rows are single lines, and hidden figures have none") {
   Figure hidden = figure("c", "hidden", "", 1, "mm");
   hidden.shown = false;
   CHECK(figures_text({figure("a", "peak current", "", 1.25, "A", 2),
@@ -96,7 +96,7 @@ TEST_CASE("other rows are lines, and what is not shown is none") {
         "  interrupts                3\n");
 }
 
-TEST_CASE("ours stands beside what the source prints and what is expected") {
+TEST_CASE("our value is beside the printed and the expected one") {
   Figure f = expecting(2.2, 2.11, 0.05);
   f.printed = 2.05;
   f.shown = false;

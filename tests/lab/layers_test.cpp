@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// How settings come together, by the same rules for every key of every machine.
+// How settings are layered, by the same rules for every key of every machine.
 #include "lab/layers.hpp"
 
 #include <fmt/format.h>
@@ -66,7 +66,7 @@ void each_key(Check check) {
   }
 }
 
-// What is said of text that is refused; "" when it is taken.
+// The message for text that is refused; "" when it is accepted.
 std::string message_of(const Machine& machine, const std::string& toml) {
   const auto settings = machine.defaults();
   try {
@@ -97,7 +97,7 @@ TEST_CASE("every key of every machine has a default in its range, a help and its
   });
 }
 
-TEST_CASE("every key of every machine takes what it shows, its limits and each of its choices") {
+TEST_CASE("every key of every machine accepts what it prints, its limits and each of its choices") {
   each_key([](const Machine&, const Key& key, Settings& settings) {
     std::vector<Value> values{key.get(settings), other(key, key.get(settings))};
     if (is_number(key)) {
@@ -135,7 +135,7 @@ TEST_CASE("a number below or above its range is refused with its key and the ran
   });
 }
 
-TEST_CASE("a value of another kind is refused with its key and what it takes") {
+TEST_CASE("a value of the wrong type is refused with its key and what it takes") {
   each_key([](const Machine&, const Key& key, Settings& settings) {
     const Value before = key.get(settings);
     const auto refused = [&](const std::string& value, const std::string& what) {
@@ -188,7 +188,7 @@ TEST_CASE("run.toml repeats every key of every machine") {
   }
 }
 
-TEST_CASE("a clone has every key's value, and its own") {
+TEST_CASE("a clone copies every key's value and is independent") {
   for (const Machine* const machine : machines()) {
     CAPTURE(machine->name);
     const auto settings = machine->defaults();
@@ -265,7 +265,7 @@ TEST_CASE("a file of another machine is refused") {
   }
 }
 
-TEST_CASE("a relative path is meant from the file that names it, or from the working folder") {
+TEST_CASE("a relative path starts at the file that names it, or at the working folder") {
   std::size_t files = 0;
   each_key([&files](const Machine&, const Key& key, Settings& settings) {
     if (key.kind != Kind::kFile) return;
@@ -299,7 +299,7 @@ TEST_CASE("a short form sets the keys of both axes, and their own names refine i
   CHECK(both > 0);
 }
 
-TEST_CASE("an assignment is key=value, and a number is one to its end") {
+TEST_CASE("an assignment is key=value, and nothing may follow a number") {
   for (const Machine* const machine : machines()) {
     CAPTURE(machine->name);
     const auto settings = machine->defaults();

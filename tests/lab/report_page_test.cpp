@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Pages of finished runs, by the same rules for every machine: made again the same, closed, nothing
-// from elsewhere, and none of a folder that is not whole.
+// Pages of finished runs, by the same rules for every machine: reproducible, self-contained, and
+// none from an incomplete folder.
 #include "lab/report_page.hpp"
 
 #include <fmt/format.h>
@@ -99,7 +99,7 @@ std::string unpacked(const std::string& text) {
 
 }  // namespace
 
-TEST_CASE("a report made again from its folder is the same, byte by byte") {
+TEST_CASE("a report made again from its folder is the same, byte for byte") {
   each_machine([](const Machine& machine, const fs::path& base) {
     const fs::path folder = base / "a";
     REQUIRE(run_to(folder, machine) == 0);
@@ -111,7 +111,7 @@ TEST_CASE("a report made again from its folder is the same, byte by byte") {
   });
 }
 
-TEST_CASE("a page holds every column of the trace, and passes over samples where there are more") {
+TEST_CASE("a page holds every column of the trace, and skips samples where there are too many") {
   each_machine([](const Machine& machine, const fs::path& base) {
     REQUIRE(run_to(base / "a", machine) == 0);
     const RunFolder run = read_run(base / "a");
@@ -148,7 +148,7 @@ TEST_CASE("a page holds every column of the trace, and passes over samples where
   });
 }
 
-TEST_CASE("nothing a run is called ends the script that carries it") {
+TEST_CASE("no name of a run can end the script that carries it") {
   each_machine([](const Machine& machine, const fs::path& base) {
     REQUIRE(run_to(base / "a", machine, EndReason::kDone, {"description=</script><b> &"}) == 0);
     const std::string page = content(base / "a" / "report.html");
@@ -253,7 +253,7 @@ TEST_CASE("a corrupt folder is one line that names the file, and the old page st
   });
 }
 
-TEST_CASE("every member that a machine's page needs is asked for by its name") {
+TEST_CASE("every missing member that a machine's page needs is named") {
   each_machine([](const Machine& machine, const fs::path& base) {
     const fs::path folder = base / "a";
     REQUIRE(run_to(folder, machine) == 0);

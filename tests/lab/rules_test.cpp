@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is refused of the settings of every machine before a run: names, and ways to look at a chip
-// that exclude each other.
+// Which settings of every machine are refused before a run: names, and ways to observe a chip that
+// exclude each other.
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
@@ -23,7 +23,7 @@ namespace {
 constexpr char kAudit[] =
     "run.audit: compares a leaping chip with a plain one; not with --no-leap, --assert or waves";
 
-// What is said of these settings of the machine; "" when they can run.
+// The message for these settings of the machine; "" when they can run.
 std::string message_of(const Machine& machine, const std::vector<std::string>& assignments) {
   const auto settings = machine.defaults();
   try {
@@ -60,7 +60,7 @@ const Machine& bare() {
 
 }  // namespace
 
-TEST_CASE("a name that cannot be a folder's is refused by every machine") {
+TEST_CASE("a name that cannot be a folder name is refused by every machine") {
   const std::string bad[] = {"",         "../x",       "/etc",        "a/b",
                              ".",        "..",         ".hidden",     "a/",
                              "a\nb",     "a\tb",       "\x7f",        std::string("a\0b", 3),
@@ -125,7 +125,7 @@ TEST_CASE("a twin has no signals, assertions or clocks to look at") {
   }
 }
 
-TEST_CASE("what a chip does not declare cannot be asked of it") {
+TEST_CASE("an option that the chip does not declare is refused") {
   BareSettings settings;
   CHECK_NOTHROW(validate(settings));
   settings.run.audit = true;
@@ -138,7 +138,7 @@ TEST_CASE("what a chip does not declare cannot be asked of it") {
                     "run.engine: the machine bare declares no bit-exact twin of its chip");
 }
 
-TEST_CASE("what only plant and firmware can refuse is still the user's mistake") {
+TEST_CASE("what only plant or firmware can refuse is still the user's mistake") {
   BareSettings settings;
   CHECK_THROWS_AS(run(settings), ConfigError);
   CHECK_THROWS_WITH(run(settings), "plant.mass_kg: too small");
@@ -147,7 +147,7 @@ TEST_CASE("what only plant and firmware can refuse is still the user's mistake")
   CHECK_THROWS_WITH(run(settings), "path: nowhere");
 }
 
-TEST_CASE("a file says of which machine it is; of the first if it does not") {
+TEST_CASE("a file names its machine; one that does not is for the first") {
   const std::filesystem::path file = "rules_test.toml";
   const auto written = [&file](const std::string& text) {
     std::ofstream(file) << text;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What of waves may be asked for, and what is made of them, by the same rules for every machine.
+// Which waves may be requested, and what is made of them, by the same rules for every machine.
 #include "lab/waves.hpp"
 
 #include <fmt/format.h>
@@ -107,7 +107,7 @@ TEST_CASE("a window reads seconds, milliseconds, microseconds and nanoseconds") 
   }
 }
 
-TEST_CASE("every name that triggers may have is one, and none other") {
+TEST_CASE("every listed trigger name is accepted, and no other") {
   each_machine([](const Machine& machine, const fs::path&) {
     const cosim::TriggerForms& forms = machine.triggers();
     WaveArguments arguments = fst();
@@ -119,7 +119,7 @@ TEST_CASE("every name that triggers may have is one, and none other") {
       CHECK(message_of(machine, arguments).empty());
       arguments.trigger = (event ? name : "change " + name) + " after 1ms";
       CHECK(message_of(machine, arguments).empty());
-      // Of a name with a letter too many the nearest is told.
+      // For a name with a letter too many the nearest one is suggested.
       arguments.trigger = "change " + name + "q";
       CHECK_THAT(message_of(machine, arguments),
                  Contains("--wave-trigger: " + name + "q: unknown signal; did you mean "));
@@ -138,7 +138,7 @@ TEST_CASE("every name that triggers may have is one, and none other") {
   });
 }
 
-TEST_CASE("waves that cannot be are refused before the run") {
+TEST_CASE("impossible waves are refused before the run") {
   each_machine([](const Machine& machine, const fs::path&) {
     WaveArguments arguments;
     for (std::string WaveArguments::*member : {&WaveArguments::window, &WaveArguments::trigger,
@@ -189,7 +189,7 @@ TEST_CASE("a trigger that never fired is one failure, and the run's record is ke
   });
 }
 
-TEST_CASE("a window behind the end of the run is one failure, and the run's record is kept") {
+TEST_CASE("a window after the end of the run is one failure, and the run's record is kept") {
   each_machine([](const Machine& machine, const fs::path& base) {
     WaveArguments arguments = fst();
     arguments.window = "1s:2s";
@@ -199,7 +199,7 @@ TEST_CASE("a window behind the end of the run is one failure, and the run's reco
   });
 }
 
-TEST_CASE("a VCD that cannot be made leaves the FST and is told by the exit code") {
+TEST_CASE("a VCD that cannot be made leaves the FST and sets the exit code") {
   each_machine([](const Machine& machine, const fs::path& base) {
     WaveArguments arguments = fst();
     arguments.format = "vcd";
@@ -209,7 +209,7 @@ TEST_CASE("a VCD that cannot be made leaves the FST and is told by the exit code
   });
 }
 
-TEST_CASE("waves stand with their view, their windows and the trigger's time in the record") {
+TEST_CASE("the record names the waves, their view, their windows and the trigger's time") {
   each_machine([](const Machine& machine, const fs::path& base) {
     WaveArguments arguments = fst();
     arguments.trigger = machine.triggers().start + std::string(" after 1us");
@@ -229,7 +229,7 @@ TEST_CASE("waves stand with their view, their windows and the trigger's time in 
   });
 }
 
-TEST_CASE("a run tells how large its waves will be where they are long") {
+TEST_CASE("a run says how large its waves will be when they are long") {
   each_machine([](const Machine& machine, const fs::path&) {
     const auto settings = machine.defaults();
     CHECK_FALSE(waves_notice(*settings));
@@ -256,7 +256,7 @@ TEST_CASE("a view names the windows by markers and keeps nothing of another file
   CHECK_THAT(view, !Contains("old") && !Contains("*-3.0"));
 }
 
-TEST_CASE("a file that is not FST gives no VCD and stays") {
+TEST_CASE("a file that is not FST gives no VCD and is kept") {
   const Scratch scratch;
   const fs::path file = scratch.path / "it's.fst";
   std::ofstream(file) << "not waves";

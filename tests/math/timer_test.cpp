@@ -111,7 +111,7 @@ TEST_CASE("timer leap of n + 1 equals one step and then a leap of n for every co
   }
 }
 
-TEST_CASE("timer gap falls by exactly one a clock and stays true over a leap") {
+TEST_CASE("timer gap falls by exactly one per clock and stays true over a leap") {
   Rtl rtl;
   rtl.reset();
   load(rtl, 3000);

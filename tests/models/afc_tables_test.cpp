@@ -295,7 +295,7 @@ TEST_CASE("Velocity feed-forward with 1 N of cogging gives the printed means") {
   }
 }
 
-TEST_CASE("The words lose almost nothing against double precision") {
+TEST_CASE("Fixed-point words lose almost nothing against double precision") {
   // Periods 1 to 8, both axes: the grain of 5 um counts is 0.05 % of the step.
   for (const FastAxis& axis : {x_axis(11), y_axis(11)}) {
     trammel::ideal::ReferenceModel model;

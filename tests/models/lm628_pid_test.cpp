@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The filter of the LM628 in numbers worked out by hand; the RTL is compared with this twin.
+// The filter of the LM628 with numbers computed by hand; the RTL is compared with this twin.
 
 #include "models/exact/control/lm628_pid.hpp"
 

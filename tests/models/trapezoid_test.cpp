@@ -62,14 +62,14 @@ double ideal_samples_on(const Config& c, double target, double speed) {
   return ideal_samples(c, target + speed * speed / (2 * a) + speed / 2) - speed / a;
 }
 
-// What the sample before the present one was like, and whether the step from it was lawful.
+// The sample before the present one, and whether the step from it was within the limits.
 struct Watch {
   std::int64_t speed = 0;
   int direction = 0;   // of the last motion
   int turns = 0;       // of it
-  bool steep = false;  // its change was one that only the last two samples of a move may have
+  bool steep = false;  // a change of speed that only the last two samples of a move may have
 
-  // now: the way of this sample; after the last one it rests.
+  // now: the distance of this sample; after the last one it rests.
   void check(const Config& c, std::int64_t now, bool finished) {
     const std::int64_t change = std::abs(now - speed);
     if (change > 2 * c.acceleration || (steep && !finished)) FAIL("acceleration");
@@ -86,7 +86,7 @@ struct Watch {
 
 std::int64_t rest_of(const Trapezoid& t) { return t.state.target * kOne - t.state.position; }
 
-// Samples until the move is finished, every one lawful; at most `patience`.
+// Samples until the move is finished, every one within the limits; at most `patience`.
 int run(Trapezoid& t, const Config& c, Watch& watch, int patience) {
   for (int n = 1; n <= patience; ++n) {
     const std::int64_t before = t.state.position;
@@ -115,7 +115,7 @@ int samples(const Config& c, std::int64_t target) {
 
 }  // namespace
 
-TEST_CASE("trapezoid ends 10,000 random moves exactly, lawfully and in time") {
+TEST_CASE("trapezoid ends 10,000 random moves exactly, within limits and in time") {
   Random random(21);
   double worst = 0;
   for (int move = 0; move < 10000;) {
@@ -191,7 +191,7 @@ TEST_CASE("trapezoid's stopping distance is the sum of the falling speeds") {
   REQUIRE(Trapezoid::stopping(top, 1) == top * (top - 1) / 2);
 }
 
-// Data sheet: 2000 counts a turn, 1 rev/s^2 to 600 rpm, 100 revolutions in 19.54 s at 8 MHz.
+// Data sheet: 2000 counts per revolution, 1 rev/s^2 to 600 rpm, 100 revolutions in 19.54 s, 8 MHz.
 TEST_CASE("L-05 trapezoid: the data sheet's move takes 19.54 s and ends at 200 000") {
   const int n = samples(position(9, 0x51EB8), 200000);
   REQUIRE(std::abs(n - 76345) <= 80);

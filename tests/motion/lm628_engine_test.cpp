@@ -166,7 +166,7 @@ TEST_CASE("lm628_engine reports a wraparound as the position leaves +-2^30, not 
   }
 }
 
-TEST_CASE("lm628_engine fires a breakpoint once as it is passed, from below, above, and at once") {
+TEST_CASE("lm628_engine fires a breakpoint once as it is passed, from below or above, or at once") {
   for (int k = 0; k < 6; ++k) {
     const int bp = k % 3 * 40 - 40;
     EngineBench bench;

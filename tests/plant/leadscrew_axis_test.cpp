@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::int64_t kSample = 17'067;  // [clk] of an LM628 at 6 MHz
 
-// Drives with one code until clock `end`, own events in between.
+// Drives with one code until clock `end`, with the plant's own events in between.
 void run(LeadscrewAxis& axis, std::int64_t from, std::int64_t end, unsigned code) {
   axis.drive(from, code);
   while (axis.next() < end) axis.drive(axis.next(), code);
@@ -35,12 +35,12 @@ TEST_CASE("leadscrew_axis counts up where the converter's code is above 80h") {
   run(axis, 0, 5'000'000, 0xC0);
   CHECK(axis.sensor().encoder().count() > 100);
   CHECK(axis.position(5'000'000) > 0);
-  // 800 counts of 5.0165 um a turn.
+  // 800 counts of 5.0165 um per revolution.
   CHECK(axis.position(5'000'000) / 5.0165e-6 ==
         Approx(static_cast<double>(axis.sensor().encoder().count())).margin(0.6));
 }
 
-TEST_CASE("leadscrew_axis has an amplifier that gives 3 A and no more") {
+TEST_CASE("leadscrew_axis has an amplifier that gives at most 3 A") {
   LeadscrewAxis axis({});
   axis.drive(0, 0xFF);
   double most = 0, before = 0;
@@ -98,7 +98,7 @@ TEST_CASE("leadscrew_axis comes to rest at its stop, and can be driven back off 
   CHECK(axis.position(12'000'000) > -1e-3);
 }
 
-TEST_CASE("an axis of the stage is where it is, whatever the other does") {
+TEST_CASE("an axis of the stage is independent of the other") {
   XyStage stage({}), alone({});
   stage.commit(0, {0x90, 0x30});
   alone.commit(0, {0x90, 0x80});

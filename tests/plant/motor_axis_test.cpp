@@ -36,7 +36,7 @@ TEST_CASE("motor_axis is where the motor alone is, whatever is asked between") {
   CHECK(axis.voltage() == 12);
 }
 
-TEST_CASE("motor_axis turns back, and shows its index once a turn") {
+TEST_CASE("motor_axis reverses, and shows its index once per revolution") {
   MotorAxis axis({});
   CHECK(axis.index());
   int indices = 0;

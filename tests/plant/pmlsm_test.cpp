@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kStep = 6.25e-6;
 
-// The equations of the head of pmlsm.hpp, written a second time, integrated by fine Runge-Kutta
+// The equations at the head of pmlsm.hpp, written independently and integrated by fine Runge-Kutta
 // steps.
 struct Reference {
   PmlsmConfig c;
@@ -79,7 +79,7 @@ TEST_CASE("the constants derived from K_t are those of the specification") {
   CHECK(1.5 * m.back_emf_constant() == Approx(79.9).epsilon(1e-12));  // power in = power out
 }
 
-TEST_CASE("one electrical turn is 61 mm or 12200 counts") {
+TEST_CASE("one electrical period is 61 mm or 12200 counts") {
   const Pmlsm m{PmlsmConfig{}};
   for (int k = 0; k < 50; ++k) {
     const double x = 0.0113 * k;
@@ -90,7 +90,7 @@ TEST_CASE("one electrical turn is 61 mm or 12200 counts") {
   }
 }
 
-TEST_CASE("the library-free sine agrees with the library's") {
+TEST_CASE("the sine without the C library agrees with the library's") {
   for (int k = -4000; k < 4000; ++k) {
     const double turns = k * 0.00137;
     const SinCos a = sin_cos_turns(turns);

@@ -45,7 +45,7 @@ Turn turn(const SineEncoderConfig& config, double direction) {
 
 }  // namespace
 
-TEST_CASE("F-07 a turn of the sine encoder is 800 counts and one marker, swapped it counts down") {
+TEST_CASE("F-07 a revolution of the sine encoder is 800 counts and one marker, swapped -800") {
   SineEncoderConfig config;
   CHECK(turn(config, 1).counted == 800);
   CHECK(turn(config, 1).markers == 1);

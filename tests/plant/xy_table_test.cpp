@@ -83,7 +83,7 @@ TEST_CASE("next() is the first clock at which the position leaves the count") {
   CHECK(table.count(1) < 40000 - 1000);
 }
 
-TEST_CASE("edges of a light carriage that starts hard and turns round are found to the clock") {
+TEST_CASE("edges of a light carriage that starts hard and reverses are found to the clock") {
   AxisConfig c;
   c.mass_kg = 0.02;  // thousands of m/s^2: leaves a count and comes back inside one span
   c.coulomb_n = 0.05;
@@ -147,7 +147,7 @@ TEST_CASE("questions between commits change nothing") {
   CHECK(h_a == h_s);
 }
 
-TEST_CASE("two runs with the same seed give the same bits and another seed other noise") {
+TEST_CASE("two runs with the same seed give the same bits, another seed gives other noise") {
   std::array<std::uint64_t, 3> h{};
   for (std::size_t k = 0; k < 3; ++k) {
     XyTableConfig c = middle();
@@ -185,7 +185,7 @@ TEST_CASE("a commit at every clock agrees with commits at events") {
   CHECK(seldom.encoder().count() != 60000);
 }
 
-TEST_CASE("a stop takes the whole speed and lets go when the force turns") {
+TEST_CASE("a stop takes the whole speed and releases when the force reverses") {
   XyTableConfig c = default_xy_table();
   c.axis[0].start_m = 0.001;
   c.axis[0].external_force_n = 20;

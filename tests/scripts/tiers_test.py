@@ -51,7 +51,7 @@ def made(name, *labels, waits=()):
 
 
 def check_itself():
-    """What must be seen is seen."""
+    """The check finds what it must find."""
     table = {"first": ["unit.*"], "full": ["proof.*", "slow"]}
     right = [made("unit.a"), made("proof.a", "full"), made("slow", "full", waits=["unit.a"])]
     assert not list(problems(right, table))

@@ -213,7 +213,7 @@ TEST_CASE("qep is quiescent only when the next edge changes nothing") {
   REQUIRE(count(rtl) == 1);
 }
 
-TEST_CASE("qep takes a preset") {
+TEST_CASE("qep loads a preset") {
   Rtl rtl;
   start(rtl, at(0));
   Qep::In in = at(0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A master of a chip's AXI4-Lite port s_axil that goes on with each channel by itself: address,
-// data and readiness for answers come at random, in any order, up to as many transfers at once as
+// A master of a chip's AXI4-Lite port s_axil that drives each channel independently: address, data
+// and readiness for responses come at random, in any order, with as many transfers open at once as
 // the chip accepts.
 #pragma once
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A promise broken by hand: what the code of Verilator calls when an assertion fails.
+// An assertion failed by hand: what Verilator's code calls when one fails.
 #pragma once
 
 #include "cosim/verilated/hooks.hpp"

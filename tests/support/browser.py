@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Headless Chromium for tests of report pages; nothing is downloaded, nothing is asked of a net."""
+"""Headless Chromium for tests of report pages; nothing is downloaded or asked of a network."""
 
 import json
 import shutil
@@ -57,7 +57,7 @@ def open_page(driver, page):
 
 
 def complaints(driver):
-    """Lines of the console that are no mere information."""
+    """Lines of the console that are more than information."""
     return [line["message"] for line in driver.get_log("browser")
             if line["level"] in ("SEVERE", "WARNING")]
 

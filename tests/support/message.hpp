@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is said of a configuration that is refused.
+// The message for a configuration that is refused.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace trammel::test {
 
-// "" when it is taken.
+// "" when it is accepted.
 template <class Options>
 std::string message_of(const std::string& toml) {
   Options options;

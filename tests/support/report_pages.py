@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Report pages of runs made anew, opened in headless Chromium: what holds for every machine. A
-machine's test derives from it and says which runs; what its page alone shows, it tests itself."""
+"""Report pages of fresh runs, opened in headless Chromium: what holds for every machine. The test
+of a machine derives from it and names the runs; it tests itself what only its page shows."""
 
 import base64
 import csv
@@ -251,7 +251,7 @@ class ReportPages(unittest.TestCase):
         self.assertFalse((self.folder / "mixed.html").exists())
 
     def plain(self, name, page):
-        """The page as it would be had the machine none of its own."""
+        """The page as it would be if the machine had no page of its own."""
         text = (self.folder / name / page).read_text(encoding="utf-8")
         machine = f'"machine":"{self.metrics(next(iter(self.runs)))["machine"]}"'
         self.assertIn(machine, text)

@@ -2,8 +2,8 @@
 //
 // A verilated block under test: reset, clock edges, and signed reading of its ports.
 //
-// Models that count coverage (TRAMMEL_COVERAGE is defined) leave it in files <name>.<n>, one an
-// instance, <name> being the variable TRAMMEL_COVERAGE of the environment. A model holds its own
+// Models that count coverage (TRAMMEL_COVERAGE is defined) leave it in files <name>.<n>, one per
+// instance, where <name> is the environment variable TRAMMEL_COVERAGE. A model holds its own
 // counters and writing takes time, so all live to the end of the program.
 #pragma once
 
@@ -120,7 +120,7 @@ class Rtl {
     cosim::reset_pin(*model_) = 1;
     tick();
 #ifdef TRAMMEL_COVERAGE
-    // What random values became zero is no toggle that a test made.
+    // Random values that become zero here are not toggles made by a test.
     if (!was_reset_) context_->coveragep()->zero();
 #endif
     was_reset_ = true;

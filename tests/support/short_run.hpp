@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The first 20 ms of a run of any machine, by its twin, that end as told: for tests of what is made
-// of runs, whatever machine they are of.
+// The first 20 ms of a run of any machine, by its twin, with a given end: for tests of what is made
+// from runs, whatever the machine.
 #pragma once
 
 #include <atomic>
@@ -54,7 +54,7 @@ inline std::string scenario_of(const lab::Machine& machine) {
   throw std::logic_error("no scenario of " + machine.name);
 }
 
-// What `trammel run SCENARIO -o OUT -s ...` asks for.
+// The arguments of `trammel run SCENARIO -o OUT -s ...`.
 inline testbench::Arguments arguments_for(const std::string& scenario,
                                           const std::filesystem::path& out,
                                           std::vector<std::string> assignments = {}) {

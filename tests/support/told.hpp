@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is said on stderr, for tests of messages that no exception carries.
+// What is printed on stderr, for tests of messages that no exception carries.
 #pragma once
 
 #include <unistd.h>

@@ -206,7 +206,7 @@ TEST_CASE("the square wave has 750 points high and 750 low in each of 8 periods"
   }
 }
 
-TEST_CASE("the square wave's polarity turns with its levels, and it may swing about zero") {
+TEST_CASE("the square wave's polarity follows its levels, and it may swing about zero") {
   auto setup = of(sw::Path::kSquare);
   setup.square.low = {2000, 2000};
   setup.square.high = {0, 0};
@@ -219,7 +219,7 @@ TEST_CASE("the square wave's polarity turns with its levels, and it may swing ab
   CHECK(walk(setup).back() == Point{-2000, -2000});
 }
 
-TEST_CASE("a line is walked in equal steps there and back, exact at both ends") {
+TEST_CASE("a line is followed in equal steps there and back, exact at both ends") {
   auto setup = of(sw::Path::kLine);
   setup.line = {{sw::from_counts(100), sw::from_counts(7000)},
                 {sw::from_counts(10101), sw::from_counts(-3000)},
@@ -256,7 +256,7 @@ TEST_CASE("ends on the edge between two counts are rounded as their nominal valu
   for (std::size_t lap = 0; lap <= 5; ++lap) CHECK(laps[629 * lap] == Point{50001, 70001});
 }
 
-TEST_CASE("listed points come in order; a second lap does not repeat the closing point") {
+TEST_CASE("listed points come in order; a second lap omits the closing point") {
   const Point list[] = {{1, 2}, {3, 4}, {5, 6}, {1, 2}};
   auto setup = of(sw::Path::kPoints);
   setup.points = list;

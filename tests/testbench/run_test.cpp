@@ -42,7 +42,7 @@ int run_to(const fs::path& out, const lab::Machine& machine, EndReason end,
   return test::run(arguments_for(test::scenario_of(machine), out, std::move(set)), ending(end));
 }
 
-// A simulation that must not begin.
+// A simulation that must not start.
 lab::Record never(const lab::Settings&, const cosim::Hooks&) {
   FAIL("a run that is refused was begun");
   return {};
@@ -105,7 +105,7 @@ TEST_CASE("how a run ended is its exit code, and its record is kept") {
   });
 }
 
-TEST_CASE("an assertion that failed is named in the record") {
+TEST_CASE("a failed assertion is named in the record") {
   each_machine([](const lab::Machine& machine, const fs::path& base) {
     CHECK(run_to(base / "a", machine, EndReason::kPromise) == 4);
     const auto json = metrics_of(base / "a");
@@ -120,7 +120,7 @@ TEST_CASE("an assertion that failed is named in the record") {
   });
 }
 
-TEST_CASE("a second run replaces what the first wrote and leaves foreign files alone") {
+TEST_CASE("a second run replaces what the first wrote and leaves other files alone") {
   each_machine([](const lab::Machine& machine, const fs::path& base) {
     const fs::path folder = base / "a";
     fs::create_directories(folder);
@@ -133,7 +133,7 @@ TEST_CASE("a second run replaces what the first wrote and leaves foreign files a
   });
 }
 
-TEST_CASE("a name that cannot be a folder's is refused before anything is written") {
+TEST_CASE("a name that cannot be a folder name is refused before anything is written") {
   each_machine([](const lab::Machine& machine, const fs::path& base) {
     const test::WorkingFolder here(base);  // without -o a run goes to out/NAME
     for (const std::string& name : {std::string("../x"), std::string(), std::string("."),
@@ -153,7 +153,7 @@ TEST_CASE("a name that cannot be a folder's is refused before anything is writte
   });
 }
 
-TEST_CASE("a run goes to out/NAME unless it is told where") {
+TEST_CASE("a run goes to out/NAME unless -o names another folder") {
   each_machine([](const lab::Machine& machine, const fs::path& base) {
     const test::WorkingFolder here(base);
     CHECK(run_to("", machine, EndReason::kDone, {"name=a b"}) == 0);
@@ -182,7 +182,7 @@ TEST_CASE("a refused or failed run leaves nothing half written") {
   });
 }
 
-TEST_CASE("an output folder that cannot be one is refused before the run") {
+TEST_CASE("an impossible output folder is refused before the run") {
   each_machine([](const lab::Machine& machine, const fs::path& base) {
     std::ofstream(base / "file") << "a file";
     for (const fs::path& out : {base / "file", base / "file" / "below"}) {
@@ -195,7 +195,7 @@ TEST_CASE("an output folder that cannot be one is refused before the run") {
   });
 }
 
-TEST_CASE("what was run is what run.toml repeats") {
+TEST_CASE("run.toml repeats the run") {
   each_machine([](const lab::Machine& machine, const fs::path& base) {
     auto arguments =
         arguments_for(test::scenario_of(machine), base / "a", {"run.max_s=7.5", "name=other"});
@@ -259,7 +259,7 @@ TEST_CASE("a check exits 1 where a figure lies outside its tolerance") {
   });
 }
 
-TEST_CASE("a run beside the first that did not end well is told by the exit code") {
+TEST_CASE("a comparison run that did not end well sets the exit code") {
   each_machine([](const lab::Machine& machine, const fs::path& base) {
     for (const auto& [end, code] : {std::pair{EndReason::kDone, 0}, {EndReason::kPromise, 4}}) {
       const Simulate simulate = [end = end](const lab::Settings& settings, const cosim::Hooks&) {
@@ -285,7 +285,7 @@ TEST_CASE("a run names one scenario, or asks for all experiments") {
   CHECK(entries(scratch.path) == 0);
 }
 
-TEST_CASE("all experiments stopped before they ended are interrupted") {
+TEST_CASE("experiments that are stopped before they ended count as interrupted") {
   const Scratch scratch;
   std::atomic<bool> stop{false};
   Arguments arguments = arguments_for("", scratch.path);
@@ -298,7 +298,7 @@ TEST_CASE("all experiments stopped before they ended are interrupted") {
   CHECK(entries(scratch.path) == 1);
 }
 
-TEST_CASE("a key that experiments set is refused beside all of them, whoever asks") {
+TEST_CASE("a key that the experiments set is refused with --all, wherever it comes from") {
   const Scratch scratch;
   Arguments arguments = arguments_for("", scratch.path / "a");
   arguments.all = true;

@@ -106,7 +106,7 @@ TEST_CASE("an693 figures count samples from the first that moves") {
   CHECK(result.interrupts[0].real == 4);
 }
 
-TEST_CASE("an693 interrupts before the desired position moves are told, as of sample 0") {
+TEST_CASE("an693 interrupts before the desired position moves are listed as of sample 0") {
   an693::Result result;
   for (int n = 0; n < 4; ++n) {
     an693::Sample s;
@@ -158,7 +158,7 @@ TEST_CASE("an693 runs leave metrics.json, trace.csv and run.toml, and say how th
   fs::remove_all("an693_test_out");
 }
 
-TEST_CASE("a bit of one sample is on a page that shows one of three") {
+TEST_CASE("a status bit of one sample shows on a page that keeps every third sample") {
   const std::atomic<bool> stop{false};
   testbench::Arguments arguments;
   arguments.scenario = "an693-absolute";
@@ -208,7 +208,7 @@ TEST_CASE("an693 says how a run ended") {
         "(bus/lm628_port_props.sv:7)");
 }
 
-TEST_CASE("run chooses the machine by the scenario, and refuses what this one has not") {
+TEST_CASE("run chooses the machine by the scenario, and refuses what that machine lacks") {
   const std::atomic<bool> stop{false};
   testbench::Arguments arguments;
   arguments.scenario = "an693-hold";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The programs of AN-693 send the bytes of the application note; a part that is always ready, with
-// a status of its own, stands in for the LM628.
+// a status set by the test, stands in for the LM628.
 
 #include "sw_nios/apps/an693/an693.hpp"
 
@@ -108,7 +108,7 @@ TEST_CASE("an693 E1 strobes RST, waits 1.5 ms and initialises the part") {
   CHECK(part.timer == 75'000);
 }
 
-TEST_CASE("an693 E1 resets a part again whose status is wrong, and gives up after three") {
+TEST_CASE("an693 E1 resets again a part whose status is wrong, and gives up after three attempts") {
   An693App app(make_setup(An693Program::kHold));
   FakePart part;
   part.states = {0x00};
@@ -132,7 +132,7 @@ TEST_CASE("an693 E2 and E5 load kp = 10 and close the loop where the shaft is") 
   CHECK(bench.app.mailbox().done);
 }
 
-TEST_CASE("an693 loads the coefficients that are not 0, with the interval in the control word") {
+TEST_CASE("an693 loads the nonzero coefficients, with the interval in the control word") {
   An693Setup setup = make_setup(An693Program::kHold);
   setup.filter = {35, 5, 4000, 100, 4};
   Bench bench(setup);
@@ -178,7 +178,7 @@ TEST_CASE("an693 E8 and E4 change speed at two breakpoints and stop smoothly") {
   CHECK(bench.app.mailbox().point == 3);
 }
 
-TEST_CASE("an693 E3 moves with the acceleration that is loaded") {
+TEST_CASE("an693 E3 moves with the acceleration already loaded") {
   FakePart part;
   part.states = {0x80};
   Lm628Port port(part);
@@ -197,7 +197,7 @@ TEST_CASE("an693 E4 turns the motor off, stops abruptly or smoothly") {
   }
 }
 
-TEST_CASE("an693 E9 steps there and back as often as it is asked") {
+TEST_CASE("an693 E9 steps there and back as many times as asked") {
   An693Setup setup = make_setup(An693Program::kTuning);
   setup.acceleration = setup.velocity = 0x3FFFFFFF;
   setup.position = 50;
@@ -222,7 +222,7 @@ TEST_CASE("an693 turns the motor off at a position error, and stops at a command
   }
 }
 
-TEST_CASE("an693 gives up on a part that stays busy, after its first command or in the midst") {
+TEST_CASE("an693 gives up on a part that stays busy, after its first command or later") {
   for (const bool at_once : {true, false}) {
     Bench bench(make_setup(An693Program::kAbsolute));
     if (at_once) bench.part.busy_polls = Lm628Port::kPollLimit + 1;
@@ -236,7 +236,7 @@ TEST_CASE("an693 gives up on a part that stays busy, after its first command or 
   }
 }
 
-TEST_CASE("lm628 driver asks for busy before each command and word, and gives up on a stuck part") {
+TEST_CASE("lm628 driver polls busy before each command and word, and gives up on a stuck part") {
   FakePart part;
   part.states = {0x80};
   part.busy_polls = 3;

@@ -51,7 +51,7 @@ TEST_CASE("lm628 port writes with 100 ns of WR, data 50 ns before its end and 12
   CHECK(idle(all.back()));
 }
 
-TEST_CASE("lm628 port takes data 180 ns after RD falls and leaves the bus 180 ns more") {
+TEST_CASE("lm628 port takes data 180 ns after RD falls and leaves the bus idle for 180 ns more") {
   HostPort port;
   int taken = -1;
   const auto all = transfer(port, {sw::lm628_map::kCommand, 0, false}, &taken);

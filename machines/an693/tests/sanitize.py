@@ -54,7 +54,7 @@ def write_bad_input(out):
 
 
 def passes(program, environment, out):
-    """What is more than one command: a talk with the prompt."""
+    """What takes more than one command: a session at the prompt."""
     talk = subprocess.run([Path(__file__).with_name("prompt_check.py"), program], env=environment,
                           cwd=out, check=False)
     return talk.returncode == 0

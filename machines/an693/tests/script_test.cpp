@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The language of `trammel lm628`: what it takes, and what it says of what it refuses.
+// The language of `trammel lm628`: what it accepts, and its messages for what it refuses.
 
 #include "machines/an693/verbs/script.hpp"
 
@@ -121,7 +121,7 @@ TEST_CASE("the other commands take one number or none") {
         "move.lm628:3: foo: unknown command; `help` names them all");
 }
 
-TEST_CASE("waits have a time, or an event with the longest time") {
+TEST_CASE("a wait takes a time, or an event with a time limit") {
   CHECK(parsed("wait 0.5 s").seconds == Approx(0.5));
   CHECK(parsed("wait 10ms").seconds == Approx(0.01));
   CHECK(parsed("wait 300 us").seconds == Approx(300e-6));

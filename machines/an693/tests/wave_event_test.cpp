@@ -36,7 +36,7 @@ struct FakeWords final : SignalReader {
 
 }  // namespace
 
-TEST_CASE("an event of waves is a word, with a time if wanted, or a time") {
+TEST_CASE("a trigger is an event, with a delay if wanted, or a time") {
   for (const char* text : {"drive", " hi ", "irq after 2ms"}) {
     CHECK(parsed(text).when == When::kEvent);
     CHECK_FALSE(parsed(text).known());
@@ -48,7 +48,7 @@ TEST_CASE("an event of waves is a word, with a time if wanted, or a time") {
   CHECK(parsed("e > -20").value == -20);
 }
 
-TEST_CASE("what is no event is refused with those that are") {
+TEST_CASE("a trigger that is not an event is refused with a list of those that are") {
   for (const char* text : {"", "drive after", "e", "rise", "x.e > 3 and e > 3"}) {
     INFO(text);
     CHECK_THROWS_WITH(parsed(text), Contains("is none of: drive (a converter"));
@@ -104,7 +104,7 @@ TEST_CASE("the words of a part are those of its samples") {
   }
 }
 
-TEST_CASE("the default window hangs at the first drive, one of the user's own at nothing") {
+TEST_CASE("the default window is anchored to the first drive, the user's own is not") {
   RunBasics run;
   CHECK_FALSE(wave_event(run, an693::triggers()));
   run.wave = WaveFormat::kFst;

@@ -29,7 +29,7 @@ exact::Afc::Config twin_config(const sw::AxisSetup& s) {
   return c;
 }
 
-// The table chases a command that jumps about, so that every section and both limits are met.
+// The table follows a command that jumps about, so that every section and both limits are reached.
 void check_chase(const sw::AxisSetup& setup, int reach) {
   std::mt19937 random(1);
   std::uniform_int_distribution<int> jump(-reach, reach);
@@ -71,7 +71,7 @@ void check_chase(const sw::AxisSetup& setup, int reach) {
 
 }  // namespace
 
-TEST_CASE("the steps of a sample end with the words and rules of the twin") {
+TEST_CASE("the steps of a sample end at the words and rules of the twin") {
   sw::AxisSetup setup;
   check_chase(setup, 2000);
   setup.adapt = true;
@@ -83,7 +83,7 @@ TEST_CASE("the steps of a sample end with the words and rules of the twin") {
   check_chase(setup, 2000);
 }
 
-TEST_CASE("the steps are those of the specification's table for its check vector") {
+TEST_CASE("the steps are those of the specification for its check vector") {
   // Section 5: e = 1000, de = 200 with a fresh table.
   kung::AfcStart start;
   const exact::Afc fresh;

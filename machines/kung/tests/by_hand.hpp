@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Runs of the table from results made by hand.
+// Runs of the table with results made by hand.
 #pragma once
 
 #include <memory>

@@ -29,7 +29,7 @@ struct RangeWatch final : cosim::Watcher {
 
 }  // namespace
 
-TEST_CASE("every signal that a trigger may name is read in its range from the reset on") {
+TEST_CASE("every signal that a trigger may name is within its range from the reset on") {
   RangeWatch watch;
   const auto chip = make_watched_chip(watch, false);
   const test::NoPlant plant;
@@ -38,7 +38,7 @@ TEST_CASE("every signal that a trigger may name is read in its range from the re
   CHECK(watch.outside.empty());
 }
 
-TEST_CASE("of two chips either may end first, whichever was evaluated last") {
+TEST_CASE("of two chips either may be destroyed first, whichever was evaluated last") {
   RangeWatch watch;
   const test::NoPlant plant;
   auto first = make_watched_chip(watch, false);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The verilated chips of the X-Y table by what tests ask of them.
+// The verilated chips of the X-Y table, by what a test needs of them.
 #pragma once
 
 #include <memory>

@@ -88,7 +88,7 @@ TEST_CASE("the environment sets keys by their upper-case names") {
                     Contains("environment TRAMMEL_PLANT_MASS_KG: plant.x.mass_kg: value \"x\""));
 }
 
-TEST_CASE("the built-in scenarios load, can run and are the paper's experiments") {
+TEST_CASE("the built-in scenarios load, are valid and are the paper's experiments") {
   int loaded = 0;
   for (const auto& file : scenarios()) {
     if (&machine_of(file) != &kung::machine()) continue;
@@ -104,7 +104,7 @@ TEST_CASE("the built-in scenarios load, can run and are the paper's experiments"
   CHECK(loaded >= 4);
 }
 
-TEST_CASE("default gains are the words of the specification") {
+TEST_CASE("the default gains are the words of the specification") {
   const kung::AxisGains g;
   const auto same = [](fixed::Gain word, std::int32_t mant, std::int32_t exp) {
     return word.value() == fixed::Gain{mant, exp}.value();  // 1536, -1 is 768, 0

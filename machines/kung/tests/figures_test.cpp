@@ -73,7 +73,7 @@ TEST_CASE("only samples from the first point to the end of the last one count") 
   CHECK(m.at("y.error_to_model.max_mm") == Approx(8));
 }
 
-TEST_CASE("a run that ended early counts what there is") {
+TEST_CASE("a run that ended early counts the samples it has") {
   auto result = offset_run({{3e-3, 4e-3}, {6e-3, 8e-3}});
   cosim::DiskVector<kung::Sample> eleven;
   for (std::size_t k = 0; k < 11; ++k) eleven.push_back(result.samples[k]);

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
 """Open report pages of the machine kung in headless Chromium: what holds for every machine, and
-what a reader relies on: zoom and cursor are shared, also with the path, buttons save pictures, dark
-follows the system, runs are compared with the paper and with each other.
+what a reader relies on: zoom and cursor are shared, also with the path, buttons save pictures, the
+dark theme follows the system, runs are compared with the paper and with each other.
 
 usage: report_check.py PROGRAM FOLDER     PROGRAM: trammel; FOLDER: for the runs, made anew
 """

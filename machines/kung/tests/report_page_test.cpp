@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What pages of the table hold beside what every page does (tests/lab).
+// What pages of the table hold besides what every page does (tests/lab).
 #include <catch2/catch.hpp>
 #include <limits>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a run of the table leaves behind beside what every run does (tests/testbench).
+// What a run of the table leaves behind besides what every run does (tests/testbench).
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -23,7 +23,7 @@ struct Scratch : test::Scratch {
   Scratch() : test::Scratch("kung_run_test_out") {}
 };
 
-// The table stands still for 40 samples and ends as told.
+// The table stands still for 40 samples and the run ends as given.
 Result standing(EndReason end, const Fault& fault = {}) {
   Result result;
   for (std::uint32_t k = 0; k < 40; ++k) {
@@ -57,7 +57,7 @@ TEST_CASE("a tripped run exits with 5, keeps its record and names the first faul
   CHECK(json["fault"]["tick"] == 17);
 }
 
-TEST_CASE("how a run ended is told with the figures that decided it") {
+TEST_CASE("how a run ended is reported with the figures that decided it") {
   const Scratch scratch;
   const struct {
     EndReason end;
@@ -73,7 +73,7 @@ TEST_CASE("how a run ended is told with the figures that decided it") {
   }
 }
 
-TEST_CASE("the errors of a file of points name its line and the key") {
+TEST_CASE("errors in a file of points name its line and the key") {
   const Scratch scratch;
   const fs::path file = scratch.path / "points.csv";
   const std::vector<std::string> set{"path.kind=points", "path.points_file=" + file.string()};
@@ -86,7 +86,7 @@ TEST_CASE("the errors of a file of points name its line and the key") {
   CHECK_FALSE(fs::exists(scratch.path / "b"));
 }
 
-TEST_CASE("a stop without a fault of the chip is told apart from a trip") {
+TEST_CASE("a stop without a fault of the chip is distinguished from a trip") {
   CHECK(cause_text({FaultCode::kStroke, 1, 17}) == "stroke exceeded on axis Y");
   CHECK_THAT(cause_text({}), Contains("processor"));
   const Scratch scratch;

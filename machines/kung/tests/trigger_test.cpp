@@ -57,7 +57,7 @@ TEST_CASE("a comparison fires when it becomes true, not while it holds from rese
   CHECK(fires("x.STATUS == 0x1e01", "x.STATUS", {0, 0x1e01}) == 1);
 }
 
-TEST_CASE("a name without axis means either, with one only that") {
+TEST_CASE("a name without an axis means either axis, with one only that") {
   CHECK(fires("e > 100", "y.e", {0, 101}) == 1);
   CHECK(fires("y.e > 100", "y.e", {0, 101}) == 1);
   CHECK(fires("x.e > 100", "y.e", {0, 101}) == -1);
@@ -78,7 +78,7 @@ TEST_CASE("events are changes of the signals behind them") {
   CHECK(fires("fault.encoder", "FAULT.code", {0, 3}) == -1);
 }
 
-TEST_CASE("after holds the trigger back but not its memory") {
+TEST_CASE("a trigger held back by after still sees the values before") {
   CHECK(fires("rise irq after 60ns", "irq", {0, 1, 0, 1, 0, 1}) == 3);
   CHECK(fires("x.e > 0 after 40ns", "x.e", {0, 1, 1, 1}) == -1);  // it was true before
   CHECK(fires("x.e > 0 after 0.00006ms", "x.e", {0, 1, 0, 1}) == 3);
@@ -90,7 +90,7 @@ TEST_CASE("a time needs no search") {
   CHECK(trigger.edge == 500000);
 }
 
-TEST_CASE("what holds in reset does not fire when it ends") {
+TEST_CASE("what holds in reset does not fire when the reset ends") {
   TriggerSearch search(parse_trigger("fall irq"));
   FakeChip chip;
   chip.values["irq"] = 1;
@@ -100,7 +100,7 @@ TEST_CASE("what holds in reset does not fire when it ends") {
   CHECK_FALSE(search.found());
 }
 
-TEST_CASE("an unknown name is told apart from a broken expression") {
+TEST_CASE("an unknown name is distinguished from a malformed expression") {
   for (const char* text : {"x.ee > 3", "z.e > 3", "x.TICK == 3", "fault.encodr", "afc.z", "drive",
                            "rise x.CTRL.enabl", "faults"}) {
     INFO(text);
@@ -113,7 +113,7 @@ TEST_CASE("an unknown name is told apart from a broken expression") {
   }
 }
 
-TEST_CASE("values and times that cannot be are refused with their range") {
+TEST_CASE("impossible values and times are refused with their range") {
   CHECK_THROWS_WITH(parse_trigger("x.e > 4000"), "x.e: value 4000 is out of range -2048..2047");
   CHECK_THROWS_WITH(parse_trigger("STATUS == -1"), "STATUS: value -1 is out of range 0..32767");
   CHECK_THROWS_WITH(parse_trigger("x.e > 99999999999999999999"), Contains("is out of range"));
@@ -123,7 +123,7 @@ TEST_CASE("values and times that cannot be are refused with their range") {
   CHECK_THROWS_WITH(parse_trigger("at 1ms after 2ms"), Contains("exclude each other"));
 }
 
-TEST_CASE("every name in the list of names is one") {
+TEST_CASE("every name in the list of signals is accepted") {
   for (const std::string& name : cosim::trigger_names(triggers())) {
     INFO(name);
     const bool event = name.rfind("fault", 0) == 0 || name.rfind("drives", 0) == 0 ||

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Waves of the table beside what holds for those of every machine (tests/lab).
+// Waves of the table besides what holds for those of every machine (tests/lab).
 #include <catch2/catch.hpp>
 #include <fstream>
 
@@ -28,7 +28,7 @@ std::string message_of(const std::string& trigger) {
 
 }  // namespace
 
-TEST_CASE("an unknown signal of a trigger is met with a suggestion") {
+TEST_CASE("an unknown signal in a trigger gives a suggestion") {
   CHECK(message_of("x.e > 100").empty());
   CHECK(message_of("x.STATSU == 3") ==
         "--wave-trigger: x.STATSU: unknown signal; did you mean x.STATUS?");
@@ -36,7 +36,7 @@ TEST_CASE("an unknown signal of a trigger is met with a suggestion") {
   CHECK_THAT(message_of("x.e >"), Contains("--wave-trigger: \"x.e >\" is none of"));
 }
 
-TEST_CASE("waves stand with the view of the table and the trigger in the record") {
+TEST_CASE("the record names the waves, the view of the table and the trigger") {
   const test::Scratch scratch("kung_wave_files_test_out");
   auto arguments = test::arguments_for("circle", scratch.path / "a");
   arguments.waves = {"fst", "", "x.e > 100", "", ""};

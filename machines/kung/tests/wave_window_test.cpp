@@ -27,7 +27,7 @@ constexpr cosim::Clk kMs = 50000;  // clocks
 
 }  // namespace
 
-TEST_CASE("without a window of its own a run is dumped around its trigger, 2 ms in all") {
+TEST_CASE("without a given window a run is dumped around its trigger, 2 ms in all") {
   cosim::RunBasics run = traced();
   CHECK(wave_window(run, 100 * kMs).begin == 100 * kMs - kMs / 5);
   CHECK(wave_window(run, 100 * kMs).end == 102 * kMs - kMs / 5);

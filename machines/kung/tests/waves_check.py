@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Wave files of real runs: both formats, their names, the view for GTKWave, the docs' pictures.
 
-usage: kung_waves_test.py PROGRAM      the built trammel program
+usage: waves_check.py PROGRAM      the built trammel program
 """
 
 import json

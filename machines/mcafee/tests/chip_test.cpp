@@ -146,7 +146,7 @@ TEST_CASE("mcafee chip drives each axis by its own error and shows its words and
   CHECK(run.read(reg::kLimits) == (reg::kLimitsXHigh | reg::kLimitsYLow));
 }
 
-TEST_CASE("mcafee chip's timer interrupts once, after so many clocks, and not when it is 0") {
+TEST_CASE("mcafee chip's timer interrupts once, after its number of clocks, and not when it is 0") {
   Run run(true, cosim::kNever);
   const cosim::Stop written = run.transfer({map::kTimer, 5000, true});
   CHECK(run.read(map::kIrq) == 0);
@@ -160,7 +160,7 @@ TEST_CASE("mcafee chip's timer interrupts once, after so many clocks, and not wh
 }
 
 // The twin of models/ takes the same accesses at the same edges.
-TEST_CASE("mcafee chip reads and drives what its twin does") {
+TEST_CASE("mcafee chip reads and drives the same as its twin") {
   Run run(true, cosim::kNever);
   exact::McafeeXy twin;
   exact::McafeeXy::In in;

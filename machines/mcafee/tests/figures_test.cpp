@@ -53,7 +53,7 @@ mcafee::Result tracked() {
   return result;
 }
 
-// Runs of what `tracked` gives, in a folder of their own; the slow one ends as `slow_end`.
+// Runs with the result of `tracked`, in their own folder; the slow one ends as `slow_end`.
 struct Runs {
   const fs::path folder = fs::absolute("mcafee_test_out");
   testbench::Arguments arguments;
@@ -84,7 +84,7 @@ struct Runs {
 
 }  // namespace
 
-TEST_CASE("mcafee: a path or motor that cannot be is refused with key, row and range") {
+TEST_CASE("mcafee: an impossible path or motor is refused with key, row and range") {
   CHECK(message_of("") == "");
   CHECK_THAT(message_of("[path]\nrow_mm = 0.7"), Contains("row 0: increments 139, 0"));
   CHECK_THAT(message_of("[path]\nradius_mm = 31"), Contains("out of range 0..30"));
@@ -150,7 +150,7 @@ TEST_CASE("mcafee: interrupts, motors turned off and switches are events, once e
 }
 
 TEST_CASE_METHOD(Runs,
-                 "mcafee: runs leave their files and a page, made again from them byte by byte") {
+                 "mcafee: runs leave their files and a page that can be made again byte for byte") {
   arguments.json = true;
   REQUIRE(run() == 0);
   const auto metrics = this->metrics();
@@ -198,7 +198,7 @@ TEST_CASE_METHOD(Runs,
 }
 
 TEST_CASE_METHOD(Runs,
-                 "mcafee: a comparison that ends early ends the run, stopped ones are no figure") {
+                 "mcafee: a stopped comparison ends the run; one that fails is listed by its end") {
   arguments.report = false;
   slow_end = cosim::EndReason::kStopped;
   CHECK(run() == exit_code(slow_end));

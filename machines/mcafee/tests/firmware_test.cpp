@@ -25,7 +25,7 @@ namespace {
 
 constexpr double kClockS = 20e-9;
 
-// Listens at the port, and to what the samples take.
+// Observes the port, and what the samples take.
 class SpiedChip final : public mcafee::TwinChip {
  public:
   std::string bytes;  // that passed: c 1F, d 00 to X, C and D to Y; r, R data read
@@ -55,7 +55,7 @@ class SpiedChip final : public mcafee::TwinChip {
   }
 };
 
-// Runs a program to its end, or for so long.
+// Runs a program to its end, or up to this time.
 struct McafeeBench {
   SpiedChip chip;
   XyFollower follower{chip};
@@ -182,7 +182,7 @@ TEST_CASE("F-06 Stage I reads FF FF FF FB again and again while the encoder stan
   CHECK(after(bench, kReady) == expected + "C0A R00 R00 R00 R00 ");
 }
 
-TEST_CASE("Stage III loads an acceleration once, then for each row what of it is not 0") {
+TEST_CASE("Stage III loads an acceleration once, then for each row the values that are not 0") {
   const std::vector<McafeeRow> rows{{0, 0, 255, 0, 50, 0}, {255, 0, 180, 180, 10, -10}};
   McafeeBench bench(tracking(rows));
   bench.run(2);
@@ -207,7 +207,7 @@ TEST_CASE("Stage III loads an acceleration once, then for each row what of it is
   CHECK(text.find("c01 C01 ") != std::string::npos);
 }
 
-TEST_CASE("Stage III gives no axis the velocity 0, and shifts what it gives") {
+TEST_CASE("Stage III gives no axis the velocity 0, and shifts the velocities it gives") {
   // 8 * 12 >> 8 = 0: F1h stands for it, shifted by 2 03C4h.
   const std::vector<McafeeRow> rows{{255, 255, 255, 12, 100, 5}};
   McafeeSetup setup = tracking(rows);
@@ -250,7 +250,7 @@ TEST_CASE("no sample falls between the STT of the two axes, and the samples coin
   CHECK(late <= 9);
 }
 
-TEST_CASE("a feed rate that never comes ends the program, and nothing begins it again") {
+TEST_CASE("a feed rate that never comes ends the program, and nothing restarts it") {
   const std::vector<McafeeRow> rows(4, McafeeRow{0, 0, 255, 0, 100, 0});
   DeafFeed bus;
   McafeeApp app(tracking(rows));

@@ -75,7 +75,7 @@ TEST_CASE("F-10 the rounded square has 463 rows and leads back to its start") {
   CHECK(curved == Approx(10 * 3.14159 / table.row_mm).margin(4));
 }
 
-TEST_CASE("the preview of a closed path goes on past its end") {
+TEST_CASE("the preview of a closed path continues past its end") {
   PathOptions o = shape(PathKind::kSquare, 60, 5);
   o.preview_rows = 60;  // the first corner begins 25 mm behind the start
   const Table table = table_of(o);
@@ -137,7 +137,7 @@ TEST_CASE("a curvature above kappa_max saturates with a warning that names its r
   CHECK(table.rows[20].c == 255);
 }
 
-TEST_CASE("a path that turns back on itself bends without limit there, however its rows lie") {
+TEST_CASE("a path that turns back on itself saturates there, wherever its rows begin") {
   const auto with = [](const std::string& text) {
     const PointsFile file(text);
     PathOptions o;
@@ -174,7 +174,7 @@ TEST_CASE("the first row that leads to a limit switch has a warning, wherever th
                                 "beyond, out of range -9.9..9.9 mm; the program ends there");
 }
 
-TEST_CASE("a row that cannot be is refused with its number and the range") {
+TEST_CASE("an impossible row is refused with its number and the range") {
   PathOptions o = shape(PathKind::kSquare, 60, 5);
   o.row_mm = 0.7;
   CHECK_THROWS_WITH(table_of(o),
@@ -185,7 +185,7 @@ TEST_CASE("a row that cannot be is refused with its number and the range") {
                     "path.radius_mm: value 31 is out of range 0..30 at path.side_mm = 60");
 }
 
-TEST_CASE("the table is written with a line a row") {
+TEST_CASE("the table is written with one line per row") {
   Table table;
   table.rows = {{1, 2, 255, 4, 99, -5}};
   CHECK(table_csv(table) == "c,cc,vx,vy,dx,dy\n1,2,255,4,99,-5\n");

@@ -23,7 +23,7 @@ TEST_CASE("words of both axes and of the path are events") {
                     "x.e: value 40000 is out of range -32768..32767");
 }
 
-TEST_CASE("every name that is offered can be an event") {
+TEST_CASE("every name that is listed is accepted as an event") {
   for (const std::string& name : trigger_names(mcafee::triggers())) {
     INFO(name);
     const bool event = name == "drive" || name == "hi" || name == "irq";

@@ -17,7 +17,7 @@ constexpr cosim::Lines count_lines(std::int64_t count, int k) {
          cosim::Lines{1} << mcafee::marker(k);
 }
 
-// Motors that are where they are told to be, from sample to sample.
+// Motors that are at their desired positions from sample to sample.
 class XyFollower final : public cosim::Plant, public cosim::Observer {
  public:
   explicit XyFollower(const mcafee::TwinChip& chip) : chip_(chip) {}

@@ -10,10 +10,10 @@ default. files.md names every file a run can write.
 
 --run executes quickstart and tutorial: it copies the repository to a scratch folder and there, in
 order, executes the blocks marked sh and applies those marked diff; "# exit code N" at the end of a
-line is what that line must end with; a block after "<!-- not run: reason -->" is left out. The
+line is the exit code that line must give; a block after "<!-- not run: reason -->" is skipped. The
 lines of a block marked text must have been printed by the blocks before it. What follows the line
-"<!-- executed by scripts/tool machine-lesson -->" is left to that tool. `trammel test` builds
-there what it needs; all other verbs are those of the program FILE. Nothing is installed.
+"<!-- executed by scripts/tool machine-lesson -->" is left to that tool. `trammel test` builds what
+it needs there; all other verbs are those of the program FILE. Nothing is installed.
 
 Exit codes: 0 ok, 1 something is wrong, 3 the program is not built.
 """
@@ -54,7 +54,7 @@ esac
 
 
 def pages():
-    """All of them but templates, which are pages once their names are filled in."""
+    """All pages but templates, which become pages once their names are filled in."""
     return [ROOT / p for p in tracked(ROOT)
             if p.suffix == ".md" and "machine_template" not in p.parts]
 
@@ -151,7 +151,7 @@ def check_commands(program, keys):
 
 
 def script_of(block):
-    """A block for bash: every line must succeed but those that say how they fail."""
+    """A block for bash: every line must succeed, except those that say how they fail."""
     lines = ["set -eu"]
     for line in block.split("\n"):
         code = re.search(r"\s+# exit code (\d+)", line)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Check that the folders keep their promises: companions, pages, layers, form of the files.
+"""Check the layout of the repository: companions, pages, layers, form of the files.
 
 usage: scripts/tool check-layout [root]     prints file:line: what is wrong; exit 1 if anything is
 

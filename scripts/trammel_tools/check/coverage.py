@@ -3,14 +3,14 @@
 
 usage: trammel coverage [--keep] [--check rtl|cpp]
 
-Without --check it runs the tests that count (--keep: takes the counts that are there), prints a
-table of both and writes sources with counts to build/coverage: rtl/annotated, cpp/index.html.
-With --check it is a test of the one kind; CTest runs the tests that count before it. Floors are in
+Without --check it runs the tests that count (--keep: uses the counts that are there), prints both
+tables and writes sources with counts to build/coverage: rtl/annotated, cpp/index.html. With --check
+it is a test of one kind; CTest runs the tests that count before it. Floors are in
 scripts/coverage.toml and coverage.toml of each machine and part.
 
-RTL, counted by the unit tests of the blocks: every line and branch is executed, or it stands in
-coverage.toml with a reason; toggles of signals and states that a `cover` of the properties
-names stay above a floor for each block. Registers that a generator wrote are exempt.
+RTL, counted by the unit tests of the blocks: every line and branch is executed, or it is listed in
+coverage.toml with a reason; signal toggles, and the states that a `cover` of the properties names,
+stay above a floor for each block. Generated register blocks are exempt.
 C++, counted by the unit tests and runs of the sanitized build (scripts/tool sanitize): lines of
 models, sw_nios, cosim, systemc, lab, parts, machines and testbench stay above a floor for each
 folder. A line of a template counts once; generated files and the tests themselves do not count.
@@ -173,8 +173,8 @@ def report(wrong):
 
 def main():
     parser = python_tools.Parser(prog="trammel coverage", description=__doc__)
-    parser.add_argument("--keep", action="store_true", help="take the counts that are there")
-    parser.add_argument("--check", choices=("rtl", "cpp"), help="be a test of one kind")
+    parser.add_argument("--keep", action="store_true", help="use the counts that are there")
+    parser.add_argument("--check", choices=("rtl", "cpp"), help="only check the floors of one kind")
     options = parser.parse_args()
     try:
         floors = machines.tables("coverage.toml", FLOORS)

@@ -10,7 +10,7 @@ from trammel_tools import machines
 from trammel_tools.paths import ROOT
 
 PROGRAM = ROOT / "build" / "testbench" / "trammel"
-# Of metrics.json: what says how a run was made and how fast, and not how it went.
+# Of metrics.json: how a run was made and how fast it was, not what it gave.
 MADE = ("command", "versions", "options")
 FAST = ("clocks_evaluated", "wakes", "wall_s", "clocks_per_s", "real_time_factor")
 

@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Build the firmware for a small RISC-V core (rv32im, no operating system) and look at it.
+"""Build the firmware for a small RISC-V core (rv32im, no operating system) and check what it links.
 
 usage: scripts/tool firmware
 
 Compiles sw_nios/ as freestanding C++17 with every warning an error. An app with a main of its own,
 sw_nios/apps/<m>/rv32im/main.cpp, is linked with sw_nios/rv32im/link.ld, and its size is printed. It
-fails when the program holds a heap, a stream, exceptions, or arithmetic of floating point numbers:
-what must run to completion with the same result on every core has none of these.
+fails when the program holds a heap, a stream, exceptions or floating-point arithmetic: code that
+must run to completion with the same result on every core has none of these.
 
 Exit codes: 0 as it should be, 1 it does not build or holds what it must not, 3 the cross compiler
 is missing (under CTest 77). The programs are build/firmware/<m>.elf.

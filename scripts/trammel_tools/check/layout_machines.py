@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """What makes a folder of machines/ a machine, and where its name may stand.
 
-A name is free in the machine's own folders, in rtl/ and models/, in generated files and in all that
-is not program text (pages, README, CHANGELOG). Everywhere else the folders are asked.
+A name may stand in the machine's own folders, in rtl/ and models/, in generated files and in all
+that is not program text (pages, README, CHANGELOG). All other code finds machines by their folders.
 """
 
 import difflib

@@ -1,14 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Execute the section of the tutorial that adds a machine, and see that nothing else had to change.
+"""Execute the tutorial's section that adds a machine, and check that nothing else had to change.
 
 usage: scripts/tool machine-lesson
 
-In a copy of the repository's files, build/new_machine, which is made afresh: the blocks of the
-section, with the launcher and its build of the program (the compiler cache helps); the new
-machine's own tests; check-layout. At the end every file that was copied is as it was, but pages
-that tools write of what there is.
+In a fresh copy of the repository's files, build/new_machine, it executes the blocks of the section,
+with the launcher and its build of the program (the compiler cache helps), the new machine's own
+tests, and check-layout. At the end every copied file must be unchanged, except generated pages.
 
-Exit codes: 0 so it is, 1 it is not, 3 a tool is missing (under CTest 77).
+Exit codes: 0 all of this holds, 1 it does not, 3 a tool is missing (under CTest 77).
 """
 
 import os

@@ -5,14 +5,14 @@ usage: scripts/tool sanitize build      the preset asan: own code checked, model
        scripts/tool sanitize unit       its unit tests
        scripts/tool sanitize program    whole runs of its program, good and bad input
 
-CTest does the three in this order. A finding ends a program with an exit code that no case
+CTest runs the three in this order. A finding ends a program with an exit code that no case
 expects. Nothing is suppressed.
 
-SystemC runs its threads on stacks of its own (QuickThreads), which AddressSanitizer takes for
-memory like any other: locals on them are checked too. Two limits follow. Locals cannot move to the
-fake stack of the system's thread, so detect_stack_use_after_return, and it alone, is off. And an
-exception thrown on such a stack leaves marks of dead locals there, which may later look like a
-finding: no case throws inside a thread of SystemC. The verilated models are not checked.
+SystemC runs its threads on stacks that it allocates (QuickThreads). AddressSanitizer treats them
+like any other memory: locals on them are checked too. Two limits follow. Locals cannot move to the
+fake stack of the system's thread, so detect_stack_use_after_return, and nothing else, is off. And
+an exception thrown on such a stack leaves marks of dead locals there, which may later look like a
+finding: no case throws inside a SystemC thread. The verilated models are not checked.
 
 Exit codes: 0 no finding, 1 a finding or a wrong exit code, 2 usage, or there is no such build.
 """
@@ -91,8 +91,8 @@ def unit():
                           check=False).returncode and 1
 
 
-# The leak checker reads the stacks of a stopped program; at one that SystemC has just given back it
-# dies itself. That says nothing of the program, which is asked again.
+# The leak checker reads the stacks of a stopped program; at one that SystemC has just freed it
+# crashes itself. That says nothing about the program, which is run again.
 TRACER_DIED = "LeakSanitizer has encountered a fatal error"
 ATTEMPTS = 4
 

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Generators of sources and pages, and of a new block."""
+"""Generators of sources and pages, and of new blocks and machines."""

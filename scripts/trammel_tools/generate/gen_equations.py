@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Map the paper's equations to the lines that realise them: docs/equations.md.
+"""Map the paper's equations to the lines that implement them: docs/equations.md.
 
 usage: scripts/tool gen-equations [--check]     --check writes nothing; exit 1 if the map is stale
 
-A line realises an equation when a comment on it, or the comment just above it, marks it:
-"Kung eq. 23", "Kung eq. 28, 29", "Kung eq. 30 to 38". What each equation says, and where it must
-be marked, stands in docs/equations.toml. An equation that is marked nowhere, or not where it must
-be, or that does not exist, is an error in both modes.
+A line implements an equation when a comment on it, or just above it, marks it: "Kung eq. 23",
+"Kung eq. 28, 29", "Kung eq. 30 to 38". docs/equations.toml holds what each equation says and where
+it must be marked. An equation that is marked nowhere, or not where it must be, or that does not
+exist, is an error in both modes.
 """
 
 import re
@@ -29,10 +29,10 @@ do not edit. -->
 # Equations of the paper and where they are
 
 Kung, Huang and Huang, "FPGA-Based Motion Control IC for Linear Motor Drive X-Y Table Using Adaptive
-Fuzzy Control", 2012 (DOI 10.5772/48457). Every numbered equation is realised at the lines named
+Fuzzy Control", 2012 (DOI 10.5772/48457). Every numbered equation is implemented at the lines named
 here, or has a reason why not. RTL and twin compute the same integers; the ideal model is the same
-law in double precision; firmware writes the path; set-up turns physical values into register words.
-Where the paper is silent or we differ: [deviations.md](deviations.md).
+law in double precision; firmware writes the path; set-up converts physical values to register
+words. Where the paper is silent or we differ: [deviations.md](deviations.md).
 
 | Eq. | What | Where |
 |---|---|---|
@@ -80,7 +80,7 @@ def collect(source):
             continue
         kind = kind_of(path)
         if kind is None:
-            problems.append(f"{path}:{line}: a mark in a folder that realises nothing")
+            problems.append(f"{path}:{line}: a mark in a folder that implements nothing")
             continue
         lines = table[equation].setdefault(kind, {}).setdefault(path, [])
         if line not in lines:

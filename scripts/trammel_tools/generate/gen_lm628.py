@@ -125,7 +125,7 @@ class Assembler:
         raise AsmError(f"not an instruction: {' '.join(words)}")
 
     def longest(self, start):
-        """Clocks from here to the end, whichever way: the program has no loops."""
+        """Clocks from here to the end on the longest path: the program has no loops."""
         done = {}
 
         def clocks(address):
@@ -147,7 +147,7 @@ class Assembler:
 
     def check_reads(self):
         """A register is read as its instruction is fetched: a store of the clock before is not yet
-        done then, and nothing says which for the first one of a command or sample."""
+        done then, and before the first one of a command or sample the register is not known."""
         for address, (number, words) in self.lines.items():
             reads = words[1] if words[0] in READERS else None
             if reads and (address < ENTRIES or address == self.labels["sample"]):

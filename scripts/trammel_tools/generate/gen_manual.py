@@ -45,7 +45,7 @@ Every key of a scenario, of `-c FILE`, of `-s key=value`, and (in capitals, `_` 
 `TRAMMEL_` before it) of the environment. Where a name shows `[x.|y.]`, `gains.kp` sets both axes
 and `gains.y.kp` one. Full scale of the words: [section 3](specification.md#3-number-formats).
 
-Machines: {0}. A scenario that names none is of the first.
+Machines: {0}. A scenario that names none is for the first.
 """
 COLUMNS_HEAD = """<!-- Generated from `list columns` by scripts/tool gen-manual; do not edit. -->
 # Columns of trace.csv

@@ -4,11 +4,11 @@
 usage: scripts/tool gen-registers header.hpp V<chip>___024root.h [V<chip>_<other>___024root.h ...]
                                   rtl.sv ...
 
-For `run --audit` and for waves, where one model goes on from where another stands.
+For `run --audit`, and for waves, where one model continues from the state of another.
 
 A member of the model is a register when a module of the chip assigns its name with `<=`; Verilator
-keeps those. A register that is in another model but not in the first is an error: it would be lost
-on the way.
+keeps those. A register that is in another model but not in the first is an error: its state would
+be lost.
 """
 
 import re

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Write a C++ header that describes a traced model and dumps what moves in every clock.
+"""Write a C++ header that describes a traced model and dumps what changes in every clock.
 
 usage: scripts/tool gen-wave-timers V<model>__Trace__0.cpp <chip>_traced.hpp
 
-It is for cosim/verilated/fst_trace.hpp. Verilator's dump looks through all signals of the chip, and
-in most clocks only timers count. This divides its statements by the members of the model that they
-read: those that read the clock or a timer, and the others, which need no look while none of the
+It is for cosim/verilated/fst_trace.hpp. Verilator's dump checks all signals of the chip, and in
+most clocks only timers count. This divides its statements by the members of the model that they
+read: those that read the clock or a timer, and the others, which need no check while none of the
 members they read has changed. MOVING says which are timers; a wrong choice costs time, not waves.
 """
 

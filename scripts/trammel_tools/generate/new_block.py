@@ -3,9 +3,8 @@
 
 usage: scripts/tool new-block <layer>/<block>   for instance drive/soft_start
 
-The files compile, the test passes and the promises are proven: a flow block that passes its input
-on after one clock.
-Nothing else needs to know the block; CMake and the scripts find it by its folder.
+The files compile, the test passes and the promises can be proven: a flow block that passes its
+input on after one clock. No list needs an entry: CMake and the scripts find a block by its folder.
 """
 
 import re
@@ -70,7 +69,7 @@ Purpose in one sentence.
 |---|---|---|
 | `tick_i` | pulse | takes `x_i` |
 | `x_i` | word | input |
-| `valid_o` | pulse | `y_o` is new |
+| `valid_o` | pulse | the result is new |
 | `y_o` | word | output, holds until the next `valid_o` |
 | `quiescent_o` | level | idle, no tick |
 
@@ -103,13 +102,13 @@ module {block}_props
     was_reset_q <= rst_i;
     was_y_q     <= y_o;
     if (live_q && !rst_i) begin
-      one_result_a_tick : assert (valid_o == asked_q);
+      one_result_per_tick : assert (valid_o == asked_q);
       holds_between_results : assert (was_reset_q || valid_o || y_o == was_y_q);
       reaches_result : cover (valid_o && y_o != '0);
     end
   end
 
-  // breaks one_result_a_tick: valid_q <= 1'b1
+  // breaks one_result_per_tick: valid_q <= 1'b1
   // breaks holds_between_results: y_q <= rst_i ? next : x_i
 
 endmodule

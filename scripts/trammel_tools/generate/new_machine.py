@@ -1,15 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Start a new machine: a DC motor, a chip that drives it by PWM, and the firmware of both.
+"""Start a new machine: a DC motor, a chip that drives it by PWM, and its firmware.
 
 usage: scripts/tool new-machine NAME [--contract]
 
-NAME is a lower-case word that the sources do not use yet. It builds, runs and reports, its chip is
-proven, and no file that exists is changed: CMake, the program and the scripts find a machine by its
-folder. The chip is plain Verilog, of which every clock is evaluated. With --contract it has the
-ports of docs/leap.md; where the machine is there already and its chip still is the plain one, only
-the files of the chip are written again.
+NAME is a lower-case word that the sources do not use yet. The machine builds, runs and reports, its
+chip can be proven, and no existing file changes: CMake, the program and the scripts find a machine
+by its folder. The chip is plain Verilog, and every clock of it is evaluated. With --contract it has
+the ports of docs/leap.md; if the machine exists and its chip still is the plain one, only the files
+of the chip are written again.
 
-The files are made of those in scripts/machine_template. Exit codes: 0 written, 2 no such name.
+The files are made from scripts/machine_template. Exit codes: 0 written, 2 the name cannot be used.
 """
 
 import re

@@ -2,8 +2,8 @@
 """What the mutants of a block must come to: tests/mutants.toml, and for chips mutants.toml of their
 machine or part; and docs/mutation.md, which shows them.
 
-A mutant is known by what it changes, not by a number or a hash, so what is written of it outlives
-edits of other lines.
+A mutant is identified by what it changes, not by a number or a hash, so its entry survives edits of
+other lines.
 """
 
 import json
@@ -139,7 +139,7 @@ def problems(blocks):
 
 
 def write_page(blocks):
-    """docs/mutation.md: the tables anew behind its text."""
+    """docs/mutation.md: new tables after its text."""
     text, _, _ = PAGE.read_text(encoding="utf-8").partition(HEAD)
     PAGE.write_text(text + tables(blocks), encoding="utf-8")
     return PAGE

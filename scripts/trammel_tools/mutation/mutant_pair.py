@@ -3,8 +3,8 @@
 
 A block and its mutant have the same registers, so each register of one has a partner in the other.
 step() asks whether equal registers make equal outputs and equal registers again: then the two are
-equivalent by induction. chase() is for those where that needs what states are reached: it shares
-all registers that the mutation never gets to, and doubles the others.
+equivalent by induction. chase() is for those where that depends on the reachable states: it shares
+all registers that the mutation never reaches, and doubles the others.
 """
 
 from dataclasses import dataclass

@@ -22,7 +22,7 @@ SPARE = 200  # listed beyond COUNT, since some pins are dropped
 # Clocks, and pins that a memory has for other kinds of read ports than ours.
 EXEMPT = {"CLK", "clk_i", "clk", "WR_CLK", "RD_CLK", "RD_EN", "RD_ARST", "RD_SRST"}
 
-# Enables become part of the registers: a stuck or inverted output would else feed itself back while
+# Enables become part of the registers: else a stuck or inverted output would feed itself back while
 # nothing happens. Resets stay in the data path, so that their values can be changed.
 READ = """read_slang --keep-hierarchy --top {top} {files}
 proc -norom

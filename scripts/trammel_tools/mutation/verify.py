@@ -3,18 +3,18 @@
 
 usage: trammel verify [layer/block ...]            the promises, as trammel prove
        trammel verify --mutants [layer/block ...]  the whole campaign, against the block's floor
-       trammel verify --sample [layer/block ...]   some of the mutants: none may pass unexplained
+       trammel verify --sample [layer/block ...]   some of the mutants: none may survive unexplained
        trammel verify --check                      the floors and docs/mutation.md agree
        trammel verify --page                       writes the tables of docs/mutation.md
        trammel verify --engines [scenario ...]     whole scenarios, both engines: the same events
-       trammel verify --engines --short            of each machine a short one, as a test runs them
+       trammel verify --engines --short            one short scenario per machine, as in the tests
 
 A campaign makes 200 mutants of a block, runs its unit test against each, and proves what it can of
 those the test accepts: refuted by a promise, or equivalent. Its result, logs and models stay in
 build/mutants/<block>; --afresh proves again what the result of this source already holds. Floors
 and what is known of survivors stand in tests/mutants.toml and mutants.toml of machines and parts.
 
-Exit codes: 0 reached, 1 under the floor, not explained or different, 2 no such block or scenario,
+Exit codes: 0 reached, 1 below the floor, not explained or different, 2 no such block or scenario,
 3 a tool is missing.
 """
 
@@ -98,7 +98,7 @@ def campaign(block, limit, afresh, floors):
 
 
 def left(block, mutant, row, floors):
-    """What is to be told of a mutant that nothing refutes."""
+    """What is printed of a mutant that nothing refutes."""
     known = "" if mutant.words in floors.known(block) else "; not among its known survivors"
     return f"{mutant.number} {mutant.where}: {mutant.words}: {row['why']}{known}"
 

@@ -96,7 +96,7 @@ class BlockProof:
             self.wrong.append(f"{label}: {words}")
 
     def controls(self):
-        """Each control must refute its promises; one that does not apply is a fault of its own."""
+        """Each control must refute its promises; one that does not apply is a separate fault."""
         props, models = self.props, {}
         for n, control in enumerate(props.controls):
             try:

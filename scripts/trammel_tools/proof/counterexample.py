@@ -30,7 +30,7 @@ class Net:
 def inputs(folder, name, output, clocks, frames, limit):
     """Input bits of each clock up to that in which the output of name.aig rises.
 
-    What random inputs found, a search often finds in fewer clocks. Inputs that do not matter are 0.
+    A search often needs fewer clocks than random inputs did. Inputs that do not matter are 0.
     """
     witness = folder / f"{name}.cex"
     witness.unlink(missing_ok=True)

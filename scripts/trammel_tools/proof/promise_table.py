@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The table of all promises, docs/generated/promises.md: names and controls from the properties
-files, sentences from the blocks' pages; a promise without one is its own, for its name is a
-sentence."""
+files, sentences from the blocks' pages; a promise without a sentence shows its name, which reads as
+one."""
 
 import sys
 

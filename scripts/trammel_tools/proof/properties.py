@@ -90,7 +90,7 @@ def read_labels(props, code, where):
 
 
 def read_control(props, text, number):
-    """A mistake in it does not hide what the promises are worth: it is told after them."""
+    """A mistake in it does not hide the verdicts on the promises: it is reported after them."""
     try:
         control = controls.parse(text)
     except controls.ControlError as error:

@@ -11,10 +11,10 @@ named signal, refutes the promises it names. A properties file is bound to its b
 
   label : assert (...);          a promise; inv_... only helps the proof
   reaches_... : cover (...);     must be reachable
-  // breaks label: net = expr    a control, which must refute the promise: who reads this net of
-                                 the block sees the expression; in it the net is what it was;
+  // breaks label: net = expr    a control, which must refute the promise: readers of this net of
+                                 the block see the expression; in it the net has its old value;
                                  `breaks label (module): ...` changes another module
-  // breaks label: reg <= expr   the same for what a register loads; `next` is what it loaded
+  // breaks label: reg <= expr   the same for what a register loads; `next` is its old input
   // breaks label: Name = expr   the same for a parameter or localparam
   // breaks label: old => new    only where no name will do: a text that occurs once
   // prove: cut MODULE           instances of MODULE are taken out, their outputs are free
@@ -25,8 +25,8 @@ named signal, refutes the promises it names. A properties file is bound to its b
   // prove: from N               the search for refutations leaves out the clocks before N
   // prove: leap label ...       assertions on which the leap of a chip may rest
 
---leap asks of every chip that leaps the lemmas of docs/leap.md; --broken asks them of the broken
-designs in rtl/chips/<chip>_leap.toml, and each must be refuted.
+--leap proves the lemmas of docs/leap.md for every chip that leaps; --broken asks them of the broken
+designs in rtl/chips/<chip>_leap.toml, each of which must be refuted.
 
 Exit codes: 0 all proven, 1 a promise or lemma is open, refuted or without control, 2 no such block,
 3 a tool is missing. Logs and models stay in build/formal/<block>.
@@ -57,11 +57,13 @@ def main():
     parser = python_tools.Parser(prog="trammel prove", description=__doc__)
     parser.add_argument("--limit", type=int, default=60, metavar="SECONDS",
                         help="for one question to the solver, default 60")
-    parser.add_argument("--leap", action="store_true")
-    parser.add_argument("--broken", action="store_true")
-    parser.add_argument("--table", action="store_true")
-    parser.add_argument("--check", action="store_true")
-    parser.add_argument("blocks", nargs="*", metavar="layer/block")
+    parser.add_argument("--leap", action="store_true", help="prove the lemmas of chips that leap")
+    parser.add_argument("--broken", action="store_true",
+                        help="with --leap: refute the broken designs")
+    parser.add_argument("--table", action="store_true", help="write docs/generated/promises.md")
+    parser.add_argument("--check", action="store_true",
+                        help="with --table: only compare; exit 1 if stale")
+    parser.add_argument("blocks", nargs="*", metavar="layer/block", help="default: all")
     arguments = parser.parse_args()
     if arguments.check and not arguments.table:
         parser.error("--check belongs to --table")

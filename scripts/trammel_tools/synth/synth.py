@@ -8,11 +8,11 @@ mapped; one is also placed and routed on an iCE40 UP5K. Cells are nextpnr's: a l
 inputs or a bit of a carry chain, on the iCE40 with its flip-flop. The result is held to the budgets
 in synth.toml of each machine and part, which also name the boards.
 
-Writes synth.json, netlists, logs and the FPGAs' configurations into the output folder. Some
-minutes; the same sources, tools and seed give the same result.
+Writes synth.json, netlists, logs and the FPGAs' configurations into the output folder. It takes a
+few minutes; the same sources, tools and seed give the same result.
 
-Exit codes: 0 in the budget, 2 usage, 3 a tool is missing, 6 synthesis failed, the clock is below
-what the chip runs at or something is over the budget, 130 interrupted.
+Exit codes: 0 within the budget, 2 usage, 3 a tool is missing, 6 synthesis failed, the clock is
+below what the chip runs at or something is over the budget, 130 interrupted.
 """
 
 import concurrent.futures

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Whose cell is it? Counts a mapped netlist, in all and by the block that owns each cell.
+"""Counts the cells of a mapped netlist, in total and by the block that owns each cell.
 
 A named bit belongs to the block that drives it, through all levels. A cell belongs to the owner of
 what it drives; logic between named signals belongs to the block it feeds, and logic that feeds

@@ -4,12 +4,12 @@
 usage: scripts/tool unit-waves TEST [CASE]    TEST: <layer>/<block>_test.cpp; CASE: its text
 
 A unit test that fails calls this. The test is compiled again, with a model that traces, and run
-twice: once to learn in which clock of which instance of the block the first assertion failed,
-once to trace the clocks before it. Nothing of this is in the tests as they are built to pass. The
-waves, the view and the model stay in build/waves/<layer>_<block>.
+twice: once to find in which clock of which instance of the block the first assertion failed, once
+to trace the clocks before it. The tests themselves are built without any of this. The waves, the
+view and the model stay in build/waves/<layer>_<block>.
 
-Exit codes: 0 there are waves, 1 the case does not fail or does not build, 2 there is no such test,
-3 Verilator is missing.
+Exit codes: 0 waves were written, 1 the case does not fail or does not build, 2 there is no such
+test, 3 Verilator is missing.
 """
 
 import os
@@ -118,7 +118,7 @@ def trace(block, test, case):
     run(program, case, TRAMMEL_WAVES=f"{instance} {first} {clock + BEHIND} {waves}")
     view = waves.with_suffix(".gtkw")
     end = (clock + BEHIND) * vcd.PERIOD
-    vcd.write_view(view, waves, f"{case} ({block}): failed behind clock {clock} of instance "
+    vcd.write_view(view, waves, f"{case} ({block}): failed after clock {clock} of instance "
                    f"{instance}", groups(declared(waves), block.split("/")[1]),
                    (max(first, clock - SEEN) * vcd.PERIOD - 1, end), clock * vcd.PERIOD)
     return view, clock
@@ -143,6 +143,6 @@ def main():
         print(f"unit-waves: {test}: {found}", file=sys.stderr)
         return 1
     view, clock = found
-    print(f"waves of '{case}', which failed behind clock {clock}:\n"
+    print(f"waves of '{case}', which failed after clock {clock}:\n"
           f"  gtkwave {view.relative_to(ROOT)}", flush=True)
     return 0

@@ -10,11 +10,12 @@ usage: trammel wave list FILE [--signals GLOB ...] [--json]
 Times are from the start of the run and end in s, ms, us, ns or clk: --window 2ms:2.1ms. A name may
 begin at any scope (u_afc.e_q), * and ? are wild.
 
-compare looks at the values in the window, signal by signal, and prints the first differences.
+compare checks the values in the window, signal by signal, and prints the first differences.
 draw writes PICTURE.svg and the WaveJSON beside it (PICTURE.json). Clocks in which nothing drawn
 changes are left out where there are more than a few (--around N are kept before and after each
-change); the first row then says which clock goes on. FORMAT is d (signed), u, x or b. --measure
-draws an arrow from the first change of one signal to the next one of another and counts the clocks.
+change); the first row then says at which clock it continues. FORMAT is d (signed), u, x or b.
+--measure draws an arrow from the first change of one signal to the next one of another and counts
+the clocks.
 
 Exit codes: 0 equal or done, 1 the files differ, 2 a file or an argument is wrong, 3 a tool is
 missing.
@@ -201,7 +202,7 @@ def main():
         return 2
     except KeyboardInterrupt:
         return 130
-    except BrokenPipeError:  # the reader of a long list has seen enough
+    except BrokenPipeError:  # whoever reads a long list has closed the pipe
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
     except OSError as error:

@@ -18,7 +18,7 @@ class Refused(Exception):
 
 @contextlib.contextmanager
 def silent():
-    """A reader that meets a broken file tells so on stderr before it raises."""
+    """A reader that meets a broken file writes to stderr before it raises."""
     sys.stderr.flush()
     kept = os.dup(2)
     nothing = os.open(os.devnull, os.O_WRONLY)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The layout check on a small repository: nothing to say of a good one, one line a mistake."""
+"""The layout check on a small repository: no finding in a good one, one line per mistake."""
 
 from scratch import Scratch
 from trammel_tools.check import check_layout

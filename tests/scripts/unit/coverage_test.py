@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What counts of coverage become: tables, floors, exceptions."""
+"""What is made of coverage counts: tables, floors, exceptions."""
 
 import json
 from collections import Counter

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""A missing module is told, or the tool goes on with the Python of .venv; errors are one line."""
+"""A missing module is reported, or the tool continues with the Python of .venv; one-line errors."""
 
 import os
 import sys

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Whose a cell is, what the cells cost, and what is over the budget."""
+"""Which block owns a cell, what the cells cost, and what is over the budget."""
 
 import unittest
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Blocks are found with their tests, each check ends in a line, and the exit code is the worst."""
+"""Blocks are found with their tests, each check gives one line, and the exit code is the worst."""
 
 from unittest import mock
 

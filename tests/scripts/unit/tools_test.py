@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""scripts/tool finds every tool by its folder, and each of them tells what it does."""
+"""scripts/tool finds every tool by its folder, and each of them says what it does."""
 
 import ast
 import importlib.util

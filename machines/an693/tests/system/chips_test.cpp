@@ -36,7 +36,7 @@ class ChipsBench final : public test::Lm628Commands<ChipsBench> {
     clocks(50'010);
   }
 
-  // The encoder goes a part of the way to where it is wanted, a count every few clocks.
+  // The encoder goes part of the way to its desired position, one count every few clocks.
   void follow() {
     const std::int64_t wanted = twin_->words().position >> 16;
     const std::int64_t goal = position_ + (wanted - position_) / 4;

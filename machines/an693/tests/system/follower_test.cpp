@@ -20,7 +20,7 @@ namespace {
 
 constexpr cosim::Clk kSecond = 50'000'000;
 
-// A motor that is where it is told to be, from sample to sample.
+// A motor that is at its desired position from sample to sample.
 class Follower final : public cosim::Plant, public cosim::Observer {
  public:
   cosim::Lines sense() const override {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The machine an693 whole: firmware, port, verilated LM628, motor. Numbers are those of AN-693 and
+// The whole machine an693: firmware, port, verilated LM628, motor. Numbers are those of AN-693 and
 // the data sheet.
 
 #include <catch2/catch.hpp>
@@ -77,7 +77,7 @@ TEST_CASE("L-06 an693 with the motor leaps over 20 s of breakpoints in less than
   CHECK(result.wall_s < 60);
 }
 
-TEST_CASE("an693 in SystemC, directly, in any window and without leaps has the same events") {
+TEST_CASE("an693 has the same events in SystemC, direct wiring, any window and without leaps") {
   Options options = breakpoints();
   options.run.max_s = 0.15;
   const Result direct = simulate(options, {});
@@ -119,7 +119,7 @@ TEST_CASE("an693: the twin gives the events and words of the chip") {
   }
 }
 
-TEST_CASE("an693 audited, or with its promises looked at, has the same events and none is broken") {
+TEST_CASE("an693 audited, or with its assertions checked, has the same events and none fails") {
   Options options = one_step();
   options.wait_s = 0.005;
   const Result base = simulate(options, {});
@@ -139,7 +139,7 @@ TEST_CASE("an693 audited, or with its promises looked at, has the same events an
   CHECK(checked.event_hash == base.event_hash);
 }
 
-TEST_CASE("an693 with waves has the same events, and windows that begin anywhere show it exactly") {
+TEST_CASE("an693 with waves has the same events, and windows that begin anywhere are exact") {
   Options options = one_step();
   options.wait_s = 0.005;
   const Result base = simulate(options, {});
@@ -192,7 +192,7 @@ TEST_CASE("an693 waves begin where the converter, HI or the interrupt first move
   CHECK(never.event_hash == hi.event_hash);
 }
 
-TEST_CASE("an693 ends at the sample after a broken promise, and keeps its record") {
+TEST_CASE("an693 ends at the sample after a failed assertion, and keeps its record") {
   Options options = one_step();
   options.run.assertions = true;
   cosim::Hooks hooks;
@@ -208,7 +208,7 @@ TEST_CASE("an693 ends at the sample after a broken promise, and keeps its record
   CHECK(result.promise->edge > last.edge - 12800);
 }
 
-TEST_CASE("an693 tells its progress up to the end, and can be stopped") {
+TEST_CASE("an693 reports its progress up to the end, and can be stopped") {
   Options options = breakpoints();
   options.breakpoint = 1000;
   options.acceleration = 0x1100;
@@ -226,7 +226,7 @@ TEST_CASE("an693 tells its progress up to the end, and can be stopped") {
   CHECK(simulate(options, hooks).end == cosim::EndReason::kStopped);
 }
 
-TEST_CASE("an693 holds the shaft against a torque with kp e") {
+TEST_CASE("an693 holds the shaft against a torque with kp times the error") {
   Options options = make_options(An693Program::kHold);
   options.filter = {};
   options.wait_s = 2;

@@ -59,7 +59,7 @@ nlohmann::json metrics_of(const fs::path& folder) {
 
 }  // namespace
 
-TEST_CASE("a script of E6 gives the figures of the scenario an693-absolute, every one of them") {
+TEST_CASE("a script of E6 gives every figure of the scenario an693-absolute") {
   Options options;
   lab::apply_file(options, lab::find_scenario("an693-absolute"));
   options.run.platform = cosim::Platform::kDirect;
@@ -95,7 +95,7 @@ TEST_CASE("a script of E6 gives the figures of the scenario an693-absolute, ever
   fs::remove_all(again.out);
 }
 
-TEST_CASE("what is read is told in hexadecimal and in its unit") {
+TEST_CASE("what is read is printed in hexadecimal and in its unit") {
   const Played run = play("RDSTAT\nRSTI 0\nRDRP\nRDDV\nRDSIGS\nPORT12\nRDSIGS\nRDSUM\nRDRV\nRDIP");
   CHECK(run.halt.empty());
   CHECK(run.text ==
@@ -111,7 +111,7 @@ TEST_CASE("what is read is told in hexadecimal and in its unit") {
   CHECK(run.answers[3]["unit"] == "counts/sample");
 }
 
-TEST_CASE("a broken promise ends a script with the line at which it was seen") {
+TEST_CASE("a failed assertion ends a script and names the line at which it was seen") {
   Options options;
   options.run.assertions = true;
   Shell shell(options, kNoStop);
@@ -124,7 +124,7 @@ TEST_CASE("a broken promise ends a script with the line at which it was seen") {
   CHECK(shell.result().promise);
 }
 
-TEST_CASE("an audited script answers as any other") {
+TEST_CASE("an audited script gives the same answers as any other") {
   Options options;
   options.run.audit = true;
   const std::string script =
@@ -157,7 +157,7 @@ TEST_CASE("the part's own rules apply: a command while data are due is its error
   CHECK_THAT(run.text, Contains("RDSTAT  83h  motor off, command error, busy\n"));
 }
 
-TEST_CASE("what a RSTI is about to clear does not count, what is set already does") {
+TEST_CASE("a wait ignores a bit that RSTI is about to clear, and ends on one already set") {
   const Played late = play("RSTI 0\nwait complete 10 ms");
   CHECK(late.end == cosim::EndReason::kTimeout);
   CHECK(late.halt == "test:2: wait complete 10 ms: not within 0.01 s; status 80h");
@@ -184,7 +184,7 @@ TEST_CASE("nothing hangs: a part busy with its reset, the longest run, an interr
                     Contains("test:1: interrupted at "));
 }
 
-TEST_CASE("keys of the firmware's programs are refused: they would do nothing") {
+TEST_CASE("keys of the firmware's programs are refused, as they would have no effect") {
   for (const char* key : {"filter.kp=1", "trajectory.steps=2", "program=tuning"}) {
     Arguments arguments;
     arguments.scenario = "absolute";
@@ -195,7 +195,7 @@ TEST_CASE("keys of the firmware's programs are refused: they would do nothing") 
   }
 }
 
-TEST_CASE("exit codes: 0 done, 2 refused before anything is simulated, 5 a wait too long") {
+TEST_CASE("exit codes: 0 done, 2 refused before anything is simulated, 5 a wait timed out") {
   std::atomic<bool> stop{false};
   Arguments arguments;
   arguments.report = false;
@@ -219,7 +219,7 @@ TEST_CASE("exit codes: 0 done, 2 refused before anything is simulated, 5 a wait 
   fs::remove(file);
 }
 
-TEST_CASE("a conversation goes on after errors, and an interrupt ends a wait, not itself") {
+TEST_CASE("a session goes on after errors, and Ctrl-C ends a wait but not the session") {
   std::atomic<bool> stop{false};
   Arguments arguments;
   arguments.out = "lm628_shell_test_typed";
@@ -239,7 +239,7 @@ TEST_CASE("a conversation goes on after errors, and an interrupt ends a wait, no
   fs::remove_all(arguments.out);
 }
 
-TEST_CASE("Ctrl-C right behind a line ends what it asks, at the prompt it ends the line alone") {
+TEST_CASE("Ctrl-C right after a line stops its command, at the prompt it only drops the line") {
   std::atomic<bool> stop{false};
   Arguments arguments;
   arguments.out = "lm628_shell_test_stopped";

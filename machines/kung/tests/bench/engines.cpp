@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Benchmark, not a test: CPU seconds of one piece of the circle with the twin engine, with the RTL
-// that leaps and with the RTL that evaluates every clock, all wired directly. They run in turn;
-// quote the median ratios, for machines drift.
+// that leaps and with the RTL that evaluates every clock, all wired directly. They alternate; quote
+// the median ratios, because the speed of a computer drifts.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,7 +15,7 @@ using namespace trammel;
 
 namespace {
 
-// Millions of simulated clocks a CPU second.
+// Millions of simulated clocks per CPU second.
 double speed(kung::Engine engine, bool leap, double simulated_s) {
   kung::Options options;
   options.run.engine = engine;

@@ -2,7 +2,7 @@
 //
 // Benchmark, not a test: clocks per second of the look-ahead SystemC platform with plant and
 // firmware, against a bare loop over the same chip without either. Both evaluate every clock.
-// The two run in turn; quote the median ratio, for machines drift.
+// The two alternate; quote the median ratio, because the speed of a computer drifts.
 #include <fmt/format.h>
 
 #include <algorithm>

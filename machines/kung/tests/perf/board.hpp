@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The two-axis machine the way Verilator's manual shows a SystemC model: the chip is an sc_module
-// made by --sc, every pin is a signal, an sc_clock drives it, and all around it are processes that
+// The two-axis machine as Verilator's manual shows a SystemC model: the chip is an sc_module made
+// by --sc, every pin is a signal, an sc_clock drives it, and all around it are processes that
 // wait for the clock or for pins. No look-ahead, no cosim::Loop.
 #pragma once
 
@@ -39,7 +39,7 @@ struct Pins {
   Pin<std::uint32_t> next{"next"};
 };
 
-// What the record wants to know of a chip, from its pins and its registers.
+// What the record needs of a chip, from its pins and its registers.
 class PinChip final : public kung::KungChip {
  public:
   PinChip(const Pins& pins, Vkung_xy_sc& model) : pins_(pins), model_(model) {}

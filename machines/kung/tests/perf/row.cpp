@@ -42,7 +42,7 @@ double cpu_s() {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-// What getrusage() says would hold the parent's peak, which exec() hands on.
+// getrusage() would report the parent's peak, which exec() hands on.
 long peak_kib() {
   std::ifstream status("/proc/self/status");
   for (std::string word; status >> word;) {

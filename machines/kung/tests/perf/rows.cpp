@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Rows of `trammel perf` on the --cc model: `clocked` activates it in SystemC once a clock,
-// `speed` replaces its plant, the others are the program's own platform with keys of their own.
+// Rows of `trammel perf` on the --cc model: `clocked` activates it in SystemC once per clock,
+// `speed` replaces its plant, the others are the program's own platform with other keys.
 #include <systemc>
 
 #include "machines/kung/session.hpp"
@@ -18,7 +18,7 @@ sc_time clocks(cosim::Clk count, std::int64_t period_ps) {
   return sc_time::from_value(static_cast<sc_dt::uint64>(count * period_ps));
 }
 
-// One activation a rising edge, and one edge an activation. Edge n stands at n periods.
+// One activation per rising edge, and one edge per activation. Edge n is at n periods.
 class ClockedChip final : public sc_module {
  public:
   sc_in<bool> clk{"clk"};

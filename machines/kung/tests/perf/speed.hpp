@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Cost against encoder speed: both tables move at one speed, as a real one never could, and no
-// current flows. The chip is that of a run, its drives are on and its firmware writes the circle.
+// Cost against encoder speed: both axes move at one constant speed, as a real table never could,
+// and no current flows. The chip is that of a run, its drives are on and its firmware writes the
+// circle.
 #pragma once
 
 #include "machines/kung/plan.hpp"

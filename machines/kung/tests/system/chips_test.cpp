@@ -110,7 +110,7 @@ cosim::BusOp random_transfer(Random& random) {
   }
 }
 
-// What a program does to get running again after a trip.
+// What a program does to restart after a trip.
 std::vector<cosim::BusOp> recovery(Random& random) {
   const auto mode = [&random] { return (random() & 0xCEu) | 1u; };
   return {{reg::kX + reg::kCtrl, 0, true},
@@ -193,7 +193,7 @@ void compare(std::uint32_t seed, std::uint32_t pace, std::uint32_t gap, int tran
 
 }  // namespace
 
-TEST_CASE("under random traffic the twin answers as the RTL at every edge") {
+TEST_CASE("under random traffic the twin answers as the RTL does at every edge") {
   const int scale = GENERATE(0, 1, 2, 3);
   CAPTURE(scale);
   constexpr std::uint32_t kPaces[] = {400, 60, 2000, 12};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The close look of a run: steps that end with the chip's words, gates with their dead time.
+// The detailed record of a run: steps that end at the chip's words, gates with their dead time.
 #include <catch2/catch.hpp>
 
 #include "machines/kung/lines.hpp"

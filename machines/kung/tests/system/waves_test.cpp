@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Triggers on the full machine: the events they name are where other evidence says they are, the
-// signals they read are what the bus reads, and looking changes nothing.
+// signals they read are what the bus reads, and observing changes nothing.
 #include <catch2/catch.hpp>
 #include <filesystem>
 
@@ -86,7 +86,7 @@ TEST_CASE("a search finds each event where the record or the bus says it is") {
   CHECK(drives.waves[0].end - drives.waves[0].begin == 100000);
   CHECK(drives.waves[0].begin < *drives.wave_trigger);
 
-  // A word becomes so in the steps of the sample in whose record it first is.
+  // A word takes its value in the steps of the sample in whose record it first appears.
   const Result word = traced(options, "x.e > 10");
   REQUIRE(word.wave_trigger);
   const auto found = std::find_if(base.samples.begin(), base.samples.end(),
@@ -119,7 +119,7 @@ TEST_CASE("a fault is found at the clock that latched it") {
   CHECK(*traced(options, "fault").wave_trigger == *result.wave_trigger);
 }
 
-TEST_CASE("a trigger that never fires leaves the run whole and no waves") {
+TEST_CASE("a trigger that never fires leaves a complete run and no waves") {
   const Options options = piece();
   const Result base = simulate(options, {});
   const Result result = traced(options, "fault");
@@ -183,7 +183,7 @@ TEST_CASE("windows that begin at any clock show the run exactly") {
   check(options);
 }
 
-TEST_CASE("a run with waves that looks at promises has the same events") {
+TEST_CASE("a run with waves that checks assertions has the same events") {
   Options options = piece();
   options.path.line_end_x_m = 0.101;
   options.path.line_end_y_m = 0.1005;

@@ -38,7 +38,7 @@ Result run(Platform platform, std::int64_t window) {
 
 }  // namespace
 
-TEST_CASE("SystemC with look-ahead, lock step and the direct wiring give equal event logs") {
+TEST_CASE("SystemC with look-ahead, lock-step and direct wiring give equal event logs") {
   const Result systemc = run(Platform::kSystemC, 0);
   REQUIRE(systemc.end == EndReason::kDone);
   REQUIRE(systemc.samples.size() > 160);
@@ -71,7 +71,7 @@ TEST_CASE("a traced run has the events of an untraced one") {
   CHECK(traced.evaluated > base.evaluated);
 }
 
-TEST_CASE("a run that looks at every promise of the RTL finds none broken and the same events") {
+TEST_CASE("a run that checks every assertion of the RTL sees none fail and has the same events") {
   Options options = dash();
   const Result base = simulate(options, {});
   options.run.assertions = true;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The machine mcafee whole: firmware, verilated chip, stage. Its behaviour is tested with the twin;
+// The whole machine mcafee: firmware, verilated chip, stage. Its behaviour is tested with the twin;
 // here, that the chip and every wiring do the same.
 
 #include <catch2/catch.hpp>
@@ -32,7 +32,7 @@ Result run(const Options& options) { return simulate(options, {}); }
 
 }  // namespace
 
-TEST_CASE("mcafee: SystemC, direct, any window, leapt or plain give the same events") {
+TEST_CASE("mcafee: SystemC, direct wiring, any window, leapt or plain give the same events") {
   const Options options = small_corner();
   const Result result = run(options);
   REQUIRE(result.end == cosim::EndReason::kDone);
@@ -50,7 +50,7 @@ TEST_CASE("mcafee: SystemC, direct, any window, leapt or plain give the same eve
   CHECK(run(other).evaluated >= result.clocks);
 }
 
-TEST_CASE("mcafee: audited, or with its promises looked at, it has the same events") {
+TEST_CASE("mcafee: audited, or with its assertions checked, it has the same events") {
   Options options = small_corner();
   options.run.max_s = 0.03;  // the first rows
   const Result base = run(options);
@@ -88,7 +88,7 @@ TEST_CASE("mcafee: with waves it has the same events, and windows show them exac
   }
 }
 
-TEST_CASE("mcafee: a broken promise ends the run at the next sample") {
+TEST_CASE("mcafee: a failed assertion ends the run at the next sample") {
   Options options = small_corner();
   options.run.assertions = true;
   cosim::Hooks hooks;

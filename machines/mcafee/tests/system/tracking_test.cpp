@@ -117,8 +117,9 @@ TEST_CASE("F-10 self-paced, the square is followed more closely than fast, soone
   CHECK(paced.end_mm < 0.1);
 }
 
-// DECOMP rounds velocities down, by up to a count of 40 here: were a row due when the axis with the
-// longer way is there, the other would fall behind in every row of an oblique line, to 0.13 mm.
+// DECOMP rounds velocities down, by up to one count in 40 here: were a row due when the axis with
+// the longer distance arrives, the other would fall behind in every row of an oblique line, to
+// 0.13 mm.
 TEST_CASE("no axis is left behind: a slow circle is followed within 8 counts") {
   PathOptions options;
   options.kind = PathKind::kCircle;

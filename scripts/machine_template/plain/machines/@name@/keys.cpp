@@ -26,7 +26,8 @@ const std::vector<lab::Key>& keys() {
     t.one("motor.external_torque_N_m", -10, 10, "against positive motion",
           TRAMMEL_LENS(plant.motor.external_torque));
     t.one("motor.supply_V", 1, 100, "of the bridge", TRAMMEL_LENS(plant.motor.supply));
-    t.one("encoder.counts", 400, 40000, "a turn, after quadrupling", TRAMMEL_LENS(plant.counts));
+    t.one("encoder.counts", 400, 40000, "per revolution, after x4 decoding",
+          TRAMMEL_LENS(plant.counts));
     return t.keys;
   }();
   return all;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The parts of machine.cpp that stand in units of their own.
+// The parts of machine.cpp that are in other units.
 #pragma once
 
 #include <vector>

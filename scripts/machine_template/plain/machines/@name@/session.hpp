@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// One run of the machine @name@: chip, motor, firmware and record, and when it is over.
+// One run of the machine @name@: chip, motor, firmware and record, and when the run ends.
 #pragma once
 
 #include <chrono>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Speed control of a DC motor by the chip @name@_pwm: the timer interrupts each ms, the
-// count of the encoder gives the speed, and PI in integers the duty word. Freestanding.
+// Speed control of a DC motor by the chip @name@_pwm: the timer interrupts once per ms, the
+// encoder count gives the speed, and an integer PI controller the duty word. Freestanding.
 #pragma once
 
 #include <cstdint>
@@ -39,7 +39,7 @@ class @Name@App final : public Firmware {
 
   void start(Bus& bus) override;
   void isr(Bus& bus) override;
-  // Its failure is a @Name@Failure, a point an interrupt, real[0] the way so far [count].
+  // Its failure is a @Name@Failure, a point an interrupt, real[0] the travel so far [count].
   const Mailbox& mailbox() const override { return mail_; }
 
  private:
