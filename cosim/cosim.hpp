@@ -12,7 +12,7 @@
 namespace trammel::cosim {
 
 using Clk = std::int64_t;     // index of a fabric clock edge
-using Lines = std::uint64_t;  // packed pins; bit names stand in one header per machine
+using Lines = std::uint64_t;  // packed pins; each machine names the bits in one header
 
 inline constexpr Clk kNever = std::numeric_limits<Clk>::max();
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The wiring without SystemC: firmware, bus and loop in one thread. The processor's time is the
-// edge at which it stands; the soft processor of SystemC counts the same way, so that both give
+// edge it has reached; the soft processor of SystemC counts the same way, so that both give
 // equal events.
 #pragma once
 
@@ -12,7 +12,7 @@
 
 namespace trammel::cosim {
 
-// What the soft processor's own work costs.
+// What the work of the processor costs.
 struct ProcessorTiming {
   Clk access = 8;     // clocks a bus access takes besides its handshake
   Clk latency = 100;  // clocks from the interrupt line to the first instruction of its routine

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A sequence that grows on the disk, so that a run of any length takes the same memory: what is
-// full of it lies in a temporary file that has no name, and one block of it at a time is read back.
+// A sequence that grows on the disk, so that a run of any length takes the same memory: full
+// blocks are kept in an unnamed temporary file, and one of them at a time is read back.
 // Elements come by value, and are not changed. Not for two threads at once.
 #pragma once
 

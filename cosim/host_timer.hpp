@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The timer beside a chip on its processor's bus: it interrupts once, so many clocks after it was
-// written, until it is written again.
+// The timer beside a chip on its processor's bus: it interrupts once, the given number of
+// clocks after it was written.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ class HostTimer {
     irq_ = false;
   }
 
-  // Edges from `edge` on without its end, which is an edge of its own: at least 1.
+  // Edges from `edge` on without its end, which is a separate edge: at least 1.
   Clk waiting(Clk edge) const {
     return end_ == kNever ? kNever : std::max<Clk>(1, end_ - edge);
   }

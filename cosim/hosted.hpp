@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A chip beside the timer of its processor, behind the Chip interface `Base`, whoever evaluates it.
+// A chip and its processor's timer behind the Chip interface `Base`, for models and twins alike.
 // A leap passes neither the end of a look-ahead nor the timer, and none is made during a bus
 // transfer, so that no pin moves inside it.
 #pragma once
@@ -13,8 +13,8 @@
 
 namespace trammel::cosim {
 
-// What is kept beside the evaluated chip; chips add their own to it. Together with the registers
-// and inputs of a model it is all that the next edges depend on, so that another can go on there.
+// State kept beside the evaluated chip, to which chips add theirs. With the registers and inputs of
+// a model it determines the next edges, so that another model can continue from it.
 struct HostedState {
   bool dirty = true;  // inputs changed since the last evaluation
   Clk now = 0;
@@ -72,9 +72,9 @@ class Hosted : public Base {
 
  protected:
   virtual bool bus_active() const = 0;
-  // Before an edge: from it on so many only count, at most 1 with a transfer on the bus.
+  // Before an edge: how many edges from it on only count; at most 1 during a bus transfer.
   virtual Clk settle(Clk edge, bool bus) = 0;
-  virtual void leap(Clk edge, Clk clocks) = 0;    // passes as many at once
+  virtual void leap(Clk edge, Clk clocks) = 0;    // passes that many at once
   virtual void raise(Clk edge) = 0;               // passes one
   virtual bool bus_edge(Clk edge) = 0;            // of a transfer was passed; true when it ended
   virtual bool publishes() const = 0;             // results of a sample, at the edge to come

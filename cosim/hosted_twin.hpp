@@ -15,7 +15,7 @@ class HostedTwin : public Hosted<Base, State> {
 
   explicit HostedTwin(const Twin& twin) : twin_(twin) {}
 
-  // The reset's edges; the synchronisers, which have none, follow the pins meanwhile.
+  // The reset's edges; the synchronisers, which have no reset, follow the pins.
   void reset() {
     for (int i = 0; i < 4; ++i) twin_.step(in_);
     twin_.reset();

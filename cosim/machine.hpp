@@ -26,9 +26,9 @@ struct RunBasics {
   std::int64_t window_clk = 0;  // longest look-ahead of the loop; 0 = unbounded, 1 = lock step
   bool leap = true;             // waiting clocks are not evaluated; the events stay the same
   Engine engine = Engine::kRtl;
-  bool audit = false;           // a plain and a leaping chip in step, all registers compared; where
-                                // one differs its promise leap_is_exact is broken
-  bool assertions = false;      // the promises of the RTL are looked at; every clock is evaluated
+  bool audit = false;           // a plain and a leaping chip in step, all registers compared; a
+                                // difference fails the assertion leap_is_exact
+  bool assertions = false;      // the assertions of the RTL are checked; every clock is evaluated
   double max_s = 120;           // simulated time a run may take
   WaveFormat wave = WaveFormat::kNone;
   double wave_begin_s = 0;      // from the start of the run, or from the trigger; both zero: the
@@ -70,7 +70,7 @@ struct RunResult {
   std::optional<BrokenPromise> promise;  // kPromise: the first one
   Clk clocks = 0;
   Clk evaluated = 0;                     // of these; the others were leapt over
-  Clk events = 0;                        // clocks that hold an event; 0: nobody counted them
+  Clk events = 0;                        // clocks that hold an event; 0: not counted
   double wall_s = 0;
   std::uint64_t event_hash = 0;          // of all drive, interrupt, sample and bus events
   std::optional<Clk> wave_trigger;       // edge at which it fired

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the chip of every machine tells besides what the loop asks.
+// What every machine's chip reports besides what the loop needs.
 #pragma once
 
 #include <chrono>
@@ -16,12 +16,12 @@ namespace trammel::cosim {
 struct MachineChip : Chip {
   virtual Clk evaluated() const = 0;  // edges evaluated; the others were leapt over
   virtual Clk host_rise() const { return kNever; }  // edge at which the pin HI last rose
-  // The first promise that did not hold, if the chip looks at them.
+  // The first assertion that failed, if the chip checks them.
   virtual std::optional<BrokenPromise> broken_promise() const { return {}; }
 };
 
-// What a session of any machine knows at the end of a run that began at `started` and dumped the
-// clocks of `window`. A promise that did not hold is why it ended.
+// Completes the result of a run that began at `started` and dumped the clocks of `window`. A failed
+// assertion is the reason for its end.
 void close_result(RunResult& result, const MachineChip& chip,
                   const std::optional<WaveWindow>& window,
                   std::chrono::steady_clock::time_point started);

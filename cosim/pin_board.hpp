@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What stands around a chip that has no bus of its own: a processor's bus whose words are its pins
+// What surrounds a chip without a bus: a processor's bus whose words are its pins
 // (sw_nios/hal/pin_map.hpp), with a timer beside them, and a tick at which the record is taken.
 #pragma once
 

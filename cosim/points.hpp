@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Points of a path from a text file: two columns x_mm,y_mm, one point a line, at most one header
+// Points of a path from a text file: two columns x_mm,y_mm, one point per line, at most one header
 // line; empty lines and lines that begin with '#' are skipped. Throws std::invalid_argument that
 // names file, line and what is permitted.
 #pragma once

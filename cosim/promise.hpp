@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A promise of the RTL that did not hold: an assertion of a block's _props.sv, seen by a model
-// that carries them. Verilator would end the program there; here the run ends with its record.
+// A failed assertion of a block's _props.sv, reported by a model that carries them. Verilator would
+// end the program there; here the run ends with its record.
 #pragma once
 
 #include <optional>
@@ -15,10 +15,10 @@ struct BrokenPromise {
   std::string name;      // of the assertion: no_shoot_through
   std::string instance;  // that made it: kung_xy.gen_axis[0].u_axis...
   std::string place;     // file:line of it
-  Clk edge = 0;          // clock edge at which it was looked at
+  Clk edge = 0;          // clock edge at which it was checked
 };
 
-// The first one that broke in this thread since the last call, without its edge.
+// The first that failed in this thread since the last call, without its edge.
 std::optional<BrokenPromise> take_broken_promise();
 
 }  // namespace trammel::cosim

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What begins a window of waves: one event of a chip, found in a run of its own before the one that
+// What begins a window of waves: one event of a chip, found in a separate run before the one that
 // is dumped. Runs are deterministic, so that it stands at the same clock in both.
 //
 //   EXPR  := EVENT [after TIME]
-//   EVENT := a word of the machine's own | at TIME
+//   EVENT := an event of the machine | at TIME
 //          | rise NAME | fall NAME | change NAME | NAME OP NUMBER
 //   NAME  := [AXIS.]signal; without axis either of the two      AXIS := x | y
 //   OP    := == != < <= > >=      TIME := number with s, ms, us or ns behind it
 //
-// A comparison fires when it becomes true: what holds from reset on must first cease to.
+// A comparison fires when it becomes true; one that holds from reset on must first become false.
 #pragma once
 
 #include <cstddef>
@@ -76,13 +76,13 @@ struct UnknownName : std::invalid_argument {
   std::string name;
 };
 
-// What a machine's triggers may be.
+// The triggers that a machine offers.
 struct TriggerForms {
   const std::vector<Signal>& signals;
-  std::vector<std::string> events;  // words of its own, for suggestions
+  std::vector<std::string> events;  // the machine's words, for suggestions
   const char* help;                 // one line of all forms
   const char* start;                // the event to which the default window is anchored
-  // Puts an event of the machine's own into the trigger; false: the word is none. May throw
+  // Puts an event of the machine into the trigger; false: the word is none. May throw
   // UnknownName.
   bool (*event)(Trigger& trigger, const std::string& word);
 };
@@ -110,7 +110,7 @@ class SignalSearch {
   Trigger trigger_;
   std::optional<Clk> found_;
   std::int64_t before_[2] = {};
-  bool known_ = false;  // there is a value before this one
+  bool known_ = false;  // a value was read before
 };
 
 }  // namespace trammel::cosim

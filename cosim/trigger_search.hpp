@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Looks for the event of a trigger in a run of its own. A chip whose inside is watched shows every
+// Looks for the event of a trigger in a separate run. A chip whose inside is watched shows every
 // evaluated edge; of the others the stops of the loop are seen, outputs at their very clock, and
 // the words of a sample where it is published.
 #pragma once
@@ -13,7 +13,7 @@
 
 namespace trammel::cosim {
 
-// Words of the machines whose triggers are seen from outside the chip, for TriggerForms.
+// Events that are visible from outside the chip, for TriggerForms.
 inline constexpr char kStopEvents[] =
     "drive (a converter's code changes), hi (the pin HI rises), irq (HI or the timer interrupts), "
     "at 10ms, rise|fall|change status.breakpoint, e > 20, each with `after TIME` behind it if "

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Which clocks of a run are dumped. Without a window of the user's own: 2 ms around the trigger;
-// without a trigger either, the machine's own start event is it.
+// Which clocks of a run are dumped. Without a window from the user: 2 ms around the trigger, or
+// without a trigger around the machine's start event.
 #pragma once
 
 #include <optional>
@@ -30,7 +30,7 @@ inline bool trigger_asked(const RunBasics& run) { return !run.wave_trigger.empty
 // the run.
 std::optional<std::string> wave_trigger_text(const RunBasics& run, const char* start);
 
-// Where the window begins to count when there is no trigger, or none came.
+// Where the window counts from when there is no trigger, or it never fired.
 Clk wave_origin(const RunBasics& run);
 
 // The window around edge `origin`; it may begin before edge 0, which is then the first one shown.

@@ -25,13 +25,13 @@ struct WaveWindow {
   }
 };
 
-// Clock edges [begin, end) that waves were dumped of.
+// Clock edges [begin, end) for which waves were dumped.
 struct WaveSpan {
   Clk begin = 0;
   Clk end = 0;
 };
 
-// What of a window, which may begin before edge 0, a run of so many clocks has dumped.
+// The part of a window, which may begin before edge 0, that a run of so many clocks has dumped.
 inline std::vector<WaveSpan> wave_spans(WaveWindow window, Clk clocks) {
   std::vector<WaveSpan> spans;
   for (; window.begin < clocks; window.next()) {

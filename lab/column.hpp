@@ -41,7 +41,7 @@ struct ColumnTable {
                      std::vector<double>& values)> read;
 };
 
-// Builds the table of a machine whose result holds `samples`, a sequence of its own Sample.
+// Builds the table of a machine whose result holds `samples`, a sequence of its Sample.
 template <class Options, class Result>
 class Columns {
  public:

@@ -85,5 +85,5 @@ void ChipModule::transport(tlm::tlm_generic_payload& payload, sc_time& delay) {
 
 }  // namespace trammel::systemc
 
-// The SystemC library wants this symbol; our programs have a main() of their own.
+// The SystemC library wants this symbol; our programs have their own main().
 int sc_main(int, char**) { return 1; }

@@ -70,12 +70,13 @@ List columns(const lab::Machine& machine) {
   return all;
 }
 
-List signals() {
+List signals(const std::string& only) {
   List all;
   all.text =
       "Signals for --wave-trigger: x.NAME or y.NAME is that of one axis, NAME alone that of "
       "either.\n";
   for (const lab::Machine* machine : lab::machines()) {
+    if (!only.empty() && machine->name != only) continue;
     const cosim::TriggerForms& forms = machine->triggers();
     all.text += fmt::format("\n{}. Events: {}\n\n", machine->name, forms.help);
     for (const cosim::Signal& signal : forms.signals) {
@@ -102,7 +103,7 @@ int print(const List& all, bool json) {
 int list(const std::string& topic, const std::string& machine, bool json) {
   const lab::Machine& asked =
       machine.empty() ? *lab::machines().front() : *lab::find_machine(machine);
-  if (topic == "signals") return print(signals(), json);
+  if (topic == "signals") return print(signals(machine), json);
   if (topic == "machines") return print(machines(), json);
   if (topic == "keys") return print(keys(asked), json);
   return print(topic == "columns" ? columns(asked) : scenarios(), json);

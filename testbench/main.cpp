@@ -79,7 +79,9 @@ struct CommandLine {
                               "columns of its trace, the signals that can trigger");
     list->add_option("topic", topic, "default: scenarios")
         ->check(CLI::IsMember({"scenarios", "machines", "keys", "columns", "signals"}));
-    list->add_option("machine", machine, "whose keys or columns; default: the first machine's")
+    list->add_option("machine", machine,
+                     "whose keys, columns or signals; default: the first machine's, and the "
+                     "signals of all")
         ->check(CLI::IsMember(trammel::lab::machine_names()));
     doctor = app.add_subcommand("doctor", "show versions and which tools are installed");
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The master of a verilated chip's AXI4-Lite port s_axil: one transfer at a time, always ready for
-// its response. It holds no model, so that it can be copied to go on with another one.
+// its response. It holds no model, so that a copy can continue with another one.
 #pragma once
 
 #include <cstdint>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Clock and reset of a verilated model, by the house's names or by the usual ones.
+// Clock and reset of a verilated model, by our names or by the usual ones.
 #pragma once
 
 namespace trammel::cosim {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A verilated chip with a clock clk_i or clk, in a context of its own. An edge is one evaluation:
+// A verilated chip with a clock clk_i or clk, in its own context. An edge is one evaluation:
 // the model's stored clock value is set back by hand, so that the next evaluation sees a rising
-// edge. Inputs that changed settle before it. A tracer looks on, and a checked model's promises are
-// looked at.
+// edge. Inputs that changed settle before it. A tracer is told of every edge, and the assertions of
+// a checked model are evaluated.
 //
 // A chip with the ports leap_i, next_o and quiescent_o leaps: while every register waits
 // (quiescent_o) the timers alone move, for next_o edges, and one evaluation with leap_i = n - 1
@@ -26,8 +26,8 @@
 
 namespace trammel::cosim {
 
-// The clock value that a model compares with, which has one of these names: with the clock's own,
-// that of Verilator 5.006, or of 5.48.
+// The stored clock value that a model compares with: its name depends on that of the clock and on
+// Verilator, 5.006 or 5.48.
 template <class Root>
 auto stored_clock(Root& root) -> decltype(root.__Vtrigrprev__TOP__clk_i)& {
   return root.__Vtrigrprev__TOP__clk_i;
@@ -95,7 +95,7 @@ class ClockedModel {
     if (checked_ && !broken_) look_for_broken_promise(edge);
   }
 
-  // Edges from the present one on that only count; at least 1, the evaluated one.
+  // How many edges from the present one on only count; at least 1, the evaluated one.
   Clk waiting() const {
     if constexpr (kLeaps<Model>) {
       if (leap_ && model_->quiescent_o) return std::max<Clk>(1, model_->next_o);
@@ -103,7 +103,7 @@ class ClockedModel {
     return 1;
   }
 
-  // One evaluation for so many edges, at most waiting(). No promise is looked at: a checked model
+  // One evaluation for that many edges, at most waiting(). No assertion is checked: a checked model
   // does not leap.
   void leap(Clk edge, Clk clocks) {
     if constexpr (kLeaps<Model>) {

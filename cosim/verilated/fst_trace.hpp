@@ -3,7 +3,7 @@
 // The waves of a verilated chip: every signal at every edge from 0 on, as a file. Included only by
 // the unit of a traced chip.
 //
-// Verilator looks through all signals at each dump. In most clocks nothing moves but the clock and
+// Verilator compares all signals at each dump. In most clocks nothing moves but the clock and
 // timers, so the others are compared with the last dump first: as bytes of the model, at once.
 #pragma once
 
@@ -91,7 +91,7 @@ class FstTrace {
     if (edge >= 0) dump(2 * static_cast<std::uint64_t>(edge));
   }
 
-  // Registers and inputs were written from outside: all that depends on them is to follow.
+  // Registers and inputs were written from outside: all that depends on them must follow.
   void moved() {
     Traced::settle(root_);
     for (auto& activity : root_->__Vm_traceActivity.m_storage) activity = 1;

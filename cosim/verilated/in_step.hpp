@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A verilated chip and a second one that runs what the first ran, with the same inputs. From
-// outside they are the first; that stops and registers are equal is a promise.
+// outside they are the first; stops and registers are asserted to be equal.
 //
 // Chips have registers(), the root of their model, and state(), all else that their next edges
 // depend on. Registers::for_each() visits those of two models.

@@ -63,7 +63,7 @@ extern "C" int trammel_verilated_print(const char* format, ...) {
   const int length = std::vsnprintf(text, sizeof text, format, arguments);
   va_end(arguments);
   trammel::cosim::seen().text = text;
-  // What announces a broken promise is told by whoever takes it.
+  // A failed assertion is reported by whoever takes it.
   if (trammel::cosim::seen().text.find("Assertion failed in ") == std::string::npos) {
     std::fputs(text, stderr);
   }

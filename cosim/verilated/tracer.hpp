@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// How a verilated chip is evaluated, and who looks on.
+// How a verilated chip is evaluated and traced.
 #pragma once
 
 #include "cosim/cosim.hpp"
@@ -9,7 +9,7 @@ namespace trammel::cosim {
 
 struct ModelMode {
   bool leap = true;      // waiting clocks are leapt over
-  bool checked = false;  // assertions are looked at, in every clock
+  bool checked = false;  // assertions are checked, in every clock
 };
 
 // Tracer: attach(context, model) before time zero; fell(Clk) after the falling edge before each

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A run with waves is that of a chip without: in its windows a traced chip, which would take
-// longer, runs the same edges after it.
+// A run with waves is simulated by a chip without them; in its windows alone a slower, traced chip
+// runs the same edges after it.
 #pragma once
 
 #include <algorithm>

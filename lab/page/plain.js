@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The page of a machine without one of its own: every column over time, those of a unit together.
+// The page of a machine that brings none: every column over time, those of a unit together.
 // What a machine's page.js puts into T.machines[its name] takes the place of what stands here.
 (function (T) {
   'use strict';

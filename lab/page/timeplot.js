@@ -3,7 +3,7 @@
 // Plots over time, drawn by uPlot. All of a page share one cursor and one range of time: what the
 // pointer does in one of them happens in all. A series is {label, data, role, unit, digits} and
 // optionally width, dash, steps, hidden, help, peak: [time, value], which is marked; `role` names
-// its colour in theme.js. A plot with `times` has a base of its own, as long as it likes: it
+// its colour in theme.js. A plot with `times` has its own time base of any length: it
 // follows the others' cursor and zoom, and they follow it as far as they reach.
 (function (T) {
   'use strict';

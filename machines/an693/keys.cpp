@@ -35,7 +35,7 @@ const std::vector<lab::Key>& keys() {
           TRAMMEL_LENS(wait_s));
     t.processor();
     lm628::add_motor(t, TRAMMEL_LENS(plant.motor));
-    t.one("encoder.counts", 4, 100000, "counts per turn, after x4 decoding",
+    t.one("encoder.counts", 4, 100000, "counts per revolution, after x4 decoding",
           TRAMMEL_LENS(plant.counts));
     t.one("encoder.hysteresis_counts", 0, 0.9, "of its comparators",
           TRAMMEL_LENS(plant.hysteresis));

@@ -63,7 +63,7 @@ void add_path(Table& t) {
   add("circle_radius_m", 1e-4, 0.3, "of the circle", &PathOptions::circle_radius_m);
   add("circle_center_x_m", 0, 0.6, "centre of the circle", &PathOptions::circle_center_x_m);
   add("circle_center_y_m", 0, 0.6, "centre of the circle", &PathOptions::circle_center_y_m);
-  add("circle_ticks", 16, 1000000, "interrupts per turn", &PathOptions::circle_ticks);
+  add("circle_ticks", 16, 1000000, "interrupts per revolution", &PathOptions::circle_ticks);
   add("window_side_m", 1e-3, 0.6, "of the square", &PathOptions::window_side_m);
   add("window_radius_m", 1e-4, 0.29, "of the arcs at the corners", &PathOptions::window_radius_m);
   add("window_center_x_m", 0, 0.6, "centre of the square", &PathOptions::window_center_x_m);

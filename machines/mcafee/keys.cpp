@@ -57,14 +57,14 @@ const std::vector<lab::Key>& keys() {
           TRAMMEL_LENS(stage_axis.motor.current_limit));
     using S = plant::LeadscrewConfig;
     const auto stage = lm628::keys_of(t, "stage.", TRAMMEL_LENS(stage_axis));
-    stage("pitch_m", 1e-4, 0.1, "travel of the table per turn", &S::pitch);
+    stage("pitch_m", 1e-4, 0.1, "travel of the table per revolution of the screw", &S::pitch);
     stage("switch_low_m", -10, -1e-3, "limit switch, from the start", &S::switch_low);
     stage("switch_high_m", 1e-3, 10, "limit switch, from the start", &S::switch_high);
     stage("switch_hysteresis_m", 0, 1e-3, "of both switches", &S::switch_hysteresis);
     stage("overtravel_m", 0, 0.1, "from a switch to the stop behind it", &S::overtravel);
     using E = plant::SineEncoderConfig;
     const auto encoder = lm628::keys_of(t, "encoder.", TRAMMEL_LENS(stage_axis.encoder));
-    encoder("lines", 1, 25000, "lines per turn; four counts each", &E::lines);
+    encoder("lines", 1, 25000, "lines per revolution; four counts each", &E::lines);
     encoder("hysteresis_V", 0, 0.5, "of its comparators, full width", &E::hysteresis);
     encoder("cosine_offset_V", -0.2, 0.2, "error of a channel", &E::cosine_offset);
     encoder("sine_offset_V", -0.2, 0.2, "error of a channel", &E::sine_offset);

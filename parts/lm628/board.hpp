@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What stands around an LM628, whoever evaluates it: the master of its host port beside a timer,
+// What surrounds an LM628, model or twin: the master of its host port beside a timer,
 // and a converter that takes 12 bits in two strobes.
 #pragma once
 

@@ -42,8 +42,8 @@ struct Lm628Chip : cosim::MachineChip {
   virtual bool host_irq() const = 0;  // pin HI; irq() is also the timer's
 };
 
-// As the run asks; with a window its waves are dumped into run.wave_file. Where the chip that dumps
-// them differs from the one that runs, the promise waves_are_exact is broken.
+// As the run asks; with a window its waves are dumped into run.wave_file. If the chip that dumps
+// them differs from the one that runs, the assertion waves_are_exact fails.
 std::unique_ptr<Lm628Chip> make_verilated_chip(
     const cosim::RunBasics& run, const std::optional<cosim::WaveWindow>& window = {});
 std::unique_ptr<Lm628Chip> make_twin_chip();

@@ -48,7 +48,7 @@ void add_filter_words(Table& t, const std::string& prefix, GetWords words, GetIr
         [irq](const typename Table::At& at) { return irq(at) ? 1.0 : 0.0; });
 }
 
-// How a run ended, in one line; a script's own words where it could not go on.
+// How a run ended, in one line; the script's message where it could not continue.
 template <class Options, class Result>
 std::string verdict(const lab::Settings& settings, const cosim::RunResult& run) {
   const auto& options = static_cast<const Options&>(settings);

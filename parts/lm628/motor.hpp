@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the steps of plant::DcMotor can follow.
+// Limits of the integration steps of plant::DcMotor.
 #pragma once
 
 #include "models/plant/dc_motor.hpp"

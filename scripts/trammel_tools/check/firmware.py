@@ -3,7 +3,7 @@
 
 usage: scripts/tool firmware
 
-Compiles sw_nios/ as freestanding C++17 with every warning an error. An app with a main of its own,
+Compiles sw_nios/ as freestanding C++17 with every warning an error. An app with its own main,
 sw_nios/apps/<m>/rv32im/main.cpp, is linked with sw_nios/rv32im/link.ld, and its size is printed. It
 fails when the program holds a heap, a stream, exceptions or floating-point arithmetic: code that
 must run to completion with the same result on every core has none of these.

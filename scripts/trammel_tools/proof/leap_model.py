@@ -2,7 +2,7 @@
 """A chip as gates: one clock of it as a function of its registers, its inputs and leap_i.
 
 Found by the folder: a chip that leaps is a module of rtl/chips with the ports of PORTS that no
-other chip contains, or that has broken designs of its own. Multipliers are free values. Registers
+other chip contains, or that has its own broken designs. Multipliers are free values. Registers
 that no output shows are kept too. A large memory with one read port and no register in it is left
 out: its ports become ports of the chip.
 """

@@ -5,7 +5,7 @@ another value, in every instance of the module.
 The module declares VALUE, what the net is to be, and BEFORE, which becomes what the sources make of
 it. `value`: readers of the net see VALUE. `load`: the register loads VALUE at each edge.
 
-It runs on what slang made, where every name still has a driver of its own.
+It runs on what slang made, where every name still has its own driver.
 """
 
 try:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Yosys (pyosys) as a process of its own, and the modules that it reads."""
+"""Yosys (pyosys) in a separate process, and the modules that it reads."""
 
 import subprocess
 import sys

@@ -27,7 +27,7 @@ def instance(kind, **ports):
     return {"type": kind, "connections": {port: [bit] for port, bit in ports.items()}}
 
 
-# Two registers in a row, each in a block of its own; what lies between feeds the second.
+# Two registers in a row, each in a separate block; what lies between feeds the second.
 MODULES = {"modules": {
     "chip": module("chips/chip.sv", {"in_i": ("input", 2), "out_o": ("output", 4)},
                    {"u_a": instance("a", d_i=2, q_o=3), "u_b": instance("b", d_i=3, q_o=4)},

@@ -55,11 +55,11 @@ def mib(kib):
 
 
 def text(result):
-    lines = ["| simulated | CPU time a simulated second | peak memory "
+    lines = ["| simulated | CPU time per simulated second | peak memory "
              "| the 2 kHz record, on the disk |", "|---|---|---|---|"]
     lines += [f"| {row['simulated_s']:g} s | {row['cpu_s_per_s']:.2f} s | "
               f"{mib(row['peak_kib'])} | {mib(row['record_kib'])} |" for row in result["time"]]
-    lines += ["", "| encoders, both axes | clocks evaluated | CPU time a simulated second |",
+    lines += ["", "| encoders, both axes | clocks evaluated | CPU time per simulated second |",
               "|---|---|---|"]
     lines += [f"| {row['speed_m_s']:g} m/s | {100 * row['evaluated']:.1f} % | "
               f"{row['cpu_s_per_s']:.2f} s |" for row in result["speed"]]
