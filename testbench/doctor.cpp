@@ -93,8 +93,8 @@ List signals(const std::string& only) {
   return all;
 }
 
-int print(const List& all, bool json) {
-  fmt::print("{}", json ? all.json.dump(2) + '\n' : all.text);
+int show(const List& all, bool json) {
+  print(json ? all.json.dump(2) + '\n' : all.text);
   return 0;
 }
 
@@ -103,10 +103,10 @@ int print(const List& all, bool json) {
 int list(const std::string& topic, const std::string& machine, bool json) {
   const lab::Machine& asked =
       machine.empty() ? *lab::machines().front() : *lab::find_machine(machine);
-  if (topic == "signals") return print(signals(machine), json);
-  if (topic == "machines") return print(machines(), json);
-  if (topic == "keys") return print(keys(asked), json);
-  return print(topic == "columns" ? columns(asked) : scenarios(), json);
+  if (topic == "signals") return show(signals(machine), json);
+  if (topic == "machines") return show(machines(), json);
+  if (topic == "keys") return show(keys(asked), json);
+  return show(topic == "columns" ? columns(asked) : scenarios(), json);
 }
 
 std::string version_text() {
@@ -134,7 +134,7 @@ int doctor(bool json) {
   const std::size_t count = lab::scenarios().size();
   all["scenarios"] = count;
   text += fmt::format("{} scenarios in {}\n", count, lab::kMachineFolder);
-  fmt::print("{}", json ? all.dump(2) + '\n' : text);
+  print(json ? all.dump(2) + '\n' : text);
   return missing > 0 || count == 0 ? 3 : 0;
 }
 

@@ -170,13 +170,12 @@ int perform(const CommandLine& line) {
 }
 
 int fail(const std::exception& error, int code, const char* kind = "") {
-  fmt::print(stderr, "trammel: {}{}\n", kind, error.what());
+  tb::tell(kind + std::string(error.what()));
   return code;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+// All but what becomes of standard output at the end.
+int run_program(int argc, char** argv) {
   CommandLine line;
   try {
     line.app.parse(argc, argv);
@@ -185,13 +184,18 @@ int main(int argc, char** argv) {
     const std::vector<std::string> known = verbs(line.app);
     if (std::find(known.begin(), known.end(), verb) == known.end() && verb.rfind('-', 0) != 0) {
       const std::string near = trammel::lab::suggest(verb, known);
-      fmt::print(stderr, "trammel: {}: unknown verb{}; see trammel --help\n", verb,
-                 near.empty() ? "" : fmt::format(", did you mean {}?", near));
+      tb::tell(fmt::format("{}: unknown verb{}; see trammel --help", verb,
+                           near.empty() ? "" : fmt::format(", did you mean {}?", near)));
       return 2;
     }
-    if (error.get_exit_code() == 0) return line.app.exit(error);  // help and version
-    fmt::print(stderr, "trammel: {}; see trammel {}--help\n", error.what(),
-               verb.rfind('-', 0) == 0 ? "" : verb + ' ');
+    if (error.get_exit_code() == 0) {  // help and version
+      std::ostringstream text;
+      line.app.exit(error, text, text);
+      tb::print(text.str());
+      return 0;
+    }
+    tb::tell(fmt::format("{}; see trammel {}--help", error.what(),
+                         verb.rfind('-', 0) == 0 ? "" : verb + ' '));
     return 2;
   }
   try {
@@ -205,4 +209,11 @@ int main(int argc, char** argv) {
   } catch (const std::exception& error) {
     return fail(error, 70, "internal error: ");
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  tb::guard_streams();
+  return tb::settled(run_program(argc, argv));
 }

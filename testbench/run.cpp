@@ -35,8 +35,6 @@ std::unique_ptr<lab::Settings> layered(const std::filesystem::path& file,
   return settings;
 }
 
-void tell(const std::string& text) { fmt::print(stderr, "trammel: {}\n", text); }
-
 namespace {
 
 namespace fs = std::filesystem;
@@ -46,7 +44,7 @@ class Progress {
  public:
   explicit Progress(std::string name) : name_(std::move(name)) {}
   ~Progress() {
-    if (drawn_) fmt::print(stderr, "\r\033[K");
+    if (drawn_) std::fputs("\r\033[K", stderr);
   }
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
@@ -58,7 +56,9 @@ class Progress {
     drawn_ = true;
     const double elapsed = std::chrono::duration<double>(now - begin_).count();
     const double left = fraction > 0 ? elapsed * (1 - fraction) / fraction : 0;
-    fmt::print(stderr, "\r\033[K{} {:3.0f} %  {:.0f} s left", name_, 100 * fraction, left);
+    std::fputs(fmt::format("\r\033[K{} {:3.0f} %  {:.0f} s left", name_, 100 * fraction, left)
+                   .c_str(),
+               stderr);
     std::fflush(stderr);
   }
 
@@ -138,7 +138,7 @@ Outcome run_one(lab::Settings& settings, const fs::path& target, const Arguments
     tell(fmt::format("{}: {} in {:.1f} s", settings.scenario, record.verdict,
                      record.result->wall_s));
   } else if (!arguments.json) {
-    fmt::print("{}", lab::report_text(record, shown, written.page));
+    print(lab::report_text(record, shown, written.page));
   }
   outcome.code = tell_end(record, settings.scenario, shown);
   for (const lab::Record& beside : record.companions) {
@@ -198,13 +198,13 @@ int run_all(const lab::Machine& machine, const Arguments& arguments, const Simul
     page = false;
   }
   if (arguments.json) {
-    fmt::print("{}\n", documents.dump(2));
+    print(documents.dump(2) + '\n');
     return code;
   }
   std::vector<const lab::Record*> records;
   for (const Outcome& outcome : outcomes) records.push_back(&outcome.record);
-  fmt::print("{}", machine.experiments_text(records));
-  if (page) fmt::print("\nreport: {}\n", fs::proximate(index).string());
+  print(machine.experiments_text(records));
+  if (page) print(fmt::format("\nreport: {}\n", fs::proximate(index).string()));
   return code;
 }
 
@@ -229,7 +229,7 @@ int run(const Arguments& arguments, const std::atomic<bool>& stop, const Simulat
   const auto settings = layered(lab::find_scenario(arguments.scenario), arguments);
   const fs::path target = lab::target_of(arguments.out, settings->scenario);
   const Outcome outcome = run_one(*settings, target, arguments, simulate, stop);
-  if (arguments.json) fmt::print("{}\n", outcome.json.dump(2));
+  if (arguments.json) print(outcome.json.dump(2) + '\n');
   return outcome.code;
 }
 
@@ -243,9 +243,9 @@ int report(const Arguments& arguments) {
   lab::write_page(folders, file);
   if (arguments.json) {
     const nlohmann::ordered_json json{{"page", file.string()}, {"bytes", fs::file_size(file)}};
-    fmt::print("{}\n", json.dump(2));
+    print(json.dump(2) + '\n');
   } else {
-    fmt::print("{}\n", file.string());
+    print(file.string() + '\n');
   }
   return 0;
 }

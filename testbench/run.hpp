@@ -9,6 +9,7 @@
 
 #include "lab/record.hpp"
 #include "testbench/arguments.hpp"
+#include "testbench/streams.hpp"
 
 namespace trammel::testbench {
 
@@ -17,8 +18,6 @@ namespace trammel::testbench {
 using Simulate = std::function<lab::Record(const lab::Settings&, const cosim::Hooks&)>;
 int run(const Arguments& arguments, const std::atomic<bool>& stop,
         const Simulate& simulate = lab::run);
-
-void tell(const std::string& text);  // a line on stderr
 
 // The page of the folders, or of the latest run in out/ where there are none.
 int report(const Arguments& arguments);

@@ -22,6 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using lab::ConfigError;
+using testbench::print;
 using testbench::tell;
 using Json = nlohmann::ordered_json;
 
@@ -39,7 +40,7 @@ bool execute(Shell& shell, const Line& line, Transcript& all, bool quiet = false
   if (line.command->action != Action::kHelp) all.script += line.text + '\n';
   const Answer answer = shell.execute(line);
   all.answers.push_back(answer.json);
-  if (!quiet) fmt::print("{}", answer.text);
+  if (!quiet) print(answer.text);
   if (!answer.note.empty()) tell(answer.note);
   std::fflush(stdout);
   return true;
@@ -58,13 +59,13 @@ void play(Shell& shell, const std::vector<Line>& script, Transcript& all, bool q
 }
 
 void converse(Shell& shell, const ReadLine& read_line, std::atomic<bool>& stop, Transcript& all) {
-  fmt::print("LM628 of 8 MHz with a DC motor, after RST; `help` names the commands\n");
+  print("LM628 of 8 MHz with a DC motor, after RST; `help` names the commands\n");
   for (;;) {
     stop = false;
     const std::optional<std::string> text = read_line("lm628> ");
     if (!text && !stop) return;
     if (!text) {
-      fmt::print("\n");
+      print("\n");
       continue;
     }
     try {  // a stop that comes right after the line ends what the line asks for
@@ -177,14 +178,14 @@ int lm628_shell(const testbench::Arguments& arguments, std::atomic<bool>& stop,
   const lab::Origin origin{"./trammel lm628 " + again, of_firmware, {{"script", all.answers}},
                            {{"script.lm628", all.script}}};
   const Json json = lab::metrics_json(record, origin);
-  if (arguments.json) fmt::print("{}\n", json.dump(2));
+  if (arguments.json) print(json.dump(2) + '\n');
   if (!folder) return code;
   const lab::Written written = lab::write_record(record, *folder, json, origin, arguments.report);
   folder->publish();
   for (const std::string& note : written.notes) tell(note);
   if (!arguments.json) {
     const std::string shown = fs::proximate(folder->target()).string();
-    fmt::print("{}", lab::report_text(record, shown, written.page));
+    print(lab::report_text(record, shown, written.page));
   }
   return code == 0 && !written.waves ? 1 : code;
 }

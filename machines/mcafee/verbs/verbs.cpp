@@ -35,11 +35,12 @@ int track(const testbench::Arguments& arguments, std::atomic<bool>&) {
   const std::string text = listing ? listing_text(table) : table_csv(table);
   if (!arguments.out.empty()) lab::write_text(arguments.out, text);
   if (arguments.json) {
-    fmt::print("{}\n", table_json(table).dump(2));
+    testbench::print(table_json(table).dump(2) + '\n');
   } else if (arguments.out.empty()) {
-    fmt::print("{}", text);
+    testbench::print(text);
   } else {
-    fmt::print("{}: {} rows of {:.5f} mm\n", arguments.out, table.rows.size(), table.row_mm);
+    testbench::print(fmt::format("{}: {} rows of {:.5f} mm\n", arguments.out, table.rows.size(),
+                                 table.row_mm));
   }
   return 0;
 }

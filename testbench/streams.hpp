@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Standard output takes results and nothing else; messages go to standard error.
+#pragma once
+
+#include <string>
+
+namespace trammel::testbench {
+
+// To be called before a file is opened: none takes the place of a standard stream that is closed.
+// From then on a reader that goes away is no signal.
+void guard_streams();
+
+void print(const std::string& result);
+
+// A line that begins with "trammel: ". Where standard error does not take it, it is lost.
+void tell(const std::string& message);
+
+// The exit code of the program whose work ended with `code`: 2 with a message when standard output
+// did not take a result. A reader that went away wanted no more: that is no error.
+int settled(int code);
+
+}  // namespace trammel::testbench
