@@ -27,8 +27,8 @@ sw::An693Setup program_setup(const Options& o) {
 // As long as the trajectory alone takes: ramps and constant speed, and the waits.
 double expected_s(const Options& o) {
   const double a = std::max(1, o.acceleration), v = std::max(1, o.velocity);
-  const double way = std::abs(static_cast<double>(o.position)) * 65536;
-  const double move = way > v * v / a ? v / a + way / v : 2 * std::sqrt(way / a);
+  const double distance = std::abs(static_cast<double>(o.position)) * 65536;
+  const double move = distance > v * v / a ? v / a + distance / v : 2 * std::sqrt(distance / a);
   switch (o.program) {
     case sw::An693Program::kHold: return o.wait_s;
     case sw::An693Program::kAbsolute: return move * kSampleS + o.wait_s;

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "machines/mcafee/machine.hpp"
+#include "machines/mcafee/signals.hpp"
 #include "parts/lm628/columns.hpp"
 
 namespace trammel::mcafee {
@@ -157,12 +158,14 @@ const lab::ColumnTable& columns() {
     ColumnTable t;
     t.add({"t_s", "s", 1e-8, fixed(8), "time from the start of the run"},
           [](const At& at) { return lab::seconds_of(at.sample.edge); });
-    t.add({"row", "", 1, {}, "rows begun, Stage III", true},
-          [](const At& at) { return static_cast<double>(at.sample.row); });
-    t.add({"v", "", 1, {}, "speed of the last of them, 0..255", true},
-          [](const At& at) { return static_cast<double>(at.sample.v); });
-    t.add({"limits", "", 1, {}, "open switches: bits X low, X high, Y low, Y high", false, true},
-          [](const At& at) { return static_cast<double>(at.sample.limits); });
+    const auto own = [&t](OwnSignal which, bool bits, ColumnTable::Get get) {
+      const cosim::Word& word = kOwnWords[static_cast<std::size_t>(which)];
+      t.add({word.name, word.unit, 1, {}, word.help, !bits, bits}, std::move(get));
+    };
+    own(OwnSignal::kRow, false, [](const At& at) { return static_cast<double>(at.sample.row); });
+    own(OwnSignal::kSpeed, false, [](const At& at) { return static_cast<double>(at.sample.v); });
+    own(OwnSignal::kLimits, true,
+        [](const At& at) { return static_cast<double>(at.sample.limits); });
     t.add({"contour_mm", "mm", 1e-5, fixed(5), "distance from the path, Stage III", true},
           [](const At& at) {
             return at.result.contour_mm.empty() ? 0 : at.result.contour_mm[at.index];

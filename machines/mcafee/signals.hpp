@@ -7,16 +7,17 @@
 
 namespace trammel::mcafee {
 
-// Those behind the signals of the parts, in this order.
+// Those behind the signals of the parts, in this order; columns of trace.csv too.
 enum class OwnSignal : std::size_t { kRow, kSpeed, kLimits };
+inline constexpr cosim::Word kOwnWords[] = {
+    {"row", "", "rows begun, Stage III", 16, false},
+    {"v", "", "speed of the last of them, 0..255", 8, false},
+    {"limits", "", "open switches: bits X low, X high, Y low, Y high", 4, false}};
 
 inline const std::vector<cosim::Signal>& signals() {
   static const std::vector<cosim::Signal> all = [] {
     std::vector<cosim::Signal> list = lm628::signals_of_part(true);
-    list.push_back({{"row", "", "rows begun, Stage III", 16, false}, false});
-    list.push_back({{"v", "", "speed of the last of them", 8, false}, false});
-    list.push_back(
-        {{"limits", "", "open switches: bits X low, X high, Y low, Y high", 4, false}, false});
+    for (const cosim::Word& word : kOwnWords) list.push_back({word, false});
     return list;
   }();
   return all;

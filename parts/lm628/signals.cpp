@@ -2,6 +2,7 @@
 #include "parts/lm628/signals.hpp"
 
 #include <iterator>
+#include <string>
 
 #include "models/exact/motion/lm628_opcode.hpp"
 
@@ -24,8 +25,10 @@ constexpr struct {
 }  // namespace
 
 std::vector<Signal> signals_of_part(bool of_axis) {
+  static const std::string fine = std::string("2^-16 ") + kWords[1].unit;  // as triggers see it
   std::vector<Signal> all;
   for (const auto& word : kWords) all.push_back({word, of_axis});
+  all[1].unit = fine.c_str();
   for (const auto& bit : kBits) {
     all.push_back({{bit.name, "", "bit of the status byte", 1, false}, of_axis});
   }

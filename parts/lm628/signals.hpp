@@ -24,7 +24,7 @@ struct PartWord : cosim::Word {
 inline constexpr PartWord kWords[] = {
     {{"desired_count", "count", "trajectory generator", 32, true},
      [](const Words& w) { return w.position; }, 16, 16, 1e-3},
-    {{"desired_speed", "count per sample", "trajectory generator; of triggers in 2^-16", 32, true},
+    {{"desired_speed", "count per sample", "trajectory generator", 32, true},
      [](const Words& w) { return std::int64_t{w.speed}; }, 16, 0, 1e-5},
     {{"real_count", "count", "what the part counted", 32, true},
      [](const Words& w) { return std::int64_t{w.actual}; }},
