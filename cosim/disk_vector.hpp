@@ -5,10 +5,14 @@
 // Elements come by value, and are not changed. Not for two threads at once.
 #pragma once
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <cstddef>
 #include <cstdio>
+#include <cstdlib>
+#include <filesystem>
 #include <initializer_list>
 #include <iterator>
 #include <memory>
@@ -86,23 +90,36 @@ class DiskVector {
     void operator()(std::FILE* file) const { std::fclose(file); }
   };
 
-  [[noreturn]] static void fail() {
-    throw std::system_error(errno, std::generic_category(),
-                            std::string("the record of the run, kept in ") + P_tmpdir);
+  [[noreturn]] static void fail(const char* what) {
+    const int error = errno;
+    std::error_code ignored;
+    throw std::system_error(error, std::generic_category(),
+                            std::filesystem::temp_directory_path(ignored).string() +
+                                ": the record of the run cannot be " + what + " there");
+  }
+
+  // In the folder TMPDIR, or /tmp.
+  static std::FILE* unnamed_file() {
+    std::string name = (std::filesystem::temp_directory_path() / "trammel-XXXXXX").string();
+    const int descriptor = mkstemp(name.data());
+    if (descriptor < 0) return nullptr;
+    unlink(name.c_str());
+    return fdopen(descriptor, "w+b");
   }
 
   void seek(std::size_t block) const {
-    if (fseeko(file_.get(), static_cast<off_t>(block * kBlock * sizeof(T)), SEEK_SET) != 0) fail();
+    const auto place = static_cast<off_t>(block * kBlock * sizeof(T));
+    if (fseeko(file_.get(), place, SEEK_SET) != 0) fail("read");
   }
 
   void write_last() {
     if (!file_) {
-      file_.reset(std::tmpfile());
-      if (!file_) fail();
+      file_.reset(unnamed_file());
+      if (!file_) fail("written");
       std::setvbuf(file_.get(), nullptr, _IONBF, 0);
     }
     seek(written_);
-    if (std::fwrite(last_.data(), sizeof(T), kBlock, file_.get()) != kBlock) fail();
+    if (std::fwrite(last_.data(), sizeof(T), kBlock, file_.get()) != kBlock) fail("written");
     ++written_;
     last_.clear();
   }
@@ -110,7 +127,7 @@ class DiskVector {
   void read(std::size_t block) const {
     read_.resize(kBlock);
     seek(block);
-    if (std::fread(read_.data(), sizeof(T), kBlock, file_.get()) != kBlock) fail();
+    if (std::fread(read_.data(), sizeof(T), kBlock, file_.get()) != kBlock) fail("read");
     read_block_ = block;
   }
 

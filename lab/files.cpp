@@ -11,61 +11,32 @@
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <memory>
 #include <sstream>
 
 namespace trammel::lab {
 namespace fs = std::filesystem;
 namespace {
 
-constexpr const char* kOwnFiles[] = {"metrics.json", "trace.csv",  "detail.json", "run.toml",
-                                     "report.html",  "path.svg",   "error.svg",   "motion.svg",
-                                     "waves.vcd",    "waves.fst",  "waves.gtkw",  "script.lm628",
-                                     "table.csv",    "contour.svg",  "contours.csv"};
+struct Close {
+  void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+[[noreturn]] void unwritable(const fs::path& file, int error) {
+  throw ConfigError(fmt::format("{}: cannot be written: {}", file.string(), std::strerror(error)));
+}
+
+// What `print` gives to the function that it is given; mode: of fopen().
+void write(const fs::path& file, const char* mode, const std::function<void(const Put&)>& print) {
+  std::unique_ptr<std::FILE, Close> out(std::fopen(file.c_str(), mode));
+  if (!out) unwritable(file, errno);
+  print([&](const std::string& text) {
+    if (std::fwrite(text.data(), 1, text.size(), out.get()) != text.size()) unwritable(file, errno);
+  });
+  if (std::fclose(out.release()) != 0) unwritable(file, errno);
+}
 
 }  // namespace
-
-OutputFolder::OutputFolder(const fs::path& target) : target_(fs::absolute(target)) {
-  if (!target_.has_filename()) target_ = target_.parent_path();  // "out/" is "out"
-  std::error_code error;
-  if (fs::exists(target_, error) && !fs::is_directory(target_, error)) {
-    throw ConfigError(fmt::format("{}: --out: is not a folder", target_.string()));
-  }
-  if (fs::is_directory(target_, error) && access(target_.c_str(), W_OK | X_OK) != 0) {
-    throw ConfigError(fmt::format("{}: --out: cannot be written: {}", target_.string(),
-                                  std::strerror(errno)));
-  }
-  fs::create_directories(target_.parent_path(), error);
-  std::string pattern =
-      (target_.parent_path() / fmt::format(".{}.XXXXXX", target_.filename().string())).string();
-  if (mkdtemp(pattern.data()) == nullptr) {
-    throw ConfigError(fmt::format("{}: --out: cannot be written: {}",
-                                  target_.parent_path().string(), std::strerror(errno)));
-  }
-  scratch_ = pattern;
-  fs::permissions(scratch_, fs::perms::group_read | fs::perms::group_exec |
-                                fs::perms::others_read | fs::perms::others_exec,
-                  fs::perm_options::add, error);
-}
-
-OutputFolder::~OutputFolder() {
-  std::error_code ignored;
-  fs::remove_all(scratch_, ignored);
-}
-
-void OutputFolder::publish() {
-  std::error_code fresh;
-  if (!fs::exists(target_)) {
-    fs::rename(scratch_, target_, fresh);
-    if (!fresh) return;
-  }
-  for (const char* name : kOwnFiles) {
-    if (fs::exists(scratch_ / name)) {
-      fs::rename(scratch_ / name, target_ / name);
-    } else {
-      fs::remove(target_ / name);
-    }
-  }
-}
 
 std::ifstream open_text(const fs::path& file) {
   std::error_code ignored;
@@ -84,10 +55,11 @@ std::string read_text(const fs::path& file) {
 }
 
 void write_text(const fs::path& file, const std::string& text) {
-  std::ofstream out(file, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) throw ConfigError(fmt::format("{}: cannot be written", file.string()));
+  write(file, "wb", [&text](const Put& put) { put(text); });
+}
+
+void write_lines(const fs::path& file, const std::function<void(const Put&)>& print) {
+  write(file, "wb", print);
 }
 
 fs::path target_of(const std::string& out, const std::string& scenario) {
@@ -95,29 +67,26 @@ fs::path target_of(const std::string& out, const std::string& scenario) {
 }
 
 void replace_file(const fs::path& file, const std::string& text) {
-  const fs::path scratch = fs::path(file).concat(".new");
   std::error_code failed;
+  const fs::file_status there = fs::symlink_status(file, failed);
+  if (fs::exists(there) && !fs::is_regular_file(there)) {
+    throw ConfigError(fmt::format("{}: cannot be written: not a regular file", file.string()));
+  }
+  const fs::path scratch = fs::path(file).concat(fmt::format(".{}.new", getpid()));
+  bool made = false;
   try {
-    write_text(scratch, text);
-    fs::rename(scratch, file);
-  } catch (const fs::filesystem_error& error) {
-    fs::remove(scratch, failed);
-    throw ConfigError(fmt::format("{}: cannot be written: {}", file.string(),
-                                  error.code().message()));
+    write(scratch, "wbx", [&](const Put& put) {  // one that did not exist, not even as a link
+      made = true;
+      put(text);
+    });
   } catch (...) {
-    fs::remove(scratch, failed);
+    if (made) fs::remove(scratch, failed);
     throw;
   }
-}
-
-void write_lines(const fs::path& file, const std::function<void(fmt::ostream&)>& print) {
-  try {
-    auto out = fmt::output_file(file.string());
-    print(out);
-    out.close();
-  } catch (const std::system_error&) {
-    throw ConfigError(fmt::format("{}: cannot be written", file.string()));
-  }
+  if (std::rename(scratch.c_str(), file.c_str()) == 0) return;
+  const int error = errno;
+  fs::remove(scratch, failed);
+  unwritable(file, error);
 }
 
 fs::path find_program(const std::string& name) {

@@ -11,6 +11,7 @@
 #include <numeric>
 
 #include "lab/files.hpp"
+#include "lab/output_folder.hpp"
 
 namespace trammel::lab {
 namespace fs = std::filesystem;
@@ -144,6 +145,7 @@ RunFolder read_run(const fs::path& folder) {
     page.check_detail(folder / "detail.json", run.detail);
   }
   read_trace(folder / "trace.csv", run);
+  check_whole(folder);
   if (page.complete != nullptr) page.complete(run);
   return run;
 }

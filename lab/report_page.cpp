@@ -6,6 +6,7 @@
 #include <set>
 
 #include "lab/files.hpp"
+#include "lab/output_folder.hpp"
 #include "lab/report_data.hpp"
 #include "lab/write.hpp"
 
@@ -84,6 +85,9 @@ void write_page(const std::vector<fs::path>& folders, const fs::path& file) {
   std::error_code ignored;
   if (fs::is_directory(file, ignored)) {
     throw ConfigError(fmt::format("{}: --out: is a folder; name a file", file.string()));
+  }
+  if (is_of_record(file)) {
+    throw ConfigError(fmt::format("{}: --out: is a file of a run's record", file.string()));
   }
   const std::vector<std::string> labels = labels_of(folders);
   std::string title = fmt::format("{} runs", folders.size());

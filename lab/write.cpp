@@ -9,8 +9,10 @@
 #include <csignal>
 #include <cstdio>
 #include <iterator>
+#include <string_view>
 
 #include "lab/build_info.hpp"
+#include "lab/files.hpp"
 #include "lab/layers.hpp"
 #include "lab/machine.hpp"
 #include "lab/report_page.hpp"
@@ -91,6 +93,19 @@ bool run_gnuplot(const fs::path& folder, const std::string& script) {
   return pclose(pipe) == 0 && sent;
 }
 
+// gnuplot does not say so when the disk is full.
+void check_picture(const fs::path& file) {
+  const std::string text = read_text(file);
+  const std::size_t end = text.find_last_not_of(" \n\r");
+  constexpr std::string_view kEnd = "</svg>";
+  if (end != std::string::npos && end + 1 >= kEnd.size() &&
+      text.compare(end + 1 - kEnd.size(), kEnd.size(), kEnd) == 0) {
+    return;
+  }
+  throw ConfigError(fmt::format("{}: cannot be written: gnuplot left it incomplete",
+                                file.string()));
+}
+
 // Runs the gnuplot scripts machines/<name>/pictures/*.gp in the folder of a run, whose files they
 // read. Their variables: every setting (path.kind is path_kind), the title, and the samples worth
 // drawing, `first` to `last` at the times `from` and `to` [s], every `step`-th of them. False when
@@ -114,9 +129,13 @@ bool draw_pictures(const Record& record, const fs::path& folder) {
       quoted(record.settings->scenario + (record.name.empty() ? "" : " " + record.name)),
       drawn.first, drawn.last - 1, (drawn.last - drawn.first) / kMostDrawn + 1,
       time_of(record, drawn.first), time_of(record, drawn.last - 1));
-  return std::all_of(scripts.begin(), scripts.end(), [&](const fs::path& script) {
+  const bool drawn_all = std::all_of(scripts.begin(), scripts.end(), [&](const fs::path& script) {
     return run_gnuplot(folder, variables + read_text(script) + "unset output\n");
   });
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() == ".svg") check_picture(entry.path());
+  }
+  return drawn_all;
 }
 
 // Share of the clocks that were evaluated, or of those that hold an event.
@@ -189,12 +208,12 @@ Json metrics_json(const Record& record, const Origin& origin) {
 
 void write_trace(const fs::path& file, const Record& record) {
   const ColumnTable& table = record.machine().columns();
-  write_lines(file, [&](fmt::ostream& out) {
+  write_lines(file, [&](const Put& put) {
     std::string line;
     for (const Column& column : table.columns) {
       line += (line.empty() ? "" : ",") + column.name;
     }
-    out.print("{}\n", line);
+    put(line + '\n');
     std::vector<double> values;
     for (std::size_t k = 0; k < record.result->sample_count(); ++k) {
       table.read(*record.settings, *record.result, k, values);
@@ -203,7 +222,7 @@ void write_trace(const fs::path& file, const Record& record) {
         if (n > 0) line += ',';
         print_value(line, table.columns[n].format, values[n]);
       }
-      out.print("{}\n", line);
+      put(line += '\n');
     }
   });
 }

@@ -10,7 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "lab/files.hpp"
+#include "lab/output_folder.hpp"
 #include "lab/record.hpp"
 
 namespace trammel::lab {

@@ -123,13 +123,14 @@ TEST_CASE("a failed assertion is named in the record") {
 TEST_CASE("a second run replaces what the first wrote and leaves other files alone") {
   each_machine([](const lab::Machine& machine, const fs::path& base) {
     const fs::path folder = base / "a";
-    fs::create_directories(folder);
+    CHECK(run_to(folder, machine, EndReason::kDone) == 0);
     std::ofstream(folder / "notes.txt") << "mine";
-    std::ofstream(folder / "waves.fst") << "stale";
+    std::ofstream(folder / "report.html") << "of the first";
     CHECK(run_to(folder, machine, EndReason::kDone) == 0);
     CHECK(test::content(folder / "notes.txt") == "mine");
-    CHECK_FALSE(fs::exists(folder / "waves.fst"));
+    CHECK(test::content(folder / "report.html") != "of the first");
     CHECK(fs::exists(folder / "metrics.json"));
+    CHECK(entries(base) == 1);
   });
 }
 

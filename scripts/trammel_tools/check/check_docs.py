@@ -33,6 +33,9 @@ from trammel_tools.generate import gen_manual
 from trammel_tools.paths import ROOT
 
 FILES = ROOT / "docs" / "files.md"
+# Files of a run, in the sources and in scripts of gnuplot.
+WRITTEN = re.compile(r'(?:scratch|folder|parent_path\(\)) / "([\w.]+)"')
+DRAWN = re.compile(r"set output '([\w.]+)'")
 LESSONS = (ROOT / "docs" / "quickstart.md", ROOT / "docs" / "tutorial.md")
 LIMIT_S = 300  # of one block
 # A section with this line is executed by scripts/tool machine-lesson, for it builds the program.
@@ -106,10 +109,14 @@ def check_defaults(keys):
 
 
 def check_files():
-    source = (ROOT / "lab" / "files.cpp").read_text(encoding="utf-8")
-    names = re.findall(r'"([^"]+)"', re.search(r"kOwnFiles\[\] = \{(.*?)\};", source, re.S)[1])
+    names = {"run.json", "waves.fst", "waves.vcd"}
+    for source in [*ROOT.glob("lab/*.cpp"), *ROOT.glob("machines/**/*.cpp")]:
+        if "tests" not in source.parts:
+            names |= set(WRITTEN.findall(source.read_text(encoding="utf-8")))
+    for script in ROOT.glob("machines/*/pictures/*.gp"):
+        names |= set(DRAWN.findall(script.read_text(encoding="utf-8")))
     listed = FILES.read_text(encoding="utf-8")
-    for name in names:
+    for name in sorted(names):
         if f"`{name}`" not in listed:
             yield f"docs/files.md: {name}, which a run can write, is missing"
 

@@ -67,7 +67,7 @@ def run(scenario, variant, engine, folder):
     figures = dict(leaf for key, one in metrics.items() if key not in MADE
                    for leaf in flat(key, one))
     return seconds, figures, {path.name: path.read_bytes() for path in out.iterdir()
-                              if path.name not in ("metrics.json", "run.toml")}
+                              if path.name not in ("metrics.json", "run.toml", "run.json")}
 
 
 def differences(rtl, twin):

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "lab/output_folder.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <stdio.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <zlib.h>
+
+#include <cerrno>
+#include <cstdint>
+#include <cstdlib>
+#include <cstring>
+#include <fstream>
+#include <utility>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "lab/build_info.hpp"
+#include "lab/files.hpp"
+
+namespace trammel::lab {
+namespace fs = std::filesystem;
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr char kIdentity[] = "run.json";
+constexpr char kPage[] = "report.html";  // `trammel report` makes it again at any time
+constexpr char kMark[] = ".trammel-";    // in the names of scratch folders
+
+[[noreturn]] void refuse(const fs::path& folder, const std::string& why) {
+  throw ConfigError(fmt::format("{}: --out: {}", folder.string(), why));
+}
+
+[[noreturn]] void unwritable(const fs::path& folder, int error) {
+  refuse(folder, fmt::format("cannot be written: {}", std::strerror(error)));
+}
+
+Json entry_of(const fs::path& file) {
+  std::ifstream in = open_text(file);
+  std::vector<char> block(1 << 16);
+  std::uint64_t bytes = 0;
+  uLong sum = 0;
+  do {
+    in.read(block.data(), static_cast<std::streamsize>(block.size()));
+    const auto size = static_cast<std::size_t>(in.gcount());
+    sum = crc32_z(sum, reinterpret_cast<const Bytef*>(block.data()), size);
+    bytes += size;
+  } while (in);
+  if (in.bad()) throw ConfigError(fmt::format("{}: cannot be read", file.string()));
+  return {{"bytes", bytes}, {"crc32", fmt::format("{:08x}", sum)}};
+}
+
+// Both names change what they mean, at once where the file system can; else there is a moment in
+// which `target` is missing.
+int exchange(const fs::path& scratch, const fs::path& target) {
+  const int code =
+      renameat2(AT_FDCWD, scratch.c_str(), AT_FDCWD, target.c_str(), RENAME_EXCHANGE);
+  if (code == 0 || (errno != EINVAL && errno != ENOSYS)) return code;
+  const fs::path aside = fs::path(scratch).concat("-old");
+  if (rename(target.c_str(), aside.c_str()) != 0) return -1;
+  if (rename(scratch.c_str(), target.c_str()) == 0) return rename(aside.c_str(), scratch.c_str());
+  const int error = errno;
+  if (rename(aside.c_str(), target.c_str()) == 0) errno = error;
+  return -1;
+}
+
+// Never onto something that is there.
+int move_in(const fs::path& from, const fs::path& to) {
+  const int code = renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE);
+  if (code == 0 || (errno != EINVAL && errno != ENOSYS)) return code;
+  if (fs::exists(fs::symlink_status(to))) {
+    errno = EEXIST;
+    return -1;
+  }
+  return rename(from.c_str(), to.c_str());
+}
+
+void write_identity(const fs::path& folder) {
+  Json files = Json::object();
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (entry.is_regular_file()) files[entry.path().filename().string()] = entry_of(entry.path());
+  }
+  write_text(folder / kIdentity,
+             Json{{"trammel", kVersion}, {"files", files}}.dump(2) + '\n');
+}
+
+// The files that the run in a folder wrote; null: it holds no run.
+Json files_of(const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(folder / kIdentity, ignored)) return nullptr;
+  const Json identity = Json::parse(read_text(folder / kIdentity), nullptr, false);
+  const bool good = identity.is_object() && identity.contains("trammel") &&
+                    identity.contains("files") && identity["files"].is_object();
+  return good ? identity["files"] : Json(nullptr);
+}
+
+// Moves what no run wrote from one folder to another; false where something cannot be moved.
+bool carry_over(const fs::path& from, const Json& written, const fs::path& to) {
+  bool all = true;
+  for (const auto& entry : fs::directory_iterator(from)) {
+    const std::string name = entry.path().filename().string();
+    if (name == kIdentity || name == kPage || written.contains(name)) continue;
+    all = move_in(entry.path(), to / name) == 0 && all;
+  }
+  return all;
+}
+
+// What killed runs have left beside `target`: unfinished folders, and one that a run has replaced
+// and whose other files it did not come to carry over.
+void remove_stale(const fs::path& target) {
+  const std::string begin = '.' + target.filename().string() + kMark;
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(target.parent_path(), ignored)) {
+    if (entry.path().filename().string().rfind(begin, 0) != 0) continue;
+    const FolderLock lock(entry.path(), false);
+    if (!lock.held()) continue;
+    const Json written = files_of(entry.path());
+    const bool kept = !written.is_null() && fs::is_directory(target, ignored) &&
+                      !carry_over(entry.path(), written, target);
+    if (!kept) fs::remove_all(entry.path(), ignored);
+  }
+}
+
+bool contains(const fs::path& folder, const fs::path& inner) {
+  const fs::path relative = inner.lexically_relative(folder);
+  return !relative.empty() && *relative.begin() != "..";
+}
+
+// Throws ConfigError where `target` must not be replaced.
+void check_replaceable(const fs::path& target) {
+  std::error_code error;
+  if (!fs::exists(fs::symlink_status(target))) return;
+  if (!fs::is_directory(target, error)) refuse(target, "is not a folder");
+  if (contains(target, fs::canonical(fs::current_path()))) {
+    refuse(target, "is the current folder or contains it");
+  }
+  if (access(target.c_str(), R_OK | W_OK | X_OK) != 0) unwritable(target, errno);
+  if (fs::is_empty(target, error) || !files_of(target).is_null()) return;
+  refuse(target, fmt::format("is not empty and holds no run ({} is missing): name another "
+                             "folder, or remove this one",
+                             kIdentity));
+}
+
+// A file of the user's must not lose its place to one of the same name.
+void check_names(const fs::path& scratch, const fs::path& target) {
+  const Json before = files_of(target);
+  for (const auto& entry : fs::directory_iterator(scratch)) {
+    const std::string name = entry.path().filename().string();
+    const bool own = name == kIdentity || name == kPage || before.contains(name);
+    if (!own && fs::exists(fs::symlink_status(target / name))) {
+      refuse(target, fmt::format("{} there is not of the run that it holds; move it away", name));
+    }
+  }
+}
+
+}  // namespace
+
+FolderLock::FolderLock(const fs::path& folder, bool wait)
+    : descriptor_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW)) {
+  if (descriptor_ < 0) return;
+  int code = 0;
+  do {
+    code = flock(descriptor_, wait ? LOCK_EX : LOCK_EX | LOCK_NB);
+  } while (code != 0 && errno == EINTR);
+  if (code == 0) return;
+  close(descriptor_);
+  descriptor_ = -1;
+}
+
+FolderLock::~FolderLock() {
+  if (descriptor_ >= 0) close(descriptor_);
+}
+
+FolderLock::FolderLock(FolderLock&& other) noexcept
+    : descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+FolderLock& FolderLock::operator=(FolderLock&& other) noexcept {
+  std::swap(descriptor_, other.descriptor_);
+  return *this;
+}
+
+bool FolderLock::is_of(const fs::path& folder) const {
+  struct stat own {}, there {};
+  return descriptor_ >= 0 && fstat(descriptor_, &own) == 0 &&
+         stat(folder.c_str(), &there) == 0 && own.st_dev == there.st_dev &&
+         own.st_ino == there.st_ino;
+}
+
+OutputFolder::OutputFolder(const fs::path& target) : target_(fs::absolute(target)) {
+  std::error_code error;
+  target_ = target_.lexically_normal();
+  if (!target_.has_filename()) target_ = target_.parent_path();  // "out/" is "out"
+  if (fs::exists(target_, error)) target_ = fs::canonical(target_);
+  check_replaceable(target_);
+  const fs::path parent = target_.parent_path();
+  fs::create_directories(parent, error);
+  const FolderLock beside(parent, true);  // nobody takes a new folder for a stale one
+  remove_stale(target_);
+  std::string pattern =
+      (parent / fmt::format(".{}{}XXXXXX", target_.filename().string(), kMark)).string();
+  if (mkdtemp(pattern.data()) == nullptr) unwritable(parent, errno);
+  scratch_ = pattern;
+  lock_ = FolderLock(scratch_, false);
+  fs::permissions(scratch_, fs::perms::group_read | fs::perms::group_exec |
+                                fs::perms::others_read | fs::perms::others_exec,
+                  fs::perm_options::add, error);
+}
+
+OutputFolder::~OutputFolder() {
+  std::error_code ignored;
+  if (!scratch_.empty()) fs::remove_all(scratch_, ignored);
+}
+
+void OutputFolder::publish() {
+  write_identity(scratch_);
+  for (;;) {
+    if (move_in(scratch_, target_) == 0) {
+      scratch_.clear();
+      lock_ = {};
+      return;
+    }
+    if (errno != EEXIST) unwritable(target_, errno);
+    const FolderLock before(target_, true);
+    if (!before.is_of(target_)) continue;  // another run has just replaced it
+    check_replaceable(target_);
+    check_names(scratch_, target_);
+    if (exchange(scratch_, target_) != 0) {
+      if (errno == ENOENT) continue;
+      unwritable(target_, errno);
+    }
+    lock_ = {};
+    const fs::path old = std::exchange(scratch_, {});
+    const Json written = files_of(old);
+    if (!carry_over(old, written, target_)) {
+      refuse(target_, fmt::format("the run is there, but other files could not be carried over; "
+                                  "they are in {}", old.string()));
+    }
+    std::error_code ignored;
+    fs::remove_all(old, ignored);
+    return;
+  }
+}
+
+bool is_of_record(const fs::path& file) {
+  const std::string name = file.filename().string();
+  const Json files = files_of(fs::absolute(file).parent_path());
+  return name != kPage && !files.is_null() && (name == kIdentity || files.contains(name));
+}
+
+void check_whole(const fs::path& folder) {
+  const Json files = files_of(folder);
+  if (files.is_null()) return;
+  for (const auto& [name, expected] : files.items()) {
+    if (name == kPage) continue;
+    std::error_code ignored;
+    if (!fs::is_regular_file(folder / name, ignored)) {
+      throw ConfigError(fmt::format("{}: is missing, though {} lists it",
+                                    (folder / name).string(), kIdentity));
+    }
+    if (entry_of(folder / name) != expected) {
+      throw ConfigError(fmt::format("{}: is not what the run wrote ({}): changed since, or of "
+                                    "another run", (folder / name).string(), kIdentity));
+    }
+  }
+}
+
+}  // namespace trammel::lab

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The folder of a run. Files are gathered in a hidden folder beside it, which takes its place in
+// one rename: a folder holds the files of one run, whatever ends the program. run.json, its
+// identity, lists them with size and checksum.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "lab/errors.hpp"
+
+namespace trammel::lab {
+
+// An advisory lock of a folder, held as long as this lives; it ends with the process too.
+class FolderLock {
+ public:
+  FolderLock() = default;
+  FolderLock(const std::filesystem::path& folder, bool wait);
+  ~FolderLock();
+  FolderLock(FolderLock&& other) noexcept;
+  FolderLock& operator=(FolderLock&& other) noexcept;
+
+  bool held() const { return descriptor_ >= 0; }
+  bool is_of(const std::filesystem::path& folder) const;  // and not of another that was there
+
+ private:
+  int descriptor_ = -1;
+};
+
+class OutputFolder {
+ public:
+  // Before the run, throws ConfigError for a target that cannot be written or must not be replaced:
+  // a folder that is not empty and holds no run, or one that contains the current folder. Removes
+  // what runs that were killed have left beside it.
+  explicit OutputFolder(const std::filesystem::path& target);
+  ~OutputFolder();
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+
+  const std::filesystem::path& scratch() const { return scratch_; }
+  const std::filesystem::path& target() const { return target_; }
+
+  // The new folder takes the target's place. Files of an earlier run go, those that its run.json
+  // does not list are carried over. Throws ConfigError; the target is then as it was.
+  void publish();
+
+ private:
+  std::filesystem::path target_;
+  std::filesystem::path scratch_;
+  FolderLock lock_;  // of the scratch folder: it is in use
+};
+
+// Throws ConfigError that names the first file of a run's folder which is not as its run.json says.
+// A folder without one is of an older version, or not complete yet.
+void check_whole(const std::filesystem::path& folder);
+
+// Whether a file is of the record of the run in its folder: not its page, nor a file of others.
+bool is_of_record(const std::filesystem::path& file);
+
+}  // namespace trammel::lab
