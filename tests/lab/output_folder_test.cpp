@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// How the folder of a run comes to its place; whole programs do it in tests/system/files_test.py.
+#include "lab/output_folder.hpp"
+
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "lab/files.hpp"
+#include "tests/support/files.hpp"
+#include "tests/support/scratch.hpp"
+
+using namespace trammel;
+using Catch::Contains;
+using lab::OutputFolder;
+namespace fs = std::filesystem;
+
+namespace {
+
+void put(const fs::path& file, const std::string& text) {
+  fs::create_directories(file.parent_path());
+  std::ofstream(file) << text;
+}
+
+void publish(const fs::path& target, const std::string& name, const std::string& text) {
+  OutputFolder folder(target);
+  put(folder.scratch() / name, text);
+  folder.publish();
+}
+
+}  // namespace
+
+TEST_CASE("a folder is there when it is published, and nothing is left of one that is not") {
+  const test::Scratch here("output_folder_out");
+  const fs::path target = here.path / "a";
+  { const OutputFolder dropped(target); }
+  CHECK(test::entries(here.path) == 0);
+  publish(target, "trace.csv", "first");
+  CHECK(test::content(target / "trace.csv") == "first");
+  CHECK(test::entries(target) == 2);  // with run.json
+  CHECK(test::entries(here.path) == 1);
+  CHECK_NOTHROW(lab::check_whole(target));
+}
+
+TEST_CASE("a second run replaces what the first wrote and carries over what it did not") {
+  const test::Scratch here("output_folder_out");
+  const fs::path target = here.path / "a";
+  publish(target, "trace.csv", "first");
+  put(target / "notes.txt", "mine");
+  put(target / "more" / "notes.txt", "mine too");
+  publish(here.path / "a/", "other.csv", "second");
+  CHECK_FALSE(fs::exists(target / "trace.csv"));
+  CHECK(test::content(target / "other.csv") == "second");
+  CHECK(test::content(target / "notes.txt") == "mine");
+  CHECK(test::content(target / "more" / "notes.txt") == "mine too");
+  CHECK(test::entries(here.path) == 1);
+}
+
+TEST_CASE("a folder that is no run's is refused before the run and when it is published") {
+  const test::Scratch here("output_folder_out");
+  put(here.path / "mine" / "notes.txt", "mine");
+  put(here.path / "odd" / "run.json", "[]");
+  put(here.path / "file", "mine");
+  const auto refusal = [&](const fs::path& target) {
+    try {
+      const OutputFolder folder(target);
+    } catch (const lab::ConfigError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  CHECK_THAT(refusal(here.path / "mine"), Contains("holds no run"));
+  CHECK_THAT(refusal(here.path / "odd"), Contains("holds no run"));
+  CHECK_THAT(refusal(here.path / "file"), Contains("is not a folder"));
+  CHECK_THAT(refusal(here.path / "file" / "below"), Contains("cannot be written"));
+  CHECK_THAT(refusal(fs::current_path()), Contains("current folder"));
+  CHECK_THAT(refusal("/"), Contains("current folder"));
+
+  OutputFolder late(here.path / "late");
+  put(here.path / "late" / "notes.txt", "mine");
+  CHECK_THROWS_WITH(late.publish(), Contains("holds no run"));
+  CHECK(test::content(here.path / "late" / "notes.txt") == "mine");
+
+  publish(here.path / "a", "trace.csv", "first");
+  put(here.path / "a" / "table.csv", "mine");
+  CHECK_THROWS_WITH(publish(here.path / "a", "table.csv", "second"),
+                    Contains("table.csv there is not of the run"));
+  CHECK(test::content(here.path / "a" / "table.csv") == "mine");
+  CHECK(test::content(here.path / "a" / "trace.csv") == "first");
+}
+
+TEST_CASE("what killed runs have left is removed, what is in use is not") {
+  const test::Scratch here("output_folder_out");
+  const fs::path target = here.path / "a";
+  publish(target, "trace.csv", "first");
+  put(here.path / ".a.trammel-unfini" / "trace.csv", "half");
+  publish(here.path / "old", "trace.csv", "older");
+  put(here.path / "old" / "notes.txt", "mine");
+  fs::rename(here.path / "old", here.path / ".a.trammel-replac");
+  const OutputFolder used(target);
+  CHECK(test::content(target / "notes.txt") == "mine");
+  CHECK(test::entries(here.path) == 2);
+  const OutputFolder another(target);
+  CHECK(test::entries(here.path) == 3);
+
+  // Where a name is taken, nothing is removed.
+  publish(here.path / "old", "trace.csv", "older");
+  put(here.path / "old" / "notes.txt", "not the same");
+  fs::rename(here.path / "old", here.path / ".a.trammel-keptxx");
+  const OutputFolder third(target);
+  CHECK(test::content(here.path / ".a.trammel-keptxx" / "notes.txt") == "not the same");
+}
+
+TEST_CASE("a file that is missing or not the run's is named") {
+  const test::Scratch here("output_folder_out");
+  const fs::path target = here.path / "a";
+  publish(target, "trace.csv", "first");
+  CHECK(lab::is_of_record(target / "trace.csv"));
+  CHECK(lab::is_of_record(target / "run.json"));
+  CHECK_FALSE(lab::is_of_record(target / "report.html"));
+  CHECK_FALSE(lab::is_of_record(target / "notes.txt"));
+  put(target / "trace.csv", "FIRST");
+  CHECK_THROWS_WITH(lab::check_whole(target), Contains("trace.csv: is not what the run wrote"));
+  fs::remove(target / "trace.csv");
+  CHECK_THROWS_WITH(lab::check_whole(target), Contains("trace.csv: is missing"));
+  fs::remove(target / "run.json");
+  CHECK_NOTHROW(lab::check_whole(target));
+}
+
+TEST_CASE("a page replaces a regular file, through a file that did not exist") {
+  const test::Scratch here("output_folder_out");
+  const fs::path page = here.path / "page.html";
+  lab::replace_file(page, "one");
+  lab::replace_file(page, "two");
+  CHECK(test::content(page) == "two");
+  fs::create_symlink("elsewhere", here.path / "link");
+  CHECK_THROWS_WITH(lab::replace_file(here.path / "link", "x"), Contains("not a regular file"));
+  CHECK_THROWS_WITH(lab::replace_file("/dev/full", "x"), Contains("not a regular file"));
+  CHECK_THROWS_WITH(lab::replace_file(here.path / "none" / "page", "x"),
+                    Contains("cannot be written"));
+  CHECK_THROWS_WITH(lab::write_text("/dev/full", "x"),
+                    Contains("/dev/full: cannot be written: No space left on device"));
+  CHECK_THROWS_WITH(lab::write_text("/dev/full", std::string(100000, 'x')),
+                    Contains("No space left on device"));
+  CHECK(test::entries(here.path) == 2);
+}
