@@ -29,14 +29,14 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr char kIdentity[] = "run.json";
-constexpr char kPage[] = "report.html";  // `trammel report` makes it again at any time
+constexpr char kPageFile[] = "report.html";  // `trammel report` makes it again at any time
 constexpr char kMark[] = ".trammel-";    // in the names of scratch folders
 
 [[noreturn]] void refuse(const fs::path& folder, const std::string& why) {
   throw ConfigError(fmt::format("{}: --out: {}", folder.string(), why));
 }
 
-[[noreturn]] void unwritable(const fs::path& folder, int error) {
+[[noreturn]] void cannot_write(const fs::path& folder, int error) {
   refuse(folder, fmt::format("cannot be written: {}", std::strerror(error)));
 }
 
@@ -104,7 +104,7 @@ bool carry_over(const fs::path& from, const Json& written, const fs::path& to) {
   bool all = true;
   for (const auto& entry : fs::directory_iterator(from)) {
     const std::string name = entry.path().filename().string();
-    if (name == kIdentity || name == kPage || written.contains(name)) continue;
+    if (name == kIdentity || name == kPageFile || written.contains(name)) continue;
     all = move_in(entry.path(), to / name) == 0 && all;
   }
   return all;
@@ -139,7 +139,7 @@ void check_replaceable(const fs::path& target) {
   if (contains(target, fs::canonical(fs::current_path()))) {
     refuse(target, "is the current folder or contains it");
   }
-  if (access(target.c_str(), R_OK | W_OK | X_OK) != 0) unwritable(target, errno);
+  if (access(target.c_str(), R_OK | W_OK | X_OK) != 0) cannot_write(target, errno);
   if (fs::is_empty(target, error) || !files_of(target).is_null()) return;
   refuse(target, fmt::format("is not empty and holds no run ({} is missing): name another "
                              "folder, or remove this one",
@@ -151,7 +151,7 @@ void check_names(const fs::path& scratch, const fs::path& target) {
   const Json before = files_of(target);
   for (const auto& entry : fs::directory_iterator(scratch)) {
     const std::string name = entry.path().filename().string();
-    const bool own = name == kIdentity || name == kPage || before.contains(name);
+    const bool own = name == kIdentity || name == kPageFile || before.contains(name);
     if (!own && fs::exists(fs::symlink_status(target / name))) {
       refuse(target, fmt::format("{} there is not of the run that it holds; move it away", name));
     }
@@ -203,7 +203,7 @@ OutputFolder::OutputFolder(const fs::path& target) : target_(fs::absolute(target
   remove_stale(target_);
   std::string pattern =
       (parent / fmt::format(".{}{}XXXXXX", target_.filename().string(), kMark)).string();
-  if (mkdtemp(pattern.data()) == nullptr) unwritable(parent, errno);
+  if (mkdtemp(pattern.data()) == nullptr) cannot_write(parent, errno);
   scratch_ = pattern;
   lock_ = FolderLock(scratch_, false);
   fs::permissions(scratch_, fs::perms::group_read | fs::perms::group_exec |
@@ -224,14 +224,14 @@ void OutputFolder::publish() {
       lock_ = {};
       return;
     }
-    if (errno != EEXIST) unwritable(target_, errno);
+    if (errno != EEXIST) cannot_write(target_, errno);
     const FolderLock before(target_, true);
     if (!before.is_of(target_)) continue;  // another run has just replaced it
     check_replaceable(target_);
     check_names(scratch_, target_);
     if (exchange(scratch_, target_) != 0) {
       if (errno == ENOENT) continue;
-      unwritable(target_, errno);
+      cannot_write(target_, errno);
     }
     lock_ = {};
     const fs::path old = std::exchange(scratch_, {});
@@ -249,14 +249,14 @@ void OutputFolder::publish() {
 bool is_of_record(const fs::path& file) {
   const std::string name = file.filename().string();
   const Json files = files_of(fs::absolute(file).parent_path());
-  return name != kPage && !files.is_null() && (name == kIdentity || files.contains(name));
+  return name != kPageFile && !files.is_null() && (name == kIdentity || files.contains(name));
 }
 
 void check_whole(const fs::path& folder) {
   const Json files = files_of(folder);
   if (files.is_null()) return;
   for (const auto& [name, expected] : files.items()) {
-    if (name == kPage) continue;
+    if (name == kPageFile) continue;
     std::error_code ignored;
     if (!fs::is_regular_file(folder / name, ignored)) {
       throw ConfigError(fmt::format("{}: is missing, though {} lists it",
