@@ -17,6 +17,7 @@
 #include "lab/machine.hpp"
 #include "lab/report_page.hpp"
 #include "lab/scenarios.hpp"
+#include "lab/text.hpp"
 #include "lab/waves.hpp"
 
 namespace trammel::lab {
@@ -252,7 +253,7 @@ Written write_record(const Record& record, const OutputFolder& folder, const Jso
     if (page) write_page({scratch}, scratch / "report.html");
     written.page = page;
   } catch (const std::exception& error) {  // a run is never lost because its page failed
-    written.notes.push_back(fmt::format("no report: {}; the results are kept", error.what()));
+    written.notes.push_back(fmt::format("no report: {}; the results are kept", reason_of(error)));
   }
   return written;
 }

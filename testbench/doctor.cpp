@@ -94,7 +94,7 @@ List signals(const std::string& only) {
 }
 
 int show(const List& all, bool json) {
-  print(json ? all.json.dump(2) + '\n' : all.text);
+  json ? print_json(all.json) : print(all.text);
   return 0;
 }
 
@@ -134,7 +134,7 @@ int doctor(bool json) {
   const std::size_t count = lab::scenarios().size();
   all["scenarios"] = count;
   text += fmt::format("{} scenarios in {}\n", count, lab::kMachineFolder);
-  print(json ? all.dump(2) + '\n' : text);
+  json ? print_json(all) : print(text);
   return missing > 0 || count == 0 ? 3 : 0;
 }
 

@@ -9,10 +9,12 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
+#include <new>
 #include <sstream>
 
 #include "lab/errors.hpp"
 #include "lab/machine.hpp"
+#include "lab/text.hpp"
 #include "testbench/arguments.hpp"
 #include "testbench/run.hpp"
 
@@ -170,13 +172,11 @@ int perform(const CommandLine& line) {
 }
 
 int fail(const std::exception& error, int code, const char* kind = "") {
-  tb::tell(kind + std::string(error.what()));
+  tb::tell(kind + trammel::lab::reason_of(error));
   return code;
 }
 
-// All but what becomes of standard output at the end.
-int run_program(int argc, char** argv) {
-  CommandLine line;
+int run_line(CommandLine& line, int argc, char** argv) {
   try {
     line.app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -198,11 +198,19 @@ int run_program(int argc, char** argv) {
                          verb.rfind('-', 0) == 0 ? "" : verb + ' '));
     return 2;
   }
+  return perform(line);
+}
+
+// All but what becomes of standard output at the end.
+int run_program(int argc, char** argv) {
   try {
-    return perform(line);
+    CommandLine line;
+    return run_line(line, argc, argv);
   } catch (const trammel::lab::ConfigError& error) {
     return fail(error, 2);
   } catch (const std::system_error& error) {  // of a disk
+    return fail(error, 2);
+  } catch (const std::bad_alloc& error) {
     return fail(error, 2);
   } catch (const trammel::lab::ToolMissing& error) {
     return fail(error, 3);

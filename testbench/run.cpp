@@ -13,6 +13,7 @@
 #include "lab/machine.hpp"
 #include "lab/report_page.hpp"
 #include "lab/scenarios.hpp"
+#include "lab/text.hpp"
 #include "lab/write.hpp"
 
 namespace trammel::testbench {
@@ -86,19 +87,6 @@ struct Outcome {
   int code = 0;
 };
 
-void warn(const lab::Settings& settings) {
-  constexpr std::size_t kShown = 5;
-  if (settings.machine().warnings == nullptr) return;
-  const std::vector<std::string> warnings = settings.machine().warnings(settings);
-  for (std::size_t k = 0; k < std::min(warnings.size(), kShown); ++k) {
-    tell(settings.scenario + ": " + warnings[k]);
-  }
-  if (warnings.size() > kShown) {
-    tell(fmt::format("{}: and {} more such warnings", settings.scenario,
-                     warnings.size() - kShown));
-  }
-}
-
 // 1 with a line for each figure that lies outside its tolerance; 2 when nothing is expected.
 int check(const lab::Record& record) {
   const std::string& scenario = record.settings->scenario;
@@ -115,7 +103,9 @@ int check(const lab::Record& record) {
 Outcome run_one(lab::Settings& settings, const fs::path& target, const Arguments& arguments,
                 const Simulate& simulate, const std::atomic<bool>& stop) {
   if (const auto notice = lab::waves_notice(settings)) tell(*notice);
-  warn(settings);
+  if (settings.machine().warnings != nullptr) {
+    tell_warnings(settings.scenario, settings.machine().warnings(settings));
+  }
   lab::OutputFolder folder(target);
   settings.run.wave_file = lab::wave_file(folder.scratch());
   Outcome outcome;
@@ -194,11 +184,11 @@ int run_all(const lab::Machine& machine, const Arguments& arguments, const Simul
   try {
     if (page) lab::write_page(folders, index);
   } catch (const std::exception& error) {
-    tell(fmt::format("no report: {}; the results are kept", error.what()));
+    tell(fmt::format("no report: {}; the results are kept", lab::reason_of(error)));
     page = false;
   }
   if (arguments.json) {
-    print(documents.dump(2) + '\n');
+    print_json(documents);
     return code;
   }
   std::vector<const lab::Record*> records;
@@ -229,7 +219,7 @@ int run(const Arguments& arguments, const std::atomic<bool>& stop, const Simulat
   const auto settings = layered(lab::find_scenario(arguments.scenario), arguments);
   const fs::path target = lab::target_of(arguments.out, settings->scenario);
   const Outcome outcome = run_one(*settings, target, arguments, simulate, stop);
-  if (arguments.json) print(outcome.json.dump(2) + '\n');
+  if (arguments.json) print_json(outcome.json);
   return outcome.code;
 }
 
@@ -243,7 +233,7 @@ int report(const Arguments& arguments) {
   lab::write_page(folders, file);
   if (arguments.json) {
     const nlohmann::ordered_json json{{"page", file.string()}, {"bytes", fs::file_size(file)}};
-    print(json.dump(2) + '\n');
+    print_json(json);
   } else {
     print(file.string() + '\n');
   }

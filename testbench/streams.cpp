@@ -4,11 +4,14 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <string>
+
+#include "lab/text.hpp"
 
 namespace trammel::testbench {
 namespace {
@@ -36,12 +39,26 @@ void guard_streams() {
 
 void print(const std::string& result) {
   if (refusal() != 0) return;
-  remember(std::fwrite(result.data(), 1, result.size(), stdout) == result.size());
+  const std::string text = lab::printable_lines(result);
+  remember(std::fwrite(text.data(), 1, text.size(), stdout) == text.size());
+}
+
+void print_json(const nlohmann::ordered_json& document) {
+  print(document.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + '\n');
 }
 
 void tell(const std::string& message) {
-  const std::string line = "trammel: " + message + '\n';
+  const std::string line = "trammel: " + lab::one_line(message) + '\n';
   std::fwrite(line.data(), 1, line.size(), stderr);
+}
+
+void tell_warnings(const std::string& of, const std::vector<std::string>& warnings) {
+  constexpr std::size_t kShown = 5;
+  for (std::size_t k = 0; k < std::min(warnings.size(), kShown); ++k) {
+    tell(of + ": " + warnings[k]);
+  }
+  if (warnings.size() <= kShown) return;
+  tell(of + ": and " + std::to_string(warnings.size() - kShown) + " more such warnings");
 }
 
 int settled(int code) {

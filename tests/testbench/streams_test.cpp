@@ -35,3 +35,15 @@ TEST_CASE("a result that standard output does not take makes the exit code 2, wi
   CHECK(told ==
         "trammel: standard output: cannot be written: No space left on device\n");
 }
+
+TEST_CASE("messages are one line each, and the first of many warnings are told") {
+  CHECK(test::told([] { testbench::tell("a\x1b\nb"); }) == "trammel: a\\u001b\\u000ab\n");
+  const std::vector<std::string> five{"1", "2", "3", "4", "5"};
+  CHECK(test::told([&] { testbench::tell_warnings("a", five); }) ==
+        "trammel: a: 1\ntrammel: a: 2\ntrammel: a: 3\ntrammel: a: 4\ntrammel: a: 5\n");
+  std::vector<std::string> seven = five;
+  seven.insert(seven.end(), {"6", "7"});
+  CHECK(test::told([&] { testbench::tell_warnings("a", seven); }) ==
+        "trammel: a: 1\ntrammel: a: 2\ntrammel: a: 3\ntrammel: a: 4\ntrammel: a: 5\n"
+        "trammel: a: and 2 more such warnings\n");
+}

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "lab/text.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <new>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace trammel::lab {
+namespace {
+
+constexpr char kCut[] = "\xE2\x80\xA6";  // an ellipsis
+constexpr std::size_t kLongestMessage = 2000;  // characters
+
+// Bytes of the UTF-8 character that the text begins with, and its code; 0: it is none.
+std::pair<std::size_t, unsigned> character(std::string_view text) {
+  const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
+  const unsigned first = byte(0);
+  if (first < 0x80) return {1, first};
+  const std::size_t size = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+  if (first < 0xC2 || first > 0xF4 || text.size() < size) return {0, first};
+  unsigned code = first & (0xFFu >> (size + 1));
+  for (std::size_t k = 1; k < size; ++k) {
+    if ((byte(k) & 0xC0u) != 0x80) return {0, first};
+    code = code << 6 | (byte(k) & 0x3Fu);
+  }
+  constexpr unsigned kLeast[] = {0, 0, 0x80, 0x800, 0x10000};
+  const bool surrogate = code >= 0xD800 && code < 0xE000;
+  if (code < kLeast[size] || surrogate || code > 0x10FFFF) return {0, first};
+  return {size, code};
+}
+
+bool is_control(unsigned code) { return code < 0x20 || (code >= 0x7F && code < 0xA0); }
+
+// What a terminal shows of each character; those in `kept` stay.
+template <class Take>
+void each_shown(std::string_view text, std::string_view kept, Take take) {
+  while (!text.empty()) {
+    const auto [size, code] = character(text);
+    const std::string_view bytes = text.substr(0, std::max<std::size_t>(1, size));
+    const bool stays = size == 1 && kept.find(text.front()) != std::string_view::npos;
+    bool more = false;
+    if (size == 0) {
+      more = take(fmt::format("\\x{:02x}", code));
+    } else if (is_control(code) && !stays) {
+      more = take(fmt::format("\\u{:04x}", code));
+    } else {
+      more = take(bytes);
+    }
+    if (!more) return;
+    text.remove_prefix(bytes.size());
+  }
+}
+
+std::string all_shown(const std::string& text, std::string_view kept) {
+  std::string all;
+  each_shown(text, kept, [&all](std::string_view one) {
+    all += one;
+    return true;
+  });
+  return all;
+}
+
+}  // namespace
+
+std::string printable(const std::string& text) { return all_shown(text, ""); }
+
+std::string printable_lines(const std::string& text) { return all_shown(text, "\n\t"); }
+
+std::string shown(const std::string& text, std::size_t most) {
+  std::string all;
+  std::size_t count = 0;
+  each_shown(text, "", [&](std::string_view one) {
+    const bool fits = ++count <= most;
+    all += fits ? one : std::string_view(kCut);
+    return fits;
+  });
+  return all;
+}
+
+std::string one_line(const std::string& message) {
+  if (message.size() <= kLongestMessage) return printable(message);
+  std::vector<std::size_t> begins;  // of the characters in `all`
+  std::string all;
+  each_shown(message, "", [&](std::string_view one) {
+    begins.push_back(all.size());
+    all += one;
+    return true;
+  });
+  if (begins.size() <= kLongestMessage) return all;
+  const std::size_t half = kLongestMessage / 2;
+  return all.substr(0, begins[half]) + kCut + all.substr(begins[begins.size() - half]);
+}
+
+std::string reason_of(const std::exception& error) {
+  if (dynamic_cast<const std::bad_alloc*>(&error) == nullptr) return error.what();
+  const std::pair<decltype(RLIMIT_AS), const char*> limits[] = {{RLIMIT_AS, "ulimit -v"},
+                                                                {RLIMIT_DATA, "ulimit -d"}};
+  for (const auto& [resource, name] : limits) {
+    rlimit limit{};
+    if (getrlimit(resource, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY) continue;
+    return fmt::format("memory did not suffice: {} allows {} KiB", name, limit.rlim_cur / 1024);
+  }
+  return "memory did not suffice: the system gave no more";
+}
+
+}  // namespace trammel::lab

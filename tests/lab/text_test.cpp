@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a terminal is shown of texts that others wrote.
+#include "lab/text.hpp"
+
+#include <sys/resource.h>
+
+#include <catch2/catch.hpp>
+#include <new>
+#include <stdexcept>
+
+using namespace trammel::lab;
+
+TEST_CASE("control characters and bytes that are no UTF-8 are told, not sent to the terminal") {
+  const std::string same = "plain, it's \"one\": \xC3\xA9 \xE2\x82\xAC \xF0\x9F\x98\x80";
+  CHECK(printable(same) == same);
+  CHECK(printable("a\x1b[31m\x7f\r\n\t") == "a\\u001b[31m\\u007f\\u000d\\u000a\\u0009");
+  CHECK(printable(std::string("\0", 1)) == "\\u0000");
+  CHECK(printable("\xC2\x9B" "31m") == "\\u009b31m");  // the same command in one character
+  CHECK(printable("a\xff") == "a\\xff");
+  CHECK(printable("\x80") == "\\x80");
+  CHECK(printable("\xC3") == "\\xc3");                      // begun
+  CHECK(printable("\xC0\x9B") == "\\xc0\\x9b");             // longer than need be
+  CHECK(printable("\xE0\x80\x9B") == "\\xe0\\x80\\x9b");
+  CHECK(printable("\xED\xA0\x80") == "\\xed\\xa0\\x80");  // a surrogate
+  CHECK(printable("\xF4\x90\x80\x80") == "\\xf4\\x90\\x80\\x80");
+  CHECK(printable_lines("a\n\tb\x1b") == "a\n\tb\\u001b");
+}
+
+TEST_CASE("what a message repeats is cut") {
+  CHECK(shown(std::string(120, 'k')) == std::string(120, 'k'));
+  CHECK(shown(std::string(5000, 'k')) == std::string(120, 'k') + "\xE2\x80\xA6");
+  CHECK(shown("\xC3\xA9\xC3\xA9\xC3\xA9", 2) == "\xC3\xA9\xC3\xA9\xE2\x80\xA6");
+}
+
+TEST_CASE("a message is one line with its beginning and its end") {
+  CHECK(one_line("a\nb") == "a\\u000ab");
+  const std::string line = one_line("file: " + std::string(40000, 'k') + ": reason");
+  CHECK(line.size() == 2003);
+  CHECK(line.substr(0, 7) == "file: k");
+  CHECK(line.substr(line.size() - 8) == ": reason");
+}
+
+TEST_CASE("a lack of memory names the limit") {
+  CHECK(reason_of(std::runtime_error("why")) == "why");
+  rlimit before{};
+  getrlimit(RLIMIT_DATA, &before);
+  CHECK(reason_of(std::bad_alloc()).rfind("memory did not suffice: ", 0) == 0);
+  rlimit limit = before;
+  limit.rlim_cur = rlim_t{1} << 40;
+  if (before.rlim_max < limit.rlim_cur) return;
+  setrlimit(RLIMIT_DATA, &limit);
+  const std::string reason = reason_of(std::bad_alloc());
+  setrlimit(RLIMIT_DATA, &before);
+  rlimit address{};
+  getrlimit(RLIMIT_AS, &address);
+  if (address.rlim_cur != RLIM_INFINITY) return;
+  CHECK(reason == "memory did not suffice: ulimit -d allows 1073741824 KiB");
+}
