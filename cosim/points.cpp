@@ -2,15 +2,13 @@
 #include "cosim/points.hpp"
 
 #include <cctype>
-#include <cerrno>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <istream>
 #include <locale>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
+
+#include "cosim/input_file.hpp"
 
 namespace trammel::cosim {
 namespace {
@@ -96,12 +94,8 @@ std::vector<PointM> read_points_csv(std::istream& text, const std::string& name,
 }
 
 std::vector<PointM> read_points_csv(const std::string& file, const PointRange& range) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(file, ignored)) {
-    throw std::invalid_argument(file + ": cannot be read: it is a folder");
-  }
-  std::ifstream text(file);
-  if (!text) throw std::invalid_argument(file + ": cannot be read: " + std::strerror(errno));
+  constexpr std::uintmax_t kMost = 16 * kMiB;
+  std::istringstream text(read_file(file, kMost));
   return read_points_csv(text, file, range);
 }
 

@@ -10,9 +10,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <memory>
-#include <sstream>
 
 namespace trammel::lab {
 namespace fs = std::filesystem;
@@ -38,20 +36,12 @@ void write(const fs::path& file, const char* mode, const std::function<void(cons
 
 }  // namespace
 
-std::ifstream open_text(const fs::path& file) {
-  std::error_code ignored;
-  std::ifstream in(file);
-  if (!in || fs::is_directory(file, ignored)) {
-    throw ConfigError(fmt::format("{}: cannot be read: {}", file.string(),
-                                  in ? "it is a folder" : std::strerror(errno)));
-  }
-  return in;
+std::string read_text(const fs::path& file, std::uintmax_t most) {
+  return reading([&] { return cosim::read_file(file.string(), most); });
 }
 
-std::string read_text(const fs::path& file) {
-  std::stringstream text;
-  text << open_text(file).rdbuf();
-  return text.str();
+std::string read_standard_input(std::uintmax_t most) {
+  return reading([&] { return cosim::InputFile::standard_input(most).rest(); });
 }
 
 void write_text(const fs::path& file, const std::string& text) {
@@ -72,7 +62,10 @@ void replace_file(const fs::path& file, const std::string& text) {
   if (fs::exists(there) && !fs::is_regular_file(there)) {
     throw ConfigError(fmt::format("{}: cannot be written: not a regular file", file.string()));
   }
-  const fs::path scratch = fs::path(file).concat(fmt::format(".{}.new", getpid()));
+  fs::path scratch;
+  for (int n = 0; n == 0 || fs::exists(fs::symlink_status(scratch, failed)); ++n) {
+    scratch = fs::path(file).concat(fmt::format(".{}-{}.new", getpid(), n));
+  }
   bool made = false;
   try {
     write(scratch, "wbx", [&](const Put& put) {  // one that did not exist, not even as a link

@@ -4,11 +4,12 @@
 // system's reason.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <string>
 
+#include "cosim/input_file.hpp"
 #include "lab/errors.hpp"
 
 namespace trammel::lab {
@@ -16,9 +17,24 @@ namespace trammel::lab {
 // Where a run goes: `out` as it was asked for, or the scenario's own folder.
 std::filesystem::path target_of(const std::string& out, const std::string& scenario);
 
-// A file, or all of it; one that cannot be read is a ConfigError.
-std::ifstream open_text(const std::filesystem::path& file);
-std::string read_text(const std::filesystem::path& file);
+// Most that is read of a file; docs/files.md has them all. [bytes]
+constexpr std::uintmax_t kMostWritten = 4 * cosim::kMiB;  // by a person: a scenario, a script
+constexpr std::uintmax_t kMostRecord = 256 * cosim::kMiB;
+constexpr std::uintmax_t kMostTrace = 16 * 1024 * cosim::kMiB;
+
+// What `read` returns; errors of the files that it reads are ConfigErrors.
+template <class Read>
+auto reading(Read read) {
+  try {
+    return read();
+  } catch (const cosim::InputError& error) {
+    throw ConfigError(error.what());
+  }
+}
+
+// All of a file; one that cannot be read is a ConfigError.
+std::string read_text(const std::filesystem::path& file, std::uintmax_t most = kMostRecord);
+std::string read_standard_input(std::uintmax_t most);
 
 void write_text(const std::filesystem::path& file, const std::string& text);
 

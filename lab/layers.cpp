@@ -11,11 +11,14 @@
 #include <cstdlib>
 #include <functional>
 #include <map>
+#include <unordered_map>
 
 #include <nlohmann/json.hpp>
 
 #include "lab/files.hpp"
 #include "lab/machine.hpp"
+#include "lab/parse.hpp"
+#include "lab/text.hpp"
 #include "lab/waves.hpp"
 
 namespace trammel::lab {
@@ -33,10 +36,10 @@ std::string upper(std::string text) {
                               const std::string& name) {
   for (const Machine* other : machines()) {
     if (find_keys(other->keys(), name).empty()) continue;
-    throw ConfigError(fmt::format("{}: {}: not a key of the machine {}", where, name,
+    throw ConfigError(fmt::format("{}: {}: not a key of the machine {}", where, shown(name),
                                   settings.machine().name));
   }
-  throw ConfigError(fmt::format("{}: {}: unknown key{}", where, name,
+  throw ConfigError(fmt::format("{}: {}: unknown key{}", where, shown(name),
                                 hint(name, key_names(settings.machine().keys()),
                                      "; `trammel list keys` names them all")));
 }
@@ -54,7 +57,8 @@ bool is_utf8(const std::string& text) {
 // Brings a value to the key's kind and checks its range.
 Value checked(const Key& key, const Value& value, const std::string& where) {
   const auto fail = [&](const std::string& what) {
-    throw ConfigError(fmt::format("{}: {}: value {} {}", where, key.name, value_text(value), what));
+    throw ConfigError(fmt::format("{}: {}: value {} {}", where, key.name,
+                                  shown(value_text(value)), what));
   };
   const auto* const text = std::get_if<std::string>(&value);
   const auto* const whole = std::get_if<std::int64_t>(&value);
@@ -122,18 +126,23 @@ Entry text_entry(const std::string& name, const std::string& text, const std::st
 
 void apply(Settings& settings, std::vector<Entry> entries, const fs::path& folder) {
   const std::vector<Key>& keys = settings.machine().keys();
+  std::unordered_map<std::string, std::vector<const Key*>> named;
+  for (const std::string& name : key_names(keys)) named[name] = find_keys(keys, name);
+  const auto count = [&](const Entry& entry) {
+    const auto found = named.find(entry.name);
+    return found == named.end() ? 0 : found->second.size();
+  };
   // Short forms (both axes) first, so that [plant.x] refines [plant] wherever it stands.
-  std::stable_sort(entries.begin(), entries.end(), [&](const Entry& a, const Entry& b) {
-    return find_keys(keys, a.name).size() > find_keys(keys, b.name).size();
-  });
+  std::stable_sort(entries.begin(), entries.end(),
+                   [&](const Entry& a, const Entry& b) { return count(a) > count(b); });
   for (const Entry& entry : entries) {
-    const auto found = find_keys(keys, entry.name);
-    if (found.empty()) unknown_key(settings, entry.where, entry.name);
-    for (const Key* key : found) {
+    if (count(entry) == 0) unknown_key(settings, entry.where, entry.name);
+    for (const Key* key : named[entry.name]) {
       Value value = checked(*key, entry.value(*key), entry.where);
       if (key->kind == Kind::kFile) {
         const fs::path file = std::get<std::string>(value);
         if (!file.empty() && file.is_relative()) value = fs::absolute(folder / file).string();
+        checked(*key, value, entry.where);  // the folder may have any name
       }
       key->set(settings, value);
     }
@@ -147,7 +156,8 @@ Entry node_entry(const std::string& name, const toml::node& node, const std::str
             if (const auto* whole = node.as_integer()) return whole->get();
             if (const auto* real = node.as_floating_point()) return real->get();
             if (const auto* text = node.as_string()) return text->get();
-            throw ConfigError(fmt::format("{}: {}: expects {}", where, name, range_text(key)));
+            throw ConfigError(fmt::format("{}: {}: expects {}", where, key.name,
+                                          range_text(key)));
           }};
 }
 
@@ -167,6 +177,7 @@ void flatten(const toml::table& table, const std::string& prefix, const std::str
 
 void apply_text(Settings& settings, const std::string& toml, const std::string& source,
                 const fs::path& folder) {
+  check_depth(toml, source);
   toml::table table;
   try {
     table = toml::parse(toml, source);
@@ -180,13 +191,14 @@ void apply_text(Settings& settings, const std::string& toml, const std::string& 
 }
 
 void apply_file(Settings& settings, const fs::path& file) {
-  apply_text(settings, read_text(file), file.string(), fs::absolute(file).parent_path());
+  apply_text(settings, read_text(file, kMostWritten), file.string(),
+             fs::absolute(file).parent_path());
 }
 
 void apply_assignment(Settings& settings, const std::string& assignment, const std::string& where) {
   const auto at = assignment.find('=');
   if (at == std::string::npos || at == 0) {
-    throw ConfigError(fmt::format("{} {}: expects key=value", where, assignment));
+    throw ConfigError(fmt::format("{} {}: expects key=value", where, shown(assignment)));
   }
   apply(settings, {text_entry(assignment.substr(0, at), assignment.substr(at + 1), where)},
         fs::current_path());
@@ -215,7 +227,7 @@ void apply_environment(Settings& settings,
     std::vector<std::string> names;
     for (const std::string& name : all) names.push_back(prefix + upper(name));
     throw ConfigError(
-        fmt::format("environment: {}: unknown key{}", variable, hint(variable, names)));
+        fmt::format("environment: {}: unknown key{}", shown(variable), hint(variable, names)));
   }
   apply(settings, entries, fs::current_path());
 }
@@ -232,7 +244,8 @@ std::vector<std::pair<std::string, std::string>> environment() {
 
 std::string run_toml(const Settings& settings, const std::string& command,
                      bool (*left_out)(const Key&)) {
-  std::string text = fmt::format("# Written by trammel; `{}` repeats this run.\n", command);
+  std::string text =
+      fmt::format("# Written by trammel; `{}` repeats this run.\n", printable(command));
   std::string section;
   for (const Key& key : settings.machine().keys()) {
     if (left_out != nullptr && left_out(key)) continue;
@@ -252,13 +265,11 @@ namespace {
 void check_name(const std::string& name) {
   constexpr std::size_t kLongest = 200;  // bytes; a file system takes 255 with what is added
   const bool bad = name.empty() || name.front() == '.' || name.size() > kLongest ||
-                   name.find('/') != std::string::npos ||
-                   std::any_of(name.begin(), name.end(),
-                               [](unsigned char c) { return std::iscntrl(c) != 0; });
+                   name.find('/') != std::string::npos || printable(name) != name;
   if (!bad) return;
-  throw ConfigError(fmt::format("name: {} cannot name an output folder: 1 to {} bytes, no slash "
-                                "or control character, no dot at the start",
-                                value_text(name), kLongest));
+  throw ConfigError(fmt::format("name: {} cannot name an output folder: 1 to {} bytes of UTF-8, no "
+                                "slash or control character, no dot at the start",
+                                shown(value_text(name)), kLongest));
 }
 
 // Ways to run a chip that exclude each other, and what a machine does not offer.

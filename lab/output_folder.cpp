@@ -13,7 +13,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
+#include <limits>
 #include <utility>
 #include <vector>
 
@@ -21,6 +21,7 @@
 
 #include "lab/build_info.hpp"
 #include "lab/files.hpp"
+#include "lab/parse.hpp"
 
 namespace trammel::lab {
 namespace fs = std::filesystem;
@@ -41,17 +42,16 @@ constexpr char kMark[] = ".trammel-";    // in the names of scratch folders
 }
 
 Json entry_of(const fs::path& file) {
-  std::ifstream in = open_text(file);
   std::vector<char> block(1 << 16);
   std::uint64_t bytes = 0;
   uLong sum = 0;
-  do {
-    in.read(block.data(), static_cast<std::streamsize>(block.size()));
-    const auto size = static_cast<std::size_t>(in.gcount());
-    sum = crc32_z(sum, reinterpret_cast<const Bytef*>(block.data()), size);
-    bytes += size;
-  } while (in);
-  if (in.bad()) throw ConfigError(fmt::format("{}: cannot be read", file.string()));
+  reading([&] {  // in blocks, however long the waves are
+    cosim::InputFile in(file.string(), std::numeric_limits<std::uintmax_t>::max());
+    while (const std::size_t size = in.read(block.data(), block.size())) {
+      sum = crc32_z(sum, reinterpret_cast<const Bytef*>(block.data()), size);
+      bytes += size;
+    }
+  });
   return {{"bytes", bytes}, {"crc32", fmt::format("{:08x}", sum)}};
 }
 
@@ -93,10 +93,15 @@ void write_identity(const fs::path& folder) {
 Json files_of(const fs::path& folder) {
   std::error_code ignored;
   if (!fs::is_regular_file(folder / kIdentity, ignored)) return nullptr;
-  const Json identity = Json::parse(read_text(folder / kIdentity), nullptr, false);
-  const bool good = identity.is_object() && identity.contains("trammel") &&
-                    identity.contains("files") && identity["files"].is_object();
-  return good ? identity["files"] : Json(nullptr);
+  const std::string text = read_text(folder / kIdentity);
+  try {
+    const Json identity = parse_object(text, folder / kIdentity);
+    const bool good = identity.contains("trammel") && identity.contains("files") &&
+                      identity["files"].is_object();
+    return good ? identity["files"] : Json(nullptr);
+  } catch (const ConfigError&) {
+    return nullptr;
+  }
 }
 
 // Moves what no run wrote from one folder to another; false where something cannot be moved.
@@ -246,10 +251,22 @@ void OutputFolder::publish() {
   }
 }
 
-bool is_of_record(const fs::path& file) {
+void check_result_file(const fs::path& file) {
+  std::error_code ignored;
+  if (fs::is_directory(file, ignored)) {
+    throw ConfigError(fmt::format("{}: --out: is a folder; name a file", file.string()));
+  }
   const std::string name = file.filename().string();
   const Json files = files_of(fs::absolute(file).parent_path());
-  return name != kPageFile && !files.is_null() && (name == kIdentity || files.contains(name));
+  if (name == kPageFile || files.is_null() || (name != kIdentity && !files.contains(name))) return;
+  throw ConfigError(fmt::format("{}: --out: is a file of a run's record", file.string()));
+}
+
+void write_result_file(const fs::path& file, const std::string& text) {
+  check_result_file(file);
+  std::error_code ignored;
+  if (file.has_parent_path()) fs::create_directories(file.parent_path(), ignored);
+  replace_file(file, text);
 }
 
 void check_whole(const fs::path& folder) {

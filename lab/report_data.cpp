@@ -7,11 +7,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
 #include <numeric>
 
 #include "lab/files.hpp"
 #include "lab/output_folder.hpp"
+#include "lab/parse.hpp"
 
 namespace trammel::lab {
 namespace fs = std::filesystem;
@@ -31,23 +31,15 @@ void require_member(const fs::path& file, const Json& json, const std::string& p
 
 namespace {
 
-std::ifstream open_file(const fs::path& file) {
+void require_file(const fs::path& file) {
   std::error_code ignored;
-  if (!fs::exists(file, ignored)) {
-    corrupt(file, "is missing: not a folder that `trammel run` wrote");
-  }
-  return open_text(file);
+  if (fs::exists(file, ignored)) return;
+  corrupt(file, "is missing: not a folder that `trammel run` wrote");
 }
 
 Json read_json(const fs::path& file) {
-  try {
-    std::ifstream in = open_file(file);
-    Json json = Json::parse(in);
-    if (json.is_object()) return json;
-  } catch (const Json::parse_error& error) {
-    corrupt(file, fmt::format("is corrupt: no JSON at byte {}", error.byte));
-  }
-  corrupt(file, "is corrupt: not a JSON object");
+  require_file(file);
+  return parse_object(read_text(file), file);
 }
 
 void check_metrics(const fs::path& file, const Json& m, const Page& page) {
@@ -91,9 +83,10 @@ bool read_values(const std::string& line, const std::vector<Series*>& columns) {
 }
 
 void read_trace(const fs::path& file, RunFolder& run) {
-  std::ifstream in = open_file(file);
+  using Line = cosim::InputFile::Line;
+  cosim::InputFile in(file.string(), kMostTrace);
   std::string line;
-  std::getline(in, line);
+  in.line(line);
   std::string names;
   std::vector<Series*> columns;
   for (const Column& column : run.machine->columns().columns) {
@@ -101,8 +94,10 @@ void read_trace(const fs::path& file, RunFolder& run) {
     columns.push_back(&run.columns[column.name]);
   }
   if (line != names) corrupt(file, "is corrupt: line 1 does not name the columns of a trace");
-  for (std::size_t number = 2; std::getline(in, line); ++number) {
-    if (in.eof() || !read_values(line, columns)) {  // the last line ends with a newline too
+  Line end = in.line(line);
+  for (std::size_t number = 2; end != Line::kNone; ++number, end = in.line(line)) {
+    // The last line ends with a newline too.
+    if (end == Line::kUnended || !read_values(line, columns)) {
       corrupt(file, fmt::format("is corrupt: line {} does not hold {} numbers", number,
                                 columns.size()));
     }
@@ -144,7 +139,8 @@ RunFolder read_run(const fs::path& folder) {
     run.detail = read_json(folder / "detail.json");
     page.check_detail(folder / "detail.json", run.detail);
   }
-  read_trace(folder / "trace.csv", run);
+  require_file(folder / "trace.csv");
+  reading([&] { read_trace(folder / "trace.csv", run); });
   check_whole(folder);
   if (page.complete != nullptr) page.complete(run);
   return run;

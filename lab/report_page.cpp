@@ -83,12 +83,7 @@ void write_page(const std::vector<fs::path>& folders, const fs::path& file) {
                                   kMostRuns));
   }
   std::error_code ignored;
-  if (fs::is_directory(file, ignored)) {
-    throw ConfigError(fmt::format("{}: --out: is a folder; name a file", file.string()));
-  }
-  if (is_of_record(file)) {
-    throw ConfigError(fmt::format("{}: --out: is a file of a run's record", file.string()));
-  }
+  check_result_file(file);
   const std::vector<std::string> labels = labels_of(folders);
   std::string title = fmt::format("{} runs", folders.size());
   const Machine* machine = nullptr;
@@ -112,10 +107,9 @@ void write_page(const std::vector<fs::path>& folders, const fs::path& file) {
     }
     runs.push_back(std::move(json));
   }
-  if (file.has_parent_path()) fs::create_directories(file.parent_path(), ignored);
-  replace_file(file, page(title + " - Trammel", {{"machine", machine->name},
-                                                 {"keys", keys_json(*machine)},
-                                                 {"runs", runs}}));
+  write_result_file(file, page(title + " - Trammel", {{"machine", machine->name},
+                                                      {"keys", keys_json(*machine)},
+                                                      {"runs", runs}}));
 }
 
 fs::path latest_run(const fs::path& base) {

@@ -9,15 +9,21 @@
 #include "lab/build_info.hpp"
 #include "lab/files.hpp"
 #include "lab/layers.hpp"
+#include "lab/parse.hpp"
+#include "lab/text.hpp"
 
 namespace trammel::lab {
 namespace fs = std::filesystem;
 
-const Machine& machine_of(const fs::path& file) {
+namespace {
+
+// What the text of a scenario names; the first machine where it is no TOML, which is told later.
+const Machine& machine_named(const std::string& text, const fs::path& file) {
   const Machine& first = *machines().front();
+  check_depth(text, file.string());
   toml::table table;
   try {
-    table = toml::parse_file(file.string());
+    table = toml::parse(text);
   } catch (const toml::parse_error&) {
     return first;
   }
@@ -26,8 +32,14 @@ const Machine& machine_of(const fs::path& file) {
   const std::string name = key->as_string()->get();
   if (const Machine* const found = find_machine(name)) return *found;
   throw ConfigError(fmt::format("{}:{}: machine: value \"{}\" is not one of {}{}", file.string(),
-                                key->source().begin.line, name,
+                                key->source().begin.line, shown(name),
                                 fmt::join(machine_names(), ", "), hint(name, machine_names())));
+}
+
+}  // namespace
+
+const Machine& machine_of(const fs::path& file) {
+  return machine_named(read_text(file, kMostWritten), file);
 }
 
 std::vector<fs::path> built_in(const std::string& extension) {
@@ -57,7 +69,8 @@ fs::path find_built_in(const std::string& name, const std::string& extension,
   const fs::path file = name;
   if (file.extension() == extension || file.has_parent_path()) return file;
   const std::string near = suggest(name, names);
-  throw ConfigError(fmt::format("{}: no such {}{}; built in: {}; or give a {} file", name, kind,
+  throw ConfigError(fmt::format("{}: no such {}{}; built in: {}; or give a {} file", shown(name),
+                                kind,
                                 near.empty() ? "" : fmt::format(", did you mean {}?", near),
                                 fmt::join(names, ", "), extension));
 }
@@ -65,9 +78,10 @@ fs::path find_built_in(const std::string& name, const std::string& extension,
 fs::path find_scenario(const std::string& name) { return find_built_in(name, ".toml", "scenario"); }
 
 std::unique_ptr<Settings> load_scenario(const fs::path& file) {
-  auto settings = machine_of(file).defaults();
+  const std::string text = read_text(file, kMostWritten);
+  auto settings = machine_named(text, file).defaults();
   settings->scenario = file.stem().string();
-  apply_file(*settings, file);
+  apply_text(*settings, text, file.string(), fs::absolute(file).parent_path());
   return settings;
 }
 

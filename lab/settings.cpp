@@ -76,6 +76,7 @@ std::string suggest(const std::string& word, const std::vector<std::string>& wor
   const std::size_t most = word.size() < 5 ? 1 : std::max<std::size_t>(2, word.size() / 3);
   std::size_t best_distance = most + 1;
   for (const std::string& other : words) {
+    if (word.size() > other.size() + most) continue;  // as many letters would have to go
     std::vector<std::size_t> row(other.size() + 1);
     for (std::size_t j = 0; j <= other.size(); ++j) row[j] = j;
     for (std::size_t i = 1; i <= word.size(); ++i) {

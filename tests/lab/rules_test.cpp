@@ -13,6 +13,7 @@
 #include "lab/machine.hpp"
 #include "lab/record.hpp"
 #include "lab/scenarios.hpp"
+#include "lab/text.hpp"
 
 using namespace trammel;
 using namespace trammel::lab;
@@ -64,7 +65,7 @@ TEST_CASE("a name that cannot be a folder name is refused by every machine") {
   const std::string bad[] = {"",         "../x",       "/etc",        "a/b",
                              ".",        "..",         ".hidden",     "a/",
                              "a\nb",     "a\tb",       "\x7f",        std::string("a\0b", 3),
-                             "\x1b[31m", std::string(201, 'x')};
+                             "\x1b[31m", std::string(201, 'x'), "\xff", "\xC2\x9B"};
   const std::string good[] = {"a", "a.b", "a b", "-", "\xc3\xa9", "it's \"one\"",
                               std::string(200, 'x')};
   for (const Machine* const machine : machines()) {
@@ -73,9 +74,9 @@ TEST_CASE("a name that cannot be a folder name is refused by every machine") {
       const auto settings = machine->defaults();
       settings->scenario = name;
       CHECK_THROWS_WITH(validate(*settings),
-                        fmt::format("name: {} cannot name an output folder: 1 to 200 bytes, no "
-                                    "slash or control character, no dot at the start",
-                                    value_text(name)));
+                        fmt::format("name: {} cannot name an output folder: 1 to 200 bytes of "
+                                    "UTF-8, no slash or control character, no dot at the start",
+                                    shown(value_text(name))));
       CHECK(message_of(*machine, {"name=" + name}).find('\n') == std::string::npos);
     }
     for (const std::string& name : good) {

@@ -209,6 +209,77 @@ class Folders(Case):
         self.nothing_else("page.html", "run")
 
 
+class Input(Case):
+    """What is read: regular files to a limit, and standard input where it is named."""
+
+    def setUp(self):
+        super().setUp()
+        os.mkfifo(self.folder / "fifo")
+        (self.folder / "empty").mkdir()
+        self.refusals = {"fifo": "not a regular file", "/dev/zero": "not a regular file",
+                         "empty": "it is a folder", "/proc/self/mem": "Input/output error",
+                         "none/at/all": "No such file or directory"}
+
+    def test_scenarios_and_tables_are_regular_files(self):
+        for name, why in self.refusals.items():
+            with self.subTest(name=name):
+                self.refused(self.trammel("run", self.folder / name), why)
+                for run in RUNS:
+                    self.refused(self.trammel(*run, "-c", name, "-o", "out"), name, why)
+                self.refused(self.trammel("run", "circle", "-s", "path.kind=points", "-s",
+                                          f"path.points_file={name}"), why)
+        self.nothing_else("empty", "fifo")
+
+    def test_a_pipe_is_refused_with_that_reason(self):
+        for verb in "run", "track", "lm628":
+            done = self.trammel(verb, "/dev/stdin", input="[run]\nmax_s = 0.01\n")
+            self.refused(done, "/dev/stdin: cannot be read: it is not a regular file")
+
+    def test_a_script_of_standard_input_is_read_to_its_limit(self):
+        self.good(self.trammel("lm628", "-", input="RDSTAT\n"))
+        with open("/dev/zero", encoding="utf-8") as endless:
+            self.refused(self.trammel("lm628", stdin=endless), "standard input", "than 4 MiB")
+        folder = os.open(self.folder, os.O_RDONLY)
+        self.refused(self.trammel("lm628", "-", stdin=folder), "Is a directory")
+        os.close(folder)
+
+    def test_files_of_a_run_are_regular_files(self):
+        self.good(self.run_to("run"))
+        names = [*json.loads((self.folder / "run" / "run.json").read_text())["files"]]
+        for name in names:
+            path = self.folder / "run" / name
+            before = path.read_bytes()
+            path.unlink()
+            os.mkfifo(path)
+            with self.subTest(name=name):
+                self.refused(self.trammel("report", "run"), name)
+            path.unlink()
+            path.write_bytes(before)
+        self.good(self.trammel("report", "run"))
+
+    def test_a_lack_of_memory_is_told_with_its_limit(self):
+        def little():
+            resource.setrlimit(resource.RLIMIT_DATA, (40 << 20, 40 << 20))
+        with (self.folder / "large.csv").open("w", encoding="utf-8") as table:
+            table.writelines(f"{k % 100},{k % 77}\n" for k in range(2_000_000))
+        self.refused(self.trammel("track", "-s", "path.kind=points", "-s",
+                                  "path.points_file=large.csv", preexec_fn=little),
+                     "memory did not suffice: ulimit -d allows 40960 KiB")
+
+    def test_a_table_replaces_tables_only(self):
+        self.good(self.run_to("run", "--no-report"))
+        (self.folder / "link").symlink_to("target")
+        before = (self.folder / "run" / "trace.csv").read_bytes()
+        self.refused(self.trammel("track", "-o", "run/trace.csv"), "run's record")
+        self.assertEqual((self.folder / "run" / "trace.csv").read_bytes(), before)
+        for name in ("fifo", "link", "/dev/null"):
+            self.refused(self.trammel("track", "-o", name), "not a regular file")
+        self.refused(self.trammel("track", "-o", "empty"), "is a folder")
+        self.good(self.trammel("track", "-o", "new/table.csv"))
+        self.good(self.trammel("track", "-o", "new/table.csv"))
+        self.nothing_else("empty", "fifo", "link", "new", "run")
+
+
 if __name__ == "__main__":
     PROGRAM = str(Path(sys.argv.pop(1)).resolve())
     unittest.main()

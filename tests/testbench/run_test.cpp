@@ -13,6 +13,7 @@
 #include "lab/layers.hpp"
 #include "lab/machine.hpp"
 #include "lab/scenarios.hpp"
+#include "lab/text.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/scratch.hpp"
 #include "tests/support/short_run.hpp"
@@ -146,7 +147,7 @@ TEST_CASE("a name that cannot be a folder name is refused before anything is wri
             arguments_for(test::scenario_of(machine), out, {"name=" + name});
         CHECK_THROWS_AS(test::run(arguments, never), lab::ConfigError);
         CHECK_THROWS_WITH(test::run(arguments, never),
-                          Contains("name: " + lab::value_text(name) +
+                          Contains("name: " + lab::shown(lab::value_text(name)) +
                                    " cannot name an output folder"));
       }
     }

@@ -6,12 +6,11 @@
 
 #include <csignal>
 #include <cstdio>
-#include <iostream>
-#include <iterator>
 #include <vector>
 
 #include "lab/files.hpp"
 #include "lab/layers.hpp"
+#include "lab/text.hpp"
 #include "lab/write.hpp"
 #include "machines/an693/machine.hpp"
 #include "machines/an693/verbs/shell.hpp"
@@ -23,6 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 using lab::ConfigError;
 using testbench::print;
+using testbench::print_json;
 using testbench::tell;
 using Json = nlohmann::ordered_json;
 
@@ -111,11 +111,11 @@ void refuse_firmware_keys(const Options& options) {
 // The script that was asked for, and its name.
 std::vector<Line> read_script(const std::string& asked, std::string& name) {
   if (asked.empty() || asked == "-") {
-    return parse_script({std::istreambuf_iterator<char>(std::cin), {}}, "standard input");
+    return parse_script(lab::read_standard_input(lab::kMostWritten), "standard input");
   }
   const fs::path file = find_script(asked);
   name = file.stem().string();
-  return parse_script(lab::read_text(file), file.string());
+  return parse_script(lab::read_text(file, lab::kMostWritten), file.string());
 }
 
 // Nothing piped and no script: a person.
@@ -175,10 +175,10 @@ int lm628_shell(const testbench::Arguments& arguments, std::atomic<bool>& stop,
   const std::string again = folder                       ? "script.lm628 -c run.toml"
                             : arguments.scenario.empty() ? "-"
                                                          : lab::shell_word(arguments.scenario);
-  const lab::Origin origin{"./trammel lm628 " + again, of_firmware, {{"script", all.answers}},
+  const lab::Origin origin{"./trammel lm628 " + lab::printable(again), of_firmware, {{"script", all.answers}},
                            {{"script.lm628", all.script}}};
   const Json json = lab::metrics_json(record, origin);
-  if (arguments.json) print(json.dump(2) + '\n');
+  if (arguments.json) print_json(json);
   if (!folder) return code;
   const lab::Written written = lab::write_record(record, *folder, json, origin, arguments.report);
   folder->publish();
