@@ -55,7 +55,9 @@ class OutputFolder {
 // A folder without one is of an older version, or not complete yet.
 void check_whole(const std::filesystem::path& folder);
 
-// Whether a file is of the record of the run in its folder: not its page, nor a file of others.
-bool is_of_record(const std::filesystem::path& file);
+// A file that a verb writes: whole or not at all, in a folder that is made where it is missing.
+// Throws ConfigError for one of the record of a run and for all that is no regular file.
+void check_result_file(const std::filesystem::path& file);
+void write_result_file(const std::filesystem::path& file, const std::string& text);
 
 }  // namespace trammel::lab

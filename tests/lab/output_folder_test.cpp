@@ -117,10 +117,14 @@ TEST_CASE("a file that is missing or not the run's is named") {
   const test::Scratch here("output_folder_out");
   const fs::path target = here.path / "a";
   publish(target, "trace.csv", "first");
-  CHECK(lab::is_of_record(target / "trace.csv"));
-  CHECK(lab::is_of_record(target / "run.json"));
-  CHECK_FALSE(lab::is_of_record(target / "report.html"));
-  CHECK_FALSE(lab::is_of_record(target / "notes.txt"));
+  for (const char* name : {"trace.csv", "run.json"}) {
+    CHECK_THROWS_WITH(lab::write_result_file(target / name, "another"),
+                      Contains(std::string(name) + ": --out: is a file of a run's record"));
+  }
+  CHECK(test::content(target / "trace.csv") == "first");
+  CHECK_NOTHROW(lab::check_result_file(target / "report.html"));
+  CHECK_NOTHROW(lab::check_result_file(target / "notes.txt"));
+  CHECK_THROWS_WITH(lab::check_result_file(target), Contains("--out: is a folder; name a file"));
   put(target / "trace.csv", "FIRST");
   CHECK_THROWS_WITH(lab::check_whole(target), Contains("trace.csv: is not what the run wrote"));
   fs::remove(target / "trace.csv");

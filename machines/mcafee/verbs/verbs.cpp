@@ -3,8 +3,9 @@
 // The verb `track`: the table of a path, as CSV to standard output or into a file.
 #include <fmt/format.h>
 
-#include "lab/files.hpp"
+#include "lab/output_folder.hpp"
 #include "lab/scenarios.hpp"
+#include "lab/text.hpp"
 #include "machines/mcafee/machine.hpp"
 #include "testbench/run.hpp"
 
@@ -23,19 +24,21 @@ nlohmann::ordered_json table_json(const Table& table) {
 int track(const testbench::Arguments& arguments, std::atomic<bool>&) {
   const bool listing = arguments.flags.count("--listing") > 0;
   const std::string name = arguments.scenario.empty() ? "mcafee-stage3" : arguments.scenario;
+  if (!arguments.out.empty()) lab::check_result_file(arguments.out);
   const auto file = lab::find_scenario(name);
   if (&lab::machine_of(file) != &machine()) {
-    throw lab::ConfigError(fmt::format("track: {} is a scenario of the machine {}, not of {}", name,
-                                       lab::machine_of(file).name, machine().name));
+    throw lab::ConfigError(fmt::format("track: {} is a scenario of the machine {}, not of {}",
+                                       lab::shown(name), lab::machine_of(file).name,
+                                       machine().name));
   }
   if (listing && arguments.json) throw lab::ConfigError("track: --listing: not with --json");
   const auto settings = testbench::layered(file, arguments);
   const Table table = table_of(static_cast<const Options&>(*settings));
-  for (const std::string& warning : table.warnings) testbench::tell("track: " + warning);
+  testbench::tell_warnings("track", table.warnings);
   const std::string text = listing ? listing_text(table) : table_csv(table);
-  if (!arguments.out.empty()) lab::write_text(arguments.out, text);
+  if (!arguments.out.empty()) lab::write_result_file(arguments.out, text);
   if (arguments.json) {
-    testbench::print(table_json(table).dump(2) + '\n');
+    testbench::print_json(table_json(table));
   } else if (arguments.out.empty()) {
     testbench::print(text);
   } else {
