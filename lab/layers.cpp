@@ -127,7 +127,11 @@ Entry text_entry(const std::string& name, const std::string& text, const std::st
 void apply(Settings& settings, std::vector<Entry> entries, const fs::path& folder) {
   const std::vector<Key>& keys = settings.machine().keys();
   std::unordered_map<std::string, std::vector<const Key*>> named;
-  for (const std::string& name : key_names(keys)) named[name] = find_keys(keys, name);
+  for (const Key& key : keys) {
+    named[key.name].push_back(&key);
+    const std::string both = short_form(key.name);
+    if (both != key.name) named[both].push_back(&key);
+  }
   const auto count = [&](const Entry& entry) {
     const auto found = named.find(entry.name);
     return found == named.end() ? 0 : found->second.size();

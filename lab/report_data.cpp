@@ -158,7 +158,7 @@ std::string packed(const std::string& text) {
   if (code != Z_OK) throw std::runtime_error(fmt::format("zlib failed with {}", code));
   std::string digits;
   for (std::size_t at = 0; at < size; at += 3) {
-    const unsigned group = bytes[at] << 16u | bytes[at + 1] << 8u | bytes[at + 2];
+    const auto group = static_cast<unsigned>(bytes[at] << 16 | bytes[at + 1] << 8 | bytes[at + 2]);
     for (const unsigned shift : {18u, 12u, 6u, 0u}) digits += kDigits[group >> shift & 63u];
   }
   for (std::size_t k = 0; k < (3 - size % 3) % 3; ++k) digits[digits.size() - 1 - k] = '=';

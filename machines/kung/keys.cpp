@@ -174,10 +174,10 @@ const std::vector<lab::Key>& keys() {
     add_run(t);
     add_faults(t);
     add_path(t);
-    for (const std::size_t axis : {0, 1}) add_gains(t, axis);
+    for (const std::size_t axis : {0u, 1u}) add_gains(t, axis);
     add_chip(t);
-    for (const std::size_t axis : {0, 1}) add_axis_chip(t, axis);
-    for (const std::size_t axis : {0, 1}) add_plant(t, axis);
+    for (const std::size_t axis : {0u, 1u}) add_axis_chip(t, axis);
+    for (const std::size_t axis : {0u, 1u}) add_plant(t, axis);
     return t.keys;
   }();
   return all;
