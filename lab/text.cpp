@@ -15,6 +15,8 @@ namespace {
 
 constexpr char kCut[] = "\xE2\x80\xA6";  // an ellipsis
 constexpr std::size_t kLongestMessage = 2000;  // characters
+constexpr std::size_t kLongestWord = 300;      // characters; the name of a file has at most 255
+constexpr std::size_t kShownOfWord = 120;      // characters of a longer one
 
 // Bytes of the UTF-8 character that the text begins with, and its code; 0: it is none.
 std::pair<std::size_t, unsigned> character(std::string_view text) {
@@ -57,6 +59,10 @@ void each_shown(std::string_view text, std::string_view kept, Take take) {
 }
 
 std::string all_shown(const std::string& text, std::string_view kept) {
+  const bool plain = std::all_of(text.begin(), text.end(), [kept](char c) {
+    return (c >= 0x20 && c < 0x7F) || kept.find(c) != std::string_view::npos;
+  });
+  if (plain) return text;  // a table may be long
   std::string all;
   each_shown(text, kept, [&all](std::string_view one) {
     all += one;
@@ -83,14 +89,24 @@ std::string shown(const std::string& text, std::size_t most) {
 }
 
 std::string one_line(const std::string& message) {
-  if (message.size() <= kLongestMessage) return printable(message);
-  std::vector<std::size_t> begins;  // of the characters in `all`
   std::string all;
+  std::vector<std::size_t> begins;  // of the characters in `all`
+  std::size_t word = 0;             // characters before the last word
+  const auto cut_word = [&] {
+    if (begins.size() - word <= kLongestWord) return;
+    all.resize(begins[word + kShownOfWord]);
+    begins.resize(word + kShownOfWord);
+    begins.push_back(all.size());
+    all += kCut;
+  };
   each_shown(message, "", [&](std::string_view one) {
+    if (one == " " || one == "/") cut_word();
     begins.push_back(all.size());
     all += one;
+    if (one == " " || one == "/") word = begins.size();
     return true;
   });
+  cut_word();
   if (begins.size() <= kLongestMessage) return all;
   const std::size_t half = kLongestMessage / 2;
   return all.substr(0, begins[half]) + kCut + all.substr(begins[begins.size() - half]);

@@ -18,7 +18,8 @@ std::string printable_lines(const std::string& text);
 // A key, value or name in a message: printable, cut behind `most` characters.
 std::string shown(const std::string& text, std::size_t most = 120);
 
-// A message as one line of bounded length; what is too much is left out in its middle.
+// A message as one line of bounded length: a word that is longer than any name of a file is cut,
+// and what is still too much is left out in the middle.
 std::string one_line(const std::string& message);
 
 // Its text; of std::bad_alloc which memory did not suffice.

@@ -35,10 +35,18 @@ TEST_CASE("what a message repeats is cut") {
 
 TEST_CASE("a message is one line with its beginning and its end") {
   CHECK(one_line("a\nb") == "a\\u000ab");
-  const std::string line = one_line("file: " + std::string(40000, 'k') + ": reason");
+  const std::string cut = "\xE2\x80\xA6", name(255, 'n'), shown(120, 'k');
+  CHECK(one_line("file: " + std::string(40000, 'k') + ": reason") ==
+        "file: " + shown + cut + " reason");
+  CHECK(one_line("/" + name + "/" + name + ": reason") == "/" + name + "/" + name + ": reason");
+  CHECK(one_line("a/" + std::string(301, 'k') + "/" + std::string(301, 'k')) ==
+        "a/" + shown + cut + "/" + shown + cut);
+  std::string message = "file:";
+  for (int k = 0; k < 10000; ++k) message += " word";
+  const std::string line = one_line(message + ": reason");
   CHECK(line.size() == 2003);
-  CHECK(line.substr(0, 7) == "file: k");
-  CHECK(line.substr(line.size() - 8) == ": reason");
+  CHECK(line.substr(0, 10) == "file: word");
+  CHECK(line.substr(line.size() - 12) == "word: reason");
 }
 
 TEST_CASE("a lack of memory names the limit") {
