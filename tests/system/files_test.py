@@ -243,6 +243,18 @@ class Input(Case):
         self.refused(self.trammel("lm628", "-", stdin=folder), "Is a directory")
         os.close(folder)
 
+    def test_names_that_are_no_utf_8_are_told_as_bytes(self):
+        script = self.folder / os.fsdecode(b"\xff.lm628")
+        script.write_text("wait 1 s\n", encoding="ascii")
+        self.refused(self.trammel("lm628", script.name), 'name: "\\xff" cannot name')
+        done = self.trammel("lm628", script.name, "-s", "name=a", "-s", "run.max_s=0.001", "-o",
+                            os.fsdecode(b"out\xff"))
+        self.assertEqual(done.returncode, 5, done.stderr)
+        self.assertIn("trammel: \\xff.lm628:1: ", done.stderr)
+        done = self.trammel("report", os.fsdecode(b"out\xff"), "--json")
+        self.good(done)
+        json.loads(done.stdout)
+
     def test_files_of_a_run_are_regular_files(self):
         self.good(self.run_to("run"))
         names = [*json.loads((self.folder / "run" / "run.json").read_text())["files"]]

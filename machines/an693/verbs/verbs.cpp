@@ -115,7 +115,8 @@ std::vector<Line> read_script(const std::string& asked, std::string& name) {
   }
   const fs::path file = find_script(asked);
   name = file.stem().string();
-  return parse_script(lab::read_text(file, lab::kMostWritten), file.string());
+  // Its name is in metrics.json, where a line of it ends the run.
+  return parse_script(lab::read_text(file, lab::kMostWritten), lab::printable(file.string()));
 }
 
 // Nothing piped and no script: a person.
