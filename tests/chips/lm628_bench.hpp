@@ -12,6 +12,7 @@
 #include "models/exact/chips/lm628.hpp"
 #include "tests/support/lm628_commands.hpp"
 #include "tests/support/rtl.hpp"
+#include "tests/support/same.hpp"
 
 namespace trammel::test {
 
@@ -58,11 +59,13 @@ void set_pins(Rtl<Model>& rtl, const Lm628::In& in) {
 }
 
 template <class Model>
-bool same_pins(Rtl<Model>& rtl, const Lm628::Out& out) {
-  return bool(rtl->hi_o) == out.hi && rtl->dac_o == out.drive.dac &&
-         bool(rtl->dac_hi_lo_o) == out.drive.dac_hi_lo &&
-         bool(rtl->dac_wr_n_o) == out.drive.dac_wr_n && bool(rtl->pwm_mag_o) == out.drive.pwm_mag &&
-         bool(rtl->pwm_sign_o) == out.drive.pwm_sign;
+void same_pins(Rtl<Model>& rtl, const Lm628::Out& out, std::int64_t clock) {
+  same("hi_o", rtl->hi_o, out.hi, clock);
+  same("dac_o", rtl->dac_o, out.drive.dac, clock);
+  same("dac_hi_lo_o", rtl->dac_hi_lo_o, out.drive.dac_hi_lo, clock);
+  same("dac_wr_n_o", rtl->dac_wr_n_o, out.drive.dac_wr_n, clock);
+  same("pwm_mag_o", rtl->pwm_mag_o, out.drive.pwm_mag, clock);
+  same("pwm_sign_o", rtl->pwm_sign_o, out.drive.pwm_sign, clock);
 }
 
 template <class Chip>
@@ -138,12 +141,12 @@ class Lm628Bench : public Lm628Commands<Lm628Bench<Chip>> {
     clocks(2);
     host.rd_n = false;
     clocks(9);
-    if (!out().d_oe) throw std::logic_error("no data on the bus");
+    if (!out().d_oe) throw std::logic_error("no data on the bus" + after_clock(now_));
     const std::uint8_t value = out().d;
     host.rd_n = true;
     host.cs_n = true;
     clocks(9);
-    if (out().d_oe) throw std::logic_error("data on the bus still");
+    if (out().d_oe) throw std::logic_error("data on the bus still" + after_clock(now_));
     return value;
   }
 

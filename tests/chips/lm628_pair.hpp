@@ -30,11 +30,11 @@ class Lm628Pair : public Lm628Twin {
     std::int64_t gap = 1;
     // A sample takes 400 clocks, a command 128: after them the RTL rests wherever the twin does.
     restless_ = !rtl_->quiescent_o && twin_.next(in) > 0 ? restless_ + 1 : 0;
-    if (restless_ > 600) throw std::logic_error("the RTL does not rest");
+    if (restless_ > 600) throw std::logic_error("the RTL does not rest" + after_clock(clock_));
     if (leaps && rtl_->quiescent_o && rtl_->next_o > 0) {
-      if (!twin_.quiescent(in)) throw std::logic_error("the RTL rests, the twin does not");
+      same("quiescent_o", rtl_->quiescent_o, twin_.quiescent(in), clock_);
       gap = std::min<std::int64_t>({rtl_->next_o, twin_.next(in), n});
-      if (rtl_->next_o != std::min<exact::Gap>(twin_.next(in), 4095)) same_ = false;
+      same("next_o", rtl_->next_o, std::min<exact::Gap>(twin_.next(in), 4095), clock_);
     }
     if (twin_.next(in) >= gap) {
       twin_.advance(static_cast<exact::Gap>(gap));
@@ -45,6 +45,7 @@ class Lm628Pair : public Lm628Twin {
     rtl_.tick();
     rtl_->leap_i = 0;
     rtl_.eval();
+    clock_ += gap;
     compare();
     return gap;
   }
@@ -59,12 +60,13 @@ class Lm628Pair : public Lm628Twin {
 
   void compare() {
     const Lm628::Out out = twin_.out();
-    same_ = same_ && rtl_->d_o == out.d && bool(rtl_->d_oe_o) == out.d_oe && same_pins(rtl_, out);
-    if (!same_) throw std::logic_error("a pin of the RTL differs from its twin's");
+    same("d_o", rtl_->d_o, out.d, clock_);
+    same("d_oe_o", rtl_->d_oe_o, out.d_oe, clock_);
+    same_pins(rtl_, out, clock_);
   }
 
   Rtl<Vlm628> rtl_;
-  bool same_ = true;
+  std::int64_t clock_ = 0;
   int restless_ = 0;  // [clk]
 };
 
