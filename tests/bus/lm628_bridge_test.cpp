@@ -10,6 +10,7 @@
 
 #include "tests/support/random.hpp"
 #include "tests/support/rtl.hpp"
+#include "tests/support/same.hpp"
 
 using trammel::exact::Gap;
 using trammel::exact::Lm628Bridge;
@@ -22,6 +23,7 @@ struct Pair {
   trammel::test::Rtl<Vlm628_bridge> rtl;
   Lm628Bridge twin;
   Lm628Bridge::In in;
+  std::int64_t clock = 0;
 
   Pair() {
     rtl->leap_i = 0;
@@ -41,15 +43,20 @@ struct Pair {
     rtl.eval();
   }
 
+  template <class Twin>
+  void pin(const char* name, unsigned ours, Twin theirs) const {
+    trammel::test::same(name, ours, theirs, clock);
+  }
+
   // Returns the edges passed.
   Gap edge(Gap most = 1) {
     apply();
-    REQUIRE(bool(rtl->busy_o) == twin.busy(in));
-    REQUIRE(bool(rtl->refused_o) == twin.refuses(in));
-    REQUIRE(bool(rtl->quiescent_o) == twin.quiescent(in));
+    pin("busy_o", rtl->busy_o, twin.busy(in));
+    pin("refused_o", rtl->refused_o, twin.refuses(in));
+    pin("quiescent_o", rtl->quiescent_o, twin.quiescent(in));
     Gap gap = twin.quiescent(in) ? std::min(twin.next(), most) : 0;
     if (gap > 1) {
-      REQUIRE(rtl->next_o == twin.next());
+      pin("next_o", rtl->next_o, twin.next());
       rtl->leap_i = (gap - 1) & 0xFFF;
       twin.advance(gap);
     } else {
@@ -59,16 +66,17 @@ struct Pair {
     rtl.tick();
     rtl->leap_i = 0;
     rtl.eval();
+    clock += gap;
     const Lm628Bridge::Out out = twin.out();
-    REQUIRE(bool(rtl->cs_x_n_o) == out.cs_x_n);
-    REQUIRE(bool(rtl->cs_y_n_o) == out.cs_y_n);
-    REQUIRE(bool(rtl->rd_n_o) == out.rd_n);
-    REQUIRE(bool(rtl->wr_n_o) == out.wr_n);
-    REQUIRE(bool(rtl->ps_o) == out.ps);
-    REQUIRE(rtl->d_o == out.d);
-    REQUIRE(bool(rtl->transceiver_o) == out.transceiver);
-    REQUIRE(bool(rtl->selector_o) == out.selector);
-    REQUIRE(rtl->from_part_o == twin.from_part());
+    pin("cs_x_n_o", rtl->cs_x_n_o, out.cs_x_n);
+    pin("cs_y_n_o", rtl->cs_y_n_o, out.cs_y_n);
+    pin("rd_n_o", rtl->rd_n_o, out.rd_n);
+    pin("wr_n_o", rtl->wr_n_o, out.wr_n);
+    pin("ps_o", rtl->ps_o, out.ps);
+    pin("d_o", rtl->d_o, out.d);
+    pin("transceiver_o", rtl->transceiver_o, out.transceiver);
+    pin("selector_o", rtl->selector_o, out.selector);
+    pin("from_part_o", rtl->from_part_o, twin.from_part());
     return gap;
   }
 

@@ -10,6 +10,7 @@
 
 #include "tests/support/random.hpp"
 #include "tests/support/rtl.hpp"
+#include "tests/support/same.hpp"
 
 using trammel::exact::Gap;
 using trammel::exact::Lm628Port;
@@ -49,6 +50,7 @@ struct Pair {
   Rtl rtl;
   Lm628Port twin;
   In in;
+  std::int64_t clock = 0;
   bool filled = false;  // every word has been written
 
   Pair() {
@@ -68,19 +70,24 @@ struct Pair {
     rtl.reset();
   }
 
+  template <class Ours, class Theirs>
+  void pin(const char* name, Ours ours, Theirs theirs) const {
+    trammel::test::same(name, ours, theirs, clock);
+  }
+
   void edge(Gap most = 1) {
     rtl.apply(in);
-    REQUIRE(bool(rtl->restart_o) == twin.restarts(in));
-    REQUIRE(bool(rtl->start_o) == twin.starts(in));
-    REQUIRE(bool(rtl->end_o) == twin.ends());
-    REQUIRE(bool(rtl->arm_o) == twin.arms_index());
-    REQUIRE(bool(rtl->quiescent_o) == twin.quiescent(in));
-    REQUIRE(rtl->status_o << 1 == (twin.flags(in) & 0x7E));
-    REQUIRE(bool(rtl->host_irq_o) == (twin.flags(in) >= 0x8000));
+    pin("restart_o", rtl->restart_o, twin.restarts(in));
+    pin("start_o", rtl->start_o, twin.starts(in));
+    pin("end_o", rtl->end_o, twin.ends());
+    pin("arm_o", rtl->arm_o, twin.arms_index());
+    pin("quiescent_o", rtl->quiescent_o, twin.quiescent(in));
+    pin("status_o", rtl->status_o << 1, (twin.flags(in) & 0x7E));
+    pin("host_irq_o", rtl->host_irq_o, (twin.flags(in) >= 0x8000));
     const Gap gap = twin.quiescent(in) ? std::min(twin.next(), most) : 0;
     const bool restarts = twin.restarts(in);  // the chip resets its blocks then
     if (gap > 1) {
-      REQUIRE(rtl->next_o == twin.next());
+      pin("next_o", rtl->next_o, twin.next());
       rtl->leap_i = (gap - 1) & 0xFFF;
       twin.advance(gap);
     } else {
@@ -92,14 +99,15 @@ struct Pair {
     rtl->rst_i = 0;
     rtl->leap_i = 0;
     rtl.eval();
-    REQUIRE(rtl->d_o == twin.d());
-    REQUIRE(bool(rtl->d_oe_o) == twin.d_oe());
-    REQUIRE(bool(rtl->hi_o) == twin.hi());
-    REQUIRE(rtl->opcode_o == twin.opcode());
+    clock += std::max<Gap>(gap, 1);
+    pin("d_o", rtl->d_o, twin.d());
+    pin("d_oe_o", rtl->d_oe_o, twin.d_oe());
+    pin("hi_o", rtl->hi_o, twin.hi());
+    pin("opcode_o", rtl->opcode_o, twin.opcode());
     if (!filled) return;
     rtl->word_addr_i = (rtl->word_addr_i + 1) % 7 & 7;
     rtl.eval();
-    REQUIRE(rtl->word_o == twin.words()[rtl->word_addr_i]);
+    pin("word_o", rtl->word_o, twin.words()[rtl->word_addr_i]);
   }
 
   // LTRJ with all its seven words.
