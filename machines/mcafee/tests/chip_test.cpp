@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "cosim/event_hash.hpp"
@@ -13,6 +14,7 @@
 #include "rtl/chips/generated/mcafee_xy_regs.hpp"
 #include "sw_nios/hal/lm628.hpp"
 #include "sw_nios/apps/mcafee/mcafee_map.hpp"
+#include "tests/support/same.hpp"
 
 using namespace trammel;
 namespace reg = mcafee_xy_regs;
@@ -187,8 +189,10 @@ TEST_CASE("mcafee chip reads and drives the same as its twin") {
     run.transfer(op);
     follow(run.chip->now());
     REQUIRE_FALSE(twin.open());
-    if (!op.write) REQUIRE(run.chip->rdata() == twin.read_data());
-    REQUIRE(mcafee::code(run.chip->drive(), 0) == twin.dac(0));
+    const std::string name = test::register_name(reg::kRegisters, op.addr);
+    if (!op.write) test::same(name.c_str(), run.chip->rdata(), twin.read_data(), now);
+    test::same("dac_x_o", mcafee::code(run.chip->drive(), 0), twin.dac(0), now);
+    test::same("dac_y_o", mcafee::code(run.chip->drive(), 1), twin.dac(1), now);
     run.loop.advance(run.chip->now() + n * 13 % 700, 0);
   }
 }

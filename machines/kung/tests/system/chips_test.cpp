@@ -134,13 +134,6 @@ void step(Bench& bench, cosim::Clk wait, const cosim::BusOp& op) {
   loop.advance(cosim::kNever, cosim::kBusDone);
 }
 
-std::string text(const test::StopWords& s) {
-  std::string all = "edge " + std::to_string(s.stop.edge) + " why " + std::to_string(s.stop.why) +
-                    " gates " + std::to_string(s.drive) + ":";
-  for (const std::int64_t word : s.words) all += ' ' + std::to_string(word);
-  return all;
-}
-
 // What the random traffic reached.
 struct Reached {
   int gates = 0, irqs = 0, samples = 0, trips = 0, clears = 0;
@@ -178,14 +171,16 @@ void compare(std::uint32_t seed, std::uint32_t pace, std::uint32_t gap, int tran
     const cosim::Clk wait = below(random, long_wait ? 40000 : gap);
     step(rtl, wait, op);
     step(twin, wait, op);
-    INFO("seed " << seed << ", transfer " << n << ": address " << op.addr << " data " << op.data
-                 << (op.write ? " written" : " read"));
-    for (std::size_t k = 0; k < std::max(rtl.stops.size(), twin.stops.size()); ++k) {
-      const std::string ours = k < twin.stops.size() ? text(twin.stops[k]) : "none";
-      const std::string theirs = k < rtl.stops.size() ? text(rtl.stops[k]) : "none";
-      if (ours != theirs) REQUIRE(ours == theirs);
+    INFO("seed " << seed << ", transfer " << n << ": "
+                 << test::register_name(reg::kRegisters, op.addr)
+                 << (op.write ? " written, " + test::number(op.data, 8) : std::string(" read")));
+    const std::size_t stops = std::min(rtl.stops.size(), twin.stops.size());
+    for (std::size_t k = 0; k < stops; ++k) {
+      const std::string differences = test::differences(rtl.stops[k], twin.stops[k]);
+      if (!differences.empty()) FAIL(differences);
       count(rtl.stops[k], fault, reached);
     }
+    REQUIRE(twin.stops.size() == rtl.stops.size());
     rtl.stops.clear();
     twin.stops.clear();
   }

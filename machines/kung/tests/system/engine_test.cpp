@@ -81,7 +81,7 @@ void check_same(const Options& options) {
       const auto theirs = test::integer_words(rtl.result.samples[n].axis[axis]);
       if (ours == theirs) continue;
       CAPTURE(n, axis);
-      REQUIRE(ours == theirs);
+      FAIL(test::differences(test::integer_names(), theirs, ours));
     }
   }
 }
