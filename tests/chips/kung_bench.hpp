@@ -13,6 +13,7 @@
 
 #include "rtl/chips/generated/kung_xy_regs.hpp"
 #include "tests/support/rtl.hpp"
+#include "tests/support/same.hpp"
 
 namespace trammel::test {
 
@@ -66,7 +67,7 @@ class KungBench {
     rtl_->adc_sdata_a_i = static_cast<std::uint8_t>(data_a);
     rtl_->adc_sdata_b_i = static_cast<std::uint8_t>(data_b);
     rtl_.eval();
-    if ((rtl_->gate_hi_o & rtl_->gate_lo_o) != 0) throw std::runtime_error("shoot-through");
+    if ((rtl_->gate_hi_o & rtl_->gate_lo_o) != 0) throw std::runtime_error("shoot-through" + after_clock(now_));
     for (std::size_t gate = 0; gate < 6; ++gate) {
       on_hi[gate] += rtl_->gate_hi_o >> gate & 1;
       on_lo[gate] += rtl_->gate_lo_o >> gate & 1;
@@ -95,7 +96,7 @@ class KungBench {
       edge();
       if (condition()) return n;
     }
-    throw std::runtime_error("the chip never came there");
+    throw std::runtime_error("the chip never came there" + after_clock(now_));
   }
 
   // The next edge acts on a 2 kHz tick.
@@ -113,14 +114,14 @@ class KungBench {
     rtl_->s_axil_awvalid_i = rtl_->s_axil_wvalid_i = 1;
     rtl_.eval();
     for (int waited = 0; rtl_->s_axil_bvalid_o == 0; ++waited) {
-      if (waited > kPatience) throw std::runtime_error("a write without response");
+      if (waited > kPatience) fail("a write without response", addr);
       const bool aw = rtl_->s_axil_awready_o != 0, w = rtl_->s_axil_wready_o != 0;
       edge();
       if (aw) rtl_->s_axil_awvalid_i = 0;
       if (w) rtl_->s_axil_wvalid_i = 0;
       rtl_.eval();
     }
-    if (rtl_->s_axil_bresp_o != 0) throw std::runtime_error("a write is answered by an error");
+    if (rtl_->s_axil_bresp_o != 0) fail("a write is answered by an error", addr);
     edge();
   }
 
@@ -129,13 +130,13 @@ class KungBench {
     rtl_->s_axil_arvalid_i = 1;
     rtl_.eval();
     for (int waited = 0; rtl_->s_axil_rvalid_o == 0; ++waited) {
-      if (waited > kPatience) throw std::runtime_error("a read without response");
+      if (waited > kPatience) fail("a read without response", addr);
       const bool ar = rtl_->s_axil_arready_o != 0;
       edge();
       if (ar) rtl_->s_axil_arvalid_i = 0;
       rtl_.eval();
     }
-    if (rtl_->s_axil_rresp_o != 0) throw std::runtime_error("a read is answered by an error");
+    if (rtl_->s_axil_rresp_o != 0) fail("a read is answered by an error", addr);
     const std::uint32_t data = rtl_->s_axil_rdata_o;
     edge();
     return data;
@@ -172,6 +173,11 @@ class KungBench {
     unsigned a = 0, b = 0;
     int bit = 15;
   };
+
+  [[noreturn]] void fail(const char* what, std::uint32_t address) const {
+    throw std::runtime_error(register_name(kung_xy_regs::kRegisters, address) + ": " + what +
+                             after_clock(now_));
+  }
 
   Rtl<Vkung_xy> rtl_;
   std::array<Frame, 2> frames_{};

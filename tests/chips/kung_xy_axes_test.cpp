@@ -124,9 +124,9 @@ struct Axis {
   }
 
   void check_position(KungBench& chip, const exact::Afc::Out& out, test::Random& random) {
-    const auto same = [&](std::uint32_t reg, std::int32_t expected) {
-      CAPTURE(reg);
-      CHECK(chip.read_signed(base + reg) == expected);
+    const auto same = [&](std::uint32_t offset, std::int32_t expected) {
+      INFO(test::register_name(reg::kRegisters, base + offset) << test::after_clock(chip.now()));
+      CHECK(chip.read_signed(base + offset) == expected);
     };
     same(reg::kPos, count);
     same(reg::kPosModel, out.x_r);

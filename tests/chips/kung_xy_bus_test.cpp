@@ -73,10 +73,7 @@ TEST_CASE("the chip takes bytes, in any order of the channels, and answers each 
     chip->eval();
   };
   trammel::test::AxiLiteTraffic<KungBench, decltype(clock)> traffic(chip, clock, 61);
-  std::vector<trammel::test::AxiRegister> registers{{reg::kId, 0}};
-  for (const reg::Register& one : reg::kRegisters) {
-    if (one.written != 0) registers.push_back({one.address, one.written});
-  }
+  const auto registers = trammel::test::kept_registers(reg::kRegisters);
   REQUIRE(registers.size() == 42);
   CHECK(wrong_register(traffic, registers, 400, 62) == "");
 }

@@ -92,6 +92,7 @@ TEST_CASE("while locked, dead time, current limit, strokes and watchdog cannot b
       reg::kY + reg::kStrokeMax,    reg::kX + reg::kStrokeEn,    reg::kY + reg::kStrokeMin,
       reg::kWatchdog};
   for (const std::uint32_t addr : guarded) {
+    INFO(trammel::test::register_name(reg::kRegisters, addr));
     const std::uint32_t before = chip.read(addr);
     chip.write(addr, before ^ 1u);
     CHECK(chip.read(addr) == before);
@@ -105,6 +106,7 @@ TEST_CASE("while locked, dead time, current limit, strokes and watchdog cannot b
   chip.write(reg::kLock, reg::kKeyUnlock);
   CHECK(chip.read(reg::kLock) == 0);
   for (const std::uint32_t addr : guarded) {
+    INFO(trammel::test::register_name(reg::kRegisters, addr));
     const std::uint32_t before = chip.read(addr);
     chip.write(addr, before ^ 1u);
     CHECK(chip.read(addr) == (before ^ 1u));

@@ -5,6 +5,7 @@
 // the chip accepts.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
@@ -99,10 +100,26 @@ class AxiLiteTraffic {
   Random random_;
 };
 
-// A register that holds what is written to its bits `mask`.
+// A register that holds what is written to its bits `mask`, to each of its bytes alone.
 struct AxiRegister {
+  const char* name;
   std::uint32_t address, mask;
 };
+
+// Those of a chip's list kRegisters that read as they were written, but for `others`; and the first,
+// its ID, which keeps nothing.
+template <class Registers>
+std::vector<AxiRegister> kept_registers(const Registers& registers,
+                                        const std::vector<std::uint32_t>& others = {}) {
+  std::vector<AxiRegister> kept;
+  for (const auto& one : registers) {
+    const bool left_out =
+        std::find(others.begin(), others.end(), one.address) != others.end();
+    const bool id = std::string(one.name) == "ID";
+    if (id || (one.written != 0 && !left_out)) kept.push_back({one.name, one.address, one.written});
+  }
+  return kept;
+}
 
 // Random bytes of random registers are written, and all are read: each holds what was written to it
 // alone. Says of the first that does not where it is, what it shows and what it should; else "".
@@ -130,9 +147,9 @@ std::string wrong_register(Traffic& traffic, const std::vector<AxiRegister>& reg
     const std::vector<std::uint32_t> values = traffic.read(addresses);
     for (std::size_t n = 0; n < values.size(); ++n) {
       if (values[n] == held[n]) continue;
-      char text[80];
-      std::snprintf(text, sizeof text, "register 0x%03X reads 0x%08X, not 0x%08X, in round %d",
-                    addresses[n], values[n], held[n], round);
+      char text[120];
+      std::snprintf(text, sizeof text, "%s (0x%03X) reads 0x%08X, not 0x%08X, in round %d",
+                    registers[n].name, addresses[n], values[n], held[n], round);
       return text;
     }
   }
