@@ -3,6 +3,8 @@
 // The chip beside its twin, pin by pin, over random traffic of both axes; the port's times on the
 // pins; the parts at 6 MHz.
 
+#include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cstdint>
 #include <cstdlib>
@@ -252,6 +254,35 @@ TEST_CASE("mcafee_xy samples both axes at once, every 2048 ticks of 6 MHz") {
   CHECK((bench.read(reg::kStatus) & reg::kStatusSample) == 0);
   bench.sample();
   CHECK((bench.read(reg::kStatus) & reg::kStatusSample) != 0);
+}
+
+// A program waits for STATUS.sample before it loads the next row: a sample of Y must not pass for
+// one of X, nor be asked for.
+TEST_CASE("mcafee_xy: STATUS.sample tells the samples of X alone, also when one part was reset") {
+  for (const std::size_t reset : {0u, 1u}) {
+    Bench bench;
+    bench.start();
+    bench.sample();
+    Lm628Port& part = reset == 0 ? bench.x : bench.y;
+    part.command(Lm628Command::kReset);
+    bench.write(reg::kStatus, reg::kStatusSample);
+    CHECK((bench.read(reg::kStatus) & reg::kStatusSample) == 0);
+    std::array<int, 2> seen{};
+    for (int n = 0; n < 12; ++n) {  // its reset routine, and on; the samples part by then
+      const std::array<std::int64_t, 2> before{bench.samples(0), bench.samples(1)};
+      while (bench.samples(0) == before[0] && bench.samples(1) == before[1]) bench.clocks(1);
+      const bool x = bench.samples(0) != before[0], y = bench.samples(1) != before[1];
+      CAPTURE(reset, n, x, y, bench.now());
+      REQUIRE_FALSE((x && y));
+      CHECK(((bench.read(reg::kStatus) & reg::kStatusSample) != 0) == x);
+      bench.write(reg::kStatus, reg::kStatusSample);
+      REQUIRE((bench.read(reg::kStatus) & reg::kStatusSample) == 0);
+      seen[0] += x;
+      seen[1] += y;
+    }
+    CHECK(std::min(seen[0], seen[1]) > 2);
+    CHECK(std::max(seen[0], seen[1]) > 6);
+  }
 }
 
 // McAfee 1994, appendix C: 66 revolutions of 800 counts at 10 rev/s, on a motor that follows.
