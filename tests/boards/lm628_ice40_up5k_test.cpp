@@ -138,6 +138,28 @@ TEST_CASE("lm628_ice40_up5k takes and gives bytes at the data sheet's shortest t
   REQUIRE_FALSE(bench.out().d_oe);
 }
 
+// What each line of the encoder is for, from the part's answers: A leads B forward, and the index
+// counts where all three are low.
+TEST_CASE("lm628_ice40_up5k counts A before B upward, and takes the index from its own pin") {
+  Bench bench;
+  bench.start();
+  bench.clear_status();
+  for (const std::int64_t position : {7, -6}) {
+    bench.move_to(position, 8);
+    bench.sample(2);
+    REQUIRE(bench.ask(Opcode::kRdrp) == position);
+  }
+  bench.command(Opcode::kSip);
+  bench.move_to(6, 8);  // no index on the way
+  bench.sample(2);
+  REQUIRE((bench.status() & 0x08) == 0);
+  bench.set_index(12);
+  bench.move_to(20, 8);
+  bench.sample(2);
+  REQUIRE(bench.ask(Opcode::kRdip) == 12);
+  REQUIRE((bench.status() & 0x08) != 0);
+}
+
 TEST_CASE("lm628_ice40_up5k has the pins of the twin over 400 random transfers") {
   Bench bench;
   run_random(bench, 400, 63);
