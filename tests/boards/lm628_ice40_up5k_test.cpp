@@ -162,6 +162,6 @@ TEST_CASE("lm628_ice40_up5k counts A before B upward, and takes the index from i
 
 TEST_CASE("lm628_ice40_up5k has the pins of the twin over 400 random transfers") {
   Bench bench;
-  run_random(bench, 400, 63);
+  run_random(bench, {400, 63});
   CHECK(bench.samples() > 300);
 }

@@ -10,6 +10,7 @@
 
 #include "tests/support/lm628_commands.hpp"
 #include "tests/support/random.hpp"
+#include "tests/support/traffic.hpp"
 
 namespace trammel::test {
 
@@ -82,12 +83,27 @@ void wild(Bench& bench, Random& random) {
   bench.clocks(random() % 2 == 0 ? 1100 : random() % 1100);
 }
 
+// A strobe of any length, and RST in the middle of it, shorter than the data sheet's or not.
 template <class Bench>
-void run_random(Bench& bench, int transfers, std::uint32_t seed) {
-  Random random(seed);
+void cut(Bench& bench, Random& random) {
+  auto& host = bench.chip.in.host;
+  host.ps = random() % 2 == 0;
+  host.d = static_cast<std::uint8_t>(random());
+  host.cs_n = random() % 4 == 0;
+  (random() % 2 == 0 ? host.wr_n : host.rd_n) = false;
+  bench.clocks(1 + random() % 8);
+  bench.hardware_reset(1 + static_cast<int>(random() % 70));
+  host = {};
+  bench.clocks(6);
+  if (random() % 2 == 0) bench.clocks(50'010);  // else it is spoken to in its reset routine
+}
+
+template <class Bench>
+void run_random(Bench& bench, const Traffic& traffic) {
+  Random random(traffic.seed);
   bench.start();
-  for (int n = 0; n < transfers; ++n) {
-    CAPTURE(n);
+  for (std::int64_t n = 0; n < traffic.transfers; ++n) {
+    INFO("transfer " << n << "; " << traffic.until(n));
     bench.chip.in.wrap = n / 500 % 2 == 1;
     if (random() % 10 == 0) {
       wild(bench, random);
@@ -106,6 +122,7 @@ void run_random(Bench& bench, int transfers, std::uint32_t seed) {
         bench.command(Opcode::kReset);  // in the middle of whatever it does
       }
     }
+    if (random() % 250 == 0) cut(bench, random);
   }
 }
 

@@ -13,10 +13,11 @@
 #include <functional>
 #include <stdexcept>
 
-#include "cosim/verilated/axi_lite.hpp"
+#include "cosim/cosim.hpp"
 #include "models/exact/chips/mcafee_xy.hpp"
 #include "rtl/chips/generated/mcafee_xy_regs.hpp"
 #include "sw_nios/hal/lm628.hpp"
+#include "tests/support/paced_master.hpp"
 #include "tests/support/rtl.hpp"
 #include "tests/support/same.hpp"
 
@@ -34,7 +35,10 @@ class McafeeTwin {
   }
 
   const exact::McafeeXy& twin() const { return twin_; }
-  void request(const cosim::BusOp& op) { twin_.request(op.addr, op.data, op.write); }
+  void request(const cosim::BusOp& op, const AxiPace& = {}) {
+    twin_.request(op.addr, op.data, op.write);
+  }
+  bool open() const { return twin_.open(); }  // a transfer
 
   // Runs up to n clocks, at least one.
   std::int64_t run(std::int64_t n) {
@@ -69,16 +73,36 @@ class McafeePair : public McafeeTwin {
     rtl_.reset();
   }
 
-  void request(const cosim::BusOp& op) {
-    McafeeTwin::request(op);
-    bus_.request(model(), op);
+  void request(const cosim::BusOp& op, const AxiPace& pace = {}) {
+    op_ = op;
+    bits_ = pace.bits();
+    bus_.request(op.addr, op.data, op.write, pace);
     if (!op.write) read_ = op.addr;
+  }
+  bool open() const { return bus_.active(); }
+
+  // The synchronisers have none.
+  void reset() {
+    bus_ = {};
+    bus_.reset(model());
+    apply();
+    rtl_->rst_i = 1;
+    for (int i = 0; i < 6; ++i) {
+      rtl_.tick();
+      twin_.step(in);
+    }
+    twin_.reset();
+    rtl_->rst_i = 0;
+    rtl_.eval();
+    restless_ = 0;
   }
 
   std::int64_t run(std::int64_t n) {
     apply();
     const bool transfer = bus_.active();
-    if (transfer) bus_.before_edge(model());
+    if (transfer && bus_.before_edge(model())) {
+      twin_.request(op_.addr, op_.data, op_.write, bits_);
+    }
     std::int64_t gap = 1;
     // A sample takes 400 clocks, a command 128: after them the RTL rests wherever the twin does.
     restless_ = !rtl_->quiescent_o && twin_.next(in) > 0 ? restless_ + 1 : 0;
@@ -140,7 +164,9 @@ class McafeePair : public McafeeTwin {
   }
 
   Rtl<Vmcafee_xy> rtl_;
-  cosim::AxiLiteMaster bus_;
+  PacedMaster bus_;
+  cosim::BusOp op_;
+  std::uint32_t bits_ = ~0u;  // of the bytes it writes
   std::uint32_t read_ = 0;  // address of the last read
   std::int64_t clock_ = 0;
   int restless_ = 0;  // [clk]
@@ -195,6 +221,11 @@ class McafeeBench final : public sw::Bus {
     transfer({address, data, true});
   }
 
+  void transfer(const cosim::BusOp& op, const AxiPace& pace = {}) {
+    chip.request(op, pace);
+    while (chip.open()) edge(1);
+  }
+
   void clocks(std::int64_t n) {
     const std::int64_t end = now_ + n;
     while (now_ < end) edge(end - now_);
@@ -223,11 +254,6 @@ class McafeeBench final : public sw::Bus {
   }
 
  private:
-  void transfer(const cosim::BusOp& op) {
-    chip.request(op);
-    while (chip.twin().open()) edge(1);
-  }
-
   void edge(std::int64_t limit) {
     const std::array<bool, 2> commits{part(0).commits(), part(1).commits()};
     now_ += chip.run(limit);

@@ -10,6 +10,7 @@
 #include <cstdlib>
 
 #include "tests/chips/mcafee_bench.hpp"
+#include "tests/chips/mcafee_transfers.hpp"
 #include "tests/support/random.hpp"
 
 using trammel::exact::FeedRate;
@@ -18,75 +19,17 @@ using trammel::sw::Lm628Command;
 using trammel::sw::Lm628Port;
 using trammel::test::McafeePair;
 using trammel::test::McafeeTwin;
+using trammel::test::ordered;
+using trammel::test::own_traffic;
 using trammel::test::Random;
+using trammel::test::run_random;
+using trammel::test::traffic;
+using trammel::test::wild;
 namespace reg = trammel::mcafee_xy_regs;
 using Bench = trammel::test::McafeeBench<McafeePair>;
 using TwinBench = trammel::test::McafeeBench<McafeeTwin>;
 
 namespace {
-
-// Transfers as they should be, of the kind that makes moves, interrupts and readings.
-void ordered(Lm628Port& part, Random& random) {
-  const auto some = static_cast<std::int32_t>(random() % 2000);
-  switch (random() % 7) {
-    case 0:
-      part.command(Lm628Command::kLtrj, 0x2A | random() % 2);
-      part.long_word(some * 40);
-      part.long_word(some * 400);
-      part.long_word(some % 200 - 100);
-      break;
-    case 1:
-      part.command(Lm628Command::kLfil, 0x0F | random() % 4 << 8);
-      for (int n = 0; n < 4; ++n) part.word(static_cast<std::uint32_t>(some / (n + 1)));
-      part.command(Lm628Command::kUdf);
-      break;
-    case 2:
-      part.command(random() % 2 == 0 ? Lm628Command::kMski : Lm628Command::kRsti, random() % 128);
-      break;
-    case 3:
-      part.ask_long(random() % 2 == 0 ? Lm628Command::kRddp : Lm628Command::kRdrp);
-      break;
-    case 4:
-      part.command(Lm628Command::kRdsigs);
-      part.read_word();
-      break;
-    default:
-      part.command(Lm628Command::kStt);
-  }
-}
-
-// Any access of any register, at any time.
-void wild(Bench& bench, Random& random) {
-  const std::uint32_t address = random() % 10 * 4;
-  if (random() % 3 == 0) {
-    bench.read(address);
-  } else if (address != reg::kReset || random() % 16 == 0) {
-    bench.write(address, random() % 8 == 0 ? random() : random() % 32);
-  }
-  if (random() % 2 == 0) bench.clocks(random() % 600);
-}
-
-void run_random(Bench& bench, int transfers, std::uint32_t seed) {
-  Random random(seed);
-  bench.start();
-  for (int n = 0; n < transfers; ++n) {
-    CAPTURE(n);
-    if (random() % 8 == 0) {
-      for (unsigned k = random() % 8; k > 0; --k) wild(bench, random);
-      bench.write(reg::kPortB, 0);
-      bench.clocks(600);
-    } else {
-      ordered(random() % 2 == 0 ? bench.x : bench.y, random);
-    }
-    if (random() % 4 == 0) bench.clocks(random() % 20000);
-    if (random() % 8 == 0) bench.chip.in.limits = random() & 15;
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      const std::int64_t desired = bench.part(axis).engine().desired().position >> 16;
-      if (std::abs(desired) < 3000) bench.move_to(axis, desired / 2);
-      bench.chip.in.index_n[axis] = random() % 4 != 0;
-    }
-  }
-}
 
 // Times at the parts' pins [clk of 20 ns], as an oscilloscope would find them.
 struct Scope {
@@ -141,9 +84,11 @@ TEST_CASE("F-12 mcafee_xy: every RD and WR is 5.5 us, data stand 50 ns before an
   CHECK(scope.reads > 500);
 }
 
+// For more of it, or other: TRAMMEL_TRANSFERS, TRAMMEL_SEED.
 TEST_CASE("mcafee_xy has the pins and bytes of its twin over random transfers, leaping") {
   Bench bench;
-  run_random(bench, 150, 92);
+  run_random(bench, traffic(300, 92));
+  if (!own_traffic()) return;
   CHECK(bench.samples(0) > 40);
   CHECK(bench.samples(1) > 40);
 }
@@ -151,7 +96,7 @@ TEST_CASE("mcafee_xy has the pins and bytes of its twin over random transfers, l
 TEST_CASE("mcafee_xy has the pins and bytes of its twin over random transfers, not leaping") {
   Bench bench;
   bench.chip.leaps = false;
-  run_random(bench, 25, 93);
+  run_random(bench, {25, 93});
 }
 
 TEST_CASE("mcafee_xy: the parts answer separately, and a strobe that starts nothing is reported") {

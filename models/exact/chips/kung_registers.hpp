@@ -27,16 +27,17 @@ class KungRegisters {
     return address / 4 < words_.size() ? words_[address / 4] : 0;
   }
 
-  // Returns the bits that pulse.
-  std::uint32_t write(std::uint32_t address, std::uint32_t data, bool locked) {
+  // Writes these of the bits. Returns those that pulse.
+  std::uint32_t write(std::uint32_t address, std::uint32_t data, std::uint32_t written,
+                      bool locked) {
     const auto* const reg = std::lower_bound(
         kung_xy_regs::kRegisters.begin(), kung_xy_regs::kRegisters.end(), address,
         [](const kung_xy_regs::Register& r, std::uint32_t a) { return r.address < a; });
     if (reg == kung_xy_regs::kRegisters.end() || reg->address != address) return 0;
-    const std::uint32_t bits = reg->written & ~(locked ? reg->locked : 0);
+    const std::uint32_t bits = reg->written & written & ~(locked ? reg->locked : 0);
     std::uint32_t& word = words_[address / 4];
     word = (word & ~bits) | (data & bits);
-    return data & reg->pulsed;
+    return data & written & reg->pulsed;
   }
 
  private:

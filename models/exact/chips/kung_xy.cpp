@@ -87,7 +87,7 @@ unsigned KungXy::full(Clk n, const Converters& converters) {
   Write write;
   if (n == bus_acts_) {
     bus_acts_ = kNever;
-    write = {op_.write, op_.address, op_.data};
+    write = {op_.write, op_.address, op_.data, op_.bits};
     if (!op_.write) answer_ = read(n - 1, op_.address);
     if (!(write.is(map::kX + map::kTabData) || write.is(map::kY + map::kTabData))) {
       bus_ends_ = n + 1;

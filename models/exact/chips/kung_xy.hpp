@@ -41,6 +41,7 @@ class KungXy {
   struct BusOp {
     std::uint32_t address = 0, data = 0;  // byte address
     bool write = false;
+    std::uint32_t bits = ~0u;  // of the bytes written; TAB_DATA, POS_PRESET and keys are whole words
   };
   // Converters of phases a and b of an axis, held at an edge; offset binary, 2048 = 0 A.
   struct Converters {
@@ -85,7 +86,7 @@ class KungXy {
   };
   struct Write {  // takes effect at this edge
     bool valid = false;
-    std::uint32_t address = 0, data = 0;
+    std::uint32_t address = 0, data = 0, bits = ~0u;
     bool is(std::uint32_t reg) const { return valid && address == reg; }
   };
 

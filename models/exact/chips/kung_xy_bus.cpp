@@ -30,19 +30,21 @@ void KungXy::lock(std::uint32_t key) {
 
 void KungXy::apply(Clk n, const Write& write) {
   if (write.is(map::kLock)) lock(write.data);
+  const std::uint32_t ones = write.data & write.bits;
   if (write.is(map::kIrqStat)) {
-    if ((write.data & map::kIrqStatTick) != 0) irq_tick_.clear(n);
-    if ((write.data & map::kIrqStatFault) != 0) irq_fault_.clear(n);
+    if ((ones & map::kIrqStatTick) != 0) irq_tick_.clear(n);
+    if ((ones & map::kIrqStatFault) != 0) irq_fault_.clear(n);
   }
   for (std::size_t k = 0; k < 2; ++k) {
     if (!write.is(kBases[k] + map::kStatus)) continue;
     Axis& axis = axes_[k];
-    if ((write.data & map::kStatusOverrun) != 0) axis.overrun.clear(n);
-    if ((write.data & map::kStatusQepError) != 0) axis.qep_error.clear(n);
-    if ((write.data & map::kStatusSaturated) != 0) axis.saturated.clear(n);
-    if ((write.data & map::kStatusLimited) != 0) axis.limited.clear(n);
+    if ((ones & map::kStatusOverrun) != 0) axis.overrun.clear(n);
+    if ((ones & map::kStatusQepError) != 0) axis.qep_error.clear(n);
+    if ((ones & map::kStatusSaturated) != 0) axis.saturated.clear(n);
+    if ((ones & map::kStatusLimited) != 0) axis.limited.clear(n);
   }
-  const std::uint32_t pulses = registers_.write(write.address, write.data, locked_);
+  const std::uint32_t pulses =
+      registers_.write(write.address, write.data, write.bits, locked_);
   if (write.is(map::kCommit)) commit_ = (pulses & map::kCommitTake) != 0;
   for (std::size_t k = 0; k < 2; ++k) {
     if (write.is(kBases[k] + map::kCtrl)) {

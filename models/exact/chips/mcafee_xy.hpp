@@ -42,10 +42,11 @@ class McafeeXy {
     *this = fresh;
   }
 
-  // Valid from the present edge on; one at a time.
-  void request(std::uint32_t address, std::uint32_t data, bool write) {
+  // Valid from the present edge on; one at a time. A write is of these bits, whole bytes.
+  void request(std::uint32_t address, std::uint32_t data, bool write, std::uint32_t bits = ~0u) {
     address_ = address;
     data_ = data;
+    bits_ = bits;
     write_ = write;
     phase_ = 1;
   }
@@ -122,15 +123,17 @@ class McafeeXy {
 
   void write() {
     using namespace mcafee_xy_regs;
+    const std::uint32_t ones = data_ & bits_;
+    const auto merge = [&](std::uint32_t old) { return (old & ~bits_) | ones; };
     switch (address_) {
-      case kPortB: port_b_ = data_ & 0x1F; break;
-      case kPortC: port_c_ = static_cast<std::uint8_t>(data_); break;
-      case kStatus: status_ &= ~data_; break;
+      case kPortB: port_b_ = merge(port_b_) & 0x1F; break;
+      case kPortC: port_c_ = static_cast<std::uint8_t>(merge(port_c_)); break;
+      case kStatus: status_ &= ~ones; break;
       case kFeedIn:
-        feed_in_ = data_ & 0xFFFF;
-        feed_asked_ = true;
+        feed_in_ = merge(feed_in_) & 0xFFFF;
+        feed_asked_ = feed_asked_ || (bits_ & kFeedInCMask) != 0;
         break;
-      case kReset: reset_strobe_ = (data_ & kResetStrobe) != 0; break;
+      case kReset: reset_strobe_ = (ones & kResetStrobe) != 0; break;
       default: break;
     }
   }
@@ -167,7 +170,7 @@ class McafeeXy {
   bool feed_asked_ = false, fed_ = false;
   int feed_left_ = 0;  // [clk]
   std::uint8_t limit_meta_ = 0, limit_ = 0;
-  std::uint32_t address_ = 0, data_ = 0, read_data_ = 0;
+  std::uint32_t address_ = 0, data_ = 0, bits_ = ~0u, read_data_ = 0;
   bool write_ = false;
   int phase_ = 0;  // of the transfer
 };

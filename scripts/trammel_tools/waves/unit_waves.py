@@ -54,6 +54,8 @@ def build(block, test, folder):
                "-o", "unit", *parameters, *search, f"-I{RTL}/chips/generated",
                *map(str, lint.packages()), str(RTL / f"{block}.sv"), *map(str, properties),
                str(source), str(ROOT / "tests" / "support" / "main.cpp")]
+    models = ROOT / "build" / "models" / "libtrammel_models.a"  # of twins that are no header
+    command += [str(models)] if models.exists() else []
     cache = "ccache" if shutil.which("ccache") else ""
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False,
                           env={**os.environ, "OBJCACHE": cache})
