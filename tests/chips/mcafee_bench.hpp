@@ -81,12 +81,13 @@ class McafeePair : public McafeeTwin {
   }
   bool open() const { return bus_.active(); }
 
-  // The synchronisers have none.
+  // The synchronisers have none: they see the pins at rest meanwhile.
   void reset() {
     bus_ = {};
     bus_.reset(model());
     apply();
     rtl_->rst_i = 1;
+    twin_.reset();
     for (int i = 0; i < 6; ++i) {
       rtl_.tick();
       twin_.step(in);

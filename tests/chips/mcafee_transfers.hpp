@@ -48,18 +48,37 @@ inline void ordered(sw::Lm628Port& part, Random& random) {
   }
 }
 
-// Any access of any register, at any time: bytes of it, and channels of the bus that come late.
+// Any access of any register: bytes of it, and channels of the bus that come late.
 template <class Bench>
-void wild(Bench& bench, Random& random) {
+void access(Bench& bench, Random& random) {
   const std::uint32_t address = random() % 16 * 4;
   const AxiPace pace = AxiPace::random(random, random() % 4 != 0);
   if (random() % 3 == 0) {
     bench.transfer({address, 0, false}, pace);
-  } else if (address != reg::kReset || random() % 16 == 0) {
-    const std::uint32_t data = random() % 8 == 0 ? random() : random() % 32;
+  } else if (address != reg::kReset || random() % 64 == 0) {
+    const std::uint32_t data = random() % 2 == 0 ? random() : random() % 32;
     bench.transfer({address, data, true}, pace);
   }
+}
+
+// At any time.
+template <class Bench>
+void wild(Bench& bench, Random& random) {
+  access(bench, random);
   if (random() % 2 == 0) bench.clocks(random() % 600);
+}
+
+// The reset of the chip, in the middle of a transfer and of what the parts do.
+template <class Bench>
+void cut(Bench& bench, Random& random) {
+  for (unsigned times = 1 + random() % 12; times > 0; --times) {
+    bench.chip.request({random() % 10 * 4, random(), random() % 2 == 0},
+                       AxiPace::random(random, true));
+    bench.clocks(1 + random() % 8);
+    bench.chip.reset();
+    for (unsigned k = random() % 4; k > 0; --k) access(bench, random);
+  }
+  bench.clocks(random() % 2 == 0 ? 66800 : random() % 2000);
 }
 
 template <class Bench>
@@ -70,6 +89,7 @@ void run_random(Bench& bench, const Traffic& traffic) {
     INFO("transfer " << n << "; " << traffic.until(n));
     if (random() % 8 == 0) {
       for (unsigned k = random() % 8; k > 0; --k) wild(bench, random);
+      for (unsigned k = random() % 100; k > 0; --k) access(bench, random);
       bench.write(reg::kPortB, 0);
       bench.clocks(600);
     } else {
@@ -82,13 +102,7 @@ void run_random(Bench& bench, const Traffic& traffic) {
       if (std::abs(desired) < 3000) bench.move_to(axis, desired / 2);
       bench.chip.in.index_n[axis] = random() % 4 != 0;
     }
-    if (random() % 60 != 0) continue;
-    // The reset of the chip, in the middle of a transfer and of what the parts do.
-    bench.chip.request({random() % 10 * 4, random() % 32, random() % 2 == 0},
-                       AxiPace::random(random, true));
-    bench.clocks(1 + random() % 6);
-    bench.chip.reset();
-    bench.clocks(random() % 2 == 0 ? 66800 : random() % 2000);
+    if (random() % 30 == 0) cut(bench, random);
   }
 }
 
