@@ -104,7 +104,10 @@ void run_random(Bench& bench, const Traffic& traffic) {
   bench.start();
   for (std::int64_t n = 0; n < traffic.transfers; ++n) {
     INFO("transfer " << n << "; " << traffic.until(n));
-    bench.chip.in.wrap = n / 500 % 2 == 1;
+    if (n > 0 && n % 500 == 0) {  // not while a sample is computed
+      bench.sample();
+      bench.chip.in.wrap = !bench.chip.in.wrap;
+    }
     if (random() % 10 == 0) {
       wild(bench, random);
     } else {
