@@ -67,7 +67,9 @@ class KungBench {
     rtl_->adc_sdata_a_i = static_cast<std::uint8_t>(data_a);
     rtl_->adc_sdata_b_i = static_cast<std::uint8_t>(data_b);
     rtl_.eval();
-    if ((rtl_->gate_hi_o & rtl_->gate_lo_o) != 0) throw std::runtime_error("shoot-through" + after_clock(now_));
+    if ((rtl_->gate_hi_o & rtl_->gate_lo_o) != 0) {
+      throw std::runtime_error("shoot-through" + after_clock(now_));
+    }
     for (std::size_t gate = 0; gate < 6; ++gate) {
       on_hi[gate] += rtl_->gate_hi_o >> gate & 1;
       on_lo[gate] += rtl_->gate_lo_o >> gate & 1;

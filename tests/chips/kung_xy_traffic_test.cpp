@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Random traffic on every pin of the chip beside its twin, with the promises of all blocks checked
-// at each evaluated clock. For more of it, or other: TRAMMEL_TRANSFERS, TRAMMEL_SEED.
+// at each evaluated clock. For more of it, or other: TRAMMEL_TEST_TRANSFERS, TRAMMEL_TEST_SEED.
 #include <Vkung_xy.h>
 
 #include <catch2/catch.hpp>

@@ -150,7 +150,7 @@ TEST_CASE("lm628 drops a transfer that a command interrupts, and a half word at 
   REQUIRE_FALSE(bench.out().hi);  // only the breakpoint interrupts
 }
 
-// For more of it, or other: TRAMMEL_TRANSFERS, TRAMMEL_SEED.
+// For more of it, or other: TRAMMEL_TEST_TRANSFERS, TRAMMEL_TEST_SEED.
 TEST_CASE("L-15 lm628 has the pins of its twin over 10,000 random transfers, leaping") {
   Bench bench;
   run_random(bench, traffic(10000, 61));

@@ -142,7 +142,9 @@ class McafeePair : public McafeeTwin {
   void compare() {
     const exact::Lm628Bridge::Out port = twin_.port();
     const auto both = [this](auto of) { return of(twin_.part(0)) | of(twin_.part(1)) << 1; };
-    const auto pin = [this](const char* name, auto rtl, auto twin) { same(name, rtl, twin, clock_); };
+    const auto pin = [this](const char* name, auto ours, auto theirs) {
+      same(name, ours, theirs, clock_);
+    };
     pin("dac_x_o", rtl_->dac_x_o, twin_.dac(0));
     pin("dac_y_o", rtl_->dac_y_o, twin_.dac(1));
     pin("irq_o", rtl_->irq_o, twin_.irq());

@@ -34,7 +34,8 @@ inline void ordered(sw::Lm628Port& part, Random& random) {
       part.command(sw::Lm628Command::kUdf);
       break;
     case 2:
-      part.command(random() % 2 == 0 ? sw::Lm628Command::kMski : sw::Lm628Command::kRsti, random() % 128);
+      part.command(random() % 2 == 0 ? sw::Lm628Command::kMski : sw::Lm628Command::kRsti,
+                   random() % 128);
       break;
     case 3:
       part.ask_long(random() % 2 == 0 ? sw::Lm628Command::kRddp : sw::Lm628Command::kRdrp);

@@ -110,7 +110,7 @@ TEST_CASE("mcafee_xy: a strobe starts a pulse only by a write of its byte") {
 }
 
 TEST_CASE("mcafee_xy: a reset leaves in every register the value of the specification") {
-  // McAfee 1994, chapter VI, and rtl/chips/mcafee_xy.rdl: all others are 0, the limit switches open.
+  // McAfee 1994, chapter VI, and rtl/chips/mcafee_xy.rdl. All others are 0: no limit is reached.
   const std::map<std::string, std::uint32_t> values{{"ID", 0x4D430001}};  // "MC", version 1
   for (const bool used : {false, true}) {
     Bench bench;

@@ -84,7 +84,7 @@ TEST_CASE("F-12 mcafee_xy: every RD and WR is 5.5 us, data stand 50 ns before an
   CHECK(scope.reads > 500);
 }
 
-// For more of it, or other: TRAMMEL_TRANSFERS, TRAMMEL_SEED.
+// For more of it, or other: TRAMMEL_TEST_TRANSFERS, TRAMMEL_TEST_SEED.
 TEST_CASE("mcafee_xy has the pins and bytes of its twin over random transfers, leaping") {
   Bench bench;
   run_random(bench, traffic(300, 92));

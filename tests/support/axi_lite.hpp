@@ -106,8 +106,8 @@ struct AxiRegister {
   std::uint32_t address, mask;
 };
 
-// Those of a chip's list kRegisters that read as they were written, but for `others`; and the first,
-// its ID, which keeps nothing.
+// Those of a chip's list kRegisters that read as they were written, but for `others`; and its ID,
+// which keeps nothing.
 template <class Registers>
 std::vector<AxiRegister> kept_registers(const Registers& registers,
                                         const std::vector<std::uint32_t>& others = {}) {

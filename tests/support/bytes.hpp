@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Catch prints a byte as a character, and from 80h on that is no UTF-8. Pins and status are bytes:
-// they are printed as numbers. Every test includes this before anything else (tests/CMakeLists.txt),
-// since Catch calls the function by its full name, which must be known to it then.
+// they are printed as numbers. Every test includes this first (tests/CMakeLists.txt), since Catch
+// calls the function by its full name, which must be known there.
 #pragma once
 
 #include <cstdio>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// How much random traffic a test makes, and which: TRAMMEL_TRANSFERS and TRAMMEL_SEED replace what
+// How much random traffic a test makes, and which: TRAMMEL_TEST_TRANSFERS and TRAMMEL_TEST_SEED replace what
 // the test has of its own (docs/verification.md).
 #pragma once
 
@@ -17,8 +17,8 @@ struct Traffic {
 
   // What repeats it up to this transfer.
   std::string until(std::int64_t transfer) const {
-    return "TRAMMEL_SEED=" + std::to_string(seed) +
-           " TRAMMEL_TRANSFERS=" + std::to_string(transfer + 1) + " repeats it";
+    return "TRAMMEL_TEST_SEED=" + std::to_string(seed) +
+           " TRAMMEL_TEST_TRANSFERS=" + std::to_string(transfer + 1) + " repeats it";
   }
 };
 
@@ -34,13 +34,13 @@ inline std::int64_t number_of_environment(const char* name, std::int64_t otherwi
 }
 
 inline Traffic traffic(std::int64_t transfers, std::uint32_t seed) {
-  return {number_of_environment("TRAMMEL_TRANSFERS", transfers),
-          static_cast<std::uint32_t>(number_of_environment("TRAMMEL_SEED", seed))};
+  return {number_of_environment("TRAMMEL_TEST_TRANSFERS", transfers),
+          static_cast<std::uint32_t>(number_of_environment("TRAMMEL_TEST_SEED", seed))};
 }
 
 // Whether the numbers are the test's own: only then is known what the traffic reaches.
 inline bool own_traffic() {
-  return std::getenv("TRAMMEL_TRANSFERS") == nullptr && std::getenv("TRAMMEL_SEED") == nullptr;
+  return std::getenv("TRAMMEL_TEST_TRANSFERS") == nullptr && std::getenv("TRAMMEL_TEST_SEED") == nullptr;
 }
 
 }  // namespace trammel::test

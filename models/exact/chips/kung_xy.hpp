@@ -41,7 +41,8 @@ class KungXy {
   struct BusOp {
     std::uint32_t address = 0, data = 0;  // byte address
     bool write = false;
-    std::uint32_t bits = ~0u;  // of the bytes written; TAB_DATA, POS_PRESET and keys are whole words
+    // Of the bytes written. TAB_DATA, POS_PRESET and keys are whole words.
+    std::uint32_t bits = ~0u;
   };
   // Converters of phases a and b of an axis, held at an edge; offset binary, 2048 = 0 A.
   struct Converters {

@@ -13,7 +13,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 from trammel_tools.mutation import mutants
 from trammel_tools.mutation.mutants import MutationError
-from trammel_tools.paths import ROOT, RTL
+from trammel_tools.paths import ROOT, RTL, twin_sources
 from trammel_tools.rtl import lint
 
 DECLARATION = f"""  import "DPI-C" function int {mutants.SELECTOR}();
@@ -60,6 +60,7 @@ def build(block):
                "--top-module", top, "--prefix", f"V{top}", "--Mdir", str(folder / "obj"),
                "-CFLAGS", f"-std=c++17 -I{ROOT}", "-o", "mutants", *search,
                f"-I{RTL}/chips/generated", *rtl, str(netlist), *map(str, files_of(block)),
+               *map(str, twin_sources(top)),
                str(ROOT / "tests" / "support" / "mutant.cpp"), *main]
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False,
                           env={**os.environ, "OBJCACHE": "ccache"})

@@ -19,7 +19,7 @@ import subprocess
 import sys
 
 from trammel_tools import python_tools
-from trammel_tools.paths import ROOT, RTL
+from trammel_tools.paths import ROOT, RTL, twin_sources
 from trammel_tools.rtl import lint
 from trammel_tools.waves import vcd
 
@@ -53,9 +53,8 @@ def build(block, test, folder):
                "--Mdir", str(folder / "obj"), "-CFLAGS", f"-std=c++17 -I{ROOT} -DTRAMMEL_WAVES",
                "-o", "unit", *parameters, *search, f"-I{RTL}/chips/generated",
                *map(str, lint.packages()), str(RTL / f"{block}.sv"), *map(str, properties),
-               str(source), str(ROOT / "tests" / "support" / "main.cpp")]
-    models = ROOT / "build" / "models" / "libtrammel_models.a"  # of twins that are no header
-    command += [str(models)] if models.exists() else []
+               str(source), *map(str, twin_sources(top)),
+               str(ROOT / "tests" / "support" / "main.cpp")]
     cache = "ccache" if shutil.which("ccache") else ""
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False,
                           env={**os.environ, "OBJCACHE": cache})
