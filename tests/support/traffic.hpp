@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// How much random traffic a test makes, and which: TRAMMEL_TEST_TRANSFERS and TRAMMEL_TEST_SEED replace what
-// the test has of its own (docs/verification.md).
+// How much random traffic a test makes, and which: TRAMMEL_TEST_TRANSFERS and TRAMMEL_TEST_SEED
+// replace what the test has of its own (docs/verification.md).
 #pragma once
 
 #include <cstdint>
@@ -40,7 +40,8 @@ inline Traffic traffic(std::int64_t transfers, std::uint32_t seed) {
 
 // Whether the numbers are the test's own: only then is known what the traffic reaches.
 inline bool own_traffic() {
-  return std::getenv("TRAMMEL_TEST_TRANSFERS") == nullptr && std::getenv("TRAMMEL_TEST_SEED") == nullptr;
+  return std::getenv("TRAMMEL_TEST_TRANSFERS") == nullptr &&
+         std::getenv("TRAMMEL_TEST_SEED") == nullptr;
 }
 
 }  // namespace trammel::test
