@@ -41,4 +41,7 @@ inline std::vector<WaveSpan> wave_spans(WaveWindow window, Clk clocks) {
   return spans;
 }
 
+// The system's number of the first error in writing waves since this was asked last, or 0.
+int take_wave_error();
+
 }  // namespace trammel::cosim

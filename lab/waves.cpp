@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
+#include <system_error>
 
 #include "lab/build_info.hpp"
 #include "lab/files.hpp"
@@ -232,6 +233,9 @@ bool finish_waves(const Settings& settings, const RunResult& result, const fs::p
     return false;
   };
   const fs::path fst = settings.run.wave_file;
+  if (const int error = cosim::take_wave_error(); error != 0) {
+    throw std::system_error(error, std::generic_category(), fst.string() + ": cannot be written");
+  }
   const double ran_s = seconds_of(result.clocks);
   if (result.waves.empty()) {
     std::error_code ignored;

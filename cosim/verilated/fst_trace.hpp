@@ -12,12 +12,12 @@
 #include <algorithm>
 #include <cstdint>
 #include <memory>
-#include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <vector>
 
-#include "cosim/cosim.hpp"
+#include "cosim/waves.hpp"
 
 namespace trammel::cosim {
 
@@ -71,8 +71,9 @@ class FstTrace {
     file_->dumpvars(99, std::string(" ") + Traced::kScope);
     file_->dumpvars(99, Traced::kScope);
     model.trace(file_.get(), 99);
+    take_wave_error();
     file_->open(name_.c_str());
-    if (!file_->isOpen()) throw std::runtime_error("cannot write waves: " + name_);
+    check();
     file_->spTrace()->addChgCb(
         [](void* root, VerilatedFst::Buffer* buffer) {
           Traced::dump_timers(static_cast<const Root*>(root), buffer);
@@ -98,10 +99,20 @@ class FstTrace {
     root_->vlSymsp->__Vm_activity = true;
   }
 
-  void flush() { file_->flush(); }
+  // Throws std::system_error when the waves up to here could not be written.
+  void flush() {
+    file_->flush();
+    check();
+  }
 
  private:
   static constexpr std::uint64_t kHalfPeriodNs = 10;  // 50 MHz
+
+  void check() const {
+    const int error = take_wave_error();
+    if (error == 0) return;
+    throw std::system_error(error, std::generic_category(), name_ + ": cannot be written");
+  }
 
   void dump(std::uint64_t half) {
     // False as long as the model was not evaluated: at most falling edges.
