@@ -5,7 +5,9 @@
 // equal events.
 #pragma once
 
+#include <algorithm>
 #include <functional>
+#include <utility>
 
 #include "cosim/cosim.hpp"
 #include "sw_nios/hal/bus.hpp"
@@ -20,7 +22,14 @@ struct ProcessorTiming {
 
 class DirectBus final : public sw::Bus {
  public:
-  DirectBus(Loop& loop, const ProcessorTiming& timing) : loop_(loop), timing_(timing) {}
+  // Thrown through the firmware when the run ends inside its routine.
+  struct RunOver {};
+
+  // The run ends at edge `end`, or as soon as `finished()` holds after a sample: as in SystemC
+  // whatever the processor is at then.
+  DirectBus(Loop& loop, const ProcessorTiming& timing, Clk end = kNever,
+            std::function<bool()> finished = {})
+      : loop_(loop), timing_(timing), end_(end), finished_(std::move(finished)) {}
 
   std::uint32_t read(std::uint32_t addr) override { return transfer({addr, 0, false}); }
   void write(std::uint32_t addr, std::uint32_t data) override { transfer({addr, data, true}); }
@@ -28,35 +37,52 @@ class DirectBus final : public sw::Bus {
   void wait(Clk clocks) { wait_until(time_ + clocks); }
   void wait_until(Clk edge) {
     time_ = edge;
-    loop_.advance(time_, 0);
+    while (loop_.chip().now() < std::min(edge, end_)) advance(std::min(edge, end_), 0);
+    if (edge > end_) throw RunOver();
   }
 
  private:
   std::uint32_t transfer(const BusOp& op) {
     wait(timing_.access);
     loop_.chip().request(op);
-    time_ = loop_.advance(kNever, kBusDone).edge;
+    Stop stop;
+    do {
+      if (loop_.chip().now() >= end_) throw RunOver();
+      stop = advance(end_, kBusDone);
+    } while ((stop.why & kBusDone) == 0);
+    time_ = stop.edge;
     return loop_.chip().rdata();
+  }
+
+  Stop advance(Clk end, unsigned until) {
+    const Stop stop = loop_.advance(end, finished_ ? until | kSample : until);
+    if ((stop.why & kSample) != 0 && finished_ && finished_()) throw RunOver();
+    return stop;
   }
 
   Loop& loop_;
   ProcessorTiming timing_;
+  Clk end_;
+  std::function<bool()> finished_;
   Clk time_ = 0;
 };
 
-// Runs until `finished()` holds after an interrupt or a sample, or until edge `end`.
+// Runs until `finished()` holds after a sample, or until edge `end`.
 inline void run_direct(Loop& loop, sw::Firmware& firmware, const ProcessorTiming& timing, Clk end,
                        const std::function<bool()>& finished) {
-  DirectBus bus(loop, timing);
-  firmware.start(bus);
-  while (!finished() && loop.chip().now() < end) {
-    if (!loop.chip().irq()) {
-      const Stop stop = loop.advance(end, kIrq | kSample);
-      if ((stop.why & kIrq) == 0) continue;
-      bus.wait_until(stop.edge);
+  DirectBus bus(loop, timing, end, finished);
+  try {
+    firmware.start(bus);
+    while (!finished() && loop.chip().now() < end) {
+      if (!loop.chip().irq()) {
+        const Stop stop = loop.advance(end, kIrq | kSample);
+        if ((stop.why & kIrq) == 0) continue;
+        bus.wait_until(stop.edge);
+      }
+      bus.wait(timing.latency);
+      firmware.isr(bus);
     }
-    bus.wait(timing.latency);
-    firmware.isr(bus);
+  } catch (const DirectBus::RunOver&) {
   }
 }
 

@@ -51,14 +51,14 @@ def flat(name, value):
     return [leaf for item in items for leaf in flat(*item)]
 
 
-def run(scenario, variant, engine, folder):
+def run(scenario, variant, engine, folder, platform="direct", code=0):
     """(seconds, figures, whole files) of a run; figures and files must not depend on the engine."""
-    out = folder / f"{scenario}-{variant}-{engine}"
+    out = folder / f"{scenario}-{variant}-{engine}-{platform}"
     done = subprocess.run([PROGRAM, "run", scenario, "--engine", engine, "--json", "--no-report",
                            *(("-s", variant) if variant else ()),
-                           "-s", "run.platform=direct", "-o", out],
+                           "--platform", platform, "-o", out],
                           capture_output=True, text=True, check=False)
-    if done.returncode != 0:
+    if done.returncode != code:
         raise EngineError(f"{scenario} {variant} {engine}: exit {done.returncode}: "
                           f"{done.stderr.strip()}")
     metrics = json.loads((out / "metrics.json").read_text(encoding="utf-8"))
@@ -71,7 +71,7 @@ def run(scenario, variant, engine, folder):
 
 
 def differences(rtl, twin):
-    """What differs between two runs, in words."""
+    """What differs between two runs, in words; `rtl` and `twin` as run() gives them."""
     found = [f"{key} {rtl[1].get(key)} and {twin[1].get(key)}"
              for key in dict.fromkeys((*rtl[1], *twin[1])) if rtl[1].get(key) != twin[1].get(key)]
     for name in sorted({*rtl[2], *twin[2]}):
