@@ -55,7 +55,8 @@ struct ProcessorOptions {
   int interrupt_latency_clk = 100;  // from the interrupt line to the first access
 };
 
-enum class EndReason { kDone, kFault, kDiverged, kTimeout, kStopped, kPromise };
+// kMissed: the program ended, but the machine is not where it was to go.
+enum class EndReason { kDone, kFault, kDiverged, kMissed, kTimeout, kStopped, kPromise };
 
 // What a run of any machine gives besides its record.
 struct RunResult {

@@ -66,6 +66,7 @@ const char* end_text(cosim::EndReason end) {
     case cosim::EndReason::kDone: return "done";
     case cosim::EndReason::kFault: return "tripped";
     case cosim::EndReason::kDiverged: return "diverged";
+    case cosim::EndReason::kMissed: return "missed";
     case cosim::EndReason::kTimeout: return "timeout";
     case cosim::EndReason::kStopped: return "interrupted";
     case cosim::EndReason::kPromise: return "assertion failed";
@@ -93,7 +94,8 @@ std::string promise_text(const cosim::BrokenPromise& promise) {
 std::string cause_text(const cosim::RunResult& result) {
   if (result.promise) return ": " + promise_text(*result.promise);
   const std::string fault = result.fault_text();
-  return fault.empty() ? "" : " by " + fault;
+  if (fault.empty()) return "";
+  return (result.end == cosim::EndReason::kMissed ? ": " : " by ") + fault;
 }
 
 }  // namespace trammel::lab

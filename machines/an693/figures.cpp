@@ -63,6 +63,44 @@ double shaft_counts(const Options& options, double theta) {
   return theta / plant::MotorAxis::kTurn * options.plant.counts;
 }
 
+std::string what_missed(const Options& options, const Result& result) {
+  const auto& all = result.samples;
+  if (all.empty()) return "";
+  const auto desired = [&all](std::size_t k) { return all[k].words.position >> 16; };
+  const std::int64_t target = desired(all.size() - 1);
+  std::int64_t travel = 0;
+  std::size_t stood = 0;  // samples at the end
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    stood = desired(k) == target ? stood + 1 : 0;
+    travel = std::max(travel, std::abs(desired(k)));
+  }
+  using Program = sw::An693Program;
+  const bool goes = options.program == Program::kAbsolute || options.program == Program::kRelative;
+  if (goes && target != options.position) {
+    return fmt::format("the trajectory ended at {} counts, not at {}", target, options.position);
+  }
+  const double shortest = std::max(3.0, static_cast<double>(travel) / 4);
+  const bool held = options.program == Program::kHold;
+  const double band = held ? options.reached_counts
+                           : std::min<double>(options.reached_counts, shortest);
+  const auto off_target = [&](std::size_t k) {  // the part counts modulo 2^32
+    return std::remainder(shaft_counts(options, all[k].theta) - static_cast<double>(target),
+                          4294967296.0);
+  };
+  double low = off_target(all.size() - 1), high = low;
+  for (std::size_t k = all.size() - std::max<std::size_t>(1, stood / 2); k < all.size(); ++k) {
+    low = std::min(low, off_target(k));
+    high = std::max(high, off_target(k));
+  }
+  if (high - low > band) {
+    return fmt::format("the shaft swings by {:.0f} counts at the end", high - low);
+  }
+  const double off = (low + high) / 2;
+  if (held || std::abs(off) <= band) return "";  // a held shaft gives way to the torque
+  return fmt::format("the shaft stands {:.0f} counts from the target of {}", std::abs(off),
+                     target);
+}
+
 std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult& run) {
   const auto& options = static_cast<const Options&>(settings);
   auto& result = static_cast<Result&>(run);

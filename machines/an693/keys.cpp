@@ -22,6 +22,9 @@ const std::vector<lab::Key>& keys() {
     t.names();
     t.text("program", "example of AN-693", TRAMMEL_LENS(program));
     lm628::add_run(t);
+    t.one("run.reached_counts", 1, 32767,
+          "largest error, and movement, of a shaft that counts as at its target",
+          TRAMMEL_LENS(reached_counts));
     lm628::add_filter(t);
     t.one("trajectory.acceleration", 0, kWord, "2^-16 count/sample^2", TRAMMEL_LENS(acceleration));
     t.one("trajectory.velocity", 0, kWord, "2^-16 count/sample; of breakpoints the first speed",

@@ -19,6 +19,11 @@ void add_metrics(const lab::Record& record, nlohmann::ordered_json& json);
 std::vector<std::string> remarks(const lab::Record& record);
 double shaft_counts(const Options& options, double theta);  // of the true angle [rad]
 
+// Of a program that ended: why its shaft is not at the target, "" if it is. The target is what the
+// program asks for; run.reached_counts, and less for short moves, is what the true shaft may be off
+// and still move in the last half of the time for which it was to stand there.
+std::string what_missed(const Options& options, const Result& result);
+
 const cosim::TriggerForms& triggers();  // machine.cpp
 
 inline const Options& options_of(const lab::Record& record) {

@@ -27,6 +27,7 @@ struct Options final : lab::SettingsOf<Options, machine> {
   int steps = 4;
   double wait_s = 0.1;           // before STT, between steps, and at the end
   int diverged_counts = 30000;   // position error that ends the run as diverged
+  int reached_counts = 50;       // largest error and movement of a shaft that is at its target
   plant::MotorAxisConfig plant;
 };
 

@@ -125,6 +125,10 @@ std::unique_ptr<cosim::RunResult> Session::result() {
     result->desired = static_cast<std::int32_t>(last.position >> 16);
     result->real = last.actual;
   }
+  if (result->end == cosim::EndReason::kDone) {
+    result->fault = what_missed(options(), *result);
+    if (!result->fault.empty()) result->end = cosim::EndReason::kMissed;
+  }
   return result;
 }
 

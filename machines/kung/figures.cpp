@@ -10,6 +10,8 @@ namespace {
 
 constexpr double kModelScale = 1.0 / 16384;  // x_m is Q14 of a count
 
+}  // namespace
+
 double segment_distance(const PointM& p, const PointM& a, const PointM& b) {
   const double dx = b.x_m - a.x_m;
   const double dy = b.y_m - a.y_m;
@@ -19,8 +21,6 @@ double segment_distance(const PointM& p, const PointM& a, const PointM& b) {
   t = std::clamp(t, 0.0, 1.0);
   return std::hypot(p.x_m - a.x_m - t * dx, p.y_m - a.y_m - t * dy);
 }
-
-}  // namespace
 
 Spread spread(const Series& series) {
   Spread s;

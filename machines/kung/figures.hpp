@@ -29,6 +29,9 @@ using Points = cosim::DiskVector<PointM>;
 
 Spread spread(const Series& series);  // Kung eq. 45, 46
 
+// Distance of p from the line segment between a and b.
+double segment_distance(const PointM& p, const PointM& a, const PointM& b);
+
 // Distance between two points (Kung eq. 44).
 double tracking_error(const PointM& model, const PointM& table);
 

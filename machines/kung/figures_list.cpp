@@ -85,7 +85,7 @@ void set_tiles(List& list, std::size_t periods) {
 
 List figures(const lab::Settings& settings, cosim::RunResult& run) {
   const auto& options = static_cast<const Options&>(settings);
-  const auto& result = static_cast<const Result&>(run);
+  auto& result = static_cast<Result&>(run);
   const Range range = counted(result);
   Points table, command;
   Series to_model_mm, to_command_mm, contour_mm;
@@ -117,6 +117,9 @@ List figures(const lab::Settings& settings, cosim::RunResult& run) {
       contour_mm.push_back(distance * kMm);
     }
   }
+
+  const Series& judged = square ? to_model_mm : contour_mm;
+  result.largest_mm = judged.empty() ? 0 : spread(judged).max;
 
   List list;
   add_spread(list, "tracking.model", "T(k) to reference model", to_model_mm);
@@ -156,7 +159,10 @@ std::string verdict(const lab::Settings& settings, const cosim::RunResult& run) 
   const auto& options = static_cast<const Options&>(settings);
   const auto& result = static_cast<const Result&>(run);
   switch (result.end) {
-    case EndReason::kDone: return fmt::format("followed {} points", result.points);
+    case EndReason::kDone:
+      return fmt::format("followed {} points, at most {:.2f} mm {}", result.points,
+                         result.largest_mm,
+                         options.path.kind == PathKind::kSquare ? "from the model" : "beside them");
     case EndReason::kFault:
       if (result.fault.code == FaultCode::kNone) {
         return fmt::format("tripped: {}", cause_text(result.fault));
@@ -164,8 +170,13 @@ std::string verdict(const lab::Settings& settings, const cosim::RunResult& run) 
       return fmt::format("tripped: {} at 2 kHz tick {} ({:.4f} s)", cause_text(result.fault),
                          result.fault.tick, result.fault.tick * 0.5e-3);
     case EndReason::kDiverged:
+      if (result.beside_m > 0) {
+        return fmt::format("diverged: {:.4f} m beside the path asked, above run.diverged_m = {:g}",
+                           result.beside_m, options.diverged_m);
+      }
       return fmt::format("diverged: error to the model above run.diverged_m = {:g}",
                          options.diverged_m);
+    case EndReason::kMissed: break;  // not of this machine
     case EndReason::kTimeout:
       return fmt::format("not finished within run.max_s = {:g}", options.run.max_s);
     case EndReason::kStopped: return "interrupted: results up to that point";

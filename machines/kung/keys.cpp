@@ -42,7 +42,8 @@ void add_run(Table& t) {
   t.one("run.settle_s", 0, 10, "simulated after the last point, not counted",
         TRAMMEL_LENS(settle_s));
   t.longest_run();
-  t.one("run.diverged_m", 1e-4, 1, "tracking error that ends the run as diverged",
+  t.one("run.diverged_m", 1e-4, 1,
+        "distance from the model, or from the path asked, that ends the run as diverged",
         TRAMMEL_LENS(diverged_m));
   t.waves("where the drives start", "see `trammel list signals`");
 }

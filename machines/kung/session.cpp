@@ -41,6 +41,8 @@ Session::Session(const Options& options, const Hooks& hooks, const cosim::Waves&
   const sw::Trajectory path(setup);
   const sw::Point start = path.start();
   path_points_ = path.size();
+  asked_.emplace(path, static_cast<std::uint32_t>(
+                           ticks_per_point(options_.path, options_.chip.irq_period_ticks)));
   options_.plant.axis[0].start_m = start.x * kCountM;
   options_.plant.axis[1].start_m = start.y * kCountM;
   plant_ = std::make_unique<TablePlant>(options_.plant, fault_at(options_.inject.trip_s),
@@ -94,6 +96,15 @@ bool Session::over(const Sample& sample) {
     const double error = axis.x_m * kModelLsbM - axis.x_true_m;
     if (sample.tick >= result_.first_tick && std::abs(error) > options_.diverged_m) {
       result_.end = EndReason::kDiverged;
+      return true;
+    }
+  }
+  if (sample.tick >= result_.first_tick) {
+    const PointM table{sample.axis[0].x_true_m, sample.axis[1].x_true_m};
+    const double beside = asked_->distance_m(table, options_.diverged_m);
+    if (beside > options_.diverged_m) {
+      result_.end = EndReason::kDiverged;
+      result_.beside_m = beside;
       return true;
     }
   }

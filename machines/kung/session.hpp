@@ -6,8 +6,10 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 
 #include "cosim/session.hpp"
+#include "machines/kung/asked_path.hpp"
 #include "machines/kung/chip.hpp"
 #include "machines/kung/detail.hpp"
 #include "machines/kung/recorder.hpp"
@@ -116,6 +118,7 @@ class Session final : public cosim::Session {
   Tee tee_;
   std::unique_ptr<cosim::Loop> loop_;
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+  std::optional<AskedPath> asked_;
   std::uint32_t path_points_ = 0;  // of the whole path
   std::uint32_t after_fault_ = 0;
   Result result_;

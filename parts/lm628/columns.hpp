@@ -59,6 +59,7 @@ std::string verdict(const lab::Settings& settings, const cosim::RunResult& run) 
     case cosim::EndReason::kDiverged:
       return fmt::format("diverged: error above run.diverged_counts = {}",
                          options.diverged_counts);
+    case cosim::EndReason::kMissed: return "missed: " + result.fault;
     case cosim::EndReason::kTimeout:
       return result.fault.empty() ? fmt::format("not finished within run.max_s = {:g}",
                                                 options.run.max_s)

@@ -61,6 +61,44 @@ Record record_of(const Settings& settings, an693::Result result) {
 
 }  // namespace
 
+TEST_CASE("a shaft that is not at its target, or does not stand there, has missed it") {
+  using Program = sw::An693Program;
+  an693::Options options;
+  options.program = Program::kAbsolute;
+  options.position = 1000;
+  // Moves to 1000 within 100 samples and stands for 200; where the shaft is then is the test's.
+  const auto missed = [&options](auto real, int target = 1000) {
+    an693::Result result;
+    for (int n = 0; n < 300; ++n) {
+      an693::Sample s;
+      s.words.position = std::int64_t{std::min(n, 100) * target / 100} << 16;
+      s.theta = real(n) * plant::MotorAxis::kTurn / options.plant.counts;
+      result.samples.push_back(s);
+    }
+    return an693::what_missed(options, result);
+  };
+  const auto there = [](int n) { return n < 180 ? n * 5.0 : 1000.0; };
+  CHECK(missed(there) == "");
+  CHECK(missed([](int) { return 0.0; }) ==
+        "the shaft stands 1000 counts from the target of 1000");
+  CHECK(missed([](int) { return 951.0; }) == "");
+  CHECK(missed([](int) { return 949.0; }) ==
+        "the shaft stands 51 counts from the target of 1000");
+  CHECK(missed([](int n) { return n % 2 == 0 ? 974.0 : 1026.0; }) ==
+        "the shaft swings by 52 counts at the end");
+  options.reached_counts = 60;
+  CHECK(missed([](int n) { return n % 2 == 0 ? 974.0 : 1026.0; }) == "");
+  options.position = 8;
+  CHECK(missed([](int) { return 5.0; }, 8) == "");
+  CHECK(missed([](int) { return 4.0; }, 8) == "the shaft stands 4 counts from the target of 8");
+  CHECK(missed([](int) { return 9.0; }, 9) == "the trajectory ended at 9 counts, not at 8");
+  // A held shaft gives way to a torque, but stands.
+  options.program = Program::kHold;
+  CHECK(missed([](int) { return 5000.0; }, 0) == "");
+  CHECK(missed([](int n) { return n % 2 * 61.0; }, 0) ==
+        "the shaft swings by 61 counts at the end");
+}
+
 TEST_CASE("an693 scenarios load, can run, and repeat from run.toml") {
   int own = 0;
   for (const auto& file : scenarios()) {

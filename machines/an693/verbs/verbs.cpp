@@ -93,7 +93,8 @@ void check_script_waves(const cosim::RunBasics& run, const std::string& out) {
 // What a script does itself, or what does not end its run.
 bool of_firmware(const lab::Key& key) {
   return key.name == "program" || key.name == "run.platform" ||
-         key.name == "run.diverged_counts" || key.name == "processor.interrupt_latency_clk" ||
+         key.name == "run.diverged_counts" || key.name == "run.reached_counts" ||
+         key.name == "processor.interrupt_latency_clk" ||
          key.name.rfind("filter.", 0) == 0 || key.name.rfind("trajectory.", 0) == 0;
 }
 

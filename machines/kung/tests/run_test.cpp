@@ -62,7 +62,7 @@ TEST_CASE("how a run ended is reported with the figures that decided it") {
   const struct {
     EndReason end;
     const char* verdict;
-  } all[] = {{EndReason::kDone, "followed 10 points"},
+  } all[] = {{EndReason::kDone, "followed 10 points, at most 0.00 mm beside them"},
              {EndReason::kDiverged, "diverged: error to the model above run.diverged_m = 0.05"},
              {EndReason::kTimeout, "not finished within run.max_s = 60"},
              {EndReason::kStopped, "interrupted: results up to that point"}};

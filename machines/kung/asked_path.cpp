@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "machines/kung/asked_path.hpp"
+
+#include <algorithm>
+
+#include "machines/kung/figures.hpp"
+#include "machines/kung/words.hpp"
+
+namespace trammel::kung {
+
+AskedPath::AskedPath(const sw::Trajectory& path, std::uint32_t period)
+    : path_(path), period_(period), size_(path.size()) {
+  const sw::Point start = path_.start();
+  near_.push_back({{start.x * kCountM, start.y * kCountM}, 0});
+}
+
+double AskedPath::distance_m(const PointM& table, double enough) {
+  if (sample_ % period_ == 0 && sample_ / period_ < size_) {
+    const sw::Point next = path_.next();
+    near_.push_back({{next.x * kCountM, next.y * kCountM}, sample_});
+  }
+  while (near_.size() > 1 && near_[1].at + kContourReach < sample_) near_.pop_front();
+  ++sample_;
+  double best = tracking_error(near_.back().point, table);
+  for (std::size_t i = near_.size() - 1; i > 0 && best > enough; --i) {
+    best = std::min(best, segment_distance(table, near_[i - 1].point, near_[i].point));
+  }
+  return best;
+}
+
+}  // namespace trammel::kung

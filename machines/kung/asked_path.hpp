@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// How far the table is beside the path that the scenario asks for, while it moves: the distance to
+// the polyline through the points of the last 250 ms. What the chip takes for its command or its
+// position does not enter.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+
+#include "machines/kung/options.hpp"
+#include "sw_nios/path/trajectory.hpp"
+
+namespace trammel::kung {
+
+class AskedPath {
+ public:
+  // `period`: samples for which a point holds.
+  AskedPath(const sw::Trajectory& path, std::uint32_t period);
+
+  // The next sample, the first one being that of point 0: the distance [m] of the table from the
+  // path. Once it is below `enough`, no nearer place is searched.
+  double distance_m(const PointM& table, double enough);
+
+ private:
+  struct Vertex {
+    PointM point;
+    std::uint32_t at = 0;  // sample at which it came
+  };
+
+  sw::Trajectory path_;
+  std::uint32_t period_;
+  std::uint32_t size_;
+  std::uint32_t sample_ = 0;
+  std::deque<Vertex> near_;  // the last is what is asked now
+};
+
+}  // namespace trammel::kung
