@@ -4,12 +4,15 @@
 usage: scripts/tool NAME [argument ...]    its arguments: scripts/tool NAME --help
        scripts/tool --list                 the names, and what each does
 
-Exit codes: those of the tool; 2 if there is no such tool.
+Exit codes: those of the tool; 2 if there is no such tool, or where standard output takes no more.
 """
 
 import ast
+import contextlib
 import difflib
 import importlib
+import io
+import os
 import re
 import sys
 from pathlib import Path
@@ -48,6 +51,48 @@ def run(name, words):
     except KeyboardInterrupt:
         python_tools.progress("")
         return 130
+
+
+class Stdout(io.FileIO):
+    """Standard output that remembers what it did not take."""
+
+    error = None
+
+    def write(self, data):
+        try:
+            return super().write(data)
+        except OSError as error:
+            self.error = self.error or error
+            raise
+
+
+def settled(function):
+    """The exit code of function(), or 2 where standard output did not take all that it printed. A
+    reader that closes the pipe is no error."""
+    if sys.stdout is None:
+        print("tool: standard output: cannot be written: it is closed", file=sys.stderr)
+        return 2
+    out = Stdout(1, "w", closefd=False)
+    sys.stdout = io.TextIOWrapper(io.BufferedWriter(out), encoding="utf-8",
+                                  line_buffering=sys.stdout.isatty())
+    code = 2
+    try:
+        code = function()
+        sys.stdout.flush()
+    except SystemExit as ended:
+        code = ended.code
+    except OSError:
+        if out.error is None:
+            raise
+    with contextlib.suppress(OSError):
+        sys.stdout.flush()
+    if out.error is None:
+        return code
+    os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # for the last flush, when Python ends
+    if isinstance(out.error, BrokenPipeError):
+        return 0
+    print(f"tool: standard output: cannot be written: {out.error.strerror}", file=sys.stderr)
+    return 2
 
 
 def main():

@@ -22,6 +22,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
 from trammel_tools import machines
 
+ROOT = Path(__file__).resolve().parents[2]
 PROGRAM = ""
 RUNS = [["run", case["scenario"], *case["arguments"]]
         for name in machines.folders() for case in machines.runs(name).get("files", [])]
@@ -97,6 +98,22 @@ class Streams(Case):
                 with self.subTest(command=command):
                     self.refused(self.trammel(*command, stdout=full), "standard output: cannot be "
                                  "written: No space left on device")
+
+    def test_the_launcher_and_the_tools_do_the_same(self):
+        for command in (["trammel", "--help"], ["trammel", "doctor"], ["trammel", "test", "--help"],
+                        ["scripts/tool", "--list"], ["scripts/tool", "prove", "--help"]):
+            def call(command=command, **options):
+                return subprocess.run([ROOT / command[0], *command[1:]], stderr=subprocess.PIPE,
+                                      text=True, check=False, timeout=60, **options)
+            with self.subTest(command=command), open("/dev/full", "w", encoding="utf-8") as full:
+                self.refused(call(stdout=full), "standard output: cannot be written: No space")
+                self.refused(call(preexec_fn=lambda: os.close(1)),
+                             "standard output: cannot be written: it is closed")
+                ours, theirs = os.pipe()
+                os.close(ours)
+                with os.fdopen(theirs, "w") as pipe:
+                    done = call(stdout=pipe)
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
 
     def test_a_reader_that_goes_away_is_no_error(self):
         for command in self.COMMANDS:
