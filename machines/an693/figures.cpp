@@ -79,10 +79,9 @@ std::string what_missed(const Options& options, const Result& result) {
   if (goes && target != options.position) {
     return fmt::format("the trajectory ended at {} counts, not at {}", target, options.position);
   }
-  const double shortest = std::max(3.0, static_cast<double>(travel) / 4);
   const bool held = options.program == Program::kHold;
-  const double band = held ? options.reached_counts
-                           : std::min<double>(options.reached_counts, shortest);
+  double band = options.reached_counts;
+  if (band == 0) band = held ? 50 : std::clamp(static_cast<double>(travel) / 4, 3.0, 50.0);
   const auto off_target = [&](std::size_t k) {  // the part counts modulo 2^32
     return std::remainder(shaft_counts(options, all[k].theta) - static_cast<double>(target),
                           4294967296.0);
@@ -93,11 +92,11 @@ std::string what_missed(const Options& options, const Result& result) {
     high = std::max(high, off_target(k));
   }
   if (high - low > band) {
-    return fmt::format("the shaft swings by {:.0f} counts at the end", high - low);
+    return fmt::format("the shaft moves by {:.0f} counts at the end", high - low);
   }
   const double off = (low + high) / 2;
   if (held || std::abs(off) <= band) return "";  // a held shaft gives way to the torque
-  return fmt::format("the shaft stands {:.0f} counts from the target of {}", std::abs(off),
+  return fmt::format("the shaft is {:.0f} counts from the target of {}", std::abs(off),
                      target);
 }
 

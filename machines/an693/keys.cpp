@@ -22,8 +22,9 @@ const std::vector<lab::Key>& keys() {
     t.names();
     t.text("program", "example of AN-693", TRAMMEL_LENS(program));
     lm628::add_run(t);
-    t.one("run.reached_counts", 1, 32767,
-          "largest error, and movement, of a shaft that counts as at its target",
+    t.one("run.reached_counts", 0, 32767,
+          "largest error, and movement, of a shaft that counts as at its target; 0 = 50, or a "
+          "quarter of a short travel",
           TRAMMEL_LENS(reached_counts));
     lm628::add_filter(t);
     t.one("trajectory.acceleration", 0, kWord, "2^-16 count/sample^2", TRAMMEL_LENS(acceleration));

@@ -20,8 +20,8 @@ std::vector<std::string> remarks(const lab::Record& record);
 double shaft_counts(const Options& options, double theta);  // of the true angle [rad]
 
 // Of a program that ended: why its shaft is not at the target, "" if it is. The target is what the
-// program asks for; run.reached_counts, and less for short moves, is what the true shaft may be off
-// and still move in the last half of the time for which it was to stand there.
+// program asks for; run.reached_counts is what the true shaft may be off, and may still move in the
+// last half of the time for which it was to stand there.
 std::string what_missed(const Options& options, const Result& result);
 
 const cosim::TriggerForms& triggers();  // machine.cpp

@@ -4,7 +4,8 @@
 import subprocess
 from pathlib import Path
 
-TUNING = ("run", "an693-tuning", "-s", "trajectory.steps=1", "-s", "trajectory.wait_s=0.005")
+TUNING = ("run", "an693-tuning", "-s", "trajectory.steps=1", "-s", "trajectory.wait_s=0.005",
+          "-s", "run.reached_counts=50")  # it is still on its way
 FOLDER = "OUT/an693"
 RUNS = [
     (0, *TUNING, "-o", FOLDER),

@@ -15,7 +15,8 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "tests" / "support"))
 from wave_case import LM628_GROUPS, WaveCase, WaveFile, level, main, pulses
 
-STEP = ["run", "an693-tuning", "-s", "trajectory.steps=1", "-s", "trajectory.wait_s=0.005"]
+STEP = ["run", "an693-tuning", "-s", "trajectory.steps=1", "-s", "trajectory.wait_s=0.005",
+        "-s", "run.reached_counts=50"]  # it is still on its way
 CLOCK = 20  # [ns]
 
 
