@@ -21,7 +21,7 @@ using Pair = test::KungPair<Vkung_xy>;
 
 namespace {
 
-constexpr std::int64_t kPeriod = 3125;  // [clk] of 16 kHz
+constexpr std::int64_t kCarrier = 3125;  // [clk] of 16 kHz
 
 void reset(Pair& pair) {
   pair.rest();
@@ -103,7 +103,7 @@ TEST_CASE("kung_xy keeps its promises and is as its twin under random traffic") 
     }
     if (random() % 2 == 0) turn_lines(pair, random);
     if (random() % 20 == 0) {  // no conversion runs then
-      pair.clocks((kPeriod + 1000 - pair.now() % kPeriod) % kPeriod);
+      pair.clocks((kCarrier + 1000 - pair.now() % kCarrier) % kCarrier);
       const bool large = random() % 4 == 0;
       for (auto& axis : pair.codes) {
         for (auto& code : axis) {

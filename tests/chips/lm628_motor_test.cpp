@@ -15,7 +15,7 @@ using trammel::exact::Opcode;
 using trammel::plant::DcMotor;
 using trammel::plant::DcMotorState;
 using trammel::test::Lm628Twin;
-using Bench = trammel::test::Lm628Bench<Lm628Twin>;
+using MotorBench = trammel::test::Lm628Bench<Lm628Twin>;
 
 namespace {
 
@@ -32,7 +32,7 @@ struct Response {
 // From tick 400 of a sample on the output is known; it reaches the converter 24 ticks later, and
 // the encoder is read at tick 0 of the next.
 Response step_response(unsigned kp, int counts) {
-  Bench bench;
+  MotorBench bench;
   bench.start();
   bench.command(Opcode::kPort12);
   bench.command(Opcode::kLfil, {0x030A, kp, 1000});  // derivative every 4 samples

@@ -22,9 +22,9 @@ namespace {
 using Chip = trammel::test::Rtl<Vmcafee_xy>;
 
 // Encoders at rest.
-class Bench {
+class BusBench {
  public:
-  Bench() {
+  BusBench() {
     chip_->leap_i = 0;
     chip_->s_axil_awvalid_i = chip_->s_axil_wvalid_i = chip_->s_axil_arvalid_i = 0;
     chip_->s_axil_bready_i = chip_->s_axil_rready_i = 1;
@@ -64,7 +64,7 @@ class Bench {
 }  // namespace
 
 TEST_CASE("mcafee_xy takes bytes, in any order of the channels, and answers each transfer") {
-  Bench bench;
+  BusBench bench;
   auto traffic = bench.traffic(94);
   // PORT_C reads another byte than the one written.
   const auto registers = trammel::test::kept_registers(reg::kRegisters, {reg::kPortC});
@@ -73,7 +73,7 @@ TEST_CASE("mcafee_xy takes bytes, in any order of the channels, and answers each
 }
 
 TEST_CASE("mcafee_xy reads 0 where no register is, and writes nothing there") {
-  Bench bench;
+  BusBench bench;
   auto traffic = bench.traffic(96);
   traffic.write({{reg::kPortB, 0x14, 15}, {0x24, ~0u, 15}, {0x34, ~0u, 15}, {0x3C, ~0u, 15}});
   CHECK(traffic.read({0x24, 0x28, 0x2C, 0x30, 0x34, 0x38, 0x3C, reg::kPortB, reg::kId}) ==
@@ -83,7 +83,7 @@ TEST_CASE("mcafee_xy reads 0 where no register is, and writes nothing there") {
 TEST_CASE("mcafee_xy: a reset ends a feed rate, done or not") {
   for (const int clocks : {0, 5, 60}) {
     CAPTURE(clocks);
-    Bench bench;
+    BusBench bench;
     auto traffic = bench.traffic(97);
     traffic.write({{reg::kFeedIn, 0x2010, 3}});
     for (int n = 0; n < clocks; ++n) bench.chip().tick();
@@ -96,7 +96,7 @@ TEST_CASE("mcafee_xy: a reset ends a feed rate, done or not") {
 }
 
 TEST_CASE("mcafee_xy: a strobe starts a pulse only by a write of its byte") {
-  Bench bench;
+  BusBench bench;
   auto traffic = bench.traffic(98);
   for (const std::uint32_t strobes : {0xEu, 0x1u}) {
     traffic.write({{reg::kPortB, reg::kPortBWriteStrobe, strobes}});
@@ -113,7 +113,7 @@ TEST_CASE("mcafee_xy: a reset leaves in every register the value of the specific
   // McAfee 1994, chapter VI, and rtl/chips/mcafee_xy.rdl. All others are 0: no limit is reached.
   const std::map<std::string, std::uint32_t> values{{"ID", 0x4D430001}};  // "MC", version 1
   for (const bool used : {false, true}) {
-    Bench bench;
+    BusBench bench;
     auto traffic = bench.traffic(99);
     if (used) {  // not those of the power-on
       std::vector<trammel::test::AxiWrite> writes;
@@ -135,7 +135,7 @@ TEST_CASE("mcafee_xy: a reset leaves in every register the value of the specific
 }
 
 TEST_CASE("mcafee_xy: only the written byte of PORT_C goes to the part, FEED_IN starts by its c") {
-  Bench bench;
+  BusBench bench;
   auto traffic = bench.traffic(100);
   for (std::uint32_t strobes = 0; strobes < 16; ++strobes) {
     CAPTURE(strobes);
@@ -155,7 +155,7 @@ TEST_CASE("mcafee_xy: a sticky bit is cleared by a 1 in its byte, and no other b
   for (const std::uint32_t bit : {reg::kStatusRefused, reg::kStatusSample}) {
     for (std::uint32_t strobes = 0; strobes < 16; ++strobes) {
       CAPTURE(bit, strobes);
-      Bench bench;
+      BusBench bench;
       auto traffic = bench.traffic(101);
       bench.until([&] { return bench.chip()->sample_o == 3; });
       // RD against the direction of a write.
@@ -173,7 +173,7 @@ TEST_CASE("mcafee_xy: RESET pulls RST low by a 1 in its byte only, for 80 clocks
   for (std::uint32_t strobes = 0; strobes < 16; ++strobes) {
     for (const std::uint32_t data : {~0u, ~1u}) {
       CAPTURE(strobes, data);
-      Bench bench;
+      BusBench bench;
       auto traffic = bench.traffic(102);
       const std::int64_t first = bench.until([&] { return bench.chip()->sample_o != 0; });
       traffic.write({{reg::kReset, data, strobes}});

@@ -7,16 +7,16 @@
 
 namespace trammel::test {
 
-inline void require_same(const lm628::Words& a, const lm628::Words& b) {
-  REQUIRE(a.position == b.position);
-  REQUIRE(a.speed == b.speed);
-  REQUIRE(a.actual == b.actual);
-  REQUIRE(a.error == b.error);
-  REQUIRE(a.proportional == b.proportional);
-  REQUIRE(a.integral == b.integral);
-  REQUIRE(a.derivative == b.derivative);
-  REQUIRE(a.output == b.output);
-  REQUIRE(static_cast<int>(a.status) == static_cast<int>(b.status));
+inline void require_same(const lm628::Words& twin, const lm628::Words& chip) {
+  REQUIRE(twin.position == chip.position);
+  REQUIRE(twin.speed == chip.speed);
+  REQUIRE(twin.actual == chip.actual);
+  REQUIRE(twin.error == chip.error);
+  REQUIRE(twin.proportional == chip.proportional);
+  REQUIRE(twin.integral == chip.integral);
+  REQUIRE(twin.derivative == chip.derivative);
+  REQUIRE(twin.output == chip.output);
+  REQUIRE(twin.status == chip.status);
 }
 
 }  // namespace trammel::test

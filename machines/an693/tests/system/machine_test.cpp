@@ -107,7 +107,7 @@ TEST_CASE("an693: the twin gives the events and words of the chip") {
     REQUIRE(chip.samples.size() > 300);
     REQUIRE(twin.samples.size() == chip.samples.size());
     for (std::size_t k = 0; k < chip.samples.size(); ++k) {
-      CAPTURE(k);
+      CAPTURE(k, chip.samples[k].edge);
       const Sample c = chip.samples[k], t = twin.samples[k];
       REQUIRE(t.edge == c.edge);
       test::require_same(t.words, c.words);

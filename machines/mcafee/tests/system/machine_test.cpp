@@ -108,9 +108,10 @@ TEST_CASE("mcafee: the twin gives the events of the chip") {
   const Result twin = run(options);
   REQUIRE(twin.samples.size() == chip.samples.size());
   for (std::size_t k = 0; k < chip.samples.size(); ++k) {
-    CAPTURE(k);
+    CAPTURE(k, chip.samples[k].edge);
     REQUIRE(twin.samples[k].edge == chip.samples[k].edge);
     for (std::size_t a = 0; a < 2; ++a) {
+      CAPTURE(a);
       const AxisSample t = twin.samples[k].axis[a], c = chip.samples[k].axis[a];
       test::require_same(t.words, c.words);
       REQUIRE(t.host_irq == c.host_irq);
