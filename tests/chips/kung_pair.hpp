@@ -148,7 +148,7 @@ class KungPair : public exact::KungXy::Converters {
     rtl_.eval();
     const std::int64_t end = twin_.now() + gap;
     twin_.run(end, *this);
-    same("edge to which it leaps", end - 1, twin_.now() - 1, end);
+    same("last edge of a leap", end - 1, twin_.now() - 1, end);
     for (std::size_t axis = 0; axis < 2; ++axis) {
       Frame& frame = frames_[axis];
       const auto fell = [axis](unsigned before, unsigned after) {
