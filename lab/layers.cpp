@@ -160,8 +160,7 @@ Entry node_entry(const std::string& name, const toml::node& node, const std::str
             if (const auto* whole = node.as_integer()) return whole->get();
             if (const auto* real = node.as_floating_point()) return real->get();
             if (const auto* text = node.as_string()) return text->get();
-            throw ConfigError(fmt::format("{}: {}: expects {}", where, key.name,
-                                          range_text(key)));
+            throw ConfigError(fmt::format("{}: {}: expects {}", where, name, range_text(key)));
           }};
 }
 
