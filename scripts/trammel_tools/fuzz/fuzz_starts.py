@@ -24,6 +24,8 @@ ODD = ["", "-", "--", ".", "..", "../../x", "/nowhere/at/all", "a/b", "\x1b[31m"
        "\udcff", "\xe9", "-1", "1e999", "nan", "99999999999999999999", "true", "x" * 300,
        "k" * 5000, "%s%n", "$(touch x)", "`x`", "'", '"', "\\", "a=b", "=", "[[", "{",
        "\u202e", "\u009b2J"]
+NESTED = [(b"\na", b".a", b" = 1\n"), (b"\n[a", b".a", b"]\n"), (b"\na = ", b"[", b""),
+          (b"\na = ", b"{a = ", b""), (b"", b'{"a":', b"1"), (b"", b"[", b""), (b"", b"1e9,", b"")]
 VERBS = ["run", "run", "run", "report", "report", "own", "own", "own", "list", "doctor"]
 OPTIONS = {"run": ["--no-leap", "--audit", "--assert", "--json", "--check", "--all", "--no-report"],
            "report": ["--json"], "list": ["--json"], "doctor": ["--json"]}
@@ -84,8 +86,9 @@ def damaged(dice, content):
         elif what == 4:
             content = content[:at]
         elif what == 5:
-            content[at:at] = dice.choice([b"[", b"{a=", b"a.", b'{"a":', b"1e9,", b"\n"]) * \
-                dice.choice([1, 3, 100, 30000])
+            before, part, behind = dice.choice(NESTED)
+            at = max(at, content.find(b"\n", at))  # at the end of a line, if there is one
+            content[at:at] = before + part * dice.choice([1, 3, 100, 100000]) + behind
         else:
             content[at:at] = re.sub(rb"\d", b"9", bytes(content[at:at + 40]))
     return bytes(content)
