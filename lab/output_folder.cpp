@@ -271,6 +271,11 @@ void write_result_file(const fs::path& file, const std::string& text) {
 
 void check_whole(const fs::path& folder) {
   const Json files = files_of(folder);
+  std::error_code none;
+  if (files.is_null() && fs::exists(fs::symlink_status(folder / kIdentity, none))) {
+    throw ConfigError(fmt::format("{}: is not the list of a run's files",
+                                  (folder / kIdentity).string()));
+  }
   if (files.is_null()) return;
   for (const auto& [name, expected] : files.items()) {
     if (name == kPageFile) continue;

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "lab/write.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
+#include <cstring>
 #include <iterator>
 #include <string_view>
 
@@ -103,8 +107,11 @@ void check_picture(const fs::path& file) {
       text.compare(end + 1 - kEnd.size(), kEnd.size(), kEnd) == 0) {
     return;
   }
-  throw ConfigError(fmt::format("{}: cannot be written: gnuplot left it incomplete",
-                                file.string()));
+  const int descriptor = open(file.c_str(), O_WRONLY | O_CLOEXEC);
+  const int error = descriptor < 0 ? errno : posix_fallocate(descriptor, 0, 1 << 20);
+  if (descriptor >= 0) close(descriptor);
+  throw ConfigError(fmt::format("{}: cannot be written: {}", file.string(),
+                                error != 0 ? std::strerror(error) : "gnuplot left it incomplete"));
 }
 
 // Runs the gnuplot scripts machines/<name>/pictures/*.gp in the folder of a run, whose files they
@@ -233,7 +240,9 @@ Written write_record(const Record& record, const OutputFolder& folder, const Jso
   const Machine& machine = record.machine();
   const fs::path& scratch = folder.scratch();
   Written written;
-  written.waves = finish_waves(*record.settings, *record.result, folder.target(), written.notes);
+  if (!finish_waves(*record.settings, *record.result, folder.target(), written.notes)) {
+    written.code = 1;
+  }
   write_text(scratch / "metrics.json", metrics.dump(2) + '\n');
   write_text(scratch / "run.toml",
              origin.command.empty() ? run_toml(*record.settings)
@@ -247,13 +256,14 @@ Written write_record(const Record& record, const OutputFolder& folder, const Jso
                                ? "gnuplot is missing (see `trammel doctor`)"
                                : "there is nothing to draw"));
   }
+  const Json detail = machine.detail == nullptr ? Json() : machine.detail(record);
+  if (!detail.is_null()) write_text(scratch / "detail.json", detail.dump() + '\n');
   try {
-    const Json detail = machine.detail == nullptr ? Json() : machine.detail(record);
-    if (!detail.is_null()) write_text(scratch / "detail.json", detail.dump() + '\n');
     if (page) write_page({scratch}, scratch / "report.html");
     written.page = page;
   } catch (const std::exception& error) {  // a run is never lost because its page failed
     written.notes.push_back(fmt::format("no report: {}; the results are kept", reason_of(error)));
+    written.code = 2;
   }
   return written;
 }

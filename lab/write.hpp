@@ -25,7 +25,7 @@ struct Origin {
 
 struct Written {
   bool page = false;               // report.html is there
-  bool waves = true;               // or none were asked for
+  int code = 0;                    // exit code that tells of one that was asked for
   std::vector<std::string> notes;  // a line for each file that cannot be made
 };
 

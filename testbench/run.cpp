@@ -135,7 +135,7 @@ Outcome run_one(lab::Settings& settings, const fs::path& target, const Arguments
     const int code = tell_end(beside, settings.scenario + ", " + beside.name, shown);
     if (outcome.code == 0) outcome.code = code;
   }
-  if (outcome.code == 0 && !written.waves) outcome.code = 1;
+  if (outcome.code == 0) outcome.code = written.code;
   if (outcome.code == 0 && arguments.check) outcome.code = check(record);
   return outcome;
 }
@@ -186,6 +186,7 @@ int run_all(const lab::Machine& machine, const Arguments& arguments, const Simul
   } catch (const std::exception& error) {
     tell(fmt::format("no report: {}; the results are kept", lab::reason_of(error)));
     page = false;
+    if (code == 0) code = 2;
   }
   if (arguments.json) {
     print_json(documents);

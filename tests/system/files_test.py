@@ -181,6 +181,10 @@ class Folders(Case):
         self.refused(self.trammel("report", "one"), "trace.csv", "not what the run wrote")
         trace.write_text(text)
         self.good(self.trammel("report", "one"))
+        identity = (self.folder / "one" / "run.json").read_text()
+        (self.folder / "one" / "run.json").write_text(identity[:-20])
+        self.refused(self.trammel("report", "one"), "run.json", "not the list of a run's files")
+        (self.folder / "one" / "run.json").write_text(identity)
         (self.folder / "one" / "run.toml").unlink()
         self.refused(self.trammel("report", "one"), "run.toml", "is missing")
 

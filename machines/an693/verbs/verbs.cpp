@@ -189,7 +189,7 @@ int lm628_shell(const testbench::Arguments& arguments, std::atomic<bool>& stop,
     const std::string shown = fs::proximate(folder->target()).string();
     print(lab::report_text(record, shown, written.page));
   }
-  return code == 0 && !written.waves ? 1 : code;
+  return code == 0 ? written.code : code;
 }
 
 std::vector<testbench::Verb> verbs() {
