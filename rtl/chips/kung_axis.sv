@@ -216,6 +216,7 @@ module kung_axis
       .rst_i      (rst_i),
       .tick_i     (adc_valid),
       .clear_i    (loop_clear),
+      .angle_step_i(regs_i.angle_step.value.value),
       .theta_ofs_i(regs_i.theta_ofs.value.value),
       .kp_i       ({regs_i.kp_cur.exp.value, regs_i.kp_cur.mant.value}),
       .ki_i       ({regs_i.ki_cur.exp.value, regs_i.ki_cur.mant.value}),
@@ -323,6 +324,7 @@ module kung_axis
   assign regs_o.vd_vq.v_q.next          = 16'(v_q);
   assign regs_o.index_latch.value.next  = 32'(index_latch);
   assign regs_o.deadtime.clk.swwel      = locked_i;
+  assign regs_o.angle_step.value.swwel  = locked_i;
   assign regs_o.stroke_min.value.swwel  = locked_i;
   assign regs_o.stroke_max.value.swwel  = locked_i;
   assign regs_o.stroke_en.enable.swwel  = locked_i;

@@ -72,11 +72,7 @@ module kung_xy_props
     input gap_t          next_y
 );
 
-  typedef struct packed {
-    logic        is_read;
-    logic        known;
-    logic [31:0] data;
-  } answer_t;
+  typedef struct packed {logic is_read, known; logic [31:0] data;} answer_t;
 
   logic live_q = 1'b0, was_rst_q;
 
@@ -130,11 +126,13 @@ module kung_xy_props
   // What a read that is served now must return, where that is known here.
   logic knows;
   logic [31:0] shown;
+  wire [63:0] angle_steps = {hwif_out.y.angle_step, hwif_out.x.angle_step};
   always_comb begin
     knows = 1'b1;
     shown = '0;
     case ({araddr_q[9:2], 2'b00})
-      10'h200: shown = 32'h4b58_0001;
+      10'h0b0, 10'h1b0: shown = araddr_q[8] ? angle_steps[63:32] : angle_steps[31:0];
+      10'h200: shown = 32'h4b58_0002;
       10'h208: shown = {30'd0, hwif_out.irq_en.fault.value, hwif_out.irq_en.tick.value};
       10'h20c: shown = {30'd0, hwif_out.irq_stat.fault.value, hwif_out.irq_stat.tick.value};
       10'h210: shown = tick_count;
@@ -145,7 +143,8 @@ module kung_xy_props
       10'h228: shown = {22'd0, hwif_out.deadtime_min.clk.value};
       10'h22c: shown = {24'd0, hwif_out.irq_period.ticks.value};
       default:  // no register, or nothing to read
-      knows = araddr_q[9] || araddr_q[7:2] inside {[6'hd : 6'hf], 6'h17, 6'h1e, [6'h24 : 6'h3f]};
+      knows = araddr_q[9] || araddr_q[7:2] inside {[6'hd : 6'hf], 6'h17, 6'h1e, [6'h24 : 6'h2b],
+                                                   [6'h2d : 6'h3f]};
     endcase
   end
 
@@ -195,7 +194,7 @@ module kung_xy_props
   logic [11:0] gates, was_gates_q;
   logic [10:0] held, was_held_q;  // registers that are visible nowhere else
   kung_xy__out_t lasting, was_lasting_q;  // registers of the map, without STATUS
-  logic [155:0] guarded, was_guarded_q;
+  logic [219:0] guarded, was_guarded_q;
   logic [21:0] limits, was_limits_q;
 
   assign enabled    = {hwif_out.y.ctrl.enable.value, hwif_out.x.ctrl.enable.value};
@@ -212,7 +211,7 @@ module kung_xy_props
       {{2{word_q[1], word_q[2], word_q[3], word_q[4]}}, word_q[0], word_q[1]};
   assign gates      = {gate_hi_o, gate_lo_o};
   assign held       = {locked_q, trip_q, done_q, open_q, in_flight, pending, aw_q};
-  assign guarded    = {hwif_out.x.deadtime.clk.value, hwif_out.y.deadtime.clk.value,
+  assign guarded    = {angle_steps, hwif_out.x.deadtime.clk.value, hwif_out.y.deadtime.clk.value,
                        hwif_out.x.stroke_min.value.value, hwif_out.y.stroke_min.value.value,
                        hwif_out.x.stroke_max.value.value, hwif_out.y.stroke_max.value.value,
                        hwif_out.x.stroke_en.enable.value, hwif_out.y.stroke_en.enable.value,
@@ -349,6 +348,7 @@ module kung_xy_props
   // breaks locks_by_its_key_only: lock_write = hwif_out.lock.req
   // breaks unlocks_by_its_key_disabled_only: locked_d = lock_write && lock_key == kung_xy_regs_pkg::KeyUnlock && enabled != '1 ? 1'b0 : locked_d
   // breaks locked_registers_hold: u_regs.hwif_in_watchdog_limit_swwel = trip_q
+  // breaks locked_registers_hold (kung_xy_regs): hwif_in_x_angle_step_value_swwel = 1'b0
   // breaks locked_registers_hold (kung_xy_regs): hwif_in_y_deadtime_clk_swwel = 1'b0
   // breaks limits_move_by_unlocked_writes_only (kung_xy_regs): field_storage_current_limit_value_value <= decoded_req && decoded_req_is_wr && decoded_addr == 10'h124 && !hwif_in_current_limit_value_swwel ? decoded_wr_data[11:0] : next
   // breaks limits_reach_both_axes (kung_axis): dead_time = regs_i.deadtime.clk.value < dead_time_min_i ? 10'd25 : regs_i.deadtime.clk.value

@@ -4,7 +4,7 @@
 // valid_o is high at the 68th clock edge after the one that sees tick_i; inputs hold until then.
 //
 //   edges      what
-//   0..19      angle: count 352047 mod 2^32, one bit of the constant per clock; + offset
+//   0..19      angle: count ANGLE_STEP mod 2^32, a Booth digit of the count per clock; + offset
 //   19..20     Clarke
 //   21..24     sine, cosine
 //   25..29     Park
@@ -25,6 +25,7 @@ module current_loop
   input  logic        tick_i,  // converter data are valid
 
   input  logic        clear_i,
+  input  logic [31:0] angle_step_i,  // of a count [2^-32 revolution]
   input  logic [31:0] theta_ofs_i,
   input  gain_t       kp_i,
   input  gain_t       ki_i,
@@ -53,13 +54,12 @@ module current_loop
   typedef logic [31:0] theta_t;
   typedef enum logic [1:0] {StIdle, StAngle, StChain} state_e;
 
-  localparam logic [18:0] AnglePerCount = 19'd352047;  // 2^32 / 12200
-  localparam logic [4:0]  FirstBit      = 5'd18;
-  localparam cmp_t        Centre        = CmpMax / 11'd2;
+  localparam logic [4:0] FirstDigit = 5'd18;  // of 19; those of a count are the last 12
+  localparam cmp_t       Centre     = CmpMax / 11'd2;
 
   state_e     state_d, state_q;
   logic       valid_q;
-  logic [4:0] bit_d, bit_q;
+  logic [4:0] digit_d, digit_q;
   theta_t     theta_d, theta_q;
   word_t      i_a_d, i_a_q;
   word_t      i_b_d, i_b_q;
@@ -77,12 +77,28 @@ module current_loop
   angle_t angle;
   logic [2:0] unused_sector;
 
-  // theta_q: the product by Horner's rule, from the highest bit of the constant.
+  // theta_q: the product by Horner's rule, from the highest digit of the count on. Digits are those
+  // of Booth's radix 4, -2 to 2: three bits of the count, that of its lowest digit with a 0 below.
+  logic [38:0] count_bits;
+  logic [2:0]  booth;
+  theta_t      addend;
+  logic        subtract;
+  assign count_bits = {{14{count_i[23]}}, count_i, 1'b0};
+  assign booth = 3'(count_bits >> {digit_q, 1'b0});
+  assign subtract = booth[2] && booth != 3'b111;
+  always_comb begin
+    unique case (booth)
+      3'b000, 3'b111: addend = '0;
+      3'b011, 3'b100: addend = {angle_step_i[30:0], 1'b0};
+      default:        addend = angle_step_i;
+    endcase
+  end
+
   assign angle = 10'((theta_q + theta_ofs_i) >> 22);
 
   always_comb begin
     state_d = state_q;
-    bit_d = bit_q;
+    digit_d = digit_q;
     theta_d = theta_q;
     i_a_d = i_a_q;
     i_b_d = i_b_q;
@@ -91,17 +107,17 @@ module current_loop
       StIdle: begin
         if (tick_i) begin
           theta_d = '0;
-          bit_d = FirstBit;
+          digit_d = FirstDigit;
           i_a_d = {~code_a_i[11], code_a_i[10:0]};  // offset binary
           i_b_d = {~code_b_i[11], code_b_i[10:0]};
           state_d = StAngle;
         end
       end
       StAngle: begin
-        theta_d = {theta_q[30:0], 1'b0} + (AnglePerCount[bit_q] ? theta_t'(count_i) : '0);
-        bit_d = bit_q - 5'd1;
-        if (bit_q == '0) begin
-          bit_d = '0;
+        theta_d = {theta_q[29:0], 2'b00} + (addend ^ {32{subtract}}) + theta_t'(subtract);
+        digit_d = digit_q - 5'd1;
+        if (digit_q == '0) begin
+          digit_d = '0;
           clarke_tick = 1'b1;
           state_d = StChain;
         end
@@ -242,7 +258,7 @@ module current_loop
     if (rst_i) begin
       state_q <= StIdle;
       valid_q <= 1'b0;
-      bit_q <= '0;
+      digit_q <= '0;
       theta_q <= '0;
       i_a_q <= '0;
       i_b_q <= '0;
@@ -252,7 +268,7 @@ module current_loop
     end else begin
       state_q <= state_d;
       valid_q <= svpwm_valid;
-      bit_q <= bit_d;
+      digit_q <= digit_d;
       theta_q <= theta_d;
       i_a_q <= i_a_d;
       i_b_q <= i_b_d;

@@ -24,7 +24,7 @@ module current_loop_props
     input word_t i_b_o,
     input logic  quiescent_o,
 
-    input logic [ 4:0] bit_q,
+    input logic [ 4:0] digit_q,
     input logic [31:0] theta_q,
     input cmp_t        cmp_a,
     input cmp_t        cmp_b,
@@ -68,7 +68,7 @@ module current_loop_props
 
   assign start = tick_i && due_q[66:0] == '0;
   assign cmp   = {cmp_c_o, cmp_b_o, cmp_a_o};
-  assign state = {busy_o, bit_q, theta_q, i_a_o, i_b_o, cmp};
+  assign state = {busy_o, digit_q, theta_q, i_a_o, i_b_o, cmp};
 
   always_ff @(posedge clk_i) begin
     if (rst_i) live_q <= 1'b1;
@@ -90,8 +90,8 @@ module current_loop_props
       offset_binary : assert (!took_q || {i_a_o, i_b_o} == (codes_q ^ 24'h800800));
       quiescent_is_honest : assert (!was_quiescent_q || (state == was_state_q && !valid_o));
       inv_one : assert ((due_q[66:0] & (due_q[66:0] - 67'd1)) == '0);
-      inv_angle : assert (due_q[18:0] == '0 || due_q[7'd18-7'(bit_q)]);
-      inv_bit : assert (bit_q <= 5'd18 && (due_q[18:0] != '0 || bit_q == '0));
+      inv_angle : assert (due_q[18:0] == '0 || due_q[7'd18-7'(digit_q)]);
+      inv_bit : assert (digit_q <= 5'd18 && (due_q[18:0] != '0 || digit_q == '0));
       inv_valid :
       assert ({clarke_valid, sine_valid, park_valid, pi_d_valid, pi_q_valid, limit_valid,
                inverse_valid, svpwm_valid} == {due_q[20], due_q[24], due_q[29], due_q[34],
@@ -113,7 +113,7 @@ module current_loop_props
 
   // prove: free $mul
 
-  // breaks valid_after_68_clocks: FirstBit = FirstBit - 5'd1
+  // breaks valid_after_68_clocks: FirstDigit = FirstDigit - 5'd1
   // breaks busy_until_valid: state_d = state_q == StChain && inverse_valid ? StIdle : state_d
   // breaks centred_while_cleared: cmp_c_d = clear_i ? cmp_c_q : cmp_c_d
   // breaks new_values_with_valid: cmp_b_d = svpwm_valid && !clear_i ? cmp_a : cmp_b_d

@@ -79,7 +79,7 @@ TEST_CASE("the dead time in effect is never below DEADTIME_MIN") {
   }
 }
 
-TEST_CASE("while locked, dead time, current limit, strokes and watchdog cannot be written") {
+TEST_CASE("while locked, limits, strokes, dead time, watchdog and angle step cannot be written") {
   KungBench chip;
   chip.write(reg::kX + reg::kCtrl, reg::kCtrlEnable);
   chip.write(reg::kLock, 1);  // not the key
@@ -90,7 +90,7 @@ TEST_CASE("while locked, dead time, current limit, strokes and watchdog cannot b
   const std::vector<std::uint32_t> guarded{
       reg::kCurrentLimit,           reg::kDeadtimeMin,           reg::kX + reg::kStrokeMin,
       reg::kY + reg::kStrokeMax,    reg::kX + reg::kStrokeEn,    reg::kY + reg::kStrokeMin,
-      reg::kWatchdog};
+      reg::kWatchdog,               reg::kX + reg::kAngleStep,   reg::kY + reg::kAngleStep};
   for (const std::uint32_t addr : guarded) {
     INFO(trammel::test::register_name(reg::kRegisters, addr));
     const std::uint32_t before = chip.read(addr);

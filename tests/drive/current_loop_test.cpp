@@ -25,6 +25,7 @@ void drive(Dut& rtl, const CurrentLoop::In& in) {
   rtl->code_a_i = static_cast<std::uint16_t>(in.code_a);
   rtl->code_b_i = static_cast<std::uint16_t>(in.code_b);
   rtl->count_i = test::as_bits(in.count, 24);
+  rtl->angle_step_i = in.angle_step;
   rtl->theta_ofs_i = in.theta_ofs;
   test::set_word(rtl->i_q_ref_i, in.i_q_ref);
   test::set_word(rtl->i_d_ref_i, in.i_d_ref);
@@ -58,6 +59,7 @@ TEST_CASE("current_loop agrees with its twin on 20 000 samples, in 68 clocks") {
       in.kp = words.below(2) ? kKp : Gain{int(words.below(2048)), int(words.below(32)) - 16};
       in.ki = words.below(2) ? kKi : Gain{int(words.below(2048)), int(words.below(32)) - 16};
       in.theta_ofs = words.below(0xFFFFFFFF);
+      in.angle_step = words.below(2) ? CurrentLoop::kAngleStep : words.below(0xFFFFFFFF);
       in.clear = words.below(8) == 0;
       in.i_q_ref = words();
       in.i_d_ref = words.below(2) ? 0 : words();
@@ -68,8 +70,51 @@ TEST_CASE("current_loop agrees with its twin on 20 000 samples, in 68 clocks") {
     in.count = static_cast<std::int32_t>(words.below(1u << 24)) - (1 << 23);
     drive(rtl, in);
     REQUIRE(test::run_flow(rtl) == kLatency);
-    CAPTURE(n, in.code_a, in.code_b, in.count, in.theta_ofs, in.i_q_ref, in.clear);
+    CAPTURE(n, in.code_a, in.code_b, in.count, in.angle_step, in.theta_ofs, in.i_q_ref, in.clear);
     check(rtl, twin.step(in));
+  }
+}
+
+TEST_CASE("current_loop: ends of the count and of the angle of a count, and one that changes") {
+  Dut rtl;
+  test::begin(rtl);
+  CurrentLoop twin;
+  CurrentLoop::In in;
+  in.kp = kKp;
+  in.ki = kKi;
+  in.code_a = 2900;
+  in.code_b = 1700;
+  constexpr int kMost = (1 << 23) - 1;
+  for (const int count : {0, 1, -1, 2, -2, 3, kMost, -kMost, -kMost - 1, 0x555555, 12200}) {
+    for (const std::uint32_t step : {0u, 1u, 352047u, 0x7FFFFFFFu, 0x80000000u, 0xFFFFFFFFu}) {
+      in.count = count;
+      in.angle_step = step;
+      drive(rtl, in);
+      REQUIRE(test::run_flow(rtl) == kLatency);
+      CAPTURE(count, step);
+      check(rtl, twin.step(in));
+    }
+  }
+  // Written while the angle is computed: digits before it are those of the old one.
+  for (int change = 0; change <= 24; ++change) {
+    in.count = -54321;
+    in.angle_step = 352047;
+    drive(rtl, in);
+    rtl->tick_i = 1;
+    rtl.tick();
+    rtl->tick_i = 0;
+    twin.start();
+    for (int clock = 1; clock <= CurrentLoop::kClocks; ++clock) {
+      if (clock == change) {
+        twin.run_to(clock - 1, in);
+        in.angle_step = 12345678;
+        drive(rtl, in);
+      }
+      rtl.tick();
+    }
+    twin.run_to(CurrentLoop::kClocks, in);
+    CAPTURE(change);
+    check(rtl, twin.out());
   }
 }
 

@@ -19,6 +19,7 @@ class KungAxis {
     Afc::Config position{};
     fixed::Gain kp_cur{1275, 2};
     fixed::Gain ki_cur{1478, -2};
+    std::uint32_t angle_step = CurrentLoop::kAngleStep;
     std::uint32_t theta_ofs = 0;
     bool close_position = true;   // CTRL b2; otherwise i_q* is iq_manual
     bool close_current = true;    // enabled, not tripped and CTRL b1; otherwise 50 % duty
@@ -37,6 +38,7 @@ class KungAxis {
     in.code_a = codes.a;
     in.code_b = codes.b;
     in.count = count;
+    in.angle_step = config.angle_step;
     in.theta_ofs = config.theta_ofs;
     in.i_q_ref = config.close_position ? i_q_ref_ : config.iq_manual;
     in.kp = config.kp_cur;

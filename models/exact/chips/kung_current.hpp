@@ -16,6 +16,7 @@ namespace trammel::exact {
 class KungCurrent {
  public:
   struct Config {
+    std::uint32_t angle_step = CurrentLoop::kAngleStep;
     std::uint32_t theta_ofs = 0;
     fixed::Gain kp{}, ki{};
   };
@@ -50,15 +51,7 @@ class KungCurrent {
       codes_ = held_;
       framed_ = true;
     }
-    CurrentLoop::In in;
-    in.clear = clear_;
-    in.code_a = held_[0];
-    in.code_b = held_[1];
-    in.count = count_;
-    in.theta_ofs = config.theta_ofs;
-    in.i_q_ref = i_q_ref_;
-    in.kp = config.kp;
-    in.ki = config.ki;
+    const CurrentLoop::In in = input(config);
     if (clear_at_ <= n) {
       loop_.run_to(clock(clear_at_), in);
       loop_.clear();
@@ -70,6 +63,11 @@ class KungCurrent {
       limit_due_ = false;
     }
     schedule();
+  }
+
+  // ANGLE_STEP changes at edge n: up to it the multiplication has gone with the old one.
+  void hold_angle(Clk n, const Config& config) {
+    if (n >= tick_ + kTaken) loop_.multiply(clock(n), input(config));
   }
 
   // The edge at which advance() next has something to do.
@@ -95,6 +93,20 @@ class KungCurrent {
   }
 
  private:
+  CurrentLoop::In input(const Config& config) const {
+    CurrentLoop::In in;
+    in.clear = clear_;
+    in.code_a = held_[0];
+    in.code_b = held_[1];
+    in.count = count_;
+    in.angle_step = config.angle_step;
+    in.theta_ofs = config.theta_ofs;
+    in.i_q_ref = i_q_ref_;
+    in.kp = config.kp;
+    in.ki = config.ki;
+    return in;
+  }
+
   void schedule() {
     due_ = clear_at_;
     if (!framed_) due_ = std::min(due_, tick_ + kCodes);

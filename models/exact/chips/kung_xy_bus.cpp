@@ -43,6 +43,10 @@ void KungXy::apply(Clk n, const Write& write) {
     if ((ones & map::kStatusSaturated) != 0) axis.saturated.clear(n);
     if ((ones & map::kStatusLimited) != 0) axis.limited.clear(n);
   }
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (!write.is(kBases[k] + map::kAngleStep)) continue;
+    axes_[k].current.hold_angle(n, axes_[k].regs.current);
+  }
   const std::uint32_t pulses =
       registers_.write(write.address, write.data, write.bits, locked_);
   if (write.is(map::kCommit)) commit_ = (pulses & map::kCommitTake) != 0;
@@ -75,7 +79,8 @@ void KungXy::decode(Axis& axis, std::uint32_t base, Clk n) {
   r.iq_manual = number(map::kIqManual, 12);
   const std::uint32_t dead_time = reg(map::kDeadtime) & map::kDeadtimeClkMask;
   r.dead_time = std::max(dead_time, registers_.word(map::kDeadtimeMin));
-  r.current = {reg(map::kThetaOfs), gain_of(reg(map::kKpCur)), gain_of(reg(map::kKiCur))};
+  r.current = {reg(map::kAngleStep), reg(map::kThetaOfs),
+               gain_of(reg(map::kKpCur)), gain_of(reg(map::kKiCur))};
 
   KungPosition::In& p = axis.position_in;
   p.reset_model = (ctrl & map::kCtrlResetModel) != 0;

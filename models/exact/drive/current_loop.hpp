@@ -6,6 +6,7 @@
 // RTL.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -21,10 +22,13 @@ namespace trammel::exact {
 
 class CurrentLoop {
  public:
+  static constexpr std::uint32_t kAngleStep = 352047;  // of 12 200 counts a revolution
+
   struct In {
     bool clear = false;
     std::int32_t code_a = 2048, code_b = 2048;  // offset binary
     std::int32_t count = 0;
+    std::uint32_t angle_step = kAngleStep;  // of a count [2^-32 revolution]
     std::uint32_t theta_ofs = 0;
     std::int32_t i_q_ref = 0, i_d_ref = 0;
     fixed::Gain kp{}, ki{};
@@ -50,14 +54,34 @@ class CurrentLoop {
     return out_;
   }
 
-  void start() { stage_ = 0; }
+  void start() {
+    stage_ = 0;
+    digits_ = 0;
+    theta_ = 0;
+  }
 
   // The next clock that does anything.
   int next_clock() const { return stage_ < kAt.size() ? kAt[stage_] : kDone; }
 
   // Executes the clocks up to `clock`, during which the inputs hold.
   void run_to(int clock, const In& in) {
+    multiply(clock, in);
     while (stage_ < kAt.size() && kAt[stage_] <= clock) execute(kAt[stage_++], in);
+  }
+
+  // count * step by the Booth digits of the count, digit k at clock 19 - k, up to that of `clock`.
+  void multiply(int clock, const In& in) {
+    constexpr int kDigits = 19;
+    if (digits_ == 0 && clock >= kDigits) {
+      theta_ = theta(in.count, 0, in.angle_step);
+      digits_ = kDigits;
+    }
+    for (; digits_ < std::min(clock, kDigits); ++digits_) {
+      const auto bits = 2 * std::int64_t{in.count} >> 2 * (kDigits - 1 - digits_) & 7;
+      constexpr std::array<std::int8_t, 8> kBooth{0, 1, 1, 2, -2, -1, -1, 0};
+      const std::int32_t digit = kBooth[static_cast<std::size_t>(bits)];
+      theta_ = 4 * theta_ + static_cast<std::uint32_t>(digit) * in.angle_step;
+    }
   }
 
   // What each clock with in.clear also does; once is enough while it is high.
@@ -68,9 +92,10 @@ class CurrentLoop {
 
   const Out& out() const { return out_; }
 
-  // Electrical angle, 2^32 = one revolution = 12 200 counts.
-  static std::uint32_t theta(std::int32_t count, std::uint32_t offset) {
-    return static_cast<std::uint32_t>(count) * 352047u + offset;
+  // Electrical angle, 2^32 = one revolution.
+  static constexpr std::uint32_t theta(std::int32_t count, std::uint32_t offset,
+                                       std::uint32_t step = kAngleStep) {
+    return static_cast<std::uint32_t>(count) * step + offset;
   }
 
  private:
@@ -84,7 +109,7 @@ class CurrentLoop {
         out_.i_a = in.code_a - 2048;
         out_.i_b = in.code_b - 2048;
         break;
-      case 21: angle_ = sine_.step({theta(in.count, in.theta_ofs) >> 22}); break;
+      case 21: angle_ = sine_.step({(theta_ + in.theta_ofs) >> 22}); break;
       case 27: {
         const Clarke::Out i = clarke_.step({out_.i_a, out_.i_b});
         i_dq_ = park_.step({i.i_alpha, i.i_beta, angle_.sin, angle_.cos});
@@ -126,6 +151,8 @@ class CurrentLoop {
   Rotator::Out i_dq_;
   Out out_;
   std::size_t stage_ = kAt.size();
+  int digits_ = 0;           // multiplied so far
+  std::uint32_t theta_ = 0;  // by them
 };
 
 }  // namespace trammel::exact

@@ -104,6 +104,7 @@ inline constexpr std::uint32_t kStrokeMax = 0x84u;
 inline constexpr std::uint32_t kStrokeEn = 0x88u;
 inline constexpr std::uint32_t kStrokeEnEnable = 0x1u;
 inline constexpr std::uint32_t kIqManual = 0x8Cu;
+inline constexpr std::uint32_t kAngleStep = 0xB0u;
 
 // system
 inline constexpr std::uint32_t kId = 0x200u;
@@ -111,7 +112,7 @@ inline constexpr std::uint32_t kIdVersionShift = 0u;
 inline constexpr std::uint32_t kIdVersionMask = 0x0000FFFFu;
 inline constexpr std::uint32_t kIdChipShift = 16u;
 inline constexpr std::uint32_t kIdChipMask = 0xFFFF0000u;
-inline constexpr std::uint32_t kIdValue = 0x4B580001u;
+inline constexpr std::uint32_t kIdValue = 0x4B580002u;
 inline constexpr std::uint32_t kCommit = 0x204u;
 inline constexpr std::uint32_t kCommitTake = 0x1u;
 inline constexpr std::uint32_t kIrqEn = 0x208u;
@@ -181,7 +182,7 @@ struct Field {
 };
 
 // By address.
-inline constexpr std::array<Register, 76> kRegisters{{
+inline constexpr std::array<Register, 78> kRegisters{{
     {"x.CTRL", 0x000u, 0x00000000u, 0x000000FFu, 0x000000DFu, 0x00000000u, 0x00000000u, 0x00000020u},
     {"x.STATUS", 0x004u, 0x00000000u, 0x00007F1Fu, 0x00000000u, 0x00000000u, 0x0000001Eu, 0x00000000u},
     {"x.POS_CMD", 0x008u, 0x00000000u, 0x00FFFFFFu, 0x00FFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u},
@@ -214,6 +215,7 @@ inline constexpr std::array<Register, 76> kRegisters{{
     {"x.STROKE_MAX", 0x084u, 0x0001D4C0u, 0x00FFFFFFu, 0x00FFFFFFu, 0x00FFFFFFu, 0x00000000u, 0x00000000u},
     {"x.STROKE_EN", 0x088u, 0x00000000u, 0x00000001u, 0x00000001u, 0x00000001u, 0x00000000u, 0x00000000u},
     {"x.IQ_MANUAL", 0x08Cu, 0x00000000u, 0x00000FFFu, 0x00000FFFu, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"x.ANGLE_STEP", 0x0B0u, 0x00055F2Fu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0x00000000u, 0x00000000u},
     {"y.CTRL", 0x100u, 0x00000000u, 0x000000FFu, 0x000000DFu, 0x00000000u, 0x00000000u, 0x00000020u},
     {"y.STATUS", 0x104u, 0x00000000u, 0x00007F1Fu, 0x00000000u, 0x00000000u, 0x0000001Eu, 0x00000000u},
     {"y.POS_CMD", 0x108u, 0x00000000u, 0x00FFFFFFu, 0x00FFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u},
@@ -246,7 +248,8 @@ inline constexpr std::array<Register, 76> kRegisters{{
     {"y.STROKE_MAX", 0x184u, 0x0001D4C0u, 0x00FFFFFFu, 0x00FFFFFFu, 0x00FFFFFFu, 0x00000000u, 0x00000000u},
     {"y.STROKE_EN", 0x188u, 0x00000000u, 0x00000001u, 0x00000001u, 0x00000001u, 0x00000000u, 0x00000000u},
     {"y.IQ_MANUAL", 0x18Cu, 0x00000000u, 0x00000FFFu, 0x00000FFFu, 0x00000000u, 0x00000000u, 0x00000000u},
-    {"ID", 0x200u, 0x4B580001u, 0xFFFFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"y.ANGLE_STEP", 0x1B0u, 0x00055F2Fu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0x00000000u, 0x00000000u},
+    {"ID", 0x200u, 0x4B580002u, 0xFFFFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
     {"COMMIT", 0x204u, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000001u},
     {"IRQ_EN", 0x208u, 0x00000000u, 0x00000003u, 0x00000003u, 0x00000000u, 0x00000000u, 0x00000000u},
     {"IRQ_STAT", 0x20Cu, 0x00000000u, 0x00000003u, 0x00000000u, 0x00000000u, 0x00000003u, 0x00000000u},
@@ -260,7 +263,7 @@ inline constexpr std::array<Register, 76> kRegisters{{
     {"IRQ_PERIOD", 0x22Cu, 0x00000004u, 0x000000FFu, 0x000000FFu, 0x00000000u, 0x00000000u, 0x00000000u},
 }};
 
-inline constexpr std::array<Field, 71> kFields{{
+inline constexpr std::array<Field, 72> kFields{{
     {"CTRL.enable", "inverter on", 0x00u, 0, 1, 1, false, true, Access::kReadWrite},
     {"CTRL.current_loop", "current loop closed (0: 50 % duty on all phases)", 0x00u, 1, 1, 1, false, true, Access::kReadWrite},
     {"CTRL.position_loop", "position loop closed (0: i_q* is IQ_MANUAL)", 0x00u, 2, 1, 1, false, true, Access::kReadWrite},
@@ -315,6 +318,7 @@ inline constexpr std::array<Field, 71> kFields{{
     {"STROKE_MAX", "highest allowed position [counts]; locked by LOCK", 0x84u, 0, 24, 24, true, true, Access::kReadWrite},
     {"STROKE_EN", "trip when the position leaves the stroke; locked by LOCK", 0x88u, 0, 1, 1, false, true, Access::kReadWrite},
     {"IQ_MANUAL", "current command while the position loop is open [4.8 A / 2048]", 0x8Cu, 0, 12, 12, true, true, Access::kReadWrite},
+    {"ANGLE_STEP", "electrical angle of a count [2^-32 revolution]; locked by LOCK", 0xB0u, 0, 32, 32, false, true, Access::kReadWrite},
     {"ID.version", "identity of the IC and version of its register map", 0x200u, 0, 16, 16, false, false, Access::kRead},
     {"ID.chip", "identity of the IC and version of its register map", 0x200u, 16, 16, 16, false, false, Access::kRead},
     {"COMMIT", "writing 1 makes the next 2 kHz tick take both POS_CMD, and feeds the watchdog", 0x204u, 0, 1, 1, false, false, Access::kWrite},

@@ -39,6 +39,8 @@ module kung_xy_regs (
     assign hwif_in_x_stroke_max_value_swwel = hwif_in.x.stroke_max.value.swwel;
     logic hwif_in_x_stroke_en_enable_swwel;
     assign hwif_in_x_stroke_en_enable_swwel = hwif_in.x.stroke_en.enable.swwel;
+    logic hwif_in_x_angle_step_value_swwel;
+    assign hwif_in_x_angle_step_value_swwel = hwif_in.x.angle_step.value.swwel;
     logic hwif_in_y_deadtime_clk_swwel;
     assign hwif_in_y_deadtime_clk_swwel = hwif_in.y.deadtime.clk.swwel;
     logic hwif_in_y_stroke_min_value_swwel;
@@ -47,6 +49,8 @@ module kung_xy_regs (
     assign hwif_in_y_stroke_max_value_swwel = hwif_in.y.stroke_max.value.swwel;
     logic hwif_in_y_stroke_en_enable_swwel;
     assign hwif_in_y_stroke_en_enable_swwel = hwif_in.y.stroke_en.enable.swwel;
+    logic hwif_in_y_angle_step_value_swwel;
+    assign hwif_in_y_angle_step_value_swwel = hwif_in.y.angle_step.value.swwel;
     logic hwif_in_watchdog_limit_swwel;
     assign hwif_in_watchdog_limit_swwel = hwif_in.watchdog.limit.swwel;
     logic hwif_in_current_limit_value_swwel;
@@ -477,6 +481,7 @@ module kung_xy_regs (
     logic [23:0] field_storage_x_stroke_max_value_value;
     logic field_storage_x_stroke_en_enable_value;
     logic [11:0] field_storage_x_iq_manual_value_value;
+    logic [31:0] field_storage_x_angle_step_value_value;
     logic field_storage_y_ctrl_enable_value;
     logic field_storage_y_ctrl_current_loop_value;
     logic field_storage_y_ctrl_position_loop_value;
@@ -514,6 +519,7 @@ module kung_xy_regs (
     logic [23:0] field_storage_y_stroke_max_value_value;
     logic field_storage_y_stroke_en_enable_value;
     logic [11:0] field_storage_y_iq_manual_value_value;
+    logic [31:0] field_storage_y_angle_step_value_value;
     logic field_storage_commit_take_value;
     logic field_storage_irq_en_tick_value;
     logic field_storage_irq_en_fault_value;
@@ -559,6 +565,7 @@ module kung_xy_regs (
             field_storage_x_stroke_max_value_value <= 24'h1d4c0;
             field_storage_x_stroke_en_enable_value <= 1'h0;
             field_storage_x_iq_manual_value_value <= 12'h0;
+            field_storage_x_angle_step_value_value <= 32'h55f2f;
             field_storage_y_ctrl_enable_value <= 1'h0;
             field_storage_y_ctrl_current_loop_value <= 1'h0;
             field_storage_y_ctrl_position_loop_value <= 1'h0;
@@ -591,6 +598,7 @@ module kung_xy_regs (
             field_storage_y_stroke_max_value_value <= 24'h1d4c0;
             field_storage_y_stroke_en_enable_value <= 1'h0;
             field_storage_y_iq_manual_value_value <= 12'h0;
+            field_storage_y_angle_step_value_value <= 32'h55f2f;
             field_storage_irq_en_tick_value <= 1'h0;
             field_storage_irq_en_fault_value <= 1'h0;
             field_storage_watchdog_limit_value <= 16'h0;
@@ -689,6 +697,12 @@ module kung_xy_regs (
                 if(decoded_wr_biten[0]) field_storage_x_iq_manual_value_value[7:0] <= decoded_wr_data[7:0];
                 if(decoded_wr_biten[8]) field_storage_x_iq_manual_value_value[11:8] <= decoded_wr_data[11:8];
             end
+            if(decoded_addr == 10'hb0 && !(hwif_in_x_angle_step_value_swwel)) begin
+                if(decoded_wr_biten[0]) field_storage_x_angle_step_value_value[7:0] <= decoded_wr_data[7:0];
+                if(decoded_wr_biten[8]) field_storage_x_angle_step_value_value[15:8] <= decoded_wr_data[15:8];
+                if(decoded_wr_biten[16]) field_storage_x_angle_step_value_value[23:16] <= decoded_wr_data[23:16];
+                if(decoded_wr_biten[24]) field_storage_x_angle_step_value_value[31:24] <= decoded_wr_data[31:24];
+            end
             if(decoded_addr == 10'h100) begin
                 if(decoded_wr_biten[0]) field_storage_y_ctrl_enable_value <= decoded_wr_data[0:0];
                 if(decoded_wr_biten[1]) field_storage_y_ctrl_current_loop_value <= decoded_wr_data[1:1];
@@ -779,6 +793,12 @@ module kung_xy_regs (
             if(decoded_addr == 10'h18c) begin
                 if(decoded_wr_biten[0]) field_storage_y_iq_manual_value_value[7:0] <= decoded_wr_data[7:0];
                 if(decoded_wr_biten[8]) field_storage_y_iq_manual_value_value[11:8] <= decoded_wr_data[11:8];
+            end
+            if(decoded_addr == 10'h1b0 && !(hwif_in_y_angle_step_value_swwel)) begin
+                if(decoded_wr_biten[0]) field_storage_y_angle_step_value_value[7:0] <= decoded_wr_data[7:0];
+                if(decoded_wr_biten[8]) field_storage_y_angle_step_value_value[15:8] <= decoded_wr_data[15:8];
+                if(decoded_wr_biten[16]) field_storage_y_angle_step_value_value[23:16] <= decoded_wr_data[23:16];
+                if(decoded_wr_biten[24]) field_storage_y_angle_step_value_value[31:24] <= decoded_wr_data[31:24];
             end
             if(decoded_addr == 10'h208) begin
                 if(decoded_wr_biten[0]) field_storage_irq_en_tick_value <= decoded_wr_data[0:0];
@@ -899,6 +919,7 @@ module kung_xy_regs (
     assign hwif_out.x.stroke_max.value.value = field_storage_x_stroke_max_value_value;
     assign hwif_out.x.stroke_en.enable.value = field_storage_x_stroke_en_enable_value;
     assign hwif_out.x.iq_manual.value.value = field_storage_x_iq_manual_value_value;
+    assign hwif_out.x.angle_step.value.value = field_storage_x_angle_step_value_value;
     assign hwif_out.y.ctrl.enable.value = field_storage_y_ctrl_enable_value;
     assign hwif_out.y.ctrl.current_loop.value = field_storage_y_ctrl_current_loop_value;
     assign hwif_out.y.ctrl.position_loop.value = field_storage_y_ctrl_position_loop_value;
@@ -997,6 +1018,7 @@ module kung_xy_regs (
     assign hwif_out.y.stroke_max.value.value = field_storage_y_stroke_max_value_value;
     assign hwif_out.y.stroke_en.enable.value = field_storage_y_stroke_en_enable_value;
     assign hwif_out.y.iq_manual.value.value = field_storage_y_iq_manual_value_value;
+    assign hwif_out.y.angle_step.value.value = field_storage_y_angle_step_value_value;
     // Field: kung_xy.commit.take
     always_ff @(posedge clk_i) begin
         if(rst_i) begin
@@ -1219,6 +1241,9 @@ module kung_xy_regs (
                 10'h8c: begin
                     readback_data_var[11:0] = field_storage_x_iq_manual_value_value;
                 end
+                10'hb0: begin
+                    readback_data_var[31:0] = field_storage_x_angle_step_value_value;
+                end
                 10'h100: begin
                     readback_data_var[0] = field_storage_y_ctrl_enable_value;
                     readback_data_var[1] = field_storage_y_ctrl_current_loop_value;
@@ -1334,8 +1359,11 @@ module kung_xy_regs (
                 10'h18c: begin
                     readback_data_var[11:0] = field_storage_y_iq_manual_value_value;
                 end
+                10'h1b0: begin
+                    readback_data_var[31:0] = field_storage_y_angle_step_value_value;
+                end
                 10'h200: begin
-                    readback_data_var[15:0] = 16'h1;
+                    readback_data_var[15:0] = 16'h2;
                     readback_data_var[31:16] = 16'h4b58;
                 end
                 10'h208: begin

@@ -187,6 +187,14 @@ package kung_xy_regs_pkg;
     } axis_regs__stroke_en__in_t;
 
     typedef struct packed {
+        logic swwel;
+    } axis_regs__angle_step__value__in_t;
+
+    typedef struct packed {
+        axis_regs__angle_step__value__in_t value;
+    } axis_regs__angle_step__in_t;
+
+    typedef struct packed {
         axis_regs__status__in_t status;
         axis_regs__pos__in_t pos;
         axis_regs__pos_model__in_t pos_model;
@@ -205,6 +213,7 @@ package kung_xy_regs_pkg;
         axis_regs__stroke_min__in_t stroke_min;
         axis_regs__stroke_max__in_t stroke_max;
         axis_regs__stroke_en__in_t stroke_en;
+        axis_regs__angle_step__in_t angle_step;
     } axis_regs__in_t;
 
     typedef struct packed {
@@ -563,6 +572,14 @@ package kung_xy_regs_pkg;
     } axis_regs__iq_manual__out_t;
 
     typedef struct packed {
+        logic [31:0] value;
+    } axis_regs__angle_step__value__out_t;
+
+    typedef struct packed {
+        axis_regs__angle_step__value__out_t value;
+    } axis_regs__angle_step__out_t;
+
+    typedef struct packed {
         axis_regs__ctrl__out_t ctrl;
         axis_regs__status__out_t status;
         axis_regs__pos_cmd__out_t pos_cmd;
@@ -584,6 +601,7 @@ package kung_xy_regs_pkg;
         axis_regs__stroke_max__out_t stroke_max;
         axis_regs__stroke_en__out_t stroke_en;
         axis_regs__iq_manual__out_t iq_manual;
+        axis_regs__angle_step__out_t angle_step;
     } axis_regs__out_t;
 
     typedef struct packed {

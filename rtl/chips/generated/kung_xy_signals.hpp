@@ -325,6 +325,12 @@ std::uint32_t read_iq_manual(const Root& root, int axis) {
 }
 
 template <class Root>
+std::uint32_t read_angle_step(const Root& root, int axis) {
+  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_angle_step_value_value
+         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_angle_step_value_value;
+}
+
+template <class Root>
 std::uint32_t read_irq_en_tick(const Root& root, int) {
   return root.kung_xy__DOT__u_regs__DOT__field_storage_irq_en_tick_value;
 }
@@ -426,7 +432,7 @@ struct Reading {
 };
 
 template <class Root>
-inline constexpr std::array<Reading<Root>, 65> kReadings{{
+inline constexpr std::array<Reading<Root>, 66> kReadings{{
     {kWords[0], read_ctrl<Root>},
     {kFields[0], read_ctrl_enable<Root>},
     {kFields[1], read_ctrl_current_loop<Root>},
@@ -479,19 +485,20 @@ inline constexpr std::array<Reading<Root>, 65> kReadings{{
     {kFields[51], read_stroke_max<Root>},
     {kFields[52], read_stroke_en<Root>},
     {kFields[53], read_iq_manual<Root>},
-    {kFields[57], read_irq_en_tick<Root>},
-    {kFields[58], read_irq_en_fault<Root>},
-    {kFields[59], read_irq_stat_tick<Root>},
-    {kFields[60], read_irq_stat_fault<Root>},
-    {kFields[61], read_tick<Root>},
+    {kFields[54], read_angle_step<Root>},
+    {kFields[58], read_irq_en_tick<Root>},
+    {kFields[59], read_irq_en_fault<Root>},
+    {kFields[60], read_irq_stat_tick<Root>},
+    {kFields[61], read_irq_stat_fault<Root>},
+    {kFields[62], read_tick<Root>},
     {kWords[2], read_fault<Root>},
-    {kFields[62], read_fault_code<Root>},
-    {kFields[63], read_fault_axis<Root>},
-    {kFields[66], read_watchdog<Root>},
-    {kFields[67], read_lock<Root>},
-    {kFields[68], read_current_limit<Root>},
-    {kFields[69], read_deadtime_min<Root>},
-    {kFields[70], read_irq_period<Root>},
+    {kFields[63], read_fault_code<Root>},
+    {kFields[64], read_fault_axis<Root>},
+    {kFields[67], read_watchdog<Root>},
+    {kFields[68], read_lock<Root>},
+    {kFields[69], read_current_limit<Root>},
+    {kFields[70], read_deadtime_min<Root>},
+    {kFields[71], read_irq_period<Root>},
 }};
 
 }  // namespace trammel::kung_xy_regs
