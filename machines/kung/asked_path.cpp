@@ -4,20 +4,19 @@
 #include <algorithm>
 
 #include "machines/kung/figures.hpp"
-#include "machines/kung/words.hpp"
 
 namespace trammel::kung {
 
-AskedPath::AskedPath(const sw::Trajectory& path, std::uint32_t period)
-    : path_(path), period_(period), size_(path.size()) {
+AskedPath::AskedPath(const sw::Trajectory& path, std::uint32_t period, double count_m)
+    : path_(path), period_(period), count_m_(count_m), size_(path.size()) {
   const sw::Point start = path_.start();
-  near_.push_back({{start.x * kCountM, start.y * kCountM}, 0});
+  near_.push_back({{start.x * count_m_, start.y * count_m_}, 0});
 }
 
 double AskedPath::distance_m(const PointM& table, double enough) {
   if (sample_ % period_ == 0 && sample_ / period_ < size_) {
     const sw::Point next = path_.next();
-    near_.push_back({{next.x * kCountM, next.y * kCountM}, sample_});
+    near_.push_back({{next.x * count_m_, next.y * count_m_}, sample_});
   }
   while (near_.size() > 1 && near_[1].at + kContourReach < sample_) near_.pop_front();
   ++sample_;

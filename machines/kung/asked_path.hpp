@@ -15,8 +15,8 @@ namespace trammel::kung {
 
 class AskedPath {
  public:
-  // `period`: samples for which a point holds.
-  AskedPath(const sw::Trajectory& path, std::uint32_t period);
+  // `period`: samples for which a point holds; `count_m`: of the encoders.
+  AskedPath(const sw::Trajectory& path, std::uint32_t period, double count_m);
 
   // The next sample, the first one being that of point 0: the distance [m] of the table from the
   // path. Once it is below `enough`, no nearer place is searched.
@@ -30,6 +30,7 @@ class AskedPath {
 
   sw::Trajectory path_;
   std::uint32_t period_;
+  double count_m_;
   std::uint32_t size_;
   std::uint32_t sample_ = 0;
   std::deque<Vertex> near_;  // the last is what is asked now

@@ -141,7 +141,8 @@ void add_plant(Table& t, std::size_t axis) {
   add("inductance_d_H", 1e-4, 1, "direct axis", &plant::AxisConfig::inductance_d_h);
   add("inductance_q_H", 1e-4, 1, "quadrature axis", &plant::AxisConfig::inductance_q_h);
   add("force_constant_N_A", 1, 1000, "at the peak of i_q", &plant::AxisConfig::force_constant_n_a);
-  add("pole_pitch_m", 1e-3, 1, "half an electrical turn", &plant::AxisConfig::pole_pitch_m);
+  add("pole_pitch_m", 1e-3, 1, "half an electrical turn, at least 8 counts",
+      &plant::AxisConfig::pole_pitch_m);
   add("mass_kg", 0.1, 500, "moving mass", &plant::AxisConfig::mass_kg);
   add("payload_kg", 0, 500, "on top of the moving mass", &plant::AxisConfig::payload_kg);
   add("coulomb_N", 0, 500, "Coulomb friction", &plant::AxisConfig::coulomb_n);
@@ -157,7 +158,8 @@ void add_plant(Table& t, std::size_t axis) {
   add("dc_link_V", 1, 1000, "of the inverter", &plant::AxisConfig::dc_link_v);
   add("switch_drop_V", 0, 10, "of a closed switch", &plant::AxisConfig::switch_drop_v);
   add("diode_drop_V", 0, 10, "of a conducting diode", &plant::AxisConfig::diode_drop_v);
-  add("encoder_count_m", 1e-7, 1e-3, "after x4 decoding", &plant::AxisConfig::encoder_count_m);
+  add("encoder_count_m", 1e-7, 1e-3, "after x4 decoding; equal on both axes",
+      &plant::AxisConfig::encoder_count_m);
   add("encoder_hysteresis_counts", 0, 0.9, "keeps ripple from chattering at a count",
       &plant::AxisConfig::encoder_hysteresis_counts);
   add("index_m", -40, 40, "where the index pulse is", &plant::AxisConfig::index_m);

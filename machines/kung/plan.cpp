@@ -16,10 +16,10 @@ namespace trammel::kung {
 namespace {
 
 constexpr double kPi = 3.14159265358979323846;
-constexpr double kMaxFeedMS = 1.28;  // the speed words saturate above (section 3)
+constexpr int kMaxFeedCounts = 128;  // a sample; the speed words saturate above (section 3)
 constexpr int kMaxTicks = static_cast<int>(sw::kMaxTicks);
-constexpr int kMaxModelCounts = 131071;  // the model's integrator holds no more (section 3)
-constexpr double kMaxM = 0.65;
+constexpr int kMaxStrokeCounts = 130000;  // the model's integrator holds 131071 (section 3)
+constexpr double kLeastTurnCounts = 16;
 constexpr double kMaxPoints = 2147483647;
 constexpr cosim::PointRange kTable{0, 600};  // [mm]
 
@@ -40,55 +40,68 @@ void in_range(const std::string& key, double value, double low, double high,
                       reason.empty() ? "" : " (" + reason + ")"));
 }
 
-sw::Q32 q32(double metres) {
-  return static_cast<sw::Q32>(std::llround(std::ldexp(metres / kCountM, 32)));
-}
+// Metres in counts of an encoder.
+struct Encoder {
+  double count_m;
 
-sw::Vec q32(double x_m, double y_m) { return {q32(x_m), q32(y_m)}; }
-
-std::int32_t counts(double metres) {
-  return static_cast<std::int32_t>(std::floor(metres / kCountM + 0.5));
-}
+  sw::Q32 q32(double metres) const {
+    return static_cast<sw::Q32>(std::llround(std::ldexp(metres / count_m, 32)));
+  }
+  sw::Vec q32(double x_m, double y_m) const { return {q32(x_m), q32(y_m)}; }
+  std::int32_t counts(double metres) const {
+    return static_cast<std::int32_t>(std::floor(metres / count_m + 0.5));
+  }
+  double max_feed_m_s() const { return kMaxFeedCounts * count_m / kSampleS; }
+};
 
 std::uint32_t word(int value) { return static_cast<std::uint32_t>(value); }
 
+std::string feed_text(double m_s) { return fmt::format("feed at most {:g} m/s", m_s); }
+
 // Interrupts for a stretch of that length: enough to stay below the maximum feed.
-std::uint32_t ticks_word(const std::string& key, int ticks, double length_m, double point_s) {
-  in_range(key, ticks, std::max(1.0, std::ceil(length_m / (kMaxFeedMS * point_s) - 1e-9)),
-           kMaxTicks, "feed at most 1.28 m/s");
+std::uint32_t ticks_word(const std::string& key, int ticks, double length_m, double point_s,
+                         const Encoder& encoder) {
+  const double feed = encoder.max_feed_m_s();
+  in_range(key, ticks, std::max(1.0, std::ceil(length_m / (feed * point_s) - 1e-9)), kMaxTicks,
+           feed_text(feed));
   return word(ticks);
 }
 
-sw::Window::Setup plan_window(const PathOptions& p, double point_s) {
-  in_range("path.window_radius_m", p.window_radius_m, kCountM, p.window_side_m / 2 - kCountM,
-           "the straight parts need some length");
+sw::Window::Setup plan_window(const PathOptions& p, double point_s, const Encoder& encoder) {
+  in_range("path.window_radius_m", p.window_radius_m, encoder.count_m,
+           p.window_side_m / 2 - encoder.count_m, "the straight parts need some length");
   const double half_stroke_m = p.window_side_m / 2 - p.window_radius_m;
   in_range("path.window_step_m", p.window_step_m, half_stroke_m / kMaxTicks,
-           std::min(kMaxFeedMS * point_s, half_stroke_m), "feed at most 1.28 m/s");
+           std::min(encoder.max_feed_m_s() * point_s, half_stroke_m),
+           feed_text(encoder.max_feed_m_s()));
   // The step is adjusted so that every part takes whole ticks.
   const double ticks = std::max(1.0, std::round(half_stroke_m / p.window_step_m));
-  return {q32(p.window_center_x_m, p.window_center_y_m), q32(p.window_side_m / 2),
-          q32(p.window_radius_m), static_cast<std::uint32_t>(ticks),
+  return {encoder.q32(p.window_center_x_m, p.window_center_y_m), encoder.q32(p.window_side_m / 2),
+          encoder.q32(p.window_radius_m), static_cast<std::uint32_t>(ticks),
           ticks_word("path.window_arc_ticks", p.window_arc_ticks, kPi / 2 * p.window_radius_m,
-                     point_s)};
+                     point_s, encoder)};
 }
 
-void plan_points(const PathOptions& p, std::vector<sw::Point>& points) {
+void plan_points(const PathOptions& p, const Encoder& encoder, std::vector<sw::Point>& points) {
   in_range("path.points_file: number of points", static_cast<double>(p.points.size()), 1,
            kMaxTicks);
   points.clear();
-  for (const PointM& point : p.points) points.push_back({counts(point.x_m), counts(point.y_m)});
+  for (const PointM& point : p.points) {
+    points.push_back({encoder.counts(point.x_m), encoder.counts(point.y_m)});
+  }
   if (!(points.front() == points.back())) {
     in_range("path.repeats", p.repeats, 1, 1, "the points do not end where they begin");
   }
 }
 
-sw::PathSetup plan_path(const PathOptions& p, int irq_period_ticks,
+sw::PathSetup plan_path(const PathOptions& p, int irq_period_ticks, const Encoder& encoder,
                         std::vector<sw::Point>& points) {
   const double point_s = ticks_per_point(p, irq_period_ticks) * kSampleS;
-  const auto ticks = [point_s](const char* key, int value, double length_m) {
-    return ticks_word(key, value, length_m, point_s);
+  const auto ticks = [point_s, &encoder](const char* key, int value, double length_m) {
+    return ticks_word(key, value, length_m, point_s, encoder);
   };
+  const auto q32 = [&encoder](auto... metres) { return encoder.q32(metres...); };
+  const auto counts = [&encoder](double metres) { return encoder.counts(metres); };
   sw::PathSetup s;
   s.path = p.kind;
   switch (p.kind) {
@@ -96,7 +109,7 @@ sw::PathSetup plan_path(const PathOptions& p, int irq_period_ticks,
       s.circle = {q32(p.circle_center_x_m, p.circle_center_y_m), q32(p.circle_radius_m),
                   ticks("path.circle_ticks", p.circle_ticks, 2 * kPi * p.circle_radius_m)};
       break;
-    case PathKind::kWindow: s.window = plan_window(p, point_s); break;
+    case PathKind::kWindow: s.window = plan_window(p, point_s, encoder); break;
     case PathKind::kStar:
       s.star.start = q32(p.star_start_x_m, p.star_start_y_m);
       s.star.edge = q32(p.star_edge_m);
@@ -116,7 +129,7 @@ sw::PathSetup plan_path(const PathOptions& p, int irq_period_ticks,
                                  p.line_end_y_m - p.line_start_y_m))};
       break;
     case PathKind::kPoints:
-      plan_points(p, points);
+      plan_points(p, encoder, points);
       s.points = points.data();
       s.n_points = static_cast<std::uint32_t>(points.size());
       break;
@@ -140,8 +153,8 @@ std::uint32_t clocks(int ns, std::int64_t clock_ps) {
   return static_cast<std::uint32_t>((std::int64_t{1000} * ns + clock_ps - 1) / clock_ps);
 }
 
-// The whole path must lie within the hard stops, the stroke of the chip and the range of the
-// reference model.
+// The whole path must lie within the hard stops and the stroke of the chip, which lies within the
+// range of the reference model.
 void check_extent(const Options& options, const sw::PathSetup& setup) {
   sw::PathSetup once = setup;  // every pass has the same bounds
   once.repeats = 1;
@@ -157,12 +170,14 @@ void check_extent(const Options& options, const sw::PathSetup& setup) {
   const std::int32_t highs[] = {high.x, high.y};
   for (std::size_t a = 0; a < 2; ++a) {
     const char axis = a == 0 ? 'x' : 'y';
-    const auto inside = [&](double from_m, double to_m, const std::string& what) {
-      require(lows[a] >= counts(from_m) && highs[a] <= counts(to_m),
-              fmt::format("path: {} runs from {:g} to {:g} m, beyond {} = {:g}..{:g}", axis,
-                          lows[a] * kCountM, highs[a] * kCountM, what, from_m, to_m));
-    };
     const plant::AxisConfig& plant = options.plant.axis[a];
+    const Encoder encoder{plant.encoder_count_m};
+    const auto inside = [&](double from_m, double to_m, const std::string& what) {
+      require(lows[a] >= encoder.counts(from_m) && highs[a] <= encoder.counts(to_m),
+              fmt::format("path: {} runs from {:g} to {:g} m, beyond {} = {:g}..{:g}", axis,
+                          lows[a] * encoder.count_m, highs[a] * encoder.count_m, what, from_m,
+                          to_m));
+    };
     const AxisChip& chip = options.chip.axis[a];
     if (plant.hard_stops) {
       inside(plant.stroke_min_m, plant.stroke_max_m,
@@ -170,8 +185,6 @@ void check_extent(const Options& options, const sw::PathSetup& setup) {
     }
     inside(chip.stroke_min_m, chip.stroke_max_m,
            fmt::format("chip.{}.stroke_min_m..stroke_max_m", axis));
-    const double reach_m = kMaxModelCounts * plant.encoder_count_m;
-    inside(-reach_m, reach_m, "the range of the reference model");
   }
 }
 
@@ -215,6 +228,14 @@ sw::AxisSetup plan_axis(const Options& options, std::size_t axis) {
   s.a0 = word(model.a0);
   s.b2 = word(model.b2) & 0xFFFFFFu;
 
+  const double turn_counts = 2 * plant.pole_pitch_m / plant.encoder_count_m;
+  require(turn_counts >= kLeastTurnCounts,
+          fmt::format("{}: value {:g} is {:.3g} counts of {} an electrical turn, which takes at "
+                      "least {:g}",
+                      key("plant", "pole_pitch_m"), plant.pole_pitch_m, turn_counts,
+                      key("plant", "encoder_count_m"), kLeastTurnCounts));
+  // Rounded up, as the specification's 352047 of 12 200 counts.
+  s.angle_step = static_cast<std::uint32_t>(std::ceil(std::ldexp(1, 32) / turn_counts - 1e-6));
   const double revolutions = g.theta_offset_rad / (2 * kPi);
   s.theta_ofs = static_cast<std::uint32_t>(
       std::llround(std::ldexp(revolutions - std::floor(revolutions), 32)));
@@ -223,10 +244,14 @@ sw::AxisSetup plan_axis(const Options& options, std::size_t axis) {
                       key("chip", "dead_time_ns"), c.dead_time_ns, options.chip.dead_time_min_ns));
   s.dead_time = clocks(c.dead_time_ns, options.plant.clock_ps);
   s.qep_filter = word(c.qep_filter_clk);
-  in_range(key("chip", "stroke_min_m"), c.stroke_min_m, -kMaxM, c.stroke_max_m);
-  in_range(key("chip", "stroke_max_m"), c.stroke_max_m, c.stroke_min_m, kMaxM);
-  s.stroke_min = counts(c.stroke_min_m);
-  s.stroke_max = counts(c.stroke_max_m);
+  const Encoder encoder{plant.encoder_count_m};
+  const double furthest_m = kMaxStrokeCounts * encoder.count_m;
+  const std::string reach = fmt::format("the chip's model reaches {} counts of {:g} m",
+                                        kMaxStrokeCounts, plant.encoder_count_m);
+  in_range(key("chip", "stroke_min_m"), c.stroke_min_m, -furthest_m, c.stroke_max_m, reach);
+  in_range(key("chip", "stroke_max_m"), c.stroke_max_m, c.stroke_min_m, furthest_m, reach);
+  s.stroke_min = encoder.counts(c.stroke_min_m);
+  s.stroke_max = encoder.counts(c.stroke_max_m);
   s.stroke_check = c.stroke_check;
   require(plant.stroke_min_m < plant.stroke_max_m,
           fmt::format("{}: must be below {} = {:g}", key("plant", "stroke_min_m"),
@@ -239,7 +264,13 @@ sw::AxisSetup plan_axis(const Options& options, std::size_t axis) {
 sw::KungSetup plan_firmware(const Options& options, std::vector<sw::Point>& points) {
   const ChipOptions& chip = options.chip;
   sw::KungSetup s;
-  static_cast<sw::PathSetup&>(s) = plan_path(options.path, chip.irq_period_ticks, points);
+  const double count_m = options.plant.axis[0].encoder_count_m;
+  require(count_m == options.plant.axis[1].encoder_count_m,
+          fmt::format("plant.y.encoder_count_m: value {:g} must equal plant.x.encoder_count_m = "
+                      "{:g}: the processor draws the path in counts",
+                      options.plant.axis[1].encoder_count_m, count_m));
+  static_cast<sw::PathSetup&>(s) =
+      plan_path(options.path, chip.irq_period_ticks, Encoder{count_m}, points);
   for (std::size_t a = 0; a < 2; ++a) s.axis[a] = plan_axis(options, a);
   s.irq_period = word(ticks_per_point(options.path, chip.irq_period_ticks));
   s.watchdog_ticks = word(chip.watchdog_ticks);

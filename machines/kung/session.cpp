@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "machines/kung/figures.hpp"
 #include "machines/kung/machine.hpp"
 #include "machines/kung/plan.hpp"
 #include "machines/kung/words.hpp"
@@ -42,9 +43,10 @@ Session::Session(const Options& options, const Hooks& hooks, const cosim::Waves&
   const sw::Point start = path.start();
   path_points_ = path.size();
   asked_.emplace(path, static_cast<std::uint32_t>(
-                           ticks_per_point(options_.path, options_.chip.irq_period_ticks)));
-  options_.plant.axis[0].start_m = start.x * kCountM;
-  options_.plant.axis[1].start_m = start.y * kCountM;
+                           ticks_per_point(options_.path, options_.chip.irq_period_ticks)),
+                 options_.plant.axis[0].encoder_count_m);
+  options_.plant.axis[0].start_m = start.x * options_.plant.axis[0].encoder_count_m;
+  options_.plant.axis[1].start_m = start.y * options_.plant.axis[1].encoder_count_m;
   plant_ = std::make_unique<TablePlant>(options_.plant, fault_at(options_.inject.trip_s),
                                         fault_at(options_.inject.encoder_s));
   chip_ = make_chip();
@@ -92,8 +94,10 @@ bool Session::over(const Sample& sample) {
   result_.first_tick = mailbox.first_tick;
   result_.points = mailbox.point;
   result_.end_tick = result_.first_tick + path_points_ * period;
-  for (const AxisSample& axis : sample.axis) {
-    const double error = axis.x_m * kModelLsbM - axis.x_true_m;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const AxisSample& axis = sample.axis[k];
+    const double error =
+        model_m(axis, options_.plant.axis[k].encoder_count_m) - axis.x_true_m;
     if (sample.tick >= result_.first_tick && std::abs(error) > options_.diverged_m) {
       result_.end = EndReason::kDiverged;
       return true;

@@ -11,11 +11,9 @@
 
 namespace trammel::kung {
 
-inline constexpr double kCountM = 5e-6;               // encoder resolution [m]
 inline constexpr double kSampleS = 0.5e-3;            // position sample [s]
 inline constexpr double kCurrentRefLsbA = 4.8 / 2048;  // i_q* [A]
 inline constexpr double kCurrentLsbA = 9.6 / 2048;    // measured currents [A]
-inline constexpr double kModelLsbM = kCountM / 16384;  // x_m, dx [m]
 
 using cosim::edge_at;
 

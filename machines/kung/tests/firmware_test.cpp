@@ -108,6 +108,7 @@ TEST_CASE("start sets every register with both axes off and enables only the tic
   KungSetup setup;
   setup.axis[1].kv = {1709, -4};
   setup.axis[1].dead_time = 77;
+  setup.axis[1].angle_step = 123456789;
   setup.axis[1].theta_ofs = 0x80000000u;
   Machine m(setup);
   m.app.start(m.chip);
@@ -131,6 +132,8 @@ TEST_CASE("start sets every register with both axes off and enables only the tic
   CHECK(r[reg::kX + reg::kDeadtime] == (3u << 16 | 100));
   CHECK(r[reg::kY + reg::kKv] == (0x1C0000u | 1709));
   CHECK(r[reg::kY + reg::kDeadtime] == (3u << 16 | 77));
+  CHECK(r[reg::kX + reg::kAngleStep] == 352047);
+  CHECK(r[reg::kY + reg::kAngleStep] == 123456789);
   CHECK(r[reg::kY + reg::kThetaOfs] == 0x80000000u);
   CHECK(r[reg::kX + reg::kPosPreset] == 50000);
   CHECK(r[reg::kY + reg::kPosPreset] == 70000);

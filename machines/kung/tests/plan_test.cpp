@@ -46,6 +46,27 @@ TEST_CASE("the default options give the words of the specification") {
   CHECK(s.current_limit == sw::KungSetup{}.current_limit);
 }
 
+TEST_CASE("path, strokes and electrical angle are in counts of the encoder that is there") {
+  CHECK(plan({}).axis[0].angle_step == 352047);
+  Options o;
+  for (plant::AxisConfig& axis : o.plant.axis) axis.encoder_count_m = 10e-6;
+  o.plant.axis[0].pole_pitch_m = 16e-3;  // 3200 counts an electrical turn
+  o.plant.axis[1].pole_pitch_m = 40.96e-3;  // 8192
+  sw::KungSetup s = plan(o);
+  CHECK(s.axis[0].angle_step == 1342178);  // 2^32 / 3200 = 1342177.28, rounded up
+  CHECK(s.axis[1].angle_step == 524288);
+  CHECK(s.axis[0].stroke_max == 60000);
+  CHECK(sw::Trajectory(s).start() == sw::Point{25000, 35000});
+  o.path.circle_ticks = 123;  // at most 2.56 m/s
+  CHECK_NOTHROW(plan(o));
+  o.path.circle_ticks = 122;
+  CHECK_THROWS_WITH(plan(o), Contains("feed at most 2.56 m/s"));
+  o = {};
+  o.plant.axis[1].pole_pitch_m = 39e-6;
+  CHECK_THROWS_WITH(plan(o), Contains("plant.y.pole_pitch_m: value 3.9e-05 is 15.6 counts of "
+                                      "plant.y.encoder_count_m an electrical turn"));
+}
+
 TEST_CASE("the fixed controller does not learn") {
   Options o;
   o.controller = Controller::kFc;
@@ -104,7 +125,8 @@ TEST_CASE("values that cannot run are refused with their key and the permitted r
   o.chip.axis[0].stroke_min_m = -0.1;
   CHECK_NOTHROW(plan(o));
   o.plant.axis[0].encoder_count_m = 1e-6;
-  CHECK_THROWS_WITH(plan(o), Contains("beyond the range of the reference model = -0.131071.."));
+  CHECK_THROWS_WITH(plan(o), Contains("plant.y.encoder_count_m: value 5e-06 must equal "
+                                      "plant.x.encoder_count_m = 1e-06"));
 
   o = with(PathKind::kWindow);
   o.path.window_radius_m = 0.1;
@@ -122,7 +144,8 @@ TEST_CASE("values that cannot run are refused with their key and the permitted r
 
   o = {};
   o.chip.axis[0].stroke_max_m = 0.7;
-  CHECK_THROWS_WITH(plan(o), Contains("chip.x.stroke_max_m: value 0.7 is out of range 0..0.65"));
+  CHECK_THROWS_WITH(plan(o), Contains("chip.x.stroke_max_m: value 0.7 is out of range 0..0.65 (the "
+                                      "chip's model reaches 130000 counts of 5e-06 m)"));
   o = {};
   o.plant.axis[1].stroke_max_m = -1;
   CHECK_THROWS_WITH(plan(o), Contains("plant.y.stroke_min_m: must be below plant.y.stroke_max_m"));

@@ -56,6 +56,7 @@ void configure_axis(Bus& bus, std::uint32_t base, const AxisSetup& axis, std::in
   bus.write(base + reg::kB2, axis.b2);
   bus.write(base + reg::kKpCur, gain_word(axis.kp_cur));
   bus.write(base + reg::kKiCur, gain_word(axis.ki_cur));
+  bus.write(base + reg::kAngleStep, axis.angle_step);
   bus.write(base + reg::kThetaOfs, axis.theta_ofs);
   bus.write(base + reg::kDeadtime, axis.dead_time << reg::kDeadtimeClkShift |
                                        axis.qep_filter << reg::kDeadtimeQepFilterShift);

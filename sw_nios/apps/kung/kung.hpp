@@ -33,6 +33,7 @@ struct AxisSetup {
   std::uint32_t shift_de = 2;
   std::uint32_t a0 = 238008;      // [2^-32]
   std::uint32_t b2 = 8140683;     // [2^-23]
+  std::uint32_t angle_step = 352047;  // electrical angle of a count [2^-32 revolution]
   std::uint32_t theta_ofs = 0;    // electrical angle at count 0 [2^-32 revolution]
   std::uint32_t dead_time = 100;  // [clk]
   std::uint32_t qep_filter = 3;   // equal samples, 1..15

@@ -40,8 +40,8 @@ Board::Board(sc_module_name name, const kung::Options& options, Pins& pins, Vkun
   firmware_ = std::make_unique<kung::StallableApp>(setup, cosim::kNever);
   firmware_->runs_on(chip_);
   const sw::Point start = sw::Trajectory(setup).start();
-  options_.plant.axis[0].start_m = start.x * kung::kCountM;
-  options_.plant.axis[1].start_m = start.y * kung::kCountM;
+  options_.plant.axis[0].start_m = start.x * options_.plant.axis[0].encoder_count_m;
+  options_.plant.axis[1].start_m = start.y * options_.plant.axis[1].encoder_count_m;
   plant_ = std::make_unique<kung::TablePlant>(options_.plant, cosim::kNever, cosim::kNever);
   recorder_ = std::make_unique<kung::Recorder>(chip_, plant_->table(),
                                                [](const kung::Sample&) { return false; });

@@ -17,7 +17,8 @@ class MovingTable final : public cosim::Plant {
  public:
   MovingTable(double speed_m_s, std::int64_t clock_ps) {
     if (speed_m_s <= 0) return;
-    const double clocks = kung::kCountM / speed_m_s / (1e-12 * static_cast<double>(clock_ps));
+    constexpr double kCountM = 5e-6;  // of an encoder
+    const double clocks = kCountM / speed_m_s / (1e-12 * static_cast<double>(clock_ps));
     spacing_ = static_cast<cosim::Clk>(clocks);
     next_ = {spacing_, spacing_ + spacing_ / 2};
   }

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include "cosim/direct.hpp"
+#include "machines/kung/figures.hpp"
 #include "machines/kung/session.hpp"
 #include "lab/layers.hpp"
 #include "lab/scenarios.hpp"
@@ -110,6 +111,29 @@ TEST_CASE("both engines agree on a piece of every built-in scenario, fixed and a
     }
   }
   CHECK(scenarios >= 4);
+}
+
+TEST_CASE("both engines agree on motors and encoders that are not the paper's, and follow") {
+  struct Motor {
+    double count_m, pole_pitch_x_m, pole_pitch_y_m;
+  };
+  for (const Motor& motor : {Motor{5e-6, 16e-3, 12e-3}, Motor{4.9e-6, 30.5e-3, 0.1},
+                             Motor{10e-6, 24e-3, 1e-3}}) {
+    Options options = piece(0.1);
+    options.path.kind = PathKind::kLine;
+    options.path.line_ticks = 15;
+    options.path.line_end_x_m = 0.103;
+    options.path.line_end_y_m = 0.107;
+    for (plant::AxisConfig& axis : options.plant.axis) axis.encoder_count_m = motor.count_m;
+    options.plant.axis[0].pole_pitch_m = motor.pole_pitch_x_m;
+    options.plant.axis[1].pole_pitch_m = motor.pole_pitch_y_m;
+    CAPTURE(motor.count_m, motor.pole_pitch_x_m);
+    check_same(options);
+    const auto done = run(options, Engine::kTwin).result;
+    CHECK(done.end == EndReason::kDone);
+    const AxisSample last = done.samples.back().axis[1];
+    CHECK(std::abs(model_m(last, motor.count_m) - last.x_true_m) < 1e-3);
+  }
 }
 
 TEST_CASE("both engines agree on lines and points, interpolated and fed forward") {

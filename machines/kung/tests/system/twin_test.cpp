@@ -96,6 +96,7 @@ class AxisCheck final : public cosim::Observer {
       config_[k].position = afc_config(s);
       config_[k].kp_cur = gain(s.kp_cur);
       config_[k].ki_cur = gain(s.ki_cur);
+      config_[k].angle_step = s.angle_step;
       config_[k].theta_ofs = s.theta_ofs;
     }
   }
