@@ -194,7 +194,7 @@ TEST_CASE("a run is never lost because its report failed") {
       record.figures.back().digits = 3;
       return record;
     };
-    CHECK(test::run(test::arguments_for(test::scenario_of(machine), base / "a"), simulate) == 0);
+    CHECK(test::run(test::arguments_for(test::scenario_of(machine), base / "a"), simulate) == 2);
     CHECK(fs::exists(base / "a" / "metrics.json"));
     CHECK(fs::exists(base / "a" / "trace.csv"));
     CHECK_FALSE(fs::exists(base / "a" / "report.html"));

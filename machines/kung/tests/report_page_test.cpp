@@ -86,7 +86,7 @@ TEST_CASE("a run is never lost because its trace holds what a page cannot show")
   kung::Sample bad = result.samples.back();
   bad.axis[0].force_N = std::numeric_limits<double>::quiet_NaN();
   result.samples.push_back(bad);
-  CHECK(run_kung(scratch.path / "a", std::move(result)) == 0);
+  CHECK(run_kung(scratch.path / "a", std::move(result)) == 2);
   CHECK(fs::exists(scratch.path / "a" / "metrics.json"));
   CHECK(fs::exists(scratch.path / "a" / "trace.csv"));
   CHECK_FALSE(fs::exists(scratch.path / "a" / "report.html"));
