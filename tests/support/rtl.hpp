@@ -104,9 +104,11 @@ class Rtl {
   // Settles combinational outputs after inputs changed.
   void eval() { model_->eval(); }
 
-  // One rising edge; outputs are those after the edge.
+  // One rising edge; outputs are those after the edge. The time is its number, which the message of
+  // a failed assertion begins with.
   void tick() {
     model_->eval();
+    context_->timeInc(1);
     waves_.settled();
     cosim::clock_pin(*model_) = 1;
     model_->eval();
