@@ -109,6 +109,24 @@ TEST_CASE("lm628_ice40_up5k puts out 12 bits with strobes of 1 us, pulses of 4 m
   REQUIRE(clocks_until(bench, high) == 1280 - 10 * 19);
 }
 
+TEST_CASE("lm628_ice40_up5k saturates the products of its filter, as the part does") {
+  for (const std::int64_t way : {-1, 1}) {
+    CAPTURE(way);
+    Bench bench;
+    bench.start();
+    bench.command(Opcode::kLfil, {0x0008, 0x7FFF});
+    bench.command(Opcode::kUdf);
+    bench.command(Opcode::kStt);
+    bench.sample(3);
+    bench.move_to(-2 * way);  // 2 times 7FFFh is FFFEh: -2, if it wraps
+    bench.sample(2);
+    REQUIRE(bench.engine().error() == 2 * way);
+    CHECK(bench.engine().output() == 32767 * way);
+    CHECK(bench.out().drive.dac == (way > 0 ? 0xFF : 0x00));
+    CHECK(bench.out().drive.pwm_sign == (way < 0));
+  }
+}
+
 // SNVS781C p.4 in clocks of 50 ns, the shortest times: WR low for 100 ns, data held for 120, 180
 // from RD to the data.
 TEST_CASE("lm628_ice40_up5k takes and gives bytes at the data sheet's shortest times") {
