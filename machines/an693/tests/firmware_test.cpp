@@ -123,6 +123,27 @@ TEST_CASE("an693 E1 resets again a part whose status is wrong, and gives up afte
   CHECK(part.timer == 0);
 }
 
+TEST_CASE("an693 E1 takes 84h or C4h after the reset, then 80h or C0h, and no other status") {
+  struct Case {
+    std::uint8_t reset, cleared;
+    bool taken;
+  };
+  for (const Case& one : {Case{0x84, 0x80, true}, Case{0xC4, 0x80, true}, Case{0x84, 0xC0, true},
+                          Case{0xC4, 0xC0, true}, Case{0x80, 0x80, false}, Case{0x84, 0x84, false},
+                          Case{0xC4, 0x40, false}, Case{0x04, 0x80, false}}) {
+    CAPTURE(int{one.reset}, int{one.cleared});
+    An693App app(make_setup(An693Program::kHold));
+    FakePart part;
+    app.start(part);
+    part.log.clear();
+    part.irq = lm628_map::kIrqTimer;
+    part.states = {one.reset, one.cleared};
+    app.isr(part);
+    CHECK((part.log.find('R') == std::string::npos) == one.taken);  // otherwise reset again
+    CHECK((part.log.find(kFilter) != std::string::npos) == one.taken);
+  }
+}
+
 TEST_CASE("an693 E2 and E5 load kp = 10 and close the loop where the shaft is") {
   Bench bench(make_setup(An693Program::kHold));
   CHECK(bench.on_timer() == std::string(kInit) + kFilter + "c1F d00 d00 c01 ");

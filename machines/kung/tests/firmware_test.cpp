@@ -179,6 +179,12 @@ TEST_CASE("the first interrupt enables both axes, locks the guards and writes no
   CHECK(r[reg::kLock] == reg::kKeyLock);
   CHECK(r[reg::kIrqEn] == (reg::kIrqEnTick | reg::kIrqEnFault));
   CHECK(m.app.mailbox().point == 0);
+  for (const std::uint32_t base : {reg::kX, reg::kY}) {
+    CAPTURE(base);
+    const std::size_t cleared = m.chip.write_index(base + reg::kStatus);
+    REQUIRE(cleared < m.chip.write_index(base + reg::kCtrl, 2));  // the one that enables
+    CHECK(m.chip.log[cleared].data == 0x1E);  // overrun, encoder, saturated, limited
+  }
 }
 
 TEST_CASE("each interrupt acknowledges, reads the response, then writes X, Y and COMMIT") {
@@ -199,10 +205,16 @@ TEST_CASE("each interrupt acknowledges, reads the response, then writes X, Y and
   CHECK(writes[3].address == reg::kCommit);
   CHECK(writes[3].data == reg::kCommitTake);
   const auto at = [&](std::uint32_t address) {
-    return std::find_if(m.chip.log.begin() + static_cast<std::ptrdiff_t>(before), m.chip.log.end(),
-                        [&](const Access& a) { return a.address == address; });
+    const auto begin = m.chip.log.begin() + static_cast<std::ptrdiff_t>(before);
+    return std::find_if(begin, m.chip.log.end(),
+                        [&](const Access& a) { return a.address == address; }) - begin;
   };
-  CHECK(at(reg::kY + reg::kPosModel) < at(reg::kX + reg::kPosCmd));
+  for (const std::uint32_t base : {reg::kX, reg::kY}) {
+    for (const std::uint32_t word : {reg::kStatus, reg::kPos, reg::kPosModel, reg::kIqCmd}) {
+      INFO("register " << base + word << " is read before POS_CMD of X is written");
+      CHECK(at(base + word) < at(reg::kX + reg::kPosCmd));
+    }
+  }
 }
 
 TEST_CASE("point 0 takes effect at the tick after its interrupt; all 629 points are committed") {

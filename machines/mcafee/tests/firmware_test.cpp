@@ -250,6 +250,21 @@ TEST_CASE("no sample falls between the STT of the two axes, and the samples coin
   CHECK(late <= 9);
 }
 
+TEST_CASE("where one axis alone moves a sample parts nothing, however slow the processor is") {
+  for (const bool y : {false, true}) {
+    const McafeeRow row = y ? McafeeRow{0, 0, 0, 255, 0, 40} : McafeeRow{0, 0, 255, 0, 40, 0};
+    const std::vector<McafeeRow> rows(6, row);
+    for (const std::uint32_t access : {8u, 300u, 500u, 800u, 1000u}) {
+      CAPTURE(y, access);
+      McafeeBench bench(tracking(rows));
+      bench.run(20, {access, 100});
+      CHECK(bench.app.mailbox().done);
+      CHECK(failure_of(bench.app) == McafeeFailure::kNone);
+      CHECK(bench.app.mailbox().real[y ? 1 : 0] == 240);
+    }
+  }
+}
+
 TEST_CASE("a feed rate that never comes ends the program, and nothing restarts it") {
   const std::vector<McafeeRow> rows(4, McafeeRow{0, 0, 255, 0, 100, 0});
   DeafFeed bus;
