@@ -7,6 +7,8 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
+#include "parts/lm628/board.hpp"
+
 using namespace trammel;
 using lm628::HostPins;
 using lm628::HostPort;
@@ -70,4 +72,17 @@ TEST_CASE("lm628 port strobes RST for 8 clocks of a part of 6 MHz") {
   CHECK(count(all, [](const HostPins& p) { return !p.reset_n; }) * 20 >= 8 * 1000 / 6);
   CHECK(idle(all.back()));
   CHECK(count(transfer(port, {sw::lm628_map::kIrq, 0, false}), idle) == 2);
+}
+
+TEST_CASE("lm628 board takes each half of the converter's word as WR rises, and no other byte") {
+  lm628::Board board;
+  CHECK(board.code == 0x800);
+  CHECK_FALSE(board.convert(0x15 << 2, false, false));
+  CHECK_FALSE(board.convert(0x15 << 2, false, true));   // WR rises: the low half
+  CHECK_FALSE(board.convert(0x3F << 2, false, true));   // no strobe
+  CHECK_FALSE(board.convert(0x2A << 2, true, false));
+  CHECK(board.convert(0x2A << 2, true, true));          // the high half: the word is complete
+  CHECK(board.code == (0x2A << 6 | 0x15));
+  CHECK_FALSE(board.convert(0x01 << 2, true, true));    // no strobe
+  CHECK(board.code == (0x2A << 6 | 0x15));
 }

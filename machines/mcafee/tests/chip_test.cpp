@@ -27,11 +27,14 @@ struct Motion final : cosim::Plant {
   static constexpr cosim::Clk kStep = 1111;  // [clk] a count
   cosim::Clk at = 0;
 
+  // The marker of X is where its count is 0 modulo 64, that of Y 32 counts later.
   static cosim::Lines lines(cosim::Clk count) {
     const auto phase = static_cast<unsigned>(count & 3);
     const cosim::Lines first = phase == 1 || phase == 2, second = phase >= 2;
     return first << mcafee::encoder_a(0) | second << mcafee::encoder_b(0) |
            second << mcafee::encoder_a(1) | first << mcafee::encoder_b(1) |
+           cosim::Lines{count % 64 == 0} << mcafee::marker(0) |
+           cosim::Lines{count % 64 == 32} << mcafee::marker(1) |
            cosim::Lines{count > 100} << mcafee::limit_high(0) |
            cosim::Lines{count > 150} << mcafee::limit_low(1);
   }
@@ -148,6 +151,49 @@ TEST_CASE("mcafee chip drives each axis by its own error and shows its words and
   CHECK(run.read(reg::kLimits) == (reg::kLimitsXHigh | reg::kLimitsYLow));
 }
 
+TEST_CASE("mcafee chip tells of which part an interrupt is") {
+  for (const int axis : {0, 1}) {
+    CAPTURE(axis);
+    Run run(true, cosim::kNever);
+    run.loop.advance(70000, 0);
+    CHECK_FALSE((run.chip->host_irq(0) || run.chip->host_irq(1)));
+    run.put(axis == 0 ? 0 : reg::kPortBY, 0x77);  // no command: an error
+    CHECK(run.chip->host_irq(0) == (axis == 0));
+    CHECK(run.chip->host_irq(1) == (axis == 1));
+    CHECK(run.read(reg::kIrq) == (axis == 0 ? reg::kIrqX : reg::kIrqY));
+  }
+}
+
+TEST_CASE("mcafee chip's samples are those of X") {
+  for (const int axis : {0, 1}) {
+    CAPTURE(axis);
+    Run run(true, cosim::kNever);
+    run.loop.advance(70000, 0);
+    run.put(axis == 0 ? 0 : reg::kPortBY, static_cast<std::uint32_t>(sw::Lm628Command::kReset));
+    const int before = run.events.samples;
+    run.loop.advance(run.chip->now() + 3 * 17067, 0);  // less than the reset routine
+    CHECK(run.events.samples - before == (axis == 0 ? 0 : 3));
+  }
+}
+
+TEST_CASE("mcafee chip brings the marker of each axis to its own part, active low") {
+  for (const int axis : {0, 1}) {
+    CAPTURE(axis);
+    Run run(true, cosim::kNever);
+    const auto marker = [axis](cosim::Clk at) { return (at / Motion::kStep) % 64 == 32 * axis; };
+    run.loop.advance(70000, 0);
+    const std::uint32_t pins = axis == 0 ? 0 : reg::kPortBY;
+    // From the clock after a marker to the one before the next there is none.
+    while (!marker(run.chip->now())) run.loop.advance(run.chip->now() + 100, 0);
+    while (marker(run.chip->now())) run.loop.advance(run.chip->now() + 100, 0);
+    run.command(pins, sw::Lm628Command::kSip, {});
+    run.loop.advance(run.chip->now() + 40 * Motion::kStep, 0);
+    CHECK((run.get(pins) & 0x08) == 0);
+    run.loop.advance(run.chip->now() + 50 * Motion::kStep, 0);
+    CHECK((run.get(pins) & 0x08) == 0x08);
+  }
+}
+
 TEST_CASE("mcafee chip's timer interrupts once, after its number of clocks, and not when it is 0") {
   Run run(true, cosim::kNever);
   const cosim::Stop written = run.transfer({map::kTimer, 5000, true});
@@ -176,6 +222,7 @@ TEST_CASE("mcafee chip reads and drives the same as its twin") {
         const auto n = static_cast<std::size_t>(axis);
         in.a[n] = (lines >> mcafee::encoder_a(axis) & 1) != 0;
         in.b[n] = (lines >> mcafee::encoder_b(axis) & 1) != 0;
+        in.index_n[n] = (lines >> mcafee::marker(axis) & 1) == 0;
       }
       in.limits = static_cast<std::uint8_t>(lines >> mcafee::limit_low(0) & 15);
       twin.step(in);
