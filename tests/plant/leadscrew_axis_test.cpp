@@ -8,6 +8,7 @@
 
 using trammel::plant::LeadscrewAxis;
 using trammel::plant::LeadscrewConfig;
+using trammel::plant::LeadscrewSensor;
 using trammel::plant::XyStage;
 
 namespace {
@@ -107,4 +108,23 @@ TEST_CASE("an axis of the stage is independent of the other") {
   while (alone.next() < end) alone.commit(alone.next(), {0x90, 0x80});
   CHECK(stage.axis(0).position(end) == alone.axis(0).position(end));
   CHECK(stage.axis(1).position(end) < 0);
+}
+
+TEST_CASE("leadscrew_axis: an open switch closes again behind its hysteresis, at either end") {
+  for (const bool high : {false, true}) {
+    CAPTURE(high);
+    LeadscrewConfig config = short_travel();
+    config.switch_hysteresis = 100e-6;
+    LeadscrewSensor sensor(config);
+    const double sign = high ? 1 : -1;
+    const auto open_at = [&](double metres) {
+      sensor.follow(sign * metres * sensor.radians_per_m());
+      return high ? sensor.at_high() : sensor.at_low();
+    };
+    CHECK_FALSE(open_at(0.95e-3));  // within the hysteresis, on the way out
+    CHECK(open_at(1.001e-3));
+    CHECK(open_at(0.95e-3));  // and on the way back
+    CHECK_FALSE(open_at(0.85e-3));
+    CHECK_FALSE((sensor.at_low() || sensor.at_high()));
+  }
 }

@@ -182,3 +182,21 @@ TEST_CASE("electrical energy equals loss, work, friction and stored energy") {
     CHECK(in == Approx(out + stored(end)).epsilon(1e-8));  // Simpson and truncation errors
   }
 }
+
+// dv/dt = -a sin(k x), a = F_cog / M, k = 2 pi / tau. Its derivatives: -a k cos(k x) v, and
+// a k (k sin(k x) v^2 - cos(k x) dv/dt).
+TEST_CASE("pmlsm: the series of the speed has the cogging force up to the third order") {
+  PmlsmConfig c;
+  c.cogging = 40;
+  c.coulomb = c.viscous = 0;
+  const Pmlsm motor(c);
+  for (const double x : {0.001, 0.006, 0.011, 0.02}) {
+    CAPTURE(x);
+    const double v = 0.7, a = c.cogging / c.mass, k = 2 * kPi / c.pole_pitch;
+    const double sin = std::sin(k * x), cos = std::cos(k * x);
+    const Span span = motor.span({x, v, 0, 0}, motor.angle(x), {0, 0}, {false, true});
+    CHECK(span.v[1] == Approx(-a * sin));
+    CHECK(span.v[2] == Approx(-a * k * cos * v / 2));
+    CHECK(span.v[3] == Approx(a * k * (k * sin * v * v + cos * a * sin) / 6));
+  }
+}

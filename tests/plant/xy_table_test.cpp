@@ -367,3 +367,18 @@ TEST_CASE("energy taken from the link equals loss, friction and stored energy") 
   // Trapezoids between commits (some 10 us against L/R = 0.86 ms): (h R/L)^2 = 1e-4 and better.
   CHECK(in == Approx(out + stored).epsilon(2e-4));
 }
+
+TEST_CASE("both switches of a leg on are told, of each leg of X and of Y, and not forgotten") {
+  for (int axis = 0; axis < xy::kAxes; ++axis) {
+    for (int phase = 0; phase < 3; ++phase) {
+      CAPTURE(axis, phase);
+      XyTable table(middle());
+      table.commit(0, kAllLow);
+      CHECK_FALSE(table.shoot_through());
+      table.commit(10, kAllLow | Lines{1} << xy::gate_hi(axis, phase));
+      CHECK(table.shoot_through());
+      table.commit(20, kAllLow);
+      CHECK(table.shoot_through());
+    }
+  }
+}
