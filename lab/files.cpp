@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "lab/files.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -32,6 +33,40 @@ void write(const fs::path& file, const char* mode, const std::function<void(cons
     if (std::fwrite(text.data(), 1, text.size(), out.get()) != text.size()) unwritable(file, errno);
   });
   if (std::fclose(out.release()) != 0) unwritable(file, errno);
+}
+
+// A file that gets its name when it is whole, so that a kill leaves nothing. False where the file
+// system has no such files, or did not take this one.
+bool write_unnamed(const fs::path& file, const std::string& text) {
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  const int descriptor = open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
+  if (descriptor < 0) return false;
+  std::size_t done = 0;
+  while (done < text.size()) {
+    const ssize_t count = ::write(descriptor, text.data() + done, text.size() - done);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) break;
+    done += static_cast<std::size_t>(count);
+  }
+  const std::string name = fmt::format("/proc/self/fd/{}", descriptor);
+  const bool good = done == text.size() && linkat(AT_FDCWD, name.c_str(), AT_FDCWD, file.c_str(),
+                                                  AT_SYMLINK_FOLLOW) == 0;
+  return close(descriptor) == 0 && good;
+}
+
+// A file that did not exist, not even as a link.
+void write_new(const fs::path& file, const std::string& text) {
+  bool made = false;
+  try {
+    write(file, "wbx", [&](const Put& put) {
+      made = true;
+      put(text);
+    });
+  } catch (...) {
+    std::error_code ignored;
+    if (made) fs::remove(file, ignored);
+    throw;
+  }
 }
 
 }  // namespace
@@ -66,16 +101,7 @@ void replace_file(const fs::path& file, const std::string& text) {
   for (int n = 0; n == 0 || fs::exists(fs::symlink_status(scratch, failed)); ++n) {
     scratch = fs::path(file).concat(fmt::format(".{}-{}.new", getpid(), n));
   }
-  bool made = false;
-  try {
-    write(scratch, "wbx", [&](const Put& put) {  // one that did not exist, not even as a link
-      made = true;
-      put(text);
-    });
-  } catch (...) {
-    if (made) fs::remove(scratch, failed);
-    throw;
-  }
+  if (!write_unnamed(scratch, text)) write_new(scratch, text);
   if (std::rename(scratch.c_str(), file.c_str()) == 0) return;
   const int error = errno;
   fs::remove(scratch, failed);

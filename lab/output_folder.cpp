@@ -9,10 +9,12 @@
 #include <unistd.h>
 #include <zlib.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdint>
 #include <cstdlib>
 #include <cstring>
+#include <iterator>
 #include <limits>
 #include <utility>
 #include <vector>
@@ -31,7 +33,15 @@ using Json = nlohmann::ordered_json;
 
 constexpr char kIdentity[] = "run.json";
 constexpr char kPageFile[] = "report.html";  // `trammel report` makes it again at any time
-constexpr char kMark[] = ".trammel-";    // in the names of scratch folders
+constexpr char kMark[] = ".trammel-";         // in the names of scratch folders
+constexpr std::size_t kSuffix = 6;            // characters behind it: of mkdtemp()
+constexpr char kMarker[] = "trammel-scratch";  // the file in one that says so
+constexpr char kFiles[] = "run";              // the folder in it that becomes the run's
+constexpr char kAside[] = "run-old";          // what that replaces, while there is no other way
+
+constexpr const char* kRecordFiles[] = {"detail.json", "metrics.json", "run.toml",
+                                        "script.lm628", "trace.csv", "waves.fst",
+                                        "waves.gtkw", "waves.vcd"};
 
 [[noreturn]] void refuse(const fs::path& folder, const std::string& why) {
   throw ConfigError(fmt::format("{}: --out: {}", folder.string(), why));
@@ -61,7 +71,7 @@ int exchange(const fs::path& scratch, const fs::path& target) {
   const int code =
       renameat2(AT_FDCWD, scratch.c_str(), AT_FDCWD, target.c_str(), RENAME_EXCHANGE);
   if (code == 0 || (errno != EINVAL && errno != ENOSYS)) return code;
-  const fs::path aside = fs::path(scratch).concat("-old");
+  const fs::path aside = scratch.parent_path() / kAside;
   if (rename(target.c_str(), aside.c_str()) != 0) return -1;
   if (rename(scratch.c_str(), target.c_str()) == 0) return rename(aside.c_str(), scratch.c_str());
   const int error = errno;
@@ -104,15 +114,50 @@ Json files_of(const fs::path& folder) {
   }
 }
 
+// Whether a file in the folder of a run is the run's, which wrote regular files only.
+bool is_own(const fs::path& file, const Json& written) {
+  const std::string name = file.filename().string();
+  std::error_code ignored;
+  return fs::is_regular_file(fs::symlink_status(file, ignored)) &&
+         (name == kIdentity || name == kPageFile || written.contains(name));
+}
+
 // Moves what no run wrote from one folder to another; false where something cannot be moved.
 bool carry_over(const fs::path& from, const Json& written, const fs::path& to) {
   bool all = true;
   for (const auto& entry : fs::directory_iterator(from)) {
-    const std::string name = entry.path().filename().string();
-    if (name == kIdentity || name == kPageFile || written.contains(name)) continue;
-    all = move_in(entry.path(), to / name) == 0 && all;
+    if (is_own(entry.path(), written)) continue;
+    all = move_in(entry.path(), to / entry.path().filename()) == 0 && all;
   }
   return all;
+}
+
+// A folder of this name is a scratch folder, and no copy of one: its own name is in it.
+std::string marker_of(const fs::path& scratch) {
+  return fmt::format("scratch folder of trammel: {}\n", scratch.filename().string());
+}
+
+bool is_marked(const fs::path& scratch) {
+  std::error_code ignored;
+  const fs::path marker = scratch / kMarker;
+  if (!fs::is_regular_file(fs::symlink_status(marker, ignored))) return false;
+  try {
+    return read_text(marker, 4096) == marker_of(scratch);
+  } catch (const ConfigError&) {
+    return false;
+  }
+}
+
+// The marker last: what is left of a removal is still known as a scratch folder, or empty. A
+// folder with files of somebody else stays.
+void remove_scratch(const fs::path& scratch) {
+  std::error_code failed;
+  for (const char* const name : {kFiles, kAside}) {
+    fs::remove_all(scratch / name, failed);
+    if (failed) return;
+  }
+  fs::remove(scratch / kMarker, failed);
+  rmdir(scratch.c_str());
 }
 
 // What killed runs have left beside `target`: unfinished folders, and one that a run has replaced
@@ -121,13 +166,23 @@ void remove_stale(const fs::path& target) {
   const std::string begin = '.' + target.filename().string() + kMark;
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(target.parent_path(), ignored)) {
-    if (entry.path().filename().string().rfind(begin, 0) != 0) continue;
-    const FolderLock lock(entry.path(), false);
+    const fs::path scratch = entry.path();
+    const std::string name = scratch.filename().string();
+    if (name.rfind(begin, 0) != 0 || name.size() != begin.size() + kSuffix) continue;
+    const FolderLock lock(scratch, false);
     if (!lock.held()) continue;
-    const Json written = files_of(entry.path());
-    const bool kept = !written.is_null() && fs::is_directory(target, ignored) &&
-                      !carry_over(entry.path(), written, target);
-    if (!kept) fs::remove_all(entry.path(), ignored);
+    if (!is_marked(scratch)) {
+      rmdir(scratch.c_str());  // of a run that was killed before it marked it: it is empty
+      continue;
+    }
+    // Without a way to exchange two folders the target may be the one that was put aside.
+    move_in(scratch / kAside, target);
+    bool kept = false;
+    for (const char* const part : {kFiles, kAside}) {
+      const Json written = files_of(scratch / part);
+      kept = (!written.is_null() && !carry_over(scratch / part, written, target)) || kept;
+    }
+    if (!kept) remove_scratch(scratch);
   }
 }
 
@@ -156,8 +211,7 @@ void check_names(const fs::path& scratch, const fs::path& target) {
   const Json before = files_of(target);
   for (const auto& entry : fs::directory_iterator(scratch)) {
     const std::string name = entry.path().filename().string();
-    const bool own = name == kIdentity || name == kPageFile || before.contains(name);
-    if (!own && fs::exists(fs::symlink_status(target / name))) {
+    if (!is_own(target / name, before) && fs::exists(fs::symlink_status(target / name))) {
       refuse(target, fmt::format("{} there is not of the run that it holds; move it away", name));
     }
   }
@@ -209,26 +263,26 @@ OutputFolder::OutputFolder(const fs::path& target) : target_(fs::absolute(target
   std::string pattern =
       (parent / fmt::format(".{}{}XXXXXX", target_.filename().string(), kMark)).string();
   if (mkdtemp(pattern.data()) == nullptr) cannot_write(parent, errno);
-  scratch_ = pattern;
-  lock_ = FolderLock(scratch_, false);
-  fs::permissions(scratch_, fs::perms::group_read | fs::perms::group_exec |
-                                fs::perms::others_read | fs::perms::others_exec,
-                  fs::perm_options::add, error);
+  const fs::path outer = pattern;
+  lock_ = FolderLock(outer, false);
+  try {
+    write_text(outer / kMarker, marker_of(outer));
+    if (mkdir((outer / kFiles).c_str(), 0777) != 0) cannot_write(parent, errno);
+  } catch (...) {
+    remove_scratch(outer);
+    throw;
+  }
+  scratch_ = outer / kFiles;
 }
 
 OutputFolder::~OutputFolder() {
-  std::error_code ignored;
-  if (!scratch_.empty()) fs::remove_all(scratch_, ignored);
+  if (!scratch_.empty()) remove_scratch(scratch_.parent_path());
 }
 
 void OutputFolder::publish() {
   write_identity(scratch_);
   for (;;) {
-    if (move_in(scratch_, target_) == 0) {
-      scratch_.clear();
-      lock_ = {};
-      return;
-    }
+    if (move_in(scratch_, target_) == 0) break;
     if (errno != EEXIST) cannot_write(target_, errno);
     const FolderLock before(target_, true);
     if (!before.is_of(target_)) continue;  // another run has just replaced it
@@ -238,17 +292,16 @@ void OutputFolder::publish() {
       if (errno == ENOENT) continue;
       cannot_write(target_, errno);
     }
-    lock_ = {};
-    const fs::path old = std::exchange(scratch_, {});
-    const Json written = files_of(old);
-    if (!carry_over(old, written, target_)) {
+    const Json written = files_of(scratch_);  // what was there
+    if (!carry_over(scratch_, written, target_)) {
+      const fs::path old = std::exchange(scratch_, {});
       refuse(target_, fmt::format("the run is there, but other files could not be carried over; "
                                   "they are in {}", old.string()));
     }
-    std::error_code ignored;
-    fs::remove_all(old, ignored);
-    return;
+    break;
   }
+  remove_scratch(std::exchange(scratch_, {}).parent_path());
+  lock_ = {};
 }
 
 void check_result_file(const fs::path& file) {
@@ -258,7 +311,14 @@ void check_result_file(const fs::path& file) {
   }
   const std::string name = file.filename().string();
   const Json files = files_of(fs::absolute(file).parent_path());
-  if (name == kPageFile || files.is_null() || (name != kIdentity && !files.contains(name))) return;
+  if (name == kPageFile) return;
+  // A record that older versions wrote, or a part of one, has no list.
+  const bool of_record =
+      files.is_null() ? fs::exists(fs::symlink_status(file, ignored)) &&
+                            std::find(std::begin(kRecordFiles), std::end(kRecordFiles), name) !=
+                                std::end(kRecordFiles)
+                      : name == kIdentity || files.contains(name);
+  if (!of_record) return;
   throw ConfigError(fmt::format("{}: --out: is a file of a run's record", file.string()));
 }
 

@@ -30,6 +30,14 @@ void publish(const fs::path& target, const std::string& name, const std::string&
   folder.publish();
 }
 
+// A scratch folder of a run to `target` that was killed.
+fs::path left(const fs::path& target, const std::string& suffix) {
+  const std::string name = ".a.trammel-" + suffix;
+  const fs::path scratch = target.parent_path() / name;
+  put(scratch / "trammel-scratch", "scratch folder of trammel: " + name + "\n");
+  return scratch;
+}
+
 }  // namespace
 
 TEST_CASE("a folder is there when it is published, and nothing is left of one that is not") {
@@ -95,10 +103,11 @@ TEST_CASE("what killed runs have left is removed, what is in use is not") {
   const test::Scratch here("output_folder_out");
   const fs::path target = here.path / "a";
   publish(target, "trace.csv", "first");
-  put(here.path / ".a.trammel-unfini" / "trace.csv", "half");
+  fs::create_directory(here.path / ".a.trammel-begunx");
+  put(left(target, "unfini") / "run" / "trace.csv", "half");
   publish(here.path / "old", "trace.csv", "older");
   put(here.path / "old" / "notes.txt", "mine");
-  fs::rename(here.path / "old", here.path / ".a.trammel-replac");
+  fs::rename(here.path / "old", left(target, "replac") / "run");
   const OutputFolder used(target);
   CHECK(test::content(target / "notes.txt") == "mine");
   CHECK(test::entries(here.path) == 2);
@@ -108,9 +117,69 @@ TEST_CASE("what killed runs have left is removed, what is in use is not") {
   // Where a name is taken, nothing is removed.
   publish(here.path / "old", "trace.csv", "older");
   put(here.path / "old" / "notes.txt", "not the same");
-  fs::rename(here.path / "old", here.path / ".a.trammel-keptxx");
+  const fs::path kept = left(target, "keptxx") / "run";
+  fs::rename(here.path / "old", kept);
   const OutputFolder third(target);
-  CHECK(test::content(here.path / ".a.trammel-keptxx" / "notes.txt") == "not the same");
+  CHECK(test::content(kept / "notes.txt") == "not the same");
+}
+
+TEST_CASE("a run that was put aside comes back when the program was killed before the new one") {
+  const test::Scratch here("output_folder_out");
+  const fs::path target = here.path / "a";
+  publish(target, "trace.csv", "first");
+  put(target / "notes.txt", "mine");
+  const fs::path scratch = left(target, "killed");
+  fs::rename(target, scratch / "run-old");
+  put(scratch / "run" / "trace.csv", "second");
+  { const OutputFolder next(target); }
+  CHECK(test::content(target / "trace.csv") == "first");
+  CHECK(test::content(target / "notes.txt") == "mine");
+  CHECK(test::entries(here.path) == 1);
+}
+
+TEST_CASE("folders of the user's are not taken for scratch folders") {
+  const test::Scratch here("output_folder_out");
+  const fs::path target = here.path / "a";
+  publish(target, "trace.csv", "first");
+  put(here.path / ".a.trammel-backup" / "notes.txt", "mine");
+  put(here.path / ".a.trammel-backups" / "trammel-scratch",
+      "scratch folder of trammel: .a.trammel-backups\n");
+  put(here.path / ".a.trammel-copied" / "trammel-scratch",
+      test::content(left(target, "origin") / "trammel-scratch"));
+  fs::copy(target, here.path / ".a.trammel-runrun");
+  put(left(target, "shared") / "notes.txt", "mine");
+  publish(target, "trace.csv", "second");
+  CHECK(test::content(here.path / ".a.trammel-backup" / "notes.txt") == "mine");
+  CHECK(test::entries(here.path / ".a.trammel-backups") == 1);
+  CHECK(test::entries(here.path / ".a.trammel-copied") == 1);
+  CHECK(test::entries(here.path / ".a.trammel-runrun") == 2);
+  CHECK(test::content(here.path / ".a.trammel-shared" / "notes.txt") == "mine");
+  CHECK_FALSE(fs::exists(here.path / ".a.trammel-origin"));
+}
+
+TEST_CASE("a folder with the name of a run's file is the user's") {
+  const test::Scratch here("output_folder_out");
+  const fs::path target = here.path / "a";
+  publish(target, "trace.csv", "first");
+  put(target / "report.html" / "notes.txt", "mine");
+  publish(target, "trace.csv", "second");
+  CHECK(test::content(target / "report.html" / "notes.txt") == "mine");
+  CHECK_THROWS_WITH(publish(target, "report.html", "page"),
+                    Contains("report.html there is not of the run"));
+  CHECK(test::content(target / "report.html" / "notes.txt") == "mine");
+  CHECK(test::content(target / "trace.csv") == "second");
+}
+
+TEST_CASE("files of a record keep their names where the list of them is missing too") {
+  const test::Scratch here("output_folder_out");
+  put(here.path / "trace.csv", "first");
+  CHECK_THROWS_WITH(lab::write_result_file(here.path / "trace.csv", "another"),
+                    Contains("trace.csv: --out: is a file of a run's record"));
+  CHECK(test::content(here.path / "trace.csv") == "first");
+  put(here.path / "page.html", "first");
+  lab::write_result_file(here.path / "page.html", "another");
+  CHECK(test::content(here.path / "page.html") == "another");
+  CHECK(test::entries(here.path) == 2);
 }
 
 TEST_CASE("a file that is missing or not the run's is named") {
