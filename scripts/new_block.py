@@ -6,4 +6,4 @@ import sys
 
 from trammel_tools import tools
 
-sys.exit(tools.run("new-block", sys.argv[1:]))
+sys.exit(tools.settled(lambda: tools.run("new-block", sys.argv[1:])))

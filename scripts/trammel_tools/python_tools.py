@@ -42,4 +42,5 @@ class Parser(argparse.ArgumentParser):
 def progress(text):
     """Replaces the line before; prints nothing unless on a terminal."""
     if sys.stderr.isatty():
-        print(f"\r\033[K{text}", end="", file=sys.stderr, flush=True)
+        sys.stderr.flush()
+        os.write(sys.stderr.fileno(), f"\r\033[K{text}".encode())  # not shown as text: a command

@@ -15,12 +15,14 @@ import io
 import os
 import re
 import sys
+import unicodedata
 from pathlib import Path
 
 from trammel_tools import python_tools
 from trammel_tools.paths import ROOT
 
 PACKAGE = Path(__file__).resolve().parent
+UNSEEN = {"Cc", "Cf", "Cs", "Zl", "Zp"}  # control, format, half characters, separators of lines
 
 
 def every():
@@ -53,8 +55,8 @@ def run(name, words):
         return 130
 
 
-class Stdout(io.FileIO):
-    """Standard output that remembers what it did not take."""
+class Stream(io.FileIO):
+    """A standard stream that remembers what it did not take."""
 
     error = None
 
@@ -66,15 +68,61 @@ class Stdout(io.FileIO):
             raise
 
 
+class Messages(Stream):
+    """Standard error: what it does not take is lost, and changes no exit code."""
+
+    def write(self, data):
+        with contextlib.suppress(OSError):
+            super().write(data)
+        return len(data)
+
+
+class Shown(io.TextIOWrapper):
+    """Texts of others do not reach the terminal: they are shown as `shown` says."""
+
+    def write(self, text):
+        super().write(shown(text))
+        return len(text)
+
+
+def character(code):
+    """What is seen of a character that has no shape of its own, or of a byte that is no UTF-8."""
+    if 0xDC80 <= code <= 0xDCFF:
+        return f"\\x{code - 0xDC00:02x}"
+    return f"\\U{code:08x}" if code > 0xFFFF else f"\\u{code:04x}"
+
+
+def shown(text):
+    """The text as a terminal can show it: lines and tabs stay."""
+    if text.isascii() and text.replace("\n", "").replace("\t", "").isprintable():
+        return text
+    return "".join(character(ord(c)) if c not in "\n\t" and unicodedata.category(c) in UNSEEN else c
+                   for c in text)
+
+
+def opened():
+    """Every standard stream is open from here on, so that no file takes its place; where it was
+    closed, what is read or written there fails."""
+    for stream, mode in ((0, os.O_WRONLY), (1, os.O_RDONLY), (2, os.O_RDONLY)):
+        try:
+            os.fstat(stream)
+        except OSError:
+            os.set_inheritable(os.open(os.devnull, mode), True)
+
+
 def settled(function):
     """The exit code of function(), or 2 where standard output did not take all that it printed. A
-    reader that closes the pipe is no error."""
-    if sys.stdout is None:
+    reader that closes the pipe is no error, nor is a standard error that takes nothing."""
+    closed = sys.stdout is None
+    opened()
+    sys.stderr = Shown(io.BufferedWriter(Messages(2, "w", closefd=False)), encoding="utf-8",
+                       errors="backslashreplace", line_buffering=True)
+    if closed:
         print("tool: standard output: cannot be written: it is closed", file=sys.stderr)
         return 2
-    out = Stdout(1, "w", closefd=False)
-    sys.stdout = io.TextIOWrapper(io.BufferedWriter(out), encoding="utf-8",
-                                  line_buffering=sys.stdout.isatty())
+    out = Stream(1, "w", closefd=False)
+    sys.stdout = Shown(io.BufferedWriter(out), encoding="utf-8", errors="backslashreplace",
+                       line_buffering=sys.stdout.isatty())
     code = 2
     try:
         code = function()

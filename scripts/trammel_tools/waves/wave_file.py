@@ -5,6 +5,7 @@ import contextlib
 import difflib
 import os
 import re
+import stat
 import sys
 from pathlib import Path
 
@@ -58,7 +59,9 @@ class WaveFile:
         self.path = Path(path)
         if self.path.is_dir():
             raise Refused(f"{path}: is a folder, not a wave file")
-        try:
+        try:  # to open a pipe or a device may never end
+            if not stat.S_ISREG(self.path.stat().st_mode):
+                raise Refused(f"{path}: cannot be read: it is not a regular file")
             with self.path.open("rb") as file:
                 file.read(1)
         except OSError as error:
