@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cosim/points.hpp"
 
-#include <cctype>
 #include <istream>
 #include <locale>
 #include <optional>
@@ -27,14 +26,13 @@ std::optional<double> number(const std::string& field) {
   return value;
 }
 
-// What a terminal can show of a line that may be anything.
-std::string shown(std::string line) {
-  constexpr std::size_t kMost = 60;
-  if (line.size() > kMost) line = line.substr(0, kMost) + "...";
-  for (char& c : line) {
-    if (std::iscntrl(static_cast<unsigned char>(c)) != 0) c = '?';
-  }
-  return line;
+// The begin of a line, which may be anything: whoever tells it sees to what a terminal can show.
+std::string shown(const std::string& line) {
+  constexpr std::size_t kMost = 60;  // [bytes]
+  if (line.size() <= kMost) return line;
+  std::size_t end = kMost;  // no character of UTF-8 is cut
+  while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xC0u) == 0x80) --end;
+  return line.substr(0, end) + "...";
 }
 
 [[noreturn]] void refuse(const std::string& name, int line, const std::string& what) {

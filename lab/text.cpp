@@ -5,6 +5,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <iterator>
 #include <new>
 #include <string_view>
 #include <utility>
@@ -36,7 +37,21 @@ std::pair<std::size_t, unsigned> character(std::string_view text) {
   return {size, code};
 }
 
-bool is_control(unsigned code) { return code < 0x20 || (code >= 0x7F && code < 0xA0); }
+// What has no shape of its own: control characters, and what Unicode 15 calls format characters
+// and separators of lines (Cc, Cf, Zl, Zp). Those that turn the direction of writing or join
+// characters make one name look like another.
+bool is_control(unsigned code) {
+  constexpr std::pair<unsigned, unsigned> kRanges[] = {
+      {0x00, 0x1F},       {0x7F, 0x9F},       {0xAD, 0xAD},       {0x600, 0x605},
+      {0x61C, 0x61C},     {0x6DD, 0x6DD},     {0x70F, 0x70F},     {0x890, 0x891},
+      {0x8E2, 0x8E2},     {0x180E, 0x180E},   {0x200B, 0x200F},   {0x2028, 0x202E},
+      {0x2060, 0x2064},   {0x2066, 0x206F},   {0xFEFF, 0xFEFF},   {0xFFF9, 0xFFFB},
+      {0x110BD, 0x110BD}, {0x110CD, 0x110CD}, {0x13430, 0x1343F}, {0x1BCA0, 0x1BCA3},
+      {0x1D173, 0x1D17A}, {0xE0001, 0xE0001}, {0xE0020, 0xE007F}};
+  return std::any_of(std::begin(kRanges), std::end(kRanges), [code](const auto& range) {
+    return code >= range.first && code <= range.second;
+  });
+}
 
 // What a terminal shows of each character; those in `kept` stay.
 template <class Take>
@@ -49,7 +64,7 @@ void each_shown(std::string_view text, std::string_view kept, Take take) {
     if (size == 0) {
       more = take(fmt::format("\\x{:02x}", code));
     } else if (is_control(code) && !stays) {
-      more = take(fmt::format("\\u{:04x}", code));
+      more = take(code > 0xFFFF ? fmt::format("\\U{:08x}", code) : fmt::format("\\u{:04x}", code));
     } else {
       more = take(bytes);
     }

@@ -12,9 +12,11 @@
 #include <system_error>
 
 #include "lab/build_info.hpp"
+#include "lab/child.hpp"
 #include "lab/files.hpp"
 #include "lab/layers.hpp"
 #include "lab/machine.hpp"
+#include "lab/text.hpp"
 
 namespace trammel::lab {
 namespace fs = std::filesystem;
@@ -176,24 +178,19 @@ std::optional<std::string> waves_notice(const Settings& settings) {
 
 bool fst_to_vcd(const fs::path& fst, const fs::path& vcd) {
   // What it writes itself it does not check.
-  const std::string command = fmt::format("exec fst2vcd -f {} 2> /dev/null", shell_word(fst));
-  std::FILE* const pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) return false;
+  Child converter({find_program("fst2vcd").string(), "-f", fs::absolute(fst).string()},
+                  Child::Pipe::kFromOutput);
+  if (converter.pipe() == nullptr) return false;
   bool good = false;
-  try {
-    std::vector<char> block(1 << 16);
-    write_lines(vcd, [&](const Put& put) {
-      std::size_t size = 0;
-      while ((size = std::fread(block.data(), 1, block.size(), pipe)) > 0) {
-        put({block.data(), size});
-        good = true;
-      }
-    });
-  } catch (...) {
-    pclose(pipe);
-    throw;
-  }
-  good = pclose(pipe) == 0 && good;
+  std::vector<char> block(1 << 16);
+  write_lines(vcd, [&](const Put& put) {
+    std::size_t size = 0;
+    while ((size = std::fread(block.data(), 1, block.size(), converter.pipe())) > 0) {
+      put({block.data(), size});
+      good = true;
+    }
+  });
+  good = converter.ended() && good;
   std::error_code ignored;
   fs::remove(good ? fst : vcd, ignored);
   return good;
@@ -211,9 +208,13 @@ std::string placed_view(const std::string& text, const fs::path& waves,
   }
   const double zoom =
       -std::log2(static_cast<double>(first.end - first.begin) * kNsPerClock / kFrames);
+  // One line a path: of a folder that no line can name, the view names the file alone.
+  const std::string whole = waves.string();
+  const bool can_name = printable(whole) == whole && whole.find('"') == std::string::npos;
+  const fs::path named = can_name ? waves : waves.filename();
   std::string placed =
-      fmt::format("[dumpfile] \"{0}\"\n[savefile] \"{1}\"\n[timestart] {2}\n", waves.string(),
-                  fs::path(waves).replace_extension("gtkw").string(), first.begin * kNsPerClock);
+      fmt::format("[dumpfile] \"{0}\"\n[savefile] \"{1}\"\n[timestart] {2}\n", named.string(),
+                  fs::path(named).replace_extension("gtkw").string(), first.begin * kNsPerClock);
   placed += fmt::format("*{:.6f} {}{}\n", zoom,
                         result.wave_trigger ? *result.wave_trigger * kNsPerClock : -1, markers);
   std::istringstream lines(text);

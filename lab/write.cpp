@@ -16,6 +16,7 @@
 #include <string_view>
 
 #include "lab/build_info.hpp"
+#include "lab/child.hpp"
 #include "lab/files.hpp"
 #include "lab/layers.hpp"
 #include "lab/machine.hpp"
@@ -90,12 +91,11 @@ double time_of(const Record& record, std::size_t sample) {
 
 bool run_gnuplot(const fs::path& folder, const std::string& script) {
   std::signal(SIGPIPE, SIG_IGN);  // a gnuplot that dies is a return value, not the end of us
-  const std::string command = fmt::format("cd {} && exec {} - > /dev/null 2>&1",
-                                          shell_word(folder), shell_word(find_program("gnuplot")));
-  std::FILE* const pipe = popen(command.c_str(), "w");
-  if (pipe == nullptr) return false;
-  const bool sent = std::fwrite(script.data(), 1, script.size(), pipe) == script.size();
-  return pclose(pipe) == 0 && sent;
+  Child gnuplot({fs::absolute(find_program("gnuplot")).string(), "-"}, Child::Pipe::kToInput,
+                folder);
+  if (gnuplot.pipe() == nullptr) return false;
+  const bool sent = std::fwrite(script.data(), 1, script.size(), gnuplot.pipe()) == script.size();
+  return gnuplot.ended() && sent;
 }
 
 // gnuplot does not say so when the disk is full.
@@ -116,9 +116,9 @@ void check_picture(const fs::path& file) {
 
 // Runs the gnuplot scripts machines/<name>/pictures/*.gp in the folder of a run, whose files they
 // read. Their variables: every setting (path.kind is path_kind), the title, and the samples worth
-// drawing, `first` to `last` at the times `from` and `to` [s], every `step`-th of them. False when
-// gnuplot is missing or fails, or there are fewer than two samples.
-bool draw_pictures(const Record& record, const fs::path& folder) {
+// drawing, `first` to `last` at the times `from` and `to` [s], every `step`-th of them. Why there
+// are none; "" where they are.
+std::string draw_pictures(const Record& record, const fs::path& folder) {
   const Machine& machine = record.machine();
   std::vector<fs::path> scripts;
   std::error_code none;
@@ -126,10 +126,11 @@ bool draw_pictures(const Record& record, const fs::path& folder) {
        fs::directory_iterator(fs::path(kMachineFolder) / machine.name / "pictures", none)) {
     if (entry.path().extension() == ".gp") scripts.push_back(entry.path());
   }
-  if (scripts.empty()) return true;
+  if (scripts.empty()) return "";
   Range drawn{0, record.result->sample_count()};
   if (machine.drawn != nullptr) drawn = machine.drawn(record);
-  if (find_program("gnuplot").empty() || drawn.last < drawn.first + 2) return false;
+  if (find_program("gnuplot").empty()) return "gnuplot is missing (see `trammel doctor`)";
+  if (drawn.last < drawn.first + 2) return "there is nothing to draw";
   std::string variables = kStyle;
   for (const Key& key : machine.keys()) variables += assigned(key, *record.settings);
   variables += fmt::format(
@@ -143,7 +144,7 @@ bool draw_pictures(const Record& record, const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(folder)) {
     if (entry.path().extension() == ".svg") check_picture(entry.path());
   }
-  return drawn_all;
+  return drawn_all ? "" : "gnuplot failed";
 }
 
 // Share of the clocks that were evaluated, or of those that hold an event.
@@ -250,11 +251,8 @@ Written write_record(const Record& record, const OutputFolder& folder, const Jso
   for (const auto& [name, content] : origin.files) write_text(scratch / name, content);
   write_trace(scratch / "trace.csv", record);
   if (machine.files != nullptr) machine.files(record, scratch);
-  if (!draw_pictures(record, scratch)) {
-    written.notes.push_back(fmt::format(
-        "no pictures: {}", find_program("gnuplot").empty()
-                               ? "gnuplot is missing (see `trammel doctor`)"
-                               : "there is nothing to draw"));
+  if (const std::string why = draw_pictures(record, scratch); !why.empty()) {
+    written.notes.push_back("no pictures: " + why);
   }
   const Json detail = machine.detail == nullptr ? Json() : machine.detail(record);
   if (!detail.is_null()) write_text(scratch / "detail.json", detail.dump() + '\n');

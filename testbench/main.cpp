@@ -32,7 +32,8 @@ void on_interrupt(int) { g_stop = true; }
 void catch_interrupts(bool conversation = false) {
   struct sigaction action {};
   action.sa_handler = on_interrupt;
-  action.sa_flags = conversation ? 0 : static_cast<int>(SA_RESETHAND);
+  // Without a conversation no read or write of a file ends early.
+  action.sa_flags = conversation ? 0 : static_cast<int>(SA_RESETHAND | SA_RESTART);
   sigaction(SIGINT, &action, nullptr);
   if (!conversation) sigaction(SIGTERM, &action, nullptr);
 }
@@ -164,7 +165,9 @@ int perform(const CommandLine& line) {
   if (line.report->parsed()) return tb::report(line.arguments);
   for (const auto& [parsed, verb] : line.of_machines) {
     if (!parsed->parsed()) continue;
-    catch_interrupts(verb->is_conversation != nullptr && verb->is_conversation(line.arguments));
+    // What does not simulate keeps nothing of a part of its work: a signal ends it at once.
+    const bool talks = verb->is_conversation != nullptr && verb->is_conversation(line.arguments);
+    if (verb->simulates) catch_interrupts(talks);
     return verb->perform(line.arguments, g_stop);
   }
   catch_interrupts();

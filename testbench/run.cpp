@@ -36,6 +36,12 @@ std::unique_ptr<lab::Settings> layered(const std::filesystem::path& file,
   return settings;
 }
 
+int late_stop(const std::string& name, const std::string& folder, const std::atomic<bool>& stop) {
+  if (!stop) return 0;
+  tell(fmt::format("{}: interrupted after the run; record kept in {}", name, folder));
+  return 130;
+}
+
 namespace {
 
 namespace fs = std::filesystem;
@@ -135,6 +141,7 @@ Outcome run_one(lab::Settings& settings, const fs::path& target, const Arguments
     const int code = tell_end(beside, settings.scenario + ", " + beside.name, shown);
     if (outcome.code == 0) outcome.code = code;
   }
+  if (outcome.code == 0) outcome.code = late_stop(settings.scenario, shown, stop);
   if (outcome.code == 0) outcome.code = written.code;
   if (outcome.code == 0 && arguments.check) outcome.code = check(record);
   return outcome;

@@ -27,4 +27,8 @@ int list(const std::string& topic, const std::string& machine, bool json);
 int doctor(bool json);
 std::string version_text();
 
+// 130 and a line for a run that came to its end, but whose files were being written when a signal
+// came; 0 without one.
+int late_stop(const std::string& name, const std::string& folder, const std::atomic<bool>& stop);
+
 }  // namespace trammel::testbench

@@ -31,9 +31,10 @@ void remember(bool good) {
 void guard_streams() {
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);  // a file that is too large is an error of the write
-  // Read only: what is written there fails as on a closed stream.
+  // The other way round: what is read or written there fails as on a closed stream.
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    if (fcntl(stream, F_GETFD) == -1 && errno == EBADF) open("/dev/null", O_RDONLY);
+    if (fcntl(stream, F_GETFD) != -1 || errno != EBADF) continue;
+    open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
   }
 }
 
@@ -41,6 +42,11 @@ void print(const std::string& result) {
   if (refusal() != 0) return;
   const std::string text = lab::printable_lines(result);
   remember(std::fwrite(text.data(), 1, text.size(), stdout) == text.size());
+}
+
+void print_now(const std::string& result) {
+  print(result);
+  remember(std::fflush(stdout) == 0);
 }
 
 void print_json(const nlohmann::ordered_json& document) {

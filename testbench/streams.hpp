@@ -17,6 +17,7 @@ void guard_streams();
 // Control characters and what is not UTF-8 are told as such, here and in messages: texts of others
 // do not reach the terminal.
 void print(const std::string& result);
+void print_now(const std::string& result);  // for a reader that answers it
 void print_json(const nlohmann::ordered_json& document);
 
 // A line that begins with "trammel: ". Where standard error does not take it, it is lost.

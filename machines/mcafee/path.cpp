@@ -21,6 +21,7 @@ using plant::kPi;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kFarthestMm = 1e4;  // of a coordinate; where the table can go is asked elsewhere
 constexpr long kMostCounts = 127;    // of an increment
+constexpr double kMostRows = 250'000;  // of a table: some 10 MB as text, and seconds of work
 
 double dot(const PointMm& a, const PointMm& b) { return (std::conj(a) * b).real(); }
 double cross(const PointMm& a, const PointMm& b) { return (std::conj(a) * b).imag(); }
@@ -173,8 +174,14 @@ double Path::distance(const PointMm& p, double s, double reach) const {
 
 Table make_table(const PathOptions& options, double count_mm, const TravelMm& travel) {
   const Path path(options);
-  const auto rows =
-      static_cast<std::size_t>(std::max(1.0, std::round(path.length() / options.row_mm)));
+  const double asked = std::max(1.0, std::round(path.length() / options.row_mm));
+  if (asked > kMostRows) {
+    throw OptionsError(fmt::format(
+        "path.row_mm: a path of {:.8g} mm has {:.0f} rows of {:g} mm; a table has at most {:.0f}: "
+        "rows of {:.4g} mm or longer, or a shorter path",
+        path.length(), asked, options.row_mm, kMostRows, path.length() / kMostRows));
+  }
+  const auto rows = static_cast<std::size_t>(asked);
   Table table;
   table.row_mm = path.length() / static_cast<double>(rows);
   std::vector<PointMm> points;  // at which the rows begin, and the last one ends

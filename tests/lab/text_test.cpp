@@ -17,6 +17,9 @@ TEST_CASE("control characters and bytes that are no UTF-8 are told, not sent to 
   CHECK(printable("a\x1b[31m\x7f\r\n\t") == "a\\u001b[31m\\u007f\\u000d\\u000a\\u0009");
   CHECK(printable(std::string("\0", 1)) == "\\u0000");
   CHECK(printable("\xC2\x9B" "31m") == "\\u009b31m");  // the same command in one character
+  CHECK(printable("a\u202eb\u200b\u2028\ufeff") == "a\\u202eb\\u200b\\u2028\\ufeff");
+  CHECK(printable("\U000e0041") == "\\U000e0041");
+  CHECK(printable("\u00b5\u2026\u4e2d\U0001f600") == "\u00b5\u2026\u4e2d\U0001f600");
   CHECK(printable("a\xff") == "a\\xff");
   CHECK(printable("\x80") == "\\x80");
   CHECK(printable("\xC3") == "\\xc3");                      // begun

@@ -1,10 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""What `trammel` leaves when a disk, a stream, a folder or a signal is against it.
+"""What `trammel` leaves when a disk, a folder or a file is against it.
 
 usage: files_test.py PROGRAM [unittest options]      the built trammel program
-
-Each machine names runs of less than a second in its tests/runs.toml.
 """
 
 import json
@@ -14,56 +12,11 @@ import shutil
 import signal
 import subprocess
 import sys
-import tempfile
 import time
-import unittest
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
-from trammel_tools import machines
-
-ROOT = Path(__file__).resolve().parents[2]
-PROGRAM = ""
-RUNS = [["run", case["scenario"], *case["arguments"]]
-        for name in machines.folders() for case in machines.runs(name).get("files", [])]
-
-
-def limited(size):
-    """No file may grow beyond size, as on a disk that is full."""
-    def limit():
-        resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
-    return limit
-
-
-def lines(text):
-    return [line for line in text.split("\n") if line]
-
-
-class Case(unittest.TestCase):
-    def setUp(self):
-        scratch = tempfile.TemporaryDirectory()
-        self.addCleanup(scratch.cleanup)
-        self.folder = Path(scratch.name)
-
-    def trammel(self, *arguments, **options):
-        options = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **options}
-        return subprocess.run([PROGRAM, *arguments], cwd=self.folder, text=True, check=False,
-                              timeout=60, **options)
-
-    def run_to(self, out, *more, run=0, **options):
-        return self.trammel(*RUNS[run], "-o", str(out), *more, **options)
-
-    def good(self, done):
-        self.assertEqual((done.returncode, done.stderr), (0, ""))
-
-    def refused(self, done, *words):
-        self.assertEqual(done.returncode, 2, done.stderr)
-        self.assertEqual(len(lines(done.stderr)), 1, done.stderr)
-        for word in words:
-            self.assertIn(word, done.stderr)
-
-    def nothing_else(self, *names):
-        self.assertEqual(sorted(p.name for p in self.folder.iterdir()), sorted(names))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1]))
+from support.started import RUNS, WITH_WAVES, Case, limited, main
 
 
 class Disk(Case):
@@ -86,54 +39,6 @@ class Disk(Case):
         self.refused(self.run_to("run", preexec_fn=limited(5000)), "cannot be")
         self.assertEqual(before, {p.name: p.read_bytes() for p in (self.folder / "run").iterdir()})
         self.nothing_else("run")
-
-
-class Streams(Case):
-    COMMANDS = (["--help"], ["--version"], ["list"], ["list", "keys"], ["doctor"],
-                ["list", "--json"], RUNS[0] + ["-o", "run"])
-
-    def test_results_that_stdout_does_not_take_are_an_error(self):
-        with open("/dev/full", "w", encoding="utf-8") as full:
-            for command in self.COMMANDS:
-                with self.subTest(command=command):
-                    self.refused(self.trammel(*command, stdout=full), "standard output: cannot be "
-                                 "written: No space left on device")
-
-    def test_the_launcher_and_the_tools_do_the_same(self):
-        for command in (["trammel", "--help"], ["trammel", "doctor"], ["trammel", "test", "--help"],
-                        ["scripts/tool", "--list"], ["scripts/tool", "prove", "--help"]):
-            def call(command=command, **options):
-                return subprocess.run([ROOT / command[0], *command[1:]], stderr=subprocess.PIPE,
-                                      text=True, check=False, timeout=60, **options)
-            with self.subTest(command=command), open("/dev/full", "w", encoding="utf-8") as full:
-                self.refused(call(stdout=full), "standard output: cannot be written: No space")
-                self.refused(call(preexec_fn=lambda: os.close(1)),
-                             "standard output: cannot be written: it is closed")
-                ours, theirs = os.pipe()
-                os.close(ours)
-                with os.fdopen(theirs, "w") as pipe:
-                    done = call(stdout=pipe)
-                self.assertEqual((done.returncode, done.stderr), (0, ""))
-
-    def test_a_reader_that_goes_away_is_no_error(self):
-        for command in self.COMMANDS:
-            ours, theirs = os.pipe()
-            os.close(ours)
-            with self.subTest(command=command), os.fdopen(theirs, "w") as pipe:
-                done = self.trammel(*command, stdout=pipe)
-                self.assertEqual((done.returncode, done.stderr), (0, ""))
-
-    def test_a_closed_stdout_is_an_error_and_no_file_takes_its_place(self):
-        done = self.run_to("run", stdout=None, preexec_fn=lambda: os.close(1))
-        self.refused(done, "standard output: cannot be written")
-        self.good(self.trammel("report", "run"))
-
-    def test_without_stderr_the_code_is_that_of_the_run(self):
-        with open("/dev/full", "w", encoding="utf-8") as full:
-            for options in ({"stderr": full}, {"stderr": None, "preexec_fn": lambda: os.close(2)}):
-                self.assertEqual(self.run_to("run", **options).returncode, 0)
-                self.assertEqual(self.trammel("run", "nothing", **options).returncode, 2)
-                self.assertEqual(self.trammel("nothing", **options).returncode, 2)
 
 
 class Folders(Case):
@@ -187,6 +92,47 @@ class Folders(Case):
         (self.folder / "one" / "run.json").write_text(identity)
         (self.folder / "one" / "run.toml").unlink()
         self.refused(self.trammel("report", "one"), "run.toml", "is missing")
+        (self.folder / "one" / "run.json").unlink()
+        before = trace.read_bytes()
+        self.refused(self.trammel("track", "-o", "one/trace.csv"), "run's record")
+        self.assertEqual(trace.read_bytes(), before)
+
+    def test_folders_of_the_users_are_not_taken_for_ours(self):
+        self.good(self.run_to("run"))
+        (self.folder / "run" / "report.html").unlink()
+        (self.folder / "run" / "report.html").mkdir()
+        (self.folder / "run" / "report.html" / "notes").write_text("mine")
+        (self.folder / ".run.trammel-backup").mkdir()
+        (self.folder / ".run.trammel-backup" / "notes").write_text("mine")
+        shutil.copytree(self.folder / "run", self.folder / ".run.trammel-copied")
+        self.good(self.run_to("run", "--no-report"))
+        self.refused(self.run_to("run"), "report.html there is not of the run")
+        self.refused(self.trammel("report", "run"), "is a folder")
+        for name in "run/report.html", ".run.trammel-backup", ".run.trammel-copied/report.html":
+            self.assertEqual((self.folder / name / "notes").read_text(), "mine")
+        self.nothing_else("run", ".run.trammel-backup", ".run.trammel-copied")
+
+    def test_a_page_has_no_name_before_it_is_whole(self):
+        self.good(self.run_to("run", "--no-report"))
+        begin = time.monotonic()
+        self.good(self.trammel("report", "run", "-o", "page.html"))
+        took = time.monotonic() - begin
+        for step in range(40):
+            report = subprocess.Popen([self.program, "report", "run", "-o", "page.html"],
+                                      cwd=self.folder, stdout=subprocess.DEVNULL)
+            time.sleep(took * (0.5 + step / 80))
+            report.send_signal(signal.SIGKILL)
+            report.wait()
+        self.nothing_else("page.html", "run")
+
+    def test_a_view_names_its_files_in_a_line_each(self):
+        odd = self.folder / "a\nb\"c"
+        odd.mkdir()
+        done = subprocess.run([self.program, *WITH_WAVES, "-o", "run"], cwd=odd, check=False,
+                              timeout=60, capture_output=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        view = (odd / "run" / "waves.gtkw").read_text(encoding="utf-8")
+        self.assertIn('[dumpfile] "waves.fst"\n[savefile] "waves.gtkw"\n', view)
 
     def test_a_page_replaces_pages_only(self):
         self.good(self.run_to("run", "--no-report"))
@@ -208,8 +154,9 @@ class Folders(Case):
         self.good(self.run_to("run", "--no-report"))
         took = time.monotonic() - begin
         for part in (0.2, 0.5, 0.7, 0.8, 0.85, 0.9, 0.95, 1.0):
-            run = subprocess.Popen([PROGRAM, *RUNS[0], "-o", "run", "--no-report"], cwd=self.folder,
-                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            run = subprocess.Popen([self.program, *RUNS[0], "-o", "run", "--no-report"],
+                                   cwd=self.folder, stdout=subprocess.DEVNULL,
+                                   stderr=subprocess.DEVNULL)
             time.sleep(took * part)
             run.send_signal(signal.SIGKILL)
             run.wait()
@@ -218,7 +165,7 @@ class Folders(Case):
         self.nothing_else("page.html", "run")
 
     def test_two_runs_at_once_leave_the_files_of_one(self):
-        both = [subprocess.Popen([PROGRAM, *RUNS[run], "-o", "run", "--no-report"],
+        both = [subprocess.Popen([self.program, *RUNS[run], "-o", "run", "--no-report"],
                                  cwd=self.folder, stdout=subprocess.DEVNULL,
                                  stderr=subprocess.PIPE) for run in (0, -1, 0, -1)]
         for run in both:
@@ -290,6 +237,19 @@ class Input(Case):
             path.write_bytes(before)
         self.good(self.trammel("report", "run"))
 
+    def test_a_table_has_a_most_of_rows(self):
+        (self.folder / "long.csv").write_text("0,0\n600,0\n" * 1000, encoding="ascii")
+        done = self.trammel("track", "-s", "path.kind=points", "-s", "path.points_file=long.csv")
+        self.refused(done, "path.row_mm", "1199400 mm", "2398800 rows of 0.5 mm", "at most 250000")
+
+    def test_names_are_told_without_what_has_no_shape(self):
+        self.refused(self.trammel("run", "a\u202eb\u200bc"), "a\\u202eb\\u200bc")
+        (self.folder / "a.lm628").write_text("\x1b[2J\n", encoding="ascii")
+        self.refused(self.trammel("lm628", "a.lm628"), "\\u001b[2J: unknown command")
+        (self.folder / "a.csv").write_text("1,2\n3,\x1b[2J\n", encoding="ascii")
+        self.refused(self.trammel("track", "-s", "path.kind=points", "-s",
+                                  "path.points_file=a.csv"), "found '3,\\u001b[2J'")
+
     def test_a_lack_of_memory_is_told_with_its_limit(self):
         def little():
             resource.setrlimit(resource.RLIMIT_DATA, (40 << 20, 40 << 20))
@@ -314,5 +274,4 @@ class Input(Case):
 
 
 if __name__ == "__main__":
-    PROGRAM = str(Path(sys.argv.pop(1)).resolve())
-    unittest.main()
+    main()

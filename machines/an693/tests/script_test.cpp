@@ -116,7 +116,7 @@ TEST_CASE("the other commands take one number or none") {
   CHECK_THAT(refusal("byte 3"), Contains("expects c (PS low"));
   CHECK_THAT(refusal("read"), Contains("expects c (PS low"));
   CHECK_THAT(refusal("rdsatt"), Contains("rdsatt: unknown command; did you mean RDSTAT?"));
-  CHECK_THAT(refusal("\x1b[2J"), Contains("?[2J: unknown command"));
+  CHECK_THAT(refusal("\x1b[2J"), Contains("\\u001b[2J: unknown command"));
   CHECK(refusal("STT\nquit\nfoo") ==
         "move.lm628:3: foo: unknown command; `help` names them all");
 }

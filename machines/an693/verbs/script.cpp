@@ -12,6 +12,7 @@
 
 #include "lab/errors.hpp"
 #include "lab/scenarios.hpp"
+#include "lab/text.hpp"
 #include "machines/an693/record.hpp"
 
 namespace trammel::an693 {
@@ -19,7 +20,8 @@ namespace {
 
 using lab::ConfigError;
 
-constexpr double kLongestTime = 3600;  // [s]
+constexpr double kLongestTime = 3600;     // [s]
+constexpr std::size_t kLongestWord = 40;  // characters that are shown
 
 constexpr char kFilterHelp[] =
     "control word: bits 15..8 n, the derivative is formed every n + 1 samples;\n"
@@ -50,15 +52,6 @@ constexpr char kPortHelp[] =
 std::string lower(std::string text) {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return text;
-}
-
-// A word that may be anything, as a terminal can show it.
-std::string printable(std::string word) {
-  constexpr std::size_t kMost = 40;
-  for (char& c : word) {
-    if (std::isprint(static_cast<unsigned char>(c)) == 0) c = '?';
-  }
-  return word.size() > kMost ? word.substr(0, kMost) + "..." : word;
 }
 
 // "0..32767 (7FFFh)"
@@ -270,7 +263,7 @@ const std::vector<Command>& commands() {
 std::optional<Line> parse_line(const std::string& text, const std::string& where) {
   std::istringstream words(text.substr(0, text.find_first_of("#;")));
   std::vector<std::string> data;
-  for (std::string word; words >> word;) data.push_back(printable(word));
+  for (std::string word; words >> word;) data.push_back(lab::shown(word, kLongestWord));
   if (data.empty()) return {};
   Line line;
   line.where = where;

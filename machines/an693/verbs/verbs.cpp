@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <csignal>
-#include <cstdio>
 #include <vector>
 
 #include "lab/files.hpp"
@@ -23,6 +22,7 @@ namespace fs = std::filesystem;
 using lab::ConfigError;
 using testbench::print;
 using testbench::print_json;
+using testbench::print_now;
 using testbench::tell;
 using Json = nlohmann::ordered_json;
 
@@ -40,9 +40,8 @@ bool execute(Shell& shell, const Line& line, Transcript& all, bool quiet = false
   if (line.command->action != Action::kHelp) all.script += line.text + '\n';
   const Answer answer = shell.execute(line);
   all.answers.push_back(answer.json);
-  if (!quiet) print(answer.text);
+  if (!quiet) print_now(answer.text);
   if (!answer.note.empty()) tell(answer.note);
-  std::fflush(stdout);
   return true;
 }
 
@@ -54,18 +53,17 @@ void play(Shell& shell, const std::vector<Line>& script, Transcript& all, bool q
   } catch (const Halt& halt) {
     all.end = halt.end;
     all.halt = halt.what();
-    tell(halt.what());
   }
 }
 
 void converse(Shell& shell, const ReadLine& read_line, std::atomic<bool>& stop, Transcript& all) {
-  print("LM628 of 8 MHz with a DC motor, after RST; `help` names the commands\n");
+  print_now("LM628 of 8 MHz with a DC motor, after RST; `help` names the commands\n");
   for (;;) {
     stop = false;
     const std::optional<std::string> text = read_line("lm628> ");
     if (!text && !stop) return;
     if (!text) {
-      print("\n");
+      print_now("\n");
       continue;
     }
     try {  // a stop that comes right after the line ends what the line asks for
@@ -172,6 +170,8 @@ int lm628_shell(const testbench::Arguments& arguments, std::atomic<bool>& stop,
   result->end = result->promise ? cosim::EndReason::kPromise : all.end;
   result->fault = all.halt;
   const int code = lab::exit_code(result->end);
+  // Why the script ended is told when its record is there: where that fails, this is the error.
+  if (!folder && !all.halt.empty()) tell(all.halt);
   if (!folder && !arguments.json) return code;
   const lab::Record record = lab::judged(settings, std::move(result));
   const std::string again = folder                       ? "script.lm628 -c run.toml"
@@ -185,11 +185,12 @@ int lm628_shell(const testbench::Arguments& arguments, std::atomic<bool>& stop,
   const lab::Written written = lab::write_record(record, *folder, json, origin, arguments.report);
   folder->publish();
   for (const std::string& note : written.notes) tell(note);
-  if (!arguments.json) {
-    const std::string shown = fs::proximate(folder->target()).string();
-    print(lab::report_text(record, shown, written.page));
-  }
-  return code == 0 ? written.code : code;
+  if (!all.halt.empty()) tell(all.halt);
+  const std::string shown = fs::proximate(folder->target()).string();
+  if (!arguments.json) print(lab::report_text(record, shown, written.page));
+  if (code != 0) return code;
+  const int late = talks ? 0 : testbench::late_stop(options.scenario, shown, stop);
+  return late != 0 ? late : written.code;
 }
 
 std::vector<testbench::Verb> verbs() {
