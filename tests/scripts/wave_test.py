@@ -5,6 +5,7 @@
 import contextlib
 import io
 import json
+import os
 import shutil
 import subprocess
 import sys
@@ -196,6 +197,17 @@ class WaveTest(unittest.TestCase):
                 self.assertIn(str(path), self.refused("compare", path, good))
         self.assertIn("No such file", self.refused("list", self.folder / "no.fst"))
         self.assertIn("is a folder", self.refused("list", self.folder))
+        os.mkfifo(self.folder / "fifo")
+        for name in self.folder / "fifo", "/dev/zero":  # whose reading would not end
+            self.assertIn("not a regular file", self.refused("list", name))
+
+    def test_names_are_shown_without_control_characters(self):
+        path = self.file("odd.vcd", BASE, head=HEAD.replace("low", "lo\x1b[31mw"))
+        done = subprocess.run([sys.executable, TOOL, "wave", "list", path], capture_output=True,
+                              text=True, check=False)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("lo\\u001b[31mw", done.stdout)
+        self.assertNotIn("\x1b", done.stdout)
 
     def test_a_reader_that_panics_says_nothing_itself(self):
         path = self.folder / "bits.vcd"

@@ -90,8 +90,8 @@ class Streams(Case):
 
     def test_a_script_that_is_cut_on_a_full_disk_is_one_message(self):
         (self.folder / "long.lm628").write_text("wait 1 s\n", encoding="ascii")
-        self.refused(self.trammel("lm628", "long.lm628", "-s", "run.max_s=0.1", "-o", "out",
-                                  preexec_fn=limited(2000)), "cannot be written")
+        self.refused(self.trammel("lm628", "long.lm628", "-s", "run.max_s=0.002", "-o", "out",
+                                  preexec_fn=limited(2000)), "metrics.json: cannot be written")
         self.nothing_else("long.lm628")
 
 

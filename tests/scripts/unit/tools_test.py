@@ -50,6 +50,14 @@ class ToolsTest(unittest.TestCase):
         with mock.patch("importlib.import_module", return_value=module):
             self.assertEqual(call(tools.main, "prove"), (130, "", ""))
 
+    def test_what_has_no_shape_is_shown_by_its_code(self):
+        for text in "a b\tc\n", "\u00b5\u4e2d\U0001f600":
+            self.assertEqual(tools.shown(text), text)
+        self.assertEqual(tools.shown("\x1b[1m\x9b\r"), "\\u001b[1m\\u009b\\u000d")
+        self.assertEqual(tools.shown("a\u202eb\u200b\u2028"), "a\\u202eb\\u200b\\u2028")
+        self.assertEqual(tools.shown("\U000e0041"), "\\U000e0041")
+        self.assertEqual(tools.shown(b"\xff".decode("utf-8", "surrogateescape")), "\\xff")
+
     def test_every_tool_has_help_that_begins_with_what_it_does(self):
         for name, path in tools.every().items():
             if name in WITHOUT_HELP or (name == "gen-regs"
