@@ -76,7 +76,7 @@ inline void run_direct(Loop& loop, sw::Firmware& firmware, const ProcessorTiming
     while (!finished() && loop.chip().now() < end) {
       if (!loop.chip().irq()) {
         const Stop stop = loop.advance(end, kIrq | kSample);
-        if ((stop.why & kIrq) == 0) continue;
+        if ((stop.why & kIrq) == 0 || finished()) continue;
         bus.wait_until(stop.edge);
       }
       bus.wait(timing.latency);

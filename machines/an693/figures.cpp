@@ -9,6 +9,7 @@
 
 #include "machines/an693/machine.hpp"
 #include "parts/lm628/columns.hpp"
+#include "parts/lm628/rest.hpp"
 
 namespace trammel::an693 {
 namespace {
@@ -67,37 +68,46 @@ std::string what_missed(const Options& options, const Result& result) {
   const auto& all = result.samples;
   if (all.empty()) return "";
   const auto desired = [&all](std::size_t k) { return all[k].words.position >> 16; };
-  const std::int64_t target = desired(all.size() - 1);
   std::int64_t travel = 0;
-  std::size_t stood = 0;  // samples at the end
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    stood = desired(k) == target ? stood + 1 : 0;
-    travel = std::max(travel, std::abs(desired(k)));
-  }
+  for (std::size_t k = 0; k < all.size(); ++k) travel = std::max(travel, std::abs(desired(k)));
   using Program = sw::An693Program;
-  const bool goes = options.program == Program::kAbsolute || options.program == Program::kRelative;
-  if (goes && target != options.position) {
-    return fmt::format("the trajectory ended at {} counts, not at {}", target, options.position);
-  }
   const bool held = options.program == Program::kHold;
-  double band = options.reached_counts;
-  if (band == 0) band = held ? 50 : std::clamp(static_cast<double>(travel) / 4, 3.0, 50.0);
-  const auto off_target = [&](std::size_t k) {  // the part counts modulo 2^32
-    return std::remainder(shaft_counts(options, all[k].theta) - static_cast<double>(target),
-                          4294967296.0);
+  const bool steps = options.program == Program::kTuning;
+  const bool goes = options.program != Program::kBreakpoints && !held;
+  const double band =
+      lm628::reached_band(options.reached_counts, held ? 200 : static_cast<double>(travel));
+
+  // A move of samples `begin` to `end`, which was to end at `asked`.
+  const auto missed = [&](std::size_t begin, std::size_t end, std::int64_t asked) -> std::string {
+    const std::int64_t target = desired(end - 1);
+    if (goes && target != asked) {
+      return fmt::format("the trajectory ended at {} counts, not at {}", target, asked);
+    }
+    std::size_t stood = 1;  // samples at the end
+    while (stood < end - begin && desired(end - 1 - stood) == target) ++stood;
+    const lm628::Rest rest = lm628::rest_of(
+        end - std::max<std::size_t>(1, stood / 2), end - 1, static_cast<double>(target),
+        [&](std::size_t k) { return shaft_counts(options, all[k].theta); });
+    if (rest.moves > band) {
+      return fmt::format("the shaft moves by {:.0f} counts at the end", rest.moves);
+    }
+    // A held shaft gives way to the torque.
+    if (held || std::abs(rest.off) <= band) return "";
+    return fmt::format("the shaft is {:.0f} counts from the target of {}", std::abs(rest.off),
+                       target);
   };
-  double low = off_target(all.size() - 1), high = low;
-  for (std::size_t k = all.size() - std::max<std::size_t>(1, stood / 2); k < all.size(); ++k) {
-    low = std::min(low, off_target(k));
-    high = std::max(high, off_target(k));
+  if (!steps) return missed(0, all.size(), options.position);
+  std::size_t begin = 0;
+  for (std::size_t n = 0; n < result.step_ends.size(); ++n) {  // there, and back
+    const std::size_t end = result.step_ends[n];
+    const std::string what = end > begin ? missed(begin, end, n % 2 == 0 ? options.position : 0)
+                                         : "no sample fell in it";
+    if (!what.empty()) {
+      return fmt::format("step {} of {}: {}", n + 1, result.step_ends.size(), what);
+    }
+    begin = end;
   }
-  if (high - low > band) {
-    return fmt::format("the shaft moves by {:.0f} counts at the end", high - low);
-  }
-  const double off = (low + high) / 2;
-  if (held || std::abs(off) <= band) return "";  // a held shaft gives way to the torque
-  return fmt::format("the shaft is {:.0f} counts from the target of {}", std::abs(off),
-                     target);
+  return "";
 }
 
 std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult& run) {

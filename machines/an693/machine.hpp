@@ -19,7 +19,8 @@ void add_metrics(const lab::Record& record, nlohmann::ordered_json& json);
 std::vector<std::string> remarks(const lab::Record& record);
 double shaft_counts(const Options& options, double theta);  // of the true angle [rad]
 
-// Of a program that ended: why its shaft is not at the target, "" if it is. The target is what the
+// Of a program that ended: why its shaft is not at the target, "" if it is; of the step generator
+// that of the first step which missed. The target is what the
 // program asks for; run.reached_counts is what the true shaft may be off, and may still move in the
 // last half of the time for which it was to stand there.
 std::string what_missed(const Options& options, const Result& result);

@@ -43,6 +43,7 @@ struct Result : cosim::RunResult {
   std::string fault;                  // kFault: what the program saw; kMissed: what was missed
   std::int32_t desired = 0;           // RDDP and RDRP at the end [count]
   std::int32_t real = 0;
+  std::vector<std::size_t> step_ends;  // of tuning: samples until the next step, or the end
   std::vector<Interrupt> interrupts;  // what evaluate() found
 };
 

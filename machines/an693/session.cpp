@@ -93,11 +93,17 @@ Session::Session(const Options& options, const cosim::Hooks& hooks, const cosim:
 
 bool Session::over(const Sample& sample) {
   if (found() || chip().broken_promise()) return true;
+  const sw::Mailbox& mailbox = app_.mailbox();
+  if (mailbox.point != steps_) {
+    if (steps_ > 0) step_ends_.push_back(samples_);
+    steps_ = mailbox.point;
+  }
+  ++samples_;
   if (hooks_.stopped()) {
     end_ = cosim::EndReason::kStopped;
     return true;
   }
-  if (app_.mailbox().failure != 0) {
+  if (mailbox.failure != 0) {
     end_ = cosim::EndReason::kFault;
     return true;
   }
@@ -105,10 +111,11 @@ bool Session::over(const Sample& sample) {
     end_ = cosim::EndReason::kDiverged;
     return true;
   }
-  if (hooks_.progress && ++samples_ % 64 == 0) {
+  if (hooks_.progress && samples_ % 64 == 0) {
     hooks_.progress(std::min(1.0, static_cast<double>(samples_) * kSampleS / expected_s_));
   }
-  if (app_.mailbox().done == 0) return false;
+  if (mailbox.done == 0) return false;
+  step_ends_.push_back(samples_);
   end_ = cosim::EndReason::kDone;
   return true;
 }
@@ -126,6 +133,7 @@ std::unique_ptr<cosim::RunResult> Session::result() {
     result->real = last.actual;
   }
   if (result->end == cosim::EndReason::kDone) {
+    result->step_ends = step_ends_;
     result->fault = what_missed(options(), *result);
     if (!result->fault.empty()) result->end = cosim::EndReason::kMissed;
   }

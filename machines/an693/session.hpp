@@ -7,6 +7,7 @@
 #include <chrono>
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include "cosim/session.hpp"
 #include "machines/an693/recorder.hpp"
@@ -99,7 +100,9 @@ class Session final : public Bench, public cosim::Session {
   cosim::Hooks hooks_;
   sw::An693App app_;
   double expected_s_;
-  std::int64_t samples_ = 0;
+  std::size_t samples_ = 0;
+  std::uint32_t steps_ = 0;             // begun
+  std::vector<std::size_t> step_ends_;
   cosim::EndReason end_ = cosim::EndReason::kTimeout;
 };
 

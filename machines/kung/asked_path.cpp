@@ -27,4 +27,10 @@ double AskedPath::distance_m(const PointM& table, double enough) {
   return best;
 }
 
+const PointM& AskedPath::asked(std::uint32_t ago) const {
+  std::size_t i = near_.size() - 1;
+  while (i > 0 && near_[i].at + ago >= sample_) --i;
+  return near_[i].point;
+}
+
 }  // namespace trammel::kung

@@ -22,6 +22,9 @@ class AskedPath {
   // path. Once it is below `enough`, no nearer place is searched.
   double distance_m(const PointM& table, double enough);
 
+  // What was asked some samples before the last one, at most as long ago as is searched.
+  const PointM& asked(std::uint32_t ago = 0) const;
+
  private:
   struct Vertex {
     PointM point;

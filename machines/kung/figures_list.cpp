@@ -138,6 +138,9 @@ List figures(const lab::Settings& settings, cosim::RunResult& run) {
       list[n].shown = range.last > range.first;
     }
   };
+  list.push_back(lab::figure("at_end.from_last_point_mm", "at the end", "from the last point",
+                             result.from_last_m * kMm, "mm", 2));
+  list.back().shown = result.end == EndReason::kDone || result.end == EndReason::kMissed;
   add_peak("peak_current_A", "peak current", &AxisSignals::peak_current_A, "A", 2);
   add_peak("max_speed_m_s", "top speed", &AxisSignals::max_speed_m_s, "m/s", 3);
   std::vector<HalfPeriod> halves[2];
@@ -160,9 +163,10 @@ std::string verdict(const lab::Settings& settings, const cosim::RunResult& run) 
   const auto& result = static_cast<const Result&>(run);
   switch (result.end) {
     case EndReason::kDone:
-      return fmt::format("followed {} points, at most {:.2f} mm {}", result.points,
-                         result.largest_mm,
-                         options.path.kind == PathKind::kSquare ? "from the model" : "beside them");
+      return fmt::format("followed {} points, at most {:.2f} mm {}, {:.2f} mm from the last one",
+                         result.points, result.largest_mm,
+                         options.path.kind == PathKind::kSquare ? "from the model" : "beside them",
+                         result.from_last_m * kMm);
     case EndReason::kFault:
       if (result.fault.code == FaultCode::kNone) {
         return fmt::format("tripped: {}", cause_text(result.fault));
@@ -176,7 +180,7 @@ std::string verdict(const lab::Settings& settings, const cosim::RunResult& run) 
       }
       return fmt::format("diverged: error to the model above run.diverged_m = {:g}",
                          options.diverged_m);
-    case EndReason::kMissed: break;  // not of this machine
+    case EndReason::kMissed: return "missed: " + result.missed;
     case EndReason::kTimeout:
       return fmt::format("not finished within run.max_s = {:g}", options.run.max_s);
     case EndReason::kStopped: return "interrupted: results up to that point";
@@ -235,7 +239,8 @@ std::string cause_text(const Fault& fault) {
 }
 
 std::string Result::fault_text() const {
-  return end == EndReason::kFault ? cause_text(fault) : "";
+  if (end == EndReason::kFault) return cause_text(fault);
+  return end == EndReason::kMissed ? missed : "";
 }
 
 }  // namespace trammel::kung

@@ -45,6 +45,10 @@ void add_run(Table& t) {
   t.one("run.diverged_m", 1e-4, 1,
         "distance from the model, or from the path asked, that ends the run as diverged",
         TRAMMEL_LENS(diverged_m));
+  t.one("run.reached_m", 0, 1,
+        "largest error of a table that followed, beside the path, in its extent, and from its last "
+        "point at the end; 0 = by the path's diagonal and the model's lag",
+        TRAMMEL_LENS(reached_m));
   t.waves("where the drives start", "see `trammel list signals`");
 }
 

@@ -126,6 +126,7 @@ struct Options final : lab::SettingsOf<Options, machine> {
   PathOptions path;
   double settle_s = 0;       // simulated after the last point, not counted in the figures
   double diverged_m = 0.05;  // tracking error that ends the run as diverged
+  double reached_m = 0;      // largest error of a table that followed; 0: by the path's extent
   FaultInjection inject;
 };
 

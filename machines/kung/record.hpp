@@ -101,6 +101,8 @@ struct Result : cosim::RunResult {
   std::uint32_t end_tick = 0;     // first sample after the last point's: figures use [first, end)
   std::uint32_t points = 0;       // written by the processor
   double beside_m = 0;            // kDiverged: distance from the path asked, 0 if from the model
+  double from_last_m = 0;         // of the table at the end, from the last point asked
+  std::string missed;             // kMissed: what
   double largest_mm = 0;          // contour error; of a square wave the error to the model
   Fault fault;
   Detail detail;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "machines/kung/session.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "machines/kung/figures.hpp"
@@ -32,6 +33,13 @@ const char* check_text(const sw::Mailbox& mailbox) {
   return "";
 }
 
+// Samples by which the reference model of the slower axis lags behind a ramp.
+std::uint32_t model_lag(const Options& options) {
+  double lag_s = 0;
+  for (const AxisGains& g : options.gains) lag_s = std::max(lag_s, 2 * g.zeta / g.omega_n_rad_s);
+  return static_cast<std::uint32_t>(std::lround(lag_s / kSampleS));
+}
+
 cosim::Clk fault_at(double seconds) { return seconds > 0 ? edge_at(seconds) : cosim::kNever; }
 }  // namespace
 
@@ -42,6 +50,7 @@ Session::Session(const Options& options, const Hooks& hooks, const cosim::Waves&
   const sw::Trajectory path(setup);
   const sw::Point start = path.start();
   path_points_ = path.size();
+  followed_.emplace(setup, options_.plant.axis[0].encoder_count_m, options_);
   asked_.emplace(path, static_cast<std::uint32_t>(
                            ticks_per_point(options_.path, options_.chip.irq_period_ticks)),
                  options_.plant.axis[0].encoder_count_m);
@@ -105,7 +114,9 @@ bool Session::over(const Sample& sample) {
   }
   if (sample.tick >= result_.first_tick) {
     const PointM table{sample.axis[0].x_true_m, sample.axis[1].x_true_m};
-    const double beside = asked_->distance_m(table, options_.diverged_m);
+    const double beside =
+        asked_->distance_m(table, std::min(followed_->limit_m(), options_.diverged_m));
+    followed_->add(table, beside);
     if (beside > options_.diverged_m) {
       result_.end = EndReason::kDiverged;
       result_.beside_m = beside;
@@ -127,6 +138,12 @@ std::unique_ptr<cosim::RunResult> Session::result() {
   result_.event_hash = recorder_->event_hash();
   result_.detail = detail_->take();
   result_.wakes = chip_->wakes();
+  result_.from_last_m = followed_->from_m(asked_->asked());
+  if (result_.end == EndReason::kDone) {
+    result_.missed = followed_->missed(result_.points, path_points_, asked_->asked(),
+                                       asked_->asked(model_lag(options_)));
+    if (!result_.missed.empty()) result_.end = EndReason::kMissed;
+  }
   close_result(result_, *chip_, waves_.window, started_);
   return std::make_unique<Result>(std::move(result_));
 }

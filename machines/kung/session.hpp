@@ -12,6 +12,7 @@
 #include "machines/kung/asked_path.hpp"
 #include "machines/kung/chip.hpp"
 #include "machines/kung/detail.hpp"
+#include "machines/kung/followed.hpp"
 #include "machines/kung/recorder.hpp"
 #include "machines/kung/record.hpp"
 #include "sw_nios/apps/kung/kung.hpp"
@@ -119,6 +120,7 @@ class Session final : public cosim::Session {
   std::unique_ptr<cosim::Loop> loop_;
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
   std::optional<AskedPath> asked_;
+  std::optional<Followed> followed_;
   std::uint32_t path_points_ = 0;  // of the whole path
   std::uint32_t after_fault_ = 0;
   Result result_;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <optional>
 
 #include "machines/mcafee/machine.hpp"
 #include "machines/mcafee/signals.hpp"
@@ -41,16 +40,13 @@ void add_events(std::vector<Event>& events, const Sample& before, const Sample& 
   }
 }
 
-// Also puts into the result where its motion begins, the events, and the contour errors.
+// Also puts into the result where its motion begins, and the events.
 Motion motion_of(const Options& options, Result& result) {
-  constexpr double kReachMm = 10;  // a path may cross itself
   Motion m;
   result.first = 0;
   result.events.clear();
-  result.contour_mm = {};
-  std::optional<Path> path;
-  if (options.tracks()) path.emplace(options.path);
-  const PointMm origin = path ? path->at(0) : PointMm{};
+  if (result.contour_mm.empty()) find_contour(options, result);
+  const bool path = options.tracks();
   double squares = 0;
   std::size_t last = 0;
   bool begun = false;
@@ -67,9 +63,7 @@ Motion motion_of(const Options& options, Result& result) {
     }
     if (begun && moves) last = k;
     if (!path) continue;
-    m.contour_end_mm = path->distance(origin + PointMm{s.axis[0].x_mm, s.axis[1].x_mm},
-                                      result.table.row_mm * s.row, kReachMm);
-    result.contour_mm.push_back(m.contour_end_mm);
+    m.contour_end_mm = result.contour_mm[k];
     if (m.contour_end_mm > m.contour_max_mm) {
       m.contour_max_mm = m.contour_end_mm;
       m.contour_max_s = begun ? static_cast<double>(k - result.first) * kSampleS : 0;

@@ -28,6 +28,10 @@ const std::vector<lab::Key>& keys() {
     t.text("compare", "also track at constant speeds, 254 and the least one",
            TRAMMEL_LENS(compare));
     lm628::add_run(t);
+    t.one("run.reached_counts", 0, 32767,
+          "largest error, and movement, of a table at its target, and distance beside its path; "
+          "0 = 50, or a quarter of a short travel, and a quarter of the path's diagonal beside it",
+          TRAMMEL_LENS(reached_counts));
     using P = PathOptions;
     const auto path = lm628::keys_of(t, "path.", TRAMMEL_LENS(path));
     path("kind", 0, 0, "shape", &P::kind);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "lab/machine.hpp"
@@ -17,6 +18,13 @@ const lab::ColumnTable& columns();      // figures.cpp, as the next three
 std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult& result);
 void add_metrics(const lab::Record& record, nlohmann::ordered_json& json);
 const cosim::TriggerForms& triggers();  // machine.cpp
+
+// missed.cpp: finds the distance of the true table from its path in every sample, if it tracks.
+void find_contour(const Options& options, Result& result);
+
+// Of a program that ended: why the true table did not do what was asked, "" if it did. It keeps
+// beside its path and comes to rest at the end of it, or of its move, within run.reached_counts.
+std::string what_missed(const Options& options, const Result& result);
 
 // The table of a path. Throws lab::ConfigError for one that cannot be followed.
 Table table_of(const Options& options);

@@ -33,6 +33,8 @@ struct Options final : lab::SettingsOf<Options, machine> {
   double wait_s = 0.5;          // between readings, and at the end
   bool compare = false;         // also at constant speeds, 254 and the least one
   int diverged_counts = 4000;   // position error that ends the run as diverged
+  int reached_counts = 0;       // largest error, and movement at the end, of a table that did what
+                                // was asked; 0: by the path or travel
   plant::LeadscrewConfig stage_axis;  // both
 
   bool tracks() const { return stage == sw::McafeeStage::kTrack; }

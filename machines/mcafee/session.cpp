@@ -176,6 +176,11 @@ std::unique_ptr<cosim::RunResult> Session::result() {
     result->real = {last.axis[0].words.actual, last.axis[1].words.actual};
   }
   result->table = table_;
+  find_contour(options_, *result);
+  if (end_ == cosim::EndReason::kDone && !waves_.found()) {
+    result->fault = what_missed(options_, *result);
+    if (!result->fault.empty()) result->end = cosim::EndReason::kMissed;
+  }
   result->event_hash = hash_.value();
   close_result(*result, *chip_, waves_.window, started_);
   return result;

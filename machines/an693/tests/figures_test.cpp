@@ -100,6 +100,35 @@ TEST_CASE("a shaft that is not at its target, or does not stand there, has misse
         "the shaft moves by 51 counts at the end");
 }
 
+TEST_CASE("each step there and back is judged, not the last alone") {
+  an693::Options options;
+  options.program = sw::An693Program::kTuning;
+  options.position = 40;
+  // Three steps of 100 samples; where trajectory and shaft are is the test's.
+  const auto missed = [&options](auto desired, auto real) {
+    an693::Result result;
+    for (int n = 0; n < 300; ++n) {
+      an693::Sample s;
+      s.words.position = std::int64_t{desired(n)} << 16;
+      s.theta = real(n) * plant::MotorAxis::kTurn / options.plant.counts;
+      result.samples.push_back(s);
+    }
+    result.step_ends = {100, 200, 300};
+    return an693::what_missed(options, result);
+  };
+  const auto asked = [](int n) { return n / 100 % 2 == 0 ? 40 : 0; };
+  const auto there = [&asked](int n) { return n % 100 < 40 ? 20.0 : asked(n); };
+  CHECK(missed(asked, there) == "");
+  CHECK(missed([](int) { return 0; }, [](int) { return 0.0; }) ==
+        "step 1 of 3: the trajectory ended at 0 counts, not at 40");
+  CHECK(missed(asked, [&](int n) { return n < 100 ? 0.0 : there(n); }) ==
+        "step 1 of 3: the shaft is 40 counts from the target of 40");
+  CHECK(missed(asked, [&](int n) { return n / 100 == 1 ? 11.0 : there(n); }) ==
+        "step 2 of 3: the shaft is 11 counts from the target of 0");
+  CHECK(missed(asked, [&](int n) { return n / 100 == 1 ? n % 2 * 11.0 : there(n); }) ==
+        "step 2 of 3: the shaft moves by 11 counts at the end");
+}
+
 TEST_CASE("an693 scenarios load, can run, and repeat from run.toml") {
   int own = 0;
   for (const auto& file : scenarios()) {

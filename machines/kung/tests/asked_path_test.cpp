@@ -44,6 +44,17 @@ TEST_CASE("a table that stands still is left behind by the path asked") {
   CHECK(last == Approx(0.1).margin(0.0011));  // the end, once the way there is 250 ms old
 }
 
+TEST_CASE("what was asked some samples ago is known, as far as is searched") {
+  std::vector<sw::Point> points;
+  AskedPath path = line(points);
+  for (int k = 0; k < 200; ++k) path.distance_m({0.1, 0.1}, 0);  // point n comes at sample 4 n
+  CHECK(path.asked().x_m == Approx(0.149));
+  CHECK(path.asked(3).x_m == Approx(0.149));
+  CHECK(path.asked(4).x_m == Approx(0.148));
+  CHECK(path.asked(133).x_m == Approx(0.116));
+  CHECK(path.asked(5000).x_m == Approx(0.1));
+}
+
 TEST_CASE("a search for the nearest point ends where enough is known") {
   std::vector<sw::Point> points;
   AskedPath path = line(points);

@@ -36,6 +36,7 @@ Result standing(EndReason end, const Fault& fault = {}) {
   result.points = 10;
   result.end = end;
   result.fault = fault;
+  if (end == EndReason::kMissed) result.missed = "stopped after 10 of 12 points";
   return result;
 }
 
@@ -62,7 +63,9 @@ TEST_CASE("how a run ended is reported with the figures that decided it") {
   const struct {
     EndReason end;
     const char* verdict;
-  } all[] = {{EndReason::kDone, "followed 10 points, at most 0.00 mm beside them"},
+  } all[] = {{EndReason::kDone,
+              "followed 10 points, at most 0.00 mm beside them, 0.00 mm from the last one"},
+             {EndReason::kMissed, "missed: stopped after 10 of 12 points"},
              {EndReason::kDiverged, "diverged: error to the model above run.diverged_m = 0.05"},
              {EndReason::kTimeout, "not finished within run.max_s = 60"},
              {EndReason::kStopped, "interrupted: results up to that point"}};

@@ -257,6 +257,31 @@ TEST_CASE("an693 steps there and back, with 2 and 14 % of overshoot at kp 50 and
   }
 }
 
+TEST_CASE("an693: steps that the motor does not make are missed, by the first of them") {
+  Options options = one_step();
+  options.run.engine = cosim::Engine::kTwin;
+  options.steps = 2;
+  SECTION("no speed") { options.velocity = 0; }
+  SECTION("no acceleration") { options.acceleration = 0; }
+  SECTION("no force") { options.filter.kp = options.filter.kd = 0; }
+  const Result result = simulate(options, {});
+  CHECK(result.end == cosim::EndReason::kMissed);
+  CHECK(result.step_ends.size() == 2);
+  CHECK(result.fault.find("step 1 of 2: ") == 0);
+}
+
+// The part interrupts in the clock that publishes the sample.
+TEST_CASE("an693: a run that ends as the part interrupts ends at that clock on both platforms") {
+  Options options = one_step();
+  options.diverged_counts = 10;
+  const Result direct = simulate(options, {});
+  REQUIRE(direct.end == cosim::EndReason::kDiverged);
+  REQUIRE(direct.samples.back().host_irq);
+  CHECK(direct.clocks == direct.samples.back().edge + 1);
+  options.run.platform = cosim::Platform::kSystemC;
+  CHECK(simulate(options, {}).clocks == direct.clocks);
+}
+
 TEST_CASE("an693 ends a program whose motor cannot follow, as diverged") {
   Options options = make_options(An693Program::kRelative);
   options.acceleration = 0x1000;

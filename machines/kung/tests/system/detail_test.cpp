@@ -13,6 +13,7 @@ namespace {
 
 Options piece() {
   Options options;
+  options.reached_m = 1;  // it ends while the table is still under way
   options.run.platform = Platform::kDirect;
   options.path.kind = PathKind::kLine;
   options.path.line_end_x_m = 0.11;

@@ -89,6 +89,7 @@ void check_same(const Options& options) {
 
 Options piece(double seconds = 0.05) {
   Options options;
+  options.reached_m = 1;  // it ends while the table is still under way
   options.run.max_s = seconds;
   return options;
 }

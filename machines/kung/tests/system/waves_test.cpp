@@ -21,6 +21,7 @@ constexpr cosim::Clk kTickClk = 25000;  // 2 kHz
 // A short line: start-up and 20 points, 45 ms.
 Options piece() {
   Options options;
+  options.reached_m = 1;  // it ends while the table is still under way
   options.run.platform = Platform::kDirect;
   options.path.kind = PathKind::kLine;
   options.path.line_end_x_m = 0.11;

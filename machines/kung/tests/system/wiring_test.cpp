@@ -12,6 +12,7 @@ namespace {
 // A short piece of the circle: start-up and 40 points, 80 ms.
 Options piece() {
   Options options;
+  options.reached_m = 1;  // it ends while the table is still under way
   options.path.kind = PathKind::kLine;
   options.path.line_end_x_m = 0.11;
   options.path.line_end_y_m = 0.12;

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "machines/kung/followed.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "machines/kung/machine.hpp"
+#include "machines/kung/plan.hpp"
+
+using namespace trammel;
+using namespace trammel::kung;
+
+namespace {
+
+constexpr double kCountM = 5e-6;
+
+// A line of 30 x 40 mm, whose limit is a quarter of its 50 mm.
+Options line() {
+  Options options;
+  options.path.kind = PathKind::kLine;
+  options.path.line_start_x_m = options.path.line_start_y_m = 0.1;
+  options.path.line_end_x_m = 0.13;
+  options.path.line_end_y_m = 0.14;
+  return options;
+}
+
+struct Judge {
+  explicit Judge(const Options& options)
+      : followed(plan_firmware(options, points), kCountM, options) {}
+
+  std::string missed(std::uint32_t handed = 501) const {
+    return followed.missed(handed, 501, {0.13, 0.14}, lagging);
+  }
+
+  std::vector<sw::Point> points;
+  Followed followed;
+  PointM lagging{0.13, 0.14};
+};
+
+}  // namespace
+
+TEST_CASE("a table that goes along the path to its end has followed it") {
+  Judge judge(line());
+  CHECK(judge.followed.limit_m() == Approx(0.0125));
+  for (int k = 0; k <= 40; ++k) judge.followed.add({0.1 + 0.00075 * k, 0.1 + 0.001 * k}, 1e-3);
+  CHECK(judge.missed() == "");
+  CHECK(judge.followed.from_m({0.13, 0.14}) == Approx(0).margin(1e-9));
+  CHECK(judge.missed(480) == "stopped after 480 of 501 points");
+}
+
+TEST_CASE("a table that is not at the end, beside the path, or went only a part has missed it") {
+  const std::string above = " above 12.5 mm (run.reached_m)";
+  Judge stands(line());
+  stands.followed.add({0.1, 0.1}, 0);
+  CHECK(stands.missed() == "the table ended 50.00 mm from the last of 501 points," + above +
+                               "; run.settle_s gives it time");
+  Judge beside(line());
+  beside.followed.add({0.1, 0.1}, 0.0126);
+  beside.followed.add({0.13, 0.14}, 0);
+  CHECK(beside.missed() == "the table was 12.60 mm beside the path asked," + above);
+  Judge waits(line());  // near the end all the time, as on a path that comes by it often
+  waits.followed.add({0.129, 0.139}, 0);
+  waits.followed.add({0.13, 0.14}, 0);
+  CHECK(waits.missed() ==
+        "the table covered 1.00 x 1.00 mm of a path of 30.00 x 40.00 mm," + above);
+}
+
+TEST_CASE("the limit is run.reached_m, or lies between 3 counts and run.diverged_m") {
+  Options options = line();
+  options.reached_m = 0.002;
+  CHECK(Judge(options).followed.limit_m() == 0.002);
+  options = line();
+  options.diverged_m = 0.01;
+  CHECK(Judge(options).followed.limit_m() == 0.01);
+  options = line();
+  options.path.line_end_x_m = options.path.line_end_y_m = 0.10001;
+  CHECK(Judge(options).followed.limit_m() == Approx(3 * kCountM));
+}
+
+TEST_CASE("at the end of a fast path the table may lag as the model, by half of it at most") {
+  Judge judge(line());
+  for (int k = 0; k <= 30; ++k) judge.followed.add({0.1 + 0.0006 * k, 0.1 + 0.0008 * k}, 0);
+  CHECK(judge.missed().find("the table ended 20.00 mm from the last of 501 points, above 12.5 mm") ==
+        0);
+  judge.lagging = {0.118, 0.124};  // 20 mm
+  CHECK(judge.missed() == "");
+  CHECK(judge.followed.limit_at_end_m(0.005) == judge.followed.limit_m());
+  CHECK(judge.followed.limit_at_end_m(0.016) == Approx(0.02));
+  CHECK(judge.followed.limit_at_end_m(0.05) == Approx(0.025));
+  Options options = line();
+  options.reached_m = 0.015;
+  CHECK(Judge(options).followed.limit_at_end_m(0.016) == 0.015);
+}
+
+namespace {
+
+// A small circle, half a second long.
+Options small_circle() {
+  Options options;
+  options.run.engine = Engine::kTwin;
+  options.run.platform = Platform::kDirect;
+  options.path.circle_radius_m = 0.01;
+  options.path.circle_ticks = 450;
+  return options;
+}
+
+}  // namespace
+
+TEST_CASE("a whole run says how far the table is from the last point") {
+  const Result result = simulate(small_circle(), {});
+  CHECK(result.end == EndReason::kDone);
+  CHECK(result.points == 451);
+  // The model lags by 2 / omega_n = 67 ms, here 4.6 mm of the circle's arc.
+  CHECK(result.from_last_m == Approx(0.0046).margin(0.0005));
+  CHECK(verdict(small_circle(), result).find(" mm from the last one") != std::string::npos);
+}
+
+TEST_CASE("a processor that dies before the last points leaves an end of its own") {
+  Options options = small_circle();
+  options.inject.processor_s = 0.87;
+  const Result result = simulate(options, {});
+  CHECK(result.end == EndReason::kMissed);
+  CHECK(result.points < 451);
+  const std::string what = "stopped after " + std::to_string(result.points) + " of 451 points";
+  CHECK(verdict(options, result) == "missed: " + what);
+  CHECK(result.fault_text() == what);
+}
+
+TEST_CASE("a table that stands still beside a small circle has not followed it") {
+  Options options = small_circle();
+  SECTION("no current is asked for") {
+    for (AxisGains& gains : options.gains) gains.kv = 0;
+  }
+  SECTION("friction holds it") {
+    for (plant::AxisConfig& axis : options.plant.axis) axis.coulomb_n = 500;
+  }
+  SECTION("a lap takes less than the 250 ms in which a point of the path is near") {
+    options.path.circle_ticks = 60;
+    for (AxisGains& gains : options.gains) gains.kv = 0;
+  }
+  const Result result = simulate(options, {});
+  CHECK(result.end == EndReason::kMissed);
+  CHECK(verdict(options, result).find("missed: the table ") == 0);
+}
