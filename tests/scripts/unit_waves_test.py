@@ -71,7 +71,8 @@ def faults(root):
     done = subprocess.run([sys.executable, tool, "unit-waves", "math/toy_test.cpp", case], cwd=root,
                           capture_output=True, text=True, check=False)
     view = "build/waves/math_toy/waves.gtkw"
-    if done.returncode or "failed after clock 9:" not in done.stdout or view not in done.stdout:
+    place = "failed after evaluated edge 9, at 180 ns"
+    if done.returncode or place not in done.stdout or view not in done.stdout:
         log = root / "build" / "waves" / "math_toy" / "build.log"
         yield f"exit code {done.returncode}: {done.stdout}{done.stderr}"
         yield log.read_text(encoding="utf-8")[-2000:] if log.exists() else "nothing was built"

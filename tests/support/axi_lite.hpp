@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/axi_failure.hpp"
 #include "tests/support/random.hpp"
 
 namespace trammel::test {
@@ -32,7 +33,10 @@ class AxiLiteTraffic {
   void write(const std::vector<AxiWrite>& writes) {
     std::size_t address = 0, data = 0, answered = 0;
     for (int clocks = 0; answered < writes.size(); ++clocks) {
-      check(clocks, writes.size());
+      if (late(clocks, writes.size())) {
+        fail_transfer(true, writes[answered].address,
+                      waits_on(true, answered < address, answered < data), clocks);
+      }
       if (!chip_->s_axil_awvalid_i && address < writes.size() && random_() % 2 == 0) {
         put(chip_->s_axil_awaddr_i, writes[address].address);
         chip_->s_axil_awvalid_i = 1;
@@ -48,7 +52,8 @@ class AxiLiteTraffic {
       const bool w = chip_->s_axil_wvalid_i && chip_->s_axil_wready_o;
       const bool b = chip_->s_axil_bready_i && chip_->s_axil_bvalid_o;
       if (chip_->s_axil_bvalid_o && chip_->s_axil_bresp_o != 0) {
-        throw std::runtime_error("a write is not answered by OKAY");
+        fail_transfer(true, writes[answered].address, not_okay("BRESP", chip_->s_axil_bresp_o),
+                      clocks);
       }
       clock_();
       if (aw) chip_->s_axil_awvalid_i = 0, ++address;
@@ -62,7 +67,10 @@ class AxiLiteTraffic {
     std::size_t address = 0;
     std::vector<std::uint32_t> values;
     for (int clocks = 0; values.size() < addresses.size(); ++clocks) {
-      check(clocks, addresses.size());
+      if (late(clocks, addresses.size())) {
+        fail_transfer(false, addresses[values.size()],
+                      waits_on(false, values.size() < address, true), clocks);
+      }
       if (!chip_->s_axil_arvalid_i && address < addresses.size() && random_() % 2 == 0) {
         put(chip_->s_axil_araddr_i, addresses[address]);
         chip_->s_axil_arvalid_i = 1;
@@ -72,7 +80,8 @@ class AxiLiteTraffic {
       const bool ar = chip_->s_axil_arvalid_i && chip_->s_axil_arready_o;
       const bool r = chip_->s_axil_rready_i && chip_->s_axil_rvalid_o;
       if (chip_->s_axil_rvalid_o && chip_->s_axil_rresp_o != 0) {
-        throw std::runtime_error("a read is not answered by OKAY");
+        fail_transfer(false, addresses[values.size()],
+                      not_okay("RRESP", chip_->s_axil_rresp_o), clocks);
       }
       if (r) values.push_back(chip_->s_axil_rdata_o);
       clock_();
@@ -89,10 +98,12 @@ class AxiLiteTraffic {
     pin = static_cast<Pin>(value);
   }
 
-  static void check(int clocks, std::size_t transfers) {
-    if (clocks > 100 * static_cast<int>(transfers + 1)) {
-      throw std::runtime_error("a transfer is not answered");
-    }
+  static std::string not_okay(const char* pin, unsigned value) {
+    return pin + (" is " + std::to_string(value)) + ", not OKAY";
+  }
+
+  static bool late(int clocks, std::size_t transfers) {
+    return clocks > 100 * static_cast<int>(transfers + 1);
   }
 
   Chip& chip_;

@@ -5,8 +5,9 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <stdexcept>
+#include <string>
 
+#include "tests/support/axi_failure.hpp"
 #include "tests/support/random.hpp"
 
 namespace trammel::test {
@@ -82,7 +83,10 @@ class PacedMaster {
     ar_ = m.s_axil_arvalid_i && m.s_axil_arready_o;
     if ((m.s_axil_bvalid_o && (!write_ || m.s_axil_bresp_o != 0)) ||
         (m.s_axil_rvalid_o && (write_ || m.s_axil_rresp_o != 0))) {
-      throw std::runtime_error("an answer that is not OKAY, or not to this transfer");
+      fail_transfer(write_, address_,
+                    "an answer that is not OKAY, or not to it: BVALID " + text(m.s_axil_bvalid_o) +
+                        ", BRESP " + text(m.s_axil_bresp_o) + ", RVALID " +
+                        text(m.s_axil_rvalid_o) + ", RRESP " + text(m.s_axil_rresp_o), clock_);
     }
     ends_ = (m.s_axil_bvalid_o && m.s_axil_bready_i) || (m.s_axil_rvalid_o && m.s_axil_rready_i);
     if (ends_ && !write_) rdata_ = m.s_axil_rdata_o;
@@ -95,13 +99,19 @@ class PacedMaster {
     if (aw_) m.s_axil_awvalid_i = 0;
     if (w_) m.s_axil_wvalid_i = 0;
     if (ar_) m.s_axil_arvalid_i = 0;
-    if (++clock_ > 1000) throw std::runtime_error("a transfer is not answered");
+    if (++clock_ > 1000) {
+      fail_transfer(write_, address_,
+                    waits_on(write_, !m.s_axil_awvalid_i && !m.s_axil_arvalid_i,
+                             !m.s_axil_wvalid_i), clock_);
+    }
     active_ = !ends_;
     if (ends_) m.s_axil_bready_i = m.s_axil_rready_i = 1;
     return ends_;
   }
 
  private:
+  static std::string text(unsigned value) { return std::to_string(value); }
+
   template <class Pin>
   static void put(Pin& pin, std::uint32_t value) {
     pin = static_cast<Pin>(value);

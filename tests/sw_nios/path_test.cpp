@@ -6,6 +6,7 @@
 
 #include "models/ideal/paths.hpp"
 #include "sw_nios/path/trajectory.hpp"
+#include "tests/support/points.hpp"
 
 namespace {
 

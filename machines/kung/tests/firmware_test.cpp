@@ -6,6 +6,7 @@
 
 #include "sw_nios/apps/kung/kung.hpp"
 #include "rtl/chips/generated/kung_xy_regs.hpp"
+#include "tests/support/points.hpp"
 
 namespace {
 

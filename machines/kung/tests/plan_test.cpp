@@ -4,6 +4,7 @@
 
 #include "machines/kung/plan.hpp"
 #include "models/fixed/fixed.hpp"
+#include "tests/support/points.hpp"
 
 namespace {
 

@@ -119,8 +119,8 @@ def trace(block, test, case):
     run(program, case, TRAMMEL_WAVES=f"{instance} {first} {clock + BEHIND} {waves}")
     view = waves.with_suffix(".gtkw")
     end = (clock + BEHIND) * vcd.PERIOD
-    vcd.write_view(view, waves, f"{case} ({block}): failed after clock {clock} of instance "
-                   f"{instance}", groups(declared(waves), block.split("/")[1]),
+    vcd.write_view(view, waves, f"{case} ({block}): failed after edge {clock} of instance "
+                   f"{instance}, of those evaluated", groups(declared(waves), block.split("/")[1]),
                    (max(first, clock - SEEN) * vcd.PERIOD - 1, end), clock * vcd.PERIOD)
     return view, clock
 
@@ -144,6 +144,7 @@ def main():
         print(f"unit-waves: {test}: {found}", file=sys.stderr)
         return 1
     view, clock = found
-    print(f"waves of '{case}', which failed after clock {clock}:\n"
+    print(f"waves of '{case}', which failed after evaluated edge {clock}, at "
+          f"{clock * vcd.PERIOD} ns of the waves:\n"
           f"  gtkwave {view.relative_to(ROOT)}", flush=True)
     return 0
