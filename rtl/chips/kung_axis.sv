@@ -60,7 +60,7 @@ module kung_axis
   logic preset, preset_write, qep_error, qep_quiescent, unused_dir, unused_index_seen;
 
   assign preset_write = regs_i.pos_preset.req && regs_i.pos_preset.req_is_wr;
-  assign preset       = preset_write && !locked_i;
+  assign preset       = preset_write && (&regs_i.pos_preset.wr_biten.value) && !locked_i;
   assign preset_value = count_t'(regs_i.pos_preset.wr_data.value);
 
   qep u_qep (
@@ -109,10 +109,11 @@ module kung_axis
   );
 
   // A table write waits until the position controller is idle.
-  logic tab_request, tab_pending_q, tab_write;
+  logic tab_request, tab_in_part, tab_pending_q, tab_write;
   count_t tab_value, tab_data_q;
 
-  assign tab_request = regs_i.tab_data.req && regs_i.tab_data.req_is_wr;
+  assign tab_request = regs_i.tab_data.req && regs_i.tab_data.req_is_wr && !tab_in_part;
+  assign tab_in_part = !(&regs_i.tab_data.wr_biten.value);
   assign tab_value   = count_t'(regs_i.tab_data.wr_data.value[23:0]);
   assign tab_write   = tab_pending_q && !afc_busy;
 
@@ -330,7 +331,8 @@ module kung_axis
   assign regs_o.stroke_en.enable.swwel  = locked_i;
   assign regs_o.tab_data.rd_data.value  = 32'(rule_rdata);
   assign regs_o.tab_data.rd_ack         = regs_i.tab_data.req && !regs_i.tab_data.req_is_wr;
-  assign regs_o.tab_data.wr_ack         = tab_write;
+  assign regs_o.tab_data.wr_ack         = tab_write ||
+      regs_i.tab_data.req && regs_i.tab_data.req_is_wr && tab_in_part;
   assign regs_o.pos_preset.wr_ack       = preset_write;
 
   logic unused_regs;

@@ -46,7 +46,10 @@ module kung_axis_props
     input word_t      i_b,
     input logic       loop_clear,
     input logic       afc_busy,
-    input logic       tab_request,
+    input logic       tab_write,
+    input logic       tab_written,  // of TAB_DATA, all its bytes
+    input logic       tab_ignored,  // some of them
+    input logic       preset_written,
     input count_t     tab_value,
     input count_t     tab_data_q,
     input logic       tab_pending_q,
@@ -176,21 +179,23 @@ module kung_axis_props
   assign state = {gate_hi_o, gate_lo_o, tab_pending_q, x_p_q, count_cur_q, i_q_ref_q};
 
   always_ff @(posedge clk_i) begin
-    was_quiescent_q <= !rst_i && quiescent_o && !tab_request;  // the bus is open then
+    was_quiescent_q <= !rst_i && quiescent_o && !tab_written;  // the bus is open then
     was_state_q     <= state;
     if (rst_i) asked_q <= 1'b0;
-    else if (tab_request) asked_q <= 1'b1;
+    else if (tab_written) asked_q <= 1'b1;
     else if (!afc_busy) asked_q <= 1'b0;
-    if (tab_request) asked_value_q <= tab_value;
+    if (tab_written) asked_value_q <= tab_value;
     if (live_q) begin
-      table_write_waits_for_the_controller_only : assert (wr_ack == (asked_q && !afc_busy));
-      table_write_has_its_value : assert (!wr_ack || tab_data_q == asked_value_q);
+      table_write_waits_for_the_controller_only :
+      assert (wr_ack == (asked_q && !afc_busy || tab_ignored));
+      table_write_has_its_value : assert (!tab_write || asked_q && tab_data_q == asked_value_q);
       next_is_the_least :
       assert (next_o <= pwm_next && next_o <= leg_next_0 && next_o <= leg_next_1 &&
           next_o <= leg_next_2);
       quiescent_is_honest :
       assert (!was_quiescent_q || state == was_state_q);
       preset_only_while_unlocked : assert (!preset || !locked_i);
+      preset_by_whole_words_only : assert (!preset || preset_written);
       inv_asked : assert (tab_pending_q == asked_q && (!asked_q || tab_data_q == asked_value_q));
       reaches_waiting_write : cover (asked_q && afc_busy);
     end
@@ -209,7 +214,8 @@ module kung_axis_props
   // breaks stroke_is_watched_when_enabled: stroke_o = regs_i.stroke_en.enable.value && (count < count_t'(regs_i.stroke_min.value.value) || count >= count_t'(regs_i.stroke_max.value.value))
   // breaks table_write_waits_for_the_controller_only: tab_write = tab_pending_q
   // breaks table_write_has_its_value: tab_data_q <= rst_i ? next : tab_data_q
-  // breaks preset_only_while_unlocked: preset = preset_write
+  // breaks table_write_has_its_value: tab_in_part = 1'b0
+  // breaks preset_only_while_unlocked, preset_by_whole_words_only: preset = preset_write
   // breaks next_is_the_least: next_o = leg_next[2] > next_o ? leg_next[2] : next_o
   // breaks quiescent_is_honest: quiescent_o = qep_quiescent && !qep_error && command_quiescent && afc_quiescent && !tick_cur_i && adc_quiescent && loop_quiescent && pwm_quiescent && leg_quiescent == '1
 
@@ -226,6 +232,12 @@ bind kung_axis kung_axis_props u_kung_axis_props (
     .stroke_min(regs_i.stroke_min.value.value),
     .stroke_max(regs_i.stroke_max.value.value),
     .wr_ack(regs_o.tab_data.wr_ack),
+    .tab_written(regs_i.tab_data.req && regs_i.tab_data.req_is_wr &&
+                 regs_i.tab_data.wr_biten.value == '1),
+    .tab_ignored(regs_i.tab_data.req && regs_i.tab_data.req_is_wr &&
+                 regs_i.tab_data.wr_biten.value != '1),
+    .preset_written(regs_i.pos_preset.req && regs_i.pos_preset.req_is_wr &&
+                    regs_i.pos_preset.wr_biten.value == '1),
     .leg_next_0(leg_next[0]),
     .leg_next_1(leg_next[1]),
     .leg_next_2(leg_next[2]),

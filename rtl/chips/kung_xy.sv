@@ -114,6 +114,7 @@ module kung_xy
 
   assign enabled     = {hwif_out.y.ctrl.enable.value, hwif_out.x.ctrl.enable.value};
   assign fault_clear = hwif_out.fault_clear.req && hwif_out.fault_clear.req_is_wr &&
+      (&hwif_out.fault_clear.wr_biten.key) &&
       hwif_out.fault_clear.wr_data.key == kung_xy_regs_pkg::KeyFaultClear;
 
   watchdog u_watchdog (
@@ -154,7 +155,7 @@ module kung_xy
 
   always_comb begin
     locked_d = locked_q;
-    if (lock_write) begin
+    if (lock_write && (&hwif_out.lock.wr_biten.key)) begin
       if (lock_key == kung_xy_regs_pkg::KeyLock) locked_d = 1'b1;
       if (lock_key == kung_xy_regs_pkg::KeyUnlock && enabled == '0) begin
         locked_d = 1'b0;

@@ -108,7 +108,7 @@ module kung_xy_props
   assign {write_second, read_second} = {!second.is_read, second.is_read} & {2{owes > 2'd1}};
   assign first_slot  = answered_q[0] ? slot_odd : slot_even;
   assign second_slot = answered_q[0] ? slot_even : slot_odd;
-  assign table_write = !awaddr_q[9] && awaddr_q[7:2] == 6'h1d;
+  assign table_write = !awaddr_q[9] && awaddr_q[7:2] == 6'h1d && wstrb_q == '1;
 
   // A read is served before a write if the last request served was a write.
   assign write_left = write_first ? 3'd1 + 3'(pending && owes == 2'd1) :
@@ -183,11 +183,11 @@ module kung_xy_props
   // ---- the previous clock ----
   logic was_bvalid_q, was_rvalid_q;  // and not taken
   logic [31:0] was_rdata_q, word_q;
-  logic [3:0] was_resp_q, pin_q;  // the trip pin 1..4 clocks ago
+  logic [3:0] was_resp_q, strobes_q, pin_q;  // strobes of word_q; the trip pin 1..4 clocks ago
   logic wrote_q;  // a write was served, of word_q
   logic [7:0] at_q;  // its word address
   logic [1:0] enabled, was_enabled_q;
-  logic was_quiescent_q, was_locked_q, was_trip_q, strobe_q, cause, was_cause_q;
+  logic was_quiescent_q, was_locked_q, was_trip_q, cause, was_cause_q;
   logic unlocked, lock_key, unlock_key, clear_key;  // a write: while unlocked; of one of the keys
   logic [9:0] sticky, events, was_sticky_q, was_events_q, written, ones;
   logic [1:0] seen_q;  // dones since the last sample
@@ -200,14 +200,14 @@ module kung_xy_props
   assign enabled    = {hwif_out.y.ctrl.enable.value, hwif_out.x.ctrl.enable.value};
   assign cause      = pin_q[1] || causes != '0;
   assign unlocked   = wrote_q && !was_locked_q;
-  assign lock_key   = wrote_q && at_q == 8'h88 && word_q == 32'h4c4f_434b;
-  assign unlock_key = wrote_q && at_q == 8'h88 && word_q == 32'h554e_4c4b;
-  assign clear_key  = wrote_q && at_q == 8'h86 && word_q == 32'h434c_5246;
+  assign lock_key   = wrote_q && at_q == 8'h88 && word_q == 32'h4c4f_434b && strobes_q == '1;
+  assign unlock_key = wrote_q && at_q == 8'h88 && word_q == 32'h554e_4c4b && strobes_q == '1;
+  assign clear_key  = wrote_q && at_q == 8'h86 && word_q == 32'h434c_5246 && strobes_q == '1;
   assign sticky     = {hwif_out.y.status, hwif_out.x.status, hwif_out.irq_stat};
   assign events     = {axis_events, tick_irq, trip && !was_trip_q};
   assign written    = {{4{wrote_q && at_q == 8'h41}}, {4{wrote_q && at_q == 8'h01}},
                        {2{wrote_q && at_q == 8'h83}}};
-  assign ones       = written & {10{strobe_q}} &
+  assign ones       = written & {10{strobes_q[0]}} &
       {{2{word_q[1], word_q[2], word_q[3], word_q[4]}}, word_q[0], word_q[1]};
   assign gates      = {gate_hi_o, gate_lo_o};
   assign held       = {locked_q, trip_q, done_q, open_q, in_flight, pending, aw_q};
@@ -226,7 +226,7 @@ module kung_xy_props
 
   always_ff @(posedge clk_i) begin
     if (rst_i) live_q <= 1'b1;
-    {was_rst_q, at_q, word_q, strobe_q} <= {rst_i, awaddr_q[9:2], wdata_q, wstrb_q[0]};
+    {was_rst_q, at_q, word_q, strobes_q} <= {rst_i, awaddr_q[9:2], wdata_q, wstrb_q};
     {was_rdata_q, was_resp_q} <= {s_axil_rdata_o, s_axil_bresp_o, s_axil_rresp_o};
     {was_gates_q, was_held_q, was_guarded_q, was_limits_q} <= {gates, held, guarded, limits};
     was_lasting_q <= lasting;

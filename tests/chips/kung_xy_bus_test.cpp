@@ -145,6 +145,48 @@ TEST_CASE("only a write of the whole key clears a fault, and a read of its regis
   REQUIRE(chip.fault_code() == reg::kFaultCodeNone);
 }
 
+TEST_CASE("a key, a preset or a rule of which only some bytes are written does nothing") {
+  KungBench chip;
+  const auto in_part = [&chip](unsigned strobes, std::uint32_t address, std::uint32_t data) {
+    chip->s_axil_wstrb_i = static_cast<std::uint8_t>(strobes);
+    chip.write(address, data);
+    chip->s_axil_wstrb_i = 0xF;
+  };
+  for (const std::uint32_t base : {reg::kX, reg::kY}) {
+    chip.write(base + reg::kPosPreset, 700);
+    chip.write(base + reg::kTabData, 0x123456);
+  }
+  chip->trip_i = 1;
+  chip.edges(5);
+  chip->trip_i = 0;
+  chip.edges(5);
+  for (unsigned strobes = 0; strobes < 15; ++strobes) {
+    CAPTURE(strobes);
+    in_part(strobes, reg::kFaultClear, reg::kKeyFaultClear);
+    REQUIRE(chip.fault_code() == reg::kFaultCodeExternalTrip);
+    in_part(strobes, reg::kLock, reg::kKeyLock);
+    REQUIRE(chip.read(reg::kLock) == 0);
+    chip.write(reg::kLock, reg::kKeyLock);
+    in_part(strobes, reg::kLock, reg::kKeyUnlock);
+    REQUIRE(chip.read(reg::kLock) == 1);
+    chip.write(reg::kLock, reg::kKeyUnlock);
+    for (const std::uint32_t base : {reg::kX, reg::kY}) {
+      in_part(strobes, base + reg::kTabData, 0x654321);
+      REQUIRE(chip.read(base + reg::kTabData) == 0x123456);
+      if ((strobes & 7) != 7) in_part(strobes, base + reg::kPosPreset, 9);
+    }
+  }
+  chip.to_tick();
+  chip.edges(5);
+  for (const std::uint32_t base : {reg::kX, reg::kY}) {
+    CHECK(chip.read(base + reg::kPos) == 700);
+    in_part(7, base + reg::kPosPreset, 9);  // it has three bytes
+  }
+  chip.to_tick();
+  chip.edges(5);
+  for (const std::uint32_t base : {reg::kX, reg::kY}) CHECK(chip.read(base + reg::kPos) == 9);
+}
+
 TEST_CASE("each interrupt comes only through its own enable") {
   for (const std::uint32_t enabled : {0u, reg::kIrqEnTick, reg::kIrqEnFault, 3u}) {
     for (const std::uint32_t cause : {0u, reg::kIrqStatTick, reg::kIrqStatFault, 3u}) {

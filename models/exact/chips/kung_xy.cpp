@@ -89,7 +89,7 @@ unsigned KungXy::full(Clk n, const Converters& converters) {
     bus_acts_ = kNever;
     write = {op_.write, op_.address, op_.data, op_.bits};
     if (!op_.write) answer_ = read(n - 1, op_.address);
-    if (!(write.is(map::kX + map::kTabData) || write.is(map::kY + map::kTabData))) {
+    if (!(write.all_of(map::kX + map::kTabData) || write.all_of(map::kY + map::kTabData))) {
       bus_ends_ = n + 1;
     }
   }
@@ -119,7 +119,7 @@ unsigned KungXy::full(Clk n, const Converters& converters) {
   if (tick_cur) tick(n, tick_pos, chosen, converters);
   for (std::size_t k = 0; k < 2; ++k) {
     Axis& axis = axes_[k];
-    const bool preset = write.is(kBases[k] + map::kPosPreset) && !locked_;
+    const bool preset = write.all_of(kBases[k] + map::kPosPreset, 0xFFFFFF) && !locked_;
     const std::int32_t value = signed_word(write.data, 24);
     if (tick_pos || commit_ || preset) {
       axis.command.clock(
@@ -132,7 +132,7 @@ unsigned KungXy::full(Clk n, const Converters& converters) {
     if (preset || axis.qep_next == n) step_qep(axis, n);
     axis.pins.preset = false;
     axis.reset_table = false;
-    if (write.is(kBases[k] + map::kTabData)) {
+    if (write.all_of(kBases[k] + map::kTabData)) {
       axis.tab_pending = true;
       axis.tab_data = signed_word(write.data, 24);
     }
@@ -173,7 +173,7 @@ Supervisor::In KungXy::supervision(const Write& write) const {
   const auto limit = static_cast<std::int32_t>(registers_.word(map::kCurrentLimit));
   Supervisor::In in;
   in.tick_count = tick_count_;
-  in.clear = write.is(map::kFaultClear) && write.data == map::kKeyFaultClear;
+  in.clear = write.all_of(map::kFaultClear) && write.data == map::kKeyFaultClear;
   in.trip_pin = trip_pin_;
   in.watchdog = watchdog_.bite();
   for (std::size_t k = 0; k < 2; ++k) {

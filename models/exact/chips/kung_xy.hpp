@@ -41,8 +41,7 @@ class KungXy {
   struct BusOp {
     std::uint32_t address = 0, data = 0;  // byte address
     bool write = false;
-    // Of the bytes written. TAB_DATA, POS_PRESET and keys are whole words.
-    std::uint32_t bits = ~0u;
+    std::uint32_t bits = ~0u;  // of the bytes written
   };
   // Converters of phases a and b of an axis, held at an edge; offset binary, 2048 = 0 A.
   struct Converters {
@@ -89,6 +88,10 @@ class KungXy {
     bool valid = false;
     std::uint32_t address = 0, data = 0, bits = ~0u;
     bool is(std::uint32_t reg) const { return valid && address == reg; }
+    // Keys, rules and presets take effect only with all their bytes.
+    bool all_of(std::uint32_t reg, std::uint32_t mask = ~0u) const {
+      return is(reg) && (bits & mask) == mask;
+    }
   };
 
   const Axis& at(int axis) const { return axes_[static_cast<std::size_t>(axis)]; }

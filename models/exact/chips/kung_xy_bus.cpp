@@ -29,7 +29,7 @@ void KungXy::lock(std::uint32_t key) {
 }
 
 void KungXy::apply(Clk n, const Write& write) {
-  if (write.is(map::kLock)) lock(write.data);
+  if (write.all_of(map::kLock)) lock(write.data);
   const std::uint32_t ones = write.data & write.bits;
   if (write.is(map::kIrqStat)) {
     if ((ones & map::kIrqStatTick) != 0) irq_tick_.clear(n);
