@@ -46,7 +46,8 @@ AfcSteps afc_steps(const sw::AxisSetup& c, const AfcStart& s) {
   const Wide four = result(1, two + 2 * Wide{s.r_1});
   const Wide driven =
       product(3, c.a0, result(2, sat(shift_left(four, 6) - floor_shift(s.x_m, 6), 24)));
-  const Wide dx = result(4, sat(result(3, rs(kept, 23)) + rs(driven, 24), 24));
+  const int a0_shift = c.a0_scale == 0 ? 24 : c.a0_scale == 1 ? 20 : 15;
+  const Wide dx = result(4, sat(result(3, rs(kept, 23)) + rs(driven, a0_shift), 24));
   const Wide x_r = result(6, rs(result(5, fixed::wrap(s.x_m + dx, 32)), 14));
 
   // Errors.

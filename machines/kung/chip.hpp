@@ -49,9 +49,9 @@ inline constexpr cosim::Word kDe{"de", "count", "its change per sample", 12, tru
 inline constexpr cosim::Word kU{"u", "unit / 256", "fuzzy output", 12, true};
 inline constexpr cosim::Word kVStar{"v_star", "count / 16 per sample", "speed command", 12, true};
 inline constexpr cosim::Word kV{"v", "count / 16 per sample", "speed", 12, true};
-inline constexpr cosim::Word kIqRef{"i_q_ref", "4.8 A / 2048", "current command", 12, true};
-inline constexpr cosim::Word kId{"i_d", "9.6 A / 2048", "measured d current", 12, true};
-inline constexpr cosim::Word kIq{"i_q", "9.6 A / 2048", "measured q current", 12, true};
+inline constexpr cosim::Word kIqRef{"i_q_ref", "I_fs / 4096", "current command", 12, true};
+inline constexpr cosim::Word kId{"i_d", "I_fs / 2048", "measured d current", 12, true};
+inline constexpr cosim::Word kIq{"i_q", "I_fs / 2048", "measured q current", 12, true};
 inline constexpr cosim::Word kVd{"v_d", "V_dc / sqrt 3 / 2048", "d voltage", 12, true};
 inline constexpr cosim::Word kVq{"v_q", "V_dc / sqrt 3 / 2048", "q voltage", 12, true};
 }  // namespace words

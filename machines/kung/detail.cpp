@@ -26,6 +26,7 @@ std::array<std::array<std::int32_t, 3>, 2> DetailRecorder::compare_values() cons
 }
 
 void DetailRecorder::path_begins() {
+  on_path_ = true;
   detail_.rules_first = {rules(0), rules(1)};
 }
 
@@ -49,6 +50,7 @@ void DetailRecorder::on(const cosim::Stop& stop, const cosim::Chip& chip, const 
 
 void DetailRecorder::open_if_fastest(cosim::Clk edge) {
   ++tick_;
+  if (!on_path_) return;  // the model may still be reset
   double speed = 0;
   for (int axis = 0; axis < kAxes; ++axis) {
     speed = std::fmax(speed, std::fabs(truth_.state(axis, edge).v_m_s));

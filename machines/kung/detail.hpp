@@ -38,6 +38,7 @@ class DetailRecorder final : public cosim::Observer {
   std::uint32_t tick_ = 0;
   double fastest_m_s_ = 1e-3;                      // below this the table stands still
   bool moment_open_ = false;
+  bool on_path_ = false;
   bool tripped_ = false;
 };
 

@@ -100,7 +100,7 @@ void add_gains(Table& t, std::size_t axis) {
                            [axis](auto& o) -> auto& { return o.gains[axis]; });
   add("kp", 0, 32, "proportional gain of the position PI", &AxisGains::kp);
   add("ki", 0, 1, "integral gain of the position PI, per sample", &AxisGains::ki);
-  add("kv", 0, 64, "proportional gain of the speed loop", &AxisGains::kv);
+  add("kv", 0, 64, "proportional gain of the speed loop: 1 = 3.75 A/(m/s)", &AxisGains::kv);
   add("learning_rate", 0, 10, "alpha of the tuning law", &AxisGains::learning_rate);
   add("shift_e", 0, 11, "one fuzzy unit = 256 / 2^shift counts", &AxisGains::shift_e);
   add("shift_de", 0, 11, "the same for the error change", &AxisGains::shift_de);
@@ -119,8 +119,11 @@ void add_chip(Table& t) {
   const auto add = keys_of(t, "chip.", [](auto& o) -> auto& { return o.chip; });
   add("dead_time_min_ns", 0, 20000, "lowest dead time the chip accepts",
       &ChipOptions::dead_time_min_ns);
-  add("current_limit_A", 0.1, 9.6, "trip level of the measured phase currents",
+  add("current_limit_A", 1e-3, 1000, "trip level of the measured phase currents",
       &ChipOptions::current_limit_A);
+  add("offset_samples", 0, 255,
+      "interrupts before the drives start that average the offsets of the current sensors",
+      &ChipOptions::offset_samples);
   add("irq_period_ticks", 1, 255, "2 kHz samples per interrupt", &ChipOptions::irq_period_ticks);
   add("watchdog_ticks", 0, 65535, "longest time between two COMMITs, in 2 kHz samples; 0 = off",
       &ChipOptions::watchdog_ticks);
@@ -159,6 +162,7 @@ void add_plant(Table& t, std::size_t axis) {
   add("stroke_min_m", -40, 40, "hard stop", &plant::AxisConfig::stroke_min_m);
   add("stroke_max_m", -40, 40, "hard stop", &plant::AxisConfig::stroke_max_m);
   add("hard_stops", 0, 0, "the carriage stops at both ends", &plant::AxisConfig::hard_stops);
+  add("brake", 0, 0, "holds the carriage until the drive is on", &plant::AxisConfig::brake);
   add("dc_link_V", 1, 1000, "of the inverter", &plant::AxisConfig::dc_link_v);
   add("switch_drop_V", 0, 10, "of a closed switch", &plant::AxisConfig::switch_drop_v);
   add("diode_drop_V", 0, 10, "of a conducting diode", &plant::AxisConfig::diode_drop_v);
@@ -170,7 +174,16 @@ void add_plant(Table& t, std::size_t axis) {
   add("current_full_scale_A", 0.1, 1000, "of the sensors",
       &plant::AxisConfig::current_full_scale_a);
   add("current_noise_A", 0, 10, "rms", &plant::AxisConfig::current_noise_a);
-  add("adc_bits", 6, 12, "of the converters", &plant::AxisConfig::adc_bits);
+  add("current_offset_a_A", -1000, 1000, "what the sensor of phase a shows at no current",
+      &plant::AxisConfig::current_offset_a_a);
+  add("current_offset_b_A", -1000, 1000, "what the sensor of phase b shows at no current",
+      &plant::AxisConfig::current_offset_b_a);
+  add("current_gain_a", 0, 10, "what the sensor of phase a shows of the current",
+      &plant::AxisConfig::current_gain_a);
+  add("current_gain_b", 0, 10, "what the sensor of phase b shows of the current",
+      &plant::AxisConfig::current_gain_b);
+  add("adc_bits", 6, 16, "of the converters; the chip takes the highest 12",
+      &plant::AxisConfig::adc_bits);
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ using cosim::PointM;
 struct AxisGains {
   double kp = 0.375;           // position error to speed command, in words (46.9 1/s)
   double ki = 0.0032;          // integral part of it, in words per sample
-  double kv = 1.840;           // speed error to current command, in words (6.9 A/(m/s))
+  double kv = 1.840;           // speed error to current command: 1 = 3.75 A/(m/s)
   double learning_rate = 0.1;  // alpha; ETA = alpha (kp + ki) kv / 32 under AFC, 0 under FC
   int shift_e = 0;             // sE: one fuzzy unit = 256 / 2^sE counts
   int shift_de = 2;            // sD: one fuzzy unit = 256 / 2^sD counts per sample
@@ -59,6 +59,7 @@ struct ChipOptions {
   std::array<AxisChip, 2> axis;
   int dead_time_min_ns = 200;     // lowest dead time the chip accepts
   double current_limit_A = 6.0;   // trip level of the measured phase currents
+  int offset_samples = 0;         // interrupts that average the sensors' offsets first
   int irq_period_ticks = 4;       // 2 kHz samples per interrupt: 4 = 2 ms
   int watchdog_ticks = 100;       // 2 kHz samples between two COMMITs; 0 = off
 };

@@ -11,6 +11,7 @@
 #include "cosim/points.hpp"
 #include "machines/kung/machine.hpp"
 #include "machines/kung/words.hpp"
+#include "models/plant/ad7476.hpp"
 
 namespace trammel::kung {
 namespace {
@@ -56,14 +57,18 @@ struct Encoder {
 
 std::uint32_t word(int value) { return static_cast<std::uint32_t>(value); }
 
-std::string feed_text(double m_s) { return fmt::format("feed at most {:g} m/s", m_s); }
+std::string feed_text(const Encoder& encoder) {
+  return fmt::format("feed at most {:g} m/s at plant.encoder_count_m = {:g}",
+                     encoder.max_feed_m_s(), encoder.count_m);
+}
 
 // Interrupts for a stretch of that length: enough to stay below the maximum feed.
 std::uint32_t ticks_word(const std::string& key, int ticks, double length_m, double point_s,
                          const Encoder& encoder) {
   const double feed = encoder.max_feed_m_s();
   in_range(key, ticks, std::max(1.0, std::ceil(length_m / (feed * point_s) - 1e-9)), kMaxTicks,
-           feed_text(feed));
+           fmt::format("{:g} m, an interrupt each {:g} s, {}", length_m, point_s,
+                       feed_text(encoder)));
   return word(ticks);
 }
 
@@ -73,7 +78,7 @@ sw::Window::Setup plan_window(const PathOptions& p, double point_s, const Encode
   const double half_stroke_m = p.window_side_m / 2 - p.window_radius_m;
   in_range("path.window_step_m", p.window_step_m, half_stroke_m / kMaxTicks,
            std::min(encoder.max_feed_m_s() * point_s, half_stroke_m),
-           feed_text(encoder.max_feed_m_s()));
+           feed_text(encoder));
   // The step is adjusted so that every part takes whole ticks.
   const double ticks = std::max(1.0, std::round(half_stroke_m / p.window_step_m));
   return {encoder.q32(p.window_center_x_m, p.window_center_y_m), encoder.q32(p.window_side_m / 2),
@@ -201,14 +206,22 @@ sw::AxisSetup plan_axis(const Options& options, std::size_t axis) {
   const auto key = [axis](const char* section, const char* name) {
     return fmt::format("{}.{}.{}", section, axis == 0 ? 'x' : 'y', name);
   };
-  const double volt_unit = current_gain_value(1, plant.dc_link_v);
-  const std::string at_voltage = fmt::format("at {} = {:g}", key("plant", "dc_link_V"),
-                                             plant.dc_link_v);
+  const double volt_unit = current_gain_value(1, plant.dc_link_v, plant.current_full_scale_a);
+  const std::string at_voltage =
+      fmt::format("at {} = {:g} and {} = {:g}", key("plant", "dc_link_V"), plant.dc_link_v,
+                  key("plant", "current_full_scale_A"), plant.current_full_scale_a);
+  // gains.kv is the word of the paper's sensors; with others the amperes per speed are the same.
+  const plant::AxisConfig reference;
+  const double speed_unit = plant.encoder_count_m / reference.encoder_count_m *
+                            reference.current_full_scale_a / plant.current_full_scale_a;
 
   sw::AxisSetup s;
   s.kp = gain(key("gains", "kp"), g.kp);
   s.ki = gain(key("gains", "ki"), g.ki);
-  s.kv = gain(key("gains", "kv"), g.kv);
+  s.kv = gain(key("gains", "kv"), g.kv, speed_unit,
+              fmt::format("at {} = {:g} and {} = {:g}", key("plant", "encoder_count_m"),
+                          plant.encoder_count_m, key("plant", "current_full_scale_A"),
+                          plant.current_full_scale_a));
   s.adapt = options.controller == Controller::kAfc;
   s.eta = s.adapt ? gain(key("gains", "learning_rate") + " as ETA",
                          eta_value(g.learning_rate, g.kp, g.ki, g.kv))
@@ -218,14 +231,9 @@ sw::AxisSetup plan_axis(const Options& options, std::size_t axis) {
   s.shift_e = word(g.shift_e);
   s.shift_de = word(g.shift_de);
 
-  // A0 has 18 bits: solve a0(omega_n) for its largest value.
-  const double top = std::ldexp(262143, -32);
-  const double zk = g.zeta * 2 / kSampleS * top;
-  const double top_omega =
-      (zk + std::sqrt(zk * zk + (1 - top) * top * 4 / (kSampleS * kSampleS))) / (1 - top);
-  in_range(key("gains", "omega_n_rad_s"), g.omega_n_rad_s, 0.1, top_omega, "A0 has 18 bits");
   const ModelWords model = model_words(g.omega_n_rad_s, g.zeta);
   s.a0 = word(model.a0);
+  s.a0_scale = model.a0_scale;
   s.b2 = word(model.b2) & 0xFFFFFFu;
 
   const double turn_counts = 2 * plant.pole_pitch_m / plant.encoder_count_m;
@@ -244,12 +252,17 @@ sw::AxisSetup plan_axis(const Options& options, std::size_t axis) {
                       key("chip", "dead_time_ns"), c.dead_time_ns, options.chip.dead_time_min_ns));
   s.dead_time = clocks(c.dead_time_ns, options.plant.clock_ps);
   s.qep_filter = word(c.qep_filter_clk);
+  s.adc_zeros = word(plant::leading_zeros(plant.adc_bits));
   const Encoder encoder{plant.encoder_count_m};
   const double furthest_m = kMaxStrokeCounts * encoder.count_m;
-  const std::string reach = fmt::format("the chip's model reaches {} counts of {:g} m",
-                                        kMaxStrokeCounts, plant.encoder_count_m);
-  in_range(key("chip", "stroke_min_m"), c.stroke_min_m, -furthest_m, c.stroke_max_m, reach);
-  in_range(key("chip", "stroke_max_m"), c.stroke_max_m, c.stroke_min_m, furthest_m, reach);
+  const std::string reach = fmt::format("the chip's model reaches {} counts of {} = {:g}",
+                                        kMaxStrokeCounts, key("plant", "encoder_count_m"),
+                                        plant.encoder_count_m);
+  in_range(key("chip", "stroke_min_m"), c.stroke_min_m, -furthest_m, furthest_m, reach);
+  in_range(key("chip", "stroke_max_m"), c.stroke_max_m, -furthest_m, furthest_m, reach);
+  require(c.stroke_min_m < c.stroke_max_m,
+          fmt::format("{}: value {:g} must be below {} = {:g}", key("chip", "stroke_min_m"),
+                      c.stroke_min_m, key("chip", "stroke_max_m"), c.stroke_max_m));
   s.stroke_min = encoder.counts(c.stroke_min_m);
   s.stroke_max = encoder.counts(c.stroke_max_m);
   s.stroke_check = c.stroke_check;
@@ -276,10 +289,18 @@ sw::KungSetup plan_firmware(const Options& options, std::vector<sw::Point>& poin
   s.watchdog_ticks = word(chip.watchdog_ticks);
   if (s.watchdog_ticks != 0) {
     in_range("chip.watchdog_ticks", s.watchdog_ticks, s.irq_period + 1, 65535,
-             "or 0; COMMITs come once per interrupt");
+             "or 0; COMMITs come once per chip.irq_period_ticks");
   }
-  in_range("chip.current_limit_A", chip.current_limit_A, 0, 2047 * kCurrentLsbA);
-  s.current_limit = static_cast<std::uint32_t>(std::lround(chip.current_limit_A / kCurrentLsbA));
+  const double full_scale_A = options.plant.axis[0].current_full_scale_a;
+  require(full_scale_A == options.plant.axis[1].current_full_scale_a,
+          fmt::format("plant.y.current_full_scale_A: value {:g} must equal "
+                      "plant.x.current_full_scale_A = {:g}: CURRENT_LIMIT is that of both axes",
+                      options.plant.axis[1].current_full_scale_a, full_scale_A));
+  const double lsb_A = current_lsb_A(full_scale_A);
+  in_range("chip.current_limit_A", chip.current_limit_A, lsb_A, 2047 * lsb_A,
+           fmt::format("at plant.x.current_full_scale_A = {:g}", full_scale_A));
+  s.current_limit = static_cast<std::uint32_t>(std::lround(chip.current_limit_A / lsb_A));
+  s.offset_samples = word(chip.offset_samples);
   s.dead_time_min = clocks(chip.dead_time_min_ns, options.plant.clock_ps);
   check_extent(options, s);
   return s;

@@ -25,6 +25,8 @@ const char* check_text(const sw::Mailbox& mailbox) {
     case sw::Failure::kWrongChip: return "the chip's ID is not that of the register map";
     case sw::Failure::kOutOfStroke: return "the path leaves the stroke";
     case sw::Failure::kBusy: return "a busy bit did not clear";
+    case sw::Failure::kSensor:
+      return "a current sensor shows more than 1/8 of its range with the drives off";
     case sw::Failure::kPreset: return "the position did not become the start point";
     case sw::Failure::kLate: return "an interrupt was lost, or its service crossed a 2 kHz tick";
     case sw::Failure::kNone:

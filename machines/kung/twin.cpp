@@ -83,8 +83,7 @@ class TwinChip final : public KungChip {
    public:
     explicit Converters(const cosim::Plant& plant) : plant_(plant) {}
     std::array<std::int32_t, 2> hold(int axis, exact::Clk edge) const override {
-      return {plant_.sample(adc_channel(axis, 0), edge) & 0xFFF,
-              plant_.sample(adc_channel(axis, 1), edge) & 0xFFF};
+      return {plant_.sample(adc_channel(axis, 0), edge), plant_.sample(adc_channel(axis, 1), edge)};
     }
 
    private:

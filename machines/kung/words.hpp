@@ -3,6 +3,7 @@
 // Physical values to register words of the chip (specification sections 3 to 7).
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 
@@ -12,8 +13,10 @@
 namespace trammel::kung {
 
 inline constexpr double kSampleS = 0.5e-3;            // position sample [s]
-inline constexpr double kCurrentRefLsbA = 4.8 / 2048;  // i_q* [A]
-inline constexpr double kCurrentLsbA = 9.6 / 2048;    // measured currents [A]
+
+// Steps of the measured currents and of i_q* [A], for sensors of that full scale.
+constexpr double current_lsb_A(double full_scale_A) { return full_scale_A / 2048; }
+constexpr double current_ref_lsb_A(double full_scale_A) { return full_scale_A / 4096; }
 
 using cosim::edge_at;
 
@@ -43,14 +46,15 @@ inline double eta_value(double alpha, double kp, double ki, double kv) {
 }
 
 // Current controller gain [V/A] as a ratio of voltage to current command words.
-inline double current_gain_value(double gain_V_A, double dc_link_V) {
-  return gain_V_A * kCurrentRefLsbA / voltage_lsb_V(dc_link_V);
+inline double current_gain_value(double gain_V_A, double dc_link_V, double full_scale_A) {
+  return gain_V_A * current_ref_lsb_A(full_scale_A) / voltage_lsb_V(dc_link_V);
 }
 
 // Reference model (Kung eq. 21) by the bilinear transform (Kung eq. 23; section 4):
-// A0 = a0 * 2^32, B2 = b2 * 2^23.
+// A0 = a0 / scale, with the finest scale in which it has 18 bits; B2 = b2 * 2^23.
 struct ModelWords {
   std::int32_t a0 = 0;
+  std::uint32_t a0_scale = 0;
   std::int32_t b2 = 0;
 };
 
@@ -59,7 +63,11 @@ inline ModelWords model_words(double omega_n_rad_s, double zeta) {
   const double w2 = omega_n_rad_s * omega_n_rad_s;
   const double denominator = k * k + 2 * zeta * omega_n_rad_s * k + w2;
   const double b2 = (k * k - 2 * zeta * omega_n_rad_s * k + w2) / denominator;
-  return {static_cast<std::int32_t>(std::lround(std::ldexp(w2 / denominator, 32))),
+  constexpr std::array<int, 3> kScaleBits{32, 28, 23};
+  std::uint32_t scale = 0;
+  while (scale < 2 && std::ldexp(w2 / denominator, kScaleBits[scale]) >= 262143.5) ++scale;
+  return {static_cast<std::int32_t>(std::lround(std::ldexp(w2 / denominator, kScaleBits[scale]))),
+          scale,
           static_cast<std::int32_t>(std::lround(std::ldexp(b2, 23)))};
 }
 

@@ -2,7 +2,7 @@
 //
 // Adaptive fuzzy controller in double precision (Kung et al. 2012; specification section 5):
 // triangular memberships, product inference, PI, speed gain and the tuning law. Quantities have
-// the scale of the words (counts, 1/16 count per sample, 4.8 A / 2048) but are not quantised; the
+// the scale of the words (counts, 1/16 count per sample, I_fs / 4096) but are not quantised; the
 // limits are those of the words.
 #pragma once
 
@@ -28,7 +28,7 @@ class FuzzyController {
     double e = 0, de = 0, v = 0;
     double u = 0;        // 1/256 unit
     double v_star = 0;   // 1/16 count per sample
-    double i_q_ref = 0;  // 4.8 A / 2048
+    double i_q_ref = 0;  // I_fs / 4096
   };
 
   FuzzyController() {

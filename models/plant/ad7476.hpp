@@ -1,20 +1,27 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Serial side of an AD7476-style converter: it samples at the fall of cs_n and shows the first of
-// four leading zeros; each fall of sclk brings the next bit, and 12 bits follow MSB first.
+// Serial side of an AD7476-style converter: it samples at the fall of cs_n and shows the first bit
+// of a frame of 16 then; each fall of sclk brings the next. Up to 12 bits stand behind four zeros,
+// MSB first, with zeros behind them; 13 to 16 bits behind 3 to 0 (AD7476, AD7940 families).
 #pragma once
 
 #include <cstdint>
 
 namespace trammel::plant {
 
+// The frame of a code of that many bits, 6 to 16.
+constexpr int serial_frame(int code, int bits) { return bits < 12 ? code << (12 - bits) : code; }
+
+// Leading zeros in it.
+constexpr int leading_zeros(int bits) { return bits <= 12 ? 4 : 16 - bits; }
+
 class Ad7476 {
  public:
-  // Called with the pins after each clock; `code` is called only at the sampling edge.
-  template <class Code>
-  bool step(bool cs_n, bool sclk, Code&& code) {
+  // Called with the pins after each clock; `frame` is called only at the sampling edge.
+  template <class Frame>
+  bool step(bool cs_n, bool sclk, Frame&& frame) {
     if (cs_n_ && !cs_n) {
-      word_ = static_cast<std::uint32_t>(code()) % 4096;
+      word_ = static_cast<std::uint32_t>(frame()) % 65536;
     } else if (!cs_n && sclk_ && !sclk) {
       word_ = word_ * 2 % 65536;
     }

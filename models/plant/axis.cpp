@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "models/plant/ad7476.hpp"
+
 namespace trammel::plant {
 namespace {
 
@@ -68,9 +70,13 @@ Axis::Axis(const AxisConfig& config, double period_s)
       motor_(motor_config(config)),
       segment_(segment_length(motor_.config())),
       inverter_({config.dc_link_v, config.switch_drop_v, config.diode_drop_v}),
-      sensor_({config.current_full_scale_a, config.current_noise_a, config.adc_bits}),
+      sensors_{CurrentSensor({config.current_full_scale_a, config.current_noise_a,
+                              config.current_offset_a_a, config.current_gain_a, config.adc_bits}),
+               CurrentSensor({config.current_full_scale_a, config.current_noise_a,
+                              config.current_offset_b_a, config.current_gain_b, config.adc_bits})},
       encoder_({config.encoder_count_m, config.encoder_hysteresis_counts, config.index_m},
-               config.start_m) {
+               config.start_m),
+      braked_(config.brake) {
   if (!(period_s > 0 && period_s <= kSegment)) throw std::invalid_argument("clock period");
   if (!(motor_.config().mass > 0 && config.resistance_ohm > 0 && config.inductance_d_h > 0 &&
         config.inductance_q_h > 0 && config.pole_pitch_m > 0 && config.friction_speed_m_s > 0)) {
@@ -78,7 +84,7 @@ Axis::Axis(const AxisConfig& config, double period_s)
   }
   if (!(config.encoder_count_m > 0 && config.encoder_hysteresis_counts >= 0 &&
         config.encoder_hysteresis_counts < 1 && config.current_full_scale_a > 0 &&
-        config.adc_bits >= 2 && config.adc_bits <= 24)) {
+        config.adc_bits >= 6 && config.adc_bits <= 16)) {
     throw std::invalid_argument("axis: encoder or converter out of range");
   }
   if (segment_ < 1e-7) throw std::invalid_argument("axis: friction speed too small for the mass");
@@ -125,7 +131,10 @@ void Axis::build(Segment& s, double start, const Point& at, unsigned zero) const
   s.dies = 0;
   s.stop = 0;
   Point p = at;
-  if (config_.hard_stops) {
+  if (braked_) {
+    p.motor.v = 0;
+    s.held = true;
+  } else if (config_.hard_stops) {
     const bool low = p.motor.x <= config_.stroke_min_m && p.motor.v <= 0;
     const bool high = p.motor.x >= config_.stroke_max_m && p.motor.v >= 0;
     if (low || high) {
@@ -214,6 +223,7 @@ void Axis::commit(Clk n, unsigned gates) {
   if (own) encoder_.follow(p.motor.x);
   anchor_ = n;
   gates_ = gates;
+  braked_ = braked_ && gates == 0;
   shoot_through_ = shoot_through_ || plant::shoot_through(gates);
   begin(p, zero);
   next_ = predict();
@@ -233,9 +243,11 @@ double Axis::position(Clk n) const {
   return s.span.position(t - s.start);
 }
 
-int Axis::code(int phase, std::uint64_t seed, int channel, Clk n) const {
+int Axis::frame(int phase, std::uint64_t seed, int channel, Clk n) const {
   const AxisState s = state(n);
-  return sensor_.code(phase == 0 ? s.i_a_a : s.i_b_a, seed, channel, n);
+  const int code = sensors_[static_cast<std::size_t>(phase)].code(phase == 0 ? s.i_a_a : s.i_b_a,
+                                                                  seed, channel, n);
+  return serial_frame(code, config_.adc_bits);
 }
 
 // No edge and no stop can be reached within `time`, whatever the inverter does.

@@ -7,6 +7,7 @@
 // what commit() will find.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -34,6 +35,7 @@ struct AxisConfig {  // defaults: X axis of the table
   double stroke_min_m = 0;
   double stroke_max_m = 0.6;
   bool hard_stops = true;
+  bool brake = true;  // holds the carriage until a gate is first on
   double dc_link_v = 311;
   double switch_drop_v = 0;
   double diode_drop_v = 0;
@@ -42,6 +44,8 @@ struct AxisConfig {  // defaults: X axis of the table
   double index_m = 0.25;
   double current_full_scale_a = 9.6;
   double current_noise_a = 0;  // rms
+  double current_offset_a_a = 0, current_offset_b_a = 0;  // of the sensors of phases a and b [A]
+  double current_gain_a = 1, current_gain_b = 1;          // what they show of the current
   double start_m = 0;
   int adc_bits = 12;
 };
@@ -62,10 +66,11 @@ class Axis {
 
   AxisState state(Clk n) const;
   double position(Clk n) const;
-  int code(int phase, std::uint64_t seed, int channel, Clk n) const;
+  // The 16 bits of a converter's frame.
+  int frame(int phase, std::uint64_t seed, int channel, Clk n) const;
   const Encoder& encoder() const { return encoder_; }
   const Pmlsm& motor() const { return motor_; }
-  bool at_stop() const { return chain_[0].held; }                           // at the last commit
+  bool at_stop() const { return chain_[0].held && !braked_; }               // at the last commit
   bool shoot_through() const { return shoot_through_; }                     // ever since the start
   double leg_volt(std::size_t leg) const { return chain_[0].legs.volt[leg]; }  // at the last commit
   bool leg_floats(std::size_t leg) const { return ((chain_[0].legs.floating >> leg) & 1u) != 0; }
@@ -75,7 +80,7 @@ class Axis {
     double start = 0, length = 0;  // [s] since the commit, [s]
     Span span;
     Legs legs;
-    bool held = false;  // carriage against a stop
+    bool held = false;  // carriage against a stop, or by the brake
     unsigned dies = 0;  // legs whose current is zero at the end
     bool meets_stop = false;
     double stop = 0;  // [m]
@@ -111,10 +116,11 @@ class Axis {
   Pmlsm motor_;
   double segment_;  // [s] longest span of one series
   Inverter inverter_;
-  CurrentSensor sensor_;
+  std::array<CurrentSensor, 2> sensors_;  // of phases a and b
   Encoder encoder_;
   unsigned gates_ = 0;
   bool shoot_through_ = false;
+  bool braked_;
   Clk anchor_ = 0;
   // Segments since the last commit, as far as they were needed; slots are reused.
   mutable std::vector<Segment> chain_;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Phase current sensor with its converter: offset binary, code = 2^(bits-1) + round(i / LSB),
-// clipped. Noise is a pure function of (seed, channel, clock): another call gives the same value.
+// clipped; i is the current times a gain, plus an offset and noise. Noise is a pure function of
+// (seed, channel, clock): another call gives the same value.
 #pragma once
 
 #include <algorithm>
@@ -13,6 +14,8 @@ namespace trammel::plant {
 struct CurrentSensorConfig {
   double full_scale = 9.6;  // [A]
   double noise = 0;         // [A] rms
+  double offset = 0;        // [A] shown at no current
+  double gain = 1;          // what is shown of the current
   int bits = 12;
 };
 
@@ -40,9 +43,14 @@ inline double unit_noise(std::uint64_t seed, int channel, std::int64_t n) {
 class CurrentSensor {
  public:
   explicit CurrentSensor(const CurrentSensorConfig& c)
-      : half_(1 << (c.bits - 1)), per_amp_(half_ / c.full_scale), noise_(c.noise) {}
+      : half_(1 << (c.bits - 1)),
+        per_amp_(half_ / c.full_scale),
+        noise_(c.noise),
+        offset_(c.offset),
+        gain_(c.gain) {}
 
   int code(double current, std::uint64_t seed, int channel, std::int64_t n) const {
+    current = gain_ * current + offset_;
     if (noise_ != 0) current += noise_ * unit_noise(seed, channel, n);
     const double steps = std::floor(current * per_amp_ + 0.5);
     const double top = half_ - 1;
@@ -53,6 +61,8 @@ class CurrentSensor {
   int half_;
   double per_amp_;
   double noise_;
+  double offset_;
+  double gain_;
 };
 
 }  // namespace trammel::plant

@@ -54,7 +54,7 @@ class XyTable {
   }
 
   int sample(int channel, Clk n) const {
-    return axis(channel / 2).code(channel % 2, seed_, channel, n);
+    return axis(channel / 2).frame(channel % 2, seed_, channel, n);
   }
 
   AxisState state(int k, Clk n) const { return axis(k).state(n); }

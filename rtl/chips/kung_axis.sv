@@ -146,6 +146,7 @@ module kung_axis
       .shift_e_i    (regs_i.shift.e.value),
       .shift_de_i   (regs_i.shift.de.value),
       .a0_i         (regs_i.a0.value.value),
+      .a0_scale_i   (regs_i.a0.scale.value),
       .b2_i         (count_t'(regs_i.b2.value.value)),
       .r_i          (r),
       .x_p_i        (x_p_q),
@@ -201,6 +202,7 @@ module kung_axis
       .clk_i      (clk_i),
       .rst_i      (rst_i),
       .start_i    (tick_cur_i),
+      .zeros_i    (regs_i.adc_frame.zeros.value),
       .sdata_a_i  (adc_sdata_a_i),
       .sdata_b_i  (adc_sdata_b_i),
       .cs_n_o     (adc_cs_n_o),
@@ -223,6 +225,8 @@ module kung_axis
       .ki_i       ({regs_i.ki_cur.exp.value, regs_i.ki_cur.mant.value}),
       .code_a_i   (code_a),
       .code_b_i   (code_b),
+      .offset_a_i (word_t'(regs_i.current_offset.a.value)),
+      .offset_b_i (word_t'(regs_i.current_offset.b.value)),
       .count_i    (count_cur_q),
       .i_q_ref_i  (i_q_ref_q),
       .i_d_ref_i  ('0),
@@ -325,7 +329,12 @@ module kung_axis
   assign regs_o.vd_vq.v_q.next          = 16'(v_q);
   assign regs_o.index_latch.value.next  = 32'(index_latch);
   assign regs_o.deadtime.clk.swwel      = locked_i;
+  assign regs_o.phase_currents.i_a.next = 16'(i_a);
+  assign regs_o.phase_currents.i_b.next = 16'(i_b);
   assign regs_o.angle_step.value.swwel  = locked_i;
+  assign regs_o.current_offset.a.swwel  = locked_i;
+  assign regs_o.current_offset.b.swwel  = locked_i;
+  assign regs_o.adc_frame.zeros.swwel   = locked_i;
   assign regs_o.stroke_min.value.swwel  = locked_i;
   assign regs_o.stroke_max.value.swwel  = locked_i;
   assign regs_o.stroke_en.enable.swwel  = locked_i;

@@ -126,13 +126,12 @@ module kung_xy_props
   // What a read that is served now must return, where that is known here.
   logic knows;
   logic [31:0] shown;
-  wire [63:0] angle_steps = {hwif_out.y.angle_step, hwif_out.x.angle_step};
   always_comb begin
     knows = 1'b1;
     shown = '0;
     case ({araddr_q[9:2], 2'b00})
-      10'h0b0, 10'h1b0: shown = araddr_q[8] ? angle_steps[63:32] : angle_steps[31:0];
-      10'h200: shown = 32'h4b58_0002;
+      10'h0b0, 10'h1b0: shown = araddr_q[8] ? hwif_out.y.angle_step : hwif_out.x.angle_step;
+      10'h200: shown = 32'h4b58_0003;
       10'h208: shown = {30'd0, hwif_out.irq_en.fault.value, hwif_out.irq_en.tick.value};
       10'h20c: shown = {30'd0, hwif_out.irq_stat.fault.value, hwif_out.irq_stat.tick.value};
       10'h210: shown = tick_count;
@@ -144,7 +143,7 @@ module kung_xy_props
       10'h22c: shown = {24'd0, hwif_out.irq_period.ticks.value};
       default:  // no register, or nothing to read
       knows = araddr_q[9] || araddr_q[7:2] inside {[6'hd : 6'hf], 6'h17, 6'h1e, [6'h24 : 6'h2b],
-                                                   [6'h2d : 6'h3f]};
+                                                   [6'h30 : 6'h3f]};
     endcase
   end
 
@@ -194,7 +193,11 @@ module kung_xy_props
   logic [11:0] gates, was_gates_q;
   logic [10:0] held, was_held_q;  // registers that are visible nowhere else
   kung_xy__out_t lasting, was_lasting_q;  // registers of the map, without STATUS
-  logic [219:0] guarded, was_guarded_q;
+  wire [117:0] guarded_x = {hwif_out.x.angle_step, hwif_out.x.deadtime.clk, hwif_out.x.stroke_min,
+      hwif_out.x.stroke_max, hwif_out.x.stroke_en, hwif_out.x.current_offset, hwif_out.x.adc_frame};
+  wire [117:0] guarded_y = {hwif_out.y.angle_step, hwif_out.y.deadtime.clk, hwif_out.y.stroke_min,
+      hwif_out.y.stroke_max, hwif_out.y.stroke_en, hwif_out.y.current_offset, hwif_out.y.adc_frame};
+  logic [273:0] guarded, was_guarded_q;
   logic [21:0] limits, was_limits_q;
 
   assign enabled    = {hwif_out.y.ctrl.enable.value, hwif_out.x.ctrl.enable.value};
@@ -211,11 +214,7 @@ module kung_xy_props
       {{2{word_q[1], word_q[2], word_q[3], word_q[4]}}, word_q[0], word_q[1]};
   assign gates      = {gate_hi_o, gate_lo_o};
   assign held       = {locked_q, trip_q, done_q, open_q, in_flight, pending, aw_q};
-  assign guarded    = {angle_steps, hwif_out.x.deadtime.clk.value, hwif_out.y.deadtime.clk.value,
-                       hwif_out.x.stroke_min.value.value, hwif_out.y.stroke_min.value.value,
-                       hwif_out.x.stroke_max.value.value, hwif_out.y.stroke_max.value.value,
-                       hwif_out.x.stroke_en.enable.value, hwif_out.y.stroke_en.enable.value,
-                       hwif_out.watchdog.limit.value, limits};
+  assign guarded    = {guarded_x, guarded_y, hwif_out.watchdog.limit.value, limits};
   assign limits     = {hwif_out.current_limit.value.value, hwif_out.deadtime_min.clk.value};
 
   always_comb begin

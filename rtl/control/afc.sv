@@ -30,6 +30,7 @@ module afc
     input logic   [ 3:0] shift_e_i,
     input logic   [ 3:0] shift_de_i,
     input logic   [17:0] a0_i,
+    input logic   [ 1:0] a0_scale_i,  // of a0_i: 2^-32, 2^-28, 2^-23 (2 and 3)
     input count_t        b2_i,
 
     input count_t r_i,
@@ -166,7 +167,10 @@ module afc
     mul_used = 1'b1;
     unique case (step_q)
       6'd0: mul_b = resetting_q ? '0 : dx_q;  // times B2
-      6'd3: begin mul_b = s_q; place = Place24; end  // times A0
+      6'd3: begin  // times A0
+        mul_b = s_q;
+        place = a0_scale_i == 2'd0 ? Place24 : a0_scale_i == 2'd1 ? 6'd23 : 6'd15;
+      end
       6'd14: begin factor = mu_b0_q; mul_b = unsigned12(mu_a0_q); place = 6'd11; end
       6'd15: begin factor = mu_b0_q; mul_b = unsigned12(mu_a1_q); place = 6'd11; end
       6'd16: begin factor = mu_b1_q; mul_b = unsigned12(mu_a0_q); place = 6'd11; end
@@ -188,7 +192,7 @@ module afc
     scaled_factor = 19'(factor) << ~place[2:0];
     mul_a = {5'd0, scaled_factor};
     if (step_q == 6'd0) mul_a = b2_i;
-    if (step_q == 6'd3) mul_a = {6'd0, a0_i};
+    if (step_q == 6'd3) mul_a = a0_scale_i == 2'd1 ? {3'd0, a0_i, 3'd0} : {6'd0, a0_i};
   end
 
   // ---- the product at the adder: shifted, its highest dropped bit as carry ----

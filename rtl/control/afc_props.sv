@@ -281,7 +281,7 @@ module afc_props
     used = 1'b1;
     unique case (step_q) inside
       6'd1, 6'd2, 6'd3: fits = bounded(product_q, 48'sd1 <<< 46);
-      6'd4: fits = bounded(product_q, 48'sd262143 * (48'sd1 <<< 23));
+      6'd4: fits = bounded(product_q, 48'sd262143 * (48'sd1 <<< (place_q == 3'o2 ? 26 : 23)));
       [6'd15 : 6'd18]:
       fits = bounded(product_q, (48'sd2048 * 48'sd2048) <<< zeros_q) && !product_q[47];
       [6'd19 : 6'd22]: fits = bounded(product_q, (48'sd2048 * 48'sd2048) <<< zeros_q);
@@ -325,7 +325,7 @@ module afc_props
     if (live_q && running_q) begin
       inv_place :
       assert ((!(step_q inside {[6'd1 : 6'd3], 6'd30}) || last_place == 6'o27) &&
-          (!(step_q inside {[6'd4 : 6'd14]}) || last_place == 6'o47) &&
+          (!(step_q inside {[6'd4 : 6'd14]}) || last_place inside {6'o47, 6'o27, 6'o17}) &&
           (!(step_q inside {[6'd15 : 6'd18]}) || last_place == 6'o13) &&
           (!(step_q inside {[6'd19 : 6'd23]}) || last_place == 6'o00) &&
           (!(step_q inside {6'd24, 6'd29}) || last_place >= 6'o74 || last_place <= 6'o33) &&

@@ -18,6 +18,7 @@
 
 module current_loop
   import trammel_pkg::*;
+  import math_pkg::*;
 (
   input  logic        clk_i,
   input  logic        rst_i,
@@ -32,6 +33,8 @@ module current_loop
 
   input  logic [11:0] code_a_i,
   input  logic [11:0] code_b_i,
+  input  word_t       offset_a_i,
+  input  word_t       offset_b_i,
   input  count_t      count_i,
   input  word_t       i_q_ref_i,
   input  word_t       i_d_ref_i,
@@ -94,6 +97,11 @@ module current_loop
     endcase
   end
 
+  // Offset binary less the offset of the sensor.
+  function automatic word_t current(logic [11:0] code, word_t offset);
+    return sat12(acc_t'($signed({~code[11], code[10:0]})) - acc_t'(offset));
+  endfunction
+
   assign angle = 10'((theta_q + theta_ofs_i) >> 22);
 
   always_comb begin
@@ -108,8 +116,8 @@ module current_loop
         if (tick_i) begin
           theta_d = '0;
           digit_d = FirstDigit;
-          i_a_d = {~code_a_i[11], code_a_i[10:0]};  // offset binary
-          i_b_d = {~code_b_i[11], code_b_i[10:0]};
+          i_a_d = current(code_a_i, offset_a_i);
+          i_b_d = current(code_b_i, offset_b_i);
           state_d = StAngle;
         end
       end

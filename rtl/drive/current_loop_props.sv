@@ -14,6 +14,8 @@ module current_loop_props
     input logic        clear_i,
     input logic [11:0] code_a_i,
     input logic [11:0] code_b_i,
+    input word_t       offset_a_i,
+    input word_t       offset_b_i,
 
     input logic  busy_o,
     input logic  valid_o,
@@ -57,13 +59,20 @@ module current_loop_props
   logic start;
   logic [67:0] due_q;  // samples in flight, the oldest in the highest bit
   logic took_q;
-  logic [23:0] codes_q;
+  word_t expected_a_q, expected_b_q;
   logic [32:0] cmp, was_cmp_q, new_q;
   logic [94:0] state, was_state_q;
 
   // Number of the state in a sequence of four, 0 = idle.
   function automatic logic [2:0] four(logic [3:0] due);
     return due[0] ? 3'd1 : due[1] ? 3'd2 : due[2] ? 3'd3 : due[3] ? 3'd4 : 3'd0;
+  endfunction
+
+  // Offset binary less an offset, within the range of a word.
+  function automatic word_t less(logic [11:0] code, word_t offset);
+    logic signed [13:0] current;
+    current = $signed({2'b00, code}) - 14'sd2048 - 14'(offset);
+    return current > 14'sd2047 ? 12'sd2047 : current < -14'sd2048 ? -12'sd2048 : current[11:0];
   endfunction
 
   assign start = tick_i && due_q[66:0] == '0;
@@ -80,14 +89,16 @@ module current_loop_props
     new_q           <= {cmp_c, cmp_b, cmp_a};
     due_q           <= rst_i ? '0 : {due_q[66:0], start};
     took_q          <= start && !rst_i;
-    codes_q         <= {code_a_i, code_b_i};
+    expected_a_q    <= less(code_a_i, offset_a_i);
+    expected_b_q    <= less(code_b_i, offset_b_i);
     if (live_q) begin
       valid_after_68_clocks : assert (valid_o == due_q[67]);
       busy_until_valid : assert (busy_o == (due_q[66:0] != '0));
       centred_while_cleared : assert (!was_clear_q || cmp == {Centre, Centre, Centre});
       new_values_with_valid : assert (!valid_o || was_clear_q || cmp == new_q);
       values_hold : assert (was_rst_q || was_clear_q || valid_o || cmp == was_cmp_q);
-      offset_binary : assert (!took_q || {i_a_o, i_b_o} == (codes_q ^ 24'h800800));
+      code_less_offset :
+      assert (!took_q || (i_a_o == expected_a_q && i_b_o == expected_b_q));
       quiescent_is_honest : assert (!was_quiescent_q || (state == was_state_q && !valid_o));
       inv_one : assert ((due_q[66:0] & (due_q[66:0] - 67'd1)) == '0);
       inv_angle : assert (due_q[18:0] == '0 || due_q[7'd18-7'(digit_q)]);
@@ -118,7 +129,7 @@ module current_loop_props
   // breaks centred_while_cleared: cmp_c_d = clear_i ? cmp_c_q : cmp_c_d
   // breaks new_values_with_valid: cmp_b_d = svpwm_valid && !clear_i ? cmp_a : cmp_b_d
   // breaks values_hold: cmp_a_d = svpwm_valid || clear_i ? cmp_a_d : cmp_a
-  // breaks offset_binary: i_b_d = state_q == StIdle && tick_i ? code_b_i : i_b_d
+  // breaks code_less_offset: i_b_d = state_q == StIdle && tick_i ? {~code_b_i[11], code_b_i[10:0]} : i_b_d
   // breaks quiescent_is_honest: quiescent_o = !busy_o && !valid_q && !(clear_i && (cmp_a_q != Centre || cmp_b_q != Centre || cmp_c_q != Centre)) && clarke_quiescent && sine_quiescent && park_quiescent && pi_d_quiescent && pi_q_quiescent && limit_quiescent && inverse_quiescent && svpwm_quiescent
 
 endmodule

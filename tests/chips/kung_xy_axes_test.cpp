@@ -60,6 +60,7 @@ struct Axis {
     if (random() % 4 == 0) p.eta = gain(10);
     if (random() % 4 == 0) {
       p.a0 = std::int32_t(random() % (1u << 18));
+      p.a0_scale = int(random() % 4);
       p.b2 = draw(random, 24);
     }
     p.adapt = random() % 4 != 0;
@@ -78,7 +79,7 @@ struct Axis {
     put(reg::kEta, gain_word(p.eta));
     put(reg::kShift, std::uint32_t(p.shift_e) << reg::kShiftEShift |
                          std::uint32_t(p.shift_de) << reg::kShiftDeShift);
-    put(reg::kA0, std::uint32_t(p.a0));
+    put(reg::kA0, std::uint32_t(p.a0) | std::uint32_t(p.a0_scale) << reg::kA0ScaleShift);
     put(reg::kB2, test::as_bits(p.b2, 24));
     put(reg::kKpCur, gain_word(config.kp_cur));
     put(reg::kKiCur, gain_word(config.ki_cur));

@@ -74,7 +74,7 @@ TEST_CASE("the chip takes bytes, in any order of the channels, and answers each 
   };
   trammel::test::AxiLiteTraffic<KungBench, decltype(clock)> traffic(chip, clock, 61);
   const auto registers = trammel::test::kept_registers(reg::kRegisters);
-  REQUIRE(registers.size() == 44);
+  REQUIRE(registers.size() == 48);
   CHECK(wrong_register(traffic, registers, 400, 62) == "");
 }
 
@@ -89,9 +89,10 @@ TEST_CASE("a reset leaves in every register the value of the specification") {
       {"DEADTIME", 3u << 16 | 100},  // 2 us, 3 equal samples of an encoder line
       {"STROKE_MAX", 120000},        // 600 mm
       {"ANGLE_STEP", 352047},        // 2^32 / 12 200
+      {"ADC_FRAME", 4},              // zeros before 12 bits
   };
   const std::map<std::string, std::uint32_t> system{
-      {"ID", 0x4B580002},
+      {"ID", 0x4B580003},
       {"CURRENT_LIMIT", 1280},  // 6 A
       {"DEADTIME_MIN", 25},     // 0.5 us
       {"IRQ_PERIOD", 4},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The register map of kung_xy, version 2, in numbers.
+// The register map of kung_xy, version 3, in numbers.
 
 #include <catch2/catch.hpp>
 #include <vector>
@@ -13,7 +13,7 @@ namespace reg = trammel::kung_xy_regs;
 namespace {
 
 // Addresses of X and Y are offsets.
-const std::vector<trammel::test::Place> kVersion2{
+const std::vector<trammel::test::Place> kVersion3{
     {"CTRL.enable", 0x000, 0, 0}, {"CTRL.current_loop", 0x000, 1, 1},
     {"CTRL.position_loop", 0x000, 2, 2}, {"CTRL.adapt", 0x000, 3, 3},
     {"CTRL.reset_model", 0x000, 4, 4}, {"CTRL.reset_table", 0x000, 5, 5},
@@ -28,13 +28,16 @@ const std::vector<trammel::test::Place> kVersion2{
     {"KP.mant", 0x040, 10, 0}, {"KP.exp", 0x040, 20, 16}, {"KI.mant", 0x044, 10, 0},
     {"KI.exp", 0x044, 20, 16}, {"KV.mant", 0x048, 10, 0}, {"KV.exp", 0x048, 20, 16},
     {"ETA.mant", 0x04C, 10, 0}, {"ETA.exp", 0x04C, 20, 16}, {"SHIFT.e", 0x050, 3, 0},
-    {"SHIFT.de", 0x050, 11, 8}, {"A0", 0x054, 17, 0}, {"B2", 0x058, 23, 0},
+    {"SHIFT.de", 0x050, 11, 8}, {"A0.value", 0x054, 17, 0},
+    {"A0.scale", 0x054, 21, 20}, {"B2", 0x058, 23, 0},
     {"KP_CUR.mant", 0x060, 10, 0}, {"KP_CUR.exp", 0x060, 20, 16}, {"KI_CUR.mant", 0x064, 10, 0},
     {"KI_CUR.exp", 0x064, 20, 16}, {"THETA_OFS", 0x068, 31, 0}, {"DEADTIME.clk", 0x06C, 9, 0},
     {"DEADTIME.qep_filter", 0x06C, 19, 16}, {"TAB_ADDR", 0x070, 5, 0}, {"TAB_DATA", 0x074, 31, 0},
     {"POS_PRESET", 0x078, 23, 0}, {"INDEX_LATCH", 0x07C, 31, 0}, {"STROKE_MIN", 0x080, 23, 0},
     {"STROKE_MAX", 0x084, 23, 0}, {"STROKE_EN", 0x088, 0, 0}, {"IQ_MANUAL", 0x08C, 11, 0},
-    {"ANGLE_STEP", 0x0B0, 31, 0},
+    {"ANGLE_STEP", 0x0B0, 31, 0}, {"CURRENT_OFFSET.a", 0x0B4, 11, 0},
+    {"CURRENT_OFFSET.b", 0x0B4, 27, 16}, {"PHASE_CURRENTS.i_a", 0x0B8, 15, 0},
+    {"PHASE_CURRENTS.i_b", 0x0B8, 31, 16}, {"ADC_FRAME", 0x0BC, 2, 0},
     {"ID.version", 0x200, 15, 0}, {"ID.chip", 0x200, 31, 16}, {"COMMIT", 0x204, 0, 0},
     {"IRQ_EN.tick", 0x208, 0, 0}, {"IRQ_EN.fault", 0x208, 1, 1}, {"IRQ_STAT.tick", 0x20C, 0, 0},
     {"IRQ_STAT.fault", 0x20C, 1, 1}, {"TICK", 0x210, 31, 0}, {"FAULT.code", 0x214, 3, 0},
@@ -44,11 +47,11 @@ const std::vector<trammel::test::Place> kVersion2{
 
 }  // namespace
 
-TEST_CASE("kung_xy has each field of its registers where version 2 of the map has it") {
-  CHECK(trammel::test::moved_field(reg::kFields, kVersion2) == "");
+TEST_CASE("kung_xy has each field of its registers where version 3 of the map has it") {
+  CHECK(trammel::test::moved_field(reg::kFields, kVersion3) == "");
   CHECK(reg::kX == 0x000);
   CHECK(reg::kY == 0x100);
-  CHECK(reg::kIdValue == 0x4B580002);  // "KX", version 2
+  CHECK(reg::kIdValue == 0x4B580003);  // "KX", version 3
   CHECK(reg::kKeyLock == 0x4C4F434B);  // "LOCK"
   CHECK(reg::kKeyUnlock == 0x554E4C4B);  // "UNLK"
   CHECK(reg::kKeyFaultClear == 0x434C5246);  // "CLRF"

@@ -79,7 +79,7 @@ TEST_CASE("the dead time in effect is never below DEADTIME_MIN") {
   }
 }
 
-TEST_CASE("while locked, limits, strokes, dead time, watchdog and angle step cannot be written") {
+TEST_CASE("while locked, limits, strokes, dead time, watchdog, angle and sensors cannot be set") {
   KungBench chip;
   chip.write(reg::kX + reg::kCtrl, reg::kCtrlEnable);
   chip.write(reg::kLock, 1);  // not the key
@@ -90,7 +90,9 @@ TEST_CASE("while locked, limits, strokes, dead time, watchdog and angle step can
   const std::vector<std::uint32_t> guarded{
       reg::kCurrentLimit,           reg::kDeadtimeMin,           reg::kX + reg::kStrokeMin,
       reg::kY + reg::kStrokeMax,    reg::kX + reg::kStrokeEn,    reg::kY + reg::kStrokeMin,
-      reg::kWatchdog,               reg::kX + reg::kAngleStep,   reg::kY + reg::kAngleStep};
+      reg::kWatchdog,               reg::kX + reg::kAngleStep,   reg::kY + reg::kAngleStep,
+      reg::kX + reg::kCurrentOffset, reg::kY + reg::kCurrentOffset,
+      reg::kX + reg::kAdcFrame,     reg::kY + reg::kAdcFrame};
   for (const std::uint32_t addr : guarded) {
     INFO(trammel::test::register_name(reg::kRegisters, addr));
     const std::uint32_t before = chip.read(addr);

@@ -55,6 +55,7 @@ struct AfcBench {
     set(rtl->shift_e_i, config.shift_e, 4);
     set(rtl->shift_de_i, config.shift_de, 4);
     set(rtl->a0_i, config.a0, 18);
+    set(rtl->a0_scale_i, config.a0_scale, 2);
     set(rtl->b2_i, config.b2, 24);
     rtl.eval();
   }

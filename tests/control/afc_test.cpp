@@ -311,6 +311,7 @@ TEST_CASE("RTL and twin agree over random samples, gains and rules, at the edges
       }
       if (n % 400 == 0) {
         bench.config.a0 = static_cast<std::int32_t>(random() & 0x3ffff);
+        bench.config.a0_scale = static_cast<int>(random() % 4);
         bench.config.b2 = draw(random, 24);
       }
       bench.config.feedforward = random() % 2 == 0;

@@ -24,6 +24,8 @@ void drive(Dut& rtl, const CurrentLoop::In& in) {
   rtl->clear_i = in.clear;
   rtl->code_a_i = static_cast<std::uint16_t>(in.code_a);
   rtl->code_b_i = static_cast<std::uint16_t>(in.code_b);
+  test::set_word(rtl->offset_a_i, in.offset_a);
+  test::set_word(rtl->offset_b_i, in.offset_b);
   rtl->count_i = test::as_bits(in.count, 24);
   rtl->angle_step_i = in.angle_step;
   rtl->theta_ofs_i = in.theta_ofs;
@@ -61,6 +63,8 @@ TEST_CASE("current_loop agrees with its twin on 20 000 samples, in 68 clocks") {
       in.theta_ofs = words.below(0xFFFFFFFF);
       in.angle_step = words.below(2) ? CurrentLoop::kAngleStep : words.below(0xFFFFFFFF);
       in.clear = words.below(8) == 0;
+      in.offset_a = words.below(2) ? 0 : words();
+      in.offset_b = words.below(2) ? 0 : words() / 16;
       in.i_q_ref = words();
       in.i_d_ref = words.below(2) ? 0 : words();
     }
@@ -70,6 +74,7 @@ TEST_CASE("current_loop agrees with its twin on 20 000 samples, in 68 clocks") {
     in.count = static_cast<std::int32_t>(words.below(1u << 24)) - (1 << 23);
     drive(rtl, in);
     REQUIRE(test::run_flow(rtl) == kLatency);
+    CAPTURE(in.offset_a, in.offset_b);
     CAPTURE(n, in.code_a, in.code_b, in.count, in.angle_step, in.theta_ofs, in.i_q_ref, in.clear);
     check(rtl, twin.step(in));
   }

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "models/plant/ad7476.hpp"
+
 using namespace trammel::plant;
 
 TEST_CASE("codes are offset binary of 4.6875 mA with 9.6 A full scale") {
@@ -17,6 +19,26 @@ TEST_CASE("codes are offset binary of 4.6875 mA with 9.6 A full scale") {
   CHECK(s.code(50, 1, 0, 0) == 4095);
   CHECK(s.code(-9.6, 1, 0, 0) == 0);
   CHECK(s.code(-50, 1, 0, 0) == 0);
+}
+
+TEST_CASE("a sensor with an error of gain and offset shows both") {
+  CurrentSensorConfig c;
+  c.gain = 1.1;
+  c.offset = -0.6;
+  const CurrentSensor s(c);
+  CHECK(s.code(0, 1, 0, 0) == 2048 - 128);
+  CHECK(s.code(4, 1, 0, 0) == 2048 - 128 + 939);  // 4.4 A of 9.6 A / 2048
+}
+
+TEST_CASE("a frame has the bits of a converter behind its leading zeros") {
+  CHECK(serial_frame(0xABC, 12) == 0x0ABC);
+  CHECK(serial_frame(0xAB, 8) == 0x0AB0);
+  CHECK(serial_frame(0x2A, 6) == 0x0A80);
+  CHECK(serial_frame(0x2ABC, 14) == 0x2ABC);
+  CHECK(serial_frame(0xABCD, 16) == 0xABCD);
+  CHECK(leading_zeros(6) == 4);
+  CHECK(leading_zeros(13) == 3);
+  CHECK(leading_zeros(16) == 0);
 }
 
 TEST_CASE("noise is a function of seed, channel and clock alone") {

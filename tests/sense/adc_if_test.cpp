@@ -27,7 +27,10 @@ struct Bench {
   int code_b = 0;
   int held_at = -1;
 
-  Bench() { rtl.reset(); }
+  Bench() {
+    rtl->zeros_i = 4;
+    rtl.reset();
+  }
 
   void tick() {
     rtl.tick();
@@ -56,10 +59,12 @@ TEST_CASE("adc_if agrees with its twin on random starts, data and resets") {
   rtl.reset();
   Random random(7);
   for (int i = 0; i < 100000; ++i) {
-    const AdcIf::In in{random() % 40 == 0, random() % 2 == 0, random() % 2 == 0};
+    const AdcIf::In in{random() % 40 == 0, random() % 2 == 0, random() % 2 == 0,
+                       static_cast<int>(random() % 8)};
     rtl->start_i = in.start;
     rtl->sdata_a_i = in.sdata_a;
     rtl->sdata_b_i = in.sdata_b;
+    rtl->zeros_i = static_cast<std::uint8_t>(in.zeros);
     rtl.eval();
     if (random() % 500 == 0) {
       rtl.reset();
@@ -116,6 +121,25 @@ TEST_CASE("adc_if reads every code exactly, past the four leading zeros") {
     while (!bench.rtl->valid_o) bench.tick();
     REQUIRE(bench.rtl->code_a_o == a);
     REQUIRE(bench.rtl->code_b_o == b);
+  }
+}
+
+TEST_CASE("adc_if takes the 12 highest bits of converters of 6 to 16 bits") {
+  Bench bench;
+  Random random(9);
+  for (int bits = 6; bits <= 16; ++bits) {
+    bench.rtl->zeros_i = static_cast<std::uint8_t>(trammel::plant::leading_zeros(bits));
+    for (int i = 0; i < 40; ++i) {
+      const int a = static_cast<int>(random() % (1u << bits));
+      const int b = static_cast<int>(random() % (1u << bits));
+      CAPTURE(bits, a, b);
+      bench.code_a = trammel::plant::serial_frame(a, bits);
+      bench.code_b = trammel::plant::serial_frame(b, bits);
+      bench.start();
+      while (!bench.rtl->valid_o) bench.tick();
+      REQUIRE(bench.rtl->code_a_o == (bits < 12 ? a << (12 - bits) : a >> (bits - 12)));
+      REQUIRE(bench.rtl->code_b_o == (bits < 12 ? b << (12 - bits) : b >> (bits - 12)));
+    }
   }
 }
 

@@ -23,6 +23,7 @@ exact::Afc::Config twin_config(const sw::AxisSetup& s) {
   c.shift_e = static_cast<int>(s.shift_e);
   c.shift_de = static_cast<int>(s.shift_de);
   c.a0 = static_cast<std::int32_t>(s.a0);
+  c.a0_scale = static_cast<int>(s.a0_scale);
   c.b2 = static_cast<std::int32_t>(fixed::wrap(s.b2, 24));
   c.adapt = s.adapt;
   c.feedforward = s.feedforward;

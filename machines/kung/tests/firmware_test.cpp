@@ -1,109 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <catch2/catch.hpp>
 #include <algorithm>
-#include <map>
 #include <vector>
 
-#include "sw_nios/apps/kung/kung.hpp"
-#include "rtl/chips/generated/kung_xy_regs.hpp"
+#include "machines/kung/tests/fake_chip.hpp"
 #include "tests/support/points.hpp"
 
-namespace {
-
 using namespace trammel::sw;
-namespace reg = trammel::kung_xy_regs;
-
-struct Access {
-  std::uint32_t address, data;
-  bool write;
-};
-
-// Registers as plain memory with the few reactions the program relies on.
-class FakeChip final : public Bus {
- public:
-  std::map<std::uint32_t, std::uint32_t> registers{{reg::kId, reg::kIdValue}};
-  std::vector<Access> log;
-  std::uint32_t busy_polls = 3;  // STATUS reads a table reset stays busy for
-  bool presets = true;
-  bool fault_stays = false;
-  std::uint32_t ticks_per_commit = 0;
-
-  std::uint32_t read(std::uint32_t address) override {
-    std::uint32_t data = registers[address];
-    if (address == reg::kX + reg::kStatus || address == reg::kY + reg::kStatus) {
-      std::uint32_t& left = busy_[address >= reg::kY];
-      data = left > 0 ? reg::kStatusBusy : 0;
-      left -= left > 0 ? 1 : 0;
-    }
-    log.push_back({address, data, false});
-    return data;
-  }
-
-  void write(std::uint32_t address, std::uint32_t data) override {
-    log.push_back({address, data, true});
-    for (const std::uint32_t base : {reg::kX, reg::kY}) {
-      if (address == base + reg::kPosPreset && presets) registers[base + reg::kPos] = data;
-      if (address == base + reg::kCtrl && (data & reg::kCtrlResetTable) != 0) {
-        busy_[base == reg::kY] = busy_polls;
-        data &= ~reg::kCtrlResetTable;
-      }
-    }
-    if (address == reg::kFaultClear && data == reg::kKeyFaultClear && !fault_stays) {
-      registers[reg::kFault] = 0;
-    }
-    if (address == reg::kCommit) registers[reg::kTick] += ticks_per_commit;
-    if (address == reg::kIrqStat) data = registers[address] & ~data;
-    registers[address] = data;
-  }
-
-  void tick(std::uint32_t ticks) {
-    registers[reg::kTick] += ticks;
-    registers[reg::kIrqStat] |= reg::kIrqStatTick;
-  }
-
-  std::vector<Access> writes(std::size_t from = 0) const {
-    std::vector<Access> list;
-    std::copy_if(log.begin() + static_cast<std::ptrdiff_t>(from), log.end(),
-                 std::back_inserter(list), [](const Access& a) { return a.write; });
-    return list;
-  }
-
-  // Index in the log of the n-th write to that address, or the length of the log.
-  std::size_t write_index(std::uint32_t address, int n = 0) const {
-    for (std::size_t i = 0; i < log.size(); ++i) {
-      if (log[i].write && log[i].address == address && n-- == 0) return i;
-    }
-    return log.size();
-  }
-
- private:
-  std::uint32_t busy_[2] = {0, 0};
-};
-
-struct Machine {
-  FakeChip chip;
-  KungApp app;
-  std::uint32_t period;
-
-  explicit Machine(const KungSetup& setup = {}) : app(setup), period(setup.irq_period) {}
-  void interrupt() {
-    chip.tick(period);
-    app.isr(chip);
-  }
-  void arm() {
-    app.start(chip);
-    interrupt();
-  }
-};
-
-Failure failure(const Machine& m) { return static_cast<Failure>(m.app.mailbox().failure); }
-
-bool axes_off(FakeChip& chip) {
-  return chip.registers[reg::kX + reg::kCtrl] == 0 && chip.registers[reg::kY + reg::kCtrl] == 0 &&
-         chip.registers[reg::kIrqEn] == 0;
-}
-
-}  // namespace
+using namespace trammel::test;
 
 TEST_CASE("start sets every register with both axes off and enables only the tick interrupt") {
   KungSetup setup;
@@ -111,6 +15,8 @@ TEST_CASE("start sets every register with both axes off and enables only the tic
   setup.axis[1].dead_time = 77;
   setup.axis[1].angle_step = 123456789;
   setup.axis[1].theta_ofs = 0x80000000u;
+  setup.axis[1].a0_scale = 2;
+  setup.axis[1].adc_zeros = 1;
   Machine m(setup);
   m.app.start(m.chip);
   CHECK(m.app.mailbox().failure == 0);
@@ -135,6 +41,10 @@ TEST_CASE("start sets every register with both axes off and enables only the tic
   CHECK(r[reg::kY + reg::kDeadtime] == (3u << 16 | 77));
   CHECK(r[reg::kX + reg::kAngleStep] == 352047);
   CHECK(r[reg::kY + reg::kAngleStep] == 123456789);
+  CHECK(r[reg::kY + reg::kA0] == (2u << 20 | 238008));
+  CHECK(r[reg::kX + reg::kAdcFrame] == 4);
+  CHECK(r[reg::kY + reg::kAdcFrame] == 1);
+  CHECK(r[reg::kX + reg::kCurrentOffset] == 0);
   CHECK(r[reg::kY + reg::kThetaOfs] == 0x80000000u);
   CHECK(r[reg::kX + reg::kPosPreset] == 50000);
   CHECK(r[reg::kY + reg::kPosPreset] == 70000);

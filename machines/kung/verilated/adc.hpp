@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// One 12-bit serial converter as it hangs on the chip's pins (AD7476-style frame): it holds at the
-// falling edge of chip select and shifts 4 zeros and 12 bits out, the next after each clock fall.
+// One serial converter as it hangs on the chip's pins (AD7476-style frame): it holds at the falling
+// edge of chip select and shifts the 16 bits of its frame out, the next after each clock fall.
 // It lives inside run(): its lines never cross to the plant, only the hold edge asks it.
 #pragma once
 
@@ -11,8 +11,8 @@ namespace trammel::kung {
 
 class SerialAdc {
  public:
-  // Chip select fell: hold `code`. The first leading zero stands on the line at once.
-  void hold(int code) { frame_ = static_cast<std::uint32_t>(code) & 0xfffu; bit_ = 15; }
+  // Chip select fell: hold `frame`. Its first bit stands on the line at once.
+  void hold(int frame) { frame_ = static_cast<std::uint32_t>(frame) & 0xffffu; bit_ = 15; }
 
   // The serial clock fell.
   void clock_fell() { if (bit_ > 0) --bit_; }

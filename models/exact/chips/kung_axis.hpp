@@ -23,7 +23,7 @@ class KungAxis {
     std::uint32_t theta_ofs = 0;
     bool close_position = true;   // CTRL b2; otherwise i_q* is iq_manual
     bool close_current = true;    // enabled, not tripped and CTRL b1; otherwise 50 % duty
-    std::int32_t iq_manual = 0;   // 4.8 A / 2048
+    std::int32_t iq_manual = 0;   // I_fs / 4096
   };
 
   // What the converters hold at a 16 kHz tick, offset binary.

@@ -19,19 +19,28 @@ class KungCurrent {
     std::uint32_t angle_step = CurrentLoop::kAngleStep;
     std::uint32_t theta_ofs = 0;
     fixed::Gain kp{}, ki{};
+    std::int32_t offset_a = 0, offset_b = 0;  // of the sensors
+    int zeros = 4;                            // leading zeros of a frame
   };
+
+  // The code in a frame of 16 bits: 12 bits behind the leading zeros.
+  static constexpr std::int32_t code_of(std::int32_t frame, int zeros) {
+    return frame >> (4 - std::min(zeros, 4)) & 0xFFF;
+  }
 
   // Edges after that of the tick.
   static constexpr Clk kCodes = 64;              // the frame has ended
   static constexpr Clk kTaken = 65;              // the loop takes the currents
   static constexpr Clk kLimited = 66 + CurrentLoop::kClocks;  // STATUS shows the limit
 
-  // The 16 kHz tick at edge n latches count and i_q*; the converters hold `codes` then.
-  void tick(Clk n, std::int32_t count, std::int32_t i_q_ref, std::array<std::int32_t, 2> codes) {
+  // The 16 kHz tick at edge n latches count, i_q* and the shape of a frame; the converters hold
+  // `frames` then.
+  void tick(Clk n, std::int32_t count, std::int32_t i_q_ref,
+            const std::array<std::int32_t, 2>& frames, const Config& config) {
     tick_ = n;
     count_ = count;
     i_q_ref_ = i_q_ref;
-    held_ = codes;
+    held_ = {code_of(frames[0], config.zeros), code_of(frames[1], config.zeros)};
     framed_ = false;
     loop_.start();
     limit_due_ = true;
@@ -82,14 +91,15 @@ class KungCurrent {
   std::int32_t count() const { return count_; }
   std::int32_t i_q_ref() const { return i_q_ref_; }
 
-  // Does a phase current reach `limit` [9.6 A / 2048]? 0: never. The third is -(a + b).
+  // Does a phase current reach `limit` [I_fs / 2048]? 0: never. The third is -(a + b).
   static bool reaches(std::int32_t a, std::int32_t b, std::int32_t limit) {
     const auto reached = [limit](std::int32_t i) { return i >= limit || i <= -limit; };
     return limit != 0 && (reached(a) || reached(b) || reached(a + b));
   }
   bool over(std::int32_t limit) const { return reaches(loop_.out().i_a, loop_.out().i_b, limit); }
-  bool will_be_over(std::int32_t limit) const {
-    return reaches(held_[0] - 2048, held_[1] - 2048, limit);
+  bool will_be_over(std::int32_t limit, const Config& config) const {
+    return reaches(CurrentLoop::current(held_[0], config.offset_a),
+                   CurrentLoop::current(held_[1], config.offset_b), limit);
   }
 
  private:
@@ -98,6 +108,8 @@ class KungCurrent {
     in.clear = clear_;
     in.code_a = held_[0];
     in.code_b = held_[1];
+    in.offset_a = config.offset_a;
+    in.offset_b = config.offset_b;
     in.count = count_;
     in.angle_step = config.angle_step;
     in.theta_ofs = config.theta_ofs;

@@ -49,7 +49,7 @@ struct KungAxisRegisters {
   bool stroke_enable = false;
   std::int32_t stroke_min = 0, stroke_max = 0;  // [counts]
   std::int32_t pos_cmd = 0;                     // [counts]
-  std::int32_t iq_manual = 0;                   // 4.8 A / 2048
+  std::int32_t iq_manual = 0;                   // I_fs / 4096
   std::uint32_t dead_time = 0;                  // [clk], the one in effect
   bool interpolate = false;
   KungCurrent::Config current;

@@ -193,8 +193,9 @@ void KungXy::tick(Clk n, bool position, const std::array<std::int32_t, 2>& i_q_r
   for (std::size_t k = 0; k < 2; ++k) {
     Axis& axis = axes_[k];
     const std::int32_t count = axis.qep.out().count;
-    axis.current.tick(n, count, i_q_ref_now[k], converters.hold(static_cast<int>(k), n));
-    if (axis.current.will_be_over(limit)) over_due_ = n + kOverSeen;
+    axis.current.tick(n, count, i_q_ref_now[k], converters.hold(static_cast<int>(k), n),
+                      axis.regs.current);
+    if (axis.current.will_be_over(limit, axis.regs.current)) over_due_ = n + kOverSeen;
     if (position) axis.position_in.x_p = count;
   }
   tick_ += kPeriod;

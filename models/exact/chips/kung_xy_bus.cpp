@@ -79,8 +79,12 @@ void KungXy::decode(Axis& axis, std::uint32_t base, Clk n) {
   r.iq_manual = number(map::kIqManual, 12);
   const std::uint32_t dead_time = reg(map::kDeadtime) & map::kDeadtimeClkMask;
   r.dead_time = std::max(dead_time, registers_.word(map::kDeadtimeMin));
+  const std::uint32_t offsets = reg(map::kCurrentOffset);
   r.current = {reg(map::kAngleStep), reg(map::kThetaOfs),
-               gain_of(reg(map::kKpCur)), gain_of(reg(map::kKiCur))};
+               gain_of(reg(map::kKpCur)), gain_of(reg(map::kKiCur)),
+               signed_word(offsets >> map::kCurrentOffsetAShift, 12),
+               signed_word(offsets >> map::kCurrentOffsetBShift, 12),
+               static_cast<int>(reg(map::kAdcFrame))};
 
   KungPosition::In& p = axis.position_in;
   p.reset_model = (ctrl & map::kCtrlResetModel) != 0;
@@ -93,7 +97,9 @@ void KungXy::decode(Axis& axis, std::uint32_t base, Clk n) {
   p.config.shift_e = static_cast<int>(reg(map::kShift) & map::kShiftEMask);
   p.config.shift_de =
       static_cast<int>((reg(map::kShift) & map::kShiftDeMask) >> map::kShiftDeShift);
-  p.config.a0 = static_cast<std::int32_t>(reg(map::kA0));
+  p.config.a0 = static_cast<std::int32_t>(reg(map::kA0) & map::kA0ValueMask);
+  p.config.a0_scale =
+      static_cast<int>((reg(map::kA0) & map::kA0ScaleMask) >> map::kA0ScaleShift);
   p.config.b2 = number(map::kB2, 24);
   const auto index = static_cast<int>(reg(map::kTabAddr));
   if (index != p.tab_addr) axis.position.address(n, p.tab_addr, index);
@@ -148,6 +154,7 @@ std::uint32_t KungXy::read_axis(Clk n, Axis& axis, std::uint32_t offset,
     case map::kIqCmd: return word(i_q_ref(axis));
     case map::kSpeed: return word(afc.v);
     case map::kIdIq: return halves(loop.i_d, loop.i_q);
+    case map::kPhaseCurrents: return halves(loop.i_a, loop.i_b);
     case map::kVdVq: return halves(loop.v_d, loop.v_q);
     case map::kTabData: return word(axis.position.table_read(n, axis.position_in.tab_addr));
     case map::kIndexLatch: return word(axis.qep.out().index_latch);

@@ -25,7 +25,8 @@ class Afc {
     fixed::Gain eta{1140, -8};
     int shift_e = 0;            // 0: one unit of the universe is 256 counts
     int shift_de = 2;           // 2: one unit is 64 counts per sample
-    std::int32_t a0 = 238008;   // a0 of the reference model, scale 2^-32, 18 bits unsigned
+    std::int32_t a0 = 238008;   // a0 of the reference model, 18 bits unsigned
+    int a0_scale = 0;           // its scale: 0 2^-32, 1 2^-28, 2 and 3 2^-23
     std::int32_t b2 = 8140683;  // b2 of the reference model, scale 2^-23, 24 bits signed
     bool adapt = true;
     bool feedforward = false;  // v* += dx (extension, specification section 15)
@@ -45,12 +46,17 @@ class Afc {
     std::int32_t u = 0;               // 1/256 unit
     std::int32_t v_star = 0;          // 1/16 count per sample
     std::int32_t v = 0;               // 1/16 count per sample
-    std::int32_t i_q_ref = 0;         // 4.8 A / 2048
+    std::int32_t i_q_ref = 0;         // I_fs / 4096
     bool saturated = false;           // i_q_ref was clipped
     int i = 0;                        // section of e, 0..5
     int j = 0;                        // section of de, 0..5
     std::array<std::int32_t, 4> d{};  // weights of rules (j,i) (j,i+1) (j+1,i) (j+1,i+1), Q11
   };
+
+  // Bits by which the product A0 s is shifted to the scale of dx.
+  static constexpr int driven_shift(int a0_scale) {
+    return a0_scale == 0 ? 24 : a0_scale == 1 ? 20 : 15;
+  }
 
   // Bumpless start at rest at x_p; the rules are kept.
   void reset(std::int32_t x_p) {
@@ -143,7 +149,7 @@ class Afc {
         const std::int64_t commands = sum_ + 2 * std::int64_t{r_1_};
         const std::int64_t s =
             sat(fixed::shift_left(commands, 6) - fixed::floor_shift(out_.x_m, 6), 24);
-        term_ = sat(term_ + rs(std::int64_t{config.a0} * s, 24), 24);
+        term_ = sat(term_ + rs(std::int64_t{config.a0} * s, driven_shift(config.a0_scale)), 24);
         break;
       }
       case 10: out_.dx = word(term_); break;

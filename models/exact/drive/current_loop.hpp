@@ -27,6 +27,7 @@ class CurrentLoop {
   struct In {
     bool clear = false;
     std::int32_t code_a = 2048, code_b = 2048;  // offset binary
+    std::int32_t offset_a = 0, offset_b = 0;    // of the sensors
     std::int32_t count = 0;
     std::uint32_t angle_step = kAngleStep;  // of a count [2^-32 revolution]
     std::uint32_t theta_ofs = 0;
@@ -92,6 +93,10 @@ class CurrentLoop {
 
   const Out& out() const { return out_; }
 
+  static std::int32_t current(std::int32_t code, std::int32_t offset) {
+    return static_cast<std::int32_t>(fixed::sat(std::int64_t{code} - 2048 - offset, 12));
+  }
+
   // Electrical angle, 2^32 = one revolution.
   static constexpr std::uint32_t theta(std::int32_t count, std::uint32_t offset,
                                        std::uint32_t step = kAngleStep) {
@@ -106,8 +111,8 @@ class CurrentLoop {
   void execute(int clock, const In& in) {
     switch (clock) {
       case 0:
-        out_.i_a = in.code_a - 2048;
-        out_.i_b = in.code_b - 2048;
+        out_.i_a = current(in.code_a, in.offset_a);
+        out_.i_b = current(in.code_b, in.offset_b);
         break;
       case 21: angle_ = sine_.step({(theta_ + in.theta_ofs) >> 22}); break;
       case 27: {

@@ -16,6 +16,7 @@ class AdcIf {
     bool start = false;
     bool sdata_a = false;
     bool sdata_b = false;
+    int zeros = 4;  // leading zeros of a frame, taken with the start
   };
 
   struct Out {
@@ -34,10 +35,11 @@ class AdcIf {
     if (!out_.busy) {
       out_.busy = in.start;
       clock_ = 0;
+      if (in.start) zeros_ = in.zeros;
     } else {
       const int part = clock_ % 4;
       out_.sclk = part == 0 || part == 3;
-      if (part == 1) {
+      if (part == 1 && clock_ / 4 < 12 + zeros_) {
         shift_a_ = shifted(shift_a_, in.sdata_a);
         shift_b_ = shifted(shift_b_, in.sdata_b);
       }
@@ -62,6 +64,7 @@ class AdcIf {
   }
 
   int clock_ = 0;  // since the fall of cs_n
+  int zeros_ = 4;
   std::uint16_t shift_a_ = 0;
   std::uint16_t shift_b_ = 0;
   Out out_;

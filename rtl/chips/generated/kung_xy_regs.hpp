@@ -76,6 +76,10 @@ inline constexpr std::uint32_t kShiftEMask = 0x0000000Fu;
 inline constexpr std::uint32_t kShiftDeShift = 8u;
 inline constexpr std::uint32_t kShiftDeMask = 0x00000F00u;
 inline constexpr std::uint32_t kA0 = 0x54u;
+inline constexpr std::uint32_t kA0ValueShift = 0u;
+inline constexpr std::uint32_t kA0ValueMask = 0x0003FFFFu;
+inline constexpr std::uint32_t kA0ScaleShift = 20u;
+inline constexpr std::uint32_t kA0ScaleMask = 0x00300000u;
 inline constexpr std::uint32_t kB2 = 0x58u;
 inline constexpr std::uint32_t kKpCur = 0x60u;
 inline constexpr std::uint32_t kKpCurMantShift = 0u;
@@ -105,6 +109,19 @@ inline constexpr std::uint32_t kStrokeEn = 0x88u;
 inline constexpr std::uint32_t kStrokeEnEnable = 0x1u;
 inline constexpr std::uint32_t kIqManual = 0x8Cu;
 inline constexpr std::uint32_t kAngleStep = 0xB0u;
+inline constexpr std::uint32_t kCurrentOffset = 0xB4u;
+inline constexpr std::uint32_t kCurrentOffsetAShift = 0u;
+inline constexpr std::uint32_t kCurrentOffsetAMask = 0x00000FFFu;
+inline constexpr std::uint32_t kCurrentOffsetBShift = 16u;
+inline constexpr std::uint32_t kCurrentOffsetBMask = 0x0FFF0000u;
+inline constexpr std::uint32_t kPhaseCurrents = 0xB8u;
+inline constexpr std::uint32_t kPhaseCurrentsIAShift = 0u;
+inline constexpr std::uint32_t kPhaseCurrentsIAMask = 0x0000FFFFu;
+inline constexpr std::uint32_t kPhaseCurrentsIBShift = 16u;
+inline constexpr std::uint32_t kPhaseCurrentsIBMask = 0xFFFF0000u;
+inline constexpr std::uint32_t kAdcFrame = 0xBCu;
+inline constexpr std::uint32_t kAdcFrameZerosShift = 0u;
+inline constexpr std::uint32_t kAdcFrameZerosMask = 0x00000007u;
 
 // system
 inline constexpr std::uint32_t kId = 0x200u;
@@ -112,7 +129,7 @@ inline constexpr std::uint32_t kIdVersionShift = 0u;
 inline constexpr std::uint32_t kIdVersionMask = 0x0000FFFFu;
 inline constexpr std::uint32_t kIdChipShift = 16u;
 inline constexpr std::uint32_t kIdChipMask = 0xFFFF0000u;
-inline constexpr std::uint32_t kIdValue = 0x4B580002u;
+inline constexpr std::uint32_t kIdValue = 0x4B580003u;
 inline constexpr std::uint32_t kCommit = 0x204u;
 inline constexpr std::uint32_t kCommitTake = 0x1u;
 inline constexpr std::uint32_t kIrqEn = 0x208u;
@@ -182,7 +199,7 @@ struct Field {
 };
 
 // By address.
-inline constexpr std::array<Register, 78> kRegisters{{
+inline constexpr std::array<Register, 84> kRegisters{{
     {"x.CTRL", 0x000u, 0x00000000u, 0x000000FFu, 0x000000DFu, 0x00000000u, 0x00000000u, 0x00000020u},
     {"x.STATUS", 0x004u, 0x00000000u, 0x00007F1Fu, 0x00000000u, 0x00000000u, 0x0000001Eu, 0x00000000u},
     {"x.POS_CMD", 0x008u, 0x00000000u, 0x00FFFFFFu, 0x00FFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u},
@@ -201,7 +218,7 @@ inline constexpr std::array<Register, 78> kRegisters{{
     {"x.KV", 0x048u, 0x0001075Cu, 0x001F07FFu, 0x001F07FFu, 0x00000000u, 0x00000000u, 0x00000000u},
     {"x.ETA", 0x04Cu, 0x00180474u, 0x001F07FFu, 0x001F07FFu, 0x00000000u, 0x00000000u, 0x00000000u},
     {"x.SHIFT", 0x050u, 0x00000200u, 0x00000F0Fu, 0x00000F0Fu, 0x00000000u, 0x00000000u, 0x00000000u},
-    {"x.A0", 0x054u, 0x0003A1B8u, 0x0003FFFFu, 0x0003FFFFu, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"x.A0", 0x054u, 0x0003A1B8u, 0x0033FFFFu, 0x0033FFFFu, 0x00000000u, 0x00000000u, 0x00000000u},
     {"x.B2", 0x058u, 0x007C378Bu, 0x00FFFFFFu, 0x00FFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u},
     {"x.KP_CUR", 0x060u, 0x000204FBu, 0x001F07FFu, 0x001F07FFu, 0x00000000u, 0x00000000u, 0x00000000u},
     {"x.KI_CUR", 0x064u, 0x001E05C6u, 0x001F07FFu, 0x001F07FFu, 0x00000000u, 0x00000000u, 0x00000000u},
@@ -216,6 +233,9 @@ inline constexpr std::array<Register, 78> kRegisters{{
     {"x.STROKE_EN", 0x088u, 0x00000000u, 0x00000001u, 0x00000001u, 0x00000001u, 0x00000000u, 0x00000000u},
     {"x.IQ_MANUAL", 0x08Cu, 0x00000000u, 0x00000FFFu, 0x00000FFFu, 0x00000000u, 0x00000000u, 0x00000000u},
     {"x.ANGLE_STEP", 0x0B0u, 0x00055F2Fu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0x00000000u, 0x00000000u},
+    {"x.CURRENT_OFFSET", 0x0B4u, 0x00000000u, 0x0FFF0FFFu, 0x0FFF0FFFu, 0x0FFF0FFFu, 0x00000000u, 0x00000000u},
+    {"x.PHASE_CURRENTS", 0x0B8u, 0x00000000u, 0xFFFFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"x.ADC_FRAME", 0x0BCu, 0x00000004u, 0x00000007u, 0x00000007u, 0x00000007u, 0x00000000u, 0x00000000u},
     {"y.CTRL", 0x100u, 0x00000000u, 0x000000FFu, 0x000000DFu, 0x00000000u, 0x00000000u, 0x00000020u},
     {"y.STATUS", 0x104u, 0x00000000u, 0x00007F1Fu, 0x00000000u, 0x00000000u, 0x0000001Eu, 0x00000000u},
     {"y.POS_CMD", 0x108u, 0x00000000u, 0x00FFFFFFu, 0x00FFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u},
@@ -234,7 +254,7 @@ inline constexpr std::array<Register, 78> kRegisters{{
     {"y.KV", 0x148u, 0x0001075Cu, 0x001F07FFu, 0x001F07FFu, 0x00000000u, 0x00000000u, 0x00000000u},
     {"y.ETA", 0x14Cu, 0x00180474u, 0x001F07FFu, 0x001F07FFu, 0x00000000u, 0x00000000u, 0x00000000u},
     {"y.SHIFT", 0x150u, 0x00000200u, 0x00000F0Fu, 0x00000F0Fu, 0x00000000u, 0x00000000u, 0x00000000u},
-    {"y.A0", 0x154u, 0x0003A1B8u, 0x0003FFFFu, 0x0003FFFFu, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"y.A0", 0x154u, 0x0003A1B8u, 0x0033FFFFu, 0x0033FFFFu, 0x00000000u, 0x00000000u, 0x00000000u},
     {"y.B2", 0x158u, 0x007C378Bu, 0x00FFFFFFu, 0x00FFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u},
     {"y.KP_CUR", 0x160u, 0x000204FBu, 0x001F07FFu, 0x001F07FFu, 0x00000000u, 0x00000000u, 0x00000000u},
     {"y.KI_CUR", 0x164u, 0x001E05C6u, 0x001F07FFu, 0x001F07FFu, 0x00000000u, 0x00000000u, 0x00000000u},
@@ -249,7 +269,10 @@ inline constexpr std::array<Register, 78> kRegisters{{
     {"y.STROKE_EN", 0x188u, 0x00000000u, 0x00000001u, 0x00000001u, 0x00000001u, 0x00000000u, 0x00000000u},
     {"y.IQ_MANUAL", 0x18Cu, 0x00000000u, 0x00000FFFu, 0x00000FFFu, 0x00000000u, 0x00000000u, 0x00000000u},
     {"y.ANGLE_STEP", 0x1B0u, 0x00055F2Fu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0x00000000u, 0x00000000u},
-    {"ID", 0x200u, 0x4B580002u, 0xFFFFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"y.CURRENT_OFFSET", 0x1B4u, 0x00000000u, 0x0FFF0FFFu, 0x0FFF0FFFu, 0x0FFF0FFFu, 0x00000000u, 0x00000000u},
+    {"y.PHASE_CURRENTS", 0x1B8u, 0x00000000u, 0xFFFFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"y.ADC_FRAME", 0x1BCu, 0x00000004u, 0x00000007u, 0x00000007u, 0x00000007u, 0x00000000u, 0x00000000u},
+    {"ID", 0x200u, 0x4B580003u, 0xFFFFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
     {"COMMIT", 0x204u, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000001u},
     {"IRQ_EN", 0x208u, 0x00000000u, 0x00000003u, 0x00000003u, 0x00000000u, 0x00000000u, 0x00000000u},
     {"IRQ_STAT", 0x20Cu, 0x00000000u, 0x00000003u, 0x00000000u, 0x00000000u, 0x00000003u, 0x00000000u},
@@ -263,7 +286,7 @@ inline constexpr std::array<Register, 78> kRegisters{{
     {"IRQ_PERIOD", 0x22Cu, 0x00000004u, 0x000000FFu, 0x000000FFu, 0x00000000u, 0x00000000u, 0x00000000u},
 }};
 
-inline constexpr std::array<Field, 72> kFields{{
+inline constexpr std::array<Field, 78> kFields{{
     {"CTRL.enable", "inverter on", 0x00u, 0, 1, 1, false, true, Access::kReadWrite},
     {"CTRL.current_loop", "current loop closed (0: 50 % duty on all phases)", 0x00u, 1, 1, 1, false, true, Access::kReadWrite},
     {"CTRL.position_loop", "position loop closed (0: i_q* is IQ_MANUAL)", 0x00u, 2, 1, 1, false, true, Access::kReadWrite},
@@ -285,10 +308,10 @@ inline constexpr std::array<Field, 72> kFields{{
     {"DERR", "error change de [counts per sample]", 0x18u, 0, 32, 12, true, true, Access::kRead},
     {"U", "fuzzy output u [1/256 unit]", 0x1Cu, 0, 32, 12, true, true, Access::kRead},
     {"VSTAR", "speed command v* [1/16 count per sample]", 0x20u, 0, 32, 12, true, true, Access::kRead},
-    {"IQ_CMD", "current command i_q* [4.8 A / 2048]", 0x24u, 0, 32, 12, true, true, Access::kRead},
+    {"IQ_CMD", "current command i_q* [I_fs / 4096]", 0x24u, 0, 32, 12, true, true, Access::kRead},
     {"SPEED", "speed v [1/16 count per sample]", 0x28u, 0, 32, 12, true, true, Access::kRead},
-    {"ID_IQ.i_d", "d current [9.6 A / 2048]", 0x2Cu, 0, 16, 12, true, true, Access::kRead},
-    {"ID_IQ.i_q", "q current [9.6 A / 2048]", 0x2Cu, 16, 16, 12, true, true, Access::kRead},
+    {"ID_IQ.i_d", "d current [I_fs / 2048]", 0x2Cu, 0, 16, 12, true, true, Access::kRead},
+    {"ID_IQ.i_q", "q current [I_fs / 2048]", 0x2Cu, 16, 16, 12, true, true, Access::kRead},
     {"VD_VQ.v_d", "d voltage [V_dc / sqrt 3 / 2048]", 0x30u, 0, 16, 12, true, true, Access::kRead},
     {"VD_VQ.v_q", "q voltage [V_dc / sqrt 3 / 2048]", 0x30u, 16, 16, 12, true, true, Access::kRead},
     {"KP.mant", "mantissa / 2048", 0x40u, 0, 11, 11, false, true, Access::kReadWrite},
@@ -301,7 +324,8 @@ inline constexpr std::array<Field, 72> kFields{{
     {"ETA.exp", "exponent of 2", 0x4Cu, 16, 5, 5, true, true, Access::kReadWrite},
     {"SHIFT.e", "left shift of e", 0x50u, 0, 4, 4, false, true, Access::kReadWrite},
     {"SHIFT.de", "left shift of de", 0x50u, 8, 4, 4, false, true, Access::kReadWrite},
-    {"A0", "model coefficient A0 = a0 * 2^32", 0x54u, 0, 18, 18, false, true, Access::kReadWrite},
+    {"A0.value", "a0 in units of its scale", 0x54u, 0, 18, 18, false, true, Access::kReadWrite},
+    {"A0.scale", "scale: 0 2^-32, 1 2^-28, 2 and 3 2^-23", 0x54u, 20, 2, 2, false, true, Access::kReadWrite},
     {"B2", "model coefficient B2 = b2 * 2^23", 0x58u, 0, 24, 24, true, true, Access::kReadWrite},
     {"KP_CUR.mant", "mantissa / 2048", 0x60u, 0, 11, 11, false, true, Access::kReadWrite},
     {"KP_CUR.exp", "exponent of 2", 0x60u, 16, 5, 5, true, true, Access::kReadWrite},
@@ -317,8 +341,13 @@ inline constexpr std::array<Field, 72> kFields{{
     {"STROKE_MIN", "lowest allowed position [counts]; locked by LOCK", 0x80u, 0, 24, 24, true, true, Access::kReadWrite},
     {"STROKE_MAX", "highest allowed position [counts]; locked by LOCK", 0x84u, 0, 24, 24, true, true, Access::kReadWrite},
     {"STROKE_EN", "trip when the position leaves the stroke; locked by LOCK", 0x88u, 0, 1, 1, false, true, Access::kReadWrite},
-    {"IQ_MANUAL", "current command while the position loop is open [4.8 A / 2048]", 0x8Cu, 0, 12, 12, true, true, Access::kReadWrite},
+    {"IQ_MANUAL", "current command while the position loop is open [I_fs / 4096]", 0x8Cu, 0, 12, 12, true, true, Access::kReadWrite},
     {"ANGLE_STEP", "electrical angle of a count [2^-32 revolution]; locked by LOCK", 0xB0u, 0, 32, 32, false, true, Access::kReadWrite},
+    {"CURRENT_OFFSET.a", "of phase a [I_fs / 2048]", 0xB4u, 0, 12, 12, true, true, Access::kReadWrite},
+    {"CURRENT_OFFSET.b", "of phase b [I_fs / 2048]", 0xB4u, 16, 12, 12, true, true, Access::kReadWrite},
+    {"PHASE_CURRENTS.i_a", "current of phase a [I_fs / 2048]", 0xB8u, 0, 16, 12, true, true, Access::kRead},
+    {"PHASE_CURRENTS.i_b", "current of phase b [I_fs / 2048]", 0xB8u, 16, 16, 12, true, true, Access::kRead},
+    {"ADC_FRAME", "leading zeros; more than 4 act as 4", 0xBCu, 0, 3, 3, false, true, Access::kReadWrite},
     {"ID.version", "identity of the IC and version of its register map", 0x200u, 0, 16, 16, false, false, Access::kRead},
     {"ID.chip", "identity of the IC and version of its register map", 0x200u, 16, 16, 16, false, false, Access::kRead},
     {"COMMIT", "writing 1 makes the next 2 kHz tick take both POS_CMD, and feeds the watchdog", 0x204u, 0, 1, 1, false, false, Access::kWrite},
@@ -333,7 +362,7 @@ inline constexpr std::array<Field, 72> kFields{{
     {"FAULT_CLEAR", "the key clears the fault if both axes are disabled and the cause is gone", 0x218u, 0, 32, 32, false, false, Access::kWrite},
     {"WATCHDOG", "ticks between COMMITs with an axis enabled; more trip; 0 = off; locked by LOCK", 0x21Cu, 0, 16, 16, false, false, Access::kReadWrite},
     {"LOCK", "lock of limits, dead times, watchdog and presets: write a key; bit 0 reads 1 if so", 0x220u, 0, 32, 1, false, false, Access::kReadWrite},
-    {"CURRENT_LIMIT", "trip level of |i_a|, |i_b|, |i_a + i_b| [9.6 A / 2048]; 0 = off; locked by LOCK", 0x224u, 0, 12, 12, false, false, Access::kReadWrite},
+    {"CURRENT_LIMIT", "trip level of |i_a|, |i_b|, |i_a + i_b| [I_fs / 2048]; 0 = off; locked by LOCK", 0x224u, 0, 12, 12, false, false, Access::kReadWrite},
     {"DEADTIME_MIN", "lowest dead time in effect [clk]; locked by LOCK", 0x228u, 0, 10, 10, false, false, Access::kReadWrite},
     {"IRQ_PERIOD", "2 kHz ticks per interrupt; 0 acts as 1", 0x22Cu, 0, 8, 8, false, false, Access::kReadWrite},
 }};

@@ -41,6 +41,12 @@ module kung_xy_regs (
     assign hwif_in_x_stroke_en_enable_swwel = hwif_in.x.stroke_en.enable.swwel;
     logic hwif_in_x_angle_step_value_swwel;
     assign hwif_in_x_angle_step_value_swwel = hwif_in.x.angle_step.value.swwel;
+    logic hwif_in_x_current_offset_a_swwel;
+    assign hwif_in_x_current_offset_a_swwel = hwif_in.x.current_offset.a.swwel;
+    logic hwif_in_x_current_offset_b_swwel;
+    assign hwif_in_x_current_offset_b_swwel = hwif_in.x.current_offset.b.swwel;
+    logic hwif_in_x_adc_frame_zeros_swwel;
+    assign hwif_in_x_adc_frame_zeros_swwel = hwif_in.x.adc_frame.zeros.swwel;
     logic hwif_in_y_deadtime_clk_swwel;
     assign hwif_in_y_deadtime_clk_swwel = hwif_in.y.deadtime.clk.swwel;
     logic hwif_in_y_stroke_min_value_swwel;
@@ -51,6 +57,12 @@ module kung_xy_regs (
     assign hwif_in_y_stroke_en_enable_swwel = hwif_in.y.stroke_en.enable.swwel;
     logic hwif_in_y_angle_step_value_swwel;
     assign hwif_in_y_angle_step_value_swwel = hwif_in.y.angle_step.value.swwel;
+    logic hwif_in_y_current_offset_a_swwel;
+    assign hwif_in_y_current_offset_a_swwel = hwif_in.y.current_offset.a.swwel;
+    logic hwif_in_y_current_offset_b_swwel;
+    assign hwif_in_y_current_offset_b_swwel = hwif_in.y.current_offset.b.swwel;
+    logic hwif_in_y_adc_frame_zeros_swwel;
+    assign hwif_in_y_adc_frame_zeros_swwel = hwif_in.y.adc_frame.zeros.swwel;
     logic hwif_in_watchdog_limit_swwel;
     assign hwif_in_watchdog_limit_swwel = hwif_in.watchdog.limit.swwel;
     logic hwif_in_current_limit_value_swwel;
@@ -127,6 +139,10 @@ module kung_xy_regs (
     assign hwif_in_x_tab_data_rd_data = hwif_in.x.tab_data.rd_data;
     logic [31:0] hwif_in_x_index_latch_value_next;
     assign hwif_in_x_index_latch_value_next = hwif_in.x.index_latch.value.next;
+    logic [15:0] hwif_in_x_phase_currents_i_a_next;
+    assign hwif_in_x_phase_currents_i_a_next = hwif_in.x.phase_currents.i_a.next;
+    logic [15:0] hwif_in_x_phase_currents_i_b_next;
+    assign hwif_in_x_phase_currents_i_b_next = hwif_in.x.phase_currents.i_b.next;
     logic hwif_in_y_status_busy_next;
     assign hwif_in_y_status_busy_next = hwif_in.y.status.busy.next;
     logic [6:0] hwif_in_y_status_step_next;
@@ -159,6 +175,10 @@ module kung_xy_regs (
     assign hwif_in_y_tab_data_rd_data = hwif_in.y.tab_data.rd_data;
     logic [31:0] hwif_in_y_index_latch_value_next;
     assign hwif_in_y_index_latch_value_next = hwif_in.y.index_latch.value.next;
+    logic [15:0] hwif_in_y_phase_currents_i_a_next;
+    assign hwif_in_y_phase_currents_i_a_next = hwif_in.y.phase_currents.i_a.next;
+    logic [15:0] hwif_in_y_phase_currents_i_b_next;
+    assign hwif_in_y_phase_currents_i_b_next = hwif_in.y.phase_currents.i_b.next;
     logic [31:0] hwif_in_tick_value_next;
     assign hwif_in_tick_value_next = hwif_in.tick.value.next;
     logic [3:0] hwif_in_fault_code_next;
@@ -468,6 +488,7 @@ module kung_xy_regs (
     logic [3:0] field_storage_x_shift_e_value;
     logic [3:0] field_storage_x_shift_de_value;
     logic [17:0] field_storage_x_a0_value_value;
+    logic [1:0] field_storage_x_a0_scale_value;
     logic [23:0] field_storage_x_b2_value_value;
     logic [10:0] field_storage_x_kp_cur_mant_value;
     logic [4:0] field_storage_x_kp_cur_exp_value;
@@ -482,6 +503,9 @@ module kung_xy_regs (
     logic field_storage_x_stroke_en_enable_value;
     logic [11:0] field_storage_x_iq_manual_value_value;
     logic [31:0] field_storage_x_angle_step_value_value;
+    logic [11:0] field_storage_x_current_offset_a_value;
+    logic [11:0] field_storage_x_current_offset_b_value;
+    logic [2:0] field_storage_x_adc_frame_zeros_value;
     logic field_storage_y_ctrl_enable_value;
     logic field_storage_y_ctrl_current_loop_value;
     logic field_storage_y_ctrl_position_loop_value;
@@ -506,6 +530,7 @@ module kung_xy_regs (
     logic [3:0] field_storage_y_shift_e_value;
     logic [3:0] field_storage_y_shift_de_value;
     logic [17:0] field_storage_y_a0_value_value;
+    logic [1:0] field_storage_y_a0_scale_value;
     logic [23:0] field_storage_y_b2_value_value;
     logic [10:0] field_storage_y_kp_cur_mant_value;
     logic [4:0] field_storage_y_kp_cur_exp_value;
@@ -520,6 +545,9 @@ module kung_xy_regs (
     logic field_storage_y_stroke_en_enable_value;
     logic [11:0] field_storage_y_iq_manual_value_value;
     logic [31:0] field_storage_y_angle_step_value_value;
+    logic [11:0] field_storage_y_current_offset_a_value;
+    logic [11:0] field_storage_y_current_offset_b_value;
+    logic [2:0] field_storage_y_adc_frame_zeros_value;
     logic field_storage_commit_take_value;
     logic field_storage_irq_en_tick_value;
     logic field_storage_irq_en_fault_value;
@@ -552,6 +580,7 @@ module kung_xy_regs (
             field_storage_x_shift_e_value <= 4'h0;
             field_storage_x_shift_de_value <= 4'h2;
             field_storage_x_a0_value_value <= 18'h3a1b8;
+            field_storage_x_a0_scale_value <= 2'h0;
             field_storage_x_b2_value_value <= 24'h7c378b;
             field_storage_x_kp_cur_mant_value <= 11'h4fb;
             field_storage_x_kp_cur_exp_value <= 5'h2;
@@ -566,6 +595,9 @@ module kung_xy_regs (
             field_storage_x_stroke_en_enable_value <= 1'h0;
             field_storage_x_iq_manual_value_value <= 12'h0;
             field_storage_x_angle_step_value_value <= 32'h55f2f;
+            field_storage_x_current_offset_a_value <= 12'h0;
+            field_storage_x_current_offset_b_value <= 12'h0;
+            field_storage_x_adc_frame_zeros_value <= 3'h4;
             field_storage_y_ctrl_enable_value <= 1'h0;
             field_storage_y_ctrl_current_loop_value <= 1'h0;
             field_storage_y_ctrl_position_loop_value <= 1'h0;
@@ -585,6 +617,7 @@ module kung_xy_regs (
             field_storage_y_shift_e_value <= 4'h0;
             field_storage_y_shift_de_value <= 4'h2;
             field_storage_y_a0_value_value <= 18'h3a1b8;
+            field_storage_y_a0_scale_value <= 2'h0;
             field_storage_y_b2_value_value <= 24'h7c378b;
             field_storage_y_kp_cur_mant_value <= 11'h4fb;
             field_storage_y_kp_cur_exp_value <= 5'h2;
@@ -599,6 +632,9 @@ module kung_xy_regs (
             field_storage_y_stroke_en_enable_value <= 1'h0;
             field_storage_y_iq_manual_value_value <= 12'h0;
             field_storage_y_angle_step_value_value <= 32'h55f2f;
+            field_storage_y_current_offset_a_value <= 12'h0;
+            field_storage_y_current_offset_b_value <= 12'h0;
+            field_storage_y_adc_frame_zeros_value <= 3'h4;
             field_storage_irq_en_tick_value <= 1'h0;
             field_storage_irq_en_fault_value <= 1'h0;
             field_storage_watchdog_limit_value <= 16'h0;
@@ -648,6 +684,7 @@ module kung_xy_regs (
                 if(decoded_wr_biten[0]) field_storage_x_a0_value_value[7:0] <= decoded_wr_data[7:0];
                 if(decoded_wr_biten[8]) field_storage_x_a0_value_value[15:8] <= decoded_wr_data[15:8];
                 if(decoded_wr_biten[16]) field_storage_x_a0_value_value[17:16] <= decoded_wr_data[17:16];
+                if(decoded_wr_biten[20]) field_storage_x_a0_scale_value[1:0] <= decoded_wr_data[21:20];
             end
             if(decoded_addr == 10'h58) begin
                 if(decoded_wr_biten[0]) field_storage_x_b2_value_value[7:0] <= decoded_wr_data[7:0];
@@ -703,6 +740,17 @@ module kung_xy_regs (
                 if(decoded_wr_biten[16]) field_storage_x_angle_step_value_value[23:16] <= decoded_wr_data[23:16];
                 if(decoded_wr_biten[24]) field_storage_x_angle_step_value_value[31:24] <= decoded_wr_data[31:24];
             end
+            if(decoded_addr == 10'hb4 && !(hwif_in_x_current_offset_a_swwel)) begin
+                if(decoded_wr_biten[0]) field_storage_x_current_offset_a_value[7:0] <= decoded_wr_data[7:0];
+                if(decoded_wr_biten[8]) field_storage_x_current_offset_a_value[11:8] <= decoded_wr_data[11:8];
+            end
+            if(decoded_addr == 10'hb4 && !(hwif_in_x_current_offset_b_swwel)) begin
+                if(decoded_wr_biten[16]) field_storage_x_current_offset_b_value[7:0] <= decoded_wr_data[23:16];
+                if(decoded_wr_biten[24]) field_storage_x_current_offset_b_value[11:8] <= decoded_wr_data[27:24];
+            end
+            if(decoded_addr == 10'hbc && !(hwif_in_x_adc_frame_zeros_swwel)) begin
+                if(decoded_wr_biten[0]) field_storage_x_adc_frame_zeros_value[2:0] <= decoded_wr_data[2:0];
+            end
             if(decoded_addr == 10'h100) begin
                 if(decoded_wr_biten[0]) field_storage_y_ctrl_enable_value <= decoded_wr_data[0:0];
                 if(decoded_wr_biten[1]) field_storage_y_ctrl_current_loop_value <= decoded_wr_data[1:1];
@@ -745,6 +793,7 @@ module kung_xy_regs (
                 if(decoded_wr_biten[0]) field_storage_y_a0_value_value[7:0] <= decoded_wr_data[7:0];
                 if(decoded_wr_biten[8]) field_storage_y_a0_value_value[15:8] <= decoded_wr_data[15:8];
                 if(decoded_wr_biten[16]) field_storage_y_a0_value_value[17:16] <= decoded_wr_data[17:16];
+                if(decoded_wr_biten[20]) field_storage_y_a0_scale_value[1:0] <= decoded_wr_data[21:20];
             end
             if(decoded_addr == 10'h158) begin
                 if(decoded_wr_biten[0]) field_storage_y_b2_value_value[7:0] <= decoded_wr_data[7:0];
@@ -799,6 +848,17 @@ module kung_xy_regs (
                 if(decoded_wr_biten[8]) field_storage_y_angle_step_value_value[15:8] <= decoded_wr_data[15:8];
                 if(decoded_wr_biten[16]) field_storage_y_angle_step_value_value[23:16] <= decoded_wr_data[23:16];
                 if(decoded_wr_biten[24]) field_storage_y_angle_step_value_value[31:24] <= decoded_wr_data[31:24];
+            end
+            if(decoded_addr == 10'h1b4 && !(hwif_in_y_current_offset_a_swwel)) begin
+                if(decoded_wr_biten[0]) field_storage_y_current_offset_a_value[7:0] <= decoded_wr_data[7:0];
+                if(decoded_wr_biten[8]) field_storage_y_current_offset_a_value[11:8] <= decoded_wr_data[11:8];
+            end
+            if(decoded_addr == 10'h1b4 && !(hwif_in_y_current_offset_b_swwel)) begin
+                if(decoded_wr_biten[16]) field_storage_y_current_offset_b_value[7:0] <= decoded_wr_data[23:16];
+                if(decoded_wr_biten[24]) field_storage_y_current_offset_b_value[11:8] <= decoded_wr_data[27:24];
+            end
+            if(decoded_addr == 10'h1bc && !(hwif_in_y_adc_frame_zeros_swwel)) begin
+                if(decoded_wr_biten[0]) field_storage_y_adc_frame_zeros_value[2:0] <= decoded_wr_data[2:0];
             end
             if(decoded_addr == 10'h208) begin
                 if(decoded_wr_biten[0]) field_storage_irq_en_tick_value <= decoded_wr_data[0:0];
@@ -895,6 +955,7 @@ module kung_xy_regs (
     assign hwif_out.x.shift.e.value = field_storage_x_shift_e_value;
     assign hwif_out.x.shift.de.value = field_storage_x_shift_de_value;
     assign hwif_out.x.a0.value.value = field_storage_x_a0_value_value;
+    assign hwif_out.x.a0.scale.value = field_storage_x_a0_scale_value;
     assign hwif_out.x.b2.value.value = field_storage_x_b2_value_value;
     assign hwif_out.x.kp_cur.mant.value = field_storage_x_kp_cur_mant_value;
     assign hwif_out.x.kp_cur.exp.value = field_storage_x_kp_cur_exp_value;
@@ -920,6 +981,9 @@ module kung_xy_regs (
     assign hwif_out.x.stroke_en.enable.value = field_storage_x_stroke_en_enable_value;
     assign hwif_out.x.iq_manual.value.value = field_storage_x_iq_manual_value_value;
     assign hwif_out.x.angle_step.value.value = field_storage_x_angle_step_value_value;
+    assign hwif_out.x.current_offset.a.value = field_storage_x_current_offset_a_value;
+    assign hwif_out.x.current_offset.b.value = field_storage_x_current_offset_b_value;
+    assign hwif_out.x.adc_frame.zeros.value = field_storage_x_adc_frame_zeros_value;
     assign hwif_out.y.ctrl.enable.value = field_storage_y_ctrl_enable_value;
     assign hwif_out.y.ctrl.current_loop.value = field_storage_y_ctrl_current_loop_value;
     assign hwif_out.y.ctrl.position_loop.value = field_storage_y_ctrl_position_loop_value;
@@ -994,6 +1058,7 @@ module kung_xy_regs (
     assign hwif_out.y.shift.e.value = field_storage_y_shift_e_value;
     assign hwif_out.y.shift.de.value = field_storage_y_shift_de_value;
     assign hwif_out.y.a0.value.value = field_storage_y_a0_value_value;
+    assign hwif_out.y.a0.scale.value = field_storage_y_a0_scale_value;
     assign hwif_out.y.b2.value.value = field_storage_y_b2_value_value;
     assign hwif_out.y.kp_cur.mant.value = field_storage_y_kp_cur_mant_value;
     assign hwif_out.y.kp_cur.exp.value = field_storage_y_kp_cur_exp_value;
@@ -1019,6 +1084,9 @@ module kung_xy_regs (
     assign hwif_out.y.stroke_en.enable.value = field_storage_y_stroke_en_enable_value;
     assign hwif_out.y.iq_manual.value.value = field_storage_y_iq_manual_value_value;
     assign hwif_out.y.angle_step.value.value = field_storage_y_angle_step_value_value;
+    assign hwif_out.y.current_offset.a.value = field_storage_y_current_offset_a_value;
+    assign hwif_out.y.current_offset.b.value = field_storage_y_current_offset_b_value;
+    assign hwif_out.y.adc_frame.zeros.value = field_storage_y_adc_frame_zeros_value;
     // Field: kung_xy.commit.take
     always_ff @(posedge clk_i) begin
         if(rst_i) begin
@@ -1201,6 +1269,7 @@ module kung_xy_regs (
                 end
                 10'h54: begin
                     readback_data_var[17:0] = field_storage_x_a0_value_value;
+                    readback_data_var[21:20] = field_storage_x_a0_scale_value;
                 end
                 10'h58: begin
                     readback_data_var[23:0] = field_storage_x_b2_value_value;
@@ -1243,6 +1312,17 @@ module kung_xy_regs (
                 end
                 10'hb0: begin
                     readback_data_var[31:0] = field_storage_x_angle_step_value_value;
+                end
+                10'hb4: begin
+                    readback_data_var[11:0] = field_storage_x_current_offset_a_value;
+                    readback_data_var[27:16] = field_storage_x_current_offset_b_value;
+                end
+                10'hb8: begin
+                    readback_data_var[15:0] = hwif_in_x_phase_currents_i_a_next;
+                    readback_data_var[31:16] = hwif_in_x_phase_currents_i_b_next;
+                end
+                10'hbc: begin
+                    readback_data_var[2:0] = field_storage_x_adc_frame_zeros_value;
                 end
                 10'h100: begin
                     readback_data_var[0] = field_storage_y_ctrl_enable_value;
@@ -1319,6 +1399,7 @@ module kung_xy_regs (
                 end
                 10'h154: begin
                     readback_data_var[17:0] = field_storage_y_a0_value_value;
+                    readback_data_var[21:20] = field_storage_y_a0_scale_value;
                 end
                 10'h158: begin
                     readback_data_var[23:0] = field_storage_y_b2_value_value;
@@ -1362,8 +1443,19 @@ module kung_xy_regs (
                 10'h1b0: begin
                     readback_data_var[31:0] = field_storage_y_angle_step_value_value;
                 end
+                10'h1b4: begin
+                    readback_data_var[11:0] = field_storage_y_current_offset_a_value;
+                    readback_data_var[27:16] = field_storage_y_current_offset_b_value;
+                end
+                10'h1b8: begin
+                    readback_data_var[15:0] = hwif_in_y_phase_currents_i_a_next;
+                    readback_data_var[31:16] = hwif_in_y_phase_currents_i_b_next;
+                end
+                10'h1bc: begin
+                    readback_data_var[2:0] = field_storage_y_adc_frame_zeros_value;
+                end
                 10'h200: begin
-                    readback_data_var[15:0] = 16'h2;
+                    readback_data_var[15:0] = 16'h3;
                     readback_data_var[31:16] = 16'h4b58;
                 end
                 10'h208: begin

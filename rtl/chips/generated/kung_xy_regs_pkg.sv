@@ -195,6 +195,40 @@ package kung_xy_regs_pkg;
     } axis_regs__angle_step__in_t;
 
     typedef struct packed {
+        logic swwel;
+    } axis_regs__current_offset__a__in_t;
+
+    typedef struct packed {
+        logic swwel;
+    } axis_regs__current_offset__b__in_t;
+
+    typedef struct packed {
+        axis_regs__current_offset__a__in_t a;
+        axis_regs__current_offset__b__in_t b;
+    } axis_regs__current_offset__in_t;
+
+    typedef struct packed {
+        logic [15:0] next;
+    } axis_regs__phase_currents__i_a__in_t;
+
+    typedef struct packed {
+        logic [15:0] next;
+    } axis_regs__phase_currents__i_b__in_t;
+
+    typedef struct packed {
+        axis_regs__phase_currents__i_a__in_t i_a;
+        axis_regs__phase_currents__i_b__in_t i_b;
+    } axis_regs__phase_currents__in_t;
+
+    typedef struct packed {
+        logic swwel;
+    } axis_regs__adc_frame__zeros__in_t;
+
+    typedef struct packed {
+        axis_regs__adc_frame__zeros__in_t zeros;
+    } axis_regs__adc_frame__in_t;
+
+    typedef struct packed {
         axis_regs__status__in_t status;
         axis_regs__pos__in_t pos;
         axis_regs__pos_model__in_t pos_model;
@@ -214,6 +248,9 @@ package kung_xy_regs_pkg;
         axis_regs__stroke_max__in_t stroke_max;
         axis_regs__stroke_en__in_t stroke_en;
         axis_regs__angle_step__in_t angle_step;
+        axis_regs__current_offset__in_t current_offset;
+        axis_regs__phase_currents__in_t phase_currents;
+        axis_regs__adc_frame__in_t adc_frame;
     } axis_regs__in_t;
 
     typedef struct packed {
@@ -450,7 +487,12 @@ package kung_xy_regs_pkg;
     } axis_regs__a0__value__out_t;
 
     typedef struct packed {
+        logic [1:0] value;
+    } axis_regs__a0__scale__out_t;
+
+    typedef struct packed {
         axis_regs__a0__value__out_t value;
+        axis_regs__a0__scale__out_t scale;
     } axis_regs__a0__out_t;
 
     typedef struct packed {
@@ -580,6 +622,27 @@ package kung_xy_regs_pkg;
     } axis_regs__angle_step__out_t;
 
     typedef struct packed {
+        logic [11:0] value;
+    } axis_regs__current_offset__a__out_t;
+
+    typedef struct packed {
+        logic [11:0] value;
+    } axis_regs__current_offset__b__out_t;
+
+    typedef struct packed {
+        axis_regs__current_offset__a__out_t a;
+        axis_regs__current_offset__b__out_t b;
+    } axis_regs__current_offset__out_t;
+
+    typedef struct packed {
+        logic [2:0] value;
+    } axis_regs__adc_frame__zeros__out_t;
+
+    typedef struct packed {
+        axis_regs__adc_frame__zeros__out_t zeros;
+    } axis_regs__adc_frame__out_t;
+
+    typedef struct packed {
         axis_regs__ctrl__out_t ctrl;
         axis_regs__status__out_t status;
         axis_regs__pos_cmd__out_t pos_cmd;
@@ -602,6 +665,8 @@ package kung_xy_regs_pkg;
         axis_regs__stroke_en__out_t stroke_en;
         axis_regs__iq_manual__out_t iq_manual;
         axis_regs__angle_step__out_t angle_step;
+        axis_regs__current_offset__out_t current_offset;
+        axis_regs__adc_frame__out_t adc_frame;
     } axis_regs__out_t;
 
     typedef struct packed {

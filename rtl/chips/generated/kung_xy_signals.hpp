@@ -235,9 +235,15 @@ std::uint32_t read_shift_de(const Root& root, int axis) {
 }
 
 template <class Root>
-std::uint32_t read_a0(const Root& root, int axis) {
+std::uint32_t read_a0_value(const Root& root, int axis) {
   return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_a0_value_value
          : root.kung_xy__DOT__u_regs__DOT__field_storage_y_a0_value_value;
+}
+
+template <class Root>
+std::uint32_t read_a0_scale(const Root& root, int axis) {
+  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_a0_scale_value
+         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_a0_scale_value;
 }
 
 template <class Root>
@@ -328,6 +334,36 @@ template <class Root>
 std::uint32_t read_angle_step(const Root& root, int axis) {
   return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_angle_step_value_value
          : root.kung_xy__DOT__u_regs__DOT__field_storage_y_angle_step_value_value;
+}
+
+template <class Root>
+std::uint32_t read_current_offset_a(const Root& root, int axis) {
+  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_current_offset_a_value
+         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_current_offset_a_value;
+}
+
+template <class Root>
+std::uint32_t read_current_offset_b(const Root& root, int axis) {
+  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_current_offset_b_value
+         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_current_offset_b_value;
+}
+
+template <class Root>
+std::uint32_t read_phase_currents_i_a(const Root& root, int axis) {
+  return axis == 0 ? root.kung_xy__DOT__gen_axis__BRA__0__KET____DOT__u_axis__DOT__u_current_loop__DOT__i_a_o
+         : root.kung_xy__DOT__gen_axis__BRA__1__KET____DOT__u_axis__DOT__u_current_loop__DOT__i_a_o;
+}
+
+template <class Root>
+std::uint32_t read_phase_currents_i_b(const Root& root, int axis) {
+  return axis == 0 ? root.kung_xy__DOT__gen_axis__BRA__0__KET____DOT__u_axis__DOT__u_current_loop__DOT__i_b_o
+         : root.kung_xy__DOT__gen_axis__BRA__1__KET____DOT__u_axis__DOT__u_current_loop__DOT__i_b_o;
+}
+
+template <class Root>
+std::uint32_t read_adc_frame(const Root& root, int axis) {
+  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_adc_frame_zeros_value
+         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_adc_frame_zeros_value;
 }
 
 template <class Root>
@@ -432,7 +468,7 @@ struct Reading {
 };
 
 template <class Root>
-inline constexpr std::array<Reading<Root>, 66> kReadings{{
+inline constexpr std::array<Reading<Root>, 71> kReadings{{
     {kWords[0], read_ctrl<Root>},
     {kFields[0], read_ctrl_enable<Root>},
     {kFields[1], read_ctrl_current_loop<Root>},
@@ -470,35 +506,40 @@ inline constexpr std::array<Reading<Root>, 66> kReadings{{
     {kFields[34], read_eta_exp<Root>},
     {kFields[35], read_shift_e<Root>},
     {kFields[36], read_shift_de<Root>},
-    {kFields[37], read_a0<Root>},
-    {kFields[38], read_b2<Root>},
-    {kFields[39], read_kp_cur_mant<Root>},
-    {kFields[40], read_kp_cur_exp<Root>},
-    {kFields[41], read_ki_cur_mant<Root>},
-    {kFields[42], read_ki_cur_exp<Root>},
-    {kFields[43], read_theta_ofs<Root>},
-    {kFields[44], read_deadtime_clk<Root>},
-    {kFields[45], read_deadtime_qep_filter<Root>},
-    {kFields[46], read_tab_addr<Root>},
-    {kFields[49], read_index_latch<Root>},
-    {kFields[50], read_stroke_min<Root>},
-    {kFields[51], read_stroke_max<Root>},
-    {kFields[52], read_stroke_en<Root>},
-    {kFields[53], read_iq_manual<Root>},
-    {kFields[54], read_angle_step<Root>},
-    {kFields[58], read_irq_en_tick<Root>},
-    {kFields[59], read_irq_en_fault<Root>},
-    {kFields[60], read_irq_stat_tick<Root>},
-    {kFields[61], read_irq_stat_fault<Root>},
-    {kFields[62], read_tick<Root>},
+    {kFields[37], read_a0_value<Root>},
+    {kFields[39], read_b2<Root>},
+    {kFields[40], read_kp_cur_mant<Root>},
+    {kFields[41], read_kp_cur_exp<Root>},
+    {kFields[42], read_ki_cur_mant<Root>},
+    {kFields[43], read_ki_cur_exp<Root>},
+    {kFields[44], read_theta_ofs<Root>},
+    {kFields[45], read_deadtime_clk<Root>},
+    {kFields[46], read_deadtime_qep_filter<Root>},
+    {kFields[47], read_tab_addr<Root>},
+    {kFields[50], read_index_latch<Root>},
+    {kFields[51], read_stroke_min<Root>},
+    {kFields[52], read_stroke_max<Root>},
+    {kFields[53], read_stroke_en<Root>},
+    {kFields[54], read_iq_manual<Root>},
+    {kFields[55], read_angle_step<Root>},
+    {kFields[56], read_current_offset_a<Root>},
+    {kFields[57], read_current_offset_b<Root>},
+    {kFields[58], read_phase_currents_i_a<Root>},
+    {kFields[59], read_phase_currents_i_b<Root>},
+    {kFields[60], read_adc_frame<Root>},
+    {kFields[64], read_irq_en_tick<Root>},
+    {kFields[65], read_irq_en_fault<Root>},
+    {kFields[66], read_irq_stat_tick<Root>},
+    {kFields[67], read_irq_stat_fault<Root>},
+    {kFields[68], read_tick<Root>},
     {kWords[2], read_fault<Root>},
-    {kFields[63], read_fault_code<Root>},
-    {kFields[64], read_fault_axis<Root>},
-    {kFields[67], read_watchdog<Root>},
-    {kFields[68], read_lock<Root>},
-    {kFields[69], read_current_limit<Root>},
-    {kFields[70], read_deadtime_min<Root>},
-    {kFields[71], read_irq_period<Root>},
+    {kFields[69], read_fault_code<Root>},
+    {kFields[70], read_fault_axis<Root>},
+    {kFields[73], read_watchdog<Root>},
+    {kFields[74], read_lock<Root>},
+    {kFields[75], read_current_limit<Root>},
+    {kFields[76], read_deadtime_min<Root>},
+    {kFields[77], read_irq_period<Root>},
 }};
 
 }  // namespace trammel::kung_xy_regs

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Verify RTL blocks: their promises, or their tests by mutants; or whole runs of the twin engine.
+"""Verify RTL blocks: their promises, or their tests by mutants; whole runs by both engines; keys.
 
 usage: trammel verify [layer/block ...]            the promises, as trammel prove
        trammel verify --mutants [layer/block ...]  the whole campaign, against the block's floor
@@ -8,11 +8,16 @@ usage: trammel verify [layer/block ...]            the promises, as trammel prov
        trammel verify --page                       writes the tables of docs/mutation.md
        trammel verify --engines [scenario ...]     whole scenarios, both engines: the same events
        trammel verify --engines --short            one short scenario per machine, as in the tests
+       trammel verify --keys [--seed N]            each numeric key at the ends of its range and between
+       trammel verify --keys --short               twelve keys of each machine, as in the tests
 
 A campaign makes 200 mutants of a block, runs its unit test against each, and proves what it can of
 those the test accepts: refuted by a promise, or equivalent. Its result, logs and models stay in
 build/mutants/<block>; --afresh proves again what the result of this source already holds. Floors
 and what is known of survivors stand in tests/mutants.toml and mutants.toml of machines and parts.
+
+A key's value is tried in a short run of its machine (machines/<m>/tests/runs.toml): the run does
+what was asked, or says why not, or the value is refused; RTL and twin give the same events.
 
 Exit codes: 0 reached, 1 below the floor, not explained or different, 2 no such block or scenario,
 3 a tool is missing.
@@ -23,7 +28,7 @@ import sys
 import time
 
 from trammel_tools import machines, python_tools
-from trammel_tools.check import engines
+from trammel_tools.check import engines, keys
 from trammel_tools.mutation import mutant_floors, mutant_proofs, mutant_tests, mutants
 from trammel_tools.paths import ROOT
 from trammel_tools.proof import properties, prove
@@ -126,10 +131,11 @@ def sample(block, limit, floors):
 def parse(every):
     parser = python_tools.Parser(prog="trammel verify", description=__doc__)
     what = parser.add_mutually_exclusive_group()
-    for name in ("mutants", "sample", "check", "page", "engines"):
+    for name in ("mutants", "sample", "check", "page", "engines", "keys"):
         what.add_argument(f"--{name}", action="store_true")
     parser.add_argument("--afresh", action="store_true")
     parser.add_argument("--short", action="store_true")
+    parser.add_argument("--seed", type=int, default=1, metavar="N", help="of --keys (default 1)")
     parser.add_argument("--limit", type=int, default=60, metavar="SECONDS",
                         help="for one proof (default 60)")
     parser.add_argument("blocks", nargs="*", metavar="layer/block", help="or scenario")
@@ -171,9 +177,10 @@ def run(arguments, every):
 def main():
     every = [b for b in lint.blocks() if mutant_tests.test_of(b).exists()]
     arguments = parse(every)
-    if arguments.engines:
+    if arguments.engines or arguments.keys:
         try:
-            wrong = engines.compare(arguments.blocks or engines.scenarios(arguments.short))
+            wrong = keys.check(arguments.short, arguments.seed) if arguments.keys else \
+                engines.compare(arguments.blocks or engines.scenarios(arguments.short))
         except (engines.EngineError, machines.MachineError) as error:
             wrong = [str(error)]
         for line in wrong:

@@ -11,6 +11,7 @@ namespace reg = kung_xy_regs;
 constexpr std::array<std::uint32_t, 2> kBases{reg::kX, reg::kY};
 constexpr std::uint32_t kStickyStatus =
     reg::kStatusOverrun | reg::kStatusQepError | reg::kStatusSaturated | reg::kStatusLimited;
+constexpr std::int32_t kMaxOffset = 256;  // of a current sensor [I_fs / 2048]
 constexpr std::uint32_t kAllIrqs = reg::kIrqStatTick | reg::kIrqStatFault;
 
 constexpr std::uint32_t word(std::int32_t value) { return static_cast<std::uint32_t>(value); }
@@ -52,12 +53,14 @@ void configure_axis(Bus& bus, std::uint32_t base, const AxisSetup& axis, std::in
   bus.write(base + reg::kEta, gain_word(axis.eta));
   bus.write(base + reg::kShift,
             axis.shift_e << reg::kShiftEShift | axis.shift_de << reg::kShiftDeShift);
-  bus.write(base + reg::kA0, axis.a0);
+  bus.write(base + reg::kA0, axis.a0 << reg::kA0ValueShift | axis.a0_scale << reg::kA0ScaleShift);
   bus.write(base + reg::kB2, axis.b2);
   bus.write(base + reg::kKpCur, gain_word(axis.kp_cur));
   bus.write(base + reg::kKiCur, gain_word(axis.ki_cur));
   bus.write(base + reg::kAngleStep, axis.angle_step);
   bus.write(base + reg::kThetaOfs, axis.theta_ofs);
+  bus.write(base + reg::kCurrentOffset, 0);
+  bus.write(base + reg::kAdcFrame, axis.adc_zeros);
   bus.write(base + reg::kDeadtime, axis.dead_time << reg::kDeadtimeClkShift |
                                        axis.qep_filter << reg::kDeadtimeQepFilterShift);
   bus.write(base + reg::kStrokeMin, word(axis.stroke_min));
@@ -114,7 +117,7 @@ void KungApp::start(Bus& bus) {
   if (!wait_both_idle(bus)) return fail(bus, Failure::kBusy);
 
   write_command(bus, start_);
-  state_ = State::kArming;
+  state_ = setup_.offset_samples == 0 ? State::kArming : State::kCalibrating;
   bus.write(reg::kIrqStat, kAllIrqs);
   bus.write(reg::kIrqEn, reg::kIrqEnTick);
 }
@@ -127,11 +130,36 @@ void KungApp::isr(Bus& bus) {
     return fail(bus, Failure::kFault);
   }
   if ((cause & reg::kIrqStatTick) == 0) return;
-  if (state_ == State::kArming) {
+  if (state_ == State::kCalibrating) {
+    calibrate(bus);
+  } else if (state_ == State::kArming) {
     arm(bus);
   } else if (state_ == State::kRunning) {
     serve(bus);
   }
+}
+
+// No current flows: what the sensors show are their offsets.
+void KungApp::calibrate(Bus& bus) {
+  for (std::size_t a = 0; a < 2; ++a) {
+    const std::uint32_t both = bus.read(kBases[a] + reg::kPhaseCurrents);
+    currents_[2 * a] += static_cast<std::int16_t>(both & 0xFFFFu);
+    currents_[2 * a + 1] += static_cast<std::int16_t>(both >> 16);
+  }
+  if (++calibrated_ < setup_.offset_samples) return;
+  const auto count = static_cast<std::int32_t>(calibrated_);
+  for (std::size_t a = 0; a < 2; ++a) {
+    std::array<std::uint32_t, 2> offset{};
+    for (std::size_t phase = 0; phase < 2; ++phase) {
+      const std::int32_t sum = currents_[2 * a + phase];
+      const std::int32_t mean = (2 * sum + (sum < 0 ? -count : count)) / (2 * count);
+      if (mean > kMaxOffset || mean < -kMaxOffset) return fail(bus, Failure::kSensor);
+      offset[phase] = word(mean) & reg::kCurrentOffsetAMask;
+    }
+    bus.write(kBases[a] + reg::kCurrentOffset, offset[0] << reg::kCurrentOffsetAShift |
+                                                   offset[1] << reg::kCurrentOffsetBShift);
+  }
+  state_ = State::kArming;
 }
 
 // The chip has latched the preset counts and taken the start point: the model now starts at rest.

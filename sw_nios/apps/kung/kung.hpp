@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Trajectory program of the two-axis table (specification section 10). start() sets the registers
-// with both axes off; the first interrupt, when the chip has latched the preset positions, enables
-// the axes; every later one reads the response, writes the next point and logs. After the last
-// point the table is held there: COMMITs continue, so the watchdog stays fed. Freestanding; never
-// waits longer than a bounded poll of a busy bit.
+// with both axes off. If asked, the first interrupts then average the offsets of the current
+// sensors; the next one, when the chip has latched the preset positions, enables the axes; every
+// later one reads the response, writes the next point and logs. After the last point the table is
+// held there: COMMITs continue, so the watchdog stays fed. Freestanding; never waits longer than a
+// bounded poll of a busy bit.
 #pragma once
 
 #include <array>
@@ -31,10 +32,12 @@ struct AxisSetup {
   Gain ki_cur{1478, -2};
   std::uint32_t shift_e = 0;
   std::uint32_t shift_de = 2;
-  std::uint32_t a0 = 238008;      // [2^-32]
+  std::uint32_t a0 = 238008;      // [2^-32] with scale 0
+  std::uint32_t a0_scale = 0;     // 0 2^-32, 1 2^-28, 2 2^-23
   std::uint32_t b2 = 8140683;     // [2^-23]
   std::uint32_t angle_step = 352047;  // electrical angle of a count [2^-32 revolution]
   std::uint32_t theta_ofs = 0;    // electrical angle at count 0 [2^-32 revolution]
+  std::uint32_t adc_zeros = 4;    // leading zeros of a converter's frame
   std::uint32_t dead_time = 100;  // [clk]
   std::uint32_t qep_filter = 3;   // equal samples, 1..15
   std::int32_t stroke_min = 0;    // [count] no point outside is ever commanded
@@ -49,8 +52,9 @@ struct KungSetup : PathSetup {
   std::array<AxisSetup, 2> axis;
   std::uint32_t irq_period = 4;        // 2 kHz ticks per point; 1 for the square wave
   std::uint32_t watchdog_ticks = 100;  // 0 = off
-  std::uint32_t current_limit = 1280;  // 6 A [9.6 A / 2048], 0 = off
+  std::uint32_t current_limit = 1280;  // 6 A [I_fs / 2048], 0 = off
   std::uint32_t dead_time_min = 25;    // [clk]
+  std::uint32_t offset_samples = 0;    // interrupts over which offsets of sensors are averaged
 };
 
 // Response read at one interrupt, and the point written then (in effect from the next tick on).
@@ -59,7 +63,7 @@ struct LogRecord {
   std::int32_t x_cmd = 0, y_cmd = 0;      // [count]
   std::int32_t x_pos = 0, y_pos = 0;      // [count]
   std::int32_t x_model = 0, y_model = 0;  // [count]
-  std::int32_t x_iq = 0, y_iq = 0;        // i_q* [4.8 A / 2048]
+  std::int32_t x_iq = 0, y_iq = 0;        // i_q* [I_fs / 4096]
   std::uint32_t x_status = 0, y_status = 0;
 };
 
@@ -68,6 +72,7 @@ enum class Failure : std::uint32_t {
   kWrongChip,    // ID is not that of the register map
   kOutOfStroke,  // the path has a point outside a stroke; nothing was enabled
   kBusy,         // a busy bit did not clear
+  kSensor,       // a current sensor shows more than 1/8 of its range with the drives off
   kPreset,       // the position did not become the start point
   kLate,         // an interrupt was lost or its service crossed a tick
   kFault         // the chip latched a fault: fault()
@@ -95,10 +100,11 @@ class KungApp final : public Firmware {
   }
 
  private:
-  enum class State : std::uint8_t { kOff, kArming, kRunning };
+  enum class State : std::uint8_t { kOff, kCalibrating, kArming, kRunning };
 
   bool within_stroke(Point point) const;
   bool path_within_stroke() const;
+  void calibrate(Bus& bus);
   void arm(Bus& bus);
   void serve(Bus& bus);
   void read_response(Bus& bus, LogRecord& record) const;
@@ -113,6 +119,8 @@ class KungApp final : public Firmware {
   std::uint32_t last_tick_ = 0;
   std::uint32_t fault_ = 0;
   State state_ = State::kOff;
+  std::array<std::int32_t, 4> currents_{};  // sums of X a, X b, Y a, Y b
+  std::uint32_t calibrated_ = 0;            // interrupts in them
   std::uint32_t logged_ = 0;
   std::array<LogRecord, kLogSize> log_{};
 };

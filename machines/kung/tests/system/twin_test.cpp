@@ -22,6 +22,7 @@ exact::Afc::Config afc_config(const sw::AxisSetup& s) {
           static_cast<int>(s.shift_e),
           static_cast<int>(s.shift_de),
           static_cast<std::int32_t>(s.a0),
+          static_cast<int>(s.a0_scale),
           static_cast<std::int32_t>(s.b2),
           s.adapt,
           s.feedforward};

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The trajectory program on registers that are plain memory, with the reactions it relies on.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "rtl/chips/generated/kung_xy_regs.hpp"
+#include "sw_nios/apps/kung/kung.hpp"
+
+namespace trammel::test {
+
+namespace reg = kung_xy_regs;
+
+struct Access {
+  std::uint32_t address, data;
+  bool write;
+};
+
+// Registers as plain memory with the few reactions the program relies on.
+class FakeChip final : public sw::Bus {
+ public:
+  std::map<std::uint32_t, std::uint32_t> registers{{reg::kId, reg::kIdValue}};
+  std::vector<Access> log;
+  std::uint32_t busy_polls = 3;  // STATUS reads a table reset stays busy for
+  bool presets = true;
+  bool fault_stays = false;
+  std::uint32_t ticks_per_commit = 0;
+
+  std::uint32_t read(std::uint32_t address) override {
+    std::uint32_t data = registers[address];
+    if (address == reg::kX + reg::kStatus || address == reg::kY + reg::kStatus) {
+      std::uint32_t& left = busy_[address >= reg::kY];
+      data = left > 0 ? reg::kStatusBusy : 0;
+      left -= left > 0 ? 1 : 0;
+    }
+    log.push_back({address, data, false});
+    return data;
+  }
+
+  void write(std::uint32_t address, std::uint32_t data) override {
+    log.push_back({address, data, true});
+    for (const std::uint32_t base : {reg::kX, reg::kY}) {
+      if (address == base + reg::kPosPreset && presets) registers[base + reg::kPos] = data;
+      if (address == base + reg::kCtrl && (data & reg::kCtrlResetTable) != 0) {
+        busy_[base == reg::kY] = busy_polls;
+        data &= ~reg::kCtrlResetTable;
+      }
+    }
+    if (address == reg::kFaultClear && data == reg::kKeyFaultClear && !fault_stays) {
+      registers[reg::kFault] = 0;
+    }
+    if (address == reg::kCommit) registers[reg::kTick] += ticks_per_commit;
+    if (address == reg::kIrqStat) data = registers[address] & ~data;
+    registers[address] = data;
+  }
+
+  void tick(std::uint32_t ticks) {
+    registers[reg::kTick] += ticks;
+    registers[reg::kIrqStat] |= reg::kIrqStatTick;
+  }
+
+  std::vector<Access> writes(std::size_t from = 0) const {
+    std::vector<Access> list;
+    std::copy_if(log.begin() + static_cast<std::ptrdiff_t>(from), log.end(),
+                 std::back_inserter(list), [](const Access& a) { return a.write; });
+    return list;
+  }
+
+  // Index in the log of the n-th write to that address, or the length of the log.
+  std::size_t write_index(std::uint32_t address, int n = 0) const {
+    for (std::size_t i = 0; i < log.size(); ++i) {
+      if (log[i].write && log[i].address == address && n-- == 0) return i;
+    }
+    return log.size();
+  }
+
+ private:
+  std::uint32_t busy_[2] = {0, 0};
+};
+
+struct Machine {
+  FakeChip chip;
+  sw::KungApp app;
+  std::uint32_t period;
+
+  explicit Machine(const sw::KungSetup& setup = {}) : app(setup), period(setup.irq_period) {}
+  void interrupt() {
+    chip.tick(period);
+    app.isr(chip);
+  }
+  void arm() {
+    app.start(chip);
+    interrupt();
+  }
+};
+
+inline sw::Failure failure(const Machine& m) {
+  return static_cast<sw::Failure>(m.app.mailbox().failure);
+}
+
+inline bool axes_off(FakeChip& chip) {
+  return chip.registers[reg::kX + reg::kCtrl] == 0 && chip.registers[reg::kY + reg::kCtrl] == 0 &&
+         chip.registers[reg::kIrqEn] == 0;
+}
+
+}  // namespace trammel::test
