@@ -7,6 +7,7 @@ asked, by the truth in its trace, or its line says why not, or the value is refu
 names the key. A part of that run, by [keys] cut_s, has the same events and files with the RTL.
 """
 
+import functools
 import json
 import math
 import random
@@ -40,7 +41,7 @@ def numeric(machine):
 
 
 def values(key, least, most, default, whole, seed):
-    """Both ends; one anywhere between, on a logarithmic scale if it is wide; others near default."""
+    """Both ends; one anywhere between, on a logarithmic scale if it is wide; two near default."""
     draw = random.Random(f"{key} {seed}")
     chosen = [least, most]
     for n in range(BETWEEN):
@@ -95,8 +96,9 @@ def off_target_mm(files, columns):
     return 1000 * math.dist(*[[float(last[name]) for name in names] for names in columns])
 
 
-def judge(plan, key, value, folder):
+def judge(plan, folder, one):
     """(outcome, text): outcome is done, ended, refused or WRONG."""
+    key, value = one
     code, text, _, files = run(plan, key, value, folder, "twin")
     if code == 2:
         # Its own name, or that of the key of its section with which it does not go together.
@@ -141,7 +143,7 @@ def check(short=False, seed=1):
         if plan is None:
             continue
         with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(2) as pool:
-            outcomes = pool.map(lambda one: judge(plan, *one, Path(folder)), tried)
+            outcomes = pool.map(functools.partial(judge, plan, Path(folder)), tried)
             counts = {}
             for (key, value), (outcome, text) in zip(tried, outcomes):
                 counts[outcome] = counts.get(outcome, 0) + 1

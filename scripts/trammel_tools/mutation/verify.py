@@ -8,7 +8,7 @@ usage: trammel verify [layer/block ...]            the promises, as trammel prov
        trammel verify --page                       writes the tables of docs/mutation.md
        trammel verify --engines [scenario ...]     whole scenarios, both engines: the same events
        trammel verify --engines --short            one short scenario per machine, as in the tests
-       trammel verify --keys [--seed N]            each numeric key at the ends of its range and between
+       trammel verify --keys [--seed N]            each numeric key, at both ends and between
        trammel verify --keys --short               twelve keys of each machine, as in the tests
 
 A campaign makes 200 mutants of a block, runs its unit test against each, and proves what it can of
