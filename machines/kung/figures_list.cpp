@@ -87,6 +87,7 @@ List figures(const lab::Settings& settings, cosim::RunResult& run) {
   const auto& options = static_cast<const Options&>(settings);
   auto& result = static_cast<Result&>(run);
   const Range range = counted(result);
+  result.load = {};
   Points table, command;
   Series to_model_mm, to_command_mm, contour_mm;
   std::array<AxisSignals, 2> axes;
@@ -103,6 +104,7 @@ List figures(const lab::Settings& settings, cosim::RunResult& run) {
       axis.error_mm.push_back((axis.model_m.back() - at.x_true_m) * kMm);
       axis.peak_current_A = std::max(axis.peak_current_A, std::abs(at.i_q_true_A));
       axis.max_speed_m_s = std::max(axis.max_speed_m_s, std::abs(at.v_true_m_s));
+      result.load[a].add(at, options.plant.axis[a]);
     }
     table.push_back({axes[0].position_m.back(), axes[1].position_m.back()});
     command.push_back({asked_m[0], asked_m[1]});
@@ -143,6 +145,7 @@ List figures(const lab::Settings& settings, cosim::RunResult& run) {
   list.back().shown = result.end == EndReason::kDone || result.end == EndReason::kMissed;
   add_peak("peak_current_A", "peak current", &AxisSignals::peak_current_A, "A", 2);
   add_peak("max_speed_m_s", "top speed", &AxisSignals::max_speed_m_s, "m/s", 3);
+  add_load(list, options, result);
   std::vector<HalfPeriod> halves[2];
   for (std::size_t a = 0; a < 2 && square; ++a) {
     halves[a] = half_periods(axes[a].position_m, axes[a].model_m,
@@ -161,6 +164,11 @@ List figures(const lab::Settings& settings, cosim::RunResult& run) {
 std::string verdict(const lab::Settings& settings, const cosim::RunResult& run) {
   const auto& options = static_cast<const Options&>(settings);
   const auto& result = static_cast<const Result&>(run);
+  std::string limits;  // of the drives that had no more to give
+  for (std::size_t a = 0; a < 2; ++a) {
+    const std::string of = result.load[a].limits();
+    if (!of.empty()) limits += fmt::format("; {}: {}", a == 0 ? 'X' : 'Y', of);
+  }
   switch (result.end) {
     case EndReason::kDone:
       return fmt::format("followed {} points, at most {:.2f} mm {}, {:.2f} mm from the last one",
@@ -175,12 +183,12 @@ std::string verdict(const lab::Settings& settings, const cosim::RunResult& run) 
                          result.fault.tick, result.fault.tick * 0.5e-3);
     case EndReason::kDiverged:
       if (result.beside_m > 0) {
-        return fmt::format("diverged: {:.4f} m beside the path asked, above run.diverged_m = {:g}",
-                           result.beside_m, options.diverged_m);
+        return fmt::format("diverged: {:.4f} m beside the path asked, above run.diverged_m = {:g}{}",
+                           result.beside_m, options.diverged_m, limits);
       }
-      return fmt::format("diverged: error to the model above run.diverged_m = {:g}",
-                         options.diverged_m);
-    case EndReason::kMissed: return "missed: " + result.missed;
+      return fmt::format("diverged: error to the model above run.diverged_m = {:g}{}",
+                         options.diverged_m, limits);
+    case EndReason::kMissed: return "missed: " + result.missed + limits;
     case EndReason::kTimeout:
       return fmt::format("not finished within run.max_s = {:g}", options.run.max_s);
     case EndReason::kStopped: return "interrupted: results up to that point";
@@ -193,7 +201,7 @@ std::string verdict(const lab::Settings& settings, const cosim::RunResult& run) 
 std::vector<std::string> remarks(const lab::Record& record) {
   const Options& options = options_of(record);
   const Result& result = result_of(record);
-  std::vector<std::string> lines;
+  std::vector<std::string> lines = overloads(options, result);
   if (options.path.kind == PathKind::kCircle && is_paper_experiment(options)) {
     lines.emplace_back(kCircleNote);
   }

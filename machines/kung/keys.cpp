@@ -166,6 +166,10 @@ void add_plant(Table& t, std::size_t axis) {
   add("dc_link_V", 1, 1000, "of the inverter", &plant::AxisConfig::dc_link_v);
   add("switch_drop_V", 0, 10, "of a closed switch", &plant::AxisConfig::switch_drop_v);
   add("diode_drop_V", 0, 10, "of a conducting diode", &plant::AxisConfig::diode_drop_v);
+  add("continuous_current_A", 0, 1000, "rating of the motor, rms of a phase; 0 = none",
+      &plant::AxisConfig::continuous_current_a);
+  add("peak_current_A", 0, 1000, "rating of the motor, largest of a phase; 0 = none",
+      &plant::AxisConfig::peak_current_a);
   add("encoder_count_m", 1e-7, 1e-3, "after x4 decoding; equal on both axes",
       &plant::AxisConfig::encoder_count_m);
   add("encoder_hysteresis_counts", 0, 0.9, "keeps ripple from chattering at a count",

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cosim/disk_vector.hpp"
+#include "machines/kung/load.hpp"
 #include "machines/kung/options.hpp"
 #include "machines/kung/wakes.hpp"
 
@@ -104,6 +105,7 @@ struct Result : cosim::RunResult {
   double from_last_m = 0;         // of the table at the end, from the last point asked
   std::string missed;             // kMissed: what
   double largest_mm = 0;          // contour error; of a square wave the error to the model
+  std::array<AxisLoad, 2> load;   // over the path
   Fault fault;
   Detail detail;
   WakeCounts wakes{};             // why clocks were evaluated

@@ -46,6 +46,7 @@ struct AxisConfig {  // defaults: X axis of the table
   double current_noise_a = 0;  // rms
   double current_offset_a_a = 0, current_offset_b_a = 0;  // of the sensors of phases a and b [A]
   double current_gain_a = 1, current_gain_b = 1;          // what they show of the current
+  double continuous_current_a = 1.6, peak_current_a = 4.8;  // rating: rms, largest of a phase
   double start_m = 0;
   int adc_bits = 12;
 };

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Currents, thrust, losses and limits of an axis against a current of known shape.
+#include <catch2/catch.hpp>
+
+#include <cmath>
+
+#include "machines/kung/record.hpp"
+
+using namespace trammel;
+using namespace trammel::kung;
+using Catch::Contains;
+
+TEST_CASE("rms, peak and loss are those of a sine of current") {
+  AxisLoad load;
+  plant::AxisConfig plant;
+  for (int n = 0; n < 1000; ++n) {
+    AxisSample s;
+    s.i_q_true_A = 3 * std::sin(2 * 3.14159265358979 * n / 1000);
+    s.i_d_true_A = 0;
+    s.force_N = 79.9 * s.i_q_true_A;
+    s.x_true_m = 0.1;
+    load.add(s, plant);
+  }
+  CHECK(load.peak_current_A == Approx(3).epsilon(1e-4));
+  CHECK(load.rms_current_A() == Approx(1.5).epsilon(1e-3));  // i_q is the peak of a phase
+  CHECK(load.rms_force_N() == Approx(79.9 * 3 / std::sqrt(2)).epsilon(1e-3));
+  CHECK(load.copper_loss_W(27) == Approx(3 * 27 * 1.5 * 1.5).epsilon(1e-3));
+  CHECK(load.limits() == "");
+}
+
+TEST_CASE("what limits an axis is told with its share of the time") {
+  AxisLoad load;
+  plant::AxisConfig plant;
+  for (int n = 0; n < 100; ++n) {
+    AxisSample s;
+    s.x_true_m = n < 50 ? plant.stroke_max_m : 0.1;
+    s.i_q_ref = n < 10 ? -2047 : 0;
+    s.v_d = n < 4 ? -1300 : 0;
+    s.v_q = n < 4 ? 1500 : 0;
+    load.add(s, plant);
+  }
+  CHECK(load.limits() == "i_q* at its limit 10 %, voltage at the supply's 4 %, carriage at a hard "
+                         "stop 50 % of the time");
+  CHECK(AxisLoad{}.limits() == "");
+}
+
+TEST_CASE("a run above the rating of a motor says so; 0 is no rating") {
+  Options options;
+  Result result;
+  AxisSample s;
+  s.i_q_true_A = 4;
+  s.x_true_m = 0.1;
+  for (int n = 0; n < 10; ++n) result.load[1].add(s, options.plant.axis[1]);
+  const auto lines = overloads(options, result);
+  REQUIRE(lines.size() == 1);
+  CHECK_THAT(lines[0], Contains("rms phase current of Y is 2.83 A, above "
+                                "plant.y.continuous_current_A = 1.6"));
+  options.plant.axis[1].peak_current_a = 3;
+  CHECK(overloads(options, result).size() == 2);
+  options.plant.axis[1].peak_current_a = options.plant.axis[1].continuous_current_a = 0;
+  CHECK(overloads(options, result).empty());
+}
