@@ -92,11 +92,12 @@ TEST_CASE("while locked, limits, strokes, dead time, watchdog, angle and sensors
       reg::kY + reg::kStrokeMax,    reg::kX + reg::kStrokeEn,    reg::kY + reg::kStrokeMin,
       reg::kWatchdog,               reg::kX + reg::kAngleStep,   reg::kY + reg::kAngleStep,
       reg::kX + reg::kCurrentOffset, reg::kY + reg::kCurrentOffset,
-      reg::kX + reg::kAdcFrame,     reg::kY + reg::kAdcFrame};
+      reg::kX + reg::kAdcFrame,     reg::kY + reg::kAdcFrame,
+      reg::kX + reg::kStrokeMax,    reg::kY + reg::kStrokeEn};
   for (const std::uint32_t addr : guarded) {
     INFO(trammel::test::register_name(reg::kRegisters, addr));
     const std::uint32_t before = chip.read(addr);
-    chip.write(addr, before ^ 1u);
+    chip.write(addr, ~before);  // every field: each has its own lock
     CHECK(chip.read(addr) == before);
   }
   chip.write(reg::kX + reg::kDeadtime, 200u | 5u << reg::kDeadtimeQepFilterShift);

@@ -184,3 +184,22 @@ TEST_CASE("lm628_engine fires a breakpoint once as it is passed, from below or a
     REQUIRE(fired == 1);
   }
 }
+
+TEST_CASE("lm628_engine takes no index that came before SIP, also where no sample lies between") {
+  constexpr unsigned kIndexSeen = 1u << 3;  // of the status byte
+  EngineBench bench;
+  const auto arm = [&] {
+    bench.command(Opcode::kSip);
+    bench.arm_index();
+  };
+  arm();
+  bench.index(5);
+  arm();
+  bench.sample();
+  CHECK((bench.events & kIndexSeen) == 0);
+  CHECK(bench.command(Opcode::kRdip) == 0);
+  bench.index(7);
+  bench.sample();
+  CHECK((bench.events & kIndexSeen) != 0);
+  CHECK(bench.command(Opcode::kRdip) == 7);
+}

@@ -69,6 +69,21 @@ TEST_CASE("start unlocks first, resets the table, then commits the start point, 
   CHECK(c.write_index(reg::kCommit) < c.write_index(reg::kIrqEn, 1));
 }
 
+TEST_CASE("start ends the stroke check of an earlier program before it moves limits and counts") {
+  Machine m;
+  for (const std::uint32_t base : {reg::kX, reg::kY}) {
+    m.chip.registers[base + reg::kStrokeEn] = reg::kStrokeEnEnable;
+  }
+  m.app.start(m.chip);
+  const auto& c = m.chip;
+  for (const std::uint32_t base : {reg::kX, reg::kY}) {
+    CAPTURE(base);
+    CHECK(m.chip.registers[base + reg::kStrokeEn] == 0);
+    CHECK(c.write_index(base + reg::kStrokeEn) < c.write_index(base + reg::kStrokeMin));
+    CHECK(c.write_index(base + reg::kStrokeEn) < c.write_index(base + reg::kPosPreset));
+  }
+}
+
 TEST_CASE("the first interrupt enables both axes, locks the guards and writes no point") {
   KungSetup setup;
   setup.axis[0].adapt = true;
@@ -260,6 +275,15 @@ TEST_CASE("the program refuses another chip, a lost preset and a path beyond the
   lost.arm();
   CHECK(failure(lost) == Failure::kPreset);
   CHECK(axes_off(lost.chip));
+  for (const std::uint32_t base : {reg::kX, reg::kY}) {
+    CAPTURE(base);
+    Machine one;
+    one.app.start(one.chip);
+    one.chip.registers[base + reg::kPos] += 1;
+    one.interrupt();
+    CHECK(failure(one) == Failure::kPreset);
+    CHECK(axes_off(one.chip));
+  }
 
   KungSetup setup;
   setup.axis[1].stroke_max = 69999;  // the circle's top is at 70000
