@@ -183,8 +183,8 @@ std::string verdict(const lab::Settings& settings, const cosim::RunResult& run) 
                          result.fault.tick, result.fault.tick * 0.5e-3);
     case EndReason::kDiverged:
       if (result.beside_m > 0) {
-        return fmt::format("diverged: {:.4f} m beside the path asked, above run.diverged_m = {:g}{}",
-                           result.beside_m, options.diverged_m, limits);
+        return fmt::format("diverged: {:.4f} m beside the path asked, above run.diverged_m = "
+                           "{:g}{}", result.beside_m, options.diverged_m, limits);
       }
       return fmt::format("diverged: error to the model above run.diverged_m = {:g}{}",
                          options.diverged_m, limits);

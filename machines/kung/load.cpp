@@ -25,7 +25,8 @@ void AxisLoad::add(const AxisSample& s, const plant::AxisConfig& plant) {
   peak_current_A = std::max(peak_current_A, std::sqrt(square));
   if (std::abs(s.i_q_ref) >= kLargestIqRef) ++at_current;
   if (std::hypot(s.v_d, s.v_q) >= kVoltageLimit) ++at_voltage;
-  const bool stopped = s.x_true_m <= plant.stroke_min_m || s.x_true_m >= plant.stroke_max_m;
+  const bool stopped = (s.x_true_m <= plant.stroke_min_m && s.force_N < 0) ||
+                       (s.x_true_m >= plant.stroke_max_m && s.force_N > 0);
   if (plant.hard_stops && stopped) ++at_stop;
 }
 

@@ -245,9 +245,11 @@ module kung_axis
       .quiescent_o(loop_quiescent)
   );
 
+  // |current| >= limit, unless that is 0; with one carry chain for each sign.
   function automatic logic reached(sum_t current, logic [11:0] limit);
-    return limit != '0 &&
-        (current >= sum_t'({1'b0, limit}) || current <= -sum_t'({1'b0, limit}));
+    logic signed [13:0] below;
+    below = 14'(current) + $signed({2'b00, limit});
+    return limit != '0 && (current >= sum_t'({1'b0, limit}) || below <= 14'sd0);
   endfunction
 
   // The third current is -(i_a + i_b).

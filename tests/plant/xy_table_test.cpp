@@ -16,8 +16,14 @@ namespace {
 constexpr Clk kMillisecond = 50000;
 constexpr Lines kAllLow = 0b111000'111000;
 
-XyTableConfig middle() {
+XyTableConfig unbraked() {
   XyTableConfig c = default_xy_table();
+  for (AxisConfig& axis : c.axis) axis.brake = false;
+  return c;
+}
+
+XyTableConfig middle() {
+  XyTableConfig c = unbraked();
   c.axis[0].start_m = 0.3;
   c.axis[1].start_m = 0.2;
   return c;
@@ -39,10 +45,7 @@ std::uint64_t mix(std::uint64_t h, const AxisState& s) {
 void coast(XyTable& t, Clk& now, Clk clocks, Lines drive) {
   t.commit(now, drive);
   const Clk end = now + clocks;
-  while (t.next() <= end) {
-    now = t.next();
-    t.commit(now, drive);
-  }
+  while (t.next() <= end) t.commit(now = t.next(), drive);
   now = end;
 }
 
@@ -186,7 +189,7 @@ TEST_CASE("a commit at every clock agrees with commits at events") {
 }
 
 TEST_CASE("a stop takes the whole speed and releases when the force reverses") {
-  XyTableConfig c = default_xy_table();
+  XyTableConfig c = unbraked();
   c.axis[0].start_m = 0.001;
   c.axis[0].external_force_n = 20;
   XyTable t(c);
@@ -202,8 +205,21 @@ TEST_CASE("a stop takes the whole speed and releases when the force reverses") {
   CHECK(t.state(0, now).x_m > 0);
 }
 
+TEST_CASE("a brake holds the carriage against any force until a gate is on, and not after") {
+  XyTableConfig c = middle();
+  c.axis[0].external_force_n = 200;
+  c.axis[0].brake = true;
+  XyTable t(c);
+  Clk now = 0;
+  coast(t, now, 100 * kMillisecond, 0);
+  CHECK((t.state(0, now).x_m == 0.3 && t.state(0, now).v_m_s == 0 && !t.at_stop(0)));
+  coast(t, now, kMillisecond, 0b001);
+  coast(t, now, 10 * kMillisecond, 0);
+  CHECK(t.state(0, now).x_m < 0.299);
+}
+
 TEST_CASE("the upper stop holds at 600 mm") {
-  XyTableConfig c = default_xy_table();
+  XyTableConfig c = unbraked();
   c.axis[1].start_m = 0.599;
   c.axis[1].external_force_n = -30;
   XyTable t(c);
@@ -215,7 +231,7 @@ TEST_CASE("the upper stop holds at 600 mm") {
 }
 
 TEST_CASE("without hard stops the carriage passes 0 and counts below it") {
-  XyTableConfig c = default_xy_table();
+  XyTableConfig c = unbraked();
   c.axis[0].hard_stops = false;
   c.axis[0].external_force_n = 20;
   XyTable t(c);
@@ -261,7 +277,7 @@ TEST_CASE("a current that ends in one leg goes on in the other two") {
 
 TEST_CASE("a pushed motor with its gates off feeds the link only above the link voltage") {
   for (const double link : {311.0, 24.0}) {
-    XyTableConfig c = default_xy_table();
+    XyTableConfig c = unbraked();
     c.axis[0].hard_stops = false;
     c.axis[0].dc_link_v = link;
     c.axis[0].external_force_n = -23;
@@ -275,8 +291,7 @@ TEST_CASE("a pushed motor with its gates off feeds the link only above the link 
       peak = std::max(peak, std::hypot(s.i_d_a, s.i_q_a));
       if (link < 100) REQUIRE(s.force_n <= 1e-3);  // it can only brake
     }
-    // Open: (F - F_c)/B = 1 m/s; line back-EMF peak sqrt 3 * 53.267 = 92 V: above 24 V, below 311
-    // V.
+    // Open: (F - F_c)/B = 1 m/s; line back-EMF peak sqrt 3 * 53.267 = 92 V, of 24 V or 311 V.
     const double v = t.state(0, now).v_m_s;
     if (link > 100) {
       CHECK(peak == 0);
@@ -290,7 +305,7 @@ TEST_CASE("a pushed motor with its gates off feeds the link only above the link 
 }
 
 TEST_CASE("all lower switches on brake the motor") {
-  XyTableConfig c = default_xy_table();
+  XyTableConfig c = unbraked();
   c.axis[0].hard_stops = false;
   c.axis[0].external_force_n = -23;
   XyTable t(c);
@@ -306,7 +321,7 @@ TEST_CASE("dead time takes voltage against the sign of the current") {
   for (const double u : {30.0, -30.0}) {
     std::array<double, 2> mean{};
     for (const Clk dead : {Clk{1}, Clk{100}}) {
-      XyTableConfig c = default_xy_table();
+      XyTableConfig c = unbraked();
       c.axis[0].mass_kg = 1e6;
       XyTable t(c);
       Runner run{t};

@@ -34,7 +34,8 @@ TEST_CASE("what limits an axis is told with its share of the time") {
   plant::AxisConfig plant;
   for (int n = 0; n < 100; ++n) {
     AxisSample s;
-    s.x_true_m = n < 50 ? plant.stroke_max_m : 0.1;
+    s.x_true_m = n < 50 ? plant.stroke_max_m : n < 70 ? plant.stroke_min_m : 0.1;
+    s.force_N = 1;  // away from the lower stop
     s.i_q_ref = n < 10 ? -2047 : 0;
     s.v_d = n < 4 ? -1300 : 0;
     s.v_q = n < 4 ? 1500 : 0;

@@ -18,10 +18,10 @@ import report_pages
 class Page(report_pages.ReportPages):
     runs = {
         "step": ["run", "step", "-s", "path.square_periods=2",
-                 "-s", "path.square_half_samples=150"],
+                 "-s", "path.square_half_samples=150", "-s", "run.reached_m=0.05"],
         "circle": ["run", "circle"],
         "small-fc": ["run", "circle", "-s", "controller=fc", "-s", "path.circle_ticks=60",
-                     "-s", "path.circle_radius_m=0.01"],
+                     "-s", "path.circle_radius_m=0.01", "-s", "run.reached_m=0.02"],
         "trip": ["run", "circle", "-s", "path.circle_ticks=60", "-s", "path.circle_radius_m=0.01",
                  "-s", "inject.trip_s=0.05"],
     }

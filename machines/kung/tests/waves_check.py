@@ -16,7 +16,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "tests" / "support"
 from wave_case import ROOT, WaveCase, WaveFile, main
 
 LINE = ["-s", "path.kind=line", "-s", "path.line_end_x_m=0.11", "-s",
-        "path.line_end_y_m=0.105", "-s", "path.line_ticks=10"]
+        "path.line_end_y_m=0.105", "-s", "path.line_ticks=10", "-s", "run.reached_m=1"]
 GROUPS = ("Chip", "Bus AXI4-Lite", "Faults",
           *(f"{axis} {part}" for axis in "XY" for part in
             ("PWM and gates", "current loop", "position (AFC)", "encoder", "ADC")))

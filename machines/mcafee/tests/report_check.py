@@ -21,7 +21,8 @@ class Page(report_pages.ReportPages):
     runs = {
         "track": ["run", "mcafee-stage3", "--engine", "twin", "-s", "path.side_mm=6",
                   "-s", "path.radius_mm=1", "-s", "path.kappa_max_1_mm=1", "-s", "filter.ki=5",
-                  "-s", "filter.il=500"],
+                  "-s", "filter.il=500", "-s", "trajectory.wait_s=0.3",
+                  "-s", "run.reached_counts=1000"],
         "move": ["run", "mcafee-stage2", "--engine", "twin",
                  "-s", "trajectory.position_counts=2000"],
         "switch": ["run", "mcafee-stage3", "--engine", "twin", "-s", "compare=false",

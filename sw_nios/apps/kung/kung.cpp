@@ -141,16 +141,16 @@ void KungApp::isr(Bus& bus) {
 
 // No current flows: what the sensors show are their offsets.
 void KungApp::calibrate(Bus& bus) {
-  for (std::size_t a = 0; a < 2; ++a) {
+  for (std::uint32_t a = 0; a < 2; ++a) {
     const std::uint32_t both = bus.read(kBases[a] + reg::kPhaseCurrents);
     currents_[2 * a] += static_cast<std::int16_t>(both & 0xFFFFu);
     currents_[2 * a + 1] += static_cast<std::int16_t>(both >> 16);
   }
   if (++calibrated_ < setup_.offset_samples) return;
   const auto count = static_cast<std::int32_t>(calibrated_);
-  for (std::size_t a = 0; a < 2; ++a) {
+  for (std::uint32_t a = 0; a < 2; ++a) {
     std::array<std::uint32_t, 2> offset{};
-    for (std::size_t phase = 0; phase < 2; ++phase) {
+    for (std::uint32_t phase = 0; phase < 2; ++phase) {
       const std::int32_t sum = currents_[2 * a + phase];
       const std::int32_t mean = (2 * sum + (sum < 0 ? -count : count)) / (2 * count);
       if (mean > kMaxOffset || mean < -kMaxOffset) return fail(bus, Failure::kSensor);

@@ -192,6 +192,7 @@ TEST_CASE("both engines see the same fault at the same edge") {
     options.chip.axis[0].stroke_check = true;
     options.chip.axis[0].stroke_max_m = 0.3500001;
     options.plant.axis[0].external_force_n = -40;
+    options.plant.axis[0].brake = false;
   }
   SECTION("diverged") { options.diverged_m = 0.0002; }
   check_same(options);
