@@ -198,6 +198,9 @@ const std::vector<lab::Key>& keys() {
     add_run(t);
     add_faults(t);
     add_path(t);
+    t.one("gains.by_rule", 0, 0,
+          "kv and the gains of the current loop from the motor's data, not from their keys",
+          TRAMMEL_LENS(gains_by_rule));
     for (const std::size_t axis : {0u, 1u}) add_gains(t, axis);
     add_chip(t);
     for (const std::size_t axis : {0u, 1u}) add_axis_chip(t, axis);

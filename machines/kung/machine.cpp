@@ -33,6 +33,7 @@ lab::Machine describe() {
   m.figures = figures;
   m.verdict = verdict;
   m.remarks = remarks;
+  m.warnings = advice;
   m.run_name = [](const lab::Settings& settings) {
     const auto controller = static_cast<const Options&>(settings).controller;
     return std::string(controller == Controller::kFc ? "FC" : "AFC");

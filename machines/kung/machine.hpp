@@ -18,6 +18,7 @@ namespace trammel::kung {
 
 const std::vector<lab::Key>& keys();                              // keys.cpp
 void validate(lab::Settings& settings);                           // plan.cpp
+std::vector<std::string> advice(const lab::Settings& settings);    // advice.cpp
 const cosim::TriggerForms& triggers();                            // trigger.cpp
 const lab::ColumnTable& columns();                                // columns.cpp
 std::vector<lab::Figure> figures(const lab::Settings& settings,   // figures_list.cpp

@@ -200,9 +200,15 @@ int ticks_per_point(const PathOptions& path, int irq_period_ticks) {
 }
 
 sw::AxisSetup plan_axis(const Options& options, std::size_t axis) {
-  const AxisGains& g = options.gains[axis];
+  AxisGains g = options.gains[axis];
   const AxisChip& c = options.chip.axis[axis];
   const plant::AxisConfig& plant = options.plant.axis[axis];
+  if (options.gains_by_rule) {
+    const MotorGains rule = gains_by_rule(plant);
+    g.kv = rule.kv_A_s_m / kSpeedGain;
+    g.current_kp_V_A = rule.current_kp_V_A;
+    g.current_ki_V_A = rule.current_ki_V_A;
+  }
   const auto key = [axis](const char* section, const char* name) {
     return fmt::format("{}.{}.{}", section, axis == 0 ? 'x' : 'y', name);
   };

@@ -9,6 +9,7 @@
 
 #include "cosim/wave_plan.hpp"
 #include "models/fixed/fixed.hpp"
+#include "models/plant/axis.hpp"
 
 namespace trammel::kung {
 
@@ -49,6 +50,20 @@ inline double eta_value(double alpha, double kp, double ki, double kv) {
 inline double current_gain_value(double gain_V_A, double dc_link_V, double full_scale_A) {
   return gain_V_A * current_ref_lsb_A(full_scale_A) / voltage_lsb_V(dc_link_V);
 }
+
+// Gains for a motor: a current loop of 4000 rad/s whose zero cancels the winding's pole (16 kHz),
+// a speed loop of 220 rad/s of motor, carried mass and payload.
+struct MotorGains {
+  double kv_A_s_m = 0, current_kp_V_A = 0, current_ki_V_A = 0;
+};
+
+constexpr MotorGains gains_by_rule(const plant::AxisConfig& m) {
+  constexpr double kCurrent = 4000, kSpeed = 220;  // [rad/s]
+  return {kSpeed * (m.mass_kg + m.payload_kg) / m.force_constant_n_a, kCurrent * m.inductance_q_h,
+          kCurrent * m.resistance_ohm / 16000};
+}
+
+inline constexpr double kSpeedGain = 3.75;  // gains.kv = 1 in A/(m/s)
 
 // Reference model (Kung eq. 21) by the bilinear transform (Kung eq. 23; section 4):
 // A0 = a0 / scale, with the finest scale in which it has 18 bits; B2 = b2 * 2^23.
