@@ -122,7 +122,7 @@ struct Options final : lab::SettingsOf<Options, machine> {
 
   Controller controller = Controller::kAfc;
   std::array<AxisGains, 2> gains;
-  bool gains_by_rule = false;  // kv, current_kp_V_A and current_ki_V_A from the motor: gains_by_rule()
+  bool gains_by_rule = false;  // kv and those of the current loop from the motor, see words.hpp
   plant::XyTableConfig plant = plant::default_xy_table();
   ChipOptions chip;
   PathOptions path;
