@@ -159,6 +159,11 @@ void add_plant(Table& t, std::size_t axis) {
       &plant::AxisConfig::friction_speed_m_s);
   add("external_force_N", -1000, 1000, "against positive motion",
       &plant::AxisConfig::external_force_n);
+  add("load_N", -1000, 1000, "a force on top of it from load_begin_s to load_end_s",
+      &plant::AxisConfig::load_n);
+  add("load_begin_s", 0, 3600, "since the start of the run", &plant::AxisConfig::load_begin_s);
+  add("load_end_s", 0, 3600, "since the start of the run; 0 = it does not end",
+      &plant::AxisConfig::load_end_s);
   add("stroke_min_m", -40, 40, "hard stop", &plant::AxisConfig::stroke_min_m);
   add("stroke_max_m", -40, 40, "hard stop", &plant::AxisConfig::stroke_max_m);
   add("hard_stops", 0, 0, "the carriage stops at both ends", &plant::AxisConfig::hard_stops);

@@ -67,8 +67,8 @@ std::uint32_t ticks_word(const std::string& key, int ticks, double length_m, dou
                          const Encoder& encoder) {
   const double feed = encoder.max_feed_m_s();
   in_range(key, ticks, std::max(1.0, std::ceil(length_m / (feed * point_s) - 1e-9)), kMaxTicks,
-           fmt::format("{:g} m, an interrupt each {:g} s, {}", length_m, point_s,
-                       feed_text(encoder)));
+           fmt::format("{:g} m, an interrupt each {:g} s (chip.irq_period_ticks), {}", length_m,
+                       point_s, feed_text(encoder)));
   return word(ticks);
 }
 
@@ -275,6 +275,9 @@ sw::AxisSetup plan_axis(const Options& options, std::size_t axis) {
   require(plant.stroke_min_m < plant.stroke_max_m,
           fmt::format("{}: must be below {} = {:g}", key("plant", "stroke_min_m"),
                       key("plant", "stroke_max_m"), plant.stroke_max_m));
+  require(plant.load_end_s == 0 || plant.load_end_s > plant.load_begin_s,
+          fmt::format("{}: value {:g} must be 0 or above {} = {:g}", key("plant", "load_end_s"),
+                      plant.load_end_s, key("plant", "load_begin_s"), plant.load_begin_s));
   s.interpolate = g.interpolate;
   s.feedforward = g.feedforward;
   return s;

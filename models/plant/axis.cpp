@@ -2,6 +2,8 @@
 #include "models/plant/axis.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "models/plant/ad7476.hpp"
@@ -88,9 +90,16 @@ Axis::Axis(const AxisConfig& config, double period_s)
     throw std::invalid_argument("axis: encoder or converter out of range");
   }
   if (segment_ < 1e-7) throw std::invalid_argument("axis: friction speed too small for the mass");
+  if (config.load_n != 0) {
+    constexpr Clk kNever = std::numeric_limits<Clk>::max();
+    const auto edge = [period_s](double t) { return static_cast<Clk>(std::llround(t / period_s)); };
+    load_begin_ = edge(config.load_begin_s);
+    load_end_ = config.load_end_s == 0 ? kNever : edge(config.load_end_s);
+  }
+  load(0);
   const MotorState rest{config.start_m, 0, 0, 0};
   begin({rest, motor_.angle(rest.x)}, 7);
-  next_ = predict();
+  next_ = next_event(0);
 }
 
 double Axis::phase_current(const Span& f, double t, std::size_t leg) const {
@@ -225,8 +234,20 @@ void Axis::commit(Clk n, unsigned gates) {
   gates_ = gates;
   braked_ = braked_ && gates == 0;
   shoot_through_ = shoot_through_ || plant::shoot_through(gates);
+  load(n);
   begin(p, zero);
-  next_ = predict();
+  next_ = next_event(n);
+}
+
+void Axis::load(Clk n) {
+  const bool loaded = n >= load_begin_ && n < load_end_;
+  motor_.set_external_force(config_.external_force_n + (loaded ? config_.load_n : 0));
+}
+
+Clk Axis::next_event(Clk n) const {
+  const Clk due = predict();
+  return n < load_begin_ ? std::min(due, load_begin_) : n < load_end_ ? std::min(due, load_end_)
+                                                                      : due;
 }
 
 AxisState Axis::state(Clk n) const {

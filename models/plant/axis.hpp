@@ -32,6 +32,8 @@ struct AxisConfig {  // defaults: X axis of the table
   double cogging_n = 0;
   double friction_speed_m_s = 0.5e-3;
   double external_force_n = 0;
+  double load_n = 0;                       // more of it, from load_begin_s to load_end_s
+  double load_begin_s = 0, load_end_s = 0;  // since the start; 0: it does not end
   double stroke_min_m = 0;
   double stroke_max_m = 0.6;
   bool hard_stops = true;
@@ -103,7 +105,9 @@ class Axis {
   Point point(const Segment& s, double t, unsigned zero) const;
   double phase_current(const Span& f, double t, std::size_t leg) const;
 
+  void load(Clk n);  // the external force from edge n on
   Clk predict() const;
+  Clk next_event(Clk n) const;  // predict(), but no later than the load changes
   Clk first_edge(const Segment& s, Clk from, Clk to) const;
   bool outside(const Segment& s, Clk m) const {
     return encoder_.leaves(s.span.position(seconds(m) - s.start));
@@ -122,6 +126,7 @@ class Axis {
   unsigned gates_ = 0;
   bool shoot_through_ = false;
   bool braked_;
+  Clk load_begin_ = 0, load_end_ = 0;  // edges
   Clk anchor_ = 0;
   // Segments since the last commit, as far as they were needed; slots are reused.
   mutable std::vector<Segment> chain_;

@@ -82,6 +82,9 @@ class Pmlsm {
         inv_lq_(1 / c.inductance_q),
         inv_mass_(1 / c.mass) {}
 
+  // From the next span on [N], against positive motion.
+  void set_external_force(double force) { c_.external_force = force; }
+
   const PmlsmConfig& config() const { return c_; }
   double flux() const { return lambda_; }                    // [Wb]
   double angular_speed(double v) const { return k_ * v; }    // [rad/s]

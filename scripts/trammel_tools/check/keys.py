@@ -87,13 +87,13 @@ def run(plan, key, value, folder, engine, cut=False):
     return done.returncode, lines[0] if lines else "", metrics, files
 
 
-def off_target_mm(files, columns):
-    """Distance of the last true position from what was asked at the end, or None."""
+def off_target(files, columns):
+    """Distance of the last true position from what was asked at the end, in the columns' unit."""
     rows = files.get("trace.csv", b"").decode().strip().splitlines()
     if len(rows) < 2:
         return None
     last = dict(zip(rows[0].split(","), rows[-1].split(",")))
-    return 1000 * math.dist(*[[float(last[name]) for name in names] for names in columns])
+    return math.dist(*[[float(last[name]) for name in names] for names in columns])
 
 
 def judge(plan, folder, one):
@@ -113,9 +113,9 @@ def judge(plan, folder, one):
     if code != 0:
         return "ended", text
     columns = plan.get("columns")
-    off = off_target_mm(files, columns) if columns else None
-    if off is not None and off > plan["reached_mm"]:
-        return "WRONG", f"ends {off:.3f} mm from what was asked: {text}"
+    off = off_target(files, columns) if columns else None
+    if off is not None and off > plan["reached"]:
+        return "WRONG", f"ends {off:.4g} from what was asked: {text}"
     return "done", text
 
 

@@ -179,6 +179,18 @@ TEST_CASE("both engines agree on gates without margin, noise and a slow filter")
   check_same(options);
 }
 
+TEST_CASE("both engines agree on a load that comes and goes, with and without a brake") {
+  for (const bool brake : {true, false}) {
+    Options options = piece(0.05);
+    options.plant.axis[0].load_n = 60;
+    options.plant.axis[0].load_begin_s = 0.0200013;
+    options.plant.axis[0].load_end_s = 0.035;
+    options.plant.axis[1].external_force_n = 30;
+    options.plant.axis[1].brake = brake;
+    check_same(options);
+  }
+}
+
 TEST_CASE("both engines see the same fault at the same edge") {
   Options options = piece(0.1);
   SECTION("trip pin") { options.inject.trip_s = 0.0300311; }
