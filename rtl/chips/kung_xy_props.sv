@@ -322,7 +322,7 @@ module kung_xy_props
       inv_rest :
       assert (trip_q == was_trip_q && seen_q == done_q && done_q != '1 && pin_stages == pin_q[1:0]);
       reaches_a_write_response : cover (s_axil_bvalid_o && write_wait_q == 3'd1);
-      reaches_a_read_response : cover (s_axil_rvalid_o && s_axil_rdata_o == 32'h4b58_0002);
+      reaches_a_read_response : cover (s_axil_rvalid_o && s_axil_rdata_o == 32'h4b58_0003);
       reaches_a_trip_by_the_pin : cover (trip && pin_q == 4'b0111 && enabled == '1);
       reaches_gates_on : cover (gate_hi_o[0] && gate_hi_o[5]);
       reaches_locked : cover (locked_q && enabled != '0);

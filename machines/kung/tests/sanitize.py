@@ -6,11 +6,12 @@ import shutil
 
 # A few points, so that start-up, service routine and every output of a run are there.
 LINE = ("-s", "path.kind=line", "-s", "path.line_end_x_m=0.1005", "-s", "path.line_end_y_m=0.1003",
-        "-s", "path.line_ticks=10", "-s", "run.platform=direct")
+        "-s", "path.line_ticks=10", "-s", "run.platform=direct", "-s", "run.reached_m=1")
 SHORT = ("run", "circle", *LINE)
 TWIN = ("--engine", "twin")
 WAVE = (*SHORT, "-o", "OUT/waves", "--wave")
-STEP = ("run", "step", "-s", "path.square_half_samples=20", "-s", "path.square_periods=2")
+STEP = ("run", "step", "-s", "path.square_half_samples=20", "-s", "path.square_periods=2",
+        "-s", "run.reached_m=1")
 WATCHDOG = ("-s", "inject.processor_s=0.01", "-s", "chip.watchdog_ticks=5")
 FOLDER = "OUT/direct"
 RUNS = [

@@ -2,7 +2,8 @@
 """Whole runs of this machine for scripts/tool sanitize, good and bad input."""
 
 CORNER = ("run", "mcafee-stage3", "-s", "path.kind=corner", "-s", "path.side_mm=2", "-s",
-          "path.radius_mm=1", "-s", "compare=false", "-s", "trajectory.wait_s=0.001")
+          "path.radius_mm=1", "-s", "compare=false", "-s", "trajectory.wait_s=0.1", "-s",
+          "run.reached_counts=2000")
 FOLDER = "OUT/mcafee"
 RUNS = [
     (0, *CORNER, "-o", FOLDER),

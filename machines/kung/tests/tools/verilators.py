@@ -22,7 +22,7 @@ SOURCE = ROOT / "machines" / "kung" / "tests" / "verilators"
 BUILD = ROOT / "build"
 OUT = BUILD / "verilators"
 PATH = ["path.kind=line", "path.line_end_x_m=0.1005", "path.line_end_y_m=0.1003",
-        "path.line_ticks=10", "run.platform=direct"]
+        "path.line_ticks=10", "run.platform=direct", "run.reached_m=1"]
 SAME = ("end", "tracking", "contour", "x", "y")  # of metrics.json, and of `run` these:
 SAME_RUN = ("points", "samples", "clocks", "clocks_evaluated", "event_hash")
 
