@@ -108,11 +108,11 @@ int check(const lab::Record& record) {
 
 Outcome run_one(lab::Settings& settings, const fs::path& target, const Arguments& arguments,
                 const Simulate& simulate, const std::atomic<bool>& stop) {
+  lab::OutputFolder folder(target);  // refused in one line, ahead of what is told of the run
   if (const auto notice = lab::waves_notice(settings)) tell(*notice);
   if (settings.machine().warnings != nullptr) {
     tell_warnings(settings.scenario, settings.machine().warnings(settings));
   }
-  lab::OutputFolder folder(target);
   settings.run.wave_file = lab::wave_file(folder.scratch());
   Outcome outcome;
   {
