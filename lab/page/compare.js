@@ -51,11 +51,12 @@
 
   // Runs on one base of time, the samples since their first; where a run has none there is a gap.
   function aligned(runs, sample) {
-    const stride = Math.max(...runs.map((run) => run.stride));
-    const count = Math.max(...runs.map((run) => Math.ceil(run.count * run.stride / stride)));
-    const times = Float64Array.from({ length: count }, (v, k) => k * stride * sample);
+    const stepOf = (run) => run.stride * (typeof sample === 'number' ? sample : sample(run, runs));
+    const step = Math.max(...runs.map(stepOf));
+    const count = Math.max(...runs.map((run) => Math.ceil(run.count * stepOf(run) / step)));
+    const times = Float64Array.from({ length: count }, (v, k) => k * step);
     const spread = (run, values) => Array.from({ length: count }, (v, k) => {
-      const at = Math.round(k * stride / run.stride);
+      const at = Math.round(k * step / stepOf(run));
       return at < run.count ? values[at] : null;
     });
     return { times, spread };
@@ -66,8 +67,7 @@
     main.append(T.el('div', { class: 'head' }, T.el('div', { class: 'head-title' },
       T.el('h1', {}, `${runs.length} runs compared`)), T.el('p', { class: 'lead' }, machine.lead)));
 
-    const { times, spread } = aligned(runs, typeof machine.sample === 'number' ? machine.sample
-      : machine.sample(runs));
+    const { times, spread } = aligned(runs, machine.sample);
     T.time.start(times);
     T.time.label = machine.timeLabel;
     // One plot of some runs; a run keeps its colour everywhere.

@@ -66,8 +66,8 @@
       T.unit(unit), help])));
   }
 
-  // Time from one value to the next, of a run that has one a sample.
-  function sampleOf(runs) {
+  // Time from one value to the next, of the first run, which has one a sample.
+  function sampleOf(any, runs) {
     const [run] = runs;
     const time = timeOf(run);
     if (time && run.count > 1) {

@@ -35,7 +35,8 @@ std::array<double, 2> top_speed_m_s(const Options& options, const sw::KungSetup&
     y = std::max(y, std::abs(p.y - last.y));
     last = p;
   }
-  const double point_s = ticks_per_point(path, options.chip.irq_period_ticks) * kSampleS;
+  const double point_s = ticks_per_point(path, options.chip.irq_period_ticks) *
+                         options.chip.sample_s();
   return {x * options.plant.axis[0].encoder_count_m / point_s,
           y * options.plant.axis[1].encoder_count_m / point_s};
 }

@@ -7,8 +7,9 @@
 
 namespace trammel::kung {
 
-AskedPath::AskedPath(const sw::Trajectory& path, std::uint32_t period, double count_m)
-    : path_(path), period_(period), count_m_(count_m), size_(path.size()) {
+AskedPath::AskedPath(const sw::Trajectory& path, std::uint32_t period, double count_m,
+                     std::size_t reach)
+    : path_(path), period_(period), count_m_(count_m), reach_(reach), size_(path.size()) {
   const sw::Point start = path_.start();
   near_.push_back({{start.x * count_m_, start.y * count_m_}, 0});
 }
@@ -18,7 +19,7 @@ double AskedPath::distance_m(const PointM& table, double enough) {
     const sw::Point next = path_.next();
     near_.push_back({{next.x * count_m_, next.y * count_m_}, sample_});
   }
-  while (near_.size() > 1 && near_[1].at + kContourReach < sample_) near_.pop_front();
+  while (near_.size() > 1 && near_[1].at + reach_ < sample_) near_.pop_front();
   ++sample_;
   double best = tracking_error(near_.back().point, table);
   for (std::size_t i = near_.size() - 1; i > 0 && best > enough; --i) {

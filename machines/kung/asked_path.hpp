@@ -15,8 +15,9 @@ namespace trammel::kung {
 
 class AskedPath {
  public:
-  // `period`: samples for which a point holds; `count_m`: of the encoders.
-  AskedPath(const sw::Trajectory& path, std::uint32_t period, double count_m);
+  // `period`: samples for which a point holds; `count_m`: of the encoders; `reach`: samples that
+  // are searched.
+  AskedPath(const sw::Trajectory& path, std::uint32_t period, double count_m, std::size_t reach);
 
   // The next sample, the first one being that of point 0: the distance [m] of the table from the
   // path. Once it is below `enough`, no nearer place is searched.
@@ -34,6 +35,7 @@ class AskedPath {
   sw::Trajectory path_;
   std::uint32_t period_;
   double count_m_;
+  std::size_t reach_;
   std::uint32_t size_;
   std::uint32_t sample_ = 0;
   std::deque<Vertex> near_;  // the last is what is asked now

@@ -21,9 +21,9 @@ namespace trammel::kung {
 // What the current loop of one axis took and gave at its last run.
 struct CurrentWords {
   std::int32_t code_a = 0, code_b = 0;         // converter codes, 2048 = 0 A
-  std::int32_t count = 0;                      // encoder at the 16 kHz tick
+  std::int32_t count = 0;                      // encoder at the tick of the carrier
   std::int32_t i_q_ref = 0;                    // command it used
-  std::int32_t cmp_a = 0, cmp_b = 0, cmp_c = 0;  // compare values 0..1562
+  std::int32_t cmp_a = 0, cmp_b = 0, cmp_c = 0;  // compare values 0 to the top of the carrier
   std::int32_t i_d = 0, i_q = 0, v_d = 0, v_q = 0;
   bool busy = false;   // it is computing: the words are in motion
   bool clear = false;  // integrators are held at 0

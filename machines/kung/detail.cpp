@@ -8,7 +8,6 @@
 namespace trammel::kung {
 
 namespace {
-constexpr cosim::Clk kPwmPeriod = 3125;
 // From this clock of a period on, the current loop shows the compare values of the next one.
 constexpr cosim::Clk kLoopDone = 200;
 }  // namespace
@@ -34,7 +33,7 @@ void DetailRecorder::on(const cosim::Stop& stop, const cosim::Chip& chip, const 
   if (open_.end != 0 && stop.edge >= open_.end) close_window();
   if ((stop.why & cosim::kDrive) != 0) keep_edge(stop, chip.drive());
   const cosim::Clk inside = stop.edge - open_.begin;
-  if (open_.compare.size() == 1 && inside > kLoopDone && inside < kPwmPeriod) {
+  if (open_.compare.size() == 1 && inside > kLoopDone && inside < period_) {
     open_.compare.push_back(compare_values());
   }
   if ((stop.why & cosim::kTick) != 0) open_if_fastest(stop.edge);
@@ -59,7 +58,7 @@ void DetailRecorder::open_if_fastest(cosim::Clk edge) {
   fastest_m_s_ = speed;
   moment_.tick = tick_;
   moment_.edge = edge;
-  open_ = {edge, edge + 2 * kPwmPeriod, cosim::kNever, {}, {compare_values()}};
+  open_ = {edge, edge + 2 * period_, cosim::kNever, {}, {compare_values()}};
   for (int axis = 0; axis < kAxes; ++axis) {
     const auto k = static_cast<std::size_t>(axis);
     moment_.start[k] = {0, last_[k].r, before_[k].r, 0, last_[k].x_p, last_[k].x_m,
@@ -69,11 +68,11 @@ void DetailRecorder::open_if_fastest(cosim::Clk edge) {
 }
 
 void DetailRecorder::keep_edge(const cosim::Stop& stop, cosim::Lines gates) {
-  while (recent_.size() > 1 && recent_[1].edge < stop.edge - 3 * kPwmPeriod) recent_.pop_front();
+  while (recent_.size() > 1 && recent_[1].edge < stop.edge - 3 * period_) recent_.pop_front();
   recent_.push_back({stop.edge, gates});
   if (tripped_ || gates != 0 || chip_.fault().code == FaultCode::kNone) return;
   tripped_ = true;
-  open_ = {stop.edge - kPwmPeriod, stop.edge + kPwmPeriod, stop.edge, {}, {}};
+  open_ = {stop.edge - period_, stop.edge + period_, stop.edge, {}, {}};
 }
 
 void DetailRecorder::close_window() {

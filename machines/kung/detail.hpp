@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Records what the 2 kHz samples cannot show: the fastest position sample from inside, the gates
+// Records what the samples cannot show: the fastest position sample from inside, the gates
 // over the two PWM periods that begin with it, and the rules at the start and at the end. When a
 // fault turns the gates off, the window of gates is moved to that edge. Its memory is bounded.
 #pragma once
@@ -14,7 +14,9 @@ namespace trammel::kung {
 
 class DetailRecorder final : public cosim::Observer {
  public:
-  DetailRecorder(const KungChip& chip, const plant::XyTable& truth) : chip_(chip), truth_(truth) {}
+  // The period is that of the PWM.
+  DetailRecorder(const KungChip& chip, const plant::XyTable& truth, cosim::Clk period)
+      : chip_(chip), truth_(truth), period_(period) {}
 
   void on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant&) override;
 
@@ -22,7 +24,7 @@ class DetailRecorder final : public cosim::Observer {
   Detail take();
 
  private:
-  void open_if_fastest(cosim::Clk edge);           // at a 2 kHz tick
+  void open_if_fastest(cosim::Clk edge);           // at a position tick
   void keep_edge(const cosim::Stop& stop, cosim::Lines gates);
   void close_window();
   RuleTable rules(int axis) const;
@@ -30,6 +32,7 @@ class DetailRecorder final : public cosim::Observer {
 
   const KungChip& chip_;
   const plant::XyTable& truth_;
+  const cosim::Clk period_;
   std::deque<GateEdge> recent_;                    // of the last three PWM periods
   Detail detail_;
   std::array<AxisSample, 2> last_{}, before_{};    // words of the last two samples

@@ -104,6 +104,11 @@ std::vector<HalfPeriod> periods(const std::vector<HalfPeriod>& halves) {
   return all;
 }
 
+std::size_t contour_reach(double lag_s, double sample_s) {
+  return static_cast<std::size_t>(
+      std::lround(std::clamp(std::max(0.25, 3 * lag_s) / sample_s, 1.0, 1e6)));
+}
+
 double model_m(const AxisSample& sample, double count_m) {
   return sample.x_m * kModelScale * count_m;
 }

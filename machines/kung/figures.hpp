@@ -36,7 +36,10 @@ double segment_distance(const PointM& p, const PointM& a, const PointM& b);
 double tracking_error(const PointM& model, const PointM& table);
 
 inline constexpr double kMm = 1e3;  // in a metre
-inline constexpr std::size_t kContourReach = 500;  // 250 ms; the model lags 67 ms on a ramp
+
+// Samples within which a contour error looks for its place on the path: three times as long as the
+// reference model lags behind a ramp, and at least 250 ms.
+std::size_t contour_reach(double lag_s, double sample_s);
 
 // For each point, its distance to the polyline through `path`, searched within `reach` samples of
 // the same index, so that where the path crosses itself the other branch is not taken for it.

@@ -115,7 +115,8 @@ List figures(const lab::Settings& settings, cosim::RunResult& run) {
   const auto& path = options.path;
   const bool square = path.kind == PathKind::kSquare;
   if (!square) {
-    for (const double distance : contour_error(table, command, kContourReach)) {
+    const std::size_t reach = contour_reach(options.lag_s(), options.chip.sample_s());
+    for (const double distance : contour_error(table, command, reach)) {
       contour_mm.push_back(distance * kMm);
     }
   }
@@ -179,8 +180,8 @@ std::string verdict(const lab::Settings& settings, const cosim::RunResult& run) 
       if (result.fault.code == FaultCode::kNone) {
         return fmt::format("tripped: {}", cause_text(result.fault));
       }
-      return fmt::format("tripped: {} at 2 kHz tick {} ({:.4f} s)", cause_text(result.fault),
-                         result.fault.tick, result.fault.tick * 0.5e-3);
+      return fmt::format("tripped: {} at position tick {} ({:.4f} s)", cause_text(result.fault),
+                         result.fault.tick, result.fault.tick * options.chip.sample_s());
     case EndReason::kDiverged:
       if (result.beside_m > 0) {
         return fmt::format("diverged: {:.4f} m beside the path asked, above run.diverged_m = "

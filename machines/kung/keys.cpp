@@ -82,7 +82,7 @@ void add_path(Table& t) {
   add("star_stroke_ticks", 4, 100000, "interrupts per stroke", &PathOptions::star_stroke_ticks);
   add("square_low_m", -0.6, 0.6, "where both axes rest", &PathOptions::square_low_m);
   add("square_high_m", -0.6, 0.6, "where both axes step to", &PathOptions::square_high_m);
-  add("square_half_samples", 4, 100000, "2 kHz samples per half period",
+  add("square_half_samples", 4, 100000, "position samples per half period",
       &PathOptions::square_half_samples);
   add("square_periods", 1, 1000, "of the square wave", &PathOptions::square_periods);
   add("line_start_x_m", 0, 0.6, "where the line begins", &PathOptions::line_start_x_m);
@@ -99,7 +99,7 @@ void add_gains(Table& t, std::size_t axis) {
   const auto add = keys_of(t, axis_prefix("gains", axis),
                            [axis](auto& o) -> auto& { return o.gains[axis]; });
   add("kp", 0, 32, "proportional gain of the position PI", &AxisGains::kp);
-  add("ki", 0, 1, "integral gain of the position PI, per sample", &AxisGains::ki);
+  add("ki", 0, 1, "integral gain of the position PI, per 0.5 ms", &AxisGains::ki);
   add("kv", 0, 64, "proportional gain of the speed loop: 1 = 3.75 A/(m/s)", &AxisGains::kv);
   add("learning_rate", 0, 10, "alpha of the tuning law", &AxisGains::learning_rate);
   add("shift_e", 0, 11, "one fuzzy unit = 256 / 2^shift counts", &AxisGains::shift_e);
@@ -108,7 +108,7 @@ void add_gains(Table& t, std::size_t axis) {
       &AxisGains::omega_n_rad_s);
   add("zeta", 0.2, 5, "damping ratio of the reference model", &AxisGains::zeta);
   add("current_kp_V_A", 0, 1000, "proportional gain of the current PI", &AxisGains::current_kp_V_A);
-  add("current_ki_V_A", 0, 1000, "integral gain of the current PI, per 16 kHz sample",
+  add("current_ki_V_A", 0, 1000, "integral gain of the current PI, per 62.5 us",
       &AxisGains::current_ki_V_A);
   add("theta_offset_rad", -7, 7, "electrical angle at count 0", &AxisGains::theta_offset_rad);
   add("feedforward", 0, 0, "velocity feed-forward from the model", &AxisGains::feedforward);
@@ -117,6 +117,10 @@ void add_gains(Table& t, std::size_t axis) {
 
 void add_chip(Table& t) {
   const auto add = keys_of(t, "chip.", [](auto& o) -> auto& { return o.chip; });
+  add("carrier_Hz", 8000, 40000, "of the PWM and its current loops: 8000, 16000, 20000, 40000",
+      &ChipOptions::carrier_Hz);
+  add("position_Hz", 1000, 4000, "rate of the position loops: 1000, 2000, 4000",
+      &ChipOptions::position_Hz);
   add("dead_time_min_ns", 0, 20000, "lowest dead time the chip accepts",
       &ChipOptions::dead_time_min_ns);
   add("current_limit_A", 1e-3, 1000, "trip level of the measured phase currents",
@@ -124,8 +128,8 @@ void add_chip(Table& t) {
   add("offset_samples", 0, 255,
       "interrupts before the drives start that average the offsets of the current sensors",
       &ChipOptions::offset_samples);
-  add("irq_period_ticks", 1, 255, "2 kHz samples per interrupt", &ChipOptions::irq_period_ticks);
-  add("watchdog_ticks", 0, 65535, "longest time between two COMMITs, in 2 kHz samples; 0 = off",
+  add("irq_period_ticks", 1, 255, "position samples per interrupt", &ChipOptions::irq_period_ticks);
+  add("watchdog_ticks", 0, 65535, "longest time between two COMMITs, in position samples; 0 = off",
       &ChipOptions::watchdog_ticks);
   t.processor();
   t.one("plant.seed", 0, 9007199254740992.0, "of the noise", TRAMMEL_LENS(plant.seed));

@@ -4,6 +4,7 @@
 // 11). Axis 0 is X, axis 1 is Y.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <vector>
@@ -33,15 +34,18 @@ using cosim::PointM;
 // One axis of the controller: the registers of the chip, in physical units.
 struct AxisGains {
   double kp = 0.375;           // position error to speed command, in words (46.9 1/s)
-  double ki = 0.0032;          // integral part of it, in words per sample
+  double ki = 0.0032;          // integral part of it, in words per 0.5 ms
   double kv = 1.840;           // speed error to current command: 1 = 3.75 A/(m/s)
   double learning_rate = 0.1;  // alpha; ETA = alpha (kp + ki) kv / 32 under AFC, 0 under FC
   int shift_e = 0;             // sE: one fuzzy unit = 256 / 2^sE counts
   int shift_de = 2;            // sD: one fuzzy unit = 256 / 2^sD counts per sample
   double omega_n_rad_s = 30;   // reference model
   double zeta = 1;
+
+  double lag_s() const { return 2 * zeta / omega_n_rad_s; }  // of that model on a ramp
+
   double current_kp_V_A = 93.17;  // 4000 rad/s * L, rounded to the word 2.491
-  double current_ki_V_A = 6.75;   // 4000 rad/s * R / 16 kHz, volts per ampere and sample
+  double current_ki_V_A = 6.75;   // 4000 rad/s * R / 16 kHz, volts per ampere and 62.5 us
   double theta_offset_rad = 0;    // electrical angle at count 0
   bool feedforward = false;       // v* += model increment (section 15)
   bool interpolate = false;       // commands linear between two interrupts instead of held
@@ -57,11 +61,15 @@ struct AxisChip {
 
 struct ChipOptions {
   std::array<AxisChip, 2> axis;
+  int carrier_Hz = 16000;         // of the PWM, and the rate of the current loops
+  int position_Hz = 2000;         // rate of the position loops
   int dead_time_min_ns = 200;     // lowest dead time the chip accepts
   double current_limit_A = 6.0;   // trip level of the measured phase currents
   int offset_samples = 0;         // interrupts that average the sensors' offsets first
-  int irq_period_ticks = 4;       // 2 kHz samples per interrupt: 4 = 2 ms
-  int watchdog_ticks = 100;       // 2 kHz samples between two COMMITs; 0 = off
+  int irq_period_ticks = 4;       // position samples per interrupt: 4 = 2 ms
+  int watchdog_ticks = 100;       // position samples between two COMMITs; 0 = off
+
+  double sample_s() const { return 1.0 / position_Hz; }
 };
 
 // Path parameters; only those of `kind` matter (specification section 10).
@@ -88,7 +96,7 @@ struct PathOptions {
 
   double square_low_m = 0;
   double square_high_m = 0.01;
-  int square_half_samples = 750;  // 2 kHz samples per half period: 375 ms
+  int square_half_samples = 750;  // position samples per half period: 375 ms
   int square_periods = 8;
 
   double line_start_x_m = 0.1;
@@ -130,6 +138,9 @@ struct Options final : lab::SettingsOf<Options, machine> {
   double diverged_m = 0.05;  // tracking error that ends the run as diverged
   double reached_m = 0;      // largest error of a table that followed; 0: by the path's extent
   FaultInjection inject;
+
+  // By which the reference model of the slower axis lags behind a ramp.
+  double lag_s() const { return std::max(gains[0].lag_s(), gains[1].lag_s()); }
 };
 
 }  // namespace trammel::kung

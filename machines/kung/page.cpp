@@ -36,7 +36,15 @@ Series contour(const RunFolder& run) {
   }
   Series all;
   for (std::size_t k = 0; k < run.first; ++k) all.push_back(0);
-  for (const double error : contour_error(table, path, kContourReach)) all.push_back(error);
+  const Json& options = run.metrics["options"];
+  double lag_s = 0;
+  for (const std::string axis : kAxes) {
+    const double zeta = options["gains." + axis + ".zeta"];
+    lag_s = std::max(lag_s, 2 * zeta / options["gains." + axis + ".omega_n_rad_s"].get<double>());
+  }
+  const std::size_t reach =
+      contour_reach(lag_s, 1 / options["chip.position_Hz"].get<double>());
+  for (const double error : contour_error(table, path, reach)) all.push_back(error);
   return all;
 }
 
@@ -124,7 +132,7 @@ lab::Page page() {
   page.counts = {"/run/first_tick", "/run/end_tick", "/run/points"};
   page.numbers = {"/tracking/model/mean_mm", "/tracking/model/samples", "/tracking/command/mean_mm",
                   "/options/path.square_half_samples", "/options/path.square_low_m",
-                  "/options/path.square_high_m"};
+                  "/options/path.square_high_m", "/options/chip.position_Hz"};
   for (const std::string axis : kAxes) {
     for (const char* figure : {"peak_current_A", "max_speed_m_s"}) {
       page.numbers.push_back('/' + axis + '/' + figure);
@@ -132,7 +140,7 @@ lab::Page page() {
     for (const char* key : {"dc_link_V", "encoder_count_m", "current_full_scale_A"}) {
       page.numbers.push_back("/options/plant." + axis + '.' + key);
     }
-    for (const char* key : {"shift_e", "shift_de"}) {
+    for (const char* key : {"shift_e", "shift_de", "omega_n_rad_s", "zeta"}) {
       page.numbers.push_back("/options/gains." + axis + '.' + key);
     }
     page.objects.push_back('/' + axis + "/error_to_model");

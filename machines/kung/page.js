@@ -5,7 +5,6 @@
   'use strict';
 
   const kMm = 1e3;
-  const kSample = 0.5e-3;  // [s]
 
   const kKinds = ['circle', 'window', 'star', 'square', 'line', 'points'];
 
@@ -18,7 +17,7 @@
   function unitsOf(o, axis) {
     const count = o[`plant.${axis}.encoder_count_m`];
     const current = o[`plant.${axis}.current_full_scale_A`] / 2048;
-    return { count_m: count, speed_m_s: count / 16 / kSample, current_A: current,
+    return { count_m: count, speed_m_s: count / 16 * o['chip.position_Hz'], current_A: current,
       command_A: current / 2, voltage_V: o[`plant.${axis}.dc_link_V`] / Math.sqrt(3) / 2048,
       fuzzy: 1 / 256 };
   }
@@ -128,7 +127,7 @@
     };
     const axis = speed('y') > speed('x') ? 1 : 0;
     const when = (edge) => `t = ${T.num(edge * clockUs * 1e-6, 4)} s`;
-    const lead = moment ? `The 2 kHz sample at which an axis moved fastest: tick ${moment.tick}, ` +
+    const lead = moment ? `The sample at which an axis moved fastest: tick ${moment.tick}, ` +
       `${when(moment.edge)}.` : '';
     const section = T.section('sample', 'One sample', gates && gates.trip !== undefined
       ? `${lead} The gates are shown around the trip, ${when(gates.trip)}.` : lead);

@@ -4,13 +4,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
 #include <stdexcept>
 #include <string>
 
 #include "cosim/points.hpp"
 #include "machines/kung/machine.hpp"
 #include "machines/kung/words.hpp"
+#include "models/exact/drive/carrier.hpp"
 #include "models/plant/ad7476.hpp"
 
 namespace trammel::kung {
@@ -23,6 +26,7 @@ constexpr int kMaxStrokeCounts = 130000;  // the model's integrator holds 131071
 constexpr double kLeastTurnCounts = 16;
 constexpr double kMaxPoints = 2147483647;
 constexpr cosim::PointRange kTable{0, 600};  // [mm]
+constexpr std::array<std::uint32_t, 3> kPositionHz{1000, 2000, 4000};  // by RATES.position
 
 // Whole numbers in full: 1048576, not 1.04858e+06.
 std::string number_text(double value) {
@@ -44,6 +48,7 @@ void in_range(const std::string& key, double value, double low, double high,
 // Metres in counts of an encoder.
 struct Encoder {
   double count_m;
+  double sample_s;  // of the position loop
 
   sw::Q32 q32(double metres) const {
     return static_cast<sw::Q32>(std::llround(std::ldexp(metres / count_m, 32)));
@@ -52,7 +57,7 @@ struct Encoder {
   std::int32_t counts(double metres) const {
     return static_cast<std::int32_t>(std::floor(metres / count_m + 0.5));
   }
-  double max_feed_m_s() const { return kMaxFeedCounts * count_m / kSampleS; }
+  double max_feed_m_s() const { return kMaxFeedCounts * count_m / sample_s; }
 };
 
 std::uint32_t word(int value) { return static_cast<std::uint32_t>(value); }
@@ -101,7 +106,7 @@ void plan_points(const PathOptions& p, const Encoder& encoder, std::vector<sw::P
 
 sw::PathSetup plan_path(const PathOptions& p, int irq_period_ticks, const Encoder& encoder,
                         std::vector<sw::Point>& points) {
-  const double point_s = ticks_per_point(p, irq_period_ticks) * kSampleS;
+  const double point_s = ticks_per_point(p, irq_period_ticks) * encoder.sample_s;
   const auto ticks = [point_s, &encoder](const char* key, int value, double length_m) {
     return ticks_word(key, value, length_m, point_s, encoder);
   };
@@ -154,6 +159,28 @@ sw::Gain gain(const std::string& key, double value, double unit = 1,
   return {g.mant, g.exp};
 }
 
+// The index of that rate in a field of RATES.
+template <std::size_t N>
+std::uint32_t nearest_rate(const char* key, int value, const std::array<std::uint32_t, N>& rates) {
+  std::uint32_t best = 0;
+  const auto away = [&](std::uint32_t n) { return std::abs(value - static_cast<int>(rates[n])); };
+  for (std::uint32_t n = 1; n < N; ++n) {
+    if (away(n) < away(best)) best = n;
+  }
+  require(away(best) == 0,
+          fmt::format("{}: value {} is no rate of the chip; the nearest is {}, a whole number of "
+                      "clocks and of position samples", key, value, rates[best]));
+  return best;
+}
+
+// An error changes by half as much in a sample half as long.
+std::uint32_t shift_de_word(const std::string& key, int shift, int position_hz) {
+  const int more = position_hz == 4000 ? 1 : position_hz == 1000 ? -1 : 0;
+  in_range(key, shift, std::max(0, -more), std::min(11, 11 - more),
+           fmt::format("at chip.position_Hz = {}", position_hz));
+  return word(shift + more);
+}
+
 std::uint32_t clocks(int ns, std::int64_t clock_ps) {
   return static_cast<std::uint32_t>((std::int64_t{1000} * ns + clock_ps - 1) / clock_ps);
 }
@@ -176,7 +203,7 @@ void check_extent(const Options& options, const sw::PathSetup& setup) {
   for (std::size_t a = 0; a < 2; ++a) {
     const char axis = a == 0 ? 'x' : 'y';
     const plant::AxisConfig& plant = options.plant.axis[a];
-    const Encoder encoder{plant.encoder_count_m};
+    const Encoder encoder{plant.encoder_count_m, options.chip.sample_s()};
     const auto inside = [&](double from_m, double to_m, const std::string& what) {
       require(lows[a] >= encoder.counts(from_m) && highs[a] <= encoder.counts(to_m),
               fmt::format("path: {} runs from {:g} to {:g} m, beyond {} = {:g}..{:g}", axis,
@@ -216,28 +243,32 @@ sw::AxisSetup plan_axis(const Options& options, std::size_t axis) {
   const std::string at_voltage =
       fmt::format("at {} = {:g} and {} = {:g}", key("plant", "dc_link_V"), plant.dc_link_v,
                   key("plant", "current_full_scale_A"), plant.current_full_scale_a);
+  // Speeds are words per sample; the same loop in seconds has these words at another rate.
+  const double per_sample = options.chip.sample_s() / kGainSampleS;
   // gains.kv is the word of the paper's sensors; with others the amperes per speed are the same.
   const plant::AxisConfig reference;
-  const double speed_unit = plant.encoder_count_m / reference.encoder_count_m *
+  const double speed_unit = plant.encoder_count_m / reference.encoder_count_m / per_sample *
                             reference.current_full_scale_a / plant.current_full_scale_a;
 
   sw::AxisSetup s;
-  s.kp = gain(key("gains", "kp"), g.kp);
-  s.ki = gain(key("gains", "ki"), g.ki);
+  const std::string at_rate = fmt::format("at chip.position_Hz = {}", options.chip.position_Hz);
+  s.kp = gain(key("gains", "kp"), g.kp, per_sample, at_rate);
+  s.ki = gain(key("gains", "ki"), g.ki, per_sample * per_sample, at_rate);
   s.kv = gain(key("gains", "kv"), g.kv, speed_unit,
               fmt::format("at {} = {:g} and {} = {:g}", key("plant", "encoder_count_m"),
                           plant.encoder_count_m, key("plant", "current_full_scale_A"),
                           plant.current_full_scale_a));
   s.adapt = options.controller == Controller::kAfc;
   s.eta = s.adapt ? gain(key("gains", "learning_rate") + " as ETA",
-                         eta_value(g.learning_rate, g.kp, g.ki, g.kv))
+                         eta_value(g.learning_rate, g.kp, g.ki, g.kv), per_sample, at_rate)
                   : sw::Gain{};
   s.kp_cur = gain(key("gains", "current_kp_V_A"), g.current_kp_V_A, volt_unit, at_voltage);
-  s.ki_cur = gain(key("gains", "current_ki_V_A"), g.current_ki_V_A, volt_unit, at_voltage);
+  s.ki_cur = gain(key("gains", "current_ki_V_A"), g.current_ki_V_A,
+                  volt_unit * kGainCarrierHz / options.chip.carrier_Hz, at_voltage);
   s.shift_e = word(g.shift_e);
-  s.shift_de = word(g.shift_de);
+  s.shift_de = shift_de_word(key("gains", "shift_de"), g.shift_de, options.chip.position_Hz);
 
-  const ModelWords model = model_words(g.omega_n_rad_s, g.zeta);
+  const ModelWords model = model_words(g.omega_n_rad_s, g.zeta, options.chip.sample_s());
   s.a0 = word(model.a0);
   s.a0_scale = model.a0_scale;
   s.b2 = word(model.b2) & 0xFFFFFFu;
@@ -259,7 +290,7 @@ sw::AxisSetup plan_axis(const Options& options, std::size_t axis) {
   s.dead_time = clocks(c.dead_time_ns, options.plant.clock_ps);
   s.qep_filter = word(c.qep_filter_clk);
   s.adc_zeros = word(plant::leading_zeros(plant.adc_bits));
-  const Encoder encoder{plant.encoder_count_m};
+  const Encoder encoder{plant.encoder_count_m, options.chip.sample_s()};
   const double furthest_m = kMaxStrokeCounts * encoder.count_m;
   const std::string reach = fmt::format("the chip's model reaches {} counts of {} = {:g}",
                                         kMaxStrokeCounts, key("plant", "encoder_count_m"),
@@ -286,13 +317,15 @@ sw::AxisSetup plan_axis(const Options& options, std::size_t axis) {
 sw::KungSetup plan_firmware(const Options& options, std::vector<sw::Point>& points) {
   const ChipOptions& chip = options.chip;
   sw::KungSetup s;
+  s.carrier = nearest_rate("chip.carrier_Hz", chip.carrier_Hz, exact::kCarrierHz);
+  s.position_rate = nearest_rate("chip.position_Hz", chip.position_Hz, kPositionHz);
   const double count_m = options.plant.axis[0].encoder_count_m;
   require(count_m == options.plant.axis[1].encoder_count_m,
           fmt::format("plant.y.encoder_count_m: value {:g} must equal plant.x.encoder_count_m = "
                       "{:g}: the processor draws the path in counts",
                       options.plant.axis[1].encoder_count_m, count_m));
   static_cast<sw::PathSetup&>(s) =
-      plan_path(options.path, chip.irq_period_ticks, Encoder{count_m}, points);
+      plan_path(options.path, chip.irq_period_ticks, Encoder{count_m, chip.sample_s()}, points);
   for (std::size_t a = 0; a < 2; ++a) s.axis[a] = plan_axis(options, a);
   s.irq_period = word(ticks_per_point(options.path, chip.irq_period_ticks));
   s.watchdog_ticks = word(chip.watchdog_ticks);

@@ -12,7 +12,7 @@
 
 namespace trammel::kung {
 
-// 2 kHz samples for which a point of this path is held: the square wave is written at 2 kHz.
+// Position samples for which a point of this path is held: the square wave has one each.
 int ticks_per_point(const PathOptions& path, int irq_period_ticks);
 
 sw::AxisSetup plan_axis(const Options& options, std::size_t axis);

@@ -28,7 +28,7 @@ const char* check_text(const sw::Mailbox& mailbox) {
     case sw::Failure::kSensor:
       return "a current sensor shows more than 1/8 of its range with the drives off";
     case sw::Failure::kPreset: return "the position did not become the start point";
-    case sw::Failure::kLate: return "an interrupt was lost, or its service crossed a 2 kHz tick";
+    case sw::Failure::kLate: return "an interrupt was lost, or its service crossed a position tick";
     case sw::Failure::kNone:
     case sw::Failure::kFault: break;
   }
@@ -37,9 +37,7 @@ const char* check_text(const sw::Mailbox& mailbox) {
 
 // Samples by which the reference model of the slower axis lags behind a ramp.
 std::uint32_t model_lag(const Options& options) {
-  double lag_s = 0;
-  for (const AxisGains& g : options.gains) lag_s = std::max(lag_s, 2 * g.zeta / g.omega_n_rad_s);
-  return static_cast<std::uint32_t>(std::lround(lag_s / kSampleS));
+  return static_cast<std::uint32_t>(std::lround(options.lag_s() / options.chip.sample_s()));
 }
 
 cosim::Clk fault_at(double seconds) { return seconds > 0 ? edge_at(seconds) : cosim::kNever; }
@@ -55,7 +53,8 @@ Session::Session(const Options& options, const Hooks& hooks, const cosim::Waves&
   followed_.emplace(setup, options_.plant.axis[0].encoder_count_m, options_);
   asked_.emplace(path, static_cast<std::uint32_t>(
                            ticks_per_point(options_.path, options_.chip.irq_period_ticks)),
-                 options_.plant.axis[0].encoder_count_m);
+                 options_.plant.axis[0].encoder_count_m,
+                 contour_reach(options_.lag_s(), options_.chip.sample_s()));
   options_.plant.axis[0].start_m = start.x * options_.plant.axis[0].encoder_count_m;
   options_.plant.axis[1].start_m = start.y * options_.plant.axis[1].encoder_count_m;
   plant_ = std::make_unique<TablePlant>(options_.plant, fault_at(options_.inject.trip_s),
@@ -64,7 +63,8 @@ Session::Session(const Options& options, const Hooks& hooks, const cosim::Waves&
   firmware_->runs_on(*chip_);
   recorder_ = std::make_unique<Recorder>(*chip_, plant_->table(),
                                          [this](const Sample& sample) { return over(sample); });
-  detail_ = std::make_unique<DetailRecorder>(*chip_, plant_->table());
+  detail_ = std::make_unique<DetailRecorder>(*chip_, plant_->table(),
+                                             edge_at(1.0 / options_.chip.carrier_Hz));
   tee_.detail = detail_.get();
   tee_.recorder = recorder_.get();
   loop_ = std::make_unique<cosim::Loop>(*chip_, *plant_, tee_, options_.run.window());
@@ -125,7 +125,8 @@ bool Session::over(const Sample& sample) {
       return true;
     }
   }
-  const auto settle = static_cast<std::uint32_t>(std::lround(options_.settle_s / kSampleS));
+  const auto settle = static_cast<std::uint32_t>(
+      std::lround(options_.settle_s / options_.chip.sample_s()));
   const std::uint32_t last = result_.end_tick + settle - 1;
   if (hooks_.progress && sample.tick % 20 == 0) {
     hooks_.progress(static_cast<double>(sample.tick) / last);

@@ -13,7 +13,9 @@
 
 namespace trammel::kung {
 
-inline constexpr double kSampleS = 0.5e-3;            // position sample [s]
+// Rates for which the gains are given; at others they are the same in seconds.
+inline constexpr double kGainSampleS = 0.5e-3;   // of the position loop [s]
+inline constexpr double kGainCarrierHz = 16000;  // of the current loop
 
 // Steps of the measured currents and of i_q* [A], for sensors of that full scale.
 constexpr double current_lsb_A(double full_scale_A) { return full_scale_A / 2048; }
@@ -51,7 +53,7 @@ inline double current_gain_value(double gain_V_A, double dc_link_V, double full_
   return gain_V_A * current_ref_lsb_A(full_scale_A) / voltage_lsb_V(dc_link_V);
 }
 
-// Gains for a motor: a current loop of 4000 rad/s whose zero cancels the winding's pole (16 kHz),
+// Gains for a motor: a current loop of 4000 rad/s whose zero cancels the winding's pole,
 // a speed loop of 220 rad/s of motor, carried mass and payload.
 struct MotorGains {
   double kv_A_s_m = 0, current_kp_V_A = 0, current_ki_V_A = 0;
@@ -60,7 +62,7 @@ struct MotorGains {
 constexpr MotorGains gains_by_rule(const plant::AxisConfig& m) {
   constexpr double kCurrent = 4000, kSpeed = 220;  // [rad/s]
   return {kSpeed * (m.mass_kg + m.payload_kg) / m.force_constant_n_a, kCurrent * m.inductance_q_h,
-          kCurrent * m.resistance_ohm / 16000};
+          kCurrent * m.resistance_ohm / kGainCarrierHz};
 }
 
 inline constexpr double kSpeedGain = 3.75;  // gains.kv = 1 in A/(m/s)
@@ -73,8 +75,8 @@ struct ModelWords {
   std::int32_t b2 = 0;
 };
 
-inline ModelWords model_words(double omega_n_rad_s, double zeta) {
-  const double k = 2 / kSampleS;
+inline ModelWords model_words(double omega_n_rad_s, double zeta, double sample_s) {
+  const double k = 2 / sample_s;
   const double w2 = omega_n_rad_s * omega_n_rad_s;
   const double denominator = k * k + 2 * zeta * omega_n_rad_s * k + w2;
   const double b2 = (k * k - 2 * zeta * omega_n_rad_s * k + w2) / denominator;

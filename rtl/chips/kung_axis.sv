@@ -2,13 +2,13 @@
 //
 // One axis of kung_xy: encoder, converters, position and current controllers, inverter gates.
 //
-//   edges after that of the 16 kHz tick
+//   edges after that of a tick of the carrier
 //   0        count and i_q* latched, compare values taken, converter started
 //   65       currents taken, current loop runs
 //   132      compare values for the next tick
-//   edges after that of the 2 kHz tick
-//   1..70    position controller with the count of this tick; its i_q* acts from the next 16 kHz
-//            tick on
+//   edges after that of a position tick
+//   1..70    position controller with the count of this tick; its i_q* acts from the next
+//            tick of the carrier on
 
 module kung_axis
   import trammel_pkg::*;
@@ -20,9 +20,10 @@ module kung_axis
 
     input gap_t leap_i,
 
+    input carrier_t    carrier_i,
     input logic        tick_cur_i,
     input logic        tick_pos_i,
-    input logic [11:0] phase_i,
+    input phase_t      phase_i,
 
     input logic        trip_i,
     input logic        locked_i,
@@ -219,6 +220,7 @@ module kung_axis
       .rst_i      (rst_i),
       .tick_i     (adc_valid),
       .clear_i    (loop_clear),
+      .carrier_i  (carrier_i),
       .angle_step_i(regs_i.angle_step.value.value),
       .theta_ofs_i(regs_i.theta_ofs.value.value),
       .kp_i       ({regs_i.kp_cur.exp.value, regs_i.kp_cur.mant.value}),
@@ -270,6 +272,7 @@ module kung_axis
   pwm u_pwm (
       .clk_i      (clk_i),
       .rst_i      (rst_i),
+      .carrier_i  (carrier_i),
       .phase_i    (phase_i),
       .load_i     (tick_cur_i),
       .enable_i   (regs_i.ctrl.enable.value),

@@ -4,7 +4,7 @@
 // 6 to 9, 11). Registers, time base, fault supervisor and two axes; axis 0 is X, axis 1 is Y.
 //
 //   trip pin -> gates off     4 clocks
-//   2 kHz tick -> sample_o   71 clocks: the words of both position controllers can be read
+//   position tick -> sample_o 71 clocks: the words of both position controllers can be read
 
 module kung_xy
   import trammel_pkg::*;
@@ -85,7 +85,8 @@ module kung_xy
 
   // ---- time ----
 
-  logic [11:0] phase;
+  carrier_t carrier;
+  phase_t phase;
   logic tick_cur, tick_pos, tick_irq, timebase_quiescent;
   logic [31:0] tick_count;
   gap_t timebase_next;
@@ -94,7 +95,10 @@ module kung_xy
       .clk_i       (clk_i),
       .rst_i       (rst_i),
       .leap_i      (leap_i),
+      .carrier_i   (hwif_out.rates.carrier.value),
+      .rate_i      (hwif_out.rates.position.value),
       .irq_period_i(hwif_out.irq_period.ticks.value),
+      .carrier_o   (carrier),
       .phase_o     (phase),
       .tick_cur_o  (tick_cur),
       .tick_pos_o  (tick_pos),
@@ -163,6 +167,10 @@ module kung_xy
     end
   end
 
+  // Compare values are those of the period's carrier only where it stays.
+  logic rates_hold;
+  assign rates_hold = locked_q || enabled != '0;
+
   // ---- open bus transfers: accepted addresses that wait for their response ----
 
   logic [2:0] open_d, open_q;
@@ -206,6 +214,7 @@ module kung_xy
         .clk_i          (clk_i),
         .rst_i          (rst_i),
         .leap_i         (leap_i),
+        .carrier_i      (carrier),
         .tick_cur_i     (tick_cur),
         .tick_pos_i     (tick_pos),
         .phase_i        (phase),
@@ -250,6 +259,8 @@ module kung_xy
   assign hwif_in.current_limit.value.swwel = locked_q;
   assign hwif_in.deadtime_min.clk.swwel    = locked_q;
   assign hwif_in.watchdog.limit.swwel      = locked_q;
+  assign hwif_in.rates.carrier.swwel       = rates_hold;
+  assign hwif_in.rates.position.swwel      = rates_hold;
 
   assign irq_o = (hwif_out.irq_stat.tick.value && hwif_out.irq_en.tick.value) ||
       (hwif_out.irq_stat.fault.value && hwif_out.irq_en.fault.value);

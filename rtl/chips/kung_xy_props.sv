@@ -64,17 +64,16 @@ module kung_xy_props
     // of the supervisor and the axes
     input logic [1:0]    pin_stages,
     input logic [7:0]    axis_events,  // Y overrun, encoder, saturated, limited; X
-    input logic [1:0]    busy,
-    input logic [1:0]    table_waits,
+    input logic [1:0]    busy, table_waits,
     input logic [19:0]   dead_time,
     input logic [23:0]   current_limit,
-    input gap_t          next_x,
-    input gap_t          next_y
+    input gap_t          next_x, next_y
 );
 
   typedef struct packed {logic is_read, known; logic [31:0] data;} answer_t;
 
   logic live_q = 1'b0, was_rst_q;
+  logic [25:0] limits, was_limits_q;  // and rates
 
   // ---- what the bus has accepted and not yet answered ----
   logic aw_q, w_q, ar_q;  // accepted, not yet served
@@ -131,7 +130,7 @@ module kung_xy_props
     shown = '0;
     case ({araddr_q[9:2], 2'b00})
       10'h0b0, 10'h1b0: shown = araddr_q[8] ? hwif_out.y.angle_step : hwif_out.x.angle_step;
-      10'h200: shown = 32'h4b58_0003;
+      10'h200: shown = 32'h4b58_0004;
       10'h208: shown = {30'd0, hwif_out.irq_en.fault.value, hwif_out.irq_en.tick.value};
       10'h20c: shown = {30'd0, hwif_out.irq_stat.fault.value, hwif_out.irq_stat.tick.value};
       10'h210: shown = tick_count;
@@ -141,6 +140,7 @@ module kung_xy_props
       10'h224: shown = {20'd0, hwif_out.current_limit.value.value};
       10'h228: shown = {22'd0, hwif_out.deadtime_min.clk.value};
       10'h22c: shown = {24'd0, hwif_out.irq_period.ticks.value};
+      10'h240: shown = {26'd0, limits[25:24], 2'd0, limits[23:22]};
       default:  // no register, or nothing to read
       knows = araddr_q[9] || araddr_q[7:2] inside {[6'hd : 6'hf], 6'h17, 6'h1e, [6'h24 : 6'h2b],
                                                    [6'h30 : 6'h3f]};
@@ -185,11 +185,10 @@ module kung_xy_props
   logic [3:0] was_resp_q, strobes_q, pin_q;  // strobes of word_q; the trip pin 1..4 clocks ago
   logic wrote_q;  // a write was served, of word_q
   logic [7:0] at_q;  // its word address
-  logic [1:0] enabled, was_enabled_q;
+  logic [1:0] enabled, was_enabled_q, seen_q;  // seen: dones since the last sample
   logic was_quiescent_q, was_locked_q, was_trip_q, cause, was_cause_q;
   logic unlocked, lock_key, unlock_key, clear_key;  // a write: while unlocked; of one of the keys
   logic [9:0] sticky, events, was_sticky_q, was_events_q, written, ones;
-  logic [1:0] seen_q;  // dones since the last sample
   logic [11:0] gates, was_gates_q;
   logic [10:0] held, was_held_q;  // registers that are visible nowhere else
   kung_xy__out_t lasting, was_lasting_q;  // registers of the map, without STATUS
@@ -197,8 +196,7 @@ module kung_xy_props
       hwif_out.x.stroke_max, hwif_out.x.stroke_en, hwif_out.x.current_offset, hwif_out.x.adc_frame};
   wire [117:0] guarded_y = {hwif_out.y.angle_step, hwif_out.y.deadtime.clk, hwif_out.y.stroke_min,
       hwif_out.y.stroke_max, hwif_out.y.stroke_en, hwif_out.y.current_offset, hwif_out.y.adc_frame};
-  logic [273:0] guarded, was_guarded_q;
-  logic [21:0] limits, was_limits_q;
+  logic [277:0] guarded, was_guarded_q;
 
   assign enabled    = {hwif_out.y.ctrl.enable.value, hwif_out.x.ctrl.enable.value};
   assign cause      = pin_q[1] || causes != '0;
@@ -215,7 +213,8 @@ module kung_xy_props
   assign gates      = {gate_hi_o, gate_lo_o};
   assign held       = {locked_q, trip_q, done_q, open_q, in_flight, pending, aw_q};
   assign guarded    = {guarded_x, guarded_y, hwif_out.watchdog.limit.value, limits};
-  assign limits     = {hwif_out.current_limit.value.value, hwif_out.deadtime_min.clk.value};
+  assign limits     = {hwif_out.rates.position.value, hwif_out.rates.carrier.value,
+      hwif_out.current_limit.value.value, hwif_out.deadtime_min.clk.value};
 
   always_comb begin
     lasting          = hwif_out;
@@ -261,6 +260,8 @@ module kung_xy_props
       unlocks_by_its_key_disabled_only :
       assert (!was_locked_q || locked_q == !(unlock_key && was_enabled_q == '0));
       locked_registers_hold : assert (!was_locked_q || guarded == was_guarded_q);
+      rates_hold_while_enabled :
+      assert (was_enabled_q == '0 || limits[25:22] == was_limits_q[25:22]);
       limits_move_by_unlocked_writes_only :
       assert (was_rst_q || (limits[21:10] == was_limits_q[21:10] || unlocked && at_q == 8'h89) &&
               (limits[9:0] == was_limits_q[9:0] || unlocked && at_q == 8'h8a));
@@ -322,7 +323,7 @@ module kung_xy_props
       inv_rest :
       assert (trip_q == was_trip_q && seen_q == done_q && done_q != '1 && pin_stages == pin_q[1:0]);
       reaches_a_write_response : cover (s_axil_bvalid_o && write_wait_q == 3'd1);
-      reaches_a_read_response : cover (s_axil_rvalid_o && s_axil_rdata_o == 32'h4b58_0003);
+      reaches_a_read_response : cover (s_axil_rvalid_o && s_axil_rdata_o == 32'h4b58_0004);
       reaches_a_trip_by_the_pin : cover (trip && pin_q == 4'b0111 && enabled == '1);
       reaches_gates_on : cover (gate_hi_o[0] && gate_hi_o[5]);
       reaches_locked : cover (locked_q && enabled != '0);
@@ -337,7 +338,7 @@ module kung_xy_props
   // breaks read_response_stays, responses_in_order (kung_xy_regs): axil_n_in_flight <= next == 2'd2 ? 2'd1 : next
   // breaks no_write_response_without_request (kung_xy_regs): axil_wvalid = axil_awvalid
   // breaks no_read_response_without_request (kung_xy_regs): axil_arvalid = axil_arvalid || !axil_prev_was_rd
-  // breaks every_response_is_okay (kung_xy_regs): readback_err = rd_mux_addr > 10'h22c
+  // breaks every_response_is_okay (kung_xy_regs): readback_err = rd_mux_addr > 10'h240
   // breaks lone_request_answered_after_2_clocks, read_answered_within_4_clocks (kung_xy_regs): axil_arvalid = axil_arvalid && (!axil_prev_was_rd || axil_awvalid)
   // breaks write_answered_within_4_clocks (kung_xy_regs): axil_wvalid = axil_wvalid && !axil_arvalid
   // breaks write_answered_within_4_clocks (kung_axis): tab_write = tab_write && tick_cur_i
@@ -349,6 +350,7 @@ module kung_xy_props
   // breaks locked_registers_hold: u_regs.hwif_in_watchdog_limit_swwel = trip_q
   // breaks locked_registers_hold (kung_xy_regs): hwif_in_x_angle_step_value_swwel = 1'b0
   // breaks locked_registers_hold (kung_xy_regs): hwif_in_y_deadtime_clk_swwel = 1'b0
+  // breaks rates_hold_while_enabled: rates_hold = locked_q
   // breaks limits_move_by_unlocked_writes_only (kung_xy_regs): field_storage_current_limit_value_value <= decoded_req && decoded_req_is_wr && decoded_addr == 10'h124 && !hwif_in_current_limit_value_swwel ? decoded_wr_data[11:0] : next
   // breaks limits_reach_both_axes (kung_axis): dead_time = regs_i.deadtime.clk.value < dead_time_min_i ? 10'd25 : regs_i.deadtime.clk.value
   // breaks limits_reach_both_axes: gen_axis[1].u_axis.current_limit_i = hwif_out.current_limit.value.value >> 1
@@ -394,6 +396,5 @@ bind kung_xy kung_xy_props u_kung_xy_props (
     .table_waits  ({gen_axis[1].u_axis.tab_pending_q, gen_axis[0].u_axis.tab_pending_q}),
     .dead_time    ({gen_axis[1].u_axis.dead_time, gen_axis[0].u_axis.dead_time}),
     .current_limit({gen_axis[1].u_axis.current_limit_i, gen_axis[0].u_axis.current_limit_i}),
-    .next_x       (axis_next[0]),
-    .next_y       (axis_next[1])
+    .next_x       (axis_next[0]), .next_y(axis_next[1])
 );

@@ -17,7 +17,7 @@ module afc
     input logic clk_i,
     input logic rst_i,
 
-    input logic start_i,  // 2 kHz tick
+    input logic start_i,  // position tick
 
     input logic          adapt_i,
     input logic          feedforward_i,

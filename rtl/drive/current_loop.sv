@@ -26,6 +26,7 @@ module current_loop
   input  logic        tick_i,  // converter data are valid
 
   input  logic        clear_i,
+  input  carrier_t    carrier_i,
   input  logic [31:0] angle_step_i,  // of a count [2^-32 revolution]
   input  logic [31:0] theta_ofs_i,
   input  gain_t       kp_i,
@@ -58,7 +59,10 @@ module current_loop
   typedef enum logic [1:0] {StIdle, StAngle, StChain} state_e;
 
   localparam logic [4:0] FirstDigit = 5'd18;  // of 19; those of a count are the last 12
-  localparam cmp_t       Centre     = CmpMax / 11'd2;
+  localparam cmp_t       Centre16kHz = 12'd781;
+
+  cmp_t centre;
+  assign centre = cmp_max(carrier_i) >> 1;
 
   state_e     state_d, state_q;
   logic       valid_q;
@@ -146,9 +150,9 @@ module current_loop
       cmp_c_d = cmp_c;
     end
     if (clear_i) begin
-      cmp_a_d = Centre;
-      cmp_b_d = Centre;
-      cmp_c_d = Centre;
+      cmp_a_d = centre;
+      cmp_b_d = centre;
+      cmp_c_d = centre;
     end
   end
 
@@ -252,6 +256,7 @@ module current_loop
     .clk_i      (clk_i),
     .rst_i      (rst_i),
     .tick_i     (inverse_valid),
+    .carrier_i  (carrier_i),
     .v_alpha_i  (v_alpha),
     .v_beta_i   (v_beta),
     .valid_o    (svpwm_valid),
@@ -270,9 +275,9 @@ module current_loop
       theta_q <= '0;
       i_a_q <= '0;
       i_b_q <= '0;
-      cmp_a_q <= Centre;
-      cmp_b_q <= Centre;
-      cmp_c_q <= Centre;
+      cmp_a_q <= Centre16kHz;
+      cmp_b_q <= Centre16kHz;
+      cmp_c_q <= Centre16kHz;
     end else begin
       state_q <= state_d;
       valid_q <= svpwm_valid;
@@ -294,8 +299,8 @@ module current_loop
   assign i_a_o = i_a_q;
   assign i_b_o = i_b_q;
   assign quiescent_o = !busy_o && !tick_i && !valid_q &&
-                       !(clear_i && (cmp_a_q != Centre || cmp_b_q != Centre ||
-                                     cmp_c_q != Centre)) &&
+                       !(clear_i && (cmp_a_q != centre || cmp_b_q != centre ||
+                                     cmp_c_q != centre)) &&
                        clarke_quiescent && sine_quiescent && park_quiescent && pi_d_quiescent &&
                        pi_q_quiescent && limit_quiescent && inverse_quiescent && svpwm_quiescent;
 

@@ -12,6 +12,7 @@ module current_loop_props
     input logic tick_i,
 
     input logic        clear_i,
+    input carrier_t    carrier_i,
     input logic [11:0] code_a_i,
     input logic [11:0] code_b_i,
     input word_t       offset_a_i,
@@ -52,7 +53,10 @@ module current_loop_props
     input logic [3:0] in_division
 );
 
-  localparam cmp_t Centre = 11'd781;
+  carrier_t was_carrier_q;
+  cmp_t centre;  // half the top of that carrier
+  assign centre = was_carrier_q == 2'd1 ? 12'd1562 : was_carrier_q == 2'd2 ? 12'd625 :
+      was_carrier_q == 2'd3 ? 12'd312 : 12'd781;
 
   logic live_q = 1'b0;
   logic was_rst_q, was_clear_q, was_quiescent_q;
@@ -60,8 +64,8 @@ module current_loop_props
   logic [67:0] due_q;  // samples in flight, the oldest in the highest bit
   logic took_q;
   word_t expected_a_q, expected_b_q;
-  logic [32:0] cmp, was_cmp_q, new_q;
-  logic [94:0] state, was_state_q;
+  logic [35:0] cmp, was_cmp_q, new_q;
+  logic [97:0] state, was_state_q;
 
   // Number of the state in a sequence of four, 0 = idle.
   function automatic logic [2:0] four(logic [3:0] due);
@@ -83,6 +87,7 @@ module current_loop_props
     if (rst_i) live_q <= 1'b1;
     was_rst_q       <= rst_i;
     was_clear_q     <= clear_i && !rst_i;
+    was_carrier_q   <= carrier_i;
     was_quiescent_q <= !rst_i && quiescent_o;
     was_state_q     <= state;
     was_cmp_q       <= cmp;
@@ -94,7 +99,7 @@ module current_loop_props
     if (live_q) begin
       valid_after_68_clocks : assert (valid_o == due_q[67]);
       busy_until_valid : assert (busy_o == (due_q[66:0] != '0));
-      centred_while_cleared : assert (!was_clear_q || cmp == {Centre, Centre, Centre});
+      centred_while_cleared : assert (!was_clear_q || cmp == {centre, centre, centre});
       new_values_with_valid : assert (!valid_o || was_clear_q || cmp == new_q);
       values_hold : assert (was_rst_q || was_clear_q || valid_o || cmp == was_cmp_q);
       code_less_offset :
@@ -130,7 +135,7 @@ module current_loop_props
   // breaks new_values_with_valid: cmp_b_d = svpwm_valid && !clear_i ? cmp_a : cmp_b_d
   // breaks values_hold: cmp_a_d = svpwm_valid || clear_i ? cmp_a_d : cmp_a
   // breaks code_less_offset: i_b_d = state_q == StIdle && tick_i ? {~code_b_i[11], code_b_i[10:0]} : i_b_d
-  // breaks quiescent_is_honest: quiescent_o = !busy_o && !valid_q && !(clear_i && (cmp_a_q != Centre || cmp_b_q != Centre || cmp_c_q != Centre)) && clarke_quiescent && sine_quiescent && park_quiescent && pi_d_quiescent && pi_q_quiescent && limit_quiescent && inverse_quiescent && svpwm_quiescent
+  // breaks quiescent_is_honest: quiescent_o = !busy_o && !valid_q && !(clear_i && (cmp_a_q != centre || cmp_b_q != centre || cmp_c_q != centre)) && clarke_quiescent && sine_quiescent && park_quiescent && pi_d_quiescent && pi_q_quiescent && limit_quiescent && inverse_quiescent && svpwm_quiescent
 
 endmodule
 

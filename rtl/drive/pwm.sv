@@ -2,11 +2,11 @@
 //
 // Triangular carrier against three compare values (specification section 8).
 //
-//   carrier = phase <= 1562 ? phase : 3125 - phase;  on = carrier > CMP, one clock later
-//   that is: on from phase CMP + 1 to phase 3124 - CMP, 3124 - 2 CMP clocks of 3125
+//   triangle = phase <= period / 2 ? phase : period - phase;  on = triangle > CMP, one clock later
+//   that is: on from phase CMP + 1 to phase period - 1 - CMP, period - 1 - 2 CMP clocks of a period
 //
 // Compare values load at load_i, which comes at phase 0, where no switch is on. CMP = 0 still
-// switches off for one clock of a period; CMP = 1562 never switches on.
+// switches off for one clock of a period; CMP = period / 2 never switches on.
 
 module pwm
   import trammel_pkg::*;
@@ -14,8 +14,9 @@ module pwm
     input logic clk_i,
     input logic rst_i,
 
-    input logic [11:0] phase_i,
-    input logic        load_i,
+    input carrier_t carrier_i,
+    input phase_t   phase_i,
+    input logic     load_i,
 
     input logic enable_i,
 
@@ -28,18 +29,21 @@ module pwm
     output logic       quiescent_o
 );
 
-  function automatic logic [11:0] rise(cmp_t cmp);
-    return 12'(cmp) + 12'd1;
-  endfunction
+  phase_t period;
+  assign period = pwm_period(carrier_i);
 
-  function automatic logic [11:0] fall(cmp_t cmp);
-    return 12'(PwmPeriod) - 12'(cmp);
+  // Clocks as a gap that is not "none".
+  function automatic gap_t clipped(phase_t clocks);
+    return clocks >= 13'(GapMax) ? GapMax - gap_t'(1) : gap_t'(clocks);
   endfunction
 
   // Clocks to the phase whose edge switches; the end of the period is an event of the time base.
-  function automatic gap_t gap(logic [11:0] phase, cmp_t cmp);
-    if (phase < rise(cmp)) return rise(cmp) - phase;
-    if (phase < fall(cmp)) return fall(cmp) - phase;
+  function automatic gap_t gap(phase_t whole, phase_t phase, cmp_t cmp);
+    phase_t rise, fall;
+    rise = 13'(cmp) + 13'd1;
+    fall = whole - 13'(cmp);
+    if (phase < rise) return clipped(rise - phase);
+    if (phase < fall) return clipped(fall - phase);
     return GapMax;
   endfunction
 
@@ -47,24 +51,24 @@ module pwm
     return x < y ? x : y;
   endfunction
 
-  cmp_t carrier;
+  phase_t triangle;
   cmp_t cmp_a_q, cmp_b_q, cmp_c_q;
   logic [2:0] on_d, on_q;
 
-  assign carrier = cmp_t'(phase_i <= 12'(CmpMax) ? phase_i : 12'(PwmPeriod) - phase_i);
+  assign triangle = phase_i <= period >> 1 ? phase_i : period - phase_i;
 
   always_comb begin
     on_d = '0;
     if (enable_i) begin
-      on_d = {carrier > cmp_c_q, carrier > cmp_b_q, carrier > cmp_a_q};
+      on_d = {triangle > 13'(cmp_c_q), triangle > 13'(cmp_b_q), triangle > 13'(cmp_a_q)};
     end
   end
 
   always_ff @(posedge clk_i) begin
     if (rst_i) begin
-      cmp_a_q <= CmpMax;
-      cmp_b_q <= CmpMax;
-      cmp_c_q <= CmpMax;
+      cmp_a_q <= '1;
+      cmp_b_q <= '1;
+      cmp_c_q <= '1;
       on_q    <= '0;
     end else begin
       on_q <= on_d;
@@ -79,7 +83,8 @@ module pwm
   always_comb begin
     next_o = GapMax;
     if (enable_i) begin
-      next_o = least(gap(phase_i, cmp_a_q), least(gap(phase_i, cmp_b_q), gap(phase_i, cmp_c_q)));
+      next_o = least(gap(period, phase_i, cmp_a_q),
+                     least(gap(period, phase_i, cmp_b_q), gap(period, phase_i, cmp_c_q)));
     end
   end
 

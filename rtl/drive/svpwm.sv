@@ -4,18 +4,24 @@
 // valid_o is high at the 25th clock edge after the one that sees tick_i, over-modulated or not;
 // inputs hold until then. All times are in compare counts with 6 to 8 fractional bits.
 //
-//   x = rs(v_beta 12496, 8), y = rs(v_alpha 21644, 8)      Q6; 12496 / 2^14 = 781 / 1024
-//   X = 2 x, Y = x + y, Z = x - y                          Q7; 21644 / 12496 = sqrt 3
+//   x = rs(v_beta beta, 8), y = rs(v_alpha alpha, 8)       Q6; beta / 2^14 = top / 2 / 1024
+//   X = 2 x, Y = x + y, Z = x - y                          Q7; alpha / beta = sqrt 3
 //   S = t1 + t2 and t1 are magnitudes of X, Y, Z: case table below
-//   a = 1562 - S, b = a + 2 t1, c = 1562 + S               Q8, twice the off-times in Q7
-//   S > 1562: a = 0, b = 1562 t1 / S, c = 1562
+//   a = top - S, b = a + 2 t1, c = top + S                 Q8, twice the off-times in Q7
+//   S > top: a = 0, b = top t1 / S, c = top
+//
+//   carrier   top    beta   alpha
+//    8 kHz    3125   12500  21651   in Q5, Q6, Q7 instead of Q6, Q7, Q8
+//   16 kHz    1562   12496  21644
+//   20 kHz    1250   10000  17321
+//   40 kHz     625    5000   8660
 //
 //   edges      what
-//   0..2       v_beta 12496; x, v_alpha 21644; y
+//   0..2       v_beta beta; x, v_alpha alpha; y
 //   3..5       sector; t1; S
 //   6..8       a; b; c
 //   9..22      14 bits of t1 / S, always, so that the latency is fixed
-//   23..24     quotient 1562; output, valid
+//   23..24     quotient top; output, valid
 
 module svpwm
   import trammel_pkg::*;
@@ -25,6 +31,8 @@ module svpwm
   input  logic       rst_i,
 
   input  logic       tick_i,
+
+  input  carrier_t   carrier_i,
 
   input  word_t      v_alpha_i,
   input  word_t      v_beta_i,
@@ -48,11 +56,36 @@ module svpwm
   } state_e;
   typedef enum logic [1:0] {PickX, PickY, PickZ} pick_e;
 
-  localparam factor_t    BetaScale  = 16'sd12496;
-  localparam factor_t    AlphaScale = 16'sd21644;
-  localparam factor_t    Full       = 16'sd1562;
-  localparam off_t       FullOff    = 20'sd200064;  // 781 in Q8, plus the rounding half
-  localparam logic [3:0] LastBit    = 4'd13;
+  localparam logic [3:0] LastBit = 4'd13;
+
+  carrier_t carrier_q;  // of this vector
+  factor_t beta_scale, alpha_scale;
+  off_t    full_off;  // top / 2, plus the rounding half
+  cmp_t    top;
+  logic    coarse;    // one fractional bit less
+
+  assign top    = cmp_max(carrier_q);
+  assign coarse = carrier_q == Carrier8kHz;
+
+  always_comb begin
+    unique case (carrier_i)
+      Carrier8kHz:  beta_scale = 16'sd12500;
+      Carrier20kHz: beta_scale = 16'sd10000;
+      Carrier40kHz: beta_scale = 16'sd5000;
+      default:      beta_scale = 16'sd12496;
+    endcase
+    unique case (carrier_q)
+      Carrier8kHz:  alpha_scale = 16'sd21651;
+      Carrier20kHz: alpha_scale = 16'sd17321;
+      Carrier40kHz: alpha_scale = 16'sd8660;
+      default:      alpha_scale = 16'sd21644;
+    endcase
+    unique case (carrier_q)
+      Carrier20kHz: full_off = 20'sd160128;
+      Carrier40kHz: full_off = 20'sd80128;
+      default:      full_off = 20'sd200064;
+    endcase
+  end
 
   state_e      state_d, state_q;
   logic        valid_d, valid_q;
@@ -82,7 +115,7 @@ module svpwm
 
   assign product_d = multiply ? 31'(factor_a) * 31'(factor_b) : product_q;
   assign scaled = 19'(rs(acc_t'(product_q), 6'sd8));
-  assign divided = 11'(rs(acc_t'(product_q), 6'sd14));
+  assign divided = 12'(rs(acc_t'(product_q), 6'sd14));
 
   // X, Y, Z and the sector code of this vector: the signs of Kung eq. 8
   logic signed [19:0] plus, minus;
@@ -130,9 +163,9 @@ module svpwm
   cmp_t rounded, mid, high;
 
   assign off_d = base + (subtract ? ~addend : addend) + 20'(subtract);
-  assign rounded = off_q[18:8];  // the rounding half is in FullOff
+  assign rounded = coarse ? off_q[18:7] : {1'b0, off_q[18:8]};  // the half is in full_off
   assign mid = over_q ? divided : mid_q;
-  assign high = over_q ? CmpMax : rounded;
+  assign high = over_q ? top : rounded;
 
   always_comb begin
     state_d = state_q;
@@ -153,7 +186,7 @@ module svpwm
     cmp_c_d = cmp_c_q;
     multiply = 1'b0;
     factor_a = 15'(v_beta_i);
-    factor_b = BetaScale;
+    factor_b = beta_scale;
     first = 1'b0;
     base = off_q;
     addend = '0;
@@ -167,7 +200,7 @@ module svpwm
         x_d = scaled;
         multiply = 1'b1;
         factor_a = 15'(v_alpha_i);
-        factor_b = AlphaScale;
+        factor_b = alpha_scale;
         state_d = StAlpha;
       end
       StAlpha: begin
@@ -188,20 +221,20 @@ module svpwm
         state_d = StA;
       end
       StA: begin
-        base = FullOff;
+        base = full_off;
         addend = $signed({1'b0, sum_q});
         subtract = 1'b1;
         state_d = StB;
       end
       StB: begin
-        over_d = off_q < 20'sd128;
+        over_d = off_q < (coarse ? 20'sd64 : 20'sd128);
         low_d = over_d ? '0 : rounded;
         addend = $signed({t1_q, 1'b0});
         state_d = StC;
       end
       StC: begin
         mid_d = rounded;
-        base = FullOff;
+        base = full_off;
         addend = $signed({1'b0, sum_q});
         bit_d = '0;
         state_d = StDivide;
@@ -215,7 +248,7 @@ module svpwm
       StScale: begin
         multiply = 1'b1;
         factor_a = $signed({1'b0, quotient_q});
-        factor_b = Full;
+        factor_b = 16'(top);
         state_d = StLast;
       end
       default: begin  // StLast
@@ -238,6 +271,7 @@ module svpwm
     if (rst_i) begin
       state_q <= StIdle;
       valid_q <= 1'b0;
+      carrier_q <= Carrier16kHz;
       product_q <= '0;
       x_q <= '0;
       y_q <= '0;
@@ -251,12 +285,13 @@ module svpwm
       bit_q <= '0;
       quotient_q <= '0;
       code_q <= '0;
-      cmp_a_q <= CmpMax / 11'd2;
-      cmp_b_q <= CmpMax / 11'd2;
-      cmp_c_q <= CmpMax / 11'd2;
+      cmp_a_q <= 12'd781;
+      cmp_b_q <= 12'd781;
+      cmp_c_q <= 12'd781;
     end else begin
       state_q <= state_d;
       valid_q <= valid_d;
+      if (state_q == StIdle && tick_i) carrier_q <= carrier_i;
       product_q <= product_d;
       x_q <= x_d;
       y_q <= y_d;

@@ -11,6 +11,8 @@ module svpwm_props
 
     input logic tick_i,
 
+    input carrier_t carrier_i,
+
     input word_t v_alpha_i,
     input word_t v_beta_i,
 
@@ -22,6 +24,7 @@ module svpwm_props
     input logic       quiescent_o,
 
     input logic        [ 3:0] state_q,
+    input carrier_t           carrier_q,
     input logic               multiply,
     input logic signed [14:0] factor_a,
     input logic signed [15:0] factor_b,
@@ -42,13 +45,32 @@ module svpwm_props
   typedef logic signed [35:0] wide_t;
   typedef logic signed [21:0] line_t;  // Q7
 
-  localparam wide_t BetaMax  = 36'sd2048 * 36'sd12496;  // products
-  localparam wide_t AlphaMax = 36'sd2048 * 36'sd21644;
-  localparam wide_t ScaleMax = 36'sd16383 * 36'sd1562;
-  localparam line_t XMax     = 22'sd99968;  // Q6
-  localparam line_t YMax     = 22'sd173152;
-  localparam line_t Full     = 22'sd199936;  // 1562 in Q7, 781 in Q8
-  localparam line_t Half     = 22'sd128;  // of the rounding
+  localparam wide_t BetaMax  = 36'sd2048 * 36'sd12500;  // products
+  localparam wide_t AlphaMax = 36'sd2048 * 36'sd21651;
+  localparam wide_t ScaleMax = 36'sd16383 * 36'sd3125;
+  localparam line_t XMax     = 22'sd100000;  // Q6
+  localparam line_t YMax     = 22'sd173208;
+
+  // Words of the carrier: 2^14 V_dc / sqrt 3 to counts, and sqrt 3 times that; half its top in Q8,
+  // Q7 at 8 kHz; the half of the rounding there.
+  function automatic logic signed [15:0] beta_of(carrier_t carrier);
+    return carrier == 2'd1 ? 16'sd12500 : carrier == 2'd2 ? 16'sd10000 :
+        carrier == 2'd3 ? 16'sd5000 : 16'sd12496;
+  endfunction
+
+  function automatic logic signed [15:0] alpha_of(carrier_t carrier);
+    return carrier == 2'd1 ? 16'sd21651 : carrier == 2'd2 ? 16'sd17321 :
+        carrier == 2'd3 ? 16'sd8660 : 16'sd21644;
+  endfunction
+
+  carrier_t used_q;  // of this vector
+  logic signed [15:0] top;
+  line_t full, half;
+
+  assign top  = used_q == 2'd1 ? 16'sd3125 : used_q == 2'd2 ? 16'sd1250 :
+      used_q == 2'd3 ? 16'sd625 : 16'sd1562;
+  assign half = used_q == 2'd1 ? 22'sd64 : 22'sd128;
+  assign full = 22'(top) * half;
 
   logic live_q = 1'b0;
   logic was_rst_q, was_quiescent_q;
@@ -64,8 +86,8 @@ module svpwm_props
   wide_t product, was_product_q;
   logic [18:0] was_t1_q;
   logic [12:0] was_quotient_q;
-  logic [35:0] outputs, was_outputs_q;
-  logic [174:0] state, was_state_q;
+  logic [38:0] outputs, was_outputs_q;
+  logic [176:0] state, was_state_q;
 
   function automatic line_t more(line_t p, line_t q);
     return p > q ? p : q;
@@ -75,19 +97,19 @@ module svpwm_props
     return p < q ? p : q;
   endfunction
 
-  // Off-time in Q8 of a phase with these differences to the others, plus the rounding half.
+  // Off-time of a phase with these differences to the others, plus the rounding half.
   function automatic line_t off_time(line_t p, line_t q);
-    return Full + Half - more(more(p, q), 22'sd0) - less(less(p, q), 22'sd0);
+    return full + half - more(more(p, q), 22'sd0) - less(less(p, q), 22'sd0);
   endfunction
 
   function automatic logic is_off(cmp_t found, line_t off);
-    return line_t'({11'd0, found}) == off >>> 8;
+    return line_t'({10'd0, found}) == (used_q == 2'd1 ? off >>> 7 : off >>> 8);
   endfunction
 
-  // Over-modulated: off-time 0 for the highest phase, 1562 for the lowest, a quotient between.
+  // Over-modulated: off-time 0 for the highest phase, the top for the lowest, a quotient between.
   function automatic logic is_over(cmp_t found, line_t p, line_t q);
     if (p > 22'sd0 && q > 22'sd0) return found == '0;
-    if (p < 22'sd0 && q < 22'sd0) return found == CmpMax;
+    if (p < 22'sd0 && q < 22'sd0) return 16'(found) == top;
     return p == 22'sd0 || q == 22'sd0 ||
         wide_t'({1'b0, found}) == (was_product_q + 36'sd8192) >>> 14;
   endfunction
@@ -99,7 +121,7 @@ module svpwm_props
   assign u_ac    = x + y;
   assign u_ba    = x - y;
   assign span    = more(more(more(u_bc, -u_bc), more(u_ac, -u_ac)), more(u_ba, -u_ba));
-  assign over    = span_q > Full;
+  assign over    = span_q > full;
   assign t1      = line_t'({3'd0, t1_q});
   assign sum     = line_t'({3'd0, sum_q});
   assign product = wide_t'(product_q);
@@ -138,6 +160,7 @@ module svpwm_props
     was_quiescent_q <= !rst_i && quiescent_o;
     was_state_q     <= state;
     was_outputs_q   <= outputs;
+    if (start) used_q <= carrier_i;
     due_q           <= rst_i ? '0 : {due_q[23:0], start};
     step_q          <= due_q[21:8] != '0 && !rst_i;
     was_product_q   <= product;
@@ -155,9 +178,9 @@ module svpwm_props
       valid_after_25_clocks : assert (valid_o == due_q[24]);
       multiplies_in_order :
       assert (multiply == (start || due_q[0] || due_q[22]) &&
-              (!start || (factor_a == 15'(v_beta_i) && factor_b == 16'sd12496)) &&
-              (!due_q[0] || (factor_a == 15'(v_alpha_i) && factor_b == 16'sd21644)) &&
-              (!due_q[22] || (factor_a == $signed({1'b0, quotient_q}) && factor_b == 16'sd1562)));
+              (!start || (factor_a == 15'(v_beta_i) && factor_b == beta_of(carrier_i))) &&
+              (!due_q[0] || (factor_a == 15'(v_alpha_i) && factor_b == alpha_of(used_q))) &&
+              (!due_q[22] || (factor_a == $signed({1'b0, quotient_q}) && factor_b == top)));
       no_overflow :
       assert ((!due_q[1] || wide_t'(x) == (was_product_q + 36'sd128) >>> 8) &&
               (!due_q[2] || wide_t'(y) == (was_product_q + 36'sd128) >>> 8));
@@ -174,7 +197,8 @@ module svpwm_props
                           t1 == line_t'({2'd0, was_t1_q, 1'b0}) - (quotient_q[0] ? sum : '0)));
       remainder_within_divisor : assert (!due_q[22] || t1 <= sum);
       compare_within_carrier :
-      assert (cmp_a_o <= CmpMax && cmp_b_o <= CmpMax && cmp_c_o <= CmpMax);
+      assert (!valid_o ||
+              16'(cmp_a_o) <= top && 16'(cmp_b_o) <= top && 16'(cmp_c_o) <= top);
       outputs_hold : assert (was_rst_q || valid_o || outputs == was_outputs_q);
       quiescent_is_honest :
       assert (!was_quiescent_q || (state == was_state_q && outputs == was_outputs_q && !valid_o));
@@ -183,6 +207,7 @@ module svpwm_props
                           due_q[0] ? 4'd1 : due_q[1] ? 4'd2 : due_q[2] ? 4'd3 : due_q[3] ? 4'd4 :
                           due_q[4] ? 4'd5 : due_q[5] ? 4'd6 : due_q[6] ? 4'd7 : due_q[7] ? 4'd8 :
                           4'd0));
+      inv_carrier : assert (due_q == '0 || carrier_q == used_q);
       inv_one : assert ((due_q[23:0] & (due_q[23:0] - 24'd1)) == '0);
       inv_bit : assert (due_q[21:8] == '0 || due_q[5'(bit_q)+5'd8]);
       inv_beta : assert (!due_q[0] || (product <= BetaMax && product >= -BetaMax));
@@ -195,12 +220,12 @@ module svpwm_props
       inv_t1 : assert (due_q[8:4] == '0 || t1 == spread_q);
       inv_sum : assert (due_q[23:5] == '0 || sum == span_q);
       inv_span :
-      assert (due_q[24:4] == '0 || (span_q <= 22'sd273120 && span_q == spread_q + rest_q));
+      assert (due_q[24:4] == '0 || (span_q <= 22'sd273208 && span_q == spread_q + rest_q));
       inv_spread : assert (due_q[24:4] == '0 || (spread_q >= 22'sd0 && rest_q >= 22'sd0));
-      inv_sorted_low : assert (due_q[23:4] == '0 || low == Full + Half - span_q);
+      inv_sorted_low : assert (due_q[23:4] == '0 || low == full + half - span_q);
       inv_sorted_mid :
-      assert (due_q[23:4] == '0 || mid == Full + Half - rest_q + spread_q);
-      inv_sorted_high : assert (due_q[23:4] == '0 || high == Full + Half + span_q);
+      assert (due_q[23:4] == '0 || mid == full + half - rest_q + spread_q);
+      inv_sorted_high : assert (due_q[23:4] == '0 || high == full + half + span_q);
       inv_off_low : assert (!due_q[6] || line_t'(off_q) == low);
       inv_off_mid : assert (!due_q[7] || line_t'(off_q) == mid);
       inv_off_high : assert (due_q[23:8] == '0 || line_t'(off_q) == high);
@@ -219,8 +244,10 @@ module svpwm_props
   // breaks multiplies_in_order: factor_a = state_q == StIdle ? 15'(v_alpha_i) : factor_a
   // breaks no_overflow: y_d = state_q == StAlpha ? {{2{scaled[16]}}, scaled[16:0]} : y_d
   // breaks no_overflow: scaled = product_q[26:8]
+  // breaks duty_is_min_max: full_off = carrier_q == Carrier8kHz ? 20'sd200128 : full_off
+  // breaks duty_is_min_max: carrier_q <= rst_i ? next : carrier_i
   // breaks sector_is_of_the_signs: sector = {plus < 20'sd0, minus <= 20'sd0, x_q > 19'sd0}
-  // breaks duty_is_min_max: magnitude = sector_q == 3'd2 ? (first ? ~picked + 19'd1 : picked) : magnitude
+  // breaks duty_is_min_max: magnitude = picked
   // breaks duty_is_min_max: addend = state_q == StB ? $signed({1'b0, t1_q}) : addend
   // breaks over_modulated_to_the_ends: high = rounded
   // breaks over_modulated_to_the_ends: mid = mid_q

@@ -2,11 +2,12 @@
 //
 // The one phase counter of the chip and its ticks (specification section 1).
 //
-//   tick_cur  16 kHz   every 3125 clocks, phase 0
-//   tick_pos   2 kHz   every eighth tick_cur, starting with the first after reset
-//   tick_irq           every irq_period-th tick_pos, starting with the first after reset
+//   tick_cur  8, 16, 20, 40 kHz  every period of the carrier, phase 0
+//   tick_pos  1, 2, 4 kHz        the first tick_cur after reset, then every n-th
+//   tick_irq                     every irq_period-th tick_pos, starting with the first after reset
 //
-// A tick is high in the clock before the edge that acts on it. The timer is 0 at phase 0, so that
+// Another carrier counts from the next tick_cur on, another n from the next tick_pos on. A tick is
+// high in the clock before the edge that acts on it. The timer is 0 at phase 0, so that
 // the tick, the reload and the event of the timer are one and the same edge.
 
 module timebase
@@ -17,9 +18,12 @@ module timebase
 
     input gap_t leap_i,
 
+    input carrier_t   carrier_i,
+    input logic [1:0] rate_i,       // of tick_pos: 0 1 kHz, 1 2 kHz, others 4 kHz
     input logic [7:0] irq_period_i,
 
-    output logic [11:0] phase_o,
+    output carrier_t    carrier_o,     // of this period
+    output phase_t      phase_o,
     output logic        tick_cur_o,
     output logic        tick_pos_o,
     output logic        tick_irq_o,
@@ -28,27 +32,52 @@ module timebase
     output logic        quiescent_o
 );
 
-  logic [11:0] count;
-  logic [2:0] cur_q;
+  // tick_cur in a millisecond
+  function automatic logic [5:0] per_ms(carrier_t carrier);
+    unique case (carrier)
+      Carrier8kHz:  return 6'd8;
+      Carrier20kHz: return 6'd20;
+      Carrier40kHz: return 6'd40;
+      default:      return 6'd16;
+    endcase
+  endfunction
+
+  phase_t count;
+  carrier_t carrier_q;
+  logic [5:0] cur_d, cur_q;
   logic [7:0] irq_d, irq_q;
   logic [31:0] tick_count_q;
 
   timer #(
-      .Width(12)
+      .Width(13)
   ) u_phase (
       .clk_i  (clk_i),
       .rst_i  (rst_i),
       .leap_i (leap_i),
       .load_i (tick_cur_o),
-      .value_i(12'(PwmPeriod - 1)),
+      .value_i(pwm_period(carrier_i) - 13'd1),
       .count_o(count),
       .next_o (next_o)
   );
 
-  assign phase_o    = tick_cur_o ? 12'd0 : 12'(PwmPeriod) - count;
-  assign tick_cur_o = count == 12'd0;
-  assign tick_pos_o = tick_cur_o && cur_q == 3'd0;
+  assign phase_o    = tick_cur_o ? 13'd0 : pwm_period(carrier_q) - count;
+  assign tick_cur_o = count == 13'd0;
+  assign tick_pos_o = tick_cur_o && cur_q == 6'd0;
   assign tick_irq_o = tick_pos_o && irq_q == 8'd0;
+
+  assign carrier_o  = carrier_q;
+
+  // Ticks to come until the next tick_pos.
+  always_comb begin
+    cur_d = cur_q - 6'd1;
+    if (tick_pos_o) begin
+      unique case (rate_i)
+        2'd0:    cur_d = per_ms(carrier_i) - 6'd1;
+        2'd1:    cur_d = (per_ms(carrier_i) >> 1) - 6'd1;
+        default: cur_d = (per_ms(carrier_i) >> 2) - 6'd1;
+      endcase
+    end
+  end
 
   // A new period counts from the next interrupt on.
   always_comb begin
@@ -58,11 +87,15 @@ module timebase
 
   always_ff @(posedge clk_i) begin
     if (rst_i) begin
+      carrier_q    <= Carrier16kHz;
       cur_q        <= '0;
       irq_q        <= '0;
       tick_count_q <= '0;
     end else begin
-      if (tick_cur_o) cur_q <= cur_q + 3'd1;
+      if (tick_cur_o) begin
+        carrier_q <= carrier_i;
+        cur_q     <= cur_d;
+      end
       if (tick_pos_o) begin
         irq_q        <= irq_d;
         tick_count_q <= tick_count_q + 32'd1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Bites when more than limit_i position ticks (2 kHz) pass between two kicks.
+// Bites when more than limit_i position ticks pass between two kicks.
 //
 // The bite is a level that only enable_i low clears: a late kick does not hide it. Limit 0
 // means off. A kick in the clock of a tick wins over the tick.

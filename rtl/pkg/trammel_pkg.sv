@@ -10,7 +10,9 @@ package trammel_pkg;
   typedef logic signed [31:0] model_t;   // reference model position, Q14 of a count
   typedef logic        [11:0] member_t;  // memberships and rule weights, 2048 = 1.0
   typedef logic        [9:0]  angle_t;   // 1024 = one electrical revolution
-  typedef logic        [10:0] cmp_t;     // compare value of the carrier, 0..1562
+  typedef logic        [11:0] cmp_t;     // compare value, 0 to the top of the carrier
+  typedef logic        [12:0] phase_t;   // [clk] within the period of the carrier
+  typedef logic        [ 1:0] carrier_t; // frequency of the carrier
   typedef logic        [11:0] gap_t;     // clocks without an event, see math/timer
 
   // value = mant / 2048 * 2^exp
@@ -19,8 +21,26 @@ package trammel_pkg;
     logic        [10:0] mant;
   } gain_t;
 
-  localparam int unsigned PwmPeriod = 3125;  // [clk] 16 kHz at 50 MHz
-  localparam cmp_t        CmpMax    = 1562;  // top of the carrier
-  localparam gap_t        GapMax    = '1;    // "no event of mine in sight"
+  localparam gap_t GapMax = '1;  // "no event of mine in sight"
+
+  localparam carrier_t Carrier16kHz = 2'd0;
+  localparam carrier_t Carrier8kHz  = 2'd1;
+  localparam carrier_t Carrier20kHz = 2'd2;
+  localparam carrier_t Carrier40kHz = 2'd3;
+
+  // Period of the carrier [clk] at 50 MHz.
+  function automatic phase_t pwm_period(carrier_t carrier);
+    unique case (carrier)
+      Carrier8kHz:  return 13'd6250;
+      Carrier20kHz: return 13'd2500;
+      Carrier40kHz: return 13'd1250;
+      default:      return 13'd3125;
+    endcase
+  endfunction
+
+  // Top of the carrier: half its period.
+  function automatic cmp_t cmp_max(carrier_t carrier);
+    return cmp_t'(pwm_period(carrier) >> 1);
+  endfunction
 
 endpackage

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The register map of kung_xy, version 3, in numbers.
+// The register map of kung_xy, version 4, in numbers.
 
 #include <catch2/catch.hpp>
 #include <vector>
@@ -13,7 +13,7 @@ namespace reg = trammel::kung_xy_regs;
 namespace {
 
 // Addresses of X and Y are offsets.
-const std::vector<trammel::test::Place> kVersion3{
+const std::vector<trammel::test::Place> kVersion4{
     {"CTRL.enable", 0x000, 0, 0}, {"CTRL.current_loop", 0x000, 1, 1},
     {"CTRL.position_loop", 0x000, 2, 2}, {"CTRL.adapt", 0x000, 3, 3},
     {"CTRL.reset_model", 0x000, 4, 4}, {"CTRL.reset_table", 0x000, 5, 5},
@@ -43,15 +43,16 @@ const std::vector<trammel::test::Place> kVersion3{
     {"IRQ_STAT.fault", 0x20C, 1, 1}, {"TICK", 0x210, 31, 0}, {"FAULT.code", 0x214, 3, 0},
     {"FAULT.axis", 0x214, 4, 4}, {"FAULT.tick", 0x214, 31, 8}, {"FAULT_CLEAR", 0x218, 31, 0},
     {"WATCHDOG", 0x21C, 15, 0}, {"LOCK", 0x220, 31, 0}, {"CURRENT_LIMIT", 0x224, 11, 0},
-    {"DEADTIME_MIN", 0x228, 9, 0}, {"IRQ_PERIOD", 0x22C, 7, 0}};
+    {"DEADTIME_MIN", 0x228, 9, 0}, {"IRQ_PERIOD", 0x22C, 7, 0},
+    {"RATES.carrier", 0x240, 1, 0}, {"RATES.position", 0x240, 5, 4}};
 
 }  // namespace
 
-TEST_CASE("kung_xy has each field of its registers where version 3 of the map has it") {
-  CHECK(trammel::test::moved_field(reg::kFields, kVersion3) == "");
+TEST_CASE("kung_xy has each field of its registers where version 4 of the map has it") {
+  CHECK(trammel::test::moved_field(reg::kFields, kVersion4) == "");
   CHECK(reg::kX == 0x000);
   CHECK(reg::kY == 0x100);
-  CHECK(reg::kIdValue == 0x4B580003);  // "KX", version 3
+  CHECK(reg::kIdValue == 0x4B580004);  // "KX", version 4
   CHECK(reg::kKeyLock == 0x4C4F434B);  // "LOCK"
   CHECK(reg::kKeyUnlock == 0x554E4C4B);  // "UNLK"
   CHECK(reg::kKeyFaultClear == 0x434C5246);  // "CLRF"

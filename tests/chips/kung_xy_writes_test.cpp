@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 
 #include <cstdint>
+#include <cstdlib>
 #include <functional>
 #include <stdexcept>
 #include <vector>
@@ -179,6 +180,57 @@ TEST_CASE("a sticky bit is cleared by a 1 in its byte, and no other bit is") {
       for (const std::uint32_t base : {reg::kX, reg::kY}) chip.write(base + reg::kStatus, ~0u);
       chip.write(reg::kFaultClear, reg::kKeyFaultClear);  // so that the next one is latched
       chip.edges(4);
+    }
+  }
+}
+
+TEST_CASE("the rates keep what is written, but not while an axis is enabled or they are locked") {
+  for (const std::uint32_t base : {reg::kX, reg::kY}) {
+    KungBench chip;
+    for (const std::uint32_t rates : {0x23u, 0x01u, 0x32u}) {
+      write_bytes(chip, reg::kRates, ~rates, 14);
+      chip.write(reg::kRates, rates);
+      CHECK(chip.read(reg::kRates) == rates);
+    }
+    chip.write(base + reg::kCtrl, reg::kCtrlEnable);
+    chip.write(reg::kRates, 0x01);
+    CHECK(chip.read(reg::kRates) == 0x32);
+    chip.write(base + reg::kCtrl, 0);
+    chip.write(reg::kRates, 0x01);
+    CHECK(chip.read(reg::kRates) == 0x01);
+    chip.write(reg::kLock, reg::kKeyLock);
+    chip.write(reg::kRates, 0x32);
+    CHECK(chip.read(reg::kRates) == 0x01);
+  }
+}
+
+TEST_CASE("ticks and gates are those of the carrier and of the position rate") {
+  constexpr int kPeriods[] = {3125, 6250, 2500, 1250}, kSamples[] = {50000, 25000, 12500};
+  for (std::uint32_t carrier = 0; carrier < 4; ++carrier) {
+    for (std::uint32_t rate = 0; rate < 3; ++rate) {
+      KungBench chip;
+      chip.write(reg::kRates, carrier << reg::kRatesCarrierShift |
+                                  rate << reg::kRatesPositionShift);
+      leap_to_tick(chip);
+      leap_to_tick(chip);
+      const auto first = chip.now();
+      leap_to_tick(chip);
+      CAPTURE(carrier, rate);
+      CHECK(chip.now() - first == kSamples[rate]);
+      // 50 % duty from the second period on; the upper gate of phase a rises once a period.
+      chip.write(reg::kX + reg::kCtrl, reg::kCtrlEnable);
+      const auto rise = [&] {
+        leap_until(chip, [&] { return (chip->gate_hi_o & 1) == 0; });
+        leap_until(chip, [&] { return (chip->gate_hi_o & 1) != 0; });
+        return chip.now();
+      };
+      rise();
+      const auto from = rise();
+      leap_until(chip, [&] { return (chip->gate_hi_o & 1) == 0; });
+      const int on = static_cast<int>(chip.now() - from);
+      leap_until(chip, [&] { return (chip->gate_hi_o & 1) != 0; });
+      CHECK(chip.now() - from == kPeriods[carrier]);
+      CHECK(std::abs(on + 100 - kPeriods[carrier] / 2) <= 2);  // 100 clocks of dead time
     }
   }
 }

@@ -22,6 +22,7 @@ using Dut = test::Rtl<Vcurrent_loop>;
 
 void drive(Dut& rtl, const CurrentLoop::In& in) {
   rtl->clear_i = in.clear;
+  rtl->carrier_i = in.carrier & 3;
   rtl->code_a_i = static_cast<std::uint16_t>(in.code_a);
   rtl->code_b_i = static_cast<std::uint16_t>(in.code_b);
   test::set_word(rtl->offset_a_i, in.offset_a);
@@ -63,6 +64,7 @@ TEST_CASE("current_loop agrees with its twin on 20 000 samples, in 68 clocks") {
       in.theta_ofs = words.below(0xFFFFFFFF);
       in.angle_step = words.below(2) ? CurrentLoop::kAngleStep : words.below(0xFFFFFFFF);
       in.clear = words.below(8) == 0;
+      in.carrier = words.below(4);
       in.offset_a = words.below(2) ? 0 : words();
       in.offset_b = words.below(2) ? 0 : words() / 16;
       in.i_q_ref = words();
@@ -75,7 +77,8 @@ TEST_CASE("current_loop agrees with its twin on 20 000 samples, in 68 clocks") {
     drive(rtl, in);
     REQUIRE(test::run_flow(rtl) == kLatency);
     CAPTURE(in.offset_a, in.offset_b);
-    CAPTURE(n, in.code_a, in.code_b, in.count, in.angle_step, in.theta_ofs, in.i_q_ref, in.clear);
+    CAPTURE(n, in.code_a, in.code_b, in.count, in.angle_step, in.theta_ofs, in.i_q_ref, in.clear,
+            in.carrier);
     check(rtl, twin.step(in));
   }
 }
@@ -168,9 +171,10 @@ TEST_CASE("current_loop measures the d and q currents of a rotating field") {
 
 TEST_CASE("current_loop goes to 50 % one clock after clear, and is quiescent then") {
   Dut rtl;
+  CurrentLoop::In in;
+  drive(rtl, in);
   test::begin(rtl);
   REQUIRE(rtl->quiescent_o);
-  CurrentLoop::In in;
   in.i_q_ref = 427;
   in.kp = kKp;
   in.ki = kKi;

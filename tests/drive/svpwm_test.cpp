@@ -19,6 +19,7 @@ constexpr int kLatency = 25;
 Svpwm::Out run(test::Rtl<Vsvpwm>& rtl, const Svpwm::In& in) {
   test::set_word(rtl->v_alpha_i, in.v_alpha);
   test::set_word(rtl->v_beta_i, in.v_beta);
+  rtl->carrier_i = in.carrier & 3;
   REQUIRE(test::run_flow(rtl) == kLatency);
   return {rtl->cmp_a_o, rtl->cmp_b_o, rtl->cmp_c_o, rtl->sector_o};
 }
@@ -70,8 +71,8 @@ TEST_CASE("svpwm agrees with its twin on random and extreme vectors, in 25 clock
   const Svpwm twin;
   test::Words words(1);
   for (int n = 0; n < 20000; ++n) {
-    const Svpwm::In in{words(), words()};
-    CAPTURE(n, in.v_alpha, in.v_beta);
+    const Svpwm::In in{words(), words(), static_cast<unsigned>(n) % 4};
+    CAPTURE(n, in.v_alpha, in.v_beta, in.carrier);
     check_equal(run(rtl, in), twin.step(in));
   }
 }
@@ -81,15 +82,17 @@ TEST_CASE("svpwm stays within one count of the ideal, over-modulated or not") {
   const Svpwm twin;
   test::Words words(2);
   int over = 0;
-  for (int n = 0; n < 200000; ++n) {
-    const Svpwm::In in{words(), words()};
+  for (int n = 0; n < 400000; ++n) {
+    const Svpwm::In in{words(), words(), static_cast<unsigned>(n) % 4};
+    constexpr int kTops[] = {1562, 3125, 1250, 625};
+    const int top = kTops[in.carrier];
     const ideal::AlphaBeta v{in.v_alpha / 2048.0, in.v_beta / 2048.0};
     const Svpwm::Out out = twin.step(in);
     const ideal::OffTimes off = ideal::svpwm(v);
-    CAPTURE(in.v_alpha, in.v_beta);
-    REQUIRE(std::abs(out.cmp_a - off.a * 1562) < 1.0);
-    REQUIRE(std::abs(out.cmp_b - off.b * 1562) < 1.0);
-    REQUIRE(std::abs(out.cmp_c - off.c * 1562) < 1.0);
+    CAPTURE(in.v_alpha, in.v_beta, in.carrier);
+    REQUIRE(std::abs(out.cmp_a - off.a * top) < 1.0);
+    REQUIRE(std::abs(out.cmp_b - off.b * top) < 1.0);
+    REQUIRE(std::abs(out.cmp_c - off.c * top) < 1.0);
     const double shortest = std::min({off.a, off.b, off.c});
     if (shortest < 1e-12) {
       ++over;
@@ -99,9 +102,9 @@ TEST_CASE("svpwm stays within one count of the ideal, over-modulated or not") {
     REQUIRE(std::abs(1 - off.a - duty.a) < 1e-14);
     REQUIRE(std::abs(1 - off.b - duty.b) < 1e-14);
     REQUIRE(std::abs(1 - off.c - duty.c) < 1e-14);
-    REQUIRE(std::abs(out.cmp_a - std::round((1 - duty.a) * 1562)) <= 1);
-    REQUIRE(std::abs(out.cmp_b - std::round((1 - duty.b) * 1562)) <= 1);
-    REQUIRE(std::abs(out.cmp_c - std::round((1 - duty.c) * 1562)) <= 1);
+    REQUIRE(std::abs(out.cmp_a - std::round((1 - duty.a) * top)) <= 1);
+    REQUIRE(std::abs(out.cmp_b - std::round((1 - duty.b) * top)) <= 1);
+    REQUIRE(std::abs(out.cmp_c - std::round((1 - duty.c) * top)) <= 1);
   }
   REQUIRE(over > 10000);
 }

@@ -20,11 +20,21 @@ namespace {
 
 // Does not leap unless told to.
 struct Rtl : trammel::test::Rtl<Vtimebase> {
-  Rtl() { (*this)->leap_i = 0; }
+  Rtl() {
+    (*this)->leap_i = 0;
+    apply({});
+  }
+
+  void apply(const Timebase::In& in) {
+    (*this)->irq_period_i = in.irq_period;
+    (*this)->carrier_i = in.carrier & 3;
+    (*this)->rate_i = in.rate & 3;
+  }
 };
 
 void require_equal(Rtl& rtl, const Timebase& twin) {
   const Timebase::Out out = twin.out();
+  REQUIRE(rtl->carrier_o == out.carrier);
   REQUIRE(rtl->phase_o == out.phase);
   REQUIRE(bool(rtl->tick_cur_o) == out.tick_cur);
   REQUIRE(bool(rtl->tick_pos_o) == out.tick_pos);
@@ -36,14 +46,17 @@ void require_equal(Rtl& rtl, const Timebase& twin) {
 
 }  // namespace
 
-TEST_CASE("timebase agrees with its twin on random leaps and interrupt periods") {
+TEST_CASE("timebase agrees with its twin on random leaps, rates and interrupt periods") {
   Rtl rtl;
   Timebase twin;
   rtl.reset();
   Random random(2);
-  for (int i = 0; i < 30000; ++i) {
-    const Timebase::In in{static_cast<std::uint8_t>(random() % 6)};
-    rtl->irq_period_i = in.irq_period;
+  Timebase::In in;
+  for (int i = 0; i < 60000; ++i) {
+    in.irq_period = static_cast<std::uint8_t>(random() % 6);
+    if (random() % 500 == 0) in.carrier = random() % 4;
+    if (random() % 500 == 0) in.rate = random() % 4;
+    rtl.apply(in);
     rtl.eval();
     if (random() % 300 == 0) {
       rtl.reset();
@@ -78,6 +91,28 @@ TEST_CASE("timebase ticks are exactly 3125, 25000 and 100000 clocks apart") {
   for (std::size_t i = 0; i < pos.size(); ++i) REQUIRE(pos[i] == static_cast<int>(i) * 25000);
   for (std::size_t i = 0; i < irq.size(); ++i) REQUIRE(irq[i] == static_cast<int>(i) * 100000);
   REQUIRE(rtl->tick_count_o == 13);
+}
+
+TEST_CASE("timebase has 8, 16, 20 and 40 kHz and position ticks of 1, 2 and 4 kHz") {
+  constexpr int kFrequencies[] = {16000, 8000, 20000, 40000}, kPositions[] = {1000, 2000, 4000};
+  for (unsigned carrier = 0; carrier < 4; ++carrier) {
+    for (unsigned rate = 0; rate < 3; ++rate) {
+      Rtl rtl;
+      rtl.apply({4, carrier, rate});
+      rtl.reset();
+      const int period = 50'000'000 / kFrequencies[carrier];
+      const int position = 50'000'000 / kPositions[rate];
+      CAPTURE(period, position);
+      for (int n = 0; n < 3 * position; ++n) {
+        rtl.eval();
+        REQUIRE(bool(rtl->tick_cur_o) == (n % period == 0));
+        REQUIRE(bool(rtl->tick_pos_o) == (n % position == 0));
+        REQUIRE(rtl->phase_o == n % period);
+        if (n > 0) REQUIRE(rtl->carrier_o == carrier);
+        rtl.tick();
+      }
+    }
+  }
 }
 
 TEST_CASE("timebase interrupt period 0 acts as 1") {

@@ -21,9 +21,9 @@ inline cosim::BusOp random_transfer(Random& random) {
   const std::uint32_t any = random();
   if (below(random, 5) < 2) {  // read anything, the empty places too
     const bool axis = below(random, 4) != 0;
-    return {(axis ? base : 0x200u) + 4 * below(random, axis ? 0x32u : 0x10u), 0, false};
+    return {(axis ? base : 0x200u) + 4 * below(random, axis ? 0x32u : 0x12u), 0, false};
   }
-  switch (below(random, 29)) {
+  switch (below(random, 30)) {
     case 0:
     case 1:
     case 2: return {base + reg::kCtrl, below(random, 4) == 0 ? any : (any & 0xCFu) | 3u, true};
@@ -51,6 +51,7 @@ inline cosim::BusOp random_transfer(Random& random) {
     case 24: return {base + reg::kAngleStep, any, true};
     case 25: return {base + reg::kCurrentOffset, any & 0x003F003Fu, true};
     case 26: return {base + reg::kAdcFrame, below(random, 4) == 0 ? any : 4u, true};
+    case 27: return {reg::kRates, any, true};
     default: return {base + reg::kKp + 4 * below(random, 12), any, true};
   }
 }

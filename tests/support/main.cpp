@@ -24,6 +24,7 @@ class FirstFailure : public Catch::TestEventListenerBase {
   using TestEventListenerBase::TestEventListenerBase;
 
   void testCaseStarting(const Catch::TestCaseInfo& info) override {
+    if (failed_) return;  // that of the failure is kept
     name_ = info.name;
     file_ = info.lineInfo.file;
   }
@@ -31,7 +32,6 @@ class FirstFailure : public Catch::TestEventListenerBase {
   bool assertionEnded(const Catch::AssertionStats& stats) override {
     if (stats.assertionResult.isOk() || failed_) return false;
     failed_ = true;
-    failed_name_ = name_;
 #ifdef TRAMMEL_WAVES
     trammel::test::note_failure();
 #endif
@@ -57,7 +57,7 @@ class FirstFailure : public Catch::TestEventListenerBase {
       const pid_t child = fork();
       if (child == 0) {
         execl(tool.c_str(), tool.c_str(), "unit-waves",
-              (layer / test.filename()).c_str(), failed_name_.c_str(), nullptr);
+              (layer / test.filename()).c_str(), name_.c_str(), nullptr);
         _exit(127);
       }
       if (child > 0) waitpid(child, nullptr, 0);
@@ -66,7 +66,7 @@ class FirstFailure : public Catch::TestEventListenerBase {
   }
 
   bool failed_ = false;
-  std::string name_, file_, failed_name_;
+  std::string name_, file_;
 };
 
 }  // namespace

@@ -4,7 +4,7 @@
 (function (T) {
   'use strict';
 
-  const kSample = 0.5e-3;  // [s]
+  const sampleOf = (run) => 1 / run.metrics.options['chip.position_Hz'];  // [s]
 
   const kFigures = [/^tracking\.(model\.|command\.mean)/, /^contour\.(mean|max)/,
     /^[xy]\.(periods\.0\.overshoot|peak_current|max_speed)/];
@@ -41,10 +41,10 @@
   function opening(runs) {
     const paths = runs.filter((run) => kindOf(run) !== 'square');
     return new Set(runs.map(kindOf)).size > 1 && paths.length > 0 ? Math.max(...paths.map((run) =>
-      (run.count - 1) * run.stride * kSample)) : null;
+      (run.count - 1) * run.stride * sampleOf(run))) : null;
   }
 
-  T.kungComparison = { kindOf, sample: kSample, figures, smallerIsBetter, plots: errorCards,
+  T.kungComparison = { kindOf, sample: sampleOf, figures, smallerIsBetter, plots: errorCards,
     sections, opening, heading: 'Errors', timeLabel: 'Time since the first point (s)',
     lead: 'Differences are to the first run of the same path. The error T(k) is the distance of ' +
       'the table from the reference model.' };

@@ -6,8 +6,6 @@
   'use strict';
 
   const kPhases = ['A', 'B', 'C'];
-  const kPeriod = 3125;
-  const kPeak = 1562;  // of the carrier
 
   // A leg as spans {begin, end, levels: [upper, lower]}, in clocks from the start of the window.
   function legOf(gates, axis, phase) {
@@ -61,14 +59,15 @@
       align: 'center' });
   }
 
-  function drawCarrier(p, theme, frame, y, h, compare, axis) {
-    const level = (v) => y + h - 4 - v / kPeak * (h - 10);
-    const corners = compare.flatMap((axes, period) => [[period, 0], [period + 0.5, kPeak]]);
-    p.path([...corners, [compare.length, 0]].flatMap(([at, v]) => [frame.x(at * kPeriod),
+  function drawCarrier(p, theme, frame, y, h, compare, axis, clocks) {
+    const peak = Math.floor(clocks / 2);
+    const level = (v) => y + h - 4 - v / peak * (h - 10);
+    const corners = compare.flatMap((axes, period) => [[period, 0], [period + 0.5, peak]]);
+    p.path([...corners, [compare.length, 0]].flatMap(([at, v]) => [frame.x(at * clocks),
       level(v)]), { stroke: theme.faint, width: 1.2 });
     compare.forEach((axes, period) => axes[axis].forEach((value, phase) => {
       const color = [theme.x, theme.y, theme.other][phase];
-      const [x0, x1] = [frame.x(period * kPeriod), frame.x((period + 1) * kPeriod)];
+      const [x0, x1] = [frame.x(period * clocks), frame.x((period + 1) * clocks)];
       p.path([x0, level(value), x1, level(value)], { stroke: color, width: 1.3, dash: [5, 3] });
       if (period > 0) return;
       p.text(x0 + 4 + phase * 22, level(value) - 3, kPhases[phase], { fill: color, size: 11,
@@ -92,9 +91,9 @@
       const frame = T.frame({ x: 62, y: 6, w: width - 76, h: height - 50 }, [0, length], [0, 1]);
       const bottom = height - 44;
       drawTime(p, theme, frame, bottom, clockUs, gates.trip === undefined
-        ? 'Time since the 2 kHz tick (\u00b5s)' : 'Time since the window began (\u00b5s)');
+        ? 'Time since the position tick (\u00b5s)' : 'Time since the window began (\u00b5s)');
       const top = hasCarrier ? 76 : 6;
-      if (hasCarrier) drawCarrier(p, theme, frame, 4, 70, gates.compare, state.axis);
+      if (hasCarrier) drawCarrier(p, theme, frame, 4, 70, gates.compare, state.axis, length / 2);
       const h = (bottom - top) / 3;
       legs().forEach((leg, phase) => {
         const y = top + phase * h;

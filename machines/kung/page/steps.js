@@ -12,7 +12,7 @@
     const o = run.metrics.options;
     const length = Math.max(2, Math.round(2 * o['path.square_half_samples'] / run.stride));
     const periods = Math.max(1, Math.floor(d.n / length));
-    const half = o['path.square_half_samples'] * 0.5e-3;
+    const half = o['path.square_half_samples'] / o['chip.position_Hz'];
     const plot = { id: `periods-${axis}`, title: `${axis.toUpperCase()} all periods`,
       height: (width) => (width < 420 ? 240 : 300) };
     plot.scene = function (p, width, height, theme) {

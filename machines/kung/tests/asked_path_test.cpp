@@ -17,7 +17,7 @@ AskedPath line(std::vector<sw::Point>& points) {
   options.path.line_end_x_m = 0.2;
   options.path.line_end_y_m = 0.1;
   options.path.line_ticks = 100;
-  return {sw::Trajectory(plan_firmware(options, points)), 4, 5e-6};
+  return {sw::Trajectory(plan_firmware(options, points)), 4, 5e-6, 500};
 }
 
 }  // namespace

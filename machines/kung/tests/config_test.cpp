@@ -115,7 +115,7 @@ TEST_CASE("the default gains are the words of the specification") {
   CHECK(same(kung::gain_word(kung::eta_value(g.learning_rate, g.kp, g.ki, g.kv)), 1140, -8));
   CHECK(same(kung::gain_word(kung::current_gain_value(g.current_kp_V_A, 311, 9.6)), 1275, 2));
   CHECK(same(kung::gain_word(kung::current_gain_value(g.current_ki_V_A, 311, 9.6)), 1478, -2));
-  const auto model = kung::model_words(g.omega_n_rad_s, g.zeta);
+  const auto model = kung::model_words(g.omega_n_rad_s, g.zeta, 0.5e-3);
   CHECK(model.a0 == 238008);
   CHECK(model.b2 == 8140683);
 }

@@ -52,7 +52,7 @@ TEST_CASE("a tripped run exits with 5, keeps its record and names the first faul
         5);
   const auto json = metrics_of(scratch.path / "a");
   CHECK(json["end"] == "tripped");
-  CHECK(json["verdict"] == "tripped: stroke exceeded on axis Y at 2 kHz tick 17 (0.0085 s)");
+  CHECK(json["verdict"] == "tripped: stroke exceeded on axis Y at position tick 17 (0.0085 s)");
   CHECK(json["fault"]["cause"] == "stroke exceeded");
   CHECK(json["fault"]["axis"] == "y");
   CHECK(json["fault"]["tick"] == 17);

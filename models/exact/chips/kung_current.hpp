@@ -33,10 +33,14 @@ class KungCurrent {
   static constexpr Clk kTaken = 65;              // the loop takes the currents
   static constexpr Clk kLimited = 66 + CurrentLoop::kClocks;  // STATUS shows the limit
 
-  // The 16 kHz tick at edge n latches count, i_q* and the shape of a frame; the converters hold
-  // `frames` then.
-  void tick(Clk n, std::int32_t count, std::int32_t i_q_ref,
+  // The tick of the carrier at edge n latches count, i_q* and the shape of a frame; the converters
+  // hold `frames` then.
+  void tick(Clk n, std::uint32_t carrier, std::int32_t count, std::int32_t i_q_ref,
             const std::array<std::int32_t, 2>& frames, const Config& config) {
+    if (carrier != carrier_) {
+      carrier_ = carrier;
+      if (clear_) clear_at_ = n + 1;  // 50 % duty is another word
+    }
     tick_ = n;
     count_ = count;
     i_q_ref_ = i_q_ref;
@@ -63,7 +67,7 @@ class KungCurrent {
     const CurrentLoop::In in = input(config);
     if (clear_at_ <= n) {
       loop_.run_to(clock(clear_at_), in);
-      loop_.clear();
+      loop_.clear(carrier_);
       clear_at_ = kNever;
     }
     loop_.run_to(clock(n), in);
@@ -106,6 +110,7 @@ class KungCurrent {
   CurrentLoop::In input(const Config& config) const {
     CurrentLoop::In in;
     in.clear = clear_;
+    in.carrier = carrier_;
     in.code_a = held_[0];
     in.code_b = held_[1];
     in.offset_a = config.offset_a;
@@ -133,7 +138,8 @@ class KungCurrent {
   }
 
   CurrentLoop loop_;
-  Clk tick_ = -kPeriod;
+  Clk tick_ = -kLongAgo;
+  std::uint32_t carrier_ = 0;
   std::int32_t count_ = 0, i_q_ref_ = 0;
   std::array<std::int32_t, 2> held_{2048, 2048}, codes_{};
   bool framed_ = true, limit_due_ = false;

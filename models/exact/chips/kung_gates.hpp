@@ -11,6 +11,7 @@
 #include <cstdint>
 
 #include "models/exact/chips/kung_time.hpp"
+#include "models/exact/drive/carrier.hpp"
 
 namespace trammel::exact {
 
@@ -34,9 +35,11 @@ class KungGates {
     next_ = std::min({legs_[0].next, legs_[1].next, legs_[2].next});
   }
 
-  // The tick at edge n loads compare values, after its step().
-  void load(Clk n, const std::array<std::int32_t, 3>& cmp) {
+  // The tick at edge n loads compare values and begins a period, after its step().
+  void load(Clk n, const std::array<std::int32_t, 3>& cmp, std::uint32_t carrier) {
     begin_ = n;
+    period_ = pwm_period(carrier);
+    top_ = static_cast<std::int32_t>(cmp_max(carrier));
     for (std::size_t k = 0; k < 3; ++k) {
       legs_[k].cmp = cmp[k];
       // A switch still on (compare value 0) goes off at this edge, and the leg follows.
@@ -51,10 +54,8 @@ class KungGates {
   unsigned gates() const { return gates_; }
 
  private:
-  static constexpr std::int32_t kCmpMax = 1562;
-
   struct Leg {
-    std::int32_t cmp = kCmpMax;
+    std::int32_t cmp = 0;  // loaded at the first edge
     bool allowed = false;  // at the previous edge
     bool side = false;
     Clk ready = 0;         // end of the dead time
@@ -65,16 +66,16 @@ class KungGates {
   // What the PWM shows after edge n: carrier above the compare value, phase 0 never.
   bool above(const Leg& leg, Clk n) const {
     const Clk phase = n - begin_;
-    return n >= enabled_from_ && phase > leg.cmp && phase < kPeriod - leg.cmp;
+    return n >= enabled_from_ && phase > leg.cmp && phase < period_ - leg.cmp;
   }
 
   static Clk ready(const Leg& leg) { return leg.on ? kNever : leg.ready; }
 
   // The first edge after n at which the leg sees the other side.
   Clk change(const Leg& leg, Clk n) const {
-    const Clk up = begin_ + leg.cmp + 2, down = begin_ + kPeriod + 1 - leg.cmp;
+    const Clk up = begin_ + leg.cmp + 2, down = begin_ + period_ + 1 - leg.cmp;
     if (leg.side) return above(leg, n) ? down : n + 1;
-    if (n < up) return leg.cmp < kCmpMax ? up : kNever;
+    if (n < up) return leg.cmp < top_ ? up : kNever;
     return n + 1 < down ? n + 1 : kNever;
   }
 
@@ -97,7 +98,9 @@ class KungGates {
   }
 
   std::array<Leg, 3> legs_;
-  Clk begin_ = -kPeriod;        // of the PWM period
+  Clk begin_ = -kLongAgo;       // of the PWM period
+  Clk period_ = 0;              // [clk]
+  std::int32_t top_ = 0;        // of the carrier
   Clk enabled_from_ = kNever;   // first edge at which the PWM sees its enable
   Clk next_ = kNever;
   unsigned gates_ = 0;

@@ -166,7 +166,7 @@ class KungPosition {
   Afc afc_;
   Clk at_ = -1;
   bool running_ = false, waiting_ = false, asked_ = false;
-  Clk start_ = -kPeriod;
+  Clk start_ = -kLongAgo;
   bool saturation_due_ = false;
   Table table_ = Table::kIdle;
   Clk fill_from_ = 0;

@@ -10,7 +10,7 @@ namespace trammel::exact {
 
 using Clk = std::int64_t;  // index of a clock edge; the first after reset is 0
 inline constexpr Clk kNever = std::numeric_limits<Clk>::max();
-inline constexpr Clk kPeriod = 3125;  // [clk] of the 16 kHz tick
+inline constexpr Clk kLongAgo = 1'000'000;  // [clk] more than any block works after a tick
 
 // A register bit that an event sets and writing 1 clears; at the same edge the event wins.
 class Sticky {

@@ -81,7 +81,7 @@ unsigned KungXy::quick(Clk n) {
 unsigned KungXy::full(Clk n, const Converters& converters) {
   advance(n - 1);
   const bool tick_cur = n == tick_;
-  const bool tick_pos = tick_cur && ticks_cur_ == 0;
+  const bool tick_pos = tick_cur && ticks_left_ == 0;
   const bool trip = supervisor_.out().trip;
   const std::uint64_t gates_before = gates();
   Write write;
@@ -104,7 +104,7 @@ unsigned KungXy::full(Clk n, const Converters& converters) {
     axis.gates.step(n, {axis.regs.enable, trip, axis.regs.dead_time}, true);
     if (!tick_cur) continue;
     const CurrentLoop::Out& cmp = axis.current.out();
-    axis.gates.load(n, {cmp.cmp_a, cmp.cmp_b, cmp.cmp_c});
+    axis.gates.load(n, {cmp.cmp_a, cmp.cmp_b, cmp.cmp_c}, carrier());
   }
   if (gates() != gates_before) events |= kGates;
 
@@ -185,7 +185,7 @@ Supervisor::In KungXy::supervision(const Write& write) const {
   return in;
 }
 
-// The 16 kHz tick; position: it is a 2 kHz tick too.
+// The tick of the carrier; position: it is a position tick too.
 void KungXy::tick(Clk n, bool position, const std::array<std::int32_t, 2>& i_q_ref_now,
                   const Converters& converters) {
   const auto limit = static_cast<std::int32_t>(registers_.word(map::kCurrentLimit));
@@ -193,14 +193,20 @@ void KungXy::tick(Clk n, bool position, const std::array<std::int32_t, 2>& i_q_r
   for (std::size_t k = 0; k < 2; ++k) {
     Axis& axis = axes_[k];
     const std::int32_t count = axis.qep.out().count;
-    axis.current.tick(n, count, i_q_ref_now[k], converters.hold(static_cast<int>(k), n),
+    axis.current.tick(n, carrier(), count, i_q_ref_now[k], converters.hold(static_cast<int>(k), n),
                       axis.regs.current);
     if (axis.current.will_be_over(limit, axis.regs.current)) over_due_ = n + kOverSeen;
     if (position) axis.position_in.x_p = count;
   }
-  tick_ += kPeriod;
-  ticks_cur_ = (ticks_cur_ + 1) % 8;
-  if (!position) return;
+  last_tick_ = n;
+  tick_ += pwm_period(carrier());
+  if (!position) {
+    --ticks_left_;
+    return;
+  }
+  const std::uint32_t rate =
+      (registers_.word(map::kRates) & map::kRatesPositionMask) >> map::kRatesPositionShift;
+  ticks_left_ = ticks_of_position(carrier(), rate) - 1;
   ++tick_count_;
   if (irq_left_ != 0) {
     --irq_left_;
@@ -248,7 +254,7 @@ void KungXy::step_qep(Axis& axis, Clk n) {
 void KungXy::schedule(Clk n, bool again) {
   if (over_due_ <= n) over_due_ = kNever;
   // A write may have changed the limit for currents still in conversion.
-  if (again && n < tick_ - kPeriod + kOverSeen) over_due_ = tick_ - kPeriod + kOverSeen;
+  if (again && n < last_tick_ + kOverSeen) over_due_ = last_tick_ + kOverSeen;
   again = again || trip_before_ != supervisor_.out().trip ||
           !supervisor_.quiescent(supervision({}));
   slow_ = std::min({tick_, bus_acts_, bus_ends_, over_due_});

@@ -111,6 +111,9 @@ class KungXy {
   void decode(Axis& axis, std::uint32_t base, Clk n);
   void schedule(Clk n, bool again);
 
+  std::uint32_t carrier() const {
+    return registers_.word(kung_xy_regs::kRates) & kung_xy_regs::kRatesCarrierMask;
+  }
   bool enabled() const { return axes_[0].regs.enable || axes_[1].regs.enable; }
   bool stroke(const Axis& axis) const;
   bool clear_level(const Axis& axis) const;
@@ -121,7 +124,8 @@ class KungXy {
   Clk now_ = 0;
   Clk slow_ = 0;         // next edge of full()
   Clk words_ = kNever;   // next edge at which a word of a controller changes
-  Clk tick_ = 0;         // next 16 kHz tick
+  Clk tick_ = 0;         // next tick of the carrier
+  Clk last_tick_ = -kLongAgo;
   std::int64_t events_ = 0;
 
   KungRegisters registers_;
@@ -134,8 +138,8 @@ class KungXy {
   bool commit_ = false;       // pulses after a write
   Sticky irq_tick_, irq_fault_;
   bool irq_ = false;
-  std::uint32_t ticks_cur_ = 0;  // modulo 8
-  std::uint32_t irq_left_ = 0;   // 2 kHz ticks
+  std::uint32_t ticks_left_ = 0;  // of the carrier, until the position tick
+  std::uint32_t irq_left_ = 0;    // position ticks
   std::uint32_t tick_count_ = 0;
   unsigned done_ = 0;            // position controllers of this sample
   Clk over_due_ = kNever;        // edge at which an over-current is seen

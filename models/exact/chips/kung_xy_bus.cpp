@@ -47,8 +47,8 @@ void KungXy::apply(Clk n, const Write& write) {
     if (!write.is(kBases[k] + map::kAngleStep)) continue;
     axes_[k].current.hold_angle(n, axes_[k].regs.current);
   }
-  const std::uint32_t pulses =
-      registers_.write(write.address, write.data, write.bits, locked_);
+  const bool held = locked_ || (write.is(map::kRates) && enabled());
+  const std::uint32_t pulses = registers_.write(write.address, write.data, write.bits, held);
   if (write.is(map::kCommit)) commit_ = (pulses & map::kCommitTake) != 0;
   for (std::size_t k = 0; k < 2; ++k) {
     if (write.is(kBases[k] + map::kCtrl)) {

@@ -26,6 +26,7 @@ class CurrentLoop {
 
   struct In {
     bool clear = false;
+    std::uint32_t carrier = 0;
     std::int32_t code_a = 2048, code_b = 2048;  // offset binary
     std::int32_t offset_a = 0, offset_b = 0;    // of the sensors
     std::int32_t count = 0;
@@ -49,7 +50,7 @@ class CurrentLoop {
   }
 
   const Out& step(const In& in) {
-    if (in.clear) clear();
+    if (in.clear) clear(in.carrier);
     start();
     run_to(kClocks, in);
     return out_;
@@ -86,9 +87,9 @@ class CurrentLoop {
   }
 
   // What each clock with in.clear also does; once is enough while it is high.
-  void clear() {
+  void clear(std::uint32_t carrier) {
     reset();
-    out_.cmp_a = out_.cmp_b = out_.cmp_c = kCentre;
+    out_.cmp_a = out_.cmp_b = out_.cmp_c = centre(carrier);
   }
 
   const Out& out() const { return out_; }
@@ -104,7 +105,11 @@ class CurrentLoop {
   }
 
  private:
-  static constexpr std::int32_t kCentre = 781;  // compare value of 50 % duty
+  // Compare value of 50 % duty.
+  static constexpr std::int32_t centre(std::uint32_t carrier) {
+    return static_cast<std::int32_t>(cmp_max(carrier) / 2);
+  }
+
   static constexpr std::array<std::uint8_t, 11> kAt{0,  21, 27, 29, 30, 31,
                                                     32, 33, 34, 36, kClocks};
 
@@ -129,7 +134,7 @@ class CurrentLoop {
         out_.limited = v.limited;
         break;
       }
-      case kClocks: modulate(in.clear); break;
+      case kClocks: modulate(in); break;
       default:
         pi_d_.run(clock - 30, {in.clear, in.i_d_ref, out_.i_d, in.kp, in.ki});
         pi_q_.run(clock - 30, {in.clear, in.i_q_ref, out_.i_q, in.kp, in.ki});
@@ -137,12 +142,12 @@ class CurrentLoop {
     }
   }
 
-  void modulate(bool clear) {
+  void modulate(const In& in) {
     const Rotator::Out v = inverse_.step({out_.v_d, out_.v_q, angle_.sin, angle_.cos});
-    const Svpwm::Out cmp = svpwm_.step({v.x, v.y});
-    out_.cmp_a = clear ? kCentre : cmp.cmp_a;
-    out_.cmp_b = clear ? kCentre : cmp.cmp_b;
-    out_.cmp_c = clear ? kCentre : cmp.cmp_c;
+    const Svpwm::Out cmp = svpwm_.step({v.x, v.y, in.carrier});
+    out_.cmp_a = in.clear ? centre(in.carrier) : cmp.cmp_a;
+    out_.cmp_b = in.clear ? centre(in.carrier) : cmp.cmp_b;
+    out_.cmp_c = in.clear ? centre(in.carrier) : cmp.cmp_c;
   }
 
   Sine sine_;

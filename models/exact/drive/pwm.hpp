@@ -8,24 +8,23 @@
 #include <array>
 #include <cstdint>
 
+#include "models/exact/drive/carrier.hpp"
 #include "models/exact/math/timer.hpp"
 
 namespace trammel::exact {
 
 class Pwm {
  public:
-  static constexpr std::uint32_t kPeriod = 3125;  // [clk]
-  static constexpr std::uint32_t kCmpMax = 1562;  // top of the carrier
-
   struct In {
-    std::uint32_t phase = 0;  // 0..3124
+    std::uint32_t carrier = 0;
+    std::uint32_t phase = 0;  // below pwm_period(carrier)
     bool load = false;
     bool enable = false;
     std::array<std::uint32_t, 3> cmp{};
   };
 
-  static std::uint32_t carrier(std::uint32_t phase) {
-    return phase <= kCmpMax ? phase : kPeriod - phase;
+  static std::uint32_t triangle(std::uint32_t carrier, std::uint32_t phase) {
+    return phase <= cmp_max(carrier) ? phase : pwm_period(carrier) - phase;
   }
 
   void reset() { *this = Pwm(); }
@@ -46,26 +45,31 @@ class Pwm {
     if (!in.enable) return gap;
     for (const std::uint32_t cmp : cmp_) {
       const std::uint32_t rise = cmp + 1;
-      const std::uint32_t fall = kPeriod - cmp;
+      const std::uint32_t fall = pwm_period(in.carrier) - cmp;
       if (in.phase < rise) {
-        gap = std::min(gap, rise - in.phase);
+        gap = std::min(gap, clipped(rise - in.phase));
       } else if (in.phase < fall) {
-        gap = std::min(gap, fall - in.phase);
+        gap = std::min(gap, clipped(fall - in.phase));
       }
     }
     return gap;
   }
 
  private:
+  static constexpr std::uint32_t kNever = 4095;  // compare value that never switches on
+
+  // Clocks as a gap that is not "none".
+  static Gap clipped(std::uint32_t clocks) { return std::min<Gap>(clocks, kGapMax - 1); }
+
   unsigned wanted(const In& in) const {
     unsigned on = 0;
     for (unsigned i = 0; i < 3; ++i) {
-      if (in.enable && carrier(in.phase) > cmp_[i]) on |= 1U << i;
+      if (in.enable && triangle(in.carrier, in.phase) > cmp_[i]) on |= 1U << i;
     }
     return on;
   }
 
-  std::array<std::uint32_t, 3> cmp_{kCmpMax, kCmpMax, kCmpMax};
+  std::array<std::uint32_t, 3> cmp_{kNever, kNever, kNever};
   unsigned on_ = 0;
 };
 

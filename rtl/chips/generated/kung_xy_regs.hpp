@@ -129,7 +129,7 @@ inline constexpr std::uint32_t kIdVersionShift = 0u;
 inline constexpr std::uint32_t kIdVersionMask = 0x0000FFFFu;
 inline constexpr std::uint32_t kIdChipShift = 16u;
 inline constexpr std::uint32_t kIdChipMask = 0xFFFF0000u;
-inline constexpr std::uint32_t kIdValue = 0x4B580003u;
+inline constexpr std::uint32_t kIdValue = 0x4B580004u;
 inline constexpr std::uint32_t kCommit = 0x204u;
 inline constexpr std::uint32_t kCommitTake = 0x1u;
 inline constexpr std::uint32_t kIrqEn = 0x208u;
@@ -157,6 +157,11 @@ inline constexpr std::uint32_t kDeadtimeMinClkMask = 0x000003FFu;
 inline constexpr std::uint32_t kIrqPeriod = 0x22Cu;
 inline constexpr std::uint32_t kIrqPeriodTicksShift = 0u;
 inline constexpr std::uint32_t kIrqPeriodTicksMask = 0x000000FFu;
+inline constexpr std::uint32_t kRates = 0x240u;
+inline constexpr std::uint32_t kRatesCarrierShift = 0u;
+inline constexpr std::uint32_t kRatesCarrierMask = 0x00000003u;
+inline constexpr std::uint32_t kRatesPositionShift = 4u;
+inline constexpr std::uint32_t kRatesPositionMask = 0x00000030u;
 
 // fault_code
 inline constexpr std::uint32_t kFaultCodeNone = 0x0u;  // no fault since the last clear
@@ -199,7 +204,7 @@ struct Field {
 };
 
 // By address.
-inline constexpr std::array<Register, 84> kRegisters{{
+inline constexpr std::array<Register, 85> kRegisters{{
     {"x.CTRL", 0x000u, 0x00000000u, 0x000000FFu, 0x000000DFu, 0x00000000u, 0x00000000u, 0x00000020u},
     {"x.STATUS", 0x004u, 0x00000000u, 0x00007F1Fu, 0x00000000u, 0x00000000u, 0x0000001Eu, 0x00000000u},
     {"x.POS_CMD", 0x008u, 0x00000000u, 0x00FFFFFFu, 0x00FFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u},
@@ -272,7 +277,7 @@ inline constexpr std::array<Register, 84> kRegisters{{
     {"y.CURRENT_OFFSET", 0x1B4u, 0x00000000u, 0x0FFF0FFFu, 0x0FFF0FFFu, 0x0FFF0FFFu, 0x00000000u, 0x00000000u},
     {"y.PHASE_CURRENTS", 0x1B8u, 0x00000000u, 0xFFFFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
     {"y.ADC_FRAME", 0x1BCu, 0x00000004u, 0x00000007u, 0x00000007u, 0x00000007u, 0x00000000u, 0x00000000u},
-    {"ID", 0x200u, 0x4B580003u, 0xFFFFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"ID", 0x200u, 0x4B580004u, 0xFFFFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
     {"COMMIT", 0x204u, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000001u},
     {"IRQ_EN", 0x208u, 0x00000000u, 0x00000003u, 0x00000003u, 0x00000000u, 0x00000000u, 0x00000000u},
     {"IRQ_STAT", 0x20Cu, 0x00000000u, 0x00000003u, 0x00000000u, 0x00000000u, 0x00000003u, 0x00000000u},
@@ -284,9 +289,10 @@ inline constexpr std::array<Register, 84> kRegisters{{
     {"CURRENT_LIMIT", 0x224u, 0x00000500u, 0x00000FFFu, 0x00000FFFu, 0x00000FFFu, 0x00000000u, 0x00000000u},
     {"DEADTIME_MIN", 0x228u, 0x00000019u, 0x000003FFu, 0x000003FFu, 0x000003FFu, 0x00000000u, 0x00000000u},
     {"IRQ_PERIOD", 0x22Cu, 0x00000004u, 0x000000FFu, 0x000000FFu, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"RATES", 0x240u, 0x00000010u, 0x00000033u, 0x00000033u, 0x00000033u, 0x00000000u, 0x00000000u},
 }};
 
-inline constexpr std::array<Field, 78> kFields{{
+inline constexpr std::array<Field, 80> kFields{{
     {"CTRL.enable", "inverter on", 0x00u, 0, 1, 1, false, true, Access::kReadWrite},
     {"CTRL.current_loop", "current loop closed (0: 50 % duty on all phases)", 0x00u, 1, 1, 1, false, true, Access::kReadWrite},
     {"CTRL.position_loop", "position loop closed (0: i_q* is IQ_MANUAL)", 0x00u, 2, 1, 1, false, true, Access::kReadWrite},
@@ -302,7 +308,7 @@ inline constexpr std::array<Field, 78> kFields{{
     {"STATUS.limited", "the voltage vector was limited", 0x04u, 4, 1, 1, false, true, Access::kWriteOneToClear},
     {"STATUS.step", "step of the position controller", 0x04u, 8, 7, 7, false, true, Access::kRead},
     {"POS_CMD", "position command [counts], taken after COMMIT", 0x08u, 0, 24, 24, true, true, Access::kReadWrite},
-    {"POS", "position x_p latched at the 2 kHz tick [counts]", 0x0Cu, 0, 32, 24, true, true, Access::kRead},
+    {"POS", "position x_p latched at the position tick [counts]", 0x0Cu, 0, 32, 24, true, true, Access::kRead},
     {"POS_MODEL", "reference model output x_r [counts]", 0x10u, 0, 32, 24, true, true, Access::kRead},
     {"ERR", "error e [counts]", 0x14u, 0, 32, 12, true, true, Access::kRead},
     {"DERR", "error change de [counts per sample]", 0x18u, 0, 32, 12, true, true, Access::kRead},
@@ -350,12 +356,12 @@ inline constexpr std::array<Field, 78> kFields{{
     {"ADC_FRAME", "leading zeros; more than 4 act as 4", 0xBCu, 0, 3, 3, false, true, Access::kReadWrite},
     {"ID.version", "identity of the IC and version of its register map", 0x200u, 0, 16, 16, false, false, Access::kRead},
     {"ID.chip", "identity of the IC and version of its register map", 0x200u, 16, 16, 16, false, false, Access::kRead},
-    {"COMMIT", "writing 1 makes the next 2 kHz tick take both POS_CMD, and feeds the watchdog", 0x204u, 0, 1, 1, false, false, Access::kWrite},
+    {"COMMIT", "writing 1 makes the next position tick take both POS_CMD, and feeds the watchdog", 0x204u, 0, 1, 1, false, false, Access::kWrite},
     {"IRQ_EN.tick", "interrupt by IRQ_STAT.tick", 0x208u, 0, 1, 1, false, false, Access::kReadWrite},
     {"IRQ_EN.fault", "interrupt by IRQ_STAT.fault", 0x208u, 1, 1, 1, false, false, Access::kReadWrite},
     {"IRQ_STAT.tick", "IRQ_PERIOD ticks have passed", 0x20Cu, 0, 1, 1, false, false, Access::kWriteOneToClear},
     {"IRQ_STAT.fault", "a fault was latched", 0x20Cu, 1, 1, 1, false, false, Access::kWriteOneToClear},
-    {"TICK", "2 kHz sample counter", 0x210u, 0, 32, 32, false, false, Access::kRead},
+    {"TICK", "position sample counter", 0x210u, 0, 32, 32, false, false, Access::kRead},
     {"FAULT.code", "cause, 1..5; 0 = none", 0x214u, 0, 4, 4, false, false, Access::kRead},
     {"FAULT.axis", "0 X, 1 Y", 0x214u, 4, 1, 1, false, false, Access::kRead},
     {"FAULT.tick", "low 24 bits of TICK at the fault", 0x214u, 8, 24, 24, false, false, Access::kRead},
@@ -364,7 +370,9 @@ inline constexpr std::array<Field, 78> kFields{{
     {"LOCK", "lock of limits, dead times, watchdog and presets: write a key; bit 0 reads 1 if so", 0x220u, 0, 32, 1, false, false, Access::kReadWrite},
     {"CURRENT_LIMIT", "trip level of |i_a|, |i_b|, |i_a + i_b| [I_fs / 2048]; 0 = off; locked by LOCK", 0x224u, 0, 12, 12, false, false, Access::kReadWrite},
     {"DEADTIME_MIN", "lowest dead time in effect [clk]; locked by LOCK", 0x228u, 0, 10, 10, false, false, Access::kReadWrite},
-    {"IRQ_PERIOD", "2 kHz ticks per interrupt; 0 acts as 1", 0x22Cu, 0, 8, 8, false, false, Access::kReadWrite},
+    {"IRQ_PERIOD", "position ticks per interrupt; 0 acts as 1", 0x22Cu, 0, 8, 8, false, false, Access::kReadWrite},
+    {"RATES.carrier", "carrier: 0 16 kHz, 1 8 kHz, 2 20 kHz, 3 40 kHz", 0x240u, 0, 2, 2, false, false, Access::kReadWrite},
+    {"RATES.position", "position ticks: 0 1 kHz, 1 2 kHz, 2 4 kHz, 3 acts as 2", 0x240u, 4, 2, 2, false, false, Access::kReadWrite},
 }};
 
 // Registers of several fields as one number.

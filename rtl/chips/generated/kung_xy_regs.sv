@@ -69,6 +69,10 @@ module kung_xy_regs (
     assign hwif_in_current_limit_value_swwel = hwif_in.current_limit.value.swwel;
     logic hwif_in_deadtime_min_clk_swwel;
     assign hwif_in_deadtime_min_clk_swwel = hwif_in.deadtime_min.clk.swwel;
+    logic hwif_in_rates_carrier_swwel;
+    assign hwif_in_rates_carrier_swwel = hwif_in.rates.carrier.swwel;
+    logic hwif_in_rates_position_swwel;
+    assign hwif_in_rates_position_swwel = hwif_in.rates.position.swwel;
     logic hwif_in_x_status_overrun_hwset;
     assign hwif_in_x_status_overrun_hwset = hwif_in.x.status.overrun.hwset;
     logic hwif_in_x_status_qep_error_hwset;
@@ -557,6 +561,8 @@ module kung_xy_regs (
     logic [11:0] field_storage_current_limit_value_value;
     logic [9:0] field_storage_deadtime_min_clk_value;
     logic [7:0] field_storage_irq_period_ticks_value;
+    logic [1:0] field_storage_rates_carrier_value;
+    logic [1:0] field_storage_rates_position_value;
 
     // Fields that software alone writes
     always_ff @(posedge clk_i) begin
@@ -641,6 +647,8 @@ module kung_xy_regs (
             field_storage_current_limit_value_value <= 12'h500;
             field_storage_deadtime_min_clk_value <= 10'h19;
             field_storage_irq_period_ticks_value <= 8'h4;
+            field_storage_rates_carrier_value <= 2'h0;
+            field_storage_rates_position_value <= 2'h1;
         end else if(decoded_req && decoded_req_is_wr) begin
             if(decoded_addr == 10'h0) begin
                 if(decoded_wr_biten[0]) field_storage_x_ctrl_enable_value <= decoded_wr_data[0:0];
@@ -878,6 +886,12 @@ module kung_xy_regs (
             end
             if(decoded_addr == 10'h22c) begin
                 if(decoded_wr_biten[0]) field_storage_irq_period_ticks_value[7:0] <= decoded_wr_data[7:0];
+            end
+            if(decoded_addr == 10'h240 && !(hwif_in_rates_carrier_swwel)) begin
+                if(decoded_wr_biten[0]) field_storage_rates_carrier_value[1:0] <= decoded_wr_data[1:0];
+            end
+            if(decoded_addr == 10'h240 && !(hwif_in_rates_position_swwel)) begin
+                if(decoded_wr_biten[4]) field_storage_rates_position_value[1:0] <= decoded_wr_data[5:4];
             end
         end
     end
@@ -1137,6 +1151,8 @@ module kung_xy_regs (
     assign hwif_out.current_limit.value.value = field_storage_current_limit_value_value;
     assign hwif_out.deadtime_min.clk.value = field_storage_deadtime_min_clk_value;
     assign hwif_out.irq_period.ticks.value = field_storage_irq_period_ticks_value;
+    assign hwif_out.rates.carrier.value = field_storage_rates_carrier_value;
+    assign hwif_out.rates.position.value = field_storage_rates_position_value;
 
     //--------------------------------------------------------------------------
     // Write response
@@ -1455,7 +1471,7 @@ module kung_xy_regs (
                     readback_data_var[2:0] = field_storage_y_adc_frame_zeros_value;
                 end
                 10'h200: begin
-                    readback_data_var[15:0] = 16'h3;
+                    readback_data_var[15:0] = 16'h4;
                     readback_data_var[31:16] = 16'h4b58;
                 end
                 10'h208: begin
@@ -1488,6 +1504,10 @@ module kung_xy_regs (
                 end
                 10'h22c: begin
                     readback_data_var[7:0] = field_storage_irq_period_ticks_value;
+                end
+                10'h240: begin
+                    readback_data_var[1:0] = field_storage_rates_carrier_value;
+                    readback_data_var[5:4] = field_storage_rates_position_value;
                 end
                 default: ;
             endcase

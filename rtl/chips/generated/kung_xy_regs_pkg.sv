@@ -7,7 +7,7 @@ package kung_xy_regs_pkg;
 
     localparam KUNG_XY_REGS_DATA_WIDTH = 32;
     localparam KUNG_XY_REGS_MIN_ADDR_WIDTH = 10;
-    localparam KUNG_XY_REGS_SIZE = 'h230;
+    localparam KUNG_XY_REGS_SIZE = 'h244;
 
     typedef struct packed {
         logic next;
@@ -331,6 +331,19 @@ package kung_xy_regs_pkg;
     } kung_xy__deadtime_min__in_t;
 
     typedef struct packed {
+        logic swwel;
+    } kung_xy__rates__carrier__in_t;
+
+    typedef struct packed {
+        logic swwel;
+    } kung_xy__rates__position__in_t;
+
+    typedef struct packed {
+        kung_xy__rates__carrier__in_t carrier;
+        kung_xy__rates__position__in_t position;
+    } kung_xy__rates__in_t;
+
+    typedef struct packed {
         axis_regs__in_t x;
         axis_regs__in_t y;
         kung_xy__irq_stat__in_t irq_stat;
@@ -341,6 +354,7 @@ package kung_xy_regs_pkg;
         kung_xy__lock__external__in_t lock;
         kung_xy__current_limit__in_t current_limit;
         kung_xy__deadtime_min__in_t deadtime_min;
+        kung_xy__rates__in_t rates;
     } kung_xy__in_t;
 
     typedef struct packed {
@@ -758,6 +772,19 @@ package kung_xy_regs_pkg;
     } kung_xy__irq_period__out_t;
 
     typedef struct packed {
+        logic [1:0] value;
+    } kung_xy__rates__carrier__out_t;
+
+    typedef struct packed {
+        logic [1:0] value;
+    } kung_xy__rates__position__out_t;
+
+    typedef struct packed {
+        kung_xy__rates__carrier__out_t carrier;
+        kung_xy__rates__position__out_t position;
+    } kung_xy__rates__out_t;
+
+    typedef struct packed {
         axis_regs__out_t x;
         axis_regs__out_t y;
         kung_xy__commit__out_t commit;
@@ -769,6 +796,7 @@ package kung_xy_regs_pkg;
         kung_xy__current_limit__out_t current_limit;
         kung_xy__deadtime_min__out_t deadtime_min;
         kung_xy__irq_period__out_t irq_period;
+        kung_xy__rates__out_t rates;
     } kung_xy__out_t;
 
     typedef enum logic [2:0] {

@@ -432,6 +432,16 @@ std::uint32_t read_irq_period(const Root& root, int) {
 }
 
 template <class Root>
+std::uint32_t read_rates_carrier(const Root& root, int) {
+  return root.kung_xy__DOT__u_regs__DOT__field_storage_rates_carrier_value;
+}
+
+template <class Root>
+std::uint32_t read_rates_position(const Root& root, int) {
+  return root.kung_xy__DOT__u_regs__DOT__field_storage_rates_position_value;
+}
+
+template <class Root>
 std::uint32_t read_ctrl(const Root& root, int axis) {
   return (read_ctrl_enable(root, axis) & 0x1u) << 0 |
          (read_ctrl_current_loop(root, axis) & 0x1u) << 1 |
@@ -468,7 +478,7 @@ struct Reading {
 };
 
 template <class Root>
-inline constexpr std::array<Reading<Root>, 71> kReadings{{
+inline constexpr std::array<Reading<Root>, 73> kReadings{{
     {kWords[0], read_ctrl<Root>},
     {kFields[0], read_ctrl_enable<Root>},
     {kFields[1], read_ctrl_current_loop<Root>},
@@ -540,6 +550,8 @@ inline constexpr std::array<Reading<Root>, 71> kReadings{{
     {kFields[75], read_current_limit<Root>},
     {kFields[76], read_deadtime_min<Root>},
     {kFields[77], read_irq_period<Root>},
+    {kFields[78], read_rates_carrier<Root>},
+    {kFields[79], read_rates_position<Root>},
 }};
 
 }  // namespace trammel::kung_xy_regs

@@ -102,6 +102,8 @@ void KungApp::start(Bus& bus) {
   if (!path_within_stroke()) return fail(bus, Failure::kOutOfStroke);
 
   bus.write(reg::kLock, reg::kKeyUnlock);
+  bus.write(reg::kRates, setup_.carrier << reg::kRatesCarrierShift |
+                             setup_.position_rate << reg::kRatesPositionShift);
   bus.write(reg::kIrqPeriod, setup_.irq_period);
   bus.write(reg::kWatchdog, setup_.watchdog_ticks);
   bus.write(reg::kCurrentLimit, setup_.current_limit);

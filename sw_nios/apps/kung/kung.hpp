@@ -50,7 +50,9 @@ struct AxisSetup {
 
 struct KungSetup : PathSetup {
   std::array<AxisSetup, 2> axis;
-  std::uint32_t irq_period = 4;        // 2 kHz ticks per point; 1 for the square wave
+  std::uint32_t carrier = 0;           // the fields of RATES
+  std::uint32_t position_rate = 1;
+  std::uint32_t irq_period = 4;        // position ticks per point; 1 for the square wave
   std::uint32_t watchdog_ticks = 100;  // 0 = off
   std::uint32_t current_limit = 1280;  // 6 A [I_fs / 2048], 0 = off
   std::uint32_t dead_time_min = 25;    // [clk]

@@ -3,6 +3,7 @@
 // A piece of every scenario, of every kind of path and of every fault with both engines: the same
 // stops, words, rules and end. Whole scenarios: `trammel verify --engines`.
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "cosim/direct.hpp"
 #include "machines/kung/figures.hpp"
@@ -87,6 +88,21 @@ void check_same(const Options& options) {
   }
 }
 
+// Mean distance of the table from the commands.
+double mean_error_m(const Options& options, const Result& result) {
+  double sum = 0;
+  std::size_t n = 0;
+  for (const Sample& s : result.samples) {
+    if (s.tick < result.first_tick) continue;
+    const auto error = [&](std::size_t k) {
+      return command_m(s.axis[k], options.plant.axis[k].encoder_count_m) - s.axis[k].x_true_m;
+    };
+    sum += std::hypot(error(0), error(1));
+    ++n;
+  }
+  return sum / static_cast<double>(n);
+}
+
 Options piece(double seconds = 0.05) {
   Options options;
   options.reached_m = 1;  // it ends while the table is still under way
@@ -134,6 +150,30 @@ TEST_CASE("both engines agree on motors and encoders that are not the paper's, a
     CHECK(done.end == EndReason::kDone);
     const AxisSample last = done.samples.back().axis[1];
     CHECK(std::abs(model_m(last, motor.count_m) - last.x_true_m) < 1e-3);
+  }
+}
+
+TEST_CASE("both engines agree on each carrier and rate of the position loop, and follow alike") {
+  double mean_m = 0;
+  for (const int carrier : {16000, 8000, 20000, 40000}) {
+    for (const int position : {2000, 1000, 4000}) {
+      Options options = piece(0.04);
+      options.chip.carrier_Hz = carrier;
+      options.chip.position_Hz = position;
+      options.chip.irq_period_ticks = position / 500;
+      CAPTURE(carrier, position);
+      check_same(options);
+      // The whole circle: with the same loops in seconds the table is where it is by default.
+      options = Options();
+      options.chip.carrier_Hz = carrier;
+      options.chip.position_Hz = position;
+      options.chip.irq_period_ticks = position / 500;
+      const auto done = run(options, Engine::kTwin).result;
+      CHECK(done.end == EndReason::kDone);
+      const double mean = mean_error_m(options, done);
+      if (mean_m == 0) mean_m = mean;
+      CHECK(mean == Approx(mean_m).epsilon(2e-3));
+    }
   }
 }
 
