@@ -159,6 +159,16 @@ void add_plant(Table& t, std::size_t axis) {
   add("coulomb_N", 0, 500, "Coulomb friction", &plant::AxisConfig::coulomb_n);
   add("viscous_N_s_m", 0, 10000, "viscous friction", &plant::AxisConfig::viscous_n_s_m);
   add("cogging_N", 0, 500, "amplitude, period one pole pitch", &plant::AxisConfig::cogging_n);
+  add("stribeck_N", 0, 500, "of the friction at rest above coulomb_N",
+      &plant::AxisConfig::stribeck_n);
+  add("stribeck_speed_m_s", 1e-4, 1, "where 1/e of stribeck_N is left",
+      &plant::AxisConfig::stribeck_speed_m_s);
+  add("cogging_harmonic_N", 0, 500, "amplitude of a harmonic of the cogging",
+      &plant::AxisConfig::cogging_harmonic_n);
+  add("cogging_harmonic", 2, 12, "its number", &plant::AxisConfig::cogging_harmonic);
+  add("cable_N_m", 0, 10000, "pull of a cable, per metre from cable_rest_m",
+      &plant::AxisConfig::cable_n_m);
+  add("cable_rest_m", -40, 40, "where the cable does not pull", &plant::AxisConfig::cable_rest_m);
   add("friction_speed_m_s", 1e-5, 1, "where friction smooths out",
       &plant::AxisConfig::friction_speed_m_s);
   add("external_force_N", -1000, 1000, "against positive motion",

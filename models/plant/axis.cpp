@@ -31,12 +31,18 @@ PmlsmConfig motor_config(const AxisConfig& c) {
   m.cogging = c.cogging_n;
   m.friction_speed = c.friction_speed_m_s;
   m.external_force = c.external_force_n;
+  m.stribeck = c.stribeck_n;
+  m.stribeck_speed = c.stribeck_speed_m_s;
+  m.harmonic_force = c.cogging_harmonic_n;
+  m.harmonic = c.cogging_harmonic;
+  m.cable = c.cable_n_m;
+  m.cable_rest = c.cable_rest_m;
   return m;
 }
 
 // Near rest friction has the time constant M v_f/F_c; a span stays well below it if it is short.
 double segment_length(const PmlsmConfig& m) {
-  const double friction = std::fabs(m.coulomb) * 4;
+  const double friction = (std::fabs(m.coulomb) + m.stribeck) * 4;
   return friction * kSegment > m.mass * m.friction_speed ? m.mass * m.friction_speed / friction
                                                          : kSegment;
 }

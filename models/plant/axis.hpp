@@ -32,6 +32,10 @@ struct AxisConfig {  // defaults: X axis of the table
   double cogging_n = 0;
   double friction_speed_m_s = 0.5e-3;
   double external_force_n = 0;
+  double stribeck_n = 0, stribeck_speed_m_s = 5e-3;  // friction at rest above coulomb_n
+  double cogging_harmonic_n = 0;
+  int cogging_harmonic = 2;
+  double cable_n_m = 0, cable_rest_m = 0.3;  // a cable that pulls toward its place of rest
   double load_n = 0;                       // more of it, from load_begin_s to load_end_s
   double load_begin_s = 0, load_end_s = 0;  // since the start; 0: it does not end
   double stroke_min_m = 0;

@@ -3,7 +3,8 @@
 // Permanent-magnet linear synchronous motor with its carriage (Kung et al. 2012, section 2):
 //   L_d di_d/dt = v_d - R i_d + w L_q i_q               w = pi v / tau, theta_e = pi x / tau
 //   L_q di_q/dt = v_q - R i_q - w L_d i_d - w lambda_f
-//   M dv/dt = F_e - B v - F_c v/sqrt(v^2 + v_f^2) - F_cog sin(2 pi x/tau) - F_ext,  dx/dt = v
+//   M dv/dt = F_e - B v - (F_c + F_s exp(-(v/v_s)^2)) v/sqrt(v^2 + v_f^2) - F_cog sin(2 pi x/tau)
+//             - F_h sin(2 pi h x/tau + 1) - c (x - x_c) - F_ext,  dx/dt = v
 //   F_e = 3 pi/(2 tau) ((L_d - L_q) i_d + lambda_f) i_q
 // Under constant phase voltages the solution over a short span (6.25 us) is a Taylor series in
 // time: currents and speed to t^3, position to t^4. Its truncation error is below 1e-9 of the
@@ -29,6 +30,12 @@ struct PmlsmConfig {
   double cogging = 0;              // [N]
   double friction_speed = 0.5e-3;  // [m/s], width of the Coulomb transition
   double external_force = 0;       // [N], against positive motion
+  double stribeck = 0;             // [N], of the friction at rest above the Coulomb friction
+  double stribeck_speed = 5e-3;    // [m/s], at which 1/e of it is left
+  double harmonic_force = 0;       // [N], of the cogging
+  double harmonic = 2;             // its number
+  double cable = 0;                // [N/m], of a cable that pulls back
+  double cable_rest = 0;           // [m], where it does not
 };
 
 struct MotorState {
@@ -98,7 +105,7 @@ class Pmlsm {
   // Force on the carriage at speed 0, where friction is none: it moves the carriage off a stop.
   double push(const MotorState& s) const {
     const SinCos a = angle(s.x);
-    return force(s) - c_.cogging * 2 * a.sin * a.cos - c_.external_force;
+    return force(s) - c_.cogging * 2 * a.sin * a.cos - c_.external_force - held_back(s.x);
   }
 
   // Largest acceleration within `span` seconds for phase voltages below `volt`.
@@ -108,7 +115,9 @@ class Pmlsm {
     const double current = std::fabs(s.i_d) + std::fabs(s.i_q) + slew * span;
     const double flux = lambda_ + std::fabs(c_.inductance_d - c_.inductance_q) * current;
     return inv_mass_ * (force_ * flux * current + c_.viscous * (speed + 0.1) + c_.coulomb +
-                        std::fabs(c_.cogging) + std::fabs(c_.external_force));
+                        std::fabs(c_.cogging) + std::fabs(c_.external_force) + c_.stribeck +
+                        std::fabs(c_.harmonic_force) + c_.cable * std::fabs(s.x - c_.cable_rest) +
+                        c_.cable * (speed + 0.1) * span);
   }
 
   // Back-EMF vector in the stator frame.
@@ -152,6 +161,11 @@ class Pmlsm {
     const double width2 = c_.friction_speed * c_.friction_speed;
     p.inv_r = 1 / std::sqrt(f.v[0] * f.v[0] + width2);
     p.slope = width2 * p.inv_r * p.inv_r * p.inv_r;
+    if (c_.stribeck != 0) add_stribeck(p, f.v[0]);
+    if (c_.harmonic_force != 0) {
+      p.harmonic[0] = std::sin(harmonic_angle(s.x));
+      p.harmonic_cos[0] = std::cos(harmonic_angle(s.x));
+    }
     extend<0>(f, p, hold);
     extend<1>(f, p, hold);
     extend<2>(f, p, hold);
@@ -181,9 +195,30 @@ class Pmlsm {
 
   // Series from which a span is computed.
   struct Push {
-    std::array<double, 4> u_d{}, u_q{}, cog{}, cog_cos{};
+    std::array<double, 4> u_d{}, u_q{}, cog{}, cog_cos{}, harmonic{}, harmonic_cos{};
+    std::array<double, 3> stribeck{};  // its force, and the derivatives by v over 1! and 2!
     double inv_r = 0, slope = 0;  // of the Coulomb friction
   };
+
+  double harmonic_angle(double x) const { return 2 * c_.harmonic * k_ * x + 1; }
+
+  // By cogging harmonic and cable [N].
+  double held_back(double x) const {
+    double sum = c_.cable * (x - c_.cable_rest);
+    if (c_.harmonic_force != 0) sum += c_.harmonic_force * std::sin(harmonic_angle(x));
+    return sum;
+  }
+
+  // F = F_s g h with g = exp(-(v/v_s)^2), h = v/sqrt(v^2 + v_f^2).
+  void add_stribeck(Push& p, double v) const {
+    const double inv_s2 = 1 / (c_.stribeck_speed * c_.stribeck_speed);
+    const double g = c_.stribeck * std::exp(-v * v * inv_s2);
+    const double g_1 = -2 * v * inv_s2 * g;
+    const double g_2 = (4 * v * v * inv_s2 - 2) * inv_s2 * g;
+    const double h = v * p.inv_r;
+    const double h_2 = -3 * p.slope * v * p.inv_r * p.inv_r;
+    p.stribeck = {g * h, g_1 * h + g * p.slope, 0.5 * (g_2 * h + 2 * g_1 * p.slope + g * h_2)};
+  }
 
   // Coefficient n of the product of two series.
   template <std::size_t n>
@@ -228,6 +263,17 @@ class Pmlsm {
       push -= c_.cogging * p.cog[n];
       p.cog[n + 1] = scale * 2 * k_ * product<n>(f.v, p.cog_cos);
       p.cog_cos[n + 1] = -scale * 2 * k_ * product<n>(f.v, p.cog);
+    }
+    if (c_.stribeck != 0) {
+      push -= n == 0 ? p.stribeck[0] : p.stribeck[1] * f.v[n];
+      if constexpr (n == 2) push -= p.stribeck[2] * f.v[1] * f.v[1];
+    }
+    if (c_.cable != 0) push -= c_.cable * (n == 0 ? f.x[0] - c_.cable_rest : f.x[n]);
+    if (c_.harmonic_force != 0) {
+      const double rate = scale * 2 * c_.harmonic * k_;
+      push -= c_.harmonic_force * p.harmonic[n];
+      p.harmonic[n + 1] = rate * product<n>(f.v, p.harmonic_cos);
+      p.harmonic_cos[n + 1] = -rate * product<n>(f.v, p.harmonic);
     }
     f.v[n + 1] = scale * inv_mass_ * push;  // Kung eq. 6
   }
