@@ -191,6 +191,12 @@ void add_plant(Table& t, std::size_t axis) {
       &plant::AxisConfig::peak_current_a);
   add("encoder_count_m", 1e-7, 1e-3, "after x4 decoding; equal on both axes",
       &plant::AxisConfig::encoder_count_m);
+  add("encoder_error_m", 0, 1e-4, "amplitude of a sine in the encoder's scale",
+      &plant::AxisConfig::encoder_error_m);
+  add("encoder_period_m", 1e-7, 1e-2, "period of that sine, of the scale's lines",
+      &plant::AxisConfig::encoder_period_m);
+  add("encoder_jitter_m", 0, 1e-5, "rms of a count's boundary, kept within the hysteresis",
+      &plant::AxisConfig::encoder_jitter_m);
   add("encoder_hysteresis_counts", 0, 0.9, "keeps ripple from chattering at a count",
       &plant::AxisConfig::encoder_hysteresis_counts);
   add("index_m", -40, 40, "where the index pulse is", &plant::AxisConfig::index_m);

@@ -306,6 +306,12 @@ sw::AxisSetup plan_axis(const Options& options, std::size_t axis) {
   require(plant.stroke_min_m < plant.stroke_max_m,
           fmt::format("{}: must be below {} = {:g}", key("plant", "stroke_min_m"),
                       key("plant", "stroke_max_m"), plant.stroke_max_m));
+  const double steepest_m = plant.encoder_period_m / (2 * kPi);
+  require(plant.encoder_error_m < steepest_m,
+          fmt::format("{}: value {:g} must be below {:.3g}, {} = {:g} over 2 pi: the counts would "
+                      "not rise with the position", key("plant", "encoder_error_m"),
+                      plant.encoder_error_m, steepest_m, key("plant", "encoder_period_m"),
+                      plant.encoder_period_m));
   require(plant.load_end_s == 0 || plant.load_end_s > plant.load_begin_s,
           fmt::format("{}: value {:g} must be 0 or above {} = {:g}", key("plant", "load_end_s"),
                       plant.load_end_s, key("plant", "load_begin_s"), plant.load_begin_s));

@@ -71,7 +71,7 @@ double root(F f, double length) {
 
 }  // namespace
 
-Axis::Axis(const AxisConfig& config, double period_s)
+Axis::Axis(const AxisConfig& config, double period_s, std::uint64_t seed)
     : config_(config),
       period_(period_s),
       horizon_(static_cast<Clk>(kHorizon / period_s)),
@@ -82,7 +82,8 @@ Axis::Axis(const AxisConfig& config, double period_s)
                               config.current_offset_a_a, config.current_gain_a, config.adc_bits}),
                CurrentSensor({config.current_full_scale_a, config.current_noise_a,
                               config.current_offset_b_a, config.current_gain_b, config.adc_bits})},
-      encoder_({config.encoder_count_m, config.encoder_hysteresis_counts, config.index_m},
+      encoder_({config.encoder_count_m, config.encoder_hysteresis_counts, config.index_m,
+                config.encoder_error_m, config.encoder_period_m, config.encoder_jitter_m, seed},
                config.start_m),
       braked_(config.brake) {
   if (!(period_s > 0 && period_s <= kSegment)) throw std::invalid_argument("clock period");

@@ -47,6 +47,8 @@ struct AxisConfig {  // defaults: X axis of the table
   double diode_drop_v = 0;
   double encoder_count_m = 5e-6;
   double encoder_hysteresis_counts = 0.2;
+  double encoder_error_m = 0, encoder_period_m = 20e-6;  // sub-divisional; period of the scale
+  double encoder_jitter_m = 0;                           // rms, within the hysteresis
   double index_m = 0.25;
   double current_full_scale_a = 9.6;
   double current_noise_a = 0;  // rms
@@ -65,7 +67,8 @@ struct AxisState {
 
 class Axis {
  public:
-  Axis(const AxisConfig& config, double period_s);
+  // The seed is that of the encoder's jitter.
+  Axis(const AxisConfig& config, double period_s, std::uint64_t seed = 0);
 
   Clk next() const { return next_; }
   void commit(Clk n, unsigned gates);

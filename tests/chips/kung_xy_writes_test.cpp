@@ -234,3 +234,18 @@ TEST_CASE("ticks and gates are those of the carrier and of the position rate") {
     }
   }
 }
+
+TEST_CASE("each bit of IRQ_PERIOD counts") {
+  for (const std::uint32_t period : {1u, 2u, 37u, 128u, 255u}) {
+    KungBench chip;
+    chip.write(reg::kIrqPeriod, period);
+    chip.write(reg::kIrqEn, reg::kIrqEnTick);
+    chip.write(reg::kIrqStat, reg::kIrqStatTick);
+    leap_until(chip, [&] { return chip->irq_o != 0; }, 200000);  // of the reset's period
+    chip.write(reg::kIrqStat, reg::kIrqStatTick);
+    const std::uint32_t tick = chip.read(reg::kTick);
+    leap_until(chip, [&] { return chip->irq_o != 0; }, 7'000'000);
+    CAPTURE(period);
+    CHECK(chip.read(reg::kTick) - tick == period);
+  }
+}

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/plant/encoder.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <vector>
 
 using trammel::plant::Encoder;
 using trammel::plant::EncoderConfig;
@@ -59,4 +62,55 @@ TEST_CASE("the index is one count wide at its place") {
     }
   }
   CHECK(high == 10);
+}
+
+TEST_CASE("a sub-divisional error moves the boundaries by a sine of the scale's period") {
+  EncoderConfig c;
+  c.hysteresis = 0;
+  c.error = 2e-6;
+  c.period = 20e-6;
+  Encoder e(c, 0);
+  double worst = 0;
+  std::int64_t last = e.count();
+  for (int k = 0; k < 40000; ++k) {
+    const double x = k * 5e-9;
+    e.follow(x);
+    if (e.count() == last) continue;
+    last = e.count();
+    const double boundary = (static_cast<double>(last) - 0.5) * 5e-6;
+    const double error = x - boundary - 2e-6 * std::sin(2 * trammel::plant::kPi * boundary / 20e-6);
+    REQUIRE(std::abs(error) <= 6e-9);
+    worst = std::max(worst, std::abs(x - boundary));
+  }
+  CHECK(last == 40);
+  CHECK(worst > 1.4e-6);  // the sine at an eighth of its period
+}
+
+TEST_CASE("jitter scatters the crossings of a boundary within the hysteresis, by the seed") {
+  EncoderConfig c;
+  c.jitter = 0.1e-6;
+  c.hysteresis = 0.2;
+  const auto crossings = [&](std::uint64_t seed) {
+    c.seed = seed;
+    Encoder e(c, 0);
+    std::vector<double> at;
+    for (int turn = 0; turn < 200; ++turn) {
+      for (int k = 0; k <= 1600; ++k) {
+        const double x = 2e-6 + k * 1e-9;  // 0.4 to 0.72 counts
+        const auto before = e.count();
+        e.follow(x);
+        if (e.count() > before) at.push_back(x);
+        REQUIRE(e.count() >= 0);
+      }
+      e.follow(1e-6);
+      REQUIRE(e.count() == 0);
+    }
+    return at;
+  };
+  const std::vector<double> one = crossings(1);
+  CHECK(one == crossings(1));
+  CHECK(one != crossings(2));
+  const auto [low, high] = std::minmax_element(one.begin(), one.end());
+  CHECK(*high - *low > 0.2e-6);
+  CHECK(*low > 2.49e-6);  // the falling boundary ends there
 }
