@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "cosim/cosim.hpp"
+#include "cosim/fault.hpp"
 #include "sw_nios/hal/bus.hpp"
 
 namespace trammel::cosim {
@@ -18,6 +19,7 @@ namespace trammel::cosim {
 struct ProcessorTiming {
   Clk access = 8;     // clocks a bus access takes besides its handshake
   Clk latency = 100;  // clocks from the interrupt line to the first instruction of its routine
+  ProcessorFault fault = {};
 };
 
 class DirectBus final : public sw::Bus {
@@ -35,6 +37,7 @@ class DirectBus final : public sw::Bus {
   void write(std::uint32_t addr, std::uint32_t data) override { transfer({addr, data, true}); }
 
   void wait(Clk clocks) { wait_until(time_ + clocks); }
+  void wait_latency() { wait(timing_.fault.work(time_, timing_.latency)); }
   void wait_until(Clk edge) {
     time_ = edge;
     while (loop_.chip().now() < std::min(edge, end_)) advance(std::min(edge, end_), 0);
@@ -43,8 +46,8 @@ class DirectBus final : public sw::Bus {
 
  private:
   std::uint32_t transfer(const BusOp& op) {
-    wait(timing_.access);
-    loop_.chip().request(op);
+    wait(timing_.fault.access(time_, timing_.access));
+    loop_.chip().request({op.addr, timing_.fault.written(time_, op.data), op.write});
     Stop stop;
     do {
       if (loop_.chip().now() >= end_) throw RunOver();
@@ -79,7 +82,7 @@ inline void run_direct(Loop& loop, sw::Firmware& firmware, const ProcessorTiming
         if ((stop.why & kIrq) == 0 || finished()) continue;
         bus.wait_until(stop.edge);
       }
-      bus.wait(timing.latency);
+      bus.wait_latency();
       firmware.isr(bus);
     }
   } catch (const DirectBus::RunOver&) {

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "cosim/cosim.hpp"
+#include "cosim/fault_report.hpp"
 #include "cosim/promise.hpp"
 #include "cosim/waves.hpp"
 
@@ -75,6 +76,7 @@ struct RunResult {
   double wall_s = 0;
   std::uint64_t event_hash = 0;          // of all drive, interrupt, sample and bus events
   std::optional<Clk> wave_trigger;       // edge at which it fired
+  FaultReport fault_report;              // of the fault injected
   std::vector<WaveSpan> waves;           // what the wave file holds
 };
 

@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <optional>
+#include <string>
 
 #include "cosim/cosim.hpp"
 #include "cosim/machine.hpp"
@@ -16,6 +17,11 @@ namespace trammel::cosim {
 struct MachineChip : Chip {
   virtual Clk evaluated() const = 0;  // edges evaluated; the others were leapt over
   virtual Clk host_rise() const { return kNever; }  // edge at which the pin HI last rose
+  // Changes a bit of a register at once, or only asks whether there is one of that name.
+  virtual bool flip(const std::string& bit, bool really) {
+    static_cast<void>(bit), static_cast<void>(really);
+    return false;
+  }
   // The first assertion that failed, if the chip checks them.
   virtual std::optional<BrokenPromise> broken_promise() const { return {}; }
 };

@@ -31,6 +31,15 @@ inline std::vector<std::string> enum_names<cosim::WaveFormat>() {
   return {"none", "vcd", "fst"};
 }
 
+template <>
+inline std::vector<std::string> enum_names<cosim::FaultKind>() {
+  return {"none",          "encoder_stuck",       "encoder_missing",   "encoder_swapped",
+          "index_lost",    "converter_stuck",     "converter_offset",  "converter_saturated",
+          "converter_slipped", "gate_dead",       "output_stuck",      "phase_open",
+          "supply_dip",    "processor_stopped",   "processor_slow",    "processor_garbage",
+          "bus_stall",     "register_flip"};
+}
+
 // Reads and writes the member that `lens` selects, whatever its type is.
 template <class Options, class Lens>
 Key make_key(std::string name, double min, double max, std::string help, Lens lens) {
@@ -135,6 +144,22 @@ struct KeyTable {
         TRAMMEL_LENS(run.wave_pre_s));
     one("run.wave_every_s", 0, 3600, "period with which the window is repeated; 0 = once",
         TRAMMEL_LENS(run.wave_every_s));
+  }
+
+  // One fault; where it can be on this machine is said by its page.
+  void faults() {
+    text("inject.fault", "what fails, see docs/faults.md", TRAMMEL_LENS(fault.kind));
+    one("inject.begin_s", 0, 3600, "from when", TRAMMEL_LENS(fault.begin_s));
+    one("inject.for_s", 0, 3600, "for how long; 0 = it stays", TRAMMEL_LENS(fault.for_s));
+    one("inject.axis", 0, 1, "on X or Y", TRAMMEL_LENS(fault.axis));
+    one("inject.line", 0, 11,
+        "encoder: A, B; converter or phase: a, b, c; gate: upper a, b, c, lower a, b, c; output: "
+        "bit",
+        TRAMMEL_LENS(fault.line));
+    one("inject.value", -65535, 65535, "how much or at which level, by the fault",
+        TRAMMEL_LENS(fault.value));
+    text("inject.bit", "of register_flip: register of the chip and bit, as u_supervisor.trip_q[0]",
+         TRAMMEL_LENS(fault.bit));
   }
 
   void window() {

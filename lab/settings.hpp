@@ -13,6 +13,7 @@
 #include <variant>
 #include <vector>
 
+#include "cosim/fault.hpp"
 #include "cosim/machine.hpp"
 #include "lab/errors.hpp"
 
@@ -29,6 +30,7 @@ struct Settings {
   std::string description;  // one line
   cosim::RunBasics run;
   cosim::ProcessorOptions processor;
+  cosim::Fault fault;
 
  protected:
   Settings() = default;

@@ -45,6 +45,24 @@ Json simulation_json(const cosim::RunResult& result) {
           {"event_hash", fmt::format("{:016x}", result.event_hash)}};
 }
 
+Json fault_json(const Settings& settings, const cosim::FaultReport& report) {
+  const auto after = [&](cosim::Clk edge) -> Json {
+    return edge == cosim::kNever ? Json() : Json(seconds_of(edge - report.begin));
+  };
+  Json kind;
+  for (const Key& key : settings.machine().keys()) {
+    if (key.name == "inject.fault") kind = std::get<std::string>(key.get(settings));
+  }
+  return {{"fault", kind},
+          {"begin_s", seconds_of(report.begin)},
+          {"detected_by", report.by},
+          {"detected_after_s", after(report.detected)},
+          {"off_after_s", after(report.off)},
+          {"stopping", report.stopping},
+          {"peak_A", report.peak_A},
+          {"at_stop", report.at_stop}};
+}
+
 void print_value(std::string& line, const Format& format, double value) {
   const auto out = std::back_inserter(line);
   switch (format.kind) {
@@ -204,6 +222,9 @@ Json metrics_json(const Record& record, const Origin& origin) {
     json["compared"][companion.name] = beside;
   }
   json["run"] = simulation_json(result);
+  if (result.fault_report.begin != cosim::kNever) {
+    json["injected"] = fault_json(*record.settings, result.fault_report);
+  }
   if (machine.metrics != nullptr) machine.metrics(record, json);
   if (origin.more.is_object()) json.update(origin.more);
   if (!result.waves.empty()) json["waves"] = waves_json(settings, result);

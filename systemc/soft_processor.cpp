@@ -9,30 +9,32 @@ namespace trammel::systemc {
 
 using namespace sc_core;
 
-namespace {
-sc_time clocks(cosim::Clk count, std::int64_t period_ps) {
-  return sc_time::from_value(static_cast<sc_dt::uint64>(count * period_ps));
-}
-}  // namespace
-
 SoftProcessor::SoftProcessor(sc_module_name name, ChipModule& chip, sw::Firmware& firmware,
                              const cosim::ProcessorTiming& timing, std::int64_t period_ps)
     : sc_module(name),
       bus("bus"),
       chip_(chip),
       firmware_(firmware),
-      access_(clocks(timing.access, period_ps)),
-      latency_(clocks(timing.latency, period_ps)) {
+      timing_(timing),
+      period_ps_(period_ps) {
   bus.bind(chip.bus);
   SC_HAS_PROCESS(SoftProcessor);
   SC_THREAD(execute);
+}
+
+cosim::Clk SoftProcessor::now() const {
+  return static_cast<cosim::Clk>(sc_time_stamp().value()) / period_ps_;
+}
+
+sc_time SoftProcessor::clocks(cosim::Clk count) const {
+  return sc_time::from_value(static_cast<sc_dt::uint64>(count * period_ps_));
 }
 
 void SoftProcessor::execute() {
   firmware_.start(*this);
   for (;;) {
     while (!chip_.irq()) wait(chip_.irq_event);
-    wait(latency_);
+    wait(clocks(timing_.fault.work(now(), timing_.latency)));
     firmware_.isr(*this);
   }
 }
@@ -55,7 +57,9 @@ void SoftProcessor::transfer(tlm::tlm_command command, std::uint32_t addr, std::
   payload_.set_streaming_width(sizeof data);
   payload_.set_byte_enable_ptr(nullptr);
   payload_.set_response_status(tlm::TLM_INCOMPLETE_RESPONSE);
-  sc_time delay = access_;
+  const cosim::Clk taken = timing_.fault.access(now(), timing_.access);
+  if (command == tlm::TLM_WRITE_COMMAND) data = timing_.fault.written(now() + taken, data);
+  sc_time delay = clocks(taken);
   bus->b_transport(payload_, delay);
   if (payload_.is_response_error()) {
     throw std::logic_error(fmt::format("bus: {} at address {:#x} was refused: {}",

@@ -29,8 +29,11 @@ class SoftProcessor final : public sc_core::sc_module, private sw::Bus {
 
   ChipModule& chip_;
   sw::Firmware& firmware_;
-  sc_core::sc_time access_;
-  sc_core::sc_time latency_;
+  cosim::Clk now() const;
+  sc_core::sc_time clocks(cosim::Clk count) const;
+
+  cosim::ProcessorTiming timing_;
+  std::int64_t period_ps_;
   tlm::tlm_generic_payload payload_;  // the stack of a process that is stopped is not unwound
 };
 

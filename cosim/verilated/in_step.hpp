@@ -100,6 +100,9 @@ class AuditedChip final : public InStep<Chip, Chip, Registers> {
     Base::request(op);
     this->second_.request(op);
   }
+  bool flip(const std::string& bit, bool really) override {
+    return Base::flip(bit, really) && this->second_.flip(bit, really);
+  }
   Stop run(Clk end, const Plant& plant) override {
     const Stop stop = Base::run(end, plant);
     this->follow(stop, plant);

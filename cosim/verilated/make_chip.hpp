@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "cosim/machine.hpp"
+#include "cosim/verilated/flipped_chip.hpp"
 #include "cosim/verilated/fst_trace.hpp"
 #include "cosim/verilated/waved_chip.hpp"
 
@@ -26,9 +27,10 @@ std::unique_ptr<Interface> make_chip(const RunBasics& run,
     if (!window) return std::make_unique<Chip>(NoTrace{}, mode);
     return std::make_unique<WavedChip<Chip, Shown, Registers>>(mode, Trace(run.wave_file), *window);
   };
-  using Untraced = ChipModel<Fast, NoTrace>;
+  using Untraced = FlippedChip<ChipModel<Fast, NoTrace>, Registers>;
+  using Judged = FlippedChip<ChipModel<Checked, NoTrace>, Registers>;
   if (run.audit) return std::make_unique<AuditedChip<Untraced, Registers>>();
-  if (run.assertions) return make(static_cast<ChipModel<Checked, NoTrace>*>(nullptr));
+  if (run.assertions) return make(static_cast<Judged*>(nullptr));
   return make(static_cast<Untraced*>(nullptr));
 }
 

@@ -71,7 +71,33 @@ Bench::Bench(const Options& options, std::function<bool(const Sample&)> finished
             sample.volt = plant_.axis().voltage();
           },
           std::move(finished)),
-      loop_(*chip_, plant_, *this, options.run.window()) {}
+      loop_(*chip_, seen(), *this, options.run.window()) {}
+
+// What the chip is wired to.
+cosim::Plant& Bench::seen() {
+  const cosim::Fault& fault = options_.fault;
+  if (!fault.any()) return plant_;
+  cosim::FaultPins pins;
+  pins.encoder[0] = {lm628::kEncoderA, lm628::kEncoderB, lm628::kIndex};
+  pins.outputs = 12;
+  pins.registers = options_.run.engine == cosim::Engine::kRtl;
+  failing_.emplace(plant_, pins, fault, period_ps());
+  fault_watch_.emplace(fault, period_ps());
+  if (fault.kind == cosim::FaultKind::kRegisterFlip) {
+    cosim::require_bit(*chip_, fault.bit);
+    failing_->flip = [this] { chip_->flip(options_.fault.bit, true); };
+  }
+  return *failing_;
+}
+
+void Bench::watch_fault(const cosim::Stop& stop) {
+  const auto truth = [&] {
+    const plant::DcMotorState s = plant_.axis().state(stop.edge);
+    const double counts = options_.plant.counts / plant::MotorAxis::kTurn;
+    return cosim::FaultTruth{{counts * s.theta, 0}, std::abs(s.i), false};
+  };
+  fault_watch_->on(stop, chip_->drive() == lm628::kZeroCode, [this] { return noticed(); }, truth);
+}
 
 cosim::Clk Bench::end() const {
   return cosim::clocks_of(options_.run.max_s, period_ps());
@@ -81,6 +107,7 @@ Result Bench::result() {
   Result result;
   result.samples = recorder_.take_samples();
   result.event_hash = recorder_.event_hash();
+  if (fault_watch_) result.fault_report = fault_watch_->report();
   close_result(result, *chip_, waves_.window, started_);
   return result;
 }
@@ -90,6 +117,8 @@ Session::Session(const Options& options, const cosim::Hooks& hooks, const cosim:
       hooks_(hooks),
       app_(program_setup(options)),
       expected_s_(expected_s(options)) {}
+
+std::string Session::noticed() const { return failure_text(app_.mailbox()); }
 
 bool Session::over(const Sample& sample) {
   if (found() || chip().broken_promise()) return true;

@@ -9,6 +9,8 @@
 #include <memory>
 #include <vector>
 
+#include "cosim/fault_plant.hpp"
+#include "cosim/fault_watch.hpp"
 #include "cosim/session.hpp"
 #include "machines/an693/recorder.hpp"
 #include "parts/lm628/signals.hpp"
@@ -17,7 +19,7 @@
 namespace trammel::an693 {
 
 // The motor of models/ behind the interface of cosim/.
-class MotorPlant final : public cosim::Plant {
+class MotorPlant final : public cosim::FalliblePlant {
  public:
   explicit MotorPlant(const plant::MotorAxisConfig& config) : axis_(config) {}
 
@@ -32,6 +34,9 @@ class MotorPlant final : public cosim::Plant {
   }
   int sample(int, cosim::Clk) const override { return 0; }  // there is no converter
 
+  void open_phase(cosim::Clk n, int, int, bool open) override { axis_.open(n, open); }
+  void supply(cosim::Clk n, double share) override { axis_.supply(n, share); }
+
   const plant::MotorAxis& axis() const { return axis_; }
 
  private:
@@ -45,11 +50,14 @@ class Bench : private cosim::Observer, private cosim::SignalReader {
   Bench(const Options& options, std::function<bool(const Sample&)> finished,
         const cosim::Waves& waves = {});
 
+  virtual ~Bench() = default;
+
   cosim::Loop& loop() { return loop_; }
   const lm628::Lm628Chip& chip() const { return *chip_; }
   const MotorPlant& plant() const { return plant_; }
   cosim::ProcessorTiming timing() const {
-    return {options_.processor.access_clk, options_.processor.interrupt_latency_clk};
+    return {options_.processor.access_clk, options_.processor.interrupt_latency_clk,
+            {options_.fault, options_.plant.clock_ps}};
   }
   std::int64_t period_ps() const { return options_.plant.clock_ps; }
   cosim::Clk end() const;  // edge at which the run ends at the latest
@@ -60,12 +68,16 @@ class Bench : private cosim::Observer, private cosim::SignalReader {
  protected:
   const Options& options() const { return options_; }
   bool found() const { return waves_.found(); }
+  virtual std::string noticed() const { return {}; }  // a fault, by who is at the port
 
  private:
   void on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant& plant) override {
     if (waves_.search != nullptr) waves_.search->on(stop, *chip_, *this);
     recorder_.on(stop, chip, plant);
+    if (fault_watch_ && stop.why != cosim::kLimit) watch_fault(stop);
   }
+  cosim::Plant& seen();
+  void watch_fault(const cosim::Stop& stop);
 
   std::int64_t read(std::size_t signal, int) const override {
     return lm628::word(chip_->words(), signal);
@@ -75,6 +87,8 @@ class Bench : private cosim::Observer, private cosim::SignalReader {
   cosim::Waves waves_;
   MotorPlant plant_;
   std::unique_ptr<lm628::Lm628Chip> chip_;
+  std::optional<cosim::FaultPlant> failing_;  // around the plant
+  std::optional<cosim::FaultWatch> fault_watch_;
   Recorder recorder_;
   cosim::Loop loop_;
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
@@ -96,6 +110,7 @@ class Session final : public Bench, public cosim::Session {
 
  private:
   bool over(const Sample& sample);
+  std::string noticed() const override;
 
   cosim::Hooks hooks_;
   sw::An693App app_;

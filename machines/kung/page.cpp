@@ -121,7 +121,10 @@ Json detail_json(const Options& options, const Result& result) {
   for (std::size_t a = 0; a < 2; ++a) {
     json["rules"][kAxes[a]] = {{"first", detail.rules_first[a]}, {"last", detail.rules_last[a]}};
   }
-  json["moment"] = moment_json(options, detail.moment);
+  // With other registers than the firmware's plan the chip computed something else.
+  const bool planned = options.fault.kind != cosim::FaultKind::kProcessorGarbage &&
+                       options.fault.kind != cosim::FaultKind::kRegisterFlip;
+  json["moment"] = planned ? moment_json(options, detail.moment) : Json(nullptr);
   json["gates"] = gates_json(detail.gates);
   return json;
 }

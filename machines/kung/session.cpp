@@ -19,6 +19,8 @@ static_assert(encoder_a(1) == plant::xy::encoder_a(1) && encoder_z(1) == plant::
 
 namespace {
 constexpr std::uint32_t kSamplesAfterFault = 20;  // enough to see the fault's effect in the record
+constexpr std::uint32_t kLongestStop = 2000;      // a table that pushes on does not come to rest
+constexpr double kAtRest_m_s = 1e-3;
 
 const char* check_text(const sw::Mailbox& mailbox) {
   switch (static_cast<sw::Failure>(mailbox.failure)) {
@@ -29,8 +31,8 @@ const char* check_text(const sw::Mailbox& mailbox) {
       return "a current sensor shows more than 1/8 of its range with the drives off";
     case sw::Failure::kPreset: return "the position did not become the start point";
     case sw::Failure::kLate: return "an interrupt was lost, or its service crossed a position tick";
-    case sw::Failure::kNone:
-    case sw::Failure::kFault: break;
+    case sw::Failure::kFault: return "the chip interrupts for a fault that it does not name";
+    case sw::Failure::kNone: break;
   }
   return "";
 }
@@ -38,6 +40,23 @@ const char* check_text(const sw::Mailbox& mailbox) {
 // Samples by which the reference model of the slower axis lags behind a ramp.
 std::uint32_t model_lag(const Options& options) {
   return static_cast<std::uint32_t>(std::lround(options.lag_s() / options.chip.sample_s()));
+}
+
+// The pins of the table that a fault can be on.
+cosim::FaultPins fault_pins(const Options& options) {
+  cosim::FaultPins pins;
+  pins.axes = kAxes;
+  for (int axis = 0; axis < kAxes; ++axis) {
+    pins.encoder[static_cast<std::size_t>(axis)] = {encoder_a(axis), encoder_b(axis),
+                                                    encoder_z(axis)};
+  }
+  pins.converters = 2;
+  pins.converter_bits = options.plant.axis[static_cast<std::size_t>(options.fault.axis)].adc_bits;
+  pins.outputs = 6;
+  pins.gates = true;
+  pins.phases = 3;
+  pins.registers = options.run.engine == Engine::kRtl;
+  return pins;
 }
 
 cosim::Clk fault_at(double seconds) { return seconds > 0 ? edge_at(seconds) : cosim::kNever; }
@@ -67,7 +86,9 @@ Session::Session(const Options& options, const Hooks& hooks, const cosim::Waves&
                                              edge_at(1.0 / options_.chip.carrier_Hz));
   tee_.detail = detail_.get();
   tee_.recorder = recorder_.get();
-  loop_ = std::make_unique<cosim::Loop>(*chip_, *plant_, tee_, options_.run.window());
+  if (options_.fault.any()) inject();
+  cosim::Plant& seen = failing_ ? static_cast<cosim::Plant&>(*failing_) : *plant_;
+  loop_ = std::make_unique<cosim::Loop>(*chip_, seen, tee_, options_.run.window());
   result_.end = EndReason::kTimeout;
 }
 
@@ -78,8 +99,49 @@ std::unique_ptr<KungChip> Session::make_chip() {
   return make_verilated_chip(run, waves_.window);
 }
 
+void Session::inject() {
+  const cosim::Fault& fault = options_.fault;
+  const std::int64_t clock_ps = options_.plant.clock_ps;
+  failing_.emplace(*plant_, fault_pins(options_), fault, clock_ps);
+  fault_watch_.emplace(fault, clock_ps);
+  tee_.fault = [this](const cosim::Stop& stop) { watch_fault(stop); };
+  if (fault.kind != cosim::FaultKind::kRegisterFlip) return;
+  cosim::require_bit(*chip_, fault.bit);
+  failing_->flip = [this] { chip_->flip(options_.fault.bit, true); };
+}
+
+void Session::watch_fault(const cosim::Stop& stop) {
+  const auto by = [this]() -> std::string {
+    const Fault fault = chip_->fault();
+    if (fault.code != FaultCode::kNone) return cause_text(fault);
+    return check_text(firmware_->mailbox());
+  };
+  const auto truth = [&] {
+    cosim::FaultTruth now;
+    for (std::size_t a = 0; a < kAxes; ++a) {
+      const plant::AxisState state = plant_->table().state(static_cast<int>(a), stop.edge);
+      now.at[a] = 1e3 * state.x_m;
+      now.current_A = std::max({now.current_A, std::abs(state.i_a_a), std::abs(state.i_b_a),
+                                std::abs(state.i_a_a + state.i_b_a)});
+      now.at_stop = now.at_stop || plant_->table().at_stop(static_cast<int>(a));
+    }
+    return now;
+  };
+  if (stop.why != cosim::kLimit) fault_watch_->on(stop, chip_->drive() == 0, by, truth);
+}
+
+// Of an injected fault the table's way to rest is recorded, too.
+bool Session::fault_is_over(const Sample& sample) {
+  ++after_fault_;
+  if (!options_.fault.any()) return after_fault_ > kSamplesAfterFault;
+  const bool rests = std::abs(sample.axis[0].v_true_m_s) + std::abs(sample.axis[1].v_true_m_s) <
+                     kAtRest_m_s;
+  return after_fault_ > kSamplesAfterFault && (rests || after_fault_ > kLongestStop);
+}
+
 cosim::ProcessorTiming Session::timing() const {
-  return {options_.processor.access_clk, options_.processor.interrupt_latency_clk};
+  return {options_.processor.access_clk, options_.processor.interrupt_latency_clk,
+          {options_.fault, options_.plant.clock_ps}};
 }
 
 cosim::Clk Session::end() const { return edge_at(options_.run.max_s); }
@@ -94,7 +156,7 @@ bool Session::over(const Sample& sample) {
   if (result_.fault.code != FaultCode::kNone || mailbox.failure != 0) {
     result_.end = EndReason::kFault;
     result_.fault.processor = check_text(mailbox);
-    return ++after_fault_ > kSamplesAfterFault;
+    return fault_is_over(sample);
   }
   if (hooks_.stopped()) {
     result_.end = EndReason::kStopped;
@@ -141,6 +203,7 @@ std::unique_ptr<cosim::RunResult> Session::result() {
   result_.event_hash = recorder_->event_hash();
   result_.detail = detail_->take();
   result_.wakes = chip_->wakes();
+  if (fault_watch_) result_.fault_report = fault_watch_->report();
   result_.from_last_m = followed_->from_m(asked_->asked());
   if (result_.end == EndReason::kDone) {
     result_.missed = followed_->missed(result_.points, path_points_, asked_->asked(),

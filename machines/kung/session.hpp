@@ -8,6 +8,8 @@
 #include <memory>
 #include <optional>
 
+#include "cosim/fault_plant.hpp"
+#include "cosim/fault_watch.hpp"
 #include "cosim/session.hpp"
 #include "machines/kung/asked_path.hpp"
 #include "machines/kung/chip.hpp"
@@ -21,7 +23,7 @@
 namespace trammel::kung {
 
 // The plant of models/ behind the interface of cosim/, with faults on its lines when asked for.
-class TablePlant final : public cosim::Plant {
+class TablePlant final : public cosim::FalliblePlant {
  public:
   // Edges at which the trip pin rises and both lines of encoder X flip; kNever = never.
   TablePlant(const plant::XyTableConfig& config, cosim::Clk trip, cosim::Clk encoder)
@@ -35,6 +37,10 @@ class TablePlant final : public cosim::Plant {
     inject(encoder_, n, cosim::Lines{1} << encoder_a(0) | cosim::Lines{1} << encoder_b(0));
   }
   int sample(int channel, cosim::Clk n) const override { return table_.sample(channel, n); }
+  void open_phase(cosim::Clk n, int axis, int phase, bool open) override {
+    table_.open_phase(n, axis, phase, open);
+  }
+  void supply(cosim::Clk n, double share) override { table_.supply(n, share); }
 
   const plant::XyTable& table() const { return table_; }
 
@@ -96,14 +102,19 @@ class Session final : public cosim::Session {
     void on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant& plant) override {
       detail->on(stop, chip, plant);
       recorder->on(stop, chip, plant);
+      if (fault) fault(stop);
       if (guest != nullptr) guest->on(stop, chip, plant);
     }
+    std::function<void(const cosim::Stop&)> fault;
     cosim::Observer* detail = nullptr;
     cosim::Observer* recorder = nullptr;
     cosim::Observer* guest = nullptr;
   };
 
   bool over(const Sample& sample);
+  bool fault_is_over(const Sample& sample);
+  void inject();
+  void watch_fault(const cosim::Stop& stop);
 
   std::unique_ptr<KungChip> make_chip();
 
@@ -112,6 +123,8 @@ class Session final : public cosim::Session {
   cosim::Waves waves_;
   std::vector<sw::Point> points_;
   std::unique_ptr<TablePlant> plant_;
+  std::optional<cosim::FaultPlant> failing_;  // around it
+  std::optional<cosim::FaultWatch> fault_watch_;
   std::unique_ptr<KungChip> chip_;
   std::unique_ptr<StallableApp> firmware_;
   std::unique_ptr<DetailRecorder> detail_;

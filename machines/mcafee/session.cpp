@@ -64,7 +64,45 @@ Session::Session(const Options& options, const cosim::Hooks& hooks, const cosim:
                 ? make_verilated_chip(options.run, waves.window)
                 : make_twin_chip()),
       app_(program()),
-      loop_(*chip_, plant_, *this, options.run.window()) {}
+      loop_(*chip_, seen(), *this, options.run.window()) {}
+
+// What the chip is wired to.
+cosim::Plant& Session::seen() {
+  const cosim::Fault& fault = options_.fault;
+  if (!fault.any()) return plant_;
+  cosim::FaultPins pins;
+  pins.axes = kAxes;
+  for (int axis = 0; axis < kAxes; ++axis) {
+    pins.encoder[static_cast<std::size_t>(axis)] = {encoder_a(axis), encoder_b(axis),
+                                                    marker(axis)};
+  }
+  pins.outputs = 8;
+  pins.registers = options_.run.engine == cosim::Engine::kRtl;
+  failing_.emplace(plant_, pins, fault, period_ps());
+  fault_watch_.emplace(fault, period_ps());
+  if (fault.kind == cosim::FaultKind::kRegisterFlip) {
+    cosim::require_bit(*chip_, fault.bit);
+    failing_->flip = [this] { chip_->flip(options_.fault.bit, true); };
+  }
+  return *failing_;
+}
+
+void Session::watch_fault(const cosim::Stop& stop) {
+  const auto by = [this]() -> std::string { return what_failed(app_.mailbox()); };
+  const auto truth = [&] {
+    cosim::FaultTruth now;
+    for (std::size_t k = 0; k < 2; ++k) {
+      const plant::LeadscrewAxis& axis = plant_.stage().axis(k);
+      const plant::DcMotorState state = axis.state(stop.edge);
+      now.at[k] = 1e3 * state.theta / axis.sensor().radians_per_m();
+      now.current_A = std::max(now.current_A, std::abs(state.i));
+    }
+    now.at_stop = plant_.limits() != 0;
+    return now;
+  };
+  const bool off = chip_->drive() == (kZeroCode << converter(0) | kZeroCode << converter(1));
+  fault_watch_->on(stop, off, by, truth);
+}
 
 sw::McafeeSetup Session::program() const {
   const Options& o = options_;
@@ -86,7 +124,7 @@ sw::McafeeSetup Session::program() const {
 
 cosim::ProcessorTiming Session::timing() const {
   const cosim::ProcessorOptions& p = options_.processor;
-  return {p.access_clk, p.interrupt_latency_clk};
+  return {p.access_clk, p.interrupt_latency_clk, {options_.fault, period_ps()}};
 }
 
 cosim::Clk Session::end() const {
@@ -96,6 +134,7 @@ cosim::Clk Session::end() const {
 void Session::on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant&) {
   if (over_ || stop.why == cosim::kLimit) return;
   if (waves_.search != nullptr) waves_.search->on(stop, *chip_, *this);
+  if (fault_watch_) watch_fault(stop);
   hash_.mix(stop, chip);
   if ((stop.why & cosim::kSample) == 0) return;
   const Sample sample = sample_at(stop.edge);
@@ -182,6 +221,7 @@ std::unique_ptr<cosim::RunResult> Session::result() {
     if (!result->fault.empty()) result->end = cosim::EndReason::kMissed;
   }
   result->event_hash = hash_.value();
+  if (fault_watch_) result->fault_report = fault_watch_->report();
   close_result(*result, *chip_, waves_.window, started_);
   return result;
 }

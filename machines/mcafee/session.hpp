@@ -9,6 +9,8 @@
 #include <optional>
 
 #include "cosim/event_hash.hpp"
+#include "cosim/fault_plant.hpp"
+#include "cosim/fault_watch.hpp"
 #include "machines/mcafee/record.hpp"
 #include "machines/mcafee/signals.hpp"
 #include "cosim/session.hpp"
@@ -16,7 +18,7 @@
 namespace trammel::mcafee {
 
 // The stage of models/ behind the interface of cosim/.
-class StagePlant final : public cosim::Plant {
+class StagePlant final : public cosim::FalliblePlant {
  public:
   explicit StagePlant(const plant::XyStageConfig& config) : stage_(config) {}
 
@@ -30,6 +32,10 @@ class StagePlant final : public cosim::Plant {
                       static_cast<unsigned>(code(drive, 1))});
   }
   int sample(int, cosim::Clk) const override { return 0; }  // there is no converter
+  void open_phase(cosim::Clk n, int axis, int, bool open) override {
+    stage_.open(n, static_cast<std::size_t>(axis), open);
+  }
+  void supply(cosim::Clk n, double share) override { stage_.supply(n, share); }
 
  private:
   plant::XyStage stage_;
@@ -57,6 +63,8 @@ class Session final : public cosim::Session,
   Sample sample_at(cosim::Clk edge) const;
   std::optional<cosim::EndReason> end_after(const Sample& sample);
   sw::McafeeSetup program() const;
+  cosim::Plant& seen();
+  void watch_fault(const cosim::Stop& stop);
   double progress() const;
   std::uint32_t rows() const { return options_.tracks() ? app_.mailbox().point : 0; }
 
@@ -66,6 +74,8 @@ class Session final : public cosim::Session,
   Table table_;
   StagePlant plant_;
   std::unique_ptr<McafeeChip> chip_;
+  std::optional<cosim::FaultPlant> failing_;  // around the plant
+  std::optional<cosim::FaultWatch> fault_watch_;
   sw::McafeeApp app_;
   cosim::Loop loop_;
   cosim::DiskVector<Sample> samples_;

@@ -160,7 +160,8 @@ void Axis::build(Segment& s, double start, const Point& at, unsigned zero) const
     }
   }
   const std::array<double, 3> current = to_phases(Pmlsm::stator(p.motor.i_d, p.motor.i_q, p.angle));
-  const bool some_off = both_off(gates_, 0) || both_off(gates_, 1) || both_off(gates_, 2);
+  const bool some_off =
+      opened_ != 0 || both_off(gates_, 0) || both_off(gates_, 1) || both_off(gates_, 2);
   const std::array<double, 3> emf =
       some_off ? to_phases(motor_.emf(p.motor, p.angle)) : std::array<double, 3>{};
   const auto keep_zero = [&](std::size_t leg, std::array<double, 3> volt) {
@@ -169,7 +170,7 @@ void Axis::build(Segment& s, double start, const Point& at, unsigned zero) const
     const double per_volt = motor_.slope_per_volt(p.angle, kPhase[leg]) * (2.0 / 3);
     return -dot(slope, kPhase[leg]) / per_volt;
   };
-  s.legs = inverter_.resolve(gates_, current, zero, emf, keep_zero);
+  s.legs = inverter_.resolve(gates_, current, zero, emf, keep_zero, opened_);
   motor_.span(s.span, p.motor, p.angle, clarke(s.legs.volt), {s.held, s.legs.open});
   if (some_off && !s.legs.open) end_at_dead_current(s);
   if (config_.hard_stops && !s.held) end_at_stop(s);
@@ -233,7 +234,7 @@ void Axis::commit(Clk n, unsigned gates) {
   const bool own = n >= next_;
   const double t = seconds(n - anchor_);
   const Segment& s = segment_at(t);
-  const unsigned zero = s.legs.open ? 7u : s.legs.floating;
+  const unsigned zero = s.legs.open ? 7u : s.legs.floating | opened_;
   const Point p = point(s, t - s.start, zero);
   // Only the axis' own event moves the lines, so that a change of the drive never does so unseen.
   if (own) encoder_.follow(p.motor.x);
@@ -244,6 +245,17 @@ void Axis::commit(Clk n, unsigned gates) {
   load(n);
   begin(p, zero);
   next_ = next_event(n);
+}
+
+void Axis::open_phase(Clk n, int phase, bool open) {
+  const unsigned bit = 1u << phase;
+  opened_ = open ? opened_ | bit : opened_ & ~bit;
+  commit(n, gates_);
+}
+
+void Axis::supply(Clk n, double share) {
+  inverter_.set_dc_link(share * config_.dc_link_v);
+  commit(n, gates_);
 }
 
 void Axis::load(Clk n) {

@@ -73,6 +73,8 @@ class Axis {
   Clk next() const { return next_; }
   void commit(Clk n, unsigned gates);
   unsigned gates() const { return gates_; }
+  void open_phase(Clk n, int phase, bool open);  // from n on it carries no current
+  void supply(Clk n, double share);              // of the DC link
 
   AxisState state(Clk n) const;
   double position(Clk n) const;
@@ -133,6 +135,7 @@ class Axis {
   unsigned gates_ = 0;
   bool shoot_through_ = false;
   bool braked_;
+  unsigned opened_ = 0;  // phases that are open
   Clk load_begin_ = 0, load_end_ = 0;  // edges
   Clk anchor_ = 0;
   // Segments since the last commit, as far as they were needed; slots are reused.

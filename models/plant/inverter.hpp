@@ -3,7 +3,8 @@
 // Three-leg voltage source inverter on a stiff DC link, from its actual gate bits. Currents count
 // positive out of the leg. A leg with one switch on is tied to a rail; with both off the sign of
 // its current selects the diode (out: lower, in: upper); with both off and no current it floats at
-// the voltage that keeps the current zero, unless a diode would conduct at that voltage.
+// the voltage that keeps the current zero, unless a diode would conduct at that voltage. A leg
+// whose phase is open floats whatever its switches and diodes do.
 #pragma once
 
 #include <array>
@@ -40,16 +41,19 @@ class Inverter {
   explicit Inverter(const InverterConfig& c) : c_(c) {}
 
   const InverterConfig& config() const { return c_; }
+  void set_dc_link(double volt) { c_.dc_link = volt; }  // [V]
 
   // current: phase currents; zero: bit per leg whose current is known to be zero; emf: phase
   // back-EMF; keep_zero(leg, volt): voltage of `leg` that keeps its current zero, given the other
-  // two.
+  // two; opened: bit per leg whose phase is open.
   template <class KeepZero>
   Legs resolve(unsigned gates, const std::array<double, 3>& current, unsigned zero,
-               const std::array<double, 3>& emf, KeepZero keep_zero) const {
+               const std::array<double, 3>& emf, KeepZero keep_zero, unsigned opened = 0) const {
     Legs legs;
     for (std::size_t k = 0; k < 3; ++k) {
-      if (!both_off(gates, k)) {
+      if (((opened >> k) & 1u) != 0) {
+        legs.floating |= 1u << k;
+      } else if (!both_off(gates, k)) {
         legs.volt[k] = switched(gates, k, current[k]);
       } else if (((zero >> k) & 1u) == 0 && current[k] != 0) {
         clamp(legs, k, current[k] > 0 ? 1 : -1);
@@ -58,12 +62,12 @@ class Inverter {
       }
     }
     if (legs.floating == 0) return legs;
-    if (legs.floating == 7) open_all(legs, emf);
-    if (count(legs.floating) == 2) open_two(legs, emf);
+    if (legs.floating == 7) open_all(legs, emf, opened);
+    if (count(legs.floating) == 2) open_two(legs, emf, opened);
     if (count(legs.floating) == 1) {
       const std::size_t k = first(legs.floating);
       const double v = keep_zero(k, legs.volt);
-      if (v > top() || v < bottom()) {
+      if (opened == 0 && (v > top() || v < bottom())) {
         clamp(legs, k, v > top() ? -1 : 1);
       } else {
         legs.volt[k] = v;
@@ -93,9 +97,11 @@ class Inverter {
   }
 
   // No leg conducts: a pair of diodes does when the line back-EMF exceeds the link (rectifier).
-  void open_all(Legs& legs, const std::array<double, 3>& emf) const {
-    std::size_t high = 0, low = 0;
-    for (std::size_t k = 1; k < 3; ++k) {
+  void open_all(Legs& legs, const std::array<double, 3>& emf, unsigned opened) const {
+    if (count(opened) > 1) return;
+    std::size_t high = first(~opened & 7u), low = high;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (((opened >> k) & 1u) != 0) continue;
       if (emf[k] > emf[high]) high = k;
       if (emf[k] < emf[low]) low = k;
     }
@@ -106,13 +112,13 @@ class Inverter {
 
   // One leg fixes the potential and its current is zero; of the others, the one farthest outside
   // the rails conducts.
-  void open_two(Legs& legs, const std::array<double, 3>& emf) const {
+  void open_two(Legs& legs, const std::array<double, 3>& emf, unsigned opened) const {
     const std::size_t fixed = first(~legs.floating & 7u);
     std::size_t worst = fixed;
     double excess = 0;
     int sign = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      if (k == fixed) continue;
+      if (k == fixed || ((opened >> k) & 1u) != 0) continue;
       const double v = legs.volt[fixed] + emf[k] - emf[fixed];
       if (v - top() > excess) {
         excess = v - top();

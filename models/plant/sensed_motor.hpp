@@ -35,9 +35,21 @@ class SensedMotor {
     since_ = n;
     sensor_.follow(state_.theta);
     bounds_ = motor_.within(sensor_.bounds());
+    if (open_) bounds_.i_low = bounds_.i_high = 0;
+    command_ = command;
     state_.i = std::clamp(state_.i, bounds_.i_low, bounds_.i_high);
-    volt_ = motor_.voltage(command);
+    volt_ = supply_ * motor_.voltage(command);
     predict();
+  }
+
+  // From clock n on: the winding carries no current; the amplifier has that share of its supply.
+  void open(std::int64_t n, bool open) {
+    open_ = open;
+    commit(n, command_);
+  }
+  void supply(std::int64_t n, double share) {
+    supply_ = share;
+    commit(n, command_);
   }
 
   DcMotorState state(std::int64_t n) const {
@@ -81,7 +93,9 @@ class SensedMotor {
   Sensor sensor_;
   DcMotorBounds bounds_;
   DcMotorState state_;
-  double volt_ = 0;
+  double volt_ = 0, command_ = 0;
+  double supply_ = 1;  // share that is left
+  bool open_ = false;
   std::int64_t since_ = 0, next_ = 0;
 };
 

@@ -25,6 +25,10 @@ class XyStage {
   void commit(std::int64_t n, const std::array<unsigned, 2>& codes) {
     for (std::size_t k = 0; k < axes_.size(); ++k) axes_[k].drive(n, codes[k]);
   }
+  void open(std::int64_t n, std::size_t k, bool open) { axes_[k].open(n, open); }
+  void supply(std::int64_t n, double share) {
+    for (LeadscrewAxis& axis : axes_) axis.supply(n, share);
+  }
 
  private:
   std::array<LeadscrewAxis, 2> axes_;

@@ -53,6 +53,14 @@ class XyTable {
     }
   }
 
+  // From edge n on, after a commit there.
+  void open_phase(Clk n, int k, int phase, bool open) {
+    axes_[static_cast<std::size_t>(k)].open_phase(n, phase, open);
+  }
+  void supply(Clk n, double share) {
+    for (Axis& a : axes_) a.supply(n, share);
+  }
+
   int sample(int channel, Clk n) const {
     return axis(channel / 2).frame(channel % 2, seed_, channel, n);
   }

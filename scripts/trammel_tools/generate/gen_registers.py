@@ -4,7 +4,8 @@
 usage: scripts/tool gen-registers header.hpp V<chip>___024root.h [V<chip>_<other>___024root.h ...]
                                   rtl.sv ...
 
-For `run --audit`, and for waves, where one model continues from the state of another.
+For `run --audit`, for waves, where one model continues from the state of another, and for
+inject.fault = "register_flip".
 
 A member of the model is a register when a module of the chip assigns its name with `<=`; Verilator
 keeps those. A register that is in another model but not in the first is an error: its state would
@@ -28,6 +29,12 @@ struct {name} {{
   static void for_each(RootA& a, RootB& b, Visit visit) {{
 {lines}
   }}
+
+  // Calls visit(name, bits of a word, register) for each register inside the chip.
+  template <class Root, class Visit>
+  static void each(Root& root, Visit visit) {{
+{words}
+  }}
 }};
 
 }}  // namespace trammel::cosim
@@ -48,6 +55,11 @@ def registers(root, assigned):
     members = re.findall(r"^\s*(?:CData|SData|IData|QData|VlWide<\d+>|VlUnpacked<.*>)"
                          r"(?:/\*[\d:]+\*/)? (\w+__DOT__\w+);", root, re.M)
     return [m for m in members if m.split("__DOT__")[-1] in assigned and "__Vdly" not in m]
+
+
+def bits(root, member):
+    high, low = re.search(rf"/\*(\d+):(\d+)\*/[^;]* {member};", root).groups()
+    return int(high) - int(low) + 1
 
 
 def outputs(root, assigned):
@@ -72,6 +84,8 @@ def main():
     roots = {f: f.read_text(encoding="utf-8") for f in files if f.suffix == ".h"}
     first, *others = roots
     kept = registers(roots[first], assigned)
+    words = "\n".join(f'    visit("{readable(m)}", {bits(roots[first], m)}, root.{m});'
+                      for m in kept)
     kept += outputs(roots[first], assigned_names(own.get(chip, "")))
     if not kept:
         print(f"gen-registers: no register in {first}: what {chip}.sv assigns with `<=` is not "
@@ -86,5 +100,5 @@ def main():
     lines = "\n".join(f'    visit("{readable(m)}", a.{m}, b.{m});'
                       for m in inputs(roots[first]) + kept)
     name = "".join(word.capitalize() for word in out.stem.split("_"))
-    out.write_text(FORM.format(name=name, lines=lines), encoding="utf-8")
+    out.write_text(FORM.format(name=name, lines=lines, words=words), encoding="utf-8")
     return 0

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What became of a fault: by what and when it was noticed, when the drives were off, how far the
+// carriage then went; currents and stops by the truth of the plant, at each event.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "cosim/fault.hpp"
+#include "cosim/fault_report.hpp"
+
+namespace trammel::cosim {
+
+struct FaultTruth {
+  std::array<double, 2> at{};  // of the axes, in the machine's unit
+  double current_A = 0;        // largest of a phase
+  bool at_stop = false;
+};
+
+class FaultWatch {
+ public:
+  FaultWatch(const Fault& fault, std::int64_t clock_ps) {
+    report_.begin = FaultSpan(fault, clock_ps).begin;
+  }
+
+  // After an event; by() names what detected a fault, truth() is a FaultTruth.
+  template <class By, class Truth>
+  void on(const Stop& stop, bool drives_off, By by, Truth truth) {
+    if (stop.edge < report_.begin) return;
+    if (report_.detected == kNever) {
+      report_.by = by();
+      if (!report_.by.empty()) report_.detected = stop.edge;
+    }
+    const FaultTruth now = truth();
+    report_.peak_A = std::max(report_.peak_A, now.current_A);
+    report_.at_stop = report_.at_stop || now.at_stop;
+    if (drives_off && report_.detected != kNever && report_.off == kNever) {
+      report_.off = stop.edge;
+      off_at_ = now.at;
+    }
+    if (report_.off != kNever) {
+      report_.stopping = std::hypot(now.at[0] - off_at_[0], now.at[1] - off_at_[1]);
+    }
+  }
+
+  const FaultReport& report() const { return report_; }
+
+ private:
+  FaultReport report_;
+  std::array<double, 2> off_at_{};
+};
+
+}  // namespace trammel::cosim

@@ -1,0 +1,89 @@
+#!/usr/bin/env -S python3 -P
+# SPDX-License-Identifier: Apache-2.0
+"""Each fault that a machine can have gives the same events with the RTL, leaping and every clock,
+with SystemC and with the twin, and other events than a run without it.
+
+usage: faults_test.py PROGRAM
+
+The runs are those of [faults.wiring] in machines/<m>/tests/runs.toml. A register is flipped in the
+RTL alone: there the three wirings are compared.
+"""
+
+import functools
+import json
+import subprocess
+import sys
+import tempfile
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "scripts"))
+
+from trammel_tools import machines  # noqa: E402
+
+WIRINGS = {"twin": ["--engine", "twin"], "leaping": ["--platform", "direct"],
+           "plain": ["--platform", "direct", "-s", "run.leap=false"],
+           "systemc": ["--platform", "systemc"]}
+
+
+def event_hash(program, plan, wiring, settings, folder):
+    """The run's event hash, or the line that refuses it."""
+    with tempfile.TemporaryDirectory(dir=folder) as out:
+        command = [program, "run", plan["scenario"], "--no-report", "-o", f"{out}/run",
+                   *WIRINGS[wiring]]
+        for one in [*plan["settings"], *settings]:
+            command += ["-s", one]
+        done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=300)
+        if done.returncode == 2:
+            return done.stderr.strip()
+        if done.returncode not in (0, 5):
+            return f"exit {done.returncode}: {done.stderr.strip()}"
+        metrics = Path(out, "run", "metrics.json").read_text(encoding="utf-8")
+        return json.loads(metrics)["run"]["event_hash"]
+
+
+def kinds(program, machine):
+    done = subprocess.run([program, "list", "keys", machine, "--json"], capture_output=True,
+                          text=True, check=True)
+    key = next(one for one in json.loads(done.stdout) if one["key"] == "inject.fault")
+    return key["range"].removeprefix("one of ").split(", ")[1:]
+
+
+def judge(program, plan, kind, healthy, folder):
+    """Line of what went wrong, or ""."""
+    settings = [f"inject.fault={kind}", *plan.get("with", {}).get(kind, [])]
+    wirings = [one for one in WIRINGS if kind != "register_flip" or one != "twin"]
+    found = {one: event_hash(program, plan, one, settings, folder) for one in wirings}
+    if kind not in plan["kinds"]:
+        refused = all("inject." in text for text in found.values())
+        return "" if refused else f"{kind}: not refused: {found}"
+    if len(set(found.values())) != 1:
+        return f"{kind}: {found}"
+    same = healthy in found.values()
+    if same != (kind in plan.get("unseen", [])):
+        return f"{kind}: {'the same as' if same else 'other than'} a run without: {found}"
+    return ""
+
+
+def main():
+    program, wrong, tried = sys.argv[1], [], 0
+    for machine in machines.folders():
+        plan = machines.runs(machine).get("faults", {}).get("wiring")
+        if plan is None:
+            continue
+        with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(2) as pool:
+            healthy = event_hash(program, plan, "twin", ["inject.fault=none"], folder)
+            names = kinds(program, machine)
+            tried += len(names)
+            each = functools.partial(judge, program, plan, healthy=healthy, folder=folder)
+            lines = pool.map(each, names)
+            wrong += [f"{machine}: {line}" for line in lines if line]
+    for line in wrong:
+        print(line, file=sys.stderr)
+    print(f"{tried} faults in all wirings, {len(wrong)} differ")
+    return 1 if wrong or tried == 0 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
