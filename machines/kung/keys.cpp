@@ -184,6 +184,12 @@ void add_plant(Table& t, std::size_t axis) {
   add("hard_stops", 0, 0, "the carriage stops at both ends", &plant::AxisConfig::hard_stops);
   add("brake", 0, 0, "holds the carriage until the drive is on", &plant::AxisConfig::brake);
   add("dc_link_V", 1, 1000, "of the inverter", &plant::AxisConfig::dc_link_v);
+  add("supply_ohm", 0, 1000, "of the rectifier that charges the DC link; 0 = a stiff supply",
+      &plant::AxisConfig::supply_ohm);
+  add("dc_link_F", 1e-6, 1, "capacitor of a DC link that is not stiff",
+      &plant::AxisConfig::dc_link_f);
+  add("chopper_V", 0, 2000, "at which its brake chopper burns what comes back; 0 = none",
+      &plant::AxisConfig::chopper_v);
   add("switch_drop_V", 0, 10, "of a closed switch", &plant::AxisConfig::switch_drop_v);
   add("diode_drop_V", 0, 10, "of a conducting diode", &plant::AxisConfig::diode_drop_v);
   add("continuous_current_A", 0, 1000, "rating of the motor, rms of a phase; 0 = none",

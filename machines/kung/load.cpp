@@ -19,6 +19,8 @@ constexpr double kWorthTelling = 0.02;         // of the samples
 
 void AxisLoad::add(const AxisSample& s, const plant::AxisConfig& plant) {
   const double square = s.i_d_true_A * s.i_d_true_A + s.i_q_true_A * s.i_q_true_A;
+  least_link_V = samples == 0 ? s.dc_link_V : std::min(least_link_V, s.dc_link_V);
+  most_link_V = std::max(most_link_V, s.dc_link_V);
   ++samples;
   squares_A2 += square;
   squares_N2 += s.force_N * s.force_N;
@@ -72,6 +74,11 @@ void add_load(std::vector<lab::Figure>& list, const Options& options, const Resu
   add("copper_loss_W", "copper loss", "W", [](const AxisLoad& load, const Plant& plant) {
     return load.copper_loss_W(plant.resistance_ohm);
   });
+  if (options.plant.axis[0].supply_ohm == 0 && options.plant.axis[1].supply_ohm == 0) return;
+  add("least_dc_link_V", "lowest DC link", "V",
+      [](const AxisLoad& load, const Plant&) { return load.least_link_V; });
+  add("most_dc_link_V", "highest DC link", "V",
+      [](const AxisLoad& load, const Plant&) { return load.most_link_V; });
 }
 
 std::vector<std::string> overloads(const Options& options, const Result& result) {

@@ -25,6 +25,7 @@ struct AxisLoad {
   std::string limits() const;
 
   double peak_current_A = 0;  // of the current vector, as i_q
+  double least_link_V = 0, most_link_V = 0;  // of the DC link
   std::size_t samples = 0, at_current = 0, at_voltage = 0, at_stop = 0;
   double squares_A2 = 0, squares_N2 = 0;
 };

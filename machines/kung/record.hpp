@@ -30,6 +30,7 @@ struct AxisSample {
   double i_d_true_A = 0;
   double i_q_true_A = 0;
   double force_N = 0;
+  double dc_link_V = 0;
 };
 
 struct Sample {

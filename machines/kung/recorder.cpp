@@ -17,6 +17,7 @@ void Recorder::on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim:
       sample.i_d_true_A = state.i_d_a;
       sample.i_q_true_A = state.i_q_a;
       sample.force_N = state.force_n;
+      sample.dc_link_V = state.dc_link_v;
     }
   }
   if ((stop.why & cosim::kSample) != 0) {

@@ -78,6 +78,7 @@ Axis::Axis(const AxisConfig& config, double period_s, std::uint64_t seed)
       motor_(motor_config(config)),
       segment_(segment_length(motor_.config())),
       inverter_({config.dc_link_v, config.switch_drop_v, config.diode_drop_v}),
+      link_({config.dc_link_v, config.supply_ohm, config.dc_link_f, config.chopper_v}),
       sensors_{CurrentSensor({config.current_full_scale_a, config.current_noise_a,
                               config.current_offset_a_a, config.current_gain_a, config.adc_bits}),
                CurrentSensor({config.current_full_scale_a, config.current_noise_a,
@@ -230,6 +231,27 @@ const Axis::Segment& Axis::segment_at(double t) const {
   return *s;
 }
 
+// What the legs have drawn from the upper rail t seconds after the last commit [C], by Simpson's
+// rule over each segment.
+double Axis::link_charge(double t) const {
+  double sum = 0;
+  for (std::size_t k = 0; k < known_ && chain_[k].start < t; ++k) {
+    const Segment& s = chain_[k];
+    if (s.legs.open) continue;
+    const double length = std::min(s.length, t - s.start);
+    for (std::size_t leg = 0; leg < 3; ++leg) {
+      const bool upper = s.legs.diode[leg] < 0 ||
+                         (s.legs.diode[leg] == 0 && upper_on(gates_, leg) &&
+                          !lower_on(gates_, leg));
+      if (!upper || ((s.legs.floating >> leg) & 1u) != 0) continue;
+      sum += length / 6 * (phase_current(s.span, 0, leg) +
+                           4 * phase_current(s.span, 0.5 * length, leg) +
+                           phase_current(s.span, length, leg));
+    }
+  }
+  return sum;
+}
+
 void Axis::commit(Clk n, unsigned gates) {
   const bool own = n >= next_;
   const double t = seconds(n - anchor_);
@@ -238,6 +260,10 @@ void Axis::commit(Clk n, unsigned gates) {
   const Point p = point(s, t - s.start, zero);
   // Only the axis' own event moves the lines, so that a change of the drive never does so unseen.
   if (own) encoder_.follow(p.motor.x);
+  if (!link_.stiff()) {
+    link_.draw(link_charge(t), t);
+    inverter_.set_dc_link(link_.volt());
+  }
   anchor_ = n;
   gates_ = gates;
   braked_ = braked_ && gates == 0;
@@ -254,7 +280,8 @@ void Axis::open_phase(Clk n, int phase, bool open) {
 }
 
 void Axis::supply(Clk n, double share) {
-  inverter_.set_dc_link(share * config_.dc_link_v);
+  link_.set_source(share * config_.dc_link_v);
+  inverter_.set_dc_link(link_.volt());
   commit(n, gates_);
 }
 
@@ -274,7 +301,8 @@ AxisState Axis::state(Clk n) const {
   const Segment& s = segment_at(t);
   const Point p = point(s, t - s.start, s.legs.open ? 7u : s.legs.floating);
   const std::array<double, 3> i = to_phases(Pmlsm::stator(p.motor.i_d, p.motor.i_q, p.angle));
-  return {p.motor.x, p.motor.v, p.motor.i_d, p.motor.i_q, i[0], i[1], motor_.force(p.motor)};
+  return {p.motor.x, p.motor.v, p.motor.i_d, p.motor.i_q, i[0], i[1], motor_.force(p.motor),
+          link_.volt()};
 }
 
 double Axis::position(Clk n) const {
@@ -299,7 +327,8 @@ bool Axis::far_from_events(const Segment& s, double time) const {
   }
   const double speed = std::fabs(m.v);
   if (speed * time >= room) return false;
-  const double a = motor_.acceleration_bound(m, config_.dc_link_v + config_.diode_drop_v, time);
+  const double volt = inverter_.config().dc_link + config_.diode_drop_v;
+  const double a = motor_.acceleration_bound(m, volt, time);
   return (speed + a * time) * time < room;
 }
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "models/plant/current_sensor.hpp"
+#include "models/plant/dc_link.hpp"
 #include "models/plant/encoder.hpp"
 #include "models/plant/inverter.hpp"
 #include "models/plant/pmlsm.hpp"
@@ -43,6 +44,9 @@ struct AxisConfig {  // defaults: X axis of the table
   bool hard_stops = true;
   bool brake = true;  // holds the carriage until a gate is first on
   double dc_link_v = 311;
+  double supply_ohm = 0;         // of what charges the DC link; 0: a stiff one
+  double dc_link_f = 1e-3;       // capacitor of one that is not
+  double chopper_v = 0;          // at which its brake chopper burns; 0: none
   double switch_drop_v = 0;
   double diode_drop_v = 0;
   double encoder_count_m = 5e-6;
@@ -63,6 +67,7 @@ struct AxisState {
   double x_m = 0, v_m_s = 0;
   double i_d_a = 0, i_q_a = 0, i_a_a = 0, i_b_a = 0;
   double force_n = 0;  // electromagnetic
+  double dc_link_v = 0;
 };
 
 class Axis {
@@ -113,6 +118,7 @@ class Axis {
   const Segment& segment_at(double t) const;
   Point point(const Segment& s, double t, unsigned zero) const;
   double phase_current(const Span& f, double t, std::size_t leg) const;
+  double link_charge(double t) const;
 
   void load(Clk n);  // the external force from edge n on
   Clk predict() const;
@@ -130,6 +136,7 @@ class Axis {
   Pmlsm motor_;
   double segment_;  // [s] longest span of one series
   Inverter inverter_;
+  DcLink link_;
   std::array<CurrentSensor, 2> sensors_;  // of phases a and b
   Encoder encoder_;
   unsigned gates_ = 0;

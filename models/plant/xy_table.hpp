@@ -31,7 +31,9 @@ inline XyTableConfig default_xy_table() {
 class XyTable {
  public:
   explicit XyTable(const XyTableConfig& c)
-      : seed_(c.seed), axes_{Axis(c.axis[0], period(c), hash(c.seed)), Axis(c.axis[1], period(c), hash(~c.seed))} {}
+      : seed_(c.seed),
+        axes_{Axis(c.axis[0], period(c), hash(c.seed)),
+              Axis(c.axis[1], period(c), hash(~c.seed))} {}
 
   Lines sense() const {
     Lines lines = 0;
