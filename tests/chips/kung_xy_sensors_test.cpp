@@ -90,3 +90,24 @@ TEST_CASE("A0 of each scale is that of its own axis: 160,000 of 2^-32 are 10,000
   CHECK(x > 100);
   CHECK(x == chip.read(reg::kY + reg::kPosModel));
 }
+
+// At count 1 the angle is ANGLE_STEP + THETA_OFS, which wraps to 0 only by a carry through each bit
+// from the lowest set one on; without one of them it is 0.35 degrees or more less.
+TEST_CASE("each bit of ANGLE_STEP and THETA_OFS is in the angle of its own axis") {
+  for (std::size_t k = 0; k < 2; ++k) {
+    KungBench chip;
+    chip.write(kBases[k] + reg::kPosPreset, 1);
+    chip.codes[k].a += 1800;  // i_alpha = 1800, i_beta = 1039
+    for (int bit = 0; bit < 32; ++bit) {
+      CAPTURE(k, bit);
+      chip.write(kBases[k] + reg::kAngleStep, 1u << bit);
+      chip.write(kBases[k] + reg::kThetaOfs, ~0u << bit);
+      chip.to_tick();  // which the frame of this one follows
+      const Pair own = after_a_frame(chip, kBases[k] + reg::kIdIq);
+      CHECK(own.high == Approx(1039).margin(3));
+      chip.write(kBases[k] + reg::kThetaOfs, ~0u << bit & ~(1u << bit));
+      chip.to_tick();
+      CHECK(after_a_frame(chip, kBases[k] + reg::kIdIq).high != Approx(1039).margin(6));
+    }
+  }
+}
