@@ -24,6 +24,7 @@ module kung_axis
     input logic        tick_cur_i,
     input logic        tick_pos_i,
     input phase_t      phase_i,
+    input phase_t      rest_i,
 
     input logic        trip_i,
     input logic        locked_i,
@@ -272,8 +273,8 @@ module kung_axis
   pwm u_pwm (
       .clk_i      (clk_i),
       .rst_i      (rst_i),
-      .carrier_i  (carrier_i),
       .phase_i    (phase_i),
+      .rest_i     (rest_i),
       .load_i     (tick_cur_i),
       .enable_i   (regs_i.ctrl.enable.value),
       .cmp_a_i    (cmp_a),

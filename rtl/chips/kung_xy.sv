@@ -86,7 +86,7 @@ module kung_xy
   // ---- time ----
 
   carrier_t carrier;
-  phase_t phase;
+  phase_t phase, phase_rest;
   logic tick_cur, tick_pos, tick_irq, timebase_quiescent;
   logic [31:0] tick_count;
   gap_t timebase_next;
@@ -100,6 +100,7 @@ module kung_xy
       .irq_period_i(hwif_out.irq_period.ticks.value),
       .carrier_o   (carrier),
       .phase_o     (phase),
+      .rest_o      (phase_rest),
       .tick_cur_o  (tick_cur),
       .tick_pos_o  (tick_pos),
       .tick_irq_o  (tick_irq),
@@ -218,6 +219,7 @@ module kung_xy
         .tick_cur_i     (tick_cur),
         .tick_pos_i     (tick_pos),
         .phase_i        (phase),
+        .rest_i         (phase_rest),
         .trip_i         (trip),
         .locked_i       (locked_q),
         .commit_i       (hwif_out.commit.take.value),

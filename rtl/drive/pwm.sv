@@ -2,7 +2,7 @@
 //
 // Triangular carrier against three compare values (specification section 8).
 //
-//   triangle = phase <= period / 2 ? phase : period - phase;  on = triangle > CMP, one clock later
+//   triangle = min(phase, rest), rest = period - phase;  on = triangle > CMP, one clock later
 //   that is: on from phase CMP + 1 to phase period - 1 - CMP, period - 1 - 2 CMP clocks of a period
 //
 // Compare values load at load_i, which comes at phase 0, where no switch is on. CMP = 0 still
@@ -14,9 +14,9 @@ module pwm
     input logic clk_i,
     input logic rst_i,
 
-    input carrier_t carrier_i,
-    input phase_t   phase_i,
-    input logic     load_i,
+    input phase_t phase_i,
+    input phase_t rest_i,  // of the period, with this clock
+    input logic   load_i,
 
     input logic enable_i,
 
@@ -29,38 +29,31 @@ module pwm
     output logic       quiescent_o
 );
 
-  phase_t period;
-  assign period = pwm_period(carrier_i);
-
-  // Clocks as a gap that is not "none".
-  function automatic gap_t clipped(phase_t clocks);
-    return clocks >= 13'(GapMax) ? GapMax - gap_t'(1) : gap_t'(clocks);
-  endfunction
-
   // Clocks to the phase whose edge switches; the end of the period is an event of the time base.
-  function automatic gap_t gap(phase_t whole, phase_t phase, cmp_t cmp);
-    phase_t rise, fall;
-    rise = 13'(cmp) + 13'd1;
-    fall = whole - 13'(cmp);
-    if (phase < rise) return clipped(rise - phase);
-    if (phase < fall) return clipped(fall - phase);
-    return GapMax;
+  function automatic phase_t gap(phase_t phase, phase_t rest, cmp_t cmp);
+    if (phase <= 13'(cmp)) return 13'(cmp) - phase + 13'd1;
+    if (rest > 13'(cmp)) return rest - 13'(cmp);
+    return '1;
   endfunction
 
-  function automatic gap_t least(gap_t x, gap_t y);
+  // The triangle is the lesser of both.
+  function automatic logic above(phase_t phase, phase_t rest, cmp_t cmp);
+    return phase > 13'(cmp) && rest > 13'(cmp);
+  endfunction
+
+  function automatic phase_t least(phase_t x, phase_t y);
     return x < y ? x : y;
   endfunction
 
-  phase_t triangle;
+  phase_t first;
   cmp_t cmp_a_q, cmp_b_q, cmp_c_q;
   logic [2:0] on_d, on_q;
-
-  assign triangle = phase_i <= period >> 1 ? phase_i : period - phase_i;
 
   always_comb begin
     on_d = '0;
     if (enable_i) begin
-      on_d = {triangle > 13'(cmp_c_q), triangle > 13'(cmp_b_q), triangle > 13'(cmp_a_q)};
+      on_d = {above(phase_i, rest_i, cmp_c_q), above(phase_i, rest_i, cmp_b_q),
+              above(phase_i, rest_i, cmp_a_q)};
     end
   end
 
@@ -81,10 +74,11 @@ module pwm
   end
 
   always_comb begin
+    first = least(gap(phase_i, rest_i, cmp_a_q),
+                  least(gap(phase_i, rest_i, cmp_b_q), gap(phase_i, rest_i, cmp_c_q)));
     next_o = GapMax;
-    if (enable_i) begin
-      next_o = least(gap(period, phase_i, cmp_a_q),
-                     least(gap(period, phase_i, cmp_b_q), gap(period, phase_i, cmp_c_q)));
+    if (enable_i && first != '1) begin
+      next_o = first >= 13'(GapMax) ? GapMax - gap_t'(1) : gap_t'(first);
     end
   end
 

@@ -24,6 +24,7 @@ module timebase
 
     output carrier_t    carrier_o,     // of this period
     output phase_t      phase_o,
+    output phase_t      rest_o,        // clocks to the end of the period
     output logic        tick_cur_o,
     output logic        tick_pos_o,
     output logic        tick_irq_o,
@@ -42,7 +43,7 @@ module timebase
     endcase
   endfunction
 
-  phase_t count;
+  phase_t count, period;
   carrier_t carrier_q;
   logic [5:0] cur_d, cur_q;
   logic [7:0] irq_d, irq_q;
@@ -60,7 +61,9 @@ module timebase
       .next_o (next_o)
   );
 
-  assign phase_o    = tick_cur_o ? 13'd0 : pwm_period(carrier_q) - count;
+  assign period     = pwm_period(carrier_q);
+  assign phase_o    = tick_cur_o ? 13'd0 : period - count;
+  assign rest_o     = tick_cur_o ? period : count;
   assign tick_cur_o = count == 13'd0;
   assign tick_pos_o = tick_cur_o && cur_q == 6'd0;
   assign tick_irq_o = tick_pos_o && irq_q == 8'd0;

@@ -17,6 +17,7 @@ module timebase_props
 
     input carrier_t    carrier_o,
     input phase_t      phase_o,
+    input phase_t      rest_o,
     input logic        tick_cur_o,
     input logic        tick_pos_o,
     input logic        tick_irq_o,
@@ -38,7 +39,7 @@ module timebase_props
   logic known_q;  // no leap beyond next_o since the last tick
   logic [12:0] since_q;  // clocks since the last tick_cur
   carrier_t used_q;  // carrier of the last tick_cur
-  phase_t period;  // its period
+  phase_t used_period;  // its period
   logic [12:0] left;  // clocks until the one before the next tick_cur
   logic [6:0] cur_seen_q, cur_due_q;  // tick_cur since the last tick_pos; the number that is due
   logic [8:0] pos_q, period_q;  // tick_pos since the last tick_irq; the number that is due
@@ -48,8 +49,8 @@ module timebase_props
   assign passed  = 13'(leap_i) + 13'd1;
   assign allowed = leap_i == '0 || leap_i < next_o;
   assign slow    = {carrier_o, cur_q, irq_q};
-  assign period  = pwm_period(used_q);
-  assign left    = period - since_q - 13'd1;
+  assign used_period = pwm_period(used_q);
+  assign left    = used_period - since_q - 13'd1;
 
   // tick_cur for a tick_pos
   function automatic logic [6:0] ticks(carrier_t carrier, logic [1:0] rate);
@@ -96,9 +97,10 @@ module timebase_props
     end
     if (live_q) begin
       starts_with_all_ticks : assert (!was_rst_q || (phase_o == '0 && tick_irq_o));
-      tick_every_period : assert (!known_q || tick_cur_o == (since_q == period));
+      tick_every_period : assert (!known_q || tick_cur_o == (since_q == used_period));
       carrier_is_that_of_the_tick : assert (carrier_o == used_q);
       phase_within_period : assert (phase_o < pwm_period(carrier_o));
+      rest_is_the_period_less_the_phase : assert (rest_o == pwm_period(carrier_o) - phase_o);
       phase_counts_clocks :
       assert (was_rst_q || !known_q || tick_cur_o ||
               phase_o == (was_cur_q ? 13'd1 : was_phase_q + passed_q));
@@ -118,7 +120,7 @@ module timebase_props
       quiescent_is_honest :
       assert (!was_quiescent_q || (slow == was_slow_q && tick_count_o == was_tick_count_q));
       inv_timer : assert (count < pwm_period(carrier_o));
-      inv_since : assert (!known_q || 14'(count) + 14'(since_q) == 14'(period));
+      inv_since : assert (!known_q || 14'(count) + 14'(since_q) == 14'(used_period));
       inv_position : assert (cur_seen_q + 7'(cur_q) == cur_due_q);
       inv_interrupt : assert (pos_q + 9'(irq_q) == period_q);
       reaches_tick : cover (!was_rst_q && known_q && tick_cur_o && passed_q == 13'd1);
@@ -131,7 +133,8 @@ module timebase_props
   // breaks carrier_is_that_of_the_tick: carrier_q <= tick_pos_o && !rst_i || rst_i ? next : carrier_q
   // breaks phase_within_period: u_phase.value_i = pwm_period(carrier_i) + 13'd1
   // breaks phase_counts_clocks, no_tick_within_next: u_phase.leap_i = leap_i << 1
-  // breaks tick_at_phase_zero: phase_o = pwm_period(carrier_q) - count
+  // breaks rest_is_the_period_less_the_phase: rest_o = count
+  // breaks tick_at_phase_zero: phase_o = period - count
   // breaks position_after_its_ticks: tick_pos_o = tick_cur_o && cur_q[1:0] == 2'd0
   // breaks position_after_its_ticks: cur_d = cur_d | {5'd0, tick_pos_o && rate_i == 2'd3}
   // breaks interrupt_every_period: irq_d = tick_irq_o && irq_period_i != '0 ? irq_period_i : irq_d

@@ -19,8 +19,8 @@ using Rtl = trammel::test::Rtl<Vpwm>;
 namespace {
 
 void apply(Rtl& rtl, const Pwm::In& in) {
-  rtl->carrier_i = in.carrier & 3;
   rtl->phase_i = in.phase & 0x1FFF;
+  rtl->rest_i = (pwm_period(in.carrier) - in.phase) & 0x1FFF;
   rtl->load_i = in.load;
   rtl->enable_i = in.enable;
   rtl->cmp_a_i = in.cmp[0] & 0xFFF;

@@ -36,6 +36,7 @@ void require_equal(Rtl& rtl, const Timebase& twin) {
   const Timebase::Out out = twin.out();
   REQUIRE(rtl->carrier_o == out.carrier);
   REQUIRE(rtl->phase_o == out.phase);
+  REQUIRE(rtl->rest_o == trammel::exact::pwm_period(out.carrier) - out.phase);
   REQUIRE(bool(rtl->tick_cur_o) == out.tick_cur);
   REQUIRE(bool(rtl->tick_pos_o) == out.tick_pos);
   REQUIRE(bool(rtl->tick_irq_o) == out.tick_irq);

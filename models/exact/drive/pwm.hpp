@@ -44,12 +44,11 @@ class Pwm {
     Gap gap = kGapMax;
     if (!in.enable) return gap;
     for (const std::uint32_t cmp : cmp_) {
-      const std::uint32_t rise = cmp + 1;
-      const std::uint32_t fall = pwm_period(in.carrier) - cmp;
-      if (in.phase < rise) {
-        gap = std::min(gap, clipped(rise - in.phase));
-      } else if (in.phase < fall) {
-        gap = std::min(gap, clipped(fall - in.phase));
+      const std::uint32_t rest = pwm_period(in.carrier) - in.phase;
+      if (in.phase <= cmp) {
+        gap = std::min(gap, clipped(cmp - in.phase + 1));
+      } else if (rest > cmp) {
+        gap = std::min(gap, clipped(rest - cmp));
       }
     }
     return gap;
