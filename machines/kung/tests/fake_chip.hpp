@@ -7,6 +7,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "rtl/chips/generated/kung_xy_regs.hpp"
@@ -103,9 +105,17 @@ inline sw::Failure failure(const Machine& m) {
   return static_cast<sw::Failure>(m.app.mailbox().failure);
 }
 
-inline bool axes_off(FakeChip& chip) {
-  return chip.registers[reg::kX + reg::kCtrl] == 0 && chip.registers[reg::kY + reg::kCtrl] == 0 &&
-         chip.registers[reg::kIrqEn] == 0;
+// The registers that keep a drive or an interrupt on, or "".
+inline std::string still_on(FakeChip& chip) {
+  std::string on;
+  const std::pair<const char*, std::uint32_t> all[] = {
+      {"x.CTRL", reg::kX + reg::kCtrl}, {"y.CTRL", reg::kY + reg::kCtrl}, {"IRQ_EN", reg::kIrqEn}};
+  for (const auto& [name, address] : all) {
+    const std::uint32_t value = chip.registers[address];
+    if (value == 0) continue;
+    on += (on.empty() ? "" : ", ") + std::string(name) + " = " + std::to_string(value);
+  }
+  return on;
 }
 
 }  // namespace trammel::test

@@ -52,6 +52,9 @@ TEST_CASE("start sets every register with both axes off and enables only the tic
   CHECK(r[reg::kY + reg::kPosCmd] == 70000);
   CHECK(r[reg::kIrqPeriod] == 4);
   CHECK(r[reg::kWatchdog] == 100);
+  CHECK(r[reg::kCurrentLimit] == 1280);
+  CHECK(r[reg::kDeadtimeMin] == 25);
+  CHECK(r[reg::kRates] == 0x10);  // 16 kHz, 2 kHz
   CHECK(r[reg::kIrqEn] == reg::kIrqEnTick);
 }
 
@@ -238,11 +241,11 @@ TEST_CASE("a fault while running switches both axes off and is reported with its
   CHECK(m.app.mailbox().done == 1);
   CHECK(failure(m) == Failure::kFault);
   CHECK((m.app.fault() & reg::kFaultCodeMask) == reg::kFaultCodeStroke);
-  CHECK(axes_off(m.chip));
+  CHECK(still_on(m.chip) == "");
   const std::uint32_t written = m.app.mailbox().point;
   m.interrupt();
   CHECK(m.app.mailbox().point == written);
-  CHECK(axes_off(m.chip));
+  CHECK(still_on(m.chip) == "");
 }
 
 TEST_CASE("a fault that cannot be cleared keeps the axes off") {
@@ -251,7 +254,7 @@ TEST_CASE("a fault that cannot be cleared keeps the axes off") {
   m.chip.registers[reg::kFault] = reg::kFaultCodeExternalTrip;
   m.arm();
   CHECK(failure(m) == Failure::kFault);
-  CHECK(axes_off(m.chip));
+  CHECK(still_on(m.chip) == "");
 }
 
 TEST_CASE("a table reset that never ends is given up after a bounded number of polls") {
@@ -260,7 +263,7 @@ TEST_CASE("a table reset that never ends is given up after a bounded number of p
   m.app.start(m.chip);
   CHECK(failure(m) == Failure::kBusy);
   CHECK(m.chip.log.size() < KungApp::kPollLimit + 200);
-  CHECK(axes_off(m.chip));
+  CHECK(still_on(m.chip) == "");
 }
 
 TEST_CASE("the program refuses another chip, a lost preset and a path beyond the stroke") {
@@ -268,13 +271,13 @@ TEST_CASE("the program refuses another chip, a lost preset and a path beyond the
   other.chip.registers[reg::kId] = 1;
   other.app.start(other.chip);
   CHECK(failure(other) == Failure::kWrongChip);
-  CHECK(axes_off(other.chip));
+  CHECK(still_on(other.chip) == "");
 
   Machine lost;
   lost.chip.presets = false;
   lost.arm();
   CHECK(failure(lost) == Failure::kPreset);
-  CHECK(axes_off(lost.chip));
+  CHECK(still_on(lost.chip) == "");
   for (const std::uint32_t base : {reg::kX, reg::kY}) {
     CAPTURE(base);
     Machine one;
@@ -282,7 +285,7 @@ TEST_CASE("the program refuses another chip, a lost preset and a path beyond the
     one.chip.registers[base + reg::kPos] += 1;
     one.interrupt();
     CHECK(failure(one) == Failure::kPreset);
-    CHECK(axes_off(one.chip));
+    CHECK(still_on(one.chip) == "");
   }
 
   KungSetup setup;
@@ -290,7 +293,7 @@ TEST_CASE("the program refuses another chip, a lost preset and a path beyond the
   Machine beyond(setup);
   beyond.app.start(beyond.chip);
   CHECK(failure(beyond) == Failure::kOutOfStroke);
-  CHECK(axes_off(beyond.chip));
+  CHECK(still_on(beyond.chip) == "");
 }
 
 TEST_CASE("a lost interrupt and a service that crosses a tick are reported as late") {
@@ -300,7 +303,7 @@ TEST_CASE("a lost interrupt and a service that crosses a tick are reported as la
   lost.chip.tick(8);
   lost.app.isr(lost.chip);
   CHECK(failure(lost) == Failure::kLate);
-  CHECK(axes_off(lost.chip));
+  CHECK(still_on(lost.chip) == "");
 
   Machine slow;
   slow.arm();
