@@ -49,6 +49,14 @@ double tracking_error(const PointM& model, const PointM& table) {
 }
 
 Series contour_error(const Points& table, const Points& path, std::size_t reach) {
+  Series distances;
+  for (const double error : signed_contour_error(table, path, reach)) {
+    distances.push_back(std::abs(error));
+  }
+  return distances;
+}
+
+Series signed_contour_error(const Points& table, const Points& path, std::size_t reach) {
   Series errors;
   if (path.empty()) return errors;
   // Commands are held for some samples: keep one vertex each, with the sample it came at.
@@ -68,12 +76,26 @@ Series contour_error(const Points& table, const Points& path, std::size_t reach)
     while (near.size() > 1 && near[1].at + reach < k) near.pop_front();
     const PointM own = table[k];
     double best = tracking_error(near.front().point, own);
+    bool right = false;
     for (std::size_t i = 0; i + 1 < near.size() && near[i].at <= k + reach; ++i) {
-      best = std::min(best, segment_distance(own, near[i].point, near[i + 1].point));
+      const PointM& a = near[i].point;
+      const PointM& b = near[i + 1].point;
+      const double distance = segment_distance(own, a, b);
+      if (distance >= best) continue;
+      best = distance;
+      right = (b.x_m - a.x_m) * (own.y_m - a.y_m) < (b.y_m - a.y_m) * (own.x_m - a.x_m);
     }
-    errors.push_back(best);
+    errors.push_back(right ? -best : best);
   }
   return errors;
+}
+
+std::size_t settled_after(const Points& points, const PointM& place, double band) {
+  std::size_t outside = 0;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    if (tracking_error(place, points[k]) > band) outside = k + 1;
+  }
+  return outside;
 }
 
 std::vector<HalfPeriod> half_periods(const Series& position_m, const Series& model_m,

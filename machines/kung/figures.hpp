@@ -44,6 +44,11 @@ std::size_t contour_reach(double lag_s, double sample_s);
 // For each point, its distance to the polyline through `path`, searched within `reach` samples of
 // the same index, so that where the path crosses itself the other branch is not taken for it.
 Series contour_error(const Points& table, const Points& path, std::size_t reach);
+// The same, positive to the left of the direction of travel and negative to its right.
+Series signed_contour_error(const Points& table, const Points& path, std::size_t reach);
+
+// Samples until a point stays within `band` of `place`; all of them if it never does.
+std::size_t settled_after(const Points& points, const PointM& place, double band);
 
 // One half period of a square wave on one axis.
 struct HalfPeriod {

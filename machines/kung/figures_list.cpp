@@ -81,6 +81,22 @@ void set_tiles(List& list, std::size_t periods) {
   }
 }
 
+// From the last point's sample on; not shown where the table is still outside at the end.
+void add_settling(List& list, const Options& options, const Result& result, const Range& range) {
+  Points after;
+  PointM last;
+  for (std::size_t k = range.last; k < result.samples.size(); ++k) {
+    const Sample sample = result.samples[k];
+    const double count_m = options.plant.axis[0].encoder_count_m;
+    last = {command_m(sample.axis[0], count_m), command_m(sample.axis[1], count_m)};
+    after.push_back({sample.axis[0].x_true_m, sample.axis[1].x_true_m});
+  }
+  const std::size_t samples = settled_after(after, last, options.settled_m);
+  list.push_back(lab::figure("at_end.settling_s", "at the end", "settling",
+                             static_cast<double>(samples) * options.chip.sample_s(), "s", 3));
+  list.back().shown = result.end == EndReason::kDone && samples < after.size();
+}
+
 }  // namespace
 
 List figures(const lab::Settings& settings, cosim::RunResult& run) {
@@ -90,6 +106,7 @@ List figures(const lab::Settings& settings, cosim::RunResult& run) {
   result.load = {};
   Points table, command;
   Series to_model_mm, to_command_mm, contour_mm;
+  double left_mm = 0, right_mm = 0;
   std::array<AxisSignals, 2> axes;
   for (std::size_t k = range.first; k < range.last; ++k) {
     const Sample sample = result.samples[k];
@@ -116,8 +133,10 @@ List figures(const lab::Settings& settings, cosim::RunResult& run) {
   const bool square = path.kind == PathKind::kSquare;
   if (!square) {
     const std::size_t reach = contour_reach(options.lag_s(), options.chip.sample_s());
-    for (const double distance : contour_error(table, command, reach)) {
-      contour_mm.push_back(distance * kMm);
+    for (const double error : signed_contour_error(table, command, reach)) {
+      contour_mm.push_back(std::abs(error) * kMm);
+      left_mm = std::max(left_mm, error * kMm);
+      right_mm = std::max(right_mm, -error * kMm);
     }
   }
 
@@ -127,7 +146,11 @@ List figures(const lab::Settings& settings, cosim::RunResult& run) {
   List list;
   add_spread(list, "tracking.model", "T(k) to reference model", to_model_mm);
   add_spread(list, "tracking.command", "T(k) to command", to_command_mm);
-  if (!contour_mm.empty()) add_spread(list, "contour", "contour", contour_mm);
+  if (!contour_mm.empty()) {
+    add_spread(list, "contour", "contour", contour_mm);
+    list.push_back(lab::figure("contour.left_mm", "contour", "left", left_mm, "mm", 3));
+    list.push_back(lab::figure("contour.right_mm", "contour", "right", right_mm, "mm", 3));
+  }
   add_spread(list, "x.error_to_model", "X to reference model", axes[0].error_mm);
   add_spread(list, "y.error_to_model", "Y to reference model", axes[1].error_mm);
   const auto add_peak = [&](const std::string& id, const char* row, double AxisSignals::* member,
@@ -144,6 +167,7 @@ List figures(const lab::Settings& settings, cosim::RunResult& run) {
   list.push_back(lab::figure("at_end.from_last_point_mm", "at the end", "from the last point",
                              result.from_last_m * kMm, "mm", 2));
   list.back().shown = result.end == EndReason::kDone || result.end == EndReason::kMissed;
+  if (options.settle_s > 0) add_settling(list, options, result, range);
   add_peak("peak_current_A", "peak current", &AxisSignals::peak_current_A, "A", 2);
   add_peak("max_speed_m_s", "top speed", &AxisSignals::max_speed_m_s, "m/s", 3);
   add_load(list, options, result);

@@ -41,6 +41,8 @@ void add_run(Table& t) {
   t.window();
   t.one("run.settle_s", 0, 10, "simulated after the last point, not counted",
         TRAMMEL_LENS(settle_s));
+  t.one("run.settled_m", 1e-9, 1, "band of the settling time after the last point",
+        TRAMMEL_LENS(settled_m));
   t.longest_run();
   t.one("run.diverged_m", 1e-4, 1,
         "distance from the model, or from the path asked, that ends the run as diverged",

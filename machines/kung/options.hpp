@@ -135,6 +135,7 @@ struct Options final : lab::SettingsOf<Options, machine> {
   ChipOptions chip;
   PathOptions path;
   double settle_s = 0;       // simulated after the last point, not counted in the figures
+  double settled_m = 20e-6;  // band of the settling time after it
   double diverged_m = 0.05;  // tracking error that ends the run as diverged
   double reached_m = 0;      // largest error of a table that followed; 0: by the path's extent
   FaultInjection inject;

@@ -139,3 +139,24 @@ TEST_CASE("a downward first step is measured the same way") {
   const Series position{0, -11e-3, -9e-3};
   CHECK(half_periods(position, model, 3, 0, -10e-3).front().overshoot_percent == Approx(10));
 }
+
+TEST_CASE("the signed contour error is positive on the left of the direction of travel") {
+  Points path, table;
+  for (int k = 0; k <= 100; ++k) {
+    path.push_back({1e-3 * k, 0});
+    table.push_back({1e-3 * k, k < 50 ? 2e-4 : -3e-4});
+  }
+  const Series errors = signed_contour_error(table, path, 20);
+  for (std::size_t k = 0; k < 100; ++k) {
+    CAPTURE(k);
+    CHECK(errors[k] == Approx(k < 50 ? 2e-4 : -3e-4));
+  }
+}
+
+TEST_CASE("a table has settled once it stays within the band") {
+  Points points;
+  for (const double x : {5.0, 2.0, 0.5, -1.5, 0.9, 0.2, 0.0}) points.push_back({x * 1e-3, 0});
+  CHECK(settled_after(points, {0, 0}, 1e-3) == 4);
+  CHECK(settled_after(points, {0, 0}, 10e-3) == 0);
+  CHECK(settled_after(points, {1, 0}, 1e-3) == 7);
+}
