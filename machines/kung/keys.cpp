@@ -128,6 +128,9 @@ void add_chip(Table& t) {
       &ChipOptions::dead_time_min_ns);
   add("current_limit_A", 1e-3, 1000, "trip level of the measured phase currents",
       &ChipOptions::current_limit_A);
+  add("following_error_m", 0, 1,
+      "distance from the reference model at which the firmware turns the drives off; 0 = never",
+      &ChipOptions::following_error_m);
   add("offset_samples", 0, 255,
       "interrupts before the drives start that average the offsets of the current sensors",
       &ChipOptions::offset_samples);

@@ -349,6 +349,8 @@ sw::KungSetup plan_firmware(const Options& options, std::vector<sw::Point>& poin
            fmt::format("at plant.x.current_full_scale_A = {:g}", full_scale_A));
   s.current_limit = static_cast<std::uint32_t>(std::lround(chip.current_limit_A / lsb_A));
   s.offset_samples = word(chip.offset_samples);
+  s.following_limit = static_cast<std::int32_t>(
+      std::ceil(chip.following_error_m / options.plant.axis[0].encoder_count_m));
   s.dead_time_min = clocks(chip.dead_time_min_ns, options.plant.clock_ps);
   check_extent(options, s);
   return s;

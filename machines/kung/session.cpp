@@ -31,6 +31,8 @@ const char* check_text(const sw::Mailbox& mailbox) {
       return "a current sensor shows more than 1/8 of its range with the drives off";
     case sw::Failure::kPreset: return "the position did not become the start point";
     case sw::Failure::kLate: return "an interrupt was lost, or its service crossed a position tick";
+    case sw::Failure::kFollowing:
+      return "the position is farther from its model than chip.following_error_m";
     case sw::Failure::kFault: return "the chip interrupts for a fault that it does not name";
     case sw::Failure::kNone: break;
   }

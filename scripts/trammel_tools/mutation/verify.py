@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Verify RTL blocks: their promises, or their tests by mutants; whole runs by both engines; keys.
+"""Verify RTL blocks: their promises, or their tests by mutants; whole runs by both engines; keys; faults.
 
 usage: trammel verify [layer/block ...]            the promises, as trammel prove
        trammel verify --mutants [layer/block ...]  the whole campaign, against the block's floor
@@ -10,11 +10,16 @@ usage: trammel verify [layer/block ...]            the promises, as trammel prov
        trammel verify --engines --short            one short scenario per machine, as in the tests
        trammel verify --keys [--seed N]            each numeric key, at both ends and between
        trammel verify --keys --short               twelve keys of each machine, as in the tests
+       trammel verify --faults [--page]            faults at three times of a run: what notices them
+       trammel verify --faults --short             some of them, as in the tests
 
 A campaign makes 200 mutants of a block, runs its unit test against each, and proves what it can of
 those the test accepts: refuted by a promise, or equivalent. Its result, logs and models stay in
 build/mutants/<block>; --afresh proves again what the result of this source already holds. Floors
 and what is known of survivors stand in tests/mutants.toml and mutants.toml of machines and parts.
+
+A fault is injected with the machine's monitors and without (runs.toml, too): 95 % of the dangerous
+ones are noticed, and the outputs are off at once. --page writes docs/generated/faults.md.
 
 A key's value is tried in a short run of its machine (machines/<m>/tests/runs.toml): the run does
 what was asked, or says why not, or the value is refused; RTL and twin give the same events.
@@ -28,7 +33,7 @@ import sys
 import time
 
 from trammel_tools import machines, python_tools
-from trammel_tools.check import engines, keys
+from trammel_tools.check import engines, faults, keys
 from trammel_tools.mutation import mutant_floors, mutant_proofs, mutant_tests, mutants
 from trammel_tools.paths import ROOT
 from trammel_tools.proof import properties, prove
@@ -131,7 +136,7 @@ def sample(block, limit, floors):
 def parse(every):
     parser = python_tools.Parser(prog="trammel verify", description=__doc__)
     what = parser.add_mutually_exclusive_group()
-    for name in ("mutants", "sample", "check", "page", "engines", "keys"):
+    for name in ("mutants", "sample", "check", "page", "engines", "keys", "faults"):
         what.add_argument(f"--{name}", action="store_true")
     parser.add_argument("--afresh", action="store_true")
     parser.add_argument("--short", action="store_true")
@@ -174,13 +179,21 @@ def run(arguments, every):
     return wrong
 
 
+def runs(arguments):
+    """Lines of what went wrong in runs of whole machines."""
+    if arguments.keys:
+        return keys.check(arguments.short, arguments.seed)
+    if arguments.faults:
+        return faults.check(arguments.short, arguments.page)
+    return engines.compare(arguments.blocks or engines.scenarios(arguments.short))
+
+
 def main():
     every = [b for b in lint.blocks() if mutant_tests.test_of(b).exists()]
     arguments = parse(every)
-    if arguments.engines or arguments.keys:
+    if arguments.engines or arguments.keys or arguments.faults:
         try:
-            wrong = keys.check(arguments.short, arguments.seed) if arguments.keys else \
-                engines.compare(arguments.blocks or engines.scenarios(arguments.short))
+            wrong = runs(arguments)
         except (engines.EngineError, machines.MachineError) as error:
             wrong = [str(error)]
         for line in wrong:

@@ -194,6 +194,7 @@ void KungApp::serve(Bus& bus) {
   if (record.tick != last_tick_ + period) return fail(bus, Failure::kLate);
   last_tick_ = record.tick;
   read_response(bus, record);
+  if (!follows(record)) return fail(bus, Failure::kFollowing);
 
   const bool more = mail_.point < size_;
   if (more) command_ = trajectory_.next();
@@ -220,6 +221,12 @@ void KungApp::read_response(Bus& bus, LogRecord& record) const {
   record.y_model = read_signed(bus, reg::kY + reg::kPosModel);
   record.x_iq = read_signed(bus, reg::kX + reg::kIqCmd);
   record.y_iq = read_signed(bus, reg::kY + reg::kIqCmd);
+}
+
+bool KungApp::follows(const LogRecord& record) const {
+  const std::int32_t limit = setup_.following_limit;
+  const std::int32_t x = record.x_pos - record.x_model, y = record.y_pos - record.y_model;
+  return limit == 0 || (x <= limit && x >= -limit && y <= limit && y >= -limit);
 }
 
 void KungApp::fail(Bus& bus, Failure failure) {

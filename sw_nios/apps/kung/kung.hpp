@@ -56,6 +56,7 @@ struct KungSetup : PathSetup {
   std::uint32_t watchdog_ticks = 100;  // 0 = off
   std::uint32_t current_limit = 1280;  // 6 A [I_fs / 2048], 0 = off
   std::uint32_t dead_time_min = 25;    // [clk]
+  std::int32_t following_limit = 0;    // [count] from the model, 0 = not checked
   std::uint32_t offset_samples = 0;    // interrupts over which offsets of sensors are averaged
 };
 
@@ -77,7 +78,8 @@ enum class Failure : std::uint32_t {
   kSensor,       // a current sensor shows more than 1/8 of its range with the drives off
   kPreset,       // the position did not become the start point
   kLate,         // an interrupt was lost or its service crossed a tick
-  kFault         // the chip latched a fault: fault()
+  kFault,        // the chip latched a fault: fault()
+  kFollowing     // a position is too far from its reference model
 };
 
 class KungApp final : public Firmware {
@@ -110,6 +112,7 @@ class KungApp final : public Firmware {
   void arm(Bus& bus);
   void serve(Bus& bus);
   void read_response(Bus& bus, LogRecord& record) const;
+  bool follows(const LogRecord& record) const;
   void fail(Bus& bus, Failure failure);
 
   Mailbox mail_;

@@ -83,6 +83,20 @@ TEST_CASE("the watchdog bites when the processor hangs") {
   CHECK(result.fault.tick < 115);
 }
 
+TEST_CASE("a table that does not follow is turned off by the firmware") {
+  Options options = short_circle();
+  options.run.engine = Engine::kTwin;
+  options.gains[0].feedforward = options.gains[1].feedforward = true;
+  options.fault.kind = trammel::cosim::FaultKind::kPhaseOpen;
+  options.fault.begin_s = 0.05;
+  CHECK(simulate(options, {}).end != EndReason::kFault);
+  options.chip.following_error_m = 0.012;
+  const Result result = simulate(options, {});
+  check_tripped(result, FaultCode::kNone, 0);
+  CHECK(result.fault_report.detected < trammel::cosim::kNever);
+  CHECK(result.fault_report.off - result.fault_report.detected < 6250);  // two current periods
+}
+
 TEST_CASE("a stop request ends the run with what there is") {
   Options options = short_circle();
   std::atomic<bool> stop{false};
