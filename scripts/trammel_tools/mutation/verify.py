@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Verify RTL blocks: their promises, or their tests by mutants; whole runs by both engines; keys; faults.
+"""Verify RTL blocks: their promises, or their tests by mutants; whole runs; keys; faults.
 
 usage: trammel verify [layer/block ...]            the promises, as trammel prove
        trammel verify --mutants [layer/block ...]  the whole campaign, against the block's floor
@@ -136,8 +136,9 @@ def sample(block, limit, floors):
 def parse(every):
     parser = python_tools.Parser(prog="trammel verify", description=__doc__)
     what = parser.add_mutually_exclusive_group()
-    for name in ("mutants", "sample", "check", "page", "engines", "keys", "faults"):
+    for name in ("mutants", "sample", "check", "page", "engines", "keys"):
         what.add_argument(f"--{name}", action="store_true")
+    parser.add_argument("--faults", action="store_true")  # with --page: of them
     parser.add_argument("--afresh", action="store_true")
     parser.add_argument("--short", action="store_true")
     parser.add_argument("--seed", type=int, default=1, metavar="N", help="of --keys (default 1)")
