@@ -26,6 +26,7 @@ const std::vector<lab::Key>& keys() {
           "largest error, and movement, of a shaft that counts as at its target; 0 = 50, or a "
           "quarter of a short travel",
           TRAMMEL_LENS(reached_counts));
+    t.faults();
     lm628::add_filter(t);
     t.one("trajectory.acceleration", 0, kWord, "2^-16 count/sample^2", TRAMMEL_LENS(acceleration));
     t.one("trajectory.velocity", 0, kWord, "2^-16 count/sample; of breakpoints the first speed",

@@ -148,8 +148,9 @@ List figures(const lab::Settings& settings, cosim::RunResult& run) {
   add_spread(list, "tracking.command", "T(k) to command", to_command_mm);
   if (!contour_mm.empty()) {
     add_spread(list, "contour", "contour", contour_mm);
-    list.push_back(lab::figure("contour.left_mm", "contour", "left", left_mm, "mm", 3));
-    list.push_back(lab::figure("contour.right_mm", "contour", "right", right_mm, "mm", 3));
+    list.push_back(lab::figure("contour.left_mm", "contour by side", "left", left_mm, "mm", 3));
+    list.push_back(
+        lab::figure("contour.right_mm", "contour by side", "right", right_mm, "mm", 3));
   }
   add_spread(list, "x.error_to_model", "X to reference model", axes[0].error_mm);
   add_spread(list, "y.error_to_model", "Y to reference model", axes[1].error_mm);

@@ -32,6 +32,7 @@ const std::vector<lab::Key>& keys() {
           "largest error, and movement, of a table at its target, and distance beside its path; "
           "0 = 50, or a quarter of a short travel, and a quarter of the path's diagonal beside it",
           TRAMMEL_LENS(reached_counts));
+    t.faults();
     using P = PathOptions;
     const auto path = lm628::keys_of(t, "path.", TRAMMEL_LENS(path));
     path("kind", 0, 0, "shape", &P::kind);

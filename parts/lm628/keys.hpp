@@ -25,7 +25,6 @@ void add_run(lab::KeyTable<Options>& t) {
   t.longest_run();
   t.one("run.diverged_counts", 1, 32767, "position error that ends the run as diverged",
         TRAMMEL_LENS(diverged_counts));
-  t.faults();
   t.waves("the first drive", "see docs/waves.md");
 }
 
