@@ -36,6 +36,7 @@ NO_LICENCE = {".md", ".toml", ".txt", ".json"}
 # Opening table of a block's page; more rows may follow.
 PAGE_ROWS = ["Shape", "Latency", "Source", "Twin", "Properties"]
 MAX_LINES = 400
+GENERATED = "<!-- Generated from "  # a table of docs/
 MAX_COLUMNS = 100
 
 
@@ -62,7 +63,7 @@ def check_form(root, path):
     lines = text.split("\n")
     if text and not text.endswith("\n"):
         yield f"{path}:{len(lines)}: no newline at the end"
-    if len(lines) - 1 > MAX_LINES:
+    if len(lines) - 1 > MAX_LINES and not text.startswith(GENERATED):  # it grows by machine
         yield f"{path}: {len(lines) - 1} lines, more than {MAX_LINES}: two files"
     for number, line in enumerate(lines, 1):
         if not line.isascii():
