@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cosim/points.hpp"
 
+#include <algorithm>
+#include <array>
+#include <cctype>
 #include <istream>
 #include <locale>
 #include <optional>
@@ -48,6 +51,26 @@ double checked(const std::string& name, int line, const char* column, double mm,
   refuse(name, line, text.str());
 }
 
+// A header may name its columns as it likes, but not the other way round, nor in another unit.
+void check_header(const std::string& name, int line_number, const std::string& line) {
+  std::string names;
+  for (const char c : line) {
+    if (std::isalnum(static_cast<unsigned char>(c)) != 0 || c == ',') {
+      names += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    }
+  }
+  const auto comma = names.find(',');
+  const std::string x = names.substr(0, comma), y = names.substr(comma + 1);
+  const auto other_unit = [](const std::string& column, char axis) {
+    constexpr std::array<const char*, 5> kUnits{"m", "cm", "um", "in", "inch"};
+    return std::any_of(kUnits.begin(), kUnits.end(),
+                       [&](const char* unit) { return column == axis + std::string(unit); });
+  };
+  if (x.rfind('y', 0) == 0 || y.rfind('x', 0) == 0 || other_unit(x, 'x') || other_unit(y, 'y')) {
+    refuse(name, line_number, "expected the columns x_mm,y_mm, found '" + shown(line) + "'");
+  }
+}
+
 // Spreadsheets mark the encoding in the first bytes.
 std::string without_mark(const std::string& line, const std::string& name) {
   if (line.rfind("\xFF\xFE", 0) == 0 || line.rfind("\xFE\xFF", 0) == 0) {
@@ -73,6 +96,7 @@ std::vector<PointM> read_points_csv(std::istream& text, const std::string& name,
     const auto y = comma == std::string::npos ? std::nullopt : number(line.substr(comma + 1));
     if (!x && !y && comma != std::string::npos && header_allowed) {
       header_allowed = false;
+      check_header(name, line_number, line);
       continue;
     }
     header_allowed = false;

@@ -38,6 +38,10 @@ void catch_interrupts(bool conversation = false) {
   if (!conversation) sigaction(SIGTERM, &action, nullptr);
 }
 
+// "", such as a variable of the shell that is not set, is no name.
+const CLI::Validator named(
+    [](std::string& name) { return std::string(name.empty() ? "needs a name" : ""); }, "");
+
 struct CommandLine {
   CLI::App app{"Trammel: simulates motion-control ICs clock by clock, with the machine they drive"};
   tb::Arguments arguments;
@@ -75,7 +79,8 @@ struct CommandLine {
     report->add_option("folder", arguments.folders,
                        "folders of finished runs; default: the latest in out/");
     report->add_option("-o,--out", arguments.out,
-                       "file of the page; default: report.html in the folder, or out/compare.html");
+                       "file of the page; default: report.html in the folder, or out/compare.html")
+        ->check(named);
 
     list = app.add_subcommand("list",
                               "show scenarios, machines, or what a machine has: its keys, the "
@@ -120,7 +125,7 @@ struct CommandLine {
     verb->add_option(name, arguments.scenario, scenario);
     verb->add_option("-c,--config", arguments.files, "further TOML files; later ones win");
     verb->add_option("-s,--set", arguments.assignments, "key=value; keys: `trammel list keys`");
-    verb->add_option("-o,--out", arguments.out, out);
+    verb->add_option("-o,--out", arguments.out, out)->check(named);
   }
 
   // Of every verb that simulates.

@@ -49,3 +49,16 @@ TEST_CASE("a byte-order mark is not part of the first line") {
   CHECK_THROWS_WITH(read(std::string("\xFF\xFE") + "1\0,\0"),
                     "p.csv:1: UTF-16 text; save it as UTF-8 or ASCII");
 }
+
+TEST_CASE("a header that swaps the columns or names another unit is refused") {
+  for (const char* header : {"y_mm,x_mm", "x_mm,x_mm", "Y, X", "x_m,y_m", "x [um],y [um]"}) {
+    CAPTURE(header);
+    CHECK_THROWS_WITH(read(std::string(header) + "\n1,2\n"),
+                      "p.csv:1: expected the columns x_mm,y_mm, found '" +
+                          std::string(header) + "'");
+  }
+  for (const char* header : {"x,y", "X (mm),Y (mm)", "point x,point y", "x_mm,y_mm"}) {
+    CAPTURE(header);
+    CHECK(read(std::string(header) + "\n1,2\n").size() == 1);
+  }
+}

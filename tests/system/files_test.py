@@ -65,6 +65,10 @@ class Folders(Case):
         self.refused(self.run_to("run"), "trace.csv", "is not of the run")
         self.nothing_else("run")
 
+    def test_a_folder_without_a_name_is_refused(self):
+        for verb in (["run", "circle"], ["report"]):
+            self.refused(self.trammel(*verb, "-o", ""), "--out: needs a name")
+
     def test_a_folder_that_holds_no_run_is_refused(self):
         (self.folder / "mine").mkdir()
         (self.folder / "mine" / "table.csv").write_text("mine")
