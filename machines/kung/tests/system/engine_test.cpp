@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "cosim/direct.hpp"
+#include "cosim/event_hash.hpp"
 #include "machines/kung/figures.hpp"
 #include "machines/kung/session.hpp"
 #include "lab/layers.hpp"
@@ -21,12 +22,15 @@ struct Event {
   cosim::Clk edge;
   unsigned why;
   cosim::Lines drive;
+  std::uint32_t read = 0;  // by the processor
 };
 
 // What the event hash is made of, but for the words.
 struct Record final : cosim::Observer {
   void on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant&) override {
-    if (stop.why != cosim::kLimit) events.push_back({stop.edge, stop.why, chip.drive()});
+    if (stop.why == cosim::kLimit) return;
+    const bool read = (stop.why & cosim::kBusDone) != 0;
+    events.push_back({stop.edge, stop.why, chip.drive(), read ? chip.rdata() : 0});
   }
   std::vector<Event> events;
 };
@@ -151,6 +155,28 @@ TEST_CASE("both engines agree on motors and encoders that are not the paper's, a
     const AxisSample last = done.samples.back().axis[1];
     CHECK(std::abs(model_m(last, motor.count_m) - last.x_true_m) < 1e-3);
   }
+}
+
+// A hash that left out a word would let two runs pass for one.
+TEST_CASE("the event hash is that of edges, reasons, gates, reads, x_m and i_q* of all samples") {
+  const Run one = run(piece(), Engine::kTwin);
+  cosim::EventHash hash;
+  std::size_t sample = 0;
+  REQUIRE(one.result.end == EndReason::kTimeout);  // nothing comes after the last event
+  for (const Event& e : one.events) {
+    hash.mix(static_cast<std::uint64_t>(e.edge));
+    hash.mix((std::uint64_t{e.why} << 32) | e.drive);
+    if ((e.why & cosim::kBusDone) != 0) hash.mix(e.read);
+    if ((e.why & cosim::kSample) == 0) continue;
+    REQUIRE(sample < one.result.samples.size());
+    const Sample words = one.result.samples[sample++];
+    for (const AxisSample& axis : words.axis) {
+      hash.mix(static_cast<std::uint32_t>(axis.x_m));
+      hash.mix(static_cast<std::uint32_t>(axis.i_q_ref));
+    }
+  }
+  CHECK(sample > 50);
+  CHECK(hash.value() == one.result.event_hash);
 }
 
 TEST_CASE("both engines agree on each carrier and rate of the position loop, and follow alike") {
