@@ -36,24 +36,20 @@ module pwm
     return '1;
   endfunction
 
-  // The triangle is the lesser of both.
-  function automatic logic above(phase_t phase, phase_t rest, cmp_t cmp);
-    return phase > 13'(cmp) && rest > 13'(cmp);
-  endfunction
-
   function automatic phase_t least(phase_t x, phase_t y);
     return x < y ? x : y;
   endfunction
 
-  phase_t first;
+  phase_t triangle, first;
   cmp_t cmp_a_q, cmp_b_q, cmp_c_q;
   logic [2:0] on_d, on_q;
+
+  assign triangle = phase_i < rest_i ? phase_i : rest_i;
 
   always_comb begin
     on_d = '0;
     if (enable_i) begin
-      on_d = {above(phase_i, rest_i, cmp_c_q), above(phase_i, rest_i, cmp_b_q),
-              above(phase_i, rest_i, cmp_a_q)};
+      on_d = {triangle > 13'(cmp_c_q), triangle > 13'(cmp_b_q), triangle > 13'(cmp_a_q)};
     end
   end
 

@@ -33,18 +33,9 @@ module timebase
     output logic        quiescent_o
 );
 
-  // tick_cur in a millisecond
-  function automatic logic [5:0] per_ms(carrier_t carrier);
-    unique case (carrier)
-      Carrier8kHz:  return 6'd8;
-      Carrier20kHz: return 6'd20;
-      Carrier40kHz: return 6'd40;
-      default:      return 6'd16;
-    endcase
-  endfunction
-
   phase_t count, period;
   carrier_t carrier_q;
+  logic [5:0] in_ms;  // tick_cur of that carrier
   logic [5:0] cur_d, cur_q;
   logic [7:0] irq_d, irq_q;
   logic [31:0] tick_count_q;
@@ -72,12 +63,18 @@ module timebase
 
   // Ticks to come until the next tick_pos.
   always_comb begin
+    unique case (carrier_i)
+      Carrier8kHz:  in_ms = 6'd8;
+      Carrier20kHz: in_ms = 6'd20;
+      Carrier40kHz: in_ms = 6'd40;
+      default:      in_ms = 6'd16;
+    endcase
     cur_d = cur_q - 6'd1;
     if (tick_pos_o) begin
       unique case (rate_i)
-        2'd0:    cur_d = per_ms(carrier_i) - 6'd1;
-        2'd1:    cur_d = (per_ms(carrier_i) >> 1) - 6'd1;
-        default: cur_d = (per_ms(carrier_i) >> 2) - 6'd1;
+        2'd0:    cur_d = in_ms - 6'd1;
+        2'd1:    cur_d = (in_ms >> 1) - 6'd1;
+        default: cur_d = (in_ms >> 2) - 6'd1;
       endcase
     end
   end
