@@ -52,9 +52,22 @@ REFUSED = [
 ]
 
 
+def fault_runs(machine):
+    """A run cut short with each fault of a machine, the wirings in turn."""
+    plan = machines.runs(machine).get("faults", {}).get("wiring", {})
+    for n, kind in enumerate(plan.get("kinds", [])):
+        settings = [*plan["settings"], f"inject.fault={kind}", *plan["with"].get(kind, [])]
+        wiring = (("--engine", "twin"), ("--platform", "systemc"))[n % 2]
+        if kind == "register_flip":
+            wiring = ("--platform", "direct")
+        yield (5, "run", plan["scenario"], *wiring, "-o", "OUT/fault",
+               *(word for one in settings for word in ("-s", one)))
+
+
 def runs_of(cases):
     """All runs, with what every machine lists."""
     return [*(run for case in cases.values() for run in case.RUNS), *RUNS,
+            *(run for machine in cases for run in fault_runs(machine)),
             *((0, "list", topic, machine) for machine in cases for topic in ("keys", "columns"))]
 
 
