@@ -26,6 +26,9 @@ struct Options final : lab::SettingsOf<Options, machine> {
   int breakpoint = 80000;        // [count]
   int steps = 4;
   double wait_s = 0.1;           // before STT, between steps, and at the end
+  int error_limit = 0;           // [count] position error at which the part turns the motor off;
+                                 // 0: none
+  bool index_check = false;      // the program checks that indexes are a turn apart
   int diverged_counts = 30000;   // position error that ends the run as diverged
   int reached_counts = 0;        // largest error and movement of a shaft that is at its target;
                                  // 0: 50, or a quarter of the travel and at least 3

@@ -11,6 +11,8 @@
 namespace trammel::an693 {
 namespace {
 
+constexpr double kAtRest_rad_s = 0.1;
+
 sw::An693Setup program_setup(const Options& o) {
   sw::An693Setup setup;
   setup.program = o.program;
@@ -19,6 +21,8 @@ sw::An693Setup program_setup(const Options& o) {
   setup.velocity = o.velocity;
   setup.position = o.position;
   setup.breakpoint = o.breakpoint;
+  setup.index_counts = o.index_check ? static_cast<std::uint32_t>(o.plant.counts) : 0;
+  setup.error_limit = static_cast<std::uint32_t>(o.error_limit);
   setup.steps = static_cast<std::uint32_t>(o.steps);
   setup.wait_clk = static_cast<std::uint32_t>(cosim::clocks_of(o.wait_s, o.plant.clock_ps));
   return setup;
@@ -46,6 +50,7 @@ const char* failure_text(const sw::Mailbox& mailbox) {
     case sw::An693Failure::kBusy: return "the busy bit did not clear";
     case sw::An693Failure::kCommandError: return "the part reported a command error";
     case sw::An693Failure::kPositionError: return "the part reported a position error";
+    case sw::An693Failure::kIndex: return "an index is not a turn from the one before";
     case sw::An693Failure::kNone: break;
   }
   return "";
@@ -134,7 +139,7 @@ bool Session::over(const Sample& sample) {
   }
   if (mailbox.failure != 0) {
     end_ = cosim::EndReason::kFault;
-    return true;
+    return !options().fault.any() || coast_.over(std::abs(sample.omega) < kAtRest_rad_s);
   }
   if (std::abs(sample.words.error) > options().diverged_counts) {
     end_ = cosim::EndReason::kDiverged;

@@ -13,6 +13,7 @@
 #include "cosim/fault_watch.hpp"
 #include "cosim/session.hpp"
 #include "machines/an693/recorder.hpp"
+#include "parts/lm628/coast.hpp"
 #include "parts/lm628/signals.hpp"
 #include "machines/an693/record.hpp"
 
@@ -117,6 +118,7 @@ class Session final : public Bench, public cosim::Session {
   double expected_s_;
   std::size_t samples_ = 0;
   std::uint32_t steps_ = 0;             // begun
+  lm628::Coast coast_;
   std::vector<std::size_t> step_ends_;
   cosim::EndReason end_ = cosim::EndReason::kTimeout;
 };

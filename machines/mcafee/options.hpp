@@ -32,6 +32,9 @@ struct Options final : lab::SettingsOf<Options, machine> {
   int velocity_shift = 2;
   double wait_s = 0.5;          // between readings, and at the end
   bool compare = false;         // also at constant speeds, 254 and the least one
+  int error_limit = 0;          // [count] position error at which a part turns its motor off;
+                                // 0: none
+  bool index_check = false;     // the program checks that indexes are a turn apart
   int diverged_counts = 4000;   // position error that ends the run as diverged
   int reached_counts = 0;       // largest error, and movement at the end, of a table that did what
                                 // was asked; 0: by the path or travel

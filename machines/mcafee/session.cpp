@@ -12,6 +12,8 @@
 namespace trammel::mcafee {
 namespace {
 
+constexpr double kAtRest_mm_s = 0.1;
+
 Table table_for(const Options& o) {
   if (o.stage != sw::McafeeStage::kTrack) return {};
   return make_table(o.path, o.count_mm(), o.travel_mm());
@@ -24,6 +26,7 @@ const char* what_failed(const sw::Mailbox& mailbox) {
     case sw::McafeeFailure::kCommandError: return "a command error of a part";
     case sw::McafeeFailure::kPositionError: return "a position error of a part";
     case sw::McafeeFailure::kLimit: return "a limit switch";
+    case sw::McafeeFailure::kIndex: return "an index that is not a turn from the one before";
     case sw::McafeeFailure::kLate:
       return "a sample between the STT of both axes: the processor is too slow "
              "(processor.access_clk, processor.interrupt_latency_clk)";
@@ -116,6 +119,8 @@ sw::McafeeSetup Session::program() const {
   setup.position = o.position;
   setup.rows = table_.rows.data();
   setup.row_count = static_cast<std::uint32_t>(table_.rows.size());
+  setup.index_counts = o.index_check ? static_cast<std::uint32_t>(4 * o.stage_axis.encoder.lines) : 0;
+  setup.error_limit = static_cast<std::uint32_t>(o.error_limit);
   setup.speed = static_cast<std::uint32_t>(o.speed);
   setup.least_speed = static_cast<std::uint32_t>(o.least_speed);
   setup.velocity_shift = static_cast<std::uint32_t>(o.velocity_shift);
@@ -182,7 +187,12 @@ std::optional<cosim::EndReason> Session::end_after(const Sample& sample) {
   if (waves_.found()) return cosim::EndReason::kDone;
   if (hooks_.progress && samples_.size() % 64 == 0) hooks_.progress(std::min(1.0, progress()));
   if (hooks_.stopped()) return cosim::EndReason::kStopped;
-  if (app_.mailbox().failure != 0) return cosim::EndReason::kFault;
+  if (app_.mailbox().failure != 0) {
+    end_ = cosim::EndReason::kFault;
+    const double speed = std::hypot(sample.axis[0].mm_s, sample.axis[1].mm_s);
+    if (options_.fault.any() && !coast_.over(speed < kAtRest_mm_s)) return {};
+    return end_;
+  }
   const auto off = [&](const AxisSample& axis) {
     return std::abs(axis.words.error) > options_.diverged_counts;
   };

@@ -14,6 +14,7 @@
 #include "machines/mcafee/record.hpp"
 #include "machines/mcafee/signals.hpp"
 #include "cosim/session.hpp"
+#include "parts/lm628/coast.hpp"
 
 namespace trammel::mcafee {
 
@@ -82,6 +83,7 @@ class Session final : public cosim::Session,
   cosim::EventHash hash_;
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
   cosim::EndReason end_ = cosim::EndReason::kTimeout;
+  lm628::Coast coast_;
   bool over_ = false;
 };
 

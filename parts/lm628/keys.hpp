@@ -29,6 +29,15 @@ void add_run(lab::KeyTable<Options>& t) {
 }
 
 template <class Options>
+void add_monitors(lab::KeyTable<Options>& t) {
+  t.one("chip.error_limit_counts", 0, 32767,
+        "position error at which a part turns its motor off (LPES); 0 = none",
+        TRAMMEL_LENS(error_limit));
+  t.one("chip.index_check", 0, 0, "the program checks that an index is a turn from the one before",
+        TRAMMEL_LENS(index_check));
+}
+
+template <class Options>
 void add_filter(lab::KeyTable<Options>& t) {
   using F = sw::Lm628Filter;
   const auto add = keys_of(t, "filter.", TRAMMEL_LENS(filter));

@@ -52,6 +52,7 @@ namespace lm628_status {
 inline constexpr std::uint8_t kBusy = 1u << 0;
 inline constexpr std::uint8_t kCommandError = 1u << 1;
 inline constexpr std::uint8_t kTrajectoryComplete = 1u << 2;
+inline constexpr std::uint8_t kIndex = 1u << 3;
 inline constexpr std::uint8_t kPositionError = 1u << 5;
 inline constexpr std::uint8_t kBreakpoint = 1u << 6;
 inline constexpr std::uint8_t kMotorOff = 1u << 7;
@@ -138,6 +139,11 @@ inline void load_filter(Lm628Port& port, const Lm628Filter& f) {
   if (f.kd != 0) port.word(f.kd);
   if (f.il != 0) port.word(f.il);
   port.command(Lm628Command::kUdf);
+}
+
+// LPES: the part turns its motor off at a position error above this limit [count]; 0: none is loaded.
+inline void stop_on_error(Lm628Port& port, std::uint32_t limit) {
+  if (limit != 0) port.command(Lm628Command::kLpes, limit);
 }
 
 // AN-693, "Initialization", after a reset. Returns false if the status is not one that it names.

@@ -20,12 +20,18 @@ class FakePart final : public Bus {
   std::uint32_t irq = 0;
   std::uint32_t timer = 0;
   std::deque<std::uint8_t> states;  // status of the next reads; the last one stays
+  std::deque<std::uint8_t> reply;   // bytes of the next replies; then 00
   std::uint32_t busy_polls = 0;     // of every command and word
   std::uint32_t written_busy = 0;   // commands and words that came while it was busy
 
   std::uint32_t read(std::uint32_t addr) override {
     if (addr == lm628_map::kIrq) return irq;
-    if (addr == lm628_map::kData) return 0;
+    if (addr == lm628_map::kData) {
+      if (reply.empty()) return 0;
+      const std::uint8_t byte = reply.front();
+      reply.pop_front();
+      return byte;
+    }
     if (busy_ > 0) {
       --busy_;
       return lm628_status::kBusy;
@@ -245,6 +251,67 @@ TEST_CASE("an693 turns the motor off at a position error, and stops at a command
     CHECK(failure_of(bench.app) ==
           (position ? An693Failure::kPositionError : An693Failure::kCommandError));
   }
+}
+
+TEST_CASE("an693 loads a limit of the error, and watches it and the index beside a breakpoint") {
+  An693Setup setup = make_setup(An693Program::kBreakpoints);
+  setup.error_limit = 70;
+  setup.index_counts = 4000;
+  Bench bench(setup);
+  const std::string begun = bench.on_timer();
+  CAPTURE(begun);
+  CHECK(begun.rfind(std::string(kInit) + "c1A d00 d46 c03 " + kFilter + "c1C d00 d68 ", 0) == 0);
+  CHECK(bench.on_host(0x08) == "c1D d00 d00 c09 c03 ");  // an index: the speed stays
+  const std::string faster = bench.on_host(0x40);
+  CAPTURE(faster);
+  CHECK(faster.find("c1C d00 d6C ") != std::string::npos);
+}
+
+TEST_CASE("an index that is not a turn from the one before ends an693 with its motor off") {
+  An693Setup setup = make_setup(An693Program::kAbsolute);
+  setup.index_counts = 4000;
+  for (const bool lost : {false, true}) {
+    CAPTURE(lost);
+    Bench bench(setup);
+    bench.on_timer();
+    bench.part.reply = {0, 0, 0x0F, 0xA0};  // 4000
+    bench.on_host(0x08);
+    REQUIRE(failure_of(bench.app) == An693Failure::kNone);
+    bench.part.reply = {0, 0, 0x1F, static_cast<std::uint8_t>(lost ? 0x3D : 0x3E)};  // 8000 - 2
+    const std::string end = bench.on_host(0x08);
+    CHECK(failure_of(bench.app) == (lost ? An693Failure::kIndex : An693Failure::kNone));
+    CHECK((end.find("c1F d01 d00 c01 ") != std::string::npos) == lost);
+  }
+  Bench bench(setup);  // whose move ends more than a turn behind its last index
+  bench.on_timer();
+  bench.on_host(0x04);
+  bench.part.reply = {0, 0, 0x1F, 0x40, 0xFF, 0xFF, 0xF0, 0x5D};  // 8000, -4003
+  bench.on_timer();
+  CHECK(failure_of(bench.app) == An693Failure::kIndex);
+}
+
+TEST_CASE("indexes are a turn apart in both directions, and across the end of the numbers") {
+  FakePart part;
+  part.states = {0x80};
+  Lm628Port port(part);
+  const auto lost = [&](Lm628Index& index, std::int32_t at) {
+    const auto bits = static_cast<std::uint32_t>(at);
+    for (const int shift : {24, 16, 8, 0}) {
+      part.reply.push_back(static_cast<std::uint8_t>(bits >> shift));
+    }
+    return index.lost_at_index(port);
+  };
+  Lm628Index index(800);
+  CHECK_FALSE(lost(index, -300));  // the first one is anywhere in the turn around the start
+  CHECK_FALSE(lost(index, -1100));
+  CHECK_FALSE(lost(index, -1100));  // turned back
+  CHECK_FALSE(lost(index, -298));
+  CHECK(lost(index, 496));
+  CHECK_FALSE(index.lost_before(1298));
+  CHECK(index.lost_before(1299));
+  Lm628Index far(800);
+  CHECK(lost(far, 2147483000));
+  CHECK_FALSE(lost(far, -2147483496));  // 800 farther
 }
 
 TEST_CASE("an693 gives up on a part that stays busy, after its first command or later") {

@@ -170,6 +170,36 @@ TEST_CASE("F-05 Stage II moves 52 800 counts in 24 173 samples at 6 MHz") {
         "c0A r00 r00 rCE r40 C0A R00 R00 R00 R00 ");
 }
 
+TEST_CASE("Stages II and III end with both motors off at an error above the limit") {
+  const std::vector<McafeeRow> rows(4, McafeeRow{0, 0, 180, 180, 100, 100});
+  for (const bool tracks : {false, true}) {
+    CAPTURE(tracks);
+    McafeeSetup setup = tracks ? tracking(rows) : stage(McafeeStage::kMove);
+    setup.error_limit = 50;
+    McafeeBench bench(setup);
+    bench.follower.hold({0, 0});
+    bench.run(5);
+    CHECK(failure_of(bench.app) == McafeeFailure::kPositionError);
+    CHECK(bench.chip.drive() == 0x8080);
+    const std::string text = after(bench, kReady);
+    CHECK(text.find("c1A d00 d32 ") != std::string::npos);
+    CHECK((text.find("C1A D00 D32 ") != std::string::npos) == tracks);
+  }
+}
+
+TEST_CASE("a program that checks the index ends where it comes too often, with both motors off") {
+  const std::vector<McafeeRow> rows(4, McafeeRow{0, 0, 180, 180, 100, 100});
+  for (const bool tracks : {false, true}) {
+    CAPTURE(tracks);
+    McafeeSetup setup = tracks ? tracking(rows) : stage(McafeeStage::kMove);
+    setup.index_counts = 800;  // the follower's marker is low: each fourth count is an index
+    McafeeBench bench(setup);
+    bench.run(5);
+    CHECK(failure_of(bench.app) == McafeeFailure::kIndex);
+    CHECK(bench.chip.bytes.find("c1F d01 d00 c01 C1F D01 D00 C01 ") != std::string::npos);
+  }
+}
+
 TEST_CASE("F-06 Stage I reads FF FF FF FB again and again while the encoder stands at -5") {
   McafeeSetup setup = stage(McafeeStage::kRead);
   setup.readings = 20;

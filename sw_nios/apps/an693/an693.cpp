@@ -51,6 +51,8 @@ void An693App::on_timer(Bus& bus, Lm628Port& port) {
     case State::kReset:
       // A part whose status is wrong is reset again.
       if (initialise(port, Lm628Command::kPort12)) {
+        stop_on_error(port, setup_.error_limit);
+        index_.arm(port);
         load_filter(port, setup_.filter);
         begin(bus, port);
       } else if (resets_ < kResets) {
@@ -68,7 +70,7 @@ void An693App::on_timer(Bus& bus, Lm628Port& port) {
         step(port);
         state_ = State::kMoving;
       } else {
-        finish(port);
+        finish(bus, port);
       }
       break;
     case State::kMoving:
@@ -101,7 +103,7 @@ void An693App::begin(Bus& bus, Lm628Port& port) {
       wait(bus, State::kLoaded);
       break;
     case An693Program::kBreakpoints:
-      port.command(Lm628Command::kMski, lm628_status::kBreakpoint);
+      port.command(Lm628Command::kMski, lm628_status::kBreakpoint | watched());
       port.command_long(Lm628Command::kSbpa, setup_.breakpoint);
       load_trajectory(port, kForwardSpeed);
       go(port);
@@ -134,9 +136,12 @@ void An693App::on_host(Bus& bus, Lm628Port& port) {
   port.command(Lm628Command::kRsti, 0x0000);
   if ((status & lm628_status::kPositionError) != 0) return fail(bus, An693Failure::kPositionError);
   if ((status & lm628_status::kCommandError) != 0) return fail(bus, An693Failure::kCommandError);
+  if (index_.checks() && (status & lm628_status::kIndex) != 0 && index_.lost_at_index(port)) {
+    return fail(bus, An693Failure::kIndex);
+  }
   if (state_ != State::kMoving) return;  // kHold: its trajectory is complete at once
   if (setup_.program == An693Program::kBreakpoints && mail_.point < 3) {
-    at_breakpoint(port);
+    if ((status & lm628_status::kBreakpoint) != 0) at_breakpoint(port);
   } else if ((status & lm628_status::kTrajectoryComplete) != 0) {
     wait(bus, State::kPause);
   }
@@ -151,7 +156,7 @@ void An693App::at_breakpoint(Lm628Port& port) {
     port.long_word(setup_.velocity);
     go(port);
     port.command(Lm628Command::kMski,
-                 lm628_status::kBreakpoint | lm628_status::kTrajectoryComplete);
+                 lm628_status::kBreakpoint | lm628_status::kTrajectoryComplete | watched());
   } else {
     an693_stop(port, An693Stop::kSmooth);
     ++mail_.point;
@@ -163,9 +168,10 @@ void An693App::wait(Bus& bus, State state) {
   bus.write(lm628_map::kTimer, setup_.wait_clk);
 }
 
-void An693App::finish(Lm628Port& port) {
+void An693App::finish(Bus& bus, Lm628Port& port) {
   mail_.desired[0] = port.ask_long(Lm628Command::kRddp);
   mail_.real[0] = port.ask_long(Lm628Command::kRdrp);
+  if (index_.lost_before(mail_.real[0])) return fail(bus, An693Failure::kIndex);
   state_ = State::kDone;
   mail_.done = 1;
 }

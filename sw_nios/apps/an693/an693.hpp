@@ -9,6 +9,7 @@
 #include <cstdint>
 
 #include "sw_nios/hal/lm628.hpp"
+#include "sw_nios/hal/lm628_index.hpp"
 
 namespace trammel::sw {
 
@@ -30,6 +31,8 @@ struct An693Setup {
   std::int32_t position = 8000;        // [count] target, distance, or size of a step
   std::int32_t breakpoint = 80000;     // [count] the first; the second is at twice that
   std::uint32_t steps = 4;             // of kTuning
+  std::uint32_t error_limit = 0;       // [count] position error that turns the motor off; 0: none
+  std::uint32_t index_counts = 0;      // between two indexes, to check them; 0: no check
   std::uint32_t wait_clk = 5'000'000;  // before STT, between steps, and at the end
 };
 
@@ -38,7 +41,8 @@ enum class An693Failure : std::uint32_t {
   kReset,         // the status after a reset is not one that the data sheet names
   kBusy,          // the busy bit did not clear
   kCommandError,  // status bit 1
-  kPositionError  // status bit 5
+  kPositionError, // status bit 5
+  kIndex          // an index that is not a turn from the one before
 };
 
 class An693App final : public Firmware {
@@ -46,7 +50,7 @@ class An693App final : public Firmware {
   static constexpr std::uint32_t kResetClk = 75'000;  // 1.5 ms at 50 MHz
   static constexpr std::uint32_t kResets = 3;         // attempts before it fails
 
-  explicit An693App(const An693Setup& setup) : setup_(setup) {}
+  explicit An693App(const An693Setup& setup) : setup_(setup), index_(setup.index_counts) {}
 
   void start(Bus& bus) override;
   void isr(Bus& bus) override;
@@ -65,11 +69,17 @@ class An693App final : public Firmware {
   void on_host(Bus& bus, Lm628Port& port);
   void at_breakpoint(Lm628Port& port);
   void wait(Bus& bus, State state);
-  void finish(Lm628Port& port);
+  void finish(Bus& bus, Lm628Port& port);
   void fail(Bus& bus, An693Failure failure);
+  // Mask of what interrupts besides the events that a program waits for.
+  std::uint32_t watched() const {
+    return (setup_.error_limit != 0 ? lm628_status::kPositionError : 0u) |
+           (index_.checks() ? lm628_status::kIndex : 0u);
+  }
 
   Mailbox mail_;
   An693Setup setup_;
+  Lm628Index index_;
   State state_ = State::kReset;
   std::uint32_t resets_ = 0;
 };

@@ -18,7 +18,7 @@ constexpr std::uint32_t kMotorOff = 0x0100;
 constexpr std::uint32_t kLeastVelocity = 0xF1;  // one of the steps of mcafee_velocity
 constexpr std::uint32_t kSoon = 2'500;          // [clk], a seventh of a sample
 
-constexpr std::uint8_t kFaults = lm628_status::kCommandError | lm628_status::kPositionError;
+constexpr std::uint32_t kFaults = lm628_status::kCommandError | lm628_status::kPositionError;
 
 constexpr std::uint32_t magnitude(std::int32_t value) {
   const auto bits = static_cast<std::uint32_t>(value);
@@ -68,7 +68,7 @@ void McafeeApp::on_timer(Bus& bus, Parts& parts) {
     case State::kReading:
       parts.port[0].ask_long(Lm628Command::kRdrp);
       if (++mail_.point == setup_.readings) {
-        finish(parts);
+        finish(bus, parts);
       } else {
         wait(bus, State::kReading, setup_.wait_clk);
       }
@@ -95,7 +95,7 @@ void McafeeApp::on_timer(Bus& bus, Parts& parts) {
       break;
     }
     case State::kPause:
-      finish(parts);
+      finish(bus, parts);
       break;
     case State::kDone:
       break;
@@ -104,12 +104,17 @@ void McafeeApp::on_timer(Bus& bus, Parts& parts) {
 
 void McafeeApp::on_host(Bus& bus, Parts& parts) {
   bool complete = false;
-  for (Lm628Port& port : parts.port) {
+  for (std::size_t k = 0; k < 2; ++k) {
+    Lm628Port& port = parts.port[k];
     const std::uint8_t status = port.status();
     if ((status & lm628_status::kCommandError) != 0) fail(bus, McafeeFailure::kCommandError);
     if ((status & lm628_status::kPositionError) != 0) fail(bus, McafeeFailure::kPositionError);
     complete = complete || (status & lm628_status::kTrajectoryComplete) != 0;
     port.command(Lm628Command::kRsti, 0x0000);
+    if (index_[k].checks() && (status & lm628_status::kIndex) != 0 &&
+        index_[k].lost_at_index(port)) {
+      fail(bus, McafeeFailure::kIndex);
+    }
   }
   if (complete && state_ == State::kMoving) wait(bus, State::kPause, setup_.wait_clk);
 }
@@ -118,6 +123,8 @@ void McafeeApp::begin(Bus& bus, Parts& parts) {
   if (setup_.stage == McafeeStage::kRead) return wait(bus, State::kReading, 1);
   if (setup_.stage == McafeeStage::kMove) {
     Lm628Port& port = parts.port[0];
+    stop_on_error(port, setup_.error_limit);
+    index_[0].arm(port);
     load_filter(port, setup_.filter);
     port.command(Lm628Command::kLtrj, kLm628AbsoluteMove);
     port.long_word(setup_.acceleration);
@@ -126,8 +133,12 @@ void McafeeApp::begin(Bus& bus, Parts& parts) {
     port.command(Lm628Command::kStt);
     return wait(bus, State::kMoving, kSampleClk);
   }
-  for (Lm628Port& port : parts.port) {
-    port.command(Lm628Command::kMski, kFaults);
+  for (std::size_t k = 0; k < 2; ++k) {
+    Lm628Port& port = parts.port[k];
+    port.command(Lm628Command::kMski,
+                 kFaults | (setup_.index_counts != 0 ? lm628_status::kIndex : 0u));
+    stop_on_error(port, setup_.error_limit);
+    index_[k].arm(port);
     load_filter(port, setup_.filter);
     port.command(Lm628Command::kLtrj, kAcceleration);
     port.long_word(setup_.acceleration);
@@ -219,8 +230,11 @@ void McafeeApp::watch_row(Bus& bus, Parts& parts) {
   wait(bus, State::kRow, samples > 5 ? (samples - 4) * kSampleClk : kSoon);
 }
 
-void McafeeApp::finish(Parts& parts) {
-  for (std::uint32_t k = 0; k < 2; ++k) mail_.real[k] = parts.port[k].ask_long(Lm628Command::kRdrp);
+void McafeeApp::finish(Bus& bus, Parts& parts) {
+  for (std::uint32_t k = 0; k < 2; ++k) {
+    mail_.real[k] = parts.port[k].ask_long(Lm628Command::kRdrp);
+    if (index_[k].lost_before(mail_.real[k])) return fail(bus, McafeeFailure::kIndex);
+  }
   state_ = State::kDone;
   mail_.done = 1;
 }

@@ -10,6 +10,7 @@
 
 #include "sw_nios/hal/bus.hpp"
 #include "sw_nios/hal/lm628.hpp"
+#include "sw_nios/hal/lm628_index.hpp"
 
 namespace trammel::sw {
 
@@ -45,6 +46,8 @@ struct McafeeSetup {
   std::uint32_t speed = 0;           // 1..255: constant; 0 = from the feed rate
   std::uint32_t least_speed = 8;     // at a sharp corner the feed rate is 0, which would never end
   std::uint32_t velocity_shift = 0;  // left shift of the LM628 velocity
+  std::uint32_t error_limit = 0;     // [count] position error that turns a motor off; 0: none
+  std::uint32_t index_counts = 0;    // between two indexes, to check them; 0: no check
 };
 
 enum class McafeeFailure : std::uint32_t {
@@ -54,6 +57,7 @@ enum class McafeeFailure : std::uint32_t {
   kCommandError,   // status bit 1
   kPositionError,  // status bit 5
   kLimit,          // a limit switch was reached
+  kIndex,          // an index that is not a turn from the one before
   kLate            // a sample fell between the STT of both axes: the processor is too slow
 };
 
@@ -62,7 +66,8 @@ class McafeeApp final : public Firmware {
   static constexpr std::uint32_t kResetClk = 100'000;  // 8000 ticks of 6 MHz are 66 667
   static constexpr std::uint32_t kSampleClk = 17'067;  // 2048 ticks of 6 MHz
 
-  explicit McafeeApp(const McafeeSetup& setup) : setup_(setup) {}
+  explicit McafeeApp(const McafeeSetup& setup)
+      : setup_(setup), index_{Lm628Index(setup.index_counts), Lm628Index(setup.index_counts)} {}
 
   void start(Bus& bus) override;
   void isr(Bus& bus) override;
@@ -90,7 +95,7 @@ class McafeeApp final : public Firmware {
   void load_row(Bus& bus, Parts& parts);
   void start_row(Bus& bus, Parts& parts);
   void watch_row(Bus& bus, Parts& parts);
-  void finish(Parts& parts);
+  void finish(Bus& bus, Parts& parts);
   void wait(Bus& bus, State state, std::uint32_t clocks);
   void fail(Bus& bus, McafeeFailure failure);
   std::uint32_t feed_rate(Bus& bus, const McafeeRow& row);
@@ -107,6 +112,7 @@ class McafeeApp final : public Firmware {
   Mailbox mail_;
   McafeeSetup setup_;
   State state_ = State::kReset;
+  std::array<Lm628Index, 2> index_;
   std::array<Axis, 2> axes_;
   std::uint32_t loaded_ = 0;  // rows
   std::uint32_t speed_ = 0;   // v of the last one
