@@ -179,13 +179,13 @@ void An693App::finish(Bus& bus, Lm628Port& port) {
 void An693App::fail(Bus& bus, An693Failure failure) {
   if (mail_.failure != 0) return;
   mail_.failure = static_cast<std::uint32_t>(failure);
-  mail_.done = 1;
   state_ = State::kDone;
   bus.write(lm628_map::kTimer, 0);
   if (failure != An693Failure::kBusy && failure != An693Failure::kReset) {
     Lm628Port port(bus);
     an693_stop(port, An693Stop::kOff);
   }
+  mail_.done = 1;
 }
 
 }  // namespace trammel::sw

@@ -248,15 +248,16 @@ void McafeeApp::wait(Bus& bus, State state, std::uint32_t clocks) {
 void McafeeApp::fail(Bus& bus, McafeeFailure failure) {
   if (mail_.failure != 0) return;
   mail_.failure = static_cast<std::uint32_t>(failure);
-  mail_.done = 1;
   state_ = State::kDone;
   bus.write(mcafee_map::kTimer, 0);
-  if (failure == McafeeFailure::kBusy || failure == McafeeFailure::kReset) return;
-  Parts parts(bus);
-  for (Lm628Port& port : parts.port) {
-    port.command(Lm628Command::kLtrj, kMotorOff);
-    port.command(Lm628Command::kStt);
+  if (failure != McafeeFailure::kBusy && failure != McafeeFailure::kReset) {
+    Parts parts(bus);
+    for (Lm628Port& port : parts.port) {
+      port.command(Lm628Command::kLtrj, kMotorOff);
+      port.command(Lm628Command::kStt);
+    }
   }
+  mail_.done = 1;
 }
 
 }  // namespace trammel::sw
