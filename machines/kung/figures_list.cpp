@@ -186,7 +186,7 @@ List figures(const lab::Settings& settings, cosim::RunResult& run) {
   add_periods(list, "y.half_periods", "Y, half period", halves[1], false);
   add_periods(list, "x.periods", "X, period", periods(halves[0]), true);
   add_periods(list, "y.periods", "Y, period", periods(halves[1]), true);
-  set_tiles(list, halves[0].size() / 2);
+  if (!path.is_sweep()) set_tiles(list, halves[0].size() / 2);
   if (result.end == EndReason::kDone) compare(options, list);
   return list;
 }

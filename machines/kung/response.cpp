@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <complex>
 
@@ -96,14 +97,18 @@ std::string unmeasured(const Options& options, const Result& result) {
 }
 
 std::string sweep_text(const Options& options, const Result& result) {
-  std::string text = "measured";
+  std::size_t least = sw::kMaxTicks, most = 0;
   for (std::size_t a = 0; a < 2; ++a) {
     for (const LoopResponse& loop : responses(options, result, a)) {
-      text += fmt::format("{} the {} loop of {} at {} frequencies", text == "measured" ? "" : ",",
-                          loop.loop, a == 0 ? 'X' : 'Y', loop.closed.size());
+      least = std::min(least, loop.closed.size());
+      most = std::max(most, loop.closed.size());
     }
   }
-  return text;
+  return fmt::format("measured {} of both axes at {} frequencies",
+                     options.path.open_position() ? "the current loop"
+                                                  : "position and speed loop",
+                     least == most ? fmt::format("{}", most)
+                                   : fmt::format("{} to {}", least, most));
 }
 
 void add_responses(std::vector<lab::Figure>& list, const Options& options, const Result& result) {
@@ -126,6 +131,12 @@ void add_responses(std::vector<lab::Figure>& list, const Options& options, const
       add("phase_margin_deg", "phase margin", m.phase_margin_deg, "degree");
       add("reversal_Hz", "reversal", m.reversal_hz, "Hz");
       add("gain_margin_dB", "gain margin", m.gain_margin_db, "dB");
+      for (lab::Figure& f : list) {
+        if (f.row == row && f.column == "bandwidth") {
+          f.tile = fmt::format("{}, bandwidth", row);
+          f.tile[0] = static_cast<char>(std::toupper(f.tile[0]));
+        }
+      }
     }
   }
 }

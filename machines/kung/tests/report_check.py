@@ -22,6 +22,7 @@ class Page(report_pages.ReportPages):
         "circle": ["run", "circle"],
         "small-fc": ["run", "circle", "-s", "controller=fc", "-s", "path.circle_ticks=60",
                      "-s", "path.circle_radius_m=0.01", "-s", "run.reached_m=0.02"],
+        "response": ["run", "response", "-s", "path.sweep_tones=3", "-s", "run.engine=twin"],
         "trip": ["run", "circle", "-s", "path.circle_ticks=60", "-s", "path.circle_radius_m=0.01",
                  "-s", "inject.trip_s=0.05"],
     }
