@@ -20,18 +20,12 @@
 namespace trammel::kung {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr int kMaxTicks = static_cast<int>(sw::kMaxTicks);
 constexpr int kMaxStrokeCounts = 130000;  // the model's integrator holds 131071 (section 3)
 constexpr double kLeastTurnCounts = 16;
 constexpr double kMaxPoints = 2147483647;
 constexpr cosim::PointRange kTable{0, 600};  // [mm]
 constexpr std::array<std::uint32_t, 3> kPositionHz{1000, 2000, 4000};  // by RATES.position
-
-std::string feed_text(const Encoder& encoder) {
-  return fmt::format("feed at most {:g} m/s at plant.encoder_count_m = {:g}",
-                     encoder.max_feed_m_s(), encoder.count_m);
-}
 
 // Interrupts for a stretch of that length: enough to stay below the maximum feed.
 std::uint32_t ticks_word(const std::string& key, int ticks, double length_m, double point_s,

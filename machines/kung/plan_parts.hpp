@@ -14,6 +14,7 @@
 
 namespace trammel::kung {
 
+inline constexpr double kPi = 3.14159265358979323846;
 inline constexpr int kMaxFeedCounts = 128;  // a sample; the speed words saturate above (section 3)
 
 // Whole numbers in full: 1048576, not 1.04858e+06.
@@ -49,6 +50,11 @@ struct Encoder {
 };
 
 constexpr std::uint32_t word(int value) { return static_cast<std::uint32_t>(value); }
+
+inline std::string feed_text(const Encoder& encoder) {
+  return fmt::format("feed at most {:g} m/s at plant.encoder_count_m = {:g}",
+                     encoder.max_feed_m_s(), encoder.count_m);
+}
 
 // plan_sweep.cpp
 sw::Sweep::Setup plan_sweep(const Options& options, const Encoder& encoder);

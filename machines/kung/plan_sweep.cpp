@@ -30,6 +30,13 @@ sw::Sweep::Setup plan_sweep(const Options& options, const Encoder& encoder) {
              fmt::format("at plant.x.current_full_scale_A = {:g}", full_scale_A));
     amplitude = std::llround(std::ldexp(p.sweep_amplitude_A / lsb_A, 32));
   }
+  if (!p.open_position()) {
+    // Behind the reference model a sine is at most omega_n / (2 zeta) times its amplitude fast.
+    const double model = std::max(1 / options.gains[0].lag_s(), 1 / options.gains[1].lag_s());
+    const double rate = std::min(model, 2 * kPi / (p.sweep_last_ticks * encoder.sample_s));
+    in_range("path.sweep_amplitude_m", p.sweep_amplitude_m, 0, encoder.max_feed_m_s() / rate,
+             feed_text(encoder));
+  }
   s.amplitude = {amplitude, amplitude};
   s.first_ticks = word(p.sweep_first_ticks);
   s.tones = word(p.sweep_tones);

@@ -10,11 +10,11 @@
 
 #include "machines/kung/figures.hpp"
 #include "machines/kung/plan.hpp"
+#include "machines/kung/plan_parts.hpp"
 
 namespace trammel::kung {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
 constexpr double kQ14 = 16384;  // of a count in x_m
 
 // What the current loop sees of a command that the processor writes behind a position tick: it
@@ -104,11 +104,10 @@ std::string sweep_text(const Options& options, const Result& result) {
       most = std::max(most, loop.closed.size());
     }
   }
-  return fmt::format("measured {} of both axes at {} frequencies",
-                     options.path.open_position() ? "the current loop"
-                                                  : "position and speed loop",
-                     least == most ? fmt::format("{}", most)
-                                   : fmt::format("{} to {}", least, most));
+  return fmt::format("measured {} of both axes at {}{} {}",
+                     options.path.open_position() ? "the current loop" : "position and speed loop",
+                     least == most ? "" : fmt::format("{} to ", least), most,
+                     most == 1 ? "frequency" : "frequencies");
 }
 
 void add_responses(std::vector<lab::Figure>& list, const Options& options, const Result& result) {
