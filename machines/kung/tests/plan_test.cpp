@@ -212,7 +212,8 @@ TEST_CASE("values that cannot run are refused with their key and the permitted r
   for (AxisGains& g : o.gains) g.omega_n_rad_s = 200;
   o.path.sweep_amplitude_m = 0.013;  // 100 / s of it is 1.3 m/s
   CHECK_THROWS_WITH(plan(o), Contains("path.sweep_amplitude_m: value 0.013 is out of range "
-                                      "0..0.0128 (feed at most 1.28 m/s at plant.encoder_count_m = 5e-06)"));
+                                      "0..0.0128 (feed at most 1.28 m/s at "
+                                      "plant.encoder_count_m = 5e-06)"));
   o = with(PathKind::kSweep);
   o.gains[1].feedforward = true;
   CHECK_THROWS_WITH(plan(o), Contains("gains.y.feedforward: must be off in a sweep of position"));
