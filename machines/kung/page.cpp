@@ -71,9 +71,13 @@ Json moment_json(const Options& options, const Moment& moment) {
 
 void check_response(const fs::path& file, const Json& d) {
   if (!d.contains("response")) return;
+  require_member(file, d, "/response", &Json::is_object);
   const auto number = [](const Json& one) { return one.is_number(); };
   const auto row = [&](const Json& one) { return is_list(one, 5, number); };
   for (const auto& [name, loop] : d["response"].items()) {
+    if (name != "position" && name != "speed" && name != "current") {
+      corrupt(file, "is corrupt: /response has a loop other than position, speed, current");
+    }
     for (const std::string axis : kAxes) {
       const std::string path = fmt::format("/response/{}/{}", name, axis);
       require_member(file, d, path, &Json::is_array);

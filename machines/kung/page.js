@@ -177,10 +177,8 @@
       if (run.count > 1) {
         T.time.start(run.data.t);
         if (run.metrics.x.periods) T.stepSection(run);
-        if (run.detail.response) responseSection(run);
-        if (run.metrics.options['path.sweep_of'] !== 'current' || !run.detail.response) {
-          pathSection(run);
-        }
+        if (run.metrics.figures.some(T.isResponse)) responseSection(run);
+        if (!(run.detail.response && run.detail.response.current)) pathSection(run);
         axesSection(run);
       }
       sampleSection(run);
