@@ -24,6 +24,7 @@ std::array<double, 2> top_speed_m_s(const Options& options, const sw::KungSetup&
     return {step_m * options.gains[0].omega_n_rad_s / std::exp(1),
             step_m * options.gains[1].omega_n_rad_s / std::exp(1)};
   }
+  if (path.open_position()) return {};
   sw::PathSetup once = setup;
   once.repeats = 1;
   sw::Trajectory points(once);

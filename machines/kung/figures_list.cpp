@@ -7,6 +7,7 @@
 
 #include "machines/kung/figures.hpp"
 #include "machines/kung/machine.hpp"
+#include "machines/kung/response.hpp"
 
 namespace trammel::kung {
 namespace {
@@ -131,7 +132,7 @@ List figures(const lab::Settings& settings, cosim::RunResult& run) {
   }
   const auto& path = options.path;
   const bool square = path.kind == PathKind::kSquare;
-  if (!square) {
+  if (!square && !path.is_sweep()) {
     const std::size_t reach = contour_reach(options.lag_s(), options.chip.sample_s());
     for (const double error : signed_contour_error(table, command, reach)) {
       contour_mm.push_back(std::abs(error) * kMm);
@@ -154,6 +155,7 @@ List figures(const lab::Settings& settings, cosim::RunResult& run) {
   }
   add_spread(list, "x.error_to_model", "X to reference model", axes[0].error_mm);
   add_spread(list, "y.error_to_model", "Y to reference model", axes[1].error_mm);
+  for (Figure& f : list) f.shown = f.shown && !path.open_position();  // nothing to track
   const auto add_peak = [&](const std::string& id, const char* row, double AxisSignals::* member,
                             const char* unit, int digits) {
     const double x = axes[0].*member;
@@ -167,11 +169,13 @@ List figures(const lab::Settings& settings, cosim::RunResult& run) {
   };
   list.push_back(lab::figure("at_end.from_last_point_mm", "at the end", "from the last point",
                              result.from_last_m * kMm, "mm", 2));
-  list.back().shown = result.end == EndReason::kDone || result.end == EndReason::kMissed;
+  list.back().shown = !path.is_sweep() &&
+                      (result.end == EndReason::kDone || result.end == EndReason::kMissed);
   if (options.settle_s > 0) add_settling(list, options, result, range);
   add_peak("peak_current_A", "peak current", &AxisSignals::peak_current_A, "A", 2);
   add_peak("max_speed_m_s", "top speed", &AxisSignals::max_speed_m_s, "m/s", 3);
   add_load(list, options, result);
+  add_responses(list, options, result);
   std::vector<HalfPeriod> halves[2];
   for (std::size_t a = 0; a < 2 && square; ++a) {
     halves[a] = half_periods(axes[a].position_m, axes[a].model_m,
@@ -182,7 +186,7 @@ List figures(const lab::Settings& settings, cosim::RunResult& run) {
   add_periods(list, "y.half_periods", "Y, half period", halves[1], false);
   add_periods(list, "x.periods", "X, period", periods(halves[0]), true);
   add_periods(list, "y.periods", "Y, period", periods(halves[1]), true);
-  set_tiles(list, halves[0].size() / 2);
+  if (!path.is_sweep()) set_tiles(list, halves[0].size() / 2);
   if (result.end == EndReason::kDone) compare(options, list);
   return list;
 }
@@ -197,6 +201,7 @@ std::string verdict(const lab::Settings& settings, const cosim::RunResult& run) 
   }
   switch (result.end) {
     case EndReason::kDone:
+      if (options.path.is_sweep()) return sweep_text(options, result);
       return fmt::format("followed {} points, at most {:.2f} mm {}, {:.2f} mm from the last one",
                          result.points, result.largest_mm,
                          options.path.kind == PathKind::kSquare ? "from the model" : "beside them",

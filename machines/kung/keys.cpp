@@ -11,8 +11,12 @@ std::vector<std::string> enum_names<kung::Controller>() {
   return {"fc", "afc"};
 }
 template <>
+std::vector<std::string> enum_names<kung::SweepOf>() {
+  return {"position", "current"};
+}
+template <>
 std::vector<std::string> enum_names<kung::PathKind>() {
-  return {"circle", "window", "star", "square", "line", "points"};
+  return {"circle", "window", "star", "square", "line", "points", "sweep"};
 }
 
 }  // namespace trammel::lab
@@ -93,6 +97,21 @@ void add_path(Table& t) {
   add("line_end_x_m", 0, 0.6, "where the line ends", &PathOptions::line_end_x_m);
   add("line_end_y_m", 0, 0.6, "where the line ends", &PathOptions::line_end_y_m);
   add("line_ticks", 1, 1000000, "interrupts from end to end", &PathOptions::line_ticks);
+  add("sweep_of", 0, 0, "what the sine commands: with current the position loops are open",
+      &PathOptions::sweep_of);
+  add("sweep_center_m", 0, 0.6, "where both axes rest", &PathOptions::sweep_center_m);
+  add("sweep_amplitude_m", 1e-6, 0.1, "of a sweep of position",
+      &PathOptions::sweep_amplitude_m);
+  add("sweep_amplitude_A", 1e-3, 1000, "of a sweep of current",
+      &PathOptions::sweep_amplitude_A);
+  add("sweep_first_ticks", 4, 100000, "position samples in a period of the first, lowest tone",
+      &PathOptions::sweep_first_ticks);
+  add("sweep_last_ticks", 4, 100000, "the same of the last, highest tone",
+      &PathOptions::sweep_last_ticks);
+  add("sweep_tones", 1, 200, "frequencies, in equal ratios", &PathOptions::sweep_tones);
+  add("sweep_dwell_ticks", 1, 100000,
+      "position samples, at least, for which a tone settles, and is then measured",
+      &PathOptions::sweep_dwell_ticks);
   t.file("path.points_file",
          "CSV of x_mm,y_mm, one point per interrupt; a relative path starts at the scenario file",
          TRAMMEL_LENS(path.points_file));
@@ -188,6 +207,7 @@ void add_plant(Table& t, std::size_t axis) {
   add("stroke_max_m", -40, 40, "hard stop", &plant::AxisConfig::stroke_max_m);
   add("hard_stops", 0, 0, "the carriage stops at both ends", &plant::AxisConfig::hard_stops);
   add("brake", 0, 0, "holds the carriage until the drive is on", &plant::AxisConfig::brake);
+  add("locked", 0, 0, "holds the carriage all the time", &plant::AxisConfig::locked);
   add("dc_link_V", 1, 1000, "of the inverter", &plant::AxisConfig::dc_link_v);
   add("supply_ohm", 0, 1000, "of the rectifier that charges the DC link; 0 = a stiff supply",
       &plant::AxisConfig::supply_ohm);

@@ -28,6 +28,7 @@ using cosim::WaveSpan;
 
 enum class Controller { kFc, kAfc };  // fixed rule table, or tuned while it runs
 using PathKind = sw::Path;            // as the firmware names them
+enum class SweepOf { kPosition, kCurrent };  // what a sweep commands
 
 using cosim::PointM;
 
@@ -105,6 +106,20 @@ struct PathOptions {
   double line_end_x_m = 0.4;
   double line_end_y_m = 0.4;
   int line_ticks = 500;
+
+  SweepOf sweep_of = SweepOf::kPosition;
+  double sweep_center_m = 0.3;    // of both axes
+  double sweep_amplitude_m = 0.5e-3;
+  double sweep_amplitude_A = 0.5;  // of i_q*, with open position loops
+  int sweep_first_ticks = 500;    // period of the first tone, in position samples
+  int sweep_last_ticks = 8;       // of the last one
+  int sweep_tones = 19;
+  int sweep_dwell_ticks = 200;    // least time of a tone, before it is measured and while it is
+
+  // A measurement: the table need not follow it.
+  bool is_sweep() const { return kind == PathKind::kSweep; }
+  // The command is a current.
+  bool open_position() const { return is_sweep() && sweep_of == SweepOf::kCurrent; }
 
   std::string points_file;        // CSV of x_mm,y_mm; one point per interrupt
   std::vector<PointM> points;     // its content

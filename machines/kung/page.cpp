@@ -11,6 +11,7 @@
 #include "machines/kung/figures.hpp"
 #include "machines/kung/machine.hpp"
 #include "machines/kung/plan.hpp"
+#include "machines/kung/response.hpp"
 
 namespace trammel::kung {
 namespace fs = std::filesystem;
@@ -68,6 +69,25 @@ Json moment_json(const Options& options, const Moment& moment) {
   return json;
 }
 
+void check_response(const fs::path& file, const Json& d) {
+  if (!d.contains("response")) return;
+  require_member(file, d, "/response", &Json::is_object);
+  const auto number = [](const Json& one) { return one.is_number(); };
+  const auto row = [&](const Json& one) { return is_list(one, 5, number); };
+  for (const auto& [name, loop] : d["response"].items()) {
+    if (name != "position" && name != "speed" && name != "current") {
+      corrupt(file, "is corrupt: /response has a loop other than position, speed, current");
+    }
+    for (const std::string axis : kAxes) {
+      const std::string path = fmt::format("/response/{}/{}", name, axis);
+      require_member(file, d, path, &Json::is_array);
+      if (!is_list(loop[axis], 0, row)) {
+        corrupt(file, fmt::format("is corrupt: {} does not hold rows of 5 numbers", path));
+      }
+    }
+  }
+}
+
 Json gates_json(const GateWindow& window) {
   if (window.end == 0) return nullptr;
   Json edges = Json::array();
@@ -76,6 +96,18 @@ Json gates_json(const GateWindow& window) {
   if (window.trip != cosim::kNever) json["trip"] = window.trip;
   json["compare"] = window.compare;
   return json;
+}
+
+// Frequency, gain and phase of the closed loop, then gain and phase of the open one.
+Json response_json(const lab::Response& closed) {
+  const lab::Response open = lab::opened(closed);
+  const std::vector<double> phases = lab::phases(closed), open_phases = lab::phases(open);
+  Json rows = Json::array();
+  for (std::size_t k = 0; k < closed.size(); ++k) {
+    rows.push_back({closed[k].hz, lab::decibel(closed[k].gain), phases[k],
+                    lab::decibel(open[k].gain), open_phases[k]});
+  }
+  return rows;
 }
 
 void check_detail(const fs::path& file, const Json& d) {
@@ -95,6 +127,7 @@ void check_detail(const fs::path& file, const Json& d) {
     check("/rules/" + name + "/last", 49, is_whole, "49 rules");
     if (there("moment")) check("/moment/" + name + "/steps", 35, step, "35 steps");
   }
+  check_response(file, d);
   if (!there("gates")) return;
   require_member(file, d, "/gates/begin", &Json::is_number_integer);
   require_member(file, d, "/gates/end", &Json::is_number_integer);
@@ -108,7 +141,8 @@ void complete(RunFolder& run) {
   const auto first = run.metrics["run"]["first_tick"].get<double>();
   const auto begin = std::lower_bound(ticks.begin(), ticks.end(), first);
   if (begin != ticks.end()) run.first = static_cast<std::size_t>(begin - ticks.begin());
-  if (run.metrics["options"]["path.kind"] != "square") {  // a square wave has no contour
+  const Json& kind = run.metrics["options"]["path.kind"];
+  if (kind != "square" && kind != "sweep") {  // these have no contour
     run.columns["contour_m"] = contour(run);
   }
 }
@@ -126,6 +160,11 @@ Json detail_json(const Options& options, const Result& result) {
                        options.fault.kind != cosim::FaultKind::kRegisterFlip;
   json["moment"] = planned ? moment_json(options, detail.moment) : Json(nullptr);
   json["gates"] = gates_json(detail.gates);
+  for (std::size_t a = 0; a < 2; ++a) {
+    for (const LoopResponse& loop : responses(options, result, a)) {
+      json["response"][loop.loop][kAxes[a]] = response_json(loop.closed);
+    }
+  }
   return json;
 }
 

@@ -6,9 +6,11 @@
 
   const kMm = 1e3;
 
-  const kKinds = ['circle', 'window', 'star', 'square', 'line', 'points'];
+  const kKinds = ['circle', 'window', 'star', 'square', 'line', 'points',
+    'sweep'];
 
   T.controller = (m) => (m.options.controller === 'fc' ? 'FC' : 'AFC');
+  T.isResponse = (f) => /^[xy]\.response\./.test(f.id);
   T.isPeriod = (f) => /^[xy]\.periods\./.test(f.id);
 
   const scaled = (values, factor) => values.map((v) => v * factor);
@@ -74,6 +76,18 @@
       : [error('to command', d.toCommand, 'actual')] });
     section.append(T.el('div', { class: 'grid path' }, T.pathPlot(d), T.el('div',
       { class: 'stack' }, errors, other)));
+  }
+
+  function responseSection(run) {
+    const section = T.section('response', 'Frequency response', 'Measured tone by tone. The open ' +
+      'loop L is computed from the closed one, T / (1 - T): its phase margin is read where its ' +
+      'gain falls through 0 dB, its gain margin where its phase falls through -180 degrees.');
+    const plots = Object.entries(run.detail.response).flatMap(([loop, axes]) => ['x', 'y']
+      .filter((axis) => axes[axis].length > 0)
+      .map((axis) => T.bodePlot({ id: `bode-${loop}-${axis}`,
+        title: `${axis.toUpperCase()} ${loop} loop`, rows: axes[axis] })));
+    section.append(T.el('div', { class: 'grid two' }, plots), T.el('div', { class: 'card' },
+      T.figureTables(run.metrics.figures.filter(T.isResponse))));
   }
 
   function axesSection(run) {
@@ -155,7 +169,7 @@
     get compare() { return T.kungComparison; },
     chips: (m) => [T.controller(m)],
     asides: asidesOf,
-    figures: (f) => !T.isPeriod(f),  // they stand beside the step response
+    figures: (f) => !T.isPeriod(f) && !T.isResponse(f),  // they stand beside their plots
     figureNote: (m) => m.comparison_note && m.comparison_note.replace('->', '\u2192'),
     idle: (key, options) => kKinds.some((kind) => kind !== options['path.kind'] &&
       key.startsWith(`path.${kind}_`)),
@@ -163,7 +177,8 @@
       if (run.count > 1) {
         T.time.start(run.data.t);
         if (run.metrics.x.periods) T.stepSection(run);
-        pathSection(run);
+        if (run.metrics.figures.some(T.isResponse)) responseSection(run);
+        if (!(run.detail.response && run.detail.response.current)) pathSection(run);
         axesSection(run);
       }
       sampleSection(run);

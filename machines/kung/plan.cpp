@@ -12,6 +12,7 @@
 
 #include "cosim/points.hpp"
 #include "machines/kung/machine.hpp"
+#include "machines/kung/plan_parts.hpp"
 #include "machines/kung/words.hpp"
 #include "models/exact/drive/carrier.hpp"
 #include "models/plant/ad7476.hpp"
@@ -19,53 +20,12 @@
 namespace trammel::kung {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr int kMaxFeedCounts = 128;  // a sample; the speed words saturate above (section 3)
 constexpr int kMaxTicks = static_cast<int>(sw::kMaxTicks);
 constexpr int kMaxStrokeCounts = 130000;  // the model's integrator holds 131071 (section 3)
 constexpr double kLeastTurnCounts = 16;
 constexpr double kMaxPoints = 2147483647;
 constexpr cosim::PointRange kTable{0, 600};  // [mm]
 constexpr std::array<std::uint32_t, 3> kPositionHz{1000, 2000, 4000};  // by RATES.position
-
-// Whole numbers in full: 1048576, not 1.04858e+06.
-std::string number_text(double value) {
-  return value == std::floor(value) ? fmt::format("{:.0f}", value) : fmt::format("{:g}", value);
-}
-
-void require(bool good, const std::string& message) {
-  if (!good) throw std::invalid_argument(message);
-}
-
-void in_range(const std::string& key, double value, double low, double high,
-              const std::string& reason = "") {
-  require(value >= low && value <= high,
-          fmt::format("{}: value {} is out of range {}..{}{}", key, number_text(value),
-                      number_text(low), number_text(high),
-                      reason.empty() ? "" : " (" + reason + ")"));
-}
-
-// Metres in counts of an encoder.
-struct Encoder {
-  double count_m;
-  double sample_s;  // of the position loop
-
-  sw::Q32 q32(double metres) const {
-    return static_cast<sw::Q32>(std::llround(std::ldexp(metres / count_m, 32)));
-  }
-  sw::Vec q32(double x_m, double y_m) const { return {q32(x_m), q32(y_m)}; }
-  std::int32_t counts(double metres) const {
-    return static_cast<std::int32_t>(std::floor(metres / count_m + 0.5));
-  }
-  double max_feed_m_s() const { return kMaxFeedCounts * count_m / sample_s; }
-};
-
-std::uint32_t word(int value) { return static_cast<std::uint32_t>(value); }
-
-std::string feed_text(const Encoder& encoder) {
-  return fmt::format("feed at most {:g} m/s at plant.encoder_count_m = {:g}",
-                     encoder.max_feed_m_s(), encoder.count_m);
-}
 
 // Interrupts for a stretch of that length: enough to stay below the maximum feed.
 std::uint32_t ticks_word(const std::string& key, int ticks, double length_m, double point_s,
@@ -104,8 +64,10 @@ void plan_points(const PathOptions& p, const Encoder& encoder, std::vector<sw::P
   }
 }
 
-sw::PathSetup plan_path(const PathOptions& p, int irq_period_ticks, const Encoder& encoder,
+sw::PathSetup plan_path(const Options& options, const Encoder& encoder,
                         std::vector<sw::Point>& points) {
+  const PathOptions& p = options.path;
+  const int irq_period_ticks = options.chip.irq_period_ticks;
   const double point_s = ticks_per_point(p, irq_period_ticks) * encoder.sample_s;
   const auto ticks = [point_s, &encoder](const char* key, int value, double length_m) {
     return ticks_word(key, value, length_m, point_s, encoder);
@@ -143,6 +105,7 @@ sw::PathSetup plan_path(const PathOptions& p, int irq_period_ticks, const Encode
       s.points = points.data();
       s.n_points = static_cast<std::uint32_t>(points.size());
       break;
+    case PathKind::kSweep: s.sweep = plan_sweep(options, encoder); break;
   }
   const bool square = p.kind == PathKind::kSquare;
   const int repeats = square ? p.square_periods : p.repeats;
@@ -223,7 +186,7 @@ void check_extent(const Options& options, const sw::PathSetup& setup) {
 }  // namespace
 
 int ticks_per_point(const PathOptions& path, int irq_period_ticks) {
-  return path.kind == PathKind::kSquare ? 1 : irq_period_ticks;
+  return path.kind == PathKind::kSquare || path.kind == PathKind::kSweep ? 1 : irq_period_ticks;
 }
 
 sw::AxisSetup plan_axis(const Options& options, std::size_t axis) {
@@ -331,7 +294,8 @@ sw::KungSetup plan_firmware(const Options& options, std::vector<sw::Point>& poin
                       "{:g}: the processor draws the path in counts",
                       options.plant.axis[1].encoder_count_m, count_m));
   static_cast<sw::PathSetup&>(s) =
-      plan_path(options.path, chip.irq_period_ticks, Encoder{count_m, chip.sample_s()}, points);
+      plan_path(options, Encoder{count_m, chip.sample_s()}, points);
+  s.current_command = options.path.open_position();
   for (std::size_t a = 0; a < 2; ++a) s.axis[a] = plan_axis(options, a);
   s.irq_period = word(ticks_per_point(options.path, chip.irq_period_ticks));
   s.watchdog_ticks = word(chip.watchdog_ticks);
@@ -353,6 +317,7 @@ sw::KungSetup plan_firmware(const Options& options, std::vector<sw::Point>& poin
       std::ceil(chip.following_error_m / options.plant.axis[0].encoder_count_m));
   s.dead_time_min = clocks(chip.dead_time_min_ns, options.plant.clock_ps);
   check_extent(options, s);
+  check_sweep(options);
   return s;
 }
 

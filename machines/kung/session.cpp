@@ -7,6 +7,7 @@
 #include "machines/kung/figures.hpp"
 #include "machines/kung/machine.hpp"
 #include "machines/kung/plan.hpp"
+#include "machines/kung/response.hpp"
 #include "machines/kung/words.hpp"
 #include "models/plant/xy_lines.hpp"
 
@@ -178,7 +179,7 @@ bool Session::over(const Sample& sample) {
       return true;
     }
   }
-  if (sample.tick >= result_.first_tick) {
+  if (sample.tick >= result_.first_tick && !options_.path.is_sweep()) {
     const PointM table{sample.axis[0].x_true_m, sample.axis[1].x_true_m};
     const double beside =
         asked_->distance_m(table, std::min(followed_->limit_m(), options_.diverged_m));
@@ -208,8 +209,10 @@ std::unique_ptr<cosim::RunResult> Session::result() {
   if (fault_watch_) result_.fault_report = fault_watch_->report();
   result_.from_last_m = followed_->from_m(asked_->asked());
   if (result_.end == EndReason::kDone) {
-    result_.missed = followed_->missed(result_.points, path_points_, asked_->asked(),
-                                       asked_->asked(model_lag(options_)));
+    result_.missed = options_.path.is_sweep()
+                         ? unmeasured(options_, result_)
+                         : followed_->missed(result_.points, path_points_, asked_->asked(),
+                                             asked_->asked(model_lag(options_)));
     if (!result_.missed.empty()) result_.end = EndReason::kMissed;
   }
   close_result(result_, *chip_, waves_.window, started_);

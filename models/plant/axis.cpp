@@ -86,7 +86,7 @@ Axis::Axis(const AxisConfig& config, double period_s, std::uint64_t seed)
       encoder_({config.encoder_count_m, config.encoder_hysteresis_counts, config.index_m,
                 config.encoder_error_m, config.encoder_period_m, config.encoder_jitter_m, seed},
                config.start_m),
-      braked_(config.brake) {
+      braked_(config.brake || config.locked) {
   if (!(period_s > 0 && period_s <= kSegment)) throw std::invalid_argument("clock period");
   if (!(motor_.config().mass > 0 && config.resistance_ohm > 0 && config.inductance_d_h > 0 &&
         config.inductance_q_h > 0 && config.pole_pitch_m > 0 && config.friction_speed_m_s > 0)) {
@@ -266,7 +266,7 @@ void Axis::commit(Clk n, unsigned gates) {
   }
   anchor_ = n;
   gates_ = gates;
-  braked_ = braked_ && gates == 0;
+  braked_ = braked_ && (gates == 0 || config_.locked);
   shoot_through_ = shoot_through_ || plant::shoot_through(gates);
   load(n);
   begin(p, zero);

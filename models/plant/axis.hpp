@@ -43,6 +43,7 @@ struct AxisConfig {  // defaults: X axis of the table
   double stroke_max_m = 0.6;
   bool hard_stops = true;
   bool brake = true;  // holds the carriage until a gate is first on
+  bool locked = false;  // holds it all the time
   double dc_link_v = 311;
   double supply_ohm = 0;         // of what charges the DC link; 0: a stiff one
   double dc_link_f = 1e-3;       // capacitor of one that is not

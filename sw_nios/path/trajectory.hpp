@@ -10,11 +10,12 @@
 #include "sw_nios/path/points.hpp"
 #include "sw_nios/path/square.hpp"
 #include "sw_nios/path/star.hpp"
+#include "sw_nios/path/sweep.hpp"
 #include "sw_nios/path/window.hpp"
 
 namespace trammel::sw {
 
-enum class Path : std::uint8_t { kCircle, kWindow, kStar, kSquare, kLine, kPoints };
+enum class Path : std::uint8_t { kCircle, kWindow, kStar, kSquare, kLine, kPoints, kSweep };
 
 // Only the parameters of the chosen `path` matter.
 struct PathSetup {
@@ -24,6 +25,7 @@ struct PathSetup {
   Star::Setup star;
   Square::Setup square;
   Line::Setup line;
+  Sweep::Setup sweep;
   const Point* points = nullptr;  // not owned: must outlive the trajectory
   std::uint32_t n_points = 0;
   std::uint32_t repeats = 1;  // laps; passes of the line, periods of the square wave
@@ -38,6 +40,7 @@ class Trajectory {
       case Path::kSquare: return function(self.square_);
       case Path::kLine: return function(self.line_);
       case Path::kPoints: return function(self.points_);
+      case Path::kSweep: return function(self.sweep_);
       case Path::kCircle: break;
     }
     return function(self.circle_);
@@ -51,7 +54,8 @@ class Trajectory {
         star_(s.star, s.repeats),
         square_(s.square, s.repeats),
         line_(s.line, s.repeats),
-        points_({s.points, s.n_points}, s.repeats) {}
+        points_({s.points, s.n_points}, s.repeats),
+        sweep_(s.sweep) {}
 
   // Number of points of the path; next() returns them in order.
   constexpr std::uint32_t size() const {
@@ -73,6 +77,7 @@ class Trajectory {
   Square square_;
   Line line_;
   Points points_;
+  Sweep sweep_;
 };
 
 }  // namespace trammel::sw

@@ -271,6 +271,38 @@ TEST_CASE("listed points come in order; a second lap omits the closing point") {
   CHECK(walk(setup).size() == 1);
 }
 
+TEST_CASE("a sweep plays its tones in whole periods, each settling as long as it is measured") {
+  auto setup = of(sw::Path::kSweep);
+  setup.sweep = {{50000, 40000}, {sw::from_counts(1000), sw::from_counts(-300)}, 100,
+                 std::uint32_t{1} << 31, 4, 30};
+  const auto points = walk(setup);
+  std::size_t k = 0;
+  for (const std::size_t period : {100u, 50u, 25u, 13u}) {  // 12.5 is rounded up
+    const std::size_t turns = (30 + period - 1) / period;
+    for (std::size_t n = 0; n < 2 * turns * period; ++n, ++k) {
+      REQUIRE(k < points.size());
+      const double sine = std::sin(2 * 3.14159265358979 * static_cast<double>(n % period) /
+                                   static_cast<double>(period));
+      REQUIRE(std::abs(points[k].x - 50000 - 1000 * sine) <= 0.501);  // rounded to a count
+      REQUIRE(std::abs(points[k].y - 40000 + 300 * sine) <= 0.501);
+    }
+  }
+  REQUIRE(points.size() == k + 1);
+  CHECK(points.back() == Point{50000, 40000});
+  CHECK(sw::Trajectory(setup).start() == Point{50000, 40000});
+}
+
+TEST_CASE("tones of a sweep that round to the same period are played once, and none is below 4") {
+  auto setup = of(sw::Path::kSweep);
+  setup.sweep = {{0, 0}, {0, 0}, 6, 3865470566, 20, 1};  // by 0.9: 6, 5.4, 4.9, 4.4, 3.9, ...
+  std::vector<std::uint32_t> periods;
+  for (sw::Sweep::Tones tones(setup.sweep); !tones.ended(); tones.next()) {
+    periods.push_back(tones.tone().period);
+  }
+  CHECK(periods == std::vector<std::uint32_t>{6, 5, 4});
+  CHECK(walk(setup).size() == 2 * (6 + 5 + 4) + 1);
+}
+
 TEST_CASE("every closed path repeats itself lap by lap") {
   for (const auto kind : {sw::Path::kCircle, sw::Path::kWindow, sw::Path::kStar}) {
     auto setup = of(kind);

@@ -11,7 +11,7 @@
 
   // Of the periods the first and the last, which is a tile.
   const figures = (f) => kFigures.some((form) => form.test(f.id)) ||
-    (T.isPeriod(f) && f.tile !== undefined);
+    T.isResponse(f) || (T.isPeriod(f) && f.tile !== undefined);
   const smallerIsBetter = (f) => /_mm2?$|_percent$/.test(f.id);
 
   const kindOf = (run) => run.metrics.options['path.kind'];

@@ -209,6 +209,28 @@ TEST_CASE("the square wave rests at low, steps at its first point and runs at ev
   CHECK(m.chip.registers[reg::kX + reg::kPosCmd] == 0);
 }
 
+TEST_CASE("a sweep of current is written to IQ_MANUAL with open position loops, and feeds COMMIT") {
+  KungSetup setup;
+  setup.path = Path::kSweep;
+  setup.sweep = {{60000, 60000}, {from_counts(100), from_counts(-50)}, 4, 0, 1, 4};
+  setup.irq_period = 1;
+  setup.current_command = true;
+  Machine m(setup);
+  m.arm();
+  for (const std::uint32_t base : {reg::kX, reg::kY}) {
+    CHECK(m.chip.registers[base + reg::kCtrl] == (reg::kCtrlEnable | reg::kCtrlCurrentLoop));
+  }
+  for (const std::int32_t sine : {0, 1, 0, -1, 0, 1, 0, -1, 0, 0}) {
+    const std::size_t before = m.chip.log.size();
+    m.interrupt();
+    CHECK(static_cast<std::int32_t>(m.chip.registers[reg::kX + reg::kIqManual]) == 100 * sine);
+    CHECK(static_cast<std::int32_t>(m.chip.registers[reg::kY + reg::kIqManual]) == -50 * sine);
+    CHECK(m.chip.writes(before).back().address == reg::kCommit);
+    CHECK(m.chip.registers[reg::kX + reg::kPosCmd] == 60000);
+  }
+  CHECK(m.app.mailbox().done == 1);
+}
+
 TEST_CASE("the log keeps the response with the point written, and the newest records") {
   Machine m;
   m.arm();

@@ -205,6 +205,28 @@ TEST_CASE("values that cannot run are refused with their key and the permitted r
   CHECK_THROWS_WITH(plan(o), Contains("gains.y.current_kp_V_A: value 1000 is out of range 0..") &&
                                  Contains("(at plant.y.dc_link_V = 100 and "));
 
+  o = with(PathKind::kSweep);
+  o.path.sweep_last_ticks = 501;
+  CHECK_THROWS_WITH(plan(o), Contains("path.sweep_last_ticks: value 501 is out of range 4..500"));
+  o = with(PathKind::kSweep);
+  for (AxisGains& g : o.gains) g.omega_n_rad_s = 200;
+  o.path.sweep_amplitude_m = 0.013;  // 100 / s of it is 1.3 m/s
+  CHECK_THROWS_WITH(plan(o), Contains("path.sweep_amplitude_m: value 0.013 is out of range "
+                                      "0..0.0128 (feed at most 1.28 m/s at "
+                                      "plant.encoder_count_m = 5e-06)"));
+  o = with(PathKind::kSweep);
+  o.gains[1].feedforward = true;
+  CHECK_THROWS_WITH(plan(o), Contains("gains.y.feedforward: must be off in a sweep of position"));
+  o.path.sweep_of = SweepOf::kCurrent;
+  CHECK_NOTHROW(plan(o));
+  o.path.sweep_amplitude_A = 5;
+  CHECK_THROWS_WITH(plan(o), Contains("path.sweep_amplitude_A: value 5 ") &&
+                                 Contains("(at plant.x.current_full_scale_A = 9.6)"));
+  o.path.sweep_amplitude_A = 1;
+  o.processor.access_clk = 300;
+  CHECK_THROWS_WITH(plan(o), Contains("path.sweep_of: \"current\" needs a processor") &&
+                                 Contains("93.2 us"));
+
   o = with(PathKind::kSquare);
   o.path.square_high_m = o.path.square_low_m;
   CHECK_THROWS_WITH(plan(o), Contains("path.square_high_m: must differ"));

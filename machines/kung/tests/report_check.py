@@ -22,6 +22,7 @@ class Page(report_pages.ReportPages):
         "circle": ["run", "circle"],
         "small-fc": ["run", "circle", "-s", "controller=fc", "-s", "path.circle_ticks=60",
                      "-s", "path.circle_radius_m=0.01", "-s", "run.reached_m=0.02"],
+        "response": ["run", "response", "-s", "path.sweep_tones=3", "-s", "run.engine=twin"],
         "trip": ["run", "circle", "-s", "path.circle_ticks=60", "-s", "path.circle_radius_m=0.01",
                  "-s", "inject.trip_s=0.05"],
     }
@@ -91,6 +92,18 @@ class Page(report_pages.ReportPages):
             file = target / f"circle-error.{kind}"
             WebDriverWait(self.driver, 10, 0.05).until(
                 lambda d, f=file: f.exists() and f.stat().st_size > 5000)
+
+    def test_a_sweep_has_bode_plots_and_its_margins(self):
+        self.open("response")
+        plots = self.driver.find_elements("css selector", "[data-plot^=bode-] svg")
+        self.assertEqual(len(plots), 4)
+        tones = len(self.js("return Trammel.page.runs[0].detail.response.speed.x"))
+        self.assertGreater(tones, 1)
+        circles = self.driver.find_elements("css selector", "[data-plot=bode-speed-x] svg circle")
+        self.assertEqual(len(circles), 4 * tones)  # gain and phase, closed and open
+        crossover = self.metrics("response")["x"]["response"]["speed"]["crossover_Hz"]
+        self.assertIn(f"{crossover:.2f}", self.driver.find_element("id", "response").text)
+        self.assertEqual(browser.complaints(self.driver), [])
 
     def test_the_page_of_a_circle_is_below_a_megabyte(self):
         self.assertLess((self.folder / "circle" / "report.html").stat().st_size, 1_000_000)

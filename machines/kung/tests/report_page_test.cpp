@@ -125,6 +125,16 @@ TEST_CASE("corrupt figures, rules and gates are one line that names the file") {
   replace(folder / "detail.json", "\"gates\":null",
           "\"gates\":{\"begin\":1,\"end\":2,\"edges\":[3],\"compare\":[]}");
   check("detail.json: is corrupt: /gates/edges does not hold gate edges");
+  const auto response = [&](const std::string& holds, const std::string& says) {
+    write_text(folder / "detail.json", detail);
+    replace(folder / "detail.json", "\"gates\":null", "\"gates\":null,\"response\":" + holds);
+    check("detail.json: is corrupt: /response" + says);
+  };
+  response("3", " has the wrong type");
+  response("{\"~2\":{}}", " has a loop other than position, speed, current");
+  response("{\"speed\":{\"x\":[]}}", "/speed/y is missing");
+  response("{\"speed\":{\"x\":[[1,2,3,4]],\"y\":[]}}",
+           "/speed/x does not hold rows of 5 numbers");
   fs::remove(folder / "detail.json");
   check("detail.json: is missing");
   write_text(folder / "detail.json", detail);

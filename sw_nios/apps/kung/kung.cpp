@@ -21,8 +21,9 @@ constexpr std::uint32_t gain_word(Gain gain) {
          ((word(gain.exp) << reg::kKpExpShift) & reg::kKpExpMask);
 }
 
-constexpr std::uint32_t mode(const AxisSetup& axis) {
-  return reg::kCtrlCurrentLoop | reg::kCtrlPositionLoop | (axis.adapt ? reg::kCtrlAdapt : 0) |
+constexpr std::uint32_t mode(const AxisSetup& axis, bool current_command) {
+  return reg::kCtrlCurrentLoop | (current_command ? 0 : reg::kCtrlPositionLoop) |
+         (axis.adapt ? reg::kCtrlAdapt : 0) |
          (axis.interpolate ? reg::kCtrlInterpolate : 0) |
          (axis.feedforward ? reg::kCtrlFeedforward : 0);
 }
@@ -181,8 +182,8 @@ void KungApp::arm(Bus& bus) {
   bus.write(reg::kY + reg::kStrokeEn, setup_.axis[1].stroke_check ? reg::kStrokeEnEnable : 0);
   bus.write(reg::kLock, reg::kKeyLock);
   if (!wait_both_idle(bus)) return fail(bus, Failure::kBusy);
-  bus.write(reg::kX + reg::kCtrl, mode(setup_.axis[0]) | reg::kCtrlEnable);
-  bus.write(reg::kY + reg::kCtrl, mode(setup_.axis[1]) | reg::kCtrlEnable);
+  bus.write(reg::kX + reg::kCtrl, mode(setup_.axis[0], setup_.current_command) | reg::kCtrlEnable);
+  bus.write(reg::kY + reg::kCtrl, mode(setup_.axis[1], setup_.current_command) | reg::kCtrlEnable);
   state_ = State::kRunning;
   bus.write(reg::kIrqEn, reg::kIrqEnTick | reg::kIrqEnFault);
 }
@@ -198,7 +199,7 @@ void KungApp::serve(Bus& bus) {
 
   const bool more = mail_.point < size_;
   if (more) command_ = trajectory_.next();
-  write_command(bus, command_);
+  command(bus);
   if (more && mail_.point == 0) {
     if (bus.read(reg::kTick) != record.tick) return fail(bus, Failure::kLate);
     mail_.first_tick = record.tick + 1;
@@ -210,6 +211,14 @@ void KungApp::serve(Bus& bus) {
   record.y_cmd = command_.y;
   log_[logged_ % kLogSize] = record;
   ++logged_;
+}
+
+// Without position loops the COMMIT only feeds the watchdog.
+void KungApp::command(Bus& bus) {
+  if (!setup_.current_command) return write_command(bus, command_);
+  bus.write(reg::kX + reg::kIqManual, word(command_.x - start_.x));
+  bus.write(reg::kY + reg::kIqManual, word(command_.y - start_.y));
+  bus.write(reg::kCommit, reg::kCommitTake);
 }
 
 void KungApp::read_response(Bus& bus, LogRecord& record) const {

@@ -57,6 +57,8 @@ struct KungSetup : PathSetup {
   std::uint32_t current_limit = 1280;  // 6 A [I_fs / 2048], 0 = off
   std::uint32_t dead_time_min = 25;    // [clk]
   std::int32_t following_limit = 0;    // [count] from the model, 0 = not checked
+  bool current_command = false;        // position loops open: a point's distance from the start is
+                                       // i_q* [I_fs / 4096]
   std::uint32_t offset_samples = 0;    // interrupts over which offsets of sensors are averaged
 };
 
@@ -111,6 +113,7 @@ class KungApp final : public Firmware {
   void calibrate(Bus& bus);
   void arm(Bus& bus);
   void serve(Bus& bus);
+  void command(Bus& bus);
   void read_response(Bus& bus, LogRecord& record) const;
   bool follows(const LogRecord& record) const;
   void fail(Bus& bus, Failure failure);
