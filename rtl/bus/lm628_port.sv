@@ -223,8 +223,7 @@ module lm628_port
       if (command) left_q <= '0;
       else if (end_o) left_q <= replies ? {opcode_q <= 8'h0A, opcode_q > 8'h0A} : 2'd0;
       else if (word_given) left_q <= left_q - 2'd1;
-      // An access to the command port drops a half word.
-      if (command || (read && !sync_q.ps && idle)) begin
+      if (command) begin  // drops a half word; a status read does not
         half_written_q <= 1'b0;
         half_read_q    <= 1'b0;
       end else begin

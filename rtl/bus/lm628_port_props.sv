@@ -47,6 +47,7 @@ module lm628_port_props
     input logic [ 1:0] left_q,
     input logic        half_written_q,
     input logic        half_read_q,
+    input logic [ 7:0] high_q,
     input events_t     status_q,
     input events_t     mask_q,
     input events_t     operand_q,
@@ -63,6 +64,7 @@ module lm628_port_props
   logic [7:0] was_d_q, was_last_q, was_opcode_q, was_status_byte_q;
   events_t was_status_q, was_mask_q, was_operand_q, was_sample_q, was_command_q, published;
   logic [9:0] was_state_q, state;
+  logic [14:0] was_transfer_q, transfer;
   logic was_sample_off_q, was_command_off_q;
   logic [12:0] passed;
   logic busy, allowed;
@@ -72,6 +74,7 @@ module lm628_port_props
   assign busy    = state_q != 2'd0;
   assign passed  = 13'(leap_i) + 13'd1;
   assign allowed = leap_i == '0 || leap_i < next_o;
+  assign transfer = {due_q, left_q, half_written_q, half_read_q, high_q};
   assign state   = {state_q, executes_q, due_q, left_q, half_written_q, half_read_q};
 
   always_comb begin
@@ -107,6 +110,7 @@ module lm628_port_props
     was_sample_q      <= sample_events_i;
     was_command_q     <= command_events_i;
     was_state_q       <= state;
+    was_transfer_q    <= transfer;
     busy_q            <= busy ? more(busy_q, passed) : '0;
     run_q             <= start_o ? '0 : more(run_q, passed);
     exact_q           <= !busy || (exact_q && allowed);
@@ -152,6 +156,9 @@ module lm628_port_props
       data_hold_from_read_to_read : assert (was_rst_q || was_read_q || d_o == was_d_q);
       status_is_that_of_the_read :
       assert (was_rst_q || !was_read_q || was_port_q || d_o == was_status_byte_q);
+      transfers_pass_over_status_reads :
+      assert (was_rst_q || !was_read_q || was_port_q || was_end_q ||
+              transfer == was_transfer_q);
       busy_reads_repeat_the_last_byte :
       assert (was_rst_q || !was_read_q || !was_port_q || !was_busy_q || d_o == was_last_q);
       arms_with_sip_only : assert (!arm_o || (end_o && opcode_o == CmdSip));
@@ -191,6 +198,7 @@ module lm628_port_props
   // breaks off_is_that_of_the_last_end: off_q <= !rst_i && end_o && commit_i ? sample_off_i : next
   // breaks data_hold_from_read_to_read: d_q <= !rst_i && reading && !sync_q.ps ? status : next
   // breaks status_is_that_of_the_read: d_q <= read && !rst_i ? (prev_q.ps ? (give ? byte_out : last_q) : status) : next
+  // breaks transfers_pass_over_status_reads: half_written_q <= !rst_i && read && !sync_q.ps ? 1'b0 : next
   // breaks busy_reads_repeat_the_last_byte: give = read && sync_q.ps && ready_i && left_q != '0
   // breaks arms_with_sip_only: arm_o = end_o && opcode_q[1:0] == CmdSip[1:0]
   // breaks quiescent_is_honest: quiescent_o = pins == meta_q && meta_q == sync_q && sync_q == prev_q && (state_q == StIdle || (state_q == StWait ? !open_i : !last))

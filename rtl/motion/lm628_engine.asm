@@ -7,7 +7,7 @@
 .zero pos speed target acc vel actual count velocity
 .zero goal least acc_buf vel_buf pos_buf kp ki kd il every kp_buf ki_buf kd_buf il_buf every_buf
 .zero sum last_e deriv wait break index control
-.var  threshold one k15 k16 low16 k23 k30 k31
+.var  threshold one k15 k16 low16 k23
 .var  t u e rest rest2 v w p f slow limit clipped delta
 
 ; ---- entries: a command starts at the address of its opcode ----
@@ -72,17 +72,14 @@ s_index:
         st index
         clr index_armed
         set index
-s_wrap: ld actual               ; wraparound: legal before, not any more
-        add k30
-        if n s_moved
-        sub k31
-        ifn n s_moved
+s_wrap: ld actual               ; wraparound: the reported position does not move by the velocity
+        ext s31
+        add velocity
+        st t
         ld u
-        add k30
-        if n s_wrapped
-        sub k31
-        if n s_moved
-s_wrapped:
+        ext s31
+        sub t
+        if z s_moved
         set wraparound
 s_moved:
         ld u

@@ -208,6 +208,7 @@ module lm628_engine
       ExtS16:  extended = {{48{acc_q[15]}}, acc_q[15:0]};
       ExtS24:  extended = {{40{acc_q[23]}}, acc_q[23:0]};
       ExtZ30:  extended = {34'd0, acc_q[29:0]};
+      ExtS31:  extended = {{33{acc_q[30]}}, acc_q[30:0]};
       ExtS32:  extended = {{32{acc_q[31]}}, acc_q[31:0]};
       default: extended = {{16{acc_q[47]}}, acc_q[47:0]};
     endcase

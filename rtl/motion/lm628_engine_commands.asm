@@ -20,11 +20,6 @@ boot:   num 0
         shl 23
         sub one
         st k23
-        num 1
-        shl 30
-        st k30
-        shl 1
-        st k31
         halt
 sip:    set index_armed
         halt
@@ -41,10 +36,11 @@ rddv:   ld speed
 rddp:   ld pos
         shr8
         shr8
-        jmp give
+        jmp place
 rdip:   ld index
-        jmp give
+        jmp place
 rdrp:   ld actual
+place:  ext s31                 ; the data sheet's range of positions
         jmp give
 rdrv:   ld velocity
         jmp give
@@ -119,17 +115,11 @@ l_vel_new:
         ld control
 l_pos:  ifn bit1 l_end
         call long
-        st t
-        ld control
-        ifn bit0 l_p
-        ld t
-        add target
-        jmp l_pos_new
-l_p:    ld t
-l_pos_new:
-        ext s32
         st pos_buf
-        set position
+        clr relative
+        ld control
+        ifn bit0 l_end
+        set relative
         halt
 
 sbpr:   call long
@@ -181,22 +171,32 @@ dfh:    ld actual
 
 stt:    ifn moving a_take
         ifn acceleration a_take
+        ld control              ; in motion a new acceleration waits; only a stop is made without
+        if bit8 a_place
+        if bit9 a_place
+        if bit10 a_place
         set error
         halt
-a_take: ld control
-        ifn position a_kept
+a_take: ld acc_buf
+        st acc
+        clr acceleration
+a_place:
+        ld control
+        if bit11 a_copy         ; velocity mode does not use the position
+        ifn relative a_target
+        ld target
+        ifn velocity_mode a_sum
+        ld pos
+        shr8
+        shr8
+a_sum:  add pos_buf
+        ext s32
+        st pos_buf
+        clr relative
+a_target:
         ld pos_buf
         st target
-        jmp a_copy
-a_kept: ifn velocity_mode a_copy
-        if bit11 a_copy
-        ld pos                  ; velocity mode is left
-        shr8
-        shr8
-        st target
-a_copy: clr position
-        ld acc_buf
-        st acc
+a_copy: ld acc
         st least
         ld vel_buf
         st vel
@@ -205,7 +205,6 @@ a_copy: clr position
         ld vel
         st least
 a_least:
-        clr acceleration
         clr on_target
         clr smooth
         clr velocity

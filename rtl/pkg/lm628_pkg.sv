@@ -76,6 +76,7 @@ package lm628_pkg;
     ExtS16,
     ExtS24,
     ExtZ30,
+    ExtS31,
     ExtS32,
     ExtS48
   } ext_e;
@@ -98,7 +99,7 @@ package lm628_pkg;
     FlagFilter,
     FlagAcceleration,
     FlagMoving,
-    FlagPosition,      // a position was loaded since the last STT
+    FlagRelative,      // the next STT adds the loaded position to the target
     FlagSmooth,        // the move is a smooth stop
     FlagVelocity,      // the move is in velocity mode
     FlagArmed,         // a breakpoint is set

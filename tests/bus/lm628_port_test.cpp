@@ -192,8 +192,40 @@ TEST_CASE("lm628_port is busy for 1000 clocks after a byte of command and after 
   REQUIRE(busy >= 1000 - 15);
   REQUIRE(busy <= 1000 + 30);
   pair.write(true, 0x00);
-  REQUIRE((pair.read(false) & 1) == 0);  // a byte is not a word, and this drops it
+  REQUIRE((pair.read(false) & 1) == 0);  // a byte is not a word
+  pair.write(true, 0x40);
+  REQUIRE((pair.read(false) & 1) == 1);
+}
+
+// Data sheet, RDSTAT: "may be executed at any time".
+TEST_CASE("lm628_port keeps the first byte of a word over status reads, of a reply too") {
+  Pair pair;
+  pair.write(false, 0x1D);  // RSTI
+  pair.clocks(1000);
+  pair.write(true, 0xFF);
+  for (int n = 0; n < 3; ++n) REQUIRE(pair.read(false) == 0x84);
   pair.write(true, 0x00);
+  pair.clocks(1000);
+  REQUIRE(pair.read(false) == 0x80);
+  pair.write(false, 0x0B);  // RDRV
+  pair.clocks(1000);
+  pair.in.reply = 0x1234;
+  REQUIRE(pair.read(true) == 0x12);
+  for (int n = 0; n < 3; ++n) REQUIRE(pair.read(false) == 0x80);
+  REQUIRE(pair.read(true) == 0x34);
+  REQUIRE((pair.read(false) & 3) == 1);
+}
+
+TEST_CASE("lm628_port drops the first byte of a word at a command, not its second as the next") {
+  Pair pair;
+  pair.write(false, 0x1D);
+  pair.clocks(1000);
+  pair.write(true, 0x12);
+  pair.write(false, 0x1C);  // MSKI
+  pair.clocks(1000);
+  REQUIRE((pair.read(false) & 2) == 2);
+  pair.write(true, 0x00);
+  REQUIRE((pair.read(false) & 1) == 0);
   pair.write(true, 0x40);
   REQUIRE((pair.read(false) & 1) == 1);
 }

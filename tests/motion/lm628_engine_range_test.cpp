@@ -2,7 +2,8 @@
 //
 // The ends of the 32-bit positions, against plain arithmetic and not the twin's: desired position,
 // actual position and breakpoint all go from 2^31 - 1 to -2^31 and back. In velocity mode a motor
-// may turn for ever; were one of the positions not to wrap, the two would part there.
+// may turn for ever; were one of the positions not to wrap, the two would part there. Replies
+// have 31 bits: the data sheet's range ends at 2^30 - 1.
 
 #include <catch2/catch.hpp>
 #include <cstdint>
@@ -23,6 +24,10 @@ constexpr std::int64_t kMost = (1 << 23) - 1;  // [counts] that one sample can t
 
 std::int64_t wrapped(std::int64_t position) {
   return as_signed(static_cast<std::uint64_t>(position), 32);
+}
+
+std::int64_t reported(std::int64_t position) {
+  return as_signed(static_cast<std::uint64_t>(position), 31);
 }
 
 Lm628Engine::Words long_words(std::int64_t value) {
@@ -65,8 +70,10 @@ void run(EngineBench& bench, std::int64_t direction, bool from_rest) {
 TEST_CASE("lm628_engine in velocity mode goes on from 2^31 - 1 at -2^31, and back from there") {
   EngineBench bench;
   carry_to(bench, kEnd - 5 * kSpeed - 1);
+  bench.command(Opcode::kLfil, {0x0008, 1});  // the output is the error
+  bench.command(Opcode::kUdf);
   std::int64_t desired = bench.count;  // never wrapped
-  REQUIRE(ask(bench, Opcode::kRddp) == desired);
+  REQUIRE(ask(bench, Opcode::kRddp) == reported(desired));
   for (const std::int64_t direction : {1, -1}) {
     run(bench, direction, direction > 0);
     int crossed = 0;
@@ -79,13 +86,43 @@ TEST_CASE("lm628_engine in velocity mode goes on from 2^31 - 1 at -2^31, and bac
       bench.sample();
       CAPTURE(direction, n, desired);
       crossed += std::abs(wrapped(desired) - before) > kEnd;
-      REQUIRE(ask(bench, Opcode::kRddp) == wrapped(desired));
-      REQUIRE(ask(bench, Opcode::kRdrp) == wrapped(bench.count));
+      REQUIRE(ask(bench, Opcode::kRddp) == reported(desired));
+      REQUIRE(ask(bench, Opcode::kRdrp) == reported(bench.count));
       // Where both are on the same side of the end, their difference is that of one sample.
-      if (std::abs(wrapped(desired) - before) < kEnd) REQUIRE(bench.twin().error() == step);
+      if (std::abs(wrapped(desired) - before) < kEnd) {
+        REQUIRE(as_signed(bench->u_o, 16) == step);
+      }
     }
     REQUIRE(crossed == 1);
   }
+}
+
+// Data sheet: positions are C0000000h to 3FFFFFFFh.
+TEST_CASE("lm628_engine replies with positions of 31 bits and reports each crossing of their end") {
+  EngineBench bench;
+  constexpr std::int64_t kRange = kEnd / 2;
+  const auto crossed = [&] { return (bench.events >> trammel::exact::kWraparound & 1u) != 0; };
+  carry_to(bench, kRange - 1);
+  REQUIRE_FALSE(crossed());
+  bench.command(Opcode::kSip);
+  bench.arm_index();
+  struct Step {
+    std::int64_t by, reply;
+    bool crosses;
+  };
+  for (const Step& step : {Step{0, 0x3FFFFFFF, false}, Step{1, -kRange, true},
+                           Step{5, 5 - kRange, false}, Step{-5, -kRange, false},
+                           Step{-1, 0x3FFFFFFF, true}, Step{3, 2 - kRange, true}}) {
+    bench.count += step.by;
+    bench.sample();
+    CAPTURE(step.by, step.reply);
+    REQUIRE(crossed() == step.crosses);
+    REQUIRE(ask(bench, Opcode::kRdrp) == step.reply);
+    REQUIRE(ask(bench, Opcode::kRddp) == step.reply);  // off: it follows
+  }
+  bench.index(bench.count);
+  bench.sample();
+  REQUIRE(ask(bench, Opcode::kRdip) == 2 - kRange);
 }
 
 // The motor is ahead and beyond the end, so that on its way to the breakpoint it does not wrap.

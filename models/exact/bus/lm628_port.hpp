@@ -183,7 +183,6 @@ class Lm628Port {
     const bool idle = state_ == State::kIdle && in.ready;
     if (!sync_.ps) {
       d_ = status(in);
-      if (idle) half_written_ = half_read_ = false;
       return false;
     }
     if (idle && left_ != 0) {

@@ -105,7 +105,7 @@ class Lm628Engine {
       signals_.index_armed = false;
       event(kIndex);
     }
-    if (legal(before) && !legal(actual_)) event(kWraparound);
+    if (reported(actual_) != reported(before) + velocity_) event(kWraparound);
     generate();
     error_ = fixed::sat(profile_.count() - actual_, 16);
     if (!signals_.off && std::abs(error_) > threshold_) {
@@ -149,11 +149,11 @@ class Lm628Engine {
       case Opcode::kRddv:
         return low(profile_.state.speed, 32);
       case Opcode::kRddp:
-        return low(profile_.count(), 32);
+        return low(reported(profile_.count()), 32);
       case Opcode::kRdip:
-        return low(index_, 32);
+        return low(reported(index_), 32);
       case Opcode::kRdrp:
-        return low(actual_, 32);
+        return low(reported(actual_), 32);
       case Opcode::kRdrv:
         return low(velocity_, 16);
       case Opcode::kRdsigs:
@@ -185,15 +185,15 @@ class Lm628Engine {
   }
 
  private:
-  static constexpr std::int64_t kReach = std::int64_t{1} << 30;  // of legal positions [counts]
-  static constexpr std::int64_t kMask30 = kReach - 1;
+  static constexpr std::int64_t kMask30 = (std::int64_t{1} << 30) - 1;
 
   struct Buffer {
     std::int64_t acceleration = 0, velocity = 0, position = 0;
-    bool position_loaded = false;  // since the last STT
+    bool relative = false;  // the next STT adds the position to the target
   };
 
-  static bool legal(std::int64_t x) { return -kReach <= x && x < kReach; }
+  // A position as the host reads it, in the data sheet's range.
+  static std::int64_t reported(std::int64_t x) { return fixed::wrap(x, 31); }
 
   static std::uint32_t low(std::int64_t x, int bits) {
     return static_cast<std::uint32_t>(static_cast<std::uint64_t>(x) &
@@ -232,22 +232,28 @@ class Lm628Engine {
   }
 
   void start() {
-    if (moving_ && signals_.acceleration_loaded) {
+    const bool waits = moving_ && signals_.acceleration_loaded;
+    if (waits && (control_ & kStops) == 0) {
       event(kCommandError);
       return;
     }
     Trapezoid::State& desired = profile_.state;
     const bool velocity_mode = (control_ & kVelocityMode) != 0;
-    if (buffer_.position_loaded) {
+    if (!velocity_mode) {
+      if (buffer_.relative) {
+        const std::int64_t base = signals_.velocity_mode ? profile_.count() : desired.target;
+        buffer_.position = fixed::wrap(buffer_.position + base, 32);
+      }
+      buffer_.relative = false;
       desired.target = buffer_.position;
-    } else if (signals_.velocity_mode && !velocity_mode) {
-      desired.target = profile_.count();
     }
-    buffer_.position_loaded = false;
-    profile_config_.acceleration = buffer_.acceleration;
+    if (!waits) {
+      profile_config_.acceleration = buffer_.acceleration;
+      signals_.acceleration_loaded = false;
+    }
     profile_config_.velocity = buffer_.velocity;
     profile_config_.mode = velocity_mode ? Trapezoid::Mode::kVelocity : Trapezoid::Mode::kPosition;
-    signals_.acceleration_loaded = signals_.on_target = false;
+    signals_.on_target = false;
     signals_.velocity_mode = velocity_mode;
     signals_.forward = (control_ & kForward) != 0;
     if ((control_ & kStopOff) != 0) {
@@ -262,7 +268,7 @@ class Lm628Engine {
         profile_config_.mode = Trapezoid::Mode::kSmoothStop;
       }
     }
-    control_ = static_cast<std::uint16_t>(control_ & ~(kStopOff | kStopAbruptly | kStopSmoothly));
+    control_ = static_cast<std::uint16_t>(control_ & ~kStops);
   }
 
   void define_home() {
@@ -289,19 +295,18 @@ class Lm628Engine {
     control_ = words[0];
     std::size_t next = 1;
     const auto loads = [&](unsigned bit) { return (control_ >> bit & 1u) != 0; };
-    const auto take = [&](unsigned bit, std::int64_t base) {
-      const std::int64_t value = long_word(words, next) + (loads(bit) ? base : 0);
+    const auto take = [&] {
       next += 2;
-      return value;
+      return long_word(words, next - 2);
     };
     if (loads(5)) {
-      buffer_.acceleration = take(4, buffer_.acceleration) & kMask30;
+      buffer_.acceleration = (take() + (loads(4) ? buffer_.acceleration : 0)) & kMask30;
       signals_.acceleration_loaded = true;
     }
-    if (loads(3)) buffer_.velocity = take(2, buffer_.velocity) & kMask30;
+    if (loads(3)) buffer_.velocity = (take() + (loads(2) ? buffer_.velocity : 0)) & kMask30;
     if (loads(1)) {
-      buffer_.position = fixed::wrap(take(0, profile_.state.target), 32);
-      buffer_.position_loaded = true;
+      buffer_.position = take();
+      buffer_.relative = loads(0);
     }
   }
 

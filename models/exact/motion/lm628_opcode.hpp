@@ -46,6 +46,7 @@ inline constexpr unsigned kVelocityMode = 1u << 11;
 inline constexpr unsigned kStopSmoothly = 1u << 10;
 inline constexpr unsigned kStopAbruptly = 1u << 9;
 inline constexpr unsigned kStopOff = 1u << 8;
+inline constexpr unsigned kStops = kStopSmoothly | kStopAbruptly | kStopOff;
 
 constexpr bool is_known(std::uint8_t code) {
   return code <= 0x0D || (code >= 0x1A && code <= 0x21);
