@@ -7,12 +7,15 @@
 
 #include "machines/kung/figures.hpp"
 #include "machines/kung/machine.hpp"
+#include "machines/kung/plan.hpp"
 
 namespace trammel::kung {
 namespace {
 
 using lab::Figure;
 using List = std::vector<Figure>;
+
+constexpr std::size_t kLapsShown = 8;  // and the last one
 
 // What the figures of an axis are made of.
 struct AxisSignals {
@@ -60,6 +63,34 @@ void add_periods(List& list, const std::string& id, const std::string& of,
   };
   add("overshoot_percent", "overshoot", &HalfPeriod::overshoot_percent, "%", 1);
   add("rms_mm", "rms error", &HalfPeriod::rms_mm, "mm", 2);
+}
+
+// Of a path that was passed several times; the last lap has the last point's samples too.
+void add_laps(List& list, const Options& options, const Result& result, const Series& to_model_mm,
+              const Series& contour_mm) {
+  const auto laps = static_cast<std::size_t>(options.path.repeats);
+  if (laps < 2 || options.path.kind == PathKind::kSquare || result.points < 2) return;
+  const auto held =
+      static_cast<std::size_t>(ticks_per_point(options.path, options.chip.irq_period_ticks));
+  const std::size_t samples = (result.points - 1) / laps * held;
+  if (result.end != EndReason::kDone || laps * samples > to_model_mm.size()) return;
+  for (std::size_t lap = 0; lap < laps; ++lap) {
+    Series of_model, of_contour;
+    const std::size_t end = lap + 1 == laps ? to_model_mm.size() : (lap + 1) * samples;
+    for (std::size_t k = lap * samples; k < end; ++k) {
+      of_model.push_back(to_model_mm[k]);
+      of_contour.push_back(contour_mm[k]);
+    }
+    const Spread tracking = spread(of_model);
+    const auto add = [&](const char* name, const char* column, double value, const char* unit) {
+      list.push_back(lab::figure(fmt::format("laps.{}.{}", lap, name),
+                                 fmt::format("lap {}", lap + 1), column, value, unit, 4));
+      list.back().shown = lap < kLapsShown || lap + 1 == laps;
+    };
+    add("model.mean_mm", "mean of T(k)", tracking.mean, "mm");
+    add("model.variance_mm2", "its var", tracking.variance, "mm2");
+    add("contour.mean_mm", "mean contour error", spread(of_contour).mean, "mm");
+  }
 }
 
 void set_tiles(List& list, std::size_t periods) {
@@ -154,6 +185,7 @@ List figures(const lab::Settings& settings, cosim::RunResult& run) {
   }
   add_spread(list, "x.error_to_model", "X to reference model", axes[0].error_mm);
   add_spread(list, "y.error_to_model", "Y to reference model", axes[1].error_mm);
+  add_laps(list, options, result, to_model_mm, contour_mm);
   const auto add_peak = [&](const std::string& id, const char* row, double AxisSignals::* member,
                             const char* unit, int digits) {
     const double x = axes[0].*member;

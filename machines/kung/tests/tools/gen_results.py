@@ -3,10 +3,10 @@
 
 usage: scripts/tool gen-results [--check | --tables] [--program FILE]
 
-Runs `trammel run --all` (about a minute), writes the figures to docs/results.json and the tables
-between "<!-- begin results -->" and "<!-- end results -->" in docs/deviations.md. --check runs
-nothing: it only says whether the tables are those of results.json; that the figures are those of
-the chip is checked by the system tests, which simulate all eight anyway.
+Runs `trammel run --all` (about a minute) and a circle of four laps, writes the figures to
+docs/results.json and the tables between marks as "<!-- begin results -->" in docs/deviations.md.
+--check runs nothing: it only says whether the tables are those of results.json; that the figures
+are those of the chip is checked by the system tests, which simulate all of it anyway.
 
 Exit codes: 0 ok, 1 stale, 2 usage, 3 the program is not built.
 """
@@ -27,6 +27,20 @@ PATHS = ("circle", "window", "star")
 SPREADS = {"mean": "tracking.model.mean_mm", "variance": "tracking.model.variance_mm2",
            "standard deviation": "tracking.model.std_mm"}
 PEAK = "peak_current_A"
+LAPS = 4
+OF_LAP = ("model.mean_mm", "model.variance_mm2", "contour.mean_mm")
+
+
+def measure_laps(program, controller):
+    """The figures of each lap of the circle."""
+    with tempfile.TemporaryDirectory() as folder:
+        out = Path(folder) / "circle"
+        subprocess.run([program, "run", "circle", "--engine", "twin", "--no-report", "-o", out,
+                        "-s", f"controller={controller}", "-s", f"path.repeats={LAPS}"],
+                       stdout=subprocess.DEVNULL, check=True)
+        metrics = json.loads((out / "metrics.json").read_text(encoding="utf-8"))
+    values = {figure["id"]: round(figure["value"], 5) for figure in metrics["figures"]}
+    return [[values[f"laps.{lap}.{name}"] for name in OF_LAP] for lap in range(LAPS)]
 
 
 def measure(program):
@@ -48,7 +62,18 @@ def measure(program):
                 entry[f"overshoot_percent_{axis}"] = [round(p["overshoot_percent"], 2)
                                                       for p in run[axis]["periods"]]
         figures[run["scenario"]] = entry
+    figures["laps"] = {name: measure_laps(program, name) for name in ("fc", "afc")}
     return figures
+
+
+def laps_table(laps):
+    text = "| lap | FC mean | variance, mm2 | contour | AFC mean | variance, mm2 | contour |\n"
+    text += f"|---|{'---|' * 6}\n"
+    for lap in range(LAPS):
+        cells = [cell for name in ("fc", "afc") for cell in (
+            f"{laps[name][lap][0]:.3f}", f"{laps[name][lap][1]:.4f}", f"{laps[name][lap][2]:.3f}")]
+        text += f"| {lap + 1} | {' | '.join(cells)} |\n"
+    return text
 
 
 def tables(results):
@@ -103,7 +128,9 @@ def main():
         FIGURES.write_text(json.dumps(figures, indent=1) + "\n", encoding="ascii")
         print(FIGURES.relative_to(ROOT))
     page = PAGE.read_text(encoding="utf-8")
-    text = gen_manual.replaced(page, "results", tables(json.loads(FIGURES.read_text())))
+    results = json.loads(FIGURES.read_text())
+    text = gen_manual.replaced(page, "results", tables(results))
+    text = gen_manual.replaced(text, "laps", laps_table(results["laps"]))
     if text == page:
         return 0
     if arguments.check:
