@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "machines/kung/baseline.hpp"
 #include "machines/kung/figures.hpp"
 #include "machines/kung/machine.hpp"
 #include "machines/kung/plan.hpp"
@@ -81,15 +82,11 @@ void add_laps(List& list, const Options& options, const Result& result, const Se
       of_model.push_back(to_model_mm[k]);
       of_contour.push_back(contour_mm[k]);
     }
-    const Spread tracking = spread(of_model);
-    const auto add = [&](const char* name, const char* column, double value, const char* unit) {
-      list.push_back(lab::figure(fmt::format("laps.{}.{}", lap, name),
-                                 fmt::format("lap {}", lap + 1), column, value, unit, 4));
-      list.back().shown = lap < kLapsShown || lap + 1 == laps;
-    };
-    add("model.mean_mm", "mean of T(k)", tracking.mean, "mm");
-    add("model.variance_mm2", "its var", tracking.variance, "mm2");
-    add("contour.mean_mm", "mean contour error", spread(of_contour).mean, "mm");
+    add_tracking(list, fmt::format("laps.{}", lap), fmt::format("lap {}", lap + 1), of_model,
+                 of_contour);
+    for (std::size_t n = list.size() - 3; n < list.size(); ++n) {
+      list[n].shown = lap < kLapsShown || lap + 1 == laps;
+    }
   }
 }
 
@@ -215,7 +212,10 @@ List figures(const lab::Settings& settings, cosim::RunResult& run) {
   add_periods(list, "x.periods", "X, period", periods(halves[0]), true);
   add_periods(list, "y.periods", "Y, period", periods(halves[1]), true);
   set_tiles(list, halves[0].size() / 2);
-  if (result.end == EndReason::kDone) compare(options, list);
+  if (result.end == EndReason::kDone) {
+    add_baselines(options, list);
+    compare(options, list);
+  }
   return list;
 }
 

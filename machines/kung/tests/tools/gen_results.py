@@ -27,6 +27,8 @@ PATHS = ("circle", "window", "star")
 SPREADS = {"mean": "tracking.model.mean_mm", "variance": "tracking.model.variance_mm2",
            "standard deviation": "tracking.model.std_mm"}
 PEAK = "peak_current_A"
+CONTOUR = "contour.mean_mm"
+BASELINES = {"P-PI": "baseline.cascade", "PID": "baseline.pid"}
 LAPS = 4
 OF_LAP = ("model.mean_mm", "model.variance_mm2", "contour.mean_mm")
 
@@ -52,7 +54,8 @@ def measure(program):
         entry = {"figures": {}}
         for figure in run["figures"]:
             peak_of_steps = figure["id"] == PEAK and "periods" in run["x"]
-            if "expected" in figure or "printed" in figure or peak_of_steps:
+            if ("expected" in figure or "printed" in figure or peak_of_steps
+                    or figure["id"] == CONTOUR):
                 line = {"ours": round(figure["value"], 5)}
                 if "printed" in figure:
                     line["paper"] = figure["printed"]
@@ -62,8 +65,34 @@ def measure(program):
                 entry[f"overshoot_percent_{axis}"] = [round(p["overshoot_percent"], 2)
                                                       for p in run[axis]["periods"]]
         figures[run["scenario"]] = entry
+        baseline = {figure["id"]: round(figure["value"], 5) for figure in run["figures"]
+                    if figure["id"].startswith("baseline.")}
+        if baseline:  # the same whichever rules it stands beside
+            figures.setdefault("baseline", {})[run["options"]["path.kind"]] = baseline
     figures["laps"] = {name: measure_laps(program, name) for name in ("fc", "afc")}
     return figures
+
+
+def baseline_table(results):
+    text = "| |" + "".join(f" {path} mean | variance | contour |" for path in PATHS)
+    text += f"\n|---|{'---|' * 9}\n"
+
+    def row(name, cells):
+        return f"| {name} | " + " | ".join("-" if cell is None else f"{cell:.2f}"
+                                           for cell in cells) + " |\n"
+
+    for name in ("fc", "afc"):
+        rows = [results[f"{path}-{name}"]["figures"] for path in PATHS]
+        text += row(f"{name.upper()}, paper", [
+            cell for one in rows for cell in (one[SPREADS["mean"]]["paper"],
+                                              one[SPREADS["variance"]]["paper"], None)])
+        text += row(name.upper(), [
+            one[key]["ours"] for one in rows for key in (SPREADS["mean"], SPREADS["variance"],
+                                                         CONTOUR)])
+    for name, key in BASELINES.items():
+        text += row(name, [results["baseline"][path][f"{key}.{what}"] for path in PATHS
+                           for what in OF_LAP])
+    return text
 
 
 def laps_table(laps):
@@ -131,6 +160,7 @@ def main():
     results = json.loads(FIGURES.read_text())
     text = gen_manual.replaced(page, "results", tables(results))
     text = gen_manual.replaced(text, "laps", laps_table(results["laps"]))
+    text = gen_manual.replaced(text, "baseline", baseline_table(results))
     if text == page:
         return 0
     if arguments.check:
