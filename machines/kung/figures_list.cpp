@@ -5,8 +5,10 @@
 
 #include <algorithm>
 
+#include "machines/kung/baseline.hpp"
 #include "machines/kung/figures.hpp"
 #include "machines/kung/machine.hpp"
+#include "machines/kung/plan.hpp"
 #include "machines/kung/response.hpp"
 
 namespace trammel::kung {
@@ -14,6 +16,8 @@ namespace {
 
 using lab::Figure;
 using List = std::vector<Figure>;
+
+constexpr std::size_t kLapsShown = 8;  // and the last one
 
 // What the figures of an axis are made of.
 struct AxisSignals {
@@ -61,6 +65,30 @@ void add_periods(List& list, const std::string& id, const std::string& of,
   };
   add("overshoot_percent", "overshoot", &HalfPeriod::overshoot_percent, "%", 1);
   add("rms_mm", "rms error", &HalfPeriod::rms_mm, "mm", 2);
+}
+
+// Of a path that was passed several times; the last lap has the last point's samples too.
+void add_laps(List& list, const Options& options, const Result& result, const Series& to_model_mm,
+              const Series& contour_mm) {
+  const auto laps = static_cast<std::size_t>(options.path.repeats);
+  if (laps < 2 || options.path.kind == PathKind::kSquare || result.points < 2) return;
+  const auto held =
+      static_cast<std::size_t>(ticks_per_point(options.path, options.chip.irq_period_ticks));
+  const std::size_t samples = (result.points - 1) / laps * held;
+  if (result.end != EndReason::kDone || laps * samples > to_model_mm.size()) return;
+  for (std::size_t lap = 0; lap < laps; ++lap) {
+    Series of_model, of_contour;
+    const std::size_t end = lap + 1 == laps ? to_model_mm.size() : (lap + 1) * samples;
+    for (std::size_t k = lap * samples; k < end; ++k) {
+      of_model.push_back(to_model_mm[k]);
+      of_contour.push_back(contour_mm[k]);
+    }
+    add_tracking(list, fmt::format("laps.{}", lap), fmt::format("lap {}", lap + 1), of_model,
+                 of_contour);
+    for (std::size_t n = list.size() - 3; n < list.size(); ++n) {
+      list[n].shown = lap < kLapsShown || lap + 1 == laps;
+    }
+  }
 }
 
 void set_tiles(List& list, std::size_t periods) {
@@ -155,6 +183,7 @@ List figures(const lab::Settings& settings, cosim::RunResult& run) {
   }
   add_spread(list, "x.error_to_model", "X to reference model", axes[0].error_mm);
   add_spread(list, "y.error_to_model", "Y to reference model", axes[1].error_mm);
+  if (!path.is_sweep()) add_laps(list, options, result, to_model_mm, contour_mm);
   for (Figure& f : list) f.shown = f.shown && !path.open_position();  // nothing to track
   const auto add_peak = [&](const std::string& id, const char* row, double AxisSignals::* member,
                             const char* unit, int digits) {
@@ -187,7 +216,10 @@ List figures(const lab::Settings& settings, cosim::RunResult& run) {
   add_periods(list, "x.periods", "X, period", periods(halves[0]), true);
   add_periods(list, "y.periods", "Y, period", periods(halves[1]), true);
   if (!path.is_sweep()) set_tiles(list, halves[0].size() / 2);
-  if (result.end == EndReason::kDone) compare(options, list);
+  if (result.end == EndReason::kDone) {
+    if (!path.is_sweep()) add_baselines(options, list);
+    compare(options, list);
+  }
   return list;
 }
 

@@ -18,35 +18,6 @@ constexpr double kShortest = 1e-9;  // [s] keeps a chain of events finite
 constexpr std::array<AlphaBeta, 3> kPhase{AlphaBeta{1, 0}, AlphaBeta{-0.5, 0.86602540378443865},
                                           AlphaBeta{-0.5, -0.86602540378443865}};
 
-PmlsmConfig motor_config(const AxisConfig& c) {
-  PmlsmConfig m;
-  m.resistance = c.resistance_ohm;
-  m.inductance_d = c.inductance_d_h;
-  m.inductance_q = c.inductance_q_h;
-  m.force_constant = c.force_constant_n_a;
-  m.pole_pitch = c.pole_pitch_m;
-  m.mass = c.mass_kg + c.payload_kg;
-  m.coulomb = c.coulomb_n;
-  m.viscous = c.viscous_n_s_m;
-  m.cogging = c.cogging_n;
-  m.friction_speed = c.friction_speed_m_s;
-  m.external_force = c.external_force_n;
-  m.stribeck = c.stribeck_n;
-  m.stribeck_speed = c.stribeck_speed_m_s;
-  m.harmonic_force = c.cogging_harmonic_n;
-  m.harmonic = c.cogging_harmonic;
-  m.cable = c.cable_n_m;
-  m.cable_rest = c.cable_rest_m;
-  return m;
-}
-
-// Near rest friction has the time constant M v_f/F_c; a span stays well below it if it is short.
-double segment_length(const PmlsmConfig& m) {
-  const double friction = (std::fabs(m.coulomb) + m.stribeck) * 4;
-  return friction * kSegment > m.mass * m.friction_speed ? m.mass * m.friction_speed / friction
-                                                         : kSegment;
-}
-
 double dot(const AlphaBeta& a, const AlphaBeta& b) { return a.alpha * b.alpha + a.beta * b.beta; }
 
 // Zero of a function of t in (0, length) that changes sign there.
@@ -71,12 +42,41 @@ double root(F f, double length) {
 
 }  // namespace
 
+PmlsmConfig motor_config(const AxisConfig& c) {
+  PmlsmConfig m;
+  m.resistance = c.resistance_ohm;
+  m.inductance_d = c.inductance_d_h;
+  m.inductance_q = c.inductance_q_h;
+  m.force_constant = c.force_constant_n_a;
+  m.pole_pitch = c.pole_pitch_m;
+  m.mass = c.mass_kg + c.payload_kg;
+  m.coulomb = c.coulomb_n;
+  m.viscous = c.viscous_n_s_m;
+  m.cogging = c.cogging_n;
+  m.friction_speed = c.friction_speed_m_s;
+  m.external_force = c.external_force_n;
+  m.stribeck = c.stribeck_n;
+  m.stribeck_speed = c.stribeck_speed_m_s;
+  m.harmonic_force = c.cogging_harmonic_n;
+  m.harmonic = c.cogging_harmonic;
+  m.cable = c.cable_n_m;
+  m.cable_rest = c.cable_rest_m;
+  return m;
+}
+
+// Near rest friction has the time constant M v_f/F_c; a span stays well below it if it is short.
+double segment_length(const PmlsmConfig& m, double longest) {
+  const double friction = (std::fabs(m.coulomb) + m.stribeck) * 4;
+  return friction * longest > m.mass * m.friction_speed ? m.mass * m.friction_speed / friction
+                                                        : longest;
+}
+
 Axis::Axis(const AxisConfig& config, double period_s, std::uint64_t seed)
     : config_(config),
       period_(period_s),
       horizon_(static_cast<Clk>(kHorizon / period_s)),
       motor_(motor_config(config)),
-      segment_(segment_length(motor_.config())),
+      segment_(segment_length(motor_.config(), kSegment)),
       inverter_({config.dc_link_v, config.switch_drop_v, config.diode_drop_v}),
       link_({config.dc_link_v, config.supply_ohm, config.dc_link_f, config.chopper_v}),
       sensors_{CurrentSensor({config.current_full_scale_a, config.current_noise_a,

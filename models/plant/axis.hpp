@@ -71,6 +71,9 @@ struct AxisState {
   double dc_link_v = 0;
 };
 
+PmlsmConfig motor_config(const AxisConfig& c);
+double segment_length(const PmlsmConfig& m, double longest);  // [s] of a span
+
 class Axis {
  public:
   // The seed is that of the encoder's jitter.

@@ -38,9 +38,9 @@ kung::Result offset_run(const std::vector<kung::PointM>& offset) {
 }
 
 // The value of each figure.
-std::map<std::string, double> values(kung::Result& result) {
+std::map<std::string, double> values(kung::Result& result, const kung::Options& options = {}) {
   std::map<std::string, double> all;
-  for (const lab::Figure& f : figures(kung::Options{}, result)) all[f.id] = f.value;
+  for (const lab::Figure& f : figures(options, result)) all[f.id] = f.value;
   return all;
 }
 
@@ -85,6 +85,39 @@ TEST_CASE("a run that ended early counts the samples it has") {
   CHECK_FALSE(figures(kung::Options{}, result).front().shown);
   result.samples = {};
   CHECK(values(result).at("tracking.model.samples") == 0);
+}
+
+TEST_CASE("each lap of a path that repeats has figures of its own, the last with the last point") {
+  kung::Options options;
+  options.chip.irq_period_ticks = 1;
+  options.path.repeats = 2;
+  // Two laps of two points; the path ends with a fifth.
+  auto result = offset_run({{3e-3, 4e-3}, {6e-3, 8e-3}, {1e-3, 0}, {1e-3, 0}, {0, 4e-3}});
+  const auto m = values(result, options);
+  CHECK(m.at("laps.0.model.mean_mm") == Approx(7.5));
+  CHECK(m.at("laps.0.model.variance_mm2") == Approx(6.25));
+  CHECK(m.at("laps.0.contour.mean_mm") == Approx(7.5));  // the command stands still, too
+  CHECK(m.at("laps.1.model.mean_mm") == Approx(2));
+  CHECK(m.at("laps.1.model.variance_mm2") == Approx(2));
+  CHECK(m.count("laps.2.model.mean_mm") == 0);
+  options.path.repeats = 1;
+  CHECK(values(result, options).count("laps.0.model.mean_mm") == 0);
+  options.path.repeats = 2;
+  result.end = kung::EndReason::kMissed;
+  CHECK(values(result, options).count("laps.0.model.mean_mm") == 0);
+}
+
+TEST_CASE("of many laps the first eight and the last are shown") {
+  kung::Options options;
+  options.chip.irq_period_ticks = 1;
+  options.path.repeats = 20;
+  auto result = offset_run(std::vector<kung::PointM>(21, {3e-3, 4e-3}));
+  std::map<std::string, bool> shown;
+  for (const lab::Figure& f : figures(options, result)) shown[f.id] = f.shown;
+  CHECK(shown.at("laps.7.model.mean_mm"));
+  CHECK_FALSE(shown.at("laps.8.model.mean_mm"));
+  CHECK_FALSE(shown.at("laps.18.contour.mean_mm"));
+  CHECK(shown.at("laps.19.model.mean_mm"));
 }
 
 TEST_CASE("only a complete run of the paper's experiment stands beside the paper's figures") {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Verify RTL blocks: their promises, or their tests by mutants; whole runs; keys; faults.
+"""Verify RTL blocks: their promises, or their tests by mutants; whole runs, keys, faults, gains.
 
 usage: trammel verify [layer/block ...]            the promises, as trammel prove
        trammel verify --mutants [layer/block ...]  the whole campaign, against the block's floor
@@ -12,6 +12,8 @@ usage: trammel verify [layer/block ...]            the promises, as trammel prov
        trammel verify --keys --short               twelve keys of each machine, as in the tests
        trammel verify --faults [--page]            faults at three times of a run: what notices them
        trammel verify --faults --short             some of them, as in the tests
+       trammel verify --sensitivity [--page]       calibrated values, 20 % less and more
+       trammel verify --sensitivity --short        some of them, as in the tests
 
 A campaign makes 200 mutants of a block, runs its unit test against each, and proves what it can of
 those the test accepts: refuted by a promise, or equivalent. Its result, logs and models stay in
@@ -20,6 +22,9 @@ and what is known of survivors stand in tests/mutants.toml and mutants.toml of m
 
 A fault is injected with the machine's monitors and without (runs.toml, too): 95 % of the dangerous
 ones are noticed, and the outputs are off at once. --page writes docs/generated/faults.md.
+
+A calibrated value is tried in the runs of runs.toml, and the change of their figures compared with
+docs/generated/sensitivity.md, which --page writes.
 
 A key's value is tried in a short run of its machine (machines/<m>/tests/runs.toml): the run does
 what was asked, or says why not, or the value is refused; RTL and twin give the same events.
@@ -33,7 +38,7 @@ import sys
 import time
 
 from trammel_tools import machines, python_tools
-from trammel_tools.check import engines, faults, keys
+from trammel_tools.check import engines, faults, keys, sensitivity
 from trammel_tools.mutation import mutant_floors, mutant_proofs, mutant_tests, mutants
 from trammel_tools.paths import ROOT
 from trammel_tools.proof import properties, prove
@@ -138,7 +143,8 @@ def parse(every):
     what = parser.add_mutually_exclusive_group()
     for name in ("mutants", "sample", "check", "page", "engines", "keys"):
         what.add_argument(f"--{name}", action="store_true")
-    parser.add_argument("--faults", action="store_true")  # with --page: of them
+    for name in ("faults", "sensitivity"):  # with --page: of them
+        parser.add_argument(f"--{name}", action="store_true")
     parser.add_argument("--afresh", action="store_true")
     parser.add_argument("--short", action="store_true")
     parser.add_argument("--seed", type=int, default=1, metavar="N", help="of --keys (default 1)")
@@ -186,13 +192,15 @@ def runs(arguments):
         return keys.check(arguments.short, arguments.seed)
     if arguments.faults:
         return faults.check(arguments.short, arguments.page)
+    if arguments.sensitivity:
+        return sensitivity.check(arguments.short, arguments.page)
     return engines.compare(arguments.blocks or engines.scenarios(arguments.short))
 
 
 def main():
     every = [b for b in lint.blocks() if mutant_tests.test_of(b).exists()]
     arguments = parse(every)
-    if arguments.engines or arguments.keys or arguments.faults:
+    if arguments.engines or arguments.keys or arguments.faults or arguments.sensitivity:
         try:
             wrong = runs(arguments)
         except (engines.EngineError, machines.MachineError) as error:

@@ -36,10 +36,14 @@ std::vector<double> overshoots(const lab::Record& record, char axis) {
 
 // A run is the same on every machine: what differs here was changed by somebody (then
 // scripts/tool gen-results writes the new figures) or is a mistake.
-void check_documented(const std::string& run, const lab::Record& record) {
+nlohmann::json documented(const std::string& name) {
   const auto root = std::filesystem::path(lab::kMachineFolder).parent_path();
   std::ifstream in(root / "docs" / "results.json");
-  const auto document = nlohmann::json::parse(in).at(run);
+  return nlohmann::json::parse(in).at(name);
+}
+
+void check_documented(const std::string& run, const lab::Record& record) {
+  const auto document = documented(run);
   std::size_t compared = 0;
   for (const lab::Figure& figure : record.figures) {
     const bool documented = document.at("figures").contains(figure.id);
@@ -88,7 +92,32 @@ void check_experiment(const std::string& scenario, const std::string& controller
   }
 }
 
+void check_laps(const std::string& controller) {
+  Options options;
+  lab::apply_file(options, lab::find_scenario("circle"));
+  for (const std::string set : {"run.engine=twin", "path.repeats=4"}) {
+    lab::apply_assignment(options, set);
+  }
+  lab::apply_assignment(options, "controller=" + controller);
+  lab::validate(options);
+  const auto document = documented("laps").at(controller);
+  REQUIRE(document.size() == 4);
+  const lab::Record record = lab::run(options);
+  std::size_t compared = 0;
+  for (const lab::Figure& figure : record.figures) {
+    if (figure.id.rfind("laps.", 0) != 0) continue;
+    CAPTURE(figure.id);
+    CHECK(document[compared / 3][compared % 3].get<double>() ==
+          Approx(figure.value).margin(0.0000051).epsilon(0));
+    ++compared;
+  }
+  CHECK(compared == 12);
+}
+
 }  // namespace
+
+TEST_CASE("four laps fc") { check_laps("fc"); }
+TEST_CASE("four laps afc") { check_laps("afc"); }
 
 // One case each, so that they run side by side.
 TEST_CASE("circle fc") { check_experiment("circle", "fc"); }

@@ -3,10 +3,10 @@
 
 usage: scripts/tool gen-results [--check | --tables] [--program FILE]
 
-Runs `trammel run --all` (about a minute), writes the figures to docs/results.json and the tables
-between "<!-- begin results -->" and "<!-- end results -->" in docs/deviations.md. --check runs
-nothing: it only says whether the tables are those of results.json; that the figures are those of
-the chip is checked by the system tests, which simulate all eight anyway.
+Runs `trammel run --all` (about a minute) and a circle of four laps, writes the figures to
+docs/results.json and the tables between marks as "<!-- begin results -->" in docs/deviations.md.
+--check runs nothing: it only says whether the tables are those of results.json; that the figures
+are those of the chip is checked by the system tests, which simulate all of it anyway.
 
 Exit codes: 0 ok, 1 stale, 2 usage, 3 the program is not built.
 """
@@ -27,6 +27,22 @@ PATHS = ("circle", "window", "star")
 SPREADS = {"mean": "tracking.model.mean_mm", "variance": "tracking.model.variance_mm2",
            "standard deviation": "tracking.model.std_mm"}
 PEAK = "peak_current_A"
+CONTOUR = "contour.mean_mm"
+BASELINES = {"P-PI": "baseline.cascade", "PID": "baseline.pid"}
+LAPS = 4
+OF_LAP = ("model.mean_mm", "model.variance_mm2", "contour.mean_mm")
+
+
+def measure_laps(program, controller):
+    """The figures of each lap of the circle."""
+    with tempfile.TemporaryDirectory() as folder:
+        out = Path(folder) / "circle"
+        subprocess.run([program, "run", "circle", "--engine", "twin", "--no-report", "-o", out,
+                        "-s", f"controller={controller}", "-s", f"path.repeats={LAPS}"],
+                       stdout=subprocess.DEVNULL, check=True)
+        metrics = json.loads((out / "metrics.json").read_text(encoding="utf-8"))
+    values = {figure["id"]: round(figure["value"], 5) for figure in metrics["figures"]}
+    return [[values[f"laps.{lap}.{name}"] for name in OF_LAP] for lap in range(LAPS)]
 
 
 def measure(program):
@@ -38,7 +54,8 @@ def measure(program):
         entry = {"figures": {}}
         for figure in run["figures"]:
             peak_of_steps = figure["id"] == PEAK and "periods" in run["x"]
-            if "expected" in figure or "printed" in figure or peak_of_steps:
+            if ("expected" in figure or "printed" in figure or peak_of_steps
+                    or figure["id"] == CONTOUR):
                 line = {"ours": round(figure["value"], 5)}
                 if "printed" in figure:
                     line["paper"] = figure["printed"]
@@ -48,7 +65,44 @@ def measure(program):
                 entry[f"overshoot_percent_{axis}"] = [round(p["overshoot_percent"], 2)
                                                       for p in run[axis]["periods"]]
         figures[run["scenario"]] = entry
+        baseline = {figure["id"]: round(figure["value"], 5) for figure in run["figures"]
+                    if figure["id"].startswith("baseline.")}
+        if baseline:  # the same whichever rules it stands beside
+            figures.setdefault("baseline", {})[run["options"]["path.kind"]] = baseline
+    figures["laps"] = {name: measure_laps(program, name) for name in ("fc", "afc")}
     return figures
+
+
+def baseline_table(results):
+    text = "| |" + "".join(f" {path} mean | variance | contour |" for path in PATHS)
+    text += f"\n|---|{'---|' * 9}\n"
+
+    def row(name, cells):
+        return f"| {name} | " + " | ".join("-" if cell is None else f"{cell:.2f}"
+                                           for cell in cells) + " |\n"
+
+    for name in ("fc", "afc"):
+        rows = [results[f"{path}-{name}"]["figures"] for path in PATHS]
+        text += row(f"{name.upper()}, paper", [
+            cell for one in rows for cell in (one[SPREADS["mean"]]["paper"],
+                                              one[SPREADS["variance"]]["paper"], None)])
+        text += row(name.upper(), [
+            one[key]["ours"] for one in rows for key in (SPREADS["mean"], SPREADS["variance"],
+                                                         CONTOUR)])
+    for name, key in BASELINES.items():
+        text += row(name, [results["baseline"][path][f"{key}.{what}"] for path in PATHS
+                           for what in OF_LAP])
+    return text
+
+
+def laps_table(laps):
+    text = "| lap | FC mean | variance, mm2 | contour | AFC mean | variance, mm2 | contour |\n"
+    text += f"|---|{'---|' * 6}\n"
+    for lap in range(LAPS):
+        cells = [cell for name in ("fc", "afc") for cell in (
+            f"{laps[name][lap][0]:.3f}", f"{laps[name][lap][1]:.4f}", f"{laps[name][lap][2]:.3f}")]
+        text += f"| {lap + 1} | {' | '.join(cells)} |\n"
+    return text
 
 
 def tables(results):
@@ -103,7 +157,10 @@ def main():
         FIGURES.write_text(json.dumps(figures, indent=1) + "\n", encoding="ascii")
         print(FIGURES.relative_to(ROOT))
     page = PAGE.read_text(encoding="utf-8")
-    text = gen_manual.replaced(page, "results", tables(json.loads(FIGURES.read_text())))
+    results = json.loads(FIGURES.read_text())
+    text = gen_manual.replaced(page, "results", tables(results))
+    text = gen_manual.replaced(text, "laps", laps_table(results["laps"]))
+    text = gen_manual.replaced(text, "baseline", baseline_table(results))
     if text == page:
         return 0
     if arguments.check:
