@@ -39,6 +39,10 @@ RUNS = [
     (0, "report", "OUT/step", "--json"),
     (0, "report", FOLDER, FOLDER, "-o", "OUT/two.html"),
     (0, "run", "OUT/step/run.toml", "-o", "OUT/again", "-s", "name=a < b & c"),
+    # Gains for the motor, a DC link that sags and rises, a rating that is passed, settling.
+    (0, *SHORT, *TWIN, "-o", "OUT/drive", "-s", "gains.by_rule=true", "-s", "plant.x.supply_ohm=1",
+     "-s", "plant.y.supply_ohm=1", "-s", "plant.x.continuous_current_A=0.001",
+     "-s", "plant.x.peak_current_A=0.002", "-s", "run.settle_s=0.02"),
     # A gain that rounds up to the next power of two, and one below the least exponent.
     (0, *SHORT, "-s", "gains.kp=0.99999", "-s", "gains.ki=1e-6", "-o", "OUT/gains"),
 ]
