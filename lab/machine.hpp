@@ -66,6 +66,7 @@ struct Machine {
   // Settings: their defaults, every key, and rules that concern more than one key.
   std::unique_ptr<Settings> (*defaults)() = nullptr;
   const std::vector<Key>& (*keys)() = nullptr;
+  std::string described_by;  // the key whose value a scenario's description tells, if any
   void (*validate)(Settings& settings) = nullptr;
   std::vector<std::string> (*warnings)(const Settings& settings) = nullptr;  // before a run
 

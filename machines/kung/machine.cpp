@@ -25,6 +25,7 @@ lab::Machine describe() {
   m.order = 1;
   m.of_types<Options, Session>();
   m.keys = keys;
+  m.described_by = "path.kind";
   m.validate = validate;
   m.triggers = triggers;
   m.vcd_bytes_s = 1.2e10;

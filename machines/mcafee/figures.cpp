@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 
 #include "machines/mcafee/machine.hpp"
 #include "machines/mcafee/signals.hpp"
@@ -19,6 +20,7 @@ struct Motion {
   double contour_max_s = 0;   // when that was, from the first row on,
   double contour_rms_mm = 0;  // its root mean square while moving,
   double contour_end_mm = 0;  // and at the end
+  double overshoot_mm = 0;    // farthest behind the end of an open path, along its direction there
 };
 
 // What began with sample k.
@@ -50,6 +52,7 @@ Motion motion_of(const Options& options, Result& result) {
   double squares = 0;
   std::size_t last = 0;
   bool begun = false;
+  const std::optional<Path> shape = path ? std::optional<Path>(options.path) : std::nullopt;
   Sample before;
   for (std::size_t k = 0; k < result.samples.size(); ++k) {
     const Sample s = result.samples[k];
@@ -63,6 +66,10 @@ Motion motion_of(const Options& options, Result& result) {
     }
     if (begun && moves) last = k;
     if (!path) continue;
+    if (s.row == result.table.rows.size()) {
+      const PointMm table(s.axis[0].x_mm, s.axis[1].x_mm);
+      m.overshoot_mm = std::max(m.overshoot_mm, shape->behind_end(shape->at(0) + table));
+    }
     m.contour_end_mm = result.contour_mm[k];
     if (m.contour_end_mm > m.contour_max_mm) {
       m.contour_max_mm = m.contour_end_mm;
@@ -111,6 +118,9 @@ std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult
     add(figure("motion.contour_rms_mm", "contour error", "rms", m.contour_rms_mm, "mm", 4),
         "Rms contour error");
     add(figure("motion.contour_end_mm", "contour error", "at the end", m.contour_end_mm, "mm", 4));
+    if (!Path(options.path).closed()) {
+      add(figure("motion.overshoot_mm", "overshoot", "behind the end", m.overshoot_mm, "mm", 4));
+    }
   }
   add(count("motion.max_error_counts", "largest error", "",
             largest([](const AxisSample& a) { return a.words.error; }), "counts"),

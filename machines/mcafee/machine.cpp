@@ -42,6 +42,7 @@ lab::Machine describe() {
   m.order = 3;
   m.of_types<Options, Session>();
   m.keys = keys;
+  m.described_by = "path.kind";
   m.validate = validate;
   m.warnings = [](const lab::Settings& settings) {
     const auto& options = static_cast<const Options&>(settings);

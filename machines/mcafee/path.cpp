@@ -145,13 +145,34 @@ PointMm Path::Segment::at(double s) const {
 
 PointMm Path::at(double s) const { return segment(s).at(s - segment(s).begin); }
 
+PointMm Path::Segment::ahead(double s) const {
+  if (radius == 0) return along;
+  return along * direction(s / (2 * kPi * radius)) * PointMm{0, 1 / radius};
+}
+
 double Path::curvature(double s) const {
   const double radius = segment(s).radius;
   return radius == 0 ? 0 : 1 / std::fabs(radius);
 }
 
+double Path::behind_end(const PointMm& p) const {
+  if (closed_) return 0;
+  const Segment& last = segments_.back();
+  return std::max(0.0, dot(p - last.at(last.length), last.ahead(last.length)));
+}
+
 double Path::distance(const PointMm& p, double s, double reach) const {
   double best = kInfinity;
+  if (!closed_) {
+    const Segment &first = segments_.front(), &last = segments_.back();
+    const PointMm from_start = p - first.at(0), from_end = p - last.at(last.length);
+    if (s <= reach && dot(from_start, first.ahead(0)) < 0) {
+      best = std::fabs(cross(first.ahead(0), from_start));
+    }
+    if (s >= length_ - reach && dot(from_end, last.ahead(last.length)) > 0) {
+      best = std::min(best, std::fabs(cross(last.ahead(last.length), from_end)));
+    }
+  }
   for (const Segment& one : segments_) {
     for (const double lap : {-length_, 0.0, length_}) {
       if (lap != 0 && !closed_) continue;

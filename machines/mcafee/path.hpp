@@ -41,8 +41,11 @@ class Path {
   PointMm at(double s) const;
   double curvature(double s) const;  // [1/mm], magnitude; an arc begins with its first point
 
-  // Of a point from the path within `reach` of a distance along it.
+  // Of a point from the path within `reach` of a distance along it. An open path goes straight on
+  // at both ends: what is behind its end is not beside it.
   double distance(const PointMm& point, double s, double reach) const;
+  // Of a point behind the end of an open path, in the direction in which it ends; 0 of others.
+  double behind_end(const PointMm& point) const;
 
  private:
   struct Segment {
@@ -53,6 +56,7 @@ class Path {
     double begin;   // distance along the path
 
     PointMm at(double s) const;
+    PointMm ahead(double s) const;  // direction of travel, of length 1
   };
 
   void add_line(const PointMm& from, const PointMm& to);

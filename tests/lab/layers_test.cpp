@@ -299,6 +299,35 @@ TEST_CASE("a short form sets the keys of both axes, and their own names refine i
   CHECK(both > 0);
 }
 
+TEST_CASE("a scenario's description goes with the path that it describes") {
+  int tried = 0;
+  for (const Machine* const machine : machines()) {
+    if (machine->described_by.empty()) continue;
+    const std::string& name = machine->described_by;
+    INFO(machine->name << ", " << name);
+    const auto settings = machine->defaults();
+    const Key& key = *find_keys(machine->keys(), name).at(0);
+    const std::string first = key.choices.at(0), second = key.choices.at(1);
+    const auto layer = [&](const std::string& description, const std::string& value) {
+      const std::string path = fmt::format("{} = \"{}\"\n", name, value);
+      apply_text(*settings, description + '\n' + path, "a.toml", "/");
+    };
+    layer("description = \"mine\"", first);
+    CHECK(settings->description == "mine");
+    apply_assignment(*settings, name + '=' + first);
+    CHECK(settings->description == "mine");
+    apply_assignment(*settings, name + '=' + second);
+    CHECK(settings->description ==
+          fmt::format("{} = \"{}\" in place of the scenario's \"{}\"", name, second, first));
+    layer("", first);
+    CHECK_THAT(settings->description, Contains(first + "\" in place of"));
+    layer("description = \"another\"", second);
+    CHECK(settings->description == "another");
+    ++tried;
+  }
+  CHECK(tried >= 2);
+}
+
 TEST_CASE("an assignment is key=value, and nothing may follow a number") {
   for (const Machine* const machine : machines()) {
     CAPTURE(machine->name);

@@ -110,6 +110,24 @@ TEST_CASE("a star's tips turn by 144 degrees within their radius") {
   CHECK(path.distance(path.at(10) + PointMm{0, 0.25}, 10, 1) == Approx(0.25));
 }
 
+TEST_CASE("behind the end of an open path only what is beside its direction is distance") {
+  PathOptions o = shape(PathKind::kCorner, 20, 3);
+  const Path open(o);
+  const PointMm end = open.at(open.length()), ahead = (end - open.at(open.length() - 1));
+  const PointMm aside = ahead * PointMm{0, 1};
+  CHECK(open.distance(end + 2.0 * ahead, open.length(), 10) == Approx(0).margin(1e-9));
+  CHECK(open.distance(end + 2.0 * ahead - 0.3 * aside, open.length(), 10) == Approx(0.3));
+  CHECK(open.behind_end(end + 2.0 * ahead + 0.3 * aside) == Approx(2));
+  CHECK(open.behind_end(end - ahead) == 0);
+  const PointMm start_ahead = open.at(1) - open.at(0);
+  CHECK(open.distance(open.at(0) - 2.0 * start_ahead, 0, 10) == Approx(0).margin(1e-9));
+  // In the middle of the path its ends are no excuse.
+  CHECK(open.distance(end + 2.0 * ahead, 10, 5) > 5);
+  const Path closed(shape(PathKind::kCircle, 0, 20));
+  CHECK(closed.distance(closed.at(0) + PointMm{2, 0}, closed.length(), 10) == Approx(2));
+  CHECK(closed.behind_end(closed.at(0) + PointMm{0, 2}) == 0);
+}
+
 TEST_CASE("points are resampled, their curvature is that of the circle through three") {
   std::string text = "x_mm,y_mm\n";
   for (int k = 0; k <= 360; ++k) {
