@@ -150,6 +150,9 @@ void add_chip(Table& t) {
   add("following_error_m", 0, 1,
       "distance from the reference model at which the firmware turns the drives off; 0 = never",
       &ChipOptions::following_error_m);
+  add("d_current_A", 0, 1000,
+      "measured d current at which the firmware turns the drives off: its loop holds 0; 0 = never",
+      &ChipOptions::d_current_A);
   add("offset_samples", 0, 255,
       "interrupts before the drives start that average the offsets of the current sensors",
       &ChipOptions::offset_samples);

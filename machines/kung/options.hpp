@@ -67,6 +67,7 @@ struct ChipOptions {
   int dead_time_min_ns = 200;     // lowest dead time the chip accepts
   double current_limit_A = 6.0;   // trip level of the measured phase currents
   double following_error_m = 0;   // from the model that the firmware allows; 0: any
+  double d_current_A = 0;         // largest measured i_d that the firmware allows; 0: any
   int offset_samples = 0;         // interrupts that average the sensors' offsets first
   int irq_period_ticks = 4;       // position samples per interrupt: 4 = 2 ms
   int watchdog_ticks = 100;       // position samples between two COMMITs; 0 = off

@@ -315,6 +315,11 @@ sw::KungSetup plan_firmware(const Options& options, std::vector<sw::Point>& poin
   s.offset_samples = word(chip.offset_samples);
   s.following_limit = static_cast<std::int32_t>(
       std::ceil(chip.following_error_m / options.plant.axis[0].encoder_count_m));
+  if (chip.d_current_A != 0) {
+    in_range("chip.d_current_A", chip.d_current_A, lsb_A, 2047 * lsb_A,
+             fmt::format("or 0, at plant.x.current_full_scale_A = {:g}", full_scale_A));
+  }
+  s.d_current_limit = static_cast<std::int32_t>(std::lround(chip.d_current_A / lsb_A));
   s.dead_time_min = clocks(chip.dead_time_min_ns, options.plant.clock_ps);
   check_extent(options, s);
   check_sweep(options);

@@ -34,6 +34,8 @@ const char* check_text(const sw::Mailbox& mailbox) {
     case sw::Failure::kLate: return "an interrupt was lost, or its service crossed a position tick";
     case sw::Failure::kFollowing:
       return "the position is farther from its model than chip.following_error_m";
+    case sw::Failure::kDCurrent:
+      return "a measured d current is above chip.d_current_A, though its loop holds it at 0";
     case sw::Failure::kFault: return "the chip interrupts for a fault that it does not name";
     case sw::Failure::kNone: break;
   }

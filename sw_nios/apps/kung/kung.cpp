@@ -196,6 +196,7 @@ void KungApp::serve(Bus& bus) {
   last_tick_ = record.tick;
   read_response(bus, record);
   if (!follows(record)) return fail(bus, Failure::kFollowing);
+  if (!d_currents_plausible(bus)) return fail(bus, Failure::kDCurrent);
 
   const bool more = mail_.point < size_;
   if (more) command_ = trajectory_.next();
@@ -236,6 +237,18 @@ bool KungApp::follows(const LogRecord& record) const {
   const std::int32_t limit = setup_.following_limit;
   const std::int32_t x = record.x_pos - record.x_model, y = record.y_pos - record.y_model;
   return limit == 0 || (x <= limit && x >= -limit && y <= limit && y >= -limit);
+}
+
+// The loop commands i_d* = 0: where it does not hold that, a current sensor or the angle is wrong.
+bool KungApp::d_currents_plausible(Bus& bus) const {
+  const std::int32_t limit = setup_.d_current_limit;
+  if (limit == 0) return true;
+  for (const std::uint32_t base : kBases) {
+    const std::uint32_t currents = bus.read(base + reg::kIdIq);
+    const std::int32_t i_d = static_cast<std::int16_t>(currents & reg::kIdIqIDMask);
+    if (i_d > limit || i_d < -limit) return false;
+  }
+  return true;
 }
 
 void KungApp::fail(Bus& bus, Failure failure) {

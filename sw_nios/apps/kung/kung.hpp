@@ -57,6 +57,7 @@ struct KungSetup : PathSetup {
   std::uint32_t current_limit = 1280;  // 6 A [I_fs / 2048], 0 = off
   std::uint32_t dead_time_min = 25;    // [clk]
   std::int32_t following_limit = 0;    // [count] from the model, 0 = not checked
+  std::int32_t d_current_limit = 0;    // of the measured i_d [I_fs / 2048], 0 = not checked
   bool current_command = false;        // position loops open: a point's distance from the start is
                                        // i_q* [I_fs / 4096]
   std::uint32_t offset_samples = 0;    // interrupts over which offsets of sensors are averaged
@@ -81,7 +82,8 @@ enum class Failure : std::uint32_t {
   kPreset,       // the position did not become the start point
   kLate,         // an interrupt was lost or its service crossed a tick
   kFault,        // the chip latched a fault: fault()
-  kFollowing     // a position is too far from its reference model
+  kFollowing,    // a position is too far from its reference model
+  kDCurrent      // a measured i_d is too large, though its loop holds it at 0
 };
 
 class KungApp final : public Firmware {
@@ -116,6 +118,7 @@ class KungApp final : public Firmware {
   void command(Bus& bus);
   void read_response(Bus& bus, LogRecord& record) const;
   bool follows(const LogRecord& record) const;
+  bool d_currents_plausible(Bus& bus) const;
   void fail(Bus& bus, Failure failure);
 
   Mailbox mail_;

@@ -97,6 +97,21 @@ TEST_CASE("a table that does not follow is turned off by the firmware") {
   CHECK(result.fault_report.off - result.fault_report.detected < 6250);  // two current periods
 }
 
+TEST_CASE("a current sensor that stays where it was is told by the d current") {
+  Options options = short_circle();
+  options.run.engine = Engine::kTwin;
+  options.plant.axis[0].load_n = 40;  // a current to hold
+  options.fault.kind = trammel::cosim::FaultKind::kConverterStuck;
+  options.fault.begin_s = 0.05;
+  CHECK(simulate(options, {}).end != EndReason::kFault);
+  options.chip.d_current_A = 0.3;
+  const Result result = simulate(options, {});
+  check_tripped(result, FaultCode::kNone, 0);
+  CHECK(result.fault_report.off - result.fault_report.detected < 6250);  // two current periods
+  options.fault.kind = trammel::cosim::FaultKind::kNone;
+  CHECK(simulate(options, {}).end == EndReason::kTimeout);
+}
+
 TEST_CASE("a stop request ends the run with what there is") {
   Options options = short_circle();
   std::atomic<bool> stop{false};
