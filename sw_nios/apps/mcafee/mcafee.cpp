@@ -104,7 +104,7 @@ void McafeeApp::on_timer(Bus& bus, Parts& parts) {
 
 void McafeeApp::on_host(Bus& bus, Parts& parts) {
   bool complete = false;
-  for (std::size_t k = 0; k < 2; ++k) {
+  for (std::uint32_t k = 0; k < 2; ++k) {
     Lm628Port& port = parts.port[k];
     const std::uint8_t status = port.status();
     if ((status & lm628_status::kCommandError) != 0) fail(bus, McafeeFailure::kCommandError);
@@ -133,7 +133,7 @@ void McafeeApp::begin(Bus& bus, Parts& parts) {
     port.command(Lm628Command::kStt);
     return wait(bus, State::kMoving, kSampleClk);
   }
-  for (std::size_t k = 0; k < 2; ++k) {
+  for (std::uint32_t k = 0; k < 2; ++k) {
     Lm628Port& port = parts.port[k];
     port.command(Lm628Command::kMski,
                  kFaults | (setup_.index_counts != 0 ? lm628_status::kIndex : 0u));
