@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The ways in which hosts use the port of an LM628: busy before each byte or each word or fixed
-// waits, status reads between the bytes of a word, events by HI or by the status byte. Each way plays
-// each program, on the RTL beside its twin, and must come to the same end without command error.
+// waits, status reads between the bytes of a word, events by HI or by the status byte. Each way
+// plays each program, on the RTL beside its twin, and must come to the same end without command
+// error.
 
 #include <catch2/catch.hpp>
 #include <cstdint>
