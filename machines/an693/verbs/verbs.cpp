@@ -220,7 +220,7 @@ std::vector<testbench::Verb> verbs() {
   verb.argument = "script";
   verb.argument_help =
       "built-in name, file, or - for standard input; none on a terminal: a prompt, at which `help` "
-      "names the commands";
+      "names the commands, and wait, torque and repeat";
   verb.out_help = "folder for the files that `trammel run` writes, and script.lm628";
   verb.simulates = true;
   verb.trigger_help = "at TIME";  // a script runs once, so that no event is known before

@@ -342,7 +342,7 @@ TEST_CASE("a script with loads gives the same run on RTL and twin") {
   CHECK(a.result.samples.size() > 3000);
 }
 
-TEST_CASE("a block is typed line by line; Ctrl-C or a mistake drops it") {
+TEST_CASE("a block is typed line by line, and Ctrl-C or a mistake drops it") {
   std::atomic<bool> stop{false};
   Arguments arguments;
   arguments.out = "lm628_shell_test_block";
