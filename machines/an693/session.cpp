@@ -108,6 +108,12 @@ cosim::Clk Bench::end() const {
   return cosim::clocks_of(options_.run.max_s, period_ps());
 }
 
+// As the loop does before an edge: a line that changes at this clock is seen.
+void Bench::load(double torque) {
+  plant_.load(chip_->now(), torque);
+  chip_->sense(failing_ ? failing_->sense() : plant_.sense());
+}
+
 Result Bench::result() {
   Result result;
   result.samples = recorder_.take_samples();

@@ -38,6 +38,8 @@ class MotorPlant final : public cosim::FalliblePlant {
   void open_phase(cosim::Clk n, int, int, bool open) override { axis_.open(n, open); }
   void supply(cosim::Clk n, double share) override { axis_.supply(n, share); }
 
+  void load(cosim::Clk n, double torque) { axis_.load(n, torque); }
+
   const plant::MotorAxis& axis() const { return axis_; }
 
  private:
@@ -63,6 +65,8 @@ class Bench : private cosim::Observer, private cosim::SignalReader {
   std::int64_t period_ps() const { return options_.plant.clock_ps; }
   cosim::Clk end() const;  // edge at which the run ends at the latest
   bool finished() const { return recorder_.done(); }
+
+  void load(double torque);  // of the shaft from now on [N m], against positive motion
 
   Result result();  // all but how it ended, which only who is at the port can tell
 

@@ -49,6 +49,8 @@ class DcMotor {
 
   const DcMotorConfig& config() const { return c_; }
 
+  void load(double external_torque) { c_.external_torque = external_torque; }  // from now on
+
   // These bounds, narrowed by those of the amplifier.
   DcMotorBounds within(DcMotorBounds b) const {
     b.i_low = std::max(b.i_low, -c_.current_limit);

@@ -52,6 +52,13 @@ class SensedMotor {
     commit(n, command_);
   }
 
+  // From clock n on: the torque [N m] against positive motion.
+  void load(std::int64_t n, double torque) {
+    commit(n, command_);
+    motor_.load(torque);
+    predict();
+  }
+
   DcMotorState state(std::int64_t n) const {
     DcMotorState s = state_;
     std::int64_t left = n - since_;

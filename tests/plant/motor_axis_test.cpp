@@ -54,3 +54,25 @@ TEST_CASE("motor_axis reverses, and shows its index once per revolution") {
   while (axis.count() > 0) axis.commit(axis.next(), -1);
   CHECK(axis.index());
 }
+
+TEST_CASE("motor_axis takes a load from a clock on, and predicts the edges that it makes") {
+  MotorAxis axis({});
+  axis.load(5000, 0.05);
+  const auto s = axis.state(1'000'000);
+  CHECK(axis.state(5000).omega == 0);
+  CHECK(s.omega < -1);  // the winding is shorted: it brakes, no more
+  trammel::plant::MotorAxisConfig config;
+  config.motor.external_torque = 0.05;
+  CHECK(s.theta == Approx(trammel::plant::DcMotor(config.motor).after({}, 995'000 * 20e-9, 0).theta)
+                       .epsilon(1e-8));
+  while (axis.next() < 1'000'000) axis.commit(axis.next(), 0);
+  CHECK(axis.count() < -10);
+  MotorAxis pushed({});
+  pushed.load(1000, 1);
+  const std::int64_t first = pushed.next();
+  const double border = -0.6 * MotorAxis::kTurn / 4000;  // with half of the hysteresis
+  CHECK(pushed.state(first).theta <= border);
+  CHECK(pushed.state(first - 1).theta > border);
+  axis.load(1'000'000, 0);
+  CHECK(axis.state(10'000'000).omega > s.omega);
+}

@@ -82,6 +82,21 @@ class Prompt(unittest.TestCase):
         self.type("\x04")  # Ctrl-D
         self.assertEqual(self.ended(), 0)
 
+    def test_a_block_is_asked_for_up_to_its_end(self):
+        self.type("repe\t 2\r")
+        self.until("  ...> ")
+        self.type("RDRP\r")
+        self.until("  ...> ")
+        self.type("end\r")
+        self.until("00000000h  0 counts")
+        self.until("00000000h  0 counts")
+        self.until("lm628> ")
+        self.type("repeat 2\r")
+        self.until("  ...> ")
+        self.answer("\x03", "\n")  # Ctrl-C drops it
+        self.type("quit\r")
+        self.assertEqual(self.ended(), 0)
+
     def test_ctrl_c_ends_a_wait_and_no_more(self):
         self.type("wait hi 3000 s\r")
         self.until("\n")  # it is executed

@@ -18,7 +18,7 @@ RUNS = [
     (0, *TUNING, "--engine", "twin", "-o", FOLDER),
     (5, "run", "an693-hold", "-s", "run.diverged_counts=1", "-o", FOLDER),
     (0, "lm628", "hold", "--wave", "fst", "--wave-window", "1.5ms:1.6ms", "-o", "OUT/lm628"),
-    (0, "lm628", "tuning", "-o", "OUT/lm628"), (0, "lm628", "hold", "--json"),
+    (0, "lm628", "tuning", "-o", "OUT/lm628"), (0, "lm628", "load"), (0, "lm628", "hold", "--json"),
     (0, "lm628", "--audit"),
     (0, "lm628", "OUT/all.lm628"), (0, "report", FOLDER, "OUT/lm628", "-o", "OUT/two.html"),
 ]
@@ -31,6 +31,7 @@ REFUSED = [
     (2, "is not known before", "lm628", "hold", "--wave", "fst", "--wave-trigger", "hi", "-o",
      "OUT/lm628"),
     (2, "did you mean LTRJ?", "lm628", "OUT/bad.lm628"),
+    (2, "has no end", "lm628", "OUT/open.lm628"),
     (2, "no such script", "lm628", "nothing"),
     (2, "not a key", "lm628", "hold", "-s", "gains.kp=1"),
     (5, "not within 0.01 s", "lm628", "OUT/late.lm628"),
@@ -40,6 +41,7 @@ REFUSED = [
 WORDS = """RESET\nPORT8\nPORT12\nDFH\nSIP\nLPEI 1\nLPES 2\nSBPA -5\nSBPR 5\nMSKI 0\nRSTI 0
 LFIL 0Fh 1 2 3 4\nUDF\nLTRJ 3Fh 1 2 3\nSTT\nRDSTAT\nRDSIGS\nRDIP\nRDDP\nRDRP\nRDDV\nRDRV\nRDSUM
 byte c 0Ah\nwait 1 ms\nread d\nrst\nwait complete\nstatus\npins\nhelp\nhelp LFIL\nhelp RSTI
+repeat 2\ntorque 0.01\nwait 1 ms\nrepeat 2\ntorque -0.01\nend\nend\nhelp repeat\nhelp torque
 help wait\nhelp status\nhelp byte\nhelp PORT12\nquit\n"""
 
 
@@ -51,6 +53,7 @@ def write_input(out):
 def write_bad_input(out):
     """After the runs, before what is refused."""
     (out / "bad.lm628").write_text("LTRK 0\n", encoding="utf-8")
+    (out / "open.lm628").write_text("repeat 2\nSTT\n", encoding="utf-8")
     (out / "late.lm628").write_text("RSTI 0\nwait hi 10 ms\n", encoding="utf-8")
 
 

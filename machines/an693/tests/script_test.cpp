@@ -4,6 +4,8 @@
 
 #include "machines/an693/verbs/script.hpp"
 
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <set>
 
@@ -130,6 +132,9 @@ TEST_CASE("a wait takes a time, or an event with a time limit") {
   CHECK(parsed("WAIT HI").choice == "hi");
   CHECK(parsed("wait hi").seconds == kLongestWait);
   CHECK(parsed("wait complete 2 s").choice == "complete");
+  CHECK(parsed("wait Breakpoint").choice == "breakpoint");
+  CHECK(parsed("wait index 20 ms").choice == "index");
+  CHECK(parsed("wait error 20 ms").seconds == Approx(0.02));
   CHECK(parsed("wait complete 2 s").seconds == 2);
   for (const char* bad : {"wait", "wait 5", "wait s", "wait -1 s", "wait hi 4 days", "wait inf s",
                           "wait 1 s 2", "wait done"}) {
@@ -137,6 +142,56 @@ TEST_CASE("a wait takes a time, or an event with a time limit") {
   }
   CHECK_THAT(refusal("wait 3601 s"), Contains("3601s is out of range 0..3600 s"));
   CHECK_THAT(refusal("wait 1e9 s"), Contains("is out of range"));
+}
+
+TEST_CASE("repeat executes the lines up to its end, blocks in blocks too") {
+  const auto names = [](const std::string& text) {
+    std::string all;
+    for (const Line& line : parse_script(text, "a")) {
+      all += fmt::format("{}{} ", line.command->name, line.where);
+    }
+    return all;
+  };
+  CHECK(names("RDIP\nrepeat 2\nRDRP\n\nRDDP ; two\nEND\nRDDV") ==
+        "RDIPa:1 RDRPa:3 RDDPa:5 RDRPa:3 RDDPa:5 RDDVa:7 ");
+  CHECK(names("REPEAT 1\nRDRP\nend") == "RDRPa:2 ");
+  CHECK(names("repeat 2\nrepeat 0x2\nRDRP\nend\nRDDP\nrepeat 1\nend\nend") ==
+        "RDRPa:3 RDRPa:3 RDDPa:5 RDRPa:3 RDRPa:3 RDDPa:5 ");
+  CHECK(parse_script("repeat 10000\nrepeat 10000\nend\nend", "a").empty());
+  CHECK(parse_script("repeat 5000\nSTT\nRDRP\nend", "a").size() == 10000);
+  CHECK(depth_after(2, parsed("repeat 3")) == 3);
+  CHECK(depth_after(2, parsed("STT")) == 2);
+  CHECK(depth_after(2, parsed("end")) == 1);
+}
+
+TEST_CASE("a block that has no end, no beginning or too many lines is refused where it is") {
+  CHECK(refusal("STT\nrepeat 2\nSTT") == "move.lm628:2: repeat: has no end");
+  CHECK(refusal("repeat 2\nrepeat 2\nend") == "move.lm628:1: repeat: has no end");
+  CHECK(refusal("repeat 2\nend\nend") == "move.lm628:3: end: there is no repeat before it");
+  CHECK(refusal("repeat") == "move.lm628:1: repeat: count 1..10000 (2710h) is missing");
+  CHECK(refusal("repeat 0") == "move.lm628:1: repeat: count: 0 is out of range 1..10000 (2710h)");
+  CHECK_THAT(refusal("repeat 10001"), Contains("count: 10001 is out of range 1..10000"));
+  CHECK_THAT(refusal("repeat -1"), Contains("is out of range"));
+  CHECK_THAT(refusal("repeat two"), Contains("two is not a number 1..10000"));
+  CHECK_THAT(refusal("repeat 2 3"), Contains("1 value, not 2"));
+  CHECK_THAT(refusal("end 2"), Contains("end asks for nothing"));
+  CHECK(refusal("RDRP\nrepeat 5000\nSTT\nRDRP\nend") ==
+        "move.lm628:2: repeat 5000: the script would execute 10001 lines up to its end; at most "
+        "10000 are allowed");
+  CHECK_THAT(refusal("repeat 10000\nrepeat 10000\nSTT\nend\nend"),
+             Contains("move.lm628:1: repeat 10000: the script would execute 100000000 lines"));
+  CHECK_THAT(refusal("repeat 3\nSTTT\nend"), Contains("move.lm628:2: STTT: unknown command"));
+}
+
+TEST_CASE("a load is one number in N m") {
+  CHECK(parsed("torque 0.01").torque == 0.01);
+  CHECK(parsed("Torque -10").torque == -10);
+  for (const char* bad : {"torque", "torque x", "torque 1 2", "torque 0.1Nm", "torque nan"}) {
+    CHECK_THAT(refusal(bad), Contains("torque: expects one number in N m, -10 to 10, as 0.01"));
+  }
+  CHECK(refusal("torque 10.1") == "move.lm628:1: torque: 10.1 is out of range -10..10 N m");
+  CHECK_THAT(refusal("torque -inf"), Contains("-inf is out of range"));
+  CHECK_THAT(refusal("torque 1e999"), Contains("1e999 is out of range"));
 }
 
 TEST_CASE("help tells of all words, or of one") {
@@ -156,7 +211,8 @@ TEST_CASE("what may stand at a place is completed, in the case in which it was b
   CHECK(completions("", "RDS") == Names{"RDSTAT", "RDSIGS", "RDSUM"});
   CHECK(completions("", "port1") == Names{"port12"});
   CHECK(completions("Help ", "wa") == Names{"wait"});
-  CHECK(completions("wait ", "") == Names{"hi", "complete"});
+  CHECK(completions("wait ", "") == Names{"hi", "complete", "breakpoint", "index", "error"});
+  CHECK(completions("", "rep") == Names{"repeat"});
   CHECK(completions("read ", "D") == Names{"d"});
   CHECK(completions("", "").size() == commands().size());
   CHECK(completions("RDRP ", "").empty());
@@ -164,7 +220,7 @@ TEST_CASE("what may stand at a place is completed, in the case in which it was b
 
 TEST_CASE("built-in scripts can be read, and have names") {
   const auto files = lab::built_in(".lm628");
-  CHECK(files.size() == 5);
+  CHECK(files.size() == 6);
   for (const auto& file : files) {
     INFO(file);
     CHECK(find_script(file.stem().string()) == file);

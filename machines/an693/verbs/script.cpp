@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <limits>
 #include <sstream>
@@ -22,32 +23,7 @@ using lab::ConfigError;
 
 constexpr double kLongestTime = 3600;     // [s]
 constexpr std::size_t kLongestWord = 40;  // characters that are shown
-
-constexpr char kFilterHelp[] =
-    "control word: bits 15..8 n, the derivative is formed every n + 1 samples;\n"
-    "bit 3 kp, 2 ki, 1 kd, 0 il follow, in this order, each 0..32767.\n"
-    "  LFIL 030Ah 50 1000    kp = 50, kd = 1000, every 4 samples; UDF activates them\n";
-constexpr char kTrajectoryHelp[] =
-    "control word: bit 5 acceleration, 3 velocity, 1 position follow, in this order; the bit\n"
-    "below each (4, 2, 0): it is relative. Bit 11 velocity mode, 12 forward in it;\n"
-    "10 stop smoothly, 9 stop abruptly, 8 motor off.\n"
-    "Acceleration in 2^-16 count/sample^2, velocity in 2^-16 count/sample, position in counts.\n"
-    "  LTRJ 002Ah 2 346Eh 8000    all three, absolute; STT starts the move\n"
-    "  LTRJ 1828h 11h 20C4Ah      velocity mode, forward\n"
-    "  LTRJ 0400h                 stop smoothly\n";
-constexpr char kStatusHelp[] =
-    "bit 7 motor off, 6 breakpoint, 5 position error, 4 wraparound, 3 index pulse,\n"
-    "2 trajectory complete, 1 command error, 0 busy; 1 to 6 hold until RSTI clears them.\n";
-constexpr char kConverterHelp[] =
-    "The converter of this machine latches 12 bits by their strobes: the motor needs PORT12.\n";
-constexpr char kWaitHelp[] =
-    "  wait 0.5 s           also ms, us, and samples of 256 us\n"
-    "  wait hi              until the pin HI is high\n"
-    "  wait complete        until status bit 2 is set, read every sample; a bit that is still set\n"
-    "                       from before counts: RSTI 0 clears it\n"
-    "  wait complete 5 s    for at most 5 s; the default is 60 s\n";
-constexpr char kPortHelp[] =
-    "One access of the port, whether the part is busy or not: c is PS low, d is PS high.\n";
+constexpr double kLargestTorque = 10;     // [N m], as of motor.external_torque_N_m
 
 std::string lower(std::string text) {
   for (char& c : text) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
@@ -160,13 +136,27 @@ void read_wait(Line& line, const std::vector<std::string>& data) {
   const std::string time = fmt::format("{}", fmt::join(data, ""));
   const auto seconds = seconds_of(time);
   if (!seconds) {
-    throw ConfigError("wait: expects a time as 0.5 s, 10 ms, 300 us or 100 samples, or hi or "
-                      "complete with the longest time to wait");
+    throw ConfigError("wait: expects a time as 0.5 s, 10 ms, 300 us or 100 samples, or one of hi, "
+                      "complete, breakpoint, index and error with the longest time to wait");
   }
   if (!(*seconds >= 0 && *seconds <= kLongestTime)) {
     throw ConfigError(fmt::format("wait: {} is out of range 0..{} s", time, kLongestTime));
   }
   line.seconds = *seconds;
+}
+
+void read_torque(Line& line, const std::vector<std::string>& data) {
+  constexpr char kAsks[] = "torque: expects one number in N m, -10 to 10, as 0.01";
+  if (data.size() != 1) throw ConfigError(kAsks);
+  char* end = nullptr;
+  line.torque = std::strtod(data[0].c_str(), &end);
+  if (*end != '\0' || std::isnan(line.torque)) {
+    throw ConfigError(fmt::format("{}, not {}", kAsks, data[0]));
+  }
+  if (std::abs(line.torque) > kLargestTorque) {
+    throw ConfigError(fmt::format("torque: {} is out of range -{:g}..{:g} N m", data[0],
+                                  kLargestTorque, kLargestTorque));
+  }
 }
 
 const Command& find_command(const std::string& name) {
@@ -191,6 +181,7 @@ void read_line(Line& line, std::vector<std::string> data) {
     data.erase(data.begin());
   }
   if (command.action == Action::kWait) return read_wait(line, data);
+  if (command.action == Action::kTorque) return read_torque(line, data);
   if (command.action == Action::kHelp) {
     if (data.size() > 1) throw ConfigError("help: expects one mnemonic, or nothing");
     if (!data.empty()) line.topic = &find_command(data[0]);
@@ -203,62 +194,20 @@ void read_line(Line& line, std::vector<std::string> data) {
   read_data(line, data);
 }
 
-}  // namespace
-
-const std::vector<Command>& commands() {
-  using Op = sw::Lm628Command;
-  constexpr std::int64_t kCoefficient = 0x7FFF;
-  constexpr std::int64_t kRate = 0x3FFFFFFF;
-  constexpr std::int64_t kReach = std::int64_t{1} << 30;
-  static const Field control{"control", 16, 0, 0xFFFF};
-  static const Field mask{"mask", 16, 0, 0xFFFF};
-  static const Field threshold{"threshold", 16, 0, kCoefficient};
-  static const Field position{"position", 32, -kReach, kReach - 1};
-  static const Field distance{"distance", 32, -kReach, kReach - 1};
-  static const Reply counts{32, "counts"};
-  static const std::vector<Command> all{
-      {"RESET", "like a low RST; then waits 1.5 ms", Op::kReset},
-      {"PORT8", "output of 8 bits", Op::kPort8},
-      {"PORT12", "output of 12 bits", Op::kPort12, {}, {}, kConverterHelp},
-      {"DFH", "define the present position as 0", Op::kDfh},
-      {"SIP", "take the position at the next index pulse", Op::kSip},
-      {"LPEI", "position error that interrupts", Op::kLpei, {threshold}},
-      {"LPES", "position error that stops the motor", Op::kLpes, {threshold}},
-      {"SBPA", "breakpoint", Op::kSbpa, {position}},
-      {"SBPR", "breakpoint, relative to the target", Op::kSbpr, {distance}},
-      {"MSKI", "1: this status bit may interrupt", Op::kMski, {mask}, {}, kStatusHelp},
-      {"RSTI", "0: clear this status bit; HI goes low", Op::kRsti, {mask}, {}, kStatusHelp},
-      {"LFIL", "load the filter", Op::kLfil,
-       {control, {"kp", 16, 0, kCoefficient, 8}, {"ki", 16, 0, kCoefficient, 4},
-        {"kd", 16, 0, kCoefficient, 2}, {"il", 16, 0, kCoefficient, 1}}, {}, kFilterHelp},
-      {"UDF", "use the loaded filter", Op::kUdf},
-      {"LTRJ", "load a trajectory", Op::kLtrj,
-       {control, {"acceleration", 32, 0, kRate, 0x20, "acceleration"},
-        {"velocity", 32, 0, kRate, 0x08, "velocity"},
-        {"position", 32, -kReach, kReach - 1, 0x02, "distance"}}, {}, kTrajectoryHelp},
-      {"STT", "start the loaded trajectory", Op::kStt},
-      {"RDSTAT", "status byte", {}, {}, {8}, kStatusHelp, Action::kRead},
-      {"RDSIGS", "signals register", Op::kRdsigs, {}, {16}},
-      {"RDIP", "index position", Op::kRdip, {}, counts},
-      {"RDDP", "desired position", Op::kRddp, {}, counts},
-      {"RDRP", "real position", Op::kRdrp, {}, counts},
-      {"RDDV", "desired velocity", Op::kRddv, {}, {32, "counts/sample", 16}},
-      {"RDRV", "real velocity", Op::kRdrv, {}, {16, "counts/sample"}},
-      {"RDSUM", "sum of the errors", Op::kRdsum, {}, {16, "256 counts"}},
-      {"byte", "write one byte at the port, busy or not", {}, {{"byte", 8, 0, 0xFF}}, {}, kPortHelp,
-       Action::kWrite, {"c", "d"}, "c|d byte"},
-      {"read", "read one byte at the port, busy or not", {}, {}, {8, ""}, kPortHelp, Action::kRead,
-       {"c", "d"}, "c|d"},
-      {"rst", "strobe the pin RST; then wait 1.5 ms", {}, {}, {}, "", Action::kReset},
-      {"wait", "let simulated time pass", {}, {}, {}, kWaitHelp, Action::kWait, {"hi", "complete"},
-       "time | hi [time] | complete [time]"},
-      {"status", "status byte and signals, by name", {}, {}, {}, kStatusHelp, Action::kStatus},
-      {"pins", "HI, encoder, converter, and the motor behind them", {}, {}, {}, "", Action::kPins},
-      {"help", "all commands, or one in detail", {}, {}, {}, "", Action::kHelp, {}, "[mnemonic]"},
-      {"quit", "end", {}, {}, {}, "", Action::kQuit},
-      {"exit", "end", {}, {}, {}, "", Action::kQuit}};
-  return all;
+// Lines from `first` on, which are there once, as often as `by` says.
+void repeat(std::vector<Line>& script, std::size_t first, const Line& by) {
+  const std::size_t count = by.words[0], length = script.size() - first;
+  const std::size_t all = first + count * length;
+  if (all > kMostLines) {
+    throw ConfigError(fmt::format(
+        "{}: {}: the script would execute {} lines up to its end; at most {} are allowed", by.where,
+        by.text, all, kMostLines));
+  }
+  script.reserve(all);
+  for (std::size_t n = first + length; n < all; ++n) script.push_back(script[n - length]);
 }
+
+}  // namespace
 
 std::optional<Line> parse_line(const std::string& text, const std::string& where) {
   std::istringstream words(text.substr(0, text.find_first_of("#;")));
@@ -276,15 +225,32 @@ std::optional<Line> parse_line(const std::string& text, const std::string& where
   return line;
 }
 
+int depth_after(int depth, const Line& line) {
+  if (line.command->action == Action::kRepeat) return depth + 1;
+  if (line.command->action != Action::kEnd) return depth;
+  if (depth == 0) throw ConfigError(line.where + ": end: there is no repeat before it");
+  return depth - 1;
+}
+
 std::vector<Line> parse_script(const std::string& text, const std::string& source) {
   std::vector<Line> script;
+  std::vector<std::pair<Line, std::size_t>> open;  // repeat, and where its lines begin
   std::istringstream lines(text);
   std::string line;
   for (int number = 1; std::getline(lines, line); ++number) {
-    if (auto parsed = parse_line(line, fmt::format("{}:{}", source, number))) {
+    auto parsed = parse_line(line, fmt::format("{}:{}", source, number));
+    if (!parsed) continue;
+    depth_after(static_cast<int>(open.size()), *parsed);
+    if (parsed->command->action == Action::kRepeat) {
+      open.emplace_back(std::move(*parsed), script.size());
+    } else if (parsed->command->action == Action::kEnd) {
+      repeat(script, open.back().second, open.back().first);
+      open.pop_back();
+    } else {
       script.push_back(std::move(*parsed));
     }
   }
+  if (!open.empty()) throw ConfigError(open.back().first.where + ": repeat: has no end");
   return script;
 }
 

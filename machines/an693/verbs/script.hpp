@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The language of `trammel lm628`: commands of the data sheet (SNVS781C) by their mnemonics with
-// their data as numbers, waits, and single accesses of the port. One command a line, in any case;
-// comments begin with # or ;. A number is decimal, 0x1F or 1Fh; where it may be negative, its bit
-// pattern does too.
+// their data as numbers, waits, loads, blocks that repeat, and single accesses of the port. One
+// command a line, in any case; comments begin with # or ;. A number is decimal, 0x1F or 1Fh; where
+// it may be negative, its bit pattern does too.
 #pragma once
 
 #include <cstdint>
@@ -24,6 +24,9 @@ enum class Action {
   kWait,
   kStatus,
   kPins,
+  kTorque,  // of the load
+  kRepeat,  // the lines up to kEnd, which are executed in their place
+  kEnd,
   kHelp,
   kQuit
 };
@@ -59,6 +62,7 @@ struct Command {
 // All that the script, the shell, completion and help know.
 const std::vector<Command>& commands();
 
+inline constexpr std::int64_t kMostLines = 10000;  // that a script with blocks executes
 inline constexpr double kLongestWait = 60;  // [s] simulated, unless a script says otherwise
 
 struct Line {
@@ -66,6 +70,7 @@ struct Line {
   std::string choice;                // one of the command's, or empty
   std::vector<std::uint32_t> words;  // data as the part takes them, of 16 bits each; or a byte
   double seconds = kLongestWait;     // kWait: how long, or how long at most
+  double torque = 0;                 // kTorque [N m]
   const Command* topic = nullptr;    // kHelp: one command; none: all
   std::string text;                  // as it was written
   std::string where;                 // "file:line", for messages
@@ -74,7 +79,11 @@ struct Line {
 // One line; nothing where it holds no command. Throws lab::ConfigError, which begins with `where`.
 std::optional<Line> parse_line(const std::string& text, const std::string& where);
 
-// All lines of a script; those after `quit` are read too.
+// How many blocks are open behind a line. Throws lab::ConfigError at an `end` too many.
+int depth_after(int depth, const Line& line);
+
+// All lines of a script as they are executed, those of blocks as often as these say; those after
+// `quit` are read too.
 std::vector<Line> parse_script(const std::string& text, const std::string& source);
 
 // A built-in script's name or a path. Throws lab::ConfigError.

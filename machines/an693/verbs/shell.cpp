@@ -46,6 +46,15 @@ cosim::Waves waves_of(const Options& options) {
 
 std::uint32_t address(const Line& line) { return line.choice == "d" ? map::kData : map::kCommand; }
 
+// Of the status byte, for the words of `wait`.
+std::uint8_t awaited_bit(const std::string& event) {
+  namespace bits = sw::lm628_status;
+  if (event == "breakpoint") return bits::kBreakpoint;
+  if (event == "index") return bits::kIndex;
+  if (event == "error") return bits::kPositionError;
+  return bits::kTrajectoryComplete;
+}
+
 void check(const sw::Lm628Port& port) {
   if (port.stuck()) throw Halt(EndReason::kFault, "the busy bit did not clear");
 }
@@ -114,6 +123,9 @@ Answer Shell::execute(const Line& line) {
       case Action::kWait: wait(line, answer); break;
       case Action::kStatus: tell_status(answer); break;
       case Action::kPins: tell_pins(answer); break;
+      case Action::kTorque: bench_.load(line.torque); break;
+      case Action::kRepeat:
+      case Action::kEnd: break;  // their lines are executed, in their place
       case Action::kHelp: answer.text = help_text(line.topic); break;
       case Action::kQuit: break;
     }
@@ -171,11 +183,12 @@ void Shell::wait(const Line& line, Answer& answer) {
   if (line.choice.empty()) return pass(limit - begin);
   sw::Lm628Port port(bus_);
   const bool for_host = line.choice == "hi";
+  const std::uint8_t awaited = for_host ? 0 : awaited_bit(line.choice);
   const Clk sample = clocks(kSampleS);
   for (;;) {
     const std::uint8_t status = for_host ? bench_.chip().words().status : port.status();
     const bool is_there = for_host ? bench_.chip().host_irq()
-                                   : (status & sw::lm628_status::kTrajectoryComplete) != 0;
+                                   : (status & awaited) != 0;
     // A part that is busy may not yet have taken back what the last RSTI clears.
     if (is_there && (status & sw::lm628_status::kBusy) == 0) break;
     go_on();

@@ -56,6 +56,22 @@ void play(Shell& shell, const std::vector<Line>& script, Transcript& all, bool q
   }
 }
 
+// A line, or a block of lines of which `first` is the first; nothing where its end does not come.
+std::optional<std::vector<Line>> typed(const ReadLine& read_line, const std::string& first) {
+  const auto line = parse_line(first, "lm628");
+  if (!line) return std::vector<Line>();
+  int depth = depth_after(0, *line);
+  if (depth == 0) return std::vector<Line>{*line};
+  std::string block = first;
+  while (depth > 0) {
+    const std::optional<std::string> text = read_line("  ...> ");
+    if (!text) return {};
+    if (const auto next = parse_line(*text, "lm628")) depth = depth_after(depth, *next);
+    block += '\n' + *text;
+  }
+  return parse_script(block, "lm628");
+}
+
 void converse(Shell& shell, const ReadLine& read_line, std::atomic<bool>& stop, Transcript& all) {
   print_now("LM628 of 8 MHz with a DC motor, after RST; `help` names the commands\n");
   for (;;) {
@@ -67,8 +83,12 @@ void converse(Shell& shell, const ReadLine& read_line, std::atomic<bool>& stop, 
       continue;
     }
     try {  // a stop that comes right after the line ends what the line asks for
-      const auto line = parse_line(*text, "lm628");
-      if (line && !execute(shell, *line, all)) return;
+      const auto lines = typed(read_line, *text);
+      if (!lines && !stop) return;
+      if (!lines) print_now("\n");
+      for (const Line& line : lines.value_or(std::vector<Line>())) {
+        if (!execute(shell, line, all)) return;
+      }
     } catch (const ConfigError& error) {
       tell(error.what());
     } catch (const Halt& halt) {
@@ -200,7 +220,7 @@ std::vector<testbench::Verb> verbs() {
   verb.argument = "script";
   verb.argument_help =
       "built-in name, file, or - for standard input; none on a terminal: a prompt, at which `help` "
-      "names the commands";
+      "names the commands, and wait, torque and repeat";
   verb.out_help = "folder for the files that `trammel run` writes, and script.lm628";
   verb.simulates = true;
   verb.trigger_help = "at TIME";  // a script runs once, so that no event is known before

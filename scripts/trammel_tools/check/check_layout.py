@@ -29,7 +29,7 @@ MIDDLE = {"sense", "drive", "control", "motion", "bus"}
 RTL_USES = {"pkg": set(), "math": {"pkg"}, **{m: {"pkg", "math"} for m in MIDDLE},
             "chips": {"pkg", "math", "chips"} | MIDDLE,
             "boards": {"pkg", "math", "chips"} | MIDDLE}
-CODE = {".sv", ".hpp", ".cpp", ".h", ".py", ".cmake", ".rdl", ".vlt", ".js", ".css",
+CODE = {".sv", ".hpp", ".cpp", ".h", ".c", ".py", ".cmake", ".rdl", ".vlt", ".js", ".css",
         ".html", ""}
 TEXT = CODE | {".md", ".toml", ".txt", ".json", ".in"}
 NO_LICENCE = {".md", ".toml", ".txt", ".json"}
@@ -169,7 +169,7 @@ def findings(root):
             yield from check_companions(root, files, plain, path)
             yield from check_page(root, path, files)
             yield from check_rtl_uses(root, path, owner)
-        if path.suffix in (".hpp", ".cpp", ".h"):
+        if path.suffix in (".hpp", ".cpp", ".h", ".c"):
             yield from layout_uses.check(root, path)
     yield from layout_machines.check(root, files)
 

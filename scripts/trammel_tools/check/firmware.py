@@ -8,6 +8,9 @@ sw_nios/apps/<m>/rv32im/main.cpp, is linked with sw_nios/rv32im/link.ld, and its
 fails when the program holds a heap, a stream, exceptions or floating-point arithmetic: code that
 must run to completion with the same result on every core has none of these.
 
+The drivers in C of parts, parts/<part>/driver/*.c, are compiled as freestanding C99; they must keep
+no variables and need nothing but each other.
+
 Exit codes: 0 as it should be, 1 it does not build or holds what it must not, 3 the cross compiler
 is missing (under CTest 77). The programs are build/firmware/<m>.elf.
 """
@@ -31,6 +34,8 @@ COMPILE = ["-std=c++17", "-ffreestanding", "-fno-exceptions", "-fno-rtti",
            "-I.", "-isystem", "sw_nios/rv32im/include"]
 LINK = ["--specs=picolibc.specs", "-nostartfiles", "-nostdlib", "-T", "sw_nios/rv32im/link.ld",
         "-Wl,--gc-sections,--fatal-warnings,--no-warn-rwx-segments"]
+DRIVER = ["-std=c99", "-ffreestanding", "-Os", "-Wall", "-Wextra", "-Wpedantic", "-Wshadow",
+          "-Wconversion", "-Wcast-qual", "-Wstrict-prototypes", "-Werror"]
 FORBIDDEN = {
     "heap": r"malloc|free|calloc|realloc|_?sbrk|_Zn[wa]j.*|_Zd[la]Pv.*",
     "floating point": r"__(add|sub|mul|div|neg|cmp|eq|ne|lt|le|gt|ge|unord|pow)[sdt]f[23i]+"
@@ -87,6 +92,34 @@ def forbidden(symbols):
             yield f"firmware: {what} is linked: {', '.join(found)}"
 
 
+def driver_problems(name, symbols):
+    """What is wrong with a driver: lines of `nm --format=posix` of its objects."""
+    words = [line.split()[:2] for line in symbols.split("\n") if len(line.split()) > 1]
+    defined = {symbol for symbol, kind in words if kind not in "Uu"}
+    needed = sorted({symbol for symbol, kind in words if kind == "U"} - defined)
+    kept = sorted(symbol for symbol, kind in words if kind in "BbCDdGgSs")
+    if needed:
+        yield f"firmware: {name} needs {', '.join(needed)}"
+    if kept:
+        yield f"firmware: {name} keeps {', '.join(kept)}"
+
+
+def drivers():
+    """Compiles the drivers in C; what is wrong, or None where one does not compile."""
+    wrong = []
+    for folder in sorted((ROOT / "parts").glob("*/driver")):
+        name, symbols = str(folder.relative_to(ROOT)), ""
+        for source in sorted(folder.glob("*.c")):
+            compiled = str(OUT / f"{folder.parent.name}_driver_{source.stem}.o")
+            if run(f"{PREFIX}gcc", *CORE, *DRIVER, "-c", str(source), "-o", compiled) is None:
+                return None
+            symbols += run(f"{PREFIX}nm", "--format=posix", compiled)
+            text = run(f"{PREFIX}size", compiled).split("\n")[1].split()[0]
+            print(f"firmware: {name}/{source.name}: text {text} bytes")
+        wrong += driver_problems(name, symbols)
+    return wrong
+
+
 def main():
     if any(a in ("-h", "--help") for a in sys.argv[1:]):
         print(__doc__)
@@ -109,6 +142,10 @@ def main():
         print(f"firmware: {program.relative_to(ROOT)}: text {text}, data {data}, bss {bss} bytes")
         names = run(f"{PREFIX}nm", "--format=posix", str(program)).split("\n")
         wrong += forbidden({line.split()[0] for line in names if line})
+    of_drivers = drivers()
+    if of_drivers is None:
+        return 1
+    wrong += of_drivers
     for line in wrong:
         print(line, file=sys.stderr)
     return 1 if wrong else 0

@@ -9,8 +9,8 @@ import difflib
 import re
 from pathlib import Path
 
-PROGRAM_TEXT = {".cpp", ".hpp", ".h", ".S", ".js", ".css", ".html", ".py", ".cmake", ".in", ".toml",
-                ".sh", ".vlt"}
+PROGRAM_TEXT = {".cpp", ".hpp", ".h", ".c", ".S", ".js", ".css", ".html", ".py", ".cmake", ".in",
+                ".toml", ".sh", ".vlt"}
 PROGRAM_FILES = {"CMakeLists.txt", "CMakePresets.json"}
 FREE = {"rtl", "models", "third_party"}
 # Companions of machines/<m>/, from the folder that holds machines/.

@@ -46,6 +46,8 @@ def place_of(path):
     if path.parts[:2] == ("sw_nios", "apps"):
         app = "/".join(path.parts[:3])
         return app, [*USES["sw_nios"], f"{app}/"]
+    if first == "parts" and path.parts[2:3] == ("driver",):  # for other hosts: it stands alone
+        return f"{first}/{second}/driver", []
     two = f"{first}/{second}"
     folder = two if two in USES else first
     return (folder, USES[folder]) if folder in USES else (None, [])

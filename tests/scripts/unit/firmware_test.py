@@ -25,3 +25,11 @@ class FirmwareTest(unittest.TestCase):
         self.assertEqual(firmware.programs(sources), ["a"])
         self.assertEqual([firmware.app_of(source) for source in sources],
                          ["a", "a", None, "b", "b"])
+
+    def test_a_driver_needs_its_own_functions_only_and_keeps_nothing(self):
+        right = "a T 0 4\nb t 4 4\na U\ntext r 0 1\n"
+        self.assertEqual(list(firmware.driver_problems("x", right)), [])
+        self.assertEqual(list(firmware.driver_problems("x", right + "memcpy U\n")),
+                         ["firmware: x needs memcpy"])
+        self.assertEqual(list(firmware.driver_problems("x", right + "m b 0 4\nn D 0 4\no C 4\n")),
+                         ["firmware: x keeps m, n, o"])

@@ -261,3 +261,104 @@ TEST_CASE("Ctrl-C right after a line stops its command, at the prompt it only dr
   CHECK(read_text(arguments.out + "/script.lm628") == "wait 50 s\nRDRP\n");
   fs::remove_all(arguments.out);
 }
+
+TEST_CASE("repeat moves there and back, and its lines stand in the transcript as executed") {
+  const Played run = play(
+      "PORT12\nLFIL 030Ah 50 1000\nUDF\nLTRJ 0028h 100000 1000000\nRSTI 0\nrepeat 3\n"
+      "LTRJ 0003h 100\nSTT\nwait complete\nRSTI 0\nend\nRDDP\n");
+  CHECK(run.halt.empty());
+  CHECK(run.answers.size() == 5 + 3 * 4 + 1);
+  CHECK(run.answers.back()["value"] == 300);
+}
+
+TEST_CASE("a script waits for breakpoint, index and position error, and may wait in vain") {
+  const std::string begin =
+      "PORT12\nRSTI 0\nLFIL 030Ah 50 1000\nUDF\nLTRJ 0028h 1000 100000\n";
+  const Played found = play(begin +
+                            "SBPA 300\nSIP\nLTRJ 0002h 4300\nSTT\nwait breakpoint\nRDRP\n"
+                            "wait index\nRDIP\nLPES 50\ntorque 2\nwait error 1 s\nRDSTAT");
+  CHECK(found.halt.empty());
+  REQUIRE(found.answers.size() == 17);
+  CHECK(found.answers[10]["value"].get<double>() >= 300);
+  CHECK(found.answers[10]["value"].get<double>() < 320);
+  CHECK(found.answers[12]["value"] == 4000);
+  CHECK_THAT(found.answers[16]["bits"].get<std::string>(), Contains("motor off"));
+  CHECK_THAT(found.answers[16]["bits"].get<std::string>(), Contains("position error"));
+  for (const std::string event : {"breakpoint", "index", "error"}) {
+    const Played vain = play(begin + "STT\nwait complete\nwait " + event + " 5 ms");
+    CHECK(vain.end == cosim::EndReason::kTimeout);
+    CHECK_THAT(vain.halt, Contains("test:8: wait " + event + " 5 ms: not within 0.005 s; status "));
+  }
+}
+
+// At rest kp e / 32768 of the supply drives the current that bears the load.
+TEST_CASE("a load in mid-run deflects the shaft as the same load from the beginning does") {
+  const std::string hold = "PORT12\nLFIL 030Ah 100 1000\nUDF\nLTRJ 0\nSTT\n";
+  const Played stepped = play(hold + "wait 0.2 s\nRDRP\ntorque 0.05\nwait 1 s\nRDRP\ntorque 0\n"
+                                     "wait 1 s\nRDRP\ntorque -0.05\nwait 1 s\nRDRP");
+  CHECK(stepped.halt.empty());
+  const auto value = [](const Played& run, std::size_t k) {
+    return run.answers[k]["value"].get<double>();
+  };
+  const double expected = 0.05 / 0.05 * 2.0 / 24 * 32768 / 100;  // T / k R / supply
+  CHECK(value(stepped, 6) == 0);
+  CHECK(value(stepped, 9) == Approx(-expected).margin(2));
+  CHECK(value(stepped, 12) == Approx(0).margin(2));
+  CHECK(value(stepped, 15) == Approx(expected).margin(2));
+  Options options;
+  options.plant.motor.external_torque = 0.05;
+  const Played constant = play(hold + "wait 1.2 s\nRDRP", options);
+  CHECK(value(constant, 6) == Approx(value(stepped, 9)).margin(1));
+  CHECK(play(hold + "torque 0.05\nwait 20 ms\nRDRP\npins").text ==
+        play(hold + "torque 0.05\nwait 20 ms\nRDRP\npins").text);
+}
+
+TEST_CASE("a load at the clock of an encoder's edge loses no count") {
+  Options options;
+  options.run.engine = cosim::Engine::kTwin;
+  Bench bench(options, [](const Sample&) { return false; });
+  bench.loop().advance(80'000, 0);  // the reset routine is over
+  bench.load(-1);
+  for (int n = 0; n < 40; ++n) {
+    bench.loop().advance(bench.plant().axis().next(), 0);
+    REQUIRE(bench.plant().axis().next() == bench.chip().now());
+    bench.load(n % 2 == 0 ? -0.9 : -1);
+  }
+  bench.load(0);
+  bench.loop().advance(bench.chip().now() + 100'000'000, 0);  // the shorted motor brakes
+  CHECK(bench.plant().axis().count() > 40);
+  CHECK(bench.chip().words().actual == bench.plant().axis().count());
+}
+
+TEST_CASE("a script with loads gives the same run on RTL and twin") {
+  Options rtl, twin;
+  rtl.run.engine = cosim::Engine::kRtl;
+  twin.run.engine = cosim::Engine::kTwin;
+  const std::string script = read_text(find_script("load"));
+  const Played a = play(script, rtl), b = play(script, twin);
+  CHECK(a.halt.empty());
+  CHECK(a.text == b.text);
+  CHECK(a.result.event_hash == b.result.event_hash);
+  CHECK(a.result.samples.size() > 3000);
+}
+
+TEST_CASE("a block is typed line by line, and Ctrl-C or a mistake drops it") {
+  std::atomic<bool> stop{false};
+  Arguments arguments;
+  arguments.out = "lm628_shell_test_block";
+  arguments.report = false;
+  const std::vector<std::string> typed{"repeat 2", "RDRP", "", "end",  "repeat 2", "RDR",
+                                       "end",      "repeat 3", "^C", "RDDP", "repeat 9"};
+  std::string prompts;
+  std::size_t at = 0;
+  const ReadLine read_line = [&](const std::string& prompt) -> std::optional<std::string> {
+    prompts += prompt[0];
+    if (at == typed.size()) return std::nullopt;
+    stop = typed[at] == "^C";
+    return stop ? (++at, std::nullopt) : std::optional(typed[at++]);
+  };
+  CHECK(lm628_shell(arguments, stop, read_line) == 0);
+  CHECK(prompts == "l   l ll ll ");
+  CHECK(read_text(arguments.out + "/script.lm628") == "RDRP\nRDRP\nRDDP\n");
+  fs::remove_all(arguments.out);
+}
