@@ -43,6 +43,15 @@ RUNS = [
     (0, *SHORT, *TWIN, "-o", "OUT/drive", "-s", "gains.by_rule=true", "-s", "plant.x.supply_ohm=1",
      "-s", "plant.y.supply_ohm=1", "-s", "plant.x.continuous_current_A=0.001",
      "-s", "plant.x.peak_current_A=0.002", "-s", "run.settle_s=0.02"),
+    # Frequency responses; a table that is nowhere near its model, or its path.
+    (0, "run", "response", *TWIN, "-s", "path.sweep_tones=3", "-s", "path.sweep_first_ticks=100",
+     "-s", "path.sweep_dwell_ticks=20", "-o", "OUT/response"),
+    (0, "run", "response-current", *TWIN, "-s", "path.sweep_tones=3", "-o", "OUT/currents"),
+    (5, "run", "response", *TWIN, "-s", "run.max_s=0.1", "-o", "OUT/cut_response"),
+    (5, *SHORT, *TWIN, "-o", "OUT/diverged", "-s", "run.diverged_m=1e-4",
+     "-s", "plant.x.load_N=300"),
+    (5, *SHORT, *TWIN, "-o", "OUT/far", "-s", "chip.following_error_m=1e-5",
+     "-s", "plant.load_N=40"),
     # A gain that rounds up to the next power of two, and one below the least exponent.
     (0, *SHORT, "-s", "gains.kp=0.99999", "-s", "gains.ki=1e-6", "-o", "OUT/gains"),
 ]
