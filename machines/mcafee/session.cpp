@@ -119,7 +119,8 @@ sw::McafeeSetup Session::program() const {
   setup.position = o.position;
   setup.rows = table_.rows.data();
   setup.row_count = static_cast<std::uint32_t>(table_.rows.size());
-  setup.index_counts = o.index_check ? static_cast<std::uint32_t>(4 * o.stage_axis.encoder.lines) : 0;
+  setup.index_counts =
+      o.index_check ? static_cast<std::uint32_t>(4 * o.stage_axis.encoder.lines) : 0;
   setup.error_limit = static_cast<std::uint32_t>(o.error_limit);
   setup.speed = static_cast<std::uint32_t>(o.speed);
   setup.least_speed = static_cast<std::uint32_t>(o.least_speed);

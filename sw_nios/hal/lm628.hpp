@@ -141,7 +141,7 @@ inline void load_filter(Lm628Port& port, const Lm628Filter& f) {
   port.command(Lm628Command::kUdf);
 }
 
-// LPES: the part turns its motor off at a position error above this limit [count]; 0: none is loaded.
+// LPES: the part turns its motor off at a position error above this limit [count]; 0 loads none.
 inline void stop_on_error(Lm628Port& port, std::uint32_t limit) {
   if (limit != 0) port.command(Lm628Command::kLpes, limit);
 }
