@@ -42,12 +42,12 @@ module lm628_host #(
 
   typedef logic [5:0] clocks_t;
 
-  function automatic clocks_t less_one(int unsigned ns);
-    return clocks_t'((ns + ClockNs - 1) / ClockNs - 1);
-  endfunction
-
-  localparam clocks_t Setup = less_one(30), Write = less_one(100), Read = less_one(180);
-  localparam clocks_t WriteHold = less_one(120), ReadHold = less_one(180);
+  // Of 30, 100, 180, 120 and 180 ns, rounded up, less one.
+  localparam clocks_t Setup     = clocks_t'(29 / ClockNs);
+  localparam clocks_t Write     = clocks_t'(99 / ClockNs);
+  localparam clocks_t Read      = clocks_t'(179 / ClockNs);
+  localparam clocks_t WriteHold = clocks_t'(119 / ClockNs);
+  localparam clocks_t ReadHold  = clocks_t'(179 / ClockNs);
 
   typedef enum logic [1:0] {
     StIdle,

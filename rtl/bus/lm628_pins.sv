@@ -30,9 +30,7 @@ module lm628_pins #(
     input  logic       dac_wr_n_i,
     input  logic       pwm_mag_i,
     input  logic       pwm_sign_i,
-    output logic [7:0] out_o,        // bit 7 is pin 18, bit 0 pin 25
-
-    output logic quiescent_o
+    output logic [7:0] out_o         // bit 7 is pin 18, bit 0 pin 25
 );
 
   if (Variant != 628 && Variant != 629) begin : gen_refused
@@ -75,7 +73,5 @@ module lm628_pins #(
   assign d_oe_o      = oe_q;
   assign direction_o = direction_q;
   assign out_o       = out_q;
-  assign quiescent_o = d_oe_i == oe_q && oe_q == direction_q && !sample_i && !sample_q &&
-      !strobes && hold_q == '0 && out == out_q;
 
 endmodule

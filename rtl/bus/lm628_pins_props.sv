@@ -18,7 +18,6 @@ module lm628_pins_props #(
     input logic       pwm_mag_i,
     input logic       pwm_sign_i,
     input logic [7:0] out_o,
-    input logic       quiescent_o,
 
     input logic oe_q,
     input logic direction_q,
@@ -30,9 +29,9 @@ module lm628_pins_props #(
   localparam logic [7:0] Startup = 8'd127;  // clocks for which 12 bits of zero are kept
 
   logic live_q = 1'b0;
-  logic was_rst_q, was_quiescent_q, was_oe_q, was_direction_q;
+  logic was_rst_q, was_oe_q, was_direction_q;
   logic [1:0] asked_q;  // d_oe_i at the two previous edges, 0 in a reset
-  logic [7:0] was_out_q, twelve, pulse;
+  logic [7:0] twelve, pulse;
   logic [7:0] was_dac_q;
   logic was_strobe_q, was_hi_lo_q, was_wr_n_q, was_mag_q, was_sign_q;
   logic was_sample_q, sampled_q;  // a clock and two ago
@@ -48,11 +47,9 @@ module lm628_pins_props #(
   always_ff @(posedge clk_i) begin
     if (rst_i) live_q <= 1'b1;
     was_rst_q       <= rst_i;
-    was_quiescent_q <= !rst_i && quiescent_o;
     was_oe_q        <= !rst_i && d_oe_o;
     was_direction_q <= !rst_i && direction_o;
     asked_q         <= rst_i ? '0 : {asked_q[0], d_oe_i};
-    was_out_q       <= out_o;
     was_dac_q       <= dac_i;
     was_hi_lo_q     <= dac_hi_lo_i;
     was_wr_n_q      <= dac_wr_n_i;
@@ -80,9 +77,6 @@ module lm628_pins_props #(
       assert (was_rst_q || out_o == (Variant == 629 ? pulse :
               was_strobe_q || (!sampled_q && (mode_q || was_since_q != Startup)) ? twelve :
               was_dac_q));
-      quiescent_is_honest :
-      assert (!was_quiescent_q || (out_o == was_out_q && d_oe_o == was_oe_q &&
-                                   direction_o == was_direction_q));
       inv_direction :
       assert (was_rst_q || (oe_q == (asked_q[0] && was_direction_q) &&
               direction_q == (asked_q[0] || was_oe_q)));
@@ -104,7 +98,6 @@ module lm628_pins_props #(
   // breaks shows_the_output: eight = !strobes && !twelve_q && hold_q == '0
   // breaks shows_the_output: Hold = 7'd126
   // breaks shows_the_output: twelve_q <= next && sample_q
-  // breaks quiescent_is_honest: quiescent_o = d_oe_i == oe_q && oe_q == direction_q && !sample_i && !sample_q && hold_q == '0
 
   // prove: set Variant=628
   // prove: set Variant=629

@@ -34,7 +34,7 @@ module lm628_dip28 #(
 
   logic d_oe, sample, hi_lo, strobe_n, magnitude, sign, reset_meta_q, reset_q;
   logic [7:0] dac;
-  logic unused_part_quiescent, unused_pins_quiescent;
+  logic unused_chip_quiescent;
   trammel_pkg::gap_t unused_next;
 
   always_ff @(posedge clk_i) begin
@@ -44,7 +44,7 @@ module lm628_dip28 #(
 
   lm628 #(
       .Inc(Inc)
-  ) u_part (
+  ) u_chip (
       .clk_i      (clk_i),
       .rst_i      (1'b0),
       .leap_i     ('0),
@@ -68,7 +68,7 @@ module lm628_dip28 #(
       .pwm_sign_o (sign),
       .sample_o   (sample),
       .next_o     (unused_next),
-      .quiescent_o(unused_part_quiescent)
+      .quiescent_o(unused_chip_quiescent)
   );
 
   lm628_pins #(
@@ -85,8 +85,7 @@ module lm628_dip28 #(
       .dac_wr_n_i (strobe_n),
       .pwm_mag_i  (magnitude),
       .pwm_sign_i (sign),
-      .out_o      (out_o),
-      .quiescent_o(unused_pins_quiescent)
+      .out_o      (out_o)
   );
 
 endmodule
