@@ -64,6 +64,7 @@ class Bench : public trammel::test::Wrapped<Vlm628_wishbone>,
   }
 
   void idle() {
+    asks_ = false;
     (random() % 2 == 0 ? rtl->cyc_i : rtl->stb_i) = 0;
     rtl->we_i = random() % 2;
     rtl->adr_i = random() % 2;
@@ -72,14 +73,18 @@ class Bench : public trammel::test::Wrapped<Vlm628_wishbone>,
   }
 
  private:
+  bool bus_idle() override { return !asks_; }
   void put(bool write, bool ps, std::uint8_t byte, unsigned sel) {
     rtl->cyc_i = rtl->stb_i = 1;
     rtl->we_i = write;
     rtl->adr_i = ps;
     rtl->sel_i = sel & 0xF;
     rtl->dat_i = (random() & 0xFFFFFF00) | byte;
+    asks_ = true;
     if ((sel & 1) != 0) expect(write, ps, byte);
   }
+
+  bool asks_ = false;
 };
 
 }  // namespace

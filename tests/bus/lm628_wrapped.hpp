@@ -27,6 +27,7 @@ template <class Model>
 class Wrapped {
  public:
   explicit Wrapped(std::uint32_t seed) : random(seed) {}
+  virtual ~Wrapped() = default;
 
   Rtl<Model> rtl;
   Random random;
@@ -60,6 +61,9 @@ class Wrapped {
     exact::Lm628::In in, bare;
     const auto wire = static_cast<std::uint8_t>(rtl->drive_o ? rtl->d_o : random() & 0xFF);
     in.host = {rtl->cs_n_o != 0, rtl->rd_n_o != 0, rtl->wr_n_o != 0, rtl->ps_o != 0, wire};
+    const bool quiescent = bus_idle() && !port_.active() && part_.out().hi == hi_meta_ &&
+                           hi_meta_ == hi_;
+    if (clock_ > 3) same("quiescent_o", rtl->quiescent_o, quiescent, clock_);
     const lm628::HostPins pins = port_.pins();
     bare.host = {pins.cs_n, pins.rd_n, pins.wr_n, pins.ps, pins.d};
     in.reset_n = bare.reset_n = reset_n;
@@ -96,6 +100,8 @@ class Wrapped {
   }
 
  private:
+  virtual bool bus_idle() = 0;  // no transfer is asked for or waits
+
   static constexpr auto kData = sw::lm628_map::kData, kCommand = sw::lm628_map::kCommand;
 
   void begin() {
