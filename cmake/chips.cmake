@@ -13,9 +13,20 @@
 #                     folder; its verilated/chip_model.hpp has the template ChipModel<Model, Tracer>
 #   VISIBLE FILE...   .vlt files with the signals that C++ reads; default: verilated/*.vlt there
 #   TRACE_ARRAYS N    memories up to this size are in the waves
+#   KIND word         other models of a chip that has them already, V<chip>_<word>_fast and so on
+#   PARAMETERS A=N... of the RTL
+#   FUNCTION name     in place of make_verilated_chip()
+#   SETUP type        what it also takes, const, and gives to the constructor of ChipModel
 macro(trammel_chip chip)
-  cmake_parse_arguments(CHIP "" "INTERFACE;TRACE_ARRAYS" "VISIBLE" ${ARGN})
+  cmake_parse_arguments(CHIP "" "INTERFACE;TRACE_ARRAYS;KIND;FUNCTION;SETUP" "VISIBLE;PARAMETERS"
+    ${ARGN})
   set(CHIP_FOLDER ${CMAKE_CURRENT_LIST_DIR})
+  set(CHIP_MODEL ${chip})
+  set(CHIP_STEM ${chip})  # the generators take the name of the chip from what is before a -
+  if(CHIP_KIND)
+    string(APPEND CHIP_MODEL _${CHIP_KIND})
+    string(APPEND CHIP_STEM -${CHIP_KIND})
+  endif()
   trammel_chip_models_of(${chip})
   trammel_chip_headers_of(${chip})
   trammel_chip_unit_of(${chip})
@@ -26,7 +37,7 @@ function(trammel_chip_unit_of chip)
   cmake_path(RELATIVE_PATH CHIP_FOLDER BASE_DIRECTORY ${PROJECT_SOURCE_DIR}
     OUTPUT_VARIABLE CHIP_HEADER)
   string(APPEND CHIP_HEADER /verilated/chip_model.hpp)
-  string(REPLACE "_" ";" words ${chip})
+  string(REGEX REPLACE "[-_]" ";" words ${CHIP_STEM})
   set(camel)
   foreach(word IN LISTS words)
     string(SUBSTRING ${word} 0 1 first)
@@ -34,7 +45,16 @@ function(trammel_chip_unit_of chip)
     string(TOUPPER ${first} first)
     string(APPEND camel ${first}${rest})
   endforeach()
-  set(unit ${CMAKE_CURRENT_BINARY_DIR}/${chip}/chips.cpp)
+  if(NOT CHIP_FUNCTION)
+    set(CHIP_FUNCTION make_verilated_chip)
+  endif()
+  set(CHIP_TAKES)
+  set(CHIP_GIVES)
+  if(CHIP_SETUP)
+    set(CHIP_TAKES ", const ${CHIP_SETUP}& setup")
+    set(CHIP_GIVES ", setup")
+  endif()
+  set(unit ${CMAKE_CURRENT_BINARY_DIR}/${CHIP_MODEL}/chips.cpp)
   configure_file(${PROJECT_SOURCE_DIR}/cmake/chip_unit.cpp.in ${unit} @ONLY)
   set(chip_units ${chip_units} ${unit} PARENT_SCOPE)
 endfunction()
@@ -45,12 +65,14 @@ function(trammel_chip_model chip kind opt)
   if(MODEL_TRACE_FST)
     set(trace TRACE_FST)
   endif()
-  trammel_verilate(trammel_chip_models ${chip}_${kind} "${opt};-march=native" ${trace}
-    TOP_MODULE ${chip} PREFIX V${chip}_${kind}
+  set(parameters ${CHIP_PARAMETERS})
+  list(TRANSFORM parameters PREPEND -G)
+  trammel_verilate(trammel_chip_models ${CHIP_MODEL}_${kind} "${opt};-march=native" ${trace}
+    TOP_MODULE ${chip} PREFIX V${CHIP_MODEL}_${kind}
     SOURCES ${CHIP_VISIBLE} ${TRAMMEL_RTL_PACKAGES} ${PROJECT_SOURCE_DIR}/rtl/chips/${chip}.sv
       ${MODEL_SOURCES}
     VERILATOR_ARGS -Wno-fatal -O3 --x-assign fast --x-initial unique ${TRAMMEL_RTL_SEARCH}
-      ${MODEL_ARGS})
+      ${parameters} ${MODEL_ARGS})
 endfunction()
 
 function(trammel_chip_models_of chip)
@@ -68,7 +90,7 @@ function(trammel_chip_models_of chip)
 endfunction()
 
 function(trammel_chip_headers_of chip)
-  set(generated ${registers}/${chip}_registers.hpp ${registers}/${chip}_traced.hpp)
+  set(generated ${registers}/${CHIP_STEM}_registers.hpp ${registers}/${CHIP_STEM}_traced.hpp)
   set(chip_headers ${chip_headers} ${generated} PARENT_SCOPE)
   if(TRAMMEL_BASE)
     return()
@@ -76,16 +98,16 @@ function(trammel_chip_headers_of chip)
   set(models ${PROJECT_BINARY_DIR}/verilated)
   set(roots)
   foreach(kind fast fst checked)
-    list(APPEND roots ${models}/${chip}_${kind}/V${chip}_${kind}___024root.h)
+    list(APPEND roots ${models}/${CHIP_MODEL}_${kind}/V${CHIP_MODEL}_${kind}___024root.h)
   endforeach()
   set(generate ${PROJECT_SOURCE_DIR}/scripts/trammel_tools/generate)
-  set(traced ${models}/${chip}_fst/V${chip}_fst__Trace__0.cpp)
-  add_custom_command(OUTPUT ${registers}/${chip}_registers.hpp
-    COMMAND ${PROJECT_SOURCE_DIR}/scripts/tool gen-registers ${registers}/${chip}_registers.hpp
+  set(traced ${models}/${CHIP_MODEL}_fst/V${CHIP_MODEL}_fst__Trace__0.cpp)
+  add_custom_command(OUTPUT ${registers}/${CHIP_STEM}_registers.hpp
+    COMMAND ${PROJECT_SOURCE_DIR}/scripts/tool gen-registers ${registers}/${CHIP_STEM}_registers.hpp
       ${roots} ${chip_rtl}
     DEPENDS ${generate}/gen_registers.py ${roots} ${chip_rtl})
-  add_custom_command(OUTPUT ${registers}/${chip}_traced.hpp
+  add_custom_command(OUTPUT ${registers}/${CHIP_STEM}_traced.hpp
     COMMAND ${PROJECT_SOURCE_DIR}/scripts/tool gen-wave-timers ${traced}
-      ${registers}/${chip}_traced.hpp
+      ${registers}/${CHIP_STEM}_traced.hpp
     DEPENDS ${generate}/gen_wave_timers.py ${traced})
 endfunction()

@@ -32,9 +32,12 @@ class InStep : public First {
   }
 
  protected:
-  template <class Tracer>
-  InStep(const StepNames& names, ModelMode first, Tracer tracer, ModelMode second)
-      : First(NoTrace{}, first), names_(names), second_(std::move(tracer), second) {}
+  template <class Tracer, class... Setup>
+  InStep(const StepNames& names, ModelMode first, Tracer tracer, ModelMode second,
+         const Setup&... setup)
+      : First(NoTrace{}, first, setup...),
+        names_(names),
+        second_(std::move(tracer), second, setup...) {}
 
   // The second runs as far as the first did and stops for the same reason.
   void follow(const Stop& stop, const Plant& plant) {
@@ -89,8 +92,10 @@ class AuditedChip final : public InStep<Chip, Chip, Registers> {
   using Base = InStep<Chip, Chip, Registers>;
 
  public:
-  AuditedChip()
-      : Base({"leap_is_exact", "leapt", "plain"}, {true, false}, NoTrace{}, {false, false}) {}
+  template <class... Setup>
+  explicit AuditedChip(const Setup&... setup)
+      : Base({"leap_is_exact", "leapt", "plain"}, {true, false}, NoTrace{}, {false, false},
+             setup...) {}
 
   void sense(Lines lines) override {
     Base::sense(lines);

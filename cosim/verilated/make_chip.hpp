@@ -14,22 +14,23 @@
 namespace trammel::cosim {
 
 // Fast: for speed; Checked: with the promises of its blocks; Traced: the description of the one
-// that dumps a window of waves.
+// that dumps a window of waves. Each is constructed with `setup`.
 template <class Interface, template <class Model, class Tracer> class ChipModel, class Fast,
-          class Checked, class Traced, class Registers>
-std::unique_ptr<Interface> make_chip(const RunBasics& run,
-                                     const std::optional<WaveWindow>& window) {
+          class Checked, class Traced, class Registers, class... Setup>
+std::unique_ptr<Interface> make_chip(const RunBasics& run, const std::optional<WaveWindow>& window,
+                                     const Setup&... setup) {
   using Trace = FstTrace<Traced>;
   using Shown = ChipModel<typename Traced::Model, Trace>;
   const ModelMode mode{run.leap, run.assertions};
   const auto make = [&](auto* kind) -> std::unique_ptr<Interface> {
     using Chip = std::remove_pointer_t<decltype(kind)>;
-    if (!window) return std::make_unique<Chip>(NoTrace{}, mode);
-    return std::make_unique<WavedChip<Chip, Shown, Registers>>(mode, Trace(run.wave_file), *window);
+    if (!window) return std::make_unique<Chip>(NoTrace{}, mode, setup...);
+    return std::make_unique<WavedChip<Chip, Shown, Registers>>(mode, Trace(run.wave_file), *window,
+                                                               setup...);
   };
   using Untraced = FlippedChip<ChipModel<Fast, NoTrace>, Registers>;
   using Judged = FlippedChip<ChipModel<Checked, NoTrace>, Registers>;
-  if (run.audit) return std::make_unique<AuditedChip<Untraced, Registers>>();
+  if (run.audit) return std::make_unique<AuditedChip<Untraced, Registers>>(setup...);
   if (run.assertions) return make(static_cast<Judged*>(nullptr));
   return make(static_cast<Untraced*>(nullptr));
 }

@@ -19,10 +19,10 @@ class WavedChip final : public InStep<First, Traced, Registers> {
   using Base::second_;
 
  public:
-  template <class Tracer>
-  WavedChip(ModelMode mode, Tracer tracer, const WaveWindow& window)
+  template <class Tracer, class... Setup>
+  WavedChip(ModelMode mode, Tracer tracer, const WaveWindow& window, const Setup&... setup)
       : Base({"waves_are_exact", "in the run", "in its waves"}, mode, std::move(tracer),
-             {false, false}),
+             {false, false}, setup...),
         window_(window) {
     while (window_.end <= this->now()) window_.next();
     if (window_.begin <= this->now()) begin();

@@ -47,7 +47,7 @@ Motion motion_of(const Options& options, Result& result) {
     // A step moves the desired position within one sample: what counts is where the shaft goes.
     if (sample > 0 && !off) m.overshoot_counts = std::max(m.overshoot_counts, beyond);
     if (first && std::fabs(beyond) > kSettledBand) {
-      m.settled_s = static_cast<double>(sample) * kSampleS;
+      m.settled_s = static_cast<double>(sample) * options.sample_s();
     }
     if (s.host_irq && !irq) {
       result.interrupts.push_back(
@@ -132,7 +132,7 @@ std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult
   using lab::figure;
   const auto samples = static_cast<double>(m.samples);
   add(count("motion.samples", "motion", "", samples, "samples"));
-  add(figure("motion.time_s", "motion", "", samples * kSampleS, "s", 4), "Motion");
+  add(figure("motion.time_s", "motion", "", samples * options.sample_s(), "s", 4), "Motion");
   add(count("motion.desired_count", "end position", "desired", result.desired, "counts"), "", done);
   add(count("motion.real_count", "end position", "real", result.real, "counts"), "Real position",
       done);
@@ -196,7 +196,8 @@ const lab::ColumnTable& columns() {
           [](const At& at) { return at.sample.omega; });
     t.add({"i_A", "A", 1e-5, general(7), "true current of the motor"},
           [](const At& at) { return at.sample.i; });
-    t.add({"u_V", "V", 1e-4, general(6), "voltage at the motor"},
+    t.add({"u_V", "V", 1e-4, general(6),
+           "voltage at the motor; of an H-bridge its mean since the sample before"},
           [](const At& at) { return at.sample.volt; });
     return std::move(t).table();
   }();

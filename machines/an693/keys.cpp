@@ -27,6 +27,7 @@ const std::vector<lab::Key>& keys() {
           "quarter of a short travel",
           TRAMMEL_LENS(reached_counts));
     t.faults();
+    lm628::add_part(t, TRAMMEL_LENS(part));
     lm628::add_monitors(t);
     lm628::add_filter(t);
     t.one("trajectory.acceleration", 0, kWord, "2^-16 count/sample^2", TRAMMEL_LENS(acceleration));

@@ -13,6 +13,7 @@ namespace {
 
 void validate(lab::Settings& settings) {
   const auto& options = static_cast<const Options&>(settings);
+  lm628::check_part(options.part);
   lm628::check_motor(options.plant.motor);
   if (options.plant.counts % 4 != 0) {
     throw lab::ConfigError(fmt::format("encoder.counts: value {} is not a multiple of 4",
@@ -29,6 +30,10 @@ lab::Machine describe() {
   m.of_types<Options, Session>();
   m.keys = keys;
   m.validate = validate;
+  m.warnings = [](const lab::Settings& settings) {
+    const std::string text = lm628::part_warning(static_cast<const Options&>(settings).part);
+    return text.empty() ? std::vector<std::string>{} : std::vector<std::string>{text};
+  };
   m.triggers = triggers;
   m.vcd_bytes_s = 8.5e9;
   m.fst_bytes_s = 3e7;

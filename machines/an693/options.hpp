@@ -5,6 +5,7 @@
 
 #include "lab/settings.hpp"
 #include "models/plant/motor_axis.hpp"
+#include "parts/lm628/options.hpp"
 #include "sw_nios/apps/an693/an693.hpp"
 
 namespace trammel::an693 {
@@ -19,6 +20,7 @@ struct Options final : lab::SettingsOf<Options, machine> {
   Options() { scenario = "an693-absolute"; }
 
   sw::An693Program program = sw::An693Program::kAbsolute;
+  lm628::PartOptions part;
   sw::An693Filter filter;
   int acceleration = 2;          // as the part takes them: [2^-16 count/sample^2],
   int velocity = 0x346E;         // [2^-16 count/sample]
@@ -33,6 +35,8 @@ struct Options final : lab::SettingsOf<Options, machine> {
   int reached_counts = 0;        // largest error and movement of a shaft that is at its target;
                                  // 0: 50, or a quarter of the travel and at least 3
   plant::MotorAxisConfig plant;
+
+  double sample_s() const { return lm628::sample_s(part.clock_MHz); }
 };
 
 }  // namespace trammel::an693

@@ -5,9 +5,12 @@
 (function (T) {
   'use strict';
 
-  const kSample = 256e-6;  // [s]
+  const sampleOf = (m) => 2048e-6 / (m.options['chip.clock_MHz'] || 8);  // [s]
   const kTurn = 2 * Math.PI;
 
+  const pulses = (m) => m.options['chip.variant'] === 'lm629';
+  const outputOf = (m) => (pulses(m) ? 'bridge gets the upper 8 as sign and pulse'
+    : `converter gets the upper ${m.options['chip.dac_bits'] || 12}`);
   const perTurn = (m) => m.options['encoder.counts'];
 
   function prepare(run) {
@@ -15,7 +18,7 @@
     const counts = perTurn(run.metrics);
     run.data = { position: s.theta_count, error: s.e, output: s.output,
       speed: s.omega_rad_s.map((v) => v / kTurn),
-      asked: s.desired_speed && s.desired_speed.map((v) => v / counts / kSample) };
+      asked: s.desired_speed && s.desired_speed.map((v) => v / counts / sampleOf(run.metrics)) };
   }
 
   function asides(m) {
@@ -51,7 +54,7 @@
   function filterSection(run) {
     const s = run.series;
     const section = T.section('filter', 'Filter', 'The terms of each sample: the output has 16 ' +
-      'bits, of which the converter gets the upper 12; then what the motor does.');
+      `bits, of which the ${outputOf(run.metrics)}; then what the motor does.`);
     section.append(T.lm628.termsPlot(s, '', 'wide'), T.el('div', { class: 'grid two' },
       T.lm628.voltagePlot(s, ''), T.lm628.currentPlot(s, '')));
   }
@@ -87,7 +90,7 @@
   const plot = (id, title, yLabel, unit, digits) => ({ id, title, yLabel, unit, digits });
   const compare = {
     kindOf: (run) => run.metrics.options.program || 'script',
-    sample: kSample,
+    sample: (run) => sampleOf(run.metrics),
     smallerIsBetter: (f) => /\.(overshoot_counts|settled_s|max_error_counts)$/.test(f.id),
     plots: (runs, overlay) => [
       overlay(plot('position', 'Position', 'position (counts)', 'counts', 1),
@@ -100,5 +103,5 @@
   };
 
   (T.machines = T.machines || {}).an693 = { prepare, asides, sections, compare,
-    chips: (m) => ['LM628', ...(m.script ? ['script'] : [])] };
+    chips: (m) => [pulses(m) ? 'LM629' : 'LM628', ...(m.script ? ['script'] : [])] };
 })(window.Trammel = window.Trammel || {});

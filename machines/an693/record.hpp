@@ -13,8 +13,6 @@
 
 namespace trammel::an693 {
 
-inline constexpr double kSampleS = 256e-6;  // 2048 ticks of 8 MHz
-
 // At the edge that publishes a sample's results.
 struct Sample {
   cosim::Clk edge = 0;
@@ -23,7 +21,7 @@ struct Sample {
   double theta = 0;  // [rad]
   double omega = 0;  // [rad/s]
   double i = 0;      // [A]
-  double volt = 0;   // [V]
+  double volt = 0;   // [V] from here on; of an H-bridge the mean since the sample before
 };
 
 // Of the part: HI rose.

@@ -16,6 +16,9 @@ constexpr double kAtRest_rad_s = 0.1;
 sw::An693Setup program_setup(const Options& o) {
   sw::An693Setup setup;
   setup.program = o.program;
+  setup.converter = o.part.pulses()         ? sw::Lm628Converter::kNone
+                    : o.part.dac_bits == 8 ? sw::Lm628Converter::k8Bits
+                                           : sw::Lm628Converter::k12Bits;
   setup.filter = o.filter;
   setup.acceleration = o.acceleration;
   setup.velocity = o.velocity;
@@ -35,10 +38,10 @@ double expected_s(const Options& o) {
   const double move = distance > v * v / a ? v / a + distance / v : 2 * std::sqrt(distance / a);
   switch (o.program) {
     case sw::An693Program::kHold: return o.wait_s;
-    case sw::An693Program::kAbsolute: return move * kSampleS + o.wait_s;
-    case sw::An693Program::kRelative: return move * kSampleS + 2 * o.wait_s;
+    case sw::An693Program::kAbsolute: return move * o.sample_s() + o.wait_s;
+    case sw::An693Program::kRelative: return move * o.sample_s() + 2 * o.wait_s;
     case sw::An693Program::kBreakpoints:
-      return (1.5 * o.breakpoint * 65536.0 / v + 2.75 * v / a) * kSampleS + o.wait_s;
+      return (1.5 * o.breakpoint * 65536.0 / v + 2.75 * v / a) * o.sample_s() + o.wait_s;
     case sw::An693Program::kTuning: return o.steps * o.wait_s;
   }
   return o.run.max_s;
@@ -62,10 +65,10 @@ Bench::Bench(const Options& options, std::function<bool(const Sample&)> finished
              const cosim::Waves& waves)
     : options_(options),
       waves_(waves),
-      plant_(options.plant),
+      plant_(options.plant, options.part),
       chip_(options.run.engine == cosim::Engine::kTwin
-                ? lm628::make_twin_chip()
-                : lm628::make_verilated_chip(options.run, waves.window)),
+                ? lm628::make_twin_chip(options.part)
+                : lm628::make_verilated_chip(options.run, waves.window, options.part)),
       recorder_(
           *chip_,
           [this](Sample& sample) {
@@ -73,7 +76,7 @@ Bench::Bench(const Options& options, std::function<bool(const Sample&)> finished
             sample.theta = s.theta;
             sample.omega = s.omega;
             sample.i = s.i;
-            sample.volt = plant_.axis().voltage();
+            sample.volt = plant_.voltage(sample.edge);
           },
           std::move(finished)),
       loop_(*chip_, seen(), *this, options.run.window()) {}
@@ -84,7 +87,7 @@ cosim::Plant& Bench::seen() {
   if (!fault.any()) return plant_;
   cosim::FaultPins pins;
   pins.encoder[0] = {lm628::kEncoderA, lm628::kEncoderB, lm628::kIndex};
-  pins.outputs = 12;
+  pins.outputs = options_.part.pulses() ? lm628::kBridgeLines : lm628::kConverterBits;
   pins.registers = options_.run.engine == cosim::Engine::kRtl;
   failing_.emplace(plant_, pins, fault, period_ps());
   fault_watch_.emplace(fault, period_ps());
@@ -101,7 +104,13 @@ void Bench::watch_fault(const cosim::Stop& stop) {
     const double counts = options_.plant.counts / plant::MotorAxis::kTurn;
     return cosim::FaultTruth{{counts * s.theta, 0}, std::abs(s.i), false};
   };
-  fault_watch_->on(stop, chip_->drive() == lm628::kZeroCode, [this] { return noticed(); }, truth);
+  fault_watch_->on(stop, off(), [this] { return noticed(); }, truth);
+}
+
+// Whether nothing drives the motor: of pulses, for the whole sample.
+bool Bench::off() const {
+  if (!options_.part.pulses()) return chip_->drive() == lm628::kZeroCode;
+  return lm628::share_of_pulse(chip_->drive()) == 0 && output_ >> 8 == 0;
 }
 
 cosim::Clk Bench::end() const {
@@ -152,7 +161,8 @@ bool Session::over(const Sample& sample) {
     return true;
   }
   if (hooks_.progress && samples_ % 64 == 0) {
-    hooks_.progress(std::min(1.0, static_cast<double>(samples_) * kSampleS / expected_s_));
+    const double simulated_s = static_cast<double>(samples_) * options().sample_s();
+    hooks_.progress(std::min(1.0, simulated_s / expected_s_));
   }
   if (mailbox.done == 0) return false;
   step_ends_.push_back(samples_);

@@ -22,7 +22,8 @@ namespace trammel::an693 {
 // The motor of models/ behind the interface of cosim/.
 class MotorPlant final : public cosim::FalliblePlant {
  public:
-  explicit MotorPlant(const plant::MotorAxisConfig& config) : axis_(config) {}
+  MotorPlant(const plant::MotorAxisConfig& config, const lm628::PartOptions& part)
+      : axis_(config), pulses_(part.pulses()) {}
 
   cosim::Lines sense() const override {
     return cosim::Lines{axis_.a()} << lm628::kEncoderA |
@@ -31,19 +32,42 @@ class MotorPlant final : public cosim::FalliblePlant {
   }
   cosim::Clk next() const override { return axis_.next(); }
   void commit(cosim::Clk n, cosim::Lines drive) override {
-    axis_.commit(n, (static_cast<double>(drive) - static_cast<double>(lm628::kZeroCode)) / 2048);
+    pass(n);
+    axis_.commit(n, pulses_ ? lm628::share_of_pulse(drive) : lm628::share_of_code(drive));
   }
   int sample(int, cosim::Clk) const override { return 0; }  // there is no converter
 
   void open_phase(cosim::Clk n, int, int, bool open) override { axis_.open(n, open); }
-  void supply(cosim::Clk n, double share) override { axis_.supply(n, share); }
+  void supply(cosim::Clk n, double share) override {
+    pass(n);
+    axis_.supply(n, share);
+  }
 
   void load(cosim::Clk n, double torque) { axis_.load(n, torque); }
 
   const plant::MotorAxis& axis() const { return axis_; }
 
+  // At the motor [V]: from edge n on, the last commit being before; of an H-bridge its mean since
+  // the last call.
+  double voltage(cosim::Clk n) {
+    if (!pulses_ || n == from_) return axis_.voltage();
+    pass(n);
+    const double mean = volt_clk_ / static_cast<double>(n - from_);
+    volt_clk_ = 0;
+    from_ = n;
+    return mean;
+  }
+
  private:
+  void pass(cosim::Clk n) {
+    volt_clk_ += axis_.voltage() * static_cast<double>(n - to_);
+    to_ = n;
+  }
+
   plant::MotorAxis axis_;
+  bool pulses_;
+  double volt_clk_ = 0;              // [V clk] integral of the voltage from from_ to to_
+  cosim::Clk from_ = 0, to_ = 0;
 };
 
 // Chip, motor, loop and record: what every run of the machine has, whoever is at the port.
@@ -79,10 +103,12 @@ class Bench : private cosim::Observer, private cosim::SignalReader {
   void on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant& plant) override {
     if (waves_.search != nullptr) waves_.search->on(stop, *chip_, *this);
     recorder_.on(stop, chip, plant);
+    if ((stop.why & cosim::kSample) != 0) output_ = chip_->words().output;
     if (fault_watch_ && stop.why != cosim::kLimit) watch_fault(stop);
   }
   cosim::Plant& seen();
   void watch_fault(const cosim::Stop& stop);
+  bool off() const;
 
   std::int64_t read(std::size_t signal, int) const override {
     return lm628::word(chip_->words(), signal);
@@ -95,6 +121,7 @@ class Bench : private cosim::Observer, private cosim::SignalReader {
   std::optional<cosim::FaultPlant> failing_;  // around the plant
   std::optional<cosim::FaultWatch> fault_watch_;
   Recorder recorder_;
+  int output_ = 0;  // of the filter, as the last sample left it
   cosim::Loop loop_;
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
 };

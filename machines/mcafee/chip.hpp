@@ -14,6 +14,7 @@
 namespace trammel::mcafee {
 
 inline constexpr int kAxes = 2;
+inline constexpr int kClockMHz = 6;  // McAfee's parts; there are some of 8 MHz
 
 struct McafeeChip : cosim::MachineChip {
   virtual lm628::Words words(int axis) const = 0;  // what its part holds
@@ -23,6 +24,7 @@ struct McafeeChip : cosim::MachineChip {
 // As the run asks; with a window its waves are dumped into run.wave_file. Where the chip that dumps
 // them differs from the one that runs, the promise waves_are_exact is broken.
 std::unique_ptr<McafeeChip> make_verilated_chip(
-    const cosim::RunBasics& run, const std::optional<cosim::WaveWindow>& window = {});
+    const cosim::RunBasics& run, const std::optional<cosim::WaveWindow>& window = {},
+    int clock_MHz = kClockMHz);
 
 }  // namespace trammel::mcafee

@@ -71,7 +71,8 @@ Json tracking_json(const lab::Record& record) {
     contours.push_back({{"name", run->name}, {"mm", contour_json(result_of(*run), stride)}});
   }
   return {{"row_mm", table.row_mm}, {"origin_mm", {origin.real(), origin.imag()}}, {"rows", rows},
-          {"contour_step_s", static_cast<double>(stride) * kSampleS}, {"contours", contours}};
+          {"contour_step_s", static_cast<double>(stride) * options_of(record).sample_s()},
+          {"contours", contours}};
 }
 
 // table.csv, the rows of the path; contours.csv, the contour errors of all runs over time.

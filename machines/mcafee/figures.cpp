@@ -73,13 +73,13 @@ Motion motion_of(const Options& options, Result& result) {
     m.contour_end_mm = result.contour_mm[k];
     if (m.contour_end_mm > m.contour_max_mm) {
       m.contour_max_mm = m.contour_end_mm;
-      m.contour_max_s = begun ? static_cast<double>(k - result.first) * kSampleS : 0;
+      m.contour_max_s = begun ? static_cast<double>(k - result.first) * options.sample_s() : 0;
     }
     if (begun) squares += m.contour_end_mm * m.contour_end_mm;
   }
   const auto moving = result.samples.size() - result.first;
   if (path && moving > 0) m.contour_rms_mm = std::sqrt(squares / static_cast<double>(moving));
-  if (last > result.first) m.time_s = static_cast<double>(last - result.first) * kSampleS;
+  if (last > result.first) m.time_s = static_cast<double>(last - result.first) * options.sample_s();
   return m;
 }
 
@@ -99,7 +99,7 @@ std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult
     return most;
   };
   const double desired = largest([](const AxisSample& a) { return a.words.speed; }) /
-                         lm628::kPerCount * options.count_mm() / kSampleS;
+                         lm628::kPerCount * options.count_mm() / options.sample_s();
   std::vector<lab::Figure> list;
   const auto add = [&list](lab::Figure f, const char* tile = "") {
     f.tile = tile;

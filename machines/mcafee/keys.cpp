@@ -44,6 +44,7 @@ const std::vector<lab::Key>& keys() {
          &P::row_mm);
     path("kappa_max_1_mm", 1e-4, 1000, "curvature that is C = 255", &P::kappa_max_1_mm);
     path("preview_rows", 0, 10000, "ahead of a row, for CC", &P::preview_rows);
+    lm628::add_clock(t, TRAMMEL_LENS(clock_MHz));
     lm628::add_monitors(t);
     lm628::add_filter(t);
     t.one("track.speed", 0, 255, "constant; 0 = self-paced by the feed rate", TRAMMEL_LENS(speed));

@@ -16,6 +16,7 @@ std::string name_of(int speed) { return fmt::format("v = {}", speed); }
 
 void validate(lab::Settings& settings) {
   const auto& options = static_cast<const Options&>(settings);
+  lm628::check_clock(options.clock_MHz);
   lm628::check_motor(options.stage_axis.motor);
   if (options.tracks()) table_of(options);
 }

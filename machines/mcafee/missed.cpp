@@ -27,7 +27,7 @@ double diagonal_mm(const Path& path, const Table& table) {
 std::string not_at(const Options& options, const Result& result, std::size_t axis, double target,
                    double band) {
   const auto& all = result.samples;
-  const auto wait = static_cast<std::size_t>(options.wait_s / kSampleS / 4);
+  const auto wait = static_cast<std::size_t>(options.wait_s / options.sample_s() / 4);
   const std::size_t last = all.size() - 1;
   const lm628::Rest rest = lm628::rest_of(
       last - std::min(last, wait), last, target,

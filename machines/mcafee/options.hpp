@@ -6,6 +6,7 @@
 
 #include "lab/settings.hpp"
 #include "machines/mcafee/path.hpp"
+#include "parts/lm628/options.hpp"
 #include "models/plant/xy_stage.hpp"
 #include "sw_nios/apps/mcafee/mcafee.hpp"
 
@@ -22,6 +23,7 @@ struct Options final : lab::SettingsOf<Options, machine> {
 
   sw::McafeeStage stage = sw::McafeeStage::kTrack;
   PathOptions path;
+  int clock_MHz = 6;            // of the parts, 6 or 8
   sw::Lm628Filter filter{255, 0, 3000, 0, 1};
   int acceleration = 60000;     // as the parts take them: [2^-16 count/sample^2],
   int velocity = 0x2BB0D;       // [2^-16 count/sample], of Stage II
@@ -40,6 +42,7 @@ struct Options final : lab::SettingsOf<Options, machine> {
                                 // was asked; 0: by the path or travel
   plant::LeadscrewConfig stage_axis;  // both
 
+  double sample_s() const { return lm628::sample_s(clock_MHz); }
   bool tracks() const { return stage == sw::McafeeStage::kTrack; }
   double count_mm() const { return 1e3 * stage_axis.pitch / (4 * stage_axis.encoder.lines); }
   TravelMm travel_mm() const {

@@ -5,7 +5,7 @@
 (function (T) {
   'use strict';
 
-  const kSample = 2048 / 6e6;  // [s]
+  const sampleOf = (m) => 2048e-6 / (m.options['chip.clock_MHz'] || 6);  // [s]
   const kAxes = ['x', 'y'];
 
   const tracks = (m) => m.options.program === 'track';
@@ -54,7 +54,7 @@
     d.desired = both((a) => scaled(s[`${a}_desired_count`], mm, origin[a]));
     d.table = both((a) => scaled(s[`${a}_mm`], 1, origin[a]));
     d.counted = both((a) => scaled(s[`${a}_real_count`], mm, origin[a]));
-    d.asked = both((a) => scaled(s[`${a}_desired_speed`], mm / kSample));
+    d.asked = both((a) => scaled(s[`${a}_desired_speed`], mm / sampleOf(run.metrics)));
     d.error = both((a) => scaled(s[`${a}_e`], mm));
     run.data = d;
     if (!tracks(run.metrics)) return;
@@ -187,7 +187,7 @@
     const feed = T.timePlot({ id: 'feed', title: 'Feed rate', small: `no less than ${
       o['track.least_speed']}`, yLabel: 'v (0..255)', series: [line('v', run.series.v, 'actual', '',
       0, { steps: true })] });
-    const most = (254 * 255 >> 8) * 0xF1 * 2 ** shift / 65536 * d.mm / kSample;
+    const most = (254 * 255 >> 8) * 0xF1 * 2 ** shift / 65536 * d.mm / sampleOf(run.metrics);
     feed.append(note('Seven fuzzy rules for C and CC, then v = 256 TU / SU (McAfee 1994, App. D).' +
       ` Speed of an axis (DECOMP): ((v V) >> 8) 241 \u00b7 2^${shift}, V = 255 |d| / ` +
       '\u221a(dX\u00b2 + dY\u00b2), in 2^\u221216 counts per sample; v = 254 along an axis is ' +
@@ -223,8 +223,9 @@
     const o = run.metrics.options;
     section.append(T.el('div', { class: 'grid two' }, plots.flatMap((make) => axes.map(make))),
       T.el('div', { class: 'card' }, note(`A count is ${T.num(1e3 * d.mm, 4)} \u00b5m of travel, ` +
-        `a sample ${T.num(1e6 * kSample, 1)} \u00b5s. Terms (data sheet SNVS781C): p = kp e, ` +
-        'shown before its limit of 16 bits, i = ki \u03a3e / 256 within \u00b1il, d = kd (e ' +
+        `a sample ${T.num(1e6 * sampleOf(run.metrics), 1)} \u00b5s. Terms (data sheet ` +
+        'SNVS781C): p = kp e, shown before its limit of 16 bits, i = ki \u03a3e / 256 within ' +
+        '\u00b1il, d = kd (e ' +
         `\u2212 e\u2032); kp = ${o['filter.kp']}, ki = ${o['filter.ki']}, kd = ` +
         `${o['filter.kd']}. The output has 16 bits, of which the converter gets the upper 8: ` +
         `${T.num(o['motor.supply_V'] / 128, 3)} V a step.`)));
@@ -309,7 +310,7 @@
 
   const compare = {
     kindOf: (run) => `${run.metrics.options.program} ${run.metrics.options['path.kind']}`,
-    sample: kSample,
+    sample: (run) => sampleOf(run.metrics),
     smallerIsBetter: (f) => /\.(time_s|contour_\w+_mm|max_error_counts)$/.test(f.id),
     plots,
     sections(runs) {

@@ -14,8 +14,6 @@
 
 namespace trammel::mcafee {
 
-inline constexpr double kSampleS = 2048 / 6e6;
-
 struct AxisSample {
   lm628::Words words;
   bool host_irq = false;

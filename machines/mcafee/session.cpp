@@ -64,8 +64,8 @@ Session::Session(const Options& options, const cosim::Hooks& hooks, const cosim:
       table_(table_for(options)),
       plant_({options.stage_axis, options.stage_axis}),
       chip_(options.run.engine == cosim::Engine::kRtl
-                ? make_verilated_chip(options.run, waves.window)
-                : make_twin_chip()),
+                ? make_verilated_chip(options.run, waves.window, options.clock_MHz)
+                : make_twin_chip(options.clock_MHz)),
       app_(program()),
       loop_(*chip_, seen(), *this, options.run.window()) {}
 
@@ -114,6 +114,7 @@ sw::McafeeSetup Session::program() const {
   setup.filter = o.filter;
   setup.wait_clk = static_cast<std::uint32_t>(cosim::clocks_of(o.wait_s, period_ps()));
   setup.readings = static_cast<std::uint32_t>(o.readings);
+  setup.sample_clk = static_cast<std::uint32_t>(cosim::clocks_of(o.sample_s(), period_ps()));
   setup.acceleration = o.acceleration;
   setup.velocity = o.velocity;
   setup.position = o.position;

@@ -3,6 +3,8 @@
 
 namespace trammel::mcafee {
 
-std::unique_ptr<McafeeChip> make_twin_chip() { return std::make_unique<TwinChip>(); }
+std::unique_ptr<McafeeChip> make_twin_chip(int clock_MHz) {
+  return std::make_unique<TwinChip>(clock_MHz);
+}
 
 }  // namespace trammel::mcafee

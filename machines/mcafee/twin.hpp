@@ -17,7 +17,10 @@ namespace trammel::mcafee {
 
 class TwinChip : public cosim::HostedTwin<McafeeChip, Board, exact::McafeeXy> {
  public:
-  TwinChip() : HostedTwin(exact::McafeeXy()) { reset(); }
+  explicit TwinChip(int clock_MHz = kClockMHz)
+      : HostedTwin(exact::McafeeXy(lm628::clock_of(clock_MHz))) {
+    reset();
+  }
 
   const exact::Lm628& part(int axis) const { return twin_.part(static_cast<std::size_t>(axis)); }
 
@@ -61,6 +64,6 @@ class TwinChip : public cosim::HostedTwin<McafeeChip, Board, exact::McafeeXy> {
   bool drive_changed() override { return state_.convert(twin_.dac(0), twin_.dac(1)); }
 };
 
-std::unique_ptr<McafeeChip> make_twin_chip();
+std::unique_ptr<McafeeChip> make_twin_chip(int clock_MHz = kClockMHz);
 
 }  // namespace trammel::mcafee

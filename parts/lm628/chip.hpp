@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The LM628 as the loop sees it: its host port on a 32-bit bus beside a timer, its outputs behind
-// a 12-bit converter. The verilated model and the twin stay behind this header.
+// The LM628 as the loop sees it: its host port on a 32-bit bus beside a timer, its outputs behind a
+// converter, or at an H-bridge. The verilated models and the twin stay behind this header.
 #pragma once
 
 #include <algorithm>
@@ -11,6 +11,7 @@
 
 #include "cosim/cosim.hpp"
 #include "parts/lm628/lines.hpp"
+#include "parts/lm628/options.hpp"
 #include "cosim/machine.hpp"
 #include "cosim/machine_chip.hpp"
 
@@ -45,7 +46,8 @@ struct Lm628Chip : cosim::MachineChip {
 // As the run asks; with a window its waves are dumped into run.wave_file. If the chip that dumps
 // them differs from the one that runs, the assertion waves_are_exact fails.
 std::unique_ptr<Lm628Chip> make_verilated_chip(
-    const cosim::RunBasics& run, const std::optional<cosim::WaveWindow>& window = {});
-std::unique_ptr<Lm628Chip> make_twin_chip();
+    const cosim::RunBasics& run, const std::optional<cosim::WaveWindow>& window = {},
+    const PartOptions& part = {});
+std::unique_ptr<Lm628Chip> make_twin_chip(const PartOptions& part = {});
 
 }  // namespace trammel::lm628

@@ -5,7 +5,17 @@
 
 #include "lab/key_table.hpp"
 #include "models/plant/dc_motor.hpp"
+#include "parts/lm628/options.hpp"
 #include "sw_nios/hal/lm628.hpp"
+
+namespace trammel::lab {
+
+template <>
+inline std::vector<std::string> enum_names<lm628::Variant>() {
+  return {"lm628", "lm629"};
+}
+
+}  // namespace trammel::lab
 
 namespace trammel::lm628 {
 
@@ -26,6 +36,26 @@ void add_run(lab::KeyTable<Options>& t) {
   t.one("run.diverged_counts", 1, 32767, "position error that ends the run as diverged",
         TRAMMEL_LENS(diverged_counts));
   t.waves("the first drive", "see docs/waves.md");
+}
+
+// `clock` selects the frequency in the Options.
+template <class Options, class Lens>
+void add_clock(lab::KeyTable<Options>& t, Lens clock) {
+  t.one("chip.clock_MHz", 6, 8, "of the part: 6 or 8; a sample is 2048 clocks", clock);
+}
+
+// `select` finds the PartOptions in the Options.
+template <class Options, class Select>
+void add_part(lab::KeyTable<Options>& t, Select select) {
+  using P = PartOptions;
+  const auto add = keys_of(t, "chip.", select);
+  add("variant", 0, 0, "lm628: converter and linear amplifier; lm629: pulses of sign and "
+      "magnitude, and an H-bridge", &P::variant);
+  add("dac_bits", 8, 12, "of the converter: 8 or 12; the program loads the mode that it needs",
+      &P::dac_bits);
+  add_clock(t, [select](auto& o) -> auto& { return select(o).clock_MHz; });
+  add("wrap", 0, 0, "products and sum of the output wrap at 16 bits instead of saturating",
+      &P::wrap);
 }
 
 template <class Options>

@@ -8,9 +8,14 @@ namespace {
 
 class TwinChip final : public cosim::HostedTwin<Lm628Chip, Board, exact::Lm628> {
  public:
-  TwinChip() : HostedTwin(exact::Lm628()) { reset(); }
+  explicit TwinChip(const PartOptions& part)
+      : HostedTwin(exact::Lm628(clock_of(part.clock_MHz))) {
+    state_ = Board(part);
+    in_.wrap = part.wrap;
+    reset();
+  }
 
-  cosim::Lines drive() const override { return state_.code; }
+  cosim::Lines drive() const override { return state_.lines; }
   bool host_irq() const override { return host_pin(); }
   Words words() const override { return words_of(twin_); }
 
@@ -41,12 +46,14 @@ class TwinChip final : public cosim::HostedTwin<Lm628Chip, Board, exact::Lm628> 
 
   bool drive_changed() override {
     const exact::Lm628Output::Out out = twin_.out().drive;
-    return state_.convert(out.dac, out.dac_hi_lo, out.dac_wr_n);
+    return state_.output({out.dac, out.dac_hi_lo, out.dac_wr_n, out.pwm_mag, out.pwm_sign});
   }
 };
 
 }  // namespace
 
-std::unique_ptr<Lm628Chip> make_twin_chip() { return std::make_unique<TwinChip>(); }
+std::unique_ptr<Lm628Chip> make_twin_chip(const PartOptions& part) {
+  return std::make_unique<TwinChip>(part);
+}
 
 }  // namespace trammel::lm628

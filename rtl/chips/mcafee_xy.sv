@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Two 6 MHz LM628 behind McAfee's port of two bytes, and the fuzzy feed rate of self-paced tracking
-// (McAfee 1994, chapters IV and VI, appendices B to D), in a 50 MHz fabric.
+// Two LM628 behind McAfee's port of two bytes, and the fuzzy feed rate of self-paced tracking
+// (McAfee 1994, chapters IV and VI, appendices B to D), in a 50 MHz fabric. Inc sets the clock of
+// the parts: 3 for his 6 MHz, 4 for 8 MHz.
 //
 // Both parts leave reset together, and their samples then coincide; a command RESET to one of them
 // ends that. The limit switches are only reported: they cut the motors' power themselves.
 
 module mcafee_xy
   import trammel_pkg::*;
-(
+#(
+    parameter int unsigned Inc = 3
+) (
     input logic clk_i,
     input logic rst_i,
 
@@ -158,7 +161,7 @@ module mcafee_xy
   logic [7:0] dac_x, dac_y;
 
   lm628 #(
-      .Inc(3)
+      .Inc(Inc)
   ) u_x (
       .clk_i      (clk_i),
       .rst_i      (rst_i),
@@ -187,7 +190,7 @@ module mcafee_xy
   );
 
   lm628 #(
-      .Inc(3)
+      .Inc(Inc)
   ) u_y (
       .clk_i      (clk_i),
       .rst_i      (rst_i),

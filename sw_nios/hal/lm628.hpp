@@ -146,13 +146,17 @@ inline void stop_on_error(Lm628Port& port, std::uint32_t limit) {
   if (limit != 0) port.command(Lm628Command::kLpes, limit);
 }
 
+// What is behind the outputs of a part.
+enum class Lm628Converter : std::uint8_t { k12Bits, k8Bits, kNone };
+
 // AN-693, "Initialization", after a reset. Returns false if the status is not one that it names.
-inline bool initialise(Lm628Port& port, Lm628Command converter) {
+inline bool initialise(Lm628Port& port, Lm628Converter converter) {
   const auto is_any = [](std::uint8_t value, std::uint8_t one, std::uint8_t other) {
     return value == one || value == other;
   };
   if (!is_any(port.status(), 0x84, 0xC4)) return false;
-  port.command(converter);
+  if (converter == Lm628Converter::k12Bits) port.command(Lm628Command::kPort12);
+  if (converter == Lm628Converter::k8Bits) port.command(Lm628Command::kPort8);
   port.command(Lm628Command::kRsti, 0x0000);
   while (!port.stuck()) {
     const std::uint8_t status = port.status();

@@ -16,6 +16,10 @@ RUNS = [
     (0, *TUNING, "--audit", "-o", FOLDER), (0, *TUNING, "--assert", "-o", FOLDER),
     (0, *TUNING, "--wave", "vcd", "--wave-trigger", "hi", "-o", FOLDER),
     (0, *TUNING, "--engine", "twin", "-o", FOLDER),
+    *((code, *TUNING, "-s", "chip.clock_MHz=6", "-s", f"chip.{key}", "-o", FOLDER)
+      for code, key in ((0, "variant=lm629"), (0, "dac_bits=8"), (5, "wrap=true"))),
+    (0, "lm628", "OUT/all.lm628", "-s", "chip.variant=lm629", "-s", "chip.clock_MHz=6"),
+    (0, "lm628", "hold", "-s", "chip.dac_bits=8"),
     (5, "run", "an693-hold", "-s", "run.diverged_counts=1", "-o", FOLDER),
     (0, "lm628", "hold", "--wave", "fst", "--wave-window", "1.5ms:1.6ms", "-o", "OUT/lm628"),
     (0, "lm628", "tuning", "-o", "OUT/lm628"), (0, "lm628", "load"), (0, "lm628", "hold", "--json"),
@@ -23,6 +27,8 @@ RUNS = [
     (0, "lm628", "OUT/all.lm628"), (0, "report", FOLDER, "OUT/lm628", "-o", "OUT/two.html"),
 ]
 REFUSED = [
+    (2, "value 7 is neither 6 nor 8", *TUNING, "-s", "chip.clock_MHz=7"),
+    (2, "value 10 is neither 8 nor 12", *TUNING, "-s", "chip.dac_bits=10"),
     (2, "not a key of the machine an693", *TUNING, "-s", "gains.kp=1"),
     (2, "is none of: drive", *TUNING, "--wave", "fst", "--wave-trigger", "e ~ 3"),
     (2, "did you mean status.index?", *TUNING, "--wave", "fst", "--wave-trigger",

@@ -116,17 +116,20 @@ void read_data(Line& line, const std::vector<std::string>& data) {
   }
 }
 
-// "0.5s", "10ms", "100samples" in seconds.
-std::optional<double> seconds_of(const std::string& text) {
+// "0.5s", "10ms", "100samples".
+struct Time {
+  double seconds = 0, samples = 0;
+};
+std::optional<Time> time_of(const std::string& text) {
   if (text.empty() || (std::isdigit(static_cast<unsigned char>(text[0])) == 0 && text[0] != '.')) {
     return {};
   }
   char* unit = nullptr;
   const double count = std::strtod(text.c_str(), &unit);
-  for (const auto& [name, scale] :
-       {std::pair{"s", 1.0}, {"ms", 1e-3}, {"us", 1e-6}, {"samples", kSampleS},
-        {"sample", kSampleS}}) {
-    if (lower(unit) == name) return count * scale;
+  const std::string name = lower(unit);
+  if (name == "sample" || name == "samples") return Time{0, count};
+  for (const auto& [one, scale] : {std::pair{"s", 1.0}, {"ms", 1e-3}, {"us", 1e-6}}) {
+    if (name == one) return Time{count * scale, 0};
   }
   return {};
 }
@@ -134,15 +137,17 @@ std::optional<double> seconds_of(const std::string& text) {
 void read_wait(Line& line, const std::vector<std::string>& data) {
   if (!line.choice.empty() && data.empty()) return;
   const std::string time = fmt::format("{}", fmt::join(data, ""));
-  const auto seconds = seconds_of(time);
-  if (!seconds) {
+  const auto asked = time_of(time);
+  if (!asked) {
     throw ConfigError("wait: expects a time as 0.5 s, 10 ms, 300 us or 100 samples, or one of hi, "
                       "complete, breakpoint, index and error with the longest time to wait");
   }
-  if (!(*seconds >= 0 && *seconds <= kLongestTime)) {
+  const double seconds = asked->seconds + asked->samples * Options().sample_s();
+  if (!(seconds >= 0 && seconds <= kLongestTime)) {
     throw ConfigError(fmt::format("wait: {} is out of range 0..{} s", time, kLongestTime));
   }
-  line.seconds = *seconds;
+  line.seconds = asked->seconds;
+  line.samples = asked->samples;
 }
 
 void read_torque(Line& line, const std::vector<std::string>& data) {

@@ -69,7 +69,8 @@ struct Line {
   const Command* command = nullptr;
   std::string choice;                // one of the command's, or empty
   std::vector<std::uint32_t> words;  // data as the part takes them, of 16 bits each; or a byte
-  double seconds = kLongestWait;     // kWait: how long, or how long at most
+  double seconds = kLongestWait;     // kWait: how long, or how long at most; and as many
+  double samples = 0;                // samples of the part
   double torque = 0;                 // kTorque [N m]
   const Command* topic = nullptr;    // kHelp: one command; none: all
   std::string text;                  // as it was written

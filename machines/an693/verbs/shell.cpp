@@ -100,7 +100,7 @@ void Shell::go_on() const {
 }
 
 void Shell::pass(Clk count) {
-  const Clk sample = clocks(kSampleS);
+  const Clk sample = clocks(options_.sample_s());
   for (Clk left = count; left > 0; left -= sample) {
     go_on();
     bus_.wait(std::min(left, sample));
@@ -150,9 +150,15 @@ void Shell::command(const Line& line, Answer& answer) {
   if (command.opcode == Op::kPort12) twelve_bits_ = true;
   if (command.opcode == Op::kPort8 || command.opcode == Op::kReset) twelve_bits_ = false;
   if (command.opcode == Op::kReset) pass(kResetClk);
-  if (command.opcode == Op::kStt && !twelve_bits_) {
-    answer.note = line.where + ": STT: the motor gets nothing before PORT12";
-  }
+  if (command.opcode == Op::kStt) answer.note = port_note(line);
+}
+
+// Why the motor would not do what it is told, or "".
+std::string Shell::port_note(const Line& line) const {
+  const lm628::PartOptions& part = options_.part;
+  if (part.pulses() || twelve_bits_ == (part.dac_bits == 12)) return "";
+  return line.where + (twelve_bits_ ? ": STT: the converter of 8 bits needs PORT8"
+                                    : ": STT: the motor gets nothing before PORT12");
 }
 
 void Shell::tell(const Command& command, std::uint32_t bits, Answer& answer) const {
@@ -179,12 +185,12 @@ void Shell::tell(const Command& command, std::uint32_t bits, Answer& answer) con
 
 void Shell::wait(const Line& line, Answer& answer) {
   const Clk begin = bench_.chip().now();
-  const Clk limit = begin + clocks(line.seconds);
+  const Clk limit = begin + clocks(line.seconds + line.samples * options_.sample_s());
   if (line.choice.empty()) return pass(limit - begin);
   sw::Lm628Port port(bus_);
   const bool for_host = line.choice == "hi";
   const std::uint8_t awaited = for_host ? 0 : awaited_bit(line.choice);
-  const Clk sample = clocks(kSampleS);
+  const Clk sample = clocks(options_.sample_s());
   for (;;) {
     const std::uint8_t status = for_host ? bench_.chip().words().status : port.status();
     const bool is_there = for_host ? bench_.chip().host_irq()
@@ -195,7 +201,8 @@ void Shell::wait(const Line& line, Answer& answer) {
     const Clk now = bench_.chip().now();
     if (now >= limit) {
       throw Halt(EndReason::kTimeout, fmt::format("{}: not within {:g} s; status {}", line.text,
-                                                  line.seconds, hex(status, 8)));
+                                                  line.seconds + line.samples * options_.sample_s(),
+                                                  hex(status, 8)));
     }
     if (for_host && !is_there) {
       bus_.wait_until(bench_.loop().advance(std::min(limit, now + sample), cosim::kIrq).edge);
@@ -234,17 +241,28 @@ void Shell::tell_pins(Answer& answer) const {
   const auto level = [lines](int bit) { return static_cast<int>(lines >> bit & 1u); };
   const int hi = bench_.chip().host_irq() ? 1 : 0, a = level(lm628::kEncoderA);
   const int b = level(lm628::kEncoderB), in = 1 - level(lm628::kIndex);  // active low at the part
-  const cosim::Lines code = bench_.chip().drive();
+  const cosim::Lines drive = bench_.chip().drive();
   const plant::DcMotorState motor = bench_.plant().axis().state(bench_.chip().now() - 1);
   const double volt = bench_.plant().axis().voltage();
   const double counts = shaft_counts(options_, motor.theta);
   const double speed = motor.omega / plant::MotorAxis::kTurn;
-  answer.json["pins"] = {{"HI", hi}, {"A", a}, {"B", b}, {"IN", in}, {"DAC", code}};
+  answer.json["pins"] = {{"HI", hi}, {"A", a}, {"B", b}, {"IN", in}};
+  std::string output;
+  if (options_.part.pulses()) {
+    const auto pin = [drive](int bit) { return static_cast<int>(drive >> bit & 1u); };
+    const int sign = pin(lm628::kSign), magnitude = pin(lm628::kMagnitude);
+    answer.json["pins"]["SIGN"] = sign;
+    answer.json["pins"]["MAG"] = magnitude;
+    output = fmt::format("SIGN {}  MAG {}", sign, magnitude);
+  } else {
+    answer.json["pins"]["DAC"] = drive;
+    output = fmt::format("DAC {:03X}h", drive);
+  }
   answer.json["motor"] = {{"volt_V", volt}, {"current_A", motor.i}, {"speed_rev_s", speed},
                           {"shaft_counts", counts}};
-  answer.text = fmt::format("HI {}  A {}  B {}  IN {}  DAC {:03X}h\n"
+  answer.text = fmt::format("HI {}  A {}  B {}  IN {}  {}\n"
                             "motor {:.3f} V  {:.4f} A  {:.4f} rev/s  {:.2f} counts\n",
-                            hi, a, b, in, code, volt, motor.i, speed, counts);
+                            hi, a, b, in, output, volt, motor.i, speed, counts);
 }
 
 Result Shell::result() {

@@ -47,6 +47,7 @@ class Shell {
   void go_on() const;
   void check_assertions() const;
   void command(const Line& line, Answer& answer);
+  std::string port_note(const Line& line) const;
   void wait(const Line& line, Answer& answer);
   void tell(const Command& command, std::uint32_t bits, Answer& answer) const;
   void tell_status(Answer& answer);

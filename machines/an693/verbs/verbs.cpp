@@ -72,8 +72,10 @@ std::optional<std::vector<Line>> typed(const ReadLine& read_line, const std::str
   return parse_script(block, "lm628");
 }
 
-void converse(Shell& shell, const ReadLine& read_line, std::atomic<bool>& stop, Transcript& all) {
-  print_now("LM628 of 8 MHz with a DC motor, after RST; `help` names the commands\n");
+void converse(Shell& shell, const lm628::PartOptions& part, const ReadLine& read_line,
+              std::atomic<bool>& stop, Transcript& all) {
+  print_now(fmt::format("{} of {} MHz with a DC motor, after RST; `help` names the commands\n",
+                        part.pulses() ? "LM629" : "LM628", part.clock_MHz));
   for (;;) {
     stop = false;
     const std::optional<std::string> text = read_line("lm628> ");
@@ -113,6 +115,7 @@ bool of_firmware(const lab::Key& key) {
   return key.name == "program" || key.name == "run.platform" ||
          key.name == "run.diverged_counts" || key.name == "run.reached_counts" ||
          key.name == "processor.interrupt_latency_clk" ||
+         key.name == "chip.error_limit_counts" || key.name == "chip.index_check" ||
          key.name.rfind("filter.", 0) == 0 || key.name.rfind("trajectory.", 0) == 0;
 }
 
@@ -181,7 +184,7 @@ int lm628_shell(const testbench::Arguments& arguments, std::atomic<bool>& stop,
     Shell shell(options, stop);
     pthread_sigmask(SIG_SETMASK, &before, nullptr);
     if (talks) {
-      converse(shell, read_line, stop, all);
+      converse(shell, options.part, read_line, stop, all);
     } else {
       play(shell, script, all, arguments.json);
     }

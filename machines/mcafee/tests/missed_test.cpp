@@ -26,7 +26,7 @@ Options move_of(int counts) {
   Options options;
   options.stage = sw::McafeeStage::kMove;
   options.position = counts;
-  options.wait_s = 40 * kSampleS;  // of which the last 10 samples count
+  options.wait_s = 40 * options.sample_s();  // of which the last 10 samples count
   return options;
 }
 

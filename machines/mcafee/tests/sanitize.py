@@ -15,12 +15,14 @@ RUNS = [
     (0, *CORNER, "--engine", "twin", "-s", "path.kind=star", "-s", "path.side_mm=4",
      "-s", "path.radius_mm=0.2", "-s", "compare=true", "-o", FOLDER),
     (0, "run", "mcafee-stage1", "-s", "trajectory.readings=3", "-o", FOLDER),
-    (5, "run", "mcafee-stage2", "-s", "run.max_s=0.02", "-o", FOLDER),
+    *((5, "run", "mcafee-stage2", "-s", "run.max_s=0.02", "-s", f"chip.clock_MHz={clock}",
+       "--engine", engine, "-o", FOLDER) for clock in (6, 8) for engine in ("rtl", "twin")),
     (5, *CORNER, "-s", "path.side_mm=4", "-s", "stage.switch_high_m=0.001", "-o", FOLDER),
     (0, "report", FOLDER), (0, "report", FOLDER, FOLDER, "-o", "OUT/two.html"),
     (0, "track"), (0, "track", "-s", "path.kind=circle", "-o", "OUT/circle.csv"),
 ]
 REFUSED = [
+    (2, "value 7 is neither 6 nor 8", *CORNER, "-s", "chip.clock_MHz=7"),
     (2, "run.engine", *CORNER, "--engine", "twin", "--assert", "-o", FOLDER),
     (2, "row 0: increments 142, 0", *CORNER, "-s", "path.row_mm=0.7", "-o", FOLDER),
     (2, "path.radius_mm", "track", "-s", "path.radius_mm=31"),

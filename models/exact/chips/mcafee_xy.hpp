@@ -24,6 +24,8 @@ class McafeeXy {
     std::uint8_t limits = 0;
   };
 
+  explicit McafeeXy(Lm628Clock clock = Lm628Clock::k6MHz) : parts_{Lm628(clock), Lm628(clock)} {}
+
   const Lm628& part(std::size_t axis) const { return parts_[axis]; }
   Lm628Bridge::Out port() const { return bridge_.out(); }
   std::uint8_t dac(std::size_t axis) const {
@@ -161,7 +163,7 @@ class McafeeXy {
     return mcafee_xy_regs::kFeedOutReady | static_cast<std::uint32_t>(FeedRate().step(in).v);
   }
 
-  std::array<Lm628, 2> parts_{Lm628(Lm628Clock::k6MHz), Lm628(Lm628Clock::k6MHz)};
+  std::array<Lm628, 2> parts_;
   Lm628Bridge bridge_;
   Timer reset_;
   std::uint32_t port_b_ = 0, feed_in_ = 0, status_ = 0;

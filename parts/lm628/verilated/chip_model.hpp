@@ -18,14 +18,16 @@ class ChipModel : public cosim::HostedChip<Lm628Chip, Board, Model, Tracer> {
   using Hosted::state_;
 
  public:
-  ChipModel(Tracer tracer, cosim::ModelMode mode) : Hosted(std::move(tracer), mode) {
-    model_->wrap_i = 0;
+  ChipModel(Tracer tracer, cosim::ModelMode mode, const PartOptions& part)
+      : Hosted(std::move(tracer), mode) {
+    state_ = Board(part);
+    model_->wrap_i = part.wrap;
     sense(0);
     put_transfer();
     this->reset();
   }
 
-  cosim::Lines drive() const override { return state_.code; }
+  cosim::Lines drive() const override { return state_.lines; }
   bool host_irq() const override { return host_pin(); }
 
   void sense(cosim::Lines lines) override {
@@ -66,7 +68,8 @@ class ChipModel : public cosim::HostedChip<Lm628Chip, Board, Model, Tracer> {
   }
 
   bool drive_changed() override {
-    return state_.convert(model_->dac_o, model_->dac_hi_lo_o != 0, model_->dac_wr_n_o != 0);
+    return state_.output({model_->dac_o, model_->dac_hi_lo_o != 0, model_->dac_wr_n_o != 0,
+                          model_->pwm_mag_o != 0, model_->pwm_sign_o != 0});
   }
 };
 

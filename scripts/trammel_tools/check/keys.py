@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Each numeric key at the ends of its range and between, for trammel verify --keys.
 
-The keys are those of `trammel list keys`, so a new one is in it. Each value is given to a short run
-of the machine, by machines/<m>/tests/runs.toml, with the twin engine: the run does what it was
-asked, by the truth in its trace, or its line says why not, or the value is refused by a line that
-names the key. A part of that run, by [keys] cut_s, has the same events and files with the RTL.
+The keys are those of `trammel list keys`, so a new one is in it; beside them the words of
+[keys.words]. Each value is given to a short run of the machine, by machines/<m>/tests/runs.toml,
+with the twin engine: the run does what it was asked, by the truth in its trace, or its line says
+why not, or the value is refused by a line that names the key. A part of that run, by [keys] cut_s,
+has the same events and files with the RTL.
 """
 
 import functools
@@ -130,6 +131,7 @@ def table(machine, short, seed):
         keys = {key: keys[key] for key in random.Random(seed).sample(sorted(keys), SHORT)}
     tried = [(key, value) for key, limits in keys.items()
              for value in values(key, *limits, seed)]
+    tried += [(key, word) for key, words in plan.get("words", {}).items() for word in words]
     return plan, tried, {} if short else listed
 
 

@@ -78,7 +78,7 @@ def main():
         print(__doc__, file=sys.stdout if asked else sys.stderr)
         return 0 if asked else 2
     out, *files = map(Path, sys.argv[1:])
-    chip = out.stem.removesuffix("_registers")
+    chip = out.stem.removesuffix("_registers").split("-")[0]  # <chip>-<kind>: with parameters
     own = hierarchy.modules(chip, [f for f in files if f.suffix == ".sv"])
     assigned = assigned_names("\n".join(own.values()))
     roots = {f: f.read_text(encoding="utf-8") for f in files if f.suffix == ".h"}
@@ -99,6 +99,6 @@ def main():
         return 1
     lines = "\n".join(f'    visit("{readable(m)}", a.{m}, b.{m});'
                       for m in inputs(roots[first]) + kept)
-    name = "".join(word.capitalize() for word in out.stem.split("_"))
+    name = "".join(word.capitalize() for word in re.split("[-_]", out.stem))
     out.write_text(FORM.format(name=name, lines=lines, words=words), encoding="utf-8")
     return 0

@@ -104,8 +104,9 @@ def main():
     still = sorted(set().union(*(reads[text] for text in found if text not in moving)))
     temporaries = sorted({name for text in moving for name in re.findall(r"__Vtemp\w+", text)})
     out.write_text(FORM.format(
-        name="".join(word.capitalize() for word in out.stem.split("_")),
-        model=root.removesuffix("___024root"), root=root, scope=out.stem.removesuffix("_traced"),
+        name="".join(word.capitalize() for word in re.split("[-_]", out.stem)),
+        model=root.removesuffix("___024root"), root=root,
+        scope=out.stem.removesuffix("_traced").split("-")[0],
         first=first, statements="\n".join(moving),
         temporaries="\n".join(f"  {declared[name]} {name};" for name in temporaries),
         members="\n".join(f"  visit(root.{name});" for name in still)), encoding="utf-8")

@@ -50,7 +50,7 @@ void An693App::on_timer(Bus& bus, Lm628Port& port) {
   switch (state_) {
     case State::kReset:
       // A part whose status is wrong is reset again.
-      if (initialise(port, Lm628Command::kPort12)) {
+      if (initialise(port, setup_.converter)) {
         stop_on_error(port, setup_.error_limit);
         index_.arm(port);
         load_filter(port, setup_.filter);

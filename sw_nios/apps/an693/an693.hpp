@@ -25,6 +25,7 @@ using An693Filter = Lm628Filter;
 
 struct An693Setup {
   An693Program program = An693Program::kHold;
+  Lm628Converter converter = Lm628Converter::k12Bits;
   An693Filter filter;
   std::int32_t acceleration = 2;       // [2^-16 count/sample^2]
   std::int32_t velocity = 0x346E;      // [2^-16 count/sample]; of kBreakpoints the first speed

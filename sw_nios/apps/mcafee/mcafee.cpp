@@ -61,7 +61,7 @@ void McafeeApp::on_timer(Bus& bus, Parts& parts) {
   switch (state_) {
     case State::kReset:
       for (Lm628Port& port : parts.port) {
-        if (!initialise(port, Lm628Command::kPort8)) return fail(bus, McafeeFailure::kReset);
+        if (!initialise(port, Lm628Converter::k8Bits)) return fail(bus, McafeeFailure::kReset);
       }
       begin(bus, parts);
       break;
@@ -74,7 +74,7 @@ void McafeeApp::on_timer(Bus& bus, Parts& parts) {
       }
       break;
     case State::kMoving:  // the end of the move interrupts; the timer watches the limit switches
-      wait(bus, State::kMoving, kSampleClk);
+      wait(bus, State::kMoving, setup_.sample_clk);
       break;
     case State::kRow:
       watch_row(bus, parts);
@@ -91,7 +91,7 @@ void McafeeApp::on_timer(Bus& bus, Parts& parts) {
       for (std::uint32_t k = 0; k < 2; ++k) {
         there = there && parts.port[k].ask_long(Lm628Command::kRddp) == axes_[k].target;
       }
-      wait(bus, there ? State::kPause : State::kLast, there ? setup_.wait_clk : kSampleClk);
+      wait(bus, there ? State::kPause : State::kLast, there ? setup_.wait_clk : setup_.sample_clk);
       break;
     }
     case State::kPause:
@@ -131,7 +131,7 @@ void McafeeApp::begin(Bus& bus, Parts& parts) {
     port.long_word(setup_.velocity);
     port.long_word(setup_.position);
     port.command(Lm628Command::kStt);
-    return wait(bus, State::kMoving, kSampleClk);
+    return wait(bus, State::kMoving, setup_.sample_clk);
   }
   for (unsigned k = 0; k < 2; ++k) {
     Lm628Port& port = parts.port[k];
@@ -200,7 +200,7 @@ void McafeeApp::start_row(Bus& bus, Parts& parts) {
   }
   mail_.speed = speed_;
   ++mail_.point;
-  if (loaded_ == setup_.row_count) return wait(bus, State::kLast, kSampleClk);
+  if (loaded_ == setup_.row_count) return wait(bus, State::kLast, setup_.sample_clk);
   load_row(bus, parts);
   wait(bus, State::kRow, kSoon);
 }
@@ -227,7 +227,7 @@ void McafeeApp::watch_row(Bus& bus, Parts& parts) {
     return wait(bus, State::kSample, kSoon);
   }
   // Sleeps until two samples before that, for axes at their highest speed.
-  wait(bus, State::kRow, samples > 5 ? (samples - 4) * kSampleClk : kSoon);
+  wait(bus, State::kRow, samples > 5 ? (samples - 4) * setup_.sample_clk : kSoon);
 }
 
 void McafeeApp::finish(Bus& bus, Parts& parts) {

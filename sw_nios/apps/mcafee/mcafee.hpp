@@ -35,6 +35,7 @@ struct McafeeSetup {
   McafeeStage stage = McafeeStage::kTrack;
   Lm628Filter filter{255, 0, 0, 0, 1};
   std::uint32_t wait_clk = 5'000'000;  // between readings of Stage I, and at the end of the others
+  std::uint32_t sample_clk = 17'067;   // 2048 ticks of 6 MHz; of 8 MHz they are 12'800
   std::uint32_t readings = 0;          // of Stage I; 0 = endless
 
   std::int32_t acceleration = 60'000;  // [2^-16 count/sample^2]
@@ -64,7 +65,6 @@ enum class McafeeFailure : std::uint32_t {
 class McafeeApp final : public Firmware {
  public:
   static constexpr std::uint32_t kResetClk = 100'000;  // 8000 ticks of 6 MHz are 66 667
-  static constexpr std::uint32_t kSampleClk = 17'067;  // 2048 ticks of 6 MHz
 
   explicit McafeeApp(const McafeeSetup& setup)
       : setup_(setup), index_{Lm628Index(setup.index_counts), Lm628Index(setup.index_counts)} {}

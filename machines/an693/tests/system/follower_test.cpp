@@ -88,7 +88,7 @@ class StopProgram final : public sw::Firmware {
     sw::Lm628Port port(bus);
     bus.write(sw::lm628_map::kTimer, kSecond / 5);
     if (step_ == 0) {
-      CHECK(sw::initialise(port, sw::Lm628Command::kPort12));
+      CHECK(sw::initialise(port, sw::Lm628Converter::k12Bits));
       port.command(sw::Lm628Command::kMski, 0);
       sw::load_filter(port, {});
       port.command(sw::Lm628Command::kLtrj, 0x1828);  // velocity forward; A and V follow

@@ -185,7 +185,8 @@ TEST_CASE("nothing hangs: a part busy with its reset, the longest run, an interr
 }
 
 TEST_CASE("keys of the firmware's programs are refused, as they would have no effect") {
-  for (const char* key : {"filter.kp=1", "trajectory.steps=2", "program=tuning"}) {
+  for (const char* key : {"filter.kp=1", "trajectory.steps=2", "program=tuning",
+                          "chip.error_limit_counts=9", "chip.index_check=true"}) {
     Arguments arguments;
     arguments.scenario = "absolute";
     arguments.assignments = {key};

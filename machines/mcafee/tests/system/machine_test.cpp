@@ -130,3 +130,40 @@ TEST_CASE("F-05 Stage II moves the stage by 52 800 counts in 8.251 s") {
   // Friction of 0.03 N m holds what kp = 255 makes of three counts.
   CHECK(std::abs(result.real[0] - 52'800) <= 3);
 }
+
+TEST_CASE("mcafee: parts of 8 MHz: one behaviour in RTL, twin, SystemC, in 3/4 of the time") {
+  Options options = small_corner();
+  const double slow_s = lab::seconds_of(run(options).clocks) - options.wait_s;
+  options.clock_MHz = 8;
+  const Result chip = run(options);
+  REQUIRE(chip.end == cosim::EndReason::kDone);
+  CHECK(chip.samples.back().row == chip.table.rows.size());
+  CHECK(lab::seconds_of(chip.clocks) - options.wait_s == Approx(0.75 * slow_s).epsilon(0.05));
+  Options other = options;
+  other.run.engine = cosim::Engine::kTwin;
+  CHECK(run(other).event_hash == chip.event_hash);
+  other = options;
+  other.run.platform = cosim::Platform::kSystemC;
+  CHECK(run(other).event_hash == chip.event_hash);
+}
+
+TEST_CASE("mcafee: parts of 8 MHz, audited, checked or with waves, have the same events") {
+  Options options = small_corner();
+  options.clock_MHz = 8;
+  options.run.max_s = 0.02;
+  const Result base = run(options);
+  REQUIRE(base.samples.size() > 60);
+  Options audited = options, checked = options, shown = options;
+  audited.run.audit = true;
+  checked.run.assertions = true;
+  shown.run.wave = cosim::WaveFormat::kFst;
+  shown.run.wave_file = "mcafee_machine_test_8.fst";
+  shown.run.wave_end_s = 97 * 20e-9;
+  shown.run.wave_every_s = 5003 * 20e-9;
+  for (const Options& one : {audited, checked, shown}) {
+    const Result result = run(one);
+    CHECK_FALSE(result.promise);
+    CHECK(result.event_hash == base.event_hash);
+  }
+  std::filesystem::remove(shown.run.wave_file);
+}

@@ -138,5 +138,5 @@ TEST_CASE("F-11 a limit switch cuts the motor within a sample, and the program e
   CHECK(run.failure == sw::McafeeFailure::kLimit);
   CHECK(run.speeds.size() < 45);  // 40.4 rows to the switch
   REQUIRE(run.cut > 0);
-  CHECK(run.powered < run.cut + sw::McafeeApp::kSampleClk);
+  CHECK(run.powered < run.cut + sw::McafeeSetup().sample_clk);
 }
