@@ -197,6 +197,12 @@ void add_plant(Table& t, std::size_t axis) {
   add("cable_N_m", 0, 10000, "pull of a cable, per metre from cable_rest_m",
       &plant::AxisConfig::cable_n_m);
   add("cable_rest_m", -40, 40, "where the cable does not pull", &plant::AxisConfig::cable_rest_m);
+  add("mode_Hz", 0, 1000,
+      "resonance of an elastic mode: a share of the mass on a spring beside the encoder; 0 = none",
+      &plant::AxisConfig::mode_hz);
+  add("mode_damping", 0, 1, "its damping, of the critical one", &plant::AxisConfig::mode_damping);
+  add("mode_mass_ratio", 0.01, 0.9, "share of the mass that is on the spring",
+      &plant::AxisConfig::mode_mass_ratio);
   add("friction_speed_m_s", 1e-5, 1, "where friction smooths out",
       &plant::AxisConfig::friction_speed_m_s);
   add("external_force_N", -1000, 1000, "against positive motion",

@@ -61,6 +61,7 @@ PmlsmConfig motor_config(const AxisConfig& c) {
   m.harmonic = c.cogging_harmonic;
   m.cable = c.cable_n_m;
   m.cable_rest = c.cable_rest_m;
+  if (c.mode_hz != 0) m.add_mode(c.mode_hz, c.mode_damping, c.mode_mass_ratio);
   return m;
 }
 
@@ -105,7 +106,7 @@ Axis::Axis(const AxisConfig& config, double period_s, std::uint64_t seed)
     load_end_ = config.load_end_s == 0 ? kNever : edge(config.load_end_s);
   }
   load(0);
-  const MotorState rest{config.start_m, 0, 0, 0};
+  const MotorState rest{config.start_m, 0, 0, 0, 0, 0};
   begin({rest, motor_.angle(rest.x)}, 7);
   next_ = next_event(0);
 }
@@ -149,13 +150,13 @@ void Axis::build(Segment& s, double start, const Point& at, unsigned zero) const
   s.stop = 0;
   Point p = at;
   if (braked_) {
-    p.motor.v = 0;
+    motor_.halt(p.motor);
     s.held = true;
   } else if (config_.hard_stops) {
     const bool low = p.motor.x <= config_.stroke_min_m && p.motor.v <= 0;
     const bool high = p.motor.x >= config_.stroke_max_m && p.motor.v >= 0;
     if (low || high) {
-      p.motor.v = 0;
+      motor_.halt(p.motor);
       const double push = motor_.push(p.motor);
       s.held = low ? push <= 0 : push >= 0;
     }
@@ -216,8 +217,8 @@ const Axis::Segment& Axis::successor(std::size_t k) const {
   const Segment& s = chain_[k];
   const unsigned zero = s.legs.open ? 7u : s.legs.floating | s.dies;
   Point p = point(s, s.length, zero);
-  if (s.meets_stop) p.motor.x = s.stop, p.motor.v = 0;
-  if (s.held) p.motor.v = 0;
+  if (s.meets_stop) p.motor.x = s.stop;
+  if (s.meets_stop || s.held) motor_.halt(p.motor);
   build(chain_[k + 1], s.start + s.length, p, zero);
   known_ = k + 2;
   return chain_[k + 1];
@@ -302,7 +303,7 @@ AxisState Axis::state(Clk n) const {
   const Point p = point(s, t - s.start, s.legs.open ? 7u : s.legs.floating);
   const std::array<double, 3> i = to_phases(Pmlsm::stator(p.motor.i_d, p.motor.i_q, p.angle));
   return {p.motor.x, p.motor.v, p.motor.i_d, p.motor.i_q, i[0], i[1], motor_.force(p.motor),
-          link_.volt()};
+          link_.volt(), p.motor.y};
 }
 
 double Axis::position(Clk n) const {
@@ -320,7 +321,8 @@ int Axis::frame(int phase, std::uint64_t seed, int channel, Clk n) const {
 
 // No edge and no stop can be reached within `time`, whatever the inverter does.
 bool Axis::far_from_events(const Segment& s, double time) const {
-  const MotorState m{s.span.x[0], s.span.v[0], s.span.i_d[0], s.span.i_q[0]};
+  const MotorState m{s.span.x[0],   s.span.v[0], s.span.i_d[0],
+                     s.span.i_q[0], s.span.y[0], s.span.y_speed[0]};
   double room = std::min(encoder_.high() - m.x, m.x - encoder_.low());
   if (config_.hard_stops && !s.held) {
     room = std::min({room, m.x - config_.stroke_min_m, config_.stroke_max_m - m.x});

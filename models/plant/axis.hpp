@@ -37,6 +37,8 @@ struct AxisConfig {  // defaults: X axis of the table
   double cogging_harmonic_n = 0;
   int cogging_harmonic = 2;
   double cable_n_m = 0, cable_rest_m = 0.3;  // a cable that pulls toward its place of rest
+  double mode_hz = 0;  // resonance of an elastic mode; 0: none
+  double mode_damping = 0.02, mode_mass_ratio = 0.2;  // of critical; share of the mass
   double load_n = 0;                       // more of it, from load_begin_s to load_end_s
   double load_begin_s = 0, load_end_s = 0;  // since the start; 0: it does not end
   double stroke_min_m = 0;
@@ -69,6 +71,7 @@ struct AxisState {
   double i_d_a = 0, i_q_a = 0, i_a_a = 0, i_b_a = 0;
   double force_n = 0;  // electromagnetic
   double dc_link_v = 0;
+  double mode_m = 0;  // by which the mass on the spring is ahead
 };
 
 PmlsmConfig motor_config(const AxisConfig& c);

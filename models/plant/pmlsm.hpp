@@ -6,6 +6,8 @@
 //   M dv/dt = F_e - B v - (F_c + F_s exp(-(v/v_s)^2)) v/sqrt(v^2 + v_f^2) - F_cog sin(2 pi x/tau)
 //             - F_h sin(2 pi h x/tau + 1) - c (x - x_c) - F_ext,  dx/dt = v
 //   F_e = 3 pi/(2 tau) ((L_d - L_q) i_d + lambda_f) i_q
+// With an elastic mode, part m of the mass hangs on a spring and a damper, by y ahead of its place:
+//   m (dv/dt + d2y/dt2) = -k y - d dy/dt = -F_y;   M is the rest, and has F_y more.
 // Under constant phase voltages the solution over a short span (6.25 us) is a Taylor series in
 // time: currents and speed to t^3, position to t^4. Its truncation error is below 1e-9 of the
 // current.
@@ -36,11 +38,25 @@ struct PmlsmConfig {
   double harmonic = 2;             // its number
   double cable = 0;                // [N/m], of a cable that pulls back
   double cable_rest = 0;           // [m], where it does not
+  double mode_mass = 0;            // [kg], on a spring and a damper, beside `mass`; 0: none
+  double mode_stiffness = 0;       // [N/m]
+  double mode_damping = 0;         // [N s/m]
+
+  // Takes a share of the mass for a mode. Frequency [Hz] and damping, of the critical one, are
+  // those of the two swinging against each other, with the reduced mass r (1 - r) M.
+  void add_mode(double frequency, double damping, double share) {
+    const double reduced = share * (1 - share) * mass, w = 2 * kPi * frequency;
+    mode_mass = share * mass;
+    mode_stiffness = reduced * w * w;
+    mode_damping = 2 * damping * reduced * w;
+    mass -= mode_mass;
+  }
 };
 
 struct MotorState {
   double x = 0, v = 0;      // [m], [m/s]
   double i_d = 0, i_q = 0;  // [A]
+  double y = 0, y_speed = 0;  // of the mode [m], [m/s]
 };
 
 struct AlphaBeta {
@@ -68,13 +84,23 @@ struct Span {
   std::array<double, 5> x{};
   std::array<double, 4> v{}, i_d{}, i_q{};
   SinCos angle{};  // electrical angle at the start
+  bool elastic = false;
+  std::array<double, 5> y{};  // of the mode; 0 without one
+  std::array<double, 4> y_speed{};
 
-  double position(double t) const { return x[0] + t * (x[1] + t * (x[2] + t * (x[3] + t * x[4]))); }
+  static double quartic(const std::array<double, 5>& c, double t) {
+    return c[0] + t * (c[1] + t * (c[2] + t * (c[3] + t * c[4])));
+  }
+  double position(double t) const { return quartic(x, t); }
   static double cubic(const std::array<double, 4>& c, double t) {
     return c[0] + t * (c[1] + t * (c[2] + t * c[3]));
   }
   double speed(double t) const { return cubic(v, t); }
-  MotorState at(double t) const { return {position(t), cubic(v, t), cubic(i_d, t), cubic(i_q, t)}; }
+  MotorState at(double t) const {
+    MotorState s{position(t), cubic(v, t), cubic(i_d, t), cubic(i_q, t), 0, 0};
+    if (elastic) s.y = quartic(y, t), s.y_speed = cubic(y_speed, t);
+    return s;
+  }
 };
 
 class Pmlsm {
@@ -105,7 +131,14 @@ class Pmlsm {
   // Force on the carriage at speed 0, where friction is none: it moves the carriage off a stop.
   double push(const MotorState& s) const {
     const SinCos a = angle(s.x);
-    return force(s) - c_.cogging * 2 * a.sin * a.cos - c_.external_force - held_back(s.x);
+    return force(s) - c_.cogging * 2 * a.sin * a.cos - c_.external_force - held_back(s.x) +
+           mode_force(s.y, s.y_speed);
+  }
+
+  // Stops the carriage at once; what hangs on its spring goes on.
+  void halt(MotorState& s) const {
+    if (c_.mode_mass != 0) s.y_speed += s.v;
+    s.v = 0;
   }
 
   // Largest acceleration within `span` seconds for phase voltages below `volt`.
@@ -114,7 +147,9 @@ class Pmlsm {
     const double slew = 2 * (volt + k_ * lambda_ * (speed + 0.1)) * std::fmax(inv_ld_, inv_lq_);
     const double current = std::fabs(s.i_d) + std::fabs(s.i_q) + slew * span;
     const double flux = lambda_ + std::fabs(c_.inductance_d - c_.inductance_q) * current;
-    return inv_mass_ * (force_ * flux * current + c_.viscous * (speed + 0.1) + c_.coulomb +
+    const double mode_speed = std::fabs(s.y_speed) + speed + 0.1;
+    return inv_mass_ * (mode_force(std::fabs(s.y) + mode_speed * span, mode_speed) +
+                        force_ * flux * current + c_.viscous * (speed + 0.1) + c_.coulomb +
                         std::fabs(c_.cogging) + std::fabs(c_.external_force) + c_.stribeck +
                         std::fabs(c_.harmonic_force) + c_.cable * std::fabs(s.x - c_.cable_rest) +
                         c_.cable * (speed + 0.1) * span);
@@ -166,10 +201,16 @@ class Pmlsm {
       p.harmonic[0] = std::sin(harmonic_angle(s.x));
       p.harmonic_cos[0] = std::cos(harmonic_angle(s.x));
     }
+    if (c_.mode_mass != 0) {
+      f.y[0] = s.y;
+      f.y_speed[0] = s.y_speed;
+      f.elastic = true;
+    }
     extend<0>(f, p, hold);
     extend<1>(f, p, hold);
     extend<2>(f, p, hold);
     f.x[4] = 0.25 * f.v[3];
+    if (f.elastic) f.y[4] = 0.25 * f.y_speed[3];
   }
   Span span(const MotorState& s, const SinCos& a, const AlphaBeta& u, Hold hold) const {
     Span f;
@@ -201,6 +242,11 @@ class Pmlsm {
   };
 
   double harmonic_angle(double x) const { return 2 * c_.harmonic * k_ * x + 1; }
+
+  // Of the mode on the carriage [N].
+  double mode_force(double y, double y_speed) const {
+    return c_.mode_stiffness * y + c_.mode_damping * y_speed;
+  }
 
   // By cogging harmonic and cable [N].
   double held_back(double x) const {
@@ -247,9 +293,21 @@ class Pmlsm {
       p.u_q[n + 1] = -scale * k_ * product<n>(f.v, p.u_d);
     }
     f.x[n + 1] = scale * f.v[n];
-    if (hold.carriage) return;
+    if (!f.elastic) {
+      if (!hold.carriage) extend_speed<n>(f, p, 0);
+      return;
+    }
+    const double mode = mode_force(f.y[n], f.y_speed[n]);
+    if (!hold.carriage) extend_speed<n>(f, p, mode);
+    f.y[n + 1] = scale * f.y_speed[n];
+    f.y_speed[n + 1] = -scale * mode / c_.mode_mass - f.v[n + 1];
+  }
+
+  template <std::size_t n>
+  void extend_speed(Span& f, Push& p, double mode) const {
+    constexpr double scale = kInverse[n + 1];
     const double saliency = c_.inductance_d - c_.inductance_q;
-    double push = force_ * lambda_ * f.i_q[n] - c_.viscous * f.v[n];
+    double push = force_ * lambda_ * f.i_q[n] - c_.viscous * f.v[n] + mode;
     if (saliency != 0) push += force_ * saliency * product<n>(f.i_d, f.i_q);
     if constexpr (n == 0) {
       push -= c_.external_force + c_.coulomb * f.v[0] * p.inv_r;
