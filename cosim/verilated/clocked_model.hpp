@@ -8,12 +8,17 @@
 // A chip with the ports leap_i, next_o and quiescent_o leaps: while every register waits
 // (quiescent_o) the timers alone move, for next_o edges, and one evaluation with leap_i = n - 1
 // stands for n of them. No pin may move inside a leap. Every edge of another chip is evaluated.
+//
+// A leaping chip with the ports clock_en_i and awake_o has its registers in clock domains, and an
+// edge is that of the domains that are awake. Timers lag: as long as they only count (next_o) and no
+// domain that reads them is awake (timed_o), they stand where they were and catch up by one leap.
 #pragma once
 
 #include <verilated.h>
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <type_traits>
@@ -22,6 +27,7 @@
 #include "cosim/cosim.hpp"
 #include "cosim/promise.hpp"
 #include "cosim/verilated/clock_pins.hpp"
+#include "cosim/verilated/regions.hpp"
 #include "cosim/verilated/tracer.hpp"
 
 namespace trammel::cosim {
@@ -54,8 +60,28 @@ inline constexpr bool kLeaps<Model, std::void_t<decltype(std::declval<Model&>().
                                                 decltype(std::declval<Model&>().quiescent_o)>> =
     true;
 
+// Whether a model has clock domains and is one whose regions are known.
+template <class Root, class = void>
+inline constexpr bool kHasDomains = false;
+template <class Root>
+inline constexpr bool kHasDomains<Root, std::void_t<decltype(std::declval<Root&>().clock_en_i)>> =
+    true;
+
 template <class Model, class Tracer>
 class ClockedModel {
+  using Root = std::remove_pointer_t<decltype(Model::rootp)>;
+  static constexpr bool kByDomain = Regions<Root>::kKnown;
+  struct NoClocks {};
+  template <bool known, class = void>
+  struct ClocksOf {
+    using Type = NoClocks;
+  };
+  template <class Unused>
+  struct ClocksOf<true, Unused> {
+    using Type = DomainClocks<Model, Root>;
+  };
+  using Clocks = typename ClocksOf<kByDomain>::Type;
+
  public:
   ClockedModel(Tracer tracer, ModelMode mode)
       : leap_(mode.leap && !mode.checked), checked_(mode.checked), tracer_(std::move(tracer)) {
@@ -64,7 +90,15 @@ class ClockedModel {
     context_->randSeed(1);
     model_ = std::make_unique<Model>(context_.get(), "");  // no scope around the chip's
     if constexpr (kLeaps<Model>) model_->leap_i = 0;
+    if constexpr (kHasDomains<Root>) {
+      enable_clocks(model_->clock_en_i, ~0u);
+    }
     tracer_.attach(*context_, *model_);
+    if constexpr (kByDomain) {
+      clock_pin(*model_) = 0;
+      model_->eval();
+      by_domain_ = clocks_.learn(*model_);
+    }
   }
 
   // The model leaves the context of the thread, which else is that of the chip evaluated last.
@@ -81,31 +115,50 @@ class ClockedModel {
   Tracer& tracer() { return tracer_; }
   bool shows(Clk edge) const { return tracer_.shows(edge); }
 
+  // The registers as they are before the edge `now`.
+  Root& registers(Clk now) {
+    catch_up(now);
+    return *model_->rootp;
+  }
+
+  // A register was changed by hand: what was foreseen does not hold.
+  void upset(Clk now) { event_ = now; }
+
   // Before the rising edge: inputs that changed reach the combinational logic.
   void settle(Clk edge, bool changed) {
     const bool shown = shows(edge);
     if (shown) clock_pin(*model_) = 0;
-    if (changed) model_->eval();
+    if (changed) follow_inputs();
     if (shown) tracer_.fell(edge);
   }
 
   void raise(Clk edge) {
-    rise();
+    ++evaluated_;
+    if (by_domain_) {
+      rise_awake(edge);
+    } else {
+      rise();
+    }
     tracer_.raised(edge);
     if (checked_ && !broken_) look_for_broken_promise(edge);
   }
 
   // How many edges from the present one on only count; at least 1, the evaluated one.
-  Clk waiting() const {
+  Clk waiting(Clk edge) const {
+    if constexpr (kByDomain) {
+      if (by_domain_) return leap_ && awake() == 0 ? std::max<Clk>(1, event_ - edge) : 1;
+    }
     if constexpr (kLeaps<Model>) {
       if (leap_ && model_->quiescent_o) return std::max<Clk>(1, model_->next_o);
     }
     return 1;
   }
 
-  // One evaluation for that many edges, at most waiting(). No assertion is checked: a checked model
-  // does not leap.
+  // One evaluation for that many edges, at most waiting(), or none where timers lag. No assertion is
+  // checked: a checked model does not leap.
   void leap(Clk edge, Clk clocks) {
+    if (by_domain_) return;
+    ++evaluated_;
     if constexpr (kLeaps<Model>) {
       model_->leap_i = static_cast<std::uint16_t>(clocks - 1);
       rise();
@@ -114,9 +167,55 @@ class ClockedModel {
     tracer_.raised(edge);
   }
 
+  Clk evaluated() const { return evaluated_; }
+
   const std::optional<BrokenPromise>& broken_promise() const { return broken_; }
 
  private:
+  // Domains that the next edge may change.
+  unsigned awake() const {
+    if constexpr (kByDomain) {
+      if (leap_ && !reset_pin(*model_)) return model_->awake_o;
+      return Clocks::kAll - Clocks::kTimers;
+    } else {
+      return 0;
+    }
+  }
+
+  void follow_inputs() {
+    if constexpr (kByDomain) {
+      if (by_domain_) return Regions<Root>::inputs(*model_->rootp);
+    }
+    model_->eval();
+  }
+
+  void rise_awake(Clk edge) {
+    if constexpr (kByDomain) {
+      if (leap_ && edge < event_ && !model_->timed_o && !reset_pin(*model_)) {
+        clocks_.rise(*model_->rootp, awake());
+        return;
+      }
+      catch_up(edge);
+      clocks_.rise(*model_->rootp, awake() | Clocks::kTimers);
+      time_ = edge + 1;
+      event_ = time_ + model_->next_o;
+    }
+  }
+
+  // The timers alone, to the edge `now`.
+  void catch_up(Clk now) {
+    if constexpr (kByDomain) {
+      if (!by_domain_ || time_ == now || time_ == kUnset) {
+        time_ = now;
+        return;
+      }
+      model_->leap_i = static_cast<std::uint16_t>(now - time_ - 1);
+      clocks_.rise(*model_->rootp, Clocks::kTimers);
+      model_->leap_i = 0;
+      time_ = now;
+    }
+  }
+
   void rise() {
     clock_pin(*model_) = 1;
     stored_clock(*model_->rootp) = 0;
@@ -131,6 +230,11 @@ class ClockedModel {
   std::unique_ptr<VerilatedContext> context_ = std::make_unique<VerilatedContext>();
   std::unique_ptr<Model> model_;
   bool leap_, checked_;
+  bool by_domain_ = false;  // clocks are raised by domain
+  Clocks clocks_;
+  static constexpr Clk kUnset = std::numeric_limits<Clk>::min();
+  Clk time_ = kUnset, event_ = kUnset;  // edge at which the timers stand, and the next that they must see
+  Clk evaluated_ = 0;
   Tracer tracer_;
   std::optional<BrokenPromise> broken_;
 };

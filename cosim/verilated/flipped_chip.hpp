@@ -28,7 +28,10 @@ class FlippedChip : public Chip {
         found = change(reg, bits, indices(bit.substr(one.size())), really);
       }
     });
-    if (found && really) settle_anew(this->registers());
+    if (found && really) {
+      settle_anew(this->registers());
+      this->upset();
+    }
     return found;
   }
 

@@ -18,7 +18,8 @@ class HostedChip : public Hosted<Base, State> {
   using Root = std::remove_pointer_t<decltype(Model::rootp)>;
 
   std::optional<BrokenPromise> broken_promise() const override { return model_.broken_promise(); }
-  Root& registers() { return *model_->rootp; }
+  Root& registers() { return model_.registers(state_.now); }
+  void upset() { model_.upset(state_.now); }
   Tracer& tracer() { return model_.tracer(); }
 
  protected:
@@ -49,11 +50,16 @@ class HostedChip : public Hosted<Base, State> {
     model_.settle(edge, state_.dirty || bus);
     if (bus) see_transfer();
     state_.dirty = false;
-    ++state_.evaluated;
-    return bus ? 1 : model_.waiting();
+    return bus ? 1 : model_.waiting(edge);
   }
-  void leap(Clk edge, Clk clocks) final { model_.leap(edge, clocks); }
-  void raise(Clk edge) final { model_.raise(edge); }
+  void leap(Clk edge, Clk clocks) final {
+    model_.leap(edge, clocks);
+    state_.evaluated = model_.evaluated();
+  }
+  void raise(Clk edge) final {
+    model_.raise(edge);
+    state_.evaluated = model_.evaluated();
+  }
 };
 
 }  // namespace trammel::cosim

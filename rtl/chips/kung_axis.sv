@@ -16,6 +16,7 @@ module kung_axis
   import kung_xy_regs_pkg::axis_regs__out_t;
 (
     input logic clk_i,
+    input kung_pkg::axis_domains_t clock_en_i,
     input logic rst_i,
 
     input gap_t leap_i,
@@ -51,10 +52,19 @@ module kung_axis
     output logic stroke_o,
     output logic done_o,
     output gap_t next_o,
+    output logic wake_regs_o,  // a bit of STATUS is set
+    output kung_pkg::axis_domains_t awake_o,
     output logic quiescent_o
 );
 
   typedef logic signed [12:0] sum_t;  // of two phase currents
+
+  logic clk_position, clk_adc, clk_angle, clk_sense, clk_gates;
+  assign clk_position = clk_i & clock_en_i.position;
+  assign clk_adc      = clk_i & clock_en_i.adc;
+  assign clk_angle    = clk_i & clock_en_i.loop.angle;
+  assign clk_sense    = clk_i & clock_en_i.sense;
+  assign clk_gates    = clk_i & clock_en_i.gates;
 
   // ---- position ----
 
@@ -66,7 +76,7 @@ module kung_axis
   assign preset_value = count_t'(regs_i.pos_preset.wr_data.value);
 
   qep u_qep (
-      .clk_i         (clk_i),
+      .clk_i         (clk_sense),
       .rst_i         (rst_i),
       .filter_i      (regs_i.deadtime.qep_filter.value),
       .preset_i      (preset),
@@ -98,7 +108,7 @@ module kung_axis
   logic [6:0] step;
 
   command u_command (
-      .clk_i         (clk_i),
+      .clk_i         (clk_position),
       .rst_i         (rst_i),
       .tick_pos_i    (tick_pos_i),
       .commit_i      (commit_i),
@@ -119,7 +129,7 @@ module kung_axis
   assign tab_value   = count_t'(regs_i.tab_data.wr_data.value[23:0]);
   assign tab_write   = tab_pending_q && !afc_busy;
 
-  always_ff @(posedge clk_i) begin
+  always_ff @(posedge clk_position) begin
     if (rst_i) begin
       tab_pending_q <= 1'b0;
       tab_data_q    <= '0;
@@ -134,7 +144,7 @@ module kung_axis
   end
 
   afc u_afc (
-      .clk_i        (clk_i),
+      .clk_i        (clk_position),
       .rst_i        (rst_i),
       .start_i      (tick_pos_i),
       .adapt_i      (regs_i.ctrl.adapt.value),
@@ -181,27 +191,31 @@ module kung_axis
   word_t iq_ref, i_q_ref_q, i_a, i_b, i_d, i_q, v_d, v_q;
   logic [11:0] code_a, code_b;
   logic adc_valid, unused_adc_busy, adc_quiescent;
-  logic unused_loop_busy, loop_valid, limited, loop_quiescent, loop_clear;
+  logic unused_loop_busy, loop_valid, limited, unused_loop_quiescent, loop_clear;
+  kung_pkg::loop_domains_t loop_awake;
   cmp_t cmp_a, cmp_b, cmp_c;
 
   assign iq_ref = regs_i.ctrl.position_loop.value ? iq_afc :
       word_t'(regs_i.iq_manual.value.value);
   assign loop_clear = trip_i || !regs_i.ctrl.enable.value || !regs_i.ctrl.current_loop.value;
 
-  always_ff @(posedge clk_i) begin
+  always_ff @(posedge clk_angle) begin
     if (rst_i) begin
-      x_p_q       <= '0;
       count_cur_q <= '0;
       i_q_ref_q   <= '0;
     end else if (tick_cur_i) begin
       count_cur_q <= count;
       i_q_ref_q   <= iq_ref;
-      if (tick_pos_i) x_p_q <= count;
     end
   end
 
+  always_ff @(posedge clk_position) begin
+    if (rst_i) x_p_q <= '0;
+    else if (tick_pos_i) x_p_q <= count;
+  end
+
   adc_if u_adc (
-      .clk_i      (clk_i),
+      .clk_i      (clk_adc),
       .rst_i      (rst_i),
       .start_i    (tick_cur_i),
       .zeros_i    (regs_i.adc_frame.zeros.value),
@@ -218,6 +232,7 @@ module kung_axis
 
   current_loop u_current_loop (
       .clk_i      (clk_i),
+      .clock_en_i (clock_en_i.loop),
       .rst_i      (rst_i),
       .tick_i     (adc_valid),
       .clear_i    (loop_clear),
@@ -245,7 +260,8 @@ module kung_axis
       .v_d_o      (v_d),
       .v_q_o      (v_q),
       .limited_o  (limited),
-      .quiescent_o(loop_quiescent)
+      .awake_o    (loop_awake),
+      .quiescent_o(unused_loop_quiescent)
   );
 
   // |current| >= limit, unless that is 0; with one carry chain for each sign.
@@ -271,7 +287,7 @@ module kung_axis
       regs_i.deadtime.clk.value;
 
   pwm u_pwm (
-      .clk_i      (clk_i),
+      .clk_i      (clk_gates),
       .rst_i      (rst_i),
       .phase_i    (phase_i),
       .rest_i     (rest_i),
@@ -288,6 +304,7 @@ module kung_axis
   for (genvar n = 0; n < 3; n++) begin : gen_leg
     gate_leg u_leg (
         .clk_i      (clk_i),
+        .clk_gated_i(clk_gates),
         .rst_i      (rst_i),
         .leap_i     (leap_i),
         .enable_i   (regs_i.ctrl.enable.value),
@@ -308,9 +325,18 @@ module kung_axis
     end
   end
 
-  assign quiescent_o = qep_quiescent && !qep_error && command_quiescent && afc_quiescent &&
-      !tab_pending_q && !tick_cur_i && adc_quiescent && loop_quiescent && pwm_quiescent &&
-      leg_quiescent == '1;
+  assign awake_o.gates       = !pwm_quiescent || leg_quiescent != '1;
+  assign awake_o.sense       = !qep_quiescent;
+  assign awake_o.loop.svpwm  = loop_awake.svpwm;
+  assign awake_o.loop.pi     = loop_awake.pi;
+  assign awake_o.loop.rotate = loop_awake.rotate;
+  assign awake_o.loop.angle  = loop_awake.angle || tick_cur_i;
+  assign awake_o.adc         = !adc_quiescent;
+  assign awake_o.position    = !command_quiescent || !afc_quiescent || tab_pending_q ||
+      tab_request || tick_pos_i;
+  assign wake_regs_o         = overrun || qep_error || (iq_valid && saturated) ||
+      (loop_valid && limited);
+  assign quiescent_o         = awake_o == '0 && !wake_regs_o;
 
   // ---- what the registers show ----
 

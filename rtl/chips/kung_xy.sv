@@ -10,6 +10,7 @@ module kung_xy
   import trammel_pkg::*;
 (
     input logic clk_i,
+    input kung_pkg::domains_t clock_en_i,  // all high: no clock is gated
     input logic rst_i,
 
     input gap_t leap_i,
@@ -49,8 +50,13 @@ module kung_xy
     output logic tick_o,
     output logic sample_o,
     output gap_t next_o,
-    output logic quiescent_o
+    output logic quiescent_o,
+    output kung_pkg::domains_t awake_o,
+    output logic timed_o  // a domain that reads the timers is awake
 );
+
+  logic clk_system;
+  assign clk_system = clk_i & clock_en_i.system;
 
   kung_xy_regs_pkg::kung_xy__in_t hwif_in;
   kung_xy_regs_pkg::kung_xy__out_t hwif_out;
@@ -58,7 +64,7 @@ module kung_xy
   kung_xy_regs_pkg::axis_regs__in_t [1:0] axis_in;
 
   kung_xy_regs u_regs (
-      .clk_i           (clk_i),
+      .clk_i           (clk_system),
       .rst_i           (rst_i),
       .s_axil_awready_o(s_axil_awready_o),
       .s_axil_awvalid_i(s_axil_awvalid_i),
@@ -123,7 +129,7 @@ module kung_xy
       hwif_out.fault_clear.wr_data.key == kung_xy_regs_pkg::KeyFaultClear;
 
   watchdog u_watchdog (
-      .clk_i      (clk_i),
+      .clk_i      (clk_system),
       .rst_i      (rst_i),
       .tick_pos_i (tick_pos),
       .kick_i     (hwif_out.commit.take.value),
@@ -134,7 +140,7 @@ module kung_xy
   );
 
   supervisor u_supervisor (
-      .clk_i         (clk_i),
+      .clk_i         (clk_system),
       .rst_i         (rst_i),
       .tick_count_i  (tick_count),
       .enabled_i     (enabled),
@@ -188,7 +194,7 @@ module kung_xy
 
   assign all_done = done | done_q;
 
-  always_ff @(posedge clk_i) begin
+  always_ff @(posedge clk_system) begin
     if (rst_i) begin
       trip_q   <= 1'b0;
       locked_q <= 1'b0;
@@ -207,12 +213,19 @@ module kung_xy
   assign axis_out[0] = hwif_out.x;
   assign axis_out[1] = hwif_out.y;
 
-  logic [1:0] axis_quiescent;
+  kung_pkg::axis_domains_t [1:0] axis_en, axis_awake;
+  logic [1:0] wake_regs, unused_axis_quiescent;
   gap_t axis_next[2];
+
+  for (genvar n = 0; n < 2; n++) begin : gen_enable
+    assign axis_en[n] = '{gates: clock_en_i.gates[n], sense: clock_en_i.sense[n],
+        loop: clock_en_i.loop, adc: clock_en_i.adc, position: clock_en_i.position};
+  end
 
   for (genvar n = 0; n < 2; n++) begin : gen_axis
     kung_axis u_axis (
         .clk_i          (clk_i),
+        .clock_en_i     (axis_en[n]),
         .rst_i          (rst_i),
         .leap_i         (leap_i),
         .carrier_i      (carrier),
@@ -241,7 +254,9 @@ module kung_xy
         .stroke_o       (stroke[n]),
         .done_o         (done[n]),
         .next_o         (axis_next[n]),
-        .quiescent_o    (axis_quiescent[n])
+        .wake_regs_o    (wake_regs[n]),
+        .awake_o        (axis_awake[n]),
+        .quiescent_o    (unused_axis_quiescent[n])
     );
   end
 
@@ -275,8 +290,29 @@ module kung_xy
     if (axis_next[1] < next_o) next_o = axis_next[1];
   end
 
-  assign quiescent_o = bus_idle && timebase_quiescent && watchdog_quiescent &&
-      supervisor_quiescent && trip == trip_q && done == '0 && axis_quiescent == '1;
+  // One net for each domain, so that a simulator follows each by itself.
+  logic awake_system, awake_position, awake_adc;
+  logic awake_angle, awake_rotate, awake_pi, awake_svpwm;
+  logic awake_sense_x, awake_sense_y, awake_gates_x, awake_gates_y;
+
+  assign awake_system   = !(bus_idle && watchdog_quiescent && supervisor_quiescent &&
+      trip == trip_q && done == '0 && !tick_irq && wake_regs == '0);
+  assign awake_position = axis_awake[0].position || axis_awake[1].position;
+  assign awake_adc      = axis_awake[0].adc || axis_awake[1].adc;
+  assign awake_angle    = axis_awake[0].loop.angle || axis_awake[1].loop.angle;
+  assign awake_rotate   = axis_awake[0].loop.rotate || axis_awake[1].loop.rotate;
+  assign awake_pi       = axis_awake[0].loop.pi || axis_awake[1].loop.pi;
+  assign awake_svpwm    = axis_awake[0].loop.svpwm || axis_awake[1].loop.svpwm;
+  assign awake_sense_x  = axis_awake[0].sense;
+  assign awake_sense_y  = axis_awake[1].sense;
+  assign awake_gates_x  = axis_awake[0].gates;
+  assign awake_gates_y  = axis_awake[1].gates;
+
+  assign awake_o = '{system: awake_system, position: awake_position, adc: awake_adc,
+      loop: '{angle: awake_angle, rotate: awake_rotate, pi: awake_pi, svpwm: awake_svpwm},
+      sense: {awake_sense_y, awake_sense_x}, gates: {awake_gates_y, awake_gates_x}};
+  assign timed_o     = awake_system || awake_gates_x || awake_gates_y;
+  assign quiescent_o = timebase_quiescent && awake_o == '0;
 
   logic unused_bits;
   assign unused_bits = ^{hwif_out.fault_clear, hwif_out.lock, fault_tick[31:24]};

@@ -21,6 +21,7 @@ module current_loop
   import math_pkg::*;
 (
   input  logic        clk_i,
+  input  kung_pkg::loop_domains_t clock_en_i,
   input  logic        rst_i,
 
   input  logic        tick_i,  // converter data are valid
@@ -52,8 +53,15 @@ module current_loop
   output word_t       v_d_o,
   output word_t       v_q_o,
   output logic        limited_o,
+  output kung_pkg::loop_domains_t awake_o,
   output logic        quiescent_o
 );
+
+  logic clk_angle, clk_rotate, clk_pi, clk_svpwm;
+  assign clk_angle  = clk_i & clock_en_i.angle;
+  assign clk_rotate = clk_i & clock_en_i.rotate;
+  assign clk_pi     = clk_i & clock_en_i.pi;
+  assign clk_svpwm  = clk_i & clock_en_i.svpwm;
 
   typedef logic [31:0] theta_t;
   typedef enum logic [1:0] {StIdle, StAngle, StChain} state_e;
@@ -157,7 +165,7 @@ module current_loop
   end
 
   clarke u_clarke (
-    .clk_i      (clk_i),
+    .clk_i      (clk_angle),
     .rst_i      (rst_i),
     .tick_i     (clarke_tick),
     .i_a_i      (i_a_q),
@@ -169,7 +177,7 @@ module current_loop
   );
 
   sine u_sine (
-    .clk_i      (clk_i),
+    .clk_i      (clk_rotate),
     .rst_i      (rst_i),
     .tick_i     (clarke_valid),
     .angle_i    (angle),
@@ -182,7 +190,7 @@ module current_loop
   rotator #(
     .Inverse(1'b0)
   ) u_park (
-    .clk_i      (clk_i),
+    .clk_i      (clk_rotate),
     .rst_i      (rst_i),
     .tick_i     (sine_valid),
     .x_i        (i_alpha),
@@ -196,7 +204,7 @@ module current_loop
   );
 
   current_pi u_pi_d (
-    .clk_i      (clk_i),
+    .clk_i      (clk_pi),
     .rst_i      (rst_i),
     .tick_i     (park_valid),
     .clear_i    (clear_i),
@@ -210,7 +218,7 @@ module current_loop
   );
 
   current_pi u_pi_q (
-    .clk_i      (clk_i),
+    .clk_i      (clk_pi),
     .rst_i      (rst_i),
     .tick_i     (park_valid),
     .clear_i    (clear_i),
@@ -224,7 +232,7 @@ module current_loop
   );
 
   vector_limit u_vector_limit (
-    .clk_i      (clk_i),
+    .clk_i      (clk_pi),
     .rst_i      (rst_i),
     .tick_i     (pi_d_valid && pi_q_valid),
     .v_d_i      (v_d),
@@ -239,7 +247,7 @@ module current_loop
   rotator #(
     .Inverse(1'b1)
   ) u_inverse_park (
-    .clk_i      (clk_i),
+    .clk_i      (clk_svpwm),
     .rst_i      (rst_i),
     .tick_i     (limit_valid),
     .x_i        (v_d_o),
@@ -253,7 +261,7 @@ module current_loop
   );
 
   svpwm u_svpwm (
-    .clk_i      (clk_i),
+    .clk_i      (clk_svpwm),
     .rst_i      (rst_i),
     .tick_i     (inverse_valid),
     .carrier_i  (carrier_i),
@@ -267,7 +275,7 @@ module current_loop
     .quiescent_o(svpwm_quiescent)
   );
 
-  always_ff @(posedge clk_i) begin
+  always_ff @(posedge clk_angle) begin
     if (rst_i) begin
       state_q <= StIdle;
       valid_q <= 1'b0;
@@ -298,10 +306,14 @@ module current_loop
   assign cmp_c_o = cmp_c_q;
   assign i_a_o = i_a_q;
   assign i_b_o = i_b_q;
-  assign quiescent_o = !busy_o && !tick_i && !valid_q &&
-                       !(clear_i && (cmp_a_q != centre || cmp_b_q != centre ||
-                                     cmp_c_q != centre)) &&
-                       clarke_quiescent && sine_quiescent && park_quiescent && pi_d_quiescent &&
-                       pi_q_quiescent && limit_quiescent && inverse_quiescent && svpwm_quiescent;
+  // In StChain this block waits for the modulation.
+  assign awake_o.angle = state_q == StAngle || tick_i || svpwm_valid || valid_q ||
+                         !clarke_quiescent ||
+                         (clear_i && (cmp_a_q != centre || cmp_b_q != centre ||
+                                      cmp_c_q != centre));
+  assign awake_o.rotate = !sine_quiescent || !park_quiescent;
+  assign awake_o.pi     = !pi_d_quiescent || !pi_q_quiescent || !limit_quiescent;
+  assign awake_o.svpwm  = !inverse_quiescent || !svpwm_quiescent;
+  assign quiescent_o    = awake_o == '0;
 
 endmodule

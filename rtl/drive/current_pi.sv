@@ -105,6 +105,9 @@ module current_pi
   assign v_integral = 13'($signed(integral_q[23:12])) + 13'($signed({1'b0, integral_q[11]}));
   assign v_sum = 15'($signed(term_q[24:12])) + 15'(v_integral) + 15'($signed({1'b0, term_q[11]}));
 
+  assign use_kp   = state_q == StProportional;
+  assign multiply = state_q == StIntegral || use_kp;
+
   always_comb begin
     state_d = state_q;
     valid_d = 1'b0;
@@ -114,8 +117,6 @@ module current_pi
     v_d = v_q;
     term_d = term_q;
     dropped_d = dropped_q;
-    use_kp = 1'b0;
-    multiply = 1'b0;
     unique case (state_q)
       StIdle: begin
         if (tick_i) begin
@@ -124,12 +125,9 @@ module current_pi
         end
       end
       StIntegral: begin  // Kung eq. 13: the error of the previous sample
-        multiply = 1'b1;
         state_d = StProportional;
       end
       StProportional: begin  // Kung eq. 12
-        use_kp = 1'b1;
-        multiply = 1'b1;
         term_d = term;
         dropped_d = dropped;
         state_d = StAccumulate;

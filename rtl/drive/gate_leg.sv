@@ -11,7 +11,8 @@
 module gate_leg
   import trammel_pkg::*;
 (
-    input logic clk_i,
+    input logic clk_i,       // of the timer
+    input logic clk_gated_i,  // of the other registers
     input logic rst_i,
 
     input gap_t leap_i,
@@ -50,11 +51,11 @@ module gate_leg
       .next_o (next_o)
   );
 
-  assign ready = allowed && !change && count <= 10'd1;
+  assign ready = allowed && !change && count < 10'd2;
   assign hi_d  = ready && on_i;
   assign lo_d  = ready && !on_i;
 
-  always_ff @(posedge clk_i) begin
+  always_ff @(posedge clk_gated_i) begin
     if (rst_i) begin
       allowed_q <= 1'b0;
       side_q    <= 1'b0;

@@ -28,21 +28,17 @@ module timer
   // Wide enough for both the count and 1 + leap.
   localparam int unsigned Wide = Width > 13 ? Width : 13;
 
-  logic [Width-1:0] count_d, count_q;
+  logic [Width-1:0] count_q;
   logic [Wide-1:0] count, step;
 
   assign count = Wide'(count_q);
   assign step  = Wide'(leap_i) + Wide'(1);
 
-  always_comb begin
-    count_d = '0;
-    if (load_i) count_d = value_i;
-    else if (count > step) count_d = Width'(count - step);
-  end
-
   always_ff @(posedge clk_i) begin
     if (rst_i) count_q <= '0;
-    else count_q <= count_d;
+    else if (load_i) count_q <= value_i;
+    else if (count > step) count_q <= Width'(count - step);
+    else count_q <= '0;
   end
 
   always_comb begin

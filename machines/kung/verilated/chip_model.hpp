@@ -37,7 +37,8 @@ class ChipModel : public KungChip, private ChipState {
   WakeCounts wakes() const override { return wakes_; }
 
   // Between two runs, all that the next edges depend on.
-  Root& registers() { return *model_->rootp; }
+  Root& registers() { return model_.registers(now_); }
+  void upset() { model_.upset(now_); }
   ChipState& state() { return *this; }
   Tracer& tracer() { return model_.tracer(); }
 
@@ -64,15 +65,16 @@ class ChipModel : public KungChip, private ChipState {
       if (dirty_ || bus_.active() || model_.shows(edge)) settle(edge);
       const bool bus = bus_.active();
       if (bus) bus_.before_edge(*model_);
-      const cosim::Clk clocks = bus ? 1 : std::min(model_.waiting(), end - edge);
-      ++evaluated_;
+      const cosim::Clk clocks = bus ? 1 : std::min(model_.waiting(edge), end - edge);
       ++wakes_[static_cast<std::size_t>(wake(edge, clocks))];
       if (clocks > 1) {
         model_.leap(edge, clocks);
+        evaluated_ = model_.evaluated();
         now_ += clocks;
         continue;
       }
       model_.raise(edge);
+      evaluated_ = model_.evaluated();
       ++now_;
       unsigned why = 0;
       if (bus) {

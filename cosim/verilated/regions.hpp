@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Clocks of a verilated chip by domain. Verilator compiles an evaluation in regions: what follows
+// the inputs, which clocks have risen, and what these move. Called one by one, with the risen clocks
+// set by hand, they evaluate the domains that are awake and no other logic.
+//
+// The names are Verilator's own and change with it. Where scripts/tool gen-registers knows them it
+// specialises Regions for the root of a model; else the chip is evaluated as a whole.
+#pragma once
+
+#include <verilated.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace trammel::cosim {
+
+//   static constexpr bool kKnown = true;
+//   static constexpr std::size_t kDomains        bits of clock_en_i and awake_o
+//   static constexpr std::size_t kTriggers       clocks that the model tells apart
+//   static void inputs(Root&)                    the logic behind the inputs follows them
+//   static auto& look(Root&)                     clocks that have risen since the last look
+//   static auto& move(Root&)                     those by which registers() moves
+//   static void registers(Root&)                 registers move, the logic behind them follows
+template <class Root>
+struct Regions {
+  static constexpr bool kKnown = false;
+};
+
+template <class Port>
+void enable_clocks(Port& port, unsigned domains) {
+  port = static_cast<Port>(domains);
+}
+
+// Verilator 5.006 has a flag for each clock, 5.48 a bit.
+template <class Flags>
+auto risen(Flags& flags, std::size_t n) -> decltype(static_cast<bool>(flags.at(n))) {
+  return flags.at(n);
+}
+template <std::size_t words>
+bool risen(VlUnpacked<QData, words>& flags, std::size_t n) {
+  return (flags[n / 64] >> n % 64 & 1u) != 0;
+}
+template <class Flags, std::size_t n>
+auto raise_clocks(Flags& flags, const std::array<unsigned, n>& clock, unsigned clocks)
+    -> decltype(static_cast<void>(flags.at(0))) {
+  for (std::size_t k = 0; k < n; ++k) flags.at(k) = (clocks >> clock[k] & 1u) != 0;
+}
+template <std::size_t words, std::size_t n>
+void raise_clocks(VlUnpacked<QData, words>& flags, const std::array<unsigned, n>& clock,
+                  unsigned clocks) {
+  for (std::size_t w = 0; w < words; ++w) flags[w] = 0;
+  for (std::size_t k = 0; k < n; ++k) {
+    flags[k / 64] |= static_cast<QData>(clocks >> clock[k] & 1u) << k % 64;
+  }
+}
+
+// The clocks of a model with domains: bit d is that of domain d, bit kTimers the free-running one.
+template <class Model, class Root, class R = Regions<Root>>
+class DomainClocks {
+ public:
+  static constexpr unsigned kTimers = 1u << R::kDomains;
+  static constexpr unsigned kAll = 2 * kTimers - 1;
+
+  // Finds by trial which clock each flag of the model stands for; false where a flag is of none or
+  // of several, as in a loop of combinational logic.
+  bool learn(Model& model) {
+    Root& root = *model.rootp;
+    std::array<int, R::kTriggers> found{};
+    for (unsigned d = 0; d <= R::kDomains; ++d) {
+      enable_clocks(model.clock_en_i, (1u << d) & (kTimers - 1));
+      model.clk_i = 0;
+      R::inputs(root);
+      R::look(root);
+      model.clk_i = 1;
+      R::inputs(root);
+      auto& flags = R::look(root);
+      for (std::size_t k = 0; k < R::kTriggers; ++k) {
+        if (!risen(flags, k)) continue;
+        ++found[k];
+        clock_[k] = d;  // the free-running clock, which rises each time, is the last
+      }
+    }
+    for (std::size_t k = 0; k < R::kTriggers; ++k) {
+      const bool free_running = clock_[k] == R::kDomains;
+      if (found[k] != (free_running ? static_cast<int>(R::kDomains) + 1 : 1)) return false;
+    }
+    return true;
+  }
+
+  void rise(Root& root, unsigned clocks) {
+    raise_clocks(R::move(root), clock_, clocks);
+    R::registers(root);
+  }
+
+ private:
+  std::array<unsigned, R::kTriggers> clock_{};
+};
+
+}  // namespace trammel::cosim
