@@ -18,7 +18,8 @@ module lm628_bridge
 #(
     parameter int unsigned Pulse = 275
 ) (
-    input logic clk_i,
+    input logic clk_i,       // of the timers; gated for the other registers
+    input logic clock_en_i,
     input logic rst_i,
 
     input gap_t leap_i,
@@ -47,6 +48,9 @@ module lm628_bridge
     output gap_t next_o,
     output logic quiescent_o
 );
+
+  logic clk_gated;
+  assign clk_gated = clk_i & clock_en_i;
 
   localparam logic [8:0] Setup = 9'd1, Low = 9'(Pulse - 1), Hold = 9'd8;
 
@@ -114,7 +118,7 @@ module lm628_bridge
 
   assign load = start || (state_q == StSetup && (change_q || last)) || (state_q == StPulse && last);
 
-  always_ff @(posedge clk_i) begin
+  always_ff @(posedge clk_gated) begin
     if (rst_i) begin
       state_q     <= StRest;
       change_q    <= 1'b0;

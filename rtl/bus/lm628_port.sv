@@ -16,7 +16,8 @@ module lm628_port
 #(
     parameter int unsigned Inc = 4
 ) (
-    input logic clk_i,
+    input logic clk_i,       // of the timers; gated for the other registers
+    input logic clock_en_i,
     input logic rst_i,
 
     input gap_t leap_i,
@@ -53,6 +54,9 @@ module lm628_port
     output logic           quiescent_o
 );
 
+  logic clk_gated;
+  assign clk_gated = clk_i & clock_en_i;
+
   localparam logic [10:0] Busy = 11'(lm628_clocks(Inc, 160) - Lm628Run - 1);
   localparam logic [10:0] Run  = 11'(Lm628Run - 1);
 
@@ -71,7 +75,7 @@ module lm628_port
 
   assign pins = {cs_n_i, rd_n_i, wr_n_i, ps_i, d_i};
 
-  always_ff @(posedge clk_i) begin
+  always_ff @(posedge clk_gated) begin
     meta_q <= pins;
     sync_q <= meta_q;
     prev_q <= sync_q;
@@ -187,7 +191,7 @@ module lm628_port
   assign arm_o   = end_o && opcode_q == CmdSip;
   assign replies = opcode_q >= 8'h07 && opcode_q <= 8'h0D;
 
-  always_ff @(posedge clk_i) begin
+  always_ff @(posedge clk_gated) begin
     if (rst_i) begin
       state_q    <= StIdle;
       due_q      <= '0;
@@ -203,13 +207,13 @@ module lm628_port
 
   logic [15:0] words_q[8];
 
-  always_ff @(posedge clk_i) begin
+  always_ff @(posedge clk_gated) begin
     if (word_done) words_q[next_q] <= {high_q, code};
   end
 
   assign word_o = words_q[word_addr_i];
 
-  always_ff @(posedge clk_i) begin
+  always_ff @(posedge clk_gated) begin
     if (rst_i) begin
       opcode_q       <= '0;
       next_q         <= '0;
@@ -233,7 +237,7 @@ module lm628_port
     end
   end
 
-  always_ff @(posedge clk_i) begin
+  always_ff @(posedge clk_gated) begin
     if (data && due_q != '0 && !half_written_q) high_q <= code;
   end
 
@@ -255,7 +259,7 @@ module lm628_port
   assign resets = end_o && opcode_q == CmdRsti;
   assign kept   = resets ? operand_q : '1;
 
-  always_ff @(posedge clk_i) begin
+  always_ff @(posedge clk_gated) begin
     if (word_done) operand_q <= code[6:1];
   end
 
@@ -265,7 +269,7 @@ module lm628_port
     if (end_o) raised |= command_events_i;
   end
 
-  always_ff @(posedge clk_i) begin
+  always_ff @(posedge clk_gated) begin
     if (rst_i) begin
       status_q <= 6'b000010;
       mask_q   <= 6'b011111;
@@ -281,13 +285,13 @@ module lm628_port
   end
 
   // A reset by command shows busy until it is over.
-  always_ff @(posedge clk_i) begin
+  always_ff @(posedge clk_gated) begin
     if (rst_i) by_command_q <= restart_o;
   end
 
   assign status = ready_i ? {off_q, status_q, state_q != StIdle} : {7'd0, by_command_q};
 
-  always_ff @(posedge clk_i) begin
+  always_ff @(posedge clk_gated) begin
     if (rst_i) begin
       d_q    <= '0;
       last_q <= '0;

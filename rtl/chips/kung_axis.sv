@@ -304,7 +304,7 @@ module kung_axis
   for (genvar n = 0; n < 3; n++) begin : gen_leg
     gate_leg u_leg (
         .clk_i      (clk_i),
-        .clk_gated_i(clk_gates),
+        .clock_en_i (clock_en_i.gates),
         .rst_i      (rst_i),
         .leap_i     (leap_i),
         .enable_i   (regs_i.ctrl.enable.value),

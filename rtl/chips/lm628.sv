@@ -15,6 +15,7 @@ module lm628
     parameter int unsigned Inc = 4
 ) (
     input logic clk_i,
+    input domains_t clock_en_i,  // all high: no clock is gated
     input logic rst_i,
 
     input gap_t leap_i,
@@ -43,14 +44,21 @@ module lm628
 
     output logic sample_o,  // at the edge that publishes the results of a sample
     output gap_t next_o,
-    output logic quiescent_o
+    output logic quiescent_o,
+    output domains_t awake_o,
+    output logic timed_o  // a domain that reads the timers is awake
 );
+
+  logic clk_system, clk_engine, clk_sense;
+  assign clk_system = clk_i & clock_en_i.system;
+  assign clk_engine = clk_i & clock_en_i.engine;
+  assign clk_sense  = clk_i & clock_en_i.sense;
 
   // ---- reset ----
 
   logic reset_n_meta_q, reset_n_q, restart, rst;
 
-  always_ff @(posedge clk_i) begin
+  always_ff @(posedge clk_system) begin
     reset_n_meta_q <= reset_n_i;
     reset_n_q      <= reset_n_meta_q;
   end
@@ -66,6 +74,7 @@ module lm628
       .Inc(Inc)
   ) u_time (
       .clk_i      (clk_i),
+      .clock_en_i (clock_en_i.system),
       .rst_i      (rst),
       .leap_i     (leap_i),
       .begin_o    (begins),
@@ -91,6 +100,7 @@ module lm628
       .Inc(Inc)
   ) u_port (
       .clk_i           (clk_i),
+      .clock_en_i      (clock_en_i.system),
       .rst_i           (rst),
       .leap_i          (leap_i),
       .commit_i        (commit),
@@ -135,7 +145,7 @@ module lm628
 
   assign encoder = '{a: enc_a_i, b: enc_b_i, idx_n: enc_idx_n_i};
 
-  always_ff @(posedge clk_i) begin
+  always_ff @(posedge clk_sense) begin
     encoder_meta_q <= encoder;
     encoder_q      <= encoder_meta_q;
   end
@@ -144,7 +154,7 @@ module lm628
   logic index_seen, unused_dir, unused_error, qep_quiescent;
 
   qep u_qep (
-      .clk_i         (clk_i),
+      .clk_i         (clk_sense),
       .rst_i         (rst),
       .filter_i      (4'd1),
       .preset_i      (begins),
@@ -167,7 +177,7 @@ module lm628
   logic eight_bits, unused_busy, engine_quiescent;
 
   lm628_engine u_engine (
-      .clk_i           (clk_i),
+      .clk_i           (clk_engine),
       .rst_i           (rst),
       .sample_i        (sample),
       .start_i         (start),
@@ -203,6 +213,7 @@ module lm628
       .Inc(Inc)
   ) u_output (
       .clk_i       (clk_i),
+      .clock_en_i  (clock_en_i.system),
       .rst_i       (rst),
       .leap_i      (leap_i),
       .commit_i    (commit),
@@ -228,8 +239,16 @@ module lm628
     if (output_next < next_o) next_o = output_next;
   end
 
-  assign quiescent_o = reset_n_i && reset_n_meta_q && reset_n_q && time_quiescent &&
-      port_quiescent && engine_quiescent && output_quiescent && qep_quiescent &&
-      encoder == encoder_meta_q && encoder_meta_q == encoder_q;
+  // One net for each domain, so that a simulator follows each by itself.
+  logic awake_system, awake_engine, awake_sense;
+
+  assign awake_system = !(reset_n_i && reset_n_meta_q && reset_n_q && time_quiescent &&
+      port_quiescent && output_quiescent);
+  assign awake_engine = rst || !engine_quiescent;
+  assign awake_sense  = rst || !qep_quiescent || encoder != encoder_meta_q ||
+      encoder_meta_q != encoder_q;
+  assign awake_o      = '{system: awake_system, engine: awake_engine, sense: awake_sense};
+  assign timed_o      = awake_system;
+  assign quiescent_o  = awake_o == '0;
 
 endmodule

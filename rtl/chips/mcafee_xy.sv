@@ -13,6 +13,7 @@ module mcafee_xy
     parameter int unsigned Inc = 3
 ) (
     input logic clk_i,
+    input lm628_pkg::domains_t clock_en_i,  // of both parts; all high: no clock is gated
     input logic rst_i,
 
     input gap_t leap_i,
@@ -60,14 +61,19 @@ module mcafee_xy
     output logic [1:0] hi_o,
     output logic irq_o,
     output gap_t next_o,
-    output logic quiescent_o
+    output logic quiescent_o,
+    output lm628_pkg::domains_t awake_o,
+    output logic timed_o  // a domain that reads the timers is awake
 );
+
+  logic clk_system;
+  assign clk_system = clk_i & clock_en_i.system;
 
   mcafee_xy_regs_pkg::mcafee_xy__in_t hwif_in;
   mcafee_xy_regs_pkg::mcafee_xy__out_t hwif_out;
 
   mcafee_xy_regs u_regs (
-      .clk_i           (clk_i),
+      .clk_i           (clk_system),
       .rst_i           (rst_i),
       .s_axil_awready_o(s_axil_awready_o),
       .s_axil_awvalid_i(s_axil_awvalid_i),
@@ -106,6 +112,7 @@ module mcafee_xy
 
   lm628_bridge u_bridge (
       .clk_i         (clk_i),
+      .clock_en_i    (clock_en_i.system),
       .rst_i         (rst_i),
       .leap_i        (leap_i),
       .write_strobe_i(hwif_out.port_b.write_strobe.value),
@@ -155,7 +162,8 @@ module mcafee_xy
 
   // ---- parts ----
 
-  logic [1:0] quiescent;
+  lm628_pkg::domains_t [1:0] awake;
+  logic [1:0] unused_timed, unused_quiescent;
   gap_t next_x, next_y;
   logic [1:0] high, unused_wr_n, unused_mag, unused_sign;
   logic [7:0] dac_x, dac_y;
@@ -164,6 +172,7 @@ module mcafee_xy
       .Inc(Inc)
   ) u_x (
       .clk_i      (clk_i),
+      .clock_en_i (clock_en_i),
       .rst_i      (rst_i),
       .leap_i     (leap_i),
       .wrap_i     (1'b0),
@@ -186,13 +195,16 @@ module mcafee_xy
       .pwm_sign_o (unused_sign[0]),
       .sample_o   (sample_o[0]),
       .next_o     (next_x),
-      .quiescent_o(quiescent[0])
+      .quiescent_o(unused_quiescent[0]),
+      .awake_o    (awake[0]),
+      .timed_o    (unused_timed[0])
   );
 
   lm628 #(
       .Inc(Inc)
   ) u_y (
       .clk_i      (clk_i),
+      .clock_en_i (clock_en_i),
       .rst_i      (rst_i),
       .leap_i     (leap_i),
       .wrap_i     (1'b0),
@@ -215,7 +227,9 @@ module mcafee_xy
       .pwm_sign_o (unused_sign[1]),
       .sample_o   (sample_o[1]),
       .next_o     (next_y),
-      .quiescent_o(quiescent[1])
+      .quiescent_o(unused_quiescent[1]),
+      .awake_o    (awake[1]),
+      .timed_o    (unused_timed[1])
   );
 
   // As it leaves its reset a part puts out 12 bits of zero, the low ones first: no byte for these
@@ -232,7 +246,7 @@ module mcafee_xy
   assign feed_ready  = fed_q && !feed_asked_q;
 
   feed_rate u_feed (
-      .clk_i      (clk_i),
+      .clk_i      (clk_system),
       .rst_i      (rst_i),
       .tick_i     (feed_starts),
       .c_i        (hwif_out.feed_in.c.value),
@@ -246,12 +260,12 @@ module mcafee_xy
 
   logic [3:0] limit_meta_q, limit_q;
 
-  always_ff @(posedge clk_i) begin
+  always_ff @(posedge clk_system) begin
     limit_meta_q <= limit_i;
     limit_q      <= limit_meta_q;
   end
 
-  always_ff @(posedge clk_i) begin
+  always_ff @(posedge clk_system) begin
     if (rst_i) begin
       asked_q      <= 1'b0;
       feed_asked_q <= 1'b0;
@@ -281,8 +295,17 @@ module mcafee_xy
     if (next_y < next_o) next_o = next_y;
   end
 
-  assign quiescent_o = bus_idle && bridge_quiescent && quiescent == '1 && feed_quiescent &&
-      !feed_asked_q && !feeding_q && limit_i == limit_meta_q && limit_meta_q == limit_q;
+  // One net for each domain, so that a simulator follows each by itself.
+  logic awake_system, awake_engine, awake_sense;
+
+  assign awake_system = !(bus_idle && bridge_quiescent && feed_quiescent && !feed_asked_q &&
+      !feeding_q && limit_i == limit_meta_q && limit_meta_q == limit_q) ||
+      awake[0].system || awake[1].system;
+  assign awake_engine = awake[0].engine || awake[1].engine;
+  assign awake_sense  = awake[0].sense || awake[1].sense;
+  assign awake_o      = '{system: awake_system, engine: awake_engine, sense: awake_sense};
+  assign timed_o      = awake_system;
+  assign quiescent_o  = awake_o == '0;
 
   logic unused_bits;
   assign unused_bits = ^{hwif_out.status, unused_wr_n, unused_mag, unused_sign, unused_reset_next};

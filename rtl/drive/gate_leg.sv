@@ -11,8 +11,8 @@
 module gate_leg
   import trammel_pkg::*;
 (
-    input logic clk_i,       // of the timer
-    input logic clk_gated_i,  // of the other registers
+    input logic clk_i,       // of the timer; gated for the other registers
+    input logic clock_en_i,
     input logic rst_i,
 
     input gap_t leap_i,
@@ -28,6 +28,9 @@ module gate_leg
     output gap_t next_o,
     output logic quiescent_o
 );
+
+  logic clk_gated;
+  assign clk_gated = clk_i & clock_en_i;
 
   logic allowed, change, ready;
   logic allowed_q;  // allowed at the previous edge
@@ -55,7 +58,7 @@ module gate_leg
   assign hi_d  = ready && on_i;
   assign lo_d  = ready && !on_i;
 
-  always_ff @(posedge clk_gated_i) begin
+  always_ff @(posedge clk_gated) begin
     if (rst_i) begin
       allowed_q <= 1'b0;
       side_q    <= 1'b0;

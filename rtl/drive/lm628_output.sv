@@ -16,7 +16,8 @@ module lm628_output
 #(
     parameter int unsigned Inc = 4
 ) (
-    input logic clk_i,
+    input logic clk_i,       // of the timers; gated for the other registers
+    input logic clock_en_i,
     input logic rst_i,
 
     input gap_t leap_i,
@@ -36,6 +37,9 @@ module lm628_output
     output logic       quiescent_o
 );
 
+  logic clk_gated;
+  assign clk_gated = clk_i & clock_en_i;
+
   localparam logic [ 6:0] Strobe = 7'(lm628_clocks(Inc, 8) - 1);
   localparam logic [12:0] Period = 13'(lm628_clocks(Inc, 512) - 1);
 
@@ -54,7 +58,7 @@ module lm628_output
 
   assign top = commit_i ? u_i[11:4] : u_q[11:4];
 
-  always_ff @(posedge clk_i) begin
+  always_ff @(posedge clk_gated) begin
     if (rst_i) begin
       state_q <= StStart;
       u_q     <= '0;

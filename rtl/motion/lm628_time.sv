@@ -15,7 +15,8 @@ module lm628_time
 #(
     parameter int unsigned Inc = 4
 ) (
-    input logic clk_i,
+    input logic clk_i,       // of the timers; gated for the other registers
+    input logic clock_en_i,
     input logic rst_i,
 
     input gap_t leap_i,
@@ -28,6 +29,9 @@ module lm628_time
     output gap_t next_o,
     output logic quiescent_o
 );
+
+  logic clk_gated;
+  assign clk_gated = clk_i & clock_en_i;
 
   localparam int unsigned Ticks = 25 * 2048;             // of a sample, in 1/Inc clocks
   localparam int unsigned Lead = 24 / Inc + 4;           // last clock of tick 0, and encoder delay
@@ -110,7 +114,7 @@ module lm628_time
     end
   end
 
-  always_ff @(posedge clk_i) begin
+  always_ff @(posedge clk_gated) begin
     if (rst_i) begin
       state_q <= StStart;
       rest_q  <= FirstRest;

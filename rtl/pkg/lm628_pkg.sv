@@ -26,6 +26,14 @@ package lm628_pkg;
   localparam logic [7:0] CmdLfil  = 8'h1E;
   localparam logic [7:0] CmdLtrj  = 8'h1F;
 
+  // Clock domains. A domain's registers move only at edges at which it is awake; the timers have the
+  // free-running clock and are in none.
+  typedef struct packed {
+    logic sense;   // encoder
+    logic engine;
+    logic system;  // the others
+  } domains_t;
+
   typedef logic [6:1] events_t;  // bits of the status byte
   localparam int unsigned EventError = 1;
 

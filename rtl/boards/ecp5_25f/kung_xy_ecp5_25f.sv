@@ -45,11 +45,14 @@ module kung_xy_ecp5_25f (
   logic [1:0] reset_q;
   logic unused_tick, unused_sample, unused_quiescent;
   trammel_pkg::gap_t unused_next;
+  kung_pkg::domains_t unused_awake;
+  logic unused_timed;
 
   always_ff @(posedge clk_i) reset_q <= {reset_q[0], !rst_ni};
 
   kung_xy u_chip (
       .clk_i(clk_i),
+      .clock_en_i('1),
       .rst_i(reset_q[1]),
       .leap_i('0),
       .s_axil_awvalid_i(s_axil_awvalid_i),
@@ -85,7 +88,9 @@ module kung_xy_ecp5_25f (
       .tick_o(unused_tick),
       .sample_o(unused_sample),
       .next_o(unused_next),
-      .quiescent_o(unused_quiescent)
+      .quiescent_o(unused_quiescent),
+      .awake_o(unused_awake),
+      .timed_o(unused_timed)
   );
 
 endmodule

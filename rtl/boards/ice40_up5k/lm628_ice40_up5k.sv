@@ -28,6 +28,8 @@ module lm628_ice40_up5k (
   logic [7:0] d;
   logic d_oe, unused_sample, unused_quiescent;
   trammel_pkg::gap_t unused_next;
+  lm628_pkg::domains_t unused_awake;
+  logic unused_timed;
 
   assign d_io = d_oe ? d : 'z;
 
@@ -35,6 +37,7 @@ module lm628_ice40_up5k (
       .Inc(10)
   ) u_chip (
       .clk_i(clk_i),
+      .clock_en_i('1),
       .rst_i(1'b0),
       .leap_i('0),
       .wrap_i(1'b0),
@@ -57,7 +60,9 @@ module lm628_ice40_up5k (
       .pwm_sign_o(pwm_sign_o),
       .sample_o(unused_sample),
       .next_o(unused_next),
-      .quiescent_o(unused_quiescent)
+      .quiescent_o(unused_quiescent),
+      .awake_o(unused_awake),
+      .timed_o(unused_timed)
   );
 
 endmodule

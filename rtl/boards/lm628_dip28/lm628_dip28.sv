@@ -36,6 +36,8 @@ module lm628_dip28 #(
   logic [7:0] dac;
   logic unused_chip_quiescent;
   trammel_pkg::gap_t unused_next;
+  lm628_pkg::domains_t unused_awake;
+  logic unused_timed;
 
   always_ff @(posedge clk_i) begin
     reset_meta_q <= !reset_n_i;
@@ -46,6 +48,7 @@ module lm628_dip28 #(
       .Inc(Inc)
   ) u_chip (
       .clk_i      (clk_i),
+      .clock_en_i ('1),
       .rst_i      (1'b0),
       .leap_i     ('0),
       .wrap_i     (1'b0),
@@ -68,7 +71,9 @@ module lm628_dip28 #(
       .pwm_sign_o (sign),
       .sample_o   (sample),
       .next_o     (unused_next),
-      .quiescent_o(unused_chip_quiescent)
+      .quiescent_o(unused_chip_quiescent),
+      .awake_o(unused_awake),
+      .timed_o(unused_timed)
   );
 
   lm628_pins #(
