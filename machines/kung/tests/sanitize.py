@@ -52,8 +52,11 @@ RUNS = [
      "-s", "plant.x.load_N=300"),
     (5, *SHORT, *TWIN, "-o", "OUT/far", "-s", "chip.following_error_m=1e-5",
      "-s", "plant.load_N=40"),
+    (5, *SHORT, *TWIN, "-o", "OUT/d_current", "-s", "chip.d_current_A=0.006",
+     "-s", "plant.current_offset_a_A=0.3"),
     # A gain that rounds up to the next power of two, and one below the least exponent.
-    (0, *SHORT, "-s", "gains.kp=0.99999", "-s", "gains.ki=1e-6", "-o", "OUT/gains"),
+    (0, *SHORT, "-s", "gains.kp=0.99999", "-s", "gains.ki=1e-6",
+     "-s", "chip.d_current_A=0.3", "-o", "OUT/gains"),
 ]
 REFUSED = [
     (2, "takes no scenario", "run", "--all", "circle"),
