@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A verilated chip with a clock clk_i or clk, in its own context. An edge is one evaluation:
-// the model's stored clock value is set back by hand, so that the next evaluation sees a rising
-// edge. Inputs that changed settle before it. A tracer is told of every edge, and the assertions of
+// the model's stored clock values are set back by hand, so that the next evaluation sees a rising
+// edge; where their names are not known, an evaluation with the clock low does that. Inputs that changed settle before it. A tracer is told of every edge, and the assertions of
 // a checked model are evaluated.
 //
 // A chip with the ports leap_i, next_o and quiescent_o leaps: while every register waits
@@ -32,25 +32,6 @@
 
 namespace trammel::cosim {
 
-// The stored clock value that a model compares with: its name depends on that of the clock and on
-// Verilator, 5.006 or 5.48.
-template <class Root>
-auto stored_clock(Root& root) -> decltype(root.__Vtrigrprev__TOP__clk_i)& {
-  return root.__Vtrigrprev__TOP__clk_i;
-}
-template <class Root>
-auto stored_clock(Root& root) -> decltype(root.__Vtrigrprev__TOP__clk)& {
-  return root.__Vtrigrprev__TOP__clk;
-}
-template <class Root>
-auto stored_clock(Root& root) -> decltype(root.__Vtrigprevexpr___TOP__clk_i__0)& {
-  return root.__Vtrigprevexpr___TOP__clk_i__0;
-}
-template <class Root>
-auto stored_clock(Root& root) -> decltype(root.__Vtrigprevexpr___TOP__clk__0)& {
-  return root.__Vtrigprevexpr___TOP__clk__0;
-}
-
 // Whether a model has the ports of the leap contract.
 template <class Model, class = void>
 inline constexpr bool kLeaps = false;
@@ -58,13 +39,6 @@ template <class Model>
 inline constexpr bool kLeaps<Model, std::void_t<decltype(std::declval<Model&>().leap_i),
                                                 decltype(std::declval<Model&>().next_o),
                                                 decltype(std::declval<Model&>().quiescent_o)>> =
-    true;
-
-// Whether a model has clock domains and is one whose regions are known.
-template <class Root, class = void>
-inline constexpr bool kHasDomains = false;
-template <class Root>
-inline constexpr bool kHasDomains<Root, std::void_t<decltype(std::declval<Root&>().clock_en_i)>> =
     true;
 
 template <class Model, class Tracer>
@@ -90,9 +64,7 @@ class ClockedModel {
     context_->randSeed(1);
     model_ = std::make_unique<Model>(context_.get(), "");  // no scope around the chip's
     if constexpr (kLeaps<Model>) model_->leap_i = 0;
-    if constexpr (kHasDomains<Root>) {
-      enable_clocks(model_->clock_en_i, ~0u);
-    }
+    enable_all_clocks(*model_);
     tracer_.attach(*context_, *model_);
     if constexpr (kByDomain) {
       clock_pin(*model_) = 0;
@@ -133,7 +105,6 @@ class ClockedModel {
   }
 
   void raise(Clk edge) {
-    ++evaluated_;
     if (by_domain_) {
       rise_awake(edge);
     } else {
@@ -154,20 +125,18 @@ class ClockedModel {
     return 1;
   }
 
-  // One evaluation for that many edges, at most waiting(), or none where timers lag. No assertion is
-  // checked: a checked model does not leap.
-  void leap(Clk edge, Clk clocks) {
-    if (by_domain_) return;
-    ++evaluated_;
+  // That many edges, at most waiting(), in so many evaluations: 1, or none where timers lag. No
+  // assertion is checked: a checked model does not leap.
+  Clk leap(Clk edge, Clk clocks) {
+    if (by_domain_) return 0;
     if constexpr (kLeaps<Model>) {
       model_->leap_i = static_cast<std::uint16_t>(clocks - 1);
       rise();
       model_->leap_i = 0;
     }
     tracer_.raised(edge);
+    return 1;
   }
-
-  Clk evaluated() const { return evaluated_; }
 
   const std::optional<BrokenPromise>& broken_promise() const { return broken_; }
 
@@ -217,8 +186,13 @@ class ClockedModel {
   }
 
   void rise() {
+    if constexpr (StoredClocks<Root>::kKnown) {
+      StoredClocks<Root>::fall(*model_->rootp);
+    } else {
+      clock_pin(*model_) = 0;
+      model_->eval();
+    }
     clock_pin(*model_) = 1;
-    stored_clock(*model_->rootp) = 0;
     model_->eval();
   }
 
@@ -234,7 +208,6 @@ class ClockedModel {
   Clocks clocks_;
   static constexpr Clk kUnset = std::numeric_limits<Clk>::min();
   Clk time_ = kUnset, event_ = kUnset;  // edge at which the timers stand, and the next that they must see
-  Clk evaluated_ = 0;
   Tracer tracer_;
   std::optional<BrokenPromise> broken_;
 };

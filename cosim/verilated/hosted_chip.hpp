@@ -53,12 +53,11 @@ class HostedChip : public Hosted<Base, State> {
     return bus ? 1 : model_.waiting(edge);
   }
   void leap(Clk edge, Clk clocks) final {
-    model_.leap(edge, clocks);
-    state_.evaluated = model_.evaluated();
+    state_.evaluated += model_.leap(edge, clocks);
   }
   void raise(Clk edge) final {
     model_.raise(edge);
-    state_.evaluated = model_.evaluated();
+    ++state_.evaluated;
   }
 };
 

@@ -5,7 +5,7 @@
 // set by hand, they evaluate the domains that are awake and no other logic.
 //
 // The names are Verilator's own and change with it. Where scripts/tool gen-registers knows them it
-// specialises Regions for the root of a model; else the chip is evaluated as a whole.
+// specialises Regions and StoredClocks for the root of a model; else the chip is evaluated as a whole.
 #pragma once
 
 #include <verilated.h>
@@ -13,6 +13,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+
+#include "cosim/verilated/clock_pins.hpp"
 
 namespace trammel::cosim {
 
@@ -28,10 +30,12 @@ struct Regions {
   static constexpr bool kKnown = false;
 };
 
-template <class Port>
-void enable_clocks(Port& port, unsigned domains) {
-  port = static_cast<Port>(domains);
-}
+//   static constexpr bool kKnown = true;
+//   static void fall(Root&)                      to the model all its clocks are low
+template <class Root>
+struct StoredClocks {
+  static constexpr bool kKnown = false;
+};
 
 // Verilator 5.006 has a flag for each clock, 5.48 a bit.
 template <class Flags>

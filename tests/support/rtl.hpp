@@ -84,6 +84,7 @@ class Rtl {
 #ifdef TRAMMEL_COVERAGE
     if (covered().name != nullptr) covered().instances.push_back({context_, model_});
 #endif
+    cosim::enable_all_clocks(*model_);
     waves_.begin(*context_, *model_);
     cosim::clock_pin(*model_) = 0;
     cosim::reset_pin(*model_) = 0;

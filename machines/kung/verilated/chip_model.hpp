@@ -66,15 +66,17 @@ class ChipModel : public KungChip, private ChipState {
       const bool bus = bus_.active();
       if (bus) bus_.before_edge(*model_);
       const cosim::Clk clocks = bus ? 1 : std::min(model_.waiting(edge), end - edge);
-      ++wakes_[static_cast<std::size_t>(wake(edge, clocks))];
+      auto& woken = wakes_[static_cast<std::size_t>(wake(edge, clocks))];
       if (clocks > 1) {
-        model_.leap(edge, clocks);
-        evaluated_ = model_.evaluated();
+        const cosim::Clk evaluated = model_.leap(edge, clocks);
+        evaluated_ += evaluated;
+        woken += evaluated;
         now_ += clocks;
         continue;
       }
       model_.raise(edge);
-      evaluated_ = model_.evaluated();
+      ++evaluated_;
+      ++woken;
       ++now_;
       unsigned why = 0;
       if (bus) {

@@ -18,6 +18,22 @@ from pathlib import Path
 
 from trammel_tools.rtl import hierarchy
 
+STORED = """
+#include <{header}.h>
+
+namespace trammel::cosim {{
+
+template <>
+struct StoredClocks<{root}> {{
+  static constexpr bool kKnown = true;
+  static void fall({root}& root) {{
+{lines}
+  }}
+}};
+
+}}  // namespace trammel::cosim
+"""
+
 REGIONS = """
 // Of Verilator: the regions of an evaluation.
 {declarations}
@@ -100,6 +116,17 @@ def inputs(root):
             if name not in ("clk_i", "clk", "clock_en_i")]
 
 
+def stored_clocks(path):
+    """Specialisation of StoredClocks, if each value of a clock that the model stores has its name."""
+    root = path.stem
+    names = re.findall(r" (__Vtrigprev\w+|__Vtrigrprev\w+);", path.read_text(encoding="utf-8"))
+    clocks = [name for name in names if re.search(r"clk(_|$)", name)]
+    if not clocks or any("__TOP__" not in name for name in names):  # of an expression without one
+        return ""
+    return STORED.format(root=root, header=root,
+                         lines="\n".join(f"    root.{name} = 0;" for name in clocks))
+
+
 def regions(path):
     """Specialisation of Regions for a model with clock domains, if its Verilator is known."""
     root = path.stem
@@ -153,5 +180,6 @@ def main():
                       for m in inputs(roots[first]) + kept)
     name = "".join(word.capitalize() for word in re.split("[-_]", out.stem))
     out.write_text(FORM.format(name=name, lines=lines, words=words,
-                               regions=regions(next(iter(roots)))), encoding="utf-8")
+                               regions="".join(map(stored_clocks, roots)) +
+                               regions(next(iter(roots)))), encoding="utf-8")
     return 0

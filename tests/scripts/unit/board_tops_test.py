@@ -13,17 +13,22 @@ from trammel_tools.paths import ROOT
 # What stands at a port that has no pin of its name.
 OTHERS = {
     "kung_xy_ecp5_25f": {
-        "rst_i": "reset_q[1]", "leap_i": "'0", "tick_o": "unused_tick",
-        "sample_o": "unused_sample", "next_o": "unused_next", "quiescent_o": "unused_quiescent"},
+        "rst_i": "reset_q[1]", "clock_en_i": "'1", "leap_i": "'0", "tick_o": "unused_tick",
+        "sample_o": "unused_sample", "next_o": "unused_next", "quiescent_o": "unused_quiescent",
+        "awake_o": "unused_awake", "timed_o": "unused_timed"},
     "lm628_dip28": {
-        "rst_i": "1'b0", "leap_i": "'0", "wrap_i": "1'b0", "d_oe_o": "d_oe", "dac_o": "dac",
+        "rst_i": "1'b0", "clock_en_i": "'1", "leap_i": "'0", "wrap_i": "1'b0",
+        "d_oe_o": "d_oe", "dac_o": "dac",
         "dac_hi_lo_o": "hi_lo", "dac_wr_n_o": "strobe_n", "pwm_mag_o": "magnitude",
         "pwm_sign_o": "sign", "sample_o": "sample", "next_o": "unused_next",
-        "quiescent_o": "unused_chip_quiescent"},
+        "quiescent_o": "unused_chip_quiescent",
+        "awake_o": "unused_awake", "timed_o": "unused_timed"},
     "lm628_ice40_up5k": {
-        "rst_i": "1'b0", "leap_i": "'0", "wrap_i": "1'b0", "d_i": "d_io", "d_o": "d",
+        "rst_i": "1'b0", "clock_en_i": "'1", "leap_i": "'0", "wrap_i": "1'b0",
+        "d_i": "d_io", "d_o": "d",
         "d_oe_o": "d_oe", "sample_o": "unused_sample", "next_o": "unused_next",
-        "quiescent_o": "unused_quiescent"},
+        "quiescent_o": "unused_quiescent",
+        "awake_o": "unused_awake", "timed_o": "unused_timed"},
 }
 
 

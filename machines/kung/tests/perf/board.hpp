@@ -36,7 +36,8 @@ struct Pins {
   Pin<std::uint32_t> adc_sdata_a{"adc_sdata_a"}, adc_sdata_b{"adc_sdata_b"};
   Pin<std::uint32_t> gate_hi{"gate_hi"}, gate_lo{"gate_lo"};
   Pin<bool> irq{"irq"}, tick{"tick"}, sample{"sample"}, quiescent{"quiescent"};
-  Pin<std::uint32_t> next{"next"};
+  Pin<std::uint32_t> next{"next"}, clock_en{"clock_en"}, awake{"awake"};
+  Pin<bool> timed{"timed"};
 };
 
 // What the record needs of a chip, from its pins and its registers.

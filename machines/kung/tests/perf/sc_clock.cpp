@@ -10,6 +10,7 @@ namespace {
 
 void bind(Vkung_xy_sc& chip, Pins& pins) {
   chip.rst_i(pins.rst);
+  chip.clock_en_i(pins.clock_en);
   chip.leap_i(pins.leap);
   chip.s_axil_awvalid_i(pins.awvalid);
   chip.s_axil_awready_o(pins.awready);
@@ -45,6 +46,8 @@ void bind(Vkung_xy_sc& chip, Pins& pins) {
   chip.sample_o(pins.sample);
   chip.next_o(pins.next);
   chip.quiescent_o(pins.quiescent);
+  chip.awake_o(pins.awake);
+  chip.timed_o(pins.timed);
 }
 
 Outcome run_sc(const Arguments& arguments) {

@@ -99,7 +99,10 @@ TEST_CASE("every evaluated clock has its cause") {
   std::int64_t sum = 0;
   for (const auto count : result.wakes) sum += count;
   CHECK(sum == result.evaluated);
-  for (const auto count : result.wakes) CHECK(count > 0);
+  for (std::size_t n = 0; n < kWakes; ++n) {
+    // A leap of a chip whose timers lag is no evaluation.
+    CHECK((result.wakes[n] > 0) == (static_cast<Wake>(n) != Wake::kLeap));
+  }
   CHECK(result.wakes[static_cast<std::size_t>(Wake::kTick)] >= 2 * result.clocks / 25000 / 3);
 }
 

@@ -3,6 +3,9 @@
 // A run without waves, with a chip of another Verilator: second OUT KEY=VALUE...
 #include <Vkung_xy.h>
 #include <Vkung_xy___024root.h>
+#ifndef TRAMMEL_WHOLE  // then as with a Verilator whose regions are not known
+#include <kung_xy_registers.hpp>
+#endif
 
 #include <cstdio>
 #include <exception>
