@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A verilated chip with a clock clk_i or clk, in its own context. An edge is one evaluation:
-// the model's stored clock values are set back by hand, so that the next evaluation sees a rising
-// edge; where their names are not known, an evaluation with the clock low does that. Inputs that changed settle before it. A tracer is told of every edge, and the assertions of
-// a checked model are evaluated.
+// A verilated chip with a clock clk_i or clk, in its own context. An edge is one evaluation: the
+// model's stored clock values are set back by hand, so that the next evaluation sees a rising edge;
+// where their names are not known, an evaluation with the clock low does that. Inputs that changed
+// settle before it. A tracer is told of every edge, and the assertions of a checked model are
+// evaluated.
 //
 // A chip with the ports leap_i, next_o and quiescent_o leaps: while every register waits
 // (quiescent_o) the timers alone move, for next_o edges, and one evaluation with leap_i = n - 1
 // stands for n of them. No pin may move inside a leap. Every edge of another chip is evaluated.
 //
 // A leaping chip with the ports clock_en_i and awake_o has its registers in clock domains, and an
-// edge is that of the domains that are awake. Timers lag: as long as they only count (next_o) and no
-// domain that reads them is awake (timed_o), they stand where they were and catch up by one leap.
+// edge is evaluated in the domains that are awake. Timers lag: as long as they only count (next_o)
+// and no domain that reads them is awake (timed_o), they stay behind, and catch up by one leap.
 #pragma once
 
 #include <verilated.h>
@@ -207,7 +208,8 @@ class ClockedModel {
   bool by_domain_ = false;  // clocks are raised by domain
   Clocks clocks_;
   static constexpr Clk kUnset = std::numeric_limits<Clk>::min();
-  Clk time_ = kUnset, event_ = kUnset;  // edge at which the timers stand, and the next that they must see
+  // Edge at which the timers stand, and the next that they must see.
+  Clk time_ = kUnset, event_ = kUnset;
   Tracer tracer_;
   std::optional<BrokenPromise> broken_;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Clock domains of kung_xy. A domain's registers move only at edges at which it is awake; the timers
-// have the free-running clock and are in none.
+// Clock domains of kung_xy. A domain's registers move only at edges at which it is awake; the
+// timers have the free-running clock and are in none.
 
 package kung_pkg;
 

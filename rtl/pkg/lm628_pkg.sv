@@ -26,8 +26,8 @@ package lm628_pkg;
   localparam logic [7:0] CmdLfil  = 8'h1E;
   localparam logic [7:0] CmdLtrj  = 8'h1F;
 
-  // Clock domains. A domain's registers move only at edges at which it is awake; the timers have the
-  // free-running clock and are in none.
+  // Clock domains of lm628. A domain's registers move only at edges at which it is awake; the timers
+  // have the free-running clock and are in none.
   typedef struct packed {
     logic sense;   // encoder
     logic engine;

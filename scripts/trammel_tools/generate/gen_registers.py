@@ -117,7 +117,7 @@ def inputs(root):
 
 
 def stored_clocks(path):
-    """Specialisation of StoredClocks, if each value of a clock that the model stores has its name."""
+    """Specialisation of StoredClocks, if each value that the model stores has a clock's name."""
     root = path.stem
     names = re.findall(r" (__Vtrigprev\w+|__Vtrigrprev\w+);", path.read_text(encoding="utf-8"))
     clocks = [name for name in names if re.search(r"clk(_|$)", name)]
@@ -133,12 +133,13 @@ def regions(path):
     header = path.read_text(encoding="utf-8")
     domains = re.search(r"VL_IN(?:8|16)?\(clock_en_i,(\d+),0\)", header)
     code = "".join(f.read_text(encoding="utf-8") for f in path.parent.glob("*.cpp"))
-    # Verilator 5.006, then 5.48: type of the flags, first flag of the inputs, function of the clocks
+    # Verilator 5.006, then 5.48: type of flags, first one of the inputs, function of the clocks
     for kind, flag, look in ((r"VlTriggerVec<(\d+)>", "root.__VicoTriggered.at(0) = true",
                               "eval_triggers__act"),
                              (r"VlUnpacked<QData/\*63:0\*/, (\d+)>",
                               "root.__VicoTriggered[0] |= 1", "eval_triggers_vec__act")):
-        found = [re.search(rf"{kind} __V{name}Triggered;", header) for name in ("ico", "act", "nba")]
+        found = [re.search(rf"{kind} __V{name}Triggered;", header)
+                 for name in ("ico", "act", "nba")]
         calls = [f"{root}___{call}" for call in (look, "eval_ico", "eval_nba")]
         if domains and all(found) and all(f"void {call}({root}* vlSelf) {{" in code
                                           for call in calls):

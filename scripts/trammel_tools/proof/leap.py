@@ -14,7 +14,7 @@ import time
 import tomllib
 
 from trammel_tools.paths import ROOT, RTL
-from trammel_tools.proof import abc, leap_model, miter
+from trammel_tools.proof import abc, domains, leap_model, miter
 from trammel_tools.proof.controls import ControlError, parse
 from trammel_tools.proof.properties import PropertiesError
 
@@ -101,7 +101,7 @@ class Questions:
             return dict(zip(self.chip.timers, zip(
                 at_once, self.clock(self.then, self.more, roots), strict=True)))
         return {f"{port}[{n}]": pair for port, word in self.before_words.items()
-                if port != "quiescent_o" and not port.endswith("next_o")
+                if port not in domains.ASKING and not port.endswith("next_o")
                 for n, pair in enumerate(zip(word, self.after_words[port], strict=True))}
 
     def differs(self, lemma, pairs):
@@ -188,13 +188,27 @@ def fall(folder, name, questions, limit):
                     f"{number(value, questions.after_words['next_o'])}"
 
 
+def has_domains(made):
+    return "awake_o" in made.outputs
+
+
+def settle_domains(folder, source, made, lemma, limit):
+    """As settle(), of a lemma of clock domains."""
+    asked = domains.Questions(made, domains.Domains(folder / f"{source.name}.cells.json", made),
+                              WORD)
+    return domains.settle(asked, lemma, lambda bad: ask(folder, f"{source.name}_{lemma}",
+                                                        asked.graph, bad, limit))
+
+
 def check_chip(chip, limit):
     """Asks every lemma of a chip; lines of what went wrong."""
     folder = OUT / f"{chip.replace('/', '_')}_leap"
     folder.mkdir(parents=True, exist_ok=True)
     begin = time.monotonic()
     source = leap_model.Source(chip, "chip")
-    made = leap_model.made(folder, source, leap_model.make(folder, [source]))
+    whole = leap_model.Source(chip, "whole", products=True)
+    said = leap_model.make(folder, [source])
+    made = leap_model.made(folder, source, said)
     widths = {}
     for bit in made.timers:
         widths[bit.rpartition("[")[0]] = widths.get(bit.rpartition("[")[0], 0) + 1
@@ -209,7 +223,19 @@ def check_chip(chip, limit):
         print(f"  {lemma:<15} {verdict:<8} {took:5.1f} s  {sentence}", flush=True)
         if verdict != "proven":
             wrong.append(f"{lemma}: {verdict} {how}".rstrip())
-    print(f"{chip}: {len(LEMMAS)} lemmas in {time.monotonic() - begin:.1f} s")
+    asked = len(LEMMAS)
+    if has_domains(made):
+        said = leap_model.make(folder, [whole])
+        models = {False: (source, made), True: (whole, leap_model.made(folder, whole, said))}
+        for lemma, sentence in domains.LEMMAS.items():
+            start = time.monotonic()
+            verdict, how = settle_domains(folder, *models[lemma in domains.WHOLE], lemma, limit)
+            took = time.monotonic() - start
+            print(f"  {lemma:<15} {verdict:<8} {took:5.1f} s  {sentence}", flush=True)
+            if verdict != "proven":
+                wrong.append(f"{lemma}: {verdict} {how}".rstrip())
+        asked += len(domains.LEMMAS)
+    print(f"{chip}: {asked} lemmas in {time.monotonic() - begin:.1f} s")
     return wrong
 
 

@@ -29,7 +29,8 @@ setattr -set keep 1 t:$*dff* c:*_props.* %d
 opt_clean
 expose w:*.next_o w:*_props.* %d
 opt -full
-cutpoint t:$mul
+write_json {name}.cells.json
+{products}
 async2sync
 setundef -undriven -anyseq
 techmap
@@ -67,6 +68,7 @@ class Source:
     name: str
     changed: dict[Path, str] = field(default_factory=dict)
     behind: list[str] = field(default_factory=list)  # lines of the script behind the reading
+    products: bool = False  # multipliers are there; else what they give is free
 
     @property
     def stem(self):
@@ -79,7 +81,8 @@ def script(source, folder):
     checks = [f"c:*u_{path.stem}.{label}" for path, labels in assumed.items() for label in labels]
     lines = [f"read_slang --top {source.stem} {' '.join(map(str, files))}", *source.behind]
     lines += [f"delete t:$check {' '.join(f'{check} %d' for check in checks)}"]
-    return "\n".join(lines) + "\n" + TO_GATES.format(name=source.name)
+    return "\n".join(lines) + "\n" + TO_GATES.format(
+        name=source.name, products="" if source.products else "cutpoint t:$mul")
 
 
 @dataclass
