@@ -175,6 +175,10 @@ void remove_stale(const fs::path& target) {
       rmdir(scratch.c_str());  // of a run that was killed before it marked it: it is empty
       continue;
     }
+    // No run has made them as links, which would lead to what is none of theirs.
+    for (const char* const part : {kFiles, kAside}) {
+      if (fs::is_symlink(fs::symlink_status(scratch / part))) unlink((scratch / part).c_str());
+    }
     // Without a way to exchange two folders the target may be the one that was put aside.
     move_in(scratch / kAside, target);
     bool kept = false;
@@ -194,8 +198,9 @@ bool contains(const fs::path& folder, const fs::path& inner) {
 // Throws ConfigError where `target` must not be replaced.
 void check_replaceable(const fs::path& target) {
   std::error_code error;
-  if (!fs::exists(fs::symlink_status(target))) return;
-  if (!fs::is_directory(target, error)) refuse(target, "is not a folder");
+  const fs::file_status there = fs::symlink_status(target);
+  if (!fs::exists(there)) return;
+  if (!fs::is_directory(there)) refuse(target, "is not a folder");
   if (contains(target, fs::canonical(fs::current_path()))) {
     refuse(target, "is the current folder or contains it");
   }
@@ -285,7 +290,8 @@ void OutputFolder::publish() {
     if (move_in(scratch_, target_) == 0) break;
     if (errno != EEXIST) cannot_write(target_, errno);
     const FolderLock before(target_, true);
-    if (!before.is_of(target_)) continue;  // another run has just replaced it
+    if (!before.held()) check_replaceable(target_);  // a file or link that came during the run
+    if (!before.is_of(target_)) continue;            // another run has just replaced it
     check_replaceable(target_);
     check_names(scratch_, target_);
     if (exchange(scratch_, target_) != 0) {

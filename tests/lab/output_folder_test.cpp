@@ -123,6 +123,44 @@ TEST_CASE("what killed runs have left is removed, what is in use is not") {
   CHECK(test::content(kept / "notes.txt") == "not the same");
 }
 
+TEST_CASE("a file or a link that takes the folder's place during the run is refused") {
+  const test::Scratch here("output_folder_out");
+  fs::create_directory(here.path / "elsewhere");
+  for (const char* const target : {"elsewhere", "nowhere", ""}) {
+    CAPTURE(target);
+    const fs::path place = here.path / "a";
+    OutputFolder late(place);
+    if (*target == '\0') {
+      put(place, "mine");
+    } else {
+      fs::create_symlink(target, place);
+    }
+    CHECK_THROWS_WITH(late.publish(), Contains("a: --out: is not a folder"));
+    if (*target == '\0') CHECK(test::content(place) == "mine");
+    fs::remove(place);
+  }
+  CHECK(test::entries(here.path / "elsewhere") == 0);
+}
+
+TEST_CASE("links in the place of a killed run's folders are not followed") {
+  const test::Scratch here("output_folder_out");
+  const fs::path target = here.path / "a";
+  const fs::path other = here.path / "other";
+  publish(other, "trace.csv", "other");
+  put(other / "notes.txt", "mine");
+  for (const char* const part : {"run", "run-old"}) {
+    CAPTURE(part);
+    const fs::path scratch = left(target, "linked");
+    fs::create_symlink(other, scratch / part);
+    publish(target, "trace.csv", "first");
+    CHECK(test::content(other / "notes.txt") == "mine");
+    CHECK(test::entries(other) == 3);
+    CHECK_FALSE(fs::exists(scratch));
+    CHECK(test::entries(target) == 2);
+    fs::remove_all(target);
+  }
+}
+
 TEST_CASE("a run that was put aside comes back when the program was killed before the new one") {
   const test::Scratch here("output_folder_out");
   const fs::path target = here.path / "a";

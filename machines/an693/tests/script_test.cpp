@@ -137,7 +137,7 @@ TEST_CASE("a wait takes a time, or an event with a time limit") {
   CHECK(parsed("wait error 20 ms").seconds == Approx(0.02));
   CHECK(parsed("wait complete 2 s").seconds == 2);
   for (const char* bad : {"wait", "wait 5", "wait s", "wait -1 s", "wait hi 4 days", "wait inf s",
-                          "wait 1 s 2", "wait done"}) {
+                          "wait 1 s 2", "wait 1 5 ms", "wait hi 1 5 s", "wait done"}) {
     CHECK_THAT(refusal(bad), Contains("expects a time as 0.5 s"));
   }
   CHECK_THAT(refusal("wait 3601 s"), Contains("3601s is out of range 0..3600 s"));

@@ -137,7 +137,11 @@ std::optional<Time> time_of(const std::string& text) {
 void read_wait(Line& line, const std::vector<std::string>& data) {
   if (!line.choice.empty() && data.empty()) return;
   const std::string time = fmt::format("{}", fmt::join(data, ""));
-  const auto asked = time_of(time);
+  // A unit may stand apart, digits may not: "1 5 ms" is no 15 ms.
+  const bool one_number =
+      data.size() == 1 ||
+      (data.size() == 2 && std::isalpha(static_cast<unsigned char>(data[1][0])) != 0);
+  const auto asked = one_number ? time_of(time) : std::nullopt;
   if (!asked) {
     throw ConfigError("wait: expects a time as 0.5 s, 10 ms, 300 us or 100 samples, or one of hi, "
                       "complete, breakpoint, index and error with the longest time to wait");
