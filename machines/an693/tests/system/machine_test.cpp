@@ -9,7 +9,9 @@
 #include <filesystem>
 
 #include "machines/an693/machine.hpp"
+#include "machines/an693/session.hpp"
 #include "tests/support/broken_promise.hpp"
+#include "tests/support/event_record.hpp"
 #include "tests/support/figures.hpp"
 #include "tests/support/lm628_words.hpp"
 
@@ -117,6 +119,18 @@ TEST_CASE("an693: the twin gives the events and words of the chip") {
     CHECK(twin.end == chip.end);
     CHECK(twin.real == chip.real);
   }
+}
+
+TEST_CASE("an693: the event hash is that of edges, reasons, codes, reads and positions") {
+  Options options = breakpoints();
+  options.run.engine = cosim::Engine::kTwin;
+  options.run.max_s = 0.15;
+  const auto run = test::record_run<Session, Result>(options);
+  test::check_event_hash(run, [&run](std::size_t n) {
+    const lm628::Words words = run.result.samples[n].words;
+    return test::HashedWords{{"desired position", static_cast<std::uint64_t>(words.position)},
+                             {"actual position", static_cast<std::uint32_t>(words.actual)}};
+  });
 }
 
 TEST_CASE("an693 audited, or with its assertions checked, has the same events and none fails") {

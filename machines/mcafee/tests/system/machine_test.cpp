@@ -7,7 +7,9 @@
 #include <filesystem>
 
 #include "machines/mcafee/machine.hpp"
+#include "machines/mcafee/session.hpp"
 #include "tests/support/broken_promise.hpp"
+#include "tests/support/event_record.hpp"
 #include "tests/support/lm628_words.hpp"
 
 using namespace trammel;
@@ -118,6 +120,24 @@ TEST_CASE("mcafee: the twin gives the events of the chip") {
     }
   }
   CHECK(twin.event_hash == chip.event_hash);
+}
+
+TEST_CASE("mcafee: the event hash is that of edges, reasons, codes, reads and positions") {
+  Options options = small_corner();
+  options.run.engine = cosim::Engine::kTwin;
+  options.run.max_s = 0.03;
+  const auto run = test::record_run<Session, Result>(options);
+  test::check_event_hash(run, [&run](std::size_t n) {
+    test::HashedWords words;
+    const Sample sample = run.result.samples[n];
+    for (const std::size_t axis : {0, 1}) {
+      const lm628::Words& w = sample.axis[axis].words;
+      const std::string of = axis == 0 ? " of X" : " of Y";
+      words.emplace_back("desired position" + of, static_cast<std::uint64_t>(w.position));
+      words.emplace_back("actual position" + of, static_cast<std::uint32_t>(w.actual));
+    }
+    return words;
+  });
 }
 
 TEST_CASE("F-05 Stage II moves the stage by 52 800 counts in 8.251 s") {
