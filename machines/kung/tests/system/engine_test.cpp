@@ -11,6 +11,7 @@
 #include "lab/scenarios.hpp"
 #include "machines/kung/tests/chip_words.hpp"
 #include "tests/support/event_record.hpp"
+#include "tests/support/slope.hpp"
 
 using namespace trammel;
 using namespace trammel::kung;
@@ -144,6 +145,18 @@ TEST_CASE("the event hash is that of edges, reasons, gates, reads, x_m and i_q* 
     }
     return words;
   });
+}
+
+TEST_CASE("the true speeds of the record are the slopes of its true places") {
+  const Options options = piece(0.2);
+  const Result result = run(options, Engine::kTwin).result;
+  for (const std::size_t axis : {0, 1}) {
+    test::require_slope(axis == 0 ? "X" : "Y", result.samples.size(), options.chip.sample_s(),
+                        [&](std::size_t k) {
+                          const AxisSample s = result.samples[k].axis[axis];
+                          return test::Motion{s.x_true_m, s.v_true_m_s};
+                        });
+  }
 }
 
 TEST_CASE("both engines agree on each carrier and rate of the position loop, and follow alike") {

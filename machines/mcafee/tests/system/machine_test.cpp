@@ -11,6 +11,7 @@
 #include "tests/support/broken_promise.hpp"
 #include "tests/support/event_record.hpp"
 #include "tests/support/lm628_words.hpp"
+#include "tests/support/slope.hpp"
 
 using namespace trammel;
 using namespace trammel::mcafee;
@@ -138,6 +139,35 @@ TEST_CASE("mcafee: the event hash is that of edges, reasons, codes, reads and po
     }
     return words;
   });
+}
+
+TEST_CASE("mcafee: the speeds of the record are the slopes of its places") {
+  Options options = small_corner();
+  options.run.engine = cosim::Engine::kTwin;
+  const Result result = run(options);
+  for (const std::size_t axis : {0, 1}) {
+    test::require_slope(axis == 0 ? "X" : "Y", result.samples.size(), options.sample_s(),
+                        [&](std::size_t k) {
+                          const AxisSample s = result.samples[k].axis[axis];
+                          return test::Motion{s.x_mm, s.mm_s};
+                        });
+  }
+}
+
+TEST_CASE("mcafee: over some turns the indexes are a turn apart, and a lost one is seen") {
+  Options options = small_corner();
+  options.run.engine = cosim::Engine::kTwin;
+  options.stage = sw::McafeeStage::kMove;
+  options.acceleration = 0x250;
+  options.position = 16 * options.stage_axis.encoder.lines;
+  options.index_check = true;
+  Result result = run(options);
+  CAPTURE(result.fault, result.real[0], result.real[1]);
+  CHECK(result.end == cosim::EndReason::kDone);
+  options.fault.kind = cosim::FaultKind::kIndexLost;
+  result = run(options);
+  CHECK(result.end == cosim::EndReason::kFault);
+  CHECK(result.fault == "an index that is not a turn from the one before");
 }
 
 TEST_CASE("F-05 Stage II moves the stage by 52 800 counts in 8.251 s") {
