@@ -170,6 +170,40 @@ TEST_CASE("mcafee: over some turns the indexes are a turn apart, and a lost one 
   CHECK(result.fault == "an index that is not a turn from the one before");
 }
 
+TEST_CASE("mcafee: each switch opens at its end of its axis, on the chip's line for it") {
+  plant::LeadscrewConfig axis;
+  axis.switch_low = -1e-3;
+  axis.switch_high = 2e-3;
+  for (const int part : {0, 1}) {
+    for (const bool forward : {false, true}) {
+      StagePlant plant({axis, axis});
+      const cosim::Lines rest = kZeroCode << converter(1 - part);
+      const cosim::Lines drive = rest | cosim::Lines{forward ? 0xFFu : 0u} << converter(part);
+      plant.commit(0, drive);
+      while (plant.limits() == 0 && plant.next() < 50'000'000) plant.commit(plant.next(), drive);
+      CAPTURE(part, forward, plant.next());
+      CHECK(plant.limits() == (forward ? 2u : 1u) << 2 * part);
+      CHECK((plant.sense() >> (forward ? limit_high(part) : limit_low(part)) & 1) == 1);
+      CHECK((plant.sense() >> limit_low(0) & 15) == plant.limits());
+    }
+  }
+}
+
+TEST_CASE("mcafee: the record ends with the switch that ended the run") {
+  Options options = small_corner();
+  options.run.engine = cosim::Engine::kTwin;
+  options.stage = sw::McafeeStage::kMove;
+  options.acceleration = 0x250;
+  options.stage_axis.switch_high = 1e-3;
+  const Result result = run(options);
+  CHECK(result.end == cosim::EndReason::kFault);
+  CHECK(result.fault == "a limit switch");
+  const Sample last = result.samples.back();
+  CAPTURE(last.axis[0].x_mm, last.axis[1].x_mm);
+  CHECK(last.limits == 2);  // of X, high
+  CHECK(last.axis[0].x_mm == Approx(1).margin(0.1));
+}
+
 TEST_CASE("F-05 Stage II moves the stage by 52 800 counts in 8.251 s") {
   Options options = small_corner();
   options.run.engine = cosim::Engine::kTwin;
