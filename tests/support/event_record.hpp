@@ -54,7 +54,7 @@ Recorded<Result> record_run(const Options& options) {
   return {std::move(static_cast<Result&>(*result)), std::move(record.events)};
 }
 
-using HashedWord = std::pair<std::string, std::uint64_t>;  // its name, for messages, and its value
+using HashedWord = std::pair<std::string, std::uint64_t>;  // name, of both axes the same; value
 using HashedWords = std::vector<HashedWord>;
 using WordsOfSample = std::function<HashedWords(std::size_t)>;
 
@@ -89,11 +89,11 @@ void check_event_hash(const Recorded<Result>& run, const WordsOfSample& of_sampl
   });
   REQUIRE(samples == static_cast<std::ptrdiff_t>(run.result.samples.size()));
   const HashedWords words = hashed_words(run.events, of_sample);
-  std::string lacks = "none of its words alone";
+  std::string lacks = "no word; one is another, or elsewhere";
   for (const auto& [name, value] : of_sample(0)) {
     if (hash_of(words, name) == run.result.event_hash) lacks = name;
   }
-  INFO("the hash of the run is that without: " << lacks);
+  INFO("the hash of the run lacks " << lacks);
   CHECK(hash_of(words) == run.result.event_hash);
 }
 

@@ -131,11 +131,10 @@ TEST_CASE("mcafee: the event hash is that of edges, reasons, codes, reads and po
   test::check_event_hash(run, [&run](std::size_t n) {
     test::HashedWords words;
     const Sample sample = run.result.samples[n];
-    for (const std::size_t axis : {0, 1}) {
-      const lm628::Words& w = sample.axis[axis].words;
-      const std::string of = axis == 0 ? " of X" : " of Y";
-      words.emplace_back("desired position" + of, static_cast<std::uint64_t>(w.position));
-      words.emplace_back("actual position" + of, static_cast<std::uint32_t>(w.actual));
+    for (const AxisSample& axis : sample.axis) {
+      const lm628::Words& w = axis.words;
+      words.emplace_back("desired position", static_cast<std::uint64_t>(w.position));
+      words.emplace_back("actual position", static_cast<std::uint32_t>(w.actual));
     }
     return words;
   });
