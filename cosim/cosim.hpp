@@ -85,6 +85,7 @@ class Loop {
       stop = chip_.run(std::min({end, plant_.next(), cap}), plant_);
       if (stop.why & kDrive) plant_.commit(stop.edge, chip_.drive());
       observer_.on(stop, chip_, plant_);
+      if (guest_ != nullptr) guest_->on(stop, chip_, plant_);
       if (stop.why & until) break;
     }
     return stop;
@@ -92,10 +93,14 @@ class Loop {
 
   Chip& chip() { return chip_; }
 
+  // One more observer of every stop, after the first.
+  void watch(Observer& guest) { guest_ = &guest; }
+
  private:
   Chip& chip_;
   Plant& plant_;
   Observer& observer_;
+  Observer* guest_ = nullptr;
   Clk window_;
 };
 

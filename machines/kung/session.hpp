@@ -94,21 +94,16 @@ class Session final : public cosim::Session {
 
   const KungChip& chip() const { return *chip_; }
 
-  // One more observer of every stop, after the record.
-  void watch(cosim::Observer& observer) { tee_.guest = &observer; }
-
  private:
   struct Tee final : cosim::Observer {
     void on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant& plant) override {
       detail->on(stop, chip, plant);
       recorder->on(stop, chip, plant);
       if (fault) fault(stop);
-      if (guest != nullptr) guest->on(stop, chip, plant);
     }
     std::function<void(const cosim::Stop&)> fault;
     cosim::Observer* detail = nullptr;
     cosim::Observer* recorder = nullptr;
-    cosim::Observer* guest = nullptr;
   };
 
   bool over(const Sample& sample);

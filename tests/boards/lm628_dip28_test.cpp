@@ -27,6 +27,8 @@ struct Model : Vlm628_dip28 {
 
 class Package : public Lm628Twin {
  public:
+  bool twelve = false;  // the part has 12 bits: pins 24 and 25 are those of their strobes
+
   Package() {
     in.reset_n = false;
     for (int i = 0; i < 8; ++i) edge();
@@ -42,7 +44,7 @@ class Package : public Lm628Twin {
     if (rtl_->d_oe_o) same("direction_o", rtl_->direction_o, true, clock_);
     same("d_oe_o", rtl_->d_oe_o, was.d_oe && direction_, clock_);
     direction_ = rtl_->direction_o != 0;
-    if (!was.drive.dac_wr_n || !was.drive.dac_hi_lo) {
+    if (twelve || !was.drive.dac_wr_n || !was.drive.dac_hi_lo) {
       const int strobes = was.drive.dac_hi_lo * 2 + was.drive.dac_wr_n;
       same("out_o", rtl_->out_o, (was.drive.dac & 0xFC) | strobes, clock_);
     } else if ((was.drive.dac & 3) != 0) {  // only a byte has these bits
@@ -90,6 +92,16 @@ TEST_CASE("lm628_dip28 has the pins of the twin over 150 random transfers") {
   Bench bench;
   run_random(bench, {150, 64});
   CHECK(bench.samples() > 50);
+}
+
+// An edge on pin 25 that the part does not give would be one more strobe.
+TEST_CASE("lm628_dip28 leaves pins 24 and 25 high between the strobes of 12 bits") {
+  Bench bench;
+  bench.start();
+  bench.command(Opcode::kPort12);
+  bench.sample(2);
+  bench.chip.twelve = true;
+  bench.sample(4);
 }
 
 // SNVS781C p.4: 180 ns from RD to the data, and as much until the bus is free.

@@ -181,6 +181,33 @@ TEST_CASE("a dead gate driver, an open phase and a dip reach the plant") {
   CHECK(dip.counter.share == 1);
 }
 
+TEST_CASE("a fault of the second axis is on its own pins") {
+  Fault fault = of(FaultKind::kGateDead, 3);
+  fault.axis = 1;
+  Bench gate(fault);
+  gate.to(100, 0xFFF);
+  CHECK(gate.counter.drive == 0xDFF);  // bit 3 of its six
+  fault.kind = FaultKind::kConverterStuck;
+  fault.line = 1;
+  Bench stuck(fault);
+  stuck.to(100);
+  CHECK(stuck.plant.sample(1, 140) == 1140);
+  CHECK(stuck.plant.sample(3, 140) == 3100);
+  fault.kind = FaultKind::kPhaseOpen;
+  Bench phase(fault);
+  phase.to(100);
+  CHECK(phase.counter.opened == std::array<int, 3>{1, 1, 1});
+}
+
+TEST_CASE("a fault that is shorter than a clock lasts one, and one of no length does not end") {
+  Fault fault = Bench::timed(of(FaultKind::kPhaseOpen));
+  fault.for_s = 1e-12;
+  CHECK(FaultSpan(fault, kClockPs).begin == 100);
+  CHECK(FaultSpan(fault, kClockPs).end == 101);
+  fault.for_s = 0;
+  CHECK(FaultSpan(fault, kClockPs).end == kNever);
+}
+
 TEST_CASE("a place that the machine has not is refused, with what it has") {
   CHECK_THROWS_WITH(check_fault(of(FaultKind::kConverterStuck, 2), pins()),
                     "inject.line: value 2 is out of range, allowed 0..1");

@@ -40,6 +40,20 @@ TEST_CASE("dc_motor follows the exact step response of its two poles") {
   }
 }
 
+TEST_CASE("dc_motor at the limit of its current has the torque of that current, either way") {
+  DcMotorConfig c;
+  c.viscous = 0;
+  c.current_limit = 1.5;
+  const DcMotor motor(c);
+  for (const double volt : {24.0, -24.0}) {
+    const DcMotorState from = motor.after({}, 1e-3, volt);
+    const DcMotorState to = motor.after(from, 10e-3, volt);
+    CAPTURE(volt, from.omega, to.omega);
+    CHECK(to.i == (volt > 0 ? 1.5 : -1.5));
+    CHECK((to.omega - from.omega) / 10e-3 == Approx(c.constant * to.i / c.inertia).epsilon(1e-9));
+  }
+}
+
 TEST_CASE("dc_motor's amplifier saturates at its supply") {
   const DcMotor motor({});
   REQUIRE(motor.voltage(0.5) == 12);

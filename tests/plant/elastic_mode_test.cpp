@@ -127,6 +127,24 @@ TEST_CASE("motor, friction and mode agree with Runge-Kutta") {
   CHECK(s.y_speed == Approx(r[5]).margin(1e-8));
 }
 
+// An axis asks for it to know how long no stop and no edge of the encoder can come.
+TEST_CASE("the bound of the acceleration holds what the mode pushes") {
+  const PmlsmConfig c = free_pair(200, 0.02, 0.3);
+  const Pmlsm m(c);
+  for (const double y : {-1e-3, 1e-3}) {
+    for (const double y_speed : {-0.5, 0.0, 0.5}) {
+      MotorState s{0, 0, 0, 0, y, y_speed};
+      const double bound = m.acceleration_bound(s, 0, 4 * kStep);
+      for (int n = 0; n < 4; ++n) {
+        const double before = s.v;
+        s = chain(m, s, {}, kStep, {false, true});
+        CAPTURE(y, y_speed, n);
+        CHECK(std::abs(s.v - before) / kStep <= bound);
+      }
+    }
+  }
+}
+
 TEST_CASE("a carriage that is stopped leaves the rest its speed; without a mode there is none") {
   MotorState s{0, 0.4, 0, 0, 1e-4, -0.1};
   Pmlsm(free_pair(50, 0, 0.2)).halt(s);

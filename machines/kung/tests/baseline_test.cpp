@@ -63,6 +63,32 @@ TEST_CASE("whoever follows the model cuts the circle by what the model does") {
   }
 }
 
+// Half the range of the sensors is the range of i_q*.
+TEST_CASE("a baseline pushes with the current that the controllers have, and no more") {
+  Options options = scenario("step");
+  options.path.square_periods = 1;
+  options.chip.current_limit_A = 0.9;
+  for (plant::AxisConfig& axis : options.plant.axis) {
+    axis.current_full_scale_a = 1;
+    axis.coulomb_n = axis.viscous_n_s_m = 0;
+  }
+  const double h = options.chip.sample_s();
+  for (const Law law : {Law::kCascade, Law::kPid}) {
+    const Points table = baseline_tracks(options, law).table;
+    const plant::AxisConfig& axis = options.plant.axis[0];
+    double most = 0;  // [m/s2]
+    std::size_t at = 0;
+    for (std::size_t k = 1; k + 1 < table.size(); ++k) {
+      const double second = table[k + 1].x_m - 2 * table[k].x_m + table[k - 1].x_m;
+      if (std::abs(second) / (h * h) > most) most = std::abs(second) / (h * h), at = k;
+    }
+    INFO((law == Law::kPid ? "PID" : "P-PI") << " of X, largest acceleration, in sample " << at);
+    // The source's current is right to 1e-4 A of 0.5 A.
+    CHECK(most == Approx(axis.force_constant_n_a * 0.5 / (axis.mass_kg + axis.payload_kg))
+                      .epsilon(1e-3));
+  }
+}
+
 TEST_CASE("a baseline stands beside the paper's paths alone") {
   std::vector<lab::Figure> list;
   add_baselines(scenario("step"), list);

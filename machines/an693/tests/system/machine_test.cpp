@@ -9,9 +9,12 @@
 #include <filesystem>
 
 #include "machines/an693/machine.hpp"
+#include "machines/an693/session.hpp"
 #include "tests/support/broken_promise.hpp"
+#include "tests/support/event_record.hpp"
 #include "tests/support/figures.hpp"
 #include "tests/support/lm628_words.hpp"
+#include "tests/support/slope.hpp"
 
 using namespace trammel;
 using namespace trammel::an693;
@@ -117,6 +120,36 @@ TEST_CASE("an693: the twin gives the events and words of the chip") {
     CHECK(twin.end == chip.end);
     CHECK(twin.real == chip.real);
   }
+}
+
+TEST_CASE("an693: the event hash is that of edges, reasons, codes, reads and positions") {
+  Options options = breakpoints();
+  options.run.engine = cosim::Engine::kTwin;
+  options.run.max_s = 0.15;
+  const auto run = test::record_run<Session, Result>(options);
+  test::check_event_hash(run, [&run](std::size_t n) {
+    const lm628::Words words = run.result.samples[n].words;
+    return test::HashedWords{{"desired position", static_cast<std::uint64_t>(words.position)},
+                             {"actual position", static_cast<std::uint32_t>(words.actual)}};
+  });
+}
+
+TEST_CASE("an693: the shaft of the record is where the counts are, and its speed is its slope") {
+  Options options = breakpoints();
+  options.run.engine = cosim::Engine::kTwin;
+  options.run.max_s = 1;
+  const Result result = simulate(options, {});
+  const double counts = options.plant.counts / plant::MotorAxis::kTurn;
+  for (std::size_t k = 0; k < result.samples.size(); ++k) {
+    const Sample sample = result.samples[k];
+    CAPTURE(k, sample.theta * counts);
+    // The count is that of the sample's begin, and of an edge that lies behind the place.
+    REQUIRE(std::abs(sample.theta * counts - sample.words.actual) <= 2);
+  }
+  test::require_slope("shaft", result.samples.size(), options.sample_s(), [&](std::size_t k) {
+    const Sample sample = result.samples[k];
+    return test::Motion{sample.theta, sample.omega};
+  });
 }
 
 TEST_CASE("an693 audited, or with its assertions checked, has the same events and none fails") {

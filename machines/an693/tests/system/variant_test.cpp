@@ -147,6 +147,27 @@ TEST_CASE("an693: an LM629 of 6 MHz, audited, checked or with waves, has the sam
   std::filesystem::remove(shown.run.wave_file);
 }
 
+TEST_CASE("an693: the drive of an LM629 is off when its pulses have ended, not between two") {
+  Options options = short_move({Variant::kLm629, 12, 8, false});
+  options.position = 8 * options.plant.counts;
+  options.velocity = 600000;
+  options.index_check = true;
+  options.fault.kind = cosim::FaultKind::kEncoderMissing;
+  options.fault.begin_s = 0.04;
+  const Result result = run(options, cosim::Engine::kTwin);
+  const cosim::FaultReport& report = result.fault_report;
+  REQUIRE(report.by == "an index is not a turn from the one before");
+  REQUIRE(report.off != cosim::kNever);
+  int seen = 0, off = 0;  // output of the filter when the fault was seen, and as the drive was off
+  for (const Sample& sample : result.samples) {
+    if (sample.edge <= report.detected) seen = sample.words.output;
+    if (sample.edge <= report.off) off = sample.words.output;
+  }
+  INFO("seen in clock " << report.detected << " at output " << seen << ", off in " << report.off);
+  REQUIRE(seen >> 8 != 0);
+  CHECK(off >> 8 == 0);
+}
+
 TEST_CASE("an693: a bridge whose pins or supply fail does the same in the twin") {
   for (const auto& [kind, line, value] :
        {std::tuple{cosim::FaultKind::kOutputStuck, lm628::kMagnitude, 0},

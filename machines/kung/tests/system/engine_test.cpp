@@ -5,51 +5,26 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "cosim/direct.hpp"
-#include "cosim/event_hash.hpp"
 #include "machines/kung/figures.hpp"
 #include "machines/kung/session.hpp"
 #include "lab/layers.hpp"
 #include "lab/scenarios.hpp"
 #include "machines/kung/tests/chip_words.hpp"
+#include "tests/support/event_record.hpp"
+#include "tests/support/slope.hpp"
 
 using namespace trammel;
 using namespace trammel::kung;
 
 namespace {
 
-struct Event {
-  cosim::Clk edge;
-  unsigned why;
-  cosim::Lines drive;
-  std::uint32_t read = 0;  // by the processor
-};
-
-// What the event hash is made of, but for the words.
-struct Record final : cosim::Observer {
-  void on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant&) override {
-    if (stop.why == cosim::kLimit) return;
-    const bool read = (stop.why & cosim::kBusDone) != 0;
-    events.push_back({stop.edge, stop.why, chip.drive(), read ? chip.rdata() : 0});
-  }
-  std::vector<Event> events;
-};
-
-struct Run {
-  Result result;
-  std::vector<Event> events;
-};
+using test::Event;
+using Run = test::Recorded<Result>;
 
 Run run(Options options, Engine engine) {
   options.run.engine = engine;
   options.run.platform = Platform::kDirect;
-  Session session(options, {});
-  Record record;
-  session.watch(record);
-  cosim::run_direct(session.loop(), session.firmware(), session.timing(), session.end(),
-                    [&session] { return session.finished(); });
-  auto result = session.result();
-  return {std::move(static_cast<Result&>(*result)), std::move(record.events)};
+  return test::record_run<Session, Result>(options);
 }
 
 std::string text(const std::vector<Event>& events, std::size_t at) {
@@ -157,26 +132,29 @@ TEST_CASE("both engines agree on motors and encoders that are not the paper's, a
   }
 }
 
-// A hash that left out a word would let two runs pass for one.
 TEST_CASE("the event hash is that of edges, reasons, gates, reads, x_m and i_q* of all samples") {
   const Run one = run(piece(), Engine::kTwin);
-  cosim::EventHash hash;
-  std::size_t sample = 0;
-  REQUIRE(one.result.end == EndReason::kTimeout);  // nothing comes after the last event
-  for (const Event& e : one.events) {
-    hash.mix(static_cast<std::uint64_t>(e.edge));
-    hash.mix((std::uint64_t{e.why} << 32) | e.drive);
-    if ((e.why & cosim::kBusDone) != 0) hash.mix(e.read);
-    if ((e.why & cosim::kSample) == 0) continue;
-    REQUIRE(sample < one.result.samples.size());
-    const Sample words = one.result.samples[sample++];
-    for (const AxisSample& axis : words.axis) {
-      hash.mix(static_cast<std::uint32_t>(axis.x_m));
-      hash.mix(static_cast<std::uint32_t>(axis.i_q_ref));
+  test::check_event_hash(one, [&one](std::size_t n) {
+    test::HashedWords words;
+    const Sample sample = one.result.samples[n];
+    for (const AxisSample& s : sample.axis) {
+      words.emplace_back("x_m", static_cast<std::uint32_t>(s.x_m));
+      words.emplace_back("i_q*", static_cast<std::uint32_t>(s.i_q_ref));
     }
+    return words;
+  });
+}
+
+TEST_CASE("the true speeds of the record are the slopes of its true places") {
+  const Options options = piece(0.2);
+  const Result result = run(options, Engine::kTwin).result;
+  for (const std::size_t axis : {0, 1}) {
+    test::require_slope(axis == 0 ? "X" : "Y", result.samples.size(), options.chip.sample_s(),
+                        [&](std::size_t k) {
+                          const AxisSample s = result.samples[k].axis[axis];
+                          return test::Motion{s.x_true_m, s.v_true_m_s};
+                        });
   }
-  CHECK(sample > 50);
-  CHECK(hash.value() == one.result.event_hash);
 }
 
 TEST_CASE("both engines agree on each carrier and rate of the position loop, and follow alike") {

@@ -163,7 +163,7 @@ TEST_CASE("whole controllers equal their twins at every PWM period of a line") {
   Session session(options, {});
   std::vector<sw::Point> points;
   AxisCheck check(session.chip(), plan_firmware(options, points));
-  session.watch(check);
+  session.loop().watch(check);
   cosim::run_direct(session.loop(), session.firmware(), session.timing(), session.end(),
                     [&session] { return session.finished(); });
   CHECK(check.compared > 2 * 1280);
