@@ -217,7 +217,7 @@ module kung_axis_props
   // breaks table_write_has_its_value: tab_in_part = 1'b0
   // breaks preset_only_while_unlocked, preset_by_whole_words_only: preset = preset_write
   // breaks next_is_the_least: next_o = leg_next[2] > next_o ? leg_next[2] : next_o
-  // breaks quiescent_is_honest: quiescent_o = qep_quiescent && !qep_error && command_quiescent && afc_quiescent && !tick_cur_i && adc_quiescent && loop_quiescent && pwm_quiescent && leg_quiescent == '1
+  // breaks quiescent_is_honest: quiescent_o = qep_quiescent && !wake_regs_o && command_quiescent && afc_quiescent && !tick_cur_i && adc_quiescent && loop_awake == '0 && pwm_quiescent && leg_quiescent == '1
 
 endmodule
 

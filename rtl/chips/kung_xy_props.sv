@@ -369,7 +369,7 @@ module kung_xy_props
   // breaks open_transfers_are_counted: open_d = open_q + 3'(s_axil_awvalid_i && s_axil_awready_o) + 3'(s_axil_arvalid_i) - 3'(s_axil_bvalid_o && s_axil_bready_i) - 3'(s_axil_rvalid_o && s_axil_rready_i)
   // breaks next_is_the_least: next_o = axis_next[1] > next_o ? axis_next[1] : next_o
   // breaks quiescent_only_if_nothing_is_open, quiescent_is_honest: bus_idle = !s_axil_awvalid_i && !s_axil_wvalid_i && !s_axil_arvalid_i
-  // breaks quiescent_is_honest: quiescent_o = bus_idle && timebase_quiescent && watchdog_quiescent && supervisor_quiescent && done == '0 && axis_quiescent == '1
+  // breaks quiescent_is_honest: quiescent_o = bus_idle && timebase_quiescent && watchdog_quiescent && supervisor_quiescent && done == '0 && unused_axis_quiescent == '1
 
 endmodule
 

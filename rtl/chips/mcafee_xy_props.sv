@@ -146,7 +146,7 @@ module mcafee_xy_props
   // breaks ready_by_a_result_only: fed_q <= !rst_i && (feed_valid || !feed_starts)
   // breaks next_is_the_least: next_o = next_y > next_o ? next_y : next_o
   // breaks quiescent_without_transfers_only: bus_idle = !asked && !s_axil_bvalid_o && !s_axil_rvalid_o
-  // breaks quiescent_holds_the_pins: quiescent_o = bus_idle && bridge_quiescent && quiescent == '1 && feed_quiescent && !feed_asked_q && !feeding_q && limit_i == limit_q
+  // breaks quiescent_holds_the_pins: quiescent_o = bus_idle && bridge_quiescent && unused_quiescent == '1 && feed_quiescent && !feed_asked_q && !feeding_q && limit_i == limit_q
 
   // prove: cut lm628_engine qep feed_rate
   // prove: leap inv_in_flight inv_waits inv_pulse

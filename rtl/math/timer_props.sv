@@ -57,9 +57,9 @@ module timer_props
   end
 
   // breaks zero_from_reset: count_q <= rst_i ? value_i : next
-  // breaks loads_the_value: count_d = load_i ? value_i + leap_i : count_d
+  // breaks loads_the_value: count_q <= !rst_i && load_i ? value_i + leap_i : next
   // breaks counts_the_clocks: step = Wide'(1)
-  // breaks counts_the_clocks: count_d = load_i || count >= step + Wide'(1) + step ? count_d : '0
+  // breaks counts_the_clocks: count_q <= rst_i || load_i || count >= step + Wide'(1) + step ? next : '0
   // breaks no_event_within_next: next_o = !load_i && count_q != '0 && count <= Wide'(GapMax) ? gap_t'(count) : next_o
   // breaks event_at_next_zero: next_o = !load_i && count_q != '0 && count <= Wide'(GapMax) ? gap_t'(count >> 2) : next_o
   // breaks next_falls_by_the_clocks: next_o = !load_i && count > Wide'(GapMax) ? GapMax - gap_t'(2) : next_o

@@ -139,7 +139,7 @@ module timebase_props
   // breaks position_after_its_ticks: cur_d = cur_d | {5'd0, tick_pos_o && rate_i == 2'd3}
   // breaks interrupt_every_period: irq_d = tick_irq_o && irq_period_i != '0 ? irq_period_i : irq_d
   // breaks counts_position_ticks: tick_count_q <= tick_pos_o && !tick_irq_o && !rst_i ? tick_count_q : next
-  // breaks next_falls_by_the_clocks (timer): count_d = load_i || count > step + Wide'(9) ? count_d : '0
+  // breaks next_falls_by_the_clocks (timer): count_q <= rst_i || load_i || count > step + Wide'(9) ? next : '0
   // breaks quiescent_is_honest: quiescent_o = !tick_irq_o
 
   // prove: leap phase_within_period

@@ -26,7 +26,7 @@ package lm628_pkg;
   localparam logic [7:0] CmdLfil  = 8'h1E;
   localparam logic [7:0] CmdLtrj  = 8'h1F;
 
-  // Clock domains of lm628. A domain's registers move only at edges at which it is awake; the timers
+  // Clock domains of lm628: registers of one move only at edges at which it is awake. The timers
   // have the free-running clock and are in none.
   typedef struct packed {
     logic sense;   // encoder

@@ -3,7 +3,7 @@
 designs that must refute them: rtl/chips/<chip>_leap.toml, a table [[broken]] each with
 
   what = "..."       the mistake
-  lemma = "..."      that must be refuted
+  lemma = "..."      that must be refuted, or a list of them
   module = "..."     that changes
   change = "..."     as a negative control: net = expression (proof/controls.py)
 """
@@ -239,21 +239,27 @@ def check_chip(chip, limit):
     return wrong
 
 
+def as_list(lemma):
+    return [lemma] if isinstance(lemma, str) else lemma
+
+
 def broken_designs(chip):
-    """[(what, lemma, Control)] of rtl/<chip>_leap.toml."""
+    """[(what, lemmas, Control)] of rtl/<chip>_leap.toml."""
     path = RTL / f"{chip}_leap.toml"
     where = f"rtl/{chip}_leap.toml"
     try:
         table = tomllib.loads(path.read_text(encoding="utf-8"))["broken"]
-        found = [(d["what"], d["lemma"], parse(f" {d['lemma']} ({d['module']}): {d['change']}"))
+        found = [(d["what"], as_list(d["lemma"]),
+                  parse(f" {as_list(d['lemma'])[0]} ({d['module']}): {d['change']}"))
                  for d in table]
     except (OSError, KeyError, tomllib.TOMLDecodeError, ControlError) as error:
         raise PropertiesError(f"{where}: no table of broken designs: {error!r}") from error
-    lacking = set(LEMMAS) - {"stay_n"} - {lemma for _, lemma, _ in found}
-    unknown = {lemma for _, lemma, _ in found} - set(LEMMAS)
-    for lemma in sorted(lacking | unknown):
+    named = {lemma for _, lemmas, _ in found for lemma in lemmas}
+    known = set(LEMMAS) | set(domains.LEMMAS)
+    wanted = known if named & set(domains.LEMMAS) else set(LEMMAS)
+    for lemma in sorted((wanted - {"stay_n"} - named) | (named - known)):
         raise PropertiesError(f"{where}: {lemma}: "
-                              f"{'no broken design refutes it' if lemma in LEMMAS else 'no lemma'}")
+                              f"{'no broken design refutes it' if lemma in known else 'no lemma'}")
     return found
 
 
@@ -264,23 +270,29 @@ def check_broken(chip, limit):
     begin = time.monotonic()
     designs = broken_designs(chip)
     wrong, sources = [], {}
-    for n, (what, _, control) in enumerate(designs):
+    for n, (what, lemmas, control) in enumerate(designs):
         try:
-            sources[n] = leap_model.Source(chip, f"broken{n}", *control.changed())
+            sources[n] = leap_model.Source(chip, f"broken{n}", *control.changed(),
+                                           products=bool(set(lemmas) & set(domains.WHOLE)))
         except ControlError as error:
             wrong.append(f"{what}: `{control.words}` does not apply any more: {error}")
     said = leap_model.make(folder, list(sources.values()))
     for n, source in sources.items():
-        what, lemma, control = designs[n]
+        what, lemmas, control = designs[n]
         try:
             made = leap_model.made(folder, source, said)
         except PropertiesError as error:
             wrong.append(f"{what}: `{control.words}` does not apply any more: {error}")
             continue
-        verdict, how = settle(folder, f"{source.name}_{lemma}", made, Questions(made), lemma, limit)
-        print(f"  {lemma:<15} {verdict:<8} {what}: {how}", flush=True)
-        if verdict != "refuted":
-            wrong.append(f"{what}: {lemma} does not refute `{control.words}`")
+        for lemma in lemmas:
+            if lemma in domains.LEMMAS:
+                verdict, how = settle_domains(folder, source, made, lemma, limit)
+            else:
+                verdict, how = settle(folder, f"{source.name}_{lemma}", made, Questions(made),
+                                      lemma, limit)
+            print(f"  {lemma:<15} {verdict:<8} {what}: {how}", flush=True)
+            if verdict != "refuted":
+                wrong.append(f"{what}: {lemma} does not refute `{control.words}`")
     print(f"{chip}: {len(designs)} broken designs in {time.monotonic() - begin:.1f} s")
     return wrong
 
