@@ -211,7 +211,7 @@ module kung_axis
 
   always_ff @(posedge clk_position) begin
     if (rst_i) x_p_q <= '0;
-    else if (tick_pos_i) x_p_q <= count;
+    else if (tick_cur_i && tick_pos_i) x_p_q <= count;
   end
 
   adc_if u_adc (
