@@ -16,7 +16,7 @@ from trammel_tools.paths import RTL
 from trammel_tools.rtl import lint
 
 # What the leap contract adds; a board ties the input to 0 and leaves the outputs open.
-LEAP_INPUTS, LEAP_OUTPUTS = ("leap_i",), ("next_o", "quiescent_o")
+LEAP_INPUTS, LEAP_OUTPUTS = ("leap_i",), ("next_o", "quiescent_o", "awake_o", "timed_o")
 # Area comes first where the clock allows: without a limit every path is made as fast as it can be,
 # which took 11 % more cells. [ps] of logic alone; routing takes more than half of a period.
 ABC_LIMIT = "8000"
@@ -84,7 +84,7 @@ def output_to(log):
 
 @contextlib.contextmanager
 def read_design(top, log):
-    """The design without its leap contract, and what runs a command of Yosys on it."""
+    """The design without its leap contract and clock enables, and what runs a command of Yosys on it."""
     signal.signal(signal.SIGINT, signal.SIG_DFL)  # in a worker: end without a traceback
     from pyosys import libyosys as ys  # takes 0.2 s: not for --help
     with output_to(log):
@@ -95,6 +95,8 @@ def read_design(top, log):
 
         run(f"read_slang --keep-hierarchy --top {top} " + " ".join(str(s) for s in sources()))
         run(f"hierarchy -top {top}")
+        run(f"delete -input {top}/w:clock_en_i")  # no clock is gated
+        run(f"setundef -undriven -one {top}")
         for name in LEAP_INPUTS:
             run(f"delete -input {top}/w:{name}")
         for name in LEAP_OUTPUTS:
