@@ -84,7 +84,7 @@ def output_to(log):
 
 @contextlib.contextmanager
 def read_design(top, log):
-    """The design without leap contract and clock enables, and what runs a command of Yosys on it."""
+    """The design without leap contract and clock enables, and what runs a Yosys command on it."""
     signal.signal(signal.SIGINT, signal.SIG_DFL)  # in a worker: end without a traceback
     from pyosys import libyosys as ys  # takes 0.2 s: not for --help
     with output_to(log):
