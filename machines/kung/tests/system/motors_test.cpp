@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "cosim/direct.hpp"
+#include "machines/kung/plan.hpp"
 #include "machines/kung/session.hpp"
 #include "machines/kung/words.hpp"
 #include "models/ideal/fuzzy_controller.hpp"
@@ -109,7 +110,101 @@ double fast_rms_mm(const Motor& motor, bool adapt) {
   return 1e3 * std::sqrt(squares / samples * 2);
 }
 
+// A plant whose energies are summed between two commits, in which the legs hold their voltage:
+// without dead time no current ends in a diode.
+class MeteredPlant final : public cosim::Plant {
+ public:
+  MeteredPlant(const Motor& motor, const plant::XyTableConfig& config)
+      : motor_(motor), plant_(config, cosim::kNever, cosim::kNever) {}
+
+  cosim::Lines sense() const override { return plant_.sense(); }
+  cosim::Clk next() const override { return plant_.next(); }
+  int sample(int channel, cosim::Clk n) const override { return plant_.sample(channel, n); }
+  void commit(cosim::Clk n, cosim::Lines drive) override {
+    for (int axis = 0; axis < kAxes; ++axis) meter(axis, n);
+    plant_.commit(n, drive);
+    last_ = n;
+  }
+
+  double stored_j(int axis) const {
+    const plant::AxisState s = plant_.table().state(axis, last_);
+    return motor_.mass_kg * s.v_m_s * s.v_m_s / 2 +
+           0.75 * motor_.inductance_h * (s.i_d_a * s.i_d_a + s.i_q_a * s.i_q_a);
+  }
+
+  std::array<double, kAxes> in_j{}, out_j{}, moved_j{};
+
+ private:
+  struct Power {
+    double in, out, moved;  // from the link; into heat and friction; through the shaft
+  };
+
+  Power power(int axis, cosim::Clk n) const {
+    const plant::AxisState s = plant_.table().state(axis, n);
+    const plant::Axis& drive = plant_.table().axis(axis);
+    const double i_c = -s.i_a_a - s.i_b_a, v = s.v_m_s;
+    const double friction = motor_.coulomb_n * v / std::hypot(v, 0.5e-3);
+    return {drive.leg_volt(0) * s.i_a_a + drive.leg_volt(1) * s.i_b_a + drive.leg_volt(2) * i_c,
+            motor_.resistance_ohm * (s.i_a_a * s.i_a_a + s.i_b_a * s.i_b_a + i_c * i_c) +
+                v * (motor_.viscous_n_s_m * v + friction),
+            std::abs(v * motor_.force_n_a * s.i_q_a)};
+  }
+
+  void meter(int axis, cosim::Clk n) {
+    cosim::Clk from = last_;
+    if ((n - from) % 2 != 0) add(axis, from, from + 1, 0), ++from;  // an even number is left
+    if (n > from) add(axis, from, n, 4);
+  }
+
+  // Simpson's rule where the middle weighs 4, the trapezoid's where it does not count.
+  void add(int axis, cosim::Clk from, cosim::Clk to, double weight) {
+    const Power a = power(axis, from), m = power(axis, (from + to) / 2), b = power(axis, to);
+    const double h = static_cast<double>(to - from) * 20e-9 / (2 + weight);
+    const auto k = static_cast<std::size_t>(axis);
+    in_j[k] += h * (a.in + weight * m.in + b.in);
+    out_j[k] += h * (a.out + weight * m.out + b.out);
+    moved_j[k] += h * (a.moved + weight * m.moved + b.moved);
+  }
+
+  const Motor& motor_;
+  TablePlant plant_;
+  cosim::Clk last_ = 0;
+};
+
+struct Unobserved final : cosim::Observer {
+  void on(const cosim::Stop&, const cosim::Chip&, const cosim::Plant&) override {}
+};
+
 }  // namespace
+
+TEST_CASE("energy through the chip is balanced for each motor, without dead time") {
+  for (const Motor& motor : kMotors) {
+    for (const int carrier : {16000, 40000}) {
+      Options options = circle(motor, Controller::kAfc);
+      options.chip.carrier_Hz = carrier;
+      options.chip.dead_time_min_ns = 0;
+      for (auto& axis : options.chip.axis) axis.dead_time_ns = 0;
+      std::vector<sw::Point> points;
+      const sw::KungSetup setup = plan_firmware(options, points);
+      const sw::Point start = sw::Trajectory(setup).start();
+      options.plant.axis[0].start_m = start.x * motor.count_m;
+      options.plant.axis[1].start_m = start.y * motor.count_m;
+      MeteredPlant plant(motor, options.plant);
+      const std::unique_ptr<KungChip> chip = make_twin_chip();
+      Unobserved nobody;
+      cosim::Loop loop(*chip, plant, nobody);
+      sw::KungApp app(setup);
+      cosim::run_direct(loop, app, {}, edge_at(0.4), [] { return false; });
+      for (int axis = 0; axis < kAxes; ++axis) {
+        const auto k = static_cast<std::size_t>(axis);
+        CAPTURE(motor.name, carrier, axis, plant.in_j[k], plant.out_j[k], plant.moved_j[k]);
+        CHECK(plant.moved_j[k] > 0.02);
+        CHECK(plant.in_j[k] - plant.out_j[k] - plant.stored_j(axis) ==
+              Approx(0).margin(1e-3 * plant.moved_j[k]));
+      }
+    }
+  }
+}
 
 TEST_CASE("five motors follow the circle with gains by the rule, as a fast model says") {
   for (const Motor& motor : kMotors) {
