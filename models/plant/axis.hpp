@@ -85,7 +85,8 @@ class Axis {
   Clk next() const { return next_; }
   void commit(Clk n, unsigned gates);
   unsigned gates() const { return gates_; }
-  void open_phase(Clk n, int phase, bool open);  // from n on it carries no current
+  // From n on, after a commit there.
+  void open_phase(Clk n, int phase, bool open);  // it carries no current
   void supply(Clk n, double share);              // of the DC link
 
   AxisState state(Clk n) const;

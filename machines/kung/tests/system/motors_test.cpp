@@ -200,7 +200,7 @@ TEST_CASE("energy through the chip is balanced for each motor, without dead time
         CAPTURE(motor.name, carrier, axis, plant.in_j[k], plant.out_j[k], plant.moved_j[k]);
         CHECK(plant.moved_j[k] > 0.02);
         CHECK(plant.in_j[k] - plant.out_j[k] - plant.stored_j(axis) ==
-              Approx(0).margin(1e-3 * plant.moved_j[k]));
+              Approx(0).margin(1e-4 * plant.moved_j[k]));
       }
     }
   }
