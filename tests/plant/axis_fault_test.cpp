@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Faults of the axis against closed forms: a phase that is open, a supply that dips. The carriage is
-// held, so that two legs in series are a circuit of 2 R and 2 L.
+// Faults of the axis against closed forms: a phase that is open, a supply that dips. The carriage
+// is held, so that two legs in series are a circuit of 2 R and 2 L.
 #include <catch2/catch.hpp>
 
 #include <cmath>
