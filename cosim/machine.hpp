@@ -59,6 +59,12 @@ struct ProcessorOptions {
 // kMissed: the program ended, but the machine is not where it was to go.
 enum class EndReason { kDone, kFault, kDiverged, kMissed, kTimeout, kStopped, kPromise };
 
+// Of a clock domain of the chip: edges at which it was awake. At the others its clock may be off.
+struct DomainActivity {
+  std::string domain;
+  Clk awake = 0;
+};
+
 // What a run of any machine gives besides its record.
 struct RunResult {
   RunResult() = default;
@@ -72,6 +78,7 @@ struct RunResult {
   std::optional<BrokenPromise> promise;  // kPromise: the first one
   Clk clocks = 0;
   Clk evaluated = 0;                     // of these; the others were leapt over
+  std::vector<DomainActivity> activity;  // of the leaping RTL with clock domains
   Clk events = 0;                        // clocks that hold an event; 0: not counted
   double wall_s = 0;
   std::uint64_t event_hash = 0;          // of all drive, interrupt, sample and bus events

@@ -8,6 +8,7 @@ void close_result(RunResult& result, const MachineChip& chip,
                   std::chrono::steady_clock::time_point started) {
   result.clocks = chip.now();
   result.evaluated = chip.evaluated();
+  result.activity = chip.activity();
   result.promise = chip.broken_promise();
   if (result.promise) result.end = EndReason::kPromise;
   if (window) result.waves = wave_spans(*window, result.clocks);

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "cosim/cosim.hpp"
 #include "cosim/machine.hpp"
@@ -16,6 +17,7 @@ namespace trammel::cosim {
 
 struct MachineChip : Chip {
   virtual Clk evaluated() const = 0;  // edges evaluated; the others were leapt over
+  virtual std::vector<DomainActivity> activity() const { return {}; }
   virtual Clk host_rise() const { return kNever; }  // edge at which the pin HI last rose
   // Changes a bit of a register at once, or only asks whether there is one of that name.
   virtual bool flip(const std::string& bit, bool really) {

@@ -31,6 +31,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Json activity_json(const cosim::RunResult& result) {
+  Json clocks = Json::object();
+  for (const auto& [domain, awake] : result.activity) clocks[domain] = awake;
+  return clocks;
+}
+
 Json simulation_json(const cosim::RunResult& result) {
   const double simulated = seconds_of(result.clocks);
   const double wall = result.wall_s;
@@ -38,6 +44,7 @@ Json simulation_json(const cosim::RunResult& result) {
           {"clock_ps", cosim::kClockPs},
           {"clocks", result.clocks},
           {"clocks_evaluated", result.evaluated},
+          {"activity", activity_json(result)},
           {"simulated_s", simulated},
           {"wall_s", wall},
           {"clocks_per_s", wall > 0 ? static_cast<double>(result.clocks) / wall : 0},
@@ -285,6 +292,17 @@ Written write_record(const Record& record, const OutputFolder& folder, const Jso
     written.code = 2;
   }
   return written;
+}
+
+std::string activity_text(const cosim::RunResult& result) {
+  if (result.activity.empty()) return "  clock domains: only the leaping RTL tells\n";
+  const double clocks = static_cast<double>(std::max<cosim::Clk>(1, result.clocks));
+  std::string text = "  clock domains, share of the clocks at which each was awake:\n";
+  for (const auto& [domain, awake] : result.activity) {
+    text += fmt::format("    {:<12} {:8.4f} %\n", domain,
+                        100 * static_cast<double>(awake) / clocks);
+  }
+  return text;
 }
 
 std::string report_text(const Record& record, const std::string& folder, bool page) {

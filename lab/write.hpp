@@ -44,5 +44,7 @@ Written write_record(const Record& record, const OutputFolder& folder,
 
 // What a person reads at the end of a run; `page`: report.html is there.
 std::string report_text(const Record& record, const std::string& folder, bool page);
+// What clock gating could save: lines of each clock domain of the chip.
+std::string activity_text(const cosim::RunResult& result);
 
 }  // namespace trammel::lab

@@ -27,6 +27,7 @@ struct Arguments {
   bool all = false;
   bool json = false;
   bool report = true;                    // report.html in the folder
+  bool activity = false;                 // also of each clock domain
   bool check = false;                    // exit 1 when a figure is outside its tolerance
   std::set<std::string> flags;           // those of a machine's verb
 };

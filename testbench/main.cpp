@@ -73,6 +73,9 @@ struct CommandLine {
     run->add_flag("--check", arguments.check,
                   "exit 1 if a figure is outside its tolerance, 2 if none has an expected value");
 
+    run->add_flag("--activity", arguments.activity,
+                  "print the share of clocks at which each clock domain of the chip was awake");
+
     for (const tb::Verb& verb : tb::machine_verbs()) add_verb(verb);
 
     report = app.add_subcommand("report", "write the page of a run, or one that compares runs");

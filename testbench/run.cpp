@@ -135,6 +135,7 @@ Outcome run_one(lab::Settings& settings, const fs::path& target, const Arguments
                      record.result->wall_s));
   } else if (!arguments.json) {
     print(lab::report_text(record, shown, written.page));
+    if (arguments.activity) print(lab::activity_text(*record.result));
   }
   outcome.code = tell_end(record, settings.scenario, shown);
   for (const lab::Record& beside : record.companions) {

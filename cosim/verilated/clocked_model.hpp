@@ -18,14 +18,18 @@
 #include <verilated.h>
 
 #include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "cosim/cosim.hpp"
+#include "cosim/machine.hpp"
 #include "cosim/promise.hpp"
 #include "cosim/verilated/clock_pins.hpp"
 #include "cosim/verilated/regions.hpp"
@@ -71,6 +75,7 @@ class ClockedModel {
       clock_pin(*model_) = 0;
       model_->eval();
       by_domain_ = clocks_.learn(*model_);
+      awake_.resize(Clocks::kTimers);
     }
   }
 
@@ -139,6 +144,23 @@ class ClockedModel {
     return 1;
   }
 
+  // Edges at which each domain was awake, by these names; of a leaping chip only.
+  template <std::size_t n>
+  std::vector<DomainActivity> activity(const std::array<const char*, n>& names) const {
+    std::vector<DomainActivity> found;
+    if constexpr (kByDomain) {
+      static_assert(n == Regions<Root>::kDomains);
+      if (!by_domain_ || !leap_) return found;
+      for (std::size_t d = 0; d < n; ++d) {
+        found.push_back({names[d], 0});
+        for (std::size_t k = 0; k < awake_.size(); ++k) {
+          if ((k >> d & 1u) != 0) found.back().awake += awake_[k];
+        }
+      }
+    }
+    return found;
+  }
+
   const std::optional<BrokenPromise>& broken_promise() const { return broken_; }
 
  private:
@@ -162,11 +184,15 @@ class ClockedModel {
   void rise_awake(Clk edge) {
     if constexpr (kByDomain) {
       if (leap_ && edge < event_ && !model_->timed_o && !reset_pin(*model_)) {
-        clocks_.rise(*model_->rootp, awake());
+        const unsigned up = awake();
+        ++awake_[up];
+        clocks_.rise(*model_->rootp, up);
         return;
       }
       catch_up(edge);
-      clocks_.rise(*model_->rootp, awake() | Clocks::kTimers);
+      const unsigned up = awake();
+      ++awake_[up];
+      clocks_.rise(*model_->rootp, up | Clocks::kTimers);
       time_ = edge + 1;
       event_ = time_ + model_->next_o;
     }
@@ -210,6 +236,7 @@ class ClockedModel {
   static constexpr Clk kUnset = std::numeric_limits<Clk>::min();
   // Edge at which the timers stand, and the next that they must see.
   Clk time_ = kUnset, event_ = kUnset;
+  std::vector<Clk> awake_;  // edges at which these domains were awake
   Tracer tracer_;
   std::optional<BrokenPromise> broken_;
 };

@@ -34,6 +34,7 @@ class ChipModel : public KungChip, private ChipState {
 
   cosim::Clk now() const override { return now_; }
   cosim::Clk evaluated() const override { return evaluated_; }
+  std::vector<cosim::DomainActivity> activity() const override { return model_.activity(kDomains); }
   WakeCounts wakes() const override { return wakes_; }
 
   // Between two runs, all that the next edges depend on.
@@ -113,6 +114,10 @@ class ChipModel : public KungChip, private ChipState {
   }
 
  private:
+  // In the order of kung_pkg::domains_t, the lowest bit first.
+  static constexpr std::array<const char*, 11> kDomains{
+      "system", "position", "adc", "angle", "rotate", "pi", "svpwm",
+      "sense_x", "sense_y", "gates_x", "gates_y"};
   static constexpr cosim::Clk kEncoderSettles = 12;  // synchroniser, usual filters, decoder
 
   // Inputs start at random values like every other unset bit.

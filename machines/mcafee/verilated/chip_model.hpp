@@ -31,6 +31,9 @@ class ChipModel : public cosim::HostedChip<McafeeChip, ChipState, Model, Tracer>
   }
 
   cosim::Lines drive() const override { return state_.codes; }
+  std::vector<cosim::DomainActivity> activity() const override {
+    return model_.activity(lm628::kDomains);
+  }
   bool host_irq(int axis) const override { return (model_->hi_o >> axis & 1) != 0; }
 
   void sense(cosim::Lines lines) override {

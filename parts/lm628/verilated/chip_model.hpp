@@ -29,6 +29,7 @@ class ChipModel : public cosim::HostedChip<Lm628Chip, Board, Model, Tracer> {
 
   cosim::Lines drive() const override { return state_.lines; }
   bool host_irq() const override { return host_pin(); }
+  std::vector<cosim::DomainActivity> activity() const override { return model_.activity(kDomains); }
 
   void sense(cosim::Lines lines) override {
     model_->enc_a_i = lines >> kEncoderA & 1u;

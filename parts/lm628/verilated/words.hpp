@@ -5,12 +5,16 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 
 #include "parts/lm628/chip.hpp"
 
 namespace trammel::lm628 {
+
+// Clock domains in the order of lm628_pkg::domains_t, the lowest bit first.
+inline constexpr std::array<const char*, 3> kDomains{"system", "engine", "sense"};
 
 template <class Memory>
 Words words_of(const Memory& memory, unsigned output, unsigned status) {

@@ -12,7 +12,7 @@ from trammel_tools.paths import ROOT
 PROGRAM = ROOT / "build" / "testbench" / "trammel"
 # Of metrics.json: how a run was made and how fast it was, not what it gave.
 MADE = ("command", "versions", "options")
-FAST = ("clocks_evaluated", "wakes", "wall_s", "clocks_per_s", "real_time_factor")
+FAST = ("clocks_evaluated", "activity", "wakes", "wall_s", "clocks_per_s", "real_time_factor")
 
 
 class EngineError(Exception):
