@@ -28,8 +28,14 @@
         `samples; the plots show one in ${run.stride}.`) : null));
   }
 
+  // Shares of the clocks at which each clock domain of the chip was awake.
+  const awake = ({ activity, clocks }) => Object.entries(activity || {})
+    .map(([domain, count]) => `${domain} ${T.num(100 * count / clocks, 3)} %`).join(', ');
+
   function foot(m) {
     const facts = { ...m.versions, 'event hash': m.run.event_hash };
+    if (m.run.real_time_factor) facts['real-time factor'] = m.run.real_time_factor.toFixed(3);
+    if (awake(m.run)) facts['clock domains awake'] = awake(m.run);
     document.getElementById('foot').append(T.el('dl', {}, Object.entries(facts).map(
       ([name, value]) => T.el('div', {}, T.el('dt', {}, name), T.el('dd', {}, String(value))))));
   }
