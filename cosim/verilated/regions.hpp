@@ -94,12 +94,13 @@ class DomainClocks {
   }
 
   void rise(Root& root, unsigned clocks) {
-    raise_clocks(R::move(root), clock_, clocks);
+    if (clocks != raised_) raise_clocks(R::move(root), clock_, raised_ = clocks);
     R::registers(root);
   }
 
  private:
   std::array<unsigned, R::kTriggers> clock_{};
+  unsigned raised_ = 0;  // the model leaves its flags as they are
 };
 
 }  // namespace trammel::cosim
