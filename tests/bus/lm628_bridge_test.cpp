@@ -54,6 +54,7 @@ struct Pair {
     pin("busy_o", rtl->busy_o, twin.busy(in));
     pin("refused_o", rtl->refused_o, twin.refuses(in));
     pin("quiescent_o", rtl->quiescent_o, twin.quiescent(in));
+    rtl->clock_en_i = !twin.quiescent(in);  // its clock is gated where it rests
     Gap gap = twin.quiescent(in) ? std::min(twin.next(), most) : 0;
     if (gap > 1) {
       pin("next_o", rtl->next_o, twin.next());
@@ -65,6 +66,7 @@ struct Pair {
     }
     rtl.tick();
     rtl->leap_i = 0;
+    rtl->clock_en_i = 1;
     rtl.eval();
     clock += gap;
     const Lm628Bridge::Out out = twin.out();

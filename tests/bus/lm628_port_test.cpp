@@ -84,6 +84,7 @@ struct Pair {
     pin("quiescent_o", rtl->quiescent_o, twin.quiescent(in));
     pin("status_o", rtl->status_o << 1, (twin.flags(in) & 0x7E));
     pin("host_irq_o", rtl->host_irq_o, (twin.flags(in) >= 0x8000));
+    rtl->clock_en_i = !twin.quiescent(in);  // its clock is gated where it rests
     const Gap gap = twin.quiescent(in) ? std::min(twin.next(), most) : 0;
     const bool restarts = twin.restarts(in);  // the chip resets its blocks then
     if (gap > 1) {
@@ -96,6 +97,7 @@ struct Pair {
     if (restarts) twin.reset(true);
     rtl->rst_i = restarts;
     rtl.tick();
+    rtl->clock_en_i = 1;
     rtl->rst_i = 0;
     rtl->leap_i = 0;
     rtl.eval();

@@ -67,7 +67,9 @@ TEST_CASE("lm628_output agrees with its twin on random commands, leaps and reset
     }
     REQUIRE(bool(rtl->quiescent_o) == twin.quiescent(in));
     if (twin.quiescent(in)) REQUIRE(rtl->next_o == twin.next(in));
+    rtl->clock_en_i = !twin.quiescent(in);  // its clock is gated where it rests
     leap_or_step(rtl, twin, twin.next(in), random, 4, in);
+    rtl->clock_en_i = 1;
     const Lm628Output::Out out = twin.out();
     REQUIRE(rtl->dac_o == out.dac);
     REQUIRE(bool(rtl->dac_hi_lo_o) == out.dac_hi_lo);
