@@ -9,16 +9,19 @@ the gates all clocks are one. A domain is timed if it is never awake without tim
 import itertools
 import json
 
-from trammel_tools.proof import miter
+from trammel_tools.proof import assumed, miter
 from trammel_tools.proof.properties import PropertiesError
 
 LEMMAS = {
     "sleep": "a domain that is not awake is left as it is by a clock",
-    "free_running": "next > 0: so are registers beside the timers on the free-running clock",
+    "free_running": "next > 0: so is what has the free-running clock, beside the timers",
+    "timed_awake": "timed_o is high only where a domain is awake",
+    "lag_read": "wherever next is read, it is no more than in a state not timed of others",
     "lag_asleep": "next > 1, not timed: timed a clock later only if the timers' old state says so",
     "lag_next": "next > 1, not timed: next falls by one at most, whatever the others do",
     "lag_alone": "next > n, not timed: a leap of n of the timers does not depend on the others",
     "lag_compose": "nor does that a leap of n + 1 is a clock and a leap of n",
+    "lag_still": "not timed: nor does it move what else has the free-running clock",
     "unseen": "nor does what the others see: their registers, awake bits and the outputs",
 }
 # With the products, since equal factors give equal ones; the others take them as free values.
@@ -31,35 +34,50 @@ class Domains:
 
     def __init__(self, path, chip):
         modules = json.loads(path.read_text(encoding="utf-8"))["modules"].values()
-        top = next(m for m in modules if "clock_en_i" in m["ports"] and "awake_o" in m["ports"])
+        self.top = top = next(m for m in modules
+                              if "clock_en_i" in m["ports"] and "awake_o" in m["ports"])
         enables = {bit: n for n, bit in enumerate(top["ports"]["clock_en_i"]["bits"])}
         names = {bits["bits"][0]: name.removeprefix("awake_")
                  for name, bits in top["netnames"].items()
                  if name.startswith("awake_") and len(bits["bits"]) == 1}
         self.names = [names.get(bit, str(n))
                       for n, bit in enumerate(top["ports"]["awake_o"]["bits"])]
-        gate = {}  # net of a gated clock: domain
+        free = top["ports"]["clk_i"]["bits"]
+        self.gate = {free[0]: None}  # net of a clock: domain
         for cell in top["cells"].values():
             pins = cell["connections"]
             for side, other in (("A", "B"), ("B", "A")):
                 if cell["type"] in ("$and", "$logic_and", "$_AND_") and \
-                        pins[side][0] in enables and len(pins["Y"]) == 1 and \
-                        pins[other] == top["ports"]["clk_i"]["bits"]:
-                    gate[pins["Y"][0]] = enables[pins[side][0]]
-        clocks = {}
+                        pins[side][0] in enables and len(pins["Y"]) == 1 and pins[other] == free:
+                    self.gate[pins["Y"][0]] = enables[pins[side][0]]
+        self.clocked = clocks = {}  # bit of a register: net of its clock
         for cell in top["cells"].values():
             if "dff" in cell["type"] and "CLK" in cell["connections"]:
-                clock = gate.get(cell["connections"]["CLK"][0])
+                rises = int(cell["parameters"].get("CLK_POLARITY", "1"), 2)
+                clock = cell["connections"]["CLK"][0] if rises else None
                 clocks |= dict.fromkeys(cell["connections"]["Q"], clock)
-        self.of = {f"{name}[{n + net.get('offset', 0)}]": clocks[bit]
-                   for name, net in top["netnames"].items()
-                   for n, bit in enumerate(net["bits"]) if bit in clocks}
+        self.nets = {f"{name}[{n + net.get('offset', 0)}]": bit
+                 for name, net in top["netnames"].items()
+                 for n, bit in enumerate(net["bits"]) if bit in clocks}
         for bit in chip.registers:
-            if bit not in self.of:
+            if bit not in self.nets:
                 raise PropertiesError(f"{path.stem}: register {bit} has no clock")
-        self.memories = {name: gate.get(clock)
-                         for name in chip.memories
-                         for clock in top["ports"][f"{name}.WR_CLK"]["bits"][:1]}
+        self.of = {bit: self.domain(f"register {bit}", clocks[self.nets[bit]])
+                   for bit in chip.registers}
+        self.memories = {}
+        for name in chip.memories:
+            found = {self.domain(f"memory {name}", clock)
+                     for clock in top["ports"].get(f"{name}.WR_CLK", {"bits": []})["bits"]}
+            if len(found) > 1:
+                raise PropertiesError(f"memory {name} is written in more than one domain")
+            self.memories |= dict.fromkeys([name] * len(found), *found)
+
+    def domain(self, what, clock):
+        """Of what has this clock: a bit of clock_en_i, or None where it runs freely."""
+        if clock not in self.gate:
+            raise PropertiesError(f"{what}: its clock is neither clk_i nor clk_i with one enable "
+                                  "of clock_en_i")
+        return self.gate[clock]
 
 
 class View:
@@ -76,12 +94,14 @@ class View:
                       for memory, word in read]
         nexts = [chip.nexts[bit] for bit in chip.registers]
         outputs = [literal for word in chip.outputs.values() for literal in word]
-        enables = [e for memory in chip.memories.values() for e in memory.enables]
-        literals = iter(g.copy(chip.gates, given, nexts + outputs + enables + chip.gates.bad))
+        writes = [w for memory in chip.memories.values() for w in memory.enables + memory.written]
+        literals = iter(g.copy(chip.gates, given, nexts + outputs + writes + chip.gates.bad))
         self.after = {bit: next(literals) for bit in chip.registers}
         self.out = {port: [next(literals) for _ in word] for port, word in chip.outputs.items()}
-        self.writes = {name: [next(literals) for _ in memory.enables]
-                       for name, memory in chip.memories.items()}
+        self.writes, self.written = {}, {}
+        for name, memory in chip.memories.items():
+            self.writes[name] = [next(literals) for _ in memory.enables]
+            self.written[name] = [next(literals) for _ in memory.written]
         self.reached = g.every(bad ^ 1 for bad in literals)
         self.next, self.timed = self.out["next_o"], self.out["timed_o"][0]
         self.awake = self.out["awake_o"]
@@ -94,6 +114,7 @@ class Questions:
         self.chip, self.domains, self.width = chip, domains, width
         self.graph = g = miter.Graph()
         self.timers = set(chip.timers)
+        self.known = None  # timed domains, once they are asked for
         self.now = {v: g.free() for v in chip.registers.values()}
         self.ports = self.pins()
         self.state = View(self, self.now, self.ports)
@@ -136,14 +157,20 @@ class Questions:
         s, g = self.state, self.graph
         pairs = {bit: (self.now[v], s.after[bit]) for bit, v in self.chip.registers.items()
                  if self.domains.of[bit] == domain}
-        pairs |= {f"{name}[{n}]": (0, enable) for name, enables in s.writes.items()
-                  if self.domains.memories.get(name) == domain for n, enable in enumerate(enables)}
+        pairs |= self.written(s, domain)
         return g.every([s.reached, s.awake[domain] ^ 1, self.moved(pairs)]), pairs
+
+    def written(self, view, domain):
+        """{enable of a write to a memory of the domain: (low, what it is)}"""
+        return {f"{name}[{n}]": (0, enable) for name, enables in view.writes.items()
+                if name in self.domains.memories and self.domains.memories[name] == domain
+                for n, enable in enumerate(enables)}
 
     def free_running(self):
         s, g = self.state, self.graph
         pairs = {bit: (self.now[v], s.after[bit]) for bit, v in self.chip.registers.items()
                  if self.domains.of[bit] is None and bit not in self.timers}
+        pairs |= self.written(s, None)
         return g.every([s.reached, g.some(s.next), self.moved(pairs)]), pairs
 
     def lagging(self, timed):
@@ -151,8 +178,7 @@ class Questions:
         and pins did anything."""
         s, g = self.state, self.graph
         later = View(self, self.others(timed, s.after), self.pins())
-        may = g.every([s.reached, later.reached, s.timed ^ 1, g.some(s.next[1:]),
-                       self.same_memory(s, later)])
+        may = g.every([s.reached, later.reached, s.timed ^ 1, g.some(s.next[1:])])
         return later, may
 
     def stale(self, timed):
@@ -166,9 +192,23 @@ class Questions:
         ports |= {v: g.free() for v in range(1, self.chip.gates.inputs + 1)
                   if v not in known and v not in self.chip.inputs.values()}
         later, stale = View(self, registers, ports), View(self, old, ports)
-        may = g.every([s.reached, later.reached, stale.reached, s.timed ^ 1, g.some(s.next[1:]),
-                       self.same_memory(s, later, stale)])
+        may = g.every([s.reached, later.reached, stale.reached, s.timed ^ 1, g.some(s.next[1:])])
         return later, stale, may
+
+    def timed_awake(self):
+        s = self.state
+        return self.graph.every([s.reached, s.timed, self.graph.some(s.awake) ^ 1]), {}
+
+    def beside(self, timed, leap=None):
+        """The same timers, beside untimed domains and pins of any kind."""
+        kept = {bit: self.now[self.chip.registers[bit]] for bit in self.timers}
+        return View(self, self.others(timed, kept), self.pins(), leap)
+
+    def lag_read(self, timed):
+        g, s = self.graph, self.state
+        read = self.beside(timed)
+        return g.every([s.reached, read.reached, s.timed ^ 1,
+                        g.less(s.next, read.next)]), {}
 
     def lag_asleep(self, timed):
         later, stale, may = self.stale(timed)
@@ -187,11 +227,20 @@ class Questions:
         g, s = self.graph, self.state
         leap = g.word(self.width)
         one = View(self, self.now, self.ports, leap)
-        kept = {bit: self.now[self.chip.registers[bit]] for bit in self.timers}
-        other = View(self, self.others(timed, kept), self.pins(), leap)
+        other = self.beside(timed, leap)
         pairs = {bit: (one.after[bit], other.after[bit]) for bit in self.chip.timers}
         may = g.every([s.reached, one.reached, other.reached, s.timed ^ 1,
-                       g.less([*leap, 0], [*s.next, 0]), self.same_memory(one, other)])
+                       g.less([*leap, 0], [*s.next, 0])])
+        return g.both(may, self.moved(pairs)), pairs
+
+    def lag_still(self, timed):
+        g, s = self.graph, self.state
+        leap = g.word(self.width)
+        other = self.beside(timed, leap)
+        pairs = {bit: (self.now[v], other.after[bit]) for bit, v in self.chip.registers.items()
+                 if self.domains.of[bit] is None and bit not in self.timers}
+        pairs |= self.written(other, None)
+        may = g.every([s.reached, other.reached, s.timed ^ 1, g.less([*leap, 0], [*s.next, 0])])
         return g.both(may, self.moved(pairs)), pairs
 
     def lag_compose(self, timed):
@@ -201,8 +250,7 @@ class Questions:
         at_once = View(self, self.now, self.ports, longer[:self.width])
         later = View(self, self.others(timed, s.after), self.pins(), leap)
         pairs = {bit: (at_once.after[bit], later.after[bit]) for bit in self.chip.timers}
-        may = g.every([s.reached, later.reached, s.timed ^ 1, g.less(longer, [*s.next, 0]),
-                       self.same_memory(at_once, later)])
+        may = g.every([s.reached, later.reached, s.timed ^ 1, g.less(longer, [*s.next, 0])])
         return g.both(may, self.moved(pairs)), pairs
 
     def unseen(self, timed):
@@ -215,11 +263,13 @@ class Questions:
                   for d in untimed}
         pairs |= {f"{name}[{n}]": pair for name in later.writes
                   if self.domains.memories.get(name) in untimed
-                  for n, pair in enumerate(zip(later.writes[name], stale.writes[name]))}
+                  for n, pair in enumerate(zip(later.writes[name] + later.written[name],
+                                               stale.writes[name] + stale.written[name]))}
         pairs |= {f"{port}[{n}]": pair for port, word in later.out.items()
                   if "." not in port and port not in ("next_o", *ASKING)
                   for n, pair in enumerate(zip(word, stale.out[port]))}
-        return g.every([may, later.timed ^ 1, stale.timed ^ 1, self.moved(pairs)]), pairs
+        return g.every([may, later.timed ^ 1, stale.timed ^ 1, self.same_memory(later, stale),
+                        self.moved(pairs)]), pairs
 
 
 def settle(questions, lemma, ask):
@@ -231,15 +281,18 @@ def settle(questions, lemma, ask):
             if verdict != "proven":
                 return verdict, f"domain {questions.domains.names[domain]}: {how}"
         return "proven", ""
-    if lemma == "free_running":
-        return told(ask, *questions.free_running())
-    timed = [d for d in domains if ask(questions.timed(d))[0] == "proven"]
+    if lemma in ("free_running", "timed_awake"):
+        return told(ask, *getattr(questions, lemma)())
+    if questions.known is None:
+        questions.known = [d for d in domains if ask(questions.timed(d))[0] == "proven"]
+        assumed.check(questions.domains, questions.timers, questions.known)
+    timed = questions.known
     if lemma == "lag_next":
-        known = []
+        fall = []
         for bad in questions.lag_next(timed).values():
-            verdict, _ = ask(questions.graph.every([bad, *(k ^ 1 for k in known)]))
+            verdict, _ = ask(questions.graph.every([bad, *(k ^ 1 for k in fall)]))
             if verdict == "proven":
-                known.append(bad)
+                fall.append(bad)
         return verdict, ""
     return told(ask, *getattr(questions, lemma)(timed))
 

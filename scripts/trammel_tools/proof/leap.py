@@ -12,6 +12,7 @@ import itertools
 import sys
 import time
 import tomllib
+from collections import Counter
 
 from trammel_tools.paths import ROOT, RTL
 from trammel_tools.proof import abc, domains, leap_model, miter
@@ -188,14 +189,13 @@ def fall(folder, name, questions, limit):
                     f"{number(value, questions.after_words['next_o'])}"
 
 
-def has_domains(made):
-    return "awake_o" in made.outputs
+def domain_questions(folder, source, made):
+    return domains.Questions(made, domains.Domains(folder / f"{source.name}.cells.json", made),
+                             WORD)
 
 
-def settle_domains(folder, source, made, lemma, limit):
+def settle_domains(folder, source, asked, lemma, limit):
     """As settle(), of a lemma of clock domains."""
-    asked = domains.Questions(made, domains.Domains(folder / f"{source.name}.cells.json", made),
-                              WORD)
     return domains.settle(asked, lemma, lambda bad: ask(folder, f"{source.name}_{lemma}",
                                                         asked.graph, bad, limit))
 
@@ -224,9 +224,11 @@ def check_chip(chip, limit):
         if verdict != "proven":
             wrong.append(f"{lemma}: {verdict} {how}".rstrip())
     asked = len(LEMMAS)
-    if has_domains(made):
+    if leap_model.has_domains(chip):
         said = leap_model.make(folder, [whole])
-        models = {False: (source, made), True: (whole, leap_model.made(folder, whole, said))}
+        models = {source.products: (source, domain_questions(folder, source, model))
+                  for source, model in ((source, made),
+                                        (whole, leap_model.made(folder, whole, said)))}
         for lemma, sentence in domains.LEMMAS.items():
             start = time.monotonic()
             verdict, how = settle_domains(folder, *models[lemma in domains.WHOLE], lemma, limit)
@@ -254,12 +256,16 @@ def broken_designs(chip):
                  for d in table]
     except (OSError, KeyError, tomllib.TOMLDecodeError, ControlError) as error:
         raise PropertiesError(f"{where}: no table of broken designs: {error!r}") from error
-    named = {lemma for _, lemmas, _ in found for lemma in lemmas}
-    known = set(LEMMAS) | set(domains.LEMMAS)
-    wanted = known if named & set(domains.LEMMAS) else set(LEMMAS)
-    for lemma in sorted((wanted - {"stay_n"} - named) | (named - known)):
-        raise PropertiesError(f"{where}: {lemma}: "
-                              f"{'no broken design refutes it' if lemma in known else 'no lemma'}")
+    named = Counter(lemma for _, lemmas, _ in found for lemma in lemmas)
+    wanted = dict.fromkeys(set(LEMMAS) - {"stay_n"}, 1)
+    if leap_model.has_domains(chip):
+        wanted |= dict.fromkeys(domains.LEMMAS, 2)
+    for lemma in sorted(set(named) - set(LEMMAS) - set(domains.LEMMAS)):
+        raise PropertiesError(f"{where}: {lemma}: no lemma")
+    for lemma, number in sorted(wanted.items()):
+        if named[lemma] < number:
+            raise PropertiesError(f"{where}: {lemma}: {named[lemma] or 'no'} broken "
+                                  f"design{'s' * (number > 1)} to refute it, of {number}")
     return found
 
 
@@ -284,13 +290,15 @@ def check_broken(chip, limit):
         except PropertiesError as error:
             wrong.append(f"{what}: `{control.words}` does not apply any more: {error}")
             continue
+        asked = None
         for lemma in lemmas:
             if lemma in domains.LEMMAS:
-                verdict, how = settle_domains(folder, source, made, lemma, limit)
+                asked = asked or domain_questions(folder, source, made)
+                verdict, how = settle_domains(folder, source, asked, lemma, limit)
             else:
                 verdict, how = settle(folder, f"{source.name}_{lemma}", made, Questions(made),
                                       lemma, limit)
-            print(f"  {lemma:<15} {verdict:<8} {what}: {how}", flush=True)
+            print(f"  {lemma:<15} {verdict:<8} {what}{': ' * bool(how)}{how}", flush=True)
             if verdict != "refuted":
                 wrong.append(f"{what}: {lemma} does not refute `{control.words}`")
     print(f"{chip}: {len(designs)} broken designs in {time.monotonic() - begin:.1f} s")

@@ -17,6 +17,7 @@ from trammel_tools.proof.properties import PropertiesError
 from trammel_tools.rtl import hierarchy
 
 PORTS = ("leap_i", "next_o", "quiescent_o")
+DOMAIN_PORTS = ("clock_en_i", "awake_o", "timed_o")
 MEMORY_PORTS = tuple(f".{side}_{port}" for side in ("RD", "WR")
                      for port in ("ADDR", "ARST", "CLK", "DATA", "EN", "SRST"))
 # The state before the edge is asked about: no check waits for its clock.
@@ -49,6 +50,12 @@ def chips():
             and ((RTL / f"chips/{name}_leap.toml").exists()
                  or not any(re.search(rf"^\s*{name}\s+(#|u_\w+\s*\()", other, re.M)
                             for other in texts.values()))]
+
+
+def has_domains(chip):
+    """Whether chips/<chip> has clocks by domain."""
+    text = (RTL / f"{chip}.sv").read_text(encoding="utf-8")
+    return all(re.search(rf"\b{port}\b", text) for port in DOMAIN_PORTS)
 
 
 def rests(chip):
@@ -92,6 +99,7 @@ class Memory:
     address: list[int]  # literals
     data: list[int]  # variables of what is read
     enables: list[int]  # literals of what lets a bit be written
+    written: list[int]  # literals of its address and data
 
 
 @dataclass
@@ -153,7 +161,9 @@ def memories(inputs, words):
             data = []
             while (bit := f"{name}.RD_DATA[{len(data)}]") in inputs:
                 data.append(inputs[bit])
-            found[name] = Memory(address, data, words.get(f"{name}.WR_EN", []))
+            found[name] = Memory(address, data, *(
+                [bit for port in ports for bit in words.get(f"{name}.WR_{port}", [])]
+                for ports in (("EN",), ("ADDR", "DATA"))))
     return found
 
 
