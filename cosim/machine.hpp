@@ -26,6 +26,7 @@ struct RunBasics {
   Platform platform = Platform::kSystemC;
   std::int64_t window_clk = 0;  // longest look-ahead of the loop; 0 = unbounded, 1 = lock step
   bool leap = true;             // waiting clocks are not evaluated; the events stay the same
+  bool domains = true;          // clock domains that sleep are not evaluated; the same
   Engine engine = Engine::kRtl;
   bool audit = false;           // a plain and a leaping chip in step, all registers compared; a
                                 // difference fails the assertion leap_is_exact

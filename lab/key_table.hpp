@@ -125,6 +125,8 @@ struct KeyTable {
     text("run.platform", "SystemC platform or direct wiring", TRAMMEL_LENS(run.platform));
     text("run.leap", "skip clocks in which nothing happens; false: evaluate every clock",
          TRAMMEL_LENS(run.leap));
+    text("run.domains", "evaluate the clock domains that are awake; false: all of them",
+         TRAMMEL_LENS(run.domains));
     one("run.audit", 0, 0, "run a leaping and a plain chip in lock step, compare every register",
         TRAMMEL_LENS(run.audit));
     one("run.assertions", 0, 0, "check the assertions of the RTL in every clock",

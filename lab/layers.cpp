@@ -309,6 +309,8 @@ void check_engine(const Settings& settings) {
        "rtl)"},
       {twin && run.assertions,
        "run.engine: the twin has no assertions; --assert needs the RTL (--engine rtl)"},
+      {twin && !run.domains,
+       "run.domains: the twin has no clock domains; the RTL has (--engine rtl)"},
       {twin && (!run.leap || run.audit),
        "run.engine: the twin has no clocks to evaluate; --no-leap and --audit need the RTL "
        "(--engine rtl)"}};

@@ -74,8 +74,16 @@ class ClockedModel {
     if constexpr (kByDomain) {
       clock_pin(*model_) = 0;
       model_->eval();
-      by_domain_ = clocks_.learn(*model_);
+      by_domain_ = clocks_.learn(*model_) && mode.domains;
       awake_.resize(Clocks::kTimers);
+      if (!by_domain_) {  // the trial left some clocks off, and the pin high
+        enable_all_clocks(*model_);
+        clock_pin(*model_) = 0;
+        model_->eval();
+      }
+    }
+    if constexpr (kAllDomains<Model> != 1 && std::is_same_v<Tracer, NoTrace>) {
+      if (leap_ && mode.domains && !by_domain_) tell_whole();
     }
   }
 

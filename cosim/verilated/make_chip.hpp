@@ -21,7 +21,7 @@ std::unique_ptr<Interface> make_chip(const RunBasics& run, const std::optional<W
                                      const Setup&... setup) {
   using Trace = FstTrace<Traced>;
   using Shown = ChipModel<typename Traced::Model, Trace>;
-  const ModelMode mode{run.leap, run.assertions};
+  const ModelMode mode{run.leap, run.assertions, run.domains};
   const auto make = [&](auto* kind) -> std::unique_ptr<Interface> {
     using Chip = std::remove_pointer_t<decltype(kind)>;
     if (!window) return std::make_unique<Chip>(NoTrace{}, mode, setup...);

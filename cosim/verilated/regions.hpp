@@ -13,6 +13,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstdio>
 
 #include "cosim/verilated/clock_pins.hpp"
 
@@ -36,6 +37,15 @@ template <class Root>
 struct StoredClocks {
   static constexpr bool kKnown = false;
 };
+
+// Says so once where a chip with clock domains is evaluated as a whole.
+inline void tell_whole() {
+  static const int told =
+      std::fprintf(stderr, "trammel: the regions of Verilator %s are not known: clock domains are "
+                           "evaluated together, with the same events, but slower\n",
+                   Verilated::productVersion());
+  static_cast<void>(told);
+}
 
 // Verilator 5.006 has a flag for each clock, 5.48 a bit.
 template <class Flags>

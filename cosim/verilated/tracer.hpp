@@ -10,6 +10,7 @@ namespace trammel::cosim {
 struct ModelMode {
   bool leap = true;      // waiting clocks are leapt over
   bool checked = false;  // assertions are checked, in every clock
+  bool domains = true;   // clock domains that sleep are not evaluated
 };
 
 // Tracer: attach(context, model) before time zero; fell(Clk) after the falling edge before each

@@ -117,6 +117,8 @@ TEST_CASE("a twin has no signals, assertions or clocks to look at") {
     }
     CHECK(message_of(*machine, {twin, "run.assertions=true"}) ==
           "run.engine: the twin has no assertions; --assert needs the RTL (--engine rtl)");
+    CHECK(message_of(*machine, {twin, "run.domains=false"}) ==
+          "run.domains: the twin has no clock domains; the RTL has (--engine rtl)");
     for (const char* clocks : {"run.leap=false", "run.audit=true"}) {
       CHECK(message_of(*machine, {twin, clocks}) ==
             "run.engine: the twin has no clocks to evaluate; --no-leap and --audit need the RTL "

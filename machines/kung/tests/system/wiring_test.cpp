@@ -60,6 +60,16 @@ TEST_CASE("a leaping run has the events of a run that evaluates every clock") {
   CHECK(leaping.evaluated < plain.evaluated / 3);
 }
 
+TEST_CASE("clock domains one by one have the events of all of them together") {
+  Options options = piece();
+  const Result awake = simulate(options, {});
+  options.run.domains = false;
+  const Result all = simulate(options, {});
+  CHECK(all.event_hash == awake.event_hash);
+  CHECK_FALSE(awake.activity.empty());
+  CHECK(all.activity.empty());
+}
+
 TEST_CASE("a traced run has the events of an untraced one") {
   Options options = piece();
   const Result base = simulate(options, {});
