@@ -5,7 +5,8 @@ The circle on two axes, 0.25 simulated seconds of 50 MHz, in rows:
   a  the --sc model of Verilator with sc_clock, every pin a signal: what the ratios refer to
   b  the --cc model, activated by SystemC once a clock
   c  look-ahead, every clock evaluated (run.leap=false)
-  d  look-ahead, leaping: what `trammel run` does
+  w  look-ahead, leaping, all clock domains evaluated (run.domains=false)
+  d  look-ahead, leaping, domains that are awake: what `trammel run` does
   e  the twin engine (run.engine=twin)
   f  Icarus Verilog on a netlist written by Yosys, recorded inputs of 1 ms replayed
   g  cocotb on the Verilator of .venv, the same inputs
@@ -21,6 +22,7 @@ build, 130 interrupted.
 import json
 import sys
 
+import perf_machines
 import perf_rows
 import perf_scaling
 import perf_table
@@ -31,12 +33,14 @@ from trammel_tools import python_tools
 
 def arguments():
     parser = python_tools.Parser(prog="trammel perf", description=__doc__)
-    parser.add_argument("--rows", default="a,b,c,d,e,f,g", metavar="a,b,...", help="default all")
+    parser.add_argument("--rows", default="a,b,c,w,d,e,f,g", metavar="a,b,...", help="default all")
     parser.add_argument("--repeat", type=int, default=3, metavar="N", help="rounds, default 3")
     parser.add_argument("--seconds", type=float, default=0.25, metavar="S",
                         help="simulated by rows a to e, default 0.25")
     parser.add_argument("--scaling", action="store_true",
                         help="cost against simulated time, encoder speed and waves instead")
+    parser.add_argument("--machines", action="store_true",
+                        help="scenarios of every machine, by domain, as a whole and twin, instead")
     parser.add_argument("--json", action="store_true", help="print one JSON document")
     parser.add_argument("--docs", action="store_true",
                         help="write the tables into docs/performance.md")
@@ -88,10 +92,16 @@ def compare(wanted):
     return result, perf_table.text(result)
 
 
-def scale(wanted):
-    result = perf_scaling.document(python_tools.progress)
+def tables(wanted):
+    """Another measurement than the rows: module, and place on the page."""
+    return ((perf_scaling, "scaling") if wanted.scaling else
+            (perf_machines, "machines") if wanted.machines else (None, "rows"))
+
+
+def measure(module):
+    result = module.document(python_tools.progress)
     python_tools.progress("")
-    return result, perf_scaling.text(result)
+    return result, module.text(result)
 
 
 def main():
@@ -101,15 +111,16 @@ def main():
         return 2
     try:
         python_tools.progress("building")
-        perf_rows.build(["d"] if wanted.scaling else wanted.rows)
-        result, table = scale(wanted) if wanted.scaling else compare(wanted)
+        module, place = tables(wanted)
+        perf_rows.build(["d"] if module else wanted.rows)
+        result, table = measure(module) if module else compare(wanted)
     except Failed as error:
         python_tools.progress("")
         print(f"perf: {error}", file=sys.stderr)
         return 1
     print(json.dumps(result, indent=2) if wanted.json else table)
     if wanted.docs:
-        perf_table.write(table, "scaling" if wanted.scaling else "rows")
+        perf_table.write(table, place)
     for line in result.get("errors", []):
         print(f"perf: {line}", file=sys.stderr)
     return 1 if result.get("errors") else 0

@@ -11,7 +11,7 @@ BUILD = ROOT / "build"
 FOLDER = BUILD / "tests" / "kung" / "perf"
 TESTS = ROOT / "machines" / "kung" / "tests" / "perf"
 OUT = BUILD / "perf"
-TARGETS = {"perf_sc_clock": ("a",), "perf_rows": ("b", "c", "d", "e")}
+TARGETS = {"perf_sc_clock": ("a",), "perf_rows": ("b", "c", "w", "d", "e")}
 PREFIX_S = 0.001  # what the replaying rows see
 REPLAYED = ("f", "g")
 
@@ -19,13 +19,15 @@ REPLAYED = ("f", "g")
 NAMES = {"a": "--sc model, sc_clock, pins are signals",
          "b": "--cc model, activated once a clock",
          "c": "look-ahead, every clock evaluated",
-         "d": "look-ahead, leaping",
+         "w": "look-ahead, leaping, all clock domains",
+         "d": "look-ahead, leaping, domains that are awake",
          "e": "twin engine, no RTL",
          "f": "Icarus Verilog, inputs replayed",
          "g": "cocotb on Verilator, inputs replayed"}
 COMMANDS = {"a": ["perf_sc_clock", "sc"],
             "b": ["perf_rows", "clocked"],
             "c": ["perf_rows", "look_ahead", "run.leap=false"],
+            "w": ["perf_rows", "look_ahead", "run.domains=false"],
             "d": ["perf_rows", "look_ahead"],
             "e": ["perf_rows", "look_ahead", "run.engine=twin"]}
 

@@ -12,7 +12,7 @@ from perf_rows import NotHere
 from trammel_tools.paths import ROOT
 
 PAGE = ROOT / "docs" / "performance.md"
-RATIOS = ("b/a", "c/a", "d/a", "d/c", "e/a", "e/c", "e/d")
+RATIOS = ("b/a", "c/a", "d/a", "d/c", "d/w", "e/a", "e/c", "e/d")
 
 
 def cpu_name():
