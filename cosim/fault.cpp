@@ -42,6 +42,11 @@ void check_fault(const Fault& fault, const FaultPins& pins) {
   }
   if (fault.kind == K::kPhaseOpen) check("inject.line", fault.line, pins.phases - 1);
   if (fault.kind == K::kSupplyDip) check("inject.value", fault.value, 100);
+  if (fault.kind == K::kConverterStuck) check("inject.value", fault.value, 4095);
+  if (fault.kind == K::kEncoderMissing || fault.kind == K::kProcessorSlow ||
+      fault.kind == K::kBusStall) {
+    check("inject.value", fault.value, 65535);
+  }
   if (fault.kind == K::kRegisterFlip && !pins.registers) {
     throw OptionsError("inject.fault: register_flip needs run.engine = \"rtl\", whose registers "
                        "have names");

@@ -14,6 +14,7 @@ struct FaultReport {
   Clk detected = kNever, off = kNever;  // kNever: it was not
   std::string by;                       // what detected it
   double stopping = 0;                  // distance from where the drives went off
+  std::string unit = "mm";              // of that
   double peak_A = 0;                    // since the fault
   bool at_stop = false;
 };

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What became of a fault: by what and when it was noticed, when the drives were off, how far the
-// carriage then went; currents and stops by the truth of the plant, at each event.
+// carriage then went; currents and stops by the truth of the plant, at each event. Without an
+// injected fault it watches a trip from where it is noticed, for the way to rest.
 #pragma once
 
 #include <algorithm>
@@ -23,18 +24,21 @@ struct FaultTruth {
 
 class FaultWatch {
  public:
-  FaultWatch(const Fault& fault, std::int64_t clock_ps) {
+  FaultWatch(const Fault& fault, std::int64_t clock_ps, std::string unit = "mm")
+      : injected_(fault.any()) {
     report_.begin = FaultSpan(fault, clock_ps).begin;
+    report_.unit = std::move(unit);
   }
 
   // After an event; by() names what detected a fault, truth() is a FaultTruth.
   template <class By, class Truth>
   void on(const Stop& stop, bool drives_off, By by, Truth truth) {
-    if (stop.edge < report_.begin) return;
+    if (injected_ && stop.edge < report_.begin) return;
     if (report_.detected == kNever) {
       report_.by = by();
       if (!report_.by.empty()) report_.detected = stop.edge;
     }
+    if (!injected_ && report_.detected == kNever) return;
     const FaultTruth now = truth();
     report_.peak_A = std::max(report_.peak_A, now.current_A);
     report_.at_stop = report_.at_stop || now.at_stop;
@@ -50,6 +54,7 @@ class FaultWatch {
   const FaultReport& report() const { return report_; }
 
  private:
+  bool injected_;
   FaultReport report_;
   std::array<double, 2> off_at_{};
 };

@@ -52,15 +52,19 @@ Json simulation_json(const cosim::RunResult& result) {
           {"event_hash", fmt::format("{:016x}", result.event_hash)}};
 }
 
+// The name that inject.fault has.
+std::string fault_kind(const Settings& settings) {
+  for (const Key& key : settings.machine().keys()) {
+    if (key.name == "inject.fault") return std::get<std::string>(key.get(settings));
+  }
+  return "";
+}
+
 Json fault_json(const Settings& settings, const cosim::FaultReport& report) {
   const auto after = [&](cosim::Clk edge) -> Json {
     return edge == cosim::kNever ? Json() : Json(seconds_of(edge - report.begin));
   };
-  Json kind;
-  for (const Key& key : settings.machine().keys()) {
-    if (key.name == "inject.fault") kind = std::get<std::string>(key.get(settings));
-  }
-  return {{"fault", kind},
+  return {{"fault", fault_kind(settings)},
           {"begin_s", seconds_of(report.begin)},
           {"detected_by", report.by},
           {"detected_after_s", after(report.detected)},
@@ -193,6 +197,22 @@ std::string evaluated_text(const Settings& settings, const cosim::RunResult& res
   return fmt::format("{:.1f} % of the clocks evaluated, the others leapt over", share);
 }
 
+// An injected fault and what noticed it.
+std::string injected_text(const Settings& settings, const cosim::RunResult& result) {
+  const cosim::FaultReport& report = result.fault_report;
+  if (report.begin == cosim::kNever) return "";
+  std::string text = fmt::format("  injected {} at {:g} s: ", fault_kind(settings),
+                                 seconds_of(report.begin));
+  if (report.begin >= result.clocks) return text + "the run had ended by then\n";
+  if (report.detected == cosim::kNever) return text + "not noticed\n";
+  text += fmt::format("noticed {:.3g} ms later: {}",
+                      1e3 * seconds_of(report.detected - report.begin), report.by);
+  if (report.off == cosim::kNever) return text + "; outputs not off\n";
+  return text + fmt::format("; outputs off {:.3g} us later, at rest after {:.3g} {}\n",
+                            1e6 * seconds_of(report.off - report.detected), report.stopping,
+                            report.unit);
+}
+
 }  // namespace
 
 Json versions_json() {
@@ -317,6 +337,7 @@ std::string report_text(const Record& record, const std::string& folder, bool pa
     text += fmt::format("\n  {}: {}\n{}", companion.name, companion.verdict,
                         figures_text(companion.figures));
   }
+  text += injected_text(settings, result);
   if (record.machine().remarks != nullptr) {
     for (const std::string& remark : record.machine().remarks(record)) {
       text += fmt::format("  {}\n", remark);

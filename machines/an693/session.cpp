@@ -90,7 +90,7 @@ cosim::Plant& Bench::seen() {
   pins.outputs = options_.part.pulses() ? lm628::kBridgeLines : lm628::kConverterBits;
   pins.registers = options_.run.engine == cosim::Engine::kRtl;
   failing_.emplace(plant_, pins, fault, period_ps());
-  fault_watch_.emplace(fault, period_ps());
+  fault_watch_.emplace(fault, period_ps(), "counts");
   if (fault.kind == cosim::FaultKind::kRegisterFlip) {
     cosim::require_bit(*chip_, fault.bit);
     failing_->flip = [this] { chip_->flip(options_.fault.bit, true); };

@@ -12,14 +12,23 @@ constexpr double kModelScale = 1.0 / 16384;  // x_m is Q14 of a count
 
 }  // namespace
 
-double segment_distance(const PointM& p, const PointM& a, const PointM& b) {
+namespace {
+
+double square_distance(const PointM& p, const PointM& a, const PointM& b) {
   const double dx = b.x_m - a.x_m;
   const double dy = b.y_m - a.y_m;
   const double length2 = dx * dx + dy * dy;
   double t = 0;
   if (length2 > 0) t = ((p.x_m - a.x_m) * dx + (p.y_m - a.y_m) * dy) / length2;
   t = std::clamp(t, 0.0, 1.0);
-  return std::hypot(p.x_m - a.x_m - t * dx, p.y_m - a.y_m - t * dy);
+  const double x = p.x_m - a.x_m - t * dx, y = p.y_m - a.y_m - t * dy;
+  return x * x + y * y;
+}
+
+}  // namespace
+
+double segment_distance(const PointM& p, const PointM& a, const PointM& b) {
+  return std::sqrt(square_distance(p, a, b));
 }
 
 Spread spread(const Series& series) {
@@ -75,17 +84,17 @@ Series signed_contour_error(const Points& table, const Points& path, std::size_t
     }
     while (near.size() > 1 && near[1].at + reach < k) near.pop_front();
     const PointM own = table[k];
-    double best = tracking_error(near.front().point, own);
+    double best = square_distance(own, near.front().point, near.front().point);
     bool right = false;
     for (std::size_t i = 0; i + 1 < near.size() && near[i].at <= k + reach; ++i) {
       const PointM& a = near[i].point;
       const PointM& b = near[i + 1].point;
-      const double distance = segment_distance(own, a, b);
-      if (distance >= best) continue;
-      best = distance;
+      const double square = square_distance(own, a, b);
+      if (square >= best) continue;
+      best = square;
       right = (b.x_m - a.x_m) * (own.y_m - a.y_m) < (b.y_m - a.y_m) * (own.x_m - a.x_m);
     }
-    errors.push_back(right ? -best : best);
+    errors.push_back(right ? -std::sqrt(best) : std::sqrt(best));
   }
   return errors;
 }

@@ -200,6 +200,10 @@ List figures(const lab::Settings& settings, cosim::RunResult& run) {
                              result.from_last_m * kMm, "mm", 2));
   list.back().shown = !path.is_sweep() &&
                       (result.end == EndReason::kDone || result.end == EndReason::kMissed);
+  list.push_back(lab::figure("at_end.stopping_mm", "after the trip", "way to rest",
+                             result.fault_report.stopping, "mm", 2));
+  list.back().shown = result.end == EndReason::kFault && result.points > 0 &&
+                      result.fault_report.off != cosim::kNever;
   if (options.settle_s > 0) add_settling(list, options, result, range);
   add_peak("peak_current_A", "peak current", &AxisSignals::peak_current_A, "A", 2);
   add_peak("max_speed_m_s", "top speed", &AxisSignals::max_speed_m_s, "m/s", 3);

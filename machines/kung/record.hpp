@@ -100,7 +100,8 @@ struct Result : cosim::RunResult {
 
   cosim::DiskVector<Sample> samples;    // every 2 kHz sample from the first tick of the chip on
   std::uint32_t first_tick = 0;   // sample at which point 0 of the path took effect
-  std::uint32_t end_tick = 0;     // first sample after the last point's: figures use [first, end)
+  std::uint32_t end_tick = 0;     // first sample after the last point's, or after a trip: figures
+                                  // use [first, end)
   std::uint32_t points = 0;       // written by the processor
   double beside_m = 0;            // kDiverged: distance from the path asked, 0 if from the model
   double from_last_m = 0;         // of the table at the end, from the last point asked

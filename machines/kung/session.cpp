@@ -91,6 +91,10 @@ Session::Session(const Options& options, const Hooks& hooks, const cosim::Waves&
                                              edge_at(1.0 / options_.chip.carrier_Hz));
   tee_.detail = detail_.get();
   tee_.recorder = recorder_.get();
+  fault_watch_.emplace(options_.fault, options_.plant.clock_ps);
+  tee_.watch = [this](const cosim::Stop& stop) { watch_fault(stop); };
+  // A trip turns the gates off and interrupts: their own many changes tell nothing more.
+  tee_.watched = cosim::kIrq | cosim::kBusDone | cosim::kTick;
   if (options_.fault.any()) inject();
   cosim::Plant& seen = failing_ ? static_cast<cosim::Plant&>(*failing_) : *plant_;
   loop_ = std::make_unique<cosim::Loop>(*chip_, seen, tee_, options_.run.window());
@@ -107,9 +111,8 @@ std::unique_ptr<KungChip> Session::make_chip() {
 void Session::inject() {
   const cosim::Fault& fault = options_.fault;
   const std::int64_t clock_ps = options_.plant.clock_ps;
+  tee_.watched = ~cosim::kLimit;
   failing_.emplace(*plant_, fault_pins(options_), fault, clock_ps);
-  fault_watch_.emplace(fault, clock_ps);
-  tee_.fault = [this](const cosim::Stop& stop) { watch_fault(stop); };
   if (fault.kind != cosim::FaultKind::kRegisterFlip) return;
   cosim::require_bit(*chip_, fault.bit);
   failing_->flip = [this] { chip_->flip(options_.fault.bit, true); };
@@ -132,13 +135,12 @@ void Session::watch_fault(const cosim::Stop& stop) {
     }
     return now;
   };
-  if (stop.why != cosim::kLimit) fault_watch_->on(stop, chip_->drive() == 0, by, truth);
+  fault_watch_->on(stop, chip_->drive() == 0, by, truth);
 }
 
-// Of an injected fault the table's way to rest is recorded, too.
+// The table's way to rest is recorded, too.
 bool Session::fault_is_over(const Sample& sample) {
-  ++after_fault_;
-  if (!options_.fault.any()) return after_fault_ > kSamplesAfterFault;
+  if (after_fault_++ == 0) result_.end_tick = std::max(sample.tick, result_.first_tick + 1);
   const bool rests = std::abs(sample.axis[0].v_true_m_s) + std::abs(sample.axis[1].v_true_m_s) <
                      kAtRest_m_s;
   return after_fault_ > kSamplesAfterFault && (rests || after_fault_ > kLongestStop);
@@ -208,7 +210,7 @@ std::unique_ptr<cosim::RunResult> Session::result() {
   result_.event_hash = recorder_->event_hash();
   result_.detail = detail_->take();
   result_.wakes = chip_->wakes();
-  if (fault_watch_) result_.fault_report = fault_watch_->report();
+  result_.fault_report = fault_watch_->report();
   result_.from_last_m = followed_->from_m(asked_->asked());
   if (result_.end == EndReason::kDone) {
     result_.missed = options_.path.is_sweep()

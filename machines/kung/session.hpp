@@ -99,9 +99,10 @@ class Session final : public cosim::Session {
     void on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant& plant) override {
       detail->on(stop, chip, plant);
       recorder->on(stop, chip, plant);
-      if (fault) fault(stop);
+      if ((stop.why & watched) != 0) watch(stop);
     }
-    std::function<void(const cosim::Stop&)> fault;
+    std::function<void(const cosim::Stop&)> watch;
+    unsigned watched = 0;  // reasons of a stop at which it is called
     cosim::Observer* detail = nullptr;
     cosim::Observer* recorder = nullptr;
   };

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "cosim/fault_plant.hpp"
+#include "cosim/fault_watch.hpp"
 #include "cosim/machine.hpp"
 
 using namespace trammel::cosim;
@@ -215,7 +216,17 @@ TEST_CASE("a place that the machine has not is refused, with what it has") {
                     "inject.fault: this machine has no such part");
   CHECK_THROWS_WITH(check_fault(of(FaultKind::kSupplyDip, 0, 101), pins()),
                     "inject.value: value 101 is out of range, allowed 0..100");
+  CHECK_THROWS_WITH(check_fault(of(FaultKind::kEncoderStuck, 2), pins()),
+                    "inject.line: value 2 is out of range, allowed 0..1");
   CHECK_NOTHROW(check_fault(of(FaultKind::kGateDead, 5), pins()));
+  CHECK_THROWS_WITH(check_fault(of(FaultKind::kConverterStuck, 0, 4096), pins()),
+                    "inject.value: value 4096 is out of range, allowed 0..4095");
+  for (const FaultKind kind : {FaultKind::kEncoderMissing, FaultKind::kProcessorSlow,
+                               FaultKind::kBusStall}) {
+    CHECK_THROWS_WITH(check_fault(of(kind, 0, -3), pins()),
+                      "inject.value: value -3 is out of range, allowed 0..65535");
+    CHECK_NOTHROW(check_fault(of(kind, 0, 65535), pins()));
+  }
 }
 
 TEST_CASE("a processor is stopped, slow or waits for its bus while its fault lasts") {
@@ -231,4 +242,23 @@ TEST_CASE("a processor is stopped, slow or waits for its bus while its fault las
   CHECK(garbage.written(99, 5) == 5);
   CHECK(garbage.written(100, 5) != 5);
   CHECK(garbage.written(100, 5) == garbage.written(100, 7));
+}
+
+TEST_CASE("a fault counts from its first edge, and the way behind it in both axes") {
+  FaultWatch watch(Bench::timed(of(FaultKind::kGateDead)), kClockPs);
+  FaultTruth now;
+  const auto truth = [&now] { return now; };
+  const auto by = [] { return std::string("a check"); };
+  now.current_A = 9;
+  watch.on({99, kDrive}, true, by, truth);
+  CHECK(watch.report().detected == kNever);
+  CHECK(watch.report().peak_A == 0);
+  now = {{1, 2}, 3, false};
+  watch.on({100, kDrive}, true, by, truth);
+  CHECK(watch.report().detected == 100);
+  CHECK(watch.report().off == 100);
+  CHECK(watch.report().peak_A == 3);
+  now.at = {4, -2};
+  watch.on({120, kDrive}, true, by, truth);
+  CHECK(watch.report().stopping == Approx(5));
 }

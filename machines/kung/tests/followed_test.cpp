@@ -62,6 +62,17 @@ TEST_CASE("a table that is not at the end, beside the path, or went only a part 
   waits.followed.add({0.13, 0.14}, 0);
   CHECK(waits.missed() ==
         "the table covered 1.00 x 1.00 mm of a path of 30.00 x 40.00 mm," + above);
+  // Each side of the path by itself; the last point is at its middle.
+  for (const char* side : {"low x", "low y", "high x", "high y"}) {
+    CAPTURE(side);
+    const std::string which = side;
+    Judge judge(line());
+    judge.followed.add({which == "low x" ? 0.115 : 0.1, which == "low y" ? 0.12 : 0.1}, 0);
+    judge.followed.add({which == "high x" ? 0.115 : 0.13, which == "high y" ? 0.12 : 0.14}, 0);
+    judge.followed.add({0.115, 0.12}, 0);
+    CHECK(judge.followed.missed(501, 501, {0.115, 0.12}, {0.115, 0.12})
+              .find("the table covered ") == 0);
+  }
 }
 
 TEST_CASE("the limit is run.reached_m, or lies between 3 counts and run.diverged_m") {

@@ -45,6 +45,36 @@ TEST_CASE("the trip pin ends the run") {
   CHECK(result.fault.tick == 101);  // ticks at 0, 0.5 ms, ..., 50 ms have passed
 }
 
+TEST_CASE("after any trip the way to rest is recorded and told, and the figures end at the trip") {
+  Options options = short_circle();
+  options.run.engine = Engine::kTwin;
+  options.inject.trip_s = 0.15;  // at 0.5 m/s
+  options.run.max_s = 2;
+  Result result = simulate(options, {});
+  const double mm = result.fault_report.stopping;
+  const auto last = result.samples.back().axis;
+  CHECK(std::hypot(last[0].v_true_m_s, last[1].v_true_m_s) < 1e-3);
+  const Sample at = result.samples[300];  // 0.15 s, as the pin rises
+  const double way_m = std::hypot(last[0].x_true_m - at.axis[0].x_true_m,
+                                  last[1].x_true_m - at.axis[1].x_true_m);
+  CHECK(mm == Approx(1e3 * way_m).margin(0.01));
+  CHECK(mm > 10);
+  CHECK(result.fault_report.begin == trammel::cosim::kNever);  // none was injected
+  double told = 0, largest_mm = 0;
+  for (const auto& figure : machine().figures(options, result)) {
+    if (figure.id == "at_end.stopping_mm" && figure.shown) told = figure.value;
+    if (figure.id == "tracking.model.max_mm") largest_mm = figure.value;
+  }
+  CHECK(told == mm);
+  CHECK(largest_mm < 5);  // the model goes on while the table stops
+  options.inject.trip_s = 0;
+  options.chip.following_error_m = 0.004;  // the firmware's, not the chip's
+  result = simulate(options, {});
+  REQUIRE(result.end == EndReason::kFault);
+  CHECK(result.fault_report.off != trammel::cosim::kNever);
+  CHECK(result.fault_report.stopping > 1);
+}
+
 TEST_CASE("a jump of both encoder lines ends the run") {
   Options options = short_circle();
   options.inject.encoder_s = 0.05;
