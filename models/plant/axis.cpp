@@ -7,38 +7,22 @@
 #include <stdexcept>
 
 #include "models/plant/ad7476.hpp"
+#include "models/plant/root.hpp"
+#include "models/plant/spans.hpp"
 
 namespace trammel::plant {
 namespace {
 
-constexpr double kSegment = 6.25e-6;  // [s] longest span of one series
-constexpr double kHorizon =
-    62.5e-6;                        // [s] look-ahead of next(), at whose end the axis is committed
-constexpr double kShortest = 1e-9;  // [s] keeps a chain of events finite
+constexpr double kSegment = 6.25e-6;  // [s] span of one series, whatever the motor
+constexpr double kTurn = 0.0124;      // the same in time constants or radians: kTurn^4/24 is 1e-9
+constexpr double kGap = 3.125e-6;     // [s] the same with a leg off: dead times are shorter
+constexpr double kHorizon = 62.5e-6;  // [s] look-ahead, at whose end the axis is committed
+constexpr double kAhead = 1e-6;       // [s] an event that is nearer is searched for
+constexpr double kShortest = 1e-9;    // [s] keeps a chain of events finite
 constexpr std::array<AlphaBeta, 3> kPhase{AlphaBeta{1, 0}, AlphaBeta{-0.5, 0.86602540378443865},
                                           AlphaBeta{-0.5, -0.86602540378443865}};
 
 double dot(const AlphaBeta& a, const AlphaBeta& b) { return a.alpha * b.alpha + a.beta * b.beta; }
-
-// Zero of a function of t in (0, length) that changes sign there.
-template <class F>
-double root(F f, double length) {
-  double a = 0, b = length, f_a = f(0.0), f_b = f(length);
-  for (int k = 0; k < 60 && b - a > 1e-13; ++k) {
-    double t = k % 3 == 2 || f_a == f_b ? 0.5 * (a + b) : a - f_a * (b - a) / (f_b - f_a);
-    if (!(t > a && t < b)) t = 0.5 * (a + b);
-    const double f_t = f(t);
-    if (f_t == 0) return t;
-    if ((f_t > 0) == (f_a > 0)) {
-      a = t;
-      f_a = f_t;
-    } else {
-      b = t;
-      f_b = f_t;
-    }
-  }
-  return b;
-}
 
 }  // namespace
 
@@ -65,19 +49,33 @@ PmlsmConfig motor_config(const AxisConfig& c) {
   return m;
 }
 
-// Near rest friction has the time constant M v_f/F_c; a span stays well below it if it is short.
-double segment_length(const PmlsmConfig& m, double longest) {
-  const double friction = (std::fabs(m.coulomb) + m.stribeck) * 4;
-  return friction * longest > m.mass * m.friction_speed ? m.mass * m.friction_speed / friction
-                                                        : longest;
+namespace {
+
+// Slow motors allow longer spans; but a switch's drop has one sign for all of a span.
+double longest_span(AxisConfig c) {
+  if (c.switch_drop_v != 0 || c.diode_drop_v != 0) {
+    c.longest_span_s = std::min(c.longest_span_s, kSegment);
+  }
+  const MotorRates motor(motor_config(c));
+  const double rate = std::max(
+      {motor.winding, motor.thrust, motor.viscous, motor.cogging, 2 * kPi * c.mode_hz});
+  const double usual = std::min(kSegment, c.longest_span_s);
+  return std::min(motor.span(), std::clamp(kTurn / rate, usual, c.longest_span_s));
 }
+
+}  // namespace
 
 Axis::Axis(const AxisConfig& config, double period_s, std::uint64_t seed)
     : config_(config),
       period_(period_s),
       horizon_(static_cast<Clk>(kHorizon / period_s)),
+      ahead_(static_cast<Clk>(kAhead / period_s)),
       motor_(motor_config(config)),
-      segment_(segment_length(motor_.config(), kSegment)),
+      segment_(longest_span(config)),
+      rest_(4 * std::max(config.friction_speed_m_s,
+                         config.stribeck_n == 0 ? 0 : config.stribeck_speed_m_s)),
+      waves_(motor_.angular_speed(config.cogging_harmonic_n != 0 ? 2 * config.cogging_harmonic
+                                                                 : 2)),
       inverter_({config.dc_link_v, config.switch_drop_v, config.diode_drop_v}),
       link_({config.dc_link_v, config.supply_ohm, config.dc_link_f, config.chopper_v}),
       sensors_{CurrentSensor({config.current_full_scale_a, config.current_noise_a,
@@ -98,7 +96,7 @@ Axis::Axis(const AxisConfig& config, double period_s, std::uint64_t seed)
         config.adc_bits >= 6 && config.adc_bits <= 16)) {
     throw std::invalid_argument("axis: encoder or converter out of range");
   }
-  if (segment_ < 1e-7) throw std::invalid_argument("axis: friction speed too small for the mass");
+  if (segment_ < kShortestSpan) throw std::invalid_argument("axis: too fast for its spans");
   if (config.load_n != 0) {
     constexpr Clk kNever = std::numeric_limits<Clk>::max();
     const auto edge = [period_s](double t) { return static_cast<Clk>(std::llround(t / period_s)); };
@@ -108,11 +106,11 @@ Axis::Axis(const AxisConfig& config, double period_s, std::uint64_t seed)
   load(0);
   const MotorState rest{config.start_m, 0, 0, 0, 0, 0};
   begin({rest, motor_.angle(rest.x)}, 7);
-  next_ = next_event(0);
+  look_ahead(0);
 }
 
 double Axis::phase_current(const Span& f, double t, std::size_t leg) const {
-  const SinCos a = motor_.angle_at(f, t);
+  const SinCos a = motor_.angle_at(f, f.position(t));
   const AlphaBeta i = Pmlsm::stator(Span::cubic(f.i_d, t), Span::cubic(f.i_q, t), a);
   return dot(i, kPhase[leg]);
 }
@@ -120,7 +118,7 @@ double Axis::phase_current(const Span& f, double t, std::size_t leg) const {
 // Motor state t seconds into a segment, with the currents of the legs in `zero` exactly removed.
 Axis::Point Axis::point(const Segment& s, double t, unsigned zero) const {
   Point p{s.span.at(t), {}};
-  p.angle = motor_.angle(p.motor.x);
+  p.angle = motor_.angle_at(s.span, p.motor.x);
   if (zero == 0) return p;
   if ((zero & (zero - 1)) != 0) {  // two currents are zero: all are
     p.motor.i_d = p.motor.i_q = 0;
@@ -141,10 +139,18 @@ void Axis::begin(const Point& p, unsigned zero) {
   known_ = 1;
 }
 
+// Of a span from state m: short where friction may turn over, or the magnets' forces change fast.
+double Axis::length(const MotorState& m) const {
+  if (segment_ <= kSegment) return segment_;
+  const double v = std::fabs(m.v);
+  if (v < rest_ + std::fabs(motor_.force(m)) / motor_.config().mass * segment_) return kSegment;
+  return waves_ * v * segment_ > kTurn ? std::max(kSegment, kTurn / (waves_ * v)) : segment_;
+}
+
 // Writes every member of s.
 void Axis::build(Segment& s, double start, const Point& at, unsigned zero) const {
-  s.start = start;
-  s.length = segment_;
+s.start = start;
+  s.length = length(at.motor);
   s.held = s.meets_stop = false;
   s.dies = 0;
   s.stop = 0;
@@ -164,6 +170,7 @@ void Axis::build(Segment& s, double start, const Point& at, unsigned zero) const
   const std::array<double, 3> current = to_phases(Pmlsm::stator(p.motor.i_d, p.motor.i_q, p.angle));
   const bool some_off =
       opened_ != 0 || both_off(gates_, 0) || both_off(gates_, 1) || both_off(gates_, 2);
+  if (some_off) s.length = std::min(s.length, kGap);
   const std::array<double, 3> emf =
       some_off ? to_phases(motor_.emf(p.motor, p.angle)) : std::array<double, 3>{};
   const auto keep_zero = [&](std::size_t leg, std::array<double, 3> volt) {
@@ -174,14 +181,23 @@ void Axis::build(Segment& s, double start, const Point& at, unsigned zero) const
   };
   s.legs = inverter_.resolve(gates_, current, zero, emf, keep_zero, opened_);
   motor_.span(s.span, p.motor, p.angle, clarke(s.legs.volt), {s.held, s.legs.open});
-  if (some_off && !s.legs.open) end_at_dead_current(s);
+  if (some_off && !s.legs.open) end_at_dead_current(s, current);
   if (config_.hard_stops && !s.held) end_at_stop(s);
 }
 
-void Axis::end_at_dead_current(Segment& s) const {
-  for (std::size_t leg = 0; leg < 3; ++leg) {
+// Ends the segment where the current of a diode dies out. What begins above all that the currents
+// can change by, in the rotating and in the stator's frame, needs no search.
+void Axis::end_at_dead_current(Segment& s, const std::array<double, 3>& current) const {
+  const double length = s.length, turn = motor_.turn_bound(s.span, length);
+  const auto most = [length](const std::array<double, 4>& c) {
+    return length * (std::fabs(c[1]) + length * (std::fabs(c[2]) + length * std::fabs(c[3])));
+  };
+  const double d = most(s.span.i_d), q = most(s.span.i_q);
+  const double before = std::fabs(s.span.i_d[0]) + std::fabs(s.span.i_q[0]);
+  const double change = d + q + turn * (d + q + before);
+for (std::size_t leg = 0; leg < 3; ++leg) {
     const int sign = s.legs.diode[leg];
-    if (sign == 0) continue;
+    if (sign == 0 || std::fabs(current[leg]) > change) continue;
     const auto flow = [&](double t) { return sign * phase_current(s.span, t, leg); };
     if (flow(s.length) > 0) continue;
     if (flow(0) > 0) {
@@ -254,11 +270,17 @@ double Axis::link_charge(double t) const {
 }
 
 void Axis::commit(Clk n, unsigned gates) {
-  const bool own = n >= next_;
+  if (early_ && n >= next_) {
+    early_ = false;
+    next_ = until_load(anchor_, predict());
+    if (n < next_ && gates == gates_) return;
+  }
+const bool own = n >= next_;
   const double t = seconds(n - anchor_);
   const Segment& s = segment_at(t);
   const unsigned zero = s.legs.open ? 7u : s.legs.floating | opened_;
-  const Point p = point(s, t - s.start, zero);
+  Point p = point(s, t - s.start, zero);
+  if (own) p.angle = motor_.angle(p.motor.x);  // anew, or rounding would add up
   // Only the axis' own event moves the lines, so that a change of the drive never does so unseen.
   if (own) encoder_.follow(p.motor.x);
   if (!link_.stiff()) {
@@ -271,7 +293,7 @@ void Axis::commit(Clk n, unsigned gates) {
   shoot_through_ = shoot_through_ || plant::shoot_through(gates);
   load(n);
   begin(p, zero);
-  next_ = next_event(n);
+  look_ahead(n);
 }
 
 void Axis::open_phase(Clk n, int phase, bool open) {
@@ -289,12 +311,6 @@ void Axis::supply(Clk n, double share) {
 void Axis::load(Clk n) {
   const bool loaded = n >= load_begin_ && n < load_end_;
   motor_.set_external_force(config_.external_force_n + (loaded ? config_.load_n : 0));
-}
-
-Clk Axis::next_event(Clk n) const {
-  const Clk due = predict();
-  return n < load_begin_ ? std::min(due, load_begin_) : n < load_end_ ? std::min(due, load_end_)
-                                                                      : due;
 }
 
 AxisState Axis::state(Clk n) const {
@@ -317,77 +333,6 @@ int Axis::frame(int phase, std::uint64_t seed, int channel, Clk n) const {
   const int code = sensors_[static_cast<std::size_t>(phase)].code(phase == 0 ? s.i_a_a : s.i_b_a,
                                                                   seed, channel, n);
   return serial_frame(code, config_.adc_bits);
-}
-
-// No edge and no stop can be reached within `time`, whatever the inverter does.
-bool Axis::far_from_events(const Segment& s, double time) const {
-  const MotorState m{s.span.x[0],   s.span.v[0], s.span.i_d[0],
-                     s.span.i_q[0], s.span.y[0], s.span.y_speed[0]};
-  double room = std::min(encoder_.high() - m.x, m.x - encoder_.low());
-  if (config_.hard_stops && !s.held) {
-    room = std::min({room, m.x - config_.stroke_min_m, config_.stroke_max_m - m.x});
-  }
-  const double speed = std::fabs(m.v);
-  if (speed * time >= room) return false;
-  const double volt = inverter_.config().dc_link + config_.diode_drop_v;
-  const double a = motor_.acceleration_bound(m, volt, time);
-  return (speed + a * time) * time < room;
-}
-
-Clk Axis::predict() const {
-  Clk from = 1;
-  for (std::size_t k = 0;; ++k) {
-    const Segment& s = k == 0 ? chain_[0] : successor(k - 1);
-    if (far_from_events(s, seconds(horizon_) - s.start)) return anchor_ + horizon_;
-    const double end = s.start + s.length;
-    Clk to = std::min(horizon_, static_cast<Clk>(end / period_) + 1);
-    while (to >= from && seconds(to) > end) --to;
-    const Clk edge = to >= from ? first_edge(s, from, to) : kNoEdge;
-    if (edge != kNoEdge) return anchor_ + edge;
-    if (to >= horizon_) return anchor_ + horizon_;
-    if (s.meets_stop) return anchor_ + std::max(to, from - 1) + 1;
-    from = std::max(from, to + 1);
-  }
-}
-
-// First clock in [from, to] of a segment at which the position is outside the encoder's count.
-Clk Axis::first_edge(const Segment& s, Clk from, Clk to) const {
-  const double t_0 = seconds(from - 1) - s.start;
-  const double t_1 = seconds(to) - s.start;
-  if ((s.span.speed(t_0) > 0) != (s.span.speed(t_1) > 0) && to > from) {
-    // The carriage reverses: the extreme position may lie in between.
-    const double turn =
-        t_0 + root([&](double t) { return s.span.speed(t_0 + t); }, t_1 - t_0) + s.start;
-    const Clk m = std::clamp(static_cast<Clk>(turn / period_), from, to - 1);
-    if (outside(s, m)) return search(s, from - 1, m);
-    if (outside(s, m + 1)) return m + 1;
-    return outside(s, to) ? search(s, m + 1, to) : kNoEdge;
-  }
-  return outside(s, to) ? search(s, from - 1, to) : kNoEdge;
-}
-
-// First outside clock in (in, out], the position being monotonic: regula falsi, then halving.
-Clk Axis::search(const Segment& s, Clk in, Clk out) const {
-  const auto at = [&](Clk m) { return s.span.position(seconds(m) - s.start); };
-  const double x_out = at(out);
-  const double edge = x_out >= encoder_.high() ? encoder_.high() : encoder_.low();
-  double gap_in = at(in) - edge, gap_out = x_out - edge;
-  for (int k = 0; out - in > 1; ++k) {
-    Clk m = (in + out) / 2;
-    if (k < 4 && gap_out != gap_in) {
-      const double guess = gap_in / (gap_in - gap_out) * static_cast<double>(out - in);
-      const Clk step = guess >= 1 ? static_cast<Clk>(std::fmin(guess, 1e9)) : 0;
-      m = std::clamp(in + step + (k & 1), in + 1, out - 1);
-    }
-    if (outside(s, m)) {
-      out = m;
-      gap_out = at(m) - edge;
-    } else {
-      in = m;
-      gap_in = at(m) - edge;
-    }
-  }
-  return out;
 }
 
 }  // namespace trammel::plant

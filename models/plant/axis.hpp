@@ -2,9 +2,10 @@
 //
 // One table axis: inverter, motor, carriage with stops, encoder, current sensors. The gate bits
 // hold from a commit on; from there the motion is a chain of segments (motor spans) that end
-// after 6.25 us, where a diode current dies out, or where the carriage meets a stop. Segments
-// follow from the last commit alone, so every query in between is pure and next() agrees with
-// what commit() will find.
+// after 25 us at most (of a fast motor after 6.25 us or less, spans.hpp), where a diode current
+// dies out, or where the carriage meets a stop. Segments follow from the last commit alone, so
+// every query in between is pure. next() is no later than the next event: one that is far away is
+// searched for at the commit there, which moves nothing if it is still to come.
 #pragma once
 
 #include <array>
@@ -64,6 +65,7 @@ struct AxisConfig {  // defaults: X axis of the table
   double continuous_current_a = 1.6, peak_current_a = 4.8;  // rating: rms, largest of a phase
   double start_m = 0;
   int adc_bits = 12;
+  double longest_span_s = 25e-6;  // of one series
 };
 
 struct AxisState {
@@ -75,7 +77,6 @@ struct AxisState {
 };
 
 PmlsmConfig motor_config(const AxisConfig& c);
-double segment_length(const PmlsmConfig& m, double longest);  // [s] of a span
 
 class Axis {
  public:
@@ -120,17 +121,20 @@ class Axis {
   double seconds(Clk clocks) const { return static_cast<double>(clocks) * period_; }
   void begin(const Point& p, unsigned zero);
   void build(Segment& s, double start, const Point& p, unsigned zero) const;
-  void end_at_dead_current(Segment& s) const;
+  void end_at_dead_current(Segment& s, const std::array<double, 3>& current) const;
   void end_at_stop(Segment& s) const;
   const Segment& successor(std::size_t k) const;
   const Segment& segment_at(double t) const;
   Point point(const Segment& s, double t, unsigned zero) const;
+  double length(const MotorState& m) const;
   double phase_current(const Span& f, double t, std::size_t leg) const;
   double link_charge(double t) const;
 
   void load(Clk n);  // the external force from edge n on
   Clk predict() const;
-  Clk next_event(Clk n) const;  // predict(), but no later than the load changes
+  void look_ahead(Clk n);
+  Clk until_load(Clk n, Clk due) const;  // due, but no later than the load changes
+  Clk safe_clocks() const;
   Clk first_edge(const Segment& s, Clk from, Clk to) const;
   bool outside(const Segment& s, Clk m) const {
     return encoder_.leaves(s.span.position(seconds(m) - s.start));
@@ -140,9 +144,10 @@ class Axis {
 
   AxisConfig config_;
   double period_;
-  Clk horizon_;
+  Clk horizon_, ahead_;
   Pmlsm motor_;
-  double segment_;  // [s] longest span of one series
+  double segment_;       // [s] longest span of one series
+  double rest_, waves_;  // [m/s] of friction, [rad/m] of the magnets' forces
   Inverter inverter_;
   DcLink link_;
   std::array<CurrentSensor, 2> sensors_;  // of phases a and b
@@ -157,6 +162,8 @@ class Axis {
   mutable std::vector<Segment> chain_;
   mutable std::size_t known_ = 0;
   Clk next_ = 0;
+  bool early_ = false;  // the event is at next_ or later
+  Clk safe_ = 0;        // no line moves before, whatever the gates do
 };
 
 }  // namespace trammel::plant

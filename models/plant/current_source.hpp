@@ -10,6 +10,7 @@
 
 #include "models/plant/axis.hpp"
 #include "models/plant/pmlsm.hpp"
+#include "models/plant/spans.hpp"
 
 namespace trammel::plant {
 
@@ -17,7 +18,7 @@ class CurrentSource {
  public:
   explicit CurrentSource(const AxisConfig& config)
       : motor_(motor_config(config)),
-        longest_(segment_length(motor_.config(), kLongest)),
+        longest_(std::min(kLongest, MotorRates(motor_.config()).carriage_span())),
         state_{config.start_m, 0, 0, 0} {}
 
   // Moves on by `seconds` with i_q [A].
@@ -29,7 +30,7 @@ class CurrentSource {
       state_.i_d = 0;
       state_.i_q = i_q;
       const double w = motor_.angular_speed(state_.v);
-      const SinCos angle = motor_.angle(state_.x);
+      const SinCos angle = c.cogging != 0 ? motor_.angle(state_.x) : SinCos{0, 1};
       const plant::AlphaBeta u = Pmlsm::stator(
           -w * c.inductance_q * i_q, c.resistance * i_q + w * motor_.flux(), angle);
       motor_.span(span_, state_, angle, u, {});

@@ -2,12 +2,15 @@
 //
 // A DC motor whose shaft moves a sensor with lines, behind a converter and a linear amplifier. The
 // first clock at which a line changes is predicted under the present voltage, with the same steps
-// that a commit takes. A Sensor says whether its lines change at an angle (`leaves`), takes the
+// that a commit takes, and no further than a commit may be: next() is no later than that clock, and
+// a commit there that changes nothing goes on with the search. A Sensor says whether its lines change at an angle (`leaves`), takes the
 // angle (`follow`), and gives the limits of current and angle (`bounds`).
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "models/plant/dc_motor.hpp"
 
@@ -21,7 +24,7 @@ class SensedMotor {
   SensedMotor(const DcMotorConfig& motor, const Sensor& sensor, std::int64_t clock_ps)
       : motor_(motor), period_(static_cast<double>(clock_ps) * 1e-12), sensor_(sensor) {
     bounds_ = motor_.within(sensor_.bounds());
-    predict();
+    begin();
   }
 
   const Sensor& sensor() const { return sensor_; }
@@ -31,6 +34,45 @@ class SensedMotor {
 
   // `command` acts from clock n on; 1 is full scale.
   void commit(std::int64_t n, double command) {
+    if (early_ && n >= next_) {
+      while (early_ && n >= next_) predict();
+      if (n < next_ && command == command_) return;
+    }
+    advance(n, command);
+  }
+
+  // From clock n on: the winding carries no current; the amplifier has that share of its supply.
+  void open(std::int64_t n, bool open) {
+    open_ = open;
+    advance(n, command_);
+  }
+  void supply(std::int64_t n, double share) {
+    supply_ = share;
+    advance(n, command_);
+  }
+
+  // From clock n on: the torque [N m] against positive motion.
+  void load(std::int64_t n, double torque) {
+    advance(n, command_);
+    motor_.load(torque);
+    begin();
+  }
+
+  DcMotorState state(std::int64_t n) const {
+    std::size_t k = 0;
+    std::int64_t left = n - since_;
+    for (; left > kStep && k + 1 < steps_.size(); left -= kStep) ++k;
+    DcMotorState s = steps_[k];
+    for (; left > kStep; left -= kStep) s = after(s, kStep);
+    return after(s, left);
+  }
+
+ private:
+  static constexpr std::int64_t kStep = 800;      // [clk], one step of the motor's integration
+  static constexpr std::int64_t kLook = 12800;    // [clk], how far an edge is searched for at once
+  static constexpr std::int64_t kAhead = 100000;  // [clk], after which the motor is committed
+
+  void advance(std::int64_t n, double command) {
     state_ = state(n);
     since_ = n;
     sensor_.follow(state_.theta);
@@ -39,60 +81,41 @@ class SensedMotor {
     command_ = command;
     state_.i = std::clamp(state_.i, bounds_.i_low, bounds_.i_high);
     volt_ = supply_ * motor_.voltage(command);
+    begin();
+  }
+
+  void begin() {
+    steps_.assign(1, state_);
     predict();
   }
-
-  // From clock n on: the winding carries no current; the amplifier has that share of its supply.
-  void open(std::int64_t n, bool open) {
-    open_ = open;
-    commit(n, command_);
-  }
-  void supply(std::int64_t n, double share) {
-    supply_ = share;
-    commit(n, command_);
-  }
-
-  // From clock n on: the torque [N m] against positive motion.
-  void load(std::int64_t n, double torque) {
-    commit(n, command_);
-    motor_.load(torque);
-    predict();
-  }
-
-  DcMotorState state(std::int64_t n) const {
-    DcMotorState s = state_;
-    std::int64_t left = n - since_;
-    for (; left > kStep; left -= kStep) s = after(s, kStep);
-    return after(s, left);
-  }
-
- private:
-  static constexpr std::int64_t kStep = 800;      // [clk], one step of the motor's integration
-  static constexpr std::int64_t kAhead = 100000;  // [clk], how far ahead an edge is searched for
 
   DcMotorState after(const DcMotorState& s, std::int64_t clocks) const {
     return clocks == 0 ? s
                        : motor_.after(s, static_cast<double>(clocks) * period_, volt_, bounds_);
   }
 
-  // The first clock after `since_` at which a line changes; where there is none within kAhead, the
-  // motor is committed there and the search goes on.
+  // The first clock after `since_` at which a line changes, if it is within kLook from where the
+  // search stands.
   void predict() {
-    DcMotorState s = state_;
-    for (std::int64_t begin = 0; begin < kAhead; begin += kStep) {
-      const DcMotorState end = after(s, kStep);
-      if (sensor_.leaves(end.theta)) {
-        std::int64_t low = 0, high = kStep;  // inside at low, outside at high
-        while (high - low > 1) {
-          const std::int64_t middle = (low + high) / 2;
-          (sensor_.leaves(after(s, middle).theta) ? high : low) = middle;
-        }
-        next_ = since_ + begin + high;
-        return;
+    const auto at = [this] { return static_cast<std::int64_t>(steps_.size() - 1) * kStep; };
+    early_ = false;
+    for (const std::int64_t end = at() + kLook; at() < kAhead;) {
+      if (at() >= end) {
+        early_ = true;
+        break;
       }
-      s = end;
+      const DcMotorState s = steps_.back();
+      steps_.push_back(after(s, kStep));
+      if (!sensor_.leaves(steps_.back().theta)) continue;
+      std::int64_t low = 0, high = kStep;  // inside at low, outside at high
+      while (high - low > 1) {
+        const std::int64_t middle = (low + high) / 2;
+        (sensor_.leaves(after(s, middle).theta) ? high : low) = middle;
+      }
+      next_ = since_ + at() - kStep + high;
+      return;
     }
-    next_ = since_ + kAhead;
+    next_ = since_ + at();
   }
 
   DcMotor motor_;
@@ -104,6 +127,8 @@ class SensedMotor {
   double supply_ = 1;  // share that is left
   bool open_ = false;
   std::int64_t since_ = 0, next_ = 0;
+  bool early_ = false;  // the line changes at next_ or later
+  std::vector<DcMotorState> steps_;  // since the last commit, as far as the search went
 };
 
 }  // namespace trammel::plant

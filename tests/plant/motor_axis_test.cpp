@@ -69,8 +69,14 @@ TEST_CASE("motor_axis takes a load from a clock on, and predicts the edges that 
   CHECK(axis.count() < -10);
   MotorAxis pushed({});
   pushed.load(1000, 1);
-  const std::int64_t first = pushed.next();
   const double border = -0.6 * MotorAxis::kTurn / 4000;  // with half of the hysteresis
+  std::int64_t first = pushed.next();
+  for (; pushed.state(first).theta > border; first = pushed.next()) {  // still to come
+    REQUIRE(first < 100'000);
+    pushed.commit(first, 0);
+    REQUIRE(pushed.next() > first);
+    REQUIRE(pushed.count() == 0);
+  }
   CHECK(pushed.state(first).theta <= border);
   CHECK(pushed.state(first - 1).theta > border);
   axis.load(1'000'000, 0);

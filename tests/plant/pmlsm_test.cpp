@@ -177,7 +177,7 @@ TEST_CASE("electrical energy equals loss, work, friction and stored energy") {
     double in = 0, out = 0;
     const auto power = [&](const Span& f, const AlphaBeta& u, double t) {
       const MotorState s = f.at(t);
-      const SinCos a = m.angle_at(f, t);
+      const SinCos a = m.angle_at(f, f.position(t));
       const AlphaBeta i = Pmlsm::stator(s.i_d, s.i_q, a);
       const double out_power =
           1.5 * c.resistance * (s.i_d * s.i_d + s.i_q * s.i_q) + s.v * load(c, s.x, s.v);
