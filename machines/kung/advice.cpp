@@ -10,36 +10,101 @@
 
 #include "machines/kung/machine.hpp"
 #include "machines/kung/plan.hpp"
+#include "machines/kung/plan_parts.hpp"
 #include "machines/kung/words.hpp"
+#include "models/ideal/reference_model.hpp"
 
 namespace trammel::kung {
 namespace {
 
-// Largest speed of each axis along the path [m/s]; of a square wave that of the reference model,
-// whose step response is steepest at step omega_n / e (damping ratio 1).
-std::array<double, 2> top_speed_m_s(const Options& options, const sw::KungSetup& setup) {
-  const PathOptions& path = options.path;
-  if (path.kind == PathKind::kSquare) {
-    const double step_m = std::abs(path.square_high_m - path.square_low_m);
-    return {step_m * options.gains[0].omega_n_rad_s / std::exp(1),
-            step_m * options.gains[1].omega_n_rad_s / std::exp(1)};
+// The most that following the model along the path asks of an axis.
+struct Demand {
+  double force_N = 0, at_force_m_s = 0;  // largest thrust, and the speed there
+  double volt = 0, at_volt_m_s = 0;      // of a phase
+};
+
+double sign(double v) { return v > 0 ? 1 : v < 0 ? -1 : 0; }
+
+class AxisDemand {
+ public:
+  AxisDemand(const Options& options, std::size_t axis, double start_m)
+      : plant_(options.plant.axis[axis]), sample_s_(options.chip.sample_s()),
+        dead_V_(4 / kPi * plant_.dc_link_v * 1e-9 * options.chip.axis[axis].dead_time_ns *
+                options.chip.carrier_Hz),
+        model_({options.gains[axis].omega_n_rad_s, options.gains[axis].zeta, sample_s_}),
+        x_(start_m) {
+    model_.reset(start_m);
   }
-  if (path.open_position()) return {};
+
+  void add(double command_m) {
+    const double x = model_.step(command_m);
+    const double v = (x - x_) / sample_s_, a = (v - v_) / sample_s_;
+    x_ = x;
+    v_ = v;
+    const double force = (plant_.mass_kg + plant_.payload_kg) * a + plant_.viscous_n_s_m * v +
+                         plant_.coulomb_n * sign(v) + plant_.external_force_n +
+                         plant_.cable_n_m * (x - plant_.cable_rest_m);
+    if (std::abs(force) > most.force_N) most.force_N = std::abs(force), most.at_force_m_s = v;
+    // lambda omega_e = 2/3 K_F v, and the drops of that thrust's current.
+    const double i = force / plant_.force_constant_n_a;
+    const double volt = dead_V_ + std::hypot(
+        2.0 / 3 * plant_.force_constant_n_a * v + plant_.resistance_ohm * i,
+        kPi / plant_.pole_pitch_m * v * plant_.inductance_q_h * i);
+    if (volt > most.volt) most.volt = volt, most.at_volt_m_s = v;
+  }
+
+  Demand most;
+
+ private:
+  const plant::AxisConfig& plant_;
+  double sample_s_;
+  double dead_V_;  // that the dead times take: a square wave of V_dc times their share
+  ideal::ReferenceModel model_;
+  double x_, v_ = 0;
+};
+
+std::array<Demand, 2> demand(const Options& options, const sw::KungSetup& setup) {
+  const PathOptions& path = options.path;
+  if (path.is_sweep()) return {};  // the table need not follow it
   sw::PathSetup once = setup;
   once.repeats = 1;
   sw::Trajectory points(once);
-  sw::Point last = points.start();
-  std::int32_t x = 0, y = 0;  // [counts per point]
-  for (std::uint32_t n = points.size(); n > 0; --n) {
-    const sw::Point p = points.next();
-    x = std::max(x, std::abs(p.x - last.x));
-    y = std::max(y, std::abs(p.y - last.y));
-    last = p;
+  const double count_m = options.plant.axis[0].encoder_count_m;
+  sw::Point p = points.start();
+  AxisDemand x(options, 0, p.x * count_m), y(options, 1, p.y * count_m);
+  const int held = ticks_per_point(path, options.chip.irq_period_ticks);
+  double left_s = options.run.max_s;  // what comes later is not run
+  for (std::uint32_t n = points.size(); n > 0 && left_s > 0; --n) {
+    left_s -= held * options.chip.sample_s();
+    const sw::Point last = p;
+    p = points.next();
+    for (int k = 1; k <= held; ++k) {
+      const auto at = [&](const AxisGains& g, std::int32_t from, std::int32_t to) {
+        return count_m * (g.interpolate ? from + static_cast<double>(to - from) * k / held : to);
+      };
+      x.add(at(options.gains[0], last.x, p.x));
+      y.add(at(options.gains[1], last.y, p.y));
+    }
   }
-  const double point_s = ticks_per_point(path, options.chip.irq_period_ticks) *
-                         options.chip.sample_s();
-  return {x * options.plant.axis[0].encoder_count_m / point_s,
-          y * options.plant.axis[1].encoder_count_m / point_s};
+  return {x.most, y.most};
+}
+
+// Of the speed loop [rad/s], whose open loop is kv K_F / (M s).
+std::string speed_loop_text(const Options& options, std::size_t a) {
+  const plant::AxisConfig& plant = options.plant.axis[a];
+  const AxisGains& g = options.gains[a];
+  if (options.gains_by_rule || options.path.is_sweep() || plant.locked) return "";
+  const double kg = plant.mass_kg + plant.payload_kg;
+  const double rate = g.kv * kSpeedGain * plant.force_constant_n_a / kg;
+  const bool slow = rate < g.omega_n_rad_s / 2, fast = rate * options.chip.sample_s() > 1.2;
+  if (!slow && !fast) return "";
+  const char axis = a == 0 ? 'x' : 'y';
+  return fmt::format("{0}: gains.{0}.kv = {1:g} makes of {2:g} kg a speed loop of {3:.3g} rad/s, "
+                     "too {4}; gains.by_rule makes 220 rad/s", axis, g.kv, kg, rate,
+                     slow ? fmt::format("slow for gains.{}.omega_n_rad_s = {:g}", axis,
+                                        g.omega_n_rad_s)
+                          : fmt::format("fast for chip.position_Hz = {}",
+                                        options.chip.position_Hz));
 }
 
 }  // namespace
@@ -48,29 +113,34 @@ std::vector<std::string> advice(const lab::Settings& settings) {
   const auto& options = static_cast<const Options&>(settings);
   std::vector<sw::Point> points;
   const sw::KungSetup setup = plan_firmware(options, points);
-  const std::array<double, 2> speed_m_s = top_speed_m_s(options, setup);
+  const std::array<Demand, 2> most = demand(options, setup);
   std::vector<std::string> lines;
   for (std::size_t a = 0; a < 2; ++a) {
     const plant::AxisConfig& plant = options.plant.axis[a];
     const char axis = a == 0 ? 'x' : 'y';
-    const double v = speed_m_s[a];
-    const double load_N = plant.coulomb_n + plant.viscous_n_s_m * v +
-                          std::abs(plant.external_force_n);
-    const double load_A = load_N / plant.force_constant_n_a;
+    const double load_A = most[a].force_N / plant.force_constant_n_a;
     const double largest_A = 2047 * current_ref_lsb_A(plant.current_full_scale_a);
     if (load_A > largest_A) {
-      lines.push_back(fmt::format("{}: friction and load of {:.4g} N at {:.3g} m/s take {:.3g} A; "
-                                  "plant.{}.current_full_scale_A = {:g} allows an i_q* of {:.3g} A",
-                                  axis, load_N, v, load_A, axis, plant.current_full_scale_a,
-                                  largest_A));
+      lines.push_back(fmt::format("{}: inertia, friction and load of {:.4g} N at {:.3g} m/s take "
+                                  "{:.3g} A; plant.{}.current_full_scale_A = {:g} allows an i_q* "
+                                  "of {:.3g} A", axis, most[a].force_N,
+                                  std::abs(most[a].at_force_m_s), load_A, axis,
+                                  plant.current_full_scale_a, largest_A));
     }
-    // Of a phase: lambda omega_e = 2/3 K_F v, and the drop of the load's current.
-    const double volt = 2.0 / 3 * plant.force_constant_n_a * v + plant.resistance_ohm * load_A;
     const double supply = plant.dc_link_v / std::sqrt(3.0);
-    if (volt > supply) {
-      lines.push_back(fmt::format("{}: back-EMF and drop of {:.4g} V at {:.3g} m/s are above the "
-                                  "{:.4g} V of a phase that plant.{}.dc_link_V = {:g} gives",
-                                  axis, volt, v, supply, axis, plant.dc_link_v));
+    if (most[a].volt > supply) {
+      lines.push_back(fmt::format("{}: back-EMF, drop and dead time of {:.4g} V at {:.3g} m/s are "
+                                  "above the {:.4g} V of a phase that plant.{}.dc_link_V = {:g} "
+                                  "gives", axis, most[a].volt, std::abs(most[a].at_volt_m_s),
+                                  supply, axis, plant.dc_link_v));
+    }
+    const std::string loop = speed_loop_text(options, a);
+    if (!loop.empty()) lines.push_back(loop);
+    const double still_N = plant.coulomb_n + plant.stribeck_n;
+    if (!plant.brake && !plant.locked && std::abs(plant.external_force_n) > still_N) {
+      lines.push_back(fmt::format("{0}: {1:g} N are above the friction of {2:g} N: they move the "
+                                  "carriage before its drive is on, as plant.{0}.brake = false",
+                                  axis, std::abs(plant.external_force_n), still_N));
     }
     const double offset_A = std::max(std::abs(plant.current_offset_a_a),
                                      std::abs(plant.current_offset_b_a));

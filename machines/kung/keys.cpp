@@ -134,7 +134,9 @@ void add_gains(Table& t, std::size_t axis) {
       &AxisGains::current_ki_V_A);
   add("theta_offset_rad", -7, 7, "electrical angle at count 0", &AxisGains::theta_offset_rad);
   add("feedforward", 0, 0, "velocity feed-forward from the model", &AxisGains::feedforward);
-  add("interpolate", 0, 0, "commands linear between interrupts", &AxisGains::interpolate);
+  add("interpolate", 0, 0,
+      "commands linear over the four position samples of chip.irq_period_ticks = 4",
+      &AxisGains::interpolate);
 }
 
 void add_chip(Table& t) {

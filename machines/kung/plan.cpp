@@ -16,6 +16,7 @@
 #include "machines/kung/words.hpp"
 #include "models/exact/drive/carrier.hpp"
 #include "models/plant/ad7476.hpp"
+#include "models/plant/spans.hpp"
 
 namespace trammel::kung {
 namespace {
@@ -23,6 +24,7 @@ namespace {
 constexpr int kMaxTicks = static_cast<int>(sw::kMaxTicks);
 constexpr int kMaxStrokeCounts = 130000;  // the model's integrator holds 131071 (section 3)
 constexpr double kLeastTurnCounts = 16;
+constexpr int kInterpolated = 4;  // position samples in which the chip reaches a point
 constexpr double kMaxPoints = 2147483647;
 constexpr cosim::PointRange kTable{0, 600};  // [mm]
 constexpr std::array<std::uint32_t, 3> kPositionHz{1000, 2000, 4000};  // by RATES.position
@@ -144,6 +146,21 @@ std::uint32_t shift_de_word(const std::string& key, int shift, int position_hz) 
   return word(shift + more);
 }
 
+// The plant can follow winding and friction.
+void check_motor(const plant::AxisConfig& plant, std::size_t axis) {
+  const plant::MotorRates rates(plant::motor_config(plant));
+  const std::string at = fmt::format("plant.{}.", axis == 0 ? 'x' : 'y');
+  const double shortest_us = 1e7 * plant::kShortestSpan;
+  require(1e6 / rates.winding >= shortest_us,
+          fmt::format("{}resistance_ohm over inductance: a winding of {:.3g} us is faster than the "
+                      "{:g} us that the plant can follow", at, 1e6 / rates.winding, shortest_us));
+  require(rates.span() >= plant::kShortestSpan,
+          fmt::format("{0}viscous_N_s_m, {0}friction_speed_m_s: friction that stops {1:g} kg in "
+                      "{2:.3g} us is faster than the plant can follow", at,
+                      plant::motor_config(plant).mass,
+                      1e6 / std::max(rates.friction, rates.viscous)));
+}
+
 std::uint32_t clocks(int ns, std::int64_t clock_ps) {
   return static_cast<std::uint32_t>((std::int64_t{1000} * ns + clock_ps - 1) / clock_ps);
 }
@@ -236,6 +253,7 @@ sw::AxisSetup plan_axis(const Options& options, std::size_t axis) {
   s.a0_scale = model.a0_scale;
   s.b2 = word(model.b2) & 0xFFFFFFu;
 
+  check_motor(plant, axis);
   const double turn_counts = 2 * plant.pole_pitch_m / plant.encoder_count_m;
   require(turn_counts >= kLeastTurnCounts,
           fmt::format("{}: value {:g} is {:.3g} counts of {} an electrical turn, which takes at "
@@ -275,9 +293,22 @@ sw::AxisSetup plan_axis(const Options& options, std::size_t axis) {
                       "not rise with the position", key("plant", "encoder_error_m"),
                       plant.encoder_error_m, steepest_m, key("plant", "encoder_period_m"),
                       plant.encoder_period_m));
+  require(plant.chopper_v == 0 || plant.chopper_v >= plant.dc_link_v,
+          fmt::format("{}: value {:g} must be 0 or at least {} = {:g}: it would burn the supply",
+                      key("plant", "chopper_V"), plant.chopper_v, key("plant", "dc_link_V"),
+                      plant.dc_link_v));
   require(plant.load_end_s == 0 || plant.load_end_s > plant.load_begin_s,
           fmt::format("{}: value {:g} must be 0 or above {} = {:g}", key("plant", "load_end_s"),
                       plant.load_end_s, key("plant", "load_begin_s"), plant.load_begin_s));
+  const int held = ticks_per_point(options.path, options.chip.irq_period_ticks);
+  require(!g.interpolate || held == kInterpolated || options.path.kind == PathKind::kSquare,
+          fmt::format("{}: must be off with points {} position samples apart "
+                      "(chip.irq_period_ticks): the chip reaches one in {}",
+                      key("gains", "interpolate"), held, kInterpolated));
+  require(c.dead_time_ns < 0.5e9 / options.chip.carrier_Hz,
+          fmt::format("{}: value {} must be below {:g}, half a period of chip.carrier_Hz = {}: no "
+                      "gate would turn on", key("chip", "dead_time_ns"), c.dead_time_ns,
+                      0.5e9 / options.chip.carrier_Hz, options.chip.carrier_Hz));
   s.interpolate = g.interpolate;
   s.feedforward = g.feedforward;
   return s;

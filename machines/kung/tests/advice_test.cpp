@@ -12,6 +12,23 @@ using namespace trammel;
 using namespace trammel::kung;
 using Catch::Contains;
 
+TEST_CASE("only what is run is judged, so that a path of days is judged at once") {
+  Options o;
+  o.path.circle_ticks = 1'000'000;
+  o.path.repeats = 1000;
+  o.chip.irq_period_ticks = 255;
+  o.chip.watchdog_ticks = 300;
+  o.run.max_s = 1;
+  CHECK(advice(o).empty());
+  o.path = {};
+  o.path.kind = PathKind::kPoints;  // rests for longer than the run takes
+  o.path.points.assign(20, {0.1, 0.1});
+  o.path.points.back() = {0.3, 0.1};
+  CHECK(advice(o).empty());
+  o.run.max_s = 60;
+  CHECK_FALSE(advice(o).empty());
+}
+
 TEST_CASE("the paper's table has nothing to be told, on any of its paths") {
   for (const PathKind kind : {PathKind::kCircle, PathKind::kWindow, PathKind::kStar,
                               PathKind::kSquare, PathKind::kLine}) {
@@ -23,25 +40,76 @@ TEST_CASE("the paper's table has nothing to be told, on any of its paths") {
 
 TEST_CASE("a supply below the back-EMF at the path's speed is told with both voltages") {
   Options o;
-  o.plant.axis[1].dc_link_v = 40;
+  o.path.kind = PathKind::kLine;  // Y at 0.3 m/s, after its start without acceleration
+  o.plant.axis[1].dc_link_v = 27;
+  o.plant.axis[1].mass_kg = 0.1;
   o.plant.axis[1].viscous_n_s_m = o.plant.axis[1].coulomb_n = 0;
+  o.gains[1].kv = 0.1;
+  o.chip.dead_time_min_ns = o.chip.axis[1].dead_time_ns = 0;
   const std::vector<std::string> lines = advice(o);
   REQUIRE(lines.size() == 1);
-  // 2/3 79.9 N/A 0.5 m/s = 26.6 V; 40 V / sqrt 3 = 23.1 V
-  CHECK_THAT(lines[0], Contains("y: back-EMF and drop of 26.6") && Contains("at 0.5 m/s") &&
-                           Contains("above the 23.09 V") && Contains("plant.y.dc_link_V = 40"));
-  o.path.kind = PathKind::kSquare;  // 10 mm 30 rad/s / e = 0.11 m/s
+  // 2/3 79.9 N/A 0.3 m/s = 15.98 V; 27 V / sqrt 3 = 15.59 V
+  CHECK_THAT(lines[0], Contains("y: back-EMF, drop and dead time of 15.98 V") &&
+                           Contains("at 0.3 m/s") && Contains("above the 15.59 V") &&
+                           Contains("plant.y.dc_link_V = 27"));
+  o.plant.axis[1].dc_link_v = 28;
   CHECK(advice(o).empty());
-  o.path.square_high_m = 0.1;
+  o.chip.axis[1].dead_time_ns = 4000;  // 28 V 4 us 16 kHz 4 / pi = 2.28 V
+  CHECK_THAT(advice(o).at(0), Contains("dead time of 18.27 V"));
+  o.path.kind = PathKind::kSquare;  // its fastest step is that of the model, step omega_n / e
+  o.path.square_high_m = 0.1;       // 1.1 m/s
   CHECK_THAT(advice(o).at(0), Contains("at 1.1 m/s"));
 }
 
-TEST_CASE("a load above the thrust of the largest i_q* is told") {
+TEST_CASE("inertia and load above the thrust of the largest i_q* are told") {
   Options o;
   o.plant.axis[0].external_force_n = -500;
-  CHECK_THAT(advice(o).at(0), Contains("x: friction and load of 513 N at 0.5 m/s take 6.42 A; "
-                                       "plant.x.current_full_scale_A = 9.6 allows an i_q* of "
-                                       "4.8 A"));
+  CHECK_THAT(advice(o).at(0), Contains("x: inertia, friction and load of 5") &&
+                                  Contains("plant.x.current_full_scale_A = 9.6 allows an i_q* of "
+                                           "4.8 A"));
+  o = {};
+  o.path.kind = PathKind::kSquare;  // of 10 mm: 40 kg 10 mm (30 rad/s)^2 = 360 N at its start
+  o.plant.axis[0].mass_kg = 40;
+  o.gains_by_rule = true;
+  CHECK(advice(o).empty());
+  o.plant.axis[0].mass_kg = 50;  // 450 N, 5.6 A
+  REQUIRE(advice(o).size() == 1);
+  CHECK_THAT(advice(o)[0], Contains("x: inertia, friction and load of 4") && Contains(" take 5."));
+}
+
+TEST_CASE("a force that moves the carriage before the start is told") {
+  Options o;
+  o.plant.axis[1].external_force_n = -30;
+  CHECK(advice(o).empty());
+  o.plant.axis[1].brake = false;
+  CHECK_THAT(advice(o).at(0), Contains("y: 30 N are above the friction of 4.8 N: they move the "
+                                       "carriage before its drive is on, as plant.y.brake = "
+                                       "false"));
+  o.plant.axis[1].stribeck_n = 26;
+  CHECK(advice(o).empty());
+}
+
+TEST_CASE("a sweep, which the table need not follow, has nothing to be told") {
+  Options o;
+  o.path.kind = PathKind::kSweep;
+  o.path.sweep_amplitude_m = 0.01;
+  o.path.sweep_last_ticks = 8;
+  CHECK(advice(o).empty());
+}
+
+TEST_CASE("a speed loop that is too slow or too fast for its load is told") {
+  Options o;
+  o.plant.axis[0].payload_kg = 11;  // the paper's: 41 rad/s
+  CHECK(advice(o).empty());
+  o.plant.axis[0].mass_kg = 50;
+  CHECK_THAT(advice(o).at(0), Contains("x: gains.x.kv = 1.84 makes of 61 kg a speed loop of 9.04 "
+                                       "rad/s, too slow for gains.x.omega_n_rad_s = 30; "
+                                       "gains.by_rule makes 220 rad/s"));
+  o.plant.axis[0] = {};
+  o.plant.axis[0].mass_kg = 0.15;
+  CHECK_THAT(advice(o).at(0), Contains("3.68e+03 rad/s, too fast for chip.position_Hz = 2000"));
+  o.gains_by_rule = true;
+  CHECK(advice(o).empty());
 }
 
 TEST_CASE("an offset of a sensor that is not measured is told") {

@@ -44,6 +44,13 @@ TEST_CASE("what limits an axis is told with its share of the time") {
   CHECK(load.limits() == "i_q* at its limit 10 %, voltage at the supply's 4 %, carriage at a hard "
                          "stop 50 % of the time");
   CHECK(AxisLoad{}.limits() == "");
+  AxisLoad without;
+  plant.hard_stops = false;
+  AxisSample s;
+  s.x_true_m = plant.stroke_max_m;
+  s.force_N = 1;
+  without.add(s, plant);
+  CHECK(without.at_stop == 0);
 }
 
 TEST_CASE("a run above the rating of a motor says so; 0 is no rating") {

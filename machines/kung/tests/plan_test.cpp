@@ -205,6 +205,40 @@ TEST_CASE("values that cannot run are refused with their key and the permitted r
   CHECK_THROWS_WITH(plan(o), Contains("gains.y.current_kp_V_A: value 1000 is out of range 0..") &&
                                  Contains("(at plant.y.dc_link_V = 100 and "));
 
+  o = {};
+  o.gains[1].interpolate = true;
+  CHECK_NOTHROW(plan(o));
+  o.chip.irq_period_ticks = 8;
+  CHECK_THROWS_WITH(plan(o), Contains("gains.y.interpolate: must be off with points 8 position "
+                                      "samples apart (chip.irq_period_ticks): the chip reaches one "
+                                      "in 4"));
+  o = with(PathKind::kSquare);
+  o.gains[1].interpolate = true;
+  CHECK_NOTHROW(plan(o));
+  o = {};
+  o.chip.axis[1].dead_time_ns = 20'000;
+  CHECK_NOTHROW(plan(o));
+  o.chip.carrier_Hz = 40'000;
+  CHECK_THROWS_WITH(plan(o), Contains("chip.y.dead_time_ns: value 20000 must be below 12500, half "
+                                      "a period of chip.carrier_Hz = 40000"));
+  o = {};
+  o.plant.axis[1].resistance_ohm = 500;
+  CHECK_NOTHROW(plan(o));
+  o.plant.axis[1].inductance_d_h = 1e-4;
+  CHECK_THROWS_WITH(plan(o), Contains("plant.y.resistance_ohm over inductance: a winding of 0.2 us "
+                                      "is faster than the 0.5 us that the plant can follow"));
+  o = {};
+  o.plant.axis[0].coulomb_n = 500;
+  o.plant.axis[0].friction_speed_m_s = 1e-5;
+  CHECK_THROWS_WITH(plan(o), Contains("plant.x.friction_speed_m_s: friction that stops 2.5 kg in "
+                                      "0.05 us is faster than the plant can follow"));
+  o = {};
+  o.plant.axis[1].chopper_v = 300;
+  CHECK_THROWS_WITH(plan(o), Contains("plant.y.chopper_V: value 300 must be 0 or at least "
+                                      "plant.y.dc_link_V = 311"));
+  o.plant.axis[1].chopper_v = 311;
+  CHECK_NOTHROW(plan(o));
+
   o = with(PathKind::kSweep);
   o.path.sweep_last_ticks = 501;
   CHECK_THROWS_WITH(plan(o), Contains("path.sweep_last_ticks: value 501 is out of range 4..500"));
@@ -214,6 +248,8 @@ TEST_CASE("values that cannot run are refused with their key and the permitted r
   CHECK_THROWS_WITH(plan(o), Contains("path.sweep_amplitude_m: value 0.013 is out of range "
                                       "0..0.0128 (feed at most 1.28 m/s at "
                                       "plant.encoder_count_m = 5e-06)"));
+  o.gains[0].omega_n_rad_s = 30;  // the faster axis still counts
+  CHECK_THROWS_WITH(plan(o), Contains("path.sweep_amplitude_m: value 0.013"));
   o = with(PathKind::kSweep);
   o.gains[1].feedforward = true;
   CHECK_THROWS_WITH(plan(o), Contains("gains.y.feedforward: must be off in a sweep of position"));
@@ -230,6 +266,12 @@ TEST_CASE("values that cannot run are refused with their key and the permitted r
   o = with(PathKind::kSquare);
   o.path.square_high_m = o.path.square_low_m;
   CHECK_THROWS_WITH(plan(o), Contains("path.square_high_m: must differ"));
+
+  o = {};
+  o.chip.following_error_m = 12e-6;  // 2.4 counts: 3 keep a table of 2.4 from a trip
+  CHECK(plan(o).following_limit == 3);
+  o.chip.axis[0].stroke_max_m = 0.35;  // the circle touches it
+  CHECK_NOTHROW(plan(o));
 
   o = {};
   o.chip.watchdog_ticks = 4;
