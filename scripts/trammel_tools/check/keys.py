@@ -5,7 +5,8 @@ The keys are those of `trammel list keys`, so a new one is in it; beside them th
 [keys.words]. Each value is given to a short run of the machine, by machines/<m>/tests/runs.toml,
 with the twin engine: the run does what it was asked, by the truth in its trace, or its line says
 why not, or the value is refused by a line that names the key. A part of that run, by [keys] cut_s,
-has the same events and files with the RTL.
+has the same events and files with the RTL. A key whose values all give the same run is tried in
+vain, unless [keys.inert] says why.
 """
 
 import functools
@@ -98,9 +99,19 @@ def off_target(files, columns):
 
 
 def judge(plan, folder, one):
-    """(outcome, text): outcome is done, ended, refused or WRONG."""
+    """(outcome, text, print of the run): outcome is done, ended, refused or WRONG."""
     key, value = one
-    code, text, _, files = run(plan, key, value, folder, "twin")
+    code, text, metrics, files = run(plan, key, value, folder, "twin")
+    figures = json.dumps(metrics.get("figures"))
+    event_hash = metrics.get("run", {}).get("event_hash")
+    return (*judge_run(plan, folder, one, (code, text, files)),
+            hash((code, text, figures, event_hash)))
+
+
+def judge_run(plan, folder, one, made):
+    """(outcome, text) of the run that was made."""
+    key, value = one
+    code, text, files = made
     if code == 2:
         # Its own name, or that of the key of its section with which it does not go together.
         named = key.rsplit(".", 1)[-1] in text or key.split(".", 1)[0] in text
@@ -118,6 +129,16 @@ def judge(plan, folder, one):
     if off is not None and off > plan["reached"]:
         return "WRONG", f"ends {off:.4g} from what was asked: {text}"
     return "done", text
+
+
+def in_vain(machine, plan, prints):
+    """Lines of keys whose values made no difference."""
+    inert = plan.get("inert", {})
+    for key, reason in inert.items():
+        if key in prints:
+            print(f"inert    {key}: {reason}")
+    return [f"{machine}: {key}: no value of it changes the run" for key, made in prints.items()
+            if key not in inert and len(made) > 1 and len(set(made)) == 1]
 
 
 def table(machine, short, seed):
@@ -146,12 +167,14 @@ def check(short=False, seed=1):
             continue
         with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(2) as pool:
             outcomes = pool.map(functools.partial(judge, plan, Path(folder)), tried)
-            counts = {}
-            for (key, value), (outcome, text) in zip(tried, outcomes):
+            counts, prints = {}, {}
+            for (key, value), (outcome, text, fingerprint) in zip(tried, outcomes):
                 counts[outcome] = counts.get(outcome, 0) + 1
                 print(f"{outcome:<8} {key}={value}: {text}", flush=True)
                 if outcome == "WRONG":
                     wrong.append(f"{machine}: {key}={value}: {text}")
+                prints.setdefault(key, []).append(fingerprint)
+        wrong += in_vain(machine, plan, prints)
         for key, reason in listed.items():
             print(f"listed   {key}: {reason}")
         print(f"{machine}: {len(tried)} values: "
