@@ -42,6 +42,13 @@ TEST_CASE("a figure out of tolerance gives one line with its name, unit and tole
   CHECK_FALSE(any_expected({printed}));
 }
 
+TEST_CASE("rows of other units make no table, though their columns have the same names") {
+  std::vector<Figure> list;
+  for (const char* column : {"a", "b", "c"}) list.push_back(figure("x", "one", column, 1, "mm"));
+  for (const char* column : {"a", "b", "c"}) list.push_back(figure("y", "two", column, 2, "V"));
+  CHECK(figures_text(list).find("b 2.000 V") != std::string::npos);
+}
+
 TEST_CASE("a figure is at the place its id names, and in the list of all") {
   nlohmann::ordered_json json;
   Figure mean = expecting(2.2, 2.11, 0.05);

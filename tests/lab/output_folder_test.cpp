@@ -52,6 +52,21 @@ TEST_CASE("a folder is there when it is published, and nothing is left of one th
   CHECK_NOTHROW(lab::check_whole(target));
 }
 
+TEST_CASE("a run's folder has the rights of any other new folder") {
+  const test::Scratch here("output_folder_out");
+  publish(here.path / "a", "trace.csv", "first");
+  fs::create_directory(here.path / "b");
+  CHECK(fs::status(here.path / "a").permissions() == fs::status(here.path / "b").permissions());
+}
+
+TEST_CASE("a page that was made later goes with the run that is replaced") {
+  const test::Scratch here("output_folder_out");
+  publish(here.path / "a", "trace.csv", "first");
+  put(here.path / "a" / "report.html", "of the first");
+  publish(here.path / "a", "trace.csv", "second");
+  CHECK_FALSE(fs::exists(here.path / "a" / "report.html"));
+}
+
 TEST_CASE("a second run replaces what the first wrote and carries over what it did not") {
   const test::Scratch here("output_folder_out");
   const fs::path target = here.path / "a";

@@ -52,6 +52,13 @@ TEST_CASE("an integrating loop has its bandwidth at its crossover and 90 degrees
   CHECK(m.peak_hz == 1);
 }
 
+TEST_CASE("a bandwidth is 3 dB below the first point, on a line over the logarithm of frequency") {
+  const Margins m = margins({{10, 0.5}, {1000, 0.25}});
+  REQUIRE(m.bandwidth_hz);
+  CHECK(*m.bandwidth_hz == Approx(100).epsilon(1e-6));  // half of 6.02 dB
+  CHECK(m.peak_db == Approx(20 * std::log10(0.5)));
+}
+
 TEST_CASE("three equal lags have a gain margin of 8 over their gain, where they turn by 180") {
   const double w = 2 * kPi * 20;
   const Margins m = margins(closed_of([w](auto s) {

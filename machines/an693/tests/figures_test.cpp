@@ -155,6 +155,9 @@ TEST_CASE("keys of another machine, unknown keys and bad values are refused in o
   CHECK_THAT(message_of("machine = 'another'\n"), Contains("is not one of an693"));
   CHECK_THAT(message_of("[filter]\nkp = 32768\n"), Contains("is out of range 0..32767"));
   CHECK_THAT(message_of("[motor]\nresistance_ohm = 900\n"), Contains("motor.inductance_H"));
+  CHECK_THAT(message_of("[motor]\nconstant_N_m_A = 2\ninertia_kg_m2 = 1e-6\ninductance_H = 1e-4\n"
+                        "coulomb_N_m = 0\nresistance_ohm = 1\n"),
+             Contains("motor.constant_N_m_A / sqrt") && Contains("is above 1e5 1/s"));
   CHECK_THAT(message_of("[encoder]\ncounts = 4001\n"), Contains("is not a multiple of 4"));
 }
 
@@ -172,6 +175,26 @@ TEST_CASE("an693 figures count samples from the first that moves") {
   REQUIRE(result.interrupts.size() == 1);
   CHECK(result.interrupts[0].sample == 5);
   CHECK(result.interrupts[0].real == 4);
+}
+
+TEST_CASE("an693: with the motor off a shaft pushed away is no motion, and no overshoot") {
+  an693::Result result = by_hand();
+  const int pushed[] = {10, 14};  // where the desired position follows the real one
+  for (int n = 0; n < 2; ++n) {
+    an693::Sample s = result.samples.back();
+    s.edge += 12800;
+    s.words.status = 0x80;
+    s.words.position = std::int64_t{pushed[n]} << 16;
+    s.words.actual = pushed[n] + n;
+    s.theta = (pushed[n] + 3) * plant::MotorAxis::kTurn / 4000;
+    s.host_irq = n == 1;
+    result.samples.push_back(s);
+  }
+  CHECK(test::figure(an693::Options{}, result, "motion.samples") == 1);
+  CHECK(test::figure(an693::Options{}, result, "motion.overshoot_counts") == Approx(1));
+  REQUIRE(result.interrupts.size() == 2);
+  CHECK(result.interrupts[1].desired == 14);
+  CHECK(result.interrupts[1].real == 15);
 }
 
 TEST_CASE("an693 interrupts before the desired position moves are listed as of sample 0") {
@@ -233,7 +256,7 @@ TEST_CASE("a status bit of one sample shows on a page that keeps every third sam
   arguments.out = "an693_test_out";
   arguments.json = true;
   std::vector<std::string> series;
-  for (const int sample : {-1, 4}) {
+  for (const int sample : {-1, 4, 5}) {  // 5 is the last of its three
     const auto simulate = [sample](const Settings& settings, const cosim::Hooks&) {
       an693::Result result;
       for (int n = 0; n < 7; ++n) {
@@ -251,6 +274,7 @@ TEST_CASE("a status bit of one sample shows on a page that keeps every third sam
     CHECK(page_series(run, false, 100).channels.size() == 15);
   }
   CHECK(series[0] != series[1]);
+  CHECK(series[2] == series[1]);
   fs::remove_all("an693_test_out");
 }
 

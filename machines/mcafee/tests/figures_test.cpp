@@ -160,6 +160,7 @@ TEST_CASE_METHOD(Runs,
   CHECK(metrics["compared"]["v = 40"]["motion"]["contour_max_mm"].get<double>() == Approx(0.25));
   const auto detail = nlohmann::json::parse(content(folder / "detail.json"));
   CHECK(detail["contours"].size() == 3);
+  CHECK_THAT(content(folder / "contours.csv"), Contains("\n0.00000,0,0,0\n0.00034,0.25,"));
   CHECK(detail["contours"][1]["mm"] == nlohmann::json({0.0, 0.25, 0.1}));
   CHECK(detail["rows"].size() == 463);
   CHECK(detail["rows"][0] == nlohmann::json({0, 0, 255, 0, 100, 0}));
