@@ -3,7 +3,9 @@
 
 #include <catch2/catch.hpp>
 #include <algorithm>
+#include <map>
 #include <string>
+#include <vector>
 
 #include "lab/machine.hpp"
 
@@ -18,6 +20,30 @@ double figure(const Options& options, cosim::RunResult& result, const std::strin
   INFO(id);
   REQUIRE(found != list.end());
   return found->value;
+}
+
+// What trace.csv holds of a sample: each column of the machine, named, with its value.
+template <class Options>
+std::map<std::string, double> row(const Options& options, const cosim::RunResult& result,
+                                  std::size_t sample) {
+  const lab::ColumnTable& table = options.machine().columns();
+  std::vector<double> values;
+  table.read(options, result, sample, values);
+  REQUIRE(values.size() == table.columns.size());
+  std::map<std::string, double> all;
+  for (std::size_t n = 0; n < values.size(); ++n) all[table.columns[n].name] = values[n];
+  return all;
+}
+
+// Tells the column that differs.
+inline void check_row(const std::map<std::string, double>& row,
+                      const std::map<std::string, double>& expected) {
+  for (const auto& [name, value] : row) {
+    INFO("column " << name);
+    REQUIRE(expected.count(name) == 1);
+    CHECK(value == Approx(expected.at(name)));
+  }
+  CHECK(row.size() == expected.size());
 }
 
 }  // namespace trammel::test

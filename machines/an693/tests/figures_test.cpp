@@ -17,6 +17,7 @@
 #include "testbench/run.hpp"
 #include "tests/support/figures.hpp"
 #include "tests/support/files.hpp"
+#include "tests/support/lm628_words.hpp"
 #include "tests/support/message.hpp"
 #include "tests/support/told.hpp"
 
@@ -175,6 +176,23 @@ TEST_CASE("an693 figures count samples from the first that moves") {
   REQUIRE(result.interrupts.size() == 1);
   CHECK(result.interrupts[0].sample == 5);
   CHECK(result.interrupts[0].real == 4);
+}
+
+TEST_CASE("an693: each column of the trace shows what it is named after") {
+  an693::Result result;
+  an693::Sample s;
+  s.edge = 150'000;
+  s.words = test::numbered_words(100);
+  s.host_irq = true;
+  s.theta = plant::MotorAxis::kTurn / 4;
+  s.omega = 121;
+  s.i = 122;
+  s.volt = 123;
+  result.samples.push_back(s);
+  std::map<std::string, double> expected = test::numbered_columns("", 100);
+  expected.insert({{"t_s", 3e-3}, {"host_irq", 1}, {"theta_count", 1000}, {"omega_rad_s", 121},
+                   {"i_A", 122}, {"u_V", 123}});
+  test::check_row(test::row(an693::Options{}, result, 0), expected);
 }
 
 TEST_CASE("an693: with the motor off a shaft pushed away is no motion, and no overshoot") {

@@ -8,6 +8,7 @@
 #include "lab/scenarios.hpp"
 #include "machines/kung/figures.hpp"
 #include "machines/kung/machine.hpp"
+#include "tests/support/figures.hpp"
 
 using namespace trammel;
 using namespace trammel::kung;
@@ -192,4 +193,41 @@ TEST_CASE("a table has settled once it stays within the band") {
   CHECK(settled_after(points, {0, 0}, 1e-3) == 4);
   CHECK(settled_after(points, {0, 0}, 10e-3) == 0);
   CHECK(settled_after(points, {1, 0}, 1e-3) == 7);
+}
+
+TEST_CASE("each column of the trace shows the word or the truth that it is named after") {
+  kung::Result result;
+  kung::Sample s;
+  s.tick = 3;
+  s.edge = 150'000;
+  std::map<std::string, double> expected{{"tick", 3}, {"t_s", 3e-3}};
+  for (std::size_t a = 0; a < 2; ++a) {
+    AxisSample& at = s.axis[a];
+    int n = a == 0 ? 100 : 200;  // each value once
+    const std::string axis = a == 0 ? "x_" : "y_";
+    const auto put = [&](const char* name, auto& member, double unit = 1) {
+      member = ++n;
+      expected[axis + name] = n * unit;
+    };
+    put("command_m", at.r, 5e-6);
+    put("model_m", at.x_m, 5e-6 / 16384);
+    put("encoder_count", at.x_p);
+    put("e", at.e);
+    put("de", at.de);
+    put("u", at.u);
+    put("v_star", at.v_star);
+    put("v", at.v);
+    put("i_q_ref", at.i_q_ref);
+    put("i_d", at.i_d);
+    put("i_q", at.i_q);
+    put("v_d", at.v_d);
+    put("v_q", at.v_q);
+    put("position_m", at.x_true_m);
+    put("v_m_s", at.v_true_m_s);
+    put("i_d_A", at.i_d_true_A);
+    put("i_q_A", at.i_q_true_A);
+    put("force_N", at.force_N);
+  }
+  result.samples.push_back(s);
+  test::check_row(test::row(kung::Options{}, result, 0), expected);
 }

@@ -16,6 +16,7 @@
 #include "testbench/run.hpp"
 #include "tests/support/figures.hpp"
 #include "tests/support/files.hpp"
+#include "tests/support/lm628_words.hpp"
 #include "tests/support/message.hpp"
 
 using namespace trammel;
@@ -119,6 +120,32 @@ TEST_CASE("mcafee: figures count from the first row, contour errors from the pat
   CHECK(motion("max_current_A") == 2.5);
   CHECK(motion("max_desired_mm_s") == Approx(4 * 4.0132 / 800 / (2048 / 6e6)));
   CHECK(motion("max_speed_mm_s") == 12.5);
+}
+
+TEST_CASE("mcafee: each column of the trace shows what it is named after") {
+  mcafee::Result result;
+  mcafee::Sample s;
+  s.edge = 150'000;
+  s.row = 3;
+  s.v = 40;
+  s.limits = 0b0110;
+  std::map<std::string, double> expected{
+      {"t_s", 3e-3}, {"row", 3}, {"v", 40}, {"limits", 6}, {"contour_mm", 0.25}};
+  for (int a = 0; a < 2; ++a) {
+    const int first = a == 0 ? 100 : 200;
+    const std::string axis = a == 0 ? "x_" : "y_";
+    s.axis[static_cast<std::size_t>(a)] = {test::numbered_words(first), a == 1, first + 21.0,
+                                           first + 22.0, first + 23.0, first + 24.0};
+    expected.merge(test::numbered_columns(axis, first));
+    expected[axis + "host_irq"] = a;
+    expected[axis + "mm"] = first + 21;
+    expected[axis + "mm_s"] = first + 22;
+    expected[axis + "i_A"] = first + 23;
+    expected[axis + "u_V"] = first + 24;
+  }
+  result.samples.push_back(s);
+  result.contour_mm = {0.25};
+  test::check_row(test::row(mcafee::Options{}, result, 0), expected);
 }
 
 TEST_CASE("mcafee: interrupts, motors turned off and switches are events, once each") {
