@@ -238,10 +238,17 @@ TEST_CASE("a processor is stopped, slow or waits for its bus while its fault las
   CHECK(at(FaultKind::kProcessorSlow, 3).work(100, 100) == 300);
   CHECK(at(FaultKind::kBusStall).work(100, 100) == 100);
   CHECK(at(FaultKind::kBusStall, 70).access(100, 8) == 78);
+  // The last edge of the fault, and the one after it.
+  CHECK(at(FaultKind::kProcessorSlow, 3).work(149, 100) == 300);
+  CHECK(at(FaultKind::kProcessorSlow, 3).work(150, 100) == 100);
+  CHECK(at(FaultKind::kBusStall, 70).access(149, 8) == 78);
+  CHECK(at(FaultKind::kBusStall, 70).access(150, 8) == 8);
   const ProcessorFault garbage = at(FaultKind::kProcessorGarbage);
   CHECK(garbage.written(99, 5) == 5);
   CHECK(garbage.written(100, 5) != 5);
   CHECK(garbage.written(100, 5) == garbage.written(100, 7));
+  CHECK(garbage.written(149, 5) != 5);
+  CHECK(garbage.written(150, 5) == 5);
 }
 
 TEST_CASE("a fault counts from its first edge, and the way behind it in both axes") {

@@ -10,6 +10,7 @@
 #include "lab/layers.hpp"
 #include "lab/scenarios.hpp"
 #include "machines/kung/tests/chip_words.hpp"
+#include "machines/kung/words.hpp"
 #include "tests/support/event_record.hpp"
 #include "tests/support/slope.hpp"
 
@@ -154,6 +155,30 @@ TEST_CASE("the true speeds of the record are the slopes of its true places") {
                           const AxisSample s = result.samples[k].axis[axis];
                           return test::Motion{s.x_true_m, s.v_true_m_s};
                         });
+  }
+}
+
+// The words are of the period before the sample, and the currents have a ripple within it.
+TEST_CASE("the true currents of the record are those that the chip measured, force_N their thrust") {
+  const Options options = piece(0.2);
+  const Result result = run(options, Engine::kTwin).result;
+  for (const std::size_t axis : {0, 1}) {
+    const plant::AxisConfig& motor = options.plant.axis[axis];
+    const double lsb_A = current_lsb_A(motor.current_full_scale_a);
+    double largest_A = 0, d_A = 0, q_A = 0;
+    for (const Sample& sample : result.samples) {
+      const AxisSample& s = sample.axis[axis];
+      largest_A = std::max(largest_A, std::abs(s.i_q_true_A));
+      d_A += std::abs(s.i_d_true_A - s.i_d * lsb_A);
+      q_A += std::abs(s.i_q_true_A - s.i_q * lsb_A);
+      INFO((axis == 0 ? "X" : "Y") << ", tick " << sample.tick);
+      REQUIRE(s.force_N == Approx(motor.force_constant_n_a * s.i_q_true_A).margin(1e-9));
+    }
+    const auto samples = static_cast<double>(result.samples.size());
+    INFO((axis == 0 ? "X" : "Y") << ", largest i_q_A " << largest_A);
+    CHECK(largest_A > 0.2);
+    CHECK(d_A / samples < 0.05 * largest_A);
+    CHECK(q_A / samples < 0.05 * largest_A);
   }
 }
 
