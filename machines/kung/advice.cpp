@@ -21,6 +21,7 @@ namespace {
 struct Demand {
   double force_N = 0, at_force_m_s = 0;  // largest thrust, and the speed there
   double volt = 0, at_volt_m_s = 0;      // of a phase
+  double speed_m_s = 0;
 };
 
 double sign(double v) { return v > 0 ? 1 : v < 0 ? -1 : 0; }
@@ -51,6 +52,7 @@ class AxisDemand {
         2.0 / 3 * plant_.force_constant_n_a * v + plant_.resistance_ohm * i,
         kPi / plant_.pole_pitch_m * v * plant_.inductance_q_h * i);
     if (volt > most.volt) most.volt = volt, most.at_volt_m_s = v;
+    most.speed_m_s = std::max(most.speed_m_s, std::abs(v));
   }
 
   Demand most;
@@ -107,6 +109,23 @@ std::string speed_loop_text(const Options& options, std::size_t a) {
                                         options.chip.position_Hz));
 }
 
+// Of the current loop, whose axes turn on while it computes and settles. By trial, with all four
+// carriers, with and without dead time, they may turn once in ten carrier periods and two of its
+// time constants L_q/K_p.
+std::string turning_text(const Options& options, std::size_t a, double speed_m_s) {
+  const plant::AxisConfig& plant = options.plant.axis[a];
+  const double kp_V_A = options.gains_by_rule ? gains_by_rule(plant).current_kp_V_A
+                                              : options.gains[a].current_kp_V_A;
+  if (kp_V_A == 0) return "";
+  const double turns_Hz = speed_m_s / (2 * plant.pole_pitch_m);
+  const double most_Hz = 1 / (10.0 / options.chip.carrier_Hz + 2 * plant.inductance_q_h / kp_V_A);
+  if (turns_Hz <= most_Hz) return "";
+  return fmt::format("{0}: {1:.3g} m/s are {2:.4g} electrical turns a second with "
+                     "plant.{0}.pole_pitch_m = {3:g}, above the {4:.4g} that the current loop "
+                     "follows with chip.carrier_Hz = {5}", a == 0 ? 'x' : 'y', speed_m_s, turns_Hz,
+                     plant.pole_pitch_m, most_Hz, options.chip.carrier_Hz);
+}
+
 }  // namespace
 
 std::vector<std::string> advice(const lab::Settings& settings) {
@@ -134,8 +153,10 @@ std::vector<std::string> advice(const lab::Settings& settings) {
                                   "gives", axis, most[a].volt, std::abs(most[a].at_volt_m_s),
                                   supply, axis, plant.dc_link_v));
     }
-    const std::string loop = speed_loop_text(options, a);
-    if (!loop.empty()) lines.push_back(loop);
+    for (const std::string& loop : {speed_loop_text(options, a),
+                                    turning_text(options, a, most[a].speed_m_s)}) {
+      if (!loop.empty()) lines.push_back(loop);
+    }
     const double still_N = plant.coulomb_n + plant.stribeck_n;
     if (!plant.brake && !plant.locked && std::abs(plant.external_force_n) > still_N) {
       lines.push_back(fmt::format("{0}: {1:g} N are above the friction of {2:g} N: they move the "

@@ -181,8 +181,8 @@ void add_plant(Table& t, std::size_t axis) {
   add("resistance_ohm", 0.01, 1000, "of a phase", &plant::AxisConfig::resistance_ohm);
   add("inductance_d_H", 1e-4, 1, "direct axis", &plant::AxisConfig::inductance_d_h);
   add("inductance_q_H", 1e-4, 1, "quadrature axis", &plant::AxisConfig::inductance_q_h);
-  add("force_constant_N_A", 1, 1000, "at the peak of i_q", &plant::AxisConfig::force_constant_n_a);
-  add("pole_pitch_m", 1e-3, 1, "half an electrical turn, at least 8 counts",
+  add("force_constant_N_A", 1, 10000, "at the peak of i_q", &plant::AxisConfig::force_constant_n_a);
+  add("pole_pitch_m", 1e-4, 1, "half an electrical turn, at least 8 counts",
       &plant::AxisConfig::pole_pitch_m);
   add("mass_kg", 0.1, 500, "moving mass", &plant::AxisConfig::mass_kg);
   add("payload_kg", 0, 500, "on top of the moving mass", &plant::AxisConfig::payload_kg);

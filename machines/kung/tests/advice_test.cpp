@@ -112,6 +112,23 @@ TEST_CASE("a speed loop that is too slow or too fast for its load is told") {
   CHECK(advice(o).empty());
 }
 
+TEST_CASE("poles that pass faster than the current loop follows are told") {
+  Options o;
+  o.path.kind = PathKind::kLine;  // at 0.3 m/s
+  o.plant.axis[1].pole_pitch_m = 0.17e-3;
+  CHECK(advice(o).empty());  // 882 of 1/(10/16 kHz + 2/(4000 1/s)) = 889
+  o.plant.axis[1].pole_pitch_m = 0.16e-3;
+  CHECK_THAT(advice(o).at(0), Contains("y: 0.3 m/s are 937.6 electrical turns a second with "
+                                       "plant.y.pole_pitch_m = 0.00016, above the 888.8 that the "
+                                       "current loop follows with chip.carrier_Hz = 16000"));
+  o.chip.carrier_Hz = 40'000;
+  CHECK(advice(o).empty());
+  o.gains[1].current_kp_V_A = 40;
+  CHECK_THAT(advice(o).at(0), Contains("above the 706"));
+  o.gains_by_rule = true;
+  CHECK(advice(o).empty());
+}
+
 TEST_CASE("an offset of a sensor that is not measured is told") {
   Options o;
   o.plant.axis[0].current_offset_b_a = -0.05;

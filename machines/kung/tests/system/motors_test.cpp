@@ -35,6 +35,9 @@ const Motor kMotors[]{
     {"large iron core, 565 V", 1.7, 18e-3, 120, 24e-3, 45.0, 565, 60, 10e-6, 40, 60, 0.15, 900},
     // 4 pole pairs, 10 mm lead, 0.5 N m/A, 1e-4 kg m^2 as seen along the screw
     {"rotary servo on a screw", 2.8, 8e-3, 314, 1.25e-3, 60, 325, 12, 1e-6, 40, 400, 0.02, 900},
+    // 7 pole pairs, 5 mm lead, 0.04 N m/A, 4096 counts a revolution
+    {"flat rotary motor on a fine screw", 0.23, 0.145e-3, 49.6, 5e-3 / 14, 8, 48, 30, 5e-3 / 4096,
+     6, 30, 0.02, 900},
 };
 
 Options circle(const Motor& motor, Controller controller) {
@@ -206,7 +209,7 @@ TEST_CASE("energy through the chip is balanced for each motor, without dead time
   }
 }
 
-TEST_CASE("five motors follow the circle with gains by the rule, as a fast model says") {
+TEST_CASE("motors follow the circle with gains by the rule, as a fast model says") {
   for (const Motor& motor : kMotors) {
     for (const Controller controller : {Controller::kFc, Controller::kAfc}) {
       const Options options = circle(motor, controller);
