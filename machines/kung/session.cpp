@@ -159,8 +159,9 @@ bool Session::over(const Sample& sample) {
   const auto period = static_cast<std::uint32_t>(
       ticks_per_point(options_.path, options_.chip.irq_period_ticks));
   const sw::Mailbox& mailbox = firmware_->mailbox();
-  result_.fault = chip_->fault();
-  if (result_.fault.code != FaultCode::kNone || mailbox.failure != 0) {
+  const Fault fault = chip_->fault();
+  if (fault.code != FaultCode::kNone || mailbox.failure != 0) {
+    if (after_fault_ == 0) result_.fault = fault;  // what comes on the way to rest is no cause
     result_.end = EndReason::kFault;
     result_.fault.processor = check_text(mailbox);
     return fault_is_over(sample);

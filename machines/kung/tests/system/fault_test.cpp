@@ -113,6 +113,17 @@ TEST_CASE("the watchdog bites when the processor hangs") {
   CHECK(result.fault.tick < 115);
 }
 
+TEST_CASE("what trips on the way to rest is not named as the cause") {
+  Options options;
+  options.run.engine = Engine::kTwin;
+  options.fault.kind = trammel::cosim::FaultKind::kProcessorGarbage;
+  options.fault.begin_s = 0.5;
+  const Result result = simulate(options, {});  // the watchdog bites 48 ms after the firmware's check
+  REQUIRE(result.end == EndReason::kFault);
+  CHECK(result.fault.code == FaultCode::kNone);
+  CHECK(result.fault.processor == result.fault_report.by);
+}
+
 TEST_CASE("a table that does not follow is turned off by the firmware") {
   Options options = short_circle();
   options.run.engine = Engine::kTwin;
