@@ -5,6 +5,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <new>
 #include <string_view>
@@ -125,6 +126,13 @@ std::string one_line(const std::string& message) {
   if (begins.size() <= kLongestMessage) return all;
   const std::size_t half = kLongestMessage / 2;
   return all.substr(0, begins[half]) + kCut + all.substr(begins[begins.size() - half]);
+}
+
+std::string time_text(double s, int digits) {
+  const double size = std::abs(s);
+  if (size >= 1 || size == 0) return fmt::format("{:.{}g} s", s, digits);
+  if (size >= 1e-3) return fmt::format("{:.{}g} ms", s * 1e3, digits);
+  return fmt::format("{:.{}g} us", s * 1e6, digits);
 }
 
 std::string reason_of(const std::exception& error) {

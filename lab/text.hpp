@@ -22,6 +22,9 @@ std::string shown(const std::string& text, std::size_t most = 120);
 // and what is still too much is left out in the middle.
 std::string one_line(const std::string& message);
 
+// 0.0018 -> "1.8 ms"; in s, ms or us.
+std::string time_text(double s, int digits = 9);
+
 // Its text; of std::bad_alloc which memory did not suffice.
 std::string reason_of(const std::exception& error);
 

@@ -36,14 +36,6 @@ double seconds(const std::string& text, const std::string& where) {
       fmt::format("{}: value \"{}\" is not a time with s, ms, us or ns behind it", where, text));
 }
 
-// 0.0018 -> "1.8 ms"
-std::string time_text(double s) {
-  const double size = std::abs(s);
-  if (size >= 1 || size == 0) return fmt::format("{:.9g} s", s);
-  if (size >= 1e-3) return fmt::format("{:.9g} ms", s * 1e3);
-  return fmt::format("{:.9g} us", s * 1e6);
-}
-
 std::string trigger_text(const Settings& settings) {
   const cosim::TriggerForms& forms = settings.machine().triggers();
   return cosim::wave_trigger_text(settings.run, forms.start).value_or("");

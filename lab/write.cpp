@@ -205,12 +205,12 @@ std::string injected_text(const Settings& settings, const cosim::RunResult& resu
                                  seconds_of(report.begin));
   if (report.begin >= result.clocks) return text + "the run had ended by then\n";
   if (report.detected == cosim::kNever) return text + "not noticed\n";
-  text += fmt::format("noticed {:.3g} ms later: {}",
-                      1e3 * seconds_of(report.detected - report.begin), report.by);
+  text += fmt::format("noticed {} later: {}",
+                      time_text(seconds_of(report.detected - report.begin), 3), report.by);
   if (report.off == cosim::kNever) return text + "; outputs not off\n";
-  return text + fmt::format("; outputs off {:.3g} us later, at rest after {:.3g} {}\n",
-                            1e6 * seconds_of(report.off - report.detected), report.stopping,
-                            report.unit);
+  return text + fmt::format("; outputs off {} later, at rest after {:.4g} {}\n",
+                            time_text(seconds_of(report.off - report.detected), 3),
+                            report.stopping, report.unit);
 }
 
 }  // namespace

@@ -52,6 +52,15 @@ TEST_CASE("a message is one line with its beginning and its end") {
   CHECK(line.substr(line.size() - 12) == "word: reason");
 }
 
+TEST_CASE("a time has the unit that suits it, and as many digits as asked for") {
+  CHECK(time_text(0) == "0 s");
+  CHECK(time_text(2.4) == "2.4 s");
+  CHECK(time_text(0.0018) == "1.8 ms");
+  CHECK(time_text(-1e-3) == "-1 ms");
+  CHECK(time_text(1.6e-7) == "0.16 us");
+  CHECK(time_text(2.40123e-3, 3) == "2.4 ms");
+}
+
 TEST_CASE("a lack of memory names the limit") {
   CHECK(reason_of(std::runtime_error("why")) == "why");
   rlimit before{};

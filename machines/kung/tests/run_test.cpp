@@ -7,6 +7,8 @@
 #include <nlohmann/json.hpp>
 
 #include "lab/errors.hpp"
+#include "lab/record.hpp"
+#include "lab/write.hpp"
 #include "machines/kung/tests/by_hand.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/scratch.hpp"
@@ -56,6 +58,29 @@ TEST_CASE("a tripped run exits with 5, keeps its record and names the first faul
   CHECK(json["fault"]["cause"] == "stroke exceeded");
   CHECK(json["fault"]["axis"] == "y");
   CHECK(json["fault"]["tick"] == 17);
+}
+
+TEST_CASE("an injected fault is told with what noticed it, when, and the way to rest") {
+  const auto told = [](const cosim::FaultReport& report) {
+    auto options = std::make_shared<Options>();
+    options->fault.kind = cosim::FaultKind::kGateDead;
+    auto result = std::make_unique<Result>(standing(EndReason::kDone));
+    result->clocks = 40'000'000;
+    result->fault_report = report;
+    return lab::report_text(lab::judged(options, std::move(result)), "", false);
+  };
+  cosim::FaultReport report;
+  CHECK(told(report).find("injected") == std::string::npos);
+  report.begin = 25'000'000;  // 20 ns each
+  CHECK_THAT(told(report), Contains("\n  injected gate_dead at 0.5 s: not noticed\n"));
+  report.detected = report.begin + 8;
+  report.by = "watchdog";
+  CHECK_THAT(told(report), Contains("0.5 s: noticed 0.16 us later: watchdog; outputs not off\n"));
+  report.off = report.detected + 120'000;
+  report.stopping = 1071.234;
+  CHECK_THAT(told(report), Contains("; outputs off 2.4 ms later, at rest after 1071 mm\n"));
+  report.begin = 50'000'000;
+  CHECK_THAT(told(report), Contains("injected gate_dead at 1 s: the run had ended by then\n"));
 }
 
 TEST_CASE("how a run ended is reported with the figures that decided it") {
