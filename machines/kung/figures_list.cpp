@@ -238,8 +238,8 @@ std::string verdict(const lab::Settings& settings, const cosim::RunResult& run) 
   switch (result.end) {
     case EndReason::kDone:
       if (options.path.is_sweep()) return sweep_text(options, result);
-      return fmt::format("followed {} points, at most {:.2f} mm {}, {:.2f} mm from the last one",
-                         result.points, result.largest_mm,
+      return fmt::format("followed {} point{}, at most {:.2f} mm {}, {:.2f} mm from the last one",
+                         result.points, result.points == 1 ? "" : "s", result.largest_mm,
                          options.path.kind == PathKind::kSquare ? "from the model" : "beside them",
                          result.from_last_m * kMm);
     case EndReason::kFault:

@@ -14,6 +14,7 @@ namespace {
 constexpr std::int32_t kLargestIqRef = 2047;
 constexpr double kVoltageLimit = 0.95 * 2047;  // the limit's table steps inside its circle
 constexpr double kWorthTelling = 0.02;         // of the samples
+constexpr double kAbove = 1.001;               // a rating, so that four digits show it
 
 }  // namespace
 
@@ -87,8 +88,8 @@ std::vector<std::string> overloads(const Options& options, const Result& result)
     const AxisLoad& load = result.load[a];
     const plant::AxisConfig& plant = options.plant.axis[a];
     const auto check = [&](const char* what, double value, const char* key, double rating) {
-      if (rating <= 0 || value <= rating) return;
-      lines.push_back(fmt::format("warning: {} of {} is {:.3g} A, above plant.{}.{} = {:g}", what,
+      if (rating <= 0 || value <= kAbove * rating) return;
+      lines.push_back(fmt::format("warning: {} of {} is {:.4g} A, above plant.{}.{} = {:g}", what,
                                   a == 0 ? 'X' : 'Y', value, a == 0 ? 'x' : 'y', key, rating));
     };
     check("rms phase current", load.rms_current_A(), "continuous_current_A",

@@ -62,10 +62,12 @@ TEST_CASE("a run above the rating of a motor says so; 0 is no rating") {
   for (int n = 0; n < 10; ++n) result.load[1].add(s, options.plant.axis[1]);
   const auto lines = overloads(options, result);
   REQUIRE(lines.size() == 1);
-  CHECK_THAT(lines[0], Contains("rms phase current of Y is 2.83 A, above "
+  CHECK_THAT(lines[0], Contains("rms phase current of Y is 2.828 A, above "
                                 "plant.y.continuous_current_A = 1.6"));
-  options.plant.axis[1].peak_current_a = 3;
-  CHECK(overloads(options, result).size() == 2);
+  options.plant.axis[1].peak_current_a = 3.9985;
+  CHECK(overloads(options, result).size() == 1);  // 4 A are 0.04 % above it
+  options.plant.axis[1].peak_current_a = 3.98;
+  CHECK_THAT(overloads(options, result).at(1), Contains("is 4 A, above plant.y.peak_current_A = 3.98"));
   options.plant.axis[1].peak_current_a = options.plant.axis[1].continuous_current_a = 0;
   CHECK(overloads(options, result).empty());
 }
