@@ -42,9 +42,7 @@ class AxisDemand {
     const double v = (x - x_) / sample_s_, a = (v - v_) / sample_s_;
     x_ = x;
     v_ = v;
-    const double force = (plant_.mass_kg + plant_.payload_kg) * a + plant_.viscous_n_s_m * v +
-                         plant_.coulomb_n * sign(v) + plant_.external_force_n +
-                         plant_.cable_n_m * (x - plant_.cable_rest_m);
+    const double force = (plant_.mass_kg + plant_.payload_kg) * a + held_back_N(x, v);
     if (std::abs(force) > most.force_N) most.force_N = std::abs(force), most.at_force_m_s = v;
     // lambda omega_e = 2/3 K_F v, and the drops of that thrust's current.
     const double i = force / plant_.force_constant_n_a;
@@ -58,11 +56,25 @@ class AxisDemand {
   Demand most;
 
  private:
+  // By friction, magnets, cable and load, as models/plant/pmlsm.hpp has them.
+  double held_back_N(double x, double v) {
+    time_s_ += sample_s_;
+    const double w = v / plant_.stribeck_speed_m_s, slots = 2 * kPi * x / plant_.pole_pitch_m;
+    const bool loaded = time_s_ >= plant_.load_begin_s &&
+                        (plant_.load_end_s == 0 || time_s_ < plant_.load_end_s);
+    return plant_.viscous_n_s_m * v +
+           (plant_.coulomb_n + plant_.stribeck_n * std::exp(-w * w)) * sign(v) +
+           plant_.cogging_n * std::sin(slots) +
+           plant_.cogging_harmonic_n * std::sin(plant_.cogging_harmonic * slots + 1) +
+           plant_.cable_n_m * (x - plant_.cable_rest_m) + plant_.external_force_n +
+           (loaded ? plant_.load_n : 0);
+  }
+
   const plant::AxisConfig& plant_;
   double sample_s_;
   double dead_V_;  // that the dead times take: a square wave of V_dc times their share
   ideal::ReferenceModel model_;
-  double x_, v_ = 0;
+  double x_, v_ = 0, time_s_ = 0;  // since the path began, soon after the run
 };
 
 std::array<Demand, 2> demand(const Options& options, const sw::KungSetup& setup) {
@@ -111,19 +123,21 @@ std::string speed_loop_text(const Options& options, std::size_t a) {
 
 // Of the current loop, whose axes turn on while it computes and settles. By trial, with all four
 // carriers, with and without dead time, they may turn once in ten carrier periods and two of its
-// time constants L_q/K_p.
+// time constants, L_q/K_p.
 std::string turning_text(const Options& options, std::size_t a, double speed_m_s) {
   const plant::AxisConfig& plant = options.plant.axis[a];
   const double kp_V_A = options.gains_by_rule ? gains_by_rule(plant).current_kp_V_A
                                               : options.gains[a].current_kp_V_A;
   if (kp_V_A == 0) return "";
+  const double loop_rad_s = kp_V_A / plant.inductance_q_h;
   const double turns_Hz = speed_m_s / (2 * plant.pole_pitch_m);
-  const double most_Hz = 1 / (10.0 / options.chip.carrier_Hz + 2 * plant.inductance_q_h / kp_V_A);
+  const double most_Hz = 1 / (10.0 / options.chip.carrier_Hz + 2 / loop_rad_s);
   if (turns_Hz <= most_Hz) return "";
   return fmt::format("{0}: {1:.3g} m/s are {2:.4g} electrical turns a second with "
-                     "plant.{0}.pole_pitch_m = {3:g}, above the {4:.4g} that the current loop "
-                     "follows with chip.carrier_Hz = {5}", a == 0 ? 'x' : 'y', speed_m_s, turns_Hz,
-                     plant.pole_pitch_m, most_Hz, options.chip.carrier_Hz);
+                     "plant.{0}.pole_pitch_m = {3:g}, above the {4:.4g} that a current loop of "
+                     "{5:.4g} rad/s follows with chip.carrier_Hz = {6}", a == 0 ? 'x' : 'y',
+                     speed_m_s, turns_Hz, plant.pole_pitch_m, most_Hz, loop_rad_s,
+                     options.chip.carrier_Hz);
 }
 
 }  // namespace
@@ -140,9 +154,9 @@ std::vector<std::string> advice(const lab::Settings& settings) {
     const double load_A = most[a].force_N / plant.force_constant_n_a;
     const double largest_A = 2047 * current_ref_lsb_A(plant.current_full_scale_a);
     if (load_A > largest_A) {
-      lines.push_back(fmt::format("{}: inertia, friction and load of {:.4g} N at {:.3g} m/s take "
-                                  "{:.3g} A; plant.{}.current_full_scale_A = {:g} allows an i_q* "
-                                  "of {:.3g} A", axis, most[a].force_N,
+      lines.push_back(fmt::format("{}: inertia, friction, cogging and load of {:.4g} N at {:.3g} "
+                                  "m/s take {:.3g} A; plant.{}.current_full_scale_A = {:g} allows "
+                                  "an i_q* of {:.3g} A", axis, most[a].force_N,
                                   std::abs(most[a].at_force_m_s), load_A, axis,
                                   plant.current_full_scale_a, largest_A));
     }

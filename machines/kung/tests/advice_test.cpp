@@ -64,7 +64,7 @@ TEST_CASE("a supply below the back-EMF at the path's speed is told with both vol
 TEST_CASE("inertia and load above the thrust of the largest i_q* are told") {
   Options o;
   o.plant.axis[0].external_force_n = -500;
-  CHECK_THAT(advice(o).at(0), Contains("x: inertia, friction and load of 5") &&
+  CHECK_THAT(advice(o).at(0), Contains("x: inertia, friction, cogging and load of 5") &&
                                   Contains("plant.x.current_full_scale_A = 9.6 allows an i_q* of "
                                            "4.8 A"));
   o = {};
@@ -74,7 +74,25 @@ TEST_CASE("inertia and load above the thrust of the largest i_q* are told") {
   CHECK(advice(o).empty());
   o.plant.axis[0].mass_kg = 50;  // 450 N, 5.6 A
   REQUIRE(advice(o).size() == 1);
-  CHECK_THAT(advice(o)[0], Contains("x: inertia, friction and load of 4") && Contains(" take 5."));
+  CHECK_THAT(advice(o)[0], Contains("x: inertia, friction, cogging and load of 4") && Contains(" take 5."));
+}
+
+TEST_CASE("cogging, cable, Stribeck friction and a load that comes later are part of the demand") {
+  const auto told = [](auto change) {
+    Options o;
+    change(o.plant.axis[0]);
+    const std::vector<std::string> lines = advice(o);
+    return lines.empty() ? "" : lines[0];
+  };
+  const auto thrust = Contains("x: inertia, friction, cogging and load of ");
+  CHECK(told([](auto& p) { p.cogging_n = 360; }) == "");  // of 383.5 N
+  CHECK_THAT(told([](auto& p) { p.cogging_n = 380; }), thrust);
+  CHECK_THAT(told([](auto& p) { p.cogging_harmonic_n = 380; }), thrust);
+  CHECK_THAT(told([](auto& p) { p.stribeck_n = 450; }), thrust);
+  CHECK_THAT(told([](auto& p) { p.cable_n_m = 10000; }), thrust);
+  CHECK_THAT(told([](auto& p) { p.load_n = 400, p.load_begin_s = 0.5; }), thrust);
+  CHECK(told([](auto& p) { p.load_n = 400, p.load_begin_s = 5; }) == "");  // behind the end
+  CHECK_THAT(told([](auto& p) { p.load_n = 400, p.load_end_s = 0.1; }), thrust);
 }
 
 TEST_CASE("a force that moves the carriage before the start is told") {
@@ -119,12 +137,13 @@ TEST_CASE("poles that pass faster than the current loop follows are told") {
   CHECK(advice(o).empty());  // 882 of 1/(10/16 kHz + 2/(4000 1/s)) = 889
   o.plant.axis[1].pole_pitch_m = 0.16e-3;
   CHECK_THAT(advice(o).at(0), Contains("y: 0.3 m/s are 937.6 electrical turns a second with "
-                                       "plant.y.pole_pitch_m = 0.00016, above the 888.8 that the "
-                                       "current loop follows with chip.carrier_Hz = 16000"));
+                                       "plant.y.pole_pitch_m = 0.00016, above the 888.8 that a "
+                                       "current loop of 3999 rad/s follows with "
+                                       "chip.carrier_Hz = 16000"));
   o.chip.carrier_Hz = 40'000;
   CHECK(advice(o).empty());
   o.gains[1].current_kp_V_A = 40;
-  CHECK_THAT(advice(o).at(0), Contains("above the 706"));
+  CHECK_THAT(advice(o).at(0), Contains("above the 706") && Contains("loop of 1717 rad/s"));
   o.gains_by_rule = true;
   CHECK(advice(o).empty());
 }
