@@ -220,8 +220,9 @@ sw::AxisSetup plan_axis(const Options& options, std::size_t axis) {
     return fmt::format("{}.{}.{}", section, axis == 0 ? 'x' : 'y', name);
   };
   const double volt_unit = current_gain_value(1, plant.dc_link_v, plant.current_full_scale_a);
+  const char* const by = options.gains_by_rule ? "by gains.by_rule, at" : "at";
   const std::string at_voltage =
-      fmt::format("at {} = {:g} and {} = {:g}", key("plant", "dc_link_V"), plant.dc_link_v,
+      fmt::format("{} {} = {:g} and {} = {:g}", by, key("plant", "dc_link_V"), plant.dc_link_v,
                   key("plant", "current_full_scale_A"), plant.current_full_scale_a);
   // Speeds are words per sample; the same loop in seconds has these words at another rate.
   const double per_sample = options.chip.sample_s() / kGainSampleS;
@@ -235,7 +236,7 @@ sw::AxisSetup plan_axis(const Options& options, std::size_t axis) {
   s.kp = gain(key("gains", "kp"), g.kp, per_sample, at_rate);
   s.ki = gain(key("gains", "ki"), g.ki, per_sample * per_sample, at_rate);
   s.kv = gain(key("gains", "kv"), g.kv, speed_unit,
-              fmt::format("at {} = {:g} and {} = {:g}", key("plant", "encoder_count_m"),
+              fmt::format("{} {} = {:g} and {} = {:g}", by, key("plant", "encoder_count_m"),
                           plant.encoder_count_m, key("plant", "current_full_scale_A"),
                           plant.current_full_scale_a));
   s.adapt = options.controller == Controller::kAfc;

@@ -206,6 +206,17 @@ TEST_CASE("values that cannot run are refused with their key and the permitted r
                                  Contains("(at plant.y.dc_link_V = 100 and "));
 
   o = {};
+  o.gains_by_rule = true;
+  o.plant.axis[0].inductance_q_h = 1;
+  CHECK_THROWS_WITH(plan(o), Contains("gains.x.current_kp_V_A: value 4000 is out of range 0..") &&
+                                 Contains("(by gains.by_rule, at plant.x.dc_link_V = 311 and "));
+  o.plant.axis[0] = {};
+  o.plant.axis[0].force_constant_n_a = 1;
+  o.plant.axis[0].mass_kg = 500;
+  CHECK_THROWS_WITH(plan(o), Contains("gains.x.kv: value 29333.3 is out of range 0..63.9 (by "
+                                      "gains.by_rule, at plant.x.encoder_count_m = 5e-06"));
+
+  o = {};
   o.gains[1].interpolate = true;
   CHECK_NOTHROW(plan(o));
   o.chip.irq_period_ticks = 8;
