@@ -149,7 +149,7 @@ double Axis::length(const MotorState& m) const {
 
 // Writes every member of s.
 void Axis::build(Segment& s, double start, const Point& at, unsigned zero) const {
-s.start = start;
+  s.start = start;
   s.length = length(at.motor);
   s.held = s.meets_stop = false;
   s.dies = 0;
@@ -195,7 +195,7 @@ void Axis::end_at_dead_current(Segment& s, const std::array<double, 3>& current)
   const double d = most(s.span.i_d), q = most(s.span.i_q);
   const double before = std::fabs(s.span.i_d[0]) + std::fabs(s.span.i_q[0]);
   const double change = d + q + turn * (d + q + before);
-for (std::size_t leg = 0; leg < 3; ++leg) {
+  for (std::size_t leg = 0; leg < 3; ++leg) {
     const int sign = s.legs.diode[leg];
     if (sign == 0 || std::fabs(current[leg]) > change) continue;
     const auto flow = [&](double t) { return sign * phase_current(s.span, t, leg); };
@@ -275,7 +275,7 @@ void Axis::commit(Clk n, unsigned gates) {
     next_ = until_load(anchor_, predict());
     if (n < next_ && gates == gates_) return;
   }
-const bool own = n >= next_;
+  const bool own = n >= next_;
   const double t = seconds(n - anchor_);
   const Segment& s = segment_at(t);
   const unsigned zero = s.legs.open ? 7u : s.legs.floating | opened_;
@@ -305,12 +305,14 @@ void Axis::open_phase(Clk n, int phase, bool open) {
 void Axis::supply(Clk n, double share) {
   link_.set_source(share * config_.dc_link_v);
   inverter_.set_dc_link(link_.volt());
+  safe_ = n;  // the bound was that of another voltage
   commit(n, gates_);
 }
 
 void Axis::load(Clk n) {
   const bool loaded = n >= load_begin_ && n < load_end_;
   motor_.set_external_force(config_.external_force_n + (loaded ? config_.load_n : 0));
+  if (n == load_begin_ || n == load_end_) safe_ = n;  // the bound was that of another force
 }
 
 AxisState Axis::state(Clk n) const {
