@@ -113,7 +113,9 @@ class Pmlsm {
         force_(1.5 * k_),
         inv_ld_(1 / c.inductance_d),
         inv_lq_(1 / c.inductance_q),
-        inv_mass_(1 / c.mass) {}
+        inv_mass_(1 / c.mass),
+        saliency_(std::fmax(c.inductance_d, c.inductance_q) /
+                  std::fmin(c.inductance_d, c.inductance_q)) {}
 
   // From the next span on [N], against positive motion.
   void set_external_force(double force) { c_.external_force = force; }
@@ -141,11 +143,12 @@ class Pmlsm {
     s.v = 0;
   }
 
-  // Largest acceleration within `span` seconds for phase voltages below `volt`.
+  // Largest acceleration within `span` seconds for phase voltages below `volt`. What flux linkage
+  // the currents make may turn from the axis of the larger inductance to that of the smaller.
   double acceleration_bound(const MotorState& s, double volt, double span) const {
     const double speed = std::fabs(s.v);
     const double slew = 2 * (volt + k_ * lambda_ * (speed + 0.1)) * std::fmax(inv_ld_, inv_lq_);
-    const double current = std::fabs(s.i_d) + std::fabs(s.i_q) + slew * span;
+    const double current = saliency_ * (std::fabs(s.i_d) + std::fabs(s.i_q)) + slew * span;
     const double flux = lambda_ + std::fabs(c_.inductance_d - c_.inductance_q) * current;
     const double mode_speed = std::fabs(s.y_speed) + speed + 0.1;
     return inv_mass_ * (mode_force(std::fabs(s.y) + mode_speed * span, mode_speed) +
@@ -347,6 +350,7 @@ class Pmlsm {
   PmlsmConfig c_;
   double k_;  // [rad/m]
   double turns_per_m_, lambda_, force_, inv_ld_, inv_lq_, inv_mass_;
+  double saliency_;  // of the inductances, larger over smaller
 };
 
 }  // namespace trammel::plant

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "models/plant/pmlsm.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
 
 using namespace trammel::plant;
 
@@ -234,4 +237,38 @@ TEST_CASE("a cable pulls the carriage to its place of rest, and friction holds m
   CHECK(chain(Pmlsm(c), {}, 0, 0, 1, {false, true}, none).v < 1e-3);
   CHECK(chain(Pmlsm(c), {0, 0.2, 0, 0}, 0, 0, 3, {false, true}, none).v ==
         Approx(1.0 / 20).epsilon(1e-3));
+}
+
+TEST_CASE("no acceleration is above its bound, of salient motors and fine pole pitches too") {
+  std::mt19937 random(11);
+  const auto any = [&random](double from, double to) {
+    return from * std::pow(to / from, std::uniform_real_distribution<>()(random));
+  };
+  constexpr double kVolt = 100, kTime = 62.5e-6, kFine = 50e-9;
+  double closest = 0;
+  for (int trial = 0; trial < 500; ++trial) {
+    PmlsmConfig c;
+    c.resistance = any(0.01, 10);
+    c.inductance_d = any(1e-4, 0.1);
+    c.inductance_q = any(1e-4, 0.1);
+    c.pole_pitch = any(1e-4, 0.1);
+    c.force_constant = any(1, 100);
+    c.mass = any(1, 100);
+    c.cogging = any(0.1, 10);
+    const Pmlsm motor(c);
+    const auto sign = [&random] { return random() % 2 == 0 ? 1.0 : -1.0; };
+    const MotorState begin{any(0.1, 1), sign() * any(0.01, 1), sign() * any(0.01, 10),
+                           sign() * any(0.01, 10), 0, 0};
+    const double bound = motor.acceleration_bound(begin, kVolt, kTime);
+    const double turn = any(0.1, 6);
+    const AlphaBeta u{2.0 / 3 * kVolt * std::cos(turn), 2.0 / 3 * kVolt * std::sin(turn)};
+    MotorState s = begin;
+    for (double t = 0; t < kTime && std::fabs(s.v - begin.v) < 0.1; t += kFine) {
+      const Span span = motor.span(s, motor.angle(s.x), u, {});
+      closest = std::max(closest, std::fabs(span.v[1]) / bound);
+      s = span.at(kFine);
+    }
+  }
+  CHECK(closest < 1);
+  CHECK(closest > 0.3);
 }
