@@ -15,6 +15,7 @@ namespace {
 
 constexpr double kSegment = 6.25e-6;  // [s] span of one series, whatever the motor
 constexpr double kTurn = 0.0124;      // the same in time constants or radians: kTurn^4/24 is 1e-9
+constexpr double kPoles = 0.025;      // [rad] the same where that needs less than kSegment
 constexpr double kGap = 3.125e-6;     // [s] the same with a leg off: dead times are shorter
 constexpr double kHorizon = 62.5e-6;  // [s] look-ahead, at whose end the axis is committed
 constexpr double kAhead = 1e-6;       // [s] an event that is nearer is searched for
@@ -139,10 +140,14 @@ void Axis::begin(const Point& p, unsigned zero) {
   known_ = 1;
 }
 
-// Of a span from state m: short where friction may turn over, or the magnets' forces change fast.
+// Of a span from state m: short where friction may turn over, the magnets' forces change fast, or
+// the poles pass fast.
 double Axis::length(const MotorState& m) const {
+  const double v = std::fabs(m.v), turning = motor_.angular_speed(v);
+  if (turning * kSegment > kPoles) {
+    return std::min(segment_, std::max(kShortestSpan, kPoles / turning));
+  }
   if (segment_ <= kSegment) return segment_;
-  const double v = std::fabs(m.v);
   if (v < rest_ + std::fabs(motor_.force(m)) / motor_.config().mass * segment_) return kSegment;
   return waves_ * v * segment_ > kTurn ? std::max(kSegment, kTurn / (waves_ * v)) : segment_;
 }

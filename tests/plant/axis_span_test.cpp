@@ -81,6 +81,11 @@ TEST_CASE("spans as long as a motor allows agree with spans of 0.5 us") {
          c.mass_kg = 0.2;
          c.pole_pitch_m = 2e-3;
        }), 2e-3},  // friction turns over in 17 us
+      {"poles that pass fast", changed([](AxisConfig& c) {  // 5000 turns a second
+         c.pole_pitch_m = 1e-4;
+         c.external_force_n = -100;
+         c.viscous_n_s_m = 100;
+       }), 5e-5},
       {"elastic", changed([](AxisConfig& c) { c.mode_hz = 120; })},
       {"a soft link", changed([](AxisConfig& c) { c.supply_ohm = 2; })},
       {"drops", changed([](AxisConfig& c) {
