@@ -3,8 +3,9 @@
 // A DC motor whose shaft moves a sensor with lines, behind a converter and a linear amplifier. The
 // first clock at which a line changes is predicted under the present voltage, with the same steps
 // that a commit takes, and no further than a commit may be: next() is no later than that clock, and
-// a commit there that changes nothing goes on with the search. A Sensor says whether its lines change at an angle (`leaves`), takes the
-// angle (`follow`), and gives the limits of current and angle (`bounds`).
+// a commit there that changes nothing goes on with the search. A Sensor says whether its lines
+// change at an angle (`leaves`), takes the angle (`follow`), and gives the limits of current and
+// angle (`bounds`).
 #pragma once
 
 #include <algorithm>
