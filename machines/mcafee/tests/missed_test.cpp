@@ -117,6 +117,24 @@ TEST_CASE("mcafee: each axis is held against its own target") {
   CHECK(tracked(options, 0, 0.3) == "Y ended 60 counts from its target of 3987");
 }
 
+TEST_CASE("mcafee: a part too far from its trajectory ends the run as diverged, either alone") {
+  for (const int axis : {0, 1}) {
+    CAPTURE(axis);
+    Options options = small_corner();
+    options.diverged_counts = 500;
+    options.fault.kind = cosim::FaultKind::kPhaseOpen;
+    options.fault.axis = axis;
+    const Result result = simulate(options, {});
+    CHECK(result.end == cosim::EndReason::kDiverged);
+    const Sample last = result.samples.back();
+    for (const int k : {0, 1}) {
+      const int error = last.axis[static_cast<std::size_t>(k)].words.error;
+      CAPTURE(k, error);
+      CHECK((std::abs(error) > options.diverged_counts) == (k == axis));
+    }
+  }
+}
+
 TEST_CASE("mcafee: a table that cannot move has missed, one that can is done") {
   Options options = small_corner();
   CHECK(simulate(options, {}).end == cosim::EndReason::kDone);
