@@ -57,6 +57,8 @@ class Package : public Lm628Twin {
     return 1;
   }
 
+  std::uint8_t port() { return rtl_->out_o; }
+
   // What a host sees through the transceiver.
   bool drives() const { return direction_; }
 
@@ -102,6 +104,19 @@ TEST_CASE("lm628_dip28 leaves pins 24 and 25 high between the strobes of 12 bits
   bench.sample(2);
   bench.chip.twelve = true;
   bench.sample(4);
+}
+
+// Of 12 bits the reset would leave pins 24 and 25 high, where 8 bits of zero have them low.
+TEST_CASE("lm628_dip28 has a port of 8 bits after a reset, whatever it had before") {
+  constexpr std::int64_t kStrobes = 4 * 50, kHold = 127;  // [clk] lm628_output, lm628_pins
+  Bench bench;
+  bench.start();
+  bench.command(Opcode::kPort12);
+  bench.sample(3);
+  bench.clocks(kStrobes);
+  bench.hardware_reset(60);
+  bench.clocks(kStrobes + kHold + 8);
+  same("out_o", bench.chip.port(), 0x80, bench.now());
 }
 
 // SNVS781C p.4: 180 ns from RD to the data, and as much until the bus is free.

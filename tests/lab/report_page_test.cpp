@@ -219,6 +219,13 @@ TEST_CASE("a corrupt folder is one line that names the file, and the old page st
     write_text(trace_file, trace);
     replace(trace_file, machine.columns().columns[1].name, "medal");
     check_refused(folder, "trace.csv: is corrupt: line 1 does not name the columns of a trace");
+    for (const char* value : {"nan", "inf", "-inf", "1e999", "one", ""}) {  // in its last column
+      const std::size_t comma = trace.find_last_of(',');
+      INFO("value \"" << value << '"');
+      write_text(trace_file, trace.substr(0, comma + 1) + value + '\n');
+      check_refused(folder, "trace.csv: is corrupt: line " + std::to_string(rows + 1) +
+                                " does not hold ");
+    }
     write_text(trace_file, "");
     check_refused(folder, "trace.csv: is corrupt: line 1 ");
     fs::remove(trace_file);

@@ -48,6 +48,8 @@ an693::Result by_hand() {
     s.theta = real[n] * plant::MotorAxis::kTurn / 4000;
     s.host_irq = n >= 5;
     s.volt = n == 3 ? -3.5 : 1;
+    s.omega = n == 3 ? -2.5 * plant::MotorAxis::kTurn : 1;
+    s.i = n == 4 ? -0.75 : 0.5;
     result.samples.push_back(s);
   }
   result.desired = result.real = 4;
@@ -171,6 +173,9 @@ TEST_CASE("an693 figures count samples from the first that moves") {
   CHECK(motion("overshoot_counts") == Approx(1));
   CHECK(motion("max_error_counts") == 4);
   CHECK(motion("max_voltage_V") == 3.5);
+  CHECK(motion("max_speed_rev_s") == Approx(2.5));
+  CHECK(motion("max_current_A") == 0.75);
+  CHECK(motion("time_s") == Approx(256e-6));
   CHECK(motion("settled_s") == Approx(2 * 256e-6));
   CHECK(motion("interrupts") == 1);
   REQUIRE(result.interrupts.size() == 1);

@@ -82,6 +82,12 @@ TEST_CASE("the steps of a sample end at the words and rules of the twin") {
   setup.shift_e = 2;
   setup.ki = {1500, -3};
   check_chase(setup, 2000);
+  for (const std::uint32_t scale : {1u, 2u, 3u}) {  // 3 acts as 2
+    CAPTURE(scale);
+    setup.a0_scale = scale;
+    setup.a0 = scale == 1 ? 14876 : 465;
+    check_chase(setup, 2000);
+  }
 }
 
 TEST_CASE("the steps are those of the specification for its check vector") {

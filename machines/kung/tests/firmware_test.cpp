@@ -212,7 +212,7 @@ TEST_CASE("the square wave rests at low, steps at its first point and runs at ev
 TEST_CASE("a sweep of current is written to IQ_MANUAL with open position loops, and feeds COMMIT") {
   KungSetup setup;
   setup.path = Path::kSweep;
-  setup.sweep = {{60000, 60000}, {from_counts(100), from_counts(-50)}, 4, 0, 1, 4};
+  setup.sweep = {{60000, 55000}, {from_counts(100), from_counts(-50)}, 4, 0, 1, 4};
   setup.irq_period = 1;
   setup.current_command = true;
   Machine m(setup);
@@ -227,6 +227,7 @@ TEST_CASE("a sweep of current is written to IQ_MANUAL with open position loops, 
     CHECK(static_cast<std::int32_t>(m.chip.registers[reg::kY + reg::kIqManual]) == -50 * sine);
     CHECK(m.chip.writes(before).back().address == reg::kCommit);
     CHECK(m.chip.registers[reg::kX + reg::kPosCmd] == 60000);
+    CHECK(m.chip.registers[reg::kY + reg::kPosCmd] == 55000);
   }
   CHECK(m.app.mailbox().done == 1);
 }

@@ -2,8 +2,11 @@
 //
 // Runs of the machine mcafee that end, but not where they were to go.
 #include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
 
 #include "machines/mcafee/machine.hpp"
+#include "tests/support/scratch.hpp"
 
 using namespace trammel;
 using namespace trammel::mcafee;
@@ -30,10 +33,12 @@ Options move_of(int counts) {
   return options;
 }
 
-// A corner of 20 mm legs; the table is `beside_mm` off it in a row, and ends `short_mm` too early.
+// A corner of 20 mm legs, or a file of points; the table is `beside_mm` off it in a row, and ends `short_mm` too early.
 std::string tracked(Options options, double beside_mm, double short_mm = 0, int rows_left = 0) {
-  options.path.kind = PathKind::kCorner;
-  options.path.side_mm = 20;
+  if (options.path.points_file.empty()) {
+    options.path.kind = PathKind::kCorner;
+    options.path.side_mm = 20;
+  }
   const Path path(options.path);
   Result result;
   result.table = make_table(options.path, options.count_mm());
@@ -96,6 +101,38 @@ TEST_CASE("mcafee: a table beside its path, or not at its end, has missed it") {
   CHECK(tracked(options, 0.6) ==
         "the table was 120 counts beside its path, above 100 (run.reached_counts)");
   CHECK(tracked(options, 0, 0.3) == "");
+}
+
+TEST_CASE("mcafee: each axis is held against its own target") {
+  const test::Scratch scratch("mcafee_missed_test_out");
+  std::filesystem::create_directories(scratch.path);
+  Options options;
+  options.path.kind = PathKind::kPoints;
+  options.path.points_file = scratch.path / "points.csv";
+  std::ofstream(options.path.points_file) << "0,0\n20,0\n20,10\n";
+  CHECK(tracked(options, 0) == "");
+  CHECK(tracked(options, 0, 0.3) == "Y ended 60 counts from its target of 1993");
+  std::ofstream(options.path.points_file) << "0,0\n10,0\n10,20\n";
+  CHECK(tracked(options, 0) == "");
+  CHECK(tracked(options, 0, 0.3) == "Y ended 60 counts from its target of 3987");
+}
+
+TEST_CASE("mcafee: a part too far from its trajectory ends the run as diverged, either alone") {
+  for (const int axis : {0, 1}) {
+    CAPTURE(axis);
+    Options options = small_corner();
+    options.diverged_counts = 500;
+    options.fault.kind = cosim::FaultKind::kPhaseOpen;
+    options.fault.axis = axis;
+    const Result result = simulate(options, {});
+    CHECK(result.end == cosim::EndReason::kDiverged);
+    const Sample last = result.samples.back();
+    for (const int k : {0, 1}) {
+      const int error = last.axis[static_cast<std::size_t>(k)].words.error;
+      CAPTURE(k, error);
+      CHECK((std::abs(error) > options.diverged_counts) == (k == axis));
+    }
+  }
 }
 
 TEST_CASE("mcafee: a table that cannot move has missed, one that can is done") {

@@ -3,6 +3,7 @@
 // Faults on the full machine: the drives trip, the first fault is named, the record is kept.
 #include <catch2/catch.hpp>
 
+#include "machines/kung/figures.hpp"
 #include "machines/kung/machine.hpp"
 
 using namespace trammel::kung;
@@ -53,7 +54,10 @@ TEST_CASE("after any trip the way to rest is recorded and told, and the figures 
   Result result = simulate(options, {});
   const double mm = result.fault_report.stopping;
   const auto last = result.samples.back().axis;
-  CHECK(std::hypot(last[0].v_true_m_s, last[1].v_true_m_s) < 1e-3);
+  {
+    INFO("last sample: X at " << last[0].v_true_m_s << " m/s, Y at " << last[1].v_true_m_s);
+    CHECK(std::hypot(last[0].v_true_m_s, last[1].v_true_m_s) < 1e-3);
+  }
   const Sample at = result.samples[300];  // 0.15 s, as the pin rises
   const double way_m = std::hypot(last[0].x_true_m - at.axis[0].x_true_m,
                                   last[1].x_true_m - at.axis[1].x_true_m);
@@ -136,6 +140,30 @@ TEST_CASE("a table that does not follow is turned off by the firmware") {
   check_tripped(result, FaultCode::kNone, 0);
   CHECK(result.fault_report.detected < trammel::cosim::kNever);
   CHECK(result.fault_report.off - result.fault_report.detected < 6250);  // two current periods
+}
+
+TEST_CASE("a table away from its model ends the run as diverged, in either axis alone") {
+  for (const int axis : {0, 1}) {
+    CAPTURE(axis);
+    Options options = short_circle();
+    options.run.engine = Engine::kTwin;
+    options.fault.kind = trammel::cosim::FaultKind::kPhaseOpen;
+    options.fault.axis = axis;
+    options.fault.begin_s = 0.05;
+    options.path.kind = PathKind::kLine;
+    options.run.max_s = 0.5;
+    options.diverged_m = 0.004;
+    const Result result = simulate(options, {});
+    CHECK(result.end == EndReason::kDiverged);
+    CHECK(result.beside_m == 0);  // it is told by the model
+    for (const int k : {0, 1}) {
+      const AxisSample last = result.samples.back().axis[static_cast<std::size_t>(k)];
+      const double error_m =
+          std::abs(model_m(last, options.plant.axis[0].encoder_count_m) - last.x_true_m);
+      CAPTURE(k, error_m);
+      CHECK((error_m > options.diverged_m) == (k == axis));
+    }
+  }
 }
 
 TEST_CASE("a current sensor that stays where it was is told by the d current") {

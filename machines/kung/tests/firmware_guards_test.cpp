@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the firmware refuses to run, and what it stops: at its limits and beyond, in either axis.
+#include <catch2/catch.hpp>
+#include <vector>
+
+#include "machines/kung/tests/fake_chip.hpp"
+
+using namespace trammel::sw;
+using namespace trammel::test;
+
+TEST_CASE("every point of the path is held against the stroke, the first and the last one too") {
+  for (const std::size_t outside : {0, 1, 2}) {
+    CAPTURE(outside);
+    std::vector<Point> points(3, Point{50000, 50000});
+    KungSetup setup;
+    setup.path = Path::kPoints;
+    setup.points = points.data();
+    setup.n_points = 3;
+    Machine within(setup);
+    within.app.start(within.chip);
+    CHECK(failure(within) == Failure::kNone);
+    points[outside] = {50000, 120001};
+    Machine beyond(setup);
+    beyond.app.start(beyond.chip);
+    CHECK(failure(beyond) == Failure::kOutOfStroke);
+    CHECK(still_on(beyond.chip) == "");
+  }
+}
+
+TEST_CASE("a position beyond the limit from its model stops both drives, in each axis and sense") {
+  KungSetup setup;
+  setup.following_limit = 100;
+  for (const std::uint32_t base : {reg::kX, reg::kY}) {
+    for (const std::int32_t off : {100, -100, 101, -101}) {
+      CAPTURE(base, off);
+      Machine m(setup);
+      m.arm();
+      m.chip.registers[reg::kX + reg::kPosModel] = m.chip.registers[reg::kX + reg::kPos];
+      m.chip.registers[reg::kY + reg::kPosModel] = m.chip.registers[reg::kY + reg::kPos];
+      m.chip.registers[base + reg::kPos] += static_cast<std::uint32_t>(off);
+      m.interrupt();
+      const bool beyond = off > 100 || off < -100;
+      CHECK(failure(m) == (beyond ? Failure::kFollowing : Failure::kNone));
+      CHECK((still_on(m.chip) == "") == beyond);
+    }
+  }
+}
+
+TEST_CASE("a d current beyond its limit stops both drives, in each axis and sense") {
+  KungSetup setup;
+  setup.d_current_limit = 50;
+  for (const std::uint32_t base : {reg::kX, reg::kY}) {
+    for (const std::int32_t i_d : {50, -50, 51, -51}) {
+      CAPTURE(base, i_d);
+      Machine m(setup);
+      m.arm();
+      m.chip.registers[base + reg::kIdIq] = 700u << 16 | (static_cast<std::uint32_t>(i_d) & 0xFFFF);
+      m.interrupt();
+      const bool beyond = i_d > 50 || i_d < -50;
+      CHECK(failure(m) == (beyond ? Failure::kDCurrent : Failure::kNone));
+      CHECK((still_on(m.chip) == "") == beyond);
+    }
+  }
+}
