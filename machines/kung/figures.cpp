@@ -10,10 +10,6 @@ namespace {
 
 constexpr double kModelScale = 1.0 / 16384;  // x_m is Q14 of a count
 
-}  // namespace
-
-namespace {
-
 double square_distance(const PointM& p, const PointM& a, const PointM& b) {
   const double dx = b.x_m - a.x_m;
   const double dy = b.y_m - a.y_m;

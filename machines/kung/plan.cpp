@@ -146,7 +146,7 @@ std::uint32_t shift_de_word(const std::string& key, int shift, int position_hz) 
   return word(shift + more);
 }
 
-// The plant can follow winding and friction.
+// The plant can follow winding, thrust and friction.
 void check_motor(const plant::AxisConfig& plant, std::size_t axis) {
   const plant::MotorRates rates(plant::motor_config(plant));
   const std::string at = fmt::format("plant.{}.", axis == 0 ? 'x' : 'y');
@@ -154,6 +154,10 @@ void check_motor(const plant::AxisConfig& plant, std::size_t axis) {
   require(1e6 / rates.winding >= shortest_us,
           fmt::format("{}resistance_ohm over inductance: a winding of {:.3g} us is faster than the "
                       "{:g} us that the plant can follow", at, 1e6 / rates.winding, shortest_us));
+  require(1e6 / rates.thrust >= shortest_us,
+          fmt::format("{}force_constant_N_A: {:g} kg and the inductance swing against each other in "
+                      "{:.3g} us, faster than the {:g} us that the plant can follow", at,
+                      plant::motor_config(plant).mass, 1e6 / rates.thrust, shortest_us));
   require(rates.span() >= plant::kShortestSpan,
           fmt::format("{0}viscous_N_s_m, {0}friction_speed_m_s: friction that stops {1:g} kg in "
                       "{2:.3g} us is faster than the plant can follow", at,
@@ -302,10 +306,11 @@ sw::AxisSetup plan_axis(const Options& options, std::size_t axis) {
           fmt::format("{}: value {:g} must be 0 or above {} = {:g}", key("plant", "load_end_s"),
                       plant.load_end_s, key("plant", "load_begin_s"), plant.load_begin_s));
   const int held = ticks_per_point(options.path, options.chip.irq_period_ticks);
+  require(!g.interpolate || !options.path.is_sweep(),
+          key("gains", "interpolate") + ": must be off in a sweep, which has a point each sample");
   require(!g.interpolate || held == kInterpolated || options.path.kind == PathKind::kSquare,
-          fmt::format("{}: must be off with points {} position samples apart "
-                      "(chip.irq_period_ticks): the chip reaches one in {}",
-                      key("gains", "interpolate"), held, kInterpolated));
+          fmt::format("{}: must be off with chip.irq_period_ticks = {}: the chip reaches a point in "
+                      "{} position samples", key("gains", "interpolate"), held, kInterpolated));
   require(c.dead_time_ns < 0.5e9 / options.chip.carrier_Hz,
           fmt::format("{}: value {} must be below {:g}, half a period of chip.carrier_Hz = {}: no "
                       "gate would turn on", key("chip", "dead_time_ns"), c.dead_time_ns,

@@ -220,9 +220,12 @@ TEST_CASE("values that cannot run are refused with their key and the permitted r
   o.gains[1].interpolate = true;
   CHECK_NOTHROW(plan(o));
   o.chip.irq_period_ticks = 8;
-  CHECK_THROWS_WITH(plan(o), Contains("gains.y.interpolate: must be off with points 8 position "
-                                      "samples apart (chip.irq_period_ticks): the chip reaches one "
-                                      "in 4"));
+  CHECK_THROWS_WITH(plan(o), Contains("gains.y.interpolate: must be off with "
+                                      "chip.irq_period_ticks = 8: the chip reaches a point in 4 "
+                                      "position samples"));
+  o = with(PathKind::kSweep);
+  o.gains[1].interpolate = true;
+  CHECK_THROWS_WITH(plan(o), Contains("gains.y.interpolate: must be off in a sweep"));
   o = with(PathKind::kSquare);
   o.gains[1].interpolate = true;
   CHECK_NOTHROW(plan(o));
@@ -243,6 +246,15 @@ TEST_CASE("values that cannot run are refused with their key and the permitted r
   o.plant.axis[0].friction_speed_m_s = 1e-5;
   CHECK_THROWS_WITH(plan(o), Contains("plant.x.friction_speed_m_s: friction that stops 2.5 kg in "
                                       "0.05 us is faster than the plant can follow"));
+  o = {};
+  o.plant.axis[0].force_constant_n_a = 10000;
+  CHECK_NOTHROW(plan(o));
+  o.plant.axis[0].inductance_q_h = 1e-4;
+  o.plant.axis[0].resistance_ohm = 1;
+  o.plant.axis[0].mass_kg = 0.1;
+  o.gains[0].current_kp_V_A = o.gains[0].kv = 1;
+  CHECK_THROWS_WITH(plan(o), Contains("plant.x.force_constant_N_A: 0.1 kg and the inductance swing "
+                                      "against each other in 0.387 us, faster than the 0.5 us"));
   o = {};
   o.plant.axis[1].chopper_v = 300;
   CHECK_THROWS_WITH(plan(o), Contains("plant.y.chopper_V: value 300 must be 0 or at least "

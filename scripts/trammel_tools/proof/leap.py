@@ -264,8 +264,8 @@ def broken_designs(chip):
         raise PropertiesError(f"{where}: {lemma}: no lemma")
     for lemma, number in sorted(wanted.items()):
         if named[lemma] < number:
-            raise PropertiesError(f"{where}: {lemma}: {named[lemma] or 'no'} broken "
-                                  f"design{'s' * (number > 1)} to refute it, of {number}")
+            raise PropertiesError(f"{where}: {lemma}: refutes broken designs: "
+                                  f"{named[lemma]}, at least {number}")
     return found
 
 
