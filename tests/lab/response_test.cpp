@@ -74,6 +74,16 @@ TEST_CASE("three equal lags have a gain margin of 8 over their gain, where they 
   CHECK(m.peak_hz == Approx(20 * crossover).epsilon(0.2));
 }
 
+TEST_CASE("the first phase lies between -270 and 90 degrees, the others beside the one before") {
+  const auto at = [](double degree) { return std::polar(2.0, degree * kPi / 180); };
+  for (const double first : {80.0, 10.0, -100.0, -170.0, -190.0, -260.0}) {
+    const std::vector<double> degrees = phases({{1, at(first)}, {2, at(first - 100)}});
+    REQUIRE(degrees.size() == 2);
+    CHECK(degrees[0] == Approx(first));
+    CHECK(degrees[1] == Approx(first - 100));
+  }
+}
+
 TEST_CASE("two integrators begin at -180 degrees, not at 180") {
   const Margins m = margins(closed_of([](auto s) {
     const double w = 2 * kPi * 30;

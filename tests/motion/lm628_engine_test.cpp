@@ -7,10 +7,12 @@
 
 #include "tests/motion/lm628_engine_bench.hpp"
 #include "tests/support/random.hpp"
+#include "tests/support/same.hpp"
 
 using trammel::exact::Lm628Engine;
 using trammel::exact::Opcode;
 using trammel::test::EngineBench;
+using trammel::test::number;
 using trammel::test::Random;
 
 namespace {
@@ -49,17 +51,19 @@ TEST_CASE("L-15 lm628_engine agrees with its twin on 10,000 random commands, sam
   EngineBench bench;
   Random random(31);
   for (int n = 0; n < 10000; ++n) {
-    CAPTURE(n);
     if (random() % 3000 == 0) bench.reset();
     if (random() % 500 == 0) bench.wrap = !bench.wrap;
     Lm628Engine::Words w = words(random);
     const Opcode op = opcode(random);
     if (op == Opcode::kLtrj && random() % 4 != 0) w[0] &= 0xF8FF;  // no stop
     if (op == Opcode::kLpes && random() % 4 != 0) w[0] = 0x7FFF;
+    INFO("command " << n << ", opcode " << number(static_cast<int>(op)) << " with "
+                    << number(w[0], 4));
     bench.command(op, w);
     if (op == Opcode::kSip) bench.arm_index();
     const unsigned samples = random() % (random() % 16 == 0 ? 30 : 3);
     for (unsigned k = 0; k < samples; ++k) {
+      INFO("sample " << k + 1 << " after it");
       switch (n / 1000 % 3) {
         case 0:  // as ordered
           bench.count += bench.twin().error();

@@ -101,6 +101,30 @@ TEST_CASE("how a run ended is reported with the figures that decided it") {
   }
 }
 
+TEST_CASE("an injected fault is reported from its begin: what noticed it, drives off, way to rest") {
+  const Scratch scratch;
+  const std::vector<std::string> set{"inject.fault=gate_dead", "inject.axis=1"};
+  Result result = standing(EndReason::kFault, {FaultCode::kOverCurrent, 1, 17});
+  result.clocks = 1'000'000;
+  auto& report = result.fault_report;
+  report.begin = 400'000;  // 8 ms
+  report.detected = 405'000;
+  report.off = 405'004;
+  report.by = "over-current on axis Y";
+  report.stopping = 12.5;
+  report.peak_A = 7.25;
+  run_kung(scratch.path / "a", std::move(result), set);
+  const auto told = metrics_of(scratch.path / "a")["injected"];
+  CHECK(told["fault"] == "gate_dead");
+  CHECK(told["begin_s"] == Approx(8e-3));
+  CHECK(told["detected_by"] == "over-current on axis Y");
+  CHECK(told["detected_after_s"] == Approx(1e-4));
+  CHECK(told["off_after_s"] == Approx(1.0008e-4));
+  CHECK(told["stopping"] == 12.5);
+  CHECK(told["peak_A"] == 7.25);
+  CHECK(told["at_stop"] == false);
+}
+
 TEST_CASE("errors in a file of points name its line and the key") {
   const Scratch scratch;
   const fs::path file = scratch.path / "points.csv";

@@ -67,6 +67,7 @@ struct McafeeBench {
     std::int64_t fastest = 0;      // [2^-16 count/sample]
     int apart = 0;                 // samples that took the new target of one axis alone
     int starts = 0;                // samples with new targets
+    int rests = 0;                 // samples between them in which X stood
     std::array<std::int64_t, 2> target{};
     void on(const cosim::Stop& stop, const cosim::Chip& c, const cosim::Plant& p) override {
       bench->follower.on(stop, c, p);
@@ -79,12 +80,17 @@ struct McafeeBench {
       const bool x = taken[0] != target[0], y = taken[1] != target[1];
       if (x != y) ++apart;
       if (x || y) ++starts;
+      if (desired.speed == 0 && starts > 0 && bench->app.mailbox().point < rows) ++rests;
       target = taken;
     }
     std::int64_t last = 0;
+    std::uint32_t rows = 0;  // before the last one
   } watch;
 
-  explicit McafeeBench(const McafeeSetup& setup) : app(setup) { watch.bench = this; }
+  explicit McafeeBench(const McafeeSetup& setup) : app(setup) {
+    watch.bench = this;
+    watch.rows = setup.row_count;
+  }
 
   void run(double seconds, const cosim::ProcessorTiming& timing = {}) {
     cosim::Loop loop(chip, follower, watch);
@@ -278,6 +284,17 @@ TEST_CASE("no sample falls between the STT of the two axes, and the samples coin
   }
   CHECK(late >= 5);
   CHECK(late <= 9);
+}
+
+TEST_CASE("at full speed an axis stands for one sample at most between rows of a straight path") {
+  const std::vector<McafeeRow> rows(12, McafeeRow{0, 0, 255, 0, 50, 0});
+  McafeeSetup setup = tracking(rows);
+  setup.speed = 254;
+  McafeeBench bench(setup);
+  bench.run(5);
+  CHECK(bench.app.mailbox().real[0] == 600);
+  CHECK(bench.watch.starts == 12);
+  CHECK(bench.watch.rests <= 11);
 }
 
 TEST_CASE("where one axis alone moves a sample parts nothing, however slow the processor is") {

@@ -166,6 +166,27 @@ TEST_CASE("a table away from its model ends the run as diverged, in either axis 
   }
 }
 
+TEST_CASE("a saturated converter shows its largest current, whatever the width of its axis") {
+  const auto words = [](int axis, int bits) {
+    Options options = short_circle();
+    options.run.engine = Engine::kTwin;
+    options.plant.axis[static_cast<std::size_t>(axis)].adc_bits = bits;
+    options.fault.kind = trammel::cosim::FaultKind::kConverterSaturated;
+    options.fault.axis = axis;
+    options.fault.begin_s = 0.05;
+    const Result result = simulate(options, {});
+    REQUIRE(result.fault.code == FaultCode::kOverCurrent);
+    REQUIRE(result.fault.axis == axis);
+    return result.samples.back().axis[static_cast<std::size_t>(axis)];  // no current flows
+  };
+  for (const int axis : {0, 1}) {
+    const AxisSample narrow = words(axis, 12), wide = words(axis, 16);
+    CAPTURE(axis, narrow.i_d, narrow.i_q, wide.i_d, wide.i_q);
+    CHECK(std::hypot(narrow.i_d, narrow.i_q) > 1000);
+    CHECK(std::hypot(narrow.i_d - wide.i_d, narrow.i_q - wide.i_q) < 50);
+  }
+}
+
 TEST_CASE("a current sensor that stays where it was is told by the d current") {
   Options options = short_circle();
   options.run.engine = Engine::kTwin;
