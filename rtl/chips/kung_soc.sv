@@ -8,7 +8,7 @@
 // An axis' driver is enabled while the axis is enabled and nothing has tripped.
 
 module kung_soc #(
-    parameter int unsigned Words = 8192,
+    parameter int unsigned Words = 16384,
     parameter string Image = "",
     parameter int unsigned ClocksPerBit = 434
 ) (
@@ -40,7 +40,7 @@ module kung_soc #(
   logic [9:0] bus_addr;
   logic [3:0] bus_wstrb;
   logic [31:0] bus_wdata, bus_rdata;
-  logic unused_host_quiescent;
+  logic unused_asks, unused_host_quiescent;
 
   soc_host #(
       .Words       (Words),
@@ -51,6 +51,7 @@ module kung_soc #(
       .rst_i      (rst_i),
       .irq_i      (irq),
       .trap_o     (core_trap),
+      .asks_o     (unused_asks),
       .waiting_o  (waiting),
       .bus_valid_o(bus_valid),
       .bus_ready_i(bus_ready),

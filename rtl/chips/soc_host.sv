@@ -13,7 +13,7 @@
 // A core that waits stands still. Any other address is not answered and trips the machine.
 
 module soc_host #(
-    parameter int unsigned Words = 8192,
+    parameter int unsigned Words = 16384,
     parameter string Image = "",
     parameter int unsigned ClocksPerBit = 434
 ) (
@@ -22,7 +22,8 @@ module soc_host #(
 
     input  logic irq_i,
     output logic trap_o,
-    output logic waiting_o,  // the core reads WAIT and is not answered
+    output logic asks_o,     // the core reads WAIT: irq_i counts
+    output logic waiting_o,  // and is not answered
 
     output logic        bus_valid_o,  // held until ready
     input  logic        bus_ready_i,
@@ -128,6 +129,7 @@ module soc_host #(
   assign bus_wstrb_o = wstrb;
   assign bus_wdata_o = wdata;
   assign trap_o      = core_trap || stray;
+  assign asks_o      = wait_sel;
   assign waiting_o   = wait_sel && !wait_ready;
   assign quiescent_o = waiting_o && uart_quiescent;
 
