@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A processor's accesses on an AXI4-Lite bus of 32 bits, one transfer at a time. The request is held
-// until ready_o, and all that it needs goes through in the same clock: address and data of a write
-// are offered together and each is withdrawn when it has been accepted; the response is always
-// taken and is the answer. So an access takes as long as the slave needs.
+// A processor's accesses on an AXI4-Lite bus of 32 bits, one transfer at a time. A request is held
+// until ready_o and reaches the bus in the same clock: address and data of a write are offered
+// together, and each is withdrawn when it has been accepted; the response is taken at once and is
+// the answer. So an access takes as long as the slave needs, and no clock more.
 
 module axil_master #(
     parameter int unsigned AddrBits = 10

@@ -6,8 +6,8 @@
 //   0x0000_0000  memory, Words words
 //   0x8000_0000  registers of the IC, 1 KiB
 //   0xC000_0000  WAIT       read; answered when b0 interrupt or b1 received byte is there
-//   0xC000_0004  UART       write: sends b7:0 once the byte before is sent; read: takes the received
-//                           byte in b7:0, b31 there was none
+//   0xC000_0004  UART       write: sends b7:0 once the byte before is sent; read: takes the
+//                           received byte in b7:0, b31: there was none
 //   0xC000_0008  WAIT_SEND  as WAIT, and answered when b2 the serial port can send
 //
 // A core that waits stands still. Any other address is not answered and trips the machine.

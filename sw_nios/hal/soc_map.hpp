@@ -19,14 +19,12 @@ inline constexpr std::uint32_t kUartEmpty = 1u << 31;
 
 // Words at the begin of the memory, behind the first instruction: what a test bench, a loader or
 // a debugger finds there.
-inline constexpr std::uint32_t kHeader = 0x4;
-struct Header {
-  std::uint32_t magic = 0;    // kMagic
-  std::uint32_t setup = 0;    // address of the words that a loader may fill in
-  std::uint32_t report = 0;   // address of the pointer to the Mailbox, 0 until there is one
-  std::uint32_t free = 0;     // memory from here ...
-  std::uint32_t limit = 0;    // ... to here is used by nothing but the stack
-};
+inline constexpr std::uint32_t kHeader = 0x4;   // its words:
+inline constexpr std::uint32_t kIsProgram = 0;  // kMagic
+inline constexpr std::uint32_t kSetup = 1;      // address of what a loader may fill in
+inline constexpr std::uint32_t kReport = 2;     // address of a pointer to the Mailbox, 0 at first
+inline constexpr std::uint32_t kFree = 3;       // memory from here ...
+inline constexpr std::uint32_t kLimit = 4;      // ... to here is used by nothing
 inline constexpr std::uint32_t kMagic = 0x4C4D5254;  // "TRML"
 
 }  // namespace trammel::sw::soc_map

@@ -112,7 +112,8 @@ bool Console::command(const Words& words) {
   }
   if (words.count != 1) return false;
   if (same(name, "help")) {
-    say("help, path NAME [PASSES], start, stop, gain AXIS NAME MANT EXP, gains, status, log [COUNT]");
+    say("help, path NAME [PASSES], start, stop, gain AXIS NAME MANT EXP, gains, status, "
+        "log [COUNT]");
   } else if (same(name, "start")) {
     if (program_.started()) return refuse("drives are on");
     program_.start(bus_);
