@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "cosim/core.hpp"
+#include "cosim/serial_host.hpp"
 #include "sw_nios/apps/kung/kung.hpp"
 #include "sw_nios/hal/mailbox.hpp"
 
@@ -31,6 +32,7 @@ struct SocCore : cosim::Core {
   virtual std::uint32_t peek(std::uint32_t address) const = 0;
   virtual void break_at(cosim::Clk edge) = 0;  // at its first interrupt from then on: an illegal
                                                // instruction
+  virtual void connect(cosim::SerialHost& host) = 0;   // must live as long
   virtual cosim::Clk awake() const = 0;                // clocks that were evaluated
   // In an audit: where a clock in which the core was said to stand still changed something; "".
   virtual std::string moved() const = 0;

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The processor's RTL in step with the chip: clock by clock what one model of kung_soc does, and
+// write by write what native firmware does that reads the same.
+#include <catch2/catch.hpp>
+
+#include <random>
+
+#include "lab/layers.hpp"
+#include "lab/scenarios.hpp"
+#include "machines/kung/figures.hpp"
+#include "machines/kung/plan.hpp"
+#include "machines/kung/session.hpp"
+#include "machines/kung/tests/soc/soc_chip.hpp"
+#include "machines/kung/tests/soc/transfer.hpp"
+
+using namespace trammel;
+using namespace trammel::kung;
+using test::Transfer;
+
+namespace {
+
+constexpr double kClockHz = 50e6;
+constexpr cosim::Clk kTripsWithin = 4;  // from the pin to the gates (chips/kung_xy.md)
+
+Options scenario(const std::string& name) {
+  auto settings = lab::load_scenario(lab::find_scenario(name));
+  lab::validate(*settings);
+  auto options = static_cast<const Options&>(*settings);
+  options.cpu = Cpu::kRtl;
+  return options;
+}
+
+// A line: its rehearsal, with the drives off, takes the core less time than that of a circle.
+Options line() {
+  Options options = scenario("circle");
+  options.path.kind = PathKind::kLine;
+  options.path.line_start_x_m = options.path.line_start_y_m = 0.1;
+  options.path.line_end_x_m = options.path.line_end_y_m = 0.13;
+  options.path.line_ticks = 100;
+  return options;
+}
+
+struct DriveEdges final : cosim::Observer {
+  void on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant&) override {
+    if ((stop.why & cosim::kDrive) != 0) all.emplace_back(stop.edge, chip.drive());
+  }
+  std::vector<std::pair<cosim::Clk, cosim::Lines>> all;
+};
+
+struct Ran {
+  std::vector<Transfer> transfers;
+  std::vector<std::pair<cosim::Clk, cosim::Lines>> drive;
+  cosim::CoreTimes times;
+  Result result;
+  std::string moved;
+};
+
+Ran run(const Options& options, cosim::Clk end = 0, cosim::SerialHost* host = nullptr) {
+  Session session(options, {});
+  auto& soc = dynamic_cast<SocCore&>(*session.core());
+  if (host != nullptr) soc.connect(*host);
+  test::RecordedCore core(soc);
+  DriveEdges drive;
+  session.loop().watch(drive);
+  cosim::CoreRun run(session.loop(), core, end == 0 ? session.end() : end,
+                     [&] { return session.finished(); },
+                     [&](const cosim::CoreTrap& trap) { session.trapped(trap); });
+  run.run();
+  session.core_ran(run.times());
+  const auto result = session.result();
+  return {std::move(core.transfers), std::move(drive.all), run.times(),
+          std::move(static_cast<Result&>(*result)), soc.moved()};
+}
+
+struct OneModel {
+  std::vector<Transfer> transfers;
+  std::vector<std::pair<cosim::Clk, cosim::Lines>> drive;
+  cosim::Clk trapped = cosim::kNever;  // edge before which the core's trap is high
+};
+
+// The same with kung_soc as one model; `patch` may change its memory.
+OneModel run_one_model(const Options& options, cosim::Clk end, cosim::SerialHost* host = nullptr,
+                       const std::function<void(CoreMemory&)>& patch = {}) {
+  std::vector<sw::Point> points;
+  const sw::KungSetup setup = plan_firmware(options, points);
+  plant::XyTableConfig config = options.plant;
+  const sw::Point start = sw::Trajectory(setup).start();
+  config.axis[0].start_m = start.x * config.axis[0].encoder_count_m;
+  config.axis[1].start_m = start.y * config.axis[1].encoder_count_m;
+  TablePlant plant(config, cosim::kNever, cosim::kNever);
+  CoreMemory memory = core_memory(setup, true);
+  if (patch) patch(memory);
+  test::SocChip chip(memory);
+  chip.host = host;
+  DriveEdges drive;
+  cosim::Loop loop(chip, plant, drive);
+  loop.advance(end, 0);
+  return {std::move(chip.transfers), std::move(drive.all), chip.trapped};
+}
+
+// Equal writes of native firmware fed the reads of a run.
+std::size_t native_writes(const Options& options, const std::vector<Transfer>& transfers) {
+  std::vector<sw::Point> points;
+  sw::KungApp app(plan_firmware(options, points));
+  test::Replay replay(transfers);
+  return replay.run(app);
+}
+
+void check_same_as_native(const std::string& name) {
+  const Options options = scenario(name);
+  const Ran ran = run(options);
+  CHECK(ran.result.end == EndReason::kDone);
+  const std::size_t writes = test::writes_of(ran.transfers).size();
+  CHECK(writes > 1000);
+  CHECK(native_writes(options, ran.transfers) == writes);
+  WARN(name << ": " << writes << " writes, " << ran.times.routines << " routines, worst "
+            << ran.times.routine_worst << ", mean " << ran.times.routine_sum / ran.times.routines);
+}
+
+}  // namespace
+
+TEST_CASE("transfers and gates are clock by clock those of one model of the whole chip") {
+  const Options options = line();
+  const auto end = static_cast<cosim::Clk>(0.05 * kClockHz);
+  const Ran ran = run(options, end);
+  CHECK(ran.transfers.size() > 300);
+
+  const OneModel one = run_one_model(options, end);
+  const std::size_t n = std::min(ran.transfers.size(), one.transfers.size());
+  for (std::size_t i = 0; i < n; ++i) {
+    if (ran.transfers[i] == one.transfers[i]) continue;
+    INFO("transfer " << i);
+    FAIL(text(ran.transfers[i]) + "; of one model: " + text(one.transfers[i]));
+  }
+  CHECK(ran.transfers.size() == one.transfers.size());
+  CHECK(ran.drive.size() > 1000);
+  CHECK((ran.drive == one.drive));
+}
+
+TEST_CASE("the core writes what native firmware writes, over the whole circle") {
+  check_same_as_native("circle");
+}
+
+TEST_CASE("the core writes what native firmware writes, over the whole window") {
+  check_same_as_native("window");
+}
+
+TEST_CASE("the core writes what native firmware writes, over the whole star") {
+  check_same_as_native("star");
+}
+
+TEST_CASE("a waiting core stands still, at every stall of a run") {
+  Options options = line();
+  options.run.audit = true;
+  const Ran ran = run(options, static_cast<cosim::Clk>(0.05 * kClockHz));
+  CHECK(ran.times.routines > 5);
+  CHECK(ran.moved.empty());
+}
+
+TEST_CASE("an illegal instruction turns the gates off within the trip's clocks, at its address") {
+  Options options = line();
+  options.inject.processor_s = 0.03;
+  const Ran ran = run(options, static_cast<cosim::Clk>(0.05 * kClockHz));
+  CHECK(ran.result.end == EndReason::kFault);
+  CHECK(ran.result.fault.code == FaultCode::kTrip);
+  CHECK_THAT(ran.result.fault.processor, Catch::Matchers::Contains("illegal instruction"));
+}
