@@ -2,8 +2,9 @@
 //
 // The processor's RTL in step with the chip: clock by clock what one model of kung_soc does, and
 // write by write what native firmware does that reads the same.
-#include <catch2/catch.hpp>
+#include <fmt/format.h>
 
+#include <catch2/catch.hpp>
 #include <random>
 
 #include "lab/layers.hpp"
@@ -21,6 +22,7 @@ using test::Transfer;
 namespace {
 
 constexpr double kClockHz = 50e6;
+constexpr cosim::Clk kClocksPerBit = 434;  // of the serial port: 115,200 baud
 constexpr cosim::Clk kTripsWithin = 4;  // from the pin to the gates (chips/kung_xy.md)
 
 Options scenario(const std::string& name) {
@@ -54,6 +56,7 @@ struct Ran {
   cosim::CoreTimes times;
   Result result;
   std::string moved;
+  std::optional<cosim::CoreTrap> trap;
 };
 
 Ran run(const Options& options, cosim::Clk end = 0, cosim::SerialHost* host = nullptr) {
@@ -62,16 +65,34 @@ Ran run(const Options& options, cosim::Clk end = 0, cosim::SerialHost* host = nu
   if (host != nullptr) soc.connect(*host);
   test::RecordedCore core(soc);
   DriveEdges drive;
+  std::optional<cosim::CoreTrap> trap;
   session.loop().watch(drive);
   cosim::CoreRun run(session.loop(), core, end == 0 ? session.end() : end,
                      [&] { return session.finished(); },
-                     [&](const cosim::CoreTrap& trap) { session.trapped(trap); });
+                     [&](const cosim::CoreTrap& at) {
+                       trap = at;
+                       session.trapped(at);
+                     });
   run.run();
   session.core_ran(run.times());
   const auto result = session.result();
   return {std::move(core.transfers), std::move(drive.all), run.times(),
-          std::move(static_cast<Result&>(*result)), soc.moved()};
+          std::move(static_cast<Result&>(*result)), soc.moved(), trap};
 }
+
+// Bytes of any value, one behind the other; what comes back.
+struct Noise {
+  explicit Noise(unsigned seed) : random(seed) {}
+  std::mt19937 random;
+  long sent = 0;
+  std::string heard;
+  cosim::SerialHost host{kClocksPerBit,
+                         [this](cosim::Clk) -> std::optional<unsigned char> {
+                           ++sent;
+                           return static_cast<unsigned char>(random() & 0xFFu);
+                         },
+                         [this](unsigned char byte) { heard += static_cast<char>(byte); }};
+};
 
 struct OneModel {
   std::vector<Transfer> transfers;
@@ -123,10 +144,11 @@ void check_same_as_native(const std::string& name) {
 TEST_CASE("transfers and gates are clock by clock those of one model of the whole chip") {
   const Options options = line();
   const auto end = static_cast<cosim::Clk>(0.05 * kClockHz);
-  const Ran ran = run(options, end);
+  Noise noise(5), same_noise(5);
+  const Ran ran = run(options, end, &noise.host);
   CHECK(ran.transfers.size() > 300);
 
-  const OneModel one = run_one_model(options, end);
+  const OneModel one = run_one_model(options, end, &same_noise.host);
   const std::size_t n = std::min(ran.transfers.size(), one.transfers.size());
   for (std::size_t i = 0; i < n; ++i) {
     if (ran.transfers[i] == one.transfers[i]) continue;
@@ -136,6 +158,29 @@ TEST_CASE("transfers and gates are clock by clock those of one model of the whol
   CHECK(ran.transfers.size() == one.transfers.size());
   CHECK(ran.drive.size() > 1000);
   CHECK((ran.drive == one.drive));
+  CHECK(noise.sent > 500);
+  CHECK_THAT(noise.heard, Catch::Matchers::Contains("?\r\n"));
+  CHECK(noise.heard == same_noise.heard);
+}
+
+TEST_CASE("random bytes on the serial port change no write of the core and no gate edge") {
+  const Options options = line();
+  const auto end = static_cast<cosim::Clk>(0.1 * kClockHz);
+  const Ran quiet = run(options, end);
+  Noise noise(6);
+  const Ran noisy = run(options, end, &noise.host);
+  CHECK(noise.sent > 1000);
+  CHECK(noisy.result.fault.code == FaultCode::kNone);
+  CHECK(noisy.result.fault.processor.empty());
+  const auto words = [](const Ran& ran) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> all;
+    for (const Transfer& t : test::writes_of(ran.transfers)) all.emplace_back(t.address, t.data);
+    return all;
+  };
+  CHECK(words(quiet).size() > 200);
+  CHECK((words(noisy) == words(quiet)));
+  CHECK(quiet.drive.size() > 5000);
+  CHECK((noisy.drive == quiet.drive));
 }
 
 TEST_CASE("the core writes what native firmware writes, over the whole circle") {
@@ -161,8 +206,17 @@ TEST_CASE("a waiting core stands still, at every stall of a run") {
 TEST_CASE("an illegal instruction turns the gates off within the trip's clocks, at its address") {
   Options options = line();
   options.inject.processor_s = 0.03;
-  const Ran ran = run(options, static_cast<cosim::Clk>(0.05 * kClockHz));
+  const auto end = static_cast<cosim::Clk>(0.05 * kClockHz);
+  const Ran ran = run(options, end);
   CHECK(ran.result.end == EndReason::kFault);
   CHECK(ran.result.fault.code == FaultCode::kTrip);
-  CHECK_THAT(ran.result.fault.processor, Catch::Matchers::Contains("illegal instruction"));
+  REQUIRE(ran.trap);
+  CHECK_THAT(ran.result.fault.processor,
+             Catch::Matchers::Contains(fmt::format("{:#010x}", ran.trap->address)));
+  CHECK(core_image().at(ran.trap->address / 4) != 0);  // an instruction of the program
+  REQUIRE(!ran.drive.empty());
+  const auto& [off, gates] = ran.drive.back();
+  CHECK(gates == 0);
+  CHECK(off >= ran.trap->edge);
+  CHECK(off <= ran.trap->edge + kTripsWithin);
 }
