@@ -38,7 +38,7 @@ module uart_props #(
   logic [1:0] line_q;  // rx_i of the two clocks before; 1 from a reset on
 
   // Sender: the frame, and clocks since it began.
-  logic sends_q;
+  logic sends_q, was_sends_q;
   logic [19:0] sent_q;
   logic [9:0] frame_q;
   logic [9:0] now_sent;  // one bit: that of the frame which is on the line
@@ -46,7 +46,7 @@ module uart_props #(
   // Receiver: clocks since its start bit was seen, bits at their middles.
   logic hears_q;
   logic [19:0] heard_q;
-  logic [9:0] taken_q;
+  logic [8:1] taken_q;
   logic [9:0] middle;  // one bit: that of the frame whose middle is now
   logic full_q;        // what full_o must be
   logic [7:0] byte_q;  // and byte_o, once there was one
@@ -66,6 +66,7 @@ module uart_props #(
     was_full_q      <= full_o;
     was_tx_q        <= tx_o;
     was_byte_q      <= byte_o;
+    was_sends_q     <= !rst_i && sends_q;
     line_q          <= rst_i ? '1 : {line_q[0], rx_i};
 
     if (rst_i) begin
@@ -88,11 +89,11 @@ module uart_props #(
         heard_q <= '0;
       end else begin
         heard_q <= heard_q + 20'd1;
-        for (int unsigned n = 0; n < 10; n++) if (middle[n]) taken_q[n] <= line_q[1];
+        for (int unsigned n = 1; n < 9; n++) if (middle[n]) taken_q[n] <= line_q[1];
         if ((middle[0] && line_q[1]) || middle[9]) hears_q <= 1'b0;
         if (middle[9] && line_q[1]) begin
           full_q  <= 1'b1;
-          byte_q  <= taken_q[8:1];
+          byte_q  <= taken_q;
           known_q <= 1'b1;
         end
       end
@@ -112,28 +113,28 @@ module uart_props #(
               byte_o == was_byte_q && !busy_o && rx_left_q == '0));
 
       inv_sends :
-      assert (!sends_q || (sent_q + tx_count + 20'd1 == 20'(4'd11 - tx_left_q) * Bit &&
+      assert (!sends_q || (sent_q + tx_count + 20'd1 == (20'd11 - 20'(tx_left_q)) * Bit &&
               tx_left_q <= 4'd10 && tx_count < Bit && tx_bits_q == shifted(frame_q, tx_left_q)));
       inv_rests : assert (sends_q || tx_bits_q == '1);
       inv_line : assert (line_q == {rx_q, rx_meta_q});
       inv_hears : assert (hears_q == (rx_left_q != '0) && rx_left_q <= 4'd10);
       inv_heard :
       assert (!hears_q ||
-              (heard_q + rx_count == Middle + 20'(4'd10 - rx_left_q) * Bit && rx_count < Bit));
+              (heard_q + rx_count == Middle + (20'd10 - 20'(rx_left_q)) * Bit && rx_count < Bit));
       inv_start : assert (rx_left_q != 4'd10 || rx_count <= Middle);
       inv_taken :
       assert (rx_left_q == '0 || rx_left_q >= 4'd9 ||
               (rx_bits_q >> rx_left_q - 4'd1) ==
-              (taken_q[8:1] & ~(8'hFF << 4'd9 - rx_left_q)));
+              (taken_q & ~(8'hFF << 4'd9 - rx_left_q)));
 
-      reaches_a_byte_sent : cover (was_quiescent_q && sent_q == 20'd10 * Bit && frame_q[1]);
+      reaches_a_byte_sent : cover (was_sends_q && !busy_o && frame_q[1]);
       reaches_a_byte_received : cover (full_o && byte_o == 8'h5A);
     end
   end
 
   // What is left to send of a frame: ones follow the stop bit.
   function automatic logic [9:0] shifted(logic [9:0] frame, logic [3:0] left);
-    return ({10'h3FF, frame} >> (4'd10 - left)) & 20'h003FF;
+    return 10'({10'h3FF, frame} >> (4'd10 - left));
   endfunction
 
   // breaks quiet_from_reset: full_q <= next || (rst_i && take_i)
