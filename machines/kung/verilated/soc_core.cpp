@@ -14,6 +14,7 @@ namespace {
 
 struct PicoRegisters {
   using Root = Vsoc_host_fast___024root;
+  static constexpr int kSettles = 2;
   static std::uint32_t pc(const Root& root) {
     return root.soc_host__DOT__u_cpu__DOT__u_core__DOT__reg_pc;
   }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A verilated soc_host behind the interface SocCore. `Registers` reads the core's program counter:
-// pc(root) and next_pc(root). Included only by units that know the model.
+// A verilated soc_host behind the interface SocCore. `Registers` knows the core: pc(root) and
+// next_pc(root) read its program counter, and kSettles is the number of clocks after which it
+// stands still while it waits. Included only by units that know the model.
 #pragma once
 
 #include <verilated.h>
@@ -75,7 +76,7 @@ class VerilatedCore final : public SocCore {
     if (level) settle();
   }
   cosim::Clk still() override {
-    if (!model_->quiescent_o || stalled_ < kSettles) return now_;
+    if (!model_->quiescent_o || stalled_ < Registers::kSettles) return now_;
     if (audit_) try_still();
     return host_ == nullptr ? cosim::kNever : host_->next();
   }
@@ -108,7 +109,6 @@ class VerilatedCore final : public SocCore {
  private:
   static constexpr std::size_t kWords = sizeof(Root::soc_host__DOT__u_ram__DOT__words) / 4;
   static constexpr int kResetEdges = 4;   // as the chip
-  static constexpr int kSettles = 2;      // clocks until a waiting core stands still
   static constexpr int kTried = 20;       // clocks of an audit
 
   Root& root() { return *model_->rootp; }
