@@ -11,6 +11,13 @@ file(GLOB TRAMMEL_RTL_PACKAGES CONFIGURE_DEPENDS
 file(GLOB TRAMMEL_RTL_PROPERTIES CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rtl/*/*_props.sv)
 list(FILTER TRAMMEL_RTL_PROPERTIES EXCLUDE REGEX "/boards/")
 
+# RTL of processor cores that packages of .venv bring; empty where these are missing.
+set(packages ${PROJECT_SOURCE_DIR}/.venv/lib/python3*/site-packages)
+file(GLOB TRAMMEL_PICORV32 CONFIGURE_DEPENDS
+  ${packages}/pythondata_cpu_picorv32/verilog/picorv32.v)
+file(GLOB TRAMMEL_VEXRISCV CONFIGURE_DEPENDS
+  ${packages}/pythondata_cpu_vexriscv/verilog/VexRiscv_Lite.v)
+
 # A library of all .cpp files of a folder tree (header-only: an INTERFACE library).
 function(trammel_library name folder)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${folder}/*.cpp)

@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 
+#include "cosim/core.hpp"
 #include "cosim/direct.hpp"
 #include "cosim/machine.hpp"
 #include "cosim/trigger_search.hpp"
@@ -19,6 +20,10 @@ struct Session {
   virtual Loop& loop() = 0;
   virtual sw::Firmware& firmware() = 0;
   virtual ProcessorTiming timing() const = 0;
+  // The processor's RTL that runs instead of the firmware; nullptr: the firmware runs.
+  virtual Core* core() { return nullptr; }
+  virtual void trapped(const CoreTrap&) {}
+  virtual void core_ran(const CoreTimes&) {}  // once, when the run is over
   virtual std::int64_t period_ps() const = 0;
   virtual Clk end() const = 0;        // edge at which the run ends at the latest
   virtual bool finished() const = 0;  // the record is complete

@@ -48,7 +48,13 @@ cosim::Hooks half_of_progress(const cosim::Hooks& hooks, double from) {
 }  // namespace
 
 void run(cosim::Session& session, const cosim::RunBasics& basics) {
-  if (basics.platform == cosim::Platform::kSystemC && basics.engine == cosim::Engine::kRtl) {
+  if (cosim::Core* const core = session.core()) {
+    cosim::CoreRun run(session.loop(), *core, session.end(),
+                       [&session] { return session.finished(); },
+                       [&session](const cosim::CoreTrap& trap) { session.trapped(trap); });
+    run.run();
+    session.core_ran(run.times());
+  } else if (basics.platform == cosim::Platform::kSystemC && basics.engine == cosim::Engine::kRtl) {
     run_in_systemc(session);
   } else {
     cosim::run_direct(session.loop(), session.firmware(), session.timing(), session.end(),

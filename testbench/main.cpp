@@ -69,6 +69,8 @@ struct CommandLine {
     run->add_flag("--all", arguments.all,
                   "run the experiments of the first machine's source and compare them");
     add_key(run, "--engine", "run.engine", "rtl, or twin: its bit-exact C++ twin, which is faster");
+    add_key(run, "--cpu", "run.cpu",
+            "native firmware, or rtl: the RTL of the chip's processor runs its binary");
     add_key(run, "--platform", "run.platform", "systemc, or direct: without SystemC");
     run->add_flag("--check", arguments.check,
                   "exit 1 if a figure is outside its tolerance, 2 if none has an expected value");

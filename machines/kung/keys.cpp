@@ -7,6 +7,10 @@
 namespace trammel::lab {
 
 template <>
+std::vector<std::string> enum_names<kung::Cpu>() {
+  return {"native", "rtl"};
+}
+template <>
 std::vector<std::string> enum_names<kung::Controller>() {
   return {"fc", "afc"};
 }
@@ -42,6 +46,10 @@ void add_run(Table& t) {
   t.names();
   t.text("controller", "fixed rule table (fc) or adaptive (afc)", TRAMMEL_LENS(controller));
   t.platform_and_clocks();
+  t.text("run.cpu",
+         "firmware compiled for this computer, or the RTL of kung_soc's processor with its binary, "
+         "without SystemC",
+         TRAMMEL_LENS(cpu));
   t.window();
   t.one("run.settle_s", 0, 10, "simulated after the last point, not counted",
         TRAMMEL_LENS(settle_s));
@@ -64,7 +72,9 @@ void add_faults(Table& t) {
   add("trip_s", 0, 3600, "time at which the trip pin rises; 0 = never", &FaultInjection::trip_s);
   add("encoder_s", 0, 3600, "time at which both lines of encoder X jump; 0 = never",
       &FaultInjection::encoder_s);
-  add("processor_s", 0, 3600, "time from which the processor does nothing; 0 = never",
+  add("processor_s", 0, 3600,
+      "time from which the processor does nothing, or meets an illegal instruction if run.cpu is "
+      "\"rtl\"; 0 = never",
       &FaultInjection::processor_s);
 }
 

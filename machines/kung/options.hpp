@@ -26,6 +26,7 @@ using cosim::ProcessorOptions;
 using cosim::WaveFormat;
 using cosim::WaveSpan;
 
+enum class Cpu { kNative, kRtl };     // firmware compiled for this computer, or on the core's RTL
 enum class Controller { kFc, kAfc };  // fixed rule table, or tuned while it runs
 using PathKind = sw::Path;            // as the firmware names them
 enum class SweepOf { kPosition, kCurrent };  // what a sweep commands
@@ -130,7 +131,8 @@ struct PathOptions {
 struct FaultInjection {
   double trip_s = 0;     // the trip pin rises
   double encoder_s = 0;  // both encoder lines of X jump at once
-  double processor_s = 0;  // the interrupt routine stops doing its work
+  double processor_s = 0;  // the interrupt routine stops doing its work; the core's RTL meets an
+                           // illegal instruction
 };
 
 const lab::Machine& machine();
@@ -145,6 +147,7 @@ struct Options final : lab::SettingsOf<Options, machine> {
     run.max_s = 60;
   }
 
+  Cpu cpu = Cpu::kNative;
   Controller controller = Controller::kAfc;
   std::array<AxisGains, 2> gains;
   bool gains_by_rule = false;  // kv and those of the current loop from the motor, see words.hpp

@@ -6,9 +6,11 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "cosim/core.hpp"
 #include "cosim/disk_vector.hpp"
 #include "machines/kung/load.hpp"
 #include "machines/kung/options.hpp"
@@ -111,6 +113,7 @@ struct Result : cosim::RunResult {
   Fault fault;
   Detail detail;
   WakeCounts wakes{};             // why clocks were evaluated
+  std::optional<cosim::CoreTimes> core;  // of run.cpu = "rtl"
 };
 
 }  // namespace trammel::kung

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "machines/kung/session.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "lab/errors.hpp"
 #include "machines/kung/figures.hpp"
 #include "machines/kung/machine.hpp"
 #include "machines/kung/plan.hpp"
@@ -85,6 +88,7 @@ Session::Session(const Options& options, const Hooks& hooks, const cosim::Waves&
                                         fault_at(options_.inject.encoder_s));
   chip_ = make_chip();
   firmware_->runs_on(*chip_);
+  if (options_.cpu == Cpu::kRtl) make_core(setup);
   recorder_ = std::make_unique<Recorder>(*chip_, plant_->table(),
                                          [this](const Sample& sample) { return over(sample); });
   detail_ = std::make_unique<DetailRecorder>(*chip_, plant_->table(),
@@ -108,6 +112,29 @@ std::unique_ptr<KungChip> Session::make_chip() {
   return make_verilated_chip(run, waves_.window);
 }
 
+void Session::make_core(const sw::KungSetup& setup) {
+  if (core_image().empty()) {
+    throw lab::ToolMissing(
+        "run.cpu: \"rtl\" needs what was missing when this program was built: the core's RTL "
+        "(pythondata-cpu-picorv32 in .venv) or riscv64-unknown-elf-g++ (trammel doctor)");
+  }
+  core_ = kung::make_core(core_memory(setup, true), options_.run.audit);
+  core_->break_at(fault_at(options_.inject.processor_s));
+}
+
+const sw::Mailbox& Session::mailbox() const {
+  return core_ ? core_->mailbox() : firmware_->mailbox();
+}
+
+// Its output is at the chip's trip input.
+void Session::trapped(const cosim::CoreTrap& trap) {
+  trap_text_ = fmt::format("the core stopped at an illegal instruction or misaligned access at "
+                           "{:#010x}", trap.address);
+  plant_->trip_from(trap.edge);
+}
+
+void Session::core_ran(const cosim::CoreTimes& times) { result_.core = times; }
+
 void Session::inject() {
   const cosim::Fault& fault = options_.fault;
   const std::int64_t clock_ps = options_.plant.clock_ps;
@@ -122,7 +149,7 @@ void Session::watch_fault(const cosim::Stop& stop) {
   const auto by = [this]() -> std::string {
     const Fault fault = chip_->fault();
     if (fault.code != FaultCode::kNone) return cause_text(fault);
-    return check_text(firmware_->mailbox());
+    return check_text(mailbox());
   };
   const auto truth = [&] {
     cosim::FaultTruth now;
@@ -158,22 +185,22 @@ bool Session::over(const Sample& sample) {
   if (chip_->broken_promise()) return true;
   const auto period = static_cast<std::uint32_t>(
       ticks_per_point(options_.path, options_.chip.irq_period_ticks));
-  const sw::Mailbox& mailbox = firmware_->mailbox();
+  const sw::Mailbox& mail = mailbox();
   const Fault fault = chip_->fault();
-  if (fault.code != FaultCode::kNone || mailbox.failure != 0) {
+  if (fault.code != FaultCode::kNone || mail.failure != 0) {
     if (after_fault_ == 0) result_.fault = fault;  // what comes on the way to rest is no cause
     result_.end = EndReason::kFault;
-    result_.fault.processor = check_text(mailbox);
+    result_.fault.processor = trap_text_.empty() ? check_text(mail) : trap_text_;
     return fault_is_over(sample);
   }
   if (hooks_.stopped()) {
     result_.end = EndReason::kStopped;
     return true;
   }
-  if (mailbox.point == 0) return false;
+  if (mail.point == 0) return false;
   if (result_.points == 0) detail_->path_begins();
-  result_.first_tick = mailbox.first_tick;
-  result_.points = mailbox.point;
+  result_.first_tick = mail.first_tick;
+  result_.points = mail.point;
   result_.end_tick = result_.first_tick + path_points_ * period;
   for (std::size_t k = 0; k < 2; ++k) {
     const AxisSample& axis = sample.axis[k];

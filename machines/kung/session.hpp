@@ -17,6 +17,7 @@
 #include "machines/kung/followed.hpp"
 #include "machines/kung/recorder.hpp"
 #include "machines/kung/record.hpp"
+#include "machines/kung/soc.hpp"
 #include "sw_nios/apps/kung/kung.hpp"
 #include "rtl/chips/generated/kung_xy_regs.hpp"
 
@@ -31,6 +32,7 @@ class TablePlant final : public cosim::FalliblePlant {
 
   cosim::Lines sense() const override { return table_.sense() ^ faults_; }
   cosim::Clk next() const override { return std::min({table_.next(), trip_, encoder_}); }
+  void trip_from(cosim::Clk edge) { trip_ = std::min(trip_, edge); }  // the pin rises; not the past
   void commit(cosim::Clk n, cosim::Lines drive) override {
     table_.commit(n, drive);
     inject(trip_, n, cosim::Lines{1} << kTripPin);
@@ -86,6 +88,9 @@ class Session final : public cosim::Session {
   cosim::Loop& loop() override { return *loop_; }
   sw::Firmware& firmware() override { return *firmware_; }
   cosim::ProcessorTiming timing() const override;
+  cosim::Core* core() override { return core_.get(); }
+  void trapped(const cosim::CoreTrap& trap) override;
+  void core_ran(const cosim::CoreTimes& times) override;
   std::int64_t period_ps() const override { return options_.plant.clock_ps; }
   cosim::Clk end() const override;
   bool finished() const override { return recorder_->done(); }
@@ -113,6 +118,8 @@ class Session final : public cosim::Session {
   void watch_fault(const cosim::Stop& stop);
 
   std::unique_ptr<KungChip> make_chip();
+  void make_core(const sw::KungSetup& setup);
+  const sw::Mailbox& mailbox() const;
 
   Options options_;
   Hooks hooks_;
@@ -123,6 +130,7 @@ class Session final : public cosim::Session {
   std::optional<cosim::FaultWatch> fault_watch_;
   std::unique_ptr<KungChip> chip_;
   std::unique_ptr<StallableApp> firmware_;
+  std::unique_ptr<SocCore> core_;  // in its place
   std::unique_ptr<DetailRecorder> detail_;
   std::unique_ptr<Recorder> recorder_;
   Tee tee_;
@@ -132,6 +140,7 @@ class Session final : public cosim::Session {
   std::optional<Followed> followed_;
   std::uint32_t path_points_ = 0;  // of the whole path
   std::uint32_t after_fault_ = 0;
+  std::string trap_text_;
   Result result_;
 };
 

@@ -49,6 +49,8 @@ module kung_xy
     output logic irq_o,
     output logic tick_o,
     output logic sample_o,
+    output logic [1:0] driver_en_o,
+    output logic tripped_o,
     output gap_t next_o,
     output logic quiescent_o,
     output kung_pkg::domains_t awake_o,
@@ -283,6 +285,8 @@ module kung_xy
       (hwif_out.irq_stat.fault.value && hwif_out.irq_en.fault.value);
   assign tick_o   = tick_pos;
   assign sample_o = all_done == '1;
+  assign driver_en_o = enabled & {2{!trip}};
+  assign tripped_o   = trip;
 
   always_comb begin
     next_o = timebase_next;

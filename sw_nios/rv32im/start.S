@@ -1,9 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// First instructions after reset: stack, zeroed .bss, main().
+// First instructions after reset, behind them the header of sw_nios/hal/soc_map.hpp: stack, zeroed
+// .bss, main().
   .section .start, "ax"
   .global _start
 _start:
+  j begin
+  .word 0x4C4D5254
+  .word core_setup
+  .word core_report
+  .word bss_end
+  .word stack_bottom
+begin:
   la sp, stack_top
   la t0, bss_begin
   la t1, bss_end

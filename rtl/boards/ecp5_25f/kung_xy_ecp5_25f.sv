@@ -43,7 +43,8 @@ module kung_xy_ecp5_25f (
 );
 
   logic [1:0] reset_q;
-  logic unused_tick, unused_sample, unused_quiescent;
+  logic unused_tick, unused_sample, unused_quiescent, unused_tripped;
+  logic [1:0] unused_driver_en;
   trammel_pkg::gap_t unused_next;
   kung_pkg::domains_t unused_awake;
   logic unused_timed;
@@ -87,6 +88,8 @@ module kung_xy_ecp5_25f (
       .irq_o(irq_o),
       .tick_o(unused_tick),
       .sample_o(unused_sample),
+      .driver_en_o(unused_driver_en),
+      .tripped_o(unused_tripped),
       .next_o(unused_next),
       .quiescent_o(unused_quiescent),
       .awake_o(unused_awake),

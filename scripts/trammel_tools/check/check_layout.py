@@ -96,7 +96,7 @@ def check_companions(root, files, plain, path):
     text = (root / path).read_text(encoding="utf-8")
     if "always_ff" in text and path not in plain:
         wanted.append(path.with_name(f"{stem}_props.sv"))
-    if layer == "chips" and re.search(r"\bleap_i\b", text) and not is_inside(root, files, stem):
+    if layer == "chips" and "leap_i" in ports(text) and not is_inside(root, files, stem):
         wanted.append(path.with_name(f"{stem}_leap.toml"))
     for companion in wanted:
         if companion not in files:
@@ -104,9 +104,11 @@ def check_companions(root, files, plain, path):
 
 
 def is_inside(root, files, stem):
-    """Whether a chip contains this module."""
-    return any(re.search(rf"^\s*{stem}\s+(#|u_\w+\s*\()", (root / p).read_text("utf-8"), re.M)
-               for p in files if p.parts[:2] == ("rtl", "chips") and p.suffix == ".sv")
+    """Whether a chip that leaps contains this module."""
+    texts = [(root / p).read_text("utf-8") for p in files
+             if p.parts[:2] == ("rtl", "chips") and p.suffix == ".sv"]
+    return any("leap_i" in ports(text) and
+               re.search(rf"^\s*{stem}\s+(#|u_\w+\s*\()", text, re.M) for text in texts)
 
 
 def check_page(root, path, files):

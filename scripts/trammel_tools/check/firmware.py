@@ -2,6 +2,7 @@
 """Build the firmware for a small RISC-V core (rv32im, no operating system) and check what it links.
 
 usage: scripts/tool firmware
+       scripts/tool firmware --words APP FILE [--ram BYTES]
 
 Compiles sw_nios/ as freestanding C++17 with every warning an error. An app with its own main,
 sw_nios/apps/<m>/rv32im/main.cpp, is linked with sw_nios/rv32im/link.ld, and its size is printed. It
@@ -11,13 +12,18 @@ must run to completion with the same result on every core has none of these.
 The drivers in C of parts, parts/<part>/driver/*.c, are compiled as freestanding C99; they must keep
 no variables and need nothing but each other.
 
+With --words it only links one app and writes the words of its memory, for a program or a memory of
+the FPGA that holds them: 0x00000000, each, or for FILE.hex 00000000.
+
 Exit codes: 0 as it should be, 1 it does not build or holds what it must not, 3 the cross compiler
 is missing (under CTest 77). The programs are build/firmware/<m>.elf.
 """
 
+import argparse
 import os
 import re
 import shutil
+import struct
 import subprocess
 import sys
 from pathlib import Path
@@ -27,10 +33,11 @@ from trammel_tools.paths import ROOT
 SOURCES = ROOT / "sw_nios"
 OUT = ROOT / "build" / "firmware"
 PREFIX = "riscv64-unknown-elf-"
+RAM = 65536  # bytes; Words of rtl/chips/kung_soc.sv
 CORE = ["-march=rv32im", "-mabi=ilp32"]
 COMPILE = ["-std=c++17", "-ffreestanding", "-fno-exceptions", "-fno-rtti",
            "-fno-threadsafe-statics", "-fno-use-cxa-atexit", "-ffunction-sections",
-           "-fdata-sections", "-Os", "-Wall", "-Wextra", "-Wshadow", "-Wconversion", "-Werror",
+           "-fdata-sections", "-O2", "-Wall", "-Wextra", "-Wshadow", "-Wconversion", "-Werror",
            "-I.", "-isystem", "sw_nios/rv32im/include"]
 LINK = ["--specs=picolibc.specs", "-nostartfiles", "-nostdlib", "-T", "sw_nios/rv32im/link.ld",
         "-Wl,--gc-sections,--fatal-warnings,--no-warn-rwx-segments"]
@@ -45,23 +52,29 @@ FORBIDDEN = {
 }
 
 
+def tried(*command):
+    return subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+
+
 def run(*command):
-    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+    done = tried(*command)
     if done.returncode != 0:
         print((done.stdout + done.stderr).strip(), file=sys.stderr)
     return done.stdout if done.returncode == 0 else None
 
 
-def compiled():
-    """{source: its object}, or None."""
-    OUT.mkdir(parents=True, exist_ok=True)
+def compiled(out, only=None):
+    """{source: its object}, or None; all sources, or what one app needs."""
+    out.mkdir(parents=True, exist_ok=True)
     objects = {}
     for source in sorted([*SOURCES.rglob("*.cpp"), *SOURCES.rglob("*.S")]):
+        if only and app_of(source.relative_to(SOURCES)) not in (None, only):
+            continue
         name = "_".join(source.relative_to(SOURCES).with_suffix(".o").parts)
         flags = COMPILE if source.suffix == ".cpp" else []
-        if run(f"{PREFIX}g++", *CORE, *flags, "-c", str(source), "-o", str(OUT / name)) is None:
+        if run(f"{PREFIX}g++", *CORE, *flags, "-c", str(source), "-o", str(out / name)) is None:
             return None
-        objects[source.relative_to(SOURCES)] = str(OUT / name)
+        objects[source.relative_to(SOURCES)] = str(out / name)
     return objects
 
 
@@ -76,13 +89,51 @@ def programs(sources):
             if app_of(source) and source == Path("apps", app_of(source), "rv32im", "main.cpp")]
 
 
-def link(app, objects):
+def link(app, objects, out, ram=RAM):
     """The program of an app, or None."""
-    program = OUT / f"{app}.elf"
+    program = out / f"{app}.elf"
     own = [name for source, name in objects.items() if app_of(source) in (None, app)]
-    linked = run(f"{PREFIX}g++", *CORE, *LINK, *own, "-Wl,--start-group", "-lc", "-lgcc",
-                 "-Wl,--end-group", "-o", str(program))
-    return None if linked is None else program
+
+    def linked(size):
+        return tried(f"{PREFIX}g++", *CORE, *LINK, f"-Wl,--defsym=ram_size={size}", *own,
+                     "-Wl,--start-group", "-lc", "-lgcc", "-Wl,--end-group", "-o", str(program))
+
+    done = linked(ram)
+    if done.returncode == 0:
+        return program
+    over = re.search(r"region `ram' overflowed by (\d+) bytes", done.stderr)
+    if over:
+        print(f"firmware: {app} needs {ram + int(over[1])} bytes of memory, stack included; the "
+              f"chip has {ram}", file=sys.stderr)
+    else:
+        print((done.stdout + done.stderr).strip(), file=sys.stderr)
+    return None
+
+
+def write_words(program, file):
+    """The words that the memory holds before the core starts."""
+    binary = program.with_suffix(".bin")
+    if run(f"{PREFIX}objcopy", "-O", "binary", str(program), str(binary)) is None:
+        return False
+    image = binary.read_bytes()
+    image += bytes(-len(image) % 4)
+    form = "{:08x}\n" if file.suffix == ".hex" else "0x{:08x},\n"
+    file.write_text("".join(form.format(word) for (word,) in struct.iter_unpack("<I", image)),
+                    encoding="utf-8")
+    return True
+
+
+def words(app, file, ram):
+    """Exit code."""
+    out = file.parent / f"{file.stem}_firmware"
+    objects = compiled(out, app)
+    if objects is None:
+        return 1
+    if app not in programs(objects):
+        print(f"firmware: sw_nios/apps/{app}/rv32im/main.cpp: no such file", file=sys.stderr)
+        return 2
+    program = link(app, objects, out, ram)
+    return 0 if program and write_words(program, file) else 1
 
 
 def forbidden(symbols):
@@ -121,13 +172,17 @@ def drivers():
 
 
 def main():
-    if any(a in ("-h", "--help") for a in sys.argv[1:]):
-        print(__doc__)
-        return 0
+    parser = argparse.ArgumentParser(prog="scripts/tool firmware", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--words", nargs=2, metavar=("APP", "FILE"))
+    parser.add_argument("--ram", type=int, default=RAM, metavar="BYTES")
+    asked = parser.parse_args()
     if shutil.which(f"{PREFIX}g++") is None:
         print(f"firmware: {PREFIX}g++ is missing (trammel doctor)", file=sys.stderr)
         return 77 if "CTEST_INTERACTIVE_DEBUG_MODE" in os.environ else 3
-    objects = compiled()
+    if asked.words:
+        return words(asked.words[0], Path(asked.words[1]), asked.ram)
+    objects = compiled(OUT)
     if objects is None:
         return 1
     apps = programs(objects)
@@ -135,7 +190,7 @@ def main():
         print("firmware: no app has an rv32im/main.cpp", file=sys.stderr)
         return 1
     wrong = []
-    for program in [link(app, objects) for app in apps]:
+    for program in [link(app, objects, OUT) for app in apps]:
         if program is None:
             return 1
         text, data, bss = run(f"{PREFIX}size", str(program)).split("\n")[1].split()[:3]

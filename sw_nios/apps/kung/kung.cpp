@@ -16,11 +16,6 @@ constexpr std::uint32_t kAllIrqs = reg::kIrqStatTick | reg::kIrqStatFault;
 
 constexpr std::uint32_t word(std::int32_t value) { return static_cast<std::uint32_t>(value); }
 
-constexpr std::uint32_t gain_word(Gain gain) {
-  return (word(gain.mant) & reg::kKpMantMask) |
-         ((word(gain.exp) << reg::kKpExpShift) & reg::kKpExpMask);
-}
-
 constexpr std::uint32_t mode(const AxisSetup& axis, bool current_command) {
   return reg::kCtrlCurrentLoop | (current_command ? 0 : reg::kCtrlPositionLoop) |
          (axis.adapt ? reg::kCtrlAdapt : 0) |
@@ -71,6 +66,11 @@ void configure_axis(Bus& bus, std::uint32_t base, const AxisSetup& axis, std::in
 }
 
 }  // namespace
+
+std::uint32_t gain_word(Gain gain) {
+  return (word(gain.mant) & reg::kKpMantMask) |
+         ((word(gain.exp) << reg::kKpExpShift) & reg::kKpExpMask);
+}
 
 KungApp::KungApp(const KungSetup& setup)
     : setup_(setup),
@@ -253,6 +253,10 @@ bool KungApp::d_currents_plausible(Bus& bus) const {
 
 void KungApp::fail(Bus& bus, Failure failure) {
   mail_.failure = static_cast<std::uint32_t>(failure);
+  stop(bus);
+}
+
+void KungApp::stop(Bus& bus) {
   mail_.done = 1;
   state_ = State::kOff;
   for (const std::uint32_t base : kBases) bus.write(base + reg::kCtrl, 0);

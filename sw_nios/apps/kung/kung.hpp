@@ -22,6 +22,8 @@ struct Gain {
   std::int32_t exp = 0;
 };
 
+std::uint32_t gain_word(Gain gain);  // as the registers of gains take it
+
 // Register words of one axis; defaults of the specification, without adaptation.
 struct AxisSetup {
   Gain kp{768, 0};
@@ -95,6 +97,7 @@ class KungApp final : public Firmware {
 
   void start(Bus& bus) override;
   void isr(Bus& bus) override;
+  void stop(Bus& bus);  // drives off, no further interrupt; the program has ended
   // `failure` is a Failure; a point is one of the path, counted when written.
   const Mailbox& mailbox() const override { return mail_; }
 

@@ -1,59 +1,72 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The table's program on a small RISC-V core: registers of the chip in its address space, its
-// interrupt line as the core's external interrupt. Interrupts are never taken: a routine runs to
-// completion, then the core waits for the next one.
-#include "sw_nios/apps/kung/kung.hpp"
+// The table's program on the core of rtl/chips/kung_soc.sv. It uses no control register of the
+// core, so any rv32im core runs it: the core waits by reading WAIT into a variable, whose answer is
+// held until the IC interrupts or the serial port has something to do. The service routine runs to
+// completion, and the console prints nothing in it.
+#include "sw_nios/apps/kung/console.hpp"
+#include "sw_nios/apps/kung/setup_words.hpp"
+#include "sw_nios/hal/soc_map.hpp"
 
 namespace trammel::sw {
 namespace {
 
-constexpr std::uint32_t kChip = 0x8000'0000;
-constexpr std::uint32_t kExternal = 1u << 11;  // of mie and mip
+namespace map = soc_map;
+
+volatile std::uint32_t& at(std::uint32_t address) {
+  return *reinterpret_cast<volatile std::uint32_t*>(address);
+}
 
 class MappedBus final : public Bus {
  public:
-  std::uint32_t read(std::uint32_t addr) override { return *at(addr); }
-  void write(std::uint32_t addr, std::uint32_t data) override { *at(addr) = data; }
-
- private:
-  static volatile std::uint32_t* at(std::uint32_t addr) {
-    return reinterpret_cast<volatile std::uint32_t*>(kChip + addr);
-  }
+  std::uint32_t read(std::uint32_t addr) override { return at(map::kChip + addr); }
+  void write(std::uint32_t addr, std::uint32_t data) override { at(map::kChip + addr) = data; }
 };
 
-// The assembler counts control and status registers as an extension; every core has them.
-#define TRAMMEL_CSR(text) ".option push\n.option arch, +zicsr\n" text "\n.option pop"
-
-void allow_external() { asm volatile(TRAMMEL_CSR("csrs mie, %0") : : "r"(kExternal)); }
-
-// A core whose `wfi` does nothing polls here.
-void wait_for_interrupt() {
-  std::uint32_t pending = 0;
-  do {
-    asm volatile(TRAMMEL_CSR("wfi\ncsrr %0, mip") : "=r"(pending) : : "memory");
-  } while ((pending & kExternal) == 0);
+KungSetup given(const SetupWords& words) {
+  KungSetup setup;
+  if ((words.flags & SetupWords::kUsed) != 0) unpack(words, setup);
+  setup.points = reinterpret_cast<const Point*>(words.points);
+  return setup;
 }
-
-#undef TRAMMEL_CSR
 
 }  // namespace
 }  // namespace trammel::sw
 
+// What the header of the image shows. Not zeroed at the start: a loader fills in the set-up.
+extern "C" {
+__attribute__((section(".data"))) trammel::sw::SetupWords core_setup;
+const trammel::sw::Mailbox* core_report;
+
 // A call of a pure virtual function, which nothing here can make.
-extern "C" void __cxa_pure_virtual() {
+void __cxa_pure_virtual() {
   for (;;) {
   }
+}
 }
 
 int main() {
   using namespace trammel::sw;
-  static KungApp app{KungSetup{}};
-  MappedBus bus;
-  allow_external();
-  app.start(bus);
+  namespace map = soc_map;
+  static MappedBus bus;
+  static KungProgram program{given(core_setup)};
+  static Console console{program, bus};
+  core_report = &program.app().mailbox();
+  if ((core_setup.flags & SetupWords::kStart) != 0) program.start(bus);
   for (;;) {
-    wait_for_interrupt();
-    app.isr(bus);
+    console.pump();
+    const std::uint32_t wait = console.ring().empty() ? map::kWait : map::kWaitSend;
+    const std::uint32_t why = at(wait);  // a cast to void would not read
+    if ((why & map::kWaitIrq) != 0) {
+      program.app().isr(bus);
+      continue;
+    }
+    if ((why & map::kWaitReceived) != 0) {
+      const std::uint32_t byte = at(map::kUart);
+      console.take(static_cast<char>(byte & 0xFFu));
+    }
+    if ((why & map::kWaitCanSend) != 0 && !console.ring().empty()) {
+      at(map::kUart) = static_cast<unsigned char>(console.ring().take());
+    }
   }
 }

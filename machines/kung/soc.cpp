@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "machines/kung/soc.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "machines/kung/options.hpp"
+#include "sw_nios/apps/kung/setup_words.hpp"
+#include "sw_nios/hal/soc_map.hpp"
+
+namespace trammel::kung {
+
+namespace map = sw::soc_map;
+
+const CoreMemory& core_image() {
+  static const CoreMemory image{
+#ifdef TRAMMEL_CORE
+#include <kung_image.inc>
+#endif
+  };
+  return image;
+}
+
+CoreMemory core_memory(const sw::KungSetup& setup, bool start) {
+  CoreMemory memory = core_image();
+  const auto header = [&memory](std::uint32_t n) { return memory.at(map::kHeader / 4 + n); };
+  const std::uint32_t at = header(map::kSetup), free = header(map::kFree);
+  const std::uint32_t limit = header(map::kLimit);
+  const std::uint32_t room = (limit - free) / static_cast<std::uint32_t>(sizeof(sw::Point));
+  if (setup.path == sw::Path::kPoints && setup.n_points > room) {
+    throw OptionsError(fmt::format("path.points_file: {} points are too many for run.cpu = "
+                                   "\"rtl\": its memory has room for {}",
+                                   setup.n_points, room));
+  }
+  sw::SetupWords words;
+  sw::pack(setup, words);
+  words.flags |= start ? sw::SetupWords::kStart : 0;
+  words.points = free;
+  memory.resize(limit / 4);
+  std::uint32_t n = at / 4;
+  memory[n++] = words.flags;
+  memory[n++] = words.points;
+  std::copy(words.members.begin(), words.members.end(), memory.begin() + n);
+  n = free / 4;
+  for (std::uint32_t k = 0; setup.path == sw::Path::kPoints && k < setup.n_points; ++k) {
+    memory[n++] = static_cast<std::uint32_t>(setup.points[k].x);
+    memory[n++] = static_cast<std::uint32_t>(setup.points[k].y);
+  }
+  return memory;
+}
+
+}  // namespace trammel::kung

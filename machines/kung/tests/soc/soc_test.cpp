@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The processor's RTL in step with the chip: clock by clock what one model of kung_soc does, and
+// write by write what native firmware does that reads the same.
+#include <fmt/format.h>
+
+#include <catch2/catch.hpp>
+
+#include "machines/kung/tests/soc/runs.hpp"
+#include "machines/kung/tests/soc/soc_chip.hpp"
+
+using namespace trammel;
+using namespace trammel::test;
+
+namespace {
+
+struct OneModel {
+  std::vector<Transfer> transfers;
+  std::vector<std::pair<cosim::Clk, cosim::Lines>> drive;
+  cosim::Clk trapped = cosim::kNever;  // edge before which the core's trap is high
+};
+
+// The same with kung_soc as one model; `patch` may change its memory.
+OneModel run_one_model(const Options& options, cosim::Clk end, cosim::SerialHost* host = nullptr,
+                       const std::function<void(CoreMemory&)>& patch = {}) {
+  std::vector<sw::Point> points;
+  const sw::KungSetup setup = plan_firmware(options, points);
+  plant::XyTableConfig config = options.plant;
+  const sw::Point start = sw::Trajectory(setup).start();
+  config.axis[0].start_m = start.x * config.axis[0].encoder_count_m;
+  config.axis[1].start_m = start.y * config.axis[1].encoder_count_m;
+  TablePlant plant(config, cosim::kNever, cosim::kNever);
+  CoreMemory memory = core_memory(setup, true);
+  if (patch) patch(memory);
+  test::SocChip chip(memory);
+  chip.host = host;
+  DriveEdges drive;
+  cosim::Loop loop(chip, plant, drive);
+  loop.advance(end, 0);
+  return {std::move(chip.transfers), std::move(drive.all), chip.trapped};
+}
+
+void check_same_as_native(const std::string& name) {
+  const Options options = scenario(name);
+  const Ran ran = run(options);
+  CHECK(ran.result.end == EndReason::kDone);
+  const std::size_t writes = test::writes_of(ran.transfers).size();
+  CHECK(writes > 1000);
+  CHECK(native_writes(options, ran.transfers) == writes);
+  WARN(name << ": " << writes << " writes, " << ran.times.routines << " routines, worst "
+            << ran.times.routine_worst << ", mean " << ran.times.routine_sum / ran.times.routines);
+}
+
+}  // namespace
+
+TEST_CASE("transfers and gates are clock by clock those of one model of the whole chip") {
+  const Options options = line();
+  const auto end = static_cast<cosim::Clk>(0.05 * kClockHz);
+  Noise noise(5), same_noise(5);
+  const Ran ran = run(options, end, &noise.host);
+  CHECK(ran.transfers.size() > 300);
+
+  const OneModel one = run_one_model(options, end, &same_noise.host);
+  const std::size_t n = std::min(ran.transfers.size(), one.transfers.size());
+  for (std::size_t i = 0; i < n; ++i) {
+    if (ran.transfers[i] == one.transfers[i]) continue;
+    INFO("transfer " << i);
+    FAIL(text(ran.transfers[i]) + "; of one model: " + text(one.transfers[i]));
+  }
+  CHECK(ran.transfers.size() == one.transfers.size());
+  CHECK(ran.drive.size() > 1000);
+  CHECK((ran.drive == one.drive));
+  CHECK(noise.sent > 500);
+  CHECK_THAT(noise.heard, Catch::Matchers::Contains("?\r\n"));
+  CHECK(noise.heard == same_noise.heard);
+}
+
+TEST_CASE("random bytes on the serial port change no write of the core and no gate edge") {
+  const Options options = line();
+  const auto end = static_cast<cosim::Clk>(0.1 * kClockHz);
+  const Ran quiet = run(options, end);
+  Noise noise(6);
+  const Ran noisy = run(options, end, &noise.host);
+  CHECK(noise.sent > 1000);
+  CHECK(noisy.result.fault.code == FaultCode::kNone);
+  CHECK(noisy.result.fault.processor.empty());
+  const auto words = [](const Ran& ran) {
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> all;
+    for (const Transfer& t : test::writes_of(ran.transfers)) all.emplace_back(t.address, t.data);
+    return all;
+  };
+  CHECK(words(quiet).size() > 200);
+  CHECK((words(noisy) == words(quiet)));
+  CHECK(quiet.drive.size() > 5000);
+  CHECK((noisy.drive == quiet.drive));
+}
+
+TEST_CASE("the core writes what native firmware writes, over the whole circle") {
+  check_same_as_native("circle");
+}
+
+TEST_CASE("the core writes what native firmware writes, over the whole window") {
+  check_same_as_native("window");
+}
+
+TEST_CASE("the core writes what native firmware writes, over the whole star") {
+  check_same_as_native("star");
+}
+
+TEST_CASE("a waiting core stands still, at every stall of a run") {
+  Options options = line();
+  options.run.audit = true;
+  const Ran ran = run(options, static_cast<cosim::Clk>(0.05 * kClockHz));
+  CHECK(ran.times.routines > 5);
+  CHECK(ran.moved.empty());
+}
+
+TEST_CASE("an illegal instruction turns the gates off within the trip's clocks, at its address") {
+  Options options = line();
+  options.inject.processor_s = 0.03;
+  const auto end = static_cast<cosim::Clk>(0.05 * kClockHz);
+  const Ran ran = run(options, end);
+  CHECK(ran.result.end == EndReason::kFault);
+  CHECK(ran.result.fault.code == FaultCode::kTrip);
+  REQUIRE(ran.trap);
+  CHECK_THAT(ran.result.fault.processor,
+             Catch::Matchers::Contains(fmt::format("{:#010x}", ran.trap->address)));
+  CHECK(core_image().at(ran.trap->address / 4) != 0);  // an instruction of the program
+  REQUIRE(!ran.drive.empty());
+  const auto& [off, gates] = ran.drive.back();
+  CHECK(gates == 0);
+  CHECK(off >= ran.trap->edge);
+  CHECK(off <= ran.trap->edge + kTripsWithin);
+}

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sw_nios/hal/text_ring.hpp"
+
+namespace trammel::sw {
+
+TextLine& TextLine::text(const char* words) {
+  for (; *words != 0; ++words) add(*words);
+  return *this;
+}
+
+TextLine& TextLine::number(std::uint32_t value) {
+  std::array<char, 10> digits{};
+  std::uint32_t n = 0;
+  do {
+    digits[n++] = static_cast<char>('0' + value % 10);
+    value /= 10;
+  } while (value != 0);
+  while (n != 0) add(digits[--n]);
+  return *this;
+}
+
+TextLine& TextLine::number(std::int32_t value) {
+  const auto bits = static_cast<std::uint32_t>(value);
+  if (value >= 0) return number(bits);
+  add('-');
+  return number(0u - bits);
+}
+
+bool TextRing::put(const TextLine& line) {
+  if (room() < line.size() + 2) return false;
+  for (std::uint32_t n = 0; n < line.size(); ++n) add(line[n]);
+  add('\r');
+  add('\n');
+  return true;
+}
+
+}  // namespace trammel::sw
