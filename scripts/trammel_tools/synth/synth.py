@@ -8,6 +8,10 @@ mapped; one is also placed and routed on an iCE40 UP5K. Cells are nextpnr's: a l
 inputs or a bit of a carry chain, on the iCE40 with its flip-flop. The result is held to the budgets
 in synth.toml of each machine and part, which also name the boards.
 
+With --board it takes one chip on a board (rtl/boards/<board>) with the board's pins, which are
+checked before place and route, up to a bitstream; --firmware puts a program into the memory of a
+chip with a processor, --repack does that in the design placed before, without placing it again.
+
 Writes synth.json, netlists, logs and the FPGAs' configurations into the output folder. It takes a
 few minutes; the same sources, tools and seed give the same result.
 
@@ -24,7 +28,7 @@ from pathlib import Path
 from trammel_tools import machines, python_tools
 from trammel_tools.paths import ROOT
 from trammel_tools.rtl import lint
-from trammel_tools.synth import synth_flow, synth_report
+from trammel_tools.synth import bitstream, board, synth_board, synth_flow, synth_report
 from trammel_tools.synth.synth_netlist import Netlist
 
 PAGE = ROOT / "docs" / "synthesis.md"
@@ -33,6 +37,14 @@ MAX_SEED = 2**31 - 1
 
 def arguments():
     parser = python_tools.Parser(prog="trammel synth", description=__doc__)
+    parser.add_argument("chip", nargs="?", metavar="CHIP", help="with --board: which of its chips")
+    parser.add_argument("--board", metavar="NAME",
+                        help=f"a chip on a board, up to a bitstream: {', '.join(board.names())}")
+    parser.add_argument("--size", type=int, metavar="K", help="of the board's FPGA, as 12 or 85")
+    parser.add_argument("--firmware", type=Path, metavar="FILE",
+                        help="what the chip's memory holds, hexadecimal words")
+    parser.add_argument("--repack", action="store_true",
+                        help="put the firmware into the design placed before in the folder")
     parser.add_argument("--block", metavar="LAYER/BLOCK", help="one block alone: area only")
     parser.add_argument("--area", action="store_true", help="do not place and route")
     parser.add_argument("--seed", type=int, default=1, metavar="N",
@@ -52,6 +64,20 @@ def arguments():
                      f"{', '.join(lint.blocks())}")
     if (wanted.docs or wanted.check) and (wanted.block or wanted.area):
         parser.error("--docs and --check need the whole chip, placed and routed")
+    if wanted.board is None:
+        for name in ("chip", "size", "firmware", "repack"):
+            if getattr(wanted, name):
+                parser.error(f"{name if name == 'chip' else '--' + name} needs --board")
+    else:
+        for name in ("block", "area", "docs", "check"):
+            if getattr(wanted, name):
+                parser.error(f"--{name} is not for --board")
+        try:
+            wanted.on = board.find(wanted.board, wanted.chip, wanted.size)
+        except board.BoardError as error:
+            parser.error(str(error))
+        if wanted.firmware and not wanted.on.memory:
+            parser.error(f"--firmware: {wanted.on.chip} has no memory for one")
     return wanted
 
 
@@ -110,25 +136,49 @@ def run(wanted, folder, budget):
     return result
 
 
+def run_board(wanted, folder):
+    """Exit code of `--board`."""
+    on = wanted.on
+    firmware = None if wanted.firmware is None else bitstream.words_of(wanted.firmware)
+    if wanted.repack:
+        made = synth_board.packed_again(on, folder, firmware)
+        print(f"{made['file']}: {made['bytes']} bytes; load it: {on.load} {made['file']}")
+        return 0
+    budget = synth_board.budget_of(on, machines.tables("synth.toml"))
+    result = synth_board.run(on, folder, wanted.seed, firmware)
+    result["over_budget"] = synth_board.findings(result, budget)
+    document = synth_board.write(folder, result)
+    print(document if wanted.json else "\n".join(synth_board.lines(result, on, budget)),
+          end="" if wanted.json else "\n")
+    for line in result["over_budget"]:
+        print(f"synth: over budget: {line}", file=sys.stderr)
+    return 6 if result["over_budget"] else 0
+
+
 def main():
     wanted = arguments()
     python_tools.need("pyosys", "synth")
     missing = [device.placer for device in synth_flow.DEVICES if device.program() is None]
+    if wanted.board and wanted.on.memory and not synth_flow.cores():
+        missing.append(synth_flow.CORE)
     if missing and not (wanted.area or wanted.block):
         print(f"synth: {' and '.join(missing)} missing (trammel doctor)", file=sys.stderr)
         return python_tools.SKIPPED if "CTEST_INTERACTIVE_DEBUG_MODE" in os.environ else 3
     folder = wanted.out.resolve()
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        (folder / "synth.json").unlink(missing_ok=True)
+        if not wanted.repack:
+            (folder / "synth.json").unlink(missing_ok=True)
     except OSError as error:
         print(f"synth: --out {wanted.out}: not a folder for results: {error.strerror}",
               file=sys.stderr)
         return 2
     try:
+        if wanted.board:
+            return run_board(wanted, folder)
         budget = machines.tables("synth.toml")
         result = run(wanted, folder, budget)
-    except (synth_flow.FlowError, machines.MachineError) as error:
+    except (synth_flow.FlowError, machines.MachineError, board.BoardError) as error:
         python_tools.progress("")
         print(f"synth: {error}", file=sys.stderr)
         return 6

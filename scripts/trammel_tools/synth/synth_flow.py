@@ -4,6 +4,7 @@
 import contextlib
 import dataclasses
 import importlib.metadata
+import importlib.util
 import json
 import os
 import shutil
@@ -17,6 +18,7 @@ from trammel_tools.rtl import lint
 
 # What the leap contract adds; a board ties the input to 0 and leaves the outputs open.
 LEAP_INPUTS, LEAP_OUTPUTS = ("leap_i",), ("next_o", "quiescent_o", "awake_o", "timed_o")
+CORE = "pythondata_cpu_picorv32"
 # Area comes first where the clock allows: without a limit every path is made as fast as it can be,
 # which took 11 % more cells. [ps] of logic alone; routing takes more than half of a period.
 ABC_LIMIT = "8000"
@@ -45,10 +47,8 @@ class Device:
         return str(local) if local.exists() else shutil.which(self.placer)
 
 
-ECP5 = Device("ecp5", "LFE5U-25F CABGA381",
-              ("--25k", "--package", "CABGA381", "--lpf-allow-unconstrained"), 65)
-ICE40 = Device("ice40", "iCE40UP5K SG48",
-               ("--up5k", "--package", "sg48", "--pcf-allow-unconstrained"), 25)
+ECP5 = Device("ecp5", "LFE5U-25F CABGA381", ("--25k", "--package", "CABGA381"), 65)
+ICE40 = Device("ice40", "iCE40UP5K SG48", ("--up5k", "--package", "sg48"), 25)
 DEVICES = (ECP5, ICE40)
 
 
@@ -56,7 +56,13 @@ def sources():
     """All sources, packages first; a path is what Yosys' messages and cell attributes show."""
     found = [*lint.packages(), *sorted(RTL.glob("chips/generated/*_regs.sv"))]
     found += [RTL / f"{block}.sv" for block in lint.blocks()]
-    return found + sorted(RTL.glob("boards/*/*.sv"))
+    return found + sorted(RTL.glob("boards/*/*.sv")) + cores()
+
+
+def cores():
+    """Verilog of the processor core, which comes from PyPI."""
+    found = importlib.util.find_spec(CORE)
+    return [Path(found.origin).parent / "verilog" / "picorv32.v"] if found else []
 
 
 def versions():
@@ -105,11 +111,15 @@ def read_design(top, log):
         yield design, run
 
 
-def map_to_ecp5(top, folder):
-    """Writes <top>.modules.json (before flattening) and <top>.json (mapped) into the folder."""
+def map_to_ecp5(top, folder, check=None):
+    """Writes <top>.modules.json (before flattening) and <top>.json (mapped) into the folder.
+
+    check: is called with the top's ports before the long part.
+    """
     folder = Path(folder)
     with read_design(top, folder / f"{top}.yosys.log") as (design, run):
         run(f"write_json {folder / top}.modules.json")
+        checked(top, folder, check)
         design.scratchpad_set_string("abc9.D", ABC_LIMIT)
         run(f"synth_ecp5 -top {top} -run begin:map_gates")
         run(f"techmap t:$alu r:Y_WIDTH<={SHORT_CARRY} %i")
@@ -119,13 +129,21 @@ def map_to_ecp5(top, folder):
         run(f"write_json {folder / top}.json")
 
 
-def map_to_ice40(top, folder):
-    """Writes <top>.json (mapped) into the folder; cells by type."""
+def checked(top, folder, check):
+    if check:
+        modules = json.loads((folder / f"{top}.modules.json").read_text(encoding="utf-8"))
+        check(modules["modules"][top]["ports"])
+
+
+def map_to_ice40(top, folder, check=None):
+    """Writes <top>.json (mapped) into the folder; cells by type. check: as in map_to_ecp5."""
     folder = Path(folder)
     netlist = folder / f"{top}.json"
     netlist.unlink(missing_ok=True)
     log = folder / f"{top}.yosys.log"
     with read_design(top, log) as (_, run):
+        run(f"write_json {folder / top}.modules.json")
+        checked(top, folder, check)
         run(f"synth_ice40 -device u -abc9 -top {top} -json {netlist}")
     if not netlist.exists():
         raise FlowError(f"Yosys gave no netlist of {top} for iCE40: see {log}")
@@ -146,15 +164,21 @@ def read_netlist(top, folder):
                         ) from error
 
 
-def place_and_route(top, folder, seed, device):
-    """nextpnr's report; its netlist is named relative to the folder, which its sandbox sees."""
+def place_and_route(top, folder, seed, device, more=None):
+    """nextpnr's report; files are named relative to the folder, which its sandbox sees.
+
+    more: options in place of free pins.
+    """
+    free = "--lpf-allow-unconstrained" if device.family == "ecp5" else "--pcf-allow-unconstrained"
+    more = [free] if more is None else more
     log = Path(folder) / f"{top}.nextpnr.log"
     report = Path(folder) / f"{top}.report.json"
     report.unlink(missing_ok=True)
-    configuration = "--textcfg" if device == ECP5 else "--asc"
-    command = [device.program(), *device.options, "--json", f"{top}.json",
-               "--freq", str(device.target_mhz), "--timing-allow-fail", "--seed", str(seed),
-               "--report", report.name, configuration, f"{top}.config"]
+    configuration = "--textcfg" if device.family == "ecp5" else "--asc"
+    target = ["--freq", str(device.target_mhz)] if device.target_mhz else []
+    command = [device.program(), *device.options, *more, "--json", f"{top}.json", *target,
+               "--timing-allow-fail", "--seed", str(seed), "--report", report.name, configuration,
+               f"{top}.config"]
     with log.open("wb") as file:
         done = subprocess.run(command, cwd=folder, stdout=file, stderr=file, check=False)
     if done.returncode != 0 or not report.exists():

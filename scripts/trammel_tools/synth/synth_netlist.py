@@ -16,12 +16,20 @@ class Count(collections.Counter):
     """Cell types; `cells` is what nextpnr makes of them: TRELLIS_COMB."""
 
     def table(self):
+        if any(kind.startswith("SB_") for kind in self):
+            return self.table_of_ice40()
         # A lookup memory takes four cells and blocks two; a carry chain takes four more than bits.
         memory = 6 * self["TRELLIS_DPR16X4"]
         carry = 2 * self["CCU2C"] + 4 * self["chain"]
         return {"cells": self["LUT4"] + carry + memory, "lut4": self["LUT4"], "carry": carry,
                 "ff": self["TRELLIS_FF"], "block_ram": self["DP16KD"] + self["PDPW16KD"],
                 "multipliers": self["MULT18X18D"]}
+
+    def table_of_ice40(self):
+        """As table; a cell is a lookup table, or a bit of a carry chain that has none."""
+        ff = sum(n for kind, n in self.items() if kind.startswith("SB_DFF"))
+        return {"cells": self["SB_LUT4"], "lut4": self["SB_LUT4"], "carry": self["SB_CARRY"],
+                "ff": ff, "block_ram": self["SB_RAM40_4K"], "multipliers": self["SB_MAC16"]}
 
 
 def scope_of(path):

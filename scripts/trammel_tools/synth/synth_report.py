@@ -26,11 +26,22 @@ def place_of(path):
     return f" of axis {'XY'[int(axis[1])]}" if axis else ""
 
 
+def of_netlist(netlist, cell):
+    """The mapped cell that a placed one was packed from; packing adds to its name."""
+    for base in (cell, cell.rsplit("$", 1)[0], *(cell.removesuffix(end)
+                                                 for end in ("_LC", "_DFFLC", "_RAM"))):
+        if base in netlist.cells:
+            return base
+    return cell
+
+
 def endpoint(netlist, cell):
-    base = cell if cell in netlist.cells else cell.rsplit("$", 1)[0]
+    base = of_netlist(netlist, cell)
     if base not in netlist.cells:
         return {"block": "pins", "path": "", "register": base}
-    path, signal = netlist.signal(base)
+    register = next((sink for bit in netlist.outputs(base) for sink in netlist.sinks[bit]
+                     if netlist.cells[sink]["type"].startswith("SB_DFF")), base)
+    path, signal = netlist.signal(register)  # an iCE40's cell has its lookup table's name
     return {"block": netlist.block_of[path], "path": path,
             "register": signal or netlist.cells[base]["type"]}
 
@@ -50,10 +61,11 @@ def critical_path(report, netlist):
         parts[f"{kind}_ns"] += step["delay"]
         if kind == "logic":
             cell = step["from"]["cell"]
-            base = cell if cell in netlist.cells else cell.rsplit("$", 1)[0]
-            owner = netlist.cells.get(base, {"type": "LUT4"})["type"]
-            name = {"CCU2C": "carry_bits", "MULT18X18D": "multipliers",
-                    "DP16KD": "block_rams"}.get(owner, "luts")
+            owner = netlist.cells.get(of_netlist(netlist, cell), {"type": "LUT4"})["type"]
+            name = {"CCU2C": "carry_bits", "SB_CARRY": "carry_bits", "MULT18X18D": "multipliers",
+                    "DP16KD": "block_rams", "SB_RAM40_4K": "block_rams"}.get(owner, "luts")
+            if step["to"]["port"] == "COUT":
+                name = "carry_bits"
             counts[name] += 1
     begin, end = endpoint(netlist, path[0]["from"]["cell"]), endpoint(netlist,
                                                                      path[-1]["to"]["cell"])

@@ -1,0 +1,107 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Rules for the pins of a board, before place and route."""
+
+import dataclasses
+import tempfile
+import unittest
+from pathlib import Path
+
+from trammel_tools.paths import ROOT
+from trammel_tools.synth import board
+
+PORTS = {"clk_i": {"direction": "input", "bits": [2]},
+         "gate_o": {"direction": "output", "bits": [3, 4]},
+         "enc_i": {"direction": "input", "bits": [5], "offset": 1},
+         "led_o": {"direction": "output", "bits": [6]}}
+LPF = """# pins
+LOCATE COMP "clk_i" SITE "G2";
+IOBUF PORT "clk_i" IO_TYPE=LVCMOS33 PULLMODE=NONE;
+FREQUENCY PORT "clk_i" 25 MHZ;
+LOCATE COMP "gate_o[0]" SITE "A1";  # J1
+IOBUF PORT "gate_o[0]" IO_TYPE=LVCMOS33 PULLMODE=DOWN DRIVE=8;
+LOCATE COMP "gate_o[1]" SITE "A2";
+IOBUF PORT "gate_o[1]" IO_TYPE=LVCMOS33 PULLMODE=DOWN;
+LOCATE COMP "enc_i[1]" SITE "A3";
+IOBUF PORT "enc_i[1]" IO_TYPE=LVCMOS33 PULLMODE=UP;
+LOCATE COMP "led_o" SITE "A4";
+IOBUF PORT "led_o" IO_TYPE=LVCMOS33 PULLMODE=NONE;
+"""
+TABLE = {"family": "ecp5", "clocks": {"clk_i": 25}, "pulled_down": ["gate_o"],
+         "shared_sites": ["U18"]}
+
+
+class BoardTest(unittest.TestCase):
+    def findings(self, old="", new="", **table):
+        on = board.Board("b", "c", None, {**TABLE, **table})
+        self.assertIn(old, LPF)
+        with tempfile.NamedTemporaryFile("w", dir=ROOT, suffix=".lpf") as file:
+            file.write(LPF.replace(old, new, 1) if old else LPF)
+            file.flush()
+            return list(board.findings(on, PORTS, board.read_lpf(Path(file.name))))
+
+    def test_pins_as_they_must_be(self):
+        self.assertEqual(self.findings(), [])
+
+    def test_each_rule_is_told(self):
+        for old, new, told in (
+                ('LOCATE COMP "led_o" SITE "A4";\n', "", "led_o: no site (LOCATE, set_io)"),
+                ('IOBUF PORT "led_o" IO_TYPE=LVCMOS33 PULLMODE=NONE;', "",
+                 "led_o: no voltage (IOBUF with IO_TYPE)"),
+                ("IO_TYPE=LVCMOS33 PULLMODE=NONE;\nFREQUENCY", "IO_TYPE=LVCMOS33;\nFREQUENCY",
+                 "clk_i: no pull (PULLMODE)"),
+                ("PULLMODE=DOWN;", "PULLMODE=UP;",
+                 "gate_o[1]: must be pulled down, is UP: a driver would see it float"),
+                ("PULLMODE=UP", "PULLMODE=NONE", "enc_i[1]: must have PULLMODE UP, has NONE"),
+                ('FREQUENCY PORT "clk_i" 25 MHZ;', "", "clk_i: a clock without FREQUENCY"),
+                ("25 MHZ", "50 MHZ", "clk_i: 50 MHz, on the board are 25"),
+                ('SITE "A2"', 'SITE "U18"',
+                 "gate_o[1]: U18 is shared with another chip on the board"),
+                ('SITE "A4"', 'SITE "A3"', "led_o: site A3 is that of enc_i[1]"),
+                ('# pins', 'LOCATE COMP "old_i" SITE "B9";', "old_i: the top has no such port")):
+            with self.subTest(told):
+                self.assertIn(told, self.findings(old, new))
+
+    def test_inputs_with_a_circuit_have_their_own_pull(self):
+        self.assertEqual(self.findings(pulls={"enc_i": "DOWN"}),
+                         ["enc_i[1]: must have PULLMODE DOWN, has UP"])
+        self.assertEqual(self.findings("PULLMODE=UP", "PULLMODE=DOWN", pulls={"enc_i": "DOWN"}),
+                         [])
+
+    def test_a_line_that_is_not_understood_is_refused(self):
+        for old, new in (("# pins", "BLOCK RESETPATHS;"), ('SITE "A1"', 'SITE "A1" x'),
+                         ("25 MHZ", "x MHZ")):
+            with self.assertRaisesRegex(board.BoardError, r"^tmp\w+\.lpf:\d+: "):
+                self.findings(old, new)
+
+    def test_a_site_twice_for_one_port_is_refused(self):
+        with self.assertRaisesRegex(board.BoardError, "led_o has a site already"):
+            self.findings("# pins", 'LOCATE COMP "led_o" SITE "B9";')
+
+    def test_an_ice40_has_pins_in_a_pcf(self):
+        with tempfile.NamedTemporaryFile("w", dir=ROOT, suffix=".pcf") as file:
+            file.write("set_io -pullup yes enc_i[1] 4  # 1A\nset_io led_o 5\n"
+                       "set_frequency clk_i 12\n")
+            file.flush()
+            pins = board.read_pcf(Path(file.name))
+        self.assertEqual((pins["enc_i[1]"].site, pins["enc_i[1]"].pull), ("4", "UP"))
+        self.assertEqual((pins["led_o"].pull, pins["clk_i"].mhz), ("NONE", 12))
+
+    def test_every_board_has_its_files(self):
+        for name in board.names():
+            for chip in board.find(name).table["chips"]:
+                on = board.find(name, chip)
+                for path in (on.constraints, on.folder / f"{on.top}.sv", on.folder / "README.md"):
+                    self.assertTrue(path.exists(), path)
+        with self.assertRaisesRegex(board.BoardError, "there are "):
+            board.find("none")
+
+    def test_the_pins_of_a_board_are_read(self):
+        on = board.find("icebreaker")
+        changed = dataclasses.replace(on, table={**on.table, "clocks": {"clk_12mhz_i": 13}})
+        ports = {"clk_12mhz_i": {"direction": "input", "bits": [2]}}
+        self.assertIn("clk_12mhz_i: 12 MHz, on the board are 13",
+                      list(board.findings(changed, ports, board.read_pcf(on.constraints))))
+
+
+if __name__ == "__main__":
+    unittest.main()
