@@ -28,6 +28,10 @@ def need(module, verb):
     sys.exit(SKIPPED if "CTEST_INTERACTIVE_DEBUG_MODE" in os.environ else 3)
 
 
+class Missing(Exception):
+    """A tool that is needed is not there; one line with its name."""
+
+
 class Parser(argparse.ArgumentParser):
     """Of `trammel <verb>`: errors in one line."""
 

@@ -69,6 +69,11 @@ class Board:
         return self.table.get("memory", {}).get(self.chip, 0)
 
     @property
+    def app(self):
+        """The firmware, a folder of sw_nios/apps, or None."""
+        return self.table.get("firmware", {}).get(self.chip)
+
+    @property
     def load(self):
         return self.table["load"]
 

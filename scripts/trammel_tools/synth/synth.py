@@ -42,7 +42,8 @@ def arguments():
                         help=f"a chip on a board, up to a bitstream: {', '.join(board.names())}")
     parser.add_argument("--size", type=int, metavar="K", help="of the board's FPGA, as 12 or 85")
     parser.add_argument("--firmware", type=Path, metavar="FILE",
-                        help="what the chip's memory holds, hexadecimal words")
+                        help="what the chip's memory holds, hexadecimal words; default: its "
+                             "machine's firmware")
     parser.add_argument("--repack", action="store_true",
                         help="put the firmware into the design placed before in the folder")
     parser.add_argument("--block", metavar="LAYER/BLOCK", help="one block alone: area only")
@@ -62,8 +63,10 @@ def arguments():
     if wanted.block is not None and wanted.block not in lint.blocks():
         parser.error(f"--block {wanted.block}: no such block; there are "
                      f"{', '.join(lint.blocks())}")
-    if (wanted.docs or wanted.check) and (wanted.block or wanted.area):
-        parser.error("--docs and --check need the whole chip, placed and routed")
+    if wanted.docs and (wanted.block or wanted.area):
+        parser.error("--docs needs the whole chip, placed and routed")
+    if wanted.check and wanted.block:
+        parser.error("--check needs all blocks")
     if wanted.board is None:
         for name in ("chip", "size", "firmware", "repack"):
             if getattr(wanted, name):
@@ -139,7 +142,8 @@ def run(wanted, folder, budget):
 def run_board(wanted, folder):
     """Exit code of `--board`."""
     on = wanted.on
-    firmware = None if wanted.firmware is None else bitstream.words_of(wanted.firmware)
+    firmware = (bitstream.words_of(wanted.firmware) if wanted.firmware else
+                synth_board.built_firmware(on, folder))
     if wanted.repack:
         made = synth_board.packed_again(on, folder, firmware)
         print(f"{made['file']}: {made['bytes']} bytes; load it: {on.load} {made['file']}")
@@ -178,6 +182,9 @@ def main():
             return run_board(wanted, folder)
         budget = machines.tables("synth.toml")
         result = run(wanted, folder, budget)
+    except python_tools.Missing as error:
+        print(f"synth: {error}", file=sys.stderr)
+        return python_tools.SKIPPED if "CTEST_INTERACTIVE_DEBUG_MODE" in os.environ else 3
     except (synth_flow.FlowError, machines.MachineError, board.BoardError) as error:
         python_tools.progress("")
         print(f"synth: {error}", file=sys.stderr)

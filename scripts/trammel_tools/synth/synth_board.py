@@ -5,8 +5,10 @@ import concurrent.futures
 import json
 import os
 import shutil
+import subprocess
 
 from trammel_tools import python_tools
+from trammel_tools.paths import TOOL
 from trammel_tools.synth import bitstream, board, synth_flow, synth_report
 from trammel_tools.synth.synth_netlist import Netlist
 
@@ -25,6 +27,20 @@ def place(wanted, folder, seed):
     return synth_flow.place_and_route(
         wanted.top, folder, seed, wanted.device,
         [kind, wanted.constraints.name, "--write", f"{wanted.top}.placed.json"])
+
+
+def built_firmware(wanted, folder):
+    """Words of the board's own firmware, or None where it has none."""
+    if not wanted.app:
+        return None
+    file = folder / f"{wanted.app}.hex"
+    done = subprocess.run([TOOL, "firmware", "--words", wanted.app, file, "--ram",
+                           str(4 * wanted.memory)], capture_output=True, text=True, check=False)
+    if done.returncode == 3:
+        raise python_tools.Missing(done.stderr.strip())
+    if done.returncode != 0:
+        raise synth_flow.FlowError(f"firmware: {(done.stdout + done.stderr).strip()}")
+    return bitstream.words_of(file)
 
 
 def packed(wanted, folder, firmware):
