@@ -2,6 +2,7 @@
 """Rules for the pins of a board, before place and route."""
 
 import dataclasses
+import re
 import tempfile
 import unittest
 from pathlib import Path
@@ -94,6 +95,19 @@ class BoardTest(unittest.TestCase):
                     self.assertTrue(path.exists(), path)
         with self.assertRaisesRegex(board.BoardError, "there are "):
             board.find("none")
+
+    def test_the_pins_of_every_board_are_as_they_must_be(self):
+        for name in board.names():
+            for chip in board.find(name).table["chips"]:
+                on = board.find(name, chip)
+                text = (on.folder / f"{on.top}.sv").read_text(encoding="utf-8")
+                ports = {}
+                for way, width, port in re.findall(
+                        r"^\s*(input|output|inout)\s+(?:logic|wire)\s*(?:\[\s*(\d+):0\])?\s*(\w+)",
+                        text, re.M):
+                    ports[port] = {"direction": way, "bits": [*range(int(width or 0) + 1)]}
+                read = board.read_lpf if on.family == "ecp5" else board.read_pcf
+                self.assertEqual(list(board.findings(on, ports, read(on.constraints))), [], name)
 
     def test_the_pins_of_a_board_are_read(self):
         on = board.find("icebreaker")
