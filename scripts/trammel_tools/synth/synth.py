@@ -72,7 +72,7 @@ def arguments():
             if getattr(wanted, name):
                 parser.error(f"{name if name == 'chip' else '--' + name} needs --board")
     else:
-        for name in ("block", "area", "docs", "check"):
+        for name in ("block", "area", "check"):
             if getattr(wanted, name):
                 parser.error(f"--{name} is not for --board")
         try:
@@ -148,12 +148,18 @@ def run_board(wanted, folder):
         made = synth_board.packed_again(on, folder, firmware)
         print(f"{made['file']}: {made['bytes']} bytes; load it: {on.load} {made['file']}")
         return 0
-    budget = synth_board.budget_of(on, machines.tables("synth.toml"))
+    tables = machines.tables("synth.toml")
+    budget, comparison = synth_board.budget_of(on, tables), tables.get("comparison")
     result = synth_board.run(on, folder, wanted.seed, firmware)
     result["over_budget"] = synth_board.findings(result, budget)
     document = synth_board.write(folder, result)
-    print(document if wanted.json else "\n".join(synth_board.lines(result, on, budget)),
-          end="" if wanted.json else "\n")
+    shown = [*synth_board.lines(result, on, budget),
+             *synth_board.comparison_lines(result, comparison)]
+    print(document if wanted.json else "\n".join(shown), end="" if wanted.json else "\n")
+    if wanted.docs:
+        PAGE.write_text(synth_board.fill(PAGE.read_text(encoding="utf-8"), result, on, budget,
+                                         comparison), encoding="utf-8")
+        print(f"wrote {PAGE.relative_to(ROOT)}", file=sys.stderr)
     for line in result["over_budget"]:
         print(f"synth: over budget: {line}", file=sys.stderr)
     return 6 if result["over_budget"] else 0

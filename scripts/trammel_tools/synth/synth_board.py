@@ -114,6 +114,36 @@ def lines(result, wanted, budget):
     yield f"load it: {wanted.load} {made['file']}"
 
 
+def comparison_lines(result, comparison):
+    """Another design's table beside ours, where it has one for this chip."""
+    if comparison and comparison["ic"] in result["blocks"]:
+        yield ""
+        yield from synth_report.text_table([comparison["title"], *comparison["heads"]],
+                                           list(synth_report.comparison_lines(result, comparison)))
+
+
+def section(result, wanted, budget, comparison):
+    """The generated part of docs/synthesis.md."""
+    summary = [line for line in lines(result, wanted, budget) if line][len(block_table(result)[1])
+                                                                       + 1:]
+    text = [f"* {line[0].upper()}{line[1:]}." for line in summary[:-1]]
+    text += ["", *synth_report.markdown_table(*block_table(result))]
+    if comparison and comparison["ic"] in result["blocks"]:
+        text += ["", *synth_report.markdown_table(
+            ["", *comparison["heads"]], list(synth_report.comparison_lines(result, comparison)))]
+    return "\n".join(text)
+
+
+def fill(page, result, wanted, budget, comparison):
+    """The page with this board's section."""
+    name = f"board {wanted.name}"
+    body = section(result, wanted, budget, comparison)
+    filled, found = synth_report.section(name).subn(lambda m: f"{m[1]}{body}\n{m[2]}", page)
+    if found != 1:
+        raise board.BoardError(f"--docs: docs/synthesis.md has no section '{name}'")
+    return filled
+
+
 def block_table(result):
     """Heads and lines: what each block takes in the chip."""
     columns = ("cells", "ff", "block_ram", "multipliers")

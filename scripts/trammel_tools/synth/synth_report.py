@@ -112,11 +112,22 @@ def placed_findings(name, placed, speed, budget):
             yield f"{name}: {placed[what]} {what}, more than {limits[what]}"
 
 
+def mapped_findings(result, budget):
+    """What a chip that is not placed needs more than its limits; placing adds a few cells."""
+    row = result["blocks"].get(budget.get("ecp5", {}).get("design"), {}).get("in_chip", {})
+    for what in ("cells", "multipliers"):
+        limit = budget["ecp5"]["limits"].get(what)
+        if row and limit is not None and row[what] > limit:
+            yield f"chip: {row[what]} {what} as mapped, more than {limit}"
+
+
 def findings(result, budget):
     """What is over the budget: lines."""
     if "timing" in result:
         yield from placed_findings("chip", result["chip"], result["timing"]["fmax_mhz"],
                                    budget["ecp5"])
+    else:
+        yield from mapped_findings(result, budget)
     ice40 = result.get("ice40", {})
     if "fmax_mhz" in ice40:
         yield from placed_findings(ice40["design"], ice40, ice40["fmax_mhz"],
@@ -184,10 +195,15 @@ def comparison_lines(result, comparison):
         return {c: sum(result["blocks"][b]["in_chip"][c] for b in names) for c in columns}
 
     named = [inside(row["blocks"]) for row in comparison["rows"] if "blocks" in row]
-    whole = {"chip": result["chip"],
-             "rest": {c: result["chip"][c] - sum(one[c] for one in named) for c in columns}}
+    beside = {block for row in comparison["rows"] for block in row.get("beside", [])}
+    alone = not beside or not beside <= result["blocks"].keys()  # no processor beside the IC
+    ic = result["chip"] if alone else inside([comparison["ic"]])
+    whole = {"chip": result["chip"], "ic": ic,
+             "rest": {c: ic[c] - sum(one[c] for one in named) for c in columns}}
     for row in comparison["rows"]:
-        ours = inside(row["blocks"]) if "blocks" in row else whole.get(row.get("of"))
+        ours = whole.get(row.get("of"))
+        if "blocks" in row or ("beside" in row and not alone):
+            ours = inside(row.get("blocks", row.get("beside")))
         shown = [*row.get("theirs", (None, None)),
                  *((ours["cells"], ours["block_ram"] * BLOCK_RAM_BITS) if ours else (None, None))]
         yield [row["name"], *("-" if figure is None else f"{figure:,}" for figure in shown)]

@@ -109,6 +109,37 @@ class SynthReportTest(unittest.TestCase):
             ["first", "16,110", "0", "300", "18,432"], ["other", "-", "-", "700", "36,864"],
             ["all", "2", "3", "1,000", "55,296"], ["theirs alone", "5", "6", "-", "-"]])
 
+    def test_a_processor_stands_beside_the_ic(self):
+        blocks = {"chips/ic": {"in_chip": {"cells": 700, "block_ram": 2}},
+                  "chips/host": {"in_chip": {"cells": 250, "block_ram": 1}},
+                  "math/a": {"in_chip": {"cells": 300, "block_ram": 1}}}
+        rows = [{"name": "first", "theirs": [1, 2], "blocks": ["math/a"]},
+                {"name": "other", "of": "rest"}, {"name": "ic", "of": "ic"},
+                {"name": "processor", "beside": ["chips/host"]}, {"name": "all", "of": "chip"}]
+
+        def ours(blocks):
+            result = {"chip": {"cells": 1000, "block_ram": 3}, "blocks": blocks}
+            lines = synth_report.comparison_lines(result, {"rows": rows, "ic": "chips/ic"})
+            return {line[0]: line[3] for line in lines}
+
+        self.assertEqual(ours(blocks), {"first": "300", "other": "400", "ic": "700",
+                                        "processor": "250", "all": "1,000"})
+        del blocks["chips/host"]
+        self.assertEqual(ours(blocks), {"first": "300", "other": "700", "ic": "1,000",
+                                        "processor": "-", "all": "1,000"})
+
+    def test_a_chip_that_is_only_mapped_is_held_to_its_cells(self):
+        budget = {"ecp5": {"design": "chips/ic", "limits": {"cells": 90, "multipliers": 2}}}
+        for cells, told in ((90, []), (91, ["chip: 91 cells as mapped, more than 90"])):
+            result = {"blocks": {"chips/ic": {"in_chip": {"cells": cells, "multipliers": 2}}}}
+            self.assertEqual(list(synth_report.mapped_findings(result, budget)), told)
+
+    def test_a_placed_cell_is_found_by_the_name_it_was_mapped_with(self):
+        class Mapped:
+            cells = {"lut": {}, "x$y": {}}
+        for placed, name in (("lut_LC", "lut"), ("lut$COMB", "lut"), ("x$y", "x$y"), ("z", "z")):
+            self.assertEqual(synth_report.of_netlist(Mapped, placed), name)
+
     def test_a_column_is_as_wide_as_its_widest_cell(self):
         self.assertEqual(list(synth_report.text_table(["block", "n"], [["a", "100"]])),
                          ["block    n", "a      100"])
