@@ -39,12 +39,28 @@ struct Core {
   virtual std::optional<CoreTrap> trap() const = 0;    // it stands for good
 };
 
-// Clocks of service routines, each from the clock in which the core sees the interrupt.
+// Worst and mean of a number of clocks.
+struct Spread {
+  long count = 0;
+  Clk worst = 0, sum = 0;
+
+  void add(Clk clocks) {
+    ++count;
+    sum += clocks;
+    worst = std::max(worst, clocks);
+  }
+  double mean() const {
+    return count == 0 ? 0 : static_cast<double>(sum) / static_cast<double>(count);
+  }
+};
+
+// Of service routines, each from the clock in which the core sees the interrupt [clk].
 struct CoreTimes {
-  long routines = 0;
-  Clk first_worst = 0, first_sum = 0;      // to its first transfer
-  Clk routine_worst = 0, routine_sum = 0;  // until it waits again
-  Clk awake = 0;                           // clocks of the core that were evaluated, of all runs
+  Spread first;      // to its first transfer
+  Spread routine;    // until it waits again
+  Spread transfers;  // of a routine, a number
+  Spread answer;     // of a transfer, its clocks on the bus
+  Spread between;    // an answer and the next transfer of a routine
 };
 
 class CoreRun {
@@ -96,9 +112,14 @@ class CoreRun {
 
   void transfer() {
     if (!follow(core_.now())) return;
+    const Clk asked = core_.now();
     if (woken_) {
-      note(core_.now() - *woken_, times_.first_worst, times_.first_sum, first_);
-      first_ = true;
+      if (in_routine_ == 0) {
+        times_.first.add(asked - *woken_);
+      } else {
+        times_.between.add(asked - answered_);
+      }
+      ++in_routine_;
     }
     loop_.chip().request(core_.transfer());
     Stop stop;
@@ -112,18 +133,20 @@ class CoreRun {
     if ((stop.why & kBusDone) == 0) return;
     while (core_.now() < stop.edge) core_.step();
     core_.answer(loop_.chip().rdata());
+    answered_ = core_.now();
+    if (woken_) times_.answer.add(answered_ - asked);
   }
 
   void wait() {
     if (!follow(core_.now())) return;
     if (woken_) {
-      note(core_.now() - *woken_, times_.routine_worst, times_.routine_sum, false);
-      ++times_.routines;
+      times_.routine.add(core_.now() - *woken_);
+      times_.transfers.add(in_routine_);
       woken_.reset();
     }
     if (loop_.chip().irq()) {
       woken_ = core_.now();
-      first_ = false;
+      in_routine_ = 0;
       core_.interrupt(true);
       return;
     }
@@ -136,12 +159,6 @@ class CoreRun {
     core_.skip(stop.edge + 1);
   }
 
-  static void note(Clk clocks, Clk& worst, Clk& sum, bool known) {
-    if (known) return;
-    worst = std::max(worst, clocks);
-    sum += clocks;
-  }
-
   Loop& loop_;
   Core& core_;
   Clk end_;
@@ -149,7 +166,8 @@ class CoreRun {
   std::function<void(const CoreTrap&)> trapped_;
   bool over_ = false;
   std::optional<Clk> woken_;  // the routine that runs began here
-  bool first_ = false;        // its first transfer has been
+  Clk in_routine_ = 0;        // its transfers so far
+  Clk answered_ = 0;
   CoreTimes times_;
 };
 

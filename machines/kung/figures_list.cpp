@@ -282,6 +282,7 @@ std::vector<std::string> remarks(const lab::Record& record) {
     causes += fmt::format("{}{} {:.1f} %", causes.empty() ? "" : ", ", name, share);
   }
   if (!causes.empty()) lines.push_back("clocks evaluated for: " + causes);
+  for (std::string& line : cpu_lines(options, result)) lines.push_back(std::move(line));
   return lines;
 }
 
@@ -298,6 +299,7 @@ void add_metrics(const lab::Record& record, nlohmann::ordered_json& json) {
   run["first_tick"] = result.first_tick;
   run["end_tick"] = result.end_tick;
   for (std::size_t n = 0; n < kWakes; ++n) run["wakes"][kWakeNames[n]] = result.wakes[n];
+  add_cpu(options_of(record), result, json);
   const bool compared = std::any_of(record.figures.begin(), record.figures.end(),
                                     [](const Figure& f) { return f.printed.has_value(); });
   if (compared && options_of(record).path.kind == PathKind::kCircle) {
@@ -307,6 +309,7 @@ void add_metrics(const lab::Record& record, nlohmann::ordered_json& json) {
 
 std::string cause_text(const Fault& fault) {
   if (fault.code == FaultCode::kNone) return "the processor's check: " + fault.processor;
+  if (fault.code == FaultCode::kTrip && !fault.processor.empty()) return fault.processor;
   if (fault.code == FaultCode::kTrip || fault.code == FaultCode::kWatchdog) {
     return cause_name(fault.code);  // of no axis
   }

@@ -50,6 +50,10 @@ void add_run(Table& t) {
          "firmware compiled for this computer, or the RTL of kung_soc's processor with its binary, "
          "without SystemC",
          TRAMMEL_LENS(cpu));
+  t.text("run.uart",
+         "what is on the serial port of run.cpu = \"rtl\": a file of commands, - (the terminal) or "
+         "pty",
+         TRAMMEL_LENS(uart));
   t.window();
   t.one("run.settle_s", 0, 10, "simulated after the last point, not counted",
         TRAMMEL_LENS(settle_s));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "machines/kung/machine.hpp"
 
+#include "lab/files.hpp"
 #include "machines/kung/figures.hpp"
 #include "machines/kung/session.hpp"
 
@@ -42,6 +43,10 @@ lab::Machine describe() {
   m.metrics = add_metrics;
   m.detail = [](const lab::Record& record) {
     return detail_json(options_of(record), result_of(record));
+  };
+  m.files = [](const lab::Record& record, const std::filesystem::path& folder) {
+    const std::string& uart = result_of(record).uart;
+    if (!uart.empty()) lab::write_text(folder / "uart.txt", uart);
   };
   m.drawn = [](const lab::Record& record) { return counted(result_of(record)); };
   m.page = page();

@@ -25,6 +25,9 @@ std::vector<lab::Figure> figures(const lab::Settings& settings,   // figures_lis
                                  cosim::RunResult& result);
 std::string verdict(const lab::Settings& settings, const cosim::RunResult& result);
 std::vector<std::string> remarks(const lab::Record& record);
+void check_cpu(const Options& options);                           // cpu.cpp
+std::vector<std::string> cpu_lines(const Options& options, const Result& result);
+void add_cpu(const Options& options, const Result& result, nlohmann::ordered_json& json);
 void add_metrics(const lab::Record& record, nlohmann::ordered_json& json);
 nlohmann::ordered_json detail_json(const Options& options, const Result& result);  // page.cpp
 lab::Page page();

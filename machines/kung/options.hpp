@@ -148,6 +148,7 @@ struct Options final : lab::SettingsOf<Options, machine> {
   }
 
   Cpu cpu = Cpu::kNative;
+  std::string uart;          // other end of the serial port, see serial.hpp; "": nothing
   Controller controller = Controller::kAfc;
   std::array<AxisGains, 2> gains;
   bool gains_by_rule = false;  // kv and those of the current loop from the motor, see words.hpp

@@ -377,6 +377,7 @@ void validate(lab::Settings& settings) {
       }
     }
     plan_firmware(options, points);
+    check_cpu(options);
   } catch (const std::invalid_argument& error) {
     throw lab::ConfigError(error.what());
   }

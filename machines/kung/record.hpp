@@ -114,6 +114,8 @@ struct Result : cosim::RunResult {
   Detail detail;
   WakeCounts wakes{};             // why clocks were evaluated
   std::optional<cosim::CoreTimes> core;  // of run.cpu = "rtl"
+  cosim::Clk core_awake = 0;             // clocks of it that were evaluated
+  std::string uart;                      // what its serial port sent
 };
 
 }  // namespace trammel::kung

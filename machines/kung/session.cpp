@@ -120,6 +120,9 @@ void Session::make_core(const sw::KungSetup& setup) {
   }
   core_ = kung::make_core(core_memory(setup, true), options_.run.audit);
   core_->break_at(fault_at(options_.inject.processor_s));
+  if (options_.uart.empty()) return;
+  console_ = std::make_unique<SerialConsole>(options_.uart, [this] { return core_->listens(); });
+  core_->connect(console_->host());
 }
 
 const sw::Mailbox& Session::mailbox() const {
@@ -133,7 +136,11 @@ void Session::trapped(const cosim::CoreTrap& trap) {
   plant_->trip_from(trap.edge);
 }
 
-void Session::core_ran(const cosim::CoreTimes& times) { result_.core = times; }
+void Session::core_ran(const cosim::CoreTimes& times) {
+  result_.core = times;
+  result_.core_awake = core_->awake();
+  if (console_) result_.uart = console_->heard();
+}
 
 void Session::inject() {
   const cosim::Fault& fault = options_.fault;
@@ -248,6 +255,10 @@ std::unique_ptr<cosim::RunResult> Session::result() {
     if (!result_.missed.empty()) result_.end = EndReason::kMissed;
   }
   close_result(result_, *chip_, waves_.window, started_);
+  if (core_ && !core_->moved().empty() && !result_.promise) {
+    result_.promise = {"waiting_core_stands_still", "soc_host", core_->moved(), chip_->now()};
+    result_.end = EndReason::kPromise;
+  }
   return std::make_unique<Result>(std::move(result_));
 }
 

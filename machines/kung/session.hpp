@@ -17,6 +17,7 @@
 #include "machines/kung/followed.hpp"
 #include "machines/kung/recorder.hpp"
 #include "machines/kung/record.hpp"
+#include "machines/kung/serial.hpp"
 #include "machines/kung/soc.hpp"
 #include "sw_nios/apps/kung/kung.hpp"
 #include "rtl/chips/generated/kung_xy_regs.hpp"
@@ -131,6 +132,7 @@ class Session final : public cosim::Session {
   std::unique_ptr<KungChip> chip_;
   std::unique_ptr<StallableApp> firmware_;
   std::unique_ptr<SocCore> core_;  // in its place
+  std::unique_ptr<SerialConsole> console_;
   std::unique_ptr<DetailRecorder> detail_;
   std::unique_ptr<Recorder> recorder_;
   Tee tee_;

@@ -33,6 +33,7 @@ struct SocCore : cosim::Core {
   virtual void break_at(cosim::Clk edge) = 0;  // at its first interrupt from then on: an illegal
                                                // instruction
   virtual void connect(cosim::SerialHost& host) = 0;   // must live as long
+  virtual bool listens() const = 0;                    // it has waited once: its start-up is over
   virtual cosim::Clk awake() const = 0;                // clocks that were evaluated
   // In an audit: where a clock in which the core was said to stand still changed something; "".
   virtual std::string moved() const = 0;

@@ -69,6 +69,7 @@ class VerilatedCore final : public SocCore {
       poke(Registers::next_pc(*model_->rootp) + 4, 0);
       broken_from_ = cosim::kNever;
     }
+    waited_ = true;
     model_->irq_i = level;
     clock(level);
     model_->irq_i = 0;
@@ -103,6 +104,7 @@ class VerilatedCore final : public SocCore {
   }
   void break_at(cosim::Clk edge) override { broken_from_ = edge; }
   void connect(cosim::SerialHost& host) override { host_ = &host; }
+  bool listens() const override { return waited_; }
   cosim::Clk awake() const override { return awake_; }
   std::string moved() const override { return moved_; }
 
@@ -148,6 +150,7 @@ class VerilatedCore final : public SocCore {
   cosim::Clk broken_from_ = cosim::kNever;
   cosim::Clk now_ = -kResetEdges, awake_ = 0;
   int stalled_ = 0;
+  bool waited_ = false;
   bool changed_ = true;
   mutable sw::Mailbox mailbox_;
   std::vector<char> before_;

@@ -47,8 +47,8 @@ void check_same_as_native(const std::string& name) {
   const std::size_t writes = test::writes_of(ran.transfers).size();
   CHECK(writes > 1000);
   CHECK(native_writes(options, ran.transfers) == writes);
-  WARN(name << ": " << writes << " writes, " << ran.times.routines << " routines, worst "
-            << ran.times.routine_worst << ", mean " << ran.times.routine_sum / ran.times.routines);
+  WARN(name << ": " << writes << " writes, " << ran.times.routine.count << " routines, worst "
+            << ran.times.routine.worst << ", mean " << ran.times.routine.mean());
 }
 
 }  // namespace
@@ -111,7 +111,7 @@ TEST_CASE("a waiting core stands still, at every stall of a run") {
   Options options = line();
   options.run.audit = true;
   const Ran ran = run(options, static_cast<cosim::Clk>(0.05 * kClockHz));
-  CHECK(ran.times.routines > 5);
+  CHECK(ran.times.routine.count > 5);
   CHECK(ran.moved.empty());
 }
 

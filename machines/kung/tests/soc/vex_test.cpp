@@ -32,8 +32,8 @@ TEST_CASE("VexRiscv writes what native firmware writes, with the binary of PicoR
   const std::size_t writes = writes_of(ran.transfers).size();
   CHECK(writes > 200);
   CHECK(native_writes(options, ran.transfers) == writes);
-  CHECK(ran.times.routines > 30);
+  CHECK(ran.times.routine.count > 30);
   CHECK(core.moved().empty());
-  WARN("VexRiscv: routines worst " << ran.times.routine_worst << ", mean "
-                                   << ran.times.routine_sum / ran.times.routines);
+  WARN("VexRiscv: routines worst " << ran.times.routine.worst << ", mean "
+                                   << ran.times.routine.mean());
 }
