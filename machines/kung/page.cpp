@@ -50,7 +50,8 @@ Series contour(const RunFolder& run) {
 }
 
 Json moment_json(const Options& options, const Moment& moment) {
-  if (moment.tick == 0) return nullptr;
+  // Commands on the serial port may have changed the gains.
+  if (moment.tick == 0 || !options.uart.empty()) return nullptr;
   Json json{{"tick", moment.tick}, {"edge", moment.edge}};
   for (std::size_t a = 0; a < 2; ++a) {
     const AfcSteps steps = afc_steps(plan_axis(options, a), moment.start[a]);

@@ -116,7 +116,8 @@ void Session::make_core(const sw::KungSetup& setup) {
   if (core_image().empty()) {
     throw lab::ToolMissing(
         "run.cpu: \"rtl\" needs what was missing when this program was built: the core's RTL "
-        "(pythondata-cpu-picorv32 in .venv) or riscv64-unknown-elf-g++ (trammel doctor)");
+        "(pythondata-cpu-picorv32 in .venv) or riscv64-unknown-elf-g++; `./trammel run ... --cpu rtl` "
+        "installs both");
   }
   core_ = kung::make_core(core_memory(setup, true), options_.run.audit);
   core_->break_at(fault_at(options_.inject.processor_s));
@@ -131,8 +132,8 @@ const sw::Mailbox& Session::mailbox() const {
 
 // Its output is at the chip's trip input.
 void Session::trapped(const cosim::CoreTrap& trap) {
-  trap_text_ = fmt::format("the core stopped at an illegal instruction or misaligned access at "
-                           "{:#010x}", trap.address);
+  trap_text_ = fmt::format("the processor: illegal instruction or misaligned access at {:#010x}",
+                           trap.address);
   plant_->trip_from(trap.edge);
 }
 
