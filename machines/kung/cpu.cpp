@@ -42,8 +42,8 @@ Shown native_of(const Options& options, const cosim::CoreTimes& core) {
 }
 
 double period_clk(const Options& options) {
-  return ticks_per_point(options.path, options.chip.irq_period_ticks) * options.chip.sample_s() * 1e12 /
-         static_cast<double>(options.plant.clock_ps);
+  const int ticks = ticks_per_point(options.path, options.chip.irq_period_ticks);
+  return ticks * options.chip.sample_s() * 1e12 / static_cast<double>(options.plant.clock_ps);
 }
 
 }  // namespace
@@ -60,8 +60,8 @@ std::vector<std::string> cpu_lines(const Options& options, const Result& result)
   };
   lines.push_back(fmt::format("{:<22}{:>10}{:>14}{:>10}{:>12}{:>10}", "service routine (clk)",
                               "first", "worst", "", "mean", ""));
-  lines.push_back(line("  the core's RTL", core.first.mean(), core.routine.mean(),
-                       core.routine.worst));
+  lines.push_back(
+      line("  the core's RTL", core.first.mean(), core.routine.mean(), core.routine.worst));
   lines.push_back(line("  native, by keys", native.first, native.mean, native.worst));
   lines.push_back(fmt::format("first: interrupt to first access; %: of the {:.0f} clocks between "
                               "interrupts; {:.0f} clocks from an answer to the next access",

@@ -116,8 +116,8 @@ void Session::make_core(const sw::KungSetup& setup) {
   if (core_image().empty()) {
     throw lab::ToolMissing(
         "run.cpu: \"rtl\" needs what was missing when this program was built: the core's RTL "
-        "(pythondata-cpu-picorv32 in .venv) or riscv64-unknown-elf-g++; `./trammel run ... --cpu rtl` "
-        "installs both");
+        "(pythondata-cpu-picorv32 in .venv) or riscv64-unknown-elf-g++; ./trammel run with --cpu "
+        "rtl installs both");
   }
   core_ = kung::make_core(core_memory(setup, true), options_.run.audit);
   core_->break_at(fault_at(options_.inject.processor_s));

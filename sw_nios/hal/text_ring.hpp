@@ -39,6 +39,7 @@ class TextRing {
 
   // With CR and LF behind it; false: there is no room, and nothing was written.
   bool put(const TextLine& line);
+  bool put_part(const TextLine& line);  // without
   // Only while not empty.
   char take() { return bytes_[out_++ % kSize]; }
 

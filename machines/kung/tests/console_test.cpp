@@ -44,11 +44,11 @@ TEST_CASE("a command is answered by a line, and one that is none by a question m
   CHECK(b.say("status") == "off point 0 of 629 failure 0 fault 0\r\n");
   CHECK(b.say("") == "");
   CHECK(b.say("  status  ").substr(0, 3) == "off");
-  for (const char* wrong : {"stat", "status now", "path", "path spiral", "path circle 0",
-                            "path circle 1001", "path circle x", "gain x kp 1", "gain z kp 1 0",
-                            "gain x kq 1 0", "gain x kp 2048 0", "gain x kp 1 16", "gain x kp 1 -17",
-                            "gain x kp -1 0", "gain x kp 1 0 0", "log 0", "log 257", "log 1 2",
-                            "a b c d e f g", "start\t", "path circle 99999999999"}) {
+  for (const char* wrong :
+       {"stat", "status now", "path", "path spiral", "path circle 0", "path circle 1001",
+        "path circle x", "gain x kp 1", "gain z kp 1 0", "gain x kq 1 0", "gain x kp 2048 0",
+        "gain x kp 1 16", "gain x kp 1 -17", "gain x kp -1 0", "gain x kp 1 0 0", "log 0",
+        "log 257", "log 1 2", "a b c d e f g", "start\t", "path circle 99999999999"}) {
     INFO(wrong);
     CHECK(b.say(wrong) == "?\r\n");
   }

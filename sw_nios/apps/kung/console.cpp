@@ -71,6 +71,7 @@ void Console::take(char byte) {
 }
 
 void Console::execute() {
+  while (field_ != 0) print_field();  // an answer is a line of its own
   line_[length_] = 0;
   Words words;
   bool inside = false;
@@ -192,15 +193,29 @@ void Console::gains() {
 }
 
 void Console::pump() {
-  if (log_left_ == 0 || !ring_.empty()) return;
+  if (log_left_ != 0 && ring_.empty()) print_field();
+}
+
+void Console::print_field() {
   const LogRecord& r = program_.app().log(log_at_);
+  const std::array<std::int32_t, 10> words{
+      r.x_cmd,   r.y_cmd, r.x_pos, r.y_pos, r.x_model,
+      r.y_model, r.x_iq,  r.y_iq,  static_cast<std::int32_t>(r.x_status),
+      static_cast<std::int32_t>(r.y_status)};
   TextLine line;
-  const std::array<std::int32_t, 8> words{r.x_cmd,   r.y_cmd,   r.x_pos, r.y_pos,
-                                          r.x_model, r.y_model, r.x_iq,  r.y_iq};
-  line.number(r.tick);
-  for (const std::int32_t value : words) line.text(" ").number(value);
-  line.text(" ").number(r.x_status).text(" ").number(r.y_status);
+  if (field_ == 0) {
+    ring_.put_part(line.number(r.tick));
+    ++field_;
+    return;
+  }
+  line.text(" ").number(words[field_ - 1]);
+  if (field_ < words.size()) {
+    ring_.put_part(line);
+    ++field_;
+    return;
+  }
   ring_.put(line);
+  field_ = 0;
   ++log_at_;
   --log_left_;
 }

@@ -14,7 +14,7 @@
 //   log [COUNT]                 the last records, one a line
 //
 // Nothing is printed in the service routine: answers go into a ring that the main loop empties, and
-// the log into it line by line whenever it is empty. Freestanding.
+// the log into it number by number whenever it is empty. Freestanding.
 #pragma once
 
 #include "sw_nios/apps/kung/kung.hpp"
@@ -59,7 +59,9 @@ class Console {
   Console(KungProgram& program, Bus& bus) : program_(program), bus_(bus) {}
 
   void take(char byte);
-  void pump();  // when the ring is empty: the next line of the log, if one is asked for
+  // When the ring is empty: the next number of the log, if one is asked for. Together with a
+  // service routine it takes less than a byte does on the line, so that no byte is lost.
+  void pump();
   TextRing& ring() { return ring_; }
   bool printing() const { return log_left_ != 0; }
 
@@ -74,6 +76,7 @@ class Console {
   bool command(const Words& words);
   bool choose_path(const Words& words);
   bool set_gain(const Words& words);
+  void print_field();
   void status();
   void gains();
   bool refuse(const char* why);
@@ -86,6 +89,7 @@ class Console {
   std::uint32_t length_ = 0;
   bool bad_ = false;  // the line holds a byte that no command has, or is too long
   std::uint32_t log_at_ = 0, log_left_ = 0;
+  std::uint32_t field_ = 0;  // of the line of the log that is being printed
 };
 
 }  // namespace trammel::sw
