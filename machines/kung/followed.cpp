@@ -40,9 +40,10 @@ Followed::Followed(const sw::PathSetup& path, double count_m, const Options& opt
     : path_(box_of(path, count_m)),
       covered_(path_.low),
       asked_m_(options.reached_m),
-      limit_m_(options.reached_m > 0 ? options.reached_m
-                                     : automatic_limit(path_, path.path == PathKind::kSquare, count_m,
-                                                       options.diverged_m)) {}
+      limit_m_(options.reached_m > 0
+                   ? options.reached_m
+                   : automatic_limit(path_, path.path == PathKind::kSquare, count_m,
+                                     options.diverged_m)) {}
 
 void Followed::add(const PointM& table, double beside_m) {
   if (!begun_) covered_ = Box(table);

@@ -74,7 +74,8 @@ TEST_CASE("inertia and load above the thrust of the largest i_q* are told") {
   CHECK(advice(o).empty());
   o.plant.axis[0].mass_kg = 50;  // 450 N, 5.6 A
   REQUIRE(advice(o).size() == 1);
-  CHECK_THAT(advice(o)[0], Contains("x: inertia, friction, cogging and load of 4") && Contains(" take 5."));
+  CHECK_THAT(advice(o)[0],
+             Contains("x: inertia, friction, cogging and load of 4") && Contains(" take 5."));
 }
 
 TEST_CASE("cogging, cable, Stribeck friction and a load that comes later are part of the demand") {
