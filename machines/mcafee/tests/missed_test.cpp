@@ -92,9 +92,9 @@ TEST_CASE("mcafee: a table that is not at the target of its move, or swings ther
 TEST_CASE("mcafee: a table beside its path, or not at its end, has missed it") {
   Options options;
   CHECK(tracked(options, 0) == "");
-  CHECK(tracked(options, 6.9) == "");  // a quarter of a diagonal of 28.3 mm is 7.07 mm
-  CHECK(tracked(options, 7.2) ==
-        "the table was 1435 counts beside its path, above 1410 (run.reached_counts)");
+  CHECK(tracked(options, 1.4) == "");  // a twentieth of a diagonal of 28.3 mm is 1.41 mm
+  CHECK(tracked(options, 1.5) ==
+        "the table was 299 counts beside its path, above 282 (run.reached_counts)");
   CHECK(tracked(options, 0, 0.2) == "");
   CHECK(tracked(options, 0, 0.3) == "Y ended 60 counts from its target of 3987");
   CHECK(tracked(options, 0, 0, 2) == "stopped after 74 of 76 rows");
