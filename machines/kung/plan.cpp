@@ -333,6 +333,9 @@ sw::KungSetup plan_firmware(const Options& options, std::vector<sw::Point>& poin
                       options.plant.axis[1].encoder_count_m, count_m));
   static_cast<sw::PathSetup&>(s) =
       plan_path(options, Encoder{count_m, chip.sample_s()}, points);
+  require(options.cpu == Cpu::kNative || !options.fault.of_processor(),
+          "inject.fault: those of the processor and its bus need run.cpu = \"native\"; "
+          "inject.processor_s is a fault of the core");
   s.current_command = options.path.open_position();
   for (std::size_t a = 0; a < 2; ++a) s.axis[a] = plan_axis(options, a);
   s.irq_period = word(ticks_per_point(options.path, chip.irq_period_ticks));

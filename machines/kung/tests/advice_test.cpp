@@ -149,6 +149,17 @@ TEST_CASE("poles that pass faster than the current loop follows are told") {
   CHECK(advice(o).empty());
 }
 
+TEST_CASE("times of the native processor that the core's RTL does not have are told") {
+  Options o;
+  o.processor.access_clk = 100;
+  CHECK(advice(o).empty());
+  o.cpu = Cpu::kRtl;
+  CHECK_THAT(advice(o).at(0), Contains("processor.access_clk and interrupt_latency_clk have no "
+                                       "effect with run.cpu = \"rtl\""));
+  o.processor = {};
+  CHECK(advice(o).empty());
+}
+
 TEST_CASE("an offset of a sensor that is not measured is told") {
   Options o;
   o.plant.axis[0].current_offset_b_a = -0.05;
