@@ -315,7 +315,9 @@ Written write_record(const Record& record, const OutputFolder& folder, const Jso
 }
 
 std::string activity_text(const cosim::RunResult& result) {
-  if (result.activity.empty()) return "  clock domains: only the leaping RTL with run.domains tells\n";
+  if (result.activity.empty()) {
+    return "  clock domains: only the leaping RTL with run.domains tells\n";
+  }
   const double clocks = static_cast<double>(std::max<cosim::Clk>(1, result.clocks));
   std::string text = "  clock domains, share of the clocks at which each was awake:\n";
   for (const auto& [domain, awake] : result.activity) {

@@ -148,6 +148,13 @@ std::vector<std::string> advice(const lab::Settings& settings) {
   const sw::KungSetup setup = plan_firmware(options, points);
   const std::array<Demand, 2> most = demand(options, setup);
   std::vector<std::string> lines;
+  const cosim::ProcessorOptions& cpu = options.processor;
+  const cosim::ProcessorOptions usual;
+  if (options.cpu == Cpu::kRtl && (cpu.access_clk != usual.access_clk ||
+                                   cpu.interrupt_latency_clk != usual.interrupt_latency_clk)) {
+    lines.push_back("processor.access_clk and interrupt_latency_clk have no effect with run.cpu = "
+                    "\"rtl\", whose core takes the clocks that it takes");
+  }
   for (std::size_t a = 0; a < 2; ++a) {
     const plant::AxisConfig& plant = options.plant.axis[a];
     const char axis = a == 0 ? 'x' : 'y';

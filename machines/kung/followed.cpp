@@ -22,8 +22,9 @@ Box box_of(sw::PathSetup path, double count_m) {
   return box;
 }
 
-double automatic_limit(const Box& path, double count_m, double diverged_m) {
-  return std::min(std::max(path.diagonal_m() / 4, 3 * count_m), diverged_m);
+// A square wave is overshot by a quarter of its step, even by the paper's table.
+double automatic_limit(const Box& path, bool square, double count_m, double diverged_m) {
+  return std::min(std::max(path.diagonal_m() / (square ? 4 : 20), 3 * count_m), diverged_m);
 }
 
 }  // namespace
@@ -39,8 +40,10 @@ Followed::Followed(const sw::PathSetup& path, double count_m, const Options& opt
     : path_(box_of(path, count_m)),
       covered_(path_.low),
       asked_m_(options.reached_m),
-      limit_m_(options.reached_m > 0 ? options.reached_m
-                                     : automatic_limit(path_, count_m, options.diverged_m)) {}
+      limit_m_(options.reached_m > 0
+                   ? options.reached_m
+                   : automatic_limit(path_, path.path == PathKind::kSquare, count_m,
+                                     options.diverged_m)) {}
 
 void Followed::add(const PointM& table, double beside_m) {
   if (!begun_) covered_ = Box(table);

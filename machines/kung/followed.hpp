@@ -28,8 +28,8 @@ class Followed {
   // `count_m`: of the encoders; run.reached_m and run.diverged_m are those of the options.
   Followed(const sw::PathSetup& path, double count_m, const Options& options);
 
-  // Largest error [m] of a table that follows: run.reached_m, or a quarter of the path's diagonal,
-  // at least 3 counts and at most run.diverged_m.
+  // Largest error [m] of a table that follows: run.reached_m, or a twentieth of the path's
+  // diagonal, of a square wave a quarter, at least 3 counts and at most run.diverged_m.
   double limit_m() const { return limit_m_; }
 
   // The same at the end of a run in which the model lags by `lag_m`: without run.reached_m a

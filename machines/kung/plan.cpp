@@ -155,8 +155,8 @@ void check_motor(const plant::AxisConfig& plant, std::size_t axis) {
           fmt::format("{}resistance_ohm over inductance: a winding of {:.3g} us is faster than the "
                       "{:g} us that the plant can follow", at, 1e6 / rates.winding, shortest_us));
   require(1e6 / rates.thrust >= shortest_us,
-          fmt::format("{}force_constant_N_A: {:g} kg and the inductance swing against each other in "
-                      "{:.3g} us, faster than the {:g} us that the plant can follow", at,
+          fmt::format("{}force_constant_N_A: {:g} kg and the inductance swing against each other "
+                      "in {:.3g} us, faster than the {:g} us that the plant can follow", at,
                       plant::motor_config(plant).mass, 1e6 / rates.thrust, shortest_us));
   require(rates.span() >= plant::kShortestSpan,
           fmt::format("{0}viscous_N_s_m, {0}friction_speed_m_s: friction that stops {1:g} kg in "
@@ -309,8 +309,9 @@ sw::AxisSetup plan_axis(const Options& options, std::size_t axis) {
   require(!g.interpolate || !options.path.is_sweep(),
           key("gains", "interpolate") + ": must be off in a sweep, which has a point each sample");
   require(!g.interpolate || held == kInterpolated || options.path.kind == PathKind::kSquare,
-          fmt::format("{}: must be off with chip.irq_period_ticks = {}: the chip reaches a point in "
-                      "{} position samples", key("gains", "interpolate"), held, kInterpolated));
+          fmt::format("{}: must be off with chip.irq_period_ticks = {}: the chip reaches a point "
+                      "in {} position samples", key("gains", "interpolate"), held,
+                      kInterpolated));
   require(c.dead_time_ns < 0.5e9 / options.chip.carrier_Hz,
           fmt::format("{}: value {} must be below {:g}, half a period of chip.carrier_Hz = {}: no "
                       "gate would turn on", key("chip", "dead_time_ns"), c.dead_time_ns,
@@ -332,6 +333,9 @@ sw::KungSetup plan_firmware(const Options& options, std::vector<sw::Point>& poin
                       options.plant.axis[1].encoder_count_m, count_m));
   static_cast<sw::PathSetup&>(s) =
       plan_path(options, Encoder{count_m, chip.sample_s()}, points);
+  require(options.cpu == Cpu::kNative || !options.fault.of_processor(),
+          "inject.fault: those of the processor and its bus need run.cpu = \"native\"; "
+          "inject.processor_s is a fault of the core");
   s.current_command = options.path.open_position();
   for (std::size_t a = 0; a < 2; ++a) s.axis[a] = plan_axis(options, a);
   s.irq_period = word(ticks_per_point(options.path, chip.irq_period_ticks));

@@ -30,7 +30,8 @@ const std::vector<lab::Key>& keys() {
     lm628::add_run(t);
     t.one("run.reached_counts", 0, 32767,
           "largest error, and movement, of a table at its target, and distance beside its path; "
-          "0 = 50, or a quarter of a short travel, and a quarter of the path's diagonal beside it",
+          "0 = 50, or a quarter of a short travel; beside the path a twentieth of its diagonal, if "
+          "more",
           TRAMMEL_LENS(reached_counts));
     t.faults();
     using P = PathOptions;

@@ -74,7 +74,7 @@ std::string what_missed(const Options& options, const Result& result) {
         not_at(options, result, axis, axis == 0 ? target.real() : target.imag(), band);
     if (!what.empty()) return what;
   }
-  const double beside = options.reached_counts != 0 ? band : std::max(3.0, counts / 4);
+  const double beside = options.reached_counts != 0 ? band : std::max(band, counts / 20);
   double most = 0;
   for (const double mm : result.contour_mm) most = std::max(most, mm / options.count_mm());
   if (most <= beside) return "";

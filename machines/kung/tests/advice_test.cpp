@@ -74,7 +74,8 @@ TEST_CASE("inertia and load above the thrust of the largest i_q* are told") {
   CHECK(advice(o).empty());
   o.plant.axis[0].mass_kg = 50;  // 450 N, 5.6 A
   REQUIRE(advice(o).size() == 1);
-  CHECK_THAT(advice(o)[0], Contains("x: inertia, friction, cogging and load of 4") && Contains(" take 5."));
+  CHECK_THAT(advice(o)[0],
+             Contains("x: inertia, friction, cogging and load of 4") && Contains(" take 5."));
 }
 
 TEST_CASE("cogging, cable, Stribeck friction and a load that comes later are part of the demand") {
@@ -145,6 +146,17 @@ TEST_CASE("poles that pass faster than the current loop follows are told") {
   o.gains[1].current_kp_V_A = 40;
   CHECK_THAT(advice(o).at(0), Contains("above the 706") && Contains("loop of 1717 rad/s"));
   o.gains_by_rule = true;
+  CHECK(advice(o).empty());
+}
+
+TEST_CASE("times of the native processor that the core's RTL does not have are told") {
+  Options o;
+  o.processor.access_clk = 100;
+  CHECK(advice(o).empty());
+  o.cpu = Cpu::kRtl;
+  CHECK_THAT(advice(o).at(0), Contains("processor.access_clk and interrupt_latency_clk have no "
+                                       "effect with run.cpu = \"rtl\""));
+  o.processor = {};
   CHECK(advice(o).empty());
 }
 

@@ -67,7 +67,8 @@ TEST_CASE("a run above the rating of a motor says so; 0 is no rating") {
   options.plant.axis[1].peak_current_a = 3.9985;
   CHECK(overloads(options, result).size() == 1);  // 4 A are 0.04 % above it
   options.plant.axis[1].peak_current_a = 3.98;
-  CHECK_THAT(overloads(options, result).at(1), Contains("is 4 A, above plant.y.peak_current_A = 3.98"));
+  CHECK_THAT(overloads(options, result).at(1),
+             Contains("is 4 A, above plant.y.peak_current_A = 3.98"));
   options.plant.axis[1].peak_current_a = options.plant.axis[1].continuous_current_a = 0;
   CHECK(overloads(options, result).empty());
 }

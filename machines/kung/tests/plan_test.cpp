@@ -256,6 +256,14 @@ TEST_CASE("values that cannot run are refused with their key and the permitted r
   CHECK_THROWS_WITH(plan(o), Contains("plant.x.force_constant_N_A: 0.1 kg and the inductance swing "
                                       "against each other in 0.387 us, faster than the 0.5 us"));
   o = {};
+  o.fault.kind = cosim::FaultKind::kBusStall;
+  CHECK_NOTHROW(plan(o));
+  o.cpu = Cpu::kRtl;
+  CHECK_THROWS_WITH(plan(o), Contains("inject.fault: those of the processor and its bus need "
+                                      "run.cpu = \"native\""));
+  o.fault.kind = cosim::FaultKind::kGateDead;
+  CHECK_NOTHROW(plan(o));
+  o = {};
   o.plant.axis[1].chopper_v = 300;
   CHECK_THROWS_WITH(plan(o), Contains("plant.y.chopper_V: value 300 must be 0 or at least "
                                       "plant.y.dc_link_V = 311"));

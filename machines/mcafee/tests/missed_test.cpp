@@ -33,7 +33,8 @@ Options move_of(int counts) {
   return options;
 }
 
-// A corner of 20 mm legs, or a file of points; the table is `beside_mm` off it in a row, and ends `short_mm` too early.
+// A corner of 20 mm legs, or a file of points; the table is `beside_mm` off it in a row, and ends
+// `short_mm` too early.
 std::string tracked(Options options, double beside_mm, double short_mm = 0, int rows_left = 0) {
   if (options.path.points_file.empty()) {
     options.path.kind = PathKind::kCorner;
@@ -91,9 +92,9 @@ TEST_CASE("mcafee: a table that is not at the target of its move, or swings ther
 TEST_CASE("mcafee: a table beside its path, or not at its end, has missed it") {
   Options options;
   CHECK(tracked(options, 0) == "");
-  CHECK(tracked(options, 6.9) == "");  // a quarter of a diagonal of 28.3 mm is 7.07 mm
-  CHECK(tracked(options, 7.2) ==
-        "the table was 1435 counts beside its path, above 1410 (run.reached_counts)");
+  CHECK(tracked(options, 1.4) == "");  // a twentieth of a diagonal of 28.3 mm is 1.41 mm
+  CHECK(tracked(options, 1.5) ==
+        "the table was 299 counts beside its path, above 282 (run.reached_counts)");
   CHECK(tracked(options, 0, 0.2) == "");
   CHECK(tracked(options, 0, 0.3) == "Y ended 60 counts from its target of 3987");
   CHECK(tracked(options, 0, 0, 2) == "stopped after 74 of 76 rows");
@@ -111,7 +112,7 @@ TEST_CASE("mcafee: each axis is held against its own target") {
   options.path.points_file = scratch.path / "points.csv";
   std::ofstream(options.path.points_file) << "0,0\n20,0\n20,10\n";
   CHECK(tracked(options, 0) == "");
-  CHECK(tracked(options, 0, 0.3) == "Y ended 60 counts from its target of 1993");
+  CHECK(tracked(options, 0, 0.3) == "Y ended 59 counts from its target of 1993");
   std::ofstream(options.path.points_file) << "0,0\n10,0\n10,20\n";
   CHECK(tracked(options, 0) == "");
   CHECK(tracked(options, 0, 0.3) == "Y ended 60 counts from its target of 3987");

@@ -122,7 +122,8 @@ TEST_CASE("what trips on the way to rest is not named as the cause") {
   options.run.engine = Engine::kTwin;
   options.fault.kind = trammel::cosim::FaultKind::kProcessorGarbage;
   options.fault.begin_s = 0.5;
-  const Result result = simulate(options, {});  // the watchdog bites 48 ms after the firmware's check
+  // The watchdog bites 48 ms after the firmware's check.
+  const Result result = simulate(options, {});
   REQUIRE(result.end == EndReason::kFault);
   CHECK(result.fault.code == FaultCode::kNone);
   CHECK(result.fault.processor == result.fault_report.by);
