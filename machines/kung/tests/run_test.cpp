@@ -101,7 +101,7 @@ TEST_CASE("how a run ended is reported with the figures that decided it") {
   }
 }
 
-TEST_CASE("an injected fault is reported from its begin: what noticed it, drives off, way to rest") {
+TEST_CASE("an injected fault is told from its begin: what noticed it, drives off, way to rest") {
   const Scratch scratch;
   const std::vector<std::string> set{"inject.fault=gate_dead", "inject.axis=1"};
   Result result = standing(EndReason::kFault, {FaultCode::kOverCurrent, 1, 17});

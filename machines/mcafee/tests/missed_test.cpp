@@ -33,7 +33,8 @@ Options move_of(int counts) {
   return options;
 }
 
-// A corner of 20 mm legs, or a file of points; the table is `beside_mm` off it in a row, and ends `short_mm` too early.
+// A corner of 20 mm legs, or a file of points; the table is `beside_mm` off it in a row, and ends
+// `short_mm` too early.
 std::string tracked(Options options, double beside_mm, double short_mm = 0, int rows_left = 0) {
   if (options.path.points_file.empty()) {
     options.path.kind = PathKind::kCorner;

@@ -159,7 +159,7 @@ TEST_CASE("the true speeds of the record are the slopes of its true places") {
 }
 
 // The words are of the period before the sample, and the currents have a ripple within it.
-TEST_CASE("the true currents of the record are those that the chip measured, force_N their thrust") {
+TEST_CASE("the true currents of the record are those the chip measured, force_N their thrust") {
   const Options options = piece(0.2);
   const Result result = run(options, Engine::kTwin).result;
   for (const std::size_t axis : {0, 1}) {
