@@ -26,6 +26,7 @@ class KungPair : public exact::KungXy::Converters {
   std::array<std::array<std::int32_t, 2>, 2> codes{{{2048, 2048}, {2048, 2048}}};
   // A, B, index of X, then of Y; above them the trip pin.
   std::uint64_t lines = 0;
+  bool gated = false;  // each domain has its clock only where it is awake
 
   KungPair() {
     set_leap(model(), 0, 0);
@@ -88,6 +89,7 @@ class KungPair : public exact::KungXy::Converters {
 
   // Lines at rest, as they are before a reset.
   void rest() {
+    cosim::enable_all_clocks(model());
     lines = 0;
     phases_ = {};
     apply();
@@ -142,6 +144,9 @@ class KungPair : public exact::KungXy::Converters {
     const std::int64_t gap = transfer ? 1 : std::min(limit, leap_room(model(), 0));
     const unsigned cs = rtl_->adc_cs_n_o, sclk = rtl_->adc_sclk_o;
     set_leap(model(), gap - 1, 0);
+    if constexpr (cosim::kHasDomains<Model>) {
+      if (gated) cosim::enable_clocks(rtl_->clock_en_i, static_cast<unsigned>(rtl_->awake_o));
+    }
     rtl_.tick();
     set_leap(model(), 0, 0);
     if (transfer) bus_.after_edge(model());

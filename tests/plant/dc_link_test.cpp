@@ -44,6 +44,14 @@ TEST_CASE("what comes back only charges the capacitor, up to the chopper") {
   CHECK(link.burnt() == Approx(0.02 * 320).epsilon(1e-3));
 }
 
+TEST_CASE("the source lifts the link to its own voltage and no further, whatever comes back") {
+  DcLink link({300, 4, 1e-3, 0});
+  link.draw(0.1e-3, 1e-9);  // 0.1 V below the source
+  REQUIRE(link.volt() == Approx(299.9).epsilon(1e-9));
+  link.draw(-0.12e-3, 48e-6);  // 2.5 A: 0.12 V of the capacitor alone
+  CHECK(link.volt() == Approx(300.02).epsilon(1e-9));
+}
+
 TEST_CASE("a stiff link keeps its voltage") {
   DcLink link({300, 0, 1e-3, 0});
   link.draw(1, 1e-3);

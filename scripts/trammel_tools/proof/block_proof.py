@@ -56,8 +56,10 @@ class BlockProof:
         for model in models:
             labels = formal.read_labels(self.folder, model.name, said)
             if sorted(labels) != sorted(props.asserts):
+                missing = ", ".join(sorted(set(props.asserts) - set(labels)))
                 raise PropertiesError(
-                    f"rtl/{self.block}_props.sv: not all assertions arrived: {labels}")
+                    f"rtl/{self.block}_props.sv: assertions that did not arrive: {missing}; "
+                    "one that says the same as another is merged with it")
             induction.prove(self.folder, model.name, labels, props, self.limit,
                             lambda label, verdict, model=model: tell(label, verdict, model))
 
