@@ -80,7 +80,8 @@ def whole(wanted):
         return
     print(f"netlist: {result['clocks']} clocks, {result['gate_changes']} changes of gates, "
           f"{result['different']} differences of outputs; {result['clocks_per_s']:.0f} clocks a "
-          f"CPU second of both; the console says '{result['said'].strip()}'; at ({result['x_mm']:.3f}, {result['y_mm']:.3f}) mm", flush=True)
+          f"CPU second of both; the console says '{' '.join(result['said'].split())}'; at "
+          f"({result['x_mm']:.3f}, {result['y_mm']:.3f}) mm", flush=True)
     if result["different"]:
         yield f"{result['different']} outputs differ: {result['first'][0]}"
     if not result["gate_changes"]:
