@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: Apache-2.0
 """Draw a board's connectors from its pins, and the floor plan of a placed design.
 
-usage: scripts/tool board-picture BOARD [--check]
+usage: scripts/tool board-picture [BOARD] [--check]
        scripts/tool board-picture BOARD --placed FOLDER
 
-Writes docs/pictures/board_<board>.svg, the connectors; with --check it must be as written. With
---placed FOLDER, of trammel synth --board, it writes docs/pictures/floor_<board>.svg: each tile of
+Writes docs/pictures/board_<board>.svg, the connectors, of one board or of all; with --check they
+must be as written. With --placed FOLDER, of trammel synth --board, it writes docs/pictures/floor_<board>.svg: each tile of
 the FPGA in the colour of the blocks that most of its cells belong to.
 
 Exit codes: 0 written or as it should be, 1 the picture is stale, 2 usage.
@@ -144,28 +144,29 @@ def floor_plan(on, folder):
 def main():
     parser = argparse.ArgumentParser(prog="scripts/tool board-picture", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("board")
+    parser.add_argument("board", nargs="?")
     parser.add_argument("--check", action="store_true")
     parser.add_argument("--placed", type=Path, metavar="FOLDER")
     wanted = parser.parse_args()
+    if wanted.placed and not wanted.board:
+        parser.error("--placed: of which board?")
     try:
-        on = board.find(wanted.board)
+        boards = [board.find(name) for name in ([wanted.board] if wanted.board else
+                                                board.names())]
+        pictures = {PICTURES / f"floor_{wanted.board}.svg": floor_plan(boards[0], wanted.placed)
+                    } if wanted.placed else {PICTURES / f"board_{on.name}.svg": connectors(on)
+                                             for on in boards}
     except board.BoardError as error:
         parser.error(str(error))
-    target = PICTURES / f"board_{on.name}.svg"
-    if wanted.placed:
-        try:
-            target, picture = PICTURES / f"floor_{on.name}.svg", floor_plan(on, wanted.placed)
-        except (OSError, synth_flow.FlowError) as error:
-            parser.error(f"--placed {wanted.placed}: {error}")
-    else:
-        picture = connectors(on)
-    if wanted.check:
-        if not target.exists() or target.read_text(encoding="utf-8") != picture:
+    except (OSError, synth_flow.FlowError) as error:
+        parser.error(f"--placed {wanted.placed}: {error}")
+    stale = 0
+    for target, picture in pictures.items():
+        if not wanted.check:
+            target.write_text(picture, encoding="utf-8")
+            print(f"wrote {target.relative_to(ROOT)}")
+        elif not target.exists() or target.read_text(encoding="utf-8") != picture:
             print(f"board-picture: {target.relative_to(ROOT)} is stale: scripts/tool "
-                  f"board-picture {on.name}", file=sys.stderr)
-            return 1
-        return 0
-    target.write_text(picture, encoding="utf-8")
-    print(f"wrote {target.relative_to(ROOT)}")
-    return 0
+                  "board-picture", file=sys.stderr)
+            stale = 1
+    return stale

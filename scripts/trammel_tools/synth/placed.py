@@ -92,6 +92,12 @@ class Placed:
             return default
         return f"n{bits[0]}" if isinstance(bits[0], int) else f"1'b{bits[0]}"
 
+    def wired(self, cell, port):
+        """A pin of a multiplier or memory: high without a wire, inverted or constant by its mux."""
+        mux = self.parameter(cell, f"{port}MUX")
+        value = self.pin(cell, port, "1'b1")
+        return {"0": "1'b0", "1": "1'b1", "INV": f"~{value}"}.get(mux, value)
+
     def out(self, cell, port):
         bits = self.cells[cell]["connections"].get(port, [])
         return f"n{bits[0]}" if bits else None
@@ -203,10 +209,10 @@ class Placed:
         for key, value in self.cells[name]["parameters"].items():
             if key.startswith("REG_") and key.endswith("_CLK") and value.strip() != "NONE":
                 raise FlowError(f"{name}: a register in a multiplier")
-        a, b = (", ".join(self.pin(name, f"{side}{n}", LOW) for n in range(17, -1, -1))
+        a, b = (", ".join(self.wired(name, f"{side}{n}") for n in range(17, -1, -1))
                 for side in "AB")
         tag = f"p{len(self.lines)}"
-        signed = [self.pin(name, f"SIGNED{side}", LOW) for side in "AB"]
+        signed = [self.wired(name, f"SIGNED{side}") for side in "AB"]
         self.lines += [f"wire [17:0] {tag}a = {{{a}}};", f"wire [17:0] {tag}b = {{{b}}};",
                        f"wire signed [37:0] {tag} = $signed({{{signed[0]} & {tag}a[17], {tag}a}})"
                        f" * $signed({{{signed[1]} & {tag}b[17], {tag}b}});"]
@@ -241,8 +247,7 @@ class Placed:
                 if bits:
                     pins.append(f".{port}(n{bits[0]})")
             else:
-                default = "1'b1" if port.startswith("OCE") else "1'b0"
-                pins.append(f".{port}({self.pin(name, port, default)})")
+                pins.append(f".{port}({self.wired(name, port)})")
         self.lines.append(f"DP16KD #({', '.join(parameters)}) r{len(self.lines)} "
                           f"({', '.join(pins)});")
 

@@ -169,7 +169,7 @@ def main():
     wanted = arguments()
     python_tools.need("pyosys", "synth")
     missing = [device.placer for device in synth_flow.DEVICES if device.program() is None]
-    if wanted.board and wanted.on.memory and not synth_flow.cores():
+    if wanted.board and wanted.on.memory and not lint.cores():
         missing.append(synth_flow.CORE)
     if missing and not (wanted.area or wanted.block):
         print(f"synth: {' and '.join(missing)} missing (trammel doctor)", file=sys.stderr)

@@ -76,7 +76,7 @@ def run(wanted, folder, seed, firmware):
     made = packed(wanted, folder, firmware)
     python_tools.progress("")
     blocks = {block: {"instances": instances, "in_chip": count.table()}
-              for block, (instances, count) in netlist.by_block().items()}
+              for block, (instances, count) in netlist.by_block().items() if any(count.values())}
     used = synth_report.used if wanted.family == "ecp5" else synth_report.used_of_ice40
     return {"board": wanted.name, "design": f"chips/{wanted.chip}", "top": wanted.top,
             "device": wanted.device.name, "seed": seed, "tools": synth_flow.versions(),

@@ -4,7 +4,6 @@
 import contextlib
 import dataclasses
 import importlib.metadata
-import importlib.util
 import json
 import os
 import shutil
@@ -18,7 +17,7 @@ from trammel_tools.rtl import lint
 
 # What the leap contract adds; a board ties the input to 0 and leaves the outputs open.
 LEAP_INPUTS, LEAP_OUTPUTS = ("leap_i",), ("next_o", "quiescent_o", "awake_o", "timed_o")
-CORE = "pythondata_cpu_picorv32"
+CORE = "pythondata-cpu-picorv32"
 # Area comes first where the clock allows: without a limit every path is made as fast as it can be,
 # which took 11 % more cells. [ps] of logic alone; routing takes more than half of a period.
 ABC_LIMIT = "8000"
@@ -56,13 +55,7 @@ def sources():
     """All sources, packages first; a path is what Yosys' messages and cell attributes show."""
     found = [*lint.packages(), *sorted(RTL.glob("chips/generated/*_regs.sv"))]
     found += [RTL / f"{block}.sv" for block in lint.blocks()]
-    return found + sorted(RTL.glob("boards/*/*.sv")) + cores()
-
-
-def cores():
-    """Verilog of the processor core, which comes from PyPI."""
-    found = importlib.util.find_spec(CORE)
-    return [Path(found.origin).parent / "verilog" / "picorv32.v"] if found else []
+    return found + sorted(RTL.glob("boards/*/*.sv")) + lint.cores()
 
 
 def versions():

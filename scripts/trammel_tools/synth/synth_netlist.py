@@ -109,7 +109,7 @@ class Netlist:
         self.module_of[path] = self._made[module]
         source = modules[module]["attributes"].get("src", "")
         found = re.search(r"rtl/(\w+)/(?:\w+/)?(\w+)\.sv", source)
-        self.block_of[path] = "/".join(found.groups()) if found else module
+        self.block_of[path] = "/".join(found.groups()) if found else module.split("$")[0]
         for name, cell in modules[module]["cells"].items():
             if cell["type"] in modules:
                 self._walk(modules, cell["type"], f"{path}.{name}" if path else name)

@@ -49,6 +49,30 @@ class Typist {
   cosim::Clk from_;
 };
 
+// What comes out of it.
+class Listener {
+ public:
+  void hear(cosim::Clk n, bool level) {
+    if (at_ < 0 && !level) at_ = n + Typist::kBit * 3 / 2;
+    if (at_ < 0 || n != at_) return;
+    if (bits_ < 8) {
+      byte_ |= static_cast<unsigned>(level) << bits_++;
+      at_ += Typist::kBit;
+    } else {
+      text_ += static_cast<char>(byte_);
+      at_ = -1;
+      byte_ = 0;
+      bits_ = 0;
+    }
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  cosim::Clk at_ = -1;  // edge of the next bit
+  unsigned byte_ = 0, bits_ = 0;
+  std::string text_;
+};
+
 template <class Rtl, class Netlist>
 class Pair final : public cosim::Chip {
  public:
@@ -96,11 +120,12 @@ class Pair final : public cosim::Chip {
       });
       ++now_;
       compare(edge);
+      listener_.hear(edge, netlist_.ftdi_rxd_o != 0);
       serve_converters(edge, plant);
       if (netlist_.gate_hi_o != hi_ || netlist_.gate_lo_o != lo_) {
         hi_ = netlist_.gate_hi_o;
         lo_ = netlist_.gate_lo_o;
-        ++gate_changes_;
+        if (gate_changes_++ == 0) first_ = edge;
         return {edge, cosim::kDrive};
       }
     }
@@ -123,8 +148,10 @@ class Pair final : public cosim::Chip {
   void flip(unsigned which) { netlist_.flip_i = static_cast<std::uint8_t>(which); }
 
   std::int64_t different() const { return different_; }
+  cosim::Clk first_gate() const { return first_; }
   std::int64_t gate_changes() const { return gate_changes_; }
   const std::vector<Difference>& differences() const { return differences_; }
+  const std::string& said() const { return listener_.text(); }
 
  private:
   template <class F>
@@ -178,10 +205,12 @@ class Pair final : public cosim::Chip {
   Rtl rtl_{&rtl_context_, ""};
   Netlist netlist_{&netlist_context_, ""};
   Typist typist_;
+  Listener listener_;
   cosim::Clk now_ = 0;
   std::array<std::array<SerialAdc, 2>, kAxes> adc_{};
   unsigned cs_n_ = 3, sclk_ = 3, hi_ = 0, lo_ = 0;
   std::int64_t different_ = 0, gate_changes_ = 0;
+  cosim::Clk first_ = -1;
   std::vector<Difference> differences_;
 };
 

@@ -23,9 +23,9 @@ namespace {
 using namespace trammel;
 
 constexpr double kClock = 50e6;               // [Hz]
-constexpr cosim::Clk kTyped = 20'000;         // edge at which the console begins to type
-constexpr cosim::Clk kFlipFrom = 1'500'000;   // the drives are on
-constexpr cosim::Clk kFlipEach = 20'000;      // [clk] a bit stays flipped
+constexpr cosim::Clk kTyped = 500'000;        // edge at which the console types: the program is ready
+constexpr cosim::Clk kFlipFrom = 1'320'000;  // the gates switch
+constexpr cosim::Clk kFlipEach = 10'000;     // [clk] a bit stays flipped
 
 class Table final : public cosim::Plant {
  public:
@@ -81,12 +81,15 @@ int main(int argc, char** argv) {
     }
   }
   const double took = cpu() - from;
+  std::string said;
+  for (const char c : pair.said()) said += c >= ' ' && c != '"' && c != '\\' ? c : ' ';
   std::printf("{\"clocks\": %lld, \"cpu_s\": %.3f, \"clocks_per_s\": %.0f, \"different\": %lld, "
-              "\"gate_changes\": %lld, \"x_mm\": %.4f, \"y_mm\": %.4f, \"flipped_bit\": %d, "
+              "\"gate_changes\": %lld, \"first_gate\": %lld, \"said\": \"%s\", \"x_mm\": %.4f, \"y_mm\": %.4f, \"flipped_bit\": %d, "
               "\"first\": [",
               static_cast<long long>(pair.now()), took, static_cast<double>(pair.now()) / took,
               static_cast<long long>(pair.different()),
-              static_cast<long long>(pair.gate_changes()), table.x(pair.now()) * 1e3,
+              static_cast<long long>(pair.gate_changes()),
+              static_cast<long long>(pair.first_gate()), said.c_str(), table.x(pair.now()) * 1e3,
               table.y(pair.now()) * 1e3, flipped);
   bool more = false;
   for (const kung::Difference& d : pair.differences()) {

@@ -26,6 +26,7 @@ from pathlib import Path
 
 from trammel_tools import python_tools
 from trammel_tools.paths import ROOT
+from trammel_tools.rtl import lint
 from trammel_tools.synth import board, placed, synth_flow
 
 SOURCE = ROOT / "machines" / "kung" / "tests" / "netlist"
@@ -52,7 +53,7 @@ def write_netlist(folder, top):
 
 def build(name):
     commands = (["cmake", "-S", SOURCE, "-B", OUT, "-G", "Ninja", f"-DBASE={BUILD}",
-                 f"-DBOARD={name}", f"-DCORE={synth_flow.cores()[0]}",
+                 f"-DBOARD={name}", f"-DCORE={lint.cores()[0]}",
                  "-DCMAKE_CXX_COMPILER_LAUNCHER=ccache"], ["ninja", "-C", OUT])
     for command in commands:
         done = subprocess.run(command, capture_output=True, text=True, check=False)
@@ -80,7 +81,8 @@ def whole(wanted):
         return
     print(f"netlist: {result['clocks']} clocks, {result['gate_changes']} changes of gates, "
           f"{result['different']} differences of outputs; {result['clocks_per_s']:.0f} clocks a "
-          f"CPU second of both; at ({result['x_mm']:.3f}, {result['y_mm']:.3f}) mm", flush=True)
+          f"CPU second of both; the console says '{' '.join(result['said'].split())}'; at "
+          f"({result['x_mm']:.3f}, {result['y_mm']:.3f}) mm", flush=True)
     if result["different"]:
         yield f"{result['different']} outputs differ: {result['first'][0]}"
     if not result["gate_changes"]:
@@ -111,7 +113,7 @@ def main():
               and (wanted.folder / f"kung_soc_{name}.firmware.config").exists()]
     if len(boards) != 1:
         parser.error(f"{wanted.folder}: {len(boards)} placed boards with a firmware, not one")
-    if not synth_flow.cores():
+    if not lint.cores():
         print(f"netlist: {synth_flow.CORE} is missing (trammel doctor)", file=sys.stderr)
         return python_tools.SKIPPED if "CTEST_INTERACTIVE_DEBUG_MODE" in os.environ else 3
     flips = write_netlist(wanted.folder.resolve(), f"kung_soc_{boards[0]}")
