@@ -5,8 +5,9 @@ usage: scripts/tool board-picture [BOARD] [--check]
        scripts/tool board-picture BOARD --placed FOLDER
 
 Writes docs/pictures/board_<board>.svg, the connectors, of one board or of all; with --check they
-must be as written. With --placed FOLDER, of trammel synth --board, it writes docs/pictures/floor_<board>.svg: each tile of
-the FPGA in the colour of the blocks that most of its cells belong to.
+must be as written. With --placed FOLDER, of trammel synth --board, it writes
+docs/pictures/floor_<board>.svg: each tile of the FPGA in the colour of the blocks that most of its
+cells belong to.
 
 Exit codes: 0 written or as it should be, 1 the picture is stale, 2 usage.
 """

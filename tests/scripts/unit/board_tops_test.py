@@ -54,7 +54,7 @@ def module(text):
 
 def connections(text):
     """The name of the IC, and pairs of a port and what is at it, as often as they are given."""
-    chip, body = re.search(r"^  (\w+)(?: #\(.*?\n  \))? u_(?:chip|soc) \((.*?)\n  \);", text,
+    chip, body = re.search(r"^  (\w+)(?: #\([^;]*?\n  \))? u_(?:chip|soc) \((.*?)\n  \);", text,
                            re.M | re.S).groups()
     return chip, re.findall(r"\.(\w+) *\((.*?)\)(?:,|$)", body, re.M)
 

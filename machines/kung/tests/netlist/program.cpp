@@ -22,8 +22,8 @@ namespace {
 
 using namespace trammel;
 
-constexpr double kClock = 50e6;               // [Hz]
-constexpr cosim::Clk kTyped = 500'000;        // edge at which the console types: the program is ready
+constexpr double kClock = 50e6;              // [Hz]
+constexpr cosim::Clk kTyped = 500'000;       // edge at which the console types: the program waits
 constexpr cosim::Clk kFlipFrom = 1'320'000;  // the gates switch
 constexpr cosim::Clk kFlipEach = 10'000;     // [clk] a bit stays flipped
 
@@ -84,7 +84,8 @@ int main(int argc, char** argv) {
   std::string said;
   for (const char c : pair.said()) said += c >= ' ' && c != '"' && c != '\\' ? c : ' ';
   std::printf("{\"clocks\": %lld, \"cpu_s\": %.3f, \"clocks_per_s\": %.0f, \"different\": %lld, "
-              "\"gate_changes\": %lld, \"first_gate\": %lld, \"said\": \"%s\", \"x_mm\": %.4f, \"y_mm\": %.4f, \"flipped_bit\": %d, "
+              "\"gate_changes\": %lld, \"first_gate\": %lld, \"said\": \"%s\", "
+              "\"x_mm\": %.4f, \"y_mm\": %.4f, \"flipped_bit\": %d, "
               "\"first\": [",
               static_cast<long long>(pair.now()), took, static_cast<double>(pair.now()) / took,
               static_cast<long long>(pair.different()),
