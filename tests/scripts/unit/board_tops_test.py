@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The tops of the boards: each port of the IC, or of the core of two tops, is at the pin of its name.
+"""The tops of the boards: each port of the IC, or of a top's core, is at the pin of its name.
 
 Where two pins carry the same signal, as the chip selects of both axes of kung_xy, no simulation
 tells them apart; what the source says does.
