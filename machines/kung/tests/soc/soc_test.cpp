@@ -51,11 +51,9 @@ void check_same_as_native(const std::string& name) {
             << ran.times.routine.worst << ", mean " << ran.times.routine.mean());
 }
 
-}  // namespace
-
-TEST_CASE("transfers and gates are clock by clock those of one model of the whole chip") {
-  const Options options = line();
-  const auto end = static_cast<cosim::Clk>(0.05 * kClockHz);
+// All transfers and gate edges of a span, with random bytes on the serial port.
+void check_same_as_one_model(const Options& options, double seconds) {
+  const auto end = static_cast<cosim::Clk>(seconds * kClockHz);
   Noise noise(5), same_noise(5);
   const Ran ran = run(options, end, &noise.host);
   CHECK(ran.transfers.size() > 300);
@@ -75,24 +73,65 @@ TEST_CASE("transfers and gates are clock by clock those of one model of the whol
   CHECK(noise.heard == same_noise.heard);
 }
 
-TEST_CASE("random bytes on the serial port change no write of the core and no gate edge") {
-  const Options options = line();
-  const auto end = static_cast<cosim::Clk>(0.1 * kClockHz);
+// Writes and gate edges of a run, without and with random bytes.
+void check_noise(const Options& options, cosim::Clk end, long bytes) {
   const Ran quiet = run(options, end);
   Noise noise(6);
   const Ran noisy = run(options, end, &noise.host);
-  CHECK(noise.sent > 1000);
+  CHECK(noise.sent >= bytes);
   CHECK(noisy.result.fault.code == FaultCode::kNone);
   CHECK(noisy.result.fault.processor.empty());
   const auto words = [](const Ran& ran) {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> all;
-    for (const Transfer& t : test::writes_of(ran.transfers)) all.emplace_back(t.address, t.data);
+    for (const Transfer& t : writes_of(ran.transfers)) all.emplace_back(t.address, t.data);
     return all;
   };
   CHECK(words(quiet).size() > 200);
   CHECK((words(noisy) == words(quiet)));
   CHECK(quiet.drive.size() > 5000);
   CHECK((noisy.drive == quiet.drive));
+}
+
+// A program that was not started gets bytes, and asks nothing of the IC.
+void check_noise_at_rest(long bytes) {
+  const Options options = line();
+  std::vector<sw::Point> points;
+  const auto core = make_core(core_memory(plan_firmware(options, points), false), false);
+  Noise noise(7);
+  const auto start_up = static_cast<cosim::Clk>(0.02 * kClockHz);
+  const Ran ran = run(options, start_up + bytes * 10 * kClocksPerBit, &noise.host, core.get());
+  CHECK(noise.sent >= bytes);
+  CHECK(ran.transfers.empty());
+  CHECK(ran.drive.empty());
+  CHECK_FALSE(ran.trap);
+  CHECK(noise.heard.size() > 10);
+  CHECK(noise.heard.find_first_not_of("?\r\n") == std::string::npos);
+}
+
+}  // namespace
+
+TEST_CASE("transfers and gates are clock by clock those of one model of the whole chip") {
+  check_same_as_one_model(line(), 0.05);
+}
+
+TEST_CASE("transfers and gates of 0.1 s are those of one model", "[.full]") {
+  check_same_as_one_model(line(), 0.1);
+}
+
+TEST_CASE("random bytes on the serial port change no write of the core and no gate edge") {
+  check_noise(line(), static_cast<cosim::Clk>(0.1 * kClockHz), 1000);
+}
+
+TEST_CASE("14,000 random bytes change nothing of the whole circle", "[.full]") {
+  check_noise(scenario("circle"), 0, 14'000);
+}
+
+TEST_CASE("random bytes with the drives off write no register of the IC") {
+  check_noise_at_rest(1000);
+}
+
+TEST_CASE("a million random bytes with the drives off write no register of the IC", "[.million]") {
+  check_noise_at_rest(1'000'000);
 }
 
 TEST_CASE("the core writes what native firmware writes, over the whole circle") {
