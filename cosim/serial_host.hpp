@@ -14,8 +14,8 @@ namespace trammel::cosim {
 
 class SerialHost {
  public:
-  // `source` gives the next byte to send at an edge, or none yet; it is asked again every
-  // `patience` clocks. `sink` takes a byte that came.
+  // `source` gives the next byte to send at an edge, or none yet: it is asked again 1 ms later.
+  // `sink` takes a byte that came.
   using Source = std::function<std::optional<unsigned char>(Clk)>;
   using Sink = std::function<void(unsigned char)>;
 
@@ -55,7 +55,7 @@ class SerialHost {
         next_ += kPatience;
         return;
       }
-      frame_ = *byte << 1 | 1u << (kBits - 1);
+      frame_ = unsigned{*byte} << 1 | 1u << (kBits - 1);
       sending_ = kBits;
     }
     level_ = (frame_ & 1u) != 0;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <poll.h>
 #include <stdlib.h>
+#include <termios.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -31,6 +32,11 @@ SerialConsole::SerialConsole(const std::string& from, std::function<bool()> list
     if (in_ < 0 || grantpt(in_) != 0 || unlockpt(in_) != 0) {
       throw cosim::OptionsError("run.uart: \"pty\": this system gives no pseudo-terminal");
     }
+    termios plain{};  // without an echo of the answers
+    if (tcgetattr(in_, &plain) == 0) {
+      cfmakeraw(&plain);
+      tcsetattr(in_, TCSANOW, &plain);
+    }
     std::fputs(fmt::format("trammel: the serial port is {}\n", ptsname(in_)).c_str(), stderr);
   } else {
     in_ = open(from.c_str(), O_RDONLY | O_CLOEXEC);
@@ -51,7 +57,7 @@ std::optional<unsigned char> SerialConsole::next(cosim::Clk edge) {
   unsigned char byte = 0;
   if (poll(&wanted, 1, 0) <= 0 || (wanted.revents & POLLIN) == 0) return std::nullopt;
   if (read(in_, &byte, 1) != 1) {
-    if (by_answer_ || out_ == STDERR_FILENO) in_ = in_ == STDIN_FILENO ? -1 : in_;
+    if (in_ == STDIN_FILENO) in_ = -1;  // its end
     return std::nullopt;
   }
   if (byte == '\n') {

@@ -4,7 +4,10 @@
 // write by write what native firmware does that reads the same.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cstdio>
+#include <fstream>
 
 #include "machines/kung/tests/soc/runs.hpp"
 #include "machines/kung/tests/soc/soc_chip.hpp"
@@ -132,6 +135,21 @@ TEST_CASE("random bytes with the drives off write no register of the IC") {
 
 TEST_CASE("a million random bytes with the drives off write no register of the IC", "[.million]") {
   check_noise_at_rest(1'000'000);
+}
+
+TEST_CASE("a file of commands is answered on the serial port, line by line") {
+  Options options = line();
+  options.uart = "soc_test_commands.txt";
+  std::ofstream(options.uart) << "status\ngain x kp 700 1\nnonsense\ngains\n";
+  const Ran ran = run(options, static_cast<cosim::Clk>(0.1 * kClockHz));
+  std::remove(options.uart.c_str());
+  const std::string& heard = ran.result.uart;
+  CHECK(heard.substr(0, 9) == "on point ");
+  CHECK_THAT(heard, Catch::Matchers::Contains("\r\nok\r\n?\r\nx kp 700 1 "));
+  const auto all = writes_of(ran.transfers);
+  CHECK(std::any_of(all.begin(), all.end(), [](const Transfer& t) {
+    return t.address == kung_xy_regs::kX + kung_xy_regs::kKp && t.data == sw::gain_word({700, 1});
+  }));
 }
 
 TEST_CASE("the core writes what native firmware writes, over the whole circle") {

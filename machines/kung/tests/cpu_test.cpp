@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What run.cpu = "rtl" excludes, what it tells, and the image of its memory.
+#include <catch2/catch.hpp>
+
+#include "machines/kung/machine.hpp"
+#include "machines/kung/soc.hpp"
+#include "sw_nios/apps/kung/setup_words.hpp"
+#include "sw_nios/hal/soc_map.hpp"
+
+using namespace trammel;
+using namespace trammel::kung;
+using Catch::Matchers::Contains;
+
+TEST_CASE("a serial port, faults of native firmware and a sweep of current are told apart") {
+  Options o;
+  CHECK_NOTHROW(check_cpu(o));
+  o.uart = "pty";
+  CHECK_THROWS_WITH(check_cpu(o), Contains("run.uart: native firmware has no serial port"));
+  o.cpu = Cpu::kRtl;
+  CHECK_NOTHROW(check_cpu(o));
+  o.fault.kind = cosim::FaultKind::kProcessorSlow;
+  CHECK_THROWS_WITH(check_cpu(o), Contains("inject.fault: faults of the processor are of native"));
+  o.fault.kind = cosim::FaultKind::kEncoderStuck;
+  CHECK_NOTHROW(check_cpu(o));
+  o.path.kind = PathKind::kSweep;
+  o.path.sweep_of = SweepOf::kCurrent;
+  CHECK_THROWS_WITH(check_cpu(o), Contains("path.sweep_of: \"current\""));
+}
+
+TEST_CASE("a run tells the clocks of its routines beside those of native firmware") {
+  Options o;
+  Result result;
+  CHECK(cpu_lines(o, result).empty());
+  cosim::CoreTimes& core = result.core.emplace();
+  for (const cosim::Clk clocks : {3000, 3500}) core.routine.add(clocks);
+  for (int n = 0; n < 2; ++n) core.first.add(106);
+  core.transfers.add(14);
+  core.answer.add(2);
+  const std::vector<std::string> lines = cpu_lines(o, result);
+  REQUIRE(lines.size() == 4);
+  CHECK_THAT(lines[1], Contains("106") && Contains("3500    3.50 %") && Contains("3250    3.25 %"));
+  // Latency 100, and 14 transfers of 8 and 2 clocks.
+  CHECK_THAT(lines[2], Contains("108") && Contains("240    0.24 %"));
+}
+
+TEST_CASE("a loader writes set-up and points into the image, and says when there is no room") {
+  if (core_image().empty()) return;  // built without the cross compiler
+  namespace map = sw::soc_map;
+  sw::KungSetup setup;
+  std::vector<sw::Point> points{{1, -2}, {300, 400}};
+  setup.path = sw::Path::kPoints;
+  setup.points = points.data();
+  setup.n_points = 2;
+  const CoreMemory memory = core_memory(setup, true);
+  const auto header = [&](std::uint32_t n) { return memory.at(map::kHeader / 4 + n); };
+  CHECK(header(map::kIsProgram) == map::kMagic);
+  const std::size_t at = header(map::kSetup) / 4, list = header(map::kFree) / 4;
+  CHECK(memory.at(at) == (sw::SetupWords::kUsed | sw::SetupWords::kStart));
+  CHECK(memory.at(at + 1) == header(map::kFree));
+  CHECK(memory.at(list) == 1);
+  CHECK(memory.at(list + 1) == static_cast<std::uint32_t>(-2));
+  CHECK(memory.at(list + 3) == 400);
+  CHECK(core_image().at(at) == 0);  // on a board it waits for commands
+  points.resize(20'000);
+  setup.points = points.data();
+  setup.n_points = 20'000;
+  CHECK_THROWS_WITH(core_memory(setup, true), Contains("20000 points are too many"));
+}
