@@ -149,7 +149,7 @@ double Axis::length(const MotorState& m) const {
 
 // Writes every member of s.
 void Axis::build(Segment& s, double start, const Point& at, unsigned zero) const {
-s.start = start;
+  s.start = start;
   s.length = length(at.motor);
   s.held = s.meets_stop = false;
   s.dies = 0;
@@ -195,7 +195,7 @@ void Axis::end_at_dead_current(Segment& s, const std::array<double, 3>& current)
   const double d = most(s.span.i_d), q = most(s.span.i_q);
   const double before = std::fabs(s.span.i_d[0]) + std::fabs(s.span.i_q[0]);
   const double change = d + q + turn * (d + q + before);
-for (std::size_t leg = 0; leg < 3; ++leg) {
+  for (std::size_t leg = 0; leg < 3; ++leg) {
     const int sign = s.legs.diode[leg];
     if (sign == 0 || std::fabs(current[leg]) > change) continue;
     const auto flow = [&](double t) { return sign * phase_current(s.span, t, leg); };
@@ -275,7 +275,7 @@ void Axis::commit(Clk n, unsigned gates) {
     next_ = until_load(anchor_, predict());
     if (n < next_ && gates == gates_) return;
   }
-const bool own = n >= next_;
+  const bool own = n >= next_;
   const double t = seconds(n - anchor_);
   const Segment& s = segment_at(t);
   const unsigned zero = s.legs.open ? 7u : s.legs.floating | opened_;
