@@ -60,16 +60,14 @@ function(trammel_chip_unit_of chip)
 endfunction()
 
 function(trammel_chip_model chip kind opt)
-  cmake_parse_arguments(MODEL "TRACE_FST;BYTEWISE" "" "SOURCES;ARGS" ${ARGN})
-  set(flags)
-  foreach(flag TRACE_FST BYTEWISE)
-    if(MODEL_${flag})
-      list(APPEND flags ${flag})
-    endif()
-  endforeach()
+  cmake_parse_arguments(MODEL "TRACE_FST" "" "SOURCES;ARGS" ${ARGN})
+  set(trace)
+  if(MODEL_TRACE_FST)
+    set(trace TRACE_FST)
+  endif()
   set(parameters ${CHIP_PARAMETERS})
   list(TRANSFORM parameters PREPEND -G)
-  trammel_verilate(trammel_chip_models ${CHIP_MODEL}_${kind} "${opt};-march=native" ${flags}
+  trammel_verilate(trammel_chip_models ${CHIP_MODEL}_${kind} "${opt};-march=native" ${trace}
     TOP_MODULE ${chip} PREFIX V${CHIP_MODEL}_${kind}
     SOURCES ${CHIP_VISIBLE} ${TRAMMEL_RTL_PACKAGES} ${PROJECT_SOURCE_DIR}/rtl/chips/${chip}.sv
       ${MODEL_SOURCES}
@@ -86,8 +84,9 @@ function(trammel_chip_models_of chip)
     set(arrays --trace-max-array ${CHIP_TRACE_ARRAYS})
   endif()
   # Partial redundancies moved into all paths cost the generated code 4 % of its speed, neighbouring
-  # bytes gathered in vectors 3 %.
-  trammel_chip_model(${chip} fast "-O2;-fno-tree-pre;-fno-tree-slp-vectorize;-falign-functions=64;-falign-jumps=32" BYTEWISE)
+  # members gathered in vectors 3 %.
+  trammel_chip_model(${chip} fast
+    "-O3;-fno-tree-pre;-fno-tree-slp-vectorize;-falign-functions=64")
   trammel_chip_model(${chip} fst -Og TRACE_FST ARGS ${arrays})
   trammel_chip_model(${chip} checked -Og SOURCES ${TRAMMEL_RTL_PROPERTIES} ARGS --assert)
 endfunction()

@@ -88,7 +88,7 @@ endfunction()
 # options: many small units would take twice as long. It is verilated when it is built, so that a
 # block can be built alone.
 function(trammel_verilate library name options)
-  cmake_parse_arguments(MODEL "COVERAGE;TRACE_FST;BYTEWISE" "TOP_MODULE;PREFIX" "SOURCES;VERILATOR_ARGS"
+  cmake_parse_arguments(MODEL "COVERAGE;TRACE_FST" "TOP_MODULE;PREFIX" "SOURCES;VERILATOR_ARGS"
     ${ARGN})
   set(folder verilated/${name})
   if(TRAMMEL_BASE)
@@ -113,7 +113,7 @@ function(trammel_verilate library name options)
   list(TRANSFORM kept PREPEND ${folder}/)
   add_custom_command(OUTPUT ${unit} BYPRODUCTS ${kept}
     COMMAND ${CMAKE_COMMAND} -DUNIT=${unit} -DPREFIX=${MODEL_PREFIX} -DKEEP=${keep}
-      -DBYTEWISE=${MODEL_BYTEWISE} -DSOURCE=${PROJECT_SOURCE_DIR} -P ${PROJECT_SOURCE_DIR}/cmake/verilate.cmake -- ${command}
+      -DSOURCE=${PROJECT_SOURCE_DIR} -P ${PROJECT_SOURCE_DIR}/cmake/verilate.cmake -- ${command}
     DEPENDS ${MODEL_SOURCES} ${PROJECT_SOURCE_DIR}/cmake/verilate.cmake
     DEPFILE ${unit}.d COMMENT "Verilating ${name}" VERBATIM)
   set_source_files_properties(${unit} PROPERTIES COMPILE_OPTIONS "${options}")

@@ -3,10 +3,6 @@
 #
 #   cmake -DUNIT=model.cpp -DPREFIX=Vblock -DSOURCE=folder -P verilate.cmake -- VERILATOR ARGS...
 #
-# With -DBYTEWISE=ON every conversion to a word is a call, so that the compiler (gcc 12) does not
-# make one comparison of those of neighbouring bytes: such a word has to wait until the bytes just
-# written are in the cache, which costs more than the rest of many a function.
-#
 # Verilator runs in the folder SOURCE with relative names, so that two clones of the repository get
 # the same code and share it in the compiler's cache. Headers stay beside the unit. Output that is
 # as before keeps its time stamp: a change that no port sees does not recompile the test.
@@ -47,15 +43,6 @@ file(WRITE ${new}/unit "${hashes}\n")
 file(GLOB parts ${new}/*.cpp)
 execute_process(COMMAND ${CMAKE_COMMAND} -E cat ${new}/unit ${parts}
   OUTPUT_FILE ${new}/whole COMMAND_ERROR_IS_FATAL ANY)
-if(BYTEWISE)
-  file(READ ${new}/whole text)
-  string(REPLACE "(IData)(vlSelf" "word_of(vlSelf" text "${text}")
-  string(REPLACE "${hashes}\n" "${hashes}
-#include <verilated.h>
-static inline IData word_of(IData x) { return x; }
-" text "${text}")
-  file(WRITE ${new}/whole "${text}")
-endif()
 file(COPY_FILE ${new}/whole ${UNIT} ONLY_IF_DIFFERENT)
 
 file(READ ${new}/${PREFIX}__ver.d text)
