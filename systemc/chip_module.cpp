@@ -7,6 +7,12 @@ namespace trammel::systemc {
 
 using namespace sc_core;
 
+namespace {
+
+constexpr unsigned kAnswered = cosim::kIrq | cosim::kBusDone | cosim::kSample;
+
+}  // namespace
+
 ChipModule::ChipModule(sc_module_name name, cosim::Loop& loop, std::int64_t period_ps,
                        cosim::Clk end, std::function<bool()> finished)
     : sc_module(name),
@@ -24,12 +30,15 @@ sc_time ChipModule::time_of(cosim::Clk edge) const {
   return sc_time::from_value(static_cast<sc_dt::uint64>(edge * period_ps_));
 }
 
+// The first edge at that time or later.
+cosim::Clk ChipModule::edge_at(const sc_time& time) const {
+  return (static_cast<std::int64_t>(time.value()) + period_ps_ - 1) / period_ps_;
+}
+
 // The first edge that must wait for other processes: edges before it cannot be influenced by them.
 cosim::Clk ChipModule::limit() const {
   if (!sc_pending_activity_at_future_time()) return end_;
-  const auto pending =
-      static_cast<std::int64_t>((sc_time_stamp() + sc_time_to_pending_activity()).value());
-  return std::min(end_, (pending + period_ps_ - 1) / period_ps_);
+  return std::min(end_, edge_at(sc_time_stamp() + sc_time_to_pending_activity()));
 }
 
 void ChipModule::execute() {
@@ -39,6 +48,20 @@ void ChipModule::execute() {
     error_ = std::current_exception();
   }
   sc_stop();
+}
+
+// Up to the edge `until`; a transfer begins on the way, which no one has to wait for.
+cosim::Stop ChipModule::advance(cosim::Clk until) {
+  cosim::Chip& chip = loop_.chip();
+  if (asked_ && chip.now() < asked_from_) {
+    const cosim::Stop stop = loop_.advance(std::min(until, asked_from_), kAnswered);
+    if ((stop.why & kAnswered) != 0 || chip.now() >= until) return stop;
+  }
+  if (asked_) {
+    chip.request(*asked_);
+    asked_.reset();
+  }
+  return loop_.advance(until, kAnswered);
 }
 
 void ChipModule::simulate() {
@@ -53,8 +76,7 @@ void ChipModule::simulate() {
       wait(sc_time_to_pending_activity());
       continue;
     }
-    constexpr unsigned kAnswered = cosim::kIrq | cosim::kBusDone | cosim::kSample;
-    const cosim::Stop stop = loop_.advance(until, kAnswered);
+    const cosim::Stop stop = advance(until);
     const bool early = (stop.why & kAnswered) != 0;
     const sc_time at = time_of(early ? stop.edge : loop_.chip().now());
     if (at > sc_time_stamp()) wait(at - sc_time_stamp());
@@ -70,11 +92,10 @@ void ChipModule::transport(tlm::tlm_generic_payload& payload, sc_time& delay) {
     payload.set_response_status(tlm::TLM_BURST_ERROR_RESPONSE);
     return;
   }
-  wait(delay);
+  asked_ = cosim::BusOp{static_cast<std::uint32_t>(payload.get_address()), 0, write};
+  if (write) std::memcpy(&asked_->data, payload.get_data_ptr(), sizeof asked_->data);
+  asked_from_ = edge_at(sc_time_stamp() + delay);
   delay = SC_ZERO_TIME;
-  cosim::BusOp op{static_cast<std::uint32_t>(payload.get_address()), 0, write};
-  if (write) std::memcpy(&op.data, payload.get_data_ptr(), sizeof op.data);
-  loop_.chip().request(op);
   wait(done_event_);
   if (!write) {
     const std::uint32_t data = loop_.chip().rdata();

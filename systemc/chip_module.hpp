@@ -9,6 +9,7 @@
 
 #include <exception>
 #include <functional>
+#include <optional>
 #include <systemc>
 
 #include "cosim/cosim.hpp"
@@ -34,8 +35,10 @@ class ChipModule final : public sc_core::sc_module {
  private:
   void execute();
   void simulate();
+  cosim::Stop advance(cosim::Clk until);
   void transport(tlm::tlm_generic_payload& payload, sc_core::sc_time& delay);
   cosim::Clk limit() const;
+  cosim::Clk edge_at(const sc_core::sc_time& time) const;
   sc_core::sc_time time_of(cosim::Clk edge) const;
 
   cosim::Loop& loop_;
@@ -43,6 +46,8 @@ class ChipModule final : public sc_core::sc_module {
   cosim::Clk end_;
   std::function<bool()> finished_;
   sc_core::sc_event done_event_;
+  std::optional<cosim::BusOp> asked_;  // a transfer to come,
+  cosim::Clk asked_from_ = 0;          // from this edge on
   std::exception_ptr error_;
 };
 

@@ -14,6 +14,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
+#include <type_traits>
+#include <utility>
 
 #include "cosim/verilated/clock_pins.hpp"
 
@@ -26,6 +28,8 @@ namespace trammel::cosim {
 //   static auto& look(Root&)                     clocks that have risen since the last look
 //   static auto& move(Root&)                     those by which registers() moves
 //   static void registers(Root&)                 registers move, the logic behind them follows
+//   static constexpr bool kRegistersOf = true;   and it has
+//   static void registers_of<kRisen>(Root&)      the same of these clocks, bit k that of flag k
 template <class Root>
 struct Regions {
   static constexpr bool kKnown = false;
@@ -46,6 +50,38 @@ inline void tell_whole() {
                    Verilated::productVersion());
   static_cast<void>(told);
 }
+
+template <class R, class = void>
+inline constexpr bool kHasRegistersOf = false;
+template <class R>
+inline constexpr bool kHasRegistersOf<R, std::enable_if_t<R::kRegistersOf>> = true;
+
+// registers_of() by the clocks that have risen: of up to so many at once, else null.
+template <class R, std::size_t kClocks = 3>
+class RegistersOf {
+ public:
+  using Move = void (*)(typename R::Root&);
+
+  static constexpr Move of(std::size_t risen) { return kMoves[risen]; }
+
+ private:
+  static constexpr std::size_t count(std::size_t risen) {
+    return risen == 0 ? 0 : (risen & 1u) + count(risen >> 1);
+  }
+  template <std::size_t risen>
+  static constexpr Move pick() {
+    if constexpr (count(risen) <= kClocks) {
+      return R::template registers_of<static_cast<unsigned>(risen)>;
+    } else {
+      return nullptr;
+    }
+  }
+  template <std::size_t... risen>
+  static constexpr std::array<Move, sizeof...(risen)> all(std::index_sequence<risen...>) {
+    return {pick<risen>()...};
+  }
+  static constexpr auto kMoves = all(std::make_index_sequence<std::size_t{1} << R::kTriggers>{});
+};
 
 // Verilator 5.006 has a flag for each clock, 5.48 a bit.
 template <class Flags>
@@ -100,16 +136,30 @@ class DomainClocks {
       const bool free_running = clock_[k] == R::kDomains;
       if (found[k] != (free_running ? static_cast<int>(R::kDomains) + 1 : 1)) return false;
     }
+    if constexpr (kHasRegistersOf<R>) {
+      for (unsigned clocks = 0; clocks <= kAll; ++clocks) {
+        std::size_t flags = 0;
+        for (std::size_t k = 0; k < R::kTriggers; ++k) {
+          flags |= static_cast<std::size_t>(clocks >> clock_[k] & 1u) << k;
+        }
+        move_[clocks] = RegistersOf<R>::of(flags);
+      }
+    }
     return true;
   }
 
   void rise(Root& root, unsigned clocks) {
+    if constexpr (kHasRegistersOf<R>) {
+      if (const auto move = move_[clocks]; move != nullptr) return move(root);
+    }
     if (clocks != raised_) raise_clocks(R::move(root), clock_, raised_ = clocks);
     R::registers(root);
   }
 
  private:
   std::array<unsigned, R::kTriggers> clock_{};
+  using Move = void (*)(Root&);
+  std::array<Move, kHasRegistersOf<R> ? kAll + 1 : 1> move_{};  // of these clocks; null: by flags
   unsigned raised_ = 0;  // the model leaves its flags as they are
 };
 

@@ -164,9 +164,14 @@ class ChipModel : public KungChip, private ChipState {
     }
     cs_n_ = cs;
     sclk_ = sclk;
+    put(m.adc_sdata_a_i, adc_[0][0].data() | (adc_[1][0].data() << 1));
+    put(m.adc_sdata_b_i, adc_[0][1].data() | (adc_[1][1].data() << 1));
+  }
+
+  void put(std::uint8_t& pin, unsigned value) {
+    if (pin == value) return;
+    pin = static_cast<std::uint8_t>(value);
     dirty_ = true;
-    m.adc_sdata_a_i = static_cast<std::uint8_t>(adc_[0][0].data() | (adc_[1][0].data() << 1));
-    m.adc_sdata_b_i = static_cast<std::uint8_t>(adc_[0][1].data() | (adc_[1][1].data() << 1));
   }
 
   unsigned changed_outputs() {

@@ -16,6 +16,7 @@ import re
 import sys
 from pathlib import Path
 
+from trammel_tools.generate import model_regions
 from trammel_tools.rtl import hierarchy
 
 STORED = """
@@ -29,32 +30,6 @@ struct StoredClocks<{root}> {{
   static void fall({root}& root) {{
 {lines}
   }}
-}};
-
-}}  // namespace trammel::cosim
-"""
-
-REGIONS = """
-// Of Verilator: the regions of an evaluation.
-{declarations}
-namespace trammel::cosim {{
-
-template <>
-struct Regions<{root}> {{
-  using Root = {root};
-  static constexpr bool kKnown = true;
-  static constexpr std::size_t kDomains = {domains};
-  static constexpr std::size_t kTriggers = {triggers};
-  static void inputs(Root& root) {{
-    {flag};
-    {root}___eval_ico(&root);
-  }}
-  static auto& look(Root& root) {{
-    {root}___{look}(&root);
-    return root.__VactTriggered;
-  }}
-  static auto& move(Root& root) {{ return root.__VnbaTriggered; }}
-  static void registers(Root& root) {{ {root}___eval_nba(&root); }}
 }};
 
 }}  // namespace trammel::cosim
@@ -101,6 +76,10 @@ def registers(root, assigned):
     return [m for m in members if m.split("__DOT__")[-1] in assigned and "__Vdly" not in m]
 
 
+def is_register(member, assigned):
+    return "__Vdly" in member or member.split("__DOT__")[-1] in assigned
+
+
 def bits(root, member):
     high, low = re.search(rf"/\*(\d+):(\d+)\*/[^;]* {member};", root).groups()
     return int(high) - int(low) + 1
@@ -125,31 +104,6 @@ def stored_clocks(path):
         return ""
     return STORED.format(root=root, header=root,
                          lines="\n".join(f"    root.{name} = 0;" for name in clocks))
-
-
-def regions(path):
-    """Specialisation of Regions for a model with clock domains, if its Verilator is known."""
-    root = path.stem
-    header = path.read_text(encoding="utf-8")
-    domains = re.search(r"VL_IN(?:8|16)?\(clock_en_i,(\d+),0\)", header)
-    code = "".join(f.read_text(encoding="utf-8") for f in path.parent.glob("*.cpp"))
-    # Verilator 5.006, then 5.48: type of flags, first one of the inputs, function of the clocks
-    for kind, flag, look in ((r"VlTriggerVec<(\d+)>", "root.__VicoTriggered.at(0) = true",
-                              "eval_triggers__act"),
-                             (r"VlUnpacked<QData/\*63:0\*/, (\d+)>",
-                              "root.__VicoTriggered[0] |= 1", "eval_triggers_vec__act")):
-        found = [re.search(rf"{kind} __V{name}Triggered;", header)
-                 for name in ("ico", "act", "nba")]
-        calls = [f"{root}___{call}" for call in (look, "eval_ico", "eval_nba")]
-        if domains and all(found) and all(f"void {call}({root}* vlSelf) {{" in code
-                                          for call in calls):
-            clocks = dict(re.findall(r"index (\d+) is active: @\((.*)\)", code))
-            if not all(clock.startswith("posedge ") for clock in clocks.values()):
-                return ""  # a loop of combinational logic takes more than one pass
-            return REGIONS.format(root=root, domains=int(domains[1]) + 1, triggers=len(clocks),
-                                  flag=flag, look=look, declarations="\n".join(
-                                      f"void {call}({root}* root);" for call in calls))
-    return ""
 
 
 def main():
@@ -182,5 +136,6 @@ def main():
     name = "".join(word.capitalize() for word in re.split("[-_]", out.stem))
     out.write_text(FORM.format(name=name, lines=lines, words=words,
                                regions="".join(map(stored_clocks, roots)) +
-                               regions(next(iter(roots)))), encoding="utf-8")
+                               model_regions.regions(
+                                   next(iter(roots)), lambda member: is_register(member, assigned))), encoding="utf-8")
     return 0

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """What is read out of the C++ that Verilator writes: registers, inputs, what a dump depends on."""
 
+from unittest.mock import patch
+
 from scratch import Scratch, call
-from trammel_tools.generate import gen_registers, gen_wave_timers
+from trammel_tools.generate import gen_registers, gen_wave_timers, model_regions
 from trammel_tools.rtl import hierarchy
 
 RTL = """module chip;  // old <= new
@@ -24,6 +26,38 @@ ROOT = """
     QData/*47:0*/ chip__DOT__gen_axis__BRA__1__KET____DOT__sum_q;
     CData/*0:0*/ __Vdly__chip__DOT__flag_q;
     VlUnpacked<SData/*15:0*/, 64> chip__DOT__memory;
+"""
+REGION = """void Vc___eval_nba(Vc* vlSelf) {
+    if (false && vlSelf) {}  // Prevent unused
+    // Body
+    if (vlSelf->__VnbaTriggered.at(0U)) {
+        Vc___nba_sequent__TOP__0(vlSelf);
+    }
+    if (vlSelf->__VnbaTriggered.at(0xaU)) {
+        Vc___nba_sequent__TOP__1(vlSelf);
+    }
+    if ((vlSelf->__VnbaTriggered.at(0U) | vlSelf->__VnbaTriggered.at(0xaU))) {
+        Vc___nba_comb__TOP__0(vlSelf);
+    }
+}
+VL_INLINE_OPT void Vc___nba_sequent__TOP__0(Vc* vlSelf) {
+    // Body
+    vlSelf->tick_q = (word_of(vlSelf->a_d) == word_of(vlSelf->b_d));
+    vlSelf->many_q[3U] = 1U;
+}
+VL_INLINE_OPT void Vc___nba_sequent__TOP__1(Vc* vlSelf) {
+    // Body
+    vlSelf->sum_q = vlSelf->c_d;
+}
+VL_INLINE_OPT void Vc___nba_comb__TOP__0(Vc* vlSelf) {
+    // Body
+    vlSelf->y_d = (word_of(vlSelf->tick_q) + vlSelf->sum_q + vlSelf->b_d);
+}
+"""
+REGION_MEMBERS = """
+    CData/*0:0*/ tick_q;
+    IData/*31:0*/ sum_q;
+    VlUnpacked<CData/*7:0*/, 4> many_q;
 """
 DUMP = """void Vchip___024root__trace_chg_sub_0(Vchip___024root* vlSelf, Buffer* bufp) {
     uint32_t* const oldp = bufp->oldp(vlSymsp->__Vm_baseCode + 7);
@@ -98,6 +132,70 @@ class GenRegistersTest(Scratch):
                             self.write("chip.sv", "assign r7_q = 0;\n"))
         self.assertEqual(code, 1)
         self.assertIn("no register in ", err)
+
+
+class ModelRegionsTest(Scratch):
+    CALLED = [(1, "Vc___nba_sequent__TOP__0"), (1 << 10, "Vc___nba_sequent__TOP__1"),
+              (1 | 1 << 10, "Vc___nba_comb__TOP__0")]
+
+    def guards(self, code, members=REGION_MEMBERS, long=0):
+        with patch.object(model_regions, "LONG", long):
+            return model_regions.guards(self.CALLED, code, "Vc", members,
+                                        lambda member: member.endswith("_q"))
+
+    def test_the_region_of_the_registers_is_read_as_calls_by_clock(self):
+        self.assertEqual(model_regions.calls(REGION, "Vc"), self.CALLED)
+        self.assertEqual(model_regions.risen(
+            "(0x0000000000000021ULL & vlSelfRef.__VnbaTriggered[0U])"), 0x21)
+
+    def test_a_region_that_does_anything_else_is_not_known(self):
+        for other in (REGION.replace("Vc___nba_sequent__TOP__1(vlSelf);", "vlSelf->sum_q = 1;"),
+                      REGION.replace(".at(0xaU))", ".at(0xaU) & vlSelf->enable)"),
+                      REGION.replace("(vlSelf->__VnbaTriggered.at(0U))", "(vlSelf->tick_q)"),
+                      REGION.replace("    vlSelf->many_q", "    vlSelf->__VnbaTriggered"),
+                      REGION.replace("void Vc___nba_comb__TOP__0(", "void Vc___gone(")):
+            self.assertNotEqual(other, REGION)
+            self.assertIsNone(model_regions.calls(other, "Vc"))
+
+    def test_logic_is_guarded_by_those_of_its_inputs_that_the_clock_writes(self):
+        self.assertEqual(self.guards(REGION),
+                         {"Vc___nba_comb__TOP__0": {0: ["tick_q"], 10: ["sum_q"]}})
+        self.assertEqual(self.guards(REGION, long=10_000), {})
+
+    def test_what_a_clock_writes_in_an_unknown_way_counts_as_written(self):
+        called = REGION.replace("vlSelf->sum_q = vlSelf->c_d;",
+                                "Vc_TOP__task(vlSelf->sum_q, vlSelf->b_d);")
+        members = REGION_MEMBERS + "    CData/*0:0*/ b_d;\n"
+        self.assertEqual(self.guards(called, members)["Vc___nba_comb__TOP__0"][10],
+                         ["b_d", "sum_q"])
+
+    def test_a_memory_among_the_inputs_is_no_guard(self):
+        read = REGION.replace("vlSelf->b_d);\n}\n", "vlSelf->many_q[1U]);\n}\n")
+        self.assertEqual(self.guards(read), {"Vc___nba_comb__TOP__0": {10: ["sum_q"]}})
+
+    def test_logic_with_a_register_of_its_own_is_always_called(self):
+        self.assertEqual(self.guards(REGION.replace("y_d", "y_q")), {})
+
+    def test_an_input_that_another_clock_writes_is_no_guard(self):
+        reads = REGION.replace("vlSelf->y_d = (", "vlSelf->y_d = (vlSelf->free_d + ")
+        self.assertIn("Vc___nba_comb__TOP__0", self.guards(reads))
+        called = [*self.CALLED[:2], (1, "Vc___nba_comb__TOP__0")]
+        with patch.object(model_regions, "LONG", 0):
+            self.assertEqual(model_regions.guards(called, reads, "Vc", REGION_MEMBERS,
+                                                  lambda member: member.endswith("_q")), {})
+
+    def test_the_code_compares_before_it_calls(self):
+        lines = model_regions.registers_of(
+            self.CALLED, {"Vc___nba_comb__TOP__0": {0: ["tick_q"]}})
+        self.assertEqual(lines.splitlines(), [
+            "    [[maybe_unused]] const auto was_0 = root.tick_q;",
+            "    if constexpr ((kRisen & 0x1u) != 0) Vc___nba_sequent__TOP__0(&root);",
+            "    if constexpr ((kRisen & 0x400u) != 0) Vc___nba_sequent__TOP__1(&root);",
+            "    if constexpr ((kRisen & 0x400u) != 0) {",
+            "      Vc___nba_comb__TOP__0(&root);",
+            "    } else if constexpr ((kRisen & 0x401u) != 0) {",
+            "      if (((kRisen & 0x1u) != 0 && root.tick_q != was_0)) Vc___nba_comb__TOP__0(&root);",
+            "    }"])
 
 
 class GenWaveTimersTest(Scratch):
