@@ -47,7 +47,8 @@ struct Fault {
   FaultCode code = FaultCode::kNone;
   int axis = 0;
   std::uint32_t tick = 0;
-  std::string processor = {};  // code kNone: the check of the firmware that stopped the drives
+  std::string processor = {};  // code kNone: the check of the firmware that stopped the drives;
+                               // kTrip: where the core stopped, if that was the trip
 };
 
 std::string cause_text(const Fault& fault);  // of a trip, with its axis

@@ -198,7 +198,8 @@ bool Session::over(const Sample& sample) {
   if (fault.code != FaultCode::kNone || mail.failure != 0) {
     if (after_fault_ == 0) result_.fault = fault;  // what comes on the way to rest is no cause
     result_.end = EndReason::kFault;
-    result_.fault.processor = trap_text_.empty() ? check_text(mail) : trap_text_;
+    const bool chip = result_.fault.code != FaultCode::kNone;
+    result_.fault.processor = chip || !trap_text_.empty() ? trap_text_ : check_text(mail);
     return fault_is_over(sample);
   }
   if (hooks_.stopped()) {

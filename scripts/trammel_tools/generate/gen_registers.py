@@ -134,8 +134,9 @@ def main():
     lines = "\n".join(f'    visit("{readable(m)}", a.{m}, b.{m});'
                       for m in inputs(roots[first]) + kept)
     name = "".join(word.capitalize() for word in re.split("[-_]", out.stem))
+    regions = model_regions.regions(next(iter(roots)),
+                                    lambda member: is_register(member, assigned))
     out.write_text(FORM.format(name=name, lines=lines, words=words,
-                               regions="".join(map(stored_clocks, roots)) +
-                               model_regions.regions(
-                                   next(iter(roots)), lambda member: is_register(member, assigned))), encoding="utf-8")
+                               regions="".join(map(stored_clocks, roots)) + regions),
+                   encoding="utf-8")
     return 0

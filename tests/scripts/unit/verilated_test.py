@@ -194,7 +194,8 @@ class ModelRegionsTest(Scratch):
             "    if constexpr ((kRisen & 0x400u) != 0) {",
             "      Vc___nba_comb__TOP__0(&root);",
             "    } else if constexpr ((kRisen & 0x401u) != 0) {",
-            "      if (((kRisen & 0x1u) != 0 && root.tick_q != was_0)) Vc___nba_comb__TOP__0(&root);",
+            "      if (((kRisen & 0x1u) != 0 && root.tick_q != was_0)) "
+            "Vc___nba_comb__TOP__0(&root);",
             "    }"])
 
 

@@ -44,6 +44,8 @@ TEST_CASE("the trip pin ends the run") {
   const Result result = simulate(options, {});
   check_tripped(result, FaultCode::kTrip, 0);
   CHECK(result.fault.tick == 101);  // ticks at 0, 0.5 ms, ..., 50 ms have passed
+  CHECK(result.fault_text() == "external trip");  // not what the processor makes of its interrupt
+  CHECK(result.fault.processor.empty());
 }
 
 TEST_CASE("after any trip the way to rest is recorded and told, and the figures end at the trip") {
