@@ -1,0 +1,1 @@
+trammel_chip(larson_xy INTERFACE LarsonChip SETUP ChipSetup)

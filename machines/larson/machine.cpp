@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "machines/larson/machine.hpp"
+
+#include <fmt/format.h>
+
+#include "machines/larson/session.hpp"
+#include "machines/larson/signals.hpp"
+
+namespace trammel::larson {
+namespace {
+
+void validate(lab::Settings& settings) {
+  const auto& options = static_cast<const Options&>(settings);
+  const plant::StepperConfig& m = options.axis.motor;
+  // What steps of 25 us follow.
+  const double rate = m.friction / (m.friction_speed * m.inertia * 6.283185307179586 / m.steps);
+  constexpr double kFastest = 6e4;  // [1/s]
+  if (rate > kFastest) {
+    throw lab::ConfigError(fmt::format(
+        "motor.friction_N_m / (motor.friction_speed_step_s motor.inertia_kg_m2): {:.3g} 1/s is "
+        "above {:.3g} 1/s, the fastest that the motor's steps of 25 us can follow",
+        rate, kFastest));
+  }
+  calls_of(options);
+}
+
+std::string verdict(const lab::Settings& settings, const cosim::RunResult& run) {
+  const auto& result = static_cast<const Result&>(run);
+  switch (run.end) {
+    case cosim::EndReason::kFault: return "tripped: " + result.fault;
+    case cosim::EndReason::kMissed: return "missed: " + result.fault;
+    case cosim::EndReason::kTimeout:
+      return fmt::format("not finished within run.max_s = {:g}", settings.run.max_s);
+    case cosim::EndReason::kPromise:
+      return "assertion failed: " + lab::promise_text(*result.promise);
+    default: return lab::end_text(run.end);
+  }
+}
+
+lab::Machine describe() {
+  lab::Machine m;
+  m.name = "larson";
+  m.title = "X-Y stepper table of 1974: four words, pulse buffers, steppers that can lose steps";
+  m.source = "Larson 1974";
+  m.order = 4;
+  m.of_types<Options, Session>();
+  m.keys = keys;
+  m.described_by = "script";
+  m.validate = validate;
+  m.triggers = triggers;
+  m.vcd_bytes_s = 5e9;
+  m.fst_bytes_s = 1e7;
+  m.columns = columns;
+  m.figures = figures;
+  m.verdict = verdict;
+  m.remarks = remarks;
+  m.metrics = add_metrics;
+  m.page.arrays = {"/events", "/calls"};
+  return m;
+}
+
+}  // namespace
+
+std::vector<Call> calls_of(const Options& options) {
+  return read_calls(options.script, options.plot, options.axis.clock_ps);
+}
+
+const cosim::TriggerForms& triggers() {
+  static const cosim::TriggerForms forms = cosim::stop_forms(signals());
+  return forms;
+}
+
+const lab::Machine& machine() {
+  static const lab::Machine description = describe();
+  return description;
+}
+
+}  // namespace trammel::larson

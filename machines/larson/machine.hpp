@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The parts of machine.cpp that are in units of their own.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lab/machine.hpp"
+#include "machines/larson/options.hpp"
+#include "machines/larson/record.hpp"
+
+namespace trammel::larson {
+
+const std::vector<lab::Key>& keys();    // keys.cpp
+const lab::ColumnTable& columns();      // figures.cpp, as what follows
+std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult& result);
+void add_metrics(const lab::Record& record, nlohmann::ordered_json& json);
+std::vector<std::string> remarks(const lab::Record& record);
+const cosim::TriggerForms& triggers();  // machine.cpp
+
+// missed.cpp: of a program that ended, why the table is not where its program has it; "" if it is.
+std::string what_missed(const Options& options, const Result& result);
+
+// Calls of the options' script. Throws lab::ConfigError.
+std::vector<Call> calls_of(const Options& options);
+
+inline const Options& options_of(const lab::Record& record) {
+  return static_cast<const Options&>(*record.settings);
+}
+inline const Result& result_of(const lab::Record& record) {
+  return static_cast<const Result&>(*record.result);
+}
+
+}  // namespace trammel::larson

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// A list of moves as calls. A straight line needs both axes to arrive together: each runs at its
+// share of the rate, which is rounded to a rate code; so that neither error nor a rate below the
+// least one shows, a line is drawn in pieces of which each ends at a whole step near it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <sstream>
+
+#include "lab/errors.hpp"
+#include "lab/text.hpp"
+#include "machines/larson/script.hpp"
+
+namespace trammel::larson {
+namespace {
+
+using lab::ConfigError;
+
+constexpr int kPiece = 40;     // [step] of the longer axis
+constexpr int kLeastRate = 59;
+constexpr int kSoftEnd = 5980;
+
+struct Row {
+  int x = 0, y = 0, pen = 0;
+};
+
+int field(const std::string& text, const char* name, int high, const std::string& where) {
+  int value = 0;
+  const std::size_t first = text.find_first_not_of(" \t");
+  const std::size_t last = text.find_last_not_of(" \t\r");
+  const std::string word =
+      first == std::string::npos ? "" : text.substr(first, last - first + 1);
+  const char* const end = word.data() + word.size();
+  const auto [stop, code] = std::from_chars(word.data(), end, value);
+  if (stop != end || code != std::errc{} || value < 0 || value > high) {
+    throw ConfigError(fmt::format("{}: {}: {} is not a whole number in 0..{}", where, name,
+                                  lab::shown(word), high));
+  }
+  return value;
+}
+
+// One of x,y,pen; its line may be a header where `header` says so.
+Row row_of(const std::string& text, const std::string& where) {
+  std::vector<std::string> fields;
+  std::istringstream in(text);
+  for (std::string one; std::getline(in, one, ',');) fields.push_back(one);
+  if (fields.size() != 3) {
+    throw ConfigError(fmt::format("{}: holds {} fields, allowed 3: x,y,pen", where,
+                                  fields.size()));
+  }
+  return {field(fields[0], "x", kSoftEnd, where), field(fields[1], "y", kSoftEnd, where),
+          field(fields[2], "pen", 1, where)};
+}
+
+class Plot {
+ public:
+  explicit Plot(const PlotRates& rates) : rates_(rates) {
+    add(sw::LarsonOp::kCaltbl, 0, 0, 0);
+  }
+
+  void go(const Row& to, std::size_t line) {
+    if (to.pen == 0) {
+      velocity(rates_.move, rates_.move, line);
+      piece(to.x, to.y, line);
+    } else {
+      draw(to, line);
+    }
+    at_ = to;
+  }
+
+  std::vector<Call> calls;
+
+ private:
+  void add(sw::LarsonOp op, int a, int b, std::size_t line) {
+    Call one;
+    one.call.op = op;
+    one.call.a = a;
+    one.call.b = b;
+    one.line = line;
+    one.text = name_of(op);
+    if (op == sw::LarsonOp::kVeltbl || op == sw::LarsonOp::kAbstbl) {
+      one.text += fmt::format(" {} {}", a, b);
+    }
+    if (calls.size() >= kMostCalls) {
+      throw ConfigError(fmt::format("more than {} calls", kMostCalls));
+    }
+    calls.push_back(one);
+  }
+
+  void velocity(int x, int y, std::size_t line) {
+    if (x == x_rate_ && y == y_rate_) return;
+    add(sw::LarsonOp::kVeltbl, x_rate_ = x, y_rate_ = y, line);
+  }
+
+  void piece(int x, int y, std::size_t line) {
+    add(sw::LarsonOp::kAbstbl, x, y, line);
+    add(sw::LarsonOp::kWttbl, 0, 0, line);
+  }
+
+  void draw(const Row& to, std::size_t line) {
+    const int dx = to.x - at_.x, dy = to.y - at_.y;
+    const int longer = std::max(std::abs(dx), std::abs(dy));
+    const int pieces = std::max(1, (longer + kPiece - 1) / kPiece);
+    int x = at_.x, y = at_.y;
+    for (int k = 1; k <= pieces; ++k) {
+      const auto part = [&](int from, int d) {
+        return from + static_cast<int>(std::lround(static_cast<double>(d) * k / pieces));
+      };
+      const int next_x = part(at_.x, dx), next_y = part(at_.y, dy);
+      const int ax = std::abs(next_x - x), ay = std::abs(next_y - y), most = std::max({1, ax, ay});
+      const auto share = [&](int steps) {
+        const double rate = static_cast<double>(rates_.draw) * steps / most;
+        return std::max(kLeastRate, static_cast<int>(std::lround(rate)));
+      };
+      velocity(share(ax), share(ay), line);
+      piece(next_x, next_y, line);
+      x = next_x;
+      y = next_y;
+    }
+  }
+
+  PlotRates rates_;
+  Row at_;
+  int x_rate_ = 0, y_rate_ = 0;
+};
+
+}  // namespace
+
+std::vector<Call> parse_moves(const std::string& text, const std::string& source,
+                              const PlotRates& rates) {
+  Plot plot(rates);
+  std::istringstream in(text);
+  std::size_t number = 0, rows = 0;
+  for (std::string line; std::getline(in, line);) {
+    ++number;
+    if (line.find_first_not_of(" \t\r") == std::string::npos || line[0] == '#') continue;
+    if (rows == 0 && line.rfind("x,y,pen", 0) == 0) continue;
+    const std::string where = fmt::format("{}:{}", source, number);
+    plot.go(row_of(line, where), number);
+    ++rows;
+  }
+  if (rows == 0) throw ConfigError(source + ": has no move");
+  return plot.calls;
+}
+
+}  // namespace trammel::larson

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a run of the machine larson takes: the interface, a stepper with its pulse buffer on each
+// axis, and a script of calls.
+#pragma once
+
+#include "lab/settings.hpp"
+#include "machines/larson/script.hpp"
+#include "models/plant/stepper_axis.hpp"
+#include "sw_nios/apps/larson/larson.hpp"
+
+namespace trammel::larson {
+
+const lab::Machine& machine();
+
+struct Result;  // record.hpp
+
+struct Options final : lab::SettingsOf<Options, machine> {
+  using Result = larson::Result;
+
+  Options() { scenario = "larson-calibrate"; }
+
+  std::string script = "calibrate";  // built-in name or a path; .csv: moves
+  PlotRates plot;
+  double record_ms = 1;         // from one sample of the record to the next
+  double settle_s = 0.25;       // recorded behind the last call
+  int reached_steps = 2;        // most distance of the table from where its program has it
+  sw::StepTableSetup table;     // but for poll_clk, which follows
+  double poll_ms = 2;
+  plant::StepperAxisConfig axis;  // both, but for where they start
+  double start_x = 400, start_y = 250;  // [step]
+};
+
+}  // namespace trammel::larson

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a run of the machine larson gives.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "cosim/disk_vector.hpp"
+#include "machines/larson/chip.hpp"
+#include "machines/larson/options.hpp"
+
+namespace trammel::larson {
+
+struct AxisSample {
+  std::uint32_t words = 0;   // of the chip: status word and count
+  std::int32_t step = 0;     // of the translator, from the calibration point
+  std::int32_t waiting = 0;  // pulses in the buffer
+  double at = 0;             // [step] of the rotor
+  double speed = 0;          // [step/s]
+  double angle = 0;          // [step] that the rotor is behind, the load angle
+  double rate = 0;           // [step/s] of the translator
+};
+
+// Every record.every_ms.
+struct Sample {
+  cosim::Clk edge = 0;
+  std::array<AxisSample, 2> axis;
+  std::uint32_t call = 0;  // calls that have ended
+  unsigned switches = 0;   // closed: X low, X high, Y low, Y high
+  bool irq = false;
+};
+
+// A call that ended: when, where the rotors then were, and what it answered.
+struct CallDone {
+  cosim::Clk edge = 0;
+  std::array<double, 2> at{};  // [step] from the calibration point
+};
+
+// What happened to one axis.
+struct Event {
+  cosim::Clk edge = 0;
+  int axis = 0;
+  std::string what;     // "interrupt", "low switch closed", "10 steps lost"...
+  double at = 0;        // [step] of the rotor
+  std::uint32_t count = 0, status = 0;
+};
+
+struct Result : cosim::RunResult {
+  std::size_t sample_count() const override { return samples.size(); }
+  std::string fault_text() const override { return fault; }
+
+  cosim::DiskVector<Sample> samples;
+  std::string fault;             // kFault: what the program saw; kMissed: what was missed
+  std::vector<Call> calls;
+  std::vector<sw::LarsonAnswer> answers;
+  std::vector<CallDone> done;    // of the calls that have ended
+  std::vector<Event> happened;   // the first kMostEvents
+  std::size_t happened_count = 0;
+  std::array<std::uint32_t, 2> pulses{};   // that the chip gave
+  std::array<int, 2> lost{};               // steps, with their sign
+  std::array<double, 2> travel{};          // [step] of the rotors, in all
+  std::array<double, 2> end_at{};          // [step] where they are at the end
+  sw::StepPoint known;                     // WHRTBL at the end
+  std::array<double, 2> origin{};          // [step] of the calibration point, its (0, 0)
+  std::uint32_t interrupts = 0, err_byte = 0;
+  bool calibrated = false;
+};
+
+inline constexpr std::size_t kMostEvents = 5000;
+
+}  // namespace trammel::larson

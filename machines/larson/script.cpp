@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "machines/larson/script.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cmath>
+#include <optional>
+#include <sstream>
+
+#include "cosim/input_file.hpp"
+#include "cosim/machine.hpp"
+#include "lab/errors.hpp"
+#include "lab/scenarios.hpp"
+#include "lab/settings.hpp"
+#include "lab/text.hpp"
+
+namespace trammel::larson {
+namespace {
+
+using lab::ConfigError;
+using sw::LarsonOp;
+
+constexpr int kFar = 100'000;          // [step] of a place or a distance
+constexpr int kLeastRate = 59;         // [pulse/s]: 240 kHz / 4096
+constexpr int kMostRate = 4000;
+constexpr int kLongestWait = 40'000;   // [ms]
+constexpr int kMostRepeats = 100'000;
+
+enum class Data { kNone, kRates, kPlace, kTime, kWord };
+
+struct Form {
+  const char* name;
+  LarsonOp op;
+  Data data;
+};
+
+constexpr Form kForms[] = {
+    {"CALTBL", LarsonOp::kCaltbl, Data::kNone}, {"VELTBL", LarsonOp::kVeltbl, Data::kRates},
+    {"ABSTBL", LarsonOp::kAbstbl, Data::kPlace}, {"RELTBL", LarsonOp::kReltbl, Data::kPlace},
+    {"WTTBL", LarsonOp::kWttbl, Data::kNone},    {"WHRTBL", LarsonOp::kWhrtbl, Data::kNone},
+    {"WAIT", LarsonOp::kWait, Data::kTime},      {"MOV", LarsonOp::kMov, Data::kWord},
+    {"BIS", LarsonOp::kBis, Data::kWord}};
+
+constexpr const char* kWords[] = {"XCOUNT", "XSTATUS", "YCOUNT", "YSTATUS"};
+
+std::string upper(std::string text) {
+  for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return text;
+}
+
+std::int32_t number(const std::string& what, const std::string& text, std::int64_t low,
+                    std::int64_t high, int base = 10) {
+  std::int64_t value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, code] = std::from_chars(text.data(), end, value, base);
+  const std::string range = base == 8 ? fmt::format("{:06o}..{:06o}, octal", low, high)
+                                      : fmt::format("{}..{}", low, high);
+  if (stop != end || code == std::errc::invalid_argument) {
+    throw ConfigError(fmt::format("{}: {} is not a number {}", what, lab::shown(text), range));
+  }
+  if (code != std::errc{} || value < low || value > high) {
+    throw ConfigError(fmt::format("{}: {} is out of range, allowed {}", what, lab::shown(text),
+                                  range));
+  }
+  return static_cast<std::int32_t>(value);
+}
+
+void expect(const std::string& name, const std::vector<std::string>& words, std::size_t count,
+            const char* what) {
+  if (words.size() == count + 1) return;
+  throw ConfigError(fmt::format("{} takes {}: {} value{}, not {}", name, what, count,
+                                count == 1 ? "" : "s", words.size() - 1));
+}
+
+sw::LarsonCall call_of(const Form& form, const std::vector<std::string>& words,
+                       std::int64_t clock_ps) {
+  sw::LarsonCall call;
+  call.op = form.op;
+  const std::string name = form.name;
+  switch (form.data) {
+    case Data::kNone: expect(name, words, 0, "nothing"); break;
+    case Data::kRates:
+      expect(name, words, 2, "the rates of x and y");
+      call.a = number(name + " x", words[1], kLeastRate, kMostRate);
+      call.b = number(name + " y", words[2], kLeastRate, kMostRate);
+      break;
+    case Data::kPlace:
+      expect(name, words, 2, "x and y");
+      call.a = number(name + " x", words[1], -kFar, kFar);
+      call.b = number(name + " y", words[2], -kFar, kFar);
+      break;
+    case Data::kTime: {
+      expect(name, words, 1, "milliseconds");
+      const std::int32_t ms = number(name, words[1], 1, kLongestWait);
+      call.a = static_cast<std::int32_t>(cosim::clocks_of(1e-3 * ms, clock_ps));
+      break;
+    }
+    case Data::kWord: {
+      expect(name, words, 2, "a word and its bits in octal");
+      const auto* const at = std::find(std::begin(kWords), std::end(kWords), upper(words[1]));
+      if (at == std::end(kWords)) {
+        throw ConfigError(fmt::format("{}: {} is not one of XCOUNT, XSTATUS, YCOUNT, YSTATUS", name,
+                                      lab::shown(words[1])));
+      }
+      call.a = static_cast<std::int32_t>(at - std::begin(kWords));
+      call.b = number(name + " " + *at, words[2], 0, 0177777, 8);
+      break;
+    }
+  }
+  return call;
+}
+
+std::vector<std::string> words_of(const std::string& line) {
+  std::istringstream in(line.substr(0, line.find('#')));
+  std::vector<std::string> words;
+  for (std::string word; in >> word;) words.push_back(word);
+  return words;
+}
+
+// Lines one after the other, as they are executed.
+class Parser {
+ public:
+  Parser(const std::string& text, std::string source, std::int64_t clock_ps)
+      : in_(text), source_(std::move(source)), clock_ps_(clock_ps) {}
+
+  std::vector<Call> all() {
+    std::vector<Call> calls = block(0);
+    if (calls.empty()) throw ConfigError(source_ + ": has no call");
+    return calls;
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& why, std::size_t line) const {
+    throw ConfigError(fmt::format("{}:{}: {}", source_, line, why));
+  }
+
+  // Up to the END of the block that began in line `begun`, or the end of the file for 0.
+  std::vector<Call> block(std::size_t begun) {
+    std::vector<Call> calls;
+    for (std::string text; std::getline(in_, text);) {
+      ++line_;
+      const std::vector<std::string> words = words_of(text);
+      if (words.empty()) continue;
+      const std::string name = upper(words[0]);
+      const std::size_t here = line_;
+      try {
+        if (name == "END") {
+          expect(name, words, 0, "nothing");
+          if (begun == 0) throw ConfigError("END without a REPEAT");
+          return calls;
+        }
+        if (name == "REPEAT") {
+          expect(name, words, 1, "how often");
+          repeat(calls, number(name, words[1], 1, kMostRepeats), here);
+        } else {
+          calls.push_back({call_of(form(name), words, clock_ps_), join(words), here});
+        }
+        if (calls.size() > kMostCalls) {
+          throw ConfigError(fmt::format("more than {} calls", kMostCalls));
+        }
+      } catch (const ConfigError& error) {
+        const std::string what = error.what();
+        if (what.rfind(source_ + ":", 0) == 0) throw;
+        fail(what, here);
+      }
+    }
+    if (begun != 0) fail("REPEAT without an END", begun);
+    return calls;
+  }
+
+  void repeat(std::vector<Call>& calls, std::int32_t times, std::size_t here) {
+    const std::vector<Call> inner = block(here);
+    if (inner.size() * static_cast<std::size_t>(times) > kMostCalls) {
+      throw ConfigError(fmt::format("more than {} calls", kMostCalls));
+    }
+    for (; times > 0; --times) calls.insert(calls.end(), inner.begin(), inner.end());
+  }
+
+  static const Form& form(const std::string& name) {
+    for (const Form& one : kForms) {
+      if (name == one.name) return one;
+    }
+    std::vector<std::string> names{"REPEAT", "END"};
+    for (const Form& one : kForms) names.emplace_back(one.name);
+    throw ConfigError(lab::shown(name) + " is not a call" + lab::hint(name, names));
+  }
+
+  static std::string join(const std::vector<std::string>& words) {
+    std::string text = upper(words[0]);
+    for (std::size_t k = 1; k < words.size(); ++k) text += ' ' + upper(words[k]);
+    return text;
+  }
+
+  std::istringstream in_;
+  std::string source_;
+  std::int64_t clock_ps_;
+  std::size_t line_ = 0;
+};
+
+}  // namespace
+
+std::string name_of(LarsonOp op) {
+  for (const Form& one : kForms) {
+    if (one.op == op) return one.name;
+  }
+  return "";
+}
+
+std::vector<Call> parse_script(const std::string& text, const std::string& source,
+                               std::int64_t clock_ps) {
+  return Parser(text, source, clock_ps).all();
+}
+
+std::vector<Call> read_calls(const std::string& name, const PlotRates& rates,
+                             std::int64_t clock_ps) {
+  const bool moves = name.size() > 4 && name.substr(name.size() - 4) == ".csv";
+  const std::string file = lab::find_built_in(name, moves ? ".csv" : ".table", "script").string();
+  try {
+    const std::string text = cosim::read_file(file, cosim::kMiB);
+    return moves ? parse_moves(text, file, rates) : parse_script(text, file, clock_ps);
+  } catch (const cosim::InputError& error) {
+    throw ConfigError(error.what());
+  }
+}
+
+}  // namespace trammel::larson

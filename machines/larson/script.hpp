@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The language of scripts for the table, one call a line, in any case, comments behind #:
+//
+//   CALTBL | WTTBL | WHRTBL
+//   VELTBL x y            rates [pulse/s], 59 to 4000
+//   ABSTBL x y            to a place [step];  RELTBL x y  by so much
+//   WAIT ms
+//   MOV word octal        a word by hand: XCOUNT, XSTATUS, YCOUNT or YSTATUS;  BIS word octal
+//   REPEAT n ... END      the lines between so often; blocks may be nested
+//
+// And a list of moves, as a plotter takes it: lines x,y,pen of a CSV file, in steps; with pen 0 the
+// table goes there at the rate of moves, with pen 1 along a straight line at that of lines.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sw_nios/apps/larson/larson.hpp"
+
+namespace trammel::larson {
+
+struct Call {
+  sw::LarsonCall call;
+  std::string text;       // as it was written, for people
+  std::size_t line = 0;   // of its file
+};
+
+struct PlotRates {
+  int move = 2000;  // [pulse/s]
+  int draw = 500;
+};
+
+inline constexpr std::size_t kMostCalls = 200'000;
+
+// Throw lab::ConfigError that names source, line, and what is permitted.
+std::vector<Call> parse_script(const std::string& text, const std::string& source,
+                               std::int64_t clock_ps);
+std::vector<Call> parse_moves(const std::string& text, const std::string& source,
+                              const PlotRates& rates);
+
+// A built-in script's name, or a path; a file that ends in .csv is a list of moves.
+std::vector<Call> read_calls(const std::string& name, const PlotRates& rates,
+                             std::int64_t clock_ps);
+
+std::string name_of(sw::LarsonOp op);
+
+}  // namespace trammel::larson

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "machines/larson/session.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "machines/larson/machine.hpp"
+#include "machines/larson/signals.hpp"
+#include "sw_nios/apps/larson/larson_map.hpp"
+
+namespace trammel::larson {
+namespace {
+
+constexpr double kLongestSettling = 5;  // [s] of buffers that still hold pulses
+
+plant::StepperAxisConfig axis_of(const Options& options, double start) {
+  plant::StepperAxisConfig axis = options.axis;
+  axis.start = start;
+  return axis;
+}
+
+sw::StepTableSetup table_of(const Options& options) {
+  sw::StepTableSetup table = options.table;
+  table.poll_clk = static_cast<std::uint32_t>(
+      cosim::clocks_of(1e-3 * options.poll_ms, options.axis.clock_ps));
+  return table;
+}
+
+ChipSetup chip_of(const Options& options) {
+  return {std::max<cosim::Clk>(
+      1, cosim::clocks_of(1e-3 * options.record_ms, options.axis.clock_ps))};
+}
+
+std::vector<sw::LarsonCall> program_of(const std::vector<Call>& calls) {
+  std::vector<sw::LarsonCall> program;
+  program.reserve(calls.size());
+  for (const Call& one : calls) program.push_back(one.call);
+  return program;
+}
+
+}  // namespace
+
+Session::Session(const Options& options, const cosim::Hooks& hooks, const cosim::Waves& waves)
+    : options_(options),
+      hooks_(hooks),
+      waves_(waves),
+      calls_(calls_of(options)),
+      program_(program_of(calls_)),
+      answers_(calls_.size()),
+      plant_(axis_of(options, options.start_x), axis_of(options, options.start_y)),
+      chip_(options.run.engine == cosim::Engine::kRtl
+                ? make_verilated_chip(options.run, waves.window, chip_of(options))
+                : make_twin_chip(chip_of(options))),
+      app_(table_of(options), program_.data(), answers_.data(),
+           static_cast<std::uint32_t>(program_.size())),
+      loop_(*chip_, seen(), *this, options.run.window()),
+      switches_(plant_.switches()),
+      last_at_{at(0, 0), at(1, 0)} {}
+
+// What the chip is wired to. The switches are its A and B, the buffer its index.
+cosim::Plant& Session::seen() {
+  const cosim::Fault& fault = options_.fault;
+  if (!fault.any()) return plant_;
+  cosim::FaultPins pins;
+  pins.axes = kAxes;
+  for (int axis = 0; axis < kAxes; ++axis) {
+    pins.encoder[static_cast<std::size_t>(axis)] = {limit_low(axis), limit_high(axis),
+                                                    buf_busy(axis)};
+  }
+  pins.outputs = kOutputs;
+  pins.registers = options_.run.engine == cosim::Engine::kRtl;
+  failing_.emplace(plant_, pins, fault, period_ps());
+  fault_watch_.emplace(fault, period_ps(), "step");
+  if (fault.kind == cosim::FaultKind::kRegisterFlip) {
+    cosim::require_bit(*chip_, fault.bit);
+    failing_->flip = [this] { chip_->flip(options_.fault.bit, true); };
+  }
+  return *failing_;
+}
+
+// What the program has seen of a fault: a failure, or an error return.
+std::string Session::noticed() const {
+  if (app_.mailbox().failure != 0) return "CALTBL";
+  for (std::size_t k = 0; k < done_.size(); ++k) {
+    const cosim::FaultSpan span(options_.fault, period_ps());
+    if (calls_[k].call.op == sw::LarsonOp::kWttbl && answers_[k].value == 0 &&
+        done_[k].edge >= span.begin) {
+      return "WTTBL";
+    }
+  }
+  return "";
+}
+
+void Session::watch_fault(const cosim::Stop& stop) {
+  const auto truth = [&] {
+    cosim::FaultTruth now;
+    for (std::size_t k = 0; k < 2; ++k) {
+      now.at[k] = at(k, stop.edge);
+      now.at_stop = now.at_stop || plant_.axis(k).hit_stop();
+    }
+    return now;
+  };
+  fault_watch_->on(stop, resting(), [this] { return noticed(); }, truth);
+}
+
+// Neither axis is asked to move.
+bool Session::resting() const {
+  for (int axis = 0; axis < kAxes; ++axis) {
+    const bool busy = (chip_->words(axis) >> 16 & sw::larson_map::kBusy) != 0;
+    if (busy || plant_.axis(static_cast<std::size_t>(axis)).waiting() > 0) return false;
+  }
+  return true;
+}
+
+cosim::ProcessorTiming Session::timing() const {
+  const cosim::ProcessorOptions& p = options_.processor;
+  return {p.access_clk, p.interrupt_latency_clk, {options_.fault, period_ps()}};
+}
+
+cosim::Clk Session::end() const { return cosim::clocks_of(options_.run.max_s, period_ps()); }
+
+void Session::on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant&) {
+  if (over_) return;
+  note_calls(stop.edge);
+  if (stop.why == cosim::kLimit) return;
+  if (waves_.search != nullptr) waves_.search->on(stop, *chip_, *this);
+  if (fault_watch_) watch_fault(stop);
+  hash_.mix(stop, chip);
+  note_events(stop);
+  if ((stop.why & cosim::kSample) == 0) return;
+  const Sample sample = sample_at(stop.edge);
+  samples_.push_back(sample);
+  for (std::size_t k = 0; k < 2; ++k) {
+    hash_.mix(sample.axis[k].words);
+    travel_[k] += std::fabs(sample.axis[k].at - last_at_[k]);
+    last_at_[k] = sample.axis[k].at;
+  }
+  if (const auto ended = end_after(stop.edge)) {
+    end_ = *ended;
+    over_ = true;
+  }
+}
+
+// Calls that have ended since the last stop.
+void Session::note_calls(cosim::Clk edge) {
+  while (done_.size() < app_.mailbox().point) {
+    if (calls_[done_.size()].call.op == sw::LarsonOp::kCaltbl) {
+      for (std::size_t k = 0; k < 2; ++k) {
+        const plant::StepperAxis& axis = plant_.axis(k);  // the last pulses are forward
+        origin_[k] = static_cast<double>(axis.translated() + axis.waiting());
+      }
+    }
+    done_.push_back({edge, {at(0, edge) - origin_[0], at(1, edge) - origin_[1]}});
+  }
+}
+
+void Session::note(cosim::Clk edge, int axis, std::string what) {
+  ++event_count_;
+  if (events_.size() >= kMostEvents) return;
+  const std::uint32_t words = chip_->words(axis);
+  events_.push_back({edge, axis, std::move(what), at(static_cast<std::size_t>(axis), edge),
+                     words & 0xFFFF, words >> 16});
+}
+
+void Session::note_events(const cosim::Stop& stop) {
+  if ((stop.why & cosim::kDrive) != 0) {
+    const cosim::Lines rose = chip_->drive() & ~drive_;
+    drive_ = chip_->drive();
+    for (int k = 0; k < kAxes; ++k) {
+      pulses_[static_cast<std::size_t>(k)] += level(rose, step(k)) ? 1 : 0;
+    }
+  }
+  if ((stop.why & cosim::kIrq) != 0 && chip_->host_rise() == stop.edge) {
+    ++interrupts_;
+    const std::uint32_t x = chip_->words(0) >> 16;
+    const bool of_x = (x & (sw::larson_map::kBusy | sw::larson_map::kEnable)) ==
+                      sw::larson_map::kEnable;
+    note(stop.edge, of_x ? 0 : 1, "interrupt");
+  }
+  if (const unsigned now = plant_.switches(); now != switches_) {
+    for (int bit = 0; bit < 4; ++bit) {
+      if (((now ^ switches_) >> bit & 1) == 0) continue;
+      note(stop.edge, bit / 2,
+           fmt::format("{} switch {}", bit % 2 == 0 ? "low" : "high",
+                       (now >> bit & 1) != 0 ? "closed" : "open"));
+    }
+    switches_ = now;
+  }
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto& lost = plant_.axis(k).lost();
+    for (; losses_[k] < lost.size(); ++losses_[k]) {
+      note(lost[losses_[k]].edge, static_cast<int>(k),
+           fmt::format("{} steps lost", lost[losses_[k]].steps));
+    }
+  }
+}
+
+std::int64_t Session::read(std::size_t signal, int axis) const {
+  const auto k = static_cast<std::size_t>(axis);
+  switch (static_cast<SignalOf>(signal)) {
+    case SignalOf::kCount: return chip_->words(axis) & 0xFFFF;
+    case SignalOf::kStatus: return chip_->words(axis) >> 16;
+    case SignalOf::kWaiting: return plant_.axis(k).waiting();
+    case SignalOf::kCall: return app_.mailbox().point;
+    case SignalOf::kSwitches: return plant_.switches();
+  }
+  return 0;
+}
+
+Sample Session::sample_at(cosim::Clk edge) const {
+  Sample sample;
+  sample.edge = edge;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const plant::StepperAxis& axis = plant_.axis(k);
+    const plant::StepperMotor::State state = axis.state(edge);
+    sample.axis[k] = {chip_->words(static_cast<int>(k)),
+                      static_cast<std::int32_t>(axis.translated()),
+                      axis.waiting(),
+                      state.at,
+                      state.speed,
+                      axis.load_angle(edge),
+                      axis.rate()};
+  }
+  sample.call = app_.mailbox().point;
+  sample.switches = plant_.switches();
+  sample.irq = chip_->irq();
+  return sample;
+}
+
+std::optional<cosim::EndReason> Session::end_after(cosim::Clk edge) {
+  if (chip_->broken_promise()) return cosim::EndReason::kPromise;
+  if (waves_.found()) return cosim::EndReason::kDone;
+  if (hooks_.progress && samples_.size() % 64 == 0) {
+    hooks_.progress(std::min(1.0, app_.mailbox().point / static_cast<double>(calls_.size())));
+  }
+  if (hooks_.stopped()) return cosim::EndReason::kStopped;
+  if (app_.mailbox().done == 0) return {};
+  if (done_at_ == cosim::kNever) done_at_ = edge;
+  const double since = cosim::seconds_of(edge - done_at_, period_ps());
+  if (since < options_.settle_s || (!resting() && since < kLongestSettling)) return {};
+  return app_.mailbox().failure != 0 ? cosim::EndReason::kFault : cosim::EndReason::kDone;
+}
+
+std::unique_ptr<cosim::RunResult> Session::result() {
+  auto result = std::make_unique<Result>();
+  result->samples = std::move(samples_);
+  result->end = end_;
+  if (app_.mailbox().failure != 0) result->fault = "CALTBL found no switch, or could not leave it";
+  result->calls = calls_;
+  result->answers = answers_;
+  result->done = done_;
+  result->happened = events_;
+  result->happened_count = event_count_;
+  result->pulses = pulses_;
+  result->lost = {plant_.axis(0).steps_lost(), plant_.axis(1).steps_lost()};
+  result->travel = travel_;
+  result->end_at = last_at_;
+  result->origin = origin_;
+  result->known = app_.table().known();
+  result->calibrated = app_.table().calibrated();
+  result->interrupts = interrupts_;
+  result->err_byte = chip_->err_byte();
+  result->event_hash = hash_.value();
+  result->events = hash_.events();
+  if (end_ == cosim::EndReason::kDone && !waves_.found()) {
+    result->fault = what_missed(options_, *result);
+    if (!result->fault.empty()) result->end = cosim::EndReason::kMissed;
+  }
+  if (fault_watch_) result->fault_report = fault_watch_->report();
+  close_result(*result, *chip_, waves_.window, started_);
+  return result;
+}
+
+}  // namespace trammel::larson

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// One run of the machine larson, ready to be driven by a wiring: chip, plant, firmware, loop and
+// record, and the decision when the run is over.
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cosim/event_hash.hpp"
+#include "cosim/fault_plant.hpp"
+#include "cosim/fault_watch.hpp"
+#include "cosim/session.hpp"
+#include "machines/larson/plant.hpp"
+#include "machines/larson/record.hpp"
+
+namespace trammel::larson {
+
+class Session final : public cosim::Session, private cosim::Observer, private cosim::SignalReader {
+ public:
+  // Throws lab::ConfigError for a script that cannot be read.
+  Session(const Options& options, const cosim::Hooks& hooks, const cosim::Waves& waves = {});
+
+  cosim::Loop& loop() override { return loop_; }
+  sw::Firmware& firmware() override { return app_; }
+  cosim::ProcessorTiming timing() const override;
+  std::int64_t period_ps() const override { return options_.axis.clock_ps; }
+  cosim::Clk end() const override;
+  bool finished() const override { return over_; }
+  bool stopped() const override { return end_ == cosim::EndReason::kStopped; }
+  std::unique_ptr<cosim::RunResult> result() override;
+
+ private:
+  void on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant& plant) override;
+  std::int64_t read(std::size_t signal, int axis) const override;
+  Sample sample_at(cosim::Clk edge) const;
+  std::optional<cosim::EndReason> end_after(cosim::Clk edge);
+  cosim::Plant& seen();
+  void watch_fault(const cosim::Stop& stop);
+  void note_calls(cosim::Clk edge);
+  void note_events(const cosim::Stop& stop);
+  void note(cosim::Clk edge, int axis, std::string what);
+  std::string noticed() const;
+  bool resting() const;
+  double at(std::size_t axis, cosim::Clk edge) const { return plant_.axis(axis).state(edge).at; }
+
+  Options options_;
+  cosim::Hooks hooks_;
+  cosim::Waves waves_;
+  std::vector<Call> calls_;
+  std::vector<sw::LarsonCall> program_;
+  std::vector<sw::LarsonAnswer> answers_;
+  TablePlant plant_;
+  std::unique_ptr<LarsonChip> chip_;
+  std::optional<cosim::FaultPlant> failing_;  // around the plant
+  std::optional<cosim::FaultWatch> fault_watch_;
+  sw::LarsonApp app_;
+  cosim::Loop loop_;
+  cosim::DiskVector<Sample> samples_;
+  cosim::EventHash hash_;
+  std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+  cosim::EndReason end_ = cosim::EndReason::kTimeout;
+  cosim::Clk done_at_ = cosim::kNever;  // the program has ended
+  bool over_ = false;
+
+  std::vector<CallDone> done_;
+  std::vector<Event> events_;
+  std::size_t event_count_ = 0;
+  std::uint32_t interrupts_ = 0;
+  unsigned switches_ = 0;
+  cosim::Lines drive_ = 0;
+  std::array<std::uint32_t, 2> pulses_{};
+  std::array<std::size_t, 2> losses_{};
+  std::array<double, 2> travel_{}, last_at_{}, origin_{};
+};
+
+}  // namespace trammel::larson

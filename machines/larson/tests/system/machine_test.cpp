@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The machine larson: acceptance tests M-11 to M-13, equal events in every wiring, lost steps, and
+// a scan whose every place is read back.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+#include "lab/layers.hpp"
+#include "lab/record.hpp"
+#include "lab/scenarios.hpp"
+#include "machines/larson/machine.hpp"
+#include "tests/support/scratch.hpp"
+
+using namespace trammel;
+using larson::Options;
+using larson::Result;
+
+namespace {
+
+// A run of a script, without SystemC but where a test asks for it.
+struct Scripted {
+  test::Scratch scratch{"larson_scripted"};
+  Options options;
+
+  explicit Scripted(const std::string& script) {
+    const std::filesystem::path file = scratch.path / "script.table";
+    std::ofstream(file) << script;
+    options.script = file.string();
+    options.run.platform = cosim::Platform::kDirect;
+  }
+
+  Result run() const { return lab::simulate(options); }
+};
+
+const sw::LarsonAnswer& answer(const Result& result, std::size_t from_last) {
+  REQUIRE(result.done.size() == result.calls.size());
+  return result.answers[result.answers.size() - 1 - from_last];
+}
+
+Options built_in(const std::string& scenario) {
+  auto settings = lab::load_scenario(lab::find_scenario(scenario));
+  auto options = static_cast<const Options&>(*settings);
+  options.run.platform = cosim::Platform::kDirect;
+  return options;
+}
+
+}  // namespace
+
+TEST_CASE("M-11 CALTBL and ABSTBL 1000 2000: WTTBL 1, WHRTBL the same, rotors within 2 steps") {
+  const Scripted script("CALTBL\nVELTBL 4000 2000\nABSTBL 1000 2000\nWTTBL\nWHRTBL\n");
+  const Result result = script.run();
+  REQUIRE(result.end == cosim::EndReason::kDone);
+  CHECK(answer(result, 1).value == 1);
+  CHECK(answer(result, 0).at.x == 1000);
+  CHECK(answer(result, 0).at.y == 2000);
+  // A step that leaves the buffer swings over its place by as much as half of one.
+  const larson::CallDone& waited = result.done[result.done.size() - 2];
+  CHECK(std::fabs(waited.at[0] - 1000) <= 2.5);
+  CHECK(std::fabs(waited.at[1] - 2000) <= 2.5);
+  CHECK(std::fabs(result.end_at[0] - result.origin[0] - 1000) < 0.1);
+  CHECK(std::fabs(result.end_at[1] - result.origin[1] - 2000) < 0.1);
+}
+
+TEST_CASE("M-12 RELTBL 100 -50, three times from (1000, 1000), ends at (1300, 850)") {
+  const Scripted script(
+      "CALTBL\nVELTBL 1000 1000\nABSTBL 1000 1000\nWTTBL\n"
+      "REPEAT 3\nRELTBL 100 -50\nWTTBL\nEND\nWHRTBL\n");
+  const Result result = script.run();
+  REQUIRE(result.end == cosim::EndReason::kDone);
+  CHECK(answer(result, 0).at.x == 1300);
+  CHECK(answer(result, 0).at.y == 850);
+  CHECK(answer(result, 1).value == 1);
+}
+
+TEST_CASE("M-13 ABSTBL -5 100 from (50, 50): X stops at 0 off its switch, WTTBL 0, then (0, 100)") {
+  const Scripted script(
+      "CALTBL\nVELTBL 1000 1000\nABSTBL 50 50\nWTTBL\nABSTBL -5 100\nWTTBL\nWHRTBL\n");
+  const Result result = script.run();
+  REQUIRE(result.end == cosim::EndReason::kDone);
+  CHECK(answer(result, 1).value == 0);
+  CHECK(answer(result, 0).at.x == 0);
+  CHECK(answer(result, 0).at.y == 100);
+  CHECK(result.calibrated);
+  for (const larson::Event& one : result.happened) {
+    const bool behind = one.edge > result.done.front().edge;
+    CHECK_FALSE((behind && one.what.find("switch") != std::string::npos));
+  }
+}
+
+TEST_CASE("a move beyond the far soft end stops there, and the next one is normal") {
+  Scripted script(
+      "CALTBL\nVELTBL 4000 4000\nABSTBL 9000 0\nWTTBL\nWHRTBL\nRELTBL -100 0\nWTTBL\n");
+  script.options.axis.switch_high = 517.5;
+  script.options.table.soft_end = 500;
+  const Result result = script.run();
+  REQUIRE(result.end == cosim::EndReason::kDone);
+  CHECK(answer(result, 3).value == 0);
+  CHECK(answer(result, 2).at.x == 500);
+  CHECK(answer(result, 0).value == 1);
+}
+
+TEST_CASE("a move while the table moves, or before CALTBL, is refused and changes nothing") {
+  const Scripted script(
+      "ABSTBL 10 10\nCALTBL\nVELTBL 400 400\nABSTBL 100 100\nABSTBL 5 5\nWTTBL\nWHRTBL\n");
+  const Result result = script.run();
+  REQUIRE(result.end == cosim::EndReason::kDone);
+  CHECK(result.answers[0].value == static_cast<int>(sw::StepAnswer::kNotCalibrated));
+  CHECK(answer(result, 2).value == static_cast<int>(sw::StepAnswer::kMoving));
+  CHECK(answer(result, 1).value == 1);
+  CHECK(answer(result, 0).at.x == 100);
+}
+
+TEST_CASE("every wiring gives the events of the leaping RTL, and --audit finds no difference") {
+  Scripted script("CALTBL\nVELTBL 4000 500\nABSTBL 60 30\nWTTBL\nWAIT 5\nWHRTBL\n");
+  script.options.start_x = 20;
+  script.options.start_y = 30;
+  script.options.settle_s = 0.02;
+  const Options plain = script.options;
+  const Result first = lab::simulate(plain);
+  REQUIRE(first.end == cosim::EndReason::kDone);
+  Options systemc = plain, steps = plain, twin = plain, audit = plain;
+  systemc.run.platform = cosim::Platform::kSystemC;
+  steps.run.window_clk = 313;
+  twin.run.engine = cosim::Engine::kTwin;
+  audit.run.audit = true;
+  for (const Options& other : {systemc, steps, twin, audit}) {
+    const Result same = lab::simulate(other);
+    CHECK_FALSE(same.promise);
+    CHECK(same.event_hash == first.event_hash);
+  }
+  CHECK(first.evaluated < first.clocks / 1000);
+}
+
+TEST_CASE("the raster reads back 2500 places without a lost step, as the twin does") {
+  Options rtl = built_in("larson-raster");
+  rtl.record_ms = 50;
+  Options twin = rtl;
+  twin.run.engine = cosim::Engine::kTwin;
+  const Result result = lab::simulate(rtl);
+  REQUIRE(result.end == cosim::EndReason::kDone);
+  int places = 0;
+  for (std::size_t k = 0; k < result.done.size(); ++k) {
+    if (result.calls[k].call.op != sw::LarsonOp::kWhrtbl) continue;
+    const int row = places / 50, in_row = places % 50;
+    const int column = row % 2 == 0 ? in_row : 49 - in_row;
+    CHECK(result.answers[k].at.x == 100 + 20 * column);
+    CHECK(result.answers[k].at.y == 100 + 20 * row);
+    ++places;
+  }
+  CHECK(places == 2500);
+  CHECK(result.lost[0] == 0);
+  CHECK(result.lost[1] == 0);
+  CHECK(lab::simulate(twin).event_hash == result.event_hash);
+}
+
+TEST_CASE("without its buffer X loses steps at 4000 PPS, which the run names with its place") {
+  const lab::Record record = lab::run(built_in("larson-overload"));
+  CHECK(record.result->end == cosim::EndReason::kMissed);
+  CHECK(static_cast<const Result&>(*record.result).lost[0] % 10 == 0);
+  CHECK(record.verdict.find("missed: X lost") == 0);
+  CHECK(record.verdict.find("the first at step") != std::string::npos);
+}
+
+TEST_CASE("by hand into the far switch: the interrupt, the latch, the hazard, and out again") {
+  const Result result = lab::simulate(built_in("larson-limit"));
+  REQUIRE(result.end == cosim::EndReason::kDone);
+  std::vector<std::string> high;
+  for (const larson::Event& one : result.happened) {
+    if (one.what.find("high switch") == 0) high.push_back(one.what);
+  }
+  CHECK(high == std::vector<std::string>{"high switch closed", "high switch open"});
+}
