@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The stepper against Larson's estimates (1974, section III), of which acceptance test M-10 is one.
+#include "models/plant/stepper_motor.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <vector>
+
+using trammel::plant::kLbIn;
+using trammel::plant::StepperConfig;
+using trammel::plant::StepperMotor;
+
+namespace {
+
+constexpr double kStepS = 5e-6;
+
+// From rest, the translator one step ahead: [step] off its place, every kStepS.
+std::vector<double> ring(std::int64_t to, double seconds) {
+  const StepperMotor motor((StepperConfig()));
+  StepperMotor::State s{static_cast<double>(to - 1), 0};
+  std::vector<double> off;
+  for (double t = 0; t < seconds; t += kStepS) {
+    off.push_back(s.at - static_cast<double>(to));
+    s = motor.after(s, kStepS, to, 0);
+  }
+  return off;
+}
+
+// Times of rising zero crossings [s].
+std::vector<double> crossings(const std::vector<double>& off) {
+  std::vector<double> at;
+  for (std::size_t k = 1; k < off.size(); ++k) {
+    if (off[k - 1] < 0 && off[k] >= 0) at.push_back(static_cast<double>(k) * kStepS);
+  }
+  return at;
+}
+
+}  // namespace
+
+TEST_CASE("M-10 a single step with three phases: 2.5 ms, peak 0.52 at 4.4 ms, a ring of 8.6 ms") {
+  const std::vector<double> three = ring(1, 0.1), two = ring(2, 0.1);
+  const std::vector<double> at = crossings(three);
+  REQUIRE(at.size() > 3);
+  CHECK(std::fabs(at[0] - 2.5e-3) <= 0.2e-3);
+  std::size_t peak = 0;
+  for (std::size_t k = 0; k < three.size(); ++k) {
+    if (three[k] > three[peak]) peak = k;
+  }
+  CHECK(std::fabs(static_cast<double>(peak) * kStepS - 4.4e-3) <= 0.3e-3);
+  CHECK(std::fabs(three[peak] - 0.52) <= 0.05);
+  CHECK(at[3] - at[2] == Approx(8.6e-3).epsilon(0.05));  // by then below 0.2 step
+  // And it decays faster than with two.
+  double late_three = 0, late_two = 0;
+  for (std::size_t k = three.size() / 2; k < three.size(); ++k) {
+    late_three = std::fmax(late_three, std::fabs(three[k]));
+    late_two = std::fmax(late_two, std::fabs(two[k]));
+  }
+  CHECK(late_three < late_two / 10);
+}
+
+TEST_CASE("stepper_motor: with two phases on it rings with 11.5 ms") {
+  const std::vector<double> at = crossings(ring(2, 0.2));
+  REQUIRE(at.size() > 8);
+  CHECK(at[8] - at[7] == Approx(11.5e-3).epsilon(0.02));
+}
+
+TEST_CASE("stepper_motor: stiffness is that of the data sheet, and torque no more than its table") {
+  const StepperMotor motor((StepperConfig()));
+  const double step = 2 * 3.14159265358979 / 160;
+  CHECK(motor.torque({0.999, 0}, 1) / (0.001 * step) == Approx(80 * kLbIn).epsilon(1e-4));
+  CHECK(motor.torque({1.999, 0}, 2) / (0.001 * step) == Approx(45 * kLbIn).epsilon(1e-4));
+  CHECK(motor.torque({-1.5, 0}, 1) == Approx(2.6 * kLbIn));
+  CHECK(motor.most_torque(3000) == Approx(2.35 * kLbIn));
+  CHECK(motor.most_torque(-8000) == Approx(1.2 * kLbIn));
+  CHECK(motor.most_torque(9000) == Approx(1.2 * kLbIn));
+  CHECK(motor.torque({-5, 0}, 1) < 0);  // more than five steps behind it is pulled on
+}
