@@ -19,6 +19,9 @@ void add_metrics(const lab::Record& record, nlohmann::ordered_json& json);
 std::vector<std::string> remarks(const lab::Record& record);
 const cosim::TriggerForms& triggers();  // machine.cpp
 
+// published.cpp: Larson's own figures, beside those of the run's settings.
+std::vector<lab::Figure> published_figures(const Options& options);
+
 // missed.cpp: of a program that ended, why the table is not where its program has it; "" if it is.
 std::string what_missed(const Options& options, const Result& result);
 
