@@ -2,8 +2,8 @@
 //
 // step_table on an iCE40 UP5K: what surrounds it on a board. The clock comes from its pin, 12 MHz;
 // it never leaps. A processor's bus of 16 bits, in step with the clock, has the four words of Larson
-// 1974: 0 X count, 1 X status, 2 Y count, 3 Y status. grant_i shows the vector and takes it.
-// Pin numbers: the board's PCF file.
+// 1974: 0 X count, 1 X status, 2 Y count, 3 Y status. grant_i takes the vector. What is read stands
+// on the bus in the clock after read_i or grant_i. Pin numbers: the board's PCF file.
 
 module larson_ice40_up5k (
     input logic clk_i,
@@ -26,16 +26,21 @@ module larson_ice40_up5k (
 );
 
   logic [31:0] x, y, axis;
-  logic [15:0] shown, unused_err_byte;
+  logic [15:0] shown_q, unused_err_byte;
+  logic shows_q;
   logic [7:0] vector;
   logic [3:0] bytes;
   trammel_pkg::gap_t unused_next;
   logic unused_quiescent;
 
   assign axis  = a_i[1] ? y : x;
-  assign shown = grant_i ? 16'(vector) : a_i[0] ? axis[31:16] : axis[15:0];
-  assign d_io  = read_i || grant_i ? shown : 'z;
+  assign d_io  = shows_q ? shown_q : 'z;
   assign bytes = byte_i ? 4'b0001 : 4'b0011;
+
+  always_ff @(posedge clk_i) begin
+    shows_q <= reset_n_i && (read_i || grant_i);
+    shown_q <= grant_i ? 16'(vector) : a_i[0] ? axis[31:16] : axis[15:0];
+  end
 
   step_table #(
       .Inc(1),
