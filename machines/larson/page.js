@@ -30,7 +30,8 @@
     d.names = ['translators', 'the same'];
     const hypot = (name) => s[`x_${name}`] && s[`y_${name}`] &&
       s[`x_${name}`].map((v, k) => Math.hypot(v, s[`y_${name}`][k]));
-    d.colours = [{ button: 'speed', label: 'rotors, speed (step/s)', values: hypot('speed_step_s') },
+    d.colours = [{ button: 'speed', label: 'rotors, speed (step/s)',
+      values: hypot('speed_step_s') },
       { button: 'load angle', label: 'rotors, load angle (step)', values: hypot('angle_step') }]
       .filter((one) => one.values);
     run.data = d;
@@ -135,8 +136,8 @@
       'his listing of .TABLE is not in the paper'],
   ];
 
-  const closing = (run) => T.section('assumptions', 'Assumptions', 'What Larson 1974 leaves open, ' +
-    'and the value used in this run.').append(T.el('div', { class: 'card long' }, T.el('div',
+  const closing = (run) => T.section('assumptions', 'Assumptions', 'What Larson 1974 leaves ' +
+    'open, and the value used in this run.').append(T.el('div', { class: 'card long' }, T.el('div',
     { class: 'scroll' }, T.table(['Assumed', 'value', text('because', 'th')],
     kAssumed.flatMap(([keys, reason]) => keys.map((key) => [key, T.valueText(
       run.metrics.options[key]), T.el('td', { class: 'text dim' }, reason)]))))));

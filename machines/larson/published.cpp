@@ -63,7 +63,8 @@ std::vector<lab::Figure> published_figures(const Options& options) {
     list.push_back(std::move(f));
   };
   for (const Published& one : kMultipleSteps) {
-    add(fmt::format("multiple_step.{}_ms", one.steps), fmt::format("{} steps at 4000 PPS", one.steps),
+    add(fmt::format("multiple_step.{}_ms", one.steps),
+        fmt::format("{} steps at 4000 PPS", one.steps),
         1e3 * time_of(options.axis.buffer, one.steps, options.axis.clock_ps), one.ms);
   }
   const plant::StepperConfig& m = options.axis.motor;

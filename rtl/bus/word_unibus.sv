@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Four words of 16 bits on a UNIBUS, and the interrupt of the device that has them: a slave of DATI,
-// DATIP, DATO and DATOB at Base to Base + 7, and a master of one interrupt (DEC, PDP-11 Bus
+// Four words of 16 bits on a UNIBUS, and the interrupt of the device that has them: a slave of
+// DATI, DATIP, DATO and DATOB at Base to Base + 7, and a master of one interrupt (DEC, PDP-11 Bus
 // Handbook). All lines are true when high: receivers and drivers invert. They pass two flip-flops;
 // address, control and data need not, for they stand before MSYN does.
 //

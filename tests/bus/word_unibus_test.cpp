@@ -121,7 +121,7 @@ TEST_CASE("M-02 word_unibus: a move of five steps over the bus") {
   CHECK(bench.bus.dati(kXStatus) == (kForward | 07704));
 }
 
-TEST_CASE("word_unibus: a grant without a request is passed on, one that came late releases the bus") {
+TEST_CASE("word_unibus: a grant without a request is passed on; INTR waits for a free bus") {
   Bench bench;
   CHECK(bench.bus.interrupt() == -1);
   CHECK_FALSE(bench.rtl->bg_o);

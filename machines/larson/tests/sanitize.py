@@ -6,7 +6,8 @@ FOLDER = "OUT/larson"
 RUNS = [
     (0, *SHORT, "-o", FOLDER),
     (0, *SHORT, "--engine", "twin", "-o", FOLDER),
-    (5, *SHORT, "-s", "run.max_s=0.05", "--wave", "fst", "--wave-window", "5ms:5.1ms", "-o", FOLDER),
+    (5, *SHORT, "-s", "run.max_s=0.05", "--wave", "fst", "--wave-window", "5ms:5.1ms", "-o",
+     FOLDER),
     *((5, *SHORT, way, "-s", "run.max_s=0.003", "-o", FOLDER) for way in ("--audit", "--assert")),
     (0, *SHORT, "--json", "--platform", "direct", "-o", FOLDER),
     (0, "run", "larson-limit", "--engine", "twin", "-o", FOLDER),

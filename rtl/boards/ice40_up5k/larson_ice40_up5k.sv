@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // step_table on an iCE40 UP5K: what surrounds it on a board. The clock comes from its pin, 12 MHz;
-// it never leaps. A processor's bus of 16 bits, in step with the clock, has the four words of Larson
-// 1974: 0 X count, 1 X status, 2 Y count, 3 Y status. grant_i takes the vector. What is read stands
-// on the bus in the clock after read_i or grant_i. Pin numbers: the board's PCF file.
+// it never leaps. A processor's bus of 16 bits, in step with the clock, has the four words of
+// Larson 1974: 0 X count, 1 X status, 2 Y count, 3 Y status. grant_i takes the vector. What is
+// read stands on the bus in the clock after read_i or grant_i. Pin numbers: the board's PCF file.
 
 module larson_ice40_up5k (
     input logic clk_i,
