@@ -5,6 +5,7 @@
 usage: waves_check.py PROGRAM [FOLDER]      the built trammel program
 """
 
+import itertools
 import sys
 from pathlib import Path
 
@@ -27,7 +28,7 @@ class StepTest(WaveCase):
             self.assertEqual(len(whole), 5)  # of 400 Hz, in 14 ms
             for begin, end in whole:
                 self.assertLessEqual(abs(end - begin - 2080), 20)  # half a period of 240 kHz
-            for before, after in zip(whole, whole[1:], strict=False):
+            for before, after in itertools.pairwise(whole):
                 self.assertLessEqual(abs(after[0] - before[0] - 2_500_000), 20)
 
     def test_a_trigger_anchors_the_window(self):
