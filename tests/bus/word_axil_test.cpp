@@ -99,3 +99,30 @@ TEST_CASE("word_axil: a transfer alone takes three clocks, and it rests before a
   CHECK_FALSE(bench.rtl->s_axil_bvalid_o);
   CHECK(bench.rtl->quiescent_o);
 }
+
+TEST_CASE("word_axil: while both responses wait, one more of each direction is taken and waits") {
+  Bench bench;
+  bench.rtl->s_axil_bready_i = bench.rtl->s_axil_rready_i = 0;
+  bench.words = {1, 2, 3, 4};
+  for (int n = 0; n < 2; ++n) {
+    bench.rtl->s_axil_awvalid_i = bench.rtl->s_axil_wvalid_i = bench.rtl->s_axil_arvalid_i = 1;
+    bench.rtl->s_axil_awaddr_i = 4;
+    bench.rtl->s_axil_araddr_i = 12;
+    bench.rtl->s_axil_wdata_i = 70 + static_cast<std::uint32_t>(n);
+    bench.rtl->s_axil_wstrb_i = 15;
+    bench.clock();
+    bench.rtl->s_axil_awvalid_i = bench.rtl->s_axil_wvalid_i = bench.rtl->s_axil_arvalid_i = 0;
+    for (int k = 0; k < 4; ++k) bench.clock();
+  }
+  CHECK(bench.writes == 1);
+  CHECK(bench.reads == 1);
+  CHECK(bench.words[1] == 70);
+  CHECK_FALSE(bench.rtl->s_axil_awready_o);
+  CHECK_FALSE(bench.rtl->s_axil_arready_o);
+  CHECK(bench.rtl->s_axil_rdata_o == 4);
+  bench.rtl->s_axil_bready_i = bench.rtl->s_axil_rready_i = 1;
+  for (int k = 0; k < 6; ++k) bench.clock();
+  CHECK(bench.writes == 2);
+  CHECK(bench.reads == 2);
+  CHECK(bench.words[1] == 71);
+}

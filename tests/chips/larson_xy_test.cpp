@@ -251,7 +251,8 @@ TEST_CASE("larson_xy agrees with its twin on random traffic, leaping and not") {
     const auto pace = trammel::test::AxiPace::random(random, random() % 4 != 0);
     const std::uint32_t status = (random() & 0xF000) | (4095 - random() % 200);
     const std::uint32_t count = random() % 16 == 0 ? random() & 0xFFFF : 0xFFFF - random() % 8;
-    bench.transfer(random() % 4 * 4, status << 16 | count, random() % 3 != 0, pace);
+    const std::uint32_t data = random() % 10 == 0 ? random() : status << 16 | count;
+    bench.transfer(random() % 4 * 4, data, random() % 3 != 0, pace);
     for (auto& pins : bench.in.pins) {
       if (random() % 20 == 0) pins.low = random() % 4 == 0;
       if (random() % 20 == 0) pins.high = random() % 4 == 0;

@@ -84,7 +84,8 @@ struct Bench {
 // Rates that are reached within a test, and few steps.
 std::uint16_t status(Random& random) {
   const std::uint32_t rate = random() % 2 == 0 ? 4095 - random() % 8 : 4095 - random() % 200;
-  return static_cast<std::uint16_t>(rate | (random() & 0xF) << 12);
+  const std::uint32_t any = random() & 0xFFF;
+  return static_cast<std::uint16_t>((random() % 8 == 0 ? any : rate) | (random() & 0xF) << 12);
 }
 std::uint16_t count(Random& random) {
   return static_cast<std::uint16_t>(random() % 8 == 0 ? random() : 0xFFFF - random() % 6);

@@ -97,6 +97,7 @@ TEST_CASE("step_table agrees with its twin on random writes, switches, grants an
     bench.in.bytes = random() % 3 == 0 ? random() % 16 : 15;
     const std::uint32_t count = 0xFFFF - random() % 5;
     bench.in.data = (4095 - random() % 100) << 16 | (random() & 0xF) << 28 | count;
+    if (random() % 8 == 0) bench.in.data = random();
     for (auto& pins : bench.in.pins) {
       if (random() % 2000 == 0) pins.low = random() % 4 == 0;
       if (random() % 2000 == 0) pins.high = random() % 4 == 0;
