@@ -5,10 +5,10 @@
 //
 // Address and data of a write are taken in any order, one transfer of each direction beside the
 // response that waits. A write goes before a read; none begins before the last response of its
-// direction is taken.
+// direction is taken. Bits: of the index of a word.
 
 module word_axil #(
-    parameter int unsigned Bits = 2  // of the index of a word
+    parameter int unsigned Bits = 2
 ) (
     input logic clk_i,
     input logic rst_i,

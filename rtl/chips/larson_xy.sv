@@ -3,6 +3,7 @@
 // The X-Y stepper interface of Larson 1974 behind AXI4-Lite: its four words of 16 bits at byte
 // offsets 0 to 6, and behind them the interrupt vector, whose read is the grant, and the count of
 // byte writes. Fabric clock / 240 kHz = Mod / Inc.
+// With Buffered = 0 no pulse buffer reports on buf_busy_i.
 //
 //   0x0  X count    0x2  X rate and status    0x4  Y count    0x6  Y rate and status
 //   0x8  vector of the interrupt that is taken by this read, 0 = none
@@ -13,7 +14,7 @@ module larson_xy
 #(
     parameter int unsigned Inc = 3,
     parameter int unsigned Mod = 625,
-    parameter bit Buffered = 1'b1  // 0: no pulse buffer reports on buf_busy_i
+    parameter bit Buffered = 1'b1
 ) (
     input logic clk_i,
     input logic rst_i,

@@ -10,13 +10,14 @@
 //
 // At one edge the step comes first, then a write of the count, then one of the status word, in this
 // order: rate, direction, enable stored; reset; start or stop. The pins pass two flip-flops.
+// TickClk: clocks from tick to tick, at least. With Buffered = 0 buf_busy_i is not used.
 
 module step_channel
   import trammel_pkg::*;
   import step_pkg::*;
 #(
-    parameter int unsigned TickClk = 208,  // clocks from tick to tick, at least
-    parameter bit Buffered = 1'b1  // 0: buf_busy_i is not used
+    parameter int unsigned TickClk = 208,
+    parameter bit Buffered = 1'b1
 ) (
     input logic clk_i,
     input logic rst_i,

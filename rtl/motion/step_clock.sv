@@ -7,13 +7,14 @@
 //
 // A tick is high in the clock before the edge that acts on it; it comes within one clock of its
 // exact time, and on average exactly. half_o marks the edge that is half a period behind a tick.
+// Inc is at most Mod / 4, and Mod 4095.
 
 module step_clock
   import trammel_pkg::*;
   import step_pkg::*;
 #(
-    parameter int unsigned Inc = 3,  // at most Mod / 4
-    parameter int unsigned Mod = 625  // at most 4095
+    parameter int unsigned Inc = 3,
+    parameter int unsigned Mod = 625
 ) (
     input logic clk_i,
     input logic rst_i,

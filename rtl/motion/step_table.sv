@@ -5,14 +5,15 @@
 //
 // A write is of one axis: its count in bytes 0 and 1, its status word in bytes 2 and 3, either or
 // both. Half of a word is not written; such a transfer counts as an error (err_byte_o). Of two
-// interrupts that wait X goes first; grant_i takes the one that vector_o names.
+// interrupts that wait X goes first; grant_i takes the one that vector_o names. With Buffered = 0
+// buf_busy_i is not used; Inc and Mod are those of step_clock.
 
 module step_table
   import trammel_pkg::*;
 #(
-    parameter int unsigned Inc = 3,  // see step_clock
+    parameter int unsigned Inc = 3,
     parameter int unsigned Mod = 625,
-    parameter bit Buffered = 1'b1  // 0: buf_busy_i is not used
+    parameter bit Buffered = 1'b1
 ) (
     input logic clk_i,
     input logic rst_i,
