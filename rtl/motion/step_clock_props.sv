@@ -90,5 +90,5 @@ endmodule
 bind step_clock step_clock_props #(
     .Inc  (Inc),
     .Mod  (Mod),
-    .Width(Width)
+    .Width($clog2(Mod))
 ) u_step_clock_props (.*);
