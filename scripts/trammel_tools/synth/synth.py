@@ -28,7 +28,7 @@ from pathlib import Path
 from trammel_tools import machines, python_tools
 from trammel_tools.paths import ROOT
 from trammel_tools.rtl import lint
-from trammel_tools.synth import bitstream, board, synth_board, synth_flow, synth_report
+from trammel_tools.synth import bitstream, board, estimate, synth_board, synth_flow, synth_report
 from trammel_tools.synth.synth_netlist import Netlist
 
 PAGE = ROOT / "docs" / "synthesis.md"
@@ -48,6 +48,8 @@ def arguments():
                         help="put the firmware into the design placed before in the folder")
     parser.add_argument("--block", metavar="LAYER/BLOCK", help="one block alone: area only")
     parser.add_argument("--area", action="store_true", help="do not place and route")
+    parser.add_argument("--estimate", action="store_true",
+                        help="the chip's area on other families, as estimates")
     parser.add_argument("--seed", type=int, default=1, metavar="N",
                         help=f"of the placer, 1 to {MAX_SEED}, default 1")
     parser.add_argument("--out", type=Path, default=Path("out/synth"), metavar="FOLDER",
@@ -65,6 +67,8 @@ def arguments():
                      f"{', '.join(lint.blocks())}")
     if wanted.docs and (wanted.block or wanted.area):
         parser.error("--docs needs the whole chip, placed and routed")
+    if wanted.estimate and any((wanted.block, wanted.area, wanted.docs, wanted.check)):
+        parser.error("--estimate stands alone")
     if wanted.check and wanted.block:
         parser.error("--check needs all blocks")
     if wanted.board is None:
@@ -72,7 +76,7 @@ def arguments():
             if getattr(wanted, name):
                 parser.error(f"{name if name == 'chip' else '--' + name} needs --board")
     else:
-        for name in ("block", "area", "check"):
+        for name in ("block", "area", "check", "estimate"):
             if getattr(wanted, name):
                 parser.error(f"--{name} is not for --board")
         try:
@@ -139,6 +143,18 @@ def run(wanted, folder, budget):
     return result
 
 
+def run_estimate(wanted, folder, budget):
+    """Exit code of `--estimate`."""
+    top, result = budget["ecp5"]["board"], {}
+    for family in estimate.FAMILIES:
+        python_tools.progress(f"mapping for {family.name}")
+        result[family.name] = estimate.one(top, folder, family)
+    python_tools.progress("")
+    document = {"design": budget["ecp5"]["design"], "estimates": result}
+    print(json.dumps(document, indent=2) if wanted.json else "\n".join(estimate.lines(result)))
+    return 0
+
+
 def run_board(wanted, folder):
     """Exit code of `--board`."""
     on = wanted.on
@@ -171,13 +187,13 @@ def main():
     missing = [device.placer for device in synth_flow.DEVICES if device.program() is None]
     if wanted.board and wanted.on.memory and not lint.cores():
         missing.append(synth_flow.CORE)
-    if missing and not (wanted.area or wanted.block):
+    if missing and not (wanted.area or wanted.block or wanted.estimate):
         print(f"synth: {' and '.join(missing)} missing (trammel doctor)", file=sys.stderr)
         return python_tools.SKIPPED if "CTEST_INTERACTIVE_DEBUG_MODE" in os.environ else 3
     folder = wanted.out.resolve()
     try:
         folder.mkdir(parents=True, exist_ok=True)
-        if not wanted.repack:
+        if not (wanted.repack or wanted.estimate):
             (folder / "synth.json").unlink(missing_ok=True)
     except OSError as error:
         print(f"synth: --out {wanted.out}: not a folder for results: {error.strerror}",
@@ -187,6 +203,8 @@ def main():
         if wanted.board:
             return run_board(wanted, folder)
         budget = machines.tables("synth.toml")
+        if wanted.estimate:
+            return run_estimate(wanted, folder, budget)
         result = run(wanted, folder, budget)
     except python_tools.Missing as error:
         print(f"synth: {error}", file=sys.stderr)
