@@ -6,43 +6,14 @@ tells them apart; what the source says does.
 """
 
 import re
+import tomllib
 import unittest
 
 from trammel_tools.paths import ROOT
 
-# What stands at a port that has no pin of its name.
-OTHERS = {
-    "kung_xy_ecp5_25f": {
-        "rst_i": "reset_q[1]", "clock_en_i": "'1", "leap_i": "'0", "tick_o": "unused_tick",
-        "sample_o": "unused_sample", "next_o": "unused_next", "quiescent_o": "unused_quiescent",
-        "awake_o": "unused_awake", "timed_o": "unused_timed",
-        "driver_en_o": "unused_driver_en", "tripped_o": "unused_tripped"},
-    "kung_soc_ecp5": {
-        "clk_i": "clk", "rst_i": "reset_q[3]", "driver_fault_i": "~fault_n_i"},
-    "kung_soc_ulx3s": {
-        "reset_i": "btn_reset_i", "uart_rx_i": "ftdi_txd_i", "uart_tx_o": "ftdi_rxd_o",
-        "fault_n_i": "driver_fault_n_i", "status_o": "led_o"},
-    "kung_soc_colorlight_i5": {
-        "reset_i": "!btn_reset_n_i", "fault_n_i": "driver_fault_n_i", "status_o": "status"},
-    "lm628_dip28": {
-        "rst_i": "1'b0", "clock_en_i": "'1", "leap_i": "'0", "wrap_i": "1'b0",
-        "d_oe_o": "d_oe", "dac_o": "dac",
-        "dac_hi_lo_o": "hi_lo", "dac_wr_n_o": "strobe_n", "pwm_mag_o": "magnitude",
-        "pwm_sign_o": "sign", "sample_o": "sample", "next_o": "unused_next",
-        "quiescent_o": "unused_chip_quiescent",
-        "awake_o": "unused_awake", "timed_o": "unused_timed"},
-    "lm628_icebreaker": {
-        "clk_i": "clk", "rst_i": "1'b0", "clock_en_i": "'1", "leap_i": "'0", "wrap_i": "1'b0",
-        "reset_n_i": "reset_n", "d_i": "d_io", "d_o": "d", "d_oe_o": "d_oe", "dac_o": "",
-        "dac_hi_lo_o": "", "dac_wr_n_o": "", "pwm_mag_o": "magnitude", "pwm_sign_o": "sign",
-        "sample_o": "", "next_o": "", "quiescent_o": "", "awake_o": "", "timed_o": ""},
-    "lm628_ice40_up5k": {
-        "rst_i": "1'b0", "clock_en_i": "'1", "leap_i": "'0", "wrap_i": "1'b0",
-        "d_i": "d_io", "d_o": "d",
-        "d_oe_o": "d_oe", "sample_o": "unused_sample", "next_o": "unused_next",
-        "quiescent_o": "unused_quiescent",
-        "awake_o": "unused_awake", "timed_o": "unused_timed"},
-}
+# tests/boards/<top>.toml: what stands at a port that has no pin of its name.
+OTHERS = {path.stem: tomllib.loads(path.read_text(encoding="utf-8"))
+          for path in (ROOT / "tests" / "boards").glob("*.toml")}
 
 
 def module(text):
@@ -54,7 +25,7 @@ def module(text):
 
 def connections(text):
     """The name of the IC, and pairs of a port and what is at it, as often as they are given."""
-    chip, body = re.search(r"^  (\w+)(?: #\([^;]*?\n  \))? u_(?:chip|soc) \((.*?)\n  \);", text,
+    chip, body = re.search(r"^  (\w+)(?: #\([^;]*?\n  \))? u_(?:chip|soc|table) \((.*?)\n  \);", text,
                            re.M | re.S).groups()
     return chip, re.findall(r"\.(\w+) *\((.*?)\)(?:,|$)", body, re.M)
 
@@ -78,11 +49,11 @@ class BoardTopsTest(unittest.TestCase):
     def test_each_port_of_the_ic_is_at_the_pin_of_its_name(self):
         tops = sorted(path for path in ROOT.glob("rtl/boards/*/*.sv")
                       if path.parent.name != "cells")  # the vendors'
-        self.assertEqual({path.stem for path in tops}, set(OTHERS), "the tops of OTHERS")
+        self.assertEqual({path.stem for path in tops}, set(OTHERS), "tops with a table in tests/boards")
         for path in tops:
             text = path.read_text()
             chip, given = connections(text)
-            source, = [*ROOT.glob(f"rtl/chips/{chip}.sv"), *ROOT.glob(f"rtl/boards/*/{chip}.sv")]
+            source, = [*ROOT.glob(f"rtl/*/{chip}.sv"), *ROOT.glob(f"rtl/boards/*/{chip}.sv")]
             ports = module(source.read_text())
             self.assertGreater(len(ports), 14, chip)
             self.assertEqual(faults(path.stem, ports, given, module(text)), [])
