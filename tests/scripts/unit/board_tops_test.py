@@ -25,8 +25,8 @@ def module(text):
 
 def connections(text):
     """The name of the IC, and pairs of a port and what is at it, as often as they are given."""
-    chip, body = re.search(r"^  (\w+)(?: #\([^;]*?\n  \))? u_(?:chip|soc|table) \((.*?)\n  \);", text,
-                           re.M | re.S).groups()
+    chip, body = re.search(r"^  (\w+)(?: #\([^;]*?\n  \))? u_(?:chip|soc|table) \((.*?)\n  \);",
+                           text, re.M | re.S).groups()
     return chip, re.findall(r"\.(\w+) *\((.*?)\)(?:,|$)", body, re.M)
 
 
@@ -49,7 +49,7 @@ class BoardTopsTest(unittest.TestCase):
     def test_each_port_of_the_ic_is_at_the_pin_of_its_name(self):
         tops = sorted(path for path in ROOT.glob("rtl/boards/*/*.sv")
                       if path.parent.name != "cells")  # the vendors'
-        self.assertEqual({path.stem for path in tops}, set(OTHERS), "tops with a table in tests/boards")
+        self.assertEqual({path.stem for path in tops}, set(OTHERS), "tables in tests/boards")
         for path in tops:
             text = path.read_text()
             chip, given = connections(text)
