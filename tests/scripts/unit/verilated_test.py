@@ -42,7 +42,7 @@ REGION = """void Vc___eval_nba(Vc* vlSelf) {
 }
 VL_INLINE_OPT void Vc___nba_sequent__TOP__0(Vc* vlSelf) {
     // Body
-    vlSelf->tick_q = (word_of(vlSelf->a_d) == word_of(vlSelf->b_d));
+    vlSelf->tick_q = ((IData)(vlSelf->a_d) == (IData)(vlSelf->b_d));
     vlSelf->many_q[3U] = 1U;
 }
 VL_INLINE_OPT void Vc___nba_sequent__TOP__1(Vc* vlSelf) {
@@ -51,7 +51,7 @@ VL_INLINE_OPT void Vc___nba_sequent__TOP__1(Vc* vlSelf) {
 }
 VL_INLINE_OPT void Vc___nba_comb__TOP__0(Vc* vlSelf) {
     // Body
-    vlSelf->y_d = (word_of(vlSelf->tick_q) + vlSelf->sum_q + vlSelf->b_d);
+    vlSelf->y_d = ((IData)(vlSelf->tick_q) + vlSelf->sum_q + vlSelf->b_d);
 }
 """
 REGION_MEMBERS = """
