@@ -39,10 +39,12 @@ double time_of(const plant::PulseBufferConfig& config, int steps, std::int64_t c
   return cosim::seconds_of(last, clock_ps);
 }
 
-bool as_shipped(const plant::StepperAxisConfig& axis) {
-  const plant::PulseBufferConfig a = axis.buffer, b;
-  const plant::StepperConfig m = axis.motor, n;
-  return a.dead_s == b.dead_s && a.start == b.start && a.rise == b.rise && a.brake == b.brake &&
+// Whether motor, buffer and processor are those of which the figures tell.
+bool as_shipped(const Options& options) {
+  const plant::PulseBufferConfig a = options.axis.buffer, b;
+  const plant::StepperConfig m = options.axis.motor, n;
+  return options.processor.access_clk == Options().processor.access_clk &&
+         a.dead_s == b.dead_s && a.start == b.start && a.rise == b.rise && a.brake == b.brake &&
          m.inertia == n.inertia && m.stiffness_2 == n.stiffness_2 &&
          m.stiffness_3 == n.stiffness_3;
 }
@@ -51,7 +53,7 @@ bool as_shipped(const plant::StepperAxisConfig& axis) {
 
 std::vector<lab::Figure> published_figures(const Options& options) {
   std::vector<lab::Figure> list;
-  const bool judged = as_shipped(options.axis);
+  const bool judged = as_shipped(options);
   const auto add = [&](std::string id, std::string row, double value, double printed) {
     lab::Figure f = lab::figure(std::move(id), std::move(row), "", value, "ms", 2);
     f.printed = printed;

@@ -307,7 +307,9 @@ TEST_CASE("a scenario's description goes with the path that it describes") {
     INFO(machine->name << ", " << name);
     const auto settings = machine->defaults();
     const Key& key = *find_keys(machine->keys(), name).at(0);
-    const std::string first = key.choices.at(0), second = key.choices.at(1);
+    const std::vector<std::string> words =
+        key.choices.empty() ? std::vector<std::string>{"/one", "/two"} : key.choices;
+    const std::string first = words.at(0), second = words.at(1);
     const auto layer = [&](const std::string& description, const std::string& value) {
       const std::string path = fmt::format("{} = \"{}\"\n", name, value);
       apply_text(*settings, description + '\n' + path, "a.toml", "/");

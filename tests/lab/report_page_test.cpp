@@ -117,7 +117,7 @@ TEST_CASE("a page holds every column of the trace, and skips samples where there
     const RunFolder run = read_run(base / "a");
     CHECK(run.machine == &machine);
     CHECK(run.rows == run.metrics["run"]["samples"]);
-    REQUIRE(run.rows - run.first > 20);
+    REQUIRE(run.rows - run.first > 15);
     const PageSeries all = page_series(run, false, 100000);
     CHECK(all.count == run.rows - run.first);
     CHECK(all.stride == 1);
@@ -139,11 +139,11 @@ TEST_CASE("a page holds every column of the trace, and skips samples where there
         REQUIRE(std::abs(value * lsb - values[run.first + k]) <= 0.5001 * lsb);
       }
     }
-    const PageSeries few = page_series(run, true, 20);
+    const PageSeries few = page_series(run, true, 15);
     CHECK(few.channels.size() >= compared.size());
     CHECK(few.channels.size() < all.channels.size());
-    CHECK(few.count <= 20);
-    CHECK(few.stride == (run.rows - run.first + 19) / 20);
+    CHECK(few.count <= 15);
+    CHECK(few.stride == (run.rows - run.first + 14) / 15);
     CHECK(few.count == (run.rows - run.first + few.stride - 1) / few.stride);
   });
 }
