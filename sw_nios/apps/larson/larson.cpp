@@ -8,7 +8,7 @@ namespace {
 
 namespace map = larson_map;
 
-std::uint32_t word(std::int32_t number) { return 4 * static_cast<std::uint32_t>(number); }
+std::uint32_t word_at(std::int32_t number) { return 4 * static_cast<std::uint32_t>(number); }
 
 }  // namespace
 
@@ -83,10 +83,10 @@ bool LarsonApp::begin(Bus& bus, const LarsonCall& call, LarsonAnswer& answer) {
       bus.write(map::kTimer, static_cast<std::uint32_t>(call.a));
       return true;
     case LarsonOp::kMov:
-      bus.write(word(call.a), static_cast<std::uint32_t>(call.b) & 0xFFFF);
+      bus.write(word_at(call.a), static_cast<std::uint32_t>(call.b) & 0xFFFF);
       return true;
     case LarsonOp::kBis:
-      bus.write(word(call.a), bus.read(word(call.a)) | static_cast<std::uint32_t>(call.b));
+      bus.write(word_at(call.a), bus.read(word_at(call.a)) | static_cast<std::uint32_t>(call.b));
       return true;
   }
   return true;
