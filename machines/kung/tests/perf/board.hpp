@@ -37,7 +37,8 @@ struct Pins {
   Pin<std::uint32_t> gate_hi{"gate_hi"}, gate_lo{"gate_lo"};
   Pin<bool> irq{"irq"}, tick{"tick"}, sample{"sample"}, quiescent{"quiescent"};
   Pin<std::uint32_t> next{"next"}, clock_en{"clock_en"}, awake{"awake"};
-  Pin<bool> timed{"timed"};
+  Pin<bool> timed{"timed"}, tripped{"tripped"};
+  Pin<std::uint32_t> driver_en{"driver_en"};
 };
 
 // What the record needs of a chip, from its pins and its registers.

@@ -48,6 +48,8 @@ void bind(Vkung_xy_sc& chip, Pins& pins) {
   chip.quiescent_o(pins.quiescent);
   chip.awake_o(pins.awake);
   chip.timed_o(pins.timed);
+  chip.driver_en_o(pins.driver_en);
+  chip.tripped_o(pins.tripped);
 }
 
 Outcome run_sc(const Arguments& arguments) {

@@ -67,8 +67,8 @@ def row_of(row, result, want, found):
 
 
 def document(found, want, wanted):
-    rows = [row_of(row, result, want.get(row), found) for row, result in found.items()]
     measured = {row: result for row, result in found.items() if isinstance(result, list)}
+    rows = [row_of(row, result, want.get(row), measured) for row, result in found.items()]
     ratios = {name: ratio(measured, *name.split("/")) for name in RATIOS}
     return {"workload": "circle", "seconds": wanted.seconds, "rounds": wanted.repeat,
             "machine": machine(), "rows": rows,

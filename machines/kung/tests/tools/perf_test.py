@@ -2,6 +2,8 @@
 """Rows of the measurement: what they need, their ratios, and events that differ."""
 
 import unittest
+from types import SimpleNamespace
+from unittest.mock import patch
 
 import perf_rows
 import perf_table
@@ -33,3 +35,12 @@ class PerfTest(unittest.TestCase):
                          {"row": "g", "name": perf_rows.NAMES["g"], "state": "not installed"})
         self.assertEqual(perf_table.row_of("g", perf_rows.Failed("broke"), "a", {})["state"],
                          "error: broke")
+
+    def test_a_row_that_failed_leaves_the_others_without_a_ratio_to_it(self):
+        found = {"a": perf_rows.Failed("broke"), "d": [run(1)]}
+        wanted = SimpleNamespace(seconds=1, repeat=1)
+        with patch.object(perf_table, "machine", dict):
+            result = perf_table.document(found, {"a": "a", "d": "a"}, wanted)
+        self.assertEqual([row["state"] for row in result["rows"]], ["error: broke", "ok"])
+        self.assertIsNone(result["rows"][1]["ratio"])
+        self.assertEqual(result["errors"], ["row a: broke"])
