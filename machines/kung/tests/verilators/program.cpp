@@ -18,6 +18,7 @@
 #include "lab/scenarios.hpp"
 #include "lab/write.hpp"
 #include "machines/kung/chip.hpp"
+#include "machines/kung/soc.hpp"
 #include "machines/kung/verilated/chip_model.hpp"
 
 namespace trammel {
@@ -40,6 +41,8 @@ std::unique_ptr<KungChip> make_verilated_chip(const cosim::RunBasics& run,
 std::unique_ptr<KungChip> make_watched_chip(cosim::Watcher&, bool) {
   throw std::logic_error("no triggers here");
 }
+
+std::unique_ptr<SocCore> make_core(const CoreMemory&, bool) { return nullptr; }
 
 }  // namespace kung
 
