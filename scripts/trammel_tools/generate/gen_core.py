@@ -94,7 +94,7 @@ def text():
 
 
 def fusesoc():
-    local = Path(sys.executable).parent / "fusesoc"
+    local = ROOT / ".venv" / "bin" / "fusesoc"
     return str(local) if local.exists() else shutil.which("fusesoc")
 
 
