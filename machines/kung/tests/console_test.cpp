@@ -103,6 +103,9 @@ TEST_CASE("the log is printed line by line, oldest first, and only what was aske
   const sw::LogRecord& last = b.program.app().log(b.program.app().log_size() - 1);
   const std::string tail = text.substr(text.rfind('\n', text.size() - 2) + 1);
   CHECK(tail.find(std::to_string(last.tick) + " " + std::to_string(last.x_cmd)) == 0);
+  const std::string now = " tick " + std::to_string(last.tick) + " x " +
+                          std::to_string(last.x_pos) + " y " + std::to_string(last.y_pos);
+  CHECK(b.say("status").find(now + "\r\n") != std::string::npos);
 }
 
 TEST_CASE("a million random bytes write no register and end in an answer") {

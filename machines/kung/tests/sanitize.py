@@ -3,6 +3,7 @@
 
 import json
 import shutil
+from pathlib import Path
 
 # A few points, so that start-up, service routine and every output of a run are there.
 LINE = ("-s", "path.kind=line", "-s", "path.line_end_x_m=0.1005", "-s", "path.line_end_y_m=0.1003",
@@ -13,6 +14,8 @@ WAVE = (*SHORT, "-o", "OUT/waves", "--wave")
 STEP = ("run", "step", "-s", "path.square_half_samples=20", "-s", "path.square_periods=2",
         "-s", "run.reached_m=1")
 WATCHDOG = ("-s", "inject.processor_s=0.01", "-s", "chip.watchdog_ticks=5")
+CORE = (*SHORT, "--cpu", "rtl", "-o", "OUT/core")
+COMMANDS = Path(__file__).parent / "soc" / "commands.txt"
 FOLDER = "OUT/direct"
 RUNS = [
     (0, *SHORT, "-o", FOLDER, "--wave", "fst", "--wave-window", "20ms:20.1ms"),
@@ -58,6 +61,9 @@ RUNS = [
     # A gain that rounds up to the next power of two, and one below the least exponent.
     (0, *SHORT, "-s", "gains.kp=0.99999", "-s", "gains.ki=1e-6",
      "-s", "chip.d_current_A=0.3", "-o", "OUT/gains"),
+    # The processor's RTL, with its serial port, and with an illegal instruction.
+    (0, *CORE), (0, *CORE, "--audit", "-s", f"run.uart={COMMANDS}"),
+    (0, *CORE, "-s", "run.uart=pty"), (5, *CORE, "-s", "inject.processor_s=0.01"),
 ]
 REFUSED = [
     (2, "takes no scenario", "run", "--all", "circle"),
@@ -86,6 +92,8 @@ REFUSED = [
     (2, "does not hold 38 numbers", "report", "OUT/cut_trace"),
     (2, "does not hold 49 rules", "report", "OUT/no_rules"),
     (2, "which this trammel does not have", "report", "OUT/other"),
+    (2, "there is no such file", *CORE, "-s", "run.uart=OUT/none"),
+    (2, "need run.cpu", *CORE, "-s", "inject.fault=bus_stall"),
     (2, "not a key of the machine kung", "run", "circle", "-s", "filter.kp=1"),
 ]
 
