@@ -23,6 +23,7 @@ RUNS = [
     (0, *WAVE, "vcd", "--wave-trigger", "drives", "--wave-window", "0:10us", "-s", "controller=fc"),
     (0, *WAVE, "fst", "--wave-trigger", "x.e > 0 after 1ms", "--wave-every", "10ms",
      "--wave-window", "0:10us", "--platform", "systemc"),
+    (0, *WAVE, "fst", "--wave-trigger", "at 1ms", "--wave-window", "0:10us"),
     (0, *STEP, "-o", "OUT/step"),
     (0, *SHORT, "-o", "OUT/asserted", "--assert", "-s", "run.leap=false"),
     (0, "run", "step", *TWIN, "-o", "OUT/whole_step"),

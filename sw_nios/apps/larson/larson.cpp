@@ -87,7 +87,7 @@ bool LarsonApp::begin(Bus& bus, const LarsonCall& call, LarsonAnswer& answer) {
       return true;
     case LarsonOp::kBis:
       bus.write(word_at(call.a), bus.read(word_at(call.a)) | static_cast<std::uint32_t>(call.b));
-      return true;
+      break;
   }
   return true;
 }
