@@ -154,7 +154,7 @@ TEST_CASE("mcafee: the target of a move is missed on both sides of it, and of ze
   }
 }
 
-TEST_CASE("mcafee: each axis is held against its target, and the table against its path, by sides") {
+TEST_CASE("mcafee: each axis is held against its target, the table against its path, by sides") {
   Options options;
   options.path.kind = PathKind::kCorner;
   options.path.side_mm = 20;
