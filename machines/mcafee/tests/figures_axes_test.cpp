@@ -123,7 +123,8 @@ TEST_CASE("mcafee: an event is told of its axis, at the sample where it begins, 
       CHECK(closes == (one.what[0] == 'l' || one.what[0] == 'h'));
       if (closes) CHECK(result.events[1].sample == 4);
       nlohmann::ordered_json json;
-      const auto record = lab::judged(moving().clone(), std::make_unique<Result>(std::move(result)));
+      const auto record =
+          lab::judged(moving().clone(), std::make_unique<Result>(std::move(result)));
       add_metrics(record, json);
       CHECK(json["events"][0].dump() ==
             std::string(R"({"sample":3,"time_s":0.004,"axis":")") + (axis == 0 ? "x" : "y") +
