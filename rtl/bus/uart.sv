@@ -108,7 +108,7 @@ module uart #(
     end
   end
 
-  // ---- received bytes that wait: places with a bit more than an address, equal when none does ----
+  // ---- received bytes that wait: places with a bit above the address, equal when none does ----
 
   localparam int unsigned AddrBits = $clog2(Depth);
   typedef logic [AddrBits:0] place_t;

@@ -168,9 +168,8 @@ module uart_props #(
   // breaks sends_what_was_asked: tx_bits_q <= !busy_o && send_i && !rst_i ? {1'b1, byte_i[6:0], byte_i[7], 1'b0} : next
   // breaks line_rests_high: tx_o = tx_bits_q[0] && !send_i
   // breaks waits_from_a_good_stop_bit_until_taken: comes = sample && rx_left_q == 4'd1
-  // breaks waits_from_a_good_stop_bit_until_taken: no_room = (in_q ^ out_q) == place_t'(Depth + 1)
+  // breaks waits_from_a_good_stop_bit_until_taken: out_q <= take_i && !rst_i ? out_q + place_t'(1) : next
   // breaks byte_is_the_oldest_of_the_line: rx_q <= rx_i
-  // breaks byte_is_the_oldest_of_the_line: no_room = 1'b0
   // breaks lost_counts_bytes_without_a_place: lost_q <= comes && !rst_i ? lost_q + 8'd1 : next
   // breaks quiescent_is_honest: quiescent_o = !busy_o && !send_i && !take_i && rx_left_q == '0
 
