@@ -123,7 +123,8 @@ struct KeyTable {
     text("run.engine", "the verilated RTL, or its bit-exact twins without SystemC: same results",
          TRAMMEL_LENS(run.engine));
     text("run.platform",
-         "SystemC platform or direct wiring; a twin and a processor's RTL are always wired directly",
+         "SystemC platform or direct wiring; a twin and a processor's RTL are always wired "
+         "directly",
          TRAMMEL_LENS(run.platform));
     text("run.leap", "skip clocks in which nothing happens; false: evaluate every clock",
          TRAMMEL_LENS(run.leap));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Serial port: 8 data bits, no parity, 1 stop bit, ClocksPerBit clocks a bit; 434 at 50 MHz are
-// 115,207 baud. One byte is sent at a time; Depth received bytes, a power of two, wait until they are
-// taken, and one that comes while all places are taken is lost and counted, up to 255.
+// 115,207 baud. One byte is sent at a time; Depth received bytes (a power of two) wait until they
+// are taken; one that comes while all places are taken is lost and counted, up to 255.
 //
 //   send_i    -> start bit on tx_o    1 clock; busy_o for 10 bits
 //   start bit -> waits_o              9.5 bits and 3 clocks: the middle of the stop bit

@@ -137,7 +137,7 @@ TEST_CASE("a million random bytes with the drives off write no register of the I
   check_noise_at_rest(1'000'000);
 }
 
-TEST_CASE("commands that are typed without a pause lose no byte, at the longest routine of a path") {
+TEST_CASE("commands that are typed without a pause lose no byte, at a path's longest routine") {
   const Options options = scenario("star");
   const std::string line = fmt::format("{:<40}\r", fmt::format("r {:#x}", kung_xy_regs::kId));
   const auto begin = static_cast<cosim::Clk>(0.1 * kClockHz);  // it is started by then
