@@ -62,7 +62,7 @@ module calibration
   logic [15:0] bank[128];
   logic [5:0] addr;
 
-  assign addr   = state_q == StFetch ? saved_q : addr_i;
+  assign addr   = state_q == StFetch && !reads_i ? saved_q : addr_i;
   assign data_o = bank[{bank_q, addr}];
 
   // A word into the checksum.
@@ -142,7 +142,7 @@ module calibration
 
   always_ff @(posedge clk_i) begin
     if (takes) bank[{!bank_q, count_q}] <= word;
-    if (state_q == StFetch) fetched_q <= data_o;
+    if (state_q == StFetch && !reads_i) fetched_q <= data_o;
     if (rst_i) begin
       state_q   <= StLoad;
       bank_q    <= 1'b0;

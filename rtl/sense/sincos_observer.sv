@@ -91,7 +91,7 @@ module sincos_observer
   calib_t difference, sum14, sum15, rate;
   logic [13:0] target, step, way;
   logic signed [15:0] table_word;
-  logic signed [22:0] numeric;
+  logic [21:0] numeric;  // above the bit of the source
   logic signed [7:0] shift;
   logic [22:0] shifted;
 
@@ -104,7 +104,7 @@ module sincos_observer
   assign step       = target - position_q[13:0];
   assign way        = phase_q - last_phase_q;
   assign shift      = 8'sd18 - calib_i[7:0];
-  assign numeric    = ticks_q == 5'd1 ? 23'({p_q, 9'd0}) : 23'({rate, 9'd0});
+  assign numeric    = ticks_q == 5'd1 ? 22'({p_q, 8'd0}) : 22'({rate, 8'd0});
 
   always_comb begin
     if (shift > 8'sd0) shifted = shift > 8'sd22 ? '0 : 23'(signed'(p_q)) << shift[4:0];
@@ -304,7 +304,7 @@ module sincos_observer
       end
       StShift: begin
         calib_addr_o = CalibExponent;
-        velocity_d   = turned({shifted[22:1], 1'b0}, invert_q);
+        velocity_d   = turned(shifted & ~23'd1, invert_q);
         state_d      = StRest;
       end
       StTable: begin
@@ -313,7 +313,7 @@ module sincos_observer
         state_d = StNumeric;
       end
       default: begin  // StNumeric
-        velocity_d = turned({numeric[22:1], 1'b1}, invert_q);
+        velocity_d = turned({numeric, 1'b1}, invert_q);
         state_d    = StRest;
       end
     endcase
