@@ -78,7 +78,7 @@ module sincos_observer
   logic signed [31:0] position_d, position_q;
   logic signed [22:0] velocity_d, velocity_q;
   logic known_d, known_q, dot_next_d, dot_next_q, low_d, low_q;
-  logic used_d, used_q, same_d, same_q;  // a sample was used; the last two in one region
+  logic used_d, used_q, same;  // a sample was used; in the region of the present one
   logic invert_d, invert_q;
   logic [1:0] seen_d, seen_q;
   logic [9:0] start_code_q[2];
@@ -158,6 +158,7 @@ module sincos_observer
   logic uses, uses_dot, starts;
 
   assign uses     = sample_i && active_i && !channel_i[2] && known_q && channel_i[1] != region_q[0];
+  assign same     = used_q && used_region_q == region_q;
   assign uses_dot = uses && channel_i[0];
   assign starts   = sample_i && active_i && !channel_i[2] && !channel_i[0] && !known_q;
 
@@ -178,7 +179,6 @@ module sincos_observer
     dot_next_d    = dot_next_q;
     low_d         = low_q;
     used_d        = used_q;
-    same_d        = same_q;
     invert_d      = invert_q;
     seen_d        = seen_q;
     ticks_d       = ticks_q;
@@ -262,7 +262,6 @@ module sincos_observer
         ticks_d       = since_q;
         used_d        = 1'b1;
         used_region_d = region_q;
-        same_d        = used_q && used_region_q == region_q;
         state_d       = StRest;
       end
       StDotMin: begin
@@ -275,7 +274,7 @@ module sincos_observer
         state_d      = StT;
         if (low_q || 16'(signed'({6'd0, code_q})) > calib_i) begin
           state_d = StTable;
-          if (!same_q) begin
+          if (!same) begin
             velocity_d = '0;
             state_d    = StRest;
           end
@@ -337,7 +336,6 @@ module sincos_observer
       dot_next_q    <= 1'b0;
       low_q         <= 1'b0;
       used_q        <= 1'b0;
-      same_q        <= 1'b0;
       invert_q      <= 1'b0;
       seen_q        <= '0;
       ticks_q       <= '0;
@@ -360,7 +358,6 @@ module sincos_observer
       dot_next_q    <= dot_next_d;
       low_q         <= low_d;
       used_q        <= used_d;
-      same_q        <= same_d;
       invert_q      <= invert_d;
       seen_q        <= seen_d;
       ticks_q       <= ticks_d;

@@ -46,6 +46,7 @@ class GantryBench {
 
   void reset() {
     bus_.reset(model());
+    write_ = true;  // nothing was read since
     for (int i = 0; i < 4; ++i) {
       rtl_->rst_i = 1;
       apply();

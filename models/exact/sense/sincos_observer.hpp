@@ -145,7 +145,8 @@ class SincosObserver {
     const std::int32_t code = static_cast<std::int32_t>(code_);
     return code < c.dot_min(encoder_) || code > c.dot_max(encoder_);
   }
-  int dot_clocks(const Calibration& c) const { return !saturated(c) ? 11 : same_ ? 4 : 2; }
+  bool same() const { return used_ && out_.region == region_; }
+  int dot_clocks(const Calibration& c) const { return !saturated(c) ? 11 : same() ? 4 : 2; }
 
   void end(const In& in, const Calibration& calib, std::uint32_t since) {
     switch (work_) {
@@ -178,7 +179,6 @@ class SincosObserver {
     const auto position = static_cast<std::uint32_t>(out_.position);
     const std::int32_t way = short_way((target - out_.position) & (kPhases - 1));
     out_.position = static_cast<std::int32_t>(position + static_cast<std::uint32_t>(way));
-    same_ = used_ && out_.region == region_;
     used_ = true;
     out_.region = static_cast<std::uint8_t>(region_);
   }
@@ -186,7 +186,7 @@ class SincosObserver {
   void derive(const Calibration& c) {
     std::int64_t velocity = 0;
     if (saturated(c)) {
-      if (same_) velocity = numeric() * 512 | 1;
+      if (same()) velocity = numeric() * 512 | 1;
     } else {
       const std::int32_t t = word(8 * (out_.phase - c.phasemid(region_)));
       std::int32_t p = c.dot_poly(region_, 0);
@@ -214,7 +214,7 @@ class SincosObserver {
   std::size_t region_ = 0;  // of the next sample
   std::array<bool, 2> seen_{};
   std::array<std::uint32_t, 2> start_code_{};
-  bool dot_next_ = false, used_ = false, same_ = false, invert_ = false;
+  bool dot_next_ = false, used_ = false, invert_ = false;
   std::uint32_t since_ = kLong, ticks_ = 0, code_ = 0;
   std::size_t encoder_ = 0;
   std::int32_t last_phase_ = 0;
