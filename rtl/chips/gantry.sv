@@ -297,9 +297,11 @@ module gantry
 
   logic [23:0] pass_count, pass_clocks;
   gap_t pass_next;
+  logic pass, pass_q;
 
   assign pass_clocks = hwif_out.pass_period.clocks.value;
-  assign pass_o      = pass_count == 24'd1;
+  assign pass        = pass_count == 24'd1;
+  assign pass_o      = pass_q;
 
   timer #(
       .Width(24)
@@ -307,7 +309,7 @@ module gantry
       .clk_i  (clk_i),
       .rst_i  (rst_i),
       .leap_i (leap_i),
-      .load_i (pass_restart_q || pass_o),
+      .load_i (pass_restart_q || pass),
       .value_i(pass_clocks < LeastPass ? '0 : pass_clocks),
       .count_o(pass_count),
       .next_o (pass_next)
@@ -325,6 +327,7 @@ module gantry
   always_ff @(posedge clk_i) begin
     if (rst_i) begin
       asked_q        <= 1'b0;
+      pass_q         <= 1'b0;
       restart_q      <= 1'b0;
       pass_restart_q <= 1'b1;
       send_q         <= 1'b0;
@@ -332,6 +335,7 @@ module gantry
       ticks_q        <= '0;
     end else begin
       asked_q        <= asked;
+      pass_q         <= pass;
       restart_q      <= hwif_out.observer.active.swmod;
       pass_restart_q <= hwif_out.pass_period.clocks.swmod;
       send_q         <= hwif_out.send.channel.swmod;
@@ -356,8 +360,8 @@ module gantry
   assign hwif_in.request.pending.next          = pending;
   assign hwif_in.overtemp.motor_1.next         = hot_q[0];
   assign hwif_in.overtemp.motor_2.next         = hot_q[1];
-  assign hwif_in.status.pass.hwset             = pass_o;
-  assign hwif_in.status.overrun.hwset          = pass_o && hwif_out.status.pass.value;
+  assign hwif_in.status.pass.hwset             = pass;
+  assign hwif_in.status.overrun.hwset          = pass && hwif_out.status.pass.value;
   assign hwif_in.status.sample.hwset           = served;
   assign hwif_in.status.frame.next             = in_waits;
   assign hwif_in.receive.channel.next          = in_frame.channel;
@@ -379,8 +383,8 @@ module gantry
   end
 
   assign quiescent_o = bus_idle && rate_quiescent && slots_quiescent && adc_quiescent &&
-      observer_quiescent && calib_quiescent && pwm_quiescent && serial_quiescent && !pass_o &&
-      !pass_restart_q && overtemp_i == hot_meta_q && hot_meta_q == hot_q;
+      observer_quiescent && calib_quiescent && pwm_quiescent && serial_quiescent && !pass &&
+      !pass_q && !pass_restart_q && overtemp_i == hot_meta_q && hot_meta_q == hot_q;
 
   logic unused_bits;
   assign unused_bits = ^hwif_out.status;

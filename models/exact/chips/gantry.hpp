@@ -46,7 +46,7 @@ class Gantry {
   AdcSerial::Out adc() const { return adc_.out(); }
   CalibrationStore::Out nv() const { return calibration_.out(); }
   bool tx() const { return serial_.tx(); }
-  bool pass() const { return pass_.count() == 1; }
+  bool pass() const { return passed_; }
   bool irq() const { return (status() & irq_enable_) != 0; }
 
   const SincosObserver::Out& observed() const { return observer_.out(); }
@@ -80,6 +80,7 @@ class Gantry {
     pwm_.step({force(0), force(1)});
     serial_.step(s.serial);
     pass_.step({pulses_.pass_restart || s.pass, period_ < kLeastPass ? 0 : period_});
+    passed_ = s.pass;
     if (s.slots.pick) ++ticks_;
     hot_ = hot_meta_;
     hot_meta_ = in.overtemp;
@@ -90,7 +91,7 @@ class Gantry {
   }
 
   bool quiescent(const In& in) const {
-    if (phase_ != 0 || !rate_.quiescent() || pass() || pulses_.pass_restart ||
+    if (phase_ != 0 || !rate_.quiescent() || due() || passed_ || pulses_.pass_restart ||
         in.overtemp != hot_meta_ || hot_meta_ != hot_) {
       return false;
     }
@@ -159,10 +160,11 @@ class Gantry {
                      in.nv_ready,
                      in.nv_data};
     s.serial = {in.rx, pulses_.send, {send_ >> 8, send_ & 31, send_value_}, pulses_.take};
-    s.pass = pass();
+    s.pass = due();
     return s;
   }
 
+  bool due() const { return pass_.count() == 1; }  // a control pass
   bool was_due() const { return (status_ & gantry_regs::kStatusPass) != 0; }
 
   std::uint32_t events(const Signals& s) const {
@@ -234,7 +236,7 @@ class Gantry {
   std::array<std::uint32_t, 2> force_{};
   std::uint8_t hot_meta_ = 0, hot_ = 0;
   std::uint32_t address_ = 0, data_ = 0, bits_ = ~0u, read_data_ = 0;
-  bool write_ = false;
+  bool write_ = false, passed_ = false;
   int phase_ = 0;  // of the transfer
 };
 
