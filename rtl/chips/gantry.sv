@@ -269,7 +269,7 @@ module gantry
           value: hwif_out.send_value.value.value
       };
 
-  serial2002 #(
+  serial2002_port #(
       .ClocksPerBit((Clock + Baud / 2) / Baud)
   ) u_serial (
       .clk_i      (clk_i),

@@ -11,7 +11,7 @@
 #include <optional>
 #include <utility>
 
-#include "models/exact/bus/serial2002.hpp"
+#include "models/exact/bus/serial2002_port.hpp"
 #include "models/exact/drive/force_pwm.hpp"
 #include "models/exact/motion/rate_tick.hpp"
 #include "models/exact/sense/adc_serial.hpp"
@@ -51,7 +51,7 @@ class Gantry {
 
   const SincosObserver::Out& observed() const { return observer_.out(); }
   const ConversionSlots& slots() const { return slots_; }
-  const Serial2002& serial() const { return serial_; }
+  const Serial2002Port& serial() const { return serial_; }
   const CalibrationStore& calibration() const { return calibration_; }
   std::uint32_t ticks() const { return ticks_; }
   std::int32_t force(std::size_t motor) const { return signed_force(force_[motor]); }
@@ -130,7 +130,7 @@ class Gantry {
     AdcSerial::In adc;
     SincosObserver::In observer;
     CalibrationStore::In calibration;
-    Serial2002::In serial;
+    Serial2002Port::In serial;
     bool pass = false;
   };
 
@@ -227,7 +227,7 @@ class Gantry {
   SincosObserver observer_;
   CalibrationStore calibration_;
   ForcePwm pwm_;
-  Serial2002 serial_;
+  Serial2002Port serial_;
   Timer pass_;
   Pulses pulses_{false, true, false, false, false, 0};
   std::uint32_t observe_ = 0, slots_written_ = 0x10002, status_ = 0, irq_enable_ = 0;

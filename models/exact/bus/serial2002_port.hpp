@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Bit-exact twin of rtl/bus/serial2002.sv.
+// Bit-exact twin of rtl/bus/serial2002_port.sv.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace trammel::exact {
 
-class Serial2002 {
+class Serial2002Port {
  public:
   struct In {
     bool rx = true;
@@ -22,7 +22,7 @@ class Serial2002 {
     bool take = false;
   };
 
-  explicit Serial2002(std::uint32_t clocks_per_bit = 434) : line_(clocks_per_bit) {}
+  explicit Serial2002Port(std::uint32_t clocks_per_bit = 434) : line_(clocks_per_bit) {}
 
   void reset() {
     line_.reset();

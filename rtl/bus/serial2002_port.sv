@@ -3,7 +3,7 @@
 // Serial2002 on a serial line (Brochier 2006, 2.2.3): frames in, up to 8 wait; frames out, up to 32.
 // A frame shows 9.5 bits and 6 clocks behind the start bit of its last byte.
 
-module serial2002
+module serial2002_port
   import trammel_pkg::*;
   import gantry_pkg::*;
 #(
