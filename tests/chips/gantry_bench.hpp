@@ -18,9 +18,9 @@
 #include "cosim/serial_host.hpp"
 #include "models/exact/chips/gantry.hpp"
 #include "models/plant/mcp3008.hpp"
-#include "tes../support/paced_master.hpp"
-#include "tes../support/rtl.hpp"
-#include "tes../support/same.hpp"
+#include "tests/support/paced_master.hpp"
+#include "tests/support/rtl.hpp"
+#include "tests/support/same.hpp"
 
 namespace trammel::test {
 

@@ -160,6 +160,33 @@ TEST_CASE("G-03 the bytes of the examples, and values of every length there and 
   CHECK(bench.get(kReceiveErrors) == 0);
 }
 
+TEST_CASE("no period lost or added in 10 s of random speeds up to 1 m/s, by the RTL") {
+  Track track(235);
+  const double begin = track.position() - track.x;  // whole periods from the true position
+  Random random(24);
+  double worst = 0;
+  track.bench.watch = [&] {
+    const auto adc = track.bench.twin().adc();
+    if (!adc.valid || adc.channel % 2 != 0) return;
+    worst = std::max(worst, std::fabs(track.position() - begin - track.x_sampled));
+  };
+  for (const std::int64_t end = track.bench.now() + 500'000'000; track.bench.now() < end;) {
+    const double x = track.at(track.bench.now());
+    double speed = static_cast<int>(random() % 2001) - 1000;
+    if (random() % 4 == 0) speed = speed < 0 ? -1000 : 1000;
+    if (x < 60) speed = std::fabs(speed);
+    if (x > 410) speed = -std::fabs(speed);
+    track.move(speed);
+    track.bench.clocks(1 + random() % 3'000'000);
+    if (random() % 4 == 0) track.bench.put(kRequest, kRequestCurrent);
+  }
+  // Of a code, against the position that the one before gave: 2 or 3 ticks at 1 m/s.
+  CHECK(worst < trammel::test::kPeriod_mm / 3);
+  track.move(0);
+  track.bench.clocks(8 * kTickClk);
+  CHECK(track.position() - begin == Approx(track.x).margin(0.008));
+}
+
 TEST_CASE("gantry drops what is malformed, counts it, and takes the next good frame") {
   GantryBench bench;
   const std::vector<std::uint8_t> bytes{0x84, 0x80, 0x80, 0x80, 0x80, 0x05,        // above 32 bits
