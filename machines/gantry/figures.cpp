@@ -12,9 +12,7 @@
 namespace trammel::gantry {
 namespace {
 
-double mm(const Options& options, const Sample& s) {
-  return 1e3 * (s.x - options.axis.start) + options.from_mm;
-}
+double mm(const Options& options, const Sample& s) { return 1e3 * s.x - options.zero_mm; }
 
 }  // namespace
 

@@ -116,6 +116,8 @@ const std::vector<lab::Key>& keys() {
     t.one("step.reference_mm", 0, 470, "that figures of the step are measured from",
           TRAMMEL_LENS(reference_mm));
     t.one("step.from_mm", 0, 470, "where the step begins", TRAMMEL_LENS(from_mm));
+    t.one("step.zero_mm", -2, 472, "where on the track these two are 0",
+          TRAMMEL_LENS(zero_mm));
     t.one("step.band_mm", 0.01, 50, "arrived is within it", TRAMMEL_LENS(band_mm));
     add_firmware(t);
     add_position(t);

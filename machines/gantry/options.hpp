@@ -26,6 +26,7 @@ struct Options final : lab::SettingsOf<Options, machine> {
   double time_s = 3;                 // of the experiment
   double reference_mm = 305;         // that overshoot and settling are measured from
   double from_mm = 0;                // where the step begins
+  double zero_mm = 0;                // where on the track these are 0: its end is -2
   double band_mm = 1;                // arrived: within it
   double reached_mm = -1;            // most distance from the reference at the end; below 0: any
   double record_ms = 1;              // from one sample of the record to the next

@@ -39,12 +39,11 @@ class CalibrationFit {
       last_a_ = code;
     }
   }
-  bool full() const { return number_ == kMost || rises_ > kPeriods + kSkipped; }
+  bool full() const { return number_ == kMost || rises_ > kPeriods + kSkipped + 1; }
   bool empty() const { return number_ == 0; }
 
   // False: the run was no steady motion over all its periods.
   bool fit(CalibrationWords& words) {
-    if (rises_ <= kPeriods + kSkipped) return false;
     origins();
     crossings();
     if (rise_count_ < kPeriods + 1) return false;
