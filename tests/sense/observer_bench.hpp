@@ -4,7 +4,7 @@
 // fitted to a sensor with errors.
 #pragma once
 
-#include <Eigen/Dense>
+#include <eigen3/Eigen/Dense>  // also where no path to it is set: waves, mutants
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
