@@ -126,8 +126,7 @@ module serial_line_props
               heard_q + rx_count == Half + 32'(number_q) * Bit + 32'd1 && rx_count <= Bit &&
               !broken_q) : (rx_left_q == '0 && release_q == !broken_q));
       inv_taken :
-      assert (!hears_q || number_q <= 4'd1 ||
-              byte_o >> (4'd9 - number_q) == taken_q[8:1] & 8'((9'd1 << (number_q - 4'd1)) - 9'd1));
+      assert (!hears_q || number_q <= 4'd1 || byte_o >> (4'd9 - number_q) == taken_q[8:1]);
       inv_number : assert (!hears_q || (taken_q >> number_q) == '0);
       inv_start : assert (!hears_q || number_q == '0 || !taken_q[0]);
       reaches_a_byte_sent : cover (sends_q && sent_q == 32'd10 * Bit - 32'd1 && frame_q[1]);

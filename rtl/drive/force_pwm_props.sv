@@ -90,8 +90,7 @@ module force_pwm_props
   // breaks off_from_reset: negative_q <= rst_i ? taken_q : next
   // breaks period_of_2_half: Period = Period - count_t'(1)
   // breaks pulse_in_the_middle: pwm_o = pwm_q & ~{2{count[0]}}
-  // breaks pulse_of_the_force: Scale = Scale + 1
-  // breaks full_force_is_the_whole_period: Scale = Scale - 4
+  // breaks pulse_of_the_force, full_force_is_the_whole_period: 32'd512 => 32'd0
   // breaks direction_of_the_force: taken_q <= load && !rst_i ? {force_1_i[10], force_2_i[10]} : next
   // breaks direction_with_the_first_pulse: negative_o = taken_q
   // breaks taken_at_the_begin_only: taken_q <= rst_i ? '0 : {force_2_i[10], force_1_i[10]}

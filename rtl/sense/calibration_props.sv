@@ -121,7 +121,7 @@ module calibration_props
   // breaks banks_change_while_the_reader_rests: bank_q <= state_q == StTake && !rst_i ? !bank_q : next
   // breaks refused_exactly_where_it_is_wrong: refused_o = refused_o && nv_ready_i
   // breaks stored_after_the_last_word: stored_o = state_q == StCheck
-  // breaks words_are_stored_in_their_order: nv_write_o = state_q == StStore || state_q == StLoad
+  // breaks words_are_stored_in_their_order: nv_write_o = state_q == StStore || state_q == StReady
   // breaks a_word_waits_for_the_memory: nv_write_o = state_q == StStore || (state_q == StLoad && !nv_ready_i)
   // breaks writes_nothing_but_new_data: nv_write_o = state_q == StStore || state_q == StCheck
   // breaks quiescent_is_honest: quiescent_o = !busy_o
