@@ -1,1 +1,1 @@
-trammel_chip(gantry INTERFACE GantryChip SETUP ChipSetup TRACE_ARRAYS 16)
+trammel_chip(gantry_tau INTERFACE GantryChip SETUP ChipSetup TRACE_ARRAYS 16)

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// gantry of its bit-exact twin behind the Chip interface.
+// gantry_tau of its bit-exact twin behind the Chip interface.
 #include <cstddef>
 
 #include "cosim/hosted_twin.hpp"
 #include "machines/gantry/board.hpp"
-#include "models/exact/chips/gantry.hpp"
+#include "models/exact/chips/gantry_tau.hpp"
 
 namespace trammel::gantry {
 namespace {
 
-class TwinChip final : public cosim::HostedTwin<GantryChip, Board, exact::Gantry> {
+class TwinChip final : public cosim::HostedTwin<GantryChip, Board, exact::GantryTau> {
  public:
-  explicit TwinChip(const ChipSetup& setup) : HostedTwin(exact::Gantry()) {
+  explicit TwinChip(const ChipSetup& setup) : HostedTwin(exact::GantryTau()) {
     state_ = Board(setup);
     in_.nv_data = state_.nv_word();
     reset();

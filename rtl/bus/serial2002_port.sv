@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Serial2002 on a serial line (Brochier 2006, 2.2.3): frames in, up to 8 wait; frames out, up to 32.
+// Serial2002 on a serial line (Brochier 2006, 2.2.3): up to 8 frames in wait, and 32 out.
 // A frame shows 9.5 bits and 6 clocks behind the start bit of its last byte.
 
 module serial2002_port

@@ -119,7 +119,7 @@ module calibration_props
   // breaks valid_for_good: valid_q <= refused_o ? 1'b0 : next
   // breaks valid_with_data_only: valid_q <= rst_i ? 1'b0 : next || write_i
   // breaks banks_change_while_the_reader_rests: bank_q <= state_q == StTake && !rst_i ? !bank_q : next
-  // breaks refused_exactly_where_it_is_wrong: refused_o = refused_o && nv_ready_i
+  // breaks refused_exactly_where_it_is_wrong: refused_o = refused_o || (state_q == StLoad && write_i)
   // breaks stored_after_the_last_word: stored_o = state_q == StCheck
   // breaks words_are_stored_in_their_order: nv_write_o = state_q == StStore || state_q == StReady
   // breaks a_word_waits_for_the_memory: nv_write_o = state_q == StStore || (state_q == StLoad && !nv_ready_i)

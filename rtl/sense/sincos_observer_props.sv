@@ -165,7 +165,7 @@ module sincos_observer_props
   // breaks asks_for_the_encoder_of_the_region: channel_o = channel_o ^ {1'b0, known_q, 1'b0}
   // breaks derivative_follows_its_encoder: dot_next_q <= next || (state_q == StPhase && !rst_i && !restart_i)
   // breaks region_within_the_limits_it_reads: region_q <= state_q == StLimit3 && !rst_i && !restart_i ? 2'd1 : next
-  // breaks answers_within_5_clocks: step_q <= state_q == StLimit2 && !rst_i && !restart_i ? 3'd3 : next
+  // breaks answers_within_5_clocks: state_q <= state_q == StChannel && sample_i && !rst_i && !restart_i ? StChannel : next
   // breaks works_11_clocks_at_most: step_q <= state_q == StT && !rst_i && !restart_i ? 3'd7 : next
   // breaks position_is_the_phase: target = p_q[13:0]
   // breaks position_goes_the_shorter_way: position_q <= state_q == StPhase && !rst_i && !restart_i ? position_q + 32'(step) : next

@@ -112,7 +112,7 @@ TEST_CASE("serial2002_port receives what it sends, in order") {
   CHECK(bench.rtl->malformed_o == 0);
 }
 
-TEST_CASE("serial2002_port keeps 8 received frames and 32 to send, and counts those it has no room for") {
+TEST_CASE("serial2002_port keeps 8 received frames and 32 to send, and counts the others") {
   Bench bench;
   for (int k = 0; k < 40; ++k) {
     bench.in.send = true;
@@ -131,7 +131,9 @@ TEST_CASE("serial2002_port stands any bytes: 20 000 by the RTL, then a good fram
   Bench bench;
   Random random(18);
   for (int k = 0; k < 20'000; ++k) bench.to_send.push_back(static_cast<std::uint8_t>(random()));
-  for (const int byte : {0x00, 0xCC, 0x35}) bench.to_send.push_back(static_cast<std::uint8_t>(byte));
+  for (const int byte : {0x00, 0xCC, 0x35}) {
+    bench.to_send.push_back(static_cast<std::uint8_t>(byte));
+  }
   Frame last;
   while (!bench.to_send.empty() || bench.clock % 2 == 0 || bench.twin.in().waits()) {
     if (bench.twin.in().waits()) {

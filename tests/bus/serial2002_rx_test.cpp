@@ -40,7 +40,8 @@ struct Bench {
     REQUIRE(bool(rtl->valid_o) == out.valid);
     REQUIRE(bool(rtl->malformed_o) == out.malformed);
     const Frame& f = out.frame;
-    REQUIRE(rtl->frame_o == (std::uint64_t{f.kind} << 37 | std::uint64_t{f.channel} << 32 | f.value));
+    REQUIRE(rtl->frame_o ==
+            (std::uint64_t{f.kind} << 37 | std::uint64_t{f.channel} << 32 | f.value));
     if (out.valid) frames.push_back(f);
     malformed += out.malformed;
   }

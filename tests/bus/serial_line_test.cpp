@@ -88,7 +88,9 @@ TEST_CASE("serial_line receives every byte back to back, also of a sender 4 % sl
     for (unsigned byte = 0; byte < 256; ++byte) bench.frame(byte, bit);
     bench.line(true, 2 * kBit);
     REQUIRE(bench.came.size() == 256);
-    for (int byte = 0; byte < 256; ++byte) CHECK(bench.came[static_cast<std::size_t>(byte)] == byte);
+    for (int byte = 0; byte < 256; ++byte) {
+      CHECK(bench.came[static_cast<std::size_t>(byte)] == byte);
+    }
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The verilated gantry behind the Chip interface; one template for all its models. Included only
+// The verilated gantry_tau behind the Chip interface; one template for all its models. Included only
 // by the unit that the build makes of it.
 #pragma once
 
@@ -48,17 +48,17 @@ class ChipModel : public cosim::HostedChip<GantryChip, ChipState, Model, Tracer>
   Words words() const override {
     const auto& r = *model_->rootp;
     Words w;
-    w.position = static_cast<std::int32_t>(r.gantry__DOT__position);
-    w.velocity = extended(r.gantry__DOT__velocity, 23);
-    w.ticks = r.gantry__DOT__ticks_q;
-    w.phase = r.gantry__DOT__phase;
-    w.region = r.gantry__DOT__region;
-    w.known = r.gantry__DOT__known != 0;
-    w.force = {extended(r.gantry__DOT__force_1, 11), extended(r.gantry__DOT__force_2, 11)};
-    w.codes = {r.gantry__DOT__a, r.gantry__DOT__a_dot, r.gantry__DOT__b, r.gantry__DOT__b_dot,
-               r.gantry__DOT__current};
-    w.malformed = r.gantry__DOT__malformed;
-    w.lost = r.gantry__DOT__lost;
+    w.position = static_cast<std::int32_t>(r.gantry_tau__DOT__position);
+    w.velocity = extended(r.gantry_tau__DOT__velocity, 23);
+    w.ticks = r.gantry_tau__DOT__ticks_q;
+    w.phase = r.gantry_tau__DOT__phase;
+    w.region = r.gantry_tau__DOT__region;
+    w.known = r.gantry_tau__DOT__known != 0;
+    w.force = {extended(r.gantry_tau__DOT__force_1, 11), extended(r.gantry_tau__DOT__force_2, 11)};
+    w.codes = {r.gantry_tau__DOT__a, r.gantry_tau__DOT__a_dot, r.gantry_tau__DOT__b, r.gantry_tau__DOT__b_dot,
+               r.gantry_tau__DOT__current};
+    w.malformed = r.gantry_tau__DOT__malformed;
+    w.lost = r.gantry_tau__DOT__lost;
     return w;
   }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the platform of the chip gantry adds to its registers, above them on the bus.
+// What the platform of the chip gantry_tau adds to its registers, above them on the bus.
 #pragma once
 
 #include <cstdint>

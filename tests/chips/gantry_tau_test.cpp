@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The chip gantry alone, each case beside its twin: acceptance tests G-01 to G-03 by the RTL,
+// The chip gantry_tau alone, each case beside its twin: acceptance tests G-01 to G-03 by the RTL,
 // calibration data by commands, the line, and random traffic.
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "tests/chips/gantry_bench.hpp"
+#include "tests/chips/gantry_tau_bench.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/stripe_sensor.hpp"
 #include "tests/support/traffic.hpp"
@@ -22,7 +22,7 @@ using trammel::test::kUnit_mm;
 using trammel::test::Random;
 using trammel::test::StripeSensor;
 namespace exact = trammel::exact;
-using namespace trammel::gantry_regs;
+using namespace trammel::gantry_tau_regs;
 
 namespace {
 
@@ -60,7 +60,7 @@ struct Track {
 
 }  // namespace
 
-TEST_CASE("gantry reads its calibration after reset, then observes when asked to") {
+TEST_CASE("gantry_tau reads its calibration after reset, then observes when asked to") {
   const exact::Calibration calib = ideal_calibration();
   GantryBench bench(&calib);
   CHECK(bench.get(kId) == kIdValue);
@@ -187,7 +187,7 @@ TEST_CASE("no period lost or added in 10 s of random speeds up to 1 m/s, by the 
   CHECK(track.position() - begin == Approx(track.x).margin(0.008));
 }
 
-TEST_CASE("gantry drops what is malformed, counts it, and takes the next good frame") {
+TEST_CASE("gantry_tau drops what is malformed, counts it, and takes the next good frame") {
   GantryBench bench;
   const std::vector<std::uint8_t> bytes{0x84, 0x80, 0x80, 0x80, 0x80, 0x05,        // above 32 bits
                                         0x80, 0x80, 0x80, 0x80, 0x80, 0x80, 0x05,  // 6 leading
@@ -208,7 +208,7 @@ void load(GantryBench& bench, const exact::Calibration& calib) {
 
 }  // namespace
 
-TEST_CASE("gantry refuses calibration data with a wrong checksum and keeps the previous") {
+TEST_CASE("gantry_tau refuses calibration data with a wrong checksum and keeps the previous") {
   const exact::Calibration good = ideal_calibration();
   GantryBench bench(&good);
   exact::Calibration other = good;
@@ -236,7 +236,7 @@ TEST_CASE("gantry refuses calibration data with a wrong checksum and keeps the p
   CHECK(bench.twin().calibration().data().words[14] == 100);
 }
 
-TEST_CASE("gantry with an empty store does not observe, and serves the requester alone") {
+TEST_CASE("gantry_tau with an empty store does not observe, and serves the requester alone") {
   GantryBench bench;
   bench.code = [](int channel, std::int64_t) { return 100 + channel; };
   bench.put(kObserver, 0x11);
@@ -250,7 +250,7 @@ TEST_CASE("gantry with an empty store does not observe, and serves the requester
   CHECK((bench.get(kStatus) & kStatusSample) != 0);
 }
 
-TEST_CASE("gantry interrupts each control pass, and tells of one that was missed") {
+TEST_CASE("gantry_tau interrupts each control pass, and tells of one that was missed") {
   GantryBench bench;
   bench.put(kIrqEnable, kIrqEnablePass);
   bench.put(kPassPeriod, 5000);
@@ -270,7 +270,7 @@ TEST_CASE("gantry interrupts each control pass, and tells of one that was missed
   CHECK_FALSE(bench.twin().irq());
 }
 
-TEST_CASE("gantry shows its over-temperature pins two clocks later") {
+TEST_CASE("gantry_tau shows its over-temperature pins two clocks later") {
   GantryBench bench;
   for (const unsigned pins : {1u, 2u, 3u, 0u}) {
     bench.in.overtemp = static_cast<std::uint8_t>(pins);
@@ -279,7 +279,7 @@ TEST_CASE("gantry shows its over-temperature pins two clocks later") {
   }
 }
 
-TEST_CASE("gantry agrees with its twin on random traffic, leaping and not") {
+TEST_CASE("gantry_tau agrees with its twin on random traffic, leaping and not") {
   const trammel::test::Traffic traffic = trammel::test::traffic(4000, 23);
   Random random(traffic.seed);
   const exact::Calibration calib = ideal_calibration();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Properties of gantry for any input, on its bus and its pins. Observer, calibration and the frames
+// Properties of gantry_tau for any input, on its bus and its pins. Observer, calibration and the frames
 // that wait are cut: what they give is free. Clocks passed by leaps count.
 
-module gantry_props
+module gantry_tau_props
   import trammel_pkg::*;
 (
     input logic clk_i,
@@ -118,8 +118,8 @@ module gantry_props
 
   // breaks quiet_from_reset (force_pwm): negative_q <= rst_i ? taken_q : next
   // breaks irq_is_an_enabled_event: irq_o = in_waits
-  // breaks pass_is_shown: hwif_in.status.pass.hwset = pass && !in_waits
-  // breaks overrun_of_a_pass_that_was_due: hwif_in.status.overrun.hwset = 1'b0
+  // breaks pass_is_shown: hwset             = pass; => hwset             = served;
+  // breaks overrun_of_a_pass_that_was_due: hwset          = pass && => hwset          = served &&
   // breaks observes_with_a_calibration_only: wants = hwif_out.observer.active.value
   // breaks never_both_turns (conversion_slots): requester_o = take
   // breaks turns_at_ticks_only: u_slots.pick_i = 1'b1
@@ -134,7 +134,7 @@ module gantry_props
 
 endmodule
 
-bind gantry gantry_props u_gantry_props (
+bind gantry_tau gantry_tau_props u_gantry_tau_props (
     .*,
     .active     (hwif_out.observer.active.value),
     .status     ({hwif_out.status.sample.value, in_waits, hwif_out.status.pass.value}),

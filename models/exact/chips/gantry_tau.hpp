@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Twin of rtl/chips/gantry.sv, clock by clock, with one bus transfer at a time. step() is one edge;
+// Twin of rtl/chips/gantry_tau.sv, clock by clock, with one bus transfer at a time. step() is one edge;
 // while quiescent() holds, advance(n) passes n <= next() of them.
 #pragma once
 
@@ -18,11 +18,11 @@
 #include "models/exact/sense/calibration.hpp"
 #include "models/exact/sense/conversion_slots.hpp"
 #include "models/exact/sense/sincos_observer.hpp"
-#include "rtl/chips/generated/gantry_regs.hpp"
+#include "rtl/chips/generated/gantry_tau_regs.hpp"
 
 namespace trammel::exact {
 
-class Gantry {
+class GantryTau {
  public:
   struct In {  // pins
     bool adc_dout = false;
@@ -34,7 +34,7 @@ class Gantry {
 
   // The synchronisers and the banks of the calibration have no reset.
   void reset() {
-    Gantry fresh;
+    GantryTau fresh;
     fresh.hot_meta_ = hot_meta_;
     fresh.hot_ = hot_;
     fresh.calibration_ = calibration_;
@@ -165,10 +165,10 @@ class Gantry {
   }
 
   bool due() const { return pass_.count() == 1; }  // a control pass
-  bool was_due() const { return (status_ & gantry_regs::kStatusPass) != 0; }
+  bool was_due() const { return (status_ & gantry_tau_regs::kStatusPass) != 0; }
 
   std::uint32_t events(const Signals& s) const {
-    using namespace gantry_regs;
+    using namespace gantry_tau_regs;
     return (s.pass ? kStatusPass | (was_due() ? kStatusOverrun : 0) : 0) |
            (slots_.served(s.slots) ? kStatusSample : 0) |
            (calibration_.refused() ? kStatusRefused : 0) |
@@ -176,7 +176,7 @@ class Gantry {
   }
 
   std::uint32_t status() const {
-    return status_ | (serial_.in().waits() ? gantry_regs::kStatusFrame : 0);
+    return status_ | (serial_.in().waits() ? gantry_tau_regs::kStatusFrame : 0);
   }
 
   static std::int32_t signed_force(std::uint32_t word) {
@@ -184,7 +184,7 @@ class Gantry {
   }
 
   void write() {
-    using namespace gantry_regs;
+    using namespace gantry_tau_regs;
     const std::uint32_t ones = data_ & bits_;
     const auto merge = [&](std::uint32_t old, std::uint32_t kept) {
       return ((old & ~bits_) | ones) & kept;
@@ -240,8 +240,8 @@ class Gantry {
   int phase_ = 0;  // of the transfer
 };
 
-inline std::uint32_t Gantry::read() const {
-  using namespace gantry_regs;
+inline std::uint32_t GantryTau::read() const {
+  using namespace gantry_tau_regs;
   const SincosObserver::Out& o = observer_.out();
   const auto& codes = slots_.codes();
   const Frame frame = serial_.in().frame();

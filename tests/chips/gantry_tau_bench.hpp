@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The chip gantry beside its twin, with every pin and word compared at every evaluated clock,
+// The chip gantry_tau beside its twin, with every pin and word compared at every evaluated clock,
 // leaping or not, with a converter, a non-volatile memory and the other end of the serial line.
 #pragma once
 
-#include <Vgantry.h>
+#include <Vgantry_tau.h>
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "cosim/serial_host.hpp"
-#include "models/exact/chips/gantry.hpp"
+#include "models/exact/chips/gantry_tau.hpp"
 #include "models/plant/mcp3008.hpp"
 #include "tests/support/paced_master.hpp"
 #include "tests/support/rtl.hpp"
@@ -26,7 +26,7 @@ namespace trammel::test {
 
 class GantryBench {
  public:
-  exact::Gantry::In in;
+  exact::GantryTau::In in;
   bool leaps = true;
   bool nv_ready = true;
   std::array<std::uint16_t, 64> store{};
@@ -59,7 +59,7 @@ class GantryBench {
   }
 
   std::int64_t now() const { return clock_; }  // [clk]
-  const exact::Gantry& twin() const { return twin_; }
+  const exact::GantryTau& twin() const { return twin_; }
   std::int64_t evaluated() const { return evaluated_; }
 
   std::uint32_t transfer(std::uint32_t address, std::uint32_t data, bool write,
@@ -115,7 +115,7 @@ class GantryBench {
   }
 
  private:
-  Vgantry& model() { return *rtl_.operator->(); }
+  Vgantry_tau& model() { return *rtl_.operator->(); }
 
   void apply() {
     in.nv_ready = nv_ready;
@@ -157,13 +157,13 @@ class GantryBench {
     same("irq_o", rtl_->irq_o, twin_.irq(), clock_);
     same("pass_o", rtl_->pass_o, twin_.pass(), clock_);
     if (!bus_.active() && !write_) {
-      same(register_name(gantry_regs::kRegisters, address_).c_str(), bus_.rdata(),
+      same(register_name(gantry_tau_regs::kRegisters, address_).c_str(), bus_.rdata(),
            twin_.read_data(), clock_);
     }
   }
 
-  Rtl<Vgantry> rtl_;
-  exact::Gantry twin_;
+  Rtl<Vgantry_tau> rtl_;
+  exact::GantryTau twin_;
   PacedMaster bus_;
   plant::Mcp3008 adc_;
   cosim::SerialHost host_{434,

@@ -8,7 +8,7 @@
 //
 // Clock, in Hz, sets ticks and baud rate; the carrier is that of force_pwm.
 
-module gantry
+module gantry_tau
   import trammel_pkg::*;
 #(
     parameter int unsigned Clock = 50_000_000,
@@ -64,10 +64,10 @@ module gantry
     output logic quiescent_o
 );
 
-  gantry_regs_pkg::gantry__in_t hwif_in;
-  gantry_regs_pkg::gantry__out_t hwif_out;
+  gantry_tau_regs_pkg::gantry_tau__in_t hwif_in;
+  gantry_tau_regs_pkg::gantry_tau__out_t hwif_out;
 
-  gantry_regs u_regs (
+  gantry_tau_regs u_regs (
       .clk_i           (clk_i),
       .rst_i           (rst_i),
       .s_axil_awready_o(s_axil_awready_o),
