@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Pin names of the chip gantry_tau in the packed words of cosim.hpp; motor 0 is the thesis' motor 1.
+// Pin names of the chip gantry_tau in the packed words of cosim.hpp; motor 0 is the thesis'
+// motor 1.
 #pragma once
 
 #include "cosim/cosim.hpp"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Properties of gantry_tau for any input, on its bus and its pins. Observer, calibration and the frames
-// that wait are cut: what they give is free. Clocks passed by leaps count.
+// Properties of gantry_tau for any input, on its bus and its pins. Observer, calibration and the
+// frames that wait are cut: what they give is free. Clocks passed by leaps count.
 
 module gantry_tau_props
   import trammel_pkg::*;

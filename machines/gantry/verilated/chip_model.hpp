@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The verilated gantry_tau behind the Chip interface; one template for all its models. Included only
-// by the unit that the build makes of it.
+// The verilated gantry_tau behind the Chip interface; one template for all its models. Included
+// only by the unit that the build makes of it.
 #pragma once
 
 #include <cstdint>
@@ -55,8 +55,8 @@ class ChipModel : public cosim::HostedChip<GantryChip, ChipState, Model, Tracer>
     w.region = r.gantry_tau__DOT__region;
     w.known = r.gantry_tau__DOT__known != 0;
     w.force = {extended(r.gantry_tau__DOT__force_1, 11), extended(r.gantry_tau__DOT__force_2, 11)};
-    w.codes = {r.gantry_tau__DOT__a, r.gantry_tau__DOT__a_dot, r.gantry_tau__DOT__b, r.gantry_tau__DOT__b_dot,
-               r.gantry_tau__DOT__current};
+    w.codes = {r.gantry_tau__DOT__a, r.gantry_tau__DOT__a_dot, r.gantry_tau__DOT__b,
+               r.gantry_tau__DOT__b_dot, r.gantry_tau__DOT__current};
     w.malformed = r.gantry_tau__DOT__malformed;
     w.lost = r.gantry_tau__DOT__lost;
     return w;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Twin of rtl/chips/gantry_tau.sv, clock by clock, with one bus transfer at a time. step() is one edge;
-// while quiescent() holds, advance(n) passes n <= next() of them.
+// Twin of rtl/chips/gantry_tau.sv, clock by clock, with one bus transfer at a time. step() is one
+// edge; while quiescent() holds, advance(n) passes n <= next() of them.
 #pragma once
 
 #include <algorithm>
