@@ -34,8 +34,9 @@ const lab::ColumnTable& columns() {
           [](const At& at) { return kVelocity_mm_s * at.sample.velocity; });
     t.add({"error_count", "count", 1, {}, "error of position in control counts"},
           [](const At& at) { return static_cast<double>(at.sample.error); });
-    t.add({"phase", "", 1, {}, "of the firmware: 0 idle, 1 homing, 2 and 3 calibration, 4 position, "
-                               "5 velocity", false, true},
+    t.add({"phase", "", 1, {},
+           "of the firmware: 0 idle, 1 homing, 2 and 3 calibration, 4 position, 5 velocity", false,
+           true},
           [](const At& at) { return static_cast<double>(at.sample.phase); });
     t.add({"angle", "", 1, {}, "angle within the stripe period, 2^14 a period"},
           [](const At& at) { return static_cast<double>(at.sample.words.phase); });

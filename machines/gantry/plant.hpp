@@ -36,7 +36,9 @@ class TrackPlant final : public cosim::FalliblePlant {
 
   cosim::Lines sense() const override { return rx_ ? cosim::Lines{1} << kRx : 0; }
   // The belt is followed at least each millisecond: what the sensor tells is older than that.
-  cosim::Clk next() const override { return std::min(host_.next(), (last_ / kFollow + 1) * kFollow); }
+  cosim::Clk next() const override {
+    return std::min(host_.next(), (last_ / kFollow + 1) * kFollow);
+  }
 
   void commit(cosim::Clk n, cosim::Lines drive) override {
     std::array<double, kMotors> bridge{};

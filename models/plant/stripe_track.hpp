@@ -43,7 +43,7 @@ class StripeTrack {
     return x + shift * c_.period / 16384;
   }
 
-  // At a place [m] and a speed [m/s]; channels 0 A, 1 dA/dt, 2 B, 3 dB/dt; others are in the middle.
+  // At a place [m] and a speed [m/s]; channels 0 A, 1 dA/dt, 2 B, 3 dB/dt; others: the middle.
   int code(int channel, double x, double v) const {
     const double angle = kTurn * seen(x) / c_.period;
     const double dot = c_.dot_codes * v / c_.dot_speed;

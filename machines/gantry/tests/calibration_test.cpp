@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The fit of the observer's polynomials: a run over a sensor with errors, and how far the phase that
-// the observer then computes is from the angle.
+// The fit of the observer's polynomials: a run over a sensor with errors, and how far the phase
+// that the observer then computes is from the angle.
 #include <catch2/catch.hpp>
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The controllers of the gantry track by their numbers: G-11, G-12, and what the thesis' listing and
-// its corrections say of sums and their limits.
+// The controllers of the gantry track by their numbers: G-11, G-12, and what the thesis' listing
+// and its corrections say of sums and their limits.
 #include <catch2/catch.hpp>
 #include <cstdint>
 
@@ -69,7 +69,7 @@ TEST_CASE("a sum per tick adds the error that was held; per pass the present one
   CHECK(PositionPi::step(c, passes, 7, 9) == 17);
 }
 
-TEST_CASE("a cancelled sum is gone at an error of 0 and where the error crosses it, before its use") {
+TEST_CASE("a cancelled sum is gone at an error of 0 and where the error crosses it, before use") {
   PositionPi::Config c;
   c.sum = PositionPi::Sum::kCancel;
   c.per_tick = false;

@@ -24,7 +24,7 @@ int serial(const testbench::Arguments& arguments, std::atomic<bool>& stop) {
 std::vector<testbench::Verb> verbs() {
   testbench::Verb verb;
   verb.name = "serial";
-  verb.help = "the gantry track behind a serial port: a pseudo-terminal, in real time, until Ctrl-C";
+  verb.help = "the gantry track behind a serial port, a pseudo-terminal in real time, to Ctrl-C";
   verb.argument = "scenario";
   verb.argument_help = "a scenario of the machine gantry; default: gantry-cascade";
   verb.out_help = "output folder; default: out/serial";

@@ -20,7 +20,9 @@ inline std::uint16_t checksum(const CalibrationWords& words) {
   std::uint32_t crc = 0xFFFF;
   for (std::uint32_t k = 0; k < 2 * (kCalibrationWords - 1); ++k) {
     crc ^= (words[k / 2] >> (k % 2 * 8) & 0xFFu) << 8;
-    for (int bit = 0; bit < 8; ++bit) crc = (crc << 1 ^ ((crc & 0x8000) != 0 ? 0x1021u : 0)) & 0xFFFF;
+    for (int bit = 0; bit < 8; ++bit) {
+      crc = (crc << 1 ^ ((crc & 0x8000) != 0 ? 0x1021u : 0)) & 0xFFFF;
+    }
   }
   return static_cast<std::uint16_t>(crc);
 }

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What each channel of Serial2002 does.
-#include "rtl/chips/generated/gantry_regs.hpp"
+#include "rtl/chips/generated/gantry_tau_regs.hpp"
 #include "sw_nios/apps/gantry/gantry.hpp"
 #include "sw_nios/apps/gantry/protocol.hpp"
 
 namespace trammel::sw {
 namespace {
 
-namespace regs = gantry_regs;
+namespace regs = gantry_tau_regs;
 namespace channel_of = gantry_channel;
 
 enum Frame : std::uint32_t { kClearBit, kSetBit, kPollBit, kPollChannel, kValue };
@@ -154,8 +154,9 @@ void GantryApp::stream(Bus& bus, std::uint32_t ticks) {
   if ((bus.read(regs::kSendState) & regs::kSendStateRoomMask) < 8) return;
   send(bus, kValue, channel_of::kStreamPosition, millimetres());
   send(bus, kValue, channel_of::kStreamTime, ticks);
-  const auto velocity = static_cast<std::uint32_t>(filter_.mean());
-  send(bus, kValue, channel_of::kStreamVelocity, (velocity + channel_of::kVelocityOffset) & 0x7FFFFF);
+  const std::uint32_t velocity =
+      static_cast<std::uint32_t>(filter_.mean()) + channel_of::kVelocityOffset;
+  send(bus, kValue, channel_of::kStreamVelocity, velocity & 0x7FFFFF);
 }
 
 }  // namespace trammel::sw

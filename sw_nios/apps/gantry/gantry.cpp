@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sw_nios/apps/gantry/gantry.hpp"
 
-#include "rtl/chips/generated/gantry_regs.hpp"
+#include "rtl/chips/generated/gantry_tau_regs.hpp"
 #include "sw_nios/apps/gantry/gantry_map.hpp"
 #include "sw_nios/apps/gantry/protocol.hpp"
 
 namespace trammel::sw {
 namespace {
 
-namespace regs = gantry_regs;
+namespace regs = gantry_tau_regs;
 namespace map = gantry_map;
 
 constexpr std::int32_t kFitFrom_mm = 80;             // 40 mm before the first period that is used
