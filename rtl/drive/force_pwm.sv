@@ -7,14 +7,15 @@
 //   the count falls from 2 Half to 1; on where Half - C < count <= Half + C, one clock later
 //
 // Force and direction are taken together as the count begins anew, where no pulse is on unless it
-// is on for the whole period. -1024 acts as -1023. Half = 3472, Scale = 3475: 7200 Hz at 50 MHz.
+// is on for the whole period. -1024 acts as -1023. Half = 3472 clocks: 7200 Hz at 50 MHz. Scale is
+// Half 1024 / 1023, so that 1023 gives Half.
 
 module force_pwm
   import trammel_pkg::*;
   import step_pkg::*;
 #(
-    parameter int unsigned Half = 3472,  // [clk] of a period
-    parameter int unsigned Scale = 3475  // Half 1024 / 1023, so that 1023 gives Half
+    parameter int unsigned Half = 3472,
+    parameter int unsigned Scale = 3475
 ) (
     input logic clk_i,
     input logic rst_i,

@@ -6,13 +6,13 @@
 //   rest' = rest + Clock mod Rate, mod Rate;   period = Clock div Rate + (1 where rest wrapped)
 //
 // A tick is high in the clock before the edge that acts on it. The first period begins with the
-// first clock after reset. Clock / Rate is 2 to 2^24 - 1.
+// first clock after reset. Clock and Rate are in Hz; their quotient is 2 to 2^24 - 1.
 
 module rate_tick
   import trammel_pkg::*;
 #(
-    parameter int unsigned Clock = 50_000_000,  // [Hz]
-    parameter int unsigned Rate = 4612  // [Hz]
+    parameter int unsigned Clock = 50_000_000,
+    parameter int unsigned Rate = 4612
 ) (
     input logic clk_i,
     input logic rst_i,

@@ -280,7 +280,7 @@ TEST_CASE("gantry_tau shows its over-temperature pins two clocks later") {
 }
 
 TEST_CASE("gantry_tau agrees with its twin on random traffic, leaping and not") {
-  const trammel::test::Traffic traffic = trammel::test::traffic(4000, 23);
+  const trammel::test::Traffic traffic = trammel::test::traffic(1500, 23);
   Random random(traffic.seed);
   const exact::Calibration calib = ideal_calibration();
   GantryBench bench(&calib);
