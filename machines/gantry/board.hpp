@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What surrounds the chip gantry_tau, whoever evaluates it: the registers of its platform, the tick of
-// the record, the converter and the non-volatile memory on its pins.
+// What surrounds the chip gantry_tau, whoever evaluates it: the registers of its platform, the tick
+// of the record, the converter and the non-volatile memory on its pins.
 #pragma once
 
 #include <algorithm>

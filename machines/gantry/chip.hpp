@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The chip gantry_tau as the loop sees it: its registers on a 32-bit bus beside a timer, a converter
-// that samples the plant, and a non-volatile memory. The verilated model stays behind this header.
+// The chip gantry_tau as the loop sees it: its registers on a 32-bit bus beside a timer, a
+// converter that samples the plant, and a non-volatile memory. The verilated model stays behind
+// this header.
 #pragma once
 
 #include <array>
