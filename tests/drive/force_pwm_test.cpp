@@ -96,6 +96,15 @@ TEST_CASE("force_pwm takes force and direction at the begin of a period only") {
   CHECK(bench.rtl->pwm_o == 3);
 }
 
+TEST_CASE("force_pwm: each motor alone, clock by clock as its twin") {
+  Bench bench;
+  for (const ForcePwm::In& force : {ForcePwm::In{1022, 0}, ForcePwm::In{0, 1022},
+                                    ForcePwm::In{-650, 3}, ForcePwm::In{3, -650}}) {
+    bench.force = force;
+    for (int k = 0; k < 2 * kPeriod; ++k) bench.tick();
+  }
+}
+
 TEST_CASE("force_pwm: 7200 Hz, from one pulse to the next") {
   Bench bench;
   bench.force = {512, 0};
