@@ -161,6 +161,22 @@ TEST_CASE("calibration takes and stores data with the right checksum, and refuse
   CHECK(holds(bench, second));
 }
 
+TEST_CASE("calibration needs no start where data were taken: it begins anew by itself") {
+  Bench bench;
+  const Calibration first = pattern(7), second = pattern(8), third = pattern(9);
+  std::copy(first.words.begin(), first.words.end(), bench.store.begin());
+  bench.ticks(100);
+  REQUIRE(holds(bench, first));
+  for (const Calibration& next : {second, third}) {
+    for (const std::uint16_t word : next.words) bench.command(2, word);
+    bench.command(7);
+    bench.ticks(200);
+    CHECK(holds(bench, next));
+  }
+  CHECK(bench.stored == 2);
+  CHECK(bench.refused == 0);
+}
+
 TEST_CASE("calibration waits for a slow memory, and for its reader") {
   Bench bench;
   const Calibration c = pattern(4);
