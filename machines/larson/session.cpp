@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 #include "machines/larson/machine.hpp"
@@ -192,6 +193,7 @@ void Session::note_events(const cosim::Stop& stop) {
   for (std::size_t k = 0; k < 2; ++k) {
     const auto& lost = plant_.axis(k).lost();
     for (; losses_[k] < lost.size(); ++losses_[k]) {
+      lost_[k] += std::abs(lost[losses_[k]].steps);
       note(lost[losses_[k]].edge, static_cast<int>(k),
            fmt::format("{} steps lost", lost[losses_[k]].steps));
     }
@@ -255,7 +257,7 @@ std::unique_ptr<cosim::RunResult> Session::result() {
   result->happened = events_;
   result->happened_count = event_count_;
   result->pulses = pulses_;
-  result->lost = {plant_.axis(0).steps_lost(), plant_.axis(1).steps_lost()};
+  result->lost = lost_;
   result->travel = travel_;
   result->end_at = last_at_;
   result->origin = origin_;

@@ -75,6 +75,7 @@ class Session final : public cosim::Session, private cosim::Observer, private co
   cosim::Lines drive_ = 0;
   std::array<std::uint32_t, 2> pulses_{};
   std::array<std::size_t, 2> losses_{};
+  std::array<int, 2> lost_{};  // steps, forward and back added
   std::array<double, 2> travel_{}, last_at_{}, origin_{};
 };
 
