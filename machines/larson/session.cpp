@@ -174,12 +174,13 @@ void Session::note_events(const cosim::Stop& stop) {
       pulses_[static_cast<std::size_t>(k)] += level(rose, step(k)) ? 1 : 0;
     }
   }
-  if ((stop.why & cosim::kIrq) != 0 && chip_->host_rise() == stop.edge) {
-    ++interrupts_;
-    const std::uint32_t x = chip_->words(0) >> 16;
-    const bool of_x = (x & (sw::larson_map::kBusy | sw::larson_map::kEnable)) ==
-                      sw::larson_map::kEnable;
-    note(stop.edge, of_x ? 0 : 1, "interrupt");
+  if (const unsigned now = chip_->requests(); now != requests_) {
+    for (int axis = 0; axis < kAxes; ++axis) {
+      if (((now & ~requests_) >> axis & 1) == 0) continue;
+      ++interrupts_;
+      note(stop.edge, axis, "interrupt");
+    }
+    requests_ = now;
   }
   if (const unsigned now = plant_.switches(); now != switches_) {
     for (int bit = 0; bit < 4; ++bit) {

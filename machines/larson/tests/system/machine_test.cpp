@@ -113,6 +113,27 @@ TEST_CASE("a move while the table moves, or before CALTBL, is refused and change
   CHECK(answer(result, 0).at.x == 100);
 }
 
+TEST_CASE("an interrupt is that of the axis whose move ends, also where both ask at once") {
+  Scripted script(
+      "CALTBL\nVELTBL 400 400\nABSTBL 5 20\nWTTBL\nABSTBL 25 25\nWTTBL\n"
+      "ABSTBL 30 30\nWTTBL\n");
+  script.options.start_x = 20;
+  script.options.start_y = 30;
+  script.options.axis.buffer.fitted = false;
+  for (const cosim::Engine engine : {cosim::Engine::kRtl, cosim::Engine::kTwin}) {
+    script.options.run.engine = engine;
+    const Result result = script.run();
+    REQUIRE(result.end == cosim::EndReason::kDone);
+    std::string axes;
+    for (const larson::Event& one : result.happened) {
+      if (one.edge <= result.done.front().edge || one.what != "interrupt") continue;
+      axes += one.axis == 0 ? 'X' : 'Y';
+      CHECK(one.count == 0177777);
+    }
+    CHECK(axes == "XYYXXY");  // 5 and 20 steps, 20 and 5, 5 and 5
+  }
+}
+
 TEST_CASE("every wiring gives the events of the leaping RTL, and --audit finds no difference") {
   Scripted script("CALTBL\nVELTBL 4000 500\nABSTBL 60 30\nWTTBL\nWAIT 5\nWHRTBL\n");
   script.options.start_x = 20;
