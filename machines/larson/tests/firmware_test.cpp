@@ -21,7 +21,8 @@ struct FakeTable final : Bus {
     std::uint32_t count = map::kTerminal, status = 0;
     bool latch = false, done = false;
     int at = 5, low = -10, high = 6000;
-    bool closed() const { return at <= low || at >= high; }
+    bool closed_always = false;  // the lower one
+    bool closed() const { return closed_always || at <= low || at >= high; }
   };
   Axis axes[2];
   std::uint32_t timer = 0;
@@ -70,7 +71,7 @@ struct FakeTable final : Bus {
     for (Axis& a : axes) {
       if ((a.status & map::kBusy) == 0) continue;
       const bool forward = (a.status & map::kForward) != 0;
-      if (forward ? a.at >= a.high : a.at <= a.low) {
+      if (forward ? a.at >= a.high : a.closed_always || a.at <= a.low) {
         a.latch = true;
       } else if (a.count != map::kTerminal) {
         a.at += forward ? 1 : -1;
@@ -132,10 +133,17 @@ TEST_CASE("CALTBL that finds no switch, or none that opens, ends the program") {
   none.bus.axes[1].low = -200'000;
   none.run(300'000);
   CHECK(none.app.mailbox().failure == static_cast<std::uint32_t>(LarsonFailure::kNotCalibrated));
+  CHECK(none.bus.axes[1].at == 5 - 12'000);  // 30 s at 400 pulses per second
   Program stuck({kCal, kWait});
   stuck.bus.axes[0].high = -20;  // both are closed
   stuck.run(300'000);
   CHECK(stuck.app.mailbox().failure == static_cast<std::uint32_t>(LarsonFailure::kNotCalibrated));
+  Program closed({kCal, kWait});
+  closed.bus.axes[0].closed_always = true;
+  closed.run(300'000);
+  CHECK(closed.app.mailbox().failure ==
+        static_cast<std::uint32_t>(LarsonFailure::kNotCalibrated));
+  CHECK(closed.bus.axes[0].at <= 5 + 2000);
 }
 
 TEST_CASE("velocities become rate codes, at most 4000 pulses per second") {
