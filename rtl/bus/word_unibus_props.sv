@@ -92,6 +92,7 @@ module word_unibus_props (
       answers_until_msyn_falls : assert (!was_ssyn_q || !was_msyn_q || was_rst_q || ssyn_o);
       one_write_a_transfer : assert (!write_o || (msyn_q && !ssyn_o && ours && c_i[1]));
       a_write_is_answered : assert (!was_write_q || was_rst_q || ssyn_o);
+      a_write_drives_no_data : assert (!was_write_q || was_rst_q || intr_o || !d_oe_o);
       writes_the_word_or_byte_of_its_address :
       assert (!write_o || (y_o == a[2] && data_o == {d_i, d_i} &&
               bytes_o == (c_i[0] ? 4'd1 << a[1:0] : 4'd3 << {a[1], 1'b0})));
@@ -134,6 +135,7 @@ module word_unibus_props (
   // breaks answers_until_msyn_falls: answered_q <= next && !answered_q
   // breaks one_write_a_transfer: write_o = msyn_q && match && writes
   // breaks a_write_is_answered: answered_q <= next && !(acts && c_i[0])
+  // breaks a_write_drives_no_data: d_oe_o = intr_o || answered_q
   // breaks writes_the_word_or_byte_of_its_address: bytes_o = a_i[1] ? 4'b1100 : 4'b0011
   // breaks reads_the_word_of_its_address: axis = a_i[1] ? y_i : x_i
   // breaks data_of_a_read_stand_until_msyn_falls: read_q <= rst_i ? next : a_i[1] ? axis[31:16] : axis[15:0]
