@@ -6,6 +6,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <functional>
 #include <utility>
 
@@ -20,6 +21,16 @@ struct ProcessorTiming {
   Clk access = 8;     // clocks a bus access takes besides its handshake
   Clk latency = 100;  // clocks from the interrupt line to the first instruction of its routine
   ProcessorFault fault = {};
+  // The firmware computes for so many clocks before it writes the register at this address.
+  Clk compute = 0;
+  std::uint32_t computed = 0;
+
+  // Clocks of work before a transfer, from edge `now` on.
+  Clk before(Clk now, const BusOp& op) const {
+    const bool computes = op.write && compute > 0 && op.addr == computed;
+    const Clk computing = computes ? fault.work(now, compute) : 0;
+    return computing + fault.access(now + computing, access);
+  }
 };
 
 class DirectBus final : public sw::Bus {
@@ -46,7 +57,7 @@ class DirectBus final : public sw::Bus {
 
  private:
   std::uint32_t transfer(const BusOp& op) {
-    wait(timing_.fault.access(time_, timing_.access));
+    wait(timing_.before(time_, op));
     loop_.chip().request({op.addr, timing_.fault.written(time_, op.data), op.write});
     Stop stop;
     do {

@@ -122,7 +122,10 @@ struct KeyTable {
   void platform_and_clocks() {
     text("run.engine", "the verilated RTL, or its bit-exact twins without SystemC: same results",
          TRAMMEL_LENS(run.engine));
-    text("run.platform", "SystemC platform or direct wiring", TRAMMEL_LENS(run.platform));
+    text("run.platform",
+         "SystemC platform or direct wiring; a twin and a processor's RTL are always wired "
+         "directly",
+         TRAMMEL_LENS(run.platform));
     text("run.leap", "skip clocks in which nothing happens; false: evaluate every clock",
          TRAMMEL_LENS(run.leap));
     text("run.domains", "evaluate the clock domains that are awake; false: all of them",

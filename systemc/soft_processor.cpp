@@ -57,8 +57,9 @@ void SoftProcessor::transfer(tlm::tlm_command command, std::uint32_t addr, std::
   payload_.set_streaming_width(sizeof data);
   payload_.set_byte_enable_ptr(nullptr);
   payload_.set_response_status(tlm::TLM_INCOMPLETE_RESPONSE);
-  const cosim::Clk taken = timing_.fault.access(now(), timing_.access);
-  if (command == tlm::TLM_WRITE_COMMAND) data = timing_.fault.written(now() + taken, data);
+  const bool writes = command == tlm::TLM_WRITE_COMMAND;
+  const cosim::Clk taken = timing_.before(now(), {addr, data, writes});
+  if (writes) data = timing_.fault.written(now() + taken, data);
   sc_time delay = clocks(taken);
   bus->b_transport(payload_, delay);
   if (payload_.is_response_error()) {

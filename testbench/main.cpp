@@ -71,7 +71,8 @@ struct CommandLine {
     add_key(run, "--engine", "run.engine", "rtl, or twin: its bit-exact C++ twin, which is faster");
     add_key(run, "--cpu", "run.cpu",
             "native firmware, or rtl: the RTL of the chip's processor runs its binary");
-    add_key(run, "--platform", "run.platform", "systemc, or direct: without SystemC");
+    add_key(run, "--platform", "run.platform",
+            "systemc, or direct: without SystemC, as twins and --cpu rtl always are");
     run->add_flag("--check", arguments.check,
                   "exit 1 if a figure is outside its tolerance, 2 if none has an expected value");
 

@@ -149,11 +149,12 @@ std::vector<std::string> advice(const lab::Settings& settings) {
   const std::array<Demand, 2> most = demand(options, setup);
   std::vector<std::string> lines;
   const cosim::ProcessorOptions& cpu = options.processor;
-  const cosim::ProcessorOptions usual;
-  if (options.cpu == Cpu::kRtl && (cpu.access_clk != usual.access_clk ||
-                                   cpu.interrupt_latency_clk != usual.interrupt_latency_clk)) {
-    lines.push_back("processor.access_clk and interrupt_latency_clk have no effect with run.cpu = "
-                    "\"rtl\", whose core takes the clocks that it takes");
+  const Options usual;
+  if (options.cpu == Cpu::kRtl &&
+      (cpu.access_clk != usual.processor.access_clk || options.point_clk != usual.point_clk ||
+       cpu.interrupt_latency_clk != usual.processor.interrupt_latency_clk)) {
+    lines.push_back("processor.access_clk, interrupt_latency_clk and point_clk have no effect with "
+                    "run.cpu = \"rtl\", whose core takes the clocks that it takes");
   }
   for (std::size_t a = 0; a < 2; ++a) {
     const plant::AxisConfig& plant = options.plant.axis[a];

@@ -35,9 +35,10 @@ Shown native_of(const Options& options, const cosim::CoreTimes& core) {
   const double access = options.processor.access_clk;
   const double latency = options.processor.interrupt_latency_clk;
   const auto routine = [&](double transfers) {
-    return latency + transfers * (access + core.answer.mean());
+    return latency + options.point_clk + transfers * (access + core.answer.mean());
   };
-  return {latency + access, routine(core.transfers.mean()),
+  // The core's counts begin a clock behind the line's edge.
+  return {latency + access - 1, routine(core.transfers.mean()),
           static_cast<cosim::Clk>(routine(static_cast<double>(core.transfers.worst)))};
 }
 

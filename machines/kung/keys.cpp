@@ -176,6 +176,9 @@ void add_chip(Table& t) {
   add("watchdog_ticks", 0, 65535, "longest time between two COMMITs, in position samples; 0 = off",
       &ChipOptions::watchdog_ticks);
   t.processor();
+  t.one("processor.point_clk", 0, 90000,
+        "clocks in which the firmware computes a point, before it writes the command",
+        TRAMMEL_LENS(point_clk));
   t.one("plant.seed", 0, 9007199254740992.0, "of the noise", TRAMMEL_LENS(plant.seed));
 }
 

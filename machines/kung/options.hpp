@@ -145,9 +145,11 @@ struct Options final : lab::SettingsOf<Options, machine> {
   Options() {
     scenario = "circle";
     run.max_s = 60;
+    processor = {57, 50};  // as the core of kung_soc was measured to take, see README.md
   }
 
   Cpu cpu = Cpu::kNative;
+  int point_clk = 2200;      // native: clocks in which the firmware computes a point
   std::string uart;          // other end of the serial port, see serial.hpp; "": nothing
   Controller controller = Controller::kAfc;
   std::array<AxisGains, 2> gains;

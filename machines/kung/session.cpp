@@ -13,6 +13,7 @@
 #include "machines/kung/response.hpp"
 #include "machines/kung/words.hpp"
 #include "models/plant/xy_lines.hpp"
+#include "rtl/chips/generated/kung_xy_regs.hpp"
 
 namespace trammel::kung {
 
@@ -182,8 +183,10 @@ bool Session::fault_is_over(const Sample& sample) {
 }
 
 cosim::ProcessorTiming Session::timing() const {
+  namespace reg = kung_xy_regs;
   return {options_.processor.access_clk, options_.processor.interrupt_latency_clk,
-          {options_.fault, options_.plant.clock_ps}};
+          {options_.fault, options_.plant.clock_ps}, options_.point_clk,
+          reg::kX + (options_.path.open_position() ? reg::kIqManual : reg::kPosCmd)};
 }
 
 cosim::Clk Session::end() const { return edge_at(options_.run.max_s); }

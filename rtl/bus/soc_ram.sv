@@ -6,7 +6,7 @@
 // Image is a file of hexadecimal words that the memory holds at power-up.
 
 module soc_ram #(
-    parameter int unsigned Words = 16384,
+    parameter int unsigned Words = 64,
     parameter string Image = ""
 ) (
     input logic clk_i,

@@ -4,7 +4,7 @@
 // reset, so any of them in the proof; shadow_q is what was written to it, byte by byte.
 
 module soc_ram_props #(
-    parameter int unsigned Words = 16384
+    parameter int unsigned Words = 64
 ) (
     input logic clk_i,
     input logic rst_i,

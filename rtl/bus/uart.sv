@@ -1,28 +1,31 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Serial port: 8 data bits, no parity, 1 stop bit, ClocksPerBit clocks a bit; 434 at 50 MHz are
-// 115,207 baud. One byte is sent at a time; one received byte is held until it is taken, and the
-// next one, 10 bits later, takes its place.
+// 115,207 baud. One byte is sent at a time; Depth received bytes (a power of two) wait until they
+// are taken; one that comes while all places are taken is lost and counted, up to 255.
 //
 //   send_i    -> start bit on tx_o    1 clock; busy_o for 10 bits
-//   start bit -> full_o               9.5 bits and 3 clocks: the middle of the stop bit
+//   start bit -> waits_o              9.5 bits and 3 clocks: the middle of the stop bit
+//   take_i    -> next byte, waits_o   1 clock
 //
 // A start bit that is gone at its middle and a byte whose stop bit is low are dropped.
 
 module uart #(
-    parameter int unsigned ClocksPerBit = 434
+    parameter int unsigned ClocksPerBit = 434,
+    parameter int unsigned Depth = 16
 ) (
     input logic clk_i,
     input logic rst_i,
 
-    input  logic send_i,  // ignored while busy
+    input  logic send_i,   // ignored while busy
     output logic busy_o,
-    input  logic take_i,
-    output logic full_o,
+    input  logic take_i,   // ignored while no byte waits
+    output logic waits_o,
 
     input  logic [7:0] byte_i,
     input  logic       rx_i,
-    output logic [7:0] byte_o,
+    output logic [7:0] byte_o,  // the oldest that waits
+    output logic [7:0] lost_o,
     output logic       tx_o,
 
     output logic quiescent_o
@@ -30,6 +33,9 @@ module uart #(
 
   if (ClocksPerBit < 4 || ClocksPerBit > 65536) begin : gen_refused
     $error("uart: ClocksPerBit is 4 to 65536");
+  end
+  if (Depth < 2 || Depth > 256 || (Depth & (Depth - 1)) != 0) begin : gen_depth_refused
+    $error("uart: Depth is a power of two, 2 to 256");
   end
 
   localparam int unsigned Width = $clog2(ClocksPerBit);
@@ -68,12 +74,13 @@ module uart #(
 
   // ---- receiver: waits to the middle of the start bit, then a bit at a time ----
 
-  logic rx_meta_q, rx_q, full_q, sample;
+  logic rx_meta_q, rx_q, sample, comes;
   logic [3:0] rx_left_q;  // 10: start bit, 9 to 2: data, 1: stop bit, 0: idle
-  logic [7:0] rx_bits_q, byte_q;
+  logic [7:0] rx_bits_q;
   count_t rx_count_q;
 
   assign sample = rx_left_q != '0 && rx_count_q == '0;
+  assign comes  = sample && rx_left_q == 4'd1 && rx_q;
 
   always_ff @(posedge clk_i) begin
     if (rst_i) begin
@@ -82,12 +89,9 @@ module uart #(
       rx_left_q  <= '0;
       rx_count_q <= '0;
       rx_bits_q  <= '0;
-      byte_q     <= '0;
-      full_q     <= 1'b0;
     end else begin
       rx_meta_q <= rx_i;
       rx_q      <= rx_meta_q;
-      if (take_i) full_q <= 1'b0;
       if (rx_left_q == '0) begin
         if (!rx_q) begin
           rx_left_q  <= 4'd10;
@@ -99,20 +103,43 @@ module uart #(
         rx_count_q <= Bit;
         rx_left_q  <= rx_left_q - 4'd1;
         if (rx_left_q == 4'd10 && rx_q) rx_left_q <= '0;
-        if (rx_left_q == 4'd1) begin
-          if (rx_q) begin
-            byte_q <= rx_bits_q;
-            full_q <= 1'b1;
-          end
-        end else begin
-          rx_bits_q <= {rx_q, rx_bits_q[7:1]};
-        end
+        if (rx_left_q != 4'd1) rx_bits_q <= {rx_q, rx_bits_q[7:1]};
       end
     end
   end
 
-  assign byte_o = byte_q;
-  assign full_o = full_q;
+  // ---- received bytes that wait: places with a bit above the address, equal when none does ----
+
+  localparam int unsigned AddrBits = $clog2(Depth);
+  typedef logic [AddrBits:0] place_t;
+
+  logic [7:0] bytes[Depth];
+  place_t in_q, out_q;
+  logic [7:0] lost_q;
+  logic no_room, stored;
+
+  assign waits_o = in_q != out_q;
+  assign no_room = (in_q ^ out_q) == place_t'(Depth);
+  assign stored  = comes && !no_room && !rst_i;
+  assign byte_o  = bytes[out_q[AddrBits-1:0]];
+  assign lost_o  = lost_q;
+
+  always_ff @(posedge clk_i) begin
+    if (rst_i) begin
+      in_q   <= '0;
+      out_q  <= '0;
+      lost_q <= '0;
+    end else begin
+      if (stored) in_q <= in_q + place_t'(1);
+      if (take_i && waits_o) out_q <= out_q + place_t'(1);
+      if (comes && no_room && lost_q != '1) lost_q <= lost_q + 8'd1;
+    end
+  end
+
+  always_ff @(posedge clk_i) begin
+    if (stored) bytes[in_q[AddrBits-1:0]] <= rx_bits_q;
+  end
+
   assign quiescent_o = !busy_o && !send_i && !take_i && rx_left_q == '0 && rx_i && rx_meta_q &&
       rx_q;
 

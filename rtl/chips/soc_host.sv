@@ -7,7 +7,8 @@
 //   0x8000_0000  registers of the IC, 1 KiB
 //   0xC000_0000  WAIT       read; answered when b0 interrupt or b1 received byte is there
 //   0xC000_0004  UART       write: sends b7:0 once the byte before is sent; read: takes the
-//                           received byte in b7:0, b31: there was none
+//                           oldest received byte, in b7:0; b31: there was none; b15:8 bytes
+//                           lost since the reset, up to 255
 //   0xC000_0008  WAIT_SEND  as WAIT, and answered when b2 the serial port can send
 //
 // A core that waits stands still. Any other address is not answered and trips the machine.
@@ -88,8 +89,8 @@ module soc_host #(
       .d_rdata_o(ram_rdata)
   );
 
-  logic uart_busy, uart_full, uart_quiescent;
-  logic [7:0] uart_byte;
+  logic uart_busy, uart_waits, uart_quiescent;
+  logic [7:0] uart_byte, uart_lost;
 
   uart #(
       .ClocksPerBit(ClocksPerBit)
@@ -99,16 +100,17 @@ module soc_host #(
       .send_i     (uart_sel && write),
       .busy_o     (uart_busy),
       .take_i     (uart_sel && !write),
-      .full_o     (uart_full),
+      .waits_o    (uart_waits),
       .byte_i     (wdata[7:0]),
       .rx_i       (uart_rx_i),
       .byte_o     (uart_byte),
+      .lost_o     (uart_lost),
       .tx_o       (uart_tx_o),
       .quiescent_o(uart_quiescent)
   );
 
   assign uart_ready = !write || !uart_busy;
-  assign wait_ready = irq_i || uart_full || (addr[3] && !uart_busy);
+  assign wait_ready = irq_i || uart_waits || (addr[3] && !uart_busy);
 
   always_comb begin
     d_ready = ram_ready || (bus_sel && bus_ready_i);
@@ -116,11 +118,11 @@ module soc_host #(
     if (bus_sel) rdata = bus_rdata_i;
     if (uart_sel) begin
       d_ready = uart_ready;
-      rdata   = {!uart_full, 23'd0, uart_byte};
+      rdata   = {!uart_waits, 15'd0, uart_lost, uart_byte};
     end
     if (wait_sel) begin
       d_ready = wait_ready;
-      rdata   = {29'd0, !uart_busy, uart_full, irq_i};
+      rdata   = {29'd0, !uart_busy, uart_waits, irq_i};
     end
   end
 

@@ -43,7 +43,7 @@ module supervisor (
   fault_e cause, code_q;
   logic axis, axis_q;
   logic [31:0] tick_q;
-  logic trip_q, set, clear;
+  logic present, trip_q, move;
 
   always_comb begin
     cause = FaultNone;
@@ -64,8 +64,10 @@ module supervisor (
     end
   end
 
-  assign set   = !trip_q && cause != FaultNone;
-  assign clear = trip_q && clear_i && enabled_i == '0 && cause == FaultNone;
+  // What is latched depends on trip_q alone, so that the comparisons, which come late, lead to
+  // an enable only.
+  assign present = pin_q || over_current_i != '0 || watchdog_i || encoder_i != '0 || stroke_i != '0;
+  assign move    = trip_q ? clear_i && enabled_i == '0 && !present : present;
 
   always_ff @(posedge clk_i) begin
     if (rst_i) begin
@@ -78,16 +80,11 @@ module supervisor (
     end else begin
       meta_q <= trip_pin_i;
       pin_q  <= meta_q;
-      if (set) begin
-        trip_q <= 1'b1;
-        code_q <= cause;
-        axis_q <= axis;
-        tick_q <= tick_count_i;
-      end else if (clear) begin
-        trip_q <= 1'b0;
-        code_q <= FaultNone;
-        axis_q <= 1'b0;
-        tick_q <= '0;
+      if (move) begin
+        trip_q <= !trip_q;
+        code_q <= trip_q ? FaultNone : cause;
+        axis_q <= !trip_q && axis;
+        tick_q <= trip_q ? '0 : tick_count_i;
       end
     end
   end
@@ -96,6 +93,6 @@ module supervisor (
   assign fault_code_o = code_q;
   assign fault_axis_o = axis_q;
   assign fault_tick_o = tick_q;
-  assign quiescent_o  = trip_pin_i == meta_q && meta_q == pin_q && !set && !clear;
+  assign quiescent_o  = trip_pin_i == meta_q && meta_q == pin_q && !move;
 
 endmodule

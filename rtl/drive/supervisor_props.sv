@@ -84,16 +84,16 @@ module supervisor_props (
 
   // breaks no_trip_from_reset: trip_q <= next || (rst_i && trip_q)
   // breaks trips_at_the_next_clock: pin_q <= next && pin_q
-  // breaks trips_only_for_a_cause: cause = meta_q ? FaultExternal : cause
-  // breaks latched_until_cleared: clear = trip_q && clear_i && cause == FaultNone
-  // breaks latched_until_cleared: clear = trip_q && clear_i && enabled_i == '0
-  // breaks clears_when_it_may: trip_q <= next || (clear && axis_q && !rst_i)
+  // breaks trips_only_for_a_cause: present = meta_q || present
+  // breaks latched_until_cleared: move = trip_q ? clear_i && !present : present
+  // breaks latched_until_cleared: move = trip_q ? clear_i && enabled_i == '0 : present
+  // breaks clears_when_it_may: trip_q <= next || (move && trip_q && axis_q && !rst_i)
   // breaks names_the_lowest_cause: cause = stroke_i[0] && !pin_q && over_current_i == '0 ? FaultWatchdog : cause
   // breaks names_the_axis: axis = cause == FaultEncoder ? encoder_i[1] : axis
-  // breaks keeps_the_tick: tick_q <= set && !rst_i ? tick_count_i + 32'd1 : next
-  // breaks first_fault_is_kept: set = cause != FaultNone
+  // breaks keeps_the_tick: tick_q <= move && !trip_q && !rst_i ? tick_count_i + 32'd1 : next
+  // breaks first_fault_is_kept: code_q <= present && trip_q && !rst_i ? cause : next
   // breaks no_trip_no_fault: trip_o = trip_q && !clear_i
-  // breaks quiescent_is_honest: quiescent_o = trip_pin_i == meta_q && !set && !clear
+  // breaks quiescent_is_honest: quiescent_o = trip_pin_i == meta_q && !move
 
 endmodule
 

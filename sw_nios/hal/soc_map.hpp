@@ -16,6 +16,8 @@ inline constexpr std::uint32_t kWaitReceived = 1u << 1;
 inline constexpr std::uint32_t kWaitCanSend = 1u << 2;
 inline constexpr std::uint32_t kUart = 0xC000'0004;      // write: sends; read: takes
 inline constexpr std::uint32_t kUartEmpty = 1u << 31;
+inline constexpr std::uint32_t kUartLostShift = 8;       // 8 bits: bytes lost, up to 255
+inline constexpr std::uint32_t kChipBytes = 1024;        // of registers of the IC
 
 // Words at the begin of the memory, behind the first instruction: what a test bench, a loader or
 // a debugger finds there.

@@ -27,6 +27,15 @@ TextLine& TextLine::number(std::int32_t value) {
   return number(0u - bits);
 }
 
+TextLine& TextLine::hex(std::uint32_t value) {
+  text("0x");
+  for (std::uint32_t n = 8; n-- != 0;) {
+    const std::uint32_t digit = value >> (4 * n) & 0xF;
+    add(static_cast<char>(digit < 10 ? '0' + digit : 'a' + (digit - 10)));
+  }
+  return *this;
+}
+
 bool TextRing::put_part(const TextLine& line) {
   if (room() < line.size()) return false;
   for (std::uint32_t n = 0; n < line.size(); ++n) add(line[n]);

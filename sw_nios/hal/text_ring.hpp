@@ -17,6 +17,7 @@ class TextLine {
   TextLine& text(const char* words);
   TextLine& number(std::uint32_t value);
   TextLine& number(std::int32_t value);
+  TextLine& hex(std::uint32_t value);  // 0x and 8 digits
 
   std::uint32_t size() const { return size_; }
   char operator[](std::uint32_t n) const { return bytes_[n]; }

@@ -49,13 +49,12 @@ struct Bench {
   }
 
   std::string take() {
-    if (rtl->full_o == 0) return "";
+    if (rtl->waits_o == 0) return "";
     const std::string byte(1, static_cast<char>(rtl->byte_o));
     rtl->take_i = 1;
     tick();
     rtl->take_i = 0;
     rtl.eval();
-    CHECK(rtl->full_o == 0);
     return byte;
   }
 };
@@ -79,8 +78,8 @@ TEST_CASE("uart sends and receives every byte, both ways at once, back to back")
     host.see(bench.clock, bench.rtl->tx_o != 0);
     bench.rtl->send_i = bench.rtl->busy_o == 0 && sent < 256;
     if (bench.rtl->send_i != 0) bench.rtl->byte_i = static_cast<std::uint8_t>(255 - sent++);
-    bench.rtl->take_i = bench.rtl->full_o;
-    if (bench.rtl->full_o != 0) got += static_cast<char>(bench.rtl->byte_o);
+    bench.rtl->take_i = bench.rtl->waits_o;
+    if (bench.rtl->waits_o != 0) got += static_cast<char>(bench.rtl->byte_o);
     bench.tick();
   }
   REQUIRE(got.size() == 256);
@@ -114,7 +113,7 @@ TEST_CASE("uart has the byte 9.5 bits and 3 clocks after the start bit") {
   Bench bench;
   bench.rtl->rx_i = 0;
   int clocks = 0;
-  for (; bench.rtl->full_o == 0 && clocks < 2 * kFrame; ++clocks) {
+  for (; bench.rtl->waits_o == 0 && clocks < 2 * kFrame; ++clocks) {
     if (clocks == kBit) bench.rtl->rx_i = 1;
     bench.tick();
   }
@@ -144,7 +143,7 @@ TEST_CASE("uart drops a start bit that does not last and a byte without a stop b
   Bench bench;
   bench.line(false, kBit / 2 - 1);
   bench.line(true, 2 * kFrame);
-  CHECK(bench.rtl->full_o == 0);
+  CHECK(bench.rtl->waits_o == 0);
   bench.frame(0x31, kBit, false);
   bench.line(true, kFrame);
   CHECK(bench.take().empty());
@@ -152,13 +151,63 @@ TEST_CASE("uart drops a start bit that does not last and a byte without a stop b
   CHECK(bench.take() == "2");
 }
 
-TEST_CASE("uart keeps the latest byte that was not taken, and is quiescent only at rest") {
+TEST_CASE("uart keeps 16 bytes in their order; the next are lost, counted up to 255") {
   Bench bench;
   CHECK(bench.rtl->quiescent_o == 1);
-  bench.frame(0x31, kBit);
-  bench.frame(0x32, kBit);
+  const auto byte_of = [](int n) { return static_cast<unsigned>(n * 37 + 5) & 0xFFu; };
+  for (int n = 0; n < 16; ++n) bench.frame(byte_of(n), kBit);
+  CHECK(bench.rtl->lost_o == 0);
   CHECK(bench.rtl->quiescent_o == 1);
-  CHECK(bench.take() == "2");
+  bench.frame(0xE1, kBit);
+  CHECK(bench.rtl->lost_o == 1);
+  bench.frame(0xE2, kBit);
+  CHECK(bench.rtl->lost_o == 2);
+  // A place that was freed takes the next byte, and the order stays.
+  CHECK(bench.take() == std::string(1, static_cast<char>(byte_of(0))));
+  bench.frame(byte_of(16), kBit);
+  CHECK(bench.rtl->lost_o == 2);
+  for (int n = 1; n <= 16; ++n) {
+    CHECK(bench.rtl->byte_o == byte_of(n));
+    CHECK(bench.take().size() == 1);
+  }
+  CHECK(bench.rtl->waits_o == 0);
+  // Taking nothing leaves nothing behind.
+  bench.rtl->take_i = 1;
+  bench.line(true, 40);
+  bench.rtl->take_i = 0;
+  bench.frame(0x41, kBit);
+  CHECK(bench.take() == "A");
+  CHECK(bench.take().empty());
+  for (int n = 0; n < 16 + 260; ++n) bench.frame(0x42, kBit);
+  CHECK(bench.rtl->lost_o == 255);
+  bench.rtl.reset();
+  CHECK(bench.rtl->waits_o == 0);
+  CHECK(bench.rtl->lost_o == 0);
+}
+
+TEST_CASE("uart takes and stores in one clock, with one byte or all places taken") {
+  for (const int waiting : {1, 15, 16}) {
+    Bench bench;
+    for (int n = 0; n < waiting; ++n) bench.frame(static_cast<unsigned>(n), kBit);
+    bench.line(false, kBit);
+    bench.line(true, 17 * kBit / 2 + 2);  // the clock in which 0xFF comes
+    bench.rtl->take_i = 1;
+    bench.tick();
+    bench.rtl->take_i = 0;
+    bench.rtl.eval();
+    // Without a place in that clock it is lost.
+    CHECK(bench.rtl->lost_o == (waiting == 16 ? 1 : 0));
+    const int left = waiting == 16 ? 15 : waiting;
+    for (int n = 0; n < left; ++n) {
+      CHECK(bench.rtl->byte_o == (waiting < 16 && n == left - 1 ? 0xFF : n + 1));
+      CHECK(bench.take().size() == 1);
+    }
+    CHECK(bench.rtl->waits_o == 0);
+  }
+}
+
+TEST_CASE("uart is quiescent only at rest") {
+  Bench bench;
   bench.rtl->rx_i = 0;
   bench.rtl.eval();
   CHECK(bench.rtl->quiescent_o == 0);
@@ -173,10 +222,11 @@ TEST_CASE("uart stands any line: random levels leave it ready") {
     bench.line(random() % 2 != 0, 1 + static_cast<int>(random() % (2 * kBit)));
   }
   bench.line(true, 2 * kFrame);
-  bench.take();
+  while (!bench.take().empty()) {
+  }
   bench.frame(0xA7, kBit);
   CHECK(bench.rtl->byte_o == 0xA7);
-  CHECK(bench.rtl->full_o == 1);
+  CHECK(bench.rtl->waits_o == 1);
   bench.rtl.reset();
-  CHECK(bench.rtl->full_o == 0);
+  CHECK(bench.rtl->waits_o == 0);
 }

@@ -154,9 +154,9 @@ TEST_CASE("times of the native processor that the core's RTL does not have are t
   o.processor.access_clk = 100;
   CHECK(advice(o).empty());
   o.cpu = Cpu::kRtl;
-  CHECK_THAT(advice(o).at(0), Contains("processor.access_clk and interrupt_latency_clk have no "
-                                       "effect with run.cpu = \"rtl\""));
-  o.processor = {};
+  CHECK_THAT(advice(o).at(0), Contains("processor.access_clk, interrupt_latency_clk and "
+                                       "point_clk have no effect with run.cpu = \"rtl\""));
+  o.processor = Options().processor;
   CHECK(advice(o).empty());
 }
 

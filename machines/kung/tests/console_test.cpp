@@ -48,7 +48,9 @@ TEST_CASE("a command is answered by a line, and one that is none by a question m
        {"stat", "status now", "path", "path spiral", "path circle 0", "path circle 1001",
         "path circle x", "gain x kp 1", "gain z kp 1 0", "gain x kq 1 0", "gain x kp 2048 0",
         "gain x kp 1 16", "gain x kp 1 -17", "gain x kp -1 0", "gain x kp 1 0 0", "log 0",
-        "log 257", "log 1 2", "a b c d e f g", "start\t", "path circle 99999999999"}) {
+        "log 257", "r", "r 1 2", "r 2", "r 1024", "r 0x400", "r -4", "r 0x", "r 0xg", "r 4x",
+        "r 0x00000004g", "r 0x100000004",
+        "log 1 2", "a b c d e f g", "start\t", "path circle 99999999999"}) {
     INFO(wrong);
     CHECK(b.say(wrong) == "?\r\n");
   }
@@ -88,6 +90,28 @@ TEST_CASE("a gain is kept for the next start, and in effect at once while the dr
   CHECK(b.chip.registers[reg::kY + reg::kKiCur] == sw::gain_word({100, -3}));
   CHECK(b.say("gain x kp 2047 15") == "ok\r\n");
   CHECK(b.chip.registers[reg::kX + reg::kKp] == sw::gain_word({2047, 15}));
+}
+
+TEST_CASE("a register of the IC is read, its address decimal or hexadecimal") {
+  Bench b;
+  b.chip.registers[0x000] = 0xFFFF'FFFF;
+  b.chip.registers[0x0C8] = 0x0123'4567;
+  b.chip.registers[0x3FC] = 0x89AB'CDEF;
+  CHECK(b.say("r 0") == "0xffffffff\r\n");
+  CHECK(b.say("r 200") == "0x01234567\r\n");
+  CHECK(b.say("r 0xc8") == "0x01234567\r\n");
+  CHECK(b.say("r 0X000000C8") == "0x01234567\r\n");
+  CHECK(b.say("r 0x3fc") == "0x89abcdef\r\n");
+  CHECK(b.say("r 1020") == "0x89abcdef\r\n");
+  CHECK(b.writes() == 0);
+}
+
+TEST_CASE("the status tells of bytes that were lost on the line, if any") {
+  Bench b;
+  b.console.lost(0);
+  CHECK(b.say("status").find("lost") == std::string::npos);
+  b.console.lost(17);
+  CHECK(b.say("status") == "off point 0 of 629 failure 0 fault 0 lost 17\r\n");
 }
 
 TEST_CASE("the log is printed line by line, oldest first, and only what was asked") {

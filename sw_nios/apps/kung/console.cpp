@@ -4,6 +4,7 @@
 #include <new>
 
 #include "rtl/chips/generated/kung_xy_regs.hpp"
+#include "sw_nios/hal/soc_map.hpp"
 
 namespace trammel::sw {
 namespace {
@@ -28,6 +29,25 @@ bool number(const char* text, std::int32_t low, std::int32_t high, std::int32_t&
   }
   value = negative ? -sum : sum;
   return digits > 0 && *text == 0 && value >= low && value <= high;
+}
+
+// Decimal, or 0x and at most 8 hexadecimal digits.
+bool address(const char* text, std::int32_t high, std::int32_t& value) {
+  if (text[0] != '0' || (text[1] != 'x' && text[1] != 'X')) return number(text, 0, high, value);
+  std::uint32_t digits = 0, sum = 0;
+  for (text += 2; digits < 8; ++text, ++digits) {
+    const char lower = static_cast<char>(*text | 0x20);
+    if (*text >= '0' && *text <= '9') {
+      sum = 16 * sum + static_cast<std::uint32_t>(*text - '0');
+    } else if (lower >= 'a' && lower <= 'f') {
+      sum = 16 * sum + static_cast<std::uint32_t>(lower - 'a') + 10;
+    } else {
+      break;
+    }
+  }
+  if (digits == 0 || *text != 0 || sum > static_cast<std::uint32_t>(high)) return false;
+  value = static_cast<std::int32_t>(sum);
+  return true;
 }
 
 struct PathName {
@@ -100,6 +120,7 @@ bool Console::command(const Words& words) {
   const char* name = words.at[0];
   if (same(name, "path")) return choose_path(words);
   if (same(name, "gain")) return set_gain(words);
+  if (same(name, "r")) return read_register(words);
   if (same(name, "log")) {
     std::int32_t count = static_cast<std::int32_t>(KungApp::kLogSize);
     if (words.count > 2 || (words.count == 2 && !number(words.at[1], 1, count, count))) {
@@ -113,8 +134,8 @@ bool Console::command(const Words& words) {
   }
   if (words.count != 1) return false;
   if (same(name, "help")) {
-    say("help, path NAME [PASSES], start, stop, gain AXIS NAME MANT EXP, gains, status, "
-        "log [COUNT]");
+    say("help, path NAME [PASSES], start, stop, gain AXIS NAME MANT EXP, gains, r ADDRESS, "
+        "status, log [COUNT]");
   } else if (same(name, "start")) {
     if (program_.started()) return refuse("drives are on");
     program_.start(bus_);
@@ -165,6 +186,15 @@ bool Console::set_gain(const Words& words) {
   return false;
 }
 
+bool Console::read_register(const Words& words) {
+  std::int32_t at = 0;
+  constexpr auto kLast = static_cast<std::int32_t>(soc_map::kChipBytes - 4);
+  if (words.count != 2 || !address(words.at[1], kLast, at) || at % 4 != 0) return false;
+  TextLine line;
+  ring_.put(line.hex(bus_.read(static_cast<std::uint32_t>(at))));
+  return true;
+}
+
 void Console::status() {
   KungApp& app = program_.app();
   const Mailbox& mail = app.mailbox();
@@ -172,6 +202,7 @@ void Console::status() {
   line.text(!program_.started() ? "off" : mail.failure != 0 ? "failed" : "on");
   line.text(" point ").number(mail.point).text(" of ").number(app.points());
   line.text(" failure ").number(mail.failure).text(" fault ").number(app.fault());
+  if (lost_ != 0) line.text(" lost ").number(lost_);
   if (app.log_size() != 0) {
     const LogRecord& last = app.log(app.log_size() - 1);
     line.text(" tick ").number(last.tick).text(" x ").number(last.x_pos);

@@ -10,7 +10,8 @@
 //   gain AXIS NAME MANT EXP     x or y; kp, ki, kv, eta, kp_cur, ki_cur; mant 0..2047, exp -16..15;
 //                               in effect at once while the drives are on
 //   gains                       those in effect
-//   status                      of the program, and the last record of the log
+//   r ADDRESS                   a register of the IC, decimal or 0x...; a multiple of 4 to 1020
+//   status                      of the program, bytes lost on the line, last record of the log
 //   log [COUNT]                 the last records, one a line
 //
 // Nothing is printed in the service routine: answers go into a ring that the main loop empties, and
@@ -59,6 +60,7 @@ class Console {
   Console(KungProgram& program, Bus& bus) : program_(program), bus_(bus) {}
 
   void take(char byte);
+  void lost(std::uint32_t bytes) { lost_ = bytes; }  // on the line so far, for the status
   // When the ring is empty: the next number of the log, if one is asked for. Together with a
   // service routine it takes less than a byte does on the line, so that no byte is lost.
   void pump();
@@ -76,6 +78,7 @@ class Console {
   bool command(const Words& words);
   bool choose_path(const Words& words);
   bool set_gain(const Words& words);
+  bool read_register(const Words& words);
   void print_field();
   void status();
   void gains();
@@ -88,6 +91,7 @@ class Console {
   std::array<char, kLine + 1> line_{};
   std::uint32_t length_ = 0;
   bool bad_ = false;  // the line holds a byte that no command has, or is too long
+  std::uint32_t lost_ = 0;
   std::uint32_t log_at_ = 0, log_left_ = 0;
   std::uint32_t field_ = 0;  // of the line of the log that is being printed
 };

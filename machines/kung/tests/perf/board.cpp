@@ -8,6 +8,7 @@
 #include "machines/kung/plan.hpp"
 #include "machines/kung/verilated/probe.hpp"
 #include "machines/kung/words.hpp"
+#include "rtl/chips/generated/kung_xy_regs.hpp"
 
 namespace trammel::perf {
 
@@ -97,7 +98,9 @@ void Board::execute() {
 // What is written after one edge is seen by the next: the transfer is valid `access_clk` edges
 // after the one at which the processor stands, and ends at the one that takes the response.
 std::uint32_t Board::transfer(const cosim::BusOp& op) {
-  wait(options_.processor.access_clk - 1);
+  const bool computes =
+      op.write && options_.point_clk > 0 && op.addr == kung_xy_regs::kX + kung_xy_regs::kPosCmd;
+  wait(options_.processor.access_clk - 1 + (computes ? options_.point_clk : 0));
   if (op.write) {
     pins_.awaddr = op.addr;
     pins_.wdata = op.data;

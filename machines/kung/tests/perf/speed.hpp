@@ -9,6 +9,7 @@
 #include "machines/kung/session.hpp"
 #include "machines/kung/words.hpp"
 #include "machines/kung/tests/perf/row.hpp"
+#include "rtl/chips/generated/kung_xy_regs.hpp"
 
 namespace trammel::perf {
 
@@ -63,7 +64,8 @@ inline Outcome run_speed(const Arguments& arguments) {
   Nothing nothing;
   cosim::Loop loop(*chip, table, nothing);
   cosim::run_direct(loop, firmware,
-                    {options.processor.access_clk, options.processor.interrupt_latency_clk},
+                    {options.processor.access_clk, options.processor.interrupt_latency_clk, {},
+                     options.point_clk, kung_xy_regs::kX + kung_xy_regs::kPosCmd},
                     kung::edge_at(options.run.max_s), [] { return false; });
   return {chip->now(), chip->evaluated(), 0, 0};
 }

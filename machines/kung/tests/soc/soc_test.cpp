@@ -137,6 +137,30 @@ TEST_CASE("a million random bytes with the drives off write no register of the I
   check_noise_at_rest(1'000'000);
 }
 
+TEST_CASE("commands that are typed without a pause lose no byte, at a path's longest routine") {
+  const Options options = scenario("star");
+  const std::string line = fmt::format("{:<40}\r", fmt::format("r {:#x}", kung_xy_regs::kId));
+  const auto begin = static_cast<cosim::Clk>(0.1 * kClockHz);  // it is started by then
+  const auto end = static_cast<cosim::Clk>(0.8 * kClockHz);
+  std::size_t sent = 0;
+  std::string heard;
+  cosim::SerialHost host(
+      kClocksPerBit,
+      [&](cosim::Clk edge) -> std::optional<unsigned char> {
+        const bool done = edge + 2 * 410 * kClocksPerBit > end && sent % line.size() == 0;
+        if (edge < begin || done) return std::nullopt;
+        return static_cast<unsigned char>(line[sent++ % line.size()]);
+      },
+      [&heard](unsigned char byte) { heard += static_cast<char>(byte); });
+  const Ran ran = run(options, end, &host);
+  CHECK(ran.times.routine.worst > 2 * 10 * kClocksPerBit);  // longer than two bytes
+  const std::string answer = fmt::format("{:#010x}\r\n", kung_xy_regs::kIdValue);
+  std::string expected;
+  for (std::size_t n = 0; n < sent / line.size(); ++n) expected += answer;
+  CHECK(sent > 5000);
+  CHECK(heard == expected);
+}
+
 TEST_CASE("a file of commands is answered on the serial port, line by line") {
   Options options = line();
   options.uart = "soc_test_commands.txt";

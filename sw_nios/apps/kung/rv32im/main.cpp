@@ -63,6 +63,7 @@ int main() {
     }
     if ((why & map::kWaitReceived) != 0) {
       const std::uint32_t byte = at(map::kUart);
+      console.lost(byte >> map::kUartLostShift & 0xFFu);
       console.take(static_cast<char>(byte & 0xFFu));
     }
     if ((why & map::kWaitCanSend) != 0 && !console.ring().empty()) {

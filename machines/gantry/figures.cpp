@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a run of the machine gantry is judged by.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "machines/gantry/host.hpp"
+#include "machines/gantry/machine.hpp"
+
+namespace trammel::gantry {
+namespace {
+
+// Overshoots that the thesis prints, of its scenarios [% of the step].
+struct Published {
+  const char* scenario;
+  double percent;
+  const char* source;
+};
+constexpr Published kPublished[] = {{"gantry-p", 0.26, "Brochier 2006, figure 36"},
+                                    {"gantry-pi", 45, "Brochier 2006, figure 37"},
+                                    {"gantry-pi-cancel", 4.5, "Brochier 2006, figure 38"},
+                                    {"gantry-pi-aw", 0.65, "Brochier 2006, figure 39"},
+                                    {"gantry-cascade-30", 0, "Brochier 2006, figure 52"},
+                                    {"gantry-cascade", 0, "Brochier 2006, figure 55"}};
+
+double mm(const Options& options, const Sample& s) { return 1e3 * s.x - options.zero_mm; }
+
+}  // namespace
+
+StepFigures step_figures(const Options& options, const Result& result) {
+  StepFigures f;
+  const auto sends = read_sends(options.sends);
+  const double begin = sends.empty() ? 0 : sends.back().at_s;
+  const double step = options.reference_mm - options.from_mm;
+  double low = 1e9, high = -1e9, end = options.time_s;
+  for (const Sample& s : result.samples) {
+    const double t = cosim::seconds_of(s.edge, options.axis.clock_ps);
+    if (t < begin) continue;
+    const double off = mm(options, s) - options.reference_mm;
+    f.overshoot_mm = std::max(f.overshoot_mm, step >= 0 ? off : -off);
+    if (f.arrive_s < 0 && std::fabs(off) <= options.band_mm) f.arrive_s = t - begin;
+    if (std::fabs(off) > 0.02 * std::fabs(step)) {
+      f.settle_s = -1;
+    } else if (f.settle_s < 0) {
+      f.settle_s = t - begin;
+    }
+    f.rest_mm = off;
+    if (t > end - 0.25 * (end - begin)) {
+      low = std::min(low, off);
+      high = std::max(high, off);
+    }
+  }
+  f.swing_mm = std::max(0.0, high - low);
+  return f;
+}
+
+std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult& run) {
+  const auto& options = static_cast<const Options&>(settings);
+  const auto& result = static_cast<const Result&>(run);
+  const StepFigures f = step_figures(options, result);
+  const double step = std::fabs(options.reference_mm - options.from_mm);
+  double speed = 0, force = 0;
+  for (const Sample& s : result.samples) {
+    speed = std::max(speed, 1e3 * std::fabs(s.v));
+    force = std::max(force, std::fabs(static_cast<double>(s.words.force[0])));
+  }
+  std::vector<lab::Figure> list;
+  const auto add = [&list](lab::Figure one, const char* tile = "") {
+    one.tile = tile;
+    list.push_back(std::move(one));
+  };
+  using lab::count;
+  using lab::figure;
+  add(figure("step.overshoot_mm", "step", "overshoot", f.overshoot_mm, "mm", 3));
+  lab::Figure percent = figure("step.overshoot_percent", "step", "overshoot of the step",
+                               step > 0 ? 100 * f.overshoot_mm / step : 0, "%", 2);
+  for (const Published& one : kPublished) {
+    if (options.scenario != one.scenario) continue;
+    percent.printed = one.percent;
+    percent.source = one.source;
+  }
+  add(percent, "Overshoot");
+  add(figure("step.arrive_s", "step", "until within the band", f.arrive_s, "s", 3), "Arrived");
+  add(figure("step.settle_s", "step", "until within 2 % for good", f.settle_s, "s", 3), "Settled");
+  add(figure("step.rest_mm", "step", "from the reference at the end", f.rest_mm, "mm", 3),
+      "Rest");
+  add(figure("step.swing_mm", "step", "peak to peak over the last quarter", f.swing_mm, "mm", 3));
+  add(figure("max_speed_mm_s", "largest speed", "", speed, "mm/s", 1), "Largest speed");
+  add(count("max_force", "largest force", "", force, "count"));
+  add(count("passes", "control passes", "", result.passes));
+  add(count("host.heard", "bytes", "from the chip", static_cast<double>(result.heard.size())));
+  add(count("host.malformed", "frames", "malformed", result.malformed));
+  add(count("host.lost", "frames", "lost", result.lost));
+  add(count("host.unknown", "frames", "unknown", result.unknown));
+  return list;
+}
+
+std::vector<std::string> remarks(const lab::Record& record) {
+  const Result& result = result_of(record);
+  std::vector<std::string> lines;
+  if (options_of(record).firmware.home) {
+    lines.push_back(result.homed ? "homed" : "homing did not end");
+  }
+  if (result.fitted) lines.push_back("calibration fitted");
+  std::string bytes;
+  constexpr std::size_t kShown = 24;
+  for (std::size_t k = 0; k < std::min(kShown, result.heard.size()); ++k) {
+    bytes += fmt::format(" {:02X}", result.heard[k]);
+  }
+  if (!bytes.empty()) {
+    lines.push_back("heard:" + bytes + (result.heard.size() > kShown ? " ..." : ""));
+  }
+  return lines;
+}
+
+void add_metrics(const lab::Record& record, nlohmann::ordered_json& json) {
+  json["homed"] = result_of(record).homed;
+  auto& words = json["calibration"] = nlohmann::ordered_json::array();
+  for (const std::uint16_t word : result_of(record).store) words.push_back(word);
+}
+
+}  // namespace trammel::gantry

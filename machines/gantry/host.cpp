@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "machines/gantry/host.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <stdlib.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdio>
+#include <sstream>
+#include <thread>
+
+#include "cosim/machine.hpp"
+#include "lab/errors.hpp"
+
+namespace trammel::gantry {
+namespace {
+
+std::int64_t wall_ns() {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(
+             std::chrono::steady_clock::now().time_since_epoch())
+      .count();
+}
+
+[[noreturn]] void refuse(const std::string& word, const std::string& why) {
+  throw lab::ConfigError(fmt::format(
+      "host.sends: \"{}\": {}; permitted: time_s:channel=value, time_s:channel?, time_s:dN? and "
+      "time_s:xHEX, channels 0 to 31, separated by blanks", word, why));
+}
+
+unsigned long long number(const std::string& word, const std::string& digits, int base,
+                          unsigned long long most) {
+  std::size_t used = 0;
+  unsigned long long value = 0;
+  try {
+    value = std::stoull(digits, &used, base);
+  } catch (const std::exception&) {
+    refuse(word, "\"" + digits + "\" is no number");
+  }
+  if (used != digits.size() || digits[0] == '-') refuse(word, "\"" + digits + "\" is no number");
+  if (value > most) refuse(word, fmt::format("{} is above {}", value, most));
+  return value;
+}
+
+Sent read_word(const std::string& word) {
+  Sent sent;
+  const std::size_t colon = word.find(':');
+  if (colon == std::string::npos) refuse(word, "there is no \":\"");
+  std::size_t used = 0;
+  try {
+    sent.at_s = std::stod(word.substr(0, colon), &used);
+  } catch (const std::exception&) {
+    used = 0;
+  }
+  if (used == 0 || used != colon || !(sent.at_s >= 0 && sent.at_s <= 3600)) {
+    refuse(word, "its time is not 0 to 3600 s");
+  }
+  const std::string what = word.substr(colon + 1);
+  if (!what.empty() && what[0] == 'x') {
+    if (what.size() < 3 || what.size() % 2 == 0) refuse(word, "bytes have two digits each");
+    for (std::size_t k = 1; k < what.size(); k += 2) {
+      sent.bytes.push_back(
+          static_cast<unsigned char>(number(word, what.substr(k, 2), 16, 255)));
+    }
+    return sent;
+  }
+  if (!what.empty() && what.back() == '?') {
+    const bool bit = what[0] == 'd';
+    const std::string digits = what.substr(bit ? 1 : 0, what.size() - (bit ? 2 : 1));
+    sent.bytes.push_back(
+        static_cast<unsigned char>((bit ? 0x40u : 0x60u) | number(word, digits, 10, 31)));
+    return sent;
+  }
+  const std::size_t equal = what.find('=');
+  if (equal == std::string::npos) refuse(word, "it neither sets nor polls");
+  sent.bytes = frame_of(
+      static_cast<std::uint32_t>(number(word, what.substr(0, equal), 10, 31)),
+      static_cast<std::uint32_t>(number(word, what.substr(equal + 1), 10, 0xFFFFFFFF)));
+  return sent;
+}
+
+}  // namespace
+
+std::vector<unsigned char> frame_of(std::uint32_t channel, std::uint32_t value) {
+  std::vector<unsigned char> bytes{
+      static_cast<unsigned char>((value & 3) << 5 | (channel & 31))};
+  for (value >>= 2;;) {
+    bytes.insert(bytes.begin(), static_cast<unsigned char>(0x80 | (value & 0x7F)));
+    value >>= 7;
+    if (value == 0) return bytes;
+  }
+}
+
+std::vector<Sent> read_sends(const std::string& text) {
+  std::vector<Sent> all;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    all.push_back(read_word(word));
+    if (all.size() > 1 && all.back().at_s < all[all.size() - 2].at_s) {
+      refuse(word, "it is earlier than the one before");
+    }
+  }
+  return all;
+}
+
+PseudoTerminal::PseudoTerminal(std::int64_t clock_ps) : clock_ps_(clock_ps) {
+  fd_ = posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+  if (fd_ < 0 || grantpt(fd_) != 0 || unlockpt(fd_) != 0) {
+    if (fd_ >= 0) close(fd_);
+    throw cosim::OptionsError("host.serial: this system gives no pseudo-terminal");
+  }
+  termios plain{};
+  if (tcgetattr(fd_, &plain) == 0) {
+    cfmakeraw(&plain);
+    tcsetattr(fd_, TCSANOW, &plain);
+  }
+  held_ = open(ptsname(fd_), O_RDWR | O_NOCTTY | O_CLOEXEC);
+  std::fputs(fmt::format("trammel: the serial port is {}\n", ptsname(fd_)).c_str(), stderr);
+  started_ns_ = wall_ns();
+}
+
+PseudoTerminal::~PseudoTerminal() {
+  if (held_ >= 0) close(held_);
+  close(fd_);
+}
+
+std::optional<unsigned char> PseudoTerminal::next(cosim::Clk edge) {
+  const auto due = started_ns_ + edge * clock_ps_ / 1000;
+  if (const std::int64_t early = due - wall_ns(); early > 1'000'000) {
+    std::this_thread::sleep_for(std::chrono::nanoseconds(early));
+  }
+  pollfd wanted{fd_, POLLIN, 0};
+  unsigned char byte = 0;
+  if (poll(&wanted, 1, 0) <= 0 || (wanted.revents & POLLIN) == 0) return std::nullopt;
+  if (read(fd_, &byte, 1) != 1) return std::nullopt;
+  return byte;
+}
+
+// What nobody reads is lost, as on a line without a program at its end.
+void PseudoTerminal::take(unsigned char byte) {
+  if (write(fd_, &byte, 1) != 1) tcflush(held_, TCIFLUSH);
+}
+
+}  // namespace trammel::gantry

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Keys of the machine gantry.
+#include "lab/key_table.hpp"
+#include "machines/gantry/machine.hpp"
+
+namespace trammel::lab {
+
+template <>
+inline std::vector<std::string> enum_names<sw::PositionPi::Sum>() {
+  return {"none", "plain", "cancel", "anti_windup"};
+}
+
+}  // namespace trammel::lab
+
+namespace trammel::gantry {
+namespace {
+
+using Table = lab::KeyTable<Options>;
+
+void add_firmware(Table& t) {
+  t.one("boot.home", 0, 0, "to the right stop first: that is zero", TRAMMEL_LENS(firmware.home));
+  t.one("boot.calibrate", 0, 0, "behind that a run at constant force, and the fit",
+        TRAMMEL_LENS(firmware.calibrate));
+  t.one("boot.home_force", 100, 1023, "of both motors", TRAMMEL_LENS(firmware.home_force));
+  t.one("boot.home_ticks", 100, 1e6, "the position unchanged for so long is zero",
+        TRAMMEL_LENS(firmware.home_ticks));
+  t.one("boot.fit_force", 100, 1023, "of the calibration run", TRAMMEL_LENS(firmware.fit_force));
+  t.one("control.pass_ms", 0.5, 50, "from one control pass to the next", TRAMMEL_LENS(pass_ms));
+  t.one("control.cascade", 0, 0, "the position asks for a velocity that a PI keeps",
+        TRAMMEL_LENS(firmware.cascade));
+  t.one("control.cascade_gain", 0, 16, "K of the cascade, a shift",
+        TRAMMEL_LENS(firmware.cascade_gain));
+  t.one("control.compensate", 0, 0, "of the cascade: the motors pull against the backlash",
+        TRAMMEL_LENS(firmware.compensate));
+  t.one("control.brake_force", 0, 512, "B of the compensation",
+        TRAMMEL_LENS(firmware.compensation.brake));
+  t.one("control.near_count", 1, 1000, "largest error at which it acts; 32 are 5 mm",
+        TRAMMEL_LENS(firmware.compensation.near));
+}
+
+void add_position(Table& t) {
+  t.one("position.bang_bang", 0, 0, "the whole force by the sign of the error",
+        TRAMMEL_LENS(firmware.position.bang));
+  t.one("position.sum", 0, 0, "which PI: none is P", TRAMMEL_LENS(firmware.position.sum));
+  t.one("position.sum_per_tick", 0, 0, "the sum grows at each conversion; false: once a pass",
+        TRAMMEL_LENS(firmware.position.per_tick));
+  t.one("position.gain", 0, 1000, "K", TRAMMEL_LENS(firmware.position.gain));
+  t.one("position.time_shift", 0, 30, "TI: the sum is divided by 2 to this",
+        TRAMMEL_LENS(firmware.position.time));
+  t.one("position.max_force", 1, 1023, "MAX", TRAMMEL_LENS(firmware.position.most));
+  t.one("position.min_force", 0, 1023, "MIN: a smaller force is lifted to it; 0: none is",
+        TRAMMEL_LENS(firmware.position.least));
+  t.one("position.aw_limit", 1, 1023, "force at which the anti-windup holds",
+        TRAMMEL_LENS(firmware.position.aw_limit));
+  t.one("velocity.gain_shift", 0, 30, "KV", TRAMMEL_LENS(firmware.velocity.gain));
+  t.one("velocity.time_shift", 0, 30, "KIV", TRAMMEL_LENS(firmware.velocity.time));
+  t.one("velocity.aw_limit", 1, 1023, "force at which the anti-windup holds",
+        TRAMMEL_LENS(firmware.velocity.aw_limit));
+  t.one("velocity.aw_shift", 0, 0, "what it stores is shifted by KIV, unlike the listing's",
+        TRAMMEL_LENS(firmware.velocity.aw_shift));
+}
+
+void add_axis(Table& t) {
+  t.one("axis.start_m", -0.001, 0.471, "where the cart stands", TRAMMEL_LENS(axis.start));
+  t.one("axis.coulomb_count", 0, 500, "friction, in force counts", TRAMMEL_LENS(axis.coulomb));
+  t.one("axis.stiction_count", 0, 500, "force at which the cart breaks away",
+        TRAMMEL_LENS(axis.stiction));
+  t.one("axis.viscous_N_s_m", 0, 200, "of each motor", TRAMMEL_LENS(axis.viscous));
+  t.one("axis.motor_mass_kg", 0.05, 10, "of each motor at the belt", TRAMMEL_LENS(axis.motor_mass));
+  t.one("axis.cart_mass_kg", 0.05, 10, "of the cart", TRAMMEL_LENS(axis.cart_mass));
+  t.one("axis.belt_N_m", 1e3, 1e6, "stiffness of the belt to each motor",
+        TRAMMEL_LENS(axis.belt_stiffness));
+  t.one("axis.belt_damping", 0, 2, "ratio", TRAMMEL_LENS(axis.belt_damping));
+  t.one("axis.gap_m", 0, 0.005, "half of the backlash of each gear wheel", TRAMMEL_LENS(axis.gap));
+  t.one("axis.zone_more", 0, 2, "share of friction that 90 to 110 and 220 to 290 mm add",
+        TRAMMEL_LENS(axis.zone_more));
+  t.one("axis.winding_s", 0, 0.02, "electrical time constant of the motors",
+        TRAMMEL_LENS(axis.winding));
+  t.one("sensor.delay_s", 0, 0.05, "age of what the sensor tells", TRAMMEL_LENS(axis.delay));
+  t.one("sensor.amplitude_code", 50, 511, "of A and B", TRAMMEL_LENS(stripes.amplitude));
+  t.one("sensor.amplitude_a_error", -0.3, 0.3, "share", TRAMMEL_LENS(stripes.amplitude_a_error));
+  t.one("sensor.amplitude_b_error", -0.3, 0.3, "share", TRAMMEL_LENS(stripes.amplitude_b_error));
+  t.one("sensor.offset_a_error", -0.3, 0.3, "share of the amplitude",
+        TRAMMEL_LENS(stripes.offset_a_error));
+  t.one("sensor.offset_b_error", -0.3, 0.3, "share of the amplitude",
+        TRAMMEL_LENS(stripes.offset_b_error));
+  t.one("sensor.phase_b_error_rad", -0.3, 0.3, "of B", TRAMMEL_LENS(stripes.phase_b_error));
+  t.one("sensor.defect_1_unit", -4000, 4000, "jump at 190 mm, 2^-14 of a period; 0: none",
+        TRAMMEL_LENS(stripes.defect_units[0]));
+  t.one("sensor.defect_2_unit", -4000, 4000, "jump at 300 mm",
+        TRAMMEL_LENS(stripes.defect_units[1]));
+}
+
+}  // namespace
+
+const std::vector<lab::Key>& keys() {
+  static const auto all = [] {
+    Table t(machine().name);
+    t.names();
+    t.platform_and_clocks();
+    t.window();
+    t.longest_run();
+    t.one("run.time_s", 1e-3, 3600, "of the experiment", TRAMMEL_LENS(time_s));
+    t.one("run.reached_mm", -1, 500,
+          "most distance of the cart from the reference at the end; below 0: any",
+          TRAMMEL_LENS(reached_mm));
+    t.waves("the first drive", "see docs/waves.md");
+    t.faults();
+    t.one("record.every_ms", 0.1, 1000, "from one sample to the next", TRAMMEL_LENS(record_ms));
+    t.text("host.sends", "what the host sends and when: 0.1:21=305, 0.2:31?, 0.3:x8A49",
+           TRAMMEL_LENS(sends));
+    t.one("host.serial", 0, 0, "a pseudo-terminal is the host, in real time", TRAMMEL_LENS(serial));
+    t.one("host.stream", 0, 0, "position, time and velocity are sent every pass",
+          TRAMMEL_LENS(firmware.stream));
+    t.one("step.reference_mm", 0, 470, "that figures of the step are measured from",
+          TRAMMEL_LENS(reference_mm));
+    t.one("step.from_mm", 0, 470, "where the step begins", TRAMMEL_LENS(from_mm));
+    t.one("step.zero_mm", -2, 472, "where on the track these two are 0",
+          TRAMMEL_LENS(zero_mm));
+    t.one("step.band_mm", 0.01, 50, "arrived is within it", TRAMMEL_LENS(band_mm));
+    add_firmware(t);
+    add_position(t);
+    t.processor();
+    add_axis(t);
+    return t.keys;
+  }();
+  return all;
+}
+
+}  // namespace trammel::gantry

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "machines/gantry/machine.hpp"
+
+#include <fmt/format.h>
+
+#include "machines/gantry/session.hpp"
+#include "machines/gantry/signals.hpp"
+
+namespace trammel::gantry {
+namespace {
+
+void validate(lab::Settings& settings) {
+  const auto& options = static_cast<const Options&>(settings);
+  read_sends(options.sends);
+  if (options.axis.stiction < options.axis.coulomb) {
+    throw lab::ConfigError(fmt::format(
+        "axis.stiction_count: {:g} is below axis.coulomb_count, {:g}; permitted: at least that",
+        options.axis.stiction, options.axis.coulomb));
+  }
+  if (options.firmware.position.least > options.firmware.position.most) {
+    throw lab::ConfigError(fmt::format(
+        "position.min_force: {} is above position.max_force, {}; permitted: at most that",
+        options.firmware.position.least, options.firmware.position.most));
+  }
+}
+
+std::string verdict(const lab::Settings& settings, const cosim::RunResult& run) {
+  const auto& result = static_cast<const Result&>(run);
+  switch (run.end) {
+    case cosim::EndReason::kFault: return "failed: " + result.fault;
+    case cosim::EndReason::kMissed: return "missed: " + result.fault;
+    case cosim::EndReason::kTimeout:
+      return fmt::format("not finished within run.max_s = {:g}", settings.run.max_s);
+    case cosim::EndReason::kPromise:
+      return "assertion failed: " + lab::promise_text(*result.promise);
+    default: return lab::end_text(run.end);
+  }
+}
+
+lab::Machine describe() {
+  lab::Machine m;
+  m.name = "gantry";
+  m.title = "gantry track of 2006: two motors on a belt, stripe sensor, Serial2002";
+  m.source = "Brochier 2006";
+  m.order = 5;
+  m.of_types<Options, Session>();
+  m.keys = keys;
+  m.validate = validate;
+  m.triggers = triggers;
+  m.vcd_bytes_s = 5e9;
+  m.fst_bytes_s = 2e7;
+  m.columns = columns;
+  m.figures = figures;
+  m.verdict = verdict;
+  m.remarks = remarks;
+  m.metrics = add_metrics;
+  m.page.arrays = {"/calibration"};
+  return m;
+}
+
+}  // namespace
+
+const cosim::TriggerForms& triggers() {
+  static const cosim::TriggerForms forms = cosim::stop_forms(signals());
+  return forms;
+}
+
+const lab::Machine& machine() {
+  static const lab::Machine description = describe();
+  return description;
+}
+
+}  // namespace trammel::gantry

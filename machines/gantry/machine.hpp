@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The parts of machine.cpp that are in units of their own.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lab/machine.hpp"
+#include "machines/gantry/options.hpp"
+#include "machines/gantry/record.hpp"
+
+namespace trammel::gantry {
+
+const std::vector<lab::Key>& keys();  // keys.cpp
+const lab::ColumnTable& columns();    // columns.cpp
+std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult& result);
+void add_metrics(const lab::Record& record, nlohmann::ordered_json& json);
+std::vector<std::string> remarks(const lab::Record& record);
+const cosim::TriggerForms& triggers();  // machine.cpp
+
+// What the non-volatile memory holds at power-on: data of an ideal sensor of amplitude 400.
+Store ideal_store();  // store.cpp
+
+inline const Options& options_of(const lab::Record& record) {
+  return static_cast<const Options&>(*record.settings);
+}
+inline const Result& result_of(const lab::Record& record) {
+  return static_cast<const Result&>(*record.result);
+}
+
+}  // namespace trammel::gantry

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Belt, stripes and host of models/ behind the interface of cosim/.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "cosim/fault_plant.hpp"
+#include "machines/gantry/host.hpp"
+#include "machines/gantry/lines.hpp"
+#include "models/plant/belt_axis.hpp"
+#include "models/plant/stripe_track.hpp"
+
+namespace trammel::gantry {
+
+class TrackPlant final : public cosim::FalliblePlant {
+ public:
+  static constexpr cosim::Clk kClocksPerBit = 434;  // 115,200 baud at 50 MHz
+
+  TrackPlant(const plant::BeltAxisConfig& axis, const plant::StripeTrackConfig& stripes,
+             std::vector<Sent> sends, bool serial)
+      : axis_(axis),
+        stripes_(stripes),
+        sends_(std::move(sends)),
+        terminal_(serial ? std::make_unique<PseudoTerminal>(axis.clock_ps) : nullptr),
+        host_(kClocksPerBit, [this](cosim::Clk edge) { return next_byte(edge); },
+              [](unsigned char) {}),
+        reader_(kClocksPerBit) {}
+
+  const plant::BeltAxis& axis() const { return axis_; }
+  const std::vector<unsigned char>& heard() const { return heard_; }
+
+  cosim::Lines sense() const override { return rx_ ? cosim::Lines{1} << kRx : 0; }
+  // The belt is followed at least each millisecond: what the sensor tells is older than that.
+  cosim::Clk next() const override {
+    return std::min(host_.next(), (last_ / kFollow + 1) * kFollow);
+  }
+
+  void commit(cosim::Clk n, cosim::Lines drive) override {
+    std::array<double, kMotors> bridge{};
+    for (int m = 0; m < kMotors; ++m) {
+      const double on = level(drive, pwm(m)) ? 1 : 0;
+      bridge[static_cast<std::size_t>(m)] = level(drive, negative(m)) ? on : -on;
+    }
+    axis_.drive(n, bridge);
+    rx_ = host_.level(n);
+    reader_.see(n, level(drive, kTx), [this](unsigned char byte) {
+      if (terminal_) terminal_->take(byte);
+      if (heard_.size() < kMostHeard) heard_.push_back(byte);
+    });
+    last_ = n;
+  }
+
+  int sample(int channel, cosim::Clk n) const override {
+    if (channel == kCurrent) {
+      const auto& force = axis_.state().force;
+      return std::clamp(static_cast<int>(0.5 * (std::abs(force[0]) + std::abs(force[1]))), 0, 1023);
+    }
+    const plant::BeltAxis::Seen seen = axis_.seen(n);
+    return stripes_.code(channel, seen.x, seen.v);
+  }
+
+  void open_phase(cosim::Clk n, int axis, int, bool open) override {
+    last_ = std::max(last_, n);
+    axis_.open(static_cast<std::size_t>(axis), open);
+  }
+  void supply(cosim::Clk, double share) override { axis_.supply(share); }
+
+ private:
+  static constexpr cosim::Clk kFollow = 50'000;
+  static constexpr std::size_t kMostHeard = 1'000'000;
+
+  std::optional<unsigned char> next_byte(cosim::Clk edge) {
+    if (terminal_) return terminal_->next(edge);
+    if (sent_ == sends_.size()) return std::nullopt;
+    const Sent& now = sends_[sent_];
+    if (static_cast<double>(edge) * static_cast<double>(axis_.config().clock_ps) <
+        1e12 * now.at_s) {
+      return std::nullopt;
+    }
+    const unsigned char byte = now.bytes[byte_++];
+    if (byte_ == now.bytes.size()) {
+      ++sent_;
+      byte_ = 0;
+    }
+    return byte;
+  }
+
+  plant::BeltAxis axis_;
+  plant::StripeTrack stripes_;
+  std::vector<Sent> sends_;
+  std::size_t sent_ = 0, byte_ = 0;
+  std::unique_ptr<PseudoTerminal> terminal_;
+  cosim::SerialHost host_;
+  LineReader reader_;
+  std::vector<unsigned char> heard_;
+  bool rx_ = true;
+  cosim::Clk last_ = 0;
+};
+
+}  // namespace trammel::gantry

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a run of the machine gantry gives.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "cosim/disk_vector.hpp"
+#include "machines/gantry/chip.hpp"
+#include "machines/gantry/options.hpp"
+
+namespace trammel::gantry {
+
+// Every record.every_ms.
+struct Sample {
+  cosim::Clk edge = 0;
+  Words words;                       // of the chip
+  double x = 0, v = 0;               // [m], [m/s] of the cart
+  std::array<double, 2> motor{};     // [m] from the cart
+  std::array<double, 2> force{};     // [count] of the motors, positive: the position increases
+  std::array<int, 2> flank{};        // of each gear wheel that pushes; 0: within the backlash
+  std::int32_t error = 0, goal = 0, zero = 0;  // [count]
+  std::int32_t velocity = 0;         // filtered
+  std::int32_t goal_velocity = 0;
+  int phase = 0;                     // of the firmware
+};
+
+struct Result : cosim::RunResult {
+  std::size_t sample_count() const override { return samples.size(); }
+  std::string fault_text() const override { return fault; }
+
+  cosim::DiskVector<Sample> samples;
+  std::string fault;
+  std::vector<unsigned char> heard;  // bytes from the chip
+  std::uint32_t passes = 0, unknown = 0, malformed = 0, lost = 0;
+  bool homed = false, fitted = false;
+  sw::CalibrationWords fit{};        // words of the fit
+  Store store{};                     // as the run left it
+};
+
+// What a step of the reference gives, in mm of the true cart from its zero.
+struct StepFigures {
+  double overshoot_mm = 0;    // beyond the reference, 0 at least
+  double arrive_s = -1;       // from the command until within the band; below 0: never
+  double settle_s = -1;       // until it stays within 2 % of the step
+  double rest_mm = 0;         // from the reference at the end
+  double swing_mm = 0;        // peak to peak over the last quarter
+};
+StepFigures step_figures(const Options& options, const Result& result);  // figures.cpp
+
+}  // namespace trammel::gantry

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "machines/gantry/session.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "machines/gantry/machine.hpp"
+#include "machines/gantry/signals.hpp"
+
+namespace trammel::gantry {
+namespace {
+
+sw::GantrySetup setup_of(const Options& options) {
+  sw::GantrySetup setup = options.firmware;
+  setup.pass_clk = static_cast<std::uint32_t>(
+      cosim::clocks_of(1e-3 * options.pass_ms, options.axis.clock_ps));
+  return setup;
+}
+
+ChipSetup chip_of(const Options& options) {
+  return {std::max<cosim::Clk>(
+              1, cosim::clocks_of(1e-3 * options.record_ms, options.axis.clock_ps)),
+          ideal_store()};
+}
+
+}  // namespace
+
+Session::Session(const Options& options, const cosim::Hooks& hooks, const cosim::Waves& waves)
+    : options_(options),
+      hooks_(hooks),
+      waves_(waves),
+      plant_(options.axis, options.stripes, read_sends(options.sends), options.serial),
+      chip_(options.run.engine == cosim::Engine::kRtl
+                ? make_verilated_chip(options.run, waves.window, chip_of(options))
+                : make_twin_chip(chip_of(options))),
+      app_(setup_of(options)),
+      loop_(*chip_, seen(), *this, options.run.window()) {}
+
+// What the chip is wired to. The serial line is an encoder's A to a fault, the over-temperature
+// inputs its B and index; axis 0 of the converter is A, axis 1 is B.
+cosim::Plant& Session::seen() {
+  const cosim::Fault& fault = options_.fault;
+  if (!fault.any()) return plant_;
+  cosim::FaultPins pins;
+  pins.axes = kMotors;
+  pins.encoder = {{{kRx, overtemp(0), overtemp(1)}, {kRx, overtemp(0), overtemp(1)}}};
+  pins.converters = 2;
+  pins.converter_bits = 10;
+  pins.outputs = 2;
+  pins.registers = options_.run.engine == cosim::Engine::kRtl;
+  failing_.emplace(plant_, pins, fault, period_ps());
+  fault_watch_.emplace(fault, period_ps());
+  if (fault.kind == cosim::FaultKind::kRegisterFlip) {
+    cosim::require_bit(*chip_, fault.bit);
+    failing_->flip = [this] { chip_->flip(options_.fault.bit, true); };
+  }
+  return *failing_;
+}
+
+// What chip and program have seen of a fault.
+std::string Session::noticed() const {
+  const Words words = chip_->words();
+  if (words.malformed > 0) return "malformed frame";
+  if (app_.unknown() > 0) return "unknown channel";
+  if (app_.mailbox().failure != 0) return "calibration";
+  return "";
+}
+
+cosim::ProcessorTiming Session::timing() const {
+  const cosim::ProcessorOptions& p = options_.processor;
+  return {p.access_clk, p.interrupt_latency_clk, {options_.fault, period_ps()}};
+}
+
+cosim::Clk Session::end() const { return cosim::clocks_of(options_.run.max_s, period_ps()); }
+
+void Session::on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant&) {
+  if (over_ || stop.why == cosim::kLimit) return;
+  if (waves_.search != nullptr) waves_.search->on(stop, *chip_, *this);
+  if (fault_watch_) {
+    const plant::BeltState& s = plant_.axis().state();
+    const auto truth = [&] {
+      cosim::FaultTruth now;
+      now.at[0] = 1e3 * s.x[plant::BeltState::kCart];
+      now.at_stop = s.x[plant::BeltState::kCart] < options_.axis.stop_low ||
+                    s.x[plant::BeltState::kCart] > options_.axis.stop_high;
+      return now;
+    };
+    const Words words = chip_->words();
+    fault_watch_->on(stop, words.force[0] == 0 && words.force[1] == 0,
+                     [this] { return noticed(); }, truth);
+  }
+  hash_.mix(stop, chip);
+  if ((stop.why & cosim::kSample) == 0) return;
+  const Sample sample = sample_at(stop.edge);
+  samples_.push_back(sample);
+  hash_.mix(static_cast<std::uint32_t>(sample.words.position));
+  hash_.mix(static_cast<std::uint32_t>(sample.words.velocity));
+  if (const auto ended = end_after(stop.edge)) {
+    end_ = *ended;
+    over_ = true;
+  }
+}
+
+std::int64_t Session::read(std::size_t signal, int) const {
+  switch (static_cast<SignalOf>(signal)) {
+    case SignalOf::kPosition: return chip_->words().position;
+    case SignalOf::kVelocity: return chip_->words().velocity;
+    case SignalOf::kForce: return chip_->words().force[0];
+    case SignalOf::kError: return app_.error();
+    case SignalOf::kRegion: return chip_->words().region;
+  }
+  return 0;
+}
+
+Sample Session::sample_at(cosim::Clk edge) const {
+  const plant::BeltAxis& axis = plant_.axis();
+  const plant::BeltState& s = axis.state();
+  Sample sample;
+  sample.edge = edge;
+  sample.words = chip_->words();
+  sample.x = s.x[plant::BeltState::kCart];
+  sample.v = s.v[plant::BeltState::kCart];
+  sample.motor = {s.x[plant::BeltState::kMotor1] - sample.x,
+                  s.x[plant::BeltState::kMotor2] - sample.x};
+  sample.force = s.force;
+  sample.flank = {axis.flank(plant::BeltState::kMotor1), axis.flank(plant::BeltState::kMotor2)};
+  sample.error = app_.error();
+  sample.goal = app_.goal();
+  sample.zero = app_.zero();
+  sample.velocity = app_.velocity();
+  sample.goal_velocity = app_.goal_velocity();
+  sample.phase = static_cast<int>(app_.phase());
+  return sample;
+}
+
+std::optional<cosim::EndReason> Session::end_after(cosim::Clk edge) {
+  if (chip_->broken_promise()) return cosim::EndReason::kPromise;
+  if (waves_.found()) return cosim::EndReason::kDone;
+  const double now = cosim::seconds_of(edge, period_ps());
+  if (hooks_.progress && samples_.size() % 64 == 0) {
+    hooks_.progress(std::min(1.0, now / options_.time_s));
+  }
+  if (hooks_.stopped()) return cosim::EndReason::kStopped;
+  if (app_.mailbox().failure != 0) return cosim::EndReason::kFault;
+  if (now < options_.time_s) return {};
+  return cosim::EndReason::kDone;
+}
+
+std::unique_ptr<cosim::RunResult> Session::result() {
+  auto result = std::make_unique<Result>();
+  result->samples = std::move(samples_);
+  result->end = end_;
+  if (app_.mailbox().failure != 0) result->fault = "the calibration run was no steady motion";
+  const Words words = chip_->words();
+  result->heard = plant_.heard();
+  result->passes = app_.mailbox().point;
+  result->unknown = app_.unknown();
+  result->malformed = words.malformed;
+  result->lost = words.lost;
+  result->homed = app_.homed();
+  result->fitted = app_.fitted();
+  result->fit = app_.words();
+  result->store = chip_->store();
+  result->event_hash = hash_.value();
+  result->events = hash_.events();
+  if (fault_watch_) result->fault_report = fault_watch_->report();
+  if (end_ == cosim::EndReason::kDone && options_.reached_mm >= 0 && !result->samples.empty()) {
+    const double off = step_figures(options_, *result).rest_mm;
+    if (std::fabs(off) > options_.reached_mm) {
+      result->end = cosim::EndReason::kMissed;
+      result->fault = fmt::format("the cart is {:.2f} mm from its reference (run.reached_mm)", off);
+    }
+  }
+  close_result(*result, *chip_, waves_.window, started_);
+  return result;
+}
+
+}  // namespace trammel::gantry

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The fit of the observer's polynomials: a run over a sensor with errors, and how far the phase
+// that the observer then computes is from the angle.
+#include <catch2/catch.hpp>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <memory>
+
+#include "models/plant/stripe_track.hpp"
+#include "sw_nios/apps/gantry/calibration_fit.hpp"
+
+using namespace trammel;
+
+namespace {
+
+constexpr double kUnit_um = 5000.0 / 16384;
+
+// Conversions of a motion that comes to its speed with 40 ms, A and B in turn.
+std::unique_ptr<sw::CalibrationFit> run_over(const plant::StripeTrack& track, double speed) {
+  auto fit = std::make_unique<sw::CalibrationFit>();
+  for (std::uint32_t tick = 0; !fit->full(); ++tick) {
+    const double t = tick / 4612.0, x = speed * (t - 0.04 * (1 - std::exp(-t / 0.04)));
+    const bool of_a = tick % 2 == 0;
+    fit->add(tick, of_a, track.code(of_a ? 0 : 2, x, speed));
+  }
+  return fit;
+}
+
+// The phase of the observer, region by the true angle; each product is cut as there.
+int phase_of(const sw::CalibrationWords& words, unsigned region, int code) {
+  const auto word = [&](unsigned k) { return static_cast<std::int16_t>(words[k]); };
+  const int x = (code - 512) * 64 - word(10 + region);
+  int p = word(14 + 4 * region);
+  for (unsigned n = 1; n < 4; ++n) p = (p * x >> 14) + word(14 + 4 * region + n);
+  return p & 16383;
+}
+
+// Largest distance from the angle, once their mean is taken away [um].
+double error_of(const sw::CalibrationWords& words, const plant::StripeTrack& track) {
+  double low = 1e9, high = -1e9;
+  for (int k = 0; k < 5000; ++k) {
+    const double x = 1e-6 * k, angle = 16384 * k / 5000.0;
+    const unsigned region = static_cast<unsigned>(angle / 4096 + 0.5) % 4;
+    const int phase = phase_of(words, region, track.code(region % 2 == 0 ? 2 : 0, x, 0));
+    const double off = std::remainder(phase - angle, 16384.0);
+    low = std::min(low, off);
+    high = std::max(high, off);
+  }
+  return (high - low) / 2 * kUnit_um;
+}
+
+}  // namespace
+
+TEST_CASE("after the fit a sensor with 2 % of amplitude, offset and phase error is within 20 um") {
+  for (const int signs : {0, 1, 2, 3, 4, 5, 6, 7}) {
+    plant::StripeTrackConfig c;
+    c.defect_units = {0, 0};
+    c.amplitude_a_error = (signs & 1) != 0 ? 0.02 : -0.02;
+    c.amplitude_b_error = -c.amplitude_a_error;
+    c.offset_a_error = (signs & 2) != 0 ? 0.02 : -0.02;
+    c.offset_b_error = -c.offset_a_error;
+    c.phase_b_error = (signs & 4) != 0 ? 0.02 : -0.02;
+    const plant::StripeTrack track(c);
+    sw::CalibrationWords words{};
+    REQUIRE(run_over(track, 0.1267)->fit(words));
+    CAPTURE(signs);
+    CHECK(error_of(words, track) < 20);
+  }
+}
+
+TEST_CASE("the fit of an ideal sensor is within 4 um and near the cubic of the specification") {
+  plant::StripeTrackConfig c;
+  c.defect_units = {0, 0};
+  const plant::StripeTrack track(c);
+  sw::CalibrationWords words{};
+  REQUIRE(run_over(track, 0.1267)->fit(words));
+  CHECK(error_of(words, track) < 4);
+  CHECK(std::abs(static_cast<std::int16_t>(words[14]) - 162) < 20);
+  CHECK(std::abs(static_cast<std::int16_t>(words[16]) - 1652) < 10);
+  CHECK(words[4] == 512);
+  CHECK(words[5] == 512);
+}
+
+TEST_CASE("without motion there is no fit") {
+  const auto fit = std::make_unique<sw::CalibrationFit>();
+  for (std::uint32_t tick = 0; !fit->full(); ++tick) fit->add(tick, tick % 2 == 0, 600);
+  sw::CalibrationWords words{};
+  CHECK_FALSE(fit->fit(words));
+}
+
+TEST_CASE("the checksum is CRC-16/CCITT-FALSE, of which a bit more or less changes it") {
+  sw::CalibrationWords words{};
+  for (unsigned k = 0; k < 62; ++k) words[k] = static_cast<std::uint16_t>(k * 257);
+  const std::uint16_t good = sw::checksum(words);
+  for (unsigned bit = 0; bit < 62 * 16; ++bit) {
+    words[bit / 16] = static_cast<std::uint16_t>(words[bit / 16] ^ 1u << bit % 16);
+    CHECK(sw::checksum(words) != good);
+    words[bit / 16] = static_cast<std::uint16_t>(words[bit / 16] ^ 1u << bit % 16);
+  }
+}

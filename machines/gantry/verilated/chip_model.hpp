@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The verilated gantry_tau behind the Chip interface; one template for all its models. Included
+// only by the unit that the build makes of it.
+#pragma once
+
+#include <cstdint>
+#include <utility>
+
+#include "cosim/verilated/axi_lite.hpp"
+#include "cosim/verilated/hosted_chip.hpp"
+#include "machines/gantry/board.hpp"
+#include "machines/gantry/chip.hpp"
+
+namespace trammel::gantry {
+
+struct ChipState : Board {
+  using Board::Board;
+  cosim::AxiLiteMaster bus;
+};
+
+template <class Model, class Tracer>
+class ChipModel : public cosim::HostedChip<GantryChip, ChipState, Model, Tracer> {
+  using Hosted = cosim::HostedChip<GantryChip, ChipState, Model, Tracer>;
+  using Hosted::model_;
+  using Hosted::state_;
+
+ public:
+  ChipModel(Tracer tracer, cosim::ModelMode mode, const ChipSetup& setup)
+      : Hosted(std::move(tracer), mode) {
+    static_cast<Board&>(state_) = Board(setup);
+    state_.bus.reset(*model_);
+    sense(cosim::Lines{1} << kRx);
+    model_->nv_ready_i = 1;
+    model_->adc_dout_i = 0;
+    model_->nv_data_i = state_.nv_word();
+    this->reset();
+    state_.lines = pins();
+  }
+
+  cosim::Stop run(cosim::Clk end, const cosim::Plant& plant) override {
+    plant_ = &plant;
+    return Hosted::run(end, plant);
+  }
+
+  cosim::Lines drive() const override { return state_.lines; }
+  const Store& store() const override { return state_.store; }
+  Words words() const override {
+    const auto& r = *model_->rootp;
+    Words w;
+    w.position = static_cast<std::int32_t>(r.gantry_tau__DOT__position);
+    w.velocity = extended(r.gantry_tau__DOT__velocity, 23);
+    w.ticks = r.gantry_tau__DOT__ticks_q;
+    w.phase = r.gantry_tau__DOT__phase;
+    w.region = r.gantry_tau__DOT__region;
+    w.known = r.gantry_tau__DOT__known != 0;
+    w.force = {extended(r.gantry_tau__DOT__force_1, 11), extended(r.gantry_tau__DOT__force_2, 11)};
+    w.codes = {r.gantry_tau__DOT__a, r.gantry_tau__DOT__a_dot, r.gantry_tau__DOT__b,
+               r.gantry_tau__DOT__b_dot, r.gantry_tau__DOT__current};
+    w.malformed = r.gantry_tau__DOT__malformed;
+    w.lost = r.gantry_tau__DOT__lost;
+    return w;
+  }
+
+  void sense(cosim::Lines lines) override {
+    model_->rx_i = level(lines, kRx);
+    model_->overtemp_i = static_cast<std::uint8_t>((level(lines, overtemp(0)) ? 1 : 0) |
+                                                   (level(lines, overtemp(1)) ? 2 : 0));
+    state_.dirty = true;
+  }
+
+  void request(const cosim::BusOp& op) override {
+    if (!state_.request(op)) state_.bus.request(*model_, op);
+  }
+
+ private:
+  static std::int32_t extended(std::uint32_t word, int bits) {
+    const std::uint32_t sign = 1u << (bits - 1);
+    return static_cast<std::int32_t>((word ^ sign) - sign);
+  }
+
+  cosim::Lines pins() const {
+    cosim::Lines lines = cosim::Lines{model_->tx_o} << kTx;
+    for (int motor = 0; motor < kMotors; ++motor) {
+      lines |= cosim::Lines{model_->pwm_o >> motor & 1u} << pwm(motor) |
+               cosim::Lines{model_->negative_o >> motor & 1u} << negative(motor);
+    }
+    return lines;
+  }
+
+  bool bus_active() const override { return state_.bus.active() || state_.platform_active; }
+  void see_transfer() override {
+    if (state_.bus.active()) state_.bus.before_edge(*model_);
+  }
+  bool publishes() const override { return state_.samples(state_.now); }
+  bool host_pin() const override { return model_->irq_o != 0; }
+
+  bool bus_edge(cosim::Clk edge) override {
+    if (state_.platform_active) {
+      state_.platform_edge(edge, host_pin());
+      return true;
+    }
+    state_.dirty = true;
+    if (!state_.bus.after_edge(*model_)) return false;
+    state_.rdata = state_.bus.rdata();
+    return true;
+  }
+
+  bool drive_changed() override {
+    const Ports ports{model_->adc_cs_n_o != 0, model_->adc_sclk_o != 0, model_->adc_din_o != 0,
+                      model_->nv_valid_o != 0, model_->nv_write_o != 0, model_->nv_addr_o,
+                      model_->nv_data_o};
+    if (state_.serve(ports, [this](int ch) { return plant_->sample(ch, state_.now - 1); })) {
+      model_->adc_dout_i = state_.dout;
+      model_->nv_data_i = state_.nv_word();
+      state_.dirty = true;
+    }
+    return state_.changed(pins());
+  }
+
+  const cosim::Plant* plant_ = nullptr;
+};
+
+}  // namespace trammel::gantry

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Clocks that native firmware takes: those of the core of kung_soc, but for what the core computes
+// at some points only. With the processor that was assumed before the core was measured, the runs
+// of that time.
+#include <array>
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <string>
+#include <vector>
+
+#include "lab/layers.hpp"
+#include "lab/scenarios.hpp"
+#include "machines/kung/session.hpp"
+#include "machines/kung/soc.hpp"
+
+using namespace trammel;
+using namespace trammel::kung;
+
+namespace {
+
+Options scenario(const std::string& name) {
+  auto settings = lab::load_scenario(lab::find_scenario(name));
+  lab::validate(*settings);
+  return static_cast<const Options&>(*settings);
+}
+
+// Of each service routine, the clocks from the interrupt line to the end of each transfer.
+struct Routines final : cosim::Observer {
+  void on(const cosim::Stop& stop, const cosim::Chip&, const cosim::Plant&) override {
+    if ((stop.why & cosim::kIrq) != 0) {
+      all.emplace_back();
+      rose = stop.edge;
+    }
+    if ((stop.why & cosim::kBusDone) != 0 && !all.empty()) all.back().push_back(stop.edge - rose);
+  }
+  std::vector<std::vector<cosim::Clk>> all;
+  cosim::Clk rose = 0;
+};
+
+// Those of points: start-up and arming have other transfers.
+std::vector<std::vector<cosim::Clk>> points_of(Options options, Cpu cpu) {
+  constexpr std::size_t kTransfers = 14;
+  options.cpu = cpu;
+  options.run.max_s = 0.3;
+  Session session(options, {});
+  Routines routines;
+  session.loop().watch(routines);
+  const auto finished = [&session] { return session.finished(); };
+  if (cpu == Cpu::kRtl) {
+    cosim::CoreRun(session.loop(), *session.core(), session.end(), finished,
+                   [](const cosim::CoreTrap&) {}).run();
+  } else {
+    cosim::run_direct(session.loop(), session.firmware(), session.timing(), session.end(),
+                      finished);
+  }
+  std::vector<std::vector<cosim::Clk>> points;
+  for (auto& one : routines.all) {
+    if (one.size() == kTransfers) points.push_back(std::move(one));
+  }
+  return points;
+}
+
+std::uint64_t events(Options options) {
+  options.run.engine = Engine::kTwin;
+  options.run.platform = Platform::kDirect;
+  Session session(options, {});
+  cosim::run_direct(session.loop(), session.firmware(), session.timing(), session.end(),
+                    [&session] { return session.finished(); });
+  return static_cast<const Result&>(*session.result()).event_hash;
+}
+
+struct Known {
+  const char* scenario;
+  Controller controller;
+  std::uint64_t before, now;
+};
+
+constexpr std::array<Known, 12> kKnown{
+    {{"circle", Controller::kFc, 0x9ec182259401d92c, 0x0d263e224a3cbf65},
+     {"circle", Controller::kAfc, 0x583530ae94c86407, 0x1ef7e30e1c43a815},
+     {"window", Controller::kFc, 0x0cb03c5d92741ccd, 0x729ffca442ad7ea6},
+     {"window", Controller::kAfc, 0x6a983d2456f24ab5, 0x9680537f7cbd1771},
+     {"star", Controller::kFc, 0x847e972e0180a29c, 0xec55f9a4e2c944de},
+     {"star", Controller::kAfc, 0xeae56ac60b0f1f92, 0x9c8132b1b935873b},
+     {"step", Controller::kFc, 0x38c0846f03392a80, 0xb574df1b19731234},
+     {"step", Controller::kAfc, 0xea83fdf792dcbb68, 0xcaaecc9e096c5b66},
+     {"response", Controller::kFc, 0x5dba23d20aa50eb9, 0x1c412d7f3e124030},
+     {"response", Controller::kAfc, 0xbd7515aeaef23972, 0x21db4e0515220c5f},
+     {"response-current", Controller::kFc, 0xfbc19d1c7e3d85ed, 0xfbc19d1c7e3d85ed},
+     {"response-current", Controller::kAfc, 0xfbc19d1c7e3d85ed, 0xfbc19d1c7e3d85ed}}};
+
+}  // namespace
+
+TEST_CASE("transfers of native firmware end when those of the core do") {
+  if (core_image().empty()) return;  // built without the cross compiler
+  const Options options = scenario("circle");
+  const auto core = points_of(options, Cpu::kRtl), native = points_of(options, Cpu::kNative);
+  REQUIRE(core.size() > 50);
+  REQUIRE(native.size() > 50);
+  for (std::size_t n = 0; n < 50; ++n) {
+    CAPTURE(n);
+    CHECK(native[n][0] == core[n][0]);
+    CHECK(std::abs(native[n][1] - core[n][1]) <= 1);
+    for (std::size_t t = 2; t < native[n].size(); ++t) {
+      CAPTURE(t);
+      CHECK(std::abs(native[n][t] - core[n][t]) < 300);  // 6 us
+    }
+  }
+}
+
+TEST_CASE("built-in scenarios have the events that are known of them, and those of before") {
+  for (const Known& known : kKnown) {
+    CAPTURE(known.scenario, static_cast<int>(known.controller));
+    Options options = scenario(known.scenario);
+    options.controller = known.controller;
+    CHECK(events(options) == known.now);
+    options.processor.access_clk = 8;
+    options.processor.interrupt_latency_clk = 100;
+    options.point_clk = 0;
+    CHECK(events(options) == known.before);
+  }
+}

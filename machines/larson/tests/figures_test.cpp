@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Figures, columns and verdicts of the machine larson, from results made by hand in which no two
+// values are equal, in each axis and of each sign.
+#include <catch2/catch.hpp>
+#include <array>
+#include <cmath>
+#include <map>
+#include <string>
+
+#include "machines/larson/machine.hpp"
+#include "tests/support/figures.hpp"
+
+using namespace trammel;
+
+namespace {
+
+using sw::LarsonOp;
+
+// Three samples; the largest of X and of Y are of either sign, and at different times.
+larson::Result by_hand() {
+  larson::Result result;
+  result.end = cosim::EndReason::kDone;
+  for (int n = 0; n < 3; ++n) {
+    larson::Sample s;
+    s.edge = 50'000 * (n + 1);
+    s.axis[0] = {0, 0, n == 1 ? 7 : 2, 0, n == 0 ? -810.0 : 100.0, n == 2 ? -1.25 : 0.5, 0};
+    s.axis[1] = {0, 0, n == 2 ? 9 : 3, 0, n == 1 ? 920.0 : -100.0, n == 0 ? 1.75 : -0.5, 0};
+    result.samples.push_back(s);
+  }
+  const auto call = [&](LarsonOp op, const char* text, std::size_t line, sw::LarsonAnswer answer,
+                        std::array<double, 2> at) {
+    larson::Call one;
+    one.call.op = op;
+    one.text = text;
+    one.line = line;
+    result.calls.push_back(one);
+    result.answers.push_back(answer);
+    result.done.push_back({5'000'000 * static_cast<cosim::Clk>(result.calls.size()), at});
+  };
+  call(LarsonOp::kCaltbl, "CALTBL", 1, {}, {0, 0});
+  call(LarsonOp::kAbstbl, "ABSTBL 3 4", 2, {0, {}}, {0, 0});
+  call(LarsonOp::kAbstbl, "ABSTBL 5 6", 3, {-2, {}}, {1, 0});
+  call(LarsonOp::kReltbl, "RELTBL 1 1", 4, {-1, {}}, {2, 0});
+  call(LarsonOp::kReltbl, "RELTBL 2 2", 5, {0, {}}, {2, 1});
+  call(LarsonOp::kWttbl, "WTTBL", 6, {1, {}}, {3, 4});
+  call(LarsonOp::kWttbl, "wttbl", 7, {0, {}}, {3, 4});
+  call(LarsonOp::kWttbl, "Wttbl", 8, {1, {}}, {3, 4});
+  call(LarsonOp::kWhrtbl, "WHRTBL", 9, {0, {3, 4}}, {3.25, 4.5});
+  result.pulses = {1111, 2222};
+  result.lost = {10, 20};
+  result.travel = {333, 444};
+  result.end_at = {55.5, 66.25};
+  result.interrupts = 12;
+  result.err_byte = 34;
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("larson: each figure is of its own axis and value") {
+  auto result = by_hand();
+  const std::map<std::string, double> expected{
+      {"script.time_s", 0.9},   {"script.calls", 9},       {"script.normal", 2},
+      {"script.error", 1},      {"script.refused", 2},     {"script.off_step", 0.5},
+      {"x.pulses", 1111},       {"y.pulses", 2222},        {"x.lost_step", 10},
+      {"y.lost_step", 20},      {"x.max_angle_step", 1.25}, {"y.max_angle_step", 1.75},
+      {"x.max_rate", 810},      {"y.max_rate", 920},       {"x.max_waiting", 7},
+      {"y.max_waiting", 9},     {"x.travel_step", 333},    {"y.travel_step", 444},
+      {"x.end_step", 55.5},     {"y.end_step", 66.25},     {"interrupts", 12},
+      {"err_byte", 34}};
+  std::size_t seen = 0;
+  for (const lab::Figure& f : larson::figures(larson::Options{}, result)) {
+    if (!f.source.empty()) continue;  // Larson's own
+    INFO("figure " << f.id);
+    REQUIRE(expected.count(f.id) == 1);
+    CHECK(f.value == Approx(expected.at(f.id)));
+    if (f.id[1] == '.') CHECK(f.column == (f.id[0] == 'x' ? "X" : "Y"));
+    ++seen;
+  }
+  CHECK(seen == expected.size());
+}
+
+TEST_CASE("larson: WHRTBL is held against the rotor of its own axis, in each sense") {
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    for (const double off : {1.5, -1.5}) {
+      CAPTURE(axis, off);
+      auto result = by_hand();
+      result.done.back().at = {3, 4};
+      result.done.back().at[axis] += off;
+      CHECK(test::figure(larson::Options{}, result, "script.off_step") == Approx(1.5));
+    }
+  }
+}
+
+TEST_CASE("larson: each column of the trace shows what it is named after") {
+  larson::Result result;
+  larson::Sample s;
+  s.edge = 150'000;
+  s.call = 5;
+  s.switches = 6;
+  s.irq = true;
+  s.axis[0] = {0x1234'5678, 101, 102, 103.5, 104.5, 105.5, 106.5};
+  s.axis[1] = {0xABCD'EF01, 201, 202, 203.5, 204.5, 205.5, 206.5};
+  result.samples.push_back(s);
+  test::check_row(test::row(larson::Options{}, result, 0),
+                  {{"t_s", 3e-3}, {"call", 5}, {"switches", 6}, {"irq", 1},
+                   {"x_step", 101}, {"y_step", 201}, {"x_waiting", 102}, {"y_waiting", 202},
+                   {"x_at_step", 103.5}, {"y_at_step", 203.5}, {"x_speed_step_s", 104.5},
+                   {"y_speed_step_s", 204.5}, {"x_angle_step", 105.5}, {"y_angle_step", 205.5},
+                   {"x_rate_step_s", 106.5}, {"y_rate_step_s", 206.5}, {"x_count", 0x5678},
+                   {"y_count", 0xEF01}, {"x_status", 0x1234}, {"y_status", 0xABCD}});
+}
+
+TEST_CASE("larson: a table is missed beyond its limit, in each axis and sense, or by a lost step") {
+  larson::Options options;
+  options.reached_steps = 3;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    for (const double off : {3.0, -3.0, 3.5, -3.5}) {
+      CAPTURE(axis, off);
+      larson::Result result;
+      result.calibrated = true;
+      result.known = {100, 200};
+      result.origin = {-40, 70};
+      result.end_at = {60, 270};
+      CHECK(larson::what_missed(options, result) == "");
+      result.end_at[axis] += off;
+      const std::string name = axis == 0 ? "X" : "Y";
+      const std::string text = name + (off < 0 ? " is -3.5" : " is 3.5") + " steps from " +
+                               (axis == 0 ? "100" : "200") +
+                               ", where its program has it (run.reached_steps)";
+      CHECK(larson::what_missed(options, result) == (std::fabs(off) > 3 ? text : ""));
+      result.calibrated = false;  // it has it nowhere
+      CHECK(larson::what_missed(options, result) == "");
+      result.lost[axis] = 10;
+      result.happened = {{50'000'000, axis == 0 ? 1 : 0, "10 steps lost", 1, 0, 0},
+                         {60'000'000, axis == 0 ? 0 : 1, "interrupt", 2, 0, 0},
+                         {75'000'000, axis == 0 ? 0 : 1, "10 steps lost", 1234, 0, 0},
+                         {80'000'000, axis == 0 ? 0 : 1, "20 steps lost", 5, 0, 0}};
+      CHECK(larson::what_missed(options, result) ==
+            name + " lost 10 steps; the first at step 1234, 1.500 s into the run");
+    }
+  }
+}
+
+TEST_CASE("larson: metrics and remarks name each call with its answer, each event with its axis") {
+  auto result = by_hand();
+  result.happened = {{50'000, 0, "interrupt", 1.5, 2, 3}, {100'000, 1, "low switch open", 4, 5, 6}};
+  result.happened_count = 17;
+  auto record = lab::judged(larson::Options{}.clone(),
+                            std::make_unique<larson::Result>(std::move(result)));
+  nlohmann::ordered_json json;
+  larson::add_metrics(record, json);
+  CHECK(json["event_count"] == 17);
+  CHECK(json["events"].dump() ==
+        R"([{"time_s":0.001,"axis":"x","what":"interrupt","at_step":1.5,"count":2,"status":3},)"
+        R"({"time_s":0.002,"axis":"y","what":"low switch open","at_step":4.0,"count":5,)"
+        R"("status":6}])");
+  REQUIRE(json["calls"].size() == 9);
+  const char* const answers[] = {"", "", "moving", "not calibrated", "", "normal", "error",
+                                 "normal", "3 4"};
+  for (std::size_t k = 0; k < 9; ++k) {
+    INFO("call " << k);
+    CHECK(json["calls"][k]["answer"] == answers[k]);
+    CHECK(json["calls"][k]["line"] == k + 1);
+    CHECK(json["calls"][k]["time_s"].get<double>() == Approx(0.1 * static_cast<double>(k + 1)));
+  }
+  CHECK(json["calls"][8]["call"] == "WHRTBL");
+  CHECK(json["calls"][8]["x_step"] == 3.25);
+  CHECK(json["calls"][8]["y_step"] == 4.5);
+  const auto lines = larson::remarks(record);
+  REQUIRE(lines.size() == 6);
+  CHECK(lines.front() == "    0.3000 s  ABSTBL 5 6: moving");
+  CHECK(lines.back() == "    0.9000 s  WHRTBL: 3 4");
+}
+
+TEST_CASE("larson: says how a run ended") {
+  larson::Options options;
+  larson::Result result;
+  result.fault = "X lost 1 steps";
+  const auto verdict = [&](cosim::EndReason end) {
+    result.end = end;
+    return larson::machine().verdict(options, result);
+  };
+  CHECK(verdict(cosim::EndReason::kDone) == "done");
+  CHECK(verdict(cosim::EndReason::kFault) == "tripped: X lost 1 steps");
+  CHECK(verdict(cosim::EndReason::kMissed) == "missed: X lost 1 steps");
+  options.run.max_s = 7;
+  CHECK(verdict(cosim::EndReason::kTimeout) == "not finished within run.max_s = 7");
+}

@@ -1,0 +1,227 @@
+// Generated from rtl/chips/gantry_tau.rdl by scripts/tool gen-regs; do not edit.
+// SPDX-License-Identifier: Apache-2.0
+//
+// Registers of gantry_tau: addresses in bytes, bits, and what reads and writes do. Those of a
+// register file are at base + offset, a system register at its own address.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+namespace trammel::gantry_tau_regs {
+
+// system
+inline constexpr std::uint32_t kId = 0x00u;
+inline constexpr std::uint32_t kIdVersionShift = 0u;
+inline constexpr std::uint32_t kIdVersionMask = 0x0000FFFFu;
+inline constexpr std::uint32_t kIdChipShift = 16u;
+inline constexpr std::uint32_t kIdChipMask = 0xFFFF0000u;
+inline constexpr std::uint32_t kIdValue = 0x47540001u;
+inline constexpr std::uint32_t kObserver = 0x04u;
+inline constexpr std::uint32_t kObserverActive = 0x1u;
+inline constexpr std::uint32_t kObserverVelocity = 0x10u;
+inline constexpr std::uint32_t kPosition = 0x08u;
+inline constexpr std::uint32_t kVelocity = 0x0Cu;
+inline constexpr std::uint32_t kAngle = 0x10u;
+inline constexpr std::uint32_t kAnglePhaseShift = 0u;
+inline constexpr std::uint32_t kAnglePhaseMask = 0x00003FFFu;
+inline constexpr std::uint32_t kAngleRegionShift = 16u;
+inline constexpr std::uint32_t kAngleRegionMask = 0x00030000u;
+inline constexpr std::uint32_t kAngleKnown = 0x80000000u;
+inline constexpr std::uint32_t kTicks = 0x14u;
+inline constexpr std::uint32_t kSlots = 0x18u;
+inline constexpr std::uint32_t kSlotsObserverShift = 0u;
+inline constexpr std::uint32_t kSlotsObserverMask = 0x000000FFu;
+inline constexpr std::uint32_t kSlotsRequesterShift = 16u;
+inline constexpr std::uint32_t kSlotsRequesterMask = 0x00FF0000u;
+inline constexpr std::uint32_t kRequest = 0x1Cu;
+inline constexpr std::uint32_t kRequestA = 0x1u;
+inline constexpr std::uint32_t kRequestPendingShift = 0u;
+inline constexpr std::uint32_t kRequestPendingMask = 0x0000007Fu;
+inline constexpr std::uint32_t kRequestADot = 0x2u;
+inline constexpr std::uint32_t kRequestB = 0x4u;
+inline constexpr std::uint32_t kRequestBDot = 0x8u;
+inline constexpr std::uint32_t kRequestCurrent = 0x40u;
+inline constexpr std::uint32_t kEncoderA = 0x20u;
+inline constexpr std::uint32_t kEncoderACodeShift = 0u;
+inline constexpr std::uint32_t kEncoderACodeMask = 0x000003FFu;
+inline constexpr std::uint32_t kEncoderADotShift = 16u;
+inline constexpr std::uint32_t kEncoderADotMask = 0x03FF0000u;
+inline constexpr std::uint32_t kEncoderB = 0x24u;
+inline constexpr std::uint32_t kEncoderBCodeShift = 0u;
+inline constexpr std::uint32_t kEncoderBCodeMask = 0x000003FFu;
+inline constexpr std::uint32_t kEncoderBDotShift = 16u;
+inline constexpr std::uint32_t kEncoderBDotMask = 0x03FF0000u;
+inline constexpr std::uint32_t kCurrent = 0x28u;
+inline constexpr std::uint32_t kCurrentCodeShift = 0u;
+inline constexpr std::uint32_t kCurrentCodeMask = 0x000003FFu;
+inline constexpr std::uint32_t kForce1 = 0x2Cu;
+inline constexpr std::uint32_t kForce2 = 0x30u;
+inline constexpr std::uint32_t kOvertemp = 0x34u;
+inline constexpr std::uint32_t kOvertempMotor1 = 0x1u;
+inline constexpr std::uint32_t kOvertempMotor2 = 0x2u;
+inline constexpr std::uint32_t kPassPeriod = 0x38u;
+inline constexpr std::uint32_t kPassPeriodClocksShift = 0u;
+inline constexpr std::uint32_t kPassPeriodClocksMask = 0x00FFFFFFu;
+inline constexpr std::uint32_t kStatus = 0x3Cu;
+inline constexpr std::uint32_t kStatusPass = 0x1u;
+inline constexpr std::uint32_t kStatusFrame = 0x2u;
+inline constexpr std::uint32_t kStatusSample = 0x4u;
+inline constexpr std::uint32_t kStatusOverrun = 0x8u;
+inline constexpr std::uint32_t kStatusRefused = 0x10u;
+inline constexpr std::uint32_t kStatusStored = 0x20u;
+inline constexpr std::uint32_t kIrqEnable = 0x40u;
+inline constexpr std::uint32_t kIrqEnablePass = 0x1u;
+inline constexpr std::uint32_t kIrqEnableFrame = 0x2u;
+inline constexpr std::uint32_t kIrqEnableSample = 0x4u;
+inline constexpr std::uint32_t kReceive = 0x44u;
+inline constexpr std::uint32_t kReceiveChannelShift = 0u;
+inline constexpr std::uint32_t kReceiveChannelMask = 0x0000001Fu;
+inline constexpr std::uint32_t kReceiveTake = 0x1u;
+inline constexpr std::uint32_t kReceiveKindShift = 8u;
+inline constexpr std::uint32_t kReceiveKindMask = 0x00000700u;
+inline constexpr std::uint32_t kReceiveWaits = 0x80000000u;
+inline constexpr std::uint32_t kReceiveValue = 0x48u;
+inline constexpr std::uint32_t kReceiveErrors = 0x4Cu;
+inline constexpr std::uint32_t kReceiveErrorsMalformedShift = 0u;
+inline constexpr std::uint32_t kReceiveErrorsMalformedMask = 0x0000FFFFu;
+inline constexpr std::uint32_t kReceiveErrorsLostShift = 16u;
+inline constexpr std::uint32_t kReceiveErrorsLostMask = 0xFFFF0000u;
+inline constexpr std::uint32_t kSendValue = 0x50u;
+inline constexpr std::uint32_t kSend = 0x54u;
+inline constexpr std::uint32_t kSendChannelShift = 0u;
+inline constexpr std::uint32_t kSendChannelMask = 0x0000001Fu;
+inline constexpr std::uint32_t kSendKindShift = 8u;
+inline constexpr std::uint32_t kSendKindMask = 0x00000700u;
+inline constexpr std::uint32_t kSendState = 0x58u;
+inline constexpr std::uint32_t kSendStateRoomShift = 0u;
+inline constexpr std::uint32_t kSendStateRoomMask = 0x0000003Fu;
+inline constexpr std::uint32_t kSendStateIdle = 0x100u;
+inline constexpr std::uint32_t kSendStateLostShift = 16u;
+inline constexpr std::uint32_t kSendStateLostMask = 0xFFFF0000u;
+inline constexpr std::uint32_t kCalibrate = 0x5Cu;
+inline constexpr std::uint32_t kCalibrateWordShift = 0u;
+inline constexpr std::uint32_t kCalibrateWordMask = 0x0000FFFFu;
+inline constexpr std::uint32_t kCalibrateCommandShift = 16u;
+inline constexpr std::uint32_t kCalibrateCommandMask = 0x00070000u;
+inline constexpr std::uint32_t kCalibration = 0x60u;
+inline constexpr std::uint32_t kCalibrationValid = 0x1u;
+inline constexpr std::uint32_t kCalibrationBusy = 0x2u;
+inline constexpr std::uint32_t kCalibrationCountShift = 8u;
+inline constexpr std::uint32_t kCalibrationCountMask = 0x00003F00u;
+
+enum class Access { kRead, kWrite, kReadWrite, kWriteOneToClear };
+
+// A register at its own address, and what a read and a write do to its bits.
+struct Register {
+  const char* name;  // "x.CTRL", "TICK"
+  std::uint32_t address;
+  std::uint32_t reset;
+  std::uint32_t readable;
+  std::uint32_t written;  // bits that keep what is written
+  std::uint32_t locked;   // of them, those that LOCK protects
+  std::uint32_t cleared;  // bits that a written one clears
+  std::uint32_t pulsed;   // bits that a written one sets for one clock
+};
+
+// Bits of a register, and the number in them.
+struct Field {
+  const char* name;  // "CTRL.enable"; a register of one field has its name alone
+  const char* help;
+  std::uint32_t address;  // of its register; in a register file, an offset
+  int shift;
+  int width;
+  int bits;  // of the number: bits of the field above repeat its sign, or are 0
+  bool is_signed;
+  bool of_axis;  // each register file has one
+  Access access;
+};
+
+// By address.
+inline constexpr std::array<Register, 25> kRegisters{{
+    {"ID", 0x000u, 0x47540001u, 0xFFFFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"OBSERVER", 0x004u, 0x00000000u, 0x00000011u, 0x00000011u, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"POSITION", 0x008u, 0x00000000u, 0xFFFFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"VELOCITY", 0x00Cu, 0x00000000u, 0xFFFFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"ANGLE", 0x010u, 0x00000000u, 0x80033FFFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"TICKS", 0x014u, 0x00000000u, 0xFFFFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"SLOTS", 0x018u, 0x00010002u, 0x00FF00FFu, 0x00FF00FFu, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"REQUEST", 0x01Cu, 0x00000000u, 0x0000007Fu, 0x00000000u, 0x00000000u, 0x00000000u, 0x0000004Fu},
+    {"ENCODER_A", 0x020u, 0x00000000u, 0x03FF03FFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"ENCODER_B", 0x024u, 0x00000000u, 0x03FF03FFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"CURRENT", 0x028u, 0x00000000u, 0x000003FFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"FORCE_1", 0x02Cu, 0x00000000u, 0x000007FFu, 0x000007FFu, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"FORCE_2", 0x030u, 0x00000000u, 0x000007FFu, 0x000007FFu, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"OVERTEMP", 0x034u, 0x00000000u, 0x00000003u, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"PASS_PERIOD", 0x038u, 0x000186A0u, 0x00FFFFFFu, 0x00FFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"STATUS", 0x03Cu, 0x00000000u, 0x0000003Fu, 0x00000000u, 0x00000000u, 0x0000003Du, 0x00000000u},
+    {"IRQ_ENABLE", 0x040u, 0x00000000u, 0x00000007u, 0x00000007u, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"RECEIVE", 0x044u, 0x00000000u, 0x8000071Fu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000001u},
+    {"RECEIVE_VALUE", 0x048u, 0x00000000u, 0xFFFFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"RECEIVE_ERRORS", 0x04Cu, 0x00000000u, 0xFFFFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"SEND_VALUE", 0x050u, 0x00000000u, 0xFFFFFFFFu, 0xFFFFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"SEND", 0x054u, 0x00000400u, 0x0000071Fu, 0x0000071Fu, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"SEND_STATE", 0x058u, 0x00000000u, 0xFFFF013Fu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"CALIBRATE", 0x05Cu, 0x00000000u, 0x0007FFFFu, 0x0007FFFFu, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"CALIBRATION", 0x060u, 0x00000000u, 0x00003F03u, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
+}};
+
+inline constexpr std::array<Field, 55> kFields{{
+    {"ID.version", "identity of the IC and version of its register map", 0x00u, 0, 16, 16, false, false, Access::kRead},
+    {"ID.chip", "identity of the IC and version of its register map", 0x00u, 16, 16, 16, false, false, Access::kRead},
+    {"OBSERVER.active", "position; needs a valid calibration", 0x04u, 0, 1, 1, false, false, Access::kReadWrite},
+    {"OBSERVER.velocity", "velocity", 0x04u, 4, 1, 1, false, false, Access::kReadWrite},
+    {"POSITION", "position, 2^-14 of a stripe period each; increases with the angle of (A, B)", 0x08u, 0, 32, 32, true, false, Access::kRead},
+    {"VELOCITY", "velocity, 2^-9 position unit a tick each; bit 0: 0 derivative, 1 phase", 0x0Cu, 0, 32, 23, true, false, Access::kRead},
+    {"ANGLE.phase", "2^14 a period", 0x10u, 0, 14, 14, false, false, Access::kRead},
+    {"ANGLE.region", "region of the last sample; even ones use B, odd ones A", 0x10u, 16, 2, 2, false, false, Access::kRead},
+    {"ANGLE.known", "a quarter was found since the restart", 0x10u, 31, 1, 1, false, false, Access::kRead},
+    {"TICKS", "conversion ticks since reset, 4612 a second", 0x14u, 0, 32, 32, false, false, Access::kRead},
+    {"SLOTS.observer", "of the observer; 0 = never", 0x18u, 0, 8, 8, false, false, Access::kReadWrite},
+    {"SLOTS.requester", "of the requester; 0 = never", 0x18u, 16, 8, 8, false, false, Access::kReadWrite},
+    {"REQUEST.a", "A", 0x1Cu, 0, 1, 1, false, false, Access::kWrite},
+    {"REQUEST.pending", "asked for and not yet converted, bit = channel", 0x1Cu, 0, 7, 7, false, false, Access::kRead},
+    {"REQUEST.a_dot", "dA/dt", 0x1Cu, 1, 1, 1, false, false, Access::kWrite},
+    {"REQUEST.b", "B", 0x1Cu, 2, 1, 1, false, false, Access::kWrite},
+    {"REQUEST.b_dot", "dB/dt", 0x1Cu, 3, 1, 1, false, false, Access::kWrite},
+    {"REQUEST.current", "current", 0x1Cu, 6, 1, 1, false, false, Access::kWrite},
+    {"ENCODER_A.code", "A", 0x20u, 0, 10, 10, false, false, Access::kRead},
+    {"ENCODER_A.dot", "dA/dt", 0x20u, 16, 10, 10, false, false, Access::kRead},
+    {"ENCODER_B.code", "B", 0x24u, 0, 10, 10, false, false, Access::kRead},
+    {"ENCODER_B.dot", "dB/dt", 0x24u, 16, 10, 10, false, false, Access::kRead},
+    {"CURRENT", "last code of the current", 0x28u, 0, 10, 10, false, false, Access::kRead},
+    {"FORCE_1", "force of motor 1, 1023 is full; positive toward the right, the position decreases", 0x2Cu, 0, 11, 11, true, false, Access::kReadWrite},
+    {"FORCE_2", "force of motor 2", 0x30u, 0, 11, 11, true, false, Access::kReadWrite},
+    {"OVERTEMP.motor_1", "of motor 1", 0x34u, 0, 1, 1, false, false, Access::kRead},
+    {"OVERTEMP.motor_2", "of motor 2", 0x34u, 1, 1, 1, false, false, Access::kRead},
+    {"PASS_PERIOD", "clocks from control pass to control pass; below 16: none. A write begins anew", 0x38u, 0, 24, 24, false, false, Access::kReadWrite},
+    {"STATUS.pass", "a control pass is due", 0x3Cu, 0, 1, 1, false, false, Access::kWriteOneToClear},
+    {"STATUS.frame", "a received frame waits", 0x3Cu, 1, 1, 1, false, false, Access::kRead},
+    {"STATUS.sample", "a requested conversion is done", 0x3Cu, 2, 1, 1, false, false, Access::kWriteOneToClear},
+    {"STATUS.overrun", "a pass came due before the last was cleared", 0x3Cu, 3, 1, 1, false, false, Access::kWriteOneToClear},
+    {"STATUS.refused", "calibration data was refused: count or checksum is wrong", 0x3Cu, 4, 1, 1, false, false, Access::kWriteOneToClear},
+    {"STATUS.stored", "calibration data was taken and stored", 0x3Cu, 5, 1, 1, false, false, Access::kWriteOneToClear},
+    {"IRQ_ENABLE.pass", "which events interrupt, as long as their bit in STATUS is 1", 0x40u, 0, 1, 1, false, false, Access::kReadWrite},
+    {"IRQ_ENABLE.frame", "which events interrupt, as long as their bit in STATUS is 1", 0x40u, 1, 1, 1, false, false, Access::kReadWrite},
+    {"IRQ_ENABLE.sample", "which events interrupt, as long as their bit in STATUS is 1", 0x40u, 2, 1, 1, false, false, Access::kReadWrite},
+    {"RECEIVE.channel", "channel", 0x44u, 0, 5, 5, false, false, Access::kRead},
+    {"RECEIVE.take", "1 takes it away: the next one shows", 0x44u, 0, 1, 1, false, false, Access::kWrite},
+    {"RECEIVE.kind", "0 clear bit, 1 set bit, 2 poll bit, 3 poll channel, 4 value", 0x44u, 8, 3, 3, false, false, Access::kRead},
+    {"RECEIVE.waits", "a frame waits; the other fields are its", 0x44u, 31, 1, 1, false, false, Access::kRead},
+    {"RECEIVE_VALUE", "its value; 0 where it has none", 0x48u, 0, 32, 32, false, false, Access::kRead},
+    {"RECEIVE_ERRORS.malformed", "malformed frames: overlong, or with a byte without stop bit", 0x4Cu, 0, 16, 16, false, false, Access::kRead},
+    {"RECEIVE_ERRORS.lost", "good frames for which there was no room", 0x4Cu, 16, 16, 16, false, false, Access::kRead},
+    {"SEND_VALUE", "value of the frame that SEND sends", 0x50u, 0, 32, 32, false, false, Access::kReadWrite},
+    {"SEND.channel", "channel", 0x54u, 0, 5, 5, false, false, Access::kReadWrite},
+    {"SEND.kind", "as in RECEIVE; 4 sends SEND_VALUE in 2 to 6 bytes", 0x54u, 8, 3, 3, false, false, Access::kReadWrite},
+    {"SEND_STATE.room", "that there is room for, up to 32", 0x58u, 0, 6, 6, false, false, Access::kRead},
+    {"SEND_STATE.idle", "none waits and the line is at rest", 0x58u, 8, 1, 1, false, false, Access::kRead},
+    {"SEND_STATE.lost", "refused since reset; ends at 65535", 0x58u, 16, 16, 16, false, false, Access::kRead},
+    {"CALIBRATE.word", "word of command 2", 0x5Cu, 0, 16, 16, false, false, Access::kReadWrite},
+    {"CALIBRATE.command", "1 start, 2 next word, 7 check, take and store", 0x5Cu, 16, 3, 3, false, false, Access::kReadWrite},
+    {"CALIBRATION.valid", "the observer has one with the right checksum", 0x60u, 0, 1, 1, false, false, Access::kRead},
+    {"CALIBRATION.busy", "the store is read or written; commands are ignored", 0x60u, 1, 1, 1, false, false, Access::kRead},
+    {"CALIBRATION.count", "words since the start, 63 are all of them", 0x60u, 8, 6, 6, false, false, Access::kRead},
+}};
+
+}  // namespace trammel::gantry_tau_regs

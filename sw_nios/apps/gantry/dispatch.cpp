@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What each channel of Serial2002 does.
+#include "rtl/chips/generated/gantry_tau_regs.hpp"
+#include "sw_nios/apps/gantry/gantry.hpp"
+#include "sw_nios/apps/gantry/protocol.hpp"
+
+namespace trammel::sw {
+namespace {
+
+namespace regs = gantry_tau_regs;
+namespace channel_of = gantry_channel;
+
+enum Frame : std::uint32_t { kClearBit, kSetBit, kPollBit, kPollChannel, kValue };
+
+void send(Bus& bus, std::uint32_t kind, std::uint32_t channel, std::uint32_t value = 0) {
+  if (kind == kValue) bus.write(regs::kSendValue, value);
+  bus.write(regs::kSend, channel | kind << 8);
+}
+
+// The converter's channel of one of the protocol: A, dA/dt, B, dB/dt, current; -1: none.
+std::int32_t converter_of(std::uint32_t channel) {
+  switch (channel) {
+    case channel_of::kA: return 0;
+    case channel_of::kADot: return 1;
+    case channel_of::kB: return 2;
+    case channel_of::kBDot: return 3;
+    case channel_of::kCurrent: return 6;
+    default: return -1;
+  }
+}
+
+}  // namespace
+
+// Position in whole millimetres, toward minus infinity, with its offset: 16384 units are 5 mm.
+std::uint32_t GantryApp::millimetres() const {
+  const std::int64_t units = units_ - std::int64_t{zero_} * 512;
+  return static_cast<std::uint32_t>((units * 5 >> 14) + channel_of::kPositionOffset);
+}
+
+void GantryApp::receive(Bus& bus) {
+  for (;;) {
+    const std::uint32_t frame = bus.read(regs::kReceive);
+    if ((frame & regs::kReceiveWaits) == 0) return;
+    const std::uint32_t value = bus.read(regs::kReceiveValue);
+    bus.write(regs::kReceive, regs::kReceiveTake);
+    const std::uint32_t channel = frame & regs::kReceiveChannelMask;
+    switch ((frame & regs::kReceiveKindMask) >> regs::kReceiveKindShift) {
+      case kValue: set(bus, channel, value); break;
+      case kPollChannel: poll(bus, channel); break;
+      case kPollBit:
+        if (channel < 2) {
+          send(bus, (bus.read(regs::kOvertemp) >> channel & 1) != 0 ? kSetBit : kClearBit, channel);
+        } else {
+          ++unknown_;
+        }
+        break;
+      default: ++unknown_;  // there is no digital output
+    }
+  }
+}
+
+void GantryApp::set(Bus& bus, std::uint32_t channel, std::uint32_t value) {
+  const bool fitting = phase_ == GantryPhase::kFitting;
+  switch (channel) {
+    case channel_of::kObserve: {
+      const std::uint32_t mask = value & (regs::kObserverActive | regs::kObserverVelocity);
+      if (fitting || mask == observed_) return;  // a write restarts the observer
+      observed_ = mask;
+      bus.write(regs::kObserver, mask);
+      return;
+    }
+    case channel_of::kSlots: {
+      const std::uint32_t client = value & 3, slots = value >> 2;
+      if (client == 1 || client == 3 || slots > 254) {
+        ++unknown_;
+        return;
+      }
+      const std::uint32_t old = bus.read(regs::kSlots);
+      bus.write(regs::kSlots, client == 0 ? (old & ~regs::kSlotsObserverMask) | slots
+                                          : (old & regs::kSlotsObserverMask) | slots << 16);
+      return;
+    }
+    case channel_of::kCalibrate: {
+      const std::uint32_t command = value >> 2 & 15;
+      if (command == 1 || command == 2 || command == 7) {
+        bus.write(regs::kCalibrate, command << 16 | (value >> 6 & 0xFFFF));
+      } else if (command != 3) {  // an address of the other bus, which this chip has not
+        ++unknown_;
+      }
+      return;
+    }
+    case channel_of::kGoal: {
+      const std::int32_t most = channel_of::kMostGoal_mm;
+      const std::int32_t mm =
+          value > static_cast<std::uint32_t>(most) ? most : static_cast<std::int32_t>(value);
+      goal_ = mm * 32 / 5;
+      if (phase_ == GantryPhase::kIdle || phase_ == GantryPhase::kVelocity) {
+        phase_ = GantryPhase::kPosition;
+      }
+      return;
+    }
+    case channel_of::kGoalVelocity:
+      goal_velocity_ = narrowed(std::int64_t{value} - channel_of::kGoalVelocityOffset);
+      if (phase_ == GantryPhase::kIdle || phase_ == GantryPhase::kPosition) {
+        phase_ = GantryPhase::kVelocity;
+      }
+      return;
+    default: ++unknown_;
+  }
+}
+
+void GantryApp::poll(Bus& bus, std::uint32_t channel) {
+  const std::int32_t converter = converter_of(channel);
+  if (channel == channel_of::kConfiguration) {
+    described_ = 0;
+    describe(bus);
+  } else if (channel == channel_of::kPosition) {
+    send(bus, kValue, channel, millimetres());
+  } else if (channel == channel_of::kVelocity) {
+    const std::uint32_t velocity = bus.read(regs::kVelocity) + channel_of::kVelocityOffset;
+    send(bus, kValue, channel, velocity & 0x7FFFFF);
+  } else if (converter >= 0 && phase_ != GantryPhase::kFitting) {
+    asked_ |= 1u << converter;
+    bus.write(regs::kRequest, 1u << converter);
+  } else {
+    ++unknown_;
+  }
+}
+
+// Conversions that the host asked for and that are done.
+void GantryApp::answer_samples(Bus& bus) {
+  const std::uint32_t done = asked_ & ~bus.read(regs::kRequest);
+  asked_ &= ~done;
+  const std::uint32_t a = bus.read(regs::kEncoderA), b = bus.read(regs::kEncoderB);
+  if ((done & 1u << 0) != 0) send(bus, kValue, channel_of::kA, a & 0x3FF);
+  if ((done & 1u << 1) != 0) send(bus, kValue, channel_of::kADot, a >> 16 & 0x3FF);
+  if ((done & 1u << 2) != 0) send(bus, kValue, channel_of::kB, b & 0x3FF);
+  if ((done & 1u << 3) != 0) send(bus, kValue, channel_of::kBDot, b >> 16 & 0x3FF);
+  if ((done & 1u << 6) != 0) {
+    send(bus, kValue, channel_of::kCurrent, bus.read(regs::kCurrent) >> 2 & 0xFF);
+  }
+}
+
+// As much of the configuration as there is room for; the next passes send the rest.
+void GantryApp::describe(Bus& bus) {
+  std::uint32_t room = bus.read(regs::kSendState) & regs::kSendStateRoomMask;
+  for (; room > 0 && described_ < channel_of::kConfigurationLength; --room) {
+    send(bus, kValue, channel_of::kConfiguration, channel_of::kConfigurationWords[described_++]);
+  }
+}
+
+void GantryApp::stream(Bus& bus, std::uint32_t ticks) {
+  if ((bus.read(regs::kSendState) & regs::kSendStateRoomMask) < 8) return;
+  send(bus, kValue, channel_of::kStreamPosition, millimetres());
+  send(bus, kValue, channel_of::kStreamTime, ticks);
+  const std::uint32_t velocity =
+      static_cast<std::uint32_t>(filter_.mean()) + channel_of::kVelocityOffset;
+  send(bus, kValue, channel_of::kStreamVelocity, velocity & 0x7FFFFF);
+}
+
+}  // namespace trammel::sw

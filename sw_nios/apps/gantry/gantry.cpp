@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sw_nios/apps/gantry/gantry.hpp"
+
+#include "rtl/chips/generated/gantry_tau_regs.hpp"
+#include "sw_nios/apps/gantry/gantry_map.hpp"
+#include "sw_nios/apps/gantry/protocol.hpp"
+
+namespace trammel::sw {
+namespace {
+
+namespace regs = gantry_tau_regs;
+namespace map = gantry_map;
+
+constexpr std::int32_t kFitFrom_mm = 80;             // 40 mm before the first period that is used
+constexpr std::uint32_t kFitWait = 4612;             // [tick]
+constexpr std::uint32_t kObserveAll = regs::kObserverActive | regs::kObserverVelocity;
+
+std::int32_t counts_of(std::int32_t mm) { return mm * 32 / 5; }
+std::uint32_t bits(std::int32_t force) { return static_cast<std::uint32_t>(force) & 0x7FF; }
+
+}  // namespace
+
+void GantryApp::start(Bus& bus) {
+  bus.write(regs::kPassPeriod, c_.pass_clk);
+  observed_ = kObserveAll;
+  bus.write(regs::kObserver, observed_);
+  bus.write(regs::kIrqEnable, regs::kStatusPass | regs::kStatusFrame | regs::kStatusSample);
+  bus.write(regs::kSendValue, gantry_channel::kResetMessage);
+  bus.write(regs::kSend, gantry_channel::kReset | 4u << 8);
+  if (c_.home) {
+    phase_ = GantryPhase::kHoming;
+  } else if (c_.calibrate) {
+    phase_ = GantryPhase::kToFit;
+  }
+}
+
+void GantryApp::isr(Bus& bus) {
+  if ((bus.read(map::kIrq) & map::kIrqChip) == 0) return;
+  const std::uint32_t status = bus.read(regs::kStatus);
+  const std::uint32_t events = status & (regs::kStatusPass | regs::kStatusSample);
+  if (events != 0) bus.write(regs::kStatus, events);
+  if ((status & regs::kStatusPass) != 0) pass(bus);
+  if ((status & regs::kStatusSample) != 0) {
+    if (phase_ == GantryPhase::kFitting) {
+      collect(bus);
+    } else {
+      answer_samples(bus);
+    }
+  }
+  if ((status & regs::kStatusFrame) != 0) receive(bus);
+}
+
+void GantryApp::pass(Bus& bus) {
+  ++mail_.point;
+  if (phase_ == GantryPhase::kFitting) return;
+  const std::uint32_t ticks = bus.read(regs::kTicks);
+  if ((bus.read(regs::kAngle) & regs::kAngleKnown) == 0) {
+    last_tick_ = ticks;
+    return;
+  }
+  units_ = static_cast<std::int32_t>(bus.read(regs::kPosition));
+  count_ = (units_ >> 9) - zero_;
+  filter_.step(static_cast<std::int32_t>(bus.read(regs::kVelocity)));
+  if (!seen_) {
+    seen_ = true;
+    still_count_ = count_;
+    still_tick_ = last_tick_ = ticks;
+  }
+  if (phase_ == GantryPhase::kHoming) {
+    home(bus, count_, ticks);
+  } else if (phase_ == GantryPhase::kToFit) {
+    go_to_fit(bus, ticks);
+  } else if (phase_ != GantryPhase::kIdle) {
+    go(bus, control(ticks));
+  }
+  last_tick_ = ticks;
+  if (described_ < gantry_channel::kConfigurationLength) describe(bus);
+  if (c_.stream) stream(bus, ticks);
+}
+
+// Both motors to the right, until the position has not changed for long: that is zero.
+void GantryApp::home(Bus& bus, std::int32_t count, std::uint32_t ticks) {
+  go(bus, {c_.home_force, c_.home_force});
+  if (count != still_count_) {
+    still_count_ = count;
+    still_tick_ = ticks;
+  }
+  if (ticks - still_tick_ < c_.home_ticks) return;
+  zero_ += count;
+  count_ = 0;
+  homed_ = true;
+  still_tick_ = ticks;
+  goal_ = 0;
+  phase_ = c_.calibrate && !fitted_ ? GantryPhase::kToFit : GantryPhase::kPosition;
+}
+
+void GantryApp::go_to_fit(Bus& bus, std::uint32_t ticks) {
+  goal_ = counts_of(kFitFrom_mm);
+  go(bus, control(ticks));
+  if (error_ > 4 || error_ < -4) still_tick_ = ticks;
+  if (ticks - still_tick_ > kFitWait) begin_fit(bus);
+}
+
+// The observer rests, so that every tick is the requester's; A and B take turns.
+void GantryApp::begin_fit(Bus& bus) {
+  phase_ = GantryPhase::kFitting;
+  observed_ = 0;
+  bus.write(regs::kObserver, 0);
+  go(bus, {-c_.fit_force, -c_.fit_force});
+  bus.write(regs::kRequest, regs::kRequestA);
+  asked_ = 1;
+}
+
+void GantryApp::collect(Bus& bus) {
+  const bool of_a = asked_ == 1;
+  const std::uint32_t code = bus.read(of_a ? regs::kEncoderA : regs::kEncoderB) & 0x3FF;
+  fit_.add(bus.read(regs::kTicks), of_a, static_cast<std::int32_t>(code));
+  if (fit_.full()) return end_fit(bus);
+  asked_ = of_a ? 4 : 1;
+  bus.write(regs::kRequest, of_a ? regs::kRequestB : regs::kRequestA);
+}
+
+void GantryApp::end_fit(Bus& bus) {
+  asked_ = 0;
+  go(bus, {0, 0});
+  fitted_ = fit_.fit(words_);
+  phase_ = GantryPhase::kIdle;
+  if (!fitted_) {
+    mail_.failure = static_cast<std::uint32_t>(GantryFailure::kFitFailed);
+  } else {
+    bus.write(regs::kCalibrate, 1u << 16);
+    for (const std::uint16_t word : words_) bus.write(regs::kCalibrate, 2u << 16 | word);
+    bus.write(regs::kCalibrate, 7u << 16);
+  }
+  observed_ = kObserveAll;
+  bus.write(regs::kObserver, observed_);
+  zero_ = 0;
+  seen_ = homed_ = false;
+  filter_ = {};
+  if (c_.home && fitted_) phase_ = GantryPhase::kHoming;
+}
+
+MotorForces GantryApp::control(std::uint32_t ticks) {
+  error_ = count_ - goal_;
+  if (phase_ == GantryPhase::kVelocity) {
+    const std::int32_t u = VelocityPi::step(c_.velocity, velocity_, goal_velocity_, filter_.mean());
+    return {-u, -u};
+  }
+  if (!c_.cascade) {
+    const std::int32_t u = PositionPi::step(c_.position, position_, error_, ticks - last_tick_);
+    return {u, u};
+  }
+  const std::int64_t ref = -error_ * (std::int64_t{1} << c_.cascade_gain);
+  const std::int32_t u = VelocityPi::step(c_.velocity, velocity_, narrowed(ref), filter_.mean());
+  return c_.compensate ? c_.compensation.share(error_, -u) : MotorForces{-u, -u};
+}
+
+void GantryApp::go(Bus& bus, MotorForces forces) {
+  bus.write(regs::kForce1, bits(forces.one));
+  bus.write(regs::kForce2, bits(forces.two));
+}
+
+}  // namespace trammel::sw

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Firmware of the gantry track (Brochier 2006, appendix C): homing, the calibration run, a control
+// pass at each pass of the chip, and what comes and goes by Serial2002. Freestanding.
+#pragma once
+
+#include <cstdint>
+
+#include "sw_nios/apps/gantry/calibration_fit.hpp"
+#include "sw_nios/apps/gantry/controllers.hpp"
+#include "sw_nios/hal/bus.hpp"
+
+namespace trammel::sw {
+
+struct GantrySetup {
+  bool cascade = false;           // of position: a velocity that a PI keeps, else PositionPi
+  bool compensate = false;        // the backlash, of the cascade
+  bool home = false;              // at power-on
+  bool calibrate = false;         // at power-on, behind that
+  bool stream = false;            // position, time and velocity go out every pass
+  std::uint32_t pass_clk = 100'000;       // 2 ms
+  std::int32_t cascade_gain = 9;          // K: vref = -(e << K)
+  std::int32_t home_force = 0x150;
+  std::uint32_t home_ticks = 20'000;      // the position unchanged for so long is zero
+  std::int32_t fit_force = 0x150;
+  PositionPi::Config position;
+  VelocityPi::Config velocity;
+  Compensation compensation;
+};
+
+enum class GantryPhase : std::uint8_t { kIdle, kHoming, kToFit, kFitting, kPosition, kVelocity };
+enum class GantryFailure : std::uint32_t { kNone, kFitFailed };
+
+class GantryApp final : public Firmware {
+ public:
+  explicit GantryApp(const GantrySetup& setup) : c_(setup) {}
+
+  void start(Bus& bus) override;
+  void isr(Bus& bus) override;
+  // Points are control passes, its failure is a GantryFailure; it never ends by itself.
+  const Mailbox& mailbox() const override { return mail_; }
+
+  GantryPhase phase() const { return phase_; }
+  std::int32_t error() const { return error_; }             // [count]
+  std::int32_t goal() const { return goal_; }               // [count]
+  std::int32_t zero() const { return zero_; }               // [count] where homing ended
+  std::int32_t velocity() const { return filter_.mean(); }  // filtered
+  std::int32_t goal_velocity() const { return goal_velocity_; }
+  std::uint32_t unknown() const { return unknown_; }        // frames for no channel
+  bool homed() const { return homed_; }
+  bool fitted() const { return fitted_; }
+  const CalibrationWords& words() const { return words_; }
+
+ private:
+  void pass(Bus& bus);
+  void home(Bus& bus, std::int32_t count, std::uint32_t ticks);
+  void go_to_fit(Bus& bus, std::uint32_t ticks);
+  void begin_fit(Bus& bus);
+  void collect(Bus& bus);
+  void end_fit(Bus& bus);
+  MotorForces control(std::uint32_t ticks);
+  void go(Bus& bus, MotorForces forces);
+
+  void receive(Bus& bus);
+  void set(Bus& bus, std::uint32_t channel, std::uint32_t value);
+  void poll(Bus& bus, std::uint32_t channel);
+  void answer_samples(Bus& bus);
+  void describe(Bus& bus);
+  void stream(Bus& bus, std::uint32_t ticks);
+  std::uint32_t millimetres() const;
+
+  GantrySetup c_;
+  Mailbox mail_;
+  GantryPhase phase_ = GantryPhase::kIdle;
+  PositionPi::State position_;
+  VelocityPi::State velocity_;
+  MeanFilter filter_;
+  CalibrationFit fit_;
+  CalibrationWords words_{};
+  std::int32_t count_ = 0, units_ = 0, zero_ = 0, goal_ = 0, error_ = 0, goal_velocity_ = 0;
+  std::int32_t still_count_ = 0;
+  std::uint32_t still_tick_ = 0, last_tick_ = 0;
+  std::uint32_t observed_ = 0x11;  // as last written
+  std::uint32_t asked_ = 0;        // conversions that the host waits for, bit = channel
+  std::uint32_t described_ = UINT32_MAX;  // configuration words sent
+  std::uint32_t unknown_ = 0;
+  bool seen_ = false, homed_ = false, fitted_ = false;
+};
+
+}  // namespace trammel::sw
