@@ -22,6 +22,7 @@ struct ChipSetup {
 struct LarsonChip : cosim::MachineChip {
   virtual std::uint32_t words(int axis) const = 0;  // status word and count
   virtual std::uint32_t err_byte() const = 0;
+  virtual unsigned requests() const = 0;  // interrupts not yet granted: bit 0 X, bit 1 Y
 };
 
 // As the run asks; with a window its waves are dumped into run.wave_file. Where the chip that dumps

@@ -27,7 +27,7 @@ std::string first_loss(const Options& options, const Result& result, std::size_t
 std::string what_missed(const Options& options, const Result& result) {
   for (std::size_t k = 0; k < 2; ++k) {
     if (result.lost[k] == 0) continue;
-    return fmt::format("{} lost {} steps{}", name_of_axis(k), std::abs(result.lost[k]),
+    return fmt::format("{} lost {} steps{}", name_of_axis(k), result.lost[k],
                        first_loss(options, result, k));
   }
   if (!result.calibrated) return "";

@@ -27,12 +27,25 @@ struct Row {
   int x = 0, y = 0, pen = 0;
 };
 
-int field(const std::string& text, const char* name, int high, const std::string& where) {
+std::string trimmed(const std::string& text) {
+  const std::size_t first = text.find_first_not_of(" \t\r");
+  if (first == std::string::npos) return "";
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+// Between commas, without blanks around them; an empty last one, too.
+std::vector<std::string> fields_of(const std::string& text) {
+  std::vector<std::string> fields;
+  std::size_t from = 0;
+  for (std::size_t comma; (comma = text.find(',', from)) != std::string::npos; from = comma + 1) {
+    fields.push_back(trimmed(text.substr(from, comma - from)));
+  }
+  fields.push_back(trimmed(text.substr(from)));
+  return fields;
+}
+
+int number_of(const std::string& word, const char* name, int high, const std::string& where) {
   int value = 0;
-  const std::size_t first = text.find_first_not_of(" \t");
-  const std::size_t last = text.find_last_not_of(" \t\r");
-  const std::string word =
-      first == std::string::npos ? "" : text.substr(first, last - first + 1);
   const char* const end = word.data() + word.size();
   const auto [stop, code] = std::from_chars(word.data(), end, value);
   if (stop != end || code != std::errc{} || value < 0 || value > high) {
@@ -42,17 +55,13 @@ int field(const std::string& text, const char* name, int high, const std::string
   return value;
 }
 
-// One of x,y,pen; its line may be a header where `header` says so.
-Row row_of(const std::string& text, const std::string& where) {
-  std::vector<std::string> fields;
-  std::istringstream in(text);
-  for (std::string one; std::getline(in, one, ',');) fields.push_back(one);
+Row row_of(const std::vector<std::string>& fields, const std::string& where) {
   if (fields.size() != 3) {
     throw ConfigError(fmt::format("{}: holds {} fields, allowed 3: x,y,pen", where,
                                   fields.size()));
   }
-  return {field(fields[0], "x", kSoftEnd, where), field(fields[1], "y", kSoftEnd, where),
-          field(fields[2], "pen", 1, where)};
+  return {number_of(fields[0], "x", kSoftEnd, where), number_of(fields[1], "y", kSoftEnd, where),
+          number_of(fields[2], "pen", 1, where)};
 }
 
 class Plot {
@@ -131,15 +140,19 @@ class Plot {
 
 std::vector<Call> parse_moves(const std::string& text, const std::string& source,
                               const PlotRates& rates) {
+  const std::vector<std::string> header{"x", "y", "pen"};
+  constexpr const char* kMark = "\xEF\xBB\xBF";  // UTF-8, as spreadsheets begin a file
   Plot plot(rates);
-  std::istringstream in(text);
+  std::istringstream in(text.rfind(kMark, 0) == 0 ? text.substr(3) : text);
   std::size_t number = 0, rows = 0;
   for (std::string line; std::getline(in, line);) {
     ++number;
-    if (line.find_first_not_of(" \t\r") == std::string::npos || line[0] == '#') continue;
-    if (rows == 0 && line.rfind("x,y,pen", 0) == 0) continue;
+    line = trimmed(line);
+    if (line.empty() || line[0] == '#') continue;
+    const std::vector<std::string> fields = fields_of(line);
+    if (rows == 0 && fields == header) continue;
     const std::string where = fmt::format("{}:{}", source, number);
-    plot.go(row_of(line, where), number);
+    plot.go(row_of(fields, where), number);
     ++rows;
   }
   if (rows == 0) throw ConfigError(source + ": has no move");

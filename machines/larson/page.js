@@ -8,6 +8,7 @@
   const kStepMm = 0.0254;  // 0.001 inch
   const kAxes = ['x', 'y'];
   const kMostRows = 400;
+  const kMostMarks = 24;
 
   const both = (of) => Object.fromEntries(kAxes.map((axis) => [axis, of(axis)]));
   const mm = (values) => values && values.map((v) => v * kStepMm);
@@ -39,7 +40,7 @@
 
   function asides(m) {
     return {
-      'script.time_s': `${m.calls.length} calls`,
+      'script.time_s': `${m.script.calls} calls`,
       'x.pulses': `${T.num(m.x.pulses * kStepMm, 1)} mm of travel`,
       'x.max_angle_step': 'beyond 5 the rotor falls back by 10',
       'script.off_step': 'rotors from where WHRTBL has them',
@@ -52,7 +53,7 @@
   function motionSection(run) {
     const s = run.series;
     const section = T.section('motion', 'Motion', T.zoomLead(T.time.marks.length > 0 &&
-      'Dashed: an interrupt, a switch, or steps that are lost.'));
+      'Dashed: a switch or lost steps, and an interrupt where there are few.'));
     if (run.data.colours && run.data.colours.length > 0) {
       section.append(T.el('div', { class: 'grid path' }, T.pathPlot(run.data), T.el('div',
         { class: 'stack' }, kAxes.map((axis) => T.timePlot({ id: `angle-${axis}`, title:
@@ -142,10 +143,17 @@
     kAssumed.flatMap(([keys, reason]) => keys.map((key) => [key, T.valueText(
       run.metrics.options[key]), T.el('td', { class: 'text dim' }, reason)]))))));
 
+  // Switches and losses; interrupts, of which each move has two, only where they are few.
+  function marksOf(events) {
+    const rare = events.filter((one) => one.what !== 'interrupt');
+    return (events.length <= kMostMarks ? events : rare).slice(0, kMostMarks)
+      .map((one) => one.time_s);
+  }
+
   function sections(run) {
     if (run.count > 1) {
       T.time.start(run.series.t_s);
-      T.time.marks = run.metrics.events.slice(0, 60).map((one) => one.time_s);
+      T.time.marks = marksOf(run.metrics.events);
       motionSection(run);
       interfaceSection(run);
     }

@@ -28,6 +28,7 @@ constexpr int kLeastRate = 59;         // [pulse/s]: 240 kHz / 4096
 constexpr int kMostRate = 4000;
 constexpr int kLongestWait = 40'000;   // [ms]
 constexpr int kMostRepeats = 100'000;
+constexpr std::size_t kDeepest = 16;   // REPEAT in REPEAT
 
 enum class Data { kNone, kRates, kPlace, kTime, kWord };
 
@@ -172,7 +173,12 @@ class Parser {
   }
 
   void repeat(std::vector<Call>& calls, std::int32_t times, std::size_t here) {
+    if (depth_ == kDeepest) {
+      throw ConfigError(fmt::format("more than {} REPEAT in each other", kDeepest));
+    }
+    ++depth_;
     const std::vector<Call> inner = block(here);
+    --depth_;
     if (inner.size() * static_cast<std::size_t>(times) > kMostCalls) {
       throw ConfigError(fmt::format("more than {} calls", kMostCalls));
     }
@@ -198,6 +204,7 @@ class Parser {
   std::string source_;
   std::int64_t clock_ps_;
   std::size_t line_ = 0;
+  std::size_t depth_ = 0;
 };
 
 }  // namespace

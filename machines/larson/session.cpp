@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <utility>
 
 #include "machines/larson/machine.hpp"
@@ -173,12 +174,13 @@ void Session::note_events(const cosim::Stop& stop) {
       pulses_[static_cast<std::size_t>(k)] += level(rose, step(k)) ? 1 : 0;
     }
   }
-  if ((stop.why & cosim::kIrq) != 0 && chip_->host_rise() == stop.edge) {
-    ++interrupts_;
-    const std::uint32_t x = chip_->words(0) >> 16;
-    const bool of_x = (x & (sw::larson_map::kBusy | sw::larson_map::kEnable)) ==
-                      sw::larson_map::kEnable;
-    note(stop.edge, of_x ? 0 : 1, "interrupt");
+  if (const unsigned now = chip_->requests(); now != requests_) {
+    for (int axis = 0; axis < kAxes; ++axis) {
+      if (((now & ~requests_) >> axis & 1) == 0) continue;
+      ++interrupts_;
+      note(stop.edge, axis, "interrupt");
+    }
+    requests_ = now;
   }
   if (const unsigned now = plant_.switches(); now != switches_) {
     for (int bit = 0; bit < 4; ++bit) {
@@ -192,6 +194,7 @@ void Session::note_events(const cosim::Stop& stop) {
   for (std::size_t k = 0; k < 2; ++k) {
     const auto& lost = plant_.axis(k).lost();
     for (; losses_[k] < lost.size(); ++losses_[k]) {
+      lost_[k] += std::abs(lost[losses_[k]].steps);
       note(lost[losses_[k]].edge, static_cast<int>(k),
            fmt::format("{} steps lost", lost[losses_[k]].steps));
     }
@@ -255,7 +258,7 @@ std::unique_ptr<cosim::RunResult> Session::result() {
   result->happened = events_;
   result->happened_count = event_count_;
   result->pulses = pulses_;
-  result->lost = {plant_.axis(0).steps_lost(), plant_.axis(1).steps_lost()};
+  result->lost = lost_;
   result->travel = travel_;
   result->end_at = last_at_;
   result->origin = origin_;

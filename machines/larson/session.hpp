@@ -71,10 +71,12 @@ class Session final : public cosim::Session, private cosim::Observer, private co
   std::vector<Event> events_;
   std::size_t event_count_ = 0;
   std::uint32_t interrupts_ = 0;
+  unsigned requests_ = 0;  // of the chip, after the last event
   unsigned switches_ = 0;
   cosim::Lines drive_ = 0;
   std::array<std::uint32_t, 2> pulses_{};
   std::array<std::size_t, 2> losses_{};
+  std::array<int, 2> lost_{};  // steps, forward and back added
   std::array<double, 2> travel_{}, last_at_{}, origin_{};
 };
 

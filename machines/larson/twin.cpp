@@ -23,6 +23,9 @@ class TwinChip final : public cosim::HostedTwin<LarsonChip, Board, exact::Larson
     return twin_.table().words(static_cast<std::size_t>(axis));
   }
   std::uint32_t err_byte() const override { return twin_.table().err_byte(); }
+  unsigned requests() const override {
+    return (twin_.table().axis(0).irq ? 1u : 0u) | (twin_.table().axis(1).irq ? 2u : 0u);
+  }
 
   void sense(cosim::Lines lines) override {
     for (int axis = 0; axis < kAxes; ++axis) {

@@ -37,7 +37,16 @@ module word_unibus_props (
     input logic answered_q,
     input logic reading_q,
     input logic passing_q,
-    input logic [7:0] vector_q
+    input logic [7:0] vector_q,
+    input logic [1:0] state,
+    input logic msyn_meta_q,
+    input logic bg_meta_q,
+    input logic bbsy_meta_q,
+    input logic ssyn_meta_q,
+    input logic msyn_i,
+    input logic bg_i,
+    input logic bbsy_i,
+    input logic ssyn_i
 );
 
   logic live_q = 1'b0;
@@ -45,11 +54,14 @@ module word_unibus_props (
   logic was_ssyn_in_q, was_grant_q, was_sack_q, was_intr_q, was_quiescent_q, was_read_q, was_oe_q;
   logic [7:0] kept_q;
   logic [15:0] was_word_q, was_d_q, shown_word;
-  logic [24:0] shown, was_shown_q;
+  logic [37:0] kept, was_kept_q;  // all that the block remembers
+  logic [5:0] pins, was_pins_q;   // what may change that
 
   assign shown_word = a[2] ? (a[1] ? y_i[31:16] : y_i[15:0])
                              : (a[1] ? x_i[31:16] : x_i[15:0]);
-  assign shown = {d_o, d_oe_o, ssyn_o, bg_o, sack_o, bbsy_o, intr_o, write_o, grant_o, answered_q};
+  assign kept = {state, answered_q, reading_q, passing_q, bg_was_q, vector_q, d_o, msyn_meta_q,
+                 msyn_q, bg_meta_q, bg_q, bbsy_meta_q, bbsy_q, ssyn_meta_q, ssyn_in_q};
+  assign pins = {msyn_i, bg_i, bbsy_i, ssyn_i, irq_i, ours};
 
   always_ff @(posedge clk_i) begin
     if (rst_i) live_q <= 1'b1;
@@ -69,7 +81,8 @@ module word_unibus_props (
     was_quiescent_q <= !rst_i && quiescent_o;
     was_oe_q        <= !rst_i && d_oe_o;
     was_d_q         <= d_o;
-    was_shown_q     <= shown;
+    was_kept_q      <= kept;
+    was_pins_q      <= pins;
     if (grant_o) kept_q <= vector_i;
     if (live_q) begin
       quiet_from_reset :
@@ -79,6 +92,7 @@ module word_unibus_props (
       answers_until_msyn_falls : assert (!was_ssyn_q || !was_msyn_q || was_rst_q || ssyn_o);
       one_write_a_transfer : assert (!write_o || (msyn_q && !ssyn_o && ours && c_i[1]));
       a_write_is_answered : assert (!was_write_q || was_rst_q || ssyn_o);
+      a_write_drives_no_data : assert (!was_write_q || was_rst_q || intr_o || !d_oe_o);
       writes_the_word_or_byte_of_its_address :
       assert (!write_o || (y_o == a[2] && data_o == {d_i, d_i} &&
               bytes_o == (c_i[0] ? 4'd1 << a[1:0] : 4'd3 << {a[1], 1'b0})));
@@ -99,8 +113,10 @@ module word_unibus_props (
       shows_the_vector_of_its_grant : assert (!intr_o || (bbsy_o && d_oe_o && d_o == 16'(kept_q)));
       vector_until_the_processor_has_it :
       assert (!was_intr_q || was_rst_q || was_ssyn_in_q || intr_o);
-      quiescent_is_honest : assert (!was_quiescent_q || shown == was_shown_q || br_o != irq_i ||
-                                    write_o || grant_o || d_o != was_d_q);
+      no_vector_of_nothing : assert (!intr_o || d_o != '0);
+      quiescent_is_honest : assert (!was_quiescent_q || kept == was_kept_q);
+      quiescent_where_nothing_changes :
+      assert (was_rst_q || kept != was_kept_q || pins != was_pins_q || quiescent_o);
       inv_answer : assert (answered_q == ssyn_o && (was_rst_q || !answered_q || was_msyn_q));
       inv_bg : assert (was_rst_q || bg_was_q == was_bg_q);
       inv_passing : assert (!passing_q || bg_was_q);
@@ -119,6 +135,7 @@ module word_unibus_props (
   // breaks answers_until_msyn_falls: answered_q <= next && !answered_q
   // breaks one_write_a_transfer: write_o = msyn_q && match && writes
   // breaks a_write_is_answered: answered_q <= next && !(acts && c_i[0])
+  // breaks a_write_drives_no_data: d_oe_o = intr_o || answered_q
   // breaks writes_the_word_or_byte_of_its_address: bytes_o = a_i[1] ? 4'b1100 : 4'b0011
   // breaks reads_the_word_of_its_address: axis = a_i[1] ? y_i : x_i
   // breaks data_of_a_read_stand_until_msyn_falls: read_q <= rst_i ? next : a_i[1] ? axis[31:16] : axis[15:0]
@@ -131,12 +148,15 @@ module word_unibus_props (
   // breaks becomes_master_of_a_free_bus: state_d = state_q == StTaken && !bg_q ? StVector : state_d
   // breaks shows_the_vector_of_its_grant: vector_q <= rst_i ? next : vector_i
   // breaks vector_until_the_processor_has_it: state_d = state_q == StVector ? StRelease : state_d
+  // breaks no_vector_of_nothing: empty = 1'b0
   // breaks quiescent_is_honest: quiescent_o = 1'b1
+  // breaks quiescent_where_nothing_changes: quiescent_o = quiescent_o && !ssyn_i
 
 endmodule
 
 bind word_unibus word_unibus_props u_word_unibus_props (
     .*,
     .ours(a_i[17:3] == Base[17:3]),
-    .a   (a_i[2:0])
+    .a   (a_i[2:0]),
+    .state(2'(state_q))
 );

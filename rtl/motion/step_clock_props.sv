@@ -74,7 +74,7 @@ module step_clock_props
 
   // breaks starts_a_period: acc_q <= rst_i ? Width'(1) << 3 : next
   // breaks one_tick_or_none_without_a_leap: ticks_o = ticks_o | gap_t'(half_o)
-  // breaks a_tick_every_period, next_tick_falls_by_one: acc_d = half_o && leap_i == '0 ? acc_d + Width'(Inc) : acc_d
+  // breaks a_tick_every_period, next_tick_falls_by_one: acc_d = half_o && leap_i == '0 ? acc_d + Width'(4 * Inc) : acc_d
   // breaks half_between_ticks: first = 1'b1
   // breaks ticks_and_phase_are_the_time: ticks_o = ticks_o - gap_t'(leap_i[11] && ticks_o > 12'd19)
   // breaks no_tick_before_next: next_tick_o = next_tick_o + gap_t'(leap_i == 12'd1)

@@ -21,7 +21,8 @@ struct FakeTable final : Bus {
     std::uint32_t count = map::kTerminal, status = 0;
     bool latch = false, done = false;
     int at = 5, low = -10, high = 6000;
-    bool closed() const { return at <= low || at >= high; }
+    bool closed_always = false;  // the lower one
+    bool closed() const { return closed_always || at <= low || at >= high; }
   };
   Axis axes[2];
   std::uint32_t timer = 0;
@@ -72,7 +73,7 @@ struct FakeTable final : Bus {
     for (Axis& a : axes) {
       if ((a.status & map::kBusy) == 0) continue;
       const bool forward = (a.status & map::kForward) != 0;
-      if (forward ? a.at >= a.high : a.at <= a.low) {
+      if (forward ? a.at >= a.high : a.closed_always || a.at <= a.low) {
         a.latch = true;
       } else if (a.count != map::kTerminal) {
         a.at += forward ? 1 : -1;

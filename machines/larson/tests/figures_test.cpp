@@ -48,7 +48,7 @@ larson::Result by_hand() {
   call(LarsonOp::kWttbl, "Wttbl", 8, {1, {}}, {3, 4});
   call(LarsonOp::kWhrtbl, "WHRTBL", 9, {0, {3, 4}}, {3.25, 4.5});
   result.pulses = {1111, 2222};
-  result.lost = {-10, 20};
+  result.lost = {10, 20};
   result.travel = {333, 444};
   result.end_at = {55.5, 66.25};
   result.interrupts = 12;
@@ -132,7 +132,7 @@ TEST_CASE("larson: a table is missed beyond its limit, in each axis and sense, o
       CHECK(larson::what_missed(options, result) == (std::fabs(off) > 3 ? text : ""));
       result.calibrated = false;  // it has it nowhere
       CHECK(larson::what_missed(options, result) == "");
-      result.lost[axis] = off < 0 ? -10 : 10;
+      result.lost[axis] = 10;
       result.happened = {{50'000'000, axis == 0 ? 1 : 0, "10 steps lost", 1, 0, 0},
                          {60'000'000, axis == 0 ? 0 : 1, "interrupt", 2, 0, 0},
                          {75'000'000, axis == 0 ? 0 : 1, "10 steps lost", 1234, 0, 0},

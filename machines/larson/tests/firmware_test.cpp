@@ -29,10 +29,17 @@ TEST_CASE("CALTBL that finds no switch, or none that opens, ends the program") {
   none.bus.axes[1].low = -200'000;
   none.run(300'000);
   CHECK(none.app.mailbox().failure == static_cast<std::uint32_t>(LarsonFailure::kNotCalibrated));
+  CHECK(none.bus.axes[1].at == 5 - 12'000);  // 30 s at 400 pulses per second
   Program stuck({kCal, kWait});
   stuck.bus.axes[0].high = -20;  // both are closed
   stuck.run(300'000);
   CHECK(stuck.app.mailbox().failure == static_cast<std::uint32_t>(LarsonFailure::kNotCalibrated));
+  Program closed({kCal, kWait});
+  closed.bus.axes[0].closed_always = true;
+  closed.run(300'000);
+  CHECK(closed.app.mailbox().failure ==
+        static_cast<std::uint32_t>(LarsonFailure::kNotCalibrated));
+  CHECK(closed.bus.axes[0].at <= 5 + 2000);
 }
 
 TEST_CASE("velocities become rate codes, at most 4000 pulses per second") {

@@ -82,6 +82,13 @@ TEST_CASE("a script that cannot be says file, line, what and what is permitted")
   CHECK(refused("WTTBL now\n") == "s.table:1: WTTBL takes nothing: 0 values, not 1");
   CHECK(refused("REPEAT 100000\nREPEAT 3\nWTTBL\nEND\nEND\n") ==
         "s.table:1: more than 200000 calls");
+  std::string deep;
+  for (int k = 0; k < 16; ++k) deep += "REPEAT 1\n";
+  std::string ends = "WTTBL\n";
+  for (int k = 0; k < 16; ++k) ends += "END\n";
+  CHECK(script(deep + ends).size() == 1);
+  CHECK(refused(deep + "REPEAT 1\n" + ends) ==
+        "s.table:17: more than 16 REPEAT in each other");
   CHECK(refused("# nothing\n") == "s.table: has no call");
 }
 
@@ -102,8 +109,23 @@ TEST_CASE("a list of moves calibrates, goes with the pen up and draws lines in p
   CHECK(calls[calls.size() - 2].call.b == 60);
 }
 
+TEST_CASE("a list of moves may come from a spreadsheet: byte order mark, CR LF, blanks") {
+  const std::vector<Call> calls = larson::parse_moves(
+      "\xEF\xBB\xBFx, y, pen\r\n  # a line\r\n 100 , 7 , 0 \r\n \r\n", "m.csv", {2000, 500});
+  REQUIRE(calls.size() == 4);
+  CHECK(calls[2].call.a == 100);
+  CHECK(calls[2].call.b == 7);
+  CHECK(calls[2].line == 3);
+}
+
 TEST_CASE("a list of moves that cannot be says file, line and what is permitted") {
   CHECK(refused_moves("x,y,pen\n1,2\n") == "m.csv:2: holds 2 fields, allowed 3: x,y,pen");
+  CHECK(refused_moves("1,2,0,\n") == "m.csv:1: holds 4 fields, allowed 3: x,y,pen");
+  CHECK(refused_moves(",,\n") == "m.csv:1: x:  is not a whole number in 0..5980");
+  CHECK(refused_moves("1,2,0\nx,y,pen\n") ==
+        "m.csv:2: x: x is not a whole number in 0..5980");
+  CHECK(refused_moves("x,y,pencil\n1,2,0\n") ==
+        "m.csv:1: x: x is not a whole number in 0..5980");
   CHECK(refused_moves("1,9000,0\n") ==
         "m.csv:1: y: 9000 is not a whole number in 0..5980");
   CHECK(refused_moves("1,2,2\n") == "m.csv:1: pen: 2 is not a whole number in 0..1");

@@ -39,6 +39,7 @@ class ChipModel : public cosim::HostedChip<LarsonChip, ChipState, Model, Tracer>
     return axis == 0 ? model_->rootp->larson_xy__DOT__x : model_->rootp->larson_xy__DOT__y;
   }
   std::uint32_t err_byte() const override { return model_->rootp->larson_xy__DOT__err_byte; }
+  unsigned requests() const override { return model_->rootp->larson_xy__DOT__u_table__DOT__irq; }
 
   void sense(cosim::Lines lines) override {
     const auto pair = [lines](int x, int y) {

@@ -9,7 +9,9 @@ namespace {
 namespace map = larson_map;
 
 constexpr std::int32_t kTicks = 240'000;  // [Hz] of the interface
-constexpr std::int32_t kFar = 60'000;     // [step] more than the travel
+constexpr std::int32_t kTravel = 6000;    // [step] of 0.001 inch
+constexpr std::int32_t kFar = 60'000;     // of any table
+constexpr std::int32_t kOff = 2000;       // more than a switch may be run into
 
 }  // namespace
 
@@ -100,10 +102,11 @@ void StepTable::on_vector(Bus& bus, std::uint32_t vector) {
 void StepTable::caltbl(Bus& bus) {
   if (busy()) return;
   calibrated_ = error_ = false;
+  const std::int32_t far = setup_.soft_end > kTravel ? kFar : 2 * kTravel;
   for (std::uint32_t k = 0; k < 2; ++k) {
     axes_[k].from = 0;
     axes_[k].seek = Seek::kToSwitch;
-    run(bus, k, -kFar, code(setup_.seek_rate));
+    run(bus, k, -far, code(setup_.seek_rate));
   }
 }
 
@@ -113,7 +116,7 @@ void StepTable::seek_on(Bus& bus, std::uint32_t axis, bool at_switch) {
   if (a.seek == Seek::kToSwitch && at_switch) {
     bus.write(map::status(axis), map::kReset);
     a.seek = Seek::kOffSwitch;
-    run(bus, axis, kFar, code(setup_.back_rate));
+    run(bus, axis, kOff, code(setup_.back_rate));
   } else if (a.seek == Seek::kMargin && !at_switch) {
     a.seek = Seek::kNone;
     a.from = 0;

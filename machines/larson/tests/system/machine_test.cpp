@@ -113,6 +113,27 @@ TEST_CASE("a move while the table moves, or before CALTBL, is refused and change
   CHECK(answer(result, 0).at.x == 100);
 }
 
+TEST_CASE("an interrupt is that of the axis whose move ends, also where both ask at once") {
+  Scripted script(
+      "CALTBL\nVELTBL 400 400\nABSTBL 5 20\nWTTBL\nABSTBL 25 25\nWTTBL\n"
+      "ABSTBL 30 30\nWTTBL\n");
+  script.options.start_x = 20;
+  script.options.start_y = 30;
+  script.options.axis.buffer.fitted = false;
+  for (const cosim::Engine engine : {cosim::Engine::kRtl, cosim::Engine::kTwin}) {
+    script.options.run.engine = engine;
+    const Result result = script.run();
+    REQUIRE(result.end == cosim::EndReason::kDone);
+    std::string axes;
+    for (const larson::Event& one : result.happened) {
+      if (one.edge <= result.done.front().edge || one.what != "interrupt") continue;
+      axes += one.axis == 0 ? 'X' : 'Y';
+      CHECK(one.count == 0177777);
+    }
+    CHECK(axes == "XYYXXY");  // 5 and 20 steps, 20 and 5, 5 and 5
+  }
+}
+
 TEST_CASE("every wiring gives the events of the leaping RTL, and --audit finds no difference") {
   Scripted script("CALTBL\nVELTBL 4000 500\nABSTBL 60 30\nWTTBL\nWAIT 5\nWHRTBL\n");
   script.options.start_x = 20;
@@ -168,8 +189,76 @@ TEST_CASE("by hand into the far switch: the interrupt, the latch, the hazard, an
   const Result result = lab::simulate(built_in("larson-limit"));
   REQUIRE(result.end == cosim::EndReason::kDone);
   std::vector<std::string> high;
+  const larson::Event* trip = nullptr;
   for (const larson::Event& one : result.happened) {
     if (one.what.find("high switch") == 0) high.push_back(one.what);
+    if (one.what == "interrupt" && (one.status & 0x6000) == 0x6000) trip = &one;
   }
   CHECK(high == std::vector<std::string>{"high switch closed", "high switch open"});
+  REQUIRE(trip != nullptr);  // M-05: bits 14 and 13, the count kept, not busy
+  CHECK(trip->axis == 0);
+  CHECK((trip->status & 0x1000) == 0);
+  CHECK(trip->count > 0xFFFF - 200);
+  CHECK(trip->count < 0xFFFF);
+  // Where X is when calls end: M-06, a start that the latch refuses; M-07, one after the hazard.
+  const auto x_after = [&](std::size_t line) {
+    for (std::size_t k = 0; k < result.calls.size(); ++k) {
+      if (result.calls[k].line == line) return result.done[k + 1].at[0];
+    }
+    return 0.0;
+  };
+  CHECK(x_after(10) > 5980);
+  CHECK(std::fabs(x_after(14) - x_after(10)) < 0.01);
+  CHECK(std::fabs(x_after(17) - x_after(10)) < 0.01);
+  CHECK(std::fabs(x_after(20) - x_after(10)) > 90);
+}
+
+TEST_CASE("figures, columns and the verdict are those of their axis, with its sign") {
+  Scripted script("CALTBL\nVELTBL 400 800\nABSTBL 20 60\nWTTBL\nABSTBL 50 10\nWTTBL\n");
+  script.options.start_x = 20;
+  script.options.start_y = 30;
+  const lab::Record record = lab::run(script.options);
+  const auto& result = static_cast<const Result&>(*record.result);
+  REQUIRE(result.end == cosim::EndReason::kDone);
+  const auto value = [&](const std::string& id) {
+    for (const lab::Figure& one : record.figures) {
+      if (one.id == id) return one.value;
+    }
+    FAIL(id);
+    return 0.0;
+  };
+  // Back to the switch, 10 more of Y, and off it; then 20 and 30 steps of X, 60 and 50 of Y.
+  CHECK(value("y.pulses") - value("x.pulses") == Approx(10 + 60).margin(4));
+  CHECK(value("x.end_step") - result.origin[0] == Approx(50).margin(0.1));
+  CHECK(value("y.end_step") - result.origin[1] == Approx(10).margin(0.1));
+  CHECK(value("y.travel_step") - value("x.travel_step") == Approx(10 + 60).margin(15));
+  CHECK(value("y.max_rate") > value("x.max_rate"));
+  CHECK(value("script.normal") == 2);
+  CHECK(value("script.calls") == 6);
+  CHECK(value("interrupts") == 2 * 2 + 2 * 2);  // of each axis: switch, margin, two moves
+  const larson::Sample& last = result.samples.back();
+  CHECK(last.axis[0].at == Approx(value("x.end_step")));
+  CHECK(last.axis[1].at == Approx(value("y.end_step")));
+  CHECK(last.axis[1].step == Approx(last.axis[1].at).margin(0.1));
+  for (const larson::Sample& one : result.samples) {
+    for (const larson::AxisSample& axis : one.axis) {
+      CHECK(axis.angle == Approx(axis.step - axis.at).margin(1e-6));
+    }
+  }
+}
+
+TEST_CASE("a table that is not where its program has it is missed, on either axis") {
+  for (const int axis : {0, 1}) {
+    Scripted script("CALTBL\nVELTBL 400 400\nABSTBL 100 100\nWTTBL\n");
+    script.options.start_x = script.options.start_y = 20;
+    script.options.fault.kind = cosim::FaultKind::kOutputStuck;
+    script.options.fault.axis = axis;
+    script.options.fault.begin_s = 0.35;
+    script.options.fault.for_s = 0.05;
+    const lab::Record record = lab::run(script.options);
+    CHECK(record.result->end == cosim::EndReason::kMissed);
+    const std::string begin = axis == 0 ? "missed: X is -" : "missed: Y is -";
+    CHECK(record.verdict.find(begin) == 0);
+    CHECK(record.verdict.find("from 100, where") != std::string::npos);
+  }
 }
