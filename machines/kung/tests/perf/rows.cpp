@@ -67,7 +67,7 @@ class Processor final : public sc_module, private sw::Bus {
   void write(std::uint32_t addr, std::uint32_t data) override { transfer({addr, data, true}); }
 
   std::uint32_t transfer(const cosim::BusOp& op) {
-    wait(clocks(session_.timing().access, session_.period_ps()));
+    wait(clocks(session_.timing().before(chip_.chip().now(), op), session_.period_ps()));
     chip_.chip().request(op);
     wait(chip_.done_event);
     return chip_.chip().rdata();
