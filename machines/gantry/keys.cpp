@@ -79,13 +79,13 @@ void add_axis(Table& t) {
         TRAMMEL_LENS(axis.winding));
   t.one("sensor.delay_s", 0, 0.05, "age of what the sensor tells", TRAMMEL_LENS(axis.delay));
   t.one("sensor.amplitude_code", 50, 511, "of A and B", TRAMMEL_LENS(stripes.amplitude));
-  t.one("sensor.amplitude_a_error", -0.3, 0.3, "share", TRAMMEL_LENS(stripes.amplitude_a_error));
-  t.one("sensor.amplitude_b_error", -0.3, 0.3, "share", TRAMMEL_LENS(stripes.amplitude_b_error));
-  t.one("sensor.offset_a_error", -0.3, 0.3, "share of the amplitude",
+  t.one("sensor.amplitude_a_error", -0.15, 0.15, "share", TRAMMEL_LENS(stripes.amplitude_a_error));
+  t.one("sensor.amplitude_b_error", -0.15, 0.15, "share", TRAMMEL_LENS(stripes.amplitude_b_error));
+  t.one("sensor.offset_a_error", -0.15, 0.15, "share of the amplitude",
         TRAMMEL_LENS(stripes.offset_a_error));
-  t.one("sensor.offset_b_error", -0.3, 0.3, "share of the amplitude",
+  t.one("sensor.offset_b_error", -0.15, 0.15, "share of the amplitude",
         TRAMMEL_LENS(stripes.offset_b_error));
-  t.one("sensor.phase_b_error_rad", -0.3, 0.3, "of B", TRAMMEL_LENS(stripes.phase_b_error));
+  t.one("sensor.phase_b_error_rad", -0.15, 0.15, "of B", TRAMMEL_LENS(stripes.phase_b_error));
   t.one("sensor.defect_1_unit", -4000, 4000, "jump at 190 mm, 2^-14 of a period; 0: none",
         TRAMMEL_LENS(stripes.defect_units[0]));
   t.one("sensor.defect_2_unit", -4000, 4000, "jump at 300 mm",
