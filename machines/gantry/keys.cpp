@@ -78,7 +78,8 @@ void add_axis(Table& t) {
   t.one("axis.winding_s", 0, 0.02, "electrical time constant of the motors",
         TRAMMEL_LENS(axis.winding));
   t.one("sensor.delay_s", 0, 0.05, "age of what the sensor tells", TRAMMEL_LENS(axis.delay));
-  t.one("sensor.amplitude_code", 340, 460, "of A and B; the data at power-on are for 400", TRAMMEL_LENS(stripes.amplitude));
+  t.one("sensor.amplitude_code", 340, 460, "of A and B; the data at power-on are for 400",
+        TRAMMEL_LENS(stripes.amplitude));
   t.one("sensor.amplitude_a_error", -0.15, 0.15, "share", TRAMMEL_LENS(stripes.amplitude_a_error));
   t.one("sensor.amplitude_b_error", -0.15, 0.15, "share", TRAMMEL_LENS(stripes.amplitude_b_error));
   t.one("sensor.offset_a_error", -0.15, 0.15, "share of the amplitude",
