@@ -59,6 +59,7 @@ Session::Session(const Options& options, const cosim::Hooks& hooks, const cosim:
            static_cast<std::uint32_t>(program_.size())),
       loop_(*chip_, seen(), *this, options.run.window()),
       switches_(plant_.switches()),
+      heard_{0, {at(0, 0), at(1, 0)}},
       last_at_{at(0, 0), at(1, 0)} {}
 
 // What the chip is wired to. The switches are its A and B, the buffer its index.
@@ -125,8 +126,11 @@ cosim::Clk Session::end() const { return cosim::clocks_of(options_.run.max_s, pe
 
 void Session::on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant&) {
   if (over_) return;
-  note_calls(stop.edge);
+  note_calls();
   if (stop.why == cosim::kLimit) return;
+  if ((stop.why & (cosim::kBusDone | cosim::kIrq)) != 0) {
+    heard_ = {stop.edge, {at(0, stop.edge), at(1, stop.edge)}};
+  }
   if (waves_.search != nullptr) waves_.search->on(stop, *chip_, *this);
   if (fault_watch_) watch_fault(stop);
   hash_.mix(stop, chip);
@@ -145,8 +149,9 @@ void Session::on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::
   }
 }
 
-// Calls that have ended since the last stop.
-void Session::note_calls(cosim::Clk edge) {
+// Calls that have ended since the last stop: when the processor last heard of the chip, which is
+// the same in every wiring; a stop is where the look-ahead happens to end.
+void Session::note_calls() {
   while (done_.size() < app_.mailbox().point) {
     if (calls_[done_.size()].call.op == sw::LarsonOp::kCaltbl) {
       for (std::size_t k = 0; k < 2; ++k) {
@@ -154,7 +159,7 @@ void Session::note_calls(cosim::Clk edge) {
         origin_[k] = static_cast<double>(axis.translated() + axis.waiting());
       }
     }
-    done_.push_back({edge, {at(0, edge) - origin_[0], at(1, edge) - origin_[1]}});
+    done_.push_back({heard_.edge, {heard_.at[0] - origin_[0], heard_.at[1] - origin_[1]}});
   }
 }
 

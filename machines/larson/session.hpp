@@ -41,7 +41,7 @@ class Session final : public cosim::Session, private cosim::Observer, private co
   std::optional<cosim::EndReason> end_after(cosim::Clk edge);
   cosim::Plant& seen();
   void watch_fault(const cosim::Stop& stop);
-  void note_calls(cosim::Clk edge);
+  void note_calls();
   void note_events(const cosim::Stop& stop);
   void note(cosim::Clk edge, int axis, std::string what);
   std::string noticed() const;
@@ -77,6 +77,7 @@ class Session final : public cosim::Session, private cosim::Observer, private co
   std::array<std::uint32_t, 2> pulses_{};
   std::array<std::size_t, 2> losses_{};
   std::array<int, 2> lost_{};  // steps, forward and back added
+  CallDone heard_;  // of the last event that the processor could answer to; [step] of the rotors
   std::array<double, 2> travel_{}, last_at_{}, origin_{};
 };
 

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a run of the machine larson records, held against its two axes driven once more with the
+// pins that the chip drove: whatever is of the other axis, of the other sense, or early differs.
+#include <catch2/catch.hpp>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "lab/record.hpp"
+#include "machines/larson/machine.hpp"
+#include "machines/larson/session.hpp"
+#include "sw_nios/apps/larson/larson_map.hpp"
+#include "tests/support/event_record.hpp"
+#include "tests/support/scratch.hpp"
+
+using namespace trammel;
+using namespace trammel::larson;
+
+namespace {
+
+constexpr std::array<const char*, 2> kName{"X", "Y"};
+
+// A run by the twin, its axes unlike in start, rate and targets.
+struct Scripted {
+  test::Scratch scratch{"larson_session"};
+  Options options;
+
+  explicit Scripted(const std::string& script) {
+    const std::filesystem::path file = scratch.path / "script.table";
+    std::ofstream(file) << script;
+    options.script = file.string();
+    options.run.platform = cosim::Platform::kDirect;
+    options.run.engine = cosim::Engine::kTwin;
+    options.start_x = 12;
+    options.start_y = 31;
+    options.record_ms = 0.5;
+    options.settle_s = 0.03;
+  }
+  test::Recorded<Result> run() const { return test::record_run<Session, Result>(options); }
+};
+
+const char* const kMoves =
+    "CALTBL\nVELTBL 4000 500\nABSTBL 60 33\nWTTBL\nRELTBL -25 -10\nWTTBL\nRELTBL 0 7\nWTTBL\n"
+    "WHRTBL\n";
+
+// One axis, driven by what the events say of its pins.
+class Replay {
+ public:
+  Replay(const Options& options, int axis) : axis_(axis), plant_(config(options, axis)) {}
+
+  // Up to a clock before the next event.
+  void to(cosim::Clk edge) {
+    while (plant_.next() < edge) put(plant_.next());
+  }
+  // Up to the event at `edge`, after which `drive` stands.
+  void to(cosim::Clk edge, cosim::Lines drive) {
+    to(edge);
+    const bool before = level(lines_, step(axis_));
+    lines_ = drive;
+    pulses += !before && level(lines_, step(axis_)) ? 1 : 0;
+    put(edge);
+  }
+  const plant::StepperAxis& plant() const { return plant_; }
+  double at(cosim::Clk edge) const { return plant_.state(edge).at; }
+
+  std::uint32_t pulses = 0;
+
+ private:
+  static plant::StepperAxisConfig config(const Options& options, int axis) {
+    plant::StepperAxisConfig c = options.axis;
+    c.start = axis == 0 ? options.start_x : options.start_y;
+    return c;
+  }
+  void put(cosim::Clk n) {
+    plant_.drive(n, level(lines_, step(axis_)), level(lines_, forward(axis_)),
+                 level(lines_, flush(axis_)));
+  }
+
+  int axis_;
+  plant::StepperAxis plant_;
+  cosim::Lines lines_ = 0;
+};
+
+struct Seen {
+  cosim::Clk edge;
+  int axis;
+  std::string what;
+};
+
+}  // namespace
+
+TEST_CASE("larson: each sample is of its own axis, as its pins move it") {
+  const Scripted script(kMoves);
+  const auto run = script.run();
+  const Result& result = run.result;
+  REQUIRE(result.end == cosim::EndReason::kDone);
+  std::vector<Replay> axes{{script.options, 0}, {script.options, 1}};
+  std::array<double, 2> travel{}, last{script.options.start_x, script.options.start_y};
+  std::vector<Seen> switches;
+  std::size_t sample = 0, call = 0;
+  unsigned closed = 0;
+  const auto check_calls = [&](cosim::Clk before) {
+    for (; call < result.done.size() && result.done[call].edge < before; ++call) {
+      for (std::size_t k = 0; k < 2; ++k) {
+        axes[k].to(result.done[call].edge);
+        const double at = axes[k].at(result.done[call].edge) - result.origin[k];
+        INFO("where " << kName[k] << " is at the end of call " << call << ", "
+                      << result.calls[call].text);
+        CHECK(result.done[call].at[k] == Approx(at).margin(1e-6));
+      }
+    }
+  };
+  for (const test::Event& event : run.events) {
+    check_calls(event.edge);
+    for (Replay& axis : axes) axis.to(event.edge, event.drive);
+    check_calls(event.edge + 1);
+    unsigned now = 0;
+    for (std::size_t k = 0; k < 2; ++k) {
+      now |= (axes[k].plant().at_low() ? 1u : 0u) << 2 * k |
+             (axes[k].plant().at_high() ? 2u : 0u) << 2 * k;
+    }
+    for (int bit = 0; bit < 4; ++bit) {
+      if (((now ^ closed) >> bit & 1) == 0) continue;
+      switches.push_back({event.edge, bit / 2,
+                          std::string(bit % 2 == 0 ? "low" : "high") + " switch " +
+                              ((now >> bit & 1) != 0 ? "closed" : "open")});
+    }
+    closed = now;
+    if ((event.why & cosim::kSample) == 0) continue;
+    REQUIRE(sample < result.samples.size());
+    const Sample s = result.samples[sample];
+    INFO("sample " << sample << ", clock " << event.edge);
+    REQUIRE(s.edge == event.edge);
+    REQUIRE(s.call == call);
+    REQUIRE(s.switches == now);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const plant::StepperAxis& p = axes[k].plant();
+      const auto state = p.state(event.edge);
+      INFO("axis " << kName[k] << ": step " << s.axis[k].step << ", at " << s.axis[k].at
+                   << ", speed " << s.axis[k].speed << ", angle " << s.axis[k].angle
+                   << ", rate " << s.axis[k].rate << ", waiting " << s.axis[k].waiting);
+      REQUIRE(s.axis[k].step == p.translated());
+      REQUIRE(s.axis[k].waiting == p.waiting());
+      REQUIRE(s.axis[k].at == Approx(state.at).margin(1e-6));
+      REQUIRE(s.axis[k].speed == Approx(state.speed).margin(1e-3));
+      REQUIRE(s.axis[k].angle == Approx(static_cast<double>(p.translated()) - state.at).margin(1e-6));
+      REQUIRE(s.axis[k].rate == Approx(p.rate()).margin(1e-6));
+      travel[k] += std::fabs(state.at - last[k]);
+      last[k] = state.at;
+    }
+    ++sample;
+  }
+  CHECK(sample == result.samples.size());
+  CHECK(call == result.calls.size());
+  for (std::size_t k = 0; k < 2; ++k) {
+    INFO("axis " << kName[k]);
+    CHECK(result.pulses[k] == axes[k].pulses);
+    CHECK(result.travel[k] == Approx(travel[k]));
+    CHECK(result.end_at[k] == Approx(last[k]));
+    CHECK(result.lost[k] == 0);
+    // At rest the translator stands where the program has the table, from the origin.
+    const int known = k == 0 ? result.known.x : result.known.y;
+    CHECK(known == (k == 0 ? 35 : 30));
+    CHECK(result.origin[k] == static_cast<double>(axes[k].plant().translated() - known));
+  }
+  CHECK(result.pulses[0] > result.pulses[1]);
+  std::vector<Seen> noted;
+  for (const Event& one : result.happened) {
+    if (one.what.find("switch") != std::string::npos) {
+      noted.push_back({one.edge, one.axis, one.what});
+    }
+  }
+  REQUIRE(switches.size() >= 4);
+  REQUIRE(noted.size() == switches.size());
+  for (std::size_t k = 0; k < noted.size(); ++k) {
+    INFO("event " << k << ": " << noted[k].what << " of axis " << noted[k].axis);
+    CHECK(noted[k].edge == switches[k].edge);
+    CHECK(noted[k].axis == switches[k].axis);
+    CHECK(noted[k].what == switches[k].what);
+  }
+}
+
+TEST_CASE("larson: an interrupt is noted once, with the axis that has come to its end") {
+  const Scripted script(kMoves);
+  const auto run = script.run();
+  std::array<int, 2> of{};
+  std::size_t interrupts = 0;
+  for (const Event& one : run.result.happened) {
+    INFO(one.what << " at clock " << one.edge << ", axis " << one.axis << ", status "
+                  << one.status);
+    if (one.what != "interrupt") continue;
+    ++interrupts;
+    ++of[static_cast<std::size_t>(one.axis)];
+    const std::uint32_t bits = sw::larson_map::kBusy | sw::larson_map::kEnable;
+    CHECK((one.status & bits) == sw::larson_map::kEnable);
+  }
+  CHECK(interrupts == run.result.interrupts);
+  CHECK(of[0] > 0);
+  CHECK(of[1] > 0);
+  CHECK(run.result.happened_count == run.result.happened.size());
+}
+
+TEST_CASE("larson: steps lost are counted and noted in the axis and sense that lost them") {
+  bool behind = false, ahead = false;
+  for (std::size_t lossy = 0; lossy < 2; ++lossy) {
+    for (const bool forward : {true, false}) {
+      const std::string rates = lossy == 0 ? "VELTBL 4000 100\n" : "VELTBL 100 4000\n";
+      const std::string there = lossy == 0 ? "ABSTBL 400 3\n" : "ABSTBL 3 400\n";
+      const std::string back = lossy == 0 ? "ABSTBL 0 2\n" : "ABSTBL 2 0\n";
+      Scripted script("CALTBL\n" + (forward ? rates + there : "VELTBL 200 200\n" + there +
+                                                                  "WTTBL\n" + rates + back) +
+                      "WTTBL\n");
+      script.options.axis.buffer.fitted = false;
+      const auto run = script.run();
+      CAPTURE(kName[lossy], forward, run.result.fault);
+      CHECK(run.result.end == cosim::EndReason::kMissed);
+      CHECK(run.result.fault.find(std::string(kName[lossy]) + " lost ") == 0);
+      CHECK(run.result.lost[1 - lossy] == 0);
+      // A rotor that stalls is behind, one that overruns at the end is ahead.
+      const Sample last = run.result.samples.back();
+      CHECK(run.result.lost[lossy] ==  // in whole cycles of ten, and it may still swing
+            Approx(last.axis[lossy].step - last.axis[lossy].at).margin(4));
+      (run.result.lost[lossy] > 0 ? behind : ahead) = true;
+      int noted = 0;
+      for (const Event& one : run.result.happened) {
+        if (one.what.find("steps lost") == std::string::npos) continue;
+        CHECK(one.axis == static_cast<int>(lossy));
+        noted += std::stoi(one.what);
+      }
+      CHECK(noted == run.result.lost[lossy]);
+    }
+  }
+  CHECK(behind);
+  CHECK(ahead);
+}
+
+TEST_CASE("larson: a run ends when its settling is over and no axis moves any more") {
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const Scripted script(axis == 0 ? "VELTBL 250 250\nCALTBL\nVELTBL 100 4000\nABSTBL 20 3\n"
+                                    : "VELTBL 250 250\nCALTBL\nVELTBL 4000 100\nABSTBL 3 20\n");
+    const auto run = script.run();
+    CAPTURE(kName[axis]);
+    REQUIRE(run.result.end == cosim::EndReason::kDone);
+    const Sample last = run.result.samples.back();
+    CHECK((last.axis[axis].words >> 16 & sw::larson_map::kBusy) == 0);
+    CHECK(last.axis[axis].waiting == 0);
+    const double longest =
+        cosim::seconds_of(last.edge - run.result.done.back().edge, script.options.axis.clock_ps);
+    CHECK(longest >= script.options.settle_s);
+    CHECK(longest > 0.17);   // 20 steps at 100 PPS
+    CHECK(longest < 0.3);
+  }
+}
+
+TEST_CASE("larson: calls end at the same clocks and places, whatever the look-ahead or wiring") {
+  Scripted script(kMoves);
+  const Result first = script.run().result;
+  Scripted steps(kMoves), systemc(kMoves);
+  steps.options.run.window_clk = 313;
+  systemc.options.run.platform = cosim::Platform::kSystemC;
+  for (const Options& options : {steps.options, systemc.options}) {
+    const Result other = lab::simulate(options);
+    REQUIRE(other.event_hash == first.event_hash);
+    REQUIRE(other.done.size() == first.done.size());
+    for (std::size_t k = 0; k < first.done.size(); ++k) {
+      INFO(first.calls[k].text << ", window " << options.run.window_clk);
+      CHECK(other.done[k].edge == first.done[k].edge);
+      CHECK(other.done[k].at[0] == first.done[k].at[0]);
+      CHECK(other.done[k].at[1] == first.done[k].at[1]);
+    }
+    REQUIRE(other.samples.size() == first.samples.size());
+    for (std::size_t k = 0; k < first.samples.size(); ++k) {
+      CAPTURE(k);
+      const Sample ours = first.samples[k], theirs = other.samples[k];
+      REQUIRE(theirs.call == ours.call);
+    }
+  }
+}
