@@ -147,7 +147,8 @@ TEST_CASE("larson: each sample is of its own axis, as its pins move it") {
       REQUIRE(s.axis[k].waiting == p.waiting());
       REQUIRE(s.axis[k].at == Approx(state.at).margin(1e-6));
       REQUIRE(s.axis[k].speed == Approx(state.speed).margin(1e-3));
-      REQUIRE(s.axis[k].angle == Approx(static_cast<double>(p.translated()) - state.at).margin(1e-6));
+      const double behind = static_cast<double>(p.translated()) - state.at;
+      REQUIRE(s.axis[k].angle == Approx(behind).margin(1e-6));
       REQUIRE(s.axis[k].rate == Approx(p.rate()).margin(1e-6));
       travel[k] += std::fabs(state.at - last[k]);
       last[k] = state.at;
@@ -254,6 +255,34 @@ TEST_CASE("larson: a run ends when its settling is over and no axis moves any mo
     CHECK(longest > 0.17);   // 20 steps at 100 PPS
     CHECK(longest < 0.3);
   }
+}
+
+TEST_CASE("larson: a table at rest is recorded for its settling, and no longer") {
+  for (const double settle_s : {0.05, 0.2}) {
+    Scripted script("VELTBL 500 500\nCALTBL\nRELTBL 5 4\nWTTBL\nWHRTBL\n");
+    script.options.settle_s = settle_s;
+    const auto run = script.run();
+    REQUIRE(run.result.end == cosim::EndReason::kDone);
+    const cosim::Clk more = run.result.samples.back().edge - run.result.done.back().edge;
+    CHECK(cosim::seconds_of(more, script.options.axis.clock_ps) ==
+          Approx(settle_s + 0.5e-3).margin(0.6e-3));
+  }
+}
+
+TEST_CASE("larson: progress is the share of the calls that have ended") {
+  const Scripted script(kMoves);
+  std::vector<double> told;
+  cosim::Hooks hooks;
+  hooks.progress = [&told](double share) { told.push_back(share); };
+  lab::simulate(script.options, hooks);
+  REQUIRE(told.size() > 5);
+  CHECK(told.front() == 0);
+  for (std::size_t k = 1; k < told.size(); ++k) {
+    CAPTURE(k);
+    CHECK(told[k] >= told[k - 1]);
+    CHECK(std::fabs(9 * told[k] - std::round(9 * told[k])) < 1e-9);  // of nine
+  }
+  CHECK(told.back() == 1);
 }
 
 TEST_CASE("larson: calls end at the same clocks and places, whatever the look-ahead or wiring") {

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a run of the machine mcafee records, held against its stage driven once more with the codes
+// that the chip drove: whatever is of the other axis, of the other sense, or early differs.
+#include <catch2/catch.hpp>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "machines/mcafee/machine.hpp"
+#include "machines/mcafee/session.hpp"
+#include "tests/support/event_record.hpp"
+
+using namespace trammel;
+using namespace trammel::mcafee;
+
+namespace {
+
+constexpr std::array<const char*, 2> kName{"X", "Y"};
+constexpr cosim::Lines kOff = kZeroCode << converter(0) | kZeroCode << converter(1);
+
+// Some rows around a small corner, by the twin.
+Options small_corner() {
+  Options options;
+  options.run.engine = cosim::Engine::kTwin;
+  options.run.platform = cosim::Platform::kDirect;
+  options.path.kind = PathKind::kCorner;
+  options.path.side_mm = 2;
+  options.path.radius_mm = 1;
+  options.path.kappa_max_1_mm = 1;
+  options.path.preview_rows = 2;
+  options.wait_s = 0.02;
+  return options;
+}
+
+using Run = test::Recorded<Result>;
+
+// Calls after(event, plant) behind each event of the run.
+template <class After>
+void replay(const Options& options, const Run& run, After after) {
+  StagePlant plant({options.stage_axis, options.stage_axis});
+  cosim::Lines drive = kOff;
+  for (const test::Event& event : run.events) {
+    while (plant.next() < event.edge) plant.commit(plant.next(), drive);
+    plant.commit(event.edge, drive = event.drive);
+    after(event, plant);
+  }
+}
+
+double mm_of(const StagePlant& plant, std::size_t axis, cosim::Clk edge) {
+  return 1e3 * plant.stage().axis(axis).position(edge);
+}
+
+}  // namespace
+
+TEST_CASE("mcafee: each sample is of its own axis, as its codes move it") {
+  Options options = small_corner();
+  const Run run = test::record_run<Session, Result>(options);
+  REQUIRE(run.result.end == cosim::EndReason::kDone);
+  std::size_t sample = 0;
+  std::array<double, 2> forward{}, back{}, current{};
+  replay(options, run, [&](const test::Event& event, const StagePlant& plant) {
+    if ((event.why & cosim::kSample) == 0) return;
+    REQUIRE(sample < run.result.samples.size());
+    const Sample s = run.result.samples[sample++];
+    INFO("sample " << sample - 1 << ", clock " << event.edge);
+    REQUIRE(s.edge == event.edge);
+    REQUIRE(s.limits == plant.limits());
+    for (std::size_t k = 0; k < 2; ++k) {
+      const plant::LeadscrewAxis& axis = plant.stage().axis(k);
+      const plant::DcMotorState state = axis.state(event.edge);
+      const AxisSample& is = s.axis[k];
+      INFO("axis " << kName[k] << ": x_mm " << is.x_mm << ", mm_s " << is.mm_s << ", i " << is.i
+                   << ", volt " << is.volt << "; replayed theta " << state.theta << ", omega "
+                   << state.omega << ", i " << state.i << ", volt " << axis.voltage());
+      const double mm = 1e3 * options.stage_axis.pitch / (2 * plant::kPi);
+      REQUIRE(is.x_mm == Approx(mm * state.theta).margin(1e-9));
+      REQUIRE(is.mm_s == Approx(mm * state.omega).margin(1e-9));
+      REQUIRE(is.i == Approx(state.i).margin(1e-9));
+      const double code = static_cast<double>(mcafee::code(event.drive, static_cast<int>(k)));
+      REQUIRE(is.volt == Approx((code - 128) / 128 * options.stage_axis.motor.supply));
+      // The parts count in the sense in which the table moves.
+      REQUIRE(is.words.actual == Approx(is.x_mm / options.count_mm()).margin(1.5));
+      forward[k] = std::max(forward[k], is.mm_s);
+      back[k] = std::min(back[k], is.i);
+      current[k] = std::max(current[k], is.i);
+    }
+  });
+  CHECK(sample == run.result.samples.size());
+  for (std::size_t k = 0; k < 2; ++k) {
+    INFO("axis " << kName[k]);
+    CHECK(forward[k] > 1);     // it moved, and was
+    CHECK(back[k] < -0.1);     // pushed in both senses
+    CHECK(current[k] > 0.1);
+  }
+}
+
+TEST_CASE("mcafee: what became of a fault is told of either axis, from its clocks and places") {
+  for (int axis = 0; axis < 2; ++axis) {
+    Options options = small_corner();
+    options.error_limit = 200;
+    options.fault.kind = cosim::FaultKind::kEncoderStuck;
+    options.fault.axis = axis;
+    options.fault.begin_s = axis == 0 ? 0.06 : 0.25;
+    const Run run = test::record_run<Session, Result>(options);
+    const cosim::FaultReport& report = run.result.fault_report;
+    CAPTURE(kName[static_cast<std::size_t>(axis)], run.result.fault, report.by,
+            lab::seconds_of(run.events.back().edge));
+    REQUIRE(run.result.end == cosim::EndReason::kFault);
+    CHECK(report.by == run.result.fault);
+    CHECK(report.begin == std::llround(options.fault.begin_s / 20e-9));
+    CHECK(report.detected > report.begin);
+    double peak_A = 0;
+    bool at_stop = false;
+    cosim::Clk off = cosim::kNever;
+    std::array<double, 2> off_at{}, end_at{};
+    replay(options, run, [&](const test::Event& event, const StagePlant& plant) {
+      if (event.edge < report.begin) return;
+      at_stop = at_stop || plant.limits() != 0;
+      for (std::size_t k = 0; k < 2; ++k) {
+        peak_A = std::max(peak_A, std::abs(plant.stage().axis(k).state(event.edge).i));
+        end_at[k] = mm_of(plant, k, event.edge);
+      }
+      if (event.edge >= report.detected && event.drive == kOff && off == cosim::kNever) {
+        off = event.edge;
+        off_at = end_at;
+      }
+    });
+    CHECK(report.off == off);
+    CHECK(report.peak_A == Approx(peak_A));
+    CHECK(report.at_stop == at_stop);
+    CHECK(report.unit == "mm");
+    CHECK(report.stopping ==
+          Approx(std::hypot(end_at[0] - off_at[0], end_at[1] - off_at[1])).margin(1e-6));
+  }
+}
