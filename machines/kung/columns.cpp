@@ -27,7 +27,7 @@ void add_axis(Table& t, std::size_t axis) {
   const auto length = [](int digits, const char* help, bool compared = true) {
     return lab::Column{"", "m", 1e-8, fixed(digits), help, compared};
   };
-  add(t, axis, "command_m", length(6, "command in force"),
+  add(t, axis, "command_m", length(8, "command in force"),
       [](const AxisSample& s, double count_m) { return command_m(s, count_m); });
   add(t, axis, "position_m", length(9, "true position"),
       [](const AxisSample& s, double) { return s.x_true_m; });

@@ -208,7 +208,7 @@ double Session::progress() const {
   switch (options_.stage) {
     case sw::McafeeStage::kRead: return share(app_.mailbox().point, options_.readings);
     case sw::McafeeStage::kMove:
-      return share(chip_->words(0).actual, std::max(1, options_.position));
+      return share(std::abs(chip_->words(0).actual), std::abs(options_.position));
     case sw::McafeeStage::kTrack: break;
   }
   return share(app_.mailbox().point, static_cast<double>(table_.rows.size()));

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "machines/mcafee/machine.hpp"
 #include "machines/mcafee/session.hpp"
@@ -96,6 +97,41 @@ TEST_CASE("mcafee: each sample is of its own axis, as its codes move it") {
   }
 }
 
+// A run with a fault whose report is what the replayed stage and the codes say.
+void check_report(const Options& options, bool into_switch = false) {
+  const Run run = test::record_run<Session, Result>(options);
+  const cosim::FaultReport& report = run.result.fault_report;
+  CAPTURE(kName[static_cast<std::size_t>(options.fault.axis)], run.result.fault, report.by,
+          lab::seconds_of(run.events.back().edge));
+  REQUIRE(run.result.end == cosim::EndReason::kFault);
+  CHECK(report.by == run.result.fault);
+  CHECK(report.begin == std::llround(options.fault.begin_s / 20e-9));
+  CHECK(report.detected > report.begin);
+  double peak_A = 0;
+  bool at_stop = false;
+  cosim::Clk off = cosim::kNever;
+  std::array<double, 2> off_at{}, end_at{};
+  replay(options, run, [&](const test::Event& event, const StagePlant& plant) {
+    if (event.edge < report.begin) return;
+    at_stop = at_stop || plant.limits() != 0;
+    for (std::size_t k = 0; k < 2; ++k) {
+      peak_A = std::max(peak_A, std::abs(plant.stage().axis(k).state(event.edge).i));
+      end_at[k] = mm_of(plant, k, event.edge);
+    }
+    if (event.edge >= report.detected && event.drive == kOff && off == cosim::kNever) {
+      off = event.edge;
+      off_at = end_at;
+    }
+  });
+  CHECK(report.off == off);
+  CHECK(report.peak_A == Approx(peak_A));
+  CHECK(report.at_stop == at_stop);
+  CHECK(report.at_stop == into_switch);
+  CHECK(report.unit == "mm");
+  CHECK(report.stopping ==
+        Approx(std::hypot(end_at[0] - off_at[0], end_at[1] - off_at[1])).margin(1e-6));
+}
+
 TEST_CASE("mcafee: what became of a fault is told of either axis, from its clocks and places") {
   for (int axis = 0; axis < 2; ++axis) {
     Options options = small_corner();
@@ -103,35 +139,60 @@ TEST_CASE("mcafee: what became of a fault is told of either axis, from its clock
     options.fault.kind = cosim::FaultKind::kEncoderStuck;
     options.fault.axis = axis;
     options.fault.begin_s = axis == 0 ? 0.06 : 0.25;
-    const Run run = test::record_run<Session, Result>(options);
-    const cosim::FaultReport& report = run.result.fault_report;
-    CAPTURE(kName[static_cast<std::size_t>(axis)], run.result.fault, report.by,
-            lab::seconds_of(run.events.back().edge));
-    REQUIRE(run.result.end == cosim::EndReason::kFault);
-    CHECK(report.by == run.result.fault);
-    CHECK(report.begin == std::llround(options.fault.begin_s / 20e-9));
-    CHECK(report.detected > report.begin);
-    double peak_A = 0;
-    bool at_stop = false;
-    cosim::Clk off = cosim::kNever;
-    std::array<double, 2> off_at{}, end_at{};
-    replay(options, run, [&](const test::Event& event, const StagePlant& plant) {
-      if (event.edge < report.begin) return;
-      at_stop = at_stop || plant.limits() != 0;
-      for (std::size_t k = 0; k < 2; ++k) {
-        peak_A = std::max(peak_A, std::abs(plant.stage().axis(k).state(event.edge).i));
-        end_at[k] = mm_of(plant, k, event.edge);
-      }
-      if (event.edge >= report.detected && event.drive == kOff && off == cosim::kNever) {
-        off = event.edge;
-        off_at = end_at;
-      }
-    });
-    CHECK(report.off == off);
-    CHECK(report.peak_A == Approx(peak_A));
-    CHECK(report.at_stop == at_stop);
-    CHECK(report.unit == "mm");
-    CHECK(report.stopping ==
-          Approx(std::hypot(end_at[0] - off_at[0], end_at[1] - off_at[1])).margin(1e-6));
+    check_report(options);
   }
+}
+
+Options move(int counts) {
+  Options options = small_corner();
+  options.stage = sw::McafeeStage::kMove;
+  options.position = counts;
+  options.acceleration = 0x1000;
+  options.wait_s = 0.1;
+  options.run.max_s = 1;
+  return options;
+}
+
+TEST_CASE("mcafee: what became of a fault is told in either sense, into a switch or not") {
+  for (const int counts : {1500, -1500}) {
+    for (const bool into_switch : {false, true}) {
+      CAPTURE(counts, into_switch);
+      Options options = move(counts);
+      options.error_limit = into_switch ? 0 : 200;
+      options.diverged_counts = 32767;
+      options.stage_axis.switch_low = into_switch ? -2e-3 : -0.1;
+      options.stage_axis.switch_high = into_switch ? 2e-3 : 0.1;
+      options.fault.kind = cosim::FaultKind::kEncoderStuck;
+      options.fault.begin_s = 0.03;
+      check_report(options, into_switch);
+    }
+  }
+}
+
+TEST_CASE("mcafee: Stage II moves X to its position, and its progress is the share of the way") {
+  for (const int counts : {1500, -1500}) {
+    const Options options = move(counts);
+    std::vector<double> told;
+    cosim::Hooks hooks;
+    hooks.progress = [&told](double share) { told.push_back(share); };
+    const Result result = simulate(options, hooks);
+    CAPTURE(counts, result.fault, result.real[0], result.real[1]);
+    CHECK(std::abs(result.real[0] - counts) < 60);
+    CHECK(result.real[1] == 0);
+    REQUIRE(told.size() > 5);
+    CHECK(told.front() < 0.1);
+    CHECK(told.back() == Approx(1).margin(0.05));
+    for (const double share : told) CHECK((share >= 0 && share <= 1));
+  }
+}
+
+TEST_CASE("mcafee: a fault can be on any bit of a converter, and on no more") {
+  Options options = small_corner();
+  options.run.max_s = 1e-3;
+  options.fault.kind = cosim::FaultKind::kOutputStuck;
+  options.fault.axis = 1;
+  options.fault.line = 7;
+  CHECK_NOTHROW(simulate(options, {}));
+  options.fault.line = 8;
+  CHECK_THROWS_WITH(simulate(options, {}), Catch::Contains("inject.line"));
 }
