@@ -2,6 +2,8 @@
 #include "models/plant/inverter.hpp"
 
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <random>
 
 using namespace trammel::plant;
 
@@ -82,4 +84,84 @@ TEST_CASE("both switches of a leg on is shoot-through") {
   CHECK(shoot_through(0b100'100));
   CHECK_FALSE(shoot_through(0b010'101));
   CHECK_FALSE(shoot_through(0));
+}
+
+// A balanced star: a leg's current rises with its voltage above star point and back-EMF, and those
+// of the floating legs do not change. The star point follows from the legs that conduct.
+TEST_CASE("whatever the gates, currents and back-EMF, no leg conducts against its diodes") {
+  std::mt19937 random(5);
+  const auto any = [&random](double most) {
+    return std::uniform_real_distribution<>(-most, most)(random);
+  };
+  int open = 0, floating = 0, clamped[2]{};
+  for (int trial = 0; trial < 20'000; ++trial) {
+    const InverterConfig c{100, trial % 3 == 0 ? 0.0 : 2.0, trial % 3 == 1 ? 0.0 : 1.0};
+    const Inverter inverter(c);
+    unsigned gates = random() & 63u;
+    gates &= ~(gates >> 3 & 7u);  // not both of a leg
+    unsigned zero = random() & 7u;
+    std::array<double, 3> i{any(1), any(1), any(1)}, emf{any(90), any(90), 0};
+    emf[2] = -emf[0] - emf[1];
+    if (trial % 4 == 0) zero = 7;
+    for (std::size_t k = 0; k < 3; ++k) {
+      if ((zero >> k & 1u) != 0) i[k] = 0;
+    }
+    const Legs legs = resolve(inverter, gates, i, zero, emf);
+    CAPTURE(trial, gates, zero, i[0], i[1], i[2], emf[0], emf[1], emf[2], legs.volt[0],
+            legs.volt[1], legs.volt[2], legs.floating, legs.open);
+    const double top = c.dc_link + c.diode_drop, bottom = -c.diode_drop;
+    double sum = 0;
+    int conducting = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const bool upper = (gates >> k & 1u) != 0, lower = (gates >> (k + 3) & 1u) != 0;
+      const bool floats = (legs.floating >> k & 1u) != 0;
+      if (!floats) sum += legs.volt[k] - emf[k], ++conducting;
+      INFO("leg " << k);
+      if (upper || lower) {  // the current's way through switch or diode
+        REQUIRE_FALSE(floats);
+        const double rail = upper ? c.dc_link : 0;
+        const bool by_switch = upper ? i[k] > 0 : i[k] < 0;
+        const double drop = i[k] == 0 ? 0 : by_switch ? c.switch_drop : c.diode_drop;
+        REQUIRE(legs.volt[k] == Approx(i[k] > 0 ? rail - drop : rail + drop));
+        REQUIRE(legs.diode[k] == 0);
+      } else if (i[k] != 0) {
+        REQUIRE(legs.diode[k] == (i[k] > 0 ? 1 : -1));
+        REQUIRE(legs.volt[k] == (i[k] > 0 ? bottom : top));
+      } else {
+        REQUIRE(floats == (legs.diode[k] == 0));
+      }
+    }
+    open += legs.open;
+    if (legs.open) {  // at most one leg conducts, which then has no current: none may begin
+      for (std::size_t a = 0; a < 3; ++a) {
+        for (std::size_t b = 0; b < 3; ++b) {
+          const bool fixed = (legs.floating >> b & 1u) == 0;
+          if (fixed && a != b) {
+            REQUIRE(legs.volt[b] + emf[a] - emf[b] <= top + 1e-9);
+            REQUIRE(legs.volt[b] + emf[a] - emf[b] >= bottom - 1e-9);
+          }
+          REQUIRE(emf[a] - emf[b] <= top - bottom + 1e-9);
+        }
+      }
+      continue;
+    }
+    REQUIRE(conducting >= 2);
+    const double star = sum / conducting;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const double drive = legs.volt[k] - star - emf[k];
+      INFO("leg " << k << " is driven by " << drive << " V");
+      if ((legs.floating >> k & 1u) != 0) {
+        ++floating;
+        REQUIRE(drive == Approx(0).margin(1e-9));
+        REQUIRE((legs.volt[k] <= top + 1e-9 && legs.volt[k] >= bottom - 1e-9));
+      } else if (i[k] == 0 && legs.diode[k] != 0) {  // the current that begins is the diode's
+        ++clamped[legs.diode[k] > 0 ? 1 : 0];
+        REQUIRE(drive * legs.diode[k] >= -1e-9);
+      }
+    }
+  }
+  CHECK(open > 100);
+  CHECK(floating > 1000);
+  CHECK(clamped[0] > 300);
+  CHECK(clamped[1] > 300);
 }
