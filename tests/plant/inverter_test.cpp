@@ -117,6 +117,7 @@ TEST_CASE("whatever the gates, currents and back-EMF, no leg conducts against it
       const bool floats = (legs.floating >> k & 1u) != 0;
       if (!floats) sum += legs.volt[k] - emf[k], ++conducting;
       INFO("leg " << k);
+      REQUIRE(std::abs(legs.diode[k]) <= 1);
       if (upper || lower) {  // the current's way through switch or diode
         REQUIRE_FALSE(floats);
         const double rail = upper ? c.dc_link : 0;

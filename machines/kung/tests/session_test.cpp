@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "machines/kung/machine.hpp"
 #include "machines/kung/session.hpp"
@@ -59,6 +60,7 @@ TEST_CASE("the truth of each sample is that of its own axis, as its gates move i
   const Options options = unlike(0.06);
   const Run run = test::record_run<Session, Result>(options);
   REQUIRE(run.result.samples.size() > 80);
+  CHECK(run.result.end == EndReason::kTimeout);
   std::size_t sample = 0;
   bool ticked = false;
   std::array<double, 2> least{}, most{};
@@ -140,5 +142,57 @@ TEST_CASE("what became of a trip is told of either axis, from its clocks, curren
     CHECK(report.peak_A == Approx(peak_A));
     CHECK(report.stopping ==
           Approx(std::hypot(end_at[0] - off_at[0], end_at[1] - off_at[1])).margin(1e-6));
+  }
+}
+
+TEST_CASE("a whole run ends with its settling after its last point, whose ticks it tells") {
+  for (const double settle_s : {0.0, 0.01}) {
+    Options options = unlike(2);
+    options.path.kind = PathKind::kLine;
+    options.path.line_end_x_m = 0.101;
+    options.path.line_end_y_m = 0.1;
+    options.path.line_ticks = 20;
+    options.settle_s = settle_s;
+    options.diverged_m = 0.1;
+    options.reached_m = 0.05;
+    std::vector<double> told;
+    cosim::Hooks hooks;
+    hooks.progress = [&told](double share) { told.push_back(share); };
+    const Result result = simulate(options, hooks);
+    CAPTURE(settle_s, result.missed, result.fault_text());
+    REQUIRE(result.end == EndReason::kDone);
+    CHECK(result.points == 21);
+    CHECK(result.first_tick > 0);
+    CHECK(result.end_tick == result.first_tick + 21 * 4);  // a point lasts four position samples
+    CHECK(result.samples.back().tick == result.end_tick - 1 + (settle_s > 0 ? 20 : 0));
+    CHECK(result.samples.size() == result.samples.back().tick);
+    const Sample last = result.samples.back();
+    CHECK(result.from_last_m == Approx(std::hypot(last.axis[0].x_true_m - 0.101,
+                                                  last.axis[1].x_true_m - 0.1)).margin(1e-7));
+    REQUIRE(told.size() > 2);
+    for (std::size_t k = 1; k < told.size(); ++k) CHECK(told[k] > told[k - 1]);
+    CHECK(told.back() <= 1);
+    CHECK(told.back() > 0.7);
+  }
+}
+
+TEST_CASE("a fault can be on each pin of an axis, and on none beyond") {
+  using Kind = cosim::FaultKind;
+  const struct {
+    Kind kind;
+    int last;
+  } places[] = {{Kind::kGateDead, 5}, {Kind::kConverterStuck, 1}, {Kind::kPhaseOpen, 2},
+                {Kind::kEncoderStuck, 1}};
+  for (const auto& place : places) {
+    for (const int axis : {0, 1}) {
+      CAPTURE(static_cast<int>(place.kind), axis, place.last);
+      Options options = unlike(1e-4);
+      options.fault.kind = place.kind;
+      options.fault.axis = axis;
+      options.fault.line = place.last;
+      CHECK_NOTHROW(simulate(options, {}));
+      ++options.fault.line;
+      CHECK_THROWS_WITH(simulate(options, {}), Catch::Contains("inject.line"));
+    }
   }
 }

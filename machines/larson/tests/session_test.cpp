@@ -269,6 +269,26 @@ TEST_CASE("larson: a table at rest is recorded for its settling, and no longer")
   }
 }
 
+TEST_CASE("larson: a table that leaves its switches is looked at every table.poll_ms") {
+  for (const double poll_ms : {2.0, 5.0}) {
+    Scripted script("CALTBL\n");
+    script.options.poll_ms = poll_ms;
+    const auto run = script.run();
+    REQUIRE(run.result.end == cosim::EndReason::kDone);
+    const auto clocks = static_cast<cosim::Clk>(poll_ms * 50'000);
+    cosim::Clk before = 0;
+    int polls = 0;
+    for (const test::Event& event : run.events) {
+      if ((event.why & cosim::kIrq) == 0) continue;
+      // And the latency and accesses of the routine, until it starts the timer anew.
+      if (event.edge - before >= clocks && event.edge - before < clocks + 1000) ++polls;
+      before = event.edge;
+    }
+    CAPTURE(poll_ms);
+    CHECK(polls >= 5);
+  }
+}
+
 TEST_CASE("larson: progress is the share of the calls that have ended") {
   const Scripted script(kMoves);
   std::vector<double> told;
