@@ -123,7 +123,7 @@ TEST_CASE("each friction is against the motion, in either sense") {
   }
 }
 
-TEST_CASE("the lines of an axis tell of it alone: A leads up, B leads down, the index at its place") {
+TEST_CASE("the lines of an axis tell of it alone: A leads up, B down, the index at its place") {
   for (int moved = 0; moved < 2; ++moved) {
     for (const double sign : {1.0, -1.0}) {
       XyTableConfig config;
