@@ -272,3 +272,71 @@ TEST_CASE("no acceleration is above its bound, of salient motors and fine pole p
   CHECK(closest < 1);
   CHECK(closest > 0.3);
 }
+
+// The equations differentiated along their own course, by differences.
+TEST_CASE("pmlsm: each series has the derivatives of the equations up to the third order") {
+  const std::array<const char*, 4> name{"x", "v", "i_d", "i_q"};
+  PmlsmConfig slow = dragged_motor();  // whose frictions turn over where the carriage moves
+  slow.friction_speed = 30e-3;
+  slow.stribeck_speed = 50e-3;
+  slow.coulomb = 6;
+  PmlsmConfig odd = odd_motor();
+  odd.friction_speed = 10e-3;
+  for (const PmlsmConfig& c : {odd, slow}) {
+    const Pmlsm motor(c);
+    std::mt19937 random(3);
+    for (int trial = 0; trial < 40; ++trial) {
+      const auto any = [&random](double most) {
+        return std::uniform_real_distribution<>(-most, most)(random);
+      };
+      const Reference::Y y{any(0.2), any(0.1), any(2), any(2)};
+      const Reference reference{c, {any(60), any(60)}};
+      constexpr double h = 2e-6;
+      const auto along = [&reference](auto f, const Reference::Y& at) {
+        const Reference::Y slope = reference.slope(at);
+        const auto up = f(Reference::add(at, slope, h)), down = f(Reference::add(at, slope, -h));
+        Reference::Y d{};
+        for (std::size_t k = 0; k < 4; ++k) d[k] = (up[k] - down[k]) / (2 * h);
+        return d;
+      };
+      const auto first = [&](const Reference::Y& at) { return reference.slope(at); };
+      const auto second = [&](const Reference::Y& at) { return along(first, at); };
+      const std::array<Reference::Y, 3> exact{first(y), second(y), along(second, y)};
+      const SinCos a = motor.angle(y[0]);
+      const Span f = motor.span({y[0], y[1], y[2], y[3]}, a, reference.u, {});
+      for (std::size_t n = 1; n < 4; ++n) {
+        const double factorial = n == 3 ? 6 : static_cast<double>(n);
+        const std::array<double, 4> series{f.x[n], f.v[n], f.i_d[n], f.i_q[n]};
+        for (std::size_t k = 0; k < 4; ++k) {
+          INFO("order " << n << " of " << name[k] << " at x " << y[0] << ", v " << y[1]);
+          // A coefficient may pass 0: 1e-3 of what its terms are.
+          const double scale = std::pow(3000.0, static_cast<double>(n)) / factorial;
+          CHECK(series[k] == Approx(exact[n - 1][k] / factorial).epsilon(1e-3).margin(
+                                 1e-4 * scale * (k == 0 ? 1e-3 : k == 1 ? 0.01 : 1)));
+        }
+      }
+      // And the slope of the currents in the stator's frame, which a floating leg goes by.
+      const auto stator = [&](double ahead) {
+        const Reference::Y at = Reference::add(y, reference.slope(y), ahead);
+        const AlphaBeta i = Pmlsm::stator(at[2], at[3], motor.angle(at[0]));
+        return std::array<double, 2>{i.alpha, i.beta};
+      };
+      const auto after = stator(1e-7), before = stator(-1e-7);
+      const AlphaBeta slope = motor.current_slope({y[0], y[1], y[2], y[3]}, a, reference.u);
+      CHECK(slope.alpha == Approx((after[0] - before[0]) / 2e-7).epsilon(1e-4).margin(0.05));
+      CHECK(slope.beta == Approx((after[1] - before[1]) / 2e-7).epsilon(1e-4).margin(0.05));
+      // Without current the back-EMF is the voltage that lets none begin.
+      const MotorState bare{y[0], y[1], 0, 0};
+      const AlphaBeta still = motor.current_slope(bare, a, motor.emf(bare, a));
+      CHECK(still.alpha == Approx(0).margin(1e-6));
+      CHECK(still.beta == Approx(0).margin(1e-6));
+      // Of a volt more along a direction, along it.
+      const double angle = any(3), n_a = std::cos(angle), n_b = std::sin(angle);
+      const MotorState s{y[0], y[1], y[2], y[3]};
+      const AlphaBeta more = motor.current_slope(
+          s, a, {reference.u.alpha + n_a, reference.u.beta + n_b});
+      CHECK(motor.slope_per_volt(a, {n_a, n_b}) ==
+            Approx((more.alpha - slope.alpha) * n_a + (more.beta - slope.beta) * n_b));
+    }
+  }
+}
