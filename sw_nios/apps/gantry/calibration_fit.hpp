@@ -7,7 +7,6 @@
 #pragma once
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 
 namespace trammel::sw {
@@ -71,7 +70,8 @@ class CalibrationFit {
 
   // Halfway between the extremes, each the mean of those of the periods.
   void origins() {
-    for (const bool a : {true, false}) {
+    for (std::uint32_t channel = 0; channel < 2; ++channel) {
+      const bool a = channel == 0;
       std::int64_t sum = 0;
       std::int32_t last = -1, low = 1023, high = 0, turns = 0;
       for (std::uint32_t k = 0; k < number_; ++k) {
@@ -140,7 +140,7 @@ class CalibrationFit {
       ++count;
       const std::int64_t x = std::int64_t{s.code - kMiddle} * 64;
       std::int64_t xk = std::int64_t{1} << 14;
-      for (std::size_t n = 0; n < 7; ++n) {
+      for (std::uint32_t n = 0; n < 7; ++n) {
         power[n] += xk;
         if (n < 4) right[n] += xk * off >> 14;
         xk = xk * x >> 14;
@@ -148,12 +148,12 @@ class CalibrationFit {
     }
     if (count < 40) return false;
     std::int64_t m[4][4], b[4], c[4];
-    for (std::size_t r = 0; r < 4; ++r) {
-      for (std::size_t n = 0; n < 4; ++n) m[r][n] = (power[r + n] << 14) / count;
+    for (std::uint32_t r = 0; r < 4; ++r) {
+      for (std::uint32_t n = 0; n < 4; ++n) m[r][n] = (power[r + n] << 14) / count;
       b[r] = (right[r] << 6) / count;
     }
     if (!solve(m, b, c)) return false;
-    for (std::size_t n = 0; n < 4; ++n) {
+    for (std::uint32_t n = 0; n < 4; ++n) {
       const std::int64_t whole = (c[n] + (1 << (kFine + 5))) >> (kFine + 6);
       const std::int64_t word = n == 0 ? whole + (centre >> kFine) : whole;
       words[17 + 4 * region - n] = static_cast<std::uint16_t>(word & 0xFFFF);
@@ -163,17 +163,17 @@ class CalibrationFit {
 
   // Gauss; the matrix is positive and has 28 bits behind the point.
   static bool solve(std::int64_t (&m)[4][4], std::int64_t (&b)[4], std::int64_t (&c)[4]) {
-    for (std::size_t k = 0; k < 4; ++k) {
+    for (std::uint32_t k = 0; k < 4; ++k) {
       if (m[k][k] <= 0) return false;
-      for (std::size_t r = k + 1; r < 4; ++r) {
+      for (std::uint32_t r = k + 1; r < 4; ++r) {
         const std::int64_t f = m[r][k] * kOne / m[k][k];
-        for (std::size_t n = k; n < 4; ++n) m[r][n] -= f * m[k][n] / kOne;
+        for (std::uint32_t n = k; n < 4; ++n) m[r][n] -= f * m[k][n] / kOne;
         b[r] -= f * b[k] / kOne;
       }
     }
-    for (std::size_t k = 4; k-- > 0;) {
+    for (std::uint32_t k = 4; k-- > 0;) {
       std::int64_t sum = b[k];
-      for (std::size_t n = k + 1; n < 4; ++n) sum -= m[k][n] * c[n] / kOne;
+      for (std::uint32_t n = k + 1; n < 4; ++n) sum -= m[k][n] * c[n] / kOne;
       if (m[k][k] <= 0) return false;
       c[k] = sum * kOne / m[k][k];
     }
@@ -186,7 +186,7 @@ class CalibrationFit {
     words[1] = 'T';
     words[4] = static_cast<std::uint16_t>((origin_a_ + 8) / 16);
     words[5] = static_cast<std::uint16_t>((origin_b_ + 8) / 16);
-    for (std::size_t k = 0; k < 4; ++k) {
+    for (std::uint32_t k = 0; k < 4; ++k) {
       words[6 + k] = static_cast<std::uint16_t>(2048 + 4096 * k);
       words[37 + k] = static_cast<std::uint16_t>(4096 * k);
       const std::int32_t sign = k == 0 || k == 3 ? 1 : -1;

@@ -206,7 +206,7 @@ TEST_CASE("G-16 PI with a cancelled sum: 4.5 % within a point for TI of 5, 7, 10
   }
 }
 
-TEST_CASE("the calibration run fits a sensor with errors of 2 %; the next step ends at its goal") {
+TEST_CASE("the calibration run fits a sensor with errors of 2 %, the next step ends there") {
   const Options options = built_in("gantry-calibrate");
   const Result result = done(options);
   CHECK(result.fitted);
