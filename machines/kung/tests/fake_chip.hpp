@@ -31,6 +31,7 @@ class FakeChip final : public sw::Bus {
   std::vector<Access> log;
   std::uint32_t busy_polls = 3;  // STATUS reads a table reset stays busy for
   std::array<std::uint32_t, 2> shown_status{};  // STATUS of X and Y, but for busy of a reset
+  std::array<std::uint32_t, 2> lost_stops{};    // writes of 0 to CTRL of X and Y that do nothing
   bool presets = true;
   bool fault_stays = false;
   std::uint32_t ticks_per_commit = 0;
@@ -49,6 +50,10 @@ class FakeChip final : public sw::Bus {
   void write(std::uint32_t address, std::uint32_t data) override {
     log.push_back({address, data, true});
     for (const std::uint32_t base : {reg::kX, reg::kY}) {
+      if (address == base + reg::kCtrl && data == 0 && lost_stops[base == reg::kY] > 0) {
+        --lost_stops[base == reg::kY];
+        return;
+      }
       if (address == base + reg::kPosPreset && presets) registers[base + reg::kPos] = data;
       if (address == base + reg::kCtrl && (data & reg::kCtrlResetTable) != 0) {
         busy_[base == reg::kY] = busy_polls;

@@ -63,3 +63,18 @@ TEST_CASE("a d current beyond its limit stops both drives, in each axis and sens
     }
   }
 }
+
+TEST_CASE("an axis that still shows that it is on is turned off again, so many times") {
+  for (const std::uint32_t axis : {0, 1}) {
+    for (const std::uint32_t lost : {0u, 1u, KungApp::kStopLimit, KungApp::kStopLimit + 1}) {
+      CAPTURE(axis, lost);
+      Machine m;
+      m.arm();
+      CHECK(still_on(m.chip) != "");
+      m.chip.lost_stops[axis] = lost;
+      m.app.stop(m.chip);
+      CHECK((still_on(m.chip) == "") == (lost <= KungApp::kStopLimit));
+      CHECK(m.chip.lost_stops[axis] == 0);
+    }
+  }
+}

@@ -34,6 +34,10 @@ bool wait_idle(Bus& bus, std::uint32_t base) {
   return false;
 }
 
+bool axis_on(Bus& bus, std::uint32_t base) {
+  return (bus.read(base + reg::kCtrl) & reg::kCtrlEnable) != 0;
+}
+
 bool wait_both_idle(Bus& bus) { return wait_idle(bus, reg::kX) && wait_idle(bus, reg::kY); }
 
 void write_command(Bus& bus, Point point) {
@@ -256,10 +260,16 @@ void KungApp::fail(Bus& bus, Failure failure) {
   stop(bus);
 }
 
+// Both axes off, until they show it.
 void KungApp::stop(Bus& bus) {
   mail_.done = 1;
   state_ = State::kOff;
   for (const std::uint32_t base : kBases) bus.write(base + reg::kCtrl, 0);
+  for (const std::uint32_t base : kBases) {
+    for (std::uint32_t tries = 0; tries < kStopLimit && axis_on(bus, base); ++tries) {
+      bus.write(base + reg::kCtrl, 0);
+    }
+  }
   bus.write(reg::kIrqEn, 0);
 }
 

@@ -92,6 +92,7 @@ class KungApp final : public Firmware {
  public:
   static constexpr std::uint32_t kLogSize = 256;
   static constexpr std::uint32_t kPollLimit = 4096;  // a table reset takes 50 clk
+  static constexpr std::uint32_t kStopLimit = 64;    // writes that turn an axis off, once again
 
   explicit KungApp(const KungSetup& setup);
 
