@@ -92,7 +92,7 @@ TEST_CASE("trace.csv holds each value of the record, in its column, to the digit
   });
 }
 
-TEST_CASE("a column with a unit is named after it, and printed as finely as a page shows it") {
+TEST_CASE("a column that has a unit is named after it, and printed as finely as a page shows it") {
   // A word of a chip has the name of the word.
   const std::map<std::string, std::string> end_of{
       {"m", "_m"},     {"mm", "_mm"},         {"s", "_s"},           {"V", "_V"},

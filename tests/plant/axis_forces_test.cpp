@@ -123,7 +123,7 @@ TEST_CASE("each friction is against the motion, in either sense") {
   }
 }
 
-TEST_CASE("the lines of an axis tell of it alone: A leads up, B down, the index at its place") {
+TEST_CASE("the lines of one axis tell of it alone: A leads up, B down, the index at its place") {
   for (int moved = 0; moved < 2; ++moved) {
     for (const double sign : {1.0, -1.0}) {
       XyTableConfig config;
@@ -153,4 +153,40 @@ TEST_CASE("the lines of an axis tell of it alone: A leads up, B down, the index 
       CHECK(table.count(1 - moved) == 20000);
     }
   }
+}
+
+TEST_CASE("each value of an axis reaches its motor") {
+  AxisConfig c;
+  double value = 1.5;
+  const auto next = [&value] { return value += 0.25; };
+  const struct {
+    const char* name;
+    double AxisConfig::* of_axis;
+    double PmlsmConfig::* of_motor;
+  } values[] = {
+      {"resistance", &AxisConfig::resistance_ohm, &PmlsmConfig::resistance},
+      {"inductance d", &AxisConfig::inductance_d_h, &PmlsmConfig::inductance_d},
+      {"inductance q", &AxisConfig::inductance_q_h, &PmlsmConfig::inductance_q},
+      {"force constant", &AxisConfig::force_constant_n_a, &PmlsmConfig::force_constant},
+      {"pole pitch", &AxisConfig::pole_pitch_m, &PmlsmConfig::pole_pitch},
+      {"Coulomb", &AxisConfig::coulomb_n, &PmlsmConfig::coulomb},
+      {"viscous", &AxisConfig::viscous_n_s_m, &PmlsmConfig::viscous},
+      {"cogging", &AxisConfig::cogging_n, &PmlsmConfig::cogging},
+      {"friction speed", &AxisConfig::friction_speed_m_s, &PmlsmConfig::friction_speed},
+      {"external force", &AxisConfig::external_force_n, &PmlsmConfig::external_force},
+      {"Stribeck", &AxisConfig::stribeck_n, &PmlsmConfig::stribeck},
+      {"Stribeck speed", &AxisConfig::stribeck_speed_m_s, &PmlsmConfig::stribeck_speed},
+      {"harmonic", &AxisConfig::cogging_harmonic_n, &PmlsmConfig::harmonic_force},
+      {"cable", &AxisConfig::cable_n_m, &PmlsmConfig::cable},
+      {"cable's rest", &AxisConfig::cable_rest_m, &PmlsmConfig::cable_rest}};
+  for (const auto& one : values) c.*one.of_axis = next();
+  c.payload_kg = 7;
+  c.cogging_harmonic = 6;
+  const PmlsmConfig m = motor_config(c);
+  for (const auto& one : values) {
+    INFO(one.name);
+    CHECK(m.*one.of_motor == c.*one.of_axis);
+  }
+  CHECK(m.mass == c.mass_kg + 7);
+  CHECK(m.harmonic == 6);
 }
