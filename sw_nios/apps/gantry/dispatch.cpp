@@ -8,14 +8,14 @@
 namespace trammel::sw {
 namespace {
 
-namespace regs = gantry_tau_regs;
+namespace tau = gantry_tau_regs;
 namespace channel_of = gantry_channel;
 
 enum Frame : std::uint32_t { kClearBit, kSetBit, kPollBit, kPollChannel, kValue };
 
 void send(Bus& bus, std::uint32_t kind, std::uint32_t channel, std::uint32_t value = 0) {
-  if (kind == kValue) bus.write(regs::kSendValue, value);
-  bus.write(regs::kSend, channel | kind << 8);
+  if (kind == kValue) bus.write(tau::kSendValue, value);
+  bus.write(tau::kSend, channel | kind << 8);
 }
 
 // The converter's channel of one of the protocol: A, dA/dt, B, dB/dt, current; -1: none.
@@ -40,17 +40,17 @@ std::uint32_t GantryApp::millimetres() const {
 
 void GantryApp::receive(Bus& bus) {
   for (;;) {
-    const std::uint32_t frame = bus.read(regs::kReceive);
-    if ((frame & regs::kReceiveWaits) == 0) return;
-    const std::uint32_t value = bus.read(regs::kReceiveValue);
-    bus.write(regs::kReceive, regs::kReceiveTake);
-    const std::uint32_t channel = frame & regs::kReceiveChannelMask;
-    switch ((frame & regs::kReceiveKindMask) >> regs::kReceiveKindShift) {
+    const std::uint32_t frame = bus.read(tau::kReceive);
+    if ((frame & tau::kReceiveWaits) == 0) return;
+    const std::uint32_t value = bus.read(tau::kReceiveValue);
+    bus.write(tau::kReceive, tau::kReceiveTake);
+    const std::uint32_t channel = frame & tau::kReceiveChannelMask;
+    switch ((frame & tau::kReceiveKindMask) >> tau::kReceiveKindShift) {
       case kValue: set(bus, channel, value); break;
       case kPollChannel: poll(bus, channel); break;
       case kPollBit:
         if (channel < 2) {
-          send(bus, (bus.read(regs::kOvertemp) >> channel & 1) != 0 ? kSetBit : kClearBit, channel);
+          send(bus, (bus.read(tau::kOvertemp) >> channel & 1) != 0 ? kSetBit : kClearBit, channel);
         } else {
           ++unknown_;
         }
@@ -64,10 +64,10 @@ void GantryApp::set(Bus& bus, std::uint32_t channel, std::uint32_t value) {
   const bool fitting = phase_ == GantryPhase::kFitting;
   switch (channel) {
     case channel_of::kObserve: {
-      const std::uint32_t mask = value & (regs::kObserverActive | regs::kObserverVelocity);
+      const std::uint32_t mask = value & (tau::kObserverActive | tau::kObserverVelocity);
       if (fitting || mask == observed_) return;  // a write restarts the observer
       observed_ = mask;
-      bus.write(regs::kObserver, mask);
+      bus.write(tau::kObserver, mask);
       return;
     }
     case channel_of::kSlots: {
@@ -76,15 +76,15 @@ void GantryApp::set(Bus& bus, std::uint32_t channel, std::uint32_t value) {
         ++unknown_;
         return;
       }
-      const std::uint32_t old = bus.read(regs::kSlots);
-      bus.write(regs::kSlots, client == 0 ? (old & ~regs::kSlotsObserverMask) | slots
-                                          : (old & regs::kSlotsObserverMask) | slots << 16);
+      const std::uint32_t old = bus.read(tau::kSlots);
+      bus.write(tau::kSlots, client == 0 ? (old & ~tau::kSlotsObserverMask) | slots
+                                          : (old & tau::kSlotsObserverMask) | slots << 16);
       return;
     }
     case channel_of::kCalibrate: {
       const std::uint32_t command = value >> 2 & 15;
       if (command == 1 || command == 2 || command == 7) {
-        bus.write(regs::kCalibrate, command << 16 | (value >> 6 & 0xFFFF));
+        bus.write(tau::kCalibrate, command << 16 | (value >> 6 & 0xFFFF));
       } else if (command != 3) {  // an address of the other bus, which this chip has not
         ++unknown_;
       }
@@ -118,11 +118,11 @@ void GantryApp::poll(Bus& bus, std::uint32_t channel) {
   } else if (channel == channel_of::kPosition) {
     send(bus, kValue, channel, millimetres());
   } else if (channel == channel_of::kVelocity) {
-    const std::uint32_t velocity = bus.read(regs::kVelocity) + channel_of::kVelocityOffset;
+    const std::uint32_t velocity = bus.read(tau::kVelocity) + channel_of::kVelocityOffset;
     send(bus, kValue, channel, velocity & 0x7FFFFF);
   } else if (converter >= 0 && phase_ != GantryPhase::kFitting) {
     asked_ |= 1u << converter;
-    bus.write(regs::kRequest, 1u << converter);
+    bus.write(tau::kRequest, 1u << converter);
   } else {
     ++unknown_;
   }
@@ -130,28 +130,28 @@ void GantryApp::poll(Bus& bus, std::uint32_t channel) {
 
 // Conversions that the host asked for and that are done.
 void GantryApp::answer_samples(Bus& bus) {
-  const std::uint32_t done = asked_ & ~bus.read(regs::kRequest);
+  const std::uint32_t done = asked_ & ~bus.read(tau::kRequest);
   asked_ &= ~done;
-  const std::uint32_t a = bus.read(regs::kEncoderA), b = bus.read(regs::kEncoderB);
+  const std::uint32_t a = bus.read(tau::kEncoderA), b = bus.read(tau::kEncoderB);
   if ((done & 1u << 0) != 0) send(bus, kValue, channel_of::kA, a & 0x3FF);
   if ((done & 1u << 1) != 0) send(bus, kValue, channel_of::kADot, a >> 16 & 0x3FF);
   if ((done & 1u << 2) != 0) send(bus, kValue, channel_of::kB, b & 0x3FF);
   if ((done & 1u << 3) != 0) send(bus, kValue, channel_of::kBDot, b >> 16 & 0x3FF);
   if ((done & 1u << 6) != 0) {
-    send(bus, kValue, channel_of::kCurrent, bus.read(regs::kCurrent) >> 2 & 0xFF);
+    send(bus, kValue, channel_of::kCurrent, bus.read(tau::kCurrent) >> 2 & 0xFF);
   }
 }
 
 // As much of the configuration as there is room for; the next passes send the rest.
 void GantryApp::describe(Bus& bus) {
-  std::uint32_t room = bus.read(regs::kSendState) & regs::kSendStateRoomMask;
+  std::uint32_t room = bus.read(tau::kSendState) & tau::kSendStateRoomMask;
   for (; room > 0 && described_ < channel_of::kConfigurationLength; --room) {
     send(bus, kValue, channel_of::kConfiguration, channel_of::kConfigurationWords[described_++]);
   }
 }
 
 void GantryApp::stream(Bus& bus, std::uint32_t ticks) {
-  if ((bus.read(regs::kSendState) & regs::kSendStateRoomMask) < 8) return;
+  if ((bus.read(tau::kSendState) & tau::kSendStateRoomMask) < 8) return;
   send(bus, kValue, channel_of::kStreamPosition, millimetres());
   send(bus, kValue, channel_of::kStreamTime, ticks);
   const std::uint32_t velocity =

@@ -8,12 +8,11 @@
 namespace trammel::sw {
 namespace {
 
-namespace regs = gantry_tau_regs;
-namespace map = gantry_map;
+namespace tau = gantry_tau_regs;
 
 constexpr std::int32_t kFitFrom_mm = 80;             // 40 mm before the first period that is used
 constexpr std::uint32_t kFitWait = 4612;             // [tick]
-constexpr std::uint32_t kObserveAll = regs::kObserverActive | regs::kObserverVelocity;
+constexpr std::uint32_t kObserveAll = tau::kObserverActive | tau::kObserverVelocity;
 
 std::int32_t counts_of(std::int32_t mm) { return mm * 32 / 5; }
 std::uint32_t bits(std::int32_t force) { return static_cast<std::uint32_t>(force) & 0x7FF; }
@@ -21,12 +20,12 @@ std::uint32_t bits(std::int32_t force) { return static_cast<std::uint32_t>(force
 }  // namespace
 
 void GantryApp::start(Bus& bus) {
-  bus.write(regs::kPassPeriod, c_.pass_clk);
+  bus.write(tau::kPassPeriod, c_.pass_clk);
   observed_ = kObserveAll;
-  bus.write(regs::kObserver, observed_);
-  bus.write(regs::kIrqEnable, regs::kStatusPass | regs::kStatusFrame | regs::kStatusSample);
-  bus.write(regs::kSendValue, gantry_channel::kResetMessage);
-  bus.write(regs::kSend, gantry_channel::kReset | 4u << 8);
+  bus.write(tau::kObserver, observed_);
+  bus.write(tau::kIrqEnable, tau::kStatusPass | tau::kStatusFrame | tau::kStatusSample);
+  bus.write(tau::kSendValue, gantry_channel::kResetMessage);
+  bus.write(tau::kSend, gantry_channel::kReset | 4u << 8);
   if (c_.home) {
     phase_ = GantryPhase::kHoming;
   } else if (c_.calibrate) {
@@ -35,32 +34,32 @@ void GantryApp::start(Bus& bus) {
 }
 
 void GantryApp::isr(Bus& bus) {
-  if ((bus.read(map::kIrq) & map::kIrqChip) == 0) return;
-  const std::uint32_t status = bus.read(regs::kStatus);
-  const std::uint32_t events = status & (regs::kStatusPass | regs::kStatusSample);
-  if (events != 0) bus.write(regs::kStatus, events);
-  if ((status & regs::kStatusPass) != 0) pass(bus);
-  if ((status & regs::kStatusSample) != 0) {
+  if ((bus.read(gantry_map::kIrq) & gantry_map::kIrqChip) == 0) return;
+  const std::uint32_t status = bus.read(tau::kStatus);
+  const std::uint32_t events = status & (tau::kStatusPass | tau::kStatusSample);
+  if (events != 0) bus.write(tau::kStatus, events);
+  if ((status & tau::kStatusPass) != 0) pass(bus);
+  if ((status & tau::kStatusSample) != 0) {
     if (phase_ == GantryPhase::kFitting) {
       collect(bus);
     } else {
       answer_samples(bus);
     }
   }
-  if ((status & regs::kStatusFrame) != 0) receive(bus);
+  if ((status & tau::kStatusFrame) != 0) receive(bus);
 }
 
 void GantryApp::pass(Bus& bus) {
   ++mail_.point;
   if (phase_ == GantryPhase::kFitting) return;
-  const std::uint32_t ticks = bus.read(regs::kTicks);
-  if ((bus.read(regs::kAngle) & regs::kAngleKnown) == 0) {
+  const std::uint32_t ticks = bus.read(tau::kTicks);
+  if ((bus.read(tau::kAngle) & tau::kAngleKnown) == 0) {
     last_tick_ = ticks;
     return;
   }
-  units_ = static_cast<std::int32_t>(bus.read(regs::kPosition));
+  units_ = static_cast<std::int32_t>(bus.read(tau::kPosition));
   count_ = (units_ >> 9) - zero_;
-  filter_.step(static_cast<std::int32_t>(bus.read(regs::kVelocity)));
+  filter_.step(static_cast<std::int32_t>(bus.read(tau::kVelocity)));
   if (!seen_) {
     seen_ = true;
     still_count_ = count_;
@@ -105,19 +104,19 @@ void GantryApp::go_to_fit(Bus& bus, std::uint32_t ticks) {
 void GantryApp::begin_fit(Bus& bus) {
   phase_ = GantryPhase::kFitting;
   observed_ = 0;
-  bus.write(regs::kObserver, 0);
+  bus.write(tau::kObserver, 0);
   go(bus, {-c_.fit_force, -c_.fit_force});
-  bus.write(regs::kRequest, regs::kRequestA);
+  bus.write(tau::kRequest, tau::kRequestA);
   asked_ = 1;
 }
 
 void GantryApp::collect(Bus& bus) {
   const bool of_a = asked_ == 1;
-  const std::uint32_t code = bus.read(of_a ? regs::kEncoderA : regs::kEncoderB) & 0x3FF;
-  fit_.add(bus.read(regs::kTicks), of_a, static_cast<std::int32_t>(code));
+  const std::uint32_t code = bus.read(of_a ? tau::kEncoderA : tau::kEncoderB) & 0x3FF;
+  fit_.add(bus.read(tau::kTicks), of_a, static_cast<std::int32_t>(code));
   if (fit_.full()) return end_fit(bus);
   asked_ = of_a ? 4 : 1;
-  bus.write(regs::kRequest, of_a ? regs::kRequestB : regs::kRequestA);
+  bus.write(tau::kRequest, of_a ? tau::kRequestB : tau::kRequestA);
 }
 
 void GantryApp::end_fit(Bus& bus) {
@@ -128,12 +127,12 @@ void GantryApp::end_fit(Bus& bus) {
   if (!fitted_) {
     mail_.failure = static_cast<std::uint32_t>(GantryFailure::kFitFailed);
   } else {
-    bus.write(regs::kCalibrate, 1u << 16);
-    for (const std::uint16_t word : words_) bus.write(regs::kCalibrate, 2u << 16 | word);
-    bus.write(regs::kCalibrate, 7u << 16);
+    bus.write(tau::kCalibrate, 1u << 16);
+    for (const std::uint16_t word : words_) bus.write(tau::kCalibrate, 2u << 16 | word);
+    bus.write(tau::kCalibrate, 7u << 16);
   }
   observed_ = kObserveAll;
-  bus.write(regs::kObserver, observed_);
+  bus.write(tau::kObserver, observed_);
   zero_ = 0;
   seen_ = homed_ = false;
   filter_ = {};
@@ -156,8 +155,8 @@ MotorForces GantryApp::control(std::uint32_t ticks) {
 }
 
 void GantryApp::go(Bus& bus, MotorForces forces) {
-  bus.write(regs::kForce1, bits(forces.one));
-  bus.write(regs::kForce2, bits(forces.two));
+  bus.write(tau::kForce1, bits(forces.one));
+  bus.write(tau::kForce2, bits(forces.two));
 }
 
 }  // namespace trammel::sw
