@@ -207,7 +207,7 @@ class SincosObserver {
 
   static std::int64_t shifted(std::int64_t value, int left) {
     if (left > 22) return 0;
-    return left > 0 ? value << left : value >> (left < -15 ? 15 : -left);
+    return left > 0 ? value * (std::int64_t{1} << left) : value >> (left < -15 ? 15 : -left);
   }
 
   Out out_;

@@ -37,7 +37,9 @@ struct {name} {{
   // computed from registers and inputs.
   static void settle(Root* root) {{ {root}___eval_settle(root); }}
 
-  // Dumps what depends on the clock or a timer, where it changed.
+  // Dumps what depends on the clock or a timer, where it changed. The expressions are Verilator's,
+  // which shifts bits into the sign.
+  __attribute__((no_sanitize("shift")))
   static void dump_timers(const Root* vlSelf, VerilatedFst::Buffer* bufp) {{
     uint32_t* const oldp = bufp->oldp(vlSelf->vlSymsp->__Vm_baseCode + {first});
 {temporaries}

@@ -103,7 +103,7 @@ class CalibrationFit {
       const std::int32_t code = 16 * s.code;
       if (last >= 0 && last < origin_a_ && code >= origin_a_ && seen++ >= kSkipped &&
           rise_count_ <= kPeriods) {
-        const auto share = (static_cast<std::int64_t>(origin_a_ - last) << kFine) *
+        const auto share = (static_cast<std::int64_t>(origin_a_ - last) * (1 << kFine)) *
                            (s.tick - last_tick) / (code - last);
         rise_[rise_count_++] = (std::int64_t{last_tick} << kFine) + share;
       }
@@ -149,8 +149,8 @@ class CalibrationFit {
     if (count < 40) return false;
     std::int64_t m[4][4], b[4], c[4];
     for (std::uint32_t r = 0; r < 4; ++r) {
-      for (std::uint32_t n = 0; n < 4; ++n) m[r][n] = (power[r + n] << 14) / count;
-      b[r] = (right[r] << 6) / count;
+      for (std::uint32_t n = 0; n < 4; ++n) m[r][n] = power[r + n] * (1 << 14) / count;
+      b[r] = right[r] * (1 << 6) / count;
     }
     if (!solve(m, b, c)) return false;
     for (std::uint32_t n = 0; n < 4; ++n) {
