@@ -48,7 +48,7 @@ Result by_hand(double sign) {
       AxisSample& at = s.axis[a];
       const double d = a == 0 ? 1 : 3;
       at.r = static_cast<std::int32_t>(a == 0 ? 200 * k : 100 * k);
-      at.x_m = (at.r - static_cast<std::int32_t>(30 + 10 * a)) << 14;
+      at.x_m = (at.r - static_cast<std::int32_t>(30 + 10 * a)) * (1 << 14);
       at.x_true_m = at.r * kCount + 1e-4 * (a == 0 ? std::sin(k) : 0.7 * std::cos(k));
       at.v_true_m_s = counts ? sign * (n == 20 ? d : -0.1 * d) : 99;
       at.i_q_true_A = counts ? sign * (n == 30 ? -2 * d : 0.2 * d) : 99;

@@ -103,7 +103,7 @@ TEST_CASE("mcafee: an event is told of its axis, at the sample where it begins, 
       change(result, 3, [&](Sample& s) {
         for (std::size_t k = 0; k < 2; ++k) {
           const int n = k == axis ? 0 : 50;
-          s.axis[k].words.position = std::int64_t{-7 - n} << 16;
+          s.axis[k].words.position = std::int64_t{-7 - n} * 65536;
           s.axis[k].words.actual = 11 + n;
           s.axis[k].words.status = 0x04;
         }
