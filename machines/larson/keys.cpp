@@ -21,6 +21,8 @@ void add_table(Table& t) {
         TRAMMEL_LENS(table.most_rate));
   t.one("table.poll_ms", 0.1, 100, "from one look at an open switch to the next",
         TRAMMEL_LENS(poll_ms));
+  t.one("table.settle_ms", 0, 100, "from the end of a move to the return of WTTBL or CALTBL",
+        TRAMMEL_LENS(wttbl_ms));
   t.one("plot.move_rate", 59, 4000, "pulses per second with the pen up, of a list of moves",
         TRAMMEL_LENS(plot.move));
   t.one("plot.draw_rate", 59, 4000, "with the pen down, of the longer axis",

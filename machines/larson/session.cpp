@@ -24,9 +24,12 @@ plant::StepperAxisConfig axis_of(const Options& options, double start) {
 }
 
 sw::StepTableSetup table_of(const Options& options) {
+  const auto clocks = [&options](double ms) {
+    return static_cast<std::uint32_t>(cosim::clocks_of(1e-3 * ms, options.axis.clock_ps));
+  };
   sw::StepTableSetup table = options.table;
-  table.poll_clk = static_cast<std::uint32_t>(
-      cosim::clocks_of(1e-3 * options.poll_ms, options.axis.clock_ps));
+  table.poll_clk = clocks(options.poll_ms);
+  table.settle_clk = clocks(options.wttbl_ms);
   return table;
 }
 

@@ -71,6 +71,34 @@ TEST_CASE("a move loads the complement of its steps, and WHRTBL reads it back in
   CHECK(program.bus.axes[0].at == 31);
 }
 
+TEST_CASE("WTTBL returns when its timer is over, once after each move, at once where none is set") {
+  for (const std::uint32_t settle_clk : {0u, 777u}) {
+    CAPTURE(settle_clk);
+    StepTableSetup setup;
+    setup.settle_clk = settle_clk;
+    Program program({kCal, {LarsonOp::kAbstbl, 3, 0}, kWait, kWait, {LarsonOp::kAbstbl, 0, -1},
+                     kWait, kWait},
+                    setup);
+    program.app.start(program.bus);
+    std::uint32_t waits = 0, moving = 0;
+    while (program.app.mailbox().done == 0) {
+      if (program.bus.irq()) program.app.isr(program.bus);
+      if (program.bus.timer == 777) {  // it waits, and nothing moves
+        ++waits;
+        moving += program.app.table().busy() ? 1 : 0;
+        CHECK(program.app.mailbox().done == 0);
+      }
+      if (program.app.mailbox().done == 0) program.bus.step();
+    }
+    CHECK(waits == (settle_clk != 0 ? 3u : 0u));  // CALTBL and two moves
+    CHECK(moving == 0);
+    CHECK(program.answers[2].value == 1);
+    CHECK(program.answers[3].value == 1);
+    CHECK(program.answers[5].value == 0);  // clipped; told once
+    CHECK(program.answers[6].value == 1);
+  }
+}
+
 TEST_CASE("targets outside the soft range are clipped, WTTBL tells once, calibration stays") {
   Program program({kCal,
                    {LarsonOp::kAbstbl, -5, 7000},

@@ -17,6 +17,7 @@ TEST_CASE("larson: each key sets its own member") {
   m.add("table.back_rate", [](const O& o) { return o.table.back_rate; });
   m.add("table.most_rate", [](const O& o) { return o.table.most_rate; });
   m.add("table.poll_ms", [](const O& o) { return o.poll_ms; });
+  m.add("table.settle_ms", [](const O& o) { return o.wttbl_ms; });
   m.add("plot.move_rate", [](const O& o) { return o.plot.move; });
   m.add("plot.draw_rate", [](const O& o) { return o.plot.draw; });
   m.add("axis.start_x_step", [](const O& o) { return o.start_x; });

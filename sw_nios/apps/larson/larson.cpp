@@ -49,6 +49,19 @@ void LarsonApp::arm(Bus& bus) {
   bus.write(map::kTimer, table_.poll_clk());
 }
 
+void LarsonApp::wait(Bus& bus, std::uint32_t clk) {
+  waiting_ = true;
+  polling_ = false;
+  bus.write(map::kTimer, clk);
+}
+
+// True: the timer runs until the table has settled.
+bool LarsonApp::settles(Bus& bus) {
+  const std::uint32_t clk = table_.settling();
+  if (clk != 0) wait(bus, clk);
+  return clk != 0;
+}
+
 // False: it has to wait, and is asked again.
 bool LarsonApp::begin(Bus& bus, const LarsonCall& call, LarsonAnswer& answer) {
   const StepPoint point{call.a, call.b};
@@ -57,10 +70,12 @@ bool LarsonApp::begin(Bus& bus, const LarsonCall& call, LarsonAnswer& answer) {
       if (!begun_) {
         if (table_.busy()) return false;
         table_.caltbl(bus);
+        begun_ = true;
       }
-      begun_ = table_.busy();
-      if (!begun_ && !table_.calibrated()) end(LarsonFailure::kNotCalibrated);
-      return !begun_;
+      if (table_.busy() || settles(bus)) return false;
+      begun_ = false;
+      if (!table_.calibrated()) end(LarsonFailure::kNotCalibrated);
+      return true;
     case LarsonOp::kVeltbl:
       table_.veltbl(point);
       return true;
@@ -71,16 +86,14 @@ bool LarsonApp::begin(Bus& bus, const LarsonCall& call, LarsonAnswer& answer) {
       answer.value = static_cast<std::int32_t>(table_.reltbl(bus, point));
       return true;
     case LarsonOp::kWttbl:
-      if (table_.busy()) return false;
+      if (table_.busy() || settles(bus)) return false;
       answer.value = table_.wttbl() ? 1 : 0;
       return true;
     case LarsonOp::kWhrtbl:
       answer.at = table_.whrtbl(bus);
       return true;
     case LarsonOp::kWait:
-      waiting_ = true;
-      polling_ = false;
-      bus.write(map::kTimer, static_cast<std::uint32_t>(call.a));
+      wait(bus, static_cast<std::uint32_t>(call.a));
       return true;
     case LarsonOp::kMov:
       bus.write(word_at(call.a), static_cast<std::uint32_t>(call.b) & 0xFFFF);

@@ -56,6 +56,8 @@ class LarsonApp final : public Firmware {
   void go_on(Bus& bus);
   bool begin(Bus& bus, const LarsonCall& call, LarsonAnswer& answer);
   void arm(Bus& bus);
+  void wait(Bus& bus, std::uint32_t clk);
+  bool settles(Bus& bus);
   void end(LarsonFailure failure);
 
   Mailbox mail_;

@@ -34,6 +34,7 @@ void StepTable::run(Bus& bus, std::uint32_t axis, std::int32_t steps, std::uint3
   const std::uint32_t number = static_cast<std::uint32_t>(steps < 0 ? -steps : steps);
   axes_[axis].steps = steps;
   axes_[axis].moving = true;
+  settled_ = false;
   bus.write(map::count(axis), ~number & 0xFFFF);
   bus.write(map::status(axis),
             map::kEnable | map::kBusy | (steps > 0 ? map::kForward : 0) | code);
@@ -70,6 +71,12 @@ std::int32_t StepTable::position(Bus& bus, std::uint32_t axis) const {
 StepPoint StepTable::whrtbl(Bus& bus) const {
   const std::int32_t x = position(bus, 0);
   return {x, position(bus, 1)};
+}
+
+std::uint32_t StepTable::settling() {
+  if (settled_) return 0;
+  settled_ = true;
+  return setup_.settle_clk;
 }
 
 bool StepTable::wttbl() {

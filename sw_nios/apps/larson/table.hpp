@@ -25,6 +25,10 @@ struct StepTableSetup {
   std::int32_t back_rate = 100;     // and away from them
   std::int32_t most_rate = 4000;    // that the motors may be driven at
   std::uint32_t poll_clk = 100'000; // [clk] from one look at an open switch to the next
+  // [clk] from the end of a move to the return of WTTBL or CALTBL: 25 ms of 50 MHz. When busy falls
+  // two pulses may still wait in a buffer: they leave within 5 ms, and 20 ms after them it stands,
+  // so that the next move begins with a ramp, by a rotor that hardly swings any more. 0: none.
+  std::uint32_t settle_clk = 1'250'000;
 };
 
 enum class StepAnswer : std::int32_t {
@@ -53,6 +57,10 @@ class StepTable {
   bool wants_timer() const;
   std::uint32_t poll_clk() const { return setup_.poll_clk; }
 
+  // Where nothing moves any more: [clk] until the last move has settled, 0 if that was waited for.
+  // Who asks waits: it is told once.
+  std::uint32_t settling();
+
   bool calibrated() const { return calibrated_; }
   StepPoint known() const { return {axes_[0].from, axes_[1].from}; }  // where the last moves ended
 
@@ -67,7 +75,6 @@ class StepTable {
     std::int32_t steps = 0;  // of the move, with its sign
     std::uint32_t rate = 07704;
     bool moving = false;
-    bool broken = false;     // a switch ended the move
     Seek seek = Seek::kNone;
   };
 
@@ -85,6 +92,7 @@ class StepTable {
   Axis axes_[2];
   bool calibrated_ = false;
   bool error_ = false;  // of the moves since the last WTTBL
+  bool settled_ = true;  // no move since
 };
 
 }  // namespace trammel::sw
