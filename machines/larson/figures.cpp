@@ -165,6 +165,8 @@ const lab::ColumnTable& columns() {
           return static_cast<double>(std::invoke(get, at.sample.axis[k]));
         });
       };
+      add("asked_step", {"", "step", 1, {}, "where the pulses of the interface have it", true},
+          &AxisSample::asked);
       add("step", {"", "step", 1, {}, "where the translator is", true}, &AxisSample::step);
       add("at_step", {"", "step", 1e-3, fixed(4), "where the rotor is", true}, &AxisSample::at);
       add("speed_step_s", {"", "step/s", 1e-1, fixed(2), "speed of the rotor", true},

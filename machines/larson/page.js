@@ -21,14 +21,15 @@
   function prepare(run) {
     const s = run.series;
     const d = { n: run.count };
-    if (!s.x_at_step || !s.y_at_step || !s.x_step || !s.y_step) {
+    if (!s.x_at_step || !s.y_at_step || !s.x_step || !s.y_step || !s.x_asked_step ||
+        !s.y_asked_step) {
       run.data = d;
       return;
     }
-    d.command = both((axis) => mm(s[`${axis}_step`]));
-    d.model = d.command;
+    d.command = both((axis) => mm(s[`${axis}_asked_step`]));
+    d.model = both((axis) => mm(s[`${axis}_step`]));
     d.table = both((axis) => mm(s[`${axis}_at_step`]));
-    d.names = ['translators', 'the same'];
+    d.names = ['interface', 'translators'];
     const hypot = (name) => s[`x_${name}`] && s[`y_${name}`] &&
       s[`x_${name}`].map((v, k) => Math.hypot(v, s[`y_${name}`][k]));
     d.colours = [{ button: 'speed', label: 'rotors, speed (step/s)',
@@ -63,7 +64,8 @@
     const plots = [
       (axis, name) => T.timePlot({ id: `position-${axis}`, title: `${name} position`, yLabel:
         'position (step)', series: [
-        line('translator', s[`${axis}_step`], 'asked', 'step', 0, { width: 3, steps: true }),
+        line('interface', s[`${axis}_asked_step`], 'asked', 'step', 0, { width: 3, steps: true }),
+        line('translator', s[`${axis}_step`], 'model', 'step', 0, { steps: true }),
         line('rotor', s[`${axis}_at_step`], 'actual', 'step', 3)] }),
       (axis, name) => T.timePlot({ id: `rate-${axis}`, title: `${name} rate`, yLabel:
         'rate (step/s)', series: [

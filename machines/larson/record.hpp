@@ -22,6 +22,7 @@ struct AxisSample {
   double speed = 0;          // [step/s]
   double angle = 0;          // [step] that the rotor is behind, the load angle
   double rate = 0;           // [step/s] of the translator
+  std::int32_t asked = 0;    // [step] by the pulses that the chip has given, as step
 };
 
 // Every record.every_ms.

@@ -223,8 +223,10 @@ std::vector<Call> parse_script(const std::string& text, const std::string& sourc
 
 std::vector<Call> read_calls(const std::string& name, const PlotRates& rates,
                              std::int64_t clock_ps) {
-  const bool moves = name.size() > 4 && name.substr(name.size() - 4) == ".csv";
-  const std::string file = lab::find_built_in(name, moves ? ".csv" : ".table", "script").string();
+  const std::string extension = std::filesystem::path(name).extension().string();
+  const bool moves = upper(extension) == ".CSV", whole = moves || upper(extension) == ".TABLE";
+  const std::string file =
+      lab::find_built_in(name, whole ? extension : ".table", "script").string();
   try {
     const std::string text = cosim::read_file(file, cosim::kMiB);
     return moves ? parse_moves(text, file, rates) : parse_script(text, file, clock_ps);

@@ -62,6 +62,7 @@ Session::Session(const Options& options, const cosim::Hooks& hooks, const cosim:
            static_cast<std::uint32_t>(program_.size())),
       loop_(*chip_, seen(), *this, options.run.window()),
       switches_(plant_.switches()),
+      asked_{plant_.axis(0).translated(), plant_.axis(1).translated()},
       heard_{0, {at(0, 0), at(1, 0)}},
       last_at_{at(0, 0), at(1, 0)} {}
 
@@ -179,7 +180,9 @@ void Session::note_events(const cosim::Stop& stop) {
     const cosim::Lines rose = chip_->drive() & ~drive_;
     drive_ = chip_->drive();
     for (int k = 0; k < kAxes; ++k) {
-      pulses_[static_cast<std::size_t>(k)] += level(rose, step(k)) ? 1 : 0;
+      if (!level(rose, step(k))) continue;
+      ++pulses_[static_cast<std::size_t>(k)];
+      asked_[static_cast<std::size_t>(k)] += level(drive_, forward(k)) ? 1 : -1;
     }
   }
   if (const unsigned now = chip_->requests(); now != requests_) {
@@ -233,7 +236,8 @@ Sample Session::sample_at(cosim::Clk edge) const {
                       state.at,
                       state.speed,
                       axis.load_angle(edge),
-                      axis.rate()};
+                      axis.rate(),
+                      static_cast<std::int32_t>(asked_[k])};
   }
   sample.call = app_.mailbox().point;
   sample.switches = plant_.switches();

@@ -75,6 +75,7 @@ class Session final : public cosim::Session, private cosim::Observer, private co
   unsigned switches_ = 0;
   cosim::Lines drive_ = 0;
   std::array<std::uint32_t, 2> pulses_{};
+  std::array<std::int64_t, 2> asked_;  // [step] where they have the table
   std::array<std::size_t, 2> losses_{};
   std::array<int, 2> lost_{};  // steps, forward and back added
   CallDone heard_;  // of the last event that the processor could answer to; [step] of the rotors

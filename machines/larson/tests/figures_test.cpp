@@ -100,12 +100,13 @@ TEST_CASE("larson: each column of the trace shows what it is named after") {
   s.call = 5;
   s.switches = 6;
   s.irq = true;
-  s.axis[0] = {0x1234'5678, 101, 102, 103.5, 104.5, 105.5, 106.5};
-  s.axis[1] = {0xABCD'EF01, 201, 202, 203.5, 204.5, 205.5, 206.5};
+  s.axis[0] = {0x1234'5678, 101, 102, 103.5, 104.5, 105.5, 106.5, 107};
+  s.axis[1] = {0xABCD'EF01, 201, 202, 203.5, 204.5, 205.5, 206.5, 207};
   result.samples.push_back(s);
   test::check_row(test::row(larson::Options{}, result, 0),
                   {{"t_s", 3e-3}, {"call", 5}, {"switches", 6}, {"irq", 1},
-                   {"x_step", 101}, {"y_step", 201}, {"x_waiting", 102}, {"y_waiting", 202},
+                   {"x_asked_step", 107}, {"y_asked_step", 207}, {"x_step", 101},
+                   {"y_step", 201}, {"x_waiting", 102}, {"y_waiting", 202},
                    {"x_at_step", 103.5}, {"y_at_step", 203.5}, {"x_speed_step_s", 104.5},
                    {"y_speed_step_s", 204.5}, {"x_angle_step", 105.5}, {"y_angle_step", 205.5},
                    {"x_rate_step_s", 106.5}, {"y_rate_step_s", 206.5}, {"x_count", 0x5678},

@@ -4,10 +4,12 @@
 #include "machines/larson/script.hpp"
 
 #include <catch2/catch.hpp>
+#include <fstream>
 #include <string>
 #include <vector>
 
 #include "lab/errors.hpp"
+#include "tests/support/scratch.hpp"
 
 using namespace trammel;
 using larson::Call;
@@ -107,6 +109,23 @@ TEST_CASE("a list of moves calibrates, goes with the pen up and draws lines in p
   CHECK(calls.back().call.op == LarsonOp::kWttbl);
   CHECK(calls[calls.size() - 2].call.a == 220);
   CHECK(calls[calls.size() - 2].call.b == 60);
+}
+
+TEST_CASE("a file is a list of moves by its extension, in any case, else a script") {
+  const test::Scratch scratch("larson_script");
+  for (const char* const name : {"u.CSV", "u.csv", "u.Csv"}) {
+    const std::string file = (scratch.path / name).string();
+    std::ofstream(file) << "1,2,0\n";
+    const std::vector<Call> calls = larson::read_calls(file, {}, kClockPs);
+    REQUIRE(calls.size() == 4);
+    CHECK(calls[2].call.op == LarsonOp::kAbstbl);
+  }
+  for (const char* const name : {"csv", "u.TABLE", "csv.table"}) {
+    const std::string file = (scratch.path / name).string();
+    std::ofstream(file) << "WHRTBL\n";
+    REQUIRE(larson::read_calls(file, {}, kClockPs).size() == 1);
+  }
+  CHECK_THROWS_WITH(larson::read_calls("nowhere.CSV", {}, kClockPs), Catch::Contains("nowhere.CSV"));
 }
 
 TEST_CASE("a list of moves may come from a spreadsheet: byte order mark, CR LF, blanks") {

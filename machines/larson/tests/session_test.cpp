@@ -62,13 +62,17 @@ class Replay {
     to(edge);
     const bool before = level(lines_, step(axis_));
     lines_ = drive;
-    pulses += !before && level(lines_, step(axis_)) ? 1 : 0;
+    if (!before && level(lines_, step(axis_))) {
+      ++pulses;
+      asked += level(lines_, forward(axis_)) ? 1 : -1;
+    }
     put(edge);
   }
   const plant::StepperAxis& plant() const { return plant_; }
   double at(cosim::Clk edge) const { return plant_.state(edge).at; }
 
   std::uint32_t pulses = 0;
+  int asked = 0;  // by them, from where it stood
 
  private:
   static plant::StepperAxisConfig config(const Options& options, int axis) {
@@ -145,6 +149,8 @@ TEST_CASE("larson: each sample is of its own axis, as its pins move it") {
                    << ", speed " << s.axis[k].speed << ", angle " << s.axis[k].angle
                    << ", rate " << s.axis[k].rate << ", waiting " << s.axis[k].waiting);
       REQUIRE(s.axis[k].step == p.translated());
+      REQUIRE(s.axis[k].asked == std::lround(k == 0 ? script.options.start_x
+                                                    : script.options.start_y) + axes[k].asked);
       REQUIRE(s.axis[k].waiting == p.waiting());
       REQUIRE(s.axis[k].at == Approx(state.at).margin(1e-6));
       REQUIRE(s.axis[k].speed == Approx(state.speed).margin(1e-3));
