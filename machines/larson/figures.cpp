@@ -87,7 +87,7 @@ std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult
   for (std::size_t k = 0; k < 2; ++k) {
     const std::string axis = k == 0 ? "X" : "Y", id = k == 0 ? "x." : "y.";
     const bool tile = k == 0;
-    add(count(id + "pulses", "pulses", axis, result.pulses[k]), tile ? "Pulses of X" : "");
+    add(count(id + "pulses", "pulses", axis, result.pulses[k]));
     add(count(id + "lost_step", "steps lost", axis, result.lost[k], "steps"),
         tile ? "Lost by X" : "Lost by Y");
     add(figure(id + "max_angle_step", "load angle", axis, angle[k], "step", 2),

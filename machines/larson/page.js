@@ -42,7 +42,6 @@
   function asides(m) {
     return {
       'script.time_s': `${m.script.calls} calls`,
-      'x.pulses': `${T.num(m.x.pulses * kStepMm, 1)} mm of travel`,
       'x.max_angle_step': 'beyond 5 the rotor falls back by 10',
       'script.off_step': 'rotors from where WHRTBL has them',
       interrupts: `${m.event_count} events in all`,

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What Larson publishes of motor and buffer (1974, section III), beside what the run's own settings
-// give.
+// What Larson publishes of rates, motor and buffer (1974, Table I and section III), beside what the
+// chip and the run's own settings give.
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "machines/larson/machine.hpp"
+#include "models/exact/motion/step_table.hpp"
+#include "sw_nios/apps/larson/larson_map.hpp"
 
 namespace trammel::larson {
 namespace {
@@ -18,7 +20,44 @@ struct Published {
 
 constexpr Published kMultipleSteps[] = {{1, 2.6}, {3, 6.5},  {7, 15},   {15, 30},
                                         {31, 60}, {63, 100}, {127, 180}};
+// Table I: rate counter, in octal, and PPS, rounded to whole ones. 7650 is a misprint: 3000 PPS are
+// 7660 by his own formula.
+struct Rate {
+  std::uint32_t code;
+  double pps;
+};
+constexpr Rate kRates[] = {{01000, 67},   {02000, 78},   {03000, 94},   {04000, 117},
+                           {05000, 156},  {06000, 234},  {07000, 469},  {07100, 536},
+                           {07200, 625},  {07300, 750},  {07400, 938},  {07500, 1250},
+                           {07550, 1579}, {07600, 1875}, {07650, 3000}, {07700, 3750},
+                           {07704, 4000}};
+constexpr std::uint32_t kMisprint = 07650;
+constexpr double kRounded = 0.51;  // [pulse/s] and a clock in 64 steps
+
 constexpr double kBand = 0.05;  // of the published value; it has two digits
+
+// Of 64 steps of the chip's twin at a rate code [pulse/s].
+double rate_of(std::uint32_t code, std::int64_t clock_ps) {
+  constexpr int kSteps = 64;
+  exact::StepTable table(3, 625, false);
+  exact::StepTable::In in;
+  in.write = true;
+  in.bytes = 15;
+  in.data = (sw::larson_map::kBusy | code) << 16 | (0xFFFFu - kSteps - 1);
+  std::int64_t now = 0, first = 0;
+  bool was = false;
+  for (int steps = 0; steps <= kSteps;) {
+    const exact::Gap leap = table.quiescent(in) ? table.next() : 0;
+    table.advance(leap);
+    table.step(in);
+    in.write = false;
+    now += static_cast<std::int64_t>(leap) + 1;
+    const bool is = table.axis(0).step;
+    if (is && !was && steps++ == 0) first = now;
+    was = is;
+  }
+  return kSteps / cosim::seconds_of(now - first, clock_ps);
+}
 
 // Until the last of so many pulses at 4000 PPS has left the buffer [s].
 double time_of(const plant::PulseBufferConfig& config, int steps, std::int64_t clock_ps) {
@@ -66,13 +105,27 @@ std::vector<lab::Figure> published_figures(const Options& options) {
   };
   for (const Published& one : kMultipleSteps) {
     add(fmt::format("multiple_step.{}_ms", one.steps),
-        fmt::format("{} steps at 4000 PPS", one.steps),
+        fmt::format("{} step{} at 4000 PPS", one.steps, one.steps == 1 ? "" : "s"),
         1e3 * time_of(options.axis.buffer, one.steps, options.axis.clock_ps), one.ms);
   }
   const plant::StepperConfig& m = options.axis.motor;
   const auto period = [&m](double k) { return 1e3 * 6.283185307179586 * std::sqrt(m.inertia / k); };
   add("oscillation.two_ms", "oscillation, two phases on", period(m.stiffness_2), 11.5);
   add("oscillation.three_ms", "oscillation, three phases on", period(m.stiffness_3), 8.6);
+  for (const Rate& one : kRates) {
+    const bool misprint = one.code == kMisprint;
+    lab::Figure f = lab::figure(fmt::format("rate.{:o}_pps", one.code),
+                                fmt::format("rate {:o}{}", one.code,
+                                            misprint ? " (misprint of 7660)" : ""),
+                                "", rate_of(one.code, options.axis.clock_ps), "PPS", 1);
+    f.printed = one.pps;
+    if (!misprint) {
+      f.expected = one.pps;
+      f.tolerance = kRounded;
+    }
+    f.source = "Larson 1974, Table I";
+    list.push_back(std::move(f));
+  }
   return list;
 }
 

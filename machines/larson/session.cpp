@@ -185,14 +185,6 @@ void Session::note_events(const cosim::Stop& stop) {
       asked_[static_cast<std::size_t>(k)] += level(drive_, forward(k)) ? 1 : -1;
     }
   }
-  if (const unsigned now = chip_->requests(); now != requests_) {
-    for (int axis = 0; axis < kAxes; ++axis) {
-      if (((now & ~requests_) >> axis & 1) == 0) continue;
-      ++interrupts_;
-      note(stop.edge, axis, "interrupt");
-    }
-    requests_ = now;
-  }
   if (const unsigned now = plant_.switches(); now != switches_) {
     for (int bit = 0; bit < 4; ++bit) {
       if (((now ^ switches_) >> bit & 1) == 0) continue;
@@ -201,6 +193,14 @@ void Session::note_events(const cosim::Stop& stop) {
                        (now >> bit & 1) != 0 ? "closed" : "open"));
     }
     switches_ = now;
+  }
+  if (const unsigned now = chip_->requests(); now != requests_) {
+    for (int axis = 0; axis < kAxes; ++axis) {
+      if (((now & ~requests_) >> axis & 1) == 0) continue;
+      ++interrupts_;
+      note(stop.edge, axis, "interrupt");
+    }
+    requests_ = now;
   }
   for (std::size_t k = 0; k < 2; ++k) {
     const auto& lost = plant_.axis(k).lost();

@@ -44,6 +44,7 @@ class Page(report_pages.ReportPages):
         figures = self.driver.find_element("id", "figures").text
         self.assertIn("127 steps at 4000 PPS", figures)
         self.assertIn("Larson 1974, section III", figures)
+        self.assertIn("rate 7704", figures.lower())
         self.open("lost")
         self.assertIn("steps lost", self.driver.find_element("id", "interface").text)
 

@@ -125,7 +125,8 @@ TEST_CASE("a file is a list of moves by its extension, in any case, else a scrip
     std::ofstream(file) << "WHRTBL\n";
     REQUIRE(larson::read_calls(file, {}, kClockPs).size() == 1);
   }
-  CHECK_THROWS_WITH(larson::read_calls("nowhere.CSV", {}, kClockPs), Catch::Contains("nowhere.CSV"));
+  CHECK_THROWS_WITH(larson::read_calls("nowhere.CSV", {}, kClockPs),
+                    Catch::Contains("nowhere.CSV"));
 }
 
 TEST_CASE("a list of moves may come from a spreadsheet: byte order mark, CR LF, blanks") {
