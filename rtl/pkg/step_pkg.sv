@@ -18,4 +18,9 @@ package step_pkg;
     end
   endfunction
 
+  // The same with a constant of 32 bits.
+  function automatic logic [31:0] times_wide(logic [31:0] number, logic [31:0] constant);
+    return times(number, constant[15:0]) + (times(number, constant[31:16]) << 16);
+  endfunction
+
 endpackage
