@@ -62,7 +62,9 @@ lab::Machine describe() {
 }  // namespace
 
 std::vector<Call> calls_of(const Options& options) {
-  return read_calls(options.script, options.plot, options.axis.clock_ps);
+  PlotSetup plot = options.plot;
+  plot.soft_end = options.table.soft_end;
+  return read_calls(options.script, plot, options.axis.clock_ps);
 }
 
 const cosim::TriggerForms& triggers() {

@@ -21,7 +21,7 @@ using lab::ConfigError;
 
 constexpr int kPiece = 40;     // [step] of the longer axis
 constexpr int kLeastRate = 59;
-constexpr int kSoftEnd = 5980;
+constexpr int kFar = 100'000;  // [step]
 
 struct Row {
   int x = 0, y = 0, pen = 0;
@@ -44,40 +44,42 @@ std::vector<std::string> fields_of(const std::string& text) {
   return fields;
 }
 
-int number_of(const std::string& word, const char* name, int high, const std::string& where) {
+int number_of(const std::string& word, const char* name, int low, int high,
+              const std::string& where) {
   int value = 0;
   const char* const end = word.data() + word.size();
   const auto [stop, code] = std::from_chars(word.data(), end, value);
-  if (stop != end || code != std::errc{} || value < 0 || value > high) {
-    throw ConfigError(fmt::format("{}: {}: {} is not a whole number in 0..{}", where, name,
-                                  lab::shown(word), high));
+  if (stop != end || code != std::errc{} || value < low || value > high) {
+    throw ConfigError(fmt::format("{}: {}: {} is not a whole number in {}..{}", where, name,
+                                  word.empty() ? "nothing" : lab::shown(word), low, high));
   }
   return value;
 }
 
 Row row_of(const std::vector<std::string>& fields, const std::string& where) {
   if (fields.size() != 3) {
-    throw ConfigError(fmt::format("{}: holds {} fields, allowed 3: x,y,pen", where,
-                                  fields.size()));
+    throw ConfigError(fmt::format("{}: holds {} field{}, allowed 3: x,y,pen", where, fields.size(),
+                                  fields.size() == 1 ? "" : "s"));
   }
-  return {number_of(fields[0], "x", kSoftEnd, where), number_of(fields[1], "y", kSoftEnd, where),
-          number_of(fields[2], "pen", 1, where)};
+  return {number_of(fields[0], "x", -kFar, kFar, where),
+          number_of(fields[1], "y", -kFar, kFar, where), number_of(fields[2], "pen", 0, 1, where)};
 }
 
 class Plot {
  public:
-  explicit Plot(const PlotRates& rates) : rates_(rates) {
+  explicit Plot(const PlotSetup& setup) : setup_(setup) {
     add(sw::LarsonOp::kCaltbl, 0, 0, 0);
   }
 
   void go(const Row& to, std::size_t line) {
     if (to.pen == 0) {
-      velocity(rates_.move, rates_.move, line);
+      velocity(setup_.move, setup_.move, line);
       piece(to.x, to.y, line);
     } else {
       draw(to, line);
     }
-    at_ = to;
+    const auto clipped = [this](int place) { return std::clamp(place, 0, setup_.soft_end); };
+    at_ = {clipped(to.x), clipped(to.y), to.pen};
   }
 
   std::vector<Call> calls;
@@ -121,7 +123,7 @@ class Plot {
       const int next_x = part(at_.x, dx), next_y = part(at_.y, dy);
       const int ax = std::abs(next_x - x), ay = std::abs(next_y - y), most = std::max({1, ax, ay});
       const auto share = [&](int steps) {
-        const double rate = static_cast<double>(rates_.draw) * steps / most;
+        const double rate = static_cast<double>(setup_.draw) * steps / most;
         return std::max(kLeastRate, static_cast<int>(std::lround(rate)));
       };
       velocity(share(ax), share(ay), line);
@@ -131,7 +133,7 @@ class Plot {
     }
   }
 
-  PlotRates rates_;
+  PlotSetup setup_;
   Row at_;
   int x_rate_ = 0, y_rate_ = 0;
 };
@@ -139,10 +141,10 @@ class Plot {
 }  // namespace
 
 std::vector<Call> parse_moves(const std::string& text, const std::string& source,
-                              const PlotRates& rates) {
+                              const PlotSetup& setup) {
   const std::vector<std::string> header{"x", "y", "pen"};
   constexpr const char* kMark = "\xEF\xBB\xBF";  // UTF-8, as spreadsheets begin a file
-  Plot plot(rates);
+  Plot plot(setup);
   std::istringstream in(text.rfind(kMark, 0) == 0 ? text.substr(3) : text);
   std::size_t number = 0, rows = 0;
   for (std::string line; std::getline(in, line);) {

@@ -21,7 +21,7 @@ struct Options final : lab::SettingsOf<Options, machine> {
   Options() { scenario = "larson-calibrate"; }
 
   std::string script = "calibrate";  // built-in name or a path; .csv: moves
-  PlotRates plot;
+  PlotSetup plot;               // but for soft_end, which is the table's
   double record_ms = 1;         // from one sample of the record to the next
   double settle_s = 0.25;       // recorded behind the last call
   int reached_steps = 2;        // most distance of the table from where its program has it

@@ -221,7 +221,7 @@ std::vector<Call> parse_script(const std::string& text, const std::string& sourc
   return Parser(text, source, clock_ps).all();
 }
 
-std::vector<Call> read_calls(const std::string& name, const PlotRates& rates,
+std::vector<Call> read_calls(const std::string& name, const PlotSetup& setup,
                              std::int64_t clock_ps) {
   const std::string extension = std::filesystem::path(name).extension().string();
   const bool moves = upper(extension) == ".CSV", whole = moves || upper(extension) == ".TABLE";
@@ -229,7 +229,7 @@ std::vector<Call> read_calls(const std::string& name, const PlotRates& rates,
       lab::find_built_in(name, whole ? extension : ".table", "script").string();
   try {
     const std::string text = cosim::read_file(file, cosim::kMiB);
-    return moves ? parse_moves(text, file, rates) : parse_script(text, file, clock_ps);
+    return moves ? parse_moves(text, file, setup) : parse_script(text, file, clock_ps);
   } catch (const cosim::InputError& error) {
     throw ConfigError(error.what());
   }

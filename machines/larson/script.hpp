@@ -10,7 +10,8 @@
 //   REPEAT n ... END      the lines between so often; blocks may be nested
 //
 // And a list of moves, as a plotter takes it: lines x,y,pen of a CSV file, in steps; with pen 0 the
-// table goes there at the rate of moves, with pen 1 along a straight line at that of lines.
+// table goes there at the rate of moves, with pen 1 along a straight line at that of lines. Beyond
+// the soft range it stops there, as of ABSTBL.
 #pragma once
 
 #include <cstdint>
@@ -28,9 +29,10 @@ struct Call {
   std::size_t line = 0;   // of its file
 };
 
-struct PlotRates {
-  int move = 2000;  // [pulse/s]
+struct PlotSetup {
+  int move = 2000;      // [pulse/s]
   int draw = 500;
+  int soft_end = 5980;  // [step] of the table
 };
 
 inline constexpr std::size_t kMostCalls = 200'000;
@@ -39,10 +41,10 @@ inline constexpr std::size_t kMostCalls = 200'000;
 std::vector<Call> parse_script(const std::string& text, const std::string& source,
                                std::int64_t clock_ps);
 std::vector<Call> parse_moves(const std::string& text, const std::string& source,
-                              const PlotRates& rates);
+                              const PlotSetup& setup);
 
 // A built-in script's name, or a path; a file that ends in .csv is a list of moves.
-std::vector<Call> read_calls(const std::string& name, const PlotRates& rates,
+std::vector<Call> read_calls(const std::string& name, const PlotSetup& setup,
                              std::int64_t clock_ps);
 
 std::string name_of(sw::LarsonOp op);

@@ -71,6 +71,19 @@ TEST_CASE("pulse_buffer: pulses never leave faster than they came, and none is l
   }
 }
 
+TEST_CASE("pulse_buffer is busy while more than two pulses wait, from the third to the last but two") {
+  PulseBuffer buffer((PulseBufferConfig()));
+  for (int k = 0; k < 5; ++k) {
+    buffer.enter(k * 1000, 1);
+    CHECK(buffer.waiting() == k + 1);
+    CHECK(buffer.busy() == (k >= 2));
+  }
+  while (buffer.waiting() > 0) {
+    CHECK(buffer.pass(buffer.next()) == 1);
+    CHECK(buffer.busy() == (buffer.waiting() > 2));
+  }
+}
+
 TEST_CASE("pulse_buffer: after a pause it goes on, after 20 ms of it with a new ramp") {
   for (const auto& [pause, first_s] : {std::pair{500'000, 2.2e-3}, {1'500'000, 2.54e-3}}) {
     PulseBuffer buffer((PulseBufferConfig()));

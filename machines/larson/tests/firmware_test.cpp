@@ -3,6 +3,7 @@
 // The routines of .TABLE at the words of an interface that moves at once: what they write, and what
 // they answer.
 #include <catch2/catch.hpp>
+#include <cstddef>
 #include <cstdint>
 
 #include "machines/larson/tests/fake_table.hpp"
@@ -40,6 +41,33 @@ TEST_CASE("CALTBL that finds no switch, or none that opens, ends the program") {
   CHECK(closed.app.mailbox().failure ==
         static_cast<std::uint32_t>(LarsonFailure::kNotCalibrated));
   CHECK(closed.bus.axes[0].at <= 5 + 2000);
+}
+
+TEST_CASE("CALTBL of a table longer than Larson's looks for its switches as much farther") {
+  StepTableSetup setup;
+  setup.soft_end = 30'000;
+  Program program({kCal, kWhere}, setup);
+  for (FakeTable::Axis& axis : program.bus.axes) {
+    axis.at = 29'000;
+    axis.high = 31'000;
+  }
+  program.run();
+  CHECK(program.app.mailbox().failure == 0);
+  CHECK(program.bus.axes[0].at == 1);
+}
+
+TEST_CASE("an interrupt whose axis is busy, or that is of no axis, changes nothing") {
+  StepTable table((StepTableSetup()));
+  FakeTable bus;
+  table.caltbl(bus);
+  const std::size_t starts = bus.starts.size();
+  for (const std::uint32_t vector : {map::kVectorX, map::kVectorY, 0350u}) {
+    table.on_vector(bus, vector);
+  }
+  CHECK(table.busy());
+  CHECK(bus.starts.size() == starts);
+  CHECK(bus.axes[0].count == 0xFFFF - 12'000);
+  CHECK(table.whrtbl(bus).x == 0);
 }
 
 TEST_CASE("velocities become rate codes, at most 4000 pulses per second") {

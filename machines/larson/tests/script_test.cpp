@@ -138,17 +138,32 @@ TEST_CASE("a list of moves may come from a spreadsheet: byte order mark, CR LF, 
   CHECK(calls[2].line == 3);
 }
 
+TEST_CASE("a list of moves may leave the soft range, and its next line begins at that end") {
+  larson::PlotSetup setup{2000, 500, 300};
+  const std::vector<Call> calls =
+      larson::parse_moves("400,-5,0\n280,40,1\n", "m.csv", setup);
+  REQUIRE(calls.size() == 4 + 3);
+  CHECK(calls[2].call.a == 400);
+  CHECK(calls[2].call.b == -5);
+  CHECK(calls[4].call.a == 250);  // from (300, 0)
+  CHECK(calls[4].call.b == 500);
+  CHECK(calls[5].call.a == 280);
+}
+
 TEST_CASE("a list of moves that cannot be says file, line and what is permitted") {
   CHECK(refused_moves("x,y,pen\n1,2\n") == "m.csv:2: holds 2 fields, allowed 3: x,y,pen");
   CHECK(refused_moves("1,2,0,\n") == "m.csv:1: holds 4 fields, allowed 3: x,y,pen");
-  CHECK(refused_moves(",,\n") == "m.csv:1: x:  is not a whole number in 0..5980");
+  CHECK(refused_moves("1;2;0\n") == "m.csv:1: holds 1 field, allowed 3: x,y,pen");
+  CHECK(refused_moves(",,\n") ==
+        "m.csv:1: x: nothing is not a whole number in -100000..100000");
   CHECK(refused_moves("1,2,0\nx,y,pen\n") ==
-        "m.csv:2: x: x is not a whole number in 0..5980");
+        "m.csv:2: x: x is not a whole number in -100000..100000");
   CHECK(refused_moves("x,y,pencil\n1,2,0\n") ==
-        "m.csv:1: x: x is not a whole number in 0..5980");
-  CHECK(refused_moves("1,9000,0\n") ==
-        "m.csv:1: y: 9000 is not a whole number in 0..5980");
+        "m.csv:1: x: x is not a whole number in -100000..100000");
+  CHECK(refused_moves("1,100001,0\n") ==
+        "m.csv:1: y: 100001 is not a whole number in -100000..100000");
   CHECK(refused_moves("1,2,2\n") == "m.csv:1: pen: 2 is not a whole number in 0..1");
-  CHECK(refused_moves("1,2.5,0\n") == "m.csv:1: y: 2.5 is not a whole number in 0..5980");
+  CHECK(refused_moves("1,2.5,0\n") ==
+        "m.csv:1: y: 2.5 is not a whole number in -100000..100000");
   CHECK(refused_moves("x,y,pen\n\n") == "m.csv: has no move");
 }

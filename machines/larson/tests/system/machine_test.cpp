@@ -134,6 +134,26 @@ TEST_CASE("a move beyond the far soft end stops there, and the next one is norma
   CHECK(answer(result, 0).value == 1);
 }
 
+TEST_CASE("a list of moves beyond the soft range stops at its ends, and meets no switch") {
+  Scripted script("-5,300,0\n600,300,1\n250,700,1\n");
+  const std::filesystem::path list = script.scratch.path / "moves.csv";
+  std::filesystem::rename(script.options.script, list);
+  script.options.script = list.string();
+  script.options.run.engine = cosim::Engine::kTwin;
+  script.options.axis.switch_high = 517.5;
+  script.options.table.soft_end = 500;
+  const Result result = script.run();
+  REQUIRE(result.end == cosim::EndReason::kDone);
+  CHECK(result.known.x == 250);
+  CHECK(result.known.y == 500);
+  CHECK(result.calibrated);
+  CHECK(answer(result, 0).value == 0);
+  for (const larson::Event& one : result.happened) {
+    CHECK_FALSE((one.edge > result.done.front().edge && one.what.find("switch") == 0));
+    CHECK(one.what.find("high") == std::string::npos);
+  }
+}
+
 TEST_CASE("a move while the table moves, or before CALTBL, is refused and changes nothing") {
   const Scripted script(
       "ABSTBL 10 10\nCALTBL\nVELTBL 400 400\nABSTBL 100 100\nABSTBL 5 5\nWTTBL\nWHRTBL\n");
@@ -293,4 +313,45 @@ TEST_CASE("a table that is not where its program has it is missed, on either axi
     CHECK(record.verdict.find(begin) == 0);
     CHECK(record.verdict.find("from 100, where") != std::string::npos);
   }
+}
+
+TEST_CASE("a switch that never closes ends CALTBL, one that closes too early a move") {
+  Scripted script("CALTBL\nVELTBL 400 400\nABSTBL 100 100\nWTTBL\nABSTBL 5 5\nWHRTBL\n");
+  script.options.start_x = script.options.start_y = 20;
+  script.options.run.engine = cosim::Engine::kTwin;
+  script.options.fault.kind = cosim::FaultKind::kEncoderStuck;
+  for (const int axis : {0, 1}) {
+    CAPTURE(axis);
+    script.options.fault.axis = axis;
+    script.options.fault.line = 0;    // the lower one,
+    script.options.fault.value = -1;  // open
+    script.options.fault.begin_s = 0;
+    const lab::Record open = lab::run(script.options);
+    CHECK(open.result->end == cosim::EndReason::kFault);
+    CHECK(open.verdict == "tripped: CALTBL found no switch, or could not leave it");
+    script.options.fault.line = 1;   // the upper one,
+    script.options.fault.value = 1;  // closed
+    script.options.fault.begin_s = 0.4;
+    const Result closed = script.run();
+    CHECK(answer(closed, 2).value == 0);
+    CHECK(answer(closed, 1).value == static_cast<int>(sw::StepAnswer::kNotCalibrated));
+    CHECK_FALSE(closed.calibrated);
+  }
+}
+
+TEST_CASE("interrupts that come late make a script longer, and leave each place as it is") {
+  Scripted script("CALTBL\nVELTBL 1000 1000\nREPEAT 5\nRELTBL 30 20\nWTTBL\nEND\nWHRTBL\n");
+  script.options.start_x = script.options.start_y = 20;
+  script.options.run.engine = cosim::Engine::kTwin;
+  const Result prompt = script.run();
+  script.options.processor.interrupt_latency_clk = 90'000;  // 1.8 ms
+  const Result late = script.run();
+  for (const Result* one : {&prompt, &late}) {
+    REQUIRE(one->end == cosim::EndReason::kDone);
+    CHECK(answer(*one, 0).at.x == 150);
+    CHECK(answer(*one, 0).at.y == 100);
+    CHECK(one->lost[0] + one->lost[1] == 0);
+    CHECK(std::fabs(one->end_at[0] - one->origin[0] - 150) < 0.1);
+  }
+  CHECK(late.done.back().edge - prompt.done.back().edge > 5 * 90'000);
 }
