@@ -71,7 +71,7 @@ TEST_CASE("pulse_buffer: pulses never leave faster than they came, and none is l
   }
 }
 
-TEST_CASE("pulse_buffer is busy while more than two pulses wait, from the third to the last but two") {
+TEST_CASE("pulse_buffer is busy while more than two pulses wait") {
   PulseBuffer buffer((PulseBufferConfig()));
   for (int k = 0; k < 5; ++k) {
     buffer.enter(k * 1000, 1);

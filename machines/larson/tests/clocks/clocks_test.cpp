@@ -102,7 +102,8 @@ TEMPLATE_TEST_CASE("step_table in another fabric agrees with its twin, leaping a
   int steps = 0;
   for (int n = 0; n < 30'000; ++n) {
     if (random() % 500 == 0) {
-      bench.start(random() % 2 == 0, 07777 - static_cast<std::uint32_t>(random() % 40), 1 + random() % 30);
+      const auto below = static_cast<std::uint32_t>(random() % 40);
+      bench.start(random() % 2 == 0, 07777 - below, 1 + random() % 30);
     }
     REQUIRE(bench.same());
     const bool was = bench.twin.axis(0).step;
