@@ -33,6 +33,8 @@ struct Bench {
   std::deque<std::uint8_t> to_send;
   std::int64_t clock = 0;
   bool loop = false;
+  std::optional<bool> level;  // of the line, whatever the host sends
+  Gap most = 300;             // [clk] at once, then
   trammel::cosim::SerialHost host{434,
                                   [this](trammel::cosim::Clk) -> std::optional<unsigned char> {
                                     if (to_send.empty()) return std::nullopt;
@@ -55,14 +57,17 @@ struct Bench {
     rtl.eval();
   }
   void pass() {
-    in.rx = loop ? twin.tx() : host.level(clock);
+    in.rx = level ? *level : loop ? twin.tx() : host.level(clock);
     put();
     REQUIRE(bool(rtl->quiescent_o) == twin.quiescent(in));
     Gap n = 1;
     if (twin.quiescent(in)) {
       REQUIRE(rtl->next_o == twin.next());
       n = std::clamp<Gap>(twin.next(), 1, 4000);
-      if (!loop) n = static_cast<Gap>(std::clamp<std::int64_t>(host.next() - clock, 1, n));
+      if (level) n = std::min(n, most);
+      if (!loop && !level) {
+        n = static_cast<Gap>(std::clamp<std::int64_t>(host.next() - clock, 1, n));
+      }
     }
     if (n > 1) {
       twin.advance(n);
@@ -125,6 +130,95 @@ TEST_CASE("serial2002_port keeps 8 received frames and 32 to send, and counts th
   while (bench.twin.in().lost() < 3 && bench.clock < 1'000'000) bench.pass();
   CHECK(bench.rtl->lost_o == 3);
   CHECK(bench.rtl->malformed_o == 0);
+}
+
+TEST_CASE("serial2002_port agrees with its twin for any line, whatever is sent, taken and reset") {
+  Bench bench;
+  Random random(25);
+  bool fast = false;
+  for (int i = 0; i < 60'000; ++i) {
+    if (i % 5000 == 0) fast = !fast;  // else fewer are taken than come
+    if (random() % 4 == 0) bench.level = random() % 3 != 0;
+    bench.in.send = random() % 8 == 0;
+    bench.in.frame = {random() % 5, random() % 32, random() >> random() % 32};
+    bench.in.take = fast ? random() % 4 == 0 : random() % 4000 == 0;
+    bench.pass();
+    if (random() % 9000 == 0) {
+      bench.rtl.reset();
+      bench.twin.reset();
+    }
+  }
+  CHECK(bench.rtl->malformed_o > 0);
+}
+
+TEST_CASE("serial2002_port: a byte without stop bit spoils its frame alone") {
+  Bench bench;
+  bench.most = 14;  // a part of a bit
+  const auto line = [&bench](bool level, int bits) {
+    bench.level = level;
+    for (const std::int64_t end = bench.clock + 434 * bits; bench.clock < end;) bench.pass();
+  };
+  line(true, 3);
+  line(false, 10);  // 00h whose stop bit is low
+  line(true, 3);
+  CHECK(bench.rtl->malformed_o == 1);
+  CHECK(bench.rtl->waits_o == 0);
+  for (const unsigned byte : {0xCCu, 0x35u}) {
+    line(false, 1);
+    for (int k = 0; k < 8; ++k) line((byte >> k & 1u) != 0, 1);
+    line(true, 2);
+  }
+  CHECK(bench.twin.in().frame() == Frame{Frame::kValue, 21, 305});
+  CHECK(bench.rtl->malformed_o == 1);
+}
+
+TEST_CASE("serial2002_port: the count of refused frames ends at 65535") {
+  Bench bench;
+  while (bench.twin.out().lost() < 65535) {
+    bench.in.send = true;
+    bench.in.frame = {Frame::kPollBit, 1, 0};
+    bench.pass();
+  }
+  for (int k = 0; k < 40; ++k) {
+    bench.in.send = true;
+    bench.pass();
+  }
+  CHECK(bench.rtl->refused_o == 65535);
+}
+
+// A million of them, 20 s: serial2002_port_test "[.million]", in the full tier.
+TEST_CASE("serial2002_port stands a million bytes, and counts to 65535 malformed", "[.million]") {
+  Bench bench;
+  Random random(26);
+  std::int64_t sent = 0, good = 0;
+  Frame last;
+  const auto drain = [&] {
+    for (; !bench.to_send.empty() || bench.twin.in().waits(); bench.pass()) {
+      if (!bench.twin.in().waits()) continue;
+      last = bench.twin.in().frame();
+      bench.in.take = true;
+    }
+    for (const std::int64_t end = bench.clock + 6000; bench.clock < end; bench.pass()) {
+      if (!bench.twin.in().waits()) continue;
+      last = bench.twin.in().frame();
+      bench.in.take = true;
+    }
+  };
+  while (sent < 1'000'000) {
+    for (int k = 0; k < 1000; ++k, ++sent) {
+      const auto byte = static_cast<std::uint8_t>(random());
+      bench.to_send.push_back(random() % 4 != 0 ? byte | 0x80 : byte);
+    }
+    for (const int byte : {0x00, 0xCC, 0x35}) {
+      bench.to_send.push_back(static_cast<std::uint8_t>(byte));
+    }
+    drain();
+    REQUIRE(last == Frame{Frame::kValue, 21, 305});
+    ++good;
+  }
+  CHECK(good == 1000);
+  CHECK(bench.rtl->malformed_o == 65535);
+  CHECK(bench.rtl->lost_o == 0);
 }
 
 TEST_CASE("serial2002_port stands any bytes: 20 000 by the RTL, then a good frame is decoded") {

@@ -113,6 +113,31 @@ TEST_CASE("serial2002_rx agrees with its twin, and any bytes leave it ready") {
   CHECK(bench.frames == std::vector<Frame>{{Frame::kValue, 9, 42}});
 }
 
+TEST_CASE("serial2002_rx: a million bytes by the RTL, as by its twin") {
+  trammel::test::Rtl<Vserial2002_rx> rtl;
+  Serial2002Rx twin;
+  Random random(27);
+  rtl->valid_i = 0;
+  rtl.reset();
+  std::int64_t ends = 0, ended = 0;
+  for (int i = 0; i < 1'000'000; ++i) {
+    const Serial2002Rx::In in{true, random() % 300 == 0, static_cast<std::uint8_t>(random())};
+    rtl->valid_i = in.valid;
+    rtl->bad_i = in.bad;
+    rtl->byte_i = in.byte;
+    const Serial2002Rx::Out out = twin.step(in);
+    rtl.tick();
+    ends += in.byte < 0x80;
+    ended += out.valid + out.malformed;
+    const Frame& f = out.frame;
+    const bool same = bool(rtl->valid_o) == out.valid && bool(rtl->malformed_o) == out.malformed &&
+                      rtl->frame_o == (std::uint64_t{f.kind} << 37 |
+                                       std::uint64_t{f.channel} << 32 | f.value);
+    if (!same) FAIL("they differ at byte " << i);
+  }
+  CHECK(ended == ends);
+}
+
 TEST_CASE("serial2002_rx, the twin alone: a million bytes, every frame accounted for") {
   Serial2002Rx twin;
   Random random(14);

@@ -120,6 +120,7 @@ TEST_CASE("serial_line sends every byte to a host, one frame of 10 bits each") {
 
 TEST_CASE("serial_line has the byte 9.5 bits and 3 clocks behind the start bit, for one clock") {
   Bench bench;
+  CHECK(bench.rtl->byte_o == 0);
   bench.in.rx = false;
   while (bench.came.empty() && bench.clock < 20 * kBit) {
     if (bench.clock == kBit) bench.in.rx = true;
