@@ -183,6 +183,39 @@ TEST_CASE("G-01 470 mm there and back: within 4 um at 20 mm/s, 20 um at 200, no 
   }
 }
 
+// A new code is read by the cubic of the region that the code before was in, two ticks earlier: at
+// 200 mm/s up to 284 units beyond the seam, where the cubic bends away. That is no latency, for the
+// position is compared with that at the sample; its age comes on top.
+TEST_CASE("position at any speed: 4 um in the region of the code before, more behind its seam") {
+  for (const auto& [speed, beyond_um] : {std::pair{20.0, 4.0}, std::pair{50.0, 4.0},
+                                         std::pair{200.0, 9.0}, std::pair{467.0, 30.0}}) {
+    ObserverTrack track;
+    double x = 1, inside = 0, beyond = 0, aged = 0;
+    for (int k = 0; k < 8; ++k) track.tick(x, 0);
+    for (const double v : {speed, -speed}) {
+      track.tick(x, v);
+      track.tick(x, v);
+      for (const double end = x + v * 470 / speed; (end - x) * v > 0; x += v * kTick_s) {
+        const std::size_t before =
+            SincosObserver::region(static_cast<int>(track.out().phase), track.calib);
+        track.tick(x, v);
+        aged = std::max(aged, 1e3 * std::fabs(track.position_mm() - x));
+        if (!track.is_encoder) continue;
+        const int phase = static_cast<int>(std::lround(x / kUnit_mm)) & 16383;
+        const double off = 1e3 * std::fabs(track.position_mm() - x);
+        const bool same = SincosObserver::region(phase, track.calib) == before;
+        (same ? inside : beyond) = std::max(same ? inside : beyond, off);
+      }
+    }
+    CAPTURE(speed, inside, beyond, aged);
+    CHECK(inside < 4);
+    CHECK(beyond < beyond_um);
+    CHECK(aged > 1e3 * speed * kTick_s);  // a tick later it is that old
+    if (speed < 100) continue;
+    CHECK(beyond > 0.75 * beyond_um);
+  }
+}
+
 TEST_CASE("G-02 velocity: 3 % and 5 % rms of the derivative at 20 mm/s, of the phase at 600") {
   for (const double v : {20.0, -20.0, 600.0, -600.0}) {
     ObserverTrack track;
