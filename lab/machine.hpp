@@ -75,6 +75,9 @@ struct Machine {
   double vcd_bytes_s = 1e10;
   double fst_bytes_s = 1e8;
 
+  // What lets another program take part in a run, in real time, as key=value; none: nothing does.
+  std::vector<std::string> live;
+
   // A run, and what is recorded and made of it.
   std::unique_ptr<cosim::Session> (*session)(const Settings& settings, const cosim::Hooks& hooks,
                                              const cosim::Waves& waves) = nullptr;

@@ -29,6 +29,7 @@ struct Arguments {
   bool report = true;                    // report.html in the folder
   bool activity = false;                 // also of each clock domain
   bool check = false;                    // exit 1 when a figure is outside its tolerance
+  bool live = false;                     // another program takes part, in real time
   std::set<std::string> flags;           // those of a machine's verb
 };
 

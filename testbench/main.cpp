@@ -73,6 +73,9 @@ struct CommandLine {
             "native firmware, or rtl: the RTL of the chip's processor runs its binary");
     add_key(run, "--platform", "run.platform",
             "systemc, or direct: without SystemC, as twins and --cpu rtl always are");
+    run->add_flag("--serial", arguments.live,
+                  "until Ctrl-C, in real time, with another program at the machine's serial port; "
+                  "prints the port's name");
     run->add_flag("--check", arguments.check,
                   "exit 1 if a figure is outside its tolerance, 2 if none has an expected value");
 

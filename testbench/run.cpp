@@ -18,7 +18,26 @@
 
 namespace trammel::testbench {
 
+namespace {
+
+// Next to the scenario, so that all else that is asked for lies above it.
+void apply_live(lab::Settings& settings) {
+  if (settings.machine().live.empty()) {
+    std::vector<std::string> names;
+    for (const lab::Machine* machine : lab::machines()) {
+      if (!machine->live.empty()) names.push_back(machine->name);
+    }
+    throw lab::ConfigError(fmt::format(
+        "--serial: the machine {} has no port for another program; permitted: scenarios of {}",
+        settings.machine().name, fmt::join(names, ", ")));
+  }
+  for (const std::string& text : settings.machine().live) lab::apply_assignment(settings, text);
+}
+
+}  // namespace
+
 void apply_layers(lab::Settings& settings, const Arguments& arguments) {
+  if (arguments.live) apply_live(settings);
   for (const std::string& more : arguments.files) lab::apply_file(settings, more);
   lab::apply_environment(settings, lab::environment());
   for (const std::string& text : arguments.assignments) lab::apply_assignment(settings, text);

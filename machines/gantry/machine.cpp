@@ -49,6 +49,7 @@ lab::Machine describe() {
   m.triggers = triggers;
   m.vcd_bytes_s = 5e9;
   m.fst_bytes_s = 2e7;
+  m.live = {"host.serial=true", "run.time_s=3600", "run.max_s=3600", "record.every_ms=10"};
   m.columns = columns;
   m.figures = figures;
   m.verdict = verdict;

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""A program with pyserial at the simulated track: it reads the configuration, sends bytes
-that mean nothing, moves the cart, and sees it arrive in the time of the wall.
+"""A program with pyserial at the simulated track, by both verbs that give it a port: it reads the
+configuration, sends bytes that mean nothing, moves the cart, and sees it arrive in the time of the
+wall, which the stream's ticks are never ahead of.
 
 usage: serial_check.py PROGRAM FOLDER     PROGRAM: trammel; FOLDER: for the run
 """
@@ -17,6 +18,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "scripts"))
 from trammel_tools import python_tools
 
 OFFSET = 1 << 24  # of a position
+TICKS = 4612  # a second
 
 
 def frame(channel: int, value: int) -> bytes:
@@ -33,23 +35,23 @@ def frame(channel: int, value: int) -> bytes:
 class Track(unittest.TestCase):
     program, folder = "", Path()
 
-    def setUp(self):
-        self.run = subprocess.Popen(
-            [self.program, "serial", "gantry-p", "-s", "run.engine=twin", "-o", str(self.folder)],
-            stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+    def start(self, *words):
+        self.run = subprocess.Popen([self.program, *words, "-o", str(self.folder)],
+                                    stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
         words = ""
         while "serial port is" not in words:
             words = self.run.stderr.readline()
             self.assertTrue(words, "the run ended without a port")
         import serial
         self.port = serial.Serial(words.split()[-1], 115200, timeout=2)
+        self.addCleanup(self.stop)
 
-    def tearDown(self):
+    def stop(self):
         self.port.close()
         self.run.send_signal(signal.SIGINT)
-        self.code = self.run.wait(20)
+        code = self.run.wait(20)
         self.run.stderr.close()
-        self.assertEqual(self.code, 130)
+        self.assertEqual(code, 130)
 
     def value(self) -> tuple[int, int]:
         """Channel and value of the next frame."""
@@ -67,7 +69,37 @@ class Track(unittest.TestCase):
         self.assertEqual(channel, 0)
         return value - OFFSET
 
-    def test_a_program_moves_the_cart(self):
+    def test_the_verb_serial(self):
+        self.start("serial", "gantry-p", "-s", "run.engine=twin")
+        self.move()
+
+    def test_the_option_of_run_with_the_rtl_and_on_systemc(self):
+        self.start("run", "gantry-p", "--serial")
+        self.move()
+
+    def test_the_ticks_of_the_stream_are_those_of_the_wall(self):
+        self.start("run", "gantry-cascade", "--serial", "--engine", "twin", "-s",
+                   "host.stream=true")
+        began, first, last = 0.0, 0, 0
+        while last - first < 2 * TICKS:
+            channel, value = self.value()
+            if channel != 30:
+                continue
+            last = value
+            if first == 0:
+                began, first = time.monotonic(), value
+        # What waits in the port's buffer was made before.
+        self.assertGreater(time.monotonic() - began, 1.2)
+        self.assertLess(time.monotonic() - began, 40)  # on a computer that is busy
+
+    def test_a_machine_without_such_a_port_is_refused(self):
+        done = subprocess.run([self.program, "run", "circle", "--serial", "-o", self.folder],
+                              capture_output=True, text=True, check=False)
+        self.assertEqual(done.returncode, 2)
+        self.assertRegex(done.stderr, "--serial: the machine [a-z]+ has no port")
+        self.assertIn("permitted: scenarios of gantry", done.stderr)
+
+    def move(self):
         self.port.write(b"\x7f")
         words = [self.value() for _ in range(23)]
         if words[0] == (9, 42):  # the reset message, where opening the port did not drop it

@@ -13,9 +13,8 @@ namespace {
 int serial(const testbench::Arguments& arguments, std::atomic<bool>& stop) {
   testbench::Arguments run = arguments;
   if (run.scenario.empty()) run.scenario = "gantry-cascade";
-  const std::vector<std::string> ours{"host.serial=true", "run.time_s=3600", "run.max_s=3600",
-                                      "name=serial", "record.every_ms=10"};
-  run.assignments.insert(run.assignments.begin(), ours.begin(), ours.end());
+  run.assignments.insert(run.assignments.begin(), "name=serial");
+  run.live = true;
   return testbench::run(run, stop);
 }
 
