@@ -40,6 +40,10 @@ const lab::ColumnTable& columns() {
           [](const At& at) { return static_cast<double>(at.sample.phase); });
     t.add({"angle", "", 1, {}, "angle within the stripe period, 2^14 a period"},
           [](const At& at) { return static_cast<double>(at.sample.words.phase); });
+    t.add({"sensor_a_code", "", 1, {}, "A as the sensor has it"},
+          [](const At& at) { return static_cast<double>(at.sample.stripes[0]); });
+    t.add({"sensor_b_code", "", 1, {}, "B as the sensor has it"},
+          [](const At& at) { return static_cast<double>(at.sample.stripes[1]); });
     t.add({"a_code", "", 1, {}, "last code of A"},
           [](const At& at) { return static_cast<double>(at.sample.words.codes[0]); });
     t.add({"b_code", "", 1, {}, "last code of B"},

@@ -12,18 +12,34 @@
 namespace trammel::gantry {
 namespace {
 
-// Overshoots that the thesis prints, of its scenarios [% of the step].
+// What the thesis shows of the experiment of a scenario: its figure, in words, and the overshoot
+// where it prints one [% of the step], else below 0.
 struct Published {
   const char* scenario;
+  int figure;
+  const char* says;
   double percent;
-  const char* source;
 };
-constexpr Published kPublished[] = {{"gantry-p", 0.26, "Brochier 2006, figure 36"},
-                                    {"gantry-pi", 45, "Brochier 2006, figure 37"},
-                                    {"gantry-pi-cancel", 4.5, "Brochier 2006, figure 38"},
-                                    {"gantry-pi-aw", 0.65, "Brochier 2006, figure 39"},
-                                    {"gantry-cascade-30", 0, "Brochier 2006, figure 52"},
-                                    {"gantry-cascade", 0, "Brochier 2006, figure 55"}};
+constexpr Published kPublished[] = {
+    {"gantry-min-force", 35, "stops short of the reference", -1},
+    {"gantry-p", 36, "overshoot of 0.26 %", 0.26},
+    {"gantry-pi", 37, "overshoot of 45 %", 45},
+    {"gantry-pi-cancel", 38, "overshoot of 4.5 %", 4.5},
+    {"gantry-pi-aw", 39, "overshoot of 0.65 %", 0.65},
+    {"gantry-pi-linear", 41, "a small overshoot, less with a larger TI", -1},
+    {"gantry-friction", 47, "some oscillation, then smooth through the friction zones", -1},
+    {"gantry-cascade-30", 52, "no overshoot", 0},
+    {"gantry-cascade-k10", 53, "the small step overshoots", -1},
+    {"gantry-cascade-k11", 54, "oscillates", -1},
+    {"gantry-cascade", 55, "no overshoot, slower than P", 0},
+    {"gantry-backlash", 59, "faster with compensation, no overshoot", 0}};
+
+const Published* published(const std::string& scenario) {
+  for (const Published& one : kPublished) {
+    if (scenario == one.scenario) return &one;
+  }
+  return nullptr;
+}
 
 double mm(const Options& options, const Sample& s) { return 1e3 * s.x - options.zero_mm; }
 
@@ -76,10 +92,9 @@ std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult
   add(figure("step.overshoot_mm", "step", "overshoot", f.overshoot_mm, "mm", 3));
   lab::Figure percent = figure("step.overshoot_percent", "step", "overshoot of the step",
                                step > 0 ? 100 * f.overshoot_mm / step : 0, "%", 2);
-  for (const Published& one : kPublished) {
-    if (options.scenario != one.scenario) continue;
-    percent.printed = one.percent;
-    percent.source = one.source;
+  if (const Published* one = published(options.scenario); one != nullptr && one->percent >= 0) {
+    percent.printed = one->percent;
+    percent.source = fmt::format("Brochier 2006, figure {}", one->figure);
   }
   add(percent, "Overshoot");
   add(figure("step.arrive_s", "step", "until within the band", f.arrive_s, "s", 3), "Arrived");
@@ -100,6 +115,9 @@ std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult
 std::vector<std::string> remarks(const lab::Record& record) {
   const Result& result = result_of(record);
   std::vector<std::string> lines;
+  if (const Published* one = published(options_of(record).scenario)) {
+    lines.push_back(fmt::format("Brochier 2006, figure {}: {}", one->figure, one->says));
+  }
   if (options_of(record).firmware.home) {
     lines.push_back(result.homed ? "homed" : "homing did not end");
   }
@@ -117,6 +135,11 @@ std::vector<std::string> remarks(const lab::Record& record) {
 
 void add_metrics(const lab::Record& record, nlohmann::ordered_json& json) {
   json["homed"] = result_of(record).homed;
+  auto& source = json["published"] = nlohmann::ordered_json::object();
+  if (const Published* one = published(options_of(record).scenario)) {
+    source["figure"] = one->figure;
+    source["says"] = one->says;
+  }
   auto& words = json["calibration"] = nlohmann::ordered_json::array();
   for (const std::uint16_t word : result_of(record).store) words.push_back(word);
 }

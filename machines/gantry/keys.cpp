@@ -26,6 +26,10 @@ void add_firmware(Table& t) {
   t.one("boot.home_ticks", 100, 1e6, "the position unchanged for so long is zero",
         TRAMMEL_LENS(firmware.home_ticks));
   t.one("boot.fit_force", 100, 1023, "of the calibration run", TRAMMEL_LENS(firmware.fit_force));
+  t.one("monitor.stall_ticks", 0, 1e6, "a force and no motion for so long turns all off; 0: never",
+        TRAMMEL_LENS(firmware.stall_ticks));
+  t.one("monitor.sensor", 0, 0, "A and B lie on a circle of 250 to 520 codes, else off",
+        TRAMMEL_LENS(firmware.watch_sensor));
   t.one("control.pass_ms", 0.5, 50, "from one control pass to the next", TRAMMEL_LENS(pass_ms));
   t.one("control.cascade", 0, 0, "the position asks for a velocity that a PI keeps",
         TRAMMEL_LENS(firmware.cascade));

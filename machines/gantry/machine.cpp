@@ -56,6 +56,7 @@ lab::Machine describe() {
   m.remarks = remarks;
   m.metrics = add_metrics;
   m.page.arrays = {"/calibration"};
+  m.page.objects = {"/published"};
   return m;
 }
 

@@ -20,6 +20,7 @@ struct Sample {
   double x = 0, v = 0;               // [m], [m/s] of the cart
   std::array<double, 2> motor{};     // [m] from the cart
   std::array<double, 2> force{};     // [count] of the motors, positive: the position increases
+  std::array<int, 2> stripes{};      // codes of A and B that the sensor has
   std::array<int, 2> flank{};        // of each gear wheel that pushes; 0: within the backlash
   std::int32_t error = 0, goal = 0, zero = 0;  // [count]
   std::int32_t velocity = 0;         // filtered

@@ -63,9 +63,19 @@ cosim::Plant& Session::seen() {
 // What chip and program have seen of a fault.
 std::string Session::noticed() const {
   const Words words = chip_->words();
+  if (app_.mailbox().failure != 0) return failure();
   if (words.malformed > 0) return "malformed frame";
   if (app_.unknown() > 0) return "unknown channel";
-  if (app_.mailbox().failure != 0) return "calibration";
+  return "";
+}
+
+std::string Session::failure() const {
+  switch (static_cast<sw::GantryFailure>(app_.mailbox().failure)) {
+    case sw::GantryFailure::kFitFailed: return "the calibration run was no steady motion";
+    case sw::GantryFailure::kStalled: return "a force and no motion";
+    case sw::GantryFailure::kSensor: return "A and B are not on their circle";
+    case sw::GantryFailure::kNone: break;
+  }
   return "";
 }
 
@@ -126,6 +136,7 @@ Sample Session::sample_at(cosim::Clk edge) const {
   sample.motor = {s.x[plant::BeltState::kMotor1] - sample.x,
                   s.x[plant::BeltState::kMotor2] - sample.x};
   sample.force = s.force;
+  sample.stripes = {plant_.sample(kA, edge), plant_.sample(kB, edge)};
   sample.flank = {axis.flank(plant::BeltState::kMotor1), axis.flank(plant::BeltState::kMotor2)};
   sample.error = app_.error();
   sample.goal = app_.goal();
@@ -144,7 +155,12 @@ std::optional<cosim::EndReason> Session::end_after(cosim::Clk edge) {
     hooks_.progress(std::min(1.0, now / options_.time_s));
   }
   if (hooks_.stopped()) return cosim::EndReason::kStopped;
-  if (app_.mailbox().failure != 0) return cosim::EndReason::kFault;
+  if (app_.mailbox().failure != 0) {  // the way to rest is of the record
+    if (!failed_s_) failed_s_ = now;
+    constexpr double kAtRest = 1e-4, kLongest = 1;  // [m/s], [s]
+    const double v = plant_.axis().state().v[plant::BeltState::kCart];
+    if (std::fabs(v) < kAtRest || now > *failed_s_ + kLongest) return cosim::EndReason::kFault;
+  }
   if (now < options_.time_s) return {};
   return cosim::EndReason::kDone;
 }
@@ -153,7 +169,10 @@ std::unique_ptr<cosim::RunResult> Session::result() {
   auto result = std::make_unique<Result>();
   result->samples = std::move(samples_);
   result->end = end_;
-  if (app_.mailbox().failure != 0) result->fault = "the calibration run was no steady motion";
+  if (app_.mailbox().failure != 0) {
+    result->fault = failure();
+    result->end = cosim::EndReason::kFault;
+  }
   const Words words = chip_->words();
   result->heard = plant_.heard();
   result->passes = app_.mailbox().point;

@@ -39,6 +39,7 @@ class Session final : public cosim::Session, private cosim::Observer, private co
   std::optional<cosim::EndReason> end_after(cosim::Clk edge);
   cosim::Plant& seen();
   std::string noticed() const;
+  std::string failure() const;
 
   Options options_;
   cosim::Hooks hooks_;
@@ -53,6 +54,7 @@ class Session final : public cosim::Session, private cosim::Observer, private co
   cosim::EventHash hash_;
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
   cosim::EndReason end_ = cosim::EndReason::kTimeout;
+  std::optional<double> failed_s_;
   bool over_ = false;
 };
 

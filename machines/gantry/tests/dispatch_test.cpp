@@ -4,98 +4,15 @@
 // remembers (Brochier 2006, 2.2.3; channels 11 to 13, 21, 22 and 31).
 #include <catch2/catch.hpp>
 #include <cstdint>
-#include <deque>
-#include <map>
 #include <vector>
 
-#include "rtl/chips/generated/gantry_tau_regs.hpp"
-#include "sw_nios/apps/gantry/gantry.hpp"
-#include "sw_nios/apps/gantry/gantry_map.hpp"
+#include "machines/gantry/tests/fake_chip.hpp"
+#include "models/exact/bus/serial2002_rx.hpp"
 #include "sw_nios/apps/gantry/protocol.hpp"
+#include "tests/support/random.hpp"
 
 using namespace trammel;
-namespace regs = gantry_tau_regs;
-
-namespace {
-
-struct Frame {
-  std::uint32_t kind, channel, value;
-  bool operator==(const Frame& o) const {
-    return kind == o.kind && channel == o.channel && value == o.value;
-  }
-};
-constexpr std::uint32_t kClearBit = 0, kSetBit = 1, kPollBit = 2, kPoll = 3, kValue = 4;
-
-std::ostream& operator<<(std::ostream& to, const Frame& f) {
-  return to << "kind " << f.kind << ", channel " << f.channel << ", value " << f.value;
-}
-
-// The chip as its firmware sees it: frames that wait, frames sent, and words.
-struct FakeChip final : sw::Bus {
-  std::map<std::uint32_t, std::uint32_t> words{{regs::kSendState, 40}, {regs::kSlots, 0x1'0002}};
-  std::deque<Frame> waiting;
-  std::vector<Frame> sent;
-  std::vector<std::uint32_t> calibrated;
-  std::map<std::uint32_t, int> writes;
-
-  std::uint32_t read(std::uint32_t address) override {
-    if (address == regs::kReceive) {
-      if (waiting.empty()) return 0;
-      return regs::kReceiveWaits | waiting.front().kind << 8 | waiting.front().channel;
-    }
-    if (address == regs::kReceiveValue) return waiting.front().value;
-    return words[address];
-  }
-  void write(std::uint32_t address, std::uint32_t data) override {
-    ++writes[address];
-    if (address == regs::kReceive) {
-      REQUIRE(data == regs::kReceiveTake);
-      waiting.pop_front();
-    } else if (address == regs::kSend) {
-      const std::uint32_t kind = data >> 8;
-      sent.push_back({kind, data & 31, kind == kValue ? words[regs::kSendValue] : 0});
-    } else if (address == regs::kCalibrate) {
-      calibrated.push_back(data);
-    } else if (address != regs::kStatus) {  // its bits are cleared by writing
-      words[address] = data;
-    }
-  }
-};
-
-struct Track {
-  FakeChip chip;
-  sw::GantryApp app;
-
-  explicit Track(const sw::GantrySetup& setup = {}) : app(setup) {
-    app.start(chip);
-    chip.sent.clear();
-    chip.writes.clear();
-  }
-  void interrupt(std::uint32_t status) {
-    chip.words[sw::gantry_map::kIrq] = sw::gantry_map::kIrqChip;
-    chip.words[regs::kStatus] = status;
-    app.isr(chip);
-  }
-  std::vector<Frame> tell(std::vector<Frame> frames) {
-    chip.sent.clear();
-    chip.waiting.assign(frames.begin(), frames.end());
-    interrupt(regs::kStatusFrame);
-    return chip.sent;
-  }
-  // A control pass with the cart there [count], so many ticks behind the last one.
-  void pass(std::int32_t count, std::uint32_t ticks = 9, bool known = true) {
-    chip.words[regs::kTicks] += ticks;
-    chip.words[regs::kAngle] = known ? regs::kAngleKnown : 0;
-    chip.words[regs::kPosition] = static_cast<std::uint32_t>(count * 512);
-    interrupt(regs::kStatusPass);
-  }
-  std::int32_t force(std::uint32_t motor) {
-    const std::uint32_t bits = chip.words[motor == 1 ? regs::kForce1 : regs::kForce2];
-    return static_cast<std::int32_t>(bits ^ 0x400) - 0x400;
-  }
-};
-
-}  // namespace
+using namespace trammel::gantry_test;
 
 TEST_CASE("gantry: at boot the reset message goes out, an interrupt of the timer is nothing") {
   FakeChip chip;
@@ -162,6 +79,43 @@ TEST_CASE("gantry: channel 11 restarts the observer only where its mask changes"
   track.tell({{kValue, 11, 0xFF01}});
   CHECK(track.chip.writes[regs::kObserver] == 1);
   CHECK(track.chip.words[regs::kObserver] == 0x01);
+}
+
+TEST_CASE("gantry: with the observer its position is gone: the motors rest until there is a goal") {
+  Track track;
+  track.tell({{kValue, 21, 305}});
+  track.pass(100);
+  CHECK(track.force(1) == -1023);
+  track.pass(100, 9, false);  // it has not seen its first period
+  CHECK(track.force(1) == 0);
+  CHECK(track.force(2) == 0);
+  track.pass(100);
+  CHECK(track.force(1) == -1023);
+  track.tell({{kValue, 11, 0x00}});
+  CHECK(track.force(1) == 0);
+  CHECK(track.app.phase() == sw::GantryPhase::kIdle);
+  track.tell({{kValue, 11, 0x11}});
+  track.pass(3);
+  CHECK(track.force(1) == 0);
+  track.tell({{kValue, 21, 10}});
+  track.pass(3);
+  CHECK(track.force(2) < 0);
+}
+
+TEST_CASE("gantry: homing goes on where the observer was restarted") {
+  sw::GantrySetup setup;
+  setup.home = true;
+  Track track(setup);
+  track.pass(100);
+  CHECK(track.force(1) == 0x150);
+  track.tell({{kValue, 11, 0x01}});
+  CHECK(track.force(1) == 0);
+  CHECK(track.app.phase() == sw::GantryPhase::kHoming);
+  track.pass(7);
+  CHECK(track.force(1) == 0x150);
+  track.pass(7, setup.home_ticks);
+  CHECK(track.app.homed());
+  CHECK(track.app.zero() == 7);
 }
 
 TEST_CASE("gantry: channel 12 sets the slots of the observer or of the requester") {
@@ -290,4 +244,61 @@ TEST_CASE("gantry: a velocity that falls far short winds nothing up, in either s
     sw::VelocityPi::step(config, state, 0, sign * 10 * (1 << config.gain));
     CHECK(state.sum == sign * (config.aw_limit - 10));
   }
+}
+
+TEST_CASE("gantry: of a million bytes each frame is answered, taken or counted, and none hangs") {
+  Track track;
+  test::Random random(28);
+  exact::Serial2002Rx line;
+  std::int64_t frames = 0, malformed = 0, ends = 0;
+  const auto send = [&](std::uint32_t byte) {
+    const auto out = line.step({true, random() % 1000 == 0, static_cast<std::uint8_t>(byte)});
+    ends += byte < 0x80;
+    malformed += out.malformed;
+    if (!out.valid) return;
+    ++frames;
+    const exact::Frame& f = out.frame;
+    const std::uint32_t unknown = track.app.unknown();
+    track.tell({{f.kind, f.channel, f.value}});
+    const bool counted = track.app.unknown() == unknown + 1;
+    const std::uint32_t command = f.value >> 2 & 15, client = f.value & 3;
+    bool known = false;
+    std::size_t answers = 0;
+    if (f.kind == kPollBit) {
+      known = f.channel < 2;
+      answers = known;
+    } else if (f.kind == kPoll) {
+      known = f.channel <= 6 || f.channel == 31;
+      answers = f.channel == 0 || f.channel == 4 ? 1 : f.channel == 31 ? 23 : 0;
+    } else if (f.kind == kValue) {
+      known = f.channel == 11 || f.channel == 21 || f.channel == 22 ||
+              (f.channel == 12 && client % 2 == 0 && f.value >> 2 < 255) ||
+              (f.channel == 13 && (command == 1 || command == 2 || command == 3 || command == 7));
+    }
+    const bool fine = counted != known && track.app.unknown() - unknown <= 1 &&
+                      track.chip.sent.size() == answers && track.chip.waiting.empty();
+    if (!fine) FAIL("kind " << f.kind << ", channel " << f.channel << ", value " << f.value);
+  };
+  for (int k = 0; k < 1'000'000; ++k) {
+    send(random() % 4 == 0 ? random() & 0x7F : random() & 0xFF);
+    if (k % 50 == 0) {  // what the host did meets what the track does
+      track.chip.words[regs::kVelocity] = random() % 400'000 - 200'000;
+      track.pass(static_cast<std::int32_t>(random() % 4000) - 500, 9, random() % 50 != 0);
+      track.chip.words[regs::kRequest] = 0;
+      track.interrupt(regs::kStatusSample);
+      const std::int32_t one = track.force(1), two = track.force(2);
+      if (one < -1023 || two < -1023) FAIL("forces of " << one << " and " << two);
+    }
+    if (k % 1000 == 0) {
+      for (const std::uint32_t byte : {0x00u, 0xCCu, 0x35u}) {
+        line.step({true, false, static_cast<std::uint8_t>(byte)});
+      }
+      REQUIRE(line.out().valid);
+      track.tell({{line.out().frame.kind, line.out().frame.channel, line.out().frame.value}});
+      REQUIRE(track.app.goal() == 1952);
+    }
+  }
+  CHECK(frames + malformed >= ends);
+  CHECK(frames > 300'000);
+  CHECK(track.app.mailbox().failure == 0);
 }

@@ -10,6 +10,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "tests" / "support"))
+import browser
 import report_pages
 
 SHORT = ["--engine", "twin", "-s", "run.time_s=2"]
@@ -20,12 +21,13 @@ class Page(report_pages.ReportPages):
         "p": ["run", "gantry-p", *SHORT],
         "cascade": ["run", "gantry-cascade", *SHORT],
         "aw": ["run", "gantry-pi-aw", *SHORT],
+        "fitted": ["run", "gantry-calibrate", "--engine", "twin"],
     }
     compared = ("p", "cascade", "aw")
     values = {"p": {"t_s": 1e-8, "x_mm": 1e-4, "v_mm_s": 1e-2, "position_mm": 1e-4,
                     "filtered_mm_s": 1e-2, "m1_u_count": 0, "m2_u_count": 0}}
     least_plots = 6
-    least_saved = 6
+    least_saved = 9
 
     def test_the_calibration_and_the_published_figure_are_shown(self):
         self.open("p")
@@ -34,6 +36,43 @@ class Page(report_pages.ReportPages):
             self.assertIn(coefficient, cubics)
         figures = self.driver.find_element("id", "figures").text
         self.assertIn("Brochier 2006, figure 36", figures)
+        self.assertIn("figure 36: overshoot of 0.26 %",
+                      self.driver.find_element("id", "motion").text)
+
+    def chips(self, name):
+        self.open(name)
+        return self.driver.find_element("css selector", ".head-title").text
+
+    def test_controller_and_figure_stand_beside_the_title(self):
+        for name, words in (("p", "P, K = 3"), ("p", "figure 36"), ("cascade", "cascade, K = 9"),
+                            ("cascade", "figure 55"), ("aw", "PI, anti-windup, TI = 12")):
+            self.assertIn(words, self.chips(name))
+            self.assertNotIn("none", self.chips(name))
+
+    def test_the_sensor_is_a_circle_and_each_region_has_its_cubic(self):
+        self.open("fitted")
+        for plot, least in (("portrait", 1000), ("cubics", 4), ("cubics-off", 4)):
+            shapes = self.js("return Trammel.svgText(Trammel.plots.find((p) => p.id === "
+                             "arguments[0]))", plot)
+            self.assertGreaterEqual(shapes.count("<circle") + shapes.count("<path"), least, plot)
+            self.assertNotIn("NaN", shapes)
+        rows = self.rows("fitted")
+        radii = [((int(row["sensor_a_code"]) - 512) ** 2 + (int(row["sensor_b_code"]) - 512) ** 2)
+                 ** 0.5 for row in rows]
+        self.assertGreater(min(radii), 370)
+        self.assertLess(max(radii), 430)
+
+    def test_runs_lie_over_each_other_beside_what_the_thesis_has(self):
+        browser.open_page(self.driver, self.folder / "compare.html")
+        table = self.driver.find_element("id", "published").text
+        for words in ("figure 36", "overshoot of 0.26 %", "figure 39", "overshoot of 0.65 %",
+                      "cascade, K = 9", "no overshoot, slower than P"):
+            self.assertIn(words, table)
+        top = self.js("const p = Trammel.time.plots.find((one) => one.id === 'response'); "
+                      "return p.uplot.data.slice(1).map((s) => Math.max(...s))")
+        self.assertEqual(len(top), 3)
+        for value in top:
+            self.assertTrue(99 < value < 102, top)
 
 
 if __name__ == "__main__":

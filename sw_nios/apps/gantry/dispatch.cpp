@@ -65,9 +65,7 @@ void GantryApp::set(Bus& bus, std::uint32_t channel, std::uint32_t value) {
   switch (channel) {
     case channel_of::kObserve: {
       const std::uint32_t mask = value & (tau::kObserverActive | tau::kObserverVelocity);
-      if (fitting || mask == observed_) return;  // a write restarts the observer
-      observed_ = mask;
-      bus.write(tau::kObserver, mask);
+      if (!fitting && mask != observed_) observe(bus, mask);  // a write restarts the observer
       return;
     }
     case channel_of::kSlots: {

@@ -13,6 +13,8 @@ namespace tau = gantry_tau_regs;
 constexpr std::int32_t kFitFrom_mm = 80;             // 40 mm before the first period that is used
 constexpr std::uint32_t kFitWait = 4612;             // [tick]
 constexpr std::uint32_t kObserveAll = tau::kObserverActive | tau::kObserverVelocity;
+constexpr std::int32_t kStallForce = 160;            // [count] above stiction in a zone, 118
+constexpr std::int32_t kLeastRadius = 250, kMostRadius = 520;  // [code] of A and B at 0.5 m/s
 
 std::int32_t counts_of(std::int32_t mm) { return mm * 32 / 5; }
 std::uint32_t bits(std::int32_t force) { return static_cast<std::uint32_t>(force) & 0x7FF; }
@@ -55,6 +57,7 @@ void GantryApp::pass(Bus& bus) {
   const std::uint32_t ticks = bus.read(tau::kTicks);
   if ((bus.read(tau::kAngle) & tau::kAngleKnown) == 0) {
     last_tick_ = ticks;
+    if (forces_.one != 0 || forces_.two != 0) go(bus, {0, 0});
     return;
   }
   units_ = static_cast<std::int32_t>(bus.read(tau::kPosition));
@@ -63,8 +66,9 @@ void GantryApp::pass(Bus& bus) {
   if (!seen_) {
     seen_ = true;
     still_count_ = count_;
-    still_tick_ = last_tick_ = ticks;
+    still_tick_ = last_tick_ = moved_tick_ = ticks;
   }
+  if (failed(bus, ticks)) return;
   if (phase_ == GantryPhase::kHoming) {
     home(bus, count_, ticks);
   } else if (phase_ == GantryPhase::kToFit) {
@@ -131,12 +135,48 @@ void GantryApp::end_fit(Bus& bus) {
     for (const std::uint16_t word : words_) bus.write(tau::kCalibrate, 2u << 16 | word);
     bus.write(tau::kCalibrate, 7u << 16);
   }
-  observed_ = kObserveAll;
-  bus.write(tau::kObserver, observed_);
+  observe(bus, kObserveAll);
+  if (c_.home && fitted_) phase_ = GantryPhase::kHoming;
+}
+
+// A restart of the observer: the position counts anew from its first period, so that what was
+// wanted is not there any more, and the motors rest until there is a new goal or homing has ended.
+void GantryApp::observe(Bus& bus, std::uint32_t mask) {
+  observed_ = mask;
+  bus.write(tau::kObserver, mask);
+  go(bus, {0, 0});
   zero_ = 0;
   seen_ = homed_ = false;
   filter_ = {};
-  if (c_.home && fitted_) phase_ = GantryPhase::kHoming;
+  if (phase_ != GantryPhase::kHoming) phase_ = GantryPhase::kIdle;
+}
+
+// What is watched of sensor and motion, where it is.
+bool GantryApp::failed(Bus& bus, std::uint32_t ticks) {
+  if (mail_.failure != 0) return true;
+  if (c_.watch_sensor) {
+    const auto a = static_cast<std::int32_t>(bus.read(tau::kEncoderA) & 0x3FF) - 512;
+    const auto b = static_cast<std::int32_t>(bus.read(tau::kEncoderB) & 0x3FF) - 512;
+    const std::int32_t square = a * a + b * b;
+    if (square < kLeastRadius * kLeastRadius || square > kMostRadius * kMostRadius) {
+      fail(bus, GantryFailure::kSensor);
+    }
+  }
+  const std::int32_t sum = forces_.one + forces_.two;
+  if (count_ != moved_count_ || within(sum, 2 * kStallForce) == sum ||
+      phase_ == GantryPhase::kHoming) {
+    moved_count_ = count_;
+    moved_tick_ = ticks;
+  } else if (c_.stall_ticks != 0 && ticks - moved_tick_ >= c_.stall_ticks) {
+    fail(bus, GantryFailure::kStalled);
+  }
+  return mail_.failure != 0;
+}
+
+void GantryApp::fail(Bus& bus, GantryFailure why) {
+  go(bus, {0, 0});
+  phase_ = GantryPhase::kIdle;
+  mail_.failure = static_cast<std::uint32_t>(why);
 }
 
 MotorForces GantryApp::control(std::uint32_t ticks) {
@@ -155,6 +195,7 @@ MotorForces GantryApp::control(std::uint32_t ticks) {
 }
 
 void GantryApp::go(Bus& bus, MotorForces forces) {
+  forces_ = forces;
   bus.write(tau::kForce1, bits(forces.one));
   bus.write(tau::kForce2, bits(forces.two));
 }

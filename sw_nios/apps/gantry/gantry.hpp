@@ -23,13 +23,15 @@ struct GantrySetup {
   std::int32_t home_force = 0x150;
   std::uint32_t home_ticks = 20'000;      // the position unchanged for so long is zero
   std::int32_t fit_force = 0x150;
+  std::uint32_t stall_ticks = 0;          // a force and no motion for so long; 0: not watched
+  bool watch_sensor = false;              // A and B must lie on a circle
   PositionPi::Config position;
   VelocityPi::Config velocity;
   Compensation compensation;
 };
 
 enum class GantryPhase : std::uint8_t { kIdle, kHoming, kToFit, kFitting, kPosition, kVelocity };
-enum class GantryFailure : std::uint32_t { kNone, kFitFailed };
+enum class GantryFailure : std::uint32_t { kNone, kFitFailed, kStalled, kSensor };
 
 class GantryApp final : public Firmware {
  public:
@@ -58,6 +60,9 @@ class GantryApp final : public Firmware {
   void begin_fit(Bus& bus);
   void collect(Bus& bus);
   void end_fit(Bus& bus);
+  void observe(Bus& bus, std::uint32_t mask);
+  bool failed(Bus& bus, std::uint32_t ticks);
+  void fail(Bus& bus, GantryFailure why);
   MotorForces control(std::uint32_t ticks);
   void go(Bus& bus, MotorForces forces);
 
@@ -79,7 +84,9 @@ class GantryApp final : public Firmware {
   CalibrationWords words_{};
   std::int32_t count_ = 0, units_ = 0, zero_ = 0, goal_ = 0, error_ = 0, goal_velocity_ = 0;
   std::int32_t still_count_ = 0;
-  std::uint32_t still_tick_ = 0, last_tick_ = 0;
+  std::uint32_t still_tick_ = 0, last_tick_ = 0, moved_tick_ = 0;
+  std::int32_t moved_count_ = 0;
+  MotorForces forces_;                    // as last written
   std::uint32_t observed_ = 0x11;  // as last written
   std::uint32_t asked_ = 0;        // conversions that the host waits for, bit = channel
   std::uint32_t described_ = UINT32_MAX;  // configuration words sent

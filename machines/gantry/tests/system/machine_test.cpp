@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <vector>
+
+#include <fmt/format.h>
 
 #include "lab/record.hpp"
 #include "lab/scenarios.hpp"
@@ -153,6 +156,27 @@ TEST_CASE("G-10 backlash: +112 and -112 at rest, a count of overshoot, the cart 
   CHECK(began[1] < began[0]);
 }
 
+// What keeps K = 11 from oscillating here is dry friction; README.md has the figures.
+TEST_CASE("K = 11 of the cascade oscillates with backlash, less friction or a later sensor") {
+  Options options = built_in("gantry-cascade-30");
+  options.firmware.cascade_gain = 11;
+  options.time_s = 6;
+  CHECK(step_of(options).swing_mm < 0.01);
+  Options backlash = options, smooth = options, late = options, ten = options;
+  backlash.axis.gap = 1.5e-4;
+  smooth.axis.coulomb = 44;
+  smooth.axis.stiction = 47;
+  late.axis.delay = 10e-3;
+  ten.axis.delay = 10e-3;
+  ten.firmware.cascade_gain = 9;
+  CHECK(step_of(backlash).swing_mm == Approx(5.6).margin(1));
+  CHECK(step_of(smooth).swing_mm == Approx(8.3).margin(1));
+  CHECK(step_of(late).swing_mm == Approx(10.1).margin(1));
+  const StepFigures calm = step_of(ten);
+  CHECK(calm.overshoot_mm < kCount_mm);
+  CHECK(calm.swing_mm < 0.01);
+}
+
 TEST_CASE("G-13 power-on: the reset message first, then to the right stop, and zero is there") {
   const Options options = built_in("gantry-home", cosim::Engine::kRtl);
   const Result result = done(options);
@@ -206,6 +230,35 @@ TEST_CASE("G-16 PI with a cancelled sum: 4.5 % within a point for TI of 5, 7, 10
   }
 }
 
+TEST_CASE("a converter that sticks or browns out, no supply: noticed where it is watched") {
+  Options options = built_in("gantry-p");
+  options.time_s = 1;
+  options.fault.kind = cosim::FaultKind::kConverterStuck;  // A, at 0.3 s
+  options.fault.begin_s = 0.3;
+  const Result blind = lab::simulate(options);
+  CHECK(blind.end == cosim::EndReason::kDone);
+  options.firmware.stall_ticks = 230;
+  const Result stuck = lab::simulate(options);
+  CHECK(stuck.end == cosim::EndReason::kFault);
+  CHECK(stuck.fault == "a force and no motion");
+  CHECK(std::fabs(stuck.samples.back().v) < 1e-3);  // it came to rest
+  CHECK(stuck.samples.back().x < 0.3);
+  options.firmware.stall_ticks = 0;
+  options.firmware.watch_sensor = true;
+  options.fault.kind = cosim::FaultKind::kConverterSaturated;
+  options.fault.value = -1;
+  const Result brown = lab::simulate(options);
+  CHECK(brown.end == cosim::EndReason::kFault);
+  CHECK(brown.fault == "A and B are not on their circle");
+  options.fault.kind = cosim::FaultKind::kSupplyDip;
+  options.fault.value = 0;
+  options.fault.begin_s = 0.05;
+  options.firmware.watch_sensor = false;
+  options.firmware.stall_ticks = 460;
+  const Result still = lab::simulate(options);
+  CHECK(still.fault == "a force and no motion");
+}
+
 TEST_CASE("the calibration run fits a sensor with errors of 2 %, the next step ends there") {
   const Options options = built_in("gantry-calibrate");
   const Result result = done(options);
@@ -214,6 +267,32 @@ TEST_CASE("the calibration run fits a sensor with errors of 2 %, the next step e
   const Sample last = result.samples.back();
   CHECK(std::abs(last.error) <= 2);
   CHECK(1e3 * last.x + 2 == Approx(305).margin(0.5));
+}
+
+// The line, the chip and the firmware: gantry.long, in the full tier.
+TEST_CASE("a million bytes of any kind, then the track does as it is told", "[.million]") {
+  Options options = built_in("gantry-p", cosim::Engine::kRtl);
+  std::string bytes;
+  std::uint64_t state = 29;
+  for (int k = 0; k < 1'000'000; ++k) {
+    state = state * 6364136223846793005u + 1442695040888963407u;
+    const auto any = static_cast<unsigned>(state >> 33);
+    bytes += fmt::format("{:02X}", any % 5 == 0 ? any >> 8 & 0x7F : any >> 8 & 0xFF);
+  }
+  // Then the end of a frame, the whole observer, and a place.
+  options.sends = "0.05:x" + bytes + "00 90:11=17 90.1:12=8 90.2:12=6 91:21=2 93:0?";
+  options.time_s = 93.1;
+  options.run.max_s = 100;
+  options.record_ms = 10;
+  const Result result = lab::simulate(options);
+  CHECK(result.end == cosim::EndReason::kDone);
+  CHECK_FALSE(result.promise);
+  CHECK(result.malformed > 5'000);
+  CHECK(result.unknown > 100'000);
+  CHECK(result.heard.size() > 100'000);
+  CHECK((result.heard.back() & 31u) == 0);  // the answer to the poll
+  CHECK(std::abs(result.samples.back().error) <= 2);
+  CHECK(std::equal(result.store.begin(), result.store.end(), gantry::ideal_store().begin()));
 }
 
 TEST_CASE("gantry: every wiring gives the events of the leaping RTL, --audit finds no difference") {
