@@ -186,6 +186,22 @@ TEST_CASE("serial2002_port: the count of refused frames ends at 65535") {
   CHECK(bench.rtl->refused_o == 65535);
 }
 
+TEST_CASE("serial2002_port: so does that of malformed ones") {
+  Bench bench;
+  bench.most = 4000;
+  const auto line = [&bench](bool level, int bits) {
+    bench.level = level;
+    for (const std::int64_t end = bench.clock + 434 * bits; bench.clock < end;) bench.pass();
+  };
+  line(true, 3);
+  for (int k = 1; k <= 65'540; ++k) {
+    line(false, 10);  // without a stop bit
+    line(true, 1);
+    if (bench.twin.malformed() != static_cast<std::uint32_t>(std::min(k, 65535))) FAIL("after " << k << " bytes");
+  }
+  CHECK(bench.rtl->malformed_o == 65535);
+}
+
 // A million of them, 20 s: serial2002_port_test "[.million]", in the full tier.
 TEST_CASE("serial2002_port stands a million bytes, and counts to 65535 malformed", "[.million]") {
   Bench bench;
