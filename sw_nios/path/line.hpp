@@ -17,7 +17,11 @@ class Line {
     std::uint32_t ticks = 500;  // per pass
   };
 
-  constexpr Line(const Setup& setup, std::uint32_t passes) : setup_(setup), passes_(passes) {}
+  constexpr Line(const Setup& setup, std::uint32_t passes)
+      : setup_(setup),
+        step_{Segment::part(setup.to.x - setup.from.x, setup.ticks),
+              Segment::part(setup.to.y - setup.from.y, setup.ticks)},
+        passes_(passes) {}
 
   constexpr std::uint32_t size() const { return passes_ * setup_.ticks + 1; }
   constexpr Point start() const { return to_counts(setup_.from); }
@@ -28,8 +32,11 @@ class Line {
       return start();
     }
     if (segment_.ended()) {
-      segment_ = back_ ? Segment::stroke(setup_.to, setup_.from, setup_.ticks)
-                       : Segment::stroke(setup_.from, setup_.to, setup_.ticks);
+      if (back_) {
+        segment_.begin_stroke(setup_.to, setup_.from, Vec{} - step_, setup_.ticks);
+      } else {
+        segment_.begin_stroke(setup_.from, setup_.to, step_, setup_.ticks);
+      }
       back_ = !back_;
     }
     return to_counts(segment_.next());
@@ -37,6 +44,7 @@ class Line {
 
  private:
   Setup setup_;
+  Vec step_;  // forth
   Segment segment_;
   std::uint32_t passes_;
   bool started_ = false;

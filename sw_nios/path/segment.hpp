@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A straight stroke or a quarter arc in equal steps. The last step ends exactly at the nominal end.
+// The step of a stroke is given: a division of 64 bits takes a small core some 1,000 clocks, so
+// that a path has it done before a service routine needs it.
 #pragma once
 
 #include <cstdint>
@@ -12,27 +14,27 @@ namespace trammel::sw {
 class Segment {
  public:
   constexpr Segment() = default;
+  // Of arcs whose steps turn by this: Rotation::per_turn(4 * ticks).
+  constexpr explicit Segment(Rotation turn) : turn_(turn) {}
 
-  static constexpr Segment stroke(Vec from, Vec to, std::uint32_t ticks) {
-    Segment s;
-    s.at_ = from;
-    s.end_ = to;
-    s.left_ = ticks;
-    const auto n = static_cast<Q32>(ticks);
-    s.step_ = {(to.x - from.x) / n, (to.y - from.y) / n};
-    return s;
+  // The n-th part of a way, towards zero: that of -way is its opposite.
+  static constexpr Q32 part(Q32 way, std::uint32_t n) { return way / static_cast<Q32>(n); }
+
+  constexpr void begin_stroke(Vec from, Vec to, Vec step, std::uint32_t ticks) {
+    at_ = from;
+    end_ = to;
+    step_ = step;
+    left_ = ticks;
+    is_arc_ = false;
   }
 
-  // Counter-clockwise from center + radius; step = Rotation::per_turn(4 * ticks).
-  static constexpr Segment quarter_arc(Vec center, Vec radius, Rotation step, std::uint32_t ticks) {
-    Segment s;
-    s.center_ = center;
-    s.at_ = radius;
-    s.end_ = center + quarter_left(radius);
-    s.left_ = ticks;
-    s.turn_ = step;
-    s.is_arc_ = true;
-    return s;
+  // Counter-clockwise from center + radius.
+  constexpr void begin_quarter_arc(Vec center, Vec radius, std::uint32_t ticks) {
+    center_ = center;
+    at_ = radius;
+    end_ = center + quarter_left(radius);
+    left_ = ticks;
+    is_arc_ = true;
   }
 
   constexpr bool ended() const { return left_ == 0; }

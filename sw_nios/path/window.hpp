@@ -23,7 +23,10 @@ class Window {
   };
 
   constexpr Window(const Setup& setup, std::uint32_t laps)
-      : setup_(setup), arc_step_(Rotation::per_turn(4 * setup.arc_ticks)), laps_(laps) {}
+      : setup_(setup),
+        step_(Segment::part(setup.half_side - setup.radius, setup.half_stroke_ticks)),
+        segment_(Rotation::per_turn(4 * setup.arc_ticks)),
+        laps_(laps) {}
 
   constexpr std::uint32_t lap_ticks() const {
     return 8 * setup_.half_stroke_ticks + 4 * setup_.arc_ticks;
@@ -51,29 +54,31 @@ class Window {
     if (part_ == 0) {
       corner_ = {-setup_.half_side, setup_.half_side};
       radius_ = {0, -setup_.radius};
+      stroke_step_ = {0, step_};
     }
     // Kung eq. 31, 33, 35, 37: arcs b, d, f, h
     if (part_ % 2 == 1) {
-      segment_ =
-          Segment::quarter_arc(setup_.center + corner_, radius_, arc_step_, setup_.arc_ticks);
+      segment_.begin_quarter_arc(setup_.center + corner_, radius_, setup_.arc_ticks);
       corner_ = quarter_right(corner_);
       radius_ = quarter_right(radius_);
-    } else if (part_ == kParts - 1) {
-      segment_ = Segment::stroke(at_, start_point(), setup_.half_stroke_ticks);  // Kung eq. 38
+      stroke_step_ = quarter_right(stroke_step_);
+    } else if (part_ == kParts - 1) {  // Kung eq. 38
+      segment_.begin_stroke(at_, start_point(), stroke_step_, setup_.half_stroke_ticks);
     } else {
       const std::uint32_t halves = part_ == 0 ? 1 : 2;  // Kung eq. 30, 32, 34, 36: a, c, e, g
-      segment_ = Segment::stroke(at_, setup_.center + corner_ + radius_,
-                                 halves * setup_.half_stroke_ticks);
+      segment_.begin_stroke(at_, setup_.center + corner_ + radius_, stroke_step_,
+                            halves * setup_.half_stroke_ticks);
     }
     part_ = (part_ + 1) % kParts;
   }
 
   Setup setup_;
-  Rotation arc_step_;
+  Q32 step_;  // of all strokes: a full one is twice as long in twice as many steps
   Segment segment_;
   Vec at_;
   Vec corner_;  // from the window's centre: where the next arc is centred
   Vec radius_;  // from that corner: where the next arc begins
+  Vec stroke_step_;  // of the next stroke
   std::uint32_t laps_;
   int part_ = 0;
   bool started_ = false;

@@ -195,6 +195,22 @@ TEST_CASE("a star of four strokes and one turn is a square, of three a triangle"
   CHECK(points.back() == points.front());
 }
 
+TEST_CASE("a star whose strokes are too short to aim the next one has the same corners") {
+  auto setup = of(sw::Path::kStar);
+  setup.repeats = 2;
+  const std::uint32_t many = setup.star.stroke_ticks;
+  const auto points = walk(setup);
+  for (const std::uint32_t few : {1u, 2u, 3u, 13u, 14u, 15u, 16u}) {
+    setup.star.stroke_ticks = few;
+    const auto short_points = walk(setup);
+    REQUIRE(short_points.size() == 2 * setup.star.strokes * few + 1);
+    for (std::uint32_t n = 0; n <= 2 * setup.star.strokes; ++n) {
+      CAPTURE(few, n);
+      CHECK(short_points[n * few] == points[n * many]);
+    }
+  }
+}
+
 TEST_CASE("the square wave has 750 points high and 750 low in each of 8 periods") {
   auto setup = of(sw::Path::kSquare);
   setup.repeats = 8;
