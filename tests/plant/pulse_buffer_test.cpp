@@ -84,6 +84,19 @@ TEST_CASE("pulse_buffer is busy while more than two pulses wait") {
   }
 }
 
+TEST_CASE("pulse_buffer tells a rate from the first pulse that leaves, as long as others wait") {
+  PulseBuffer buffer((PulseBufferConfig()));
+  for (int k = 0; k < 3; ++k) buffer.enter(k * 12'500, -1);
+  CHECK(buffer.rate() == 0);
+  const std::int64_t before = buffer.next();
+  CHECK(buffer.pass(before) == -1);
+  CHECK(buffer.rate() == Approx(-464 - 2760 * (seconds(before) - 0.4e-3)).epsilon(1e-4));
+  CHECK(buffer.pass(buffer.next()) == -1);
+  CHECK(buffer.rate() < -464);
+  CHECK(buffer.pass(buffer.next()) == -1);
+  CHECK(buffer.rate() == 0);
+}
+
 TEST_CASE("pulse_buffer: after a pause it goes on, after 20 ms of it with a new ramp") {
   for (const auto& [pause, first_s] : {std::pair{500'000, 2.2e-3}, {1'500'000, 2.54e-3}}) {
     PulseBuffer buffer((PulseBufferConfig()));

@@ -112,3 +112,87 @@ TEST_CASE("stepper_axis: a flush voids what waits") {
   CHECK(axis.translated() == before);
   CHECK_FALSE(axis.buffer_busy());
 }
+
+TEST_CASE("stepper_axis: the upper switch closes beyond its place and opens at it") {
+  StepperAxisConfig config;
+  config.start = 5990;
+  StepperAxis axis(config);
+  std::int64_t n = 1000;
+  const auto one = [&](bool forward) {
+    n = pulses(axis, n, 1, 500'000, forward) + 5'000'000;
+    pass(axis, n);
+  };
+  for (int k = 0; k < 9; ++k) {
+    one(true);
+    CHECK_FALSE(axis.at_high());  // up to 5999
+  }
+  one(true);
+  CHECK(axis.at_high());
+  one(false);
+  CHECK(axis.at_high());  // 5999
+  one(false);
+  one(false);
+  CHECK_FALSE(axis.at_high());
+  CHECK_FALSE(axis.at_low());
+}
+
+TEST_CASE("stepper_axis: a pulse that comes with a flush is void, one behind it is not") {
+  StepperAxis axis((StepperAxisConfig()));
+  axis.drive(1000, true, true, true);
+  CHECK(axis.waiting() == 0);
+  axis.drive(2000, false, true, false);
+  axis.drive(3000, true, true, false);
+  CHECK(axis.waiting() == 1);
+}
+
+TEST_CASE("stepper_axis without its buffer: the rate is that of the pulses, until one is missing") {
+  StepperAxisConfig config;
+  config.buffer.fitted = false;
+  StepperAxis axis(config);
+  const std::int64_t last = pulses(axis, 1000, 5, 62'500, false) - 62'500;
+  pass(axis, last + 62'500 * 14 / 10);
+  CHECK(axis.rate() == Approx(-800));
+  pass(axis, last + 62'500 * 16 / 10);
+  CHECK(axis.rate() == 0);
+}
+
+TEST_CASE("stepper_axis: steps are lost where the rotor is half a step beyond five, not before") {
+  StepperAxisConfig config;
+  config.buffer.fitted = false;
+  StepperAxis axis(config);
+  int losses = 0;
+  for (std::int64_t n = 1000; n < 1000 + 1000 * 12'500; n += 12'500) {
+    const int before = axis.steps_lost();
+    pulses(axis, n, 1, 12'500, true);
+    const double behind = static_cast<double>(axis.translated() - before) - axis.state(n + 104).at;
+    if (axis.steps_lost() == before) {
+      CHECK(std::fabs(behind) < 6.6);  // and the step that has just come
+      continue;
+    }
+    ++losses;
+    CHECK(std::fabs(behind) > 5.4);
+    CHECK(std::abs(axis.steps_lost() - before) == 10);
+  }
+  CHECK(losses > 0);
+}
+
+TEST_CASE("stepper_axis: a weakened motor has that share of its own torque, until it has all") {
+  StepperAxisConfig config;
+  config.motor.friction = 0.02;
+  StepperAxis strong(config);
+  config.motor.torque_share = 0.05;
+  StepperAxis weak(config);
+  weak.weaken(500, 1);  // of little
+  CHECK(std::llabs(weak.steps_lost()) == 0);
+  std::int64_t end = pulses(weak, 1000, 200, 12'500, true) + 50'000'000;
+  pass(weak, end);
+  CHECK(weak.steps_lost() != 0);
+  strong.weaken(500, 0.05);
+  strong.weaken(600, 1);
+  end = pulses(strong, 1000, 200, 12'500, true) + 50'000'000;
+  pass(strong, end);
+  CHECK(strong.steps_lost() == 0);
+  strong.weaken(end, 0.05);
+  pass(strong, pulses(strong, end + 1000, 200, 12'500, true) + 50'000'000);
+  CHECK(strong.steps_lost() != 0);
+}

@@ -71,8 +71,26 @@ TEST_CASE("stepper_motor: stiffness is that of the data sheet, and torque no mor
   CHECK(motor.torque({0.999, 0}, 1) / (0.001 * step) == Approx(80 * kLbIn).epsilon(1e-4));
   CHECK(motor.torque({1.999, 0}, 2) / (0.001 * step) == Approx(45 * kLbIn).epsilon(1e-4));
   CHECK(motor.torque({-1.5, 0}, 1) == Approx(2.6 * kLbIn));
+  CHECK(motor.torque({3.5, 0}, 1) == Approx(-2.6 * kLbIn));
+  CHECK(motor.torque({-1.5, 3000}, 1) == Approx(2.35 * kLbIn));  // at the rate of the rotor
+  CHECK(motor.torque({3.5, -4000}, 1) == Approx(-1.9 * kLbIn));
   CHECK(motor.most_torque(3000) == Approx(2.35 * kLbIn));
   CHECK(motor.most_torque(-8000) == Approx(1.2 * kLbIn));
   CHECK(motor.most_torque(9000) == Approx(1.2 * kLbIn));
   CHECK(motor.torque({-5, 0}, 1) < 0);  // more than five steps behind it is pulled on
+}
+
+TEST_CASE("stepper_motor: damping acts on the slip against the translator's rate, by its phases") {
+  const StepperMotor motor((StepperConfig()));
+  const StepperConfig c;
+  for (const std::int64_t step : {10, 11}) {
+    const double k = step == 11 ? 80 * kLbIn : 45 * kLbIn, zeta = step == 11 ? 0.2 : 0.05;
+    const double at = static_cast<double>(step), per_s = 2 * zeta * std::sqrt(k / c.inertia);
+    for (const double speed : {1500.0, -1500.0}) {
+      CAPTURE(step, speed);
+      CHECK(std::fabs(motor.acceleration({at, speed}, step, speed)) < 1e-6);
+      CHECK(motor.acceleration({at, speed}, step, 0) == Approx(-per_s * speed));
+      CHECK(motor.acceleration({at, 0}, step, speed) == Approx(per_s * speed));
+    }
+  }
 }
