@@ -202,4 +202,11 @@ TEST_CASE("the rate code of a velocity is its nearest, and never above the most 
       CHECK((nearest < 80.5 && ticks == 80));
     }
   }
+  StepTableSetup setup;
+  for (setup.most_rate = 59; setup.most_rate <= 8000; ++setup.most_rate) {  // of table.most_rate
+    const auto ticks = static_cast<std::int32_t>(4096 - StepTable(setup).code(9000));
+    CAPTURE(setup.most_rate, ticks);
+    REQUIRE(ticks * setup.most_rate >= 240'000);
+    REQUIRE((ticks - 1) * setup.most_rate < 240'000);
+  }
 }
