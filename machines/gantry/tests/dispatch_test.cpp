@@ -25,6 +25,17 @@ TEST_CASE("gantry: at boot the reset message goes out, an interrupt of the timer
   CHECK(app.mailbox().point == 0);
 }
 
+TEST_CASE("gantry: what comes during the service of a pass is left in STATUS for the next one") {
+  Track track;
+  track.chip.later = regs::kStatusPass | regs::kStatusSample;
+  track.pass(320);
+  CHECK(track.app.mailbox().point == 1);
+  CHECK(track.chip.words[regs::kStatus] == (regs::kStatusPass | regs::kStatusSample));
+  track.app.isr(track.chip);
+  CHECK(track.app.mailbox().point == 2);
+  CHECK(track.chip.words[regs::kStatus] == 0);
+}
+
 TEST_CASE("gantry: polled bits are the temperatures, and other bits are unknown") {
   Track track;
   track.chip.words[regs::kOvertemp] = regs::kOvertempMotor2;

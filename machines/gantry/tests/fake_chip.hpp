@@ -8,6 +8,7 @@
 #include <deque>
 #include <map>
 #include <ostream>
+#include <utility>
 #include <vector>
 
 #include "rtl/chips/generated/gantry_tau_regs.hpp"
@@ -37,8 +38,10 @@ struct FakeChip final : sw::Bus {
   std::vector<Frame> sent;
   std::vector<std::uint32_t> calibrated;
   std::map<std::uint32_t, int> writes;
+  std::uint32_t later = 0;  // bits of STATUS that are set as the position is read
 
   std::uint32_t read(std::uint32_t address) override {
+    if (address == regs::kPosition) words[regs::kStatus] |= std::exchange(later, 0);
     if (address == regs::kReceive) {
       if (waiting.empty()) return 0;
       return regs::kReceiveWaits | waiting.front().kind << 8 | waiting.front().channel;
@@ -56,7 +59,9 @@ struct FakeChip final : sw::Bus {
       sent.push_back({kind, data & 31, kind == kValue ? words[regs::kSendValue] : 0});
     } else if (address == regs::kCalibrate) {
       calibrated.push_back(data);
-    } else if (address != regs::kStatus) {  // its bits are cleared by writing
+    } else if (address == regs::kStatus) {
+      words[address] &= ~data;
+    } else {
       words[address] = data;
     }
   }
