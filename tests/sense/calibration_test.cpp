@@ -148,6 +148,19 @@ TEST_CASE("calibration takes and stores data with the right checksum, and refuse
   bench.command(7);
   bench.ticks(5);
   CHECK(bench.refused == 65);
+  std::uint16_t check = 0xFFFF;  // fewer words, and their own checksum behind them
+  bench.command(1);
+  for (std::size_t k = 0; k < 40; ++k) {
+    bench.command(2, second.words[k]);
+    for (const int shift : {0, 8}) {
+      check = crc16(check, static_cast<std::uint8_t>(second.words[k] >> shift));
+    }
+  }
+  bench.command(2, check);
+  bench.command(7);
+  bench.ticks(5);
+  CHECK(bench.refused == 66);
+  CHECK(holds(bench, first));
   bench.load(second);
   bench.command(2, 0x1234);  // one too many does nothing
   CHECK(holds(bench, first));
@@ -157,7 +170,7 @@ TEST_CASE("calibration takes and stores data with the right checksum, and refuse
   CHECK(holds(bench, second));
   bench.command(7);  // nothing new
   bench.ticks(5);
-  CHECK(bench.refused == 66);
+  CHECK(bench.refused == 67);
   CHECK(holds(bench, second));
 }
 
