@@ -135,7 +135,12 @@ TEST_CASE("word_unibus: a grant without a request is passed on; INTR waits for a
   bench.clocks(100);
   CHECK(bench.rtl->sack_o);
   CHECK_FALSE(bench.rtl->bbsy_o);
+  bench.rtl->ssyn_i = 1;  // it lets go of the bus before its device does
   bench.rtl->bbsy_i = 0;
+  bench.clocks(100);
+  CHECK(bench.rtl->sack_o);
+  CHECK_FALSE(bench.rtl->bbsy_o);
+  bench.rtl->ssyn_i = 0;
   bench.clocks(6);
   CHECK(bench.rtl->bbsy_o);
   CHECK(bench.rtl->d_o == 0340);
