@@ -91,6 +91,13 @@ class SocChip final : public cosim::Chip {
     return {now_ - 1, cosim::kLimit};
   }
 
+  Vkung_soc& pins() { return *model_; }
+  // Without a plant: the pins of the sensors stay as they are.
+  void clock() {
+    tick();
+    ++now_;
+  }
+
   std::vector<Transfer> transfers;
   cosim::Clk trapped = cosim::kNever;  // edge before which the core's trap is high
   cosim::SerialHost* host = nullptr;

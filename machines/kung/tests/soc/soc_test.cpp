@@ -23,16 +23,21 @@ struct OneModel {
   cosim::Clk trapped = cosim::kNever;  // edge before which the core's trap is high
 };
 
+// The table at the start of the path.
+plant::XyTableConfig table_of(const Options& options, const sw::KungSetup& setup) {
+  plant::XyTableConfig config = options.plant;
+  const sw::Point start = sw::Trajectory(setup).start();
+  config.axis[0].start_m = start.x * config.axis[0].encoder_count_m;
+  config.axis[1].start_m = start.y * config.axis[1].encoder_count_m;
+  return config;
+}
+
 // The same with kung_soc as one model; `patch` may change its memory.
 OneModel run_one_model(const Options& options, cosim::Clk end, cosim::SerialHost* host = nullptr,
                        const std::function<void(CoreMemory&)>& patch = {}) {
   std::vector<sw::Point> points;
   const sw::KungSetup setup = plan_firmware(options, points);
-  plant::XyTableConfig config = options.plant;
-  const sw::Point start = sw::Trajectory(setup).start();
-  config.axis[0].start_m = start.x * config.axis[0].encoder_count_m;
-  config.axis[1].start_m = start.y * config.axis[1].encoder_count_m;
-  TablePlant plant(config, cosim::kNever, cosim::kNever);
+  TablePlant plant(table_of(options, setup), cosim::kNever, cosim::kNever);
   CoreMemory memory = core_memory(setup, true);
   if (patch) patch(memory);
   test::SocChip chip(memory);
@@ -221,4 +226,61 @@ TEST_CASE("an illegal instruction turns the gates off within the trip's clocks, 
   CHECK(gates == 0);
   CHECK(off >= ran.trap->edge);
   CHECK(off <= ran.trap->edge + kTripsWithin);
+}
+
+TEST_CASE("a fault of either driver turns all gates and both enables off, and lights its lamp") {
+  std::vector<sw::Point> points;
+  const Options options = line();
+  const sw::KungSetup setup = plan_firmware(options, points);
+  for (const unsigned faults : {1u, 2u}) {
+    CAPTURE(faults);
+    test::SocChip chip(core_memory(setup, true));
+    Vkung_soc& pins = chip.pins();
+    TablePlant plant(table_of(options, setup), cosim::kNever, cosim::kNever);
+    DriveEdges drive;
+    cosim::Loop loop(chip, plant, drive);
+    for (cosim::Clk end = 0; end < 5'000'000 && (drive.all.empty() || chip.drive() == 0);) {
+      loop.advance(end += 10'000, 0);
+    }
+    REQUIRE(pins.driver_en_o == 3);
+    REQUIRE((pins.status_o & 7) == 3);
+    pins.driver_fault_i = static_cast<std::uint8_t>(faults);
+    for (cosim::Clk n = 0; n < kTripsWithin; ++n) {
+      chip.clock();
+      const bool tripped = (pins.status_o & 4) != 0;
+      CAPTURE(n, tripped);
+      CHECK(pins.driver_en_o == (tripped ? 0 : 3));
+    }
+    CHECK((pins.status_o & 7) == 4);
+    CHECK(pins.gate_hi_o == 0);
+    CHECK(pins.gate_lo_o == 0);
+  }
+}
+
+TEST_CASE("the word behind the memory is not answered and trips, the last one is") {
+  constexpr std::uint32_t kLoad = 0x00052503, kLoadBefore = 0xFFC52503;  // lw a0, 0 or -4 (a0)
+  for (const std::uint32_t load : {kLoad, kLoadBefore}) {
+    // lui a0, 0x10: 65,536 bytes; then a loop
+    test::SocChip chip({0x00010537, load, 0x0000006F});
+    for (int n = 0; n < 40; ++n) chip.clock();
+    CAPTURE(load);
+    CHECK((chip.pins().status_o >> 2 & 3) == (load == kLoad ? 3 : 0));  // tripped, trapped
+  }
+}
+
+TEST_CASE("lamps 6 and 7 show the low bits that the serial port receives and sends") {
+  // lui a0, 0xC0000; sw a0, 4 (a0): the byte 0, eight low bits behind the start bit
+  test::SocChip chip({0xC0000537, 0x00A52223, 0x0000006F});
+  Vkung_soc& pins = chip.pins();
+  int sends = 0, receives = 0;
+  for (int n = 0; n < 6000; ++n) {
+    pins.uart_rx_i = n / 700 % 2 != 0;
+    chip.clock();
+    REQUIRE((pins.status_o >> 6 & 1) == (pins.uart_rx_i == 0 ? 1 : 0));
+    REQUIRE((pins.status_o >> 7 & 1) == (pins.uart_tx_o == 0 ? 1 : 0));
+    sends += pins.uart_tx_o == 0 && pins.uart_rx_i != 0;
+    receives += pins.uart_rx_i == 0 && pins.uart_tx_o != 0;
+  }
+  CHECK(sends > 1000);
+  CHECK(receives > 700);
 }
