@@ -139,7 +139,8 @@ endfunction()
 # The model of a block for its unit test, a library of that name: assertions enabled, coverage
 # counted on request. With -Og it compiles in half the time of -O1 and runs a sixth slower. A chip
 # or board includes the properties of all blocks; the coverage of its blocks is counted in their own
-# tests. A line `// verilate: ARGS` in the test sets parameters of the module.
+# tests. A line `// verilate: ARGS` in the test sets parameters of the module. A vendor's cells on a
+# board have models in tests/boards/cells.
 function(trammel_unit_model library source test)
   cmake_path(GET source STEM block)
   cmake_path(GET source PARENT_PATH folder)
@@ -147,6 +148,9 @@ function(trammel_unit_model library source test)
   if(layer STREQUAL chips OR folder MATCHES "^rtl/boards/")
     set(properties ${TRAMMEL_RTL_PROPERTIES})
     set(first ${PROJECT_BINARY_DIR}/chips_only.vlt)
+    if(NOT layer STREQUAL chips)
+      set(cells -I${PROJECT_SOURCE_DIR}/tests/boards/cells)
+    endif()
   else()
     file(GLOB properties CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/${folder}/${block}_props.sv)
   endif()
@@ -157,7 +161,7 @@ function(trammel_unit_model library source test)
   target_link_libraries(${library} INTERFACE trammel_rtl_runtime)
   trammel_verilate(${library} ${library} -Og ${ARGN} TOP_MODULE ${block} PREFIX V${block}
     SOURCES ${first} ${TRAMMEL_RTL_PACKAGES} ${PROJECT_SOURCE_DIR}/${source} ${properties}
-    VERILATOR_ARGS -Wno-fatal --assert -fno-split ${parameters} ${TRAMMEL_RTL_SEARCH})
+    VERILATOR_ARGS -Wno-fatal --assert -fno-split ${parameters} ${TRAMMEL_RTL_SEARCH} ${cells})
 endfunction()
 
 # The unit test <block>_test of a block or board with its model; a long test has parts,
