@@ -3,8 +3,8 @@
 
 A board's folder has for each chip that it carries the top <chip>_<board>.sv with its pins in
 <chip>_<board>.lpf (ECP5) or .pcf (iCE40). Every bit of every port must have a site and a pull, a
-clock its frequency; what a driver sees must be pulled to its safe level. Checked before place and
-route.
+clock its frequency; what a driver sees must be pulled to its safe level; a connector's pin that
+the comment behind a site names must be there. Checked before place and route.
 """
 
 import dataclasses
@@ -30,6 +30,7 @@ class Pin:
     pull: str | None = None  # UP, DOWN, NONE
     mhz: float | None = None
     line: int = 0
+    note: str | None = None  # the comment behind its site
 
 
 @dataclasses.dataclass(frozen=True)
@@ -121,7 +122,7 @@ def read_lpf(path):
     """{port: Pin} of an LPF file; what else it may say is not used here and refused."""
     pins = {}
     for at, line in enumerate(path.read_text(encoding="utf-8").split("\n"), 1):
-        text = line.split("#")[0].strip()
+        text, _, note = (part.strip() for part in line.partition("#"))
         if not text:
             continue
         located = re.fullmatch(r'LOCATE COMP "([^"]+)" SITE "(\w+)";', text)
@@ -134,7 +135,7 @@ def read_lpf(path):
         if located:
             if pin.site is not None:
                 raise BoardError(f"{path.relative_to(ROOT)}:{at}: {found[1]} has a site already")
-            pin = dataclasses.replace(pin, site=located[2])
+            pin = dataclasses.replace(pin, site=located[2], note=note or None)
         elif buffered:
             words = dict(word.split("=") for word in buffered[2].split())
             pin = dataclasses.replace(pin, io_type=words.get("IO_TYPE"),
@@ -149,7 +150,8 @@ def read_pcf(path):
     """{port: Pin} of a PCF file. The iCE40 has no pull but one up, and one voltage a bank."""
     pins = {}
     for at, line in enumerate(path.read_text(encoding="utf-8").split("\n"), 1):
-        words = line.split("#")[0].split()
+        text, _, note = (part.strip() for part in line.partition("#"))
+        words = text.split()
         if not words:
             continue
         if (words[0] == "set_io" and len(words) == 3) or (words[:2] == ["set_io", "-pullup"] and \
@@ -158,7 +160,7 @@ def read_pcf(path):
             pin = pins.get(port, Pin(line=at))
             if pin.site is not None:
                 raise BoardError(f"{path.relative_to(ROOT)}:{at}: {port} has a site already")
-            pins[port] = dataclasses.replace(pin, site=site, io_type="LVCMOS",
+            pins[port] = dataclasses.replace(pin, site=site, io_type="LVCMOS", note=note or None,
                                              pull="UP" if len(words) == 5 else "NONE")
         elif words[0] == "set_frequency" and len(words) == 3:
             pins[words[1]] = dataclasses.replace(pins.get(words[1], Pin(line=at)),
@@ -170,6 +172,17 @@ def read_pcf(path):
 
 def port_of(bit):
     return bit.partition("[")[0]
+
+
+def misplaced(sites, pins):
+    """Pins that are not where the connector has the one that their comment names: lines."""
+    for name, pin in pins.items():
+        if not sites or pin.note is None:
+            continue
+        if pin.note not in sites:
+            yield f"{name}: no connector of board.toml has {pin.note}"
+        elif pin.site != sites[pin.note]:
+            yield f"{name}: {pin.note} is at site {sites[pin.note]}, not {pin.site}"
 
 
 def findings(board, ports, pins):
@@ -200,6 +213,7 @@ def findings(board, ports, pins):
             yield f"{bit}: {pin.mhz:g} MHz, on the board are {clocks[port]:g}"
         if port in low and pin.site in table.get("shared_sites", []):
             yield f"{bit}: {pin.site} is shared with another chip on the board"
+    yield from misplaced(table.get("sites", {}), pins)
     sites = {}
     for name, pin in pins.items():
         if name not in wanted:

@@ -62,6 +62,14 @@ class BoardTest(unittest.TestCase):
             with self.subTest(told):
                 self.assertIn(told, self.findings(old, new))
 
+    def test_a_pin_is_where_the_connector_has_it(self):
+        sites = {"J1": "A1"}
+        self.assertEqual(self.findings(sites=sites), [])
+        self.assertIn("gate_o[0]: J1 is at site A1, not A9",
+                      self.findings('SITE "A1"', 'SITE "A9"', sites=sites))
+        self.assertIn("gate_o[0]: no connector of board.toml has J2",
+                      self.findings("# J1", "# J2", sites=sites))
+
     def test_inputs_with_a_circuit_have_their_own_pull(self):
         self.assertEqual(self.findings(pulls={"enc_i": "DOWN"}),
                          ["enc_i[1]: must have PULLMODE DOWN, has UP"])
