@@ -16,6 +16,35 @@ OTHERS = {path.stem: tomllib.loads(path.read_text(encoding="utf-8"))
           for path in (ROOT / "tests" / "boards").glob("*.toml")}
 
 
+# Of the tops with a PLL: MHz that it gets and makes, and what holds the IC until it has locked.
+PLLS = {"kung_soc_ecp5": (25, 50, "reset_q <= {reset_q[2:0], !locked || reset_i};"),
+        "lm628_icebreaker": (12, 19.875, "reset_n = btn_n_i && reset_n_i && locked;")}
+
+# Outputs of the tops that are no port of the IC.
+DRIVEN = {
+    "kung_soc_ulx3s": {"wifi_gpio0_o": "1'b1"},  # low would reset the board
+    "kung_soc_colorlight_i5": {"led_n_o": "status[1:0] == '0"},
+    "lm628_icebreaker": {"pwm_mag_o": "magnitude && ready_q", "pwm_sign_o": "sign && ready_q",
+                         "driver_en_o": "ready_q", "led_red_n_o": "ready_q",
+                         "led_green_n_o": "!pwm_mag_o"},
+}
+
+
+def made(text, mhz):
+    """MHz that the PLL of a source makes."""
+    value = {name: int(digits) for name, digits in
+             re.findall(r"\.(\w+) *\((?:\d+'d)?(\d+)\)", text)}
+    if "EHXPLLL" in text:  # CLKOP feeds back
+        return mhz / value["CLKI_DIV"] * value["CLKFB_DIV"] * value["CLKOP_DIV"] / \
+            value["CLKOS_DIV"]
+    return mhz * (value["DIVF"] + 1) / (value["DIVR"] + 1) / 2 ** value["DIVQ"]
+
+
+def tops():
+    return sorted(path for path in ROOT.glob("rtl/boards/*/*.sv")
+                  if path.parent.name != "cells")  # the vendors'
+
+
 def module(text):
     """The ports of a module by their directions."""
     head = text[:text.index("\n);")]
@@ -47,16 +76,37 @@ def faults(top, chip_ports, given, pins):
 
 class BoardTopsTest(unittest.TestCase):
     def test_each_port_of_the_ic_is_at_the_pin_of_its_name(self):
-        tops = sorted(path for path in ROOT.glob("rtl/boards/*/*.sv")
-                      if path.parent.name != "cells")  # the vendors'
-        self.assertEqual({path.stem for path in tops}, set(OTHERS), "tables in tests/boards")
-        for path in tops:
+        self.assertEqual({path.stem for path in tops()}, set(OTHERS), "tables in tests/boards")
+        for path in tops():
             text = path.read_text()
             chip, given = connections(text)
             source, = [*ROOT.glob(f"rtl/*/{chip}.sv"), *ROOT.glob(f"rtl/boards/*/{chip}.sv")]
             ports = module(source.read_text())
             self.assertGreater(len(ports), 14, chip)
             self.assertEqual(faults(path.stem, ports, given, module(text)), [])
+
+    def test_a_pll_makes_the_clock_of_its_ic_and_holds_it_until_it_has_locked(self):
+        found = {}
+        for path in tops():
+            text = path.read_text()
+            if re.search(r"^  \w*PLL\w* #", text, re.M):
+                gets, _, holds = PLLS[path.stem]
+                found[path.stem] = (gets, made(text, gets), holds if holds in text else None)
+        self.assertEqual(found, PLLS)
+
+    def test_an_output_beside_the_ic_is_what_it_must_be(self):
+        found = {}
+        for path in tops():
+            text = path.read_text()
+            _, given = connections(text)
+            used = {what for _, what in given} | set(OTHERS[path.stem].values())
+            beside = {pin for pin, direction in module(text).items()
+                      if direction == "output" and pin not in used}
+            assigned = {pin: " ".join(what.split()) for pin, what in
+                        re.findall(r"^  assign (\w+) *= (.*?);", text, re.M | re.S)}
+            if beside & set(assigned):
+                found[path.stem] = {pin: assigned[pin] for pin in beside & set(assigned)}
+        self.assertEqual(found, DRIVEN)
 
     def test_pins_exchanged_or_left_open_are_told(self):
         ports = {"a_i": "input", "b_o": "output", "c_o": "output"}
