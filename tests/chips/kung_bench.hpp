@@ -7,6 +7,7 @@
 #include <Vkung_xy.h>
 
 #include <array>
+#include <catch2/catch.hpp>
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
@@ -110,7 +111,9 @@ class KungBench {
     return until([this] { return rtl_->sample_o != 0; });
   }
 
+  // An assertion of the RTL that fails in a transfer is told with its register.
   void write(std::uint32_t addr, std::uint32_t data) {
+    INFO("write of " << register_name(kung_xy_regs::kRegisters, addr) << ": " << number(data, 8));
     rtl_->s_axil_awaddr_i = static_cast<std::uint16_t>(addr);
     rtl_->s_axil_wdata_i = data;
     rtl_->s_axil_awvalid_i = rtl_->s_axil_wvalid_i = 1;
@@ -128,6 +131,7 @@ class KungBench {
   }
 
   std::uint32_t read(std::uint32_t addr) {
+    INFO("read of " << register_name(kung_xy_regs::kRegisters, addr));
     rtl_->s_axil_araddr_i = static_cast<std::uint16_t>(addr);
     rtl_->s_axil_arvalid_i = 1;
     rtl_.eval();

@@ -34,10 +34,9 @@ struct Bench {
     rtl.eval();
   }
   void compare() {
-    for (unsigned k = 0; k < 2; ++k) {
-      REQUIRE((rtl->pwm_o >> k & 1) == twin.out()[k].pwm);
-      REQUIRE((rtl->negative_o >> k & 1) == twin.out()[k].negative);
-    }
+    const auto motors = twin.out();
+    REQUIRE(rtl->pwm_o == (motors[0].pwm | motors[1].pwm << 1));
+    REQUIRE(rtl->negative_o == (motors[0].negative | motors[1].negative << 1));
     REQUIRE(bool(rtl->quiescent_o) == twin.quiescent());
     if (twin.quiescent()) REQUIRE(rtl->next_o == twin.next());
   }
