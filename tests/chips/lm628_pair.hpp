@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The RTL of the LM628 beside its twin, with every pin compared at every evaluated clock, leaping
-// or not.
+// with the clocks of its sleeping domains off, or neither.
 #pragma once
 
 #include <Vlm628.h>
@@ -42,6 +42,7 @@ class Lm628Pair : public Lm628Twin {
       twin_.step(in);
     }
     rtl_->leap_i = (gap - 1) & 0xFFF;
+    cosim::enable_clocks(rtl_->clock_en_i, leaps ? unsigned{rtl_->awake_o} : ~0u);
     rtl_.tick();
     rtl_->leap_i = 0;
     rtl_.eval();
