@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A processor, two encoders and a clock for mcafee_xy: its twin alone, or the RTL beside it with
-// every pin compared at every evaluated clock, leaping or not.
+// every pin compared at every evaluated clock, leaping with the clocks of sleeping domains off, or
+// neither.
 #pragma once
 
 #include <Vmcafee_xy.h>
@@ -85,6 +86,7 @@ class McafeePair : public McafeeTwin {
   void reset() {
     bus_ = {};
     bus_.reset(model());
+    cosim::enable_all_clocks(model());
     apply();
     rtl_->rst_i = 1;
     twin_.reset();
@@ -115,6 +117,7 @@ class McafeePair : public McafeeTwin {
     }
     pass(gap);
     rtl_->leap_i = (gap - 1) & 0xFFF;
+    cosim::enable_clocks(rtl_->clock_en_i, leaps ? unsigned{rtl_->awake_o} : ~0u);
     rtl_.tick();
     rtl_->leap_i = 0;
     clock_ += gap;
