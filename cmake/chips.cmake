@@ -67,8 +67,8 @@ function(trammel_chip_model chip kind opt)
   endif()
   set(parameters ${CHIP_PARAMETERS})
   list(TRANSFORM parameters PREPEND -G)
-  trammel_verilate(trammel_chip_models ${CHIP_MODEL}_${kind} "${opt};-march=native" ${trace}
-    TOP_MODULE ${chip} PREFIX V${CHIP_MODEL}_${kind}
+  trammel_verilate(trammel_chip_models ${CHIP_MODEL}_${kind}
+    "${opt};-march=${TRAMMEL_MARCH}" ${trace} TOP_MODULE ${chip} PREFIX V${CHIP_MODEL}_${kind}
     SOURCES ${CHIP_VISIBLE} ${TRAMMEL_RTL_PACKAGES} ${PROJECT_SOURCE_DIR}/rtl/chips/${chip}.sv
       ${MODEL_SOURCES}
     VERILATOR_ARGS -Wno-fatal -O3 --x-assign fast --x-initial unique ${TRAMMEL_RTL_SEARCH}

@@ -81,15 +81,21 @@ class DirectBus final : public sw::Bus {
   Clk time_ = 0;
 };
 
+// What is done while the firmware waits for its interrupt: returns the edge, later than the next
+// one, before which it wants to be asked again. It may use the bus.
+using Idle = std::function<Clk(DirectBus& bus)>;
+
 // Runs until `finished()` holds after a sample, or until edge `end`.
 inline void run_direct(Loop& loop, sw::Firmware& firmware, const ProcessorTiming& timing, Clk end,
-                       const std::function<bool()>& finished) {
+                       const std::function<bool()>& finished, const Idle& idle = {}) {
   DirectBus bus(loop, timing, end, finished);
   try {
     firmware.start(bus);
     while (!finished() && loop.chip().now() < end) {
+      Clk until = end;
+      if (idle && !loop.chip().irq()) until = std::min(end, idle(bus));
       if (!loop.chip().irq()) {
-        const Stop stop = loop.advance(end, kIrq | kSample);
+        const Stop stop = loop.advance(until, kIrq | kSample);
         if ((stop.why & kIrq) == 0 || finished()) continue;
         bus.wait_until(stop.edge);
       }

@@ -17,6 +17,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
+fs::path& data_folder() {
+  static fs::path folder = kMachineFolder;
+  return folder;
+}
+
 // What the text of a scenario names; the first machine where it is no TOML, which is told later.
 const Machine& machine_named(const std::string& text, const fs::path& file) {
   const Machine& first = *machines().front();
@@ -38,6 +43,10 @@ const Machine& machine_named(const std::string& text, const fs::path& file) {
 
 }  // namespace
 
+fs::path machine_folder(const std::string& machine) { return data_folder() / machine; }
+
+void take_data_from(const std::string& folder) { data_folder() = folder; }
+
 const Machine& machine_of(const fs::path& file) {
   return machine_named(read_text(file, kMostWritten), file);
 }
@@ -46,7 +55,7 @@ std::vector<fs::path> built_in(const std::string& extension) {
   std::vector<fs::path> all;
   for (const Machine* machine : machines()) {
     std::error_code ignored;
-    const fs::path folder = fs::path(kMachineFolder) / machine->name / "scenarios";
+    const fs::path folder = machine_folder(machine->name) / "scenarios";
     for (const auto& entry : fs::directory_iterator(folder, ignored)) {
       if (entry.path().extension() == extension) all.push_back(entry.path());
     }

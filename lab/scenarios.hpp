@@ -12,6 +12,11 @@
 
 namespace trammel::lab {
 
+// Where they are: machines/ of the repository this was built from, unless another folder with the
+// same subfolders is named, before the first run.
+std::filesystem::path machine_folder(const std::string& machine);
+void take_data_from(const std::string& folder);
+
 // Files of that extension that are built in; one of them by its name, or a path. `kind` is what
 // messages call it.
 std::vector<std::filesystem::path> built_in(const std::string& extension);

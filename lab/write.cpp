@@ -152,7 +152,7 @@ std::string draw_pictures(const Record& record, const fs::path& folder) {
   std::vector<fs::path> scripts;
   std::error_code none;
   for (const auto& entry :
-       fs::directory_iterator(fs::path(kMachineFolder) / machine.name / "pictures", none)) {
+       fs::directory_iterator(machine_folder(machine.name) / "pictures", none)) {
     if (entry.path().extension() == ".gp") scripts.push_back(entry.path());
   }
   if (scripts.empty()) return "";

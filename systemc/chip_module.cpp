@@ -106,5 +106,5 @@ void ChipModule::transport(tlm::tlm_generic_payload& payload, sc_time& delay) {
 
 }  // namespace trammel::systemc
 
-// The SystemC library wants this symbol; our programs have their own main().
-int sc_main(int, char**) { return 1; }
+// The SystemC library wants this symbol, from outside too; our programs have their own main().
+[[gnu::visibility("default")]] int sc_main(int, char**) { return 1; }

@@ -18,7 +18,7 @@
 
 namespace trammel::gantry {
 
-class Session final : public cosim::Session, private cosim::Observer, private cosim::SignalReader {
+class Session final : public cosim::Session, private cosim::Observer, public cosim::SignalReader {
  public:
   // Throws lab::ConfigError for what the host cannot send.
   Session(const Options& options, const cosim::Hooks& hooks, const cosim::Waves& waves = {});

@@ -4,7 +4,7 @@ trammel_chip(kung_xy INTERFACE KungChip)
 # RTL and the cross compiler are here. Without them such runs are refused.
 find_program(TRAMMEL_CROSS riscv64-unknown-elf-g++)
 if(TRAMMEL_PICORV32 AND TRAMMEL_CROSS AND NOT TRAMMEL_FUZZ)
-  trammel_verilate(trammel_chip_models soc_host_fast "-O3;-fno-tree-pre;-march=native"
+  trammel_verilate(trammel_chip_models soc_host_fast "-O3;-fno-tree-pre;-march=${TRAMMEL_MARCH}"
     TOP_MODULE soc_host PREFIX Vsoc_host_fast
     SOURCES ${CMAKE_CURRENT_LIST_DIR}/verilated/soc/public.vlt ${TRAMMEL_PICORV32}
       ${PROJECT_SOURCE_DIR}/rtl/chips/soc_host.sv

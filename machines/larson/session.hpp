@@ -20,7 +20,7 @@
 
 namespace trammel::larson {
 
-class Session final : public cosim::Session, private cosim::Observer, private cosim::SignalReader {
+class Session final : public cosim::Session, private cosim::Observer, public cosim::SignalReader {
  public:
   // Throws lab::ConfigError for a script that cannot be read.
   Session(const Options& options, const cosim::Hooks& hooks, const cosim::Waves& waves = {});

@@ -44,7 +44,7 @@ class StagePlant final : public cosim::FalliblePlant {
 
 class Session final : public cosim::Session,
                       private cosim::Observer,
-                      private cosim::SignalReader {
+                      public cosim::SignalReader {
  public:
   // Throws cosim::OptionsError or std::invalid_argument for a path that cannot be followed.
   Session(const Options& options, const cosim::Hooks& hooks, const cosim::Waves& waves = {});

@@ -4,7 +4,7 @@
 import re
 
 FOLDERS = ("rtl/", "models/", "sw_nios/", "cosim/", "systemc/", "lab/", "parts/", "machines/",
-           "testbench/", "examples/", "tests/")
+           "testbench/", "examples/", "python/", "tests/")
 FIRMWARE = ["sw_nios/hal/", "sw_nios/path/"]
 LOOP = ["cosim/", "models/", *FIRMWARE, "rtl/chips/generated/"]
 PART = ["parts/", "lab/", *LOOP]
@@ -22,6 +22,7 @@ USES = {
     "parts": PART,
     "testbench": ["testbench/", "lab/", "cosim/"],
     "examples": ["lab/", "cosim/"],
+    "python": ["python/", "lab/", "cosim/"],
     "tests": [*FOLDERS, "support/"],
 }
 # Register maps, which all of them may have; and signals of a chip by their place in its model.

@@ -1,0 +1,241 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The package gives what the program gives: run_test.py PROGRAM."""
+
+import json
+import os
+import pickle
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+import trammel
+from trammel import _core
+from trammel.asked import text_of
+
+PROGRAM = ""
+
+
+def by_program(folder, scenario, *words):
+    """Files of a run that the program made; what it ended with."""
+    return subprocess.run([PROGRAM, "run", scenario, *words, "--no-report", "-o", folder],
+                          capture_output=True, text=True, check=False)
+
+
+def trace(result):
+    """The text of trace.csv, made of the arrays."""
+    columns = list(result.columns.values())
+    lines = [",".join(result)]
+    for row in zip(*(result[c.name].tolist() for c in columns)):
+        lines.append(",".join(c.text(value) for c, value in zip(columns, row)))
+    return "\n".join(lines) + "\n"
+
+
+class SameAsTheProgram(unittest.TestCase):
+    def check(self, scenario, **keys):
+        words = [word for key, value in keys.items()
+                 for word in ("-s", f"{key}={text_of(value)}")]
+        with tempfile.TemporaryDirectory() as scratch:
+            folder = Path(scratch) / "run"
+            by_program(folder, scenario, *words)
+            metrics = json.loads((folder / "metrics.json").read_text())
+            result = trammel.run(scenario, **keys)
+            self.assertEqual(trace(result), (folder / "trace.csv").read_text())
+            self.assertEqual(result.event_hash, metrics["run"]["event_hash"])
+            self.assertEqual((result.end, result.verdict), (metrics["end"], metrics["verdict"]))
+            listed = {f["id"]: (f["value"], f["unit"]) for f in metrics["figures"]}
+            self.assertEqual({place: (float(f), f.unit) for place, f in result.figures.items()},
+                             listed)
+            own = Path(scratch) / "own"
+            result.save(own, page=False)
+            self.assertEqual((own / "trace.csv").read_bytes(),
+                             (folder / "trace.csv").read_bytes())
+            return result
+
+    def test_a_whole_run_with_each_engine(self):
+        for engine in ("rtl", "twin"):
+            result = self.check("circle", **{"run.engine": engine, "plant.x.payload_kg": 11,
+                                             "gains.feedforward": True})
+            self.assertTrue(result.ok)
+            self.assertEqual(result.end, "done")
+
+    def test_a_cut_run_of_each_machine(self):
+        tried = set()
+        for scenario in trammel.scenarios():
+            machine = trammel.settings(scenario).machine
+            if machine not in tried:
+                tried.add(machine)
+                self.check(scenario, **{"run.max_s": 0.05})
+        self.assertEqual(sorted(tried), sorted(_core.machines()))
+
+    def test_a_run_by_systemc_has_the_same_events(self):
+        keys = {"run.max_s": 0.1}
+        other = trammel.run("circle", **keys, **{"run.platform": "systemc"})
+        self.assertEqual(trammel.run("circle", **keys).event_hash, other.event_hash)
+
+
+class Wrong(unittest.TestCase):
+    def test_a_value_out_of_range_has_key_and_range(self):
+        with self.assertRaises(trammel.SettingError) as told:
+            trammel.run("circle", **{"plant.x.payload_kg": 1e9})
+        error = told.exception
+        self.assertEqual((error.key, error.value, error.range),
+                         ("plant.x.payload_kg", 1e9, "0..500"))
+        self.assertNotIn("\n", str(error))
+        again = pickle.loads(pickle.dumps(error))
+        self.assertEqual((str(again), again.key, again.range), (str(error), error.key, error.range))
+
+    def test_an_unknown_key_has_a_suggestion(self):
+        with self.assertRaisesRegex(trammel.SettingError, "did you mean controller") as told:
+            trammel.run("circle", controler="fc")
+        self.assertEqual((told.exception.key, told.exception.range), ("controler", None))
+
+    def test_keys_that_do_not_fit_together(self):
+        with self.assertRaises(trammel.SettingError) as told:
+            trammel.run("circle", engine="twin", **{"run.audit": True})
+        self.assertIn("run.", str(told.exception))
+
+    def test_what_is_no_scenario(self):
+        with self.assertRaisesRegex(trammel.ConfigError, "did you mean circle"):
+            trammel.run("circel")
+        with self.assertRaisesRegex(trammel.ConfigError, "cannot be read|No such file"):
+            trammel.run("no/such/file.toml")
+        self.assertRaises(trammel.SettingError, trammel.run, "circle", controller=None)
+        self.assertRaises(trammel.SettingError, trammel.keys, "nothing")
+
+    def test_a_folder_of_others_is_kept(self):
+        result = trammel.run("circle", engine="twin", **{"run.max_s": 0.02})
+        with tempfile.TemporaryDirectory() as scratch:
+            (Path(scratch) / "mine.txt").write_text("mine")
+            self.assertRaises(trammel.ConfigError, result.save, scratch)
+            self.assertEqual(os.listdir(scratch), ["mine.txt"])
+            self.assertRaises(trammel.ConfigError, result.report, f"{scratch}/mine.txt/page.html")
+
+    @unittest.skipUnless(os.path.exists("/dev/full"), "no /dev/full")
+    def test_a_full_disk(self):
+        result = trammel.run("circle", engine="twin", **{"run.max_s": 0.02})
+        with self.assertRaisesRegex((trammel.ConfigError, OSError), "No space left"):
+            result.write_trace("/dev/full")
+
+
+class Beside(unittest.TestCase):
+    """Threads, signals and callbacks."""
+
+    def test_two_threads_give_what_two_runs_in_a_row_give(self):
+        for engine in ("rtl", "twin"):
+            asked = [{"controller": c, "run.max_s": 0.3} for c in ("fc", "afc")]
+            alone = [trammel.run("circle", engine=engine, **keys) for keys in asked]
+            beside = [None, None]
+
+            def one(n, engine=engine, asked=asked, beside=beside):
+                beside[n] = trammel.run("circle", engine=engine, **asked[n])
+
+            threads = [threading.Thread(target=one, args=(n,)) for n in range(2)]
+            for thread in threads:
+                thread.start()
+            for thread in threads:
+                thread.join()
+            self.assertNotEqual(alone[0].event_hash, alone[1].event_hash)
+            for first, second in zip(alone, beside):
+                self.assertEqual(first.event_hash, second.event_hash)
+                for name in first:
+                    self.assertEqual(first[name].tobytes(), second[name].tobytes(), name)
+
+    def test_other_threads_go_on_meanwhile(self):
+        steps, over = [0], threading.Event()
+
+        def count():
+            while not over.is_set():
+                steps[0] += 1
+                time.sleep(0.001)
+
+        thread = threading.Thread(target=count)
+        thread.start()
+        before = steps[0]
+        trammel.run("circle", **{"run.max_s": 0.4})
+        during = steps[0] - before
+        over.set()
+        thread.join()
+        self.assertGreater(during, 10)
+
+    def test_an_interrupt_ends_a_run(self):
+        script = ("import trammel, sys\n"
+                  "print('begun', flush=True)\n"
+                  "try: trammel.run('circle', **{'run.leap': False})\n"
+                  "except KeyboardInterrupt: print('interrupted'); sys.exit(7)\n")
+        child = subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True)
+        self.assertEqual(child.stdout.readline(), "begun\n")
+        time.sleep(0.3)
+        child.send_signal(signal.SIGINT)
+        said, _ = child.communicate(timeout=20)
+        self.assertEqual((said, child.returncode), ("interrupted\n", 7))
+
+    def test_progress_is_told_and_what_it_raises_ends_the_run(self):
+        told = []
+        trammel.run("circle", progress=told.append)
+        self.assertEqual(told[-1], 1.0)
+        self.assertEqual(told, sorted(told))
+
+        def raise_it(fraction):
+            raise ZeroDivisionError(fraction)
+
+        begun = time.monotonic()
+        self.assertRaises(ZeroDivisionError, trammel.run, "circle", progress=raise_it,
+                          **{"run.leap": False})
+        self.assertLess(time.monotonic() - begun, 15)
+
+
+class Shapes(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.result = trammel.run("circle", engine="twin", controller="fc")
+
+    def test_columns_have_units(self):
+        result = self.result
+        self.assertEqual(set(result.units), set(result))
+        self.assertEqual(result.units["t_s"], "s")
+        self.assertEqual(result["t_s"].dtype, np.float64)
+        self.assertEqual(result["x_encoder_count"].dtype, np.int64)
+        self.assertEqual({len(result[name]) for name in result}, {len(result["t_s"])})
+
+    def test_figures_have_units(self):
+        figure = self.result.figures["tracking.model.mean_mm"]
+        self.assertEqual(figure.unit, "mm")
+        self.assertGreater(figure + 1, figure)
+        self.assertEqual(self.result.metrics["tracking"]["model"]["mean_mm"], float(figure))
+        self.assertEqual(pickle.loads(pickle.dumps(figure)).unit, "mm")
+
+    def test_a_data_frame(self):
+        frame = self.result.to_pandas()
+        self.assertEqual(list(frame), list(self.result))
+        self.assertEqual(frame.attrs["units"]["t_s"], "s")
+
+    def test_settings_repeat_the_run(self):
+        self.assertEqual(self.result.settings["controller"], "fc")
+        self.assertIn("controller=fc", self.result.command)
+
+    def test_pages(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            self.result.report(f"{scratch}/page.html")
+            self.assertIn("<html", Path(scratch, "page.html").read_text()[:500].lower())
+            other = trammel.run("circle", engine="twin", controller="afc")
+            trammel.compare([self.result, other], f"{scratch}/both.html")
+            self.assertGreater(os.path.getsize(f"{scratch}/both.html"), 10_000)
+            self.assertEqual(sorted(os.listdir(scratch)), ["both.html", "page.html"])
+
+    def test_keys_of_a_machine(self):
+        for machine in _core.machines():
+            keys = trammel.keys(machine)
+            self.assertIn("0", keys["run.max_s"].range)
+            self.assertTrue(all(key.help for key in keys.values()))
+
+
+if __name__ == "__main__":
+    PROGRAM = os.path.abspath(sys.argv.pop(1))
+    unittest.main()

@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A simulation step by step is the run: step_test.py PROGRAM (which is not used)."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+import unittest
+
+import trammel
+from trammel import _core
+
+TWIN = {"engine": "twin"}
+
+
+class Steps(unittest.TestCase):
+    def test_steps_of_any_length_give_the_events_of_a_run(self):
+        for engine in ("rtl", "twin"):
+            whole = trammel.run("circle", engine=engine, **{"run.max_s": 0.2})
+            simulation = trammel.open("circle", engine=engine, **{"run.max_s": 0.2})
+            for seconds in (20e-9, 1e-6, 0.00123, 0.05, 0.0101):
+                before = simulation.time_s
+                after = simulation.advance(seconds)
+                self.assertGreaterEqual(after - before, seconds - 1e-9)
+                self.assertLess(after - before, seconds + 300e-6)
+                self.assertEqual(after, simulation.time_s)
+            result = simulation.finish()
+            self.assertEqual(result.event_hash, whole.event_hash)
+            self.assertEqual(result["x_encoder_count"].tobytes(),
+                             whole["x_encoder_count"].tobytes())
+            self.assertTrue(simulation.over)
+            self.assertRaisesRegex(trammel.ConfigError, "over", simulation.advance, 1)
+
+    def test_every_machine_can_be_stepped(self):
+        tried = set()
+        for scenario in trammel.scenarios():
+            asked = trammel.settings(scenario, **{"run.max_s": 0.03})
+            if asked.machine in tried:
+                continue
+            tried.add(asked.machine)
+            simulation = trammel.open(asked)
+            while not simulation.over:
+                simulation.advance(0.004)
+            self.assertEqual(simulation.finish().event_hash, trammel.run(asked).event_hash,
+                             scenario)
+        self.assertEqual(sorted(tried), sorted(_core.machines()))
+
+    def test_registers_are_read_and_written(self):
+        simulation = trammel.open("circle", **TWIN)
+        simulation.advance(0.3)
+        tick = simulation.read("TICK")
+        self.assertAlmostEqual(tick / 2000, simulation.time_s, delta=0.001)
+        self.assertEqual(simulation.read(simulation.registers["TICK"]), tick)
+        position = simulation.read("x.POS")
+        self.assertNotEqual(position, 0)
+        kept = simulation.read("x.KP")
+        simulation.write("x.KP.mant", 77)
+        self.assertEqual(simulation.read("x.KP.mant"), 77)
+        self.assertEqual(simulation.read("x.KP") >> 16, kept >> 16)
+        simulation.write("x.KP", kept)
+        self.assertEqual(simulation.read("x.KP"), kept)
+        simulation.write("x.IQ_MANUAL", -3)
+        self.assertEqual(simulation.read("x.IQ_MANUAL"), -3)
+
+    def test_a_write_has_its_effect(self):
+        """The drives off: the gates go low, and the run is another."""
+        simulation = trammel.open("circle", **TWIN)
+        simulation.advance(0.3)
+        seen = set()
+        for _ in range(20):
+            simulation.advance(7e-6)
+            seen.add(simulation.outputs)
+        self.assertGreater(len(seen), 1)
+        for axis in ("x", "y"):
+            simulation.write(f"{axis}.CTRL.enable", 0)
+        simulation.advance(1e-4)
+        self.assertEqual(simulation.outputs, 0)
+        self.assertNotEqual(simulation.inputs, 0)
+        self.assertNotEqual(simulation.finish().end, "done")
+
+    def test_words_of_a_chip_without_a_bus(self):
+        for scenario in trammel.scenarios():
+            simulation = trammel.open(scenario, **{"run.max_s": 0.03})
+            if simulation.signals:
+                simulation.advance(0.01)
+                for name in simulation.signals:
+                    self.assertIsInstance(simulation.signal(name), int)
+                return
+        self.fail("no machine has signals")
+
+    def test_wrong_names_and_values(self):
+        simulation = trammel.open("circle", **TWIN)
+        for call in (lambda: simulation.read("x.NOTHING"), lambda: simulation.read(3),
+                     lambda: simulation.write("x.KP.mant", 1 << 11),
+                     lambda: simulation.write(0, 1 << 32), lambda: simulation.signal("no"),
+                     lambda: simulation.advance(0), lambda: simulation.advance(float("1e99")),
+                     lambda: trammel.open("circle", **{"run.wave": "fst"})):
+            with self.assertRaises(trammel.ConfigError) as told:
+                call()
+            self.assertNotIn("\n", str(told.exception))
+        with self.assertRaises(trammel.SettingError) as told:
+            simulation.write("x.KP.mant", 1 << 11)
+        self.assertEqual((told.exception.key, told.exception.range), ("x.KP.mant", "0..2047"))
+
+    def test_a_simulation_that_is_dropped_ends(self):
+        for _ in range(20):
+            trammel.open("circle").advance(1e-3)
+
+    def test_stop_keeps_the_record(self):
+        simulation = trammel.open("circle", **TWIN)
+        simulation.advance(0.2)
+        result = simulation.stop()
+        self.assertEqual(result.end, "interrupted")
+        self.assertAlmostEqual(result["t_s"][-1], 0.2, delta=0.002)
+
+    def test_an_interrupt_leaves_it_standing(self):
+        script = ("import trammel, sys\n"
+                  "s = trammel.open('circle', **{'run.leap': False})\n"
+                  "print('begun', flush=True)\n"
+                  "try: s.advance(100)\n"
+                  "except KeyboardInterrupt: print(s.over); s.advance(1e-5); sys.exit(7)\n")
+        child = subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True)
+        self.assertEqual(child.stdout.readline(), "begun\n")
+        time.sleep(0.3)
+        child.send_signal(signal.SIGINT)
+        said, _ = child.communicate(timeout=30)
+        self.assertEqual((said, child.returncode), ("False\n", 7))
+
+
+class Snapshots(unittest.TestCase):
+    def test_a_restored_simulation_goes_on_as_the_first(self):
+        for engine in ("rtl", "twin"):
+            first = trammel.open("circle", engine=engine, **{"run.max_s": 0.2})
+            first.advance(0.1)
+            first.write("x.SHIFT.e", first.read("x.SHIFT.e") + 1)
+            first.advance(0.01)
+            kept = first.snapshot()
+            second = trammel.restore(kept)
+            self.assertEqual(second.clock, first.clock)
+            other = trammel.restore(kept)
+            other.write("x.CTRL.enable", 0)
+            ends = [one.finish() for one in (first, second, other)]
+            self.assertEqual(ends[0].event_hash, ends[1].event_hash)
+            self.assertNotEqual(ends[0].event_hash, ends[2].event_hash)
+            self.assertNotEqual(
+                ends[0].event_hash,
+                trammel.run("circle", engine=engine, **{"run.max_s": 0.2}).event_hash)
+
+
+if __name__ == "__main__":
+    sys.argv[1:] = sys.argv[2:]
+    os.environ.pop("TRAMMEL_VERBS", None)
+    unittest.main()

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: Apache-2.0
+"""`pip install .` into a fresh environment, then a run there: wheel_test.py PROGRAM.
+
+The installed package simulates outside of the repository, with both engines, what the program does,
+and has its first figure within 5 s of the interpreter's start. Skipped where pip gets no packages.
+"""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+INSTALLED_S = 300
+FIRST_S = 5
+SCRIPT = """
+import json, sys, trammel
+first = trammel.run("circle")
+assert not trammel.__file__.startswith(sys.argv[1]), trammel.__file__
+twin = trammel.run("circle", engine="twin")
+first.report("page.html")
+print(json.dumps([first.event_hash, twin.event_hash, len(trammel.scenarios())]))
+"""
+
+
+def run(*command, **more):
+    return subprocess.run([str(c) for c in command], capture_output=True, text=True, check=False,
+                          **more)
+
+
+def main():
+    environment = {k: v for k, v in os.environ.items() if k != "PYTHONPATH"}
+    if shutil.which("ccache"):  # as the build of this folder does
+        environment |= {f"CMAKE_{n}_COMPILER_LAUNCHER": "ccache" for n in ("C", "CXX")}
+        environment |= {"CCACHE_BASEDIR": str(ROOT), "CCACHE_NOHASHDIR": "1"}
+    with tempfile.TemporaryDirectory() as scratch:
+        python = Path(scratch) / "venv" / "bin" / "python3"
+        run(sys.executable, "-m", "venv", Path(scratch) / "venv").check_returncode()
+        if run(python, "-m", "pip", "download", "-q", "--no-deps", "-d", scratch,
+               "nanobind").returncode != 0:
+            print("wheel: pip gets no packages here", file=sys.stderr)
+            return 77
+        begun = time.monotonic()
+        made = run(python, "-m", "pip", "install", "-q", ROOT, env=environment)
+        took = time.monotonic() - begun
+        if made.returncode != 0:
+            print(made.stdout[-3000:], made.stderr[-3000:], file=sys.stderr)
+            return 1
+        first = time.monotonic()
+        run(python, "-c", "import trammel; trammel.run('circle').figures", env=environment,
+            cwd=scratch).check_returncode()
+        first = time.monotonic() - first
+        done = run(python, "-c", SCRIPT, ROOT, env=environment, cwd=scratch)
+        print(f"wheel: installed in {took:.0f} s, first figure after {first:.1f} s")
+        if done.returncode != 0:
+            print(done.stderr, file=sys.stderr)
+            return 1
+        rtl, twin, count = json.loads(done.stdout)
+        run(sys.argv[1], "run", "circle", "--no-report", "-o", f"{scratch}/run").check_returncode()
+        metrics = json.loads(Path(scratch, "run", "metrics.json").read_text())
+        right = rtl == twin == metrics["run"]["event_hash"] and count > 0
+        return 0 if right and took < INSTALLED_S and first < FIRST_S else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
