@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Plans of sweeps: what they run, and what is refused. plan_test.py PROGRAM (which is not used)."""
+
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+from trammel.sweep import Plan, PlanError
+
+HEAD = 'scenario = "circle"\n'
+
+
+def plan(text, **files):
+    with tempfile.TemporaryDirectory() as folder:
+        for name, content in files.items():
+            Path(folder, name).write_text(content)
+        file = Path(folder, "plan.toml")
+        file.write_text(text)
+        return Plan(file)
+
+
+def values(found, key):
+    return np.array([found.run(n)[1][key] for n in range(found.count)])
+
+
+class Points(unittest.TestCase):
+    def test_a_grid_is_every_combination(self):
+        found = plan(HEAD + '[grid]\ncontroller = ["fc", "afc"]\n'
+                     '"plant.payload_kg" = {from = 0, to = 22, count = 3}\n')
+        self.assertEqual([found.run(n)[1] for n in range(found.count)], [
+            {"controller": c, "plant.payload_kg": m}
+            for c in ("fc", "afc") for m in (0.0, 11.0, 22.0)])
+
+    def test_a_logarithmic_grid(self):
+        found = plan(HEAD + '[grid]\n"plant.payload_kg" = {from = 0.1, to = 10, count = 3, '
+                     'scale = "log"}\n')
+        np.testing.assert_allclose(values(found, "plant.payload_kg"), [0.1, 1, 10])
+
+    def test_a_latin_hypercube_has_one_value_in_each_part_of_a_range(self):
+        found = plan(HEAD + '[latin]\ncount = 50\n"plant.payload_kg" = [0.0, 10.0]\n'
+                     '"plant.coulomb_N" = [5.0, 15.0]\n')
+        mass, friction = values(found, "plant.payload_kg"), values(found, "plant.coulomb_N")
+        self.assertEqual(sorted(np.floor(mass / 10 * 50)), list(range(50)))
+        self.assertEqual(sorted(np.floor((friction - 5) / 10 * 50)), list(range(50)))
+        self.assertLess(abs(np.corrcoef(mass, friction)[0, 1]), 0.5)
+
+    def test_draws_are_those_of_the_seed_and_the_key(self):
+        one = '[random]\ncount = 2000\n"plant.payload_kg" = {normal = [10.0, 2.0]}\n'
+        first = values(plan("seed = 3\n" + HEAD + one), "plant.payload_kg")
+        more = values(plan("seed = 3\n" + HEAD + one + '"plant.coulomb_N" = {log = [1.0, 10.0]}\n'),
+                      "plant.payload_kg")
+        other = values(plan("seed = 4\n" + HEAD + one), "plant.payload_kg")
+        np.testing.assert_array_equal(first, more)
+        self.assertTrue((first != other).all())
+        self.assertAlmostEqual(first.mean(), 10, delta=0.2)
+        self.assertAlmostEqual(first.std(), 2, delta=0.15)
+
+    def test_whole_numbers_stay_whole(self):
+        found = plan(HEAD + '[random]\ncount = 400\n"run.window_clk" = [1, 4]\n')
+        drawn = values(found, "run.window_clk")
+        self.assertEqual(set(drawn.tolist()), {1, 2, 3, 4})
+        self.assertGreater(np.bincount(drawn)[1:].min(), 60)
+        found = plan(HEAD + '[random]\ncount = 9\n"plant.payload_kg" = [0, 22]\n')
+        self.assertTrue((values(found, "plant.payload_kg") % 1 != 0).all())
+
+    def test_a_table_of_own_points_with_a_grid(self):
+        found = plan(HEAD + '[table]\nfile = "mine.csv"\n[grid]\ncontroller = ["fc", "afc"]\n',
+                     **{"mine.csv": "plant.payload_kg,plant.coulomb_N\n1,2.5\n3,4\n"})
+        self.assertEqual(found.count, 4)
+        self.assertEqual(found.run(3)[1], {"controller": "afc", "plant.payload_kg": 3,
+                                           "plant.coulomb_N": 4.0})
+
+    def test_parts_are_numbered_through(self):
+        found = plan('[[part]]\nscenario = "circle"\n[part.grid]\ncontroller = ["fc", "afc"]\n'
+                     '[[part]]\nscenario = "window"\nengine = "rtl"\n')
+        self.assertEqual((found.count, found.run(1)[0], found.run(2)), (3, 0, (1, {})))
+
+    def test_identity_tells_plans_apart(self):
+        text = HEAD + '[latin]\ncount = 5\n"plant.payload_kg" = [0.0, 10.0]\n'
+        one = plan(text).identity()
+        self.assertEqual(one, plan("# a comment\n" + text).identity())
+        for other in (text.replace("5", "6"), text.replace("10.0", "11.0"), "seed = 2\n" + text,
+                      text + '[keys]\ncontroller = "fc"\n'):
+            self.assertNotEqual(one, plan(other).identity())
+
+
+class Refused(unittest.TestCase):
+    def test_one_line_says_what_and_where(self):
+        for text, message in (
+            ("scenario = 3\n", "scenario: expects a name"),
+            ('scenario = "circel"\n', "did you mean circle"),
+            (HEAD + "colour = 1\n", "colour: unknown"),
+            (HEAD + 'engine = "fpga"\n', "run.engine: .*one of rtl, twin"),
+            (HEAD + '[grid]\n"plant.mess_kg" = [1]\n', "unknown key; did you mean plant.mass_kg"),
+            (HEAD + '[grid]\n"plant.payload_kg" = []\n', "empty list"),
+            (HEAD + '[grid]\n"plant.payload_kg" = {from = 2, to = 1, count = 3}\n', "empty range"),
+            (HEAD + '[grid]\n"plant.payload_kg" = [1, 1e9]\n', "out of range 0..500"),
+            (HEAD + '[latin]\ncount = 3\n"plant.payload_kg" = [1.0, 1.0]\n', "empty range"),
+            (HEAD + '[latin]\ncount = 0\n"plant.payload_kg" = [1.0, 2.0]\n', "count must be"),
+            (HEAD + '[latin]\ncount = 3\n', "names no key"),
+            (HEAD + '[random]\ncount = 9\n"plant.payload_kg" = [0.0, 9e9]\n', "out of range"),
+            (HEAD + '[random]\ncount = 9\n"plant.payload_kg" = {log = [0.0, 1.0]}\n', "above 0"),
+            (HEAD + '[random]\ncount = 9\n"run.window_clk" = [0.0, 1.5]\n', "whole numbers"),
+            (HEAD + '[keys]\ncontroller = "fc"\n[grid]\ncontroller = ["fc"]\n', "given twice"),
+            (HEAD + '[table]\nfile = "none.csv"\n', "none.csv"),
+            (HEAD + "[[part]]\n", "belongs in a"),
+            (HEAD + "grid = 3\n", "expects a table"),
+            ("seed = -1\n" + HEAD, "seed"),
+            (HEAD + "[", "plan.toml: "),
+        ):
+            with self.assertRaisesRegex(PlanError, message, msg=text) as told:
+                plan(text)
+            self.assertNotIn("\n", str(told.exception))
+
+
+if __name__ == "__main__":
+    sys.argv[1:] = sys.argv[2:]
+    unittest.main()

@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The verb `trammel sweep`."""
+
+from __future__ import annotations
+
+import os
+import sys
+import time
+from pathlib import Path
+from typing import NamedTuple
+
+from trammel.sweep.options import parser
+from trammel.sweep.plan import MOST, Plan, PlanError
+
+FLUSH_S = 10  # what a kill can cost, and
+FLUSH_ROWS = 20_000
+
+
+class Done(NamedTuple):
+    """What perform() did."""
+
+    runs: int  # made now
+    refused: int  # of all that are there, without a result
+    left: int
+    seconds: float
+
+
+class Progress:
+    """A line with rate and time left, on a terminal alone."""
+
+    def __init__(self, count: int, show: bool):
+        self.count, self.show, self.made = count, show and sys.stderr.isatty(), 0
+        self.begun = self.last = time.monotonic()
+
+    def add(self, runs: int) -> None:
+        self.made += runs
+        now = time.monotonic()
+        if not self.show or now - self.last < 0.2:
+            return
+        self.last = now
+        rate = self.made / (now - self.begun)
+        left = (self.count - self.made) / rate
+        sys.stderr.write(f"\r\033[K{self.made} of {self.count} runs, {rate:.3g} per s, "
+                         f"{left:.0f} s left")
+        sys.stderr.flush()
+
+    def close(self) -> None:
+        if self.show:
+            sys.stderr.write("\r\033[K")
+
+
+def shard_of(text: str) -> tuple[int, int]:
+    """i/n, with 1 <= i <= n."""
+    try:
+        one, of = map(int, text.split("/"))
+    except ValueError:
+        one = of = 0
+    if not 1 <= one <= of:
+        raise PlanError(f"--shard {text}: expects i/n with 1 <= i <= n, such as 2/8")
+    return one, of
+
+
+def perform(plan: Plan, folder, *, jobs: int = 0, cluster: str = "local", scheduler: str = "",
+            shard: tuple[int, int] = (1, 1), limit_s: float = 60, show: bool = False,
+            page: bool = True, empty: bool = False) -> Done:
+    """Makes the runs of a plan that are not in the folder yet, and the page of all."""
+    import numpy as np
+
+    from trammel.sweep import cluster as workers
+    from trammel.sweep import store
+
+    one, of = shard
+    kept = store.Store(Path(folder), plan.identity(), f"-{one}-of-{of}" if of > 1 else "")
+    wanted = np.arange(one - 1, plan.count, of)
+    wanted = wanted[~np.isin(wanted, kept.done(), assume_unique=True)]
+    begun, made = time.monotonic(), 0
+    if len(wanted):
+        made = _make(plan, kept, wanted, workers, jobs or workers.processors(), cluster,
+                     scheduler, limit_s, show, empty)
+    seconds = time.monotonic() - begun
+    table = kept.table(["run", "end"])
+    refused = sum(end in store.ENDS_REFUSED for end in table["end"].to_pylist())
+    if page:
+        from trammel.sweep import page as shown
+
+        shown.write(plan, kept.table(), Path(folder) / "page.html")
+    kept.close()
+    return Done(made, refused, plan.count - table.num_rows, seconds)
+
+
+def _make(plan, kept, wanted, workers, jobs, cluster, scheduler, limit_s, show, empty) -> int:
+    parts = [(part.scenario, part.engine, part.keys) for part in plan.parts]
+    runs = ((int(number), *plan.run(int(number))) for number in wanted)
+    progress = Progress(len(wanted), show)
+    rows, flushed, made = [], time.monotonic(), 0
+
+    def flush() -> None:
+        nonlocal rows, flushed, made
+        if rows:
+            kept.add(rows)
+        made += len(rows)
+        rows, flushed = [], time.monotonic()
+
+    try:
+        with workers.client(cluster, jobs, scheduler, limit_s) as found:
+            for some in workers.rows(found, parts, runs, jobs, empty):
+                rows += some
+                progress.add(len(some))
+                if len(rows) >= FLUSH_ROWS or time.monotonic() - flushed > FLUSH_S:
+                    flush()
+            flush()
+    except KeyboardInterrupt:
+        flush()
+        raise
+    finally:
+        progress.close()
+    return made
+
+
+def main() -> int:
+    given = parser().parse_args()
+    try:
+        shard = shard_of(given.shard)
+        plan = Plan(Path(given.plan))
+        if given.count:
+            print(plan.count)
+            return 0
+        if plan.count > MOST and not given.yes:
+            raise PlanError(f"{given.plan}: {plan.count} runs, more than {MOST}; --yes makes them")
+        folder = Path(given.out or Path("out") / Path(given.plan).stem)
+        jobs = given.jobs or (0 if given.cluster == "local" else 4)
+        done = perform(plan, folder, jobs=jobs, cluster=given.cluster, scheduler=given.scheduler,
+                       shard=shard, limit_s=given.limit, show=True, empty=given.empty)
+    except ImportError as error:
+        print(f"sweep: {error.name} is missing (trammel doctor)", file=sys.stderr)
+        return 3
+    except KeyboardInterrupt:
+        print("sweep: interrupted; the same command goes on", file=sys.stderr)
+        return 130
+    except OSError as error:
+        print(f"sweep: {error.filename or given.out or given.plan}: {error.strerror or error}; "
+              "what is done is kept", file=sys.stderr)
+        return 2
+    except ValueError as error:
+        print(f"sweep: {error}", file=sys.stderr)
+        return 2
+    rate = f", {done.runs / done.seconds:.3g} per s" if done.runs else ""
+    print(f"{plan.file.stem}: {plan.count - done.left} of {plan.count} runs, {done.runs} of them "
+          f"now{rate}; {done.refused} without a result\n  results in {os.fspath(folder)}\n"
+          f"  page: {folder / 'page.html'}")
+    return 1 if done.refused else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

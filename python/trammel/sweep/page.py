@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: Apache-2.0
+"""page.html of a sweep: one self-contained file that shows its runs."""
+
+from __future__ import annotations
+
+import json
+import math
+import shlex
+from pathlib import Path
+
+import numpy as np
+import pyarrow as pa
+
+from trammel.sweep.store import FIXED, replace
+
+MOST = 20_000  # runs on a page: evenly taken where there are more
+DIGITS = 6
+
+
+def command(plan, part: int, values: dict) -> str:
+    """Repeats a run."""
+    from trammel.asked import text_of
+
+    one = plan.parts[part]
+    keys = {"run.engine": one.engine, **one.keys, **values}
+    words = ["./trammel", "run", one.scenario]
+    for key, value in keys.items():
+        words += ["-s", f"{key}={text_of(value)}"]
+    return " ".join(shlex.quote(word) for word in words)
+
+
+def _number(value):
+    if value is None or (isinstance(value, float) and not math.isfinite(value)):
+        return None
+    return float(f"{value:.{DIGITS}g}") if isinstance(value, float) else value
+
+
+def data(plan, table: pa.Table) -> dict:
+    """What the page is made of: numeric axes, words, and the command of each run."""
+    if table.num_rows > MOST:
+        table = table.take(np.linspace(0, table.num_rows - 1, MOST).astype(np.int64))
+    axes, words = [], []
+    names = [name for name in table.column_names if name not in FIXED]
+    for name in [*names, "wall_s"]:
+        values = table[name].to_pylist()
+        if pa.types.is_floating(table[name].type) or pa.types.is_integer(table[name].type):
+            axes.append({"name": name, "key": name in plan.varied,
+                         "values": [_number(value) for value in values]})
+        else:
+            words.append({"name": name, "values": values})
+    runs = table["run"].to_pylist()
+    return {"title": plan.file.stem, "runs": runs, "axes": axes, "words": words,
+            "end": table["end"].to_pylist(), "message": table["message"].to_pylist(),
+            "commands": [command(plan, *plan.run(run)) for run in runs], "of": plan.count}
+
+
+def write(plan, table: pa.Table, file: Path) -> None:
+    folder = Path(__file__).parent
+    text = (folder / "page.html").read_text(encoding="utf-8")
+    script = (folder / "page.js").read_text(encoding="utf-8")
+    content = json.dumps(data(plan, table), allow_nan=False).replace("</", "<\\/")
+    text = text.replace("@SCRIPT@", script).replace("@DATA@", content)
+    replace(file, lambda path: path.write_text(text, encoding="utf-8"))

@@ -1,0 +1,287 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What a sweep runs: a plan in TOML, and the keys and values of each of its runs."""
+
+from __future__ import annotations
+
+import hashlib
+import itertools
+import json
+import math
+import re
+import tomllib
+import zlib
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from trammel import _core
+from trammel.asked import SettingError, settings
+
+SECTIONS = ("keys", "grid", "latin", "random", "table")
+OWN = {"scenario", "engine", *SECTIONS}
+MOST = 10**7  # runs without --yes
+MOST_BYTES = 4 << 20
+
+
+class PlanError(_core.ConfigError):
+    """What is wrong with a plan, in one line."""
+
+
+class Axis(NamedTuple):
+    """One key: its values, or how they are drawn."""
+
+    key: str
+    values: tuple = ()  # of a grid
+    spread: str = "uniform"  # uniform, log or normal
+    low: float = 0.0  # normal: mean
+    high: float = 0.0  # normal: standard deviation
+    whole: bool = False  # only whole numbers
+
+    def at(self, share: np.ndarray) -> np.ndarray:
+        """Values at these shares of the distribution, 0 to 1."""
+        if self.spread == "normal":
+            from statistics import NormalDist
+
+            inverse = NormalDist(self.low, self.high).inv_cdf
+            inside = np.clip(share, 1e-12, 1 - 1e-12)
+            return np.array([inverse(s) for s in inside])
+        if self.spread == "log":
+            return self.low * (self.high / self.low) ** share
+        if self.whole:  # each as likely, both ends among them
+            return np.floor(self.low + share * (self.high - self.low + 1)).astype(np.int64)
+        return self.low + share * (self.high - self.low)
+
+
+def _is_number(value) -> bool:
+    return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
+
+
+def grid_axis(where: str, key: str, given) -> Axis:
+    """[values...], or {from, to, count} with scale = "log" if wanted."""
+    if isinstance(given, list):
+        if not given:
+            raise PlanError(f"{where}: {key}: an empty list; it needs at least one value")
+        return Axis(key, tuple(given))
+    if not isinstance(given, dict) or not {"from", "to", "count"} <= set(given) <= {
+            "from", "to", "count", "scale"}:
+        raise PlanError(f"{where}: {key}: expects a list of values or {{from, to, count}}")
+    low, high, count = given["from"], given["to"], given["count"]
+    scale = given.get("scale", "linear")
+    if not (_is_number(low) and _is_number(high) and low < high):
+        raise PlanError(f"{where}: {key}: an empty range: from must be below to")
+    if not isinstance(count, int) or not 2 <= count <= MOST:
+        raise PlanError(f"{where}: {key}: count must be 2..{MOST}")
+    if scale not in ("linear", "log") or (scale == "log" and low <= 0):
+        raise PlanError(f"{where}: {key}: scale must be linear, or log with from above 0")
+    spaced = np.geomspace if scale == "log" else np.linspace
+    return Axis(key, tuple(spaced(low, high, count).tolist()))
+
+
+def drawn_axis(where: str, key: str, given, whole: bool) -> Axis:
+    """[low, high], {log = [low, high]} or {normal = [mean, deviation]}; whole numbers alone of a
+    key that takes no others."""
+    spread = "uniform"
+    if isinstance(given, dict) and len(given) == 1:
+        spread, given = next(iter(given.items()))
+    if spread not in ("uniform", "log", "normal") or not isinstance(given, list) \
+            or len(given) != 2 or not all(map(_is_number, given)):
+        raise PlanError(f"{where}: {key}: expects [low, high], {{log = [low, high]}} or "
+                        "{normal = [mean, deviation]}")
+    low, high = given
+    if spread == "normal" and high <= 0:
+        raise PlanError(f"{where}: {key}: the deviation must be above 0")
+    if spread != "normal" and low >= high:
+        raise PlanError(f"{where}: {key}: an empty range: {low} is not below {high}")
+    if spread == "log" and low <= 0:
+        raise PlanError(f"{where}: {key}: log needs a range above 0")
+    if whole and not (spread == "uniform" and isinstance(low, int) and isinstance(high, int)):
+        raise PlanError(f"{where}: {key}: takes whole numbers: expects [low, high] of such")
+    return Axis(key, (), spread, low, high, whole)
+
+
+def table_points(where: str, given, folder: Path) -> dict[str, list]:
+    """The columns of a CSV or Parquet file: keys, a line for each run."""
+    if not isinstance(given, dict) or set(given) != {"file"}:
+        raise PlanError(f"{where}: expects file = \"points.csv\" or .parquet")
+    file = folder / str(given["file"])
+    try:
+        if file.suffix == ".parquet":
+            from pyarrow import parquet
+
+            columns = parquet.read_table(file).to_pydict()
+        else:
+            from pyarrow import csv
+
+            columns = csv.read_csv(file).to_pydict()
+    except Exception as error:  # of the file or of its format
+        raise PlanError(f"{where}: {file}: {str(error).splitlines()[0]}") from None
+    if not columns or not len(next(iter(columns.values()))):
+        raise PlanError(f"{where}: {file}: holds no run")
+    return columns
+
+
+class Part:
+    """Runs of one scenario: each point of the grid with each of the drawn points."""
+
+    def __init__(self, where: str, given: dict, folder: Path, seed: int, number: int):
+        unknown = sorted(set(given) - OWN)
+        if unknown:
+            raise PlanError(f"{where}: {unknown[0]}: unknown; a part has {', '.join(sorted(OWN))}")
+        self.scenario = given.get("scenario")
+        if not isinstance(self.scenario, str):
+            raise PlanError(f"{where}: scenario: expects a name or a file")
+        if (folder / self.scenario).is_file():
+            self.scenario = str(folder / self.scenario)
+        self.engine = given.get("engine", "twin")
+        for name in SECTIONS:
+            if not isinstance(given.get(name, {}), dict):
+                raise PlanError(f"{where}: {name}: expects a table")
+        self.keys = given.get("keys", {})
+        self.grid = [grid_axis(f"{where} [grid]", *one) for one in given.get("grid", {}).items()]
+        self.drawn = self._drawn(where, given, seed, number)
+        self.table = (table_points(f"{where} [table]", given["table"], folder)
+                      if "table" in given else {})
+        if self.table and self.drawn:
+            raise PlanError(f"{where}: a table and drawn points together; one part has one")
+        self.points = self.table or self.drawn
+        self.grid_count = math.prod(len(axis.values) for axis in self.grid)
+        self.count = self.grid_count * (len(next(iter(self.points.values()))) if self.points else 1)
+        self.check(where)
+
+    def _drawn(self, where: str, given: dict, seed: int, number: int) -> dict[str, np.ndarray]:
+        if "latin" in given and "random" in given:
+            raise PlanError(f"{where}: latin and random together; one part has one")
+        name = "latin" if "latin" in given else "random"
+        section = dict(given.get(name, {}))
+        if not section:
+            return {}
+        count = section.pop("count", None)
+        if not isinstance(count, int) or not 1 <= count <= 100 * MOST:
+            raise PlanError(f"{where} [{name}]: count must be 1..{100 * MOST}")
+        if not section:
+            raise PlanError(f"{where} [{name}]: names no key")
+        points = {}
+        whole = self._whole_keys(where)
+        for key, value in section.items():
+            axis = drawn_axis(f"{where} [{name}]", key, value, key in whole)
+            # A stream of its own for each key: another key more changes no value of the others.
+            draw = np.random.default_rng([seed, number, zlib.crc32(key.encode())])
+            share = draw.random(count)
+            if name == "latin":  # one in each of `count` equal parts, in random order
+                share = (draw.permutation(count) + share) / count
+            points[key] = axis.at(share)
+        return points
+
+    def _whole_keys(self, where: str) -> set[str]:
+        """Keys that take whole numbers, and their names without an axis."""
+        try:
+            values = _core.Settings(self.scenario).values
+        except _core.ConfigError as error:
+            raise PlanError(f"{where}: {error}") from None
+        names = [key for key, value in values.items() if type(value) is int]
+        return {*names, *(re.sub(r"\.[xy]\.", ".", name) for name in names)}
+
+    def check(self, where: str) -> None:
+        """Each key exists, and the ends of its values are within its range."""
+        ends = {axis.key: axis.values for axis in self.grid}
+        ends |= {key: (min(values), max(values)) if not isinstance(values[0], str) else values
+                 for key, values in self.points.items()}
+        twice = [key for key in ends if key in self.keys]
+        twice += [axis.key for axis in self.grid if axis.key in self.points]
+        if twice:
+            raise PlanError(f"{where}: {twice[0]}: given twice")
+        try:
+            settings(self.scenario, engine=self.engine, **self.keys)
+            base = _core.Settings(self.scenario)
+            for key, values in ends.items():
+                for value in dict.fromkeys(values[:1] + values[-1:] if isinstance(values, list)
+                                           else values):
+                    self._try(base, key, value)
+        except _core.ConfigError as error:
+            raise PlanError(f"{where}: {error}") from None
+        self.machine = base.machine
+
+    @staticmethod
+    def _try(base: _core.Settings, key: str, value) -> None:
+        from trammel.asked import _apply
+
+        _apply(base.copy(), key, value)
+
+    @property
+    def varied(self) -> list[str]:
+        return [axis.key for axis in self.grid] + list(self.points)
+
+    def point(self, number: int) -> dict:
+        """Keys and values of a run of this part, besides those that all have."""
+        drawn, cell = divmod(number, self.grid_count)
+        values = {}
+        for axis in reversed(self.grid):
+            cell, at = divmod(cell, len(axis.values))
+            values[axis.key] = axis.values[at]
+        values = dict(reversed(values.items()))
+        for key, column in self.points.items():
+            value = column[drawn]
+            values[key] = value.item() if hasattr(value, "item") else value
+        return values
+
+    def identity(self) -> dict:
+        return {"scenario": self.scenario, "engine": self.engine, "keys": self.keys,
+                "grid": {axis.key: list(axis.values) for axis in self.grid},
+                "points": {key: hashlib.sha256(repr(list(column)).encode()).hexdigest()
+                           for key, column in self.points.items()}}
+
+
+class Plan:
+    """The parts of a plan, and its runs, which are numbered from 0 through all of them."""
+
+    def __init__(self, file: Path):
+        self.file = Path(file)
+        try:
+            text = self.file.read_bytes()
+            if len(text) > MOST_BYTES:
+                raise PlanError(f"{self.file}: longer than {MOST_BYTES >> 20} MiB")
+            given = tomllib.loads(text.decode())
+        except OSError as error:
+            raise PlanError(f"{self.file}: cannot be read: {error.strerror}") from None
+        except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+            raise PlanError(f"{self.file}: {error}") from None
+        self.seed = given.pop("seed", 1)
+        if not isinstance(self.seed, int) or self.seed < 0:
+            raise PlanError(f"{self.file}: seed: expects a whole number from 0")
+        parts = given.pop("part", None)
+        if parts is None:
+            parts = [given]
+        elif given:
+            raise PlanError(f"{self.file}: {next(iter(given))}: belongs in a [[part]]")
+        if not isinstance(parts, list) or not parts or not all(isinstance(p, dict) for p in parts):
+            raise PlanError(f"{self.file}: expects one scenario, or several as [[part]]")
+        folder = self.file.parent
+        self.parts = []
+        for number, part in enumerate(parts):
+            where = str(self.file) + (f" part {number + 1}" if len(parts) > 1 else "")
+            try:
+                self.parts.append(Part(where, part, folder, self.seed, number))
+            except SettingError as error:
+                raise PlanError(f"{where}: {error}") from None
+        self.first = [0, *itertools.accumulate(part.count for part in self.parts)]
+
+    @property
+    def count(self) -> int:
+        return self.first[-1]
+
+    @property
+    def varied(self) -> list[str]:
+        return list(dict.fromkeys(key for part in self.parts for key in part.varied))
+
+    def run(self, number: int) -> tuple[int, dict]:
+        """Part and values of a run."""
+        part = next(n for n in range(len(self.parts)) if number < self.first[n + 1])
+        return part, self.parts[part].point(number - self.first[part])
+
+    def identity(self) -> dict:
+        """What makes the runs what they are; a data set belongs to one of them."""
+        parts = [part.identity() for part in self.parts]
+        text = json.dumps([self.seed, parts], sort_keys=True, default=str)
+        return {"plan": hashlib.sha256(text.encode()).hexdigest(), "runs": self.count,
+                "version": _core.version}
