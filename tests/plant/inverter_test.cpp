@@ -10,12 +10,13 @@ using namespace trammel::plant;
 namespace {
 
 Legs resolve(const Inverter& inverter, unsigned gates, std::array<double, 3> i, unsigned zero = 0,
-             std::array<double, 3> emf = {}) {
+             std::array<double, 3> emf = {}, unsigned opened = 0) {
   // A balanced motor: the leg whose current stays zero sits at its back-EMF above the star point.
-  return inverter.resolve(gates, i, zero, emf, [&](std::size_t k, const std::array<double, 3>& v) {
+  const auto keep_zero = [&](std::size_t k, const std::array<double, 3>& v) {
     const double others = v[0] + v[1] + v[2] - v[k];
     return 0.5 * (others + 3 * emf[k]);
-  });
+  };
+  return inverter.resolve(gates, i, zero, emf, keep_zero, opened);
 }
 
 }  // namespace
@@ -87,13 +88,14 @@ TEST_CASE("both switches of a leg on is shoot-through") {
 }
 
 // A balanced star: a leg's current rises with its voltage above star point and back-EMF, and those
-// of the floating legs do not change. The star point follows from the legs that conduct.
+// of the floating legs do not change. The star point follows from the legs that conduct. An open
+// phase floats beyond the rails too.
 TEST_CASE("whatever the gates, currents and back-EMF, no leg conducts against its diodes") {
   std::mt19937 random(5);
   const auto any = [&random](double most) {
     return std::uniform_real_distribution<>(-most, most)(random);
   };
-  int open = 0, floating = 0, clamped[2]{};
+  int open = 0, floating = 0, clamped[2]{}, beyond = 0;
   for (int trial = 0; trial < 20'000; ++trial) {
     const InverterConfig c{100, trial % 3 == 0 ? 0.0 : 2.0, trial % 3 == 1 ? 0.0 : 1.0};
     const Inverter inverter(c);
@@ -103,22 +105,29 @@ TEST_CASE("whatever the gates, currents and back-EMF, no leg conducts against it
     std::array<double, 3> i{any(1), any(1), any(1)}, emf{any(90), any(90), 0};
     emf[2] = -emf[0] - emf[1];
     if (trial % 4 == 0) zero = 7;
+    const unsigned opened = trial % 5 == 0    ? 1u << random() % 3
+                            : trial % 97 == 0 ? random() & 7u
+                                              : 0;
+    zero |= opened;
     for (std::size_t k = 0; k < 3; ++k) {
       if ((zero >> k & 1u) != 0) i[k] = 0;
     }
-    const Legs legs = resolve(inverter, gates, i, zero, emf);
-    CAPTURE(trial, gates, zero, i[0], i[1], i[2], emf[0], emf[1], emf[2], legs.volt[0],
+    const Legs legs = resolve(inverter, gates, i, zero, emf, opened);
+    CAPTURE(trial, gates, zero, opened, i[0], i[1], i[2], emf[0], emf[1], emf[2], legs.volt[0],
             legs.volt[1], legs.volt[2], legs.floating, legs.open);
     const double top = c.dc_link + c.diode_drop, bottom = -c.diode_drop;
     double sum = 0;
     int conducting = 0;
     for (std::size_t k = 0; k < 3; ++k) {
       const bool upper = (gates >> k & 1u) != 0, lower = (gates >> (k + 3) & 1u) != 0;
-      const bool floats = (legs.floating >> k & 1u) != 0;
+      const bool floats = (legs.floating >> k & 1u) != 0, cut = (opened >> k & 1u) != 0;
       if (!floats) sum += legs.volt[k] - emf[k], ++conducting;
       INFO("leg " << k);
       REQUIRE(std::abs(legs.diode[k]) <= 1);
-      if (upper || lower) {  // the current's way through switch or diode
+      if (cut) {
+        REQUIRE(floats);
+        REQUIRE(legs.diode[k] == 0);
+      } else if (upper || lower) {  // the current's way through switch or diode
         REQUIRE_FALSE(floats);
         const double rail = upper ? c.dc_link : 0;
         const bool by_switch = upper ? i[k] > 0 : i[k] < 0;
@@ -136,6 +145,7 @@ TEST_CASE("whatever the gates, currents and back-EMF, no leg conducts against it
     if (legs.open) {  // at most one leg conducts, which then has no current: none may begin
       for (std::size_t a = 0; a < 3; ++a) {
         for (std::size_t b = 0; b < 3; ++b) {
+          if (((opened >> a | opened >> b) & 1u) != 0) continue;
           const bool fixed = (legs.floating >> b & 1u) == 0;
           if (fixed && a != b) {
             REQUIRE(legs.volt[b] + emf[a] - emf[b] <= top + 1e-9);
@@ -154,7 +164,9 @@ TEST_CASE("whatever the gates, currents and back-EMF, no leg conducts against it
       if ((legs.floating >> k & 1u) != 0) {
         ++floating;
         REQUIRE(drive == Approx(0).margin(1e-9));
-        REQUIRE((legs.volt[k] <= top + 1e-9 && legs.volt[k] >= bottom - 1e-9));
+        const bool within = legs.volt[k] <= top + 1e-9 && legs.volt[k] >= bottom - 1e-9;
+        if ((opened >> k & 1u) == 0) REQUIRE(within);
+        beyond += !within;
       } else if (i[k] == 0 && legs.diode[k] != 0) {  // the current that begins is the diode's
         ++clamped[legs.diode[k] > 0 ? 1 : 0];
         REQUIRE(drive * legs.diode[k] >= -1e-9);
@@ -165,4 +177,5 @@ TEST_CASE("whatever the gates, currents and back-EMF, no leg conducts against it
   CHECK(floating > 1000);
   CHECK(clamped[0] > 300);
   CHECK(clamped[1] > 300);
+  CHECK(beyond > 100);
 }
