@@ -87,6 +87,7 @@ TEST_CASE("spans as long as a motor allows agree with spans of 0.5 us") {
          c.viscous_n_s_m = 100;
        }), 5e-5},
       {"elastic", changed([](AxisConfig& c) { c.mode_hz = 120; })},
+      {"stiff and elastic", changed([](AxisConfig& c) { c.mode_hz = 800; })},
       {"a soft link", changed([](AxisConfig& c) { c.supply_ohm = 2; })},
       {"drops", changed([](AxisConfig& c) {
          c.switch_drop_v = 1.5;
