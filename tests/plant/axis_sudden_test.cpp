@@ -54,6 +54,19 @@ TEST_CASE("a load that comes while no edge is near is not seen late") {
   }
 }
 
+TEST_CASE("a load that goes while no edge is near is not seen late") {
+  for (const Clk end : {100, 1000, 3000}) {
+    AxisConfig c = quick();
+    c.external_force_n = -1000;
+    c.load_n = 1000;
+    c.brake = false;
+    c.load_end_s = static_cast<double>(end) * kPeriod;
+    Axis axis(c, kPeriod);
+    axis.commit(1, kShorted);
+    CHECK(latest(axis, 1, end + 4000, kShorted) == 0);
+  }
+}
+
 TEST_CASE("the edges of a supply that returns are not seen late") {
   AxisConfig c = quick();
   c.inductance_d_h = c.inductance_q_h = 1e-4;
