@@ -55,6 +55,21 @@ TEST_CASE("motor_axis reverses, and shows its index once per revolution") {
   CHECK(axis.index());
 }
 
+TEST_CASE("motor_axis: a winding that opens has no current from that clock on, either way") {
+  for (const double command : {1.0, -1.0}) {
+    MotorAxis axis({});
+    axis.commit(0, command);
+    REQUIRE(std::abs(axis.state(20'000).i) > 0.1);
+    axis.open(20'000, true);
+    for (const std::int64_t n : {20'000, 20'001, 20'400, 100'000}) {
+      CAPTURE(command, n);
+      CHECK(axis.state(n).i == 0);
+    }
+    axis.open(100'000, false);
+    CHECK(axis.state(120'000).i * command > 0.1);
+  }
+}
+
 TEST_CASE("motor_axis takes a load from a clock on, and predicts the edges that it makes") {
   MotorAxis axis({});
   axis.load(5000, 0.05);
