@@ -202,3 +202,24 @@ TEST_CASE("stepper_axis: a weakened motor has that share of its own torque, unti
   pass(strong, pulses(strong, end + 1000, 200, 12'500, true) + 50'000'000);
   CHECK(strong.steps_lost() != 0);
 }
+
+TEST_CASE("stepper_axis: pulses during a flush are void, those behind it are not") {
+  for (const bool fitted : {true, false}) {
+    CAPTURE(fitted);
+    StepperAxisConfig config;
+    config.buffer.fitted = fitted;
+    StepperAxis axis(config);
+    std::int64_t n = 1000;
+    for (const bool flush : {true, false}) {
+      for (int k = 0; k < 5; ++k, n += 500'000) {
+        pass(axis, n);
+        axis.drive(n, true, true, flush);
+        pass(axis, n + 250'000);
+        axis.drive(n + 250'000, false, true, flush);
+      }
+      pass(axis, n += 50'000'000);
+      CHECK(axis.translated() == (flush ? 400 : 405));
+      CHECK(axis.waiting() == 0);
+    }
+  }
+}
