@@ -90,6 +90,23 @@ TEST_CASE("belt axis: without force its energy falls in every step, and it comes
   }
 }
 
+TEST_CASE("belt axis: a motor that meets no cart comes to the speed of its own friction") {
+  for (const std::size_t motor : {0, 1}) {
+    BeltAxisConfig c = smooth();
+    c.gap = 100;
+    BeltAxis axis(c);
+    axis.drive(0, {motor == 0 ? 1.0 : 0.0, motor == 1 ? 1.0 : 0.0});
+    axis.drive(kSecond, {0, 0});
+    const double counts = 0.5 * c.full_counts - 0.25 * c.coulomb;  // its force less its friction
+    const std::array<std::size_t, 2> wheel{BeltState::kMotor1, BeltState::kMotor2};
+    CAPTURE(motor);
+    CHECK(axis.state().v[wheel[motor]] ==
+          Approx(c.count_force * counts / c.viscous).epsilon(1e-6));
+    CHECK(axis.state().v[wheel[1 - motor]] == 0);
+    CHECK(axis.state().v[BeltState::kCart] == 0);
+  }
+}
+
 TEST_CASE("belt axis: a stop holds the cart, which bounces less than it came") {
   BeltAxisConfig c = smooth();
   c.start = 0.4;
