@@ -86,6 +86,24 @@ TEST_CASE("a sub-divisional error moves the boundaries by a sine of the scale's 
   CHECK(worst > 1.4e-6);  // the sine at an eighth of its period
 }
 
+TEST_CASE("jitter scatters each boundary of a count by itself") {
+  EncoderConfig c;
+  c.jitter = 0.1e-6;
+  Encoder e(c, 0);
+  double low = 0, high = 0, product = 0;  // sums over the crossings [um^2], from the middle
+  for (int k = 0; k < 2000; ++k) {
+    e.follow(k % 2 == 0 ? e.high() : e.low() - 1e-9);
+    const double at = static_cast<double>(e.count()) * 5e-6;
+    const double below = 1e6 * (e.low() - (at - 3e-6)), above = 1e6 * (e.high() - (at + 3e-6));
+    low += below * below;
+    high += above * above;
+    product += below * above;
+  }
+  CHECK(std::sqrt(low / 2000) == Approx(0.1).epsilon(0.1));
+  CHECK(std::sqrt(high / 2000) == Approx(0.1).epsilon(0.1));
+  CHECK(std::abs(product) < 0.1 * std::sqrt(low * high));
+}
+
 TEST_CASE("jitter scatters the crossings of a boundary within the hysteresis, by the seed") {
   EncoderConfig c;
   c.jitter = 0.1e-6;
