@@ -78,6 +78,9 @@ struct AxisState {
 
 PmlsmConfig motor_config(const AxisConfig& c);
 
+// The same; throws std::invalid_argument that names the first value that no axis can have.
+const AxisConfig& checked(const AxisConfig& c);
+
 class Axis {
  public:
   // The seed is that of the encoder's jitter.
