@@ -143,6 +143,15 @@ TEST_CASE("JSON that is nested deeper or wider than any of a run is refused") {
   std::string wide;
   for (int k = 0; k < 5000; ++k) wide += (k > 0 ? ",\"" : "{\"") + std::to_string(k) + "\":[{}]";
   CHECK(json_refusal(wide + "}") == "a.json: is corrupt: an object of more than 4096 members");
+  // Many objects are not one that is wide, in turn or in each other's place.
+  std::string many;
+  for (int k = 0; k < 3000; ++k) {
+    many += (k > 0 ? ",{" : "{\"a\":[{") + std::string("\"b\":1,\"c\":2}");
+  }
+  CHECK(json_refusal(many + "]}") == "");
+  std::string two;
+  for (int k = 0; k < 4096; ++k) two += (k > 0 ? ",\"" : "\"") + std::to_string(k) + "\":0";
+  CHECK(json_refusal("{\"a\": {" + two + "}, \"b\": {" + two + "}}") == "");
   CHECK(json_refusal("[1]") == "a.json: is corrupt: not a JSON object");
   CHECK(json_refusal("{\"a\": 1") == "a.json: is corrupt: no JSON at byte 8");
   CHECK(json_refusal("{\"a\": 1e999}") == "a.json: is corrupt: a number that is too large");
