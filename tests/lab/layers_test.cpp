@@ -342,6 +342,16 @@ TEST_CASE("an assignment is key=value, and nothing may follow a number") {
                       Contains("is not a whole number"));
     apply_assignment(*settings, "run.max_s=1e0");
     CHECK(settings->run.max_s == 1);
+    for (const auto& [text, value] : {std::pair{"010", 10}, {"+8", 8}, {"08", 8}, {"7", 7}}) {
+      CAPTURE(text);
+      apply_assignment(*settings, std::string("run.window_clk=") + text);  // never octal
+      CHECK(settings->run.window_clk == value);
+    }
+    for (const char* text : {"0x10", "1e3", "1_000", "99999999999999999999"}) {
+      CAPTURE(text);
+      CHECK_THROWS_WITH(apply_assignment(*settings, std::string("run.window_clk=") + text),
+                        Contains("run.window_clk: value "));
+    }
   }
 }
 
