@@ -255,6 +255,23 @@ TEST_CASE("a file that is missing or not the run's is named") {
   CHECK_NOTHROW(lab::check_whole(target));
 }
 
+TEST_CASE("a change of one byte anywhere in a long file is seen") {
+  const test::Scratch here("output_folder_out");
+  const fs::path target = here.path / "a";
+  const std::string whole(200'000, 'x');  // some blocks of 64 KiB
+  publish(target, "trace.csv", whole);
+  CHECK_NOTHROW(lab::check_whole(target));
+  for (const std::size_t at : {0, 65'535, 65'536, 140'000, 199'999}) {
+    std::string changed = whole;
+    changed[at] = 'y';
+    put(target / "trace.csv", changed);
+    CAPTURE(at);
+    CHECK_THROWS_WITH(lab::check_whole(target), Contains("trace.csv: is not what the run wrote"));
+  }
+  put(target / "trace.csv", whole);
+  CHECK_NOTHROW(lab::check_whole(target));
+}
+
 TEST_CASE("a page replaces a regular file, through a file that did not exist") {
   const test::Scratch here("output_folder_out");
   const fs::path page = here.path / "page.html";
