@@ -8,6 +8,7 @@
 #include <zlib.h>
 
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <cstring>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -258,6 +259,26 @@ TEST_CASE("a corrupt folder is one line that names the file, and the old page st
     CHECK_THROWS_WITH(write_page({trace_file}, base / "b.html"),
                       Contains("trace.csv: is not a folder"));
   });
+}
+
+TEST_CASE("the latest run is that whose metrics were written last, of whatever name") {
+  const Scratch scratch;
+  CHECK_THROWS_WITH(latest_run(scratch.path), Contains("report: no run in "));
+  const auto now = fs::file_time_type::clock::now();
+  const auto put = [&](const char* name, int ago_s) {
+    fs::create_directories(scratch.path / name);
+    write_text(scratch.path / name / "metrics.json", "{}");
+    fs::last_write_time(scratch.path / name / "metrics.json", now - std::chrono::seconds(ago_s));
+  };
+  put("a", 30);
+  CHECK(latest_run(scratch.path) == scratch.path / "a");
+  put("c", 20);
+  put("b", 10);
+  put(".d", 0);  // a scratch folder
+  fs::create_directories(scratch.path / "e");  // without metrics.json
+  CHECK(latest_run(scratch.path) == scratch.path / "b");
+  put("a", 0);
+  CHECK(latest_run(scratch.path) == scratch.path / "a");
 }
 
 TEST_CASE("every missing member that a machine's page needs is named") {
