@@ -185,6 +185,9 @@ TEST_CASE("every built-in scenario loads, can run, names its machine and repeats
       CHECK(repeat_command(*settings) == command);
       apply_assignment(*settings, "run.max_s=0.5");
       CHECK(repeat_command(*settings) == command + " -s run.max_s=0.5");
+      apply_assignment(*settings, "run.wave_trigger=x > 1 after 2ms");  // a shell takes it apart
+      CHECK(repeat_command(*settings) == command + " -s run.max_s=0.5 -s "
+                                                   "'run.wave_trigger=x > 1 after 2ms'");
       settings->scenario = "mine";
       CHECK(repeat_command(*settings) == "./trammel run run.toml");
     }
