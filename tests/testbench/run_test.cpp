@@ -300,6 +300,26 @@ TEST_CASE("experiments that are stopped before they ended count as interrupted")
   CHECK(entries(scratch.path) == 1);
 }
 
+TEST_CASE("the exit code of all experiments is the worst of theirs, whichever it is of") {
+  const std::size_t count = lab::machines().front()->experiments.size();
+  REQUIRE(count > 2);
+  for (const std::size_t bad : {std::size_t{0}, count / 2, count - 1, count}) {
+    for (const auto& [end, code] : {std::pair{EndReason::kDiverged, 5}, {EndReason::kPromise, 4}}) {
+      const Scratch scratch;
+      Arguments arguments = arguments_for("", scratch.path);
+      arguments.all = true;
+      arguments.report = false;
+      std::size_t run_so_far = 0;
+      const Simulate simulate = [&, end = end](const lab::Settings& settings, const cosim::Hooks&) {
+        return test::short_run(settings, run_so_far++ == bad ? end : EndReason::kDone);
+      };
+      CAPTURE(bad, code);
+      CHECK(test::run(arguments, simulate) == (bad == count ? 0 : code));
+      CHECK(run_so_far == count);
+    }
+  }
+}
+
 TEST_CASE("a key that the experiments set is refused with --all, wherever it comes from") {
   const Scratch scratch;
   Arguments arguments = arguments_for("", scratch.path / "a");
