@@ -119,6 +119,18 @@ TEST_CASE("a table may lag at the end of a fast path as the model does, by half 
   CHECK(Judge(options).followed.limit_at_end_m(0.016) == 0.015);
 }
 
+TEST_CASE("a table lags as the model of its slower axis does, whichever that is") {
+  for (const std::size_t slow : {0u, 1u}) {
+    for (const double omega : {10.0, 20.0}) {
+      Options options;
+      options.gains[slow].omega_n_rad_s = omega;
+      options.gains[slow].zeta = 0.8;
+      CAPTURE(slow, omega);
+      CHECK(options.lag_s() == Approx(1.6 / omega));
+    }
+  }
+}
+
 namespace {
 
 // A small circle, half a second long.
