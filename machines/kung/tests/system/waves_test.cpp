@@ -9,6 +9,7 @@
 #include "machines/kung/plan.hpp"
 #include "machines/kung/session.hpp"
 #include "machines/kung/machine.hpp"
+#include "systemc/wire.hpp"
 
 using namespace trammel;
 using namespace trammel::kung;
@@ -218,6 +219,30 @@ TEST_CASE("a stop request ends the search and the run") {
   CHECK(result.end == EndReason::kStopped);
   CHECK(result.samples.size() > 20);
   CHECK(result.waves.empty());
+}
+
+// Of a window that is anchored to the start of the drives, too: what ran until then was the run.
+TEST_CASE("a stop request during the search begins no second run, whatever is searched for") {
+  for (const char* trigger : {"", "fault", "x.e > 100"}) {
+    Options options = piece();
+    options.run.wave = WaveFormat::kFst;
+    options.run.wave_file = "kung_waves_test.fst";
+    options.run.wave_trigger = trigger;
+    const std::atomic<bool> stop{true};
+    Hooks hooks;
+    hooks.stop = &stop;
+    int runs = 0;
+    const auto make = [&](const Hooks& own, const cosim::Waves& waves) {
+      ++runs;
+      return machine().session(options, own, waves);
+    };
+    const auto result = systemc::simulate(options.run, triggers(), make, hooks);
+    CAPTURE(trigger);
+    CHECK(runs == 1);
+    CHECK(result->end == EndReason::kStopped);
+    CHECK(result->waves.empty());
+    CHECK_FALSE(std::filesystem::exists(options.run.wave_file));
+  }
 }
 
 TEST_CASE("the signals of triggers are what the registers read") {
