@@ -130,6 +130,23 @@ class Prompt(unittest.TestCase):
             self.assertEqual((done.returncode, done.stdout, done.stderr),
                              (0, "RDRP    00000000h  0 counts\n", ""))
 
+    def test_an_answer_of_a_script_comes_when_it_is_given_not_when_the_script_ends(self):
+        self.type("quit\r")
+        self.assertEqual(self.ended(), 0)
+        with subprocess.Popen([self.program, "lm628", "-", "-s", "run.max_s=3600"],
+                              stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                              bufsize=0) as script:
+            try:
+                script.stdin.write(b"rdrp\nwait 3000 s\n")
+                script.stdin.close()
+                said = b""
+                if select.select([script.stdout], [], [], LIMIT_S)[0]:
+                    said = os.read(script.stdout.fileno(), 4096)
+                self.assertEqual(said, b"RDRP    00000000h  0 counts\n")
+                self.assertIsNone(script.poll())
+            finally:
+                script.kill()
+
 
 def main():
     if len(sys.argv) not in (2, 3) or sys.argv[1] in ("-h", "--help"):
