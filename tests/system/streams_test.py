@@ -47,6 +47,15 @@ class Streams(Case):
                     done = call(stdout=pipe)
                 self.assertEqual((done.returncode, done.stderr), (0, ""))
 
+    def test_the_launcher_exits_with_2_where_nothing_is_asked_that_there_is(self):
+        for code, *words in ((2,), (0, "help"), (0, "-h"), (0, "--help"), (2, "test", "a/b"),
+                             (0, "test", "-h"), (0, "prove", "--help")):
+            with self.subTest(words=words):
+                done = subprocess.run([ROOT / "trammel", *words], check=False, timeout=60,
+                                      capture_output=True, text=True,
+                                      env={**os.environ, "TRAMMEL_NO_APT": "1"})
+                self.assertEqual(done.returncode, code, done.stderr)
+
     def test_the_launcher_and_the_tools_need_no_stderr(self):
         for code, *command in ((0, "trammel", "--help"), (2, "trammel", "test", "a/b"),
                                (0, "scripts/tool", "--list"), (2, "scripts/tool", "nothing"),
