@@ -236,6 +236,23 @@ TEST_CASE("gantry_tau refuses calibration data with a wrong checksum and keeps t
   CHECK(bench.twin().calibration().data().words[14] == 100);
 }
 
+TEST_CASE("gantry_tau: calibration data are taken beside ticks and samples, not at their clocks") {
+  Track track(1.7);
+  GantryBench& bench = track.bench;
+  constexpr std::int64_t kSample = 274;  // [clk] behind a tick, about
+  for (std::int64_t n = 0; n < 24; ++n) {
+    CAPTURE(n);
+    load(bench, track.calib);
+    const std::uint32_t ticks = bench.twin().ticks();
+    REQUIRE(bench.until([&] { return bench.twin().ticks() != ticks; }, kTickClk + 1));
+    bench.clocks(kTickClk - 14 + (n < 12 ? n : n - 12 + kSample));
+    bench.put(kCalibrate, 7u << 16);
+    bench.clocks(700);
+    CHECK((bench.get(kStatus) & (kStatusStored | kStatusRefused)) == kStatusStored);
+    bench.put(kStatus, kStatusStored);
+  }
+}
+
 TEST_CASE("gantry_tau with an empty store does not observe, and serves the requester alone") {
   GantryBench bench;
   bench.code = [](int channel, std::int64_t) { return 100 + channel; };
