@@ -42,10 +42,9 @@ struct Board {
     twin.step(in);
     in.write = in.grant = false;
     rtl->write_i = rtl->grant_i = 0;
-    for (unsigned k = 0; k < 2; ++k) {
-      REQUIRE((rtl->step_o >> k & 1) == twin.axis(k).step);
-      REQUIRE((rtl->forward_o >> k & 1) == twin.axis(k).forward);
-    }
+    const auto x = twin.axis(0), y = twin.axis(1);
+    REQUIRE(rtl->step_o == (x.step | y.step << 1));
+    REQUIRE(rtl->forward_o == (x.forward | y.forward << 1));
     REQUIRE(bool(rtl->irq_o) == twin.irq());
   }
 
@@ -110,4 +109,16 @@ TEST_CASE("larson_ice40_up5k: a grant shows the vector and takes it") {
   board.tick();
   CHECK(board.rtl->d_io == 0344);
   CHECK_FALSE(board.rtl->irq_o);
+}
+
+TEST_CASE("larson_ice40_up5k leaves the bus alone while it is reset") {
+  Board board;
+  REQUIRE(board.read(0) == 0xFFFF);  // the count, as after the reset
+  board.rtl->reset_n_i = 0;
+  board.rtl->read_i = 1;
+  board.rtl.tick();
+  CHECK(board.rtl->d_io == 0);  // a bus that nobody drives shows as 0
+  board.rtl->reset_n_i = 1;
+  board.rtl.tick();
+  CHECK(board.rtl->d_io == 0xFFFF);
 }
