@@ -156,6 +156,21 @@ TEST_CASE("answers that find no room are left out whole") {
   CHECK(text.substr(text.size() - 2) == "\r\n");
 }
 
+TEST_CASE("a line that just fits the ring is written, one byte more is left out whole") {
+  for (const std::uint32_t left : {0u, 1u, 2u}) {
+    sw::TextRing ring;
+    sw::TextLine one, byte;
+    one.text("0123456789abcdef");
+    byte.text("x");
+    ring.put_part(one);
+    while (ring.room() > one.size() + left) ring.put_part(byte);
+    CAPTURE(left);
+    CHECK(ring.put(one) == (left == 2));  // with CR and LF
+    CHECK(ring.room() == (left == 2 ? 0 : one.size() + left));
+    CHECK(ring.take() == '0');
+  }
+}
+
 TEST_CASE("a set-up survives as words; a number of either sign and size does") {
   sw::KungSetup setup;
   setup.path = sw::Path::kStar;
