@@ -257,14 +257,19 @@ TEST_CASE("a fault of either driver turns all gates and both enables off, and li
   }
 }
 
-TEST_CASE("the word behind the memory is not answered and trips, the last one is") {
-  constexpr std::uint32_t kLoad = 0x00052503, kLoadBefore = 0xFFC52503;  // lw a0, 0 or -4 (a0)
-  for (const std::uint32_t load : {kLoad, kLoadBefore}) {
-    // lui a0, 0x10: 65,536 bytes; then a loop
-    test::SocChip chip({0x00010537, load, 0x0000006F});
+TEST_CASE("what is behind the memory or the registers is not answered and trips, their end is") {
+  struct Load {
+    std::uint32_t upper, load;  // lui a0; lw a0
+    bool answered;
+  };
+  for (const Load& one : {Load{0x00010537, 0xFFC52503, true},   // the last of 16,384 words
+                          Load{0x00010537, 0x00052503, false},  // the next one
+                          Load{0x80000537, 0x3FC52503, true},   // 1 KiB of registers
+                          Load{0x80000537, 0x40052503, false}}) {
+    CAPTURE(one.upper, one.load);
+    test::SocChip chip({one.upper, one.load, 0x0000006F});  // then a loop
     for (int n = 0; n < 40; ++n) chip.clock();
-    CAPTURE(load);
-    CHECK((chip.pins().status_o >> 2 & 3) == (load == kLoad ? 3 : 0));  // tripped, trapped
+    CHECK((chip.pins().status_o >> 2 & 3) == (one.answered ? 0 : 3));  // tripped, trapped
   }
 }
 
