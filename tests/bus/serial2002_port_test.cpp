@@ -197,7 +197,9 @@ TEST_CASE("serial2002_port: so does that of malformed ones") {
   for (int k = 1; k <= 65'540; ++k) {
     line(false, 10);  // without a stop bit
     line(true, 1);
-    if (bench.twin.malformed() != static_cast<std::uint32_t>(std::min(k, 65535))) FAIL("after " << k << " bytes");
+    if (bench.twin.malformed() != static_cast<std::uint32_t>(std::min(k, 65535))) {
+      FAIL("after " << k << " bytes");
+    }
   }
   CHECK(bench.rtl->malformed_o == 65535);
 }
