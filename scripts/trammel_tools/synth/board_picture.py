@@ -14,6 +14,7 @@ Exit codes: 0 written or as it should be, 1 the picture is stale, 2 usage.
 
 import argparse
 import collections
+import itertools
 import json
 import re
 import sys
@@ -97,6 +98,15 @@ def svg(width, height, lines):
             "\n" + "\n".join(lines) + "\n</svg>\n")
 
 
+def changed(was, now):
+    """The first words that differ between two pictures."""
+    words = (re.findall(r">([^<>\n]+)</text>", picture) for picture in (was, now))
+    for old, new in itertools.zip_longest(*words, fillvalue="nothing"):
+        if old != new:
+            return f"{old} became {new}"
+    return "a shape or colour changed"
+
+
 def tiles(folder, top, groups):
     """{(x, y): Counter of groups}, and the blocks of memory and multipliers by place."""
     netlist = Netlist(*synth_flow.read_netlist(top, folder), top)
@@ -167,7 +177,8 @@ def main():
             target.write_text(picture, encoding="utf-8")
             print(f"wrote {target.relative_to(ROOT)}")
         elif not target.exists() or target.read_text(encoding="utf-8") != picture:
-            print(f"board-picture: {target.relative_to(ROOT)} is stale: scripts/tool "
-                  "board-picture", file=sys.stderr)
+            was = target.read_text(encoding="utf-8") if target.exists() else ""
+            print(f"board-picture: {target.relative_to(ROOT)} is stale, {changed(was, picture)}: "
+                  "if that is meant, scripts/tool board-picture", file=sys.stderr)
             stale = 1
     return stale

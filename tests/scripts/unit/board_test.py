@@ -8,7 +8,7 @@ import unittest
 from pathlib import Path
 
 from trammel_tools.paths import ROOT
-from trammel_tools.synth import board
+from trammel_tools.synth import board, board_picture
 
 PORTS = {"clk_i": {"direction": "input", "bits": [2]},
          "gate_o": {"direction": "output", "bits": [3, 4]},
@@ -116,6 +116,13 @@ class BoardTest(unittest.TestCase):
                     ports[port] = {"direction": way, "bits": [*range(int(width or 0) + 1)]}
                 read = board.read_lpf if on.family == "ecp5" else board.read_pcf
                 self.assertEqual(list(board.findings(on, ports, read(on.constraints))), [], name)
+
+    def test_a_stale_picture_says_what_changed(self):
+        was = board_picture.connectors(board.find("icebreaker"))
+        now = was.replace(">pwm_mag_o<", ">pwm_sign_o<", 1)
+        self.assertEqual(board_picture.changed(was, now), "pwm_mag_o became pwm_sign_o")
+        self.assertEqual(board_picture.changed("", now), "nothing became Pmod 1A")
+        self.assertEqual(board_picture.changed(was, was + " "), "a shape or colour changed")
 
     def test_the_pins_of_a_board_are_read(self):
         on = board.find("icebreaker")
