@@ -42,7 +42,7 @@ double expected_s(const Options& o) {
     case sw::An693Program::kRelative: return move * o.sample_s() + 2 * o.wait_s;
     case sw::An693Program::kBreakpoints:
       return (1.5 * o.breakpoint * 65536.0 / v + 2.75 * v / a) * o.sample_s() + o.wait_s;
-    case sw::An693Program::kTuning: return o.steps * o.wait_s;
+    case sw::An693Program::kTuning: return o.steps * (move * o.sample_s() + o.wait_s);
   }
   return o.run.max_s;
 }

@@ -115,7 +115,7 @@ TEST_CASE("an693: what became of a fault is told from its clocks, currents and c
 
 TEST_CASE("an693: progress is the share of the time that the trajectory and the waits take") {
   for (const auto program : {An693Program::kHold, An693Program::kAbsolute, An693Program::kRelative,
-                             An693Program::kBreakpoints}) {
+                             An693Program::kBreakpoints, An693Program::kTuning}) {
     for (const int counts : {100, 3000, -3000}) {  // the first without a part of constant speed
       const Options options = quick(program, counts);
       std::vector<double> told;
