@@ -3,6 +3,7 @@
 // Scripts and lists of moves: what they become, and what is said of those that cannot be.
 #include "machines/larson/script.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <fstream>
 #include <string>
@@ -127,6 +128,16 @@ TEST_CASE("a file is a list of moves by its extension, in any case, else a scrip
   }
   CHECK_THROWS_WITH(larson::read_calls("nowhere.CSV", {}, kClockPs),
                     Catch::Contains("nowhere.CSV"));
+}
+
+TEST_CASE("a line along one axis gives the other the least rate, not none") {
+  for (const char* const text : {"0,100,1\n", "100,0,1\n"}) {
+    for (const Call& one : larson::parse_moves(text, "m.csv", {2000, 500})) {
+      if (one.call.op != LarsonOp::kVeltbl) continue;
+      CHECK(std::min(one.call.a, one.call.b) == 59);
+      CHECK(std::max(one.call.a, one.call.b) == 500);
+    }
+  }
 }
 
 TEST_CASE("a list of moves may come from a spreadsheet: byte order mark, CR LF, blanks") {

@@ -277,6 +277,59 @@ TEST_CASE("larson: a table at rest is recorded for its settling, and no longer")
   }
 }
 
+TEST_CASE("larson: the origin counts the pulses that wait when CALTBL ends") {
+  Scripted script("CALTBL\n");
+  script.options.wttbl_ms = 0;
+  const auto run = script.run();
+  REQUIRE(run.result.end == cosim::EndReason::kDone);
+  const Sample last = run.result.samples.back();
+  for (std::size_t k = 0; k < 2; ++k) {
+    CAPTURE(kName[k]);
+    CHECK(run.result.origin[k] == last.axis[k].step);
+  }
+  CHECK(run.result.done[0].at[1] < -0.5);  // Y, which ends it, has not arrived
+}
+
+TEST_CASE("larson: a fault that drives the table into its stop is reported as that") {
+  for (const double overtravel : {20.0, 500.0}) {
+    Scripted script("CALTBL\n");
+    script.options.axis.overtravel = overtravel;
+    script.options.run.max_s = 0.3;
+    script.options.fault.kind = cosim::FaultKind::kEncoderStuck;
+    script.options.fault.axis = 1;
+    script.options.fault.value = -1;  // never closed
+    const auto run = script.run();
+    CAPTURE(overtravel);
+    CHECK(run.result.fault_report.at_stop == (overtravel < 100));
+  }
+}
+
+TEST_CASE("larson: an error return notices a fault that came before it, not a later one") {
+  for (const double begin_s : {0.01, 0.9}) {
+    Scripted script("VELTBL 400 400\nCALTBL\nABSTBL -5 20\nWTTBL\nABSTBL 20 0\nWTTBL\n");
+    script.options.fault.kind = cosim::FaultKind::kIndexLost;  // harms nothing at this rate
+    script.options.fault.begin_s = begin_s;
+    script.options.settle_s = 0.7;
+    const auto run = script.run();
+    REQUIRE(run.result.answers[3].value == 0);
+    const double told = cosim::seconds_of(run.result.done[3].edge, script.options.axis.clock_ps);
+    CAPTURE(begin_s, told);
+    REQUIRE(told < 0.9);
+    CHECK(run.result.fault_report.begin != cosim::kNever);
+    CHECK(run.result.fault_report.by == (begin_s < told ? "WTTBL" : ""));
+  }
+}
+
+TEST_CASE("larson: a run whose table moves on for minutes ends five seconds behind its program") {
+  // Forward by 65,535 steps at 59 PPS, of which the program does not know.
+  const Scripted script("CALTBL\nMOV XCOUNT 0\nMOV XSTATUS 030000\n");
+  const auto run = script.run();
+  CHECK(run.result.end == cosim::EndReason::kMissed);
+  const cosim::Clk more = run.result.samples.back().edge - run.result.done.back().edge;
+  CHECK(cosim::seconds_of(more, script.options.axis.clock_ps) == Approx(5).margin(1e-2));
+  CHECK(run.result.fault.find("X is 29") == 0);
+}
+
 TEST_CASE("larson: a table that leaves its switches is looked at every table.poll_ms") {
   for (const double poll_ms : {2.0, 5.0}) {
     Scripted script("CALTBL\n");
