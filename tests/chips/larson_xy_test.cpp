@@ -235,6 +235,57 @@ TEST_CASE("larson_xy: busy waits for the buffer, a stop does not, and is no done
   CHECK_FALSE(bench.irq());
 }
 
+TEST_CASE("larson_xy in motion: a rate from the next preset on, a direction and a count at once") {
+  LarsonBench bench;
+  const Steps steps(bench);
+  bench.mov(kXCount, complement(20));
+  bench.mov(kXStatus, kBusy | kForward | 07704);
+  REQUIRE(bench.until([&] { return steps.at.size() == 2; }, 1'000'000));
+  bench.clocks(3000);
+  bench.mov(kXStatus, kBusy | kForward | 07660);  // busy again: the divider goes on
+  REQUIRE(bench.until([&] { return steps.at.size() == 4; }, 1'000'000));
+  CHECK(std::fabs(steps.seconds(1, 2) - 60 / 240e3) < 30e-9);
+  CHECK(std::fabs(steps.seconds(2, 3) - 80 / 240e3) < 30e-9);
+  CHECK(bench.axis(0).forward);
+  bench.mov(kXStatus, kBusy | 07660);
+  REQUIRE(bench.until([&] { return steps.at.size() == 5; }, 1'000'000));
+  CHECK_FALSE(bench.axis(0).forward);
+  CHECK(bench.word(kXCount) == complement(15));
+  bench.mov(kXCount, complement(2));
+  REQUIRE(bench.until([&] { return !busy(bench, 0); }, 1'000'000));
+  CHECK(steps.at.size() == 7);
+}
+
+TEST_CASE("larson_xy: a reset in motion stops it without a done event, and the count stays") {
+  LarsonBench bench;
+  const Steps steps(bench);
+  bench.mov(kXCount, complement(20));
+  bench.mov(kXStatus, kEnable | kBusy | kForward | 07704);
+  REQUIRE(bench.until([&] { return steps.at.size() == 3; }, 1'000'000));
+  bench.mov(kXStatus, kReset | kEnable | kForward | 07704);
+  bench.clocks(100'000);
+  CHECK(steps.at.size() == 3);
+  CHECK_FALSE(bench.irq());
+  CHECK(bench.word(kXCount) == complement(17));
+  CHECK(bench.word(kXStatus) == (kEnable | kForward | 07704));
+  bench.mov(kXStatus, kReset | kEnable | kBusy | kForward | 07704);  // both: it starts anew
+  REQUIRE(bench.until([&] { return bench.irq(); }, 1'000'000));
+  CHECK(steps.at.size() == 20);
+}
+
+TEST_CASE("larson_xy: a start that the latch refuses leaves the request as it is") {
+  for (const bool taken : {false, true}) {
+    CAPTURE(taken);
+    LarsonBench bench;
+    const Steps steps(bench);
+    run_into_far_limit(bench, steps, 100);
+    if (taken) CHECK(bench.vector() == 0340);
+    bench.mov(kXStatus, kEnable | kBusy | 06650);
+    CHECK(bench.irq() == !taken);
+    CHECK_FALSE(busy(bench, 0));
+  }
+}
+
 TEST_CASE("larson_xy agrees with its twin on random traffic, leaping and not") {
   const trammel::test::Traffic traffic = trammel::test::traffic(4000, 21);
   Random random(traffic.seed);
