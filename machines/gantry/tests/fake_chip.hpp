@@ -38,7 +38,8 @@ struct FakeChip final : sw::Bus {
   std::vector<Frame> sent;
   std::vector<std::uint32_t> calibrated;
   std::map<std::uint32_t, int> writes;
-  std::uint32_t later = 0;  // bits of STATUS that are set as the position is read
+  std::uint32_t later = 0;    // bits of STATUS that are set as the position is read
+  std::uint32_t cleared = 0;  // of STATUS, last
 
   std::uint32_t read(std::uint32_t address) override {
     if (address == regs::kPosition) words[regs::kStatus] |= std::exchange(later, 0);
@@ -61,6 +62,7 @@ struct FakeChip final : sw::Bus {
       calibrated.push_back(data);
     } else if (address == regs::kStatus) {
       words[address] &= ~data;
+      cleared = data;
     } else {
       words[address] = data;
     }
