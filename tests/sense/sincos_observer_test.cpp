@@ -108,6 +108,73 @@ TEST_CASE("sincos_observer agrees with its twin for any codes, calibration and o
   }
 }
 
+TEST_CASE("sincos_observer starts in the quarter of the larger of A and B, however near they are") {
+  Bench bench;
+  Random random(30);
+  for (int k = 0; k < 8000; ++k) {
+    SincosObserver::In in;
+    in.restart = true;
+    bench.clock(in);
+    in.restart = false;
+    in.active = true;
+    if (k % 100 == 0) {
+      for (const std::size_t origin : {4u, 5u}) {
+        bench.calib.words[origin] = static_cast<std::uint16_t>(k % 400 == 0 ? 512 : random() % 1024);
+      }
+    }
+    const int by = static_cast<int>(random() % 512), near = by + static_cast<int>(random() % 3) - 1;
+    const bool b_first = random() % 2 == 0;
+    for (const bool b : {b_first, !b_first}) {
+      const int off = (random() % 2 == 0 ? 1 : -1) * (b ? near : by);
+      in.sample = true;
+      in.channel = b ? 2 : 0;
+      in.code = static_cast<std::uint32_t>(std::clamp(bench.calib.words[b ? 5 : 4] + off, 0, 1023));
+      bench.clock(in);
+      bench.rest(in, random);
+    }
+    in.sample = false;
+    in.ask = true;
+    bench.clock(in);
+    bench.rest(in, random);
+    REQUIRE(bench.rtl->known_o == 1);
+  }
+}
+
+TEST_CASE("sincos_observer takes a derivative up to its limits, and asks for it where it may") {
+  Bench bench;
+  Random random(31);
+  for (int k = 0; k < 6000; ++k) {
+    SincosObserver::In in;
+    if (k % 40 == 0) {
+      in.restart = true;
+      bench.clock(in);
+      in.restart = false;
+      bench.calib = ideal_calibration();
+      for (const std::size_t limit : {33u, 34u, 35u, 36u}) {
+        if (k % 80 == 0) bench.calib.words[limit] = static_cast<std::uint16_t>(random() % 1024);
+      }
+    }
+    in.active = true;
+    in.velocity = random() % 4 != 0;
+    in.sample = true;
+    for (const std::uint32_t channel : {0u, 2u, 0u, 1u, 2u, 3u}) {
+      const std::size_t limit = 33 + (channel == 3 ? 1 : 0) + random() % 2 * 2;
+      const int edge = bench.calib.words[limit] + static_cast<int>(random() % 3) - 1;
+      in.channel = channel;
+      in.code = channel % 2 == 0 ? random() % 1024
+                                 : static_cast<std::uint32_t>(std::clamp(edge, 0, 1023));
+      in.sample = true;
+      bench.clock(in);
+      bench.rest(in, random);
+      in.sample = false;
+      in.ask = true;
+      bench.clock(in);
+      bench.rest(in, random);
+      in.ask = false;
+    }
+  }
+}
+
 TEST_CASE("sincos_observer's answer to an ask and its results come as late as it says") {
   Bench bench;
   SincosObserver::In in;

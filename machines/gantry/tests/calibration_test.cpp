@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "models/exact/sense/calibration.hpp"
 #include "models/plant/stripe_track.hpp"
 #include "sw_nios/apps/gantry/calibration_fit.hpp"
 
@@ -88,6 +89,45 @@ TEST_CASE("without motion there is no fit") {
   for (std::uint32_t tick = 0; !fit->full(); ++tick) fit->add(tick, tick % 2 == 0, 600);
   sw::CalibrationWords words{};
   CHECK_FALSE(fit->fit(words));
+}
+
+TEST_CASE("the fit finds the middle of each encoder to a code, whatever its fraction") {
+  for (const double more : {1.0, 1.3, 1.7, -1.3, -1.7}) {  // codes
+    plant::StripeTrackConfig c;
+    c.defect_units = {0, 0};
+    c.offset_a_error = more / c.amplitude;
+    c.offset_b_error = -more / c.amplitude;
+    const plant::StripeTrack track(c);
+    sw::CalibrationWords words{};
+    REQUIRE(run_over(track, 0.1267)->fit(words));
+    CAPTURE(more);
+    CHECK(words[4] == 512 + std::lround(more));
+    CHECK(words[5] == 512 + std::lround(-more));
+  }
+}
+
+TEST_CASE("a region with few codes has no fit") {
+  plant::StripeTrackConfig c;
+  c.defect_units = {0, 0};
+  const plant::StripeTrack track(c);
+  auto fit = std::make_unique<sw::CalibrationFit>();
+  for (std::uint32_t tick = 0; !fit->full(); ++tick) {
+    const double x = 0.1267 * tick / 4612.0;
+    const bool of_a = tick % 64 != 0;  // some 15 of B in each of its regions
+    fit->add(tick, of_a, track.code(of_a ? 0 : 2, x, 0.1267));
+  }
+  sw::CalibrationWords words{};
+  CHECK_FALSE(fit->fit(words));
+}
+
+TEST_CASE("the firmware's checksum is that of the chip") {
+  exact::Calibration data;
+  sw::CalibrationWords words{};
+  for (unsigned k = 0; k < 62; ++k) {
+    words[k] = static_cast<std::uint16_t>(k * 2654 + 17);
+    data.words[k] = words[k];
+  }
+  CHECK(sw::checksum(words) == exact::sealed(data).words[62]);
 }
 
 TEST_CASE("the checksum is CRC-16/CCITT-FALSE, of which a bit more or less changes it") {

@@ -14,6 +14,9 @@ TEST_CASE("G-11 the feed-forward of 0, 10000, 50000 and -170000 is 0, 141, 356 a
   CHECK(feed_forward(10000) == 141);
   CHECK(feed_forward(50000) == 356);
   CHECK(feed_forward(-170000) == -1002);
+  CHECK(feed_forward(15000) == 168);
+  CHECK(feed_forward(-15000) == -169);  // the shift goes down
+  CHECK(feed_forward(-10000) == -142);
 }
 
 TEST_CASE("G-12 the motors share a force by error and force as the listing has it, symmetrically") {
@@ -118,6 +121,13 @@ TEST_CASE("velocity: u is the feed-forward less both parts; its anti-windup stor
   CHECK(s.sum == 582 << 14);
   CHECK(VelocityPi::step(c, s, 0, 593 << 7) == -1023);  // P beyond: S as it was
   CHECK(s.sum == 582 << 14);
+}
+
+TEST_CASE("shifts of a velocity's error go down on either side of 0") {
+  const VelocityPi::Config c;
+  VelocityPi::State above, below;
+  CHECK(VelocityPi::step(c, above, 0, 1) == 0);
+  CHECK(VelocityPi::step(c, below, 0, -1) == 2);  // both parts are -1
 }
 
 TEST_CASE("the filter moves by 5000 at most from its last mean, and is the mean of four") {
