@@ -119,7 +119,8 @@ TEST_CASE("sincos_observer starts in the quarter of the larger of A and B, howev
     in.active = true;
     if (k % 100 == 0) {
       for (const std::size_t origin : {4u, 5u}) {
-        bench.calib.words[origin] = static_cast<std::uint16_t>(k % 400 == 0 ? 512 : random() % 1024);
+        const std::uint32_t any = k % 400 == 0 ? 512 : random() % 1024;
+        bench.calib.words[origin] = static_cast<std::uint16_t>(any);
       }
     }
     const int by = static_cast<int>(random() % 512), near = by + static_cast<int>(random() % 3) - 1;
