@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The other end of the line: what host.sends may say, the bytes of a value, the bytes of a line;
+// and the figures of a step, of a record made by hand.
+#include <catch2/catch.hpp>
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lab/errors.hpp"
+#include "machines/gantry/host.hpp"
+#include "machines/gantry/machine.hpp"
+
+using namespace trammel;
+using namespace trammel::gantry;
+using Bytes = std::vector<unsigned char>;
+
+TEST_CASE("gantry host: a value has the bytes of the protocol, two at least and six at most") {
+  CHECK(frame_of(9, 42) == Bytes{0x8A, 0x49});
+  CHECK(frame_of(21, 305) == Bytes{0xCC, 0x35});
+  CHECK(frame_of(22, 170'000) == Bytes{0x82, 0xCC, 0x84, 0x16});
+  for (const auto& [value, length] :
+       {std::pair{0u, 2u}, {511u, 2u}, {512u, 3u}, {65'535u, 3u}, {65'536u, 4u}, {8'388'607u, 4u},
+        {8'388'608u, 5u}, {1'073'741'823u, 5u}, {1'073'741'824u, 6u}, {0xFFFFFFFFu, 6u}}) {
+    CHECK(frame_of(31, value).size() == length);
+  }
+}
+
+TEST_CASE("gantry host: what is sent is read with its time, in each of its forms") {
+  const std::vector<Sent> all = read_sends("0:21=305 0.5:31? 0.5:d1?  2:x8A49");
+  REQUIRE(all.size() == 4);
+  CHECK(all[0].at_s == 0);
+  CHECK(all[0].bytes == Bytes{0xCC, 0x35});
+  CHECK(all[1].at_s == 0.5);
+  CHECK(all[1].bytes == Bytes{0x7F});
+  CHECK(all[2].bytes == Bytes{0x41});
+  CHECK(all[3].bytes == Bytes{0x8A, 0x49});
+  CHECK(read_sends("").empty());
+  CHECK(read_sends("3600:0=4294967295").front().bytes.size() == 6);
+}
+
+TEST_CASE("gantry host: what cannot be sent is refused in a line with the word and what is wrong") {
+  const std::pair<const char*, const char*> wrong[] = {
+      {"21=305", "there is no \":\""},     {"x:21=305", "its time is not 0 to 3600 s"},
+      {"-1:21=305", "its time"},           {"3601:21=305", "its time"},
+      {"nan:0?", "its time"},              {"1e:0?", "its time"},
+      {"1:21", "neither sets nor polls"},  {"1:", "neither sets nor polls"},
+      {"1:32=1", "32 is above 31"},        {"1:32?", "32 is above 31"},
+      {"1:d?", "\"\" is no number"},       {"1:?", "\"\" is no number"},
+      {"1:-1=1", "is no number"},          {"1:1=-1", "is no number"},
+      {"1:1=4294967296", "above 4294967295"}, {"1:1=9z", "\"9z\" is no number"},
+      {"1:x8", "two digits each"},         {"1:x", "two digits each"},
+      {"1:xGG", "\"GG\" is no number"},    {"2:0? 1:0?", "earlier than the one before"}};
+  for (const auto& [text, why] : wrong) {
+    std::string told;
+    try {
+      read_sends(text);
+    } catch (const lab::ConfigError& error) {
+      told = error.what();
+    }
+    CAPTURE(text, told);
+    CHECK(told.find("host.sends: ") == 0);
+    CHECK(told.find(why) != std::string::npos);
+    CHECK(told.find("permitted: ") != std::string::npos);
+    CHECK(told.find('\n') == std::string::npos);
+  }
+}
+
+TEST_CASE("gantry host: bytes of a line are read from its edges, and none without a stop bit") {
+  constexpr cosim::Clk kBit = 434;
+  LineReader reader(kBit);
+  Bytes came;
+  cosim::Clk now = 1000;
+  const auto level = [&](bool high, int bits) {
+    reader.see(now, high, [&came](unsigned char byte) { came.push_back(byte); });
+    now += bits * kBit;
+  };
+  const auto frame = [&](unsigned byte, bool stop) {
+    level(false, 1);
+    for (int k = 0; k < 8; ++k) level((byte >> k & 1u) != 0, 1);
+    level(stop, 1);
+  };
+  level(true, 3);
+  for (unsigned byte = 0; byte < 256; ++byte) frame(byte, true);
+  level(true, 2);
+  REQUIRE(came.size() == 256);
+  for (unsigned byte = 0; byte < 256; ++byte) CHECK(came[byte] == byte);
+  frame(0x55, false);
+  level(true, 20);
+  frame(0x31, true);
+  level(true, 2);
+  level(true, 2);
+  REQUIRE(came.size() == 257);
+  CHECK(came.back() == 0x31);
+}
+
+namespace {
+
+// A record of places [mm], one each 10 ms from 0 on.
+Result record(const std::vector<double>& places) {
+  Result result;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    Sample sample;
+    sample.edge = static_cast<cosim::Clk>(k) * 500'000;
+    sample.x = 1e-3 * places[k];
+    result.samples.push_back(sample);
+  }
+  return result;
+}
+
+Options step(double from, double to) {
+  Options options;
+  options.sends = "0.1:21=0";
+  options.time_s = 0.5;
+  options.from_mm = from;
+  options.reference_mm = to;
+  return options;
+}
+
+}  // namespace
+
+TEST_CASE("gantry: figures of a step are from its command on, in either sense") {
+  for (const double sense : {1.0, -1.0}) {
+    std::vector<double> places(51, 100);
+    for (std::size_t k = 0; k < 5; ++k) places[k] = 100 + sense * 80;  // before the command
+    const double way[] = {0, 10, 30, 48, 49.5, 52, 51.2, 50.5, 49.4};
+    for (std::size_t k = 0; k < places.size() - 10; ++k) {
+      places[10 + k] = 100 + sense * way[std::min<std::size_t>(k, 8)];
+    }
+    places[45] = 100 + sense * 49.9;
+    places[50] = 100 + sense * 49.2;
+    const Result result = record(places);
+    const StepFigures f = step_figures(step(100, 100 + sense * 50), result);
+    CAPTURE(sense);
+    CHECK(f.overshoot_mm == Approx(2));
+    CHECK(f.arrive_s == Approx(0.04));       // within 1 mm
+    CHECK(f.settle_s == Approx(0.07));       // 2 % are 1 mm: 1.2 mm at 0.06 s is outside
+    CHECK(f.rest_mm == Approx(-sense * 0.8));
+    CHECK(f.swing_mm == Approx(0.7));        // 49.2 to 49.9, from 0.4 s on
+  }
+}
+
+TEST_CASE("gantry: a step that never arrives says so; the track's zero is where it is told to be") {
+  const Result result = record(std::vector<double>(51, 40));
+  Options options = step(0, 50);
+  const StepFigures f = step_figures(options, result);
+  CHECK(f.arrive_s == -1);
+  CHECK(f.settle_s == -1);
+  CHECK(f.overshoot_mm == 0);
+  CHECK(f.rest_mm == Approx(-10));
+  options.zero_mm = -10;
+  CHECK(step_figures(options, result).rest_mm == Approx(0).margin(1e-9));
+  CHECK(step_figures(options, result).arrive_s == Approx(0).margin(0.0101));  // a sample
+}
+
+TEST_CASE("gantry: the thesis' overshoot stands beside ours in the scenarios it has one for") {
+  for (const auto& [scenario, printed] :
+       {std::pair{"gantry-p", 0.26}, {"gantry-pi", 45.0}, {"gantry-pi-cancel", 4.5},
+        {"gantry-pi-aw", 0.65}, {"gantry-cascade", 0.0}, {"gantry-min-force", -1.0},
+        {"own", -1.0}}) {
+    Options options = step(0, 50);
+    options.scenario = scenario;
+    Result result = record(std::vector<double>(51, 51));
+    bool found = false;
+    for (const lab::Figure& one : figures(options, result)) {
+      if (one.id != "step.overshoot_percent") continue;
+      found = true;
+      CHECK(one.value == Approx(2));
+      CAPTURE(scenario);
+      CHECK(one.printed.has_value() == (printed >= 0));
+      if (printed >= 0) CHECK(*one.printed == printed);
+    }
+    CHECK(found);
+  }
+}
