@@ -62,7 +62,9 @@
       plot('position', 'Position', 'position (mm)', [
         line('asked', s.goal_mm, 'asked', 'mm', 3, { width: 3, steps: true }),
         line('cart', s.x_mm, 'actual', 'mm', 3),
-        line('observer', s.position_mm, 'model', 'mm', 3, { hidden: true })]),
+        line('observer', s.position_mm, 'model', 'mm', 3, { hidden: true })],
+      run.metrics.options['boot.home'] || run.metrics.options['boot.calibrate']
+        ? 'asked: from where the observer last began' : ''),
       plot('velocity', 'Velocity', 'velocity (mm/s)', [
         line('cart', s.v_mm_s, 'actual', 'mm/s', 1),
         line('filtered', s.filtered_mm_s, 'model', 'mm/s', 1),
@@ -92,8 +94,7 @@
 
   // A against B: a circle where the sensor is ideal.
   function portraitCard(s) {
-    const plot = { id: 'portrait', title: 'Phase portrait', height: square, saveWidth: 520,
-      print: 'quarter' };
+    const plot = { id: 'portrait', title: 'Phase portrait', height: square, saveWidth: 520 };
     const n = s.sensor_a_code.length;
     const stride = Math.ceil(n / kMostPoints);
     plot.scene = function (p, width, height, theme) {
@@ -124,7 +125,7 @@
   // Lines of the four regions: points [x, y, ...] of each.
   function regionPlot({ id, title, small, xLabel, yLabel, xRange, points }) {
     const lines = kRegions.map(points);
-    const plot = { id, title, height: square, saveWidth: 520, print: 'quarter' };
+    const plot = { id, title, height: square, saveWidth: 520 };
     plot.scene = function (p, width, height, theme) {
       const ys = lines.flatMap((one) => one.filter((v, k) => k % 2 === 1));
       const frame = T.frame(boxOf(width, height), xRange, T.padded(T.range(ys), 0.06));
@@ -151,7 +152,7 @@
           return [code, phaseOf(cubics[r], code)];
         }) }),
       regionPlot({ id: 'cubics-off', title: 'Cubics less an ideal sensor', small: 'by region',
-        xLabel: 'phase from the region\u2019s centre (2^-14 period)', yLabel: 'off (\u00b5m)',
+        xLabel: 'phase from the centre (2^-14 period)', yLabel: 'off (\u00b5m)',
         xRange: [-2048, 2048], points: (r) => steps.flatMap((off) => [off, kUnitUm * (phaseOf(
           cubics[r], codeAt(r, r * kTurn / 4 + off)) - r * kTurn / 4 - off)]) })];
     if (run.count > 1 && s.sensor_a_code && s.sensor_b_code) plots.unshift(portraitCard(s));
