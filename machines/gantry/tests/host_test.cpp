@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The other end of the line: what host.sends may say, the bytes of a value, the bytes of a line;
-// and the figures of a step, of a record made by hand.
+// and what of the thesis stands beside a step.
 #include <catch2/catch.hpp>
 #include <cstdint>
 #include <string>
@@ -119,40 +119,6 @@ Options step(double from, double to) {
 }
 
 }  // namespace
-
-TEST_CASE("gantry: figures of a step are from its command on, in either sense") {
-  for (const double sense : {1.0, -1.0}) {
-    std::vector<double> places(51, 100);
-    for (std::size_t k = 0; k < 5; ++k) places[k] = 100 + sense * 80;  // before the command
-    const double way[] = {0, 10, 30, 48, 49.5, 52, 51.2, 50.5, 49.4};
-    for (std::size_t k = 0; k < places.size() - 10; ++k) {
-      places[10 + k] = 100 + sense * way[std::min<std::size_t>(k, 8)];
-    }
-    places[45] = 100 + sense * 49.9;
-    places[50] = 100 + sense * 49.2;
-    const Result result = record(places);
-    const StepFigures f = step_figures(step(100, 100 + sense * 50), result);
-    CAPTURE(sense);
-    CHECK(f.overshoot_mm == Approx(2));
-    CHECK(f.arrive_s == Approx(0.04));       // within 1 mm
-    CHECK(f.settle_s == Approx(0.07));       // 2 % are 1 mm: 1.2 mm at 0.06 s is outside
-    CHECK(f.rest_mm == Approx(-sense * 0.8));
-    CHECK(f.swing_mm == Approx(0.7));        // 49.2 to 49.9, from 0.4 s on
-  }
-}
-
-TEST_CASE("gantry: a step that never arrives says so; the track's zero is where it is told to be") {
-  const Result result = record(std::vector<double>(51, 40));
-  Options options = step(0, 50);
-  const StepFigures f = step_figures(options, result);
-  CHECK(f.arrive_s == -1);
-  CHECK(f.settle_s == -1);
-  CHECK(f.overshoot_mm == 0);
-  CHECK(f.rest_mm == Approx(-10));
-  options.zero_mm = -10;
-  CHECK(step_figures(options, result).rest_mm == Approx(0).margin(1e-9));
-  CHECK(step_figures(options, result).arrive_s == Approx(0).margin(0.0101));  // a sample
-}
 
 TEST_CASE("gantry: the thesis' overshoot stands beside ours in the scenarios it has one for") {
   for (const auto& [scenario, printed] :
