@@ -32,9 +32,18 @@ def _jobqueue(kind: str, jobs: int):
         raise PlanError(f"--cluster {kind}: the package dask-jobqueue is missing") from None
     classes = {"slurm": "SLURMCluster", "lsf": "LSFCluster", "pbs": "PBSCluster",
                "sge": "SGECluster", "htcondor": "HTCondorCluster"}
-    cluster = getattr(dask_jobqueue, classes[kind])(cores=1, processes=1, memory="1GiB")
+    cluster = getattr(dask_jobqueue, classes[kind])(
+        cores=1, processes=1, memory="1GiB", scheduler_options={"dashboard_address": ":0"})
     cluster.scale(jobs=jobs)
     return cluster
+
+
+def _local(jobs: int):
+    import distributed
+
+    return distributed.LocalCluster(n_workers=jobs, threads_per_worker=1, memory_limit=0,
+                                    dashboard_address="127.0.0.1:0",
+                                    silence_logs=logging.CRITICAL)
 
 
 @contextlib.contextmanager
@@ -49,9 +58,7 @@ def client(kind: str, jobs: int, address: str, limit_s: float):
     cluster = None
     try:
         if not address:
-            cluster = (distributed.LocalCluster(
-                n_workers=jobs, threads_per_worker=1, dashboard_address=None, memory_limit=0,
-                silence_logs=logging.CRITICAL) if kind == "local" else _jobqueue(kind, jobs))
+            cluster = _local(jobs) if kind == "local" else _jobqueue(kind, jobs)
         try:
             found = distributed.Client(address or cluster, timeout=limit_s)
             found.wait_for_workers(1, timeout=limit_s)

@@ -54,10 +54,48 @@ def data(plan, table: pa.Table) -> dict:
             "commands": [command(plan, *plan.run(run)) for run in runs], "of": plan.count}
 
 
+def trials_data(study, trials: list, best: set) -> dict:
+    """The same of the trials of `trammel tune`, which ended."""
+    from trammel.asked import text_of
+
+    ended = [t for t in trials if t.state.is_finished()]
+    columns = [(key, True, [t.params.get(key) for t in ended]) for key in study.search]
+    for n, goal in enumerate(study.objectives):
+        columns.append((goal.name, False, [t.values[n] if t.values else None for t in ended]))
+    for n, goal in enumerate(study.constraints):
+        values = [t.user_attrs.get("constraints") for t in ended]
+        columns.append((f"{goal.name} (limited)", False, [v[n] if v else None for v in values]))
+    axes = []
+    words = [{"name": "best", "values": ["best" if t.number in best else "" for t in ended]}]
+    for name, key, values in columns:
+        if all(isinstance(v, int | float | None) and not isinstance(v, bool) for v in values):
+            axes.append({"name": name, "key": key, "values": [_number(v) for v in values]})
+        else:
+            words.append({"name": name, "values": [str(v) for v in values]})
+    scenario, case = study.cases[0]
+    commands = []
+    for trial in ended:
+        keys = {"run.engine": study.engine, **study.keys, **case, **trial.params}
+        words_of = [w for key, value in keys.items() for w in ("-s", f"{key}={text_of(value)}")]
+        commands.append(" ".join(map(shlex.quote, ["./trammel", "run", scenario, *words_of])))
+    return {"title": study.file.stem, "runs": [t.number for t in ended], "axes": axes,
+            "words": words, "end": ["done" if t.values else "failed" for t in ended],
+            "message": [t.user_attrs.get("message", "") for t in ended], "commands": commands,
+            "of": len(trials)}
+
+
+def write_trials(study, trials: list, best: set, file: Path) -> None:
+    _write(trials_data(study, trials, best), file)
+
+
 def write(plan, table: pa.Table, file: Path) -> None:
+    _write(data(plan, table), file)
+
+
+def _write(content: dict, file: Path) -> None:
     folder = Path(__file__).parent
     text = (folder / "page.html").read_text(encoding="utf-8")
     script = (folder / "page.js").read_text(encoding="utf-8")
-    content = json.dumps(data(plan, table), allow_nan=False).replace("</", "<\\/")
+    content = json.dumps(content, allow_nan=False).replace("</", "<\\/")
     text = text.replace("@SCRIPT@", script).replace("@DATA@", content)
     replace(file, lambda path: path.write_text(text, encoding="utf-8"))

@@ -5,32 +5,8 @@ It is `python -m trammel sweep` with the package that the build has made; the co
 python/trammel/sweep/options.py.
 """
 
-import importlib.util
-import os
-import sys
-
-from trammel_tools import python_tools
-from trammel_tools.paths import ROOT
-
-PACKAGE = ROOT / "build" / "python"
-
-
-def options():
-    """The parser of the package, which may not be built yet."""
-    file = ROOT / "python" / "trammel" / "sweep" / "options.py"
-    spec = importlib.util.spec_from_file_location("options", file)
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module.parser()
+from trammel_tools.runs import package
 
 
 def main():
-    options().parse_args()
-    python_tools.need("dask", "sweep")
-    if not list(PACKAGE.glob("trammel/_core*.so")):
-        print("sweep: the Python package is not built: ./trammel test makes it", file=sys.stderr)
-        return 3
-    paths = [str(PACKAGE), *filter(None, [os.environ.get("PYTHONPATH")])]
-    # A process of its own: workers are started with its main module.
-    return os.execve(sys.executable, [sys.executable, "-m", "trammel", "sweep", *sys.argv[1:]],
-              {**os.environ, "PYTHONPATH": os.pathsep.join(paths)})
+    return package.perform("sweep", ["dask", "pyarrow"])

@@ -1,0 +1,196 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The verb `trammel tune`."""
+
+from __future__ import annotations
+
+import json
+import logging
+import sys
+from pathlib import Path
+
+from trammel import _core
+from trammel.sweep.main import Progress
+from trammel.tune.options import parser
+from trammel.tune.study import Study, StudyError
+
+
+def open_study(study: Study, folder: Path):
+    """The study of Optuna in the folder; trials that were never finished are left aside."""
+    import optuna
+    from optuna.storages import JournalStorage
+    from optuna.storages.journal import JournalFileBackend, JournalFileOpenLock
+
+    optuna.logging.set_verbosity(logging.ERROR)
+    record = folder / "study.json"
+    if record.is_file():
+        if json.loads(record.read_text(encoding="utf-8")) != study.identity():
+            raise StudyError(f"{folder}: holds the trials of another study or version; give "
+                             "another folder with -o, or remove it")
+    elif folder.exists() and any(folder.iterdir()):
+        raise StudyError(f"{folder}: is not empty and holds no study; give another folder with -o")
+    folder.mkdir(parents=True, exist_ok=True)
+    journal = str(folder / "trials.log")
+    storage = JournalStorage(JournalFileBackend(journal, lock_obj=JournalFileOpenLock(journal)))
+    sampler = optuna.samplers.TPESampler(seed=study.seed, multivariate=True,
+                                         n_startup_trials=max(10, 2 * len(study.search)))
+    found = optuna.create_study(
+        storage=storage, sampler=sampler, study_name="study", load_if_exists=True,
+        directions=["maximize" if g.maximize else "minimize" for g in study.objectives])
+    record.write_text(json.dumps(study.identity()) + "\n", encoding="utf-8")
+    for trial in found.get_trials(deepcopy=False, states=(optuna.trial.TrialState.RUNNING,)):
+        found.tell(trial.number, state=optuna.trial.TrialState.FAIL)
+    return found
+
+
+def judge(study: Study, found, trial, rows: list[dict]) -> None:
+    """Tells Optuna what came of a trial; one with a run that did not end well has failed."""
+    import optuna
+
+    bad = next((row for row in rows if row["end"] != "done"), None)
+    if bad is None:
+        missing = [g.figure for g in study.objectives + study.constraints
+                   if any(row.get(g.figure) is None for row in rows)]
+        if missing:
+            raise StudyError(f"{study.file}: {missing[0]}: no figure of every case")
+        outside = [x for g in study.constraints for x in g.outside(rows)]
+        for n, miss in enumerate(outside):
+            trial.set_constraint(str(n), miss)
+        trial.set_user_attr("outside", outside)
+        trial.set_user_attr("constraints", [g.value(rows) for g in study.constraints])
+        found.tell(trial, [g.value(rows) for g in study.objectives])
+        return
+    trial.set_user_attr("message", f"{bad['scenario']}: {bad['end']}: {bad['message']}")
+    found.tell(trial, state=optuna.trial.TrialState.FAIL)
+
+
+def search(study: Study, found, trials: int, *, jobs: int = 0, cluster: str = "local",
+           scheduler: str = "", limit_s: float = 60, show: bool = False) -> None:
+    """Makes trials until there are so many."""
+    import distributed
+
+    from trammel.sweep import cluster as workers
+    from trammel.sweep import work
+
+    parts = [(scenario, study.engine, {**study.keys, **case}) for scenario, case in study.cases]
+    left = trials - len(found.get_trials(deepcopy=False))
+    if left <= 0:
+        return
+    jobs = jobs or workers.processors()
+    progress = Progress(left, show)
+    with workers.client(cluster, jobs, scheduler, limit_s) as client:
+        sent, ended = {}, distributed.as_completed()
+
+        def send() -> None:
+            trial = found.ask()
+            values = study.suggest(trial)
+            runs = [(n, n, values) for n in range(len(parts))]
+            future = client.submit(work.chunk, parts, runs, pure=False, retries=2)
+            sent[future] = trial
+            ended.add(future)
+
+        try:
+            for _ in range(min(jobs, left)):
+                send()
+            left -= len(sent)
+            while sent:
+                future = next(ended)
+                trial = sent.pop(future)
+                try:
+                    rows = future.result()[0]
+                except Exception as error:  # of the worker, not of a run
+                    rows = [{"scenario": "", "end": "lost", "message": str(error)}]
+                judge(study, found, trial, rows)
+                progress.add(1)
+                if left > 0:
+                    send()
+                    left -= 1
+        finally:
+            progress.close()
+
+
+def best_of(study: Study, found) -> list:
+    """The best trials that keep all constraints; several where there are several objectives."""
+    kept = [t for t in found.get_trials(deepcopy=False)
+            if t.values and all(x <= 0 for x in t.user_attrs.get("outside", []))]
+    signs = [-1 if g.maximize else 1 for g in study.objectives]
+
+    def beats(one, other) -> bool:
+        pairs = [(s * a, s * b) for s, a, b in zip(signs, one.values, other.values)]
+        return all(a <= b for a, b in pairs) and any(a < b for a, b in pairs)
+
+    front = [t for t in kept if not any(beats(other, t) for other in kept)]
+    front.sort(key=lambda t: (signs[0] * t.values[0], t.number))
+    return front if len(study.objectives) > 1 else front[:1]
+
+
+def scenario_text(study: Study, trial) -> str:
+    """A scenario file: that of the first case with the keys of the study and of the trial."""
+    from trammel.asked import _apply
+
+    scenario, _ = study.cases[0]
+    asked = _core.Settings(scenario)
+    for key, value in {**study.keys, **trial.params}.items():
+        _apply(asked, key, value)
+    asked.set("name", f"{study.file.stem}-{trial.number}")
+    head = [f"# {study.file.name}, trial {trial.number}:"]
+    for goal, value in zip(study.objectives, trial.values):
+        head.append(f"#   {goal.name} over {len(study.cases)} cases: {value:.6g}")
+    return "\n".join(head) + "\n" + asked.toml
+
+
+def write(study: Study, found, folder: Path) -> list:
+    """best.toml or best-N.toml, and the page."""
+    from trammel.sweep import page, store
+
+    front = best_of(study, found)
+    for old in folder.glob("best*.toml"):
+        old.unlink()
+    for n, trial in enumerate(front, 1):
+        name = "best.toml" if len(front) == 1 else f"best-{n}.toml"
+        text = scenario_text(study, trial)
+        store.replace(folder / name, lambda path, text=text: path.write_text(text, "utf-8"))
+    page.write_trials(study, found.get_trials(deepcopy=False), {t.number for t in front},
+                      folder / "page.html")
+    return front
+
+
+def main() -> int:
+    given = parser().parse_args()
+    folder = Path(given.out or Path("out") / Path(given.study).stem)
+    try:
+        study = Study(Path(given.study))
+        found = open_study(study, folder)
+        try:
+            search(study, found, given.trials or study.trials, jobs=given.jobs,
+                   cluster=given.cluster, scheduler=given.scheduler, limit_s=given.limit, show=True)
+        except KeyboardInterrupt:
+            write(study, found, folder)
+            print("tune: interrupted; the same command goes on", file=sys.stderr)
+            return 130
+        front = write(study, found, folder)
+    except ImportError as error:
+        print(f"tune: {error.name} is missing (trammel doctor)", file=sys.stderr)
+        return 3
+    except OSError as error:
+        print(f"tune: {error.filename or folder}: {error.strerror or error}; what is done is kept",
+              file=sys.stderr)
+        return 2
+    except ValueError as error:
+        print(f"tune: {error}", file=sys.stderr)
+        return 2
+    trials = found.get_trials(deepcopy=False)
+    failed = sum(trial.values is None for trial in trials)
+    print(f"{study.file.stem}: {len(trials)} trials, {failed} of them failed; "
+          f"{len(front)} best\n  results in {folder}")
+    for trial in front[:5]:
+        values = ", ".join(f"{g.name} {v:.5g}" for g, v in zip(study.objectives, trial.values))
+        print(f"  trial {trial.number}: {values}; " +
+              " ".join(f"{k}={v:.5g}" if isinstance(v, float) else f"{k}={v}"
+                       for k, v in trial.params.items()))
+    if not front:
+        print("tune: no trial ended well and within all constraints", file=sys.stderr)
+    return 0 if front else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

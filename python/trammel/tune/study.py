@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What is searched: a study in TOML."""
+
+from __future__ import annotations
+
+import hashlib
+import itertools
+import json
+import math
+import tomllib
+from pathlib import Path
+from typing import NamedTuple
+
+from trammel import _core
+from trammel.asked import _apply, settings
+from trammel.sweep.plan import PlanError, drawn_axis
+
+MOST_CASES = 1000
+OVER = {"max": max, "mean": lambda values: sum(values) / len(values), "min": min}
+TOP = {"scenario", "engine", "seed", "trials", "keys", "cases", "search", "objective",
+       "constraint"}
+
+
+class StudyError(PlanError):
+    """What is wrong with a study, in one line."""
+
+
+class Goal(NamedTuple):
+    """A figure over all cases: to be small or large, or to stay within limits."""
+
+    figure: str
+    over: str
+    maximize: bool = False
+    at_least: float = -math.inf
+    at_most: float = math.inf
+
+    def value(self, rows: list[dict]) -> float:
+        return OVER[self.over]([row[self.figure] for row in rows])
+
+    def outside(self, rows: list[dict]) -> list[float]:
+        """By how much the limits are missed; what is not above 0 is within."""
+        value = self.value(rows)
+        found = [self.at_least - value] if self.at_least > -math.inf else []
+        return found + ([value - self.at_most] if self.at_most < math.inf else [])
+
+    @property
+    def name(self) -> str:
+        return f"{self.over} {self.figure}"
+
+
+class Study:
+    """Keys that are searched, the cases that each trial runs, and what judges them."""
+
+    def __init__(self, file: Path):
+        self.file = Path(file)
+        try:
+            given = tomllib.loads(self.file.read_text(encoding="utf-8"))
+        except OSError as error:
+            raise StudyError(f"{self.file}: cannot be read: {error.strerror}") from None
+        except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
+            raise StudyError(f"{self.file}: {error}") from None
+        unknown = sorted(set(given) - TOP)
+        if unknown:
+            self.refuse(f"{unknown[0]}: unknown; a study has {', '.join(sorted(TOP))}")
+        self.scenario = given.get("scenario", "circle")
+        self.engine = given.get("engine", "twin")
+        self.seed = self.whole(given, "seed", 1, 0)
+        self.trials = self.whole(given, "trials", 100, 1)
+        self.keys = self.table(given, "keys")
+        self.cases = self.cases_of(self.table(given, "cases"))
+        self.search = {}
+        for key, value in self.table(given, "search").items():
+            self.search[key] = self.axis(key, value)
+        if not self.search:
+            self.refuse("search: names no key")
+        self.objectives = [self.goal("objective", one) for one in given.get("objective", [])]
+        self.constraints = [self.goal("constraint", one) for one in given.get("constraint", [])]
+        if not self.objectives:
+            self.refuse("names no [[objective]]")
+        self.check()
+
+    def refuse(self, text: str):
+        raise StudyError(f"{self.file}: {text}")
+
+    def whole(self, given: dict, name: str, default: int, least: int) -> int:
+        value = given.get(name, default)
+        if type(value) is not int or not least <= value <= 10**6:
+            self.refuse(f"{name}: must be {least}..1000000")
+        return value
+
+    def table(self, given: dict, name: str) -> dict:
+        value = given.get(name, {})
+        if not isinstance(value, dict):
+            self.refuse(f"{name}: expects a table")
+        return value
+
+    def cases_of(self, given: dict) -> list[tuple[str, dict]]:
+        """(scenario, values) of each case: every combination of the lists."""
+        for key, values in given.items():
+            if not isinstance(values, list) or not values:
+                self.refuse(f"cases: {key}: expects a list of values")
+        count = math.prod(len(values) for values in given.values())
+        if count > MOST_CASES:
+            self.refuse(f"cases: {count} of them, more than {MOST_CASES}")
+        found = []
+        for values in itertools.product(*given.values()):
+            case = dict(zip(given, values))
+            found.append((case.pop("scenario", self.scenario), case))
+        return found
+
+    def axis(self, key: str, value):
+        """A list of [low, high], {log = [low, high]} or {choice = [...]}."""
+        if isinstance(value, dict) and set(value) == {"choice"}:
+            if not isinstance(value["choice"], list) or not value["choice"]:
+                self.refuse(f"search: {key}: choice: expects a list of values")
+            return tuple(value["choice"])
+        if isinstance(value, dict) and "normal" in value:
+            self.refuse(f"search: {key}: expects [low, high], {{log = ...}} or {{choice = ...}}")
+        whole = isinstance(value, list) and all(type(v) is int for v in value)
+        return drawn_axis(f"{self.file} [search]", key, value, whole)
+
+    def goal(self, kind: str, given: dict) -> Goal:
+        allowed = {"figure", "over", *(("goal",) if kind == "objective" else
+                                       ("at_least", "at_most"))}
+        if not isinstance(given, dict) or not isinstance(given.get("figure"), str) \
+                or not set(given) <= allowed:
+            self.refuse(f"{kind}: expects {', '.join(sorted(allowed))}")
+        over, goal = given.get("over", "max"), given.get("goal", "minimize")
+        if over not in OVER:
+            self.refuse(f"{kind}: over: must be one of {', '.join(OVER)}")
+        if goal not in ("minimize", "maximize"):
+            self.refuse(f"{kind}: goal: must be one of minimize, maximize")
+        limits = {k: given[k] for k in ("at_least", "at_most") if k in given}
+        if kind == "constraint" and not limits:
+            self.refuse("constraint: expects at_least or at_most")
+        if not all(type(v) in (int, float) for v in limits.values()):
+            self.refuse("constraint: a limit must be a number")
+        return Goal(given["figure"], over, goal == "maximize", **limits)
+
+    def check(self) -> None:
+        """Keys and their ends are within their ranges, in every case."""
+        try:
+            for scenario, case in self.cases:
+                settings(scenario, engine=self.engine, **self.keys, **case)
+                base = _core.Settings(scenario)
+                for key, axis in self.search.items():
+                    if key in self.keys or key in case:
+                        self.refuse(f"search: {key}: given twice")
+                    ends = axis if type(axis) is tuple else (axis.low, axis.high)
+                    for value in ends:
+                        _apply(base.copy(), key, value)
+        except StudyError:
+            raise
+        except _core.ConfigError as error:
+            self.refuse(str(error))
+
+    def identity(self) -> dict:
+        text = json.dumps([self.scenario, self.engine, self.seed, self.keys, self.cases,
+                           {key: list(axis) for key, axis in self.search.items()},
+                           [list(map(str, goal)) for goal in self.objectives + self.constraints]])
+        return {"study": hashlib.sha256(text.encode()).hexdigest(), "version": _core.version}
+
+    def suggest(self, trial) -> dict:
+        """Values of a trial of Optuna."""
+        values = {}
+        for key, axis in self.search.items():
+            if type(axis) is tuple:
+                values[key] = trial.suggest_categorical(key, axis)
+            elif axis.whole:
+                values[key] = trial.suggest_int(key, axis.low, axis.high)
+            else:
+                values[key] = trial.suggest_float(key, axis.low, axis.high,
+                                                  log=axis.spread == "log")
+        return values
