@@ -160,6 +160,8 @@ class Sweeps(unittest.TestCase):
         self.refused("invalid choice|choose", plan, "--cluster", "cloud")
         self.refused("no worker within 1 s", plan, "-o", self.out, "--limit", "1", "--scheduler",
                      "tcp://127.0.0.1:9")
+        self.refused("--cluster htcondor: condor_status: No such file", plan, "-o",
+                     self.out, "--cluster", "htcondor")
         mine = self.folder / "mine"
         mine.mkdir()
         (mine / "x").write_text("mine")

@@ -6,12 +6,16 @@ from __future__ import annotations
 import contextlib
 import logging
 import os
+import subprocess
 from collections.abc import Iterator
 
 from trammel.sweep import work
 from trammel.sweep.plan import PlanError
 
-BATCH = ("slurm", "lsf", "pbs", "sge", "htcondor")
+# A question that each batch system answers at once when it is there, and its class of Dask.
+BATCH = {"slurm": (("sinfo",), "SLURMCluster"), "lsf": (("lsid",), "LSFCluster"),
+         "pbs": (("qstat", "-B"), "PBSCluster"), "sge": (("qhost",), "SGECluster"),
+         "htcondor": (("condor_status", "-total"), "HTCondorCluster")}
 CHUNK_S = 2.0  # what a task should take
 MOST_CHUNK = 2000
 AHEAD = 3  # tasks a worker has before it
@@ -24,15 +28,28 @@ QUIET = {"distributed.worker.profile.enabled": False,
          "distributed.admin.system-monitor.interval": "10s"}
 
 
-def _jobqueue(kind: str, jobs: int):
-    """A cluster whose workers are jobs of a batch system; its options: dask's configuration."""
+def _ask(kind: str, limit_s: float) -> None:
+    """A PlanError with the batch system's own words where it is not there."""
+    command = BATCH[kind][0]
+    where = f"--cluster {kind}: {command[0]}"
     try:
-        import dask_jobqueue
-    except ImportError:
-        raise PlanError(f"--cluster {kind}: the package dask-jobqueue is missing") from None
-    classes = {"slurm": "SLURMCluster", "lsf": "LSFCluster", "pbs": "PBSCluster",
-               "sge": "SGECluster", "htcondor": "HTCondorCluster"}
-    cluster = getattr(dask_jobqueue, classes[kind])(
+        asked = subprocess.run(command, capture_output=True, text=True, check=False,
+                               timeout=limit_s)
+    except OSError as error:
+        raise PlanError(f"{where}: {error.strerror}") from None
+    except subprocess.TimeoutExpired:
+        raise PlanError(f"{where}: no answer within {limit_s:g} s") from None
+    if asked.returncode != 0:
+        said = (asked.stderr.strip() or asked.stdout.strip() or f"exit code {asked.returncode}")
+        raise PlanError(f"{where}: {said.splitlines()[0].removeprefix(command[0] + ': ')}")
+
+
+def _jobqueue(kind: str, jobs: int, limit_s: float):
+    """A cluster whose workers are jobs of a batch system; its options: dask's configuration."""
+    import dask_jobqueue
+
+    _ask(kind, limit_s)
+    cluster = getattr(dask_jobqueue, BATCH[kind][1])(
         cores=1, processes=1, memory="1GiB", scheduler_options={"dashboard_address": ":0"})
     cluster.scale(jobs=jobs)
     return cluster
@@ -53,12 +70,13 @@ def client(kind: str, jobs: int, address: str, limit_s: float):
     import distributed
 
     dask.config.set(QUIET)
-    logging.getLogger("distributed").setLevel(logging.ERROR)
+    for name in [n for n in logging.root.manager.loggerDict if n.startswith("distributed")]:
+        logging.getLogger(name).setLevel(logging.CRITICAL)  # what matters is raised
     where = address or f"--cluster {kind}"
     cluster = None
     try:
         if not address:
-            cluster = _local(jobs) if kind == "local" else _jobqueue(kind, jobs)
+            cluster = _local(jobs) if kind == "local" else _jobqueue(kind, jobs, limit_s)
         try:
             found = distributed.Client(address or cluster, timeout=limit_s)
             found.wait_for_workers(1, timeout=limit_s)
@@ -72,7 +90,8 @@ def client(kind: str, jobs: int, address: str, limit_s: float):
             yield found
     finally:
         if cluster is not None:
-            cluster.close(timeout=5)
+            with contextlib.suppress(Exception):  # jobs that never began cannot be closed
+                cluster.close(timeout=5)
 
 
 def rows(found, parts: list, runs: Iterator, workers: int, empty: bool = False):
