@@ -17,8 +17,16 @@ namespace fs = std::filesystem;
 
 namespace {
 
+// Beside a program that is installed, ../share/trammel; else in the repository.
+fs::path first_data_folder() {
+  std::error_code none;
+  const fs::path program = fs::read_symlink("/proc/self/exe", none);
+  const fs::path installed = program.parent_path().parent_path() / "share/trammel/machines";
+  return fs::is_directory(installed, none) ? installed : fs::path(kMachineFolder);
+}
+
 fs::path& data_folder() {
-  static fs::path folder = kMachineFolder;
+  static fs::path folder = first_data_folder();
   return folder;
 }
 
@@ -43,7 +51,9 @@ const Machine& machine_named(const std::string& text, const fs::path& file) {
 
 }  // namespace
 
-fs::path machine_folder(const std::string& machine) { return data_folder() / machine; }
+fs::path machine_folder(const std::string& machine) {
+  return machine.empty() ? data_folder() : data_folder() / machine;
+}
 
 void take_data_from(const std::string& folder) { data_folder() = folder; }
 

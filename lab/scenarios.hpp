@@ -12,8 +12,9 @@
 
 namespace trammel::lab {
 
-// Where they are: machines/ of the repository this was built from, unless another folder with the
-// same subfolders is named, before the first run.
+// Where they are: share/trammel/machines beside the program's folder, or machines/ of the
+// repository this was built from, unless another folder with the same subfolders is named, before
+// the first run. "" is the folder of all machines.
 std::filesystem::path machine_folder(const std::string& machine);
 void take_data_from(const std::string& folder);
 

@@ -133,7 +133,7 @@ int doctor(bool json) {
   }
   const std::size_t count = lab::scenarios().size();
   all["scenarios"] = count;
-  text += fmt::format("{} scenarios in {}\n", count, lab::kMachineFolder);
+  text += fmt::format("{} scenarios in {}\n", count, lab::machine_folder("").string());
   json ? print_json(all) : print(text);
   return missing > 0 || count == 0 ? 3 : 0;
 }
