@@ -60,7 +60,13 @@ def judge(study: Study, found, trial, rows: list[dict]) -> None:
         found.tell(trial, [g.value(rows) for g in study.objectives])
         return
     trial.set_user_attr("message", f"{bad['scenario']}: {bad['end']}: {bad['message']}")
-    found.tell(trial, state=optuna.trial.TrialState.FAIL)
+    # The sampler takes what is pruned for bad, and learns nothing of what has failed; but only
+    # where there is one objective.
+    alone = len(study.objectives) == 1
+    for n in range(sum(len(g.limits) for g in study.constraints)):
+        trial.set_constraint(str(n), 1.0)
+    found.tell(trial, state=optuna.trial.TrialState.PRUNED if alone
+               else optuna.trial.TrialState.FAIL)
 
 
 def search(study: Study, found, trials: int, *, jobs: int = 0, cluster: str = "local",

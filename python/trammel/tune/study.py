@@ -44,6 +44,10 @@ class Goal(NamedTuple):
         return found + ([value - self.at_most] if self.at_most < math.inf else [])
 
     @property
+    def limits(self) -> list[float]:
+        return [x for x in (self.at_least, self.at_most) if math.isfinite(x)]
+
+    @property
     def name(self) -> str:
         return f"{self.over} {self.figure}"
 
