@@ -117,20 +117,21 @@ TEST_CASE("gantry: each column of the trace shows what it is named after") {
   s.v = 0.032;
   s.motor = {0.041, 0.042};
   s.force = {51.5, -52.5};
-  s.stripes = {31, 32};
   s.flank = {1, -1};
   s.error = 61;
   s.goal = 62;
   s.zero = 2;
   s.velocity = 1024;
   s.phase = 4;
+  s.stripes = {71, 72};
   result.samples.push_back(s);
   const double unit_mm_s = 5.0 / 16384 * 4612;
   test::check_row(test::row(Options{}, result, 0),
                   {{"t_s", 3e-3}, {"x_mm", 31}, {"v_mm_s", 32}, {"position_mm", 5},
                    {"goal_mm", 10}, {"velocity_mm_s", unit_mm_s}, {"filtered_mm_s", 2 * unit_mm_s},
-                   {"error_count", 61}, {"phase", 4}, {"angle", 101},
-                   {"sensor_a_code", 31}, {"sensor_b_code", 32}, {"a_code", 11}, {"b_code", 13}, {"m1_u_count", 21}, {"m2_u_count", -22},
+                   {"error_count", 61}, {"phase", 4}, {"angle", 101}, {"a_code", 11},
+                   {"b_code", 13}, {"sensor_a_code", 71}, {"sensor_b_code", 72},
+                   {"m1_u_count", 21}, {"m2_u_count", -22},
                    {"m1_force_count", -51.5}, {"m2_force_count", 52.5}, {"m1_apart_mm", 41},
                    {"m2_apart_mm", 42}, {"m1_flank", 1}, {"m2_flank", -1}});
 }
