@@ -12,6 +12,10 @@ RUNS = [
     (0, *SHORT, "--json", "--platform", "direct", "-o", FOLDER),
     (0, "run", "gantry-calibrate", "--engine", "twin", "-o", FOLDER),
     (0, "run", "gantry-backlash", "--engine", "twin", "-o", FOLDER),
+    (5, *SHORT, "--engine", "twin", "-s", "monitor.sensor=true", "-s", "monitor.stall_ticks=400",
+     "-s", "inject.fault=converter_saturated", "-s", "inject.begin_s=0.05", "-s",
+     "inject.value=-1", "-o", FOLDER),
+    (0, *SHORT, "--engine", "twin", "-o", FOLDER),
     (0, "report", FOLDER), (0, "report", FOLDER, FOLDER, "-o", "OUT/two.html"),
 ]
 REFUSED = [
