@@ -55,7 +55,8 @@ class LineReader {
   bool level_ = true;
 };
 
-// A pseudo-terminal whose name is printed on stderr; simulated time waits for that of the wall.
+// A pseudo-terminal whose name is printed on stderr; simulated time waits for that of the wall, and
+// makes up for 50 ms at most where it is late.
 class PseudoTerminal {
  public:
   explicit PseudoTerminal(std::int64_t clock_ps);
