@@ -164,11 +164,24 @@ function(trammel_unit_model library source test)
     VERILATOR_ARGS -Wno-fatal --assert -fno-split ${parameters} ${TRAMMEL_RTL_SEARCH} ${cells})
 endfunction()
 
-# The unit test <block>_test of a block or board with its model; a long test has parts,
-# <block>_<part>_test.cpp.
+# A long test has parts, <block>_<part>_test.cpp, where <block>_<part> is no block of its own.
+function(trammel_test_parts out block source folder)
+  cmake_path(GET source PARENT_PATH rtl)
+  file(GLOB parts CONFIGURE_DEPENDS ${folder}/${block}_*_test.cpp)
+  foreach(part IN LISTS parts)
+    cmake_path(GET part STEM name)
+    string(REGEX REPLACE "_test$" "" name ${name})
+    if(EXISTS ${PROJECT_SOURCE_DIR}/${rtl}/${name}.sv)
+      list(REMOVE_ITEM parts ${part})
+    endif()
+  endforeach()
+  set(${out} ${parts} PARENT_SCOPE)
+endfunction()
+
+# The unit test <block>_test of a block or board with its model.
 function(trammel_unit_test block source test prefix)
   cmake_path(GET test PARENT_PATH folder)
-  file(GLOB parts CONFIGURE_DEPENDS ${folder}/${block}_*_test.cpp)
+  trammel_test_parts(parts ${block} ${source} ${folder})
   trammel_unit_model(rtl_${block} ${source} ${test})
   trammel_test(${block}_test "${test};${parts}" unit.${prefix} rtl_${block} trammel_models)
 endfunction()
@@ -177,7 +190,7 @@ endfunction()
 # compile, so it belongs to the full tier. Its counts are for the test coverage.rtl.
 function(trammel_coverage_test block source test prefix)
   cmake_path(GET test PARENT_PATH folder)
-  file(GLOB parts CONFIGURE_DEPENDS ${folder}/${block}_*_test.cpp)
+  trammel_test_parts(parts ${block} ${source} ${folder})
   set(name ${block}_coverage)
   trammel_unit_model(rtl_${name} ${source} ${test} COVERAGE)
   trammel_test_program(${name} "${test};${parts}" rtl_${name} trammel_models)
