@@ -2,6 +2,8 @@
 //
 // The machine larson: acceptance tests M-11 to M-13, equal events in every wiring, lost steps, and
 // a scan whose every place is read back.
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
@@ -20,9 +22,10 @@ using larson::Result;
 
 namespace {
 
-// A run of a script, without SystemC but where a test asks for it.
+// A run of a script, without SystemC but where a test asks for it. Cases of this program may run
+// at the same time, each in a process of its own.
 struct Scripted {
-  test::Scratch scratch{"larson_scripted"};
+  test::Scratch scratch{"larson_scripted_" + std::to_string(getpid())};
   Options options;
 
   explicit Scripted(const std::string& script) {
