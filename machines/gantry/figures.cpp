@@ -80,7 +80,7 @@ std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult
   double speed = 0, force = 0;
   for (const Sample& s : result.samples) {
     speed = std::max(speed, 1e3 * std::fabs(s.v));
-    force = std::max(force, std::fabs(static_cast<double>(s.words.force[0])));
+    for (const int word : s.words.force) force = std::max(force, std::fabs(double(word)));
   }
   std::vector<lab::Figure> list;
   const auto add = [&list](lab::Figure one, const char* tile = "") {
@@ -103,7 +103,7 @@ std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult
       "Rest");
   add(figure("step.swing_mm", "step", "peak to peak over the last quarter", f.swing_mm, "mm", 3));
   add(figure("max_speed_mm_s", "largest speed", "", speed, "mm/s", 1), "Largest speed");
-  add(count("max_force", "largest force", "", force, "count"));
+  add(count("max_force", "largest force of either motor", "", force, "count"));
   add(count("passes", "control passes", "", result.passes));
   add(count("host.heard", "bytes", "from the chip", static_cast<double>(result.heard.size())));
   add(count("host.malformed", "frames", "malformed", result.malformed));

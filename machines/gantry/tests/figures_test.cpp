@@ -37,7 +37,7 @@ Result by_hand(const Options& options) {
     s.edge = ms * kMs;
     s.x = 1e-3 * (options.zero_mm + options.reference_mm + off);
     s.v = ms == 150 ? -0.4 : ms == 700 ? 0.3 : 0;
-    s.words.force[0] = ms == 160 ? -700 : ms == 170 ? 600 : 0;
+    s.words.force = {ms == 160 ? -650 : 0, ms == 170 ? -700 : ms == 180 ? 600 : 0};
     result.samples.push_back(s);
   }
   result.passes = 11;
