@@ -106,7 +106,7 @@ TEST_CASE("whatever the gates, currents and back-EMF, no leg conducts against it
     emf[2] = -emf[0] - emf[1];
     if (trial % 4 == 0) zero = 7;
     const unsigned opened = trial % 5 == 0    ? 1u << random() % 3
-                            : trial % 97 == 0 ? random() & 7u
+                            : trial % 97 == 0 ? static_cast<unsigned>(random() & 7u)
                                               : 0;
     zero |= opened;
     for (std::size_t k = 0; k < 3; ++k) {
