@@ -91,13 +91,16 @@ class DcMotor {
 
   Y slope(const Y& y, double volt, const DcMotorBounds& b) const {
     const double w = y[1];
-    const double friction = w / std::sqrt(w * w + c_.friction_speed * c_.friction_speed);
-    const double torque =
-        c_.constant * y[2] - c_.viscous * w - c_.coulomb * friction - c_.external_torque;
+    const double torque = c_.constant * y[2] - c_.viscous * w - coulomb(w) - c_.external_torque;
     const double rise = (volt - c_.resistance * y[2] - c_.constant * w) / c_.inductance;
     const bool full = rise > 0 ? y[2] >= b.i_high : y[2] <= b.i_low;
     const bool held = torque > 0 ? y[0] >= b.theta_high && w >= 0 : y[0] <= b.theta_low && w <= 0;
     return {held ? 0 : w, held ? 0 : torque / c_.inertia, full ? 0 : rise};
+  }
+
+  double coulomb(double w) const {  // [N m]; a root less for a motor that has none
+    if (c_.coulomb == 0) return 0;
+    return c_.coulomb * (w / std::sqrt(w * w + c_.friction_speed * c_.friction_speed));
   }
 
   static Y kept(const Y& y, const DcMotorBounds& b) {
