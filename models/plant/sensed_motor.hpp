@@ -108,15 +108,38 @@ class SensedMotor {
       const DcMotorState s = steps_.back();
       steps_.push_back(after(s, kStep));
       if (!sensor_.leaves(steps_.back().theta)) continue;
-      std::int64_t low = 0, high = kStep;  // inside at low, outside at high
-      while (high - low > 1) {
-        const std::int64_t middle = (low + high) / 2;
-        (sensor_.leaves(after(s, middle).theta) ? high : low) = middle;
-      }
-      next_ = since_ + at() - kStep + high;
+      next_ = since_ + at() - kStep + first_outside(s, steps_.back());
       return;
     }
     next_ = since_ + at();
+  }
+
+  // The first clock of a step from `s` to `e` at which a line has changed. The shaft moves almost
+  // evenly for so short a time, so the search begins where the chord leaves.
+  std::int64_t first_outside(const DcMotorState& s, const DcMotorState& e) const {
+    const double a_clock = (e.theta - s.theta) / kStep;
+    const auto on_chord = [&](std::int64_t clock) {
+      return sensor_.leaves(s.theta + static_cast<double>(clock) * a_clock);
+    };
+    const auto outside = [&](std::int64_t clock) { return sensor_.leaves(after(s, clock).theta); };
+    std::int64_t low = 0, high = kStep;  // inside at low, outside at high
+    std::int64_t clock = first_between(low, high, on_chord);
+    for (std::int64_t reach = 1; low < clock && clock < high; reach *= 4) {
+      const bool is_outside = outside(clock);
+      (is_outside ? high : low) = clock;
+      clock += is_outside ? -reach : reach;
+    }
+    return first_between(low, high, outside);
+  }
+
+  // The first clock after `low` at which `holds`, which it does at `high` and not at `low`.
+  template <class Holds>
+  static std::int64_t first_between(std::int64_t low, std::int64_t high, const Holds& holds) {
+    while (high - low > 1) {
+      const std::int64_t middle = (low + high) / 2;
+      (holds(middle) ? high : low) = middle;
+    }
+    return high;
   }
 
   DcMotor motor_;
