@@ -16,11 +16,13 @@ RUNS = [
      "-s", "inject.fault=converter_saturated", "-s", "inject.begin_s=0.05", "-s",
      "inject.value=-1", "-o", FOLDER),
     (0, *SHORT, "--engine", "twin", "-o", FOLDER),
+    (0, *SHORT, "--serial", "-o", FOLDER),
     (0, "report", FOLDER), (0, "report", FOLDER, FOLDER, "-o", "OUT/two.html"),
 ]
 REFUSED = [
     (2, "host.sends", *SHORT, "-s", "host.sends=0.1:32=1", "-o", FOLDER),
     (2, "position.min_force", *SHORT, "-s", "position.max_force=9", "-o", FOLDER),
     (2, "axis.stiction_count", *SHORT, "-s", "axis.stiction_count=9", "-o", FOLDER),
+    (2, "--serial", "run", "an693-hold", "--serial", "-o", FOLDER),
     (2, "run.engine", *SHORT, "--engine", "twin", "--assert", "-o", FOLDER),
 ]
