@@ -92,7 +92,7 @@ TEST_CASE("A0 of each scale is that of its own axis: 160,000 of 2^-32 are 10,000
 }
 
 // At count 1 the angle is ANGLE_STEP + THETA_OFS, which wraps to 0 only by a carry through each bit
-// from the lowest set one on; without one of them it is 0.35 degrees or more less. The two axes have
+// from the lowest set one on; without one of them it is 0.35 degrees or more less. The axes have
 // different bits, so that a word of the other one does not make it wrap.
 TEST_CASE("each bit of ANGLE_STEP and THETA_OFS is in the angle of its own axis") {
   KungBench chip;
