@@ -61,6 +61,20 @@ def _apply(asked: _core.Settings, key: str, value: Value) -> None:
         raise SettingError(text, key, value, asked.range(key)) from None
 
 
+def _given(scenario: str | os.PathLike, engine: str | None, files: Iterable[str | os.PathLike],
+           keys: dict[str, Value]) -> _core.Settings:
+    """Settings that are not checked yet."""
+    asked = _core.Settings(os.fspath(scenario))
+    asked.set("run.platform", "direct")
+    for file in files:
+        asked.add_file(os.fspath(file))
+    if engine is not None:
+        _apply(asked, "run.engine", engine)
+    for key, value in keys.items():
+        _apply(asked, key, value)
+    return asked
+
+
 def settings(scenario: str | os.PathLike, /, *, engine: str | None = None,
              files: Iterable[str | os.PathLike] = (), **keys: Value) -> _core.Settings:
     """The settings of a run, checked: a scenario, then files, then keys; later ones win.
@@ -74,14 +88,7 @@ def settings(scenario: str | os.PathLike, /, *, engine: str | None = None,
     wiring is `run.platform = "direct"` unless it is given: its events are those of "systemc", which
     can run only once at a time in a process.
     """
-    asked = _core.Settings(os.fspath(scenario))
-    asked.set("run.platform", "direct")
-    for file in files:
-        asked.add_file(os.fspath(file))
-    if engine is not None:
-        _apply(asked, "run.engine", engine)
-    for key, value in keys.items():
-        _apply(asked, key, value)
+    asked = _given(scenario, engine, files, keys)
     try:
         asked.validate()
     except _core.ConfigError as error:

@@ -9,7 +9,7 @@ import time
 from pathlib import Path
 from typing import NamedTuple
 
-from trammel.sweep.options import parser
+from trammel import command_line
 from trammel.sweep.plan import MOST, Plan, PlanError
 
 FLUSH_S = 10  # what a kill can cost, and
@@ -117,38 +117,28 @@ def _make(plan, kept, wanted, workers, jobs, cluster, scheduler, limit_s, show, 
     return made
 
 
-def main() -> int:
-    given = parser().parse_args()
-    try:
-        shard = shard_of(given.shard)
-        plan = Plan(Path(given.plan))
-        if given.count:
-            print(plan.count)
-            return 0
-        if plan.count > MOST and not given.yes:
-            raise PlanError(f"{given.plan}: {plan.count} runs, more than {MOST}; --yes makes them")
-        folder = Path(given.out or Path("out") / Path(given.plan).stem)
-        jobs = given.jobs or (0 if given.cluster == "local" else 4)
-        done = perform(plan, folder, jobs=jobs, cluster=given.cluster, scheduler=given.scheduler,
-                       shard=shard, limit_s=given.limit, show=True, empty=given.empty)
-    except ImportError as error:
-        print(f"sweep: {error.name} is missing (trammel doctor)", file=sys.stderr)
-        return 3
-    except KeyboardInterrupt:
-        print("sweep: interrupted; the same command goes on", file=sys.stderr)
-        return 130
-    except OSError as error:
-        print(f"sweep: {error.filename or given.out or given.plan}: {error.strerror or error}; "
-              "what is done is kept", file=sys.stderr)
-        return 2
-    except ValueError as error:
-        print(f"sweep: {error}", file=sys.stderr)
-        return 2
+def _sweep(given) -> int:
+    shard = shard_of(given.shard)
+    plan = Plan(Path(given.plan))
+    if given.count:
+        print(plan.count)
+        return 0
+    if plan.count > MOST and not given.yes:
+        raise PlanError(f"{given.plan}: {plan.count} runs, more than {MOST}; --yes makes them")
+    folder = Path(given.out or Path("out") / Path(given.plan).stem)
+    jobs = given.jobs or (0 if given.cluster == "local" else 4)
+    done = perform(plan, folder, jobs=jobs, cluster=given.cluster, scheduler=given.scheduler,
+                   shard=shard, limit_s=given.limit, show=True, empty=given.empty)
     rate = f", {done.runs / done.seconds:.3g} per s" if done.runs else ""
     print(f"{plan.file.stem}: {plan.count - done.left} of {plan.count} runs, {done.runs} of them "
           f"now{rate}; {done.refused} without a result\n  results in {os.fspath(folder)}\n"
           f"  page: {folder / 'page.html'}")
     return 1 if done.refused else 0
+
+
+def main() -> int:
+    given = command_line.sweep().parse_args()
+    return command_line.exit_code("sweep", lambda: _sweep(given), given.out or given.plan)
 
 
 if __name__ == "__main__":

@@ -17,14 +17,12 @@ MOST = 20_000  # runs on a page: evenly taken where there are more
 DIGITS = 6
 
 
-def command(plan, part: int, values: dict) -> str:
+def command(scenario: str, engine: str, keys: dict) -> str:
     """Repeats a run."""
     from trammel.asked import text_of
 
-    one = plan.parts[part]
-    keys = {"run.engine": one.engine, **one.keys, **values}
-    words = ["./trammel", "run", one.scenario]
-    for key, value in keys.items():
+    words = ["./trammel", "run", scenario]
+    for key, value in {"run.engine": engine, **keys}.items():
         words += ["-s", f"{key}={text_of(value)}"]
     return " ".join(shlex.quote(word) for word in words)
 
@@ -49,15 +47,17 @@ def data(plan, table: pa.Table) -> dict:
         else:
             words.append({"name": name, "values": values})
     runs = table["run"].to_pylist()
+    commands = []
+    for part, values in map(plan.run, runs):
+        one = plan.parts[part]
+        commands.append(command(one.scenario, one.engine, {**one.keys, **values}))
     return {"title": plan.file.stem, "runs": runs, "axes": axes, "words": words,
             "end": table["end"].to_pylist(), "message": table["message"].to_pylist(),
-            "commands": [command(plan, *plan.run(run)) for run in runs], "of": plan.count}
+            "commands": commands, "of": plan.count}
 
 
 def trials_data(study, trials: list, best: set) -> dict:
     """The same of the trials of `trammel tune`, which ended."""
-    from trammel.asked import text_of
-
     ended = [t for t in trials if t.state.is_finished()]
     columns = [(key, True, [t.params.get(key) for t in ended]) for key in study.search]
     for n, goal in enumerate(study.objectives):
@@ -73,11 +73,8 @@ def trials_data(study, trials: list, best: set) -> dict:
         else:
             words.append({"name": name, "values": [str(v) for v in values]})
     scenario, case = study.cases[0]
-    commands = []
-    for trial in ended:
-        keys = {"run.engine": study.engine, **study.keys, **case, **trial.params}
-        words_of = [w for key, value in keys.items() for w in ("-s", f"{key}={text_of(value)}")]
-        commands.append(" ".join(map(shlex.quote, ["./trammel", "run", scenario, *words_of])))
+    commands = [command(scenario, study.engine, {**study.keys, **case, **trial.params})
+                for trial in ended]
     return {"title": study.file.stem, "runs": [t.number for t in ended], "axes": axes,
             "words": words, "end": ["done" if t.values else "failed" for t in ended],
             "message": [t.user_attrs.get("message", "") for t in ended], "commands": commands,

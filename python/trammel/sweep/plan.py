@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from trammel import _core
-from trammel.asked import SettingError, settings
+from trammel.asked import SettingError, _apply, settings
 
 SECTIONS = ("keys", "grid", "latin", "random", "table")
 OWN = {"scenario", "engine", *SECTIONS}
@@ -26,6 +26,19 @@ MOST_BYTES = 4 << 20
 
 class PlanError(_core.ConfigError):
     """What is wrong with a plan, in one line."""
+
+
+def read_toml(file: Path, error: type[PlanError] = PlanError) -> dict:
+    """What a plan or a study holds."""
+    try:
+        text = file.read_bytes()
+        if len(text) > MOST_BYTES:
+            raise error(f"{file}: longer than {MOST_BYTES >> 20} MiB")
+        return tomllib.loads(text.decode())
+    except OSError as why:
+        raise error(f"{file}: cannot be read: {why.strerror}") from None
+    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as why:
+        raise error(f"{file}: {why}") from None
 
 
 class Axis(NamedTuple):
@@ -197,16 +210,10 @@ class Part:
             for key, values in ends.items():
                 for value in dict.fromkeys(values[:1] + values[-1:] if isinstance(values, list)
                                            else values):
-                    self._try(base, key, value)
+                    _apply(base.copy(), key, value)
         except _core.ConfigError as error:
             raise PlanError(f"{where}: {error}") from None
         self.machine = base.machine
-
-    @staticmethod
-    def _try(base: _core.Settings, key: str, value) -> None:
-        from trammel.asked import _apply
-
-        _apply(base.copy(), key, value)
 
     @property
     def varied(self) -> list[str]:
@@ -237,15 +244,7 @@ class Plan:
 
     def __init__(self, file: Path):
         self.file = Path(file)
-        try:
-            text = self.file.read_bytes()
-            if len(text) > MOST_BYTES:
-                raise PlanError(f"{self.file}: longer than {MOST_BYTES >> 20} MiB")
-            given = tomllib.loads(text.decode())
-        except OSError as error:
-            raise PlanError(f"{self.file}: cannot be read: {error.strerror}") from None
-        except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-            raise PlanError(f"{self.file}: {error}") from None
+        given = read_toml(self.file)
         self.seed = given.pop("seed", 1)
         if not isinstance(self.seed, int) or self.seed < 0:
             raise PlanError(f"{self.file}: seed: expects a whole number from 0")

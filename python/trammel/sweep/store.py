@@ -36,6 +36,29 @@ def replace(file: Path, write) -> None:
         scratch.unlink(missing_ok=True)
 
 
+def check_record(record: Path, identity: dict, holds: str, kind: str, made: str) -> None:
+    """Refuses a folder of another identity, or with anything else in it."""
+    folder = record.parent
+    if record.is_file():
+        try:
+            kept = json.loads(record.read_text(encoding="utf-8"))
+        except ValueError:
+            raise PlanError(f"{record}: is corrupt") from None
+        other = next((k for k in identity if kept.get(k) != identity[k]), None)
+        if other:
+            raise PlanError(f"{folder}: holds the {holds} of another "
+                            f"{'version' if other == 'version' else kind}; give another folder "
+                            "with -o, or remove it")
+    elif folder.exists() and any(folder.iterdir()):
+        raise PlanError(f"{folder}: is not empty and holds no {made}; give another folder with -o")
+
+
+def keep_record(record: Path, identity: dict) -> None:
+    if not record.is_file():
+        replace(record, lambda path: path.write_text(
+            json.dumps(identity, indent=2) + "\n", encoding="utf-8"))
+
+
 class Store:
     """Runs that are there already are not made again; those of another plan are refused."""
 
@@ -44,28 +67,14 @@ class Store:
         self.name = name
         self.runs = self.folder / "runs"
         record = self.folder / "plan.json"
-        if record.is_file():
-            try:
-                kept = json.loads(record.read_text(encoding="utf-8"))
-            except ValueError:
-                raise PlanError(f"{record}: is corrupt") from None
-            other = next((k for k in identity if kept.get(k) != identity[k]), None)
-            if other:
-                raise PlanError(f"{self.folder}: holds the runs of another "
-                                f"{'version' if other == 'version' else 'plan'}; give another "
-                                "folder with -o, or remove it")
-        elif self.folder.exists() and any(self.folder.iterdir()):
-            raise PlanError(f"{self.folder}: is not empty and holds no sweep; give another folder "
-                            "with -o")
+        check_record(record, identity, "runs", "plan", "sweep")
         self.runs.mkdir(parents=True, exist_ok=True)
         self._lock = (self.folder / f".lock{name}").open("w")
         try:
             fcntl.flock(self._lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError:
             raise PlanError(f"{self.folder}: another sweep writes here now") from None
-        if not record.is_file():
-            replace(record, lambda path: path.write_text(
-                json.dumps(identity, indent=2) + "\n", encoding="utf-8"))
+        keep_record(record, identity)
 
     def close(self) -> None:
         self._lock.close()

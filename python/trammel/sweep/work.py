@@ -6,7 +6,7 @@ from __future__ import annotations
 import time
 
 from trammel import _core
-from trammel.asked import _apply
+from trammel.asked import _apply, _given
 from trammel.results import Result
 
 _bases: dict = {}  # settings of parts, as this process has read them
@@ -15,12 +15,7 @@ _bases: dict = {}  # settings of parts, as this process has read them
 def _base(scenario: str, engine: str, keys: dict) -> _core.Settings:
     name = (scenario, engine, tuple(keys.items()))
     if name not in _bases:
-        base = _core.Settings(scenario)
-        base.set("run.platform", "direct")
-        base.set("run.engine", engine)
-        for key, value in keys.items():
-            _apply(base, key, value)
-        _bases[name] = base
+        _bases[name] = _given(scenario, engine, (), keys)
     return _bases[name]
 
 

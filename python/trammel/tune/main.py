@@ -3,14 +3,12 @@
 
 from __future__ import annotations
 
-import json
 import logging
 import sys
 from pathlib import Path
 
-from trammel import _core
+from trammel import _core, command_line
 from trammel.sweep.main import Progress
-from trammel.tune.options import parser
 from trammel.tune.study import Study, StudyError
 
 
@@ -20,15 +18,13 @@ def open_study(study: Study, folder: Path):
     from optuna.storages import JournalStorage
     from optuna.storages.journal import JournalFileBackend, JournalFileOpenLock
 
+    from trammel.sweep import store
+
     optuna.logging.set_verbosity(logging.ERROR)
     record = folder / "study.json"
-    if record.is_file():
-        if json.loads(record.read_text(encoding="utf-8")) != study.identity():
-            raise StudyError(f"{folder}: holds the trials of another study or version; give "
-                             "another folder with -o, or remove it")
-    elif folder.exists() and any(folder.iterdir()):
-        raise StudyError(f"{folder}: is not empty and holds no study; give another folder with -o")
+    store.check_record(record, study.identity(), "trials", "study", "study")
     folder.mkdir(parents=True, exist_ok=True)
+    store.keep_record(record, study.identity())
     journal = str(folder / "trials.log")
     storage = JournalStorage(JournalFileBackend(journal, lock_obj=JournalFileOpenLock(journal)))
     sampler = optuna.samplers.TPESampler(seed=study.seed, multivariate=True,
@@ -36,7 +32,6 @@ def open_study(study: Study, folder: Path):
     found = optuna.create_study(
         storage=storage, sampler=sampler, study_name="study", load_if_exists=True,
         directions=["maximize" if g.maximize else "minimize" for g in study.objectives])
-    record.write_text(json.dumps(study.identity()) + "\n", encoding="utf-8")
     for trial in found.get_trials(deepcopy=False, states=(optuna.trial.TrialState.RUNNING,)):
         found.tell(trial.number, state=optuna.trial.TrialState.FAIL)
     return found
@@ -160,30 +155,16 @@ def write(study: Study, found, folder: Path) -> list:
     return front
 
 
-def main() -> int:
-    given = parser().parse_args()
-    folder = Path(given.out or Path("out") / Path(given.study).stem)
+def _tune(given, folder: Path) -> int:
+    study = Study(Path(given.study))
+    found = open_study(study, folder)
     try:
-        study = Study(Path(given.study))
-        found = open_study(study, folder)
-        try:
-            search(study, found, given.trials or study.trials, jobs=given.jobs,
-                   cluster=given.cluster, scheduler=given.scheduler, limit_s=given.limit, show=True)
-        except KeyboardInterrupt:
-            write(study, found, folder)
-            print("tune: interrupted; the same command goes on", file=sys.stderr)
-            return 130
-        front = write(study, found, folder)
-    except ImportError as error:
-        print(f"tune: {error.name} is missing (trammel doctor)", file=sys.stderr)
-        return 3
-    except OSError as error:
-        print(f"tune: {error.filename or folder}: {error.strerror or error}; what is done is kept",
-              file=sys.stderr)
-        return 2
-    except ValueError as error:
-        print(f"tune: {error}", file=sys.stderr)
-        return 2
+        search(study, found, given.trials or study.trials, jobs=given.jobs, cluster=given.cluster,
+               scheduler=given.scheduler, limit_s=given.limit, show=True)
+    except KeyboardInterrupt:
+        write(study, found, folder)
+        raise
+    front = write(study, found, folder)
     trials = found.get_trials(deepcopy=False)
     failed = sum(trial.values is None for trial in trials)
     print(f"{study.file.stem}: {len(trials)} trials, {failed} of them failed; "
@@ -196,6 +177,12 @@ def main() -> int:
     if not front:
         print("tune: no trial ended well and within all constraints", file=sys.stderr)
     return 0 if front else 1
+
+
+def main() -> int:
+    given = command_line.tune().parse_args()
+    folder = Path(given.out or Path("out") / Path(given.study).stem)
+    return command_line.exit_code("tune", lambda: _tune(given, folder), str(folder))
 
 
 if __name__ == "__main__":

@@ -7,13 +7,12 @@ import hashlib
 import itertools
 import json
 import math
-import tomllib
 from pathlib import Path
 from typing import NamedTuple
 
 from trammel import _core
 from trammel.asked import _apply, settings
-from trammel.sweep.plan import PlanError, drawn_axis
+from trammel.sweep.plan import PlanError, drawn_axis, read_toml
 
 MOST_CASES = 1000
 OVER = {"max": max, "mean": lambda values: sum(values) / len(values), "min": min}
@@ -57,12 +56,7 @@ class Study:
 
     def __init__(self, file: Path):
         self.file = Path(file)
-        try:
-            given = tomllib.loads(self.file.read_text(encoding="utf-8"))
-        except OSError as error:
-            raise StudyError(f"{self.file}: cannot be read: {error.strerror}") from None
-        except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-            raise StudyError(f"{self.file}: {error}") from None
+        given = read_toml(self.file, StudyError)
         unknown = sorted(set(given) - TOP)
         if unknown:
             self.refuse(f"{unknown[0]}: unknown; a study has {', '.join(sorted(TOP))}")

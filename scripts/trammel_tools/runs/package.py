@@ -13,11 +13,11 @@ PACKAGE = ROOT / "build" / "python"
 
 def options(verb):
     """The parser of a verb: that of the package, which may not be built yet."""
-    file = ROOT / "python" / "trammel" / verb / "options.py"
-    spec = importlib.util.spec_from_file_location("options", file)
+    file = ROOT / "python" / "trammel" / "command_line.py"
+    spec = importlib.util.spec_from_file_location("command_line", file)
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
-    return module.parser()
+    return getattr(module, verb)()
 
 
 def perform(verb, needed):

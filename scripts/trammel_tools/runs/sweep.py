@@ -2,7 +2,7 @@
 """Make the runs of a plan on all processors or a cluster, into one Parquet data set.
 
 It is `python -m trammel sweep` with the package that the build has made; the command line is
-python/trammel/sweep/options.py.
+python/trammel/command_line.py.
 """
 
 from trammel_tools.runs import package

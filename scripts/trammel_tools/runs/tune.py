@@ -2,7 +2,7 @@
 """Search the best values of keys with Optuna, on all processors or a cluster.
 
 It is `python -m trammel tune` with the package that the build has made; the command line is
-python/trammel/tune/options.py.
+python/trammel/command_line.py.
 """
 
 from trammel_tools.runs import package

@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The command lines of `trammel sweep` and `trammel tune`, and how they end. It needs nothing of
+the package, so that the help is always there."""
+
+import argparse
+import sys
+from collections.abc import Callable
+
+SWEEP = """Make the runs of a plan on all processors or a cluster, into one Parquet data set.
+
+A plan names a scenario and what varies: a [grid], [latin] hypercube or [random] draws of any
+keys, or a [table] of own points; several scenarios as [[part]]. Runs that are in the folder are
+not made again, so that a sweep that was killed goes on where it was; a run that cannot be made is
+kept with its message. page.html in the folder shows all runs. docs/one-to-a-million.md explains it.
+
+Exit codes: 0 every run is there, 1 some were refused or lost, 2 usage, plan or disk, 3 a package is
+missing, 130 interrupted."""
+
+TUNE = """Search the best values of keys with Optuna, on all processors or a cluster.
+
+A study names the keys to search, the cases that each trial runs (scenarios, payloads...), one or
+several objectives over all cases, and constraints. Trials that are in the folder are not made
+again: a study that was killed goes on where it was. best.toml is a scenario file of the best
+values, one for each of the best where there are several objectives; page.html shows all trials.
+docs/one-to-a-million.md explains it.
+
+Exit codes: 0 there is a best trial, 1 none meets the constraints, 2 usage, study or disk, 3 a
+package is missing, 130 interrupted."""
+
+
+class Parser(argparse.ArgumentParser):
+    """Errors in one line."""
+
+    def __init__(self, verb: str, about: str):
+        super().__init__(prog=f"trammel {verb}", description=about, allow_abbrev=False,
+                         formatter_class=argparse.RawDescriptionHelpFormatter)
+        self.verb = verb
+
+    def error(self, message):
+        self.exit(2, f"{self.verb}: {message}; see {self.prog} --help\n")
+
+    def add_workers(self, jobs: str) -> None:
+        """Where the runs are made."""
+        self.add_argument("--jobs", type=int, default=0, metavar="N", help=jobs)
+        self.add_argument("--cluster", default="local", metavar="KIND",
+                          choices=("local", "slurm", "lsf", "pbs", "sge", "htcondor"),
+                          help="local, or by dask-jobqueue: slurm, lsf, pbs, sge, htcondor")
+        self.add_argument("--scheduler", default="", metavar="ADDRESS",
+                          help="of a Dask scheduler that is there, such as tcp://host:8786")
+        self.add_argument("--limit", type=float, default=60, metavar="SECONDS",
+                          help="how long to wait for the first worker; default: 60")
+
+
+def sweep() -> Parser:
+    found = Parser("sweep", SWEEP)
+    found.add_argument("plan", metavar="PLAN.toml")
+    found.add_argument("-o", "--out", metavar="FOLDER",
+                       help="of the data set; default: out/<name of the plan>")
+    found.add_workers("workers; default: one a processor, 4 jobs of a cluster")
+    found.add_argument("--shard", default="1/1", metavar="i/n",
+                       help="the i-th of n parts alone, for other ways to share the work; all may "
+                            "write into one folder")
+    found.add_argument("--yes", action="store_true", help="even if the runs are more than 10^7")
+    found.add_argument("--count", action="store_true", help="only print how many runs there are")
+    found.add_argument("--empty", action="store_true",
+                       help="runs that do nothing, to measure what is around them")
+    return found
+
+
+def tune() -> Parser:
+    found = Parser("tune", TUNE)
+    found.add_argument("study", metavar="STUDY.toml")
+    found.add_argument("-o", "--out", metavar="FOLDER",
+                       help="of the study; default: out/<name of the study>")
+    found.add_argument("--trials", type=int, default=0, metavar="N",
+                       help="how many in all; default: those of the study")
+    found.add_workers("trials at a time; default: one a processor. With 1 a study always comes to "
+                      "the same")
+    return found
+
+
+def exit_code(verb: str, action: Callable[[], int], place: str) -> int:
+    """The exit code of what a verb does; an error is a line, of a file if none else at `place`."""
+    try:
+        return action()
+    except ImportError as error:
+        code, text = 3, f"{error.name} is missing (trammel doctor)"
+    except KeyboardInterrupt:
+        code, text = 130, "interrupted; the same command goes on"
+    except OSError as error:
+        code, text = 2, (f"{error.filename or place}: {error.strerror or error}; what is done is "
+                         "kept")
+    except ValueError as error:
+        code, text = 2, str(error)
+    print(f"{verb}: {text}", file=sys.stderr)
+    return code
