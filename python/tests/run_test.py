@@ -4,7 +4,6 @@
 import json
 import os
 import pickle
-import signal
 import subprocess
 import sys
 import tempfile
@@ -14,6 +13,7 @@ import unittest
 from pathlib import Path
 
 import numpy as np
+from interrupt import interrupt
 
 import trammel
 from trammel import _core
@@ -169,12 +169,7 @@ class Beside(unittest.TestCase):
                   "print('begun', flush=True)\n"
                   "try: trammel.run('circle', **{'run.leap': False})\n"
                   "except KeyboardInterrupt: print('interrupted'); sys.exit(7)\n")
-        child = subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True)
-        self.assertEqual(child.stdout.readline(), "begun\n")
-        time.sleep(0.3)
-        child.send_signal(signal.SIGINT)
-        said, _ = child.communicate(timeout=20)
-        self.assertEqual((said, child.returncode), ("interrupted\n", 7))
+        self.assertEqual(interrupt(script, 20), ("begun\ninterrupted\n", 7))
 
     def test_progress_is_told_and_what_it_raises_ends_the_run(self):
         told = []

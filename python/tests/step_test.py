@@ -2,11 +2,10 @@
 """A simulation step by step is the run: step_test.py PROGRAM (which is not used)."""
 
 import os
-import signal
-import subprocess
 import sys
-import time
 import unittest
+
+from interrupt import interrupt
 
 import trammel
 from trammel import _core
@@ -120,12 +119,7 @@ class Steps(unittest.TestCase):
                   "print('begun', flush=True)\n"
                   "try: s.advance(100)\n"
                   "except KeyboardInterrupt: print(s.over); s.advance(1e-5); sys.exit(7)\n")
-        child = subprocess.Popen([sys.executable, "-c", script], stdout=subprocess.PIPE, text=True)
-        self.assertEqual(child.stdout.readline(), "begun\n")
-        time.sleep(0.3)
-        child.send_signal(signal.SIGINT)
-        said, _ = child.communicate(timeout=30)
-        self.assertEqual((said, child.returncode), ("False\n", 7))
+        self.assertEqual(interrupt(script, 30), ("begun\nFalse\n", 7))
 
 
 class Snapshots(unittest.TestCase):
