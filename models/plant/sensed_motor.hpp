@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "models/plant/dc_motor.hpp"
+#include "models/plant/first_clock.hpp"
 
 namespace trammel::plant {
 
@@ -123,23 +124,13 @@ class SensedMotor {
     };
     const auto outside = [&](std::int64_t clock) { return sensor_.leaves(after(s, clock).theta); };
     std::int64_t low = 0, high = kStep;  // inside at low, outside at high
-    std::int64_t clock = first_between(low, high, on_chord);
+    std::int64_t clock = first_clock(low, high, on_chord);
     for (std::int64_t reach = 1; low < clock && clock < high; reach *= 4) {
       const bool is_outside = outside(clock);
       (is_outside ? high : low) = clock;
       clock += is_outside ? -reach : reach;
     }
-    return first_between(low, high, outside);
-  }
-
-  // The first clock after `low` at which `holds`, which it does at `high` and not at `low`.
-  template <class Holds>
-  static std::int64_t first_between(std::int64_t low, std::int64_t high, const Holds& holds) {
-    while (high - low > 1) {
-      const std::int64_t middle = (low + high) / 2;
-      (holds(middle) ? high : low) = middle;
-    }
-    return high;
+    return first_clock(low, high, outside);
   }
 
   DcMotor motor_;

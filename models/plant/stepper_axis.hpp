@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "models/plant/first_clock.hpp"
 #include "models/plant/pulse_buffer.hpp"
 #include "models/plant/stepper_motor.hpp"
 
@@ -226,13 +227,11 @@ class StepperAxis {
 
   // The first clock after `a` at which a switch has changed, on a straight line through the step.
   std::int64_t crossing(const StepperMotor::State& before, std::int64_t a, std::int64_t b) const {
-    std::int64_t low = a, high = std::max(a + 1, b);
-    while (high - low > 1) {
-      const std::int64_t middle = low + (high - low) / 2;
-      const double h = static_cast<double>(middle - a) * clock_s_;
-      (leaves(motor_.after(before, h, step_, told()).at) ? high : low) = middle;
-    }
-    return std::max(high, from_ + 1);
+    const auto changed = [&](std::int64_t clock) {
+      const double h = static_cast<double>(clock - a) * clock_s_;
+      return leaves(motor_.after(before, h, step_, told()).at);
+    };
+    return std::max(first_clock(a, std::max(a + 1, b), changed), from_ + 1);
   }
 
   // A swing of 1e-4 step is rest.
