@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <stdexcept>
-
 #include "lab/machine.hpp"
 #include "systemc/wire.hpp"
 
@@ -15,13 +13,8 @@ std::unique_ptr<cosim::RunResult> simulate(const Settings& settings, const cosim
   const cosim::MakeSession make = [&](const cosim::Hooks& own, const cosim::Waves& waves) {
     return machine.session(settings, own, waves);
   };
-  try {
-    return systemc::simulate(settings.run, machine.triggers(), make, hooks);
-  } catch (const std::invalid_argument& error) {  // what only plant and firmware can tell
-    throw ConfigError(error.what());
-  } catch (const cosim::OptionsError& error) {
-    throw ConfigError(error.what());
-  }
+  return with_config_errors(
+      [&] { return systemc::simulate(settings.run, machine.triggers(), make, hooks); });
 }
 
 Record judged(std::shared_ptr<const Settings> settings, std::unique_ptr<cosim::RunResult> result) {

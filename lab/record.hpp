@@ -6,11 +6,13 @@
 #include <cstddef>
 #include <functional>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "cosim/machine.hpp"
+#include "lab/errors.hpp"
 #include "lab/figure.hpp"
 #include "lab/settings.hpp"
 
@@ -38,6 +40,18 @@ struct Record {
 
   const Machine& machine() const { return settings->machine(); }
 };
+
+// What `work` returns; what only plant and firmware can tell of the settings is a ConfigError.
+template <class Work>
+auto with_config_errors(const Work& work) {
+  try {
+    return work();
+  } catch (const std::invalid_argument& error) {
+    throw ConfigError(error.what());
+  } catch (const cosim::OptionsError& error) {
+    throw ConfigError(error.what());
+  }
+}
 
 // One run, of a result of the machine's own type. Faults and divergence are values in it. Throws
 // ConfigError for settings that cannot run; they must have been validated.

@@ -14,13 +14,8 @@ Stepped::Stepped(std::shared_ptr<const lab::Settings> settings) : settings_(std:
   const lab::Machine& machine = settings_->machine();
   cosim::Hooks hooks;
   hooks.stop = &stop_;
-  try {
-    session_ = machine.session(*settings_, hooks, cosim::Waves{});
-  } catch (const std::invalid_argument& error) {
-    throw lab::ConfigError(error.what());
-  } catch (const cosim::OptionsError& error) {
-    throw lab::ConfigError(error.what());
-  }
+  session_ = lab::with_config_errors(
+      [&] { return machine.session(*settings_, hooks, cosim::Waves{}); });
   if (session_->core() != nullptr) {
     throw lab::ConfigError("run.cpu: value \"rtl\" cannot run step by step; \"native\" can");
   }
