@@ -3,6 +3,7 @@
 // What Larson publishes of rates, motor and buffer (1974, Table I and section III), beside what the
 // chip and the run's own settings give.
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -93,15 +94,19 @@ bool as_shipped(const Options& options) {
 std::vector<lab::Figure> published_figures(const Options& options) {
   std::vector<lab::Figure> list;
   const bool judged = as_shipped(options);
-  const auto add = [&](std::string id, std::string row, double value, double printed) {
-    lab::Figure f = lab::figure(std::move(id), std::move(row), "", value, "ms", 2);
+  const auto add_figure = [&](lab::Figure f, double printed, std::optional<double> tolerance,
+                              const char* source) {
     f.printed = printed;
-    if (judged) {
+    if (judged && tolerance) {
       f.expected = printed;
-      f.tolerance = kBand * printed;
+      f.tolerance = *tolerance;
     }
-    f.source = "Larson 1974, section III";
+    f.source = source;
     list.push_back(std::move(f));
+  };
+  const auto add = [&](std::string id, std::string row, double value, double printed) {
+    add_figure(lab::figure(std::move(id), std::move(row), "", value, "ms", 2), printed,
+               kBand * printed, "Larson 1974, section III");
   };
   for (const Published& one : kMultipleSteps) {
     add(fmt::format("multiple_step.{}_ms", one.steps),
@@ -114,17 +119,13 @@ std::vector<lab::Figure> published_figures(const Options& options) {
   add("oscillation.three_ms", "oscillation, three phases on", period(m.stiffness_3), 8.6);
   for (const Rate& one : kRates) {
     const bool misprint = one.code == kMisprint;
-    lab::Figure f = lab::figure(fmt::format("rate.{:o}_pps", one.code),
-                                fmt::format("rate {:o}{}", one.code,
-                                            misprint ? " (misprint of 7660)" : ""),
-                                "", rate_of(one.code, options.axis.clock_ps), "PPS", 1);
-    f.printed = one.pps;
-    if (judged && !misprint) {
-      f.expected = one.pps;
-      f.tolerance = kRounded;
-    }
-    f.source = "Larson 1974, Table I";
-    list.push_back(std::move(f));
+    std::optional<double> tolerance;
+    if (!misprint) tolerance = kRounded;
+    add_figure(lab::figure(fmt::format("rate.{:o}_pps", one.code),
+                           fmt::format("rate {:o}{}", one.code,
+                                       misprint ? " (misprint of 7660)" : ""),
+                           "", rate_of(one.code, options.axis.clock_ps), "PPS", 1),
+               one.pps, tolerance, "Larson 1974, Table I");
   }
   return list;
 }
