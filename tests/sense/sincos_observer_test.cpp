@@ -62,6 +62,11 @@ struct Bench {
     REQUIRE(bool(rtl->known_o) == twin.out().known);
     return asked;
   }
+  void restart() {
+    SincosObserver::In in;
+    in.restart = true;
+    clock(in);
+  }
   void rest(SincosObserver::In in, Random& random) {
     in.ask = in.sample = false;
     do {
@@ -83,10 +88,8 @@ TEST_CASE("sincos_observer agrees with its twin for any codes, calibration and o
   Bench bench;
   Random random(19);
   for (int round = 0; round < 400; ++round) {
+    bench.restart();
     SincosObserver::In in;
-    in.restart = true;
-    bench.clock(in);
-    in.restart = false;
     bench.calib = ideal_calibration();
     for (unsigned n = round % 4 == 0 ? 0 : random() % 12; n > 0; --n) {
       auto& word = bench.calib.words[4 + random() % 58];
@@ -112,10 +115,8 @@ TEST_CASE("sincos_observer starts in the quarter of the larger of A and B, howev
   Bench bench;
   Random random(30);
   for (int k = 0; k < 8000; ++k) {
+    bench.restart();
     SincosObserver::In in;
-    in.restart = true;
-    bench.clock(in);
-    in.restart = false;
     in.active = true;
     if (k % 100 == 0) {
       for (const std::size_t origin : {4u, 5u}) {
@@ -147,9 +148,7 @@ TEST_CASE("sincos_observer takes a derivative up to its limits, and asks for it 
   for (int k = 0; k < 6000; ++k) {
     SincosObserver::In in;
     if (k % 40 == 0) {
-      in.restart = true;
-      bench.clock(in);
-      in.restart = false;
+      bench.restart();
       bench.calib = ideal_calibration();
       for (const std::size_t limit : {33u, 34u, 35u, 36u}) {
         if (k % 80 == 0) bench.calib.words[limit] = static_cast<std::uint16_t>(random() % 1024);
