@@ -48,10 +48,10 @@ def main():
                 or "/tests/" in listed:
             print(f"deb: depends on {needs} and holds\n{listed}", file=sys.stderr)
             return 1
-        run("dpkg-deb", "-x", package, folder / "root").check_returncode()
-        program = folder / "root" / "usr" / "bin" / "trammel"
+        run("dpkg-deb", "-x", package, folder / "tree").check_returncode()
+        program = folder / "tree" / "usr" / "bin" / "trammel"
         said = run(program, "doctor").stdout
-        if f"{folder}/root/usr/share/trammel" not in said:
+        if f"{folder}/tree/usr/share/trammel" not in said:
             print(f"deb: its scenarios are not its own: {said[-300:]}", file=sys.stderr)
             return 1
         before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
