@@ -15,6 +15,7 @@
 #include "machines/kung/record.hpp"
 #include "cosim/machine_chip.hpp"
 #include "cosim/trigger.hpp"
+#include "models/fixed/fixed.hpp"
 
 namespace trammel::kung {
 
@@ -38,6 +39,17 @@ struct KungChip : cosim::MachineChip {
   // Of the edges evaluated, why; none for a chip without clocks.
   virtual WakeCounts wakes() const { return {}; }
 };
+
+// What the precision controller follows stands where the reference model does: its set point is
+// command and model.
+inline void show_precision(const PrecisionWords& words, AxisSample& s) {
+  s.precise = words;
+  s.r = s.x_r = static_cast<std::int32_t>(fixed::rs(words.set_point, 8));
+  s.x_m = static_cast<std::int32_t>(fixed::wrap(std::int64_t{words.set_point} * 64, 32));
+  s.dx = 8 * words.speed;
+  s.e = static_cast<std::int32_t>(fixed::sat(s.x_r - s.x_p, 12));
+  s.de = s.u = s.v_star = s.v = 0;
+}
 
 // What a trigger may name: words of the controllers and registers.
 using cosim::Signal;

@@ -12,11 +12,12 @@
 
 module kung_axis
   import trammel_pkg::*;
+  import kung_pkg::*;
   import kung_xy_regs_pkg::axis_regs__in_t;
   import kung_xy_regs_pkg::axis_regs__out_t;
 (
     input logic clk_i,
-    input kung_pkg::axis_domains_t clock_en_i,
+    input axis_domains_t clock_en_i,
     input logic rst_i,
 
     input gap_t leap_i,
@@ -44,6 +45,11 @@ module kung_axis
     output logic adc_cs_n_o,
     output logic adc_sclk_o,
 
+    output logic   edge_o,  // of the encoder, see kung_precision
+    output logic   up_o,
+    output count_t count_cur_o,
+    input  precision_t precision_i,
+
     output logic [2:0] gate_hi_o,
     output logic [2:0] gate_lo_o,
 
@@ -53,11 +59,9 @@ module kung_axis
     output logic done_o,
     output gap_t next_o,
     output logic wake_regs_o,  // a bit of STATUS is set
-    output kung_pkg::axis_domains_t awake_o,
+    output axis_domains_t awake_o,
     output logic quiescent_o
 );
-
-  typedef logic signed [12:0] sum_t;  // of two phase currents
 
   logic clk_position, clk_adc, clk_angle, clk_sense, clk_gates;
   assign clk_position = clk_i & clock_en_i.position;
@@ -87,6 +91,8 @@ module kung_axis
       .enc_z_i       (enc_z_i),
       .count_o       (count),
       .dir_o         (unused_dir),
+      .edge_o        (edge_o),
+      .up_o          (up_o),
       .index_latch_o (index_latch),
       .index_seen_o  (unused_index_seen),
       .error_o       (qep_error),
@@ -101,9 +107,9 @@ module kung_axis
   // ---- position controller ----
 
   count_t r, x_p_q, x_r, unused_dx, rule_rdata;
-  word_t e, de, u, v_star, v, iq_afc;
+  word_t e, de, u, v_star, v, iq_afc, iq_position;
   model_t unused_x_m;
-  logic afc_busy, overrun, iq_valid, saturated, unused_table_busy;
+  logic afc_busy, afc_done, afc_start, overrun, iq_valid, saturated, unused_table_busy;
   logic command_quiescent, afc_quiescent;
   logic [6:0] step;
 
@@ -143,10 +149,11 @@ module kung_axis
     end
   end
 
+  assign afc_start = tick_pos_i && !precision_i.enable;
   afc u_afc (
       .clk_i        (clk_position),
       .rst_i        (rst_i),
-      .start_i      (tick_pos_i),
+      .start_i      (afc_start),
       .adapt_i      (regs_i.ctrl.adapt.value),
       .feedforward_i(regs_i.ctrl.feedforward.value),
       .reset_model_i(regs_i.ctrl.reset_model.value),
@@ -166,7 +173,7 @@ module kung_axis
       .rule_we_i    (tab_write),
       .rule_wdata_i (tab_data_q),
       .busy_o       (afc_busy),
-      .done_o       (done_o),
+      .done_o       (afc_done),
       .overrun_o    (overrun),
       .step_o       (step),
       .iq_valid_o   (iq_valid),
@@ -192,11 +199,14 @@ module kung_axis
   logic [11:0] code_a, code_b;
   logic adc_valid, unused_adc_busy, adc_quiescent;
   logic unused_loop_busy, loop_valid, limited, unused_loop_quiescent, loop_clear;
-  kung_pkg::loop_domains_t loop_awake;
+  loop_domains_t loop_awake;
   cmp_t cmp_a, cmp_b, cmp_c;
 
-  assign iq_ref = regs_i.ctrl.position_loop.value ? iq_afc :
+  assign iq_position = precision_i.enable ? precision_i.i_q_ref : iq_afc;
+  assign iq_ref      = regs_i.ctrl.position_loop.value ? iq_position :
       word_t'(regs_i.iq_manual.value.value);
+  assign done_o      = precision_i.enable ? precision_i.done : afc_done;
+  assign count_cur_o = count_cur_q;
   assign loop_clear = trip_i || !regs_i.ctrl.enable.value || !regs_i.ctrl.current_loop.value;
 
   always_ff @(posedge clk_angle) begin
@@ -264,13 +274,6 @@ module kung_axis
       .quiescent_o(unused_loop_quiescent)
   );
 
-  // |current| >= limit, unless that is 0; with one carry chain for each sign.
-  function automatic logic reached(sum_t current, logic [11:0] limit);
-    logic signed [13:0] below;
-    below = 14'(current) + $signed({2'b00, limit});
-    return limit != '0 && (current >= sum_t'({1'b0, limit}) || below <= 14'sd0);
-  endfunction
-
   // The third current is -(i_a + i_b).
   assign over_current_o = reached(sum_t'(i_a), current_limit_i) ||
       reached(sum_t'(i_b), current_limit_i) ||
@@ -337,15 +340,16 @@ module kung_axis
   assign wake_regs_o         = overrun || qep_error || (iq_valid && saturated) ||
       (loop_valid && limited);
   assign quiescent_o         = awake_o == '0 && !wake_regs_o;
-
   // ---- what the registers show ----
 
   // Continuous, not procedural: simulators then see separate fields, not one wide word.
   assign regs_o.status.busy.next        = afc_busy;
-  assign regs_o.status.overrun.hwset    = overrun;
+  assign regs_o.status.overrun.hwset    = overrun || precision_i.overrun;
   assign regs_o.status.qep_error.hwset  = qep_error;
-  assign regs_o.status.saturated.hwset  = iq_valid && saturated;
+  assign regs_o.status.saturated.hwset  = iq_valid && saturated || precision_i.saturated;
   assign regs_o.status.limited.hwset    = loop_valid && limited;
+  assign regs_o.status.underrun.hwset   = precision_i.underrun;
+  assign regs_o.status.clipped.hwset    = precision_i.clipped;
   assign regs_o.status.step.next        = step;
   assign regs_o.pos.value.next          = 32'(x_p_q);
   assign regs_o.pos_model.value.next    = 32'(x_r);
@@ -375,8 +379,22 @@ module kung_axis
   assign regs_o.tab_data.wr_ack         = tab_write ||
       regs_i.tab_data.req && regs_i.tab_data.req_is_wr && tab_in_part;
   assign regs_o.pos_preset.wr_ack       = preset_write;
+  assign regs_o.prec_addr.word.we       = precision_i.counts;
+  assign regs_o.prec_addr.word.next     = regs_i.prec_addr.word.value + 5'd1;
+  assign regs_o.prec_data.wr_ack        = precision_i.written;
+  assign regs_o.prec_data.rd_ack        = precision_i.read;
+  assign regs_o.prec_data.rd_data.value = precision_i.data;
+  assign regs_o.prec_err.rd_ack         = precision_i.read;
+  assign regs_o.prec_err.rd_data.value  = precision_i.data;
+  assign regs_o.err_sum.rd_ack          = precision_i.read;
+  assign regs_o.err_sum.rd_data.value   = precision_i.data;
+  assign regs_o.iq_sum.rd_ack           = precision_i.read;
+  assign regs_o.iq_sum.rd_data.value    = precision_i.data;
+  assign regs_o.prec_dist.rd_ack        = precision_i.read;
+  assign regs_o.prec_dist.rd_data.value = precision_i.data;
 
   logic unused_regs;
-  assign unused_regs = ^{regs_i.status, regs_i.tab_data, regs_i.pos_preset};
+  assign unused_regs = ^{regs_i.status, regs_i.ctrl.precision, regs_i.tab_data, regs_i.pos_preset,
+      regs_i.prec_data, regs_i.prec_err, regs_i.err_sum, regs_i.iq_sum, regs_i.prec_dist};
 
 endmodule

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Two-axis motion-control IC of Kung et al. 2012: linear-motor X-Y table (specification sections 1,
-// 6 to 9, 11). Registers, time base, fault supervisor and two axes; axis 0 is X, axis 1 is Y.
+// 6 to 9, 11). Registers, time base, fault supervisor, precision controller and two axes;
+// axis 0 is X, axis 1 is Y.
 //
 //   trip pin -> gates off     4 clocks
-//   position tick -> sample_o 71 clocks: the words of both position controllers can be read
+//   position tick -> sample_o 71 clocks: the words of both position controllers can be read;
+//                             230 or 278 where one is the precision controller
 
 module kung_xy
   import trammel_pkg::*;
@@ -216,7 +218,10 @@ module kung_xy
   assign axis_out[1] = hwif_out.y;
 
   kung_pkg::axis_domains_t [1:0] axis_en, axis_awake;
-  logic [1:0] wake_regs, unused_axis_quiescent;
+  logic [1:0] wake_regs, unused_axis_quiescent, edges, up, sense_awake;
+  count_t [1:0] count_cur;
+  kung_pkg::precision_t [1:0] precision_axis;
+  logic precision_awake, precision_wakes_regs, edge_timed;
   gap_t axis_next[2];
 
   for (genvar n = 0; n < 2; n++) begin : gen_enable
@@ -249,6 +254,10 @@ module kung_xy
         .adc_sdata_b_i  (adc_sdata_b_i[n]),
         .adc_cs_n_o     (adc_cs_n_o[n]),
         .adc_sclk_o     (adc_sclk_o[n]),
+        .edge_o         (edges[n]),
+        .up_o           (up[n]),
+        .count_cur_o    (count_cur[n]),
+        .precision_i    (precision_axis[n]),
         .gate_hi_o      (gate_hi_o[3*n+:3]),
         .gate_lo_o      (gate_lo_o[3*n+:3]),
         .over_current_o (over_current[n]),
@@ -262,6 +271,29 @@ module kung_xy
     );
   end
 
+  kung_precision u_precision (
+      .clk_i        (clk_i),
+      .clock_en_i   (clock_en_i.precision),
+      .sense_en_i   (clock_en_i.sense),
+      .rst_i        (rst_i),
+      .tick_cur_i   (tick_cur),
+      .tick_pos_i   (tick_pos),
+      .phase_i      (phase),
+      .commit_i     (hwif_out.commit.take.value),
+      .regs_i       (axis_out),
+      .knot_read_i  (hwif_out.knot.req),
+      .knot_ack_o   (hwif_in.knot.rd_ack),
+      .edge_i       (edges),
+      .up_i         (up),
+      .count_i      (count_cur),
+      .axis_o       (precision_axis),
+      .awake_o      (precision_awake),
+      .sense_awake_o(sense_awake),
+      .timed_o      (edge_timed),
+      .wake_regs_o  (precision_wakes_regs)
+  );
+
+  assign hwif_in.knot.rd_data.count        = precision_axis[0].data;
   assign hwif_in.x                         = axis_in[0];
   assign hwif_in.y                         = axis_in[1];
   assign hwif_in.irq_stat.tick.hwset       = tick_irq;
@@ -300,22 +332,23 @@ module kung_xy
   logic awake_sense_x, awake_sense_y, awake_gates_x, awake_gates_y;
 
   assign awake_system   = !(bus_idle && watchdog_quiescent && supervisor_quiescent &&
-      trip == trip_q && done == '0 && !tick_irq && wake_regs == '0);
+      trip == trip_q && done == '0 && !tick_irq && wake_regs == '0 && !precision_wakes_regs);
   assign awake_position = axis_awake[0].position || axis_awake[1].position;
   assign awake_adc      = axis_awake[0].adc || axis_awake[1].adc;
   assign awake_angle    = axis_awake[0].loop.angle || axis_awake[1].loop.angle;
   assign awake_rotate   = axis_awake[0].loop.rotate || axis_awake[1].loop.rotate;
   assign awake_pi       = axis_awake[0].loop.pi || axis_awake[1].loop.pi;
   assign awake_svpwm    = axis_awake[0].loop.svpwm || axis_awake[1].loop.svpwm;
-  assign awake_sense_x  = axis_awake[0].sense;
-  assign awake_sense_y  = axis_awake[1].sense;
+  assign awake_sense_x  = axis_awake[0].sense || sense_awake[0];
+  assign awake_sense_y  = axis_awake[1].sense || sense_awake[1];
   assign awake_gates_x  = axis_awake[0].gates;
   assign awake_gates_y  = axis_awake[1].gates;
 
-  assign awake_o = '{system: awake_system, position: awake_position, adc: awake_adc,
+  assign awake_o = '{precision: precision_awake, system: awake_system, position: awake_position,
+      adc: awake_adc,
       loop: '{angle: awake_angle, rotate: awake_rotate, pi: awake_pi, svpwm: awake_svpwm},
       sense: {awake_sense_y, awake_sense_x}, gates: {awake_gates_y, awake_gates_x}};
-  assign timed_o     = awake_system || awake_gates_x || awake_gates_y;
+  assign timed_o     = awake_system || awake_gates_x || awake_gates_y || edge_timed;
   assign quiescent_o = timebase_quiescent && awake_o == '0;
 
   logic unused_bits;

@@ -63,7 +63,8 @@ module kung_xy_props
     input logic          read_was_last,
     // of the supervisor and the axes
     input logic [1:0]    pin_stages,
-    input logic [7:0]    axis_events,  // Y overrun, encoder, saturated, limited; X
+    input logic [11:0]   axis_events,  // Y overrun, encoder, saturated, limited,
+                                       // underrun, clipped; X
     input logic [1:0]    busy, table_waits,
     input logic [19:0]   dead_time,
     input logic [23:0]   current_limit,
@@ -130,7 +131,7 @@ module kung_xy_props
     shown = '0;
     case ({araddr_q[9:2], 2'b00})
       10'h0b0, 10'h1b0: shown = araddr_q[8] ? hwif_out.y.angle_step : hwif_out.x.angle_step;
-      10'h200: shown = 32'h4b58_0004;
+      10'h200: shown = 32'h4b58_0005;
       10'h208: shown = {30'd0, hwif_out.irq_en.fault.value, hwif_out.irq_en.tick.value};
       10'h20c: shown = {30'd0, hwif_out.irq_stat.fault.value, hwif_out.irq_stat.tick.value};
       10'h210: shown = tick_count;
@@ -140,9 +141,10 @@ module kung_xy_props
       10'h224: shown = {20'd0, hwif_out.current_limit.value.value};
       10'h228: shown = {22'd0, hwif_out.deadtime_min.clk.value};
       10'h22c: shown = {24'd0, hwif_out.irq_period.ticks.value};
+      10'h230: knows = 1'b0;
       10'h240: shown = {26'd0, limits[25:24], 2'd0, limits[23:22]};
       default:  // no register, or nothing to read
-      knows = araddr_q[9] || araddr_q[7:2] inside {[6'hd : 6'hf], 6'h17, 6'h1e, [6'h24 : 6'h2b],
+      knows = araddr_q[9] || araddr_q[7:2] inside {[6'hd : 6'hf], 6'h17, 6'h1e, [6'h2a : 6'h2b],
                                                    [6'h30 : 6'h3f]};
     endcase
   end
@@ -188,7 +190,7 @@ module kung_xy_props
   logic [1:0] enabled, was_enabled_q, seen_q;  // seen: dones since the last sample
   logic was_quiescent_q, was_locked_q, was_trip_q, cause, was_cause_q;
   logic unlocked, lock_key, unlock_key, clear_key;  // a write: while unlocked; of one of the keys
-  logic [9:0] sticky, events, was_sticky_q, was_events_q, written, ones;
+  logic [13:0] sticky, events, was_sticky_q, was_events_q, written, ones;
   logic [11:0] gates, was_gates_q;
   logic [10:0] held, was_held_q;  // registers that are visible nowhere else
   kung_xy__out_t lasting, was_lasting_q;  // registers of the map, without STATUS
@@ -206,10 +208,10 @@ module kung_xy_props
   assign clear_key  = wrote_q && at_q == 8'h86 && word_q == 32'h434c_5246 && strobes_q == '1;
   assign sticky     = {hwif_out.y.status, hwif_out.x.status, hwif_out.irq_stat};
   assign events     = {axis_events, tick_irq, trip && !was_trip_q};
-  assign written    = {{4{wrote_q && at_q == 8'h41}}, {4{wrote_q && at_q == 8'h01}},
+  assign written    = {{6{wrote_q && at_q == 8'h41}}, {6{wrote_q && at_q == 8'h01}},
                        {2{wrote_q && at_q == 8'h83}}};
-  assign ones       = written & {10{strobes_q[0]}} &
-      {{2{word_q[1], word_q[2], word_q[3], word_q[4]}}, word_q[0], word_q[1]};
+  assign ones       = written & {14{strobes_q[0]}} &
+      {{2{word_q[1], word_q[2], word_q[3], word_q[4], word_q[5], word_q[6]}}, word_q[0], word_q[1]};
   assign gates      = {gate_hi_o, gate_lo_o};
   assign held       = {locked_q, trip_q, done_q, open_q, in_flight, pending, aw_q};
   assign guarded    = {guarded_x, guarded_y, hwif_out.watchdog.limit.value, limits};
@@ -294,7 +296,7 @@ module kung_xy_props
       quiescent_only_if_nothing_is_open : assert (!quiescent_o || open_q == '0);
       quiescent_is_honest :
       assert (!was_quiescent_q || held == was_held_q && lasting == was_lasting_q &&
-              gates == was_gates_q && sticky == (was_sticky_q | {was_events_q[9:2], 2'b00}));
+              gates == was_gates_q && sticky == (was_sticky_q | {was_events_q[13:2], 2'b00}));
       inv_held :
       assert (held_address[10] == aw_q && (!aw_q || held_address[9:0] == awaddr_q) &&
               held_word[36] == w_q && (!w_q || held_word[35:0] == {wstrb_q, wdata_q}) &&
@@ -323,7 +325,7 @@ module kung_xy_props
       inv_rest :
       assert (trip_q == was_trip_q && seen_q == done_q && done_q != '1 && pin_stages == pin_q[1:0]);
       reaches_a_write_response : cover (s_axil_bvalid_o && write_wait_q == 3'd1);
-      reaches_a_read_response : cover (s_axil_rvalid_o && s_axil_rdata_o == 32'h4b58_0004);
+      reaches_a_read_response : cover (s_axil_rvalid_o && s_axil_rdata_o == 32'h4b58_0005);
       reaches_a_trip_by_the_pin : cover (trip && pin_q == 4'b0111 && enabled == '1);
       reaches_gates_on : cover (gate_hi_o[0] && gate_hi_o[5]);
       reaches_locked : cover (locked_q && enabled != '0);
@@ -392,7 +394,7 @@ bind kung_xy kung_xy_props u_kung_xy_props (
     .read_was_last(u_regs.axil_prev_was_rd),
     .pin_stages   ({u_supervisor.pin_q, u_supervisor.meta_q}),
     .busy         ({axis_in[1].status.busy.next, axis_in[0].status.busy.next}),
-    .axis_events  ({axis_in[1].status[10:7], axis_in[0].status[10:7]}),
+    .axis_events  ({axis_in[1].status[12:7], axis_in[0].status[12:7]}),
     .table_waits  ({gen_axis[1].u_axis.tab_pending_q, gen_axis[0].u_axis.tab_pending_q}),
     .dead_time    ({gen_axis[1].u_axis.dead_time, gen_axis[0].u_axis.dead_time}),
     .current_limit({gen_axis[1].u_axis.current_limit_i, gen_axis[0].u_axis.current_limit_i}),

@@ -151,7 +151,7 @@ module lm628
   end
 
   count_t count, index_count;
-  logic index_seen, unused_dir, unused_error, qep_quiescent;
+  logic index_seen, unused_dir, unused_edge, unused_up, unused_error, qep_quiescent;
 
   qep u_qep (
       .clk_i         (clk_sense),
@@ -165,6 +165,8 @@ module lm628
       .enc_z_i       (encoder_q == '0),
       .count_o       (count),
       .dir_o         (unused_dir),
+      .edge_o        (unused_edge),
+      .up_o          (unused_up),
       .index_latch_o (index_count),
       .index_seen_o  (index_seen),
       .error_o       (unused_error),

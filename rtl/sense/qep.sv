@@ -26,6 +26,8 @@ module qep
 
     output count_t count_o,
     output logic   dir_o,
+    output logic   edge_o,         // the count goes on by one at this clock edge,
+    output logic   up_o,           // this way
     output count_t index_latch_o,
     output logic   index_seen_o,
     output logic   error_o,
@@ -108,6 +110,8 @@ module qep
 
   assign count_o       = count_q;
   assign dir_o         = dir_q;
+  assign edge_o        = step && !preset_i;
+  assign up_o          = up;
   assign index_latch_o = latch_q;
   assign index_seen_o  = seen_q;
   assign error_o       = error_q;

@@ -115,9 +115,9 @@ class ChipModel : public KungChip, private ChipState {
 
  private:
   // In the order of kung_pkg::domains_t, the lowest bit first.
-  static constexpr std::array<const char*, 11> kDomains{
+  static constexpr std::array<const char*, 12> kDomains{
       "system", "position", "adc", "angle", "rotate", "pi", "svpwm",
-      "sense_x", "sense_y", "gates_x", "gates_y"};
+      "sense_x", "sense_y", "gates_x", "gates_y", "precision"};
   static constexpr cosim::Clk kEncoderSettles = 12;  // synchroniser, usual filters, decoder
 
   // Inputs start at random values like every other unset bit.

@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "machines/kung/chip.hpp"
+#include "models/exact/control/precision_store.hpp"
 
 namespace trammel::kung {
 
@@ -42,6 +43,20 @@ void probe_words(const Root& root, int axis, AxisSample& s) {
   s.i_q = word(TRAMMEL_AXIS(u_current_loop__DOT__i_q_o));
   s.v_d = word(TRAMMEL_AXIS(u_current_loop__DOT__v_d_o));
   s.v_q = word(TRAMMEL_AXIS(u_current_loop__DOT__v_q_o));
+  const bool precise =
+      axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_ctrl_precision_value
+                : root.kung_xy__DOT__u_regs__DOT__field_storage_y_ctrl_precision_value;
+  if (!precise) return;
+  s.x_p = count(TRAMMEL_AXIS(x_p_q));
+  s.i_q_ref = word(TRAMMEL_AXIS(iq_position));
+  using Word = exact::PrecisionStore::Word;
+  const auto stored = [&](Word of) {
+    const auto at = static_cast<std::size_t>(64 * axis + static_cast<int>(of));
+    return static_cast<std::int32_t>(
+        root.kung_xy__DOT__u_precision__DOT__u_precision__DOT__u_store__DOT__mem_q[at]);
+  };
+  show_precision({stored(Word::kP), stored(Word::kY), stored(Word::kErr), stored(Word::kV24),
+                  stored(Word::kVff), stored(Word::kD), stored(Word::kAcc)}, s);
 }
 
 template <class Root>

@@ -40,6 +40,9 @@ class KungRegisters {
     return data & written & reg->pulsed;
   }
 
+  // The chip itself writes it.
+  void set(std::uint32_t address, std::uint32_t word) { words_[address / 4] = word; }
+
  private:
   std::array<std::uint32_t, kung_xy_regs::kRegisters.back().address / 4 + 1> words_{};
 };
@@ -52,6 +55,8 @@ struct KungAxisRegisters {
   std::int32_t iq_manual = 0;                   // I_fs / 4096
   std::uint32_t dead_time = 0;                  // [clk], the one in effect
   bool interpolate = false;
+  bool precision = false;
+  int qep_filter = 3;                           // [clk]
   KungCurrent::Config current;
 };
 

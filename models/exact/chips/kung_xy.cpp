@@ -63,14 +63,15 @@ KungXy::Stop KungXy::run(Clk end, const Converters& converters) {
 unsigned KungXy::quick(Clk n) {
   const bool trip = supervisor_.out().trip;
   unsigned events = 0;
-  for (Axis& axis : axes_) {
+  for (std::size_t k = 0; k < 2; ++k) {
+    Axis& axis = axes_[k];
     if (axis.gates.next() == n) {
       const unsigned before = axis.gates.gates();
       axis.gates.step(n, {axis.regs.enable, trip, axis.regs.dead_time}, false);
       if (axis.gates.gates() != before) events |= kGates;
     }
     if (axis.qep_next == n) {
-      step_qep(axis, n);
+      step_qep(k, n);
       if (axis.qep.out().error || (stroke(axis) && !trip)) slow_ = n + 1;
     }
   }
@@ -89,7 +90,8 @@ unsigned KungXy::full(Clk n, const Converters& converters) {
     bus_acts_ = kNever;
     write = {op_.write, op_.address, op_.data, op_.bits};
     if (!op_.write) answer_ = read(n - 1, op_.address);
-    if (!(write.all_of(map::kX + map::kTabData) || write.all_of(map::kY + map::kTabData))) {
+    if (!(write.all_of(map::kX + map::kTabData) || write.all_of(map::kY + map::kTabData) ||
+          asks_precision(n))) {
       bus_ends_ = n + 1;
     }
   }
@@ -115,7 +117,8 @@ unsigned KungXy::full(Clk n, const Converters& converters) {
   watchdog_.step({tick_pos, commit_, enabled(), limit});
 
   const std::array<std::int32_t, 2> chosen{i_q_ref(axes_[0]), i_q_ref(axes_[1])};
-  if (step_positions(n, tick_pos)) events |= kSample;
+  unsigned done = step_positions(n, tick_pos);
+  const bool precise = step_precision(n, tick_cur, tick_pos);
   if (tick_cur) tick(n, tick_pos, chosen, converters);
   for (std::size_t k = 0; k < 2; ++k) {
     Axis& axis = axes_[k];
@@ -129,7 +132,7 @@ unsigned KungXy::full(Clk n, const Converters& converters) {
     if (axis.qep.out().error) axis.qep_error.set(n);
     axis.pins.preset = preset;
     axis.pins.preset_value = value;
-    if (preset || axis.qep_next == n) step_qep(axis, n);
+    if (preset || axis.qep_next == n) step_qep(k, n);
     axis.pins.preset = false;
     axis.reset_table = false;
     if (write.all_of(kBases[k] + map::kTabData)) {
@@ -139,6 +142,14 @@ unsigned KungXy::full(Clk n, const Converters& converters) {
   }
   commit_ = false;
   if (write.valid) apply(n, write);
+  for (std::size_t k = 0; k < 2; ++k) {
+    if (axes_[k].regs.precision) done = (done & ~(1u << k)) | (precise ? 1u << k : 0u);
+  }
+  done_ |= done;
+  if (done_ == 3) {
+    done_ = 0;
+    events |= kSample;
+  }
   for (Axis& axis : axes_) {
     const bool level = clear_level(axis);
     if (level != axis.current.cleared()) axis.current.clear(n + 1, level);
@@ -217,33 +228,68 @@ void KungXy::tick(Clk n, bool position, const std::array<std::int32_t, 2>& i_q_r
   irq_left_ = period == 0 ? 0 : period - 1;
 }
 
-// Nonzero when the words of both axes are complete now.
+// The axes whose words are complete now.
 unsigned KungXy::step_positions(Clk n, bool position_tick) {
+  unsigned all_done = 0;
   for (std::size_t k = 0; k < 2; ++k) {
     Axis& axis = axes_[k];
-    if (position_tick && axis.position.overruns()) axis.overrun.set(n);
+    const bool starts = position_tick && !axis.regs.precision;
+    if (starts && axis.position.overruns()) axis.overrun.set(n);
     const bool table = axis.tab_pending && !axis.position.busy();
     const bool done = axis.position.step(
-        n, axis.position_in, {position_tick, axis.reset_table, table, axis.tab_data},
+        n, axis.position_in, {starts, axis.reset_table, table, axis.tab_data},
         axis.saturated);
     if (table) {
       axis.tab_pending = false;
       bus_ends_ = n + 1;
     }
-    if (done) done_ |= 1u << k;
+    if (done) all_done |= 1u << k;
     axis.current.advance(n, axis.regs.current, axis.limited);
   }
-  if (done_ != 3) return 0;
-  done_ = 0;
-  return 1;
+  return all_done;
 }
 
-void KungXy::step_qep(Axis& axis, Clk n) {
+// True when i_q* of a position tick are there now.
+bool KungXy::step_precision(Clk n, bool tick, bool position_tick) {
+  KungPrecision::In in;
+  in.tick = tick;
+  in.position = position_tick;
+  in.commit = commit_;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const Axis& axis = axes_[k];
+    in.axis[k] = {axis.regs.precision, axis.position_in.reset_model, axis.regs.qep_filter,
+                  axis.qep.out().count};
+  }
+  const KungPrecision::Out out = precision_.clock(n, in);
+  for (std::size_t k = 0; k < 2; ++k) {
+    Axis& axis = axes_[k];
+    if (!axis.regs.precision) continue;
+    const Precision::Out& law = precision_.out(static_cast<int>(k));
+    if (out.overrun) axis.overrun.set(n);
+    if (out.underrun) axis.underrun.set(n);
+    if (out.flags && law.saturated) axis.saturated.set(n);
+    if (out.flags && law.clipped) axis.clipped.set(n);
+  }
+  if (out.access) {
+    const KungPrecision::Request& request = precision_.request();
+    answer_ = precision_.answer();
+    bus_ends_ = n + 2;
+    if (request.counts) count_up(kBases[static_cast<std::size_t>(request.axis)] + map::kPrecAddr);
+  }
+  return out.done;
+}
+
+void KungXy::step_qep(std::size_t k, Clk n) {
+  Axis& axis = axes_[k];
+  const std::int32_t before = axis.qep.out().count;
   const Clk skipped = n - 1 - axis.qep_at;
   if (skipped > 0) axis.qep.advance(static_cast<Gap>(skipped));
   axis.pins.clear_error = axis.qep.out().error;
   const Qep::Out& out = axis.qep.step(axis.pins);
   axis.qep_at = n;
+  if (axis.regs.precision && out.count != before && !axis.pins.preset) {
+    precision_.moved(static_cast<int>(k), n - last_tick_, out.dir);
+  }
   Qep::In held = axis.pins;
   held.preset = false;
   held.clear_error = out.error;
@@ -257,7 +303,7 @@ void KungXy::schedule(Clk n, bool again) {
   if (again && n < last_tick_ + kOverSeen) over_due_ = last_tick_ + kOverSeen;
   again = again || trip_before_ != supervisor_.out().trip ||
           !supervisor_.quiescent(supervision({}));
-  slow_ = std::min({tick_, bus_acts_, bus_ends_, over_due_});
+  slow_ = std::min({tick_, bus_acts_, bus_ends_, over_due_, precision_.due()});
   for (const Axis& axis : axes_) {
     again = again || axis.tab_pending || axis.qep.out().error;
     slow_ = std::min(slow_, axis.position.due());
@@ -277,7 +323,9 @@ bool KungXy::clear_level(const Axis& axis) const {
 }
 
 std::int32_t KungXy::i_q_ref(const Axis& axis) const {
-  return axis.regs.position_loop ? axis.position.afc().out().i_q_ref : axis.regs.iq_manual;
+  if (!axis.regs.position_loop) return axis.regs.iq_manual;
+  return axis.regs.precision ? precision_.out(&axis == &axes_[0] ? 0 : 1).i_q_ref
+                             : axis.position.afc().out().i_q_ref;
 }
 
 }  // namespace trammel::exact

@@ -13,6 +13,7 @@
 #include "models/exact/chips/kung_current.hpp"
 #include "models/exact/chips/kung_gates.hpp"
 #include "models/exact/chips/kung_position.hpp"
+#include "models/exact/chips/kung_precision.hpp"
 #include "models/exact/chips/kung_registers.hpp"
 #include "models/exact/chips/kung_time.hpp"
 #include "models/exact/control/command.hpp"
@@ -32,7 +33,7 @@ class KungXy {
     kIrq = 2,      // the line rose
     kBusDone = 4,  // the transfer ended
     kTick = 8,     // 2 kHz
-    kSample = 16   // the words of both position controllers are complete
+    kSample = 16   // the words of both position controllers, or the precision controller, are there
   };
   struct Stop {
     Clk edge = -1;
@@ -62,6 +63,10 @@ class KungXy {
   std::int64_t events() const { return events_; }         // edges at which anything was done
 
   const Afc& afc(int axis) const { return at(axis).position.afc(); }
+  // Of an axis whose i_q* is the precision controller's.
+  bool is_precise(int axis) const { return at(axis).regs.precision; }
+  const KungPrecision& precision() const { return precision_; }
+  std::int32_t position(int axis) const { return at(axis).position_in.x_p; }  // of the last tick
   const KungCurrent& current(int axis) const { return at(axis).current; }
   const Supervisor::Out& fault() const { return supervisor_.out(); }
 
@@ -79,7 +84,7 @@ class KungXy {
     KungCurrent current;
     KungGates gates;
     KungAxisRegisters regs;
-    Sticky overrun, qep_error, saturated, limited;
+    Sticky overrun, qep_error, saturated, limited, underrun, clipped;
     bool reset_table = false;  // pulses after a write
     bool tab_pending = false;
     std::int32_t tab_data = 0;
@@ -105,7 +110,10 @@ class KungXy {
   void tick(Clk n, bool position, const std::array<std::int32_t, 2>& i_q_ref,
             const Converters& converters);
   unsigned step_positions(Clk n, bool position_tick);
-  void step_qep(Axis& axis, Clk n);
+  bool asks_precision(Clk n);
+  void count_up(std::uint32_t address);
+  bool step_precision(Clk n, bool tick, bool position_tick);
+  void step_qep(std::size_t k, Clk n);
   void lock(std::uint32_t key);
   void apply(Clk n, const Write& write);
   void decode(Axis& axis, std::uint32_t base, Clk n);
@@ -130,6 +138,7 @@ class KungXy {
 
   KungRegisters registers_;
   std::array<Axis, 2> axes_;
+  KungPrecision precision_;
   Supervisor supervisor_;
   Watchdog watchdog_;
   bool trip_pin_ = false;

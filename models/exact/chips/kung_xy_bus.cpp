@@ -42,6 +42,8 @@ void KungXy::apply(Clk n, const Write& write) {
     if ((ones & map::kStatusQepError) != 0) axis.qep_error.clear(n);
     if ((ones & map::kStatusSaturated) != 0) axis.saturated.clear(n);
     if ((ones & map::kStatusLimited) != 0) axis.limited.clear(n);
+    if ((ones & map::kStatusUnderrun) != 0) axis.underrun.clear(n);
+    if ((ones & map::kStatusClipped) != 0) axis.clipped.clear(n);
   }
   for (std::size_t k = 0; k < 2; ++k) {
     if (!write.is(kBases[k] + map::kAngleStep)) continue;
@@ -72,6 +74,7 @@ void KungXy::decode(Axis& axis, std::uint32_t base, Clk n) {
   r.current_loop = (ctrl & map::kCtrlCurrentLoop) != 0;
   r.position_loop = (ctrl & map::kCtrlPositionLoop) != 0;
   r.interpolate = (ctrl & map::kCtrlInterpolate) != 0;
+  r.precision = (ctrl & map::kCtrlPrecision) != 0;
   r.stroke_enable = (reg(map::kStrokeEn) & map::kStrokeEnEnable) != 0;
   r.stroke_min = number(map::kStrokeMin, 24);
   r.stroke_max = number(map::kStrokeMax, 24);
@@ -107,9 +110,46 @@ void KungXy::decode(Axis& axis, std::uint32_t base, Clk n) {
 
   const auto filter = static_cast<std::uint8_t>(
       (reg(map::kDeadtime) & map::kDeadtimeQepFilterMask) >> map::kDeadtimeQepFilterShift);
+  r.qep_filter = filter;
   if (filter == axis.pins.filter) return;
   axis.pins.filter = filter;
   axis.qep_next = std::min(axis.qep_next, n + 1);
+}
+
+// A request of the bus that the precision controller answers.
+bool KungXy::asks_precision(Clk n) {
+  using Word = PrecisionStore::Word;
+  KungPrecision::Request request;
+  request.write = op_.write;
+  request.data = static_cast<std::int32_t>(op_.data);
+  const auto ask = [&](int axis, int of) {
+    request.axis = axis;
+    request.word = of;
+    precision_.request(n, request);
+    return true;
+  };
+  const auto asks = [&](int axis, Word of) { return !op_.write && ask(axis, static_cast<int>(of)); };
+  if (op_.address == map::kKnot) return asks(axes_[0].regs.precision ? 0 : 1, Word::kKnots);
+  for (int axis = 0; axis < 2; ++axis) {
+    const std::uint32_t base = kBases[static_cast<std::size_t>(axis)];
+    if (op_.address < base || op_.address >= base + 0x100u) continue;
+    switch (op_.address - base) {
+      case map::kPrecData:
+        if (op_.write && op_.bits != ~0u) return false;
+        request.counts = true;
+        return ask(axis, static_cast<int>(registers_.word(base + map::kPrecAddr)));
+      case map::kPrecErr: return asks(axis, Word::kErr);
+      case map::kErrSum: return asks(axis, Word::kErrSum);
+      case map::kIqSum: return asks(axis, Word::kIqSum);
+      case map::kPrecDist: return asks(axis, Word::kDist);
+      default: return false;
+    }
+  }
+  return false;
+}
+
+void KungXy::count_up(std::uint32_t address) {
+  registers_.set(address, (registers_.word(address) + 1) & map::kPrecAddrWordMask);
 }
 
 // As it is after edge n, to which the controllers have been advanced.
@@ -144,6 +184,8 @@ std::uint32_t KungXy::read_axis(Clk n, Axis& axis, std::uint32_t offset,
              (axis.qep_error.value() ? map::kStatusQepError : 0) |
              (axis.saturated.value() ? map::kStatusSaturated : 0) |
              (axis.limited.value() ? map::kStatusLimited : 0) |
+             (axis.underrun.value() ? map::kStatusUnderrun : 0) |
+             (axis.clipped.value() ? map::kStatusClipped : 0) |
              word(axis.position.step_number()) << map::kStatusStepShift;
     case map::kPos: return word(axis.position_in.x_p);
     case map::kPosModel: return word(afc.x_r);

@@ -103,6 +103,7 @@ class Precision {
       case PrecisionStore::Word::kVff: return low(s_.vff);
       case PrecisionStore::Word::kP: return low(s_.y + s_.e);  // p >> 15 unless e is clipped
       case PrecisionStore::Word::kY: return low(s_.y);
+      case PrecisionStore::Word::kV24: return low(sat24(fixed::rs(s_.v, 9)));
       case PrecisionStore::Word::kErr: return low(s_.e);
       case PrecisionStore::Word::kErrSum: return low(s_.err_latched);
       case PrecisionStore::Word::kIqSum: return low(s_.iq_latched);

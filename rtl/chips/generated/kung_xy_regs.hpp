@@ -23,12 +23,15 @@ inline constexpr std::uint32_t kCtrlResetModel = 0x10u;
 inline constexpr std::uint32_t kCtrlResetTable = 0x20u;
 inline constexpr std::uint32_t kCtrlInterpolate = 0x40u;
 inline constexpr std::uint32_t kCtrlFeedforward = 0x80u;
+inline constexpr std::uint32_t kCtrlPrecision = 0x100u;
 inline constexpr std::uint32_t kStatus = 0x04u;
 inline constexpr std::uint32_t kStatusBusy = 0x1u;
 inline constexpr std::uint32_t kStatusOverrun = 0x2u;
 inline constexpr std::uint32_t kStatusQepError = 0x4u;
 inline constexpr std::uint32_t kStatusSaturated = 0x8u;
 inline constexpr std::uint32_t kStatusLimited = 0x10u;
+inline constexpr std::uint32_t kStatusUnderrun = 0x20u;
+inline constexpr std::uint32_t kStatusClipped = 0x40u;
 inline constexpr std::uint32_t kStatusStepShift = 8u;
 inline constexpr std::uint32_t kStatusStepMask = 0x00007F00u;
 inline constexpr std::uint32_t kPosCmd = 0x08u;
@@ -108,6 +111,14 @@ inline constexpr std::uint32_t kStrokeMax = 0x84u;
 inline constexpr std::uint32_t kStrokeEn = 0x88u;
 inline constexpr std::uint32_t kStrokeEnEnable = 0x1u;
 inline constexpr std::uint32_t kIqManual = 0x8Cu;
+inline constexpr std::uint32_t kPrecAddr = 0x90u;
+inline constexpr std::uint32_t kPrecAddrWordShift = 0u;
+inline constexpr std::uint32_t kPrecAddrWordMask = 0x0000001Fu;
+inline constexpr std::uint32_t kPrecData = 0x94u;
+inline constexpr std::uint32_t kPrecErr = 0x98u;
+inline constexpr std::uint32_t kErrSum = 0x9Cu;
+inline constexpr std::uint32_t kIqSum = 0xA0u;
+inline constexpr std::uint32_t kPrecDist = 0xA4u;
 inline constexpr std::uint32_t kAngleStep = 0xB0u;
 inline constexpr std::uint32_t kCurrentOffset = 0xB4u;
 inline constexpr std::uint32_t kCurrentOffsetAShift = 0u;
@@ -129,7 +140,7 @@ inline constexpr std::uint32_t kIdVersionShift = 0u;
 inline constexpr std::uint32_t kIdVersionMask = 0x0000FFFFu;
 inline constexpr std::uint32_t kIdChipShift = 16u;
 inline constexpr std::uint32_t kIdChipMask = 0xFFFF0000u;
-inline constexpr std::uint32_t kIdValue = 0x4B580004u;
+inline constexpr std::uint32_t kIdValue = 0x4B580005u;
 inline constexpr std::uint32_t kCommit = 0x204u;
 inline constexpr std::uint32_t kCommitTake = 0x1u;
 inline constexpr std::uint32_t kIrqEn = 0x208u;
@@ -157,6 +168,9 @@ inline constexpr std::uint32_t kDeadtimeMinClkMask = 0x000003FFu;
 inline constexpr std::uint32_t kIrqPeriod = 0x22Cu;
 inline constexpr std::uint32_t kIrqPeriodTicksShift = 0u;
 inline constexpr std::uint32_t kIrqPeriodTicksMask = 0x000000FFu;
+inline constexpr std::uint32_t kKnot = 0x230u;
+inline constexpr std::uint32_t kKnotCountShift = 0u;
+inline constexpr std::uint32_t kKnotCountMask = 0xFFFFFFFFu;
 inline constexpr std::uint32_t kRates = 0x240u;
 inline constexpr std::uint32_t kRatesCarrierShift = 0u;
 inline constexpr std::uint32_t kRatesCarrierMask = 0x00000003u;
@@ -204,9 +218,9 @@ struct Field {
 };
 
 // By address.
-inline constexpr std::array<Register, 85> kRegisters{{
-    {"x.CTRL", 0x000u, 0x00000000u, 0x000000FFu, 0x000000DFu, 0x00000000u, 0x00000000u, 0x00000020u},
-    {"x.STATUS", 0x004u, 0x00000000u, 0x00007F1Fu, 0x00000000u, 0x00000000u, 0x0000001Eu, 0x00000000u},
+inline constexpr std::array<Register, 98> kRegisters{{
+    {"x.CTRL", 0x000u, 0x00000000u, 0x000001FFu, 0x000001DFu, 0x00000000u, 0x00000000u, 0x00000020u},
+    {"x.STATUS", 0x004u, 0x00000000u, 0x00007F7Fu, 0x00000000u, 0x00000000u, 0x0000007Eu, 0x00000000u},
     {"x.POS_CMD", 0x008u, 0x00000000u, 0x00FFFFFFu, 0x00FFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u},
     {"x.POS", 0x00Cu, 0x00000000u, 0xFFFFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
     {"x.POS_MODEL", 0x010u, 0x00000000u, 0xFFFFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
@@ -237,12 +251,18 @@ inline constexpr std::array<Register, 85> kRegisters{{
     {"x.STROKE_MAX", 0x084u, 0x0001D4C0u, 0x00FFFFFFu, 0x00FFFFFFu, 0x00FFFFFFu, 0x00000000u, 0x00000000u},
     {"x.STROKE_EN", 0x088u, 0x00000000u, 0x00000001u, 0x00000001u, 0x00000001u, 0x00000000u, 0x00000000u},
     {"x.IQ_MANUAL", 0x08Cu, 0x00000000u, 0x00000FFFu, 0x00000FFFu, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"x.PREC_ADDR", 0x090u, 0x00000000u, 0x0000001Fu, 0x0000001Fu, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"x.PREC_DATA", 0x094u, 0x00000000u, 0xFFFFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"x.PREC_ERR", 0x098u, 0x00000000u, 0xFFFFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"x.ERR_SUM", 0x09Cu, 0x00000000u, 0xFFFFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"x.IQ_SUM", 0x0A0u, 0x00000000u, 0xFFFFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"x.PREC_DIST", 0x0A4u, 0x00000000u, 0xFFFFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
     {"x.ANGLE_STEP", 0x0B0u, 0x00055F2Fu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0x00000000u, 0x00000000u},
     {"x.CURRENT_OFFSET", 0x0B4u, 0x00000000u, 0x0FFF0FFFu, 0x0FFF0FFFu, 0x0FFF0FFFu, 0x00000000u, 0x00000000u},
     {"x.PHASE_CURRENTS", 0x0B8u, 0x00000000u, 0xFFFFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
     {"x.ADC_FRAME", 0x0BCu, 0x00000004u, 0x00000007u, 0x00000007u, 0x00000007u, 0x00000000u, 0x00000000u},
-    {"y.CTRL", 0x100u, 0x00000000u, 0x000000FFu, 0x000000DFu, 0x00000000u, 0x00000000u, 0x00000020u},
-    {"y.STATUS", 0x104u, 0x00000000u, 0x00007F1Fu, 0x00000000u, 0x00000000u, 0x0000001Eu, 0x00000000u},
+    {"y.CTRL", 0x100u, 0x00000000u, 0x000001FFu, 0x000001DFu, 0x00000000u, 0x00000000u, 0x00000020u},
+    {"y.STATUS", 0x104u, 0x00000000u, 0x00007F7Fu, 0x00000000u, 0x00000000u, 0x0000007Eu, 0x00000000u},
     {"y.POS_CMD", 0x108u, 0x00000000u, 0x00FFFFFFu, 0x00FFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u},
     {"y.POS", 0x10Cu, 0x00000000u, 0xFFFFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
     {"y.POS_MODEL", 0x110u, 0x00000000u, 0xFFFFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
@@ -273,11 +293,17 @@ inline constexpr std::array<Register, 85> kRegisters{{
     {"y.STROKE_MAX", 0x184u, 0x0001D4C0u, 0x00FFFFFFu, 0x00FFFFFFu, 0x00FFFFFFu, 0x00000000u, 0x00000000u},
     {"y.STROKE_EN", 0x188u, 0x00000000u, 0x00000001u, 0x00000001u, 0x00000001u, 0x00000000u, 0x00000000u},
     {"y.IQ_MANUAL", 0x18Cu, 0x00000000u, 0x00000FFFu, 0x00000FFFu, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"y.PREC_ADDR", 0x190u, 0x00000000u, 0x0000001Fu, 0x0000001Fu, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"y.PREC_DATA", 0x194u, 0x00000000u, 0xFFFFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"y.PREC_ERR", 0x198u, 0x00000000u, 0xFFFFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"y.ERR_SUM", 0x19Cu, 0x00000000u, 0xFFFFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"y.IQ_SUM", 0x1A0u, 0x00000000u, 0xFFFFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"y.PREC_DIST", 0x1A4u, 0x00000000u, 0xFFFFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
     {"y.ANGLE_STEP", 0x1B0u, 0x00055F2Fu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0xFFFFFFFFu, 0x00000000u, 0x00000000u},
     {"y.CURRENT_OFFSET", 0x1B4u, 0x00000000u, 0x0FFF0FFFu, 0x0FFF0FFFu, 0x0FFF0FFFu, 0x00000000u, 0x00000000u},
     {"y.PHASE_CURRENTS", 0x1B8u, 0x00000000u, 0xFFFFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
     {"y.ADC_FRAME", 0x1BCu, 0x00000004u, 0x00000007u, 0x00000007u, 0x00000007u, 0x00000000u, 0x00000000u},
-    {"ID", 0x200u, 0x4B580004u, 0xFFFFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"ID", 0x200u, 0x4B580005u, 0xFFFFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
     {"COMMIT", 0x204u, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000001u},
     {"IRQ_EN", 0x208u, 0x00000000u, 0x00000003u, 0x00000003u, 0x00000000u, 0x00000000u, 0x00000000u},
     {"IRQ_STAT", 0x20Cu, 0x00000000u, 0x00000003u, 0x00000000u, 0x00000000u, 0x00000003u, 0x00000000u},
@@ -289,10 +315,11 @@ inline constexpr std::array<Register, 85> kRegisters{{
     {"CURRENT_LIMIT", 0x224u, 0x00000500u, 0x00000FFFu, 0x00000FFFu, 0x00000FFFu, 0x00000000u, 0x00000000u},
     {"DEADTIME_MIN", 0x228u, 0x00000019u, 0x000003FFu, 0x000003FFu, 0x000003FFu, 0x00000000u, 0x00000000u},
     {"IRQ_PERIOD", 0x22Cu, 0x00000004u, 0x000000FFu, 0x000000FFu, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"KNOT", 0x230u, 0x00000000u, 0xFFFFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
     {"RATES", 0x240u, 0x00000010u, 0x00000033u, 0x00000033u, 0x00000033u, 0x00000000u, 0x00000000u},
 }};
 
-inline constexpr std::array<Field, 80> kFields{{
+inline constexpr std::array<Field, 90> kFields{{
     {"CTRL.enable", "inverter on", 0x00u, 0, 1, 1, false, true, Access::kReadWrite},
     {"CTRL.current_loop", "current loop closed (0: 50 % duty on all phases)", 0x00u, 1, 1, 1, false, true, Access::kReadWrite},
     {"CTRL.position_loop", "position loop closed (0: i_q* is IQ_MANUAL)", 0x00u, 2, 1, 1, false, true, Access::kReadWrite},
@@ -301,11 +328,14 @@ inline constexpr std::array<Field, 80> kFields{{
     {"CTRL.reset_table", "reset the rule table: self-clearing, STATUS.busy until it ends", 0x00u, 5, 1, 1, false, true, Access::kReadWrite},
     {"CTRL.interpolate", "interpolate commands over 4 ticks", 0x00u, 6, 1, 1, false, true, Access::kReadWrite},
     {"CTRL.feedforward", "velocity feed-forward", 0x00u, 7, 1, 1, false, true, Access::kReadWrite},
+    {"CTRL.precision", "i_q* is the precision controller's; changed with reset_model only", 0x00u, 8, 1, 1, false, true, Access::kReadWrite},
     {"STATUS.busy", "position controller or table reset running", 0x04u, 0, 1, 1, false, true, Access::kRead},
     {"STATUS.overrun", "a tick came while the position controller ran", 0x04u, 1, 1, 1, false, true, Access::kWriteOneToClear},
     {"STATUS.qep_error", "double transition of the encoder; trips", 0x04u, 2, 1, 1, false, true, Access::kWriteOneToClear},
     {"STATUS.saturated", "i_q* was saturated", 0x04u, 3, 1, 1, false, true, Access::kWriteOneToClear},
     {"STATUS.limited", "the voltage vector was limited", 0x04u, 4, 1, 1, false, true, Access::kWriteOneToClear},
+    {"STATUS.underrun", "a knot of the precision controller came without a COMMIT", 0x04u, 5, 1, 1, false, true, Access::kWriteOneToClear},
+    {"STATUS.clipped", "the error of the precision controller was clipped", 0x04u, 6, 1, 1, false, true, Access::kWriteOneToClear},
     {"STATUS.step", "step of the position controller", 0x04u, 8, 7, 7, false, true, Access::kRead},
     {"POS_CMD", "position command [counts], taken after COMMIT", 0x08u, 0, 24, 24, true, true, Access::kReadWrite},
     {"POS", "position x_p latched at the position tick [counts]", 0x0Cu, 0, 32, 24, true, true, Access::kRead},
@@ -348,6 +378,12 @@ inline constexpr std::array<Field, 80> kFields{{
     {"STROKE_MAX", "highest allowed position [counts]; locked by LOCK", 0x84u, 0, 24, 24, true, true, Access::kReadWrite},
     {"STROKE_EN", "trip when the position leaves the stroke; locked by LOCK", 0x88u, 0, 1, 1, false, true, Access::kReadWrite},
     {"IQ_MANUAL", "current command while the position loop is open [I_fs / 4096]", 0x8Cu, 0, 12, 12, true, true, Access::kReadWrite},
+    {"PREC_ADDR", "word of the precision controller that PREC_DATA accesses; counts up behind it", 0x90u, 0, 5, 5, false, true, Access::kReadWrite},
+    {"PREC_DATA", "that word; waits until the controller is idle; written whole", 0x94u, 0, 32, 32, true, true, Access::kReadWrite},
+    {"PREC_ERR", "error of the precision controller at the last tick [count / 256]", 0x98u, 0, 32, 32, true, true, Access::kRead},
+    {"ERR_SUM", "sum of its error over the 32 ticks before the last knot [count / 256]", 0x9Cu, 0, 32, 32, true, true, Access::kRead},
+    {"IQ_SUM", "sum of its i_q* over the 32 ticks before the last knot [I_fs / 4096]", 0xA0u, 0, 32, 32, true, true, Access::kRead},
+    {"PREC_DIST", "its disturbance at the last knot [2^-26 count per tick^2]", 0xA4u, 0, 32, 32, true, true, Access::kRead},
     {"ANGLE_STEP", "electrical angle of a count [2^-32 revolution]; locked by LOCK", 0xB0u, 0, 32, 32, false, true, Access::kReadWrite},
     {"CURRENT_OFFSET.a", "of phase a [I_fs / 2048]", 0xB4u, 0, 12, 12, true, true, Access::kReadWrite},
     {"CURRENT_OFFSET.b", "of phase b [I_fs / 2048]", 0xB4u, 16, 12, 12, true, true, Access::kReadWrite},
@@ -371,13 +407,14 @@ inline constexpr std::array<Field, 80> kFields{{
     {"CURRENT_LIMIT", "trip level of |i_a|, |i_b|, |i_a + i_b| [I_fs / 2048]; 0 = off; locked by LOCK", 0x224u, 0, 12, 12, false, false, Access::kReadWrite},
     {"DEADTIME_MIN", "lowest dead time in effect [clk]; locked by LOCK", 0x228u, 0, 10, 10, false, false, Access::kReadWrite},
     {"IRQ_PERIOD", "position ticks per interrupt; 0 acts as 1", 0x22Cu, 0, 8, 8, false, false, Access::kReadWrite},
+    {"KNOT", "knots of the precision controller since it left reset", 0x230u, 0, 32, 32, false, false, Access::kRead},
     {"RATES.carrier", "carrier: 0 16 kHz, 1 8 kHz, 2 20 kHz, 3 40 kHz", 0x240u, 0, 2, 2, false, false, Access::kReadWrite},
     {"RATES.position", "position ticks: 0 1 kHz, 1 2 kHz, 2 4 kHz, 3 acts as 2", 0x240u, 4, 2, 2, false, false, Access::kReadWrite},
 }};
 
 // Registers of several fields as one number.
 inline constexpr std::array<Field, 3> kWords{{
-    {"CTRL", "operating mode of the axis", 0x00u, 0, 8, 8, false, true, Access::kReadWrite},
+    {"CTRL", "operating mode of the axis", 0x00u, 0, 9, 9, false, true, Access::kReadWrite},
     {"STATUS", "state of the axis; the sticky bits are cleared by writing 1", 0x04u, 0, 15, 15, false, true, Access::kReadWrite},
     {"FAULT", "first fault since the last clear", 0x214u, 0, 32, 32, false, false, Access::kRead},
 }};

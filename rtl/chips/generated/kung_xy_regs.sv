@@ -81,6 +81,14 @@ module kung_xy_regs (
     assign hwif_in_x_status_saturated_hwset = hwif_in.x.status.saturated.hwset;
     logic hwif_in_x_status_limited_hwset;
     assign hwif_in_x_status_limited_hwset = hwif_in.x.status.limited.hwset;
+    logic hwif_in_x_status_underrun_hwset;
+    assign hwif_in_x_status_underrun_hwset = hwif_in.x.status.underrun.hwset;
+    logic hwif_in_x_status_clipped_hwset;
+    assign hwif_in_x_status_clipped_hwset = hwif_in.x.status.clipped.hwset;
+    logic hwif_in_x_prec_addr_word_we;
+    assign hwif_in_x_prec_addr_word_we = hwif_in.x.prec_addr.word.we;
+    logic [4:0] hwif_in_x_prec_addr_word_next;
+    assign hwif_in_x_prec_addr_word_next = hwif_in.x.prec_addr.word.next;
     logic hwif_in_y_status_overrun_hwset;
     assign hwif_in_y_status_overrun_hwset = hwif_in.y.status.overrun.hwset;
     logic hwif_in_y_status_qep_error_hwset;
@@ -89,6 +97,14 @@ module kung_xy_regs (
     assign hwif_in_y_status_saturated_hwset = hwif_in.y.status.saturated.hwset;
     logic hwif_in_y_status_limited_hwset;
     assign hwif_in_y_status_limited_hwset = hwif_in.y.status.limited.hwset;
+    logic hwif_in_y_status_underrun_hwset;
+    assign hwif_in_y_status_underrun_hwset = hwif_in.y.status.underrun.hwset;
+    logic hwif_in_y_status_clipped_hwset;
+    assign hwif_in_y_status_clipped_hwset = hwif_in.y.status.clipped.hwset;
+    logic hwif_in_y_prec_addr_word_we;
+    assign hwif_in_y_prec_addr_word_we = hwif_in.y.prec_addr.word.we;
+    logic [4:0] hwif_in_y_prec_addr_word_next;
+    assign hwif_in_y_prec_addr_word_next = hwif_in.y.prec_addr.word.next;
     logic hwif_in_irq_stat_tick_hwset;
     assign hwif_in_irq_stat_tick_hwset = hwif_in.irq_stat.tick.hwset;
     logic hwif_in_irq_stat_fault_hwset;
@@ -97,20 +113,46 @@ module kung_xy_regs (
     assign hwif_in_x_tab_data_wr_ack = hwif_in.x.tab_data.wr_ack;
     logic hwif_in_x_pos_preset_wr_ack;
     assign hwif_in_x_pos_preset_wr_ack = hwif_in.x.pos_preset.wr_ack;
+    logic hwif_in_x_prec_data_wr_ack;
+    assign hwif_in_x_prec_data_wr_ack = hwif_in.x.prec_data.wr_ack;
     logic hwif_in_y_tab_data_wr_ack;
     assign hwif_in_y_tab_data_wr_ack = hwif_in.y.tab_data.wr_ack;
     logic hwif_in_y_pos_preset_wr_ack;
     assign hwif_in_y_pos_preset_wr_ack = hwif_in.y.pos_preset.wr_ack;
+    logic hwif_in_y_prec_data_wr_ack;
+    assign hwif_in_y_prec_data_wr_ack = hwif_in.y.prec_data.wr_ack;
     logic hwif_in_fault_clear_wr_ack;
     assign hwif_in_fault_clear_wr_ack = hwif_in.fault_clear.wr_ack;
     logic hwif_in_lock_wr_ack;
     assign hwif_in_lock_wr_ack = hwif_in.lock.wr_ack;
     logic hwif_in_x_tab_data_rd_ack;
     assign hwif_in_x_tab_data_rd_ack = hwif_in.x.tab_data.rd_ack;
+    logic hwif_in_x_prec_data_rd_ack;
+    assign hwif_in_x_prec_data_rd_ack = hwif_in.x.prec_data.rd_ack;
+    logic hwif_in_x_prec_err_rd_ack;
+    assign hwif_in_x_prec_err_rd_ack = hwif_in.x.prec_err.rd_ack;
+    logic hwif_in_x_err_sum_rd_ack;
+    assign hwif_in_x_err_sum_rd_ack = hwif_in.x.err_sum.rd_ack;
+    logic hwif_in_x_iq_sum_rd_ack;
+    assign hwif_in_x_iq_sum_rd_ack = hwif_in.x.iq_sum.rd_ack;
+    logic hwif_in_x_prec_dist_rd_ack;
+    assign hwif_in_x_prec_dist_rd_ack = hwif_in.x.prec_dist.rd_ack;
     logic hwif_in_y_tab_data_rd_ack;
     assign hwif_in_y_tab_data_rd_ack = hwif_in.y.tab_data.rd_ack;
+    logic hwif_in_y_prec_data_rd_ack;
+    assign hwif_in_y_prec_data_rd_ack = hwif_in.y.prec_data.rd_ack;
+    logic hwif_in_y_prec_err_rd_ack;
+    assign hwif_in_y_prec_err_rd_ack = hwif_in.y.prec_err.rd_ack;
+    logic hwif_in_y_err_sum_rd_ack;
+    assign hwif_in_y_err_sum_rd_ack = hwif_in.y.err_sum.rd_ack;
+    logic hwif_in_y_iq_sum_rd_ack;
+    assign hwif_in_y_iq_sum_rd_ack = hwif_in.y.iq_sum.rd_ack;
+    logic hwif_in_y_prec_dist_rd_ack;
+    assign hwif_in_y_prec_dist_rd_ack = hwif_in.y.prec_dist.rd_ack;
     logic hwif_in_lock_rd_ack;
     assign hwif_in_lock_rd_ack = hwif_in.lock.rd_ack;
+    logic hwif_in_knot_rd_ack;
+    assign hwif_in_knot_rd_ack = hwif_in.knot.rd_ack;
     logic hwif_in_x_status_busy_next;
     assign hwif_in_x_status_busy_next = hwif_in.x.status.busy.next;
     logic [6:0] hwif_in_x_status_step_next;
@@ -143,6 +185,16 @@ module kung_xy_regs (
     assign hwif_in_x_tab_data_rd_data = hwif_in.x.tab_data.rd_data;
     logic [31:0] hwif_in_x_index_latch_value_next;
     assign hwif_in_x_index_latch_value_next = hwif_in.x.index_latch.value.next;
+    logic [31:0] hwif_in_x_prec_data_rd_data;
+    assign hwif_in_x_prec_data_rd_data = hwif_in.x.prec_data.rd_data;
+    logic [31:0] hwif_in_x_prec_err_rd_data;
+    assign hwif_in_x_prec_err_rd_data = hwif_in.x.prec_err.rd_data;
+    logic [31:0] hwif_in_x_err_sum_rd_data;
+    assign hwif_in_x_err_sum_rd_data = hwif_in.x.err_sum.rd_data;
+    logic [31:0] hwif_in_x_iq_sum_rd_data;
+    assign hwif_in_x_iq_sum_rd_data = hwif_in.x.iq_sum.rd_data;
+    logic [31:0] hwif_in_x_prec_dist_rd_data;
+    assign hwif_in_x_prec_dist_rd_data = hwif_in.x.prec_dist.rd_data;
     logic [15:0] hwif_in_x_phase_currents_i_a_next;
     assign hwif_in_x_phase_currents_i_a_next = hwif_in.x.phase_currents.i_a.next;
     logic [15:0] hwif_in_x_phase_currents_i_b_next;
@@ -179,6 +231,16 @@ module kung_xy_regs (
     assign hwif_in_y_tab_data_rd_data = hwif_in.y.tab_data.rd_data;
     logic [31:0] hwif_in_y_index_latch_value_next;
     assign hwif_in_y_index_latch_value_next = hwif_in.y.index_latch.value.next;
+    logic [31:0] hwif_in_y_prec_data_rd_data;
+    assign hwif_in_y_prec_data_rd_data = hwif_in.y.prec_data.rd_data;
+    logic [31:0] hwif_in_y_prec_err_rd_data;
+    assign hwif_in_y_prec_err_rd_data = hwif_in.y.prec_err.rd_data;
+    logic [31:0] hwif_in_y_err_sum_rd_data;
+    assign hwif_in_y_err_sum_rd_data = hwif_in.y.err_sum.rd_data;
+    logic [31:0] hwif_in_y_iq_sum_rd_data;
+    assign hwif_in_y_iq_sum_rd_data = hwif_in.y.iq_sum.rd_data;
+    logic [31:0] hwif_in_y_prec_dist_rd_data;
+    assign hwif_in_y_prec_dist_rd_data = hwif_in.y.prec_dist.rd_data;
     logic [15:0] hwif_in_y_phase_currents_i_a_next;
     assign hwif_in_y_phase_currents_i_a_next = hwif_in.y.phase_currents.i_a.next;
     logic [15:0] hwif_in_y_phase_currents_i_b_next;
@@ -193,6 +255,8 @@ module kung_xy_regs (
     assign hwif_in_fault_tick_next = hwif_in.fault.tick.next;
     logic [31:0] hwif_in_lock_rd_data;
     assign hwif_in_lock_rd_data = hwif_in.lock.rd_data;
+    logic [31:0] hwif_in_knot_rd_data;
+    assign hwif_in_knot_rd_data = hwif_in.knot.rd_data;
 
     //--------------------------------------------------------------------------
     // CPU Bus interface logic
@@ -395,14 +459,27 @@ module kung_xy_regs (
     logic decoded_reg_strb_x_status;
     logic decoded_reg_strb_x_tab_data;
     logic decoded_reg_strb_x_pos_preset;
+    logic decoded_reg_strb_x_prec_addr;
+    logic decoded_reg_strb_x_prec_data;
+    logic decoded_reg_strb_x_prec_err;
+    logic decoded_reg_strb_x_err_sum;
+    logic decoded_reg_strb_x_iq_sum;
+    logic decoded_reg_strb_x_prec_dist;
     logic decoded_reg_strb_y_ctrl;
     logic decoded_reg_strb_y_status;
     logic decoded_reg_strb_y_tab_data;
     logic decoded_reg_strb_y_pos_preset;
+    logic decoded_reg_strb_y_prec_addr;
+    logic decoded_reg_strb_y_prec_data;
+    logic decoded_reg_strb_y_prec_err;
+    logic decoded_reg_strb_y_err_sum;
+    logic decoded_reg_strb_y_iq_sum;
+    logic decoded_reg_strb_y_prec_dist;
     logic decoded_reg_strb_commit;
     logic decoded_reg_strb_irq_stat;
     logic decoded_reg_strb_fault_clear;
     logic decoded_reg_strb_lock;
+    logic decoded_reg_strb_knot;
     logic decoded_err;
     logic decoded_req_is_external;
 
@@ -425,18 +502,42 @@ module kung_xy_regs (
         is_external |= cpuif_req_masked & (cpuif_addr == 10'h74);
         decoded_reg_strb_x_pos_preset = cpuif_req_masked & (cpuif_addr == 10'h78) & cpuif_req_is_wr;
         is_external |= cpuif_req_masked & (cpuif_addr == 10'h78) & cpuif_req_is_wr;
+        decoded_reg_strb_x_prec_addr = cpuif_req_masked & (cpuif_addr == 10'h90);
+        decoded_reg_strb_x_prec_data = cpuif_req_masked & (cpuif_addr == 10'h94);
+        is_external |= cpuif_req_masked & (cpuif_addr == 10'h94);
+        decoded_reg_strb_x_prec_err = cpuif_req_masked & (cpuif_addr == 10'h98) & !cpuif_req_is_wr;
+        is_external |= cpuif_req_masked & (cpuif_addr == 10'h98) & !cpuif_req_is_wr;
+        decoded_reg_strb_x_err_sum = cpuif_req_masked & (cpuif_addr == 10'h9c) & !cpuif_req_is_wr;
+        is_external |= cpuif_req_masked & (cpuif_addr == 10'h9c) & !cpuif_req_is_wr;
+        decoded_reg_strb_x_iq_sum = cpuif_req_masked & (cpuif_addr == 10'ha0) & !cpuif_req_is_wr;
+        is_external |= cpuif_req_masked & (cpuif_addr == 10'ha0) & !cpuif_req_is_wr;
+        decoded_reg_strb_x_prec_dist = cpuif_req_masked & (cpuif_addr == 10'ha4) & !cpuif_req_is_wr;
+        is_external |= cpuif_req_masked & (cpuif_addr == 10'ha4) & !cpuif_req_is_wr;
         decoded_reg_strb_y_ctrl = cpuif_req_masked & (cpuif_addr == 10'h100);
         decoded_reg_strb_y_status = cpuif_req_masked & (cpuif_addr == 10'h104);
         decoded_reg_strb_y_tab_data = cpuif_req_masked & (cpuif_addr == 10'h174);
         is_external |= cpuif_req_masked & (cpuif_addr == 10'h174);
         decoded_reg_strb_y_pos_preset = cpuif_req_masked & (cpuif_addr == 10'h178) & cpuif_req_is_wr;
         is_external |= cpuif_req_masked & (cpuif_addr == 10'h178) & cpuif_req_is_wr;
+        decoded_reg_strb_y_prec_addr = cpuif_req_masked & (cpuif_addr == 10'h190);
+        decoded_reg_strb_y_prec_data = cpuif_req_masked & (cpuif_addr == 10'h194);
+        is_external |= cpuif_req_masked & (cpuif_addr == 10'h194);
+        decoded_reg_strb_y_prec_err = cpuif_req_masked & (cpuif_addr == 10'h198) & !cpuif_req_is_wr;
+        is_external |= cpuif_req_masked & (cpuif_addr == 10'h198) & !cpuif_req_is_wr;
+        decoded_reg_strb_y_err_sum = cpuif_req_masked & (cpuif_addr == 10'h19c) & !cpuif_req_is_wr;
+        is_external |= cpuif_req_masked & (cpuif_addr == 10'h19c) & !cpuif_req_is_wr;
+        decoded_reg_strb_y_iq_sum = cpuif_req_masked & (cpuif_addr == 10'h1a0) & !cpuif_req_is_wr;
+        is_external |= cpuif_req_masked & (cpuif_addr == 10'h1a0) & !cpuif_req_is_wr;
+        decoded_reg_strb_y_prec_dist = cpuif_req_masked & (cpuif_addr == 10'h1a4) & !cpuif_req_is_wr;
+        is_external |= cpuif_req_masked & (cpuif_addr == 10'h1a4) & !cpuif_req_is_wr;
         decoded_reg_strb_commit = cpuif_req_masked & (cpuif_addr == 10'h204) & cpuif_req_is_wr;
         decoded_reg_strb_irq_stat = cpuif_req_masked & (cpuif_addr == 10'h20c);
         decoded_reg_strb_fault_clear = cpuif_req_masked & (cpuif_addr == 10'h218) & cpuif_req_is_wr;
         is_external |= cpuif_req_masked & (cpuif_addr == 10'h218) & cpuif_req_is_wr;
         decoded_reg_strb_lock = cpuif_req_masked & (cpuif_addr == 10'h220);
         is_external |= cpuif_req_masked & (cpuif_addr == 10'h220);
+        decoded_reg_strb_knot = cpuif_req_masked & (cpuif_addr == 10'h230) & !cpuif_req_is_wr;
+        is_external |= cpuif_req_masked & (cpuif_addr == 10'h230) & !cpuif_req_is_wr;
         decoded_err = '0;
         decoded_req_is_external = is_external;
     end
@@ -476,10 +577,13 @@ module kung_xy_regs (
     logic field_storage_x_ctrl_reset_table_value;
     logic field_storage_x_ctrl_interpolate_value;
     logic field_storage_x_ctrl_feedforward_value;
+    logic field_storage_x_ctrl_precision_value;
     logic field_storage_x_status_overrun_value;
     logic field_storage_x_status_qep_error_value;
     logic field_storage_x_status_saturated_value;
     logic field_storage_x_status_limited_value;
+    logic field_storage_x_status_underrun_value;
+    logic field_storage_x_status_clipped_value;
     logic [23:0] field_storage_x_pos_cmd_value_value;
     logic [10:0] field_storage_x_kp_mant_value;
     logic [4:0] field_storage_x_kp_exp_value;
@@ -506,6 +610,7 @@ module kung_xy_regs (
     logic [23:0] field_storage_x_stroke_max_value_value;
     logic field_storage_x_stroke_en_enable_value;
     logic [11:0] field_storage_x_iq_manual_value_value;
+    logic [4:0] field_storage_x_prec_addr_word_value;
     logic [31:0] field_storage_x_angle_step_value_value;
     logic [11:0] field_storage_x_current_offset_a_value;
     logic [11:0] field_storage_x_current_offset_b_value;
@@ -518,10 +623,13 @@ module kung_xy_regs (
     logic field_storage_y_ctrl_reset_table_value;
     logic field_storage_y_ctrl_interpolate_value;
     logic field_storage_y_ctrl_feedforward_value;
+    logic field_storage_y_ctrl_precision_value;
     logic field_storage_y_status_overrun_value;
     logic field_storage_y_status_qep_error_value;
     logic field_storage_y_status_saturated_value;
     logic field_storage_y_status_limited_value;
+    logic field_storage_y_status_underrun_value;
+    logic field_storage_y_status_clipped_value;
     logic [23:0] field_storage_y_pos_cmd_value_value;
     logic [10:0] field_storage_y_kp_mant_value;
     logic [4:0] field_storage_y_kp_exp_value;
@@ -548,6 +656,7 @@ module kung_xy_regs (
     logic [23:0] field_storage_y_stroke_max_value_value;
     logic field_storage_y_stroke_en_enable_value;
     logic [11:0] field_storage_y_iq_manual_value_value;
+    logic [4:0] field_storage_y_prec_addr_word_value;
     logic [31:0] field_storage_y_angle_step_value_value;
     logic [11:0] field_storage_y_current_offset_a_value;
     logic [11:0] field_storage_y_current_offset_b_value;
@@ -574,6 +683,7 @@ module kung_xy_regs (
             field_storage_x_ctrl_reset_model_value <= 1'h0;
             field_storage_x_ctrl_interpolate_value <= 1'h0;
             field_storage_x_ctrl_feedforward_value <= 1'h0;
+            field_storage_x_ctrl_precision_value <= 1'h0;
             field_storage_x_pos_cmd_value_value <= 24'h0;
             field_storage_x_kp_mant_value <= 11'h300;
             field_storage_x_kp_exp_value <= 5'h0;
@@ -611,6 +721,7 @@ module kung_xy_regs (
             field_storage_y_ctrl_reset_model_value <= 1'h0;
             field_storage_y_ctrl_interpolate_value <= 1'h0;
             field_storage_y_ctrl_feedforward_value <= 1'h0;
+            field_storage_y_ctrl_precision_value <= 1'h0;
             field_storage_y_pos_cmd_value_value <= 24'h0;
             field_storage_y_kp_mant_value <= 11'h300;
             field_storage_y_kp_exp_value <= 5'h0;
@@ -658,6 +769,7 @@ module kung_xy_regs (
                 if(decoded_wr_biten[4]) field_storage_x_ctrl_reset_model_value <= decoded_wr_data[4:4];
                 if(decoded_wr_biten[6]) field_storage_x_ctrl_interpolate_value <= decoded_wr_data[6:6];
                 if(decoded_wr_biten[7]) field_storage_x_ctrl_feedforward_value <= decoded_wr_data[7:7];
+                if(decoded_wr_biten[8]) field_storage_x_ctrl_precision_value <= decoded_wr_data[8:8];
             end
             if(decoded_addr == 10'h8) begin
                 if(decoded_wr_biten[0]) field_storage_x_pos_cmd_value_value[7:0] <= decoded_wr_data[7:0];
@@ -767,6 +879,7 @@ module kung_xy_regs (
                 if(decoded_wr_biten[4]) field_storage_y_ctrl_reset_model_value <= decoded_wr_data[4:4];
                 if(decoded_wr_biten[6]) field_storage_y_ctrl_interpolate_value <= decoded_wr_data[6:6];
                 if(decoded_wr_biten[7]) field_storage_y_ctrl_feedforward_value <= decoded_wr_data[7:7];
+                if(decoded_wr_biten[8]) field_storage_y_ctrl_precision_value <= decoded_wr_data[8:8];
             end
             if(decoded_addr == 10'h108) begin
                 if(decoded_wr_biten[0]) field_storage_y_pos_cmd_value_value[7:0] <= decoded_wr_data[7:0];
@@ -913,6 +1026,7 @@ module kung_xy_regs (
     assign hwif_out.x.ctrl.reset_table.value = field_storage_x_ctrl_reset_table_value;
     assign hwif_out.x.ctrl.interpolate.value = field_storage_x_ctrl_interpolate_value;
     assign hwif_out.x.ctrl.feedforward.value = field_storage_x_ctrl_feedforward_value;
+    assign hwif_out.x.ctrl.precision.value = field_storage_x_ctrl_precision_value;
     // Field: kung_xy.x.status.overrun
     always_ff @(posedge clk_i) begin
         if(rst_i) begin
@@ -957,6 +1071,28 @@ module kung_xy_regs (
         end
     end
     assign hwif_out.x.status.limited.value = field_storage_x_status_limited_value;
+    // Field: kung_xy.x.status.underrun
+    always_ff @(posedge clk_i) begin
+        if(rst_i) begin
+            field_storage_x_status_underrun_value <= 1'h0;
+        end else if(hwif_in_x_status_underrun_hwset) begin // HW Set
+            field_storage_x_status_underrun_value <= '1;
+        end else if(decoded_reg_strb_x_status && decoded_req_is_wr) begin // SW write 1 clear
+            field_storage_x_status_underrun_value <= field_storage_x_status_underrun_value & ~(decoded_wr_data[5:5] & decoded_wr_biten[5:5]);
+        end
+    end
+    assign hwif_out.x.status.underrun.value = field_storage_x_status_underrun_value;
+    // Field: kung_xy.x.status.clipped
+    always_ff @(posedge clk_i) begin
+        if(rst_i) begin
+            field_storage_x_status_clipped_value <= 1'h0;
+        end else if(hwif_in_x_status_clipped_hwset) begin // HW Set
+            field_storage_x_status_clipped_value <= '1;
+        end else if(decoded_reg_strb_x_status && decoded_req_is_wr) begin // SW write 1 clear
+            field_storage_x_status_clipped_value <= field_storage_x_status_clipped_value & ~(decoded_wr_data[6:6] & decoded_wr_biten[6:6]);
+        end
+    end
+    assign hwif_out.x.status.clipped.value = field_storage_x_status_clipped_value;
     assign hwif_out.x.pos_cmd.value.value = field_storage_x_pos_cmd_value_value;
     assign hwif_out.x.kp.mant.value = field_storage_x_kp_mant_value;
     assign hwif_out.x.kp.exp.value = field_storage_x_kp_exp_value;
@@ -994,6 +1130,38 @@ module kung_xy_regs (
     assign hwif_out.x.stroke_max.value.value = field_storage_x_stroke_max_value_value;
     assign hwif_out.x.stroke_en.enable.value = field_storage_x_stroke_en_enable_value;
     assign hwif_out.x.iq_manual.value.value = field_storage_x_iq_manual_value_value;
+    // Field: kung_xy.x.prec_addr.word
+    always_ff @(posedge clk_i) begin
+        if(rst_i) begin
+            field_storage_x_prec_addr_word_value <= 5'h0;
+        end else if(decoded_reg_strb_x_prec_addr && decoded_req_is_wr) begin // SW write
+            field_storage_x_prec_addr_word_value <= (field_storage_x_prec_addr_word_value & ~decoded_wr_biten[4:0]) | (decoded_wr_data[4:0] & decoded_wr_biten[4:0]);
+        end else if(hwif_in_x_prec_addr_word_we) begin // HW Write - we
+            field_storage_x_prec_addr_word_value <= hwif_in_x_prec_addr_word_next;
+        end
+    end
+    assign hwif_out.x.prec_addr.word.value = field_storage_x_prec_addr_word_value;
+    // External register: kung_xy.x.prec_data
+    assign hwif_out.x.prec_data.req = decoded_reg_strb_x_prec_data;
+    assign hwif_out.x.prec_data.req_is_wr = decoded_req_is_wr;
+    assign hwif_out.x.prec_data.wr_data = decoded_wr_data;
+    assign hwif_out.x.prec_data.wr_biten = decoded_wr_biten;
+    // External register: kung_xy.x.prec_err
+
+    assign hwif_out.x.prec_err.req = !decoded_req_is_wr ? decoded_reg_strb_x_prec_err : '0;
+    assign hwif_out.x.prec_err.req_is_wr = decoded_req_is_wr;
+    // External register: kung_xy.x.err_sum
+
+    assign hwif_out.x.err_sum.req = !decoded_req_is_wr ? decoded_reg_strb_x_err_sum : '0;
+    assign hwif_out.x.err_sum.req_is_wr = decoded_req_is_wr;
+    // External register: kung_xy.x.iq_sum
+
+    assign hwif_out.x.iq_sum.req = !decoded_req_is_wr ? decoded_reg_strb_x_iq_sum : '0;
+    assign hwif_out.x.iq_sum.req_is_wr = decoded_req_is_wr;
+    // External register: kung_xy.x.prec_dist
+
+    assign hwif_out.x.prec_dist.req = !decoded_req_is_wr ? decoded_reg_strb_x_prec_dist : '0;
+    assign hwif_out.x.prec_dist.req_is_wr = decoded_req_is_wr;
     assign hwif_out.x.angle_step.value.value = field_storage_x_angle_step_value_value;
     assign hwif_out.x.current_offset.a.value = field_storage_x_current_offset_a_value;
     assign hwif_out.x.current_offset.b.value = field_storage_x_current_offset_b_value;
@@ -1016,6 +1184,7 @@ module kung_xy_regs (
     assign hwif_out.y.ctrl.reset_table.value = field_storage_y_ctrl_reset_table_value;
     assign hwif_out.y.ctrl.interpolate.value = field_storage_y_ctrl_interpolate_value;
     assign hwif_out.y.ctrl.feedforward.value = field_storage_y_ctrl_feedforward_value;
+    assign hwif_out.y.ctrl.precision.value = field_storage_y_ctrl_precision_value;
     // Field: kung_xy.y.status.overrun
     always_ff @(posedge clk_i) begin
         if(rst_i) begin
@@ -1060,6 +1229,28 @@ module kung_xy_regs (
         end
     end
     assign hwif_out.y.status.limited.value = field_storage_y_status_limited_value;
+    // Field: kung_xy.y.status.underrun
+    always_ff @(posedge clk_i) begin
+        if(rst_i) begin
+            field_storage_y_status_underrun_value <= 1'h0;
+        end else if(hwif_in_y_status_underrun_hwset) begin // HW Set
+            field_storage_y_status_underrun_value <= '1;
+        end else if(decoded_reg_strb_y_status && decoded_req_is_wr) begin // SW write 1 clear
+            field_storage_y_status_underrun_value <= field_storage_y_status_underrun_value & ~(decoded_wr_data[5:5] & decoded_wr_biten[5:5]);
+        end
+    end
+    assign hwif_out.y.status.underrun.value = field_storage_y_status_underrun_value;
+    // Field: kung_xy.y.status.clipped
+    always_ff @(posedge clk_i) begin
+        if(rst_i) begin
+            field_storage_y_status_clipped_value <= 1'h0;
+        end else if(hwif_in_y_status_clipped_hwset) begin // HW Set
+            field_storage_y_status_clipped_value <= '1;
+        end else if(decoded_reg_strb_y_status && decoded_req_is_wr) begin // SW write 1 clear
+            field_storage_y_status_clipped_value <= field_storage_y_status_clipped_value & ~(decoded_wr_data[6:6] & decoded_wr_biten[6:6]);
+        end
+    end
+    assign hwif_out.y.status.clipped.value = field_storage_y_status_clipped_value;
     assign hwif_out.y.pos_cmd.value.value = field_storage_y_pos_cmd_value_value;
     assign hwif_out.y.kp.mant.value = field_storage_y_kp_mant_value;
     assign hwif_out.y.kp.exp.value = field_storage_y_kp_exp_value;
@@ -1097,6 +1288,38 @@ module kung_xy_regs (
     assign hwif_out.y.stroke_max.value.value = field_storage_y_stroke_max_value_value;
     assign hwif_out.y.stroke_en.enable.value = field_storage_y_stroke_en_enable_value;
     assign hwif_out.y.iq_manual.value.value = field_storage_y_iq_manual_value_value;
+    // Field: kung_xy.y.prec_addr.word
+    always_ff @(posedge clk_i) begin
+        if(rst_i) begin
+            field_storage_y_prec_addr_word_value <= 5'h0;
+        end else if(decoded_reg_strb_y_prec_addr && decoded_req_is_wr) begin // SW write
+            field_storage_y_prec_addr_word_value <= (field_storage_y_prec_addr_word_value & ~decoded_wr_biten[4:0]) | (decoded_wr_data[4:0] & decoded_wr_biten[4:0]);
+        end else if(hwif_in_y_prec_addr_word_we) begin // HW Write - we
+            field_storage_y_prec_addr_word_value <= hwif_in_y_prec_addr_word_next;
+        end
+    end
+    assign hwif_out.y.prec_addr.word.value = field_storage_y_prec_addr_word_value;
+    // External register: kung_xy.y.prec_data
+    assign hwif_out.y.prec_data.req = decoded_reg_strb_y_prec_data;
+    assign hwif_out.y.prec_data.req_is_wr = decoded_req_is_wr;
+    assign hwif_out.y.prec_data.wr_data = decoded_wr_data;
+    assign hwif_out.y.prec_data.wr_biten = decoded_wr_biten;
+    // External register: kung_xy.y.prec_err
+
+    assign hwif_out.y.prec_err.req = !decoded_req_is_wr ? decoded_reg_strb_y_prec_err : '0;
+    assign hwif_out.y.prec_err.req_is_wr = decoded_req_is_wr;
+    // External register: kung_xy.y.err_sum
+
+    assign hwif_out.y.err_sum.req = !decoded_req_is_wr ? decoded_reg_strb_y_err_sum : '0;
+    assign hwif_out.y.err_sum.req_is_wr = decoded_req_is_wr;
+    // External register: kung_xy.y.iq_sum
+
+    assign hwif_out.y.iq_sum.req = !decoded_req_is_wr ? decoded_reg_strb_y_iq_sum : '0;
+    assign hwif_out.y.iq_sum.req_is_wr = decoded_req_is_wr;
+    // External register: kung_xy.y.prec_dist
+
+    assign hwif_out.y.prec_dist.req = !decoded_req_is_wr ? decoded_reg_strb_y_prec_dist : '0;
+    assign hwif_out.y.prec_dist.req_is_wr = decoded_req_is_wr;
     assign hwif_out.y.angle_step.value.value = field_storage_y_angle_step_value_value;
     assign hwif_out.y.current_offset.a.value = field_storage_y_current_offset_a_value;
     assign hwif_out.y.current_offset.b.value = field_storage_y_current_offset_b_value;
@@ -1151,6 +1374,10 @@ module kung_xy_regs (
     assign hwif_out.current_limit.value.value = field_storage_current_limit_value_value;
     assign hwif_out.deadtime_min.clk.value = field_storage_deadtime_min_clk_value;
     assign hwif_out.irq_period.ticks.value = field_storage_irq_period_ticks_value;
+    // External register: kung_xy.knot
+
+    assign hwif_out.knot.req = !decoded_req_is_wr ? decoded_reg_strb_knot : '0;
+    assign hwif_out.knot.req_is_wr = decoded_req_is_wr;
     assign hwif_out.rates.carrier.value = field_storage_rates_carrier_value;
     assign hwif_out.rates.position.value = field_storage_rates_position_value;
 
@@ -1162,8 +1389,10 @@ module kung_xy_regs (
         wr_ack = '0;
         wr_ack |= hwif_in_x_tab_data_wr_ack;
         wr_ack |= hwif_in_x_pos_preset_wr_ack;
+        wr_ack |= hwif_in_x_prec_data_wr_ack;
         wr_ack |= hwif_in_y_tab_data_wr_ack;
         wr_ack |= hwif_in_y_pos_preset_wr_ack;
+        wr_ack |= hwif_in_y_prec_data_wr_ack;
         wr_ack |= hwif_in_fault_clear_wr_ack;
         wr_ack |= hwif_in_lock_wr_ack;
         external_wr_ack = wr_ack;
@@ -1180,8 +1409,19 @@ module kung_xy_regs (
         automatic logic rd_ack;
         rd_ack = '0;
         rd_ack |= hwif_in_x_tab_data_rd_ack;
+        rd_ack |= hwif_in_x_prec_data_rd_ack;
+        rd_ack |= hwif_in_x_prec_err_rd_ack;
+        rd_ack |= hwif_in_x_err_sum_rd_ack;
+        rd_ack |= hwif_in_x_iq_sum_rd_ack;
+        rd_ack |= hwif_in_x_prec_dist_rd_ack;
         rd_ack |= hwif_in_y_tab_data_rd_ack;
+        rd_ack |= hwif_in_y_prec_data_rd_ack;
+        rd_ack |= hwif_in_y_prec_err_rd_ack;
+        rd_ack |= hwif_in_y_err_sum_rd_ack;
+        rd_ack |= hwif_in_y_iq_sum_rd_ack;
+        rd_ack |= hwif_in_y_prec_dist_rd_ack;
         rd_ack |= hwif_in_lock_rd_ack;
+        rd_ack |= hwif_in_knot_rd_ack;
         readback_external_rd_ack_c = rd_ack;
     end
 
@@ -1219,6 +1459,7 @@ module kung_xy_regs (
                     readback_data_var[5] = field_storage_x_ctrl_reset_table_value;
                     readback_data_var[6] = field_storage_x_ctrl_interpolate_value;
                     readback_data_var[7] = field_storage_x_ctrl_feedforward_value;
+                    readback_data_var[8] = field_storage_x_ctrl_precision_value;
                 end
                 10'h4: begin
                     readback_data_var[0] = hwif_in_x_status_busy_next;
@@ -1226,6 +1467,8 @@ module kung_xy_regs (
                     readback_data_var[2] = field_storage_x_status_qep_error_value;
                     readback_data_var[3] = field_storage_x_status_saturated_value;
                     readback_data_var[4] = field_storage_x_status_limited_value;
+                    readback_data_var[5] = field_storage_x_status_underrun_value;
+                    readback_data_var[6] = field_storage_x_status_clipped_value;
                     readback_data_var[14:8] = hwif_in_x_status_step_next;
                 end
                 10'h8: begin
@@ -1326,6 +1569,24 @@ module kung_xy_regs (
                 10'h8c: begin
                     readback_data_var[11:0] = field_storage_x_iq_manual_value_value;
                 end
+                10'h90: begin
+                    readback_data_var[4:0] = field_storage_x_prec_addr_word_value;
+                end
+                10'h94: begin
+                    readback_data_var = hwif_in_x_prec_data_rd_data;
+                end
+                10'h98: begin
+                    readback_data_var = hwif_in_x_prec_err_rd_data;
+                end
+                10'h9c: begin
+                    readback_data_var = hwif_in_x_err_sum_rd_data;
+                end
+                10'ha0: begin
+                    readback_data_var = hwif_in_x_iq_sum_rd_data;
+                end
+                10'ha4: begin
+                    readback_data_var = hwif_in_x_prec_dist_rd_data;
+                end
                 10'hb0: begin
                     readback_data_var[31:0] = field_storage_x_angle_step_value_value;
                 end
@@ -1349,6 +1610,7 @@ module kung_xy_regs (
                     readback_data_var[5] = field_storage_y_ctrl_reset_table_value;
                     readback_data_var[6] = field_storage_y_ctrl_interpolate_value;
                     readback_data_var[7] = field_storage_y_ctrl_feedforward_value;
+                    readback_data_var[8] = field_storage_y_ctrl_precision_value;
                 end
                 10'h104: begin
                     readback_data_var[0] = hwif_in_y_status_busy_next;
@@ -1356,6 +1618,8 @@ module kung_xy_regs (
                     readback_data_var[2] = field_storage_y_status_qep_error_value;
                     readback_data_var[3] = field_storage_y_status_saturated_value;
                     readback_data_var[4] = field_storage_y_status_limited_value;
+                    readback_data_var[5] = field_storage_y_status_underrun_value;
+                    readback_data_var[6] = field_storage_y_status_clipped_value;
                     readback_data_var[14:8] = hwif_in_y_status_step_next;
                 end
                 10'h108: begin
@@ -1456,6 +1720,24 @@ module kung_xy_regs (
                 10'h18c: begin
                     readback_data_var[11:0] = field_storage_y_iq_manual_value_value;
                 end
+                10'h190: begin
+                    readback_data_var[4:0] = field_storage_y_prec_addr_word_value;
+                end
+                10'h194: begin
+                    readback_data_var = hwif_in_y_prec_data_rd_data;
+                end
+                10'h198: begin
+                    readback_data_var = hwif_in_y_prec_err_rd_data;
+                end
+                10'h19c: begin
+                    readback_data_var = hwif_in_y_err_sum_rd_data;
+                end
+                10'h1a0: begin
+                    readback_data_var = hwif_in_y_iq_sum_rd_data;
+                end
+                10'h1a4: begin
+                    readback_data_var = hwif_in_y_prec_dist_rd_data;
+                end
                 10'h1b0: begin
                     readback_data_var[31:0] = field_storage_y_angle_step_value_value;
                 end
@@ -1471,7 +1753,7 @@ module kung_xy_regs (
                     readback_data_var[2:0] = field_storage_y_adc_frame_zeros_value;
                 end
                 10'h200: begin
-                    readback_data_var[15:0] = 16'h4;
+                    readback_data_var[15:0] = 16'h5;
                     readback_data_var[31:16] = 16'h4b58;
                 end
                 10'h208: begin
@@ -1504,6 +1786,9 @@ module kung_xy_regs (
                 end
                 10'h22c: begin
                     readback_data_var[7:0] = field_storage_irq_period_ticks_value;
+                end
+                10'h230: begin
+                    readback_data_var = hwif_in_knot_rd_data;
                 end
                 10'h240: begin
                     readback_data_var[1:0] = field_storage_rates_carrier_value;

@@ -30,6 +30,14 @@ package kung_xy_regs_pkg;
     } axis_regs__status__limited__in_t;
 
     typedef struct packed {
+        logic hwset;
+    } axis_regs__status__underrun__in_t;
+
+    typedef struct packed {
+        logic hwset;
+    } axis_regs__status__clipped__in_t;
+
+    typedef struct packed {
         logic [6:0] next;
     } axis_regs__status__step__in_t;
 
@@ -39,6 +47,8 @@ package kung_xy_regs_pkg;
         axis_regs__status__qep_error__in_t qep_error;
         axis_regs__status__saturated__in_t saturated;
         axis_regs__status__limited__in_t limited;
+        axis_regs__status__underrun__in_t underrun;
+        axis_regs__status__clipped__in_t clipped;
         axis_regs__status__step__in_t step;
     } axis_regs__status__in_t;
 
@@ -187,6 +197,61 @@ package kung_xy_regs_pkg;
     } axis_regs__stroke_en__in_t;
 
     typedef struct packed {
+        logic [4:0] next;
+        logic we;
+    } axis_regs__prec_addr__word__in_t;
+
+    typedef struct packed {
+        axis_regs__prec_addr__word__in_t word;
+    } axis_regs__prec_addr__in_t;
+
+    typedef struct packed {
+        logic [31:0] value;
+    } axis_regs__prec_data__external__fields__in_t;
+
+    typedef struct packed {
+        logic rd_ack;
+        axis_regs__prec_data__external__fields__in_t rd_data;
+        logic wr_ack;
+    } axis_regs__prec_data__external__in_t;
+
+    typedef struct packed {
+        logic [31:0] value;
+    } axis_regs__prec_err__external__fields__in_t;
+
+    typedef struct packed {
+        logic rd_ack;
+        axis_regs__prec_err__external__fields__in_t rd_data;
+    } axis_regs__prec_err__external__in_t;
+
+    typedef struct packed {
+        logic [31:0] value;
+    } axis_regs__err_sum__external__fields__in_t;
+
+    typedef struct packed {
+        logic rd_ack;
+        axis_regs__err_sum__external__fields__in_t rd_data;
+    } axis_regs__err_sum__external__in_t;
+
+    typedef struct packed {
+        logic [31:0] value;
+    } axis_regs__iq_sum__external__fields__in_t;
+
+    typedef struct packed {
+        logic rd_ack;
+        axis_regs__iq_sum__external__fields__in_t rd_data;
+    } axis_regs__iq_sum__external__in_t;
+
+    typedef struct packed {
+        logic [31:0] value;
+    } axis_regs__prec_dist__external__fields__in_t;
+
+    typedef struct packed {
+        logic rd_ack;
+        axis_regs__prec_dist__external__fields__in_t rd_data;
+    } axis_regs__prec_dist__external__in_t;
+
+    typedef struct packed {
         logic swwel;
     } axis_regs__angle_step__value__in_t;
 
@@ -247,6 +312,12 @@ package kung_xy_regs_pkg;
         axis_regs__stroke_min__in_t stroke_min;
         axis_regs__stroke_max__in_t stroke_max;
         axis_regs__stroke_en__in_t stroke_en;
+        axis_regs__prec_addr__in_t prec_addr;
+        axis_regs__prec_data__external__in_t prec_data;
+        axis_regs__prec_err__external__in_t prec_err;
+        axis_regs__err_sum__external__in_t err_sum;
+        axis_regs__iq_sum__external__in_t iq_sum;
+        axis_regs__prec_dist__external__in_t prec_dist;
         axis_regs__angle_step__in_t angle_step;
         axis_regs__current_offset__in_t current_offset;
         axis_regs__phase_currents__in_t phase_currents;
@@ -331,6 +402,15 @@ package kung_xy_regs_pkg;
     } kung_xy__deadtime_min__in_t;
 
     typedef struct packed {
+        logic [31:0] count;
+    } kung_xy__knot__external__fields__in_t;
+
+    typedef struct packed {
+        logic rd_ack;
+        kung_xy__knot__external__fields__in_t rd_data;
+    } kung_xy__knot__external__in_t;
+
+    typedef struct packed {
         logic swwel;
     } kung_xy__rates__carrier__in_t;
 
@@ -354,6 +434,7 @@ package kung_xy_regs_pkg;
         kung_xy__lock__external__in_t lock;
         kung_xy__current_limit__in_t current_limit;
         kung_xy__deadtime_min__in_t deadtime_min;
+        kung_xy__knot__external__in_t knot;
         kung_xy__rates__in_t rates;
     } kung_xy__in_t;
 
@@ -390,6 +471,10 @@ package kung_xy_regs_pkg;
     } axis_regs__ctrl__feedforward__out_t;
 
     typedef struct packed {
+        logic value;
+    } axis_regs__ctrl__precision__out_t;
+
+    typedef struct packed {
         axis_regs__ctrl__enable__out_t enable;
         axis_regs__ctrl__current_loop__out_t current_loop;
         axis_regs__ctrl__position_loop__out_t position_loop;
@@ -398,6 +483,7 @@ package kung_xy_regs_pkg;
         axis_regs__ctrl__reset_table__out_t reset_table;
         axis_regs__ctrl__interpolate__out_t interpolate;
         axis_regs__ctrl__feedforward__out_t feedforward;
+        axis_regs__ctrl__precision__out_t precision;
     } axis_regs__ctrl__out_t;
 
     typedef struct packed {
@@ -417,10 +503,20 @@ package kung_xy_regs_pkg;
     } axis_regs__status__limited__out_t;
 
     typedef struct packed {
+        logic value;
+    } axis_regs__status__underrun__out_t;
+
+    typedef struct packed {
+        logic value;
+    } axis_regs__status__clipped__out_t;
+
+    typedef struct packed {
         axis_regs__status__overrun__out_t overrun;
         axis_regs__status__qep_error__out_t qep_error;
         axis_regs__status__saturated__out_t saturated;
         axis_regs__status__limited__out_t limited;
+        axis_regs__status__underrun__out_t underrun;
+        axis_regs__status__clipped__out_t clipped;
     } axis_regs__status__out_t;
 
     typedef struct packed {
@@ -628,6 +724,45 @@ package kung_xy_regs_pkg;
     } axis_regs__iq_manual__out_t;
 
     typedef struct packed {
+        logic [4:0] value;
+    } axis_regs__prec_addr__word__out_t;
+
+    typedef struct packed {
+        axis_regs__prec_addr__word__out_t word;
+    } axis_regs__prec_addr__out_t;
+
+    typedef struct packed {
+        logic [31:0] value;
+    } axis_regs__prec_data__external__fields__out_t;
+
+    typedef struct packed {
+        logic req;
+        logic req_is_wr;
+        axis_regs__prec_data__external__fields__out_t wr_data;
+        axis_regs__prec_data__external__fields__out_t wr_biten;
+    } axis_regs__prec_data__external__out_t;
+
+    typedef struct packed {
+        logic req;
+        logic req_is_wr;
+    } axis_regs__prec_err__external__out_t;
+
+    typedef struct packed {
+        logic req;
+        logic req_is_wr;
+    } axis_regs__err_sum__external__out_t;
+
+    typedef struct packed {
+        logic req;
+        logic req_is_wr;
+    } axis_regs__iq_sum__external__out_t;
+
+    typedef struct packed {
+        logic req;
+        logic req_is_wr;
+    } axis_regs__prec_dist__external__out_t;
+
+    typedef struct packed {
         logic [31:0] value;
     } axis_regs__angle_step__value__out_t;
 
@@ -678,6 +813,12 @@ package kung_xy_regs_pkg;
         axis_regs__stroke_max__out_t stroke_max;
         axis_regs__stroke_en__out_t stroke_en;
         axis_regs__iq_manual__out_t iq_manual;
+        axis_regs__prec_addr__out_t prec_addr;
+        axis_regs__prec_data__external__out_t prec_data;
+        axis_regs__prec_err__external__out_t prec_err;
+        axis_regs__err_sum__external__out_t err_sum;
+        axis_regs__iq_sum__external__out_t iq_sum;
+        axis_regs__prec_dist__external__out_t prec_dist;
         axis_regs__angle_step__out_t angle_step;
         axis_regs__current_offset__out_t current_offset;
         axis_regs__adc_frame__out_t adc_frame;
@@ -772,6 +913,11 @@ package kung_xy_regs_pkg;
     } kung_xy__irq_period__out_t;
 
     typedef struct packed {
+        logic req;
+        logic req_is_wr;
+    } kung_xy__knot__external__out_t;
+
+    typedef struct packed {
         logic [1:0] value;
     } kung_xy__rates__carrier__out_t;
 
@@ -796,6 +942,7 @@ package kung_xy_regs_pkg;
         kung_xy__current_limit__out_t current_limit;
         kung_xy__deadtime_min__out_t deadtime_min;
         kung_xy__irq_period__out_t irq_period;
+        kung_xy__knot__external__out_t knot;
         kung_xy__rates__out_t rates;
     } kung_xy__out_t;
 

@@ -61,6 +61,12 @@ std::uint32_t read_ctrl_feedforward(const Root& root, int axis) {
 }
 
 template <class Root>
+std::uint32_t read_ctrl_precision(const Root& root, int axis) {
+  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_ctrl_precision_value
+         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_ctrl_precision_value;
+}
+
+template <class Root>
 std::uint32_t read_status_busy(const Root& root, int axis) {
   return axis == 0 ? root.kung_xy__DOT__gen_axis__BRA__0__KET____DOT__u_axis__DOT__afc_busy
          : root.kung_xy__DOT__gen_axis__BRA__1__KET____DOT__u_axis__DOT__afc_busy;
@@ -88,6 +94,18 @@ template <class Root>
 std::uint32_t read_status_limited(const Root& root, int axis) {
   return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_status_limited_value
          : root.kung_xy__DOT__u_regs__DOT__field_storage_y_status_limited_value;
+}
+
+template <class Root>
+std::uint32_t read_status_underrun(const Root& root, int axis) {
+  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_status_underrun_value
+         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_status_underrun_value;
+}
+
+template <class Root>
+std::uint32_t read_status_clipped(const Root& root, int axis) {
+  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_status_clipped_value
+         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_status_clipped_value;
 }
 
 template <class Root>
@@ -331,6 +349,12 @@ std::uint32_t read_iq_manual(const Root& root, int axis) {
 }
 
 template <class Root>
+std::uint32_t read_prec_addr(const Root& root, int axis) {
+  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_prec_addr_word_value
+         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_prec_addr_word_value;
+}
+
+template <class Root>
 std::uint32_t read_angle_step(const Root& root, int axis) {
   return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_angle_step_value_value
          : root.kung_xy__DOT__u_regs__DOT__field_storage_y_angle_step_value_value;
@@ -450,7 +474,8 @@ std::uint32_t read_ctrl(const Root& root, int axis) {
          (read_ctrl_reset_model(root, axis) & 0x1u) << 4 |
          (read_ctrl_reset_table(root, axis) & 0x1u) << 5 |
          (read_ctrl_interpolate(root, axis) & 0x1u) << 6 |
-         (read_ctrl_feedforward(root, axis) & 0x1u) << 7;
+         (read_ctrl_feedforward(root, axis) & 0x1u) << 7 |
+         (read_ctrl_precision(root, axis) & 0x1u) << 8;
 }
 
 template <class Root>
@@ -460,6 +485,8 @@ std::uint32_t read_status(const Root& root, int axis) {
          (read_status_qep_error(root, axis) & 0x1u) << 2 |
          (read_status_saturated(root, axis) & 0x1u) << 3 |
          (read_status_limited(root, axis) & 0x1u) << 4 |
+         (read_status_underrun(root, axis) & 0x1u) << 5 |
+         (read_status_clipped(root, axis) & 0x1u) << 6 |
          (read_status_step(root, axis) & 0x7Fu) << 8;
 }
 
@@ -478,7 +505,7 @@ struct Reading {
 };
 
 template <class Root>
-inline constexpr std::array<Reading<Root>, 73> kReadings{{
+inline constexpr std::array<Reading<Root>, 77> kReadings{{
     {kWords[0], read_ctrl<Root>},
     {kFields[0], read_ctrl_enable<Root>},
     {kFields[1], read_ctrl_current_loop<Root>},
@@ -486,72 +513,76 @@ inline constexpr std::array<Reading<Root>, 73> kReadings{{
     {kFields[3], read_ctrl_adapt<Root>},
     {kFields[4], read_ctrl_reset_model<Root>},
     {kFields[5], read_ctrl_reset_table<Root>},
+    {kFields[8], read_ctrl_precision<Root>},
     {kWords[1], read_status<Root>},
-    {kFields[8], read_status_busy<Root>},
-    {kFields[9], read_status_overrun<Root>},
-    {kFields[10], read_status_qep_error<Root>},
-    {kFields[11], read_status_saturated<Root>},
-    {kFields[12], read_status_limited<Root>},
-    {kFields[13], read_status_step<Root>},
-    {kFields[14], read_pos_cmd<Root>},
-    {kFields[15], read_pos<Root>},
-    {kFields[16], read_pos_model<Root>},
-    {kFields[17], read_err<Root>},
-    {kFields[18], read_derr<Root>},
-    {kFields[19], read_u<Root>},
-    {kFields[20], read_vstar<Root>},
-    {kFields[21], read_iq_cmd<Root>},
-    {kFields[22], read_speed<Root>},
-    {kFields[23], read_id_iq_i_d<Root>},
-    {kFields[24], read_id_iq_i_q<Root>},
-    {kFields[25], read_vd_vq_v_d<Root>},
-    {kFields[26], read_vd_vq_v_q<Root>},
-    {kFields[27], read_kp_mant<Root>},
-    {kFields[28], read_kp_exp<Root>},
-    {kFields[29], read_ki_mant<Root>},
-    {kFields[30], read_ki_exp<Root>},
-    {kFields[31], read_kv_mant<Root>},
-    {kFields[32], read_kv_exp<Root>},
-    {kFields[33], read_eta_mant<Root>},
-    {kFields[34], read_eta_exp<Root>},
-    {kFields[35], read_shift_e<Root>},
-    {kFields[36], read_shift_de<Root>},
-    {kFields[37], read_a0_value<Root>},
-    {kFields[39], read_b2<Root>},
-    {kFields[40], read_kp_cur_mant<Root>},
-    {kFields[41], read_kp_cur_exp<Root>},
-    {kFields[42], read_ki_cur_mant<Root>},
-    {kFields[43], read_ki_cur_exp<Root>},
-    {kFields[44], read_theta_ofs<Root>},
-    {kFields[45], read_deadtime_clk<Root>},
-    {kFields[46], read_deadtime_qep_filter<Root>},
-    {kFields[47], read_tab_addr<Root>},
-    {kFields[50], read_index_latch<Root>},
-    {kFields[51], read_stroke_min<Root>},
-    {kFields[52], read_stroke_max<Root>},
-    {kFields[53], read_stroke_en<Root>},
-    {kFields[54], read_iq_manual<Root>},
-    {kFields[55], read_angle_step<Root>},
-    {kFields[56], read_current_offset_a<Root>},
-    {kFields[57], read_current_offset_b<Root>},
-    {kFields[58], read_phase_currents_i_a<Root>},
-    {kFields[59], read_phase_currents_i_b<Root>},
-    {kFields[60], read_adc_frame<Root>},
-    {kFields[64], read_irq_en_tick<Root>},
-    {kFields[65], read_irq_en_fault<Root>},
-    {kFields[66], read_irq_stat_tick<Root>},
-    {kFields[67], read_irq_stat_fault<Root>},
-    {kFields[68], read_tick<Root>},
+    {kFields[9], read_status_busy<Root>},
+    {kFields[10], read_status_overrun<Root>},
+    {kFields[11], read_status_qep_error<Root>},
+    {kFields[12], read_status_saturated<Root>},
+    {kFields[13], read_status_limited<Root>},
+    {kFields[14], read_status_underrun<Root>},
+    {kFields[15], read_status_clipped<Root>},
+    {kFields[16], read_status_step<Root>},
+    {kFields[17], read_pos_cmd<Root>},
+    {kFields[18], read_pos<Root>},
+    {kFields[19], read_pos_model<Root>},
+    {kFields[20], read_err<Root>},
+    {kFields[21], read_derr<Root>},
+    {kFields[22], read_u<Root>},
+    {kFields[23], read_vstar<Root>},
+    {kFields[24], read_iq_cmd<Root>},
+    {kFields[25], read_speed<Root>},
+    {kFields[26], read_id_iq_i_d<Root>},
+    {kFields[27], read_id_iq_i_q<Root>},
+    {kFields[28], read_vd_vq_v_d<Root>},
+    {kFields[29], read_vd_vq_v_q<Root>},
+    {kFields[30], read_kp_mant<Root>},
+    {kFields[31], read_kp_exp<Root>},
+    {kFields[32], read_ki_mant<Root>},
+    {kFields[33], read_ki_exp<Root>},
+    {kFields[34], read_kv_mant<Root>},
+    {kFields[35], read_kv_exp<Root>},
+    {kFields[36], read_eta_mant<Root>},
+    {kFields[37], read_eta_exp<Root>},
+    {kFields[38], read_shift_e<Root>},
+    {kFields[39], read_shift_de<Root>},
+    {kFields[40], read_a0_value<Root>},
+    {kFields[42], read_b2<Root>},
+    {kFields[43], read_kp_cur_mant<Root>},
+    {kFields[44], read_kp_cur_exp<Root>},
+    {kFields[45], read_ki_cur_mant<Root>},
+    {kFields[46], read_ki_cur_exp<Root>},
+    {kFields[47], read_theta_ofs<Root>},
+    {kFields[48], read_deadtime_clk<Root>},
+    {kFields[49], read_deadtime_qep_filter<Root>},
+    {kFields[50], read_tab_addr<Root>},
+    {kFields[53], read_index_latch<Root>},
+    {kFields[54], read_stroke_min<Root>},
+    {kFields[55], read_stroke_max<Root>},
+    {kFields[56], read_stroke_en<Root>},
+    {kFields[57], read_iq_manual<Root>},
+    {kFields[58], read_prec_addr<Root>},
+    {kFields[64], read_angle_step<Root>},
+    {kFields[65], read_current_offset_a<Root>},
+    {kFields[66], read_current_offset_b<Root>},
+    {kFields[67], read_phase_currents_i_a<Root>},
+    {kFields[68], read_phase_currents_i_b<Root>},
+    {kFields[69], read_adc_frame<Root>},
+    {kFields[73], read_irq_en_tick<Root>},
+    {kFields[74], read_irq_en_fault<Root>},
+    {kFields[75], read_irq_stat_tick<Root>},
+    {kFields[76], read_irq_stat_fault<Root>},
+    {kFields[77], read_tick<Root>},
     {kWords[2], read_fault<Root>},
-    {kFields[69], read_fault_code<Root>},
-    {kFields[70], read_fault_axis<Root>},
-    {kFields[73], read_watchdog<Root>},
-    {kFields[74], read_lock<Root>},
-    {kFields[75], read_current_limit<Root>},
-    {kFields[76], read_deadtime_min<Root>},
-    {kFields[77], read_irq_period<Root>},
-    {kFields[78], read_rates_carrier<Root>},
-    {kFields[79], read_rates_position<Root>},
+    {kFields[78], read_fault_code<Root>},
+    {kFields[79], read_fault_axis<Root>},
+    {kFields[82], read_watchdog<Root>},
+    {kFields[83], read_lock<Root>},
+    {kFields[84], read_current_limit<Root>},
+    {kFields[85], read_deadtime_min<Root>},
+    {kFields[86], read_irq_period<Root>},
+    {kFields[88], read_rates_carrier<Root>},
+    {kFields[89], read_rates_position<Root>},
 }};
 
 }  // namespace trammel::kung_xy_regs
