@@ -20,6 +20,7 @@ namespace trammel::kung {
 
 // Words of the precision controller, where i_q* is its own (docs/precision.md, section 3); else 0.
 struct PrecisionWords {
+  bool on = false;
   std::int32_t set_point = 0, y = 0, e = 0;     // [count / 256]; y: position between the counts
   std::int32_t speed = 0;                       // v24 [2^-14 count per tick]
   std::int32_t vff = 0;                         // the same, ahead

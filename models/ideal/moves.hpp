@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What a program of moves asks of a table, before limits and time: lines and arcs with their feed
-// and the stops between them. A reader of G-code or of a list of points writes it; the feed profile,
-// in integers and in double precision, takes it. Lengths in metres, angles in radians.
+// and the stops between them. A reader of G-code or of a list of points writes it; the feed
+// profile, in integers and in double precision, takes it. Lengths in metres, angles in radians.
 #pragma once
 
 #include <cmath>

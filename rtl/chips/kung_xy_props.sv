@@ -63,8 +63,7 @@ module kung_xy_props
     input logic          read_was_last,
     // of the supervisor and the axes
     input logic [1:0]    pin_stages,
-    input logic [11:0]   axis_events,  // Y overrun, encoder, saturated, limited,
-                                       // underrun, clipped; X
+    input logic [11:0]   axis_events,  // Y overrun, encoder, saturated, limited, ...; X
     input logic [1:0]    busy, table_waits,
     input logic [19:0]   dead_time,
     input logic [23:0]   current_limit,
@@ -117,7 +116,6 @@ module kung_xy_props
   assign read_left  = read_first ? 3'd1 : read_second ? 3'd2 :
       owes == 2'd0 && aw_q && w_q && read_was_last ? 3'd3 + 3'(table_write) :
       3'd2 + 3'(owes == 2'd2 || pending);
-
   function automatic logic holds(logic [32:0] slot_of, answer_t answer);
     return slot_of[32] == !answer.is_read &&
         (!answer.is_read || !answer.known || slot_of[31:0] == answer.data);

@@ -93,7 +93,7 @@ TEST_CASE("a reset leaves in every register the value of the specification") {
       {"ADC_FRAME", 4},              // zeros before 12 bits
   };
   const std::map<std::string, std::uint32_t> system{
-      {"ID", 0x4B580004},
+      {"ID", 0x4B580005},
       {"CURRENT_LIMIT", 1280},  // 6 A
       {"DEADTIME_MIN", 25},     // 0.5 us
       {"IRQ_PERIOD", 4},

@@ -23,7 +23,7 @@ inline cosim::BusOp random_transfer(Random& random) {
     const bool axis = below(random, 4) != 0;
     return {(axis ? base : 0x200u) + 4 * below(random, axis ? 0x32u : 0x12u), 0, false};
   }
-  switch (below(random, 30)) {
+  switch (below(random, 34)) {
     case 0:
     case 1:
     case 2: return {base + reg::kCtrl, below(random, 4) == 0 ? any : (any & 0xCFu) | 3u, true};
@@ -52,6 +52,11 @@ inline cosim::BusOp random_transfer(Random& random) {
     case 25: return {base + reg::kCurrentOffset, any & 0x003F003Fu, true};
     case 26: return {base + reg::kAdcFrame, below(random, 4) == 0 ? any : 4u, true};
     case 27: return {reg::kRates, any, true};
+    case 28: return {base + reg::kCtrl, (any & 0x1CFu) | 0x103u, true};
+    case 29: return {base + reg::kPrecAddr, any & 15u, true};
+    case 30:
+    case 31:
+    case 32: return {base + reg::kPrecData, below(random, 2) == 0 ? any : any & 0x1F07FFu, true};
     default: return {base + reg::kKp + 4 * below(random, 12), any, true};
   }
 }
@@ -59,7 +64,7 @@ inline cosim::BusOp random_transfer(Random& random) {
 // What a program does to restart after a trip.
 inline std::vector<cosim::BusOp> recovery(Random& random) {
   namespace reg = kung_xy_regs;
-  const auto mode = [&random] { return (random() & 0xCEu) | 1u; };
+  const auto mode = [&random] { return (random() & 0x1CEu) | 1u; };
   return {{reg::kX + reg::kCtrl, 0, true},
           {reg::kY + reg::kCtrl, 0, true},
           {reg::kLock, reg::kKeyUnlock, true},

@@ -46,6 +46,11 @@ inline StopWords look(const cosim::Stop& stop, const kung::KungChip& chip) {
   for (int axis = 0; axis < kung::kAxes; ++axis) {
     kung::AxisSample sample;
     chip.read_words(axis, sample);
+    if (sample.precise.on && (stop.why & cosim::kSample) == 0) {  // its words may be in motion
+      const std::int32_t i_q_ref = sample.i_q_ref;
+      sample = {};
+      sample.i_q_ref = i_q_ref;
+    }
     const auto words = integer_words(sample);
     all.words.insert(all.words.end(), words.begin(), words.end());
     const kung::CurrentWords c = chip.current(axis);

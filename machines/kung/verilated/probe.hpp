@@ -55,8 +55,9 @@ void probe_words(const Root& root, int axis, AxisSample& s) {
     return static_cast<std::int32_t>(
         root.kung_xy__DOT__u_precision__DOT__u_precision__DOT__u_store__DOT__mem_q[at]);
   };
-  show_precision({stored(Word::kP), stored(Word::kY), stored(Word::kErr), stored(Word::kV24),
-                  stored(Word::kVff), stored(Word::kD), stored(Word::kAcc)}, s);
+  show_precision({true, stored(Word::kP), stored(Word::kY), stored(Word::kErr), stored(Word::kV24),
+                  stored(Word::kVff), stored(Word::kD), stored(Word::kAcc)},
+                 s);
 }
 
 template <class Root>

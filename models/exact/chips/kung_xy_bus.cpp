@@ -128,7 +128,9 @@ bool KungXy::asks_precision(Clk n) {
     precision_.request(n, request);
     return true;
   };
-  const auto asks = [&](int axis, Word of) { return !op_.write && ask(axis, static_cast<int>(of)); };
+  const auto asks = [&](int axis, Word of) {
+    return !op_.write && ask(axis, static_cast<int>(of));
+  };
   if (op_.address == map::kKnot) return asks(axes_[0].regs.precision ? 0 : 1, Word::kKnots);
   for (int axis = 0; axis < 2; ++axis) {
     const std::uint32_t base = kBases[static_cast<std::size_t>(axis)];
