@@ -74,7 +74,7 @@ module kung_precision
   // ---- registers: one request at a time ----
 
   logic [1:0] part, data, counts_q, counts_d;
-  logic request, we, we_q, ack;
+  logic request, we, we_q, waits_q, law_ack, ack;
   precision_pkg::address_t address;
   logic [31:0] wdata, rdata;
 
@@ -105,12 +105,13 @@ module kung_precision
   end
 
   assign counts_d = request ? data : counts_q;
+  assign ack      = law_ack && waits_q;
 
   // ---- law ----
 
   word_t [1:0] i_q;
   logic [1:0] saturated, clipped;
-  logic busy, done, overrun, underrun, law_quiescent, pos_q, starts;
+  logic busy, done, overrun, underrun, law_quiescent, pos_q;
 
   precision u_precision (
       .clk_i         (clk),
@@ -128,7 +129,7 @@ module kung_precision
       .request_we_i  (we),
       .request_addr_i(address),
       .request_data_i(wdata),
-      .ack_o         (ack),
+      .ack_o         (law_ack),
       .rdata_o       (rdata),
       .busy_o        (busy),
       .done_o        (done),
@@ -140,15 +141,15 @@ module kung_precision
       .quiescent_o   (law_quiescent)
   );
 
-  assign starts = tick_cur_i && enable != '0 && !busy;
-
   always_ff @(posedge clk) begin
     if (rst_i) begin
       counts_q <= '0;
+      waits_q  <= 1'b0;
       pos_q    <= 1'b0;
     end else begin
       counts_q <= counts_d;
-      if (starts) pos_q <= tick_pos_i;
+      waits_q  <= request || waits_q && !law_ack;
+      if (tick_cur_i && enable != '0 && !busy) pos_q <= tick_pos_i;
     end
   end
 

@@ -24,7 +24,7 @@ module kung_precision_props
     input logic        we,
     input logic [ 6:0] address,
     input logic [31:0] wdata,
-    input logic        ack,
+    input logic        law_ack,
     input logic        busy,
     input logic        done
 );
@@ -37,7 +37,7 @@ module kung_precision_props
   logic [1:0] whole, writes, wrote;
   logic [3:0] number;
   logic named;
-  logic last_write_q, asked_q;
+  logic last_write_q, asked_q, ack;
   logic [1:0] last_data_q;
 
   always_comb begin
@@ -68,6 +68,8 @@ module kung_precision_props
     end
   end
 
+  assign ack = law_ack && asked_q;
+
   // ---- runs of the law ----
 
   logic position_q;
@@ -83,6 +85,8 @@ module kung_precision_props
         last_write_q <= (asks[0][4] && writes[0]) || (asks[1][4] && writes[1]);
         last_data_q  <= {asks[1][4], asks[0][4]};
         asked_q      <= 1'b1;
+      end else if (law_ack) begin
+        asked_q <= 1'b0;
       end
       if (tick_cur_i && !busy &&
           (regs_i[0].ctrl.precision.value || regs_i[1].ctrl.precision.value)) begin
@@ -93,10 +97,10 @@ module kung_precision_props
       a_request_names_its_word : assert (number > 4'd1 || named);
       no_request_without_a_register : assert (request == (number != '0));
       answers_are_of_the_last_request :
-      assert (!asked_q || (axis_o[0].read == (ack && !last_write_q) &&
+      assert (axis_o[0].read == (ack && !last_write_q) &&
               axis_o[1].read == (ack && !last_write_q) && knot_ack_o == (ack && !last_write_q) &&
               axis_o[0].written == (ack && last_write_q || wrote[0]) &&
-              axis_o[1].written == (ack && last_write_q || wrote[1])));
+              axis_o[1].written == (ack && last_write_q || wrote[1]));
       part_of_a_word_is_answered_at_once :
       assert ((!wrote[0] || axis_o[0].written) && (!wrote[1] || axis_o[1].written));
       address_counts_behind_its_data_only :
@@ -117,7 +121,7 @@ module kung_precision_props
 
   // prove: cut precision edge_time
   // breaks a_request_names_its_word: u_precision.request_addr_i = address & 7'h3f
-  // breaks no_request_without_a_register: request = next || ack
+  // breaks no_request_without_a_register: request = next || law_ack
   // breaks answers_are_of_the_last_request: we_q <= request ? !we : next
   // breaks part_of_a_word_is_answered_at_once: part[1] = 1'b0
   // breaks address_counts_behind_its_data_only: counts_d = data

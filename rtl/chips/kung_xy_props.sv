@@ -65,6 +65,7 @@ module kung_xy_props
     input logic [1:0]    pin_stages,
     input logic [11:0]   axis_events,  // Y overrun, encoder, saturated, limited, ...; X
     input logic [1:0]    busy, table_waits,
+    input logic          slow_ack, slow_waits,
     input logic [19:0]   dead_time,
     input logic [23:0]   current_limit,
     input gap_t          next_x, next_y
@@ -91,6 +92,7 @@ module kung_xy_props
   logic [3:0] lone_q;  // with nothing else open: a read 2 and 1 clocks ago; a write
   logic [1:0] table_q;  // a served write of TAB_DATA waits for its controller
   logic table_write;  // the next write is one
+  logic slow_q, slow_read, slow_write;  // a served request waits for the precision controller
 
   assign address = s_axil_awvalid_i && s_axil_awready_o;
   assign word    = s_axil_wvalid_i && s_axil_wready_o;
@@ -98,7 +100,7 @@ module kung_xy_props
   assign b_taken = s_axil_bvalid_o && s_axil_bready_i;
   assign r_taken = s_axil_rvalid_o && s_axil_rready_i;
   assign held_up = s_axil_bvalid_o && !b_taken || s_axil_rvalid_o && !r_taken ||
-      (table_q & busy) != '0;
+      (table_q & busy) != '0 || slow_q;
   assign nothing = addresses_q == '0 && reads_q == '0;
   assign owes    = served_q - answered_q;
   assign first   = answered_q[0] ? odd_q : even_q;
@@ -107,15 +109,18 @@ module kung_xy_props
   assign {write_second, read_second} = {!second.is_read, second.is_read} & {2{owes > 2'd1}};
   assign first_slot  = answered_q[0] ? slot_odd : slot_even;
   assign second_slot = answered_q[0] ? slot_even : slot_odd;
+  assign slow_read   = araddr_q[9:2] == 8'h8c ||
+      !araddr_q[9] && araddr_q[7:2] inside {[6'h25 : 6'h29]};
+  assign slow_write  = !awaddr_q[9] && awaddr_q[7:2] == 6'h25 && wstrb_q == '1;
   assign table_write = !awaddr_q[9] && awaddr_q[7:2] == 6'h1d && wstrb_q == '1;
 
   // A read is served before a write if the last request served was a write.
-  assign write_left = write_first ? 3'd1 + 3'(pending && owes == 2'd1) :
+  assign write_left = write_first ? 3'd1 + 3'(table_q != '0 && owes == 2'd1) :
       write_second ? 3'd2 : 3'd2 + 3'(table_write) +
       3'(owes == 2'd2 || owes == 2'd0 && ar_q && !read_was_last);
   assign read_left  = read_first ? 3'd1 : read_second ? 3'd2 :
       owes == 2'd0 && aw_q && w_q && read_was_last ? 3'd3 + 3'(table_write) :
-      3'd2 + 3'(owes == 2'd2 || pending);
+      3'd2 + 3'(owes == 2'd2 || table_q != '0);
   function automatic logic holds(logic [32:0] slot_of, answer_t answer);
     return slot_of[32] == !answer.is_read &&
         (!answer.is_read || !answer.known || slot_of[31:0] == answer.data);
@@ -149,7 +154,7 @@ module kung_xy_props
 
   always_ff @(posedge clk_i) begin
     if (rst_i) begin
-      {aw_q, w_q, ar_q, table_q, lone_q} <= '0;
+      {aw_q, w_q, ar_q, table_q, slow_q, lone_q} <= '0;
       {addresses_q, words_q, reads_q, served_q, answered_q, write_wait_q, read_wait_q} <= '0;
     end else begin
       aw_q        <= address || aw_q && !serves_write;
@@ -161,9 +166,11 @@ module kung_xy_props
       served_q    <= served_q + 2'(serves_write) + 2'(serves_read);
       answered_q  <= answered_q + 2'(b_taken) + 2'(r_taken);
       table_q     <= table_q & busy;
+      slow_q      <= serves_write && slow_write || serves_read && slow_read ||
+          slow_q && !slow_ack;
       if (serves_write && table_write) table_q[awaddr_q[8]] <= 1'b1;
-      lone_q[3:2] <= {lone_q[2], nothing && read && !s_axil_awvalid_i};
-      lone_q[1:0] <= {lone_q[0] && !table_write,
+      lone_q[3:2] <= {lone_q[2] && !slow_read, nothing && read && !s_axil_awvalid_i};
+      lone_q[1:0] <= {lone_q[0] && !table_write && !slow_write,
                       nothing && address && (word || w_q) && !s_axil_arvalid_i};
       if (addresses_q == '0 || words_q == '0 || b_taken) write_wait_q <= '0;
       else if (!held_up && write_wait_q != '1) write_wait_q <= write_wait_q + 3'd1;
@@ -303,8 +310,9 @@ module kung_xy_props
       assert (owes <= 2'd2 && in_flight == owes && read_pointer == answered_q &&
               write_pointer == served_q - 2'(pending) && (!pending || owes != '0));
       inv_table :
-      assert (pending == (table_q != '0) && table_waits == table_q && table_q != 2'b11 &&
-              !(pending && read_was_last) && slot_errors == '0);
+      assert (pending == (table_q != '0 || slow_q) && table_waits == table_q &&
+              table_q != 2'b11 && !(table_q != '0 && (read_was_last || slow_q)) &&
+              slow_waits == slow_q && slot_errors == '0);
       inv_counts :
       assert (addresses_q == 3'(aw_q) + 3'(write_first) + 3'(write_second) &&
               words_q + 3'(aw_q) == addresses_q + 3'(w_q) &&
@@ -394,6 +402,7 @@ bind kung_xy kung_xy_props u_kung_xy_props (
     .busy         ({axis_in[1].status.busy.next, axis_in[0].status.busy.next}),
     .axis_events  ({axis_in[1].status[12:7], axis_in[0].status[12:7]}),
     .table_waits  ({gen_axis[1].u_axis.tab_pending_q, gen_axis[0].u_axis.tab_pending_q}),
+    .slow_ack     (u_precision.law_ack), .slow_waits(u_precision.waits_q),
     .dead_time    ({gen_axis[1].u_axis.dead_time, gen_axis[0].u_axis.dead_time}),
     .current_limit({gen_axis[1].u_axis.current_limit_i, gen_axis[0].u_axis.current_limit_i}),
     .next_x       (axis_next[0]), .next_y(axis_next[1])

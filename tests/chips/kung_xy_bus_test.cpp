@@ -75,7 +75,7 @@ TEST_CASE("the chip takes bytes, in any order of the channels, and answers each 
   trammel::test::AxiLiteTraffic<KungBench, decltype(clock)> traffic(chip, clock, 61);
   // RATES holds while an axis is enabled.
   const auto registers = trammel::test::kept_registers(reg::kRegisters, {reg::kRates});
-  REQUIRE(registers.size() == 48);
+  REQUIRE(registers.size() == 50);
   CHECK(wrong_register(traffic, registers, 400, 62) == "");
 }
 

@@ -272,7 +272,7 @@ bool KungXy::step_precision(Clk n, bool tick, bool position_tick) {
   }
   if (out.access) {
     const KungPrecision::Request& request = precision_.request();
-    answer_ = precision_.answer();
+    if (!request.write) answer_ = precision_.answer();
     bus_ends_ = n + 2;
     if (request.counts) count_up(kBases[static_cast<std::size_t>(request.axis)] + map::kPrecAddr);
   }
