@@ -41,6 +41,8 @@ module kung_axis_props
     input count_t     x_p_q,
     input count_t     count_cur_q,
     input word_t      iq_afc,
+    input logic       precise,  // i_q* is the precision controller's
+    input word_t      iq_precise,
     input word_t      i_q_ref_q,
     input word_t      i_a,
     input word_t      i_b,
@@ -132,7 +134,8 @@ module kung_axis_props
   logic tick_q, tick_pos_q;
 
   always_ff @(posedge clk_i) begin
-    chosen_q        <= position_loop ? iq_afc : iq_manual;
+    chosen_q        <= !position_loop ? iq_manual :
+        precise ? iq_precise : iq_afc;
     count_q         <= count;
     tick_q          <= tick_cur_i;
     tick_pos_q      <= tick_cur_i && tick_pos_i;
@@ -207,6 +210,7 @@ module kung_axis_props
   // breaks dead_time_is_at_least_both_registers: dead_time = regs_i.deadtime.clk.value
   // breaks no_side_to_side_without_a_pause (gate_leg): ready = allowed && count <= 10'd1
   // breaks i_q_is_the_chosen_one_of_the_tick: iq_ref = !regs_i.ctrl.position_loop.value ? iq_afc : word_t'(regs_i.iq_manual.value.value)
+  // breaks i_q_is_the_chosen_one_of_the_tick: iq_position = iq_afc
   // breaks angle_is_that_of_the_tick: count_cur_q <= tick_cur_i && !rst_i ? x_p_q : next
   // breaks position_is_that_of_the_tick: x_p_q <= tick_cur_i && !rst_i ? count : next
   // breaks current_loop_rests_unless_closed: loop_clear = !regs_i.ctrl.enable.value || !regs_i.ctrl.current_loop.value
@@ -238,6 +242,8 @@ bind kung_axis kung_axis_props u_kung_axis_props (
                  regs_i.tab_data.wr_biten.value != '1),
     .preset_written(regs_i.pos_preset.req && regs_i.pos_preset.req_is_wr &&
                     regs_i.pos_preset.wr_biten.value == '1),
+    .precise(precision_i.enable),
+    .iq_precise(precision_i.i_q_ref),
     .leg_next_0(leg_next[0]),
     .leg_next_1(leg_next[1]),
     .leg_next_2(leg_next[2]),

@@ -41,7 +41,7 @@ class KungPair : public exact::KungXy::Converters {
 
   // After the edges of the RTL's reset: the twin begins anew.
   void begin() {
-    twin_ = exact::KungXy();
+    twin_.reset();
     twin_.pins(lines);
     frames_ = {};
   }

@@ -72,6 +72,7 @@ TEST_CASE("kung_xy keeps its promises and is as its twin under random traffic") 
   const test::Traffic traffic = test::traffic(6000, 121);
   Random random(traffic.seed);
   Pair pair;
+  pair.rtl().reset();  // of what it starts with
   reset(pair);
   int resets = 0;
   for (std::int64_t n = 0; n < traffic.transfers; ++n) {

@@ -45,6 +45,14 @@ class KungPrecision {
     bool access = false;    // the request was done: answer()
   };
 
+  // A reset: block memory keeps its words.
+  void reset() {
+    KungPrecision fresh;
+    fresh.law_ = law_;
+    fresh.window_ = window_;
+    *this = fresh;
+  }
+
   // The count of an axis whose controller is enabled changes at edge n.
   void moved(int axis, Clk phase, bool up) {
     EdgeTime::In in;

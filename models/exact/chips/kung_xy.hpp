@@ -52,6 +52,7 @@ class KungXy {
 
   static constexpr int kTripPin = 6;  // of pins(); below it A, B, index of X, then of Y
 
+  void reset();                       // edge 0 is the next
   Clk now() const { return now_; }    // next edge to execute
   void pins(std::uint64_t lines);     // seen from edge now() on
   void request(const BusOp& op);      // valid from edge now() on; one at a time

@@ -22,6 +22,13 @@ KungXy::KungXy() {
   for (std::size_t k = 0; k < 2; ++k) decode(axes_[k], kBases[k], -1);
 }
 
+void KungXy::reset() {
+  KungXy fresh;
+  fresh.precision_ = precision_;
+  fresh.precision_.reset();
+  *this = fresh;
+}
+
 // Locking always works; unlocking requires both axes disabled.
 void KungXy::lock(std::uint32_t key) {
   if (key == map::kKeyLock) locked_ = true;
