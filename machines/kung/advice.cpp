@@ -144,8 +144,8 @@ std::string turning_text(const Options& options, std::size_t a, double speed_m_s
 
 std::vector<std::string> advice(const lab::Settings& settings) {
   const auto& options = static_cast<const Options&>(settings);
-  std::vector<sw::Point> points;
-  const sw::KungSetup setup = plan_firmware(options, points);
+  PathStore store;
+  const sw::KungSetup setup = plan_firmware(options, store);
   const std::array<Demand, 2> most = demand(options, setup);
   std::vector<std::string> lines;
   const cosim::ProcessorOptions& cpu = options.processor;

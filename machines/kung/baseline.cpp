@@ -76,8 +76,8 @@ class ServoAxis {
 }  // namespace
 
 Tracks baseline_tracks(const Options& options, Law law) {
-  std::vector<sw::Point> points;
-  const sw::KungSetup setup = plan_firmware(options, points);
+  PathStore store;
+  const sw::KungSetup setup = plan_firmware(options, store);
   sw::Trajectory path(setup);
   const double count_m = options.plant.axis[0].encoder_count_m;
   const sw::Point start = path.start();

@@ -9,6 +9,7 @@
 #include "machines/kung/figures.hpp"
 #include "machines/kung/machine.hpp"
 #include "machines/kung/plan.hpp"
+#include "machines/kung/plan_feed.hpp"
 #include "machines/kung/response.hpp"
 
 namespace trammel::kung {
@@ -212,7 +213,8 @@ List figures(const lab::Settings& settings, cosim::RunResult& run) {
   std::vector<HalfPeriod> halves[2];
   for (std::size_t a = 0; a < 2 && square; ++a) {
     halves[a] = half_periods(axes[a].position_m, axes[a].model_m,
-                             static_cast<std::size_t>(path.square_half_samples), path.square_low_m,
+                             static_cast<std::size_t>(square_half_samples(options)),
+                             path.square_low_m,
                              path.square_high_m);
   }
   add_periods(list, "x.half_periods", "X, half period", halves[0], false);

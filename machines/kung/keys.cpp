@@ -19,6 +19,14 @@ std::vector<std::string> enum_names<kung::SweepOf>() {
   return {"position", "current"};
 }
 template <>
+std::vector<std::string> enum_names<kung::Profile>() {
+  return {"constant", "feed"};
+}
+template <>
+std::vector<std::string> enum_names<kung::Corner>() {
+  return {"auto", "stop", "pass"};
+}
+template <>
 std::vector<std::string> enum_names<kung::PathKind>() {
   return {"circle", "window", "star", "square", "line", "points", "sweep"};
 }
@@ -126,6 +134,26 @@ void add_path(Table& t) {
   add("sweep_dwell_ticks", 1, 100000,
       "position samples, at least, for which a tone settles, and is then measured",
       &PathOptions::sweep_dwell_ticks);
+  add("profile", 0, 0,
+      "constant speed along the path, or a feed profile that keeps the acceleration of each axis",
+      &PathOptions::profile);
+  add("feed_m_s", 0, 1.2,
+      "feed profile: of a shape, at least 0.0001; 0 = circle 0.5, window 0.35, star 0.275, else "
+      "0.3",
+      &PathOptions::feed_m_s);
+  add("rapid_m_s", 1e-4, 1.2, "feed profile: of G0", &PathOptions::rapid_m_s);
+  add("feed_max_m_s", 1e-4, 1.2, "feed profile: above it F is lowered", &PathOptions::feed_max_m_s);
+  add("mean_points", 1, 64, "feed profile: points over which the path length is averaged",
+      &PathOptions::mean_points);
+  add("corner", 0, 0,
+      "feed profile: stop at the corners of a path, or pass them slowly; auto = stop in a shape, "
+      "pass in a file",
+      &PathOptions::corner);
+  for (const std::size_t axis : {0u, 1u}) {
+    t.one(axis_prefix("path", axis) + "accel_m_s2", 0.1, 40,
+          "feed profile: largest acceleration of the axis",
+          [axis](auto& o) -> auto& { return o.path.axis[axis].accel_m_s2; });
+  }
   t.file("path.points_file",
          "CSV of x_mm,y_mm, one point per interrupt; a relative path starts at the scenario file",
          TRAMMEL_LENS(path.points_file));

@@ -12,6 +12,7 @@
 #include "cosim/machine.hpp"
 #include "cosim/points.hpp"
 #include "lab/settings.hpp"
+#include "models/ideal/moves.hpp"
 #include "models/plant/xy_table.hpp"
 #include "sw_nios/path/trajectory.hpp"
 
@@ -30,6 +31,8 @@ enum class Cpu { kNative, kRtl };     // firmware compiled for this computer, or
 enum class Controller { kFc, kAfc };  // fixed rule table, or tuned while it runs
 using PathKind = sw::Path;            // as the firmware names them
 enum class SweepOf { kPosition, kCurrent };  // what a sweep commands
+enum class Profile { kConstant, kFeed };     // of the speed along a path
+enum class Corner { kAuto, kStop, kPass };   // under the feed profile
 
 using cosim::PointM;
 
@@ -74,6 +77,11 @@ struct ChipOptions {
   int watchdog_ticks = 100;       // position samples between two COMMITs; 0 = off
 
   double sample_s() const { return 1.0 / position_Hz; }
+};
+
+// One axis of the feed profile.
+struct AxisPath {
+  double accel_m_s2 = 8;  // that no command exceeds
 };
 
 // Path parameters; only those of `kind` matter (specification section 10).
@@ -122,6 +130,15 @@ struct PathOptions {
   bool is_sweep() const { return kind == PathKind::kSweep; }
   // The command is a current.
   bool open_position() const { return is_sweep() && sweep_of == SweepOf::kCurrent; }
+
+  Profile profile = Profile::kConstant;
+  double feed_m_s = 0;            // of the built-in shapes; 0: of each its own
+  double rapid_m_s = 0.5;
+  double feed_max_m_s = 1;
+  int mean_points = 8;            // over which the path length is averaged
+  Corner corner = Corner::kAuto;  // stop in the shapes, pass in files
+  std::array<AxisPath, 2> axis;
+  ideal::Moves moves;             // of a program, for the feed profile; none: a shape or points
 
   std::string points_file;        // CSV of x_mm,y_mm; one point per interrupt
   std::vector<PointM> points;     // its content

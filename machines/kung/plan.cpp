@@ -12,6 +12,7 @@
 
 #include "cosim/points.hpp"
 #include "machines/kung/machine.hpp"
+#include "machines/kung/plan_feed.hpp"
 #include "machines/kung/plan_parts.hpp"
 #include "machines/kung/words.hpp"
 #include "models/exact/drive/carrier.hpp"
@@ -67,8 +68,9 @@ void plan_points(const PathOptions& p, const Encoder& encoder, std::vector<sw::P
 }
 
 sw::PathSetup plan_path(const Options& options, const Encoder& encoder,
-                        std::vector<sw::Point>& points) {
+                        PathStore& store) {
   const PathOptions& p = options.path;
+  if (feeds(p)) return plan_feed(options, store.feed);
   const int irq_period_ticks = options.chip.irq_period_ticks;
   const double point_s = ticks_per_point(p, irq_period_ticks) * encoder.sample_s;
   const auto ticks = [point_s, &encoder](const char* key, int value, double length_m) {
@@ -103,11 +105,12 @@ sw::PathSetup plan_path(const Options& options, const Encoder& encoder,
                                  p.line_end_y_m - p.line_start_y_m))};
       break;
     case PathKind::kPoints:
-      plan_points(p, encoder, points);
-      s.points = points.data();
-      s.n_points = static_cast<std::uint32_t>(points.size());
+      plan_points(p, encoder, store.points);
+      s.points = store.points.data();
+      s.n_points = static_cast<std::uint32_t>(store.points.size());
       break;
     case PathKind::kSweep: s.sweep = plan_sweep(options, encoder); break;
+    case PathKind::kFeed: break;  // no key names it
   }
   const bool square = p.kind == PathKind::kSquare;
   const int repeats = square ? p.square_periods : p.repeats;
@@ -207,7 +210,8 @@ void check_extent(const Options& options, const sw::PathSetup& setup) {
 }  // namespace
 
 int ticks_per_point(const PathOptions& path, int irq_period_ticks) {
-  return path.kind == PathKind::kSquare || path.kind == PathKind::kSweep ? 1 : irq_period_ticks;
+  const bool steps = path.kind == PathKind::kSquare && !feeds(path);
+  return steps || path.kind == PathKind::kSweep ? 1 : irq_period_ticks;
 }
 
 sw::AxisSetup plan_axis(const Options& options, std::size_t axis) {
@@ -321,7 +325,7 @@ sw::AxisSetup plan_axis(const Options& options, std::size_t axis) {
   return s;
 }
 
-sw::KungSetup plan_firmware(const Options& options, std::vector<sw::Point>& points) {
+sw::KungSetup plan_firmware(const Options& options, PathStore& store) {
   const ChipOptions& chip = options.chip;
   sw::KungSetup s;
   s.carrier = nearest_rate("chip.carrier_Hz", chip.carrier_Hz, exact::kCarrierHz);
@@ -332,7 +336,7 @@ sw::KungSetup plan_firmware(const Options& options, std::vector<sw::Point>& poin
                       "{:g}: the processor draws the path in counts",
                       options.plant.axis[1].encoder_count_m, count_m));
   static_cast<sw::PathSetup&>(s) =
-      plan_path(options, Encoder{count_m, chip.sample_s()}, points);
+      plan_path(options, Encoder{count_m, chip.sample_s()}, store);
   require(options.cpu == Cpu::kNative || !options.fault.of_processor(),
           "inject.fault: those of the processor and its bus need run.cpu = \"native\"; "
           "inject.processor_s is a fault of the core");
@@ -370,7 +374,7 @@ sw::KungSetup plan_firmware(const Options& options, std::vector<sw::Point>& poin
 void validate(lab::Settings& settings) {
   auto& options = static_cast<Options&>(settings);
   PathOptions& path = options.path;
-  std::vector<sw::Point> points;
+  PathStore store;
   try {
     if (path.kind == PathKind::kPoints) {
       require(!path.points_file.empty(), "path.points_file: is needed with path.kind = \"points\"");
@@ -380,7 +384,7 @@ void validate(lab::Settings& settings) {
         throw lab::ConfigError(fmt::format("path.points_file: {}", error.what()));
       }
     }
-    plan_firmware(options, points);
+    plan_firmware(options, store);
     check_cpu(options);
   } catch (const std::invalid_argument& error) {
     throw lab::ConfigError(error.what());

@@ -5,19 +5,35 @@
 // keys.cpp. Throws std::invalid_argument that names the key and the permitted range.
 #pragma once
 
+#include <stdexcept>
 #include <vector>
 
+#include "machines/kung/feed_program.hpp"
 #include "machines/kung/options.hpp"
 #include "sw_nios/apps/kung/kung.hpp"
 
 namespace trammel::kung {
 
-// Position samples for which a point of this path is held: the square wave has one each.
+// Position samples for which a point of this path is held: a square wave of steps has one each.
 int ticks_per_point(const PathOptions& path, int irq_period_ticks);
 
 sw::AxisSetup plan_axis(const Options& options, std::size_t axis);
 
-// `points` receives those of a points path and must live as long as the firmware does.
-sw::KungSetup plan_firmware(const Options& options, std::vector<sw::Point>& points);
+// The lists that a set-up points into; they must live as long as the firmware does.
+struct PathStore {
+  std::vector<sw::Point> points;
+  FeedProgram feed;
+};
+
+sw::KungSetup plan_firmware(const Options& options, PathStore& store);
+
+// Of a path that the feed profile does not drive: `points` is all that it needs.
+inline sw::KungSetup plan_firmware(const Options& options, std::vector<sw::Point>& points) {
+  PathStore store;
+  const sw::KungSetup setup = plan_firmware(options, store);
+  if (setup.path == sw::Path::kFeed) throw std::invalid_argument("path.profile: needs a PathStore");
+  points.swap(store.points);
+  return setup;
+}
 
 }  // namespace trammel::kung

@@ -51,8 +51,8 @@ std::vector<LoopResponse> responses(const Options& options, const Result& result
   for (const char* loop : {"position", "speed", "current"}) {
     if (current == (std::string(loop) == "current")) loops.push_back({loop, {}});
   }
-  std::vector<sw::Point> points;
-  const sw::KungSetup setup = plan_firmware(options, points);
+  PathStore store;
+  const sw::KungSetup setup = plan_firmware(options, store);
   sw::Trajectory path(setup);
   const int hold = options.chip.carrier_Hz / options.chip.position_Hz;
   const Range range = counted(result);

@@ -73,7 +73,7 @@ cosim::Clk fault_at(double seconds) { return seconds > 0 ? edge_at(seconds) : co
 
 Session::Session(const Options& options, const Hooks& hooks, const cosim::Waves& waves)
     : options_(options), hooks_(hooks), waves_(waves) {
-  const sw::KungSetup setup = plan_firmware(options_, points_);
+  const sw::KungSetup setup = plan_firmware(options_, store_);
   firmware_ = std::make_unique<StallableApp>(setup, fault_at(options_.inject.processor_s));
   const sw::Trajectory path(setup);
   const sw::Point start = path.start();

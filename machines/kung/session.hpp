@@ -15,6 +15,7 @@
 #include "machines/kung/chip.hpp"
 #include "machines/kung/detail.hpp"
 #include "machines/kung/followed.hpp"
+#include "machines/kung/plan.hpp"
 #include "machines/kung/recorder.hpp"
 #include "machines/kung/record.hpp"
 #include "machines/kung/serial.hpp"
@@ -125,7 +126,7 @@ class Session final : public cosim::Session {
   Options options_;
   Hooks hooks_;
   cosim::Waves waves_;
-  std::vector<sw::Point> points_;
+  PathStore store_;
   std::unique_ptr<TablePlant> plant_;
   std::optional<cosim::FaultPlant> failing_;  // around it
   std::optional<cosim::FaultWatch> fault_watch_;

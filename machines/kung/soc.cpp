@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
 
 #include "machines/kung/options.hpp"
 #include "sw_nios/apps/kung/setup_words.hpp"
 #include "sw_nios/hal/soc_map.hpp"
+#include "sw_nios/path/feed_plan.hpp"
 
 namespace trammel::kung {
 
@@ -33,6 +35,16 @@ CoreMemory core_memory(const sw::KungSetup& setup, bool start) {
                                    "\"rtl\": its memory has room for {}",
                                    setup.n_points, room));
   }
+  const bool feed = setup.path == sw::Path::kFeed;
+  const std::size_t needed = setup.feed.n_segments * sizeof(sw::FeedSegment) +
+                             setup.feed.n_phases * sizeof(sw::FeedPhase) +
+                             setup.feed_pieces * sizeof(sw::FeedPiece);
+  if (feed && needed > limit - free) {
+    throw OptionsError(fmt::format("path.profile: {} lines and arcs with {} phases of motion need "
+                                   "{} bytes, too many for run.cpu = \"rtl\": its memory has room "
+                                   "for {}", setup.feed.n_segments, setup.feed.n_phases, needed,
+                                   limit - free));
+  }
   sw::SetupWords words;
   sw::pack(setup, words);
   words.flags |= start ? sw::SetupWords::kStart : 0;
@@ -46,6 +58,10 @@ CoreMemory core_memory(const sw::KungSetup& setup, bool start) {
   for (std::uint32_t k = 0; setup.path == sw::Path::kPoints && k < setup.n_points; ++k) {
     memory[n++] = static_cast<std::uint32_t>(setup.points[k].x);
     memory[n++] = static_cast<std::uint32_t>(setup.points[k].y);
+  }
+  if (feed) {
+    std::memcpy(&memory[free / 4], setup.feed.segments,
+                setup.feed.n_segments * sizeof(sw::FeedSegment));
   }
   return memory;
 }

@@ -6,6 +6,8 @@
 #include <cstdint>
 
 #include "sw_nios/path/circle.hpp"
+#include "sw_nios/path/feed_corner.hpp"
+#include "sw_nios/path/feed_path.hpp"
 #include "sw_nios/path/line.hpp"
 #include "sw_nios/path/points.hpp"
 #include "sw_nios/path/square.hpp"
@@ -15,7 +17,7 @@
 
 namespace trammel::sw {
 
-enum class Path : std::uint8_t { kCircle, kWindow, kStar, kSquare, kLine, kPoints, kSweep };
+enum class Path : std::uint8_t { kCircle, kWindow, kStar, kSquare, kLine, kPoints, kSweep, kFeed };
 
 // Only the parameters of the chosen `path` matter.
 struct PathSetup {
@@ -28,6 +30,9 @@ struct PathSetup {
   Sweep::Setup sweep;
   const Point* points = nullptr;  // not owned: must outlive the trajectory
   std::uint32_t n_points = 0;
+  FeedPath::Setup feed;            // lists not owned either, and planned
+  FeedLimits feed_limits;          // by which they are planned
+  std::uint32_t feed_pieces = 0;   // that planning needs at once
   std::uint32_t repeats = 1;  // laps; passes of the line, periods of the square wave
 };
 
@@ -41,6 +46,7 @@ class Trajectory {
       case Path::kLine: return function(self.line_);
       case Path::kPoints: return function(self.points_);
       case Path::kSweep: return function(self.sweep_);
+      case Path::kFeed: return function(self.feed_);
       case Path::kCircle: break;
     }
     return function(self.circle_);
@@ -55,7 +61,8 @@ class Trajectory {
         square_(s.square, s.repeats),
         line_(s.line, s.repeats),
         points_({s.points, s.n_points}, s.repeats),
-        sweep_(s.sweep) {}
+        sweep_(s.sweep),
+        feed_{FeedPath(s.feed, s.repeats)} {}
 
   // Number of points of the path; next() returns them in order.
   constexpr std::uint32_t size() const {
@@ -68,8 +75,24 @@ class Trajectory {
   constexpr Point next() {
     return visit(*this, [](auto& g) { return g.next(); });
   }
+  // The next point in Q8; instead of next().
+  constexpr Point next_q8() {
+    if (path_ == Path::kFeed) return feed_.path.next();
+    const Point point = next();
+    return {point.x * 256, point.y * 256};
+  }
 
  private:
+  // Its points in whole counts.
+  struct Feed {
+    FeedPath path;
+
+    static constexpr Point rounded(Point q8) { return {(q8.x + 128) >> 8, (q8.y + 128) >> 8}; }
+    constexpr std::uint32_t size() const { return path.size(); }
+    constexpr Point start() const { return rounded(path.start()); }
+    constexpr Point next() { return rounded(path.next()); }
+  };
+
   Path path_;
   Circle circle_;
   Window window_;
@@ -78,6 +101,7 @@ class Trajectory {
   Line line_;
   Points points_;
   Sweep sweep_;
+  Feed feed_;
 };
 
 }  // namespace trammel::sw

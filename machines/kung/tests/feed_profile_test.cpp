@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The feed profile: the firmware's points beside the formulas in double precision, and the promise
+// about the acceleration of each axis.
+#include <catch2/catch.hpp>
+#include <chrono>
+#include <cmath>
+#include <vector>
+
+#include "machines/kung/plan_feed.hpp"
+#include "machines/kung/tests/random_moves.hpp"
+#include "models/ideal/precision.hpp"
+#include "sw_nios/path/feed_prefilter.hpp"
+
+namespace {
+
+using namespace trammel;
+using namespace trammel::kung;
+using Catch::Contains;
+using ideal::FeedProfile;
+using ideal::Place;
+
+constexpr double kCountM = 5e-6;
+constexpr double kLsbM = kCountM / 256;
+
+Options shape(PathKind kind) {
+  Options o;
+  o.path.kind = kind;
+  o.path.profile = Profile::kFeed;
+  return o;
+}
+
+struct Planned {
+  explicit Planned(const Options& options) : setup(plan_feed(options, program)) {}
+  Planned(const ideal::Moves& moves, const FeedProfile::Limits& limits)
+      : program(feed_program(moves, limits, kCountM)) {
+    setup.path = sw::Path::kFeed;
+    setup.feed = program.setup;
+  }
+
+  std::vector<sw::Point> points() const {
+    sw::Trajectory path(setup);
+    std::vector<sw::Point> all;
+    for (std::uint32_t n = path.size(); n > 0; --n) all.push_back(path.next_q8());
+    return all;
+  }
+
+  FeedProgram program;
+  sw::PathSetup setup;
+};
+
+// In LSB of Q8, beside the double-precision command at the points.
+double furthest(const std::vector<sw::Point>& points, const FeedProfile& command, double point_s) {
+  double most = 0;
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const Place p = command.at(static_cast<double>(k) * point_s).p;
+    most = std::max({most, std::abs(points[k].x - p.x / kLsbM),
+                     std::abs(points[k].y - p.y / kLsbM)});
+  }
+  return most;
+}
+
+// Largest second difference of the points of an axis, of its limit; what rounding to Q8 can add is
+// taken off.
+double acceleration(const std::vector<sw::Point>& points, const FeedProfile::Limits& limits) {
+  const double scale = limits.period * limits.period / kLsbM;
+  double most = 0;
+  for (std::size_t k = 2; k < points.size(); ++k) {
+    const auto second = [&](std::int32_t sw::Point::* axis) {
+      return std::abs(points[k].*axis - 2.0 * points[k - 1].*axis + points[k - 2].*axis) - 2;
+    };
+    most = std::max({most, second(&sw::Point::x) / (limits.accel_x * scale),
+                     second(&sw::Point::y) / (limits.accel_y * scale)});
+  }
+  return most;
+}
+
+void near(const sw::Point& point, std::int32_t x, std::int32_t y) {
+  CHECK(std::abs(point.x - x) <= 1);
+  CHECK(std::abs(point.y - y) <= 1);
+}
+
+}  // namespace
+
+TEST_CASE("points of circle, window and star are those of the specification") {
+  const std::vector<sw::Point> circle = Planned(shape(PathKind::kCircle)).points();
+  REQUIRE(circle.size() == 683);
+  near(circle[8], 12814623, 17919979);
+  near(circle[100], 16259100, 16574789);
+  near(circle[300], 14792912, 8083783);
+  near(circle[671], 12779885, 17919960);
+  const std::vector<sw::Point> window = Planned(shape(PathKind::kWindow)).points();
+  REQUIRE(window.size() == 1380);
+  near(window[100], 7680000, 15866560);
+  near(window[500], 16465236, 17427091);
+  const std::vector<sw::Point> star = Planned(shape(PathKind::kStar)).points();
+  REQUIRE(star.size() == 1032);
+  near(star[300], 13502191, 12282223);
+  near(star[500], 11882023, 12666706);
+  for (const auto& points : {circle, window, star}) {  // begin and end exactly, at rest
+    const sw::Point start = points.front();
+    CHECK(points[1] == sw::Point{start.x, start.y});
+    for (std::size_t left = 1; left <= 3; ++left) CHECK(points[points.size() - left] == start);
+  }
+  CHECK(circle.front() == sw::Point{50000 * 256, 70000 * 256});
+}
+
+TEST_CASE("points of the shapes are within one LSB of the formulas, whatever the keys") {
+  for (const PathKind kind : {PathKind::kCircle, PathKind::kWindow, PathKind::kStar,
+                              PathKind::kSquare, PathKind::kLine}) {
+    for (int n = 0; n < 8; ++n) {
+      Options o = shape(kind);
+      o.path.repeats = n == 1 ? 3 : 1;
+      o.path.square_periods = n == 1 ? 3 : 1;
+      o.path.square_half_samples = 4001;
+      if (n == 2) o.path.feed_m_s = 0.0123;
+      if (n == 3) o.path.mean_points = 1;
+      if (n == 4) o.path.mean_points = 64;
+      if (n == 5) o.path.axis = {{{40}, {3}}};
+      if (n == 6) o.path.axis = {{{0.1}, {0.7}}};
+      if (n == 7) o.path.corner = Corner::kPass;
+      if (kind == PathKind::kCircle) o.path.circle_radius_m = 0.0777;
+      CAPTURE(n, static_cast<int>(kind));
+      const Planned planned(o);
+      const FeedProfile command = ideal_command(o);
+      const std::vector<sw::Point> points = planned.points();
+      REQUIRE(points.size() == command.points());
+      CHECK(furthest(points, command, 2e-3) <= 1);
+      CHECK(acceleration(points, feed_limits(o)) <= 1.01);
+    }
+  }
+}
+
+TEST_CASE("random programs keep the acceleration of each axis, and the points of the formulas") {
+  double most = 0;
+  for (std::uint32_t seed = 0; seed < 150; ++seed) {
+    CAPTURE(seed);
+    const test::RandomProgram p = test::RandomMoves(seed).make();
+    const FeedProfile command(p.moves, p.limits);
+    if (command.points() > 50000) continue;
+    const std::vector<sw::Point> points = Planned(p.moves, p.limits).points();
+    REQUIRE(points.size() == command.points());
+    CHECK(furthest(points, command, p.limits.period) <= 1);
+    const double share = acceleration(points, p.limits);
+    CHECK(share <= 1.01);
+    most = std::max(most, share);
+  }
+  CHECK(most > 0.99);
+}
+
+TEST_CASE("speed and acceleration of the command are the slopes of its place") {
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    CAPTURE(seed);
+    const test::RandomProgram p = test::RandomMoves(seed).make();
+    const FeedProfile command(p.moves, p.limits);
+    std::mt19937 random(seed);
+    const double end = static_cast<double>(std::min<std::size_t>(command.points(), 5000)) *
+                       p.limits.period, step = 1e-7;
+    for (int n = 0; n < 200; ++n) {
+      const double t = std::uniform_real_distribution<double>(0, end)(random);
+      const FeedProfile::Command a = command.at(t), b = command.at(t + step);
+      // Over a step the speed changes by the acceleration, at a sharp corner by more.
+      const double turn = 4 * std::hypot(a.v.x, a.v.y) * (std::hypot(b.v.x - a.v.x, b.v.y - a.v.y) >
+                                                          1e-4 ? 1 : 0);
+      CHECK((b.p.x - a.p.x) / step == Approx(a.v.x).margin(1e-5 + turn));
+      CHECK((b.p.y - a.p.y) / step == Approx(a.v.y).margin(1e-5 + turn));
+    }
+  }
+}
+
+TEST_CASE("the set point of the spline stays near the command, with stops and at passed corners") {
+  for (const bool pass : {false, true}) {
+    for (const PathKind kind : {PathKind::kCircle, PathKind::kWindow, PathKind::kStar}) {
+      Options o = shape(kind);
+      o.path.corner = pass ? Corner::kPass : Corner::kStop;
+      const std::vector<sw::Point> points = Planned(o).points();
+      const FeedProfile command = ideal_command(o);
+      std::vector<double> words[2];
+      sw::Prefilter filter(points.front());
+      for (std::size_t k = 1; k <= points.size(); ++k) {
+        const sw::Point c = filter.step(points[std::min(k, points.size() - 1)]);
+        words[0].push_back(c.x / 256.0);
+        words[1].push_back(c.y / 256.0);
+      }
+      double most = 0, sum = 0;
+      int samples = 0;
+      for (int t = 62; t < 32 * static_cast<int>(points.size()); t += 40) {
+        const Place p = command.at((t - 62) / 32.0 * 2e-3).p;
+        const double x = ideal::Precision::set_point(words[0], t).p - p.x / kCountM;
+        const double y = ideal::Precision::set_point(words[1], t).p - p.y / kCountM;
+        const double um = std::hypot(x, y) * kCountM * 1e6;
+        most = std::max(most, um);
+        sum += um;
+        ++samples;
+      }
+      CAPTURE(pass, static_cast<int>(kind), most, sum / samples);
+      CHECK(sum / samples < (pass ? 0.1 : 0.03));
+      CHECK(most < (pass ? 6 : 1));
+    }
+  }
+}
