@@ -108,17 +108,15 @@ FeedProgram feed_program(const ideal::Moves& moves, const ideal::FeedProfile::Li
   const std::size_t n = p.segments.size();
   std::vector<sw::FeedPiece> pieces(3 * n + 1);
   p.phases.resize(10 * n + 1);
-  p.limits = feed_limits(limits, units);
   sw::FeedPlanner planner({p.segments.data(), static_cast<std::uint32_t>(n), p.phases.data(),
                            static_cast<std::uint32_t>(p.phases.size()), pieces.data(),
                            static_cast<std::uint32_t>(pieces.size())},
-                          p.limits);
+                          feed_limits(limits, units));
   while (planner.step() == sw::FeedPlanner::State::kBusy) {
   }
   require(planner.state() == sw::FeedPlanner::State::kDone,
           "path: its time is above 2^30 points");
   p.phases.resize(planner.phases());
-  p.pieces = planner.pieces();
   p.setup.segments = p.segments.data();
   p.setup.n_segments = static_cast<std::uint32_t>(n);
   p.setup.phases = p.phases.data();

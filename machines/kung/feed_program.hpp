@@ -17,8 +17,6 @@ namespace trammel::kung {
 struct FeedProgram {
   std::vector<sw::FeedSegment> segments;
   std::vector<sw::FeedPhase> phases;
-  std::uint32_t pieces = 0;  // that the look-ahead used at once
-  sw::FeedLimits limits;
   sw::FeedPath::Setup setup;
 };
 

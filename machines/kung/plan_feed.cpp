@@ -209,8 +209,6 @@ sw::PathSetup plan_feed(const Options& options, FeedProgram& program) {
   sw::PathSetup s;
   s.path = sw::Path::kFeed;
   s.feed = program.setup;
-  s.feed_limits = program.limits;
-  s.feed_pieces = program.pieces;
   const int laps = passes(p);
   const Place end = moves.moves.back().to;
   if (laps > 1) {

@@ -9,7 +9,6 @@
 #include "machines/kung/options.hpp"
 #include "sw_nios/apps/kung/setup_words.hpp"
 #include "sw_nios/hal/soc_map.hpp"
-#include "sw_nios/path/feed_plan.hpp"
 
 namespace trammel::kung {
 
@@ -37,8 +36,7 @@ CoreMemory core_memory(const sw::KungSetup& setup, bool start) {
   }
   const bool feed = setup.path == sw::Path::kFeed;
   const std::size_t needed = setup.feed.n_segments * sizeof(sw::FeedSegment) +
-                             setup.feed.n_phases * sizeof(sw::FeedPhase) +
-                             setup.feed_pieces * sizeof(sw::FeedPiece);
+                             setup.feed.n_phases * sizeof(sw::FeedPhase);
   if (feed && needed > limit - free) {
     throw OptionsError(fmt::format("path.profile: {} lines and arcs with {} phases of motion need "
                                    "{} bytes, too many for run.cpu = \"rtl\": its memory has room "
@@ -60,8 +58,9 @@ CoreMemory core_memory(const sw::KungSetup& setup, bool start) {
     memory[n++] = static_cast<std::uint32_t>(setup.points[k].y);
   }
   if (feed) {
-    std::memcpy(&memory[free / 4], setup.feed.segments,
-                setup.feed.n_segments * sizeof(sw::FeedSegment));
+    const std::size_t segments = setup.feed.n_segments * sizeof(sw::FeedSegment);
+    std::memcpy(&memory[free / 4], setup.feed.segments, segments);
+    std::memcpy(&memory[(free + segments) / 4], setup.feed.phases, needed - segments);
   }
   return memory;
 }

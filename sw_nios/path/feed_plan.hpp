@@ -37,217 +37,48 @@ class FeedPlanner {
     std::uint32_t piece_room = 0;     // at most 3 a segment of the longest chain, and 1
   };
 
-  constexpr FeedPlanner(const Work& work, const FeedLimits& limits) : w_(work), limits_(limits) {
+  FeedPlanner(const Work& work, const FeedLimits& limits) : w_(work), limits_(limits) {
     if (w_.n_segments == 0) state_ = State::kDone;
   }
 
-  constexpr State state() const { return state_; }
-  constexpr std::uint32_t phases() const { return n_phases_; }
-  constexpr std::uint32_t pieces() const { return most_pieces_; }
-  constexpr std::uint32_t ticks() const { return ticks_; }  // points of a lap
+  State state() const { return state_; }
+  std::uint32_t phases() const { return n_phases_; }
+  std::uint32_t pieces() const { return most_pieces_; }
+  std::uint32_t ticks() const { return ticks_; }  // points of a lap
 
-  constexpr State step() {
-    switch (stage_) {
-      case Stage::kSegment: add_segment(); break;
-      case Stage::kCorner: apply_corner(); break;
-      case Stage::kBackward: look_back(); break;
-      case Stage::kForward: look_forward(); break;
-      case Stage::kPhases: add_phases(); break;
-    }
-    return state_;
-  }
+  State step();
 
  private:
   enum class Stage : std::uint8_t { kSegment, kCorner, kBackward, kForward, kPhases };
   static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
 
-  static constexpr Real length_of(std::uint64_t q32) { return Real(q32, 32); }
-  static constexpr Real rate_of(std::uint64_t q40) { return Real(q40, kFeedBits); }
+  std::uint32_t new_piece();
 
-  constexpr std::uint32_t new_piece() {
-    if (n_pieces_ == w_.piece_room) {
-      state_ = State::kNoRoom;
-      return 0;
-    }
-    if (n_pieces_ + 1 > most_pieces_) most_pieces_ = n_pieces_ + 1;
-    return n_pieces_++;
-  }
-
-  // The chain's segments become pieces, up to its last one. Piece k is segment first_ + k's.
-  constexpr void add_segment() {
-    FeedSegment& g = w_.segments[segment_];
-    const std::uint32_t at = new_piece();
-    if (state_ != State::kBusy) return;
-    const FeedBounds own = feed_bounds(g, limits_);
-    FeedPiece& p = w_.pieces[at];
-    p.length = g.length;
-    p.speed = own.speed.fixed(kFeedBits);
-    p.accel = own.accel.fixed(kFeedBits);
-    p.before = at == 0 ? kNone : at - 1;
-    p.next = kNone;
-    if (at != 0) w_.pieces[at - 1].next = at;
-    if (segment_ + 1 == w_.n_segments) g.stop = true;
-    if (!g.stop) g.stop = feed_stops(g, w_.segments[segment_ + 1], limits_);
-    ++segment_;
-    if (!g.stop) return;
-    corner_ = 1;
-    corners_ = n_pieces_;
-    stage_ = Stage::kCorner;
-  }
+  // The chain's segments become pieces, up to its last one: piece k begins with its k-th segment.
+  void add_segment();
 
   // Around a corner the lower limits of speed and acceleration hold for as many points as the mean
   // sees of it.
-  constexpr void apply_corner() {
-    if (corner_ >= corners_) {
-      stage_ = Stage::kBackward;
-      piece_ = 0;
-      while (w_.pieces[piece_].next != kNone) piece_ = w_.pieces[piece_].next;
-      speed_ = 0;
-      return;
-    }
-    const std::uint32_t first = segment_ - corners_;
-    const FeedBounds c =
-        feed_corner(w_.segments[first + corner_ - 1], w_.segments[first + corner_], limits_);
-    const std::uint64_t speed = c.speed.fixed(kFeedBits), accel = c.accel.fixed(kFeedBits);
-    const std::uint64_t reach =
-        (c.speed * Real(limits_.mean + 1) / Real(2)).fixed(32);
-    limit(w_.pieces[corner_].before, true, reach, speed, accel);
-    limit(corner_, false, reach, speed, accel);
-    ++corner_;
-  }
+  void apply_corner();
 
   // From piece `at` on, backward or forward, over `reach` of path.
-  constexpr void limit(std::uint32_t at, bool back, std::uint64_t reach, std::uint64_t speed,
-                       std::uint64_t accel) {
-    while (at != kNone && reach != 0) {
-      FeedPiece& p = w_.pieces[at];
-      if (p.length <= reach) {
-        reach -= p.length;
-      } else {
-        if (p.speed > speed || p.accel > accel) {
-          at = split(at, back ? p.length - reach : reach, back);
-        }
-        if (state_ != State::kBusy) return;
-        reach = 0;
-      }
-      FeedPiece& inside = w_.pieces[at];
-      if (inside.speed > speed) inside.speed = speed;
-      if (inside.accel > accel) inside.accel = accel;
-      at = back ? inside.before : inside.next;
-    }
-  }
+  void limit(std::uint32_t at, bool back, std::uint64_t reach, std::uint64_t speed,
+             std::uint64_t accel);
 
   // Cuts a piece after `length`; the part asked for. The piece of a corner stays behind it.
-  constexpr std::uint32_t split(std::uint32_t at, std::uint64_t length, bool last) {
-    const std::uint32_t fresh = new_piece();
-    if (state_ != State::kBusy) return at;
-    FeedPiece &p = w_.pieces[at], &q = w_.pieces[fresh];
-    q = p;
-    q.length = p.length - length;
-    q.before = at;
-    p.length = length;
-    p.next = fresh;
-    if (q.next != kNone) w_.pieces[q.next].before = fresh;
-    return last ? fresh : at;
-  }
+  std::uint32_t split(std::uint32_t at, std::uint64_t length, bool last);
 
-  // Speed from which `to` is reached over a piece: the root of to^2 + 2 a s.
-  static constexpr std::uint64_t reached(std::uint64_t from, const FeedPiece& p) {
-    const Real v = rate_of(from);
-    return sqrt(v * v + Real(2) * rate_of(p.accel) * length_of(p.length)).fixed(kFeedBits);
-  }
-
-  constexpr void look_back() {
-    FeedPiece& p = w_.pieces[piece_];
-    const bool first = p.before == kNone;
-    std::uint64_t v = first ? 0 : p.speed;
-    if (!first && w_.pieces[p.before].speed < v) v = w_.pieces[p.before].speed;
-    if (v > speed_) {
-      const std::uint64_t most = reached(speed_, p);
-      if (most < v) v = most;
-    }
-    p.begin = speed_ = v;
-    if (!first) {
-      piece_ = p.before;
-      return;
-    }
-    stage_ = Stage::kForward;
-  }
-
-  constexpr void look_forward() {
-    const FeedPiece& p = w_.pieces[piece_];
-    if (p.next == kNone) {
-      stage_ = Stage::kPhases;
-      piece_ = 0;
-      time_ = path_ = 0;
-      return;
-    }
-    FeedPiece& q = w_.pieces[p.next];
-    if (q.begin > p.begin) {
-      const std::uint64_t most = reached(p.begin, p);
-      if (most < q.begin) q.begin = most;
-    }
-    piece_ = p.next;
-  }
+  // The highest speed at one end of a piece that has `from` at the other.
+  static std::uint64_t reached(std::uint64_t from, const FeedPiece& p);
+  void look_back();
+  void look_forward();
 
   // Up to the fastest of the piece, along, and down to where the next one begins.
-  constexpr void add_phases() {
-    const FeedPiece& p = w_.pieces[piece_];
-    const std::uint64_t out = p.next == kNone ? 0 : w_.pieces[p.next].begin;
-    const Real vi = rate_of(p.begin), vo = rate_of(out), a = rate_of(p.accel);
-    const Real length = length_of(p.length), squares = (vi * vi + vo * vo) / Real(2);
-    std::uint64_t peak = sqrt(squares + a * length).fixed(kFeedBits);
-    if (peak > p.speed) peak = p.speed;
-    if (peak < p.begin) peak = p.begin;
-    if (peak < out) peak = out;
-    const Real vp = rate_of(peak), up = (vp * vp - vi * vi) / (Real(2) * a),
-               down = (vp * vp - vo * vo) / (Real(2) * a), flat = length - up - down;
-    const std::uint64_t end = path_ + p.length;
-    const auto accel = static_cast<std::int64_t>(p.accel);
-    if (peak > p.begin) add_phase((vp - vi) / a, path_, p.begin, accel);
-    if (!flat.zero()) add_phase(flat / vp, path_ + up.fixed(32), peak, 0);
-    if (peak > out) add_phase((vp - vo) / a, end - down.fixed(32), peak, -accel);
-    path_ = end;
-    if (p.next != kNone) {
-      piece_ = p.next;
-      return;
-    }
-    end_chain();
-  }
+  void add_phases();
 
-  constexpr void add_phase(Real duration, std::uint64_t path, std::uint64_t speed,
-                           std::int64_t accel) {
-    if (state_ != State::kBusy) return;
-    const FeedPhase* last = n_phases_ == chain_ ? nullptr : &w_.phases[n_phases_ - 1];
-    // The same motion goes on.
-    const bool same = last != nullptr && accel == 0 && last->accel == 0 && last->speed == speed;
-    if (!same) {
-      if (n_phases_ == w_.phase_room) {
-        state_ = State::kNoRoom;
-        return;
-      }
-      w_.phases[n_phases_++] = {time_, path, speed, accel};
-    }
-    time_ += duration.fixed(32);
-    if (time_ >> 62 != 0) state_ = State::kTooLong;
-  }
-
-  constexpr void end_chain() {
-    if (state_ != State::kBusy) return;
-    const std::uint32_t whole = FeedPath::whole(time_);
-    const std::uint64_t rest = std::uint64_t{whole} << 32;
-    if (rest < time_) time_ = rest;  // by as little as a chain may be late
-    add_phase({}, path_, 0, 0);
-    const std::uint64_t ticks =
-        std::uint64_t{whole} + limits_.mean + w_.segments[segment_ - 1].dwell;
-    if (ticks + ticks_ > kMostTicks) state_ = State::kTooLong;
-    if (state_ != State::kBusy) return;
-    ticks_ += static_cast<std::uint32_t>(ticks);
-    chain_ = n_phases_;
-    n_pieces_ = 0;
-    stage_ = Stage::kSegment;
-    if (segment_ == w_.n_segments) state_ = State::kDone;
-  }
+  // None where the motion before goes on.
+  void add_phase(Real duration, std::uint64_t path, std::uint64_t speed, std::int64_t accel);
+  void end_chain();
 
   static constexpr std::uint64_t kMostTicks = 1u << 30;
 

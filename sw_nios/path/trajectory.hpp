@@ -6,7 +6,6 @@
 #include <cstdint>
 
 #include "sw_nios/path/circle.hpp"
-#include "sw_nios/path/feed_corner.hpp"
 #include "sw_nios/path/feed_path.hpp"
 #include "sw_nios/path/line.hpp"
 #include "sw_nios/path/points.hpp"
@@ -30,9 +29,7 @@ struct PathSetup {
   Sweep::Setup sweep;
   const Point* points = nullptr;  // not owned: must outlive the trajectory
   std::uint32_t n_points = 0;
-  FeedPath::Setup feed;            // lists not owned either, and planned
-  FeedLimits feed_limits;          // by which they are planned
-  std::uint32_t feed_pieces = 0;   // that planning needs at once
+  FeedPath::Setup feed;    // lists not owned either, and planned (feed_plan.hpp)
   std::uint32_t repeats = 1;  // laps; passes of the line, periods of the square wave
 };
 

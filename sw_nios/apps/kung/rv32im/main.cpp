@@ -7,7 +7,6 @@
 #include "sw_nios/apps/kung/console.hpp"
 #include "sw_nios/apps/kung/setup_words.hpp"
 #include "sw_nios/hal/soc_map.hpp"
-#include "sw_nios/path/feed_plan.hpp"
 
 namespace trammel::sw {
 namespace {
@@ -24,28 +23,13 @@ class MappedBus final : public Bus {
   void write(std::uint32_t addr, std::uint32_t data) override { at(map::kChip + addr) = data; }
 };
 
-// Behind the segments are their phases, and the pieces while it plans.
-void plan(KungSetup& setup, std::uint32_t address) {
-  FeedPlanner::Work work;
-  work.segments = reinterpret_cast<FeedSegment*>(address);
-  work.n_segments = setup.feed.n_segments;
-  work.phases = reinterpret_cast<FeedPhase*>(work.segments + work.n_segments);
-  work.phase_room = setup.feed.n_phases;
-  work.pieces = reinterpret_cast<FeedPiece*>(work.phases + work.phase_room);
-  work.piece_room = setup.feed_pieces;
-  setup.feed.segments = work.segments;
-  setup.feed.phases = work.phases;
-  FeedPlanner planner(work, setup.feed_limits);
-  while (planner.step() == FeedPlanner::State::kBusy) {
-  }
-  if (planner.state() != FeedPlanner::State::kDone) setup.feed.n_segments = 0;  // it stays
-}
-
 KungSetup given(const SetupWords& words) {
   KungSetup setup;
   if ((words.flags & SetupWords::kUsed) != 0) unpack(words, setup);
   setup.points = reinterpret_cast<const Point*>(words.points);
-  if (setup.path == Path::kFeed) plan(setup, words.points);
+  const auto* segments = reinterpret_cast<const FeedSegment*>(words.points);
+  setup.feed.segments = segments;
+  setup.feed.phases = reinterpret_cast<const FeedPhase*>(segments + setup.feed.n_segments);
   return setup;
 }
 

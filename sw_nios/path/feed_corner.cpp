@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sw_nios/path/feed_corner.hpp"
+
+#include "sw_nios/path/q32.hpp"
+
+namespace trammel::sw {
+namespace {
+
+constexpr Real kShare = Real::ratio(7, 10);       // of A along an arc, across it, and in a corner
+constexpr Real kSeen = Real::ratio(3, 2);         // points that see a corner's turn
+constexpr Real kFull = Real::ratio(14, 15);       // of A: the largest turn, 2 kShare/kSeen
+constexpr Real kHalf = Real::ratio(35, 100);      // of A: along the path where a corner takes kFull
+constexpr Real kStraight = Real::ratio(5, 1000);  // of A: a turn that leaves all of it
+constexpr Real kSharp = Real::ratio(700000001, 1000000000);  // kShare, and what rounding adds
+constexpr Real kTiny = Real::ratio(1, std::uint64_t{1} << 60);
+constexpr std::uint32_t kSlow = 1024;  // of the segments' speed: a corner that is a stop
+constexpr std::uint64_t kHalfDegree = 40244041747161352;  // Q62: its sine
+
+Real least(const FeedLimits& l) {
+  return Real(l.accel_x < l.accel_y ? l.accel_x : l.accel_y, kFeedBits);
+}
+
+}  // namespace
+
+FeedBounds feed_bounds(const FeedSegment& g, const FeedLimits& l) {
+  FeedBounds b{Real(g.feed, kFeedBits), {}};
+  if (g.radius != 0) {
+    b.accel = kShare * least(l);
+    b.speed = min(b.speed, sqrt(b.accel * Real(g.radius, 32)));
+    return b;
+  }
+  const Real x(magnitude(g.dx), 30), y(magnitude(g.dy), 30);
+  const Real ax(l.accel_x, kFeedBits), ay(l.accel_y, kFeedBits);
+  b.accel = x.zero() ? ay / y : y.zero() ? ax / x : min(ax / x, ay / y);
+  return b;
+}
+
+FeedBounds feed_corner(const FeedSegment& p, const FeedSegment& q, const FeedLimits& limits) {
+  const FeedBounds before = feed_bounds(p, limits), behind = feed_bounds(q, limits);
+  FeedBounds c{min(before.speed, behind.speed), min(before.accel, behind.accel)};
+  const Real A = least(limits), one(1), two(2);
+  const Real sine = min(Real(p.half_sine, 62), one);
+  if (sine.zero()) return c;
+  const Real tangent = sine / sqrt(max(one - sine * sine, kTiny));
+  const Real shorter = Real(p.length < q.length ? p.length : q.length, 32);
+  Real bend;  // mean curvature of both
+  if (p.radius != 0) bend = one / (two * Real(p.radius, 32));
+  if (q.radius != 0) bend = bend + one / (two * Real(q.radius, 32));
+
+  c.speed = min(c.speed, kShare * A / (kSeen * sine));
+  if (bend.zero()) c.speed = min(c.speed, sqrt(kShare * A * shorter / (two * tangent)));
+  // Shares of A that the turn takes, of one corner and of many within a point, and the arcs.
+  const auto turn = [&] {
+    return max(two * sine * c.speed / A, two * tangent * c.speed * c.speed / (shorter * A));
+  };
+  const auto load = [&] { return turn() + bend * c.speed * c.speed / A; };
+  if (!(turn() > kStraight)) return c;
+  if (!bend.zero() && load() > kFull) c.speed = c.speed * kFull / load();
+  if (turn() > kStraight) {
+    c.accel = min(c.accel, (load() > kSharp ? kHalf : kShare) * A);
+  }
+  return c;
+}
+
+bool feed_stops(const FeedSegment& p, const FeedSegment& q, const FeedLimits& limits) {
+  if (p.exact && p.half_sine > kHalfDegree) return true;
+  const Real both = min(feed_bounds(p, limits).speed, feed_bounds(q, limits).speed);
+  return feed_corner(p, q, limits).speed * Real(kSlow) < both;
+}
+
+}  // namespace trammel::sw

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sw_nios/path/feed_real.hpp"
+
+namespace trammel::sw {
+
+Real Real::make(std::uint64_t m, int e) {
+  Real r;
+  if (m == 0) return r;
+  for (int step = 32; step != 0; step >>= 1) {
+    if (m >> (64 - step) != 0) continue;
+    m <<= step;
+    e -= step;
+  }
+  r.m_ = m;
+  r.e_ = e;
+  return r;
+}
+
+Real::Real(std::uint64_t value, int fraction) : Real(make(value, -fraction)) {}
+
+std::uint64_t Real::fixed(int fraction) const {
+  const int shift = e_ + fraction;
+  if (m_ == 0 || shift < -64) return 0;
+  if (shift > 0) return ~std::uint64_t{0};
+  if (shift == 0) return m_;
+  const std::uint64_t half = m_ >> (-shift - 1) & 1u;
+  return shift == -64 ? half : (m_ >> -shift) + half;
+}
+
+bool operator<(const Real& a, const Real& b) {
+  if (a.m_ == 0 || b.m_ == 0) return a.m_ < b.m_;
+  return a.e_ != b.e_ ? a.e_ < b.e_ : a.m_ < b.m_;
+}
+
+Real operator*(const Real& a, const Real& b) {
+  if (a.m_ == 0 || b.m_ == 0) return {};
+  return Real::make(mul_high(a.m_, b.m_), a.e_ + b.e_ + 64);
+}
+
+Real operator/(const Real& a, const Real& b) {
+  if (a.m_ == 0) return {};
+  std::uint64_t rest = a.m_, quotient = 0;
+  for (int bit = 0; bit < 64; ++bit) {
+    const bool carry = bit != 0 && rest >> 63 != 0;
+    if (bit != 0) rest <<= 1;
+    quotient <<= 1;
+    if (carry || rest >= b.m_) {
+      rest -= b.m_;
+      quotient |= 1;
+    }
+  }
+  return Real::make(quotient, a.e_ - b.e_ - 63);
+}
+
+Real operator+(const Real& a, const Real& b) {
+  if (a.m_ == 0) return b;
+  if (b.m_ == 0) return a;
+  if (a.e_ < b.e_) return b + a;
+  const int shift = a.e_ - b.e_;
+  if (shift > 63) return a;
+  const std::uint64_t sum = a.m_ + (b.m_ >> shift);
+  return sum >= a.m_ ? Real::make(sum, a.e_) : Real::make(sum >> 1 | std::uint64_t{1} << 63, a.e_ + 1);
+}
+
+Real operator-(const Real& a, const Real& b) {
+  if (a <= b) return {};
+  const int shift = a.e_ - b.e_;
+  return b.m_ == 0 || shift > 63 ? a : Real::make(a.m_ - (b.m_ >> shift), a.e_);
+}
+
+Real sqrt(const Real& a) {
+  if (a.m_ == 0) return {};
+  const int even = (a.e_ & 1) != 0 ? 1 : 2;
+  std::uint64_t rest = a.m_ >> even, root = 0;
+  for (std::uint64_t bit = std::uint64_t{1} << 62; bit != 0; bit >>= 2) {
+    const bool one = rest >= root + bit;
+    if (one) rest -= root + bit;
+    root = (root >> 1) + (one ? bit : 0);
+  }
+  const Real first = Real::make(root, (a.e_ + even) / 2);  // 31 bits; a step of Newton doubles them
+  const Real sum = first + a / first;
+  return Real::make(sum.m_, sum.e_ - 1);
+}
+
+}  // namespace trammel::sw
