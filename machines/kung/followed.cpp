@@ -42,7 +42,7 @@ Followed::Followed(const sw::PathSetup& path, double count_m, const Options& opt
       asked_m_(options.reached_m),
       limit_m_(options.reached_m > 0
                    ? options.reached_m
-                   : automatic_limit(path_, path.path == PathKind::kSquare, count_m,
+                   : automatic_limit(path_, options.path.kind == PathKind::kSquare, count_m,
                                      options.diverged_m)) {}
 
 void Followed::add(const PointM& table, double beside_m) {

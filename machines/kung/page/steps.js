@@ -10,9 +10,12 @@
   function periodPlot(run, axis) {
     const d = run.data;
     const o = run.metrics.options;
-    const length = Math.max(2, Math.round(2 * o['path.square_half_samples'] / run.stride));
+    // Whole points under the feed profile.
+    const point = o['path.profile'] === 'feed' ? o['chip.irq_period_ticks'] : 1;
+    const samples = Math.ceil(o['path.square_half_samples'] / point) * point;
+    const length = Math.max(2, Math.round(2 * samples / run.stride));
     const periods = Math.max(1, Math.floor(d.n / length));
-    const half = o['path.square_half_samples'] / o['chip.position_Hz'];
+    const half = samples / o['chip.position_Hz'];
     const plot = { id: `periods-${axis}`, title: `${axis.toUpperCase()} all periods`,
       height: (width) => (width < 420 ? 240 : 300) };
     plot.scene = function (p, width, height, theme) {

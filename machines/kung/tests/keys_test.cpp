@@ -53,9 +53,17 @@ TEST_CASE("each key sets its own member, in its own axis") {
   using P = PathOptions;
   const auto path = [](const Options& o) -> const P& { return o.path; };
   m.add("path.kind", [](const Options& o) { return o.path.kind; });
+  m.add("path.profile", [](const Options& o) { return o.path.profile; });
+  m.add("path.corner", [](const Options& o) { return o.path.corner; });
+  for (const std::size_t a : {std::size_t{0}, std::size_t{1}}) {
+    add<>(m, a == 0 ? "path.x." : "path.y.",
+          [a](const Options& o) -> const AxisPath& { return o.path.axis[a]; },
+          {std::pair{"accel_m_s2", &AxisPath::accel_m_s2}});
+  }
   m.add("path.sweep_of", [](const Options& o) { return o.path.sweep_of; });
   add_whole<>(m, "path.", path,
-              {std::pair{"repeats", &P::repeats}, {"circle_ticks", &P::circle_ticks},
+              {std::pair{"repeats", &P::repeats}, {"mean_points", &P::mean_points},
+               {"circle_ticks", &P::circle_ticks},
                {"window_arc_ticks", &P::window_arc_ticks},
                {"star_stroke_ticks", &P::star_stroke_ticks},
                {"square_half_samples", &P::square_half_samples},
@@ -73,7 +81,9 @@ TEST_CASE("each key sets its own member, in its own axis") {
          {"square_low_m", &P::square_low_m}, {"square_high_m", &P::square_high_m},
          {"line_start_x_m", &P::line_start_x_m}, {"line_start_y_m", &P::line_start_y_m},
          {"line_end_x_m", &P::line_end_x_m}, {"line_end_y_m", &P::line_end_y_m},
-         {"sweep_center_m", &P::sweep_center_m}, {"sweep_amplitude_m", &P::sweep_amplitude_m},
+         {"feed_m_s", &P::feed_m_s}, {"rapid_m_s", &P::rapid_m_s},
+         {"feed_max_m_s", &P::feed_max_m_s}, {"sweep_center_m", &P::sweep_center_m},
+         {"sweep_amplitude_m", &P::sweep_amplitude_m},
          {"sweep_amplitude_A", &P::sweep_amplitude_A}});
   using C = ChipOptions;
   const auto chip = [](const Options& o) -> const C& { return o.chip; };
