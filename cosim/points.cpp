@@ -10,6 +10,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "cosim/gcode.hpp"
 #include "cosim/input_file.hpp"
 
 namespace trammel::cosim {
@@ -113,6 +114,28 @@ std::vector<PointM> read_points_csv(std::istream& text, const std::string& name,
     refuse(name, line_number, what.str());
   }
   return points;
+}
+
+ideal::Moves lines_through(const std::vector<PointM>& points, const std::string& name,
+                           double feed_m_s, bool exact) {
+  constexpr double kShortest = 1e-9;  // [m]
+  ideal::Moves all;
+  ideal::Move line;
+  line.feed = feed_m_s;
+  line.exact = exact;
+  for (const PointM& point : points) {
+    line.to = {point.x_m, point.y_m};
+    if (&point == &points.front()) all.start = line.from = line.to;
+    if (line.length() < kShortest) continue;
+    all.moves.push_back(line);
+    line.from = line.to;
+  }
+  if (all.moves.empty()) throw std::invalid_argument(name + ": a path needs 2 points that differ");
+  if (all.moves.size() > kMostMoves) {
+    throw std::invalid_argument(name + ": " + std::to_string(all.moves.size()) +
+                                " lines; permitted: " + std::to_string(kMostMoves));
+  }
+  return all;
 }
 
 std::vector<PointM> read_points_csv(const std::string& file, const PointRange& range) {

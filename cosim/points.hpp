@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "models/ideal/moves.hpp"
+
 namespace trammel::cosim {
 
 struct PointM {
@@ -23,5 +25,10 @@ struct PointRange {
 std::vector<PointM> read_points_csv(std::istream& text, const std::string& name,
                                     const PointRange& range);
 std::vector<PointM> read_points_csv(const std::string& file, const PointRange& range);
+
+// Lines from point to point, for a table that chooses the time; a point that repeats the one before
+// is none. `name` begins messages; `exact`: it stops at every corner of 1 degree and more.
+ideal::Moves lines_through(const std::vector<PointM>& points, const std::string& name,
+                           double feed_m_s, bool exact);
 
 }  // namespace trammel::cosim

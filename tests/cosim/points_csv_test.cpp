@@ -6,6 +6,9 @@
 
 namespace {
 
+using trammel::cosim::lines_through;
+using trammel::cosim::PointM;
+
 std::vector<trammel::cosim::PointM> read(const std::string& text) {
   std::istringstream stream(text);
   return trammel::cosim::read_points_csv(stream, "p.csv", {0, 600});
@@ -61,4 +64,25 @@ TEST_CASE("a header that swaps the columns or names another unit is refused") {
     CAPTURE(header);
     CHECK(read(std::string(header) + "\n1,2\n").size() == 1);
   }
+}
+
+TEST_CASE("points are a path of lines, repeated ones are left out") {
+  const std::vector<PointM> points{{0.1, 0.1}, {0.1, 0.1}, {0.2, 0.1}, {0.2, 0.1}, {0.2, 0}};
+  const trammel::ideal::Moves all = lines_through(points, "p.csv", 0.3, true);
+  CHECK(all.start.x == 0.1);
+  REQUIRE(all.moves.size() == 2);
+  CHECK(all.moves[0].to.x == 0.2);
+  CHECK(all.moves[1].from.x == 0.2);
+  CHECK(all.moves[1].to.y == 0);
+  for (const trammel::ideal::Move& move : all.moves) {
+    CHECK(move.feed == 0.3);
+    CHECK(move.exact);
+    CHECK_FALSE(move.stop);
+  }
+  CHECK_THROWS_WITH(lines_through({{0.1, 0.1}, {0.1, 0.1}}, "p.csv", 0.3, false),
+                    "p.csv: a path needs 2 points that differ");
+  std::vector<PointM> many;
+  for (int k = 0; k < 4098; ++k) many.push_back({1e-4 * k, 0});
+  CHECK_THROWS_WITH(lines_through(many, "p.csv", 0.3, false),
+                    "p.csv: 4097 lines; permitted: 4096");
 }
