@@ -9,6 +9,7 @@
 #include <memory>
 #include <sstream>
 
+#include "cosim/gcode.hpp"
 #include "cosim/points.hpp"
 #include "lab/files.hpp"
 #include "lab/layers.hpp"
@@ -19,6 +20,7 @@
 #include "lab/scenarios.hpp"
 #include "lab/text.hpp"
 #include "lab/write.hpp"
+#include "tests/support/moves_check.hpp"
 
 namespace trammel::fuzz {
 
@@ -83,6 +85,21 @@ void points(const std::string& bytes) {
   std::istringstream text(bytes);
   try {
     cosim::read_points_csv(text, "points.csv", {-600, 600});
+  } catch (const std::invalid_argument& error) {
+    check_message(error);
+  }
+}
+
+void gcode(const std::string& bytes) {
+  cosim::GcodeTable table;
+  table.start = table.home = {0.25, 0.25};
+  try {
+    const cosim::GcodeProgram program = cosim::read_gcode(bytes, "part.ngc", table);
+    const std::string problem = test::moves_problem(program.moves, table.low, table.high);
+    if (!problem.empty()) finding("moves that do not hold together: " + problem);
+    for (const std::string& warning : program.warnings) {
+      check_message(std::runtime_error(warning));
+    }
   } catch (const std::invalid_argument& error) {
     check_message(error);
   }
@@ -161,6 +178,7 @@ void Inputs::try_one(const std::string& target, const std::string& bytes) {
   if (target == "keys") return keys(bytes);
   if (target == "scenario") return scenario(bytes);
   if (target == "points") return points(bytes);
+  if (target == "gcode") return gcode(bytes);
   if (target == "folder") return folder(bytes);
   for (const Target& own : machine_targets()) {
     if (own.name == target) return own.run(bytes);

@@ -5,8 +5,9 @@ usage: scripts/tool fuzz [--part PART] [--runs N | --minutes N] [--seed N]
        scripts/tool fuzz --short      what the test fuzz.short runs, with the sanitized build
 
 Parts, all of them unless one is named; N is of each:
-  inside    keys, scenarios, tables of points, LM628 scripts and folders of runs, by libFuzzer
-            under the address and undefined-behaviour sanitizers (preset fuzz, needs Clang)
+  inside    keys, scenarios, tables of points, G-code, LM628 scripts and folders of runs, by
+            libFuzzer under the address and undefined-behaviour sanitizers (preset fuzz, needs
+            Clang)
   starts    starts of the program with random command lines, files and folders
   disks     runs against small disks, kills, little memory, bad streams, and each other
 

@@ -18,10 +18,10 @@ BINARY = BUILD / "tests" / "fuzz" / "trammel_fuzz"
 FINDINGS = BUILD / "findings"
 # Longest input; share of the cases. An input of a run's folder makes files and a page.
 TARGETS = {"folder": (20000, 0.03), "keys": (1000, 0.15), "scenario": (4000, 0.25),
-           "points": (2000, 0.3)} | {name: (table["longest"], table["share"])
+           "points": (2000, 0.1), "gcode": (3000, 0.2)} | {name: (table["longest"], table["share"])
                                      for name, table in fuzz_seeds.targets().items()}
 REPLAY = ROOT / "build" / "asan" / "tests" / "fuzz" / "trammel_fuzz_replay"
-REPLAYED = {"keys": 1500, "scenario": 2000, "points": 8000, "folder": 60}
+REPLAYED = {"keys": 1500, "scenario": 2000, "points": 4000, "gcode": 8000, "folder": 60}
 ENVIRONMENT = os.environ | {"ASAN_OPTIONS": "detect_stack_use_after_return=0",
                             "UBSAN_OPTIONS": "print_stacktrace=1"}
 

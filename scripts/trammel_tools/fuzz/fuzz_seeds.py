@@ -12,6 +12,11 @@ WORDS = ["true", "false", "nan", "inf", "-inf", "1e308", "-9223372036854775808",
          "9223372036854775808", '"""', "'''", "[[", "]]", "\\u001b", "\\U0010ffff", "\x1b[2J",
          "\xff", "\xef\xbb\xbf", "../", "/dev/zero", "\r\n", "1979-05-27T07:32:00Z", "# "]
 
+GCODE = ["%\nN10 G21 G90 G64\nG1 F6000 X200 Y.5 (a)\nG2 X210 Y10.5 I10 J0\nM30\n%\n",
+         "g20g91\r\ng1f100x-1.5\r\ng3x.1r.1\r\ng3x-.1r-.1\r\n/g0\r\nm2\r\n",
+         "G61 G3 I5 F90000\nG4 P0.5\nG28 X0 Y600\nZ5 S1 T2 M3 ; b\nG0 X+.1 Y-0",
+         "G0 X10 F600\nG2 X29.99 Y250.01 I10\nG3 X10 Y250 I-9.995 J-.005\nG2 X10.0001 I5"]
+
 
 class SeedError(Exception):
     """A run that seeds are made of ends otherwise than it should."""
@@ -82,6 +87,7 @@ def write_seeds(program, runs, folder):
                 put(folder / "folder", 10 * index + place, bytes([index + 16 * place]) + short)
         put(folder / "scenario", index, (runs / name / "run.toml").read_bytes())
     seeds = {"scenario": sorted(ROOT.glob("machines/*/scenarios/*.toml"))}
+    seeds["gcode"] = sorted(ROOT.glob("machines/*/scenarios/*.ngc"))
     seeds |= {target: table["files"] for target, table in targets().items()}
     for target, paths in seeds.items():
         for number, path in enumerate(paths):
@@ -89,6 +95,8 @@ def write_seeds(program, runs, folder):
     for number, text in enumerate(["x_mm,y_mm\n1,2\n3.5,4e1\n", "# points\r\n1, 2\r\n\r\n",
                                    "\xef\xbb\xbf1,2\n-1,+2\n", "1,nan\n"]):
         put(folder / "points", number, text.encode("latin-1"))
+    for number, text in enumerate(GCODE):
+        put(folder / "gcode", number, text.encode("latin-1"))
 
 
 def write_dictionary(program, file):
