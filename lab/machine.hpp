@@ -35,6 +35,13 @@ struct Experiment {
   std::vector<std::string> assignments;  // key=value
 };
 
+// A file in a language of its own that is run as a scenario is: `trammel run part.ngc`.
+struct ProgramFile {
+  std::vector<std::string> extensions;   // ".ngc", in small letters
+  std::string key;                       // whose value the file is
+  std::vector<std::string> assignments;  // key=value: what else differs from the defaults
+};
+
 // What a machine's report page needs besides its figures and columns.
 struct Page {
   std::vector<std::string> texts, counts, numbers, objects, arrays;  // members of metrics.json
@@ -74,6 +81,8 @@ struct Machine {
   const cosim::TriggerForms& (*triggers)() = nullptr;
   double vcd_bytes_s = 1e10;
   double fst_bytes_s = 1e8;
+
+  ProgramFile program;  // no extension: there is none
 
   // What lets another program take part in a run, in real time, as key=value; none: nothing does.
   std::vector<std::string> live;

@@ -5,6 +5,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "lab/build_info.hpp"
 #include "lab/files.hpp"
@@ -49,6 +50,17 @@ const Machine& machine_named(const std::string& text, const fs::path& file) {
                                 fmt::join(machine_names(), ", "), hint(name, machine_names())));
 }
 
+// Defaults of the machine with a program in place of a scenario.
+std::unique_ptr<Settings> of_program(const Machine& machine, const fs::path& file) {
+  auto settings = machine.defaults();
+  settings->scenario = file.stem().string();
+  for (const std::string& text : machine.program.assignments) {
+    apply_assignment(*settings, text, file.string());
+  }
+  apply_assignment(*settings, machine.program.key + '=' + file.string(), file.string());
+  return settings;
+}
+
 }  // namespace
 
 fs::path machine_folder(const std::string& machine) {
@@ -57,7 +69,27 @@ fs::path machine_folder(const std::string& machine) {
 
 void take_data_from(const std::string& folder) { data_folder() = folder; }
 
+const Machine* machine_of_program(const fs::path& file) {
+  std::string extension = file.extension();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  for (const Machine* machine : machines()) {
+    const auto& all = machine->program.extensions;
+    if (std::find(all.begin(), all.end(), extension) != all.end()) return machine;
+  }
+  return nullptr;
+}
+
+std::vector<std::string> program_extensions() {
+  std::vector<std::string> all;
+  for (const Machine* machine : machines()) {
+    all.insert(all.end(), machine->program.extensions.begin(), machine->program.extensions.end());
+  }
+  return all;
+}
+
 const Machine& machine_of(const fs::path& file) {
+  if (const Machine* const machine = machine_of_program(file)) return *machine;
   return machine_named(read_text(file, kMostWritten), file);
 }
 
@@ -94,9 +126,13 @@ fs::path find_built_in(const std::string& name, const std::string& extension,
                                 fmt::join(names, ", "), extension));
 }
 
-fs::path find_scenario(const std::string& name) { return find_built_in(name, ".toml", "scenario"); }
+fs::path find_scenario(const std::string& name) {
+  if (machine_of_program(name) != nullptr) return name;
+  return find_built_in(name, ".toml", "scenario");
+}
 
 std::unique_ptr<Settings> load_scenario(const fs::path& file) {
+  if (const Machine* const machine = machine_of_program(file)) return of_program(*machine, file);
   const std::string text = read_text(file, kMostWritten);
   auto settings = machine_named(text, file).defaults();
   settings->scenario = file.stem().string();

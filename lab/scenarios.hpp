@@ -24,7 +24,11 @@ std::vector<std::filesystem::path> built_in(const std::string& extension);
 std::filesystem::path find_built_in(const std::string& name, const std::string& extension,
                                     const std::string& kind);
 
-// A built-in scenario's name or a path to a .toml file.
+// The machine that runs a file of this name as a program; nullptr: none does.
+const Machine* machine_of_program(const std::filesystem::path& file);
+std::vector<std::string> program_extensions();  // of all machines
+
+// A built-in scenario's name or a path to a .toml file or to a program of a machine.
 std::filesystem::path find_scenario(const std::string& name);
 std::vector<std::filesystem::path> scenarios();
 
@@ -32,7 +36,8 @@ std::vector<std::filesystem::path> scenarios();
 // file cannot be parsed, which reading it as a scenario will report.
 const Machine& machine_of(const std::filesystem::path& file);
 
-// A scenario as its file has it: defaults of its machine, then the file.
+// A scenario as its file has it: defaults of its machine, then the file. Of a program the defaults
+// with that program; reading it is left to lab::validate.
 std::unique_ptr<Settings> load_scenario(const std::filesystem::path& file);
 
 // The command that repeats a run: a built-in scenario with what differs from it, or its run.toml.

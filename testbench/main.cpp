@@ -14,6 +14,7 @@
 
 #include "lab/errors.hpp"
 #include "lab/machine.hpp"
+#include "lab/scenarios.hpp"
 #include "lab/text.hpp"
 #include "testbench/arguments.hpp"
 #include "testbench/run.hpp"
@@ -42,6 +43,13 @@ void catch_interrupts(bool conversation = false) {
 const CLI::Validator named(
     [](std::string& name) { return std::string(name.empty() ? "needs a name" : ""); }, "");
 
+std::string scenario_help() {
+  const std::vector<std::string> programs = trammel::lab::program_extensions();
+  return fmt::format("name of a built-in scenario, or path of a .toml file{}",
+                     programs.empty() ? "" : fmt::format(" or of a program, {}",
+                                                         fmt::join(programs, ", ")));
+}
+
 struct CommandLine {
   CLI::App app{"Trammel: simulates motion-control ICs clock by clock, with the machine they drive"};
   tb::Arguments arguments;
@@ -61,7 +69,7 @@ struct CommandLine {
     app.add_flag("--json", arguments.json, "print exactly one JSON document");
 
     run = app.add_subcommand("run", "simulate a scenario and report how well the machine followed");
-    add_layers(run, "scenario", "name of a built-in scenario, or path of a .toml file",
+    add_layers(run, "scenario", scenario_help(),
                "output folder; default: out/<scenario>");
     add_simulation(run,
                    "event that places the window, such as `x.e > 100`, found by an untraced run "

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Files that machines run in place of a scenario, by the same rules for every machine.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <set>
+
+#include "lab/layers.hpp"
+#include "lab/scenarios.hpp"
+
+using namespace trammel;
+using namespace trammel::lab;
+namespace fs = std::filesystem;
+
+TEST_CASE("a program is run by the machine that knows its extension, named as its file") {
+  std::set<std::string> seen;
+  for (const Machine* const machine : machines()) {
+    for (const std::string& extension : machine->program.extensions) {
+      CAPTURE(machine->name, extension);
+      CHECK(extension.front() == '.');
+      CHECK(seen.insert(extension).second);  // one machine alone
+      const std::string name = "some/my part=1" + extension;
+      CHECK(find_scenario(name) == name);
+      CHECK(machine_of_program(name) == machine);
+      CHECK(&machine_of(name) == machine);
+      const auto settings = load_scenario(name);
+      CHECK(&settings->machine() == machine);
+      CHECK(settings->scenario == "my part=1");
+      const auto keys = find_keys(machine->keys(), machine->program.key);
+      REQUIRE(keys.size() == 1);
+      CHECK(keys.front()->kind == Kind::kFile);
+      CHECK(std::get<std::string>(keys.front()->get(*settings)) == fs::absolute(name).string());
+      for (const std::string& text : machine->program.assignments) {
+        const auto set = machine->defaults();
+        apply_assignment(*set, text);
+        const Key* const key = find_keys(machine->keys(), text.substr(0, text.find('='))).front();
+        CHECK(key->get(*settings) == key->get(*set));
+      }
+    }
+  }
+  CHECK(seen.size() == program_extensions().size());
+}
+
+TEST_CASE("the extension of a program may be in capitals, another one is that of a scenario") {
+  for (std::string extension : program_extensions()) {
+    std::transform(extension.begin(), extension.end(), extension.begin(), ::toupper);
+    CHECK(machine_of_program("A" + extension) != nullptr);
+  }
+  CHECK(machine_of_program("circle") == nullptr);
+  CHECK(machine_of_program("a.toml") == nullptr);
+  CHECK(machine_of_program("") == nullptr);
+  CHECK_THROWS_AS(find_scenario("none"), ConfigError);
+}
