@@ -147,7 +147,7 @@ std::vector<std::string> advice(const lab::Settings& settings) {
   PathStore store;
   const sw::KungSetup setup = plan_firmware(options, store);
   const std::array<Demand, 2> most = demand(options, setup);
-  std::vector<std::string> lines;
+  std::vector<std::string> lines = options.path.moves_warnings;
   const cosim::ProcessorOptions& cpu = options.processor;
   const Options usual;
   if (options.cpu == Cpu::kRtl &&

@@ -27,8 +27,12 @@ std::vector<std::string> enum_names<kung::Corner>() {
   return {"auto", "stop", "pass"};
 }
 template <>
+std::vector<std::string> enum_names<kung::PointsMode>() {
+  return {"timed", "path"};
+}
+template <>
 std::vector<std::string> enum_names<kung::PathKind>() {
-  return {"circle", "window", "star", "square", "line", "points", "sweep"};
+  return {"circle", "window", "star", "square", "line", "points", "sweep", "gcode"};
 }
 
 }  // namespace trammel::lab
@@ -93,7 +97,8 @@ void add_faults(Table& t) {
 void add_path(Table& t) {
   const auto add = keys_of(t, "path.", [](auto& o) -> auto& { return o.path; });
   add("kind", 0, 0, "which generator", &PathOptions::kind);
-  add("repeats", 1, 1000, "passes of a circle, window, star or points path", &PathOptions::repeats);
+  add("repeats", 1, 1000, "passes of a circle, window, star, points or program path",
+      &PathOptions::repeats);
   add("circle_radius_m", 1e-4, 0.3, "of the circle", &PathOptions::circle_radius_m);
   add("circle_center_x_m", 0, 0.6, "centre of the circle", &PathOptions::circle_center_x_m);
   add("circle_center_y_m", 0, 0.6, "centre of the circle", &PathOptions::circle_center_y_m);
@@ -155,8 +160,18 @@ void add_path(Table& t) {
           [axis](auto& o) -> auto& { return o.path.axis[axis].accel_m_s2; });
   }
   t.file("path.points_file",
-         "CSV of x_mm,y_mm, one point per interrupt; a relative path starts at the scenario file",
+         "CSV of x_mm,y_mm; a relative path starts at the scenario file",
          TRAMMEL_LENS(path.points_file));
+  add("points_mode", 0, 0,
+      "one point per interrupt, or lines from point to point under the feed profile",
+      &PathOptions::points_mode);
+  t.file("path.gcode_file",
+         "program in G-code, see docs/gcode.md; a relative path starts at the scenario file",
+         TRAMMEL_LENS(path.gcode_file));
+  add("start_x_m", 0, 0.6, "where the table rests before a program", &PathOptions::start_x_m);
+  add("start_y_m", 0, 0.6, "where the table rests before a program", &PathOptions::start_y_m);
+  add("home_x_m", 0, 0.6, "where G28 of a program goes", &PathOptions::home_x_m);
+  add("home_y_m", 0, 0.6, "where G28 of a program goes", &PathOptions::home_y_m);
 }
 
 void add_gains(Table& t, std::size_t axis) {

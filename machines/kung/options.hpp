@@ -33,6 +33,7 @@ using PathKind = sw::Path;            // as the firmware names them
 enum class SweepOf { kPosition, kCurrent };  // what a sweep commands
 enum class Profile { kConstant, kFeed };     // of the speed along a path
 enum class Corner { kAuto, kStop, kPass };   // under the feed profile
+enum class PointsMode { kTimed, kPath };     // one point an interrupt; lines that are followed
 
 using cosim::PointM;
 
@@ -138,10 +139,19 @@ struct PathOptions {
   int mean_points = 8;            // over which the path length is averaged
   Corner corner = Corner::kAuto;  // stop in the shapes, pass in files
   std::array<AxisPath, 2> axis;
-  ideal::Moves moves;             // of a program, for the feed profile; none: a shape or points
 
-  std::string points_file;        // CSV of x_mm,y_mm; one point per interrupt
+  std::string points_file;        // CSV of x_mm,y_mm
+  PointsMode points_mode = PointsMode::kTimed;
   std::vector<PointM> points;     // its content
+
+  std::string gcode_file;         // docs/gcode.md
+  double start_x_m = 0.25;        // where the table rests before the program
+  double start_y_m = 0.25;
+  double home_x_m = 0.25;         // where its G28 goes
+  double home_y_m = 0.25;
+
+  ideal::Moves moves;             // of a file, for the feed profile; none: a shape or timed points
+  std::vector<std::string> moves_warnings;  // of the reader
 };
 
 // Faults injected into what the chip sees; 0 = never.

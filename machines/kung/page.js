@@ -7,7 +7,7 @@
   const kMm = 1e3;
 
   const kKinds = ['circle', 'window', 'star', 'square', 'line', 'points',
-    'sweep'];
+    'sweep', 'gcode'];
 
   T.controller = (m) => (m.options.controller === 'fc' ? 'FC' : 'AFC');
   T.isResponse = (f) => /^[xy]\.response\./.test(f.id);

@@ -10,8 +10,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "cosim/points.hpp"
 #include "machines/kung/machine.hpp"
+#include "machines/kung/path_files.hpp"
 #include "machines/kung/plan_feed.hpp"
 #include "machines/kung/plan_parts.hpp"
 #include "machines/kung/words.hpp"
@@ -27,7 +27,6 @@ constexpr int kMaxStrokeCounts = 130000;  // the model's integrator holds 131071
 constexpr double kLeastTurnCounts = 16;
 constexpr int kInterpolated = 4;  // position samples in which the chip reaches a point
 constexpr double kMaxPoints = 2147483647;
-constexpr cosim::PointRange kTable{0, 600};  // [mm]
 constexpr std::array<std::uint32_t, 3> kPositionHz{1000, 2000, 4000};  // by RATES.position
 
 // Interrupts for a stretch of that length: enough to stay below the maximum feed.
@@ -110,7 +109,7 @@ sw::PathSetup plan_path(const Options& options, const Encoder& encoder,
       s.n_points = static_cast<std::uint32_t>(store.points.size());
       break;
     case PathKind::kSweep: s.sweep = plan_sweep(options, encoder); break;
-    case PathKind::kFeed: break;  // no key names it
+    case PathKind::kFeed: break;  // G-code, which the feed profile drives
   }
   const bool square = p.kind == PathKind::kSquare;
   const int repeats = square ? p.square_periods : p.repeats;
@@ -373,17 +372,9 @@ sw::KungSetup plan_firmware(const Options& options, PathStore& store) {
 
 void validate(lab::Settings& settings) {
   auto& options = static_cast<Options&>(settings);
-  PathOptions& path = options.path;
   PathStore store;
   try {
-    if (path.kind == PathKind::kPoints) {
-      require(!path.points_file.empty(), "path.points_file: is needed with path.kind = \"points\"");
-      try {
-        path.points = cosim::read_points_csv(path.points_file, kTable);
-      } catch (const std::invalid_argument& error) {
-        throw lab::ConfigError(fmt::format("path.points_file: {}", error.what()));
-      }
-    }
+    read_path_files(options);
     plan_firmware(options, store);
     check_cpu(options);
   } catch (const std::invalid_argument& error) {

@@ -23,16 +23,6 @@ double point_s(const Options& options) {
   return ticks_per_point(options.path, options.chip.irq_period_ticks) * options.chip.sample_s();
 }
 
-double feed_m_s(const PathOptions& p) {
-  if (p.feed_m_s != 0) return p.feed_m_s;
-  switch (p.kind) {
-    case PathKind::kCircle: return 0.5;
-    case PathKind::kWindow: return 0.35;
-    case PathKind::kStar: return 0.275;
-    default: return 0.3;
-  }
-}
-
 // Appends moves from where the last one ended.
 class Pen {
  public:
@@ -153,9 +143,19 @@ Moves square(const Options& options) {
 
 }  // namespace
 
+double feed_m_s(const PathOptions& p) {
+  if (p.feed_m_s != 0) return p.feed_m_s;
+  switch (p.kind) {
+    case PathKind::kCircle: return 0.5;
+    case PathKind::kWindow: return 0.35;
+    case PathKind::kStar: return 0.275;
+    default: return 0.3;
+  }
+}
+
 bool feeds(const PathOptions& path) {
   if (path.profile != Profile::kFeed || path.is_sweep()) return false;
-  return path.kind != PathKind::kPoints || !path.moves.moves.empty();
+  return path.kind != PathKind::kPoints || path.points_mode == PointsMode::kPath;
 }
 
 ideal::FeedProfile::Limits feed_limits(const Options& options) {
@@ -176,7 +176,7 @@ Moves feed_moves(const Options& options) {
     case PathKind::kStar: return star(p);
     case PathKind::kSquare: return square(options);
     case PathKind::kLine: return line(p);
-    default: return p.moves;
+    default: return p.moves;  // of a file
   }
 }
 

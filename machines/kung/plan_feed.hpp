@@ -13,6 +13,9 @@ namespace trammel::kung {
 // point by point whatever path.profile says.
 bool feeds(const PathOptions& path);
 
+// Of a shape or of lines through points: path.feed_m_s, or what it is by default.
+double feed_m_s(const PathOptions& path);
+
 // Its moves, those of one pass.
 ideal::Moves feed_moves(const Options& options);
 

@@ -48,6 +48,7 @@ class World:
         self.verbs = [(name, verb | {"files": sorted(folder.glob(verb["seeds"]))})
                       for name, folder in machines.folders().items()
                       for verb in fuzz_seeds.fuzz_of(name).get("verbs", [])]
+        self.programs = [text.encode() for text in fuzz_seeds.GCODE]
         self.texts = [path.read_bytes() for path in ROOT.glob("machines/*/scenarios/*.toml")]
 
 
@@ -177,7 +178,8 @@ def case(world, dice, folder):
         words.insert(0, own["name"])
     elif verb == "run":
         names = [scenario for scenario, of in world.scenarios.items() if of == machine]
-        words, given = argument(dice, names, world.texts, ".toml", folder)
+        texts, ending = dice.choice([(world.texts, ".toml")] * 4 + [(world.programs, ".ngc")])
+        words, given = argument(dice, names, texts, ending, folder)
         words.insert(0, verb)
     elif verb == "report":
         words += dice.choice([["r"], ["r"], ["r"], ["r", "r"], [], ["folder"], ["r/"], ["."]])
