@@ -35,9 +35,14 @@ class FakeChip final : public sw::Bus {
   bool presets = true;
   bool fault_stays = false;
   std::uint32_t ticks_per_commit = 0;
+  int tick_at_read = 0;  // reads of TICK in an interrupt after which it is one further; 0 = none
 
   std::uint32_t read(std::uint32_t address) override {
     std::uint32_t data = registers[address];
+    if (address == reg::kTick) {
+      data += tick_at_read != 0 && reads_of_tick_ >= tick_at_read ? 1 : 0;
+      ++reads_of_tick_;
+    }
     if (address == reg::kX + reg::kStatus || address == reg::kY + reg::kStatus) {
       std::uint32_t& left = busy_[address >= reg::kY];
       data = shown_status[address >= reg::kY] | (left > 0 ? reg::kStatusBusy : 0);
@@ -70,6 +75,7 @@ class FakeChip final : public sw::Bus {
 
   void tick(std::uint32_t ticks) {
     registers[reg::kTick] += ticks;
+    reads_of_tick_ = 0;
     registers[reg::kIrqStat] |= reg::kIrqStatTick;
   }
 
@@ -90,6 +96,7 @@ class FakeChip final : public sw::Bus {
 
  private:
   std::uint32_t busy_[2] = {0, 0};
+  int reads_of_tick_ = 0;
 };
 
 struct Machine {
@@ -97,7 +104,9 @@ struct Machine {
   sw::KungApp app;
   std::uint32_t period;
 
-  explicit Machine(const sw::KungSetup& setup = {}) : app(setup), period(setup.irq_period) {}
+  explicit Machine(const sw::KungSetup& setup = {}) : app(setup), period(setup.irq_period) {
+    if (setup.precision.on) chip.tick_at_read = 3;  // it waits for that once
+  }
   void interrupt() {
     chip.tick(period);
     app.isr(chip);

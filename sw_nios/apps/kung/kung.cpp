@@ -16,8 +16,15 @@ constexpr std::uint32_t kAllIrqs = reg::kIrqStatTick | reg::kIrqStatFault;
 
 constexpr std::uint32_t word(std::int32_t value) { return static_cast<std::uint32_t>(value); }
 
-constexpr std::uint32_t mode(const AxisSetup& axis, bool current_command) {
-  return reg::kCtrlCurrentLoop | (current_command ? 0 : reg::kCtrlPositionLoop) |
+constexpr std::uint32_t kPrecisionStatus = reg::kStatusUnderrun | reg::kStatusClipped;
+
+static_assert(gain_word({0x7FF, -1}) == (reg::kKpMantMask | reg::kKpExpMask));
+
+constexpr std::uint32_t mode(const AxisSetup& axis, const KungSetup& setup) {
+  if (setup.precision.on) {
+    return reg::kCtrlCurrentLoop | reg::kCtrlPositionLoop | reg::kCtrlPrecision;
+  }
+  return reg::kCtrlCurrentLoop | (setup.current_command ? 0 : reg::kCtrlPositionLoop) |
          (axis.adapt ? reg::kCtrlAdapt : 0) |
          (axis.interpolate ? reg::kCtrlInterpolate : 0) |
          (axis.feedforward ? reg::kCtrlFeedforward : 0);
@@ -69,19 +76,34 @@ void configure_axis(Bus& bus, std::uint32_t base, const AxisSetup& axis, std::in
   bus.write(base + reg::kPosPreset, word(start));
 }
 
-}  // namespace
-
-std::uint32_t gain_word(Gain gain) {
-  return (word(gain.mant) & reg::kKpMantMask) |
-         ((word(gain.exp) << reg::kKpExpShift) & reg::kKpExpMask);
+// The way of the identification move: towards the middle of the stroke.
+constexpr std::int32_t wave(const AxisSetup& axis, const PrecisionAxisSetup& precision,
+                            std::int32_t start) {
+  return 2 * start <= axis.stroke_min + axis.stroke_max ? precision.wave : -precision.wave;
 }
+constexpr Point identification(const KungSetup& setup, Point start) {
+  return {wave(setup.axis[0], setup.precision.axis[0], start.x),
+          wave(setup.axis[1], setup.precision.axis[1], start.y)};
+}
+
+constexpr std::uint32_t lap(const KungSetup& setup, std::uint32_t size) {
+  return setup.repeats == 0 ? size : size / setup.repeats;
+}
+
+}  // namespace
 
 KungApp::KungApp(const KungSetup& setup)
     : setup_(setup),
       trajectory_(setup),
       start_(trajectory_.start()),
       command_(start_),
-      size_(trajectory_.size()) {}
+      size_(trajectory_.size()),
+      precision_(setup.precision, start_, identification(setup, start_), size_,
+                 lap(setup, size_)) {
+  if (!setup.precision.on) return;
+  look_ahead();
+  look_ahead();
+}
 
 bool KungApp::within_stroke(Point point) const {
   const AxisSetup& x = setup_.axis[0];
@@ -95,6 +117,10 @@ bool KungApp::path_within_stroke() const {
   once.repeats = 1;
   Trajectory rehearsal(once);
   bool within = within_stroke(start_);
+  if (setup_.precision.on && setup_.precision.identify) {
+    const Point way = identification(setup_, start_);
+    within = within && within_stroke({start_.x + way.x / 256, start_.y + way.y / 256});
+  }
   for (std::uint32_t i = rehearsal.size(); within && i > 0; --i)
     within = within_stroke(rehearsal.next());
   return within;
@@ -118,10 +144,12 @@ void KungApp::start(Bus& bus) {
   configure_axis(bus, reg::kY, setup_.axis[1], start_.y);
 
   if (!wait_both_idle(bus)) return fail(bus, Failure::kBusy);
+  const std::uint32_t chosen = setup_.precision.on ? reg::kCtrlPrecision : 0;
   for (const std::uint32_t base : kBases) {
-    bus.write(base + reg::kCtrl, reg::kCtrlResetModel | reg::kCtrlResetTable);
+    bus.write(base + reg::kCtrl, reg::kCtrlResetModel | reg::kCtrlResetTable | chosen);
   }
   if (!wait_both_idle(bus)) return fail(bus, Failure::kBusy);
+  if (setup_.precision.on) precision_.start(bus);
 
   write_command(bus, start_);
   state_ = setup_.offset_samples == 0 ? State::kArming : State::kCalibrating;
@@ -176,7 +204,8 @@ void KungApp::arm(Bus& bus) {
       read_signed(bus, reg::kY + reg::kPos) != start_.y) {
     return fail(bus, Failure::kPreset);
   }
-  for (const std::uint32_t base : kBases) bus.write(base + reg::kStatus, kStickyStatus);
+  const std::uint32_t sticky = kStickyStatus | (setup_.precision.on ? kPrecisionStatus : 0);
+  for (const std::uint32_t base : kBases) bus.write(base + reg::kStatus, sticky);
   bus.write(reg::kFaultClear, reg::kKeyFaultClear);
   bus.write(reg::kIrqStat, reg::kIrqStatFault);
   fault_ = bus.read(reg::kFault);
@@ -186,8 +215,8 @@ void KungApp::arm(Bus& bus) {
   bus.write(reg::kY + reg::kStrokeEn, setup_.axis[1].stroke_check ? reg::kStrokeEnEnable : 0);
   bus.write(reg::kLock, reg::kKeyLock);
   if (!wait_both_idle(bus)) return fail(bus, Failure::kBusy);
-  bus.write(reg::kX + reg::kCtrl, mode(setup_.axis[0], setup_.current_command) | reg::kCtrlEnable);
-  bus.write(reg::kY + reg::kCtrl, mode(setup_.axis[1], setup_.current_command) | reg::kCtrlEnable);
+  bus.write(reg::kX + reg::kCtrl, mode(setup_.axis[0], setup_) | reg::kCtrlEnable);
+  bus.write(reg::kY + reg::kCtrl, mode(setup_.axis[1], setup_) | reg::kCtrlEnable);
   state_ = State::kRunning;
   bus.write(reg::kIrqEn, reg::kIrqEnTick | reg::kIrqEnFault);
 }
@@ -199,16 +228,23 @@ void KungApp::serve(Bus& bus) {
   if (record.tick != last_tick_ + period) return fail(bus, Failure::kLate);
   last_tick_ = record.tick;
   read_response(bus, record);
+  if (setup_.precision.on && ((record.x_status | record.y_status) & reg::kStatusUnderrun) != 0) {
+    return fail(bus, Failure::kLate);
+  }
   if (!follows(record)) return fail(bus, Failure::kFollowing);
   if (!d_currents_plausible(bus)) return fail(bus, Failure::kDCurrent);
 
-  const bool more = mail_.point < size_;
-  if (more) command_ = trajectory_.next();
+  const bool more = mail_.point < size_ && (!setup_.precision.on || precision_.on_path());
+  if (more && !setup_.precision.on) command_ = trajectory_.next();
+  const bool first = more && mail_.point == 0;
+  const bool places_knots = setup_.precision.on && logged_ == 0;
+  if (places_knots && !await_tick(bus, record.tick)) return fail(bus, Failure::kLate);
   command(bus);
-  if (more && mail_.point == 0) {
-    if (bus.read(reg::kTick) != record.tick) return fail(bus, Failure::kLate);
-    mail_.first_tick = record.tick + 1;
+  const std::uint32_t committed = record.tick + (setup_.precision.on ? 1 : 0);
+  if ((first && !setup_.precision.on) || places_knots) {
+    if (bus.read(reg::kTick) != committed) return fail(bus, Failure::kLate);
   }
+  if (first) mail_.first_tick = committed + 1;
   if (more) ++mail_.point;
   if (mail_.point == size_) mail_.done = 1;
 
@@ -216,10 +252,37 @@ void KungApp::serve(Bus& bus) {
   record.y_cmd = command_.y;
   log_[logged_ % kLogSize] = record;
   ++logged_;
+  if (setup_.precision.on) look_ahead();
+}
+
+// The first COMMIT of the precision controller places the knots at the tick behind it, once for all.
+// Given after the next tick, it leaves two ticks to every later service before its knot.
+bool KungApp::await_tick(Bus& bus, std::uint32_t tick) {
+  for (std::uint32_t polls = 0; polls < kPollLimit; ++polls) {
+    if (bus.read(reg::kTick) != tick) return true;
+  }
+  return false;
+}
+
+// The next point but one, which the pre-filter needs with the next COMMIT.
+void KungApp::look_ahead() {
+  Point point{256 * start_.x, 256 * start_.y};
+  if (precision_.needs_point()) {
+    if (drawn_ < size_) {
+      ++drawn_;
+      path_point_ = trajectory_.next();
+    }
+    point = {256 * path_point_.x, 256 * path_point_.y};
+  }
+  precision_.give(point);
 }
 
 // Without position loops the COMMIT only feeds the watchdog.
 void KungApp::command(Bus& bus) {
+  if (setup_.precision.on) {
+    command_ = {rs(precision_.point().x, 8), rs(precision_.point().y, 8)};
+    return precision_.serve(bus);
+  }
   if (!setup_.current_command) return write_command(bus, command_);
   bus.write(reg::kX + reg::kIqManual, word(command_.x - start_.x));
   bus.write(reg::kY + reg::kIqManual, word(command_.y - start_.y));
@@ -231,8 +294,13 @@ void KungApp::read_response(Bus& bus, LogRecord& record) const {
   record.y_status = bus.read(reg::kY + reg::kStatus);
   record.x_pos = read_signed(bus, reg::kX + reg::kPos);
   record.y_pos = read_signed(bus, reg::kY + reg::kPos);
-  record.x_model = read_signed(bus, reg::kX + reg::kPosModel);
-  record.y_model = read_signed(bus, reg::kY + reg::kPosModel);
+  if (setup_.precision.on) {
+    record.x_model = record.x_pos + rs(read_signed(bus, reg::kX + reg::kPrecErr), 8);
+    record.y_model = record.y_pos + rs(read_signed(bus, reg::kY + reg::kPrecErr), 8);
+  } else {
+    record.x_model = read_signed(bus, reg::kX + reg::kPosModel);
+    record.y_model = read_signed(bus, reg::kY + reg::kPosModel);
+  }
   record.x_iq = read_signed(bus, reg::kX + reg::kIqCmd);
   record.y_iq = read_signed(bus, reg::kY + reg::kIqCmd);
 }

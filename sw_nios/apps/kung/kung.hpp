@@ -11,18 +11,12 @@
 #include <array>
 #include <cstdint>
 
+#include "sw_nios/apps/kung/gain.hpp"
+#include "sw_nios/apps/kung/precision.hpp"
 #include "sw_nios/hal/bus.hpp"
 #include "sw_nios/path/trajectory.hpp"
 
 namespace trammel::sw {
-
-// value = mant / 2048 * 2^exp; mant 0..2047, exp -16..15.
-struct Gain {
-  std::int32_t mant = 0;
-  std::int32_t exp = 0;
-};
-
-std::uint32_t gain_word(Gain gain);  // as the registers of gains take it
 
 // Register words of one axis; defaults of the specification, without adaptation.
 struct AxisSetup {
@@ -63,9 +57,11 @@ struct KungSetup : PathSetup {
   bool current_command = false;        // position loops open: a point's distance from the start is
                                        // i_q* [I_fs / 4096]
   std::uint32_t offset_samples = 0;    // interrupts over which offsets of sensors are averaged
+  PrecisionSetup precision;            // on: in the place of the fuzzy controller
 };
 
-// Response read at one interrupt, and the point written then (in effect from the next tick on).
+// Response read at one interrupt, and the point written then (in effect from the next tick on). The
+// model of the precision controller is its set point.
 struct LogRecord {
   std::uint32_t tick = 0;
   std::int32_t x_cmd = 0, y_cmd = 0;      // [count]
@@ -82,7 +78,7 @@ enum class Failure : std::uint32_t {
   kBusy,         // a busy bit did not clear
   kSensor,       // a current sensor shows more than 1/8 of its range with the drives off
   kPreset,       // the position did not become the start point
-  kLate,         // an interrupt was lost or its service crossed a tick
+  kLate,         // an interrupt was lost, its service crossed a tick or came behind a knot
   kFault,        // the chip latched a fault: fault()
   kFollowing,    // a position is too far from its reference model
   kDCurrent      // a measured i_d is too large, though its loop holds it at 0
@@ -102,6 +98,7 @@ class KungApp final : public Firmware {
   // `failure` is a Failure; a point is one of the path, counted when written.
   const Mailbox& mailbox() const override { return mail_; }
 
+  const PrecisionControl& precision() const { return precision_; }
   std::uint32_t fault() const { return fault_; }  // FAULT register at kFault: code, axis, tick
   std::uint32_t points() const { return size_; }  // of the whole path
 
@@ -123,6 +120,8 @@ class KungApp final : public Firmware {
   void read_response(Bus& bus, LogRecord& record) const;
   bool follows(const LogRecord& record) const;
   bool d_currents_plausible(Bus& bus) const;
+  bool await_tick(Bus& bus, std::uint32_t tick);
+  void look_ahead();
   void fail(Bus& bus, Failure failure);
 
   Mailbox mail_;
@@ -131,6 +130,9 @@ class KungApp final : public Firmware {
   Point start_;
   Point command_;
   std::uint32_t size_;
+  PrecisionControl precision_;
+  std::uint32_t drawn_ = 0;  // points of the path that the precision controller was given
+  Point path_point_;         // the last of them
   std::uint32_t last_tick_ = 0;
   std::uint32_t fault_ = 0;
   State state_ = State::kOff;

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sw_nios/apps/kung/precision.hpp"
+
+#include "rtl/chips/generated/kung_xy_regs.hpp"
+#include "sw_nios/apps/kung/identification.hpp"
+
+namespace trammel::sw {
+namespace {
+
+namespace reg = kung_xy_regs;
+
+constexpr std::array<std::uint32_t, 2> kWindows{reg::kX, reg::kY};
+constexpr std::uint32_t kKnotWords = 0, kTickWords = 8;  // of the window
+
+constexpr std::uint32_t as_word(std::int32_t value) { return static_cast<std::uint32_t>(value); }
+
+// The spline of the chip smooths its control points; this undoes it.
+constexpr std::int32_t prefiltered(const std::array<std::int32_t, 3>& points) {
+  const std::int64_t bend = std::int64_t{points[2]} - 2 * std::int64_t{points[1]} + points[0];
+  return points[1] - static_cast<std::int32_t>(rs(10923 * bend, 16));
+}
+
+}  // namespace
+
+PrecisionControl::PrecisionControl(const PrecisionSetup& setup, Point start, Point move,
+                                   std::uint32_t size, std::uint32_t lap)
+    : setup_(setup),
+      start_{256 * start.x, 256 * start.y},
+      move_(move),
+      before_path_(setup.identify ? Identification::kPoints : 0),
+      size_(size),
+      axes_{{{Estimator(setup.axis[0].estimator, start_.x), {}, {}, {}, {}},
+             {Estimator(setup.axis[1].estimator, start_.y), {}, {}, {}, {}}}} {
+  for (std::uint32_t a = 0; a < 2; ++a) {
+    Axis& axis = axes_[a];
+    const std::int32_t at = a == 0 ? start_.x : start_.y;
+    axis.points = axis.corrected = {at, at, at};
+    axis.words = knot_words(axis.estimator.theta(), setup.axis[a].estimator);
+    if (setup.learn && setup.corrections != nullptr) {
+      axis.learning = Learning(&setup.corrections->of[a], lap, setup.learn_gain);
+    }
+  }
+}
+
+void PrecisionControl::give(Point point) {
+  const bool path = needs_point();
+  const std::uint32_t n = given_++;
+  if (!path) {
+    point = {start_.x + Identification::offset(n, move_.x),
+             start_.y + Identification::offset(n, move_.y)};
+  }
+  for (std::uint32_t a = 0; a < 2; ++a) {
+    Axis& axis = axes_[a];
+    const std::int32_t at = a == 0 ? point.x : point.y;
+    const std::int32_t learned =
+        path && n - before_path_ < size_ ? axis.learning.correction(n - before_path_) : 0;
+    axis.points = {at, axis.points[0], axis.points[1]};
+    axis.corrected = {at + learned, axis.corrected[0], axis.corrected[1]};
+  }
+}
+
+void PrecisionControl::start(Bus& bus) {
+  for (std::uint32_t a = 0; a < 2; ++a) {
+    const PrecisionAxisSetup& axis = setup_.axis[a];
+    write_gains(bus, a, setup_.identify ? axis.soft : axis.full);
+    bus.write(kWindows[a] + reg::kPrecData, axis.misc);
+    write_knot(bus, a, a == 0 ? start_.x : start_.y, 0, 0);
+  }
+}
+
+void PrecisionControl::serve(Bus& bus) {
+  for (std::uint32_t a = 0; a < 2; ++a) estimate(bus, a);
+  if (setup_.identify && given_ - 2 == Identification::kFull) {
+    for (std::uint32_t a = 0; a < 2; ++a) write_gains(bus, a, setup_.axis[a].full);
+  }
+  for (std::uint32_t a = 0; a < 2; ++a) command(bus, a);
+  bus.write(reg::kCommit, reg::kCommitTake);
+}
+
+void PrecisionControl::estimate(Bus& bus, std::uint32_t a) {
+  Axis& axis = axes_[a];
+  const auto err_sum = static_cast<std::int32_t>(bus.read(kWindows[a] + reg::kErrSum));
+  const auto iq_sum = static_cast<std::int32_t>(bus.read(kWindows[a] + reg::kIqSum));
+  if (setup_.adapt || !on_path()) axis.estimator.step(err_sum, iq_sum);
+  if (on_path()) {
+    axis.learning.step(given_ - 2 - before_path_, axis.points[1] - axis.points[2], err_sum);
+  }
+}
+
+void PrecisionControl::command(Bus& bus, std::uint32_t a) {
+  Axis& axis = axes_[a];
+  const Estimator::Theta& theta = axis.estimator.theta();
+  const EstimatorSetup& words = setup_.axis[a].estimator;
+  const KnotWords before = axis.words;
+  axis.words = knot_words(theta, words);
+  const std::int32_t c = prefiltered(axis.corrected);
+  write_knot(bus, a, c, force_current(theta, axis.points[2], axis.points[1], words.pitch),
+             mass_ratio(before.km, axis.words.km));
+  axis.estimator.command(c);
+}
+
+void PrecisionControl::write_gains(Bus& bus, std::uint32_t a, const LawGains& gains) const {
+  bus.write(kWindows[a] + reg::kPrecAddr, kTickWords);
+  for (const Gain& gain : gains) bus.write(kWindows[a] + reg::kPrecData, gain_word(gain));
+}
+
+void PrecisionControl::write_knot(Bus& bus, std::uint32_t a, std::int32_t c, std::int32_t iff,
+                                  std::int32_t ratio) const {
+  const KnotWords& words = axes_[a].words;
+  const std::uint32_t data = kWindows[a] + reg::kPrecData;
+  bus.write(kWindows[a] + reg::kPrecAddr, kKnotWords);
+  bus.write(data, as_word(c));
+  bus.write(data, as_word(iff));
+  bus.write(data, gain_word(words.km));
+  bus.write(data, gain_word(words.kmi));
+  bus.write(data, as_word(ratio));
+  bus.write(data, gain_word(words.kb));
+  bus.write(data, as_word(words.fc));
+}
+
+}  // namespace trammel::sw
