@@ -107,6 +107,7 @@ std::array<Demand, 2> demand(const Options& options, const sw::KungSetup& setup)
 std::string speed_loop_text(const Options& options, std::size_t a) {
   const plant::AxisConfig& plant = options.plant.axis[a];
   const AxisGains& g = options.gains[a];
+  if (options.controller == Controller::kPrecision) return "";
   if (options.gains_by_rule || options.path.is_sweep() || plant.locked) return "";
   const double kg = plant.mass_kg + plant.payload_kg;
   const double rate = g.kv * kSpeedGain * plant.force_constant_n_a / kg;

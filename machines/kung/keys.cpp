@@ -12,7 +12,7 @@ std::vector<std::string> enum_names<kung::Cpu>() {
 }
 template <>
 std::vector<std::string> enum_names<kung::Controller>() {
-  return {"fc", "afc"};
+  return {"fc", "afc", "precision"};
 }
 template <>
 std::vector<std::string> enum_names<kung::SweepOf>() {
@@ -56,7 +56,7 @@ std::string axis_prefix(const char* section, std::size_t axis) {
 
 void add_run(Table& t) {
   t.names();
-  t.text("controller", "fixed rule table (fc) or adaptive (afc)", TRAMMEL_LENS(controller));
+  t.text("controller", "fixed rule table (fc), adaptive (afc), or docs/precision.md", TRAMMEL_LENS(controller));
   t.platform_and_clocks();
   t.text("run.cpu",
          "firmware compiled for this computer, or the RTL of kung_soc's processor with its binary, "
@@ -196,6 +196,36 @@ void add_gains(Table& t, std::size_t axis) {
       &AxisGains::interpolate);
 }
 
+void add_precision(Table& t) {
+  const auto add = keys_of(t, "precision.", [](auto& o) -> auto& { return o.precision; });
+  add("identify", 0, 0, "a small move of both axes before the path tells mass and friction",
+      &PrecisionOptions::identify);
+  add("adapt", 0, 0, "mass, friction, cogging and force are estimated on the path too",
+      &PrecisionOptions::adapt);
+  add("subcount", 0, 0, "positions between two counts, by the time of the encoder's last edge",
+      &PrecisionOptions::subcount);
+  add("learn", 0, 0, "corrections from lap to lap, with path.repeats above 1",
+      &PrecisionOptions::learn);
+  add("learn_gain", 0, 1, "share of an error that a lap corrects", &PrecisionOptions::learn_gain);
+  for (const std::size_t axis : {0u, 1u}) {
+    const auto own = keys_of(t, axis_prefix("precision", axis),
+                             [axis](auto& o) -> auto& { return o.precision.axis[axis]; });
+    own("w1_rad_s", 20, 1500, "pole of the feedback", &AxisPrecision::w1_rad_s);
+    own("zeta", 0.3, 3, "its damping ratio", &AxisPrecision::zeta);
+    own("w2_rad_s", 100, 8000, "double pole of the observer, above w1_rad_s",
+        &AxisPrecision::w2_rad_s);
+    own("w3_rad_s", 0, 2000, "pole of its disturbance; 0 = none is observed",
+        &AxisPrecision::w3_rad_s);
+    own("mass_kg", 0.1, 500, "moving mass to start with, payload included",
+        &AxisPrecision::mass_kg);
+    own("viscous_N_s_m", 0, 10000, "viscous friction to start with", &AxisPrecision::viscous_n_s_m);
+    own("coulomb_N", 0, 500, "Coulomb friction to start with", &AxisPrecision::coulomb_n);
+    own("lead_ticks", 0, 15, "carrier periods by which the feed-forward is ahead",
+        &AxisPrecision::lead_ticks);
+    own("hysteresis_counts", 0, 0.9, "of the encoder's edges", &AxisPrecision::hysteresis_counts);
+  }
+}
+
 void add_chip(Table& t) {
   const auto add = keys_of(t, "chip.", [](auto& o) -> auto& { return o.chip; });
   add("carrier_Hz", 8000, 40000, "of the PWM and its current loops: 8000, 16000, 20000, 40000",
@@ -330,6 +360,7 @@ const std::vector<lab::Key>& keys() {
           "kv and the gains of the current loop from the motor's data, not from their keys",
           TRAMMEL_LENS(gains_by_rule));
     for (const std::size_t axis : {0u, 1u}) add_gains(t, axis);
+    add_precision(t);
     add_chip(t);
     for (const std::size_t axis : {0u, 1u}) add_axis_chip(t, axis);
     for (const std::size_t axis : {0u, 1u}) add_plant(t, axis);

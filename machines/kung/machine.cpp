@@ -40,7 +40,9 @@ lab::Machine describe() {
   m.warnings = advice;
   m.run_name = [](const lab::Settings& settings) {
     const auto controller = static_cast<const Options&>(settings).controller;
-    return std::string(controller == Controller::kFc ? "FC" : "AFC");
+    return std::string(controller == Controller::kFc    ? "FC"
+                       : controller == Controller::kAfc ? "AFC"
+                                                        : "precision");
   };
   m.metrics = add_metrics;
   m.detail = [](const lab::Record& record) {

@@ -28,7 +28,8 @@ using cosim::WaveFormat;
 using cosim::WaveSpan;
 
 enum class Cpu { kNative, kRtl };     // firmware compiled for this computer, or on the core's RTL
-enum class Controller { kFc, kAfc };  // fixed rule table, or tuned while it runs
+// Fixed rule table, the same tuned while it runs, or what follows the command (docs/precision.md).
+enum class Controller { kFc, kAfc, kPrecision };
 using PathKind = sw::Path;            // as the firmware names them
 enum class SweepOf { kPosition, kCurrent };  // what a sweep commands
 enum class Profile { kConstant, kFeed };     // of the speed along a path
@@ -55,6 +56,33 @@ struct AxisGains {
   double theta_offset_rad = 0;    // electrical angle at count 0
   bool feedforward = false;       // v* += model increment (section 15)
   bool interpolate = false;       // commands linear between two interrupts instead of held
+};
+
+// One axis of the precision controller; masses and frictions are start values only.
+struct AxisPrecision {
+  double w1_rad_s = 300;  // feedback
+  double zeta = 0.7;
+  double w2_rad_s = 4000;  // observer, twice
+  double w3_rad_s = 400;   // its disturbance
+  double mass_kg = 7.9;
+  double viscous_n_s_m = 20;
+  double coulomb_n = 3;
+  int lead_ticks = 6;              // of the feed-forward, carrier periods
+  double hysteresis_counts = 0.2;  // of the encoder, as its edges are read
+};
+
+struct PrecisionOptions {
+  PrecisionOptions() {
+    axis[1].mass_kg = 15.6;
+    axis[1].coulomb_n = 4.8;
+  }
+
+  std::array<AxisPrecision, 2> axis;
+  bool identify = true;     // a small move of both axes before the path
+  bool adapt = true;        // the estimates go on on the path
+  bool subcount = true;     // the time of an encoder's edge tells the position between two counts
+  bool learn = false;       // corrections from lap to lap
+  double learn_gain = 0.5;  // share of an error that a lap corrects
 };
 
 struct AxisChip {
@@ -181,6 +209,7 @@ struct Options final : lab::SettingsOf<Options, machine> {
   Controller controller = Controller::kAfc;
   std::array<AxisGains, 2> gains;
   bool gains_by_rule = false;  // kv and those of the current loop from the motor, see words.hpp
+  PrecisionOptions precision;
   plant::XyTableConfig plant = plant::default_xy_table();
   ChipOptions chip;
   PathOptions path;

@@ -195,7 +195,7 @@ lab::Page page() {
   page.title = [](const Json& metrics) {
     const std::string controller = metrics["options"]["controller"];
     return fmt::format("{}, {}", metrics["scenario"].get<std::string>(),
-                       controller == "fc" ? "FC" : "AFC");
+                       controller == "fc" ? "FC" : controller == "afc" ? "AFC" : controller);
   };
   return page;
 }

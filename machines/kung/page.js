@@ -9,7 +9,7 @@
   const kKinds = ['circle', 'window', 'star', 'square', 'line', 'points',
     'sweep', 'gcode'];
 
-  T.controller = (m) => (m.options.controller === 'fc' ? 'FC' : 'AFC');
+  T.controller = (m) => ({ fc: 'FC', afc: 'AFC' })[m.options.controller] || m.options.controller;
   T.isResponse = (f) => /^[xy]\.response\./.test(f.id);
   T.isPeriod = (f) => /^[xy]\.periods\./.test(f.id);
 

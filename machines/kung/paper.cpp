@@ -114,7 +114,7 @@ bool is_paper_experiment(const Options& options) {
 }
 
 void compare(const Options& options, std::vector<lab::Figure>& figures) {
-  if (!is_paper_experiment(options)) return;
+  if (options.controller == Controller::kPrecision || !is_paper_experiment(options)) return;
   const auto set = [&figures](const std::string& id, std::optional<double> printed,
                               std::optional<double> expected, double tolerance) {
     for (lab::Figure& f : figures) {

@@ -14,6 +14,7 @@
 #include "machines/kung/path_files.hpp"
 #include "machines/kung/plan_feed.hpp"
 #include "machines/kung/plan_parts.hpp"
+#include "machines/kung/plan_precision.hpp"
 #include "machines/kung/words.hpp"
 #include "models/exact/drive/carrier.hpp"
 #include "models/plant/ad7476.hpp"
@@ -365,6 +366,7 @@ sw::KungSetup plan_firmware(const Options& options, PathStore& store) {
   }
   s.d_current_limit = static_cast<std::int32_t>(std::lround(chip.d_current_A / lsb_A));
   s.dead_time_min = clocks(chip.dead_time_min_ns, options.plant.clock_ps);
+  s.precision = plan_precision(options, s);
   check_extent(options, s);
   check_sweep(options);
   return s;

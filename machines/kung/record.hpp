@@ -5,6 +5,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -106,6 +107,15 @@ struct Detail {
   GateWindow gates;
 };
 
+// What the precision controller took an axis for.
+struct AxisEstimate {
+  double mass_kg = 0, viscous_N_s_m = 0, coulomb_N = 0;
+  double cogging_sine_N = 0, cogging_cosine_N = 0;  // of pi x / pole pitch, doubled
+  double force_N = 0;
+
+  double cogging_N() const { return std::hypot(cogging_sine_N, cogging_cosine_N); }
+};
+
 struct Result : cosim::RunResult {
   Result() { end = EndReason::kDone; }
   std::size_t sample_count() const override { return samples.size(); }
@@ -124,6 +134,7 @@ struct Result : cosim::RunResult {
   Fault fault;
   Detail detail;
   WakeCounts wakes{};             // why clocks were evaluated
+  std::optional<std::array<AxisEstimate, 2>> estimates;  // at the end, of native firmware
   std::optional<cosim::CoreTimes> core;  // of run.cpu = "rtl"
   cosim::Clk core_awake = 0;             // clocks of it that were evaluated
   std::string uart;                      // what its serial port sent

@@ -10,6 +10,7 @@
 #include "machines/kung/figures.hpp"
 #include "machines/kung/machine.hpp"
 #include "machines/kung/plan.hpp"
+#include "machines/kung/plan_precision.hpp"
 #include "machines/kung/response.hpp"
 #include "machines/kung/words.hpp"
 #include "models/plant/xy_lines.hpp"
@@ -73,7 +74,8 @@ cosim::Clk fault_at(double seconds) { return seconds > 0 ? edge_at(seconds) : co
 
 Session::Session(const Options& options, const Hooks& hooks, const cosim::Waves& waves)
     : options_(options), hooks_(hooks), waves_(waves) {
-  const sw::KungSetup setup = plan_firmware(options_, store_);
+  sw::KungSetup setup = plan_firmware(options_, store_);
+  setup.precision.corrections = &corrections_;
   firmware_ = std::make_unique<StallableApp>(setup, fault_at(options_.inject.processor_s));
   const sw::Trajectory path(setup);
   const sw::Point start = path.start();
@@ -218,7 +220,9 @@ bool Session::over(const Sample& sample) {
     const AxisSample& axis = sample.axis[k];
     const double error =
         model_m(axis, options_.plant.axis[k].encoder_count_m) - axis.x_true_m;
-    if (sample.tick >= result_.first_tick && std::abs(error) > options_.diverged_m) {
+    // The reference model stands still while another controller is chosen.
+    if (options_.controller != Controller::kPrecision && sample.tick >= result_.first_tick &&
+        std::abs(error) > options_.diverged_m) {
       result_.end = EndReason::kDiverged;
       return true;
     }
@@ -252,6 +256,11 @@ std::unique_ptr<cosim::RunResult> Session::result() {
   result_.wakes = chip_->wakes();
   result_.fault_report = fault_watch_->report();
   result_.from_last_m = followed_->from_m(asked_->asked());
+  if (options_.controller == Controller::kPrecision && !core_) {
+    const sw::PrecisionControl& found = firmware_->app().precision();
+    result_.estimates = {estimate_of(options_, 0, found.estimator(0).theta()),
+                         estimate_of(options_, 1, found.estimator(1).theta())};
+  }
   if (result_.end == EndReason::kDone) {
     result_.missed = options_.path.is_sweep()
                          ? unmeasured(options_, result_)

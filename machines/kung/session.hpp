@@ -75,6 +75,7 @@ class StallableApp final : public sw::Firmware {
     }
   }
   const sw::Mailbox& mailbox() const override { return app_.mailbox(); }
+  const sw::KungApp& app() const { return app_; }
 
  private:
   sw::KungApp app_;
@@ -127,6 +128,7 @@ class Session final : public cosim::Session {
   Hooks hooks_;
   cosim::Waves waves_;
   PathStore store_;
+  sw::Corrections corrections_;
   std::unique_ptr<TablePlant> plant_;
   std::optional<cosim::FaultPlant> failing_;  // around it
   std::optional<cosim::FaultWatch> fault_watch_;

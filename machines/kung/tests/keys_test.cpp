@@ -85,6 +85,12 @@ TEST_CASE("each key sets its own member, in its own axis") {
          {"feed_max_m_s", &P::feed_max_m_s}, {"sweep_center_m", &P::sweep_center_m},
          {"sweep_amplitude_m", &P::sweep_amplitude_m},
          {"sweep_amplitude_A", &P::sweep_amplitude_A}});
+  using Q = PrecisionOptions;
+  const auto precision = [](const Options& o) -> const Q& { return o.precision; };
+  add_flags<>(m, "precision.", precision,
+              {std::pair{"identify", &Q::identify}, {"adapt", &Q::adapt},
+               {"subcount", &Q::subcount}, {"learn", &Q::learn}});
+  add<>(m, "precision.", precision, {std::pair{"learn_gain", &Q::learn_gain}});
   using C = ChipOptions;
   const auto chip = [](const Options& o) -> const C& { return o.chip; };
   add_whole<>(m, "chip.", chip,
@@ -108,6 +114,14 @@ TEST_CASE("each key sets its own member, in its own axis") {
            {"current_ki_V_A", &G::current_ki_V_A}, {"theta_offset_rad", &G::theta_offset_rad}});
     add_flags<>(m, "gains." + axis, gains,
                 {std::pair{"feedforward", &G::feedforward}, {"interpolate", &G::interpolate}});
+    using Own = AxisPrecision;
+    const auto law = [a](const Options& o) -> const Own& { return o.precision.axis[a]; };
+    add_whole<>(m, "precision." + axis, law, {std::pair{"lead_ticks", &Own::lead_ticks}});
+    add<>(m, "precision." + axis, law,
+          {std::pair{"w1_rad_s", &Own::w1_rad_s}, {"zeta", &Own::zeta},
+           {"w2_rad_s", &Own::w2_rad_s}, {"w3_rad_s", &Own::w3_rad_s},
+           {"mass_kg", &Own::mass_kg}, {"viscous_N_s_m", &Own::viscous_n_s_m},
+           {"coulomb_N", &Own::coulomb_n}, {"hysteresis_counts", &Own::hysteresis_counts}});
     using A = AxisChip;
     const auto own = [a](const Options& o) -> const A& { return o.chip.axis[a]; };
     add_whole<>(m, "chip." + axis, own,

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "machines/kung/plan_precision.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "machines/kung/plan_parts.hpp"
+#include "machines/kung/words.hpp"
+
+namespace trammel::kung {
+namespace {
+
+constexpr int kLawCarrierHz = 16000, kLawPositionHz = 2000, kIrqTicks = 4;
+constexpr double kTickS = 1.0 / kLawCarrierHz, kKnotS = 2e-3;
+constexpr int kKnee = 4;        // friction is complete at a sixteenth of its speed word
+constexpr int kSubTicks = 15;   // an edge is fresh for that long
+constexpr double kLeastMantissa = 32;  // a gain whose word is within 2 %
+constexpr std::array<double, 2> kLightest{2, 6}, kHeaviest{32, 40};  // [kg]
+constexpr double kWaveM = 0.8e-3;      // of the identification move
+constexpr double kReferenceCountM = 5e-6;  // of the encoder whose scales are 3 and 12
+constexpr double kMostTheta = 1 << 27, kLeastMass = 1 << 10;
+
+std::string axis_keys(std::size_t axis) {
+  return fmt::format("precision.{}.", axis == 0 ? 'x' : 'y');
+}
+
+// What one unit is in words of theta.
+struct ThetaUnits {
+  std::uint32_t accel_shift, speed_shift;
+  double mass, viscous, force;  // of a kg, an N s/m, an N
+
+  explicit ThetaUnits(const plant::AxisConfig& plant) {
+    // Finer encoders count more on the same way; the regressors remain what they are.
+    const double finer = std::round(std::log2(kReferenceCountM / plant.encoder_count_m));
+    accel_shift = static_cast<std::uint32_t>(std::clamp(3 + finer, 1.0, 13.0));
+    speed_shift = static_cast<std::uint32_t>(std::clamp(12 + finer, 4.0, 22.0));
+    const double lsb_N = plant.force_constant_n_a * current_ref_lsb_A(plant.current_full_scale_a);
+    const double whole = std::ldexp(1.0, 23) / lsb_N;  // Q16 of 1/128 LSB
+    force = whole / 1024;
+    mass = whole * std::ldexp(plant.encoder_count_m, static_cast<int>(accel_shift) - 13) /
+           (kKnotS * kKnotS);
+    viscous = whole * std::ldexp(plant.encoder_count_m, static_cast<int>(speed_shift) - 13) /
+              (2 * kKnotS);
+  }
+};
+
+// Those by which the words of an axis are computed.
+std::string motor_text(const Options& options, std::size_t axis) {
+  const plant::AxisConfig& plant = options.plant.axis[axis];
+  const char name = axis == 0 ? 'x' : 'y';
+  return fmt::format("at plant.{0}.encoder_count_m = {1:g}, force_constant_N_A = {2:g} and "
+                     "current_full_scale_A = {3:g}", name, plant.encoder_count_m,
+                     plant.force_constant_n_a, plant.current_full_scale_a);
+}
+
+sw::Gain nearest_gain(double value) {
+  const fixed::Gain g = gain_word(value);
+  return {g.mant, g.exp};
+}
+
+std::int32_t rounded_word(double value) { return static_cast<std::int32_t>(std::lround(value)); }
+
+sw::EstimatorSetup plan_estimator(const Options& options, std::size_t axis) {
+  const AxisPrecision& own = options.precision.axis[axis];
+  const plant::AxisConfig& plant = options.plant.axis[axis];
+  const std::string keys = axis_keys(axis), motor = motor_text(options, axis);
+  const ThetaUnits units(plant);
+  // The largest range that the start values span, at least the default table's with its payloads.
+  constexpr double kDown = 2.6, kUp = 2.5;
+  const double least =
+      std::max(kLeastMass, std::ldexp(1.0, 4 + static_cast<int>(units.accel_shift)));
+  in_range(keys + "mass_kg", own.mass_kg, kDown * least / units.mass,
+           kMostTheta / units.mass / kUp, motor);
+  in_range(keys + "viscous_N_s_m", own.viscous_n_s_m, 0, kMostTheta / units.viscous, motor);
+  in_range(keys + "coulomb_N", own.coulomb_n, 0, 65535 * 32 / units.force, motor);
+
+  sw::EstimatorSetup s;
+  s.mass = rounded_word(own.mass_kg * units.mass);
+  s.viscous = rounded_word(own.viscous_n_s_m * units.viscous);
+  s.coulomb = rounded_word(own.coulomb_n * units.force);
+  s.mass_min = rounded_word(
+      std::max(least, std::min(kLightest[axis], own.mass_kg / kDown) * units.mass));
+  s.mass_max = rounded_word(
+      std::min(kMostTheta, std::max(kHeaviest[axis], own.mass_kg * kUp) * units.mass));
+  s.pitch = rounded_word(8 * plant.pole_pitch_m / plant.encoder_count_m);
+  s.accel_shift = units.accel_shift;
+  s.speed_shift = units.speed_shift;
+  s.slowest = rounded_word(std::ldexp(1.0, 2 + static_cast<int>(units.speed_shift)));
+  return s;
+}
+
+// The move before the path stays on it.
+void check_wave(const Options& options, const sw::KungSetup& setup, std::size_t axis,
+                std::int32_t wave) {
+  const sw::Point start = sw::Trajectory(setup).start();
+  const sw::AxisSetup& chip = setup.axis[axis];
+  const std::int32_t at = axis == 0 ? start.x : start.y;
+  const bool up = 2 * at <= chip.stroke_min + chip.stroke_max;
+  const std::int32_t end = at + (up ? wave : -wave) / 256;
+  const plant::AxisConfig& plant = options.plant.axis[axis];
+  const double end_m = end * plant.encoder_count_m;
+  const bool stops = plant.hard_stops &&
+                     (end_m < plant.stroke_min_m || end_m > plant.stroke_max_m);
+  require(end >= chip.stroke_min && end <= chip.stroke_max && !stops,
+          fmt::format("precision.identify: the move before the path, {:g} m of {} towards the "
+                      "middle of chip.{}.stroke_min_m..stroke_max_m, leaves the stroke; false goes "
+                      "without it", kWaveM, axis == 0 ? 'x' : 'y', axis == 0 ? 'x' : 'y'));
+}
+
+void check_rates(const Options& options) {
+  const auto fixed = [](const char* key, int value, int wanted) {
+    require(value == wanted,
+            fmt::format("{}: value {} must be {} with controller = \"precision\", whose law, gains "
+                        "and delays are those of that rate", key, value, wanted));
+  };
+  fixed("chip.carrier_Hz", options.chip.carrier_Hz, kLawCarrierHz);
+  fixed("chip.position_Hz", options.chip.position_Hz, kLawPositionHz);
+  fixed("chip.irq_period_ticks", options.chip.irq_period_ticks, kIrqTicks);
+}
+
+}  // namespace
+
+sw::LawGains law_gains(const std::string& keys, double w1_rad_s, double zeta, double w2_rad_s,
+                       double w3_rad_s) {
+  require(w2_rad_s > w1_rad_s,
+          fmt::format("{}w2_rad_s: value {:g} must be above {}w1_rad_s = {:g}: the observer is "
+                      "faster than the feedback", keys, w2_rad_s, keys, w1_rad_s));
+  const double z = std::exp(-w2_rad_s * kTickS), y = std::exp(-w3_rad_s * kTickS);
+  const double square = (1 - z) * (1 - z);
+  const double l3 = square * (1 - y);
+  const double smallest = kLeastMantissa * std::ldexp(1.0, -27);
+  if (w3_rad_s > 0 && l3 < smallest) {
+    const double least = -std::log(1 - smallest / square) / kTickS;
+    in_range(keys + "w3_rad_s", w3_rad_s, least, 2000,
+             fmt::format("or 0: L3 has no smaller word at {}w2_rad_s = {:g}", keys, w2_rad_s));
+  }
+  return {nearest_gain(1 - z * z * y), nearest_gain((1 - z) * (1 + z - 2 * z * y)), nearest_gain(l3),
+          nearest_gain(w1_rad_s * w1_rad_s * kTickS * kTickS), nearest_gain(2 * zeta * w1_rad_s * kTickS)};
+}
+
+sw::PrecisionSetup plan_precision(const Options& options, const sw::KungSetup& setup) {
+  sw::PrecisionSetup s;
+  s.on = options.controller == Controller::kPrecision;
+  if (!s.on) return s;
+  check_rates(options);
+  const PrecisionOptions& p = options.precision;
+  require(!options.path.is_sweep(),
+          "path.kind: \"sweep\" has a point each position sample, and controller = \"precision\" "
+          "one in four");
+  require(!p.learn || setup.repeats > 1,
+          fmt::format("precision.learn: needs path.repeats of 2 or more, is {}: a lap learns from "
+                      "the one before", setup.repeats));
+  s.identify = p.identify;
+  s.adapt = p.adapt;
+  s.learn = p.learn;
+  s.learn_gain = static_cast<std::uint32_t>(std::lround(std::ldexp(p.learn_gain, 16)));
+  for (std::size_t a = 0; a < 2; ++a) {
+    const AxisPrecision& own = p.axis[a];
+    const std::string keys = axis_keys(a);
+    sw::PrecisionAxisSetup& axis = s.axis[a];
+    axis.full = law_gains(keys, own.w1_rad_s, own.zeta, own.w2_rad_s, own.w3_rad_s);
+    // With masses that nobody knows yet; never stiffer than what was asked for.
+    axis.soft = law_gains(keys, std::min(120.0, own.w1_rad_s), 0.7, std::min(1500.0, own.w2_rad_s),
+                          0);
+    const auto hysteresis = static_cast<std::uint32_t>(std::lround(128 * own.hysteresis_counts));
+    axis.misc = word(own.lead_ticks) | word(kKnee) << 4 | word(p.subcount ? kSubTicks : 0) << 8 |
+                hysteresis << 12 | 1u << 20;
+    axis.wave = rounded_word(256 * kWaveM / options.plant.axis[a].encoder_count_m);
+    axis.estimator = plan_estimator(options, a);
+    if (p.identify) check_wave(options, setup, a, axis.wave);
+  }
+  return s;
+}
+
+AxisEstimate estimate_of(const Options& options, std::size_t axis,
+                         const sw::Estimator::Theta& theta) {
+  using E = sw::Estimator;
+  const ThetaUnits units(options.plant.axis[axis]);
+  AxisEstimate e;
+  e.mass_kg = theta[E::kMass] / units.mass;
+  e.viscous_N_s_m = theta[E::kViscous] / units.viscous;
+  e.coulomb_N = theta[E::kCoulomb] / units.force;
+  e.cogging_sine_N = theta[E::kSine] / units.force;
+  e.cogging_cosine_N = theta[E::kCosine] / units.force;
+  e.force_N = theta[E::kForce] / units.force;
+  return e;
+}
+
+}  // namespace trammel::kung

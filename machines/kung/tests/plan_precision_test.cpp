@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The words of the precision controller from poles, encoder, motor and sensors, and what is refused.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <complex>
+#include <string>
+#include <vector>
+
+#include "machines/kung/plan.hpp"
+#include "machines/kung/plan_precision.hpp"
+
+namespace {
+
+using namespace trammel;
+using namespace trammel::kung;
+using Catch::Contains;
+
+Options options() {
+  Options o;
+  o.controller = Controller::kPrecision;
+  return o;
+}
+
+sw::PrecisionSetup plan(const Options& o) {
+  std::vector<sw::Point> points;
+  return plan_firmware(o, points).precision;
+}
+
+double value(sw::Gain g) { return std::ldexp(g.mant / 2048.0, g.exp); }
+
+// The message of a refusal.
+std::string refusal(const Options& o) {
+  try {
+    plan(o);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace
+
+TEST_CASE("the default options give the words of the specification for precision") {
+  const sw::PrecisionSetup s = plan(options());
+  const sw::PrecisionAxisSetup specified;
+  CHECK(s.on);
+  CHECK(s.identify);
+  CHECK(s.adapt);
+  CHECK_FALSE(s.learn);
+  CHECK(s.learn_gain == 32768);
+  for (const sw::PrecisionAxisSetup& axis : s.axis) {
+    for (std::size_t n = 0; n < 5; ++n) {
+      CAPTURE(n);
+      CHECK(axis.full[n].mant == specified.full[n].mant);
+      CHECK(axis.full[n].exp == specified.full[n].exp);
+      CHECK(axis.soft[n].mant == specified.soft[n].mant);
+      CHECK(axis.soft[n].exp == specified.soft[n].exp);
+    }
+    CHECK(axis.misc == specified.misc);
+    CHECK(axis.wave == 40960);
+    CHECK(axis.estimator.pitch == 48800);
+    CHECK(axis.estimator.viscous == 559940);
+    CHECK(axis.estimator.slowest == 16384);
+    CHECK(axis.estimator.accel_shift == 3);
+    CHECK(axis.estimator.speed_shift == 12);
+  }
+  const sw::EstimatorSetup &x = s.axis[0].estimator, &y = s.axis[1].estimator;
+  CHECK(x.mass == 431985);
+  CHECK(y.mass == 853034);
+  CHECK(x.coulomb == 131236);
+  CHECK(y.coulomb == 209978);
+  CHECK(x.mass_min == 109363);   // 2 kg
+  CHECK(x.mass_max == 1749811);  // 32 kg
+  CHECK(y.mass_min == 328090);   // 6 kg
+  CHECK(y.mass_max == 2187264);  // 40 kg
+}
+
+TEST_CASE("with another controller nothing of it is on, and nothing is refused") {
+  for (const Controller controller : {Controller::kFc, Controller::kAfc}) {
+    Options o;
+    o.controller = controller;
+    o.chip.carrier_Hz = 8000;
+    o.precision.axis[0].w2_rad_s = 100;
+    CHECK_FALSE(plan(o).on);
+  }
+}
+
+TEST_CASE("the gains put the poles of observer and feedback where they were asked") {
+  using Complex = std::complex<double>;
+  constexpr double kT = 1.0 / 16000;
+  for (const double w2 : {500.0, 4000.0, 8000.0}) {
+    for (const double w3 : {50.0, 400.0, 2000.0}) {
+      for (const double zeta : {0.3, 0.7, 3.0}) {
+        CAPTURE(w2, w3, zeta);
+        const double w1 = 300;
+        const sw::LawGains g = law_gains("", w1, zeta, w2, w3);
+        const double l1 = value(g[0]), l2 = value(g[1]), l3 = value(g[2]);
+        // Observer of position, way and acceleration a tick: corrected, then predicted.
+        const auto characteristic = [&](Complex p) {
+          const Complex m = p - 1.0;
+          return m * m * m + m * m * (l1 + l2 + l3) + m * (l2 + 2 * l3) + l3;
+        };
+        const double z = std::exp(-w2 * kT), y = std::exp(-w3 * kT);
+        const auto wanted = [&](Complex p) { return (p - z) * (p - z) * (p - y); };
+        for (const Complex p : {Complex(0.3, 0.2), Complex(-0.5, 0.4), Complex(0.9, 0.1)}) {
+          CHECK(std::abs(characteristic(p) - wanted(p)) < 3e-3);
+        }
+        CHECK(value(g[3]) == Approx(w1 * w1 * kT * kT).epsilon(5e-4));
+        CHECK(value(g[4]) == Approx(2 * zeta * w1 * kT).epsilon(5e-4));
+      }
+    }
+  }
+}
+
+TEST_CASE("any encoder, motor and sensor: the words mean the same newtons and kilograms") {
+  for (const double count_m : {0.2e-6, 1e-6, 5e-6, 20e-6}) {
+    for (const double force_N_A : {20.0, 79.9, 300.0}) {
+      for (const double full_scale_A : {4.8, 9.6, 40.0}) {
+        CAPTURE(count_m, force_N_A, full_scale_A);
+        Options o = options();
+        o.path.circle_ticks = 100000;
+        for (std::size_t a = 0; a < 2; ++a) {
+          plant::AxisConfig& plant = o.plant.axis[a];
+          plant.encoder_count_m = count_m;
+          plant.force_constant_n_a = force_N_A;
+          plant.current_full_scale_a = full_scale_A;
+          plant.pole_pitch_m = 0.02;
+          o.gains[a].kv = 1e-3;  // words of the fuzzy controller are none here
+          o.gains[a].current_kp_V_A = 1;
+          o.chip.axis[a].stroke_max_m = 120000 * count_m;
+          o.path.circle_center_x_m = o.path.circle_center_y_m = 60000 * count_m;
+          o.path.circle_radius_m = 20000 * count_m;
+        }
+        o.chip.current_limit_A = full_scale_A / 2;
+        const sw::PrecisionSetup s = plan(o);
+        const sw::PrecisionAxisSetup& x = s.axis[0];
+        const sw::EstimatorSetup& e = x.estimator;
+        const double lsb_N = force_N_A * full_scale_A / 4096;  // of i_q*
+        const sw::KnotWords words =
+            sw::knot_words({e.mass, e.viscous, e.coulomb, 0, 0, 0}, e);
+        // KM: current [2^-8 LSB] per acceleration [2^-26 count per tick^2].
+        const double accel_m_s2 = std::ldexp(count_m, -26) * 16000 * 16000;
+        CHECK(value(words.km) == Approx(7.9 * accel_m_s2 / lsb_N * 256).epsilon(1e-3));
+        CHECK(value(words.kmi) * value(words.km) == Approx(1).epsilon(2e-3));
+        const double speed_m_s = std::ldexp(count_m, -14) * 16000;
+        CHECK(value(words.kb) == Approx(20 * speed_m_s / lsb_N * 256).epsilon(1e-3));
+        CHECK(words.fc == Approx(3 / lsb_N * 256).margin(1));
+        CHECK(x.wave * count_m / 256 == Approx(0.8e-3).epsilon(1e-3));
+        CHECK(e.pitch * count_m / 8 == Approx(0.02).epsilon(1e-3));
+        const AxisEstimate back = estimate_of(o, 0, {e.mass, e.viscous, e.coulomb, e.coulomb, 0,
+                                                     -e.coulomb});
+        CHECK(back.mass_kg == Approx(7.9).epsilon(1e-3));
+        CHECK(back.viscous_N_s_m == Approx(20).epsilon(1e-3));
+        CHECK(back.coulomb_N == Approx(3).epsilon(1e-3));
+        CHECK(back.cogging_N() == Approx(3).epsilon(1e-3));
+        CHECK(back.force_N == Approx(-3).epsilon(1e-3));
+        // 8 m/s^2 and 0.25 m/s leave room in the regressors.
+        CHECK(8 * 4e-6 / count_m * std::ldexp(1, 13 - static_cast<int>(e.accel_shift)) < 16384);
+        CHECK(e.mass_min < e.mass);
+        CHECK(e.mass < e.mass_max);
+      }
+    }
+  }
+}
+
+TEST_CASE("each key of the precision controller is in its own word") {
+  Options o = options();
+  o.precision.identify = o.precision.adapt = o.precision.subcount = false;
+  o.precision.learn = true;
+  o.precision.learn_gain = 0.25;
+  o.path.repeats = 3;
+  AxisPrecision& y = o.precision.axis[1];
+  y.lead_ticks = 15;
+  y.hysteresis_counts = 0.9;
+  y.mass_kg = 100;
+  const sw::PrecisionSetup s = plan(o);
+  CHECK_FALSE(s.identify);
+  CHECK_FALSE(s.adapt);
+  CHECK(s.learn);
+  CHECK(s.learn_gain == 16384);
+  CHECK(s.axis[0].misc == (6u | 4u << 4 | 26u << 12 | 1u << 20));
+  CHECK(s.axis[1].misc == (15u | 4u << 4 | 115u << 12 | 1u << 20));
+  CHECK(s.axis[1].estimator.mass_max == 250 * s.axis[1].estimator.mass / 100);
+  CHECK(s.axis[0].estimator.mass == 431985);
+  o.precision.axis[0].w1_rad_s = 60;  // softer than the gains to identify with
+  const sw::PrecisionSetup soft = plan(o);
+  CHECK(value(soft.axis[0].soft[3]) == Approx(value(soft.axis[0].full[3])));
+}
+
+TEST_CASE("rates other than those of the law are refused, with the key and the value it needs") {
+  Options o = options();
+  o.chip.carrier_Hz = 8000;
+  CHECK_THAT(refusal(o), Contains("chip.carrier_Hz: value 8000 must be 16000"));
+  o = options();
+  o.chip.position_Hz = 1000;
+  o.path.circle_ticks = 2000;
+  CHECK_THAT(refusal(o), Contains("chip.position_Hz: value 1000 must be 2000"));
+  o = options();
+  o.chip.irq_period_ticks = 5;
+  CHECK_THAT(refusal(o), Contains("chip.irq_period_ticks: value 5 must be 4"));
+}
+
+TEST_CASE("poles, masses and frictions without a word are refused with the permitted range") {
+  Options o = options();
+  o.precision.axis[1].w2_rad_s = 300;
+  CHECK_THAT(refusal(o), Contains("precision.y.w2_rad_s: value 300 must be above "
+                                  "precision.y.w1_rad_s = 300"));
+  o.precision.axis[1].w2_rad_s = 301;
+  CHECK(refusal(o) == "");
+  o = options();
+  o.precision.axis[0].w1_rad_s = 20;
+  o.precision.axis[0].w2_rad_s = 100;
+  o.precision.axis[0].w3_rad_s = 1;
+  CHECK_THAT(refusal(o), Contains("precision.x.w3_rad_s: value 1 is out of range 98.") &&
+                             Contains("..2000 (or 0: L3 has no smaller word at "
+                                      "precision.x.w2_rad_s = 100)"));
+  o.precision.axis[0].w3_rad_s = 0;
+  CHECK(refusal(o) == "");
+  o = options();
+  o.precision.axis[0].coulomb_n = 60;
+  CHECK_THAT(refusal(o), Contains("precision.x.coulomb_N: value 60 is out of range 0..47.9") &&
+                             Contains("at plant.x.encoder_count_m = 5e-06, force_constant_N_A = "
+                                      "79.9 and current_full_scale_A = 9.6"));
+  o = options();
+  o.precision.axis[1].viscous_n_s_m = 5000;
+  CHECK_THAT(refusal(o), Contains("precision.y.viscous_N_s_m: value 5000 is out of range"));
+  o = options();
+  o.plant.axis[0].force_constant_n_a = 10000;
+  o.precision.axis[0].mass_kg = 0.1;
+  CHECK_THAT(refusal(o), Contains("precision.x.mass_kg: value 0.1 is out of range"));
+}
+
+TEST_CASE("what has no meaning with it is refused: a sweep, learning in one lap, no room to move") {
+  Options o = options();
+  o.path.kind = PathKind::kSweep;
+  CHECK_THAT(refusal(o), Contains("path.kind: \"sweep\""));
+  o = options();
+  o.precision.learn = true;
+  CHECK_THAT(refusal(o), Contains("precision.learn: needs path.repeats of 2 or more, is 1"));
+  o = options();
+  o.path.kind = PathKind::kLine;
+  o.path.line_start_x_m = o.path.line_end_x_m = 0.2;
+  o.chip.axis[0].stroke_min_m = 0.1999;
+  o.chip.axis[0].stroke_max_m = 0.2006;
+  CHECK_THAT(refusal(o), Contains("precision.identify: the move before the path, 0.0008 m of x"));
+  o.precision.identify = false;
+  CHECK(refusal(o) == "");
+}
