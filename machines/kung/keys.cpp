@@ -20,7 +20,7 @@ std::vector<std::string> enum_names<kung::SweepOf>() {
 }
 template <>
 std::vector<std::string> enum_names<kung::Profile>() {
-  return {"constant", "feed"};
+  return {"auto", "constant", "feed"};
 }
 template <>
 std::vector<std::string> enum_names<kung::Corner>() {
@@ -140,7 +140,8 @@ void add_path(Table& t) {
       "position samples, at least, for which a tone settles, and is then measured",
       &PathOptions::sweep_dwell_ticks);
   add("profile", 0, 0,
-      "constant speed along the path, or a feed profile that keeps the acceleration of each axis",
+      "constant speed along the path, or a feed profile that keeps the acceleration of each axis; "
+      "auto = feed with controller = \"precision\", else constant",
       &PathOptions::profile);
   add("feed_m_s", 0, 1.2,
       "feed profile: of a shape, at least 0.0001; 0 = circle 0.5, window 0.35, star 0.275, else "

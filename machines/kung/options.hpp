@@ -32,7 +32,7 @@ enum class Cpu { kNative, kRtl };     // firmware compiled for this computer, or
 enum class Controller { kFc, kAfc, kPrecision };
 using PathKind = sw::Path;            // as the firmware names them
 enum class SweepOf { kPosition, kCurrent };  // what a sweep commands
-enum class Profile { kConstant, kFeed };     // of the speed along a path
+enum class Profile { kAuto, kConstant, kFeed };  // of the speed along a path
 enum class Corner { kAuto, kStop, kPass };   // under the feed profile
 enum class PointsMode { kTimed, kPath };     // one point an interrupt; lines that are followed
 
@@ -160,7 +160,7 @@ struct PathOptions {
   // The command is a current.
   bool open_position() const { return is_sweep() && sweep_of == SweepOf::kCurrent; }
 
-  Profile profile = Profile::kConstant;
+  Profile profile = Profile::kAuto;  // feed with the precision controller, else constant
   double feed_m_s = 0;            // of the built-in shapes; 0: of each its own
   double rapid_m_s = 0.5;
   double feed_max_m_s = 1;

@@ -325,7 +325,9 @@ sw::AxisSetup plan_axis(const Options& options, std::size_t axis) {
   return s;
 }
 
-sw::KungSetup plan_firmware(const Options& options, PathStore& store) {
+sw::KungSetup plan_firmware(const Options& given, PathStore& store) {
+  Options options = given;
+  choose_profile(options);
   const ChipOptions& chip = options.chip;
   sw::KungSetup s;
   s.carrier = nearest_rate("chip.carrier_Hz", chip.carrier_Hz, exact::kCarrierHz);
@@ -375,6 +377,7 @@ sw::KungSetup plan_firmware(const Options& options, PathStore& store) {
 void validate(lab::Settings& settings) {
   auto& options = static_cast<Options&>(settings);
   PathStore store;
+  choose_profile(options);
   try {
     read_path_files(options);
     plan_firmware(options, store);

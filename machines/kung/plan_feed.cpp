@@ -153,6 +153,12 @@ double feed_m_s(const PathOptions& p) {
   }
 }
 
+void choose_profile(Options& options) {
+  if (options.path.profile != Profile::kAuto) return;
+  options.path.profile =
+      options.controller == Controller::kPrecision ? Profile::kFeed : Profile::kConstant;
+}
+
 bool feeds(const PathOptions& path) {
   if (path.profile != Profile::kFeed || path.is_sweep()) return false;
   return path.kind != PathKind::kPoints || path.points_mode == PointsMode::kPath;

@@ -9,6 +9,9 @@
 
 namespace trammel::kung {
 
+// In the place of "auto"; plan_firmware() does the same for itself.
+void choose_profile(Options& options);
+
 // The feed profile drives this path; a sweep and a list of points that has its own times are driven
 // point by point whatever path.profile says.
 bool feeds(const PathOptions& path);

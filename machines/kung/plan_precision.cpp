@@ -8,6 +8,7 @@
 #include <cmath>
 #include <string>
 
+#include "machines/kung/plan_feed.hpp"
 #include "machines/kung/plan_parts.hpp"
 #include "machines/kung/words.hpp"
 
@@ -151,6 +152,9 @@ sw::PrecisionSetup plan_precision(const Options& options, const sw::KungSetup& s
   require(!options.path.is_sweep(),
           "path.kind: \"sweep\" has a point each position sample, and controller = \"precision\" "
           "one in four");
+  require(feeds(options.path) || options.path.kind == PathKind::kPoints,
+          "path.profile: \"constant\" steps in speed, which controller = \"precision\" cannot follow "
+          "on a built-in shape; it needs \"feed\"");
   require(!p.learn || setup.repeats > 1,
           fmt::format("precision.learn: needs path.repeats of 2 or more, is {}: a lap learns from "
                       "the one before", setup.repeats));

@@ -10,6 +10,7 @@
 #include "machines/kung/figures.hpp"
 #include "machines/kung/machine.hpp"
 #include "machines/kung/plan.hpp"
+#include "machines/kung/plan_feed.hpp"
 #include "machines/kung/plan_precision.hpp"
 #include "machines/kung/response.hpp"
 #include "machines/kung/words.hpp"
@@ -74,6 +75,7 @@ cosim::Clk fault_at(double seconds) { return seconds > 0 ? edge_at(seconds) : co
 
 Session::Session(const Options& options, const Hooks& hooks, const cosim::Waves& waves)
     : options_(options), hooks_(hooks), waves_(waves) {
+  choose_profile(options_);
   sw::KungSetup setup = plan_firmware(options_, store_);
   setup.precision.corrections = &corrections_;
   firmware_ = std::make_unique<StallableApp>(setup, fault_at(options_.inject.processor_s));
@@ -220,9 +222,7 @@ bool Session::over(const Sample& sample) {
     const AxisSample& axis = sample.axis[k];
     const double error =
         model_m(axis, options_.plant.axis[k].encoder_count_m) - axis.x_true_m;
-    // The reference model stands still while another controller is chosen.
-    if (options_.controller != Controller::kPrecision && sample.tick >= result_.first_tick &&
-        std::abs(error) > options_.diverged_m) {
+    if (sample.tick >= result_.first_tick && std::abs(error) > options_.diverged_m) {
       result_.end = EndReason::kDiverged;
       return true;
     }

@@ -23,8 +23,8 @@ Options options() {
 }
 
 sw::PrecisionSetup plan(const Options& o) {
-  std::vector<sw::Point> points;
-  return plan_firmware(o, points).precision;
+  PathStore store;
+  return plan_firmware(o, store).precision;
 }
 
 double value(sw::Gain g) { return std::ldexp(g.mant / 2048.0, g.exp); }
@@ -235,6 +235,9 @@ TEST_CASE("what has no meaning with it is refused: a sweep, learning in one lap,
   Options o = options();
   o.path.kind = PathKind::kSweep;
   CHECK_THAT(refusal(o), Contains("path.kind: \"sweep\""));
+  o = options();
+  o.path.profile = Profile::kConstant;
+  CHECK_THAT(refusal(o), Contains("path.profile: \"constant\" steps in speed"));
   o = options();
   o.precision.learn = true;
   CHECK_THAT(refusal(o), Contains("precision.learn: needs path.repeats of 2 or more, is 1"));

@@ -87,6 +87,7 @@ constexpr Point identification(const KungSetup& setup, Point start) {
 }
 
 constexpr std::uint32_t lap(const KungSetup& setup, std::uint32_t size) {
+  if (setup.path == Path::kFeed) return setup.feed.ticks;
   return setup.repeats == 0 ? size : size / setup.repeats;
 }
 
@@ -270,9 +271,9 @@ void KungApp::look_ahead() {
   if (precision_.needs_point()) {
     if (drawn_ < size_) {
       ++drawn_;
-      path_point_ = trajectory_.next();
+      path_point_ = trajectory_.next_q8();
     }
-    point = {256 * path_point_.x, 256 * path_point_.y};
+    point = path_point_;
   }
   precision_.give(point);
 }

@@ -132,7 +132,7 @@ class KungApp final : public Firmware {
   std::uint32_t size_;
   PrecisionControl precision_;
   std::uint32_t drawn_ = 0;  // points of the path that the precision controller was given
-  Point path_point_;         // the last of them
+  Point path_point_;         // the last of them [2^-8 count]
   std::uint32_t last_tick_ = 0;
   std::uint32_t fault_ = 0;
   State state_ = State::kOff;

@@ -3,6 +3,7 @@
 
 #include "rtl/chips/generated/kung_xy_regs.hpp"
 #include "sw_nios/apps/kung/identification.hpp"
+#include "sw_nios/path/feed_prefilter.hpp"
 
 namespace trammel::sw {
 namespace {
@@ -13,12 +14,6 @@ constexpr std::array<std::uint32_t, 2> kWindows{reg::kX, reg::kY};
 constexpr std::uint32_t kKnotWords = 0, kTickWords = 8;  // of the window
 
 constexpr std::uint32_t as_word(std::int32_t value) { return static_cast<std::uint32_t>(value); }
-
-// The spline of the chip smooths its control points; this undoes it.
-constexpr std::int32_t prefiltered(const std::array<std::int32_t, 3>& points) {
-  const std::int64_t bend = std::int64_t{points[2]} - 2 * std::int64_t{points[1]} + points[0];
-  return points[1] - static_cast<std::int32_t>(rs(10923 * bend, 16));
-}
 
 }  // namespace
 
@@ -93,7 +88,7 @@ void PrecisionControl::command(Bus& bus, std::uint32_t a) {
   const EstimatorSetup& words = setup_.axis[a].estimator;
   const KnotWords before = axis.words;
   axis.words = knot_words(theta, words);
-  const std::int32_t c = prefiltered(axis.corrected);
+  const std::int32_t c = prefilter(axis.corrected[2], axis.corrected[1], axis.corrected[0]);
   write_knot(bus, a, c, force_current(theta, axis.points[2], axis.points[1], words.pitch),
              mass_ratio(before.km, axis.words.km));
   axis.estimator.command(c);
