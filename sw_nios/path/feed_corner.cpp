@@ -35,12 +35,14 @@ FeedBounds feed_bounds(const FeedSegment& g, const FeedLimits& l) {
   return b;
 }
 
-FeedBounds feed_corner(const FeedSegment& p, const FeedSegment& q, const FeedLimits& limits) {
-  const FeedBounds before = feed_bounds(p, limits), behind = feed_bounds(q, limits);
-  FeedBounds c{min(before.speed, behind.speed), min(before.accel, behind.accel)};
+FeedCorner feed_corner(const FeedSegment& p, const FeedBounds& of_p, const FeedSegment& q,
+                       const FeedBounds& of_q, const FeedLimits& limits) {
+  const Real speed = min(of_p.speed, of_q.speed);
+  FeedBounds c{speed, min(of_p.accel, of_q.accel)};
+  if (p.exact && p.half_sine > kHalfDegree) return {c, true};
   const Real A = least(limits), one(1), two(2);
   const Real sine = min(Real(p.half_sine, 62), one);
-  if (sine.zero()) return c;
+  if (sine.zero()) return {c, false};
   const Real tangent = sine / sqrt(max(one - sine * sine, kTiny));
   const Real shorter = Real(p.length < q.length ? p.length : q.length, 32);
   Real bend;  // mean curvature of both
@@ -49,23 +51,20 @@ FeedBounds feed_corner(const FeedSegment& p, const FeedSegment& q, const FeedLim
 
   c.speed = min(c.speed, kShare * A / (kSeen * sine));
   if (bend.zero()) c.speed = min(c.speed, sqrt(kShare * A * shorter / (two * tangent)));
-  // Shares of A that the turn takes, of one corner and of many within a point, and the arcs.
-  const auto turn = [&] {
-    return max(two * sine * c.speed / A, two * tangent * c.speed * c.speed / (shorter * A));
-  };
-  const auto load = [&] { return turn() + bend * c.speed * c.speed / A; };
-  if (!(turn() > kStraight)) return c;
-  if (!bend.zero() && load() > kFull) c.speed = c.speed * kFull / load();
-  if (turn() > kStraight) {
-    c.accel = min(c.accel, (load() > kSharp ? kHalf : kShare) * A);
+  // Share of A that the turn takes: of one corner, or of many within a point.
+  const Real one_corner = two * sine / A, many = two * tangent / (shorter * A);
+  const auto turn = [&] { return max(one_corner * c.speed, many * c.speed * c.speed); };
+  Real share = turn();
+  if (share > kStraight) {
+    Real load = share + bend * c.speed * c.speed / A;
+    if (!bend.zero() && load > kFull) {
+      c.speed = c.speed * kFull / load;
+      share = turn();
+      load = share + bend * c.speed * c.speed / A;
+    }
+    if (share > kStraight) c.accel = min(c.accel, (load > kSharp ? kHalf : kShare) * A);
   }
-  return c;
-}
-
-bool feed_stops(const FeedSegment& p, const FeedSegment& q, const FeedLimits& limits) {
-  if (p.exact && p.half_sine > kHalfDegree) return true;
-  const Real both = min(feed_bounds(p, limits).speed, feed_bounds(q, limits).speed);
-  return feed_corner(p, q, limits).speed * Real(kSlow) < both;
+  return {c, c.speed * Real(kSlow) < speed};
 }
 
 }  // namespace trammel::sw

@@ -23,10 +23,12 @@ struct FeedBounds {
 // Along a segment. A is the smaller acceleration of the axes; a line may use that of its own axes.
 FeedBounds feed_bounds(const FeedSegment& g, const FeedLimits& limits);
 
-// Around the corner between two segments.
-FeedBounds feed_corner(const FeedSegment& p, const FeedSegment& q, const FeedLimits& limits);
-
-// Whether the table stops between them.
-bool feed_stops(const FeedSegment& p, const FeedSegment& q, const FeedLimits& limits);
+// Around the corner between two segments that have bounds of their own.
+struct FeedCorner {
+  FeedBounds bounds;
+  bool stop = false;  // the table stops between them
+};
+FeedCorner feed_corner(const FeedSegment& p, const FeedBounds& of_p, const FeedSegment& q,
+                       const FeedBounds& of_q, const FeedLimits& limits);
 
 }  // namespace trammel::sw

@@ -33,20 +33,33 @@ void FeedPlanner::add_segment() {
   FeedSegment& g = w_.segments[segment_];
   const std::uint32_t at = new_piece();
   if (state_ != State::kBusy) return;
-  const FeedBounds own = feed_bounds(g, limits_);
+  if (at == 0) bounds_ = feed_bounds(g, limits_);
   FeedPiece& p = w_.pieces[at];
   p.length = g.length;
-  p.speed = own.speed.fixed(kFeedBits);
-  p.accel = own.accel.fixed(kFeedBits);
+  p.speed = bounds_.speed.fixed(kFeedBits);
+  p.accel = bounds_.accel.fixed(kFeedBits);
   p.before = at == 0 ? kNone : at - 1;
   p.next = kNone;
-  if (at != 0) w_.pieces[at - 1].next = at;
-  if (segment_ + 1 == w_.n_segments) g.stop = true;
-  if (!g.stop) g.stop = feed_stops(g, w_.segments[segment_ + 1], limits_);
+  if (at != 0) {
+    w_.pieces[at - 1].next = at;
+    p.corner_speed = corner_bounds_.speed.fixed(kFeedBits);
+    p.corner_accel = corner_bounds_.accel.fixed(kFeedBits);
+  }
   ++segment_;
+  if (segment_ == w_.n_segments) g.stop = true;
+  if (!g.stop) {
+    const FeedSegment& next = w_.segments[segment_];
+    const FeedBounds own = bounds_;
+    bounds_ = feed_bounds(next, limits_);
+    const FeedCorner corner = feed_corner(g, own, next, bounds_, limits_);
+    corner_bounds_ = corner.bounds;
+    g.stop = corner.stop;
+  }
   if (!g.stop) return;
   corner_ = 1;
   corners_ = n_pieces_;
+  path_ = w_.pieces[0].length;
+  zone_ = {};
   stage_ = Stage::kCorner;
 }
 
@@ -58,27 +71,36 @@ void FeedPlanner::apply_corner() {
     speed_ = 0;
     return;
   }
-  const std::uint32_t first = segment_ - corners_;
-  const FeedBounds c =
-      feed_corner(w_.segments[first + corner_ - 1], w_.segments[first + corner_], limits_);
-  const std::uint64_t speed = c.speed.fixed(kFeedBits), accel = c.accel.fixed(kFeedBits);
-  const std::uint64_t reach = (c.speed * Real(limits_.mean + 1) / Real(2)).fixed(32);
-  limit(w_.pieces[corner_].before, true, reach, speed, accel);
-  limit(corner_, false, reach, speed, accel);
+  const std::uint64_t speed = w_.pieces[corner_].corner_speed;
+  const std::uint64_t accel = w_.pieces[corner_].corner_accel;
+  const std::uint64_t reach = mul_right(speed, limits_.mean + 1, kFeedBits - 32 + 1);
+  Zone z{speed, accel, path_ > reach ? path_ - reach : 0, path_ + reach, kNone};
+  // What the zone before has limited as much, but for rounding, is done.
+  const auto below = [](std::uint64_t a, std::uint64_t b) { return a <= b + (b >> 34); };
+  const bool as_much =
+      zone_.to >= path_ && below(zone_.speed, speed) && below(zone_.accel, accel);
+  if (!as_much || zone_.from > z.from) limit(w_.pieces[corner_].before, true, reach, speed, accel);
+  if (as_much && zone_.to <= z.to) {
+    z.next = zone_.next == kNone ? kNone : limit(zone_.next, false, z.to - zone_.to, speed, accel);
+    if (z.to == zone_.to) z.next = zone_.next;
+  } else {
+    z.next = limit(corner_, false, reach, speed, accel);
+  }
+  if (state_ != State::kBusy) return;
+  zone_ = z;
+  path_ += w_.segments[segment_ - corners_ + corner_].length;
   ++corner_;
 }
 
-void FeedPlanner::limit(std::uint32_t at, bool back, std::uint64_t reach, std::uint64_t speed,
-                        std::uint64_t accel) {
+std::uint32_t FeedPlanner::limit(std::uint32_t at, bool back, std::uint64_t reach,
+                                 std::uint64_t speed, std::uint64_t accel) {
   while (at != kNone && reach != 0) {
     FeedPiece& p = w_.pieces[at];
     if (p.length <= reach) {
       reach -= p.length;
     } else {
-      if (p.speed > speed || p.accel > accel) {
-        at = split(at, back ? p.length - reach : reach, back);
-      }
-      if (state_ != State::kBusy) return;
+      at = split(at, back ? p.length - reach : reach, back);
+      if (state_ != State::kBusy) return kNone;
       reach = 0;
     }
     FeedPiece& inside = w_.pieces[at];
@@ -86,6 +108,7 @@ void FeedPlanner::limit(std::uint32_t at, bool back, std::uint64_t reach, std::u
     if (inside.accel > accel) inside.accel = accel;
     at = back ? inside.before : inside.next;
   }
+  return at;
 }
 
 std::uint32_t FeedPlanner::split(std::uint32_t at, std::uint64_t length, bool last) {

@@ -21,6 +21,7 @@ struct FeedPiece {
   std::uint64_t speed = 0;   // Q40, at most
   std::uint64_t accel = 0;   // Q40, at most
   std::uint64_t begin = 0;   // Q40: speed at its beginning
+  std::uint64_t corner_speed = 0, corner_accel = 0;  // Q40: of the corner at its beginning
   std::uint32_t next = 0, before = 0;
 };
 
@@ -52,6 +53,12 @@ class FeedPlanner {
   enum class Stage : std::uint8_t { kSegment, kCorner, kBackward, kForward, kPhases };
   static constexpr std::uint32_t kNone = 0xFFFFFFFFu;
 
+  // Around a corner, with the path of the chain where it begins and ends.
+  struct Zone {
+    std::uint64_t speed = 0, accel = 0, from = 0, to = 0;
+    std::uint32_t next = kNone;  // piece that begins where it ends
+  };
+
   std::uint32_t new_piece();
 
   // The chain's segments become pieces, up to its last one: piece k begins with its k-th segment.
@@ -61,9 +68,9 @@ class FeedPlanner {
   // sees of it.
   void apply_corner();
 
-  // From piece `at` on, backward or forward, over `reach` of path.
-  void limit(std::uint32_t at, bool back, std::uint64_t reach, std::uint64_t speed,
-             std::uint64_t accel);
+  // From piece `at` on, backward or forward, over `reach` of path; the piece behind that.
+  std::uint32_t limit(std::uint32_t at, bool back, std::uint64_t reach, std::uint64_t speed,
+                      std::uint64_t accel);
 
   // Cuts a piece after `length`; the part asked for. The piece of a corner stays behind it.
   std::uint32_t split(std::uint32_t at, std::uint64_t length, bool last);
@@ -84,10 +91,12 @@ class FeedPlanner {
 
   Work w_;
   FeedLimits limits_;
+  FeedBounds bounds_, corner_bounds_;  // of the next segment, and of the corner before it
   State state_ = State::kBusy;
   Stage stage_ = Stage::kSegment;
   std::uint32_t segment_ = 0;   // the next one
   std::uint32_t corner_ = 1, corners_ = 0;
+  Zone zone_;                   // the last one
   std::uint32_t n_pieces_ = 0, most_pieces_ = 0, piece_ = 0;
   std::uint32_t n_phases_ = 0, chain_ = 0;  // where the phases of this chain begin
   std::uint64_t speed_ = 0;                 // Q40, at the end of the piece

@@ -39,15 +39,22 @@ Real operator*(const Real& a, const Real& b) {
 
 Real operator/(const Real& a, const Real& b) {
   if (a.m_ == 0) return {};
-  std::uint64_t rest = a.m_, quotient = 0;
-  for (int bit = 0; bit < 64; ++bit) {
-    const bool carry = bit != 0 && rest >> 63 != 0;
-    if (bit != 0) rest <<= 1;
-    quotient <<= 1;
-    if (carry || rest >= b.m_) {
-      rest -= b.m_;
-      quotient |= 1;
+  // a 2^63 / b in two digits of 32 bits (Knuth, algorithm D); the mantissa of a is halved, so that
+  // it is below b's.
+  constexpr std::uint64_t kLow = 0xFFFFFFFFu;
+  const std::uint64_t high = b.m_ >> 32, low = b.m_ & kLow;
+  std::uint64_t rest = a.m_ >> 1, quotient = 0;
+  std::uint64_t next = (a.m_ & 1u) << 31;  // the digits that follow
+  for (int digit = 0; digit < 2; ++digit) {
+    std::uint64_t q = rest / high, r = rest - q * high;
+    while (q > kLow || q * low > (r << 32 | next)) {
+      --q;
+      r += high;
+      if (r > kLow) break;
     }
+    rest = (rest << 32 | next) - q * b.m_;
+    quotient = quotient << 32 | q;
+    next = 0;
   }
   return Real::make(quotient, a.e_ - b.e_ - 63);
 }

@@ -3,7 +3,6 @@
 // The feed profile: the firmware's points beside the formulas in double precision, and the promise
 // about the acceleration of each axis.
 #include <catch2/catch.hpp>
-#include <chrono>
 #include <cmath>
 #include <vector>
 
