@@ -36,7 +36,7 @@ UNITS = {"_m": "m", "_s": "s", "_kg": "kg", "_N": "N", "_V": "V", "_A": "A", "_H
          "_ohm": "ohm", "_ns": "ns", "_clk": "clocks", "_rad": "rad", "_rad_s": "rad/s",
          "_m_s": "m/s", "_N_s_m": "N s/m", "_N_A": "N/A", "_V_A": "V/A", "_counts": "counts",
          "_N_m": "N m", "_kg_m2": "kg m2", "_N_m_A": "N m/A", "_N_m_s": "N m s",
-         "_ticks": "ticks", "_samples": "samples", "_bits": "bits", "_MHz": "MHz"}
+         "_m_s2": "m/s2", "_ticks": "ticks", "_samples": "samples", "_bits": "bits", "_MHz": "MHz"}
 
 KEYS_HEAD = """<!-- Generated from `trammel list keys` by scripts/tool gen-manual; do not edit. -->
 # Parameters
