@@ -11,7 +11,8 @@
 namespace trammel::kung {
 namespace {
 
-constexpr double kMaxRadius = 1 << 20;        // counts; an angle of 32 bits is then 2^-9 count
+constexpr double kMaxRadius = 2147483648;     // counts
+constexpr double kMaxFlat = 0.25;             // rad, of an arc whose radius is above 2^20 counts
 constexpr double kLeastLength = 1.0 / 8192;   // counts
 constexpr double kMostSpeed = 32768;          // counts per point
 constexpr double kMostWindow = 65536;         // counts that the mean may span
@@ -32,6 +33,11 @@ ideal::Place tangent(const ideal::Move& m, bool at_end) {
       std::atan2(m.from.y - m.center.y, m.from.x - m.center.x) + (at_end ? m.sweep : 0);
   const double sign = m.sweep > 0 ? 1 : -1;
   return {-sign * std::sin(angle), sign * std::cos(angle)};
+}
+
+void direct(sw::FeedSegment& g, const ideal::Place& unit) {
+  g.dx = static_cast<std::int32_t>(std::lround(std::ldexp(unit.x, 30)));
+  g.dy = static_cast<std::int32_t>(std::lround(std::ldexp(unit.y, 30)));
 }
 
 }  // namespace
@@ -67,20 +73,26 @@ std::vector<sw::FeedSegment> feed_segments(const ideal::Moves& moves, const Feed
     g.exact = m.exact;
     if (m.kind == ideal::Move::Kind::kLine) {
       g.origin = q32(m.from);
-      const ideal::Place t = tangent(m, false);
-      g.dx = static_cast<std::int32_t>(std::lround(std::ldexp(t.x, 30)));
-      g.dy = static_cast<std::int32_t>(std::lround(std::ldexp(t.y, 30)));
+      direct(g, tangent(m, false));
     } else {
       const double radius = m.radius() / count;
       require(radius >= 1 && radius <= kMaxRadius,
               fmt::format("path: an arc with a radius of {:g} m; {:g}..{:g} m are permitted",
                           m.radius(), count, kMaxRadius * count));
-      g.origin = q32(m.center);
       g.radius = fixed(radius, 32);
-      g.rate = static_cast<std::uint64_t>(std::ldexp(1 / (2 * kPi * radius), 64));
-      const double turns = std::atan2(m.from.y - m.center.y, m.from.x - m.center.x) / (2 * kPi);
-      g.angle = static_cast<std::uint32_t>(std::llround(std::ldexp(turns, 32)));
       g.left = m.sweep > 0;
+      const bool flat = g.radius > sw::kFlatRadius;
+      g.origin = q32(flat ? m.from : m.center);
+      g.rate = static_cast<std::uint64_t>(std::ldexp(1 / (flat ? radius : 2 * kPi * radius), 64));
+      const double turns = std::atan2(m.from.y - m.center.y, m.from.x - m.center.x) / (2 * kPi);
+      if (flat) {
+        direct(g, tangent(m, false));
+      } else {
+        g.angle = static_cast<std::uint32_t>(std::llround(std::ldexp(turns, 32)));
+      }
+      require(!flat || std::abs(m.sweep) < kMaxFlat,
+              fmt::format("path: an arc of {:g} m with a radius of {:g} m is too long", m.length(),
+                          m.radius()));
     }
     if (k + 1 < moves.moves.size()) {
       const ideal::Place a = tangent(m, true), b = tangent(moves.moves[k + 1], false);

@@ -116,9 +116,11 @@ class FeedPath {
     const std::uint64_t along = path - path_;
     Vec at = g.origin;
     if (g.radius == 0) {
-      const auto s = static_cast<std::int64_t>((along + (1u << 18)) >> 19);  // Q13
-      at.x += (s * g.dx) >> 11;
-      at.y += (s * g.dy) >> 11;
+      at = add(at, q13(along), g.dx, g.dy);
+    } else if (g.radius > kFlatRadius) {
+      at = add(add(at, q13(along - mul_right(along, shorter(g, along), 32)), g.dx, g.dy),
+               q13(mul_right(along, aside(g, along), 32)), g.left ? -g.dy : g.dy,
+               g.left ? g.dx : -g.dx);
     } else {
       const auto turn = static_cast<std::uint32_t>(mul_high(along, g.rate));
       const CosSin n = cos_sin(g.left ? g.angle + turn : g.angle - turn);
@@ -127,6 +129,24 @@ class FeedPath {
       at.y += (r * n.sin) >> 10;
     }
     return {q8(at.x), q8(at.y)};
+  }
+  static constexpr std::int64_t q13(std::uint64_t q32) {
+    return static_cast<std::int64_t>((q32 + (1u << 18)) >> 19);
+  }
+  static constexpr Vec add(Vec at, std::int64_t s, std::int32_t x, std::int32_t y) {
+    return {at.x + ((s * x) >> 11), at.y + ((s * y) >> 11)};
+  }
+  // Of a flat arc after `along`, by the series of its angle, which is below 1/4: what it lacks in
+  // its first direction, and how far it is beside that, as shares of the path, Q32.
+  static constexpr std::uint64_t shorter(const FeedSegment& g, std::uint64_t along) {
+    const std::uint64_t angle = mul_high(along, g.rate), square = angle * angle >> 32;
+    return square * (feed_sine::part(6) - (square * feed_sine::part(120) >> 32)) >> 32;
+  }
+  static constexpr std::uint64_t aside(const FeedSegment& g, std::uint64_t along) {
+    const std::uint64_t angle = mul_high(along, g.rate), square = angle * angle >> 32;
+    const std::uint64_t fourth = square * feed_sine::part(720) >> 32;
+    const std::uint64_t less = square * (feed_sine::part(24) - fourth) >> 32;
+    return angle * (feed_sine::part(2) - less) >> 32;
   }
   static constexpr std::int32_t q8(Q32 a) {
     return static_cast<std::int32_t>((a + (1 << 23)) >> 24);

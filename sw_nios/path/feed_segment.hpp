@@ -13,20 +13,22 @@ namespace trammel::sw {
 
 inline constexpr std::uint32_t kMaxSegments = 4096;
 inline constexpr int kFeedBits = 40;  // fraction of speeds and accelerations
-inline constexpr std::uint64_t kMaxFeedRadius = std::uint64_t{1} << 52;  // Q32: 2^20 counts
+// An arc of a larger radius, 2^20 counts, is flat: it is drawn from where it begins, as 2^-32 turn
+// at its centre are too coarse.
+inline constexpr std::uint64_t kFlatRadius = std::uint64_t{1} << 52;  // Q32
 
 // The reader of the moves knows lengths and directions better than 32 bits of them tell, so the
 // sine of a corner and the length of an arc are given, not derived.
 struct FeedSegment {
-  Vec origin;                   // Q32: where a line begins; the centre of an arc
+  Vec origin;                   // Q32: where a line or a flat arc begins; the centre of an arc
   Point end;                    // Q8
   std::uint64_t length = 0;     // Q32, above 0
   std::uint64_t feed = 0;       // Q40, above 0
   std::uint64_t half_sine = 0;  // Q62: of half the angle to the next segment
-  std::uint64_t radius = 0;     // Q32, at most kMaxFeedRadius; 0: a line
-  std::uint64_t rate = 0;       // arc: 2^-64 turn per count
+  std::uint64_t radius = 0;     // Q32; 0: a line
+  std::uint64_t rate = 0;       // arc: 2^-64 turn per count, flat 2^-64 rad
   std::uint32_t angle = 0;      // arc: where it begins [2^-32 turn]
-  std::int32_t dx = 0, dy = 0;  // line: its direction, Q30
+  std::int32_t dx = 0, dy = 0;  // line, flat arc: its direction, there where it begins, Q30
   std::uint32_t dwell = 0;      // points of rest at its end, if it stops there
   bool left = false;            // arc: counter-clockwise
   bool stop = false;            // a chain ends here; the look-ahead sets it where a corner needs it

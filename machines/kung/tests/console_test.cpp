@@ -181,6 +181,8 @@ TEST_CASE("a set-up survives as words; a number of either sign and size does") {
   setup.axis[1].kv = {17, -9};
   setup.axis[0].adapt = setup.axis[1].feedforward = true;
   setup.following_limit = 99;
+  setup.feed.start = {-77, 1 << 24};
+  setup.feed.ticks = 123456789;
   sw::SetupWords words;
   sw::pack(setup, words);
   CHECK(words.flags == sw::SetupWords::kUsed);
@@ -194,6 +196,8 @@ TEST_CASE("a set-up survives as words; a number of either sign and size does") {
   CHECK(back.square.low == setup.square.low);
   CHECK(back.axis[1].kv.exp == -9);
   CHECK(back.axis[1].stroke_min == -2000);
+  CHECK(back.feed.start == setup.feed.start);
+  CHECK(back.feed.ticks == 123456789);
   CHECK(back.axis[0].adapt);
   CHECK_FALSE(back.axis[0].feedforward);
   CHECK(back.axis[1].feedforward);

@@ -62,6 +62,23 @@ TEST_CASE("a loader writes set-up and points into the image, and says when there
   CHECK(memory.at(list + 1) == static_cast<std::uint32_t>(-2));
   CHECK(memory.at(list + 3) == 400);
   CHECK(core_image().at(at) == 0);  // on a board it waits for commands
+
+  sw::KungSetup feed;
+  const std::vector<sw::FeedSegment> segments(3);
+  std::vector<sw::FeedPhase> phases(5);
+  phases[4].path = 1234567;
+  feed.path = sw::Path::kFeed;
+  feed.feed.segments = segments.data();
+  feed.feed.n_segments = 3;
+  feed.feed.phases = phases.data();
+  feed.feed.n_phases = 5;
+  const CoreMemory planned = core_memory(feed, true);
+  const std::size_t of_phases = list + 3 * sizeof(sw::FeedSegment) / 4;
+  CHECK(planned.at(of_phases + 4 * sizeof(sw::FeedPhase) / 4 + 2) == 1234567);
+  feed.feed.n_phases = 2000;
+  CHECK_THROWS_WITH(core_memory(feed, true), Contains("path.profile: 3 lines and arcs with 2000 "
+                                                      "phases of motion need 64264 bytes"));
+
   points.resize(20'000);
   setup.points = points.data();
   setup.n_points = 20'000;

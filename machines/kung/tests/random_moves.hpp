@@ -5,6 +5,7 @@
 // limits at their ends.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
@@ -79,9 +80,14 @@ class RandomMoves {
   // Mostly begun along the last heading.
   void arc(ideal::Move& m) {
     if (random_() % 3 == 0) heading_ += one_of({0.01, -0.2, 1.5, 3.1});
-    const double r = one_of({0.001, 0.005, 0.05, 0.02, 1e-4});
+    double r = one_of({0.001, 0.005, 0.05, 0.02, 1e-4});
+    const bool flat = random_() % 8 == 0;
     m.kind = ideal::Move::Kind::kArc;
     m.sweep = one_of({0.1, 1.57, 3.14, 2 * kPi, -1.57, -0.5, -2 * kPi, 0.01});
+    if (flat) {  // up to 0.2 rad, or 0.1 m
+      r = one_of({5.25, 6, 50, 9000});
+      m.sweep = std::min(0.2, 0.1 * between(0.01, 1) / r) * one_of({-1, 1});
+    }
     const double side = m.sweep > 0 ? 1 : -1;
     m.center = {m.from.x - side * std::sin(heading_) * r, m.from.y + side * std::cos(heading_) * r};
     const double angle = std::atan2(m.from.y - m.center.y, m.from.x - m.center.x) + m.sweep;

@@ -97,8 +97,8 @@ struct Noise {
 
 // Equal writes of native firmware fed the reads of a run.
 inline std::size_t native_writes(const Options& options, const std::vector<Transfer>& transfers) {
-  std::vector<sw::Point> points;
-  sw::KungApp app(plan_firmware(options, points));
+  PathStore store;
+  sw::KungApp app(plan_firmware(options, store));
   Replay replay(transfers);
   return replay.run(app);
 }

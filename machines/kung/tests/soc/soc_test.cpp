@@ -52,6 +52,34 @@ OneModel run_one_model(const Options& options, cosim::Clk end, cosim::SerialHost
 constexpr cosim::Clk kWorstRoutine = 4000;
 constexpr double kMeanRoutine = 3500;
 
+// Lines, arcs and a passed corner in 60 x 40 mm; chords of 0.1 mm, of which a point passes several.
+Options feed_program() {
+  Options options = line();
+  options.path.profile = Profile::kFeed;
+  options.path.kind = PathKind::kPoints;
+  ideal::Moves& all = options.path.moves;
+  ideal::Move m;
+  m.feed = 0.4;
+  m.to = all.start = {0.1, 0.1};
+  const auto to = [&](double x_m, double y_m) {
+    m.from = m.to;
+    m.to = {x_m, y_m};
+    all.moves.push_back(m);
+  };
+  to(0.14, 0.1);
+  m.kind = ideal::Move::Kind::kArc;  // tangential, and on into a corner
+  m.center = {0.14, 0.12};
+  m.sweep = 1.5707963267948966;
+  to(0.16, 0.12);
+  m.kind = ideal::Move::Kind::kLine;
+  to(0.14, 0.13);
+  all.moves.back().stop = true;
+  all.moves.back().dwell = 0.02;
+  for (int k = 1; k <= 20; ++k) to(0.14 - 1e-4 * k, 0.13 - 1e-6 * k * k);
+  to(0.13, 0.1296);
+  return options;
+}
+
 void check_same_as_native(const std::string& name) {
   const Options options = scenario(name);
   const Ran ran = run(options);
@@ -226,6 +254,19 @@ TEST_CASE("an illegal instruction turns the gates off within the trip's clocks, 
   CHECK(gates == 0);
   CHECK(off >= ran.trap->edge);
   CHECK(off <= ran.trap->edge + kTripsWithin);
+}
+
+TEST_CASE("the core draws lines and arcs under the feed profile as native firmware does") {
+  const Options options = feed_program();
+  const Ran ran = run(options);
+  CHECK(ran.result.end == EndReason::kDone);
+  const std::size_t writes = test::writes_of(ran.transfers).size();
+  CHECK(writes > 500);
+  CHECK(native_writes(options, ran.transfers) == writes);
+  // Of the 25,000 that a service routine may take.
+  CHECK(ran.times.routine.worst <= 7500);
+  WARN("feed profile: " << writes << " writes, worst " << ran.times.routine.worst << ", mean "
+                        << ran.times.routine.mean());
 }
 
 TEST_CASE("a fault of either driver turns all gates and both enables off, and lights its lamp") {
