@@ -9,6 +9,7 @@
 #include "machines/kung/figures.hpp"
 #include "machines/kung/machine.hpp"
 #include "machines/kung/plan.hpp"
+#include "machines/kung/precision_figures.hpp"
 #include "machines/kung/plan_feed.hpp"
 #include "machines/kung/response.hpp"
 
@@ -184,6 +185,7 @@ List figures(const lab::Settings& settings, cosim::RunResult& run) {
   }
   add_spread(list, "x.error_to_model", "X to reference model", axes[0].error_mm);
   add_spread(list, "y.error_to_model", "Y to reference model", axes[1].error_mm);
+  add_command_figures(list, options, result);
   if (!path.is_sweep()) add_laps(list, options, result, to_model_mm, contour_mm);
   for (Figure& f : list) f.shown = f.shown && !path.open_position();  // nothing to track
   const auto add_peak = [&](const std::string& id, const char* row, double AxisSignals::* member,

@@ -157,7 +157,9 @@ Json detail_json(const Options& options, const Result& result) {
     json["rules"][kAxes[a]] = {{"first", detail.rules_first[a]}, {"last", detail.rules_last[a]}};
   }
   // With other registers than the firmware's plan the chip computed something else.
-  const bool planned = !options.fault.of_processor() && result.end != EndReason::kFault &&
+  // The steps are those of the fuzzy controllers.
+  const bool planned = options.controller != Controller::kPrecision &&
+                       !options.fault.of_processor() && result.end != EndReason::kFault &&
                        options.fault.kind != cosim::FaultKind::kRegisterFlip;
   json["moment"] = planned ? moment_json(options, detail.moment) : Json(nullptr);
   json["gates"] = gates_json(detail.gates);

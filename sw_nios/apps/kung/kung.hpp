@@ -86,7 +86,7 @@ enum class Failure : std::uint32_t {
 
 class KungApp final : public Firmware {
  public:
-  static constexpr std::uint32_t kLogSize = 256;
+  static constexpr std::uint32_t kLogSize = 128;
   static constexpr std::uint32_t kPollLimit = 4096;  // a table reset takes 50 clk
   static constexpr std::uint32_t kStopLimit = 64;    // writes that turn an axis off, once again
 
