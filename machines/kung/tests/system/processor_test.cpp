@@ -76,19 +76,20 @@ struct Known {
   std::uint64_t before, now;
 };
 
+// Version 5 of the register map moved them: ID is read. With 4 in its place they are as before.
 constexpr std::array<Known, 12> kKnown{
-    {{"circle", Controller::kFc, 0x9ec182259401d92c, 0x0d263e224a3cbf65},
-     {"circle", Controller::kAfc, 0x583530ae94c86407, 0x1ef7e30e1c43a815},
-     {"window", Controller::kFc, 0x0cb03c5d92741ccd, 0x729ffca442ad7ea6},
-     {"window", Controller::kAfc, 0x6a983d2456f24ab5, 0x9680537f7cbd1771},
-     {"star", Controller::kFc, 0x847e972e0180a29c, 0xec55f9a4e2c944de},
-     {"star", Controller::kAfc, 0xeae56ac60b0f1f92, 0x9c8132b1b935873b},
-     {"step", Controller::kFc, 0x38c0846f03392a80, 0xb574df1b19731234},
-     {"step", Controller::kAfc, 0xea83fdf792dcbb68, 0xcaaecc9e096c5b66},
-     {"response", Controller::kFc, 0x5dba23d20aa50eb9, 0x1c412d7f3e124030},
-     {"response", Controller::kAfc, 0xbd7515aeaef23972, 0x21db4e0515220c5f},
-     {"response-current", Controller::kFc, 0xfbc19d1c7e3d85ed, 0xfbc19d1c7e3d85ed},
-     {"response-current", Controller::kAfc, 0xfbc19d1c7e3d85ed, 0xfbc19d1c7e3d85ed}}};
+    {{"circle", Controller::kFc, 0x8324b82ffc4226e8, 0xe22943c25f193404},
+     {"circle", Controller::kAfc, 0x40dedd37440ef3c2, 0x22d3ce64284cc37d},
+     {"window", Controller::kFc, 0x68334abed70193c3, 0x69c1d7efb737ac8f},
+     {"window", Controller::kAfc, 0x50abd7b2bb6a1137, 0xdd89dd5566ed9712},
+     {"star", Controller::kFc, 0x32a3262947b34ebc, 0x2c9ba8e70130e8e2},
+     {"star", Controller::kAfc, 0x5384347d1f396375, 0x608d9e1a1e86878e},
+     {"step", Controller::kFc, 0x174a2706e8712a8d, 0x567824924ec98cf3},
+     {"step", Controller::kAfc, 0x5383ca8b106aa879, 0xdc41254dd4931ace},
+     {"response", Controller::kFc, 0xe2128cf1e5c7c1ed, 0xb1c36dd40a12a5ca},
+     {"response", Controller::kAfc, 0xee323260f82c4def, 0x4dd15668968f1f71},
+     {"response-current", Controller::kFc, 0x2c270b7d2028bc92, 0x2c270b7d2028bc92},
+     {"response-current", Controller::kAfc, 0x2c270b7d2028bc92, 0x2c270b7d2028bc92}}};
 
 }  // namespace
 
