@@ -24,12 +24,13 @@ PrecisionControl::PrecisionControl(const PrecisionSetup& setup, Point start, Poi
       move_(move),
       before_path_(setup.identify ? Identification::kPoints : 0),
       size_(size),
-      axes_{{{Estimator(setup.axis[0].estimator, start_.x), {}, {}, {}, {}},
-             {Estimator(setup.axis[1].estimator, start_.y), {}, {}, {}, {}}}} {
+      axes_{{{Estimator(setup.axis[0].estimator, start_.x), {}, {}, {}, {}, {}},
+             {Estimator(setup.axis[1].estimator, start_.y), {}, {}, {}, {}, {}}}} {
   for (std::uint32_t a = 0; a < 2; ++a) {
     Axis& axis = axes_[a];
     const std::int32_t at = a == 0 ? start_.x : start_.y;
     axis.points = axis.corrected = {at, at, at};
+    axis.control = at;
     axis.words = knot_words(axis.estimator.theta(), setup.axis[a].estimator);
     if (setup.learn && setup.corrections != nullptr) {
       axis.learning = Learning(&setup.corrections->of[a], lap, setup.learn_gain);
@@ -91,7 +92,9 @@ void PrecisionControl::command(Bus& bus, std::uint32_t a) {
   const std::int32_t c = prefilter(axis.corrected[2], axis.corrected[1], axis.corrected[0]);
   write_knot(bus, a, c, force_current(theta, axis.points[2], axis.points[1], words.pitch),
              mass_ratio(before.km, axis.words.km));
-  axis.estimator.command(c);
+  // What this interrupt writes is in effect from the next knot on: its sums come after that.
+  axis.estimator.command(axis.control);
+  axis.control = c;
 }
 
 void PrecisionControl::write_gains(Bus& bus, std::uint32_t a, const LawGains& gains) const {

@@ -43,6 +43,7 @@ class PrecisionControl {
   struct Axis {
     Estimator estimator;
     Learning learning;
+    std::int32_t control = 0;             // point that the next knot takes
     KnotWords words;                      // as written last
     std::array<std::int32_t, 3> points;     // the next, this one, the one before
     std::array<std::int32_t, 3> corrected;  // the same with what was learned
