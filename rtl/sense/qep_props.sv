@@ -20,6 +20,8 @@ module qep_props
 
     input count_t count_o,
     input logic   dir_o,
+    input logic   edge_o,
+    input logic   up_o,
     input count_t index_latch_o,
     input logic   index_seen_o,
     input logic   error_o,
@@ -41,7 +43,7 @@ module qep_props
 
   logic live_q = 1'b0;
   logic was_rst_q, was_live_q, was_preset_q, was_clear_q, was_error_q, was_seen_q, was_dir_q;
-  logic was_quiescent_q;
+  logic was_quiescent_q, was_edge_q, was_up_q;
   logic [1:0] adopt_q;  // clocks left during which the lines are adopted
   logic adopted;
   logic [3:0] n, n_q, n_qq;  // length of the filter: now, 1 and 2 edges ago
@@ -115,6 +117,8 @@ module qep_props
     was_seen_q      <= !rst_i && index_seen_o;
     was_dir_q       <= dir_o;
     was_quiescent_q <= !rst_i && quiescent_o;
+    was_edge_q      <= !rst_i && edge_o;
+    was_up_q        <= up_o;
     was_count_q     <= count_o;
     was_latch_q     <= index_latch_o;
     was_state_q     <= state;
@@ -157,6 +161,10 @@ module qep_props
       assert (was_preset_q || !was_live_q || count_o == was_count_q || full != '0);
       direction_of_the_last_step :
       assert (was_rst_q || dir_o == (moved_q[0] ? !moved_q[1] : was_dir_q));
+      an_edge_is_a_step_of_the_count :
+      assert (was_rst_q || was_edge_q == (!was_preset_q && count_o != was_count_q));
+      a_step_goes_the_way_of_its_edge :
+      assert (!was_edge_q || count_o == (was_up_q ? was_count_q + 24'sd1 : was_count_q - 24'sd1));
       index_latches_the_count : assert (!index_q || (index_latch_o == count_o && index_seen_o));
       latch_holds : assert (was_rst_q || index_q || index_latch_o == was_latch_q);
       index_kept_until_cleared :
@@ -200,6 +208,8 @@ module qep_props
   // breaks short_pulse_is_ignored: gen_line[0].same_q <= next == '0 ? next : next + 4'd1
   // breaks short_pulse_is_ignored: gen_line[0].same_q <= rst_i || !live || gen_line[0].same_q >= last ? next : meta_q[0] == line_q[0] ? '0 : gen_line[0].same_q + 4'd1
   // breaks direction_of_the_last_step: dir_q <= up && !rst_i
+  // breaks an_edge_is_a_step_of_the_count: edge_o = step
+  // breaks a_step_goes_the_way_of_its_edge: up_o = dir_q
   // breaks index_latches_the_count: latch_q <= index && !rst_i ? count_q : next
   // breaks latch_holds: latch_q <= line_q[Z] && !rst_i ? count_d : next
   // breaks index_kept_until_cleared: seen_q <= !rst_i && (index || (seen_q && !preset_i))
