@@ -26,18 +26,20 @@ module kung_precision_props
     input logic [31:0] wdata,
     input logic        law_ack,
     input logic        busy,
-    input logic        done
+    input logic        done,
+    input word_t [1:0] i_q
 );
 
   logic live_q = 1'b0;
 
   // ---- requests of the registers; the bus makes one at a time ----
 
+  logic [1:0] on;
   logic [1:0][4:0] asks;  // PREC_DATA, PREC_ERR, ERR_SUM, IQ_SUM, PREC_DIST
   logic [1:0] whole, writes, wrote;
   logic [3:0] number;
   logic named;
-  logic last_write_q, asked_q, ack;
+  logic last_write_q, lone_q, asked_q, ack;
   logic [1:0] last_data_q;
 
   always_comb begin
@@ -58,7 +60,7 @@ module kung_precision_props
   endfunction
 
   always_comb begin
-    named = names(knot_read_i, {!regs_i[0].ctrl.precision.value, 6'd62});
+    named = names(knot_read_i, {!on[0], 6'd62});
     for (int unsigned n = 0; n < 2; n++) begin
       named = named && names(asks[n][4], {n[0], 1'b0, regs_i[n].prec_addr.word.value}) &&
           names(asks[n][3], {n[0], 6'd54}) && names(asks[n][2], {n[0], 6'd59}) &&
@@ -68,6 +70,7 @@ module kung_precision_props
     end
   end
 
+  assign on  = {regs_i[1].ctrl.precision.value, regs_i[0].ctrl.precision.value};
   assign ack = law_ack && asked_q;
 
   // ---- runs of the law ----
@@ -83,21 +86,19 @@ module kung_precision_props
     end else begin
       if (number != '0) begin
         last_write_q <= (asks[0][4] && writes[0]) || (asks[1][4] && writes[1]);
+        lone_q       <= number == 4'd1;
         last_data_q  <= {asks[1][4], asks[0][4]};
         asked_q      <= 1'b1;
       end else if (law_ack) begin
         asked_q <= 1'b0;
       end
-      if (tick_cur_i && !busy &&
-          (regs_i[0].ctrl.precision.value || regs_i[1].ctrl.precision.value)) begin
-        position_q <= tick_pos_i;
-      end
+      if (tick_cur_i && !busy && on != '0) position_q <= tick_pos_i;
     end
     if (live_q && !rst_i) begin
       a_request_names_its_word : assert (number > 4'd1 || named);
       no_request_without_a_register : assert (request == (number != '0));
       answers_are_of_the_last_request :
-      assert (axis_o[0].read == (ack && !last_write_q) &&
+      assert (asked_q && !lone_q || axis_o[0].read == (ack && !last_write_q) &&
               axis_o[1].read == (ack && !last_write_q) && knot_ack_o == (ack && !last_write_q) &&
               axis_o[0].written == (ack && last_write_q || wrote[0]) &&
               axis_o[1].written == (ack && last_write_q || wrote[1]));
@@ -106,28 +107,32 @@ module kung_precision_props
       address_counts_behind_its_data_only :
       assert ({axis_o[1].counts, axis_o[0].counts} == (last_data_q & {2{ack}}));
       flags_of_enabled_axes_only :
-      assert ((axis_o[0].enable || {axis_o[0].saturated, axis_o[0].clipped, axis_o[0].overrun,
+      assert ((on[0] || {axis_o[0].saturated, axis_o[0].clipped, axis_o[0].overrun,
                                     axis_o[0].underrun} == '0) &&
-              (axis_o[1].enable || {axis_o[1].saturated, axis_o[1].clipped, axis_o[1].overrun,
+              (on[1] || {axis_o[1].saturated, axis_o[1].clipped, axis_o[1].overrun,
                                     axis_o[1].underrun} == '0));
+      i_q_of_its_axis_where_its_bit_is_set :
+      assert (axis_o[0].enable == on[0] && axis_o[1].enable == on[1] &&
+              {axis_o[1].i_q_ref, axis_o[0].i_q_ref} == i_q);
       done_of_position_ticks_only :
       assert (axis_o[0].done == (done && position_q) && axis_o[1].done == (done && position_q));
       edges_of_enabled_axes_are_timed :
-      assert (timed == (edge_i & {axis_o[1].enable, axis_o[0].enable}) && timed_o == (timed != '0));
+      assert (timed == (edge_i & on) && timed_o == (timed != '0));
       reaches_an_answer : cover (ack && last_data_q[1] && last_write_q);
       reaches_a_position : cover (done && position_q);
     end
   end
 
   // prove: cut precision edge_time
-  // breaks a_request_names_its_word: u_precision.request_addr_i = address & 7'h3f
-  // breaks no_request_without_a_register: request = next || law_ack
+  // breaks a_request_names_its_word: address = address & 7'h3f
+  // breaks no_request_without_a_register: request = request || law_ack
   // breaks answers_are_of_the_last_request: we_q <= request ? !we : next
-  // breaks part_of_a_word_is_answered_at_once: part[1] = 1'b0
+  // breaks part_of_a_word_is_answered_at_once: part = {1'b0, part[0]}
   // breaks address_counts_behind_its_data_only: counts_d = data
-  // breaks flags_of_enabled_axes_only: axis_o[0].clipped = clipped[0]
+  // breaks flags_of_enabled_axes_only: enable = {enable[1], 1'b1}
+  // breaks i_q_of_its_axis_where_its_bit_is_set: enable = {2{enable[0]}}
   // breaks done_of_position_ticks_only: pos_q <= rst_i ? next : tick_pos_i
-  // breaks edges_of_enabled_axes_are_timed: timed[1] = edge_i[1]
+  // breaks edges_of_enabled_axes_are_timed: timed = edge_i
 
 endmodule
 
