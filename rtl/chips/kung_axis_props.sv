@@ -43,6 +43,10 @@ module kung_axis_props
     input word_t      iq_afc,
     input logic       precise,  // i_q* is the precision controller's
     input word_t      iq_precise,
+    input logic       done_precise,
+    input logic       done_o,
+    input logic       afc_start,
+    input logic       afc_done,
     input word_t      i_q_ref_q,
     input word_t      i_a,
     input word_t      i_b,
@@ -134,8 +138,7 @@ module kung_axis_props
   logic tick_q, tick_pos_q;
 
   always_ff @(posedge clk_i) begin
-    chosen_q        <= !position_loop ? iq_manual :
-        precise ? iq_precise : iq_afc;
+    chosen_q        <= !position_loop ? iq_manual : precise ? iq_precise : iq_afc;
     count_q         <= count;
     tick_q          <= tick_cur_i;
     tick_pos_q      <= tick_cur_i && tick_pos_i;
@@ -149,6 +152,9 @@ module kung_axis_props
       position_is_that_of_the_tick : assert (x_p_q == (tick_pos_q ? count_q : was_x_p_q));
     end
     if (live_q) begin
+      position_controller_starts_unless_precise :
+      assert (afc_start == (tick_pos_i && !precise));
+      done_is_that_of_the_chosen_one : assert (done_o == (precise ? done_precise : afc_done));
       current_loop_rests_unless_closed : assert (loop_clear || told && current_loop);
     end
   end
@@ -211,6 +217,8 @@ module kung_axis_props
   // breaks no_side_to_side_without_a_pause (gate_leg): ready = allowed && count <= 10'd1
   // breaks i_q_is_the_chosen_one_of_the_tick: iq_ref = !regs_i.ctrl.position_loop.value ? iq_afc : word_t'(regs_i.iq_manual.value.value)
   // breaks i_q_is_the_chosen_one_of_the_tick: iq_position = iq_afc
+  // breaks position_controller_starts_unless_precise: afc_start = tick_pos_i
+  // breaks done_is_that_of_the_chosen_one: done_o = afc_done || precision_i.done
   // breaks angle_is_that_of_the_tick: count_cur_q <= tick_cur_i && !rst_i ? x_p_q : next
   // breaks position_is_that_of_the_tick: x_p_q <= tick_cur_i && !rst_i ? count : next
   // breaks current_loop_rests_unless_closed: loop_clear = !regs_i.ctrl.enable.value || !regs_i.ctrl.current_loop.value
@@ -244,6 +252,7 @@ bind kung_axis kung_axis_props u_kung_axis_props (
                     regs_i.pos_preset.wr_biten.value == '1),
     .precise(precision_i.enable),
     .iq_precise(precision_i.i_q_ref),
+    .done_precise(precision_i.done),
     .leg_next_0(leg_next[0]),
     .leg_next_1(leg_next[1]),
     .leg_next_2(leg_next[2]),
