@@ -28,7 +28,7 @@ module precision_knots_props (
   logic [5:0] since_q;  // ticks since the last knot, that one included
   logic any_q, wait_q;  // a knot since the reset, a COMMIT that waits
   logic [1:0] lost_q;   // knots in a row without a COMMIT, 3 or more as 3
-  logic was_knot_q, was_wait_q, was_other_q, was_quiet_q;
+  logic was_knot_q, was_wait_q, was_other_q, was_quiet_q, was_off_q;
   logic [11:0] held, was_held_q;
 
   assign held = {active_q, pending_q, tick_q, missed_q, taken_o, coast_o, hold_o};
@@ -38,6 +38,7 @@ module precision_knots_props (
     was_other_q <= (tick_i && !knot_o || off_i) && !rst_i;
     was_wait_q  <= wait_q;
     was_quiet_q <= quiescent_o && !rst_i;
+    was_off_q   <= off_i;
     was_held_q  <= held;
     if (rst_i) live_q <= 1'b1;
     if (rst_i || off_i) begin
@@ -65,6 +66,7 @@ module precision_knots_props (
       assert (!was_knot_q || was_wait_q || {coast_o, hold_o} == (lost_q <= 2'd2 ? 2'b10 : 2'b01));
       other_ticks_are_no_knots : assert (!was_other_q || {taken_o, coast_o, hold_o} == '0);
       underrun_is_a_knot_without_a_commit : assert (underrun_o == (knot_o && !wait_q));
+      in_reset_nothing_wakes_it : assert (!was_off_q || !off_i || quiescent_o);
       quiescent_is_honest : assert (!was_quiet_q || held == was_held_q);
 
       inv_knots :
@@ -85,6 +87,7 @@ module precision_knots_props (
   // breaks without_one_twice_constant_speed_then_none: coast_d = knot_o && !off_i && !pending_q && missed_q == '0
   // breaks other_ticks_are_no_knots: taken_d = knot_o ? taken_d : taken_q && !off_i
   // breaks underrun_is_a_knot_without_a_commit: underrun_o = knot_o && !pending_q && !commit_i
+  // breaks in_reset_nothing_wakes_it: quiescent_o = quiescent_o && !commit_i
   // breaks quiescent_is_honest: quiescent_o = !tick_i && !off_i
 
 endmodule

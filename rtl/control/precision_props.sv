@@ -15,7 +15,6 @@ module precision_props
     input logic [1:0] enable_i,
     input logic [1:0] reset_i,
 
-
     input logic        busy_o,
     input logic        done_o,
     input logic        overrun_o,
@@ -23,6 +22,9 @@ module precision_props
     input logic  [1:0] clipped_o,
     input word_t [1:0] i_q_ref_o,
     input logic        quiescent_o,
+
+    input logic       store_quiescent,
+    input logic       knots_quiescent,
 
     input logic       start,
     input logic       knot,
@@ -168,17 +170,21 @@ module precision_props
   // ---- i_q*, and nothing while quiescent ----
 
   word_t [1:0] was_i_q_q;
-  logic was_quiescent_q;
+  logic was_quiescent_q, was_off_q, idle;
   logic [11:0] state, was_state_q;
 
+  assign idle  = clock_q == '0 && !was_last_q && store_quiescent && knots_quiescent;
   assign state = {asked_q, resetting_q, axis_q, pc_q[6:0]};
 
   always_ff @(posedge clk_i) begin
     was_i_q_q       <= i_q_ref_o;
     was_quiescent_q <= quiescent_o && !rst_i;
+    was_off_q       <= enable_i == '0 && !start && !rst_i;
     was_state_q     <= state;
     if (live_q) begin
       both_i_q_move_with_done_only : assert (done_o || was_rst_q || i_q_ref_o == was_i_q_q);
+      without_an_axis_nothing_wakes_it :
+      assert (!was_off_q || enable_i != '0 || !idle || quiescent_o);
       quiescent_is_honest :
       assert (!was_quiescent_q || state == was_state_q && !write && !busy_o && !done_o);
     end
@@ -232,6 +238,7 @@ module precision_props
   // breaks in_reset_only_0_is_stored: forced = (effect_q.fit[6] && !below) || (effect_q.fit[5] && below)
   // breaks flags_with_done_only: clipped_o = clipped_q
   // breaks both_i_q_move_with_done_only: i_q_ref_q <= fits_q && !rst_i ? {result[11:0], i_q_x_q} : next
+  // breaks without_an_axis_nothing_wakes_it: quiescent_o = quiescent_o && !tick_i
   // breaks quiescent_is_honest: quiescent_o = !busy_o && !done_q && store_quiescent && knots_quiescent
   // breaks a_condition_that_is_off_makes_0: f_q <= factors_q ? f : next
   // breaks result_is_the_fitted_sum, in_reset_only_0_is_stored: forced = 1'b0
@@ -248,3 +255,4 @@ bind precision precision_props u_precision_props (
 // prove: frames 300
 // prove: free $mul
 // prove: depth 3
+// prove: leap inv_axis busy_from_start_to_done done_after_229_clocks_or_277
