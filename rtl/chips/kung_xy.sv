@@ -221,7 +221,7 @@ module kung_xy
   logic [1:0] wake_regs, unused_axis_quiescent, edges, up, sense_awake;
   count_t [1:0] count_cur;
   kung_pkg::precision_t [1:0] precision_axis;
-  logic precision_awake, precision_wakes_regs, edge_timed;
+  logic awake_precision, precision_wakes_regs, edge_timed;
   gap_t axis_next[2];
 
   for (genvar n = 0; n < 2; n++) begin : gen_enable
@@ -287,7 +287,7 @@ module kung_xy
       .up_i         (up),
       .count_i      (count_cur),
       .axis_o       (precision_axis),
-      .awake_o      (precision_awake),
+      .awake_o      (awake_precision),
       .sense_awake_o(sense_awake),
       .timed_o      (edge_timed),
       .wake_regs_o  (precision_wakes_regs)
@@ -344,7 +344,7 @@ module kung_xy
   assign awake_gates_x  = axis_awake[0].gates;
   assign awake_gates_y  = axis_awake[1].gates;
 
-  assign awake_o = '{precision: precision_awake, system: awake_system, position: awake_position,
+  assign awake_o = '{precision: awake_precision, system: awake_system, position: awake_position,
       adc: awake_adc,
       loop: '{angle: awake_angle, rotate: awake_rotate, pi: awake_pi, svpwm: awake_svpwm},
       sense: {awake_sense_y, awake_sense_x}, gates: {awake_gates_y, awake_gates_x}};

@@ -11,64 +11,40 @@ module kung_xy_props
     input logic clk_i,
     input logic rst_i,
 
-    input logic        s_axil_awvalid_i,
-    input logic        s_axil_awready_o,
+    input logic        s_axil_awvalid_i, s_axil_awready_o,
     input logic [ 9:0] s_axil_awaddr_i,
-    input logic        s_axil_wvalid_i,
-    input logic        s_axil_wready_o,
+    input logic        s_axil_wvalid_i, s_axil_wready_o,
     input logic [31:0] s_axil_wdata_i,
     input logic [ 3:0] s_axil_wstrb_i,
-    input logic        s_axil_bvalid_o,
-    input logic        s_axil_bready_i,
+    input logic        s_axil_bvalid_o, s_axil_bready_i,
     input logic [ 1:0] s_axil_bresp_o,
-    input logic        s_axil_arvalid_i,
-    input logic        s_axil_arready_o,
+    input logic        s_axil_arvalid_i, s_axil_arready_o,
     input logic [ 9:0] s_axil_araddr_i,
-    input logic        s_axil_rvalid_o,
-    input logic        s_axil_rready_i,
+    input logic        s_axil_rvalid_o, s_axil_rready_i,
     input logic [31:0] s_axil_rdata_o,
     input logic [ 1:0] s_axil_rresp_o,
-    input logic       trip_i,
-    input logic [5:0] gate_hi_o,
-    input logic [5:0] gate_lo_o,
-    input logic       irq_o,
-    input logic       sample_o,
-    input gap_t       next_o,
-    input logic       quiescent_o,
+    input logic [5:0]  gate_hi_o, gate_lo_o,
+    input logic        trip_i, irq_o, sample_o, quiescent_o,
+    input gap_t        next_o, timebase_next, next_x, next_y,
     input kung_xy__out_t hwif_out,
-    input logic          tick_irq,
-    input logic [31:0]   tick_count,
-    input logic [31:0]   fault,   // as the register shows it
-    input logic [6:0]    causes,  // of a trip, except the pin
-    input logic          trip,
-    input logic          trip_q,
-    input logic          locked_q,
-    input logic [2:0]    open_q,
-    input logic [1:0]    done,
-    input logic [1:0]    done_q,
-    input gap_t          timebase_next,
-    // of the register block
-    input logic          serves_write,
-    input logic          serves_read,
-    input logic          pending,
-    input logic [1:0]    in_flight,
-    input logic [1:0]    write_pointer,
-    input logic [1:0]    read_pointer,
-    input logic [32:0]   slot_even,  // is a write; data
-    input logic [32:0]   slot_odd,
-    input logic [1:0]    slot_errors,
-    input logic [10:0]   held_address,
-    input logic [36:0]   held_word,
-    input logic [10:0]   held_read,
-    input logic          read_was_last,
+    input logic [31:0] tick_count, fault,  // as the register shows it
+    input logic [6:0]  causes,             // of a trip, except the pin
+    input logic        tick_irq, trip, trip_q, locked_q,
+    input logic [2:0]  open_q,
+    input logic [1:0]  done, done_q,
+    // of the register block and of kung_precision
+    input logic        serves_write, serves_read, pending, read_was_last, slow_ack, slow_waits,
+    input logic [1:0]  in_flight, write_pointer, read_pointer, slot_errors,
+    input logic [32:0] slot_even, slot_odd,  // is a write; data
+    input logic [10:0] held_address, held_read,
+    input logic [36:0] held_word,
+    input logic [2:0]  slow_held,  // is a write; of PREC_DATA, by axis
     // of the supervisor and the axes
-    input logic [1:0]    pin_stages,
-    input logic [11:0]   axis_events,  // Y overrun, encoder, saturated, limited, ...; X
-    input logic [1:0]    busy, table_waits,
-    input logic          slow_ack, slow_waits,
-    input logic [19:0]   dead_time,
-    input logic [23:0]   current_limit,
-    input gap_t          next_x, next_y
+    input logic [1:0]  pin_stages,
+    input logic [11:0] axis_events,  // Y overrun, encoder, saturated, limited, underrun, clipped; X
+    input logic [1:0]  busy, table_waits,
+    input logic [19:0] dead_time,
+    input logic [23:0] current_limit
 );
 
   typedef struct packed {logic is_read, known; logic [31:0] data;} answer_t;
@@ -93,6 +69,7 @@ module kung_xy_props
   logic [1:0] table_q;  // a served write of TAB_DATA waits for its controller
   logic table_write;  // the next write is one
   logic slow_q, slow_read, slow_write;  // a served request waits for the precision controller
+  logic [1:0] data_q, counts_q;  // what waits is an access of PREC_DATA, by axis; it ended just now
 
   assign address = s_axil_awvalid_i && s_axil_awready_o;
   assign word    = s_axil_wvalid_i && s_axil_wready_o;
@@ -154,7 +131,7 @@ module kung_xy_props
 
   always_ff @(posedge clk_i) begin
     if (rst_i) begin
-      {aw_q, w_q, ar_q, table_q, slow_q, lone_q} <= '0;
+      {aw_q, w_q, ar_q, table_q, slow_q, data_q, lone_q} <= '0;
       {addresses_q, words_q, reads_q, served_q, answered_q, write_wait_q, read_wait_q} <= '0;
     end else begin
       aw_q        <= address || aw_q && !serves_write;
@@ -168,6 +145,9 @@ module kung_xy_props
       table_q     <= table_q & busy;
       slow_q      <= serves_write && slow_write || serves_read && slow_read ||
           slow_q && !slow_ack;
+      if (slow_ack) data_q <= '0;
+      if (serves_write && slow_write) data_q[awaddr_q[8]] <= 1'b1;
+      if (serves_read && !araddr_q[9] && araddr_q[7:2] == 6'h25) data_q[araddr_q[8]] <= 1'b1;
       if (serves_write && table_write) table_q[awaddr_q[8]] <= 1'b1;
       lone_q[3:2] <= {lone_q[2] && !slow_read, nothing && read && !s_axil_awvalid_i};
       lone_q[1:0] <= {lone_q[0] && !table_write && !slow_write,
@@ -181,8 +161,8 @@ module kung_xy_props
     if (word) {wstrb_q, wdata_q} <= {s_axil_wstrb_i, s_axil_wdata_i};
     if (read) araddr_q <= s_axil_araddr_i;
     if (serves_write || serves_read) begin
-      if (served_q[0]) odd_q <= '{serves_read, knows, shown};
-      else even_q <= '{serves_read, knows, shown};
+      if (served_q[0]) odd_q <= '{serves_read, serves_read && knows, shown};
+      else even_q <= '{serves_read, serves_read && knows, shown};
     end
   end
 
@@ -192,6 +172,7 @@ module kung_xy_props
   logic [3:0] was_resp_q, strobes_q, pin_q;  // strobes of word_q; the trip pin 1..4 clocks ago
   logic wrote_q;  // a write was served, of word_q
   logic [7:0] at_q;  // its word address
+  logic [1:0][4:0] place, was_place_q, place_due;  // PREC_ADDR
   logic [1:0] enabled, was_enabled_q, seen_q;  // seen: dones since the last sample
   logic was_quiescent_q, was_locked_q, was_trip_q, cause, was_cause_q;
   logic unlocked, lock_key, unlock_key, clear_key;  // a write: while unlocked; of one of the keys
@@ -223,6 +204,12 @@ module kung_xy_props
   assign limits     = {hwif_out.rates.position.value, hwif_out.rates.carrier.value,
       hwif_out.current_limit.value.value, hwif_out.deadtime_min.clk.value};
 
+  assign place = {hwif_out.y.prec_addr.word.value, hwif_out.x.prec_addr.word.value};
+  for (genvar n = 0; n < 2; n++) begin : gen_place
+    assign place_due[n] = wrote_q && at_q == {1'b0, n[0], 6'h24} && strobes_q[0] ? word_q[4:0] :
+        was_place_q[n] + 5'(counts_q[n]);
+  end
+
   always_comb begin
     lasting          = hwif_out;
     lasting.x.status = '0;
@@ -234,7 +221,8 @@ module kung_xy_props
     {was_rst_q, at_q, word_q, strobes_q} <= {rst_i, awaddr_q[9:2], wdata_q, wstrb_q};
     {was_rdata_q, was_resp_q} <= {s_axil_rdata_o, s_axil_bresp_o, s_axil_rresp_o};
     {was_gates_q, was_held_q, was_guarded_q, was_limits_q} <= {gates, held, guarded, limits};
-    was_lasting_q <= lasting;
+    {was_lasting_q, was_place_q} <= {lasting, place};
+    counts_q <= rst_i || !slow_ack ? '0 : data_q;
     {was_bvalid_q, was_rvalid_q, wrote_q, was_quiescent_q} <= rst_i ? '0 :
         {s_axil_bvalid_o && !s_axil_bready_i, s_axil_rvalid_o && !s_axil_rready_i, serves_write,
          quiescent_o};
@@ -281,6 +269,7 @@ module kung_xy_props
       assert ((was_sticky_q & ~sticky & ~ones) == '0);
       a_written_one_clears : assert ((sticky & ones & ~was_events_q) == '0);
       no_event_is_lost : assert ((was_events_q & ~sticky) == '0);
+      prec_addr_counts_behind_its_data_only : assert (was_rst_q || place == place_due);
       irq_is_its_enabled_causes : assert (irq_o == ((sticky[1:0] & hwif_out.irq_en) != '0));
       trips_at_the_next_clock : assert (!was_cause_q || trip);
       trips_for_a_cause_only : assert (!trip || was_trip_q || was_cause_q);
@@ -312,7 +301,9 @@ module kung_xy_props
       inv_table :
       assert (pending == (table_q != '0 || slow_q) && table_waits == table_q &&
               table_q != 2'b11 && !(table_q != '0 && (read_was_last || slow_q)) &&
-              slow_waits == slow_q && slot_errors == '0);
+              slow_waits == slow_q && slot_errors == '0 &&
+              (slow_q ? slow_held == {!read_was_last, data_q} &&
+               !(owes[1] ? second.known : first.known) : data_q == '0));
       inv_counts :
       assert (addresses_q == 3'(aw_q) + 3'(write_first) + 3'(write_second) &&
               words_q + 3'(aw_q) == addresses_q + 3'(w_q) &&
@@ -338,7 +329,7 @@ module kung_xy_props
       reaches_an_unlock : cover (was_locked_q && !locked_q && !was_rst_q);
     end
   end
-  // prove: cut afc current_loop adc_if qep command pwm
+  // prove: cut afc current_loop adc_if qep command pwm precision edge_time
   // prove: leap inv_held inv_pointers inv_table inv_counts inv_pulse inv_rest
   // prove: leap open_transfers_are_counted
   // breaks no_response_from_reset (kung_xy_regs): axil_resp_wptr <= rst_i ? 2'd1 : next
@@ -364,6 +355,9 @@ module kung_xy_props
   // breaks limits_reach_both_axes: gen_axis[1].u_axis.current_limit_i = hwif_out.current_limit.value.value >> 1
   // breaks sticky_bits_rise_by_their_event_only, no_event_is_lost: u_regs.hwif_in_irq_stat_tick_hwset = trip
   // breaks sticky_bits_fall_by_a_written_one_only, a_written_one_clears (kung_xy_regs): field_storage_y_status_limited_value <= decoded_reg_strb_y_status && decoded_req_is_wr && !hwif_in_y_status_limited_hwset && !rst_i ? field_storage_y_status_limited_value & ~(decoded_wr_data[3] & decoded_wr_biten[4]) : next
+  // breaks prec_addr_counts_behind_its_data_only: gen_axis[1].u_axis.precision_i = precision_axis[0]
+  // breaks prec_addr_counts_behind_its_data_only (kung_precision): counts_d = '1
+  // breaks write_answered_within_4_clocks (kung_precision): waits_q <= request && !rst_i
   // breaks irq_is_its_enabled_causes: irq_o = (hwif_out.irq_stat.tick.value && hwif_out.irq_en.tick.value) || (tick_irq && hwif_out.irq_en.fault.value)
   // breaks trips_at_the_next_clock: u_supervisor.stroke_i = stroke & enabled
   // breaks trips_for_a_cause_only: u_supervisor.watchdog_i = tick_pos
@@ -385,12 +379,9 @@ bind kung_xy kung_xy_props u_kung_xy_props (
     .*,
     .fault        ({fault_tick[23:0], 3'd0, fault_axis, fault_code}),
     .causes       ({bite, over_current, encoder, stroke}),
-    .serves_write (u_regs.axil_aw_accept),
-    .serves_read  (u_regs.axil_ar_accept),
-    .pending      (u_regs.external_pending),
-    .in_flight    (u_regs.axil_n_in_flight),
-    .write_pointer(u_regs.axil_resp_wptr),
-    .read_pointer (u_regs.axil_resp_rptr),
+    .serves_write(u_regs.axil_aw_accept), .serves_read(u_regs.axil_ar_accept),
+    .pending(u_regs.external_pending), .in_flight(u_regs.axil_n_in_flight),
+    .write_pointer(u_regs.axil_resp_wptr), .read_pointer(u_regs.axil_resp_rptr),
     .slot_even    ({u_regs.axil_resp_buffer_is_wr[0], u_regs.axil_resp_buffer_rdata[0]}),
     .slot_odd     ({u_regs.axil_resp_buffer_is_wr[1], u_regs.axil_resp_buffer_rdata[1]}),
     .slot_errors  ({u_regs.axil_resp_buffer_err[1], u_regs.axil_resp_buffer_err[0]}),
@@ -402,8 +393,8 @@ bind kung_xy kung_xy_props u_kung_xy_props (
     .busy         ({axis_in[1].status.busy.next, axis_in[0].status.busy.next}),
     .axis_events  ({axis_in[1].status[12:7], axis_in[0].status[12:7]}),
     .table_waits  ({gen_axis[1].u_axis.tab_pending_q, gen_axis[0].u_axis.tab_pending_q}),
-    .slow_ack     (u_precision.law_ack), .slow_waits(u_precision.waits_q),
+    .slow_ack(u_precision.law_ack), .slow_waits(u_precision.waits_q), .next_x(axis_next[0]),
+    .slow_held({u_precision.we_q, u_precision.counts_q}), .next_y(axis_next[1]),
     .dead_time    ({gen_axis[1].u_axis.dead_time, gen_axis[0].u_axis.dead_time}),
-    .current_limit({gen_axis[1].u_axis.current_limit_i, gen_axis[0].u_axis.current_limit_i}),
-    .next_x       (axis_next[0]), .next_y(axis_next[1])
+    .current_limit({gen_axis[1].u_axis.current_limit_i, gen_axis[0].u_axis.current_limit_i})
 );
