@@ -1,0 +1,240 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What the launcher `trammel` installs, builds and starts, in a repository whose tools only log."""
+
+import shutil
+import subprocess
+
+from scratch import Scratch
+from trammel_tools.paths import ROOT
+
+# What the launcher needs of a system; every other program is a stand-in.
+SYSTEM = ("awk basename bash cat chmod cp cut dirname env flock grep mkdir readlink rm sed "
+          "sha256sum sort tail tee tr").split()
+LOG = 'echo "${0##*/} $*" >> "$AT/log"\n'
+TOOLS = {
+    # Installed is what the file `installed` names; what the file `lost` names cannot be.
+    "dpkg-query": 'grep -qx "$4" "$AT/installed" || exit 1\n'
+                  '[[ $3 == *Version* ]] && printf 1.2 || printf installed\n',
+    "apt-get": LOG + 'for word; do case $word in\n'
+                     'update) rm -f "$AT/stale" ;;\n'
+                     'install) take=yes ;;\n'
+                     '-*) ;;\n'
+                     '*) if [ -n "${take:-}" ]; then [ ! -f "$AT/stale" ] || exit 100\n'
+                     '   ! grep -qx "$word" "$AT/lost" || exit 100\n'
+                     '   echo "$word" >> "$AT/installed"; fi ;;\n'
+                     'esac; done\n',
+    "id": 'cat "$AT/user"\n',
+    "nproc": "echo 3\n",
+    "sudo": LOG + '"$@"\n',
+    "cmake": LOG + 'echo configured > "$2/build/build.ninja"\n',
+    "ninja": LOG + 'if [ -f "$AT/broken" ]; then for n in {1..99}; do echo "[$n/99] Building $n"\n'
+                   'done; echo "x.cpp:7: error: no such name"; exit 1; fi\n'
+                   'mkdir -p "$2/testbench"; cp "$AT/bin/started" "$2/testbench/trammel"\n',
+    "started": LOG + 'echo "verbs: $TRAMMEL_VERBS"; exit "$(cat "$AT/code")"\n',
+    "ctest": LOG + 'cat "$AT/told"; [[ " $* " == *" -N "* ]] || exit "$(cat "$AT/code")"\n',
+    "python3": LOG + 'if [ "$1 $2" = "-m venv" ]; then mkdir -p "$3/bin"\n'
+                     'cp "$AT/bin/started" "$3/bin/python3"; cp "$AT/bin/started" "$3/bin/pip"; fi\n'
+                     'if [[ $* == *"test-block --names"* && $* == *nothing* ]]; then exit 2; fi\n'}
+INSTALL = "apt-get -qq -o DPkg::Lock::Timeout=300 -o Dpkg::Use-Pty=0 install -y " \
+          "--no-install-recommends"
+UPDATE = "apt-get -qq -o DPkg::Lock::Timeout=300 -o Dpkg::Use-Pty=0 update"
+
+
+class LauncherTest(Scratch):
+    def setUp(self):
+        super().setUp()
+        for name in SYSTEM:
+            self.link(name)
+        for name, text in TOOLS.items():
+            self.write(f"bin/{name}", f"#!/bin/bash\n{text}").chmod(0o755)
+        for name, text in {"installed": "make\n", "lost": "", "user": "0\n", "code": "0\n",
+                           "told": "", "scripts/tool": "", "tests/drive/pwm_test.cpp": "",
+                           "scripts/packages.txt": "make\nclock\nwire\n",
+                           "scripts/packages_test.txt": "prover\n",
+                           "scripts/packages_perf.txt": "racer\n",
+                           "scripts/requirements.txt": "pins==2  # wave: reads them\n"}.items():
+            self.write(name, text)
+        shutil.copy(ROOT / "trammel", self.folder)
+
+    def link(self, name):
+        (self.folder / "bin").mkdir(exist_ok=True)
+        (self.folder / "bin" / name).symlink_to(shutil.which(name))
+
+    def launch(self, *words, **more):
+        """Exit code, standard output, standard error, and the programs that were started."""
+        (self.folder / "log").unlink(missing_ok=True)
+        done = subprocess.run([self.folder / "trammel", *words], check=False, timeout=60,
+                              capture_output=True, text=True, cwd=self.folder,
+                              env={"PATH": str(self.folder / "bin"), "AT": str(self.folder), **more})
+        log = self.folder / "log"
+        started = log.read_text(encoding="utf-8").splitlines() if log.exists() else []
+        return done.returncode, done.stdout, done.stderr, \
+            [line.replace(f"{self.folder}/", "").replace(str(self.folder), "ROOT")
+             for line in started]
+
+    def started(self, *words, **more):
+        code, _, told, started = self.launch(*words, **more)
+        self.assertEqual(code, 0, told)
+        return started
+
+    def built(self, *words, **more):
+        """Targets of each build."""
+        return [line.split(maxsplit=5)[5] for line in self.started(*words, **more)
+                if line.startswith("ninja ")]
+
+    def ctested(self, *words, code=0, **more):
+        """Options of the run of ctest, behind those that it always has."""
+        got, _, told, started = self.launch("test", *words, **more)
+        self.assertEqual(got, code, told)
+        runs = [line for line in started if line.startswith("ctest ") and " -N" not in line]
+        self.assertEqual(len(runs), 1, started)
+        begin = "ctest --output-on-failure --no-tests=error -j 3"
+        self.assertEqual(runs[0][:len(begin)], begin)
+        return runs[0][len(begin):].strip()
+
+    def test_a_run_installs_what_is_missing_builds_the_program_and_starts_it(self):
+        first = self.started("run", "circle", "-s", "name=a b")
+        self.assertEqual(first[0], f"{INSTALL} clock wire")
+        self.assertEqual(first[1], "cmake -S ROOT --preset dev")
+        self.assertRegex(first[2], "^ninja -C build -j 3 trammel$")
+        self.assertEqual(first[3:], ["trammel run circle -s name=a b"])
+        again = self.started("run", "circle")
+        self.assertRegex(again[0], "^ninja ")
+        self.assertEqual(again[1:], ["trammel run circle"])
+        self.write("scripts/packages.txt", "make\nclock\nwire\nnew\n")
+        self.assertEqual(self.started("run", "circle")[0], f"{INSTALL} new")
+
+    def test_the_exit_code_is_that_of_the_program_which_knows_all_verbs(self):
+        for code in 0, 1, 5, 130:
+            self.write("code", f"{code}\n")
+            got, out, _, _ = self.launch("list")
+            self.assertEqual((got, out.split()), (code, ["verbs:", *(
+                "test coverage lint perf prove sweep synth tune verify wave").split()]))
+
+    def test_nothing_is_installed_where_the_user_does_so(self):
+        self.assertNotIn("apt-get", " ".join(self.started("run", "x", TRAMMEL_NO_APT="1")))
+
+    def test_who_is_not_root_installs_by_sudo_or_is_told_the_command(self):
+        self.write("user", "1000\n")
+        started = self.started("run", "circle")
+        self.assertRegex(started[0], "^sudo env DEBIAN_FRONTEND=noninteractive apt-get .* install")
+        self.assertEqual(started[1], f"{INSTALL} clock wire")
+        (self.folder / "bin" / "sudo").unlink()
+        self.write("installed", "make\nwire\n")
+        shutil.rmtree(self.folder / "build")
+        code, _, told, started = self.launch("run", "circle")
+        self.assertEqual((code, started), (3, []))
+        self.assertIn("as root: apt-get install clock \n", told)
+
+    def test_stale_package_lists_are_updated_and_what_is_nowhere_is_named(self):
+        self.write("stale", "")
+        self.assertEqual(self.started("run", "x")[:3],
+                         [f"{INSTALL} clock wire", UPDATE, f"{INSTALL} clock wire"])
+        shutil.rmtree(self.folder / "build")
+        self.write("installed", "make\n")
+        self.write("lost", "wire\n")
+        code, _, told, started = self.launch("run", "x")
+        self.assertEqual(code, 3)
+        self.assertIn("apt-get could not install: clock wire", told)
+        self.assertEqual([line.split()[0] for line in started], ["apt-get"] * 3)
+        self.assertEqual(self.launch("run", "x")[0], 3)  # and it is tried anew
+
+    def test_where_there_is_no_apt_the_packages_are_named(self):
+        (self.folder / "bin" / "apt-get").unlink()
+        code, _, told, started = self.launch("run", "x")
+        self.assertEqual((code, started), (3, []))
+        self.assertIn("make clock wire", told)
+        self.assertIn("TRAMMEL_NO_APT=1", told)
+
+    def test_a_build_that_fails_exits_with_1_and_shows_the_error_alone(self):
+        self.write("broken", "")
+        code, _, told, started = self.launch("run", "x")
+        self.assertEqual((code, started[-1].split()[0]), (1, "ninja"))
+        self.assertIn("trammel: build failed:\nx.cpp:7: error: no such name\n", told)
+        self.assertIn("trammel: all of it: ", told)
+
+    def test_the_processors_rtl_needs_the_packages_of_the_tests_and_a_new_configuration(self):
+        wanted = [f"{INSTALL} prover", "cmake -S ROOT --preset dev"]
+        for words in (["--cpu", "rtl"], ["--cpu=rtl"], ["-s", "run.cpu=rtl"]):
+            with self.subTest(words=words):
+                self.write("installed", "make\nclock\nwire\n")
+                shutil.rmtree(self.folder / "build", ignore_errors=True)
+                plain = self.started("run", "x", "--cpu", "native")
+                self.assertNotIn(wanted[0], plain)
+                started = self.started("run", "x", *words)
+                self.assertEqual([line for line in started if line in wanted], wanted)
+
+    def test_each_tier_of_the_tests_builds_and_runs_its_own(self):
+        for words, options in (([], "-LE ^full$"), (["--full"], ""), (["--full-only"], "-L ^full$"),
+                               (["--full-only", "--full"], "-L ^full$"),
+                               (["-R", "drive"], "-R drive"), (["-Rdrive"], "-Rdrive"),
+                               (["-L", "x"], "-L x"), (["-I", "1,2"], "-I 1,2"),
+                               (["--rerun-failed"], "--rerun-failed"), (["-V"], "-V -LE ^full$")):
+            with self.subTest(words=words):
+                self.assertEqual(self.ctested(*words), options)
+        self.assertEqual(self.built("test"), ["all"])
+        self.write("told", "  Test  #7: coverage.rtl\n")
+        self.assertEqual(self.built("test", "--full"), ["all trammel_full"])
+        shutil.rmtree(self.folder / "build")
+        self.write("installed", "make\n")
+        self.assertEqual(self.started("test", "-N")[0], f"{INSTALL} clock wire prover")
+
+    def test_a_test_that_fails_is_an_exit_code_of_1_and_in_ci_one_that_is_skipped(self):
+        self.ctested()
+        for code in 0, 8:
+            self.write("code", f"{code}\n")
+            self.ctested(code=1 if code else 0)
+        self.write("code", "0\n")
+        self.write("told", "\t 12 - docs.boards (Skipped)\n\t 3 - soc.long (Skipped)\n")
+        for environment, wanted in (({}, 0), ({"CI": "false"}, 0), ({"CI": "true"}, 1)):
+            code, _, told, _ = self.launch("test", **environment)
+            self.assertEqual(code, wanted)
+            self.assertIn("skipped, an optional tool is missing:\n  docs.boards\n  soc.long\n", told)
+
+    def test_a_block_is_tested_by_the_tool_or_by_ctest_with_its_options(self):
+        self.assertEqual(self.started("test", "drive/pwm")[-1],
+                         "python3 scripts/tool test-block drive/pwm")
+        self.assertEqual(self.ctested("drive/pwm", "motion/none", "-V"),
+                         "-R ^((lint|unit|formal)\\.drive.pwm|formal\\.leap\\.(broken\\.)?pwm|"
+                         "(lint|unit|formal)\\.motion.none|formal\\.leap\\.(broken\\.)?none)$ -V")
+        self.assertEqual(self.built("test", "drive/pwm", "motion/none", "-V"), ["pwm_test"])
+        code, _, _, started = self.launch("test", "drive/nothing")
+        self.assertEqual((code, len(started)), (2, 1))
+
+    def test_a_tool_is_run_by_the_python_of_venv_with_what_it_needs_built(self):
+        for verb, targets in (("lint", []), ("prove", []), ("perf", ["trammel"]),
+                              ("sweep", ["trammel_python"]), ("tune", ["trammel_python"])):
+            with self.subTest(verb=verb):
+                started = self.started(verb, "a", "b c")
+                self.assertEqual(started[-1], f"python3 scripts/tool {verb} a b c")
+                self.assertEqual(self.built(verb, "a"), targets)
+        self.assertEqual(self.started("lint", "-h"), ["python3 scripts/tool lint --help"])
+
+    def test_the_tools_of_python_are_installed_once_and_again_when_they_change(self):
+        first = self.started("lint")
+        self.assertIn("python3 -m venv .venv", first)
+        self.assertIn("pip install --quiet --disable-pip-version-check -r scripts/requirements.txt",
+                      first)
+        self.assertEqual(self.started("lint"), ["python3 scripts/tool lint"])
+        self.write("scripts/requirements.txt", "pins==3\n")
+        self.assertIn("python3 -m venv .venv", self.started("lint"))
+
+    def test_doctor_tells_of_each_package_and_exits_with_3_where_one_is_missing(self):
+        code, out, _, _ = self.launch("doctor")
+        lines = {line.split()[0]: line.split(maxsplit=1)[1] for line in out.splitlines()}
+        self.assertEqual((code, lines["make"], lines["clock"], lines["wire"]),
+                         (3, "1.2", "MISSING", "MISSING"))
+        self.assertEqual(lines["prover"], "missing (only for trammel test and verify)")
+        self.assertEqual(lines["racer"], "missing (only for row f of trammel perf)")
+        self.assertIn("not built yet", lines["program"])
+        self.write("installed", "make\nclock\nwire\nprover\n")
+        code, out, _, _ = self.launch("doctor")
+        self.assertEqual(code, 0, out)
+        self.assertIn("1.2 (only for trammel test and verify)", out)
+        self.started("run", "x")
+        for code in 0, 3:
+            self.write("code", f"{code}\n")
+            got, _, _, started = self.launch("doctor")
+            self.assertEqual((got, started), (code, ["trammel doctor"]))
+            got, _, _, started = self.launch("doctor", "--json")
+            self.assertEqual((got, started), (code, ["trammel doctor --json"]))
