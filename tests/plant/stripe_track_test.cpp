@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The stripes' sensor of other values than the default ones, against its definition.
+#include "models/plant/stripe_track.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+using trammel::plant::StripeTrack;
+using trammel::plant::StripeTrackConfig;
+
+namespace {
+
+constexpr double kTurn = 6.283185307179586;
+
+StripeTrackConfig own() {
+  StripeTrackConfig c;
+  c.period = 8e-3;
+  c.amplitude = 300;
+  c.amplitude_a_error = 0.1;
+  c.amplitude_b_error = -0.2;
+  c.offset_a_error = 0.05;
+  c.offset_b_error = -0.07;
+  c.phase_b_error = 0.3;
+  c.dot_codes = 200;
+  c.dot_speed = 0.8;
+  c.defect_units = {0, 0};
+  return c;
+}
+
+}  // namespace
+
+TEST_CASE("stripe track: each channel is sine or cosine with its own errors, or their derivative") {
+  const StripeTrackConfig c = own();
+  const StripeTrack track(c);
+  for (int k = -200; k < 200; ++k) {
+    const double x = k * 1.7e-4, v = 0.004 * k, angle = kTurn * x / 8e-3;
+    const double rate = 200 * v / 0.8;
+    CAPTURE(x, v);
+    CHECK(track.code(0, x, v) == std::lround(512 + 300 * (0.05 + 1.1 * std::cos(angle))));
+    CHECK(track.code(1, x, v) == std::lround(512 - rate * 1.1 * std::sin(angle)));
+    CHECK(track.code(2, x, v) == std::lround(512 + 300 * (-0.07 + 0.8 * std::sin(angle + 0.3))));
+    CHECK(track.code(3, x, v) == std::lround(512 + rate * 0.8 * std::cos(angle + 0.3)));
+    CHECK(track.code(4, x, v) == 512);
+    CHECK(track.code(7, x, v) == 512);
+  }
+}
+
+TEST_CASE("stripe track: codes end at 0 and 1023") {
+  StripeTrackConfig c = own();
+  c.amplitude = 900;
+  c.offset_a_error = c.offset_b_error = c.amplitude_a_error = c.amplitude_b_error = 0;
+  c.phase_b_error = 0;
+  const StripeTrack track(c);
+  CHECK(track.code(0, 0, 0) == 1023);
+  CHECK(track.code(0, 4e-3, 0) == 0);
+  CHECK(track.code(2, 2e-3, 0) == 1023);
+  CHECK(track.code(2, 6e-3, 0) == 0);
+  CHECK(track.code(3, 0, 3) == 1023);
+  CHECK(track.code(3, 0, -3) == 0);
+  CHECK(track.code(1, 2e-3, -3) == 1023);
+  CHECK(track.code(1, 2e-3, 3) == 0);
+}
+
+TEST_CASE("stripe track: a defect is as wide as it is, with edges of 0.1 mm inside, each by itself") {
+  StripeTrackConfig c = own();
+  c.defect_at = {0.02, 0.05};
+  c.defect_units = {100, -60};
+  c.defect_width = 3e-3;
+  const StripeTrack track(c);
+  const double unit = 8e-3 / 16384;
+  for (std::size_t k = 0; k < 2; ++k) {
+    for (const double side : {-1.0, 1.0}) {
+      const auto shift = [&](double from_middle) {
+        const double x = c.defect_at[k] + side * from_middle;
+        return (track.seen(x) - x) / unit;
+      };
+      CAPTURE(k, side);
+      CHECK(shift(0) == Approx(c.defect_units[k]));
+      CHECK(shift(1.39e-3) == Approx(c.defect_units[k]));
+      CHECK(shift(1.45e-3) == Approx(0.5 * c.defect_units[k]));
+      CHECK(shift(1.49e-3) == Approx(0.1 * c.defect_units[k]));
+      CHECK(shift(1.51e-3) == Approx(0).margin(1e-6));
+    }
+  }
+}
