@@ -41,3 +41,44 @@ TEST_CASE("one long drive is two short ones") {
   CHECK(one.x() == Approx(two.x()).epsilon(1e-9));
   CHECK(one.v() == Approx(two.v()).epsilon(1e-9));
 }
+
+// The ideal source needs no inductance: the thrust is K_F i_q with any, salient or not.
+TEST_CASE("the impressed current's thrust is that of any winding, at any place and speed") {
+  for (const double ratio : {0.4, 1.0, 2.5}) {
+    for (const double cogging : {0.0, 4.0}) {
+      AxisConfig config;
+      config.start_m = 0.2;
+      config.coulomb_n = 0;
+      config.inductance_d_h = 20e-3;
+      config.inductance_q_h = ratio * 20e-3;
+      config.cogging_n = cogging;
+      CurrentSource axis(config);
+      double x = 0.2, v = 0;
+      const double h = 1e-6;
+      for (int k = 0; k < 200; ++k) {
+        const double i = k < 100 ? 1.5 : -0.8;
+        axis.drive(i, 0.4e-3);
+        for (int n = 0; n < 400; ++n) {
+          const double thrust = config.force_constant_n_a * i - config.viscous_n_s_m * v -
+                                cogging * std::sin(2 * kPi * x / config.pole_pitch_m);
+          x += h * (v + 0.5 * h * thrust / config.mass_kg);
+          v += h * thrust / config.mass_kg;
+        }
+        CAPTURE(ratio, cogging, k);
+        REQUIRE(axis.v() == Approx(v).epsilon(5e-4).margin(2e-3));
+        REQUIRE(axis.x() == Approx(x).margin(5e-5));
+      }
+    }
+  }
+}
+
+TEST_CASE("a drive of any length takes that time") {
+  AxisConfig config;
+  config.coulomb_n = config.viscous_n_s_m = 0;
+  for (const double seconds : {3e-6, 24e-6, 26e-6, 100e-6, 101e-6}) {
+    CurrentSource axis(config);
+    axis.drive(1, seconds);
+    CAPTURE(seconds);
+    CHECK(axis.v() == Approx(79.9 / 2.5 * seconds).epsilon(2e-4));
+  }
+}

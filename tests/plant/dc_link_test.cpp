@@ -103,3 +103,29 @@ TEST_CASE("a pushed motor charges its link through the diodes, and no energy is 
   CHECK(60 * (s.x_m - 0.3) == Approx(link_J + kinetic_J + coils_J + copper_J).epsilon(1e-3));
   CHECK(link_J > 1);
 }
+
+TEST_CASE("a source that changes moves a stiff link at once, and only charges another one") {
+  DcLink stiff({300, 0, 1e-3, 0});
+  stiff.set_source(120);
+  CHECK(stiff.volt() == 120);
+  DcLink link({300, 4, 1e-3, 0});
+  link.set_source(340);
+  CHECK(link.volt() == 300);
+  link.draw(0, 4e-3);  // a time constant
+  CHECK(link.volt() == Approx(340 - 40 * std::exp(-1.0)).epsilon(1e-9));
+}
+
+TEST_CASE("above its source a link is discharged by what the legs draw alone, and never below 0") {
+  DcLink link({300, 4, 2e-3, 0});
+  link.draw(-40e-3, 1e-3);
+  REQUIRE(link.volt() == Approx(320));
+  link.draw(10e-3, 1e-3);
+  CHECK(link.volt() == Approx(315));
+  link.draw(0, 1);
+  CHECK(link.volt() == Approx(315));  // the rectifier takes nothing back
+  DcLink drained({300, 4, 1e-3, 0});
+  drained.draw(100, 1);
+  CHECK(drained.volt() == 0);
+  drained.draw(0, 1);
+  CHECK(drained.volt() == Approx(300));
+}

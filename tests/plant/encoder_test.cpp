@@ -132,3 +132,50 @@ TEST_CASE("jitter scatters the crossings of a boundary within the hysteresis, by
   CHECK(*high - *low > 0.2e-6);
   CHECK(*low > 2.49e-6);  // the falling boundary ends there
 }
+
+TEST_CASE("an encoder of any count, hysteresis, index and scale has its own boundaries") {
+  EncoderConfig c;
+  c.count = 2e-6;
+  c.hysteresis = 0.5;
+  c.index = -31.1e-6;
+  c.error = 0.4e-6;
+  c.period = 14e-6;
+  Encoder e(c, 0.7e-3);
+  CHECK(std::abs(static_cast<double>(e.count()) - 350) <= 1);
+  const auto boundary = [](double counts) {
+    return 2e-6 * counts + 0.4e-6 * std::sin(2 * trammel::plant::kPi * counts * 2e-6 / 14e-6);
+  };
+  while (e.count() > -40) {
+    const auto k = static_cast<double>(e.count());
+    CAPTURE(e.count());
+    REQUIRE(e.low() == Approx(boundary(k - 0.5) - 0.25 * 2e-6).margin(1e-15));
+    REQUIRE(e.high() == Approx(boundary(k + 0.5) + 0.25 * 2e-6).margin(1e-15));
+    // From `high` on it rises, below `low` it falls.
+    REQUIRE(e.leaves(e.high()));
+    REQUIRE_FALSE(e.leaves(std::nextafter(e.high(), -1)));
+    REQUIRE_FALSE(e.leaves(e.low()));
+    REQUIRE(e.leaves(std::nextafter(e.low(), -1)));
+    REQUIRE(e.z() == (e.count() == -16));
+    e.follow(std::nextafter(e.low(), -1));
+  }
+}
+
+TEST_CASE("jitter never takes a boundary out of its hysteresis, however large it is") {
+  EncoderConfig c;
+  c.count = 3e-6;
+  c.hysteresis = 0.4;
+  c.jitter = 1e-3;
+  Encoder e(c, 0);
+  int at_its_most = 0;
+  for (int k = 0; k < 500; ++k) {
+    const auto at = static_cast<double>(e.count()) * 3e-6;
+    const double below = e.low() - (at - 0.7 * 3e-6), above = e.high() - (at + 0.7 * 3e-6);
+    CAPTURE(k, below, above);
+    REQUIRE(std::abs(below) <= 0.2 * 3e-6 * 2);
+    REQUIRE(std::abs(above) <= 0.2 * 3e-6 * 2);
+    REQUIRE(e.low() < e.high());
+    at_its_most += std::abs(std::abs(above) - 0.499 * 0.4 * 3e-6) < 1e-12 ? 1 : 0;
+    e.follow(k % 3 != 0 ? e.high() : e.low() - 1e-9);
+  }
+  CHECK(at_its_most > 490);
+}

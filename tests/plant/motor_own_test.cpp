@@ -180,7 +180,7 @@ TEST_CASE("sine_encoder: its signals are those of its lines, amplitude, centre a
   }
 }
 
-TEST_CASE("sine_encoder: the count follows the angle both ways, and each change of a line is told") {
+TEST_CASE("sine_encoder: the count follows the angle both ways, each change of a line is told") {
   for (const bool swapped : {false, true}) {
     SineEncoderConfig c;
     c.lines = 7;

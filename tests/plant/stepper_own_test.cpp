@@ -88,7 +88,7 @@ TEST_CASE("stepper_axis without its buffer: the first pulse behind a pause tells
   CHECK(axis.rate() == Approx(1000));
 }
 
-TEST_CASE("stepper_axis: a pulse is a rising edge, and the line of the buffer moves a clock later") {
+TEST_CASE("stepper_axis: a pulse is a rising edge, the line of the buffer moves a clock later") {
   StepperAxis axis((StepperAxisConfig()));
   axis.drive(100, true, true, false);
   for (const std::int64_t n : {101, 102, 103}) axis.drive(n, true, true, false);

@@ -62,7 +62,7 @@ TEST_CASE("stripe track: codes end at 0 and 1023") {
   CHECK(track.code(1, 2e-3, 3) == 0);
 }
 
-TEST_CASE("stripe track: a defect is as wide as it is, with edges of 0.1 mm inside, each by itself") {
+TEST_CASE("stripe track: a defect has its width, with edges of 0.1 mm inside, each by itself") {
   StripeTrackConfig c = own();
   c.defect_at = {0.02, 0.05};
   c.defect_units = {100, -60};
