@@ -39,21 +39,22 @@ def data(plan, table: pa.Table) -> dict:
         table = table.take(np.linspace(0, table.num_rows - 1, MOST).astype(np.int64))
     axes, words = [], []
     names = [name for name in table.column_names if name not in FIXED]
-    for name in [*names, "wall_s"]:
+    names += [name for name in ("wall_s",) if name in table.column_names]  # of runs that were made
+    for name in names:
         values = table[name].to_pylist()
         if pa.types.is_floating(table[name].type) or pa.types.is_integer(table[name].type):
             axes.append({"name": name, "key": name in plan.varied,
                          "values": [_number(value) for value in values]})
         else:
-            words.append({"name": name, "values": values})
+            words.append({"name": name, "key": name in plan.varied, "values": values})
     runs = table["run"].to_pylist()
     commands = []
     for part, values in map(plan.run, runs):
         one = plan.parts[part]
         commands.append(command(one.scenario, one.engine, {**one.keys, **values}))
-    return {"title": plan.file.stem, "runs": runs, "axes": axes, "words": words,
-            "end": table["end"].to_pylist(), "message": table["message"].to_pylist(),
-            "commands": commands, "of": plan.count}
+    return {"kind": "Sweep", "title": plan.file.stem, "what": "runs", "runs": runs,
+            "axes": axes, "words": words, "end": table["end"].to_pylist(),
+            "message": table["message"].to_pylist(), "commands": commands, "of": plan.count}
 
 
 def trials_data(study, trials: list, best: set) -> dict:
@@ -71,12 +72,13 @@ def trials_data(study, trials: list, best: set) -> dict:
         if all(isinstance(v, int | float | None) and not isinstance(v, bool) for v in values):
             axes.append({"name": name, "key": key, "values": [_number(v) for v in values]})
         else:
-            words.append({"name": name, "values": [str(v) for v in values]})
+            words.append({"name": name, "key": key, "values": [str(v) for v in values]})
     scenario, case = study.cases[0]
     commands = [command(scenario, study.engine, {**study.keys, **case, **trial.params})
                 for trial in ended]
-    return {"title": study.file.stem, "runs": [t.number for t in ended], "axes": axes,
-            "words": words, "end": ["done" if t.values else "failed" for t in ended],
+    return {"kind": "Study", "title": study.file.stem, "what": "trials",
+            "runs": [t.number for t in ended], "axes": axes, "words": words,
+            "end": ["done" if t.values else "failed" for t in ended],
             "message": [t.user_attrs.get("message", "") for t in ended], "commands": commands,
             "of": len(trials)}
 

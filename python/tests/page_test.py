@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The page of a sweep in headless Chromium, for who looks at it: page_test.py PROGRAM (which is not
+used)."""
+
+import base64
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree as ElementTree
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tests" / "support"))
+import browser
+
+from trammel.sweep import Plan, page, store, work
+
+PLAN = """scenario = "circle"
+[keys]
+"run.max_s" = 0.03
+[grid]
+controller = ["fc", "afc"]
+"plant.payload_kg" = [0, 11, 22]
+"gains.kp" = [0.1, 0.2]
+"""
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def made(folder):
+    """The page of the plan, whose runs are made in this process."""
+    file = Path(folder, "plan.toml")
+    file.write_text(PLAN)
+    plan = Plan(file)
+    parts = [(part.scenario, part.engine, part.keys) for part in plan.parts]
+    rows, _ = work.chunk(parts, [(n, *plan.run(n)) for n in range(plan.count)])
+    rows[3] = {k: rows[3][k] for k in ("run", "part", "scenario", *plan.varied)} | {
+        "end": "refused", "message": "for a </script> & \\"}
+    with store.Store(Path(folder, "out"), plan.identity()) as kept:
+        kept.add(rows)
+        page.write(plan, kept.table(), Path(folder, "page.html"))
+    return rows, Path(folder, "page.html")
+
+
+class Page(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.scratch = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.scratch.cleanup)
+        cls.rows, cls.file = made(cls.scratch.name)
+        cls.driver = browser.start()
+        cls.addClassCleanup(cls.driver.quit)
+
+    def setUp(self):
+        browser.resize(self.driver, 1360)
+        self.driver.get(self.file.as_uri())
+
+    def tearDown(self):
+        self.assertEqual(browser.complaints(self.driver), [])
+        self.assertEqual({a for a in browser.requests(self.driver) if a.startswith("http")}, set())
+
+    def js(self, text, *words):
+        return self.driver.execute_script(text, *words)
+
+    def choose(self, name, value):
+        from selenium.webdriver.support.ui import Select
+        Select(self.driver.find_element("id", name)).select_by_visible_text(value)
+
+    def column(self, number):
+        """Texts of a column of the table."""
+        return self.js("return [...document.querySelectorAll('#table tbody tr')]"
+                       f".map((row) => row.cells[{number}].textContent)")
+
+    def svg(self, name):
+        return ElementTree.fromstring(self.js("return svgOf(arguments[0])", name))
+
+    def test_axes_are_chosen(self):
+        known = [o.text for o in self.driver.find_elements("css selector", "#x option")]
+        for name in ("controller", "plant.payload_kg", "gains.kp", "end"):
+            self.assertIn(name, known)
+        columns = {}
+        for x in ("plant.payload_kg", "gains.kp", "controller"):
+            self.choose("x", x)
+            self.choose("y", "wall_s")
+            at = self.js("return places.scatter")
+            self.assertEqual(len(at), len(self.rows) - 1)  # one has no figures
+            columns[x] = len({round(one["x"]) for one in at})
+        self.assertEqual(columns, {"plant.payload_kg": 3, "gains.kp": 2, "controller": 2})
+        self.assertIn("controller", "".join(self.svg("scatter").itertext()))
+        before = self.js("return byId('scatter').toDataURL()")
+        self.choose("color", "gains.kp")
+        self.assertNotEqual(before, self.js("return byId('scatter').toDataURL()"))
+        self.assertIn("gains.kp:", "".join(self.svg("scatter").itertext()))
+
+    def test_a_column_sorts_the_table(self):
+        head = [c.text for c in self.driver.find_elements("css selector", "#table th")]
+        at = head.index("gains.kp")
+        for falls in (False, True):
+            self.driver.find_elements("css selector", "#table th")[at].click()
+            values = [float(text) for text in self.column(at)]
+            self.assertEqual(values, sorted(values, reverse=falls))
+            self.assertEqual(len(values), len(self.rows))
+
+    def test_a_click_shows_the_command(self):
+        from selenium.webdriver import ActionChains
+        commands = self.js("return data.commands")
+        canvas = self.driver.find_element("id", "scatter")
+        self.js("arguments[0].scrollIntoView({block: 'center'})", canvas)
+        at = self.js("return places.scatter")[7]
+        width, height = self.js("return [byId('scatter').clientWidth, byId('scatter').clientHeight]")
+        ActionChains(self.driver, duration=20).move_to_element_with_offset(
+            canvas, round(at["x"] - width / 2), round(at["y"] - height / 2)).click().perform()
+        shown = self.driver.find_element("id", "command").text
+        self.assertIn(shown, commands)
+        self.assertEqual(self.js("return places.scatter.filter((p) => p.n === chosen)[0].x"),
+                         at["x"])
+        row = self.driver.find_elements("css selector", "#table tbody tr")[2]
+        self.js("arguments[0].scrollIntoView({block: 'center'})", row)
+        number = int(row.find_element("css selector", "td").text)
+        row.click()
+        self.assertEqual(self.driver.find_element("id", "command").text, commands[number])
+        self.assertEqual(self.driver.find_element("css selector", "tr.chosen td").text,
+                         str(number))
+        refused = self.driver.find_elements("css selector", "#table tr[title]:not([title=''])")
+        self.assertIn("for a </script> & \\", [r.get_attribute("title") for r in refused])
+
+    def test_narrow(self):
+        browser.resize(self.driver, 375, 800)
+        self.driver.get(self.file.as_uri())
+        wide, room = self.js("return [document.documentElement.scrollWidth, innerWidth]")
+        self.assertLessEqual(wide, room)
+        self.assertLess(self.js("return byId('scatter').clientWidth"), 375)
+        self.assertEqual(len(self.js("return places.scatter")), len(self.rows) - 1)
+
+    def test_printed(self):
+        self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": "print"})
+        browser.resize(self.driver, 700)
+        shape = self.js("const c = byId('scatter');"
+                        "return [c.clientWidth / c.clientHeight, c.width / c.height]")
+        self.assertAlmostEqual(*shape, delta=0.02)
+        self.assertFalse(self.driver.find_element("id", "x").is_displayed())
+        self.assertLessEqual(self.js("return document.documentElement.scrollWidth"), 700)
+        self.driver.execute_cdp_cmd("Emulation.setEmulatedMedia", {"media": ""})
+        paper = self.driver.execute_cdp_cmd("Page.printToPDF", {"printBackground": True})
+        self.assertTrue(base64.b64decode(paper["data"]).startswith(b"%PDF"))
+
+    def test_pictures_are_saved(self):
+        figures = len(self.rows) - 1
+        self.assertEqual(len(list(self.svg("scatter").iter(f"{SVG}circle"))), figures)
+        self.assertGreaterEqual(len(list(self.svg("parallel").iter(f"{SVG}polyline"))), figures)
+        bars = [float(bar.get("height")) for bar in self.svg("histogram").iter(f"{SVG}rect")
+                if bar.get("fill") == "#335577"]
+        self.assertGreater(max(bars), 0)
+        buttons = self.driver.find_elements("css selector", "[data-save]")
+        self.assertEqual(len(buttons), 3)
+        target = Path(self.scratch.name, "saved")
+        target.mkdir()
+        self.driver.execute_cdp_cmd("Browser.setDownloadBehavior", {
+            "behavior": "allow", "downloadPath": str(target)})
+        buttons[0].click()
+        from selenium.webdriver.support.ui import WebDriverWait
+        WebDriverWait(self.driver, 10, 0.05).until(
+            lambda _: (target / "plan-scatter.svg").is_file()
+            and ElementTree.parse(target / "plan-scatter.svg"))
+
+
+if __name__ == "__main__":
+    browser.need("page")
+    sys.argv[1:] = sys.argv[2:]
+    unittest.main()
