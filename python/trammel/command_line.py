@@ -3,6 +3,7 @@
 the package, so that the help is always there."""
 
 import argparse
+import os
 import sys
 from collections.abc import Callable
 
@@ -88,8 +89,8 @@ def exit_code(verb: str, action: Callable[[], int], place: str) -> int:
     except KeyboardInterrupt:
         code, text = 130, "interrupted; the same command goes on"
     except OSError as error:
-        code, text = 2, (f"{error.filename or place}: {error.strerror or error}; what is done is "
-                         "kept")
+        why = os.strerror(error.errno) if error.errno else error
+        code, text = 2, f"{error.filename or place}: {why}; what is done is kept"
     except ValueError as error:
         code, text = 2, str(error)
     print(f"{verb}: {text}", file=sys.stderr)

@@ -3,11 +3,15 @@
 
 from __future__ import annotations
 
+import asyncio
 import contextlib
 import logging
 import os
+import signal
 import subprocess
 from collections.abc import Iterator
+from concurrent import futures
+from multiprocessing import resource_tracker
 
 from trammel.sweep import work
 from trammel.sweep.plan import PlanError
@@ -55,12 +59,40 @@ def _jobqueue(kind: str, jobs: int, limit_s: float):
     return cluster
 
 
+@contextlib.contextmanager
+def _deaf():
+    """What is started meanwhile hears no Ctrl-C, which a terminal sends to all: this process ends
+    the others. One that comes meanwhile is heard at the end."""
+    resource_tracker.ensure_running()  # else the first process makes its thread hear again
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, (signal.SIGINT,))
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
 def _local(jobs: int):
     import distributed
 
-    return distributed.LocalCluster(n_workers=jobs, threads_per_worker=1, memory_limit=0,
-                                    dashboard_address="127.0.0.1:0",
-                                    silence_logs=logging.CRITICAL)
+    with _deaf():  # its thread, which starts workers, among them those in the place of dead ones
+        return distributed.LocalCluster(n_workers=jobs, threads_per_worker=1, memory_limit=0,
+                                        dashboard_address="127.0.0.1:0",
+                                        silence_logs=logging.CRITICAL)
+
+
+def _greet(address: str, limit_s: float) -> None:
+    """Raises where no scheduler answers; a client would wait for ever for one that is silent."""
+    from distributed.comm import connect
+
+    async def greet() -> None:
+        try:
+            comm = await asyncio.wait_for(connect(address, timeout=limit_s), limit_s)
+        except TimeoutError:
+            raise TimeoutError("no answer") from None
+        comm.abort()
+
+    with futures.ThreadPoolExecutor(1) as pool:  # a notebook's thread has a loop of its own
+        pool.submit(asyncio.run, greet()).result()
 
 
 @contextlib.contextmanager
@@ -78,6 +110,8 @@ def client(kind: str, jobs: int, address: str, limit_s: float):
         if not address:
             cluster = _local(jobs) if kind == "local" else _jobqueue(kind, jobs, limit_s)
         try:
+            if address:
+                _greet(address, limit_s)
             found = distributed.Client(address or cluster, timeout=limit_s)
             found.wait_for_workers(1, timeout=limit_s)
         except PlanError:
@@ -118,6 +152,8 @@ def rows(found, parts: list, runs: Iterator, workers: int, empty: bool = False):
         taken = sent.pop(future)
         try:
             made, took = future.result()
+        except work.WorkerError as error:
+            raise PlanError(f"{error}; what is done is kept") from None
         except Exception as error:  # of the worker or its way here, not of a run
             text = str(error).splitlines()[0] if str(error) else type(error).__name__
             yield [{"run": number, "part": part, "scenario": parts[part][0], **values,

@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import sys
 import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
@@ -26,21 +28,28 @@ class Done(NamedTuple):
 
 
 class Progress:
-    """A line with rate and time left, on a terminal alone."""
+    """A line with rate and time left, on a terminal alone; and a call for whoever wants to know."""
 
-    def __init__(self, count: int, show: bool):
-        self.count, self.show, self.made = count, show and sys.stderr.isatty(), 0
+    def __init__(self, show: bool, call: Callable[[int, int], object] | None = None,
+                 what: str = "runs"):
+        self.show, self.call, self.what = show and sys.stderr.isatty(), call, what
+        self.begin(0)
+
+    def begin(self, count: int) -> None:
+        self.count, self.made = count, 0
         self.begun = self.last = time.monotonic()
 
     def add(self, runs: int) -> None:
         self.made += runs
+        if self.call is not None:
+            self.call(self.made, self.count)
         now = time.monotonic()
         if not self.show or now - self.last < 0.2:
             return
         self.last = now
         rate = self.made / (now - self.begun)
         left = (self.count - self.made) / rate
-        sys.stderr.write(f"\r\033[K{self.made} of {self.count} runs, {rate:.3g} per s, "
+        sys.stderr.write(f"\r\033[K{self.made} of {self.count} {self.what}, {rate:.3g} per s, "
                          f"{left:.0f} s left")
         sys.stderr.flush()
 
@@ -62,36 +71,40 @@ def shard_of(text: str) -> tuple[int, int]:
 
 def perform(plan: Plan, folder, *, jobs: int = 0, cluster: str = "local", scheduler: str = "",
             shard: tuple[int, int] = (1, 1), limit_s: float = 60, show: bool = False,
-            page: bool = True, empty: bool = False) -> Done:
-    """Makes the runs of a plan that are not in the folder yet, and the page of all."""
+            page: bool = True, empty: bool = False,
+            progress: Callable[[int, int], object] | None = None) -> Done:
+    """Makes the runs of a plan that are not in the folder yet, and the page of all.
+
+    progress  is called with the runs made now and how many it will be; what it raises ends the
+              sweep, as Ctrl-C does, and what is done is kept
+    """
     import numpy as np
 
     from trammel.sweep import cluster as workers
     from trammel.sweep import store
 
     one, of = shard
-    kept = store.Store(Path(folder), plan.identity(), f"-{one}-of-{of}" if of > 1 else "")
-    wanted = np.arange(one - 1, plan.count, of)
-    wanted = wanted[~np.isin(wanted, kept.done(), assume_unique=True)]
-    begun, made = time.monotonic(), 0
-    if len(wanted):
-        made = _make(plan, kept, wanted, workers, jobs or workers.processors(), cluster,
-                     scheduler, limit_s, show, empty)
-    seconds = time.monotonic() - begun
-    table = kept.table(["run", "end"])
-    refused = sum(end in store.ENDS_REFUSED for end in table["end"].to_pylist())
-    if page:
-        from trammel.sweep import page as shown
+    with store.Store(Path(folder), plan.identity(), f"-{one}-of-{of}" if of > 1 else "") as kept:
+        wanted = np.arange(one - 1, plan.count, of)
+        wanted = wanted[~np.isin(wanted, kept.done(), assume_unique=True)]
+        begun, made = time.monotonic(), 0
+        if len(wanted):
+            made = _make(plan, kept, wanted, workers, jobs or workers.processors(), cluster,
+                         scheduler, limit_s, Progress(show, progress), empty)
+        seconds = time.monotonic() - begun
+        table = kept.table(["run", "end"])
+        refused = sum(end in store.ENDS_REFUSED for end in table["end"].to_pylist())
+        if page:
+            from trammel.sweep import page as shown
 
-        shown.write(plan, kept.table(), Path(folder) / "page.html")
-    kept.close()
+            shown.write(plan, kept.table(), Path(folder) / "page.html")
     return Done(made, refused, plan.count - table.num_rows, seconds)
 
 
-def _make(plan, kept, wanted, workers, jobs, cluster, scheduler, limit_s, show, empty) -> int:
+def _make(plan, kept, wanted, workers, jobs, cluster, scheduler, limit_s, progress, empty) -> int:
     parts = [(part.scenario, part.engine, part.keys) for part in plan.parts]
     runs = ((int(number), *plan.run(int(number))) for number in wanted)
-    progress = Progress(len(wanted), show)
+    progress.begin(len(wanted))
     rows, flushed, made = [], time.monotonic(), 0
 
     def flush() -> None:
@@ -101,19 +114,20 @@ def _make(plan, kept, wanted, workers, jobs, cluster, scheduler, limit_s, show, 
         made += len(rows)
         rows, flushed = [], time.monotonic()
 
-    try:
-        with workers.client(cluster, jobs, scheduler, limit_s) as found:
+    with workers.client(cluster, jobs, scheduler, limit_s) as found:
+        try:
             for some in workers.rows(found, parts, runs, jobs, empty):
                 rows += some
                 progress.add(len(some))
                 if len(rows) >= FLUSH_ROWS or time.monotonic() - flushed > FLUSH_S:
                     flush()
-            flush()
-    except KeyboardInterrupt:
+        except BaseException:
+            with contextlib.suppress(OSError):  # the disk may be what it ended by
+                flush()
+            raise
+        finally:
+            progress.close()
         flush()
-        raise
-    finally:
-        progress.close()
     return made
 
 

@@ -21,6 +21,7 @@ import pyarrow.parquet
 from trammel.sweep.plan import PlanError
 
 FIXED = ("run", "part", "scenario", "end", "message", "wall_s", "event_hash")
+LOCK = ".lock"
 ENDS_REFUSED = ("refused", "lost")  # runs that have no result
 
 
@@ -49,8 +50,20 @@ def check_record(record: Path, identity: dict, holds: str, kind: str, made: str)
             raise PlanError(f"{folder}: holds the {holds} of another "
                             f"{'version' if other == 'version' else kind}; give another folder "
                             "with -o, or remove it")
-    elif folder.exists() and any(folder.iterdir()):
+    elif folder.exists() and not all(entry.name.startswith(LOCK) for entry in folder.iterdir()):
         raise PlanError(f"{folder}: is not empty and holds no {made}; give another folder with -o")
+
+
+def lock(folder: Path, name: str, made: str):
+    """A file that is open as long as somebody writes into the folder, which it makes."""
+    folder.mkdir(parents=True, exist_ok=True)
+    held = (folder / f"{LOCK}{name}").open("w")
+    try:
+        fcntl.flock(held, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        held.close()
+        raise PlanError(f"{folder}: another {made} writes here now") from None
+    return held
 
 
 def keep_record(record: Path, identity: dict) -> None:
@@ -68,15 +81,14 @@ class Store:
         self.runs = self.folder / "runs"
         record = self.folder / "plan.json"
         check_record(record, identity, "runs", "plan", "sweep")
-        self.runs.mkdir(parents=True, exist_ok=True)
-        self._lock = (self.folder / f".lock{name}").open("w")
-        try:
-            fcntl.flock(self._lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError:
-            raise PlanError(f"{self.folder}: another sweep writes here now") from None
+        self._lock = lock(self.folder, name, "sweep")
         keep_record(record, identity)
+        self.runs.mkdir(exist_ok=True)
 
-    def close(self) -> None:
+    def __enter__(self) -> Store:
+        return self
+
+    def __exit__(self, *_) -> None:
         self._lock.close()
 
     def done(self) -> np.ndarray:

@@ -3,11 +3,17 @@
 
 from __future__ import annotations
 
+import errno
+import os
+import socket
 import time
 
 from trammel import _core
 from trammel.asked import _apply, _given
 from trammel.results import Result
+
+# What is of the worker's computer and not of the run: it may be made again.
+TROUBLE = {errno.ENOSPC, errno.EDQUOT, errno.EROFS, errno.EIO, errno.EMFILE, errno.ENFILE}
 
 _bases: dict = {}  # settings of parts, as this process has read them
 
@@ -19,8 +25,13 @@ def _base(scenario: str, engine: str, keys: dict) -> _core.Settings:
     return _bases[name]
 
 
+class WorkerError(Exception):
+    """A computer that can make no run now, in one line."""
+
+
 def one(scenario: str, engine: str, keys: dict, values: dict) -> dict:
-    """A run: what was asked, how it ended, its figures. What cannot run is a row with a message."""
+    """A run: what was asked, how it ended, its figures. What cannot run is a row with a message;
+    a full disk of the worker is a WorkerError."""
     row = {"scenario": scenario, **values}
     try:
         asked = _base(scenario, engine, keys).copy()
@@ -29,6 +40,8 @@ def one(scenario: str, engine: str, keys: dict, values: dict) -> dict:
         asked.validate()
         result = Result(_core.run(asked))
     except (_core.ConfigError, _core.ToolMissing, OSError) as error:
+        if isinstance(error, OSError) and error.errno in TROUBLE:
+            raise WorkerError(f"worker on {socket.gethostname()}: {os.strerror(error.errno)}") from None
         return row | {"end": "refused", "message": str(error).removeprefix("-s: ")}
     return row | {"end": result.end, "message": result.verdict, "wall_s": result.wall_s,
                   "event_hash": result.event_hash,

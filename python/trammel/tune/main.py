@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import logging
 import sys
 from pathlib import Path
@@ -11,9 +12,23 @@ from trammel import _core, command_line
 from trammel.sweep.main import Progress
 from trammel.tune.study import Study, StudyError
 
+RECORD = "study.json"
+
+
+def whole_journal(file: Path) -> str:
+    """Its name, when what a kill or a full disk has left of a last line is gone, and what says that
+    somebody writes it: the folder's own lock says that nobody does."""
+    Path(f"{file}.lock").unlink(missing_ok=True)
+    if file.is_file():
+        with file.open("r+b") as stream:
+            text = stream.read()
+            stream.truncate(text.rfind(b"\n") + 1)
+    return str(file)
+
 
 def open_study(study: Study, folder: Path):
-    """The study of Optuna in the folder; trials that were never finished are left aside."""
+    """The study of Optuna in a folder that is locked; trials that were never finished are left
+    aside."""
     import optuna
     from optuna.storages import JournalStorage
     from optuna.storages.journal import JournalFileBackend, JournalFileOpenLock
@@ -21,11 +36,8 @@ def open_study(study: Study, folder: Path):
     from trammel.sweep import store
 
     optuna.logging.set_verbosity(logging.ERROR)
-    record = folder / "study.json"
-    store.check_record(record, study.identity(), "trials", "study", "study")
-    folder.mkdir(parents=True, exist_ok=True)
-    store.keep_record(record, study.identity())
-    journal = str(folder / "trials.log")
+    store.keep_record(folder / RECORD, study.identity())
+    journal = whole_journal(folder / "trials.log")
     storage = JournalStorage(JournalFileBackend(journal, lock_obj=JournalFileOpenLock(journal)))
     sampler = optuna.samplers.TPESampler(seed=study.seed, multivariate=True,
                                          n_startup_trials=max(10, 2 * len(study.search)))
@@ -65,7 +77,7 @@ def judge(study: Study, found, trial, rows: list[dict]) -> None:
 
 
 def search(study: Study, found, trials: int, *, jobs: int = 0, cluster: str = "local",
-           scheduler: str = "", limit_s: float = 60, show: bool = False) -> None:
+           scheduler: str = "", limit_s: float = 60, progress: Progress) -> None:
     """Makes trials until there are so many."""
     import distributed
 
@@ -77,7 +89,7 @@ def search(study: Study, found, trials: int, *, jobs: int = 0, cluster: str = "l
     if left <= 0:
         return
     jobs = jobs or workers.processors()
-    progress = Progress(left, show)
+    progress.begin(left)
     with workers.client(cluster, jobs, scheduler, limit_s) as client:
         sent, ended = {}, distributed.as_completed()
 
@@ -98,6 +110,8 @@ def search(study: Study, found, trials: int, *, jobs: int = 0, cluster: str = "l
                 trial = sent.pop(future)
                 try:
                     rows = future.result()[0]
+                except work.WorkerError as error:
+                    raise StudyError(f"{error}; what is done is kept") from None
                 except Exception as error:  # of the worker, not of a run
                     rows = [{"scenario": "", "end": "lost", "message": str(error)}]
                 judge(study, found, trial, rows)
@@ -155,17 +169,36 @@ def write(study: Study, found, folder: Path) -> list:
     return front
 
 
+def perform(study: Study, folder: Path, *, trials: int = 0, progress=None, show: bool = False,
+            **workers) -> tuple[list, list]:
+    """Makes the trials that are not in the folder yet, those of the study if no number is given,
+    and what is written of all: (all of them, the best), each as Optuna has it.
+
+    progress   is called with the trials made now and how many it will be; what it raises ends the
+               search, as Ctrl-C does. What is done is kept, and is written in any case.
+    workers    jobs, cluster, scheduler, limit_s, as of trammel.sweep
+    """
+    from trammel.sweep import store
+
+    folder = Path(folder)
+    store.check_record(folder / RECORD, study.identity(), "trials", "study", "study")
+    with store.lock(folder, "", "study"):
+        found = open_study(study, folder)
+        try:
+            search(study, found, trials or study.trials, progress=Progress(show, progress, "trials"),
+                   **workers)
+        except BaseException:
+            with contextlib.suppress(OSError):  # the disk may be what it ended by
+                write(study, found, folder)
+            raise
+        return found.get_trials(deepcopy=False), write(study, found, folder)
+
+
 def _tune(given, folder: Path) -> int:
     study = Study(Path(given.study))
-    found = open_study(study, folder)
-    try:
-        search(study, found, given.trials or study.trials, jobs=given.jobs, cluster=given.cluster,
-               scheduler=given.scheduler, limit_s=given.limit, show=True)
-    except KeyboardInterrupt:
-        write(study, found, folder)
-        raise
-    front = write(study, found, folder)
-    trials = found.get_trials(deepcopy=False)
+    trials, front = perform(study, folder, trials=given.trials, jobs=given.jobs,
+                            cluster=given.cluster, scheduler=given.scheduler, limit_s=given.limit,
+                            show=True)
     failed = sum(trial.values is None for trial in trials)
     print(f"{study.file.stem}: {len(trials)} trials, {failed} of them failed; "
           f"{len(front)} best\n  results in {folder}")
