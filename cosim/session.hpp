@@ -6,6 +6,8 @@
 
 #include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "cosim/core.hpp"
 #include "cosim/direct.hpp"
@@ -13,6 +15,13 @@
 #include "cosim/trigger_search.hpp"
 
 namespace trammel::cosim {
+
+// Where an axis of the machine really is, whatever its sensors tell.
+struct Place {
+  std::string axis;  // "x"; "" where there is but one
+  std::string unit;  // that of the column in the trace
+  double value = 0;
+};
 
 struct Session {
   virtual ~Session() = default;
@@ -28,6 +37,9 @@ struct Session {
   virtual Clk end() const = 0;        // edge at which the run ends at the latest
   virtual bool finished() const = 0;  // the record is complete
   virtual bool stopped() const = 0;   // from outside, by Hooks::stop
+
+  // Of each axis at the chip's next edge; none where the machine does not tell.
+  virtual std::vector<Place> places() const { return {}; }
 
   // What was recorded, with all that only the session knows; once, after the run.
   virtual std::unique_ptr<RunResult> result() = 0;

@@ -76,6 +76,15 @@ void bind_stepped(nb::module_& module) {
       .def_prop_ro("now", &Stepped::now, "Clocks from the start of the run.")
       .def_prop_ro("drive", &Stepped::drive, "Pins of the chip toward the machine.")
       .def_prop_ro("sense", &Stepped::sense, "Pins of the machine toward the chip.")
+      .def_prop_ro("places",
+                   [](const Stepped& self) {
+                     nb::list all;
+                     for (const cosim::Place& one : self.places()) {
+                       all.append(nb::make_tuple(one.axis, one.value, one.unit));
+                     }
+                     return all;
+                   },
+                   "(axis, value, unit) of where the machine really is.")
       .def_prop_ro("signals", &Stepped::signal_names)
       .def("signal", &Stepped::signal, nb::arg("name"));
   module.attr("clock_s") = cosim::seconds_of(1, cosim::kClockPs);

@@ -39,10 +39,12 @@ Stepped::~Stepped() {
 void Stepped::body() {
   std::shared_ptr<const lab::Record> record;
   try {
-    cosim::run_direct(session_->loop(), session_->firmware(), session_->timing(), session_->end(),
-                      [this] { return session_->finished(); },
-                      [this](cosim::DirectBus& bus) { return idle(bus); });
-    record = std::make_shared<lab::Record>(lab::judged(settings_, session_->result()));
+    record = lab::with_config_errors([this] {
+      cosim::run_direct(session_->loop(), session_->firmware(), session_->timing(),
+                        session_->end(), [this] { return session_->finished(); },
+                        [this](cosim::DirectBus& bus) { return idle(bus); });
+      return std::make_shared<lab::Record>(lab::judged(settings_, session_->result()));
+    });
   } catch (const Abandoned&) {
   } catch (...) {
     error_ = std::current_exception();

@@ -45,6 +45,7 @@ class Stepped {
   std::uint32_t data() const { return data_; }  // of the last access
   cosim::Lines drive() const;
   cosim::Lines sense() const;
+  std::vector<cosim::Place> places() const { return session_->places(); }
   std::vector<std::string> signal_names() const;
   std::optional<std::int64_t> signal(const std::string& name) const;
   std::shared_ptr<const lab::Record> record() const { return record_; }  // when it is over

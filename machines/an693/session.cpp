@@ -170,6 +170,11 @@ bool Session::over(const Sample& sample) {
   return true;
 }
 
+std::vector<cosim::Place> Session::places() const {
+  const double theta = plant().axis().state(chip().now()).theta;
+  return {{"", "count", theta / plant::MotorAxis::kTurn * options().plant.counts}};
+}
+
 std::unique_ptr<cosim::RunResult> Session::result() {
   auto result = std::make_unique<Result>(Bench::result());
   const sw::Mailbox& mailbox = app_.mailbox();

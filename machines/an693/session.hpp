@@ -138,6 +138,7 @@ class Session final : public Bench, public cosim::Session {
   cosim::Clk end() const override { return Bench::end(); }
   bool finished() const override { return Bench::finished(); }
   bool stopped() const override { return end_ == cosim::EndReason::kStopped; }
+  std::vector<cosim::Place> places() const override;
   std::unique_ptr<cosim::RunResult> result() override;
 
  private:

@@ -165,6 +165,10 @@ std::optional<cosim::EndReason> Session::end_after(cosim::Clk edge) {
   return cosim::EndReason::kDone;
 }
 
+std::vector<cosim::Place> Session::places() const {
+  return {{"", "mm", 1e3 * plant_.axis().cart(chip_->now())}};
+}
+
 std::unique_ptr<cosim::RunResult> Session::result() {
   auto result = std::make_unique<Result>();
   result->samples = std::move(samples_);

@@ -249,6 +249,12 @@ bool Session::over(const Sample& sample) {
   return true;
 }
 
+std::vector<cosim::Place> Session::places() const {
+  const plant::XyTable& table = plant_->table();
+  const cosim::Clk now = chip_->now();
+  return {{"x", "m", table.state(0, now).x_m}, {"y", "m", table.state(1, now).x_m}};
+}
+
 std::unique_ptr<cosim::RunResult> Session::result() {
   result_.samples = recorder_->take_samples();
   result_.event_hash = recorder_->event_hash();

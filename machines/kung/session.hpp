@@ -98,6 +98,7 @@ class Session final : public cosim::Session {
   cosim::Clk end() const override;
   bool finished() const override { return recorder_->done(); }
   bool stopped() const override { return result_.end == EndReason::kStopped; }
+  std::vector<cosim::Place> places() const override;
   std::unique_ptr<cosim::RunResult> result() override;
 
   const KungChip& chip() const { return *chip_; }

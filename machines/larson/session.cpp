@@ -259,6 +259,11 @@ std::optional<cosim::EndReason> Session::end_after(cosim::Clk edge) {
   return app_.mailbox().failure != 0 ? cosim::EndReason::kFault : cosim::EndReason::kDone;
 }
 
+std::vector<cosim::Place> Session::places() const {
+  const cosim::Clk now = chip_->now();
+  return {{"x", "step", at(0, now)}, {"y", "step", at(1, now)}};
+}
+
 std::unique_ptr<cosim::RunResult> Session::result() {
   auto result = std::make_unique<Result>();
   result->samples = std::move(samples_);

@@ -32,6 +32,7 @@ class Session final : public cosim::Session, private cosim::Observer, public cos
   cosim::Clk end() const override;
   bool finished() const override { return over_; }
   bool stopped() const override { return end_ == cosim::EndReason::kStopped; }
+  std::vector<cosim::Place> places() const override;
   std::unique_ptr<cosim::RunResult> result() override;
 
  private:

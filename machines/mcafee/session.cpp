@@ -214,6 +214,13 @@ double Session::progress() const {
   return share(app_.mailbox().point, static_cast<double>(table_.rows.size()));
 }
 
+std::vector<cosim::Place> Session::places() const {
+  const cosim::Clk now = chip_->now();
+  const plant::XyStage& stage = plant_.stage();
+  return {{"x", "mm", 1e3 * stage.axis(0).position(now)},
+          {"y", "mm", 1e3 * stage.axis(1).position(now)}};
+}
+
 std::unique_ptr<cosim::RunResult> Session::result() {
   auto result = std::make_unique<Result>();
   const sw::Mailbox& mailbox = app_.mailbox();

@@ -80,6 +80,13 @@ class BeltAxis {
   void open(std::size_t motor, bool open) { alive_[motor] = open ? 0 : 1; }
   void supply(double share) { supply_ = share; }
 
+  // [m] where the cart is at edge n, which is no earlier than the last one that was passed.
+  double cart(Clk n) const {
+    BeltAxis ahead = *this;
+    ahead.advance(n);
+    return ahead.s_.x[BeltState::kCart];
+  }
+
   struct Seen {
     double x = 0, v = 0;  // [m], [m/s] of the cart
   };

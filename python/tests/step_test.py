@@ -5,6 +5,7 @@ import os
 import sys
 import unittest
 
+import numpy as np
 from interrupt import interrupt
 
 import trammel
@@ -78,6 +79,30 @@ class Steps(unittest.TestCase):
         self.assertNotEqual(simulation.inputs, 0)
         self.assertNotEqual(simulation.finish().end, "done")
 
+    def test_where_a_machine_is(self):
+        simulation = trammel.open("circle", **TWIN)
+        simulation.advance(0.3017)
+        x, at = simulation.position("x"), simulation.time_s
+        self.assertEqual((x.unit, sorted(simulation.positions)), ("m", ["x", "y"]))
+        result = simulation.finish()
+        self.assertAlmostEqual(x, np.interp(at, result["t_s"], result["x_position_m"]), delta=1e-6)
+        self.assertEqual(result.event_hash, trammel.run("circle", **TWIN).event_hash)
+
+    def test_every_machine_tells_where_it_is_as_its_trace_does(self):
+        tried = set()
+        for scenario in trammel.scenarios():
+            asked = trammel.settings(scenario, engine="twin", **{"run.max_s": 0.03})
+            if asked.machine in tried:
+                continue
+            tried.add(asked.machine)
+            simulation = trammel.open(asked)
+            simulation.advance(0.02)
+            units = {figure.unit for figure in simulation.positions.values()}
+            self.assertEqual(len(units), 1, scenario)
+            with self.assertRaisesRegex(trammel.SettingError, "there are '.?'"):
+                simulation.position("z")
+            self.assertLess(units, set(simulation.stop().units.values()))
+
     def test_words_of_a_chip_without_a_bus(self):
         for scenario in trammel.scenarios():
             simulation = trammel.open(scenario, **{"run.max_s": 0.03})
@@ -94,13 +119,19 @@ class Steps(unittest.TestCase):
                      lambda: simulation.write("x.KP.mant", 1 << 11),
                      lambda: simulation.write(0, 1 << 32), lambda: simulation.signal("no"),
                      lambda: simulation.advance(0), lambda: simulation.advance(float("1e99")),
-                     lambda: trammel.open("circle", **{"run.wave": "fst"})):
+                     lambda: trammel.open("circle", **{"run.wave": "fst"}),
+                     lambda: trammel.open("circle", **{"run.cpu": "rtl"})):
             with self.assertRaises(trammel.ConfigError) as told:
                 call()
             self.assertNotIn("\n", str(told.exception))
         with self.assertRaises(trammel.SettingError) as told:
             simulation.write("x.KP.mant", 1 << 11)
         self.assertEqual((told.exception.key, told.exception.range), ("x.KP.mant", "0..2047"))
+        with self.assertRaisesRegex(trammel.ConfigError, "run.cpu: .* step by step"):
+            trammel.open("circle", **{"run.cpu": "rtl"})
+        part = next(one for one in map(trammel.open, trammel.scenarios()) if not one.registers)
+        with self.assertRaisesRegex(trammel.SettingError, "has no register map; give a byte addr"):
+            part.read("STATUS")
 
     def test_a_simulation_that_is_dropped_ends(self):
         for _ in range(20):

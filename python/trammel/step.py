@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from trammel import _core
 from trammel.asked import SettingError, settings
-from trammel.results import Result
+from trammel.results import Figure, Result
 
 CLOCK_S = _core.clock_s  # a clock of every chip's fabric [s]
 
@@ -117,8 +117,11 @@ class Simulation:
                                    "no multiple of 4", "register", name, "0..0xfffffffc")
             return name
         if name not in self.registers:
-            known = ", ".join(self.registers) or "none; an address does it"
-            raise SettingError(f"register {name}: not of this chip; there are {known}", name)
+            if not self.registers:
+                raise SettingError(f"register {name}: the chip of {self._settings.machine} has no "
+                                   "register map; give a byte address of its bus", name)
+            raise SettingError(f"register {name}: not of this chip; there are "
+                               f"{', '.join(self.registers)}", name)
         return self.registers[name]
 
     def read(self, register: str | int) -> int:
@@ -148,6 +151,20 @@ class Simulation:
         whole = register in self.registers
         word = 0 if whole else self._do("read", field.address)
         self._do("write", field.address, field.into(word, value))
+
+    @property
+    def positions(self) -> dict[str, Figure]:
+        """Where each axis of the machine really is, whatever its sensors tell: "x" and "y", or ""
+        where there is but one; each with the unit of its column in the trace."""
+        return {axis: Figure(value, unit) for axis, value, unit in self._run.places}
+
+    def position(self, axis: str = "") -> Figure:
+        """One of them. It can only be read: between two clocks nothing moves a machine."""
+        found = self.positions
+        if axis not in found:
+            known = ", ".join(map(repr, found)) or "none"
+            raise SettingError(f"position {axis!r}: not of this machine; there are {known}", axis)
+        return found[axis]
 
     @property
     def signals(self) -> list[str]:

@@ -80,6 +80,10 @@ bool Session::over() {
   return true;
 }
 
+std::vector<cosim::Place> Session::places() const {
+  return {{"", "rad", plant_.state(chip_->now()).theta}};
+}
+
 std::unique_ptr<cosim::RunResult> Session::result() {
   auto result = std::make_unique<Result>();
   result->end = end_;
