@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The package gives what the program gives: run_test.py PROGRAM."""
 
+import importlib.util
 import json
 import os
 import pickle
@@ -210,6 +211,13 @@ class Shapes(unittest.TestCase):
         frame = self.result.to_pandas()
         self.assertEqual(list(frame), list(self.result))
         self.assertEqual(frame.attrs["units"]["t_s"], "s")
+
+    @unittest.skipUnless(importlib.util.find_spec("polars"), "polars is not installed")
+    def test_a_frame_of_polars(self):
+        frame = self.result.to_polars()
+        self.assertEqual(frame.columns, list(self.result))
+        for name, values in self.result.items():
+            self.assertEqual(frame[name].to_numpy().tobytes(), values.tobytes(), name)
 
     def test_settings_repeat_the_run(self):
         self.assertEqual(self.result.settings["controller"], "fc")
