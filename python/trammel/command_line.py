@@ -9,10 +9,11 @@ from collections.abc import Callable
 
 SWEEP = """Make the runs of a plan on all processors or a cluster, into one Parquet data set.
 
-A plan names a scenario and what varies: a [grid], [latin] hypercube or [random] draws of any
-keys, or a [table] of own points; several scenarios as [[part]]. Runs that are in the folder are
-not made again, so that a sweep that was killed goes on where it was; a run that cannot be made is
-kept with its message. page.html in the folder shows all runs. docs/one-to-a-million.md explains it.
+A plan names a scenario and what varies: a [grid], a [latin] hypercube or [random] draws of any
+keys, or a [table] of your own points; several scenarios are a [[part]] each. Runs that are in the
+folder are not made again, so that a sweep that was killed goes on where it was. A run that cannot
+be made is kept with its message. page.html in the folder shows all runs.
+docs/one-to-a-million.md explains it.
 
 Exit codes: 0 every run is there, 1 some were refused or lost, 2 usage, plan or disk, 3 a package is
 missing, 130 interrupted."""
@@ -20,9 +21,9 @@ missing, 130 interrupted."""
 TUNE = """Search the best values of keys with Optuna, on all processors or a cluster.
 
 A study names the keys to search, the cases that each trial runs (scenarios, payloads...), one or
-several objectives over all cases, and constraints. Trials that are in the folder are not made
-again: a study that was killed goes on where it was. best.toml is a scenario file of the best
-values, one for each of the best where there are several objectives; page.html shows all trials.
+more objectives over all cases, and constraints. Trials that are in the folder are not made again:
+a study that was killed goes on where it was. best.toml is a scenario file with the best values; if
+there are several objectives, there is one for each of the best trials. page.html shows all trials.
 docs/one-to-a-million.md explains it.
 
 Exit codes: 0 there is a best trial, 1 none meets the constraints, 2 usage, study or disk, 3 a
@@ -45,9 +46,10 @@ class Parser(argparse.ArgumentParser):
         self.add_argument("--jobs", type=int, default=0, metavar="N", help=jobs)
         self.add_argument("--cluster", default="local", metavar="KIND",
                           choices=("local", "slurm", "lsf", "pbs", "sge", "htcondor"),
-                          help="local, or by dask-jobqueue: slurm, lsf, pbs, sge, htcondor")
+                          help="where the workers are: local, or by dask-jobqueue slurm, lsf, pbs, sge, "
+                               "htcondor")
         self.add_argument("--scheduler", default="", metavar="ADDRESS",
-                          help="of a Dask scheduler that is there, such as tcp://host:8786")
+                          help="of a Dask scheduler that is running, such as tcp://host:8786")
         self.add_argument("--limit", type=float, default=60, metavar="SECONDS",
                           help="how long to wait for the first worker; default: 60")
 
@@ -57,11 +59,11 @@ def sweep() -> Parser:
     found.add_argument("plan", metavar="PLAN.toml")
     found.add_argument("-o", "--out", metavar="FOLDER",
                        help="of the data set; default: out/<name of the plan>")
-    found.add_workers("workers; default: one a processor, 4 jobs of a cluster")
+    found.add_workers("workers; default: one for each processor; of a cluster, 4 jobs")
     found.add_argument("--shard", default="1/1", metavar="i/n",
-                       help="the i-th of n parts alone, for other ways to share the work; all may "
+                       help="only the i-th of n parts, for other ways to share the work; all may "
                             "write into one folder")
-    found.add_argument("--yes", action="store_true", help="even if the runs are more than 10^7")
+    found.add_argument("--yes", action="store_true", help="even if there are more than 10^7 runs")
     found.add_argument("--count", action="store_true", help="only print how many runs there are")
     found.add_argument("--empty", action="store_true",
                        help="runs that do nothing, to measure what is around them")
@@ -75,8 +77,8 @@ def tune() -> Parser:
                        help="of the study; default: out/<name of the study>")
     found.add_argument("--trials", type=int, default=0, metavar="N",
                        help="how many in all; default: those of the study")
-    found.add_workers("trials at a time; default: one a processor. With 1 a study always comes to "
-                      "the same")
+    found.add_workers("trials at a time; default: one for each processor. With 1 a study always "
+                      "comes to the same result")
     return found
 
 

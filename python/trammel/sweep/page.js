@@ -370,7 +370,8 @@ function start() {
   byId("y").value = (figures[0] || axes[0] || {}).name;
   byId("color").value = (keys.find((axis) => axis.labels) || keys.filter(numeric)[1] || keys[0] ||
                          { name: "" }).name;
-  const first = new Set([...keys.slice(0, 6), ...figures.slice(0, 3)].map((axis) => axis.name));
+  const some = [...keys.slice(0, 6), ...figures.filter(numeric).slice(0, 3)];
+  const first = new Set(some.map((axis) => axis.name));
   for (const option of byId("axes").options) option.selected = first.has(option.value);
   hit("scatter");
   hit("parallel");
@@ -378,7 +379,12 @@ function start() {
     button.onclick = () => save(button.dataset.save);
   }
   window.onresize = draw;
-  draw();
+  const best = data.words.find((word) => word.name === "best");
+  if (best && best.values.includes("best")) {
+    choose(best.values.indexOf("best"));
+  } else {
+    draw();
+  }
 }
 
 start();
