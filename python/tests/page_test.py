@@ -11,7 +11,6 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tests" / "support"))
 import browser
-
 from trammel.sweep import Plan, page, store, work
 
 PLAN = """scenario = "circle"
@@ -105,7 +104,8 @@ class Page(unittest.TestCase):
         canvas = self.driver.find_element("id", "scatter")
         self.js("arguments[0].scrollIntoView({block: 'center'})", canvas)
         at = self.js("return places.scatter")[7]
-        width, height = self.js("return [byId('scatter').clientWidth, byId('scatter').clientHeight]")
+        width, height = self.js("const c = byId('scatter');"
+                                "return [c.clientWidth, c.clientHeight]")
         ActionChains(self.driver, duration=20).move_to_element_with_offset(
             canvas, round(at["x"] - width / 2), round(at["y"] - height / 2)).click().perform()
         shown = self.driver.find_element("id", "command").text

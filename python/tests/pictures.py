@@ -14,12 +14,11 @@ import subprocess
 import sys
 from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
-sys.path.insert(0, str(ROOT / "tests" / "support"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tests" / "support"))
 import browser
-
 import trammel
 
+ROOT = Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs" / "one-to-a-million.md"
 PICTURES = ROOT / "docs" / "pictures"
 SWEEP = ["sweep", "examples/payload.toml"]

@@ -46,8 +46,8 @@ class Parser(argparse.ArgumentParser):
         self.add_argument("--jobs", type=int, default=0, metavar="N", help=jobs)
         self.add_argument("--cluster", default="local", metavar="KIND",
                           choices=("local", "slurm", "lsf", "pbs", "sge", "htcondor"),
-                          help="where the workers are: local, or by dask-jobqueue slurm, lsf, pbs, sge, "
-                               "htcondor")
+                          help="where the workers are: local, or by dask-jobqueue slurm, lsf, pbs, "
+                               "sge, htcondor")
         self.add_argument("--scheduler", default="", metavar="ADDRESS",
                           help="of a Dask scheduler that is running, such as tcp://host:8786")
         self.add_argument("--limit", type=float, default=60, metavar="SECONDS",

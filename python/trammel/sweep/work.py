@@ -41,7 +41,8 @@ def one(scenario: str, engine: str, keys: dict, values: dict) -> dict:
         result = Result(_core.run(asked))
     except (_core.ConfigError, _core.ToolMissing, OSError) as error:
         if isinstance(error, OSError) and error.errno in TROUBLE:
-            raise WorkerError(f"worker on {socket.gethostname()}: {os.strerror(error.errno)}") from None
+            where = f"worker on {socket.gethostname()}"
+            raise WorkerError(f"{where}: {os.strerror(error.errno)}") from None
         return row | {"end": "refused", "message": str(error).removeprefix("-s: ")}
     return row | {"end": result.end, "message": result.verdict, "wall_s": result.wall_s,
                   "event_hash": result.event_hash,

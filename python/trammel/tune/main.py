@@ -185,8 +185,8 @@ def perform(study: Study, folder: Path, *, trials: int = 0, progress=None, show:
     with store.lock(folder, "", "study"):
         found = open_study(study, folder)
         try:
-            search(study, found, trials or study.trials, progress=Progress(show, progress, "trials"),
-                   **workers)
+            search(study, found, trials or study.trials,
+                   progress=Progress(show, progress, "trials"), **workers)
         except BaseException:
             with contextlib.suppress(OSError):  # the disk may be what it ended by
                 write(study, found, folder)
