@@ -198,6 +198,30 @@ class Trouble(unittest.TestCase):
                 self.ended(child, 2, f"^{verb}: {address}: no worker within 2 s: .")
                 self.assertLess(time.monotonic() - begun, 20)
 
+    def test_a_batch_system_that_takes_no_job(self):
+        """Programs of Slurm's names that hang, refuse a job, or never begin it."""
+        programs = self.folder / "bin"
+        programs.mkdir()
+
+        def write(**texts):
+            for name, text in texts.items():
+                (programs / name).write_text(f"#!/bin/sh\n{text}\n")
+                (programs / name).chmod(0o755)
+
+        path = {**os.environ, "PATH": f"{programs}:{os.environ['PATH']}"}
+        for sinfo, sbatch, message in (
+                ("exec sleep 60", "exit 1", "sinfo: no answer within 2 s$"),
+                ("exit 0", "echo 'sbatch: error: no such partition' >&2; exit 1",
+                 "sbatch: error: no such partition$"),
+                ("exit 0", "echo 'Submitted batch job 1'", "no worker within 2 s: none has come; "
+                 "jobs that were sent may wait for their turn$")):
+            write(sinfo=sinfo, sbatch=sbatch, scancel="exit 0")
+            child = subprocess.Popen(
+                [sys.executable, "-m", "trammel", "sweep", self.plan, "-o", self.out, "--limit",
+                 "2", "--cluster", "slurm"], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                text=True, env=path)
+            self.ended(child, 2, f"^sweep: --cluster slurm: {message}")
+
     def test_no_run_can_be_made(self):
         self.plan.write_text(PLAN.replace("[random]", '"run.audit" = true\n[random]'))
         with self.assertRaisesRegex(PlanError, "run.audit|run.engine"):

@@ -9,6 +9,7 @@ import logging
 import os
 import signal
 import subprocess
+import time
 from collections.abc import Iterator
 from concurrent import futures
 from multiprocessing import resource_tracker
@@ -48,15 +49,43 @@ def _ask(kind: str, limit_s: float) -> None:
         raise PlanError(f"{where}: {said.splitlines()[0].removeprefix(command[0] + ': ')}")
 
 
-def _jobqueue(kind: str, jobs: int, limit_s: float):
-    """A cluster whose workers are jobs of a batch system; its options: dask's configuration."""
+def _jobqueue(kind: str, jobs: int, limit_s: float, said: list[str]):
+    """A cluster whose workers are jobs of a batch system; its options: dask's configuration. What
+    the batch system says of jobs that it does not take is added to `said`."""
     import dask_jobqueue
 
     _ask(kind, limit_s)
-    cluster = getattr(dask_jobqueue, BATCH[kind][1])(
+    base = getattr(dask_jobqueue, BATCH[kind][1])
+
+    class Job(base.job_cls):
+        async def _submit_job(self, script):
+            try:
+                return await super()._submit_job(script)
+            except (RuntimeError, OSError) as error:
+                text = str(error).rpartition("stderr:")[2].strip() or str(error)
+                said.append(text.splitlines()[0])
+                raise
+
+    made = type(base.__name__, (base,), {"job_cls": Job})(
         cores=1, processes=1, memory="1GiB", scheduler_options={"dashboard_address": ":0"})
-    cluster.scale(jobs=jobs)
-    return cluster
+    made.scale(jobs=jobs)
+    return made
+
+
+def _wait(found, limit_s: float, said: list[str]) -> None:
+    """For the first worker."""
+    until = time.monotonic() + limit_s
+    while True:
+        left = until - time.monotonic()
+        try:
+            found.wait_for_workers(1, timeout=max(0.1, min(1, left)))
+            return
+        except TimeoutError:
+            if said:
+                raise PlanError(said[0]) from None
+            if left <= 0:
+                raise TimeoutError("none has come; jobs that were sent may wait for their turn"
+                                   ) from None
 
 
 @contextlib.contextmanager
@@ -102,20 +131,21 @@ def client(kind: str, jobs: int, address: str, limit_s: float):
     import distributed
 
     dask.config.set(QUIET)
-    for name in [n for n in logging.root.manager.loggerDict if n.startswith("distributed")]:
+    known = [n for n in logging.root.manager.loggerDict if n.startswith("distributed")]
+    for name in [*known, "tornado.application", "asyncio"]:
         logging.getLogger(name).setLevel(logging.CRITICAL)  # what matters is raised
     where = address or f"--cluster {kind}"
-    cluster = None
+    cluster, said = None, []
     try:
         if not address:
-            cluster = _local(jobs) if kind == "local" else _jobqueue(kind, jobs, limit_s)
+            cluster = _local(jobs) if kind == "local" else _jobqueue(kind, jobs, limit_s, said)
         try:
             if address:
                 _greet(address, limit_s)
             found = distributed.Client(address or cluster, timeout=limit_s)
-            found.wait_for_workers(1, timeout=limit_s)
-        except PlanError:
-            raise
+            _wait(found, limit_s, said)
+        except PlanError as error:
+            raise PlanError(f"{where}: {error}") from None
         except Exception as error:
             said = str(error).strip().splitlines()
             raise PlanError(f"{where}: no worker within {limit_s:g} s: "
