@@ -14,7 +14,9 @@ namespace {
 constexpr double kMaxRadius = 2147483648;     // counts
 constexpr double kMaxFlat = 0.25;             // rad, of an arc whose radius is above 2^20 counts
 constexpr double kLeastLength = 1.0 / 8192;   // counts
+constexpr double kReach = 1 << 20;            // counts: largest place and length of a line
 constexpr double kMostSpeed = 32768;          // counts per point
+constexpr double kMostAccel = 1 << 22;        // counts per point^2
 constexpr double kMostWindow = 65536;         // counts that the mean may span
 
 std::uint64_t fixed(double value, int bits) {
@@ -44,6 +46,11 @@ void direct(sw::FeedSegment& g, const ideal::Place& unit) {
 
 sw::FeedLimits feed_limits(const ideal::FeedProfile::Limits& limits, const FeedUnits& units) {
   const double scale = units.point_s * units.point_s / units.count_m;
+  const double most = std::max(limits.accel_x, limits.accel_y);
+  require(most * scale < kMostAccel,
+          fmt::format("path.accel_m_s2: value {:g} is {:g} counts in the square of the {:g} s of a "
+                      "point, which must be below {:g}", most, most * scale, units.point_s,
+                      kMostAccel));
   return {fixed(limits.accel_x * scale, sw::kFeedBits),
           fixed(limits.accel_y * scale, sw::kFeedBits), word(limits.mean)};
 }
@@ -59,6 +66,11 @@ std::vector<sw::FeedSegment> feed_segments(const ideal::Moves& moves, const Feed
     const ideal::Move& m = moves.moves[k];
     sw::FeedSegment g;
     const double length = m.length() / count, speed = m.feed * units.point_s / count;
+    for (const double at : {m.from.x, m.from.y, m.to.x, m.to.y}) {
+      require(std::abs(at) <= kReach * count,
+              fmt::format("path: {:g} m is beyond -{:g}..{:g} m of counts of {:g} m", at,
+                          kReach * count, kReach * count, count));
+    }
     require(length >= kLeastLength,
             fmt::format("path: a move of {:g} m is shorter than {:g} m", m.length(),
                         kLeastLength * count));

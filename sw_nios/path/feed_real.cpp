@@ -66,7 +66,8 @@ Real operator+(const Real& a, const Real& b) {
   const int shift = a.e_ - b.e_;
   if (shift > 63) return a;
   const std::uint64_t sum = a.m_ + (b.m_ >> shift);
-  return sum >= a.m_ ? Real::make(sum, a.e_) : Real::make(sum >> 1 | std::uint64_t{1} << 63, a.e_ + 1);
+  if (sum >= a.m_) return Real::make(sum, a.e_);
+  return Real::make(sum >> 1 | std::uint64_t{1} << 63, a.e_ + 1);  // it carries
 }
 
 Real operator-(const Real& a, const Real& b) {

@@ -4,6 +4,7 @@
 // about the acceleration of each axis.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <stdexcept>
 #include <vector>
 
 #include "machines/kung/plan_feed.hpp"
@@ -145,6 +146,51 @@ TEST_CASE("random programs keep the acceleration of each axis, and the points of
     most = std::max(most, share);
   }
   CHECK(most > 0.99);
+}
+
+TEST_CASE("with any encoder, rates and limits a shape is refused in a line or within one LSB") {
+  int driven = 0;
+  for (const PathKind kind : {PathKind::kCircle, PathKind::kWindow, PathKind::kSquare}) {
+    for (const double count_m : {1e-7, 1e-6, 2e-5, 1e-3}) {
+      for (const int period : {1, 4, 255}) {
+        for (const int rate : {1000, 4000}) {
+          for (const double accel : {0.1, 40.0}) {
+            for (const int mean : {1, 64}) {
+              Options o = shape(kind);
+              for (plant::AxisConfig& axis : o.plant.axis) axis.encoder_count_m = count_m;
+              o.chip.irq_period_ticks = period;
+              o.chip.position_Hz = rate;
+              o.path.axis = {{{accel}, {40}}};
+              o.path.mean_points = mean;
+              o.path.square_half_samples = 100000;
+              o.path.feed_m_s = 0.11;
+              CAPTURE(static_cast<int>(kind), count_m, period, rate, accel, mean);
+              FeedProgram program;
+              try {
+                const sw::PathSetup setup = plan_feed(o, program);
+                sw::Trajectory path(setup);
+                const FeedProfile command = ideal_command(o);
+                REQUIRE(path.size() == command.points());
+                const double point_s = 1.0 * period / rate, lsb_m = count_m / 256;
+                double most = 0;
+                for (std::uint32_t k = 0; k < path.size(); ++k) {
+                  const Place p = command.at(k * point_s).p;
+                  const sw::Point q = path.next_q8();
+                  most = std::max({most, std::abs(q.x - p.x / lsb_m), std::abs(q.y - p.y / lsb_m)});
+                }
+                CHECK(most <= 1);
+                ++driven;
+              } catch (const std::invalid_argument& error) {
+                CHECK_THAT(error.what(), Contains("path"));
+                CHECK_THAT(error.what(), !Contains("\n"));
+              }
+            }
+          }
+        }
+      }
+    }
+  }
+  CHECK(driven > 100);
 }
 
 TEST_CASE("speed and acceleration of the command are the slopes of its place") {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// A path under the feed profile as the firmware takes it: keys, shapes, laps, programs of moves, and
-// what is refused.
+// A path under the feed profile as the firmware takes it: keys, shapes, laps, programs of moves,
+// and what is refused.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <ctime>
@@ -67,7 +67,7 @@ TEST_CASE("a constant profile is planned as ever, whatever the keys of the other
   CHECK(store.feed.segments.empty());
 }
 
-TEST_CASE("a feed profile has a point each interrupt, of a square wave too, and firmware takes it") {
+TEST_CASE("a feed profile has a point each interrupt, of a square wave too") {
   PathStore store;
   const sw::KungSetup s = plan_firmware(shape(PathKind::kSquare), store);
   CHECK(s.path == sw::Path::kFeed);
