@@ -46,7 +46,7 @@ const CLI::Validator named(
 std::string scenario_help() {
   const std::vector<std::string> programs = trammel::lab::program_extensions();
   return fmt::format("name of a built-in scenario, or path of a .toml file{}",
-                     programs.empty() ? "" : fmt::format(" or of a program, {}",
+                     programs.empty() ? "" : fmt::format(" or of a program ({})",
                                                          fmt::join(programs, ", ")));
 }
 
@@ -69,8 +69,7 @@ struct CommandLine {
     app.add_flag("--json", arguments.json, "print exactly one JSON document");
 
     run = app.add_subcommand("run", "simulate a scenario and report how well the machine followed");
-    add_layers(run, "scenario", scenario_help(),
-               "output folder; default: out/<scenario>");
+    add_layers(run, "scenario", scenario_help(), "output folder; default: out/<scenario>");
     add_simulation(run,
                    "event that places the window, such as `x.e > 100`, found by an untraced run "
                    "first; `trammel list signals` shows those of each machine");
