@@ -164,7 +164,7 @@ class RandomGcode {
   }
 
   void feed() {
-    const std::int64_t f = between(1200, 36000);  // [mm/min]
+    const std::int64_t f = between(6000, 36000);  // [mm/min]
     feed_ = static_cast<double>(f) * 1e-3 / 60;
     block("F" + decimal(f, 0));
   }
