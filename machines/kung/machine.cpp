@@ -28,8 +28,7 @@ lab::Machine describe() {
   m.keys = keys;
   m.described_by = "path.kind";
   m.validate = validate;
-  m.program = {{".ngc", ".nc", ".gcode"}, "path.gcode_file",
-               {"path.kind=gcode", "path.profile=feed"}};
+  m.program = {{".ngc", ".nc", ".gcode"}, "path.gcode_file", {"path.kind=gcode"}};
   m.triggers = triggers;
   m.vcd_bytes_s = 1.2e10;
   m.fst_bytes_s = 8e7;

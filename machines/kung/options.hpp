@@ -160,7 +160,8 @@ struct PathOptions {
   // The command is a current.
   bool open_position() const { return is_sweep() && sweep_of == SweepOf::kCurrent; }
 
-  Profile profile = Profile::kAuto;  // feed with the precision controller, else constant
+  Profile profile = Profile::kAuto;
+  bool auto_feed = false;         // what auto is, see plan_feed.hpp
   double feed_m_s = 0;            // of the built-in shapes; 0: of each its own
   double rapid_m_s = 0.5;
   double feed_max_m_s = 1;

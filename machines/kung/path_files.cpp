@@ -59,7 +59,7 @@ cosim::GcodeTable gcode_table(const Options& options) {
 }
 
 void require_feed(const PathOptions& path, const char* key, const char* value) {
-  require(path.profile == Profile::kFeed,
+  require(path.profile != Profile::kConstant,
           fmt::format("{}: \"{}\" needs path.profile = \"feed\"", key, value));
 }
 

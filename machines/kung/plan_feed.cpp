@@ -154,13 +154,16 @@ double feed_m_s(const PathOptions& p) {
 }
 
 void choose_profile(Options& options) {
-  if (options.path.profile != Profile::kAuto) return;
-  options.path.profile =
-      options.controller == Controller::kPrecision ? Profile::kFeed : Profile::kConstant;
+  PathOptions& p = options.path;
+  const bool of_lines = p.kind == PathKind::kFeed ||
+                        (p.kind == PathKind::kPoints && p.points_mode == PointsMode::kPath);
+  p.auto_feed = of_lines || options.controller == Controller::kPrecision;
 }
 
 bool feeds(const PathOptions& path) {
-  if (path.profile != Profile::kFeed || path.is_sweep()) return false;
+  const bool feed = path.profile == Profile::kAuto ? path.auto_feed
+                                                   : path.profile == Profile::kFeed;
+  if (!feed || path.is_sweep()) return false;
   return path.kind != PathKind::kPoints || path.points_mode == PointsMode::kPath;
 }
 

@@ -9,7 +9,8 @@
 
 namespace trammel::kung {
 
-// In the place of "auto"; plan_firmware() does the same for itself.
+// What path.profile = "auto" is: feed with the precision controller, and for programs and lines,
+// else constant. plan_firmware() does the same for itself.
 void choose_profile(Options& options);
 
 // The feed profile drives this path; a sweep and a list of points that has its own times are driven

@@ -22,6 +22,8 @@
 
 using namespace trammel;
 using Catch::Contains;
+using Catch::EndsWith;
+using Catch::StartsWith;
 using ideal::Move;
 using kung::Options;
 
@@ -55,16 +57,17 @@ Options valid(const std::string& toml) {
 TEST_CASE("a mistake in a program is told with file and line, one in its keys with the key") {
   const Files files;
   files.put("a.ngc", "G0 X10\nG1 X20\n");
-  const std::string at = (files.path / "a.ngc").string();
-  CHECK(message_of(kGcode) == at + ":2: no F yet");
+  const std::string folder = files.path.string();
+  CHECK_THAT(message_of(kGcode), StartsWith(folder) && EndsWith("a.ngc:2: no F yet"));
   files.put("a.ngc", "G0 X10 Y601\n");
-  CHECK(message_of(kGcode) ==
-        at + ":1: the point leaves the stroke: Y = 601 mm; permitted: 0..600 mm");
+  CHECK_THAT(message_of(kGcode),
+             EndsWith("a.ngc:1: the point leaves the stroke: Y = 601 mm; permitted: 0..600 mm"));
   files.put("a.ngc", "G0 X10\n");
   CHECK(message_of(kGcode).empty());
   CHECK(message_of("[path]\nkind = 'gcode'\nprofile = 'feed'\n") ==
         "path.gcode_file: is needed with path.kind = \"gcode\"");
-  CHECK(message_of("[path]\nkind = 'gcode'\ngcode_file = 'a.ngc'\n") ==
+  CHECK(message_of("[path]\nkind = 'gcode'\ngcode_file = 'a.ngc'\n").empty());
+  CHECK(message_of("[path]\nkind = 'gcode'\ngcode_file = 'a.ngc'\nprofile = 'constant'\n") ==
         "path.kind: \"gcode\" needs path.profile = \"feed\"");
   CHECK_THAT(message_of("[path]\nkind = 'gcode'\nprofile = 'feed'\ngcode_file = 'none.ngc'\n"),
              Contains("path.gcode_file: ") && Contains("none.ngc: cannot be read: No such file"));
@@ -118,8 +121,9 @@ TEST_CASE("points are lines that are followed, if they are asked to be") {
   const Files files;
   files.put("a.csv", "100,200\n120,200\n120,200\n120,230\n");
   const std::string feed = "profile = 'feed'\npoints_mode = 'path'\n";
-  CHECK(message_of(kPoints + "points_mode = 'path'\n") ==
+  CHECK(message_of(kPoints + "points_mode = 'path'\nprofile = 'constant'\n") ==
         "path.points_mode: \"path\" needs path.profile = \"feed\"");
+  CHECK(kung::feeds(valid(kPoints + "points_mode = 'path'\n").path));
   CHECK(message_of(kPoints + "profile = 'feed'\n").empty());
   CHECK_FALSE(kung::feeds(valid(kPoints + "profile = 'feed'\n").path));
   Options options = valid(kPoints + feed);
