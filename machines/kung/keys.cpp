@@ -56,7 +56,8 @@ std::string axis_prefix(const char* section, std::size_t axis) {
 
 void add_run(Table& t) {
   t.names();
-  t.text("controller", "fixed rule table (fc), adaptive (afc), or docs/precision.md", TRAMMEL_LENS(controller));
+  t.text("controller", "fixed rule table (fc), adaptive (afc), or docs/precision.md",
+         TRAMMEL_LENS(controller));
   t.platform_and_clocks();
   t.text("run.cpu",
          "firmware compiled for this computer, or the RTL of kung_soc's processor with its binary, "
@@ -141,7 +142,7 @@ void add_path(Table& t) {
       &PathOptions::sweep_dwell_ticks);
   add("profile", 0, 0,
       "constant speed along the path, or a feed profile that keeps the acceleration of each axis; "
-      "auto = feed with controller = \"precision\", else constant",
+      "auto = feed with controller = \"precision\" and for programs and lines, else constant",
       &PathOptions::profile);
   add("feed_m_s", 0, 1.2,
       "feed profile: of a shape, at least 0.0001; 0 = circle 0.5, window 0.35, star 0.275, else "
@@ -155,11 +156,6 @@ void add_path(Table& t) {
       "feed profile: stop at the corners of a path, or pass them slowly; auto = stop in a shape, "
       "pass in a file",
       &PathOptions::corner);
-  for (const std::size_t axis : {0u, 1u}) {
-    t.one(axis_prefix("path", axis) + "accel_m_s2", 0.1, 40,
-          "feed profile: largest acceleration of the axis",
-          [axis](auto& o) -> auto& { return o.path.axis[axis].accel_m_s2; });
-  }
   t.file("path.points_file",
          "CSV of x_mm,y_mm; a relative path starts at the scenario file",
          TRAMMEL_LENS(path.points_file));
@@ -173,6 +169,12 @@ void add_path(Table& t) {
   add("start_y_m", 0, 0.6, "where the table rests before a program", &PathOptions::start_y_m);
   add("home_x_m", 0, 0.6, "where G28 of a program goes", &PathOptions::home_x_m);
   add("home_y_m", 0, 0.6, "where G28 of a program goes", &PathOptions::home_y_m);
+  // Behind all of [path]: a table of TOML is written once.
+  for (const std::size_t axis : {0u, 1u}) {
+    t.one(axis_prefix("path", axis) + "accel_m_s2", 0.1, 40,
+          "feed profile: largest acceleration of the axis",
+          [axis](auto& o) -> auto& { return o.path.axis[axis].accel_m_s2; });
+  }
 }
 
 void add_gains(Table& t, std::size_t axis) {

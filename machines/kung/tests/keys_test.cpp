@@ -54,6 +54,7 @@ TEST_CASE("each key sets its own member, in its own axis") {
   const auto path = [](const Options& o) -> const P& { return o.path; };
   m.add("path.kind", [](const Options& o) { return o.path.kind; });
   m.add("path.profile", [](const Options& o) { return o.path.profile; });
+  m.add("path.points_mode", [](const Options& o) { return o.path.points_mode; });
   m.add("path.corner", [](const Options& o) { return o.path.corner; });
   for (const std::size_t a : {std::size_t{0}, std::size_t{1}}) {
     add<>(m, a == 0 ? "path.x." : "path.y.",
@@ -82,7 +83,9 @@ TEST_CASE("each key sets its own member, in its own axis") {
          {"line_start_x_m", &P::line_start_x_m}, {"line_start_y_m", &P::line_start_y_m},
          {"line_end_x_m", &P::line_end_x_m}, {"line_end_y_m", &P::line_end_y_m},
          {"feed_m_s", &P::feed_m_s}, {"rapid_m_s", &P::rapid_m_s},
-         {"feed_max_m_s", &P::feed_max_m_s}, {"sweep_center_m", &P::sweep_center_m},
+         {"feed_max_m_s", &P::feed_max_m_s}, {"start_x_m", &P::start_x_m},
+         {"start_y_m", &P::start_y_m}, {"home_x_m", &P::home_x_m}, {"home_y_m", &P::home_y_m},
+         {"sweep_center_m", &P::sweep_center_m},
          {"sweep_amplitude_m", &P::sweep_amplitude_m},
          {"sweep_amplitude_A", &P::sweep_amplitude_A}});
   using Q = PrecisionOptions;
