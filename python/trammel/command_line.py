@@ -56,23 +56,24 @@ class Parser(argparse.ArgumentParser):
 
 def sweep() -> Parser:
     found = Parser("sweep", SWEEP)
-    found.add_argument("plan", metavar="PLAN.toml")
+    found.add_argument("plan", metavar="PLAN.toml", help="what varies, and how")
     found.add_argument("-o", "--out", metavar="FOLDER",
                        help="of the data set; default: out/<name of the plan>")
     found.add_workers("workers; default: one for each processor; of a cluster, 4 jobs")
     found.add_argument("--shard", default="1/1", metavar="i/n",
                        help="only the i-th of n parts, for other ways to share the work; all may "
                             "write into one folder")
-    found.add_argument("--yes", action="store_true", help="even if there are more than 10^7 runs")
+    found.add_argument("--yes", action="store_true",
+                       help="make the runs even if there are more than 10^7")
     found.add_argument("--count", action="store_true", help="only print how many runs there are")
     found.add_argument("--empty", action="store_true",
-                       help="runs that do nothing, to measure what is around them")
+                       help="make runs that do nothing, to measure what is around them")
     return found
 
 
 def tune() -> Parser:
     found = Parser("tune", TUNE)
-    found.add_argument("study", metavar="STUDY.toml")
+    found.add_argument("study", metavar="STUDY.toml", help="what is searched, and what is good")
     found.add_argument("-o", "--out", metavar="FOLDER",
                        help="of the study; default: out/<name of the study>")
     found.add_argument("--trials", type=int, default=0, metavar="N",
