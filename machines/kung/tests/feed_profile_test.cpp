@@ -163,6 +163,11 @@ TEST_CASE("with any encoder, rates and limits a shape is refused in a line or wi
               o.path.axis = {{{accel}, {40}}};
               o.path.mean_points = mean;
               o.path.square_half_samples = 100000;
+              o.path.square_high_m = 0.001;
+              o.path.square_periods = 1;
+              o.path.circle_radius_m = 0.005;
+              o.path.window_side_m = 0.01;
+              o.path.window_radius_m = 0.002;
               o.path.feed_m_s = 0.11;
               CAPTURE(static_cast<int>(kind), count_m, period, rate, accel, mean);
               FeedProgram program;
@@ -174,8 +179,9 @@ TEST_CASE("with any encoder, rates and limits a shape is refused in a line or wi
                 const double point_s = 1.0 * period / rate, lsb_m = count_m / 256;
                 double most = 0;
                 for (std::uint32_t k = 0; k < path.size(); ++k) {
-                  const Place p = command.at(k * point_s).p;
                   const sw::Point q = path.next_q8();
+                  if (k % 13 != 0) continue;
+                  const Place p = command.at(k * point_s).p;
                   most = std::max({most, std::abs(q.x - p.x / lsb_m), std::abs(q.y - p.y / lsb_m)});
                 }
                 CHECK(most <= 1);
@@ -200,15 +206,16 @@ TEST_CASE("speed and acceleration of the command are the slopes of its place") {
     const FeedProfile command(p.moves, p.limits);
     std::mt19937 random(seed);
     const double end = static_cast<double>(std::min<std::size_t>(command.points(), 5000)) *
-                       p.limits.period, step = 1e-7;
+                       p.limits.period, step = 1e-6;
     for (int n = 0; n < 200; ++n) {
       const double t = std::uniform_real_distribution<double>(0, end)(random);
       const FeedProfile::Command a = command.at(t), b = command.at(t + step);
       // Over a step the speed changes by the acceleration, at a sharp corner by more.
       const double turn = 4 * std::hypot(a.v.x, a.v.y) * (std::hypot(b.v.x - a.v.x, b.v.y - a.v.y) >
                                                           1e-4 ? 1 : 0);
-      CHECK((b.p.x - a.p.x) / step == Approx(a.v.x).margin(1e-5 + turn));
-      CHECK((b.p.y - a.p.y) / step == Approx(a.v.y).margin(1e-5 + turn));
+      // What a double leaves of a place 9 km from its arc's centre is 1e-12 m.
+      CHECK((b.p.x - a.p.x) / step == Approx((a.v.x + b.v.x) / 2).margin(1e-5 + turn));
+      CHECK((b.p.y - a.p.y) / step == Approx((a.v.y + b.v.y) / 2).margin(1e-5 + turn));
     }
   }
 }
