@@ -153,7 +153,7 @@ module kung_axis_props
     end
     if (live_q) begin
       position_controller_starts_unless_precise :
-      assert (afc_start == (tick_pos_i && !precise));
+      assert (precise ? !afc_start : afc_start == tick_pos_i);
       done_is_that_of_the_chosen_one : assert (done_o == (precise ? done_precise : afc_done));
       current_loop_rests_unless_closed : assert (loop_clear || told && current_loop);
     end
