@@ -104,6 +104,8 @@ void set_tiles(List& list, std::size_t periods) {
   set("tracking.model.max_mm", "Largest error");
   set("contour.mean_mm", "Mean contour error");
   set("peak_current_A", "Peak current");
+  set("error_um.mean", "Mean error to the command");
+  set("error_um.max", "Largest of it");
   if (periods == 0) {
     set("max_speed_m_s", "Top speed");
   } else {
@@ -273,6 +275,7 @@ std::vector<std::string> remarks(const lab::Record& record) {
   const Options& options = options_of(record);
   const Result& result = result_of(record);
   std::vector<std::string> lines = overloads(options, result);
+  for (std::string& line : comparison_lines(record)) lines.push_back(std::move(line));
   if (options.path.kind == PathKind::kCircle && is_paper_experiment(options)) {
     lines.emplace_back(kCircleNote);
   }

@@ -210,6 +210,8 @@ void add_precision(Table& t) {
   add("learn", 0, 0, "corrections from lap to lap, with path.repeats above 1",
       &PrecisionOptions::learn);
   add("learn_gain", 0, 1, "share of an error that a lap corrects", &PrecisionOptions::learn_gain);
+  add("compare", 0, 0, "also run fc and afc on the same feed profile, with the twin engine",
+      &PrecisionOptions::compare);
   for (const std::size_t axis : {0u, 1u}) {
     const auto own = keys_of(t, axis_prefix("precision", axis),
                              [axis](auto& o) -> auto& { return o.precision.axis[axis]; });

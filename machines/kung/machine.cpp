@@ -3,6 +3,7 @@
 
 #include "lab/files.hpp"
 #include "machines/kung/figures.hpp"
+#include "machines/kung/precision_figures.hpp"
 #include "machines/kung/session.hpp"
 
 namespace trammel::kung {
@@ -37,6 +38,7 @@ lab::Machine describe() {
   m.verdict = verdict;
   m.remarks = remarks;
   m.warnings = advice;
+  m.companions = precision_companions;
   m.run_name = [](const lab::Settings& settings) {
     const auto controller = static_cast<const Options&>(settings).controller;
     return std::string(controller == Controller::kFc    ? "FC"

@@ -83,6 +83,7 @@ struct PrecisionOptions {
   bool subcount = true;     // the time of an encoder's edge tells the position between two counts
   bool learn = false;       // corrections from lap to lap
   double learn_gain = 0.5;  // share of an error that a lap corrects
+  bool compare = true;      // also fc and afc on the same feed profile, by their twins
 };
 
 struct AxisChip {

@@ -116,6 +116,47 @@ void each_command_sample(const Options& options, const Result& result,
   }
 }
 
+std::vector<lab::Companion> precision_companions(const lab::Settings& settings) {
+  const auto& options = static_cast<const Options&>(settings);
+  std::vector<lab::Companion> all;
+  if (options.controller != Controller::kPrecision || !options.precision.compare) return all;
+  for (const auto& [name, controller] :
+       {std::pair{"AFC", Controller::kAfc}, {"FC", Controller::kFc}}) {
+    auto other = std::make_unique<Options>(options);
+    other->path.profile = Profile::kFeed;
+    other->controller = controller;
+    other->run.engine = Engine::kTwin;
+    other->run.platform = Platform::kDirect;
+    other->run.wave = cosim::WaveFormat::kNone;  // waves are of the first
+    other->run.assertions = other->run.audit = false;
+    other->cpu = Cpu::kNative;
+    other->uart.clear();
+    other->precision.learn = false;
+    all.push_back({name, std::move(other)});
+  }
+  return all;
+}
+
+std::vector<std::string> comparison_lines(const lab::Record& record) {
+  if (record.companions.empty()) return {};
+  const auto line = [](const std::string& name, const lab::Record& of) {
+    const auto value = [&of](const char* id) {
+      for (const lab::Figure& f : of.figures) {
+        if (f.id == id) return f.value / 1000;
+      }
+      return std::nan("");
+    };
+    return fmt::format("  {:<22}{:>10.4f}{:>10.4f}{:>12.4f}{:>10.4f}", name, value("error_um.mean"),
+                       value("error_um.max"), value("contour_um.mean"), value("contour_um.max"));
+  };
+  std::vector<std::string> lines{
+      fmt::format("{:<24}{:>10}{:>10}{:>12}{:>10}", "same feed profile (mm)", "error", "max",
+                  "from path", "max"),
+      line("precision", record)};
+  for (const lab::Record& beside : record.companions) lines.push_back(line(beside.name, beside));
+  return lines;
+}
+
 void add_command_figures(std::vector<lab::Figure>& list, const Options& options,
                          const Result& result) {
   if (!feeds(options.path) || result.points == 0) return;

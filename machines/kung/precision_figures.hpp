@@ -7,9 +7,11 @@
 
 #include <array>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "lab/figure.hpp"
+#include "lab/record.hpp"
 #include "machines/kung/options.hpp"
 #include "machines/kung/record.hpp"
 #include "models/ideal/feed_profile.hpp"
@@ -38,5 +40,11 @@ double distance_to(const ideal::Moves& moves, const ideal::Place& place);
 // Error, contour, set point and estimates; nothing where the feed profile does not drive the path.
 void add_command_figures(std::vector<lab::Figure>& list, const Options& options,
                          const Result& result);
+
+// The fuzzy controllers on the same feed profile, by their twins.
+std::vector<lab::Companion> precision_companions(const lab::Settings& settings);
+
+// Errors of a run of the precision controller beside those of its companions, and of the paper.
+std::vector<std::string> comparison_lines(const lab::Record& record);
 
 }  // namespace trammel::kung
