@@ -368,9 +368,9 @@ sw::KungSetup plan_firmware(const Options& given, PathStore& store) {
   }
   s.d_current_limit = static_cast<std::int32_t>(std::lround(chip.d_current_A / lsb_A));
   s.dead_time_min = clocks(chip.dead_time_min_ns, options.plant.clock_ps);
-  s.precision = plan_precision(options, s);
   check_extent(options, s);
   check_sweep(options);
+  s.precision = plan_precision(options, s);
   return s;
 }
 

@@ -71,9 +71,9 @@ TEST_CASE("the default options give the words of the specification for precision
   CHECK(x.coulomb == 131236);
   CHECK(y.coulomb == 209978);
   CHECK(x.mass_min == 109363);   // 2 kg
-  CHECK(x.mass_max == 1749811);  // 32 kg
+  CHECK(x.mass_max == 1749814);  // 32 kg
   CHECK(y.mass_min == 328090);   // 6 kg
-  CHECK(y.mass_max == 2187264);  // 40 kg
+  CHECK(y.mass_max == 2187267);  // 40 kg
 }
 
 TEST_CASE("with another controller nothing of it is on, and nothing is refused") {
@@ -119,13 +119,14 @@ TEST_CASE("any encoder, motor and sensor: the words mean the same newtons and ki
       for (const double full_scale_A : {4.8, 9.6, 40.0}) {
         CAPTURE(count_m, force_N_A, full_scale_A);
         Options o = options();
-        o.path.circle_ticks = 100000;
+        o.path.feed_m_s = 4000 * count_m;
         for (std::size_t a = 0; a < 2; ++a) {
           plant::AxisConfig& plant = o.plant.axis[a];
           plant.encoder_count_m = count_m;
           plant.force_constant_n_a = force_N_A;
           plant.current_full_scale_a = full_scale_A;
           plant.pole_pitch_m = 0.02;
+          plant.hard_stops = false;
           o.gains[a].kv = 1e-3;  // words of the fuzzy controller are none here
           o.gains[a].current_kp_V_A = 1;
           o.chip.axis[a].stroke_max_m = 120000 * count_m;
@@ -181,7 +182,7 @@ TEST_CASE("each key of the precision controller is in its own word") {
   CHECK(s.learn_gain == 16384);
   CHECK(s.axis[0].misc == (6u | 4u << 4 | 26u << 12 | 1u << 20));
   CHECK(s.axis[1].misc == (15u | 4u << 4 | 115u << 12 | 1u << 20));
-  CHECK(s.axis[1].estimator.mass_max == 250 * s.axis[1].estimator.mass / 100);
+  CHECK(s.axis[1].estimator.mass_max == Approx(2.5 * s.axis[1].estimator.mass).epsilon(1e-6));
   CHECK(s.axis[0].estimator.mass == 431985);
   o.precision.axis[0].w1_rad_s = 60;  // softer than the gains to identify with
   const sw::PrecisionSetup soft = plan(o);

@@ -22,7 +22,7 @@ KungSetup with_precision() {
   s.precision.on = true;
   s.precision.axis[1].estimator.mass = 853034;
   s.precision.axis[1].estimator.mass_min = 328090;
-  s.precision.axis[1].estimator.mass_max = 2187264;
+  s.precision.axis[1].estimator.mass_max = 2187267;
   s.precision.axis[1].estimator.coulomb = 209978;
   return s;
 }
