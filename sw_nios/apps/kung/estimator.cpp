@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::uint32_t kForget = 10;       // 2^-10 a sample
 constexpr std::int32_t kMostForce = 1 << 23;
+constexpr std::int64_t kFitting = 1 << 29;  // below, wide elements are narrow again
 
 constexpr std::uint32_t low(std::uint64_t x) { return static_cast<std::uint32_t>(x & 0xFFFFFFFFu); }
 constexpr std::uint32_t high(std::uint64_t x) { return static_cast<std::uint32_t>(x >> 32); }
@@ -30,10 +31,6 @@ constexpr std::uint32_t pattern(std::int32_t x) { return static_cast<std::uint32
 // Highest bit: not within +-2^30.
 constexpr std::uint32_t outside(std::int32_t x) {
   return static_cast<std::uint32_t>(x) + 0x40000000u;
-}
-constexpr std::uint32_t outside(Wide x) {
-  const std::int64_t size = value(x);
-  return size < -(1 << 29) || size >= 1 << 29 ? 0x80000000u : 0;
 }
 
 // a b modulo 2^64; of a wide word three multiplications of 32 bits.
@@ -124,21 +121,13 @@ template <class Word>
 Estimator::Estimator(const EstimatorSetup& setup, std::int32_t point) : setup_(setup) {
   theta_ = {setup.mass, setup.viscous, setup.coulomb, 0, 0, 0};
   points_ = {point, point, point, point};
-  set(element<true, 0, 0>(), kStart[0]);
-  set(element<true, 1, 1>(), kStart[1]);
-  set(element<true, 2, 2>(), kStart[2]);
-  set(element<true, 3, 3>(), kStart[3]);
-  set(element<true, 4, 4>(), kStart[4]);
-  set(element<true, 5, 5>(), kStart[5]);
-  invert<0>();
-  invert<1>();
-  invert<2>();
-  invert<3>();
-  invert<4>();
-  invert<5>();
+  set(wide_[wide_place(0, 0)], kStart[0]);
+  set(wide_[wide_place(1, 1)], kStart[1]);
+  for (std::uint32_t i = 2; i < kUnknowns; ++i) narrow_[narrow_place(i, i)] = kStart[i];
   for (std::uint32_t i = 0; i < kUnknowns; ++i) {
     q_start_[i] = std::int64_t{kStart[i]} * theta_[i];
     set(q_[i], q_start_[i]);
+    invert_wide(i, static_cast<std::uint64_t>(kStart[i]));
   }
 }
 
@@ -155,18 +144,18 @@ void Estimator::step(std::int32_t err_sum, std::int32_t iq_sum) {
   if (sums_ < kFirst) return;
   if (moves) {
     if (fits_) {
-      learn<true>(phi);
+      learn(phi);
     } else {
-      learn<false>(phi);
+      learn_wide(phi);
     }
-    push<0>(phi, current);
+    push(phi, current);
   }
   const std::int32_t mass = theta_[kMass];
   for (int sweeps = 0; sweeps < 2; ++sweeps) {
     if (fits_) {
-      sweep<true>();
+      sweep();
     } else {
-      sweep<false>();
+      sweep_wide();
     }
   }
   limit(mass);
@@ -202,84 +191,113 @@ bool Estimator::sample(std::int32_t err_sum, std::int32_t iq_sum, Theta& phi,
   return true;
 }
 
-template <bool kFits, std::uint32_t I, std::uint32_t J>
+template <std::uint32_t I, std::uint32_t J>
 void Estimator::learn_from(const Theta& phi, std::uint32_t& beyond) {
-  auto& r = element<kFits, I, J>();
+  auto& r = element<I, J>();
   constexpr std::int32_t kRest = I == J ? kStart[I] : 0;
   const std::int32_t both = I == kForce ? kOne * phi[J] : phi[I] * phi[J];
   set(r, value(r) + both - rs(value(r) - kRest, kForget));
   if constexpr (I >= 2 && J < 2) beyond |= outside(r);
   if constexpr (I == J) invert<I>();
   if constexpr (J < I) {
-    learn_from<kFits, I, J + 1>(phi, beyond);
+    learn_from<I, J + 1>(phi, beyond);
   } else if constexpr (I + 1 < kUnknowns) {
-    learn_from<kFits, I + 1, 0>(phi, beyond);
+    learn_from<I + 1, 0>(phi, beyond);
   }
 }
 
-template <bool kFits>
 void Estimator::learn(const Theta& phi) {
   std::uint32_t beyond = 0;
-  learn_from<kFits, 0, 0>(phi, beyond);
-  if (kFits && beyond >> 31 != 0) widen();
-  if (!kFits && beyond >> 31 == 0) narrow();
-}
-
-void Estimator::widen() {
+  learn_from<0, 0>(phi, beyond);
+  if (beyond >> 31 == 0) return;
   fits_ = false;
   for (std::uint32_t n = 0; n < fitting_.size(); ++n) set(wide_[3 + n], std::int64_t{fitting_[n]});
 }
 
-void Estimator::narrow() {
+void Estimator::learn_wide(const Theta& phi) {
+  bool fit = true;
+  for (std::uint32_t i = 0; i < kUnknowns; ++i) {
+    for (std::uint32_t j = 0; j <= i; ++j) {
+      const std::int64_t before = wide_element(i, j);
+      const std::int32_t rest = i == j ? kStart[i] : 0;
+      const std::int64_t r = before + phi[i] * phi[j] - rs(before - rest, kForget);
+      if (j >= 2) {
+        narrow_[narrow_place(i, j)] = static_cast<std::int32_t>(r);
+      } else {
+        set(wide_[wide_place(i, j)], r);
+        fit = fit && (i < 2 || (r < kFitting && r >= -kFitting));
+      }
+      if (i == j) invert_wide(i, static_cast<std::uint64_t>(r));
+    }
+  }
+  if (!fit) return;
   fits_ = true;
   for (std::uint32_t n = 0; n < fitting_.size(); ++n) {
     fitting_[n] = static_cast<std::int32_t>(value(wide_[3 + n]));
   }
 }
 
+std::int64_t Estimator::wide_element(std::uint32_t i, std::uint32_t j) const {
+  if (i < j) return wide_element(j, i);
+  return j >= 2 ? narrow_[narrow_place(i, j)] : value(wide_[wide_place(i, j)]);
+}
+
 template <std::uint32_t I>
 void Estimator::invert() {
-  const auto d = pattern(element<true, I, I>());
+  const auto d = pattern(element<I, I>());
   if (shifted(d, shift_[I]) - 512 >= 512) shift_[I] = scale_of(d, shift_[I]);
   inverse_[I] = reciprocal(leading(d, shift_[I]));
 }
 
-template <std::uint32_t I>
+void Estimator::invert_wide(std::uint32_t i, std::uint64_t d) {
+  shift_[i] = scale_of(d, shift_[i]);
+  inverse_[i] = reciprocal(leading(d, shift_[i]));
+}
+
 void Estimator::push(const Theta& phi, std::int32_t current) {
-  const std::int64_t pushed = std::int64_t{I == kForce ? kOne : phi[I]} * current * 65536;
-  if constexpr (I < kSine) {
-    set(q_[I], value(q_[I]) + pushed - rs(value(q_[I]) - q_start_[I], kForget));
-  } else {
-    set(q_[I], value(q_[I]) + pushed - rs(value(q_[I]), kForget));
+  for (std::uint32_t i = 0; i < kUnknowns; ++i) {
+    const std::int64_t pushed = std::int64_t{phi[i]} * current * 65536;
+    set(q_[i], value(q_[i]) + pushed - rs(value(q_[i]) - q_start_[i], kForget));
   }
-  if constexpr (I + 1 < kUnknowns) push<I + 1>(phi, current);
 }
 
 // Row I of R times theta, from column J on.
-template <bool kFits, std::uint32_t I, std::uint32_t J>
+template <std::uint32_t I, std::uint32_t J>
 std::uint64_t Estimator::row(const Theta& theta) {
-  const std::uint64_t first = product(element<kFits, I, J>(), theta[J]);
+  const std::uint64_t first = product(element<I, J>(), theta[J]);
   if constexpr (J + 1 == kUnknowns) {
     return first;
   } else {
-    return first + row<kFits, I, J + 1>(theta);
+    return first + row<I, J + 1>(theta);
   }
 }
 
 // One unknown after the other, each with the newest of the others.
-template <bool kFits, std::uint32_t I>
+template <std::uint32_t I>
 void Estimator::solve(Theta& theta) {
-  const std::uint64_t left = pattern(q_[I]) - row<kFits, I, 0>(theta);
-  theta[I] += quotient(static_cast<std::int64_t>(left), pattern(element<kFits, I, I>()), shift_[I],
+  const std::uint64_t left = pattern(q_[I]) - row<I, 0>(theta);
+  theta[I] += quotient(static_cast<std::int64_t>(left), pattern(element<I, I>()), shift_[I],
                        inverse_[I]);
-  if constexpr (I + 1 < kUnknowns) solve<kFits, I + 1>(theta);
+  if constexpr (I + 1 < kUnknowns) solve<I + 1>(theta);
 }
 
-template <bool kFits>
 void Estimator::sweep() {
   Theta theta = theta_;
-  solve<kFits, 0>(theta);
+  solve<0>(theta);
   theta_ = theta;
+}
+
+void Estimator::sweep_wide() {
+  for (std::uint32_t i = 0; i < kUnknowns; ++i) {
+    std::uint64_t left = pattern(q_[i]);
+    for (std::uint32_t j = 0; j < kUnknowns; ++j) {
+      Wide r{};
+      set(r, wide_element(i, j));
+      left -= product(r, theta_[j]);
+    }
+    theta_[i] += quotient(static_cast<std::int64_t>(left),
+                          static_cast<std::uint64_t>(wide_element(i, i)), shift_[i], inverse_[i]);
+  }
 }
 
 void Estimator::limit(std::int32_t mass) {

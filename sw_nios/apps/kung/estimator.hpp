@@ -18,7 +18,7 @@ struct EstimatorSetup {
   std::int32_t viscous = 559940;  // at most 3 times that
   std::int32_t coulomb = 131236;  // at most 4 times that, and so the cogging
   std::int32_t mass_min = 109363;
-  std::int32_t mass_max = 1749811;
+  std::int32_t mass_max = 1749814;
   std::int32_t pitch = 48800;      // period of the cogging [count / 8]
   std::int32_t slowest = 16384;    // way from knot to knot that teaches something [2^-13 count]
   std::uint32_t accel_shift = 3;   // of the regressors of mass and viscous friction
@@ -57,37 +57,43 @@ class Estimator {
 
   // R is symmetric. Of regressors 2 to 5, at most 1024, 32 bits hold the sums of products, 2^30; so
   // they do of these with 0 and 1 while the axis moves as it should.
-  template <bool kFits, std::uint32_t I, std::uint32_t J>
+  template <std::uint32_t I, std::uint32_t J>
   auto& element() {
     if constexpr (I < J) {
-      return element<kFits, J, I>();
+      return element<J, I>();
     } else if constexpr (J >= 2) {
-      return narrow_[(I - 2) * (I - 1) / 2 + (J - 2)];
-    } else if constexpr (kFits && I >= 2) {
+      return narrow_[narrow_place(I, J)];
+    } else if constexpr (I >= 2) {
       return fitting_[2 * (I - 2) + J];
     } else {
-      return wide_[I == 0 ? 0 : 2 * I - 1 + J];
+      return wide_[wide_place(I, J)];
     }
   }
+  static constexpr std::uint32_t narrow_place(std::uint32_t i, std::uint32_t j) {
+    return (i - 2) * (i - 1) / 2 + (j - 2);
+  }
+  static constexpr std::uint32_t wide_place(std::uint32_t i, std::uint32_t j) {
+    return i == 0 ? 0 : 2 * i - 1 + j;
+  }
+  std::int64_t wide_element(std::uint32_t i, std::uint32_t j) const;  // of any, while !fits_
 
   bool sample(std::int32_t err_sum, std::int32_t iq_sum, Theta& phi, std::int32_t& current);
   // All of one call are inlined: the unknowns stay in registers.
-  template <bool kFits, std::uint32_t I, std::uint32_t J>
+  template <std::uint32_t I, std::uint32_t J>
   [[gnu::always_inline]] inline void learn_from(const Theta& phi, std::uint32_t& beyond);
   template <std::uint32_t I>
   [[gnu::always_inline]] inline void invert();
-  template <std::uint32_t I>
-  [[gnu::always_inline]] inline void push(const Theta& phi, std::int32_t current);
-  template <bool kFits, std::uint32_t I, std::uint32_t J>
+  template <std::uint32_t I, std::uint32_t J>
   [[gnu::always_inline]] inline std::uint64_t row(const Theta& theta);
-  template <bool kFits, std::uint32_t I>
+  template <std::uint32_t I>
   [[gnu::always_inline]] inline void solve(Theta& theta);
-  template <bool kFits>
   [[gnu::noinline]] void learn(const Theta& phi);
-  template <bool kFits>
+  [[gnu::noinline]] void push(const Theta& phi, std::int32_t current);
   [[gnu::noinline]] void sweep();
-  void widen();
-  void narrow();
+  // The same in loops, small and slower.
+  void learn_wide(const Theta& phi);
+  void sweep_wide();
+  void invert_wide(std::uint32_t i, std::uint64_t d);
   void limit(std::int32_t mass);
 
   EstimatorSetup setup_;
