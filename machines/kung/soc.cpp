@@ -27,7 +27,18 @@ CoreMemory core_memory(const sw::KungSetup& setup, bool start) {
   CoreMemory memory = core_image();
   const auto header = [&memory](std::uint32_t n) { return memory.at(map::kHeader / 4 + n); };
   const std::uint32_t at = header(map::kSetup), free = header(map::kFree);
-  const std::uint32_t limit = header(map::kLimit);
+  std::uint32_t limit = header(map::kLimit);
+  sw::SetupWords words;
+  if (setup.precision.on && setup.precision.learn) {
+    const auto needed = static_cast<std::uint32_t>(sizeof(sw::Corrections));
+    if (needed > limit - free) {
+      throw OptionsError(fmt::format("precision.learn: its corrections need {} bytes, too many for "
+                                     "run.cpu = \"rtl\": its memory has room for {}",
+                                     needed, limit - free));
+    }
+    limit -= needed;
+    words.corrections = limit;
+  }
   const std::uint32_t room = (limit - free) / static_cast<std::uint32_t>(sizeof(sw::Point));
   if (setup.path == sw::Path::kPoints && setup.n_points > room) {
     throw OptionsError(fmt::format("path.points_file: {} points are too many for run.cpu = "
@@ -43,14 +54,14 @@ CoreMemory core_memory(const sw::KungSetup& setup, bool start) {
                                    "for {}", setup.feed.n_segments, setup.feed.n_phases, needed,
                                    limit - free));
   }
-  sw::SetupWords words;
   sw::pack(setup, words);
   words.flags |= start ? sw::SetupWords::kStart : 0;
   words.points = free;
-  memory.resize(limit / 4);
+  memory.resize(header(map::kLimit) / 4);
   std::uint32_t n = at / 4;
   memory[n++] = words.flags;
   memory[n++] = words.points;
+  memory[n++] = words.corrections;
   std::copy(words.members.begin(), words.members.end(), memory.begin() + n);
   n = free / 4;
   for (std::uint32_t k = 0; setup.path == sw::Path::kPoints && k < setup.n_points; ++k) {

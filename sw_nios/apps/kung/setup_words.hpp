@@ -56,6 +56,7 @@ struct SetupWords {
 
   std::uint32_t flags = 0;
   std::uint32_t points = 0;  // address of the list of points; or of segments, then their phases
+  std::uint32_t corrections = 0;  // address of room for them; 0: nothing is learned
   std::array<std::uint32_t, kMembers> members{};
 };
 

@@ -30,7 +30,7 @@ KungSetup given(const SetupWords& words) {
   const auto* segments = reinterpret_cast<const FeedSegment*>(words.points);
   setup.feed.segments = segments;
   setup.feed.phases = reinterpret_cast<const FeedPhase*>(segments + setup.feed.n_segments);
-  setup.precision.corrections = nullptr;  // its memory has no room for them
+  setup.precision.corrections = reinterpret_cast<Corrections*>(words.corrections);
   return setup;
 }
 
@@ -49,11 +49,17 @@ void __cxa_pure_virtual() {
 }
 }
 
+// Apart from main, on whose stack the set-up would stay.
+[[gnu::noinline]] static trammel::sw::KungProgram& made_program() {
+  static trammel::sw::KungProgram program{trammel::sw::given(core_setup)};
+  return program;
+}
+
 int main() {
   using namespace trammel::sw;
   namespace map = soc_map;
   static MappedBus bus;
-  static KungProgram program{given(core_setup)};
+  KungProgram& program = made_program();
   static Console console{program, bus};
   core_report = &program.app().mailbox();
   if ((core_setup.flags & SetupWords::kStart) != 0) program.start(bus);
