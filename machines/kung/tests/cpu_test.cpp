@@ -83,4 +83,9 @@ TEST_CASE("a loader writes set-up and points into the image, and says when there
   setup.points = points.data();
   setup.n_points = 20'000;
   CHECK_THROWS_WITH(core_memory(setup, true), Contains("20000 points are too many"));
+
+  sw::KungSetup learning;
+  learning.precision.on = learning.precision.learn = true;
+  CHECK_THROWS_WITH(core_memory(learning, true),
+                    Contains("precision.learn: its corrections need 16384 bytes"));
 }
