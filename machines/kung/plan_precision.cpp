@@ -139,8 +139,9 @@ sw::LawGains law_gains(const std::string& keys, double w1_rad_s, double zeta, do
     in_range(keys + "w3_rad_s", w3_rad_s, least, 2000,
              fmt::format("or 0: L3 has no smaller word at {}w2_rad_s = {:g}", keys, w2_rad_s));
   }
-  return {nearest_gain(1 - z * z * y), nearest_gain((1 - z) * (1 + z - 2 * z * y)), nearest_gain(l3),
-          nearest_gain(w1_rad_s * w1_rad_s * kTickS * kTickS), nearest_gain(2 * zeta * w1_rad_s * kTickS)};
+  return {nearest_gain(1 - z * z * y), nearest_gain((1 - z) * (1 + z - 2 * z * y)),
+          nearest_gain(l3), nearest_gain(w1_rad_s * w1_rad_s * kTickS * kTickS),
+          nearest_gain(2 * zeta * w1_rad_s * kTickS)};
 }
 
 sw::PrecisionSetup plan_precision(const Options& options, const sw::KungSetup& setup) {
@@ -153,8 +154,8 @@ sw::PrecisionSetup plan_precision(const Options& options, const sw::KungSetup& s
           "path.kind: \"sweep\" has a point each position sample, and controller = \"precision\" "
           "one in four");
   require(feeds(options.path) || options.path.kind == PathKind::kPoints,
-          "path.profile: \"constant\" steps in speed, which controller = \"precision\" cannot follow "
-          "on a built-in shape; it needs \"feed\"");
+          "path.profile: \"constant\" steps in speed, which controller = \"precision\" cannot "
+          "follow on a built-in shape; it needs \"feed\"");
   require(!p.learn || setup.repeats > 1,
           fmt::format("precision.learn: needs path.repeats of 2 or more, is {}: a lap learns from "
                       "the one before", setup.repeats));

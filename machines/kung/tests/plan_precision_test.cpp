@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The words of the precision controller from poles, encoder, motor and sensors, and what is refused.
+// The words of the precision controller from poles, encoder, motor and sensors, and what is
+// refused.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <complex>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What one axis carries and what holds it back, from the sums of the precision controller: recursive
-// least squares with forgetting over six unknowns (docs/precision.md, "Estimator"). Both sides are
-// the means of the 32 ticks between two knots: position from control points and error, current from
-// i_q*. Integers only. On a core that has 1,000 clocks to spare for a division of 64 bits, but not
-// for twelve of them, the quotients come from divisions of 32 bits.
+// What one axis carries and what holds it back, from the sums of the precision controller:
+// recursive least squares with forgetting over six unknowns (docs/precision.md, "Estimator"). Both
+// sides are the means of the 32 ticks between two knots: position from control points and error,
+// current from i_q*. Integers only. A core takes 1,000 clocks for a division of 64 bits, of which
+// there would be twelve: quotients come from reciprocals, exactly.
 #pragma once
 
 #include <array>

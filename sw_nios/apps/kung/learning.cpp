@@ -16,7 +16,9 @@ constexpr std::uint32_t kSmoothed = 6;  // the one with two of them on either si
 
 Learning::Learning(std::array<std::int16_t, Corrections::kPoints>* corrections, std::uint32_t lap,
                    std::uint32_t gain)
-    : corrections_(lap == 0 || lap > Corrections::kPoints ? nullptr : corrections), lap_(lap), gain_(gain) {
+    : corrections_(lap == 0 || lap > Corrections::kPoints ? nullptr : corrections),
+      lap_(lap),
+      gain_(gain) {
   if (corrections_ == nullptr) return;
   for (std::int16_t& one : *corrections_) one = 0;
 }
