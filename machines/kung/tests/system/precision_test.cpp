@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The precision controller in closed loop: a cut of the acceptance of its specification's section
+// 11, on the first lap, with payload, friction, cogging and noise that nobody told it.
+#include <fmt/format.h>
+
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "lab/layers.hpp"
+#include "lab/record.hpp"
+#include "lab/scenarios.hpp"
+#include "machines/kung/precision_figures.hpp"
+
+using namespace trammel;
+
+namespace {
+
+using Texts = std::vector<std::string>;
+
+lab::Record run(const std::string& scenario, const Texts& assignments) {
+  const auto settings = lab::load_scenario(lab::find_scenario(scenario));
+  for (const char* text : {"controller=precision", "run.engine=twin", "run.platform=direct",
+                           "precision.compare=false"}) {
+    lab::apply_assignment(*settings, text);
+  }
+  for (const std::string& text : assignments) lab::apply_assignment(*settings, text);
+  lab::validate(*settings);
+  return lab::run(*settings);
+}
+
+double figure(const lab::Record& record, const std::string& id) {
+  for (const lab::Figure& f : record.figures) {
+    if (f.id == id) return f.value;
+  }
+  FAIL("the run has no figure " << id);
+  return 0;
+}
+
+// Payload [kg], share of both frictions, cogging [N], noise of the sensors [A rms], seed.
+struct Load {
+  double payload = 0, friction = 1, cogging = 0, noise = 0;
+  int seed = 1;
+
+  Texts keys() const {
+    return {fmt::format("plant.payload_kg={}", payload),
+            fmt::format("plant.x.coulomb_N={}", 3 * friction),
+            fmt::format("plant.y.coulomb_N={}", 4.8 * friction),
+            fmt::format("plant.viscous_N_s_m={}", 20 * friction),
+            fmt::format("plant.cogging_N={}", cogging),
+            fmt::format("plant.current_noise_A={}", noise), fmt::format("plant.seed={}", seed)};
+  }
+};
+
+}  // namespace
+
+TEST_CASE("the table follows its command within half a count, whatever it carries") {
+  struct Case {
+    const char* path;
+    Load load;
+    double mean, most;  // [um] of the specification; 0: none for this path
+  };
+  const Case cases[]{
+      {"circle", {}, 0.62, 5.9},
+      {"circle", {0, 1.5, 3, 0.02, 1}, 0.78, 7.5},
+      {"circle", {0, 0.5, 3, 0.02, 1}, 1.22, 12.3},
+      {"circle", {0, 0.5, 3, 0.02, 3}, 0, 0},
+      {"circle", {11, 1, 0, 0, 1}, 0.26, 3.1},
+      {"circle", {22.5, 1.5, 3, 0.02, 2}, 0, 0},
+      {"window", {0, 1.5, 3, 0.02, 1}, 1.74, 8.8},
+      {"star", {0, 0.5, 3, 0.02, 1}, 1.62, 12.2},
+      {"star", {22.5, 1, 0, 0, 1}, 0.36, 3.8},
+      {"part", {0, 1.5, 3, 0.02, 2}, 0, 0},
+  };
+  for (const Case& one : cases) {
+    CAPTURE(one.path, one.load.payload, one.load.friction, one.load.cogging, one.load.seed);
+    const lab::Record record = run(one.path, one.load.keys());
+    REQUIRE(record.result->end == cosim::EndReason::kDone);
+    const double mean = figure(record, "error_um.mean"), most = figure(record, "error_um.max");
+    CHECK(mean <= 2.0);
+    CHECK(most <= 15.0);
+    if (one.mean > 0) {
+      CHECK(mean == Approx(one.mean).margin(0.35));
+      CHECK(most == Approx(one.most).margin(5));
+    }
+    CHECK(figure(record, "peak_current_A") <= 4.5);
+    CHECK(figure(record, "set_point_um.mean") <= 0.05);
+    for (const std::string axis : {"x", "y"}) {
+      CAPTURE(axis);
+      const double mass = figure(record, axis + ".estimate.mass_kg_true");
+      CHECK(figure(record, axis + ".estimate.mass_kg") == Approx(mass).margin(0.12 + 0.01 * mass));
+    }
+  }
+}
+
+TEST_CASE("a precision run has the same events by RTL and twin, leaping and plain") {
+  const Texts move{"path.kind=line", "path.line_start_x_m=0.2", "path.line_start_y_m=0.2",
+                   "path.line_end_x_m=0.204", "path.line_end_y_m=0.203"};
+  Texts rtl = move;
+  rtl.emplace_back("run.engine=rtl");
+  Texts audited = rtl;
+  audited.emplace_back("run.audit=true");
+  const auto twin = run("circle", move);
+  REQUIRE(twin.result->end == cosim::EndReason::kDone);
+  CHECK(run("circle", rtl).result->event_hash == twin.result->event_hash);
+  const auto compared = run("circle", audited);
+  CHECK(compared.result->end == cosim::EndReason::kDone);
+  CHECK(compared.result->event_hash == twin.result->event_hash);
+}
+
+TEST_CASE("laps with learning come nearer to the command, and those without stay as they are") {
+  const Texts harmonic{"path.repeats=5", "plant.cogging_harmonic_N=2", "plant.cogging_harmonic=6"};
+  Texts learning = harmonic;
+  learning.emplace_back("precision.learn=true");
+  const auto plain = run("star", harmonic), learned = run("star", learning);
+  const double first = figure(learned, "lap_error_um.0");
+  CHECK(figure(plain, "lap_error_um.0") == first);
+  CHECK(figure(plain, "lap_error_um.4") <= 1.1 * first + 0.2);
+  CHECK(figure(learned, "lap_error_um.4") <= first / 2);
+}
+
+TEST_CASE("a service routine that comes too late ends a precision run") {
+  const auto late =
+      run("circle", {"processor.interrupt_latency_clk=90000", "processor.access_clk=1000"});
+  CHECK(late.result->end == cosim::EndReason::kFault);
+  CHECK_THAT(late.verdict, Catch::Contains("interrupt"));
+}
+
+TEST_CASE("figures against the command are there for each controller on the feed profile") {
+  for (const std::string controller : {"fc", "afc"}) {
+    const auto record = run("circle", {"controller=" + controller, "path.profile=feed"});
+    CAPTURE(controller);
+    CHECK(figure(record, "error_um.mean") / 1000 == Approx(30.9).margin(0.8));  // section 11
+  }
+  const auto constant = run("circle", {"controller=afc"});
+  for (const lab::Figure& f : constant.figures) CHECK(f.id != "error_um.mean");
+}
