@@ -132,6 +132,7 @@ std::vector<lab::Companion> precision_companions(const lab::Settings& settings) 
     other->cpu = Cpu::kNative;
     other->uart.clear();
     other->precision.learn = false;
+    other->diverged_m = other->reached_m = 1;  // however far they are behind
     all.push_back({name, std::move(other)});
   }
   return all;

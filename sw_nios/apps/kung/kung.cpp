@@ -256,7 +256,7 @@ void KungApp::serve(Bus& bus) {
   if (setup_.precision.on) look_ahead();
 }
 
-// The first COMMIT of the precision controller places the knots at the tick behind it, once for all.
+// The first COMMIT of the precision controller places the knots at the tick behind it, for good.
 // Given after the next tick, it leaves two ticks to every later service before its knot.
 bool KungApp::await_tick(Bus& bus, std::uint32_t tick) {
   for (std::uint32_t polls = 0; polls < kPollLimit; ++polls) {

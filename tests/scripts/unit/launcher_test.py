@@ -33,7 +33,8 @@ TOOLS = {
     "started": LOG + 'echo "verbs: $TRAMMEL_VERBS"; exit "$(cat "$AT/code")"\n',
     "ctest": LOG + 'cat "$AT/told"; [[ " $* " == *" -N "* ]] || exit "$(cat "$AT/code")"\n',
     "python3": LOG + 'if [ "$1 $2" = "-m venv" ]; then mkdir -p "$3/bin"\n'
-                     'cp "$AT/bin/started" "$3/bin/python3"; cp "$AT/bin/started" "$3/bin/pip"; fi\n'
+                     'cp "$AT/bin/started" "$3/bin/python3"\n'
+                     'cp "$AT/bin/started" "$3/bin/pip"; fi\n'
                      'if [[ $* == *"test-block --names"* && $* == *nothing* ]]; then exit 2; fi\n'}
 INSTALL = "apt-get -qq -o DPkg::Lock::Timeout=300 -o Dpkg::Use-Pty=0 install -y " \
           "--no-install-recommends"
@@ -65,7 +66,8 @@ class LauncherTest(Scratch):
         (self.folder / "log").unlink(missing_ok=True)
         done = subprocess.run([self.folder / "trammel", *words], check=False, timeout=60,
                               capture_output=True, text=True, cwd=self.folder,
-                              env={"PATH": str(self.folder / "bin"), "AT": str(self.folder), **more})
+                              env={"PATH": str(self.folder / "bin"), "AT": str(self.folder),
+                                   **more})
         log = self.folder / "log"
         started = log.read_text(encoding="utf-8").splitlines() if log.exists() else []
         return done.returncode, done.stdout, done.stderr, \
@@ -189,7 +191,8 @@ class LauncherTest(Scratch):
         for environment, wanted in (({}, 0), ({"CI": "false"}, 0), ({"CI": "true"}, 1)):
             code, _, told, _ = self.launch("test", **environment)
             self.assertEqual(code, wanted)
-            self.assertIn("skipped, an optional tool is missing:\n  docs.boards\n  soc.long\n", told)
+            self.assertIn("skipped, an optional tool is missing:\n  docs.boards\n  soc.long\n",
+                          told)
 
     def test_a_block_is_tested_by_the_tool_or_by_ctest_with_its_options(self):
         self.assertEqual(self.started("test", "drive/pwm")[-1],
