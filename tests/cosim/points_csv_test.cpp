@@ -51,10 +51,26 @@ TEST_CASE("a byte-order mark is not part of the first line") {
   CHECK(points[0].x_m == Approx(0.1));
   CHECK_THROWS_WITH(read(std::string("\xFF\xFE") + "1\0,\0"),
                     "p.csv:1: UTF-16 text; save it as UTF-8 or ASCII");
+  CHECK_THROWS_WITH(read(std::string("\xFE\xFF") + "1,2\n"),
+                    "p.csv:1: UTF-16 text; save it as UTF-8 or ASCII");
+}
+
+TEST_CASE("one name or one number is no header, and of a long line 60 bytes are shown") {
+  const auto refused = [](const std::string& line, const std::string& shown) {
+    CHECK_THROWS_WITH(read(line + "\n1,2\n"),
+                      "p.csv:1: expected two numbers x_mm,y_mm, found '" + shown + "'");
+  };
+  for (const char* line : {"points", "1,y", "x,2"}) refused(line, line);
+  refused(std::string(60, 'a'), std::string(60, 'a'));
+  refused(std::string(61, 'a'), std::string(60, 'a') + "...");
+  // No character of two bytes is cut.
+  refused(std::string(59, 'a') + "\xC3\xA9" + "b", std::string(59, 'a') + "...");
+  refused(std::string(58, 'a') + "\xC3\xA9" + "b", std::string(58, 'a') + "\xC3\xA9" + "...");
 }
 
 TEST_CASE("a header that swaps the columns or names another unit is refused") {
-  for (const char* header : {"y_mm,x_mm", "x_mm,x_mm", "Y, X", "x_m,y_m", "x [um],y [um]"}) {
+  for (const char* header : {"y_mm,x_mm", "x_mm,x_mm", "Y, X", "x_m,y_m", "x [um],y [um]",
+                             "y_mm,b", "a,x_mm", "x_m,y_mm", "x_mm,y_in"}) {
     CAPTURE(header);
     CHECK_THROWS_WITH(read(std::string(header) + "\n1,2\n"),
                       "p.csv:1: expected the columns x_mm,y_mm, found '" +
