@@ -4,7 +4,8 @@
 usage: scripts/tool gen-precision [--check | --grid] [--program FILE] [--jobs N]
 
 Runs circle, window, star and part with the twin engine, on the first lap, in the conditions of the
-tables between marks as "<!-- begin measured -->" in docs/precision.md, and writes these.
+tables between marks as "<!-- begin worth -->" in docs/precision.md, and writes these and
+docs/pictures/precision.svg, the error on the circle beside that of fc and afc.
 --check writes nothing: it says whether the page is what the program measures now, and whether all
 of it is within the bars of the specification. --grid runs all combinations of path, payload,
 friction, cogging, noise and seed (432 runs, some minutes) and holds them to the bars.
@@ -13,8 +14,10 @@ Exit codes: 0 ok, 1 stale or outside the bars, 2 usage, 3 the program is not bui
 """
 
 import argparse
+import csv
 import itertools
 import json
+import math
 import os
 import subprocess
 import sys
@@ -26,6 +29,23 @@ from trammel_tools import python_tools
 from trammel_tools.paths import ROOT
 
 PAGE = ROOT / "docs" / "precision.md"
+PICTURE = ROOT / "docs" / "pictures" / "precision.svg"
+GNUPLOT = """
+set terminal svg size 800,420 dynamic enhanced font 'Helvetica,13' background '#ffffff'
+set output 'precision.svg'
+set logscale y
+set yrange [0.02:200000]
+set format y '%g'
+set xlabel 't (ms)'
+set ylabel 'distance from the command (um)'
+set key outside top center horizontal
+set grid y lc rgb '#dddddd'
+set label 'a count of the encoder' at 20,7.5 tc rgb '#777777'
+plot 5 with lines title '' lc rgb '#999999' dt 2, \\
+     'fc.txt' every 8 with lines title 'fc' lc rgb '#bbbbbb' lw 5, \\
+     'afc.txt' every 8 with lines title 'afc' lc rgb '#1f77b4' lw 1.5, \\
+     'precision.txt' with lines title 'precision' lc rgb '#d62728' lw 1
+"""
 PATHS = ("circle", "window", "star", "part")
 MEAN, MOST, PEAK = 2.0, 15.0, 4.5           # [um], [um], [A]: bars of every run
 NEAR_MEAN, NEAR_MAX = 0.35, 5.0             # [um] of the specification's figures
@@ -165,6 +185,29 @@ def grid(bench):
     return 1 if wrong else 0
 
 
+def picture(bench):
+    """The distance from the command over time, of three controllers on the same feed profile."""
+    with tempfile.TemporaryDirectory() as folder:
+        for name in ("fc", "afc", "precision"):
+            subprocess.run([bench.program, "run", "circle", "--engine", "twin", "--no-report",
+                            "-s", f"controller={name}", "-s", "path.profile=feed",
+                            "-s", "precision.compare=false", "-o", f"{folder}/{name}"],
+                           stdout=subprocess.DEVNULL, check=True)
+            metrics = json.loads(Path(folder, name, "metrics.json").read_text(encoding="utf-8"))
+            first, last = metrics["run"]["first_tick"] + 8, metrics["run"]["end_tick"] - 12
+            of = "model" if name == "precision" else "command"  # what the chip has as set point
+            with (Path(folder) / "trace.csv").open("w", encoding="utf-8") as out, \
+                    open(f"{folder}/{name}/trace.csv", encoding="utf-8") as lines:
+                for line in csv.DictReader(lines):
+                    if first <= int(line["tick"]) < last:
+                        error = [float(line[f"{a}_{of}_m"]) - float(line[f"{a}_position_m"])
+                                 for a in "xy"]
+                        print((int(line["tick"]) - first) / 2, 1e6 * math.hypot(*error), file=out)
+            (Path(folder) / "trace.csv").rename(Path(folder) / f"{name}.txt")
+        subprocess.run(["gnuplot"], input=GNUPLOT, text=True, check=True, cwd=folder)
+        PICTURE.write_bytes((Path(folder) / "precision.svg").read_bytes())
+
+
 def with_tables(page, tables):
     for name, text in tables.items():
         begin, end = f"<!-- begin {name} -->\n", f"<!-- end {name} -->"
@@ -198,6 +241,7 @@ def main():
               file=sys.stderr)
     if not arguments.check:
         PAGE.write_text(made, encoding="utf-8")
+        picture(bench)
     return 1 if wrong or (arguments.check and made != page) else 0
 
 
