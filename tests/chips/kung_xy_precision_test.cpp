@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The precision controller behind the registers of kung_xy: its window, its sums, its place in the
+// axis. That every word is the twin's is shown under random traffic; the law has its own tests.
+#include <catch2/catch.hpp>
+
+#include <cstdint>
+
+#include "models/exact/control/precision.hpp"
+#include "tests/chips/kung_bench.hpp"
+
+namespace reg = trammel::kung_xy_regs;
+using trammel::exact::Precision;
+using trammel::test::KungBench;
+
+namespace {
+
+constexpr std::uint32_t kOn = reg::kCtrlPrecision | reg::kCtrlPositionLoop;
+
+void write_window(KungBench& chip, std::uint32_t base, std::uint32_t word, std::int32_t value) {
+  chip.write(base + reg::kPrecAddr, word);
+  chip.write(base + reg::kPrecData, static_cast<std::uint32_t>(value));
+}
+
+// Both axes out of reset at count 0, with no gains: i_q* is what IFF says.
+void leave_reset(KungBench& chip) {
+  for (const std::uint32_t base : {reg::kX, reg::kY}) {
+    chip.write(base + reg::kCtrl, kOn | reg::kCtrlResetModel);
+    for (std::uint32_t word = 0; word < 14; ++word) write_window(chip, base, word, 0);
+    chip.write(base + reg::kCtrl, kOn);
+  }
+  chip.to_tick();  // a law in reset
+  chip.edges(400);
+}
+
+}  // namespace
+
+TEST_CASE("PREC_DATA reads and writes the window, and PREC_ADDR counts up behind it") {
+  KungBench chip;
+  for (const std::uint32_t base : {reg::kX, reg::kY}) {
+    CAPTURE(base);
+    chip.write(base + reg::kPrecAddr, 0);
+    for (std::uint32_t word = 0; word < 14; ++word) {
+      chip.write(base + reg::kPrecData, 1000 * (word + 1) + base);
+    }
+    CHECK(chip.read(base + reg::kPrecAddr) == 14);
+    chip.write(base + reg::kPrecAddr, 0);
+    for (std::uint32_t word = 0; word < 14; ++word) {
+      CAPTURE(word);
+      CHECK(chip.read(base + reg::kPrecData) == (word == 7 ? 0 : 1000 * (word + 1) + base));
+    }
+    chip.write(base + reg::kPrecAddr, 31);
+    CHECK(chip.read(base + reg::kPrecData) == 0);
+    CHECK(chip.read(base + reg::kPrecAddr) == 0);
+  }
+  SECTION("some bytes of a word change nothing") {
+    chip.write(reg::kX + reg::kPrecAddr, 3);
+    chip->s_axil_wstrb_i = 0x7;
+    chip.write(reg::kX + reg::kPrecData, 77);
+    chip->s_axil_wstrb_i = 0xf;
+    CHECK(chip.read(reg::kX + reg::kPrecAddr) == 3);
+    CHECK(chip.read(reg::kX + reg::kPrecData) == 4000);
+  }
+}
+
+TEST_CASE("with CTRL.precision the fuzzy controller rests and the law ends the sample") {
+  KungBench chip;
+  chip.to_tick();
+  CHECK(chip.to_sample() <= 71);
+  chip.write(reg::kX + reg::kCtrl, kOn);
+  chip.write(reg::kY + reg::kCtrl, kOn);
+  chip.to_tick();
+  chip.edges(20);
+  CHECK((chip.read(reg::kX + reg::kStatus) & reg::kStatusBusy) == 0);
+  chip.to_tick();
+  CHECK(chip.to_sample() == Precision::kKnotClocks + 1);  // Y and X were in reset
+  chip.to_tick();
+  CHECK(chip.to_sample() == Precision::kClocks + 1);
+  // One axis with each: the sample waits for the law.
+  chip.write(reg::kY + reg::kCtrl, reg::kCtrlPositionLoop);
+  chip.to_tick();
+  CHECK(chip.to_sample() >= Precision::kClocks + 1);
+}
+
+TEST_CASE("the words of a COMMIT are taken by the next knot, 32 ticks after the one before") {
+  KungBench chip;
+  leave_reset(chip);
+  CHECK(chip.read(reg::kKnot) == 0);
+  write_window(chip, reg::kX, 1, 25600);  // IFF: i_q* of 100, reached over 32 ticks
+  write_window(chip, reg::kY, 1, -12800);
+  CHECK(chip.read_signed(reg::kX + reg::kIqCmd) == 0);
+  chip.write(reg::kCommit, reg::kCommitTake);
+  chip.to_tick();
+  chip.edges(400);
+  CHECK(chip.read(reg::kKnot) == 1);
+  CHECK(chip.read_signed(reg::kX + reg::kIqCmd) == 3);  // 100 / 32
+  chip.write(reg::kCommit, reg::kCommitTake);
+  chip.edges(32 * 3125);
+  CHECK(chip.read(reg::kKnot) == 2);
+  CHECK(chip.read_signed(reg::kX + reg::kIqCmd) == 100);
+  CHECK(chip.read_signed(reg::kY + reg::kIqCmd) == -50);
+  // 3, 6, ... 100: the mean of the ramp, over 32 ticks.
+  CHECK(chip.read_signed(reg::kX + reg::kIqSum) == Approx(32 * 51.5).margin(32));
+  CHECK(chip.read_signed(reg::kX + reg::kErrSum) == 0);
+  CHECK((chip.read(reg::kX + reg::kStatus) & reg::kStatusUnderrun) == 0);
+  SECTION("a knot without a COMMIT is an underrun, until 1 is written") {
+    chip.edges(32 * 3125);
+    CHECK(chip.read(reg::kKnot) == 3);
+    for (const std::uint32_t base : {reg::kX, reg::kY}) {
+      CHECK((chip.read(base + reg::kStatus) & reg::kStatusUnderrun) != 0);
+      chip.write(base + reg::kStatus, reg::kStatusUnderrun);
+      CHECK((chip.read(base + reg::kStatus) & reg::kStatusUnderrun) == 0);
+    }
+  }
+  SECTION("CTRL.reset_model ends the count of knots and the current") {
+    for (const std::uint32_t base : {reg::kX, reg::kY}) {
+      chip.write(base + reg::kCtrl, kOn | reg::kCtrlResetModel);
+    }
+    chip.edges(3125 + 400);
+    CHECK(chip.read(reg::kKnot) == 0);
+    CHECK(chip.read_signed(reg::kX + reg::kIqCmd) == 0);
+  }
+}
+
+TEST_CASE("an error beyond 2048 counts is clipped and told, and PREC_ERR shows it") {
+  KungBench chip;
+  leave_reset(chip);
+  write_window(chip, reg::kX, 0, 256 * 4000);
+  for (int knot = 0; knot < 4; ++knot) {
+    chip.write(reg::kCommit, reg::kCommitTake);
+    chip.edges(32 * 3125);
+  }
+  CHECK((chip.read(reg::kX + reg::kStatus) & reg::kStatusClipped) != 0);
+  CHECK((chip.read(reg::kY + reg::kStatus) & reg::kStatusClipped) == 0);
+  CHECK(chip.read_signed(reg::kX + reg::kPrecErr) == 2048 * 256 - 1);
+  CHECK(chip.read_signed(reg::kY + reg::kPrecErr) == 0);
+}
