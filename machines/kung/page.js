@@ -13,6 +13,7 @@
   T.isResponse = (f) => /^[xy]\.response\./.test(f.id);
   T.isPeriod = (f) => /^[xy]\.periods\./.test(f.id);
 
+  const precise = (run) => run.metrics.options.controller === 'precision';
   const scaled = (values, factor) => values.map((v) => v * factor);
 
   // The unit of each kind of word of an axis (specification section 3).
@@ -123,6 +124,7 @@
       force: ['force', 'of the motor', 'force', 'N', 2, (a) => [
         ['force', s[`${a}_force_N`], 'actual']]],
     };
+    if (precise(run)) delete plots.fuzzy;  // it rests
     section.append(T.el('div', { class: 'grid two' }, Object.entries(plots).flatMap(([id, [title,
       small, label, unit, digits, lines]]) => ['x', 'y'].map((axis) => T.timePlot({
       id: `${id}-${axis}`, title: `${axis.toUpperCase()} ${title}`, small,
@@ -179,10 +181,11 @@
         if (run.metrics.x.periods) T.stepSection(run);
         if (run.metrics.figures.some(T.isResponse)) responseSection(run);
         if (!(run.detail.response && run.detail.response.current)) pathSection(run);
+        if (precise(run)) T.precisionSection(run);
         axesSection(run);
       }
       sampleSection(run);
-      rulesSection(run);
+      if (!precise(run)) rulesSection(run);
     },
   };
 })(window.Trammel = window.Trammel || {});
