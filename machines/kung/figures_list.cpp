@@ -276,7 +276,8 @@ std::vector<std::string> remarks(const lab::Record& record) {
   const Result& result = result_of(record);
   std::vector<std::string> lines = overloads(options, result);
   for (std::string& line : comparison_lines(record)) lines.push_back(std::move(line));
-  if (options.path.kind == PathKind::kCircle && is_paper_experiment(options)) {
+  if (options.path.kind == PathKind::kCircle && options.controller != Controller::kPrecision &&
+      is_paper_experiment(options)) {
     lines.emplace_back(kCircleNote);
   }
   const auto evaluated = static_cast<double>(std::max<cosim::Clk>(1, result.evaluated));
