@@ -10,11 +10,12 @@
   // Error of the axes [mm] as they are shown elsewhere.
   T.precisionSection = function (run) {
     const d = run.data;
-    const section = T.section('precision', 'Error in micrometres', 'Distance of the true position ' +
-      'from the set point, which is the command to some hundredths of a micrometre; the lines of ' +
+    const section = T.section('precision', 'Error in micrometres', 'Distance of the true ' +
+      'position from the set point, which is the command to some hundredths of a micrometre; the lines of ' +
       'one count are the width of a step of the encoder.');
     const um = (values) => values.map((v) => v * kUm);
-    const line = (label, data, role, more) => ({ label, data, role, unit: 'um', digits: 2, ...more });
+    const line = (label, data, role, more) => ({ label, data, role, unit: 'um', digits: 2,
+      ...more });
     const plots = ['x', 'y'].map((axis) => {
       const count = run.metrics.options[`plant.${axis}.encoder_count_m`] * 1e6;
       const band = (sign) => new Array(run.count).fill(sign * count);
