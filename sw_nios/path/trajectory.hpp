@@ -50,7 +50,7 @@ class Trajectory {
   }
 
  public:
-  constexpr explicit Trajectory(const PathSetup& s)
+  [[gnu::cold]] constexpr explicit Trajectory(const PathSetup& s)
       : path_(s.path),
         circle_(s.circle, s.repeats),
         window_(s.window, s.repeats),

@@ -11,8 +11,8 @@
   T.precisionSection = function (run) {
     const d = run.data;
     const section = T.section('precision', 'Error in micrometres', 'Distance of the true ' +
-      'position from the set point, which is the command to some hundredths of a micrometre; the lines of ' +
-      'one count are the width of a step of the encoder.');
+      'position from the set point, which is the command to some hundredths of a micrometre; the ' +
+      'lines of one count are the width of a step of the encoder.');
     const um = (values) => values.map((v) => v * kUm);
     const line = (label, data, role, more) => ({ label, data, role, unit: 'um', digits: 2,
       ...more });

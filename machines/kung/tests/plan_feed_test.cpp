@@ -136,6 +136,7 @@ TEST_CASE("moves of a program are driven where they are given, with their stops 
   Options o = shape(PathKind::kPoints);
   o.path.points = {{0.1, 0.1}, {0.1001, 0.1}};
   CHECK_FALSE(feeds(o.path));  // points with times of their own
+  o.path.points_mode = PointsMode::kPath;
   o.path.moves = staircase(3, 0.01);
   CHECK(feeds(o.path));
   const std::uint32_t passing = size_of(o);
@@ -196,6 +197,7 @@ TEST_CASE("what a feed profile cannot drive is refused with its key and the perm
   refused(o, "path.mean_points: value 64: 0.5 m/s over as many points are");
 
   o = shape(PathKind::kPoints);
+  o.path.points_mode = PointsMode::kPath;
   o.path.moves = staircase(3, 0.01);
   o.path.repeats = 2;
   refused(o, "path.repeats: value 2 must be 1: the path does not end where it begins");

@@ -39,7 +39,7 @@ COMPILE = ["-std=c++17", "-ffreestanding", "-fno-exceptions", "-fno-rtti",
            "-fno-threadsafe-statics", "-fno-use-cxa-atexit", "-ffunction-sections",
            "-fdata-sections", "-O2", "-Wall", "-Wextra", "-Wshadow", "-Wconversion", "-Werror",
            "-I.", "-isystem", "sw_nios/rv32im/include"]
-SMALL = {"console.cpp", "main.cpp"}  # in no hurry, as the app itself: the memory must hold it all
+SMALL = {"console.cpp"}  # what is in no hurry: the memory must hold it all
 LINK = ["--specs=picolibc.specs", "-nostartfiles", "-nostdlib", "-T", "sw_nios/rv32im/link.ld",
         "-Wl,--gc-sections,--fatal-warnings,--no-warn-rwx-segments"]
 DRIVER = ["-std=c99", "-ffreestanding", "-Os", "-Wall", "-Wextra", "-Wpedantic", "-Wshadow",
@@ -73,7 +73,7 @@ def compiled(out, only=None):
             continue
         name = "_".join(source.relative_to(SOURCES).with_suffix(".o").parts)
         flags = COMPILE if source.suffix == ".cpp" else []
-        if source.name in SMALL or source.stem == app_of(source.relative_to(SOURCES)):
+        if source.name in SMALL:
             flags = ["-Os" if flag == "-O2" else flag for flag in flags]
         if run(f"{PREFIX}g++", *CORE, *flags, "-c", str(source), "-o", str(out / name)) is None:
             return None

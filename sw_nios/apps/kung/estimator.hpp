@@ -38,7 +38,7 @@ class Estimator {
   };
 
   // At rest at that control point [2^-8 count].
-  Estimator(const EstimatorSetup& setup, std::int32_t point);
+  [[gnu::cold]] Estimator(const EstimatorSetup& setup, std::int32_t point);
 
   // ERR_SUM and IQ_SUM of the last knot.
   void step(std::int32_t err_sum, std::int32_t iq_sum);

@@ -94,11 +94,11 @@ constexpr std::uint32_t lap(const KungSetup& setup, std::uint32_t size) {
 }  // namespace
 
 KungApp::KungApp(const KungSetup& setup)
-    : setup_(setup),
-      trajectory_(setup),
+    : trajectory_(setup),
       start_(trajectory_.start()),
       command_(start_),
       size_(trajectory_.size()),
+      setup_(setup),
       precision_(setup.precision, start_, identification(setup, start_), size_,
                  lap(setup, size_)) {
   if (!setup.precision.on) return;
@@ -161,7 +161,7 @@ void KungApp::start(Bus& bus) {
 void KungApp::isr(Bus& bus) {
   const std::uint32_t cause = bus.read(reg::kIrqStat);
   bus.write(reg::kIrqStat, cause);
-  if (state_ == State::kRunning && (cause & reg::kIrqStatFault) != 0) {
+  if (state_ >= State::kRunning && (cause & reg::kIrqStatFault) != 0) {
     fault_ = bus.read(reg::kFault);
     return fail(bus, Failure::kFault);
   }
@@ -172,6 +172,8 @@ void KungApp::isr(Bus& bus) {
     arm(bus);
   } else if (state_ == State::kRunning) {
     serve(bus);
+  } else if (state_ == State::kPrecise) {
+    serve_precision(bus);
   }
 }
 
@@ -218,7 +220,7 @@ void KungApp::arm(Bus& bus) {
   if (!wait_both_idle(bus)) return fail(bus, Failure::kBusy);
   bus.write(reg::kX + reg::kCtrl, mode(setup_.axis[0], setup_) | reg::kCtrlEnable);
   bus.write(reg::kY + reg::kCtrl, mode(setup_.axis[1], setup_) | reg::kCtrlEnable);
-  state_ = State::kRunning;
+  state_ = setup_.precision.on ? State::kPrecise : State::kRunning;
   bus.write(reg::kIrqEn, reg::kIrqEnTick | reg::kIrqEnFault);
 }
 
@@ -229,23 +231,16 @@ void KungApp::serve(Bus& bus) {
   if (record.tick != last_tick_ + period) return fail(bus, Failure::kLate);
   last_tick_ = record.tick;
   read_response(bus, record);
-  if (setup_.precision.on && ((record.x_status | record.y_status) & reg::kStatusUnderrun) != 0) {
-    return fail(bus, Failure::kLate);
-  }
   if (!follows(record)) return fail(bus, Failure::kFollowing);
   if (!d_currents_plausible(bus)) return fail(bus, Failure::kDCurrent);
 
-  const bool more = mail_.point < size_ && (!setup_.precision.on || precision_.on_path());
-  if (more && !setup_.precision.on) command_ = trajectory_.next();
-  const bool first = more && mail_.point == 0;
-  const bool places_knots = setup_.precision.on && logged_ == 0;
-  if (places_knots && !await_tick(bus, record.tick)) return fail(bus, Failure::kLate);
+  const bool more = mail_.point < size_;
+  if (more) command_ = trajectory_.next();
   command(bus);
-  const std::uint32_t committed = record.tick + (setup_.precision.on ? 1 : 0);
-  if ((first && !setup_.precision.on) || places_knots) {
-    if (bus.read(reg::kTick) != committed) return fail(bus, Failure::kLate);
+  if (more && mail_.point == 0) {
+    if (bus.read(reg::kTick) != record.tick) return fail(bus, Failure::kLate);
+    mail_.first_tick = record.tick + 1;
   }
-  if (first) mail_.first_tick = committed + 1;
   if (more) ++mail_.point;
   if (mail_.point == size_) mail_.done = 1;
 
@@ -253,7 +248,40 @@ void KungApp::serve(Bus& bus) {
   record.y_cmd = command_.y;
   log_[logged_ % kLogSize] = record;
   ++logged_;
-  if (setup_.precision.on) look_ahead();
+}
+
+// The same with the precision controller, which writes the words of the next knot.
+void KungApp::serve_precision(Bus& bus) {
+  LogRecord record;
+  record.tick = bus.read(reg::kTick);
+  const std::uint32_t period = setup_.irq_period == 0 ? 1 : setup_.irq_period;
+  if (record.tick != last_tick_ + period) return fail(bus, Failure::kLate);
+  last_tick_ = record.tick;
+  read_response(bus, record);
+  record.x_model = record.x_pos + rs(read_signed(bus, reg::kX + reg::kPrecErr), 8);
+  record.y_model = record.y_pos + rs(read_signed(bus, reg::kY + reg::kPrecErr), 8);
+  if (((record.x_status | record.y_status) & reg::kStatusUnderrun) != 0) {
+    return fail(bus, Failure::kLate);
+  }
+  if (!follows(record)) return fail(bus, Failure::kFollowing);
+  if (!d_currents_plausible(bus)) return fail(bus, Failure::kDCurrent);
+
+  const bool more = mail_.point < size_ && precision_.on_path();
+  const bool places_knots = logged_ == 0;
+  if (places_knots && !await_tick(bus, record.tick)) return fail(bus, Failure::kLate);
+  command_ = {rs(precision_.point().x, 8), rs(precision_.point().y, 8)};
+  precision_.serve(bus);
+  const std::uint32_t committed = record.tick + 1;
+  if (places_knots && bus.read(reg::kTick) != committed) return fail(bus, Failure::kLate);
+  if (more && mail_.point == 0) mail_.first_tick = committed + 1;
+  if (more) ++mail_.point;
+  if (mail_.point == size_) mail_.done = 1;
+
+  record.x_cmd = command_.x;
+  record.y_cmd = command_.y;
+  log_[logged_ % kLogSize] = record;
+  ++logged_;
+  look_ahead();
 }
 
 // The first COMMIT of the precision controller places the knots at the tick behind it, for good.
@@ -280,10 +308,6 @@ void KungApp::look_ahead() {
 
 // Without position loops the COMMIT only feeds the watchdog.
 void KungApp::command(Bus& bus) {
-  if (setup_.precision.on) {
-    command_ = {rs(precision_.point().x, 8), rs(precision_.point().y, 8)};
-    return precision_.serve(bus);
-  }
   if (!setup_.current_command) return write_command(bus, command_);
   bus.write(reg::kX + reg::kIqManual, word(command_.x - start_.x));
   bus.write(reg::kY + reg::kIqManual, word(command_.y - start_.y));
@@ -295,13 +319,8 @@ void KungApp::read_response(Bus& bus, LogRecord& record) const {
   record.y_status = bus.read(reg::kY + reg::kStatus);
   record.x_pos = read_signed(bus, reg::kX + reg::kPos);
   record.y_pos = read_signed(bus, reg::kY + reg::kPos);
-  if (setup_.precision.on) {
-    record.x_model = record.x_pos + rs(read_signed(bus, reg::kX + reg::kPrecErr), 8);
-    record.y_model = record.y_pos + rs(read_signed(bus, reg::kY + reg::kPrecErr), 8);
-  } else {
-    record.x_model = read_signed(bus, reg::kX + reg::kPosModel);
-    record.y_model = read_signed(bus, reg::kY + reg::kPosModel);
-  }
+  record.x_model = read_signed(bus, reg::kX + reg::kPosModel);
+  record.y_model = read_signed(bus, reg::kY + reg::kPosModel);
   record.x_iq = read_signed(bus, reg::kX + reg::kIqCmd);
   record.y_iq = read_signed(bus, reg::kY + reg::kIqCmd);
 }

@@ -90,11 +90,11 @@ class KungApp final : public Firmware {
   static constexpr std::uint32_t kPollLimit = 4096;  // a table reset takes 50 clk
   static constexpr std::uint32_t kStopLimit = 64;    // writes that turn an axis off, once again
 
-  explicit KungApp(const KungSetup& setup);
+  [[gnu::cold]] explicit KungApp(const KungSetup& setup);
 
-  void start(Bus& bus) override;
+  [[gnu::cold]] void start(Bus& bus) override;
   void isr(Bus& bus) override;
-  void stop(Bus& bus);  // drives off, no further interrupt; the program has ended
+  [[gnu::cold]] void stop(Bus& bus);  // drives off, no further interrupt; the program has ended
   // `failure` is a Failure; a point is one of the path, counted when written.
   const Mailbox& mailbox() const override { return mail_; }
 
@@ -109,36 +109,39 @@ class KungApp final : public Firmware {
   }
 
  private:
-  enum class State : std::uint8_t { kOff, kCalibrating, kArming, kRunning };
+  enum class State : std::uint8_t { kOff, kCalibrating, kArming, kRunning, kPrecise };
 
   bool within_stroke(Point point) const;
-  bool path_within_stroke() const;
-  void calibrate(Bus& bus);
-  void arm(Bus& bus);
+  [[gnu::cold]] bool path_within_stroke() const;
+  [[gnu::cold]] void calibrate(Bus& bus);
+  [[gnu::cold]] void arm(Bus& bus);
   void serve(Bus& bus);
   void command(Bus& bus);
   void read_response(Bus& bus, LogRecord& record) const;
   bool follows(const LogRecord& record) const;
   bool d_currents_plausible(Bus& bus) const;
+  // Apart, so that a core does not save for them the registers that serve() has no use for.
+  [[gnu::noinline]] void serve_precision(Bus& bus);
   bool await_tick(Bus& bus, std::uint32_t tick);
   void look_ahead();
-  void fail(Bus& bus, Failure failure);
+  [[gnu::cold]] void fail(Bus& bus, Failure failure);
 
+  // Small ones first: a core reaches them by one instruction.
   Mailbox mail_;
-  KungSetup setup_;
-  Trajectory trajectory_;
-  Point start_;
-  Point command_;
-  std::uint32_t size_;
-  PrecisionControl precision_;
-  std::uint32_t drawn_ = 0;  // points of the path that the precision controller was given
-  Point path_point_;         // the last of them [2^-8 count]
   std::uint32_t last_tick_ = 0;
   std::uint32_t fault_ = 0;
   State state_ = State::kOff;
   std::array<std::int32_t, 4> currents_{};  // sums of X a, X b, Y a, Y b
   std::uint32_t calibrated_ = 0;            // interrupts in them
   std::uint32_t logged_ = 0;
+  Trajectory trajectory_;
+  Point start_;
+  Point command_;
+  std::uint32_t size_;
+  KungSetup setup_;
+  PrecisionControl precision_;
+  std::uint32_t drawn_ = 0;  // points of the path that the precision controller was given
+  Point path_point_;         // the last of them [2^-8 count]
   std::array<LogRecord, kLogSize> log_{};
 };
 

@@ -22,15 +22,15 @@ class PrecisionControl {
  public:
   // From rest at `start` [count] by the ways of the identification move [2^-8 count], then on a
   // path of `size` points, which are alike after every `lap` of them.
-  PrecisionControl(const PrecisionSetup& setup, Point start, Point move, std::uint32_t size,
-                   std::uint32_t lap);
+  [[gnu::cold]] PrecisionControl(const PrecisionSetup& setup, Point start, Point move,
+                                 std::uint32_t size, std::uint32_t lap);
 
   // Points are given twice before start() and once behind each serve(): one of the path where
   // needs_point(), else any.
   bool needs_point() const { return given_ >= before_path_; }
   void give(Point point);
 
-  void start(Bus& bus);  // all words, in reset
+  [[gnu::cold]] void start(Bus& bus);  // all words, in reset
   void serve(Bus& bus);  // up to COMMIT
 
   // What serve() writes next, or has just written before give().

@@ -90,7 +90,7 @@ struct Unqualified<T&> {
 }  // namespace detail
 
 // All but lists, which are where `words.points` says.
-constexpr void unpack(const SetupWords& words, KungSetup& setup) {
+[[gnu::cold]] constexpr void unpack(const SetupWords& words, KungSetup& setup) {
   std::uint32_t n = 0;
   each_member(setup, [&](auto& member) {
     std::uint64_t value = words.members[n++];

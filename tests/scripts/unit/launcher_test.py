@@ -8,8 +8,8 @@ from scratch import Scratch
 from trammel_tools.paths import ROOT
 
 # What the launcher needs of a system; every other program is a stand-in.
-SYSTEM = ("awk basename bash cat chmod cp cut dirname env flock grep mkdir readlink rm sed "
-          "sha256sum sort tail tee tr").split()
+SYSTEM = ["awk", "basename", "bash", "cat", "chmod", "cp", "cut", "dirname", "env", "flock",
+          "grep", "mkdir", "readlink", "rm", "sed", "sha256sum", "sort", "tail", "tee", "tr"]
 LOG = 'echo "${0##*/} $*" >> "$AT/log"\n'
 TOOLS = {
     # Installed is what the file `installed` names; what the file `lost` names cannot be.
@@ -110,8 +110,9 @@ class LauncherTest(Scratch):
         for code in 0, 1, 5, 130:
             self.write("code", f"{code}\n")
             got, out, _, _ = self.launch("list")
-            self.assertEqual((got, out.split()), (code, ["verbs:", *(
-                "test coverage lint perf prove sweep synth tune verify wave").split()]))
+            self.assertEqual((got, out.split()), (code, [
+                "verbs:", "test", "coverage", "lint", "perf", "prove", "sweep", "synth", "tune",
+                "verify", "wave"]))
 
     def test_nothing_is_installed_where_the_user_does_so(self):
         self.assertNotIn("apt-get", " ".join(self.started("run", "x", TRAMMEL_NO_APT="1")))

@@ -57,6 +57,7 @@ Options feed_program() {
   Options options = line();
   options.path.profile = Profile::kFeed;
   options.path.kind = PathKind::kPoints;
+  options.path.points_mode = PointsMode::kPath;
   ideal::Moves& all = options.path.moves;
   ideal::Move m;
   m.feed = 0.4;
