@@ -187,6 +187,9 @@ List figures(const lab::Settings& settings, cosim::RunResult& run) {
   }
   add_spread(list, "x.error_to_model", "X to reference model", axes[0].error_mm);
   add_spread(list, "y.error_to_model", "Y to reference model", axes[1].error_mm);
+  if (options.controller == Controller::kPrecision) {  // its own figures are finer, and in um
+    for (Figure& f : list) f.shown = false;
+  }
   add_command_figures(list, options, result);
   if (!path.is_sweep()) add_laps(list, options, result, to_model_mm, contour_mm);
   for (Figure& f : list) f.shown = f.shown && !path.open_position();  // nothing to track
@@ -255,6 +258,11 @@ std::string verdict(const lab::Settings& settings, const cosim::RunResult& run) 
       return fmt::format("tripped: {} at position tick {} ({:.4f} s)", cause_text(result.fault),
                          result.fault.tick, result.fault.tick * options.chip.sample_s());
     case EndReason::kDiverged:
+      if (result.swing_m > 0) {
+        return fmt::format("diverged: {:.2f} mm from the start in the identification move of 0.8 "
+                           "mm; precision.mass_kg, viscous_N_s_m and coulomb_N are too far from "
+                           "the plant's{}", result.swing_m * kMm, limits);
+      }
       if (result.beside_m > 0) {
         return fmt::format("diverged: {:.4f} m beside the path asked, above run.diverged_m = "
                            "{:g}{}", result.beside_m, options.diverged_m, limits);

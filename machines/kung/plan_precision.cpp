@@ -159,6 +159,10 @@ sw::PrecisionSetup plan_precision(const Options& options, const sw::KungSetup& s
   require(!p.learn || setup.repeats > 1,
           fmt::format("precision.learn: needs path.repeats of 2 or more, is {}: a lap learns from "
                       "the one before", setup.repeats));
+  const std::uint32_t lap = setup.path == sw::Path::kFeed ? setup.feed.ticks : setup.n_points;
+  require(!p.learn || lap <= sw::Corrections::kPoints,
+          fmt::format("precision.learn: a lap has {} points, of which at most {} are learned; a "
+                      "higher path.feed_m_s makes fewer", lap, sw::Corrections::kPoints));
   s.identify = p.identify;
   s.adapt = p.adapt;
   s.learn = p.learn;

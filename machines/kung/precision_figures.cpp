@@ -53,7 +53,7 @@ void add_errors(std::vector<lab::Figure>& list, const std::string& id, const std
   list.push_back(lab::figure(id + ".mean", row, "mean", e.mean, "um", 2));
   list.push_back(lab::figure(id + ".rms", row, "rms", e.rms, "um", 2));
   list.push_back(lab::figure(id + ".p99", row, "99 % below", e.p99, "um", 2));
-  list.push_back(lab::figure(id + ".max", row, "max", e.max, "um", 1));
+  list.push_back(lab::figure(id + ".max", row, "max", e.max, "um", 2));
 }
 
 void add_estimates(std::vector<lab::Figure>& list, const Options& options, const Result& result) {

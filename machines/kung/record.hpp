@@ -127,6 +127,7 @@ struct Result : cosim::RunResult {
                                   // use [first, end)
   std::uint32_t points = 0;       // written by the processor
   double beside_m = 0;            // kDiverged: distance from the path asked, 0 if from the model
+  double swing_m = 0;             // kDiverged: way of an axis in the identification move
   double from_last_m = 0;         // of the table at the end, from the last point asked
   std::string missed;             // kMissed: what
   double largest_mm = 0;          // contour error; of a square wave the error to the model

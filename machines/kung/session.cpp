@@ -28,6 +28,7 @@ namespace {
 constexpr std::uint32_t kSamplesAfterFault = 20;  // enough to see the fault's effect in the record
 constexpr std::uint32_t kLongestStop = 2000;      // a table that pushes on does not come to rest
 constexpr double kAtRest_m_s = 1e-3;
+constexpr double kFarthestSwing_m = 5e-3;  // of an identification move of 0.8 mm
 
 const char* check_text(const sw::Mailbox& mailbox) {
   switch (static_cast<sw::Failure>(mailbox.failure)) {
@@ -195,6 +196,19 @@ cosim::ProcessorTiming Session::timing() const {
 
 cosim::Clk Session::end() const { return edge_at(options_.run.max_s); }
 
+// The move before the path goes far beyond its way: start values that the plant does not bear.
+bool Session::swings(const Sample& sample) {
+  if (options_.controller != Controller::kPrecision) return false;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const double way = std::abs(sample.axis[k].x_true_m - options_.plant.axis[k].start_m);
+    if (way <= std::min(kFarthestSwing_m, options_.diverged_m)) continue;
+    result_.end = EndReason::kDiverged;
+    result_.swing_m = way;
+    return true;
+  }
+  return false;
+}
+
 bool Session::over(const Sample& sample) {
   if (waves_.found()) return true;
   if (chip_->broken_promise()) return true;
@@ -213,7 +227,7 @@ bool Session::over(const Sample& sample) {
     result_.end = EndReason::kStopped;
     return true;
   }
-  if (mail.point == 0) return false;
+  if (mail.point == 0) return swings(sample);
   if (result_.points == 0) detail_->path_begins();
   result_.first_tick = mail.first_tick;
   result_.points = mail.point;

@@ -117,6 +117,7 @@ class Session final : public cosim::Session {
   };
 
   bool over(const Sample& sample);
+  bool swings(const Sample& sample);
   bool fault_is_over(const Sample& sample);
   void inject();
   void watch_fault(const cosim::Stop& stop);

@@ -53,8 +53,8 @@ class TwinChip final : public KungChip {
     s.i_q_ref = chip_.precision().out(axis).i_q_ref;
     using Word = exact::PrecisionStore::Word;
     const auto word = [&](Word of) { return chip_.precision().word(axis, of); };
-    show_precision({true, word(Word::kP), word(Word::kY), word(Word::kErr), word(Word::kV24),
-                    word(Word::kVff), word(Word::kD), word(Word::kAcc)},
+    show_precision({true, chip_.precision().set_point(axis), word(Word::kY), word(Word::kErr),
+                    word(Word::kV24), word(Word::kVff), word(Word::kD), word(Word::kAcc)},
                    s);
   }
 

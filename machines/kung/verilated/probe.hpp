@@ -55,7 +55,13 @@ void probe_words(const Root& root, int axis, AxisSample& s) {
     return static_cast<std::int32_t>(
         root.kung_xy__DOT__u_precision__DOT__u_precision__DOT__u_store__DOT__mem_q[at]);
   };
-  show_precision({true, stored(Word::kP), stored(Word::kY), stored(Word::kErr), stored(Word::kV24),
+  const auto spline = static_cast<std::size_t>(64 * axis + static_cast<int>(Word::kSpline));
+  const std::int64_t p = fixed::wrap(
+      static_cast<std::int64_t>(
+          root.kung_xy__DOT__u_precision__DOT__u_precision__DOT__u_store__DOT__mem_q[spline]),
+      48);
+  const auto set_point = static_cast<std::int32_t>(fixed::wrap(fixed::rs(p, 15), 32));
+  show_precision({true, set_point, stored(Word::kY), stored(Word::kErr), stored(Word::kV24),
                   stored(Word::kVff), stored(Word::kD), stored(Word::kAcc)},
                  s);
 }

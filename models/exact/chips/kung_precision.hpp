@@ -114,6 +114,11 @@ class KungPrecision {
   const Precision::Out& out(int axis) const { return out_[static_cast<std::size_t>(axis)]; }
   std::uint32_t answer() const { return answer_; }
   const Request& request() const { return request_; }
+  // The set point [2^-8 count]; the word P15 of the store is bounded by the error's 20 bits.
+  std::int32_t set_point(int axis) const {
+    const std::int64_t p = law_[static_cast<std::size_t>(axis)].state().p;
+    return static_cast<std::int32_t>(fixed::wrap(fixed::rs(p, 15), 32));
+  }
   std::int32_t word(int axis, PrecisionStore::Word of) const {
     return law_[static_cast<std::size_t>(axis)].read(static_cast<int>(of));
   }
