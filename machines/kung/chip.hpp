@@ -42,11 +42,12 @@ struct KungChip : cosim::MachineChip {
 
 // What the precision controller follows stands where the reference model does: its set point is
 // command and model.
-inline void show_precision(const PrecisionWords& words, AxisSample& s) {
-  s.precise = words;
-  s.r = s.x_r = static_cast<std::int32_t>(fixed::rs(words.set_point, 8));
-  s.x_m = static_cast<std::int32_t>(fixed::wrap(std::int64_t{words.set_point} * 64, 32));
-  s.dx = 8 * words.speed;
+// Set point [count / 256], speed v24 [2^-14 count per tick].
+inline void show_precision(std::int32_t set_point, std::int32_t speed, AxisSample& s) {
+  s.set_point = set_point;
+  s.r = s.x_r = static_cast<std::int32_t>(fixed::rs(set_point, 8));
+  s.x_m = static_cast<std::int32_t>(fixed::wrap(std::int64_t{set_point} * 64, 32));
+  s.dx = 8 * speed;
   s.e = static_cast<std::int32_t>(fixed::sat(s.x_r - s.x_p, 12));
   s.de = s.u = s.v_star = s.v = 0;
 }

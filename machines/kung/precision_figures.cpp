@@ -109,8 +109,9 @@ void each_command_sample(const Options& options, const Result& result,
     for (std::size_t a = 0; a < 2; ++a) {
       const AxisSample& axis = sample.axis[a];
       s.error_m[a] = asked[a] - axis.x_true_m;
+      if (!precise) continue;
       s.set_point_m[a] =
-          axis.precise.set_point * options.plant.axis[a].encoder_count_m / 256 - asked[a];
+          axis.set_point * options.plant.axis[a].encoder_count_m / 256 - asked[a];
     }
     take(s);
   }

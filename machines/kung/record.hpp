@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,14 +20,7 @@
 
 namespace trammel::kung {
 
-// Words of the precision controller, where i_q* is its own (docs/precision.md, section 3); else 0.
-struct PrecisionWords {
-  bool on = false;
-  std::int32_t set_point = 0, y = 0, e = 0;     // [count / 256]; y: position between the counts
-  std::int32_t speed = 0;                       // v24 [2^-14 count per tick]
-  std::int32_t vff = 0;                         // the same, ahead
-  std::int32_t d = 0, acc = 0;                  // disturbance, feedback [2^-26 count per tick^2]
-};
+inline constexpr std::int32_t kNoSetPoint = std::numeric_limits<std::int32_t>::min();
 
 // One axis at one 2 kHz sample: the words of the chip (section 3) and the truth of the plant.
 struct AxisSample {
@@ -37,7 +31,7 @@ struct AxisSample {
   std::int32_t dx = 0;   // model increment [count Q14 a sample]
   std::int32_t e = 0, de = 0, u = 0, v_star = 0, v = 0, i_q_ref = 0;
   std::int32_t i_d = 0, i_q = 0, v_d = 0, v_q = 0;
-  PrecisionWords precise;
+  std::int32_t set_point = kNoSetPoint;  // of the precision controller [count / 256], where on
   double x_true_m = 0;
   double v_true_m_s = 0;
   double i_d_true_A = 0;

@@ -51,11 +51,8 @@ class TwinChip final : public KungChip {
     if (!chip_.is_precise(axis)) return;
     s.x_p = chip_.position(axis);
     s.i_q_ref = chip_.precision().out(axis).i_q_ref;
-    using Word = exact::PrecisionStore::Word;
-    const auto word = [&](Word of) { return chip_.precision().word(axis, of); };
-    show_precision({true, chip_.precision().set_point(axis), word(Word::kY), word(Word::kErr),
-                    word(Word::kV24), word(Word::kVff), word(Word::kD), word(Word::kAcc)},
-                   s);
+    show_precision(chip_.precision().set_point(axis),
+                   chip_.precision().word(axis, exact::PrecisionStore::Word::kV24), s);
   }
 
   CurrentWords current(int axis) const override {

@@ -46,7 +46,8 @@ inline StopWords look(const cosim::Stop& stop, const kung::KungChip& chip) {
   for (int axis = 0; axis < kung::kAxes; ++axis) {
     kung::AxisSample sample;
     chip.read_words(axis, sample);
-    if (sample.precise.on && (stop.why & cosim::kSample) == 0) {  // its words may be in motion
+    // Words of the precision controller may be in motion.
+    if (sample.set_point != kung::kNoSetPoint && (stop.why & cosim::kSample) == 0) {
       const std::int32_t i_q_ref = sample.i_q_ref;
       sample = {};
       sample.i_q_ref = i_q_ref;

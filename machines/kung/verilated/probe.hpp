@@ -50,20 +50,16 @@ void probe_words(const Root& root, int axis, AxisSample& s) {
   s.x_p = count(TRAMMEL_AXIS(x_p_q));
   s.i_q_ref = word(TRAMMEL_AXIS(iq_position));
   using Word = exact::PrecisionStore::Word;
-  const auto stored = [&](Word of) {
+  const auto stored = [&](Word of) {  // of 48 bits
     const auto at = static_cast<std::size_t>(64 * axis + static_cast<int>(of));
-    return static_cast<std::int32_t>(
-        root.kung_xy__DOT__u_precision__DOT__u_precision__DOT__u_store__DOT__mem_q[at]);
+    return fixed::wrap(
+        static_cast<std::int64_t>(
+            root.kung_xy__DOT__u_precision__DOT__u_precision__DOT__u_store__DOT__mem_q[at]),
+        48);
   };
-  const auto spline = static_cast<std::size_t>(64 * axis + static_cast<int>(Word::kSpline));
-  const std::int64_t p = fixed::wrap(
-      static_cast<std::int64_t>(
-          root.kung_xy__DOT__u_precision__DOT__u_precision__DOT__u_store__DOT__mem_q[spline]),
-      48);
-  const auto set_point = static_cast<std::int32_t>(fixed::wrap(fixed::rs(p, 15), 32));
-  show_precision({true, set_point, stored(Word::kY), stored(Word::kErr), stored(Word::kV24),
-                  stored(Word::kVff), stored(Word::kD), stored(Word::kAcc)},
-                 s);
+  show_precision(
+      static_cast<std::int32_t>(fixed::wrap(fixed::rs(stored(Word::kSpline), 15), 32)),
+      static_cast<std::int32_t>(stored(Word::kV24)), s);
 }
 
 template <class Root>
