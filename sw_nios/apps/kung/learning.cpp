@@ -9,7 +9,7 @@ namespace {
 // A point is the set point 62 ticks after its knot: between the means of the second and the third
 // interval from there.
 constexpr std::int64_t kThird = 18022, kFourth = 14746;  // 0.55, 0.45 [2^-15]
-constexpr std::uint32_t kSeen = 4;      // points ago: the one whose error is complete
+constexpr std::uint32_t kComplete = 4;      // points ago: the one whose error is complete
 constexpr std::uint32_t kSmoothed = 6;  // the one with two of them on either side
 
 }  // namespace
@@ -34,8 +34,8 @@ void Learning::step(std::uint32_t point, std::int32_t way, std::int32_t err_sum)
   const auto error =
       static_cast<std::int32_t>(rs(kThird * err_sum_ + kFourth * err_sum, 20));
   err_sum_ = err_sum;
-  if (point < kSeen) return;
-  wrong_ = {error - correction(point - kSeen), wrong_[0], wrong_[1], wrong_[2], wrong_[3]};
+  if (point < kComplete) return;
+  wrong_ = {error - correction(point - kComplete), wrong_[0], wrong_[1], wrong_[2], wrong_[3]};
   if (point < kSmoothed) return;
   const std::uint32_t at = (point - kSmoothed) % lap_;
   std::int16_t& one = (*corrections_)[at];
