@@ -205,6 +205,23 @@ TEST_CASE("saturated currents and the fastest way change no bit either") {
   }
 }
 
+TEST_CASE("after ways beyond its 32-bit words it goes on in them, and no bit is lost") {
+  Estimator estimator({}, 0);
+  Exact exact({}, 0);
+  std::int32_t at = 0, way = 131072;
+  for (int n = 0; n < 9000; ++n) {
+    if (n == 1500) way = 1000;  // what was learned at speed is forgotten
+    if (n % 40 == 0) way = -way;
+    at += way;
+    estimator.step(n % 7, 300 * sign(way));
+    exact.step(n % 7, 300 * sign(way));
+    CAPTURE(n);
+    REQUIRE(estimator.theta() == words(exact));
+    estimator.command(at);
+    exact.command(at);
+  }
+}
+
 TEST_CASE("its roundings cost less than 0.1 % of the mass of double-precision least squares") {
   std::mt19937 random(3);
   std::normal_distribution<double> noise(0, 60);

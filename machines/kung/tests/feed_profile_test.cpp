@@ -251,3 +251,23 @@ TEST_CASE("the set point of the spline stays near the command, with stops and at
     }
   }
 }
+
+TEST_CASE("a plan that has no room for its pieces or phases says so, and writes no more of them") {
+  Options o = shape(PathKind::kStar);
+  o.path.corner = Corner::kPass;
+  for (const bool phases : {false, true}) {
+    CAPTURE(phases);
+    auto segments = feed_segments(feed_moves(o), {kCountM, 2e-3});
+    std::vector<sw::FeedPiece> pieces(phases ? 100 : 2);
+    std::vector<sw::FeedPhase> room(phases ? 2 : 100);
+    sw::FeedPlanner planner({segments.data(), static_cast<std::uint32_t>(segments.size()),
+                             room.data(), static_cast<std::uint32_t>(room.size()), pieces.data(),
+                             static_cast<std::uint32_t>(pieces.size())},
+                            feed_limits(feed_limits(o), {kCountM, 2e-3}));
+    while (planner.step() == sw::FeedPlanner::State::kBusy) {
+    }
+    CHECK(planner.state() == sw::FeedPlanner::State::kNoRoom);
+    CHECK(planner.phases() <= room.size());
+    CHECK(planner.pieces() <= pieces.size());
+  }
+}
