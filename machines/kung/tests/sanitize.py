@@ -40,6 +40,13 @@ RUNS = [
     (5, *SHORT, "-o", "OUT/twin_tripped", *TWIN, "-s", "inject.trip_s=0.01"),
     (5, *SHORT, "-o", "OUT/twin_encoder", *TWIN, "-s", "inject.encoder_s=0.01"),
     (5, *SHORT, "-o", "OUT/twin_watchdog", *TWIN, *WATCHDOG),
+    # The precision controller: laps that it learns, a program, start values that swing, limits.
+    (0, "run", "circle", *TWIN, "-o", "OUT/laps", "-s", "controller=precision", "-s",
+     "path.circle_radius_m=0.002", "-s", "path.repeats=2", "-s", "precision.learn=true"),
+    (5, *SHORT, *TWIN, "-o", "OUT/swings", "-s", "controller=precision", "-s",
+     "precision.mass_kg=500"),
+    (2, "precision.learn", *SHORT, "-o", "OUT/none", "-s", "controller=precision", "-s",
+     "precision.learn=true"),
     (0, "report", FOLDER, "OUT/systemc", "-o", "OUT/two.html"),
     (0, "report", "OUT/step", "--json"),
     (0, "report", FOLDER, FOLDER, "-o", "OUT/two.html"),
