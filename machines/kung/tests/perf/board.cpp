@@ -82,7 +82,7 @@ void Board::execute() {
   pins_.bready = true;
   pins_.rready = true;
   pins_.wstrb = 0xf;
-  pins_.clock_en = 0x7ff;  // no clock is gated
+  pins_.clock_en = 0xfff;  // no clock is gated
   wait(static_cast<int>(kResetEdges));
   pins_.rst = false;
   move_event_.notify(SC_ZERO_TIME);

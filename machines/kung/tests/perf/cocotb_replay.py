@@ -37,7 +37,7 @@ async def replay(dut):
         changes = {int(words[0]): words[1:] for words in map(str.split, file)}
     for name in QUIET:
         getattr(dut, name).value = 0
-    dut.clock_en_i.value = 0x7ff  # no clock is gated
+    dut.clock_en_i.value = 0xfff  # no clock is gated
     dut.s_axil_wstrb_i.value = 15
     dut.s_axil_bready_i.value = 1
     dut.s_axil_rready_i.value = 1

@@ -17,7 +17,7 @@ module replay;
   kung_xy dut (
       .clk_i(clk),
       .rst_i(rst),
-      .clock_en_i(11'h7ff),
+      .clock_en_i(12'hfff),
       .leap_i(12'd0),
       .s_axil_awvalid_i(awvalid),
       .s_axil_awaddr_i(awaddr),
