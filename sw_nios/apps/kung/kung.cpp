@@ -224,13 +224,27 @@ void KungApp::arm(Bus& bus) {
   bus.write(reg::kIrqEn, reg::kIrqEnTick | reg::kIrqEnFault);
 }
 
-void KungApp::serve(Bus& bus) {
-  LogRecord record;
+// The response, read in time.
+[[gnu::always_inline]] inline bool KungApp::begin(Bus& bus, LogRecord& record) {
   record.tick = bus.read(reg::kTick);
   const std::uint32_t period = setup_.irq_period == 0 ? 1 : setup_.irq_period;
-  if (record.tick != last_tick_ + period) return fail(bus, Failure::kLate);
+  if (record.tick != last_tick_ + period) return false;
   last_tick_ = record.tick;
   read_response(bus, record);
+  return true;
+}
+
+// With the point that was written.
+[[gnu::always_inline]] inline void KungApp::keep(LogRecord& record) {
+  record.x_cmd = command_.x;
+  record.y_cmd = command_.y;
+  log_[logged_ % kLogSize] = record;
+  ++logged_;
+}
+
+void KungApp::serve(Bus& bus) {
+  LogRecord record;
+  if (!begin(bus, record)) return fail(bus, Failure::kLate);
   if (!follows(record)) return fail(bus, Failure::kFollowing);
   if (!d_currents_plausible(bus)) return fail(bus, Failure::kDCurrent);
 
@@ -244,20 +258,13 @@ void KungApp::serve(Bus& bus) {
   if (more) ++mail_.point;
   if (mail_.point == size_) mail_.done = 1;
 
-  record.x_cmd = command_.x;
-  record.y_cmd = command_.y;
-  log_[logged_ % kLogSize] = record;
-  ++logged_;
+  keep(record);
 }
 
 // The same with the precision controller, which writes the words of the next knot.
 void KungApp::serve_precision(Bus& bus) {
   LogRecord record;
-  record.tick = bus.read(reg::kTick);
-  const std::uint32_t period = setup_.irq_period == 0 ? 1 : setup_.irq_period;
-  if (record.tick != last_tick_ + period) return fail(bus, Failure::kLate);
-  last_tick_ = record.tick;
-  read_response(bus, record);
+  if (!begin(bus, record)) return fail(bus, Failure::kLate);
   record.x_model = record.x_pos + rs(read_signed(bus, reg::kX + reg::kPrecErr), 8);
   record.y_model = record.y_pos + rs(read_signed(bus, reg::kY + reg::kPrecErr), 8);
   if (((record.x_status | record.y_status) & reg::kStatusUnderrun) != 0) {
@@ -277,10 +284,7 @@ void KungApp::serve_precision(Bus& bus) {
   if (more) ++mail_.point;
   if (mail_.point == size_) mail_.done = 1;
 
-  record.x_cmd = command_.x;
-  record.y_cmd = command_.y;
-  log_[logged_ % kLogSize] = record;
-  ++logged_;
+  keep(record);
   look_ahead();
 }
 

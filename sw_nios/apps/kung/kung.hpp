@@ -120,6 +120,8 @@ class KungApp final : public Firmware {
   void read_response(Bus& bus, LogRecord& record) const;
   bool follows(const LogRecord& record) const;
   bool d_currents_plausible(Bus& bus) const;
+  bool begin(Bus& bus, LogRecord& record);
+  void keep(LogRecord& record);
   // Apart, so that a core does not save for them the registers that serve() has no use for.
   [[gnu::noinline]] void serve_precision(Bus& bus);
   bool await_tick(Bus& bus, std::uint32_t tick);
