@@ -27,7 +27,6 @@ constexpr int kMaxTicks = static_cast<int>(sw::kMaxTicks);
 constexpr int kMaxStrokeCounts = 130000;  // the model's integrator holds 131071 (section 3)
 constexpr double kLeastTurnCounts = 16;
 constexpr int kInterpolated = 4;  // position samples in which the chip reaches a point
-constexpr double kMaxPoints = 2147483647;
 constexpr std::array<std::uint32_t, 3> kPositionHz{1000, 2000, 4000};  // by RATES.position
 
 // Interrupts for a stretch of that length: enough to stay below the maximum feed.
@@ -92,8 +91,7 @@ sw::PathSetup plan_path(const Options& options, const Encoder& encoder,
       s.star.stroke_ticks = ticks("path.star_stroke_ticks", p.star_stroke_ticks, p.star_edge_m);
       break;
     case PathKind::kSquare:
-      require(p.square_low_m != p.square_high_m,
-              "path.square_high_m: must differ from path.square_low_m");
+      require_step(p);
       s.square = {{counts(p.square_low_m), counts(p.square_low_m)},
                   {counts(p.square_high_m), counts(p.square_high_m)},
                   word(p.square_half_samples)};

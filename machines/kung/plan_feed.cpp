@@ -17,7 +17,6 @@ using ideal::Moves;
 using ideal::Place;
 
 constexpr double kLeastFeed = 1e-4, kMostFeed = 1.2;  // [m/s]
-constexpr double kMostPoints = 2147483647;
 
 double point_s(const Options& options) {
   return ticks_per_point(options.path, options.chip.irq_period_ticks) * options.chip.sample_s();
@@ -121,8 +120,7 @@ Moves line(const PathOptions& p) {
 // One period. A move begins every half of it and is over before the next.
 Moves square(const Options& options) {
   const PathOptions& p = options.path;
-  require(p.square_low_m != p.square_high_m,
-          "path.square_high_m: must differ from path.square_low_m");
+  require_step(p);
   const Place low{p.square_low_m, p.square_low_m}, high{p.square_high_m, p.square_high_m};
   const int point = ticks_per_point(p, options.chip.irq_period_ticks);
   const int half = square_half_samples(options) / point;
@@ -205,14 +203,14 @@ ideal::FeedProfile ideal_command(const Options& options) {
 sw::PathSetup plan_feed(const Options& options, FeedProgram& program) {
   const PathOptions& p = options.path;
   const double count_m = options.plant.axis[0].encoder_count_m;
-  const double sample_m = kMaxFeedCounts * count_m / options.chip.sample_s();
+  const double feed_max = Encoder{count_m, options.chip.sample_s()}.max_feed_m_s();
   in_range("path.feed_m_s", feed_m_s(p), kLeastFeed, std::min(kMostFeed, p.feed_max_m_s),
            "path.feed_max_m_s");
   const Moves moves = feed_moves(options);
   for (const Move& m : moves.moves) {
-    require(m.feed <= sample_m,
+    require(m.feed <= feed_max,
             fmt::format("path.feed_m_s: value {:g} must be at most {:g} at plant.encoder_count_m = "
-                        "{:g}", m.feed, sample_m, count_m));
+                        "{:g}", m.feed, feed_max, count_m));
   }
   program = feed_program(moves, feed_limits(options), count_m);
   sw::PathSetup s;
@@ -226,7 +224,7 @@ sw::PathSetup plan_feed(const Options& options, FeedProgram& program) {
                         laps));
   }
   in_range(p.kind == PathKind::kSquare ? "path.square_periods" : "path.repeats", laps, 1,
-           std::max(1.0, std::floor(kMostPoints / (program.setup.ticks + sw::FeedPath::kRest +
+           std::max(1.0, std::floor(kMaxPoints / (program.setup.ticks + sw::FeedPath::kRest +
                                                    program.setup.begin))));
   s.repeats = word(laps);
   return s;

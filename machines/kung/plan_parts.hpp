@@ -15,6 +15,7 @@
 namespace trammel::kung {
 
 inline constexpr double kPi = 3.14159265358979323846;
+inline constexpr double kMaxPoints = 2147483647;  // of a whole path
 inline constexpr int kMaxFeedCounts = 128;  // a sample; the speed words saturate above (section 3)
 
 // Whole numbers in full: 1048576, not 1.04858e+06.
@@ -32,6 +33,11 @@ inline void in_range(const std::string& key, double value, double low, double hi
           fmt::format("{}: value {} is out of range {}..{}{}", key, number_text(value),
                       number_text(low), number_text(high),
                       reason.empty() ? "" : " (" + reason + ")"));
+}
+
+inline void require_step(const PathOptions& path) {
+  require(path.square_low_m != path.square_high_m,
+          "path.square_high_m: must differ from path.square_low_m");
 }
 
 // Metres in counts of an encoder.

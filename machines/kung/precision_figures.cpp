@@ -9,6 +9,7 @@
 
 #include "machines/kung/figures.hpp"
 #include "machines/kung/plan_feed.hpp"
+#include "machines/kung/plan_parts.hpp"
 
 namespace trammel::kung {
 namespace {
@@ -25,10 +26,9 @@ double distance_to(const Move& m, const Place& p) {
   }
   const double dx = p.x - m.center.x, dy = p.y - m.center.y;
   const double begin = std::atan2(m.from.y - m.center.y, m.from.x - m.center.x);
-  constexpr double kTurn = 2 * 3.14159265358979323846;
   // The angle from the begin of the arc in its own direction, in a turn.
   double along = (std::atan2(dy, dx) - begin) * (m.sweep < 0 ? -1 : 1);
-  along -= std::floor(along / kTurn) * kTurn;
+  along -= std::floor(along / (2 * kPi)) * 2 * kPi;
   if (along <= std::abs(m.sweep)) return std::abs(std::hypot(dx, dy) - m.radius());
   return std::min(std::hypot(p.x - m.from.x, p.y - m.from.y),
                   std::hypot(p.x - m.to.x, p.y - m.to.y));
