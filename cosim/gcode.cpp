@@ -19,8 +19,9 @@ namespace {
 using ideal::Move;
 using ideal::Place;
 
-constexpr double kFurthest_nm = 1e15;         // what is beyond is as far outside
+constexpr double kWholeBelow_nm = 1e15;       // what is beyond is outside, and told as it is
 constexpr double kLongestRest_s = 3600;       // of all G4 together
+constexpr double kLongestDwell_s = 500;       // of one: readers that take P in milliseconds
 constexpr double kMillimetre_nm = 1e6, kInch_nm = 25.4e6;
 constexpr double kRadiusError_m = 0.02e-3;    // specification section 12
 constexpr double kRadiusErrorShare = 1e-3;
@@ -34,10 +35,10 @@ struct Spot {
   bool operator==(const Spot& other) const { return x == other.x && y == other.y; }
 };
 
-std::int64_t nanometres(double value) {
-  return std::llround(std::clamp(value, -kFurthest_nm, kFurthest_nm));
+double whole_nm(double nm) { return std::abs(nm) < kWholeBelow_nm ? std::round(nm) : nm; }
+Spot spot_of(const Place& place) {
+  return {std::llround(place.x * 1e9), std::llround(place.y * 1e9)};
 }
-Spot spot_of(const Place& place) { return {nanometres(place.x * 1e9), nanometres(place.y * 1e9)}; }
 
 class Program {
  public:
@@ -137,7 +138,12 @@ class Program {
     feed_ = std::min(speed, table_.feed_max);
   }
 
+  // RS274 takes seconds; P500 and more is hardly meant so.
   void dwell(double s) {
+    if (s >= kLongestDwell_s) {
+      refuse("G4 P{:g}: P is in seconds here, in milliseconds for some controllers; permitted: "
+             "below {:g} s", s, kLongestDwell_s);
+    }
     rest_s_ += s;
     if (rest_s_ > kLongestRest_s) {
       refuse("G4 P{:g}: all rests of a program take {:g} s; permitted: {:g} s", s, rest_s_,
@@ -154,24 +160,20 @@ class Program {
 
   // The point of X and Y.
   Spot target(const GcodeBlock& block) const {
-    Spot to = at_;
-    const auto axis = [this](const std::optional<double>& word, std::int64_t at) {
-      if (!word) return at;
-      return (relative_ ? at : 0) + nanometres(*word * unit_nm_);
-    };
-    to.x = axis(block.of('X'), at_.x);
-    to.y = axis(block.of('Y'), at_.y);
-    check_inside('X', to.x, table_.low.x, table_.high.x);
-    check_inside('Y', to.y, table_.low.y, table_.high.y);
-    return to;
+    return {target(block, 'X', at_.x, table_.low.x, table_.high.x),
+            target(block, 'Y', at_.y, table_.low.y, table_.high.y)};
   }
 
-  void check_inside(char axis, std::int64_t at_nm, double low, double high) const {
-    const double at = static_cast<double>(at_nm) / 1e9;
-    if (at >= low - 1e-9 && at <= high + 1e-9) return;
-    refuse("the point leaves the stroke: {} = {:.7g} mm; permitted: {:g}..{:g} mm", axis,
-           1e3 * at,
-           1e3 * low, 1e3 * high);
+  std::int64_t target(const GcodeBlock& block, char axis, std::int64_t from_nm, double low,
+                      double high) const {
+    const auto from = static_cast<double>(from_nm);
+    const std::optional<double>& word = block.of(axis);
+    const double to = word ? (relative_ ? from : 0) + whole_nm(*word * unit_nm_) : from;
+    if (to / 1e9 < low - 1e-9 || to / 1e9 > high + 1e-9) {
+      refuse("the point leaves the stroke: {} = {:.7g} mm; permitted: {:g}..{:g} mm", axis,
+             to / 1e6, 1e3 * low, 1e3 * high);
+    }
+    return std::llround(to);
   }
 
   void check_inside(const Move& arc) const {
@@ -237,10 +239,11 @@ class Program {
   }
 
   Place center_of(const GcodeBlock& block) const {
-    const auto along = [&](char letter) {
-      return nanometres(block.of(letter).value_or(0) * unit_nm_);
+    const auto along = [&](char letter, std::int64_t from_nm) {
+      return (static_cast<double>(from_nm) +
+              whole_nm(block.of(letter).value_or(0) * unit_nm_)) / 1e9;
     };
-    return Spot{at_.x + along('I'), at_.y + along('J')}.place();
+    return {along('I', at_.x), along('J', at_.y)};
   }
 
   double nearest_ends() const { return std::max(kNearestArcEnds, table_.shortest); }

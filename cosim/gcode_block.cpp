@@ -16,6 +16,7 @@ constexpr std::string_view kGcodeLetters = "FGHIJMNPRSTXYZ";
 bool is_blank(char c) { return c == ' ' || c == '\t'; }
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
+bool is_parameter(char c) { return c == '#' || c == '[' || c == '='; }
 char upper_letter(char c) { return c >= 'a' ? static_cast<char>(c - 'a' + 'A') : c; }
 
 std::string letters_text() {
@@ -83,7 +84,7 @@ class BlockReader {
   [[noreturn]] void unknown() const {
     const char c = text_[at_];
     if (c == ')') line_.refuse("')' without '('");
-    if (c == '#' || c == '[' || c == '=') {
+    if (is_parameter(c)) {
       line_.refuse(fmt::format("'{}': parameters and expressions are not known", c));
     }
     if (c == '/') line_.refuse("'/' stands first in its line");
@@ -115,6 +116,7 @@ class BlockReader {
     const bool more = at_ < text_.size() && std::string_view("+-.").find(text_[at_]) !=
                                                 std::string_view::npos;
     if (more) digits += text_[at_];
+    if (!any && at_ < text_.size() && is_parameter(text_[at_])) unknown();
     if (!any && !more) line_.refuse(fmt::format("{} has no number", letter));
     if (!any || more) line_.refuse(fmt::format("{} has no number: '{}' is none", letter, digits));
     const char* const begin = digits.data() + (digits.front() == '+' ? 1 : 0);

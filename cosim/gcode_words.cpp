@@ -70,7 +70,9 @@ GcodeCommands gcode_commands(const GcodeBlock& block, const GcodeLine& line) {
       // Some controllers move the axes that are named alone, some all of them.
       {c.home && block.has('Z'), "Z with G28, which moves X and Y alone"},
       {c.home && block.has('X') != block.has('Y'), "G28 needs both X and Y, or neither"},
-      {c.home && arc_words, "I, J and R belong to G2 and G3"},
+      {c.home && arc_words, "I, J and R belong to G2 and G3; the motion is G28"},
+      {c.dwell && block.has('S'), "S with G4: a speed, or for some controllers the seconds of the "
+                                  "rest; give P"},
       {block.has('P') && c.dwell && c.path == 64, "P with both G4 and G64"},
       {block.has('P') && !c.dwell && c.path != 64, "P belongs to G4 or G64"},
       {c.dwell && !(block.of('P').value_or(-1) >= 0), "G4 needs P [s], 0 or more"},

@@ -65,7 +65,9 @@ TEST_CASE("what is no word is refused") {
              {"\xE2\x88\x92" "5", "1: '\xE2\x88\x92'" + none},
              {"#1=5", "1: '#': parameters and expressions are not known"},
              {"[1]", "1: '[': parameters and expressions are not known"},
-             {"G1 X#1", "1: X has no number"},
+             {"G1 X#1", "1: '#': parameters and expressions are not known"},
+             {"G1 X-[1+2]", "1: '[': parameters and expressions are not known"},
+             {"G1 X5#1", "1: '#': parameters and expressions are not known"},
              {"G1 / X1", "1: '/' stands first in its line"},
              {std::string("G21\0", 4), "1: the byte 0x00 is no text"},
              {"G21\x1b[2J", "1: the byte 0x1b is no text"},
@@ -126,7 +128,7 @@ TEST_CASE("words that contradict each other in a block are refused") {
              {"G28 Z0", "1: Z with G28, which moves X and Y alone"},
              {"G28 X1", "1: G28 needs both X and Y, or neither"},
              {"G28 Y1", "1: G28 needs both X and Y, or neither"},
-             {"G28 I1", "1: I, J and R belong to G2 and G3"},
+             {"G28 I1", "1: I, J and R belong to G2 and G3; the motion is G28"},
              {"M2 M30", "1: two ends in a block: M2 or M30 once"},
              {"G1 X1 P1", "1: P belongs to G4 or G64"},
              {"G61 P1", "1: P belongs to G4 or G64"},
@@ -136,6 +138,12 @@ TEST_CASE("words that contradict each other in a block are refused") {
 }
 
 TEST_CASE("a motion needs what it is made of") {
+  const std::string speed =
+      ": S with G4: a speed, or for some controllers the seconds of the rest; give P";
+  const std::string milliseconds =
+      ": P is in seconds here, in milliseconds for some controllers; permitted: below 500 s";
+  std::string rests;
+  for (int k = 0; k < 8; ++k) rests += "G4 P437.5\n";  // 3500 s
   check_all({{"X1", "1: no G0, G1, G2 or G3 yet"},
              {"I1", "1: no G0, G1, G2 or G3 yet"},
              {"G1 X1", "1: no F yet"},
@@ -149,7 +157,12 @@ TEST_CASE("a motion needs what it is made of") {
              {"G4", "1: G4 needs P [s], 0 or more"},
              {"G4 P-1", "1: G4 needs P [s], 0 or more"},
              {"G4 F600", "1: G4 needs P [s], 0 or more"},
-             {"G4 P3599\nG4 P2", "2: G4 P2: all rests of a program take 3601 s; permitted: 3600 s"},
+             {"G4 S2", "1" + speed},
+             {"G4 P1 S2", "1" + speed},
+             {"G4 P500", "1: G4 P500" + milliseconds},
+             {"G4 P.5\nG4 P3601", "2: G4 P3601" + milliseconds},
+             {rests + "G4 P101",
+              "9: G4 P101: all rests of a program take 3601 s; permitted: 3600 s"},
              {"", "1: no motion in the program"},
              {"%\n(nothing)\n%\nG0 X1", "3: no motion in the program"},
              {"G0 X250 Y250\n\n", "2: no motion in the program"},
@@ -164,7 +177,9 @@ TEST_CASE("nothing leaves the stroke") {
              {"G91 G0 X-250\nX-1", "2" + leaves + "X = -1 mm; permitted: 0..600 mm"},
              {"G20 G0 X24", "1" + leaves + "X = 609.6 mm; permitted: 0..600 mm"},
              {"G28 X700 Y0", "1" + leaves + "X = 700 mm; permitted: 0..600 mm"},
-             {"G0 X" + std::string(200, '9'), "1" + leaves + "X = 1e+09 mm; permitted: 0..600 mm"},
+             {"G0 X" + std::string(200, '9'), "1" + leaves + "X = 1e+200 mm; permitted: 0..600 mm"},
+             {"G91 G0 Y-" + std::string(12, '9'),
+              "1" + leaves + "Y = -1e+12 mm; permitted: 0..600 mm"},
              {"F600 G2 I360", "1: the arc leaves the stroke: it reaches Y = -110 mm; permitted: "
                               "0..600 mm"},
              {"F600 G3 X350 Y250 R-250",
@@ -194,6 +209,8 @@ TEST_CASE("an arc's words fit each other") {
              {at + "G2 I0 J0", "2: the arc's radius of 0 mm is out of range 0.001..5000 mm"},
              {at + "G2 X210 I1 J9999",
               "2: the arc's radius of 9999 mm is out of range 0.001..5000 mm"},
+             {at + "G2 I1" + std::string(200, '0'),
+              "2: the arc's radius of 1e+200 mm is out of range 0.001..5000 mm"},
              {at + "G2 X210 R5001",
               "2: the arc's radius of 5001 mm is out of range 0.001..5000 mm"}});
 }
