@@ -63,6 +63,15 @@ class Points(unittest.TestCase):
         drawn = values(found, "run.window_clk")
         self.assertEqual(set(drawn.tolist()), {1, 2, 3, 4})
         self.assertGreater(np.bincount(drawn)[1:].min(), 60)
+        for grid, wanted in (("from = 1, to = 10, count = 10", range(1, 11)),
+                             ("from = 2.0, to = 8, count = 3", (2, 5, 8)),
+                             ('from = 1, to = 1e5, count = 6, scale = "log"',
+                              (10**k for k in range(6)))):
+            found = plan(HEAD + f'[grid]\n"plant.seed" = {{{grid}}}\n')
+            drawn = [found.run(n)[1]["plant.seed"] for n in range(found.count)]
+            self.assertEqual((drawn, {type(v) for v in drawn}), (list(wanted), {int}))
+        found = plan(HEAD + '[grid]\n"gains.shift_e" = {from = 0, to = 4, count = 3}\n')
+        self.assertEqual(values(found, "gains.shift_e").tolist(), [0, 2, 4])
         found = plan(HEAD + '[random]\ncount = 9\n"plant.payload_kg" = [0, 22]\n')
         self.assertTrue((values(found, "plant.payload_kg") % 1 != 0).all())
 
@@ -98,6 +107,12 @@ class Refused(unittest.TestCase):
             (HEAD + '[grid]\n"plant.payload_kg" = []\n', "empty list"),
             (HEAD + '[grid]\n"plant.payload_kg" = {from = 2, to = 1, count = 3}\n', "empty range"),
             (HEAD + '[grid]\n"plant.payload_kg" = [1, 1e9]\n', "out of range 0..500"),
+            (HEAD + '[grid]\n"plant.seed" = {from = 1, to = 10, count = 7}\n',
+             r"\[grid\]: plant.seed: takes whole numbers; 7 values from 1 to 10 have 2.5, 5.5, 8.5 "
+             "among them$"),
+            (HEAD + '[grid]\n"plant.seed" = {from = 1, to = 10, count = 8}\n',
+             "have 2.28571, 3.57143, 4.85714, ... among them$"),
+            (HEAD + '[grid]\n"plant.seed" = [1.5]\n', '"1.5" is not a whole number'),
             (HEAD + '[latin]\ncount = 3\n"plant.payload_kg" = [1.0, 1.0]\n', "empty range"),
             (HEAD + '[latin]\ncount = 0\n"plant.payload_kg" = [1.0, 2.0]\n', "count must be"),
             (HEAD + '[latin]\ncount = 3\n', "names no key"),

@@ -70,8 +70,9 @@ def _is_number(value) -> bool:
     return isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value)
 
 
-def grid_axis(where: str, key: str, given) -> Axis:
-    """[values...], or {from, to, count} with scale = "log" if wanted."""
+def grid_axis(where: str, key: str, given, whole: bool) -> Axis:
+    """[values...], or {from, to, count} with scale = "log" if wanted; whole numbers of a key that
+    takes no others."""
     if isinstance(given, list):
         if not given:
             raise PlanError(f"{where}: {key}: an empty list; it needs at least one value")
@@ -88,7 +89,16 @@ def grid_axis(where: str, key: str, given) -> Axis:
     if scale not in ("linear", "log") or (scale == "log" and low <= 0):
         raise PlanError(f"{where}: {key}: scale must be linear, or log with from above 0")
     spaced = np.geomspace if scale == "log" else np.linspace
-    return Axis(key, tuple(spaced(low, high, count).tolist()))
+    values = spaced(low, high, count).tolist()
+    if whole:
+        broken = [v for v in values if not math.isclose(v, round(v), rel_tol=1e-12,
+                                                      abs_tol=1e-9)]
+        if broken:
+            shown = ", ".join(f"{v:g}" for v in broken[:3]) + (", ..." if len(broken) > 3 else "")
+            raise PlanError(f"{where}: {key}: takes whole numbers; {count} values from {low} to "
+                            f"{high} have {shown} among them")
+        values = [round(v) for v in values]
+    return Axis(key, tuple(values))
 
 
 def drawn_axis(where: str, key: str, given, whole: bool) -> Axis:
@@ -151,8 +161,10 @@ class Part:
             if not isinstance(given.get(name, {}), dict):
                 raise PlanError(f"{where}: {name}: expects a table")
         self.keys = given.get("keys", {})
-        self.grid = [grid_axis(f"{where} [grid]", *one) for one in given.get("grid", {}).items()]
-        self.drawn = self._drawn(where, given, seed, number)
+        whole = self._whole_keys(where)
+        self.grid = [grid_axis(f"{where} [grid]", key, value, key in whole)
+                     for key, value in given.get("grid", {}).items()]
+        self.drawn = self._drawn(where, given, seed, number, whole)
         self.table = (table_points(f"{where} [table]", given["table"], folder)
                       if "table" in given else {})
         if self.table and self.drawn:
@@ -162,7 +174,8 @@ class Part:
         self.count = self.grid_count * (len(next(iter(self.points.values()))) if self.points else 1)
         self.check(where)
 
-    def _drawn(self, where: str, given: dict, seed: int, number: int) -> dict[str, np.ndarray]:
+    def _drawn(self, where: str, given: dict, seed: int, number: int,
+               whole: set[str]) -> dict[str, np.ndarray]:
         if "latin" in given and "random" in given:
             raise PlanError(f"{where}: latin and random together; one part has one")
         name = "latin" if "latin" in given else "random"
@@ -175,7 +188,6 @@ class Part:
         if not section:
             raise PlanError(f"{where} [{name}]: names no key")
         points = {}
-        whole = self._whole_keys(where)
         for key, value in section.items():
             axis = drawn_axis(f"{where} [{name}]", key, value, key in whole)
             # A stream of its own for each key: another key more changes no value of the others.
