@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <tuple>
+#include <string>
 #include <utility>
 
 #include "cosim/gcode.hpp"
@@ -21,16 +21,24 @@ constexpr double kMostRadiusCounts = 1 << 20;       // of the firmware's feed pr
 constexpr double kShortestCounts = 1.0 / 64;        // it takes a quarter of that
 constexpr double kArcRounding = 1.02;               // a centre is moved, see gcode_arc.hpp
 
-// What a program may use of the table, the hard stops and the chip's stroke. [m]
-std::pair<double, double> stroke(const Options& options, std::size_t axis) {
+// An end of what a program may use, and what ends it there.
+struct End {
+  double m;
+  std::string key;
+};
+
+// Of the table, the chip's stroke and the hard stops the nearest.
+std::pair<End, End> stroke(const Options& options, std::size_t axis) {
   const AxisChip& chip = options.chip.axis[axis];
   const plant::AxisConfig& plant = options.plant.axis[axis];
-  double low = std::max(1e-3 * kTable.low_mm, chip.stroke_min_m);
-  double high = std::min(1e-3 * kTable.high_mm, chip.stroke_max_m);
-  if (plant.hard_stops) {
-    low = std::max(low, plant.stroke_min_m);
-    high = std::min(high, plant.stroke_max_m);
-  }
+  End low{1e-3 * kTable.low_mm, "the table"}, high{1e-3 * kTable.high_mm, "the table"};
+  const auto within = [&](const char* section, double min_m, double max_m) {
+    const std::string key = fmt::format("{}.{}.stroke_", section, axis == 0 ? 'x' : 'y');
+    if (min_m > low.m) low = {min_m, key + "min_m"};
+    if (max_m < high.m) high = {max_m, key + "max_m"};
+  };
+  within("chip", chip.stroke_min_m, chip.stroke_max_m);
+  if (plant.hard_stops) within("plant", plant.stroke_min_m, plant.stroke_max_m);
   return {low, high};
 }
 
@@ -40,14 +48,17 @@ cosim::GcodeTable gcode_table(const Options& options) {
   cosim::GcodeTable table;
   table.start = {p.start_x_m, p.start_y_m};
   table.home = {p.home_x_m, p.home_y_m};
-  std::tie(table.low.x, table.high.x) = stroke(options, 0);
-  std::tie(table.low.y, table.high.y) = stroke(options, 1);
-  const auto inside = [&](const std::string& place, double x_m, double y_m) {
-    in_range("path." + place + "_x_m", x_m, table.low.x, table.high.x, "the stroke");
-    in_range("path." + place + "_y_m", y_m, table.low.y, table.high.y, "the stroke");
+  const auto [low_x, high_x] = stroke(options, 0);
+  const auto [low_y, high_y] = stroke(options, 1);
+  table.low = {low_x.m, low_y.m};
+  table.high = {high_x.m, high_y.m};
+  const auto inside = [](const char* key, double m, const End& low, const End& high) {
+    in_range(key, m, low.m, high.m, m < low.m ? low.key : high.key);
   };
-  inside("start", p.start_x_m, p.start_y_m);
-  inside("home", p.home_x_m, p.home_y_m);
+  inside("path.start_x_m", p.start_x_m, low_x, high_x);
+  inside("path.start_y_m", p.start_y_m, low_y, high_y);
+  inside("path.home_x_m", p.home_x_m, low_x, high_x);
+  inside("path.home_y_m", p.home_y_m, low_y, high_y);
   table.feed_max = p.feed_max_m_s;
   table.feed_max_name = "path.feed_max_m_s";
   table.rapid = p.rapid_m_s;

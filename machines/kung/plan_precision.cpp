@@ -106,10 +106,17 @@ void check_wave(const Options& options, const sw::KungSetup& setup, std::size_t 
   const double end_m = end * plant.encoder_count_m;
   const bool stops = plant.hard_stops &&
                      (end_m < plant.stroke_min_m || end_m > plant.stroke_max_m);
-  require(end >= chip.stroke_min && end <= chip.stroke_max && !stops,
-          fmt::format("precision.identify: the move before the path, {:g} m of {} towards the "
-                      "middle of chip.{}.stroke_min_m..stroke_max_m, leaves the stroke; false goes "
-                      "without it", kWaveM, axis == 0 ? 'x' : 'y', axis == 0 ? 'x' : 'y'));
+  const bool leaves = end < chip.stroke_min || end > chip.stroke_max;
+  const char name = axis == 0 ? 'x' : 'y';
+  const AxisChip& asked = options.chip.axis[axis];
+  const auto refused = [&](const std::string& what, double low_m, double high_m) {
+    return fmt::format("precision.identify: the move before the path, {:g} m of {} from {:g} m "
+                       "towards the middle of the chip's stroke, leaves {}.{}.stroke_min_m.."
+                       "stroke_max_m = {:g}..{:g}; false goes without it", kWaveM, name,
+                       at * plant.encoder_count_m, what, name, low_m, high_m);
+  };
+  require(!leaves, refused("chip", asked.stroke_min_m, asked.stroke_max_m));
+  require(!stops, refused("the hard stops plant", plant.stroke_min_m, plant.stroke_max_m));
 }
 
 void check_rates(const Options& options) {

@@ -86,9 +86,11 @@ TEST_CASE("a program stays in the stroke of the chip and within the hard stops")
              Contains("Y = 290 mm; permitted: 0..280 mm"));
   CHECK(told("[plant]\nhard_stops = false\ny.stroke_max_m = 0.28\n").empty());
   CHECK(told("[chip]\nx.stroke_min_m = 0.3\n") ==
-        "path.start_x_m: value 0.25 is out of range 0.3..0.6 (the stroke)");
+        "path.start_x_m: value 0.25 is out of range 0.3..0.6 (chip.x.stroke_min_m)");
+  CHECK(told("start_y_m = 0.4\n[plant]\ny.stroke_max_m = 0.3\n") ==
+        "path.start_y_m: value 0.4 is out of range 0..0.3 (plant.y.stroke_max_m)");
   CHECK(told("home_y_m = 0.1\n[chip]\ny.stroke_min_m = 0.2\n") ==
-        "path.home_y_m: value 0.1 is out of range 0.2..0.6 (the stroke)");
+        "path.home_y_m: value 0.1 is out of range 0.2..0.6 (chip.y.stroke_min_m)");
 }
 
 TEST_CASE("keys of a path place a program, limit its feed and choose its corners") {

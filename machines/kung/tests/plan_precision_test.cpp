@@ -248,7 +248,17 @@ TEST_CASE("what has no meaning with it is refused: a sweep, learning in one lap,
   o.path.line_start_x_m = o.path.line_end_x_m = 0.2;
   o.chip.axis[0].stroke_min_m = 0.1999;
   o.chip.axis[0].stroke_max_m = 0.2006;
-  CHECK_THAT(refusal(o), Contains("precision.identify: the move before the path, 0.0008 m of x"));
+  CHECK(refusal(o) == "precision.identify: the move before the path, 0.0008 m of x from 0.2 m "
+                      "towards the middle of the chip's stroke, leaves chip.x.stroke_min_m.."
+                      "stroke_max_m = 0.1999..0.2006; false goes without it");
   o.precision.identify = false;
+  CHECK(refusal(o) == "");
+  o.precision.identify = true;
+  o.chip = {};
+  o.plant.axis[0].stroke_max_m = 0.2005;
+  CHECK_THAT(refusal(o), Contains("precision.identify: the move before the path") &&
+                             Contains("leaves the hard stops plant.x.stroke_min_m..stroke_max_m = "
+                                      "0..0.2005; false"));
+  o.plant.axis[0].hard_stops = false;
   CHECK(refusal(o) == "");
 }
