@@ -83,8 +83,9 @@ std::string without_mark(const std::string& line, const std::string& name) {
 }  // namespace
 
 std::vector<PointM> read_points_csv(std::istream& text, const std::string& name,
-                                    const PointRange& range) {
+                                    const PointRange& range, std::vector<int>* lines) {
   std::vector<PointM> points;
+  if (lines != nullptr) lines->clear();
   bool header_allowed = true;
   int line_number = 0;
   for (std::string line; std::getline(text, line);) {
@@ -106,6 +107,7 @@ std::vector<PointM> read_points_csv(std::istream& text, const std::string& name,
     }
     points.push_back({checked(name, line_number, "x_mm", *x, range),
                       checked(name, line_number, "y_mm", *y, range)});
+    if (lines != nullptr) lines->push_back(line_number);
   }
   if (points.empty()) {
     std::ostringstream what;
@@ -138,10 +140,11 @@ ideal::Moves lines_through(const std::vector<PointM>& points, const std::string&
   return all;
 }
 
-std::vector<PointM> read_points_csv(const std::string& file, const PointRange& range) {
+std::vector<PointM> read_points_csv(const std::string& file, const PointRange& range,
+                                    std::vector<int>* lines) {
   constexpr std::uintmax_t kMost = 16 * kMiB;
   std::istringstream text(read_file(file, kMost));
-  return read_points_csv(text, file, range);
+  return read_points_csv(text, file, range, lines);
 }
 
 }  // namespace trammel::cosim

@@ -22,9 +22,11 @@ struct PointRange {
   double low_mm = 0, high_mm = 0;
 };
 
+// `lines`, if given: the line of each point.
 std::vector<PointM> read_points_csv(std::istream& text, const std::string& name,
-                                    const PointRange& range);
-std::vector<PointM> read_points_csv(const std::string& file, const PointRange& range);
+                                    const PointRange& range, std::vector<int>* lines = nullptr);
+std::vector<PointM> read_points_csv(const std::string& file, const PointRange& range,
+                                    std::vector<int>* lines = nullptr);
 
 // Lines from point to point, for a table that chooses the time; a point that repeats the one before
 // is none. `name` begins messages; `exact`: it stops at every corner of 1 degree and more.

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "cosim/gcode.hpp"
 #include "cosim/input_file.hpp"
@@ -74,13 +75,88 @@ void require_feed(const PathOptions& path, const char* key, const char* value) {
           fmt::format("{}: \"{}\" needs path.profile = \"feed\"", key, value));
 }
 
+// What rows in their own times ask of the table from one to the next.
+class Jumps {
+ public:
+  Jumps(const Options& options, const std::vector<int>& lines)
+      : options_(options), points_(options.path.points), lines_(lines),
+        point_s_(options.chip.irq_period_ticks * options.chip.sample_s()) {}
+
+  // The first row with a jump that the chip, or the precision controller's limit, does not have;
+  // "" where none has.
+  std::string told() const {
+    const Encoder encoder{options_.plant.axis[0].encoder_count_m, options_.chip.sample_s()};
+    const double feed_m_s = encoder.max_feed_m_s();
+    const std::string fast = first(
+        [&](std::size_t k, std::size_t a) { return std::abs(way(k, a)) / point_s_; },
+        [&](std::size_t) { return feed_m_s; },
+        [&](std::size_t k, std::size_t a, double value) {
+          return fmt::format("{:.4g} mm of {} since the row before, in {:g} ms, are {:.4g} m/s; {}",
+                             1e3 * std::abs(way(k, a)), axis_name(a), 1e3 * point_s_, value,
+                             feed_text(encoder));
+        });
+    if (!fast.empty() || options_.controller != Controller::kPrecision) return fast;
+    const auto change = [&](std::size_t k, std::size_t a) {
+      return std::abs(way(k + 1, a) - way(k, a)) / point_s_;
+    };
+    return first([&](std::size_t k, std::size_t a) { return change(k, a) / point_s_; },
+                 [&](std::size_t a) { return options_.path.axis[a].accel_m_s2; },
+                 [&](std::size_t k, std::size_t a, double value) {
+                   return fmt::format("{:.4g} m/s that the speed of {} changes by in {:g} ms are "
+                                      "{:.4g} m/s^2; path.{}.accel_m_s2 = {:g}", change(k, a),
+                                      axis_name(a), 1e3 * point_s_, value, a == 0 ? 'x' : 'y',
+                                      options_.path.axis[a].accel_m_s2);
+                 });
+  }
+
+ private:
+  static char axis_name(std::size_t a) { return a == 0 ? 'X' : 'Y'; }
+
+  // Of an axis to row k, from the one before; before the first and behind the last it rests.
+  double way(std::size_t k, std::size_t a) const {
+    if (k == 0 || k == points_.size()) return 0;
+    return a == 0 ? points_[k].x_m - points_[k - 1].x_m : points_[k].y_m - points_[k - 1].y_m;
+  }
+
+  template <class Value, class Limit, class Text>
+  std::string first(Value value, Limit limit, Text text) const {
+    constexpr double kRounded = 1e-6;  // of the numbers in the file
+    std::string told;
+    std::size_t more = 0;
+    for (std::size_t k = 0; k < points_.size(); ++k) {
+      for (const std::size_t a : {0u, 1u}) {
+        const double at = value(k, a);
+        if (at <= limit(a) * (1 + kRounded)) continue;
+        if (!told.empty()) {
+          ++more;
+        } else {
+          told = fmt::format("{}:{}: {}", options_.path.points_file, lines_[k], text(k, a, at));
+        }
+        break;
+      }
+    }
+    if (more > 0) told += fmt::format("; {} row{} more like it", more, more == 1 ? "" : "s");
+    return told;
+  }
+
+  const Options& options_;
+  const std::vector<PointM>& points_;
+  const std::vector<int>& lines_;
+  double point_s_;  // for which a row holds
+};
+
 void read_points(Options& options) {
   PathOptions& path = options.path;
   if (path.points_mode == PointsMode::kPath) require_feed(path, "path.points_mode", "path");
   require(!path.points_file.empty(), "path.points_file: is needed with path.kind = \"points\"");
   try {
-    path.points = cosim::read_points_csv(path.points_file, kTable);
-    if (path.points_mode == PointsMode::kTimed) return;
+    std::vector<int> lines;
+    path.points = cosim::read_points_csv(path.points_file, kTable, &lines);
+    if (path.points_mode == PointsMode::kTimed) {
+      const std::string jump = Jumps(options, lines).told();
+      if (!jump.empty()) path.moves_warnings.push_back(jump);
+      return;
+    }
     path.moves = cosim::lines_through(path.points, path.points_file, feed_m_s(path),
                                       path.corner == Corner::kStop);
   } catch (const std::invalid_argument& error) {

@@ -26,6 +26,13 @@ TEST_CASE("points are read in millimetres past a header, comments and empty line
   CHECK(read("1,2").size() == 1);
 }
 
+TEST_CASE("the line of each point is told to who asks") {
+  std::istringstream text("x_mm,y_mm\n\n1,2\n# none\n3,4\n");
+  std::vector<int> lines{7};
+  CHECK(trammel::cosim::read_points_csv(text, "p.csv", {0, 600}, &lines).size() == 2);
+  CHECK(lines == std::vector<int>{3, 5});
+}
+
 TEST_CASE("a point off the table is refused with file, line and the permitted range") {
   CHECK_THROWS_WITH(read("x,y\n1,2\n601,3\n"),
                     "p.csv:3: x_mm = 601 is out of range 0..600 mm");

@@ -3,6 +3,8 @@
 // Paths from files: programs in G-code, and points as lines.
 #include "machines/kung/path_files.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -142,6 +144,33 @@ TEST_CASE("points are lines that are followed, if they are asked to be") {
   files.put("a.csv", "100,200\n");
   CHECK_THAT(message_of(kPoints + feed), Contains("path.points_file: ") &&
                                              Contains("a.csv: a path needs 2 points that differ"));
+}
+
+TEST_CASE("rows in their own times that jump are told with the first one") {
+  const Files files;
+  const std::string precise = "controller = 'precision'\n" + kPoints;
+  const auto told = [](const std::string& toml) {
+    const std::vector<std::string> all = valid(toml).path.moves_warnings;
+    return all.empty() ? "" : all.size() == 1 ? all[0] : "more than one";
+  };
+  std::string table = "x_mm,y_mm\n# from rest with 4 m/s^2\n";
+  for (int k = 0; k < 40; ++k) table += fmt::format("{},{}\n", 100, 200 + 0.008 * k * k);
+  files.put("a.csv", table);
+  CHECK(told(kPoints).empty());
+  CHECK_THAT(told(precise), Contains("a.csv:42: 0.308 m/s that the speed of Y changes by in 2 ms "
+                                     "are 154 m/s^2; path.y.accel_m_s2 = 8"));  // its end
+  files.put("a.csv", "100,200\n100,200\n300,200\n300,300\n300,300\n300,300\n");
+  CHECK_THAT(told(kPoints), StartsWith(files.path.string()) &&
+                                EndsWith("a.csv:3: 200 mm of X since the row before, in 2 ms, are "
+                                         "100 m/s; feed at most 1.28 m/s at "
+                                         "plant.encoder_count_m = 5e-06; 1 row more like it"));
+  CHECK(told(precise) == told(kPoints));
+  CHECK(told(kPoints + "points_mode = 'path'\n").empty());
+  files.put("a.csv", "100,200\n100.1,200\n100.2,200\n");  // 0.05 m/s at once
+  CHECK(told(kPoints).empty());
+  CHECK_THAT(told(precise), Contains("a.csv:1: 0.05 m/s that the speed of X changes by in 2 ms are "
+                                     "25 m/s^2; path.x.accel_m_s2 = 8; 1 row more like it"));
+  CHECK(told(precise + "x.accel_m_s2 = 26\n").empty());
 }
 
 TEST_CASE("a program repeats if it ends where it begins") {
