@@ -10,6 +10,7 @@
 
 #include "machines/kung/machine.hpp"
 #include "machines/kung/plan.hpp"
+#include "machines/kung/plan_feed.hpp"
 #include "machines/kung/plan_parts.hpp"
 #include "machines/kung/words.hpp"
 #include "models/ideal/reference_model.hpp"
@@ -103,6 +104,18 @@ std::array<Demand, 2> demand(const Options& options, const sw::KungSetup& setup)
   return {x.most, y.most};
 }
 
+// A path that run.max_s cuts. Who shortens the run wants a part of a path whose time its keys say;
+// those of a feed profile do not.
+std::string cut_text(const Options& options, const sw::KungSetup& setup) {
+  const double max_s = options.run.max_s;
+  const double path_s = sw::Trajectory(setup).size() * options.chip.sample_s() *
+                            ticks_per_point(options.path, options.chip.irq_period_ticks) +
+                        options.settle_s;
+  if (path_s <= max_s || (max_s < Options().run.max_s && !feeds(options.path))) return "";
+  return fmt::format("the path takes {:.4g} s, longer than run.max_s = {:g}: the run ends "
+                     "ahead of the path, with exit code 5", path_s, max_s);
+}
+
 // Of the speed loop [rad/s], whose open loop is kv K_F / (M s).
 std::string speed_loop_text(const Options& options, std::size_t a) {
   const plant::AxisConfig& plant = options.plant.axis[a];
@@ -144,11 +157,13 @@ std::string turning_text(const Options& options, std::size_t a, double speed_m_s
 }  // namespace
 
 std::vector<std::string> advice(const lab::Settings& settings) {
-  const auto& options = static_cast<const Options&>(settings);
+  Options options = static_cast<const Options&>(settings);
+  choose_profile(options);
   PathStore store;
   const sw::KungSetup setup = plan_firmware(options, store);
   const std::array<Demand, 2> most = demand(options, setup);
   std::vector<std::string> lines = options.path.moves_warnings;
+  if (const std::string cut = cut_text(options, setup); !cut.empty()) lines.push_back(cut);
   const cosim::ProcessorOptions& cpu = options.processor;
   const Options usual;
   if (options.cpu == Cpu::kRtl &&

@@ -29,6 +29,25 @@ TEST_CASE("only what is run is judged, so that a path of days is judged at once"
   CHECK_FALSE(advice(o).empty());
 }
 
+TEST_CASE("a path that is longer than the run may take is told, unless the run was shortened") {
+  Options o;
+  o.path.repeats = 100;  // of 628 points
+  CHECK(advice(o).at(0) == "the path takes 125.6 s, longer than run.max_s = 60: the run ends "
+                           "ahead of the path, with exit code 5");
+  o.settle_s = 4;
+  CHECK_THAT(advice(o).at(0), Contains("takes 129.6 s"));
+  o.run.max_s = 129.7;
+  CHECK(advice(o).empty());
+  o.run.max_s = 59;
+  CHECK(advice(o).empty());
+  o.path.repeats = 1;
+  o.path.profile = Profile::kFeed;
+  CHECK(advice(o).empty());
+  o.run.max_s = 1;  // 0.63 m at 0.5 m/s, and settled
+  REQUIRE(advice(o).size() == 1);
+  CHECK_THAT(advice(o)[0], Contains("longer than run.max_s = 1:"));
+}
+
 TEST_CASE("the paper's table has nothing to be told, on any of its paths") {
   for (const PathKind kind : {PathKind::kCircle, PathKind::kWindow, PathKind::kStar,
                               PathKind::kSquare, PathKind::kLine}) {

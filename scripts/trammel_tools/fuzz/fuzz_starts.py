@@ -18,7 +18,7 @@ from trammel_tools.paths import ROOT
 LONGEST = 10  # [s] of a start
 CODES = {0, 1, 2, 3, 4, 5, 130}  # docs/manual.md; 70 is an internal error
 # Before the line of an error there may be notices and warnings of a run that was begun.
-BEGUN = re.compile(r": (waves of|no pictures|and \d+ more such|row \d+: )")
+BEGUN = re.compile(r": (waves of|no pictures|and \d+ more such|row \d+: |the path takes )")
 RAW = re.compile(rb"[\x00-\x08\x0b-\x1f\x7f]|\xc2[\x80-\x9f]")
 ODD = ["", "-", "--", ".", "..", "../../x", "/nowhere/at/all", "a/b", "\x1b[31m", "a\nb", "\x7f",
        "\udcff", "\xe9", "-1", "1e999", "nan", "99999999999999999999", "true", "x" * 300,
