@@ -213,7 +213,7 @@ List figures(const lab::Settings& settings, cosim::RunResult& run) {
   list.back().shown = result.end == EndReason::kFault && result.points > 0 &&
                       result.fault_report.off != cosim::kNever;
   if (options.settle_s > 0) add_settling(list, options, result, range);
-  add_peak("peak_current_A", "peak current", &AxisSignals::peak_current_A, "A", 2);
+  add_peak("peak_current_A", "peak i_q of the samples", &AxisSignals::peak_current_A, "A", 2);
   add_peak("max_speed_m_s", "top speed", &AxisSignals::max_speed_m_s, "m/s", 3);
   add_load(list, options, result);
   add_responses(list, options, result);

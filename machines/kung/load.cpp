@@ -55,7 +55,7 @@ std::string AxisLoad::limits() const {
   add(at_current, "i_q* at its limit");
   add(at_voltage, "voltage at the supply's");
   add(at_stop, "carriage at a hard stop");
-  return text.empty() ? "" : text + " of the time";
+  return text.empty() ? "" : text + " of the samples";
 }
 
 void add_load(std::vector<lab::Figure>& list, const Options& options, const Result& result) {
@@ -94,7 +94,8 @@ std::vector<std::string> overloads(const Options& options, const Result& result)
     };
     check("rms phase current", load.rms_current_A(), "continuous_current_A",
           plant.continuous_current_a);
-    check("peak phase current", load.peak_current_A, "peak_current_A", plant.peak_current_a);
+    check("largest vector of i_d and i_q in a sample", load.peak_current_A, "peak_current_A",
+          plant.peak_current_a);
   }
   return lines;
 }

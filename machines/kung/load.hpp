@@ -20,8 +20,8 @@ struct AxisLoad {
   double rms_current_A() const;  // of a phase
   double rms_force_N() const;
   double copper_loss_W(double resistance_ohm) const;  // of the three phases, mean
-  // Why an axis could not do what was asked, or "": "i_q* at its limit 40 %, voltage 12 % of the
-  // time".
+  // Why an axis could not do what was asked, or "": "i_q* at its limit 40 %, voltage at the
+  // supply's 12 % of the samples".
   std::string limits() const;
 
   double peak_current_A = 0;  // of the current vector, as i_q

@@ -248,7 +248,7 @@ TEST_CASE("a run that did not follow tells which axis had no more to give") {
     result.load[a].samples = 100;
     result.load[a].at_current = 2;
     const std::string limits = std::string(a == 0 ? "; X" : "; Y") +
-                               ": i_q* at its limit 2 % of the time";
+                               ": i_q* at its limit 2 % of the samples";
     CHECK(machine().verdict(options, result) == "missed: late" + limits);
     result.end = EndReason::kDiverged;
     CHECK(machine().verdict(options, result) ==

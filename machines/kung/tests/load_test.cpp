@@ -29,7 +29,7 @@ TEST_CASE("rms, peak and loss are those of a sine of current") {
   CHECK(load.limits() == "");
 }
 
-TEST_CASE("what limits an axis is told with its share of the time") {
+TEST_CASE("what limits an axis is told with its share of the samples") {
   AxisLoad load;
   plant::AxisConfig plant;
   for (int n = 0; n < 100; ++n) {
@@ -42,7 +42,7 @@ TEST_CASE("what limits an axis is told with its share of the time") {
     load.add(s, plant);
   }
   CHECK(load.limits() == "i_q* at its limit 10 %, voltage at the supply's 4 %, carriage at a hard "
-                         "stop 50 % of the time");
+                         "stop 50 % of the samples");
   CHECK(AxisLoad{}.limits() == "");
   AxisLoad without;
   plant.hard_stops = false;
@@ -68,7 +68,8 @@ TEST_CASE("a run above the rating of a motor says so; 0 is no rating") {
   CHECK(overloads(options, result).size() == 1);  // 4 A are 0.04 % above it
   options.plant.axis[1].peak_current_a = 3.98;
   CHECK_THAT(overloads(options, result).at(1),
-             Contains("is 4 A, above plant.y.peak_current_A = 3.98"));
+             Contains("largest vector of i_d and i_q in a sample of Y is 4 A, above "
+                      "plant.y.peak_current_A = 3.98"));
   options.plant.axis[1].peak_current_a = options.plant.axis[1].continuous_current_a = 0;
   CHECK(overloads(options, result).empty());
 }
