@@ -319,10 +319,33 @@ void check_engine(const Settings& settings) {
   }
 }
 
+// Who names a program in place of a scenario wants it run, and no other path.
+void check_program(const Settings& settings) {
+  if (settings.program.empty()) return;
+  const Machine& machine = settings.machine();
+  const auto asked = machine.defaults();
+  std::vector<std::string> names{machine.program.key};
+  for (const std::string& text : machine.program.assignments) {
+    apply_assignment(*asked, text);
+    names.push_back(text.substr(0, text.find('=')));
+  }
+  find_keys(machine.keys(), names.front()).front()->set(*asked, settings.program);
+  for (const std::string& name : names) {
+    for (const Key* const key : find_keys(machine.keys(), name)) {
+      const Value value = key->get(settings), wanted = key->get(*asked);
+      if (value == wanted) continue;
+      throw ConfigError(fmt::format("{}: {}: value {} must be {}: else this program is not run",
+                                    shown(settings.program), key->name, shown(value_text(value)),
+                                    shown(value_text(wanted))));
+    }
+  }
+}
+
 }  // namespace
 
 void validate(Settings& settings) {
   check_name(settings.scenario);
+  check_program(settings);
   check_engine(settings);
   check_waves(settings);
   if (settings.machine().validate != nullptr) settings.machine().validate(settings);

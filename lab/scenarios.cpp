@@ -58,6 +58,8 @@ std::unique_ptr<Settings> of_program(const Machine& machine, const fs::path& fil
     apply_assignment(*settings, text, file.string());
   }
   apply_assignment(*settings, machine.program.key + '=' + file.string(), file.string());
+  const Key* const key = find_keys(machine.keys(), machine.program.key).front();
+  settings->program = std::get<std::string>(key->get(*settings));
   return settings;
 }
 

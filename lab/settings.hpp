@@ -28,6 +28,7 @@ struct Settings {
 
   std::string scenario;     // names the run and its output folder
   std::string description;  // one line
+  std::string program;      // the file that was named in place of a scenario; "": none
   cosim::RunBasics run;
   cosim::ProcessorOptions processor;
   cosim::Fault fault;

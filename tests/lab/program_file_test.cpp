@@ -42,6 +42,34 @@ TEST_CASE("a program is run by the machine that knows its extension, named as it
   CHECK(seen.size() == program_extensions().size());
 }
 
+TEST_CASE("a program that is named is run, or what keeps it from that is refused") {
+  for (const Machine* const machine : machines()) {
+    if (machine->program.extensions.empty()) continue;
+    CAPTURE(machine->name);
+    const std::string name = "part" + machine->program.extensions.front();
+    const std::string file = fs::absolute(name).string();
+    std::vector<std::string> changed{machine->program.key + "=other"};
+    for (const std::string& text : machine->program.assignments) {
+      const std::string key = text.substr(0, text.find('='));
+      const Key& own = *find_keys(machine->keys(), key).front();
+      for (const std::string& word : own.choices) {
+        if (key + '=' + word != text) changed.push_back(key + '=' + word);
+      }
+    }
+    CHECK(changed.size() > machine->program.assignments.size());
+    for (const std::string& text : changed) {
+      CAPTURE(text);
+      const auto settings = load_scenario(name);
+      apply_assignment(*settings, text);
+      const auto copy = settings->clone();
+      CHECK_THROWS_WITH(validate(*copy),
+                        Catch::StartsWith(file + ": " + text.substr(0, text.find('=')) +
+                                          ": value ") &&
+                            Catch::EndsWith(": else this program is not run"));
+    }
+  }
+}
+
 TEST_CASE("the extension of a program may be in capitals, another one is that of a scenario") {
   for (std::string extension : program_extensions()) {
     std::transform(extension.begin(), extension.end(), extension.begin(), ::toupper);
