@@ -16,6 +16,7 @@
 #include <nlohmann/json.hpp>
 
 #include "lab/files.hpp"
+#include "lab/heading.hpp"
 #include "lab/machine.hpp"
 #include "lab/parse.hpp"
 #include "lab/text.hpp"
@@ -124,13 +125,6 @@ Entry text_entry(const std::string& name, const std::string& text, const std::st
   return {name, where, [text](const Key& key) { return parsed(key, text); }};
 }
 
-// A scenario's description does not hold of another path than the scenario's.
-void note_change(Settings& settings, const Key& key, const Value& before) {
-  if (settings.description.empty() || key.name != settings.machine().described_by) return;
-  settings.description = fmt::format("{} = {} in place of the scenario's {}", key.name,
-                                     value_text(key.get(settings)), value_text(before));
-}
-
 void apply(Settings& settings, std::vector<Entry> entries, const fs::path& folder) {
   const std::vector<Key>& keys = settings.machine().keys();
   std::unordered_map<std::string, std::vector<const Key*>> named;
@@ -164,6 +158,7 @@ void apply(Settings& settings, std::vector<Entry> entries, const fs::path& folde
     if (entry.name != "description") continue;
     const Key& key = *named[entry.name].front();
     key.set(settings, checked(key, entry.value(key), entry.where));
+    settings.heading = {};
   }
 }
 

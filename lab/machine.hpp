@@ -74,6 +74,7 @@ struct Machine {
   std::unique_ptr<Settings> (*defaults)() = nullptr;
   const std::vector<Key>& (*keys)() = nullptr;
   std::string described_by;  // the key whose value a scenario's description tells, if any
+  bool (*alters)(const Key& key, const Value& value) = nullptr;  // what else it may not go with
   void (*validate)(Settings& settings) = nullptr;
   std::vector<std::string> (*warnings)(const Settings& settings) = nullptr;  // before a run
 

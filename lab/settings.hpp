@@ -10,6 +10,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -21,6 +22,12 @@ namespace trammel::lab {
 
 struct Machine;
 
+// What a description is made of while layers change what it describes.
+struct Heading {
+  std::string own;                                           // of the scenario
+  std::vector<std::pair<std::string, std::string>> altered;  // keys, and the value it goes with
+};
+
 struct Settings {
   virtual ~Settings() = default;
   virtual const Machine& machine() const = 0;
@@ -28,6 +35,7 @@ struct Settings {
 
   std::string scenario;     // names the run and its output folder
   std::string description;  // one line
+  Heading heading;          // see lab/heading.hpp
   std::string program;      // the file that was named in place of a scenario; "": none
   cosim::RunBasics run;
   cosim::ProcessorOptions processor;

@@ -19,6 +19,14 @@ std::vector<lab::Experiment> experiments() {
   return all;
 }
 
+// Path, table, chip and gains are a scenario's, and so is that it runs at constant speed.
+bool alters(const lab::Key& key, const lab::Value& value) {
+  if (key.name == "controller") return std::get<std::string>(value) == "precision";
+  if (key.name == "plant.seed") return false;
+  const std::string section = key.name.substr(0, key.name.find('.'));
+  return section == "path" || section == "plant" || section == "chip" || section == "gains";
+}
+
 lab::Machine describe() {
   lab::Machine m;
   m.name = "kung";
@@ -28,6 +36,7 @@ lab::Machine describe() {
   m.of_types<Options, Session>();
   m.keys = keys;
   m.described_by = "path.kind";
+  m.alters = alters;
   m.validate = validate;
   m.program = {{".ngc", ".nc", ".gcode"}, "path.gcode_file", {"path.kind=gcode"}};
   m.triggers = triggers;

@@ -26,6 +26,47 @@ std::string message_of(const std::string& toml) {
 
 }  // namespace
 
+TEST_CASE("the heading of a scenario names the paper's figures with the paper's values alone") {
+  const auto heading = [](const std::string& assignment) {
+    const auto settings = lab::load_scenario(lab::find_scenario("circle"));
+    lab::apply_assignment(*settings, assignment);
+    return settings->description;
+  };
+  const std::string circle = "circle of 100 mm radius at 0.5 m/s";
+  for (const char* same : {"controller=fc", "plant.seed=7", "run.engine=twin",
+                           "precision.adapt=off", "path.circle_ticks=628"}) {
+    CAPTURE(same);
+    CHECK(heading(same) == circle + " (Figs. 13, 14)");
+  }
+  CHECK(heading("plant.payload_kg=11") == circle + "; here plant.payload_kg = 11");
+  CHECK(heading("path.feed_m_s=0.2") == circle + "; here path.feed_m_s = 0.2");
+  CHECK(heading("controller=precision") == circle + "; here controller = \"precision\"");
+}
+
+TEST_CASE("a scenario's description tells what was changed of what it describes, and back") {
+  kung::Options options;
+  take(options, "description = 'mine (Fig. 1)'\nplant.mass_kg = 5\n");
+  const auto told = [&](const std::string& assignment) {
+    apply_assignment(options, assignment);
+    return options.description;
+  };
+  CHECK(told("run.max_s=7") == "mine (Fig. 1)");
+  CHECK(told("plant.x.mass_kg=6") == "mine; here plant.x.mass_kg = 6");
+  CHECK(told("plant.y.mass_kg=6") == "mine; here plant.mass_kg = 6");
+  CHECK(told("plant.y.mass_kg=7.5") == "mine; here plant.x.mass_kg = 6, plant.y.mass_kg = 7.5");
+  CHECK(told("path.kind=line") ==
+        "path.kind = \"line\" in place of the scenario's \"circle\"; here plant.x.mass_kg = 6, "
+        "plant.y.mass_kg = 7.5");
+  CHECK(told("plant.mass_kg=5") ==
+        "path.kind = \"line\" in place of the scenario's \"circle\"");
+  take(options, "description = 'new (a)'\nplant.mass_kg = 8\n");
+  CHECK(told("plant.mass_kg=8") == "new (a)");
+  CHECK(told("plant.coulomb_N=1") == "new; here plant.coulomb_N = 1");
+  take(options, "gains.kp = 0.5\n[plant]\nviscous_N_s_m = 1\npayload_kg = 2\n");
+  CHECK_THAT(options.description, Catch::StartsWith("new; here plant.coulomb_N = 1, ") &&
+                                      Catch::EndsWith(" and 1 more"));
+}
+
 TEST_CASE("a section without axis sets both, and [plant.x] refines it wherever it stands") {
   kung::Options options;
   take(options, "[plant.x]\nmass_kg = 3\n[plant]\nmass_kg = 4\n");
