@@ -142,29 +142,42 @@ std::unique_ptr<Settings> load_scenario(const fs::path& file) {
   return settings;
 }
 
-std::string repeat_command(const Settings& settings) {
+namespace {
+
+// `./trammel run NAME` with what differs from `reference`; "" where that is too much for a line.
+std::string command_of(const Settings& settings, const std::string& name,
+                       const Settings& reference) {
   constexpr std::size_t kMostShown = 8;
+  std::string command = "./trammel run " + shell_argument(name);
+  std::size_t shown = 0;
+  for (const Key& key : settings.machine().keys()) {
+    const Value value = key.get(settings);
+    if (key.name == "name" || key.name == "description" || value == key.get(reference)) continue;
+    const auto* const word = std::get_if<std::string>(&value);
+    command += " -s " + shell_argument(key.name + '=' +
+                                       (word != nullptr ? *word : value_text(value)));
+    ++shown;
+  }
+  return shown <= kMostShown ? command : "";
+}
+
+}  // namespace
+
+std::string repeat_command(const Settings& settings, const fs::path& folder) {
   const std::vector<fs::path> all = scenarios();
   const auto file = std::find_if(all.begin(), all.end(), [&](const fs::path& one) {
     return (one.stem() == settings.scenario ||
             settings.scenario.rfind(one.stem().string() + '-', 0) == 0) &&  // of run --all
            &machine_of(one) == &settings.machine();
   });
-  if (file != all.end()) {
-    const auto reference = load_scenario(*file);
-    std::string command = "./trammel run " + file->stem().string();
-    std::size_t shown = 0;
-    for (const Key& key : settings.machine().keys()) {
-      const Value value = key.get(settings);
-      if (key.name == "name" || key.name == "description" || value == key.get(*reference)) continue;
-      const auto* const word = std::get_if<std::string>(&value);
-      command += " -s " + shell_argument(key.name + '=' +
-                                         (word != nullptr ? *word : value_text(value)));
-      ++shown;
-    }
-    if (shown <= kMostShown) return command;
+  std::string command;
+  if (file != all.end()) command = command_of(settings, file->stem(), *load_scenario(*file));
+  if (command.empty() && folder.empty() && !settings.program.empty()) {
+    command = command_of(settings, settings.program, *load_scenario(settings.program));
   }
-  return "./trammel run run.toml";
+  if (!command.empty()) return command;
+  const fs::path here = folder.empty() ? fs::path() : fs::proximate(folder);
+  return "./trammel run " + shell_argument((here / "run.toml").string());
 }
 
 }  // namespace trammel::lab

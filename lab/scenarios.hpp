@@ -40,7 +40,8 @@ const Machine& machine_of(const std::filesystem::path& file);
 // with that program; reading it is left to lab::validate.
 std::unique_ptr<Settings> load_scenario(const std::filesystem::path& file);
 
-// The command that repeats a run: a built-in scenario with what differs from it, or its run.toml.
-std::string repeat_command(const Settings& settings);
+// The command that repeats a run from the current folder: a built-in scenario with what differs
+// from it, or run.toml in the folder of the run; where it has none, the program that was named.
+std::string repeat_command(const Settings& settings, const std::filesystem::path& folder = {});
 
 }  // namespace trammel::lab

@@ -18,6 +18,7 @@
 #include "lab/build_info.hpp"
 #include "lab/child.hpp"
 #include "lab/files.hpp"
+#include "lab/inputs.hpp"
 #include "lab/layers.hpp"
 #include "lab/machine.hpp"
 #include "lab/report_page.hpp"
@@ -231,7 +232,8 @@ Json metrics_json(const Record& record, const Origin& origin) {
   Json json;
   json["machine"] = machine.name;
   json["scenario"] = settings.scenario;
-  json["command"] = origin.command.empty() ? repeat_command(settings) : origin.command;
+  json["command"] =
+      origin.command.empty() ? repeat_command(settings, origin.folder) : origin.command;
   json["end"] = end_text(result.end);
   json["verdict"] = record.verdict;
   if (const std::string fault = result.fault_text(); !fault.empty()) json["fault"] = fault;
@@ -293,9 +295,11 @@ Written write_record(const Record& record, const OutputFolder& folder, const Jso
     written.code = 1;
   }
   write_text(scratch / "metrics.json", metrics.dump(2) + '\n');
-  write_text(scratch / "run.toml",
-             origin.command.empty() ? run_toml(*record.settings)
-                                    : run_toml(*record.settings, origin.command, origin.left_out));
+  copy_inputs(*record.settings, scratch);
+  const auto repeats = with_copies(*record.settings, scratch);
+  write_text(scratch / "run.toml", origin.command.empty()
+                                       ? run_toml(*repeats)
+                                       : run_toml(*repeats, origin.command, origin.left_out));
   for (const auto& [name, content] : origin.files) write_text(scratch / name, content);
   write_trace(scratch / "trace.csv", record);
   if (machine.files != nullptr) machine.files(record, scratch);

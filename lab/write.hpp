@@ -21,6 +21,7 @@ struct Origin {
   bool (*left_out)(const Key&) = nullptr;    // keys that do not apply to it
   nlohmann::ordered_json more = nullptr;     // members of metrics.json
   std::map<std::string, std::string> files;  // name and content of further files
+  std::filesystem::path folder = {};         // of its files, which a command may name
 };
 
 struct Written {

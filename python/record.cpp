@@ -96,8 +96,10 @@ std::vector<std::string> save(const Finished& run, const std::string& folder, bo
   const nb::gil_scoped_release released;
   const std::lock_guard<std::mutex> lock(*run.reading);
   lab::OutputFolder output{std::filesystem::path(folder)};
+  lab::Origin origin;
+  origin.folder = output.target();
   const lab::Written written = lab::write_record(
-      *run.record, output, lab::metrics_json(*run.record), lab::Origin{}, page);
+      *run.record, output, lab::metrics_json(*run.record, origin), origin, page);
   output.publish();
   return written.notes;
 }

@@ -9,6 +9,7 @@
 #include <cstdio>
 
 #include "lab/files.hpp"
+#include "lab/inputs.hpp"
 #include "lab/layers.hpp"
 #include "lab/machine.hpp"
 #include "lab/report_page.hpp"
@@ -133,6 +134,7 @@ Outcome run_one(lab::Settings& settings, const fs::path& target, const Arguments
     tell_warnings(settings.scenario, settings.machine().warnings(settings));
   }
   settings.run.wave_file = lab::wave_file(folder.scratch());
+  lab::copy_inputs(settings, folder.scratch());  // as they are now, not when the run has ended
   Outcome outcome;
   {
     Progress progress(settings.scenario);
@@ -142,9 +144,11 @@ Outcome run_one(lab::Settings& settings, const fs::path& target, const Arguments
     outcome.record = simulate(settings, hooks);
   }
   const lab::Record& record = outcome.record;
-  outcome.json = lab::metrics_json(record);
+  lab::Origin origin;
+  origin.folder = folder.target();
+  outcome.json = lab::metrics_json(record, origin);
   const lab::Written written =
-      lab::write_record(record, folder, outcome.json, {}, arguments.report);
+      lab::write_record(record, folder, outcome.json, origin, arguments.report);
   folder.publish();
   for (const std::string& note : written.notes) tell(note);
 

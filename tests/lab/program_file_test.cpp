@@ -70,6 +70,21 @@ TEST_CASE("a program that is named is run, or what keeps it from that is refused
   }
 }
 
+TEST_CASE("without a folder of its run a program repeats by its name") {
+  for (const Machine* const machine : machines()) {
+    if (machine->program.extensions.empty()) continue;
+    const std::string name = "no such part" + machine->program.extensions.front();
+    const auto settings = load_scenario(name);
+    const std::string command = "./trammel run '" + fs::absolute(name).string() + "'";
+    CHECK(repeat_command(*settings) == command);
+    apply_assignment(*settings, "run.max_s=7");
+    CHECK(repeat_command(*settings) == command + " -s run.max_s=7.0");
+    CHECK(repeat_command(*settings, "some/folder") == "./trammel run some/folder/run.toml");
+    CHECK(repeat_command(*settings, fs::absolute("a folder")) ==
+          "./trammel run 'a folder/run.toml'");
+  }
+}
+
 TEST_CASE("the extension of a program may be in capitals, another one is that of a scenario") {
   for (std::string extension : program_extensions()) {
     std::transform(extension.begin(), extension.end(), extension.begin(), ::toupper);

@@ -7,7 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "lab/errors.hpp"
+#include "lab/layers.hpp"
 #include "lab/record.hpp"
+#include "lab/scenarios.hpp"
 #include "lab/write.hpp"
 #include "machines/kung/tests/by_hand.hpp"
 #include "tests/support/files.hpp"
@@ -136,6 +138,30 @@ TEST_CASE("errors in a file of points name its line and the key") {
   CHECK_THROWS_WITH(run_kung(scratch.path / "b", standing(EndReason::kDone), set),
                     Contains("path.points_file: ") && Contains("points.csv:2: "));
   CHECK_FALSE(fs::exists(scratch.path / "b"));
+}
+
+TEST_CASE("a run keeps its program, and its command repeats it where the user stands") {
+  const Scratch scratch;
+  const fs::path file = scratch.path / "my part.NGC";
+  std::ofstream(file) << "G0 X260\n";
+  const std::vector<std::string> set{"path.kind=gcode", "path.gcode_file=" + file.string(),
+                                     "name=mine"};
+  const fs::path out = scratch.path / "a b";
+  CHECK(run_kung(out, standing(EndReason::kDone), set) == 0);
+  CHECK(test::content(out / "path.gcode_file.NGC") == "G0 X260\n");
+  const fs::path again = fs::proximate(out) / "run.toml";
+  CHECK(metrics_of(out)["command"] == "./trammel run '" + again.string() + "'");
+  CHECK(metrics_of(out)["options"]["path.gcode_file"] == file.string());
+  std::ofstream(file) << "G0 X270\n";  // is another program from now on
+  const auto settings = lab::load_scenario(again);
+  lab::validate(*settings);
+  CHECK(static_cast<const Options&>(*settings).path.moves.moves.back().to.x == 0.26);
+  const auto listed = nlohmann::json::parse(test::content(out / "run.json"));
+  CHECK(listed["files"].contains("path.gcode_file.NGC"));
+  CHECK(run_kung(out, standing(EndReason::kDone),
+                 {"path.kind=gcode", "path.gcode_file=" + (out / "path.gcode_file.NGC").string(),
+                  "name=mine"}) == 0);
+  CHECK(test::content(out / "path.gcode_file.NGC") == "G0 X260\n");
 }
 
 TEST_CASE("a stop without a fault of the chip is distinguished from a trip") {
