@@ -16,18 +16,13 @@ import tempfile
 import time
 from pathlib import Path
 
+import sweeps
+
 from trammel import sweep
 
 NEEDED = ("munged", "mungekey", "slurmctld", "slurmd", "sbatch", "squeue", "scancel", "sinfo")
 RUNS = 120
 LIMIT_S = 180
-PLAN = f"""scenario = "circle"
-[keys]
-"run.max_s" = 0.4
-[random]
-count = {RUNS}
-"plant.payload_kg" = [0.0, 20.0]
-"""
 CONF = """ClusterName=trammel
 SlurmctldHost={host}(127.0.0.1)
 SlurmctldPort={controller}
@@ -121,14 +116,10 @@ def main():
     with tempfile.TemporaryDirectory() as scratch:
         folder = Path(scratch)
         plan, out = folder / "plan.toml", folder / "out"
-        plan.write_text(PLAN)
+        plan.write_text(sweeps.plan(RUNS, 0.4))
         with cluster(folder) as environment:
-            eager = ("import sys; from trammel.sweep import main; main.FLUSH_S = 0; "
-                     "sys.exit(main.main())")
-            child = subprocess.Popen(
-                [sys.executable, "-c", eager, plan, "-o", out, "--cluster", "slurm", "--jobs", "2",
-                 "--limit", "120"], env=environment, cwd=folder,
-                stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+            child = sweeps.begin("sweep", plan, "-o", out, "--cluster", "slurm", "--jobs", "2",
+                                 "--limit", "120", env=environment, cwd=folder)
             wait_for("first rows", lambda: child.poll() is not None or
                      len(list((out / "runs").glob("*.parquet"))) > 1, LIMIT_S)
             jobs = said("squeue", "-h", "-t", "R", "-o", "%i", environment=environment).split()

@@ -16,6 +16,7 @@ from pathlib import Path
 
 import distributed
 import psutil
+import sweeps
 
 import trammel
 from trammel import sweep
@@ -31,8 +32,6 @@ controller = ["fc", "afc"]
 scenario = "%s"
 [part.keys]
 {SHORT}"""
-# Rows are written at once, so that there is something to keep when it is killed.
-EAGER = "import sys; from trammel.sweep import main; main.FLUSH_S = 0; sys.exit(main.main())"
 
 
 def other_scenario():
@@ -102,11 +101,10 @@ class Sweeps(unittest.TestCase):
         self.assertIsNone(bad["event_hash"])
 
     def test_a_worker_is_killed_and_then_the_sweep(self):
-        plan = self.plan('scenario = "circle"\n[keys]\n"run.max_s" = 0.4\n[random]\ncount = 120\n'
-                         '"plant.payload_kg" = [0.0, 20.0]\n')
+        plan = self.plan(sweeps.plan(120, 0.4))
         words = (plan, "-o", self.out, "--jobs", 2)
-        child = subprocess.Popen(command(*words, script=EAGER), stdout=subprocess.DEVNULL,
-                                 stderr=subprocess.DEVNULL)
+        child = subprocess.Popen(command(*words, script=sweeps.EAGER.format("sweep")),
+                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         files = lambda: list((self.out / "runs").glob("*.parquet"))  # noqa: E731
         until = time.monotonic() + 90
         while len(files()) < 2 and time.monotonic() < until and child.poll() is None:

@@ -14,17 +14,13 @@ import time
 import unittest
 from pathlib import Path
 
+import sweeps
+
 from trammel import sweep, tune
 from trammel.sweep import PlanError
 
 RUNS = 40
-PLAN = f"""scenario = "circle"
-[keys]
-"run.max_s" = 0.2
-[random]
-count = {RUNS}
-"plant.payload_kg" = [0.0, 20.0]
-"""
+PLAN = sweeps.plan(RUNS, 0.2)
 STUDY = """trials = 12
 [keys]
 "run.max_s" = 20
@@ -33,9 +29,6 @@ STUDY = """trials = 12
 [[objective]]
 figure = "tracking.model.mean_mm"
 """
-# Rows are written as they come.
-EAGER = ("import sys; from trammel.sweep import main as m; m.FLUSH_S = 0; "
-         "from trammel.{0} import main; sys.exit(main.main())")
 
 
 @contextlib.contextmanager
@@ -65,9 +58,7 @@ class Trouble(unittest.TestCase):
 
     def begin(self, verb, out, *words):
         file = self.plan if verb == "sweep" else self.study
-        return subprocess.Popen(
-            [sys.executable, "-c", EAGER.format(verb), file, "-o", out, "--jobs", "1", *words],
-            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True)
+        return sweeps.begin(verb, file, "-o", out, "--jobs", "1", *words, start_new_session=True)
 
     def ended(self, child, code, message):
         """It has ended with this code and one line."""

@@ -1,0 +1,25 @@
+# SPDX-License-Identifier: Apache-2.0
+"""What tests of long sweeps share: a plan, and a start whose rows are written as they come."""
+
+import subprocess
+import sys
+
+EAGER = ("import sys; from trammel.sweep import main as m; m.FLUSH_S = 0; "
+         "from trammel.{0} import main; sys.exit(main.main())")
+
+
+def plan(runs, seconds):
+    """Circles with random payloads, each simulated for so long."""
+    return f"""scenario = "circle"
+[keys]
+"run.max_s" = {seconds}
+[random]
+count = {runs}
+"plant.payload_kg" = [0.0, 20.0]
+"""
+
+
+def begin(verb, *words, **options):
+    """`trammel sweep` or `trammel tune`, started."""
+    return subprocess.Popen([sys.executable, "-c", EAGER.format(verb), *map(str, words)],
+                            stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **options)
