@@ -283,6 +283,7 @@ std::vector<std::string> remarks(const lab::Record& record) {
   const Options& options = options_of(record);
   const Result& result = result_of(record);
   std::vector<std::string> lines = overloads(options, result);
+  for (std::string& line : range_lines(options, result)) lines.push_back(std::move(line));
   for (std::string& line : comparison_lines(record)) lines.push_back(std::move(line));
   if (options.path.kind == PathKind::kCircle && options.controller != Controller::kPrecision &&
       is_paper_experiment(options)) {

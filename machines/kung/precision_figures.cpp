@@ -139,6 +139,31 @@ std::vector<lab::Companion> precision_companions(const lab::Settings& settings) 
   return all;
 }
 
+std::vector<std::string> range_lines(const Options& options, const Result& result) {
+  constexpr double kWorthTellingS = 0.2;
+  constexpr double kMostErrorCounts = 2048;
+  std::vector<std::string> lines;
+  for (std::size_t a = 0; a < 2; ++a) {
+    const plant::AxisConfig& plant = options.plant.axis[a];
+    const char axis = a == 0 ? 'x' : 'y', name = a == 0 ? 'X' : 'Y';
+    const double mass_s = result.mass_limited[a] * options.chip.sample_s();
+    if (result.estimates && mass_s >= kWorthTellingS) {
+      lines.push_back(fmt::format("warning: the estimated mass of {} was at the end of its range "
+                                  "for {:.3g} s; it is {:.4g} kg, that of the plant {:.4g} kg; "
+                                  "precision.{}.mass_kg moves the range", name, mass_s,
+                                  (*result.estimates)[a].mass_kg,
+                                  plant.mass_kg + plant.payload_kg, axis));
+    }
+    const double error_s = result.error_limited[a] * options.chip.sample_s();
+    if (error_s > 0) {
+      lines.push_back(fmt::format("warning: the error of {} was above the {:.4g} mm that the "
+                                  "controller tells for {:.3g} s", name,
+                                  1e3 * kMostErrorCounts * plant.encoder_count_m, error_s));
+    }
+  }
+  return lines;
+}
+
 std::vector<std::string> comparison_lines(const lab::Record& record) {
   if (record.companions.empty()) return {};
   const auto line = [](const std::string& name, const lab::Record& of) {

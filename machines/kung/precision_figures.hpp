@@ -44,6 +44,9 @@ void add_command_figures(std::vector<lab::Figure>& list, const Options& options,
 // The fuzzy controllers on the same feed profile, by their twins.
 std::vector<lab::Companion> precision_companions(const lab::Settings& settings);
 
+// A line for each range of the controller that the run came to the end of.
+std::vector<std::string> range_lines(const Options& options, const Result& result);
+
 // Errors of a run of the precision controller beside those of its companions, and of the paper.
 std::vector<std::string> comparison_lines(const lab::Record& record);
 

@@ -130,6 +130,9 @@ struct Result : cosim::RunResult {
   Detail detail;
   WakeCounts wakes{};             // why clocks were evaluated
   std::optional<std::array<AxisEstimate, 2>> estimates;  // at the end, of native firmware
+  // Samples of the path, one after the other, with the estimated mass at the end of its range, and
+  // all in which the precision controller's error was.
+  std::array<std::uint32_t, 2> mass_limited{}, error_limited{};
   std::optional<cosim::CoreTimes> core;  // of run.cpu = "rtl"
   cosim::Clk core_awake = 0;             // clocks of it that were evaluated
   std::string uart;                      // what its serial port sent

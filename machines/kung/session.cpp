@@ -209,6 +209,22 @@ bool Session::swings(const Sample& sample) {
   return false;
 }
 
+// Of the precision controller: what it takes for mass and error has a range.
+void Session::watch_limits(const Sample& sample) {
+  constexpr std::int32_t kMostError = (1 << 19) - 1;  // [count / 256]
+  if (options_.controller != Controller::kPrecision) return;
+  for (std::size_t a = 0; a < 2; ++a) {
+    const AxisSample& axis = sample.axis[a];
+    const bool on = axis.set_point != kNoSetPoint;
+    if (on && std::abs(axis.set_point - 256 * axis.x_p) > kMostError) ++result_.error_limited[a];
+    if (core_) continue;
+    const sw::PrecisionControl& control = firmware_->app().precision();
+    const bool limited = control.estimator(static_cast<std::uint32_t>(a)).at_limit();
+    mass_limited_[a] = limited ? mass_limited_[a] + 1 : 0;
+    result_.mass_limited[a] = std::max(result_.mass_limited[a], mass_limited_[a]);
+  }
+}
+
 bool Session::over(const Sample& sample) {
   if (waves_.found()) return true;
   if (chip_->broken_promise()) return true;
@@ -241,6 +257,7 @@ bool Session::over(const Sample& sample) {
       return true;
     }
   }
+  watch_limits(sample);
   if (sample.tick >= result_.first_tick && !options_.path.is_sweep()) {
     const PointM table{sample.axis[0].x_true_m, sample.axis[1].x_true_m};
     const double beside =

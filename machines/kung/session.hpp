@@ -118,6 +118,7 @@ class Session final : public cosim::Session {
 
   bool over(const Sample& sample);
   bool swings(const Sample& sample);
+  void watch_limits(const Sample& sample);
   bool fault_is_over(const Sample& sample);
   void inject();
   void watch_fault(const cosim::Stop& stop);
@@ -147,6 +148,7 @@ class Session final : public cosim::Session {
   std::optional<Followed> followed_;
   std::uint32_t path_points_ = 0;  // of the whole path
   std::uint32_t after_fault_ = 0;
+  std::array<std::uint32_t, 2> mass_limited_{};  // up to now
   std::string trap_text_;
   Result result_;
 };

@@ -58,3 +58,19 @@ TEST_CASE("a whole circle has no ends, and the nearest of several moves counts")
   const Moves two{{0, 0}, 0, {line({0, 0}, {0.1, 0}), line({0.1, 0}, {0.1, 0.1})}};
   CHECK(distance_to(two, {0.098, 0.05}) == Approx(0.002));
 }
+
+TEST_CASE("a mass at the end of its range for 0.2 s and an error beyond its word are told") {
+  Options options;
+  Result result;
+  CHECK(range_lines(options, result).empty());
+  result.estimates = {AxisEstimate{32, 1, 1}, AxisEstimate{40, 1, 1}};
+  result.mass_limited = {399, 400};  // 0.2 s of 2 kHz
+  options.plant.axis[1].payload_kg = 50;
+  REQUIRE(range_lines(options, result).size() == 1);
+  CHECK(range_lines(options, result)[0] ==
+        "warning: the estimated mass of Y was at the end of its range for 0.2 s; it is 40 kg, that "
+        "of the plant 58 kg; precision.y.mass_kg moves the range");
+  result.error_limited[0] = 20;
+  CHECK(range_lines(options, result)[0] ==
+        "warning: the error of X was above the 10.24 mm that the controller tells for 0.01 s");
+}
