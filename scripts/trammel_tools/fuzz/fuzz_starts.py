@@ -49,6 +49,8 @@ class World:
                       for name, folder in machines.folders().items()
                       for verb in fuzz_seeds.fuzz_of(name).get("verbs", [])]
         self.programs = [text.encode() for text in fuzz_seeds.GCODE]
+        self.runs_programs = next(name for name, keys in self.keys.items()
+                                  if any(key["key"].endswith(".gcode_file") for key in keys))
         self.texts = [path.read_bytes() for path in ROOT.glob("machines/*/scenarios/*.toml")]
 
 
@@ -177,10 +179,13 @@ def case(world, dice, folder):
                                 [path.read_bytes() for path in files], files[0].suffix, folder)
         words.insert(0, own["name"])
     elif verb == "run":
+        texts, ending = dice.choice([(world.texts, ".toml")] * 3 + [(world.programs, ".ngc")])
+        machine = world.runs_programs if ending == ".ngc" else machine
         names = [scenario for scenario, of in world.scenarios.items() if of == machine]
-        texts, ending = dice.choice([(world.texts, ".toml")] * 4 + [(world.programs, ".ngc")])
         words, given = argument(dice, names, texts, ending, folder)
         words.insert(0, verb)
+        if ending == ".ngc" and dice.random() < 0.5:
+            words += ["--engine", "twin"]
     elif verb == "report":
         words += dice.choice([["r"], ["r"], ["r"], ["r", "r"], [], ["folder"], ["r/"], ["."]])
     elif verb == "list":
