@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t kMostValues = 16000;   // a series of one run's page
 constexpr std::size_t kMostCompared = 6000;  // a series of one of several runs
-constexpr std::size_t kMostRuns = 8;         // colours that can be told apart
+constexpr std::size_t kMostRuns = 12;        // lines that can be told apart, see theme.js
 
 Json run_json(const RunFolder& run, bool compared) {
   PageSeries series = page_series(run, compared, compared ? kMostCompared : kMostValues);

@@ -10,7 +10,7 @@
 
 namespace trammel::lab {
 
-// The page of one folder of a run, or one that compares those of 2 to 8, the first being the
+// The page of one folder of a run, or one that compares those of 2 to 12, the first being the
 // reference. It replaces an older one only when it is complete. Throws ConfigError where a folder
 // is not that of a run, runs are of different machines, or the file cannot be written.
 void write_page(const std::vector<std::filesystem::path>& folders,

@@ -6,7 +6,8 @@
   'use strict';
 
   T.runName = (run, k, linked) => T.el('span', { class: 'key' }, T.el('span', {},
-    T.el('i', { style: `border-top-color: var(--run${k})` }),
+    T.el('i', { style: `border-top-color: var(--run${k % T.light.runs.length});` +
+      (T.runDash(k) ? 'border-top-style: dashed' : '') }),
     linked && run.page ? T.el('a', { href: run.page }, run.label) : T.el('b', {}, run.label)));
 
   // Differences are to the first run of the same kind.
@@ -73,8 +74,8 @@
     // One plot of some runs; a run keeps its colour everywhere.
     const overlay = (plot, of, some = () => true) => T.timePlot({ ...plot, tall: 260,
       series: runs.map((run, k) => [run, k]).filter(([run]) => some(run) && of(run)).map(([run,
-        k]) => ({ run: k, label: run.label, unit: plot.unit, digits: plot.digits,
-        data: spread(run, of(run)) })) });
+        k]) => ({ run: k, dash: T.runDash(k), label: run.label, unit: plot.unit,
+        digits: plot.digits, data: spread(run, of(run)) })) });
 
     if (times.length > 1) {
       T.section('errors', machine.heading, T.zoomLead()).append(T.el('div', { class: 'grid two' },

@@ -79,6 +79,10 @@
     return '#' + mixed.map((value) => value.toString(16).padStart(2, '0')).join('');
   };
 
+  // Colour and dash of one of several lines: behind the last colour they begin again, dashed.
+  T.runColour = (theme, k) => theme.runs[k % theme.runs.length];
+  T.runDash = (k) => (k < T.light.runs.length ? undefined : [6, 4]);
+
   // 0..1 along the ramp of errors.
   T.ramp = function (theme, part) {
     const at = Math.min(1, Math.max(0, part)) * (theme.ramp.length - 1);

@@ -90,7 +90,13 @@
       ...T.time.full));
   };
 
-  const color = (theme, series) => theme[series.role] || theme.runs[series.run];
+  const color = (theme, series) => theme[series.role] || T.runColour(theme, series.run);
+
+  // Of a line in the legend: its colour, in the parts of a dash.
+  function marker({ role, run, dash }) {
+    const fill = role ? `var(--${role})` : `var(--run${run % T.light.runs.length})`;
+    return dash ? `repeating-linear-gradient(90deg, ${fill} 0 4px, transparent 4px 6px)` : fill;
+  }
 
   // uPlot's own, but that a flat line has a range of its size.
   function yRange(u, low, high) {
@@ -122,7 +128,7 @@
       ],
       cursor: { y: false, drag: { x: true, y: false, dist: 4 }, points: { size: 7 } },
       legend: { live: true, markers: { width: 0, fill: (u, k) => (k > 0
-        ? `var(--${plot.series[k - 1].role || `run${plot.series[k - 1].run}`})` : null) } },
+        ? marker(plot.series[k - 1]) : null) } },
       series: [{ label: 't' }, ...plot.series.map((s) => ({
         label: s.label,
         show: !s.hidden,

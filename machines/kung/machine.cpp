@@ -16,6 +16,9 @@ std::vector<lab::Experiment> experiments() {
       all.push_back({scenario + '-' + controller, scenario, {"controller=" + controller}});
     }
   }
+  for (const std::string scenario : {"circle", "window", "star"}) {
+    all.push_back({scenario + "-precision", scenario, {"controller=precision"}});
+  }
   return all;
 }
 

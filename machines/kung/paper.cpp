@@ -102,6 +102,39 @@ std::string row(const std::string& label, const std::vector<std::string>& cells)
 
 }  // namespace
 
+namespace {
+
+// The precision controller, and the others on its feed profile: errors against the command.
+std::string precision_text(const std::vector<const lab::Record*>& records) {
+  constexpr PathKind kPaths[] = {PathKind::kCircle, PathKind::kWindow, PathKind::kStar};
+  const auto cell = [](const lab::Record* record, const std::string& name) -> std::string {
+    const lab::Record* of = record;
+    for (const lab::Record& beside : record->companions) {
+      if (beside.name == name) of = &beside;
+    }
+    std::optional<double> mean, most;
+    for (const lab::Figure& f : of->figures) {
+      if (f.id == "error_um.mean") mean = f.value;
+      if (f.id == "error_um.max") most = f.value;
+    }
+    const bool there = mean && most && of->result->end == EndReason::kDone;
+    return there ? fmt::format("{:.2f} / {:.1f}", *mean, *most) : "not finished";
+  };
+  std::string text = "\nError to the command in um, mean / max, on the same feed profile\n\n";
+  text += row("", {"circle", "window", "star"});
+  for (const std::string name : {"FC", "AFC", "precision"}) {
+    std::vector<std::string> cells;
+    for (const PathKind path : kPaths) {
+      const Experiment one = find(records, path, Controller::kPrecision);
+      cells.push_back(one.record == nullptr ? "not finished" : cell(one.record, name));
+    }
+    text += row(name, cells);
+  }
+  return text + "  the paper has no controller that follows the command; its feed is constant\n";
+}
+
+}  // namespace
+
 bool is_paper_experiment(const Options& options) {
   const auto kind = static_cast<std::size_t>(options.path.kind);
   if (kind >= std::size(kScenarios)) return false;
@@ -195,7 +228,7 @@ std::string experiments_text(const std::vector<const lab::Record*>& records) {
   }
   text += "  the paper says of AFC only that it closely follows the model after 1 or 2 periods\n";
   const Experiment adapted = find(records, PathKind::kSquare, Controller::kAfc);
-  if (adapted.record == nullptr) return text;
+  if (adapted.record == nullptr) return text + precision_text(records);
   for (const char axis : {'x', 'y'}) {
     int k = 0;
     auto f = adapted.figure(overshoot(axis, k));
@@ -203,7 +236,7 @@ std::string experiments_text(const std::vector<const lab::Record*>& records) {
     text += fmt::format("  ours, {}: {}\n", axis == 'x' ? 'X' : 'Y',
                         f ? fmt::format("below 5 % in period {}", k + 1) : "never below 5 %");
   }
-  return text;
+  return text + precision_text(records);
 }
 
 }  // namespace trammel::kung

@@ -187,7 +187,7 @@ class Result(Mapping):
 
 
 def compare(results: list[Result], file: str | os.PathLike) -> None:
-    """A page that compares 2 to 8 runs of one machine; the first is the reference."""
+    """A page that compares 2 to 12 runs of one machine; the first is the reference."""
     with tempfile.TemporaryDirectory() as scratch:
         folders = []
         for number, result in enumerate(results):

@@ -7,12 +7,13 @@
   const sampleOf = (run) => 1 / run.metrics.options['chip.position_Hz'];  // [s]
 
   const kFigures = [/^tracking\.(model\.|command\.mean)/, /^contour\.(mean|max)/,
+    /^(error|contour)_um\.(mean|max)/,
     /^[xy]\.(periods\.0\.overshoot|peak_current|max_speed)/];
 
   // Of the periods the first and the last, which is a tile.
   const figures = (f) => kFigures.some((form) => form.test(f.id)) ||
     T.isResponse(f) || (T.isPeriod(f) && f.tile !== undefined);
-  const smallerIsBetter = (f) => /_mm2?$|_percent$/.test(f.id);
+  const smallerIsBetter = (f) => /_mm2?$|_percent$|_um\.\w+$/.test(f.id);
 
   const kindOf = (run) => run.metrics.options['path.kind'];
 
@@ -47,5 +48,5 @@
   T.kungComparison = { kindOf, sample: sampleOf, figures, smallerIsBetter, plots: errorCards,
     sections, opening, heading: 'Errors', timeLabel: 'Time since the first point (s)',
     lead: 'Differences are to the first run of the same path. The error T(k) is the distance of ' +
-      'the table from the reference model.' };
+      'the table from the reference model, with the precision controller from its set point.' };
 })(window.Trammel = window.Trammel || {});
