@@ -82,18 +82,22 @@ bool read_values(const std::string& line, const std::vector<Series*>& columns) {
   return true;
 }
 
-void read_trace(const fs::path& file, RunFolder& run) {
+// As many rows as it has.
+std::size_t read_rows(const fs::path& file, const std::vector<Column>& named, RunFolder& run) {
   using Line = cosim::InputFile::Line;
   cosim::InputFile in(file.string(), kMostTrace);
   std::string line;
   in.line(line);
   std::string names;
   std::vector<Series*> columns;
-  for (const Column& column : run.machine->columns().columns) {
+  for (const Column& column : named) {
     names += (names.empty() ? "" : ",") + column.name;
     columns.push_back(&run.columns[column.name]);
   }
-  if (line != names) corrupt(file, "is corrupt: line 1 does not name the columns of a trace");
+  if (line != names) {
+    corrupt(file, fmt::format("is corrupt: line 1 does not name the columns of a {}",
+                              file.stem().string()));
+  }
   Line end = in.line(line);
   for (std::size_t number = 2; end != Line::kNone; ++number, end = in.line(line)) {
     // The last line ends with a newline too.
@@ -102,15 +106,26 @@ void read_trace(const fs::path& file, RunFolder& run) {
                                 columns.size()));
     }
   }
-  run.rows = columns.front()->size();
-  const auto samples = run.metrics["run"]["samples"].get<std::size_t>();
-  if (run.rows != samples) {
-    corrupt(file, fmt::format("is corrupt: {} samples, but the run recorded {}", run.rows,
-                              samples));
-  }
+  return columns.front()->size();
+}
+
+void check_rows(const fs::path& file, std::size_t rows, std::size_t recorded) {
+  if (rows == recorded) return;
+  corrupt(file, fmt::format("is corrupt: {} samples, but the run recorded {}", rows, recorded));
+}
+
+void read_trace(const fs::path& file, RunFolder& run) {
+  run.rows = read_rows(file, run.machine->columns().columns, run);
+  check_rows(file, run.rows, run.metrics["run"]["samples"].get<std::size_t>());
 }
 
 }  // namespace
+
+void read_table(const std::string& name, const std::vector<Column>& columns, RunFolder& run) {
+  const fs::path file = run.folder / name;
+  require_file(file);
+  reading([&] { check_rows(file, read_rows(file, columns, run), run.rows); });
+}
 
 RunFolder read_run(const fs::path& folder) {
   std::error_code ignored;

@@ -46,6 +46,9 @@ bool is_list(const Json& json, std::size_t size, Each each) {
 // Throws ConfigError with one line that names the file and what is wrong with it.
 RunFolder read_run(const std::filesystem::path& folder);
 
+// Reads another table of the folder, with a row for each of the trace, into run.columns.
+void read_table(const std::string& name, const std::vector<Column>& columns, RunFolder& run);
+
 // The series a page holds. The data of each are whole steps of its resolution `lsb`, each less the
 // one before it, as JSON in zlib's format in base64; lab/page/main.js unpacks them.
 struct PageSeries {

@@ -265,25 +265,31 @@ Json metrics_json(const Record& record, const Origin& origin) {
   return json;
 }
 
-void write_trace(const fs::path& file, const Record& record) {
-  const ColumnTable& table = record.machine().columns();
+void write_table(const fs::path& file, const std::vector<Column>& columns, std::size_t rows,
+                 const std::function<void(std::size_t, std::vector<double>&)>& read) {
   write_lines(file, [&](const Put& put) {
     std::string line;
-    for (const Column& column : table.columns) {
-      line += (line.empty() ? "" : ",") + column.name;
-    }
+    for (const Column& column : columns) line += (line.empty() ? "" : ",") + column.name;
     put(line + '\n');
     std::vector<double> values;
-    for (std::size_t k = 0; k < record.result->sample_count(); ++k) {
-      table.read(*record.settings, *record.result, k, values);
+    for (std::size_t k = 0; k < rows; ++k) {
+      read(k, values);
       line.clear();
       for (std::size_t n = 0; n < values.size(); ++n) {
         if (n > 0) line += ',';
-        print_value(line, table.columns[n].format, values[n]);
+        print_value(line, columns[n].format, values[n]);
       }
       put(line += '\n');
     }
   });
+}
+
+void write_trace(const fs::path& file, const Record& record) {
+  const ColumnTable& table = record.machine().columns();
+  write_table(file, table.columns, record.result->sample_count(),
+              [&](std::size_t k, std::vector<double>& values) {
+                table.read(*record.settings, *record.result, k, values);
+              });
 }
 
 Written write_record(const Record& record, const OutputFolder& folder, const Json& metrics,

@@ -3,13 +3,16 @@
 // The files of a run, of any machine.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <string>
 #include <vector>
 
 #include <nlohmann/json.hpp>
 
+#include "lab/column.hpp"
 #include "lab/output_folder.hpp"
 #include "lab/record.hpp"
 
@@ -37,6 +40,11 @@ nlohmann::ordered_json value_json(const Value& value);
 
 // trace.csv: a line a sample, from the machine's columns.
 void write_trace(const std::filesystem::path& file, const Record& record);
+
+// Another such table of `rows` lines: read() gives the values of one.
+void write_table(const std::filesystem::path& file, const std::vector<Column>& columns,
+                 std::size_t rows,
+                 const std::function<void(std::size_t row, std::vector<double>& values)>& read);
 
 // All files of a run, into the scratch of a folder that is to be published then. Throws ConfigError
 // where one of those that hold the record cannot be written.

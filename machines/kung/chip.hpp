@@ -32,6 +32,8 @@ struct CurrentWords {
 
 struct KungChip : cosim::MachineChip {
   virtual void read_words(int axis, AxisSample& sample) const = 0;  // controller words only
+  // Of the precision controller, where it is on.
+  virtual AxisLaw law(int) const { return {}; }
   virtual CurrentWords current(int axis) const = 0;
   virtual std::int32_t rule(int axis, int index) const = 0;  // stored rule 7 j + i, Q20 of a unit
   virtual std::int32_t integral(int axis) const = 0;         // of v*, in v* LSB / 4096

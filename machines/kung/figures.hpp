@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "lab/record.hpp"
@@ -77,6 +78,9 @@ bool is_paper_experiment(const Options& options);
 
 // Sets what is printed and expected in the figures of a complete run of such an experiment.
 void compare(const Options& options, std::vector<lab::Figure>& figures);
+
+// Mean tracking error to the reference model that the paper prints (Kung Table 2) of this path.
+std::optional<double> paper_mean_mm(const Options& options, Controller controller);
 
 // What must be said wherever Table 2 is shown (specification section 14.14).
 inline constexpr char kCircleNote[] =

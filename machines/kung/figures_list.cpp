@@ -317,6 +317,9 @@ void add_metrics(const lab::Record& record, nlohmann::ordered_json& json) {
   run["end_tick"] = result.end_tick;
   for (std::size_t n = 0; n < kWakes; ++n) run["wakes"][kWakeNames[n]] = result.wakes[n];
   add_cpu(options_of(record), result, json);
+  if (options_of(record).controller == Controller::kPrecision) {
+    add_precision(options_of(record), json);
+  }
   const bool compared = std::any_of(record.figures.begin(), record.figures.end(),
                                     [](const Figure& f) { return f.printed.has_value(); });
   if (compared && options_of(record).path.kind == PathKind::kCircle) {

@@ -4,6 +4,7 @@
 #include "lab/files.hpp"
 #include "machines/kung/figures.hpp"
 #include "machines/kung/precision_figures.hpp"
+#include "machines/kung/precision_trace.hpp"
 #include "machines/kung/session.hpp"
 
 namespace trammel::kung {
@@ -64,6 +65,9 @@ lab::Machine describe() {
   m.files = [](const lab::Record& record, const std::filesystem::path& folder) {
     const std::string& uart = result_of(record).uart;
     if (!uart.empty()) lab::write_text(folder / "uart.txt", uart);
+    if (options_of(record).controller == Controller::kPrecision) {
+      write_precision(folder / kPrecisionTrace, options_of(record), result_of(record));
+    }
   };
   m.drawn = [](const lab::Record& record) { return counted(result_of(record)); };
   m.page = page();

@@ -11,7 +11,9 @@
 #include "machines/kung/figures.hpp"
 #include "machines/kung/machine.hpp"
 #include "machines/kung/plan.hpp"
+#include "machines/kung/precision_trace.hpp"
 #include "machines/kung/response.hpp"
+#include "machines/kung/spectrum.hpp"
 
 namespace trammel::kung {
 namespace fs = std::filesystem;
@@ -137,6 +139,26 @@ void check_detail(const fs::path& file, const Json& d) {
   if (d["gates"]["edges"].empty()) corrupt(file, "is corrupt: /gates/edges is empty");
 }
 
+// Amplitudes of the errors of the path [um], of four digits.
+Json spectrum_json(const RunFolder& run, const std::string& axis) {
+  const Series& counted = run.columns.at("counted");
+  std::size_t begin = 0, end = run.rows;
+  while (begin < end && counted[begin] == 0) ++begin;
+  while (end > begin && counted[end - 1] == 0) --end;
+  const Series& error = run.columns.at(axis + "_error_um");
+  Json all = Json::array();
+  for (const double one :
+       spectrum(end - begin, [&](std::size_t k) { return error[begin + k]; })) {
+    all.push_back(std::stod(fmt::format("{:.3e}", one)));
+  }
+  return all;
+}
+
+void complete_precision(RunFolder& run) {
+  lab::read_table(kPrecisionTrace, precision_columns(), run);
+  for (const std::string axis : kAxes) run.detail["spectrum"][axis] = spectrum_json(run, axis);
+}
+
 void complete(RunFolder& run) {
   const auto& ticks = run.columns["tick"];
   const auto first = run.metrics["run"]["first_tick"].get<double>();
@@ -146,6 +168,7 @@ void complete(RunFolder& run) {
   if (kind != "square" && kind != "sweep") {  // these have no contour
     run.columns["contour_m"] = contour(run);
   }
+  if (run.metrics["options"]["controller"] == "precision") complete_precision(run);
 }
 
 }  // namespace
@@ -191,6 +214,7 @@ lab::Page page() {
     page.objects.push_back('/' + axis + "/error_to_model");
   }
   page.derived = {{"contour_m", "m", 1e-8, {}, "distance to the commanded path", true}};
+  for (const lab::Column& column : precision_columns()) page.derived.push_back(column);
   page.has_detail = [](const Json&) { return true; };
   page.check_detail = check_detail;
   page.complete = complete;

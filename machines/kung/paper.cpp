@@ -100,10 +100,6 @@ std::string row(const std::string& label, const std::vector<std::string>& cells)
   return text + '\n';
 }
 
-}  // namespace
-
-namespace {
-
 // The precision controller, and the others on its feed profile: errors against the command.
 std::string precision_text(const std::vector<const lab::Record*>& records) {
   constexpr PathKind kPaths[] = {PathKind::kCircle, PathKind::kWindow, PathKind::kStar};
@@ -118,7 +114,9 @@ std::string precision_text(const std::vector<const lab::Record*>& records) {
       if (f.id == "error_um.max") most = f.value;
     }
     const bool there = mean && most && of->result->end == EndReason::kDone;
-    return there ? fmt::format("{:.2f} / {:.1f}", *mean, *most) : "not finished";
+    if (!there) return "not finished";
+    const bool fine = *mean < 100;  // beyond, fractions say nothing
+    return fmt::format("{:.{}f} / {:.{}f}", *mean, fine ? 2 : 0, *most, fine ? 1 : 0);
   };
   std::string text = "\nError to the command in um, mean / max, on the same feed profile\n\n";
   text += row("", {"circle", "window", "star"});
@@ -134,6 +132,20 @@ std::string precision_text(const std::vector<const lab::Record*>& records) {
 }
 
 }  // namespace
+
+std::optional<double> paper_mean_mm(const Options& options, Controller controller) {
+  for (const Tracking& one : kTracking) {
+    if (one.path != options.path.kind || one.controller != controller) continue;
+    const char* const scenario = kScenarios[static_cast<std::size_t>(one.path)];
+    const auto reference = lab::load_scenario(lab::find_scenario(scenario));
+    const std::string own = fmt::format("path.{}_", scenario);
+    const bool same = std::all_of(keys().begin(), keys().end(), [&](const lab::Key& key) {
+      return key.name.rfind(own, 0) != 0 || key.get(options) == key.get(*reference);
+    });
+    if (same) return one.paper_mean;
+  }
+  return {};
+}
 
 bool is_paper_experiment(const Options& options) {
   const auto kind = static_cast<std::size_t>(options.path.kind);

@@ -151,6 +151,12 @@ double feed_m_s(const PathOptions& p) {
   }
 }
 
+double highest_feed_m_s(const Options& options) {
+  double highest = 0;
+  for (const Move& move : feed_moves(options).moves) highest = std::max(highest, move.feed);
+  return highest;
+}
+
 void choose_profile(Options& options) {
   PathOptions& p = options.path;
   const bool of_lines = p.kind == PathKind::kFeed ||

@@ -20,6 +20,9 @@ bool feeds(const PathOptions& path);
 // Of a shape or of lines through points: path.feed_m_s, or what it is by default.
 double feed_m_s(const PathOptions& path);
 
+// Highest feed of its moves.
+double highest_feed_m_s(const Options& options);
+
 // Its moves, those of one pass.
 ideal::Moves feed_moves(const Options& options);
 

@@ -17,7 +17,6 @@ namespace {
 
 constexpr int kLawCarrierHz = 16000, kLawPositionHz = 2000, kIrqTicks = 4;
 constexpr double kTickS = 1.0 / kLawCarrierHz, kKnotS = 2e-3;
-constexpr int kKnee = 4;        // friction is complete at a sixteenth of its speed word
 constexpr int kSubTicks = 15;   // an edge is fresh for that long
 constexpr double kLeastMantissa = 32;  // a gain whose word is within 2 %
 constexpr std::array<double, 2> kLightest{2, 6}, kHeaviest{32, 40};  // [kg]
@@ -203,6 +202,18 @@ AxisEstimate estimate_of(const Options& options, std::size_t axis,
   e.cogging_sine_N = theta[E::kSine] / units.force;
   e.cogging_cosine_N = theta[E::kCosine] / units.force;
   e.force_N = theta[E::kForce] / units.force;
+  return e;
+}
+
+AxisEstimate told_estimate(const Options& options, std::size_t axis, const AxisLaw& law) {
+  const ThetaUnits units(options.plant.axis[axis]);
+  AxisEstimate e;
+  // What the firmware does (sw_nios/apps/kung/precision_words.hpp), backward.
+  e.mass_kg = std::ldexp(law.km.value(), 18 + static_cast<int>(units.accel_shift)) / units.mass;
+  e.viscous_N_s_m =
+      std::ldexp(law.kb.value(), 10 + static_cast<int>(units.speed_shift)) / units.viscous;
+  e.coulomb_N = 32.0 * law.fc / units.force;
+  e.force_N = law.iacc / units.force;
   return e;
 }
 

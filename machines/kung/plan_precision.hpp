@@ -18,8 +18,12 @@ sw::LawGains law_gains(const std::string& keys, double w1_rad_s, double zeta, do
 // std::invalid_argument that names the key and the permitted range.
 sw::PrecisionSetup plan_precision(const Options& options, const sw::KungSetup& setup);
 
+inline constexpr int kKnee = 4;  // friction is complete at a sixteenth of its speed word
+
 // Estimates in physical units.
 AxisEstimate estimate_of(const Options& options, std::size_t axis,
                          const sw::Estimator::Theta& theta);
+// The same from the words that the chip was told; cogging and force are one current there.
+AxisEstimate told_estimate(const Options& options, std::size_t axis, const AxisLaw& law);
 
 }  // namespace trammel::kung

@@ -10,6 +10,7 @@
 #include "machines/kung/figures.hpp"
 #include "machines/kung/plan_feed.hpp"
 #include "machines/kung/plan_parts.hpp"
+#include "machines/kung/plan_precision.hpp"
 
 namespace trammel::kung {
 namespace {
@@ -17,7 +18,6 @@ namespace {
 using ideal::Move;
 using ideal::Place;
 
-constexpr double kTickS = 1.0 / 16000, kDelayTicks = 62;  // of a knot, until its point is reached
 constexpr std::size_t kLapsShown = 8;
 
 double distance_to(const Move& m, const Place& p) {
@@ -56,10 +56,12 @@ void add_errors(std::vector<lab::Figure>& list, const std::string& id, const std
   list.push_back(lab::figure(id + ".max", row, "max", e.max, "um", 2));
 }
 
+// At the end: those of the firmware, or what its RTL told the chip.
 void add_estimates(std::vector<lab::Figure>& list, const Options& options, const Result& result) {
-  if (!result.estimates) return;
+  if (!result.estimates && result.laws.empty()) return;
   for (std::size_t a = 0; a < 2; ++a) {
-    const AxisEstimate& found = (*result.estimates)[a];
+    const AxisEstimate found = result.estimates ? (*result.estimates)[a]
+                                                : told_estimate(options, a, result.laws.back()[a]);
     const plant::AxisConfig& plant = options.plant.axis[a];
     const std::string axis = a == 0 ? "x" : "y", name = a == 0 ? "X" : "Y";
     const auto add = [&](const char* id, const char* row, double value, double truth,
@@ -72,6 +74,7 @@ void add_estimates(std::vector<lab::Figure>& list, const Options& options, const
     add("mass_kg", "mass", found.mass_kg, plant.mass_kg + plant.payload_kg, "kg");
     add("friction_N", "Coulomb friction", found.coulomb_N, plant.coulomb_n, "N");
     add("viscous_N_s_m", "viscous friction", found.viscous_N_s_m, plant.viscous_n_s_m, "N s/m");
+    if (!result.estimates) continue;  // it was told with the force at one place
     add("cogging_N", "cogging", found.cogging_N(), plant.cogging_n, "N");
   }
 }
@@ -97,7 +100,7 @@ void each_command_sample(const Options& options, const Result& result,
   const bool precise = options.controller == Controller::kPrecision;
   const cosim::Clk begin = result.samples[range.first].edge;
   const double clock_s = static_cast<double>(options.plant.clock_ps) * 1e-12;
-  const double delay_s = precise ? kDelayTicks * kTickS : 0;
+  const double delay_s = precise ? kSetPointDelayS : 0;
   for (std::size_t k = range.first; k < range.last; ++k) {
     const Sample sample = result.samples[k];
     CommandSample s;
@@ -182,6 +185,15 @@ std::vector<std::string> comparison_lines(const lab::Record& record) {
       line("precision", record)};
   for (const lab::Record& beside : record.companions) lines.push_back(line(beside.name, beside));
   return lines;
+}
+
+void add_precision(const Options& options, nlohmann::ordered_json& json) {
+  if (feeds(options.path)) json["run"]["feed_m_s"] = highest_feed_m_s(options);
+  for (const auto& [name, controller] :
+       {std::pair{"AFC", Controller::kAfc}, {"FC", Controller::kFc}}) {
+    const std::optional<double> mean = paper_mean_mm(options, controller);
+    if (mean) json["paper"][name]["mean_mm"] = *mean;
+  }
 }
 
 void add_command_figures(std::vector<lab::Figure>& list, const Options& options,

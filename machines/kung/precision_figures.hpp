@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json.hpp>
+
 #include "lab/figure.hpp"
 #include "lab/record.hpp"
 #include "machines/kung/options.hpp"
@@ -19,6 +21,9 @@
 namespace trammel::kung {
 
 inline constexpr double kUm = 1e6;  // in a metre
+
+// From the knot that takes a point until it is the set point.
+inline constexpr double kSetPointDelayS = 62.0 / 16000;
 
 // One sample of the path.
 struct CommandSample {
@@ -46,6 +51,10 @@ std::vector<lab::Companion> precision_companions(const lab::Settings& settings);
 
 // A line for each range of the controller that the run came to the end of.
 std::vector<std::string> range_lines(const Options& options, const Result& result);
+
+// What the page needs of a run of the precision controller besides: the highest feed of its path,
+// and what the paper prints of it.
+void add_precision(const Options& options, nlohmann::ordered_json& json);
 
 // Errors of a run of the precision controller beside those of its companions, and of the paper.
 std::vector<std::string> comparison_lines(const lab::Record& record);

@@ -17,6 +17,7 @@
 #include "machines/kung/load.hpp"
 #include "machines/kung/options.hpp"
 #include "machines/kung/wakes.hpp"
+#include "models/fixed/fixed.hpp"
 
 namespace trammel::kung {
 
@@ -39,6 +40,17 @@ struct AxisSample {
   double force_N = 0;
   double dc_link_V = 0;
 };
+
+// Words of the law of the precision controller after the tick of a sample (docs/precision.md,
+// sections 3 and 4); all 0 where it is off.
+struct AxisLaw {
+  std::int32_t d = 0, acc = 0, aff = 0;  // [2^-26 count a tick^2]
+  std::int32_t vff = 0;                  // [2^-14 count a tick]
+  std::int32_t iacc = 0;                 // feed-forward of the firmware [LSB of i_q* / 2^13]
+  fixed::Gain km, kb;                    // in effect
+  std::int32_t fc = 0;                   // [LSB of i_q* / 256]
+};
+using AxisLaws = std::array<AxisLaw, 2>;
 
 struct Sample {
   std::uint32_t tick = 0;  // TICK register of the chip
@@ -116,6 +128,7 @@ struct Result : cosim::RunResult {
   std::string fault_text() const override;
 
   cosim::DiskVector<Sample> samples;    // every 2 kHz sample from the first tick of the chip on
+  cosim::DiskVector<AxisLaws> laws;      // of each of them; of the precision controller alone
   std::uint32_t first_tick = 0;   // sample at which point 0 of the path took effect
   std::uint32_t end_tick = 0;     // first sample after the last point's, or after a trip: figures
                                   // use [first, end)

@@ -28,6 +28,7 @@ void Recorder::on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim:
       hash_.mix(static_cast<std::uint32_t>(sample.i_q_ref));
     }
     samples_.push_back(pending_);
+    if (precise_) laws_.push_back({chip_.law(0), chip_.law(1)});
     done_ = finished_(pending_);
   }
 }

@@ -96,6 +96,7 @@ Session::Session(const Options& options, const Hooks& hooks, const cosim::Waves&
   firmware_->runs_on(*chip_);
   if (options_.cpu == Cpu::kRtl) make_core(setup);
   recorder_ = std::make_unique<Recorder>(*chip_, plant_->table(),
+                                         options_.controller == Controller::kPrecision,
                                          [this](const Sample& sample) { return over(sample); });
   detail_ = std::make_unique<DetailRecorder>(*chip_, plant_->table(),
                                              edge_at(1.0 / options_.chip.carrier_Hz));
@@ -288,6 +289,7 @@ std::vector<cosim::Place> Session::places() const {
 
 std::unique_ptr<cosim::RunResult> Session::result() {
   result_.samples = recorder_->take_samples();
+  result_.laws = recorder_->take_laws();
   result_.event_hash = recorder_->event_hash();
   result_.detail = detail_->take();
   result_.wakes = chip_->wakes();

@@ -55,6 +55,14 @@ class TwinChip final : public KungChip {
                    chip_.precision().word(axis, exact::PrecisionStore::Word::kV24), s);
   }
 
+  AxisLaw law(int axis) const override {
+    if (!chip_.is_precise(axis)) return {};
+    const exact::Precision::State& s = chip_.precision().law(axis);
+    const auto word = [](std::int64_t of) { return static_cast<std::int32_t>(of); };
+    return {word(s.d),    word(s.acc), word(s.aff), word(s.vff),
+            word(s.iacc), s.km,        s.kb,        word(s.fc)};
+  }
+
   CurrentWords current(int axis) const override {
     const exact::KungCurrent& loop = chip_.current(axis);
     const exact::CurrentLoop::Out& out = loop.out();

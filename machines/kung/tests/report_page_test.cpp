@@ -142,6 +142,30 @@ TEST_CASE("corrupt figures, rules and gates are one line that names the file") {
   CHECK(content(folder / "report.html") == page);
 }
 
+TEST_CASE("the page of a precision run has its errors, and is made again from precision.csv") {
+  const Scratch scratch;
+  const fs::path folder = scratch.path / "a", table = folder / "precision.csv";
+  REQUIRE(run_kung(folder, drifting(), {"controller=precision"}) == 0);
+  const std::string page = content(folder / "report.html"), rows = content(table);
+  const RunFolder run = read_run(folder);
+  CHECK(run.columns.at("x_error_um").size() == 60);
+  CHECK(run.detail["spectrum"]["x"].size() == 1025);
+  write_page({folder}, folder / "report.html");
+  CHECK(content(folder / "report.html") == page);
+  const auto refused = [&](const std::string& says) {
+    CHECK_THROWS_WITH(write_page({folder}, folder / "report.html"), Catch::Contains(says));
+  };
+  fs::remove(folder / "run.json");  // which knows the file's checksum
+  replace(table, "x_error_um", "x_error_mm");
+  refused("precision.csv: is corrupt: line 1 does not name the columns of a precision");
+  write_text(table, rows.substr(0, rows.rfind('\n', rows.size() - 2) + 1));
+  refused("precision.csv: is corrupt: 59 samples, but the run recorded 60");
+  fs::remove(table);
+  refused("precision.csv: is missing");
+  REQUIRE(run_kung(scratch.path / "b", drifting()) == 0);
+  CHECK_FALSE(fs::exists(scratch.path / "b" / "precision.csv"));
+}
+
 TEST_CASE("the command that repeats a run names what differs from its scenario") {
   kung::Options options;
   apply_file(options, find_scenario("circle"));

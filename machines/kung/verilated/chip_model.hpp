@@ -101,6 +101,7 @@ class ChipModel : public KungChip, private ChipState {
   void read_words(int axis, AxisSample& sample) const override {
     probe_words(*model_->rootp, axis, sample);
   }
+  AxisLaw law(int axis) const override { return probe_law(*model_->rootp, axis); }
   CurrentWords current(int axis) const override { return probe_current(*model_->rootp, axis); }
   std::int32_t rule(int axis, int index) const override {
     return probe_rule(*model_->rootp, axis, index);

@@ -7,7 +7,7 @@
 #include <cstdint>
 
 #include "machines/kung/chip.hpp"
-#include "models/exact/control/precision_store.hpp"
+#include "models/exact/control/precision.hpp"
 
 namespace trammel::kung {
 
@@ -23,6 +23,22 @@ constexpr std::int32_t count(std::uint32_t bits) {  // 24 bits
 #define TRAMMEL_AXIS(name)                                                \
   (axis == 0 ? root.kung_xy__DOT__gen_axis__BRA__0__KET____DOT__u_axis__DOT__##name \
              : root.kung_xy__DOT__gen_axis__BRA__1__KET____DOT__u_axis__DOT__##name)
+
+template <class Root>
+bool probe_precise(const Root& root, int axis) {
+  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_ctrl_precision_value
+                   : root.kung_xy__DOT__u_regs__DOT__field_storage_y_ctrl_precision_value;
+}
+
+// A word of the precision controller, of 48 bits.
+template <class Root>
+std::int64_t probe_stored(const Root& root, int axis, exact::PrecisionStore::Word of) {
+  const auto at = static_cast<std::size_t>(64 * axis + static_cast<int>(of));
+  return fixed::wrap(
+      static_cast<std::int64_t>(
+          root.kung_xy__DOT__u_precision__DOT__u_precision__DOT__u_store__DOT__mem_q[at]),
+      48);
+}
 
 template <class Root>
 void probe_words(const Root& root, int axis, AxisSample& s) {
@@ -43,23 +59,26 @@ void probe_words(const Root& root, int axis, AxisSample& s) {
   s.i_q = word(TRAMMEL_AXIS(u_current_loop__DOT__i_q_o));
   s.v_d = word(TRAMMEL_AXIS(u_current_loop__DOT__v_d_o));
   s.v_q = word(TRAMMEL_AXIS(u_current_loop__DOT__v_q_o));
-  const bool precise =
-      axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_ctrl_precision_value
-                : root.kung_xy__DOT__u_regs__DOT__field_storage_y_ctrl_precision_value;
-  if (!precise) return;
+  if (!probe_precise(root, axis)) return;
   s.x_p = count(TRAMMEL_AXIS(x_p_q));
   s.i_q_ref = word(TRAMMEL_AXIS(iq_position));
   using Word = exact::PrecisionStore::Word;
-  const auto stored = [&](Word of) {  // of 48 bits
-    const auto at = static_cast<std::size_t>(64 * axis + static_cast<int>(of));
-    return fixed::wrap(
-        static_cast<std::int64_t>(
-            root.kung_xy__DOT__u_precision__DOT__u_precision__DOT__u_store__DOT__mem_q[at]),
-        48);
+  const auto spline = fixed::wrap(fixed::rs(probe_stored(root, axis, Word::kSpline), 15), 32);
+  show_precision(static_cast<std::int32_t>(spline),
+                 static_cast<std::int32_t>(probe_stored(root, axis, Word::kV24)), s);
+}
+
+template <class Root>
+AxisLaw probe_law(const Root& root, int axis) {
+  if (!probe_precise(root, axis)) return {};
+  using Word = exact::PrecisionStore::Word;
+  const auto word = [&](Word of) {
+    return static_cast<std::int32_t>(probe_stored(root, axis, of));
   };
-  show_precision(
-      static_cast<std::int32_t>(fixed::wrap(fixed::rs(stored(Word::kSpline), 15), 32)),
-      static_cast<std::int32_t>(stored(Word::kV24)), s);
+  return {word(Word::kD),    word(Word::kAcc),
+          word(Word::kAff),  word(Word::kVff),
+          word(Word::kIacc), exact::Precision::gain(word(Word::kKmNow)),
+          exact::Precision::gain(word(Word::kKbNow)), word(Word::kFcNow)};
 }
 
 template <class Root>

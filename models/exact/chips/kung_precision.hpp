@@ -122,6 +122,9 @@ class KungPrecision {
   std::int32_t word(int axis, PrecisionStore::Word of) const {
     return law_[static_cast<std::size_t>(axis)].read(static_cast<int>(of));
   }
+  const Precision::State& law(int axis) const {
+    return law_[static_cast<std::size_t>(axis)].state();
+  }
 
  private:
   // Before edge n.

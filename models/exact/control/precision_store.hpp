@@ -21,7 +21,8 @@ class PrecisionStore {
     kC, kIff, kKm, kKmi, kRatio, kKb, kFc,                        // taken at a knot
     kL1 = 8, kL2, kL3, kK1, kK2, kMisc,                           // taken at the next tick
     kE1 = 16, kE2, kD, kAcc, kVff, kP, kY,                        // to be read
-    kSpline = 35, kV24 = 49, kErr = 54,                           // what a record shows
+    kSpline = 35, kIacc = 39, kKmNow = 45, kKbNow = 47,           // what a record shows
+    kFcNow = 48, kV24 = 49, kAff = 51, kErr = 54,
     kErrSum = 59, kIqSum = 60, kDist = 61, kKnots = 62,           // read by registers
   };
 

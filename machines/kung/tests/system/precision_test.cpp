@@ -6,14 +6,20 @@
 
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
 
 #include "lab/layers.hpp"
 #include "lab/record.hpp"
+#include "lab/report_data.hpp"
 #include "lab/scenarios.hpp"
+#include "machines/kung/machine.hpp"
 #include "machines/kung/precision_figures.hpp"
+#include "machines/kung/precision_trace.hpp"
+#include "machines/kung/words.hpp"
+#include "tests/support/scratch.hpp"
 
 using namespace trammel;
 
@@ -54,6 +60,25 @@ struct Load {
             fmt::format("plant.current_noise_A={}", noise), fmt::format("plant.seed={}", seed)};
   }
 };
+
+void check_same_laws(const kung::Result& a, const kung::Result& b) {
+  REQUIRE(a.laws.size() == a.samples.size());
+  REQUIRE(a.laws.size() == b.laws.size());
+  std::size_t with_feedback = 0;
+  for (std::size_t k = 0; k < a.laws.size(); ++k) {
+    const kung::AxisLaws one = a.laws[k], other = b.laws[k];
+    for (std::size_t n = 0; n < one.size(); ++n) {
+      const auto words = [](const kung::AxisLaw& s) {
+        return std::vector<std::int32_t>{s.d,       s.acc,    s.aff,     s.vff,    s.iacc,
+                                         s.km.mant, s.km.exp, s.kb.mant, s.kb.exp, s.fc};
+      };
+      CAPTURE(k, n);
+      REQUIRE(words(one[n]) == words(other[n]));
+      if (one[n].acc != 0 && one[n].km.mant != 0) ++with_feedback;
+    }
+  }
+  CHECK(with_feedback > a.laws.size());  // of two axes, most
+}
 
 }  // namespace
 
@@ -105,10 +130,56 @@ TEST_CASE("a precision run has the same events by RTL and twin, leaping and plai
   audited.emplace_back("run.audit=true");
   const auto twin = run("circle", move);
   REQUIRE(twin.result->end == cosim::EndReason::kDone);
-  CHECK(run("circle", rtl).result->event_hash == twin.result->event_hash);
+  const auto by_rtl = run("circle", rtl);
+  CHECK(by_rtl.result->event_hash == twin.result->event_hash);
+  check_same_laws(kung::result_of(by_rtl), kung::result_of(twin));
   const auto compared = run("circle", audited);
   CHECK(compared.result->end == cosim::EndReason::kDone);
   CHECK(compared.result->event_hash == twin.result->event_hash);
+}
+
+TEST_CASE("precision.csv says what figures, words and plant say") {
+  const auto record = run("circle", Load{11, 1, 3, 0, 1}.keys());
+  const auto& options = kung::options_of(record);
+  const kung::Result& result = kung::result_of(record);
+  const test::Scratch scratch("kung_precision_trace_out");
+  kung::write_precision(scratch.path / kung::kPrecisionTrace, options, result);
+  lab::RunFolder folder;
+  folder.folder = scratch.path;
+  folder.rows = result.samples.size();
+  lab::read_table(kung::kPrecisionTrace, kung::precision_columns(), folder);
+  const auto value = [&](const std::string& name, std::size_t k) {
+    return folder.columns.at(name)[k];
+  };
+  double sum_um = 0, accel = 0, beside_N = 0;
+  std::size_t counted = 0;
+  for (std::size_t k = 0; k < folder.rows; ++k) {
+    if (value("counted", k) == 0) continue;
+    ++counted;
+    sum_um += std::hypot(value("x_error_um", k), value("y_error_um", k));
+    for (const std::string axis : {"x_", "y_"}) {
+      accel = std::max(accel, std::abs(value(axis + "command_m_s2", k)));
+      beside_N += std::abs(value(axis + "iff_N", k) - value(axis + "held_N", k)) / 2;
+      double parts_A = 0;
+      for (const char* part : {"accel", "speed", "friction", "force", "feedback"}) {
+        parts_A += value(axis + "iq_" + part + "_A", k);
+      }
+      const std::size_t a = axis == "x_" ? 0 : 1;
+      const double lsb_A = kung::current_ref_lsb_A(options.plant.axis[a].current_full_scale_a);
+      CAPTURE(axis, k);
+      REQUIRE(parts_A / lsb_A == Approx(result.samples[k].axis[a].i_q_ref).margin(0.55));
+    }
+  }
+  CHECK(sum_um / static_cast<double>(counted) ==
+        Approx(figure(record, "error_um.mean")).margin(1e-3));
+  CHECK(accel == Approx(0.7 * 8).epsilon(0.01));  // along an arc
+  CHECK(beside_N / static_cast<double>(counted) < 1);
+  for (const std::string axis : {"x", "y"}) {
+    CHECK(value(axis + "_mass_kg", folder.rows - 1) ==
+          Approx(figure(record, axis + ".estimate.mass_kg")).epsilon(2e-3));
+    CHECK(value(axis + "_coulomb_N", folder.rows - 1) ==
+          Approx(figure(record, axis + ".estimate.friction_N")).epsilon(0.01));
+  }
 }
 
 TEST_CASE("laps with learning come nearer to the command, and those without stay as they are") {
