@@ -10,8 +10,8 @@
 
   const log = Math.log10;
 
-  // 1, 2 and 5 of every decade within the range.
-  function decades([low, high]) {
+  // 1, 2 and 5 of every decade within a range of logarithms: [[logarithm, value], ...].
+  T.decades = function ([low, high]) {
     const all = [];
     for (let power = Math.floor(low); power <= high; ++power) {
       for (const step of [1, 2, 5]) {
@@ -20,12 +20,12 @@
       }
     }
     return all;
-  }
+  };
 
   function drawPart(p, theme, frame, style, lines) {
     const { box } = frame;
     const ys = T.ticks(...frame.yRange, Math.max(2, box.h / 40));
-    for (const [at, hz] of decades(frame.xRange)) {
+    for (const [at, hz] of T.decades(frame.xRange)) {
       p.path([frame.x(at), box.y, frame.x(at), box.y + box.h], { stroke: theme.grid });
       if (style.xLabel) {
         p.text(frame.x(at), box.y + box.h + 16, String(Number(hz.toPrecision(1))),

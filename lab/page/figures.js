@@ -6,7 +6,7 @@
   'use strict';
 
   T.unit = (unit) => unit.replace(/([A-Za-z])2\b/g, '$1\u00b2').replace(/([A-Za-z])3\b/g,
-    '$1\u00b3');
+    '$1\u00b3').replace(/\bum\b/, '\u00b5m');
   T.withUnit = (name, unit) => (unit ? `${name} (${T.unit(unit)})` : name);
   T.capital = (text) => text.charAt(0).toUpperCase() + text.slice(1);
 

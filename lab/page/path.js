@@ -21,19 +21,23 @@
   const line = (frame, { x, y }) => Array.from(x).flatMap((v, k) => [frame.x(v), frame.y(y[k])]);
 
   // data: {n, command, model, table, names, colours} and optionally polyline, the command as a
-  // line, and from, where errors begin instead of the model; points are {x, y} in millimetres.
-  // names: of command and model. A colour is {button, label, values}.
+  // line; from, where errors begin instead of the model; id and title; magnify, factors to choose
+  // from, the first of them factor; bar: [mm, text], an error drawn for comparison. Points are
+  // {x, y} in millimetres. names: of command and model, which is not drawn without one. A colour
+  // is {button, label, values}.
   T.pathPlot = function (data) {
     const { n, command, model, table, names, colours } = data;
     const polyline = data.polyline || command;
     const from = data.from || model;
-    const state = { magnify: 1, by: colours[0], range: null, cursor: null };
+    const factors = data.magnify || [1, 5, 20];
+    const state = { magnify: data.factor || factors[0], by: colours[0], range: null,
+      cursor: null };
     const enlarged = (axis) => Array.from({ length: n }, (v, k) => from[axis][k] +
       state.magnify * (table[axis][k] - from[axis][k]));
     const shown = () => ({ x: enlarged('x'), y: enlarged('y') });
 
-    const plot = { id: 'path', title: 'Path', height: (width) => Math.round(Math.min(width + kFoot(
-      width) - 74, 664)), saveWidth: 760 };
+    const plot = { id: data.id || 'path', title: data.title || 'Path', saveWidth: 760,
+      height: (width) => Math.round(Math.min(width + kFoot(width) - 74, 664)) };
 
     plot.frame = function (width, height) {
       const box = { x: 60, y: 14, w: width - 74, h: height - kFoot(width) };
@@ -53,7 +57,7 @@
       T.drawFrame(p, theme, frame, { xLabel: 'x (mm)', yLabel: 'y (mm)', yCount: box.w / 90 });
       p.clip(box.x, box.y, box.w, box.h);
       p.path(line(frame, polyline), { stroke: theme.asked, width: 4, alpha: 0.5, cap: 'round' });
-      p.path(line(frame, model), { stroke: theme.model, width: 1.4 });
+      if (names[1]) p.path(line(frame, model), { stroke: theme.model, width: 1.4 });
       const { values } = state.by;
       const top = plot.top();
       const bin = (k) => Math.min(kBins - 1, Math.floor(values[k] / top * kBins)) + (inRange(k) ? 0
@@ -65,6 +69,15 @@
         p.path(points.slice(2 * begin, 2 * k + 2), { width: 2.4, alpha: now >= kBins ? 0.15 : 1,
           stroke: T.ramp(theme, (now % kBins) / (kBins - 1)) });
       }
+      if (data.bar) {
+        const [length, text] = [data.bar[0] * state.magnify * box.w / (frame.xRange[1] -
+          frame.xRange[0]), `${data.bar[1]}, \u00d7${T.whole(state.magnify)}`];
+        p.rect(box.x + 6, box.y + 8, length + 18 + 7 * text.length, 20, { fill: theme.surface,
+          alpha: 0.85 });
+        p.path([box.x + 12, box.y + 18, box.x + 12 + length, box.y + 18], { stroke: theme.ink,
+          width: 2 });
+        p.text(box.x + 18 + length, box.y + 18, text, { fill: theme.ink, size: 12, middle: true });
+      }
       p.unclip();
       key(p, theme, frame, height, top);
     };
@@ -74,7 +87,7 @@
       const y = height - 22;
       T.drawKey(p, theme, box.x, kFoot(box.w + 74) > 100 ? y - 26 : y, [
         { label: names[0], stroke: theme.asked, width: 4 },
-        { label: names[1], stroke: theme.model }]);
+        ...(names[1] ? [{ label: names[1], stroke: theme.model }] : [])]);
       const wide = Math.min(190, box.w);
       const x = kFoot(box.w + 74) > 100 ? box.x : box.x + box.w - wide;
       const parts = 48;
@@ -95,18 +108,19 @@
       const frame = plot.frame(width, height);
       const at = ({ x, y }) => [frame.x(x[k]), frame.y(y[k])];
       p.path([...at(from), ...at(shown())], { stroke: theme.ink, width: 1 });
-      for (const [of, fill] of [[command, theme.asked], [model, theme.model], [shown(),
-        theme.actual]]) {
+      for (const [of, fill] of [[command, theme.asked], ...(names[1] ? [[model, theme.model]] : []),
+        [shown(), theme.actual]]) {
         p.circle(...at(of), 5, { fill, stroke: theme.surface, width: 1.5 });
       }
     };
 
     const card = T.figure(plot, 'equal scales');
     const controls = T.el('div', { class: 'controls' },
-      T.segments('Error drawn', [[1, '\u00d71'], [5, '\u00d75'], [20, '\u00d720']], 1, (value) => {
-        state.magnify = value;
-        plot.redraw();
-      }),
+      T.segments('Error drawn', factors.map((one) => [one, `\u00d7${T.whole(one)}`]),
+        state.magnify, (value) => {
+          state.magnify = value;
+          plot.redraw();
+        }),
       colours.length > 1 ? T.segments('Colour', colours.map((one) => [one, one.button]), colours[0],
         (value) => {
           state.by = value;
@@ -149,7 +163,8 @@
       const frame = equalFrame(box, range('x'), range('y'));
       T.drawFrame(p, theme, frame, { xLabel: 'x (mm)', yLabel: 'y (mm)', xCount: 3, yCount: 3 });
       p.path(line(frame, command), { stroke: theme.asked, width: 4, alpha: 0.5 });
-      p.path(line(frame, table), { stroke: theme.runs[index], width: 1.6 });
+      p.path(line(frame, table), { stroke: T.runColour(theme, index), dash: T.runDash(index),
+        width: 1.6 });
     };
     return T.figure(plot, small(run));
   });

@@ -79,6 +79,14 @@
       { class: 'stack' }, errors, other)));
   }
 
+  function preciseSections(run) {
+    const data = T.preciseData(run);
+    const command = (axis) => unitsOf(run.metrics.options, axis).command_A;
+    T.precisionSection(run, data);
+    T.effortSection(run, data, { x: command('x'), y: command('y') });
+    T.estimateSection(run);
+  }
+
   function responseSection(run) {
     const section = T.section('response', 'Frequency response', 'Measured tone by tone. The open ' +
       'loop L is computed from the closed one, T / (1 - T): its phase margin is read where its ' +
@@ -124,7 +132,10 @@
       force: ['force', 'of the motor', 'force', 'N', 2, (a) => [
         ['force', s[`${a}_force_N`], 'actual']]],
     };
-    if (precise(run)) delete plots.fuzzy;  // it rests
+    if (precise(run)) {  // the fuzzy controller rests; speed stands with the command
+      delete plots.fuzzy;
+      delete plots.speed;
+    }
     section.append(T.el('div', { class: 'grid two' }, Object.entries(plots).flatMap(([id, [title,
       small, label, unit, digits, lines]]) => ['x', 'y'].map((axis) => T.timePlot({
       id: `${id}-${axis}`, title: `${axis.toUpperCase()} ${title}`, small,
@@ -180,8 +191,11 @@
         T.time.start(run.data.t);
         if (run.metrics.x.periods) T.stepSection(run);
         if (run.metrics.figures.some(T.isResponse)) responseSection(run);
-        if (!(run.detail.response && run.detail.response.current)) pathSection(run);
-        if (precise(run)) T.precisionSection(run);
+        if (precise(run)) {
+          preciseSections(run);
+        } else if (!(run.detail.response && run.detail.response.current)) {
+          pathSection(run);
+        }
         axesSection(run);
       }
       sampleSection(run);

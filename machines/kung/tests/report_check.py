@@ -7,6 +7,7 @@ dark theme follows the system, runs are compared with the paper and with each ot
 usage: report_check.py PROGRAM FOLDER     PROGRAM: trammel; FOLDER: for the runs, made anew
 """
 
+import csv
 import sys
 from pathlib import Path
 
@@ -23,6 +24,9 @@ class Page(report_pages.ReportPages):
         "small-fc": ["run", "circle", "-s", "controller=fc", "-s", "path.circle_ticks=60",
                      "-s", "path.circle_radius_m=0.01", "-s", "run.reached_m=0.02"],
         "response": ["run", "response", "-s", "path.sweep_tones=3", "-s", "run.engine=twin"],
+        "precision": ["run", "circle", "-s", "controller=precision", "-s", "path.repeats=2",
+                      "-s", "path.circle_radius_m=0.03", "-s", "plant.cogging_N=3",
+                      "--engine", "twin"],
         "trip": ["run", "circle", "-s", "path.circle_ticks=60", "-s", "path.circle_radius_m=0.01",
                  "-s", "inject.trip_s=0.05"],
     }
@@ -105,8 +109,120 @@ class Page(report_pages.ReportPages):
         self.assertIn(f"{crossover:.2f}", self.driver.find_element("id", "response").text)
         self.assertEqual(browser.complaints(self.driver), [])
 
+    def plot(self, name, then):
+        """Of the plot with that id."""
+        return self.js(f"return ((p) => {then})(Trammel.plots.find((p) => p.id === arguments[0]))",
+                       name)
+
+    def lines(self, name):
+        """Of a plot over time: {label: values}."""
+        return self.plot(name, "Object.fromEntries(p.series.map((s) => [s.label, [...s.data]]))")
+
+    def precise(self):
+        """Rows of precision.csv that the page shows."""
+        first = len(self.table("trace")) - len(self.rows("precision"))
+        return self.table("precision")[first:]
+
+    def table(self, name):
+        with open(self.folder / "precision" / f"{name}.csv", newline="", encoding="utf-8") as file:
+            return list(csv.DictReader(file))
+
+    def test_a_precision_page_has_its_errors_in_micrometres(self):
+        self.open("precision")
+        rows = self.precise()
+        counted = [row for row in rows if row["counted"] == "1"]
+        self.assertGreater(len(rows), len(counted))
+        for axis in "xy":
+            lines = self.lines(f"precision-{axis}")
+            for shown, row in zip(lines["error"], rows, strict=True):
+                self.assertAlmostEqual(shown, float(row[f"{axis}_error_um"]), delta=0.00051)
+            self.assertEqual(set(lines["one count"]), {5})
+            # As many samples in the bins as figures count, and where they are.
+            bins = self.plot("histogram", f"p.bins.{axis}")
+            self.assertAlmostEqual(sum(bins), 100, places=6)
+            self.assertGreater(sum(bins[15:46]), 90)
+        distance = self.lines("precision-both")["distance"]
+        mean = sum(d for d, row in zip(distance, rows, strict=True) if row["counted"] == "1")
+        error = self.metrics("precision")["error_um"]
+        self.assertAlmostEqual(mean / len(counted), error["mean"], delta=1e-3)
+        self.assertEqual(self.plot("laps", "p.title"), "Mean error of each lap")
+        self.assertEqual(browser.complaints(self.driver), [])
+
+    def test_the_contour_error_is_drawn_at_least_2000_times_larger(self):
+        self.open("precision")
+        card = self.driver.find_element("css selector", "[data-plot=contour-large]")
+        factors = card.find_elements("css selector", ".segments button")
+        self.assertEqual([f.text for f in factors][0], "\u00d72\u2009000")
+        chosen = [f.text for f in factors if f.get_attribute("aria-pressed") == "true"]
+        self.assertEqual(len(chosen), 1)
+        self.assertIn(f"10 \u00b5m, {chosen[0]}", card.text)
+        # The largest distance is that of the figures but for what the nearest place makes of it.
+        top = self.plot("contour-large", "p.top()")
+        most = self.metrics("precision")["contour_um"]["max"]
+        self.assertAlmostEqual(top, most, delta=0.02 * most + 0.01)
+
+    def test_the_spectrum_has_marks_where_speed_puts_them(self):
+        self.open("precision")
+        rows = [row for row in self.precise() if row["counted"] == "1"]
+        for axis in "xy":
+            speeds = [abs(float(row[f"{axis}_command_m_s"])) for row in rows]
+            marks = self.plot(f"spectrum-{axis}", "p.marks")
+            self.assertEqual([mark[0] for mark in marks], ["electrical", "cogging"])
+            for (_, low, high), times in zip(marks, (0.5, 1), strict=True):
+                self.assertAlmostEqual(low, sum(speeds) / len(speeds) * times / 30.5e-3, places=2)
+                self.assertAlmostEqual(high, max(speeds) * times / 30.5e-3, places=2)
+            self.assertEqual(self.js("return Trammel.page.runs[0].detail.spectrum."
+                                     f"{axis}.length"), 1025)
+
+    def test_parts_of_the_current_make_its_sum(self):
+        self.open("precision")
+        rows = [row["counted"] == "1" for row in self.precise()]
+        for axis in "xy":
+            lines = self.lines(f"parts-{axis}")
+            self.assertEqual(set(lines), {"i_q*", "acceleration", "speed", "friction", "IFF",
+                                          "feedback"})
+            whole = lines.pop("i_q*")
+            self.assertGreater(max(whole), 0.1)
+            for k, parts in enumerate(zip(*lines.values(), strict=True)):
+                if rows[k]:
+                    self.assertAlmostEqual(sum(parts), whole[k], delta=2e-3)
+            self.assertLessEqual(max(self.lines(f"command-accel-{axis}")["command"]), 8.1)
+            self.assertEqual(set(self.lines(f"command-accel-{axis}")["limit"]), {-8})
+        self.assertEqual(set(self.lines("command-speed")["limit"]), {0.5})
+
+    def test_estimates_stand_beside_the_plant(self):
+        self.open("precision")
+        for axis, mass, friction in (("x", 2.5, 3), ("y", 8, 4.8)):
+            lines = self.lines(f"estimate-mass-{axis}")
+            self.assertEqual(set(lines["plant"]), {mass})
+            self.assertAlmostEqual(lines["estimate"][-1], mass, delta=0.12 + 0.01 * mass)
+            self.assertEqual(set(self.lines(f"estimate-coulomb-{axis}")["plant"]), {friction})
+            lines = self.lines(f"estimate-force-{axis}")
+            self.assertGreater(max(lines["plant"]), 2.9)  # the cogging of 3 N
+            half = len(lines["plant"]) // 2
+            apart = [abs(a - b) for a, b in zip(lines["plant"][half:], lines["estimate"][half:],
+                                                strict=True)]
+            self.assertLess(sum(apart) / len(apart), 1)
+
+    def test_the_other_controllers_stand_beside_it(self):
+        self.open("precision")
+        metrics = self.metrics("precision")
+        rows = [row.text for row in self.driver.find_elements("css selector", "#beside tbody tr")]
+        self.assertEqual([row.split(",")[0] for row in rows], ["precision", "AFC", "FC"])
+        self.assertIn(f"{metrics['error_um']['mean']:.2f}", rows[0])
+        for name, row in zip(("AFC", "FC"), rows[1:], strict=True):
+            mean = metrics["compared"][name]["error_um"]["mean"]
+            self.assertGreater(mean, 1000)
+            self.assertIn(f"{mean:,.0f}".replace(",", "\u2009"), row)
+
+    def test_a_precision_page_is_made_again_from_its_files(self):
+        page = (self.folder / "precision" / "report.html").read_bytes()
+        self.report("precision", page="again.html")
+        self.assertEqual((self.folder / "again.html").read_bytes(), page)
+
     def test_the_page_of_a_circle_is_below_a_megabyte(self):
-        self.assertLess((self.folder / "circle" / "report.html").stat().st_size, 1_000_000)
+        for name in ("circle", "precision"):
+            self.assertLess((self.folder / name / "report.html").stat().st_size, 1_000_000)
 
     def test_dark_follows_the_system_and_the_button(self):
         ground = "return getComputedStyle(document.body).backgroundColor"
