@@ -152,7 +152,7 @@ class Page(report_pages.ReportPages):
         self.open("precision")
         card = self.driver.find_element("css selector", "[data-plot=contour-large]")
         factors = card.find_elements("css selector", ".segments button")
-        self.assertEqual([f.text for f in factors][0], "\u00d72\u2009000")
+        self.assertEqual(factors[0].text, "\u00d72\u2009000")
         chosen = [f.text for f in factors if f.get_attribute("aria-pressed") == "true"]
         self.assertEqual(len(chosen), 1)
         self.assertIn(f"10 \u00b5m, {chosen[0]}", card.text)
