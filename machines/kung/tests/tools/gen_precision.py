@@ -88,18 +88,20 @@ class Bench:
         self.program = program
         self.pool = ThreadPoolExecutor(jobs)
 
-    def run(self, path, keys):
-        """The figures of a run by their names."""
-        with tempfile.TemporaryDirectory() as folder:
-            out = Path(folder) / "run"
-            given = {"controller": "precision", "precision.compare": "false", **keys}
-            done = subprocess.run(
-                [self.program, "run", path, "--engine", "twin", "--no-report", "-o", out,
-                 *itertools.chain.from_iterable(("-s", f"{k}={v}") for k, v in given.items())],
-                capture_output=True, text=True, check=False, env={**os.environ, "PATH": "/nowhere"})
-            if not (out / "metrics.json").is_file():
-                raise SystemExit(f"gen-precision: {path}: {done.stderr.strip()}")
-            metrics = json.loads((out / "metrics.json").read_text(encoding="utf-8"))
+    def run(self, path, keys, folder=None):
+        """The figures of a run by their names; its files remain in folder/run."""
+        if folder is None:
+            with tempfile.TemporaryDirectory() as passing:
+                return self.run(path, keys, Path(passing))
+        out = folder / "run"
+        given = {"controller": "precision", "precision.compare": "false", **keys}
+        done = subprocess.run(
+            [self.program, "run", path, "--engine", "twin", "--no-report", "-o", out,
+             *itertools.chain.from_iterable(("-s", f"{k}={v}") for k, v in given.items())],
+            capture_output=True, text=True, check=False, env={**os.environ, "PATH": "/nowhere"})
+        if not (out / "metrics.json").is_file():
+            raise SystemExit(f"gen-precision: {path}: {done.stderr.strip()}")
+        metrics = json.loads((out / "metrics.json").read_text(encoding="utf-8"))
         figures = {f["id"]: f["value"] for f in metrics["figures"]}
         figures["end"] = done.returncode
         return figures
