@@ -14,6 +14,7 @@ usage: trammel verify [layer/block ...]            the promises, as trammel prov
        trammel verify --faults --short             some of them, as in the tests
        trammel verify --sensitivity [--page]       calibrated values, 20 % less and more
        trammel verify --sensitivity --short        some of them, as in the tests
+       trammel verify --acceptance                 whole specifications: all combinations of a grid
 
 A campaign makes 200 mutants of a block, runs its unit test against each, and proves what it can of
 those the test accepts: refuted by a promise, or equivalent. Its result, logs and models stay in
@@ -25,6 +26,9 @@ ones are noticed, and the outputs are off at once. --page writes docs/generated/
 
 A calibrated value is tried in the runs of runs.toml, and the change of their figures compared with
 docs/generated/sensitivity.md, which --page writes.
+
+Acceptance runs what runs.toml of a machine names: what a specification promises, measured beside
+its bars, in minutes.
 
 A key's value is tried in a short run of its machine (machines/<m>/tests/runs.toml): the run does
 what was asked, or says why not, or the value is refused; RTL and twin give the same events.
@@ -38,7 +42,7 @@ import sys
 import time
 
 from trammel_tools import machines, python_tools
-from trammel_tools.check import engines, faults, keys, sensitivity
+from trammel_tools.check import acceptance, engines, faults, keys, sensitivity
 from trammel_tools.mutation import mutant_floors, mutant_proofs, mutant_tests, mutants
 from trammel_tools.paths import ROOT
 from trammel_tools.proof import properties, prove
@@ -141,7 +145,7 @@ def sample(block, limit, floors):
 def parse(every):
     parser = python_tools.Parser(prog="trammel verify", description=__doc__)
     what = parser.add_mutually_exclusive_group()
-    for name in ("mutants", "sample", "check", "page", "engines", "keys"):
+    for name in ("mutants", "sample", "check", "page", "engines", "keys", "acceptance"):
         what.add_argument(f"--{name}", action="store_true")
     for name in ("faults", "sensitivity"):  # with --page: of them
         parser.add_argument(f"--{name}", action="store_true")
@@ -188,6 +192,8 @@ def run(arguments, every):
 
 def runs(arguments):
     """Lines of what went wrong in runs of whole machines."""
+    if arguments.acceptance:
+        return acceptance.check()
     if arguments.keys:
         return keys.check(arguments.short, arguments.seed)
     if arguments.faults:
@@ -200,7 +206,8 @@ def runs(arguments):
 def main():
     every = [b for b in lint.blocks() if mutant_tests.test_of(b).exists()]
     arguments = parse(every)
-    if arguments.engines or arguments.keys or arguments.faults or arguments.sensitivity:
+    if any((arguments.engines, arguments.keys, arguments.faults, arguments.sensitivity,
+            arguments.acceptance)):
         try:
             wrong = runs(arguments)
         except (engines.EngineError, machines.MachineError) as error:

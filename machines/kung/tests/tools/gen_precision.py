@@ -63,6 +63,10 @@ ROWS = [
     ((22.5, 1, 0, False), (0.19, 3.0), (1.08, 4.2), (0.36, 3.8), (0.82, 3.6)),
     ((22.5, 1.5, 3, True), (0.22, 3.6), (1.04, 3.5), (0.40, 4.2), (0.84, 3.9)),
 ]
+# Path, payload, friction, cogging beyond the mean of 2.0 um, with either noise: one axis of the
+# window stands, and a light one wanders within its count. None is a row of the specification.
+OUTLIERS = {("window", 0, 0.5, 0)}
+OUTLIER_MEAN = 2.3  # [um], of them; measured 2.13 to 2.19
 PARTS = {
     "as specified": {},
     "no edge time": {"precision.subcount": "false"},
@@ -171,20 +175,30 @@ def worth(bench):
 
 
 def grid(bench):
+    """Prints all of the grid; returns lines of what is beyond the bars.
+
+    The rows of the specification are held to them with every seed; of the other combinations, what
+    the page tells (OUTLIERS) may be beyond the mean.
+    """
     rows = list(itertools.product((0, 11, 22.5), (0.5, 1, 1.5), (0, 3), (False, True), (1, 2, 3)))
     runs = [(path, row) for row in rows for path in PATHS]
     figures = bench.all([(path, keys_of(*row)) for path, row in runs])
-    wrong = 0
+    wrong, known = [], 0
     for (path, row), one in zip(runs, figures):
         for what in outside(one, row[0]):
-            print(f"{path}, {row_name(*row[:4])}, seed {row[4]}: {what}")
-            wrong += 1
+            text = f"{path}, {row_name(*row[:4])}, seed {row[4]}: {what}"
+            outlier = (path, *row[:3]) in OUTLIERS and one.get("error_um.mean", 99) <= OUTLIER_MEAN
+            if outlier and what.startswith("error_um.mean"):
+                known += 1
+                print(f"known: {text}")
+            else:
+                wrong.append(text)
     for path in PATHS:
         own = [one for (of, _), one in zip(runs, figures) if of == path]
         print(f"{path}: worst mean {max(f['error_um.mean'] for f in own):.2f} um, "
               f"max {max(f['error_um.max'] for f in own):.1f} um of {len(own)} runs")
-    print(f"precision: {len(runs)} runs, {wrong} findings")
-    return 1 if wrong else 0
+    print(f"precision: {len(runs)} runs, {len(wrong)} findings, {known} known outliers")
+    return wrong
 
 
 def picture(bench):
@@ -232,7 +246,10 @@ def main():
         return 3
     bench = Bench(arguments.program.resolve(), arguments.jobs)
     if arguments.grid:
-        return grid(bench)
+        wrong = grid(bench)
+        for one in wrong:
+            print(f"gen-precision: {one}", file=sys.stderr)
+        return 1 if wrong else 0
     wrong = []
     page = PAGE.read_text(encoding="utf-8")
     made = with_tables(page, {"first lap": first_lap(bench, wrong), "worth": worth(bench)})
