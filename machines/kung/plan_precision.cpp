@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
 #include <string>
 
 #include "machines/kung/plan_feed.hpp"
@@ -202,6 +203,12 @@ AxisEstimate estimate_of(const Options& options, std::size_t axis,
   e.cogging_sine_N = theta[E::kSine] / units.force;
   e.cogging_cosine_N = theta[E::kCosine] / units.force;
   e.force_N = theta[E::kForce] / units.force;
+  const sw::EstimatorSetup range = plan_estimator(options, axis);
+  const std::int32_t most = 4 * range.coulomb;
+  e.mass_limited = theta[E::kMass] <= range.mass_min || theta[E::kMass] >= range.mass_max;
+  e.viscous_limited = theta[E::kViscous] <= 0 || theta[E::kViscous] >= 3 * range.viscous;
+  e.coulomb_limited = theta[E::kCoulomb] <= 0 || theta[E::kCoulomb] >= most;
+  e.cogging_limited = std::abs(theta[E::kSine]) >= most || std::abs(theta[E::kCosine]) >= most;
   return e;
 }
 

@@ -20,7 +20,7 @@ sw::PrecisionSetup plan_precision(const Options& options, const sw::KungSetup& s
 
 inline constexpr int kKnee = 4;  // friction is complete at a sixteenth of its speed word
 
-// Estimates in physical units.
+// Estimates in physical units, and which of them are at the ends of their ranges.
 AxisEstimate estimate_of(const Options& options, std::size_t axis,
                          const sw::Estimator::Theta& theta);
 // The same from the words that the chip was told; cogging and force are one current there.

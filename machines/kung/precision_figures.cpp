@@ -64,18 +64,24 @@ void add_estimates(std::vector<lab::Figure>& list, const Options& options, const
                                                 : told_estimate(options, a, result.laws.back()[a]);
     const plant::AxisConfig& plant = options.plant.axis[a];
     const std::string axis = a == 0 ? "x" : "y", name = a == 0 ? "X" : "Y";
-    const auto add = [&](const char* id, const char* row, double value, double truth,
+    const auto add = [&](const char* id, const char* row, double value, bool limited, double truth,
                          const char* unit) {
-      list.push_back(lab::figure(axis + ".estimate." + id, fmt::format("{} of {}", row, name),
-                                 "estimate", value, unit, 2));
+      const char* what = !found.taught ? "not estimated, start value"
+                         : limited     ? "at the limit of"
+                                       : "estimate";
+      list.push_back(lab::figure(axis + ".estimate." + id, fmt::format("{} of {}", row, name), what,
+                                 value, unit, 2));
       list.push_back(lab::figure(axis + ".estimate." + id + "_true",
                                  fmt::format("{} of {}", row, name), "plant", truth, unit, 2));
     };
-    add("mass_kg", "mass", found.mass_kg, plant.mass_kg + plant.payload_kg, "kg");
-    add("friction_N", "Coulomb friction", found.coulomb_N, plant.coulomb_n, "N");
-    add("viscous_N_s_m", "viscous friction", found.viscous_N_s_m, plant.viscous_n_s_m, "N s/m");
+    add("mass_kg", "mass", found.mass_kg, found.mass_limited, plant.mass_kg + plant.payload_kg,
+        "kg");
+    add("friction_N", "Coulomb friction", found.coulomb_N, found.coulomb_limited, plant.coulomb_n,
+        "N");
+    add("viscous_N_s_m", "viscous friction", found.viscous_N_s_m, found.viscous_limited,
+        plant.viscous_n_s_m, "N s/m");
     if (!result.estimates) continue;  // it was told with the force at one place
-    add("cogging_N", "cogging", found.cogging_N(), plant.cogging_n, "N");
+    add("cogging_N", "cogging", found.cogging_N(), found.cogging_limited, plant.cogging_n, "N");
   }
 }
 

@@ -118,6 +118,9 @@ struct AxisEstimate {
   double mass_kg = 0, viscous_N_s_m = 0, coulomb_N = 0;
   double cogging_sine_N = 0, cogging_cosine_N = 0;  // of pi x / pole pitch, doubled
   double force_N = 0;
+  bool taught = true;  // the axis moved: else these are the start values
+  bool mass_limited = false, viscous_limited = false, coulomb_limited = false,
+       cogging_limited = false;  // at the ends of their ranges
 
   double cogging_N() const { return std::hypot(cogging_sine_N, cogging_cosine_N); }
 };

@@ -4,6 +4,9 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "machines/kung/plan.hpp"
+#include "machines/kung/plan_precision.hpp"
+
 using namespace trammel;
 using namespace trammel::kung;
 using ideal::Move;
@@ -73,4 +76,19 @@ TEST_CASE("a mass at the end of its range for 0.2 s and an error beyond its word
   result.error_limited[0] = 20;
   CHECK(range_lines(options, result)[0] ==
         "warning: the error of X was above the 10.24 mm that the controller tells for 0.01 s");
+}
+
+TEST_CASE("an estimate at an end of its range is known as such") {
+  Options options;
+  options.controller = Controller::kPrecision;
+  PathStore store;
+  const sw::EstimatorSetup words = plan_firmware(options, store).precision.axis[0].estimator;
+  sw::Estimator::Theta theta{words.mass, words.viscous, words.coulomb, 0, 0, 0};
+  const AxisEstimate free = estimate_of(options, 0, theta);
+  CHECK_FALSE((free.mass_limited || free.viscous_limited || free.coulomb_limited));
+  CHECK_FALSE(free.cogging_limited);
+  theta = {words.mass_min, 0, 4 * words.coulomb, 0, -4 * words.coulomb, 0};
+  const AxisEstimate ends = estimate_of(options, 0, theta);
+  CHECK((ends.mass_limited && ends.viscous_limited && ends.coulomb_limited));
+  CHECK(ends.cogging_limited);
 }

@@ -209,3 +209,18 @@ TEST_CASE("figures against the command are there for each controller on the feed
   const auto constant = run("circle", {"controller=afc"});
   for (const lab::Figure& f : constant.figures) CHECK(f.id != "error_um.mean");
 }
+
+TEST_CASE("what is shown of an axis that never moved is its start value") {
+  const auto record = run("circle", {"path.kind=line", "path.line_start_x_m=0.2",
+                                     "path.line_end_x_m=0.21", "path.line_start_y_m=0.2",
+                                     "path.line_end_y_m=0.2", "precision.identify=false"});
+  const auto shown_as = [&record](const std::string& id) -> std::string {
+    for (const lab::Figure& f : record.figures) {
+      if (f.id == id) return f.column;
+    }
+    return "";
+  };
+  CHECK(shown_as("y.estimate.mass_kg") == "not estimated, start value");
+  CHECK(figure(record, "y.estimate.mass_kg") == Approx(15.6).margin(0.01));
+  CHECK(shown_as("x.estimate.mass_kg") == "estimate");
+}
