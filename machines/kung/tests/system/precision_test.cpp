@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@
 #include "machines/kung/precision_figures.hpp"
 #include "machines/kung/precision_trace.hpp"
 #include "machines/kung/words.hpp"
+#include "tests/support/random_gcode.hpp"
 #include "tests/support/scratch.hpp"
 
 using namespace trammel;
@@ -223,4 +225,21 @@ TEST_CASE("what is shown of an axis that never moved is its start value") {
   CHECK(shown_as("y.estimate.mass_kg") == "not estimated, start value");
   CHECK(figure(record, "y.estimate.mass_kg") == Approx(15.6).margin(0.01));
   CHECK(shown_as("x.estimate.mass_kg") == "estimate");
+}
+
+// Of the full tier: ten programs take a minute.
+TEST_CASE("programs in G-code are followed within the bars of every path", "[.][gcode]") {
+  for (unsigned seed = 1; seed <= 10; ++seed) {
+    CAPTURE(seed);
+    const test::Scratch folder("precision_gcode");
+    const std::string file = (folder.path / "a.ngc").string();
+    std::ofstream(file, std::ios::binary) << test::RandomGcode(seed, 40).text;
+    const auto record =
+        run("circle", {"path.kind=gcode", "run.max_s=300", "path.gcode_file=" + file});
+    REQUIRE(record.result->end == cosim::EndReason::kDone);
+    const double mean = figure(record, "error_um.mean"), most = figure(record, "error_um.max");
+    fmt::print("seed {}: mean {:.2f} um of 2, max {:.1f} um of 15\n", seed, mean, most);
+    CHECK(mean <= 2.0);
+    CHECK(most <= 15.0);
+  }
 }
