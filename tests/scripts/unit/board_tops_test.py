@@ -59,16 +59,27 @@ def connections(text):
     return chip, re.findall(r"\.(\w+) *\((.*?)\)(?:,|$)", body, re.M)
 
 
-def faults(top, chip_ports, given, pins):
-    """One line for each port that is not where it should be."""
+def beside(text, chip):
+    """Blocks of ours in a top beside its IC: {module: pairs of a port and what is at it}."""
+    found = {}
+    for name, body in re.findall(r"^  (\w+)(?: #\([^;]*?\n  \))? u_\w+ \((.*?)\n  \);", text,
+                                 re.M | re.S):
+        if name != chip and any(ROOT.glob(f"rtl/*/{name}.sv")):
+            found[name] = re.findall(r"\.(\w+) *\((.*?)\)(?:,|$)", body, re.M)
+    return found
+
+
+def faults(top, chip_ports, given, pins, block=None):
+    """One line for each port that is not where it should be, of the IC or of a block beside it."""
     others = OTHERS.get(top, {})
+    others = others.get(block, {}) if block else others
     found = []
     for port, direction in chip_ports.items():
         at = [what for name, what in given if name == port]
         wanted = others.get(port, port)
         if at != [wanted]:
-            found.append(f"{top}: port {port} of the IC is at {' and '.join(at) or 'nothing'}, "
-                         f"wanted {wanted}")
+            found.append(f"{top}: port {port} of {block or 'the IC'} is at "
+                         f"{' and '.join(at) or 'nothing'}, wanted {wanted}")
         elif port not in others and pins.get(port) != direction:
             found.append(f"{top}: pin {port} is {pins.get(port, 'not there')}, wanted {direction}")
     return found
@@ -85,6 +96,19 @@ class BoardTopsTest(unittest.TestCase):
             self.assertGreater(len(ports), 14, chip)
             self.assertEqual(faults(path.stem, ports, given, module(text)), [])
 
+    def test_each_port_of_a_block_beside_the_ic_is_where_its_table_says(self):
+        tables = {(top, name) for top, others in OTHERS.items()
+                  for name, what in others.items() if isinstance(what, dict)}
+        found = set()
+        for path in tops():
+            text = path.read_text()
+            for name, given in beside(text, connections(text)[0]).items():
+                source, = ROOT.glob(f"rtl/*/{name}.sv")
+                found.add((path.stem, name))
+                self.assertEqual(faults(path.stem, module(source.read_text()), given,
+                                        module(text), name), [])
+        self.assertEqual(found, tables)
+
     def test_a_pll_makes_the_clock_of_its_ic_and_holds_it_until_it_has_locked(self):
         found = {}
         for path in tops():
@@ -99,13 +123,14 @@ class BoardTopsTest(unittest.TestCase):
         for path in tops():
             text = path.read_text()
             _, given = connections(text)
-            used = {what for _, what in given} | set(OTHERS[path.stem].values())
-            beside = {pin for pin, direction in module(text).items()
-                      if direction == "output" and pin not in used}
+            used = {what for _, what in given}
+            used |= {what for what in OTHERS[path.stem].values() if isinstance(what, str)}
+            alone = {pin for pin, direction in module(text).items()
+                     if direction == "output" and pin not in used}
             assigned = {pin: " ".join(what.split()) for pin, what in
                         re.findall(r"^  assign (\w+) *= (.*?);", text, re.M | re.S)}
-            if beside & set(assigned):
-                found[path.stem] = {pin: assigned[pin] for pin in beside & set(assigned)}
+            if alone & set(assigned):
+                found[path.stem] = {pin: assigned[pin] for pin in alone & set(assigned)}
         self.assertEqual(found, DRIVEN)
 
     def test_pins_exchanged_or_left_open_are_told(self):
