@@ -217,6 +217,11 @@ TEST_CASE("a corrupt folder is one line that names the file, and the old page st
     write_text(trace_file, trace.substr(0, trace.rfind('\n', trace.size() - 2) + 1));
     check_refused(folder, "trace.csv: is corrupt: " + std::to_string(rows - 1) +
                               " samples, but the run recorded " + std::to_string(rows));
+    for (std::size_t cut = 1; cut <= 3; ++cut) {  // what is left may still read as numbers
+      INFO("without its last " << cut << " bytes");
+      write_text(trace_file, trace.substr(0, trace.size() - cut));
+      check_refused(folder, "trace.csv: is corrupt: line " + std::to_string(rows + 1) + " ");
+    }
     write_text(trace_file, trace);
     replace(trace_file, machine.columns().columns[1].name, "medal");
     check_refused(folder, "trace.csv: is corrupt: line 1 does not name the columns of a trace");

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The runs that a run is compared with: made after one that ended well, and after no other.
+#include <catch2/catch.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lab/machine.hpp"
+#include "lab/record.hpp"
+#include "lab/scenarios.hpp"
+#include "tests/support/short_run.hpp"
+
+using namespace trammel;
+using cosim::EndReason;
+
+TEST_CASE("a run that did not end well is compared with nothing") {
+  std::size_t compared = 0;
+  for (const auto& file : lab::scenarios()) {
+    const auto settings = lab::load_scenario(file);
+    const lab::Machine& machine = settings->machine();
+    if (machine.companions == nullptr) continue;
+    const auto wanted = machine.companions(*settings);
+    if (wanted.empty()) continue;
+    INFO("scenario " << settings->scenario);
+    for (const EndReason end : {EndReason::kDone, EndReason::kFault, EndReason::kDiverged,
+                                EndReason::kMissed, EndReason::kTimeout, EndReason::kStopped,
+                                EndReason::kPromise}) {
+      INFO("a run that ended as " << lab::end_text(end));
+      std::size_t runs = 0;
+      const lab::Record record = lab::run_by(
+          [&](const lab::Settings& one, const cosim::Hooks&) {
+            return test::short_result(one, ++runs == 1 ? end : EndReason::kDone);
+          },
+          *settings);
+      const bool compares = end == EndReason::kDone;
+      CHECK(runs == (compares ? 1 + wanted.size() : 1));
+      CHECK(record.result->end == end);
+      REQUIRE(record.companions.size() == (compares ? wanted.size() : 0));
+      for (std::size_t k = 0; k < record.companions.size(); ++k) {
+        CHECK(record.companions[k].name == wanted[k].name);
+      }
+    }
+    if (++compared == 3) break;
+  }
+  CHECK(compared > 0);
+}
