@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is printed on stderr, for tests of messages that no exception carries.
+// What is printed on stderr or stdout, for tests of what no exception or value carries.
 #pragma once
 
 #include <unistd.h>
@@ -11,14 +11,15 @@
 
 namespace trammel::test {
 
-inline std::string told(const std::function<void()>& act) {
+// What an act prints on a stream.
+inline std::string printed_on(std::FILE* stream, const std::function<void()>& act) {
   std::FILE* const file = std::tmpfile();
-  std::fflush(stderr);
-  const int before = dup(STDERR_FILENO);
-  dup2(fileno(file), STDERR_FILENO);
+  std::fflush(stream);
+  const int before = dup(fileno(stream));
+  dup2(fileno(file), fileno(stream));
   act();
-  std::fflush(stderr);
-  dup2(before, STDERR_FILENO);
+  std::fflush(stream);
+  dup2(before, fileno(stream));
   close(before);
   std::string text;
   std::rewind(file);
@@ -26,5 +27,8 @@ inline std::string told(const std::function<void()>& act) {
   std::fclose(file);
   return text;
 }
+
+inline std::string told(const std::function<void()>& act) { return printed_on(stderr, act); }
+inline std::string printed(const std::function<void()>& act) { return printed_on(stdout, act); }
 
 }  // namespace trammel::test

@@ -15,6 +15,12 @@
 using namespace trammel;
 using Catch::Contains;
 
+// Ahead of the next case: of a stream that takes no more nothing is asked again.
+TEST_CASE("of a result no control character reaches a terminal, lines and columns do") {
+  CHECK(test::printed([] { testbench::print("a\x1b[31m\n\tb\r\x7f\n"); }) ==
+        "a\\u001b[31m\n\tb\\u000d\\u007f\n");
+}
+
 TEST_CASE("a result that standard output does not take makes the exit code 2, with its reason") {
   testbench::guard_streams();
   CHECK(testbench::settled(5) == 5);

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What `trammel doctor` says of programs that are missing: each by itself makes the exit code 3.
+#include <sys/stat.h>
+
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "testbench/run.hpp"
+#include "tests/support/scratch.hpp"
+#include "tests/support/told.hpp"
+
+using namespace trammel;
+using Catch::Contains;
+
+TEST_CASE("the doctor exits with 3 for each program that is missing, and names it") {
+  const test::Scratch scratch("doctor_test_out");
+  const test::NoPrograms none;
+  int code = 0;
+  const std::string told = test::printed([&] { code = testbench::doctor(true); });
+  CHECK(code == 3);
+  const auto tools = nlohmann::json::parse(told)["tools"];
+  REQUIRE(tools.size() >= 3);
+  for (const auto& [name, where] : tools.items()) CHECK(where == "");
+
+  setenv("PATH", scratch.path.c_str(), 1);
+  for (const auto& [name, where] : tools.items()) {
+    std::ofstream(scratch.path / name) << "#!/bin/sh\n";
+    chmod((scratch.path / name).c_str(), 0755);
+  }
+  test::printed([&] { code = testbench::doctor(false); });
+  CHECK(code == 0);
+  for (const auto& [name, where] : tools.items()) {
+    INFO("without " << name);
+    chmod((scratch.path / name).c_str(), 0644);  // no program
+    const std::string text = test::printed([&] { code = testbench::doctor(false); });
+    CHECK(code == 3);
+    const std::string line = text.substr(text.find("\n" + name) + 1);
+    CHECK_THAT(line.substr(0, line.find('\n')), Contains(" MISSING "));
+    chmod((scratch.path / name).c_str(), 0755);
+  }
+}
