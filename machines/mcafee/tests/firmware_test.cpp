@@ -60,6 +60,7 @@ struct McafeeBench {
   SpiedChip chip;
   XyFollower follower{chip};
   McafeeApp app;
+  bool stands = false;  // the table does not follow
 
   struct Watch final : cosim::Observer {
     McafeeBench* bench = nullptr;
@@ -70,7 +71,7 @@ struct McafeeBench {
     int rests = 0;                 // samples between them in which X stood
     std::array<std::int64_t, 2> target{};
     void on(const cosim::Stop& stop, const cosim::Chip& c, const cosim::Plant& p) override {
-      bench->follower.on(stop, c, p);
+      if (!bench->stands) bench->follower.on(stop, c, p);
       if ((stop.why & cosim::kSample) == 0) return;
       const auto& desired = bench->chip.part(0).engine().desired();
       if (desired.speed != 0 || desired.position >> 16 != last) ++moving;
@@ -295,6 +296,17 @@ TEST_CASE("at full speed an axis stands for one sample at most between rows of a
   CHECK(bench.app.mailbox().real[0] == 600);
   CHECK(bench.watch.starts == 12);
   CHECK(bench.watch.rests <= 11);
+}
+
+TEST_CASE("the rows end with the desired positions, wherever the table is") {
+  const std::vector<McafeeRow> rows(3, McafeeRow{0, 0, 255, 255, 40, -30});
+  McafeeBench bench(tracking(rows));
+  bench.stands = true;
+  bench.run(5);
+  CHECK(bench.app.mailbox().done);
+  CHECK(failure_of(bench.app) == McafeeFailure::kNone);
+  CHECK(bench.app.mailbox().real[0] == 0);
+  CHECK(bench.app.mailbox().real[1] == 0);
 }
 
 TEST_CASE("where one axis alone moves a sample parts nothing, however slow the processor is") {
