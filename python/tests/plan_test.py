@@ -58,6 +58,13 @@ class Points(unittest.TestCase):
         self.assertAlmostEqual(first.mean(), 10, delta=0.2)
         self.assertAlmostEqual(first.std(), 2, delta=0.15)
 
+    def test_each_part_draws_its_own(self):
+        for drawn in ("random", "latin"):
+            part = f'[[part]]\n{HEAD}[part.{drawn}]\ncount = 40\n"plant.payload_kg" = [0.0, 9.0]\n'
+            both = values(plan(part + part), "plant.payload_kg")
+            self.assertTrue((both[:40] != both[40:]).all(), drawn)
+            np.testing.assert_array_equal(both[:40], values(plan(part), "plant.payload_kg"))
+
     def test_whole_numbers_stay_whole(self):
         found = plan(HEAD + '[random]\ncount = 400\n"run.window_clk" = [1, 4]\n')
         drawn = values(found, "run.window_clk")

@@ -207,6 +207,13 @@ class Shapes(unittest.TestCase):
         self.assertEqual(self.result.metrics["tracking"]["model"]["mean_mm"], float(figure))
         self.assertEqual(pickle.loads(pickle.dumps(figure)).unit, "mm")
 
+    def test_a_figure_is_good_within_its_tolerance_on_either_side(self):
+        for value, expected, good in ((2.0, 2.1, True), (2.2, 2.1, True), (1.9, 2.1, False),
+                                      (2.3, 2.1, False), (2.0, None, True)):
+            figure = trammel.Figure(value, "mm", expected=expected, tolerance=0.125)
+            for same in (figure, pickle.loads(pickle.dumps(figure))):
+                self.assertEqual(same.good, good, (value, expected))
+
     def test_a_data_frame(self):
         frame = self.result.to_pandas()
         self.assertEqual(list(frame), list(self.result))
