@@ -20,7 +20,7 @@ constexpr cosim::Clk kMs = 50'000;  // [clk]
 
 // A step that is asked for at 0.1 s, to 300 or back, in samples of 1 ms up to 1.1 s: off by 50 %
 // until 0.2 s, by 10 % beyond it until 0.3 s, by -1 % until the end, with a swing of 2 mm over the
-// last quarter and one of 20 mm in the middle of the time before it.
+// last quarter, one of 20 mm in the middle of the time before it and one sample off just before.
 Result by_hand(const Options& options) {
   const double step = options.reference_mm - options.from_mm;
   Result result;
@@ -31,6 +31,7 @@ Result by_hand(const Options& options) {
     if (ms >= 200 && ms < 300) off = 0.1 * step;
     if (ms >= 500 && ms < 510) off = -10;
     if (ms >= 510 && ms < 520) off = 10;
+    if (ms == 840) off += 0.015 * step;  // in the last quarter of the run, not of the step
     if (ms == 900) off += 1;
     if (ms == 1000) off -= 1;
     Sample s;
