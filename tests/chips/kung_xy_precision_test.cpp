@@ -125,6 +125,19 @@ TEST_CASE("the words of a COMMIT are taken by the next knot, 32 ticks after the 
   }
 }
 
+TEST_CASE("an i_q* beyond its range is saturated and told by the status of its axis") {
+  KungBench chip;
+  leave_reset(chip);
+  write_window(chip, reg::kX, 1, 1 << 24);
+  for (int knot = 0; knot < 3; ++knot) {
+    chip.write(reg::kCommit, reg::kCommitTake);
+    wait(chip, 32 * 3125);
+  }
+  CHECK(chip.read_signed(reg::kX + reg::kIqCmd) == 2047);
+  CHECK((chip.read(reg::kX + reg::kStatus) & reg::kStatusSaturated) != 0);
+  CHECK((chip.read(reg::kY + reg::kStatus) & reg::kStatusSaturated) == 0);
+}
+
 TEST_CASE("an error beyond 2048 counts is clipped and told, and PREC_ERR shows it") {
   KungBench chip;
   leave_reset(chip);

@@ -202,6 +202,8 @@ TEST_CASE("M-14 a byte written to 164003 leaves the register, and is counted") {
   CHECK(bench.word(kXStatus) == (kEnable | kForward | 01234));
   CHECK(bench.word(kYCount) == 0177777);
   CHECK(bench.errors() == 3);
+  for (int k = 3; k < 300; ++k) bench.movb(kXStatus, 0377);
+  CHECK(bench.errors() == 300);
 }
 
 TEST_CASE("larson_xy: a start with 177777 is done at once; enabling a done event interrupts") {
