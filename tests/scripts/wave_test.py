@@ -116,6 +116,14 @@ class WaveTest(unittest.TestCase):
         self.assertEqual(document["first"][0],
                          {"t_s": 3e-7, "signal": "top.u_a[1].e", "a": 1, "b": 7})
 
+    def test_a_change_that_comes_later_in_one_file_shows_what_each_holds_until_then(self):
+        one = self.file("a.vcd", BASE)
+        for moved, told in (({1000: "", 1100: "1#\n"}, "1 us              top.high: 1 and 0"),
+                            ({1000: "", 900: "1#\n"}, "900 ns            top.high: 0 and 1")):
+            two = self.file("b.vcd", {**BASE, **moved})
+            code, out, _ = self.run_wave("compare", one, two)
+            self.assertEqual((code, out.split("\n")[0]), (1, told))
+
     def test_only_the_window_counts_with_the_values_it_begins_with(self):
         one = self.file("a.vcd", BASE)
         two = self.file("b.vcd", {**BASE, 200: "", 300: '0"\n'})
