@@ -89,6 +89,7 @@ TEST_CASE("larson_ice40_up5k agrees with its twin in 12 MHz, and reads back what
     if (random() % 20 == 0) {
       for (unsigned word = 0; word < 4; ++word) {
         const auto axis = board.twin.axis(word / 2);
+        CAPTURE(word);  // X count and status, Y count and status
         REQUIRE(board.read(word) == ((word & 1) != 0 ? axis.status : axis.count));
       }
       board.tick();  // the bus turns
