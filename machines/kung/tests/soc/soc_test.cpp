@@ -11,6 +11,7 @@
 
 #include "machines/kung/tests/soc/runs.hpp"
 #include "machines/kung/tests/soc/soc_chip.hpp"
+#include "sw_nios/hal/soc_map.hpp"
 
 using namespace trammel;
 using namespace trammel::test;
@@ -307,11 +308,42 @@ TEST_CASE("what is behind the memory or the registers is not answered and trips,
   for (const Load& one : {Load{0x00010537, 0xFFC52503, true},   // the last of 16,384 words
                           Load{0x00010537, 0x00052503, false},  // the next one
                           Load{0x80000537, 0x3FC52503, true},   // 1 KiB of registers
-                          Load{0x80000537, 0x40052503, false}}) {
+                          Load{0x80000537, 0x40052503, false},
+                          Load{0xC0000537, 0x00452503, true},     // UART
+                          Load{0xC0000537, 0x00852503, true},     // WAIT_SEND: it can send
+                          Load{0xC0000537, 0x00C52503, false},    // between them and the next 16
+                          Load{0xC0000537, 0x01052503, false}}) {
     CAPTURE(one.upper, one.load);
     test::SocChip chip({one.upper, one.load, 0x0000006F});  // then a loop
     for (int n = 0; n < 40; ++n) chip.clock();
     CHECK((chip.pins().status_o >> 2 & 3) == (one.answered ? 0 : 3));  // tripped, trapped
+  }
+}
+
+TEST_CASE("a read of the serial port has the byte, the bytes lost and the flag in their places") {
+  constexpr int kBit = 434, kWait = 128, kRead = 129;  // [clk], [word]
+  // lui a0, 0xC0000; lw a1, kWait; beq a1, x0, -4; lw a2, 4 (a0); sw a2, kRead
+  const std::vector<std::uint32_t> program{0xC0000537, 0x20002583, 0xFE058EE3, 0x00452603,
+                                           0x20C02223, 0x0000006F};
+  for (const int sent : {0, 1, 16, 19}) {  // 16 have a place
+    CAPTURE(sent);
+    test::SocChip chip(program);
+    Vkung_soc& pins = chip.pins();
+    auto& words = pins.rootp->kung_soc__DOT__u_host__DOT__u_ram__DOT__words;
+    for (int n = 0; n < sent; ++n) {
+      const int frame = (0x41 + n) << 1 | 1 << 9;
+      for (int bit = 0; bit < 10; ++bit) {
+        pins.uart_rx_i = frame >> bit & 1;
+        for (int k = 0; k < kBit; ++k) chip.clock();
+      }
+    }
+    words[kRead] = 0xFFFFFFFF;
+    words[kWait] = 1;
+    for (int k = 0; k < 100; ++k) chip.clock();
+    const std::uint32_t read = words[kRead], lost = sent > 16 ? sent - 16 : 0;
+    CHECK((read & sw::soc_map::kUartEmpty) == (sent == 0 ? sw::soc_map::kUartEmpty : 0));
+    CHECK((read >> sw::soc_map::kUartLostShift & 0xFFFF) == lost);
+    if (sent > 0) CHECK((read & 0xFF) == 0x41);
   }
 }
 
