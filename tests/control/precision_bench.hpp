@@ -20,6 +20,16 @@ using exact::PrecisionKnots;
 using exact::PrecisionStore;
 using Word = PrecisionStore::Word;
 
+// The words in the RTL; in the flat netlist of its mutants they have the second name.
+template <class Root>
+auto words_of(Root& root, int) -> decltype((root.precision__DOT__u_store__DOT__mem_q)) {
+  return root.precision__DOT__u_store__DOT__mem_q;
+}
+template <class Root>
+auto words_of(Root& root, long) -> decltype((root.precision__DOT__u_store__02Emem_q)) {
+  return root.precision__DOT__u_store__02Emem_q;
+}
+
 struct PrecisionBench {
   struct Axis {
     bool enable = true, reset = false;
@@ -70,7 +80,7 @@ struct PrecisionBench {
 
   // A stored word of the RTL, any of the 64 of an axis.
   auto& cell(unsigned n, int word) {
-    return rtl->rootp->precision__DOT__u_store__DOT__mem_q[64 * n + static_cast<unsigned>(word)];
+    return words_of(*rtl->rootp, 0)[64 * n + static_cast<unsigned>(word)];
   }
   std::int64_t get(unsigned n, int word) { return as_signed(cell(n, word), 48); }
   void put(unsigned n, int word, std::int64_t value) {

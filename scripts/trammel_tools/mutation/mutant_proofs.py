@@ -116,9 +116,7 @@ def refuted_by(block, number, limit):
         return None
     props = properties.read(block)
     folder = mutants.folder_of(block)
-    # The bound properties see the block's parameters by name.
-    constants = [f"  localparam {line};\n" for line in re.findall(
-        r"^ *parameter +(.+?),?$", source.read_text(encoding="utf-8"), re.M)]
+    constants = parameters(source.read_text(encoding="utf-8"))
     constants.append(f"  localparam logic [{mutants.WIDTH - 1}:0] {mutants.SELECTOR} = {number};\n")
     netlist = mutants.with_selector(block, "mutants.v", "".join(constants), "mutant.sv")
     model = formal.Model("promises", only=props.promises, changed={
@@ -127,6 +125,12 @@ def refuted_by(block, number, limit):
     labels = formal.read_labels(folder, "promises", said)
     broken, _ = abc.reach(folder, "promises", labels, props.frames, limit)
     return min(broken, key=broken.get) if broken else None
+
+
+def parameters(text):
+    """Those of a module as constants: the bound properties see them by name."""
+    return [f"  localparam {line};\n" for line in re.findall(
+        r"^ *parameter +(.+?),?(?: *//.*)?$", text, re.M)]
 
 
 def named_bind(path):

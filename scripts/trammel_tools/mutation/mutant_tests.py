@@ -39,9 +39,12 @@ def test_of(block):
 
 
 def files_of(block):
-    """The test, and its parts <stem>_<part>_test.cpp."""
+    """The test, and its parts <stem>_<part>_test.cpp that are not the test of another block."""
     test = test_of(block)
-    return [test, *sorted(test.parent.glob(f"{test.stem.removesuffix('_test')}_*_test.cpp"))]
+    parts = sorted(test.parent.glob(f"{test.stem.removesuffix('_test')}_*_test.cpp"))
+    blocks = RTL / block.split("/")[0]
+    return [test, *(part for part in parts
+                    if not (blocks / f"{part.stem.removesuffix('_test')}.sv").exists())]
 
 
 def build(block):

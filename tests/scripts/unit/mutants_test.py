@@ -4,7 +4,7 @@
 from unittest import mock
 
 from scratch import Scratch, call
-from trammel_tools.mutation import mutant_floors, mutant_tests, mutants, verify
+from trammel_tools.mutation import mutant_floors, mutant_proofs, mutant_tests, mutants, verify
 
 SOURCE = """module toy (input logic clk_i);
   // a comment
@@ -216,4 +216,17 @@ class MutantTestsTest(Scratch):
         self.patch(mutant_tests, ROOT=self.folder)
         test = self.write("tests/math/toy_test.cpp", "")
         part = self.write("tests/math/toy_edges_test.cpp", "")
+        self.patch(mutant_tests, RTL=self.folder / "rtl")
+        self.write("tests/math/toy_store_test.cpp", "")
+        self.write("rtl/math/toy_store.sv", "")  # another block
         self.assertEqual(mutant_tests.files_of("math/toy"), [test, part])
+
+
+class MutantProofsTest(Scratch):
+    def test_promises_see_the_parameters(self):
+        text = """module toy #(
+    parameter int unsigned Period = 3125,
+    parameter logic A = 1  // a comment
+"""
+        self.assertEqual(mutant_proofs.parameters(text), [
+            "  localparam int unsigned Period = 3125;\n", "  localparam logic A = 1;\n"])
