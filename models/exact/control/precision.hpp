@@ -149,10 +149,12 @@ class Precision {
   void take(Knot knot, const Word& word) {
     using W = PrecisionStore::Word;
     const bool commit = knot == Knot::kCommit;
+    // A factor takes 35 bits: points beyond, which coasting alone can reach, wrap there.
+    const auto x = [](std::int64_t point) { return fixed::wrap(point, 35); };
     const std::int64_t c = commit                ? word(W::kC)
-                           : knot == Knot::kCoast ? fixed::wrap(2 * s_.c1 - s_.c2, 48)
+                           : knot == Knot::kCoast ? 2 * x(s_.c1) - x(s_.c2)
                                                   : s_.c1;
-    s_.j = fixed::wrap(c - 3 * s_.c1 + 3 * s_.c2 - s_.c3, 48);
+    s_.j = x(c) - 3 * x(s_.c1) + 3 * x(s_.c2) - x(s_.c3);
     s_.c3 = s_.c2;
     s_.c2 = s_.c1;
     s_.c1 = c;
