@@ -60,16 +60,20 @@ def stopwatch():
     return lambda: time.monotonic() - begin
 
 
-def judge(block, mutant, limit):
+def judge(block, mutant, limit, promises=True):
     """(kind of row, row) for a mutant that the unit test accepts."""
     row = {"number": mutant.number, "mutation": mutant.words}
+
+    def refuted_by(seconds):
+        return promises and mutant_proofs.refuted_by(block, mutant.number, seconds)
+
     # A brief search of the promises first: some mutants are long in proving that they differ.
-    label = mutant_proofs.refuted_by(block, mutant.number, min(BRIEF, limit))
+    label = refuted_by(min(BRIEF, limit))
     if not label:
         verdict, detail = mutant_proofs.compare(block, mutant.number, limit)
         if verdict == "equivalent":
             return "equivalent", {**row, "proof": detail}
-        label = mutant_proofs.refuted_by(block, mutant.number, limit)
+        label = refuted_by(limit)
     if label:
         return "promise", {**row, "label": label}
     return "left", {**row, "why": detail}
@@ -83,8 +87,12 @@ def explain(block, accepted, limit):
     if mutant_proofs.compare(block, 0, limit)[0] != "equivalent":
         raise mutants.MutationError("control: the netlist without a mutant is not the block, or "
                                     "that takes longer: --limit")
+    # Properties that see a memory see it nowhere in the flat netlist.
+    label = mutant_proofs.refuted_by(block, 0, limit)
+    if label:
+        print(f"  {block}: no promise is asked: {label} fails without a mutant", flush=True)
     for mutant in accepted:
-        yield (mutant, *judge(block, mutant, limit))
+        yield (mutant, *judge(block, mutant, limit, promises=not label))
 
 
 def campaign(block, limit, afresh, floors):

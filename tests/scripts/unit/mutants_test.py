@@ -168,13 +168,14 @@ class MutantFloorsTest(Scratch):
 class SampleTest(Scratch):
     """The unit test accepts 3 to 5 of 7 mutants; a sample of every second has 3 and 5 of them."""
 
-    def sample(self, verdicts, known=()):
+    def sample(self, verdicts, known=(), control=None):
         found = [mutants.Mutant(n, "", f"mutant {n}", "toy.sv:1") for n in range(1, 8)]
         floors = mutant_floors.Floors(survivors={"drive/toy": dict.fromkeys(known, "")})
         asked = []
 
-        def judge(block, mutant, limit):
+        def judge(block, mutant, limit, promises):
             asked.append(mutant.number)
+            self.assertEqual(promises, not control)
             return verdicts[mutant.number], {"why": "open"}
 
         with mock.patch.object(mutants, "make", return_value=found), \
@@ -184,6 +185,7 @@ class SampleTest(Scratch):
                 mock.patch.object(verify.mutant_proofs, "write_netlists"), \
                 mock.patch.object(verify.mutant_proofs, "compare",
                                   return_value=("equivalent", "")), \
+                mock.patch.object(verify.mutant_proofs, "refuted_by", return_value=control), \
                 mock.patch.object(verify, "judge", judge), mock.patch.object(verify, "SAMPLE", 3):
             wrong, _, _ = call(lambda: verify.sample("drive/toy", 1, floors))
         return asked, wrong
@@ -191,6 +193,10 @@ class SampleTest(Scratch):
     def test_what_is_explained_may_pass(self):
         asked, wrong = self.sample({3: "equivalent", 5: "promise"})
         self.assertEqual((asked, wrong), ([3, 5], []))
+
+    def test_promises_that_fail_without_a_mutant_are_not_asked(self):
+        _, wrong = self.sample({3: "equivalent", 5: "equivalent"}, control="a_promise")
+        self.assertEqual(wrong, [])
 
     def test_what_nobody_explains_is_wrong(self):
         asked, wrong = self.sample({3: "equivalent", 5: "left"})
