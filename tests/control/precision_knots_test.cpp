@@ -89,6 +89,8 @@ TEST_CASE("Knots without a COMMIT: twice at constant speed, then none, until the
     REQUIRE(bench.underrun == !taken);
     REQUIRE(bool(bench.rtl->taken_o) == taken);
     REQUIRE(bool(bench.rtl->hold_o) == (k == 3 || k == 4));
+    bench.apply();
+    REQUIRE(bench.rtl->quiescent_o);
     for (int n = 1; n < 32; ++n) {
       bench.tick(k == 4 && n == 31);
       REQUIRE_FALSE(bench.rtl->taken_o);
@@ -102,6 +104,10 @@ TEST_CASE("In reset there is no knot and COMMITs are lost") {
   bench.in = {false, false, true, true};
   bench.clock();
   for (int n = 0; n < 40; ++n) REQUIRE_FALSE(bench.tick(false, true));
+  bench.in = {true, true, true, true};
+  bench.clock();
+  bench.apply();
+  REQUIRE(bench.rtl->quiescent_o);  // nothing wakes it there
 }
 
 TEST_CASE("precision_knots is quiescent only when the next edge changes nothing") {

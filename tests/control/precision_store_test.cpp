@@ -139,6 +139,8 @@ TEST_CASE("A request waits while the law runs and is acknowledged once") {
   REQUIRE_FALSE(bench.rtl->ack_o);
   REQUIRE(bench.rtl->quiescent_o);
   REQUIRE(bench.rtl->rdata_o == 77);
+  bench.write(0, 0, 6);  // a write reads nothing
+  REQUIRE(bench.rtl->rdata_o == 77);
 }
 
 TEST_CASE("precision_store is quiescent only while nothing is asked, read or written") {

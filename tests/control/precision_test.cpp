@@ -99,6 +99,28 @@ TEST_CASE("precision goes on at constant speed for two knots without a COMMIT, t
   REQUIRE(bench.get(0, 32) == 8000);
 }
 
+TEST_CASE("Control points that coasting takes beyond 35 bits wrap in RTL and twin alike") {
+  PrecisionBench bench;
+  bench.start(0);
+  const auto& state = bench.twin[0].state();
+  constexpr std::int64_t kMost = 0x7FFFFFFF;
+  std::int64_t highest = 0;
+  for (const int sign : {1, -1, 0, 0, 1, 0, 0, 0, -1, 1}) {  // 0: no COMMIT
+    CAPTURE(sign, highest);
+    if (sign != 0) {
+      bench.write(0, Word::kC, static_cast<std::int32_t>(sign * kMost));
+      bench.commit();
+    }
+    bench.tick();
+    REQUIRE(bench.get(0, 32) == state.c1);
+    REQUIRE(bench.get(0, 38) == state.j);
+    for (int t = 1; t < 32; ++t) bench.tick();
+    REQUIRE(bench.get(0, 35) == state.p);
+    if (state.c1 > highest) highest = state.c1;
+  }
+  REQUIRE(highest == 13 * kMost);
+}
+
 TEST_CASE("The first knot is at 2 kHz after a COMMIT, which a tick in its clock does not take") {
   PrecisionBench bench;
   bench.start(0);
@@ -161,6 +183,26 @@ TEST_CASE("A tick while the law runs is an overrun and changes nothing") {
   REQUIRE(bench.rtl->done_o);
 }
 
+TEST_CASE("A tick that no axis wants is no overrun, and a reset ends run and current") {
+  PrecisionBench bench;
+  bench.start(0);
+  for (unsigned n = 0; n < 2; ++n) bench.write(n, Word::kIff, 256 * 100);
+  for (int t = 0; t < 40; ++t) bench.tick();
+  REQUIRE(bench.i_q_ref(0) != 0);
+  REQUIRE(bench.i_q_ref(1) != 0);
+  bench.rtl->tick_i = 1;
+  bench.rtl.tick();
+  bench.axis[0].enable = bench.axis[1].enable = false;
+  bench.apply();
+  REQUIRE(bench.rtl->busy_o);
+  REQUIRE_FALSE(bench.rtl->overrun_o);
+  bench.rtl->tick_i = 0;
+  bench.rtl.reset();
+  REQUIRE_FALSE(bench.rtl->busy_o);
+  REQUIRE(bench.i_q_ref(0) == 0);
+  REQUIRE(bench.i_q_ref(1) == 0);
+}
+
 TEST_CASE("precision is quiescent between its runs, with and without an axis enabled") {
   PrecisionBench bench;
   bench.start(0);
@@ -174,6 +216,11 @@ TEST_CASE("precision is quiescent between its runs, with and without an axis ena
     bench.rtl->commit_i = 0;
     bench.rtl.eval();
   }
+  bench.axis[0].reset = true;  // what an axis asks for is kept
+  bench.apply();
+  REQUIRE_FALSE(bench.rtl->quiescent_o);
+  bench.clock();
+  REQUIRE(bench.rtl->quiescent_o);
   bench.axis[0].enable = bench.axis[1].enable = false;
   bench.apply();
   bench.clock();
@@ -183,6 +230,16 @@ TEST_CASE("precision is quiescent between its runs, with and without an axis ena
   bench.rtl->tick_i = 0;
   bench.rtl.eval();
   REQUIRE_FALSE(bench.rtl->busy_o);
+}
+
+TEST_CASE("precision is not quiescent where the law starts and nothing else moves") {
+  PrecisionBench bench;
+  for (int t = 0; t < 32; ++t) bench.tick();  // the count of ticks is 0 again
+  bench.axis[0].reset = bench.axis[1].reset = true;
+  bench.apply();
+  bench.rtl->tick_i = 1;
+  bench.rtl.eval();
+  REQUIRE_FALSE(bench.rtl->quiescent_o);
 }
 
 TEST_CASE("The bus waits for the law and reads what it left") {

@@ -295,3 +295,17 @@ TEST_CASE("The current goes on where it was when the mass changes") {
   require_word(bench, kI8, &State::i8, 108890);
   for (unsigned n = 0; n < 2; ++n) REQUIRE(bench.read(n, 4) == 0);  // RATIO is taken once
 }
+
+TEST_CASE("The acceleration ahead takes the jerk as 18 bits") {
+  constexpr std::int64_t kEnd = 1 << 17;
+  for (const std::int64_t j : {kEnd - 1, kEnd, 2 * kEnd - 1, 2 * kEnd, -kEnd, -kEnd - 1, -2 * kEnd}) {
+    CAPTURE(j);
+    Bench bench;
+    load(bench, 0);
+    bench.start(0);
+    bench.tick();
+    set(bench, {{kA, &State::a, 0}, {kJ, &State::j, j}});
+    bench.tick();  // LEAD is 6
+    require_word(bench, kAff, &State::aff, 8 * (j + 6 * std::clamp(j, -kEnd, kEnd - 1)));
+  }
+}
