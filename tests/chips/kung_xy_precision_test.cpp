@@ -4,14 +4,18 @@
 // axis. That every word is the twin's is shown under random traffic; the law has its own tests.
 #include <catch2/catch.hpp>
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "models/exact/control/precision.hpp"
 #include "tests/chips/kung_bench.hpp"
+#include "tests/chips/kung_pair.hpp"
 
 namespace reg = trammel::kung_xy_regs;
 using trammel::exact::Precision;
 using trammel::test::KungBench;
+namespace test = trammel::test;
 
 namespace {
 
@@ -115,6 +119,12 @@ TEST_CASE("the words of a COMMIT are taken by the next knot, 32 ticks after the 
       CHECK((chip.read(base + reg::kStatus) & reg::kStatusUnderrun) == 0);
     }
   }
+  SECTION("an axis that another controller has is told of none") {
+    chip.write(reg::kY + reg::kCtrl, reg::kCtrlPositionLoop);
+    wait(chip, 32 * 3125);
+    CHECK((chip.read(reg::kX + reg::kStatus) & reg::kStatusUnderrun) != 0);
+    CHECK((chip.read(reg::kY + reg::kStatus) & reg::kStatusUnderrun) == 0);
+  }
   SECTION("CTRL.reset_model ends the count of knots and the current") {
     for (const std::uint32_t base : {reg::kX, reg::kY}) {
       chip.write(base + reg::kCtrl, kOn | reg::kCtrlResetModel);
@@ -150,4 +160,60 @@ TEST_CASE("an error beyond 2048 counts is clipped and told, and PREC_ERR shows i
   CHECK((chip.read(reg::kY + reg::kStatus) & reg::kStatusClipped) == 0);
   CHECK(chip.read_signed(reg::kX + reg::kPrecErr) == 2048 * 256 - 1);
   CHECK(chip.read_signed(reg::kY + reg::kPrecErr) == 0);
+}
+
+TEST_CASE("between the counts each axis has its own edges, way and filter, as in the twin") {
+  struct Move {
+    std::uint32_t base, filter;
+    std::int32_t counts;  // per knot
+  };
+  constexpr std::array<Move, 2> kMoves{{{reg::kX, 3, 8}, {reg::kY, 8, -5}}};
+  constexpr std::array<std::uint32_t, 14> kWords{
+      0, 0, 0x1D042C, 0x407AC, 0, 0x1E0446, 0, 0, 0x1F0689, 0x1C075A, 0x1704F3, 0x1505C3, 0x1B06B8,
+      6 | 4 << 4 | 15 << 8 | 26 << 12 | 1 << 20};
+  test::KungPair<Vkung_xy> pair;
+  pair.rtl().reset();
+  pair.begin();
+  pair.clocks(200);
+  pair.gated = true;
+  const auto window = [&pair](std::uint32_t base, std::uint32_t word, std::uint32_t value) {
+    pair.write(base + reg::kPrecAddr, word);
+    pair.write(base + reg::kPrecData, value);
+  };
+  for (const Move& move : kMoves) {
+    pair.write(move.base + reg::kCtrl, kOn | reg::kCtrlResetModel);
+    pair.write(move.base + reg::kDeadtime, 100 | move.filter << reg::kDeadtimeQepFilterShift);
+    for (std::uint32_t word = 0; word < 14; ++word) window(move.base, word, kWords[word]);
+    pair.write(move.base + reg::kCtrl, kOn);
+  }
+  pair.clocks(2 * 3125);
+  std::array<int, 2> between{};
+  std::array<std::uint32_t, 2> told{};
+  for (int knot = 1; knot < 12; ++knot) {
+    const bool far = knot > 9;  // clipped, saturated
+    for (const Move& move : kMoves) {
+      window(move.base, 0, static_cast<std::uint32_t>(256 * (far ? 100000 : move.counts * knot)));
+    }
+    if (knot != 6) pair.write(reg::kCommit, reg::kCommitTake);
+    for (int n = 0; n < 40; ++n) {
+      if (n % 5 == 0) pair.count(0, 1);
+      if (n % 8 == 0) pair.count(1, -1);
+      pair.clocks(2400);
+    }
+    for (std::size_t n = 0; n < 2; ++n) {
+      const std::uint32_t base = kMoves[n].base;
+      pair.write(base + reg::kPrecAddr, 16);
+      for (int word = 16; word < 23; ++word) {
+        const std::uint32_t value = pair.read(base + reg::kPrecData);
+        if (word == 22 && value % 256 != 0) ++between[n];
+      }
+      told[n] |= pair.read(base + reg::kStatus);
+      pair.read(base + reg::kIqCmd);
+    }
+  }
+  for (std::size_t n = 0; n < 2; ++n) {
+    CHECK(between[n] > 3);
+    CHECK((told[n] & reg::kStatusUnderrun) != 0);
+    CHECK((told[n] & reg::kStatusClipped) != 0);
+  }
 }

@@ -26,8 +26,8 @@ auto words_of(Root& root, int) -> decltype((root.precision__DOT__u_store__DOT__m
   return root.precision__DOT__u_store__DOT__mem_q;
 }
 template <class Root>
-auto words_of(Root& root, long) -> decltype((root.precision__DOT__u_store__02Emem_q)) {
-  return root.precision__DOT__u_store__02Emem_q;
+auto words_of(Root& root, long) -> decltype((root.precision__DOT__u_store__02emem_q)) {
+  return root.precision__DOT__u_store__02emem_q;
 }
 
 struct PrecisionBench {

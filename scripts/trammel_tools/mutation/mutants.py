@@ -26,6 +26,7 @@ EXEMPT = {"CLK", "clk_i", "clk", "WR_CLK", "RD_CLK", "RD_EN", "RD_ARST", "RD_SRS
 # nothing happens. Resets stay in the data path, so that their values can be changed.
 READ = """read_slang --keep-hierarchy --top {top} {files}
 proc -norom
+bwmuxmap
 opt -nosdff
 memory_collect
 memory_map -rom-only
