@@ -298,7 +298,7 @@ TEST_CASE("The current goes on where it was when the mass changes") {
 
 TEST_CASE("The acceleration ahead takes the jerk as 18 bits") {
   constexpr std::int64_t kEnd = 1 << 17;
-  for (const std::int64_t j : {kEnd - 1, kEnd, 2 * kEnd - 1, 2 * kEnd, -kEnd, -kEnd - 1, -2 * kEnd}) {
+  for (const std::int64_t j : {kEnd - 1, kEnd, 2 * kEnd - 1, 2 * kEnd, -kEnd, -kEnd - 1}) {
     CAPTURE(j);
     Bench bench;
     load(bench, 0);
