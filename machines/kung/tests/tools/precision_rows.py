@@ -205,9 +205,9 @@ def rows_of_table():
     rows += [push(0, 100, 300, 0.05), push(22.5, 100, 50, 0.05), push(0, 500, None, 0.6)]
     # The set point is there long before the current can bring the table: 25 kg pass the end four
     # times, the first time by 5.5 mm (2.5 kg twice, by 1.1 and 0.04 mm), whatever is estimated, and
-    # once with half the poles.
+    # twice, by 2.3 mm, with half the poles.
     rows += [step(0, 0.1, 2, "the second by 0.04 mm"),
-             step(22.5, 0.3, 4, "i_q* is at its limit of 4.8 A"),
+             step(22.5, 0.3, 4, "by 5.5 mm, with half the poles 2.3 mm"),
              standing("standing still 1 s"), scenario_step("scenario step as a move")]
     return rows
 
