@@ -20,9 +20,12 @@ FOLDER = "OUT/direct"
 RUNS = [
     (0, *SHORT, "-o", FOLDER, "--wave", "fst", "--wave-window", "20ms:20.1ms"),
     (0, *SHORT, "--platform", "systemc", "-o", "OUT/systemc", "--json"),
-    (0, *WAVE, "vcd", "--wave-trigger", "drives", "--wave-window", "0:10us", "-s", "controller=fc"),
+    # FST without SystemC: the writer maps its file where stacks of SystemC's coroutines were, which
+    # the sanitizer of GCC 12 still takes for such.
+    (0, *WAVE, "vcd", "--wave-trigger", "drives", "--wave-window", "0:10us", "-s", "controller=fc",
+     "--platform", "systemc"),
     (0, *WAVE, "fst", "--wave-trigger", "x.e > 0 after 1ms", "--wave-every", "10ms",
-     "--wave-window", "0:10us", "--platform", "systemc"),
+     "--wave-window", "0:10us"),
     (0, *WAVE, "fst", "--wave-trigger", "at 1ms", "--wave-window", "0:10us"),
     (0, *STEP, "-o", "OUT/step"),
     (0, *SHORT, "-o", "OUT/asserted", "--assert", "-s", "run.leap=false"),

@@ -77,7 +77,7 @@ def refused_of(cases):
     return [*REFUSED, *(line for case in cases.values() for line in case.REFUSED),
             *((2, "only runs of one machine", "report", one, other, "-o", "OUT/two.html")
               for one, other in itertools.pairwise(folders)),
-            (2, "at most 8", "report", *folders[:1] * 9, "-o", "OUT/two.html"),
+            (2, "at most 12", "report", *folders[:1] * 13, "-o", "OUT/two.html"),
             (2, "name a file", "report", *folders[:1], "-o", "OUT/empty")]
 
 
