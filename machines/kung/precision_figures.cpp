@@ -97,6 +97,12 @@ double distance_to(const ideal::Moves& moves, const Place& place) {
   return least;
 }
 
+double command_time_s(const Options& options, cosim::Clk begin, const Sample& sample) {
+  const double clock_s = static_cast<double>(options.plant.clock_ps) * 1e-12;
+  const double delay_s = options.controller == Controller::kPrecision ? kSetPointDelayS : 0;
+  return static_cast<double>(sample.edge - begin) * clock_s - delay_s;
+}
+
 void each_command_sample(const Options& options, const Result& result,
                          const std::function<void(const CommandSample&)>& take) {
   if (!feeds(options.path) || result.points == 0) return;
@@ -105,13 +111,11 @@ void each_command_sample(const Options& options, const Result& result,
   if (range.first >= result.samples.size()) return;
   const bool precise = options.controller == Controller::kPrecision;
   const cosim::Clk begin = result.samples[range.first].edge;
-  const double clock_s = static_cast<double>(options.plant.clock_ps) * 1e-12;
-  const double delay_s = precise ? kSetPointDelayS : 0;
   for (std::size_t k = range.first; k < range.last; ++k) {
     const Sample sample = result.samples[k];
     CommandSample s;
     s.at = k;
-    s.t_s = static_cast<double>(sample.edge - begin) * clock_s - delay_s;
+    s.t_s = command_time_s(options, begin, sample);
     if (s.t_s < 0 || s.t_s > command.seconds()) continue;
     s.command = command.at(s.t_s);
     const std::array<double, 2> asked{s.command.p.x, s.command.p.y};

@@ -34,6 +34,9 @@ struct CommandSample {
   std::array<double, 2> set_point_m{};      // of the chip - command; precision controller only
 };
 
+// When a sample is, since point 0 was the command [s]; `begin`: the edge of the path's first one.
+double command_time_s(const Options& options, cosim::Clk begin, const Sample& sample);
+
 // Calls take() for each sample of the path, in order; for none where the feed profile does not
 // drive it.
 void each_command_sample(const Options& options, const Result& result,

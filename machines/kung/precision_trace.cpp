@@ -84,9 +84,7 @@ class Commands {
   bool at(std::size_t k, const Sample& sample, const AxisLaws& law,
           std::array<Row, 2>& rows) const {
     std::optional<ideal::FeedProfile::Command> command;
-    const double t_s = static_cast<double>(sample.edge - begin_) *
-                           static_cast<double>(options_.plant.clock_ps) * 1e-12 -
-                       kSetPointDelayS;
+    const double t_s = command_time_s(options_, begin_, sample);
     if (command_) command = command_->at(t_s);
     for (std::size_t a = 0; a < 2; ++a) {
       const AxisSample& axis = sample.axis[a];

@@ -232,17 +232,25 @@ def with_tables(page, tables):
     return page
 
 
+def arguments_of_runs(parser):
+    """What is given, with the program and how many runs at once; None where it is not built."""
+    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, metavar="N")
+    parser.add_argument("--program", type=Path, metavar="FILE",
+                        default=ROOT / "build" / "testbench" / "trammel", help=argparse.SUPPRESS)
+    arguments = parser.parse_args()
+    if arguments.program.is_file():
+        return arguments
+    print(f"{parser.prog.split()[-1]}: {arguments.program} is not built", file=sys.stderr)
+    return None
+
+
 def main():
     parser = python_tools.Parser(prog="scripts/tool gen-precision", description=__doc__)
     what = parser.add_mutually_exclusive_group()
     what.add_argument("--check", action="store_true")
     what.add_argument("--grid", action="store_true")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, metavar="N")
-    parser.add_argument("--program", type=Path, metavar="FILE",
-                        default=ROOT / "build" / "testbench" / "trammel", help=argparse.SUPPRESS)
-    arguments = parser.parse_args()
-    if not arguments.program.is_file():
-        print(f"gen-precision: {arguments.program} is not built", file=sys.stderr)
+    arguments = arguments_of_runs(parser)
+    if arguments is None:
         return 3
     bench = Bench(arguments.program.resolve(), arguments.jobs)
     if arguments.grid:

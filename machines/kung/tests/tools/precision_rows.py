@@ -10,11 +10,9 @@ table at rest. NAME picks rows by a part of their names.
 Exit codes: 0 ok, 1 beyond a bar, 2 usage, 3 the program is not built.
 """
 
-import argparse
 import csv
 import itertools
 import math
-import os
 import sys
 import tempfile
 from concurrent.futures import ThreadPoolExecutor
@@ -23,7 +21,6 @@ from pathlib import Path
 
 import gen_precision
 from trammel_tools import python_tools
-from trammel_tools.paths import ROOT
 
 SHAPES = gen_precision.PATHS[:3]
 WORST = gen_precision.keys_of(0, 1.5, 3, True)  # light, with friction, cogging and noise
@@ -240,12 +237,8 @@ def check(program, jobs, names=()):
 def main():
     parser = python_tools.Parser(prog="scripts/tool precision-rows", description=__doc__)
     parser.add_argument("names", nargs="*", metavar="NAME")
-    parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, metavar="N")
-    parser.add_argument("--program", type=Path, metavar="FILE",
-                        default=ROOT / "build" / "testbench" / "trammel", help=argparse.SUPPRESS)
-    arguments = parser.parse_args()
-    if not arguments.program.is_file():
-        print(f"precision-rows: {arguments.program} is not built", file=sys.stderr)
+    arguments = gen_precision.arguments_of_runs(parser)
+    if arguments is None:
         return 3
     wrong = check(arguments.program.resolve(), arguments.jobs, arguments.names)
     return 1 if wrong else 0
