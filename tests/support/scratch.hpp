@@ -3,6 +3,8 @@
 // A folder of one test in the build folder: empty at the start, gone at the end.
 #pragma once
 
+#include <unistd.h>
+
 #include <cstddef>
 #include <cstdlib>
 #include <filesystem>
@@ -49,6 +51,11 @@ class NoPrograms {
  private:
   std::string before_;
 };
+
+// A file in the working folder that no test beside this one has: cases run at once.
+inline std::string own_file(const std::string& name) {
+  return std::to_string(::getpid()) + '_' + name;
+}
 
 inline std::size_t entries(const std::filesystem::path& folder) {
   return static_cast<std::size_t>(std::distance(std::filesystem::directory_iterator(folder), {}));

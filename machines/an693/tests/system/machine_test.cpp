@@ -14,6 +14,7 @@
 #include "tests/support/event_record.hpp"
 #include "tests/support/figures.hpp"
 #include "tests/support/lm628_words.hpp"
+#include "tests/support/scratch.hpp"
 #include "tests/support/slope.hpp"
 
 using namespace trammel;
@@ -178,7 +179,7 @@ TEST_CASE("an693 with waves has the same events, and windows that begin anywhere
   options.wait_s = 0.005;
   const Result base = simulate(options, {});
   options.run.wave = cosim::WaveFormat::kFst;
-  options.run.wave_file = "an693_machine_test.fst";
+  options.run.wave_file = test::own_file("an693_machine_test.fst");
   Options every = options;  // 2503 clocks are no part of a sample or of a pulse
   every.run.wave_end_s = 97 * 20e-9;
   every.run.wave_every_s = 2503 * 20e-9;
@@ -199,7 +200,7 @@ TEST_CASE("an693 waves begin where the converter, HI or the interrupt first move
   Options options = one_step();
   options.wait_s = 0.005;
   options.run.wave = cosim::WaveFormat::kFst;
-  options.run.wave_file = "an693_machine_test.fst";
+  options.run.wave_file = test::own_file("an693_machine_test.fst");
   const auto traced = [&options](const std::string& trigger) {
     options.run.wave_trigger = trigger;
     Result result = simulate(options, {});

@@ -10,6 +10,7 @@
 #include "machines/kung/session.hpp"
 #include "machines/kung/machine.hpp"
 #include "systemc/wire.hpp"
+#include "tests/support/scratch.hpp"
 
 using namespace trammel;
 using namespace trammel::kung;
@@ -34,7 +35,7 @@ Options piece() {
 Result traced(const Options& base, const std::string& trigger) {
   Options options = base;
   options.run.wave = WaveFormat::kFst;
-  options.run.wave_file = "kung_waves_test.fst";
+  options.run.wave_file = test::own_file("kung_waves_test.fst");
   options.run.wave_trigger = trigger;
   Result result = simulate(options, {});
   std::filesystem::remove(options.run.wave_file);
@@ -162,7 +163,7 @@ TEST_CASE("windows that begin at any clock show the run exactly") {
   Options options = piece();
   const Result base = simulate(options, {});
   options.run.wave = WaveFormat::kFst;
-  options.run.wave_file = "kung_waves_test.fst";
+  options.run.wave_file = test::own_file("kung_waves_test.fst");
   options.run.wave_begin_s = 0;
   options.run.wave_end_s = 97 * 20e-9;
   options.run.wave_every_s = 2503 * 20e-9;
@@ -196,7 +197,7 @@ TEST_CASE("a run with waves that checks assertions has the same events") {
   options.run.wave_begin_s = 0.0010002;
   options.run.wave_end_s = 0.0012;
   options.run.wave = WaveFormat::kFst;
-  options.run.wave_file = "kung_waves_test.fst";
+  options.run.wave_file = test::own_file("kung_waves_test.fst");
   Result result = simulate(options, {});
   std::filesystem::remove(options.run.wave_file);
   CHECK(result.end == EndReason::kDone);
@@ -209,7 +210,7 @@ TEST_CASE("a run with waves that checks assertions has the same events") {
 TEST_CASE("a stop request ends the search and the run") {
   Options options = piece();
   options.run.wave = WaveFormat::kFst;
-  options.run.wave_file = "kung_waves_test.fst";
+  options.run.wave_file = test::own_file("kung_waves_test.fst");
   options.run.wave_trigger = "fault";
   std::atomic<bool> stop{false};
   Hooks hooks;
@@ -226,7 +227,7 @@ TEST_CASE("a stop request during the search begins no second run, whatever is se
   for (const char* trigger : {"", "fault", "x.e > 100"}) {
     Options options = piece();
     options.run.wave = WaveFormat::kFst;
-    options.run.wave_file = "kung_waves_test.fst";
+    options.run.wave_file = test::own_file("kung_waves_test.fst");
     options.run.wave_trigger = trigger;
     const std::atomic<bool> stop{true};
     Hooks hooks;
