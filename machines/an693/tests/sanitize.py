@@ -14,7 +14,7 @@ RUNS = [
     *((5, "run", f"an693-{program}", "-s", "run.max_s=0.02", "-o", FOLDER)
       for program in ("absolute", "relative", "breakpoints")),
     (0, *TUNING, "--audit", "-o", FOLDER), (0, *TUNING, "--assert", "-o", FOLDER),
-    (0, *TUNING, "--wave", "vcd", "--wave-trigger", "hi", "-o", FOLDER),
+    (0, *TUNING, "--wave", "vcd", "--wave-trigger", "hi", "--wave-window", "0:100us", "-o", FOLDER),
     (0, *TUNING, "--engine", "twin", "-o", FOLDER),
     *((code, *TUNING, "-s", "chip.clock_MHz=6", "-s", f"chip.{key}", "-o", FOLDER)
       for code, key in ((0, "variant=lm629"), (0, "dac_bits=8"), (5, "wrap=true"))),

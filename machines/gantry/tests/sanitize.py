@@ -11,7 +11,7 @@ RUNS = [
       for way in ("--audit", "--assert")),
     (0, *SHORT, "--json", "--platform", "direct", "-o", FOLDER),
     (0, "run", "gantry-calibrate", "--engine", "twin", "-o", FOLDER),
-    (0, "run", "gantry-backlash", "--engine", "twin", "-o", FOLDER),
+    (0, "run", "gantry-backlash", "--engine", "twin", "-s", "run.time_s=0.5", "-o", FOLDER),
     (5, *SHORT, "--engine", "twin", "-s", "monitor.sensor=true", "-s", "monitor.stall_ticks=400",
      "-s", "inject.fault=converter_saturated", "-s", "inject.begin_s=0.05", "-s",
      "inject.value=-1", "-o", FOLDER),
