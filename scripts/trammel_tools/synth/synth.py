@@ -11,12 +11,14 @@ in synth.toml of each machine and part, which also name the boards.
 With --board it takes one chip on a board (rtl/boards/<board>) with the board's pins, which are
 checked before place and route, up to a bitstream; --firmware puts a program into the memory of a
 chip with a processor, --repack does that in the design placed before, without placing it again.
+--docs puts the placement on record beside the board's files; --check maps the sources again and
+says whether their netlist is the one on record.
 
 Writes synth.json, netlists, logs and the FPGAs' configurations into the output folder. It takes a
 few minutes; the same sources, tools and seed give the same result.
 
 Exit codes: 0 within the budget, 2 usage, 3 a tool is missing, 6 synthesis failed, the clock is
-below what the chip runs at or something is over the budget, 130 interrupted.
+below what the chip runs at, something is over the budget or not as on record, 130 interrupted.
 """
 
 import concurrent.futures
@@ -28,7 +30,15 @@ from pathlib import Path
 from trammel_tools import machines, python_tools
 from trammel_tools.paths import ROOT
 from trammel_tools.rtl import lint
-from trammel_tools.synth import bitstream, board, estimate, synth_board, synth_flow, synth_report
+from trammel_tools.synth import (
+    bitstream,
+    board,
+    estimate,
+    placed_record,
+    synth_board,
+    synth_flow,
+    synth_report,
+)
 from trammel_tools.synth.synth_netlist import Netlist
 
 PAGE = ROOT / "docs" / "synthesis.md"
@@ -58,7 +68,9 @@ def arguments():
     parser.add_argument("--docs", action="store_true",
                         help="write the tables into docs/synthesis.md")
     parser.add_argument("--check", action="store_true",
-                        help="fail also when docs/synthesis.md is more than 5 %% off")
+                        help="fail also when docs/synthesis.md is more than 5 %% off; with "
+                             "--board: map only, and fail unless the netlist is that of the "
+                             "placement on record")
     wanted = parser.parse_args()
     if not 1 <= wanted.seed <= MAX_SEED:
         parser.error(f"--seed {wanted.seed}: 1 to {MAX_SEED}")
@@ -76,9 +88,12 @@ def arguments():
             if getattr(wanted, name):
                 parser.error(f"{name if name == 'chip' else '--' + name} needs --board")
     else:
-        for name in ("block", "area", "check", "estimate"):
+        for name in ("block", "area", "estimate"):
             if getattr(wanted, name):
                 parser.error(f"--{name} is not for --board")
+        for name in ("docs", "firmware", "repack", "json"):
+            if wanted.check and getattr(wanted, name):
+                parser.error(f"--check places nothing: without --{name}")
         try:
             wanted.on = board.find(wanted.board, wanted.chip, wanted.size)
         except board.BoardError as error:
@@ -155,9 +170,25 @@ def run_estimate(wanted, folder, budget):
     return 0
 
 
+def check_board(on, folder):
+    """Exit code of `--board --check`."""
+    tables = machines.tables("synth.toml")
+    synth_board.map_board(on, folder)
+    python_tools.progress("")
+    bad = list(placed_record.findings(on, folder, synth_board.budget_of(on, tables),
+                                      tables.get("comparison"), PAGE.read_text(encoding="utf-8")))
+    for line in bad:
+        print(f"synth: {line}", file=sys.stderr)
+    if not bad:
+        print(f"{on.top}: the netlist of {placed_record.path_of(on).relative_to(ROOT)}")
+    return 6 if bad else 0
+
+
 def run_board(wanted, folder):
     """Exit code of `--board`."""
     on = wanted.on
+    if wanted.check:
+        return check_board(on, folder)
     firmware = (bitstream.words_of(wanted.firmware) if wanted.firmware else
                 synth_board.built_firmware(on, folder))
     if wanted.repack:
@@ -175,7 +206,9 @@ def run_board(wanted, folder):
     if wanted.docs:
         PAGE.write_text(synth_board.fill(PAGE.read_text(encoding="utf-8"), result, on, budget,
                                          comparison), encoding="utf-8")
-        print(f"wrote {PAGE.relative_to(ROOT)}", file=sys.stderr)
+        placed_record.put(on, folder, result)
+        for path in (PAGE, placed_record.path_of(on)):
+            print(f"wrote {path.relative_to(ROOT)}", file=sys.stderr)
     for line in result["over_budget"]:
         print(f"synth: over budget: {line}", file=sys.stderr)
     return 6 if result["over_budget"] else 0

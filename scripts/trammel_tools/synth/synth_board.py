@@ -62,13 +62,18 @@ def packed_again(wanted, folder, firmware):
     return packed(wanted, folder, firmware)
 
 
-def run(wanted, folder, seed, firmware):
-    """The result as one document."""
+def map_board(wanted, folder):
+    """Writes the mapped netlist into the folder, in a process of its own."""
     if wanted.memory:
         bitstream.write_random_image(folder, wanted.memory)
     python_tools.progress(f"mapping {wanted.top}")
     with concurrent.futures.ProcessPoolExecutor(1) as pool:
         pool.submit(mapped, wanted, folder).result()
+
+
+def run(wanted, folder, seed, firmware):
+    """The result as one document."""
+    map_board(wanted, folder)
     netlist = Netlist(*synth_flow.read_netlist(wanted.top, folder), wanted.top)
     python_tools.progress(f"placing and routing {wanted.top}")
     report = place(wanted, folder, seed)

@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """Run the placed and routed netlist of a board in closed loop beside its RTL.
 
-usage: scripts/tool netlist FOLDER [--seconds S] [--path NAME] [--no-flips]
+usage: scripts/tool netlist FOLDER [--seconds S] [--path NAME] [--no-flips | --record]
 
 FOLDER is of `trammel synth --board` with kung_soc. The netlist is what nextpnr placed and routed,
 its memory what the bitstream's configuration holds; the firmware runs in both, a console types the
 path and `start` on the serial port, and the netlist drives the table. All outputs are compared at
 all clocks. Then one bit after the other of lookup tables behind registers of pins is flipped: each
 table must be found.
+
+--record adds the run to the placement on record (rtl/boards/<board>/kung_soc.placed.json), which
+`trammel synth --board --check` asks for: minutes that CI need not spend on the same netlist.
 
 --seconds is simulated time, 0.05 unless given; --path line or circle. Pads, clock tree, PLL and the
 tool's bit database are not in it: this is a placed netlist, not hardware in the loop.
@@ -27,7 +30,7 @@ from pathlib import Path
 from trammel_tools import python_tools
 from trammel_tools.paths import ROOT
 from trammel_tools.rtl import lint
-from trammel_tools.synth import board, placed, synth_flow
+from trammel_tools.synth import board, placed, placed_record, synth_flow
 
 SOURCE = ROOT / "machines" / "kung" / "tests" / "netlist"
 BUILD = ROOT / "build"
@@ -73,9 +76,8 @@ def run(*words):
     return json.loads(done.stdout)
 
 
-def whole(wanted):
+def wrong(result):
     """Lines of what is wrong in the run without a flip."""
-    result = run(wanted.seconds, wanted.path)
     if result is None:
         yield "did not run"
         return
@@ -108,7 +110,10 @@ def main():
     parser.add_argument("--seconds", type=float, default=0.05)
     parser.add_argument("--path", choices=("line", "circle"), default="line")
     parser.add_argument("--no-flips", action="store_true")
+    parser.add_argument("--record", action="store_true")
     wanted = parser.parse_args()
+    if wanted.record and wanted.no_flips:
+        parser.error("--record needs the flips")
     boards = [name for name in board.names() if "kung_soc" in board.find(name).table["chips"]
               and (wanted.folder / f"kung_soc_{name}.firmware.config").exists()]
     if len(boards) != 1:
@@ -119,10 +124,16 @@ def main():
     flips = write_netlist(wanted.folder.resolve(), f"kung_soc_{boards[0]}")
     if not build(boards[0]):
         return 1
-    bad = list(whole(wanted))
+    result = run(wanted.seconds, wanted.path)
+    bad = list(wrong(result))
     if not wanted.no_flips and not bad:
         for number, port in sorted(flips.values(), key=lambda one: one[1])[-FLIPS:]:
             bad += flip(wanted, number, port)
+    if wanted.record and not bad:
+        loop = {key: result[key] for key in ("clocks", "gate_changes", "different")}
+        on = board.find(boards[0], "kung_soc", None)
+        if not placed_record.put_loop(on, wanted.folder.resolve(), loop):
+            bad.append(f"this netlist is not the one of {placed_record.path_of(on)}")
     for line in bad:
         print(f"netlist: {line}", file=sys.stderr)
     return 1 if bad else 0
