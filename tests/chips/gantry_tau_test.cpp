@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "tests/chips/gantry_tau_bench.hpp"
+#include "tests/support/checked.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/stripe_sensor.hpp"
 #include "tests/support/traffic.hpp"
@@ -21,6 +22,7 @@ using trammel::test::ideal_calibration;
 using trammel::test::kUnit_mm;
 using trammel::test::Random;
 using trammel::test::StripeSensor;
+using trammel::test::trials;
 namespace exact = trammel::exact;
 using namespace trammel::gantry_tau_regs;
 
@@ -170,7 +172,7 @@ TEST_CASE("no period lost or added in 10 s of random speeds up to 1 m/s, by the 
     if (!adc.valid || adc.channel % 2 != 0) return;
     worst = std::max(worst, std::fabs(track.position() - begin - track.x_sampled));
   };
-  for (const std::int64_t end = track.bench.now() + 500'000'000; track.bench.now() < end;) {
+  for (const std::int64_t end = track.bench.now() + trials(500'000'000); track.bench.now() < end;) {
     const double x = track.at(track.bench.now());
     double speed = static_cast<int>(random() % 2001) - 1000;
     if (random() % 4 == 0) speed = speed < 0 ? -1000 : 1000;

@@ -9,12 +9,14 @@
 
 #include "tests/chips/lm628_pair.hpp"
 #include "tests/chips/lm628_transfers.hpp"
+#include "tests/support/checked.hpp"
 
 using trammel::exact::Opcode;
 using trammel::test::Lm628Pair;
 using trammel::test::own_traffic;
 using trammel::test::run_random;
 using trammel::test::traffic;
+using trammel::test::trials;
 using Bench = trammel::test::Lm628Bench<Lm628Pair>;
 
 // AN-693, "Initialize": status 84h within 1.5 ms, 80h after RSTI.
@@ -154,7 +156,7 @@ TEST_CASE("lm628 drops a transfer that a command interrupts, and no half word at
 // For more of it, or other: TRAMMEL_TEST_TRANSFERS, TRAMMEL_TEST_SEED.
 TEST_CASE("L-15 lm628 has the pins of its twin over 10,000 random transfers, leaping") {
   Bench bench;
-  run_random(bench, traffic(10000, 61));
+  run_random(bench, traffic(trials(10000), 61));
   if (own_traffic()) CHECK(bench.samples() > 4000);
 }
 

@@ -11,6 +11,7 @@
 
 #include "tests/chips/mcafee_bench.hpp"
 #include "tests/chips/mcafee_transfers.hpp"
+#include "tests/support/checked.hpp"
 #include "tests/support/random.hpp"
 
 using trammel::exact::FeedRate;
@@ -24,6 +25,7 @@ using trammel::test::own_traffic;
 using trammel::test::Random;
 using trammel::test::run_random;
 using trammel::test::traffic;
+using trammel::test::trials;
 using trammel::test::wild;
 namespace reg = trammel::mcafee_xy_regs;
 using Bench = trammel::test::McafeeBench<McafeePair>;
@@ -87,7 +89,7 @@ TEST_CASE("F-12 mcafee_xy: every RD and WR is 5.5 us, data stand 50 ns before an
 // For more of it, or other: TRAMMEL_TEST_TRANSFERS, TRAMMEL_TEST_SEED.
 TEST_CASE("mcafee_xy has the pins and bytes of its twin over random transfers, leaping") {
   Bench bench;
-  run_random(bench, traffic(300, 92));
+  run_random(bench, traffic(trials(300), 92));
   if (!own_traffic()) return;
   CHECK(bench.samples(0) > 40);
   CHECK(bench.samples(1) > 40);

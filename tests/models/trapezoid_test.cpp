@@ -11,10 +11,12 @@
 #include <cstdint>
 #include <cstdlib>
 
+#include "tests/support/checked.hpp"
 #include "tests/support/random.hpp"
 
 using trammel::exact::Trapezoid;
 using trammel::test::Random;
+using trammel::test::trials;
 using Config = Trapezoid::Config;
 
 namespace {
@@ -118,7 +120,7 @@ int samples(const Config& c, std::int64_t target) {
 TEST_CASE("trapezoid ends 10,000 random moves exactly, within limits and in time") {
   Random random(21);
   double worst = 0;
-  for (int move = 0; move < 10000;) {
+  for (int move = 0; move < trials(10000);) {
     const std::int64_t acceleration = spread(random, 30);
     const Config c = position(acceleration, spread(random, 30));
     const std::int64_t target = spread(random, 30) * (random() % 2 == 0 ? 1 : -1);
@@ -149,7 +151,7 @@ TEST_CASE("trapezoid ends 10,000 random moves exactly, within limits and in time
 TEST_CASE("trapezoid ends 10,000 moves exactly whose speed and target change in motion") {
   Random random(22);
   double worst = 0;
-  for (int move = 0; move < 10000; ++move) {
+  for (int move = 0; move < trials(10000); ++move) {
     const std::int64_t acceleration = spread(random, 24);
     Config c = position(acceleration, spread(random, 28));
     Trapezoid t;
