@@ -36,9 +36,17 @@ def read(on):
     return json.loads(path.read_text(encoding="utf-8")) if path.exists() else None
 
 
+def lines(table, indent=" "):
+    """A JSON object with a member a line, and so for the members of its members."""
+    def one(value):
+        nested = isinstance(value, dict) and len(indent) < 2 and value
+        return lines(value, indent + " ") if nested else json.dumps(value)
+    members = ",\n".join(f"{indent}{json.dumps(key)}: {one(value)}" for key, value in table.items())
+    return f"{{\n{members}\n{indent[1:]}}}"
+
+
 def write(on, record):
-    text = json.dumps(record, indent=1) + "\n"
-    path_of(on).write_text(text, encoding="utf-8")
+    path_of(on).write_text(lines(record) + "\n", encoding="utf-8")
 
 
 def put(on, folder, result):
