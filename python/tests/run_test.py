@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """The package gives what the program gives: run_test.py PROGRAM."""
 
+import contextlib
 import importlib.util
+import io
 import json
 import os
 import pickle
@@ -17,8 +19,9 @@ import numpy as np
 from interrupt import interrupt
 
 import trammel
-from trammel import _core
+from trammel import _core, command_line
 from trammel.asked import text_of
+from trammel.results import Column
 
 PROGRAM = ""
 
@@ -53,6 +56,18 @@ class SameAsTheProgram(unittest.TestCase):
             listed = {f["id"]: (f["value"], f["unit"]) for f in metrics["figures"]}
             self.assertEqual({place: (float(f), f.unit) for place, f in result.figures.items()},
                              listed)
+            for one in metrics["figures"]:
+                figure = result.figures[one["id"]]
+                self.assertEqual((figure.name, figure.expected, figure.printed, figure.source),
+                                 (one["name"], one.get("expected"), one.get("printed"),
+                                  one.get("source", "")))
+                if "expected" in one:
+                    self.assertEqual((figure.tolerance, figure.good),
+                                     (one["tolerance"], one["within"]), one["id"])
+            self.assertEqual(result.simulated_s, metrics["run"]["simulated_s"])
+            self.assertEqual({name: one.end for name, one in result.companions.items()},
+                             {name: one["end"]
+                              for name, one in metrics.get("compared", {}).items()})
             own = Path(scratch) / "own"
             result.save(own, page=False)
             self.assertEqual((own / "trace.csv").read_bytes(),
@@ -185,6 +200,73 @@ class Beside(unittest.TestCase):
         self.assertRaises(ZeroDivisionError, trammel.run, "circle", progress=raise_it,
                           **{"run.leap": False})
         self.assertLess(time.monotonic() - begun, 15)
+
+
+class Texts(unittest.TestCase):
+    def test_a_figure_is_shown_with_its_unit(self):
+        self.assertEqual(repr(trammel.Figure(2.3456789, "mm")), "2.34568 mm")
+        self.assertEqual(repr(trammel.Figure(3)), "3")
+        self.assertTrue(trammel.Figure(2.5, expected=2, tolerance=0.5).good)
+        self.assertTrue(trammel.Figure(1.5, expected=2, tolerance=0.5).good)
+
+    def test_a_column_is_printed_with_its_digits(self):
+        for digits, text in ((None, "12"), (0, "12"), (2, "12.35"), (-3, "12.3")):
+            self.assertEqual(Column("a", "", "", digits).text(12.346), text)
+
+    def test_values_as_the_command_line_has_them(self):
+        for value, text in ((True, "true"), (False, "false"), (3, "3"), (0.1, "0.1"),
+                            (np.int64(3), "3"), (np.float64(0.1), "0.1"), (np.True_, "true"),
+                            ("fc", "fc"), (Path("a/b"), "a/b")):
+            self.assertEqual(text_of(value), text)
+        with self.assertRaisesRegex(trammel.SettingError, "not list$"):
+            text_of([1])
+
+    def test_the_later_of_two_files_wins_and_a_key_over_both(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            files = [Path(scratch, name) for name in ("a.toml", "b.toml")]
+            for file, mass in zip(files, (1, 2)):
+                file.write_text(f"plant.x.payload_kg = {mass}\n")
+            for keys, mass in (({}, 2), ({"plant.x.payload_kg": 3}, 3)):
+                asked = trammel.settings("circle", files=files, **keys)
+                self.assertEqual(float(asked.values["plant.x.payload_kg"]), mass)
+
+    def test_a_range_is_that_of_the_refusal(self):
+        key = trammel.keys(trammel.settings("circle").machine)["plant.x.payload_kg"]
+        with self.assertRaises(trammel.SettingError) as told:
+            trammel.settings("circle", **{key.name: 1e9})
+        self.assertEqual(key.range, told.exception.range)
+        self.assertEqual(float(key.default),
+                         float(trammel.settings("circle").values[key.name]))
+
+    def test_how_a_verb_ends(self):
+        def ended(error):
+            def action():
+                raise error
+            told = io.StringIO()
+            with contextlib.redirect_stderr(told):
+                code = command_line.exit_code("sweep", action, "out")
+            return code, told.getvalue()
+
+        self.assertEqual(command_line.exit_code("sweep", lambda: 1, "out"), 1)
+        for error, code, text in (
+                (ImportError(name="dask"), 3, "dask is missing (trammel doctor)"),
+                (KeyboardInterrupt(), 130, "interrupted; the same command goes on"),
+                (OSError(28, "", "a"), 2, "a: No space left on device; what is done is kept"),
+                (OSError(28, ""), 2, "out: No space left on device; what is done is kept"),
+                (OSError("why"), 2, "out: why; what is done is kept"),
+                (ValueError("why"), 2, "why")):
+            self.assertEqual(ended(error), (code, f"sweep: {text}\n"))
+
+    def test_options_that_are_not_given(self):
+        for parser, name in ((command_line.sweep(), "plan"), (command_line.tune(), "study")):
+            found = vars(parser.parse_args(["a.toml"]))
+            wanted = {name: "a.toml", "out": None, "jobs": 0, "cluster": "local", "scheduler": "",
+                      "limit": 60}
+            self.assertEqual({key: found[key] for key in wanted}, wanted)
+        found = command_line.sweep().parse_args(["a.toml"])
+        self.assertEqual((found.shard, found.yes, found.count, found.empty),
+                         ("1/1", False, False, False))
+        self.assertEqual(command_line.tune().parse_args(["a.toml"]).trials, 0)
 
 
 class Shapes(unittest.TestCase):

@@ -133,6 +133,24 @@ class Steps(unittest.TestCase):
         with self.assertRaisesRegex(trammel.SettingError, "has no register map; give a byte addr"):
             part.read("STATUS")
 
+    def test_values_just_beyond_their_range(self):
+        simulation = trammel.open("circle", **TWIN)
+        self.assertRegex(repr(simulation), "^<circle: stands at .* s>$")
+        signed = simulation.fields["x.IQ_MANUAL"]
+        low = -(1 << signed.bits - 1)
+        for call in (lambda: simulation.write("x.KP.mant", -1),
+                     lambda: simulation.write("x.IQ_MANUAL", low - 1),
+                     lambda: simulation.write("x.IQ_MANUAL", -low),
+                     lambda: simulation.write(0, -(2**31) - 1),
+                     lambda: simulation.read(-4), lambda: simulation.read(1 << 32),
+                     lambda: simulation.advance(-1)):
+            self.assertRaises(trammel.SettingError, call)
+        for value in (low, -low - 1):
+            simulation.write("x.IQ_MANUAL", value)
+            self.assertEqual(simulation.read("x.IQ_MANUAL"), value)
+        simulation.stop()
+        self.assertRegex(repr(simulation), "^<circle: over at .* s>$")
+
     def test_a_simulation_that_is_dropped_ends(self):
         for _ in range(20):
             trammel.open("circle").advance(1e-3)

@@ -42,6 +42,57 @@ TEST_CASE("a figure out of tolerance gives one line with its name, unit and tole
   CHECK_FALSE(any_expected({printed}));
 }
 
+TEST_CASE("a figure at its tolerance is good on both sides") {
+  CHECK(expecting(2.5, 2, 0.5).good());
+  CHECK(expecting(1.5, 2, 0.5).good());
+}
+
+TEST_CASE("a column that is a number follows the row's name without a comma") {
+  CHECK(figure("a", "period", "12", 1, "").name() == "period 12");
+  CHECK(figure("a", "period", "1a", 1, "").name() == "period, 1a");
+  CHECK(figure("a", "period", "", 1, "").name() == "period");
+}
+
+TEST_CASE("a count is rounded, wherever it stands") {
+  nlohmann::ordered_json json;
+  put_figures(json, {count("a", "interrupts", "", 2.6)});
+  CHECK(json["a"] == 3);
+  CHECK(json["figures"][0]["value"] == 3);
+  CHECK(figures_text({count("a", "interrupts", "", 2.6)}) == "  interrupts                3\n");
+}
+
+TEST_CASE("a table of one unit has it in its corner, and a blank line after it") {
+  std::vector<Figure> list;
+  for (const char* row : {"one", "two"}) {
+    for (const char* column : {"a", "b", "c"}) list.push_back(figure("x", row, column, 1, "mm"));
+  }
+  list.push_back(figure("y", "peak", "", 1.5, "A", 2));
+  CHECK(figures_text(list) == "\n  (mm)" + std::string(21, ' ') + "      a      b      c\n" +
+                                  "  one" + std::string(22, ' ') + "  1.000  1.000  1.000\n" +
+                                  "  two" + std::string(22, ' ') + "  1.000  1.000  1.000\n" +
+                                  "\n  peak" + std::string(21, ' ') + " 1.50 A\n");
+}
+
+TEST_CASE("two columns make no table") {
+  std::vector<Figure> list;
+  for (const char* row : {"one", "two"}) {
+    for (const char* column : {"a", "b"}) list.push_back(figure("x", row, column, 1, "mm", 1));
+  }
+  CHECK(figures_text(list) == "  one" + std::string(22, ' ') + " a 1.0 mm, b 1.0 mm\n" +
+                                  "  two" + std::string(22, ' ') + " a 1.0 mm, b 1.0 mm\n");
+}
+
+TEST_CASE("each source is named once below the comparison") {
+  std::vector<Figure> list;
+  for (const char* source : {"a paper", "its manual", "a paper"}) {
+    list.push_back(expecting(2.1, 2.11, 0.05));
+    list.back().shown = false;
+    list.back().source = source;
+  }
+  const std::string text = figures_text(list);
+  CHECK(text.substr(text.rfind("\n  ")) == "\n  a paper; its manual\n");
+}
+
 TEST_CASE("rows of other units make no table, though their columns have the same names") {
   std::vector<Figure> list;
   for (const char* column : {"a", "b", "c"}) list.push_back(figure("x", "one", column, 1, "mm"));

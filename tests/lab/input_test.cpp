@@ -120,6 +120,8 @@ TEST_CASE("a scenario that is nested deeper than any is refused, not followed") 
   CHECK(refusal_of("description = '" + dots + open + "'  # " + dots + open + "\n").empty());
   CHECK(refusal_of("description = \"\"\"\n" + dots + "\"\"\n" + open + "\"\"\"\n").empty());
   CHECK(refusal_of("description = '''" + dots + "''\n" + open + "'''\n").empty());
+  CHECK_THAT(refusal_of("a = " + repeated("[", 64) + repeated("]", 64) + "\n"),
+             Contains("unknown key"));
   CHECK_THAT(refusal_of("a = [" + repeated("1.5, ", 100) + "]\n"), Contains("unknown key"));
   CHECK_THAT(refusal_of("a" + repeated(".a", 63) + " = 1\n"), Contains("unknown key"));
 }
@@ -143,6 +145,11 @@ TEST_CASE("JSON that is nested deeper or wider than any of a run is refused") {
   std::string wide;
   for (int k = 0; k < 5000; ++k) wide += (k > 0 ? ",\"" : "{\"") + std::to_string(k) + "\":[{}]";
   CHECK(json_refusal(wide + "}") == "a.json: is corrupt: an object of more than 4096 members");
+  std::string widest = "{\"0\":1";
+  for (int k = 1; k < 4096; ++k) widest += ",\"" + std::to_string(k) + "\":1";
+  CHECK(json_refusal(widest + "}").empty());
+  CHECK(json_refusal(widest + ",\"4096\":1}") ==
+        "a.json: is corrupt: an object of more than 4096 members");
   // Many objects are not one that is wide, in turn or in each other's place.
   std::string many;
   for (int k = 0; k < 3000; ++k) {

@@ -14,6 +14,38 @@
 using namespace trammel;
 using cosim::EndReason;
 
+TEST_CASE("a comparison that is stopped ends the run as interrupted, and is not kept") {
+  bool compared = false;
+  for (const auto& file : lab::scenarios()) {
+    const auto settings = lab::load_scenario(file);
+    const lab::Machine& machine = settings->machine();
+    if (machine.companions == nullptr || machine.companions(*settings).empty()) continue;
+    INFO("scenario " << settings->scenario);
+    std::size_t runs = 0;
+    const lab::Record record = lab::run_by(
+        [&](const lab::Settings& one, const cosim::Hooks&) {
+          return test::short_result(one, ++runs == 1 ? EndReason::kDone : EndReason::kStopped);
+        },
+        *settings);
+    CHECK(runs == 2);
+    CHECK(record.result->end == EndReason::kStopped);
+    CHECK(record.verdict == machine.verdict(*settings, *record.result));
+    CHECK(record.companions.empty());
+    compared = true;
+    break;
+  }
+  CHECK(compared);
+}
+
+TEST_CASE("a broken assertion is told with its instance, or else as of the chip") {
+  cosim::BrokenPromise promise{"no_shoot_through", "chip.u_leg", "leg.sv:7", 50000};
+  CHECK(lab::promise_text(promise) ==
+        "no_shoot_through of chip.u_leg at 0.00100000 s, clock 50000 (leg.sv:7)");
+  promise.instance.clear();
+  CHECK(lab::promise_text(promise) ==
+        "no_shoot_through of the chip at 0.00100000 s, clock 50000 (leg.sv:7)");
+}
+
 TEST_CASE("a run that did not end well is compared with nothing") {
   std::size_t compared = 0;
   for (const auto& file : lab::scenarios()) {

@@ -27,7 +27,34 @@ TEST_CASE("control characters and bytes that are no UTF-8 are told, not sent to 
   CHECK(printable("\xE0\x80\x9B") == "\\xe0\\x80\\x9b");
   CHECK(printable("\xED\xA0\x80") == "\\xed\\xa0\\x80");  // a surrogate
   CHECK(printable("\xF4\x90\x80\x80") == "\\xf4\\x90\\x80\\x80");
+  CHECK(printable("\xED\xBF\xBF") == "\\xed\\xbf\\xbf");            // the last surrogate
+  CHECK(printable("\xF0\x8F\xBF\xBF") == "\\xf0\\x8f\\xbf\\xbf");  // U+FFFF in four bytes
+  CHECK(printable("\xF4\x8F\xBF\xBF") == "\xF4\x8F\xBF\xBF");      // the last character
   CHECK(printable_lines("a\n\tb\x1b") == "a\n\tb\\u001b");
+}
+
+TEST_CASE("each range of control characters begins and ends where Unicode has it") {
+  const struct {
+    const char *before, *first, *last, *after, *first_told, *last_told;
+  } ranges[] = {
+      {"~", "\x7f", "\xC2\x9F", "\u00a0", "\\u007f", "\\u009f"},
+      {"\u00ac", "\u00ad", "\u00ad", "\u00ae", "\\u00ad", "\\u00ad"},
+      {"\u05ff", "\u0600", "\u0605", "\u0606", "\\u0600", "\\u0605"},
+      {"\u061b", "\u061c", "\u061c", "\u061d", "\\u061c", "\\u061c"},
+      {"\u180d", "\u180e", "\u180e", "\u180f", "\\u180e", "\\u180e"},
+      {"\u200a", "\u200b", "\u200f", "\u2010", "\\u200b", "\\u200f"},
+      {"\u2027", "\u2028", "\u202e", "\u202f", "\\u2028", "\\u202e"},
+      {"\u205f", "\u2060", "\u2064", "\u2065", "\\u2060", "\\u2064"},
+      {"\u2065", "\u2066", "\u206f", "\u2070", "\\u2066", "\\u206f"},
+      {"\ufff8", "\ufff9", "\ufffb", "\ufffc", "\\ufff9", "\\ufffb"},
+      {"\U000e001f", "\U000e0020", "\U000e007f", "\U000e0080", "\\U000e0020", "\\U000e007f"}};
+  for (const auto& range : ranges) {
+    CAPTURE(range.first_told);
+    CHECK(printable(range.before) == range.before);
+    CHECK(printable(range.first) == range.first_told);
+    CHECK(printable(range.last) == range.last_told);
+    CHECK(printable(range.after) == range.after);
+  }
 }
 
 TEST_CASE("what a message repeats is cut") {
@@ -44,6 +71,12 @@ TEST_CASE("a message is one line with its beginning and its end") {
   CHECK(one_line("/" + name + "/" + name + ": reason") == "/" + name + "/" + name + ": reason");
   CHECK(one_line("a/" + std::string(301, 'k') + "/" + std::string(301, 'k')) ==
         "a/" + shown + cut + "/" + shown + cut);
+  CHECK(one_line(std::string(300, 'k')) == std::string(300, 'k'));
+  std::string longest;  // 2000 characters, and one more
+  for (int k = 0; k < 1000; ++k) longest += "a ";
+  CHECK(one_line(longest) == longest);
+  CHECK(one_line(longest + "a") ==
+        longest.substr(0, 1000) + cut + (longest + "a").substr(1001));
   std::string message = "file:";
   for (int k = 0; k < 10000; ++k) message += " word";
   const std::string line = one_line(message + ": reason");
@@ -54,6 +87,8 @@ TEST_CASE("a message is one line with its beginning and its end") {
 
 TEST_CASE("a time has the unit that suits it, and as many digits as asked for") {
   CHECK(time_text(0) == "0 s");
+  CHECK(time_text(1) == "1 s");
+  CHECK(time_text(-2.4) == "-2.4 s");
   CHECK(time_text(2.4) == "2.4 s");
   CHECK(time_text(0.0018) == "1.8 ms");
   CHECK(time_text(-1e-3) == "-1 ms");
