@@ -65,43 +65,6 @@ TEST_CASE("a dead time of 0 acts as 1, and one of 2 as 2, at each switch of a le
   }
 }
 
-TEST_CASE("an event in the very clock of the write that clears its bit is kept") {
-  struct Case {
-    const char* name;
-    std::uint32_t address, bit;
-    std::int64_t from, to;  // clocks after the 2 kHz tick at which the write begins
-  };
-  constexpr std::uint32_t kXStatus = reg::kX + reg::kStatus, kYStatus = reg::kY + reg::kStatus;
-  for (const Case& one : {Case{"x saturated", kXStatus, reg::kStatusSaturated, 56, 64},
-                          Case{"y saturated", kYStatus, reg::kStatusSaturated, 56, 64},
-                          Case{"x limited", kXStatus, reg::kStatusLimited, 124, 136},
-                          Case{"y limited", kYStatus, reg::kStatusLimited, 124, 136},
-                          Case{"tick", reg::kIrqStat, reg::kIrqStatTick, -4, 4}}) {
-    Pair pair;
-    pair.write(reg::kIrqPeriod, 1);
-    for (const std::uint32_t base : {reg::kX, reg::kY}) {  // far off, with high gains
-      pair.write(base + reg::kKp, 4u << 16 | 2047);
-      pair.write(base + reg::kKpCur, 4u << 16 | 2047);
-      pair.write(base + reg::kPosCmd, 100000);
-      pair.write(base + reg::kCtrl, reg::kCtrlEnable | reg::kCtrlCurrentLoop |
-                                        reg::kCtrlPositionLoop);
-    }
-    pair.write(reg::kCommit, reg::kCommitTake);
-    int kept = 0, cleared = 0;
-    for (std::int64_t begin = one.from; begin <= one.to; ++begin) {
-      CAPTURE(one.name, begin);
-      constexpr std::int64_t kTick = 8 * kPeriod;
-      pair.clocks(kTick);
-      pair.clocks((begin - pair.now() % kTick + kTick) % kTick);
-      pair.write(one.address, one.bit);
-      ((pair.read(one.address) & one.bit) != 0 ? kept : cleared) += 1;  // the twin's is compared
-    }
-    CAPTURE(one.name);
-    CHECK(kept > 0);
-    CHECK(cleared > 0);
-  }
-}
-
 // Rules are tuned at clocks 64, 66, 68 and 70 of a sample; a reset of the table that waits for the
 // end of the sample already ends that.
 TEST_CASE("a rule is tuned no more once the reset of its table is asked for") {
