@@ -50,6 +50,7 @@ Record run_by(const Simulate& simulate, const Settings& settings, const cosim::H
     }
     record.companions.push_back(judged(std::move(companion.settings), std::move(result)));
     record.companions.back().name = companion.name;
+    record.companions.back().printed = companion.printed;
   }
   return record;
 }

@@ -22,6 +22,7 @@ namespace trammel::lab {
 struct Companion {
   std::string name;
   std::unique_ptr<Settings> settings;
+  bool printed = true;  // its figures; else what the machine says of both is enough
 };
 
 // Samples [first, last) of a record.
@@ -32,6 +33,7 @@ struct Range {
 
 struct Record {
   std::string name;                          // among companions
+  bool printed = true;                       // as of the companion
   std::shared_ptr<const Settings> settings;
   std::unique_ptr<cosim::RunResult> result;  // of the machine's own type
   std::vector<Figure> figures;

@@ -346,13 +346,14 @@ std::string report_text(const Record& record, const std::string& folder, bool pa
   if (!settings.description.empty()) text += fmt::format("  {}\n", settings.description);
   text += figures_text(record.figures);
   for (const Record& companion : record.companions) {
+    if (!companion.printed) continue;
     text += fmt::format("\n  {}: {}\n{}", companion.name, companion.verdict,
                         figures_text(companion.figures));
   }
   text += injected_text(settings, result);
   if (record.machine().remarks != nullptr) {
     for (const std::string& remark : record.machine().remarks(record)) {
-      text += fmt::format("  {}\n", remark);
+      text += remark.empty() ? "\n" : fmt::format("  {}\n", remark);
     }
   }
   const double simulated = seconds_of(result.clocks);

@@ -147,7 +147,7 @@ std::vector<lab::Companion> precision_companions(const lab::Settings& settings) 
     other->uart.clear();
     other->precision.learn = false;
     other->diverged_m = other->reached_m = 1;  // however far they are behind
-    all.push_back({name, std::move(other)});
+    all.push_back({name, std::move(other), false});  // comparison_lines() has their errors
   }
   return all;
 }
@@ -190,10 +190,12 @@ std::vector<std::string> comparison_lines(const lab::Record& record) {
                        value("error_um.max"), value("contour_um.mean"), value("contour_um.max"));
   };
   std::vector<std::string> lines{
+      "",  // a blank line
       fmt::format("{:<24}{:>10}{:>10}{:>12}{:>10}", "same feed profile (mm)", "error", "max",
                   "from path", "max"),
       line("precision", record)};
   for (const lab::Record& beside : record.companions) lines.push_back(line(beside.name, beside));
+  lines.emplace_back();
   return lines;
 }
 

@@ -9,6 +9,7 @@
 #include "lab/machine.hpp"
 #include "lab/record.hpp"
 #include "lab/scenarios.hpp"
+#include "lab/write.hpp"
 #include "tests/support/short_run.hpp"
 
 using namespace trammel;
@@ -33,6 +34,30 @@ TEST_CASE("a comparison that is stopped ends the run as interrupted, and is not 
     CHECK(record.companions.empty());
     compared = true;
     break;
+  }
+  CHECK(compared);
+}
+
+TEST_CASE("figures of a companion are printed unless its machine compares them by itself") {
+  bool compared = false;
+  for (const auto& file : lab::scenarios()) {
+    const auto settings = lab::load_scenario(file);
+    const lab::Machine& machine = settings->machine();
+    if (machine.companions == nullptr || machine.companions(*settings).empty()) continue;
+    INFO("scenario " << settings->scenario);
+    const lab::Record record = lab::run_by(
+        [&](const lab::Settings& one, const cosim::Hooks&) {
+          return test::short_result(one, EndReason::kDone);
+        },
+        *settings);
+    REQUIRE_FALSE(record.companions.empty());
+    const std::string text = lab::report_text(record, "", false);
+    for (const lab::Record& beside : record.companions) {
+      const bool told = text.find("\n  " + beside.name + ": ") != std::string::npos;
+      CHECK(told == beside.printed);
+      CHECK(lab::metrics_json(record)["compared"].contains(beside.name));
+    }
+    compared = true;
   }
   CHECK(compared);
 }
