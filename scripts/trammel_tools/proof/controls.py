@@ -58,17 +58,20 @@ class Control:
             return {path: text[:begin] + new + text[end:]}, []
         return {path: self.spliced(text)}, [f"rewire {self.name} {rewire.KINDS[self.sign]}"]
 
-    def spliced(self, text):
-        """The text with declarations of what rewire joins to the net."""
-        before = "next" if self.sign == "<=" else self.name
-        new = re.sub(rf"(?<![\w.]){re.escape(before)}(?!\w)", rewire.BEFORE, self.new)
+    def spliced(self, text, cut="", number=""):
+        """The text with declarations of what rewire joins to the net, or to its cut as one of
+        several changes, the number of which is `_` and digits."""
+        before, value = rewire.BEFORE + cut, rewire.VALUE + cut + number
+        name = "next" if self.sign == "<=" else self.name
+        new = re.sub(rf"(?<![\w.]){re.escape(name)}(?!\w)", before, self.new)
         head, end, tail = text.rpartition("endmodule")
         # Of a port of an instance no type can be asked; rewire cuts it to its width.
         port = "." in self.name
         kind = PORT if port else f"type({self.name})"
         bits = PORT if port else f"logic [$bits({self.name})-1:0]"
-        return (f"{head}  wire {kind} {rewire.BEFORE};\n"
-                f"  wire {bits} {rewire.VALUE} = {new};\n{end}{tail}")
+        declared = f"  wire {kind} {before};\n"
+        return (f"{head}{declared if declared not in text else ''}"
+                f"  wire {bits} {value} = {new};\n{end}{tail}")
 
 
 def find_constant(text, name):

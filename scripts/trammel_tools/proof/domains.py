@@ -29,13 +29,18 @@ WHOLE = ("unseen",)
 ASKING = ("quiescent_o", "awake_o", "timed_o")  # outputs that may move at the end of a leap
 
 
-class Domains:
-    """Of each register of a chip, by the clocks of Yosys' netlist."""
+def netlist(path):
+    """The module with the clocks in a file of write_json."""
+    modules = json.loads(path.read_text(encoding="utf-8"))["modules"].values()
+    return next((m for m in modules if "clock_en_i" in m["ports"] and "awake_o" in m["ports"]),
+                None)
 
-    def __init__(self, path, chip):
-        modules = json.loads(path.read_text(encoding="utf-8"))["modules"].values()
-        self.top = top = next(m for m in modules
-                              if "clock_en_i" in m["ports"] and "awake_o" in m["ports"])
+
+class Domains:
+    """Of each register of a chip, by the clocks of its netlist."""
+
+    def __init__(self, top, chip):
+        self.top = top
         enables = {bit: n for n, bit in enumerate(top["ports"]["clock_en_i"]["bits"])}
         names = {bits["bits"][0]: name.removeprefix("awake_")
                  for name, bits in top["netnames"].items()
@@ -61,7 +66,7 @@ class Domains:
                  for n, bit in enumerate(net["bits"]) if bit in clocks}
         for bit in chip.registers:
             if bit not in self.nets:
-                raise PropertiesError(f"{path.stem}: register {bit} has no clock")
+                raise PropertiesError(f"register {bit} has no clock")
         self.of = {bit: self.domain(f"register {bit}", clocks[self.nets[bit]])
                    for bit in chip.registers}
         self.memories = {}

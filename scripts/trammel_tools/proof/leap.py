@@ -15,7 +15,7 @@ import tomllib
 from collections import Counter
 
 from trammel_tools.paths import ROOT, RTL
-from trammel_tools.proof import abc, domains, leap_model, miter
+from trammel_tools.proof import abc, domains, joined, leap_model, miter
 from trammel_tools.proof.controls import ControlError, parse
 from trammel_tools.proof.properties import PropertiesError
 
@@ -189,15 +189,13 @@ def fall(folder, name, questions, limit):
                     f"{number(value, questions.after_words['next_o'])}"
 
 
-def domain_questions(folder, source, made):
-    return domains.Questions(made, domains.Domains(folder / f"{source.name}.cells.json", made),
-                             WORD)
+def domain_questions(netlist, made):
+    return domains.Questions(made, domains.Domains(netlist, made), WORD)
 
 
-def settle_domains(folder, source, asked, lemma, limit):
+def settle_domains(folder, name, asked, lemma, limit):
     """As settle(), of a lemma of clock domains."""
-    return domains.settle(asked, lemma, lambda bad: ask(folder, f"{source.name}_{lemma}",
-                                                        asked.graph, bad, limit))
+    return domains.settle(asked, lemma, lambda bad: ask(folder, name, asked.graph, bad, limit))
 
 
 def check_chip(chip, limit):
@@ -226,12 +224,13 @@ def check_chip(chip, limit):
     asked = len(LEMMAS)
     if leap_model.has_domains(chip):
         said = leap_model.make(folder, [whole])
-        models = {source.products: (source, domain_questions(folder, source, model))
-                  for source, model in ((source, made),
-                                        (whole, leap_model.made(folder, whole, said)))}
+        models = {source.products: (source.name, domain_questions(
+            domains.netlist(folder / f"{source.name}.cells.json"), model))
+            for source, model in ((source, made), (whole, leap_model.made(folder, whole, said)))}
         for lemma, sentence in domains.LEMMAS.items():
             start = time.monotonic()
-            verdict, how = settle_domains(folder, *models[lemma in domains.WHOLE], lemma, limit)
+            name, questions = models[lemma in domains.WHOLE]
+            verdict, how = settle_domains(folder, f"{name}_{lemma}", questions, lemma, limit)
             took = time.monotonic() - start
             print(f"  {lemma:<15} {verdict:<8} {took:5.1f} s  {sentence}", flush=True)
             if verdict != "proven":
@@ -275,29 +274,27 @@ def check_broken(chip, limit):
     folder.mkdir(parents=True, exist_ok=True)
     begin = time.monotonic()
     designs = broken_designs(chip)
-    wrong, sources = [], {}
+    models, failed = joined.models(folder, chip, {
+        n: (control, bool(set(lemmas) & set(domains.WHOLE)))
+        for n, (_, lemmas, control) in enumerate(designs)})
+    wrong = []
     for n, (what, lemmas, control) in enumerate(designs):
         try:
-            sources[n] = leap_model.Source(chip, f"broken{n}", *control.changed(),
-                                           products=bool(set(lemmas) & set(domains.WHOLE)))
-        except ControlError as error:
-            wrong.append(f"{what}: `{control.words}` does not apply any more: {error}")
-    said = leap_model.make(folder, list(sources.values()))
-    for n, source in sources.items():
-        what, lemmas, control = designs[n]
-        try:
-            made = leap_model.made(folder, source, said)
-        except PropertiesError as error:
+            if n in failed:
+                raise failed[n]
+            made = models[n].chip(n)
+        except (ControlError, PropertiesError) as error:
             wrong.append(f"{what}: `{control.words}` does not apply any more: {error}")
             continue
-        asked = None
+        plain = timed = None
         for lemma in lemmas:
+            name = f"broken{n}_{lemma}"
             if lemma in domains.LEMMAS:
-                asked = asked or domain_questions(folder, source, made)
-                verdict, how = settle_domains(folder, source, asked, lemma, limit)
+                timed = timed or domain_questions(models[n].netlist(n), made)
+                verdict, how = settle_domains(folder, name, timed, lemma, limit)
             else:
-                verdict, how = settle(folder, f"{source.name}_{lemma}", made, Questions(made),
-                                      lemma, limit)
+                plain = plain or Questions(made)
+                verdict, how = settle(folder, name, made, plain, lemma, limit)
             print(f"  {lemma:<15} {verdict:<8} {what}{': ' * bool(how)}{how}", flush=True)
             if verdict != "refuted":
                 wrong.append(f"{what}: {lemma} does not refute `{control.words}`")

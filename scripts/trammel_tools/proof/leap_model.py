@@ -118,6 +118,7 @@ class Chip:
 
 
 def read(folder, name):
+    """(gates, {port: variable}, {port: literals}, {latch: its names}) of a model."""
     gates = aiger.read(folder / f"{name}.aig")
     inputs, outputs, aliases = {}, {}, {}
     for line in (folder / f"{name}.map").read_text(encoding="utf-8").splitlines():
@@ -131,7 +132,13 @@ def read(folder, name):
         for name in names.split():
             signal, bit = re.fullmatch(r"(.+?)(?:\[(\d+)\])?", name).groups()
             outputs.setdefault(signal, {})[int(bit or 0)] = gates.outputs[int(index)]
-    ports = {port for port in outputs if port.endswith(MEMORY_PORTS)}
+    words = {port: [bits[n] for n in sorted(bits)] for port, bits in outputs.items()}
+    return gates, inputs, words, aliases
+
+
+def chip_of(gates, inputs, words, aliases):
+    """The Chip of what read() gives."""
+    ports = {port for port in words if port.endswith(MEMORY_PORTS)}
     registers, nexts, shadows = {}, {}, {}
     for index, literal in enumerate(gates.nexts):
         variable = gates.inputs + index + 1
@@ -145,7 +152,6 @@ def read(folder, name):
             shadows[variable] = aliases.get(index, [("", 0)])[0][0]
     leap = {variable for port, variable in inputs.items() if port.startswith("leap_i[")}
     moved = reached(gates, leap)
-    words = {port: [bits[n] for n in sorted(bits)] for port, bits in outputs.items()}
     kept = {port: word for port, word in words.items() if port not in ports}
     return Chip(gates, inputs, kept, memories(inputs, words), registers, nexts, shadows,
                 [bit for bit, literal in nexts.items() if moved[literal >> 1]],
@@ -185,10 +191,15 @@ def make(folder, sources):
     return formal.run_scripts(folder, [source.name for source in sources], ("aig", "map", "log"))
 
 
+def made_parts(folder, source, said):
+    """What read() gives of the model that Yosys made of a source."""
+    formal.check_made(folder, source.name, "map", said)
+    parts = read(folder, source.name)
+    if not parts[0].bad and rests(source.stem):
+        raise PropertiesError(f"{source.chip}: what the proof rests on did not arrive")
+    return parts
+
+
 def made(folder, source, said):
     """The Chip that Yosys made of a source."""
-    formal.check_made(folder, source.name, "map", said)
-    chip = read(folder, source.name)
-    if not chip.gates.bad and rests(source.stem):
-        raise PropertiesError(f"{source.chip}: what the proof rests on did not arrive")
-    return chip
+    return chip_of(*made_parts(folder, source, said))
