@@ -133,12 +133,22 @@ def parameters(text):
         r"^ *parameter +(.+?),?(?: *//.*)?$", text, re.M)]
 
 
+def as_enumeration(kind, name):
+    """A net, as a port of this type takes it: only an enumeration wants a cast."""
+    for package in RTL.glob("pkg/*_pkg.sv"):
+        if re.search(rf"typedef enum [^;]*\}} {kind};", package.read_text(encoding="utf-8")):
+            return f"{package.stem}::{kind}'({name})"
+    return name
+
+
 def named_bind(path):
     """The properties with ports bound by name: `.*` wants types, which a netlist has not."""
     text = path.read_text(encoding="utf-8")
     head, bind, tail = text.partition("\nbind ")
-    names = re.findall(r"^ +input .*?(\w+)(?: \[[^]]*\])?,?(?: *//.*)?$", head.split(");")[0], re.M)
-    links = [f".{name}({name})" for name in names if not re.search(rf"\.{name}\b", tail)]
+    ports = re.findall(r"^ +input (\w+).*?(\w+)(?: \[[^]]*\])?,?(?: *//.*)?$",
+                       head.split(");")[0], re.M)
+    links = [f".{name}({as_enumeration(kind, name)})" for kind, name in ports
+             if not re.search(rf"\.{name}\b", tail)]
     # A name inside a generated scope is one word of the netlist.
     tail = re.sub(r"(?<=[({ ])\w+(\[\d+\])?(\.\w+)+", lambda found: f"\\{found[0]} ", tail)
     return head + bind + tail.replace(".*", ", ".join(links))
