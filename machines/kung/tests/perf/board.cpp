@@ -44,8 +44,9 @@ Board::Board(sc_module_name name, const kung::Options& options, Pins& pins, Vkun
   options_.plant.axis[0].start_m = start.x * options_.plant.axis[0].encoder_count_m;
   options_.plant.axis[1].start_m = start.y * options_.plant.axis[1].encoder_count_m;
   plant_ = std::make_unique<kung::TablePlant>(options_.plant, cosim::kNever, cosim::kNever);
-  recorder_ = std::make_unique<kung::Recorder>(chip_, plant_->table(),
-                                               [](const kung::Sample&) { return false; });
+  recorder_ = std::make_unique<kung::Recorder>(
+      chip_, plant_->table(), options_.controller == kung::Controller::kPrecision,
+      [](const kung::Sample&) { return false; });
   SC_HAS_PROCESS(Board);
   SC_THREAD(execute);
   sensitive << clk.pos();
