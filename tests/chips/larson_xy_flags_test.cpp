@@ -49,6 +49,18 @@ struct Move {
 
 constexpr Move kMoves[] = {{0, false}, {0, true}, {1, false}, {1, true}};
 
+// take(move, n) of each move, n clocks behind its begin: the clocks around its event.
+template <class Take>
+void around_each_event(const Take& take) {
+  for (const Move& move : kMoves) {
+    const std::int64_t event = move.lasts();
+    for (std::int64_t n = event - 6; n < event + 4; ++n) {
+      CAPTURE(move.axis, move.trips, event, n);
+      take(move, n);
+    }
+  }
+}
+
 }  // namespace
 
 TEST_CASE("larson_xy: a done event in the very clock of a read of the vector is kept") {
@@ -76,38 +88,30 @@ TEST_CASE("larson_xy: a done event in the very clock of a read of the vector is 
 }
 
 TEST_CASE("larson_xy: a grant takes no done event of the other axis, whichever clock it is in") {
-  for (const Move& move : kMoves) {
-    const std::int64_t event = move.lasts();
-    for (std::int64_t n = event - 6; n < event + 4; ++n) {
-      CAPTURE(move.axis, move.trips, event, n);
-      LarsonBench bench;
-      bench.mov(status(1 - move.axis), kEnable | kBusy | kRate);  // with nothing to do: done
-      REQUIRE(bench.irq());
-      move.begin(bench);
-      bench.clocks(n);
-      const std::uint32_t first = bench.vector();
-      bench.clocks(move.after() - n);
-      const std::uint32_t second = bench.vector();
-      CHECK((first == kVectors[0] || first == kVectors[1]));
-      CHECK(first + second == kVectors[0] + kVectors[1]);
-      CHECK(bench.vector() == 0);
-    }
-  }
+  around_each_event([](const Move& move, std::int64_t n) {
+    LarsonBench bench;
+    bench.mov(status(1 - move.axis), kEnable | kBusy | kRate);  // with nothing to do: done
+    REQUIRE(bench.irq());
+    move.begin(bench);
+    bench.clocks(n);
+    const std::uint32_t first = bench.vector();
+    bench.clocks(move.after() - n);
+    const std::uint32_t second = bench.vector();
+    CHECK((first == kVectors[0] || first == kVectors[1]));
+    CHECK(first + second == kVectors[0] + kVectors[1]);
+    CHECK(bench.vector() == 0);
+  });
 }
 
 TEST_CASE("larson_xy: a reset in the very clock of a done event or a trip leaves none of it") {
-  for (const Move& move : kMoves) {
-    const std::int64_t event = move.lasts();
-    for (std::int64_t n = event - 6; n < event + 4; ++n) {
-      CAPTURE(move.axis, move.trips, event, n);
-      LarsonBench bench;
-      move.begin(bench);
-      bench.clocks(n);
-      bench.mov(status(move.axis), kReset | kEnable | kForward | kRate);
-      bench.clocks(move.after() - n);
-      CHECK_FALSE(bench.irq());
-      CHECK_FALSE(bench.axis(move.axis).flush);
-      CHECK((bench.word(status(move.axis)) & kBusy) == 0);
-    }
-  }
+  around_each_event([](const Move& move, std::int64_t n) {
+    LarsonBench bench;
+    move.begin(bench);
+    bench.clocks(n);
+    bench.mov(status(move.axis), kReset | kEnable | kForward | kRate);
+    bench.clocks(move.after() - n);
+    CHECK_FALSE(bench.irq());
+    CHECK_FALSE(bench.axis(move.axis).flush);
+    CHECK((bench.word(status(move.axis)) & kBusy) == 0);
+  });
 }

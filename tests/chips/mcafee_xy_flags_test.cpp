@@ -11,7 +11,7 @@
 #include "tests/chips/mcafee_bench.hpp"
 #include "tests/support/flags.hpp"
 
-using trammel::test::clears_what_it_shows;
+using trammel::test::clears_what_a_new_bench_shows;
 using trammel::test::McafeePair;
 namespace reg = trammel::mcafee_xy_regs;
 using Bench = trammel::test::McafeeBench<McafeePair>;
@@ -23,23 +23,10 @@ TEST_CASE("mcafee_xy: a sample in the very clock of the write that clears its bi
     bench.sample();
     first = bench.now();
   }
-  const auto sampled = [](Bench& bench) {
-    return (bench.read(reg::kStatus) & reg::kStatusSample) != 0;
-  };
-  clears_what_it_shows(
-      first - 8, first + 8,
-      [&](std::int64_t n) {
-        Bench bench;
-        bench.clocks(n);
-        return sampled(bench);
-      },
-      [&](std::int64_t n) {
-        Bench bench;
-        bench.clocks(n);
-        bench.write(reg::kStatus, reg::kStatusSample);
-        bench.clocks(20);
-        return sampled(bench);
-      });
+  clears_what_a_new_bench_shows<Bench>(
+      first - 8, first + 20, [](Bench& bench, std::int64_t n) { bench.clocks(n); },
+      [](Bench& bench) { return (bench.read(reg::kStatus) & reg::kStatusSample) != 0; },
+      [](Bench& bench) { bench.write(reg::kStatus, reg::kStatusSample); });
 }
 
 namespace {
@@ -103,31 +90,18 @@ TEST_CASE("mcafee_xy: a refusal in the very clock of the write that clears its b
       {"WR in a pulse", {reg::kPortBWriteStrobe, 0}, reg::kPortBWriteStrobe}};
   for (const Case& one : cases) {
     CAPTURE(one.name);
-    const auto refuse = [&one](Hasty& bus, std::int64_t n) {
-      for (const std::uint32_t word : one.before) {
-        bus.write(reg::kPortB, word);
-        bus.clocks(8);
-      }
-      REQUIRE((bus.read(reg::kStatus) & reg::kStatusRefused) == 0);
-      bus.write(reg::kPortB, one.refused);
-      bus.clocks(n);
-    };
-    const auto told = [](Hasty& bus) {
-      return (bus.read(reg::kStatus) & reg::kStatusRefused) != 0;
-    };
-    clears_what_it_shows(
+    clears_what_a_new_bench_shows<Hasty>(
         0, 8,
-        [&](std::int64_t n) {
-          Hasty bus;
-          refuse(bus, n);
-          return told(bus);
+        [&one](Hasty& bus, std::int64_t n) {
+          for (const std::uint32_t word : one.before) {
+            bus.write(reg::kPortB, word);
+            bus.clocks(8);
+          }
+          REQUIRE((bus.read(reg::kStatus) & reg::kStatusRefused) == 0);
+          bus.write(reg::kPortB, one.refused);
+          bus.clocks(n);
         },
-        [&](std::int64_t n) {
-          Hasty bus;
-          refuse(bus, n);
-          bus.write(reg::kStatus, reg::kStatusRefused);
-          bus.clocks(8);
-          return told(bus);
-        });
+        [](Hasty& bus) { return (bus.read(reg::kStatus) & reg::kStatusRefused) != 0; },
+        [](Hasty& bus) { bus.write(reg::kStatus, reg::kStatusRefused); });
   }
 }

@@ -15,41 +15,54 @@
 using namespace trammel;
 using cosim::EndReason;
 
-TEST_CASE("a comparison that is stopped ends the run as interrupted, and is not kept") {
-  bool compared = false;
+namespace {
+
+// take(settings, what they are compared with) of scenarios that are compared, until it is false.
+template <class Take>
+void each_compared(const Take& take) {
+  std::size_t compared = 0;
   for (const auto& file : lab::scenarios()) {
     const auto settings = lab::load_scenario(file);
     const lab::Machine& machine = settings->machine();
-    if (machine.companions == nullptr || machine.companions(*settings).empty()) continue;
+    if (machine.companions == nullptr) continue;
+    const auto wanted = machine.companions(*settings);
+    if (wanted.empty()) continue;
     INFO("scenario " << settings->scenario);
+    ++compared;
+    if (!take(*settings, wanted)) break;
+  }
+  CHECK(compared > 0);
+}
+
+// The run and those beside it, the first with one end and the others with another.
+lab::Record short_record(const lab::Settings& settings, EndReason first, EndReason others,
+                         std::size_t& runs) {
+  return lab::run_by(
+      [&](const lab::Settings& one, const cosim::Hooks&) {
+        return test::short_result(one, ++runs == 1 ? first : others);
+      },
+      settings);
+}
+
+}  // namespace
+
+TEST_CASE("a comparison that is stopped ends the run as interrupted, and is not kept") {
+  each_compared([](const lab::Settings& settings, const auto&) {
     std::size_t runs = 0;
-    const lab::Record record = lab::run_by(
-        [&](const lab::Settings& one, const cosim::Hooks&) {
-          return test::short_result(one, ++runs == 1 ? EndReason::kDone : EndReason::kStopped);
-        },
-        *settings);
+    const lab::Record record =
+        short_record(settings, EndReason::kDone, EndReason::kStopped, runs);
     CHECK(runs == 2);
     CHECK(record.result->end == EndReason::kStopped);
-    CHECK(record.verdict == machine.verdict(*settings, *record.result));
+    CHECK(record.verdict == settings.machine().verdict(settings, *record.result));
     CHECK(record.companions.empty());
-    compared = true;
-    break;
-  }
-  CHECK(compared);
+    return false;
+  });
 }
 
 TEST_CASE("figures of a companion are printed unless its machine compares them by itself") {
-  bool compared = false;
-  for (const auto& file : lab::scenarios()) {
-    const auto settings = lab::load_scenario(file);
-    const lab::Machine& machine = settings->machine();
-    if (machine.companions == nullptr || machine.companions(*settings).empty()) continue;
-    INFO("scenario " << settings->scenario);
-    const lab::Record record = lab::run_by(
-        [&](const lab::Settings& one, const cosim::Hooks&) {
-          return test::short_result(one, EndReason::kDone);
-        },
-        *settings);
+  each_compared([](const lab::Settings& settings, const auto&) {
+    std::size_t runs = 0;
+    const lab::Record record = short_record(settings, EndReason::kDone, EndReason::kDone, runs);
     REQUIRE_FALSE(record.companions.empty());
     const std::string text = lab::report_text(record, "", false);
     for (const lab::Record& beside : record.companions) {
@@ -57,9 +70,8 @@ TEST_CASE("figures of a companion are printed unless its machine compares them b
       CHECK(told == beside.printed);
       CHECK(lab::metrics_json(record)["compared"].contains(beside.name));
     }
-    compared = true;
-  }
-  CHECK(compared);
+    return true;
+  });
 }
 
 TEST_CASE("a broken assertion is told with its instance, or else as of the chip") {
@@ -73,23 +85,13 @@ TEST_CASE("a broken assertion is told with its instance, or else as of the chip"
 
 TEST_CASE("a run that did not end well is compared with nothing") {
   std::size_t compared = 0;
-  for (const auto& file : lab::scenarios()) {
-    const auto settings = lab::load_scenario(file);
-    const lab::Machine& machine = settings->machine();
-    if (machine.companions == nullptr) continue;
-    const auto wanted = machine.companions(*settings);
-    if (wanted.empty()) continue;
-    INFO("scenario " << settings->scenario);
+  each_compared([&](const lab::Settings& settings, const auto& wanted) {
     for (const EndReason end : {EndReason::kDone, EndReason::kFault, EndReason::kDiverged,
                                 EndReason::kMissed, EndReason::kTimeout, EndReason::kStopped,
                                 EndReason::kPromise}) {
       INFO("a run that ended as " << lab::end_text(end));
       std::size_t runs = 0;
-      const lab::Record record = lab::run_by(
-          [&](const lab::Settings& one, const cosim::Hooks&) {
-            return test::short_result(one, ++runs == 1 ? end : EndReason::kDone);
-          },
-          *settings);
+      const lab::Record record = short_record(settings, end, EndReason::kDone, runs);
       const bool compares = end == EndReason::kDone;
       CHECK(runs == (compares ? 1 + wanted.size() : 1));
       CHECK(record.result->end == end);
@@ -98,7 +100,6 @@ TEST_CASE("a run that did not end well is compared with nothing") {
         CHECK(record.companions[k].name == wanted[k].name);
       }
     }
-    if (++compared == 3) break;
-  }
-  CHECK(compared > 0);
+    return ++compared < 3;
+  });
 }

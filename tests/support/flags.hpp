@@ -29,4 +29,25 @@ void clears_what_it_shows(std::int64_t before, std::int64_t after, Shows shows, 
   }
 }
 
+// The same of a bench that begins anew for each n: `begin` goes n clocks behind the cause, `told`
+// reads the bit, `clear` is the access that clears it. By `after` the next event has not been.
+template <class Bench, class Begin, class Told, class Clear>
+void clears_what_a_new_bench_shows(std::int64_t before, std::int64_t after, Begin begin, Told told,
+                                   Clear clear) {
+  clears_what_it_shows(
+      before, after,
+      [&](std::int64_t n) {
+        Bench bench;
+        begin(bench, n);
+        return told(bench);
+      },
+      [&](std::int64_t n) {
+        Bench bench;
+        begin(bench, n);
+        clear(bench);
+        bench.clocks(after - n);
+        return told(bench);
+      });
+}
+
 }  // namespace trammel::test
