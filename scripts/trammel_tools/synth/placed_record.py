@@ -14,8 +14,6 @@ import json
 from trammel_tools.paths import ROOT, RTL
 from trammel_tools.synth import synth_board, synth_flow
 
-LEFT_OUT = ("over_budget", "board", "design", "top")  # follow from the sources
-
 
 def path_of(on):
     return RTL / "boards" / on.name / f"{on.chip}.placed.json"
@@ -24,7 +22,7 @@ def path_of(on):
 def digest(top, folder):
     """Of what nextpnr reads: ports and cells by name with what they are connected to. Attributes,
     which name source files, are not in it."""
-    module = synth_flow.read_netlist(top, folder)[1]["modules"][top]
+    module = synth_flow.read_mapped(top, folder)["modules"][top]
     cells = {name: [cell["type"], cell["parameters"], cell["connections"]]
              for name, cell in module["cells"].items()}
     return hashlib.sha256(json.dumps([module["ports"], cells]).encode()).hexdigest()
@@ -46,51 +44,55 @@ def lines(table, indent=" "):
 
 
 def write(on, record):
-    path_of(on).write_text(lines(record) + "\n", encoding="utf-8")
+    synth_flow.write_whole(path_of(on), lines(record) + "\n")
 
 
 def put(on, folder, result):
     """Puts a placement on record; that the same netlist ran beside its RTL stays there."""
-    record = {"netlist": digest(on.top, folder)}
-    record |= {key: value for key, value in result.items() if key not in LEFT_OUT}
+    record = {"netlist": digest(on.top, folder), **result}
+    del record["over_budget"]  # follows from the sources
     old = read(on) or {}
     if old.get("loop", {}).get("netlist") == record["netlist"]:
         record["loop"] = old["loop"]
     write(on, record)
 
 
-def put_loop(on, folder, loop):
-    """Adds a run in closed loop; False where that netlist is not the one on record."""
+def put_loop(on, loop):
+    """Adds a run in closed loop of the netlist on record."""
     record = read(on)
-    if record is None or record["netlist"] != digest(on.top, folder):
-        return False
     record["loop"] = {"netlist": record["netlist"], **loop}
     write(on, record)
-    return True
 
 
-def result_of(on, record):
-    """What the placement reported, as `synth_board.run` gives it."""
-    return {"board": on.name, "design": f"chips/{on.chip}", "top": on.top, **record}
+def about(on):
+    """The record or None, the name of its file, and how it is made again."""
+    return (read(on), path_of(on).relative_to(ROOT),
+            f"run trammel synth {on.chip} --board {on.name} --docs")
 
 
-def findings(on, folder, budget, comparison, page):
-    """Lines of what does not hold any more, of a netlist that was mapped into the folder."""
-    record, name = read(on), path_of(on).relative_to(ROOT)
-    again = f"run trammel synth {on.chip} --board {on.name} --docs"
+def other(on, folder):
+    """A line if the netlist that was mapped into the folder is not the one on record."""
+    record, name, again = about(on)
     if record is None:
-        yield f"there is no {name}; {again}"
-        return
+        return f"there is no {name}; {again}"
     if record["netlist"] != digest(on.top, folder):
-        yield f"the netlist is not the one of {name}: {again}"
+        return f"the netlist is not the one of {name}: {again}"
+    return None
+
+
+def findings(on, folder, page):
+    """Lines of what does not hold any more, of a netlist that was mapped into the folder."""
+    if line := other(on, folder):
+        yield line
         return
+    record, name, again = about(on)
     tools = synth_flow.versions()
     if record["tools"] != tools or record["device"] != on.device.name:
         yield f"{name} is of {record['device']}, {record['tools']}, not {on.device.name}, " \
               f"{tools}: {again}"
-    result = result_of(on, record)
-    yield from synth_board.findings(result, budget)
-    if synth_board.fill(page, result, on, budget, comparison) != page:
+    budget, comparison = synth_board.budget_of(on)
+    yield from synth_board.findings(record, budget)
+    if synth_board.fill(page, record, on, budget, comparison) != page:
         yield f"docs/synthesis.md does not say what {name} does: {again}"
     if record.get("loop", {}).get("netlist") != record["netlist"] and on.memory:
         yield f"{name}: this netlist has not run beside its RTL: run scripts/tool netlist --record"

@@ -172,11 +172,9 @@ def run_estimate(wanted, folder, budget):
 
 def check_board(on, folder):
     """Exit code of `--board --check`."""
-    tables = machines.tables("synth.toml")
     synth_board.map_board(on, folder)
     python_tools.progress("")
-    bad = list(placed_record.findings(on, folder, synth_board.budget_of(on, tables),
-                                      tables.get("comparison"), PAGE.read_text(encoding="utf-8")))
+    bad = list(placed_record.findings(on, folder, PAGE.read_text(encoding="utf-8")))
     for line in bad:
         print(f"synth: {line}", file=sys.stderr)
     if not bad:
@@ -195,8 +193,7 @@ def run_board(wanted, folder):
         made = synth_board.packed_again(on, folder, firmware)
         print(f"{made['file']}: {made['bytes']} bytes; load it: {on.load} {made['file']}")
         return 0
-    tables = machines.tables("synth.toml")
-    budget, comparison = synth_board.budget_of(on, tables), tables.get("comparison")
+    budget, comparison = synth_board.budget_of(on)
     result = synth_board.run(on, folder, wanted.seed, firmware)
     result["over_budget"] = synth_board.findings(result, budget)
     document = synth_board.write(folder, result)
@@ -247,9 +244,7 @@ def main():
         print(f"synth: {error}", file=sys.stderr)
         return 6
     result["over_budget"] = list(synth_report.findings(result, budget))
-    document = json.dumps(result, indent=2) + "\n"
-    (folder / "synth.json.new").write_text(document, encoding="utf-8")
-    (folder / "synth.json.new").replace(folder / "synth.json")
+    document = synth_board.write(folder, result)
     print(document if wanted.json else "\n".join(synth_report.text(result, budget)),
           end="" if wanted.json else "\n")
     bad = [f"over budget: {line}" for line in result["over_budget"]]

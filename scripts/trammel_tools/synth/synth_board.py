@@ -7,7 +7,7 @@ import os
 import shutil
 import subprocess
 
-from trammel_tools import python_tools
+from trammel_tools import machines, python_tools
 from trammel_tools.paths import TOOL
 from trammel_tools.synth import bitstream, board, synth_flow, synth_report
 from trammel_tools.synth.synth_netlist import Netlist
@@ -89,10 +89,12 @@ def run(wanted, folder, seed, firmware):
             "timing": synth_report.critical_path(report, netlist), "bitstream": made}
 
 
-def budget_of(wanted, tables):
-    """The board's part of synth.toml, or an error that says where it belongs."""
+def budget_of(wanted):
+    """The board's part of synth.toml, or an error that says where it belongs; and another design's
+    table, or None."""
+    tables = machines.tables("synth.toml")
     try:
-        return tables["boards"][wanted.name][wanted.chip]
+        return tables["boards"][wanted.name][wanted.chip], tables.get("comparison")
     except KeyError as error:
         raise board.BoardError(f"no budget [boards.{wanted.name}.{wanted.chip}] in a synth.toml"
                                ) from error
@@ -168,6 +170,5 @@ def findings(result, budget):
 
 def write(folder, result):
     text = json.dumps(result, indent=2) + "\n"
-    (folder / "synth.json.new").write_text(text, encoding="utf-8")
-    (folder / "synth.json.new").replace(folder / "synth.json")
+    synth_flow.write_whole(folder / "synth.json", text)
     return text

@@ -147,14 +147,25 @@ def map_to_ice40(top, folder, check=None):
             "block_ram": sum(kind.startswith("SB_RAM40") for kind in kinds)}
 
 
-def read_netlist(top, folder):
+def read_mapped(top, folder, end=""):
     folder = Path(folder)
     try:
-        return tuple(json.loads((folder / f"{top}{end}.json").read_text(encoding="utf-8"))
-                     for end in (".modules", ""))
+        return json.loads((folder / f"{top}{end}.json").read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
         raise FlowError(f"Yosys gave no netlist of {top}: see {folder / top}.yosys.log"
                         ) from error
+
+
+def read_netlist(top, folder):
+    """Before flattening, and mapped."""
+    return read_mapped(top, folder, ".modules"), read_mapped(top, folder)
+
+
+def write_whole(path, text):
+    """The file is the old one or the new one, never a part."""
+    new = path.with_name(f"{path.name}.new")
+    new.write_text(text, encoding="utf-8")
+    new.replace(path)
 
 
 def place_and_route(top, folder, seed, device, more=None):

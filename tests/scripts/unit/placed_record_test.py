@@ -8,7 +8,6 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from trammel_tools import machines
 from trammel_tools.synth import board, placed_record, synth_board, synth_flow, synth_report
 
 TOP = "kung_soc_ulx3s"
@@ -47,19 +46,18 @@ class OnRecord(unittest.TestCase):
     def setUp(self):
         self.on = board.find("ulx3s", "kung_soc")
         self.record = placed_record.read(self.on)
-        tables = machines.tables("synth.toml")
-        self.budget, self.comparison = (synth_board.budget_of(self.on, tables),
-                                        tables["comparison"])
+        self.budget, self.comparison = synth_board.budget_of(self.on)
         self.page = synth_board.fill(
             "<!-- trammel synth --docs: board ulx3s -->\n<!-- end -->",
-            placed_record.result_of(self.on, self.record), self.on, self.budget, self.comparison)
+            self.record, self.on, self.budget, self.comparison)
 
     def said(self, record, page=None, budget=None):
         with mock.patch.object(placed_record, "read", lambda on: record), \
                 mock.patch.object(placed_record, "digest", lambda *_: self.record["netlist"]), \
-                mock.patch.object(synth_flow, "versions", lambda: self.record["tools"]):
-            return list(placed_record.findings(self.on, None, budget or self.budget,
-                                               self.comparison, page or self.page))
+                mock.patch.object(synth_flow, "versions", lambda: self.record["tools"]), \
+                mock.patch.object(synth_board, "budget_of",
+                                  lambda on: (budget or self.budget, self.comparison)):
+            return list(placed_record.findings(self.on, None, page or self.page))
 
     def only(self, said, words):
         self.assertEqual(len(said), 1, said)

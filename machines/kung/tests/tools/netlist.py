@@ -121,7 +121,10 @@ def main():
     if not lint.cores():
         print(f"netlist: {synth_flow.CORE} is missing (trammel doctor)", file=sys.stderr)
         return python_tools.SKIPPED if "CTEST_INTERACTIVE_DEBUG_MODE" in os.environ else 3
-    flips = write_netlist(wanted.folder.resolve(), f"kung_soc_{boards[0]}")
+    on = board.find(boards[0], "kung_soc")
+    if wanted.record and (line := placed_record.other(on, wanted.folder)):
+        parser.error(line)
+    flips = write_netlist(wanted.folder.resolve(), on.top)
     if not build(boards[0]):
         return 1
     result = run(wanted.seconds, wanted.path)
@@ -130,10 +133,8 @@ def main():
         for number, port in sorted(flips.values(), key=lambda one: one[1])[-FLIPS:]:
             bad += flip(wanted, number, port)
     if wanted.record and not bad:
-        loop = {key: result[key] for key in ("clocks", "gate_changes", "different")}
-        on = board.find(boards[0], "kung_soc", None)
-        if not placed_record.put_loop(on, wanted.folder.resolve(), loop):
-            bad.append(f"this netlist is not the one of {placed_record.path_of(on)}")
+        placed_record.put_loop(on, {key: result[key] for key in ("clocks", "gate_changes",
+                                                                 "different")})
     for line in bad:
         print(f"netlist: {line}", file=sys.stderr)
     return 1 if bad else 0
