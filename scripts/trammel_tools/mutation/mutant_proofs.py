@@ -133,12 +133,11 @@ def parameters(text):
         r"^ *parameter +(.+?),?(?: *//.*)?$", text, re.M)]
 
 
-def as_enumeration(kind, name):
-    """A net, as a port of this type takes it: only an enumeration wants a cast."""
-    for package in RTL.glob("pkg/*_pkg.sv"):
-        if re.search(rf"typedef enum [^;]*\}} {kind};", package.read_text(encoding="utf-8")):
-            return f"{package.stem}::{kind}'({name})"
-    return name
+def enumerations():
+    """{type: its name with the package's}."""
+    return {kind: f"{package.stem}::{kind}" for package in RTL.glob("pkg/*_pkg.sv")
+            for kind in re.findall(r"typedef enum [^;]*\} (\w+);",
+                                   package.read_text(encoding="utf-8"))}
 
 
 def named_bind(path):
@@ -147,8 +146,9 @@ def named_bind(path):
     head, bind, tail = text.partition("\nbind ")
     ports = re.findall(r"^ +input (\w+).*?(\w+)(?: \[[^]]*\])?,?(?: *//.*)?$",
                        head.split(");")[0], re.M)
-    links = [f".{name}({as_enumeration(kind, name)})" for kind, name in ports
-             if not re.search(rf"\.{name}\b", tail)]
+    casts = enumerations()  # a port of such a type takes no plain net
+    links = [f".{name}({casts[kind]}'({name}))" if kind in casts else f".{name}({name})"
+             for kind, name in ports if not re.search(rf"\.{name}\b", tail)]
     # A name inside a generated scope is one word of the netlist.
     tail = re.sub(r"(?<=[({ ])\w+(\[\d+\])?(\.\w+)+", lambda found: f"\\{found[0]} ", tail)
     return head + bind + tail.replace(".*", ", ".join(links))
