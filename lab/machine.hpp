@@ -94,7 +94,8 @@ struct Machine {
   const ColumnTable& (*columns)() = nullptr;
   std::vector<Figure> (*figures)(const Settings& settings, cosim::RunResult& result) = nullptr;
   std::string (*verdict)(const Settings& settings, const cosim::RunResult& result) = nullptr;
-  std::vector<std::string> (*remarks)(const Record& record) = nullptr;  // lines after the figures
+  // Lines after the figures; "" is a blank one.
+  std::vector<std::string> (*remarks)(const Record& record) = nullptr;
 
   // Runs beside the first one, which it is compared with; they are made when it is done.
   std::vector<Companion> (*companions)(const Settings& settings) = nullptr;
