@@ -7,6 +7,9 @@ with the twin engine: the run does what it was asked, by the truth in its trace,
 why not, or the value is refused by a line that names the key. A part of that run, by [keys] cut_s,
 has the same events and files with the RTL. A key whose values all give the same run is tried in
 vain, unless [keys.inert] says why.
+
+All of it is tried again with the settings of each [[keys.also]], such as another controller, but
+for the keys that begin as its `without` says.
 """
 
 import functools
@@ -156,6 +159,34 @@ def table(machine, short, seed):
     return plan, tried, {} if short else listed
 
 
+def again(plan, tried, short, seed):
+    """Name, plan and pairs of each [[keys.also]]."""
+    for also in plan.get("also", []):
+        own = [one for one in tried if not one[0].startswith(tuple(also.get("without", [])))]
+        if short:
+            keys = sorted({key for key, _ in own})
+            kept = random.Random(seed).sample(keys, min(SHORT, len(keys)))
+            own = [one for one in own if one[0] in kept]
+        yield also["name"], {**plan, "settings": [*plan.get("settings", []),
+                                                  *also["settings"]]}, own
+
+
+def judge_all(name, plan, tried, wrong):
+    """Prints a line a value; returns the prints of its runs by key."""
+    with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(2) as pool:
+        outcomes = pool.map(functools.partial(judge, plan, Path(folder)), tried)
+        counts, prints = {}, {}
+        for (key, value), (outcome, text, fingerprint) in zip(tried, outcomes):
+            counts[outcome] = counts.get(outcome, 0) + 1
+            print(f"{outcome:<8} {key}={value}: {text}", flush=True)
+            if outcome == "WRONG":
+                wrong.append(f"{name}: {key}={value}: {text}")
+            prints.setdefault(key, []).append(fingerprint)
+    print(f"{name}: {len(tried)} values: "
+          f"{', '.join(f'{n} {what}' for what, n in sorted(counts.items()))}", flush=True)
+    return prints
+
+
 def check(short=False, seed=1):
     """Prints a line a value; returns lines of what went wrong."""
     if not PROGRAM.exists():
@@ -165,18 +196,9 @@ def check(short=False, seed=1):
         plan, tried, listed = table(machine, short, seed)
         if plan is None:
             continue
-        with tempfile.TemporaryDirectory() as folder, ThreadPoolExecutor(2) as pool:
-            outcomes = pool.map(functools.partial(judge, plan, Path(folder)), tried)
-            counts, prints = {}, {}
-            for (key, value), (outcome, text, fingerprint) in zip(tried, outcomes):
-                counts[outcome] = counts.get(outcome, 0) + 1
-                print(f"{outcome:<8} {key}={value}: {text}", flush=True)
-                if outcome == "WRONG":
-                    wrong.append(f"{machine}: {key}={value}: {text}")
-                prints.setdefault(key, []).append(fingerprint)
-        wrong += in_vain(machine, plan, prints)
+        wrong += in_vain(machine, plan, judge_all(machine, plan, tried, wrong))
         for key, reason in listed.items():
             print(f"listed   {key}: {reason}")
-        print(f"{machine}: {len(tried)} values: "
-              f"{', '.join(f'{n} {what}' for what, n in sorted(counts.items()))}")
+        for name, other, own in again(plan, tried, short, seed):
+            judge_all(f"{machine}, {name}", other, own, wrong)
     return wrong
