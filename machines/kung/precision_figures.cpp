@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "machines/kung/figures.hpp"
+#include "machines/kung/machine.hpp"
 #include "machines/kung/plan_feed.hpp"
 #include "machines/kung/plan_parts.hpp"
 #include "machines/kung/plan_precision.hpp"
@@ -19,6 +21,18 @@ using ideal::Move;
 using ideal::Place;
 
 constexpr std::size_t kLapsShown = 8;
+constexpr std::pair<const char*, Controller> kFuzzy[]{{"AFC", Controller::kAfc},
+                                                      {"FC", Controller::kFc}};
+
+// What the paper prints of the fuzzy controllers on this path: the mean error to the model [mm].
+std::vector<std::pair<const char*, double>> printed_means(const Options& options) {
+  std::vector<std::pair<const char*, double>> all;
+  for (const auto& [name, controller] : kFuzzy) {
+    const std::optional<double> mean = paper_mean_mm(options, controller);
+    if (mean) all.emplace_back(name, *mean);
+  }
+  return all;
+}
 
 double distance_to(const Move& m, const Place& p) {
   if (m.kind == Move::Kind::kLine) {
@@ -134,8 +148,7 @@ std::vector<lab::Companion> precision_companions(const lab::Settings& settings) 
   const auto& options = static_cast<const Options&>(settings);
   std::vector<lab::Companion> all;
   if (options.controller != Controller::kPrecision || !options.precision.compare) return all;
-  for (const auto& [name, controller] :
-       {std::pair{"AFC", Controller::kAfc}, {"FC", Controller::kFc}}) {
+  for (const auto& [name, controller] : kFuzzy) {
     auto other = std::make_unique<Options>(options);
     other->path.profile = Profile::kFeed;
     other->controller = controller;
@@ -179,33 +192,39 @@ std::vector<std::string> range_lines(const Options& options, const Result& resul
 
 std::vector<std::string> comparison_lines(const lab::Record& record) {
   if (record.companions.empty()) return {};
-  const auto line = [](const std::string& name, const lab::Record& of) {
-    const auto value = [&of](const char* id) {
+  const auto cells = [](const std::string& name, const auto&... value) {
+    std::string text = fmt::format("  {:<22}", name);
+    std::size_t n = 0;
+    ((text += fmt::format("{:>{}}", value, n++ % 2 == 0 ? 12 : 10)), ...);
+    return text;
+  };
+  const auto line = [&cells](const std::string& name, const lab::Record& of) {
+    const auto value = [&of](const char* id, double per_mm) {
       for (const lab::Figure& f : of.figures) {
-        if (f.id == id) return f.value / 1000;
+        if (f.id == id) return fmt::format("{:.4f}", f.value / per_mm);
       }
-      return std::nan("");
+      return std::string("-");
     };
-    return fmt::format("  {:<22}{:>10.4f}{:>10.4f}{:>12.4f}{:>10.4f}", name, value("error_um.mean"),
-                       value("error_um.max"), value("contour_um.mean"), value("contour_um.max"));
+    return cells(name, value("error_um.mean", 1000), value("error_um.max", 1000),
+                 value("contour_um.mean", 1000), value("contour_um.max", 1000),
+                 value("tracking.model.mean_mm", 1));
   };
   std::vector<std::string> lines{
       "",  // a blank line
-      fmt::format("{:<24}{:>10}{:>10}{:>12}{:>10}", "same feed profile (mm)", "error", "max",
-                  "from path", "max"),
+      cells("same feed profile (mm)", "error", "max", "from path", "max", "from model").substr(2),
       line("precision", record)};
   for (const lab::Record& beside : record.companions) lines.push_back(line(beside.name, beside));
+  for (const auto& [name, mean] : printed_means(options_of(record))) {
+    lines.push_back(cells(name + std::string(" in the paper"), "-", "-", "-", "-",
+                          fmt::format("{:.2f}", mean)));
+  }
   lines.emplace_back();
   return lines;
 }
 
 void add_precision(const Options& options, nlohmann::ordered_json& json) {
   if (feeds(options.path)) json["run"]["feed_m_s"] = highest_feed_m_s(options);
-  for (const auto& [name, controller] :
-       {std::pair{"AFC", Controller::kAfc}, {"FC", Controller::kFc}}) {
-    const std::optional<double> mean = paper_mean_mm(options, controller);
-    if (mean) json["paper"][name]["mean_mm"] = *mean;
-  }
+  for (const auto& [name, mean] : printed_means(options)) json["paper"][name]["mean_mm"] = mean;
 }
 
 void add_command_figures(std::vector<lab::Figure>& list, const Options& options,

@@ -3,7 +3,13 @@
 
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <iterator>
+#include <memory>
+#include <sstream>
+#include <string>
+#include <vector>
 
+#include "machines/kung/machine.hpp"
 #include "machines/kung/plan.hpp"
 #include "machines/kung/plan_precision.hpp"
 
@@ -60,6 +66,41 @@ TEST_CASE("a whole circle has no ends, and the nearest of several moves counts")
   }
   const Moves two{{0, 0}, 0, {line({0, 0}, {0.1, 0}), line({0.1, 0}, {0.1, 0.1})}};
   CHECK(distance_to(two, {0.098, 0.05}) == Approx(0.002));
+}
+
+TEST_CASE("the terminal has this run, its companions and what the paper prints, in mm") {
+  lab::Record record;
+  auto options = std::make_shared<Options>();
+  options->controller = Controller::kPrecision;
+  record.settings = options;
+  CHECK(comparison_lines(record).empty());  // alone
+
+  const auto figures = [](double step) {
+    return std::vector<lab::Figure>{lab::figure("error_um.mean", "", "", 1000 * step, "um", 2),
+                                    lab::figure("error_um.max", "", "", 2000 * step, "um", 2),
+                                    lab::figure("contour_um.mean", "", "", 3000 * step, "um", 2),
+                                    lab::figure("contour_um.max", "", "", 4000 * step, "um", 2),
+                                    lab::figure("tracking.model.mean_mm", "", "", 5 * step, "mm",
+                                                2)};
+  };
+  record.figures = figures(0.001);
+  record.companions.resize(1);
+  record.companions[0].name = "AFC";
+  record.companions[0].figures = figures(10);
+  const auto words = [&](std::size_t n) {
+    std::istringstream line(comparison_lines(record).at(n));
+    return std::vector<std::string>{std::istream_iterator<std::string>(line), {}};
+  };
+  using Words = std::vector<std::string>;
+  CHECK(words(2) == Words{"precision", "0.0010", "0.0020", "0.0030", "0.0040", "0.0050"});
+  CHECK(words(3) == Words{"AFC", "10.0000", "20.0000", "30.0000", "40.0000", "50.0000"});
+  CHECK(words(4) == Words{"AFC", "in", "the", "paper", "-", "-", "-", "-", "2.05"});
+  CHECK(words(5) == Words{"FC", "in", "the", "paper", "-", "-", "-", "-", "3.51"});
+
+  record.companions[0].figures.pop_back();  // a companion that did not get to its end
+  CHECK(words(3).back() == "-");
+  options->path.circle_radius_m = 0.09;  // another path than the paper's
+  CHECK(comparison_lines(record).size() == 5);
 }
 
 TEST_CASE("a mass at the end of its range for 0.2 s and an error beyond its word are told") {
