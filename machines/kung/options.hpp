@@ -82,7 +82,7 @@ struct PrecisionOptions {
   bool adapt = true;        // the estimates go on on the path
   bool subcount = true;     // the time of an encoder's edge tells the position between two counts
   bool learn = false;       // corrections from lap to lap
-  double learn_gain = 0.5;  // share of an error that a lap corrects
+  double learn_gain = 0.8;  // share of an error that a lap corrects
   bool compare = true;      // also fc and afc on the same feed profile, by their twins
 };
 

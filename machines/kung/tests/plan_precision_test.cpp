@@ -49,7 +49,7 @@ TEST_CASE("the default options give the words of the specification for precision
   CHECK(s.identify);
   CHECK(s.adapt);
   CHECK_FALSE(s.learn);
-  CHECK(s.learn_gain == 32768);
+  CHECK(s.learn_gain == 52429);
   for (const sw::PrecisionAxisSetup& axis : s.axis) {
     for (std::size_t n = 0; n < 5; ++n) {
       CAPTURE(n);

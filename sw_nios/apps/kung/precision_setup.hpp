@@ -35,7 +35,7 @@ struct PrecisionSetup {
   bool identify = true;  // a small move of both axes before the path
   bool adapt = true;     // the estimates go on changing on the path
   bool learn = false;    // corrections, from lap to lap
-  std::uint32_t learn_gain = 32768;  // [2^-16]
+  std::uint32_t learn_gain = 52429;  // [2^-16]
   std::array<PrecisionAxisSetup, 2> axis;
   Corrections* corrections = nullptr;  // not owned; nothing is learned without
 };

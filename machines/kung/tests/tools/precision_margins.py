@@ -12,12 +12,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from precision_step import DELAY, LAG, TICK
 from trammel_tools.paths import ROOT
 
 PAGE = ROOT / "docs" / "precision.md"
-TICK = 62.5e-6  # [s]
-LAG = 0.19e-3 / TICK
-DELAY = 2
 
 
 @dataclass

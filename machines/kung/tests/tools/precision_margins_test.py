@@ -4,6 +4,8 @@
 import math
 import unittest
 
+import precision_step
+
 try:
     import precision_margins
 except ModuleNotFoundError:  # numpy
@@ -39,14 +41,19 @@ class PrecisionMarginsTest(unittest.TestCase):
 
     def test_the_words_are_the_nearest_of_the_poles(self):
         for name, ((w1, zeta, w2, w3), words) in self.sets.items():
-            z, y = math.exp(-w2 * precision_margins.TICK), math.exp(-w3 * precision_margins.TICK)
-            l1 = 1 - z * z * y
-            l2 = 3 - 2 * l1 - z * z - 2 * z * y
-            gains = (l1, l2, 3 - 2 * z - y - l1 - l2, (w1 * precision_margins.TICK)**2,
-                     2 * zeta * w1 * precision_margins.TICK)
-            for (mant, exp), gain in zip(words, gains):
+            for (mant, exp), gain in zip(words, precision_step.gains(w1, zeta, w2, w3)):
                 with self.subTest(set=name, gain=gain):
                     self.assertLessEqual(abs(mant - gain * 2048 / 2.0**exp), 0.5)
+
+    def test_a_jump_swings_only_where_the_current_is_at_its_limit(self):
+        for mass in (2.5, 25):
+            found = precision_step.step(mass, length=1e-4)
+            self.assertEqual(found.swings, 0)
+            self.assertLess(found.settled_s, 0.02)
+            self.assertLess(found.beyond_m, 1e-5)
+        self.assertEqual(precision_step.step(2.5).swings, 2)  # as the page says
+        self.assertEqual(precision_step.step(25).swings, 4)
+        self.assertEqual(precision_step.step(25, (150, 0.7, 2000, 200)).swings, 2)
 
     def test_a_mass_that_is_wrong_by_a_factor_keeps_the_loop(self):
         controller, table = precision_margins.law(self.sets["full"][1]), precision_margins.plant()
