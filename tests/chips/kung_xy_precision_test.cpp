@@ -165,12 +165,23 @@ TEST_CASE("an error beyond 2048 counts is clipped and told, and PREC_ERR shows i
 TEST_CASE("between the counts each axis has its own edges, way and filter, as in the twin") {
   struct Move {
     std::uint32_t base, filter;
-    std::int32_t counts;  // per knot
   };
-  constexpr std::array<Move, 2> kMoves{{{reg::kX, 3, 8}, {reg::kY, 8, -5}}};
+  constexpr std::array<Move, 2> kMoves{{{reg::kX, 3}, {reg::kY, 8}}};
+  struct Phase {
+    std::array<int, 2> every;  // an edge in so many times 2400 clocks
+    std::array<int, 2> way;
+    std::uint32_t sub_ticks;
+  };
+  // Either way; edges that are younger and older than SUB_TICKS, and than any number of it.
+  constexpr std::array<Phase, 5> kPhases{{{{5, 8}, {1, -1}, 15},
+                                          {{3, 2}, {1, -1}, 1},
+                                          {{13, 21}, {-1, 1}, 6},
+                                          {{40, 40}, {-1, 1}, 15},
+                                          {{8, 5}, {1, -1}, 12}}};
+  constexpr int kKnots = 3;  // of a phase
   constexpr std::array<std::uint32_t, 14> kWords{
       0, 0, 0x1D042C, 0x407AC, 0, 0x1E0446, 0, 0, 0x1F0689, 0x1C075A, 0x1704F3, 0x1505C3, 0x1B06B8,
-      6 | 4 << 4 | 15 << 8 | 26 << 12 | 1 << 20};
+      6 | 4 << 4 | 26 << 12 | 1 << 20};
   test::KungPair<Vkung_xy> pair;
   pair.rtl().reset();
   pair.begin();
@@ -189,15 +200,21 @@ TEST_CASE("between the counts each axis has its own edges, way and filter, as in
   pair.clocks(2 * 3125);
   std::array<int, 2> between{};
   std::array<std::uint32_t, 2> told{};
-  for (int knot = 1; knot < 12; ++knot) {
-    const bool far = knot > 9;  // clipped, saturated
-    for (const Move& move : kMoves) {
-      window(move.base, 0, static_cast<std::uint32_t>(256 * (far ? 100000 : move.counts * knot)));
+  std::array<std::int32_t, 2> place{};
+  constexpr int kLast = static_cast<int>(kPhases.size()) * kKnots;
+  for (int knot = 0; knot < kLast + 2; ++knot) {
+    const bool far = knot >= kLast;  // clipped, saturated
+    const Phase& phase = kPhases[static_cast<std::size_t>(far ? 0 : knot / kKnots)];
+    for (std::size_t n = 0; n < 2; ++n) {
+      place[n] += phase.way[n] * 40 / phase.every[n];
+      window(kMoves[n].base, 13, kWords[13] | phase.sub_ticks << 8);
+      window(kMoves[n].base, 0, static_cast<std::uint32_t>(256 * (far ? 100000 : place[n])));
     }
-    if (knot != 6) pair.write(reg::kCommit, reg::kCommitTake);
-    for (int n = 0; n < 40; ++n) {
-      if (n % 5 == 0) pair.count(0, 1);
-      if (n % 8 == 0) pair.count(1, -1);
+    if (knot != 5) pair.write(reg::kCommit, reg::kCommitTake);
+    for (int at = 0; at < 40; ++at) {
+      for (std::size_t n = 0; n < 2; ++n) {
+        if (at % phase.every[n] == 0) pair.count(static_cast<int>(n), phase.way[n]);
+      }
       pair.clocks(2400);
     }
     for (std::size_t n = 0; n < 2; ++n) {
