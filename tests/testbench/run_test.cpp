@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -17,6 +18,8 @@
 #include "tests/support/files.hpp"
 #include "tests/support/scratch.hpp"
 #include "tests/support/short_run.hpp"
+#include "tests/support/told.hpp"
+#include "tests/support/variable.hpp"
 
 using namespace trammel;
 using namespace trammel::testbench;
@@ -334,4 +337,58 @@ TEST_CASE("a key that the experiments set is refused with --all, wherever it com
   CHECK(entries(scratch.path / "a") == lab::machines().front()->experiments.size());
   arguments.files = {(scratch.path / "afc.toml").string()};
   CHECK_THROWS_AS(test::run(arguments, never), lab::ConfigError);
+}
+
+TEST_CASE("a key has the value of the layer that was asked for last") {
+  const test::Variable variable("TRAMMEL_RUN_MAX_S", "3");
+  each_machine([](const lab::Machine& machine, const fs::path& base) {
+    const fs::path scenario = lab::find_scenario(test::scenario_of(machine));
+    std::ofstream(base / "a.toml") << "run.max_s = 1\n";
+    std::ofstream(base / "b.toml") << "run.max_s = 2\n";
+    const auto asked = [&](const Arguments& arguments) {
+      return layered(scenario, arguments)->run.max_s;
+    };
+    Arguments arguments;
+    CHECK(asked(arguments) == 3);
+    arguments.files = {(base / "a.toml").string(), (base / "b.toml").string()};
+    CHECK(asked(arguments) == 3);
+    {
+      const test::Variable unset("TRAMMEL_RUN_MAX_S", nullptr);
+      CHECK(asked(arguments) == 2);
+    }
+    arguments.assignments = {"run.max_s=4", "run.max_s=5"};
+    CHECK(asked(arguments) == 5);
+    arguments.keys = {{"--max", "run.max_s=6"}};
+    CHECK(asked(arguments) == 6);
+  });
+}
+
+TEST_CASE("a page is beside its run, that of the latest where none is named; of several in out/") {
+  const Scratch scratch;
+  const test::WorkingFolder inside(scratch.path);
+  const std::string scenario = test::scenario_of(*lab::machines().front());
+  for (const char* folder : {"out/a", "out/b"}) {
+    Arguments arguments = arguments_for(scenario, folder);
+    arguments.report = false;
+    REQUIRE(test::run(arguments, ending(EndReason::kDone)) == 0);
+  }
+  const auto now = fs::file_time_type::clock::now();
+  fs::last_write_time("out/b/metrics.json", now - std::chrono::hours(1));
+  const struct {
+    std::vector<std::string> folders;
+    std::string out, page;
+  } cases[] = {{{}, "", "out/a/report.html"},
+               {{"out/b"}, "", "out/b/report.html"},
+               {{"out/a", "out/b"}, "", "out/compare.html"},
+               {{}, "own.html", "own.html"},
+               {{"out/a", "out/b"}, "both.html", "both.html"}};
+  for (const auto& one : cases) {
+    CAPTURE(one.page);
+    CHECK_FALSE(fs::exists(one.page));
+    Arguments arguments;
+    arguments.folders = one.folders;
+    arguments.out = one.out;
+    CHECK(test::printed([&] { CHECK(report(arguments) == 0); }) == one.page + '\n');
+    CHECK(fs::exists(one.page));
+  }
 }
