@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <fstream>
@@ -11,15 +13,19 @@ namespace {
 
 using namespace trammel;
 
-std::string message_of(const std::string& text) {
-  cosim::GcodeTable table;
-  table.start = table.home = {0.25, 0.25};
+std::string message_of(const std::string& text, const cosim::GcodeTable& table) {
   try {
     cosim::read_gcode(text, "p.ngc", table);
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
   return "nothing is refused";
+}
+
+std::string message_of(const std::string& text) {
+  cosim::GcodeTable table;
+  table.start = table.home = {0.25, 0.25};
+  return message_of(text, table);
 }
 
 struct Case {
@@ -184,6 +190,43 @@ TEST_CASE("nothing leaves the stroke") {
                               "0..600 mm"},
              {"F600 G3 X350 Y250 R-250",
               "1: the arc leaves the stroke: it reaches Y = -244.949 mm; permitted: 0..600 mm"}});
+}
+
+TEST_CASE("the stroke of each axis is its own, for lines, for G28 and for arcs, at both ends") {
+  cosim::GcodeTable table;
+  table.start = table.home = {0.25, 0.45};
+  table.low = {0.1, 0.2};
+  table.high = {0.4, 0.7};
+  const struct {
+    char axis, center;
+    double from, low, high;  // [mm]
+  } axes[] = {{'X', 'I', 250, 100, 400}, {'Y', 'J', 450, 200, 700}};
+  for (const auto& one : axes) {
+    for (const double end : {one.low, one.high}) {
+      for (const double beyond : {0.0, end < one.from ? -0.01 : 0.01}) {
+        const double to = end + beyond;
+        const auto refused = [&](const std::string& what) {
+          return fmt::format("p.ngc:1: the {} {} = {:g} mm; permitted: {:g}..{:g} mm", what,
+                             one.axis, to, one.low, one.high);
+        };
+        const std::string place = fmt::format("X{} Y{}", one.axis == 'X' ? to : 250,
+                                              one.axis == 'Y' ? to : 450);
+        for (const char* word : {"G0", "F600 G1", "G28"}) {
+          CAPTURE(word, place);
+          CHECK(message_of(fmt::format("{} {}\nG0 X251", word, place), table) ==
+                (beyond == 0 ? "nothing is refused" : refused("point leaves the stroke:")));
+        }
+        for (const char* word : {"G2", "G3"}) {  // a circle from the start to there and back
+          const std::string circle = fmt::format("F600 {} {}{}", word, one.center,
+                                                 (to - one.from) / 2);
+          CAPTURE(circle);
+          CHECK(message_of(circle, table) ==
+                (beyond == 0 ? "nothing is refused"
+                             : refused("arc leaves the stroke: it reaches")));
+        }
+      }
+    }
+  }
 }
 
 TEST_CASE("an arc's words fit each other") {
