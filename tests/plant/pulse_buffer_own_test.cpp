@@ -138,26 +138,32 @@ TEST_CASE("pulse_buffer: it tells the lower of its rate and that of the pulses, 
   }
 }
 
-TEST_CASE("pulse_buffer: behind a flush it is as it was new") {
-  PulseBuffer flushed(own()), fresh(own());
-  for (int k = 0; k < 5; ++k) flushed.enter(clocks(1e-3) * k, 1);
-  for (int k = 0; k < 5; ++k) flushed.pass(flushed.next());  // it waits to stand
-  REQUIRE(flushed.next() != PulseBuffer::kNever);
-  flushed.flush();
-  CHECK(flushed.next() == PulseBuffer::kNever);
-  CHECK(flushed.rate() == 0);
-  const std::int64_t later = clocks(0.03);
-  for (PulseBuffer* buffer : {&flushed, &fresh}) {
-    buffer->enter(later, -1);
-  }
-  CHECK(flushed.next() == fresh.next());
-  for (PulseBuffer* buffer : {&flushed, &fresh}) {
-    for (int k = 1; k < 4; ++k) buffer->enter(later + 100 * k, -1);
-  }
-  for (int k = 0; k < 5; ++k) {
-    CAPTURE(k);
-    CHECK(flushed.next() == fresh.next());
-    CHECK(flushed.pass(flushed.next()) == fresh.pass(fresh.next()));
-    CHECK(flushed.rate() == fresh.rate());
+TEST_CASE("pulse_buffer: behind a flush it is as it was new, whatever came and left before") {
+  for (const double gap_s : {0.2e-3, 1e-3, 20e-3}) {
+    for (int left = 0; left <= 5; ++left) {
+      CAPTURE(gap_s, left);
+      PulseBuffer flushed(own()), fresh(own());
+      for (int k = 0; k < 5; ++k) {
+        while (flushed.next() < clocks(gap_s) * k) flushed.pass(flushed.next());
+        flushed.enter(clocks(gap_s) * k, 1);
+      }
+      for (int k = 0; k < left && flushed.waiting() > 0; ++k) flushed.pass(flushed.next());
+      REQUIRE(flushed.next() != PulseBuffer::kNever);  // it waits to stand at least
+      flushed.flush();
+      CHECK(flushed.next() == PulseBuffer::kNever);
+      CHECK(flushed.rate() == 0);
+      const std::int64_t later = clocks(0.2);
+      for (PulseBuffer* buffer : {&flushed, &fresh}) buffer->enter(later, -1);
+      CHECK(flushed.next() == fresh.next());
+      for (PulseBuffer* buffer : {&flushed, &fresh}) {
+        for (int k = 1; k < 4; ++k) buffer->enter(later + 100 * k, -1);
+      }
+      for (int k = 0; k < 5; ++k) {
+        CAPTURE(k);
+        CHECK(flushed.next() == fresh.next());
+        CHECK(flushed.pass(flushed.next()) == fresh.pass(fresh.next()));
+        CHECK(flushed.rate() == fresh.rate());
+      }
+    }
   }
 }
