@@ -271,3 +271,32 @@ TEST_CASE("a plan that has no room for its pieces or phases says so, and writes 
     CHECK(planner.pieces() <= pieces.size());
   }
 }
+
+TEST_CASE("a command lasts from the rest ahead of its first move to that behind its last lap") {
+  const FeedProfile::Limits limits;
+  const auto command = [&limits](double before_s, double behind_s, int laps) {
+    ideal::Move there, back;
+    there.to = back.from = {0.1, 0};
+    there.feed = back.feed = 0.3;
+    there.stop = back.stop = true;
+    back.dwell = behind_s;
+    return FeedProfile({{0, 0}, before_s, {there, back}}, limits, laps);
+  };
+  const double lap_s = command(0, 0, 1).seconds();
+  for (const double before_s : {0.0, 0.3}) {
+    for (const double behind_s : {0.0, 0.5}) {
+      for (const int laps : {1, 3}) {
+        CAPTURE(before_s, behind_s, laps);
+        const FeedProfile all = command(before_s, behind_s, laps);
+        const double end_s = before_s + laps * (lap_s + behind_s);
+        CHECK(all.seconds() == Approx(end_s));
+        CHECK(static_cast<double>(all.points() - FeedProfile::kRest) * limits.period ==
+              Approx(end_s));
+        CHECK(all.at(before_s).v.x == 0);
+        CHECK(all.at(before_s + 0.05).v.x > 0);
+        CHECK(all.at(end_s - behind_s - 0.05).v.x < 0);
+        CHECK(all.at(end_s - behind_s).v.x == Approx(0).margin(1e-9));
+      }
+    }
+  }
+}

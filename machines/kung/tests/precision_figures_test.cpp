@@ -11,6 +11,7 @@
 
 #include "machines/kung/machine.hpp"
 #include "machines/kung/plan.hpp"
+#include "machines/kung/plan_feed.hpp"
 #include "machines/kung/plan_precision.hpp"
 
 using namespace trammel;
@@ -132,4 +133,41 @@ TEST_CASE("an estimate at an end of its range is known as such") {
   const AxisEstimate ends = estimate_of(options, 0, theta);
   CHECK((ends.mass_limited && ends.viscous_limited && ends.coulomb_limited));
   CHECK(ends.cogging_limited);
+}
+
+TEST_CASE("of each estimate it is told on its own where it is at an end of its range") {
+  constexpr bool AxisEstimate::*kEnds[] = {
+      &AxisEstimate::mass_limited, &AxisEstimate::coulomb_limited, &AxisEstimate::viscous_limited,
+      &AxisEstimate::cogging_limited};
+  constexpr const char* kNames[] = {"mass_kg", "friction_N", "viscous_N_s_m", "cogging_N"};
+  Options options;
+  options.controller = Controller::kPrecision;
+  choose_profile(options);
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    for (std::size_t limited = 0; limited < 4; ++limited) {
+      Result result;
+      result.points = 1;
+      for (const cosim::Clk edge : {0, 1'000'000}) {  // 20 ms apart
+        Sample sample;
+        sample.edge = edge;
+        result.samples.push_back(sample);
+      }
+      result.estimates.emplace();
+      (*result.estimates)[axis].*kEnds[limited] = true;
+      std::vector<lab::Figure> list;
+      add_command_figures(list, options, result);
+      std::size_t seen = 0;
+      for (const lab::Figure& f : list) {
+        for (std::size_t a = 0; a < 2; ++a) {
+          for (std::size_t k = 0; k < 4; ++k) {
+            if (f.id != std::string(a == 0 ? "x" : "y") + ".estimate." + kNames[k]) continue;
+            CAPTURE(f.id, kNames[limited]);
+            CHECK(f.column == (a == axis && k == limited ? "at the limit of" : "estimate"));
+            ++seen;
+          }
+        }
+      }
+      CHECK(seen == 8);
+    }
+  }
 }
