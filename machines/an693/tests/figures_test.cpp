@@ -4,6 +4,7 @@
 
 #include "machines/an693/machine.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
@@ -372,4 +373,21 @@ TEST_CASE("run chooses the machine by the scenario, and refuses what that machin
   CHECK_THAT(content(out / "metrics.json"), Contains("\"trigger\": \"drive\""));
   CHECK_THAT(content(out / "waves.gtkw"), Contains(" 1820000 -1") && Contains("-Host port"));
   fs::remove_all("an693_test_out");
+}
+
+TEST_CASE("an693: the first step takes until it stays in the band, however many samples it moves") {
+  const an693::Options options;
+  for (const int moving : {1, 2, 10, 30}) {
+    CAPTURE(moving);
+    an693::Result result;
+    for (int n = 0; n < 100; ++n) {  // back to 0 from sample 60 on, where the shaft does not follow
+      const int desired = n < 60 ? std::min(n, moving) * 60 / moving : 0;
+      const int shaft = n < 60 ? desired - (n > 0 && n <= 20 ? 3 : 0) : 60;
+      an693::Sample s;
+      s.words.position = std::int64_t{desired} << 16;
+      s.theta = shaft * plant::MotorAxis::kTurn / options.plant.counts;
+      result.samples.push_back(s);
+    }
+    CHECK(test::figure(options, result, "motion.settled_s") == Approx(20 * options.sample_s()));
+  }
 }
