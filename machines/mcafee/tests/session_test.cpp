@@ -196,3 +196,30 @@ TEST_CASE("mcafee: a fault can be on any bit of a converter, and on no more") {
   options.fault.line = 8;
   CHECK_THROWS_WITH(simulate(options, {}), Catch::Contains("inject.line"));
 }
+
+TEST_CASE("mcafee: a run that ends early tells the places of both axes where it ended") {
+  Options options = small_corner();
+  const auto ended = [](const Options& asked) {
+    return test::record_run<Session, Result>(asked).result;
+  };
+  const Result whole = ended(options);
+  REQUIRE(whole.end == cosim::EndReason::kDone);
+  const Sample rest = whole.samples.back();
+  std::int64_t apart = 0;
+  for (const double share : {0.2, 0.4, 0.6}) {
+    options.run.max_s = share * cosim::seconds_of(rest.edge, options.stage_axis.clock_ps);
+    const Result result = ended(options);
+    CAPTURE(share, result.real[0], result.real[1]);
+    CHECK(result.end == cosim::EndReason::kTimeout);
+    const Sample last = result.samples.back();
+    for (std::size_t k = 0; k < 2; ++k) {
+      CAPTURE(kName[k]);
+      CHECK(result.real[k] == last.axis[k].words.actual);
+      // A count is behind by the encoder's hysteresis and by a sample's motion.
+      CHECK(static_cast<double>(result.real[k]) ==
+            Approx(last.axis[k].x_mm / options.count_mm()).margin(2));
+    }
+    apart = std::max<std::int64_t>(apart, std::abs(result.real[0] - result.real[1]));
+  }
+  CHECK(apart > 100);
+}

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "machines/mcafee/path.hpp"
 
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdio>
 #include <fstream>
+#include <utility>
 
 #include "cosim/machine.hpp"
 #include "models/plant/trig.hpp"
@@ -208,4 +211,21 @@ TEST_CASE("the table is written with one line per row") {
   table.rows = {{1, 2, 255, 4, 99, -5}};
   CHECK(table_csv(table) == "c,cc,vx,vy,dx,dy\n1,2,255,4,99,-5\n");
   CHECK(listing_text(table) == "01 02 FF 04 FB 63\n");
+}
+
+TEST_CASE("a radius is taken up to the largest that its shape has room for, and no further") {
+  const double side = 60;
+  const std::pair<PathKind, double> shapes[] = {
+      {PathKind::kSquare, side / 2},  // its lines are gone
+      {PathKind::kStar, side / 2 / std::tan(0.4 * plant::kPi)},
+      {PathKind::kCorner, side}};
+  for (const auto& [kind, largest] : shapes) {
+    CAPTURE(static_cast<int>(kind), largest);
+    CHECK_NOTHROW(Path(shape(kind, side, 0.9999 * largest)));
+    CHECK_THROWS_WITH(Path(shape(kind, side, 1.0001 * largest)),
+                      fmt::format("path.radius_mm: value {:g} is out of range 0..{:.6g} at "
+                                  "path.side_mm = 60", 1.0001 * largest, largest));
+  }
+  CHECK(Path(shape(PathKind::kCorner, side, side)).length() == Approx(side * plant::kPi / 2));
+  CHECK_NOTHROW(Path(shape(PathKind::kCircle, side, 10 * side)));
 }
