@@ -7,9 +7,12 @@ import sys
 import tempfile
 import unittest
 from pathlib import Path
+from types import SimpleNamespace
+from unittest import mock
 
 import trammel
 from trammel.tune import Study, StudyError
+from trammel.tune import main as tune
 
 STUDY = """trials = 8
 [keys]
@@ -108,6 +111,18 @@ class Tune(unittest.TestCase):
         done = run(self.study(STUDY + '[[objective]]\nfigure = "no.such"\n'), "-o", self.out)
         self.assertEqual(done.returncode, 2)
         self.assertRegex(done.stderr, "no.such: no figure of every case\n$")
+
+    def test_of_earlier_calls_no_best_trial_is_left(self):
+        self.out.mkdir()
+        for count in 3, 1, 2, 0, 1, 0:
+            front = [SimpleNamespace(number=n) for n in range(count)]
+            with mock.patch.object(tune, "best_of", lambda *_, front=front: front), \
+                    mock.patch.object(tune, "scenario_text", lambda _, trial: f"{trial.number}"), \
+                    mock.patch("trammel.sweep.page.write_trials"):
+                tune.write(None, mock.Mock(), self.out)
+            names = ["best.toml"] if count == 1 else [f"best-{n + 1}.toml" for n in range(count)]
+            self.assertEqual({f.name: f.read_text() for f in self.out.iterdir()},
+                             {name: f"{n}" for n, name in enumerate(names)})
 
 
 if __name__ == "__main__":
