@@ -88,6 +88,21 @@ class SynthReportTest(unittest.TestCase):
                           "chip: 91 cells, more than 90"])
         self.assertEqual(findings(90, 49), ["chip: 49 MHz, less than the 50 MHz it runs at"])
 
+    def test_what_a_placed_chip_uses_and_has_left_is_that_of_its_kind_of_cell(self):
+        def report(*kinds):
+            return {"utilization": {kind: {"used": n, "available": 100 + n}
+                                    for n, kind in enumerate(kinds, 1)},
+                    "fmax": {"clk": {"achieved": 12.346}}}
+
+        self.assertEqual(
+            synth_report.used(report("TRELLIS_COMB", "TRELLIS_FF", "DP16KD", "MULT18X18D")),
+            {"cells": 1, "ff": 2, "block_ram": 3, "multipliers": 4,
+             "available": {"cells": 101, "multipliers": 104}})
+        self.assertEqual(
+            synth_report.used_of_ice40(report("ICESTORM_LC", "ICESTORM_RAM", "SB_IO")),
+            {"cells": 1, "block_ram": 2, "pins": 3, "fmax_mhz": 12.35,
+             "available": {"cells": 101, "block_ram": 102, "pins": 103}})
+
     def test_blocks_of_a_group_are_counted_together(self):
         blocks = {"math/a": {"isolated": {"cells": 10}, "in_chip": {"cells": 36}, "instances": 4},
                   "math/b": {"isolated": {"cells": 11}, "in_chip": {"cells": 20}, "instances": 2}}
