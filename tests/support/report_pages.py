@@ -5,6 +5,7 @@ of a machine derives from it and names the runs; it tests itself what only its p
 import base64
 import csv
 import json
+import re
 import shutil
 import struct
 import subprocess
@@ -37,6 +38,14 @@ def figure_text(figure):
     else:
         text = f"{figure['value']:,}".replace(",", "\u2009")
     return text.replace("-", "\u2212")
+
+
+def numbers(cell):
+    return [float(n) for n in re.findall(r"-?[0-9.]+", cell.replace("\u2212", "-"))]
+
+
+def given(figure, name):
+    return [float(figure[name])] if name in figure else []
 
 
 class ReportPages(unittest.TestCase):
@@ -180,10 +189,22 @@ class ReportPages(unittest.TestCase):
             section = self.driver.find_element("id", "figures")
             marks = self.js("return [...arguments[0].querySelectorAll('tr')].filter((row) => "
                             "row.cells.length === 7).slice(1).map((row) => "
-                            "[row.cells[1].textContent, row.cells[5].textContent])", section)
-            self.assertEqual(marks, [[figure_text(f), within[f.get("within")]] for f in judged])
+                            "[...row.cells].slice(1, 6).map((cell) => cell.textContent))", section)
+            self.assertEqual([[row[0], row[4]] for row in marks],
+                             [[figure_text(f), within[f.get("within")]] for f in judged])
+            for figure, row in zip(judged, marks, strict=True):
+                self.check_source(figure, *row[1:4])
             for source in {f["source"] for f in judged if "source" in f}:
                 self.assertIn(source[1:], section.text)  # it begins with a capital there
+
+    def check_source(self, figure, printed, difference, expected):
+        """The source's value, by how much ours is off it, and what is expected."""
+        self.assertEqual(numbers(printed), given(figure, "printed"), figure["id"])
+        self.assertEqual(numbers(expected)[:1], given(figure, "expected"), figure["id"])
+        off = [(figure["value"] / figure["printed"] - 1) * 100] if figure.get("printed") else []
+        self.assertEqual(len(numbers(difference)), len(off), figure["id"])
+        for shown, wanted in zip(numbers(difference), off, strict=True):
+            self.assertAlmostEqual(shown, wanted, delta=0.0501, msg=figure["id"])
 
     def test_every_plot_is_painted(self):
         for name in self.runs:
