@@ -281,19 +281,53 @@ TEST_CASE("an error beyond the limit of the firmware turns the drives off") {
   }
 }
 
-TEST_CASE("a stroke without room for the identification move is refused") {
+TEST_CASE("a stroke without room for the identification move of an axis is refused, either way") {
   for (const std::uint32_t a : {0u, 1u}) {
-    for (const bool room : {false, true}) {
-      KungSetup setup = with_precision();
-      setup.path = Path::kLine;
-      setup.line = {{from_counts(50'000), from_counts(50'000)}, {from_counts(50'010),
-                    from_counts(50'010)}, 3};
-      setup.axis[a].stroke_min = 49'990;
-      setup.axis[a].stroke_max = room ? 50'160 : 50'159;
-      Machine m(setup);
-      m.app.start(m.chip);
-      CHECK(failure(m) == (room ? Failure::kNone : Failure::kOutOfStroke));
+    for (const bool down : {false, true}) {  // the other axis moves up
+      for (const bool room : {false, true}) {
+        CAPTURE(a, down, room);
+        KungSetup setup = with_precision();
+        setup.path = Path::kLine;
+        setup.line = {{from_counts(50'000), from_counts(50'000)}, {from_counts(50'010),
+                      from_counts(50'010)}, 3};
+        setup.axis[a].stroke_min = !down ? 49'990 : room ? 49'840 : 49'841;
+        setup.axis[a].stroke_max = down ? 50'010 : room ? 50'160 : 50'159;
+        Machine m(setup);
+        m.app.start(m.chip);
+        CHECK(failure(m) == (room ? Failure::kNone : Failure::kOutOfStroke));
+      }
     }
+  }
+}
+
+TEST_CASE("each axis has its own gains, to identify with and from point 118 on") {
+  for (const bool identify : {false, true}) {
+    KungSetup setup = with_precision();
+    setup.precision.identify = identify;
+    for (std::uint32_t a = 0; a < 2; ++a) {
+      for (std::uint32_t k = 0; k < 5; ++k) {
+        setup.precision.axis[a].full[k] = {static_cast<std::int32_t>(1100 + 100 * a + k), -1};
+        setup.precision.axis[a].soft[k] = {static_cast<std::int32_t>(1500 + 100 * a + k), -2};
+      }
+    }
+    Machine m(setup);
+    const auto check = [&](std::size_t from, bool soft) {
+      for (std::uint32_t a = 0; a < 2; ++a) {
+        const PrecisionAxisSetup& own = setup.precision.axis[a];
+        const auto words = window(m.chip, a == 0 ? reg::kX : reg::kY, from);
+        for (std::uint32_t k = 0; k < 5; ++k) {
+          CAPTURE(identify, a, k);
+          CHECK(words[k] == std::pair{8 + k, gain_word((soft ? own.soft : own.full)[k])});
+        }
+      }
+    };
+    m.arm();
+    check(0, identify);
+    if (!identify) continue;
+    for (std::uint32_t n = 0; n < Identification::kFull; ++n) m.interrupt();
+    const std::size_t before = m.chip.log.size();
+    m.interrupt();
+    check(before, false);
   }
 }
 
