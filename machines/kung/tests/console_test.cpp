@@ -92,6 +92,24 @@ TEST_CASE("a gain is kept for the next start, and in effect at once while the dr
   CHECK(b.chip.registers[reg::kX + reg::kKp] == sw::gain_word({2047, 15}));
 }
 
+TEST_CASE("a gain typed while the drives are on goes to the register of its axis alone") {
+  const std::pair<const char*, std::uint32_t> gains[] = {
+      {"kp", reg::kKp}, {"ki", reg::kKi}, {"kv", reg::kKv},
+      {"eta", reg::kEta}, {"kp_cur", reg::kKpCur}, {"ki_cur", reg::kKiCur}};
+  for (const bool y : {false, true}) {
+    for (const auto& [name, address] : gains) {
+      CAPTURE(y, name);
+      Bench b;
+      b.say("start");
+      const auto before = b.chip.registers;
+      CHECK(b.say(std::string("gain ") + (y ? "y " : "x ") + name + " 1023 -5") == "ok\r\n");
+      auto wanted = before;
+      wanted[(y ? reg::kY : reg::kX) + address] = sw::gain_word({1023, -5});
+      CHECK((b.chip.registers == wanted));
+    }
+  }
+}
+
 TEST_CASE("a register of the IC is read, its address decimal or hexadecimal") {
   Bench b;
   b.chip.registers[0x000] = 0xFFFF'FFFF;
