@@ -129,6 +129,19 @@ TEST_CASE("gantry: homing goes on where the observer was restarted") {
   CHECK(track.app.zero() == 7);
 }
 
+TEST_CASE("gantry: a restart of the observer after homing leaves neither zero nor homed") {
+  sw::GantrySetup setup;
+  setup.home = true;
+  Track track(setup);
+  track.pass(7);
+  track.pass(7, setup.home_ticks);
+  REQUIRE(track.app.homed());
+  track.tell({{kValue, 11, 0x01}});
+  CHECK_FALSE(track.app.homed());
+  CHECK(track.app.zero() == 0);
+  CHECK(track.app.phase() == sw::GantryPhase::kIdle);
+}
+
 TEST_CASE("gantry: channel 12 sets the slots of the observer or of the requester") {
   Track track;
   track.tell({{kValue, 12, 7 << 2 | 0}});
