@@ -120,6 +120,17 @@ TEST_CASE("a mass at the end of its range for 0.2 s and an error beyond its word
         "warning: the error of X was above the 10.24 mm that the controller tells for 0.01 s");
 }
 
+TEST_CASE("the time that a precision run had no more current to give is told") {
+  Options options;
+  Result result;
+  result.load[1].at_current = 40;  // of 2 kHz
+  CHECK(range_lines(options, result).empty());  // the verdicts of fc and afc say it
+  options.controller = Controller::kPrecision;
+  REQUIRE(range_lines(options, result).size() == 1);
+  CHECK(range_lines(options, result)[0] ==
+        "warning: i_q* of Y was at its limit for 0.02 s: the path asks for more than the motor has");
+}
+
 TEST_CASE("an estimate at an end of its range is known as such") {
   Options options;
   options.controller = Controller::kPrecision;

@@ -142,6 +142,14 @@ TEST_CASE("a precision run has the same events by RTL and twin, leaping and plai
   CHECK(compared.result->event_hash == twin.result->event_hash);
 }
 
+TEST_CASE("a circle by the RTL is followed within half a count, as by the twin") {
+  const auto rtl = run("circle", {"run.engine=rtl"}), twin = run("circle", {});
+  REQUIRE(rtl.result->end == cosim::EndReason::kDone);
+  CHECK(rtl.result->event_hash == twin.result->event_hash);
+  CHECK(figure(rtl, "error_um.mean") <= 2.0);
+  CHECK(figure(rtl, "error_um.max") <= 15.0);
+}
+
 TEST_CASE("precision.csv says what figures, words and plant say") {
   const auto record = run("circle", Load{11, 1, 3, 0, 1}.keys());
   const auto& options = kung::options_of(record);
