@@ -183,8 +183,8 @@ std::vector<std::string> range_lines(const Options& options, const Result& resul
     const double current_s = static_cast<double>(result.load[a].at_current) *
                              options.chip.sample_s();
     if (options.controller == Controller::kPrecision && current_s > 0) {
-      lines.push_back(fmt::format("warning: i_q* of {} was at its limit for {:.3g} s: the path asks "
-                                  "for more than the motor has", name, current_s));
+      lines.push_back(fmt::format("warning: i_q* of {} was at its limit for {:.3g} s: the path "
+                                  "asks for more than the motor has", name, current_s));
     }
     const double error_s = result.error_limited[a] * options.chip.sample_s();
     if (error_s > 0) {

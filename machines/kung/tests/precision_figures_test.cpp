@@ -128,7 +128,8 @@ TEST_CASE("the time that a precision run had no more current to give is told") {
   options.controller = Controller::kPrecision;
   REQUIRE(range_lines(options, result).size() == 1);
   CHECK(range_lines(options, result)[0] ==
-        "warning: i_q* of Y was at its limit for 0.02 s: the path asks for more than the motor has");
+        "warning: i_q* of Y was at its limit for 0.02 s: the path asks for more than the motor "
+        "has");
 }
 
 TEST_CASE("an estimate at an end of its range is known as such") {
