@@ -271,6 +271,23 @@ TEST_CASE("the core draws lines and arcs under the feed profile as native firmwa
                         << ran.times.routine.mean());
 }
 
+TEST_CASE("the core identifies, estimates and draws with precision as native firmware does") {
+  Options options = feed_program();
+  options.controller = Controller::kPrecision;
+  options.plant.axis[0].payload_kg = options.plant.axis[1].payload_kg = 11;
+  options.plant.axis[0].cogging_n = options.plant.axis[1].cogging_n = 3;
+  const Ran ran = run(options);
+  CHECK(ran.result.end == EndReason::kDone);
+  const std::size_t writes = test::writes_of(ran.transfers).size();
+  CHECK(writes > 4000);
+  CHECK(native_writes(options, ran.transfers) == writes);
+  // Of the 100,000 between two points; docs/precision.md, section 11.
+  CHECK(ran.times.routine.worst <= 33'000);
+  CHECK(ran.times.routine.mean() <= 28'500);
+  WARN("precision: " << writes << " writes, worst " << ran.times.routine.worst << ", mean "
+                     << ran.times.routine.mean());
+}
+
 TEST_CASE("a fault of either driver turns all gates and both enables off, and lights its lamp") {
   std::vector<sw::Point> points;
   const Options options = line();
