@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cstdio>
 #include <fstream>
@@ -288,7 +289,7 @@ TEST_CASE("the core identifies, estimates and draws with precision as native fir
                      << ran.times.routine.mean());
 }
 
-TEST_CASE("a fault of either driver turns all gates and both enables off, and lights its lamp") {
+TEST_CASE("lamps show core and interrupts; a driver's fault ends all gates and lights its lamp") {
   std::vector<sw::Point> points;
   const Options options = line();
   const sw::KungSetup setup = plan_firmware(options, points);
@@ -299,11 +300,25 @@ TEST_CASE("a fault of either driver turns all gates and both enables off, and li
     TablePlant plant(table_of(options, setup), cosim::kNever, cosim::kNever);
     DriveEdges drive;
     cosim::Loop loop(chip, plant, drive);
-    for (cosim::Clk end = 0; end < 5'000'000 && (drive.all.empty() || chip.drive() == 0);) {
+    cosim::Clk end = 0;
+    while (end < 5'000'000 && (drive.all.empty() || chip.drive() == 0)) {
       loop.advance(end += 10'000, 0);
     }
     REQUIRE(pins.driver_en_o == 3);
     REQUIRE((pins.status_o & 7) == 3);
+    std::array<int, 2> lit{};  // the core waits; an interrupt is served
+    int served = 0;
+    for (int n = 0, before = 1; n < 300'000; ++n) {  // three of the firmware's points
+      loop.advance(++end, 0);
+      const int waits = pins.status_o >> 4 & 1, irq = pins.status_o >> 5 & 1;
+      lit[0] += waits;
+      lit[1] += irq;
+      served += irq & ~before;
+      before = irq;
+    }
+    CHECK(served == 3);
+    CHECK(lit[0] > 250'000);
+    CHECK(lit[1] < 20'000);
     pins.driver_fault_i = static_cast<std::uint8_t>(faults);
     for (cosim::Clk n = 0; n < kTripsWithin; ++n) {
       chip.clock();
