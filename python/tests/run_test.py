@@ -206,8 +206,9 @@ class Texts(unittest.TestCase):
     def test_a_figure_is_shown_with_its_unit(self):
         self.assertEqual(repr(trammel.Figure(2.3456789, "mm")), "2.34568 mm")
         self.assertEqual(repr(trammel.Figure(3)), "3")
-        self.assertTrue(trammel.Figure(2.5, expected=2, tolerance=0.5).good)
-        self.assertTrue(trammel.Figure(1.5, expected=2, tolerance=0.5).good)
+        for value in 2.5, 1.5:
+            figure = trammel.Figure(value, expected=2, tolerance=0.5)
+            self.assertTrue(figure.good, f"{value} of 2 with a tolerance of 0.5 is good")
 
     def test_a_column_is_printed_with_its_digits(self):
         for digits, text in ((None, "12"), (0, "12"), (2, "12.35"), (-3, "12.3")):

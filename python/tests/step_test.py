@@ -115,15 +115,22 @@ class Steps(unittest.TestCase):
 
     def test_wrong_names_and_values(self):
         simulation = trammel.open("circle", **TWIN)
-        for call in (lambda: simulation.read("x.NOTHING"), lambda: simulation.read(3),
-                     lambda: simulation.write("x.KP.mant", 1 << 11),
-                     lambda: simulation.write(0, 1 << 32), lambda: simulation.signal("no"),
-                     lambda: simulation.advance(0), lambda: simulation.advance(float("1e99")),
-                     lambda: trammel.open("circle", **{"run.wave": "fst"}),
-                     lambda: trammel.open("circle", **{"run.cpu": "rtl"})):
-            with self.assertRaises(trammel.ConfigError) as told:
-                call()
-            self.assertNotIn("\n", str(told.exception))
+        def opened(**keys):
+            trammel.open("circle", **keys)
+
+        for call, given, keys in ((simulation.read, ["x.NOTHING"], {}),
+                                  (simulation.read, [3], {}),
+                                  (simulation.write, ["x.KP.mant", 1 << 11], {}),
+                                  (simulation.write, [0, 1 << 32], {}),
+                                  (simulation.signal, ["no"], {}),
+                                  (simulation.advance, [0], {}),
+                                  (simulation.advance, [float("1e99")], {}),
+                                  (opened, [], {"run.wave": "fst"}),
+                                  (opened, [], {"run.cpu": "rtl"})):
+            with self.subTest(call=call.__name__, given=given, keys=keys):
+                with self.assertRaises(trammel.ConfigError) as told:
+                    call(*given, **keys)
+                self.assertNotIn("\n", str(told.exception))
         with self.assertRaises(trammel.SettingError) as told:
             simulation.write("x.KP.mant", 1 << 11)
         self.assertEqual((told.exception.key, told.exception.range), ("x.KP.mant", "0..2047"))
@@ -138,13 +145,14 @@ class Steps(unittest.TestCase):
         self.assertRegex(repr(simulation), "^<circle: stands at .* s>$")
         signed = simulation.fields["x.IQ_MANUAL"]
         low = -(1 << signed.bits - 1)
-        for call in (lambda: simulation.write("x.KP.mant", -1),
-                     lambda: simulation.write("x.IQ_MANUAL", low - 1),
-                     lambda: simulation.write("x.IQ_MANUAL", -low),
-                     lambda: simulation.write(0, -(2**31) - 1),
-                     lambda: simulation.read(-4), lambda: simulation.read(1 << 32),
-                     lambda: simulation.advance(-1)):
-            self.assertRaises(trammel.SettingError, call)
+        for call, *given in ((simulation.write, "x.KP.mant", -1),
+                             (simulation.write, "x.IQ_MANUAL", low - 1),
+                             (simulation.write, "x.IQ_MANUAL", -low),
+                             (simulation.write, 0, -(2**31) - 1),
+                             (simulation.read, -4), (simulation.read, 1 << 32),
+                             (simulation.advance, -1)):
+            with self.subTest(call=call.__name__, given=given):
+                self.assertRaises(trammel.SettingError, call, *given)
         for value in (low, -low - 1):
             simulation.write("x.IQ_MANUAL", value)
             self.assertEqual(simulation.read("x.IQ_MANUAL"), value)

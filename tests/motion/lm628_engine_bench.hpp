@@ -123,6 +123,8 @@ class EngineBench {
     REQUIRE(rtl_->quiescent_o);
     REQUIRE(as_signed(rtl_->u_o, 16) == twin_.output());
     REQUIRE(bool(rtl_->eight_bits_o) == twin_.output_eight_bits());
+    INFO("events are bits of the status byte: 1 command error, 2 trajectory complete, 3 index, 4 "
+         "wraparound, 5 position error, 6 breakpoint; the RTL's and the twin's");
     REQUIRE(rtl_->sample_events_o << 1 == sample.events);
     REQUIRE(bool(rtl_->sample_off_o) == sample.off);
     REQUIRE(rtl_->command_events_o << 1 == command.events);

@@ -131,6 +131,7 @@ int sign(std::int32_t x) { return x > 0 ? 1 : x < 0 ? -1 : 0; }
 }  // namespace
 
 TEST_CASE("the estimator gives the vectors of the specification, bit for bit") {
+  INFO("theta: mass, viscous and Coulomb friction, sine and cosine of the cogging, force");
   Estimator estimator({}, kStart);
   for (int n = 0; n < 100; ++n) {
     const std::int32_t push =

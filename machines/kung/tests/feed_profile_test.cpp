@@ -124,6 +124,7 @@ TEST_CASE("points of the shapes are within one LSB of the formulas, whatever the
       const Planned planned(o);
       const FeedProfile command = ideal_command(o);
       const std::vector<sw::Point> points = planned.points();
+      INFO("points of the firmware's plan and of the formulas in double precision");
       REQUIRE(points.size() == command.points());
       CHECK(furthest(points, command, 2e-3) <= 1);
       CHECK(acceleration(points, feed_limits(o)) <= 1.01);

@@ -143,6 +143,7 @@ TEST_CASE("moves of a program are driven where they are given, with their stops 
   o.path.moves.moves[1].stop = true;
   const std::uint32_t stopping = size_of(o);
   CHECK(stopping > passing);
+  INFO("points: of 2 ms each, " << stopping << " without a dwell");
   o.path.moves.moves[1].dwell = 0.5;
   CHECK(size_of(o) == stopping + 250);
   o.path.moves.start_dwell = 0.1;
