@@ -206,9 +206,7 @@ def rows_of_table():
     rows += [laps("lap 5 with learning, harmonic of 2 N", path, {**HARMONIC, **LEARN},
                   lambda of: (of[4], of[0] / 2)) for path in SHAPES]
     rows += [push(0, 100, 300, 0.05), push(22.5, 100, 50, 0.05), push(0, 500, None, 0.6)]
-    # The set point is there long before the current can bring the table: 25 kg pass the end four
-    # times, the first time by 5.5 mm (2.5 kg twice, by 1.1 and 0.04 mm), whatever is estimated, and
-    # twice, by 2.3 mm, with half the poles.
+    # The set point is there long before the current can bring the table.
     rows += [step(0, 0.1), step(22.5, 0.3), standing("standing still 1 s"),
              scenario_step("scenario step as a move")]
     return rows
