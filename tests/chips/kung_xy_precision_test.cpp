@@ -135,6 +135,20 @@ TEST_CASE("the words of a COMMIT are taken by the next knot, 32 ticks after the 
   }
 }
 
+TEST_CASE("KNOT counts those of the axis that is on, whichever it is") {
+  for (const std::uint32_t alone : {reg::kX, reg::kY}) {
+    CAPTURE(alone);
+    KungBench chip;
+    leave_reset(chip);
+    chip.write((reg::kX ^ reg::kY ^ alone) + reg::kCtrl, reg::kCtrlPositionLoop);
+    for (std::uint32_t knot = 1; knot <= 3; ++knot) {
+      chip.write(reg::kCommit, reg::kCommitTake);
+      wait(chip, 32 * 3125);
+      CHECK(chip.read(reg::kKnot) == knot);
+    }
+  }
+}
+
 TEST_CASE("an i_q* beyond its range is saturated and told by the status of its axis") {
   KungBench chip;
   leave_reset(chip);
