@@ -289,7 +289,7 @@ TEST_CASE("the core identifies, estimates and draws with precision as native fir
                      << ran.times.routine.mean());
 }
 
-TEST_CASE("lamps show core and interrupts; a driver's fault ends all gates and lights its lamp") {
+TEST_CASE("lamps show core and interrupts, and a fault of either driver turns all gates off") {
   std::vector<sw::Point> points;
   const Options options = line();
   const sw::KungSetup setup = plan_firmware(options, points);
