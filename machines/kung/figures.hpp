@@ -7,6 +7,9 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "lab/record.hpp"
@@ -79,8 +82,16 @@ bool is_paper_experiment(const Options& options);
 // Sets what is printed and expected in the figures of a complete run of such an experiment.
 void compare(const Options& options, std::vector<lab::Figure>& figures);
 
-// Mean tracking error to the reference model that the paper prints (Kung Table 2) of this path.
-std::optional<double> paper_mean_mm(const Options& options, Controller controller);
+// The controllers of the paper, in the order in which they are told.
+inline constexpr std::pair<const char*, Controller> kFuzzy[]{{"AFC", Controller::kAfc},
+                                                             {"FC", Controller::kFc}};
+
+// Mean tracking error to the reference model that the paper prints (Kung Table 2) of this path, by
+// controller; none of another path.
+std::vector<std::pair<std::string, double>> paper_means_mm(const Options& options);
+
+// Value of the figure with this id, if it is there.
+std::optional<double> value_of(const std::vector<lab::Figure>& figures, std::string_view id);
 
 // What must be said wherever Table 2 is shown (specification section 14.14).
 inline constexpr char kCircleNote[] =

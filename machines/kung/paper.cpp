@@ -108,11 +108,8 @@ std::string precision_text(const std::vector<const lab::Record*>& records) {
     for (const lab::Record& beside : record->companions) {
       if (beside.name == name) of = &beside;
     }
-    std::optional<double> mean, most;
-    for (const lab::Figure& f : of->figures) {
-      if (f.id == "error_um.mean") mean = f.value;
-      if (f.id == "error_um.max") most = f.value;
-    }
+    const auto mean = value_of(of->figures, "error_um.mean");
+    const auto most = value_of(of->figures, "error_um.max");
     const bool there = mean && most && of->result->end == EndReason::kDone;
     if (!there) return "not finished";
     const bool fine = *mean < 100;  // beyond, fractions say nothing
@@ -133,16 +130,29 @@ std::string precision_text(const std::vector<const lab::Record*>& records) {
 
 }  // namespace
 
-std::optional<double> paper_mean_mm(const Options& options, Controller controller) {
-  for (const Tracking& one : kTracking) {
-    if (one.path != options.path.kind || one.controller != controller) continue;
-    const char* const scenario = kScenarios[static_cast<std::size_t>(one.path)];
-    const auto reference = lab::load_scenario(lab::find_scenario(scenario));
-    const std::string own = fmt::format("path.{}_", scenario);
-    const bool same = std::all_of(keys().begin(), keys().end(), [&](const lab::Key& key) {
-      return key.name.rfind(own, 0) != 0 || key.get(options) == key.get(*reference);
-    });
-    if (same) return one.paper_mean;
+std::vector<std::pair<std::string, double>> paper_means_mm(const Options& options) {
+  std::vector<std::pair<std::string, double>> means;
+  for (const auto& [name, controller] : kFuzzy) {
+    for (const Tracking& one : kTracking) {
+      if (one.path == options.path.kind && one.controller == controller) {
+        means.emplace_back(name, one.paper_mean);
+      }
+    }
+  }
+  if (means.empty()) return means;
+  const char* const scenario = kScenarios[static_cast<std::size_t>(options.path.kind)];
+  const auto reference = lab::load_scenario(lab::find_scenario(scenario));
+  const std::string own = fmt::format("path.{}_", scenario);
+  const bool same = std::all_of(keys().begin(), keys().end(), [&](const lab::Key& key) {
+    return key.name.rfind(own, 0) != 0 || key.get(options) == key.get(*reference);
+  });
+  if (!same) means.clear();
+  return means;
+}
+
+std::optional<double> value_of(const std::vector<lab::Figure>& figures, std::string_view id) {
+  for (const lab::Figure& f : figures) {
+    if (f.id == id) return f.value;
   }
   return {};
 }

@@ -21,18 +21,6 @@ using ideal::Move;
 using ideal::Place;
 
 constexpr std::size_t kLapsShown = 8;
-constexpr std::pair<const char*, Controller> kFuzzy[]{{"AFC", Controller::kAfc},
-                                                      {"FC", Controller::kFc}};
-
-// What the paper prints of the fuzzy controllers on this path: the mean error to the model [mm].
-std::vector<std::pair<const char*, double>> printed_means(const Options& options) {
-  std::vector<std::pair<const char*, double>> all;
-  for (const auto& [name, controller] : kFuzzy) {
-    const std::optional<double> mean = paper_mean_mm(options, controller);
-    if (mean) all.emplace_back(name, *mean);
-  }
-  return all;
-}
 
 double distance_to(const Move& m, const Place& p) {
   if (m.kind == Move::Kind::kLine) {
@@ -198,31 +186,25 @@ std::vector<std::string> range_lines(const Options& options, const Result& resul
 
 std::vector<std::string> comparison_lines(const lab::Record& record) {
   if (record.companions.empty()) return {};
-  const auto cells = [](const std::string& name, const auto&... value) {
-    std::string text = fmt::format("  {:<22}", name);
-    std::size_t n = 0;
-    ((text += fmt::format("{:>{}}", value, n++ % 2 == 0 ? 12 : 10)), ...);
-    return text;
-  };
-  const auto line = [&cells](const std::string& name, const lab::Record& of) {
+  static constexpr char kLine[] = "  {:<22}{:>12}{:>10}{:>12}{:>10}{:>12}";
+  const auto line = [](const std::string& name, const lab::Record& of) {
     const auto value = [&of](const char* id, double per_mm) {
-      for (const lab::Figure& f : of.figures) {
-        if (f.id == id) return fmt::format("{:.4f}", f.value / per_mm);
-      }
-      return std::string("-");
+      const std::optional<double> found = value_of(of.figures, id);
+      return found ? fmt::format("{:.4f}", *found / per_mm) : "-";
     };
-    return cells(name, value("error_um.mean", 1000), value("error_um.max", 1000),
-                 value("contour_um.mean", 1000), value("contour_um.max", 1000),
-                 value("tracking.model.mean_mm", 1));
+    return fmt::format(kLine, name, value("error_um.mean", 1000), value("error_um.max", 1000),
+                       value("contour_um.mean", 1000), value("contour_um.max", 1000),
+                       value("tracking.model.mean_mm", 1));
   };
   std::vector<std::string> lines{
       "",  // a blank line
-      cells("same feed profile (mm)", "error", "max", "from path", "max", "from model").substr(2),
+      fmt::format("{:<24}{:>12}{:>10}{:>12}{:>10}{:>12}", "same feed profile (mm)", "error", "max",
+                  "from path", "max", "from model"),
       line("precision", record)};
   for (const lab::Record& beside : record.companions) lines.push_back(line(beside.name, beside));
-  for (const auto& [name, mean] : printed_means(options_of(record))) {
-    lines.push_back(cells(name + std::string(" in the paper"), "-", "-", "-", "-",
-                          fmt::format("{:.2f}", mean)));
+  for (const auto& [name, mean] : paper_means_mm(options_of(record))) {
+    lines.push_back(fmt::format(kLine, name + " in the paper", "-", "-", "-", "-",
+                                fmt::format("{:.2f}", mean)));
   }
   lines.emplace_back();
   return lines;
@@ -230,7 +212,7 @@ std::vector<std::string> comparison_lines(const lab::Record& record) {
 
 void add_precision(const Options& options, nlohmann::ordered_json& json) {
   if (feeds(options.path)) json["run"]["feed_m_s"] = highest_feed_m_s(options);
-  for (const auto& [name, mean] : printed_means(options)) json["paper"][name]["mean_mm"] = mean;
+  for (const auto& [name, mean] : paper_means_mm(options)) json["paper"][name]["mean_mm"] = mean;
 }
 
 void add_command_figures(std::vector<lab::Figure>& list, const Options& options,

@@ -6,10 +6,11 @@
 #include <unistd.h>
 
 #include <cstddef>
-#include <cstdlib>
 #include <filesystem>
 #include <iterator>
 #include <string>
+
+#include "tests/support/variable.hpp"
 
 namespace trammel::test {
 
@@ -41,15 +42,9 @@ class WorkingFolder {
 };
 
 // No program is found, for as long as this lives: pictures take longer than the rest of a run.
-class NoPrograms {
+class NoPrograms : public Variable {
  public:
-  NoPrograms() : before_(std::getenv("PATH")) { setenv("PATH", "/nowhere", 1); }
-  ~NoPrograms() { setenv("PATH", before_.c_str(), 1); }
-  NoPrograms(const NoPrograms&) = delete;
-  NoPrograms& operator=(const NoPrograms&) = delete;
-
- private:
-  std::string before_;
+  NoPrograms() : Variable("PATH", "/nowhere") {}
 };
 
 // A file in the working folder that no test beside this one has: cases run at once.
