@@ -94,6 +94,16 @@ sw::EstimatorSetup plan_estimator(const Options& options, std::size_t axis) {
   return s;
 }
 
+// The estimated mass that the largest current accelerates as the path may ask, at most the largest
+// there is an estimate of.
+std::int32_t heavy_mass(const Options& options, std::size_t axis, std::int32_t mass_max) {
+  const plant::AxisConfig& plant = options.plant.axis[axis];
+  const double most_A = 2047 * current_ref_lsb_A(plant.current_full_scale_a);
+  const double mass_kg =
+      plant.force_constant_n_a * most_A / options.path.axis[axis].accel_m_s2;
+  return rounded_word(std::min<double>(mass_max, mass_kg * ThetaUnits(plant).mass));
+}
+
 // The move before the path stays on it.
 void check_wave(const Options& options, const sw::KungSetup& setup, std::size_t axis,
                 std::int32_t wave) {
@@ -187,6 +197,7 @@ sw::PrecisionSetup plan_precision(const Options& options, const sw::KungSetup& s
                 hysteresis << 12 | 1u << 20;
     axis.wave = rounded_word(256 * kWaveM / options.plant.axis[a].encoder_count_m);
     axis.estimator = plan_estimator(options, a);
+    axis.heavy = heavy_mass(options, a, axis.estimator.mass_max);
     if (p.identify) check_wave(options, setup, a, axis.wave);
   }
   return s;

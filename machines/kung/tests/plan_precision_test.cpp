@@ -75,6 +75,18 @@ TEST_CASE("the default options give the words of the specification for precision
   CHECK(x.mass_max == 1749814);  // 32 kg
   CHECK(y.mass_min == 328090);   // 6 kg
   CHECK(y.mass_max == 2187267);  // 40 kg
+  CHECK(s.axis[0].heavy == x.mass_max);
+  CHECK(s.axis[1].heavy == y.mass_max);
+}
+
+TEST_CASE("heavy is what the largest current accelerates by path.accel_m_s2, at most the range") {
+  Options o = options();
+  o.path.axis[0].accel_m_s2 = 20;
+  o.path.axis[1].accel_m_s2 = 25;
+  const sw::PrecisionSetup s = plan(o);
+  // 79.9 N/A, 4.8 A less its last step, 54681.6 a kg
+  CHECK(s.axis[0].heavy == Approx(79.9 * 4.8 * 2047 / 2048 / 20 * 54681.6).epsilon(1e-4));
+  CHECK(s.axis[1].heavy == Approx(79.9 * 4.8 * 2047 / 2048 / 25 * 54681.6).epsilon(1e-4));
 }
 
 TEST_CASE("with another controller nothing of it is on, and nothing is refused") {

@@ -12,6 +12,10 @@ namespace reg = kung_xy_regs;
 
 constexpr std::array<std::uint32_t, 2> kWindows{reg::kX, reg::kY};
 constexpr std::uint32_t kKnotWords = 0, kTickWords = 8;  // of the window
+constexpr std::uint32_t kK1 = 3;                         // of the gains
+
+constexpr std::int32_t kLate = 16 * 256 * 32;  // 16 counts in the mean of a knot [ERR_SUM]
+constexpr std::int32_t kSlower = 4;            // K1 by 2^-4, which the window tried best
 
 constexpr std::uint32_t as_word(std::int32_t value) { return static_cast<std::uint32_t>(value); }
 
@@ -24,8 +28,8 @@ PrecisionControl::PrecisionControl(const PrecisionSetup& setup, Point start, Poi
       move_(move),
       before_path_(setup.identify ? Identification::kPoints : 0),
       size_(size),
-      axes_{{{Estimator(setup.axis[0].estimator, start_.x), {}, {}, {}, {}, {}},
-             {Estimator(setup.axis[1].estimator, start_.y), {}, {}, {}, {}, {}}}} {
+      axes_{{{Estimator(setup.axis[0].estimator, start_.x), {}, {}, {}, {}, {}, {}},
+             {Estimator(setup.axis[1].estimator, start_.y), {}, {}, {}, {}, {}, {}}}} {
   for (std::uint32_t a = 0; a < 2; ++a) {
     Axis& axis = axes_[a];
     const std::int32_t at = a == 0 ? start_.x : start_.y;
@@ -78,9 +82,19 @@ void PrecisionControl::estimate(Bus& bus, std::uint32_t a) {
   const auto err_sum = static_cast<std::int32_t>(bus.read(kWindows[a] + reg::kErrSum));
   const auto iq_sum = static_cast<std::int32_t>(bus.read(kWindows[a] + reg::kIqSum));
   if (setup_.adapt || !on_path()) axis.estimator.step(err_sum, iq_sum);
-  if (on_path()) {
-    axis.learning.step(given_ - 2 - before_path_, axis.points[1] - axis.points[2], err_sum);
-  }
+  if (!on_path()) return;
+  axis.learning.step(given_ - 2 - before_path_, axis.points[1] - axis.points[2], err_sum);
+  const bool heavy = axis.estimator.theta()[Estimator::kMass] >= setup_.axis[a].heavy;
+  if (!axis.late && heavy && (err_sum > kLate || err_sum < -kLate)) slow_down(bus, a);
+}
+
+// The rest of the current could not brake what K1 asks for: from now on an error decays slowly.
+void PrecisionControl::slow_down(Bus& bus, std::uint32_t a) {
+  axes_[a].late = true;
+  Gain k1 = setup_.axis[a].full[kK1];
+  k1.exp = k1.exp < -16 + kSlower ? -16 : k1.exp - kSlower;
+  bus.write(kWindows[a] + reg::kPrecAddr, kTickWords + kK1);
+  bus.write(kWindows[a] + reg::kPrecData, gain_word(k1));
 }
 
 void PrecisionControl::command(Bus& bus, std::uint32_t a) {

@@ -47,6 +47,7 @@ class PrecisionControl {
     KnotWords words;                      // as written last
     std::array<std::int32_t, 3> points;     // the next, this one, the one before
     std::array<std::int32_t, 3> corrected;  // the same with what was learned
+    bool late = false;                      // a payload beyond the motor
   };
 
   void write_gains(Bus& bus, std::uint32_t axis, const LawGains& gains) const;
@@ -54,6 +55,7 @@ class PrecisionControl {
                   std::int32_t ratio) const;
   void estimate(Bus& bus, std::uint32_t axis);
   void command(Bus& bus, std::uint32_t axis);
+  void slow_down(Bus& bus, std::uint32_t axis);
 
   PrecisionSetup setup_;
   Point start_, move_;

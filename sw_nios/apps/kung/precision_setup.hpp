@@ -21,6 +21,7 @@ struct PrecisionAxisSetup {
   LawGains soft{{{1401, -2}, {1050, -6}, {0, 0}, {1887, -14}, {1376, -6}}};  // to identify with
   std::uint32_t misc = 0x11AF46;  // LEAD 6, KNEE 4, SUB_TICKS 15, HYST 26, REST
   std::int32_t wave = 40960;      // of the identification move, from end to end [2^-8 count]
+  std::int32_t heavy = 1749814;   // estimated mass from which on the motor may be too weak
   EstimatorSetup estimator;
 };
 

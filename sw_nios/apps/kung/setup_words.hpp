@@ -44,13 +44,13 @@ constexpr void each_member(Setup& s, F&& f) {
     for (auto& gain : a.full) each(f, gain.mant, gain.exp);
     for (auto& gain : a.soft) each(f, gain.mant, gain.exp);
     auto& e = a.estimator;
-    each(f, a.misc, a.wave, e.mass, e.viscous, e.coulomb, e.mass_min, e.mass_max, e.pitch,
+    each(f, a.misc, a.wave, a.heavy, e.mass, e.viscous, e.coulomb, e.mass_min, e.mass_max, e.pitch,
          e.slowest, e.accel_shift, e.speed_shift);
   }
 }
 
 struct SetupWords {
-  static constexpr std::uint32_t kMembers = 193;  // one of 8 bytes is two words
+  static constexpr std::uint32_t kMembers = 195;  // one of 8 bytes is two words
   static constexpr std::uint32_t kUsed = 1u << 0;   // of flags: the members hold
   static constexpr std::uint32_t kStart = 1u << 1;  // the program starts by itself
 

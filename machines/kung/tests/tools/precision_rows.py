@@ -52,12 +52,12 @@ class Failed(Exception):
     """A run that did not reach its end."""
 
 
-def record(program, path, keys):
-    """(figures by name, rows of trace.csv as numbers) of a run that ends as it should."""
+def record(program, path, keys, table="trace.csv"):
+    """(figures by name, rows of a table as numbers) of a run that ends as it should."""
     with tempfile.TemporaryDirectory() as folder:
         bench = gen_precision.Bench(program, 1)
         figures = bench.run(path, keys, Path(folder))
-        with (Path(folder) / "run" / "trace.csv").open(encoding="utf-8") as lines:
+        with (Path(folder) / "run" / table).open(encoding="utf-8") as lines:
             rows = [{k: float(v) if v else math.nan for k, v in row.items()}
                     for row in csv.DictReader(lines)]
     return figures, rows
@@ -165,6 +165,24 @@ def scenario_step(name):
     return name, measure
 
 
+def beyond(path, payload, late_mm, times):
+    """A payload beyond the motor: late, but to and fro at most as often as its path asks."""
+    name = f"beyond the motor, {payload} kg, {path}"
+
+    def measure(program):
+        keys = {"plant.payload_kg": payload, "run.reached_m": 1, "run.diverged_m": 1}
+        _, rows = record(program, path, keys, "precision.csv")
+        checks = []
+        for axis in "xy":
+            off = [1e-3 * row[f"{axis}_error_um"] for row in rows if row["counted"]]
+            signs = [x > 0 for x in off if abs(x) > 0.1]
+            checks += [Check(f"{name}, {axis}, max", max(map(abs, off)), late_mm, "mm"),
+                       Check(f"{name}, {axis}, changes of side",
+                             sum(a != b for a, b in itertools.pairwise(signs)), times, "")]
+        return checks
+    return name, measure
+
+
 def chords(length_mm):
     """A circle of 50 mm as chords, as lines of a points file."""
     name = f"circle of {length_mm} mm chords"
@@ -209,6 +227,7 @@ def rows_of_table():
     # The set point is there long before the current can bring the table.
     rows += [step(0, 0.1), step(22.5, 0.3), standing("standing still 1 s"),
              scenario_step("scenario step as a move")]
+    rows += [beyond("circle", 80, 5, 1), beyond("window", 80, 8, 4), beyond("circle", 120, 20, 1)]
     return rows
 
 
