@@ -260,8 +260,9 @@ std::string verdict(const lab::Settings& settings, const cosim::RunResult& run) 
     case EndReason::kDiverged:
       if (result.swing_m > 0) {
         return fmt::format("diverged: {:.2f} mm from the start in the identification move of 0.8 "
-                           "mm; precision.mass_kg, viscous_N_s_m and coulomb_N are too far from "
-                           "the plant's{}", result.swing_m * kMm, limits);
+                           "mm; precision.mass_kg, viscous_N_s_m or coulomb_N is too far from the "
+                           "plant's, or an encoder or a drive has failed{}",
+                           result.swing_m * kMm, limits);
       }
       if (result.beside_m > 0) {
         return fmt::format("diverged: {:.4f} m beside the path asked, above run.diverged_m = "

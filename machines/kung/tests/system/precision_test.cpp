@@ -217,6 +217,43 @@ TEST_CASE("a service routine that comes too late ends a precision run") {
   CHECK_THAT(late.verdict, Catch::Contains("interrupt"));
 }
 
+TEST_CASE("what fails in the identification move ends the run there, on either axis") {
+  struct Case {
+    const char* fault;
+    const char* begin_s;
+  };
+  for (const std::string axis : {"0", "1"}) {
+    for (const Case& c : {Case{"encoder_stuck", "0.05"}, Case{"encoder_swapped", "0.15"}}) {
+      CAPTURE(axis, c.fault);
+      const auto record = run("circle", {std::string("inject.fault=") + c.fault,
+                                         std::string("inject.begin_s=") + c.begin_s,
+                                         "inject.axis=" + axis});
+      // Swapped lines are an error of the encoder only where A and B differ.
+      const bool trips = record.result->end == cosim::EndReason::kFault;
+      CHECK((trips || record.result->end == cosim::EndReason::kDiverged));
+      CHECK_THAT(record.verdict, Catch::Contains(trips ? axis == "0" ? "encoder fault on axis X"
+                                                                     : "encoder fault on axis Y"
+                                                       : "an encoder or a drive has failed"));
+    }
+  }
+}
+
+TEST_CASE("an axis whose payload is beyond its motor is late and does not swing") {
+  const auto record = run("circle", {"plant.x.payload_kg=80"});
+  CHECK(record.result->end == cosim::EndReason::kDone);
+  std::vector<double> off;  // [count], beyond 1 mm
+  for (const kung::Sample& sample : kung::result_of(record).samples) {
+    const kung::AxisSample& x = sample.axis[0];
+    if (x.set_point == kung::kNoSetPoint) continue;
+    const double counts = x.set_point / 256.0 - x.x_p;
+    if (std::abs(counts) > 200) off.push_back(counts);
+  }
+  int sides = 0;
+  for (std::size_t k = 1; k < off.size(); ++k) sides += (off[k] > 0) != (off[k - 1] > 0) ? 1 : 0;
+  CHECK(sides <= 1);
+  CHECK(off.size() > 100);
+}
+
 TEST_CASE("figures against the command are there for each controller on the feed profile") {
   for (const std::string controller : {"fc", "afc"}) {
     const auto record = run("circle", {"controller=" + controller, "path.profile=feed"});
