@@ -148,6 +148,10 @@ TEST_CASE("a circle by the RTL is followed within half a count, as by the twin")
   CHECK(rtl.result->event_hash == twin.result->event_hash);
   CHECK(figure(rtl, "error_um.mean") <= 2.0);
   CHECK(figure(rtl, "error_um.max") <= 15.0);
+  // Time goes with the evaluated clocks: 1.31 times the samples, and 229 clocks of the law a tick.
+  const auto afc = run("circle", {"run.engine=rtl", "controller=afc"});
+  CHECK(static_cast<double>(rtl.result->evaluated) <=
+        1.95 * static_cast<double>(afc.result->evaluated));
 }
 
 TEST_CASE("precision.csv says what figures, words and plant say") {
