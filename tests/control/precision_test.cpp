@@ -242,6 +242,22 @@ TEST_CASE("precision is not quiescent where the law starts and nothing else move
   REQUIRE_FALSE(bench.rtl->quiescent_o);
 }
 
+TEST_CASE("precision is quiescent in no clock of a run") {
+  PrecisionBench bench;
+  bench.start(0);
+  bench.rtl->tick_i = 1;
+  bench.rtl.tick();
+  bench.rtl->tick_i = 0;
+  bench.rtl.eval();
+  int clocks = 0;
+  for (; bench.rtl->busy_o; ++clocks) {
+    CAPTURE(clocks);
+    REQUIRE_FALSE(bench.rtl->quiescent_o);
+    bench.rtl.tick();
+  }
+  CHECK(clocks > 200);
+}
+
 TEST_CASE("The bus waits for the law and reads what it left") {
   PrecisionBench bench;
   bench.start(0);
