@@ -15,7 +15,7 @@ constexpr std::uint32_t kKnotWords = 0, kTickWords = 8;  // of the window
 constexpr std::uint32_t kK1 = 3;                         // of the gains
 
 constexpr std::int32_t kLate = 16 * 256 * 32;  // 16 counts in the mean of a knot [ERR_SUM]
-constexpr std::int32_t kSlower = 4;            // K1 by 2^-4, which the window tried best
+constexpr std::int32_t kSlower = 4;            // K1 times 2^-4: late on circle and window, no swing
 
 constexpr std::uint32_t as_word(std::int32_t value) { return static_cast<std::uint32_t>(value); }
 
