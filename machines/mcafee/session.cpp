@@ -57,6 +57,28 @@ cosim::Lines StagePlant::sense() const {
   return lines;
 }
 
+sw::McafeeSetup setup_of(const Options& o, const Table& table) {
+  const std::int64_t period_ps = o.stage_axis.clock_ps;
+  sw::McafeeSetup setup;
+  setup.stage = o.stage;
+  setup.filter = o.filter;
+  setup.wait_clk = static_cast<std::uint32_t>(cosim::clocks_of(o.wait_s, period_ps));
+  setup.readings = static_cast<std::uint32_t>(o.readings);
+  setup.sample_clk = static_cast<std::uint32_t>(cosim::clocks_of(o.sample_s(), period_ps));
+  setup.acceleration = o.acceleration;
+  setup.velocity = o.velocity;
+  setup.position = o.position;
+  setup.rows = table.rows.data();
+  setup.row_count = static_cast<std::uint32_t>(table.rows.size());
+  setup.index_counts =
+      o.index_check ? static_cast<std::uint32_t>(4 * o.stage_axis.encoder.lines) : 0;
+  setup.error_limit = static_cast<std::uint32_t>(o.error_limit);
+  setup.speed = static_cast<std::uint32_t>(o.speed);
+  setup.least_speed = static_cast<std::uint32_t>(o.least_speed);
+  setup.velocity_shift = static_cast<std::uint32_t>(o.velocity_shift);
+  return setup;
+}
+
 Session::Session(const Options& options, const cosim::Hooks& hooks, const cosim::Waves& waves)
     : options_(options),
       hooks_(hooks),
@@ -66,7 +88,7 @@ Session::Session(const Options& options, const cosim::Hooks& hooks, const cosim:
       chip_(options.run.engine == cosim::Engine::kRtl
                 ? make_verilated_chip(options.run, waves.window, options.clock_MHz)
                 : make_twin_chip(options.clock_MHz)),
-      app_(program()),
+      app_(setup_of(options, table_)),
       loop_(*chip_, seen(), *this, options.run.window()) {}
 
 // What the chip is wired to.
@@ -105,28 +127,6 @@ void Session::watch_fault(const cosim::Stop& stop) {
   };
   const bool off = chip_->drive() == (kZeroCode << converter(0) | kZeroCode << converter(1));
   fault_watch_->on(stop, off, by, truth);
-}
-
-sw::McafeeSetup Session::program() const {
-  const Options& o = options_;
-  sw::McafeeSetup setup;
-  setup.stage = o.stage;
-  setup.filter = o.filter;
-  setup.wait_clk = static_cast<std::uint32_t>(cosim::clocks_of(o.wait_s, period_ps()));
-  setup.readings = static_cast<std::uint32_t>(o.readings);
-  setup.sample_clk = static_cast<std::uint32_t>(cosim::clocks_of(o.sample_s(), period_ps()));
-  setup.acceleration = o.acceleration;
-  setup.velocity = o.velocity;
-  setup.position = o.position;
-  setup.rows = table_.rows.data();
-  setup.row_count = static_cast<std::uint32_t>(table_.rows.size());
-  setup.index_counts =
-      o.index_check ? static_cast<std::uint32_t>(4 * o.stage_axis.encoder.lines) : 0;
-  setup.error_limit = static_cast<std::uint32_t>(o.error_limit);
-  setup.speed = static_cast<std::uint32_t>(o.speed);
-  setup.least_speed = static_cast<std::uint32_t>(o.least_speed);
-  setup.velocity_shift = static_cast<std::uint32_t>(o.velocity_shift);
-  return setup;
 }
 
 cosim::ProcessorTiming Session::timing() const {

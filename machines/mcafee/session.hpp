@@ -42,6 +42,9 @@ class StagePlant final : public cosim::FalliblePlant {
   plant::XyStage stage_;
 };
 
+// What the program is told: the options in its own units, and the rows of a table that outlives it.
+sw::McafeeSetup setup_of(const Options& options, const Table& table);
+
 class Session final : public cosim::Session,
                       private cosim::Observer,
                       public cosim::SignalReader {
@@ -64,7 +67,6 @@ class Session final : public cosim::Session,
   std::int64_t read(std::size_t signal, int axis) const override;
   Sample sample_at(cosim::Clk edge) const;
   std::optional<cosim::EndReason> end_after(const Sample& sample);
-  sw::McafeeSetup program() const;
   cosim::Plant& seen();
   void watch_fault(const cosim::Stop& stop);
   double progress() const;

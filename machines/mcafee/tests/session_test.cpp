@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "machines/mcafee/machine.hpp"
@@ -54,6 +57,54 @@ double mm_of(const StagePlant& plant, std::size_t axis, cosim::Clk edge) {
 }
 
 }  // namespace
+
+TEST_CASE("mcafee: the program is told every option, none of which has its default") {
+  Options options;
+  options.stage = sw::McafeeStage::kMove;
+  options.filter = {11, 12, 13, 14, 15};
+  options.clock_MHz = 8;
+  options.acceleration = 21;
+  options.velocity = 22;
+  options.position = -23;
+  options.readings = 24;
+  options.speed = 25;
+  options.least_speed = 26;
+  options.velocity_shift = 7;
+  options.wait_s = 0.125;
+  options.error_limit = 28;
+  options.stage_axis.encoder.lines = 29;
+  options.stage_axis.clock_ps = 40'000;
+  Table table;
+  table.rows.resize(31);
+  for (const bool check : {false, true}) {
+    options.index_check = check;
+    const sw::McafeeSetup setup = setup_of(options, table);
+    const std::map<std::string, std::pair<std::int64_t, std::int64_t>> told{
+        {"stage", {static_cast<int>(setup.stage), static_cast<int>(options.stage)}},
+        {"filter.kp", {setup.filter.kp, 11}},
+        {"filter.ki", {setup.filter.ki, 12}},
+        {"filter.kd", {setup.filter.kd, 13}},
+        {"filter.il", {setup.filter.il, 14}},
+        {"filter.interval", {setup.filter.interval, 15}},
+        {"wait_clk", {setup.wait_clk, 3'125'000}},
+        {"sample_clk", {setup.sample_clk, 6'400}},  // 2048 ticks of 8 MHz
+        {"readings", {setup.readings, 24}},
+        {"acceleration", {setup.acceleration, 21}},
+        {"velocity", {setup.velocity, 22}},
+        {"position", {setup.position, -23}},
+        {"row_count", {setup.row_count, 31}},
+        {"speed", {setup.speed, 25}},
+        {"least_speed", {setup.least_speed, 26}},
+        {"velocity_shift", {setup.velocity_shift, 7}},
+        {"error_limit", {setup.error_limit, 28}},
+        {"index_counts", {setup.index_counts, check ? 4 * 29 : 0}}};
+    for (const auto& [name, pair] : told) {
+      INFO(name << " of setup_of");
+      CHECK(pair.first == pair.second);
+    }
+    CHECK(setup.rows == table.rows.data());
+  }
+}
 
 TEST_CASE("mcafee: each sample is of its own axis, as its codes move it") {
   Options options = small_corner();
