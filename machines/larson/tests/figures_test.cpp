@@ -104,6 +104,29 @@ TEST_CASE("larson: Larson's times and rates stand beside ours, in their band but
   CHECK(rates == 17);
 }
 
+TEST_CASE("larson: what is printed beside ours is what Larson's section III and Table I print") {
+  const std::map<std::string, double> printed{
+      {"multiple_step.1_ms", 2.6}, {"multiple_step.3_ms", 6.5},  {"multiple_step.7_ms", 15},
+      {"multiple_step.15_ms", 30}, {"multiple_step.31_ms", 60},  {"multiple_step.63_ms", 100},
+      {"multiple_step.127_ms", 180}, {"oscillation.two_ms", 11.5}, {"oscillation.three_ms", 8.6},
+      {"rate.1000_pps", 67},       {"rate.2000_pps", 78},
+      {"rate.3000_pps", 94},       {"rate.4000_pps", 117},       {"rate.5000_pps", 156},
+      {"rate.6000_pps", 234},      {"rate.7000_pps", 469},       {"rate.7100_pps", 536},
+      {"rate.7200_pps", 625},      {"rate.7300_pps", 750},       {"rate.7400_pps", 938},
+      {"rate.7500_pps", 1250},     {"rate.7550_pps", 1579},      {"rate.7600_pps", 1875},
+      {"rate.7650_pps", 3000},     {"rate.7700_pps", 3750},      {"rate.7704_pps", 4000}};
+  larson::Result result;
+  std::size_t seen = 0;
+  for (const lab::Figure& f : larson::figures(larson::Options{}, result)) {
+    if (printed.count(f.id) == 0) continue;
+    INFO("figure " << f.id);
+    CHECK(f.printed == printed.at(f.id));
+    CHECK(f.unit == (f.id[0] == 'r' ? "PPS" : "ms"));
+    ++seen;
+  }
+  CHECK(seen == printed.size());
+}
+
 TEST_CASE("larson: WHRTBL is held against the rotor of its own axis, in each sense") {
   for (std::size_t axis = 0; axis < 2; ++axis) {
     for (const double off : {1.5, -1.5}) {

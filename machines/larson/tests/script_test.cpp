@@ -5,11 +5,13 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cstdlib>
 #include <fstream>
 #include <string>
 #include <vector>
 
 #include "lab/errors.hpp"
+#include "machines/larson/machine.hpp"
 #include "tests/support/scratch.hpp"
 
 using namespace trammel;
@@ -95,6 +97,47 @@ TEST_CASE("a script that cannot be says file, line, what and what is permitted")
   CHECK(refused("# nothing\n") == "s.table: has no call");
 }
 
+TEST_CASE("a call with a value too few or too many is refused, and one beyond a bound") {
+  const struct {
+    const char* name;
+    std::vector<std::string> values;
+  } calls[] = {{"CALTBL", {}},           {"VELTBL", {"59", "4000"}},
+               {"WTTBL", {}},            {"ABSTBL", {"-100000", "100000"}},
+               {"WHRTBL", {}},           {"RELTBL", {"100000", "-100000"}},
+               {"WAIT", {"40000"}},      {"MOV", {"YSTATUS", "177777"}},
+               {"BIS", {"XCOUNT", "0"}}};
+  for (const auto& call : calls) {
+    std::string text = call.name;
+    for (const std::string& value : call.values) {
+      INFO("short of a value: " << text);
+      CHECK(refused(text).rfind(std::string("s.table:1: ") + call.name + " takes ", 0) == 0);
+      text += " " + value;
+    }
+    INFO("whole: " << text);
+    CHECK(refused(text).empty());
+    CHECK(script(text)[0].text == text);
+    CHECK(larson::name_of(script(text)[0].call.op) == call.name);
+    CHECK(refused(text + " 1").rfind(std::string("s.table:1: ") + call.name + " takes ", 0) == 0);
+  }
+  for (const char* const text :
+       {"VELTBL 58 59", "VELTBL 59 58", "VELTBL 4001 59", "VELTBL 59 4001", "ABSTBL -100001 0",
+        "ABSTBL 0 -100001", "RELTBL 100001 0", "RELTBL 0 100001", "WAIT 40001", "MOV XCOUNT 200000",
+        "BIS YCOUNT 200000", "BIS YCOUNT -1", "REPEAT 100001\nEND", "ABSTBL 0 99999999999999999999",
+        "ABSTBL -99999999999999999999 0"}) {
+    INFO(text);
+    CHECK(refused(text).find(" is out of range, allowed ") != std::string::npos);
+  }
+  CHECK(refused("REPEAT\nWTTBL\nEND\n").find("s.table:1: REPEAT takes how often: 1 value, ") == 0);
+  CHECK(refused("REPEAT 2 3\nWTTBL\nEND\n").find("s.table:1: REPEAT takes ") == 0);
+  CHECK(refused("REPEAT 2\nWTTBL\nEND now\n").find("s.table:3: END takes nothing: ") == 0);
+}
+
+TEST_CASE("200000 calls are a script, one more is none") {
+  const std::string most = "REPEAT 100000\nREPEAT 2\nWTTBL\nEND\nEND\n";
+  CHECK(script(most).size() == 200'000);
+  CHECK(refused(most + "WTTBL\n") == "s.table:6: more than 200000 calls");
+}
+
 TEST_CASE("a list of moves calibrates, goes with the pen up and draws lines in pieces") {
   const std::vector<Call> calls =
       larson::parse_moves("x,y,pen\n100,0,0\n# a line\n220,60,1\n", "m.csv", {2000, 500});
@@ -138,6 +181,59 @@ TEST_CASE("a line along one axis gives the other the least rate, not none") {
       CHECK(std::max(one.call.a, one.call.b) == 500);
     }
   }
+}
+
+TEST_CASE("a line is cut into pieces of 40 steps of its longer axis, each with its rates") {
+  const struct {
+    int x, y;      // from (200, 200)
+    std::size_t pieces;
+    int rate_x, rate_y;
+  } lines[] = {{240, 200, 1, 500, 59}, {241, 200, 2, 500, 59},  {159, 200, 2, 500, 59},
+               {200, 240, 1, 59, 500}, {200, 241, 2, 59, 500},  {190, 159, 2, 122, 500},
+               {220, 160, 1, 250, 500}, {180, 240, 1, 250, 500}, {200, 200, 1, 59, 59}};
+  for (const auto& line : lines) {
+    const std::string to = std::to_string(line.x) + "," + std::to_string(line.y);
+    const std::vector<Call> calls =
+        larson::parse_moves("200,200,0\n" + to + ",1\n", "m.csv", {2000, 500, 1000});
+    INFO("a line from 200,200 to " << to);
+    std::vector<Call> rates, places;
+    for (std::size_t k = 4; k < calls.size(); ++k) {
+      if (calls[k].call.op == LarsonOp::kVeltbl) rates.push_back(calls[k]);
+      if (calls[k].call.op == LarsonOp::kAbstbl) places.push_back(calls[k]);
+    }
+    CHECK(places.size() == line.pieces);
+    REQUIRE(!rates.empty());
+    REQUIRE(!places.empty());
+    CHECK(std::abs(rates[0].call.a - line.rate_x) <= 3);  // whole steps of the first piece
+    CHECK(std::abs(rates[0].call.b - line.rate_y) <= 3);
+    CHECK(rates[0].text == "VELTBL " + std::to_string(rates[0].call.a) + " " +
+                               std::to_string(rates[0].call.b));
+    CHECK(places.back().text == "ABSTBL " + std::to_string(line.x) + " " + std::to_string(line.y));
+    CHECK(places.back().line == 2);
+  }
+}
+
+TEST_CASE("the rates are told again when that of one axis alone is another") {
+  const std::vector<Call> calls = larson::parse_moves(
+      "0,0,0\n20,40,1\n30,80,1\n70,90,1\n110,110,1\n", "m.csv", {2000, 500, 1000});
+  std::vector<std::string> rates;
+  for (const Call& one : calls) {
+    if (one.call.op == LarsonOp::kVeltbl) rates.push_back(one.text);
+  }
+  CHECK(rates == std::vector<std::string>{"VELTBL 2000 2000", "VELTBL 250 500", "VELTBL 125 500",
+                                          "VELTBL 500 125", "VELTBL 500 250"});
+}
+
+TEST_CASE("the soft range of the options is that of the lines of a list of moves") {
+  const test::Scratch scratch("larson_soft");
+  larson::Options options;
+  options.script = (scratch.path / "m.csv").string();
+  std::ofstream(options.script) << "400,-5,0\n280,40,1\n";
+  options.plot.soft_end = 1000;  // is that of the table
+  options.table.soft_end = 300;
+  const std::vector<Call> calls = larson::calls_of(options);
+  REQUIRE(calls.size() == 4 + 3);
+  CHECK(calls[4].call.a == 250);  // from (300, 0)
 }
 
 TEST_CASE("a list of moves may come from a spreadsheet: byte order mark, CR LF, blanks") {
