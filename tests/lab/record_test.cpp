@@ -83,6 +83,25 @@ TEST_CASE("a broken assertion is told with its instance, or else as of the chip"
         "no_shoot_through of the chip at 0.00100000 s, clock 50000 (leg.sv:7)");
 }
 
+TEST_CASE("each end of a run has its own word and the exit code of its kind") {
+  const struct {
+    EndReason end;
+    const char* text;
+    int code;
+  } ends[] = {{EndReason::kDone, "done", 0},
+              {EndReason::kFault, "tripped", 5},
+              {EndReason::kDiverged, "diverged", 5},
+              {EndReason::kMissed, "missed", 5},
+              {EndReason::kTimeout, "timeout", 5},
+              {EndReason::kStopped, "interrupted", 130},
+              {EndReason::kPromise, "assertion failed", 4}};
+  for (const auto& one : ends) {
+    INFO("the end that is called " << one.text);
+    CHECK(std::string(lab::end_text(one.end)) == one.text);
+    CHECK(lab::exit_code(one.end) == one.code);
+  }
+}
+
 TEST_CASE("a run that did not end well is compared with nothing") {
   std::size_t compared = 0;
   each_compared([&](const lab::Settings& settings, const auto& wanted) {
