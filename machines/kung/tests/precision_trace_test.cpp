@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "machines/kung/precision_trace.hpp"
 
+#include <array>
 #include <catch2/catch.hpp>
+#include <fstream>
+#include <map>
+#include <sstream>
+#include <string>
+#include <vector>
 
+#include "machines/kung/plan_feed.hpp"
 #include "machines/kung/plan_precision.hpp"
 #include "machines/kung/words.hpp"
 #include "models/exact/control/precision.hpp"
 #include "models/plant/pmlsm.hpp"
 #include "sw_nios/apps/kung/precision_words.hpp"
+#include "tests/support/scratch.hpp"
 
 using namespace trammel;
 using namespace trammel::kung;
@@ -137,4 +145,73 @@ TEST_CASE("a load pushes back from its begin to its end") {
   CHECK(pushed_back_N(axis, 0, 100) == 7);
   axis.load_end_s = 0.6;
   CHECK(pushed_back_N(axis, 0, 0.6) == 0);
+}
+
+TEST_CASE("precision.csv holds each axis in its own units, and which samples are counted") {
+  Options options;
+  options.controller = Controller::kPrecision;
+  const std::array<double, 2> count_m{5e-6, 2e-6};
+  Result result;
+  result.first_tick = 11;
+  result.end_tick = 13;
+  result.points = 2;
+  for (std::uint32_t tick = 10; tick < 15; ++tick) {
+    Sample sample;
+    sample.tick = tick;
+    sample.edge = 25'000 * (tick - 10);
+    AxisLaws laws{};
+    for (std::size_t a = 0; a < 2; ++a) {
+      options.plant.axis[a].encoder_count_m = count_m[a];
+      const auto word = static_cast<std::int32_t>(1000 * tick + 100 * a);
+      sample.axis[a].set_point = 256 * word;
+      sample.axis[a].x_true_m = word * count_m[a] - (a == 0 ? 3e-6 : -7e-6);
+      sample.axis[a].v_true_m_s = 0.5;
+      options.plant.axis[a].cable_n_m = 2000;
+      options.plant.axis[a].cable_rest_m = 0.001;
+      options.plant.axis[a].cogging_n = options.plant.axis[a].cogging_harmonic_n = 0;
+      laws[a].d = 3000 * word;
+      laws[a].aff = 5000 * word;
+      laws[a].vff = 7 * word;
+    }
+    result.samples.push_back(sample);
+    result.laws.push_back(laws);
+  }
+  REQUIRE_FALSE(feeds(options.path));
+  const test::Scratch scratch("precision_trace");
+  const auto file = scratch.path / "precision.csv";
+  write_precision(file, options, result);
+  std::ifstream in(file);
+  std::string line;
+  std::vector<std::string> names;
+  for (std::uint32_t tick = 9; std::getline(in, line);) {
+    if (line.empty() || line[0] == '#') continue;
+    std::vector<std::string> fields;
+    std::istringstream text(line);
+    for (std::string field; std::getline(text, field, ',');) fields.push_back(field);
+    if (tick++ == 9) {
+      names = fields;
+      continue;
+    }
+    const std::uint32_t now = tick - 1;
+    REQUIRE(fields.size() == names.size());
+    std::map<std::string, double> row;
+    for (std::size_t k = 0; k < names.size(); ++k) row[names[k]] = std::stod(fields[k]);
+    INFO("tick " << now << " of " << line);
+    CHECK(row.at("counted") == (now == 11 || now == 12 ? 1 : 0));
+    for (std::size_t a = 0; a < 2; ++a) {
+      const std::string axis = a == 0 ? "x_" : "y_";
+      const double word = 1000.0 * now + 100.0 * static_cast<double>(a), per_s = 16000;
+      INFO(axis);
+      CHECK(row.at(axis + "error_um") == Approx(a == 0 ? 3 : -7).margin(1e-3));
+      CHECK(row.at(axis + "held_N") ==
+            Approx(2000 * (word * count_m[a] - (a == 0 ? 3e-6 : -7e-6) - 0.001)).margin(1e-3));
+      CHECK(row.at(axis + "command_m_s") ==
+            Approx(7 * word / 16384 * count_m[a] * per_s).margin(1e-6));
+      CHECK(row.at(axis + "command_m_s2") ==
+            Approx(5000 * word / 67108864 * count_m[a] * per_s * per_s).margin(1e-4));
+      CHECK(row.at(axis + "d_m_s2") ==
+            Approx(3000 * word / 67108864 * count_m[a] * per_s * per_s).margin(1e-4));
+    }
+  }
+  CHECK(!names.empty());
 }
