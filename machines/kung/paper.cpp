@@ -96,7 +96,7 @@ Experiment find(const std::vector<const lab::Record*>& records, PathKind path,
 
 std::string row(const std::string& label, const std::vector<std::string>& cells) {
   std::string text = fmt::format("  {:<22}", label);
-  for (const std::string& cell : cells) text += fmt::format("{:>16}", cell);
+  for (const std::string& cell : cells) text += fmt::format(" {:>15}", cell);
   return text + '\n';
 }
 
@@ -104,10 +104,11 @@ std::string row(const std::string& label, const std::vector<std::string>& cells)
 std::string precision_text(const std::vector<const lab::Record*>& records) {
   constexpr PathKind kPaths[] = {PathKind::kCircle, PathKind::kWindow, PathKind::kStar};
   const auto cell = [](const lab::Record* record, const std::string& name) -> std::string {
-    const lab::Record* of = record;
+    const lab::Record* of = name == "precision" ? record : nullptr;
     for (const lab::Record& beside : record->companions) {
       if (beside.name == name) of = &beside;
     }
+    if (of == nullptr) return "not finished";
     const auto mean = value_of(of->figures, "error_um.mean");
     const auto most = value_of(of->figures, "error_um.max");
     const bool there = mean && most && of->result->end == EndReason::kDone;
