@@ -76,6 +76,36 @@ TEST_CASE("a table that is not at the end, beside the path, or went only a part 
   }
 }
 
+TEST_CASE("each side of a path whose axes lie apart is judged in its own axis") {
+  Options options = line();
+  options.path.line_start_x_m = 0.05;
+  options.path.line_end_x_m = 0.08;
+  options.path.line_start_y_m = 0.24;  // down
+  options.path.line_end_y_m = 0.20;
+  const struct {
+    const char* name;
+    double low_x, high_x, low_y, high_y;
+    bool followed;
+  } tables[] = {{"all of it", 0.05, 0.08, 0.20, 0.24, true},
+                {"2.4 mm short on each side", 0.0524, 0.0776, 0.2024, 0.2376, true},
+                {"short of low x", 0.0526, 0.08, 0.20, 0.24, false},
+                {"short of high x", 0.05, 0.0774, 0.20, 0.24, false},
+                {"short of low y", 0.05, 0.08, 0.2026, 0.24, false},
+                {"short of high y", 0.05, 0.08, 0.20, 0.2374, false}};
+  for (const auto& table : tables) {
+    Judge judge(options);
+    judge.followed.add({table.low_x, table.high_y}, 0);
+    judge.followed.add({table.high_x, table.low_y}, 0);
+    judge.followed.add({0.065, 0.22}, 0);
+    const std::string what = judge.followed.missed(501, 501, {0.065, 0.22}, {0.065, 0.22});
+    INFO("a table that covers " << table.name << ": " << what);
+    CHECK(what.empty() == table.followed);
+    if (!table.followed) {
+      CHECK(what.find("of a path of 30.00 x 40.00 mm") != std::string::npos);
+    }
+  }
+}
+
 TEST_CASE("the limit is run.reached_m, or lies between 3 counts and run.diverged_m") {
   Options options = line();
   options.reached_m = 0.002;
