@@ -117,6 +117,8 @@ TEST_CASE("what is printed and expected beside a figure is the paper's and the s
     CHECK(figures[0].printed == one.printed);
     CHECK(figures[0].expected == one.expected);
     CHECK(figures[0].tolerance == Approx(one.tolerance).epsilon(1e-3));
+    const bool told = one.printed || one.expected;
+    CHECK((figures[0].source.find("Kung et al. 2012") != std::string::npos) == told);
     for (const bool own : {false, true}) {  // by another controller, or with an own gain
       Options other = options;
       if (own) {
@@ -169,7 +171,8 @@ TEST_CASE("the table of the experiments holds each value in the cell of its path
   for (const lab::Record& record : all) records.push_back(&record);
   const std::string text = plain(experiments_text(records));
   for (const char* const line : {
-           "|circle window star|",
+           "|Tracking error in mm (Kung Table 2), ours / paper||circle window star|FC mean 4.00 / ",
+           "|Step of 10 mm with 11 kg (Kung Figs. 11, 12), ours / paper||overshoot (%) first ",
            "|FC mean 4.00 / 3.00 2.00 / 1.00 5.00 / 8.00|",
            "|FC variance 0.50 / 0.60 0.80 / 0.90 1.10 / 1.20|",
            "|FC std 0.71 / - 0.72 / - 0.73 / -|",
