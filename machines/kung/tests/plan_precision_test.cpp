@@ -255,6 +255,13 @@ TEST_CASE("what has no meaning with it is refused: a sweep, learning in one lap,
   o = options();
   o.precision.learn = true;
   CHECK_THAT(refusal(o), Contains("precision.learn: needs path.repeats of 2 or more, is 1"));
+  o.path.repeats = 2;
+  CHECK(refusal(o) == "");
+  o.path.feed_m_s = 0.01;
+  CHECK_THAT(refusal(o), Contains("precision.learn: a lap has ") &&
+                             Contains(" points, of which at most 4096 are learned"));
+  o.precision.learn = false;
+  CHECK(refusal(o) == "");
   o = options();
   o.path.kind = PathKind::kLine;
   o.path.line_start_x_m = o.path.line_end_x_m = 0.2;

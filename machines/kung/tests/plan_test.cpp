@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>
 
 #include "machines/kung/plan.hpp"
+#include "machines/kung/plan_parts.hpp"
 #include "models/fixed/fixed.hpp"
 #include "tests/support/points.hpp"
 
@@ -161,6 +163,28 @@ TEST_CASE("points become counts and stay with their owner") {
   CHECK(points[1] == sw::Point{20001, 40000});
   o.path.repeats = 2;
   CHECK_THROWS_WITH(plan(o), Contains("path.repeats") && Contains("1..1"));
+}
+
+TEST_CASE("a step of the window is below the highest feed and half a straight part, each alone") {
+  const double feed_m = Encoder{5e-6, 0.5e-3}.max_feed_m_s() * 2e-3;
+  for (const double half_m : {feed_m / 2, 2 * feed_m}) {
+    for (const bool beyond : {false, true}) {
+      Options o;
+      o.path.kind = PathKind::kWindow;
+      o.path.window_side_m = 0.1;
+      o.path.window_radius_m = 0.05 - half_m;
+      o.path.window_arc_ticks = 5000;
+      const double most_m = std::min(half_m, feed_m);
+      o.path.window_step_m = most_m * (beyond ? 1.001 : 0.999);
+      INFO("path.window_step_m = " << o.path.window_step_m << ", half a straight part " << half_m
+                                   << ", highest feed " << feed_m);
+      if (beyond) {
+        CHECK_THROWS_WITH(plan(o), Contains("path.window_step_m"));
+      } else {
+        CHECK_NOTHROW(plan(o));
+      }
+    }
+  }
 }
 
 TEST_CASE("values that cannot run are refused with their key and the permitted range") {
