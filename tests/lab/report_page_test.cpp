@@ -149,6 +149,46 @@ TEST_CASE("a page holds every column of the trace, and skips samples where there
   });
 }
 
+TEST_CASE("where samples are passed over, the bits of flags are kept, and of others the first") {
+  for (const Machine* const machine : machines()) {
+    RunFolder run;
+    run.machine = machine;
+    run.first = 2;
+    run.rows = 2 + 20;
+    for (const Column& column : machine->columns().columns) {
+      Series& values = run.columns[column.name];
+      for (std::size_t k = 0; k < run.rows; ++k) {
+        const double word = k % 5 == 3 ? 0 : static_cast<double>(1 << k % 7);
+        values.push_back(column.bits || k != 12 ? word * column.resolution : -1e30);
+      }
+    }
+    const PageSeries page = page_series(run, false, 4);
+    CHECK(page.stride == 5);
+    CHECK(page.count == 4);
+    for (const auto& channel : page.channels) {
+      const std::string name = channel["name"];
+      const auto& all = machine->columns().columns;
+      const auto column = std::find_if(all.begin(), all.end(),
+                                       [&](const Column& one) { return one.name == name; });
+      if (column == all.end()) continue;  // derived
+      const Json steps = Json::parse(unpacked(channel["data"]));
+      REQUIRE(steps.size() == 4);
+      std::int64_t value = 0;
+      for (std::size_t group = 0; group < 4; ++group) {
+        value += steps[group].get<std::int64_t>();
+        std::int64_t expected = 0;
+        for (std::size_t k = 2 + 5 * group; k < 2 + 5 * (group + 1); ++k) {
+          const std::int64_t word = k % 5 == 3 ? 0 : 1 << k % 7;
+          if (column->bits) expected |= word;
+          if (!column->bits && k == 2 + 5 * group) expected = k == 12 ? -(1LL << 50) : word;
+        }
+        INFO(machine->name << ": column " << name << ", samples " << 2 + 5 * group << "..");
+        CHECK(value == expected);
+      }
+    }
+  }
+}
+
 TEST_CASE("no name of a run can end the script that carries it") {
   each_machine([](const Machine& machine, const fs::path& base) {
     REQUIRE(run_to(base / "a", machine, EndReason::kDone, {"description=</script><b> &"}) == 0);
