@@ -129,6 +129,24 @@ TEST_CASE("a figure is at the place its id names, and in the list of all") {
   CHECK(json["figures"][3]["shown"] == false);
 }
 
+TEST_CASE("a figure may have what is printed or what is expected without the other") {
+  for (const bool printed : {false, true}) {
+    Figure one = figure("mean", "mean", "", 2, "mm");
+    (printed ? one.printed : one.expected) = 2.5;
+    one.tolerance = 1;
+    nlohmann::ordered_json json;
+    put_figures(json, {one});
+    const auto& put = json["figures"][0];
+    INFO(put.dump());
+    CHECK(put.contains("printed") == printed);
+    for (const char* const name : {"expected", "tolerance", "within"}) {
+      CHECK(put.contains(name) == !printed);
+    }
+    CHECK(put[printed ? "printed" : "expected"] == 2.5);
+    CHECK(any_expected({one}) == !printed);
+  }
+}
+
 TEST_CASE("rows of equal columns make a table whose wide figures do not run together") {
   std::vector<Figure> figures;
   for (const char* row : {"to the model", "to the command"}) {
