@@ -106,6 +106,27 @@ TEST_CASE("anti-windup holds the sum while P saturates, and else lets P + I end 
   CHECK(s.sum == (-1023 + 1000) * 4);
 }
 
+TEST_CASE("an anti-windup's limit is within it, on either side and to the last unit") {
+  for (const std::int32_t sign : {-1, 1}) {
+    for (const std::int32_t beyond : {0, 1}) {
+      CAPTURE(sign, beyond);
+      PositionPi::Config c;  // TI = 10
+      c.sum = PositionPi::Sum::kAntiWindup;
+      c.per_tick = false;
+      c.gain = 1;
+      PositionPi::State s;
+      s.sum = s.last_sum = sign * (7 << 10);
+      PositionPi::step(c, s, sign * (1023 + beyond), 0);
+      CHECK(s.sum == (beyond == 0 ? 0 : sign * (7 << 10)));
+      VelocityPi::Config v;
+      VelocityPi::State w;
+      w.sum = w.last_sum = sign * 1000;
+      VelocityPi::step(v, w, 0, sign * (592 + beyond) * 128);
+      CHECK(w.sum == (beyond == 0 ? 0 : sign * 1000));  // 592 - P, or as it was
+    }
+  }
+}
+
 TEST_CASE("velocity: u is the feed-forward less both parts; its anti-windup stores 592 - P") {
   VelocityPi::Config c;
   VelocityPi::State s;

@@ -4,11 +4,29 @@
 // positions, ticks and velocities, where homing and the way to the calibration run end.
 #include <catch2/catch.hpp>
 #include <cstdint>
+#include <vector>
 
 #include "machines/gantry/tests/fake_chip.hpp"
+#include "models/plant/stripe_track.hpp"
 
 using namespace trammel;
 using namespace trammel::gantry_test;
+
+namespace {
+
+sw::GantryFailure failure(const Track& track) {
+  return static_cast<sw::GantryFailure>(track.app.mailbox().failure);
+}
+
+// P with gain 1 and no least force: the force is the error, to the right at a goal of 0.
+sw::GantrySetup as_it_is() {
+  sw::GantrySetup setup;
+  setup.position.gain = 1;
+  setup.position.least = 0;
+  return setup;
+}
+
+}  // namespace
 
 TEST_CASE("gantry: a count is the floor of the position, on either side of 0") {
   Track track;
@@ -108,4 +126,139 @@ TEST_CASE("gantry: events are cleared as they were seen, and only those") {
   track.chip.cleared = 0;
   track.interrupt(regs::kStatusFrame);
   CHECK(track.chip.cleared == 0);
+}
+
+TEST_CASE("gantry: a cascade asks for -512 times the error of both motors, on either side") {
+  sw::GantrySetup setup;
+  setup.cascade = true;
+  for (const std::int32_t count : {-40, -1, 0, 1, 7, 40}) {
+    Track track(setup);
+    track.tell({{kValue, 21, 0}});
+    track.pass(count);
+    sw::VelocityPi::State state;
+    const std::int32_t u = sw::VelocityPi::step({}, state, -512 * count, 0);
+    CAPTURE(count);
+    CHECK(track.force(1) == -u);
+    CHECK(track.force(2) == -u);
+  }
+}
+
+TEST_CASE("gantry: A and B may lie on a circle of 250 to 520 codes, and not beside it") {
+  struct Case {
+    int a, b;
+    bool fine;
+  };
+  for (const auto& [a, b, fine] : {Case{150, 200, true}, {149, 200, false}, {150, 199, false},
+                                   {312, 416, true}, {313, 416, false}, {312, 417, false}}) {
+    for (const int signs : {0, 1, 2, 3}) {
+      sw::GantrySetup setup = as_it_is();
+      setup.watch_sensor = true;
+      Track track(setup);
+      const auto code = [](int off) { return static_cast<std::uint32_t>(512 + off); };
+      track.chip.words[regs::kEncoderA] = 0x3FF'0000 | code((signs & 1) != 0 ? -a : a);
+      track.chip.words[regs::kEncoderB] = 0x3FF'0000 | code((signs & 2) != 0 ? -b : b);
+      track.tell({{kValue, 21, 0}});
+      track.pass(50);
+      CAPTURE(a, b, signs);
+      CHECK(failure(track) == (fine ? sw::GantryFailure::kNone : sw::GantryFailure::kSensor));
+      CHECK(track.force(1) == (fine ? 50 : 0));
+      CHECK(track.force(2) == (fine ? 50 : 0));
+      CHECK(track.app.phase() == (fine ? sw::GantryPhase::kPosition : sw::GantryPhase::kIdle));
+    }
+  }
+}
+
+TEST_CASE("gantry: more than 160 counts of each motor and no motion for so long is a stall") {
+  for (const std::int32_t sign : {-1, 1}) {
+    for (const std::int32_t force : {160, 161}) {
+      sw::GantrySetup setup = as_it_is();
+      setup.stall_ticks = 100;
+      Track track(setup);
+      track.tell({{kValue, 21, 0}});
+      track.pass(sign * (force - 1), 5000);
+      track.pass(sign * force, 99);  // moved
+      track.pass(sign * force, 99);
+      CAPTURE(sign, force);
+      CHECK(failure(track) == sw::GantryFailure::kNone);
+      CHECK(track.force(1) == sign * force);
+      track.pass(sign * force, 1);
+      const bool stalled = force == 161;
+      CHECK(failure(track) ==
+            (stalled ? sw::GantryFailure::kStalled : sw::GantryFailure::kNone));
+      CHECK(track.force(2) == (stalled ? 0 : sign * force));
+      track.pass(0);  // what has failed stays off
+      CHECK(track.app.phase() ==
+            (stalled ? sw::GantryPhase::kIdle : sw::GantryPhase::kPosition));
+    }
+  }
+}
+
+TEST_CASE("gantry: a cart that homing holds at its end, or a stall that is not watched, is none") {
+  sw::GantrySetup setup = as_it_is();
+  setup.home = true;
+  setup.home_ticks = 1000;
+  setup.stall_ticks = 100;
+  Track homing(setup);
+  for (int k = 0; k < 9; ++k) homing.pass(-11, 110);
+  CHECK(failure(homing) == sw::GantryFailure::kNone);
+  CHECK(homing.force(1) == 0x150);
+  Track unwatched(as_it_is());
+  unwatched.tell({{kValue, 21, 0}});
+  for (int k = 0; k < 3; ++k) unwatched.pass(500, 100'000);
+  CHECK(failure(unwatched) == sw::GantryFailure::kNone);
+  CHECK(unwatched.force(1) == 500);
+}
+
+TEST_CASE("gantry: a calibration run asks for A and B in turn, seals what it found, then homes") {
+  plant::StripeTrackConfig ideal;
+  ideal.defect_units = {0, 0};
+  const plant::StripeTrack stripes(ideal);
+  for (const bool home : {false, true}) {
+    for (const bool found : {false, true}) {
+      sw::GantrySetup setup;
+      setup.calibrate = true;
+      setup.home = home;
+      setup.home_ticks = 10;
+      Track track(setup);
+      for (int k = 0; home && k < 2; ++k) track.pass(0, 10);
+      track.pass(512);
+      track.pass(512, 5000);
+      CAPTURE(home, found);
+      REQUIRE(track.app.phase() == sw::GantryPhase::kFitting);
+      sw::CalibrationFit fit;
+      const std::uint32_t from = track.chip.words[regs::kTicks];
+      bool of_a = true;
+      for (std::uint32_t n = 1; track.app.phase() == sw::GantryPhase::kFitting; ++n) {
+        REQUIRE(n < 100'000);
+        const double x = found ? 0.1267 * n / 4612.0 : 0;
+        track.chip.words[regs::kTicks] = from + n;
+        track.chip.words[regs::kEncoderA] = static_cast<std::uint32_t>(stripes.code(0, x, 0));
+        track.chip.words[regs::kEncoderB] = static_cast<std::uint32_t>(stripes.code(2, x, 0));
+        const std::uint32_t wanted = of_a ? regs::kRequestA : regs::kRequestB;
+        if (track.chip.words[regs::kRequest] != wanted) {
+          FAIL("sample " << n << ": REQUEST is " << track.chip.words[regs::kRequest]
+                         << ", wanted " << wanted);
+        }
+        fit.add(from + n, of_a, stripes.code(of_a ? 0 : 2, x, 0));
+        of_a = !of_a;
+        track.interrupt(regs::kStatusSample);
+      }
+      std::vector<std::uint32_t> sealed;
+      sw::CalibrationWords words{};
+      REQUIRE(fit.fit(words) == found);
+      if (found) {
+        sealed.push_back(1u << 16);
+        for (const std::uint16_t word : words) sealed.push_back(2u << 16 | word);
+        sealed.push_back(7u << 16);
+      }
+      CHECK(track.chip.calibrated == sealed);
+      CHECK(track.app.fitted() == found);
+      CHECK(failure(track) == (found ? sw::GantryFailure::kNone : sw::GantryFailure::kFitFailed));
+      CHECK(track.app.phase() ==
+            (home && found ? sw::GantryPhase::kHoming : sw::GantryPhase::kIdle));
+      track.chip.words[regs::kRequest] = 0;
+      track.interrupt(regs::kStatusSample);  // nobody asked for that
+      CHECK(track.chip.sent.empty());
+    }
+  }
 }
