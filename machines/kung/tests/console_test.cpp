@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "machines/kung/tests/fake_chip.hpp"
 #include "sw_nios/apps/kung/setup_words.hpp"
@@ -34,6 +36,15 @@ struct Bench {
     console.take('\n');
     return printed();
   }
+  // The lines of an answer, without their ends.
+  std::vector<std::string> lines(const std::string& line) {
+    std::vector<std::string> all;
+    const std::string text = say(line);
+    for (std::size_t at = 0, end; (end = text.find("\r\n", at)) != std::string::npos; at = end + 2) {
+      all.push_back(text.substr(at, end - at));
+    }
+    return all;
+  }
   std::size_t writes() const { return chip.writes().size(); }
 };
 
@@ -48,9 +59,10 @@ TEST_CASE("a command is answered by a line, and one that is none by a question m
        {"stat", "status now", "path", "path spiral", "path circle 0", "path circle 1001",
         "path circle x", "gain x kp 1", "gain z kp 1 0", "gain x kq 1 0", "gain x kp 2048 0",
         "gain x kp 1 16", "gain x kp 1 -17", "gain x kp -1 0", "gain x kp 1 0 0", "log 0",
-        "log 257", "r", "r 1 2", "r 2", "r 1024", "r 0x400", "r -4", "r 0x", "r 0xg", "r 4x",
+        "log 129", "log 257", "r", "r 1 2", "r 2", "r 1024", "r 0x400", "r -4", "r 0x", "r 0xg", "r 4x",
         "r 0x00000004g", "r 0x100000004",
-        "log 1 2", "a b c d e f g", "start\t", "path circle 99999999999"}) {
+        "log 1 2", "a b c d e f g", "start\t", "path circle 99999999999",
+        "path circle 0000000001", "path circle 4294967297", "path circl", "path circles"}) {
     INFO(wrong);
     CHECK(b.say(wrong) == "?\r\n");
   }
@@ -79,6 +91,67 @@ TEST_CASE("a path is chosen, started and stopped; drives that are on keep it") {
   CHECK(b.chip.registers[reg::kY + reg::kCtrl] == 0);
   CHECK(b.chip.registers[reg::kIrqEn] == 0);
   CHECK(b.say("path line") == "ok\r\n");
+}
+
+TEST_CASE("each name chooses its path, and numbers are taken to the ends of their ranges") {
+  const std::pair<const char*, sw::Path> paths[] = {{"circle", sw::Path::kCircle},
+                                                    {"window", sw::Path::kWindow},
+                                                    {"star", sw::Path::kStar},
+                                                    {"square", sw::Path::kSquare},
+                                                    {"line", sw::Path::kLine}};
+  Bench b;
+  for (const auto& [name, path] : paths) {
+    for (const std::uint32_t passes : {1u, 7u, 1000u}) {
+      CAPTURE(name, passes);
+      CHECK(b.say(std::string("path ") + name + " " + std::to_string(passes)) == "ok\r\n");
+      CHECK(b.program.setup().path == path);
+      CHECK(b.program.setup().repeats == passes);
+    }
+    CHECK(b.say(std::string("path ") + name) == "ok\r\n");
+    CHECK(b.program.setup().repeats == 1);
+  }
+  for (const char* ends : {"gain x kp 0 -16", "gain y kp 2047 15"}) {
+    INFO(ends);
+    CHECK(b.say(ends) == "ok\r\n");
+  }
+  for (const char* count : {"log 1", "log 128", "log 000000001"}) {
+    INFO(count);
+    CHECK(b.say(count).substr(0, 10) == "tick x_cmd");
+  }
+}
+
+TEST_CASE("the gains of both axes are printed, each its own") {
+  Bench b;
+  const char* names[] = {"kp", "ki", "kv", "eta", "kp_cur", "ki_cur"};
+  std::string wanted;
+  int number = 0;
+  for (const char* axis : {"x", "y"}) {
+    wanted += axis;
+    for (const char* name : names) {
+      const std::string gain =
+          std::string(name) + " " + std::to_string(901 + number) + " " + std::to_string(number - 6);
+      ++number;
+      CHECK(b.say(std::string("gain ") + axis + " " + gain) == "ok\r\n");
+      wanted += " " + gain;
+    }
+    wanted += "\r\n";
+  }
+  CHECK(b.say("gains") == wanted);
+}
+
+TEST_CASE("the status is off, on or failed, with point, failure and fault") {
+  Bench b;
+  b.say("start");
+  b.chip.tick(4);
+  b.program.app().isr(b.chip);
+  CHECK(b.say("status") == "on point 0 of 629 failure 0 fault 0\r\n");
+  b.chip.registers[reg::kFault] = 5;
+  b.chip.registers[reg::kIrqStat] |= reg::kIrqStatFault;
+  b.program.app().isr(b.chip);
+  const auto fault = std::to_string(static_cast<std::uint32_t>(sw::Failure::kFault));
+  CHECK(b.say("status") == "failed point 0 of 629 failure " + fault + " fault 5\r\n");
+  b.say("stop");
+  CHECK(b.say("status").substr(0, 4) == "off ");
 }
 
 TEST_CASE("a gain is kept for the next start, and in effect at once while the drives are on") {
@@ -150,6 +223,45 @@ TEST_CASE("the log is printed line by line, oldest first, and only what was aske
   CHECK(b.say("status").find(now + "\r\n") != std::string::npos);
 }
 
+TEST_CASE("each number of a line of the log is the one its heading says, up to 128 lines") {
+  Bench b;
+  b.say("path square");
+  b.say("start");
+  b.chip.tick(4);
+  b.program.app().isr(b.chip);
+  std::vector<std::string> lines;
+  for (std::int32_t n = 0; n < 300; ++n) {
+    std::int32_t value = 1000 * n - 5000;
+    for (const std::uint32_t address : {reg::kPos, reg::kPosModel, reg::kIqCmd}) {
+      for (const std::uint32_t base : {reg::kX, reg::kY}) {
+        b.chip.registers[base + address] = static_cast<std::uint32_t>(++value);
+      }
+    }
+    b.chip.shown_status = {0x10u + static_cast<std::uint32_t>(2 * n) * 16, 0x8000'0000u};
+    b.chip.tick(4);
+    b.program.app().isr(b.chip);
+    const sw::LogRecord& r = b.program.app().log(b.program.app().log_size() - 1);
+    std::string line = std::to_string(b.chip.registers[reg::kTick]) + " " +
+                       std::to_string(r.x_cmd) + " " + std::to_string(r.y_cmd);
+    for (std::int32_t k = value - 5; k <= value; ++k) line += " " + std::to_string(k);
+    lines.push_back(line + " " + std::to_string(b.chip.shown_status[0]) + " -2147483648");
+  }
+  for (const std::size_t asked : {std::size_t{1}, std::size_t{2}, std::size_t{128}}) {
+    for (const std::string& command : {"log " + std::to_string(asked), std::string("log")}) {
+      if (command == "log" && asked != 128) continue;
+      const std::vector<std::string> printed = b.lines(command);
+      CAPTURE(command);
+      REQUIRE(printed.size() == asked + 1);
+      CHECK(printed[0] ==
+            "tick x_cmd y_cmd x_pos y_pos x_model y_model x_iq y_iq x_status y_status");
+      for (std::size_t n = 0; n < asked; ++n) {
+        const std::string& wanted = lines[300 - asked + n];
+        if (printed[n + 1] != wanted) REQUIRE(printed[n + 1] == wanted);
+      }
+    }
+  }
+}
+
 TEST_CASE("a million random bytes write no register and end in an answer") {
   Bench b;
   Random random{31};
@@ -219,4 +331,18 @@ TEST_CASE("a set-up survives as words; a number of either sign and size does") {
   CHECK(back.axis[0].adapt);
   CHECK_FALSE(back.axis[0].feedforward);
   CHECK(back.axis[1].feedforward);
+}
+
+TEST_CASE("each word of a set-up is one member's alone, of either axis and of the path") {
+  for (std::uint32_t k = 0; k < sw::SetupWords::kMembers; ++k) {
+    sw::SetupWords one, back;
+    one.members[k] = 1;
+    sw::KungSetup setup;
+    sw::unpack(one, setup);
+    sw::pack(setup, back);
+    for (std::uint32_t n = 0; n < sw::SetupWords::kMembers; ++n) {
+      CAPTURE(k, n);
+      if (back.members[n] != one.members[n]) CHECK(back.members[n] == one.members[n]);
+    }
+  }
 }
