@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdint>
 #include <cstdlib>
 #include <vector>
 
 #include "models/ideal/paths.hpp"
 #include "sw_nios/path/trajectory.hpp"
 #include "tests/support/points.hpp"
+#include "tests/support/random.hpp"
 
 namespace {
 
@@ -51,6 +53,24 @@ TEST_CASE("mul_q62 multiplies signed numbers exactly and rounds to nearest") {
   const std::int64_t b = 0x3EDCBA9876543210;
   const long double product = std::ldexp(static_cast<long double>(a), -62) * b;
   CHECK(std::abs(static_cast<long double>(sw::mul_q62(a, b)) - product) <= 1);
+}
+
+TEST_CASE("mul_q62 is the nearest of the whole product, halves away from zero, bit for bit") {
+  __extension__ using Wide = __int128;
+  test::Random random(62);
+  const auto any = [&random] {
+    const std::uint64_t both = std::uint64_t{random()} << 32 | random();
+    return static_cast<std::int64_t>(both) >> random() % 64;
+  };
+  for (int n = 0; n < 20'000; ++n) {
+    const std::int64_t a = any(), b = any();
+    const Wide product = Wide{a} * b, size = product < 0 ? -product : product;
+    const Wide nearest = (size + (Wide{1} << 61)) >> 62;
+    if (nearest >= Wide{1} << 63) continue;
+    const auto wanted = static_cast<std::int64_t>(product < 0 ? -nearest : nearest);
+    CAPTURE(n, a, b);
+    if (sw::mul_q62(a, b) != wanted) REQUIRE(sw::mul_q62(a, b) == wanted);
+  }
 }
 
 TEST_CASE("a rotation by the n-th part of a turn agrees with sine and cosine") {
@@ -330,5 +350,32 @@ TEST_CASE("every closed path repeats itself lap by lap") {
     bool equal = true;
     for (std::size_t k = 0; k < points.size(); ++k) equal = equal && points[k] == lap[k % ticks];
     CHECK(equal);
+  }
+}
+
+TEST_CASE("the paths of a board, which has no other set-up, are the defaults of the keys") {
+  struct Default {
+    sw::Path path;
+    std::size_t points;
+    Point start, low, high;  // [count] where it begins, and the box around it
+  };
+  for (const Default& d :
+       {Default{sw::Path::kCircle, 629, {50000, 70000}, {30000, 30000}, {70000, 70000}},
+        Default{sw::Path::kWindow, 1069, {30000, 50000}, {30000, 30000}, {70000, 70000}},
+        Default{sw::Path::kStar, 911, {40000, 53250}, {40000, 41494}, {60000, 60515}},
+        Default{sw::Path::kSquare, 1500, {0, 0}, {0, 0}, {2000, 2000}},
+        Default{sw::Path::kLine, 501, {20000, 20000}, {20000, 20000}, {80000, 80000}}}) {
+    const sw::PathSetup setup = of(d.path);
+    Point low = sw::Trajectory(setup).start(), high = low;
+    const std::vector<Point> points = walk(setup);
+    for (const Point& p : points) {
+      low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+      high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+    }
+    CAPTURE(static_cast<int>(d.path));
+    CHECK(points.size() == d.points);
+    CHECK(sw::Trajectory(setup).start() == d.start);
+    CHECK(low == d.low);
+    CHECK(high == d.high);
   }
 }

@@ -315,6 +315,29 @@ TEST_CASE("indexes are a turn apart in both directions, and across the end of th
   CHECK_FALSE(lost(far, -2147483496));  // 800 farther
 }
 
+TEST_CASE("an index may be two counts off where it was or a turn from there, and no count more") {
+  FakePart part;
+  part.states = {0x80};
+  Lm628Port port(part);
+  const auto lost = [&](Lm628Index& index, std::int32_t at) {
+    for (const int shift : {24, 16, 8, 0}) {
+      part.reply.push_back(static_cast<std::uint8_t>(static_cast<std::uint32_t>(at) >> shift));
+    }
+    return index.lost_at_index(port);
+  };
+  for (const std::int32_t sign : {-1, 1}) {
+    for (const std::int32_t way : {0, 2, 3, 797, 798, 800, 802, 803}) {
+      CAPTURE(sign, way);
+      Lm628Index first(800), next(800);
+      CHECK(lost(first, sign * way) == (way == 803));
+      CHECK_FALSE(lost(next, 100));
+      CHECK(lost(next, 100 + sign * way) == (way == 3 || way == 797 || way == 803));
+      CHECK(first.lost_before(sign * (way + 802)) == false);
+      CHECK(first.lost_before(sign * (way + 803)));
+    }
+  }
+}
+
 TEST_CASE("an693 gives up on a part that stays busy, after its first command or later") {
   for (const bool at_once : {true, false}) {
     Bench bench(make_setup(An693Program::kAbsolute));

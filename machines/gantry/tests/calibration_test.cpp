@@ -11,6 +11,7 @@
 #include "models/exact/sense/calibration.hpp"
 #include "models/plant/stripe_track.hpp"
 #include "sw_nios/apps/gantry/calibration_fit.hpp"
+#include "tests/support/stripe_sensor.hpp"
 
 using namespace trammel;
 
@@ -82,6 +83,48 @@ TEST_CASE("the fit of an ideal sensor is within 4 um and near the cubic of the s
   CHECK(std::abs(static_cast<std::int16_t>(words[16]) - 1652) < 10);
   CHECK(words[4] == 512);
   CHECK(words[5] == 512);
+}
+
+TEST_CASE("what is fitted to an ideal sensor is named, and else has the specification's words") {
+  plant::StripeTrackConfig c;
+  c.defect_units = {0, 0};
+  sw::CalibrationWords words{};
+  REQUIRE(run_over(plant::StripeTrack(c), 0.1267)->fit(words));
+  const exact::Calibration ideal = test::ideal_calibration();
+  // The cubics are the best for a run, the specification's are for the middle of each region.
+  constexpr int kNear[] = {20, 25, 10, 10};  // of X^3, X^2, X and 1
+  for (unsigned k = 0; k < 62; ++k) {
+    const int is = static_cast<std::int16_t>(words[k]), wanted = ideal.at(k);
+    const bool cubic = k >= 14 && k < 30;
+    CAPTURE(k, is, wanted);
+    if (k >= 4) CHECK(std::abs(is - wanted) <= (cubic ? kNear[(k - 14) % 4] : 0));
+  }
+  CHECK(words[0] == ('F' | 'I' << 8));
+  CHECK(words[1] == 'T');
+  CHECK((words[2] | words[3]) == 0);
+  CHECK(words[62] == sw::checksum(words));
+}
+
+TEST_CASE("a fit is of integers: its words are the same on every computer") {
+  plant::StripeTrackConfig c;
+  c.defect_units = {0, 0};
+  c.amplitude_a_error = 0.03;
+  c.offset_a_error = 0.02;
+  c.offset_b_error = -0.01;
+  c.phase_b_error = 0.02;
+  sw::CalibrationWords words{};
+  REQUIRE(run_over(plant::StripeTrack(c), 0.1267)->fit(words));
+  constexpr int kOrigins[] = {520, 508};
+  constexpr int kCubics[] = {161,  8,  1653,  -26,  -144, 13,  -1608, 4147,
+                             -163, -6, -1652, 8114, 147,  -14, 1605,  12238};
+  for (unsigned k = 0; k < 2; ++k) {
+    CAPTURE(k);
+    CHECK(words[4 + k] == kOrigins[k]);
+  }
+  for (unsigned k = 0; k < 16; ++k) {
+    CAPTURE(k);
+    CHECK(static_cast<std::int16_t>(words[14 + k]) == kCubics[k]);
+  }
 }
 
 TEST_CASE("without motion there is no fit") {

@@ -28,6 +28,18 @@ sw::GantrySetup as_it_is() {
 
 }  // namespace
 
+TEST_CASE("gantry: the start sets the time of a pass, the observer and the interrupts") {
+  sw::GantrySetup setup;
+  setup.pass_clk = 123'456;
+  FakeChip chip;
+  sw::GantryApp app(setup);
+  app.start(chip);
+  CHECK(chip.words[regs::kPassPeriod] == 123'456);
+  CHECK(chip.words[regs::kObserver] == 0x11);
+  CHECK(chip.words[regs::kIrqEnable] ==
+        (regs::kStatusPass | regs::kStatusFrame | regs::kStatusSample));
+}
+
 TEST_CASE("gantry: a count is the floor of the position, on either side of 0") {
   Track track;
   track.tell({{kValue, 21, 0}});

@@ -40,7 +40,8 @@ struct Bench {
   std::vector<std::string> lines(const std::string& line) {
     std::vector<std::string> all;
     const std::string text = say(line);
-    for (std::size_t at = 0, end; (end = text.find("\r\n", at)) != std::string::npos; at = end + 2) {
+    std::size_t at = 0;
+    for (std::size_t end; (end = text.find("\r\n", at)) != std::string::npos; at = end + 2) {
       all.push_back(text.substr(at, end - at));
     }
     return all;
@@ -59,8 +60,8 @@ TEST_CASE("a command is answered by a line, and one that is none by a question m
        {"stat", "status now", "path", "path spiral", "path circle 0", "path circle 1001",
         "path circle x", "gain x kp 1", "gain z kp 1 0", "gain x kq 1 0", "gain x kp 2048 0",
         "gain x kp 1 16", "gain x kp 1 -17", "gain x kp -1 0", "gain x kp 1 0 0", "log 0",
-        "log 129", "log 257", "r", "r 1 2", "r 2", "r 1024", "r 0x400", "r -4", "r 0x", "r 0xg", "r 4x",
-        "r 0x00000004g", "r 0x100000004",
+        "log 129", "log 257", "r", "r 1 2", "r 2", "r 1024", "r 0x400", "r -4", "r 0x", "r 0xg",
+        "r 4x", "r 0x00000004g", "r 0x100000004",
         "log 1 2", "a b c d e f g", "start\t", "path circle 99999999999",
         "path circle 0000000001", "path circle 4294967297", "path circl", "path circles"}) {
     INFO(wrong);
@@ -298,6 +299,14 @@ TEST_CASE("a line that just fits the ring is written, one byte more is left out 
     CHECK(ring.put(one) == (left == 2));  // with CR and LF
     CHECK(ring.room() == (left == 2 ? 0 : one.size() + left));
     CHECK(ring.take() == '0');
+  }
+}
+
+TEST_CASE("a line of a text has 160 bytes at most, and what is beyond is cut") {
+  for (const std::uint32_t bytes : {159u, 160u, 161u}) {
+    sw::TextLine line;
+    line.text(std::string(bytes, 'a').c_str());
+    CHECK(line.size() == std::min(bytes, 160u));
   }
 }
 

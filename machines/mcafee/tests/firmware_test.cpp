@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "cosim/direct.hpp"
+#include "models/exact/control/feed_rate.hpp"
 #include "sw_nios/apps/mcafee/mcafee_map.hpp"
 #include "sw_nios/apps/mcafee/mcafee_xy.hpp"
 #include "machines/mcafee/tests/xy_follower.hpp"
@@ -242,6 +243,19 @@ TEST_CASE("Stage III loads an acceleration once, then for each row the values th
                             "C1F D00 D0B D00 D00 D04 DB5 DFF DFF DFF DF6 ";
   CHECK(text.substr(0, begin.size()) == begin);
   CHECK(text.find("c01 C01 ") != std::string::npos);
+}
+
+TEST_CASE("Stage III goes by the feed rate of curvature and change, each of its own byte") {
+  for (const auto& [c, cc] : {std::pair{30, 100}, {100, 30}, {0, 200}, {200, 0}, {110, 255}}) {
+    const std::vector<McafeeRow> rows{
+        {static_cast<std::uint8_t>(c), static_cast<std::uint8_t>(cc), 255, 0, 30, 0}};
+    McafeeBench bench(tracking(rows));
+    bench.run(5);
+    CAPTURE(c, cc);
+    CHECK(bench.app.mailbox().done);
+    const std::int32_t rate = exact::FeedRate().step({c, cc}).v;
+    CHECK(bench.app.mailbox().speed == static_cast<std::uint32_t>(rate < 8 ? 8 : rate));
+  }
 }
 
 TEST_CASE("Stage III gives no axis the velocity 0, and shifts the velocities it gives") {
