@@ -305,6 +305,12 @@ TEST_CASE("listed points come in order; a second lap omits the closing point") {
   for (std::size_t k = 0; k < 7; ++k) CHECK(points[k] == expected[k]);
   setup.n_points = 1;
   CHECK(walk(setup).size() == 1);
+  setup.n_points = 2;  // of which one is passed again and again
+  CHECK(walk(setup) == std::vector<Point>{{1, 2}, {3, 4}, {3, 4}});
+  setup.n_points = 0;
+  setup.points = nullptr;
+  CHECK(walk(setup).empty());
+  CHECK(sw::Trajectory(setup).start() == Point{});
 }
 
 TEST_CASE("a sweep plays its tones in whole periods, each settling as long as it is measured") {
@@ -337,6 +343,22 @@ TEST_CASE("tones of a sweep that round to the same period are played once, and n
   }
   CHECK(periods == std::vector<std::uint32_t>{6, 5, 4});
   CHECK(walk(setup).size() == 2 * (6 + 5 + 4) + 1);
+}
+
+TEST_CASE("a path that is elsewhere, not as far in X as in Y, is the same path there") {
+  for (const auto kind : {sw::Path::kCircle, sw::Path::kWindow, sw::Path::kStar}) {
+    auto there = of(kind);
+    for (sw::Vec* place : {&there.circle.center, &there.window.center, &there.star.start}) {
+      *place = *place + sw::Vec{sw::from_counts(1234), sw::from_counts(-777)};
+    }
+    const auto points = walk(of(kind)), moved = walk(there);
+    REQUIRE(moved.size() == points.size());
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      CAPTURE(static_cast<int>(kind), k);
+      const Point wanted{points[k].x + 1234, points[k].y - 777};
+      if (!(moved[k] == wanted)) REQUIRE(moved[k] == wanted);
+    }
+  }
 }
 
 TEST_CASE("every closed path repeats itself lap by lap") {

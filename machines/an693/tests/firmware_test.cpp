@@ -233,12 +233,17 @@ TEST_CASE("an693 E9 steps there and back as many times as asked") {
   An693Setup setup = make_setup(An693Program::kTuning);
   setup.acceleration = setup.velocity = 0x3FFFFFFF;
   setup.position = 50;
-  setup.steps = 2;
+  setup.steps = 5;
   Bench bench(setup);
   const std::string fast = "c1F d00 d2B d3F dFF dFF dFF d3F dFF dFF dFF ";
   CHECK(bench.on_timer() == std::string(kInit) + kFilter + fast + "d00 d00 d00 d32 c01 ");
-  CHECK(bench.on_host(0x04) == "c1D d00 d00 ");
-  CHECK(bench.on_timer() == fast + "dFF dFF dFF dCE c01 ");
+  for (int step = 1; step < 5; ++step) {
+    CAPTURE(step);
+    CHECK(bench.on_host(0x04) == "c1D d00 d00 ");
+    CHECK(bench.on_timer() ==
+          fast + (step % 2 == 0 ? "d00 d00 d00 d32 c01 " : "dFF dFF dFF dCE c01 "));
+    CHECK_FALSE(bench.app.mailbox().done);
+  }
   bench.on_host(0x04);
   bench.on_timer();
   CHECK(bench.app.mailbox().done);

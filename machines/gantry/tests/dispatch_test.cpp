@@ -142,6 +142,31 @@ TEST_CASE("gantry: a restart of the observer after homing leaves neither zero no
   CHECK(track.app.phase() == sw::GantryPhase::kIdle);
 }
 
+TEST_CASE("gantry: a goal ends a velocity and begins from rest, and the reverse; no run before") {
+  using Phase = sw::GantryPhase;
+  for (const std::uint32_t channel : {21u, 22u}) {
+    const Phase own = channel == 21 ? Phase::kPosition : Phase::kVelocity;
+    const Phase after[] = {own, Phase::kHoming, Phase::kToFit, Phase::kFitting, own, own};
+    for (std::uint32_t k = 0; k < 6; ++k) {
+      const auto from = static_cast<Phase>(k);
+      sw::GantrySetup setup;
+      setup.home = from == Phase::kHoming;
+      setup.calibrate = from == Phase::kToFit || from == Phase::kFitting;
+      Track track(setup);
+      if (from == Phase::kFitting) {
+        track.pass(512);
+        track.pass(512, 5000);
+      }
+      if (from == Phase::kPosition) track.tell({{kValue, 21, 5}});
+      if (from == Phase::kVelocity) track.tell({{kValue, 22, 170'000}});
+      CAPTURE(channel, k);
+      REQUIRE(track.app.phase() == from);
+      track.tell({{kValue, channel, 10}});
+      CHECK(track.app.phase() == after[k]);
+    }
+  }
+}
+
 TEST_CASE("gantry: channel 12 sets the slots of the observer or of the requester") {
   Track track;
   track.tell({{kValue, 12, 7 << 2 | 0}});

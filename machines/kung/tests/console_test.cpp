@@ -188,9 +188,11 @@ TEST_CASE("a register of the IC is read, its address decimal or hexadecimal") {
   Bench b;
   b.chip.registers[0x000] = 0xFFFF'FFFF;
   b.chip.registers[0x0C8] = 0x0123'4567;
+  b.chip.registers[0x094] = 0x55AA'33CC;
   b.chip.registers[0x3FC] = 0x89AB'CDEF;
   CHECK(b.say("r 0") == "0xffffffff\r\n");
   CHECK(b.say("r 200") == "0x01234567\r\n");
+  CHECK(b.say("r 0x94") == "0x55aa33cc\r\n");
   CHECK(b.say("r 0xc8") == "0x01234567\r\n");
   CHECK(b.say("r 0X000000C8") == "0x01234567\r\n");
   CHECK(b.say("r 0x3fc") == "0x89abcdef\r\n");
@@ -290,6 +292,7 @@ TEST_CASE("answers that find no room are left out whole") {
 TEST_CASE("a line that just fits the ring is written, one byte more is left out whole") {
   for (const std::uint32_t left : {0u, 1u, 2u}) {
     sw::TextRing ring;
+    CHECK(ring.room() == 512);
     sw::TextLine one, byte;
     one.text("0123456789abcdef");
     byte.text("x");

@@ -136,7 +136,8 @@ TEST_CASE("random programs keep the acceleration of each axis, and the points of
   double most = 0;
   for (std::uint32_t seed = 0; seed < 150; ++seed) {
     CAPTURE(seed);
-    const test::RandomProgram p = test::RandomMoves(seed).make();
+    test::RandomProgram p = test::RandomMoves(seed).make();
+    p.moves.start_dwell = seed % 3 * 0.05;
     const FeedProfile command(p.moves, p.limits);
     if (command.points() > 50000) continue;
     const std::vector<sw::Point> points = Planned(p.moves, p.limits).points();
@@ -147,6 +148,36 @@ TEST_CASE("random programs keep the acceleration of each axis, and the points of
     most = std::max(most, share);
   }
   CHECK(most > 0.99);
+}
+
+TEST_CASE("flat arcs as long as the table are within one LSB, and in whole counts the nearest") {
+  for (const double radius : {5.25, 6.0, 50.0}) {
+    for (const double sign : {-1.0, 1.0}) {
+      CAPTURE(radius, sign);
+      ideal::Move m;
+      m.kind = ideal::Move::Kind::kArc;
+      m.sweep = sign * 0.55 / radius;
+      m.center = {0.02, 0.1 + sign * radius};
+      m.from = {0.02, 0.1};
+      m.to = {0.02 + radius * std::sin(std::abs(m.sweep)),
+              m.center.y - sign * radius * std::cos(m.sweep)};
+      m.feed = 0.5;
+      m.stop = true;
+      const FeedProfile::Limits limits;
+      const ideal::Moves moves{m.from, 0, {m}};
+      const Planned planned(moves, limits);
+      const std::vector<sw::Point> points = planned.points();
+      CHECK(furthest(points, FeedProfile(moves, limits), limits.period) <= 1);
+      sw::Trajectory counts(planned.setup);
+      const auto nearest = [](std::int32_t q8) { return (q8 + 128) >> 8; };
+      for (std::size_t n = 0; n < points.size(); ++n) {
+        CAPTURE(n);
+        const sw::Point at = counts.next();
+        if (at.x != nearest(points[n].x)) CHECK(at.x == nearest(points[n].x));
+        if (at.y != nearest(points[n].y)) CHECK(at.y == nearest(points[n].y));
+      }
+    }
+  }
 }
 
 TEST_CASE("with any encoder, rates and limits a shape is refused in a line or within one LSB") {

@@ -127,6 +127,27 @@ TEST_CASE("WTTBL returns when its timer is over, once after each move, at once w
   }
 }
 
+TEST_CASE("an axis that interrupts while WTTBL waits leaves the timer to run") {
+  StepTableSetup setup;
+  setup.settle_clk = 777;
+  Program program({kCal, kWait}, setup);
+  program.app.start(program.bus);
+  while (program.bus.timer != 777) {
+    if (program.bus.irq()) program.app.isr(program.bus);
+    if (program.bus.timer != 777) program.bus.step();
+  }
+  for (FakeTable::Axis& axis : program.bus.axes) {
+    axis.status |= map::kEnable;
+    axis.done = true;
+    const std::size_t before = program.bus.timers.size();
+    program.app.isr(program.bus);
+    CHECK_FALSE(axis.done);
+    CHECK(program.bus.timer == 777);
+    CHECK(program.bus.timers.size() == before);
+    CHECK(program.app.mailbox().done == 0);
+  }
+}
+
 TEST_CASE("targets outside the soft range are clipped, WTTBL tells once, calibration stays") {
   Program program({kCal,
                    {LarsonOp::kAbstbl, -5, 7000},
