@@ -131,6 +131,11 @@ class CheckLayoutTest(Scratch):
                 ("int a;\n", ":1: no line SPDX-License-Identifier: Apache-2.0")):
             self.finds(f"models/fixed/word.hpp{told}", {"models/fixed/word.hpp": text})
 
+    def test_a_file_may_be_as_long_and_as_wide_as_the_bounds(self):
+        text = LICENCE + ("//" + 98 * "x" + "\n") * 399
+        self.assertEqual(len(text.splitlines()), 400)
+        self.assertEqual(self.findings(**{"models/fixed/word.hpp": text}), [])
+
     def test_what_others_wrote_is_exempt(self):
         self.assertEqual(self.findings(**{"third_party/x/x.hpp": "\tint a;",
                                           "sw_nios/generated/regs.hpp": "int a;",

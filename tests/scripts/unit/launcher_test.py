@@ -106,6 +106,16 @@ class LauncherTest(Scratch):
         self.write("scripts/packages.txt", "make\nclock\nwire\nnew\n")
         self.assertEqual(self.started("run", "circle")[0], f"{INSTALL} new")
 
+    def test_what_a_configuration_that_failed_has_left_is_no_part_of_the_next(self):
+        for left in ("CMakeCache.txt", "CMakeCache.txt build.ninja"):
+            with self.subTest(left=left):
+                shutil.rmtree(self.folder / "build", ignore_errors=True)
+                for name in left.split():
+                    self.write(f"build/{name}", "")
+                self.started("run", "x")
+                self.assertEqual((self.folder / "build" / "CMakeCache.txt").exists(),
+                                 "build.ninja" in left)
+
     def test_the_exit_code_is_that_of_the_program_which_knows_all_verbs(self):
         for code in 0, 1, 5, 130:
             self.write("code", f"{code}\n")
@@ -156,6 +166,30 @@ class LauncherTest(Scratch):
         self.assertIn("trammel: build failed:\nx.cpp:7: error: no such name\n", told)
         self.assertIn("trammel: all of it: ", told)
 
+    def test_of_a_build_that_fails_the_last_60_lines_are_shown(self):
+        self.write("bin/ninja", "#!/bin/bash\n"
+                                'for n in {1..61}; do echo "error $n"; done; exit 1\n')
+        told = self.launch("run", "x")[2]
+        self.assertNotIn("error 1\n", told)
+        self.assertIn("build failed:\nerror 2\n", told)
+        self.assertIn("error 61\n", told)
+
+    def test_without_a_verb_the_help_is_an_error_and_asked_for_it_is_none(self):
+        for words, wanted in (([], 2), ([""], 2), (["help"], 0), (["-h"], 0), (["--help"], 0)):
+            with self.subTest(words=words):
+                code, out, _, started = self.launch(*words)
+                self.assertEqual((code, started), (wanted, []))
+                self.assertIn("Verbs of the launcher:", out)
+
+    def test_without_the_tools_of_python_a_test_goes_on_but_not_in_ci(self):
+        self.write("bin/python3", "#!/bin/bash\necho no network; [ \"$2\" != venv ]\n").chmod(0o755)
+        for environment, wanted in (({}, 0), ({"CI": "false"}, 0), ({"CI": "true"}, 3)):
+            with self.subTest(environment=environment):
+                code, _, told, started = self.launch("test", **environment)
+                self.assertEqual(code, wanted, told)
+                self.assertIn("could not install the Python tools: no network\n", told)
+                self.assertEqual(any(line.startswith("ctest ") for line in started), wanted == 0)
+
     def test_the_processors_rtl_needs_the_packages_of_the_tests_and_a_new_configuration(self):
         wanted = [f"{INSTALL} prover", "cmake -S ROOT --preset dev"]
         for words in (["--cpu", "rtl"], ["--cpu=rtl"], ["-s", "run.cpu=rtl"]):
@@ -172,6 +206,10 @@ class LauncherTest(Scratch):
                                (["--full-only", "--full"], "-L ^full$"),
                                (["-R", "drive"], "-R drive"), (["-Rdrive"], "-Rdrive"),
                                (["-L", "x"], "-L x"), (["-I", "1,2"], "-I 1,2"),
+                               (["--tests-regex", "x"], "--tests-regex x"),
+                               (["--label-regex", "x"], "--label-regex x"),
+                               (["--label-regex=x"], "--label-regex=x"),
+                               (["-LE", "x"], "-LE x -LE ^full$"),
                                (["--rerun-failed"], "--rerun-failed"), (["-V"], "-V -LE ^full$")):
             with self.subTest(words=words):
                 self.assertEqual(self.ctested(*words), options)
@@ -184,7 +222,7 @@ class LauncherTest(Scratch):
 
     def test_a_test_that_fails_is_an_exit_code_of_1_and_in_ci_one_that_is_skipped(self):
         self.ctested()
-        for code in 0, 8:
+        for code in 0, 1, 8:
             self.write("code", f"{code}\n")
             self.ctested(code=1 if code else 0)
         self.write("code", "0\n")
@@ -238,7 +276,8 @@ class LauncherTest(Scratch):
         self.started("run", "x")
         for code in 0, 3:
             self.write("code", f"{code}\n")
-            got, _, _, started = self.launch("doctor")
+            got, out, _, started = self.launch("doctor")
             self.assertEqual((got, started), (code, ["trammel doctor"]))
+            self.assertRegex(out, "(?m)^make +1.2$")
             got, _, _, started = self.launch("doctor", "--json")
             self.assertEqual((got, started), (code, ["trammel doctor --json"]))

@@ -151,6 +151,15 @@ class MutantFloorsTest(Scratch):
         self.write("machines/m/mutants.toml", FLOORS)
         self.assertIn("drive/toy: it stands in two files", self.read().wrong[0])
 
+    def test_what_was_proven_before_holds_for_the_same_source_alone(self):
+        self.patch(mutants, OUT=self.folder / "out", source_hash=lambda block: "new")
+        self.assertEqual(mutant_floors.proven_before("drive/toy"), {})
+        for source, known in (("new", [(3, "inv")]), ("old", [])):
+            with self.subTest(source=source):
+                self.write("out/drive_toy/result.toml", f'source = "{source}"\n'
+                           '[[equivalent]]\nnumber = 3\nmutation = "inv"\n')
+                self.assertEqual(list(mutant_floors.proven_before("drive/toy")), known)
+
     def test_the_page_is_written_then_fresh_then_stale(self):
         blocks = ["control/toy", "drive/toy"]
         self.assertEqual(len(list(mutant_floors.problems(blocks))), 1)
