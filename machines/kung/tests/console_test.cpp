@@ -67,7 +67,8 @@ TEST_CASE("a command is answered by a line, and one that is none by a question m
     INFO(wrong);
     CHECK(b.say(wrong) == "?\r\n");
   }
-  CHECK(b.say(std::string(sw::Console::kLine + 1, 'a')) == "?\r\n");
+  CHECK(b.say("status" + std::string(48 - 6, ' ')).substr(0, 4) == "off ");
+  CHECK(b.say("status" + std::string(49 - 6, ' ')) == "?\r\n");
   CHECK(b.say("help").find("status") != std::string::npos);
   CHECK(b.writes() == 0);
 }
