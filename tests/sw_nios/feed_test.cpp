@@ -7,6 +7,7 @@
 #include "sw_nios/path/feed_prefilter.hpp"
 #include "sw_nios/path/feed_real.hpp"
 #include "sw_nios/path/feed_sine.hpp"
+#include "sw_nios/path/q32.hpp"
 
 namespace {
 
@@ -59,6 +60,24 @@ TEST_CASE("numbers of the look-ahead keep 62 bits, at their ends too") {
   CHECK((Real(7) + Real()).fixed(0) == 7);
   CHECK((Real() * Real(7)).zero());
   CHECK(sqrt(Real()).zero());
+}
+
+TEST_CASE("mul_q62 is the nearest of the whole product, halves away from zero, bit for bit") {
+  __extension__ using Wide = __int128;
+  std::mt19937 random(62);
+  const auto any = [&random] {
+    const std::uint64_t both = std::uint64_t{word(random)} << 32 | word(random);
+    return static_cast<std::int64_t>(both) >> word(random) % 64;
+  };
+  for (int n = 0; n < 20'000; ++n) {
+    const std::int64_t a = any(), b = any();
+    const Wide product = Wide{a} * b, size = product < 0 ? -product : product;
+    const Wide nearest = (size + (Wide{1} << 61)) >> 62;
+    if (nearest >= Wide{1} << 63) continue;
+    const auto wanted = static_cast<std::int64_t>(product < 0 ? -nearest : nearest);
+    CAPTURE(n, a, b);
+    if (sw::mul_q62(a, b) != wanted) REQUIRE(sw::mul_q62(a, b) == wanted);
+  }
 }
 
 TEST_CASE("cosine and sine are within 2^-29, and exact at quarters of a turn") {

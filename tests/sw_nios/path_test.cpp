@@ -8,7 +8,6 @@
 #include "models/ideal/paths.hpp"
 #include "sw_nios/path/trajectory.hpp"
 #include "tests/support/points.hpp"
-#include "tests/support/random.hpp"
 
 namespace {
 
@@ -53,24 +52,6 @@ TEST_CASE("mul_q62 multiplies signed numbers exactly and rounds to nearest") {
   const std::int64_t b = 0x3EDCBA9876543210;
   const long double product = std::ldexp(static_cast<long double>(a), -62) * b;
   CHECK(std::abs(static_cast<long double>(sw::mul_q62(a, b)) - product) <= 1);
-}
-
-TEST_CASE("mul_q62 is the nearest of the whole product, halves away from zero, bit for bit") {
-  __extension__ using Wide = __int128;
-  test::Random random(62);
-  const auto any = [&random] {
-    const std::uint64_t both = std::uint64_t{random()} << 32 | random();
-    return static_cast<std::int64_t>(both) >> random() % 64;
-  };
-  for (int n = 0; n < 20'000; ++n) {
-    const std::int64_t a = any(), b = any();
-    const Wide product = Wide{a} * b, size = product < 0 ? -product : product;
-    const Wide nearest = (size + (Wide{1} << 61)) >> 62;
-    if (nearest >= Wide{1} << 63) continue;
-    const auto wanted = static_cast<std::int64_t>(product < 0 ? -nearest : nearest);
-    CAPTURE(n, a, b);
-    if (sw::mul_q62(a, b) != wanted) REQUIRE(sw::mul_q62(a, b) == wanted);
-  }
 }
 
 TEST_CASE("a rotation by the n-th part of a turn agrees with sine and cosine") {
