@@ -89,6 +89,23 @@ class Tune(unittest.TestCase):
                          for b, d in [point] if None not in point)
             self.assertEqual(mark == "best", None not in point and not beaten, points)
 
+    def test_the_best_of_goals_to_minimize_and_to_maximize(self):
+        def trial(number, values, outside=()):
+            return SimpleNamespace(number=number, values=values,
+                                   user_attrs={"outside": list(outside)})
+
+        trials = [trial(0, (3, 3)), trial(1, (1, 1)), trial(2, (2, 3)), trial(3, (1, 2)),
+                  trial(4, (0, 9), [0.1]), trial(5, None)]
+        found = SimpleNamespace(get_trials=lambda deepcopy: trials)
+        for signs, best in (("-", [1]), ("+", [0]), ("--", [1]), ("-+", [3, 2]), ("+-", [0, 1]),
+                            ("++", [0])):
+            study = SimpleNamespace(
+                objectives=[SimpleNamespace(maximize=sign == "+") for sign in signs])
+            one = [SimpleNamespace(**{**vars(t), "values": t.values and t.values[:len(signs)]})
+                   for t in trials]
+            found.get_trials = lambda deepcopy, one=one: one
+            self.assertEqual([t.number for t in tune.best_of(study, found)], best, signs)
+
     def test_none_within_the_constraints(self):
         done = run(self.study(STUDY + ERROR + LIMIT % 1e-3), "-o", self.out, "--trials", 2)
         self.assertEqual(done.returncode, 1)

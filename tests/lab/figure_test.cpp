@@ -36,6 +36,9 @@ TEST_CASE("a figure out of tolerance gives one line with its name, unit and tole
   const Figure bad = expecting(2.2, 2.11, 0.05);
   CHECK(outside({good, bad, figure("a", "a", "", 1, "")}) ==
         std::vector<std::string>{"error, mean 2.200 mm is outside 2.110 +- 0.050"});
+  Figure hidden = bad;  // in metrics.json alone
+  hidden.shown = false;
+  CHECK(outside({hidden}) == outside({bad}));
   CHECK(any_expected({figure("a", "a", "", 1, ""), good}));
   Figure printed = figure("a", "a", "", 1, "");
   printed.printed = 1;

@@ -51,7 +51,8 @@ TEST_CASE("gantry host: what cannot be sent is refused in a line with the word a
       {"1:-1=1", "is no number"},          {"1:1=-1", "is no number"},
       {"1:1=4294967296", "above 4294967295"}, {"1:1=9z", "\"9z\" is no number"},
       {"1:x8", "two digits each"},         {"1:x", "two digits each"},
-      {"1:xGG", "\"GG\" is no number"},    {"2:0? 1:0?", "earlier than the one before"}};
+      {"1:xGG", "\"GG\" is no number"},    {"2:0? 1:0?", "earlier than the one before"},
+      {"1:0? 3:0? 2:0?", "earlier than the one before"}};
   for (const auto& [text, why] : wrong) {
     std::string told;
     try {

@@ -86,6 +86,21 @@ TEST_CASE("the preview of a closed path continues past its end") {
   CHECK(table.rows[430].cc == 0);
 }
 
+TEST_CASE("the preview of an open path stays at its end, with a corner within the first rows") {
+  PathOptions o = shape(PathKind::kCorner, 12, 2);
+  o.kappa_max_1_mm = 0.5;
+  o.preview_rows = 30;  // 15 mm: a closed path would have its corner ahead of the last rows
+  const Table table = table_of(o);
+  bool corner = false;
+  for (std::size_t k = 0; k < table.rows.size(); ++k) {
+    CAPTURE(k);
+    corner = corner || table.rows[k].c == 255;
+    if (!corner || table.rows[k].c == 255) continue;
+    REQUIRE(table.rows[k].cc == 0);
+  }
+  CHECK(corner);
+}
+
 TEST_CASE("rows have equal length, directions of 255 and the curvature of their circle") {
   PathOptions o = shape(PathKind::kCircle, 0, 20);
   o.kappa_max_1_mm = 0.1;
