@@ -231,6 +231,11 @@ TEST_CASE("a fault of the processor has its own time and amount, at its first an
   const auto at = [](FaultKind kind, int value) {
     return ProcessorFault(fault_of(kind, 0, 0, value), kClockPs);
   };
+  Fault endless = fault_of(FaultKind::kProcessorStopped, 0, 0, 0);
+  endless.for_s = 0;
+  const Clk stopped = ProcessorFault(endless, kClockPs).work(120, 100);
+  CHECK(stopped > clocks_of(3600, kClockPs));
+  CHECK(stopped < kNever / 2);  // further times can be added
   struct Case {
     FaultKind kind;
     int value;
@@ -283,5 +288,17 @@ TEST_CASE("the way to rest is that of each axis, the peak that of the current, f
       CHECK(watch.report().at_stop == (axis == 1));
       CHECK(watch.report().unit == "step");
     }
+  }
+}
+
+TEST_CASE("a converter's place is one of those that the machine has, whatever its axes are") {
+  for (const int converters : {1, 4}) {
+    FaultPins some = pins(true);
+    some.converters = converters;
+    CAPTURE(converters);
+    CHECK_NOTHROW(check_fault(fault_of(FaultKind::kConverterStuck, 0, converters - 1), some));
+    CHECK_THROWS_WITH(check_fault(fault_of(FaultKind::kConverterStuck, 0, converters), some),
+                      "inject.line: value " + std::to_string(converters) +
+                          " is out of range, allowed 0.." + std::to_string(converters - 1));
   }
 }

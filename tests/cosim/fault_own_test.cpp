@@ -82,6 +82,19 @@ TEST_CASE("a stuck line holds the level that it had where the fault began, high 
   }
 }
 
+TEST_CASE("before a fault the lines are those of the plant, wherever its encoder starts") {
+  for (const int axis : {0, 1}) {
+    for (unsigned levels = 0; levels < 4; ++levels) {
+      Bench b(fault_of(FaultKind::kEncoderMissing, axis, 0, 1), 12, 6, true,
+              Lines{levels} << 3 * axis);
+      CAPTURE(axis, levels);
+      CHECK(b.plant.sense() == b.still.lines);
+      b.plant.commit(1, 0);
+      CHECK(b.plant.sense() == b.still.lines);
+    }
+  }
+}
+
 TEST_CASE("a converter of 14 or 16 bits fails by the same share of its range as one of 12") {
   for (const int bits : {10, 12, 14, 16}) {
     const int unit = bits <= 12 ? 1 : 1 << (bits - 12), top = 4096 * unit - 1;

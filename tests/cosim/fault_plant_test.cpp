@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What a fault on the pins makes of a plant whose lines count up by one at each edge it commits.
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
+#include <vector>
 
 #include "cosim/fault_plant.hpp"
 #include "cosim/fault_watch.hpp"
@@ -109,7 +112,8 @@ TEST_CASE("a fault begins and ends at an event of the plant") {
 TEST_CASE("a stuck line holds its level, or has the one asked for") {
   Bench held(of(FaultKind::kEncoderStuck, 1));
   held.to(100);
-  const bool level = held.line(1);
+  const bool level = (10 & 2) != 0;  // of the tenth count, which is at this edge
+  CHECK(held.line(1) == level);
   for (Clk n = 110; n < 150; n += 10) {
     held.to(n);
     CHECK(held.line(1) == level);
@@ -129,6 +133,46 @@ TEST_CASE("missing counts stay lost, without a double transition") {
   CHECK(bench.counter.count == 30);
   CHECK(d.position == 28);  // two of the five while it lasts
   CHECK(d.errors == 0);
+}
+
+TEST_CASE("of counts that go missing one in so many is lost, wherever the fault ends") {
+  for (const int value : {0, 1, 2, 3, 4}) {
+    const int one_in = value == 0 ? 10 : value;
+    for (int counts = 1; counts <= 19; ++counts) {
+      Fault fault = of(FaultKind::kEncoderMissing, 0, value);
+      fault.begin_s = 2e-6;  // with the tenth count
+      fault.for_s = counts * kEvery * 20e-9;
+      Counter counter;
+      FaultPlant plant(counter, pins(), fault, kClockPs);
+      int position = 0, before = -1;
+      while (plant.next() <= 300) {
+        plant.commit(plant.next(), 0);
+        const bool a = (plant.sense() & 1) != 0, b = (plant.sense() & 2) != 0;
+        const int now = b ? (a ? 2 : 3) : (a ? 1 : 0);
+        const int step = before < 0 ? 1 : (now - before) & 3;
+        before = now;
+        INFO(fmt::format("one in {} lost, {} counts, edge {}", one_in, counts, counter.due));
+        REQUIRE(step < 2);
+        position += step;
+      }
+      CAPTURE(one_in, counts);
+      CHECK(counter.count - position == counts / one_in);
+    }
+  }
+}
+
+TEST_CASE("a register flips once, at the edge at which the fault begins") {
+  FaultPins named = pins();
+  named.registers = true;
+  Fault fault = Bench::timed(of(FaultKind::kRegisterFlip));
+  fault.bit = "q[0]";
+  Counter counter;
+  FaultPlant plant(counter, named, fault, kClockPs);
+  Clk at = 0;
+  std::vector<Clk> flips;
+  plant.flip = [&] { flips.push_back(at); };
+  while ((at = plant.next()) <= 300) plant.commit(at, 0);
+  CHECK(flips == std::vector<Clk>{100});
 }
 
 TEST_CASE("swapped lines count down, a lost index is low") {

@@ -169,6 +169,7 @@ TEST_CASE("a motion needs what it is made of") {
              {"G4 P.5\nG4 P3601", "2: G4 P3601" + milliseconds},
              {rests + "G4 P101",
               "9: G4 P101: all rests of a program take 3601 s; permitted: 3600 s"},
+             {"G4 P499.5\nG4 P500", "2: G4 P500" + milliseconds},
              {"", "1: no motion in the program"},
              {"%\n(nothing)\n%\nG0 X1", "3: no motion in the program"},
              {"G0 X250 Y250\n\n", "2: no motion in the program"},
@@ -258,12 +259,28 @@ TEST_CASE("an arc's words fit each other") {
               "2: the arc's radius of 5001 mm is out of range 0.001..5000 mm"}});
 }
 
+TEST_CASE("ends may differ in radius by 0.02 mm or by 0.1 %, whichever is more") {
+  // The end of a half circle, nearer to the centre than the start by twice of what I is too long.
+  for (const char* arc : {"X210 I5.009", "X201 I0.509", "X300 I50.02", "X500 I150.07"}) {
+    CAPTURE(arc);
+    CHECK(message_of(std::string("G0 X200 Y200 F600\nG2 ") + arc) == "nothing is refused");
+  }
+}
+
 TEST_CASE("the number of lines and arcs is bounded") {
   std::string text = "G91 G1 F600\n";
   for (int k = 0; k < 4096; ++k) text += k % 2 == 0 ? "X1\n" : "X-1\n";
   CHECK(message_of(text) == "nothing is refused");
   CHECK(message_of(text + "G4 P1\nX0\n") == "nothing is refused");
   CHECK(message_of(text + "X1\n") == "p.ngc:4098: more than 4096 lines and arcs");
+}
+
+TEST_CASE("rests are taken up to an hour in all, the last with it") {
+  std::string rests;
+  for (int k = 0; k < 8; ++k) rests += "G4 P450\n";
+  CHECK(message_of(rests + "G0 X1") == "nothing is refused");
+  CHECK(message_of(rests + "G4 P.5") ==
+        "p.ngc:9: G4 P0.5: all rests of a program take 3600.5 s; permitted: 3600 s");
 }
 
 TEST_CASE("what is no file is refused with its name") {

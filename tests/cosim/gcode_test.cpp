@@ -94,6 +94,17 @@ TEST_CASE("G20 is in inches, and a feed keeps its speed where the unit changes")
   CHECK(read("G21 F600 G1 X1")[0].feed == Approx(0.01));  // the unit it has
 }
 
+TEST_CASE("G17 is no unit, beside G20 or behind it") {
+  for (const char* text : {"G20 G17\nG1 F60 G91 X1", "G20\nG17\nG1 F60 G91 X1",
+                           "G17 G20\nG1 F60 G91 X1"}) {
+    CAPTURE(text);
+    const std::vector<Move> all = read(text);
+    REQUIRE(all.size() == 1);
+    CHECK(all[0].to.x - all[0].from.x == Approx(0.0254));
+    CHECK(all[0].feed == Approx(0.0254));
+  }
+}
+
 TEST_CASE("G61 stops at corners, G64 passes them, whichever was first") {
   const auto all = read("G1 F600 X1\nG61 X2\nX3\nG64 P.05 X4\nG64 X5");
   REQUIRE(all.size() == 5);
@@ -199,4 +210,22 @@ TEST_CASE("a feed above the largest one is lowered with one warning") {
   CHECK(all.warnings == std::vector<std::string>{"p.ngc:2: F = 72000 is lowered to 60000 mm/min, "
                                                  "the largest feed; so is any other above it"});
   CHECK(read("G1 F6 X1")[0].feed == Approx(1e-4));
+}
+
+TEST_CASE("a feed at a limit is taken as it is rounded in another unit, one beyond it is not") {
+  // 1 m/s is 2362.2047244094... inch/min, 0.1 mm/s 0.23622047244094...
+  const struct {
+    const char* feed;
+    bool lowered;
+  } cases[] = {{"2362.2047244", false}, {"2362.2047245", false}, {"2362.21", true},
+               {"0.2362204724", false}};
+  for (const auto& one : cases) {
+    CAPTURE(one.feed);
+    const auto all = program("G20\nG91 G1 X.1 F" + std::string(one.feed));
+    CHECK(all.warnings.size() == (one.lowered ? 1 : 0));
+    CHECK(all.moves.moves.at(0).feed <= 1);
+    CHECK(all.moves.moves.at(0).feed == Approx(std::stod(one.feed) * 0.0254 / 60).epsilon(1e-5));
+  }
+  CHECK_THROWS_WITH(program("G20\nG91 G1 X.1 F.236"),
+                    "p.ngc:2: F = 0.236 is out of range 0.23622..2362.2 inch/min");
 }

@@ -108,4 +108,17 @@ TEST_CASE("points are a path of lines, repeated ones are left out") {
   for (int k = 0; k < 4098; ++k) many.push_back({1e-4 * k, 0});
   CHECK_THROWS_WITH(lines_through(many, "p.csv", 0.3, false),
                     "p.csv: 4097 lines; permitted: 4096");
+  many.pop_back();
+  CHECK(lines_through(many, "p.csv", 0.3, false).moves.size() == 4096);
+}
+
+TEST_CASE("points nearer than a nanometre are one, and a path goes on from the first of them") {
+  for (const double apart_m : {0.9e-9, 1.1e-9}) {
+    const trammel::ideal::Moves all =
+        lines_through({{0, 0}, {apart_m, 0}, {0.1, 0}}, "p.csv", 0.3, false);
+    CAPTURE(apart_m);
+    CHECK(all.moves.size() == (apart_m < 1e-9 ? 1 : 2));
+    CHECK(all.moves.back().from.x == (apart_m < 1e-9 ? 0 : apart_m));
+    CHECK_FALSE(all.moves.back().exact);
+  }
 }
