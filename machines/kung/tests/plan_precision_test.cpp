@@ -30,6 +30,24 @@ sw::PrecisionSetup plan(const Options& o) {
 
 double value(sw::Gain g) { return std::ldexp(g.mant / 2048.0, g.exp); }
 
+// A circle of the same counts with any encoder.
+Options counting(double count_m) {
+  Options o = options();
+  o.path.feed_m_s = 4000 * count_m;
+  for (std::size_t a = 0; a < 2; ++a) {
+    plant::AxisConfig& plant = o.plant.axis[a];
+    plant.encoder_count_m = count_m;
+    plant.pole_pitch_m = 0.02;
+    plant.hard_stops = false;
+    o.gains[a].kv = 1e-3;  // words of the fuzzy controller are none here
+    o.gains[a].current_kp_V_A = 1;
+    o.chip.axis[a].stroke_max_m = 120000 * count_m;
+    o.path.circle_center_x_m = o.path.circle_center_y_m = 60000 * count_m;
+    o.path.circle_radius_m = 20000 * count_m;
+  }
+  return o;
+}
+
 // The message of a refusal.
 std::string refusal(const Options& o) {
   try {
@@ -131,20 +149,10 @@ TEST_CASE("any encoder, motor and sensor: the words mean the same newtons and ki
     for (const double force_N_A : {20.0, 79.9, 300.0}) {
       for (const double full_scale_A : {4.8, 9.6, 40.0}) {
         CAPTURE(count_m, force_N_A, full_scale_A);
-        Options o = options();
-        o.path.feed_m_s = 4000 * count_m;
-        for (std::size_t a = 0; a < 2; ++a) {
-          plant::AxisConfig& plant = o.plant.axis[a];
-          plant.encoder_count_m = count_m;
+        Options o = counting(count_m);
+        for (plant::AxisConfig& plant : o.plant.axis) {
           plant.force_constant_n_a = force_N_A;
           plant.current_full_scale_a = full_scale_A;
-          plant.pole_pitch_m = 0.02;
-          plant.hard_stops = false;
-          o.gains[a].kv = 1e-3;  // words of the fuzzy controller are none here
-          o.gains[a].current_kp_V_A = 1;
-          o.chip.axis[a].stroke_max_m = 120000 * count_m;
-          o.path.circle_center_x_m = o.path.circle_center_y_m = 60000 * count_m;
-          o.path.circle_radius_m = 20000 * count_m;
         }
         o.chip.current_limit_A = full_scale_A / 2;
         const sw::PrecisionSetup s = plan(o);
@@ -174,6 +182,42 @@ TEST_CASE("any encoder, motor and sensor: the words mean the same newtons and ki
         CHECK(e.mass_min < e.mass);
         CHECK(e.mass < e.mass_max);
       }
+    }
+  }
+}
+
+TEST_CASE("the friction of an axis is taken up to its last word, and refused one beyond") {
+  for (const std::size_t axis : {0u, 1u}) {
+    Options o = options();
+    plant::AxisConfig& plant = o.plant.axis[axis];
+    plant.force_constant_n_a = axis == 0 ? 60 : 90;
+    const double lsb_N = plant.force_constant_n_a * plant.current_full_scale_a / 4096;
+    const double word_N = lsb_N / 256;  // of FC, which has 16 bits
+    const std::string key = std::string("precision.") + "xy"[axis] + ".coulomb_N";
+    for (const int words : {65535, 65536}) {
+      o.precision.axis[axis].coulomb_n = words * word_N * (1 - 1e-12);
+      CAPTURE(key, words, o.precision.axis[axis].coulomb_n);
+      if (words == 65535) {
+        REQUIRE(refusal(o) == "");
+        CHECK(plan(o).axis[axis].estimator.coulomb == 65535 * 32);
+      } else {
+        CHECK_THAT(refusal(o), Catch::StartsWith(key + ": value "));
+      }
+    }
+  }
+}
+
+TEST_CASE("the regressors of the finest and of the coarsest encoders have a shift that there is") {
+  const struct {
+    double count_m;
+    unsigned accel, speed;
+  } cases[] = {{1e-7, 9, 18}, {5e-6, 3, 12}, {20e-6, 1, 10}, {40e-6, 1, 9}, {80e-6, 1, 8}};
+  for (const auto& one : cases) {
+    CAPTURE(one.count_m);
+    for (const std::size_t axis : {0u, 1u}) {
+      const sw::EstimatorSetup words = plan(counting(one.count_m)).axis[axis].estimator;
+      CHECK(words.accel_shift == one.accel);
+      CHECK(words.speed_shift == one.speed);
     }
   }
 }

@@ -8,6 +8,8 @@
 #include "lab/layers.hpp"
 #include "lab/report_data.hpp"
 #include "lab/report_page.hpp"
+#include "machines/kung/afc_steps.hpp"
+#include "machines/kung/plan.hpp"
 #include "machines/kung/tests/by_hand.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/scratch.hpp"
@@ -61,6 +63,14 @@ TEST_CASE("a page holds the samples from the first point on") {
   // The columns of the trace, and the distance to the path.
   CHECK(all.channels.size() == run.machine->columns().columns.size() + 1);
   CHECK(all.channels.back()["name"] == "contour_m");
+  // The command stays where it is while the table leaves it.
+  const Series& contour = run.columns.at("contour_m");
+  REQUIRE(contour.size() == 60);
+  CHECK(contour[9] == 0);  // before the path
+  for (const std::size_t k : {10u, 30u, 59u}) {
+    CAPTURE(k, contour[k]);
+    CHECK(contour[k] == Approx(run.columns.at("x_position_m")[k]));
+  }
   const PageSeries few = page_series(run, true, 20);
   CHECK(few.stride == 3);
   CHECK(few.count == 17);
@@ -179,4 +189,56 @@ TEST_CASE("the command that repeats a run names what differs from its scenario")
         "./trammel run circle -s controller=fc -s plant.x.payload_kg=2.5");
   options.scenario = "mine";
   CHECK(repeat_command(options) == "./trammel run run.toml");
+}
+
+TEST_CASE("the steps of the moment are those of each axis, and end with the chip's words") {
+  kung::Options o;
+  o.gains[1].zeta = 2;
+  kung::Result result;
+  kung::Moment& moment = result.detail.moment;
+  moment.tick = 7;
+  moment.edge = 150'000;
+  std::array<kung::AfcSteps, 2> steps;
+  for (std::size_t a = 0; a < 2; ++a) {
+    kung::AfcStart& start = moment.start[a];
+    start.r = a == 0 ? 51'000 : 70'000;
+    start.r_1 = start.r - 40;
+    start.x_p = start.r - 300;
+    start.x_p_prev = start.x_p - 5;
+    for (std::size_t n = 0; n < 49; ++n) start.rules[n] = static_cast<std::int32_t>(20 * n) - 480;
+    steps[a] = kung::afc_steps(kung::plan_axis(o, a), start);
+    moment.end[a].x_m = static_cast<std::int32_t>(*steps[a][5].result);
+    moment.end[a].u = static_cast<std::int32_t>(*steps[a][22].result);
+    moment.end[a].v_star = static_cast<std::int32_t>(*steps[a][26].result);
+    moment.end[a].i_q_ref = static_cast<std::int32_t>(*steps[a][29].result);
+  }
+  const Json json = kung::detail_json(o, result)["moment"];
+  CHECK(json["tick"] == 7);
+  CHECK(json["edge"] == 150'000);
+  for (std::size_t a = 0; a < 2; ++a) {
+    const Json& shown = json[a == 0 ? "x" : "y"]["steps"];
+    REQUIRE(shown.size() == steps[a].size());
+    for (std::size_t k = 0; k < shown.size(); ++k) {
+      CAPTURE(a, k);
+      const kung::AfcStep& step = steps[a][k];
+      CHECK(shown[k][0] == (step.product ? Json(*step.product) : Json(nullptr)));
+      CHECK(shown[k][1] == (step.result ? Json(*step.result) : Json(nullptr)));
+    }
+    using Sample = kung::AxisSample;
+    for (const auto word : {&Sample::x_m, &Sample::u, &Sample::v_star, &Sample::i_q_ref}) {
+      const auto before = moment.end[a].*word;
+      moment.end[a].*word += 1;
+      CAPTURE(a, before);
+      CHECK_THROWS_WITH(kung::detail_json(o, result),
+                        "the steps of tick 7, axis " + std::string(a == 0 ? "x" : "y") +
+                            ", end with i_q* = " + std::to_string(*steps[a][29].result) +
+                            ", the chip with " + std::to_string(moment.end[a].i_q_ref));
+      moment.end[a].*word = before;
+    }
+  }
+  moment.tick = 0;
+  CHECK(kung::detail_json(o, result)["moment"].is_null());
+  moment.tick = 7;
+  o.uart = "?";  // commands may have changed the gains
+  CHECK(kung::detail_json(o, result)["moment"].is_null());
 }
