@@ -9,6 +9,7 @@
 #include <string>
 
 #include "machines/larson/machine.hpp"
+#include "tests/support/columns.hpp"
 #include "tests/support/figures.hpp"
 
 using namespace trammel;
@@ -157,6 +158,66 @@ TEST_CASE("larson: each column of the trace shows what it is named after") {
                    {"y_speed_step_s", 204.5}, {"x_angle_step", 105.5}, {"y_angle_step", 205.5},
                    {"x_rate_step_s", 106.5}, {"y_rate_step_s", 206.5}, {"x_count", 0x5678},
                    {"y_count", 0xEF01}, {"x_status", 0x1234}, {"y_status", 0xABCD}});
+}
+
+TEST_CASE("larson: a page of several runs has what moves, flags keep their bits") {
+  const lab::ColumnTable& table = larson::machine().columns();
+  CHECK(test::marked(table, &lab::Column::compared) ==
+        "call x_asked_step x_step x_at_step x_speed_step_s x_angle_step "
+        "y_asked_step y_step y_at_step y_speed_step_s y_angle_step");
+  CHECK(test::marked(table, &lab::Column::bits) == "switches irq x_status y_status");
+}
+
+TEST_CASE("larson: each tile is that of its own figure, off at WHRTBL only where it was called") {
+  for (const bool asked : {true, false}) {
+    larson::Result result = by_hand();
+    if (!asked) {
+      result.calls.pop_back();
+      result.answers.pop_back();
+      result.done.pop_back();
+    }
+    std::map<std::string, std::string> tiles;
+    for (const lab::Figure& one : larson::machine().figures(larson::Options{}, result)) {
+      if (!one.tile.empty()) tiles[one.tile] = one.id;
+    }
+    std::map<std::string, std::string> expected{
+        {"Script", "script.time_s"},     {"Error returns", "script.error"},
+        {"Lost by X", "x.lost_step"},    {"Lost by Y", "y.lost_step"},
+        {"Load angle of X", "x.max_angle_step"}, {"Interrupts", "interrupts"}};
+    if (asked) expected["Off at WHRTBL"] = "script.off_step";
+    CAPTURE(asked);
+    CHECK(tiles == expected);
+  }
+}
+
+TEST_CASE("larson: friction is refused where the motor's steps cannot follow, by each of its keys") {
+  // 6e4 / s of F_c / (v_f J), v_f in rad/s
+  const auto refusal = [](double friction, double speed, double inertia) -> std::string {
+    larson::Options options;
+    plant::StepperConfig& motor = options.axis.motor;
+    motor.inertia = 2e-5 * inertia;
+    motor.friction_speed = 4 * speed;
+    const double speed_rad_s = 4 * 2 * std::acos(-1.0) / motor.steps;
+    motor.friction = 6e4 * speed_rad_s * 2e-5 * friction;
+    try {
+      larson::machine().validate(options);
+    } catch (const lab::ConfigError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  CHECK(refusal(0.999, 1, 1) == "");
+  CHECK(refusal(1.001, 1, 1) != "");
+  CHECK(refusal(1.9, 2, 1) == "");
+  CHECK(refusal(1.9, 1, 2) == "");
+  CHECK(refusal(3.9, 2, 2) == "");
+  CHECK(refusal(4.1, 2, 2) != "");
+  CHECK(refusal(1, 0.5, 1) ==
+        "motor.friction_N_m / (motor.friction_speed_step_s motor.inertia_kg_m2): 1.2e+05 1/s is "
+        "above 6e+04 1/s, the fastest that the motor's steps of 25 us can follow");
+  CHECK(refusal(1, 1, 0.25) ==
+        "motor.friction_N_m / (motor.friction_speed_step_s motor.inertia_kg_m2): 2.4e+05 1/s is "
+        "above 6e+04 1/s, the fastest that the motor's steps of 25 us can follow");
 }
 
 TEST_CASE("larson: a table is missed beyond its limit, in each axis and sense, or by a lost step") {
