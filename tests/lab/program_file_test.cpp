@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Files that machines run in place of a scenario, by the same rules for every machine.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
@@ -62,10 +64,12 @@ TEST_CASE("a program that is named is run, or what keeps it from that is refused
       const auto settings = load_scenario(name);
       apply_assignment(*settings, text);
       const auto copy = settings->clone();
+      const std::string key = text.substr(0, text.find('='));
+      const Key& own = *find_keys(machine->keys(), key).front();
+      const std::string wanted = value_text(own.get(*load_scenario(name)));
       CHECK_THROWS_WITH(validate(*copy),
-                        Catch::StartsWith(file + ": " + text.substr(0, text.find('=')) +
-                                          ": value ") &&
-                            Catch::EndsWith(": else this program is not run"));
+                        fmt::format("{}: {}: value {} must be {}: else this program is not run",
+                                    file, key, value_text(own.get(*settings)), wanted));
     }
   }
 }

@@ -59,7 +59,57 @@ const Machine& bare() {
   return description;
 }
 
+// One whose chip has what is given.
+template <bool kLeap, bool kTwin>
+const Machine& with();
+template <bool kLeap, bool kTwin>
+struct WithSettings final : SettingsOf<WithSettings<kLeap, kTwin>, with<kLeap, kTwin>> {
+  WithSettings() { this->scenario = "with"; }
+};
+template <bool kLeap, bool kTwin>
+const Machine& with() {
+  static const Machine description = [] {
+    Machine m = bare();
+    m.name = "with";
+    m.can.leap = kLeap;
+    m.can.twin = kTwin;
+    return m;
+  }();
+  return description;
+}
+
 }  // namespace
+
+TEST_CASE("a chip without a leap contract has no audit, one without a twin no run of it") {
+  const struct {
+    std::unique_ptr<Settings> settings;
+    bool leap, twin;
+  } cases[] = {{WithSettings<false, false>().clone(), false, false},
+               {WithSettings<true, false>().clone(), true, false},
+               {WithSettings<false, true>().clone(), false, true},
+               {WithSettings<true, true>().clone(), true, true}};
+  for (const auto& one : cases) {
+    const auto refusal = [&](bool audit, bool twin) -> std::string {
+      const auto settings = one.settings->clone();
+      settings->run.audit = audit;
+      settings->run.engine = twin ? cosim::Engine::kTwin : cosim::Engine::kRtl;
+      try {
+        validate(*settings);
+      } catch (const ConfigError& error) {
+        return error.what();
+      }
+      return "";
+    };
+    CAPTURE(one.leap, one.twin);
+    CHECK(refusal(true, false) ==
+          (one.leap ? ""
+                    : "run.audit: the machine with declares no leap contract, so that no clock is "
+                      "leapt over and there is nothing to compare"));
+    CHECK(refusal(false, true) ==
+          (one.twin ? ""
+                    : "run.engine: the machine with declares no bit-exact twin of its chip"));
+  }
+}
 
 TEST_CASE("a name that cannot be a folder name is refused by every machine") {
   const std::string bad[] = {"",         "../x",       "/etc",        "a/b",

@@ -256,6 +256,22 @@ TEST_CASE("a view names the windows by markers and keeps nothing of another file
   CHECK_THAT(view, !Contains("old") && !Contains("*-3.0"));
 }
 
+TEST_CASE("a view shows the whole of its first window, a longer one smaller") {
+  const struct {
+    cosim::Clk begin, end;
+    const char* zoom;  // powers of 2; 209 clocks of 20 ns are 800 of its 1045 / 200 ns
+  } cases[] = {{0, 209, "*-9.643856 -1"},
+               {1000, 1418, "*-10.643856 -1"},
+               {0, 209 * 1024, "*-19.643856 -1"},
+               {-209, 0, "*-9.643856 -1"}};
+  for (const auto& one : cases) {
+    cosim::RunResult result;
+    result.waves = {{one.begin, one.end}};
+    CAPTURE(one.begin, one.end);
+    CHECK_THAT(placed_view("", "/o/waves.vcd", result), Contains(one.zoom));
+  }
+}
+
 TEST_CASE("a file that is not FST gives no VCD and is kept") {
   const Scratch scratch;
   const fs::path file = scratch.path / "it's.fst";
