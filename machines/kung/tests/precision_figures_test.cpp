@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "machines/kung/precision_figures.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <iterator>
 #include <memory>
+#include <random>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -59,6 +61,43 @@ TEST_CASE("the distance from an arc is that from its circle within the arc, else
   }
 }
 
+TEST_CASE("the distance from an arc counts its own turn, in each quadrant and either way") {
+  constexpr double kRadius = 0.01;
+  for (const double way : {1.0, -1.0}) {
+    for (int begin = 0; begin < 8; ++begin) {
+      for (const double sweep : {0.5, 2.0, 4.0, 6.0}) {
+        const ideal::Place center{0.3, 0.2};
+        const auto on = [&](double angle, double radius) {
+          return ideal::Place{center.x + radius * std::cos(angle),
+                              center.y + radius * std::sin(angle)};
+        };
+        const double first = begin * kPi / 4 + 0.1, last = first + way * sweep;
+        const Move one = arc(on(first, kRadius), on(last, kRadius), center, way * sweep);
+        // A line far away before it: the arc is the nearest, and looked at.
+        const Moves moves{{0, 0}, 0, {line({0, 0}, {0.1, 0}), one}};
+        for (const double off : {-0.002, 0.003}) {
+          CAPTURE(way, begin, sweep, off);
+          for (const double share : {0.01, 0.5, 0.99}) {
+            CHECK(distance_to(moves, on(first + way * sweep * share, kRadius + off)) ==
+                  Approx(std::abs(off)));
+          }
+          // In the middle of what is no arc both ends are as far away.
+          const double gap = 2 * kPi - sweep, radius = kRadius + off;
+          CHECK(distance_to(moves, on(first - way * gap / 2, radius)) ==
+                Approx(std::sqrt(radius * radius + kRadius * kRadius -
+                                 2 * radius * kRadius * std::cos(gap / 2))));
+          // A hundredth of a turn before its begin, and behind its end.
+          for (const double angle : {first - way * 0.01, last + way * 0.01}) {
+            CHECK(distance_to(moves, on(angle, radius)) ==
+                  Approx(std::sqrt(radius * radius + kRadius * kRadius -
+                                   2 * radius * kRadius * std::cos(0.01))));
+          }
+        }
+      }
+    }
+  }
+}
+
 TEST_CASE("a whole circle has no ends, and the nearest of several moves counts") {
   const Moves circle{{0.02, 0}, 0, {arc({0.02, 0}, {0.02, 0}, {0, 0}, -2 * kPi)}};
   for (const double angle : {0.0, 1.0, 3.0, 6.2}) {
@@ -67,6 +106,40 @@ TEST_CASE("a whole circle has no ends, and the nearest of several moves counts")
   }
   const Moves two{{0, 0}, 0, {line({0, 0}, {0.1, 0}), line({0.1, 0}, {0.1, 0.1})}};
   CHECK(distance_to(two, {0.098, 0.05}) == Approx(0.002));
+}
+
+TEST_CASE("the distance from a path is the least of those from its moves and from its start") {
+  CHECK(distance_to(Moves{{0.3, 0.1}, 0, {}}, {0.31, 0.124}) == Approx(0.026));
+  std::mt19937 random(1);
+  const auto uniform = [&](double low, double high) {
+    return low + (high - low) * static_cast<double>(random()) / 4294967296.0;
+  };
+  for (int k = 0; k < 300; ++k) {
+    Moves all;
+    all.start = {uniform(0, 0.6), uniform(0, 0.6)};
+    ideal::Place at = all.start;
+    for (int n = 0; n < 6; ++n) {
+      ideal::Place to{uniform(0, 0.6), uniform(0, 0.6)};
+      if (random() % 2 == 0) {
+        all.moves.push_back(line(at, to));
+      } else {
+        const ideal::Place center = to;
+        const double sweep = uniform(-6, 6), dx = at.x - center.x, dy = at.y - center.y;
+        to = {center.x + dx * std::cos(sweep) - dy * std::sin(sweep),
+              center.y + dx * std::sin(sweep) + dy * std::cos(sweep)};
+        all.moves.push_back(arc(at, to, center, sweep));
+      }
+      at = to;
+    }
+    const Move& one = all.moves[random() % 6];
+    const ideal::Place place{one.to.x + uniform(-0.05, 0.05), one.to.y + uniform(-0.05, 0.05)};
+    double least = 1e9;
+    for (const Move& move : all.moves) {
+      least = std::min(least, distance_to(Moves{move.from, 0, {move}}, place));
+    }
+    CAPTURE(k, place.x, place.y);
+    CHECK(distance_to(all, place) == Approx(least));
+  }
 }
 
 TEST_CASE("the terminal has this run, its companions and what the paper prints, in mm") {

@@ -190,7 +190,7 @@ TEST_CASE("larson: each tile is that of its own figure, off at WHRTBL only where
   }
 }
 
-TEST_CASE("larson: friction is refused where the motor's steps cannot follow, by each of its keys") {
+TEST_CASE("larson: friction that the steps of a motor cannot follow is refused, by each key") {
   // 6e4 / s of F_c / (v_f J), v_f in rad/s
   const auto refusal = [](double friction, double speed, double inertia) -> std::string {
     larson::Options options;
