@@ -146,6 +146,66 @@ TEST_CASE("behind the end of an open path only what is beside its direction is d
   CHECK(closed.behind_end(closed.at(0) + PointMm{0, 2}) == 0);
 }
 
+TEST_CASE("the distance from a path is that from its nearest place within reach, in any shape") {
+  for (const PathOptions& o :
+       {shape(PathKind::kSquare, 60, 9), shape(PathKind::kCircle, 0, 20),
+        shape(PathKind::kStar, 100, 3), shape(PathKind::kCorner, 60, 8)}) {
+    const Path path(o);
+    const double length = path.length();
+    const auto at = [&](double w) {
+      return path.at(path.closed() ? std::fmod(w + length, length) : w);
+    };
+    for (int k = 0; k < 40; ++k) {
+      const double s = length * k / 40, reach = k % 3 == 0 ? 2 : k % 3 == 1 ? 9 : 25;
+      if (!path.closed() && (s <= reach || s >= length - reach)) continue;  // its ends are below
+      for (const double share : {-0.95, -0.3, 0.0, 0.6, 1.2}) {
+        for (const double off : {-3.0, 1.5}) {
+          const double w = s + share * reach;
+          if (!path.closed() && (w < 0 || w > length - 0.01)) continue;
+          const PointMm step = at(w + 1e-3) - at(w);
+          const PointMm p = at(w) + off / std::abs(step) * step * PointMm{0, 1};
+          double nearest = 1e9;
+          for (int n = 0; n <= 1000; ++n) {
+            nearest = std::min(nearest, std::abs(p - at(s + reach * (n - 500) / 500)));
+          }
+          CAPTURE(static_cast<int>(o.kind), s, reach, share, off);
+          CHECK(path.distance(p, s, reach) == Approx(nearest).margin(1e-3));  // of 0.05 mm apart
+        }
+      }
+    }
+  }
+}
+
+TEST_CASE("beside an open path its start is no excuse, nor is its end far from there") {
+  PathOptions o = shape(PathKind::kPoints, 0, 0);
+  const auto path_of = [&o](const std::string& points) {
+    const PointsFile file(points);
+    o.points_file = file.name;
+    return Path(o);
+  };
+  // Round a corner the line through the first row is none of the path.
+  const Path corner = path_of("0,0\n2,0\n2,10\n");
+  CHECK(corner.distance(corner.at(0) + PointMm{4, 0}, 1, 5) == Approx(2));
+  const Path back = path_of("2,10\n2,0\n0,0\n");
+  CHECK(back.distance(back.at(back.length()) + PointMm{4, 0}, back.length() - 1, 5) == Approx(2));
+  for (const double side : {0.5, -0.5}) {
+    const double off = side > 0 ? 8 : std::hypot(8, side);  // from the leg at x = 2
+    const PointMm before = corner.at(0) + PointMm{-6, side};
+    CHECK(corner.distance(before, 1, 5) == Approx(0.5));
+    CHECK(corner.distance(before, 5, 5) == Approx(0.5));  // within reach just so
+    CHECK(corner.distance(before, 7, 5) == Approx(off));
+    const PointMm behind = back.at(back.length()) + PointMm{-6, side};
+    CHECK(back.distance(behind, back.length() - 1, 5) == Approx(0.5));
+    CHECK(back.distance(behind, back.length() - 5, 5) == Approx(0.5));
+    CHECK(back.distance(behind, back.length() - 7, 5) == Approx(off));
+  }
+  // Its end comes near its start: that is another lap of a closed path alone.
+  const Path turn = path_of("0,0\n10,0\n10,1\n0,1\n");
+  CHECK(turn.distance(turn.at(0) + PointMm{0.2, 1}, 0.5, 2) == Approx(1));
+  CHECK(turn.distance(turn.at(turn.length()) + PointMm{0.2, -1}, turn.length() - 0.5, 2) ==
+        Approx(1));
+}
+
 TEST_CASE("points are resampled, their curvature is that of the circle through three") {
   std::string text = "x_mm,y_mm\n";
   for (int k = 0; k <= 360; ++k) {
