@@ -89,6 +89,31 @@ TEST_CASE("pulse_buffer: a pulse that comes in between neither hastens nor delay
   CHECK(fed.waiting() > 10);
 }
 
+TEST_CASE("pulse_buffer: a rate that rises to that of its pulses within one pulse stays there") {
+  // 200/s from 5 ms on, 250/s after 1 ms of 50 000/s^2, as the first two pulses are 4 ms apart.
+  const struct {
+    double third_ms, leaves_ms;  // 0 = none comes
+  } cases[] = {{0, 6 + 1e3 * (1 - 0.225) / 250},
+               {5.5, 5.5 + (std::sqrt(225 * 225 + 1e5 * (1 - 0.10625)) - 225) / 50},
+               {7, 7 + 5.0 / 3 + 1e3 * (0.525 - 0.4861111) * 3 / 1000}};
+  for (const auto& one : cases) {
+    PulseBufferConfig c = own();
+    c.dead_s = 5e-3;
+    c.rise = 50'000;
+    PulseBuffer buffer(c);
+    buffer.enter(0, 1);
+    buffer.enter(clocks(4e-3), 1);
+    if (one.third_ms > 0) buffer.enter(clocks(1e-3 * one.third_ms), 1);
+    CAPTURE(one.third_ms);
+    CHECK(static_cast<double>(buffer.next()) * kClockS * 1e3 ==
+          Approx(one.leaves_ms).margin(2e3 * kClockS));
+    if (one.third_ms > 0) continue;
+    buffer.pass(buffer.next());
+    CHECK(static_cast<double>(buffer.next()) * kClockS * 1e3 ==
+          Approx(one.leaves_ms + 4).margin(2e3 * kClockS));
+  }
+}
+
 TEST_CASE("pulse_buffer: it stands after its own pause, and not before, nor with pulses in it") {
   const PulseBufferConfig c = own();
   for (const double pause : {0.9, 1.1}) {
@@ -111,6 +136,23 @@ TEST_CASE("pulse_buffer: it stands after its own pause, and not before, nor with
   }
 }
 
+TEST_CASE("pulse_buffer: how slow pulses were is forgotten behind a pause") {
+  const PulseBufferConfig c = own();
+  PulseBuffer buffer(c);
+  for (const double at : {0.0, 30e-3}) {  // 33/s
+    buffer.enter(clocks(at), 1);
+    CHECK(buffer.pass(buffer.next()) == 1);
+  }
+  const std::int64_t stands = buffer.next();
+  CHECK(buffer.pass(stands) == 0);
+  buffer.enter(stands + 10, -1);
+  double rate = c.start;
+  const double t = next_pulse(rate, c.rise, std::sqrt(c.brake * c.brake + 2 * c.rise));
+  CHECK(static_cast<double>(buffer.next() - stands - 10) * kClockS ==
+        Approx(c.dead_s + t).margin(2e-6));
+  CHECK(buffer.pass(buffer.next()) == -1);
+}
+
 TEST_CASE("pulse_buffer: it tells the lower of its rate and that of the pulses, in their sense") {
   for (const int sense : {1, -1}) {
     for (const std::int64_t gap : {clocks(1e-3), clocks(4e-3)}) {
@@ -129,7 +171,7 @@ TEST_CASE("pulse_buffer: it tells the lower of its rate and that of the pulses, 
         if (left == 0 || buffer.waiting() == 0) continue;
         CAPTURE(sense, gap, left);
         const double incoming = 1 / (static_cast<double>(entered > 12 ? last : gap) * kClockS);
-        REQUIRE(sense * buffer.rate() > 0);
+        REQUIRE(sense * buffer.rate() >= std::min(200.0, incoming / 2));  // the first rate
         REQUIRE(sense * buffer.rate() <= incoming * (1 + 1e-9));
         const double most = static_cast<double>(entered) + 1;  // that may wait
         REQUIRE(sense * buffer.rate() <= std::sqrt(300.0 * 300 + 2 * 5000 * most));
