@@ -76,7 +76,12 @@ TEST_CASE("a run leaves one folder with its record and nothing beside it") {
     CHECK(json["scenario"] == test::scenario_of(machine));
     CHECK(json["end"] == "done");
     CHECK(json["run"]["samples"] > 10);
-    for (const lab::Key& key : machine.keys()) CHECK(json["options"].contains(key.name));
+    const std::string page = test::content(base / "a" / "report.html");
+    for (const lab::Key& key : machine.keys()) {
+      CAPTURE(key.name);
+      CHECK(json["options"].contains(key.name));
+      CHECK(page.find('"' + key.name + "\":{\"default\":") != std::string::npos);
+    }
   });
 }
 
