@@ -133,8 +133,8 @@ TEST_CASE("damaged programs are refused in a line, or give moves that hold toget
       ++taken;
     } catch (const std::invalid_argument& error) {
       const std::string message = error.what();
-      CHECK(message.rfind("p.ngc:", 0) == 0);
-      CHECK(message.find('\n') == std::string::npos);
+      CHECK_THAT(message, Catch::StartsWith("p.ngc:"));
+      CHECK_THAT(message, !Catch::Contains("\n"));
       CHECK(message.size() < 300);
       ++refused;
     }

@@ -100,7 +100,7 @@ TEST_CASE("rows of other units make no table, though their columns have the same
   std::vector<Figure> list;
   for (const char* column : {"a", "b", "c"}) list.push_back(figure("x", "one", column, 1, "mm"));
   for (const char* column : {"a", "b", "c"}) list.push_back(figure("y", "two", column, 2, "V"));
-  CHECK(figures_text(list).find("b 2.000 V") != std::string::npos);
+  CHECK_THAT(figures_text(list), Catch::Contains("b 2.000 V"));
 }
 
 TEST_CASE("a figure is at the place its id names, and in the list of all") {

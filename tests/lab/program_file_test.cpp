@@ -8,8 +8,11 @@
 #include <filesystem>
 #include <set>
 
+#include "lab/files.hpp"
+#include "lab/inputs.hpp"
 #include "lab/layers.hpp"
 #include "lab/scenarios.hpp"
+#include "tests/support/scratch.hpp"
 
 using namespace trammel;
 using namespace trammel::lab;
@@ -42,6 +45,28 @@ TEST_CASE("a program is run by the machine that knows its extension, named as it
     }
   }
   CHECK(seen.size() == program_extensions().size());
+}
+
+TEST_CASE("what is kept of a program is what it was before the run, not what became of it") {
+  for (const Machine* const machine : machines()) {
+    for (const std::string& extension : machine->program.extensions) {
+      CAPTURE(machine->name, extension);
+      const test::Scratch scratch("program_file_test_copies");
+      const std::string program = (scratch.path / ("part" + extension)).string();
+      const auto settings = load_scenario(program);
+      const fs::path folder = scratch.path / "run";
+      fs::create_directory(folder);
+      write_text(program, "before");
+      copy_inputs(*settings, folder);
+      write_text(program, "during the run");
+      copy_inputs(*settings, folder);
+      const std::string kept = (folder / (machine->program.key + extension)).string();
+      CHECK(read_text(kept) == "before");
+      fs::remove(kept);
+      copy_inputs(*settings, folder);
+      CHECK(read_text(kept) == "during the run");
+    }
+  }
 }
 
 TEST_CASE("a program that is named is run, or what keeps it from that is refused") {

@@ -100,7 +100,7 @@ TEST_CASE("a lack of memory names the limit") {
   CHECK(reason_of(std::runtime_error("why")) == "why");
   rlimit before{};
   getrlimit(RLIMIT_DATA, &before);
-  CHECK(reason_of(std::bad_alloc()).rfind("memory did not suffice: ", 0) == 0);
+  CHECK_THAT(reason_of(std::bad_alloc()), Catch::StartsWith("memory did not suffice: "));
   rlimit limit = before;
   limit.rlim_cur = rlim_t{1} << 40;
   if (before.rlim_max < limit.rlim_cur) return;

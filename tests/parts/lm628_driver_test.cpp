@@ -306,7 +306,7 @@ TEST_CASE("lm628 driver has a text for each error, and for what is none") {
   for (int error = LM628_OK; error <= LM628_ERROR_COMMAND + 1; ++error) {
     texts.emplace_back(lm628_error_text(static_cast<lm628_error>(error)));
     CHECK_FALSE(texts.back().empty());
-    CHECK(texts.back().find('\n') == std::string::npos);
+    CHECK_THAT(texts.back(), !Catch::Contains("\n"));
   }
   std::sort(texts.begin(), texts.end());
   CHECK(std::unique(texts.begin(), texts.end()) == texts.end());

@@ -297,6 +297,7 @@ TEST_CASE("a status bit of one sample shows on a page that keeps every third sam
     series.push_back(page_series(run, false, 3).channels.dump());
     CHECK(page_series(run, false, 100).channels.size() == 15);
   }
+  INFO("page_series: series of a page without the bit, with it in sample 4, in sample 5");
   CHECK(series[0] != series[1]);
   CHECK(series[2] == series[1]);
   fs::remove_all("an693_test_out");

@@ -266,11 +266,12 @@ TEST_CASE("an693 loads a limit of the error, and watches it and the index beside
   Bench bench(setup);
   const std::string begun = bench.on_timer();
   CAPTURE(begun);
-  CHECK(begun.rfind(std::string(kInit) + "c1A d00 d46 c03 " + kFilter + "c1C d00 d68 ", 0) == 0);
+  CHECK_THAT(begun,
+             Catch::StartsWith(std::string(kInit) + "c1A d00 d46 c03 " + kFilter + "c1C d00 d68 "));
   CHECK(bench.on_host(0x08) == "c1D d00 d00 c09 c03 ");  // an index: the speed stays
   const std::string faster = bench.on_host(0x40);
   CAPTURE(faster);
-  CHECK(faster.find("c1C d00 d6C ") != std::string::npos);
+  CHECK_THAT(faster, Catch::Contains("c1C d00 d6C "));
 }
 
 TEST_CASE("an index that is not a turn from the one before ends an693 with its motor off") {

@@ -34,7 +34,7 @@ std::string refusal(const std::string& text) {
     parse_script(text, "move.lm628");
   } catch (const lab::ConfigError& error) {
     const std::string line = error.what();
-    CHECK(line.find('\n') == std::string::npos);
+    CHECK_THAT(line, !Catch::Contains("\n"));
     return line;
   }
   return "";
@@ -201,7 +201,7 @@ TEST_CASE("help tells of all words, or of one") {
   CHECK_THAT(help("help"), Contains("     byte c|d byte  "));
   CHECK_THAT(help("help ltrj"), Contains("bit 5 acceleration"));
   CHECK_THAT(help("help PORT12"), Contains("the motor needs PORT12"));
-  CHECK(help("help STT").find("LTRJ") == std::string::npos);
+  CHECK_THAT(help("help STT"), !Catch::Contains("LTRJ"));
   CHECK_THAT(refusal("help lfl"), Contains("did you mean LFIL?"));
   CHECK_THAT(refusal("help a b"), Contains("expects one mnemonic"));
 }

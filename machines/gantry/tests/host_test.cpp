@@ -61,10 +61,10 @@ TEST_CASE("gantry host: what cannot be sent is refused in a line with the word a
       told = error.what();
     }
     CAPTURE(text, told);
-    CHECK(told.find("host.sends: ") == 0);
-    CHECK(told.find(why) != std::string::npos);
-    CHECK(told.find("permitted: ") != std::string::npos);
-    CHECK(told.find('\n') == std::string::npos);
+    CHECK_THAT(told, Catch::StartsWith("host.sends: "));
+    CHECK_THAT(told, Catch::Contains(why));
+    CHECK_THAT(told, Catch::Contains("permitted: "));
+    CHECK_THAT(told, !Catch::Contains("\n"));
   }
 }
 

@@ -69,7 +69,7 @@ TEST_CASE("a command is answered by a line, and one that is none by a question m
   }
   CHECK(b.say("status" + std::string(48 - 6, ' ')).substr(0, 4) == "off ");
   CHECK(b.say("status" + std::string(49 - 6, ' ')) == "?\r\n");
-  CHECK(b.say("help").find("status") != std::string::npos);
+  CHECK_THAT(b.say("help"), Catch::Contains("status"));
   CHECK(b.writes() == 0);
 }
 
@@ -160,7 +160,7 @@ TEST_CASE("a gain is kept for the next start, and in effect at once while the dr
   Bench b;
   CHECK(b.say("gain y ki_cur 100 -3") == "ok\r\n");
   CHECK(b.writes() == 0);
-  CHECK(b.say("gains").find("ki_cur 100 -3") != std::string::npos);
+  CHECK_THAT(b.say("gains"), Catch::Contains("ki_cur 100 -3"));
   b.say("start");
   CHECK(b.chip.registers[reg::kY + reg::kKiCur] == sw::gain_word({100, -3}));
   CHECK(b.say("gain x kp 2047 15") == "ok\r\n");
@@ -204,7 +204,7 @@ TEST_CASE("a register of the IC is read, its address decimal or hexadecimal") {
 TEST_CASE("the status tells of bytes that were lost on the line, if any") {
   Bench b;
   b.console.lost(0);
-  CHECK(b.say("status").find("lost") == std::string::npos);
+  CHECK_THAT(b.say("status"), !Catch::Contains("lost"));
   b.console.lost(17);
   CHECK(b.say("status") == "off point 0 of 629 failure 0 fault 0 lost 17\r\n");
 }
@@ -221,10 +221,10 @@ TEST_CASE("the log is printed line by line, oldest first, and only what was aske
   CHECK(std::count(text.begin(), text.end(), '\n') == 4);  // with the heading
   const sw::LogRecord& last = b.program.app().log(b.program.app().log_size() - 1);
   const std::string tail = text.substr(text.rfind('\n', text.size() - 2) + 1);
-  CHECK(tail.find(std::to_string(last.tick) + " " + std::to_string(last.x_cmd)) == 0);
+  CHECK_THAT(tail, Catch::StartsWith(std::to_string(last.tick) + " " + std::to_string(last.x_cmd)));
   const std::string now = " tick " + std::to_string(last.tick) + " x " +
                           std::to_string(last.x_pos) + " y " + std::to_string(last.y_pos);
-  CHECK(b.say("status").find(now + "\r\n") != std::string::npos);
+  CHECK_THAT(b.say("status"), Catch::Contains(now + "\r\n"));
 }
 
 TEST_CASE("each number of a line of the log is the one its heading says, up to 128 lines") {

@@ -254,21 +254,26 @@ TEST_CASE("the log keeps the response with the point written, and the newest rec
 }
 
 TEST_CASE("a fault while running switches both axes off and is reported with its register") {
-  Machine m;
-  m.arm();
-  m.interrupt();
-  m.chip.registers[reg::kFault] = 0x1200u | reg::kFaultAxis | reg::kFaultCodeStroke;
-  m.chip.registers[reg::kIrqStat] |= reg::kIrqStatFault;
-  m.app.isr(m.chip);
-  CHECK(m.app.mailbox().failure != 0);
-  CHECK(m.app.mailbox().done == 1);
-  CHECK(failure(m) == Failure::kFault);
-  CHECK((m.app.fault() & reg::kFaultCodeMask) == reg::kFaultCodeStroke);
-  CHECK(still_on(m.chip) == "");
-  const std::uint32_t written = m.app.mailbox().point;
-  m.interrupt();
-  CHECK(m.app.mailbox().point == written);
-  CHECK(still_on(m.chip) == "");
+  for (const bool precision : {false, true}) {
+    CAPTURE(precision);
+    KungSetup setup;
+    setup.precision.on = precision;
+    Machine m(setup);
+    m.arm();
+    m.interrupt();
+    m.chip.registers[reg::kFault] = 0x1200u | reg::kFaultAxis | reg::kFaultCodeStroke;
+    m.chip.registers[reg::kIrqStat] |= reg::kIrqStatFault;
+    m.app.isr(m.chip);
+    CHECK(m.app.mailbox().failure != 0);
+    CHECK(m.app.mailbox().done == 1);
+    CHECK(failure(m) == Failure::kFault);
+    CHECK((m.app.fault() & reg::kFaultCodeMask) == reg::kFaultCodeStroke);
+    CHECK(still_on(m.chip) == "");
+    const std::uint32_t written = m.app.mailbox().point;
+    m.interrupt();
+    CHECK(m.app.mailbox().point == written);
+    CHECK(still_on(m.chip) == "");
+  }
 }
 
 TEST_CASE("a fault that cannot be cleared keeps the axes off") {

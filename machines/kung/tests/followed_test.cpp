@@ -101,7 +101,7 @@ TEST_CASE("each side of a path whose axes lie apart is judged in its own axis") 
     INFO("a table that covers " << table.name << ": " << what);
     CHECK(what.empty() == table.followed);
     if (!table.followed) {
-      CHECK(what.find("of a path of 30.00 x 40.00 mm") != std::string::npos);
+      CHECK_THAT(what, Catch::Contains("of a path of 30.00 x 40.00 mm"));
     }
   }
 }
@@ -181,7 +181,7 @@ TEST_CASE("a whole run says how far the table is from the last point") {
   CHECK(result.points == 451);
   // The model lags by 2 / omega_n = 67 ms, here 4.6 mm of the circle's arc.
   CHECK(result.from_last_m == Approx(0.0046).margin(0.0005));
-  CHECK(verdict(small_circle(), result).find(" mm from the last one") != std::string::npos);
+  CHECK_THAT(verdict(small_circle(), result), Catch::Contains(" mm from the last one"));
 }
 
 TEST_CASE("a processor that dies before the last points leaves an end of its own") {
@@ -209,5 +209,5 @@ TEST_CASE("a table that stands still beside a small circle has not followed it")
   }
   const Result result = simulate(options, {});
   CHECK(result.end == EndReason::kMissed);
-  CHECK(verdict(options, result).find("missed: the table ") == 0);
+  CHECK_THAT(verdict(options, result), Catch::StartsWith("missed: the table "));
 }

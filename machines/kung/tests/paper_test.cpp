@@ -192,6 +192,6 @@ TEST_CASE("the table of the experiments holds each value in the cell of its path
            "|AFC not finished not finished not finished|",
            "|precision 2.04 / 15.3 99.99 / 101.3 not finished|"}) {
     INFO("the line " << line << " of experiments_text in " << text);
-    CHECK(text.find(line) != std::string::npos);
+    CHECK_THAT(text, Catch::Contains(line));
   }
 }

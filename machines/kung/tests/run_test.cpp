@@ -72,7 +72,7 @@ TEST_CASE("an injected fault is told with what noticed it, when, and the way to 
     return lab::report_text(lab::judged(options, std::move(result)), "", false);
   };
   cosim::FaultReport report;
-  CHECK(told(report).find("injected") == std::string::npos);
+  CHECK_THAT(told(report), !Catch::Contains("injected"));
   report.begin = 25'000'000;  // 20 ns each
   CHECK_THAT(told(report), Contains("\n  injected gate_dead at 0.5 s: not noticed\n"));
   report.detected = report.begin + 8;

@@ -118,7 +118,7 @@ TEST_CASE("what became of a trip is told of either axis, from its clocks, curren
     CAPTURE(name, run.result.fault_text(), report.by, report.detected);
     REQUIRE(run.result.end == EndReason::kFault);
     CHECK(run.result.fault.axis == axis);
-    CHECK(report.by.find(std::string("axis ") + name) != std::string::npos);
+    CHECK_THAT(report.by, Catch::Contains(std::string("axis ") + name));
     CHECK(report.by.find(std::string("axis ") + kName[1 - static_cast<std::size_t>(axis)]) ==
           std::string::npos);
     CHECK(report.begin == 2'500'000);

@@ -110,14 +110,16 @@ TEST_CASE("a call with a value too few or too many is refused, and one beyond a 
     std::string text = call.name;
     for (const std::string& value : call.values) {
       INFO("short of a value: " << text);
-      CHECK(refused(text).rfind(std::string("s.table:1: ") + call.name + " takes ", 0) == 0);
+      CHECK_THAT(refused(text),
+                 Catch::StartsWith(std::string("s.table:1: ") + call.name + " takes "));
       text += " " + value;
     }
     INFO("whole: " << text);
     CHECK(refused(text).empty());
     CHECK(script(text)[0].text == text);
     CHECK(larson::name_of(script(text)[0].call.op) == call.name);
-    CHECK(refused(text + " 1").rfind(std::string("s.table:1: ") + call.name + " takes ", 0) == 0);
+    CHECK_THAT(refused(text + " 1"),
+               Catch::StartsWith(std::string("s.table:1: ") + call.name + " takes "));
   }
   for (const char* const text :
        {"VELTBL 58 59", "VELTBL 59 58", "VELTBL 4001 59", "VELTBL 59 4001", "ABSTBL -100001 0",
@@ -125,11 +127,13 @@ TEST_CASE("a call with a value too few or too many is refused, and one beyond a 
         "BIS YCOUNT 200000", "BIS YCOUNT -1", "REPEAT 100001\nEND", "ABSTBL 0 99999999999999999999",
         "ABSTBL -99999999999999999999 0"}) {
     INFO(text);
-    CHECK(refused(text).find(" is out of range, allowed ") != std::string::npos);
+    CHECK_THAT(refused(text), Catch::Contains(" is out of range, allowed "));
   }
-  CHECK(refused("REPEAT\nWTTBL\nEND\n").find("s.table:1: REPEAT takes how often: 1 value, ") == 0);
-  CHECK(refused("REPEAT 2 3\nWTTBL\nEND\n").find("s.table:1: REPEAT takes ") == 0);
-  CHECK(refused("REPEAT 2\nWTTBL\nEND now\n").find("s.table:3: END takes nothing: ") == 0);
+  CHECK_THAT(refused("REPEAT\nWTTBL\nEND\n"),
+             Catch::StartsWith("s.table:1: REPEAT takes how often: 1 value, "));
+  CHECK_THAT(refused("REPEAT 2 3\nWTTBL\nEND\n"), Catch::StartsWith("s.table:1: REPEAT takes "));
+  CHECK_THAT(refused("REPEAT 2\nWTTBL\nEND now\n"),
+             Catch::StartsWith("s.table:3: END takes nothing: "));
 }
 
 TEST_CASE("200000 calls are a script, one more is none") {

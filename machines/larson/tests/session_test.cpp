@@ -226,7 +226,7 @@ TEST_CASE("larson: steps lost are counted and noted in the axis and sense that l
       const auto run = script.run();
       CAPTURE(kName[lossy], forward, run.result.fault);
       CHECK(run.result.end == cosim::EndReason::kMissed);
-      CHECK(run.result.fault.find(std::string(kName[lossy]) + " lost ") == 0);
+      CHECK_THAT(run.result.fault, Catch::StartsWith(std::string(kName[lossy]) + " lost "));
       CHECK(run.result.lost[1 - lossy] == 0);
       int net = 0, all = 0;
       for (const Event& one : run.result.happened) {
@@ -327,7 +327,7 @@ TEST_CASE("larson: a run whose table moves on for minutes ends five seconds behi
   CHECK(run.result.end == cosim::EndReason::kMissed);
   const cosim::Clk more = run.result.samples.back().edge - run.result.done.back().edge;
   CHECK(cosim::seconds_of(more, script.options.axis.clock_ps) == Approx(5).margin(1e-2));
-  CHECK(run.result.fault.find("X is 29") == 0);
+  CHECK_THAT(run.result.fault, Catch::StartsWith("X is 29"));
 }
 
 TEST_CASE("larson: a table that leaves its switches is looked at every table.poll_ms") {

@@ -78,7 +78,8 @@ TEST_CASE("mcafee: a page of several runs has what is compared, flags keep their
   const lab::ColumnTable& table = machine().columns();
   CHECK(test::marked(table, &lab::Column::compared) ==
         "row v contour_mm x_desired_count x_mm x_mm_s x_e y_desired_count y_mm y_mm_s y_e");
-  CHECK(test::marked(table, &lab::Column::bits) == "limits x_status x_host_irq y_status y_host_irq");
+  CHECK(test::marked(table, &lab::Column::bits) ==
+        "limits x_status x_host_irq y_status y_host_irq");
 }
 
 TEST_CASE("mcafee: each stage has its own tiles, those of the readings their number") {

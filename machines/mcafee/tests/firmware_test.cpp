@@ -190,7 +190,7 @@ TEST_CASE("Stages II and III end with both motors off at an error above the limi
     CHECK(failure_of(bench.app) == McafeeFailure::kPositionError);
     CHECK(bench.chip.drive() == 0x8080);
     const std::string text = after(bench, kReady);
-    CHECK(text.find("c1A d00 d32 ") != std::string::npos);
+    CHECK_THAT(text, Catch::Contains("c1A d00 d32 "));
     CHECK((text.find("C1A D00 D32 ") != std::string::npos) == tracks);
   }
 }
@@ -204,7 +204,7 @@ TEST_CASE("a program that checks the index ends where it comes too often, with b
     McafeeBench bench(setup);
     bench.run(5);
     CHECK(failure_of(bench.app) == McafeeFailure::kIndex);
-    CHECK(bench.chip.bytes.find("c1F d01 d00 c01 C1F D01 D00 C01 ") != std::string::npos);
+    CHECK_THAT(bench.chip.bytes, Catch::Contains("c1F d01 d00 c01 C1F D01 D00 C01 "));
   }
 }
 
@@ -242,7 +242,7 @@ TEST_CASE("Stage III loads an acceleration once, then for each row the values th
                             "c1F d00 d0B d00 d00 d04 dB5 d00 d00 d00 d0A "
                             "C1F D00 D0B D00 D00 D04 DB5 DFF DFF DFF DF6 ";
   CHECK(text.substr(0, begin.size()) == begin);
-  CHECK(text.find("c01 C01 ") != std::string::npos);
+  CHECK_THAT(text, Catch::Contains("c01 C01 "));
 }
 
 TEST_CASE("Stage III goes by the feed rate of curvature and change, each of its own byte") {
@@ -266,7 +266,7 @@ TEST_CASE("Stage III gives no axis the velocity 0, and shifts the velocities it 
   McafeeBench bench(setup);
   bench.run(20);
   REQUIRE(bench.app.mailbox().done);
-  CHECK(bench.chip.bytes.find("C1F D00 D0B D00 D00 D03 DC4 D00 D00 D00 D05 ") != std::string::npos);
+  CHECK_THAT(bench.chip.bytes, Catch::Contains("C1F D00 D0B D00 D00 D03 DC4 D00 D00 D00 D05 "));
   CHECK(bench.app.mailbox().real[1] == 5);
 }
 

@@ -301,7 +301,7 @@ TEST_CASE("an693: steps that the motor does not make are missed, by the first of
   const Result result = simulate(options, {});
   CHECK(result.end == cosim::EndReason::kMissed);
   CHECK(result.step_ends.size() == 2);
-  CHECK(result.fault.find("step 1 of 2: ") == 0);
+  CHECK_THAT(result.fault, Catch::StartsWith("step 1 of 2: "));
 }
 
 // The part interrupts in the clock that publishes the sample.

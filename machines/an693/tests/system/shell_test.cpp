@@ -82,7 +82,7 @@ TEST_CASE("a script of E6 gives every figure of the scenario an693-absolute") {
   CHECK_FALSE(got["options"].contains("filter.kp"));
   const std::string toml = read_text(arguments.out + "/run.toml");
   CHECK_THAT(toml, Contains("`./trammel lm628 script.lm628 -c run.toml` repeats this run"));
-  CHECK(toml.find("filter") == std::string::npos);
+  CHECK_THAT(toml, !Catch::Contains("filter"));
 
   // The folder repeats itself.
   Arguments again = arguments;
@@ -187,6 +187,7 @@ TEST_CASE("nothing hangs: a part busy with its reset, the longest run, an interr
 TEST_CASE("keys of the firmware's programs are refused, as they would have no effect") {
   for (const char* key : {"filter.kp=1", "trajectory.steps=2", "program=tuning",
                           "chip.error_limit_counts=9", "chip.index_check=true"}) {
+    CAPTURE(key);
     Arguments arguments;
     arguments.scenario = "absolute";
     arguments.assignments = {key};

@@ -153,7 +153,7 @@ TEST_CASE("a list of moves beyond the soft range stops at its ends, and meets no
   CHECK(answer(result, 0).value == 0);
   for (const larson::Event& one : result.happened) {
     CHECK_FALSE((one.edge > result.done.front().edge && one.what.find("switch") == 0));
-    CHECK(one.what.find("high") == std::string::npos);
+    CHECK_THAT(one.what, !Catch::Contains("high"));
   }
 }
 
@@ -236,8 +236,8 @@ TEST_CASE("without its buffer X loses steps at 4000 PPS, which the run names wit
   const lab::Record record = lab::run(built_in("larson-overload"));
   CHECK(record.result->end == cosim::EndReason::kMissed);
   CHECK(static_cast<const Result&>(*record.result).lost[0] % 10 == 0);
-  CHECK(record.verdict.find("missed: X lost") == 0);
-  CHECK(record.verdict.find("the first at step") != std::string::npos);
+  CHECK_THAT(record.verdict, Catch::StartsWith("missed: X lost"));
+  CHECK_THAT(record.verdict, Catch::Contains("the first at step"));
 }
 
 TEST_CASE("by hand into the far switch: the interrupt, the latch, the hazard, and out again") {
@@ -313,8 +313,8 @@ TEST_CASE("a table that is not where its program has it is missed, on either axi
     const lab::Record record = lab::run(script.options);
     CHECK(record.result->end == cosim::EndReason::kMissed);
     const std::string begin = axis == 0 ? "missed: X is -" : "missed: Y is -";
-    CHECK(record.verdict.find(begin) == 0);
-    CHECK(record.verdict.find("from 100, where") != std::string::npos);
+    CHECK_THAT(record.verdict, Catch::StartsWith(begin));
+    CHECK_THAT(record.verdict, Catch::Contains("from 100, where"));
   }
 }
 
