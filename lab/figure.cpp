@@ -138,6 +138,12 @@ Figure count(std::string id, std::string row, std::string column, double value,
                 Figure::kWhole);
 }
 
+const Figure* find_figure(const List& figures, std::string_view id) {
+  const auto found = std::find_if(figures.begin(), figures.end(),
+                                  [&](const Figure& f) { return f.id == id; });
+  return found != figures.end() ? &*found : nullptr;
+}
+
 void put_figures(Json& json, const List& figures) {
   for (const Figure& f : figures) json[place(f.id)] = number(f);
   Json all = Json::array();

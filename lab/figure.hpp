@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <nlohmann/json.hpp>
@@ -38,6 +39,9 @@ Figure figure(std::string id, std::string row, std::string column, double value,
               int digits = 3);
 Figure count(std::string id, std::string row, std::string column, double value,
              std::string unit = "");
+
+// That with this id; nullptr where there is none.
+const Figure* find_figure(const std::vector<Figure>& figures, std::string_view id);
 
 // Puts every value at its place in `json`, and the list itself under "figures".
 void put_figures(nlohmann::ordered_json& json, const std::vector<Figure>& figures);

@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -89,9 +88,6 @@ inline constexpr std::pair<const char*, Controller> kFuzzy[]{{"AFC", Controller:
 // Mean tracking error to the reference model that the paper prints (Kung Table 2) of this path, by
 // controller; none of another path.
 std::vector<std::pair<std::string, double>> paper_means_mm(const Options& options);
-
-// Value of the figure with this id, if it is there.
-std::optional<double> value_of(const std::vector<lab::Figure>& figures, std::string_view id);
 
 // What must be said wherever Table 2 is shown (specification section 14.14).
 inline constexpr char kCircleNote[] =

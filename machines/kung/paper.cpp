@@ -70,16 +70,13 @@ std::string rms(char axis, int period) { return fmt::format("{}.periods.{}.rms_m
 struct Experiment {
   const lab::Record* record = nullptr;
 
-  std::optional<lab::Figure> figure(const std::string& id) const {
-    if (record == nullptr || record->result->end != EndReason::kDone) return {};
-    for (const lab::Figure& f : record->figures) {
-      if (f.id == id) return f;
-    }
-    return {};
+  const lab::Figure* figure(const std::string& id) const {
+    if (record == nullptr || record->result->end != EndReason::kDone) return nullptr;
+    return lab::find_figure(record->figures, id);
   }
   std::string ours_and_printed(const std::string& id, int digits) const {
-    const auto f = figure(id);
-    return f ? fmt::format("{} / {}", lab::figure_text(f->value, digits),
+    const lab::Figure* const f = figure(id);
+    return f != nullptr ? fmt::format("{} / {}", lab::figure_text(f->value, digits),
                            lab::figure_text(f->printed, digits))
              : "not finished";
   }
@@ -109,12 +106,13 @@ std::string precision_text(const std::vector<const lab::Record*>& records) {
       if (beside.name == name) of = &beside;
     }
     if (of == nullptr) return "not finished";
-    const auto mean = value_of(of->figures, "error_um.mean");
-    const auto most = value_of(of->figures, "error_um.max");
-    const bool there = mean && most && of->result->end == EndReason::kDone;
+    const lab::Figure* const mean = lab::find_figure(of->figures, "error_um.mean");
+    const lab::Figure* const most = lab::find_figure(of->figures, "error_um.max");
+    const bool there = mean != nullptr && most != nullptr && of->result->end == EndReason::kDone;
     if (!there) return "not finished";
-    const bool fine = *mean < 100;  // beyond, fractions say nothing
-    return fmt::format("{:.{}f} / {:.{}f}", *mean, fine ? 2 : 0, *most, fine ? 1 : 0);
+    const bool fine = mean->value < 100;  // beyond, fractions say nothing
+    return fmt::format("{:.{}f} / {:.{}f}", mean->value, fine ? 2 : 0, most->value,
+                       fine ? 1 : 0);
   };
   std::string text = "\nError to the command in um, mean / max, on the same feed profile\n\n";
   text += row("", {"circle", "window", "star"});
@@ -149,13 +147,6 @@ std::vector<std::pair<std::string, double>> paper_means_mm(const Options& option
   });
   if (!same) means.clear();
   return means;
-}
-
-std::optional<double> value_of(const std::vector<lab::Figure>& figures, std::string_view id) {
-  for (const lab::Figure& f : figures) {
-    if (f.id == id) return f.value;
-  }
-  return {};
 }
 
 bool is_paper_experiment(const Options& options) {

@@ -189,8 +189,8 @@ std::vector<std::string> comparison_lines(const lab::Record& record) {
   static constexpr char kLine[] = "  {:<22}{:>12}{:>10}{:>12}{:>10}{:>12}";
   const auto line = [](const std::string& name, const lab::Record& of) {
     const auto value = [&of](const char* id, double per_mm) {
-      const std::optional<double> found = value_of(of.figures, id);
-      return found ? fmt::format("{:.4f}", *found / per_mm) : "-";
+      const lab::Figure* const found = lab::find_figure(of.figures, id);
+      return found != nullptr ? fmt::format("{:.4f}", found->value / per_mm) : "-";
     };
     return fmt::format(kLine, name, value("error_um.mean", 1000), value("error_um.max", 1000),
                        value("contour_um.mean", 1000), value("contour_um.max", 1000),

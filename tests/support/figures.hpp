@@ -2,12 +2,12 @@
 #pragma once
 
 #include <catch2/catch.hpp>
-#include <algorithm>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "lab/machine.hpp"
+#include "lab/record.hpp"
 
 namespace trammel::test {
 
@@ -15,10 +15,16 @@ namespace trammel::test {
 template <class Options>
 double figure(const Options& options, cosim::RunResult& result, const std::string& id) {
   const auto list = options.machine().figures(options, result);
-  const auto found = std::find_if(list.begin(), list.end(),
-                                  [&](const lab::Figure& f) { return f.id == id; });
-  INFO(id);
-  REQUIRE(found != list.end());
+  const lab::Figure* const found = lab::find_figure(list, id);
+  INFO("figure " << id);
+  REQUIRE(found != nullptr);
+  return found->value;
+}
+
+inline double figure(const lab::Record& record, const std::string& id) {
+  const lab::Figure* const found = lab::find_figure(record.figures, id);
+  INFO("figure " << id);
+  REQUIRE(found != nullptr);
   return found->value;
 }
 

@@ -20,10 +20,12 @@
 #include "machines/kung/precision_figures.hpp"
 #include "machines/kung/precision_trace.hpp"
 #include "machines/kung/words.hpp"
+#include "tests/support/figures.hpp"
 #include "tests/support/random_gcode.hpp"
 #include "tests/support/scratch.hpp"
 
 using namespace trammel;
+using test::figure;
 
 namespace {
 
@@ -38,14 +40,6 @@ lab::Record run(const std::string& scenario, const Texts& assignments) {
   for (const std::string& text : assignments) lab::apply_assignment(*settings, text);
   lab::validate(*settings);
   return lab::run(*settings);
-}
-
-double figure(const lab::Record& record, const std::string& id) {
-  for (const lab::Figure& f : record.figures) {
-    if (f.id == id) return f.value;
-  }
-  FAIL("the run has no figure " << id);
-  return 0;
 }
 
 // Payload [kg], share of both frictions, cogging [N], noise of the sensors [A rms], seed.
@@ -273,10 +267,8 @@ TEST_CASE("what is shown of an axis that never moved is its start value") {
                                      "path.line_end_x_m=0.21", "path.line_start_y_m=0.2",
                                      "path.line_end_y_m=0.2", "precision.identify=false"});
   const auto shown_as = [&record](const std::string& id) -> std::string {
-    for (const lab::Figure& f : record.figures) {
-      if (f.id == id) return f.column;
-    }
-    return "";
+    const lab::Figure* const found = lab::find_figure(record.figures, id);
+    return found != nullptr ? found->column : "";
   };
   CHECK(shown_as("y.estimate.mass_kg") == "not estimated, start value");
   CHECK(figure(record, "y.estimate.mass_kg") == Approx(15.6).margin(0.01));

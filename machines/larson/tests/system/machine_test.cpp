@@ -14,6 +14,7 @@
 #include "lab/record.hpp"
 #include "lab/scenarios.hpp"
 #include "machines/larson/machine.hpp"
+#include "tests/support/figures.hpp"
 #include "tests/support/scratch.hpp"
 
 using namespace trammel;
@@ -275,13 +276,7 @@ TEST_CASE("figures, columns and the verdict are those of their axis, with its si
   const lab::Record record = lab::run(script.options);
   const auto& result = static_cast<const Result&>(*record.result);
   REQUIRE(result.end == cosim::EndReason::kDone);
-  const auto value = [&](const std::string& id) {
-    for (const lab::Figure& one : record.figures) {
-      if (one.id == id) return one.value;
-    }
-    FAIL(id);
-    return 0.0;
-  };
+  const auto value = [&](const std::string& id) { return test::figure(record, id); };
   // Back to the switch, 10 more of Y, and off it; then 20 and 30 steps of X, 60 and 50 of Y.
   CHECK(value("y.pulses") - value("x.pulses") == Approx(10 + 60).margin(4));
   CHECK(value("x.end_step") - result.origin[0] == Approx(50).margin(0.1));
