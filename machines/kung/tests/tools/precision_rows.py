@@ -133,8 +133,7 @@ def step(payload, limit):
         begin = next(row["t_s"] for row, after in itertools.pairwise(rows)
                      if after["x_command_m"] > 0.2550)
         samples = at_rest(rows, begin)
-        signs = [x > 0 for t, x in samples if abs(x) > 10]
-        swings = sum(a != b for a, b in itertools.pairwise(signs))
+        swings = precision_step.changes_of_side((x for _, x in samples), 10)
         law = precision_step.step(payload + 2.5)
         why = (f"specified 1; by {max(x for _, x in samples) / 1e3:.2f} mm; the law in double "
                f"precision {law.swings}, by {1e3 * law.beyond_m:.2f} mm")
@@ -175,10 +174,9 @@ def beyond(path, payload, late_mm, times):
         checks = []
         for axis in "xy":
             off = [1e-3 * row[f"{axis}_error_um"] for row in rows if row["counted"]]
-            signs = [x > 0 for x in off if abs(x) > 0.1]
             checks += [Check(f"{name}, {axis}, max", max(map(abs, off)), late_mm, "mm"),
                        Check(f"{name}, {axis}, changes of side",
-                             sum(a != b for a, b in itertools.pairwise(signs)), times, "")]
+                             precision_step.changes_of_side(off, 0.1), times, "")]
         return checks
     return name, measure
 

@@ -35,6 +35,12 @@ def gains(w1, zeta, w2, w3):
     return l1, l2, 3 - 2 * z - y - l1 - l2, (w1 * TICK)**2, 2 * zeta * w1 * TICK
 
 
+def changes_of_side(values, band):
+    """How often values change their sign, those within the band left out."""
+    beyond = [x > 0 for x in values if abs(x) > band]
+    return sum(a != b for a, b in itertools.pairwise(beyond))
+
+
 class Spline:
     """Items 1 and 2, of control points [count]; a knot every 32 ticks."""
 
@@ -118,6 +124,5 @@ def step(mass, poles=(300, 0.7, 4000, 400), length=0.01, seconds=0.6):
         place = slide.tick(law.tick(command, place))
         if tick >= 128 and tick % 8 == 0:  # behind the spline, every sample of the trace
             off.append((tick * TICK - 32 * TICK, place * COUNT - length))
-    far = [(t, x) for t, x in off if abs(x) > 1e-5]
-    return Step(sum((a > 0) != (b > 0) for (_, a), (_, b) in itertools.pairwise(far)),
-                max((t for t, _ in far), default=0.0), max(x for _, x in off))
+    return Step(changes_of_side((x for _, x in off), 1e-5),
+                max((t for t, x in off if abs(x) > 1e-5), default=0.0), max(x for _, x in off))
