@@ -121,6 +121,19 @@ inline sw::Failure failure(const Machine& m) {
   return static_cast<sw::Failure>(m.app.mailbox().failure);
 }
 
+// Words that an axis was written from an access on, by PREC_ADDR and what follows it.
+inline std::vector<std::pair<std::uint32_t, std::uint32_t>> window(const FakeChip& chip,
+                                                                   std::uint32_t base,
+                                                                   std::size_t from) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> words;
+  std::uint32_t at = 0;
+  for (const Access& w : chip.writes(from)) {
+    if (w.address == base + reg::kPrecAddr) at = w.data;
+    if (w.address == base + reg::kPrecData) words.emplace_back(at++, w.data);
+  }
+  return words;
+}
+
 // The registers that keep a drive or an interrupt on, or "".
 inline std::string still_on(FakeChip& chip) {
   std::string on;

@@ -32,9 +32,10 @@ KungSetup setup_of(bool identify) {
   return s;
 }
 
-std::string k1_at(std::uint32_t interrupt, Gain gain) {
-  return "interrupt " + std::to_string(interrupt) + ": word " + std::to_string(gain_word(gain));
+std::string k1_at(std::uint32_t interrupt, std::uint32_t word) {
+  return "interrupt " + std::to_string(interrupt) + ": word " + std::to_string(word);
 }
+std::string k1_at(std::uint32_t interrupt, Gain gain) { return k1_at(interrupt, gain_word(gain)); }
 
 // Words written at K1 in that many interrupts, with the time of each.
 std::vector<std::string> slowed(Machine& m, std::uint32_t axis, std::uint32_t interrupts) {
@@ -42,13 +43,8 @@ std::vector<std::string> slowed(Machine& m, std::uint32_t axis, std::uint32_t in
   for (std::uint32_t n = 0; n < interrupts; ++n) {
     const std::size_t before = m.chip.log.size();
     m.interrupt();
-    std::uint32_t at = 0;
-    for (const Access& w : m.chip.writes(before)) {
-      if (w.address == kAxes[axis] + reg::kPrecAddr) at = w.data;
-      if (w.address == kAxes[axis] + reg::kPrecData && at++ == kK1) {
-        words.push_back(k1_at(n, {static_cast<std::int32_t>(w.data & 0x7FFu),
-                                  static_cast<std::int32_t>(w.data >> 16)}));
-      }
+    for (const auto& [at, word] : window(m.chip, kAxes[axis], before)) {
+      if (at == kK1) words.push_back(k1_at(n, word));
     }
   }
   return words;
@@ -87,8 +83,8 @@ TEST_CASE("a heavy axis that is late in the move before the path slows down on t
   m.arm();
   m.chip.registers[reg::kY + reg::kErrSum] = static_cast<std::uint32_t>(-2 * kLate);
   const auto words = slowed(m, 1, Identification::kPoints + 3);
-  CHECK(words == std::vector<std::string>{k1_at(Identification::kFull, {1100, -13}),
-                                          k1_at(Identification::kPoints, {1100, -16})});
+  CHECK(words == std::vector<std::string>{k1_at(Identification::kFull, Gain{1100, -13}),
+                                          k1_at(Identification::kPoints, Gain{1100, -16})});
 }
 
 TEST_CASE("words of the knot are at their places behind a slower K1") {

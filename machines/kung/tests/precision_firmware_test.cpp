@@ -27,19 +27,6 @@ KungSetup with_precision() {
   return s;
 }
 
-// Words that an axis was written from an access on, by PREC_ADDR and what follows it.
-std::vector<std::pair<std::uint32_t, std::uint32_t>> window(const FakeChip& chip,
-                                                             std::uint32_t base,
-                                                             std::size_t from) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> words;
-  std::uint32_t at = 0;
-  for (const Access& w : chip.writes(from)) {
-    if (w.address == base + reg::kPrecAddr) at = w.data;
-    if (w.address == base + reg::kPrecData) words.emplace_back(at++, w.data);
-  }
-  return words;
-}
-
 std::int32_t control_point(const FakeChip& chip, std::uint32_t base, std::size_t from) {
   for (const auto& [at, data] : window(chip, base, from)) {
     if (at == 0) return static_cast<std::int32_t>(data);

@@ -2,6 +2,7 @@
 #include "sw_nios/apps/kung/precision.hpp"
 
 #include "rtl/chips/generated/kung_xy_regs.hpp"
+#include "sw_nios/apps/kung/fixed_words.hpp"
 #include "sw_nios/apps/kung/identification.hpp"
 #include "sw_nios/path/feed_prefilter.hpp"
 
@@ -92,7 +93,7 @@ void PrecisionControl::estimate(Bus& bus, std::uint32_t a) {
 void PrecisionControl::slow_down(Bus& bus, std::uint32_t a) {
   axes_[a].late = true;
   Gain k1 = setup_.axis[a].full[kK1];
-  k1.exp = k1.exp < -16 + kSlower ? -16 : k1.exp - kSlower;
+  k1.exp = clip(k1.exp - kSlower, -16, 15);
   bus.write(kWindows[a] + reg::kPrecAddr, kTickWords + kK1);
   bus.write(kWindows[a] + reg::kPrecData, gain_word(k1));
 }
