@@ -11,6 +11,7 @@
 
 #include "cosim/trigger_search.hpp"
 #include "cosim/wave_plan.hpp"
+#include "tests/support/message.hpp"
 
 using namespace trammel::cosim;
 
@@ -26,12 +27,7 @@ Trigger parsed(const std::string& text) { return parse_trigger(text, stop_forms(
 
 // What is said of a text, "" where nothing is refused.
 std::string refusal(const std::string& text) {
-  try {
-    parsed(text);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
+  return trammel::test::refusal_of<std::invalid_argument>([&] { parsed(text); });
 }
 
 struct Reader final : SignalReader {

@@ -12,6 +12,7 @@
 #include "lab/machine.hpp"
 #include "lab/parse.hpp"
 #include "lab/scenarios.hpp"
+#include "tests/support/message.hpp"
 #include "tests/support/scratch.hpp"
 
 using namespace trammel;
@@ -30,12 +31,8 @@ std::string repeated(const std::string& text, int count) {
 std::string refusal_of(const std::string& toml) {
   std::string message;
   for (const Machine* const machine : machines()) {
-    std::string here;
-    try {
-      apply_text(*machine->defaults(), toml, "a.toml", ".");
-    } catch (const ConfigError& error) {
-      here = error.what();
-    }
+    const std::string here = test::refusal_of(
+        [&] { apply_text(*machine->defaults(), toml, "a.toml", "."); });
     if (machine != machines().front()) CHECK(here == message);
     message = here;
   }
@@ -43,12 +40,7 @@ std::string refusal_of(const std::string& toml) {
 }
 
 std::string json_refusal(const std::string& text) {
-  try {
-    parse_object(text, "a.json");
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of([&] { parse_object(text, "a.json"); });
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include <filesystem>
 
 #include "lab/machine.hpp"
+#include "tests/support/message.hpp"
 
 using namespace trammel;
 using namespace trammel::lab;
@@ -69,13 +70,10 @@ void each_key(Check check) {
 // The message for text that is refused; "" when it is accepted.
 std::string message_of(const Machine& machine, const std::string& toml) {
   const auto settings = machine.defaults();
-  try {
+  return test::refusal_of([&] {
     apply_text(*settings, toml, "some.toml", ".");
     validate(*settings);
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "";
+  });
 }
 
 }  // namespace

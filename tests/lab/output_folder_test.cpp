@@ -10,6 +10,7 @@
 
 #include "lab/files.hpp"
 #include "tests/support/files.hpp"
+#include "tests/support/message.hpp"
 #include "tests/support/scratch.hpp"
 
 using namespace trammel;
@@ -87,12 +88,7 @@ TEST_CASE("a folder that is no run's is refused before the run and when it is pu
   put(here.path / "odd" / "run.json", "[]");
   put(here.path / "file", "mine");
   const auto refusal = [&](const fs::path& target) {
-    try {
-      const OutputFolder folder(target);
-    } catch (const lab::ConfigError& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+    return test::refusal_of([&] { const OutputFolder folder(target); });
   };
   CHECK_THAT(refusal(here.path / "mine"), Contains("holds no run"));
   CHECK_THAT(refusal(here.path / "odd"), Contains("holds no run"));

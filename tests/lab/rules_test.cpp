@@ -15,6 +15,7 @@
 #include "lab/record.hpp"
 #include "lab/scenarios.hpp"
 #include "lab/text.hpp"
+#include "tests/support/message.hpp"
 
 using namespace trammel;
 using namespace trammel::lab;
@@ -28,13 +29,10 @@ constexpr char kAudit[] =
 // The message for these settings of the machine; "" when they can run.
 std::string message_of(const Machine& machine, const std::vector<std::string>& assignments) {
   const auto settings = machine.defaults();
-  try {
+  return test::refusal_of([&] {
     for (const std::string& text : assignments) apply_assignment(*settings, text);
     validate(*settings);
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "";
+  });
 }
 
 // A machine like the first one, whose chip declares neither a leap contract nor a twin and whose
@@ -94,12 +92,7 @@ TEST_CASE("a chip without a leap contract has no audit, one without a twin no ru
       const auto settings = one.settings->clone();
       settings->run.audit = audit;
       settings->run.engine = twin ? cosim::Engine::kTwin : cosim::Engine::kRtl;
-      try {
-        validate(*settings);
-      } catch (const ConfigError& error) {
-        return error.what();
-      }
-      return "";
+      return test::refusal_of([&] { validate(*settings); });
     };
     CAPTURE(one.leap, one.twin);
     CHECK(refusal(true, false) ==

@@ -14,6 +14,7 @@
 #include "lab/layers.hpp"
 #include "lab/machine.hpp"
 #include "tests/support/files.hpp"
+#include "tests/support/message.hpp"
 #include "tests/support/scratch.hpp"
 #include "tests/support/short_run.hpp"
 
@@ -37,12 +38,7 @@ std::unique_ptr<Settings> taken(const Machine& machine, const WaveArguments& arg
 }
 
 std::string message_of(const Machine& machine, const WaveArguments& arguments) {
-  try {
-    taken(machine, arguments);
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of([&] { taken(machine, arguments); });
 }
 
 WaveArguments fst() { return {"fst", "", "", "", ""}; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The message for a configuration that is refused.
+// The message for what is refused.
 #pragma once
 
 #include <string>
@@ -9,17 +9,25 @@
 
 namespace trammel::test {
 
-// "" when it is accepted.
-template <class Options>
-std::string message_of(const std::string& toml) {
-  Options options;
+// Of an act; "" when it is not refused.
+template <class Error = lab::ConfigError, class Act>
+std::string refusal_of(Act&& act) {
   try {
-    lab::apply_text(options, toml, "some.toml", ".");
-    lab::validate(options);
-  } catch (const lab::ConfigError& error) {
+    act();
+  } catch (const Error& error) {
     return error.what();
   }
   return "";
+}
+
+// Of a configuration; "" when it is accepted.
+template <class Options>
+std::string message_of(const std::string& toml) {
+  return refusal_of([&] {
+    Options options;
+    lab::apply_text(options, toml, "some.toml", ".");
+    lab::validate(options);
+  });
 }
 
 }  // namespace trammel::test

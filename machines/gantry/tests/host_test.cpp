@@ -11,6 +11,7 @@
 #include "lab/errors.hpp"
 #include "machines/gantry/host.hpp"
 #include "machines/gantry/machine.hpp"
+#include "tests/support/message.hpp"
 
 using namespace trammel;
 using namespace trammel::gantry;
@@ -54,12 +55,8 @@ TEST_CASE("gantry host: what cannot be sent is refused in a line with the word a
       {"1:xGG", "\"GG\" is no number"},    {"2:0? 1:0?", "earlier than the one before"},
       {"1:0? 3:0? 2:0?", "earlier than the one before"}};
   for (const auto& [text, why] : wrong) {
-    std::string told;
-    try {
-      read_sends(text);
-    } catch (const lab::ConfigError& error) {
-      told = error.what();
-    }
+    const char* const words = text;
+    const std::string told = test::refusal_of([&] { read_sends(words); });
     CAPTURE(text, told);
     CHECK_THAT(told, Catch::StartsWith("host.sends: "));
     CHECK_THAT(told, Catch::Contains(why));

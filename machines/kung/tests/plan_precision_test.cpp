@@ -10,6 +10,7 @@
 
 #include "machines/kung/plan.hpp"
 #include "machines/kung/plan_precision.hpp"
+#include "tests/support/message.hpp"
 
 namespace {
 
@@ -50,12 +51,7 @@ Options counting(double count_m) {
 
 // The message of a refusal.
 std::string refusal(const Options& o) {
-  try {
-    plan(o);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of<std::invalid_argument>([&] { plan(o); });
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "lab/waves.hpp"
 #include "machines/kung/tests/by_hand.hpp"
 #include "tests/support/files.hpp"
+#include "tests/support/message.hpp"
 #include "tests/support/scratch.hpp"
 
 using namespace trammel;
@@ -17,13 +18,10 @@ namespace {
 
 std::string message_of(const std::string& trigger) {
   kung::Options options;
-  try {
+  return test::refusal_of([&] {
     apply_waves(options, {"fst", "", trigger, "", ""});
     check_waves(options);
-  } catch (const ConfigError& error) {
-    return error.what();
-  }
-  return "";
+  });
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "machines/larson/machine.hpp"
 #include "tests/support/columns.hpp"
 #include "tests/support/figures.hpp"
+#include "tests/support/message.hpp"
 
 using namespace trammel;
 
@@ -199,12 +200,7 @@ TEST_CASE("larson: friction that the steps of a motor cannot follow is refused, 
     motor.friction_speed = 4 * speed;
     const double speed_rad_s = 4 * 2 * std::acos(-1.0) / motor.steps;
     motor.friction = 6e4 * speed_rad_s * 2e-5 * friction;
-    try {
-      larson::machine().validate(options);
-    } catch (const lab::ConfigError& error) {
-      return error.what();
-    }
-    return "";
+    return test::refusal_of([&] { larson::machine().validate(options); });
   };
   CHECK(refusal(0.999, 1, 1) == "");
   CHECK(refusal(1.001, 1, 1) != "");

@@ -12,6 +12,7 @@
 
 #include "lab/errors.hpp"
 #include "machines/larson/machine.hpp"
+#include "tests/support/message.hpp"
 #include "tests/support/scratch.hpp"
 
 using namespace trammel;
@@ -27,21 +28,11 @@ std::vector<Call> script(const std::string& text) {
 }
 
 std::string refused(const std::string& text) {
-  try {
-    script(text);
-  } catch (const lab::ConfigError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of([&] { script(text); });
 }
 
 std::string refused_moves(const std::string& text) {
-  try {
-    larson::parse_moves(text, "m.csv", {});
-  } catch (const lab::ConfigError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of([&] { larson::parse_moves(text, "m.csv", {}); });
 }
 
 }  // namespace
