@@ -4,9 +4,9 @@
 usage: scripts/tool gen-equations [--check]     --check writes nothing; exit 1 if the map is stale
 
 A line implements an equation when a comment on it, or just above it, marks it: "Kung eq. 23",
-"Kung eq. 28, 29", "Kung eq. 30 to 38". docs/equations.toml holds what each equation says and where
-it must be marked. An equation that is marked nowhere, or not where it must be, or that does not
-exist, is an error in both modes.
+"Kung eq. 28, 29", "Kung eq. 30 to 38". A test is named by its file alone. docs/equations.toml holds
+what each equation says and where it must be marked. An equation that is marked nowhere, or not
+where it must be, or that does not exist, is an error in both modes.
 """
 
 import re
@@ -32,7 +32,8 @@ Kung, Huang and Huang, "FPGA-Based Motion Control IC for Linear Motor Drive X-Y 
 Fuzzy Control", 2012 (DOI 10.5772/48457). Every numbered equation is implemented at the lines named
 here, or has a reason why not. RTL and twin compute the same integers; the ideal model is the same
 law in double precision; firmware writes the path; set-up converts physical values to register
-words. Where the paper is silent or we differ: [deviations.md](deviations.md).
+words; a test is named by its file. Where the paper is silent or we differ:
+[deviations.md](deviations.md).
 
 | Eq. | What | Where |
 |---|---|---|
@@ -106,6 +107,9 @@ def where(found):
     for kind in filter(found.get, dict.fromkeys(KINDS.values())):
         links = []
         for path, (first, *more) in found[kind].items():
+            if kind == "test":  # without lines: tests change more often than the law they hold
+                links.append(f"[{path.name}](../{path})")
+                continue
             links.append(f"[{path.name}:{first}](../{path}#L{first})")
             links += [f"[{n}](../{path}#L{n})" for n in more]
         parts.append(f"{kind} {', '.join(links)}")

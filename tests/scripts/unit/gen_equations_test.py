@@ -36,6 +36,11 @@ class GenEquationsTest(Scratch):
                          "RTL [a.sv:1](../rtl/math/a.sv#L1), [2](../rtl/math/a.sv#L2); "
                          "twin [a.hpp:2](../models/exact/math/a.hpp#L2)")
 
+    def test_a_test_is_named_without_lines_so_that_its_edits_leave_the_page_as_it_is(self):
+        place = Path("tests/math/a_test.cpp")
+        self.assertEqual(gen_equations.where({"test": {place: [3, 5]}}),
+                         "test [a_test.cpp](../tests/math/a_test.cpp)")
+
     def test_files_of_a_machine_have_the_kind_of_their_role(self):
         for path, kind in (("machines/saw/words.hpp", "set-up"), ("sw_nios/path/a.hpp", "firmware"),
                            ("machines/saw/figures.cpp", "metric"),
