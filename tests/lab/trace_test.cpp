@@ -122,7 +122,9 @@ TEST_CASE("a column that has a unit is named after it, and printed as finely as 
       }
       if (column.format.kind == Format::Kind::kWhole) CHECK(column.resolution >= 1);
       if (column.format.kind == Format::Kind::kFixed) {
+        // The page drops two digits at most, so that neither of the two can be coarse unseen.
         CHECK(std::pow(10, -column.format.digits) <= column.resolution * (1 + 1e-9));
+        CHECK(column.resolution <= 100 * std::pow(10, -column.format.digits) * (1 + 1e-9));
       }
     }
   }
