@@ -98,6 +98,73 @@ class Page(unittest.TestCase):
             self.assertEqual(values, sorted(values, reverse=falls))
             self.assertEqual(len(values), len(self.rows))
 
+    def test_what_has_no_value_comes_last(self):
+        refused = [row["run"] for row in self.rows if row["end"] == "refused"]
+        self.assertEqual(len(refused), 1)
+        head = [c.text for c in self.driver.find_elements("css selector", "#table th")]
+        for _ in range(2):  # rising, falling
+            self.driver.find_elements("css selector", "#table th")[head.index("wall_s")].click()
+            self.assertEqual(int(self.column(0)[-1]), refused[0])
+
+    def test_the_page_tells_how_many_ended_badly(self):
+        bad = sum(row["end"] != "done" for row in self.rows)
+        self.assertNotEqual(bad, len(self.rows) - bad)
+        about = self.driver.find_element("id", "about").text
+        self.assertIn(f"{len(self.rows)} of {len(self.rows)} runs are shown; {bad} of these", about)
+
+    def place(self, values, n):
+        """Where on its axis a value is, 0 to 1."""
+        there = [v for v in values if v is not None]
+        return (values[n] - min(there)) / (max(there) - min(there))
+
+    def values(self, name):
+        return [row.get(name) for row in self.rows]
+
+    def test_points_and_lines_lie_where_their_values_are(self):
+        self.choose("x", "gains.kp")
+        self.choose("y", "wall_s")
+        points = {one["n"]: one for one in self.js("return places.scatter")}
+        width, height = self.js("const c = byId('scatter'); return [c.clientWidth, "
+                                "Number(c.dataset.height)]")
+        for n, at in points.items():
+            self.assertAlmostEqual(
+                at["x"], 80 + (width - 110) * self.place(self.values("gains.kp"), n), delta=0.1)
+            self.assertAlmostEqual(
+                at["y"], height - 40 - (height - 76) * self.place(self.values("wall_s"), n),
+                delta=0.1)
+        for option in self.driver.find_elements("css selector", "#axes option"):
+            if option.is_selected() != (option.text in ("gains.kp", "plant.payload_kg", "wall_s")):
+                option.click()
+        taken = self.js("return [...byId('axes').selectedOptions].map((o) => o.value)")
+        self.assertEqual(sorted(taken), ["gains.kp", "plant.payload_kg", "wall_s"])
+        tall = self.js("return Number(byId('parallel').dataset.height)") - 60
+        marks = self.js("return places.parallel")
+        self.assertEqual(len(marks), 3 * len(points))
+        for k, mark in enumerate(marks):  # three of a run, one after the other
+            place = self.place(self.values(taken[k % 3]), mark["n"])
+            self.assertAlmostEqual(mark["y"], 44 + tall * (1 - place), delta=0.1, msg=taken[k % 3])
+
+    def test_colors_go_from_blue_to_red(self):
+        self.choose("x", "wall_s")
+        self.choose("y", "wall_s")
+        for name, wanted in (("gains.kp", {0.1: "hsl(240, 75%, 45%)", 0.2: "hsl(0, 75%, 45%)"}),
+                             ("controller", {"afc": "#1f77b4", "fc": "#d9731a"})):
+            self.choose("color", name)
+            drawn = [c.get("fill") for c in self.svg("scatter").iter(f"{SVG}circle")]
+            values = [row[name] for row in self.rows if "wall_s" in row]
+            self.assertEqual(drawn, [wanted[v] for v in values], name)
+
+    def test_bars_count_the_runs(self):
+        self.choose("y", "plant.payload_kg")
+        bars = [float(bar.get("height")) for bar in self.svg("histogram").iter(f"{SVG}rect")
+                if bar.get("fill") == "#335577"]
+        values = [v for v in self.values("plant.payload_kg") if v is not None]
+        counts = [0] * 5  # of 0, 11 and 22
+        for v in values:
+            counts[min(4, int(v / 22 * 5))] += 1
+        for bar, count in zip(bars, counts, strict=True):
+            self.assertAlmostEqual(bar / max(bars), count / max(counts), delta=0.01)
+
     def test_a_click_shows_the_command(self):
         from selenium.webdriver import ActionChains
         commands = self.js("return data.commands")
