@@ -262,6 +262,7 @@
     [['trajectory.acceleration'], 'Stage III lists none; 60 000 is far above what 3 A can give'],
     [['track.least_speed'], 'ours: v = 0 in a corner would never end'],
     [['track.velocity_shift'], 'ours: DECOMP alone reaches 13.7 mm/s'],
+    [['chip.clock_MHz'], 'not stated; the numbers of Stage II are round for 6 MHz alone'],
   ];
 
   function assumptionCard(m) {
@@ -269,8 +270,6 @@
     const rows = kAssumed.filter(([keys]) => tracks(m) || !/^(traj|track)/.test(keys[0]))
       .flatMap(([keys, reason]) => keys.map((key) => [key, T.valueText(m.options[key]),
         why(reason)]));
-    rows.push(['clock of the parts', '6 MHz', why('not stated; the numbers of Stage II are round ' +
-      'for it alone')]);
     return T.el('div', { class: 'card long' }, T.lm628.table(['Assumed', 'value',
       T.lm628.text('because', 'th')], rows));
   }

@@ -8,13 +8,24 @@ usage: report_check.py PROGRAM FOLDER     PROGRAM: trammel; FOLDER: for the runs
 """
 
 import csv
+import itertools
 import math
 import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "tests" / "support"))
 import browser
+import drawing
 import report_pages
+
+MM = 1e3 * 0.0040132 / 800  # of a count
+MM_S = MM / (2048 / 6e6)    # of a count a sample
+
+
+def place(column, factor):
+    """From the origin of the square, the middle of its lower edge."""
+    return (lambda row, axis: row[column.format(a=axis)] * factor - (3 if axis == "y" else 0),
+            1e-5)
 
 
 class Page(report_pages.ReportPages):
@@ -35,6 +46,19 @@ class Page(report_pages.ReportPages):
                         "x_p": 0, "y_i": 0, "x_d": 0, "y_status": 0, "x_u_V": 1e-4}}
     least_plots = 6
     least_saved = 19
+    drawn = {"track": {
+        "contour": {"self-paced": None, "v = 254": None, "v = 40": None},
+        "path-speed": {"desired": drawing.hypot("x_desired_speed", "y_desired_speed", factor=MM_S,
+                                                tolerance=1e-3),
+                       "table": drawing.hypot("x_mm_s", "y_mm_s")},
+        "feed": {"v": "v"}, "curvature": {"C": None, "CC": None},
+        "position-{a}": {"desired": place("{a}_desired_count", MM), "table": place("{a}_mm", 1),
+                         "real, as counted": place("{a}_real_count", MM)},
+        "speed-{a}": {"desired": ("{a}_desired_speed", MM_S), "table": "{a}_mm_s"},
+        "error-{a}": {"e": "{a}_e"},
+        "terms-{a}": {name: f"{{a}}_{name}" for name in ("output", "d", "p", "i")},
+        "voltage-{a}": {"u": "{a}_u_V"}, "current-{a}": {"i": "{a}_i_A"}}}
+    paths_drawn = {"track": (None, place("{a}_desired_count", MM), place("{a}_mm", 1), None)}
 
     def contour(self):
         """Names, figures that the page marks, and largest values of the runs of the plot."""
@@ -48,6 +72,15 @@ class Page(report_pages.ReportPages):
                 **{name: run["motion"] for name, run in metrics["compared"].items()}}
         shown = self.contour()
         self.assertEqual([one[0] for one in shown], ["self-paced", "v = 254", "v = 40"])
+        own, fast, slow = (runs[one[0]] for one in shown)
+        note = self.driver.find_element("id", "tracking").text
+        self.assertIn(f"has {own['contour_max_mm'] / fast['contour_max_mm']:.2f} of the largest "
+                      "contour error of v = 254", note)
+        self.assertIn(f"takes {own['time_s'] / slow['time_s']:.2f} of the time of v = 40", note)
+        most = (254 * 255 >> 8) * 0xF1 * 2 ** self.metrics("track")["options"][
+            "track.velocity_shift"] / 65536 * MM_S
+        self.assertIn(f"v = 254 along an axis is {most:.2f} mm/s",
+                      self.driver.find_element("id", "feed").text)
         for name, when, peak, largest in shown:
             self.assertEqual((when, peak), (runs[name]["contour_max_s"],
                                             runs[name]["contour_max_mm"]))
@@ -108,9 +141,20 @@ class Page(report_pages.ReportPages):
                         "(r) => [...r.cells].map((c) => c.textContent.replace('\u2212', '-')))")
         for cell, row in zip(cells, rows, strict=True):
             self.assertEqual(cell[3:9], [row[key] for key in ("dx", "dy", "c", "cc", "vx", "vy")])
+        self.assertEqual(cells[0][1:3], ["0.000", "-3.000"])
+        for before, cell in itertools.pairwise(cells):
+            for axis in (1, 2):  # where a row begins is where the one before it ends
+                self.assertAlmostEqual(float(cell[axis]), float(before[axis]) +
+                                       MM * float(before[axis + 2]), delta=1.1e-3)
         trace = self.rows("track")
+        for label, key in (("C", "c"), ("CC", "cc")):
+            self.assertEqual(self.lines("curvature")[label], [
+                int(rows[min(len(rows), max(1, int(row["row"]))) - 1][key]) for row in trace])
         begins = next(row for row in trace if row["row"] == "8")
         self.assertEqual(cells[7][9], begins["v"])
+        after = next(row for row in trace if row["row"] == "9")
+        self.assertAlmostEqual(float(cells[7][11]), 0.4951819 / (float(after["t_s"]) -
+                                                                 float(begins["t_s"])), delta=0.01)
         self.assertAlmostEqual(float(cells[7][10]), float(begins["t_s"]) - float(trace[0]["t_s"]),
                                delta=6e-4)
         speeds = [math.hypot(float(row["x_mm_s"]), float(row["y_mm_s"])) for row in trace]
@@ -121,6 +165,8 @@ class Page(report_pages.ReportPages):
         # A chord of a row of 0.5 mm lies 0.03 mm inside of an arc of 1 mm.
         self.assertAlmostEqual(far, max(float(row["contour_mm"]) for row in trace), delta=0.032)
         self.assertIn("Aerotech 1075", self.driver.find_element("id", "assumptions").text)
+        self.assertIn("chip.clock_MHz 6 not stated",
+                      self.driver.find_element("id", "assumptions").text)
         self.open("switch")
         self.assertFalse(self.driver.find_element("id", "zoom-reset").is_enabled())
         events = self.driver.find_element("id", "status").text
@@ -130,6 +176,13 @@ class Page(report_pages.ReportPages):
         marks = self.js("return Trammel.time.marks")
         self.assertEqual(len(marks), 1)
         self.assertAlmostEqual(marks[0], opened - begin, delta=1e-7)
+        bars = [s for s in self.shapes("status-x") if s["tag"] == "rect"]
+        rows = self.numbers_of("switch")
+        # The row at the bottom is that of the high switch: a bar from its first sample on.
+        lowest = max(bars, key=lambda bar: float(bar["y"]))
+        first = next(k for k, row in enumerate(rows) if int(row["limits"]) & 2)
+        part = (rows[first]["t_s"] - begin) / (rows[-1]["t_s"] - begin)
+        self.assertAlmostEqual(float(lowest["x"]), 146 + part * (640 - 160), delta=1)
         self.assertIn("limit switch", self.driver.find_element("class name", "bad").text)
 
     def test_runs_of_a_table_are_compared(self):
