@@ -16,6 +16,8 @@ from decimal import ROUND_HALF_UP, Decimal
 from pathlib import Path
 
 import browser
+import drawing
+import page_tables
 
 MACHINES = Path(__file__).resolve().parents[2] / "machines"
 PAINTED = """
@@ -48,7 +50,7 @@ def given(figure, name):
     return [float(figure[name])] if name in figure else []
 
 
-class ReportPages(unittest.TestCase):
+class ReportPages(drawing.Drawing, page_tables.Tables, unittest.TestCase):
     runs = {}         # folder: arguments of the program
     tripped = set()   # those of them that end with exit 5
     compared = ()     # two or more of them, for compare.html
@@ -56,6 +58,7 @@ class ReportPages(unittest.TestCase):
     least_plots = 1   # over time, of any of the runs
     least_saved = 1   # plots of all kinds, of all runs together
     program, folder, driver = None, None, None
+    machines = MACHINES
 
     @classmethod
     def setUpClass(cls):

@@ -6,6 +6,7 @@ what these show beyond it: interrupts, the script that drove the part, runs of b
 usage: report_check.py PROGRAM FOLDER     PROGRAM: trammel; FOLDER: for the runs, made anew
 """
 
+import math
 import sys
 from pathlib import Path
 
@@ -18,12 +19,23 @@ class Page(report_pages.ReportPages):
     runs = {
         "tuning": ["run", "an693-tuning", "-s", "trajectory.steps=2"],
         "script": ["lm628", "tuning"],
+        "soft": ["run", "an693-tuning", "-s", "trajectory.steps=2", "-s", "filter.kp=80"],
     }
-    compared = ("tuning", "script")
+    compared = ("tuning", "script", "soft")
     values = {"tuning": {"t_s": 1e-8, "desired_count": 1e-3, "theta_count": 1e-3, "p": 0,
                          "status": 0, "host_irq": 0, "omega_rad_s": 1e-4, "u_V": 1e-4}}
     least_plots = 6
     least_saved = 7
+    # A turn has 2000 counts, a sample 256 us.
+    drawn = {"tuning": {
+        "position": {"desired": "desired_count", "shaft": "theta_count",
+                     "real, as counted": "real_count"},
+        "speed": {"desired": ("desired_speed", 1 / 2000 / 256e-6),
+                  "shaft": ("omega_rad_s", 1 / (2 * math.pi))},
+        "error": {"e": "e"}, "terms": {name: name for name in ("output", "d", "p", "i")},
+        "voltage": {"u": "u_V"}, "current": {"i": "i_A"}}}
+    compared_drawn = {"position": "theta_count", "error": "e", "output": "output",
+                      "speed": ("omega_rad_s", 1 / (2 * math.pi))}
 
     def test_the_page_tells_its_interrupts_and_script(self):
         self.open("tuning")
@@ -32,6 +44,13 @@ class Page(report_pages.ReportPages):
                          [one["time_s"] for one in interrupts])
         table = self.driver.find_element("css selector", "#status table").text
         self.assertEqual(table.count("trajectory complete"), len(interrupts))
+        self.assertNotIn("busy", table)
+        rows = self.rows_of("#status tbody tr")
+        for row, one in zip(rows, interrupts, strict=True):
+            self.assertEqual([cell[0] for cell in row[3:5]],
+                             [str(one["desired_count"]), str(one["real_count"])])
+        speed = self.metrics("tuning")["motion"]["max_speed_rev_s"]
+        self.assertIn(f"{60 * speed:.0f} rev/min", self.driver.find_element("id", "top").text)
         self.assertIn("First step settled", self.driver.find_element("id", "figures").text)
         self.open("script")
         script = self.driver.find_element("id", "script").text

@@ -6,14 +6,17 @@ what these show beyond it: the calibration and the thesis' figures beside ours.
 usage: report_check.py PROGRAM FOLDER     PROGRAM: trammel; FOLDER: for the runs, made anew
 """
 
+import math
 import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "tests" / "support"))
 import browser
+import drawing
 import report_pages
 
-SHORT = ["--engine", "twin", "-s", "run.time_s=2"]
+SHORT = ["--engine", "twin", "-s", "run.time_s=2", "-s", "step.zero_mm=0.5", "-s",
+         "step.from_mm=2"]
 
 
 class Page(report_pages.ReportPages):
@@ -28,6 +31,15 @@ class Page(report_pages.ReportPages):
                     "filtered_mm_s": 1e-2, "m1_u_count": 0, "m2_u_count": 0}}
     least_plots = 6
     least_saved = 9
+    drawn = {"p": {
+        "position": {"asked": "goal_mm", "cart": "x_mm", "observer": "position_mm"},
+        "velocity": {"cart": "v_mm_s", "filtered": "filtered_mm_s", "observer": "velocity_mm_s"},
+        **{plot: {f"motor {k}": f"m{k}_{column}" for k in (1, 2)} for plot, column in
+           (("control", "u_count"), ("force", "force_count"), ("apart", "apart_mm"),
+            ("flank", "flank"))}}}
+    compared_drawn = {
+        "response": (lambda row, _: 100 * (row["x_mm"] - 0.5 - 2) / (305 - 2), 1e-4),
+        "position": "x_mm", "velocity": "v_mm_s", "control": "m1_u_count"}
 
     def test_the_calibration_and_the_published_figure_are_shown(self):
         self.open("p")
@@ -61,6 +73,34 @@ class Page(report_pages.ReportPages):
                  ** 0.5 for row in rows]
         self.assertGreater(min(radii), 370)
         self.assertLess(max(radii), 430)
+
+    def test_the_cubics_are_those_of_the_memory(self):
+        self.open("fitted")
+        words = self.metrics("fitted")["calibration"]
+        colors = self.js("return Trammel.light.runs")
+
+        def phase(region, code):
+            c = [w - 65536 if w > 32767 else w for w in words[14 + 4 * region:18 + 4 * region]]
+            x = (64 * (code - 512) - words[10 + region]) / 16384
+            return ((c[0] * x + c[1]) * x + c[2]) * x + c[3]
+
+        curves, errors = [], []
+        for region in range(4):
+            steps = [32 * (k - 64) for k in range(129)]  # phase from the centre
+            curve, error = (max((s["points"] for s in self.shapes(plot) if s["tag"] == "path"
+                                 and s.get("stroke") == colors[region]), key=len)
+                            for plot in ("cubics", "cubics-off"))
+            for off, at, wrong in zip(steps, curve, error, strict=True):
+                wave = math.cos if region % 2 else math.sin
+                true = region * 4096 + off
+                code = 512 + 400 * wave(2 * math.pi * true / 16384)
+                curves.append((code, phase(region, code), at))
+                errors.append((off, phase(region, code) - true, wrong))
+        for points in (curves, errors):
+            for k in (0, 1):  # x, y
+                slope, _, worst = drawing.line_through([(one[k], one[2][k]) for one in points])
+                self.assertEqual(slope > 0, k == 0)
+                self.assertLess(worst, 0.02)
 
     def test_runs_lie_over_each_other_beside_what_the_thesis_has(self):
         browser.open_page(self.driver, self.folder / "compare.html")

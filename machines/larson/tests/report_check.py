@@ -10,6 +10,8 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "tests" / "support"))
+import drawing
+import page_tables
 import report_pages
 
 SHORT = ["--engine", "twin", "-s", "axis.start_x_step=30", "-s", "axis.start_y_step=20"]
@@ -20,14 +22,29 @@ class Page(report_pages.ReportPages):
         "calibrate": ["run", "larson-calibrate", *SHORT],
         "lost": ["run", "larson-overload", *SHORT],
         "step": ["run", "larson-step", *SHORT, "-s", "record.every_ms=1"],
+        "rough": ["run", "larson-step", *SHORT, "-s", "record.every_ms=2",
+                  "-s", "motor.friction_N_m=0.05"],
     }
     tripped = {"lost"}
-    compared = ("calibrate", "lost", "step")
+    compared = ("step", "lost", "rough")
     values = {"calibrate": {"t_s": 1e-8, "call": 0, "x_step": 0, "y_at_step": 1e-3,
                             "x_speed_step_s": 1e-1, "x_angle_step": 1e-3, "x_waiting": 0,
                             "x_count": 0}}
     least_plots = 6
     least_saved = 12
+    drawn = {"step": {
+        "angle-{a}": {"rotor": "{a}_angle_step"},
+        "position-{a}": {"interface": "{a}_asked_step", "translator": "{a}_step",
+                         "rotor": "{a}_at_step"},
+        "rate-{a}": {"rotor": "{a}_speed_step_s", "translator": "{a}_rate_step_s"},
+        "waiting-{a}": {"waiting": "{a}_waiting"},
+        "left-{a}": {"left": (lambda row, axis: 65535 - row[f"{axis}_count"], 0)},
+        "bits-{a}": {"busy": drawing.bit("{a}_status", 12),
+                     "forward": drawing.bit("{a}_status", 13),
+                     "switch": drawing.bit("{a}_status", 14)}}}
+    compared_drawn = {"position-{a}": "{a}_at_step", "angle-{a}": "{a}_angle_step"}
+    paths_drawn = {"calibrate": tuple((f"{{a}}_{name}", 25.4e-3) for name in
+                                      ("asked_step", "step", "at_step", "step"))}
 
     def test_calls_events_and_published_figures_are_shown(self):
         self.open("calibrate")
@@ -37,6 +54,14 @@ class Page(report_pages.ReportPages):
             self.assertIn(call["call"], calls)
             self.assertIn(call["answer"], calls)
         self.assertIn("1000 2000", calls)
+        for row, call in zip(self.rows_of("#calls tbody tr"), metrics["calls"], strict=True):
+            for cell, axis in zip(row[4:], "xy", strict=True):
+                self.assertAlmostEqual(page_tables.number(cell[0]), call[f"{axis}_step"],
+                                       delta=0.0051)
+        marks = self.js("return Trammel.time.marks")
+        rare = [one["time_s"] for one in metrics["events"] if one["what"] != "interrupt"]
+        every = [one["time_s"] for one in metrics["events"]]
+        self.assertEqual(marks, every if len(every) <= 24 else rare[:24])
         events = self.driver.find_element("id", "interface").text
         for event in metrics["events"]:
             self.assertIn(event["what"], events)
