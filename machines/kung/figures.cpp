@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <limits>
 
 namespace trammel::kung {
 namespace {
@@ -80,8 +81,9 @@ Series signed_contour_error(const Points& table, const Points& path, std::size_t
     }
     while (near.size() > 1 && near[1].at + reach < k) near.pop_front();
     const PointM own = table[k];
-    double best = square_distance(own, near.front().point, near.front().point);
+    double best = std::numeric_limits<double>::infinity();
     bool right = false;
+    if (near.size() == 1) best = square_distance(own, near.front().point, near.front().point);
     for (std::size_t i = 0; i + 1 < near.size() && near[i].at <= k + reach; ++i) {
       const PointM& a = near[i].point;
       const PointM& b = near[i + 1].point;

@@ -187,6 +187,15 @@ TEST_CASE("the signed contour error is positive on the left of the direction of 
   }
 }
 
+TEST_CASE("a table that is nearest to the first point of its path is on one side of it too") {
+  const Points path{{0, 0}, {0.01, 0}, {0.02, 0}};
+  const Points left{{-0.003, 0.004}, {-0.003, 0.004}};
+  const Points right{{-0.003, -0.004}, {-0.003, -0.004}};
+  CHECK(signed_contour_error(left, path, 5)[1] == Approx(0.005));
+  CHECK(signed_contour_error(right, path, 5)[1] == Approx(-0.005));
+  CHECK(signed_contour_error(right, {{0, 0}}, 5)[1] == Approx(0.005));  // of a point it has no side
+}
+
 TEST_CASE("a table has settled once it stays within the band") {
   Points points;
   for (const double x : {5.0, 2.0, 0.5, -1.5, 0.9, 0.2, 0.0}) points.push_back({x * 1e-3, 0});
