@@ -366,6 +366,15 @@ TEST_CASE("runs of one machine are compared on one page, at most twelve of them"
     CHECK(page.find("\"label\":\"one/a\"") != std::string::npos);
     CHECK(page.find("\"label\":\"two/a\"") != std::string::npos);
     CHECK(page.find("\"page\":\"two/a/report.html\"") != std::string::npos);
+    const fs::path c = base / "third" / "one" / "a";
+    fs::create_directories(c.parent_path());
+    fs::copy(a, c, fs::copy_options::recursive);
+    write_page({a, b, c}, file);  // the third is told from the first by the whole of its path
+    for (const std::string& label : {std::string("one/a"), std::string("two/a"), c.string()}) {
+      INFO("label " << label);
+      CHECK(content(file).find("\"label\":\"" + label + '"') != std::string::npos);
+    }
+    write_page({a, b}, file);
     write_page(std::vector<fs::path>(12, a), base / "twelve.html");
     CHECK(fs::exists(base / "twelve.html"));
     CHECK_THROWS_WITH(write_page(std::vector<fs::path>(13, a), file),
