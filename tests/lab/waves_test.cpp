@@ -157,8 +157,14 @@ TEST_CASE("impossible waves are refused before the run") {
     arguments.every = "4ms";
     CHECK_THAT(message_of(machine, arguments),
                Contains("value 0.004 is shorter than its window of 0.005"));
-    arguments.every = "5";
-    CHECK(message_of(machine, arguments).empty());
+    arguments.every = "4.99998ms";  // a clock less than the window
+    CHECK_THAT(message_of(machine, arguments),
+               Contains("value 0.00499998 is shorter than its window of 0.005"));
+    for (const char* const every : {"5ms", "5.00002ms", "5"}) {  // one behind the other, or apart
+      CAPTURE(every);
+      arguments.every = every;
+      CHECK(message_of(machine, arguments) == "");
+    }
     arguments.window = "0:1ns";
     CHECK_THAT(message_of(machine, arguments), Contains("a window of 1e-09 s holds no clock"));
     arguments.window = "9ns:11ns";  // around the border between edges 0 and 1
