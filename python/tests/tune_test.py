@@ -106,6 +106,14 @@ class Tune(unittest.TestCase):
             found.get_trials = lambda deepcopy, one=one: one
             self.assertEqual([t.number for t in tune.best_of(study, found)], best, signs)
 
+    def test_a_trial_that_meets_a_limit_exactly_is_within_it(self):
+        study = SimpleNamespace(objectives=[SimpleNamespace(maximize=False)])
+        for outside, within in (([], True), ([0.0], True), ([-1.0, 0.0], True), ([1e-12], False),
+                                ([0.0, 1e-12], False), ([1e-12, -1.0], False)):
+            trial = SimpleNamespace(number=7, values=[1.0], user_attrs={"outside": outside})
+            found = SimpleNamespace(get_trials=lambda deepcopy, trial=trial: [trial])
+            self.assertEqual(tune.best_of(study, found), [trial] if within else [], outside)
+
     def test_none_within_the_constraints(self):
         done = run(self.study(STUDY + ERROR + LIMIT % 1e-3), "-o", self.out, "--trials", 2)
         self.assertEqual(done.returncode, 1)
