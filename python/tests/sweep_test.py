@@ -20,6 +20,7 @@ import sweeps
 
 import trammel
 from trammel import sweep
+from trammel.sweep import store, work
 
 SHORT = '"run.max_s" = 0.03\n'
 PLAN = f"""[[part]]
@@ -80,9 +81,13 @@ class Sweeps(unittest.TestCase):
         page = (self.out / "page.html").read_text()
         data = json.loads(page.split('id="data">')[1].split("</script>")[0])
         self.assertEqual(data["runs"], list(range(7)))
-        words = shlex.split(data["commands"][4])
-        self.assertEqual(words[:3], ["./trammel", "run", "circle"])
-        self.assertIn("plant.payload_kg=11.0", words)
+        for number, row in enumerate(rows):  # the engine, the part's own keys, and what varies
+            keys = ["run.engine=twin", "run.max_s=0.03"]
+            keys += [f"{key}={row[key]}" for key in ("controller", "plant.payload_kg")
+                     if row[key] is not None]
+            self.assertEqual(shlex.split(data["commands"][number]),
+                             ["./trammel", "run", row["scenario"],
+                              *(word for key in keys for word in ("-s", key))], number)
         changed = self.plan((PLAN % other_scenario()).replace("22", "23"))
         refused = run(changed, "-o", self.out)
         self.assertEqual(refused.returncode, 2)
@@ -99,6 +104,30 @@ class Sweeps(unittest.TestCase):
         self.assertEqual((good["end"], bad["end"]), ("timeout", "refused"))
         self.assertIn("run.", bad["message"])
         self.assertIsNone(bad["event_hash"])
+
+    def test_parts_that_give_one_key_other_values_are_other_runs(self):
+        parts = [("circle", "twin", {"run.max_s": seconds}) for seconds in (0.02, 0.03)]
+        parts += [("window", "twin", {"run.max_s": 0.03}), parts[0]]
+        rows, _ = work.chunk(parts, [(number, number, {}) for number in range(len(parts))])
+        for (scenario, engine, keys), row in zip(parts, rows, strict=True):
+            alone = trammel.run(scenario, engine=engine, **keys)
+            self.assertEqual((row["scenario"], row["event_hash"]), (scenario, alone.event_hash),
+                             (scenario, keys))
+        self.assertEqual(len({row["event_hash"] for row in rows}), 3)
+
+    def test_what_is_refused_or_lost_has_no_result(self):
+        plan = self.plan('scenario = "circle"\n[grid]\n"gains.kp" = [0.1, 0.2, 0.3]\n')
+        for ends, refused in (("done timeout tripped", 0), ("done refused done", 1),
+                              ("lost refused lost", 3), ("lost done done", 1)):
+            out = self.folder / ends
+            with store.Store(out, sweep.Plan(plan).identity()) as kept:
+                kept.add([{"run": number, "part": 0, "scenario": "circle", "end": end,
+                           "message": ""} for number, end in enumerate(ends.split())])
+            done = sweep.run(plan, out)  # all are there: it makes none
+            self.assertEqual((done.runs, done.refused, done.left), (0, refused, 0), ends)
+        last = run(plan, "-o", out)
+        self.assertEqual((last.returncode, last.stderr), (1, ""), ends)
+        self.assertIn("3 of 3 runs, 0 of them now; 1 without a result", last.stdout)
 
     def test_a_worker_is_killed_and_then_the_sweep(self):
         plan = self.plan(sweeps.plan(120, 0.4))
