@@ -8,6 +8,7 @@ usage: report_check.py PROGRAM FOLDER     PROGRAM: trammel; FOLDER: for the runs
 """
 
 import csv
+import json
 import math
 import sys
 from pathlib import Path
@@ -190,6 +191,26 @@ class Page(drawn_page.DrawnPage, report_pages.ReportPages):
         most = self.metrics("precision")["contour_um"]["max"]
         self.assertAlmostEqual(top, most, delta=0.02 * most + 0.01)
 
+    def test_the_bar_of_10_um_has_the_length_of_such_an_error_as_it_is_drawn(self):
+        self.open("precision")
+        card = self.driver.find_element("css selector", "[data-plot=contour-large]")
+        factors = card.find_elements("css selector", ".segments button")
+        self.assertGreater(len(factors), 2)
+        for button in factors:
+            self.js("arguments[0].click()", button)
+            bars, pixels = self.js("""const plot = Trammel.plots.find((p) => p.id === arguments[0]);
+                const c = plot.canvas, f = plot.frame(c.clientWidth, c.clientHeight);
+                const ink = Trammel.theme().ink;  // of the bar alone
+                return [[...c.querySelectorAll(`svg path[stroke="${ink}"]`)].map((path) =>
+                  path.getAttribute('d').slice(1).split(' ').map(Number)), f.x(0.01) - f.x(0)]""",
+                                   "contour-large")
+            factor = int(button.text.removeprefix("\u00d7").replace("\u2009", ""))
+            with self.subTest(factor=factor):
+                self.assertEqual(len(bars), 1)
+                (left, top, right, bottom), = bars
+                self.assertEqual(top, bottom)
+                self.assertAlmostEqual(right - left, factor * pixels, delta=0.02)
+
     def test_the_spectrum_has_marks_where_speed_puts_them(self):
         self.open("precision")
         rows = [row for row in self.precise() if row["counted"] == "1"]
@@ -291,6 +312,27 @@ class Page(drawn_page.DrawnPage, report_pages.ReportPages):
         links = [a.get_attribute("href") for a in self.driver.find_elements(
             "css selector", "#figures a")]
         self.assertEqual([link.split("/")[-2] for link in links], ["circle", "small-fc"])
+        self.assertEqual(browser.complaints(self.driver), [])
+
+    def test_runs_differ_from_half_of_the_last_digit_on_that_is_shown(self):
+        page = (self.folder / "compare.html").read_text(encoding="utf-8")
+        head, begin, rest = page.partition('id="run-data">')
+        text, end, tail = rest.partition("</script>")
+        for part, told, tone in ((0.45, "=", ""), (-0.45, "=", ""), (0.55, "+0.001", "bad-text"),
+                                 (-0.55, "\u22120.001", "good-text")):
+            data = json.loads(text)
+            means = [next(f for f in run["metrics"]["figures"]
+                          if f["id"] == "tracking.model.mean_mm") for run in data["runs"]]
+            self.assertEqual(means[0]["digits"], 3)
+            means[1]["value"] = means[0]["value"] + part * 1e-3
+            (self.folder / "near.html").write_text(
+                head + begin + json.dumps(data).replace("<", "\\u003c") + end + tail,
+                encoding="utf-8")
+            self.open(".", "near.html")
+            small = self.driver.find_element("css selector", "#figures tbody tr small")
+            with self.subTest(part=part):
+                self.assertEqual(small.text.split(",")[0], told)
+                self.assertEqual(small.get_attribute("class") or "", tone)
         self.assertEqual(browser.complaints(self.driver), [])
 
 
