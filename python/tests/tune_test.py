@@ -65,7 +65,8 @@ class Tune(unittest.TestCase):
         cases = [trammel.run(self.out / "best.toml", engine="twin", **{"plant.payload_kg": m})
                  for m in (0, 11)]
         worst = max(case.figures["tracking.model.mean_mm"] for case in cases)
-        self.assertAlmostEqual(worst, errors[best], delta=1e-5 * worst)
+        self.assertAlmostEqual(worst, errors[best], delta=1e-5 * worst,
+                               msg=f"payloads 0 and 11: {[one.command for one in cases]}")
         # It goes on, and a study always comes to the same.
         more = run(file, "-o", self.out, "--jobs", 1, "--trials", 10)
         self.assertIn("10 trials", more.stdout)

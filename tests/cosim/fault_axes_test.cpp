@@ -237,15 +237,19 @@ TEST_CASE("a fault of the processor has its own time and amount, at its first an
   CHECK(stopped > clocks_of(3600, kClockPs));
   CHECK(stopped < kNever / 2);  // further times can be added
   struct Case {
+    const char* name;
     FaultKind kind;
     int value;
     Clk work, access;  // of 100 and of 8 clocks at edge 120
   };
   using K = FaultKind;
-  for (const Case& one : {Case{K::kProcessorStopped, 0, 130, 38}, {K::kProcessorSlow, 0, 1000, 80},
-                          {K::kProcessorSlow, 7, 700, 56}, {K::kBusStall, 0, 100, 1008},
-                          {K::kBusStall, 7, 100, 15}, {K::kProcessorGarbage, 0, 100, 8}}) {
-    CAPTURE(static_cast<int>(one.kind), one.value);
+  for (const Case& one : {Case{"stopped", K::kProcessorStopped, 0, 130, 38},
+                          {"slow", K::kProcessorSlow, 0, 1000, 80},
+                          {"slow", K::kProcessorSlow, 7, 700, 56},
+                          {"bus stall", K::kBusStall, 0, 100, 1008},
+                          {"bus stall", K::kBusStall, 7, 100, 15},
+                          {"garbage", K::kProcessorGarbage, 0, 100, 8}}) {
+    CAPTURE(one.name, one.value);
     const ProcessorFault fault = at(one.kind, one.value);
     CHECK(fault.work(120, 100) == one.work);
     CHECK(fault.access(120, 8) == one.access);

@@ -236,6 +236,7 @@ TEST_CASE("a file that is missing or not the run's is named") {
   const fs::path target = here.path / "a";
   publish(target, "trace.csv", "first");
   for (const char* name : {"trace.csv", "run.json"}) {
+    CAPTURE(name);
     CHECK_THROWS_WITH(lab::write_result_file(target / name, "another"),
                       Contains(std::string(name) + ": --out: is a file of a run's record"));
   }

@@ -117,6 +117,7 @@ TEST_CASE("without a folder of its run a program repeats by its name") {
 TEST_CASE("the extension of a program may be in capitals, another one is that of a scenario") {
   for (std::string extension : program_extensions()) {
     std::transform(extension.begin(), extension.end(), extension.begin(), ::toupper);
+    INFO("a program A" << extension << " is known");
     CHECK(machine_of_program("A" + extension) != nullptr);
   }
   CHECK(machine_of_program("circle") == nullptr);
