@@ -12,8 +12,8 @@ from trammel_tools.check import coverage, coverage_cpp
 SOURCE = "module toy;\n  if (a) b <= c;\n  else   b <= d;\nendmodule\n"
 
 
-def point(count, page, note, line=2, file="rtl/math/toy.sv"):
-    fields = {"f": file, "l": line, "n": 3, "page": f"{page}/toy", "o": note}
+def point(count, page, note, line=2, file="rtl/math/toy.sv", column=3):
+    fields = {"f": file, "l": line, "n": column, "page": f"{page}/toy", "o": note}
     return "C '" + "".join(f"\1{key}\2{value}" for key, value in fields.items()) + f"' {count}\n"
 
 
@@ -62,6 +62,23 @@ class CoverageTest(Scratch):
         self.assertEqual(self.lines(),
                          ["rtl/math/toy.sv:3: never executed (else): else   b <= d;"])
         self.assertEqual(self.lines(("else", "else   b <= d;")), [])
+
+    def test_an_exception_is_of_one_line_and_of_all_points_in_it(self):
+        text = "      default: b <= d;"
+        self.write("rtl/math/toy.sv", f"{SOURCE}{text}\n{text}\n")
+        self.patch(coverage, ROOT=self.folder)
+        first = SOURCE.count("\n") + 1
+        blocks = self.blocks(*(point(0, "v_line", "elsif", line=line, column=column)
+                               for line in (first, first + 1) for column in (7, 16)))
+        one = {"file": "rtl/math/toy.sv", "branch": "elsif", "text": text.strip()}
+        with mock.patch.object(coverage.lint, "blocks", return_value=["math/toy"]):
+            for count, told in ((0, [first] * 2 + [first + 1] * 2), (1, [first + 1] * 2), (2, [])):
+                with self.subTest(exceptions=count):
+                    self.assertEqual(list(coverage.check_lines(blocks, [one] * count)), [
+                        f"rtl/math/toy.sv:{line}: never executed (elsif): {text.strip()}"
+                        for line in told])
+            self.assertEqual(list(coverage.check_lines(blocks, [one] * 3)), [
+                f"coverage.toml: stale exception: rtl/math/toy.sv (elsif): {text.strip()}"])
 
     def test_an_exception_that_nothing_needs_is_stale(self):
         self.assertEqual(self.lines(("else", "else   b <= d;"), ("if", "if (a) b <= c;")),
