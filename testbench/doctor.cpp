@@ -128,7 +128,8 @@ int doctor(bool json) {
   for (const Tool& tool : kTools) {
     const std::string where = lab::find_program(tool.name).string();
     all["tools"][tool.name] = where;
-    text += fmt::format("{:<10}{:<26}{}\n", tool.name, where.empty() ? "MISSING" : where, tool.use);
+    text += fmt::format("{:<10}{:<25} {}\n", tool.name, where.empty() ? "MISSING" : where,
+                        tool.use);
     missing += where.empty() ? 1 : 0;
   }
   const std::size_t count = lab::scenarios().size();

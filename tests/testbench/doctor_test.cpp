@@ -32,8 +32,11 @@ TEST_CASE("the doctor exits with 3 for each program that is missing, and names i
     std::ofstream(scratch.path / name) << "#!/bin/sh\n";
     chmod((scratch.path / name).c_str(), 0755);
   }
-  test::printed([&] { code = testbench::doctor(false); });
+  const std::string all = test::printed([&] { code = testbench::doctor(false); });
   CHECK(code == 0);
+  for (const auto& [name, where] : tools.items()) {  // however long it is, its use stands behind
+    CHECK_THAT(all, Contains((scratch.path / name).string() + ' '));
+  }
   for (const auto& [name, where] : tools.items()) {
     INFO("without " << name);
     chmod((scratch.path / name).c_str(), 0644);  // no program
