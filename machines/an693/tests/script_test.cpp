@@ -142,6 +142,13 @@ TEST_CASE("a wait takes a time, or an event with a time limit") {
   }
   CHECK_THAT(refusal("wait 3601 s"), Contains("3601s is out of range 0..3600 s"));
   CHECK_THAT(refusal("wait 1e9 s"), Contains("is out of range"));
+  CHECK(parsed("wait 3600 s").seconds == 3600);
+  // 3600 s are 14,062,500 samples of 256 us.
+  CHECK(parsed("wait 14062499 samples").samples == 14062499);
+  CHECK_THAT(refusal("wait 14062501 samples"),
+             Contains("14062501samples is out of range 0..3600 s"));
+  CHECK_THAT(refusal("wait hi 14062501 samples"), Contains("is out of range 0..3600 s"));
+  CHECK_THAT(refusal("wait hi 3601 s"), Contains("is out of range 0..3600 s"));
 }
 
 TEST_CASE("repeat executes the lines up to its end, blocks in blocks too") {

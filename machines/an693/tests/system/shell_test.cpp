@@ -29,7 +29,7 @@ namespace {
 const std::atomic<bool> kNoStop{false};
 
 struct Played {
-  std::string text;
+  std::string text, notes;
   std::vector<nlohmann::ordered_json> answers;
   std::string halt;
   cosim::EndReason end = cosim::EndReason::kDone;
@@ -43,6 +43,7 @@ Played play(const std::string& script, const Options& options = {}) {
     for (const Line& line : parse_script(script, "test")) {
       const Answer answer = shell.execute(line);
       all.text += answer.text;
+      all.notes += answer.note;
       all.answers.push_back(answer.json);
     }
   } catch (const Halt& halt) {
@@ -363,4 +364,26 @@ TEST_CASE("a block is typed line by line, and Ctrl-C or a mistake drops it") {
   CHECK(prompts == "l   l ll ll ");
   CHECK(read_text(arguments.out + "/script.lm628") == "RDRP\nRDRP\nRDDP\n");
   fs::remove_all(arguments.out);
+}
+
+TEST_CASE("STT tells of an output that is not its converter's, whatever has set it last") {
+  Options options;
+  for (const int bits : {8, 12}) {
+    options.part.dac_bits = bits;
+    const std::string eight = bits == 8 ? "" : "the motor gets nothing before PORT12";
+    const std::string twelve = bits == 12 ? "" : "the converter of 8 bits needs PORT8";
+    const auto noted = [&](const std::string& before, const std::string& what) {
+      CAPTURE(bits, before);
+      CHECK(play(before + "\nSTT", options).notes ==
+            (what.empty() ? "" : "test:3: STT: " + what));
+    };
+    noted("RSTI 0\nRSTI 0", eight);
+    noted("RSTI 0\nPORT12", twelve);
+    for (const char* back : {"PORT8", "RESET", "rst"}) {
+      noted("PORT12\n" + std::string(back), eight);
+    }
+    noted("rst\nPORT12", twelve);
+  }
+  options.part.variant = lm628::Variant::kLm629;
+  CHECK(play("STT", options).notes == "");
 }
