@@ -106,6 +106,26 @@ TEST_CASE("larson: Larson's times and rates stand beside ours, in their band but
   CHECK(rates == 17);
 }
 
+TEST_CASE("larson: with a motor, buffer or processor of one's own nothing is judged by Larson's") {
+  const auto judged = [](auto change) {
+    larson::Options options;
+    change(options);
+    larson::Result result;
+    std::size_t count = 0;
+    for (const lab::Figure& f : larson::figures(options, result)) count += f.expected ? 1 : 0;
+    return count;
+  };
+  CHECK(judged([](larson::Options&) {}) == 7 + 2 + 16);
+  CHECK(judged([](larson::Options& o) { o.axis.buffer.dead_s *= 1.01; }) == 0);
+  CHECK(judged([](larson::Options& o) { o.axis.buffer.start *= 1.01; }) == 0);
+  CHECK(judged([](larson::Options& o) { o.axis.buffer.rise *= 1.01; }) == 0);
+  CHECK(judged([](larson::Options& o) { o.axis.buffer.brake *= 1.01; }) == 0);
+  CHECK(judged([](larson::Options& o) { o.axis.motor.inertia *= 1.01; }) == 0);
+  CHECK(judged([](larson::Options& o) { o.axis.motor.stiffness_2 *= 1.01; }) == 0);
+  CHECK(judged([](larson::Options& o) { o.axis.motor.stiffness_3 *= 1.01; }) == 0);
+  CHECK(judged([](larson::Options& o) { ++o.processor.access_clk; }) == 0);
+}
+
 TEST_CASE("larson: what is printed beside ours is what Larson's section III and Table I print") {
   const std::map<std::string, double> printed{
       {"multiple_step.1_ms", 2.6}, {"multiple_step.3_ms", 6.5},  {"multiple_step.7_ms", 15},
