@@ -221,6 +221,35 @@ TEST_CASE("points are resampled, their curvature is that of the circle through t
   for (const sw::McafeeRow& row : table.rows) REQUIRE(row.c == Approx(127).margin(5));
 }
 
+TEST_CASE("a closed path of points has its curvatures wherever it begins, an open one its ends") {
+  const auto curvatures = [](const std::string& text) {
+    const PointsFile file(text);
+    PathOptions o;
+    o.kind = PathKind::kPoints;
+    o.points_file = file.name;
+    std::vector<int> c;
+    for (const sw::McafeeRow& row : table_of(o).rows) c.push_back(row.c);
+    return c;
+  };
+  // A rectangle of rows of 0.5 mm, from a corner and from a row before one: 20, 10, 20, 10 rows.
+  const std::vector<int> corner = curvatures("0,0\n10,0\n10,5\n0,5\n0,0\n");
+  const std::vector<int> before = curvatures("0,0.5\n0,0\n10,0\n10,5\n0,5\n0,0.5\n");
+  REQUIRE(corner.size() == 60);
+  REQUIRE(before.size() == 60);
+  for (std::size_t k = 0; k < 60; ++k) {
+    CAPTURE(k);
+    CHECK(corner[k] == (k == 0 || k == 20 || k == 30 || k == 50 ? 255 : 0));
+    CHECK(before[(k + 1) % 60] == corner[k]);
+  }
+  // Of an open one the first and the last row know no further than the three points there.
+  const std::vector<int> open = curvatures("0,0\n0.5,0\n0.5,10\n0,10\n");
+  REQUIRE(open.size() == 22);
+  for (std::size_t k = 0; k < 22; ++k) {
+    CAPTURE(k);
+    CHECK(open[k] == (k < 2 || k == 21 ? 255 : 0));
+  }
+}
+
 TEST_CASE("a curvature above kappa_max saturates with a warning that names its row") {
   const PointsFile file("0,0\n10,0\n10,10\n");
   PathOptions o;
