@@ -258,6 +258,33 @@ TEST_CASE("Stage III goes by the feed rate of curvature and change, each of its 
   }
 }
 
+TEST_CASE("Stage III goes no slower than its floor, by the feed rate or at a constant speed") {
+  // Of C and CC of 0 and of 255: feed rates of 254 and 0.
+  const std::vector<McafeeRow> rows{{0, 0, 255, 0, 30, 0}, {255, 255, 255, 0, 30, 0}};
+  for (const std::uint32_t speed : {0u, 1u, 39u, 40u, 41u, 255u}) {
+    McafeeSetup setup = tracking(rows);
+    setup.speed = speed;
+    setup.least_speed = 40;
+    McafeeBench bench(setup);
+    bench.run(5);
+    CAPTURE(speed, setup.least_speed);
+    CHECK(bench.app.mailbox().done);
+    const std::uint32_t last = speed < 40 ? 40 : speed, first = speed == 0 ? 254 : last;
+    CHECK(bench.app.mailbox().speed == last);
+    std::vector<std::uint32_t> given;  // velocities of the rows: LTRJ with 000Bh
+    const std::string& bytes = bench.chip.bytes;
+    const std::string begin = "c1F d00 d0B d00 d00 d";
+    for (auto at = bytes.find(begin); at != std::string::npos; at = bytes.find(begin, at + 1)) {
+      const auto byte = [&](std::size_t n) {
+        return std::stoul(bytes.substr(at + begin.size() + 4 * n, 2), nullptr, 16);
+      };
+      given.push_back(static_cast<std::uint32_t>(byte(0) << 8 | byte(1)));
+    }
+    CHECK(given == std::vector<std::uint32_t>{mcafee_velocity(first, 255),
+                                              mcafee_velocity(last, 255)});
+  }
+}
+
 TEST_CASE("Stage III gives no axis the velocity 0, and shifts the velocities it gives") {
   // 8 * 12 >> 8 = 0: F1h stands for it, shifted by 2 03C4h.
   const std::vector<McafeeRow> rows{{255, 255, 255, 12, 100, 5}};
