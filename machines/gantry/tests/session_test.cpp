@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What a run of the machine gantry tells of a fault and of its current, at either end and of either
+// motor.
+#include <catch2/catch.hpp>
+#include <algorithm>
+#include <string>
+
+#include "lab/record.hpp"
+#include "machines/gantry/machine.hpp"
+#include "machines/gantry/plant.hpp"
+
+using namespace trammel;
+using namespace trammel::gantry;
+
+TEST_CASE("gantry: a run with a fault tells whether the cart came to a stop, at either end") {
+  struct Case {
+    const char* where;
+    double start_m;
+    bool home;          // to the lower stop
+    const char* sends;  // counted from where it starts
+    bool at_stop;
+  };
+  for (const Case& one : {Case{"lower stop", 0.02, true, "", true},
+                          Case{"upper stop", 0.43, false, "0.05:21=100", true},
+                          Case{"between them", 0.2, false, "0.05:21=30", false}}) {
+    Options options;
+    options.run.engine = cosim::Engine::kTwin;
+    options.run.platform = cosim::Platform::kDirect;
+    options.time_s = 0.5;
+    options.axis.start = one.start_m;
+    options.firmware.home = one.home;
+    options.sends = one.sends;
+    options.fault.kind = cosim::FaultKind::kSupplyDip;
+    options.fault.value = 99;  // per cent remain: it harms nothing
+    const Result result = lab::simulate(options);
+    double low = 1, high = 0;
+    for (const Sample& s : result.samples) {
+      low = std::min(low, s.x);
+      high = std::max(high, s.x);
+    }
+    CAPTURE(one.where, low, high, options.axis.stop_low, options.axis.stop_high);
+    CHECK((low < options.axis.stop_low) == (one.home));
+    CHECK((high > options.axis.stop_high) == (one.at_stop && !one.home));
+    CHECK(result.fault_report.at_stop == one.at_stop);
+  }
+}
+
+TEST_CASE("gantry: the current is that of both motors, pull they together or apart") {
+  for (const int first : {-1, 0, 1}) {
+    for (const int second : {-1, 0, 1}) {
+      TrackPlant plant({}, {}, {}, false);
+      cosim::Lines drive = cosim::Lines{1} << kTx;
+      for (const auto& [motor, force] : {std::pair{0, first}, {1, second}}) {
+        if (force != 0) drive |= cosim::Lines{1} << pwm(motor);
+        if (force < 0) drive |= cosim::Lines{1} << negative(motor);
+      }
+      plant.commit(1, drive);
+      while (plant.next() <= 500'000) plant.commit(plant.next(), drive);  // 20 time constants
+      const int sides = (first != 0 ? 1 : 0) + (second != 0 ? 1 : 0);
+      const auto& force = plant.axis().state().force;
+      CAPTURE(first, second, force[0], force[1]);
+      CHECK(plant.sample(kCurrent, 500'000) == Approx(511.5 * sides).margin(1));
+      CHECK(force[0] == Approx(-1023 * first).margin(1));  // negative: the position increases
+      CHECK(force[1] == Approx(-1023 * second).margin(1));
+    }
+  }
+}
