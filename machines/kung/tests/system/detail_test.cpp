@@ -101,8 +101,22 @@ TEST_CASE("after a trip the window lies around the edge that turned the gates of
   CHECK(gates.trip >= 1'500'000);
   CHECK(gates.trip < 1'500'010);
   CHECK(gates.begin == gates.trip - 3125);
+  CHECK(gates.end == gates.trip + 3125);
   CHECK(gates.edges.size() > 5);
   CHECK(gates.edges.back().edge == gates.trip);
   CHECK(gates.edges.back().gates == 0);
   CHECK(gates.edges.front().gates != 0);
+}
+
+TEST_CASE("a window of a trip ends with a run that ends before it") {
+  Options options = piece();
+  options.inject.trip_s = 0.03;
+  options.run.max_s = 0.03004;
+  const Result result = simulate(options, {});
+  const GateWindow& gates = result.detail.gates;
+  REQUIRE(gates.trip >= 1'500'000);
+  REQUIRE(result.clocks < gates.trip + 3125);
+  CHECK(gates.end == result.clocks);
+  CHECK(gates.begin == gates.trip - 3125);
+  CHECK(gates.edges.back().edge < gates.end);
 }
