@@ -91,17 +91,33 @@ class Steps(unittest.TestCase):
     def test_every_machine_tells_where_it_is_as_its_trace_does(self):
         tried = set()
         for scenario in trammel.scenarios():
-            asked = trammel.settings(scenario, engine="twin", **{"run.max_s": 0.03})
+            asked = trammel.settings(scenario, engine="twin", **{"run.max_s": 0.4})
             if asked.machine in tried:
                 continue
             tried.add(asked.machine)
             simulation = trammel.open(asked)
-            simulation.advance(0.02)
-            units = {figure.unit for figure in simulation.positions.values()}
+            simulation.advance(0.3)
+            places = simulation.positions
+            units = {figure.unit for figure in places.values()}
             self.assertEqual(len(units), 1, scenario)
             with self.assertRaisesRegex(trammel.SettingError, "there are '.?'"):
                 simulation.position("z")
-            self.assertLess(units, set(simulation.stop().units.values()))
+            result = simulation.stop()
+            self.assertLess(units, set(result.units.values()))
+            for axis, place in places.items():
+                self.check_place(result, axis, place, scenario)
+
+    def check_place(self, result, axis, place, scenario):
+        """A column of the axis is there at the end, but for the motion of a sample."""
+        last, near = {}, []
+        for name, unit in result.units.items():
+            if unit != place.unit or (axis and not name.startswith(f"{axis}_")):
+                continue
+            column = np.asarray(result[name], dtype=float)
+            last[name] = column[-1]
+            if abs(place - column[-1]) <= np.abs(np.diff(column)).max() + 1e-9:
+                near.append(name)
+        self.assertNotEqual(near, [], f"{scenario}: {axis} at {place}, its last sample {last}")
 
     def test_words_of_a_chip_without_a_bus(self):
         for scenario in trammel.scenarios():
