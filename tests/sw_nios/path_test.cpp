@@ -283,7 +283,10 @@ TEST_CASE("listed points come in order; a second lap omits the closing point") {
   const auto points = walk(setup);
   REQUIRE(points.size() == 7);
   const Point expected[] = {{1, 2}, {3, 4}, {5, 6}, {1, 2}, {3, 4}, {5, 6}, {1, 2}};
-  for (std::size_t k = 0; k < 7; ++k) CHECK(points[k] == expected[k]);
+  for (std::size_t k = 0; k < 7; ++k) {
+    CAPTURE(k);
+    CHECK(points[k] == expected[k]);
+  }
   setup.n_points = 1;
   CHECK(walk(setup).size() == 1);
   setup.n_points = 2;  // of which one is passed again and again

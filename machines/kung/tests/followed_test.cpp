@@ -71,8 +71,8 @@ TEST_CASE("a table that is not at the end, beside the path, or went only a part 
     judge.followed.add({which == "low x" ? 0.115 : 0.1, which == "low y" ? 0.12 : 0.1}, 0);
     judge.followed.add({which == "high x" ? 0.115 : 0.13, which == "high y" ? 0.12 : 0.14}, 0);
     judge.followed.add({0.115, 0.12}, 0);
-    CHECK(judge.followed.missed(501, 501, {0.115, 0.12}, {0.115, 0.12})
-              .find("the table covered ") == 0);
+    CHECK_THAT(judge.followed.missed(501, 501, {0.115, 0.12}, {0.115, 0.12}),
+               Catch::StartsWith("the table covered "));
   }
 }
 

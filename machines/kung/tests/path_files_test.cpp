@@ -82,11 +82,11 @@ TEST_CASE("a program stays in the stroke of the chip and within the hard stops")
   const Files files;
   files.put("a.ngc", "G0 X250\nG0 Y290\n");
   const auto told = [](const std::string& more) { return message_of(kGcode + more); };
-  CHECK(told("").empty());
+  CHECK(told("") == "");
   CHECK_THAT(told("[chip]\ny.stroke_max_m = 0.28\n"), Contains("Y = 290 mm; permitted: 0..280 mm"));
   CHECK_THAT(told("[plant]\ny.stroke_max_m = 0.28\n"),
              Contains("Y = 290 mm; permitted: 0..280 mm"));
-  CHECK(told("[plant]\nhard_stops = false\ny.stroke_max_m = 0.28\n").empty());
+  CHECK(told("[plant]\nhard_stops = false\ny.stroke_max_m = 0.28\n") == "");
   CHECK(told("[chip]\nx.stroke_min_m = 0.3\n") ==
         "path.start_x_m: value 0.25 is out of range 0.3..0.6 (chip.x.stroke_min_m)");
   CHECK(told("start_y_m = 0.4\n[plant]\ny.stroke_max_m = 0.3\n") ==
