@@ -116,7 +116,9 @@ class Drawing:
                     rows = self.numbers_of(self.compared[k])
                     every = (rows[-1]["t_s"] - rows[0]["t_s"]) / (len(rows) - 1)
                     at = [round(t / every) for t in times]
-                    self.assertEqual([v is None for v in data], [n >= len(rows) for n in at])
+                    gaps = sum((v is None) != (n >= len(rows)) for v, n in zip(data, at,
+                                                                               strict=True))
+                    self.assertEqual(gaps, 0, f"{plot} of {self.compared[k]}")
                     self.check_line(f"{plot} of {self.compared[k]}", line,
                                     [v for v in data if v is not None],
                                     [rows[n] for n in at if n < len(rows)], axis, self.steps(k))

@@ -148,8 +148,10 @@ class Page(report_pages.ReportPages):
                                        MM * float(before[axis + 2]), delta=1.1e-3)
         trace = self.rows("track")
         for label, key in (("C", "c"), ("CC", "cc")):
-            self.assertEqual(self.lines("curvature")[label], [
-                int(rows[min(len(rows), max(1, int(row["row"]))) - 1][key]) for row in trace])
+            for k, (shown, row) in enumerate(zip(self.lines("curvature")[label], trace,
+                                                 strict=True)):
+                now = rows[min(len(rows), max(1, int(row["row"]))) - 1]
+                self.assertEqual(shown, int(now[key]), f"{label}, sample {k}")
         begins = next(row for row in trace if row["row"] == "8")
         self.assertEqual(cells[7][9], begins["v"])
         after = next(row for row in trace if row["row"] == "9")
