@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The tops of the boards: each port of the IC, or of a top's core, is at the pin of its name.
+"""The tops of the boards: each port of the IC, or of a top's core, is at the pin of its name, and
+each parameter of a block has the value that the board needs.
 
 Where two pins carry the same signal, as the chip selects of both axes of kung_xy, no simulation
 tells them apart; what the source says does.
@@ -27,6 +28,15 @@ DRIVEN = {
     "lm628_icebreaker": {"pwm_mag_o": "magnitude && ready_q", "pwm_sign_o": "sign && ready_q",
                          "driver_en_o": "ready_q", "led_red_n_o": "ready_q",
                          "led_green_n_o": "!pwm_mag_o"},
+}
+
+# Parameters that a top gives to blocks of ours; its own ones go on by their names.
+PARAMETERS = {
+    "kung_soc_ecp5": {"kung_soc": {"Image": '"image.hex"'}},
+    "larson_ice40_up5k": {"step_table": {"Inc": "1", "Mod": "50"}},  # 12 MHz to 240 kHz
+    "lm628_dip28": {"lm628": {"Inc": "Inc"}, "lm628_pins": {"Variant": "Variant"}},
+    "lm628_ice40_up5k": {"lm628": {"Inc": "10"}},
+    "lm628_icebreaker": {"lm628": {"Inc": "10"}},
 }
 
 
@@ -69,6 +79,13 @@ def beside(text, chip):
     return found
 
 
+def parameters(text):
+    """Parameters of the blocks of ours in a source: {module: {name: what is given}}."""
+    return {module: dict(re.findall(r"\.(\w+) *\((.*?)\)(?:,|$)", body, re.M))
+            for module, body in re.findall(r"^  (\w+) #\(([^;]*?)\n  \) u_\w+ \(", text, re.M)
+            if any(ROOT.glob(f"rtl/*/{module}.sv"))}
+
+
 def faults(top, chip_ports, given, pins, block=None):
     """One line for each port that is not where it should be, of the IC or of a block beside it."""
     others = OTHERS.get(top, {})
@@ -108,6 +125,16 @@ class BoardTopsTest(unittest.TestCase):
                 self.assertEqual(faults(path.stem, module(source.read_text()), given,
                                         module(text), name), [])
         self.assertEqual(found, tables)
+
+    def test_each_parameter_of_a_block_is_given_as_its_board_needs_it(self):
+        for path in tops():
+            text = path.read_text()
+            found = parameters(text)
+            self.assertEqual(found, PARAMETERS.get(path.stem, {}), path.stem)
+            own = set(re.findall(r"^    parameter .*?(\w+) =", text, re.M))
+            given = {what for table in found.values() for what in table.values()}
+            self.assertEqual(own - given, set(), f"parameters of {path.stem} that no block has")
+        self.assertLessEqual(set(PARAMETERS), {path.stem for path in tops()})
 
     def test_a_pll_makes_the_clock_of_its_ic_and_holds_it_until_it_has_locked(self):
         found = {}
