@@ -107,6 +107,11 @@ def changed(was, now):
     return "a shape or colour changed"
 
 
+def group_of(owner, groups):
+    """The number of the first group that an instance path belongs to."""
+    return next(n for n, group in enumerate(groups) if re.search(group["path"], owner))
+
+
 def tiles(folder, top, groups):
     """{(x, y): Counter of groups}, and the blocks of memory and multipliers by place."""
     netlist = Netlist(*synth_flow.read_netlist(top, folder), top)
@@ -118,7 +123,7 @@ def tiles(folder, top, groups):
         if not spot or base not in netlist.cells:
             continue
         owner = netlist.owner(base)
-        group = next(n for n, g in enumerate(groups) if re.search(g["path"], owner))
+        group = group_of(owner, groups)
         place = int(spot[1]), int(spot[2])
         cells[place][group] += 1
         if cell["type"] in ("DP16KD", "MULT18X18D"):

@@ -7,6 +7,7 @@ import tempfile
 import unittest
 from pathlib import Path
 
+from trammel_tools import machines
 from trammel_tools.paths import ROOT
 from trammel_tools.synth import board, board_picture
 
@@ -29,6 +30,25 @@ IOBUF PORT "led_o" IO_TYPE=LVCMOS33 PULLMODE=NONE;
 """
 TABLE = {"family": "ecp5", "clocks": {"clk_i": 25}, "pulled_down": ["gate_o"],
          "shared_sites": ["U18"]}
+
+# Group of the floor plan: instances of kung_soc_ecp5 that belong to it.
+AXIS = "u_soc.u_ic.gen_axis[{}].u_axis"
+FLOOR = {
+    "processor, memory, console": ["u_soc.u_host", "u_soc.u_host.u_cpu.u_core",
+                                   "u_soc.u_host.u_ram", "u_soc.u_host.u_uart"],
+    "registers": ["u_soc.u_ic.u_regs"],
+    "precision controller": ["u_soc.u_ic.u_precision", "u_soc.u_ic.u_precision.u_precision.u_knots",
+                             "u_soc.u_ic.u_precision.gen_edge[1].u_edge_time"],
+    "time base, faults, bus": ["u_soc.u_ic", "u_soc.u_ic.u_timebase.u_phase",
+                               "u_soc.u_ic.u_supervisor", "u_soc.u_ic.u_watchdog",
+                               "u_soc.u_master", ""],
+    **{f"{what} {name}": [AXIS.format(n) + inside for inside in insides]
+       for n, name in enumerate("XY") for what, insides in {
+           "position controller": [".u_afc", ".u_afc.u_rules"],
+           "current controller": [".u_current_loop", ".u_current_loop.u_pi_d"],
+           "encoder, command, gates": ["", ".u_qep", ".u_command", ".u_adc", ".u_pwm",
+                                       ".gen_leg[2].u_leg.u_dead_time"]}.items()},
+}
 
 
 class BoardTest(unittest.TestCase):
@@ -123,6 +143,19 @@ class BoardTest(unittest.TestCase):
         self.assertEqual(board_picture.changed(was, now), "pwm_mag_o became pwm_sign_o")
         self.assertEqual(board_picture.changed("", now), "nothing became Pmod 1A")
         self.assertEqual(board_picture.changed(was, was + " "), "a shape or colour changed")
+
+    def test_an_instance_has_the_group_of_the_floor_plan_that_is_named_after_it(self):
+        groups = machines.read(board_picture.GROUPS)["group"]
+        used = set()
+        for name, paths in FLOOR.items():
+            for path in paths:
+                with self.subTest(path):
+                    found = groups[board_picture.group_of(path, groups)]
+                    self.assertEqual(found["name"], name)
+                    used.add(found["name"])
+        self.assertEqual({group["name"] for group in groups}, used)
+        colours = [group["colour"] for group in groups]
+        self.assertEqual(len(set(colours)), len(colours), colours)
 
     def test_the_pins_of_a_board_are_read(self):
         on = board.find("icebreaker")
