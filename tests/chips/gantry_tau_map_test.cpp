@@ -42,6 +42,8 @@ const std::vector<trammel::test::Place> kVersion1{
 
 TEST_CASE("gantry_tau has each field of its registers where version 1 of the map has it") {
   CHECK(trammel::test::moved_field(reg::kFields, kVersion1) == "");
+  CHECK(trammel::test::other_number(reg::kFields, {{"POSITION", 32}, {"VELOCITY", 23},
+                                                   {"FORCE_1", 11}, {"FORCE_2", 11}}) == "");
 }
 
 TEST_CASE("gantry_tau: a reset leaves in every register the value of its page") {

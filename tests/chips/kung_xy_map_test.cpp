@@ -50,10 +50,21 @@ const std::vector<trammel::test::Place> kVersion5{
     {"DEADTIME_MIN", 0x228, 9, 0}, {"IRQ_PERIOD", 0x22C, 7, 0},
     {"KNOT", 0x230, 31, 0}, {"RATES.carrier", 0x240, 1, 0}, {"RATES.position", 0x240, 5, 4}};
 
+const std::vector<trammel::test::Number> kNumbers5{
+    {"POS_CMD", 24}, {"POS", 24}, {"POS_MODEL", 24}, {"ERR", 12}, {"DERR", 12}, {"U", 12},
+    {"VSTAR", 12}, {"IQ_CMD", 12}, {"SPEED", 12}, {"ID_IQ.i_d", 12}, {"ID_IQ.i_q", 12},
+    {"VD_VQ.v_d", 12}, {"VD_VQ.v_q", 12}, {"KP.exp", 5}, {"KI.exp", 5}, {"KV.exp", 5},
+    {"ETA.exp", 5}, {"B2", 24}, {"KP_CUR.exp", 5}, {"KI_CUR.exp", 5}, {"TAB_DATA", 24},
+    {"POS_PRESET", 24}, {"INDEX_LATCH", 24}, {"STROKE_MIN", 24}, {"STROKE_MAX", 24},
+    {"IQ_MANUAL", 12}, {"PREC_DATA", 32}, {"PREC_ERR", 32}, {"ERR_SUM", 32}, {"IQ_SUM", 32},
+    {"PREC_DIST", 32}, {"CURRENT_OFFSET.a", 12}, {"CURRENT_OFFSET.b", 12},
+    {"PHASE_CURRENTS.i_a", 12}, {"PHASE_CURRENTS.i_b", 12}, {"LOCK", 1, false}};
+
 }  // namespace
 
 TEST_CASE("kung_xy has each field of its registers where version 5 of the map has it") {
   CHECK(trammel::test::moved_field(reg::kFields, kVersion5) == "");
+  CHECK(trammel::test::other_number(reg::kFields, kNumbers5) == "");
   CHECK(reg::kX == 0x000);
   CHECK(reg::kY == 0x100);
   CHECK(reg::kIdValue == 0x4B580005);  // "KX", version 5

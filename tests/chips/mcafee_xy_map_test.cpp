@@ -27,5 +27,6 @@ const std::vector<trammel::test::Place> kVersion1{
 
 TEST_CASE("mcafee_xy has each field of its registers where version 1 of the map has it") {
   CHECK(trammel::test::moved_field(reg::kFields, kVersion1) == "");
+  CHECK(trammel::test::other_number(reg::kFields, {}) == "");  // none below 0
   CHECK(reg::kIdValue == 0x4D430001);  // "MC", version 1
 }

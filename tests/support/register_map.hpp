@@ -39,4 +39,29 @@ std::string moved_field(const Fields& fields, const std::vector<Place>& places) 
   return n == places.size() ? "" : std::string(places[n].name) + " is not in the map";
 }
 
+// A field that is no plain number of all its bits.
+struct Number {
+  const char* name;
+  int bits;
+  bool is_signed = true;
+};
+
+// The first field whose number is not the one of the table, in the order of the map; "" if none.
+template <class Fields>
+std::string other_number(const Fields& fields, const std::vector<Number>& numbers) {
+  const auto text = [](const char* name, int bits, bool is_signed) {
+    return std::string(name) + (is_signed ? " signed" : " unsigned") + ", bits: " +
+           std::to_string(bits);
+  };
+  std::size_t n = 0;
+  for (const auto& field : fields) {
+    Number number{field.name, field.width, false};
+    if (n < numbers.size() && std::string(field.name) == numbers[n].name) number = numbers[n++];
+    const std::string is = text(field.name, field.bits, field.is_signed);
+    const std::string was = text(number.name, number.bits, number.is_signed);
+    if (is != was) return is + ", wanted " + was;
+  }
+  return n == numbers.size() ? "" : std::string(numbers[n].name) + " is not in the map";
+}
+
 }  // namespace trammel::test
