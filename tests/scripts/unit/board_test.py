@@ -50,6 +50,23 @@ FLOOR = {
                                        ".gen_leg[2].u_leg.u_dead_time"]}.items()},
 }
 
+# What a board.toml says of its board, but for clocks, sites and pulls, which the pins are held to.
+ECP5 = {"family": "ecp5", "chips": ["kung_soc"], "memory": {"kung_soc": 16384},
+        "pulled_down": ["gate_hi_o", "gate_lo_o", "driver_en_o"]}
+FACTS = {
+    "ulx3s": {**ECP5, "device": "LFE5U-{size}F CABGA381", "sizes": [12, 25, 45, 85],
+              "placer": ["--package", "CABGA381", "--speed", "6"],
+              "load": "openFPGALoader --board ulx3s",
+              "shared_sites": ["F4", "E3", "G3", "F3", "H4", "G5",  # GP, GN 11 to 13: ESP32
+                               "U18", "U17", "N17", "P16", "N16", "M17", "L16", "L17"]},  # 14 to 17
+    "colorlight_i5": {**ECP5, "device": "LFE5U-25F CABGA381",
+                      "placer": ["--25k", "--package", "CABGA381", "--speed", "6"],
+                      "load": "openFPGALoader --board colorlight-i5"},
+    "icebreaker": {"family": "ice40", "device": "iCE40UP5K SG48", "chips": ["lm628"],
+                   "placer": ["--up5k", "--package", "sg48"], "target_mhz": 20,
+                   "load": "openFPGALoader --board ice40_generic"},
+}
+
 
 class BoardTest(unittest.TestCase):
     def findings(self, old="", new="", **table):
@@ -136,6 +153,29 @@ class BoardTest(unittest.TestCase):
                     ports[port] = {"direction": way, "bits": [*range(int(width or 0) + 1)]}
                 read = board.read_lpf if on.family == "ecp5" else board.read_pcf
                 self.assertEqual(list(board.findings(on, ports, read(on.constraints))), [], name)
+
+    def test_a_board_is_described_as_it_is(self):
+        self.assertEqual(set(board.names()), set(FACTS))
+        for name, facts in FACTS.items():
+            table = board.find(name).table
+            beside = {"clocks", "sites", "pulls", "firmware"}
+            self.assertEqual(set(table) - beside, set(facts), name)
+            for key, value in facts.items():
+                with self.subTest(board=name, key=key):
+                    self.assertEqual(table[key], value)
+            readme = (board.FOLDER / name / "README.md").read_text(encoding="utf-8")
+            loads = re.findall(r"(openFPGALoader .*) out/", readme)
+            self.assertEqual(loads, [facts["load"]] * len(loads), name)
+            for chip, words in facts.get("memory", {}).items():
+                self.assertEqual(table["firmware"], {chip: chip.removesuffix("_soc")}, name)
+                source = (ROOT / "rtl" / "chips" / f"{chip}.sv").read_text(encoding="utf-8")
+                self.assertEqual(re.findall(r"parameter .* Words = (\d+)", source), [str(words)])
+
+    def test_all_pins_of_the_ecp5_boards_have_3_3_volts(self):
+        for name in ("ulx3s", "colorlight_i5"):
+            on = board.find(name)
+            for port, pin in board.read_lpf(on.constraints).items():
+                self.assertEqual(pin.io_type, "LVCMOS33", f"{name}: {port}")
 
     def test_a_stale_picture_says_what_changed(self):
         was = board_picture.connectors(board.find("icebreaker"))
