@@ -281,17 +281,38 @@ TEST_CASE("the signals of triggers are what the registers read") {
   std::vector<reg::Field> fields(reg::kFields.begin(), reg::kFields.end());
   fields.insert(fields.end(), reg::kWords.begin(), reg::kWords.end());
   int moved = 0;
-  for (const reg::Field& field : fields) {
-    if (!Reader::knows(field.name)) continue;
-    for (int axis = 0; axis < (field.of_axis ? 2 : 1); ++axis) {
-      INFO(field.name << " of axis " << axis);
-      const std::uint32_t base = !field.of_axis ? 0 : axis == 0 ? reg::kX : reg::kY;
-      const std::int64_t read = number(bus.read(base + field.address), field);
-      CHECK(signal.read(field.name, axis) == read);
-      moved += read != 0 ? 1 : 0;
+  const auto compare = [&](const std::string& of) {  // fields whose names begin like this
+    for (const reg::Field& field : fields) {
+      if (!Reader::knows(field.name) || std::string(field.name).rfind(of, 0) != 0) continue;
+      for (int axis = 0; axis < (field.of_axis ? 2 : 1); ++axis) {
+        INFO(field.name << " of axis " << axis);
+        const std::uint32_t base = !field.of_axis ? 0 : axis == 0 ? reg::kX : reg::kY;
+        const std::int64_t read = number(bus.read(base + field.address), field);
+        CHECK(signal.read(field.name, axis) == read);
+        moved += read != 0 ? 1 : 0;
+      }
     }
-  }
+  };
+  compare("");
   CHECK(signal.read("LOCK", 0) == 1);
   CHECK(signal.read("CTRL.enable", 1) == 1);
   CHECK(moved > 70);  // zeros alone would prove little
+
+  // A fault of each axis, with a code whose lowest bit is not the axis in X: it leaves its stroke.
+  for (const std::uint32_t base : {reg::kX, reg::kY}) bus.write(base + reg::kCtrl, 0);
+  bus.write(reg::kLock, reg::kKeyUnlock);
+  for (const int axis : {0, 1}) {
+    const std::uint32_t base = axis == 0 ? reg::kX : reg::kY;
+    CAPTURE(axis);
+    bus.write(base + reg::kStrokeMin, 0x7FFFFF);
+    bus.write(base + reg::kStrokeEn, 1);
+    bus.wait_until(chip->now() + 10);
+    CHECK(signal.read("FAULT.code", 0) == reg::kFaultCodeStroke);
+    CHECK(signal.read("FAULT.axis", 0) == axis);
+    compare("FAULT");
+    compare("IRQ_STAT");
+    bus.write(base + reg::kStrokeEn, 0);
+    bus.write(reg::kFaultClear, reg::kKeyFaultClear);
+    CHECK(signal.read("FAULT.code", 0) == 0);
+  }
 }
