@@ -4,9 +4,7 @@
 import json
 import shutil
 import subprocess
-import sys
 import unittest
-from pathlib import Path
 
 SLACK = {"counts": 2, "A": 0.3, "V": 1, "s": 0.25}  # rounding is not alike
 
@@ -39,12 +37,3 @@ class Mirror(unittest.TestCase):
                     self.assertAlmostEqual(
                         back[name]["value"] * sign, value,
                         delta=0.03 * abs(value) + SLACK.get(figure["unit"], 0), msg=name)
-
-
-def main(cases, usage):
-    if len(sys.argv) != 3 or sys.argv[1] in ("-h", "--help"):
-        print(usage)
-        return 0 if "--help" in sys.argv or "-h" in sys.argv else 2
-    cases.program, cases.folder = (Path(word).resolve() for word in sys.argv[1:])
-    suite = unittest.defaultTestLoader.loadTestsFromTestCase(cases)
-    return 0 if unittest.TextTestRunner(verbosity=2).run(suite).wasSuccessful() else 1

@@ -16,6 +16,7 @@ from decimal import ROUND_HALF_UP, Decimal
 from pathlib import Path
 
 import browser
+import checks
 import drawing
 import page_tables
 
@@ -332,10 +333,6 @@ class ReportPages(drawing.Drawing, page_tables.Tables, unittest.TestCase):
 
 
 def main(cases, usage):
-    if len(sys.argv) != 3 or sys.argv[1] in ("-h", "--help"):
-        print(usage)
-        return 0 if "--help" in sys.argv or "-h" in sys.argv else 2
-    browser.need(Path(sys.argv[0]).stem)
-    cases.program, cases.folder = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
-    suite = unittest.defaultTestLoader.loadTestsFromTestCase(cases)
-    return 0 if unittest.TextTestRunner(verbosity=2).run(suite).wasSuccessful() else 1
+    if len(sys.argv) == 3:
+        browser.need(Path(sys.argv[0]).stem)
+    return checks.main(cases, usage)

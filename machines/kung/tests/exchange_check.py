@@ -14,6 +14,7 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "tests" / "support"))
+import checks
 import exchange
 
 # Keys that must have one value for both axes: CURRENT_LIMIT is that of both, and the path of these
@@ -126,10 +127,4 @@ class Exchange(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 3 or sys.argv[1] in ("-h", "--help"):
-        print(__doc__)
-        sys.exit(0 if "--help" in sys.argv or "-h" in sys.argv else 2)
-    Exchange.program = Path(sys.argv[1]).resolve()
-    Exchange.folder = Path(sys.argv[2]).resolve()
-    cases = unittest.defaultTestLoader.loadTestsFromTestCase(Exchange)
-    sys.exit(not unittest.TextTestRunner(verbosity=2).run(cases).wasSuccessful())
+    sys.exit(checks.main(Exchange, __doc__))

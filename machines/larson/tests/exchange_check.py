@@ -13,6 +13,7 @@ import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "tests" / "support"))
+import checks
 import exchange
 
 SCRIPTS = {
@@ -73,9 +74,4 @@ class Exchange(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if len(sys.argv) != 3 or sys.argv[1] in ("-h", "--help"):
-        print(__doc__)
-        sys.exit(0 if "--help" in sys.argv or "-h" in sys.argv else 2)
-    Exchange.program, Exchange.folder = (Path(word).resolve() for word in sys.argv[1:])
-    cases = unittest.defaultTestLoader.loadTestsFromTestCase(Exchange)
-    sys.exit(not unittest.TextTestRunner(verbosity=2).run(cases).wasSuccessful())
+    sys.exit(checks.main(Exchange, __doc__))

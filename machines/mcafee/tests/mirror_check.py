@@ -9,6 +9,7 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "tests" / "support"))
+import checks
 import mirror
 
 
@@ -18,4 +19,4 @@ class Moves(mirror.Mirror):
 
 
 if __name__ == "__main__":
-    sys.exit(mirror.main(Moves, __doc__))
+    sys.exit(checks.main(Moves, __doc__))
