@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from trammel.sweep import Plan, PlanError
+from trammel.sweep.plan import MOST_BYTES, Axis
 
 HEAD = 'scenario = "circle"\n'
 
@@ -27,6 +28,39 @@ def values(found, key):
 
 
 class Points(unittest.TestCase):
+    def test_values_at_the_shares_of_a_distribution(self):
+        for axis, shares, wanted in (
+                (Axis("a", (), "uniform", 2, 6), (0, 0.25, 1), (2, 3, 6)),
+                (Axis("a", (), "uniform", 1, 3, True), (0, 0.5, 0.999), (1, 2, 3)),
+                (Axis("a", (), "log", 1, 100), (0, 0.5, 1), (1, 10, 100)),
+                (Axis("a", (), "normal", 10, 2), (0.5, 0.8413447, 0.0227501), (10, 12, 6))):
+            np.testing.assert_allclose(axis.at(np.array(shares)), wanted, rtol=1e-6,
+                                       err_msg=str(axis))
+        ends = Axis("a", (), "normal", 10, 2).at(np.array([0.0, 1.0]))
+        self.assertTrue(np.isfinite(ends).all(), ends)
+        self.assertAlmostEqual(ends.sum(), 20, places=3)
+
+    def test_the_least_of_everything_is_taken(self):
+        found = plan("seed = 0\n" + HEAD + '[grid]\ncontroller = ["fc"]\n"gains.kp" = {from = 0.1, '
+                     'to = 0.2, count = 2}\n[random]\ncount = 1\n"plant.payload_kg" = [1.0, 2.0]\n')
+        self.assertEqual((found.count, found.varied),
+                         (2, ["controller", "gains.kp", "plant.payload_kg"]))
+        self.assertEqual([found.run(n)[1]["gains.kp"] for n in range(2)], [0.1, 0.2])
+
+    def test_a_scenario_beside_the_plan(self):
+        found = plan('scenario = "own.toml"\n', **{"own.toml": 'description = "mine"\n'})
+        file = Path(found.parts[0].scenario)
+        self.assertEqual((file.is_absolute(), file.name, found.count), (True, "own.toml", 1))
+
+    def test_a_table_in_a_parquet_file(self):
+        import pyarrow
+        from pyarrow import parquet
+        with tempfile.TemporaryDirectory() as folder:
+            parquet.write_table(pyarrow.table({"gains.kp": [0.1, 0.2]}), Path(folder, "a.parquet"))
+            file = Path(folder, "plan.toml")
+            file.write_text(HEAD + '[table]\nfile = "a.parquet"\n')
+            self.assertEqual(values(Plan(file), "gains.kp").tolist(), [0.1, 0.2])
+
     def test_a_grid_is_every_combination(self):
         found = plan(HEAD + '[grid]\ncontroller = ["fc", "afc"]\n'
                      '"plant.payload_kg" = {from = 0, to = 22, count = 3}\n')
@@ -99,11 +133,83 @@ class Points(unittest.TestCase):
         one = plan(text).identity()
         self.assertEqual(one, plan("# a comment\n" + text).identity())
         for other in (text.replace("5", "6"), text.replace("10.0", "11.0"), "seed = 2\n" + text,
-                      text + '[keys]\ncontroller = "fc"\n'):
-            self.assertNotEqual(one, plan(other).identity())
+                      text + '[keys]\ncontroller = "fc"\n', text.replace("circle", "window"),
+                      'engine = "rtl"\n' + text, text.replace("payload_kg", "mass_kg"),
+                      text.replace("latin", "random"), text + '[grid]\n"gains.kp" = [0.1]\n'):
+            self.assertNotEqual(one, plan(other).identity(), other)
+        grid = HEAD + '[grid]\n"gains.kp" = [0.1, 0.2]\n'
+        for other in (grid.replace("0.2", "0.3"), grid.replace("0.1", "0.15")):
+            self.assertNotEqual(plan(grid).identity(), plan(other).identity(), other)
 
 
 class Refused(unittest.TestCase):
+    def refused(self, message, text, **files):
+        with self.assertRaisesRegex(PlanError, message, msg=text) as told:
+            plan(text, **files)
+        self.assertNotIn("\n", str(told.exception))
+
+    def test_a_range_that_is_none(self):
+        for given, message in (
+                ("{from = 1, to = 1, count = 3}", "empty range: from must be below to"),
+                ("{from = true, to = 3, count = 3}", "empty range"),
+                ("{from = 1, to = 3, count = 1}", "count must be 2..10000000"),
+                ("{from = 1, to = 3, count = 10000001}", "count must be 2..10000000"),
+                ("{from = 1, to = 3, count = 2.0}", "count must be 2..10000000"),
+                ('{from = 0, to = 3, count = 3, scale = "log"}', "log with from above 0"),
+                ('{from = 1, to = 3, count = 3, scale = "cubic"}', "scale must be linear, or log"),
+                ("{from = 1, to = 3}", "expects a list of values or"),
+                ("{from = 1, to = 3, count = 3, step = 1}", "expects a list of values or"),
+                ("3", "expects a list of values or"),
+                ("[-1, 2, 3]", "value -1.* is out of range 0..500"),
+                ("[1, 501, 3]", "value 501.* is out of range 0..500")):
+            self.refused(message, HEAD + f'[grid]\n"plant.payload_kg" = {given}\n')
+        for given, message in (
+                ("[2.0, 1.0]", "empty range"), ("[1.0]", "expects .low, high."),
+                ("[1.0, 2.0, 3.0]", "expects .low, high."), ("[1.0, true]", "expects .low, high."),
+                ("{normal = [1.0, 0.0]}", "the deviation must be above 0"),
+                ("{cubic = [1.0, 2.0]}", "expects .low, high."),
+                ("{log = [-1.0, 2.0]}", "log needs a range above 0"),
+                ("[-1.0, 2.0]", "is out of range 0..500")):
+            for name in ("latin", "random"):
+                self.refused(message, HEAD + f'[{name}]\ncount = 400\n'
+                             f'"plant.payload_kg" = {given}\n')
+        for count in ("1000000001", "1.0", '"3"'):
+            self.refused(r"\[random\]: count must be 1..1000000000",
+                         HEAD + f'[random]\ncount = {count}\n"plant.payload_kg" = [0.0, 1.0]\n')
+
+    def test_a_table_that_is_none(self):
+        table = HEAD + '[table]\nfile = "a.csv"\n'
+        key = "plant.payload_kg,gains.kp\n"
+        for text, content, message in (
+                (table + "more = 1\n", key + "1,0.1\n", 'expects file = "points.csv"'),
+                (table, key, "a.csv: holds no run"), (table, "", r"a.csv: \w"),
+                (table, key + "1,0.1\n-1,0.1\n2,0.2\n", "out of range 0..500"),
+                (table + '[grid]\n"gains.kp" = [0.1]\n', key + "1,0.1\n", "gains.kp: given twice"),
+                (table + '[keys]\n"gains.kp" = 0.1\n', key + "1,0.1\n", "gains.kp: given twice"),
+                (table + '[random]\ncount = 2\n"plant.coulomb_N" = [1, 2]\n', key + "1,0.1\n",
+                 "a table and drawn points together; one part has one")):
+            self.refused(message, text, **{"a.csv": content})
+        self.refused("latin and random together; one part has one", HEAD + "".join(
+            f'[{name}]\ncount = 2\n"{key}" = [1.0, 2.0]\n'
+            for name, key in (("latin", "plant.payload_kg"), ("random", "plant.coulomb_N"))))
+
+    def test_keys_that_every_run_would_be_refused_for(self):
+        self.refused("run.audit|run.engine", HEAD + '[keys]\n"run.audit" = true\n')
+
+    def test_the_part_that_is_wrong_is_named(self):
+        good = '[[part]]\nscenario = "circle"\n'
+        bad = good + '[part.grid]\n"gains.kp" = []\n'
+        self.refused(r"plan.toml part 2 \[grid\]: gains.kp: an empty list", good + bad)
+        self.refused(r"plan.toml part 1 \[grid\]: gains.kp: an empty list", bad + good)
+        self.refused(r"plan.toml \[grid\]: gains.kp: an empty list", bad)
+        for text in ("part = []\n", "part = 3\n", "part = [3]\n"):
+            self.refused("expects one scenario, or several as", text)
+
+    def test_a_file_that_is_too_long(self):
+        text = HEAD + "#" * (MOST_BYTES - len(HEAD))
+        self.assertEqual(plan(text).count, 1)
+        self.refused("plan.toml: longer than 4 MiB$", text + "#")
+
     def test_one_line_says_what_and_where(self):
         for text, message in (
             ("scenario = 3\n", "scenario: expects a name"),

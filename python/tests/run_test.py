@@ -14,6 +14,7 @@ import threading
 import time
 import unittest
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 from interrupt import interrupt
@@ -21,7 +22,7 @@ from interrupt import interrupt
 import trammel
 from trammel import _core, command_line
 from trammel.asked import text_of
-from trammel.results import Column
+from trammel.results import Column, Result
 
 PROGRAM = ""
 
@@ -105,7 +106,9 @@ class Wrong(unittest.TestCase):
                          ("plant.x.payload_kg", 1e9, "0..500"))
         self.assertNotIn("\n", str(error))
         again = pickle.loads(pickle.dumps(error))
-        self.assertEqual((str(again), again.key, again.range), (str(error), error.key, error.range))
+        self.assertEqual((str(again), again.key, again.value, again.range),
+                         (str(error), error.key, error.value, error.range))
+        self.assertRegex(str(error), "^plant.x.payload_kg: value 1")
 
     def test_an_unknown_key_has_a_suggestion(self):
         with self.assertRaisesRegex(trammel.SettingError, "did you mean controller") as told:
@@ -115,7 +118,11 @@ class Wrong(unittest.TestCase):
     def test_keys_that_do_not_fit_together(self):
         with self.assertRaises(trammel.SettingError) as told:
             trammel.run("circle", engine="twin", **{"run.audit": True})
-        self.assertIn("run.", str(told.exception))
+        error = told.exception
+        self.assertRegex(str(error), f"^{error.key}: ")
+        self.assertEqual((error.key[:4], error.value), ("run.", None))
+        keys = trammel.keys(trammel.settings("circle").machine)
+        self.assertEqual(error.range, keys[error.key].range)
 
     def test_what_is_no_scenario(self):
         with self.assertRaisesRegex(trammel.ConfigError, "did you mean circle"):
@@ -123,7 +130,10 @@ class Wrong(unittest.TestCase):
         with self.assertRaisesRegex(trammel.ConfigError, "cannot be read|No such file"):
             trammel.run("no/such/file.toml")
         self.assertRaises(trammel.SettingError, trammel.run, "circle", controller=None)
-        self.assertRaises(trammel.SettingError, trammel.keys, "nothing")
+        with self.assertRaises(trammel.SettingError) as told:
+            trammel.keys("nothing")
+        self.assertEqual(str(told.exception), "nothing: no such machine; there are "
+                         + ", ".join(_core.machines()))
 
     def test_a_folder_of_others_is_kept(self):
         result = trammel.run("circle", engine="twin", **{"run.max_s": 0.02})
@@ -231,6 +241,31 @@ class Texts(unittest.TestCase):
                 asked = trammel.settings("circle", files=files, **keys)
                 self.assertEqual(float(asked.values["plant.x.payload_kg"]), mass)
 
+    def test_engine_and_wiring_are_those_asked_for_last(self):
+        with tempfile.TemporaryDirectory() as scratch:
+            file = Path(scratch, "a.toml")
+            file.write_text('run.engine = "rtl"\nrun.platform = "systemc"\n')
+            names = ("run.engine", "run.platform")
+            for given, wanted in (({}, ("rtl", "direct")), ({"engine": "twin"}, ("twin", "direct")),
+                                  ({"files": [file], "engine": "twin"}, ("twin", "systemc")),
+                                  ({"run.platform": "systemc"}, ("rtl", "systemc")),
+                                  ({"files": [file], "run.platform": "direct"}, ("rtl", "direct")),
+                                  ({"engine": "twin", "run.engine": "rtl"}, ("rtl", "direct"))):
+                values = trammel.settings("circle", **given).values
+                self.assertEqual(tuple(values[name] for name in names), wanted, given)
+
+    def test_what_a_record_tells_is_each_its_own(self):
+        record = SimpleNamespace(event_hash=0xab, code=5, end="tripped", verdict="it tripped",
+                                 wall_s=0.5, simulated_s=2.0,
+                                 settings=SimpleNamespace(scenario="a", command="b", values={}))
+        result = Result(record)
+        self.assertEqual((result.event_hash, result.ok, result.end, result.wall_s,
+                          result.simulated_s, result.scenario, result.command, repr(result)),
+                         ("00000000000000ab", False, "tripped", 0.5, 2.0, "a", "b",
+                          "<a: it tripped>"))
+        record.code = 0
+        self.assertTrue(result.ok)
+
     def test_a_range_is_that_of_the_refusal(self):
         key = trammel.keys(trammel.settings("circle").machine)["plant.x.payload_kg"]
         with self.assertRaises(trammel.SettingError) as told:
@@ -288,7 +323,10 @@ class Shapes(unittest.TestCase):
         self.assertEqual(figure.unit, "mm")
         self.assertGreater(figure + 1, figure)
         self.assertEqual(self.result.metrics["tracking"]["model"]["mean_mm"], float(figure))
-        self.assertEqual(pickle.loads(pickle.dumps(figure)).unit, "mm")
+        whole = trammel.Figure(1.5, "mm", "error", 1.0, 0.25, 1.25, "a paper")
+        self.assertEqual(vars(pickle.loads(pickle.dumps(whole))), vars(whole))
+        self.assertEqual(vars(whole), {"unit": "mm", "name": "error", "expected": 1.0,
+                                       "tolerance": 0.25, "printed": 1.25, "source": "a paper"})
 
     def test_a_figure_is_good_within_its_tolerance_on_either_side(self):
         for value, expected, good in ((2.0, 2.1, True), (2.2, 2.1, True), (1.9, 2.1, False),
@@ -319,8 +357,13 @@ class Shapes(unittest.TestCase):
             self.assertIn("<html", Path(scratch, "page.html").read_text()[:500].lower())
             other = trammel.run("circle", engine="twin", controller="afc")
             trammel.compare([self.result, other], f"{scratch}/both.html")
-            self.assertGreater(os.path.getsize(f"{scratch}/both.html"), 10_000)
+            text = Path(scratch, "both.html").read_text()
+            hashes = [text.index(one.event_hash) for one in (self.result, other)]
+            self.assertEqual(hashes, sorted(hashes))  # the first is the reference
             self.assertEqual(sorted(os.listdir(scratch)), ["both.html", "page.html"])
+            for page in (True, False):
+                self.result.save(f"{scratch}/{page}", page=page)
+                self.assertEqual("report.html" in os.listdir(f"{scratch}/{page}"), page)
 
     def test_keys_of_a_machine(self):
         for machine in _core.machines():

@@ -10,6 +10,7 @@ from interrupt import interrupt
 
 import trammel
 from trammel import _core
+from trammel.step import _Field
 
 TWIN = {"engine": "twin"}
 
@@ -195,7 +196,59 @@ class Steps(unittest.TestCase):
         self.assertEqual(interrupt(script, 30), ("begun\nFalse\n", 7))
 
 
+class Fields(unittest.TestCase):
+    def test_a_number_in_its_bits(self):
+        signed = _Field(0, 4, 8, 6, True, "")  # bits 4..11, those above 9 repeat the sign
+        plain = signed._replace(signed=False)
+        for word, number in ((0x1f0, 31), (0x200, -32), (0x3f0, -1), (0xfffff3ff, -1), (0xf, 0),
+                             (0x010, 1)):
+            self.assertEqual(signed.of(word), number, hex(word))
+            self.assertEqual(plain.of(word), number & 63, hex(word))
+        for word, number, after in ((0xffffffff, 0, 0xfffff00f), (0, -1, 0xff0), (0, 31, 0x1f0),
+                                    (0x12345678, -32, 0x12345e08), (0, 1, 0x10)):
+            self.assertEqual(signed.into(word, number), after, (hex(word), number))
+            self.assertEqual(signed.of(after), number)
+
+    def test_each_axis_has_its_own(self):
+        simulation = trammel.open("circle", **TWIN)
+        for axis, other in (("x", "y"), ("y", "x")):
+            kept = simulation.read(f"{other}.KP.mant")
+            simulation.write(f"{axis}.KP.mant", kept + 7)
+            self.assertEqual(simulation.read(f"{other}.KP.mant"), kept, axis)
+            self.assertEqual(simulation.read(f"{axis}.KP.mant"), kept + 7)
+            simulation.write(f"{axis}.KP.mant", kept)
+        for name, field in simulation.fields.items():
+            whole = simulation.registers.get(name) or simulation.registers[name.rpartition(".")[0]]
+            self.assertEqual(field.address, whole, name)
+
+    def test_a_word_is_written_whole(self):
+        simulation = trammel.open("circle", **TWIN)
+        at = simulation.registers["x.IQ_MANUAL"]
+        for given, kept in ((-(2**31), 0x80000000), (-1, 0xffffffff), (2**32 - 1, 0xffffffff),
+                            (5, 5)):
+            simulation.write(at, given)
+            self.assertEqual(simulation._done[-1], ("write", at, kept))
+        with self.assertRaises(trammel.SettingError) as told:
+            simulation.position()
+        self.assertIn("there are 'x', 'y'", str(told.exception))
+
+
 class Snapshots(unittest.TestCase):
+    def test_a_snapshot_stays_as_it_was_taken(self):
+        asked = trammel.settings("circle", **TWIN, **{"run.max_s": 0.05})
+        first = trammel.open(asked)
+        asked.set("controller", "fc")  # of another run
+        first.advance(0.01)
+        kept, clock = first.snapshot(), first.clock
+        first.advance(0.01)
+        restored = trammel.restore(kept)
+        self.assertEqual((restored.clock, first.time_s), (clock, first.clock * 20e-9))
+        kept.settings.set("controller", "fc")
+        self.assertEqual(restored.snapshot().settings.values["controller"],
+                         trammel.settings("circle").values["controller"])
+        self.assertEqual(restored.finish().event_hash, trammel.run(
+            "circle", **TWIN, **{"run.max_s": 0.05}).event_hash)
+
     def test_a_restored_simulation_goes_on_as_the_first(self):
         for engine in ("rtl", "twin"):
             first = trammel.open("circle", engine=engine, **{"run.max_s": 0.2})

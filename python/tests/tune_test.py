@@ -13,6 +13,7 @@ from unittest import mock
 import trammel
 from trammel.tune import Study, StudyError
 from trammel.tune import main as tune
+from trammel.tune.study import Goal
 
 STUDY = """trials = 8
 [keys]
@@ -137,6 +138,162 @@ class Tune(unittest.TestCase):
         done = run(self.study(STUDY + '[[objective]]\nfigure = "no.such"\n'), "-o", self.out)
         self.assertEqual(done.returncode, 2)
         self.assertRegex(done.stderr, "no.such: no figure of every case\n$")
+
+    def test_what_no_study_can_mean(self):
+        least = '[search]\n"gains.kp" = [0.1, 0.3]\n' + ERROR
+        self.assertEqual(Study(self.study(least)).cases, [("circle", {})])
+        for text, message in (
+            ("colour = 1\n" + least, "colour: unknown; a study has cases, constraint, engine, "),
+            ("seed = -1\n" + least, "seed: must be 0..1000000"),
+            ("trials = true\n" + least, "trials: must be 1..1000000"),
+            ("trials = 1000001\n" + least, "trials: must be 1..1000000"),
+            ("keys = 3\n" + least, "keys: expects a table"),
+            (ERROR, "search: names no key"),
+            (least + '[cases]\n"plant.payload_kg" = 3\n', "payload_kg: expects a list of values"),
+            (least + '[cases]\n"plant.payload_kg" = [0, 501]\n', "out of range 0..500"),
+            (least + '[cases]\n"gains.kp" = [0.1]\n', "search: gains.kp: given twice"),
+            (least + '[cases]\n"plant.payload_kg" = [0.0' + ", 1.0" * 1000 + "]\n",
+             "cases: 1001 of them, more than 1000"),
+            (least.replace("[0.1, 0.3]", "{choice = []}"), "choice: expects a list of values"),
+            (least.replace("[0.1, 0.3]", "{choice = [0.1, -1.0, 0.2]}"), "value -1.* is out of"),
+            (least.replace("[0.1, 0.3]", "[-0.1, 0.3]"), "value -0.1 is out of range"),
+            (least.replace("[0.1, 0.3]", "{normal = [1.0, 0.1]}"), "expects .low, high., .log = "),
+            (least + 'over = "median"\n', "objective: over: must be one of max, mean, min"),
+            (least + 'goal = "best"\n', "objective: goal: must be one of minimize, maximize"),
+            (least + "at_most = 3\n", "objective: expects figure, goal, over"),
+            (least + LIMIT % 3 + 'goal = "maximize"\n', "expects at_least, at_most, figure, over"),
+            (least + LIMIT % 3 + 'at_least = "1"\n', "constraint: a limit must be a number"),
+            (least.replace('"tracking.model.mean_mm"', "3"), "objective: expects figure"),
+        ):
+            with self.assertRaisesRegex(StudyError, message, msg=text) as told:
+                Study(self.study(text))
+            self.assertRegex(str(told.exception), f"^{self.folder}/study.toml.*: ")
+            self.assertNotIn("\n", str(told.exception))
+
+    def test_a_case_is_every_combination_of_the_lists(self):
+        study = Study(self.study(STUDY.replace('["circle"]', '["circle", "window"]') + ERROR))
+        self.assertEqual(study.cases, [(scenario, {"plant.payload_kg": mass})
+                                       for scenario in ("circle", "window") for mass in (0, 11)])
+        trial = mock.Mock()
+        study.suggest(trial)
+        self.assertEqual(trial.mock_calls, [
+            mock.call.suggest_float("gains.kp", 0.1, 3.0, log=True),
+            mock.call.suggest_categorical("controller", ("fc", "afc")),
+            mock.call.suggest_int("gains.shift_e", 0, 1)])
+
+    def test_a_goal_is_judged_over_all_cases(self):
+        rows = [{"a": value} for value in (3.0, 1.0, 5.0)]
+        for over, value in (("max", 5), ("mean", 3), ("min", 1)):
+            self.assertEqual(Goal("a", over).value(rows), value, over)
+            self.assertEqual(Goal("a", over).name, f"{over} a")
+            for least, most, outside in ((value - 1, value + 2, [-1, -2]), (value + 1, None, [1]),
+                                         (None, value - 2, [2]), (None, None, []),
+                                         (0, 0, [-value, value])):
+                limits = {"at_least": least, "at_most": most}
+                goal = Goal("a", over, **{k: v for k, v in limits.items() if v is not None})
+                self.assertEqual(goal.outside(rows), outside, (over, limits))
+                self.assertEqual(goal.limits, [v for v in (least, most) if v is not None])
+
+    def test_identity_tells_studies_apart(self):
+        text = "seed = 2\n" + STUDY + ERROR + LIMIT % 3
+        one = Study(self.study(text)).identity()
+        self.assertEqual(one, Study(self.study("# a comment\n" + text)).identity())
+        self.assertEqual(one, Study(self.study(text.replace("= 8", "= 9"))).identity())
+        for old, new in (("seed = 2", "seed = 3"), ('"run.max_s" = 20', '"run.max_s" = 21'),
+                         ("3.0", "2.0"), ("{log = [0.1, 3.0]}", "[0.1, 3.0]"),
+                         ("[0, 11]", "[0, 12]"),
+                         ('["fc", "afc"]', '["fc"]'), ("at_most = 3", "at_most = 4"),
+                         ("at_most", "at_least"), ("mean_mm", "max_mm"),
+                         ("[search]", '[search]\n"gains.ki" = [0.1, 0.2]'),
+                         ("trials", 'engine = "rtl"\ntrials'),
+                         (ERROR, ERROR + 'over = "mean"\n'),
+                         (ERROR, ERROR + 'goal = "maximize"\n')):
+            self.assertIn(old, text)
+            other = Study(self.study(text.replace(old, new, 1))).identity()
+            self.assertNotEqual(one, other, (old, new))
+
+    def test_what_optuna_is_told_of_a_trial(self):
+        import optuna
+        state = optuna.trial.TrialState
+        study = Study(self.study(STUDY + ERROR + LIMIT % 3 + "at_least = 1\n"))
+        rows = [{"scenario": "circle", "end": "done", "message": "", "peak_current_A": peak,
+                 "tracking.model.mean_mm": mean} for mean, peak in ((0.5, 2.0), (0.25, 3.5))]
+        found, trial = mock.Mock(), mock.Mock()
+        tune.judge(study, found, trial, rows)
+        found.tell.assert_called_once_with(trial, [0.5])
+        self.assertEqual(trial.set_constraint.mock_calls,
+                         [mock.call("0", -2.5), mock.call("1", 0.5)])
+        trial.set_user_attr.assert_has_calls([mock.call("outside", [-2.5, 0.5]),
+                                              mock.call("constraints", [3.5])])
+        del rows[1]["peak_current_A"]
+        with self.assertRaisesRegex(StudyError, "peak_current_A: no figure of every case$"):
+            tune.judge(study, mock.Mock(), mock.Mock(), rows)
+        rows[1] |= {"end": "tripped", "message": "why"}
+        for text, wanted in ((ERROR, state.PRUNED), (ERROR + PEAK, state.FAIL)):
+            found, trial = mock.Mock(), mock.Mock()
+            tune.judge(Study(self.study(STUDY + text + LIMIT % 3 + "at_least = 1\n")), found, trial,
+                       rows)
+            found.tell.assert_called_once_with(trial, state=wanted)
+            trial.set_user_attr.assert_called_once_with("message", "circle: tripped: why")
+            self.assertEqual(trial.set_constraint.mock_calls,
+                             [mock.call("0", 1.0), mock.call("1", 1.0)])
+
+    def test_a_folder_goes_on_with_its_trials(self):
+        import optuna
+        study = Study(self.study(STUDY + ERROR + PEAK + 'goal = "maximize"\n'))
+        self.out.mkdir()
+        found = tune.open_study(study, self.out)
+        self.assertEqual([one.name for one in found.directions], ["MINIMIZE", "MAXIMIZE"])
+        found.tell(found.ask(), [1.0, 2.0])
+        study.suggest(found.ask())  # is killed
+        with (self.out / "trials.log").open("a") as stream:
+            stream.write('{"op_code": 5, "wor')
+        (self.out / "trials.log.lock").write_text("")
+        again = tune.open_study(study, self.out)
+        self.assertEqual([(t.state, t.values) for t in again.get_trials()],
+                         [(optuna.trial.TrialState.COMPLETE, [1.0, 2.0]),
+                          (optuna.trial.TrialState.FAIL, None)])
+        self.assertFalse((self.out / "trials.log.lock").exists())
+
+    def test_the_scenario_of_a_trial(self):
+        study = Study(self.study(STUDY + ERROR + PEAK))
+        trial = SimpleNamespace(number=7, values=[0.25, 3.5], params={
+            "gains.kp": 0.125, "controller": "fc", "gains.shift_e": 1})
+        text = tune.scenario_text(study, trial)
+        self.assertEqual(text.splitlines()[:3], [
+            "# study.toml, trial 7:", "#   max tracking.model.mean_mm over 2 cases: 0.25",
+            "#   mean peak_current_A over 2 cases: 3.5"])
+        file = self.folder / "best.toml"
+        file.write_text(text)
+        kept = trammel.settings(file).values
+        self.assertEqual([kept[key] for key in ("name", "run.max_s", "gains.x.kp", "gains.y.kp",
+                                                "controller", "gains.x.shift_e")],
+                         ["study-7", 20, 0.125, 0.125, "fc", 1])
+
+    def test_what_a_page_shows_of_trials(self):
+        from optuna.trial import TrialState
+
+        from trammel.sweep import page
+        study = Study(self.study(STUDY + ERROR + LIMIT % 3))
+        trials = [SimpleNamespace(number=n, values=values, state=state, user_attrs=told,
+                                  params={"gains.kp": 0.5, "controller": "fc", "gains.shift_e": n})
+                  for n, (values, state, told) in enumerate((
+                      ([0.25], TrialState.COMPLETE, {"constraints": [2.5]}),
+                      (None, TrialState.PRUNED, {"message": "circle: tripped: why"}),
+                      (None, TrialState.RUNNING, {}),
+                      ([0.125], TrialState.COMPLETE, {"constraints": [3.5]})))]
+        data = page.trials_data(study, trials, {0})
+        self.assertEqual((data["runs"], data["end"], data["of"], data["title"]),
+                         ([0, 1, 3], ["done", "failed", "done"], 4, "study"))
+        self.assertEqual(data["message"], ["", "circle: tripped: why", ""])
+        self.assertEqual({a["name"]: (a["key"], a["values"]) for a in data["axes"]}, {
+            "gains.kp": (True, [0.5, 0.5, 0.5]), "gains.shift_e": (True, [0, 1, 3]),
+            "max tracking.model.mean_mm": (False, [0.25, None, 0.125]),
+            "max peak_current_A (limited)": (False, [2.5, None, 3.5])})
+        self.assertEqual([w["values"] for w in data["words"]], [["best", "", ""], ["fc"] * 3])
+        self.assertEqual(data["commands"][1], "./trammel run circle -s run.engine=twin "
+                         "-s run.max_s=20 -s plant.payload_kg=0 -s gains.kp=0.5 -s controller=fc "
+                         "-s gains.shift_e=1")
 
     def test_of_earlier_calls_no_best_trial_is_left(self):
         self.out.mkdir()
