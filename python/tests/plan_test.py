@@ -159,7 +159,8 @@ class Refused(unittest.TestCase):
                 ('{from = 1, to = 3, count = 3, scale = "cubic"}', "scale must be linear, or log"),
                 ("{from = 1, to = 3}", "expects a list of values or"),
                 ("{from = 1, to = 3, count = 3, step = 1}", "expects a list of values or"),
-                ("3", "expects a list of values or"),
+                ("3", "expects a list of values or"), ("[[1]]", "no list or table"),
+                ("[1, {a = 1}]", "no list or table"),
                 ("[-1, 2, 3]", "value -1.* is out of range 0..500"),
                 ("[1, 501, 3]", "value 501.* is out of range 0..500")):
             self.refused(message, HEAD + f'[grid]\n"plant.payload_kg" = {given}\n')
@@ -173,7 +174,7 @@ class Refused(unittest.TestCase):
             for name in ("latin", "random"):
                 self.refused(message, HEAD + f'[{name}]\ncount = 400\n'
                              f'"plant.payload_kg" = {given}\n')
-        for count in ("1000000001", "1.0", '"3"'):
+        for count in ("true", "1000000001", "1.0", '"3"'):
             self.refused(r"\[random\]: count must be 1..1000000000",
                          HEAD + f'[random]\ncount = {count}\n"plant.payload_kg" = [0.0, 1.0]\n')
 
@@ -183,6 +184,8 @@ class Refused(unittest.TestCase):
         for text, content, message in (
                 (table + "more = 1\n", key + "1,0.1\n", 'expects file = "points.csv"'),
                 (table, key, "a.csv: holds no run"), (table, "", r"a.csv: \w"),
+                (table, key + "1,0.1\n,0.2\n", "plant.payload_kg: run 2 of 2 has no value"),
+                (table, key + "1,nan\n2,0.2\n", "gains.kp: run 1 of 2 has no value"),
                 (table, key + "1,0.1\n-1,0.1\n2,0.2\n", "out of range 0..500"),
                 (table + '[grid]\n"gains.kp" = [0.1]\n', key + "1,0.1\n", "gains.kp: given twice"),
                 (table + '[keys]\n"gains.kp" = 0.1\n', key + "1,0.1\n", "gains.kp: given twice"),
@@ -195,6 +198,8 @@ class Refused(unittest.TestCase):
 
     def test_keys_that_every_run_would_be_refused_for(self):
         self.refused("run.audit|run.engine", HEAD + '[keys]\n"run.audit" = true\n')
+        for name in ("engine", "files"):  # of the functions of the package, no keys
+            self.refused(f"{name}: unknown key", HEAD + f'[keys]\n{name} = "rtl"\n')
 
     def test_the_part_that_is_wrong_is_named(self):
         good = '[[part]]\nscenario = "circle"\n'
@@ -236,7 +241,7 @@ class Refused(unittest.TestCase):
             (HEAD + '[table]\nfile = "none.csv"\n', "none.csv"),
             (HEAD + "[[part]]\n", "belongs in a"),
             (HEAD + "grid = 3\n", "expects a table"),
-            ("seed = -1\n" + HEAD, "seed"),
+            ("seed = -1\n" + HEAD, "seed"), ("seed = true\n" + HEAD, "seed: expects a whole"),
             (HEAD + "[", "plan.toml: "),
         ):
             with self.assertRaisesRegex(PlanError, message, msg=text) as told:

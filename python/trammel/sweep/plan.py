@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from trammel import _core
-from trammel.asked import SettingError, _apply, settings
+from trammel.asked import SettingError, _apply, _given
 
 SECTIONS = ("keys", "grid", "latin", "random", "table")
 OWN = {"scenario", "engine", *SECTIONS}
@@ -76,6 +76,8 @@ def grid_axis(where: str, key: str, given, whole: bool) -> Axis:
     if isinstance(given, list):
         if not given:
             raise PlanError(f"{where}: {key}: an empty list; it needs at least one value")
+        if any(isinstance(value, list | dict) for value in given):
+            raise PlanError(f"{where}: {key}: a value must be no list or table")
         return Axis(key, tuple(given))
     if not isinstance(given, dict) or not {"from", "to", "count"} <= set(given) <= {
             "from", "to", "count", "scale"}:
@@ -84,7 +86,7 @@ def grid_axis(where: str, key: str, given, whole: bool) -> Axis:
     scale = given.get("scale", "linear")
     if not (_is_number(low) and _is_number(high) and low < high):
         raise PlanError(f"{where}: {key}: an empty range: from must be below to")
-    if not isinstance(count, int) or not 2 <= count <= MOST:
+    if type(count) is not int or not 2 <= count <= MOST:
         raise PlanError(f"{where}: {key}: count must be 2..{MOST}")
     if scale not in ("linear", "log") or (scale == "log" and low <= 0):
         raise PlanError(f"{where}: {key}: scale must be linear, or log with from above 0")
@@ -141,6 +143,10 @@ def table_points(where: str, given, folder: Path) -> dict[str, list]:
         raise PlanError(f"{where}: {file}: {str(error).splitlines()[0]}") from None
     if not columns or not len(next(iter(columns.values()))):
         raise PlanError(f"{where}: {file}: holds no run")
+    for key, values in columns.items():
+        empty = next((n for n, v in enumerate(values, 1) if v is None or v != v), None)
+        if empty is not None:
+            raise PlanError(f"{where}: {file}: {key}: run {empty} of {len(values)} has no value")
     return columns
 
 
@@ -183,7 +189,7 @@ class Part:
         if not section:
             return {}
         count = section.pop("count", None)
-        if not isinstance(count, int) or not 1 <= count <= 100 * MOST:
+        if type(count) is not int or not 1 <= count <= 100 * MOST:
             raise PlanError(f"{where} [{name}]: count must be 1..{100 * MOST}")
         if not section:
             raise PlanError(f"{where} [{name}]: names no key")
@@ -217,7 +223,7 @@ class Part:
         if twice:
             raise PlanError(f"{where}: {twice[0]}: given twice")
         try:
-            settings(self.scenario, engine=self.engine, **self.keys)
+            _given(self.scenario, self.engine, (), self.keys).validate()
             base = _core.Settings(self.scenario)
             for key, values in ends.items():
                 for value in dict.fromkeys(values[:1] + values[-1:] if isinstance(values, list)
@@ -258,7 +264,7 @@ class Plan:
         self.file = Path(file)
         given = read_toml(self.file)
         self.seed = given.pop("seed", 1)
-        if not isinstance(self.seed, int) or self.seed < 0:
+        if type(self.seed) is not int or self.seed < 0:
             raise PlanError(f"{self.file}: seed: expects a whole number from 0")
         parts = given.pop("part", None)
         if parts is None:

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 from trammel import _core
-from trammel.asked import _apply, settings
+from trammel.asked import _apply, _given
 from trammel.sweep.plan import PlanError, drawn_axis, read_toml
 
 MOST_CASES = 1000
@@ -61,6 +61,8 @@ class Study:
         if unknown:
             self.refuse(f"{unknown[0]}: unknown; a study has {', '.join(sorted(TOP))}")
         self.scenario = given.get("scenario", "circle")
+        if not isinstance(self.scenario, str):
+            self.refuse("scenario: expects a name or a file")
         self.engine = given.get("engine", "twin")
         self.seed = self.whole(given, "seed", 1, 0)
         self.trials = self.whole(given, "trials", 100, 1)
@@ -71,8 +73,8 @@ class Study:
             self.search[key] = self.axis(key, value)
         if not self.search:
             self.refuse("search: names no key")
-        self.objectives = [self.goal("objective", one) for one in given.get("objective", [])]
-        self.constraints = [self.goal("constraint", one) for one in given.get("constraint", [])]
+        self.objectives = self.goals(given, "objective")
+        self.constraints = self.goals(given, "constraint")
         if not self.objectives:
             self.refuse("names no [[objective]]")
         self.check()
@@ -97,6 +99,10 @@ class Study:
         for key, values in given.items():
             if not isinstance(values, list) or not values:
                 self.refuse(f"cases: {key}: expects a list of values")
+            if key == "scenario" and not all(isinstance(value, str) for value in values):
+                self.refuse("cases: scenario: expects a list of names or files")
+            if key in self.keys:
+                self.refuse(f"cases: {key}: given twice")
         count = math.prod(len(values) for values in given.values())
         if count > MOST_CASES:
             self.refuse(f"cases: {count} of them, more than {MOST_CASES}")
@@ -117,6 +123,12 @@ class Study:
         whole = isinstance(value, list) and all(type(v) is int for v in value)
         return drawn_axis(f"{self.file} [search]", key, value, whole)
 
+    def goals(self, given: dict, kind: str) -> list[Goal]:
+        every = given.get(kind, [])
+        if not isinstance(every, list):
+            self.refuse(f"{kind}: expects [[{kind}]]")
+        return [self.goal(kind, one) for one in every]
+
     def goal(self, kind: str, given: dict) -> Goal:
         allowed = {"figure", "over", *(("goal",) if kind == "objective" else
                                        ("at_least", "at_most"))}
@@ -124,14 +136,14 @@ class Study:
                 or not set(given) <= allowed:
             self.refuse(f"{kind}: expects {', '.join(sorted(allowed))}")
         over, goal = given.get("over", "max"), given.get("goal", "minimize")
-        if over not in OVER:
+        if not isinstance(over, str) or over not in OVER:
             self.refuse(f"{kind}: over: must be one of {', '.join(OVER)}")
         if goal not in ("minimize", "maximize"):
             self.refuse(f"{kind}: goal: must be one of minimize, maximize")
         limits = {k: given[k] for k in ("at_least", "at_most") if k in given}
         if kind == "constraint" and not limits:
             self.refuse("constraint: expects at_least or at_most")
-        if not all(type(v) in (int, float) for v in limits.values()):
+        if not all(type(v) in (int, float) and math.isfinite(v) for v in limits.values()):
             self.refuse("constraint: a limit must be a number")
         return Goal(given["figure"], over, goal == "maximize", **limits)
 
@@ -139,7 +151,7 @@ class Study:
         """Keys and their ends are within their ranges, in every case."""
         try:
             for scenario, case in self.cases:
-                settings(scenario, engine=self.engine, **self.keys, **case)
+                _given(scenario, self.engine, (), {**self.keys, **case}).validate()
                 base = _core.Settings(scenario)
                 for key, axis in self.search.items():
                     if key in self.keys or key in case:
