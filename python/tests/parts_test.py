@@ -169,17 +169,19 @@ class Kept(Scratch):
         with store.Store(self.folder, {}) as kept:
             self.assertEqual(kept.done().tolist(), [])
             kept.add([{"b": 1, "run": 4, "part": 0, "flag": True, "text": "a"},
-                      {"b": 2.5, "run": 2, "part": 1, "end": "done"}])
-            kept.add([{"run": 3, "part": 0, "b": 7, "none": None, "text": "3"},
+                      {"b": 2.5, "run": 2, "part": 1, "end": "done", "mixed": True}])
+            kept.add([{"run": 3, "part": 0, "b": 7, "none": None, "mixed": 1.5, "text": "3"},
                       {"run": 0, "part": 0, "b": None, "late": 5}])
             self.assertEqual(kept.done().tolist(), [0, 2, 3, 4])
         table = sweep.read(self.folder)
         self.assertEqual(table.column_names[:2], ["run", "part"])  # then those of the key
         columns = table.to_pydict()
-        self.assertEqual({name: columns[name] for name in columns if name != "none"},
+        self.assertEqual({name: columns[name] for name in columns if name not in ("mixed", "none")},
                          {"run": [0, 2, 3, 4], "part": [0, 1, 0, 0], "b": [None, 2.5, 7.0, 1.0],
                           "flag": [None, None, None, True], "text": [None, None, "3", "a"],
                           "end": [None, "done", None, None], "late": [5.0, None, None, None]})
+        self.assertEqual(table.schema.names.count("mixed"), 1)
+        self.assertEqual(columns["mixed"], [None, "true", "1.5", None])  # of two kinds
         self.assertEqual(store.column("a", [True, 1.5]).to_pylist(), ["True", "1.5"])
         self.assertEqual(store.column("a", [1, None, 2]).to_pylist(), [1.0, None, 2.0])
 

@@ -125,7 +125,10 @@ def read(folder, columns: list[str] | None = None) -> pa.Table:
     files = sorted(Path(folder, "runs").glob("*.parquet"))
     if not files:
         raise PlanError(f"{folder}: holds no runs")
-    schema = pa.unify_schemas([pa.parquet.read_schema(file) for file in files],
-                              promote_options="permissive")
-    data = pa.dataset.dataset([str(file) for file in files], schema=schema)
+    kinds = {}
+    for field in (field for file in files for field in pa.parquet.read_schema(file)):
+        known = kinds.setdefault(field.name, field.type)
+        if known != field.type:  # a key that is a number or a flag in one and a text in another
+            kinds[field.name] = pa.string()
+    data = pa.dataset.dataset([str(file) for file in files], schema=pa.schema(kinds.items()))
     return data.to_table(columns=columns).sort_by("run")
