@@ -124,6 +124,13 @@ class Wrong(unittest.TestCase):
         keys = trammel.keys(trammel.settings("circle").machine)
         self.assertEqual(error.range, keys[error.key].range)
 
+    def test_keys_beside_settings_are_not_lost(self):
+        asked = trammel.settings("circle", engine="twin", **{"run.max_s": 0.02})
+        for call in (trammel.run, trammel.open):
+            with self.assertRaisesRegex(trammel.SettingError, "^controller: settings") as told:
+                call(asked, controller="fc")
+            self.assertEqual(told.exception.key, "controller")
+
     def test_what_is_no_scenario(self):
         with self.assertRaisesRegex(trammel.ConfigError, "did you mean circle"):
             trammel.run("circel")

@@ -98,6 +98,16 @@ def settings(scenario: str | os.PathLike, /, *, engine: str | None = None,
     return asked
 
 
+def asked_of(scenario: str | os.PathLike | _core.Settings, keys: dict) -> _core.Settings:
+    """Settings as they are, or made of a scenario and keys."""
+    if not isinstance(scenario, _core.Settings):
+        return settings(scenario, **keys)
+    if keys:
+        raise SettingError(f"{next(iter(keys))}: settings() takes it, not what is given its result",
+                           next(iter(keys)))
+    return scenario
+
+
 def run(scenario: str | os.PathLike | _core.Settings, /, *,
         progress: Callable[[float], object] | None = None, **keys) -> Result:
     """Simulates a scenario and returns its record; arguments as of settings().
@@ -108,8 +118,7 @@ def run(scenario: str | os.PathLike | _core.Settings, /, *,
     Other threads go on meanwhile, and may run simulations too. A run that trips or diverges is a
     result like any other: look at `end` and `verdict`.
     """
-    asked = scenario if isinstance(scenario, _core.Settings) else settings(scenario, **keys)
-    return Result(_core.run(asked, progress))
+    return Result(_core.run(asked_of(scenario, keys), progress))
 
 
 def scenarios() -> list[str]:

@@ -8,7 +8,7 @@ from functools import cached_property
 from typing import NamedTuple
 
 from trammel import _core
-from trammel.asked import SettingError, settings
+from trammel.asked import SettingError, asked_of
 from trammel.results import Figure, Result
 
 CLOCK_S = _core.clock_s  # a clock of every chip's fabric [s]
@@ -208,8 +208,7 @@ class Simulation:
 
 def open(scenario: str | os.PathLike | _core.Settings, /, **keys) -> Simulation:
     """Begins a simulation that stands until advance() is called; arguments as of settings()."""
-    asked = scenario if isinstance(scenario, _core.Settings) else settings(scenario, **keys)
-    return Simulation(asked)
+    return Simulation(asked_of(scenario, keys))
 
 
 def restore(snapshot: Snapshot) -> Simulation:
