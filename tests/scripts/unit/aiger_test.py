@@ -5,7 +5,7 @@ import itertools
 import unittest
 
 from scratch import Scratch
-from trammel_tools.proof import aiger, miter
+from trammel_tools.proof import aiger, counterexample, miter
 
 
 def run(model, inputs):
@@ -50,6 +50,28 @@ class AigerTest(Scratch):
             for plain, seen in zip(run(MODEL, inputs), run(guarded, inputs), strict=True):
                 self.assertEqual(seen, [plain[0], *(bit and not failed for bit in plain[1:])])
                 failed = failed or any(plain[1:])
+
+
+class CounterexampleTest(unittest.TestCase):
+    def test_inputs_are_played_on_the_gates(self):
+        self.assertEqual(list(counterexample.play(MODEL, [[True], [False], [True]])),
+                         [[0, 1, 0, 0, 0], [0, 0, 1, 0, 1], [0, 1, 0, 0, 0]])
+        inverted = aiger.Model(1, [3], [], [], [(4, 2)])
+        self.assertEqual(list(counterexample.play(inverted, [[False], [True], [True]])),
+                         [[0, 0, 0, 0], [0, 1, 1, 1], [0, 1, 0, 0]])
+
+    def test_a_net_has_the_bits_that_are_known(self):
+        net = counterexample.Net({0: 3, 2: 4, 3: 2})
+        self.assertEqual(net.width, 4)
+        self.assertEqual([net.value(node) for node in ([0, 0, 0], [0, 1, 0], [0, 0, 1], [0, 1, 1])],
+                         [1, 8, 5, 12])
+
+    def test_names_of_an_assertion_and_what_is_behind_them(self):
+        text = ("assign a = b + c;\n d_q <= e ? f.g : a;\n assign a_more = h; ok = (a == k);\n"
+                "lab : assert ((a == d_q) || x.y && a);\n other : assert (z);\n assign z = w;\n")
+        self.assertEqual(counterexample.mentioned(text, "lab"),
+                         (["a", "d_q", "x"], ["b", "c", "e", "f"]))
+        self.assertEqual(counterexample.mentioned(text, "other"), (["z"], ["w"]))
 
 
 class GraphTest(unittest.TestCase):

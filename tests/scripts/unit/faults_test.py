@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Which faults verify --faults injects, which of them it calls dangerous, and what it refuses."""
 
+import tempfile
 import unittest
+from pathlib import Path
+from unittest import mock
 
 from trammel_tools.check import faults
 
@@ -63,7 +66,8 @@ class Faults(unittest.TestCase):
             with self.subTest(off_s=off_s):
                 made = [outcome("check", off_s)]
                 self.assertEqual(faults.problems("toy", PLAN, made), told)
-                self.assertEqual(faults.problems("toy", PLAN | {"counted": ["check"]}, made), [])
+                self.assertEqual(faults.problems("toy", PLAN | {"counted": ["che"]}, made), [])
+                self.assertEqual(faults.problems("toy", PLAN | {"counted": ["heck"]}, made), told)
         self.assertEqual(faults.problems("toy", PLAN, [outcome("", error="exit 70")]),
                          ["toy: gate dead, at rest: exit 70"])
 
@@ -80,6 +84,85 @@ class Faults(unittest.TestCase):
                     self.assertEqual(told[:2], [one] * 2)
                     self.assertEqual(told[2], f"toy: 2 of {len(found)} dangerous faults are not "
                                               "noticed: at most 5%")
+
+    def test_a_path_goes_through_points_at_times(self):
+        plan = {"waypoints": [[0, 0, 0], [1, 0.01, 0], [2, 0.01, 0.02]], "interval_s": 0.5}
+        with tempfile.TemporaryDirectory() as folder:
+            self.assertEqual(faults.waypoints(plan, folder),
+                             [f"path.points_file={folder}/waypoints.csv"])
+            self.assertEqual(Path(folder, "waypoints.csv").read_text().splitlines(), [
+                "0.0000,0.0000", "5.0000,0.0000", "10.0000,0.0000", "10.0000,10.0000",
+                "10.0000,20.0000"])
+            self.assertEqual(faults.waypoints({}, folder), [])
+
+    def judged(self, seen, blind):
+        """Outcome of a fault with these members of `injected` in its two runs."""
+        plan = PLAN | {"settings": ["s=1"], "monitors": ["m=1"], "blind": ["m=0"]}
+        quiet = {"begin_s": 1.0, "detected_by": "", "detected_after_s": None, "off_after_s": None,
+                 "stopping": 0, "peak_A": 1.0, "at_stop": False}
+        asked = []
+
+        def run(_, settings, out):
+            asked.append(settings)
+            made = {"m=1": seen, "m=0": blind}[settings[-1]]
+            return made if isinstance(made, str) else ({"injected": quiet | made}, [])
+
+        with tempfile.TemporaryDirectory() as folder, mock.patch.object(faults, "run", run):
+            made = faults.judge(plan, [], ["w=1"], folder,
+                                (("gate dead", ["f=1"]), ("at rest", 0.25)))
+        for settings, last in zip(asked, ("m=1", "m=0"), strict=True):
+            self.assertEqual(settings, ["s=1", "w=1", "inject.begin_s=0.25", "f=1", last])
+        return made
+
+    def test_a_fault_is_noticed_with_the_monitors_and_does_harm_without_them(self):
+        noticed = {"detected_by": "check", "detected_after_s": 0.005, "off_after_s": 0.005003,
+                   "stopping": 1.5}
+        made = self.judged(noticed, {"peak_A": 5.0})
+        self.assertEqual((made.fault, made.time, made.by, made.after_s, made.stopping, made.error),
+                         ("gate dead", "at rest", "check", 0.005, 1.5, ""))
+        self.assertAlmostEqual(made.off_s, 3e-6)
+        self.assertEqual(made.consequences, ["5 A"])
+        self.assertEqual(self.judged(noticed | {"at_stop": True}, {}).consequences, ["at a stop"])
+        self.assertIsNone(self.judged(noticed | {"off_after_s": None}, {}).off_s)
+        self.assertEqual(self.judged({}, {"peak_A": 5.0}).by, "")
+        for runs in (("exit 70", {}), ({}, "exit 70")):
+            self.assertEqual(self.judged(*runs).error, "exit 70")
+
+    def test_a_cell_tells_who_noticed_when_and_what_else_there_was(self):
+        def text(**more):
+            return faults.text(PLAN, faults.Outcome("gate dead", "at rest", **more))
+
+        by = {"by": "check", "after_s": 0.0051234, "off_s": 3e-6, "stopping": 1.54}
+        harm = {"consequences": ["5 mm off", "6 A"]}
+        self.assertEqual(text(**by), "check, 5.12 ms, off 3 us later, stops in 1.5 mm")
+        self.assertEqual(text(**by, **harm), "check, 5.12 ms, off 3 us later, stops in 1.5 mm "
+                         "(else 5 mm off; 6 A)")
+        self.assertEqual(text(**by | {"off_s": None}), "check, 5.12 ms, stops in 1.5 mm")
+        self.assertEqual(text(**harm), "**not noticed: 5 mm off; 6 A**")
+        self.assertEqual(text(), "not noticed, harmless")
+        self.assertEqual(text(error="exit 70", **harm), "exit 70")
+
+    def test_a_section_counts_cases_and_has_a_column_a_time(self):
+        plan = PLAN | {"times": {"at rest": 0.1, "moving": 0.2}, "about": "A toy.",
+                       "met_by": {"che": "its drive"}}
+        made = [faults.Outcome(fault, time, by=by, consequences=harm) for fault, time, by, harm in (
+            ("a", "moving", "check", ["x"]), ("a", "at rest", "", []), ("b", "at rest", "", ["y"]),
+            ("b", "moving", "check 2", ["z"]))]
+        summary = "2 faults at 2 times: 3 of 4 cases dangerous, 2 of these noticed (66.7%)"
+        self.assertEqual(faults.summary(plan, made), summary)
+        self.assertEqual(faults.summary(plan, made[1:2]),
+                         "1 faults at 2 times: 0 of 1 cases dangerous, 0 of these noticed (100.0%)")
+        harmless = faults.Outcome("a", "at rest", by="check")
+        self.assertIn("3 of 5 cases dangerous, 2 of these", faults.summary(plan, [*made, harmless]))
+        lines = faults.section("toy", plan, made).splitlines()
+        self.assertEqual(lines[:7], ["## toy", "", "A toy.", "", summary + ".", "",
+                                     "| fault | at rest | moving |"])
+        self.assertEqual([line.split(" | ")[:2] for line in lines[8:10]],
+                         [["| a", "not noticed, harmless"], ["| b", "**not noticed: y**"]])
+        self.assertEqual(lines[-2:], ["| check | its drive |", "| check 2 | its drive |"])
+        with self.assertRaisesRegex(faults.machines.MachineError, 'lacks "watch"'):
+            faults.section("toy", plan, [faults.Outcome("a", time, by="watch")
+                                         for time in plan["times"]])
 
 
 if __name__ == "__main__":

@@ -3,7 +3,7 @@
 
 import unittest
 
-from trammel_tools.synth import synth_netlist, synth_report
+from trammel_tools.synth import estimate, synth_netlist, synth_report
 from trammel_tools.synth.synth_netlist import Count
 
 
@@ -154,6 +154,53 @@ class SynthReportTest(unittest.TestCase):
             cells = {"lut": {}, "x$y": {}}
         for placed, name in (("lut_LC", "lut"), ("lut$COMB", "lut"), ("x$y", "x$y"), ("z", "z")):
             self.assertEqual(synth_report.of_netlist(Mapped, placed), name)
+
+    def test_a_row_is_a_block_alone_and_all_of_it_in_the_chip(self):
+        alone = dict(zip(synth_report.COLUMNS, range(1, 7)))
+        inside = dict(zip(synth_report.COLUMNS, range(11, 17)))
+        blocks = {"math/b": {"isolated": alone}, "math/a": {}}
+        self.assertEqual(list(synth_report.rows({"blocks": blocks})),
+                         [["math/a", *"------"], ["math/b", *"123456"]])
+        blocks["math/a"] = {"isolated": alone, "in_chip": inside, "instances": 2}
+        self.assertEqual(list(synth_report.rows({"blocks": blocks})),
+                         [["math/a", *"123456", "2", "11", "14", "15", "16"],
+                          ["math/b", *"123456", *"-----"]])
+        for line in synth_report.rows({"blocks": blocks}):
+            self.assertEqual(len(line), len(synth_report.heads({"blocks": blocks})))
+
+    def test_a_page_is_stale_when_a_block_is_more_than_a_twentieth_off(self):
+        page = "<!-- trammel synth --docs: blocks -->\n| math/a | %d | 7 |\n<!-- end -->"
+        for shown, cells, stale in ((100, 105, False), (100, 106, True), (100, 95, False),
+                                    (100, 94, True), (10, 15, False), (10, 16, True),
+                                    (1000, 1052, False), (1000, 1053, True)):
+            blocks = {"math/a": {"isolated": {"cells": cells}}, "math/b": {}}
+            told = [f"math/a: {cells} cells, {shown} in docs/synthesis.md"] if stale else []
+            self.assertEqual(list(synth_report.stale(page % shown, {"blocks": blocks})), told)
+        self.assertEqual(list(synth_report.stale("", {"blocks": {"math/a": {"isolated": {
+            "cells": 3}}}})), ["math/a: 3 cells, nothing in docs/synthesis.md"])
+
+    def test_the_slowest_path_is_counted_by_what_it_goes_through(self):
+        def step(kind, delay, cell="x", port="F"):
+            return {"type": kind, "delay": delay, "from": {"cell": cell},
+                    "to": {"port": port, "cell": "ff_b"}}
+
+        netlist = synth_netlist.Netlist(MODULES, MAPPED, "chip")
+        report = {"fmax": {"$glbnet$clk": {"achieved": 61.237}}, "critical_paths": [
+            {"from": "<async>", "to": "clk", "path": [step("logic", 99)]},
+            {"from": "clk", "to": "clk", "path": [
+                step("clk-to-q", 0.5, "ff_a"), step("routing", 1.0), step("logic", 0.25, "lut"),
+                step("logic", 0.25, "lut", "COUT"), step("routing", 2.0), step("setup", 0.25)]}]}
+        found = synth_report.critical_path(report, netlist)
+        self.assertEqual((found["fmax_mhz"], found["clock"]), (61.24, "clk"))
+        self.assertEqual(found["path"]["text"],
+                         "4.2 ns from x_q of math/a to y_q of drive/b, through 1 LUTs, 1 bits of "
+                         "carry chain: 0.5 ns logic, 3.0 ns routing, 0.8 ns registers")
+        self.assertEqual([synth_report.place_of(f"u.gen_axis[{n}].u_axis") for n in (0, 1)],
+                         [" of axis X", " of axis Y"])
+
+    def test_an_estimate_tells_what_there_is(self):
+        self.assertEqual(list(estimate.lines({"A B": {"LUT": 3, "FF": 0, "RAM": 2}})),
+                         ["estimate, not placed: A B: 3 LUT, 2 RAM"])
 
     def test_a_column_is_as_wide_as_its_widest_cell(self):
         self.assertEqual(list(synth_report.text_table(["block", "n"], [["a", "100"]])),

@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Times, windows and names of wave files, without one."""
 
+import tempfile
 import unittest
+from pathlib import Path
+from types import SimpleNamespace
 
-from trammel_tools.waves import wave_picture
+from trammel_tools.waves import vcd, wave, wave_picture
 from trammel_tools.waves.wave_file import Refused, WaveFile, pattern, time_text, within
 
 
@@ -58,7 +61,91 @@ class WaveFileTest(unittest.TestCase):
         self.assertEqual(within([(50, 1)], (10, 30)), (None, []))
 
 
+class DifferenceTest(unittest.TestCase):
+    def test_values_part_at_the_first_change_that_one_has_alone(self):
+        same = [(0, 1), (10, 2)]
+        for one, two, wanted in (
+                (same, same, None), ([], [], None),
+                (same, [(0, 1), (12, 2)], (10, 2, 1)), ([(0, 1), (12, 2)], same, (10, 1, 2)),
+                (same, [(0, 1)], (10, 2, 1)), (same, [(0, 1), (10, 3)], (10, 2, 3)),
+                ([(0, 1)], [(0, 2)], (0, 1, 2)), ([], [(5, 1)], (5, None, 1))):
+            self.assertEqual(wave.first_difference(one, two), wanted, (one, two))
+
+    def test_differences_are_in_time_whatever_the_steps_of_the_files(self):
+        changes = [{"a": [(0, 1), (10, 2)], "b": [(0, 1), (4, 3)], "c": [(0, 1), (4, 3)]},
+                   {"a": [(0, 1), (12, 2)], "b": [(0, 1), (2, 3)], "c": [(0, 1), (2, 3)]}]
+        files = [SimpleNamespace(step=step, changes=lambda name, scale=scale, known=known: [
+                     (time * scale, value) for time, value in known[name]],
+                     identity=lambda name: {"c": "b"}.get(name, name))
+                 for step, scale, known in ((2, 1, changes[0]), (1, 2, changes[1]))]
+        found, compared = wave.differences(*files, ["a", "b", "c"],
+                                           [(0, float("inf"))] * 2)
+        self.assertEqual((found, compared), ([(4, "b", 1, 3), (20, "a", 2, 1)], 2))
+
+
+class VcdTest(unittest.TestCase):
+    def test_each_signal_has_a_short_name_of_its_own(self):
+        self.assertEqual([vcd.code(n) for n in (0, 93, 94, 95)], ["!", "~", '!"', '""'])
+        self.assertEqual(len({vcd.code(n) for n in range(20000)}), 20000)
+
+    def test_a_file_has_each_change_once_and_the_clock_in_every_period(self):
+        columns = {vcd.Signal("t.u.b", 4): [3, 3, 5], vcd.Signal("t.a", 1): [0, 1, 1]}
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder, "a.vcd")
+            vcd.write(file, "t.clk_i", columns)
+            self.assertEqual(file.read_text().splitlines(), [
+                "$timescale 1ns $end", "$scope module t $end", "$var wire 1 # a $end",
+                "$var wire 1 ! clk_i $end", "$scope module u $end", '$var wire 4 " b [3:0] $end',
+                "$upscope $end", "$upscope $end", "$enddefinitions $end",
+                "#0", "1!", 'b11 "', "0#", "#10", "0!", "#20", "1!", "1#", "#30", "0!",
+                "#40", "1!", 'b101 "', "#50", "0!", "#60"])
+            vcd.write_view(Path(folder, "a.gtkw"), file, "a title",
+                           {"One": list(columns), "None": []}, (20, 920), 40)
+            lines = Path(folder, "a.gtkw").read_text().splitlines()
+        self.assertEqual([lines[n] for n in (0, 3, 6)],
+                         ["[*] a title", "[timestart] 20", "*-0.000000 40 -1"])
+        self.assertEqual(lines[-6:], ["@200", "-One", "@22", "t.u.b[3:0]", "@28", "t.a"])
+
+
 class WavePictureTest(unittest.TestCase):
+    def test_a_value_is_shown_in_its_format(self):
+        for value, kind, text in ((None, "d", "?"), ("z", "", "z"), (0xf, "d", "-1"), (7, "d", "7"),
+                                  (8, "d", "-8"), (5, "b", "0101"), (10, "x", "a"), (10, "", "a"),
+                                  (10, "u", "10")):
+            self.assertEqual(wave_picture.value_text(value, 4, kind), text, (value, kind))
+
+    def test_a_clock_shows_what_stands_behind_its_edge(self):
+        changes = [(0, 1), (10, 2), (20, 3), (25, 4)]
+        for clocks, values in (([10, 20, 30], [2, 3, 4]), ([5, 15], [1, 2]), ([24, 25], [3, 4])):
+            window = clocks[0], clocks[-1] + 1
+            self.assertEqual(wave_picture.at_clocks(changes, window, clocks), values)
+
+    def test_a_row_has_a_letter_where_its_value_changes(self):
+        lane = wave_picture.lane("a", [0, 0, 1, 1, 0], [0, 1, 2, None, 4], str)
+        self.assertEqual(lane, {"name": "a", "wave": "0.1|0"})
+        file = SimpleNamespace(bits={"top.a": 1, "top.b": 4}.get)
+        self.assertEqual(wave_picture.signal_lane(file, "a", "top.a", "", [0, None, 1], [0, 1, 2]),
+                         {"name": "a", "wave": "0x1"})
+        self.assertEqual(wave_picture.signal_lane(file, "b", "top.b", "d", [15, 15, 3], [0, 1, 2]),
+                         {"name": "b", "wave": "=.=", "data": ["-1", "3"]})
+        self.assertEqual(wave_picture.clock_lanes("clk_i", [0, 1, None, 8, 9], 100), [
+            {"name": "clock", "wave": "3.|3.", "data": ["100", "+8"]},
+            {"name": "clk_i", "wave": "p.|.."}])
+
+    def test_an_arrow_goes_from_a_change_to_the_next_of_another(self):
+        picked = [("a", "t.a", "", [0, 0, 1, 1, 1]), ("b", "t.b", "", [0, 0, 1, 1, 0]),
+                  ("c", "t.c", "", [0] * 5)]
+        lanes = [{"name": label} for label, *_ in picked]
+        edges = wave_picture.measure(lanes, picked, [0, 1, 2, None, 4], [("a", "b")])
+        self.assertEqual(edges, ["A<~>B 2 clk"])
+        self.assertEqual(lanes, [{"name": "a", "node": "..A.."}, {"name": "b", "node": "....B"},
+                                 {"name": "c"}])
+        for pair, message in ((("a", "c"), "do not change after each other"),
+                              (("c", "a"), "do not change after each other"),
+                              (("a", "d"), "d is none of the drawn: a, b, c")):
+            with self.assertRaisesRegex(Refused, message):
+                wave_picture.measure(lanes, picked, [0, 1, 2, 3, 4], [pair])
+
     def test_a_signal_has_a_label_and_a_format_if_given(self):
         for text, parts in (("u_a.e_q", ("e_q", "u_a.e_q", "")), ("e_q:d", ("e_q", "e_q", "d")),
                             ("error=u_a.e_q:x", ("error", "u_a.e_q", "x"))):
