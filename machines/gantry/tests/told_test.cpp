@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What is told of a run of the machine gantry: verdict, remarks, figures beside those of the
+// thesis, metrics, from results made by hand.
+#include <catch2/catch.hpp>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lab/record.hpp"
+#include "machines/gantry/machine.hpp"
+#include "tests/support/columns.hpp"
+#include "tests/support/figures.hpp"
+
+using namespace trammel;
+using namespace trammel::gantry;
+using Lines = std::vector<std::string>;
+
+namespace {
+
+lab::Record record_of(const Options& options, Result result) {
+  return lab::judged(options.clone(), std::make_unique<Result>(std::move(result)));
+}
+
+nlohmann::ordered_json metrics_of(const Options& options, const Result& result) {
+  nlohmann::ordered_json json;
+  Result own;
+  own.homed = result.homed;
+  own.store = result.store;
+  add_metrics(record_of(options, std::move(own)), json);
+  return json;
+}
+
+// Figure of the thesis, what it shows, and the overshoot that it prints or -1.
+struct Shown {
+  const char* scenario;
+  int figure;
+  const char* says;
+  double percent;
+};
+constexpr Shown kShown[] = {
+    {"gantry-min-force", 35, "stops short of the reference", -1},
+    {"gantry-p", 36, "overshoot of 0.26 %", 0.26},
+    {"gantry-pi", 37, "overshoot of 45 %", 45},
+    {"gantry-pi-cancel", 38, "overshoot of 4.5 %", 4.5},
+    {"gantry-pi-aw", 39, "overshoot of 0.65 %", 0.65},
+    {"gantry-pi-linear", 41, "a small overshoot, less with a larger TI", -1},
+    {"gantry-friction", 47, "some oscillation, then smooth through the friction zones", -1},
+    {"gantry-cascade-30", 52, "no overshoot", 0},
+    {"gantry-cascade-k10", 53, "the small step overshoots", -1},
+    {"gantry-cascade-k11", 54, "oscillates", -1},
+    {"gantry-cascade", 55, "no overshoot, slower than P", 0},
+    {"gantry-backlash", 59, "faster with compensation, no overshoot", 0}};
+
+}  // namespace
+
+TEST_CASE("gantry: each end of a run has its own verdict") {
+  Options options;
+  options.run.max_s = 7.5;
+  Result result;
+  result.fault = "a force and no motion";
+  result.promise = {"one_master", "gantry_tau.u_bus", "bus/props.sv:7", 50'000};
+  using End = cosim::EndReason;
+  for (const auto& [end, text] :
+       {std::pair{End::kDone, "done"},
+        {End::kStopped, "interrupted"},
+        {End::kFault, "failed: a force and no motion"},
+        {End::kMissed, "missed: a force and no motion"},
+        {End::kTimeout, "not finished within run.max_s = 7.5"},
+        {End::kPromise, "assertion failed: one_master of gantry_tau.u_bus at 0.00100000 s, clock "
+                        "50000 (bus/props.sv:7)"}}) {
+    result.end = end;
+    CHECK(machine().verdict(options, result) == text);
+  }
+}
+
+TEST_CASE("gantry: each figure of a run is told by its row, unit, digits and tile") {
+  Result result;
+  test::check_shapes(
+      figures(Options{}, result),
+      {"step.overshoot_mm: step, overshoot [mm] 3",
+       "step.overshoot_percent: step, overshoot of the step [%] 2 {Overshoot}",
+       "step.arrive_s: step, until within the band [s] 3 {Arrived}",
+       "step.settle_s: step, until within 2 % for good [s] 3 {Settled}",
+       "step.rest_mm: step, from the reference at the end [mm] 3 {Rest}",
+       "step.swing_mm: step, peak to peak over the last quarter [mm] 3",
+       "max_speed_mm_s: largest speed [mm/s] 1 {Largest speed}",
+       "max_force: largest force of either motor [count] whole",
+       "passes: control passes whole",
+       "host.heard: bytes, from the chip whole",
+       "host.malformed: frames, malformed whole",
+       "host.lost: frames, lost whole",
+       "host.unknown: frames, unknown whole"});
+  CHECK(test::figure(Options{}, result, "step.swing_mm") == 0);  // of a run without a sample
+  Options nowhere;
+  nowhere.from_mm = nowhere.reference_mm;
+  CHECK(test::figure(nowhere, result, "step.overshoot_percent") == 0);
+}
+
+TEST_CASE("gantry: what the thesis shows of a scenario stands in its figure, remark and metrics") {
+  for (const Shown& one : kShown) {
+    CAPTURE(one.scenario);
+    Options options;
+    options.scenario = one.scenario;
+    Result result;
+    const auto list = figures(options, result);
+    int beside = 0;
+    for (const lab::Figure& f : list) {
+      CAPTURE(f.id);
+      CHECK_FALSE(f.expected);  // nothing is judged by it
+      if (!f.printed) continue;
+      ++beside;
+      CHECK(f.id == "step.overshoot_percent");
+      CHECK(*f.printed == one.percent);
+      CHECK(f.source == "Brochier 2006, figure " + std::to_string(one.figure));
+    }
+    CHECK(beside == (one.percent >= 0 ? 1 : 0));
+    CHECK(remarks(record_of(options, {})) ==
+          Lines{"Brochier 2006, figure " + std::to_string(one.figure) + ": " + one.says});
+    const auto json = metrics_of(options, {});
+    CHECK(json["published"].dump() == "{\"figure\":" + std::to_string(one.figure) +
+                                          ",\"says\":\"" + one.says + "\"}");
+  }
+  Options own;
+  own.scenario = "gantry-pi-own";
+  CHECK(remarks(record_of(own, {})).empty());
+  CHECK(metrics_of(own, {})["published"].dump() == "{}");
+}
+
+TEST_CASE("gantry: remarks tell of homing where it was asked for, of the fit, of bytes heard") {
+  const auto told = [](bool home, bool homed, bool fitted, std::size_t bytes) {
+    Options options;
+    options.scenario = "own";
+    options.firmware.home = home;
+    Result result;
+    result.homed = homed;
+    result.fitted = fitted;
+    for (std::size_t k = 0; k < bytes; ++k) {
+      result.heard.push_back(static_cast<unsigned char>(k == 0 ? 0xAB : k));
+    }
+    return remarks(record_of(options, std::move(result)));
+  };
+  CHECK(told(false, false, false, 0) == Lines{});
+  CHECK(told(false, true, false, 0) == Lines{});
+  CHECK(told(true, true, false, 0) == Lines{"homed"});
+  CHECK(told(true, false, false, 0) == Lines{"homing did not end"});
+  CHECK(told(true, true, true, 2) == Lines{"homed", "calibration fitted", "heard: AB 01"});
+  const std::string most = "heard: AB 01 02 03 04 05 06 07 08 09 0A 0B 0C 0D 0E 0F 10 11 12 13 14 "
+                           "15 16 17";
+  CHECK(told(false, false, false, 24) == Lines{most});
+  CHECK(told(false, false, false, 25) == Lines{most + " ..."});
+}
+
+TEST_CASE("gantry: metrics have the calibration as the run left it, word for word") {
+  Result result;
+  for (std::size_t k = 0; k < result.store.size(); ++k) {
+    result.store[k] = static_cast<std::uint16_t>(60'000 + 3 * k);
+  }
+  for (const bool homed : {false, true}) {
+    result.homed = homed;
+    const auto json = metrics_of({}, result);
+    CHECK(json["homed"] == homed);
+    REQUIRE(json["calibration"].size() == 64);
+    for (std::size_t k = 0; k < 64; ++k) {
+      INFO("word " << k);
+      CHECK(json["calibration"][k] == 60'000 + 3 * k);
+    }
+  }
+}
+
+TEST_CASE("gantry: a page of several runs has what is compared, flags keep their bits") {
+  const lab::ColumnTable& table = machine().columns();
+  CHECK(test::marked(table, &lab::Column::compared) ==
+        "x_mm v_mm_s position_mm goal_mm filtered_mm_s m1_u_count m2_u_count");
+  CHECK(test::marked(table, &lab::Column::bits) == "phase m1_flank m2_flank");
+}
+
+TEST_CASE("gantry: the largest speed and force are those of either sign and motor, in any sample") {
+  for (const std::size_t at : {std::size_t{0}, std::size_t{4}}) {
+    for (const int sign : {1, -1}) {
+      for (const std::size_t motor : {std::size_t{0}, std::size_t{1}}) {
+        Result result;
+        for (std::size_t k = 0; k < 5; ++k) {
+          Sample s;
+          s.v = k == at ? 0.25 * sign : 0;
+          s.words.force[motor] = k == at ? 321 * sign : 0;
+          s.force = {999, 999};  // of the motors, not what was written
+          result.samples.push_back(s);
+        }
+        CAPTURE(at, sign, motor);
+        CHECK(test::figure(Options{}, result, "max_speed_mm_s") == Approx(250));
+        CHECK(test::figure(Options{}, result, "max_force") == 321);
+      }
+    }
+  }
+}
+
+TEST_CASE("gantry: arrived and settled are within their bands, on them and on either side") {
+  for (const double side : {1.0, -1.0}) {
+    const auto figures_at = [&](double off) {
+      Options options;
+      options.sends = "";  // from 0 on
+      options.time_s = 0.01;
+      options.zero_mm = -2;
+      options.from_mm = 100;
+      options.reference_mm = 200;
+      options.band_mm = 1;
+      Result result;
+      for (int k = 0; k < 2; ++k) {
+        Sample s;
+        s.edge = 50'000 * (k + 1);
+        s.x = 1e-3 * (198 + (k == 0 ? 50 : side * off));
+        result.samples.push_back(s);
+      }
+      return step_figures(options, result);
+    };
+    CAPTURE(side);
+    CHECK(figures_at(0.99).arrive_s == Approx(2e-3));
+    CHECK(figures_at(1.01).arrive_s < 0);
+    CHECK(figures_at(1.99).settle_s == Approx(2e-3));
+    CHECK(figures_at(2.01).settle_s < 0);
+    CHECK(figures_at(3).rest_mm == Approx(3 * side));
+    CHECK(figures_at(3).overshoot_mm == Approx(50));
+  }
+}
