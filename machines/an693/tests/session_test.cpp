@@ -4,10 +4,13 @@
 // that the part drove, in either sense; and how its runs go on and end.
 #include <catch2/catch.hpp>
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "cosim/trigger_search.hpp"
 #include "machines/an693/machine.hpp"
 #include "machines/an693/session.hpp"
 #include "tests/support/event_record.hpp"
@@ -149,4 +152,114 @@ TEST_CASE("an693: a shaft too far from its trajectory ends the run as diverged, 
     CHECK(result.desired == last.words.position >> 16);
     CHECK(result.desired * static_cast<double>(counts) > 0);
   }
+}
+
+TEST_CASE("an693: a session tells its clock, its processor, its end and its place") {
+  Options options = quick(An693Program::kAbsolute, 100);
+  options.processor.access_clk = 23;
+  options.processor.interrupt_latency_clk = 457;
+  options.run.max_s = 0.75;
+  options.plant.clock_ps = 25'000;
+  options.fault.kind = cosim::FaultKind::kProcessorSlow;
+  options.fault.value = 3;
+  const std::unique_ptr<cosim::Session> session = machine().session(options, {}, {});
+  CHECK(session->timing().access == 23);
+  CHECK(session->timing().latency == 457);
+  CHECK(session->timing().fault.access(1, 23) == 3 * 23);
+  CHECK(session->period_ps() == 25'000);
+  CHECK(session->end() == 30'000'000);
+  CHECK_FALSE(session->finished());
+  CHECK_FALSE(session->stopped());
+}
+
+TEST_CASE("an693: the place of a running session is its shaft's, in counts and in its sense") {
+  for (const int counts : {600, -600}) {
+    const Options options = quick(An693Program::kAbsolute, counts);
+    Session session(options, {});
+    cosim::run_direct(session.loop(), session.firmware(), session.timing(), session.end(),
+                      [&session] { return session.finished(); });
+    const auto places = session.places();
+    REQUIRE(places.size() == 1);
+    CHECK(places[0].axis.empty());
+    CHECK(places[0].unit == "count");
+    const auto result = session.result();
+    const auto& samples = static_cast<const Result&>(*result).samples;
+    CHECK(places[0].value == Approx(shaft_counts(options, samples.back().theta)).margin(1));
+    CHECK(std::abs(places[0].value) > 300);
+  }
+}
+
+TEST_CASE("an693: the event hash is of every stop, and of both places of every sample") {
+  Options options = quick(An693Program::kAbsolute, 600);
+  options.run.max_s = 0.09;
+  const Run run = test::record_run<Session, Result>(options);
+  test::check_event_hash(run, [&run](std::size_t sample) {
+    const Sample s = run.result.samples[sample];
+    return test::HashedWords{{"position", static_cast<std::uint64_t>(s.words.position)},
+                             {"actual", static_cast<std::uint32_t>(s.words.actual)}};
+  });
+}
+
+TEST_CASE("an693: a run can be stopped, ends at its time or where its trigger is found") {
+  Options options = quick(An693Program::kAbsolute, 600);
+  std::atomic<bool> stop{false};
+  cosim::Hooks hooks;
+  hooks.stop = &stop;
+  hooks.progress = [&stop](double) { stop = true; };  // told after 64 samples
+  const Result stopped = simulate(options, hooks);
+  CHECK(stopped.end == cosim::EndReason::kStopped);
+  CHECK(stopped.samples.size() == 65);
+  cosim::TriggerSearch search(cosim::parse_trigger("real_count > 100", triggers()));
+  cosim::Waves waves;
+  waves.search = &search;
+  Session session(options, {}, waves);
+  cosim::run_direct(session.loop(), session.firmware(), session.timing(), session.end(),
+                    [&session] { return session.finished(); });
+  REQUIRE(search.found());
+  const auto result = session.result();
+  const auto& samples = static_cast<const Result&>(*result).samples;
+  CHECK(samples.back().edge == *search.found());
+  CHECK(samples.back().words.actual > 100);
+  CHECK(samples[samples.size() - 2].words.actual <= 100);
+}
+
+TEST_CASE("an693: the ends of the steps there and back are those of its program") {
+  Options options = quick(An693Program::kTuning, 40);
+  options.steps = 3;
+  const Result result = simulate(options, {});
+  CAPTURE(result.fault, result.samples.size());
+  REQUIRE(result.step_ends.size() == 3);
+  CHECK(result.step_ends.back() == result.samples.size());
+  for (std::size_t n = 0; n < 3; ++n) {
+    const std::size_t end = result.step_ends[n];
+    CAPTURE(n, end);
+    const Sample last = result.samples[end - 1];
+    CHECK(last.words.position >> 16 == (n % 2 == 0 ? 40 : 0));
+    if (n < 2) CHECK(result.samples[end + 20].words.position != last.words.position);
+  }
+}
+
+TEST_CASE("an693: a fault is on a line of the encoder or a bit of the converter, of the bridge two") {
+  const auto told = [](lm628::Variant variant, cosim::FaultKind kind, int line) {
+    Options options = quick(An693Program::kHold, 100);
+    options.run.max_s = 1e-3;
+    options.part.variant = variant;
+    options.fault.kind = kind;
+    options.fault.line = line;
+    try {
+      simulate(options, {});
+    } catch (const std::exception& refused) {
+      return std::string(refused.what());
+    }
+    return std::string();
+  };
+  using Kind = cosim::FaultKind;
+  using lm628::Variant;
+  CHECK(told(Variant::kLm628, Kind::kEncoderStuck, 1) == "");
+  CHECK(told(Variant::kLm628, Kind::kIndexLost, 0) == "");
+  CHECK(told(Variant::kLm628, Kind::kOutputStuck, 11) == "");
+  CHECK_THAT(told(Variant::kLm628, Kind::kOutputStuck, 12), Catch::Contains("inject.line"));
+  CHECK(told(Variant::kLm629, Kind::kOutputStuck, lm628::kBridgeLines - 1) == "");
+  CHECK_THAT(told(Variant::kLm629, Kind::kOutputStuck, lm628::kBridgeLines),
+             Catch::Contains("inject.line"));
 }

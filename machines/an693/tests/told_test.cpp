@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What is told of a run of the machine an693: figures with their tiles, interrupts, remarks, what
+// it missed, in each program and sense, from results made by hand.
+#include <catch2/catch.hpp>
+#include <cstdint>
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "lab/record.hpp"
+#include "machines/an693/machine.hpp"
+#include "tests/support/columns.hpp"
+#include "tests/support/figures.hpp"
+
+using namespace trammel;
+using namespace trammel::an693;
+using Lines = std::vector<std::string>;
+using Program = sw::An693Program;
+
+namespace {
+
+lab::Record record_of(const Options& options, Result result) {
+  return lab::judged(options.clone(), std::make_unique<Result>(std::move(result)));
+}
+
+// Samples at 1 ms; where the trajectory and the shaft are [count] is the test's.
+template <class Desired, class Real>
+Result moved(const Options& options, int samples, Desired desired, Real real) {
+  Result result;
+  result.end = cosim::EndReason::kDone;
+  for (int n = 0; n < samples; ++n) {
+    Sample s;
+    s.edge = 50'000 * (n + 1);
+    s.words.position = std::int64_t{desired(n)} * 65536;
+    s.words.actual = static_cast<std::int32_t>(real(n));
+    s.theta = real(n) * plant::MotorAxis::kTurn / options.plant.counts;
+    result.samples.push_back(s);
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("an693: each figure of a run is told by its row, unit, digits and tile, if it is shown") {
+  for (const bool done : {true, false}) {
+    for (const auto program : {Program::kTuning, Program::kAbsolute, Program::kHold}) {
+      CAPTURE(done, static_cast<int>(program));
+      Options options;
+      options.program = program;
+      Result result;
+      result.end = done ? cosim::EndReason::kDone : cosim::EndReason::kStopped;
+      const std::string end = done ? "" : "-";
+      test::check_shapes(
+          figures(options, result),
+          {"motion.samples: motion [samples] whole",
+           "motion.time_s: motion [s] 4 {Motion}",
+           end + "motion.desired_count: end position, desired [counts] whole",
+           end + "motion.real_count: end position, real [counts] whole {Real position}",
+           "motion.overshoot_counts: overshoot [counts] 2 {Overshoot}",
+           std::string(program == Program::kTuning ? "" : "-") +
+               "motion.settled_s: first step settled [s] 4",
+           "motion.max_error_counts: largest error [counts] whole {Largest error}",
+           "motion.max_speed_rev_s: largest speed [rev/s] 3 {Top speed}",
+           "motion.max_voltage_V: largest voltage [V] 2",
+           "motion.max_current_A: largest current [A] 3 {Peak current}",
+           "motion.interrupts: host interrupts whole"});
+    }
+  }
+}
+
+TEST_CASE("an693: each largest value is that of either sign, in the first sample or the last") {
+  for (const std::size_t at : {std::size_t{0}, std::size_t{4}}) {
+    for (const int sign : {1, -1}) {
+      CAPTURE(at, sign);
+      Result result;
+      for (std::size_t n = 0; n < 5; ++n) {
+        Sample s;
+        if (n == at) {
+          s.words.error = 17 * sign;
+          s.omega = 2.5 * plant::MotorAxis::kTurn * sign;
+          s.volt = 3.5 * sign;
+          s.i = 0.75 * sign;
+        }
+        result.samples.push_back(s);
+      }
+      result.desired = 111;
+      result.real = -222;
+      const auto of = [&](const char* id) { return test::figure(Options{}, result, id); };
+      CHECK(of("motion.max_error_counts") == 17);
+      CHECK(of("motion.max_speed_rev_s") == Approx(2.5));
+      CHECK(of("motion.max_voltage_V") == 3.5);
+      CHECK(of("motion.max_current_A") == 0.75);
+      CHECK(of("motion.desired_count") == 111);
+      CHECK(of("motion.real_count") == -222);
+    }
+  }
+}
+
+TEST_CASE("an693: motion, overshoot and settling are those of either sense, there and back") {
+  const Options options;
+  for (const int sense : {1, -1}) {
+    // From sample 2 on in steps of 10 counts to 100; the shaft 5 beyond in sample 14 and 3 short
+    // until sample 16; back by one step at sample 30, where the shaft is 7 beyond at 32.
+    const auto desired = [sense](int n) {
+      return sense * (n < 2 ? 0 : n < 12 ? 10 * (n - 1) : n < 30 ? 100 : 60);
+    };
+    const auto real = [&](int n) {
+      const int off = n == 14 ? 5 : n > 2 && n <= 16 ? -3 : n == 32 ? -7 : 0;
+      return desired(n) + sense * off;
+    };
+    Result result = moved(options, 40, desired, real);
+    const auto of = [&](const std::string& id) {
+      return test::figure(options, result, "motion." + id);
+    };
+    CAPTURE(sense);
+    CHECK(of("samples") == 29);  // of 2 to 30, the first being 1
+    CHECK(of("time_s") == Approx(29 * 256e-6));
+    CHECK(of("overshoot_counts") == Approx(7));
+    CHECK(of("settled_s") == Approx(15 * 256e-6));
+  }
+}
+
+TEST_CASE("an693: interrupts are told with sample, time, both places and status, once each") {
+  const Options options;
+  Result result = moved(options, 8, [](int n) { return n < 2 ? 0 : -20 * n; },
+                        [](int n) { return -19.0 * n; });
+  cosim::DiskVector<Sample> all;
+  for (std::size_t n = 0; n < 8; ++n) {
+    Sample s = result.samples[n];
+    s.host_irq = n == 0 || n == 4 || n == 5 || n == 7;
+    s.words.status = static_cast<std::uint8_t>(0x04 + n);
+    all.push_back(s);
+  }
+  result.samples = std::move(all);
+  const lab::Record record = record_of(options, std::move(result));
+  nlohmann::ordered_json json;
+  add_metrics(record, json);
+  CHECK(json["interrupts"].dump() ==
+        R"([{"sample":0,"time_s":0.001,"desired_count":0,"real_count":0,"status":4},)"
+        R"({"sample":3,"time_s":0.005,"desired_count":-80,"real_count":-76,"status":8},)"
+        R"({"sample":6,"time_s":0.008,"desired_count":-140,"real_count":-133,"status":11}])");
+  CHECK(remarks(record) ==
+        Lines{"host interrupt at 0.0010 s, before the motion: desired 0, real 0 counts",
+              "host interrupt at 0.0050 s, sample 3: desired -80, real -76 counts",
+              "host interrupt at 0.0080 s, sample 6: desired -140, real -133 counts"});
+  CHECK(test::figure(record, "motion.interrupts") == 3);
+}
+
+TEST_CASE("an693: remarks tell of ten host interrupts, and how many more there were") {
+  for (const int interrupts : {10, 11, 25}) {
+    Result result;
+    for (int n = 0; n < 2 * interrupts; ++n) {
+      Sample s;
+      s.host_irq = n % 2 == 1;
+      result.samples.push_back(s);
+    }
+    const Lines lines = remarks(record_of({}, std::move(result)));
+    CAPTURE(interrupts);
+    REQUIRE(lines.size() == (interrupts == 10 ? 10 : 11));
+    CHECK(lines[9].find("host interrupt at") == 0);
+    if (interrupts > 10) {
+      CHECK(lines[10] == "and " + std::to_string(interrupts - 10) + " more host interrupts");
+    }
+  }
+}
+
+TEST_CASE("an693: each program is held against its own target, on either side of it and of zero") {
+  struct Case {
+    Program program;
+    bool target;  // is asked for
+    bool at;      // the shaft is to be at it
+  };
+  for (const Case& one : {Case{Program::kHold, false, false}, Case{Program::kAbsolute, true, true},
+                          Case{Program::kRelative, true, true},
+                          Case{Program::kBreakpoints, false, true}}) {
+    for (const int target : {1000, -1000}) {
+      Options options;
+      options.program = one.program;
+      options.position = target;
+      const auto missed = [&](int asked, int off, int moves = 0) {
+        return what_missed(options,
+                           moved(options, 200, [&](int n) { return n < 100 ? n * asked / 100
+                                                                           : asked; },
+                                 [&](int n) { return asked + off + n % 2 * moves - moves / 2.0; }));
+      };
+      CAPTURE(static_cast<int>(one.program), target);
+      CHECK(missed(target, 0) == "");
+      const std::string where = std::to_string(target);
+      CHECK(missed(target + 7, 0) ==
+            (one.target ? "the trajectory ended at " + std::to_string(target + 7) +
+                              " counts, not at " + where
+                        : ""));
+      for (const int off : {49, -49, 51, -51}) {
+        CAPTURE(off);
+        const bool misses = one.at && std::abs(off) > 50;
+        CHECK(missed(target, off) ==
+              (misses ? "the shaft is 51 counts from the target of " + where : ""));
+      }
+      CHECK(missed(target, 0, 50) == "");
+      CHECK(missed(target, 0, 52) == "the shaft moves by 52 counts at the end");
+    }
+  }
+}
+
+TEST_CASE("an693: a short travel has a narrow band, by where the trajectory went farthest") {
+  for (const int sense : {1, -1}) {
+    const auto missed = [sense](int farthest, int off) {
+      Options options;
+      options.program = Program::kBreakpoints;
+      return what_missed(options, moved(options, 300,
+                                        [&](int n) { return n < 100 ? sense * farthest : 0; },
+                                        [&](int) { return static_cast<double>(sense * off); }));
+    };
+    CAPTURE(sense);
+    CHECK(missed(100, 25) == "");
+    CHECK(missed(100, 26) == "the shaft is 26 counts from the target of 0");
+    CHECK(missed(4, 3) == "");
+    CHECK(missed(4, 4) == "the shaft is 4 counts from the target of 0");
+  }
+  CHECK(what_missed(Options{}, Result{}) == "");
+}
+
+TEST_CASE("an693: a shaft is asked where it stands in the last half of its rest, no earlier") {
+  Options options;
+  options.program = Program::kAbsolute;
+  options.position = 1000;
+  // Stands from sample 100 to 299; the last half are 200 to 299.
+  const auto missed = [&](int from, int until) {
+    return what_missed(options,
+                       moved(options, 300, [](int n) { return n < 100 ? 10 * n : 1000; },
+                             [&](int n) { return n >= from && n < until ? 1200.0 : 1000.0; }));
+  };
+  CHECK(missed(100, 200) == "");
+  CHECK(missed(100, 201) == "the shaft moves by 200 counts at the end");
+  CHECK(missed(299, 300) == "the shaft moves by 200 counts at the end");
+}
+
+TEST_CASE("an693: of steps there and back the odd ones end at the size, the others at zero") {
+  for (const int size : {40, -40}) {
+    Options options;
+    options.program = Program::kTuning;
+    options.position = size;
+    const auto missed = [&](int step, int trajectory, std::vector<std::size_t> ends) {
+      const auto asked = [&](int n) {
+        return n / 100 == step ? trajectory : n / 100 % 2 == 0 ? size : 0;
+      };
+      Result result = moved(options, 400, asked, [&](int n) { return 1.0 * asked(n); });
+      result.step_ends = std::move(ends);
+      return what_missed(options, result);
+    };
+    CAPTURE(size);
+    CHECK(missed(9, 0, {100, 200, 300, 400}) == "");
+    CHECK(missed(3, 5, {100, 200, 300, 400}) ==
+          "step 4 of 4: the trajectory ended at 5 counts, not at 0");
+    CHECK(missed(2, 5, {100, 200, 300, 400}) ==
+          "step 3 of 4: the trajectory ended at 5 counts, not at " + std::to_string(size));
+    CHECK(missed(9, 0, {100, 100, 200}) == "step 2 of 3: no sample fell in it");
+  }
+}
+
+TEST_CASE("an693: a page of several runs has what is compared, flags keep their bits") {
+  const lab::ColumnTable& table = machine().columns();
+  CHECK(test::marked(table, &lab::Column::compared) ==
+        "t_s theta_count e output omega_rad_s");
+  CHECK(test::marked(table, &lab::Column::bits) == "status host_irq");
+}
+
+TEST_CASE("an693: a converter that an LM629 has not is warned of before a run") {
+  Options options;
+  options.part.dac_bits = 8;
+  CHECK(machine().warnings(options).empty());
+  options.part.variant = lm628::Variant::kLm629;
+  const Lines lines = machine().warnings(options);
+  REQUIRE(lines.size() == 1);
+  CHECK(lines[0].find("chip.dac_bits = 8") != std::string::npos);
+}
