@@ -239,7 +239,7 @@ TEST_CASE("an693: the ends of the steps there and back are those of its program"
   }
 }
 
-TEST_CASE("an693: a fault is on a line of the encoder or a bit of the converter, of the bridge two") {
+TEST_CASE("an693: a fault is on a line of the encoder or a bit of the converter, two of a bridge") {
   const auto told = [](lm628::Variant variant, cosim::FaultKind kind, int line) {
     Options options = quick(An693Program::kHold, 100);
     options.run.max_s = 1e-3;

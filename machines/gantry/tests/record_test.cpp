@@ -15,21 +15,13 @@
 #include "machines/gantry/machine.hpp"
 #include "machines/gantry/session.hpp"
 #include "machines/gantry/signals.hpp"
+#include "machines/gantry/tests/by_twin.hpp"
 #include "tests/support/event_record.hpp"
 
 using namespace trammel;
 using namespace trammel::gantry;
-using Catch::Contains;
 
 namespace {
-
-Options by_twin(double time_s) {
-  Options options;
-  options.run.engine = cosim::Engine::kTwin;
-  options.run.platform = cosim::Platform::kDirect;
-  options.time_s = time_s;
-  return options;
-}
 
 // What program and chip hold as a sample is recorded, and what a trigger reads of them.
 struct Held {
@@ -328,70 +320,6 @@ TEST_CASE("gantry: a cart that fails in motion is recorded until it stands, or f
     CHECK(result.fault_report.detected > 5'000'000);
     CHECK(result.fault_report.unit == "mm");
   }
-}
-
-TEST_CASE("gantry: a fault is noticed by what chip and program count, and names it") {
-  for (const auto& [sends, by] : {std::pair{"0.02:15?", "unknown channel"},
-                                  {"0.02:xFFFFFFFFFFFFFF00", "malformed frame"},
-                                  {"0.02:31?", ""}}) {
-    Options options = by_twin(0.05);
-    options.sends = sends;
-    options.fault.kind = cosim::FaultKind::kSupplyDip;
-    options.fault.value = 99;
-    const Result result = lab::simulate(options);
-    CAPTURE(sends);
-    CHECK(result.fault_report.by == by);
-    const bool noticed = result.fault_report.detected != cosim::kNever;
-    CHECK(noticed == (*by != '\0'));
-    if (noticed) {
-      CHECK(lab::seconds_of(result.fault_report.detected) == Approx(0.0203).margin(1e-3));
-    }
-  }
-}
-
-TEST_CASE("gantry: how far a cart went once its motors were off is told in mm") {
-  Options options = by_twin(5);
-  options.sends = "0.01:21=305";
-  options.firmware.watch_sensor = true;
-  options.fault.kind = cosim::FaultKind::kConverterSaturated;
-  options.fault.begin_s = 0.15;
-  options.fault.value = -1;
-  const Result result = lab::simulate(options);
-  const cosim::FaultReport& report = result.fault_report;
-  REQUIRE(report.off != cosim::kNever);
-  double off_mm = 0;
-  for (const Sample& s : result.samples) {
-    if (s.edge <= report.off) off_mm = 1e3 * s.x;
-    if (s.edge > report.off) CHECK(s.words.force == std::array<std::int32_t, 2>{0, 0});
-  }
-  const double way = 1e3 * result.samples.back().x - off_mm;
-  CHECK(way > 1);
-  CHECK(report.stopping == Approx(way).margin(0.5));
-  CHECK_FALSE(report.at_stop);
-}
-
-TEST_CASE("gantry: a fault is on the serial line, on either converter and each of its outputs") {
-  const auto told = [](cosim::FaultKind kind, int axis, int line, int value) {
-    Options options = by_twin(1e-3);
-    options.fault.kind = kind;
-    options.fault.axis = axis;
-    options.fault.line = line;
-    options.fault.value = value;
-    try {
-      lab::simulate(options);
-    } catch (const std::exception& refused) {
-      return std::string(refused.what());
-    }
-    return std::string();
-  };
-  using Kind = cosim::FaultKind;
-  CHECK(told(Kind::kEncoderStuck, 0, 0, -1) == "");
-  CHECK(told(Kind::kEncoderStuck, 1, 0, -1) == "");
-  CHECK(told(Kind::kConverterStuck, 1, 1, 1023) == "");
-  CHECK_THAT(told(Kind::kConverterStuck, 0, 2, 0), Contains("inject.line"));
-  CHECK(told(Kind::kOutputStuck, 1, 1, 0) == "");
-  CHECK_THAT(told(Kind::kOutputStuck, 0, 2, 0), Contains("inject.line"));
-  CHECK_THAT(told(Kind::kRegisterFlip, 0, 0, 0), Contains("inject.fault: register_flip"));
 }
 
 TEST_CASE("gantry: a run that looks for its trigger ends where it has found it") {
