@@ -114,6 +114,36 @@ class Exchange(unittest.TestCase):
                            ("inject.line", line), ("inject.begin_s", 0.1),
                            of_axis={"inject.axis": (0, 1)})
 
+    def test_x_turned_round_leaves_y_and_turns_x(self):
+        """The path in a mirror at x = 300 mm, the middle of the stroke."""
+        rows = [(f"{600 - x:.4f}", f"{y:.4f}") for x, y in points()]
+        text = "".join(f"{a},{b}\n" for a, b in [("x_mm", "y_mm"), *rows])
+        (self.folder / "turned.csv").write_text(text)
+        traces, figures = [], []
+        for name in ("xy", "turned"):
+            shutil.rmtree(self.folder / name, ignore_errors=True)
+            code, said = exchange.run(self.program, "circle", {
+                "path.kind": "points", "path.points_file": self.folder / f"{name}.csv",
+                "run.settle_s": 0.2}, self.folder / name)
+            self.assertIn(code, (0, 5), said)
+            trace, metrics = exchange.records(self.folder / name)
+            traces.append(trace)
+            figures.append({f["id"]: f["value"] for f in metrics["figures"]})
+        for row, turned in zip(*traces, strict=True):
+            for key in row:
+                if key.startswith("y_"):  # to the last digit
+                    self.assertEqual(row[key], turned[key], f"{key} at tick {row['tick']}")
+            for key in ("x_position_m", "x_model_m", "x_command_m"):
+                if float(row["x_command_m"]) > 0:  # behind the first point
+                    self.assertAlmostEqual(float(row[key]) + float(turned[key]), 0.6, delta=2e-4,
+                                           msg=f"{key} at tick {row['tick']}")
+        one, other = figures
+        other["contour.left_mm"], other["contour.right_mm"] = (
+            other["contour.right_mm"], other["contour.left_mm"])
+        other["x.error_to_model.mean_mm"] *= -1
+        for name, value in one.items():
+            self.assertAlmostEqual(other[name], value, delta=0.03 * abs(value) + 1e-9, msg=name)
+
     def test_what_is_refused_or_told_is_told_of_either_axis(self):
         for key, (_, least, most) in self.keys.items():
             for value in (least, most, most + 1):
