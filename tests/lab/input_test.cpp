@@ -106,6 +106,7 @@ TEST_CASE("a scenario that is nested deeper than any is refused, not followed") 
     CHECK(refusal_of("\na" + repeated(".a", count) + " = 1\n") == deep);
     CHECK(refusal_of("\n[a" + repeated(" . 'a'", count) + "]\n") == deep);
   }
+  CHECK(refusal_of("\na = ['\\', " + repeated("[", 64)) == deep);  // no escape: it ends there
   // None of these is nested.
   const std::string dots = repeated(".", 100), open = repeated("[", 100);
   CHECK(refusal_of("description = \"" + dots + open + "\\\"" + open + "\"\n").empty());

@@ -345,6 +345,13 @@ TEST_CASE("an assignment is key=value, and nothing may follow a number") {
       apply_assignment(*settings, std::string("run.window_clk=") + text);  // never octal
       CHECK(settings->run.window_clk == value);
     }
+    for (const auto& [text, value] : {std::pair{"true", true}, {"on", true}, {"yes", true},
+                                      {"1", true}, {"false", false}, {"off", false},
+                                      {"no", false}, {"0", false}}) {
+      CAPTURE(text);
+      apply_assignment(*settings, std::string("run.leap=") + text);
+      CHECK(settings->run.leap == value);
+    }
     for (const char* text : {"0x10", "1e3", "1_000", "99999999999999999999"}) {
       CAPTURE(text);
       CHECK_THROWS_WITH(apply_assignment(*settings, std::string("run.window_clk=") + text),

@@ -7,10 +7,14 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <set>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "lab/files.hpp"
 #include "lab/inputs.hpp"
 #include "lab/layers.hpp"
+#include "lab/machine.hpp"
 #include "lab/scenarios.hpp"
 #include "tests/support/scratch.hpp"
 
@@ -111,6 +115,49 @@ TEST_CASE("without a folder of its run a program repeats by its name") {
     CHECK(repeat_command(*settings, "some/folder") == "./trammel run some/folder/run.toml");
     CHECK(repeat_command(*settings, fs::absolute("a folder")) ==
           "./trammel run 'a folder/run.toml'");
+  }
+}
+
+TEST_CASE("a copy has the name of its key and the extension of its file, if that is a plain one") {
+  for (const Machine* const machine : machines()) {
+    if (machine->program.extensions.empty()) continue;
+    const test::Scratch scratch("program_file_test_names");
+    const Key& key = *find_keys(machine->keys(), machine->program.key).front();
+    for (const auto& [file, extension] :
+         {std::pair<std::string, std::string>{"a.b.nc", ".nc"}, {"a.seven67", ".seven67"},
+          {"a.longer78", ""}, {"a.n-c", ""}, {"a", ""}, {"a.\xC3\xA9", ""}}) {
+      CAPTURE(machine->name, file);
+      const fs::path folder = scratch.path / ("run of " + file);
+      fs::create_directory(folder);
+      const std::string path = (scratch.path / file).string();
+      const auto settings = machine->defaults();
+      key.set(*settings, path);
+      CHECK(std::get<std::string>(key.get(*with_copies(*settings, folder))) == path);
+      copy_inputs(*settings, folder);  // there is no such file: nothing to copy
+      CHECK(test::entries(folder) == 0);
+      write_text(path, "it");
+      copy_inputs(*settings, folder);
+      CHECK(read_text(folder / (key.name + extension)) == "it");
+      const auto copies = with_copies(*settings, folder);
+      CHECK(std::get<std::string>(key.get(*copies)) == key.name + extension);
+      CHECK(std::get<std::string>(key.get(*settings)) == path);
+    }
+  }
+}
+
+TEST_CASE("scenarios are in the order of their names, and a path is one that nobody looks for") {
+  std::vector<std::string> names;
+  for (const fs::path& file : scenarios()) names.push_back(file.filename().string());
+  CHECK(std::is_sorted(names.begin(), names.end()));
+  CHECK(find_scenario("no/such") == "no/such");
+  CHECK(find_scenario("none.toml") == "none.toml");
+  CHECK_THROWS_AS(find_scenario("none.tml"), ConfigError);
+  for (const Machine* const machine : machines()) {
+    for (const Experiment& experiment : machine->experiments) {  // of run --all
+      const auto settings = load_scenario(find_scenario(experiment.scenario));
+      settings->scenario = experiment.name;
+      CHECK(repeat_command(*settings) == "./trammel run " + experiment.scenario);
+    }
   }
 }
 

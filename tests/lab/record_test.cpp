@@ -83,6 +83,21 @@ TEST_CASE("a broken assertion is told with its instance, or else as of the chip"
         "no_shoot_through of the chip at 0.00100000 s, clock 50000 (leg.sv:7)");
 }
 
+TEST_CASE("what ended a run is told by its fault, or its promise before that") {
+  struct Result final : cosim::RunResult {
+    std::string fault;
+    std::string fault_text() const override { return fault; }
+  } result;
+  result.end = EndReason::kFault;
+  CHECK(lab::cause_text(result) == "");
+  result.fault = "a limit";
+  CHECK(lab::cause_text(result) == " by a limit");
+  result.end = EndReason::kMissed;
+  CHECK(lab::cause_text(result) == ": a limit");
+  result.promise = {"no_shoot_through", "", "leg.sv:7", 50000};
+  CHECK(lab::cause_text(result) == ": " + lab::promise_text(*result.promise));
+}
+
 TEST_CASE("each end of a run has its own word and the exit code of its kind") {
   const struct {
     EndReason end;

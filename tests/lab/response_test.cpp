@@ -59,6 +59,17 @@ TEST_CASE("a bandwidth is 3 dB below the first point, on a line over the logarit
   CHECK(m.peak_db == Approx(20 * std::log10(0.5)));
 }
 
+TEST_CASE("of equal peaks the first is told, and a point on a border is no crossing yet") {
+  const Margins m = margins({{1, 0.5}, {2, 2}, {4, 2}, {8, 0.5}});
+  CHECK(m.peak_hz == 2);
+  CHECK(m.peak_db == Approx(20 * std::log10(2.0)));
+  // An open loop of exactly 1 at 10 Hz, from where it falls.
+  const auto closed = [](double open) { return std::complex<double>(open / (1 + open)); };
+  const Margins at = margins({{5, closed(2)}, {10, closed(1)}, {20, closed(0.5)}});
+  REQUIRE(at.crossover_hz);
+  CHECK(*at.crossover_hz == Approx(10));
+}
+
 TEST_CASE("three equal lags have a gain margin of 8 over their gain, where they turn by 180") {
   const double w = 2 * kPi * 20;
   const Margins m = margins(closed_of([w](auto s) {

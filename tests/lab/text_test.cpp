@@ -9,6 +9,8 @@
 #include <new>
 #include <stdexcept>
 
+#include "lab/files.hpp"
+
 using namespace trammel::lab;
 
 TEST_CASE("control characters and bytes that are no UTF-8 are told, not sent to the terminal") {
@@ -94,6 +96,17 @@ TEST_CASE("a time has the unit that suits it, and as many digits as asked for") 
   CHECK(time_text(-1e-3) == "-1 ms");
   CHECK(time_text(1.6e-7) == "0.16 us");
   CHECK(time_text(2.40123e-3, 3) == "2.4 ms");
+}
+
+TEST_CASE("a shell takes a word as it is, in quotes where it would not") {
+  CHECK(shell_argument("run.max_s=1e-3,a/B:c+d") == "run.max_s=1e-3,a/B:c+d");
+  for (const char* const text : {"a b", "~", "*", "?", "$a", "\"", "a;b", "(", "<", "!", "#", "\\",
+                                 "[a]", "{a}", "&", "`", "\n", "\xC3\xA9"}) {
+    CAPTURE(text);
+    CHECK(shell_argument(text) == "'" + std::string(text) + "'");
+  }
+  CHECK(shell_argument("it's") == "'it'\\''s'");
+  CHECK(shell_word("plain") == "'plain'");
 }
 
 TEST_CASE("a lack of memory names the limit") {

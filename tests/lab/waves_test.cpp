@@ -17,6 +17,7 @@
 #include "tests/support/message.hpp"
 #include "tests/support/scratch.hpp"
 #include "tests/support/short_run.hpp"
+#include "tests/support/told.hpp"
 
 using namespace trammel;
 using namespace trammel::lab;
@@ -243,6 +244,116 @@ TEST_CASE("a run says how large its waves will be when they are long") {
     settings->run.wave_every_s = 1;
     CHECK(waves_notice(*settings) == fmt::format("waves take about {:.2g} MB a second of the run",
                                                  0.5 * machine.fst_bytes_s / 1e6));
+  });
+}
+
+TEST_CASE("a VCD is told by its own size, and refused where no program makes it") {
+  const Scratch scratch;
+  std::ofstream(scratch.path / "fst2vcd") << "#!/bin/sh\n";
+  fs::permissions(scratch.path / "fst2vcd", fs::perms::owner_all);
+  for (const Machine* const machine : machines()) {
+    const auto settings = machine->defaults();
+    settings->run.wave = cosim::WaveFormat::kVcd;
+    settings->run.wave_end_s = 0.5;
+    {
+      const test::NoPrograms none;
+      CHECK_THROWS_AS(waves_notice(*settings), ToolMissing);
+    }
+    const test::Variable path("PATH", scratch.path.c_str());
+    CHECK(waves_notice(*settings) ==
+          fmt::format("waves of 500 ms take about {:.2g} MB", 0.5 * machine->vcd_bytes_s / 1e6));
+    settings->run.wave_every_s = 2;
+    CHECK(waves_notice(*settings) == fmt::format("waves take about {:.2g} MB a second of the run",
+                                                 0.25 * machine->vcd_bytes_s / 1e6));
+    CHECK(machine->vcd_bytes_s > machine->fst_bytes_s);
+  }
+}
+
+TEST_CASE("a program that ends badly has made no VCD, whatever it wrote") {
+  const Scratch scratch;
+  const test::Variable path("PATH", scratch.path.c_str());
+  const fs::path fst = scratch.path / "a.fst", vcd = scratch.path / "a.vcd";
+  for (const char* const end : {"exit 1", "kill -9 $$", "exit 0"}) {
+    CAPTURE(end);
+    std::ofstream(fst) << "waves";
+    std::ofstream(scratch.path / "fst2vcd") << "#!/bin/sh\necho \"$*\"\n" << end << '\n';
+    fs::permissions(scratch.path / "fst2vcd", fs::perms::owner_all);
+    const bool good = std::string(end) == "exit 0";
+    CHECK(fst_to_vcd(fst, vcd) == good);
+    CHECK(fs::exists(fst) == !good);
+    CHECK(fs::exists(vcd) == good);
+  }
+  CHECK(content(vcd) == "-f " + fst.string() + '\n');
+}
+
+TEST_CASE("windows are told by the first and the last, and listed up to a hundred") {
+  for (const Machine* const machine : machines()) {
+    const auto settings = machine->defaults();
+    settings->run.wave = cosim::WaveFormat::kVcd;
+    cosim::RunResult result;
+    CHECK(waves_text(*settings, result, "out") == "");
+    result.waves = {{50000, 100000}};
+    CHECK(waves_text(*settings, result, "out") ==
+          "  waves of 1 ms to 2 ms; to look at them: gtkwave out/waves.gtkw\n");
+    result.waves.push_back({200000, 250000});
+    result.waves.push_back({350000, 400000});
+    CHECK_THAT(waves_text(*settings, result, "out"),
+               Contains("waves of 1 ms to 2 ms and 2 more windows, the last from 7 ms; to look"));
+    result.wave_trigger = 75000;
+    for (const auto& [text, told] : {std::pair{"at 1500us", ""},
+                                     {machine->triggers().start,
+                                      ", found in an untraced run before this one"}}) {
+      settings->run.wave_trigger = text;
+      CHECK_THAT(waves_text(*settings, result, "out"),
+                 Catch::StartsWith(fmt::format("  trigger `{}` at 1.5 ms (clock 75000){}\n", text,
+                                               told)));
+    }
+    CHECK(waves_json(*settings, result)["file"] == "waves.vcd");
+    for (const std::size_t count : {100u, 101u}) {
+      result.waves.assign(count, {50000, 100000});
+      const auto json = waves_json(*settings, result);
+      CHECK(json["windows"] == count);
+      CHECK(json["windows_s"].size() == 100);
+    }
+  }
+}
+
+TEST_CASE("keys of a window are held to each other as the options are") {
+  for (const Machine* const machine : machines()) {
+    const auto settings = machine->defaults();
+    settings->run.wave = cosim::WaveFormat::kFst;
+    settings->run.wave_begin_s = settings->run.wave_end_s = 0.01;
+    CHECK_THROWS_WITH(check_waves(*settings),
+                      "run.wave_end_s: value 0.01 must be above run.wave_begin_s = 0.01");
+    settings->run.wave_end_s = 0.02;
+    CHECK_NOTHROW(check_waves(*settings));
+  }
+}
+
+TEST_CASE("of a folder that no line can name a view names the file alone") {
+  cosim::RunResult result;
+  result.waves = {{0, 10000}};
+  for (const char* const folder : {"/a\nb", "/a\"b"}) {
+    CHECK_THAT(placed_view("", fs::path(folder) / "waves.fst", result),
+               Catch::StartsWith("[dumpfile] \"waves.fst\"\n[savefile] \"waves.gtkw\"\n"));
+  }
+}
+
+TEST_CASE("a run that was interrupted before its window has no other reason for none") {
+  each_machine([](const Machine& machine, const fs::path& base) {
+    WaveArguments arguments = fst();
+    arguments.window = "1s:2s";
+    std::string told;
+    for (const auto& [end, why] :
+         {std::pair{cosim::EndReason::kStopped, "no waves: the run was interrupted; the run's"},
+          {cosim::EndReason::kDone, "no waves: their window lies outside the run, 0..20 ms;"}}) {
+      const testbench::Simulate simulate = [end = end](const Settings& settings,
+                                                       const cosim::Hooks&) {
+        return judged(settings.clone(), test::short_result(settings, end));
+      };
+      told = test::told([&] { run_to(base / "a", machine, arguments, simulate); });
+      CHECK_THAT(told, Contains(why));
+    }
   });
 }
 

@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "lab/scenarios.hpp"
 #include "testbench/run.hpp"
 #include "tests/support/scratch.hpp"
 #include "tests/support/told.hpp"
@@ -46,4 +47,8 @@ TEST_CASE("the doctor exits with 3 for each program that is missing, and names i
     CHECK_THAT(line.substr(0, line.find('\n')), Contains(" MISSING "));
     chmod((scratch.path / name).c_str(), 0755);
   }
+  lab::take_data_from((scratch.path / "none").string());  // the last: no scenario is left
+  const std::string text = test::printed([&] { code = testbench::doctor(false); });
+  CHECK(code == 3);
+  CHECK_THAT(text, Contains("\n0 scenarios in " + (scratch.path / "none").string()));
 }

@@ -6,14 +6,89 @@
 #include <catch2/catch.hpp>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <string>
 
 #include "cosim/trigger.hpp"
 #include "lab/machine.hpp"
+#include "lab/scenarios.hpp"
+#include "lab/settings.hpp"
 #include "testbench/run.hpp"
 #include "tests/support/told.hpp"
 
 using namespace trammel;
+using Catch::Contains;
+
+namespace {
+
+std::string listed(const std::string& topic, const std::string& machine, bool json) {
+  return test::printed([&] { CHECK(testbench::list(topic, machine, json) == 0); });
+}
+
+}  // namespace
+
+TEST_CASE("each key, column and scenario is listed with what belongs to it") {
+  for (const lab::Machine* const machine : lab::machines()) {
+    CAPTURE(machine->name);
+    const auto defaults = machine->defaults();
+    const auto keys = nlohmann::json::parse(listed("keys", machine->name, true));
+    const std::string text = listed("keys", machine->name, false);
+    REQUIRE(keys.size() == machine->keys().size());
+    bool axes = false;
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+      const lab::Key& key = machine->keys()[k];
+      axes = axes || key.name.find(".x.") != std::string::npos;
+      CHECK(keys[k] == nlohmann::json{{"key", key.name},
+                                      {"default", lab::value_text(key.get(*defaults))},
+                                      {"range", lab::range_text(key)},
+                                      {"help", key.help}});
+      CHECK_THAT(text, Contains('\n' + key.name + ' ') || Catch::StartsWith(key.name + ' '));
+    }
+    CHECK((text.find("without its .x or .y sets both axes.\n\n") != std::string::npos) == axes);
+    const auto columns = nlohmann::json::parse(listed("columns", machine->name, true));
+    REQUIRE(columns.size() == machine->columns().columns.size());
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      const lab::Column& column = machine->columns().columns[k];
+      CHECK(columns[k] == nlohmann::json{{"column", column.name}, {"unit", column.unit},
+                                         {"help", column.help}});
+    }
+  }
+  const auto scenarios = nlohmann::json::parse(listed("scenarios", "", true));
+  REQUIRE(scenarios.size() == lab::scenarios().size());
+  for (const auto& one : scenarios) {
+    const std::string name = one["name"];
+    CAPTURE(name);
+    const auto settings = lab::load_scenario(lab::find_scenario(name));
+    CHECK(one["machine"] == settings->machine().name);
+    CHECK(one["description"] == settings->description);
+  }
+  CHECK(listed("keys", "", true) == listed("keys", lab::machines().front()->name, true));
+}
+
+TEST_CASE("signals are those of the machine that is named, or of all") {
+  std::size_t all = 0;
+  for (const lab::Machine* const machine : lab::machines()) {
+    CAPTURE(machine->name);
+    const auto own = nlohmann::json::parse(listed("signals", machine->name, true));
+    all += own.size();
+    for (const auto& one : own) CHECK(one["machine"] == machine->name);
+    std::istringstream lines(listed("signals", machine->name, false));
+    std::size_t of_axis = 0;
+    for (std::string line; std::getline(lines, line);) of_axis += line.rfind("x. y.", 0) == 0;
+    std::size_t wanted = 0;
+    for (const cosim::Signal& signal : machine->triggers().signals) wanted += signal.of_axis;
+    CHECK(of_axis == wanted);
+  }
+  CHECK(nlohmann::json::parse(listed("signals", "", true)).size() == all);
+  const auto machines = nlohmann::json::parse(listed("machines", "", true));
+  REQUIRE(machines.size() == lab::machines().size());
+  for (std::size_t k = 0; k < machines.size(); ++k) {
+    const lab::Machine& machine = *lab::machines()[k];
+    CHECK(machines[k] == nlohmann::json{{"name", machine.name}, {"title", machine.title},
+                                        {"source", machine.source}, {"leap", machine.can.leap},
+                                        {"twin", machine.can.twin}});
+  }
+}
 
 TEST_CASE("a trigger takes the range of its signal that is listed, both ends and nothing beyond") {
   for (const lab::Machine* const machine : lab::machines()) {
