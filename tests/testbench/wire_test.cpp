@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstdint>
 #include <exception>
@@ -26,11 +27,17 @@ namespace {
 
 constexpr Clk kDrives = 40, kEnd = 400;  // [clk]
 
-// A word of memory that answers at once; its outputs change in one clock, or never.
+// A word of memory that answers at once; its outputs change in one clock, or never, and its
+// interrupt comes at some edges and goes by a write to kClear.
+constexpr std::uint32_t kClear = 0x40;
+
 struct ToyChip final : MachineChip {
   Clk edge = 0, drives = kNever;
   std::optional<BusOp> op;
   std::uint32_t word = 0, from = 0;  // what it holds, the address of the last transfer
+  std::vector<Clk> interrupts;
+  bool raised = false;
+  std::vector<std::string> events;
 
   Clk now() const override { return edge; }
   void sense(Lines) override {}
@@ -39,8 +46,15 @@ struct ToyChip final : MachineChip {
     while (edge < end) {
       const Clk at = edge++;
       unsigned why = at == drives ? unsigned{kDrive} : 0;
+      if (std::find(interrupts.begin(), interrupts.end(), at) != interrupts.end()) {
+        raised = true;
+        why |= kIrq;
+      }
       if (op) {
+        events.push_back(fmt::format("{}: {} {:#x} {:#x}", at, op->write ? "write" : "read",
+                                     op->addr, op->write ? op->data : word));
         if (op->write) word = op->data;
+        if (op->write && op->addr == kClear) raised = false;
         from = op->addr;
         op.reset();
         why |= kBusDone;
@@ -50,7 +64,7 @@ struct ToyChip final : MachineChip {
     return {edge - 1, kLimit};
   }
   Lines drive() const override { return edge > drives; }
-  bool irq() const override { return false; }
+  bool irq() const override { return raised; }
   std::uint32_t rdata() const override { return word; }
   Clk evaluated() const override { return edge; }
 };
@@ -62,13 +76,15 @@ struct NoWords final : SignalReader {
 using Start = std::function<void(sw::Bus&)>;
 
 struct ToyFirmware final : sw::Firmware {
-  Start begin;
+  Start begin, answer;
   sw::Mailbox box{};
 
   void start(sw::Bus& bus) override {
     if (begin) begin(bus);
   }
-  void isr(sw::Bus&) override {}
+  void isr(sw::Bus& bus) override {
+    if (answer) answer(bus);
+  }
   const sw::Mailbox& mailbox() const override { return box; }
 };
 
@@ -78,6 +94,8 @@ struct ToySession final : Session, Observer {
   ToyFirmware code;
   Waves waves;
   bool interrupted = false;
+  Clk last = kEnd;
+  ProcessorTiming times;
   Loop wiring{chip, plant, *this};
 
   void on(const Stop& stop, const Chip&, const Plant&) override {
@@ -85,9 +103,9 @@ struct ToySession final : Session, Observer {
   }
   Loop& loop() override { return wiring; }
   sw::Firmware& firmware() override { return code; }
-  ProcessorTiming timing() const override { return {}; }
+  ProcessorTiming timing() const override { return times; }
   std::int64_t period_ps() const override { return kClockPs; }
-  Clk end() const override { return kEnd; }
+  Clk end() const override { return last; }
   bool finished() const override { return waves.found() || interrupted; }
   bool stopped() const override { return interrupted; }
   std::unique_ptr<RunResult> result() override {
@@ -185,6 +203,50 @@ TEST_CASE("the bus of SystemC takes words at addresses of words, and names any o
         CHECK_THAT(said, Contains(fmt::format("bus: {} at address {:#x} was refused: ",
                                               write ? "write" : "read", at)));
       }
+    }
+  }
+}
+
+TEST_CASE("a processor takes the same clocks in SystemC as without, whatever fault it has") {
+  constexpr double kClock_s = 20e-9;
+  const std::vector<std::pair<FaultKind, int>> faults{
+      {FaultKind::kNone, 0},           {FaultKind::kProcessorSlow, 3},
+      {FaultKind::kProcessorGarbage, 0}, {FaultKind::kBusStall, 37},
+      {FaultKind::kProcessorStopped, 0}};
+  for (const auto& [kind, value] : faults) {
+    for (const Clk begin : {60, 61, 300, 313}) {
+      CAPTURE(static_cast<int>(kind), begin);
+      const auto ran = [&, kind = kind, value = value](Platform platform) {
+        ToySession session;
+        session.last = 3000;
+        session.chip.interrupts = {250, 700, 1300};
+        session.times.compute = 23;
+        session.times.computed = 0x10;
+        Fault fault;
+        fault.kind = kind;
+        fault.value = value;
+        fault.begin_s = static_cast<double>(begin) * kClock_s;
+        fault.for_s = 500 * kClock_s;
+        session.times.fault = ProcessorFault(fault, kClockPs);
+        session.code.begin = [](sw::Bus& bus) {
+          for (const std::uint32_t address : {0x0u, 0x10u, 0x14u}) {
+            bus.write(address, address + 1);
+            bus.write(address, bus.read(address) + 1);
+          }
+        };
+        session.code.answer = [](sw::Bus& bus) {
+          bus.write(kClear, bus.read(0x44));
+          bus.write(0x10, 7);
+        };
+        RunBasics run;
+        run.platform = platform;
+        systemc::run(session, run);
+        session.chip.events.push_back(fmt::format("end {}", session.chip.now()));
+        return session.chip.events;
+      };
+      const auto with = ran(Platform::kSystemC);
+      CHECK(with == ran(Platform::kDirect));
+      CHECK(with.size() > 10);
     }
   }
 }
