@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """`trammel tune`: tune_test.py PROGRAM (which is not used)."""
 
+import contextlib
+import io
 import json
 import subprocess
 import sys
@@ -302,6 +304,26 @@ class Tune(unittest.TestCase):
         self.assertEqual(data["commands"][1], "./trammel run circle -s run.engine=twin "
                          "-s run.max_s=20 -s plant.payload_kg=0 -s gains.kp=0.5 -s controller=fc "
                          "-s gains.shift_e=1")
+
+    def test_what_is_printed_of_a_study(self):
+        file = self.study(STUDY + ERROR + PEAK)
+        trials = [SimpleNamespace(number=n, values=[n + 0.123456, 2.0] if n else None,
+                                  params={"gains.kp": n / 8, "controller": "fc"})
+                  for n in range(9)]
+        for front, code in ((trials[1:8], 0), (trials[1:2], 0), ([], 1)):
+            with mock.patch.object(tune, "perform", return_value=(trials, front)) as perform, \
+                    mock.patch.object(sys, "argv", ["tune", str(file), "--trials", "9"]), \
+                    contextlib.redirect_stdout(io.StringIO()) as said, \
+                    contextlib.redirect_stderr(io.StringIO()) as told:
+                self.assertEqual(tune.main(), code)
+            self.assertEqual(perform.call_args.args[1], Path("out/study"))
+            self.assertEqual(perform.call_args.kwargs["trials"], 9)
+            lines = said.getvalue().splitlines()
+            self.assertEqual(lines[:2], [f"study: 9 trials, 1 of them failed; {len(front)} best",
+                                         "  results in out/study"])
+            self.assertEqual(len(lines), 2 + min(5, len(front)))
+            self.assertEqual(bool(told.getvalue()), not front)
+        self.assertIn("tune: no trial ended well and within all constraints\n", told.getvalue())
 
     def test_of_earlier_calls_no_best_trial_is_left(self):
         self.out.mkdir()
