@@ -167,7 +167,7 @@ class Steps(unittest.TestCase):
                              (simulation.write, "x.IQ_MANUAL", -low),
                              (simulation.write, 0, -(2**31) - 1),
                              (simulation.read, -4), (simulation.read, 1 << 32),
-                             (simulation.advance, -1)):
+                             (simulation.advance, -1), (simulation.advance, 1e11)):
             with self.subTest(call=call.__name__, given=given):
                 self.assertRaises(trammel.SettingError, call, *given)
         for value in (low, -low - 1):
@@ -244,8 +244,9 @@ class Snapshots(unittest.TestCase):
         restored = trammel.restore(kept)
         self.assertEqual((restored.clock, first.time_s), (clock, first.clock * 20e-9))
         kept.settings.set("controller", "fc")
-        self.assertEqual(restored.snapshot().settings.values["controller"],
-                         trammel.settings("circle").values["controller"])
+        for one in (first, restored):
+            self.assertEqual(one.snapshot().settings.values["controller"],
+                             trammel.settings("circle").values["controller"])
         self.assertEqual(restored.finish().event_hash, trammel.run(
             "circle", **TWIN, **{"run.max_s": 0.05}).event_hash)
 

@@ -191,10 +191,12 @@ TEST_CASE("where samples are passed over, the bits of flags are kept, and of oth
 
 TEST_CASE("no name of a run can end the script that carries it") {
   each_machine([](const Machine& machine, const fs::path& base) {
-    REQUIRE(run_to(base / "a", machine, EndReason::kDone, {"description=</script><b> &"}) == 0);
+    REQUIRE(run_to(base / "a", machine, EndReason::kDone,
+                   {"description=</script><b> &", "name=p&q<r@DATA@"}) == 0);
     const std::string page = content(base / "a" / "report.html");
     CHECK(page.find("</script><b>") == std::string::npos);
     CHECK(page.find("\\u003c/script>\\u003cb>") != std::string::npos);
+    CHECK(page.find("p&amp;q&lt;r&#64;DATA&#64;") != std::string::npos);
   });
 }
 
