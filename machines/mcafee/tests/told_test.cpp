@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What is told of a run of the machine mcafee: figures with their tiles, verdicts, runs beside it,
+// pictures, in each stage; and what its session says of itself.
+#include <catch2/catch.hpp>
+#include <algorithm>
+#include <atomic>
+#include <cstdlib>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cosim/direct.hpp"
+#include "cosim/trigger_search.hpp"
+#include "lab/record.hpp"
+#include "machines/mcafee/machine.hpp"
+#include "machines/mcafee/session.hpp"
+#include "tests/support/columns.hpp"
+#include "tests/support/figures.hpp"
+
+using namespace trammel;
+using namespace trammel::mcafee;
+using Lines = std::vector<std::string>;
+using Stage = sw::McafeeStage;
+
+namespace {
+
+Options quick_move(int counts) {
+  Options options;
+  options.run.engine = cosim::Engine::kTwin;
+  options.run.platform = cosim::Platform::kDirect;
+  options.stage = Stage::kMove;
+  options.position = counts;
+  options.acceleration = 0x1000;
+  options.wait_s = 0.05;
+  options.run.max_s = 1;
+  return options;
+}
+
+}  // namespace
+
+TEST_CASE("mcafee: each figure of a run is told by its row, unit and digits, in each stage") {
+  for (const auto stage : {Stage::kRead, Stage::kMove, Stage::kTrack}) {
+    for (const auto kind : {PathKind::kCorner, PathKind::kSquare}) {
+      Options options;
+      options.stage = stage;
+      options.path.kind = kind;
+      const bool tracks = stage == Stage::kTrack, reads = stage == Stage::kRead;
+      Lines expected{reads ? "motion.time_s: motion [s] 3" : "motion.time_s: motion [s] 3 {Time}"};
+      const auto add = [&expected](const Lines& more) {
+        expected.insert(expected.end(), more.begin(), more.end());
+      };
+      if (tracks) {
+        add({"motion.rows: motion, rows whole",
+             "motion.contour_max_mm: contour error, largest [mm] 4 {Largest contour error}",
+             "motion.contour_max_s: contour error, largest at [s] 3",
+             "motion.contour_rms_mm: contour error, rms [mm] 4 {Rms contour error}",
+             "motion.contour_end_mm: contour error, at the end [mm] 4"});
+        if (kind == PathKind::kCorner) {
+          add({"motion.overshoot_mm: overshoot, behind the end [mm] 4"});
+        }
+      }
+      add({std::string("motion.max_error_counts: largest error [counts] whole") +
+               (tracks ? "" : " {Largest error}"),
+           "motion.max_speed_mm_s: largest speed [mm/s] 2 {Top speed}",
+           "motion.max_desired_mm_s: largest speed, desired [mm/s] 2",
+           "motion.max_current_A: largest current [A] 2 {Peak current}",
+           std::string("real_count.0: end position, X [counts] whole") +
+               (tracks ? "" : " {X at the end}"),
+           "real_count.1: end position, Y [counts] whole",
+           "motion.events: interrupts and switches whole"});
+      if (reads) add({"readings: readings of X whole {Readings}"});
+      Result result;
+      CAPTURE(static_cast<int>(stage), static_cast<int>(kind));
+      test::check_shapes(figures(options, result), expected);
+    }
+  }
+}
+
+TEST_CASE("mcafee: rows, contour errors and overshoot of a path are those of its samples") {
+  Options options;
+  options.path.kind = PathKind::kCorner;
+  options.path.side_mm = 20;
+  const Path path(options.path);
+  Result result;
+  result.table = make_table(options.path, options.count_mm());
+  const auto rows = result.table.rows.size();
+  for (std::size_t k = 0; k <= rows + 3; ++k) {
+    const std::size_t row = std::min(rows, k);
+    PointMm at = path.at(std::min(path.length(), result.table.row_mm * static_cast<double>(row))) -
+                 path.at(0);
+    if (k == 5) at += PointMm(0, -0.5);        // beside its first leg
+    if (k == rows + 1) at += PointMm(0, 0.3);  // behind its end
+    if (k == rows + 3) at += PointMm(0.2, 0);  // beside it at the end
+    Sample s;
+    s.row = static_cast<std::uint32_t>(row);
+    s.axis[0].x_mm = at.real();
+    s.axis[1].x_mm = at.imag();
+    s.axis[0].words.position = static_cast<std::int64_t>(k) * 65536;
+    result.samples.push_back(s);
+  }
+  const auto of = [&](const std::string& id) {
+    return test::figure(options, result, "motion." + id);
+  };
+  CHECK(of("rows") == static_cast<double>(rows));
+  CHECK(of("contour_max_mm") == Approx(0.5));
+  CHECK(of("contour_max_s") == Approx(4 * options.sample_s()));  // from row 1 on
+  CHECK(of("contour_end_mm") == Approx(0.2));
+  CHECK(of("overshoot_mm") == Approx(0.3).margin(0.02));
+  CHECK(of("time_s") == Approx(static_cast<double>(rows + 2) * options.sample_s()));
+}
+
+TEST_CASE("mcafee: each end of a run has its own verdict") {
+  Options options;
+  options.run.max_s = 7.5;
+  options.diverged_counts = 321;
+  Result result;
+  result.fault = "a limit switch";
+  result.promise = {"busy_ends", "mcafee_xy.u_port", "bus/props.sv:7", 50'000};
+  using End = cosim::EndReason;
+  for (const auto& [end, text] :
+       {std::pair{End::kDone, "done"},
+        {End::kStopped, "interrupted"},
+        {End::kFault, "tripped: a limit switch"},
+        {End::kMissed, "missed: a limit switch"},
+        {End::kDiverged, "diverged: error above run.diverged_counts = 321"},
+        {End::kPromise, "assertion failed: busy_ends of mcafee_xy.u_port at 0.00100000 s, clock "
+                        "50000 (bus/props.sv:7)"}}) {
+    result.end = end;
+    CHECK(machine().verdict(options, result) == text);
+  }
+  result.end = End::kTimeout;
+  result.fault.clear();
+  CHECK(machine().verdict(options, result) == "not finished within run.max_s = 7.5");
+}
+
+TEST_CASE("mcafee: beside a run that compares go its path at 254 and at the least speed, no more") {
+  Options options;
+  options.compare = true;
+  options.least_speed = 33;
+  options.run.wave = cosim::WaveFormat::kFst;
+  options.wait_s = 0.125;
+  const auto beside = machine().companions(options);
+  REQUIRE(beside.size() == 2);
+  for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
+    const auto& other = static_cast<const Options&>(*beside[k].settings);
+    CAPTURE(k);
+    CHECK(beside[k].name == (k == 0 ? "v = 254" : "v = 33"));
+    CHECK(other.speed == (k == 0 ? 254 : 33));
+    CHECK(other.run.wave == cosim::WaveFormat::kNone);
+    CHECK(other.wait_s == 0.125);
+  }
+  CHECK(machine().run_name(options) == "self-paced");
+  options.speed = 77;
+  CHECK(machine().run_name(options) == "v = 77");
+  options.compare = false;
+  CHECK(machine().companions(options).empty());
+  options.compare = true;
+  for (const auto stage : {Stage::kRead, Stage::kMove}) {
+    options.stage = stage;
+    CHECK(machine().companions(options).empty());
+    CHECK(machine().run_name(options) == "motion");
+    CHECK(machine().warnings(options).empty());
+  }
+}
+
+TEST_CASE("mcafee: metrics and pictures begin where the path does, of other stages at the start") {
+  for (const auto stage : {Stage::kMove, Stage::kTrack}) {
+    Options options;
+    options.stage = stage;
+    Result result;
+    for (int n = 0; n < 6; ++n) {
+      Sample s;
+      s.row = n < 3 ? 0 : 1;
+      s.axis[1].words.position = n < 2 ? 0 : 65536;
+      result.samples.push_back(s);
+    }
+    const lab::Record record =
+        lab::judged(options.clone(), std::make_unique<Result>(std::move(result)));
+    nlohmann::ordered_json json;
+    add_metrics(record, json);
+    CAPTURE(static_cast<int>(stage));
+    CHECK(json["run"]["first_sample"] == (stage == Stage::kTrack ? 3 : 0));
+    CHECK(json["events"].empty());
+    CHECK(machine().drawn(record).first == (stage == Stage::kTrack ? 3u : 2u));
+    CHECK(machine().drawn(record).last == 6);
+    CHECK(tracking_json(record).is_null() == (stage == Stage::kMove));
+  }
+}
+
+TEST_CASE("mcafee: a session tells its clock, its processor, its end and the place of each axis") {
+  Options options = quick_move(1500);
+  options.processor.access_clk = 23;
+  options.processor.interrupt_latency_clk = 457;
+  options.fault.kind = cosim::FaultKind::kProcessorSlow;
+  options.fault.value = 3;
+  options.run.max_s = 0.75;
+  const std::unique_ptr<cosim::Session> session = machine().session(options, {}, {});
+  CHECK(session->timing().access == 23);
+  CHECK(session->timing().latency == 457);
+  CHECK(session->timing().fault.access(1, 23) == 3 * 23);
+  CHECK(session->period_ps() == 20'000);
+  CHECK(session->end() == 37'500'000);
+  CHECK_FALSE(session->finished());
+  CHECK_FALSE(session->stopped());
+}
+
+TEST_CASE("mcafee: a run ends where its trigger is found, at the place of its own axis") {
+  for (const int counts : {1500, -1500}) {
+    const Options options = quick_move(counts);
+    const char* const text = counts > 0 ? "x.real_count > 1000" : "x.real_count < -1000";
+    cosim::TriggerSearch search(cosim::parse_trigger(text, triggers()));
+    cosim::Waves waves;
+    waves.search = &search;
+    Session session(options, {}, waves);
+    cosim::run_direct(session.loop(), session.firmware(), session.timing(), session.end(),
+                      [&session] { return session.finished(); });
+    REQUIRE(search.found());
+    const auto places = session.places();
+    REQUIRE(places.size() == 2);
+    CHECK(places[0].axis == "x");
+    CHECK(places[1].axis == "y");
+    CHECK(places[0].unit == "mm");
+    CHECK(places[1].unit == "mm");
+    const double at_mm = (counts > 0 ? 1000 : -1000) * options.count_mm();
+    CHECK(places[0].value == Approx(at_mm).margin(0.1));
+    CHECK(places[1].value == Approx(0).margin(1e-9));
+    const auto run = session.result();
+    const auto& result = static_cast<const Result&>(*run);
+    CHECK(result.end == cosim::EndReason::kDone);
+    CHECK(result.fault == "");  // it is not asked whether it arrived
+    CHECK(result.samples.back().edge == *search.found());
+    CHECK(std::abs(result.samples[result.samples.size() - 2].axis[0].words.actual) <= 1000);
+  }
+}
+
+TEST_CASE("mcafee: a run can be stopped, and tells its readings in Stage I alone") {
+  std::atomic<bool> stop{false};
+  cosim::Hooks hooks;
+  hooks.stop = &stop;
+  hooks.progress = [&stop](double) { stop = true; };  // told after 64 samples
+  const Result stopped = simulate(quick_move(1500), hooks);
+  CHECK(stopped.end == cosim::EndReason::kStopped);
+  CHECK(stopped.samples.size() == 64);
+  CHECK(stopped.readings == 0);
+  Options reading = quick_move(0);
+  reading.stage = Stage::kRead;
+  reading.readings = 5;
+  reading.wait_s = 5e-3;
+  const Result read = simulate(reading, {});
+  CHECK(read.end == cosim::EndReason::kDone);
+  CHECK(read.readings == 5);
+}
+
+TEST_CASE("mcafee: each column is printed with its digits, those of Y as those of X") {
+  Lines expected{"t_s .8 1e-08", "row 1", "v 1", "limits 1", "contour_mm .5 1e-05"};
+  for (const std::string axis : {"x_", "y_"}) {
+    for (const char* column :
+         {"desired_count .5 0.001", "desired_speed .5 1e-05", "real_count 1", "mm .5 1e-05",
+          "mm_s .4 0.001", "e 1", "p 1", "i 1", "d 1", "output 1", "status 1", "host_irq 1",
+          "i_A g5 1e-05", "u_V g5 0.0001"}) {
+      expected.push_back(axis + column);
+    }
+  }
+  CHECK(test::formats(machine().columns()) == expected);
+}
