@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What is told of a run of the machine larson: figures by name, remarks and metrics up to their
+// last, formats; and what its session says of itself.
+#include <catch2/catch.hpp>
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cosim/direct.hpp"
+#include "cosim/trigger_search.hpp"
+#include "lab/record.hpp"
+#include "machines/larson/machine.hpp"
+#include "machines/larson/session.hpp"
+#include "tests/support/columns.hpp"
+#include "tests/support/figures.hpp"
+#include "tests/support/scratch.hpp"
+
+using namespace trammel;
+using namespace trammel::larson;
+using Lines = std::vector<std::string>;
+
+namespace {
+
+struct Scripted {
+  test::Scratch scratch{"larson_told"};
+  Options options;
+
+  explicit Scripted(const std::string& script) {
+    std::filesystem::create_directories(scratch.path);
+    const std::filesystem::path file = scratch.path / "script.table";
+    std::ofstream(file) << script;
+    options.script = file.string();
+    options.run.platform = cosim::Platform::kDirect;
+    options.run.engine = cosim::Engine::kTwin;
+    options.start_x = 12;
+    options.start_y = 31;
+    options.settle_s = 0.03;
+  }
+};
+
+lab::Record record_of(Result result) {
+  return lab::judged(Options{}.clone(), std::make_unique<Result>(std::move(result)));
+}
+
+Result with_calls(int calls) {
+  Result result;
+  for (int n = 0; n < calls; ++n) {
+    Call one;
+    one.call.op = sw::LarsonOp::kWttbl;
+    one.text = "WTTBL";
+    one.line = static_cast<std::size_t>(n + 1);
+    result.calls.push_back(one);
+    result.answers.push_back({1, {}});
+    result.done.push_back({50'000 * (n + 1), {1, 2}});
+  }
+  return result;
+}
+
+}  // namespace
+
+TEST_CASE("larson: each figure of a run is told by its row, unit, digits and tile") {
+  Lines expected{"script.time_s: script, until its last call [s] 3 {Script}",
+                 "script.calls: script, calls whole",
+                 "script.normal: WTTBL, normal whole",
+                 "script.error: WTTBL, error whole {Error returns}",
+                 "script.refused: moves refused whole",
+                 "script.off_step: WHRTBL against the rotors, largest [step] 2"};
+  for (const bool x : {true, false}) {
+    const std::string id = x ? "x." : "y.", axis = x ? ", X" : ", Y";
+    for (const auto& line :
+         {id + "pulses: pulses" + axis + " whole",
+          id + "lost_step: steps lost" + axis + " [steps] whole {Lost by " + (x ? "X}" : "Y}"),
+          id + "max_angle_step: load angle" + axis + " [step] 2" + (x ? " {Load angle of X}" : ""),
+          id + "max_rate: largest rate" + axis + " [step/s] 0",
+          id + "max_waiting: pulses that wait" + axis + " whole",
+          id + "travel_step: travel" + axis + " [step] 0",
+          id + "end_step: end" + axis + " [step] 2"}) {
+      expected.push_back(line);
+    }
+  }
+  expected.push_back("interrupts: interrupts of the chip whole {Interrupts}");
+  expected.push_back("err_byte: byte writes whole");
+  Result result;
+  auto list = figures(Options{}, result);
+  REQUIRE(list.size() > expected.size());
+  for (std::size_t n = 0; n < list.size(); ++n) {
+    CAPTURE(list[n].id);
+    CHECK(list[n].source.empty() == (n < expected.size()));
+  }
+  list.resize(expected.size());
+  test::check_shapes(list, expected);
+}
+
+TEST_CASE("larson: twelve answers are remarks, all up to 2000 are metrics") {
+  for (const int calls : {12, 13}) {
+    const Lines lines = remarks(record_of(with_calls(calls)));
+    CAPTURE(calls);
+    REQUIRE(lines.size() == static_cast<std::size_t>(calls));
+    CHECK(lines[11] == "    0.0120 s  WTTBL: normal");
+    if (calls == 13) CHECK(lines[12] == "... all answers are in metrics.json and on the page");
+  }
+  for (const int calls : {1999, 2000, 2001}) {
+    nlohmann::ordered_json json;
+    add_metrics(record_of(with_calls(calls)), json);
+    CHECK(json["calls"].size() == static_cast<std::size_t>(std::min(calls, 2000)));
+  }
+}
+
+TEST_CASE("larson: a run that was stopped or broke a promise says so") {
+  Result result;
+  result.promise = {"one_master", "larson_xy.u_bus", "bus/props.sv:7", 50'000};
+  result.end = cosim::EndReason::kPromise;
+  CHECK(machine().verdict(Options{}, result) ==
+        "assertion failed: one_master of larson_xy.u_bus at 0.00100000 s, clock 50000 "
+        "(bus/props.sv:7)");
+  result.end = cosim::EndReason::kStopped;
+  CHECK(machine().verdict(Options{}, result) == "interrupted");
+}
+
+TEST_CASE("larson: each column is printed with its digits, those of Y as those of X") {
+  Lines expected{"t_s .8 1e-08", "call 1", "switches 1", "irq 1"};
+  for (const std::string axis : {"x_", "y_"}) {
+    for (const char* column : {"asked_step 1", "step 1", "at_step .4 0.001", "speed_step_s .2 0.1",
+                               "angle_step .4 0.001", "rate_step_s .2 0.1", "waiting 1", "count 1",
+                               "status 1"}) {
+      expected.push_back(axis + column);
+    }
+  }
+  CHECK(test::formats(machine().columns()) == expected);
+}
+
+TEST_CASE("larson: a session tells its clock, its processor, its end and the place of each axis") {
+  Scripted script("CALTBL\n");
+  script.options.processor.access_clk = 23;
+  script.options.processor.interrupt_latency_clk = 457;
+  script.options.run.max_s = 0.75;
+  script.options.fault.kind = cosim::FaultKind::kProcessorSlow;
+  script.options.fault.value = 3;
+  Session session(script.options, {});
+  CHECK(session.timing().access == 23);
+  CHECK(session.timing().latency == 457);
+  CHECK(session.timing().fault.access(1, 23) == 3 * 23);
+  CHECK(session.period_ps() == 20'000);
+  CHECK(session.end() == 37'500'000);
+  CHECK_FALSE(session.finished());
+  const auto places = session.places();
+  REQUIRE(places.size() == 2);
+  for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
+    CAPTURE(k);
+    CHECK(places[k].axis == (k == 0 ? "x" : "y"));
+    CHECK(places[k].unit == "step");
+    CHECK(places[k].value == Approx(k == 0 ? 12 : 31));
+  }
+}
+
+TEST_CASE("larson: a run can be stopped, or ends at its time") {
+  Scripted script("CALTBL\nABSTBL 60 33\nWTTBL\n");
+  std::atomic<bool> stop{false};
+  cosim::Hooks hooks;
+  hooks.stop = &stop;
+  hooks.progress = [&stop](double) { stop = true; };  // told after 64 samples
+  const Result stopped = lab::simulate(script.options, hooks);
+  CHECK(stopped.end == cosim::EndReason::kStopped);
+  CHECK(stopped.samples.size() == 64);
+  Options late = script.options;
+  late.run.max_s = 0.05;
+  CHECK(lab::simulate(late).end == cosim::EndReason::kTimeout);
+}
+
+TEST_CASE("larson: a run ends where a trigger of either axis is found") {
+  for (const std::string axis : {"x", "y"}) {
+    const Scripted script("CALTBL\nABSTBL 60 33\nWTTBL\n");
+    cosim::TriggerSearch search(cosim::parse_trigger(axis + ".waiting > 0", triggers()));
+    cosim::Waves waves;
+    waves.search = &search;
+    Session session(script.options, {}, waves);
+    cosim::run_direct(session.loop(), session.firmware(), session.timing(), session.end(),
+                      [&session] { return session.finished(); });
+    CAPTURE(axis);
+    REQUIRE(search.found());
+    const auto run = session.result();
+    const auto& result = static_cast<const Result&>(*run);
+    CHECK(result.end == cosim::EndReason::kDone);
+    CHECK(result.fault == "");  // it is not asked where the table is
+    const Sample last = result.samples.back();
+    CHECK(last.edge == *search.found());
+    CHECK(last.axis[axis == "x" ? 0 : 1].waiting > 0);
+  }
+}
