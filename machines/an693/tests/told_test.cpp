@@ -277,3 +277,10 @@ TEST_CASE("an693: a converter that an LM629 has not is warned of before a run") 
   REQUIRE(lines.size() == 1);
   CHECK(lines[0].find("chip.dac_bits = 8") != std::string::npos);
 }
+
+TEST_CASE("an693: each column is printed with its digits") {
+  CHECK(test::formats(machine().columns()) ==
+        Lines{"t_s .8 1e-08", "desired_count .5 0.001", "desired_speed .5 1e-05", "real_count 1",
+              "theta_count .4 0.001", "e 1", "p 1", "i 1", "d 1", "output 1", "status 1",
+              "host_irq 1", "omega_rad_s g7 0.0001", "i_A g7 1e-05", "u_V g6 0.0001"});
+}

@@ -225,3 +225,18 @@ TEST_CASE("gantry: arrived and settled are within their bands, on them and on ei
     CHECK(figures_at(3).overshoot_mm == Approx(50));
   }
 }
+
+TEST_CASE("gantry: each column is printed with its digits, those of motor 2 as those of motor 1") {
+  Lines expected{"t_s .8 1e-08",        "x_mm .5 0.0001",       "v_mm_s .3 0.01",
+                 "position_mm .5 0.0001", "goal_mm .5 0.0001",  "velocity_mm_s .3 0.01",
+                 "filtered_mm_s .3 0.01", "error_count 1",      "phase 1",
+                 "angle 1",             "sensor_a_code 1",      "sensor_b_code 1",
+                 "a_code 1",            "b_code 1"};
+  for (const std::string motor : {"m1_", "m2_"}) {
+    for (const char* column :
+         {"u_count 1", "force_count .3 0.01", "apart_mm .6 1e-05", "flank 1"}) {
+      expected.push_back(motor + column);
+    }
+  }
+  CHECK(test::formats(machine().columns()) == expected);
+}
