@@ -19,6 +19,8 @@ class Page(report_pages.ReportPages):
     runs = {
         "tuning": ["run", "an693-tuning", "-s", "trajectory.steps=2"],
         "script": ["lm628", "tuning"],
+        "turn": ["run", "an693-relative", "--engine", "twin",
+                 "-s", "trajectory.position_counts=3000"],
         "soft": ["run", "an693-tuning", "-s", "trajectory.steps=2", "-s", "filter.kp=80"],
     }
     compared = ("tuning", "script", "soft")
@@ -26,11 +28,11 @@ class Page(report_pages.ReportPages):
                          "status": 0, "host_irq": 0, "omega_rad_s": 1e-4, "u_V": 1e-4}}
     least_plots = 6
     least_saved = 7
-    # A turn has 2000 counts, a sample 256 us.
-    drawn = {"tuning": {
+    # A turn has 4000 counts, a sample 256 us.
+    drawn = {"turn": {
         "position": {"desired": "desired_count", "shaft": "theta_count",
                      "real, as counted": "real_count"},
-        "speed": {"desired": ("desired_speed", 1 / 2000 / 256e-6),
+        "speed": {"desired": ("desired_speed", 1 / 4000 / 256e-6),
                   "shaft": ("omega_rad_s", 1 / (2 * math.pi))},
         "error": {"e": "e"}, "terms": {name: name for name in ("output", "d", "p", "i")},
         "voltage": {"u": "u_V"}, "current": {"i": "i_A"}}}
