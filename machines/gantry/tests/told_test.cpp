@@ -240,3 +240,21 @@ TEST_CASE("gantry: each column is printed with its digits, those of motor 2 as t
   }
   CHECK(test::formats(machine().columns()) == expected);
 }
+
+TEST_CASE("gantry: the machine tells of itself what lists, pages and waves need") {
+  const lab::Machine& m = machine();
+  CHECK(m.name == "gantry");
+  CHECK(m.title == "gantry track of 2006: two motors on a belt, stripe sensor, Serial2002");
+  CHECK(m.source == "Brochier 2006");
+  CHECK(m.order == 5);
+  CHECK(m.live ==
+        Lines{"host.serial=true", "run.time_s=3600", "run.max_s=3600", "record.every_ms=10"});
+  CHECK(m.vcd_bytes_s == 5e9);
+  CHECK(m.fst_bytes_s == 2e7);
+  CHECK(m.page.arrays == Lines{"/calibration"});
+  CHECK(m.page.objects == Lines{"/published"});
+  CHECK(m.page.numbers.empty());
+  CHECK(m.remarks == remarks);
+  CHECK(m.metrics == add_metrics);
+  CHECK(m.detail == nullptr);
+}
