@@ -176,6 +176,8 @@ TEST_CASE("a run with waves is made twice where its event must be found, and onc
   }
 }
 
+#ifndef __SANITIZE_ADDRESS__  // it takes the stack of a SystemC thread that throws for a wrong one
+
 TEST_CASE("the bus of SystemC takes words at addresses of words, and names any other") {
   const auto run = [](const Start& start) {
     ToySession session;
@@ -250,3 +252,5 @@ TEST_CASE("a processor takes the same clocks in SystemC as without, whatever fau
     }
   }
 }
+
+#endif
