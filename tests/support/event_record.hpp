@@ -16,6 +16,7 @@
 
 #include "cosim/direct.hpp"
 #include "cosim/event_hash.hpp"
+#include "tests/support/session_run.hpp"
 
 namespace trammel::test {
 
@@ -48,8 +49,7 @@ Recorded<Result> record_run(const Options& options) {
   Session session(options, {});
   EventRecord record;
   session.loop().watch(record);
-  cosim::run_direct(session.loop(), session.firmware(), session.timing(), session.end(),
-                    [&session] { return session.finished(); });
+  run_through(session);
   const auto result = session.result();
   return {std::move(static_cast<Result&>(*result)), std::move(record.events)};
 }

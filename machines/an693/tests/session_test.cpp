@@ -14,6 +14,8 @@
 #include "machines/an693/machine.hpp"
 #include "machines/an693/session.hpp"
 #include "tests/support/event_record.hpp"
+#include "tests/support/message.hpp"
+#include "tests/support/session_run.hpp"
 
 using namespace trammel;
 using namespace trammel::an693;
@@ -156,28 +158,17 @@ TEST_CASE("an693: a shaft too far from its trajectory ends the run as diverged, 
 
 TEST_CASE("an693: a session tells its clock, its processor, its end and its place") {
   Options options = quick(An693Program::kAbsolute, 100);
-  options.processor.access_clk = 23;
-  options.processor.interrupt_latency_clk = 457;
-  options.run.max_s = 0.75;
+  test::set_timing(options);
   options.plant.clock_ps = 25'000;
-  options.fault.kind = cosim::FaultKind::kProcessorSlow;
-  options.fault.value = 3;
   const std::unique_ptr<cosim::Session> session = machine().session(options, {}, {});
-  CHECK(session->timing().access == 23);
-  CHECK(session->timing().latency == 457);
-  CHECK(session->timing().fault.access(1, 23) == 3 * 23);
-  CHECK(session->period_ps() == 25'000);
-  CHECK(session->end() == 30'000'000);
-  CHECK_FALSE(session->finished());
-  CHECK_FALSE(session->stopped());
+  test::check_timing(*session, 25'000);
 }
 
 TEST_CASE("an693: the place of a running session is its shaft's, in counts and in its sense") {
   for (const int counts : {600, -600}) {
     const Options options = quick(An693Program::kAbsolute, counts);
     Session session(options, {});
-    cosim::run_direct(session.loop(), session.firmware(), session.timing(), session.end(),
-                      [&session] { return session.finished(); });
+    test::run_through(session);
     const auto places = session.places();
     REQUIRE(places.size() == 1);
     CHECK(places[0].axis.empty());
@@ -199,14 +190,9 @@ TEST_CASE("an693: a run can be stopped, ends at its time or where its trigger is
   CHECK(stopped.end == cosim::EndReason::kStopped);
   CHECK(stopped.samples.size() == 65);
   cosim::TriggerSearch search(cosim::parse_trigger("real_count > 100", triggers()));
-  cosim::Waves waves;
-  waves.search = &search;
-  Session session(options, {}, waves);
-  cosim::run_direct(session.loop(), session.firmware(), session.timing(), session.end(),
-                    [&session] { return session.finished(); });
+  const Result found = test::run_to<Session, Result>(options, &search);
   REQUIRE(search.found());
-  const auto result = session.result();
-  const auto& samples = static_cast<const Result&>(*result).samples;
+  const auto& samples = found.samples;
   CHECK(samples.back().edge == *search.found());
   CHECK(samples.back().words.actual > 100);
   CHECK(samples[samples.size() - 2].words.actual <= 100);
@@ -235,12 +221,7 @@ TEST_CASE("an693: a fault is on the encoder or any bit of the converter, or a li
     options.part.variant = variant;
     options.fault.kind = kind;
     options.fault.line = line;
-    try {
-      simulate(options, {});
-    } catch (const std::exception& refused) {
-      return std::string(refused.what());
-    }
-    return std::string();
+    return test::refusal_of<std::exception>([&] { simulate(options, {}); });
   };
   using Kind = cosim::FaultKind;
   using lm628::Variant;

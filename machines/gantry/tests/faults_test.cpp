@@ -10,22 +10,12 @@
 
 #include "lab/record.hpp"
 #include "machines/gantry/machine.hpp"
+#include "machines/gantry/tests/by_twin.hpp"
+#include "tests/support/message.hpp"
 
 using namespace trammel;
 using namespace trammel::gantry;
 using Catch::Contains;
-
-namespace {
-
-Options by_twin(double time_s) {
-  Options options;
-  options.run.engine = cosim::Engine::kTwin;
-  options.run.platform = cosim::Platform::kDirect;
-  options.time_s = time_s;
-  return options;
-}
-
-}  // namespace
 
 TEST_CASE("gantry: a fault is noticed by what chip and program count, and names it") {
   for (const auto& [sends, by] : {std::pair{"0.02:15?", "unknown channel"},
@@ -74,12 +64,7 @@ TEST_CASE("gantry: a fault is on the serial line, on either converter and each o
     options.fault.axis = axis;
     options.fault.line = line;
     options.fault.value = value;
-    try {
-      lab::simulate(options);
-    } catch (const std::exception& refused) {
-      return std::string(refused.what());
-    }
-    return std::string();
+    return test::refusal_of<std::exception>([&] { lab::simulate(options); });
   };
   using Kind = cosim::FaultKind;
   CHECK(told(Kind::kEncoderStuck, 0, 0, -1) == "");

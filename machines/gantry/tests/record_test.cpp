@@ -17,6 +17,7 @@
 #include "machines/gantry/signals.hpp"
 #include "machines/gantry/tests/by_twin.hpp"
 #include "tests/support/event_record.hpp"
+#include "tests/support/session_run.hpp"
 
 using namespace trammel;
 using namespace trammel::gantry;
@@ -66,8 +67,7 @@ TEST_CASE("gantry: each sample is of the track, as the pins move it, and of the 
   Session session(options, {});
   HeldRecord held(session);
   session.loop().watch(held);
-  cosim::run_direct(session.loop(), session.firmware(), session.timing(), session.end(),
-                    [&session] { return session.finished(); });
+  test::run_through(session);
   const auto run = session.result();
   const auto& result = static_cast<const Result&>(*run);
   REQUIRE(result.end == cosim::EndReason::kDone);
@@ -172,20 +172,10 @@ TEST_CASE("gantry: a run tells of what it heard and counted, by the times of its
 
 TEST_CASE("gantry: a session tells its clock, its processor, its end and its place") {
   Options options = by_twin(1);
-  options.processor.access_clk = 23;
-  options.processor.interrupt_latency_clk = 457;
-  options.run.max_s = 0.75;
+  test::set_timing(options);
   options.axis.start = 0.123;
-  options.fault.kind = cosim::FaultKind::kProcessorSlow;
-  options.fault.value = 3;
   Session session(options, {});
-  CHECK(session.timing().access == 23);
-  CHECK(session.timing().latency == 457);
-  CHECK(session.timing().fault.access(1, 23) == 3 * 23);
-  CHECK(session.period_ps() == 20'000);
-  CHECK(session.end() == 37'500'000);
-  CHECK_FALSE(session.finished());
-  CHECK_FALSE(session.stopped());
+  test::check_timing(session, 20'000);
   const auto places = session.places();
   REQUIRE(places.size() == 1);
   CHECK(places[0].axis.empty());
@@ -209,8 +199,7 @@ TEST_CASE("gantry: a run goes on to its time, tells its share of it, and can be 
   hooks.stop = &stop;
   hooks.progress = [&stop](double share) { stop = share > 0.5; };
   Session session(options, hooks);
-  cosim::run_direct(session.loop(), session.firmware(), session.timing(), session.end(),
-                    [&session] { return session.finished(); });
+  test::run_through(session);
   CHECK(session.stopped());
   const auto stopped = session.result();
   CHECK(stopped->end == cosim::EndReason::kStopped);
@@ -325,15 +314,10 @@ TEST_CASE("gantry: a cart that fails in motion is recorded until it stands, or f
 TEST_CASE("gantry: a run that looks for its trigger ends where it has found it") {
   const Options options = by_twin(0.3);
   cosim::TriggerSearch search(cosim::parse_trigger("force < -100", triggers()));
-  cosim::Waves waves;
-  waves.search = &search;
-  Session session(options, {}, waves);
-  cosim::run_direct(session.loop(), session.firmware(), session.timing(), session.end(),
-                    [&session] { return session.finished(); });
-  const auto run = session.result();
+  const Result run = test::run_to<Session, Result>(options, &search);
   REQUIRE(search.found());
-  CHECK(run->end == cosim::EndReason::kDone);
-  const auto& samples = static_cast<const Result&>(*run).samples;
+  CHECK(run.end == cosim::EndReason::kDone);
+  const auto& samples = run.samples;
   CHECK(samples.back().edge == *search.found());
   CHECK(samples.back().words.force[0] < -100);
   CHECK(samples[samples.size() - 2].words.force[0] >= -100);

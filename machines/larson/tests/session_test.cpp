@@ -6,17 +6,15 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
 
 #include "lab/record.hpp"
 #include "machines/larson/machine.hpp"
 #include "machines/larson/session.hpp"
+#include "machines/larson/tests/scripted.hpp"
 #include "sw_nios/apps/larson/larson_map.hpp"
 #include "tests/support/event_record.hpp"
-#include "tests/support/scratch.hpp"
 
 using namespace trammel;
 using namespace trammel::larson;
@@ -25,22 +23,9 @@ namespace {
 
 constexpr std::array<const char*, 2> kName{"X", "Y"};
 
-// A run by the twin, its axes unlike in start, rate and targets.
-struct Scripted {
-  test::Scratch scratch{"larson_session"};
-  Options options;
-
-  explicit Scripted(const std::string& script) {
-    const std::filesystem::path file = scratch.path / "script.table";
-    std::ofstream(file) << script;
-    options.script = file.string();
-    options.run.platform = cosim::Platform::kDirect;
-    options.run.engine = cosim::Engine::kTwin;
-    options.start_x = 12;
-    options.start_y = 31;
-    options.record_ms = 0.5;
-    options.settle_s = 0.03;
-  }
+// A run by the twin with all of its events.
+struct Scripted : ScriptedTwin {
+  explicit Scripted(const std::string& script) : ScriptedTwin(script) { options.record_ms = 0.5; }
   test::Recorded<Result> run() const { return test::record_run<Session, Result>(options); }
 };
 

@@ -6,44 +6,25 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "cosim/direct.hpp"
 #include "cosim/trigger_search.hpp"
 #include "lab/record.hpp"
 #include "machines/larson/machine.hpp"
 #include "machines/larson/session.hpp"
+#include "machines/larson/tests/scripted.hpp"
 #include "tests/support/columns.hpp"
 #include "tests/support/figures.hpp"
-#include "tests/support/scratch.hpp"
+#include "tests/support/session_run.hpp"
 
 using namespace trammel;
 using namespace trammel::larson;
 using Lines = std::vector<std::string>;
 
 namespace {
-
-struct Scripted {
-  test::Scratch scratch{"larson_told"};
-  Options options;
-
-  explicit Scripted(const std::string& script) {
-    std::filesystem::create_directories(scratch.path);
-    const std::filesystem::path file = scratch.path / "script.table";
-    std::ofstream(file) << script;
-    options.script = file.string();
-    options.run.platform = cosim::Platform::kDirect;
-    options.run.engine = cosim::Engine::kTwin;
-    options.start_x = 12;
-    options.start_y = 31;
-    options.settle_s = 0.03;
-  }
-};
 
 lab::Record record_of(Result result) {
   return lab::judged(Options{}.clone(), std::make_unique<Result>(std::move(result)));
@@ -137,19 +118,10 @@ TEST_CASE("larson: each column is printed with its digits, those of Y as those o
 }
 
 TEST_CASE("larson: a session tells its clock, its processor, its end and the place of each axis") {
-  Scripted script("CALTBL\n");
-  script.options.processor.access_clk = 23;
-  script.options.processor.interrupt_latency_clk = 457;
-  script.options.run.max_s = 0.75;
-  script.options.fault.kind = cosim::FaultKind::kProcessorSlow;
-  script.options.fault.value = 3;
+  ScriptedTwin script("CALTBL\n");
+  test::set_timing(script.options);
   Session session(script.options, {});
-  CHECK(session.timing().access == 23);
-  CHECK(session.timing().latency == 457);
-  CHECK(session.timing().fault.access(1, 23) == 3 * 23);
-  CHECK(session.period_ps() == 20'000);
-  CHECK(session.end() == 37'500'000);
-  CHECK_FALSE(session.finished());
+  test::check_timing(session, 20'000);
   const auto places = session.places();
   REQUIRE(places.size() == 2);
   for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
@@ -161,7 +133,7 @@ TEST_CASE("larson: a session tells its clock, its processor, its end and the pla
 }
 
 TEST_CASE("larson: a run can be stopped, or ends at its time") {
-  Scripted script("CALTBL\nABSTBL 60 33\nWTTBL\n");
+  ScriptedTwin script("CALTBL\nABSTBL 60 33\nWTTBL\n");
   std::atomic<bool> stop{false};
   cosim::Hooks hooks;
   hooks.stop = &stop;
@@ -176,17 +148,11 @@ TEST_CASE("larson: a run can be stopped, or ends at its time") {
 
 TEST_CASE("larson: a run ends where a trigger of either axis is found") {
   for (const std::string axis : {"x", "y"}) {
-    const Scripted script("CALTBL\nABSTBL 60 33\nWTTBL\n");
+    const ScriptedTwin script("CALTBL\nABSTBL 60 33\nWTTBL\n");
     cosim::TriggerSearch search(cosim::parse_trigger(axis + ".waiting > 0", triggers()));
-    cosim::Waves waves;
-    waves.search = &search;
-    Session session(script.options, {}, waves);
-    cosim::run_direct(session.loop(), session.firmware(), session.timing(), session.end(),
-                      [&session] { return session.finished(); });
+    const Result result = test::run_to<Session, Result>(script.options, &search);
     CAPTURE(axis);
     REQUIRE(search.found());
-    const auto run = session.result();
-    const auto& result = static_cast<const Result&>(*run);
     CHECK(result.end == cosim::EndReason::kDone);
     CHECK(result.fault == "");  // it is not asked where the table is
     const Sample last = result.samples.back();

@@ -11,11 +11,11 @@
 #include <utility>
 #include <vector>
 
-#include "cosim/direct.hpp"
 #include "cosim/trigger_search.hpp"
 #include "machines/larson/machine.hpp"
 #include "machines/larson/session.hpp"
 #include "tests/support/scratch.hpp"
+#include "tests/support/session_run.hpp"
 
 using namespace trammel;
 using namespace trammel::larson;
@@ -23,17 +23,6 @@ using namespace trammel::larson;
 namespace {
 
 using Words = std::function<std::int64_t(const Sample&)>;
-
-// The run up to the trigger, or all of it.
-Result run_to(const Options& options, cosim::TriggerSearch* search) {
-  cosim::Waves waves;
-  waves.search = search;
-  Session session(options, {}, waves);
-  cosim::run_direct(session.loop(), session.firmware(), session.timing(), session.end(),
-                    [&session] { return session.finished(); });
-  const auto result = session.result();
-  return std::move(static_cast<Result&>(*result));
-}
 
 }  // namespace
 
@@ -48,7 +37,7 @@ TEST_CASE("larson: a trigger finds the first sample whose word, of its own axis,
   options.start_x = 12;
   options.start_y = 31;
   options.record_ms = 0.5;
-  const Result all = run_to(options, nullptr);
+  const Result all = test::run_to<Session, Result>(options, nullptr);
   REQUIRE(all.end == cosim::EndReason::kDone);
   std::vector<std::pair<std::string, Words>> named{
       {"call", [](const Sample& s) { return std::int64_t{s.call}; }},
@@ -73,7 +62,7 @@ TEST_CASE("larson: a trigger finds the first sample whose word, of its own axis,
     const std::string text = name + " == " + std::to_string(value);
     CAPTURE(text);
     cosim::TriggerSearch search(cosim::parse_trigger(text, triggers()));
-    const Result found = run_to(options, &search);
+    const Result found = test::run_to<Session, Result>(options, &search);
     REQUIRE(search.found());
     CHECK(*search.found() == edge);
     CHECK(found.samples.size() < all.samples.size());

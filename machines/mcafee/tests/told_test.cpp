@@ -18,6 +18,7 @@
 #include "machines/mcafee/session.hpp"
 #include "tests/support/columns.hpp"
 #include "tests/support/figures.hpp"
+#include "tests/support/session_run.hpp"
 
 using namespace trammel;
 using namespace trammel::mcafee;
@@ -191,19 +192,9 @@ TEST_CASE("mcafee: metrics and pictures begin where the path does, of other stag
 
 TEST_CASE("mcafee: a session tells its clock, its processor, its end and the place of each axis") {
   Options options = quick_move(1500);
-  options.processor.access_clk = 23;
-  options.processor.interrupt_latency_clk = 457;
-  options.fault.kind = cosim::FaultKind::kProcessorSlow;
-  options.fault.value = 3;
-  options.run.max_s = 0.75;
+  test::set_timing(options);
   const std::unique_ptr<cosim::Session> session = machine().session(options, {}, {});
-  CHECK(session->timing().access == 23);
-  CHECK(session->timing().latency == 457);
-  CHECK(session->timing().fault.access(1, 23) == 3 * 23);
-  CHECK(session->period_ps() == 20'000);
-  CHECK(session->end() == 37'500'000);
-  CHECK_FALSE(session->finished());
-  CHECK_FALSE(session->stopped());
+  test::check_timing(*session, 20'000);
 }
 
 TEST_CASE("mcafee: a run ends where its trigger is found, at the place of its own axis") {
@@ -214,8 +205,7 @@ TEST_CASE("mcafee: a run ends where its trigger is found, at the place of its ow
     cosim::Waves waves;
     waves.search = &search;
     Session session(options, {}, waves);
-    cosim::run_direct(session.loop(), session.firmware(), session.timing(), session.end(),
-                      [&session] { return session.finished(); });
+    test::run_through(session);
     REQUIRE(search.found());
     const auto places = session.places();
     REQUIRE(places.size() == 2);

@@ -13,6 +13,7 @@
 #include "machines/kung/words.hpp"
 #include "models/ideal/fuzzy_controller.hpp"
 #include "models/ideal/reference_model.hpp"
+#include "tests/support/session_run.hpp"
 
 using namespace trammel;
 using namespace trammel::kung;
@@ -214,8 +215,7 @@ TEST_CASE("motors follow the circle with gains by the rule, as a fast model says
     for (const Controller controller : {Controller::kFc, Controller::kAfc}) {
       const Options options = circle(motor, controller);
       Session session(options, {});
-      cosim::run_direct(session.loop(), session.firmware(), session.timing(), session.end(),
-                        [&session] { return session.finished(); });
+      test::run_through(session);
       const auto run = session.result();
       const auto& result = static_cast<const Result&>(*run);
       double squares = 0;

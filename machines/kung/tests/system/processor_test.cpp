@@ -13,6 +13,7 @@
 #include "lab/scenarios.hpp"
 #include "machines/kung/session.hpp"
 #include "machines/kung/soc.hpp"
+#include "tests/support/session_run.hpp"
 
 using namespace trammel;
 using namespace trammel::kung;
@@ -65,8 +66,7 @@ std::uint64_t events(Options options) {
   options.run.engine = Engine::kTwin;
   options.run.platform = Platform::kDirect;
   Session session(options, {});
-  cosim::run_direct(session.loop(), session.firmware(), session.timing(), session.end(),
-                    [&session] { return session.finished(); });
+  test::run_through(session);
   return static_cast<const Result&>(*session.result()).event_hash;
 }
 

@@ -10,6 +10,7 @@
 #include "machines/kung/response.hpp"
 #include "machines/kung/session.hpp"
 #include "machines/kung/words.hpp"
+#include "tests/support/session_run.hpp"
 
 using namespace trammel;
 using namespace trammel::kung;
@@ -27,8 +28,7 @@ Options scenario(const std::string& name) {
 
 Result run(const Options& options) {
   Session session(options, {});
-  cosim::run_direct(session.loop(), session.firmware(), session.timing(), session.end(),
-                    [&session] { return session.finished(); });
+  test::run_through(session);
   auto result = session.result();
   return std::move(static_cast<Result&>(*result));
 }

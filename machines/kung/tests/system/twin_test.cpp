@@ -6,6 +6,7 @@
 #include "machines/kung/plan.hpp"
 #include "machines/kung/session.hpp"
 #include "models/exact/chips/kung_axis.hpp"
+#include "tests/support/session_run.hpp"
 
 using namespace trammel;
 using namespace trammel::kung;
@@ -37,8 +38,7 @@ TEST_CASE("whole circle: every word of both controllers equals the twin's at eve
   std::vector<sw::Point> points;
   const sw::KungSetup setup = plan_firmware(options, points);
 
-  cosim::run_direct(session.loop(), session.firmware(), session.timing(), session.end(),
-                    [&session] { return session.finished(); });
+  test::run_through(session);
   std::array<std::array<std::int32_t, 49>, 2> rules{};
   for (int axis = 0; axis < 2; ++axis) {
     for (int rule = 0; rule < 49; ++rule) {
@@ -164,7 +164,6 @@ TEST_CASE("whole controllers equal their twins at every PWM period of a line") {
   std::vector<sw::Point> points;
   AxisCheck check(session.chip(), plan_firmware(options, points));
   session.loop().watch(check);
-  cosim::run_direct(session.loop(), session.firmware(), session.timing(), session.end(),
-                    [&session] { return session.finished(); });
+  test::run_through(session);
   CHECK(check.compared > 2 * 1280);
 }

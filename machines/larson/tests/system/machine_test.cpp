@@ -2,8 +2,6 @@
 //
 // The machine larson: acceptance tests M-11 to M-13, equal events in every wiring, lost steps, and
 // a scan whose every place is read back.
-#include <unistd.h>
-
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
@@ -14,30 +12,15 @@
 #include "lab/record.hpp"
 #include "lab/scenarios.hpp"
 #include "machines/larson/machine.hpp"
+#include "machines/larson/tests/scripted.hpp"
 #include "tests/support/figures.hpp"
-#include "tests/support/scratch.hpp"
 
 using namespace trammel;
 using larson::Options;
 using larson::Result;
+using Scripted = larson::ScriptRun;
 
 namespace {
-
-// A run of a script, without SystemC but where a test asks for it. Cases of this program may run
-// at the same time, each in a process of its own.
-struct Scripted {
-  test::Scratch scratch{"larson_scripted_" + std::to_string(getpid())};
-  Options options;
-
-  explicit Scripted(const std::string& script) {
-    const std::filesystem::path file = scratch.path / "script.table";
-    std::ofstream(file) << script;
-    options.script = file.string();
-    options.run.platform = cosim::Platform::kDirect;
-  }
-
-  Result run() const { return lab::simulate(options); }
-};
 
 const sw::LarsonAnswer& answer(const Result& result, std::size_t from_last) {
   REQUIRE(result.done.size() == result.calls.size());
