@@ -81,9 +81,10 @@ Series signed_contour_error(const Points& table, const Points& path, std::size_t
     }
     while (near.size() > 1 && near[1].at + reach < k) near.pop_front();
     const PointM own = table[k];
-    double best = std::numeric_limits<double>::infinity();
+    double best = near.size() > 1
+                      ? std::numeric_limits<double>::infinity()
+                      : square_distance(own, near.front().point, near.front().point);
     bool right = false;
-    if (near.size() == 1) best = square_distance(own, near.front().point, near.front().point);
     for (std::size_t i = 0; i + 1 < near.size() && near[i].at <= k + reach; ++i) {
       const PointM& a = near[i].point;
       const PointM& b = near[i + 1].point;

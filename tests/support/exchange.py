@@ -7,7 +7,9 @@ import json
 import math
 import random
 import re
+import shutil
 import subprocess
+import unittest
 from pathlib import Path
 
 OTHER = {"x": "y", "y": "x", "X": "Y", "Y": "X"}
@@ -39,7 +41,9 @@ def varied(keys, seed):
 
 
 def run(program, scenario, settings, folder):
-    """Exit code and, without the folder's name, the outcome and what is said on stderr."""
+    """Exit code and, without the folder's name, the outcome and what is said on stderr; what the
+    folder held before is gone."""
+    shutil.rmtree(folder, ignore_errors=True)
     words = [word for key, value in settings.items() for word in ("-s", f"{key}={value}")]
     done = subprocess.run([program, "run", scenario, "--engine", "twin", *words, "-o", folder],
                           capture_output=True, text=True, check=False)
@@ -82,3 +86,25 @@ def differences(one, other, part=0, least=0, place=""):
             yield f"{place}: {one}; exchanged: {other}"
     elif not math.isclose(one, other, rel_tol=part, abs_tol=least):
         yield f"{place}: {one}; exchanged: {other}"
+
+
+class Pairs(unittest.TestCase):
+    """Runs in folders xy and yx, or others, of a folder that is made anew."""
+
+    program, folder = None, None
+
+    @classmethod
+    def setUpClass(cls):
+        shutil.rmtree(cls.folder, ignore_errors=True)
+        cls.folder.mkdir(parents=True)
+
+    @classmethod
+    def write_points(cls, name, points):
+        """A path in mm as a file of points."""
+        rows = "".join(f"{x:.4f},{y:.4f}\n" for x, y in points)
+        (cls.folder / f"{name}.csv").write_text(f"x_mm,y_mm\n{rows}")
+
+    @classmethod
+    def write_both(cls, points):
+        cls.write_points("xy", points)
+        cls.write_points("yx", [(y, x) for x, y in points])

@@ -25,56 +25,69 @@ class Tables:
     def rows_of(self, selector):
         return self.js(CELLS, selector)
 
-    def test_the_outcome_is_good_where_the_run_is_done(self):
+    def test_a_page_tells_outcome_parameters_gauges_and_foot_of_its_run(self):
         others = sorted(path.stem for path in (self.machines / self.metrics(next(iter(
             self.runs)))["machine"] / "scenarios").glob("*.toml"))
         self.make("cut", ["run", others[0], "-s", "run.max_s=0.002"], 5)
         for name in ("cut", *self.runs):
-            self.open(name)
+            self.open(name)  # once: each takes more than half a second
             metrics = self.metrics(name)
-            chip = self.driver.find_element("css selector", ".head .chip.good, .head .chip.bad")
-            verdict = metrics["verdict"]
-            self.assertEqual(chip.text, verdict[0].upper() + verdict[1:], name)
-            self.assertEqual("good" in chip.get_attribute("class"), metrics["end"] == "done",
-                             f"{name} ended as {metrics['end']}")
+            self.check_outcome(name, metrics)
+            if name != "cut":
+                self.check_foot(name, metrics["run"])
+                self.check_parameters(name, metrics["options"])
+                self.check_gauges([f for f in metrics["figures"] if "expected" in f])
 
-    def test_the_foot_tells_how_long_each_clock_domain_was_awake(self):
-        for name in self.runs:
-            self.open(name)
-            run = self.metrics(name)["run"]
-            foot = self.driver.find_element("id", "foot").text
-            self.assertIn(run["event_hash"], foot)
-            for domain, count in run.get("activity", {}).items():
-                self.assertIn(f"{domain} {100 * count / run['clocks']:.3f} %", foot, name)
+    def check_outcome(self, name, metrics):
+        chip = self.driver.find_element("css selector", ".head .chip.good, .head .chip.bad")
+        verdict = metrics["verdict"]
+        self.assertEqual(chip.text, verdict[0].upper() + verdict[1:], name)
+        self.assertEqual("good" in chip.get_attribute("class"), metrics["end"] == "done",
+                         f"{name} ended as {metrics['end']}")
 
-    def test_each_parameter_stands_in_the_column_of_its_axis(self):
-        for name in self.runs:
-            self.open(name)
-            options = self.metrics(name)["options"]
-            keys = self.js("return Trammel.page.keys")
-            columns = [text for text, *_ in self.rows_of("#parameters thead tr")[0]][1:-2]
-            found = self.js("return [...document.querySelectorAll(arguments[0])].map((row) => "
-                            "[row.dataset.find.split(' ')[0], row.className])", PARAMETERS)
-            self.assertNotEqual(found, [])
-            for (key, look), cells in zip(found, self.rows_of(PARAMETERS), strict=True):
-                section, _, own = key.rpartition(".")
-                named = {re.sub(r"(^|\.)[xy]$", "", k.lower().rpartition(".")[0]) or "run": k
-                         for k in options if k.lower().rpartition(".")[2] == own}
-                self.assertIn(section, named)
-                of = {axis: next((k for k in options if k.lower() == f"{section}.{axis}.{own}"),
-                                 None) for axis in "xy"}
-                if any(of.values()):
-                    for axis, cell in zip(columns, cells[1:], strict=False):
-                        self.assertTrue(same(cell[0], options[of[axis.lower()]]),
-                                        f"{name} {key}, {axis}: {cell[0]}")
-                    mine = [k for k in of.values() if k]
-                else:
-                    mine = [named[section]]
-                    self.assertTrue(same(cells[1][0], options[mine[0]]),
-                                    f"{name} {key}: {cells[1][0]}")
-                differs = any("default" in keys.get(k, {}) and keys[k]["default"] != options[k]
-                              for k in mine)
-                self.assertEqual(look, "changed" if differs else "", f"{name} {key}")
+    def check_foot(self, name, run):
+        """How long each clock domain was awake."""
+        foot = self.driver.find_element("id", "foot").text
+        self.assertIn(run["event_hash"], foot)
+        for domain, count in run.get("activity", {}).items():
+            self.assertIn(f"{domain} {100 * count / run['clocks']:.3f} %", foot, name)
+
+    def check_parameters(self, name, options):
+        """Each stands in the column of its axis, marked where it is not the default."""
+        keys = self.js("return Trammel.page.keys")
+        columns = [text for text, *_ in self.rows_of("#parameters thead tr")[0]][1:-2]
+        found = self.js("return [...document.querySelectorAll(arguments[0])].map((row) => "
+                        "[row.dataset.find.split(' ')[0], row.className])", PARAMETERS)
+        self.assertNotEqual(found, [])
+        for (key, look), cells in zip(found, self.rows_of(PARAMETERS), strict=True):
+            section, _, own = key.rpartition(".")
+            named = {re.sub(r"(^|\.)[xy]$", "", k.lower().rpartition(".")[0]) or "run": k
+                     for k in options if k.lower().rpartition(".")[2] == own}
+            self.assertIn(section, named)
+            of = {axis: next((k for k in options if k.lower() == f"{section}.{axis}.{own}"),
+                             None) for axis in "xy"}
+            if any(of.values()):
+                for axis, cell in zip(columns, cells[1:], strict=False):
+                    self.assertTrue(same(cell[0], options[of[axis.lower()]]),
+                                    f"{name} {key}, {axis}: {cell[0]}")
+                mine = [k for k in of.values() if k]
+            else:
+                mine = [named[section]]
+                self.assertTrue(same(cells[1][0], options[mine[0]]),
+                                f"{name} {key}: {cells[1][0]}")
+            differs = any("default" in keys.get(k, {}) and keys[k]["default"] != options[k]
+                          for k in mine)
+            self.assertEqual(look, "changed" if differs else "", f"{name} {key}")
+
+    def check_gauges(self, judged):
+        """Each points at the value."""
+        dots = self.js("return [...document.querySelectorAll('#figures .gauge circle')].map("
+                       "(dot) => Number(dot.getAttribute('cx')))")
+        for dot, f in zip(dots, judged, strict=True):
+            off = f["value"] - f["expected"]
+            reach = max(1.7 * f["tolerance"], 1.15 * abs(off)) or 1
+            self.assertAlmostEqual(dot, 75 + 69 * math.copysign(min(1, abs(off) / reach), off),
+                                   delta=0.02, msg=f["id"])
 
     def test_parameters_are_sifted(self):
         self.open(next(iter(self.runs)))
@@ -133,19 +146,6 @@ class Tables:
             for own, (text, look, _) in zip(options, cells, strict=True):
                 self.assertTrue(same(text, own.get(key, "")), f"{key}: {text}")
                 self.assertEqual(look, "dim" if own.get(key) == options[0].get(key) else "", key)
-
-    def test_a_gauge_points_at_the_value(self):
-        for name in self.runs:
-            self.open(name)
-            judged = [f for f in self.metrics(name)["figures"] if "expected" in f]
-            dots = self.js("return [...document.querySelectorAll('#figures .gauge circle')].map("
-                           "(dot) => Number(dot.getAttribute('cx')))")
-            self.assertEqual(len(dots), len(judged), name)
-            for dot, f in zip(dots, judged, strict=True):
-                off = f["value"] - f["expected"]
-                reach = max(1.7 * f["tolerance"], 1.15 * abs(off)) or 1
-                self.assertAlmostEqual(dot, 75 + 69 * math.copysign(min(1, abs(off) / reach), off),
-                                       delta=0.02, msg=f["id"])
 
     def test_tables_of_figures_have_each_unit_once(self):
         self.open(next(iter(self.runs)))

@@ -2,7 +2,6 @@
 """What only the page of the X-Y table draws, held against the files of the run: rules, surface,
 gates, steps, Bode plots, and the errors of the precision controller."""
 
-import csv
 import json
 import math
 from itertools import pairwise
@@ -108,16 +107,52 @@ class DrawnPage:
                 drawn = sum(b[0] - a[0] for a, b in pairwise(line)
                             if a[1] == b[1] == top) / (line[-1][0] - line[0][0])
                 self.assertAlmostEqual(drawn, wanted, delta=0.004, msg=f"phase {phase}, {role}")
-        legs = [[(edge, word >> 6 * axis + phase & 1, word >> 6 * axis + 3 + phase & 1)
-                 for edge, word in gates["edges"]] for phase in range(3)]
-        dead = []
-        for leg in legs:
-            changes = [one for k, one in enumerate(leg) if k == 0 or one[1:] != leg[k - 1][1:]]
-            dead += [after[0] - one[0] for one, after in pairwise(changes)
-                     if one[1:] == (0, 0) and one[0] > gates["begin"]]
+        dead = [end - begin for begin, end in self.dead_times(gates, axis)]
         note = self.driver.find_element("css selector", "[data-plot=pwm] .note").text
         self.assertIn(f"{len(dead)} dead times", note)
         self.assertIn(f"the shortest {min(dead)} clocks = {min(dead) * 0.02:.2f} \u00b5s", note)
+
+    def test_the_dead_times_are_counted_and_the_shortest_is_told(self):
+        folder = self.folder / "circle"
+        detail = self.detail("circle")
+        gates = detail["gates"]
+        # One of the legs of each axis is off for 7 clocks longer than it was, once.
+        for axis in (0, 1):
+            spans = self.dead_times(gates, axis)
+            late = next(n for n, (edge, word) in enumerate(gates["edges"])
+                        if edge == spans[len(spans) // 2][1])
+            gates["edges"][late][0] += 7
+            gates["edges"].sort(key=lambda one: one[0])
+        changed = self.folder / "dead"
+        changed.mkdir(exist_ok=True)
+        for file in ("metrics.json", "trace.csv"):
+            (changed / file).write_bytes((folder / file).read_bytes())
+        (changed / "detail.json").write_text(json.dumps(detail), encoding="utf-8")
+        self.report("dead", page="dead.html")
+        self.open(".", "dead.html")
+        clock_us = self.metrics("circle")["run"]["clock_ps"] * 1e-6
+        card = self.driver.find_element("css selector", "[data-plot=pwm]")
+        for axis in (0, 1):
+            card.find_elements("css selector", ".segments button")[axis].click()
+            lengths = sorted(end - begin for begin, end in self.dead_times(gates, axis))
+            self.assertGreater(lengths[-1], lengths[0])
+            self.assertIn(f"{len(lengths)} dead times in the window (grey), the shortest "
+                          f"{lengths[0]} clocks = {lengths[0] * clock_us:.2f} \u00b5s.", card.text)
+
+    def dead_times(self, gates, axis):
+        """Of the legs of an axis, as [begin, end], those that lie inside the window."""
+        spans = []
+        for phase in range(3):
+            begin = None
+            for edge, word in gates["edges"]:
+                on = word >> (6 * axis + phase) & 1 or word >> (6 * axis + 3 + phase) & 1
+                if not on and begin is None:
+                    begin = edge
+                elif on and begin is not None:
+                    if begin > gates["begin"]:
+                        spans.append([begin, edge])
+                    begin = None
+        return sorted(spans)
 
     def test_a_bode_plot_has_gain_above_phase(self):
         self.open("response")
@@ -188,11 +223,7 @@ class DrawnPage:
     # ---- the precision controller ----
 
     def precision_rows(self):
-        with open(self.folder / "precision" / "precision.csv", newline="",
-                  encoding="utf-8") as file:
-            table = list(csv.DictReader(file))
-        rows = [{key: float(value) for key, value in row.items()} for row in table]
-        return rows[len(rows) - len(self.rows("precision")):]
+        return [{key: float(value) for key, value in row.items()} for row in self.precise()]
 
     def test_an_error_beside_the_path_is_drawn_on_its_side(self):
         self.open("precision")
@@ -201,9 +232,7 @@ class DrawnPage:
         factor = next(float(b.text[1:].replace("\u2009", "")) for b in card.find_elements(
             "css selector", ".segments button") if b.get_attribute("aria-pressed") == "true")
         size = (640, 560)
-        x0, x1, y0, y1 = self.js(
-            "const f = Trammel.plots.find((p) => p.id === 'contour-large').frame(arguments[0], "
-            "arguments[1]); return [f.x(0), f.x(1), f.y(0), f.y(1)]", *size)
+        x0, x1, y0, y1 = self.path_frame(*size, plot="contour-large")
         parts = [s["points"] for s in self.shapes("contour-large", *size)
                  if s["tag"] == "path" and s["stroke-width"] == "2.4"]
         drawn = parts[0][:1] + [at for part in parts for at in part[1:]]

@@ -8,9 +8,7 @@ usage: exchange_check.py PROGRAM FOLDER     PROGRAM: trammel; FOLDER: for the ru
 
 import math
 import re
-import shutil
 import sys
-import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "tests" / "support"))
@@ -30,17 +28,11 @@ def points():
                260 + 25 * math.sin(2 * math.pi * way) ** 3 + 20 * way)
 
 
-class Exchange(unittest.TestCase):
-    program, folder = None, None
-
+class Exchange(exchange.Pairs):
     @classmethod
     def setUpClass(cls):
-        shutil.rmtree(cls.folder, ignore_errors=True)
-        cls.folder.mkdir(parents=True)
-        rows = [(f"{x:.4f}", f"{y:.4f}") for x, y in points()]
-        for name, path in (("xy", rows), ("yx", [row[::-1] for row in rows])):
-            text = "".join(f"{a},{b}\n" for a, b in [("x_mm", "y_mm"), *path])
-            (cls.folder / f"{name}.csv").write_text(text)
+        super().setUpClass()
+        cls.write_both(list(points()))
         cls.keys = {key: value for key, value in exchange.keys_of(cls.program, "kung").items()
                     if not SHARED.fullmatch(key)}
         cls.defaults = {key: default for key, (default, _, _) in cls.keys.items()}
@@ -50,8 +42,6 @@ class Exchange(unittest.TestCase):
         keys that have another value each."""
         settings = {**self.defaults, **settings}
         axes = dict(of_axis).items()
-        for name in ("xy", "yx"):
-            shutil.rmtree(self.folder / name, ignore_errors=True)
         return [exchange.run(self.program, "circle", {
             "path.kind": "points", "path.points_file": self.folder / f"{name}.csv",
             "name": "both", **dict(more), **values}, self.folder / name)
@@ -116,12 +106,9 @@ class Exchange(unittest.TestCase):
 
     def test_x_turned_round_leaves_y_and_turns_x(self):
         """The path in a mirror at x = 300 mm, the middle of the stroke."""
-        rows = [(f"{600 - x:.4f}", f"{y:.4f}") for x, y in points()]
-        text = "".join(f"{a},{b}\n" for a, b in [("x_mm", "y_mm"), *rows])
-        (self.folder / "turned.csv").write_text(text)
+        self.write_points("turned", [(600 - x, y) for x, y in points()])
         traces, figures = [], []
         for name in ("xy", "turned"):
-            shutil.rmtree(self.folder / name, ignore_errors=True)
             code, said = exchange.run(self.program, "circle", {
                 "path.kind": "points", "path.points_file": self.folder / f"{name}.csv",
                 "run.settle_s": 0.2}, self.folder / name)

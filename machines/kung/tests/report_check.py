@@ -139,56 +139,10 @@ class Page(drawn_page.DrawnPage, report_pages.ReportPages):
         self.assertIn(f"{crossover:.2f}", self.driver.find_element("id", "response").text)
         self.assertEqual(browser.complaints(self.driver), [])
 
-    def test_the_dead_times_are_counted_and_the_shortest_is_told(self):
-        folder = self.folder / "circle"
-        detail = json.loads((folder / "detail.json").read_text(encoding="utf-8"))
-        gates = detail["gates"]
-        # One of the legs of each axis is off for 7 clocks longer than it was, once.
-        for axis in (0, 1):
-            spans = self.dead_times(gates, axis)
-            late = next(n for n, (edge, word) in enumerate(gates["edges"])
-                        if edge == spans[len(spans) // 2][1])
-            gates["edges"][late][0] += 7
-            gates["edges"].sort(key=lambda one: one[0])
-        changed = self.folder / "dead"
-        changed.mkdir(exist_ok=True)
-        for file in ("metrics.json", "trace.csv"):
-            (changed / file).write_bytes((folder / file).read_bytes())
-        (changed / "detail.json").write_text(json.dumps(detail), encoding="utf-8")
-        self.report("dead", page="dead.html")
-        self.open(".", "dead.html")
-        clock_us = self.metrics("circle")["run"]["clock_ps"] * 1e-6
-        card = self.driver.find_element("css selector", "[data-plot=pwm]")
-        for axis in (0, 1):
-            card.find_elements("css selector", ".segments button")[axis].click()
-            lengths = sorted(end - begin for begin, end in self.dead_times(gates, axis))
-            self.assertGreater(lengths[-1], lengths[0])
-            self.assertIn(f"{len(lengths)} dead times in the window (grey), the shortest "
-                          f"{lengths[0]} clocks = {lengths[0] * clock_us:.2f} \u00b5s.", card.text)
-
-    def dead_times(self, gates, axis):
-        """Of the legs of an axis, as [begin, end], those that lie inside the window."""
-        spans = []
-        for phase in range(3):
-            begin = None
-            for edge, word in gates["edges"]:
-                on = word >> (6 * axis + phase) & 1 or word >> (6 * axis + 3 + phase) & 1
-                if not on and begin is None:
-                    begin = edge
-                elif on and begin is not None:
-                    if begin > gates["begin"]:
-                        spans.append([begin, edge])
-                    begin = None
-        return sorted(spans)
-
     def plot(self, name, then):
         """Of the plot with that id."""
         return self.js(f"return ((p) => {then})(Trammel.plots.find((p) => p.id === arguments[0]))",
                        name)
-
-    def lines(self, name):
-        """Of a plot over time: {label: values}."""
-        return self.plot(name, "Object.fromEntries(p.series.map((s) => [s.label, [...s.data]]))")
 
     def precise(self):
         """Rows of precision.csv that the page shows."""

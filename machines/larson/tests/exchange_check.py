@@ -7,9 +7,7 @@ usage: exchange_check.py PROGRAM FOLDER     PROGRAM: trammel; FOLDER: for the ru
 """
 
 import re
-import shutil
 import sys
-import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "tests" / "support"))
@@ -31,14 +29,7 @@ def turned(line):
     return re.sub(r"^(\w+) (-?\d+) (-?\d+)$", r"\1 \3 \2", line)
 
 
-class Exchange(unittest.TestCase):
-    program, folder = None, None
-
-    @classmethod
-    def setUpClass(cls):
-        shutil.rmtree(cls.folder, ignore_errors=True)
-        cls.folder.mkdir(parents=True)
-
+class Exchange(exchange.Pairs):
     def test_records_are_exchanged(self):
         for name, lines in SCRIPTS.items():
             with self.subTest(script=name):

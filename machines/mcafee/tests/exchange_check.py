@@ -7,9 +7,7 @@ usage: exchange_check.py PROGRAM FOLDER     PROGRAM: trammel; FOLDER: for the ru
 """
 
 import math
-import shutil
 import sys
-import unittest
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "tests" / "support"))
@@ -27,17 +25,11 @@ def loop():
         yield 12 * math.cos(angle) - 12, 5 * math.sin(angle) + 2 * math.sin(angle) ** 2
 
 
-class Exchange(unittest.TestCase):
-    program, folder = None, None
-
+class Exchange(exchange.Pairs):
     @classmethod
     def setUpClass(cls):
-        shutil.rmtree(cls.folder, ignore_errors=True)
-        cls.folder.mkdir(parents=True)
-        rows = [(f"{x:.4f}", f"{y:.4f}") for x, y in loop()]
-        for name, path in (("xy", rows), ("yx", [row[::-1] for row in rows])):
-            text = "".join(f"{a},{b}\n" for a, b in [("x_mm", "y_mm"), *path])
-            (cls.folder / f"{name}.csv").write_text(text)
+        super().setUpClass()
+        cls.write_both(list(loop()))
 
     def both(self, first=(), second=()):
         """Exit codes, outcomes, traces and metrics of a run and of the exchanged one."""
