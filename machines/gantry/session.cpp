@@ -126,7 +126,7 @@ std::int64_t Session::read(std::size_t signal, int) const {
 }
 
 Sample Session::sample_at(cosim::Clk edge) const {
-  const plant::BeltAxis& axis = plant_.axis();
+  const plant::BeltAxis axis = plant_.axis().ahead(edge);  // bridges may not have switched for 1 ms
   const plant::BeltState& s = axis.state();
   Sample sample;
   sample.edge = edge;
@@ -158,8 +158,8 @@ std::optional<cosim::EndReason> Session::end_after(cosim::Clk edge) {
   if (app_.mailbox().failure != 0) {  // the way to rest is of the record
     if (!failed_s_) failed_s_ = now;
     constexpr double kAtRest = 1e-4, kLongest = 1;  // [m/s], [s]
-    const double v = plant_.axis().state().v[plant::BeltState::kCart];
-    if (std::fabs(v) < kAtRest || now > *failed_s_ + kLongest) return cosim::EndReason::kFault;
+    const bool at_rest = std::fabs(samples_.back().v) < kAtRest;
+    if (at_rest || now > *failed_s_ + kLongest) return cosim::EndReason::kFault;
   }
   if (now < options_.time_s) return {};
   return cosim::EndReason::kDone;

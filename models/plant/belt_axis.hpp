@@ -80,12 +80,13 @@ class BeltAxis {
   void open(std::size_t motor, bool open) { alive_[motor] = open ? 0 : 1; }
   void supply(double share) { supply_ = share; }
 
-  // [m] where the cart is at edge n, which is no earlier than the last one that was passed.
-  double cart(Clk n) const {
-    BeltAxis ahead = *this;
-    ahead.advance(n);
-    return ahead.s_.x[BeltState::kCart];
+  // The axis at edge n, which is no earlier than the last one that was passed; the bridges stay.
+  BeltAxis ahead(Clk n) const {
+    BeltAxis axis = *this;
+    axis.advance(n);
+    return axis;
   }
+  double cart(Clk n) const { return ahead(n).s_.x[BeltState::kCart]; }  // [m]
 
   struct Seen {
     double x = 0, v = 0;  // [m], [m/s] of the cart
@@ -95,12 +96,8 @@ class BeltAxis {
   Seen seen(Clk n) const {
     const Clk then = n - late_;
     if (then <= 0) return {c_.start, 0};
-    if (then / kStep + 1 > steps_) {
-      BeltAxis ahead = *this;
-      ahead.advance((then / kStep + 1) * kStep);
-      return ahead.seen_at(then);
-    }
-    return seen_at(then);
+    const Clk following = (then / kStep + 1) * kStep;
+    return following > steps_ * kStep ? ahead(following).seen_at(then) : seen_at(then);
   }
 
   // Kinetic and elastic energy [J].

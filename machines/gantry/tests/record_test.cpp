@@ -80,7 +80,7 @@ TEST_CASE("gantry: each sample is of the track, as the pins move it, and of the 
   for (const test::Event& event : held.events.events) {
     while (plant.next() <= event.edge) plant.commit(plant.next(), drive);  // as the loop does
     drive = event.drive;
-    if ((event.why & cosim::kDrive) != 0) plant.commit(event.edge, drive);
+    if ((event.why & (cosim::kDrive | cosim::kSample)) != 0) plant.commit(event.edge, drive);
     if ((event.why & cosim::kSample) == 0) continue;
     const Sample s = result.samples[sample];
     const Held& h = held.all[sample++];
