@@ -9,6 +9,7 @@
 #include <charconv>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 #include "lab/errors.hpp"
 #include "lab/text.hpp"
@@ -67,7 +68,7 @@ Row row_of(const std::vector<std::string>& fields, const std::string& where) {
 
 class Plot {
  public:
-  explicit Plot(const PlotSetup& setup) : setup_(setup) {
+  Plot(const PlotSetup& setup, std::string source) : setup_(setup), source_(std::move(source)) {
     add(sw::LarsonOp::kCaltbl, 0, 0, 0);
   }
 
@@ -96,7 +97,7 @@ class Plot {
       one.text += fmt::format(" {} {}", a, b);
     }
     if (calls.size() >= kMostCalls) {
-      throw ConfigError(fmt::format("more than {} calls", kMostCalls));
+      throw ConfigError(fmt::format("{}:{}: more than {} calls", source_, line, kMostCalls));
     }
     calls.push_back(one);
   }
@@ -134,6 +135,7 @@ class Plot {
   }
 
   PlotSetup setup_;
+  std::string source_;
   Row at_;
   int x_rate_ = 0, y_rate_ = 0;
 };
@@ -144,7 +146,7 @@ std::vector<Call> parse_moves(const std::string& text, const std::string& source
                               const PlotSetup& setup) {
   const std::vector<std::string> header{"x", "y", "pen"};
   constexpr const char* kMark = "\xEF\xBB\xBF";  // UTF-8, as spreadsheets begin a file
-  Plot plot(setup);
+  Plot plot(setup, source);
   std::istringstream in(text.rfind(kMark, 0) == 0 ? text.substr(3) : text);
   std::size_t number = 0, rows = 0;
   for (std::string line; std::getline(in, line);) {

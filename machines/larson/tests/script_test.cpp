@@ -127,6 +127,21 @@ TEST_CASE("a call with a value too few or too many is refused, and one beyond a 
              Catch::StartsWith("s.table:3: END takes nothing: "));
 }
 
+TEST_CASE("blocks one behind the other are as many as one likes") {
+  std::string text;
+  for (int k = 0; k < 40; ++k) text += "REPEAT 1\nREPEAT 1\nWTTBL\nEND\nEND\n";
+  CHECK(script(text).size() == 40);
+}
+
+TEST_CASE("a list of moves has at most 200000 calls, too") {
+  std::string text;  // CALTBL, VELTBL once, and two calls a move
+  for (int k = 0; k < 99'999; ++k) text += "1,0,0\n";
+  CHECK(larson::parse_moves(text, "m.csv", {}).size() == 200'000);
+  CHECK(refused_moves(text + "0,0,0\n") == "m.csv:100000: more than 200000 calls");
+  text.resize(text.size() - 6);
+  CHECK(refused_moves(text + "21,0,1\n") == "m.csv:99999: more than 200000 calls");  // one more
+}
+
 TEST_CASE("200000 calls are a script, one more is none") {
   const std::string most = "REPEAT 100000\nREPEAT 2\nWTTBL\nEND\nEND\n";
   CHECK(script(most).size() == 200'000);

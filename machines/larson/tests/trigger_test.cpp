@@ -3,6 +3,7 @@
 // What a trigger reads of a run of the machine larson: the word that it names, of its own axis.
 #include <catch2/catch.hpp>
 #include <cstdint>
+#include <exception>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -14,6 +15,7 @@
 #include "cosim/trigger_search.hpp"
 #include "machines/larson/machine.hpp"
 #include "machines/larson/session.hpp"
+#include "tests/support/message.hpp"
 #include "tests/support/scratch.hpp"
 #include "tests/support/session_run.hpp"
 
@@ -25,6 +27,29 @@ namespace {
 using Words = std::function<std::int64_t(const Sample&)>;
 
 }  // namespace
+
+TEST_CASE("larson: a trigger may name a word with what it can hold, of its own axes alone") {
+  struct Range {
+    const char* name;
+    std::int64_t high;
+    bool of_axis;
+  };
+  for (const Range& one : {Range{"count", 0xFFFF, true}, Range{"status", 0xFFFF, true},
+                           Range{"waiting", 0xFFFF, true}, Range{"call", 0xFFFFFFFF, false},
+                           Range{"switches", 15, false}}) {
+    const auto told = [&](const std::string& axis, std::int64_t value) {
+      return test::refusal_of<std::exception>([&] {
+        cosim::parse_trigger(axis + one.name + " == " + std::to_string(value), triggers());
+      });
+    };
+    CAPTURE(one.name);
+    CHECK(told("", 0) == "");
+    CHECK(told("", one.high) == "");
+    CHECK_THAT(told("", -1), Catch::Contains("is out of range"));
+    CHECK_THAT(told("", one.high + 1), Catch::Contains("is out of range"));
+    for (const char* axis : {"x.", "y."}) CHECK((told(axis, one.high) == "") == one.of_axis);
+  }
+}
 
 TEST_CASE("larson: a trigger finds the first sample whose word, of its own axis, has the value") {
   const test::Scratch scratch("larson_trigger");
