@@ -130,6 +130,18 @@ class Prompt(unittest.TestCase):
             self.assertEqual((done.returncode, done.stdout, done.stderr),
                              (0, "RDRP    00000000h  0 counts\n", ""))
 
+    def test_a_note_and_why_a_script_ended_are_told_beside_its_answers(self):
+        self.type("quit\r")
+        self.assertEqual(self.ended(), 0)
+        done = subprocess.run([self.program, "lm628"], input="stt\nrdrp\nwait index 1 ms\nrdrp\n",
+                              text=True, capture_output=True, check=False, timeout=LIMIT_S)
+        self.assertEqual((done.returncode, done.stdout), (5, "RDRP    00000000h  0 counts\n"))
+        notes = done.stderr.splitlines()
+        self.assertEqual(len(notes), 2, notes)
+        self.assertEqual(notes[0], "trammel: standard input:1: STT: the motor gets nothing before "
+                                   "PORT12")
+        self.assertIn("standard input:3: wait index 1 ms: not within 0.001 s; status ", notes[1])
+
     def test_an_answer_of_a_script_comes_when_it_is_given_not_when_the_script_ends(self):
         self.type("quit\r")
         self.assertEqual(self.ended(), 0)

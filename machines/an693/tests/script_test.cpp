@@ -63,6 +63,11 @@ TEST_CASE("numbers are decimal or hexadecimal, and of a signed width a pattern t
   CHECK(words("SBPA FFFFFFF6h") == Words{0xFFFF, 0xFFF6});
   CHECK(words("SBPA 0x3fffffff") == Words{0x3FFF, 0xFFFF});
   CHECK(words("SBPA C0000000h") == Words{0xC000, 0});
+  CHECK(words("SBPR 1073741823") == Words{0x3FFF, 0xFFFF});
+  CHECK(words("SBPR -1073741824") == Words{0xC000, 0});
+  CHECK_THAT(refusal("SBPR 1073741824"), Contains("SBPR: distance: 1073741824 is out of range"));
+  CHECK_THAT(refusal("SBPR -1073741825"), Contains("is out of range"));
+  CHECK_THAT(refusal("SBPA -1073741825"), Contains("is out of range"));
   CHECK_THAT(refusal("SBPA 80000001h"), Contains("move.lm628:1: SBPA: position: 80000001h is out"));
   CHECK_THAT(refusal("SBPA 40000000h"), Contains("-1073741824..1073741823 (C0000000h..3FFFFFFFh)"));
   for (const char* word : {"12a", "h", "0x", "-", "1.5", "--1", "99999999999999999999x"}) {
@@ -102,6 +107,11 @@ TEST_CASE("LTRJ takes what its control word asks for; relative values may be neg
   CHECK_THAT(refusal("LTRJ 0100h 5"), Contains("asks for nothing: 0 values, not 1"));
   CHECK_THAT(refusal("LTRJ 0008h 40000000h"),
              Contains("velocity: 40000000h is out of range 0..1073741823 (3FFFFFFFh)"));
+  CHECK_THAT(refusal("LTRJ 000Ch"),
+             Contains("asks for velocity -1073741823..1073741823 (C0000001h"));
+  CHECK_THAT(refusal("LTRJ 0030h"), Contains("asks for acceleration -1073741823..1073741823 ("));
+  CHECK_THAT(refusal("LTRJ 0028h"),
+             Contains("acceleration 0..1073741823 (3FFFFFFFh), velocity 0.."));
   CHECK_THAT(refusal("LTRJ 0028h -1 1"), Contains("acceleration: -1 is out of range"));
 }
 
@@ -131,6 +141,7 @@ TEST_CASE("a wait takes a time, or an event with a time limit") {
   CHECK(parsed("wait 100 samples").choice.empty());
   CHECK(parsed("WAIT HI").choice == "hi");
   CHECK(parsed("wait hi").seconds == kLongestWait);
+  CHECK(parsed("wait hi").samples == 0);
   CHECK(parsed("wait complete 2 s").choice == "complete");
   CHECK(parsed("wait Breakpoint").choice == "breakpoint");
   CHECK(parsed("wait index 20 ms").choice == "index");
@@ -196,9 +207,22 @@ TEST_CASE("a load is one number in N m") {
   for (const char* bad : {"torque", "torque x", "torque 1 2", "torque 0.1Nm", "torque nan"}) {
     CHECK_THAT(refusal(bad), Contains("torque: expects one number in N m, -10 to 10, as 0.01"));
   }
+  CHECK_THAT(refusal("torque 0.1Nm"), Catch::EndsWith("as 0.01, not 0.1Nm"));
   CHECK(refusal("torque 10.1") == "move.lm628:1: torque: 10.1 is out of range -10..10 N m");
   CHECK_THAT(refusal("torque -inf"), Contains("-inf is out of range"));
   CHECK_THAT(refusal("torque 1e999"), Contains("1e999 is out of range"));
+}
+
+// SNVS781C, tables of the commands.
+TEST_CASE("help tells of each command its code in the data sheet") {
+  const std::string all = "\n" + help_text(nullptr);
+  for (const char* line :
+       {"00h  RESET", "05h  PORT8", "06h  PORT12", "02h  DFH", "03h  SIP", "1Bh  LPEI", "1Ah  LPES",
+        "20h  SBPA", "21h  SBPR", "1Ch  MSKI", "1Dh  RSTI", "1Eh  LFIL", "04h  UDF", "1Fh  LTRJ",
+        "01h  STT", "     RDSTAT", "0Ch  RDSIGS", "09h  RDIP", "08h  RDDP", "0Ah  RDRP",
+        "07h  RDDV", "0Bh  RDRV", "0Dh  RDSUM"}) {
+    CHECK_THAT(all, Contains(std::string("\n") + line + " "));
+  }
 }
 
 TEST_CASE("help tells of all words, or of one") {

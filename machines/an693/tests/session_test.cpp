@@ -96,6 +96,7 @@ TEST_CASE("an693: what became of a fault is told from its clocks, currents and c
     CAPTURE(run.result.fault, report.by);
     REQUIRE(run.result.end == cosim::EndReason::kFault);
     CHECK(report.by == "the part reported a position error");
+    CHECK(run.result.fault == report.by);
     CHECK(report.begin == 4'500'000);
     CHECK(report.unit == "counts");
     double peak_A = 0, off_at = 0, end_at = 0;
@@ -136,6 +137,28 @@ TEST_CASE("an693: progress is the share of the time that the trajectory and the 
       const auto full = std::count(told.begin(), told.end(), 1.0);
       CHECK(full <= 3);  // it does not stand at the end
     }
+  }
+}
+
+TEST_CASE("an693: progress ends near its end, too, where ramps take all of the time") {
+  for (const auto program : {An693Program::kAbsolute, An693Program::kBreakpoints}) {
+    Options options = quick(program, 3000);
+    options.acceleration = 0x80;
+    options.velocity = program == An693Program::kAbsolute ? 0x3FFFFFFF : 0x20000;
+    options.breakpoint = 4000;
+    options.wait_s = 1e-3;
+    double told = 0;
+    int full = 0;
+    cosim::Hooks hooks;
+    hooks.progress = [&](double share) {
+      told = share;
+      full += share == 1 ? 1 : 0;
+    };
+    const Result result = simulate(options, hooks);
+    CAPTURE(static_cast<int>(program), lab::seconds_of(result.clocks), result.fault);
+    REQUIRE(result.samples.size() > 2000);
+    CHECK(told > 0.97);  // told each 64 samples
+    CHECK(full <= 2);  // reset and commands are no part of it
   }
 }
 
