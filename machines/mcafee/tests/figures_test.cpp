@@ -5,6 +5,7 @@
 #include "machines/mcafee/machine.hpp"
 
 #include <catch2/catch.hpp>
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <string>
@@ -188,6 +189,8 @@ TEST_CASE_METHOD(Runs,
   const auto detail = nlohmann::json::parse(content(folder / "detail.json"));
   CHECK(detail["contours"].size() == 3);
   CHECK_THAT(content(folder / "contours.csv"), Contains("\n0.00000,0,0,0\n0.00034,0.25,"));
+  const std::string contours = content(folder / "contours.csv");
+  CHECK(std::count(contours.begin(), contours.end(), '\n') == 1 + 3);
   CHECK(detail["contours"][1]["mm"] == nlohmann::json({0.0, 0.25, 0.1}));
   CHECK(detail["rows"].size() == 463);
   CHECK(detail["rows"][0] == nlohmann::json({0, 0, 255, 0, 100, 0}));
@@ -212,6 +215,16 @@ TEST_CASE_METHOD(Runs,
   other = detail;
   other["contours"][2].erase("mm");
   refused(other.dump());
+  for (const auto& wrong : {nlohmann::json({{"name", "a"}, {"mm", {"far"}}}),
+                            nlohmann::json({{"name", "a"}, {"mm", 1}}),
+                            nlohmann::json({{"name", 1}, {"mm", {0.5}}}),
+                            nlohmann::json({{"mm", {0.5}}}), nlohmann::json({0.5}),
+                            nlohmann::json(0.5)}) {
+    CAPTURE(wrong.dump());
+    other = detail;
+    other["contours"][2] = wrong;
+    refused(other.dump());
+  }
   other = detail;
   other.erase("contour_step_s");
   refused(other.dump());

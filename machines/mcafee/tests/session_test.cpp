@@ -174,6 +174,16 @@ void check_report(const Options& options, bool into_switch = false) {
       off_at = end_at;
     }
   });
+  // It is recorded until it stands, but for two samples and for no longer than 2000.
+  int since = 0;
+  for (const Sample& s : run.result.samples) {
+    if (s.edge < report.detected) continue;
+    const bool last = s.edge == run.result.samples.back().edge;
+    const bool stands = std::hypot(s.axis[0].mm_s, s.axis[1].mm_s) < 0.1;
+    INFO("sample " << since << " behind the failure, the last one: " << last);
+    if (++since > 2 && since <= 2000) CHECK(stands == last);
+  }
+  CHECK(since > 2);
   CHECK(report.off == off);
   CHECK(report.peak_A == Approx(peak_A));
   CHECK(report.at_stop == at_stop);

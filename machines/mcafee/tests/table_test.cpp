@@ -310,6 +310,44 @@ TEST_CASE("an impossible row is refused with its number and the range") {
                     "path.radius_mm: value 31 is out of range 0..30 at path.side_mm = 60");
 }
 
+TEST_CASE("a row of 127 counts is the longest, in each axis and sense") {
+  for (const double most : {127.0, 128.0}) {
+    PathOptions o = shape(PathKind::kCorner, 20 * most * kCountMm, 0);
+    o.row_mm = most * kCountMm;
+    CAPTURE(most);
+    if (most > 127) {
+      CHECK_THROWS_WITH(table_of(o), Catch::Contains("increments 128, 0 are out of range"));
+      continue;
+    }
+    const Table table = table_of(o);
+    REQUIRE(table.rows.size() == 40);
+    for (std::size_t k = 0; k < 40; ++k) {
+      CHECK(table.rows[k].dx == (k < 20 ? 127 : 0));
+      CHECK(table.rows[k].dy == (k < 20 ? 0 : 127));
+    }
+  }
+}
+
+TEST_CASE("each shape begins along X, the circle along Y, and turns to the left") {
+  for (const PathKind kind :
+       {PathKind::kSquare, PathKind::kStar, PathKind::kCorner, PathKind::kCircle}) {
+    const Path path(shape(kind, 100, kind == PathKind::kCircle ? 20 : 3));
+    const PointMm first = path.at(1) - path.at(0);
+    CAPTURE(static_cast<int>(kind), first.real(), first.imag());
+    CHECK(std::arg(first) == Approx(kind == PathKind::kCircle ? plant::kPi / 2 + 0.025 : 0)
+                                 .margin(1e-9));
+    double turned = 0;
+    for (double s = 1; s + 1 <= path.length(); ++s) {
+      const PointMm was = path.at(s) - path.at(s - 1), is = path.at(s + 1) - path.at(s);
+      turned += std::arg(is * std::conj(was));
+      CHECK(std::arg(is * std::conj(was)) > -1e-6);
+    }
+    // In whole turns of their ends, but for the last mm: a star goes round twice.
+    const double turns = kind == PathKind::kCorner ? 0.25 : kind == PathKind::kStar ? 2 : 1;
+    CHECK(turned / (2 * plant::kPi) == Approx(turns).margin(0.02));
+  }
+}
+
 TEST_CASE("the table is written with one line per row") {
   Table table;
   table.rows = {{1, 2, 255, 4, 99, -5}};
