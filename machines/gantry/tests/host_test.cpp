@@ -4,6 +4,8 @@
 // and what of the thesis stands beside a step.
 #include <catch2/catch.hpp>
 #include <cstdint>
+#include <filesystem>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -58,11 +60,30 @@ TEST_CASE("gantry host: what cannot be sent is refused in a line with the word a
     const char* const words = text;
     const std::string told = test::refusal_of([&] { read_sends(words); });
     CAPTURE(text, told);
-    CHECK_THAT(told, Catch::StartsWith("host.sends: "));
+    const std::string all = text;
+    const std::string word = all.substr(all.rfind(' ') + 1);
+    CHECK_THAT(told, Catch::StartsWith("host.sends: \"" + word + "\": "));
     CHECK_THAT(told, Catch::Contains(why));
     CHECK_THAT(told, Catch::Contains("permitted: "));
     CHECK_THAT(told, !Catch::Contains("\n"));
   }
+}
+
+TEST_CASE("gantry host: a port has bytes only when some came, and leaves no file open") {
+  namespace fs = std::filesystem;
+  const auto open = [] {
+    const fs::directory_iterator files("/proc/self/fd");
+    return std::distance(begin(files), end(files));
+  };
+  const auto before = open();
+  {
+    PseudoTerminal port(20'000);
+    CHECK(open() == before + 2);
+    CHECK_FALSE(port.next(0));
+    port.take(0x31);  // which nobody reads
+    CHECK_FALSE(port.next(1));
+  }
+  CHECK(open() == before);
 }
 
 TEST_CASE("gantry host: bytes of a line are read from its edges, and none without a stop bit") {

@@ -44,6 +44,32 @@ TEST_CASE("gantry: a run with a fault tells whether the cart came to a stop, at 
   }
 }
 
+TEST_CASE("gantry: an open motor pulls no more, the other one does, until it is closed") {
+  for (const std::size_t dead : {std::size_t{0}, std::size_t{1}}) {
+    TrackPlant plant({}, {}, {}, false);
+    const cosim::Lines drive =
+        cosim::Lines{1} << kTx | cosim::Lines{1} << pwm(0) | cosim::Lines{1} << pwm(1);
+    const auto go = [&](cosim::Clk end) {
+      while (plant.next() < end) plant.commit(plant.next(), drive);
+      plant.commit(end, drive);
+    };
+    const auto& force = plant.axis().state().force;
+    plant.commit(1, drive);
+    plant.open_phase(1, static_cast<int>(dead), 0, true);
+    go(500'000);  // 20 time constants
+    CAPTURE(dead);
+    CHECK(force[dead] == Approx(0).margin(1));
+    CHECK(force[1 - dead] == Approx(-1023).margin(1));
+    plant.open_phase(500'000, static_cast<int>(dead), 0, false);
+    go(1'000'000);
+    CHECK(force[dead] == Approx(-1023).margin(1));
+    plant.supply(1'000'000, 0.25);
+    go(1'500'000);
+    CHECK(force[0] == Approx(-1023 * 0.25).margin(1));
+    CHECK(force[1] == Approx(-1023 * 0.25).margin(1));
+  }
+}
+
 TEST_CASE("gantry: the current is that of both motors, pull they together or apart") {
   for (const int first : {-1, 0, 1}) {
     for (const int second : {-1, 0, 1}) {
