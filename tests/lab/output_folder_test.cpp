@@ -3,10 +3,19 @@
 // How the folder of a run comes to its place; whole programs do it in tests/system/files_test.py.
 #include "lab/output_folder.hpp"
 
+#include <fcntl.h>
+#include <linux/capability.h>
+#include <sys/inotify.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 #include <string>
+#include <utility>
 
 #include "lab/files.hpp"
 #include "tests/support/files.hpp"
@@ -31,6 +40,20 @@ void publish(const fs::path& target, const std::string& name, const std::string&
   folder.publish();
 }
 
+// What an act gives in a process that files' rights bind, also where it is root's.
+bool without_capabilities(const std::function<bool()>& act) {
+  const pid_t child = fork();
+  if (child == 0) {
+    __user_cap_header_struct head{_LINUX_CAPABILITY_VERSION_3, 0};
+    __user_cap_data_struct none[2]{};
+    const bool bound = syscall(SYS_capset, &head, none) == 0;
+    _exit(bound && act() ? 0 : 1);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
 // A scratch folder of a run to `target` that was killed.
 fs::path left(const fs::path& target, const std::string& suffix) {
   const std::string name = ".a.trammel-" + suffix;
@@ -51,6 +74,40 @@ TEST_CASE("a folder is there when it is published, and nothing is left of one th
   CHECK(test::entries(target) == 2);  // with run.json
   CHECK(test::entries(here.path) == 1);
   CHECK_NOTHROW(lab::check_whole(target));
+}
+
+TEST_CASE("a slash behind the name of a folder means nothing, whether it is there or not") {
+  const test::Scratch here("output_folder_out");
+  for (const char* const text : {"first", "second"}) {
+    publish(here.path / "a/", "trace.csv", text);
+    CHECK(test::content(here.path / "a" / "trace.csv") == text);
+    CHECK(test::entries(here.path / "a") == 2);
+    CHECK(test::entries(here.path) == 1);
+  }
+  publish(here.path / "b/c/../d/", "trace.csv", "deep");
+  CHECK(test::content(here.path / "b" / "d" / "trace.csv") == "deep");
+  CHECK(test::entries(here.path / "b") == 1);
+}
+
+TEST_CASE("a folder without the right to write is refused ahead of the run") {
+  const test::Scratch here("output_folder_out");
+  const fs::path target = here.path / "a";
+  publish(target, "trace.csv", "first");
+  for (const fs::perms rights : {fs::perms::owner_read | fs::perms::owner_exec,
+                                 fs::perms::owner_write | fs::perms::owner_exec,
+                                 fs::perms::owner_read | fs::perms::owner_write}) {
+    fs::permissions(target, rights);
+    const bool refused = without_capabilities([&] {
+      return test::refusal_of([&] { const OutputFolder folder(target); }) ==
+             target.string() + ": --out: cannot be written: Permission denied";
+    });
+    INFO("rights " << static_cast<unsigned>(rights));
+    CHECK(refused);
+  }
+  fs::permissions(target, fs::perms::owner_all);
+  CHECK(without_capabilities([&] {
+    return test::refusal_of([&] { const OutputFolder folder(target); }).empty();
+  }));
 }
 
 TEST_CASE("a run's folder has the rights of any other new folder") {
@@ -85,13 +142,19 @@ TEST_CASE("a second run replaces what the first wrote and carries over what it d
 TEST_CASE("a folder that is no run's is refused before the run and when it is published") {
   const test::Scratch here("output_folder_out");
   put(here.path / "mine" / "notes.txt", "mine");
-  put(here.path / "odd" / "run.json", "[]");
+  const std::pair<const char*, const char*> odd[] = {
+      {"list", "[]"}, {"no-list", "{\"trammel\": \"1\"}"}, {"no-name", "{\"files\": {}}"},
+      {"no-files", "{\"trammel\": \"1\", \"files\": []}"}};
+  for (const auto& [name, text] : odd) put(here.path / name / "run.json", text);
   put(here.path / "file", "mine");
   const auto refusal = [&](const fs::path& target) {
     return test::refusal_of([&] { const OutputFolder folder(target); });
   };
   CHECK_THAT(refusal(here.path / "mine"), Contains("holds no run"));
-  CHECK_THAT(refusal(here.path / "odd"), Contains("holds no run"));
+  for (const auto& [name, text] : odd) {
+    CAPTURE(text);
+    CHECK_THAT(refusal(here.path / name), Contains("holds no run"));
+  }
   CHECK_THAT(refusal(here.path / "file"), Contains("is not a folder"));
   CHECK_THAT(refusal(here.path / "file" / "below"), Contains("cannot be written"));
   CHECK_THAT(refusal(fs::current_path()), Contains("current folder"));
@@ -267,6 +330,36 @@ TEST_CASE("a change of one byte anywhere in a long file is seen") {
   }
   put(target / "trace.csv", whole);
   CHECK_NOTHROW(lab::check_whole(target));
+}
+
+TEST_CASE("where a file system can, a page has no name before it is whole") {
+  const test::Scratch here("output_folder_out");
+  const int probe = open(here.path.c_str(), O_TMPFILE | O_WRONLY, 0600);
+  if (probe < 0) {
+    WARN("this file system has no files without a name");
+    return;
+  }
+  close(probe);
+  const int watch = inotify_init1(IN_NONBLOCK);
+  REQUIRE(watch >= 0);
+  REQUIRE(inotify_add_watch(watch, here.path.c_str(), IN_CREATE | IN_MODIFY | IN_MOVED_TO) >= 0);
+  lab::replace_file(here.path / "page.html", std::string(100'000, 'x'));
+  alignas(inotify_event) char block[4096];
+  const ssize_t size = read(watch, block, sizeof block);
+  close(watch);
+  std::size_t created = 0, moved = 0;
+  for (ssize_t at = 0; at < size;) {
+    const auto& event = *reinterpret_cast<const inotify_event*>(block + at);
+    const std::string name = event.len > 0 ? event.name : "";
+    INFO("event of " << name);
+    if ((event.mask & IN_CREATE) != 0) ++created;
+    if ((event.mask & IN_MOVED_TO) != 0 && name == "page.html") ++moved;
+    CHECK_FALSE(((event.mask & IN_MODIFY) != 0 && name.rfind("page.html", 0) == 0));
+    at += static_cast<ssize_t>(sizeof event + event.len);
+  }
+  CHECK(created == 1);
+  CHECK(moved == 1);
+  CHECK(test::content(here.path / "page.html") == std::string(100'000, 'x'));
 }
 
 TEST_CASE("a page replaces a regular file, through a file that did not exist") {

@@ -60,6 +60,7 @@ TEST_CASE("a comparison that is stopped ends the run as interrupted, and is not 
 }
 
 TEST_CASE("figures of a companion are printed unless its machine compares them by itself") {
+  CHECK(lab::Companion{"other", nullptr}.printed);
   each_compared([](const lab::Settings& settings, const auto&) {
     std::size_t runs = 0;
     const lab::Record record = short_record(settings, EndReason::kDone, EndReason::kDone, runs);

@@ -42,6 +42,19 @@ TEST_CASE("a tone through a first-order filter gives the filter's gain at that f
   }
 }
 
+TEST_CASE("a tone's sum turns back by a part of its period for each value before") {
+  for (const std::size_t period : {4u, 25u}) {
+    for (std::size_t at = 0; at < 2 * period; ++at) {  // of an impulse there
+      ToneSum tone(period);
+      for (std::size_t k = 0; k < 2 * period; ++k) tone.add(k == at ? 3 : 0);
+      const double turn = 2 * kPi * static_cast<double>(at) / static_cast<double>(period);
+      CAPTURE(period, at);
+      CHECK(std::abs(tone.sum() - std::complex<double>(3 * std::cos(turn), -3 * std::sin(turn))) <
+            1e-12);
+    }
+  }
+}
+
 TEST_CASE("an integrating loop has its bandwidth at its crossover and 90 degrees of margin") {
   const Margins m = margins(closed_of([](auto s) { return 2 * kPi * 50 / s; }));
   REQUIRE(m.bandwidth_hz);

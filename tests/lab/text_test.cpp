@@ -92,6 +92,7 @@ TEST_CASE("a time has the unit that suits it, and as many digits as asked for") 
   CHECK(time_text(1) == "1 s");
   CHECK(time_text(-2.4) == "-2.4 s");
   CHECK(time_text(2.4) == "2.4 s");
+  CHECK(time_text(1.00000002) == "1.00000002 s");  // a clock behind a second
   CHECK(time_text(0.0018) == "1.8 ms");
   CHECK(time_text(-1e-3) == "-1 ms");
   CHECK(time_text(1.6e-7) == "0.16 us");

@@ -269,7 +269,7 @@ TEST_CASE("a VCD is told by its own size, and refused where no program makes it"
   }
 }
 
-TEST_CASE("a program that ends badly has made no VCD, whatever it wrote") {
+TEST_CASE("a program has made no VCD that ends badly, whatever it wrote, or writes nothing") {
   const Scratch scratch;
   const test::Variable path("PATH", scratch.path.c_str());
   const fs::path fst = scratch.path / "a.fst", vcd = scratch.path / "a.vcd";
@@ -284,6 +284,10 @@ TEST_CASE("a program that ends badly has made no VCD, whatever it wrote") {
     CHECK(fs::exists(vcd) == good);
   }
   CHECK(content(vcd) == "-f " + fst.string() + '\n');
+  std::ofstream(fst) << "waves";
+  std::ofstream(scratch.path / "fst2vcd") << "#!/bin/sh\n";
+  CHECK_FALSE(fst_to_vcd(fst, vcd));
+  CHECK((fs::exists(fst) && !fs::exists(vcd)));
 }
 
 TEST_CASE("windows are told by the first and the last, and listed up to a hundred") {

@@ -131,6 +131,15 @@ class Signals(Case):
             shutil.rmtree(self.folder / "tools")
         self.nothing_else("run", "whole")
 
+    def test_a_second_signal_ends_the_program_at_once(self):
+        sent = "kill -s INT $PPID; sleep 0.3; kill -s INT $PPID; sleep 0.3"
+        done = self.run_to("run", env=self.own_tool("gnuplot", sent))
+        self.assertEqual(done.returncode, -signal.SIGINT, done.stderr)
+        self.assertFalse((self.folder / "run").exists())
+        shutil.rmtree(self.folder / "tools")
+        self.good(self.run_to("run"))
+        self.nothing_else("run")
+
     def test_a_gnuplot_that_fails_is_told_as_such(self):
         done = self.run_to("run", env=self.own_tool("gnuplot", "exit 1"))
         self.assertEqual((done.returncode, done.stderr),

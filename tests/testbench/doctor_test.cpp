@@ -11,6 +11,7 @@
 #include <string>
 
 #include "lab/scenarios.hpp"
+#include "lab/write.hpp"
 #include "testbench/run.hpp"
 #include "tests/support/scratch.hpp"
 #include "tests/support/told.hpp"
@@ -26,6 +27,11 @@ TEST_CASE("the doctor exits with 3 for each program that is missing, and names i
   CHECK(code == 3);
   const auto tools = nlohmann::json::parse(told)["tools"];
   REQUIRE(tools.size() >= 3);
+  CHECK(nlohmann::json::parse(told)["scenarios"] == lab::scenarios().size());
+  const auto versions = lab::versions_json();
+  for (const auto& [name, version] : versions.items()) {
+    CHECK(nlohmann::json::parse(told)[name] == version.get<std::string>());
+  }
   for (const auto& [name, where] : tools.items()) CHECK(where == "");
 
   setenv("PATH", scratch.path.c_str(), 1);

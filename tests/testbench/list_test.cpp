@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "cosim/trigger.hpp"
 #include "lab/machine.hpp"
@@ -62,7 +63,37 @@ TEST_CASE("each key, column and scenario is listed with what belongs to it") {
     CHECK(one["machine"] == settings->machine().name);
     CHECK(one["description"] == settings->description);
   }
+  CHECK(listed("columns", "", true) == listed("columns", lab::machines().front()->name, true));
   CHECK(listed("keys", "", true) == listed("keys", lab::machines().front()->name, true));
+}
+
+TEST_CASE("what a list tells a program it tells people too, in a line each and in its order") {
+  const auto check = [](const std::string& topic, const std::string& machine,
+                        const std::vector<std::string>& members, bool two_lines = false) {
+    CAPTURE(topic, machine);
+    std::istringstream lines(listed(topic, machine, false));
+    for (const auto& one : nlohmann::json::parse(listed(topic, machine, true))) {
+      std::string line, more;
+      REQUIRE(std::getline(lines, line));
+      if (two_lines && std::getline(lines, more)) line += ' ' + more;
+      std::size_t at = 0;
+      for (const std::string& member : members) {
+        const std::string text = one[member];
+        CAPTURE(line, text);
+        CHECK((member != members.front() || line.rfind(text, 0) == 0));
+        at = line.find(text, at);
+        REQUIRE(at != std::string::npos);
+        at += text.size();
+      }
+    }
+    std::string more;
+    CHECK_FALSE(std::getline(lines, more));
+  };
+  check("scenarios", "", {"name", "description"});
+  check("machines", "", {"name", "title", "source"}, true);
+  for (const lab::Machine* const machine : lab::machines()) {
+    check("columns", machine->name, {"column", "unit", "help"});
+  }
 }
 
 TEST_CASE("signals are those of the machine that is named, or of all") {

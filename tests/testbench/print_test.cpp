@@ -135,9 +135,53 @@ TEST_CASE("experiments print a document each, under their own names, or their ta
   CHECK(text.find("report: ") == std::string::npos);
 }
 
+TEST_CASE("a page of experiments that cannot be made is told, and makes the exit code 2") {
+  const Scratch scratch;
+  fs::create_directories(scratch.path / "index.html");
+  Arguments arguments = arguments_for("", scratch.path);
+  arguments.all = true;
+  for (const EndReason end : {EndReason::kDone, EndReason::kPromise}) {
+    int code = 0;
+    std::string printed;
+    const std::string told = test::told([&] {
+      printed = test::printed([&] { code = test::run(arguments, ending(end)); });
+    });
+    CHECK(code == (end == EndReason::kDone ? 2 : 4));
+    CHECK_THAT(told, Contains("no report: ") && Contains("index.html") &&
+                         Contains("; the results are kept"));
+    CHECK(printed.find("report: ") == std::string::npos);
+    CHECK(fs::exists(scratch.path / first().experiments.back().name / "report.html"));
+  }
+}
+
+TEST_CASE("experiments that are interrupted before the next one exit with 130 and begin none") {
+  const Scratch scratch;
+  Arguments arguments = arguments_for("", scratch.path);
+  arguments.all = true;
+  arguments.report = false;
+  for (const std::size_t most : {0u, 2u}) {
+    std::size_t runs = 0;
+    std::atomic<bool> stop{most == 0};
+    const Simulate simulate = [&](const lab::Settings& settings, const cosim::Hooks&) {
+      if (++runs == most) stop = true;
+      return test::short_run(settings, EndReason::kDone);
+    };
+    int code = 0;
+    test::told([&] { test::printed([&] { code = run(arguments, stop, simulate); }); });
+    CHECK(code == 130);
+    CHECK(runs == most);
+    CHECK(test::entries(scratch.path) == most);
+  }
+}
+
 TEST_CASE("a port for another program is offered by machines that have one, below other keys") {
   const Scratch scratch;
   std::size_t with_port = 0;
+  std::vector<std::string> names;  // of machines with a line that others can speak on
+  for (const lab::Machine* const machine : lab::machines()) {
+    const auto keys = lab::find_keys(machine->keys(), "host.serial");
+    if (!keys.empty()) names.push_back(machine->name);
+  }
   for (const lab::Machine* const machine : lab::machines()) {
     CAPTURE(machine->name);
     const fs::path scenario = lab::find_scenario(test::scenario_of(*machine));
@@ -145,7 +189,9 @@ TEST_CASE("a port for another program is offered by machines that have one, belo
     arguments.live = true;
     if (machine->live.empty()) {
       CHECK_THROWS_WITH(layered(scenario, arguments),
-                        Catch::StartsWith("--serial: the machine " + machine->name + " has no "));
+                        "--serial: the machine " + machine->name + " has no port for another "
+                        "program; permitted: scenarios of " + fmt::format("{}", fmt::join(names,
+                                                                                          ", ")));
       continue;
     }
     ++with_port;
