@@ -68,7 +68,9 @@ void bind_stepped(nb::module_& module) {
           "finish",
           [](Stepped& self, bool early) {
             self.finish(early);
-            while (!self.over()) wait(self);
+            do {
+              wait(self);  // of a run that has failed it raises why, each time
+            } while (!self.over());
             return Finished{self.record()};
           },
           nb::arg("early"))

@@ -6,6 +6,7 @@ import contextlib
 import errno
 import io
 import os
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -67,14 +68,17 @@ class Workers(Scratch):
         self.assertEqual(work.one("circle", "twin", {}, {"run.audit": True})["end"], "refused")
 
     def rows(self, chunk, count=40, workers=1, there=1):
-        """Rows by a client that makes each chunk at once, and how long the chunks were."""
+        """Rows by a client that makes each chunk at once, and how long the chunks were; `ahead`:
+        how many of them were on their way at most."""
         sent, taken = [], []
+        self.ahead = 0
 
         class Ended:
             add, __next__ = staticmethod(sent.append), lambda self: sent.pop(0)
 
         def submit(_, parts, runs, empty, pure, retries):
             taken.append(len(runs))
+            self.ahead = max(self.ahead, len(sent) + 1)
             self.assertEqual((pure, retries), (False, 2))
             return mock.Mock(result=lambda: chunk(parts, runs, empty))
 
@@ -96,6 +100,40 @@ class Workers(Scratch):
             self.assertEqual(taken, wanted, each_s)
         _, taken = self.rows(lambda parts, runs, empty: ([], 1e-9), 20000)
         self.assertEqual(max(taken), cluster.MOST_CHUNK)
+
+    def test_each_worker_has_work_before_it_those_that_come_later_too(self):
+        def slow(parts, runs, empty):
+            return work.chunk(parts, runs, empty)[0], 5.0 * len(runs)
+
+        for workers, there, most in ((1, 1, 3), (2, 2, 6), (2, 1, 6), (1, 4, 12)):
+            made, _ = self.rows(slow, 60, workers, there)
+            self.assertEqual(sorted(row["run"] for row in made), list(range(60)))
+            self.assertEqual(self.ahead, most, (workers, there))
+
+    def test_the_first_worker_is_waited_for(self):
+        def waited(after, said=()):
+            """Calls until a worker has come `after` so many seconds, with a limit of 5 s."""
+            now, asked = [100.0], []
+
+            def wait_for_workers(count, timeout):
+                self.assertEqual(count, 1)
+                asked.append(timeout)
+                now[0] += timeout
+                if now[0] < 100 + after:
+                    raise TimeoutError("of Dask")
+
+            found = SimpleNamespace(wait_for_workers=wait_for_workers)
+            with mock.patch.object(cluster.time, "monotonic", lambda: now[0]):
+                cluster._wait(found, 5.0, list(said))
+            return asked
+
+        self.assertEqual(waited(0.5), [1])
+        self.assertEqual(waited(3), [1, 1, 1])
+        self.assertEqual(waited(1, ["not asked for"]), [1])
+        with self.assertRaisesRegex(TimeoutError, "^none has come; jobs"):
+            waited(60)
+        with self.assertRaisesRegex(sweep.PlanError, "^no such queue$"):
+            waited(60, ["no such queue", "more"])
 
     def test_runs_that_are_lost_have_a_row_each(self):
         def lost(parts, runs, empty):
@@ -255,6 +293,17 @@ class Verb(Scratch):
         self.assertEqual(self.swept("--count", count=10**7 + 1)[:2], (0, "10000001\n"))
         with self.assertRaisesRegex(sweep.PlanError, "10000001 runs, more than 10000000; --yes"):
             self.swept(count=10**7 + 1)
+
+    def test_the_verbs_of_the_package(self):
+        for words, code, said in (([], 2, "usage: python -m trammel sweep PLAN.toml, or tune"),
+                                  (["swap"], 2, "usage: python -m trammel sweep PLAN.toml, or"),
+                                  (["sweep"], 2, "sweep: .*PLAN.toml; see trammel sweep --help$"),
+                                  (["tune"], 2, "tune: .*STUDY.toml; see trammel tune --help$")):
+            done = subprocess.run([sys.executable, "-m", "trammel", *words], capture_output=True,
+                                  text=True, check=False)
+            self.assertEqual((done.returncode, done.stdout), (code, ""), words)
+            self.assertRegex(done.stderr, f"^{said}")
+            self.assertEqual(done.stderr.count("\n"), 1, done.stderr)
 
     def test_options_are_not_cut_short(self):
         with self.assertRaises(SystemExit) as told, contextlib.redirect_stderr(io.StringIO()):

@@ -367,6 +367,7 @@ class Shapes(unittest.TestCase):
             text = Path(scratch, "both.html").read_text()
             hashes = [text.index(one.event_hash) for one in (self.result, other)]
             self.assertEqual(hashes, sorted(hashes))  # the first is the reference
+            self.assertNotIn("report.html", text)  # no link to what is gone
             self.assertEqual(sorted(os.listdir(scratch)), ["both.html", "page.html"])
             for page in (True, False):
                 self.result.save(f"{scratch}/{page}", page=page)

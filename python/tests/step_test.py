@@ -2,6 +2,7 @@
 """A simulation step by step is the run: step_test.py PROGRAM (which is not used)."""
 
 import os
+import subprocess
 import sys
 import unittest
 
@@ -120,15 +121,28 @@ class Steps(unittest.TestCase):
                 near.append(name)
         self.assertNotEqual(near, [], f"{scenario}: {axis} at {place}, its last sample {last}")
 
-    def test_words_of_a_chip_without_a_bus(self):
+    def test_words_of_a_chip_are_those_of_the_trace(self):
+        machines, compared = set(), set()
         for scenario in trammel.scenarios():
-            simulation = trammel.open(scenario, **{"run.max_s": 0.03})
-            if simulation.signals:
-                simulation.advance(0.01)
-                for name in simulation.signals:
-                    self.assertIsInstance(simulation.signal(name), int)
-                return
-        self.fail("no machine has signals")
+            asked = trammel.settings(scenario, engine="twin", **{"run.max_s": 0.4})
+            if asked.machine in machines:
+                continue
+            machines.add(asked.machine)
+            simulation = trammel.open(asked)
+            simulation.advance(0.3)
+            words = {name: simulation.signal(name) for name in simulation.signals}
+            self.assertEqual(len(words), len(simulation.signals), scenario)
+            with self.assertRaises(trammel.SettingError) as told:
+                simulation.signal("no")
+            self.assertEqual(str(told.exception), "signal no: not of this machine; there are "
+                             + (", ".join(words) or "none"))
+            result = simulation.stop()
+            for name, value in words.items():
+                column = name.replace(".", "_")
+                if column in result and result[column].dtype == np.int64:
+                    self.assertIn(value, result[column][-3:], f"{scenario}: {name}")
+                    compared.add((asked.machine, name, value))
+        self.assertGreater(len({value for *_, value in compared}), 8, compared)
 
     def test_wrong_names_and_values(self):
         simulation = trammel.open("circle", **TWIN)
@@ -186,6 +200,23 @@ class Steps(unittest.TestCase):
         result = simulation.stop()
         self.assertEqual(result.end, "interrupted")
         self.assertAlmostEqual(result["t_s"][-1], 0.2, delta=0.002)
+
+    def test_a_run_that_fails_says_why_each_time(self):
+        script = ("import resource, trammel\n"
+                  "resource.setrlimit(resource.RLIMIT_FSIZE, (4096, 4096))\n"
+                  "for calls in (('advance', 'advance', 'finish', 'stop', 'finish'),\n"
+                  "              ('finish', 'stop')):\n"
+                  "    s = trammel.open('circle', engine='twin')\n"
+                  "    for call in calls:\n"
+                  "        try: getattr(s, call)(*([60] if call == 'advance' else []))\n"
+                  "        except OSError as e: print(call, e.errno, s.over)\n"
+                  "        except trammel.ConfigError as e: print(call, 'is over', s.over)\n")
+        done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True,
+                              check=False, timeout=60)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(done.stdout.splitlines(), [
+            "advance 27 True", "advance is over True", "finish 27 True", "stop 27 True",
+            "finish 27 True", "finish 27 True", "stop 27 True"])
 
     def test_an_interrupt_leaves_it_standing(self):
         script = ("import trammel, sys\n"
