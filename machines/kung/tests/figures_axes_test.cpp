@@ -210,6 +210,58 @@ TEST_CASE("half periods and periods are those of their own axis") {
       CHECK(test::figure(options, result, id + ".rms_mm") == Approx(0.1 * worse / 2));
     }
   }
+  for (const lab::Figure& f : figures(options, result)) {
+    INFO(f.id);
+    CHECK((f.tile == "Overshoot X") == (f.id == "x.periods.1.overshoot_percent"));  // of the last
+    CHECK((f.tile == "Overshoot Y") == (f.id == "y.periods.1.overshoot_percent"));
+    CHECK(f.tile != "Top speed");
+    if (f.id.find(".periods.") != std::string::npos) {
+      CHECK(f.column == std::string(1, static_cast<char>(f.id[10] + 1)));  // from 1
+      CHECK(f.row == (f.id.find("rms") == std::string::npos ? "overshoot " : "rms error ") +
+                         std::string(f.id[0] == 'x' ? "X" : "Y") + ", period");
+    }
+  }
+}
+
+TEST_CASE("the way to rest is shown of a trip on the path alone, in which the gates went off") {
+  for (const bool trip : {true, false}) {
+    for (const bool on_path : {true, false}) {
+      for (const bool off : {true, false}) {
+        Result result = by_hand(1);
+        result.end = trip ? EndReason::kFault : EndReason::kDone;
+        result.points = on_path ? 1 : 0;
+        if (off) result.fault_report.off = 1000;
+        result.fault_report.stopping = 12.5;
+        const auto list = figures(unlike(), result);
+        const lab::Figure* const f = lab::find_figure(list, "at_end.stopping_mm");
+        REQUIRE(f != nullptr);
+        CAPTURE(trip, on_path, off);
+        CHECK(f->value == 12.5);
+        CHECK(f->shown == (trip && on_path && off));
+      }
+    }
+  }
+}
+
+TEST_CASE("figures without samples are not shown, and those of each path open its page") {
+  Result result;
+  result.end = EndReason::kStopped;
+  Options options = unlike();
+  for (const lab::Figure& f : figures(options, result)) {
+    INFO(f.id);
+    CHECK_FALSE(f.shown);
+  }
+  result = by_hand(1);
+  std::map<std::string, std::string> tiles;
+  for (const lab::Figure& f : figures(options, result)) {
+    if (!f.tile.empty()) tiles[f.tile] = f.id;
+  }
+  const std::map<std::string, std::string> expected{
+      {"Mean tracking error", "tracking.model.mean_mm"},
+      {"Standard deviation", "tracking.model.std_mm"},
+      {"Largest error", "tracking.model.max_mm"}, {"Mean contour error", "contour.mean_mm"},
+      {"Peak current", "peak_current_A"}, {"Top speed", "max_speed_m_s"}};
+  CHECK(tiles == expected);
 }
 
 TEST_CASE("a trip names its cause, and its axis where it has one") {

@@ -101,6 +101,11 @@ TEST_CASE("each lap of a path that repeats has figures of its own, the last with
   CHECK(m.at("laps.1.model.mean_mm") == Approx(2));
   CHECK(m.at("laps.1.model.variance_mm2") == Approx(2));
   CHECK(m.count("laps.2.model.mean_mm") == 0);
+  for (const lab::Figure& f : figures(options, result)) {
+    if (f.id.rfind("laps.", 0) != 0) continue;
+    INFO(f.id << ": " << f.row);
+    CHECK(f.row.find(f.id[5] == '0' ? "lap 1" : "lap 2") != std::string::npos);
+  }
   options.path.repeats = 1;
   CHECK(values(result, options).count("laps.0.model.mean_mm") == 0);
   options.path.repeats = 2;
@@ -166,6 +171,7 @@ TEST_CASE("overshoot is the excursion past the target over the step, in both dir
   REQUIRE(both.size() == 2);
   CHECK(both[0].overshoot_percent == Approx(20));
   CHECK(both[1].overshoot_percent == Approx(5));
+  CHECK(periods({halves[0], halves[1], halves[2]}).size() == 1);  // whole ones alone
 }
 
 TEST_CASE("a downward first step is measured the same way") {

@@ -132,6 +132,35 @@ TEST_CASE("feeds have the default of their path, and corners are passed when ask
   CHECK(feed_moves(o).moves[4].feed == 0.1);
 }
 
+TEST_CASE("a window runs clockwise around its centre from the middle of its left side") {
+  Options o = shape(PathKind::kWindow);
+  o.path.window_center_x_m = 0.2;
+  o.path.window_center_y_m = 0.3;
+  o.path.window_side_m = 0.1;
+  o.path.window_radius_m = 0.02;
+  const ideal::Moves moves = feed_moves(o);
+  CHECK(moves.start.x == Approx(0.15));
+  CHECK(moves.start.y == Approx(0.3));
+  const struct {
+    double x, y;
+    bool arc;
+  } ends[] = {{0.15, 0.33, false}, {0.17, 0.35, true}, {0.23, 0.35, false}, {0.25, 0.33, true},
+              {0.25, 0.27, false}, {0.23, 0.25, true}, {0.17, 0.25, false}, {0.15, 0.27, true},
+              {0.15, 0.3, false}};
+  REQUIRE(moves.moves.size() == 9);
+  for (std::size_t k = 0; k < 9; ++k) {
+    const Move& m = moves.moves[k];
+    CAPTURE(k);
+    CHECK(m.to.x == Approx(ends[k].x));
+    CHECK(m.to.y == Approx(ends[k].y));
+    CHECK((m.kind == Move::Kind::kArc) == ends[k].arc);
+    if (!ends[k].arc) continue;  // around its corner, to the left
+    CHECK(m.center.x == Approx(m.to.x < 0.2 ? 0.15 : 0.25));
+    CHECK(m.center.y == Approx(m.to.y < 0.3 ? 0.25 : 0.35));
+    CHECK(m.sweep == Approx(1.5707963267948966));
+  }
+}
+
 TEST_CASE("moves of a program are driven where they are given, with their stops and rests") {
   Options o = shape(PathKind::kPoints);
   o.path.points = {{0.1, 0.1}, {0.1001, 0.1}};
@@ -188,8 +217,11 @@ TEST_CASE("what a feed profile cannot drive is refused with its key and the perm
 
   o = shape(PathKind::kLine);
   o.path.line_end_x_m = o.path.line_start_x_m;
-  o.path.line_end_y_m = o.path.line_start_y_m;
-  refused(o, "path.line_end_x_m: the line has no length");
+  CHECK_NOTHROW(plan_firmware(o, store));  // along Y
+  for (const double y_m : {0.1, 0.2}) {
+    o.path.line_end_y_m = o.path.line_start_y_m = y_m;
+    refused(o, "path.line_end_x_m: the line has no length");
+  }
 
   o = shape(PathKind::kCircle);
   o.chip.irq_period_ticks = 100;

@@ -166,6 +166,8 @@ TEST_CASE("the terminal has this run, its companions and what the paper prints, 
     return std::vector<std::string>{std::istream_iterator<std::string>(line), {}};
   };
   using Words = std::vector<std::string>;
+  CHECK(words(1) == Words{"same", "feed", "profile", "(mm)", "error", "max", "from", "path", "max",
+                          "from", "model"});
   CHECK(words(2) == Words{"precision", "0.0010", "0.0020", "0.0030", "0.0040", "0.0050"});
   CHECK(words(3) == Words{"AFC", "10.0000", "20.0000", "30.0000", "40.0000", "50.0000"});
   CHECK(words(4) == Words{"AFC", "in", "the", "paper", "-", "-", "-", "-", "2.05"});
@@ -218,6 +220,30 @@ TEST_CASE("an estimate at an end of its range is known as such") {
   const AxisEstimate ends = estimate_of(options, 0, theta);
   CHECK((ends.mass_limited && ends.viscous_limited && ends.coulomb_limited));
   CHECK(ends.cogging_limited);
+}
+
+TEST_CASE("the estimates of the start are the values of the keys, each in its unit") {
+  Options options;
+  options.controller = Controller::kPrecision;
+  options.plant.axis[1].force_constant_n_a = 60;
+  for (std::size_t a = 0; a < 2; ++a) {
+    AxisPrecision& own = options.precision.axis[a];
+    own.mass_kg = 7 + static_cast<double>(a);
+    own.viscous_n_s_m = 21;
+    own.coulomb_n = 3.5;
+    PathStore store;
+    const sw::EstimatorSetup words = plan_firmware(options, store).precision.axis[a].estimator;
+    const std::int32_t c = words.coulomb;
+    const AxisEstimate e =
+        estimate_of(options, a, {words.mass, words.viscous, c, c / 2, -c, 2 * c});
+    CAPTURE(a);
+    CHECK(e.mass_kg == Approx(own.mass_kg).epsilon(1e-4));
+    CHECK(e.viscous_N_s_m == Approx(21).epsilon(1e-4));
+    CHECK(e.coulomb_N == Approx(3.5).epsilon(1e-4));
+    CHECK(e.cogging_sine_N == Approx(1.75).epsilon(1e-4));
+    CHECK(e.cogging_cosine_N == Approx(-3.5).epsilon(1e-4));
+    CHECK(e.force_N == Approx(7).epsilon(1e-4));
+  }
 }
 
 TEST_CASE("of each estimate it is told on its own where it is at an end of its range") {

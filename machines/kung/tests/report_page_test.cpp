@@ -145,6 +145,9 @@ TEST_CASE("corrupt figures, rules and gates are one line that names the file") {
   response("{\"speed\":{\"x\":[]}}", "/speed/y is missing");
   response("{\"speed\":{\"x\":[[1,2,3,4]],\"y\":[]}}",
            "/speed/x does not hold rows of 5 numbers");
+  write_text(folder / "detail.json", detail);
+  replace(folder / "detail.json", "\"moment\":null", "\"moment\":{\"x\":{\"steps\":[[1,2]]}}");
+  check("detail.json: is corrupt: /moment/x/steps does not hold 35 steps");
   fs::remove(folder / "detail.json");
   check("detail.json: is missing");
   write_text(folder / "detail.json", detail);
