@@ -123,6 +123,30 @@ TEST_CASE("lm628_engine keeps its physical end over DFH in motion, STT takes the
   }
 }
 
+TEST_CASE("lm628_engine keeps a breakpoint at its place on the shaft over DFH") {
+  for (const int way : {1, -1}) {
+    CAPTURE(way);
+    EngineBench bench;
+    for (int n = 0; n < 20; ++n) {
+      bench.count += 5 * way;
+      bench.sample();
+    }
+    const auto at = static_cast<std::uint32_t>(160 * way);
+    bench.command(Opcode::kSbpa, {static_cast<std::uint16_t>(at >> 16),
+                                  static_cast<std::uint16_t>(at)});
+    bench.command(Opcode::kDfh);
+    int fired = 0;
+    for (int n = 0; n < 40; ++n) {
+      bench.count += 7 * way;
+      bench.sample();
+      if ((bench.events >> trammel::exact::kBreakpoint & 1u) == 0) continue;
+      ++fired;
+      REQUIRE(bench.count == 163 * way);  // the first place beyond 160
+    }
+    REQUIRE(fired == 1);
+  }
+}
+
 TEST_CASE("lm628_engine adds a relative position once, to the target at its STT") {
   EngineBench bench;
   load(bench, 0x002B, {kA, kV, 300});
