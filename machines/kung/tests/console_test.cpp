@@ -36,10 +36,10 @@ struct Bench {
     console.take('\n');
     return printed();
   }
-  // The lines of an answer, without their ends.
-  std::vector<std::string> lines(const std::string& line) {
+  // The lines of an answer, without their ends; in front of it is what was printed before.
+  std::vector<std::string> lines(const std::string& line, const std::string& before = "") {
     std::vector<std::string> all;
-    const std::string text = say(line);
+    const std::string text = before + say(line);
     std::size_t at = 0;
     for (std::size_t end; (end = text.find("\r\n", at)) != std::string::npos; at = end + 2) {
       all.push_back(text.substr(at, end - at));
@@ -229,6 +229,34 @@ TEST_CASE("the log is printed line by line, oldest first, and only what was aske
   const std::string now = " tick " + std::to_string(last.tick) + " x " +
                           std::to_string(last.x_pos) + " y " + std::to_string(last.y_pos);
   CHECK_THAT(b.say("status"), Catch::Contains(now + "\r\n"));
+}
+
+TEST_CASE("a command within a line of the log is answered behind that line") {
+  for (int fields = 0; fields <= 25; ++fields) {  // of two lines, that are printed till then
+    CAPTURE(fields);
+    Bench b;
+    b.say("start");
+    for (int i = 0; i < 3; ++i) {
+      b.chip.tick(4);
+      b.program.app().isr(b.chip);
+    }
+    const std::vector<std::string> whole = b.lines("log 2");
+    REQUIRE(whole.size() == 3);
+    const std::string status = b.lines("status").at(0);
+    for (const char c : std::string("log 2\n")) b.console.take(c);
+    std::string text;
+    const auto print = [&] { while (!b.console.ring().empty()) text += b.console.ring().take(); };
+    print();
+    for (int n = 0; n < fields; ++n) {
+      b.console.pump();
+      print();
+    }
+    std::vector<std::string> left = b.lines("status", text);
+    const auto answer = std::find(left.begin(), left.end(), status);
+    REQUIRE(answer != left.end());
+    left.erase(answer);
+    CHECK(left == whole);
+  }
 }
 
 TEST_CASE("each number of a line of the log is the one its heading says, up to 128 lines") {

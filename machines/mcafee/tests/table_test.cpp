@@ -6,11 +6,14 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
+#include <initializer_list>
 #include <utility>
 
 #include "cosim/machine.hpp"
 #include "models/plant/trig.hpp"
+#include "tests/support/scratch.hpp"
 
 using namespace trammel;
 using namespace trammel::mcafee;
@@ -84,6 +87,23 @@ TEST_CASE("the preview of a closed path continues past its end") {
   const Table table = table_of(o);
   CHECK(table.rows[455].cc == 255);
   CHECK(table.rows[430].cc == 0);
+}
+
+TEST_CASE("a path of points is closed where it comes back on another way than it went") {
+  const test::Scratch scratch("mcafee_table_test_out");
+  std::filesystem::create_directories(scratch.path);
+  PathOptions o = shape(PathKind::kPoints, 0, 0);
+  o.points_file = scratch.path / "points.csv";
+  for (const auto& [points, closed] : std::initializer_list<std::pair<const char*, bool>>{
+           {"0,0\n20,0\n", false},
+           {"0,0\n20,0\n0,0\n", false},  // there and back: two ends
+           {"0,0\n20,0\n20,10\n", false},
+           {"0,0\n20,0\n20,10\n0,0\n", true},
+           {"0,0\n20,0\n20,10\n0,0.01\n", false}}) {
+    CAPTURE(points);
+    std::ofstream(o.points_file) << points;
+    CHECK(Path(o).closed() == closed);
+  }
 }
 
 TEST_CASE("the preview of an open path stays at its end, with a corner within the first rows") {

@@ -69,13 +69,13 @@ FACTS = {
 
 
 class BoardTest(unittest.TestCase):
-    def findings(self, old="", new="", **table):
+    def findings(self, old="", new="", ports=PORTS, **table):
         on = board.Board("b", "c", None, {**TABLE, **table})
         self.assertIn(old, LPF)
         with tempfile.NamedTemporaryFile("w", dir=ROOT, suffix=".lpf") as file:
             file.write(LPF.replace(old, new, 1) if old else LPF)
             file.flush()
-            return list(board.findings(on, PORTS, board.read_lpf(Path(file.name))))
+            return list(board.findings(on, ports, board.read_lpf(Path(file.name))))
 
     def test_pins_as_they_must_be(self):
         self.assertEqual(self.findings(), [])
@@ -112,6 +112,14 @@ class BoardTest(unittest.TestCase):
                          ["enc_i[1]: must have PULLMODE DOWN, has UP"])
         self.assertEqual(self.findings("PULLMODE=UP", "PULLMODE=DOWN", pulls={"enc_i": "DOWN"}),
                          [])
+
+    def test_a_pin_that_is_driven_both_ways_has_the_pull_of_an_input(self):
+        for direction, wrong in (("inout", ["enc_i[1]: must have PULLMODE UP, has NONE"]),
+                                 ("output", [])):
+            ports = {**PORTS, "enc_i": {**PORTS["enc_i"], "direction": direction}}
+            with self.subTest(direction):
+                self.assertEqual(self.findings(ports=ports), [])
+                self.assertEqual(self.findings("PULLMODE=UP", "PULLMODE=NONE", ports), wrong)
 
     def test_a_line_that_is_not_understood_is_refused(self):
         for old, new in (("# pins", "BLOCK RESETPATHS;"), ('SITE "A1"', 'SITE "A1" x'),

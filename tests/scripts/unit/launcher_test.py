@@ -107,6 +107,13 @@ class LauncherTest(Scratch):
         self.write("scripts/packages.txt", "make\nclock\nwire\nnew\n")
         self.assertEqual(self.started("run", "circle")[0], f"{INSTALL} new")
 
+    def test_a_package_that_tests_alone_need_is_installed_once_it_is_listed(self):
+        self.assertEqual(self.started("prove", "x")[0], f"{INSTALL} clock wire prover")
+        self.assertNotIn("apt-get", " ".join(self.started("prove", "x")))
+        self.write("scripts/packages_test.txt", "prover\nnew\n")
+        self.assertNotIn("apt-get", " ".join(self.started("run", "x")))
+        self.assertEqual(self.started("prove", "x")[0], f"{INSTALL} new")
+
     def test_what_a_configuration_that_failed_has_left_is_no_part_of_the_next(self):
         for left in ("CMakeCache.txt", "CMakeCache.txt build.ninja"):
             with self.subTest(left=left):
