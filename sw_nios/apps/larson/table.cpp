@@ -91,6 +91,7 @@ void StepTable::ended(Bus& bus, std::uint32_t axis) {
   const std::uint32_t status = bus.read(map::status(axis));
   if ((status & map::kBusy) != 0) return;
   const bool at_switch = (status & map::kLimit) != 0;
+  a.at_switch = at_switch;
   a.from = position(bus, axis);
   a.moving = false;
   if (a.seek != Seek::kNone) {
@@ -113,6 +114,7 @@ void StepTable::caltbl(Bus& bus) {
   for (std::uint32_t k = 0; k < 2; ++k) {
     axes_[k].from = 0;
     axes_[k].seek = Seek::kToSwitch;
+    if (axes_[k].at_switch) bus.write(map::status(k), map::kReset);
     run(bus, k, -far, code(setup_.seek_rate));
   }
 }

@@ -75,6 +75,7 @@ class StepTable {
     std::int32_t steps = 0;  // of the move, with its sign
     std::uint32_t rate = 07704;
     bool moving = false;
+    bool at_switch = false;  // a switch ended the last move: the channel waits for a reset
     Seek seek = Seek::kNone;
   };
 

@@ -320,6 +320,28 @@ TEST_CASE("a switch that never closes ends CALTBL, one that closes too early a m
   }
 }
 
+TEST_CASE("a table that a switch has stopped is calibrated again, by either axis") {
+  Scripted script(
+      "CALTBL\nVELTBL 400 400\nABSTBL 100 100\nWTTBL\nCALTBL\nABSTBL 5 7\nWTTBL\nWHRTBL\n");
+  script.options.start_x = script.options.start_y = 20;
+  script.options.run.engine = cosim::Engine::kTwin;
+  script.options.fault.kind = cosim::FaultKind::kEncoderStuck;
+  for (const int axis : {0, 1}) {
+    CAPTURE(axis);
+    script.options.fault.axis = axis;
+    script.options.fault.line = 1;  // the upper one, closed for a while
+    script.options.fault.value = 1;
+    script.options.fault.begin_s = 0.4;
+    script.options.fault.for_s = 0.1;
+    const Result result = script.run();
+    CHECK(result.end == cosim::EndReason::kDone);
+    CHECK(result.calibrated);
+    CHECK(answer(result, 4).value == 0);
+    CHECK(answer(result, 0).at.x == 5);
+    CHECK(answer(result, 0).at.y == 7);
+  }
+}
+
 TEST_CASE("interrupts that come late make a script longer, and leave each place as it is") {
   Scripted script("CALTBL\nVELTBL 1000 1000\nREPEAT 5\nRELTBL 30 20\nWTTBL\nEND\nWHRTBL\n");
   script.options.start_x = script.options.start_y = 20;
