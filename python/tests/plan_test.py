@@ -187,6 +187,7 @@ class Refused(unittest.TestCase):
                 (table, key + "1,0.1\n,0.2\n", "plant.payload_kg: run 2 of 2 has no value"),
                 (table, key + "1,nan\n2,0.2\n", "gains.kp: run 1 of 2 has no value"),
                 (table, key + "1,0.1\n-1,0.1\n2,0.2\n", "out of range 0..500"),
+                (table, "controller\nfc\nfuzzy\nafc\n", "controller: .*fuzzy"),
                 (table + '[grid]\n"gains.kp" = [0.1]\n', key + "1,0.1\n", "gains.kp: given twice"),
                 (table + '[keys]\n"gains.kp" = 0.1\n', key + "1,0.1\n", "gains.kp: given twice"),
                 (table + '[random]\ncount = 2\n"plant.coulomb_N" = [1, 2]\n', key + "1,0.1\n",

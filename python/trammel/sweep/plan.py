@@ -226,8 +226,7 @@ class Part:
             _given(self.scenario, self.engine, (), self.keys).validate()
             base = _core.Settings(self.scenario)
             for key, values in ends.items():
-                for value in dict.fromkeys(values[:1] + values[-1:] if isinstance(values, list)
-                                           else values):
+                for value in dict.fromkeys(values):
                     _apply(base.copy(), key, value)
         except _core.ConfigError as error:
             raise PlanError(f"{where}: {error}") from None
