@@ -78,3 +78,27 @@ TEST_CASE("an axis that still shows that it is on is turned off again, so many t
     }
   }
 }
+
+TEST_CASE("an interrupt that comes a tick late or early is told, at each period and across 2^32") {
+  for (const std::uint32_t period : {0u, 1u, 2u, 32u}) {
+    for (const int off : {-1, 0, 1}) {
+      for (const std::uint32_t before : {1000u, 0xFFFF'FFFFu - period}) {
+        CAPTURE(period, off, before);
+        KungSetup setup;
+        setup.irq_period = period;
+        Machine m(setup);
+        m.period = period == 0 ? 1 : period;  // each tick
+        m.chip.registers[reg::kTick] = before;
+        m.arm();
+        m.interrupt();
+        m.interrupt();
+        REQUIRE(failure(m) == Failure::kNone);
+        CHECK(m.app.mailbox().point == 2);
+        m.period += static_cast<std::uint32_t>(off);
+        m.interrupt();
+        CHECK(failure(m) == (off == 0 ? Failure::kNone : Failure::kLate));
+        CHECK((still_on(m.chip) == "") == (off != 0));
+      }
+    }
+  }
+}

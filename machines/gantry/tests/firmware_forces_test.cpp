@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// Forces of homing and of the calibration run, each from its own value of the setup and in its own
+// sense for both motors, and what a run of both at power-on goes through.
+#include <catch2/catch.hpp>
+#include <cstdint>
+
+#include "machines/gantry/tests/fake_chip.hpp"
+
+using namespace trammel;
+using namespace trammel::gantry_test;
+
+namespace {
+
+void check_forces(Track& track, std::int32_t force) {
+  CHECK(track.force(1) == force);
+  CHECK(track.force(2) == force);
+}
+
+}  // namespace
+
+TEST_CASE("gantry: homing and the calibration run take their own forces, in opposite senses") {
+  sw::GantrySetup setup;
+  setup.home = setup.calibrate = true;
+  setup.home_force = 201;
+  setup.home_ticks = 100;
+  setup.fit_force = 302;
+  Track track(setup);
+  CHECK(track.app.phase() == sw::GantryPhase::kHoming);
+  track.pass(7);
+  check_forces(track, 201);
+  track.pass(6);
+  check_forces(track, 201);
+  track.pass(6, 100);
+  CHECK(track.app.homed());
+  CHECK(track.app.zero() == 6);
+  CHECK(track.app.phase() == sw::GantryPhase::kToFit);
+  CHECK_FALSE(track.app.fitted());
+  track.pass(6);
+  CHECK(track.app.goal() == 512);  // 80 mm of 5/32 mm
+  CHECK(track.app.error() == -512);
+  CHECK(track.force(1) < 0);
+  track.pass(6 + 512);
+  track.pass(6 + 512, 4613);
+  REQUIRE(track.app.phase() == sw::GantryPhase::kFitting);
+  check_forces(track, -302);
+  CHECK(track.chip.words[regs::kObserver] == 0);
+  CHECK(track.chip.words[regs::kRequest] == regs::kRequestA);
+  const std::uint32_t passes = track.app.mailbox().point;
+  track.pass(6 + 700);  // of the run no pass takes the force away
+  check_forces(track, -302);
+  CHECK(track.app.mailbox().point == passes + 1);
+}
+
+TEST_CASE("gantry: an axis that only calibrates starts to the fit, and one of neither rests") {
+  sw::GantrySetup setup;
+  Track idle(setup);
+  CHECK(idle.app.phase() == sw::GantryPhase::kIdle);
+  idle.pass(300);
+  CHECK(idle.chip.writes[regs::kForce1] == 0);
+  CHECK(idle.chip.writes[regs::kForce2] == 0);
+  setup.calibrate = true;
+  Track fits(setup);
+  CHECK(fits.app.phase() == sw::GantryPhase::kToFit);
+  setup.home = true;
+  Track homes(setup);
+  CHECK(homes.app.phase() == sw::GantryPhase::kHoming);
+}
+
+TEST_CASE("gantry: the time at rest before the run counts from when the cart came within 4") {
+  sw::GantrySetup setup;
+  setup.calibrate = true;
+  Track track(setup);
+  track.pass(512);
+  track.pass(512, 4600);
+  track.pass(512 + 5, 100);  // away again
+  CHECK(track.app.phase() == sw::GantryPhase::kToFit);
+  track.pass(512 - 4, 4612);
+  CHECK(track.app.phase() == sw::GantryPhase::kToFit);
+  track.pass(512 + 4, 1);
+  CHECK(track.app.phase() == sw::GantryPhase::kFitting);
+}
+
+TEST_CASE("gantry: homing counts its rest anew at each count that the cart moves, either way") {
+  sw::GantrySetup setup;
+  setup.home = true;
+  setup.home_ticks = 50;
+  Track track(setup);
+  track.pass(3);
+  for (const std::int32_t count : {3, 2, 3, 3, 2}) track.pass(count, 49 - 24 * (count == 3));
+  CHECK_FALSE(track.app.homed());
+  track.pass(2, 49);
+  CHECK_FALSE(track.app.homed());
+  track.pass(2, 1);
+  CHECK(track.app.homed());
+  CHECK(track.app.zero() == 2);
+}
+
+TEST_CASE("gantry: rest is counted from the first pass that has a position, however late it is") {
+  sw::GantrySetup setup;
+  setup.home = true;
+  setup.home_ticks = 100;
+  Track homes(setup);
+  homes.pass(0, 1'000'000, false);
+  homes.pass(7, 9);
+  CHECK_FALSE(homes.app.homed());
+  check_forces(homes, 0x150);
+  homes.pass(7, 99);
+  CHECK_FALSE(homes.app.homed());
+  homes.pass(7, 1);
+  CHECK(homes.app.homed());
+  setup.home = false;
+  setup.calibrate = true;
+  Track fits(setup);
+  fits.pass(0, 1'000'000, false);
+  fits.pass(512, 9);
+  CHECK(fits.app.phase() == sw::GantryPhase::kToFit);
+  fits.pass(512, 4612);
+  CHECK(fits.app.phase() == sw::GantryPhase::kToFit);
+  fits.pass(512, 1);
+  CHECK(fits.app.phase() == sw::GantryPhase::kFitting);
+}
