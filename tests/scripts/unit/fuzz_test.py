@@ -5,6 +5,7 @@ import random
 import tempfile
 import unittest
 from pathlib import Path
+from unittest import mock
 
 from trammel_tools.fuzz import fuzz_disks, fuzz_seeds, fuzz_starts
 
@@ -49,6 +50,26 @@ class Seeds(unittest.TestCase):
         with tempfile.TemporaryDirectory() as scratch:
             fuzz_seeds.put(Path(scratch) / "keys", 7, b"\0a=1")
             self.assertEqual((Path(scratch) / "keys" / "0007").read_bytes(), b"\0a=1")
+
+    def test_a_dictionary_has_each_word_once_as_libfuzzer_reads_it(self):
+        keys = [{"key": "gains.kp", "default": "0.5", "range": "0..9"},
+                {"key": "mode", "default": '"fc"', "range": "one of fc, afc"}]
+        with tempfile.TemporaryDirectory() as scratch, \
+                mock.patch.object(fuzz_seeds.machines, "described", return_value=[{"name": "a"}]), \
+                mock.patch.object(fuzz_seeds, "keys_of", return_value=keys), \
+                mock.patch.object(fuzz_seeds, "targets", return_value={}):
+            self.assertEqual(fuzz_seeds.assignments("p", "a"), ["gains.kp=0.5", "mode=fc"])
+            file = Path(scratch) / "a.dict"
+            fuzz_seeds.write_dictionary("p", file)
+            lines = file.read_text(encoding="ascii").splitlines()
+            words = (Path(scratch) / "a.words").read_bytes().split(b"\0")
+        self.assertEqual(len(lines), len(set(lines)))
+        self.assertLessEqual({f'"{word}"' for word in (
+            "gains.kp", "gains", "kp", "0.5", "mode", "fc", "afc", "true", "[[", "\\x22\\x22\\x22",
+            "\\x1b[2J", "\\xef\\xbb\\xbf", "\\x5cu001b", "\\x0d\\x0a")}, set(lines))
+        self.assertFalse({'"one of fc"', '"0..9"'} & set(lines))
+        self.assertEqual(len(words), len(lines))
+        self.assertLessEqual({b'"""', b"\xff", b"afc"}, set(words))
 
 
 if __name__ == "__main__":

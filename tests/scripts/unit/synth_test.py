@@ -1,7 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Which block owns a cell, what the cells cost, and what is over the budget."""
 
+import contextlib
+import json
+import tempfile
 import unittest
+from pathlib import Path
+from unittest import mock
 
 from trammel_tools.synth import estimate, synth_netlist, synth_report
 from trammel_tools.synth.synth_netlist import Count
@@ -201,6 +206,31 @@ class SynthReportTest(unittest.TestCase):
     def test_an_estimate_tells_what_there_is(self):
         self.assertEqual(list(estimate.lines({"A B": {"LUT": 3, "FF": 0, "RAM": 2}})),
                          ["estimate, not placed: A B: 3 LUT, 2 RAM"])
+
+    def test_cells_of_each_family_are_counted_by_what_they_are(self):
+        types = [{"LUT1": 1, "LUT6": 2, "FDRE": 3, "FDSE": 1, "FDCE": 1, "FDPE": 1, "DSP48E1": 4,
+                  "RAMB18E1": 5, "RAMB36E1": 6, "CARRY4": 7, "MUXF7": 8, "INV": 9},
+                 {"MISTRAL_ALUT2": 1, "MISTRAL_ALUT6": 2, "MISTRAL_ALUT_ARITH": 3, "MISTRAL_NOT": 4,
+                  "MISTRAL_FF": 5, "MISTRAL_MUL18X18": 6, "MISTRAL_M10K": 7, "MISTRAL_MLAB": 8}]
+        wanted = [{"LUT": 3, "FF": 6, "DSP48": 4, "RAMB18": 5, "RAMB36": 6, "carry of 4 bits": 7},
+                  {"ALUT": 10, "FF": 5, "multiplier": 6, "M10K": 7, "MLAB": 8}]
+
+        for family, kinds, counts in zip(estimate.FAMILIES, types, wanted):
+            cells = {f"{kind}{n}": {"type": kind} for kind, count in kinds.items()
+                     for n in range(count)}
+            said = []
+
+            def run(command, cells=cells, said=said):
+                said.append(command)
+                if command.startswith("write_json "):
+                    Path(command.split()[1]).write_text(
+                        json.dumps({"modules": {"top": {"cells": cells}}}), encoding="utf-8")
+
+            with tempfile.TemporaryDirectory() as folder, mock.patch.object(
+                    estimate.synth_flow, "read_design",
+                    lambda *_, run=run: contextlib.nullcontext((None, run))):
+                self.assertEqual(estimate.one("top", folder, family), counts, family.name)
+            self.assertEqual(said[0], f"{family.command} -top top")
 
     def test_a_column_is_as_wide_as_its_widest_cell(self):
         self.assertEqual(list(synth_report.text_table(["block", "n"], [["a", "100"]])),
