@@ -11,6 +11,7 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tests" / "support"))
 import browser
+from drawing import line_through
 from trammel.sweep import Plan, page, store, work
 
 PLAN = """scenario = "circle"
@@ -153,6 +154,105 @@ class Page(unittest.TestCase):
             drawn = [c.get("fill") for c in self.svg("scatter").iter(f"{SVG}circle")]
             values = [row[name] for row in self.rows if "wall_s" in row]
             self.assertEqual(drawn, [wanted[v] for v in values], name)
+
+    def texts(self, name):
+        return [(one.text, float(one.get("x")), float(one.get("y")), one.get("text-anchor"))
+                for one in self.svg(name).iter(f"{SVG}text")]
+
+    def test_ticks_lie_where_their_values_are(self):
+        self.choose("x", "plant.payload_kg")
+        self.choose("y", "gains.kp")
+        points = self.js("return places.scatter")
+        texts = self.texts("scatter")
+        bottom = max(y for _, _, y, _ in texts)
+        across = [(float(t), x) for t, x, y, anchor in texts if anchor == "middle"
+                  and y == bottom - 16]
+        upward = [(float(t), y - 4) for t, x, y, anchor in texts if anchor == "end" and x == 75]
+        self.assertGreater(min(len(across), len(upward)), 2)
+        across += [(self.values("plant.payload_kg")[p["n"]], p["x"]) for p in points]
+        upward += [(self.values("gains.kp")[p["n"]], p["y"]) for p in points]
+        for pairs, rises in ((across, True), (upward, False)):
+            slope, _, worst = line_through(pairs)
+            self.assertEqual(slope > 0, rises)
+            self.assertLess(worst, 0.11)
+        names = [(t, anchor) for t, _, _, anchor in texts]
+        self.assertIn(("plant.payload_kg", "middle"), names)
+        self.assertIn(("gains.kp", "start"), names)
+        self.choose("y", "end")
+        places = {t: y - 4 for t, x, y, anchor in self.texts("scatter")
+                  if anchor == "end" and x == 75}
+        self.assertEqual(set(places), {row["end"] for row in self.rows})
+        for point in self.js("return places.scatter"):
+            self.assertAlmostEqual(point["y"], places[self.values("end")[point["n"]]], delta=0.11)
+
+    def test_the_legend_tells_the_colors(self):
+        self.choose("color", "gains.kp")
+        texts = {t: x for t, x, y, _ in self.texts("scatter") if y == 14}
+        self.assertLess(texts["gains.kp:"], texts["0.1"])
+        self.assertLess(texts["0.1"], texts["0.2"])
+        bar = [(float(r.get("x")), r.get("fill")) for r in self.svg("scatter").iter(f"{SVG}rect")
+               if (r.get("fill") or "").startswith("hsl")]
+        self.assertEqual((min(bar)[1], max(bar)[1]), ("hsl(240, 75%, 45%)", "hsl(0, 75%, 45%)"))
+        self.choose("color", "controller")
+        texts = {t: x for t, x, y, _ in self.texts("scatter") if y == 14}
+        marks = {r.get("fill"): float(r.get("x")) for r in self.svg("scatter").iter(f"{SVG}rect")
+                 if (r.get("fill") or "").startswith("#") and r.get("width") == "8"}
+        # Each square stands before its word; "afc" before "fc".
+        self.assertLess(texts["controller:"], marks["#1f77b4"])
+        order = [marks["#1f77b4"], texts["afc"], marks["#d9731a"], texts["fc"]]
+        self.assertEqual(order, sorted(order))
+        self.choose("color", "none")
+        self.assertEqual([t for t, _, y, _ in self.texts("scatter") if y == 14], [])
+
+    def test_a_page_opens_with_its_keys_and_first_figures(self):
+        self.assertEqual(self.driver.title, "Sweep plan")
+        self.assertEqual(self.driver.find_element("id", "title").text, "Sweep plan")
+        self.assertEqual(self.driver.find_element("id", "rows").text, "Runs")
+        chosen = self.js("return ['x', 'y', 'color'].map((name) => byId(name).value)")
+        self.assertEqual(chosen[::2], ["plant.payload_kg", "controller"])
+        figures = self.js("return data.axes.filter((a) => !a.key).map((a) => a.name)")
+        self.assertIn(chosen[1], figures)
+        taken = self.js("return [...byId('axes').selectedOptions].map((o) => o.value)")
+        self.assertEqual(set(taken) - set(figures),
+                         {"controller", "plant.payload_kg", "gains.kp"})
+        self.assertEqual(len(taken), 6)
+
+    def test_a_study_opens_with_its_best_trial(self):
+        content = self.js("return data")
+        best = 5
+        content["words"].append({"name": "best", "values": ["best" if n == best else "" for n in
+                                                            range(len(self.rows))]})
+        content |= {"kind": "Study", "what": "trials", "of": 20}
+        file = Path(self.scratch.name, "study.html")
+        page._write(content, file)
+        self.driver.get(file.as_uri())
+        self.assertEqual(self.driver.find_element("id", "command").text, content["commands"][best])
+        self.assertEqual(self.driver.find_element("css selector", "tr.chosen td").text,
+                         str(content["runs"][best]))
+        self.assertIn(f"{len(self.rows)} of 20 trials are shown",
+                      self.driver.find_element("id", "about").text)
+        self.assertEqual(self.driver.find_element("id", "rows").text, "Trials")
+        wide = [n for n, one in enumerate(self.svg("scatter").iter(f"{SVG}circle"))
+                if one.get("r") == "6"]
+        self.assertEqual(len(wide), 1)
+        lines = [one.get("stroke-width") for one in self.svg("parallel").iter(f"{SVG}polyline")]
+        self.assertEqual(lines.count("3"), 1)
+
+    def test_words_sort_and_a_second_column_begins_rising(self):
+        def click(name):
+            heads = self.driver.find_elements("css selector", "#table th")
+            heads[[h.text.split(" ")[0] for h in heads].index(name)].click()
+            return [h.text for h in self.driver.find_elements("css selector", "#table th")]
+
+        click("gains.kp")
+        self.assertIn("gains.kp v", click("gains.kp"))
+        head = click("controller")
+        self.assertIn("controller ^", head)
+        self.assertIn("gains.kp", head)
+        words = self.column(head.index("controller ^"))
+        self.assertEqual(words, sorted(words))
+        runs = [int(text) for text in self.column(0)]
+        self.assertEqual(runs, sorted(runs, key=lambda n: (self.values("controller")[n], n)))
 
     def test_bars_count_the_runs(self):
         self.choose("y", "plant.payload_kg")

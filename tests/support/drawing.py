@@ -36,6 +36,7 @@ def line_through(points):
 class Drawing:
     drawn = {}           # run: {plot over time: {label: line}}, all of them; {a} stands for x and y
     compared_drawn = {}  # plot of the page of several runs: line
+    colors_drawn = {}    # run: {button: (label, line)} of the colors of its path
     paths_drawn = {}     # run: lines of command, model, table, and from where errors begin, in mm
 
     def lines(self, plot):
@@ -61,6 +62,43 @@ class Drawing:
         color = self.color(role)
         return [s["points"] for s in self.shapes(plot, *size)
                 if s["tag"] == "path" and s.get("stroke") == color]
+
+    def test_the_path_has_the_colors_of_what_is_chosen(self):
+        for run, colors in self.colors_drawn.items():
+            self.open(run)
+            rows, steps = self.numbers_of(run), self.steps()
+            buttons = {b.text: b for b in self.driver.find_elements(
+                "css selector", "[data-plot=path] .segments button") if b.text[0] != "\u00d7"}
+            self.assertEqual(list(buttons) or list(colors)[:1], list(colors))
+            ramp = self.js("return Array.from({ length: 32 }, (v, k) => Trammel.ramp("
+                           "Trammel.light, k / 31))")
+            middle, end = (rows[k]["t_s"] for k in (len(rows) // 2, -1))
+            since = rows[0]["t_s"] - self.js("return Trammel.time.values[0]")
+            for button, (label, line) in colors.items():
+                self.js("arguments[0].click()", buttons[button])
+                values, off = zip(*(self.value(line, row, " ", steps) for row in rows), strict=True)
+                texts = [s["text"] for s in self.shapes("path") if s["tag"] == "text"]
+                self.assertIn(label, texts)
+                at = texts.index(label)
+                top, text, more = max(values), texts[at + 1], max(off)
+                self.assertEqual(texts[at - 1], "0")
+                self.assertAlmostEqual(float(text), top, delta=more + 0.51 * 10 ** -len(
+                    text.partition(".")[2]))
+                for zoomed in (False, True):
+                    self.js("Trammel.time.zoom(...(arguments[0] ? [arguments[1], arguments[2]] : "
+                            "Trammel.time.full))", zoomed, middle - since, end - since)
+                    k = 0
+                    for one in self.shapes("path"):
+                        if one["tag"] != "path" or one["stroke-width"] != "2.4":
+                            continue
+                        place = ramp.index(one["stroke"])
+                        for value in values[k:k + len(one["points"]) - 1]:
+                            self.assertLess(abs(32 * value / top - place - 0.5), 0.5 +
+                                            64 * more / top, f"{run}, {button}, sample {k}")
+                        pale = zoomed and rows[k]["t_s"] < middle - 1e-7
+                        self.assertEqual(float(one["opacity"]), 0.15 if pale else 1)
+                        k += len(one["points"]) - 1
+                    self.assertEqual(k, len(rows) - 1)
 
     def numbers_of(self, run):
         return [{name: float(value) for name, value in row.items()} for row in self.rows(run)]

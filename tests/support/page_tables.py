@@ -22,6 +22,16 @@ def same(text, value):
 
 
 class Tables:
+    better_small = ""   # figures of the page of several runs of which less is better
+
+    def asides(self, metrics):
+        """What the machine has below its tiles: {figure: text}."""
+        return {}
+
+    def idle(self, key, options):
+        """Whether a parameter does nothing with these options, so that the page leaves it out."""
+        return False
+
     def rows_of(self, selector):
         return self.js(CELLS, selector)
 
@@ -37,6 +47,8 @@ class Tables:
                 self.check_foot(name, metrics["run"])
                 self.check_parameters(name, metrics["options"])
                 self.check_gauges([f for f in metrics["figures"] if "expected" in f])
+                for key, value, *_ in self.rows_of("#assumptions tbody tr"):
+                    self.assertTrue(same(value[0], metrics["options"][key[0]]), f"{name} {key[0]}")
 
     def check_outcome(self, name, metrics):
         chip = self.driver.find_element("css selector", ".head .chip.good, .head .chip.bad")
@@ -59,6 +71,7 @@ class Tables:
         found = self.js("return [...document.querySelectorAll(arguments[0])].map((row) => "
                         "[row.dataset.find.split(' ')[0], row.className])", PARAMETERS)
         self.assertNotEqual(found, [])
+        told = set()
         for (key, look), cells in zip(found, self.rows_of(PARAMETERS), strict=True):
             section, _, own = key.rpartition(".")
             named = {re.sub(r"(^|\.)[xy]$", "", k.lower().rpartition(".")[0]) or "run": k
@@ -78,16 +91,70 @@ class Tables:
             differs = any("default" in keys.get(k, {}) and keys[k]["default"] != options[k]
                           for k in mine)
             self.assertEqual(look, "changed" if differs else "", f"{name} {key}")
+            known = keys.get(mine[-1], {})
+            default, meaning = (cell[0] for cell in cells[-2:])
+            self.assertEqual(meaning, known.get("help", ""), key)
+            self.assertTrue(same(default, known["default"]) if "default" in known
+                            else default == "", f"{name} {key}: {default}")
+            told.update(mine)
+        self.assertEqual(told, {key for key in options if key not in ("name", "description")
+                                and not self.idle(key, options)}, name)
 
     def check_gauges(self, judged):
-        """Each points at the value."""
-        dots = self.js("return [...document.querySelectorAll('#figures .gauge circle')].map("
-                       "(dot) => Number(dot.getAttribute('cx')))")
-        for dot, f in zip(dots, judged, strict=True):
+        """Each points at the value, between the ends of its band; a bar is at what is printed."""
+        gauges = self.js("return [...document.querySelectorAll('#figures .gauge svg')].map((svg) =>"
+                         " [...svg.children].map((one) => Object.fromEntries([...one.attributes]"
+                         ".map((a) => [a.name, Number.isNaN(Number(a.value)) ? a.value : "
+                         "Number(a.value)]))))")
+        for (_, band, *bar, dot), f in zip(gauges, judged, strict=True):
             off = f["value"] - f["expected"]
             reach = max(1.7 * f["tolerance"], 1.15 * abs(off)) or 1
-            self.assertAlmostEqual(dot, 75 + 69 * math.copysign(min(1, abs(off) / reach), off),
-                                   delta=0.02, msg=f["id"])
+
+            def at(off, reach=reach):
+                return 75 + 69 * max(-1, min(1, off / reach))
+
+            color = f"var(--{'good' if f['within'] else 'bad'})"
+            self.assertEqual((band["fill"], dot["fill"]), (color, color), f["id"])
+            printed = f.get("printed", math.inf) - f["expected"]
+            wanted = [at(off), at(-f["tolerance"]), at(f["tolerance"])] + (
+                [at(printed)] if abs(printed) <= reach else [])
+            shown = [dot["cx"], band["x"], band["x"] + band["width"]] + [
+                one["x"] + one["width"] / 2 for one in bar]
+            self.assertEqual(len(shown), len(wanted), f["id"])
+            for pixel, place in zip(shown, wanted, strict=True):
+                self.assertAlmostEqual(pixel, place, delta=0.02, msg=f["id"])
+
+    def test_tiles_have_what_belongs_to_their_figures_below_them(self):
+        for name in self.runs:
+            self.open(name)
+            metrics = self.metrics(name)
+            own = self.asides(metrics)
+            tiles = [f for f in metrics["figures"] if "tile" in f]
+            shown = self.js("return [...document.querySelectorAll('.tile .aside')].map((one) => "
+                            "one.textContent)")
+            for text, f in zip(shown, tiles, strict=True):
+                beside = [(run, other) for run, one in metrics.get("compared", {}).items()
+                          for other in one["figures"] if other["id"] == f["id"]]
+                if f["id"] in own:
+                    self.assertEqual(text, own[f["id"]], f"{name} {f['id']}")
+                elif "printed" in f or "expected" in f:
+                    word = "printed" if "printed" in f else "expected"
+                    self.assertEqual(text.split(" ")[0], word)
+                    self.assertAlmostEqual(number(text.split(" ")[1]), f[word], delta=0.0051)
+                elif beside:
+                    for part, (run, other) in zip(text.split(", "), beside, strict=True):
+                        self.assertEqual(part.split(": ")[0], run)
+                        self.assertAlmostEqual(number(part.split(": ")[1]), other["value"],
+                                               delta=0.51 * 10 ** -other.get("digits", 0))
+                else:
+                    self.assertEqual(text, "\u00a0", f"{name} {f['id']}")
+
+    def test_less_is_better_of_errors_and_times(self):
+        self.open(".", "compare.html")
+        told = self.js("const m = Trammel.machineOf(Trammel.page.machine).compare; return "
+                       "Trammel.commonFigures(Trammel.page.runs, m.figures).filter(([f]) => "
+                       "m.smallerIsBetter(f)).map(([f]) => f.id)")
+        self.assertEqual(sorted(told), sorted(self.better_small.split()))
 
     def test_parameters_are_sifted(self):
         self.open(next(iter(self.runs)))
@@ -99,9 +166,25 @@ class Tables:
         only = self.driver.find_element("css selector", "#parameters input[type=checkbox]")
         self.js("arguments[0].click()", only)
         self.assertEqual(self.js(shown, PARAMETERS), changed)
+        self.check_groups()
         self.js("arguments[0].click()", only)
         self.driver.find_element("css selector", "#parameters input[type=search]").send_keys("Run.")
         self.assertEqual(self.js(shown, PARAMETERS), [row for row in whole if "run." in row[0]])
+        self.check_groups()
+
+    def check_groups(self):
+        """The name of a section stands above its rows as long as one of them is shown."""
+        rows = self.js("return [...document.querySelectorAll('#parameters tbody tr')].map((row) =>"
+                       " [row.className === 'group' ? row.textContent : '', row.hidden, "
+                       "row.dataset.find || ''])")
+        groups, full = [], set()
+        for name, hidden, words in rows:
+            if name:
+                groups.append((name.lower(), hidden))
+            else:
+                self.assertEqual(words.split(" ")[0].rpartition(".")[0], groups[-1][0])
+                full |= set() if hidden else {groups[-1][0]}
+        self.assertEqual({name for name, hidden in groups if not hidden}, full)
 
     def test_differences_are_to_the_first_run_of_its_kind(self):
         self.open(".", "compare.html")

@@ -5,6 +5,7 @@ of a machine derives from it and names the runs; it tests itself what only its p
 import base64
 import csv
 import json
+import math
 import re
 import shutil
 import struct
@@ -18,6 +19,7 @@ from pathlib import Path
 import browser
 import checks
 import drawing
+import page_looks
 import page_tables
 
 MACHINES = Path(__file__).resolve().parents[2] / "machines"
@@ -43,6 +45,17 @@ def figure_text(figure):
     return text.replace("-", "\u2212")
 
 
+def unit_text(unit):
+    """m/s2 with its exponent raised, um with a Greek letter."""
+    raised = re.sub(r"(?<=[A-Za-z])[23]\b", lambda m: "\u00b2\u00b3"[int(m[0]) - 2], unit)
+    return re.sub(r"\bum\b", "\u00b5m", raised)
+
+
+def title_of(figure):
+    name = figure["name"] + (f" ({unit_text(figure['unit'])})" if figure["unit"] else "")
+    return name[0].upper() + name[1:]
+
+
 def numbers(cell):
     return [float(n) for n in re.findall(r"-?[0-9.]+", cell.replace("\u2212", "-"))]
 
@@ -51,7 +64,7 @@ def given(figure, name):
     return [float(figure[name])] if name in figure else []
 
 
-class ReportPages(drawing.Drawing, page_tables.Tables, unittest.TestCase):
+class ReportPages(drawing.Drawing, page_looks.Looks, page_tables.Tables, unittest.TestCase):
     runs = {}         # folder: arguments of the program
     tripped = set()   # those of them that end with exit 5
     compared = ()     # two or more of them, for compare.html
@@ -150,9 +163,10 @@ class ReportPages(drawing.Drawing, page_tables.Tables, unittest.TestCase):
 
     def check_tiles(self, metrics):
         shown = self.js("return [...document.querySelectorAll('.tile')].map((tile) => "
-                        "[tile.children[0].textContent, tile.children[1].firstChild.textContent])")
-        self.assertEqual(shown, [[f["tile"], figure_text(f)] for f in metrics["figures"]
-                                 if "tile" in f])
+                        "[tile.children[0].textContent, tile.children[1].firstChild.textContent, "
+                        "tile.querySelector('small').textContent])")
+        self.assertEqual(shown, [[f["tile"], figure_text(f), unit_text(f["unit"])]
+                                 for f in metrics["figures"] if "tile" in f])
 
     def test_every_plot_holds_the_data_of_the_files(self):
         for name in self.runs:
@@ -193,11 +207,12 @@ class ReportPages(drawing.Drawing, page_tables.Tables, unittest.TestCase):
             section = self.driver.find_element("id", "figures")
             marks = self.js("return [...arguments[0].querySelectorAll('tr')].filter((row) => "
                             "row.cells.length === 7).slice(1).map((row) => "
-                            "[...row.cells].slice(1, 6).map((cell) => cell.textContent))", section)
-            self.assertEqual([[row[0], row[4]] for row in marks],
-                             [[figure_text(f), within[f.get("within")]] for f in judged])
+                            "[...row.cells].slice(0, 6).map((cell) => cell.textContent))", section)
+            self.assertEqual([[row[0], row[1], row[5]] for row in marks],
+                             [[title_of(f), figure_text(f), within[f.get("within")]]
+                              for f in judged])
             for figure, row in zip(judged, marks, strict=True):
-                self.check_source(figure, *row[1:4])
+                self.check_source(figure, *row[2:5])
             for source in {f["source"] for f in judged if "source" in f}:
                 self.assertIn(source[1:], section.text)  # it begins with a capital there
 
@@ -205,6 +220,10 @@ class ReportPages(drawing.Drawing, page_tables.Tables, unittest.TestCase):
         """The source's value, by how much ours is off it, and what is expected."""
         self.assertEqual(numbers(printed), given(figure, "printed"), figure["id"])
         self.assertEqual(numbers(expected)[:1], given(figure, "expected"), figure["id"])
+        for text, band in zip(re.findall(r"\u00b1 ([0-9.]+)", expected), given(
+                figure, "tolerance"), strict=True):
+            self.assertAlmostEqual(float(text), band, delta=0.501 * 10 ** -len(
+                text.partition(".")[2]), msg=figure["id"])
         off = [(figure["value"] / figure["printed"] - 1) * 100] if figure.get("printed") else []
         self.assertEqual(len(numbers(difference)), len(off), figure["id"])
         for shown, wanted in zip(numbers(difference), off, strict=True):
@@ -294,8 +313,8 @@ class ReportPages(drawing.Drawing, page_tables.Tables, unittest.TestCase):
             channels = self.js("return Trammel.page.runs[0].channels")
             self.assertEqual(sorted(self.js(lines)), sorted(
                 [one["name"], one["help"], count] for one in channels if one["unit"] != "s"))
+            self.check_columns(channels)
             self.check_tiles(metrics)
-            self.assertNotEqual(self.driver.find_element("id", "columns").text.count("\n"), 0)
             listed = self.js("return [...document.querySelectorAll('#figures td')].map((cell) => "
                              "cell.textContent)")
             for figure in metrics["figures"]:
@@ -306,12 +325,37 @@ class ReportPages(drawing.Drawing, page_tables.Tables, unittest.TestCase):
             self.check_painted(name)
             self.check_widths(name, "plain_report.html")
 
+    def check_columns(self, channels):
+        """Each line is its column, beside others of its unit alone; words stand in steps."""
+        told = [[cell for cell, *_ in row] for row in self.rows_of("#columns tbody tr")]
+        self.assertEqual(told, [[one["name"], unit_text(one["unit"]), one["help"]]
+                                for one in channels])
+        by_name = {one["name"]: one for one in channels}
+        for units, labels in self.js("""const s = Trammel.page.runs[0].series;
+                return Trammel.time.plots.map((p) => [p.yLabel, p.series.map((one) => [one.label,
+                  one.unit, one.digits, !!one.steps, one.data === s[one.label], one.run])])"""):
+            for label, unit, digits, steps, own, _ in labels:
+                channel = by_name[label]
+                self.assertEqual((unit, steps, own), (unit_text(channel["unit"]), channel["lsb"]
+                                                      == 1, True), label)
+                self.assertIn(units, (unit, ""), label)
+                self.assertEqual(digits, min(6, max(0, round(-math.log10(channel["lsb"]) + 0.49))),
+                                 label)
+            self.assertEqual(len({one[1] for one in labels}), 1)
+            self.assertEqual(len({one[5] for one in labels}), len(labels))  # colors
+
     def test_runs_of_a_machine_without_a_page_are_compared(self):
         self.plain(".", "compare.html")
         titles = self.js("return Trammel.time.plots.map((p) => p.title)")
         channels = self.js("return Trammel.page.runs[0].channels")
         self.assertEqual(titles, [one["name"] for one in channels if one["unit"] != "s"])
         self.assertNotEqual(titles, [])
+        rows = [[float(row["t_s"]) for row in self.rows(name)] for name in self.compared]
+        times = self.js("return [...Trammel.time.values]")
+        self.assertEqual(times[0], 0)
+        every = (rows[0][-1] - rows[0][0]) / (len(rows[0]) - 1)
+        # Without the column of time it is the time of the run, which begins before its samples.
+        self.assertAlmostEqual(times[1], every, delta=1e-3 * every)
         lengths = [len(self.rows(name)) for name in self.compared]
         for plot in self.filled():
             self.assertEqual(plot, [max(lengths), *lengths])

@@ -37,6 +37,8 @@ class Page(report_pages.ReportPages):
         **{plot: {f"motor {k}": f"m{k}_{column}" for k in (1, 2)} for plot, column in
            (("control", "u_count"), ("force", "force_count"), ("apart", "apart_mm"),
             ("flank", "flank"))}}}
+    better_small = ("step.overshoot_mm step.overshoot_percent step.arrive_s step.settle_s "
+                    "step.swing_mm")
     compared_drawn = {
         "response": (lambda row, _: 100 * (row["x_mm"] - 0.5 - 2) / (305 - 2), 1e-4),
         "position": "x_mm", "velocity": "v_mm_s", "control": "m1_u_count"}
@@ -50,6 +52,53 @@ class Page(report_pages.ReportPages):
         self.assertIn("Brochier 2006, figure 36", figures)
         self.assertIn("figure 36: overshoot of 0.26 %",
                       self.driver.find_element("id", "motion").text)
+
+    def asides(self, metrics):
+        return {"step.overshoot_percent": f"of {metrics['options']['step.reference_mm']:g} mm"}
+
+    def test_chips_name_the_controller(self):
+        self.open("p")
+        options = {**self.metrics("p")["options"], "host.sends": ":21=1;:22=2", "position.gain": 3,
+                   "position.time_shift": 12, "position.sum": "none", "position.min_force": 7}
+        for changed, words in (
+                ({}, "P, K = 3"), ({"position.sum": "plain"}, "PI, TI = 12"),
+                ({"position.sum": "cancel"}, "PI, sum cancelled, TI = 12"),
+                ({"position.sum": "anti_windup"}, "PI, anti-windup, TI = 12"),
+                ({"position.sum": "anti_windup", "position.min_force": 0}, "PI, linear, TI = 12"),
+                ({"position.sum": "plain", "position.min_force": 0}, "PI, TI = 12"),
+                ({"position.bang_bang": True, "position.max_force": 90}, "bang-bang, \u00b190"),
+                ({"control.cascade": True, "control.cascade_gain": 9, "control.compensate": False},
+                 "cascade, K = 9"),
+                ({"control.cascade": True, "control.cascade_gain": 9, "control.compensate": True},
+                 "cascade, K = 9, backlash compensated"),
+                ({"host.sends": ":22=2", "velocity.time_shift": 5}, "velocity PI, KIV = 5")):
+            chips = self.js("return Trammel.machines.gantry.chips({ options: arguments[0], "
+                            "published: { figure: arguments[1] } })", {**options, **changed}, "36")
+            self.assertEqual(chips, [words, "figure 36"])
+
+    def test_the_portrait_has_its_points_where_the_codes_are(self):
+        self.open("fitted")
+        rows = self.numbers_of("fitted")
+        step = math.ceil(len(rows) / 6000)
+        shapes = self.shapes("portrait", 440, 418)
+        ring = self.paths("portrait", "asked", 440, 418)
+        ring = max(ring, key=len)
+        for role, names in (("model", ("a_code", "b_code")),
+                            ("actual", ("sensor_a_code", "sensor_b_code"))):
+            codes = [[row[name] for name in names] for row in rows[::step]]
+            codes = [pair for pair in codes if pair != [0, 0]]
+            color = self.color(role)
+            dots = [(float(s["cx"]), float(s["cy"])) for s in shapes if s["tag"] == "circle" and
+                    s["fill"] == color]
+            self.assertEqual(len(dots), len(codes))
+            for k, rises in ((0, True), (1, False)):
+                # The ideal circle of 400 around 512 is in the same frame.
+                pixels = [at[k] for at in ring]
+                ends = [(112, min(pixels)), (912, max(pixels))]
+                ends = ends if rises else [(912, ends[0][1]), (112, ends[1][1])]
+                _, _, worst = drawing.line_through(
+                    [(pair[k], dot[k]) for pair, dot in zip(codes, dots, strict=True)] + ends)
+                self.assertLess(worst, 0.05, role)
 
     def chips(self, name):
         self.open(name)

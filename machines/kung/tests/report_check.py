@@ -10,17 +10,19 @@ usage: report_check.py PROGRAM FOLDER     PROGRAM: trammel; FOLDER: for the runs
 import csv
 import json
 import math
+import re
 import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "tests" / "support"))
 import drawn_page
+import sample_page
 
 import browser
 import report_pages
 
 
-class Page(drawn_page.DrawnPage, report_pages.ReportPages):
+class Page(drawn_page.DrawnPage, sample_page.SamplePage, report_pages.ReportPages):
     runs = {
         "step": ["run", "step", "-s", "path.square_periods=2",
                  "-s", "path.square_half_samples=150", "-s", "run.reached_m=0.05"],
@@ -64,8 +66,32 @@ class Page(drawn_page.DrawnPage, report_pages.ReportPages):
         "voltage-{a}": {"v_q": ("{a}_v_q", 311 / 3 ** 0.5 / 2048),
                         "v_d": ("{a}_v_d", 311 / 3 ** 0.5 / 2048)},
         "fuzzy-{a}": {"u": ("{a}_u", 1 / 256)}, "force-{a}": {"force": "{a}_force_N"}}}
+    better_small = ("tracking.model.mean_mm tracking.model.std_mm tracking.model.variance_mm2 "
+                    "tracking.model.rms_mm tracking.model.max_mm tracking.command.mean_mm "
+                    "contour.mean_mm contour.max_mm")
+    colors_drawn = {"circle": {
+        "to reference": ("table, error (mm)", (lambda row, _: 1e3 * math.hypot(
+            *(row[f"{a}_model_m"] - row[f"{a}_position_m"] for a in "xy")), 2e-5)),
+        "to path": ("table, contour (mm)", (lambda row, _: 1e3 * abs(math.hypot(
+            *(row[f"{a}_position_m"] - 0.25 for a in "xy")) - 0.1), 5e-3))}}  # chords, not arcs
     paths_drawn = {"circle": tuple((f"{{a}}_{name}_m", 1e3) for name in
                                    ("command", "model", "position", "model"))}
+
+    def idle(self, key, options):
+        kind = re.match(r"path\.(circle|window|star|square|line|points|sweep|gcode)_", key)
+        return kind is not None and kind[1] != options["path.kind"]
+
+    def asides(self, metrics):
+        found = {"tracking.model.max_mm": "to the reference model"}
+        for key, digits in (("peak_current_A", 2), ("max_speed_m_s", 3)):
+            found[key] = ", ".join(f"{a.upper()} {metrics[a][key]:.{digits}f}" for a in "xy")
+        if "contour" in metrics:
+            found["contour.mean_mm"] = f"largest {metrics['contour']['max_mm']:.3f}"
+        for axis in "xy":
+            periods = metrics[axis].get("periods", [])
+            found[f"{axis}.periods.{len(periods) - 1}.overshoot_percent"] = \
+                f"last period; first {periods[0]['overshoot_percent']:.1f}" if periods else ""
+        return found
 
     def test_zoom_is_shared_and_taken_back(self):
         from selenium.webdriver import ActionChains

@@ -42,9 +42,39 @@ class Page(report_pages.ReportPages):
         "bits-{a}": {"busy": drawing.bit("{a}_status", 12),
                      "forward": drawing.bit("{a}_status", 13),
                      "switch": drawing.bit("{a}_status", 14)}}}
+    better_small = ("script.time_s script.off_step x.lost_step x.max_angle_step y.lost_step "
+                    "y.max_angle_step")
+    colors_drawn = {"step": {
+        "speed": ("rotors, speed (step/s)", drawing.hypot("x_speed_step_s", "y_speed_step_s")),
+        "load angle": ("rotors, load angle (step)",
+                       drawing.hypot("x_angle_step", "y_angle_step"))}}
     compared_drawn = {"position-{a}": "{a}_at_step", "angle-{a}": "{a}_angle_step"}
     paths_drawn = {"calibrate": tuple((f"{{a}}_{name}", 25.4e-3) for name in
                                       ("asked_step", "step", "at_step", "step"))}
+
+    def asides(self, metrics):
+        return {"script.time_s": f"{metrics['script']['calls']} calls",
+                "x.max_angle_step": "beyond 5 the rotor falls back by 10",
+                "script.off_step": "rotors from where WHRTBL has them",
+                "interrupts": f"{metrics['event_count']} events in all"}
+
+    def test_events_stand_in_the_order_of_their_columns(self):
+        self.open("calibrate")
+        events = self.metrics("calibrate")["events"]
+        self.assertTrue(events)
+        for number, (cells, one) in enumerate(zip(self.rows_of("#interface .long tbody tr"), events,
+                                                  strict=True), 1):
+            text = [cell[0] for cell in cells]
+            self.assertEqual([text[0], *text[2:4], *text[5:]], [
+                str(number), one["axis"].upper(), one["what"], f"{one['count']:06o}",
+                f"{one['status']:06o}"])
+            self.assertAlmostEqual(page_tables.number(text[1]), one["time_s"], delta=0.51e-5)
+            self.assertAlmostEqual(page_tables.number(text[4]), one["at_step"], delta=0.0051)
+        for cells, call in zip(self.rows_of("#calls tbody tr"), self.metrics("calibrate")["calls"],
+                               strict=True):
+            self.assertEqual([cell[0] for cell in cells[1:4]],
+                             [str(call["line"]), call["call"], call.get("answer", "")])
+            self.assertAlmostEqual(float(cells[0][0]), call["time_s"], delta=0.51e-4)
 
     def test_calls_events_and_published_figures_are_shown(self):
         self.open("calibrate")

@@ -58,7 +58,22 @@ class Page(report_pages.ReportPages):
         "error-{a}": {"e": "{a}_e"},
         "terms-{a}": {name: f"{{a}}_{name}" for name in ("output", "d", "p", "i")},
         "voltage-{a}": {"u": "{a}_u_V"}, "current-{a}": {"i": "{a}_i_A"}}}
+    better_small = ("motion.time_s motion.contour_max_mm motion.contour_rms_mm "
+                    "motion.contour_end_mm motion.max_error_counts")
+    colors_drawn = {"track": {
+        "speed": ("table, speed (mm/s)", drawing.hypot("x_mm_s", "y_mm_s")),
+        "feed rate": ("table, v (0..255)", "v"),
+        "contour error": ("table, contour (mm)", "contour_mm")}}
     paths_drawn = {"track": (None, place("{a}_desired_count", MM), place("{a}_mm", 1), None)}
+
+    def asides(self, metrics):
+        motion = metrics["motion"]
+        return {"real_count.0": f"{metrics['real_count'][0] * MM:.3f} mm from the start",
+                "motion.max_error_counts":
+                    f"of an axis, {motion['max_error_counts'] * MM:.3f} mm",
+                "motion.max_speed_mm_s": f"of an axis, desired {motion['max_desired_mm_s']:.1f}",
+                "motion.max_current_A": f"limit {metrics['options']['motor.current_limit_A']:.1f} A"
+                }
 
     def contour(self):
         """Names, figures that the page marks, and largest values of the runs of the plot."""
