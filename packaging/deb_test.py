@@ -48,6 +48,13 @@ def main():
                 or "/tests/" in listed:
             print(f"deb: depends on {needs} and holds\n{listed}", file=sys.stderr)
             return 1
+        machines = Path(__file__).resolve().parents[1] / "machines"
+        lacks = [str(file.relative_to(machines)) for folder_of in ("scenarios", "pictures")
+                 for file in machines.glob(f"*/{folder_of}/*")
+                 if f"/{file.relative_to(machines)}\n" not in listed]
+        if lacks:
+            print(f"deb: lacks {', '.join(lacks)}", file=sys.stderr)
+            return 1
         run("dpkg-deb", "-x", package, folder / "tree").check_returncode()
         program = folder / "tree" / "usr" / "bin" / "trammel"
         said = run(program, "doctor").stdout

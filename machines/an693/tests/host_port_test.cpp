@@ -122,6 +122,12 @@ TEST_CASE("what is none of the permitted clocks and converters is refused by one
   part.dac_bits = 10;
   CHECK_THROWS_WITH(lm628::check_part(part), "chip.dac_bits: value 10 is neither 8 nor 12");
   part.dac_bits = 8;
+  for (const int clock_MHz : {0, 5, 7, 9, -6}) {
+    part.clock_MHz = clock_MHz;
+    CHECK_THROWS_WITH(lm628::check_part(part), Contains("chip.clock_MHz: value " +
+                                                        std::to_string(clock_MHz) + " is neither"));
+  }
+  part.clock_MHz = 8;
   CHECK(lm628::part_warning(part).empty());
   part.variant = lm628::Variant::kLm629;
   CHECK_THAT(lm628::part_warning(part), Contains("chip.dac_bits = 8 has no effect"));

@@ -93,6 +93,30 @@ class Page(report_pages.ReportPages):
             drawn += len(bars)
         self.assertGreater(drawn, 1)
 
+    def test_pointing_at_the_status_is_pointing_at_its_time_in_all_plots(self):
+        self.open("turn")
+        rows = self.numbers_of("turn")
+        begin, end = rows[0]["t_s"], rows[-1]["t_s"]
+        plot = self.driver.find_element("css selector", "[data-plot=status] .plot")
+        self.js("arguments[0].scrollIntoView({block: 'center'})", plot)
+        for part in (0.01, 0.3, 0.75, 0.99, -0.05, 1.02):
+            found, width = self.js("""
+              const canvas = arguments[1], box = canvas.getBoundingClientRect();
+              const width = canvas.clientWidth;
+              canvas.dispatchEvent(new MouseEvent('mousemove', { bubbles: true,
+                clientX: box.left + 146 + arguments[0] * (width - 160), clientY: box.top + 20 }));
+              return [Trammel.time.plots.filter((p) => p.uplot.cursor.idx != null &&
+                p.uplot.cursor.left >= 0).map((p) => p.uplot.data[0][p.uplot.cursor.idx]), width];
+              """, part, plot)
+            with self.subTest(part=part):
+                if not 0 <= part <= 1:
+                    self.assertEqual(found, [])
+                    continue
+                self.assertGreater(len(found), 1)
+                pixel = (end - begin) / (width - 160)
+                for time in found:
+                    self.assertAlmostEqual(time, begin + part * (end - begin), delta=2 * pixel)
+
     def test_lines_of_a_script_have_their_times_and_answers(self):
         self.open("script")
         script = self.metrics("script")["script"]

@@ -299,6 +299,9 @@ class LauncherTest(Scratch):
             self.assertRegex(out, "(?m)^make +1.2$")
             got, _, _, started = self.launch("doctor", "--json")
             self.assertEqual((got, started), (code, ["trammel doctor --json"]))
+        self.write("installed", "make\n")  # what the program has no eyes for stays missing
+        self.write("code", "0\n")
+        self.assertEqual(self.launch("doctor")[0], 3)
 
     def test_doctor_tells_of_the_packages_of_python_that_have_a_user(self):
         self.write("scripts/requirements.txt", "two-words==2.1  # wave: reads them\n"
