@@ -323,7 +323,7 @@ class ReportPages(drawing.Drawing, page_looks.Looks, page_tables.Tables, unittes
             self.assertGreater(len(self.js("return [...document.querySelectorAll("
                                            "'#parameters tr[data-find]')]")), 20)
             self.check_painted(name)
-        self.check_widths(name, "plain_report.html")
+            self.check_widths(name, "plain_report.html")
 
     def check_columns(self, channels):
         """Each line is its column, beside others of its unit alone; words stand in steps."""
