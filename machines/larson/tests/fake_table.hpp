@@ -3,6 +3,7 @@
 // The words of an interface that moves at once, and the program of a script on it.
 #pragma once
 
+#include <catch2/catch.hpp>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -107,6 +108,16 @@ struct Program {
     while (app.mailbox().done == 0 && steps-- > 0) {
       if (bus.irq()) app.isr(bus);
       if (app.mailbox().done == 0) bus.step();
+    }
+  }
+
+  // From the start, until so many calls have ended.
+  void run_to(std::uint32_t ended) {
+    app.start(bus);
+    for (int n = 0; app.mailbox().point < ended; ++n) {
+      REQUIRE(n < 200'000);
+      if (bus.irq()) app.isr(bus);
+      if (app.mailbox().point < ended) bus.step();
     }
   }
 };

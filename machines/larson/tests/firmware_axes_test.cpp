@@ -161,11 +161,7 @@ TEST_CASE("a switch in a move of either axis, at either end, ends the calibratio
                         axis == 0 ? 250 : high ? 450 : 50},
                        kWait, {LarsonOp::kAbstbl, 1, 1}, kCal, {LarsonOp::kAbstbl, 1, 1}},
                       setup);
-      program.app.start(program.bus);
-      while (program.app.mailbox().point < 4) {  // then the move runs
-        if (program.bus.irq()) program.app.isr(program.bus);
-        if (program.app.mailbox().point < 4) program.bus.step();
-      }
+      program.run_to(4);  // then the move runs
       FakeTable::Axis& a = program.bus.axes[axis];
       (high ? a.high : a.low) = a.at + (high ? 5 : -5);
       program.run();

@@ -16,16 +16,6 @@ namespace {
 constexpr auto kNotYet = static_cast<std::int32_t>(StepAnswer::kNotCalibrated);
 constexpr auto kStillMoves = static_cast<std::int32_t>(StepAnswer::kMoving);
 
-// Runs until so many calls have ended.
-void run_to(Program& program, std::uint32_t calls) {
-  if (program.app.mailbox().point == 0) program.app.start(program.bus);
-  for (int n = 0; program.app.mailbox().point < calls; ++n) {
-    REQUIRE(n < 200'000);
-    if (program.bus.irq()) program.app.isr(program.bus);
-    if (program.app.mailbox().point < calls) program.bus.step();
-  }
-}
-
 }  // namespace
 
 TEST_CASE("before CALTBL no move begins: -1, nothing is written, and nothing waits") {
@@ -49,7 +39,7 @@ TEST_CASE("a move during a move is refused by -2, whichever axis moves, and chan
     Program program({kCal, {LarsonOp::kAbstbl, x, y}, {LarsonOp::kVeltbl, 500, 250},
                      {LarsonOp::kAbstbl, 7, 9000}, {LarsonOp::kReltbl, 7, -9000}, kWait, kWhere,
                      {LarsonOp::kReltbl, 1, 2}, kWait, kWhere});
-    run_to(program, 5);
+    program.run_to(5);
     CHECK(program.answers[1].value == 0);
     CHECK(program.answers[3].value == kStillMoves);
     CHECK(program.answers[4].value == kStillMoves);
@@ -70,7 +60,7 @@ TEST_CASE("a move during a move is refused by -2, whichever axis moves, and chan
 TEST_CASE("CALTBL waits for a move that is not over, forgets its error, and finds its zero anew") {
   Program program({kCal, {LarsonOp::kAbstbl, 40, -3}, kCal, kWhere, kWait,
                    {LarsonOp::kAbstbl, 6, 8}, kWait, kWhere});
-  run_to(program, 2);
+  program.run_to(2);
   const std::size_t before = program.bus.starts.size();
   program.bus.step();
   if (program.bus.irq()) program.app.isr(program.bus);
@@ -93,7 +83,7 @@ TEST_CASE("a wait of a script is its own clocks, once, and a move goes on beside
   Program program({kCal, {LarsonOp::kAbstbl, 3, 0}, {LarsonOp::kWait, 123'456, 9}, kWhere,
                    {LarsonOp::kWait, 2'147'483'647, 0}, kWait},
                   setup);
-  run_to(program, 3);
+  program.run_to(3);
   CHECK(program.bus.timer == 123'456);
   const std::size_t timers = program.bus.timers.size();
   program.bus.step();
@@ -114,7 +104,7 @@ TEST_CASE("where a switch ended a move WHRTBL tells it, from either side, and WT
     Program program({kCal, {LarsonOp::kAbstbl, 100, 60}, kWait,
                      {LarsonOp::kAbstbl, high ? 200 : 10, 60}, kWait, kWhere, kWait, kCal},
                     setup);
-    run_to(program, 4);
+    program.run_to(4);
     FakeTable::Axis& x = program.bus.axes[0];
     (high ? x.high : x.low) = x.at + (high ? 20 : -20);
     program.run();

@@ -90,13 +90,12 @@ void StepTable::ended(Bus& bus, std::uint32_t axis) {
   Axis& a = axes_[axis];
   const std::uint32_t status = bus.read(map::status(axis));
   if ((status & map::kBusy) != 0) return;
-  const bool at_switch = (status & map::kLimit) != 0;
-  a.at_switch = at_switch;
+  a.at_switch = (status & map::kLimit) != 0;
   a.from = position(bus, axis);
   a.moving = false;
   if (a.seek != Seek::kNone) {
-    seek_on(bus, axis, at_switch);
-  } else if (at_switch) {
+    seek_on(bus, axis);
+  } else if (a.at_switch) {
     error_ = true;
     calibrated_ = false;  // what the buffer held is lost
   }
@@ -120,13 +119,13 @@ void StepTable::caltbl(Bus& bus) {
 }
 
 // At the switch: reset, and away from it until it opens; then the margin.
-void StepTable::seek_on(Bus& bus, std::uint32_t axis, bool at_switch) {
+void StepTable::seek_on(Bus& bus, std::uint32_t axis) {
   Axis& a = axes_[axis];
-  if (a.seek == Seek::kToSwitch && at_switch) {
+  if (a.seek == Seek::kToSwitch && a.at_switch) {
     bus.write(map::status(axis), map::kReset);
     a.seek = Seek::kOffSwitch;
     run(bus, axis, kOff, code(setup_.back_rate));
-  } else if (a.seek == Seek::kMargin && !at_switch) {
+  } else if (a.seek == Seek::kMargin && !a.at_switch) {
     a.seek = Seek::kNone;
     a.from = 0;
     calibrated_ = axes_[1 - axis].seek == Seek::kNone && !error_;

@@ -85,7 +85,7 @@ class StepTable {
   void run(Bus& bus, std::uint32_t axis, std::int32_t steps, std::uint32_t code);
   std::int32_t position(Bus& bus, std::uint32_t axis) const;
   void ended(Bus& bus, std::uint32_t axis);
-  void seek_on(Bus& bus, std::uint32_t axis, bool at_switch);
+  void seek_on(Bus& bus, std::uint32_t axis);
   void look(Bus& bus, std::uint32_t axis);
   std::int32_t clipped(std::int32_t target);
 

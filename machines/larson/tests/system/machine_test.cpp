@@ -34,6 +34,15 @@ Options built_in(const std::string& scenario) {
   return options;
 }
 
+// From (20, 20), by the twin; a switch may be held open or closed.
+struct Switches : Scripted {
+  explicit Switches(const std::string& text) : Scripted(text) {
+    options.start_x = options.start_y = 20;
+    options.run.engine = cosim::Engine::kTwin;
+    options.fault.kind = cosim::FaultKind::kEncoderStuck;
+  }
+};
+
 }  // namespace
 
 TEST_CASE("M-11 CALTBL and ABSTBL 1000 2000: WTTBL 1, WHRTBL the same, rotors within 2 steps") {
@@ -297,10 +306,7 @@ TEST_CASE("a table that is not where its program has it is missed, on either axi
 }
 
 TEST_CASE("a switch that never closes ends CALTBL, one that closes too early a move") {
-  Scripted script("CALTBL\nVELTBL 400 400\nABSTBL 100 100\nWTTBL\nABSTBL 5 5\nWHRTBL\n");
-  script.options.start_x = script.options.start_y = 20;
-  script.options.run.engine = cosim::Engine::kTwin;
-  script.options.fault.kind = cosim::FaultKind::kEncoderStuck;
+  Switches script("CALTBL\nVELTBL 400 400\nABSTBL 100 100\nWTTBL\nABSTBL 5 5\nWHRTBL\n");
   for (const int axis : {0, 1}) {
     CAPTURE(axis);
     script.options.fault.axis = axis;
@@ -321,11 +327,8 @@ TEST_CASE("a switch that never closes ends CALTBL, one that closes too early a m
 }
 
 TEST_CASE("a table that a switch has stopped is calibrated again, by either axis") {
-  Scripted script(
+  Switches script(
       "CALTBL\nVELTBL 400 400\nABSTBL 100 100\nWTTBL\nCALTBL\nABSTBL 5 7\nWTTBL\nWHRTBL\n");
-  script.options.start_x = script.options.start_y = 20;
-  script.options.run.engine = cosim::Engine::kTwin;
-  script.options.fault.kind = cosim::FaultKind::kEncoderStuck;
   for (const int axis : {0, 1}) {
     CAPTURE(axis);
     script.options.fault.axis = axis;
