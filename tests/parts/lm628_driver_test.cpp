@@ -13,6 +13,8 @@
 #include <utility>
 #include <vector>
 
+#include "tests/support/port_byte.hpp"
+
 namespace {
 
 // A part that takes and gives what the test says.
@@ -27,8 +29,7 @@ struct Port {
 
   Port() {
     port.write = [](void* self, bool ps, std::uint8_t byte) {
-      static constexpr char kDigits[] = "0123456789ABCDEF";
-      at(self).note({ps ? 'd' : 'c', kDigits[byte >> 4], kDigits[byte & 15]});
+      at(self).note(trammel::test::port_byte(ps ? 'd' : 'c', byte));
     };
     port.read = [](void* self, bool ps) { return at(self).give(ps); };
     port.strobe_reset = [](void* self) { at(self).note("R"); };

@@ -9,6 +9,7 @@
 #include <string>
 
 #include "sw_nios/apps/an693/an693.hpp"
+#include "tests/support/port_byte.hpp"
 
 namespace trammel::an693_test {
 
@@ -51,12 +52,8 @@ class FakePart final : public Bus {
       log += "R ";
       return;
     }
-    constexpr const char* kDigits = "0123456789ABCDEF";
     const bool is_data = addr == lm628_map::kData;
-    log += is_data ? 'd' : 'c';
-    log += kDigits[data >> 4 & 15];
-    log += kDigits[data & 15];
-    log += ' ';
+    log += test::port_byte(is_data ? 'd' : 'c', data) + ' ';
     second_ = is_data && !second_;
     if (busy_ > 0) ++written_busy;
     if (!second_) busy_ = busy_polls;

@@ -12,6 +12,7 @@
 #include "sw_nios/apps/mcafee/mcafee.hpp"
 #include "sw_nios/apps/mcafee/mcafee_map.hpp"
 #include "sw_nios/apps/mcafee/mcafee_xy.hpp"
+#include "tests/support/port_byte.hpp"
 
 using namespace trammel::sw;
 namespace regs = trammel::mcafee_xy_regs;
@@ -50,9 +51,7 @@ struct TwoParts final : Bus {
     const bool ps = (data & regs::kPortBPs) != 0;
     if ((data & regs::kPortBReadStrobe) != 0) shown_ = ps ? next(part) : status[part];
     if ((data & regs::kPortBWriteStrobe) == 0) return;
-    constexpr const char* kDigits = "0123456789ABCDEF";
-    log += part == 0 ? (ps ? 'd' : 'c') : (ps ? 'D' : 'C');
-    log += {kDigits[byte_ >> 4 & 15], kDigits[byte_ & 15], ' '};
+    log += trammel::test::port_byte(part == 0 ? (ps ? 'd' : 'c') : (ps ? 'D' : 'C'), byte_) + ' ';
     if (!ps && byte_ == 0x1D) status[part] = 0x80;
   }
 
@@ -111,10 +110,6 @@ void reply(Bench& bench, std::size_t part, std::int32_t value) {
   for (const int shift : {24, 16, 8, 0}) {
     bench.bus.reply[part].push_back(static_cast<std::uint8_t>(bits >> shift));
   }
-}
-
-bool ends_with(const std::string& text, const std::string& end) {
-  return text.size() >= end.size() && text.substr(text.size() - end.size()) == end;
 }
 
 }  // namespace
@@ -259,7 +254,7 @@ TEST_CASE("mcafee: an index that is missing at the end of a move is told, of eit
         reply(bench, 1, part == 1 ? way : 0);
         bench.on_timer();
         CHECK(bench.failure() == (lost ? McafeeFailure::kIndex : McafeeFailure::kNone));
-        CHECK(ends_with(bench.bus.log, kOff) == lost);
+        CHECK(Catch::EndsWith(kOff).match(bench.bus.log) == lost);
       }
     }
   }

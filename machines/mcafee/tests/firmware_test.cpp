@@ -17,6 +17,7 @@
 #include "sw_nios/apps/mcafee/mcafee_map.hpp"
 #include "sw_nios/apps/mcafee/mcafee_xy.hpp"
 #include "machines/mcafee/tests/xy_follower.hpp"
+#include "tests/support/port_byte.hpp"
 
 using namespace trammel;
 using namespace trammel::sw;
@@ -50,9 +51,7 @@ class SpiedChip final : public mcafee::TwinChip {
     const int axis = was.cs_x_n ? 1 : 0;
     const char kind = read ? 'r' : was.ps ? 'd' : 'c';
     const unsigned byte = read ? part(axis).out().d : was.d;
-    constexpr const char* kDigits = "0123456789ABCDEF";
-    bytes += {axis == 1 ? static_cast<char>(std::toupper(kind)) : kind, kDigits[byte >> 4],
-              kDigits[byte & 15], ' '};
+    bytes += test::port_byte(axis == 1 ? static_cast<char>(std::toupper(kind)) : kind, byte) + ' ';
   }
 };
 
