@@ -214,18 +214,18 @@ class Part:
         return {*names, *(re.sub(r"\.[xy]\.", ".", name) for name in names)}
 
     def check(self, where: str) -> None:
-        """Each key exists, and the ends of its values are within its range."""
-        ends = {axis.key: axis.values for axis in self.grid}
-        ends |= {key: (min(values), max(values)) if not isinstance(values[0], str) else values
-                 for key, values in self.points.items()}
-        twice = [key for key in ends if key in self.keys]
+        """Each key exists, and texts and the ends of numbers are values that it takes."""
+        tried = {axis.key: axis.values for axis in self.grid}
+        tried |= {key: (min(values), max(values)) if not isinstance(values[0], str) else values
+                  for key, values in self.points.items()}
+        twice = [key for key in tried if key in self.keys]
         twice += [axis.key for axis in self.grid if axis.key in self.points]
         if twice:
             raise PlanError(f"{where}: {twice[0]}: given twice")
         try:
             _given(self.scenario, self.engine, (), self.keys).validate()
             base = _core.Settings(self.scenario)
-            for key, values in ends.items():
+            for key, values in tried.items():
                 for value in dict.fromkeys(values):
                     _apply(base.copy(), key, value)
         except _core.ConfigError as error:
