@@ -124,7 +124,7 @@ class Drawing:
 
     def test_every_line_over_time_is_that_of_its_column(self):
         for run, plots in self.drawn.items():
-            self.open(run)
+            self.see(run)
             wanted = {plot.format(a=axis): (lines, axis) for plot, lines in plots.items()
                       for axis in ("xy" if "{a}" in plot else " ")}
             self.assertEqual(set(self.js("return Trammel.time.plots.map((p) => p.id)")),
@@ -141,7 +141,7 @@ class Drawing:
     def test_lines_of_compared_runs_are_those_of_their_columns(self):
         if not self.compared_drawn:
             self.skipTest("the machine compares nothing of its own")
-        self.open(".", "compare.html")
+        self.see(".", "compare.html")
         self.assertEqual(set(self.js("return Trammel.time.plots.map((p) => p.id)")),
                          {plot.format(a=axis) for plot in self.compared_drawn for axis in "xy"})
         times = self.js("return [...Trammel.time.values]")
@@ -254,7 +254,7 @@ class Drawing:
 
     def test_a_value_holds_until_the_next_one_where_it_is_drawn_in_steps(self):
         run = next(iter(self.drawn or self.runs))
-        self.open(run)
+        self.see(run)
         found = self.js("return Trammel.time.plots.flatMap((p) => p.series.map((s) => [p.id, "
                         "s.steps, s.role, s.hidden, [...new Set(s.data)].length]))"
                         ".filter((s) => s[1] && !s[3] && s[4] > 1)")
@@ -265,7 +265,7 @@ class Drawing:
                 self.assertLessEqual(x0, x1)
 
     def test_frames_ticks_and_numbers(self):
-        self.open(next(iter(self.runs)))
+        self.see(next(iter(self.runs)))
         for script, wanted in (
                 ("((f) => [f.x(0), f.x(2), f.y(-1), f.y(1)])("
                  "T.frame({ x: 10, y: 20, w: 100, h: 50 }, [0, 2], [-1, 1]))", [10, 110, 70, 20]),

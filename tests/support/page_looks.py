@@ -24,6 +24,13 @@ MARKERS = """return Trammel.time.plots.map((p) => [p.id, [...p.uplot.root.queryS
   getComputedStyle(row.querySelector('.u-marker')).backgroundImage,
   p.uplot.series[k + 1].stroke(), p.series[k].label])])"""
 
+# What follows a new size has been drawn one frame later.
+DRAWN = "const [done] = arguments; requestAnimationFrame(() => requestAnimationFrame(() => done()))"
+WIDTHS = """return [...document.querySelectorAll('[data-plot] .plot')].filter((p) => p.clientWidth)
+  .map((p) => [p.closest('[data-plot]').dataset.plot, p.clientWidth, p.querySelector(
+    ':scope > .uplot .u-wrap, :scope > svg, :scope > :not(.over) > svg').getBoundingClientRect()
+    .width])"""
+
 
 def rgb(color):
     return f"rgb({', '.join(str(int(color[k:k + 2], 16)) for k in (1, 3, 5))})"
@@ -38,9 +45,29 @@ def written(text):
 
 
 class Looks:
+    def check_widths(self, name, page="report.html"):
+        """Loads a page, and leaves it with all that can be opened open."""
+        browser.resize(self.driver, 390)
+        self.open(name, page)
+        self.js("for (const d of document.querySelectorAll('details')) d.open = true")
+        for width in (390, 1360, 768):
+            browser.resize(self.driver, width)
+            self.driver.execute_async_script(DRAWN)
+            self.assertLessEqual(self.js("return document.documentElement.scrollWidth"), width,
+                                 f"{name}/{page} at {width}")
+            for plot, place, drawn in self.js(WIDTHS):
+                self.assertAlmostEqual(drawn, place, delta=1, msg=f"{name} {plot} at {width}")
+        browser.resize(self.driver, 1360)
+        self.driver.execute_async_script(DRAWN)
+
+    def test_no_width_overflows(self):
+        for name in self.runs:
+            self.check_widths(name)
+        self.check_widths(".", "compare.html")
+
     def test_head_and_links_are_those_of_the_run(self):
         for name in self.runs:
-            self.open(name)
+            self.see(name)
             metrics = self.metrics(name)
             self.assertEqual(self.js("return document.querySelector('h1').textContent"),
                              metrics["scenario"])
@@ -61,7 +88,7 @@ class Looks:
 
     def test_a_plot_tells_what_its_lines_are(self):
         for name, page in [(name, "report.html") for name in self.runs] + [(".", "compare.html")]:
-            self.open(name, page)
+            self.see(name, page)
             for plot in self.js(PLOTS):
                 where = f"{name} {plot['id']}"
                 if plot["id"][-2:] in ("-x", "-y"):
@@ -122,7 +149,7 @@ class Looks:
 
     def test_events_are_dashed_lines_at_their_times(self):
         for name in self.runs:
-            self.open(name)
+            self.see(name)
             marks, plots = self.js("return [Trammel.time.marks, Trammel.time.plots.filter((p) => "
                                    "!p.times).map((p) => p.id)]")
             times = self.js("return Trammel.time.full")

@@ -40,7 +40,7 @@ class Tables:
             self.runs)))["machine"] / "scenarios").glob("*.toml"))
         self.make("cut", ["run", others[0], "-s", "run.max_s=0.002"], 5)
         for name in ("cut", *self.runs):
-            self.open(name)  # once: each takes more than half a second
+            self.see(name)  # once: each takes more than half a second
             metrics = self.metrics(name)
             self.check_outcome(name, metrics)
             if name != "cut":
@@ -126,7 +126,7 @@ class Tables:
 
     def test_tiles_have_what_belongs_to_their_figures_below_them(self):
         for name in self.runs:
-            self.open(name)
+            self.see(name)
             metrics = self.metrics(name)
             own = self.asides(metrics)
             tiles = [f for f in metrics["figures"] if "tile" in f]
@@ -150,7 +150,7 @@ class Tables:
                     self.assertEqual(text, "\u00a0", f"{name} {f['id']}")
 
     def test_less_is_better_of_errors_and_times(self):
-        self.open(".", "compare.html")
+        self.see(".", "compare.html")
         told = self.js("const m = Trammel.machineOf(Trammel.page.machine).compare; return "
                        "Trammel.commonFigures(Trammel.page.runs, m.figures).filter(([f]) => "
                        "m.smallerIsBetter(f)).map(([f]) => f.id)")
@@ -187,7 +187,7 @@ class Tables:
         self.assertEqual({name for name, hidden in groups if not hidden}, full)
 
     def test_differences_are_to_the_first_run_of_its_kind(self):
-        self.open(".", "compare.html")
+        self.see(".", "compare.html")
         runs = [self.metrics(name) for name in self.compared]
         kinds = self.js("return Trammel.page.runs.map(Trammel.machineOf(Trammel.page.machine)"
                         ".compare.kindOf)")
@@ -221,7 +221,7 @@ class Tables:
         self.assertGreater(told, 0)
 
     def test_parameters_that_are_those_of_the_first_run_are_dim(self):
-        self.open(".", "compare.html")
+        self.see(".", "compare.html")
         rows = self.rows_of("#parameters tbody tr")
         self.assertNotEqual(rows, [])
         options = [self.metrics(name)["options"] for name in self.compared]
@@ -231,7 +231,7 @@ class Tables:
                 self.assertEqual(look, "dim" if own.get(key) == options[0].get(key) else "", key)
 
     def test_tables_of_figures_have_each_unit_once(self):
-        self.open(next(iter(self.runs)))
+        self.see(next(iter(self.runs)))
         for units, heads, names, cells in (
                 ("m m m m", ["a (m)", "b (m)"], ["One", "Two"], ["1", "2", "3", "4"]),
                 ("m s m s", ["a (m)", "b (s)"], ["One", "Two"], ["1", "2", "3", "4"]),

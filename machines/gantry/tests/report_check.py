@@ -11,7 +11,6 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "tests" / "support"))
-import browser
 import drawing
 import report_pages
 
@@ -44,7 +43,7 @@ class Page(report_pages.ReportPages):
         "position": "x_mm", "velocity": "v_mm_s", "control": "m1_u_count"}
 
     def test_the_calibration_and_the_published_figure_are_shown(self):
-        self.open("p")
+        self.see("p")
         cubics = self.driver.find_element("id", "calibration").text
         for coefficient in ("162", "1652", "12289"):
             self.assertIn(coefficient, cubics)
@@ -57,7 +56,7 @@ class Page(report_pages.ReportPages):
         return {"step.overshoot_percent": f"of {metrics['options']['step.reference_mm']:g} mm"}
 
     def test_chips_name_the_controller(self):
-        self.open("p")
+        self.see("p")
         options = {**self.metrics("p")["options"], "host.sends": ":21=1;:22=2", "position.gain": 3,
                    "position.time_shift": 12, "position.sum": "none", "position.min_force": 7}
         for changed, words in (
@@ -77,7 +76,7 @@ class Page(report_pages.ReportPages):
             self.assertEqual(chips, [words, "figure 36"])
 
     def test_the_portrait_has_its_points_where_the_codes_are(self):
-        self.open("fitted")
+        self.see("fitted")
         rows = self.numbers_of("fitted")
         step = math.ceil(len(rows) / 6000)
         shapes = self.shapes("portrait", 440, 418)
@@ -101,7 +100,7 @@ class Page(report_pages.ReportPages):
                 self.assertLess(worst, 0.05, role)
 
     def chips(self, name):
-        self.open(name)
+        self.see(name)
         return self.driver.find_element("css selector", ".head-title").text
 
     def test_controller_and_figure_stand_beside_the_title(self):
@@ -111,7 +110,7 @@ class Page(report_pages.ReportPages):
             self.assertNotIn("none", self.chips(name))
 
     def test_the_sensor_is_a_circle_and_each_region_has_its_cubic(self):
-        self.open("fitted")
+        self.see("fitted")
         for plot, least in (("portrait", 1000), ("cubics", 4), ("cubics-off", 4)):
             shapes = self.js("return Trammel.svgText(Trammel.plots.find((p) => p.id === "
                              "arguments[0]))", plot)
@@ -124,7 +123,7 @@ class Page(report_pages.ReportPages):
         self.assertLess(max(radii), 430)
 
     def test_the_cubics_are_those_of_the_memory(self):
-        self.open("fitted")
+        self.see("fitted")
         words = self.metrics("fitted")["calibration"]
         colors = self.js("return Trammel.light.runs")
 
@@ -152,7 +151,7 @@ class Page(report_pages.ReportPages):
                 self.assertLess(worst, 0.02)
 
     def test_runs_lie_over_each_other_beside_what_the_thesis_has(self):
-        browser.open_page(self.driver, self.folder / "compare.html")
+        self.see(".", "compare.html")
         table = self.driver.find_element("id", "published").text
         for words in ("figure 36", "overshoot of 0.26 %", "figure 39", "overshoot of 0.65 %",
                       "cascade, K = 9", "no overshoot, slower than P"):

@@ -32,7 +32,7 @@ class DrawnPage:
             for x, y in center}
 
     def test_a_rule_stands_where_its_e_and_de_are(self):
-        self.open("circle")
+        self.see("circle")
         for axis in "xy":
             rules = self.detail("circle")["rules"][axis]
             change = [b - a for a, b in zip(rules["first"], rules["last"], strict=True)]
@@ -49,7 +49,7 @@ class DrawnPage:
                                                msg=f"{axis} {plot}, e {KNOTS[e]}, de {KNOTS[de]}")
 
     def test_the_line_over_the_rules_is_that_of_e_and_de(self):
-        self.open("small-fc")
+        self.see("small-fc")
         options, rows = self.metrics("small-fc")["options"], self.numbers_of("small-fc")
         for axis in "xy":
             cells = self.cells(f"rules-{axis}-fixed")
@@ -63,7 +63,7 @@ class DrawnPage:
                                            delta=0.02, msg=f"{axis} {word}")
 
     def test_the_surface_goes_through_the_rules(self):
-        self.open("circle")
+        self.see("circle")
         for axis in "xy":
             rules = self.detail("circle")["rules"][axis]["last"]
             closed = [s["points"] for s in self.shapes(f"surface-{axis}", 460, 340)
@@ -85,7 +85,7 @@ class DrawnPage:
                     self.assertLess(near, 0.4, f"{axis}, e {KNOTS[e]}, de {KNOTS[de]}")
 
     def test_the_gates_are_drawn_as_they_switched(self):
-        self.open("circle")
+        self.see("circle")
         detail = self.detail("circle")
         gates = detail["gates"]
         row = next(r for r in self.numbers_of("circle") if r["tick"] >= detail["moment"]["tick"])
@@ -158,7 +158,7 @@ class DrawnPage:
         return sorted(spans)
 
     def test_a_bode_plot_has_gain_above_phase(self):
-        self.open("response")
+        self.see("response")
         for loop in ("speed", "current"):
             plot = f"bode-{loop}-x"
             if not self.js("return Trammel.plots.some((p) => p.id === arguments[0])", plot):
@@ -182,7 +182,7 @@ class DrawnPage:
             self.assertLess(*middles)
 
     def test_periods_of_a_square_lie_over_its_levels(self):
-        self.open("step")
+        self.see("step")
         options, rows = self.metrics("step")["options"], self.numbers_of("step")
         half = options["path.square_half_samples"]
         low, high = (options[f"path.square_{end}_m"] for end in ("low", "high"))
@@ -204,7 +204,7 @@ class DrawnPage:
                     self.assertAlmostEqual(line[k][1], wanted, delta=0.05, msg=f"{axis} {name} {k}")
 
     def test_words_of_the_controller_have_their_physical_values(self):
-        self.open("circle")
+        self.see("circle")
         steps = self.detail("circle")["moment"]
         count, tick = 5e-6, 0.5e-3
         # Step, value of its word's least bit, digits, unit: rtl/control/afc.md.
@@ -229,7 +229,7 @@ class DrawnPage:
         return [{key: float(value) for key, value in row.items()} for row in self.precise()]
 
     def test_an_error_beside_the_path_is_drawn_on_its_side(self):
-        self.open("precision")
+        self.see("precision")
         rows, trace = self.precision_rows(), self.numbers_of("precision")
         card = self.driver.find_element("css selector", "[data-plot=contour-large]")
         factor = next(float(b.text[1:].replace("\u2009", "")) for b in card.find_elements(
@@ -256,7 +256,7 @@ class DrawnPage:
         self.assertGreater(checked, 500)
 
     def test_bins_hold_the_errors_of_their_places(self):
-        self.open("precision")
+        self.see("precision")
         rows = [row for row in self.precision_rows() if row["counted"] == 1]
         reach = max(abs(row[f"{axis}_error_um"]) for row in rows for axis in "xy")
         for axis in "xy":
@@ -275,7 +275,7 @@ class DrawnPage:
             self.assertEqual(tall.index(min(tall)), bins.index(max(bins)))
 
     def test_the_table_beside_has_its_figures_in_their_columns(self):
-        self.open("precision")
+        self.see("precision")
         metrics = self.metrics("precision")
         ids = [("error_um", key) for key in ("mean", "rms", "p99", "max")] + [
             ("contour_um", key) for key in ("mean", "max")]

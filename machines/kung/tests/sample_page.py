@@ -91,7 +91,7 @@ class SamplePage:
             self.assertLess(worst, 0.03)
 
     def test_laps_and_spectrum_are_drawn_at_their_values(self):
-        self.open("precision")
+        self.see("precision")
         laps = [f["value"] for f in self.metrics("precision")["figures"]
                 if f["id"].startswith("lap_error_um.")]
         self.assertGreater(len(laps), 1)
@@ -143,7 +143,7 @@ class SamplePage:
                              [metrics["verdict"], metrics["command"]])
 
     def test_small_paths_are_those_of_their_runs(self):
-        self.open(".", "compare.html")
+        self.see(".", "compare.html")
         for k, name in enumerate(self.compared):
             plot = f"path-{k + 1}"
             color = self.js("return Trammel.light.runs[arguments[0]]", k)

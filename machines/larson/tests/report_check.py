@@ -59,7 +59,7 @@ class Page(report_pages.ReportPages):
                 "interrupts": f"{metrics['event_count']} events in all"}
 
     def test_events_stand_in_the_order_of_their_columns(self):
-        self.open("calibrate")
+        self.see("calibrate")
         events = self.metrics("calibrate")["events"]
         self.assertTrue(events)
         for number, (cells, one) in enumerate(zip(self.rows_of("#interface .long tbody tr"), events,
@@ -77,7 +77,7 @@ class Page(report_pages.ReportPages):
             self.assertAlmostEqual(float(cells[0][0]), call["time_s"], delta=0.51e-4)
 
     def test_calls_events_and_published_figures_are_shown(self):
-        self.open("calibrate")
+        self.see("calibrate")
         metrics = self.metrics("calibrate")
         calls = self.driver.find_element("id", "calls").text
         for call in metrics["calls"]:
@@ -100,7 +100,7 @@ class Page(report_pages.ReportPages):
         self.assertIn("127 steps at 4000 PPS", figures)
         self.assertIn("Larson 1974, section III", figures)
         self.assertIn("rate 7704", figures.lower())
-        self.open("lost")
+        self.see("lost")
         self.assertIn("steps lost", self.driver.find_element("id", "interface").text)
 
 
