@@ -102,6 +102,26 @@ class KungBench {
     throw std::runtime_error("the chip never came there" + after_clock(now_));
   }
 
+  // Leaps; the condition is looked at after each evaluated edge only.
+  template <class Condition>
+  void leap_until(Condition condition, int patience = 300000) {
+    int clocks = 0;
+    do {
+      clocks += leap_edge();
+      if (clocks > patience) {
+        throw std::runtime_error("the chip never came there" + after_clock(now_));
+      }
+    } while (!condition());
+  }
+
+  void leap_to_tick() {
+    leap_until([this] { return rtl_->tick_o != 0; });
+  }
+
+  void leap_to_sample() {
+    leap_until([this] { return rtl_->sample_o != 0; });
+  }
+
   // The next edge acts on a 2 kHz tick.
   int to_tick() {
     return until([this] { return rtl_->tick_o != 0; });

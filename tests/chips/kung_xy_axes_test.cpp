@@ -242,7 +242,7 @@ TEST_CASE("a phase current of either sign trips at the limit and not below, in b
       const int a = phase == 0 ? current : phase == 1 ? -current / 2 : -(current / 2);
       const int b = phase == 1 ? current : phase == 0 ? -current / 2 : -current - a;
       chip.codes[std::size_t(axis)] = {unsigned(2048 + a), unsigned(2048 + b)};
-      chip.until([&] { return chip->adc_cs_n_o == 0; }, kPeriod + 10);
+      chip.leap_until([&] { return chip->adc_cs_n_o == 0; }, kPeriod + 10);
       chip.edges(80);
     };
     chip.write(reg::kCurrentLimit, unsigned(limit));

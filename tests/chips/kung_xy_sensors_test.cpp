@@ -25,7 +25,7 @@ struct Pair {
 };
 
 Pair after_a_frame(KungBench& chip, std::uint32_t address) {
-  chip.to_tick();
+  chip.leap_to_tick();
   chip.edges(200);
   const std::uint32_t word = chip.read(address);
   return {static_cast<std::int16_t>(word & 0xFFFF), static_cast<std::int16_t>(word >> 16)};
@@ -87,7 +87,7 @@ TEST_CASE("A0 of each scale is that of its own axis: 160,000 of 2^-32 are 10,000
   chip.write(reg::kY + reg::kA0, 10000 | 1u << reg::kA0ScaleShift);
   for (const std::uint32_t base : kBases) chip.write(base + reg::kPosCmd, 4000000);
   chip.write(reg::kCommit, reg::kCommitTake);
-  for (int n = 0; n < 10; ++n) chip.to_sample();
+  for (int n = 0; n < 10; ++n) chip.leap_to_sample();
   const std::uint32_t x = chip.read(reg::kX + reg::kPosModel);
   CHECK(x > 100);
   CHECK(x == chip.read(reg::kY + reg::kPosModel));
@@ -101,7 +101,7 @@ TEST_CASE("each bit of ANGLE_STEP and THETA_OFS is in the angle of its own axis"
   for (const std::uint32_t base : kBases) chip.write(base + reg::kPosPreset, 1);
   for (KungBench::Codes& codes : chip.codes) codes.a += 1800;  // i_alpha = 1800, i_beta = 1039
   const auto currents = [&chip] {
-    chip.to_tick();  // which the frame of this one follows
+    chip.leap_to_tick();  // which the frame of this one follows
     const Pair x = after_a_frame(chip, reg::kX + reg::kIdIq);
     const auto y = static_cast<std::int16_t>(chip.read(reg::kY + reg::kIdIq) >> 16);
     return std::array<int, 2>{x.high, y};

@@ -162,15 +162,15 @@ TEST_CASE("the watchdog trips when COMMITs stay away for its limit of ticks") {
   chip.write(reg::kWatchdog, 3);
   chip.write(reg::kX + reg::kCtrl, reg::kCtrlEnable);
   for (int tick = 0; tick < 6; ++tick) {
-    chip.to_tick();
+    chip.leap_to_tick();
     chip.edges(2);
     chip.write(reg::kCommit, reg::kCommitTake);
   }
   CHECK(chip.fault_code() == reg::kFaultCodeNone);
-  for (int tick = 0; tick < 3; ++tick) chip.to_tick();
+  for (int tick = 0; tick < 3; ++tick) chip.leap_to_tick();
   chip.edges(10);
   CHECK(chip.fault_code() == reg::kFaultCodeNone);
-  chip.to_tick();
+  chip.leap_to_tick();
   chip.edges(10);
   CHECK(chip.fault_code() == reg::kFaultCodeWatchdog);
   CHECK(chip.gates_off());
@@ -224,7 +224,7 @@ TEST_CASE("while locked a preset moves no count, so that it cannot lead past the
   chip.write(reg::kLock, reg::kKeyLock);
   for (const std::uint32_t base : {reg::kX, reg::kY}) {
     chip.write(base + reg::kPosPreset, 200);
-    chip.to_sample();
+    chip.leap_to_sample();
     CHECK(chip.read_signed(base + reg::kPos) == 1000);
   }
   for (const int phase : {1, 2, 3}) {  // 1001, 1002, 1003
@@ -236,7 +236,7 @@ TEST_CASE("while locked a preset moves no count, so that it cannot lead past the
   disable_and_clear(chip);
   chip.write(reg::kLock, reg::kKeyUnlock);
   chip.write(reg::kX + reg::kPosPreset, 200);
-  chip.to_sample();
+  chip.leap_to_sample();
   CHECK(chip.read_signed(reg::kX + reg::kPos) == 200);
 }
 
@@ -260,19 +260,19 @@ TEST_CASE("POS_PRESET loads the counter and leaving an enabled stroke trips") {
 
 TEST_CASE("COMMIT takes both commands at the next 2 kHz tick and the model answers as specified") {
   KungBench chip;
-  chip.to_sample();
+  chip.leap_to_sample();
   chip.write(reg::kX + reg::kPosCmd, 2000);
   chip.write(reg::kY + reg::kPosCmd, static_cast<std::uint32_t>(-2000));
-  chip.to_sample();
+  chip.leap_to_sample();
   CHECK(chip.read_signed(reg::kX + reg::kPosModel) == 0);
   chip.write(reg::kCommit, reg::kCommitTake);
   const std::vector<int> x_r{0, 1, 1, 3};  // 1816, 9025, 23282, 44376 of section 4, in counts
   for (const int expected : x_r) {
-    chip.to_sample();
+    chip.leap_to_sample();
     CHECK(chip.read_signed(reg::kX + reg::kPosModel) == expected);
     CHECK(chip.read_signed(reg::kY + reg::kPosModel) == -expected);
   }
-  for (int k = 4; k <= 9; ++k) chip.to_sample();
+  for (int k = 4; k <= 9; ++k) chip.leap_to_sample();
   CHECK(chip.read_signed(reg::kX + reg::kPosModel) == 19);  // 303263
   CHECK(chip.read_signed(reg::kX + reg::kErr) == 19);
 }
