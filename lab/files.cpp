@@ -13,6 +13,8 @@
 #include <cstring>
 #include <memory>
 
+#include "lab/text.hpp"
+
 namespace trammel::lab {
 namespace fs = std::filesystem;
 namespace {
@@ -123,15 +125,19 @@ fs::path find_program(const std::string& name) {
 }
 
 std::string shell_word(const fs::path& path) {
-  std::string text = "'";
-  for (const char c : path.string()) {
+  const std::string& text = path.native();
+  const bool plain = printable(text) == text;
+  std::string word;
+  for (const char c : text) {
     if (c == '\'') {
-      text += "'\\''";
+      word += plain ? "'\\''" : "\\'";
+    } else if (c == '\\' && !plain) {
+      word += "\\\\";
     } else {
-      text += c;
+      word += c;
     }
   }
-  return text + "'";
+  return plain ? '\'' + word + '\'' : "$'" + printable(word) + '\'';
 }
 
 std::string shell_argument(const std::string& text) {

@@ -48,7 +48,7 @@ void write_lines(const std::filesystem::path& file, const std::function<void(con
 // First program of that name in PATH, or empty.
 std::filesystem::path find_program(const std::string& name);
 
-// Quoted as one word of the shell.
+// Quoted as one word of the shell; what a terminal does not show as in $'\xff', which bash knows.
 std::string shell_word(const std::filesystem::path& path);
 
 // The same, but quoted only where that is needed.

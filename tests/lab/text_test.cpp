@@ -102,12 +102,13 @@ TEST_CASE("a time has the unit that suits it, and as many digits as asked for") 
 TEST_CASE("a shell takes a word as it is, in quotes where it would not") {
   CHECK(shell_argument("run.max_s=1e-3,a/B:c+d") == "run.max_s=1e-3,a/B:c+d");
   for (const char* const text : {"a b", "~", "*", "?", "$a", "\"", "a;b", "(", "<", "!", "#", "\\",
-                                 "[a]", "{a}", "&", "`", "\n", "\xC3\xA9"}) {
+                                 "[a]", "{a}", "&", "`", "\xC3\xA9"}) {
     CAPTURE(text);
     CHECK(shell_argument(text) == "'" + std::string(text) + "'");
   }
   CHECK(shell_argument("it's") == "'it'\\''s'");
   CHECK(shell_word("plain") == "'plain'");
+  CHECK(shell_argument("a\n\xFF'\\") == "$'a\\u000a\\xff\\'\\\\'");
 }
 
 TEST_CASE("a lack of memory names the limit") {

@@ -133,6 +133,17 @@ class Folders(Case):
         self.assertEqual(parts, [])
         self.nothing_else("page.html", "run")
 
+    def test_a_folder_whose_name_is_no_text_is_named_as_bash_takes_it(self):
+        odd = os.fsdecode(b"\xff'")
+        self.good(self.run_to(odd, "-s", "name=mine", "--no-report"))
+        command = json.loads((self.folder / odd / "metrics.json").read_text())["command"]
+        self.assertEqual(command, r"./trammel run $'\xff\'/run.toml'")
+        self.good(subprocess.run(
+            ["bash", "-c", command.replace("./trammel", '"$0"') + " -o again", self.program],
+            cwd=self.folder, capture_output=True, text=True, check=False, timeout=60))
+        self.assertEqual(*((self.folder / name / "trace.csv").read_bytes()
+                           for name in (odd, "again")))
+
     def test_a_view_names_its_files_in_a_line_each(self):
         odd = self.folder / "a\nb\"c"
         odd.mkdir()

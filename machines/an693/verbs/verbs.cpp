@@ -141,6 +141,20 @@ std::vector<Line> read_script(const std::string& asked, std::string& name) {
   return parse_script(lab::read_text(file, lab::kMostWritten), lab::printable(file.string()));
 }
 
+// Signals are for this thread: one that begins meanwhile has its mask.
+struct SignalsBlocked {
+  SignalsBlocked() {
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, &before);
+  }
+  ~SignalsBlocked() { pthread_sigmask(SIG_SETMASK, &before, nullptr); }
+  SignalsBlocked(const SignalsBlocked&) = delete;
+  SignalsBlocked& operator=(const SignalsBlocked&) = delete;
+
+  sigset_t before;
+};
+
 // Nothing piped and no script: a person.
 bool is_conversation(const testbench::Arguments& arguments) {
   return arguments.scenario.empty() && isatty(STDIN_FILENO) != 0 && isatty(STDOUT_FILENO) != 0;
@@ -177,18 +191,17 @@ int lm628_shell(const testbench::Arguments& arguments, std::atomic<bool>& stop,
   Transcript all;
   auto result = std::make_unique<Result>();
   {
-    // Signals are for this thread: one that the chip begins has its mask.
-    sigset_t all_signals, before;
-    sigfillset(&all_signals);
-    pthread_sigmask(SIG_BLOCK, &all_signals, &before);
-    Shell shell(options, stop);
-    pthread_sigmask(SIG_SETMASK, &before, nullptr);
+    std::optional<Shell> shell;
+    lab::with_config_errors([&] {
+      const SignalsBlocked blocked;
+      shell.emplace(options, stop);
+    });
     if (talks) {
-      converse(shell, options.part, read_line, stop, all);
+      converse(*shell, options.part, read_line, stop, all);
     } else {
-      play(shell, script, all, arguments.json);
+      play(*shell, script, all, arguments.json);
     }
-    *result = shell.result();
+    *result = shell->result();
   }  // its waves are whole
   result->end = result->promise ? cosim::EndReason::kPromise : all.end;
   result->fault = all.halt;

@@ -198,6 +198,15 @@ TEST_CASE("keys of the firmware's programs are refused, as they would have no ef
   }
 }
 
+TEST_CASE("a fault of a place that the machine lacks is refused") {
+  Arguments arguments;
+  arguments.scenario = "absolute";
+  arguments.assignments = {"inject.fault=converter_stuck"};
+  std::atomic<bool> stop{false};
+  CHECK_THROWS_MATCHES(lm628_shell(arguments, stop, {}), lab::ConfigError,
+                       Catch::Message("inject.fault: this machine has no such part"));
+}
+
 TEST_CASE("exit codes: 0 done, 2 refused before anything is simulated, 5 a wait timed out") {
   std::atomic<bool> stop{false};
   Arguments arguments;
