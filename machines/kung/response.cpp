@@ -76,7 +76,8 @@ std::vector<LoopResponse> responses(const Options& options, const Result& result
         second.add(sample.v_star, sample.v);
       }
     }
-    const std::complex<double> command = current ? held(1.0 / (tone.period * hold), hold) : 1.0;
+    const double periods = static_cast<double>(tone.period) * hold;
+    const std::complex<double> command = current ? held(1.0 / periods, hold) : 1.0;
     if (first.seen(tone.settle, current ? 2 : 1)) {
       loops[0].closed.push_back({hz, first.gain() / command});
     }
