@@ -11,7 +11,6 @@
 #include <cstdlib>
 #include <functional>
 #include <map>
-#include <unordered_map>
 
 #include <nlohmann/json.hpp>
 
@@ -119,6 +118,7 @@ struct Entry {
   std::string name;
   std::string where;                       // begins messages
   std::function<Value(const Key&)> value;  // as that key wants it
+  std::vector<const Key*> keys{};          // of that name
 };
 
 Entry text_entry(const std::string& name, const std::string& text, const std::string& where) {
@@ -126,23 +126,14 @@ Entry text_entry(const std::string& name, const std::string& text, const std::st
 }
 
 void apply(Settings& settings, std::vector<Entry> entries, const fs::path& folder) {
-  const std::vector<Key>& keys = settings.machine().keys();
-  std::unordered_map<std::string, std::vector<const Key*>> named;
-  for (const Key& key : keys) {
-    named[key.name].push_back(&key);
-    const std::string both = short_form(key.name);
-    if (both != key.name) named[both].push_back(&key);
-  }
-  const auto count = [&](const Entry& entry) {
-    const auto found = named.find(entry.name);
-    return found == named.end() ? 0 : found->second.size();
-  };
+  for (Entry& entry : entries) entry.keys = find_keys(settings.machine().keys(), entry.name);
   // Short forms (both axes) first, so that [plant.x] refines [plant] wherever it stands.
-  std::stable_sort(entries.begin(), entries.end(),
-                   [&](const Entry& a, const Entry& b) { return count(a) > count(b); });
+  std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
+    return a.keys.size() > b.keys.size();
+  });
   for (const Entry& entry : entries) {
-    if (count(entry) == 0) unknown_key(settings, entry.where, entry.name);
-    for (const Key* key : named[entry.name]) {
+    if (entry.keys.empty()) unknown_key(settings, entry.where, entry.name);
+    for (const Key* key : entry.keys) {
       Value value = checked(*key, entry.value(*key), entry.where);
       if (key->kind == Kind::kFile) {
         const fs::path file = std::get<std::string>(value);
@@ -156,7 +147,7 @@ void apply(Settings& settings, std::vector<Entry> entries, const fs::path& folde
   }
   for (const Entry& entry : entries) {  // it describes what its own layer has
     if (entry.name != "description") continue;
-    const Key& key = *named[entry.name].front();
+    const Key& key = *entry.keys.front();
     key.set(settings, checked(key, entry.value(key), entry.where));
     settings.heading = {};
   }

@@ -20,7 +20,8 @@ std::string short_form(const std::string& name) {
 std::vector<const Key*> find_keys(const std::vector<Key>& keys, std::string_view name) {
   std::vector<const Key*> found;
   for (const Key& key : keys) {
-    if (key.name == name || short_form(key.name) == name) found.push_back(&key);
+    const bool shorter = key.name.size() == name.size() + 2;  // by the axis: cheaper than its form
+    if (key.name == name || (shorter && short_form(key.name) == name)) found.push_back(&key);
   }
   return found;
 }
