@@ -118,7 +118,8 @@ fs::path find_program(const std::string& name) {
     const std::size_t end = path.find(':', begin);
     const fs::path file = fs::path(path.substr(begin, end - begin)) / name;
     std::error_code ignored;
-    if (fs::is_regular_file(file, ignored) && access(file.c_str(), X_OK) == 0) return file;
+    const bool named = end > begin;  // an empty name would be the current folder
+    if (named && fs::is_regular_file(file, ignored) && access(file.c_str(), X_OK) == 0) return file;
     begin = end + 1;
   }
   return {};

@@ -16,6 +16,8 @@
 #include <cstring>
 #include <iterator>
 #include <limits>
+#include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
@@ -38,6 +40,9 @@ constexpr std::size_t kSuffix = 6;            // characters behind it: of mkdtem
 constexpr char kMarker[] = "trammel-scratch";  // the file in one that says so
 constexpr char kFiles[] = "run";              // the folder in it that becomes the run's
 constexpr char kAside[] = "run-old";          // what that replaces, while there is no other way
+
+// For another run that puts its own folder in the place of the same one, some renames.
+constexpr std::chrono::seconds kPatience{20};
 
 constexpr const char* kRecordFiles[] = {"detail.json", "metrics.json", "run.toml",
                                         "script.lm628", "trace.csv", "waves.fst",
@@ -106,9 +111,13 @@ Json files_of(const fs::path& folder) {
   const std::string text = read_text(folder / kIdentity);
   try {
     const Json identity = parse_object(text, folder / kIdentity);
-    const bool good = identity.contains("trammel") && identity.contains("files") &&
-                      identity["files"].is_object();
-    return good ? identity["files"] : Json(nullptr);
+    if (!identity.contains("trammel") || !identity.contains("files")) return nullptr;
+    const Json& files = identity["files"];
+    const bool good = files.is_object() && std::all_of(files.items().begin(), files.items().end(),
+                                                       [](const auto& one) {
+      return one.key().find_first_of(std::string("/\0", 2)) == std::string::npos;
+    });
+    return good ? files : Json(nullptr);
   } catch (const ConfigError&) {
     return nullptr;
   }
@@ -122,11 +131,19 @@ bool is_own(const fs::path& file, const Json& written) {
          (name == kIdentity || name == kPageFile || written.contains(name));
 }
 
+// Whether a file is as the run wrote it, or has a successor.
+bool is_over(const fs::path& file, const Json& written, const fs::path& to) {
+  if (!is_own(file, written)) return false;
+  const std::string name = file.filename().string();
+  return !written.contains(name) || fs::exists(fs::symlink_status(to / name)) ||
+         entry_of(file) == written[name];
+}
+
 // Moves what no run wrote from one folder to another; false where something cannot be moved.
 bool carry_over(const fs::path& from, const Json& written, const fs::path& to) {
   bool all = true;
   for (const auto& entry : fs::directory_iterator(from)) {
-    if (is_own(entry.path(), written)) continue;
+    if (is_over(entry.path(), written, to)) continue;
     all = move_in(entry.path(), to / entry.path().filename()) == 0 && all;
   }
   return all;
@@ -169,7 +186,7 @@ void remove_stale(const fs::path& target) {
     const fs::path scratch = entry.path();
     const std::string name = scratch.filename().string();
     if (name.rfind(begin, 0) != 0 || name.size() != begin.size() + kSuffix) continue;
-    const FolderLock lock(scratch, false);
+    const FolderLock lock(scratch);
     if (!lock.held()) continue;
     if (!is_marked(scratch)) {
       rmdir(scratch.c_str());  // of a run that was killed before it marked it: it is empty
@@ -195,22 +212,6 @@ bool contains(const fs::path& folder, const fs::path& inner) {
   return !relative.empty() && *relative.begin() != "..";
 }
 
-// Throws ConfigError where `target` must not be replaced.
-void check_replaceable(const fs::path& target) {
-  std::error_code error;
-  const fs::file_status there = fs::symlink_status(target);
-  if (!fs::exists(there)) return;
-  if (!fs::is_directory(there)) refuse(target, "is not a folder");
-  if (contains(target, fs::canonical(fs::current_path()))) {
-    refuse(target, "is the current folder or contains it");
-  }
-  if (access(target.c_str(), R_OK | W_OK | X_OK) != 0) cannot_write(target, errno);
-  if (fs::is_empty(target, error) || !files_of(target).is_null()) return;
-  refuse(target, fmt::format("is not empty and holds no run ({} is missing): name another "
-                             "folder, or remove this one",
-                             kIdentity));
-}
-
 // A file of the user's must not lose its place to one of the same name.
 void check_names(const fs::path& scratch, const fs::path& target) {
   const Json before = files_of(target);
@@ -224,16 +225,36 @@ void check_names(const fs::path& scratch, const fs::path& target) {
 
 }  // namespace
 
-FolderLock::FolderLock(const fs::path& folder, bool wait)
+void check_replaceable(const fs::path& target) {
+  std::error_code error;
+  const fs::file_status there = fs::symlink_status(target);
+  if (!fs::exists(there)) return;
+  if (!fs::is_directory(there)) refuse(target, "is not a folder");
+  if (contains(target, fs::canonical(fs::current_path()))) {
+    refuse(target, "is the current folder or contains it");
+  }
+  if (access(target.c_str(), R_OK | W_OK | X_OK) != 0) cannot_write(target, errno);
+  if (fs::is_empty(target, error) || !files_of(target).is_null()) return;
+  refuse(target, fmt::format("is not empty and holds no run (no {} that lists its files): name "
+                             "another folder, or remove this one",
+                             kIdentity));
+}
+
+FolderLock::FolderLock(const fs::path& folder, std::chrono::milliseconds patience)
     : descriptor_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW)) {
   if (descriptor_ < 0) return;
-  int code = 0;
-  do {
-    code = flock(descriptor_, wait ? LOCK_EX : LOCK_EX | LOCK_NB);
-  } while (code != 0 && errno == EINTR);
-  if (code == 0) return;
-  close(descriptor_);
-  descriptor_ = -1;
+  const auto end = std::chrono::steady_clock::now() + patience;
+  while (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+    busy_ = errno == EWOULDBLOCK;
+    if (busy_ && std::chrono::steady_clock::now() < end) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+      continue;
+    }
+    close(descriptor_);
+    descriptor_ = -1;
+    return;
+  }
+  busy_ = false;
 }
 
 FolderLock::~FolderLock() {
@@ -241,10 +262,11 @@ FolderLock::~FolderLock() {
 }
 
 FolderLock::FolderLock(FolderLock&& other) noexcept
-    : descriptor_(std::exchange(other.descriptor_, -1)) {}
+    : descriptor_(std::exchange(other.descriptor_, -1)), busy_(other.busy_) {}
 
 FolderLock& FolderLock::operator=(FolderLock&& other) noexcept {
   std::swap(descriptor_, other.descriptor_);
+  busy_ = other.busy_;
   return *this;
 }
 
@@ -263,13 +285,15 @@ OutputFolder::OutputFolder(const fs::path& target) : target_(fs::absolute(target
   check_replaceable(target_);
   const fs::path parent = target_.parent_path();
   fs::create_directories(parent, error);
-  const FolderLock beside(parent, true);  // nobody takes a new folder for a stale one
   remove_stale(target_);
-  std::string pattern =
-      (parent / fmt::format(".{}{}XXXXXX", target_.filename().string(), kMark)).string();
-  if (mkdtemp(pattern.data()) == nullptr) cannot_write(parent, errno);
-  const fs::path outer = pattern;
-  lock_ = FolderLock(outer, false);
+  fs::path outer;
+  do {  // until nobody takes the new folder, which is still empty, for a stale one
+    std::string pattern =
+        (parent / fmt::format(".{}{}XXXXXX", target_.filename().string(), kMark)).string();
+    if (mkdtemp(pattern.data()) == nullptr) cannot_write(parent, errno);
+    outer = pattern;
+    lock_ = FolderLock(outer);
+  } while (lock_.busy() || !fs::exists(outer, error));
   try {
     write_text(outer / kMarker, marker_of(outer));
     if (mkdir((outer / kFiles).c_str(), 0777) != 0) cannot_write(parent, errno);
@@ -289,7 +313,8 @@ void OutputFolder::publish() {
   for (;;) {
     if (move_in(scratch_, target_) == 0) break;
     if (errno != EEXIST) cannot_write(target_, errno);
-    const FolderLock before(target_, true);
+    const FolderLock before(target_, kPatience);
+    if (before.busy()) refuse(target_, "is locked by another program");
     if (!before.held()) check_replaceable(target_);  // a file or link that came during the run
     if (!before.is_of(target_)) continue;            // another run has just replaced it
     check_replaceable(target_);

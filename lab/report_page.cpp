@@ -3,11 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
+#include <fstream>
 #include <set>
+#include <string_view>
 
 #include "lab/files.hpp"
 #include "lab/output_folder.hpp"
 #include "lab/report_data.hpp"
+#include "lab/text.hpp"
 #include "lab/write.hpp"
 
 namespace trammel::lab {
@@ -16,6 +20,7 @@ namespace {
 
 constexpr std::size_t kMostValues = 16000;   // a series of one run's page
 constexpr std::size_t kMostCompared = 6000;  // a series of one of several runs
+constexpr char kTitleEnd[] = " - Trammel";
 constexpr std::size_t kMostRuns = 12;        // lines that can be told apart, see theme.js
 
 Json run_json(const RunFolder& run, bool compared) {
@@ -42,8 +47,8 @@ std::string replaced(std::string text, const std::string& old, std::string_view 
 }
 
 std::string page(const std::string& title, const Json& data) {
-  const std::string safe_title =
-      replaced(replaced(replaced(title, "&", "&amp;"), "<", "&lt;"), "@", "&#64;");
+  const std::string safe_title = replaced(
+      replaced(replaced(printable(title), "&", "&amp;"), "<", "&lt;"), "@", "&#64;");
   // Nothing inside a script element may end it.
   const std::string json =
       replaced(data.dump(-1, ' ', true, Json::error_handler_t::replace), "<", "\\u003c");
@@ -54,6 +59,17 @@ std::string page(const std::string& title, const Json& data) {
 std::string title_of(const RunFolder& run) {
   const auto own = run.machine->page.title;
   return own != nullptr ? own(run.metrics) : run.metrics["scenario"].get<std::string>();
+}
+
+// A path as a reference in a page (RFC 3986, section 3.3).
+std::string reference(const fs::path& path) {
+  std::string text;
+  for (const char c : path.generic_string()) {
+    const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 ||
+                       std::string_view("-._~/").find(c) != std::string_view::npos;
+    text += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return text;
 }
 
 // The folders' names; with more of the path in front where two have the same.
@@ -102,14 +118,22 @@ void write_page(const std::vector<fs::path>& folders, const fs::path& file) {
     json["label"] = compared ? labels[k] : title;
     if (!compared) json["detail"] = run.detail;
     if (compared && fs::exists(folders[k] / "report.html", ignored)) {
-      json["page"] = fs::proximate(folders[k] / "report.html",
-                                   fs::absolute(file).parent_path()).generic_string();
+      json["page"] = reference(fs::proximate(folders[k] / "report.html",
+                                             fs::absolute(file).parent_path()));
     }
     runs.push_back(std::move(json));
   }
-  write_result_file(file, page(title + " - Trammel", {{"machine", machine->name},
-                                                      {"keys", keys_json(*machine)},
-                                                      {"runs", runs}}));
+  write_result_file(file, page(title + kTitleEnd, {{"machine", machine->name},
+                                                   {"keys", keys_json(*machine)},
+                                                   {"runs", runs}}));
+}
+
+bool is_page(const fs::path& file) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(fs::symlink_status(file, ignored))) return false;
+  std::string begin(8192, '\0');
+  std::ifstream(file).read(begin.data(), std::streamsize(begin.size()));
+  return begin.find(std::string(kTitleEnd) + "</title>") != std::string::npos;
 }
 
 fs::path latest_run(const fs::path& base) {
@@ -118,7 +142,10 @@ fs::path latest_run(const fs::path& base) {
   std::error_code ignored;
   for (const auto& entry : fs::directory_iterator(base, ignored)) {
     const fs::path metrics = entry.path() / "metrics.json";
-    if (entry.path().filename().string().front() == '.' || !fs::exists(metrics, ignored)) continue;
+    if (entry.path().filename().string().front() == '.' || entry.is_symlink(ignored) ||
+        !fs::exists(metrics, ignored)) {
+      continue;
+    }
     const auto written = fs::last_write_time(metrics, ignored);
     if (latest.empty() || written > when) {
       latest = entry.path();

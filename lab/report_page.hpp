@@ -16,7 +16,11 @@ namespace trammel::lab {
 void write_page(const std::vector<std::filesystem::path>& folders,
                 const std::filesystem::path& file);
 
-// The folder of the run in `base` that was written last. Throws ConfigError when there is none.
+// Whether a file is a page that this wrote.
+bool is_page(const std::filesystem::path& file);
+
+// The folder of the run in `base` that was written last, no link. Throws ConfigError when there is
+// none.
 std::filesystem::path latest_run(const std::filesystem::path& base);
 
 // The page without its data, for which @TITLE@ and @DATA@ stand; in a unit that embed_page.cmake

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
 #include <new>
 #include <sstream>
 
@@ -232,6 +233,11 @@ int run_program(int argc, char** argv) {
     return run_line(line, argc, argv);
   } catch (const trammel::lab::ConfigError& error) {
     return fail(error, 2);
+  } catch (const std::filesystem::filesystem_error& error) {
+    const std::string of = error.path1().string();
+    trammel::testbench::tell(
+        fmt::format("{}: {}", of.empty() ? "current folder" : of, error.code().message()));
+    return 2;
   } catch (const std::system_error& error) {  // of a disk
     return fail(error, 2);
   } catch (const std::bad_alloc& error) {

@@ -12,6 +12,7 @@
 #include "lab/inputs.hpp"
 #include "lab/layers.hpp"
 #include "lab/machine.hpp"
+#include "lab/output_folder.hpp"
 #include "lab/report_page.hpp"
 #include "lab/scenarios.hpp"
 #include "lab/text.hpp"
@@ -191,6 +192,27 @@ std::unique_ptr<lab::Settings> settings_of(const lab::Experiment& experiment,
   return settings;
 }
 
+constexpr char kIndex[] = "index.html";  // of run --all
+
+// Before the first of the runs: what is there must be of runs of --all.
+void check_all(const fs::path& base, const std::vector<lab::Experiment>& experiments) {
+  const auto refuse = [&base](const char* why) {
+    throw lab::ConfigError(fmt::format("{}: --out: {}", base.string(), why));
+  };
+  const fs::file_status there = fs::symlink_status(base);
+  if (!fs::exists(there)) return;
+  if (!fs::is_directory(fs::status(base))) refuse("is not a folder");
+  bool any = fs::is_empty(base);
+  for (const lab::Experiment& experiment : experiments) {
+    lab::check_replaceable(fs::canonical(base) / experiment.name);
+    any = any || fs::exists(base / experiment.name);
+  }
+  if (!any) refuse("is not empty and holds no runs of --all: name another folder");
+  if (fs::exists(fs::symlink_status(base / kIndex)) && !lab::is_page(base / kIndex)) {
+    refuse("index.html there is no page of runs; move it away");
+  }
+}
+
 int run_all(const lab::Machine& machine, const Arguments& arguments, const Simulate& simulate,
             const std::atomic<bool>& stop) {
   const fs::path base = lab::target_of(arguments.out, "all");
@@ -199,6 +221,7 @@ int run_all(const lab::Machine& machine, const Arguments& arguments, const Simul
   auto documents = nlohmann::ordered_json::array();
   int code = 0;
   for (const lab::Experiment& experiment : machine.experiments) settings_of(experiment, arguments);
+  check_all(base, machine.experiments);
   for (const lab::Experiment& experiment : machine.experiments) {
     if (stop) {
       code = 130;
@@ -210,7 +233,7 @@ int run_all(const lab::Machine& machine, const Arguments& arguments, const Simul
     documents.push_back(outcomes.back().json);
     code = std::max(code, outcomes.back().code);
   }
-  const fs::path index = base / "index.html";
+  const fs::path index = base / kIndex;
   bool page = arguments.report && folders.size() > 1;
   try {
     if (page) lab::write_page(folders, index);

@@ -8,6 +8,7 @@ usage: files_test.py PROGRAM [unittest options]      the built trammel program
 import contextlib
 import json
 import os
+import re
 import resource
 import shutil
 import signal
@@ -290,6 +291,98 @@ class Input(Case):
         self.good(self.trammel("track", "-o", "new/table.csv"))
         self.good(self.trammel("track", "-o", "new/table.csv"))
         self.nothing_else("empty", "fifo", "link", "new", "run")
+
+
+class Planted(Case):
+    """What somebody else has put where a run is to be."""
+
+    ALL = ("run", "--all", "--engine", "twin", "-s", "run.max_s=0.001")
+
+    def test_experiments_are_not_put_among_files_of_the_user(self):
+        (self.folder / "site").mkdir()
+        (self.folder / "site" / "index.html").write_text("mine")
+        self.refused(self.trammel(*self.ALL, "-o", "site"), "site", "holds no runs of --all")
+        (self.folder / "file").write_text("mine")
+        self.refused(self.trammel(*self.ALL, "-o", "file"), "is not a folder")
+        self.assertEqual(self.trammel(*self.ALL, "-o", "all").returncode, 5)
+        self.assertEqual(self.trammel(*self.ALL, "-o", "all").returncode, 5)
+        (self.folder / "all" / "index.html").write_text("mine")
+        self.refused(self.trammel(*self.ALL, "-o", "all"), "index.html there is no page of runs")
+        (self.folder / "all" / "index.html").unlink()
+        last = max((self.folder / "all").iterdir(), key=lambda one: one.stat().st_mtime_ns)
+        shutil.rmtree(last)
+        last.mkdir()
+        (last / "notes").write_text("mine")
+        before = {one: one.stat().st_ino for one in (self.folder / "all").iterdir()}
+        self.refused(self.trammel(*self.ALL, "-o", "all"), last.name, "holds no run")
+        self.assertEqual({one: one.stat().st_ino for one in (self.folder / "all").iterdir()},
+                         before)
+        self.nothing_else("all", "file", "site")
+
+    def test_a_file_that_is_listed_and_not_the_runs_is_kept(self):
+        self.good(self.run_to("run", "--no-report"))
+        identity = self.folder / "run" / "run.json"
+        listed = json.loads(identity.read_text())
+        listed["files"] |= {name: {"bytes": 5, "crc32": "00000000"} for name in ("a", "b\0c")}
+        identity.write_text(json.dumps(listed))
+        self.refused(self.trammel("report", "run"), "run.json: is not the list of a run's files")
+        del listed["files"]["b\0c"]
+        identity.write_text(json.dumps(listed))
+        (self.folder / "run" / "a").write_text("mine\n")
+        self.good(self.run_to("run", "--no-report"))
+        self.assertEqual((self.folder / "run" / "a").read_text(), "mine\n")
+        self.good(self.trammel("report", "run"))
+
+    def test_the_last_run_is_none_behind_a_link(self):
+        self.good(self.run_to("away/run", "--no-report"))
+        (self.folder / "out").mkdir()
+        (self.folder / "out" / "x").symlink_to("../away/run")
+        self.refused(self.trammel("report"), "no run in out/")
+        self.assertFalse((self.folder / "away" / "run" / "report.html").exists())
+
+    def test_a_lock_of_somebody_else_holds_no_run_up_for_ever(self):
+        done = subprocess.run(["flock", ".", self.program, *RUNS[0], "-o", "run"], timeout=15,
+                              cwd=self.folder, capture_output=True, text=True, check=False)
+        self.good(done)
+
+    def test_no_program_of_the_current_folder_is_started(self):
+        tool = self.folder / "gnuplot"
+        tool.write_text("#!/bin/sh\ntouch started\n", encoding="ascii")
+        tool.chmod(0o755)
+        for path in ({}, {"PATH": ""}, {"PATH": "/nowhere::"}):
+            self.assertIn("gnuplot is missing", self.run_to("run", env=path).stderr)
+        self.nothing_else("gnuplot", "run")
+
+    def test_a_name_of_a_folder_is_no_address_in_a_page(self):
+        self.good(self.run_to("one"))
+        odd = "javascript:void(1)%2f?#&\u00e9"
+        self.good(self.run_to(odd))
+        self.good(self.trammel("report", "one", odd, "-o", "both.html"))
+        page = (self.folder / "both.html").read_text(encoding="utf-8")
+        self.assertEqual(re.findall(r'"page":"([^"]*)"', page), [
+            "one/report.html", "javascript%3Avoid%281%29%252f%3F%23%26%C3%A9/report.html"])
+
+    def test_a_title_has_no_control_characters(self):
+        self.good(self.run_to("run", "--no-report"))
+        (self.folder / "run" / "run.json").unlink()  # as of an older version
+        metrics = json.loads((self.folder / "run" / "metrics.json").read_text())
+        metrics["scenario"] = "a\x1b\u202e</title>"
+        (self.folder / "run" / "metrics.json").write_text(json.dumps(metrics))
+        self.good(self.trammel("report", "run", "-o", "page.html"))
+        page = (self.folder / "page.html").read_text(encoding="utf-8")
+        title = page[page.index("<title>"):page.index("</title>")]
+        self.assertFalse(set(title) & {"\x1b", "\u202e"}, title)
+
+    def test_a_place_that_the_system_refuses_is_told_with_its_reason(self):
+        (self.folder / "loop").symlink_to("loop")
+        self.refused(self.run_to("loop/x"), "loop/x: Too many levels of symbolic links")
+        self.refused(self.trammel(*self.ALL, "-o", "loop"), "loop: Too many levels")
+        self.refused(self.run_to("a" * 5000), "File name too long")
+        gone = self.folder / "gone"
+        gone.mkdir()
+        self.refused(self.run_to("run", preexec_fn=lambda: (os.chdir(gone), os.rmdir(gone))),
+                     "current folder: No such file or directory")
+        self.nothing_else("loop")
 
 
 if __name__ == "__main__":

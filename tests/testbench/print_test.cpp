@@ -136,15 +136,19 @@ TEST_CASE("experiments print a document each, under their own names, or their ta
 }
 
 TEST_CASE("a page of experiments that cannot be made is told, and makes the exit code 2") {
-  const Scratch scratch;
-  fs::create_directories(scratch.path / "index.html");
-  Arguments arguments = arguments_for("", scratch.path);
-  arguments.all = true;
   for (const EndReason end : {EndReason::kDone, EndReason::kPromise}) {
+    const Scratch scratch;
+    Arguments arguments = arguments_for("", scratch.path);
+    arguments.all = true;
+    const auto run = ending(end);
+    const Simulate simulate = [&](const lab::Settings& settings, const cosim::Hooks& hooks) {
+      fs::create_directories(scratch.path / "index.html");  // which was not there before
+      return run(settings, hooks);
+    };
     int code = 0;
     std::string printed;
     const std::string told = test::told([&] {
-      printed = test::printed([&] { code = test::run(arguments, ending(end)); });
+      printed = test::printed([&] { code = test::run(arguments, simulate); });
     });
     CHECK(code == (end == EndReason::kDone ? 2 : 4));
     CHECK_THAT(told, Contains("no report: ") && Contains("index.html") &&
