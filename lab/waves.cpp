@@ -2,6 +2,7 @@
 #include "lab/waves.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>

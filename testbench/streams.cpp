@@ -11,6 +11,8 @@
 #include <cstring>
 #include <string>
 
+#include <nlohmann/json.hpp>
+
 #include "lab/text.hpp"
 
 namespace trammel::testbench {

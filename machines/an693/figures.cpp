@@ -2,6 +2,7 @@
 //
 // What a run of the machine an693 is judged by, and the columns of its trace.
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "machines/gantry/host.hpp"
 #include "machines/gantry/machine.hpp"

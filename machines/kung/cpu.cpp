@@ -2,6 +2,7 @@
 //
 // What run.cpu excludes, and what a run tells of its processor.
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "lab/errors.hpp"
 #include "machines/kung/machine.hpp"

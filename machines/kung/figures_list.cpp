@@ -2,6 +2,7 @@
 //
 // The figures of a run as the laboratory's list, and the texts about its end.
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 

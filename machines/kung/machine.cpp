@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "machines/kung/machine.hpp"
 
+#include <nlohmann/json.hpp>
+
 #include "lab/files.hpp"
 #include "machines/kung/figures.hpp"
 #include "machines/kung/precision_figures.hpp"

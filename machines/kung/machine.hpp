@@ -8,9 +8,10 @@
 #include <string>
 #include <vector>
 
+#include <nlohmann/json_fwd.hpp>
+
 #include "cosim/session.hpp"
 #include "lab/machine.hpp"
-#include "lab/report_data.hpp"
 #include "machines/kung/options.hpp"
 #include "machines/kung/record.hpp"
 

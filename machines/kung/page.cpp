@@ -3,10 +3,12 @@
 // What the report page needs besides figures and columns: detail.json, written and read back, and
 // the contour error.
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <stdexcept>
 
+#include "lab/report_data.hpp"
 #include "machines/kung/afc_steps.hpp"
 #include "machines/kung/figures.hpp"
 #include "machines/kung/machine.hpp"

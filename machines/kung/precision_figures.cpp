@@ -2,6 +2,7 @@
 #include "machines/kung/precision_figures.hpp"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cmath>

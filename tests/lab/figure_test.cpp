@@ -4,6 +4,7 @@
 #include "lab/figure.hpp"
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 using namespace trammel;
 using namespace trammel::lab;

@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "lab/files.hpp"
 #include "lab/layers.hpp"

@@ -2,6 +2,7 @@
 //
 // The verb `track`: the table of a path, as CSV to standard output or into a file.
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "lab/output_folder.hpp"
 #include "lab/scenarios.hpp"

@@ -2,6 +2,7 @@
 //
 // The detailed record of a run: steps that end at the chip's words, gates with their dead time.
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 
 #include "machines/kung/lines.hpp"
 #include "machines/kung/machine.hpp"
