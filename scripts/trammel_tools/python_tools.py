@@ -8,6 +8,7 @@ import sys
 from pathlib import Path
 
 from trammel_tools.paths import ROOT
+from trammel_tools.text import one_line
 
 PYTHON = ROOT / ".venv" / "bin" / "python3"
 SKIPPED = 77  # CTest counts it as skipped
@@ -40,7 +41,13 @@ class Parser(argparse.ArgumentParser):
                          **more)
 
     def error(self, message):
-        self.exit(2, f"{self.prog.split()[1]}: {message}; see {self.prog} --help\n")
+        self.exit(2, f"{self.prog.split()[1]}: {one_line(message)}; see {self.prog} --help\n")
+
+
+def refuse(tool, why):
+    """Says on one line, whatever names it holds, what the user did wrong; the exit code."""
+    print(f"{tool}: {one_line(str(why))}", file=sys.stderr)
+    return 2
 
 
 def progress(text):

@@ -15,14 +15,13 @@ import io
 import os
 import re
 import sys
-import unicodedata
 from pathlib import Path
 
 from trammel_tools import python_tools
 from trammel_tools.paths import ROOT
+from trammel_tools.text import shown
 
 PACKAGE = Path(__file__).resolve().parent
-UNSEEN = {"Cc", "Cf", "Cs", "Zl", "Zp"}  # control, format, half characters, separators of lines
 
 
 def every():
@@ -85,21 +84,6 @@ class Shown(io.TextIOWrapper):
         return len(text)
 
 
-def character(code):
-    """What is seen of a character that has no shape of its own, or of a byte that is no UTF-8."""
-    if 0xDC80 <= code <= 0xDCFF:
-        return f"\\x{code - 0xDC00:02x}"
-    return f"\\U{code:08x}" if code > 0xFFFF else f"\\u{code:04x}"
-
-
-def shown(text):
-    """The text as a terminal can show it: lines and tabs stay."""
-    if text.isascii() and text.replace("\n", "").replace("\t", "").isprintable():
-        return text
-    return "".join(character(ord(c)) if c not in "\n\t" and unicodedata.category(c) in UNSEEN else c
-                   for c in text)
-
-
 def opened():
     """Every standard stream is open from here on, so that no file takes its place; where it was
     closed, what is read or written there fails."""
@@ -154,6 +138,5 @@ def main():
     if name not in every():
         near = difflib.get_close_matches(name, every(), 1)
         hint = f"did you mean {near[0]}?" if near else "see scripts/tool --list"
-        print(f"tool: {name}: no such tool; {hint}", file=sys.stderr)
-        return 2
+        return python_tools.refuse("tool", f"{name}: no such tool; {hint}")
     return run(name, words)

@@ -127,7 +127,6 @@ def main():
     every = blocks()
     for block in options.blocks:
         if block not in every:
-            print(f"trammel: test: {block}: no such block; {suggestion(block, every)}",
-                  file=sys.stderr)
-            return 2
+            return python_tools.refuse("trammel: test", f"{block}: no such block; "
+                                                        f"{suggestion(block, every)}")
     return 0 if options.names else check({block: every[block] for block in options.blocks})

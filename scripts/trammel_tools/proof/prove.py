@@ -73,8 +73,7 @@ def main():
     for block in arguments.blocks:
         if block not in every:
             what = "no chip that leaps" if arguments.leap else f"rtl/{block}_props.sv: no such file"
-            print(f"prove: {block}: {what}; there are {', '.join(every)}", file=sys.stderr)
-            return 2
+            return python_tools.refuse("prove", f"{block}: {what}; there are {', '.join(every)}")
     if arguments.table:
         return promise_table.run(arguments.check)
     python_tools.need("pyosys", "prove")

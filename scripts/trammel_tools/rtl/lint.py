@@ -7,11 +7,13 @@ Exit codes: 0 clean, 1 findings, 2 no such block, 3 verilator is missing,
 77 verible or the core of a chip is missing and else nothing was found (CTest counts it as skipped).
 """
 
+import os
 import re
 import shutil
 import subprocess
 import sys
 
+from trammel_tools import python_tools
 from trammel_tools.paths import ROOT, RTL
 from trammel_tools.rtl import hierarchy
 
@@ -83,9 +85,8 @@ def main():
         return 0
     wanted = sys.argv[1:] or list(blocks())
     for block in wanted:
-        if not (RTL / f"{block}.sv").exists():
-            print(f"lint: rtl/{block}.sv: no such block", file=sys.stderr)
-            return 2
+        if not os.path.exists(RTL / f"{block}.sv"):  # Path's raises at one too long
+            return python_tools.refuse("lint", f"rtl/{block}.sv: no such block")
     if shutil.which("verilator") is None:
         print("lint: verilator is missing (trammel doctor)", file=sys.stderr)
         return 3

@@ -36,6 +36,7 @@ class LintTest(Scratch):
         self.assertEqual(self.code("math/timer", finds=["drive/pwm"]), 0)
         self.assertEqual(self.code(finds=["drive/pwm"]), 1)
         self.assertEqual(self.code("math/none"), 2)
+        self.assertEqual(self.code("math/" + "a" * 300), 2)
         self.assertEqual(self.code(verilator=None), 3)
         self.assertEqual(self.code(verible=None), lint.SKIPPED)
         self.assertEqual(self.code(verible=None, finds=["drive/pwm"]), 1)

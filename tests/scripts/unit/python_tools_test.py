@@ -47,3 +47,10 @@ class PythonToolsTest(Scratch):
         code, out, err = call(parser.parse_args, "--number", "x")
         self.assertEqual((code, out, err.count("\n")), (2, "", 1))
         self.assertRegex(err, "^wave: argument --number: .*; see trammel wave --help\n$")
+
+    def test_so_is_one_with_ends_of_lines_in_it(self):
+        _, _, err = call(python_tools.Parser(prog="trammel wave").parse_args, "a\nb\n")
+        self.assertEqual(err, "wave: unrecognized arguments: a\\u000ab\\u000a; "
+                              "see trammel wave --help\n")
+        self.assertEqual(call(lambda: python_tools.refuse("wave", "a\nb")),
+                         (2, "", "wave: a\\u000ab\n"))
