@@ -10,6 +10,7 @@ input on after one clock. No list needs an entry: CMake and the scripts find a b
 import re
 import sys
 
+from trammel_tools import output_file, python_tools
 from trammel_tools.paths import ROOT
 
 LAYERS = ("math", "sense", "drive", "control", "motion", "bus")
@@ -187,19 +188,16 @@ def main():
     words = {"layer": layer, "block": block, "title": block.replace("_", " ").capitalize(),
              "name": "".join(part.capitalize() for part in block.split("_"))}
     files = {
-        ROOT / "rtl" / layer / f"{block}.sv": MODULE,
-        ROOT / "rtl" / layer / f"{block}_props.sv": PROPS,
-        ROOT / "rtl" / layer / f"{block}.md": PAGE,
-        ROOT / "models" / "exact" / layer / f"{block}.hpp": TWIN,
-        ROOT / "tests" / layer / f"{block}_test.cpp": TEST,
+        f"rtl/{layer}/{block}.sv": MODULE,
+        f"rtl/{layer}/{block}_props.sv": PROPS,
+        f"rtl/{layer}/{block}.md": PAGE,
+        f"models/exact/{layer}/{block}.hpp": TWIN,
+        f"tests/{layer}/{block}_test.cpp": TEST,
     }
-    for path in files:
-        if path.exists():
-            print(f"new-block: {path.relative_to(ROOT)} exists", file=sys.stderr)
-            return 2
-    for path, text in files.items():
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_text(text.format(**words), encoding="ascii")
-        print(path.relative_to(ROOT))
+    try:
+        output_file.create(ROOT, {path: text.format(**words) for path, text in files.items()})
+    except output_file.Refused as error:
+        return python_tools.refuse("new-block", error)
+    print("\n".join(files))
     print(f"next: write them, then ./trammel test {layer}/{block}", file=sys.stderr)
     return 0

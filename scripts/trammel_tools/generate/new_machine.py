@@ -16,8 +16,9 @@ import re
 import sys
 from pathlib import Path
 
-from trammel_tools import python_tools
+from trammel_tools import output_file, python_tools
 from trammel_tools.check import check_layout
+from trammel_tools.output_file import Refused
 from trammel_tools.paths import ROOT
 
 TEMPLATE = Path(__file__).resolve().parents[2] / "machine_template"
@@ -25,10 +26,6 @@ LONGEST = 12
 # Words of C++ and SystemVerilog that cannot name anything and may not occur in the sources yet.
 RESERVED = {"alignof", "asm", "compl", "export", "extern", "goto", "mutable", "register", "union",
             "volatile", "xor", "xnor", "wand", "wor", "tri", "supply", "primitive", "specify"}
-
-
-class NameTaken(Exception):
-    """Why a name cannot be that of a machine; one line."""
 
 
 def rendered(name, contract):
@@ -46,43 +43,60 @@ def rendered(name, contract):
     return files
 
 
+def is_made(name):
+    return output_file.is_there(ROOT / "machines" / name)
+
+
 def check_name(name):
     """Raises where the word means something already."""
-    if not re.fullmatch(r"[a-z][a-z0-9]*", name) or len(name) > LONGEST:
-        raise NameTaken(f"'{name}' is no name of a machine: a lower-case letter, then up to "
-                        f"{LONGEST - 1} lower-case letters and digits")
     if name in RESERVED:
-        raise NameTaken(f"'{name}' is a reserved word of C++ or SystemVerilog")
-    if (ROOT / "machines" / name).exists():
-        raise NameTaken(f"machines/{name} exists")
+        raise Refused(f"'{name}' is a reserved word of C++ or SystemVerilog")
+    if is_made(name):
+        raise Refused(f"machines/{name} exists")
     word = re.compile(rf"\b{name}\b")
     for path in check_layout.tracked(ROOT):
         if path.suffix in check_layout.CODE and (word.search(str(path)) or word.search(
                 (ROOT / path).read_text(encoding="utf-8", errors="replace"))):
-            raise NameTaken(f"'{name}' is a word that {path} uses; take one that no source does")
+            raise Refused(f"'{name}' is a word that {path} uses; take one that no source does")
 
 
-def to_write(name, contract):
-    """The files that are to be written. Raises where one would be lost."""
-    files = rendered(name, contract)
-    if contract and (ROOT / "machines" / name).exists():
-        plain = rendered(name, False)
-        files = {path: text for path, text in files.items() if text != plain.get(path)}
-        if all((ROOT / path).exists() and (ROOT / path).read_text(encoding="utf-8") == text
-               for path, text in files.items()):
-            raise NameTaken(f"machines/{name} has the contract already")
-        for path in files:
-            there = (ROOT / path).exists()
-            if there != (path in plain):
-                raise NameTaken(f"{path} {'exists' if there else 'is missing'}: not the plain "
-                                "machine that this tool wrote")
-            if there and (ROOT / path).read_text(encoding="utf-8") != plain[path]:
-                raise NameTaken(f"{path} was changed: the contract would undo that")
-        return files
+def text_of(path):
+    """What a file of a machine says; None where there is none."""
+    output_file.check(ROOT / path)  # a pipe has no end
+    if not output_file.is_there(ROOT / path):
+        return None
+    return (ROOT / path).read_text(encoding="utf-8", errors="replace")
+
+
+def add_contract(name):
+    """The files written: those in which the chip differs. Raises where one would be lost."""
+    plain = rendered(name, False)
+    files = {path: text for path, text in rendered(name, True).items() if text != plain.get(path)}
+    there = {path: text_of(path) for path in files}
+    if there == files:
+        raise Refused(f"machines/{name} has the contract already")
+    for path, text in there.items():
+        if (text is not None) != (path in plain):
+            raise Refused(f"{path} {'is missing' if text is None else 'exists'}: not the plain "
+                          "machine that this tool wrote")
+        if text is not None and text != plain[path]:
+            raise Refused(f"{path} was changed: the contract would undo that")
+    output_file.create(ROOT, {path: text for path, text in files.items() if path not in plain})
+    for path in plain.keys() & files.keys():
+        output_file.replace(ROOT / path, files[path])
+    return files
+
+
+def write(name, contract):
+    """The files written."""
+    if not re.fullmatch(r"[a-z][a-z0-9]*", name) or len(name) > LONGEST:
+        raise Refused(f"'{name}' is no name of a machine: a lower-case letter, then up to "
+                      f"{LONGEST - 1} lower-case letters and digits")
+    if contract and is_made(name):
+        return add_contract(name)
     check_name(name)
-    for path in files:
-        if (ROOT / path).exists():
-            raise NameTaken(f"{path} exists")
+    files = rendered(name, contract)
+    output_file.create(ROOT, files)
     return files
 
 
@@ -92,13 +106,9 @@ def main():
     parser.add_argument("--contract", action="store_true")
     arguments = parser.parse_args()
     try:
-        files = to_write(arguments.name, arguments.contract)
-    except NameTaken as error:
-        print(f"new-machine: {error}", file=sys.stderr)
-        return 2
-    for path, text in files.items():
-        (ROOT / path).parent.mkdir(parents=True, exist_ok=True)
-        (ROOT / path).write_text(text, encoding="ascii")
-        print(path)
+        files = write(arguments.name, arguments.contract)
+    except Refused as error:
+        return python_tools.refuse("new-machine", error)
+    print("\n".join(map(str, files)))
     print(f"next: ./trammel run {arguments.name}-step", file=sys.stderr)
     return 0

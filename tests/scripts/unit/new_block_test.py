@@ -29,6 +29,21 @@ class NewBlockTest(Scratch):
                          (2, "", "new-block: rtl/drive/soft_start.md exists\n"))
         self.assertEqual(list(self.folder.rglob("*soft_start*")), [page])
 
+    def test_a_link_that_leads_nowhere_is_not_written_through(self):
+        (self.folder / "rtl" / "drive").mkdir(parents=True)
+        (self.folder / "rtl" / "drive" / "zzz.md").symlink_to(self.folder / "victim")
+        self.assertEqual(call(new_block.main, "drive/zzz"),
+                         (2, "", "new-block: rtl/drive/zzz.md exists\n"))
+        self.assertEqual([path.name for path in self.folder.rglob("*zzz*")], ["zzz.md"])
+        self.assertFalse((self.folder / "victim").exists())
+
+    def test_a_name_that_is_too_long_for_one_of_the_files_makes_none(self):
+        for length in 300, 248:
+            code, out, err = call(new_block.main, "drive/" + "a" * length)
+            self.assertEqual((code, out, err.count("\n")), (2, "", 1))
+            self.assertIn("File name too long", err)
+            self.assertEqual(list(self.folder.rglob("aaa*")), [])
+
     def test_names_that_are_none_are_refused_with_the_layers(self):
         for name in ("soft_start", "chips/soft", "drive/Soft", "drive/2soft", "drive/../x",
                      "drive/a__b", "drive/"):

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """A new machine keeps the rules of the layout; nothing is overwritten, and names are checked."""
 
+import os
+
 from scratch import Scratch, call
 from trammel_tools.check import check_layout
 from trammel_tools.generate import new_machine
@@ -62,6 +64,29 @@ class NewMachineTest(Scratch):
     def test_a_file_that_exists_stays(self):
         self.write("waves/spin.gtkw", "mine\n")
         self.assertEqual(self.refuse("spin"), "waves/spin.gtkw exists")
+
+    def test_links_and_pipes_are_neither_read_nor_written_through(self):
+        (self.folder / "waves").mkdir()
+        (self.folder / "waves/spin.gtkw").symlink_to(self.folder / "victim")
+        self.assertEqual(self.refuse("spin"), "waves/spin.gtkw exists")
+        (self.folder / "waves/spin.gtkw").unlink()
+        (self.folder / "machines").mkdir()
+        (self.folder / "machines/spin").symlink_to("nowhere")
+        self.assertEqual(self.refuse("spin"), "machines/spin exists")
+        (self.folder / "machines/spin").unlink()
+        call(new_machine.main, "spin")
+        chip = self.folder / "rtl/chips/spin_pwm.sv"
+        chip.rename(self.folder / "victim")
+        chip.symlink_to(self.folder / "victim")
+        self.assertIn("not a regular file", self.refuse("spin", "--contract"))
+        chip.unlink()
+        os.mkfifo(chip)
+        self.assertIn("not a regular file", self.refuse("spin", "--contract"))
+
+    def test_a_name_that_is_none_is_told_on_one_line_whatever_it_holds(self):
+        self.assertIn("'ab\\u000a' is no name of a machine", self.refuse("ab\n"))
+        for name in "a" * 300, "../docs":
+            self.assertIn("is no name of a machine", self.refuse(name, "--contract"))
 
     def test_names_that_mean_something_are_refused(self):
         self.write("lab/gear.hpp", "// SPDX\nint shaft;\n")
