@@ -16,7 +16,7 @@ from unittest import mock
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "scripts"))
 from trammel_tools import python_tools
-from trammel_tools.paths import TOOL
+from trammel_tools.paths import ROOT, TOOL
 from trammel_tools.waves import wave, wave_picture
 
 HEAD = """$timescale 1ns $end
@@ -209,6 +209,68 @@ class WaveTest(unittest.TestCase):
         for name in self.folder / "fifo", "/dev/zero":  # whose reading would not end
             self.assertIn("not a regular file", self.refused("list", name))
 
+    def test_a_picture_replaces_no_file_that_is_not_one(self):
+        file = self.file("a.vcd", BASE)
+        words = ["draw", file, "--window", "0:1us", "--signals", "low", "-o"]
+        victim = self.folder / "victim"
+        victim.write_text("mine", encoding="ascii")
+        for name in "a.svg", "b.json":
+            (self.folder / name).symlink_to(victim)
+        os.mkfifo(self.folder / "c.json")
+        for name in "a.svg", "b.svg", "c.svg":
+            self.assertIn("not a regular file", self.refused(*words, self.folder / name))
+        self.assertEqual(victim.read_text(encoding="ascii"), "mine")
+        self.assertEqual(len(list(self.folder.iterdir())), 5)
+        run = self.folder / "r"
+        run.mkdir()
+        for name, text in (("run.json", '{"trammel": "1", "files": {"metrics.json": {}}}'),
+                           ("metrics.json", '{"signal": []}')):
+            (run / name).write_text(text, encoding="ascii")
+            self.assertIn("of a run's record", self.refused(*words, run / f"{name[:-5]}.svg"))
+            self.assertEqual((run / name).read_text(encoding="ascii"), text)
+        self.assertEqual(len(list(run.iterdir())), 2)
+
+    def test_only_wavejson_of_a_picture_is_replaced(self):
+        file = self.file("a.vcd", BASE)
+        source = self.folder / "p.json"
+        words = ["draw", file, "--window", "0:1us", "--signals", "low", "-o", self.folder / "p.svg"]
+        for text in ('{"signal": []}', '{"a": 1}', '[1]', '"signal"', "3", "mine", "", "[" * 100000,
+                     '{"signal": 1}', '{"signal": [\n  {"name": "mine"}]}\n'):
+            source.write_text(text, encoding="ascii")
+            self.assertIn("p.json: is not of the form that draw writes", self.refused(*words))
+            self.assertEqual(source.read_text(encoding="ascii"), text)
+            self.assertFalse((self.folder / "p.svg").exists())
+        source.write_bytes(b"\xff")
+        self.assertIn("is not of the form", self.refused(*words))
+        source.unlink()
+        for signal in "low", "high":
+            self.assertIn(signal, self.draw(file, "--window", "0:1us", "--signals", signal)[0])
+        for picture in sorted((ROOT / "docs" / "pictures").glob("*.json")):
+            self.assertTrue(wave_picture.is_own(picture), picture)
+
+    def test_a_conversion_replaces_regular_files_only(self):
+        file = self.file("a.vcd", BASE)
+        fst = self.folder / "a.fst"
+        self.assertEqual(self.run_wave("convert", file, fst)[0], 0)
+        self.assertEqual(self.run_wave("convert", file, fst)[0], 0)
+        victim = self.folder / "victim"
+        victim.write_text("mine", encoding="ascii")
+        for name in ("x.vcd", "x.fst", f".y.vcd.{os.getpid()}", f".y.fst.{os.getpid()}",
+                     "y.fst.hier"):
+            (self.folder / name).symlink_to(victim)
+        os.mkfifo(self.folder / "f.vcd")
+        for name in "x.vcd", "f.vcd":
+            self.assertIn("not a regular file", self.refused("convert", fst, self.folder / name))
+        self.assertIn("not a regular file", self.refused("convert", file, self.folder / "x.fst"))
+        self.assertEqual(self.run_wave("convert", fst, self.folder / "y.vcd")[0], 0)
+        self.assertEqual(self.run_wave("convert", file, self.folder / "y.fst")[0], 0)
+        self.assertEqual(victim.read_text(encoding="ascii"), "mine")
+        self.assertTrue((self.folder / "y.vcd").is_file())
+        self.assertFalse((self.folder / "y.vcd").is_symlink())
+        (self.folder / "waves.fst").write_text("a record's", encoding="ascii")
+        self.assertIn("of a run's record",
+                      self.refused("convert", file, self.folder / "waves.fst"))
+
     def test_names_are_shown_without_control_characters(self):
         path = self.file("odd.vcd", BASE, head=HEAD.replace("low", "lo\x1b[31mw"))
         done = subprocess.run([sys.executable, TOOL, "wave", "list", path], capture_output=True,
@@ -234,6 +296,7 @@ class WaveTest(unittest.TestCase):
                 (("compare", file, file, "--window", "2us:1us"), "a before b"),
                 (("compare", file, file, "--window", "1ms:2ms"), "holds 0 ns to 1.19 us"),
                 (("compare", file, file, "--window", "1parsec:2us"), "--window: value"),
+                (("list", file, "--signals", "a\nb"), "a\\u000ab: no such signal"),
                 (("draw", file, "--window", "1ms:2ms", "--signals", "low", *picture), "outside"),
                 (("draw", self.file("g.vcd", gap), "--window", "0:1ms", "--signals", "low",
                   *picture), "have a gap"),

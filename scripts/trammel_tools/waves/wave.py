@@ -17,6 +17,9 @@ change); the first row then says at which clock it continues. FORMAT is d (signe
 --measure draws an arrow from the first change of one signal to the next one of another and counts
 the clocks.
 
+What convert and draw write replaces a regular file only, and none of a run's record. A PICTURE.json
+that is not of the form that draw writes is yours and stays: nothing is drawn.
+
 Exit codes: 0 equal or done, 1 the files differ, 2 a file or an argument is wrong, 3 a tool is
 missing.
 """
@@ -28,12 +31,13 @@ import subprocess
 import sys
 from pathlib import Path
 
-from trammel_tools import python_tools
+from trammel_tools import output_file, python_tools
+from trammel_tools.output_file import Refused
 from trammel_tools.waves import wave_picture
-from trammel_tools.waves.wave_file import Refused, WaveFile, time_text, within
+from trammel_tools.waves.wave_file import WaveFile, time_text, within
 
 CONVERTERS = {(".fst", ".vcd"): ["fst2vcd", "-f", "{}", "-o", "{}"],
-              (".vcd", ".fst"): ["vcd2fst", "{}", "{}"]}
+              (".vcd", ".fst"): ["vcd2fst", "-v", "{}", "-f", "{}"]}
 SHOWN = 12  # differences, unless told
 
 
@@ -59,18 +63,12 @@ def convert(args):
         print(f"wave: {command[0]} is missing (trammel doctor)", file=sys.stderr)
         return 3
     WaveFile(source)  # a broken file is told before a tool chokes on it
-    if not os.access(target.parent, os.W_OK) or target.is_dir():
-        raise Refused(f"{target}: cannot be written")
-    scratch = target.with_name(f".{target.name}.{os.getpid()}")
-    paths = iter([source, scratch])
-    try:
+    with output_file.replacing(target) as scratch:  # vcd2fst makes another file beside its own
+        paths = iter([source, scratch])
         done = subprocess.run([str(next(paths)) if word == "{}" else word for word in command],
-                              capture_output=True, text=True, check=False)
+                              capture_output=True, check=False)
         if done.returncode != 0 or not scratch.exists() or scratch.stat().st_size == 0:
             raise Refused(f"{source}: {command[0]} could not convert it")
-        scratch.replace(target)
-    finally:
-        scratch.unlink(missing_ok=True)
     print(f"wrote {target}")
     return 0
 
@@ -145,13 +143,18 @@ def draw(args):
     target = Path(args.output)
     if target.suffix != ".svg":
         raise Refused(f"-o {target}: the picture's name ends in .svg")
-    if not os.access(target.parent, os.W_OK):
-        raise Refused(f"{target}: cannot be written")
+    source = target.with_suffix(".json")
+    for file in target, source:
+        output_file.check(file)
+    if source.exists() and not wave_picture.is_own(source):
+        raise Refused(f"{source}: is not of the form that draw writes: move it away, or name "
+                      "another picture")
     picture = wave_picture.wave_json(wave, args)
     text = wave_picture.svg(picture)
-    target.with_suffix(".json").write_text(wave_picture.json_text(picture), encoding="utf-8")
-    target.write_text(text, encoding="utf-8")
-    print(f"wrote {target} and {target.with_suffix('.json')}")
+    with output_file.replacing(source) as scratch:
+        scratch.write_text(wave_picture.json_text(picture), encoding="utf-8")
+        output_file.replace(target, text)
+    print(f"wrote {target} and {source}")
     return 0
 
 
@@ -198,13 +201,11 @@ def main():
     try:
         return args.action(args)
     except Refused as error:
-        print(f"wave: {error}", file=sys.stderr)
-        return 2
+        return python_tools.refuse("wave", error)
     except KeyboardInterrupt:
         return 130
     except BrokenPipeError:  # whoever reads a long list has closed the pipe
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
     except OSError as error:
-        print(f"wave: {error.filename}: {error.strerror}", file=sys.stderr)
-        return 2
+        return python_tools.refuse("wave", f"{error.filename}: {error.strerror}")

@@ -9,12 +9,10 @@ import stat
 import sys
 from pathlib import Path
 
+from trammel_tools.output_file import Refused
+
 FEMTO = {"s": 10**15, "ms": 10**12, "us": 10**9, "ns": 10**6}  # femtoseconds
 TIME = re.compile(r"([-+]?[0-9.]+(?:e[-+]?[0-9]+)?)(ns|us|ms|s|clk)?", re.I)
-
-
-class Refused(Exception):
-    """The user's mistake, in one line."""
 
 
 @contextlib.contextmanager

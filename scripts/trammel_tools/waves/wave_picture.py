@@ -4,10 +4,12 @@
 import json
 import re
 
-from trammel_tools.waves.wave_file import Refused, time_text, within
+from trammel_tools.output_file import Refused
+from trammel_tools.waves.wave_file import time_text, within
 
 MOST_CELLS = 120  # clocks and gaps; a wider picture is none
 LONGEST = 200000  # clocks
+MOST_BYTES = 16 << 20  # of WaveJSON
 FORMATS = {"d", "u", "x", "b"}
 
 
@@ -177,6 +179,17 @@ def json_text(picture):
     lanes = ",\n  ".join(json.dumps(one) for one in picture["signal"])
     rest = {key: value for key, value in picture.items() if key != "signal"}
     return f'{{"signal": [\n  {lanes}],\n {json.dumps(rest)[1:]}\n'
+
+
+def is_own(path):
+    """Whether a file is a picture's WaveJSON as `json_text` writes it."""
+    if path.stat().st_size > MOST_BYTES:
+        return False
+    try:
+        text = path.read_text(encoding="utf-8")
+        return json_text(json.loads(text)) == text
+    except (ValueError, TypeError, KeyError, RecursionError):
+        return False
 
 
 def svg(picture):
