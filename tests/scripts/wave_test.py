@@ -11,6 +11,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+import xml.etree.ElementTree
 from pathlib import Path
 from unittest import mock
 
@@ -270,6 +271,16 @@ class WaveTest(unittest.TestCase):
         (self.folder / "waves.fst").write_text("a record's", encoding="ascii")
         self.assertIn("of a run's record",
                       self.refused("convert", file, self.folder / "waves.fst"))
+
+    def test_what_xml_cannot_hold_is_escaped_in_a_picture(self):
+        lanes, picture, svg = self.draw(
+            self.file("a.vcd", BASE), "--window", "0:1us", "--title", "a\nb\x1b<&\udcff",
+            "--signals", "a\x1b]0;x=low", "b\ufffe<&=high")
+        self.assertEqual(list(lanes)[2:], ["a\\u001b]0;x", "b\\ufffe<&"])
+        self.assertEqual(picture["head"]["text"], "a\\u000ab\\u001b<&\\xff")
+        words = "".join(xml.etree.ElementTree.fromstring(svg).itertext())
+        for seen in *list(lanes)[2:], picture["head"]["text"]:
+            self.assertIn(seen, words)
 
     def test_names_are_shown_without_control_characters(self):
         path = self.file("odd.vcd", BASE, head=HEAD.replace("low", "lo\x1b[31mw"))

@@ -5,6 +5,7 @@ import json
 import re
 
 from trammel_tools.output_file import Refused
+from trammel_tools.text import one_line
 from trammel_tools.waves.wave_file import time_text, within
 
 MOST_CELLS = 120  # clocks and gaps; a wider picture is none
@@ -135,6 +136,15 @@ def measure(lanes, picked, cells, pairs):
     return edges
 
 
+def printable(part):
+    """Names, values and titles as they can stand in XML."""
+    if isinstance(part, dict):
+        return {key: printable(value) for key, value in part.items()}
+    if isinstance(part, list):
+        return [printable(value) for value in part]
+    return one_line(part) if isinstance(part, str) else part
+
+
 def wave_json(wave_file, args):
     clock_name, rising = wave_file.clock(args.clock)
     period = rising[1] - rising[0]
@@ -171,7 +181,7 @@ def wave_json(wave_file, args):
         picture["edge"] = edges
     if args.title:
         picture["head"] = {"text": args.title}
-    return picture
+    return printable(picture)
 
 
 def json_text(picture):
