@@ -282,6 +282,10 @@ class WaveTest(unittest.TestCase):
         for seen in *list(lanes)[2:], picture["head"]["text"]:
             self.assertIn(seen, words)
 
+    def test_a_time_step_of_nothing_is_refused(self):
+        path = self.file("zero.vcd", BASE, head=HEAD.replace("1ns", "0ns"))
+        self.assertIn("time step is 0", self.refused("compare", path, path, "--window", "0:1us"))
+
     def test_names_are_shown_without_control_characters(self):
         path = self.file("odd.vcd", BASE, head=HEAD.replace("low", "lo\x1b[31mw"))
         done = subprocess.run([sys.executable, TOOL, "wave", "list", path], capture_output=True,
@@ -307,6 +311,7 @@ class WaveTest(unittest.TestCase):
                 (("compare", file, file, "--window", "2us:1us"), "a before b"),
                 (("compare", file, file, "--window", "1ms:2ms"), "holds 0 ns to 1.19 us"),
                 (("compare", file, file, "--window", "1parsec:2us"), "--window: value"),
+                (("compare", file, file, "--window", "0:1e400s"), "--window: value 0:1e400s"),
                 (("list", file, "--signals", "a\nb"), "a\\u000ab: no such signal"),
                 (("draw", file, "--window", "1ms:2ms", "--signals", "low", *picture), "outside"),
                 (("draw", self.file("g.vcd", gap), "--window", "0:1ms", "--signals", "low",

@@ -12,7 +12,7 @@ from pathlib import Path
 from trammel_tools.output_file import Refused
 
 FEMTO = {"s": 10**15, "ms": 10**12, "us": 10**9, "ns": 10**6}  # femtoseconds
-TIME = re.compile(r"([-+]?[0-9.]+(?:e[-+]?[0-9]+)?)(ns|us|ms|s|clk)?", re.I)
+TIME = re.compile(r"([-+]?[0-9.]+(?:e[-+]?[0-9]+)?)(ns|us|ms|s|clk)?", re.I | re.A)
 
 
 @contextlib.contextmanager
@@ -71,6 +71,8 @@ class WaveFile:
             self._vars = {v.full_name: v for v in self._wave.all_vars()}
             self.names = sorted(self._vars, key=lambda name: (name.count("."), name))
             self._ids = {name: str(v.signal_id) for name, v in self._vars.items()}
+        if self.step <= 0:
+            raise Refused(f"{path}: its time step is 0")
         if not self.names:
             raise Refused(f"{path}: holds no signals")
 
@@ -141,6 +143,13 @@ class WaveFile:
                     lasts.append(signal[len(signal) - 1][0])
         return min(firsts, default=0), max(lasts, default=0)
 
+    def steps(self, value, unit, clock):
+        """A time in steps of the file."""
+        if unit != "clk":
+            return round(value * FEMTO[unit] / self.step)
+        rising = self.clock(clock)[1]
+        return round(value) * (rising[1] - rising[0])
+
     def window(self, text, clock=None):
         """"a:b" in time steps; without text all of time."""
         if text is None:
@@ -149,16 +158,10 @@ class WaveFile:
         for part in text.split(":"):
             found = TIME.fullmatch(part.strip())
             try:
-                value = float(found[1])
-            except (TypeError, ValueError):
+                edges.append(self.steps(float(found[1]), (found[2] or "s").lower(), clock))
+            except (TypeError, ValueError, OverflowError):  # the last: of what no float can hold
                 edges = []
                 break
-            unit = (found[2] or "s").lower()
-            if unit == "clk":
-                rising = self.clock(clock)[1]
-                edges.append(round(value) * (rising[1] - rising[0]))
-            else:
-                edges.append(round(value * FEMTO[unit] / self.step))
         if len(edges) != 2 or not 0 <= edges[0] < edges[1]:
             raise Refused(f"--window: value {text} is not a:b with a before b, each with s, ms, "
                           "us, ns or clk behind it")

@@ -36,7 +36,8 @@ class WaveFileTest(unittest.TestCase):
 
     def test_what_is_no_window_is_refused(self):
         for text in ("2us", "2us:1us", "1us:1us", "-1us:1us", "1:2:3", "a:b", ":", "1parsec:2us",
-                     "1.2.3:4", ""):
+                     "1.2.3:4", "", "0:1e400s", "0:1e308s", "0:-1e400", "1e400:1e401", "0:1e400clk",
+                     "nan:1", "0:inf", "0:1\u017f"):
             with self.subTest(text), self.assertRaisesRegex(Refused, "is not a:b with a before b"):
                 file_of(10**6).window(text)
 
