@@ -15,8 +15,9 @@ no variables and need nothing but each other.
 With --words it only links one app and writes the words of its memory, for a program or a memory of
 the FPGA that holds them: 0x00000000, each, or for FILE.hex 00000000.
 
-Exit codes: 0 as it should be, 1 it does not build or holds what it must not, 3 the cross compiler
-is missing (under CTest 77). The programs are build/firmware/<m>.elf.
+Exit codes: 0 as it should be, 1 it does not build or holds what it must not, 2 there is no such app
+or FILE cannot be written, 3 the cross compiler is missing (under CTest 77). The programs
+are build/firmware/<m>.elf.
 """
 
 import argparse
@@ -28,6 +29,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+from trammel_tools import output_file, python_tools
 from trammel_tools.paths import ROOT
 
 SOURCES = ROOT / "sw_nios"
@@ -121,20 +123,20 @@ def write_words(program, file):
     image = binary.read_bytes()
     image += bytes(-len(image) % 4)
     form = "{:08x}\n" if file.suffix == ".hex" else "0x{:08x},\n"
-    file.write_text("".join(form.format(word) for (word,) in struct.iter_unpack("<I", image)),
-                    encoding="utf-8")
+    output_file.replace(file, "".join(form.format(word)
+                                      for (word,) in struct.iter_unpack("<I", image)))
     return True
 
 
 def words(app, file, ram):
     """Exit code."""
+    output_file.check(file)
     out = file.parent / f"{file.stem}_firmware"
     objects = compiled(out, app)
     if objects is None:
         return 1
     if app not in programs(objects):
-        print(f"firmware: sw_nios/apps/{app}/rv32im/main.cpp: no such file", file=sys.stderr)
-        return 2
+        return python_tools.refuse("firmware", f"sw_nios/apps/{app}/rv32im/main.cpp: no such file")
     program = link(app, objects, out, ram)
     return 0 if program and write_words(program, file) else 1
 
@@ -184,7 +186,10 @@ def main():
         print(f"firmware: {PREFIX}g++ is missing (trammel doctor)", file=sys.stderr)
         return 77 if "CTEST_INTERACTIVE_DEBUG_MODE" in os.environ else 3
     if asked.words:
-        return words(asked.words[0], Path(asked.words[1]), asked.ram)
+        try:
+            return words(asked.words[0], Path(asked.words[1]), asked.ram)
+        except output_file.Refused as error:
+            return python_tools.refuse("firmware", error)
     objects = compiled(OUT)
     if objects is None:
         return 1

@@ -236,6 +236,8 @@ def main():
         if wanted.estimate:
             return run_estimate(wanted, folder, budget)
         result = run(wanted, folder, budget)
+        result["over_budget"] = list(synth_report.findings(result, budget))
+        document = synth_board.write(folder, result)
     except python_tools.Missing as error:
         print(f"synth: {error}", file=sys.stderr)
         return python_tools.SKIPPED if "CTEST_INTERACTIVE_DEBUG_MODE" in os.environ else 3
@@ -243,8 +245,6 @@ def main():
         python_tools.progress("")
         print(f"synth: {error}", file=sys.stderr)
         return 6
-    result["over_budget"] = list(synth_report.findings(result, budget))
-    document = synth_board.write(folder, result)
     print(document if wanted.json else "\n".join(synth_report.text(result, budget)),
           end="" if wanted.json else "\n")
     bad = [f"over budget: {line}" for line in result["over_budget"]]

@@ -12,6 +12,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+from trammel_tools import output_file
 from trammel_tools.paths import RTL
 from trammel_tools.rtl import lint
 
@@ -163,9 +164,10 @@ def read_netlist(top, folder):
 
 def write_whole(path, text):
     """The file is the old one or the new one, never a part."""
-    new = path.with_name(f"{path.name}.new")
-    new.write_text(text, encoding="utf-8")
-    new.replace(path)
+    try:
+        output_file.replace(path, text)
+    except output_file.Refused as error:
+        raise FlowError(error) from None
 
 
 def place_and_route(top, folder, seed, device, more=None):

@@ -8,7 +8,7 @@ import unittest
 from pathlib import Path
 from unittest import mock
 
-from trammel_tools.synth import estimate, synth_netlist, synth_report
+from trammel_tools.synth import estimate, synth_flow, synth_netlist, synth_report
 from trammel_tools.synth.synth_netlist import Count
 
 
@@ -231,6 +231,19 @@ class SynthReportTest(unittest.TestCase):
                     lambda *_, run=run: contextlib.nullcontext((None, run))):
                 self.assertEqual(estimate.one("top", folder, family), counts, family.name)
             self.assertEqual(said[0], f"{family.command} -top top")
+
+    def test_a_result_is_not_written_through_a_link(self):
+        with tempfile.TemporaryDirectory() as name:
+            folder = Path(name)
+            victim = folder / "victim"
+            victim.write_text("mine", encoding="utf-8")
+            (folder / "synth.json.new").symlink_to(victim)
+            synth_flow.write_whole(folder / "synth.json", "new")
+            (folder / "link").symlink_to(victim)
+            with self.assertRaisesRegex(synth_flow.FlowError, "not a regular file"):
+                synth_flow.write_whole(folder / "link", "new")
+            self.assertEqual(victim.read_text(encoding="utf-8"), "mine")
+            self.assertEqual((folder / "synth.json").read_text(encoding="utf-8"), "new")
 
     def test_a_column_is_as_wide_as_its_widest_cell(self):
         self.assertEqual(list(synth_report.text_table(["block", "n"], [["a", "100"]])),
