@@ -95,6 +95,6 @@ def _write(content: dict, file: Path) -> None:
     folder = Path(__file__).parent
     text = (folder / "page.html").read_text(encoding="utf-8")
     script = (folder / "page.js").read_text(encoding="utf-8")
-    content = json.dumps(content, allow_nan=False).replace("</", "<\\/")
+    content = json.dumps(content, allow_nan=False).replace("<", "\\u003c")
     text = text.replace("@SCRIPT@", script).replace("@DATA@", content)
     replace(file, lambda path: path.write_text(text, encoding="utf-8"))
