@@ -3,8 +3,10 @@
 the package, so that the help is always there."""
 
 import argparse
+import contextlib
 import os
 import sys
+import unicodedata
 from collections.abc import Callable
 
 SWEEP = """Make the runs of a plan on all processors or a cluster, into one Parquet data set.
@@ -30,6 +32,62 @@ Exit codes: 0 there is a best trial, 1 none meets the constraints, 2 usage, stud
 package is missing, 130 interrupted."""
 
 
+UNSEEN = {"Cc", "Cf", "Cs", "Zl", "Zp"}  # control, format, half characters, separators of lines
+LONGEST = 2000  # characters of a message
+
+
+def character(code: int) -> str:
+    """What is seen of a character that has no shape of its own, or of a byte that is no UTF-8."""
+    if 0xDC80 <= code <= 0xDCFF:
+        return f"\\x{code - 0xDC00:02x}"
+    return f"\\U{code:08x}" if code > 0xFFFF else f"\\u{code:04x}"
+
+
+def shown(text: str, kept: str = "\n\t") -> str:
+    """The text as a terminal can show it."""
+    if text.isascii() and text.isprintable():
+        return text
+    return "".join(character(ord(c)) if c not in kept and unicodedata.category(c) in UNSEEN else c
+                   for c in text)
+
+
+def one_line(message: str) -> str:
+    """An error; of one that is too long, both ends."""
+    text = shown(message, "")
+    half = LONGEST // 2
+    return text if len(text) <= LONGEST else f"{text[:half]}\u2026{text[-half:]}"
+
+
+class Shown:
+    """A stream to which texts of others come as `shown` says. What is to reach the terminal as it
+    is, is written to `plain`."""
+
+    def __init__(self, plain):
+        self.plain = plain
+
+    def write(self, text: str) -> int:
+        self.plain.write(shown(text))
+        return len(text)
+
+    def __getattr__(self, name: str):
+        return getattr(self.plain, name)
+
+
+def main(verb: str, parser: Callable[[], "Parser"], action: Callable[[argparse.Namespace], int],
+         place: Callable[[argparse.Namespace], str]) -> int:
+    """The exit code of a verb with its command line. All that it prints is shown."""
+    for stream in (sys.stdout, sys.stderr):
+        if hasattr(stream, "reconfigure"):
+            stream.reconfigure(errors="backslashreplace")
+    with contextlib.ExitStack() as streams:
+        if sys.stdout is not None:
+            streams.enter_context(contextlib.redirect_stdout(Shown(sys.stdout)))
+        if sys.stderr is not None:
+            streams.enter_context(contextlib.redirect_stderr(Shown(sys.stderr)))
+        given = parser().parse_args()
+        return exit_code(verb, lambda: action(given), place(given))
+
+
 class Parser(argparse.ArgumentParser):
     """Errors in one line."""
 
@@ -39,7 +97,7 @@ class Parser(argparse.ArgumentParser):
         self.verb = verb
 
     def error(self, message):
-        self.exit(2, f"{self.verb}: {message}; see {self.prog} --help\n")
+        self.exit(2, one_line(f"{self.verb}: {message}; see {self.prog} --help") + "\n")
 
     def add_workers(self, jobs: str) -> None:
         """Where the runs are made."""
@@ -96,5 +154,5 @@ def exit_code(verb: str, action: Callable[[], int], place: str) -> int:
         code, text = 2, f"{error.filename or place}: {why}; what is done is kept"
     except ValueError as error:
         code, text = 2, str(error)
-    print(f"{verb}: {text}", file=sys.stderr)
+    print(one_line(f"{verb}: {text}"), file=sys.stderr)
     return code

@@ -49,13 +49,18 @@ class Progress:
         self.last = now
         rate = self.made / (now - self.begun)
         left = (self.count - self.made) / rate
-        sys.stderr.write(f"\r\033[K{self.made} of {self.count} {self.what}, {rate:.3g} per s, "
-                         f"{left:.0f} s left")
-        sys.stderr.flush()
+        self._line(f"{self.made} of {self.count} {self.what}, {rate:.3g} per s, "
+                   f"{left:.0f} s left")
 
     def close(self) -> None:
         if self.show:
-            sys.stderr.write("\r\033[K")
+            self._line("")
+
+    def _line(self, text: str) -> None:
+        """In the place of the one before."""
+        terminal = getattr(sys.stderr, "plain", sys.stderr)
+        terminal.write(f"\r\033[K{text}")
+        terminal.flush()
 
 
 def shard_of(text: str) -> tuple[int, int]:
@@ -151,8 +156,8 @@ def _sweep(given) -> int:
 
 
 def main() -> int:
-    given = command_line.sweep().parse_args()
-    return command_line.exit_code("sweep", lambda: _sweep(given), given.out or given.plan)
+    return command_line.main("sweep", command_line.sweep, _sweep,
+                             lambda given: given.out or given.plan)
 
 
 if __name__ == "__main__":

@@ -194,7 +194,12 @@ def perform(study: Study, folder: Path, *, trials: int = 0, progress=None, show:
         return found.get_trials(deepcopy=False), write(study, found, folder)
 
 
-def _tune(given, folder: Path) -> int:
+def _folder(given) -> Path:
+    return Path(given.out or Path("out") / Path(given.study).stem)
+
+
+def _tune(given) -> int:
+    folder = _folder(given)
     study = Study(Path(given.study))
     trials, front = perform(study, folder, trials=given.trials, jobs=given.jobs,
                             cluster=given.cluster, scheduler=given.scheduler, limit_s=given.limit,
@@ -213,9 +218,7 @@ def _tune(given, folder: Path) -> int:
 
 
 def main() -> int:
-    given = command_line.tune().parse_args()
-    folder = Path(given.out or Path("out") / Path(given.study).stem)
-    return command_line.exit_code("tune", lambda: _tune(given, folder), str(folder))
+    return command_line.main("tune", command_line.tune, _tune, lambda given: str(_folder(given)))
 
 
 if __name__ == "__main__":
