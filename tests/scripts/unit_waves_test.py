@@ -2,7 +2,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Check that a failed unit test of a block leaves waves that show the failure, and their view.
 
-usage: unit_waves_test.py FOLDER     a block and a test that fails are written there
+usage: unit_waves_test.py FOLDER MAIN     a block and a test that fails are written there; MAIN: the
+                                          library with Catch2's main
 
 Exit codes: 0 it does, 1 it does not, 77 verilator is missing.
 """
@@ -43,6 +44,11 @@ TEST_CASE("it counts, up to six [only], they say") {
   }
 }
 """
+# The same case in a program that is quick to build: all that matters is that and where it fails.
+FAILS = """#include <catch2/catch.hpp>
+#line 9 "../tests/math/toy_test.cpp"
+TEST_CASE("it counts, up to six [only], they say") { CHECK(false); }
+"""
 
 
 def changes(waves):
@@ -65,14 +71,17 @@ def changes(waves):
             if code in values}
 
 
-def faults(root):
+def faults(root, catch_main):
     tool = root / "scripts" / "tool"
-    case = "it counts, up to six [only], they say"
-    done = subprocess.run([sys.executable, tool, "unit-waves", "math/toy_test.cpp", case], cwd=root,
-                          capture_output=True, text=True, check=False)
+    program = root / "build" / "tests" / "toy_test"
+    program.parent.mkdir(parents=True)
+    shutil.copy(catch_main, program.parent)
+    subprocess.run(["c++", "-std=c++17", "-o", program, "-x", "c++", "-", "-x", "none",
+                    catch_main], input=FAILS, text=True, check=True)
+    done = subprocess.run(program, cwd=root, capture_output=True, text=True, check=False)
     view = "build/waves/math_toy/waves.gtkw"
     place = "failed after evaluated edge 9, at 180 ns"
-    if done.returncode or place not in done.stdout or view not in done.stdout:
+    if done.returncode != 1 or place not in done.stdout or view not in done.stdout:
         log = root / "build" / "waves" / "math_toy" / "build.log"
         yield f"exit code {done.returncode}: {done.stdout}{done.stderr}"
         yield log.read_text(encoding="utf-8")[-2000:] if log.exists() else "nothing was built"
@@ -85,7 +94,8 @@ def faults(root):
     for name in ("top.clk_i", "top.up_i", "top.count_o", "top.toy.count_q"):
         if name not in shown or name not in seen:
             yield f"{name} is not in the view or not in the waves"
-    for words, code in ((["math/toy_test.cpp", "it counts"], 1), (["math/none_test.cpp"], 2)):
+    for words, code in ((["math/toy_test.cpp", "it counts"], 1), (["math/none_test.cpp"], 2),
+                        (["math/toy_test.cpp", "it counts", root / "none.a"], 3)):
         done = subprocess.run([sys.executable, tool, "unit-waves", *words], cwd=root,
                               capture_output=True, text=True, check=False)
         if done.returncode != code:
@@ -93,9 +103,9 @@ def faults(root):
 
 
 def main():
-    if len(sys.argv) != 2 or sys.argv[1] in ("-h", "--help"):
+    if len(sys.argv) != 3:
         print(__doc__)
-        return 0 if len(sys.argv) == 2 else 2
+        return 0 if sys.argv[1:] in (["-h"], ["--help"]) else 2
     if shutil.which("verilator") is None:
         print("unit_waves_test: verilator is missing (trammel doctor)", file=sys.stderr)
         return 77
@@ -108,7 +118,7 @@ def main():
     for name, text in (("rtl/math/toy.sv", BLOCK), ("tests/math/toy_test.cpp", TEST)):
         (root / name).parent.mkdir(parents=True)
         (root / name).write_text(text, encoding="ascii")
-    wrong = list(faults(root))
+    wrong = list(faults(root, Path(sys.argv[2]).resolve()))
     print(*wrong, sep="\n", end="\n" if wrong else "")
     return int(bool(wrong))
 

@@ -57,7 +57,8 @@ def build(block):
                        encoding="utf-8")
     rtl = [] if top == stem else [*map(str, lint.packages()), str(RTL / layer / f"{top}.sv")]
     search = [f"-I{d}" for d in sorted(RTL.iterdir()) if d.is_dir() and d.name != "boards"]
-    main = [str(MAIN)] if MAIN.exists() else [str(ROOT / "tests" / "support" / "main.cpp")]
+    sources = [ROOT / "tests" / "support" / f"{one}.cpp" for one in ("main", "first_failure")]
+    main = map(str, [MAIN] if MAIN.exists() else sources)
     command = ["verilator", "--cc", "--exe", "--build", "-j", str(JOBS),
                "-Wno-fatal", "-Wno-lint", "-fno-dfg",
                "--top-module", top, "--prefix", f"V{top}", "--Mdir", str(folder / "obj"),

@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: Apache-2.0
 """Waves of a failed case of a block's unit test, with a view for GTKWave.
 
-usage: scripts/tool unit-waves TEST [CASE]    TEST: <layer>/<block>_test.cpp; CASE: its text
+usage: scripts/tool unit-waves TEST [CASE [MAIN]]
+
+TEST: <layer>/<block>_test.cpp; CASE: its text; MAIN: the library with Catch2's main, by default
+that of build/.
 
 A unit test that fails calls this. The test is compiled again, with a model that traces, and run
 twice: once to find in which clock of which instance of the block the first assertion failed, once
@@ -9,7 +12,7 @@ to trace the clocks before it. The tests themselves are built without any of thi
 view and the model stay in build/waves/<layer>_<block>.
 
 Exit codes: 0 waves were written, 1 the case does not fail or does not build, 2 there is no such
-test, 3 Verilator is missing.
+test, 3 Verilator or Catch2's main is missing.
 """
 
 import os
@@ -17,6 +20,7 @@ import re
 import shutil
 import subprocess
 import sys
+from pathlib import Path
 
 from trammel_tools import python_tools
 from trammel_tools.paths import ROOT, RTL, twin_sources
@@ -28,6 +32,7 @@ SEEN = 40  # of these at the first look
 BEHIND = 5
 REGISTERS = 30  # in the view
 JOBS = "2"
+MAIN = ROOT / "build" / "tests" / "libtrammel_catch_main.a"
 
 
 def block_of(test):
@@ -39,7 +44,7 @@ def block_of(test):
     return f"{layer}/{name}" if name and (ROOT / "tests" / test).exists() else None
 
 
-def build(block, test, folder):
+def build(block, test, folder, catch_main):
     """The program of this test with a model that traces; None when it does not build."""
     layer, top = block.split("/")
     chip = layer == "chips"
@@ -54,7 +59,7 @@ def build(block, test, folder):
                "-o", "unit", *parameters, *search, f"-I{RTL}/chips/generated",
                *map(str, lint.packages()), str(RTL / f"{block}.sv"), *map(str, properties),
                str(source), *map(str, twin_sources(top)),
-               str(ROOT / "tests" / "support" / "main.cpp")]
+               str(ROOT / "tests" / "support" / "first_failure.cpp"), str(catch_main)]
     cache = "ccache" if shutil.which("ccache") else ""
     done = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False,
                           env={**os.environ, "OBJCACHE": cache})
@@ -99,11 +104,11 @@ def groups(signals, top):
             "Registers": own[:REGISTERS]}
 
 
-def trace(block, test, case):
+def trace(block, test, case, catch_main):
     """(the view, the clock of the failure), or one line that says why there is none."""
     folder = ROOT / "build" / "waves" / block.replace("/", "_")
     folder.mkdir(parents=True, exist_ok=True)
-    program = build(block, test, folder)
+    program = build(block, test, folder, catch_main)
     if program is None:
         return f"the test does not build with waves: {folder.relative_to(ROOT)}/build.log"
     failed, waves = folder / "failed", folder / "waves.vcd"
@@ -126,10 +131,10 @@ def trace(block, test, case):
 
 
 def main():
-    if len(sys.argv) not in (2, 3) or sys.argv[1] in ("-h", "--help"):
+    if len(sys.argv) not in (2, 3, 4) or sys.argv[1] in ("-h", "--help"):
         print(__doc__)
         return 0 if len(sys.argv) == 2 and sys.argv[1] in ("-h", "--help") else 2
-    test, case = sys.argv[1], (sys.argv[2:] or [""])[0]
+    test, case, catch_main = [*sys.argv[1:], *["", MAIN][len(sys.argv) - 2:]]
     block = block_of(test)
     if block is None:
         print(f"unit-waves: tests/{test}: no unit test of a block", file=sys.stderr)
@@ -137,8 +142,11 @@ def main():
     if shutil.which("verilator") is None:
         print("unit-waves: verilator is missing (trammel doctor)", file=sys.stderr)
         return 3
+    if not Path(catch_main).exists():
+        print(f"unit-waves: {catch_main} is missing: ./trammel build makes it", file=sys.stderr)
+        return 3
     python_tools.progress(f"waves of '{case}': building {block} with a model that traces")
-    found = trace(block, test, case)
+    found = trace(block, test, case, Path(catch_main).resolve())
     python_tools.progress("")
     if isinstance(found, str):
         print(f"unit-waves: {test}: {found}", file=sys.stderr)
