@@ -86,9 +86,12 @@ def perform(plan: Plan, folder, *, jobs: int = 0, cluster: str = "local", schedu
     import numpy as np
 
     from trammel.sweep import cluster as workers
-    from trammel.sweep import store
+    from trammel.sweep import files, store
 
     one, of = shard
+    file = Path(folder) / "page.html"
+    if page:
+        files.check_replaceable(file)
     with store.Store(Path(folder), plan.identity(), f"-{one}-of-{of}" if of > 1 else "") as kept:
         wanted = np.arange(one - 1, plan.count, of)
         wanted = wanted[~np.isin(wanted, kept.done(), assume_unique=True)]
@@ -102,7 +105,7 @@ def perform(plan: Plan, folder, *, jobs: int = 0, cluster: str = "local", schedu
         if page:
             from trammel.sweep import page as shown
 
-            shown.write(plan, kept.table(), Path(folder) / "page.html")
+            shown.write(plan, kept.table(), file)
     return Done(made, refused, plan.count - table.num_rows, seconds)
 
 
@@ -127,7 +130,7 @@ def _make(plan, kept, wanted, workers, jobs, cluster, scheduler, limit_s, progre
                 if len(rows) >= FLUSH_ROWS or time.monotonic() - flushed > FLUSH_S:
                     flush()
         except BaseException:
-            with contextlib.suppress(OSError):  # the disk may be what it ended by
+            with contextlib.suppress(OSError, PlanError):  # may be what it ended by: the disk
                 flush()
             raise
         finally:

@@ -11,7 +11,8 @@ from pathlib import Path
 import numpy as np
 import pyarrow as pa
 
-from trammel.sweep.store import FIXED, replace
+from trammel.sweep.files import replace
+from trammel.sweep.store import FIXED
 
 MOST = 20_000  # runs on a page: evenly taken where there are more
 DIGITS = 6
@@ -97,4 +98,4 @@ def _write(content: dict, file: Path) -> None:
     script = (folder / "page.js").read_text(encoding="utf-8")
     content = json.dumps(content, allow_nan=False).replace("<", "\\u003c")
     text = text.replace("@SCRIPT@", script).replace("@DATA@", content)
-    replace(file, lambda path: path.write_text(text, encoding="utf-8"))
+    replace(file, text.encode())

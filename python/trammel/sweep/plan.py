@@ -7,6 +7,7 @@ import hashlib
 import itertools
 import json
 import math
+import os
 import re
 import tomllib
 import zlib
@@ -17,6 +18,8 @@ import numpy as np
 
 from trammel import _core
 from trammel.asked import SettingError, _apply, _given
+from trammel.sweep import files
+from trammel.sweep.files import PlanError
 
 SECTIONS = ("keys", "grid", "latin", "random", "table")
 OWN = {"scenario", "engine", *SECTIONS}
@@ -24,21 +27,22 @@ MOST = 10**7  # runs without --yes
 MOST_BYTES = 4 << 20
 
 
-class PlanError(_core.ConfigError):
-    """What is wrong with a plan, in one line."""
-
-
 def read_toml(file: Path, error: type[PlanError] = PlanError) -> dict:
     """What a plan or a study holds."""
     try:
-        text = file.read_bytes()
-        if len(text) > MOST_BYTES:
-            raise error(f"{file}: longer than {MOST_BYTES >> 20} MiB")
-        return tomllib.loads(text.decode())
+        text = files.read(file, MOST_BYTES, 0)
+    except PlanError as why:
+        raise error(str(why)) from None
     except OSError as why:
         raise error(f"{file}: cannot be read: {why.strerror}") from None
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as why:
+    if len(text) > MOST_BYTES:
+        raise error(f"{file}: longer than {MOST_BYTES >> 20} MiB")
+    try:
+        return tomllib.loads(text.decode())
+    except ValueError as why:  # of TOML, of UTF-8, or a number of too many digits
         raise error(f"{file}: {why}") from None
+    except RecursionError:
+        raise error(f"{file}: lists or tables too deep in each other") from None
 
 
 class Axis(NamedTuple):
@@ -131,6 +135,7 @@ def table_points(where: str, given, folder: Path) -> dict[str, list]:
         raise PlanError(f"{where}: expects file = \"points.csv\" or .parquet")
     file = folder / str(given["file"])
     try:
+        os.close(files.opened(file, os.O_RDONLY))
         if file.suffix == ".parquet":
             from pyarrow import parquet
 
@@ -139,14 +144,20 @@ def table_points(where: str, given, folder: Path) -> dict[str, list]:
             from pyarrow import csv
 
             columns = csv.read_csv(file).to_pydict()
+    except PlanError as error:
+        raise PlanError(f"{where}: {error}") from None
     except Exception as error:  # of the file or of its format
-        raise PlanError(f"{where}: {file}: {str(error).splitlines()[0]}") from None
+        said = str(error).splitlines() or [type(error).__name__]
+        raise PlanError(f"{where}: {file}: {said[0]}") from None
     if not columns or not len(next(iter(columns.values()))):
         raise PlanError(f"{where}: {file}: holds no run")
     for key, values in columns.items():
         empty = next((n for n, v in enumerate(values, 1) if v is None or v != v), None)
         if empty is not None:
             raise PlanError(f"{where}: {file}: {key}: run {empty} of {len(values)} has no value")
+        if not all(isinstance(value, bool | int | float | str) for value in values):
+            raise PlanError(f"{where}: {file}: {key}: holds other values than numbers, flags and "
+                            "texts")
     return columns
 
 

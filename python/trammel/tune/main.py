@@ -5,10 +5,12 @@ from __future__ import annotations
 
 import contextlib
 import logging
+import os
 import sys
 from pathlib import Path
 
 from trammel import _core, command_line
+from trammel.sweep.files import PlanError
 from trammel.sweep.main import Progress
 from trammel.tune.study import Study, StudyError
 
@@ -18,11 +20,13 @@ RECORD = "study.json"
 def whole_journal(file: Path) -> str:
     """Its name, when what a kill or a full disk has left of a last line is gone, and what says that
     somebody writes it: the folder's own lock says that nobody does."""
+    from trammel.sweep import files
+
     Path(f"{file}.lock").unlink(missing_ok=True)
-    if file.is_file():
-        with file.open("r+b") as stream:
-            text = stream.read()
-            stream.truncate(text.rfind(b"\n") + 1)
+    with contextlib.suppress(FileNotFoundError), \
+            open(files.opened(file, os.O_RDWR | os.O_NOFOLLOW), "r+b") as stream:
+        text = stream.read()
+        stream.truncate(text.rfind(b"\n") + 1)
     return str(file)
 
 
@@ -38,12 +42,20 @@ def open_study(study: Study, folder: Path):
     optuna.logging.set_verbosity(logging.ERROR)
     store.keep_record(folder / RECORD, study.identity())
     journal = whole_journal(folder / "trials.log")
-    storage = JournalStorage(JournalFileBackend(journal, lock_obj=JournalFileOpenLock(journal)))
     sampler = optuna.samplers.TPESampler(seed=study.seed, multivariate=True,
                                          n_startup_trials=max(10, 2 * len(study.search)))
-    found = optuna.create_study(
-        storage=storage, sampler=sampler, study_name="study", load_if_exists=True,
-        directions=["maximize" if g.maximize else "minimize" for g in study.objectives])
+    directions = ["maximize" if g.maximize else "minimize" for g in study.objectives]
+    try:
+        storage = JournalStorage(JournalFileBackend(journal, lock_obj=JournalFileOpenLock(journal)))
+        found = optuna.create_study(storage=storage, sampler=sampler, study_name="study",
+                                    load_if_exists=True, directions=directions)
+        whole = [one.name.lower() for one in found.directions] == directions
+    except OSError:
+        raise
+    except Exception:  # Optuna takes each line for what it has written
+        whole = False
+    if not whole:
+        raise StudyError(f"{journal}: is corrupt")
     for trial in found.get_trials(deepcopy=False, states=(optuna.trial.TrialState.RUNNING,)):
         found.tell(trial.number, state=optuna.trial.TrialState.FAIL)
     return found
@@ -155,7 +167,7 @@ def scenario_text(study: Study, trial) -> str:
 
 def write(study: Study, found, folder: Path) -> list:
     """best.toml or best-N.toml, and the page."""
-    from trammel.sweep import page, store
+    from trammel.sweep import files, page
 
     front = best_of(study, found)
     for old in folder.glob("best*.toml"):
@@ -163,7 +175,7 @@ def write(study: Study, found, folder: Path) -> list:
     for n, trial in enumerate(front, 1):
         name = "best.toml" if len(front) == 1 else f"best-{n}.toml"
         text = scenario_text(study, trial)
-        store.replace(folder / name, lambda path, text=text: path.write_text(text, "utf-8"))
+        files.replace(folder / name, text.encode())
     page.write_trials(study, found.get_trials(deepcopy=False), {t.number for t in front},
                       folder / "page.html")
     return front
@@ -178,17 +190,18 @@ def perform(study: Study, folder: Path, *, trials: int = 0, progress=None, show:
                search, as Ctrl-C does. What is done is kept, and is written in any case.
     workers    jobs, cluster, scheduler, limit_s, as of trammel.sweep
     """
-    from trammel.sweep import store
+    from trammel.sweep import files, store
 
     folder = Path(folder)
     store.check_record(folder / RECORD, study.identity(), "trials", "study", "study")
+    files.check_replaceable(folder / "page.html")
     with store.lock(folder, "", "study"):
         found = open_study(study, folder)
         try:
             search(study, found, trials or study.trials,
                    progress=Progress(show, progress, "trials"), **workers)
         except BaseException:
-            with contextlib.suppress(OSError):  # the disk may be what it ended by
+            with contextlib.suppress(OSError, PlanError):  # may be what it ended by: the disk
                 write(study, found, folder)
             raise
         return found.get_trials(deepcopy=False), write(study, found, folder)
