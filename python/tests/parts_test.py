@@ -175,13 +175,10 @@ class Kept(Scratch):
 
     def test_a_file_comes_whole_or_stays(self):
         file = self.folder / "a"
-        store.replace(file, lambda path: path.write_text("first"))
-
-        def broken(path):
-            path.write_text("sec")
-            raise ZeroDivisionError
-
-        self.assertRaises(ZeroDivisionError, store.replace, file, broken)
+        store.replace(file, b"first")
+        with mock.patch("os.fsync", side_effect=ZeroDivisionError), \
+                self.assertRaises(ZeroDivisionError):
+            store.replace(file, b"sec")
         self.assertEqual(({p.name for p in self.folder.iterdir()}, file.read_text()),
                          ({"a"}, "first"))
 
@@ -204,20 +201,23 @@ class Kept(Scratch):
     def test_rows_of_several_files(self):
         with self.assertRaisesRegex(sweep.PlanError, "holds no runs"):
             store.read(self.folder)
-        with store.Store(self.folder, {}) as kept:
+        told = {"scenario": "circle", "end": "done", "message": ""}
+        with store.Store(self.folder, {"runs": 5}) as kept:
             self.assertEqual(kept.done().tolist(), [])
-            kept.add([{"b": 1, "run": 4, "part": 0, "flag": True, "text": "a"},
-                      {"b": 2.5, "run": 2, "part": 1, "end": "done", "mixed": True}])
-            kept.add([{"run": 3, "part": 0, "b": 7, "none": None, "mixed": 1.5, "text": "3"},
-                      {"run": 0, "part": 0, "b": None, "late": 5}])
+            kept.add([{"b": 1, "run": 4, "part": 0, **told, "flag": True, "text": "a"},
+                      {"b": 2.5, "run": 2, "part": 1, **told, "end": "tripped", "mixed": True}])
+            kept.add([{"run": 3, "part": 0, "b": 7, **told, "none": None, "mixed": 1.5,
+                       "text": "3"}, {"run": 0, "part": 0, "b": None, **told, "late": 5}])
             self.assertEqual(kept.done().tolist(), [0, 2, 3, 4])
         table = sweep.read(self.folder)
         self.assertEqual(table.column_names[:2], ["run", "part"])  # then those of the key
         columns = table.to_pydict()
-        self.assertEqual({name: columns[name] for name in columns if name not in ("mixed", "none")},
+        left = {"mixed", "none", "scenario", "message"}
+        self.assertEqual({name: columns[name] for name in columns if name not in left},
                          {"run": [0, 2, 3, 4], "part": [0, 1, 0, 0], "b": [None, 2.5, 7.0, 1.0],
                           "flag": [None, None, None, True], "text": [None, None, "3", "a"],
-                          "end": [None, "done", None, None], "late": [5.0, None, None, None]})
+                          "end": ["done", "tripped", "done", "done"],
+                          "late": [5.0, None, None, None]})
         self.assertEqual(table.schema.names.count("mixed"), 1)
         self.assertEqual(columns["mixed"], [None, "true", "1.5", None])  # of two kinds
         self.assertEqual(store.column("a", [True, 1.5]).to_pylist(), ["True", "1.5"])
