@@ -206,6 +206,9 @@ class Planted(unittest.TestCase):
             self.refused("holds the .* of another", verb.run, file, self.out)
             record.unlink()
         identity = tune.Study(self.study).identity()
+        for best in (3, None, {}, [3], ["../victim"], ["study.toml"], [["best.toml"]]):
+            (self.out / "study.json").write_text(json.dumps({**identity, "best": best}))
+            self.refused("study.json: is corrupt$", tune.run, self.study, self.out)
         (self.out / "study.json").write_text(json.dumps(identity))
         for text in (b"[]\n", b"3\n", b"{}\n", b"\xff\n", b"{\n", b'{"op_code": 0}\n',
                      b'{"op_code": 0, "worker_id": "a", "study_name": "study", '

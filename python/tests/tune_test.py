@@ -326,16 +326,42 @@ class Tune(unittest.TestCase):
         self.assertIn("tune: no trial ended well and within all constraints\n", told.getvalue())
 
     def test_of_earlier_calls_no_best_trial_is_left(self):
+        study = Study(self.study(STUDY + ERROR + PEAK))
         self.out.mkdir()
+        mine = dict.fromkeys(("best-of.toml", "best_1.toml", "best-01.toml", "best.toml.old",
+                              "bestseller.toml", "best-2.txt"), "mine")
+        for name, text in mine.items():
+            (self.out / name).write_text(text)
         for count in 3, 1, 2, 0, 1, 0:
             front = [SimpleNamespace(number=n) for n in range(count)]
             with mock.patch.object(tune, "best_of", lambda *_, front=front: front), \
                     mock.patch.object(tune, "scenario_text", lambda _, trial: f"{trial.number}"), \
                     mock.patch("trammel.sweep.page.write_trials"):
-                tune.write(None, mock.Mock(), self.out)
+                tune.write(study, mock.Mock(), self.out)
+            record = json.loads((self.out / "study.json").read_text())
             names = ["best.toml"] if count == 1 else [f"best-{n + 1}.toml" for n in range(count)]
-            self.assertEqual({f.name: f.read_text() for f in self.out.iterdir()},
-                             {name: f"{n}" for n, name in enumerate(names)})
+            self.assertEqual(record, {**study.identity(), "best": names})
+            self.assertEqual({f.name: f.read_text() for f in self.out.glob("best*")},
+                             mine | {name: f"{n}" for n, name in enumerate(names)})
+
+    def test_a_scenario_of_the_users_is_not_replaced(self):
+        two = Study(self.study(STUDY + ERROR + PEAK))
+        one = Study(self.study(STUDY + ERROR))
+        for study, name, refused in ((one, "best.toml", True), (one, "best-2.toml", False),
+                                     (two, "best.toml", True), (two, "best-2.toml", True)):
+            out = self.folder / f"{len(study.objectives)}-{name}"
+            out.mkdir()
+            (out / "study.json").write_text(json.dumps(study.identity()))
+            (out / name).write_text("mine")
+            with mock.patch.object(tune, "open_study"), mock.patch.object(tune, "search"), \
+                    mock.patch.object(tune, "best_of", return_value=[]), \
+                    mock.patch("trammel.sweep.page.write_trials"):
+                if refused:
+                    with self.assertRaisesRegex(StudyError, f"^{out / name}: is not of the study"):
+                        tune.perform(study, out)
+                else:
+                    tune.perform(study, out)
+            self.assertEqual((out / name).read_text(), "mine")
 
 
 if __name__ == "__main__":

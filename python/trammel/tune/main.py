@@ -4,8 +4,10 @@
 from __future__ import annotations
 
 import contextlib
+import json
 import logging
 import os
+import re
 import sys
 from pathlib import Path
 
@@ -15,6 +17,8 @@ from trammel.sweep.main import Progress
 from trammel.tune.study import Study, StudyError
 
 RECORD = "study.json"
+BEST_ONE = re.compile(r"best\.toml")
+BEST = re.compile(r"best(-[1-9][0-9]{0,6})?\.toml")
 
 
 def whole_journal(file: Path) -> str:
@@ -165,17 +169,43 @@ def scenario_text(study: Study, trial) -> str:
     return "\n".join(head) + "\n" + asked.toml
 
 
+def own_best(study: Study, folder: Path) -> list[str]:
+    """The scenario files of best trials that the study's record lists; a StudyError where somebody
+    else's has a name that the study may need."""
+    from trammel.sweep import files
+
+    names = BEST if len(study.objectives) > 1 else BEST_ONE
+    listed = (files.read_json(folder / RECORD) or {}).get("best", [])
+    if not isinstance(listed, list) or not all(isinstance(name, str) and BEST.fullmatch(name)
+                                               for name in listed):
+        raise StudyError(f"{folder / RECORD}: is corrupt")
+    for file in folder.glob("best*.toml"):
+        if names.fullmatch(file.name) and file.name not in listed:
+            raise StudyError(f"{file}: is not of the study that the folder holds; move it away")
+    for name in listed:
+        files.check_replaceable(folder / name)
+    return listed
+
+
 def write(study: Study, found, folder: Path) -> list:
-    """best.toml or best-N.toml, and the page."""
+    """best.toml or best-N.toml, and the page. The record lists them, before they are there and as
+    long as they are."""
     from trammel.sweep import files, page
 
     front = best_of(study, found)
-    for old in folder.glob("best*.toml"):
-        old.unlink()
-    for n, trial in enumerate(front, 1):
-        name = "best.toml" if len(front) == 1 else f"best-{n}.toml"
-        text = scenario_text(study, trial)
-        files.replace(folder / name, text.encode())
+    before = own_best(study, folder)
+    names = [f"best-{n}.toml" if len(front) > 1 else "best.toml" for n in range(1, len(front) + 1)]
+
+    def keep(listed: list[str]) -> None:
+        record = {**study.identity(), "best": listed}
+        files.replace(folder / RECORD, (json.dumps(record, indent=2) + "\n").encode())
+
+    keep(list(dict.fromkeys(before + names)))
+    for name in set(before) - set(names):
+        (folder / name).unlink(missing_ok=True)
+    for name, trial in zip(names, front):
+        files.replace(folder / name, scenario_text(study, trial).encode())
+    keep(names)
     page.write_trials(study, found.get_trials(deepcopy=False), {t.number for t in front},
                       folder / "page.html")
     return front
@@ -195,6 +225,7 @@ def perform(study: Study, folder: Path, *, trials: int = 0, progress=None, show:
     folder = Path(folder)
     store.check_record(folder / RECORD, study.identity(), "trials", "study", "study")
     files.check_replaceable(folder / "page.html")
+    own_best(study, folder)
     with store.lock(folder, "", "study"):
         found = open_study(study, folder)
         try:
