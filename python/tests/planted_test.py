@@ -20,7 +20,12 @@ from trammel.sweep import PlanError, files, store
 from trammel.tune import StudyError
 
 PLAN = 'scenario = "circle"\n[grid]\n"gains.kp" = [0.1, 0.2]\n'
-STUDY = '[search]\n"gains.kp" = [0.1, 0.3]\n[[objective]]\nfigure = "tracking.model.mean_mm"\n'
+STUDY = '''trials = 1
+[search]
+"gains.kp" = [0.1, 0.3]
+[[objective]]
+figure = "tracking.model.mean_mm"
+'''
 ROW = {"part": 0, "scenario": "circle", "end": "done", "message": ""}
 
 

@@ -353,7 +353,8 @@ class Tune(unittest.TestCase):
             out.mkdir()
             (out / "study.json").write_text(json.dumps(study.identity()))
             (out / name).write_text("mine")
-            with mock.patch.object(tune, "open_study"), mock.patch.object(tune, "search"), \
+            with mock.patch.object(tune, "open_study"), \
+                    mock.patch.object(tune, "search") as search, \
                     mock.patch.object(tune, "best_of", return_value=[]), \
                     mock.patch("trammel.sweep.page.write_trials"):
                 if refused:
@@ -362,6 +363,7 @@ class Tune(unittest.TestCase):
                 else:
                     tune.perform(study, out)
             self.assertEqual((out / name).read_text(), "mine")
+            self.assertEqual(search.called, not refused)  # before anything runs
 
 
 if __name__ == "__main__":
