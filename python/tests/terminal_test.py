@@ -61,7 +61,7 @@ class Terminal(unittest.TestCase):
         key = self.folder / "key.toml"
         key.write_text(f'"{GOOD}" = 1\n')  # as TOML has it
         for verb in (sweep, tune):
-            for words in ((f"none{BAD}",), (key,), (self.plan, f"--{BAD}"),
+            for words in ((f"none{BAD}",), (key,), (self.plan, f"--a\nb{BAD}"),
                           (self.plan, "--cluster", BAD), (self.plan, "--jobs", f"a\nb{BAD}"),
                           *([(self.plan, "--shard", BAD)] if verb is sweep else [])):
                 code, said, errors = self.printed(verb, *words)
