@@ -131,12 +131,17 @@ bool is_own(const fs::path& file, const Json& written) {
          (name == kIdentity || name == kPageFile || written.contains(name));
 }
 
-// Whether a file is as the run wrote it, or has a successor.
+bool is_record_name(const std::string& name) {
+  return std::find(std::begin(kRecordFiles), std::end(kRecordFiles), name) !=
+         std::end(kRecordFiles);
+}
+
+// Whether a file is as the run wrote it, or has a successor, or would be read as one of its record.
 bool is_over(const fs::path& file, const Json& written, const fs::path& to) {
   if (!is_own(file, written)) return false;
   const std::string name = file.filename().string();
-  return !written.contains(name) || fs::exists(fs::symlink_status(to / name)) ||
-         entry_of(file) == written[name];
+  return !written.contains(name) || is_record_name(name) ||
+         fs::exists(fs::symlink_status(to / name)) || entry_of(file) == written[name];
 }
 
 // Moves what no run wrote from one folder to another; false where something cannot be moved.
@@ -345,9 +350,7 @@ void check_result_file(const fs::path& file) {
   if (name == kPageFile) return;
   // A record that older versions wrote, or a part of one, has no list.
   const bool of_record =
-      files.is_null() ? fs::exists(fs::symlink_status(file, ignored)) &&
-                            std::find(std::begin(kRecordFiles), std::end(kRecordFiles), name) !=
-                                std::end(kRecordFiles)
+      files.is_null() ? fs::exists(fs::symlink_status(file, ignored)) && is_record_name(name)
                       : name == kIdentity || files.contains(name);
   if (!of_record) return;
   throw ConfigError(fmt::format("{}: --out: is a file of a run's record", file.string()));
