@@ -136,12 +136,20 @@ bool is_record_name(const std::string& name) {
          std::end(kRecordFiles);
 }
 
+bool is_as_written(const fs::path& file, const Json& entry) {
+  try {
+    return entry_of(file) == entry;
+  } catch (const ConfigError&) {  // it cannot be read
+    return false;
+  }
+}
+
 // Whether a file is as the run wrote it, or has a successor, or would be read as one of its record.
 bool is_over(const fs::path& file, const Json& written, const fs::path& to) {
   if (!is_own(file, written)) return false;
   const std::string name = file.filename().string();
   return !written.contains(name) || is_record_name(name) ||
-         fs::exists(fs::symlink_status(to / name)) || entry_of(file) == written[name];
+         fs::exists(fs::symlink_status(to / name)) || is_as_written(file, written[name]);
 }
 
 // Moves what no run wrote from one folder to another; false where something cannot be moved.
