@@ -4,7 +4,6 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <stdio.h>
-#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 #include <zlib.h>
@@ -17,7 +16,6 @@
 #include <iterator>
 #include <limits>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -178,6 +176,14 @@ bool is_marked(const fs::path& scratch) {
   }
 }
 
+// Whether a run was killed as it marked the folder: it has a marker without text, and nothing else.
+bool is_begun(const fs::path& scratch) {
+  std::error_code none;
+  const fs::path marker = scratch / kMarker;
+  return fs::is_regular_file(fs::symlink_status(marker, none)) && fs::is_empty(marker, none) &&
+         std::distance(fs::directory_iterator(scratch, none), {}) == 1;
+}
+
 // The marker last: what is left of a removal is still known as a scratch folder, or empty. A
 // folder with files of somebody else stays.
 void remove_scratch(const fs::path& scratch) {
@@ -202,6 +208,7 @@ void remove_stale(const fs::path& target) {
     const FolderLock lock(scratch);
     if (!lock.held()) continue;
     if (!is_marked(scratch)) {
+      if (is_begun(scratch)) fs::remove(scratch / kMarker, ignored);
       rmdir(scratch.c_str());  // of a run that was killed before it marked it: it is empty
       continue;
     }
@@ -251,43 +258,6 @@ void check_replaceable(const fs::path& target) {
   refuse(target, fmt::format("is not empty and holds no run (no {} that lists its files): name "
                              "another folder, or remove this one",
                              kIdentity));
-}
-
-FolderLock::FolderLock(const fs::path& folder, std::chrono::milliseconds patience)
-    : descriptor_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC | O_NOFOLLOW)) {
-  if (descriptor_ < 0) return;
-  const auto end = std::chrono::steady_clock::now() + patience;
-  while (flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
-    busy_ = errno == EWOULDBLOCK;
-    if (busy_ && std::chrono::steady_clock::now() < end) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-      continue;
-    }
-    close(descriptor_);
-    descriptor_ = -1;
-    return;
-  }
-  busy_ = false;
-}
-
-FolderLock::~FolderLock() {
-  if (descriptor_ >= 0) close(descriptor_);
-}
-
-FolderLock::FolderLock(FolderLock&& other) noexcept
-    : descriptor_(std::exchange(other.descriptor_, -1)), busy_(other.busy_) {}
-
-FolderLock& FolderLock::operator=(FolderLock&& other) noexcept {
-  std::swap(descriptor_, other.descriptor_);
-  busy_ = other.busy_;
-  return *this;
-}
-
-bool FolderLock::is_of(const fs::path& folder) const {
-  struct stat own {}, there {};
-  return descriptor_ >= 0 && fstat(descriptor_, &own) == 0 &&
-         stat(folder.c_str(), &there) == 0 && own.st_dev == there.st_dev &&
-         own.st_ino == there.st_ino;
 }
 
 OutputFolder::OutputFolder(const fs::path& target) : target_(fs::absolute(target)) {

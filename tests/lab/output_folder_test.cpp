@@ -178,6 +178,7 @@ TEST_CASE("what killed runs have left is removed, what is in use is not") {
   const fs::path target = here.path / "a";
   publish(target, "trace.csv", "first");
   fs::create_directory(here.path / ".a.trammel-begunx");
+  put(here.path / ".a.trammel-markin" / "trammel-scratch", "");  // killed as it was marked
   put(left(target, "unfini") / "run" / "trace.csv", "half");
   publish(here.path / "old", "trace.csv", "older");
   put(here.path / "old" / "notes.txt", "mine");
@@ -258,12 +259,15 @@ TEST_CASE("folders of the user's are not taken for scratch folders") {
       "scratch folder of trammel: .a.trammel-backups\n");
   put(here.path / ".a.trammel-copied" / "trammel-scratch",
       test::content(left(target, "origin") / "trammel-scratch"));
+  put(here.path / ".a.trammel-emptyx" / "trammel-scratch", "");
+  put(here.path / ".a.trammel-emptyx" / "notes.txt", "mine");
   fs::copy(target, here.path / ".a.trammel-runrun");
   put(left(target, "shared") / "notes.txt", "mine");
   publish(target, "trace.csv", "second");
   CHECK(test::content(here.path / ".a.trammel-backup" / "notes.txt") == "mine");
   CHECK(test::entries(here.path / ".a.trammel-backups") == 1);
   CHECK(test::entries(here.path / ".a.trammel-copied") == 1);
+  CHECK(test::entries(here.path / ".a.trammel-emptyx") == 2);
   CHECK(test::entries(here.path / ".a.trammel-runrun") == 2);
   CHECK(test::content(here.path / ".a.trammel-shared" / "notes.txt") == "mine");
   CHECK_FALSE(fs::exists(here.path / ".a.trammel-origin"));
