@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "lab/files.hpp"
 #include "lab/machine.hpp"
 #include "lab/scenarios.hpp"
 #include "lab/text.hpp"
@@ -156,6 +157,21 @@ TEST_CASE("a page of experiments that cannot be made is told, and makes the exit
     CHECK(printed.find("report: ") == std::string::npos);
     CHECK(fs::exists(scratch.path / first().experiments.back().name / "report.html"));
   }
+}
+
+TEST_CASE("experiments are not put among files that are none of theirs") {
+  const Scratch scratch;
+  Arguments arguments = arguments_for("", scratch.path);
+  arguments.all = true;
+  const auto refused = [&](const char* why) {
+    CHECK_THROWS_WITH(test::run(arguments, ending(EndReason::kDone)), Contains(why));
+  };
+  lab::write_text(scratch.path / "index.html", "mine");
+  refused("holds no runs of --all");
+  fs::create_directories(scratch.path / first().experiments.front().name);
+  refused("index.html there is no page of runs");
+  arguments.out = (scratch.path / "index.html").string();
+  refused("is not a folder");
 }
 
 TEST_CASE("experiments that are interrupted before the next one exit with 130 and begin none") {
