@@ -202,7 +202,10 @@ void check_all(const fs::path& base, const std::vector<lab::Experiment>& experim
   const fs::file_status there = fs::symlink_status(base);
   if (!fs::exists(there)) return;
   if (!fs::is_directory(fs::status(base))) refuse("is not a folder");
-  bool any = fs::is_empty(base);
+  // What a killed run has left is hidden, and its next one removes it.
+  bool any = std::all_of(fs::directory_iterator(base), {}, [](const fs::directory_entry& entry) {
+    return entry.path().filename().native().front() == '.';
+  });
   for (const lab::Experiment& experiment : experiments) {
     lab::check_replaceable(fs::canonical(base) / experiment.name);
     any = any || fs::exists(base / experiment.name);

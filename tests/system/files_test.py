@@ -304,6 +304,7 @@ class Planted(Case):
         self.refused(self.trammel(*self.ALL, "-o", "site"), "site", "holds no runs of --all")
         (self.folder / "file").write_text("mine")
         self.refused(self.trammel(*self.ALL, "-o", "file"), "is not a folder")
+        (self.folder / "all" / ".step-fc.trammel-killed").mkdir(parents=True)
         self.assertEqual(self.trammel(*self.ALL, "-o", "all").returncode, 5)
         self.assertEqual(self.trammel(*self.ALL, "-o", "all").returncode, 5)
         (self.folder / "all" / "index.html").write_text("mine")
