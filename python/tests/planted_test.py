@@ -7,12 +7,12 @@ import json
 import os
 import stat
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 from unittest import mock
 
 import pyarrow as pa
+import sweeps
 from pyarrow import parquet
 
 from trammel import sweep, tune
@@ -45,19 +45,14 @@ def kinds(place):
     place.rmdir()
 
 
-class Planted(unittest.TestCase):
+class Planted(sweeps.Case):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-        self.out = self.folder / "out"
+        super().setUp()
         self.out.mkdir()
         self.victim = self.folder / "victim"
         self.victim.write_text("theirs")
-        self.plan = self.folder / "plan.toml"
-        self.plan.write_text(PLAN)
-        self.study = self.folder / "study.toml"
-        self.study.write_text(STUDY)
+        self.plan = self.written("plan.toml", PLAN)
+        self.study = self.written("study.toml", STUDY)
 
     def harmed(self):
         """What should not be there, or is not as it was."""

@@ -9,10 +9,8 @@ import shlex
 import signal
 import subprocess
 import sys
-import tempfile
 import time
 import unittest
-from pathlib import Path
 
 import distributed
 import psutil
@@ -50,17 +48,9 @@ def run(*words):
     return subprocess.run(command(*words), capture_output=True, text=True, check=False)
 
 
-class Sweeps(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-        self.out = self.folder / "out"
-
+class Sweeps(sweeps.Case):
     def plan(self, text):
-        file = self.folder / "plan.toml"
-        file.write_text(text)
-        return file
+        return self.written("plan.toml", text)
 
     def test_rows_are_the_runs(self):
         plan = self.plan(PLAN % other_scenario())

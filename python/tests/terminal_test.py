@@ -8,10 +8,10 @@ import os
 import re
 import subprocess
 import sys
-import tempfile
 import unittest
-from pathlib import Path
 from unittest import mock
+
+import sweeps
 
 from trammel import command_line
 from trammel.sweep import main as sweep
@@ -23,15 +23,11 @@ BAD = "\x1b]0;PWN\x07\u202e\U000e0001"
 GOOD = r"\u001b]0;PWN\u0007\u202e\U000e0001"
 
 
-class Terminal(unittest.TestCase):
+class Terminal(sweeps.Case):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-        self.plan = self.folder / "plan.toml"
-        self.plan.write_text(PLAN)
-        self.study = self.folder / "study.toml"
-        self.study.write_text(STUDY)
+        super().setUp()
+        self.plan = self.written("plan.toml", PLAN)
+        self.study = self.written("study.toml", STUDY)
 
     def printed(self, verb, *words):
         """The exit code and what is printed, none of which a terminal obeys."""

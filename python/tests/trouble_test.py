@@ -45,16 +45,11 @@ def disk(size):
             subprocess.run(["umount", "-l", folder], check=True)
 
 
-class Trouble(unittest.TestCase):
+class Trouble(sweeps.Case):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-        self.out = self.folder / "out"
-        self.plan = self.folder / "plan.toml"
-        self.plan.write_text(PLAN)
-        self.study = self.folder / "study.toml"
-        self.study.write_text(STUDY)
+        super().setUp()
+        self.plan = self.written("plan.toml", PLAN)
+        self.study = self.written("study.toml", STUDY)
 
     def begin(self, verb, out, *words):
         file = self.plan if verb == "sweep" else self.study

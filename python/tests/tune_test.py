@@ -6,11 +6,12 @@ import io
 import json
 import subprocess
 import sys
-import tempfile
 import unittest
 from pathlib import Path
 from types import SimpleNamespace
 from unittest import mock
+
+import sweeps
 
 import trammel
 from trammel.tune import Study, StudyError
@@ -38,17 +39,9 @@ def run(*words):
                           capture_output=True, text=True, check=False)
 
 
-class Tune(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = Path(folder.name)
-        self.out = self.folder / "out"
-
+class Tune(sweeps.Case):
     def study(self, text):
-        file = self.folder / "study.toml"
-        file.write_text(text)
-        return file
+        return self.written("study.toml", text)
 
     def page(self):
         text = (self.out / "page.html").read_text()
