@@ -84,14 +84,11 @@ def replace(file: Path, data: bytes) -> None:
             os.fsync(stream.fileno())
         os.replace(scratch, file)
     except OSError as error:
-        if made:
-            scratch.unlink(missing_ok=True)
         error.filename = str(file)
         raise
-    except BaseException:
+    finally:
         if made:
             scratch.unlink(missing_ok=True)
-        raise
 
 
 def check_folder(folder: Path) -> None:
