@@ -6,6 +6,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 RTL = ROOT / "rtl"
 TOOL = ROOT / "scripts" / "tool"
+CATCH_MAIN = ROOT / "build" / "tests" / "libtrammel_catch_main.a"  # with Catch2's main
 
 
 def twin_sources(top):

@@ -13,7 +13,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 from trammel_tools.mutation import mutants
 from trammel_tools.mutation.mutants import MutationError
-from trammel_tools.paths import ROOT, RTL, twin_sources
+from trammel_tools.paths import CATCH_MAIN, ROOT, RTL, twin_sources
 from trammel_tools.rtl import lint
 
 DECLARATION = f"""  import "DPI-C" function int {mutants.SELECTOR}();
@@ -22,7 +22,6 @@ DECLARATION = f"""  import "DPI-C" function int {mutants.SELECTOR}();
 """
 CHIP = "kung_xy"  # a module of rtl/chips without a test of its own is tested through this one
 JOBS = 2
-MAIN = ROOT / "build" / "tests" / "libtrammel_catch_main.a"
 SLOWEST = 10  # a mutant that takes this many times the block's own time hangs
 AT_LEAST = 5.0  # [s]
 
@@ -58,7 +57,7 @@ def build(block):
     rtl = [] if top == stem else [*map(str, lint.packages()), str(RTL / layer / f"{top}.sv")]
     search = [f"-I{d}" for d in sorted(RTL.iterdir()) if d.is_dir() and d.name != "boards"]
     sources = [ROOT / "tests" / "support" / f"{one}.cpp" for one in ("main", "first_failure")]
-    main = map(str, [MAIN] if MAIN.exists() else sources)
+    main = map(str, [CATCH_MAIN] if CATCH_MAIN.exists() else sources)
     command = ["verilator", "--cc", "--exe", "--build", "-j", str(JOBS),
                "-Wno-fatal", "-Wno-lint", "-fno-dfg",
                "--top-module", top, "--prefix", f"V{top}", "--Mdir", str(folder / "obj"),

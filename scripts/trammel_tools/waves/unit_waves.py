@@ -23,7 +23,7 @@ import sys
 from pathlib import Path
 
 from trammel_tools import python_tools
-from trammel_tools.paths import ROOT, RTL, twin_sources
+from trammel_tools.paths import CATCH_MAIN, ROOT, RTL, twin_sources
 from trammel_tools.rtl import lint
 from trammel_tools.waves import vcd
 
@@ -32,7 +32,6 @@ SEEN = 40  # of these at the first look
 BEHIND = 5
 REGISTERS = 30  # in the view
 JOBS = "2"
-MAIN = ROOT / "build" / "tests" / "libtrammel_catch_main.a"
 
 
 def block_of(test):
@@ -134,7 +133,7 @@ def main():
     if len(sys.argv) not in (2, 3, 4) or sys.argv[1] in ("-h", "--help"):
         print(__doc__)
         return 0 if len(sys.argv) == 2 and sys.argv[1] in ("-h", "--help") else 2
-    test, case, catch_main = [*sys.argv[1:], *["", MAIN][len(sys.argv) - 2:]]
+    test, case, catch_main = [*sys.argv[1:], *["", CATCH_MAIN][len(sys.argv) - 2:]]
     block = block_of(test)
     if block is None:
         print(f"unit-waves: tests/{test}: no unit test of a block", file=sys.stderr)
