@@ -213,8 +213,8 @@ int lm628_shell(const testbench::Arguments& arguments, std::atomic<bool>& stop,
   const std::string again = folder                       ? "script.lm628 -c run.toml"
                             : arguments.scenario.empty() ? "-"
                                                          : lab::shell_word(arguments.scenario);
-  const lab::Origin origin{lab::printable("./trammel lm628 " + again), of_firmware,
-                           {{"script", all.answers}}, {{"script.lm628", all.script}}};
+  const lab::Origin origin{"./trammel lm628 " + again, of_firmware, {{"script", all.answers}},
+                           {{"script.lm628", all.script}}};
   const Json json = lab::metrics_json(record, origin);
   if (arguments.json) print_json(json);
   if (!folder) return code;
