@@ -77,6 +77,7 @@ RUNS = [
 ]
 REFUSED = [
     (2, "takes no scenario", "run", "--all", "circle"),
+    (2, "loop/x: Too many levels", "run", "circle", "-o", "OUT/loop/x"),
     (2, "--all sets controller itself", "run", "--all", "-s", "controller=fc"),
     (2, "has an expected value", *SHORT, "--check", "-o", "OUT/checked"),
     (2, "is out of range", "run", "circle", "-s", "gains.kp=33"),
@@ -117,6 +118,7 @@ def damage(out, name, file, change):
 
 def write_bad_input(out):
     """After the runs, before what is refused."""
+    (out / "loop").symlink_to("loop")
     damage(out, "cut_metrics", "metrics.json", lambda text: text[:400])
     damage(out, "cut_trace", "trace.csv", lambda text: text[:2000])
     damage(out, "no_rules", "detail.json", lambda text: json.dumps(
