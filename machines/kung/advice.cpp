@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "machines/kung/believed.hpp"
 #include "machines/kung/machine.hpp"
 #include "machines/kung/plan.hpp"
 #include "machines/kung/plan_feed.hpp"
@@ -119,20 +120,22 @@ std::string cut_text(const Options& options, const sw::KungSetup& setup) {
 // Of the speed loop [rad/s], whose open loop is kv K_F / (M s).
 std::string speed_loop_text(const Options& options, std::size_t a) {
   const plant::AxisConfig& plant = options.plant.axis[a];
-  const AxisGains& g = options.gains[a];
+  const AxisGains g = gains_of(options, a);
   if (options.controller == Controller::kPrecision) return "";
-  if (options.gains_by_rule || options.path.is_sweep() || plant.locked) return "";
+  if (options.path.is_sweep() || plant.locked) return "";
   const double kg = plant.mass_kg + plant.payload_kg;
   const double rate = g.kv * kSpeedGain * plant.force_constant_n_a / kg;
   const bool slow = rate < g.omega_n_rad_s / 2, fast = rate * options.chip.sample_s() > 1.2;
   if (!slow && !fast) return "";
   const char axis = a == 0 ? 'x' : 'y';
-  return fmt::format("{0}: gains.{0}.kv = {1:g} makes of {2:g} kg a speed loop of {3:.3g} rad/s, "
-                     "too {4}; gains.by_rule makes 220 rad/s", axis, g.kv, kg, rate,
+  return fmt::format("{0}: gains.{0}.kv = {1:g}{2} makes of {3:g} kg a speed loop of {4:.3g} "
+                     "rad/s, too {5}; gains.by_rule makes 220 rad/s{6}", axis, g.kv,
+                     options.gains_by_rule ? " by gains.by_rule" : "", kg, rate,
                      slow ? fmt::format("slow for gains.{}.omega_n_rad_s = {:g}", axis,
                                         g.omega_n_rad_s)
                           : fmt::format("fast for chip.position_Hz = {}",
-                                        options.chip.position_Hz));
+                                        options.chip.position_Hz),
+                     options.gains_by_rule ? " of the motor that keys believed.* describe" : "");
 }
 
 // Of the current loop, whose axes turn on while it computes and settles. By trial, with all four
@@ -140,8 +143,7 @@ std::string speed_loop_text(const Options& options, std::size_t a) {
 // time constants, L_q/K_p.
 std::string turning_text(const Options& options, std::size_t a, double speed_m_s) {
   const plant::AxisConfig& plant = options.plant.axis[a];
-  const double kp_V_A = options.gains_by_rule ? gains_by_rule(plant).current_kp_V_A
-                                              : options.gains[a].current_kp_V_A;
+  const double kp_V_A = gains_of(options, a).current_kp_V_A;
   if (kp_V_A == 0) return "";
   const double loop_rad_s = kp_V_A / plant.inductance_q_h;
   const double turns_Hz = speed_m_s / (2 * plant.pole_pitch_m);
@@ -172,6 +174,7 @@ std::vector<std::string> advice(const lab::Settings& settings) {
     lines.push_back("processor.access_clk, interrupt_latency_clk and point_clk have no effect with "
                     "run.cpu = \"rtl\", whose core takes the clocks that it takes");
   }
+  for (std::string& line : unused_beliefs(options)) lines.push_back(std::move(line));
   for (std::size_t a = 0; a < 2; ++a) {
     const plant::AxisConfig& plant = options.plant.axis[a];
     const char axis = a == 0 ? 'x' : 'y';

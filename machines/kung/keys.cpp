@@ -270,12 +270,34 @@ void add_axis_chip(Table& t, std::size_t axis) {
   add("stroke_max_m", -40, 40, "where stroke_check trips", &AxisChip::stroke_max_m);
 }
 
+void add_believed(Table& t, std::size_t axis) {
+  const auto add = keys_of(t, axis_prefix("believed", axis),
+                           [axis](auto& o) -> auto& { return o.believed[axis]; });
+  add("force_constant_N_A", 0, 10000,
+      "force constant from which gains.by_rule and the precision controller compute; 0 = the "
+      "plant's",
+      &BelievedMotor::force_constant_n_a);
+  add("resistance_ohm", 0, 1000, "resistance of a phase, for gains.by_rule; 0 = the plant's",
+      &BelievedMotor::resistance_ohm);
+  add("inductance_q_H", 0, 1,
+      "inductance of the quadrature axis, for gains.by_rule; 0 = the plant's",
+      &BelievedMotor::inductance_q_h);
+  add("pole_pitch_m", 0, 1,
+      "pole pitch from which the chip computes the electrical angle, and the precision controller "
+      "the cogging; 0 = the plant's",
+      &BelievedMotor::pole_pitch_m);
+  add("mass_kg", 0, 1000,
+      "moving mass with payload, for gains.by_rule; 0 = the plant's; the precision controller "
+      "starts with precision.mass_kg",
+      &BelievedMotor::mass_kg);
+}
+
 void add_plant(Table& t, std::size_t axis) {
   const auto add = keys_of(t, axis_prefix("plant", axis),
                            [axis](auto& o) -> auto& { return o.plant.axis[axis]; });
   add("resistance_ohm", 0.01, 1000, "of a phase", &plant::AxisConfig::resistance_ohm);
-  add("inductance_d_H", 1e-4, 1, "direct axis", &plant::AxisConfig::inductance_d_h);
-  add("inductance_q_H", 1e-4, 1, "quadrature axis", &plant::AxisConfig::inductance_q_h);
+  add("inductance_d_H", 1e-5, 1, "direct axis", &plant::AxisConfig::inductance_d_h);
+  add("inductance_q_H", 1e-5, 1, "quadrature axis", &plant::AxisConfig::inductance_q_h);
   add("force_constant_N_A", 1, 10000, "at the peak of i_q", &plant::AxisConfig::force_constant_n_a);
   add("pole_pitch_m", 1e-4, 1, "half an electrical turn, at least 8 counts",
       &plant::AxisConfig::pole_pitch_m);
@@ -369,6 +391,7 @@ const std::vector<lab::Key>& keys() {
     add_chip(t);
     for (const std::size_t axis : {0u, 1u}) add_axis_chip(t, axis);
     for (const std::size_t axis : {0u, 1u}) add_plant(t, axis);
+    for (const std::size_t axis : {0u, 1u}) add_believed(t, axis);
     return t.keys;
   }();
   return all;

@@ -86,6 +86,13 @@ struct PrecisionOptions {
   bool compare = true;      // also fc and afc on the same feed profile, by their twins
 };
 
+// The motor of an axis as its data sheet has it, from which the program computes the words of chip
+// and firmware; 0: as the plant's is.
+struct BelievedMotor {
+  double force_constant_n_a = 0, resistance_ohm = 0, inductance_q_h = 0, pole_pitch_m = 0;
+  double mass_kg = 0;  // with its payload
+};
+
 struct AxisChip {
   int dead_time_ns = 2000;     // rounded up to whole clocks
   int qep_filter_clk = 3;      // equal samples an encoder edge needs
@@ -213,6 +220,7 @@ struct Options final : lab::SettingsOf<Options, machine> {
   bool gains_by_rule = false;  // kv and those of the current loop from the motor, see words.hpp
   PrecisionOptions precision;
   plant::XyTableConfig plant = plant::default_xy_table();
+  std::array<BelievedMotor, 2> believed;
   ChipOptions chip;
   PathOptions path;
   double settle_s = 0;       // simulated after the last point, not counted in the figures

@@ -10,6 +10,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "machines/kung/believed.hpp"
 #include "machines/kung/machine.hpp"
 #include "machines/kung/path_files.hpp"
 #include "machines/kung/plan_feed.hpp"
@@ -213,15 +214,10 @@ int ticks_per_point(const PathOptions& path, int irq_period_ticks) {
 }
 
 sw::AxisSetup plan_axis(const Options& options, std::size_t axis) {
-  AxisGains g = options.gains[axis];
+  check_believed(options, axis);
+  const AxisGains g = gains_of(options, axis);
   const AxisChip& c = options.chip.axis[axis];
   const plant::AxisConfig& plant = options.plant.axis[axis];
-  if (options.gains_by_rule) {
-    const MotorGains rule = gains_by_rule(plant);
-    g.kv = rule.kv_A_s_m / kSpeedGain;
-    g.current_kp_V_A = rule.current_kp_V_A;
-    g.current_ki_V_A = rule.current_ki_V_A;
-  }
   const auto key = [axis](const char* section, const char* name) {
     return fmt::format("{}.{}.{}", section, axis == 0 ? 'x' : 'y', name);
   };
@@ -261,11 +257,12 @@ sw::AxisSetup plan_axis(const Options& options, std::size_t axis) {
   s.b2 = word(model.b2) & 0xFFFFFFu;
 
   check_motor(plant, axis);
-  const double turn_counts = 2 * plant.pole_pitch_m / plant.encoder_count_m;
+  const double pole_pitch_m = believed_motor(options, axis).pole_pitch_m;
+  const double turn_counts = 2 * pole_pitch_m / plant.encoder_count_m;
   require(turn_counts >= kLeastTurnCounts,
           fmt::format("{}: value {:g} is {:.3g} counts of {} an electrical turn, which takes at "
                       "least {:g}",
-                      key("plant", "pole_pitch_m"), plant.pole_pitch_m, turn_counts,
+                      motor_key(options, axis, "pole_pitch_m"), pole_pitch_m, turn_counts,
                       key("plant", "encoder_count_m"), kLeastTurnCounts));
   // Rounded up, as the specification's 352047 of 12 200 counts.
   s.angle_step = static_cast<std::uint32_t>(std::ceil(std::ldexp(1, 32) / turn_counts - 1e-6));

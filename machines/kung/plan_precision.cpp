@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "machines/kung/believed.hpp"
 #include "machines/kung/plan_feed.hpp"
 #include "machines/kung/plan_parts.hpp"
 #include "machines/kung/words.hpp"
@@ -34,28 +35,29 @@ struct ThetaUnits {
   std::uint32_t accel_shift, speed_shift;
   double mass, viscous, force;  // of a kg, an N s/m, an N
 
-  explicit ThetaUnits(const plant::AxisConfig& plant) {
+  explicit ThetaUnits(const plant::AxisConfig& motor) {
     // Finer encoders count more on the same way; the regressors remain what they are.
-    const double finer = std::round(std::log2(kReferenceCountM / plant.encoder_count_m));
+    const double finer = std::round(std::log2(kReferenceCountM / motor.encoder_count_m));
     accel_shift = static_cast<std::uint32_t>(std::clamp(3 + finer, 1.0, 13.0));
     speed_shift = static_cast<std::uint32_t>(std::clamp(12 + finer, 4.0, 22.0));
-    const double lsb_N = plant.force_constant_n_a * current_ref_lsb_A(plant.current_full_scale_a);
+    const double lsb_N = motor.force_constant_n_a * current_ref_lsb_A(motor.current_full_scale_a);
     const double whole = std::ldexp(1.0, 23) / lsb_N;  // Q16 of 1/128 LSB
     force = whole / 1024;
-    mass = whole * std::ldexp(plant.encoder_count_m, static_cast<int>(accel_shift) - 13) /
+    mass = whole * std::ldexp(motor.encoder_count_m, static_cast<int>(accel_shift) - 13) /
            (kKnotS * kKnotS);
-    viscous = whole * std::ldexp(plant.encoder_count_m, static_cast<int>(speed_shift) - 13) /
+    viscous = whole * std::ldexp(motor.encoder_count_m, static_cast<int>(speed_shift) - 13) /
               (2 * kKnotS);
   }
 };
 
 // Those by which the words of an axis are computed.
 std::string motor_text(const Options& options, std::size_t axis) {
-  const plant::AxisConfig& plant = options.plant.axis[axis];
+  const plant::AxisConfig motor = believed_motor(options, axis);
   const char name = axis == 0 ? 'x' : 'y';
-  return fmt::format("at plant.{0}.encoder_count_m = {1:g}, force_constant_N_A = {2:g} and "
-                     "current_full_scale_A = {3:g}", name, plant.encoder_count_m,
-                     plant.force_constant_n_a, plant.current_full_scale_a);
+  return fmt::format("at plant.{0}.encoder_count_m = {1:g}, {2} = {3:g} and "
+                     "plant.{0}.current_full_scale_A = {4:g}", name, motor.encoder_count_m,
+                     motor_key(options, axis, "force_constant_N_A"), motor.force_constant_n_a,
+                     motor.current_full_scale_a);
 }
 
 sw::Gain nearest_gain(double value) {
@@ -67,7 +69,7 @@ std::int32_t rounded_word(double value) { return static_cast<std::int32_t>(std::
 
 sw::EstimatorSetup plan_estimator(const Options& options, std::size_t axis) {
   const AxisPrecision& own = options.precision.axis[axis];
-  const plant::AxisConfig& plant = options.plant.axis[axis];
+  const plant::AxisConfig plant = believed_motor(options, axis);
   const std::string keys = axis_keys(axis), motor = motor_text(options, axis);
   const ThetaUnits units(plant);
   // The largest range that the start values span, at least the default table's with its payloads.
@@ -97,7 +99,7 @@ sw::EstimatorSetup plan_estimator(const Options& options, std::size_t axis) {
 // The estimated mass that the largest current accelerates as the path may ask, at most the largest
 // there is an estimate of.
 std::int32_t heavy_mass(const Options& options, std::size_t axis, std::int32_t mass_max) {
-  const plant::AxisConfig& plant = options.plant.axis[axis];
+  const plant::AxisConfig plant = believed_motor(options, axis);
   const double most_A = 2047 * current_ref_lsb_A(plant.current_full_scale_a);
   const double mass_kg =
       plant.force_constant_n_a * most_A / options.path.axis[axis].accel_m_s2;
@@ -206,7 +208,7 @@ sw::PrecisionSetup plan_precision(const Options& options, const sw::KungSetup& s
 AxisEstimate estimate_of(const Options& options, std::size_t axis,
                          const sw::Estimator::Theta& theta) {
   using E = sw::Estimator;
-  const ThetaUnits units(options.plant.axis[axis]);
+  const ThetaUnits units(believed_motor(options, axis));
   AxisEstimate e;
   e.mass_kg = theta[E::kMass] / units.mass;
   e.viscous_N_s_m = theta[E::kViscous] / units.viscous;
@@ -224,7 +226,7 @@ AxisEstimate estimate_of(const Options& options, std::size_t axis,
 }
 
 AxisEstimate told_estimate(const Options& options, std::size_t axis, const AxisLaw& law) {
-  const ThetaUnits units(options.plant.axis[axis]);
+  const ThetaUnits units(believed_motor(options, axis));
   AxisEstimate e;
   // What the firmware does (sw_nios/apps/kung/precision_words.hpp), backward.
   e.mass_kg = std::ldexp(law.km.value(), 18 + static_cast<int>(units.accel_shift)) / units.mass;

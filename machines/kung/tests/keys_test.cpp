@@ -133,6 +133,11 @@ TEST_CASE("each key sets its own member, in its own axis") {
     add_flags<>(m, "chip." + axis, own, {std::pair{"stroke_check", &A::stroke_check}});
     add<>(m, "chip." + axis, own,
           {std::pair{"stroke_min_m", &A::stroke_min_m}, {"stroke_max_m", &A::stroke_max_m}});
+    using B = BelievedMotor;
+    add<>(m, "believed." + axis, [a](const Options& o) -> const B& { return o.believed[a]; },
+          {std::pair{"force_constant_N_A", &B::force_constant_n_a},
+           {"resistance_ohm", &B::resistance_ohm}, {"inductance_q_H", &B::inductance_q_h},
+           {"pole_pitch_m", &B::pole_pitch_m}, {"mass_kg", &B::mass_kg}});
     using X = plant::AxisConfig;
     const auto plant = [a](const Options& o) -> const X& { return o.plant.axis[a]; };
     add<>(m, "plant." + axis, plant,

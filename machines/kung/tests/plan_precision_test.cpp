@@ -274,8 +274,9 @@ TEST_CASE("poles, masses and frictions without a word are refused with the permi
   o = options();
   o.precision.axis[0].coulomb_n = 60;
   CHECK_THAT(refusal(o), Contains("precision.x.coulomb_N: value 60 is out of range 0..47.9") &&
-                             Contains("at plant.x.encoder_count_m = 5e-06, force_constant_N_A = "
-                                      "79.9 and current_full_scale_A = 9.6"));
+                             Contains("at plant.x.encoder_count_m = 5e-06, "
+                                      "plant.x.force_constant_N_A = 79.9 and "
+                                      "plant.x.current_full_scale_A = 9.6"));
   o = options();
   o.precision.axis[1].viscous_n_s_m = 5000;
   CHECK_THAT(refusal(o), Contains("precision.y.viscous_N_s_m: value 5000 is out of range"));

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// The motor that chip and firmware take an axis for, beside the one that is there.
+#include <catch2/catch.hpp>
+
+#include <array>
+#include <numeric>
+#include <string>
+#include <vector>
+
+#include "lab/layers.hpp"
+#include "lab/record.hpp"
+#include "machines/kung/believed.hpp"
+#include "machines/kung/machine.hpp"
+#include "machines/kung/plan.hpp"
+#include "sw_nios/apps/kung/setup_words.hpp"
+#include "tests/support/figures.hpp"
+
+using namespace trammel;
+using namespace trammel::kung;
+using Catch::Contains;
+
+namespace {
+
+struct Value {
+  const char* name;
+  double value;
+};
+constexpr std::array<Value, 5> kValues{{{"force_constant_N_A", 66},
+                                        {"resistance_ohm", 21},
+                                        {"inductance_q_H", 0.017},
+                                        {"pole_pitch_m", 0.0271},
+                                        {"mass_kg", 4.3}}};
+
+// Its words, by AFC with gains by rule or by the precision controller.
+std::array<std::uint32_t, sw::SetupWords::kMembers> words(const std::vector<std::string>& texts) {
+  Options options;
+  for (const std::string& text : texts) lab::apply_assignment(options, text);
+  PathStore store;
+  sw::SetupWords all;
+  sw::pack(plan_firmware(options, store), all);
+  return all.members;
+}
+
+std::string told(const std::vector<std::string>& texts) {
+  Options options;
+  for (const std::string& text : texts) lab::apply_assignment(options, text);
+  const auto lines = advice(options);
+  return std::accumulate(lines.begin(), lines.end(), std::string(),
+                         [](const std::string& all, const std::string& s) { return all + s; });
+}
+
+}  // namespace
+
+TEST_CASE("the words of a believed motor are those of a plant that has its values") {
+  for (const std::string way : {"gains.by_rule=true", "controller=precision"}) {
+    const auto plain = words({way});
+    for (const std::string axis : {"x", "y"}) {
+      for (const Value& one : kValues) {
+        const std::string end = axis + "." + one.name + "=" + std::to_string(one.value);
+        CAPTURE(way, end);
+        const auto believed = words({way, "believed." + end});
+        CHECK(believed == words({way, "plant." + end}));
+        const bool matters = way == "gains.by_rule=true" ||
+                             std::string(one.name) == "pole_pitch_m" ||
+                             std::string(one.name) == "force_constant_N_A";
+        CHECK((believed != plain) == matters);
+        // Another motor than its data sheet changes no word.
+        CHECK(words({way, "believed." + end, "plant." + axis + "." + one.name + "=" +
+                              std::to_string(1.1 * one.value)}) == believed);
+        CHECK((told({way, "believed." + end}).find(" has no effect without gains.by_rule") !=
+               std::string::npos) == !matters);
+      }
+    }
+  }
+  // A mass that is believed has the payload in it.
+  CHECK(words({"gains.by_rule=true", "believed.mass_kg=7", "plant.payload_kg=9"}) ==
+        words({"gains.by_rule=true", "plant.mass_kg=7"}));
+}
+
+TEST_CASE("a believed motor has the range of the plant's, and is checked as the plant's is") {
+  CHECK_THROWS_WITH(words({"believed.y.pole_pitch_m=1e-5"}),
+                    Contains("believed.y.pole_pitch_m: value 1e-05 is out of range 0.0001..1 (or "
+                             "0 = the plant's)"));
+  CHECK_THROWS_WITH(words({"plant.encoder_count_m=1e-4", "believed.x.pole_pitch_m=2e-4"}),
+                    Contains("believed.x.pole_pitch_m: value 0.0002 is 4 counts of "
+                             "plant.x.encoder_count_m"));
+  CHECK_THROWS_WITH(words({"controller=precision", "believed.x.force_constant_N_A=10000",
+                           "precision.x.mass_kg=0.1"}),
+                    Contains("precision.x.mass_kg: value 0.1 is out of range") &&
+                        Contains("believed.x.force_constant_N_A = 10000 and "
+                                 "plant.x.current_full_scale_A = 9.6"));
+}
+
+TEST_CASE("gains for another mass than the plant's are warned about") {
+  const std::vector<std::string> rule{"gains.by_rule=true"};
+  CHECK(told(rule) == "");
+  // 220 rad/s of 1.5 kg are 13.2 of 25 kg, below half of the model's 30 rad/s.
+  CHECK_THAT(told({"gains.by_rule=true", "believed.x.mass_kg=1.5", "plant.x.mass_kg=25"}),
+             Contains("by gains.by_rule makes of 25 kg a speed loop of 13.2 rad/s, too slow") &&
+                 Contains("220 rad/s of the motor that keys believed.* describe"));
+}
+
+TEST_CASE("a motor that a hot magnet weakens is estimated heavier, by the ratio of the constants") {
+  Options options;
+  for (const char* text : {"controller=precision", "run.engine=twin", "run.platform=direct",
+                           "precision.compare=false", "plant.payload_kg=11",
+                           "plant.force_constant_N_A=72", "believed.force_constant_N_A=79.9"}) {
+    lab::apply_assignment(options, text);
+  }
+  lab::validate(options);
+  const lab::Record record = lab::run(options);
+  REQUIRE(record.result->end == EndReason::kDone);
+  CHECK(test::figure(record, "error_um.max") <= 15);
+  for (const std::string axis : {"x", "y"}) {
+    const double mass = test::figure(record, axis + ".estimate.mass_kg_true") * 79.9 / 72;
+    CHECK(test::figure(record, axis + ".estimate.mass_kg") ==
+          Approx(mass).margin(0.12 + 0.01 * mass));
+  }
+}
