@@ -91,6 +91,7 @@ std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult
     add(count(id + "pulses", "pulses", axis, result.pulses[k]));
     add(count(id + "lost_step", "steps lost", axis, result.lost[k], "steps"),
         tile ? "Lost by X" : "Lost by Y");
+    add(count(id + "slips", "slips", axis, static_cast<double>(result.slips[k].size())));
     add(figure(id + "max_angle_step", "load angle", axis, angle[k], "step", 2),
         tile ? "Load angle of X" : "");
     add(figure(id + "max_rate", "largest rate", axis, rate[k], "step/s", 0));

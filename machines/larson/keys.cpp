@@ -48,6 +48,8 @@ void add_axis(Table& t) {
   t.one("buffer.rise", 10, 1e6, "pulses per second, in a second", TRAMMEL_LENS(axis.buffer.rise));
   t.one("buffer.brake_rate", 10, 8000, "pulses per second from which the motor may stop",
         TRAMMEL_LENS(axis.buffer.brake));
+  t.one("buffer.busy_above", 0, 1000, "pulses that may still wait when the buffer is not busy",
+        TRAMMEL_LENS(axis.buffer.busy_above));
   t.one("buffer.idle_s", 1e-3, 1, "without a pulse, until the next ramp is a new one",
         TRAMMEL_LENS(axis.buffer.idle_s));
 }
@@ -65,7 +67,7 @@ void add_motor(Table& t) {
   t.one("motor.friction_N_m", 0, 2, "against motion", TRAMMEL_LENS(axis.motor.friction));
   t.one("motor.friction_speed_step_s", 1, 1000, "at which it is 76 % of that",
         TRAMMEL_LENS(axis.motor.friction_speed));
-  t.one("motor.torque_share", 0, 10, "of the data sheet's torque at each rate",
+  t.one("motor.torque_share", 0, 10, "of the torque that its currents make, damping included",
         TRAMMEL_LENS(axis.motor.torque_share));
 }
 

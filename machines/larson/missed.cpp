@@ -12,25 +12,27 @@ namespace {
 
 char name_of_axis(std::size_t axis) { return axis == 0 ? 'X' : 'Y'; }
 
-// The first loss: "X lost 10 steps at 1234, 0.512 s into the run".
-std::string first_loss(const Options& options, const Result& result, std::size_t axis) {
-  for (const Event& one : result.happened) {
-    if (one.axis != static_cast<int>(axis) || one.what.find("lost") == std::string::npos) continue;
-    return fmt::format("; the first at step {:.0f}, {:.3f} s into the run", one.at,
-                       cosim::seconds_of(one.edge, options.axis.clock_ps));
-  }
-  return "";
+// "X lost 10 steps in 3 slips; the first at step 1234, 0.512 s into the run".
+std::string losses(const Options& options, const Result& result, std::size_t axis) {
+  const auto& slips = result.slips[axis];
+  return fmt::format("{} lost {} steps{}; the first at step {:.0f}, {:.3f} s into the run",
+                     name_of_axis(axis), result.lost[axis],
+                     slips.size() > 1 ? fmt::format(" in {} slips", slips.size()) : "",
+                     slips.front().at,
+                     cosim::seconds_of(slips.front().edge, options.axis.clock_ps));
 }
 
 }  // namespace
 
 std::string what_missed(const Options& options, const Result& result) {
+  const bool failed = result.end == cosim::EndReason::kFault;
   for (std::size_t k = 0; k < 2; ++k) {
-    if (result.lost[k] == 0) continue;
-    return fmt::format("{} lost {} steps{}", name_of_axis(k), result.lost[k],
-                       first_loss(options, result, k));
+    // A table whose switch fails is driven into its stop: what it loses there is no news.
+    const auto& slips = result.slips[k];
+    if (slips.empty() || (failed && slips.front().at_stop)) continue;
+    return losses(options, result, k) + (failed ? "; " + result.fault : "");
   }
-  if (!result.calibrated) return "";
+  if (failed || !result.calibrated) return "";
   for (std::size_t k = 0; k < 2; ++k) {
     const double known = k == 0 ? result.known.x : result.known.y;
     const double off = result.end_at[k] - result.origin[k] - known;

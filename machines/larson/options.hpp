@@ -27,7 +27,7 @@ struct Options final : lab::SettingsOf<Options, machine> {
   int reached_steps = 2;        // most distance of the table from where its program has it
   sw::StepTableSetup table;     // but for poll_clk and settle_clk, which follow
   double poll_ms = 2;
-  double wttbl_ms = 25;         // settle_clk: 0.4 ms + 2 / 464 s of two pulses, and buffer.idle_s
+  double wttbl_ms = 25;         // settle_clk: more than buffer.idle_s
   plant::StepperAxisConfig axis;  // both, but for where they start
   double start_x = 400, start_y = 250;  // [step]
 };

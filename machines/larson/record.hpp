@@ -61,7 +61,8 @@ struct Result : cosim::RunResult {
   std::vector<Event> happened;   // the first kMostEvents
   std::size_t happened_count = 0;
   std::array<std::uint32_t, 2> pulses{};   // that the chip gave
-  std::array<int, 2> lost{};               // steps, forward and back added
+  std::array<int, 2> lost{};               // steps that the rotors are off by, slips added
+  std::array<std::vector<plant::StepsLost>, 2> slips;
   std::array<double, 2> travel{};          // [step] of the rotors, in all
   std::array<double, 2> end_at{};          // [step] where they are at the end
   sw::StepPoint known;                     // WHRTBL at the end

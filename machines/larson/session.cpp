@@ -160,56 +160,86 @@ void Session::note_calls() {
     if (calls_[done_.size()].call.op == sw::LarsonOp::kCaltbl) {
       for (std::size_t k = 0; k < 2; ++k) {
         const plant::StepperAxis& axis = plant_.axis(k);  // the last pulses are forward
-        origin_[k] = static_cast<double>(axis.translated() + axis.waiting());
+        origin_[k] =
+            static_cast<double>(axis.translated() + axis.waiting() - axis.steps_lost());
       }
     }
     done_.push_back({heard_.edge, {heard_.at[0] - origin_[0], heard_.at[1] - origin_[1]}});
   }
 }
 
-void Session::note(cosim::Clk edge, int axis, std::string what) {
+void Session::note(Event event) {
   ++event_count_;
-  if (events_.size() >= kMostEvents) return;
-  const std::uint32_t words = chip_->words(axis);
-  events_.push_back({edge, axis, std::move(what), at(static_cast<std::size_t>(axis), edge),
-                     words & 0xFFFF, words >> 16});
+  if (events_.size() < kMostEvents) events_.push_back(std::move(event));
 }
 
 void Session::note_events(const cosim::Stop& stop) {
-  if ((stop.why & cosim::kDrive) != 0) {
-    const cosim::Lines rose = chip_->drive() & ~drive_;
-    drive_ = chip_->drive();
-    for (int k = 0; k < kAxes; ++k) {
-      if (!level(rose, step(k))) continue;
-      ++pulses_[static_cast<std::size_t>(k)];
-      asked_[static_cast<std::size_t>(k)] += level(drive_, forward(k)) ? 1 : -1;
-    }
+  if ((stop.why & cosim::kDrive) != 0) note_pulses();
+  note_plant();
+  if ((stop.why & ~cosim::kSample) != 0) note_requests(stop.edge);
+  for (int k = 0; k < kAxes; ++k) words_[static_cast<std::size_t>(k)] = chip_->words(k);
+}
+
+void Session::note_pulses() {
+  const cosim::Lines rose = chip_->drive() & ~drive_;
+  drive_ = chip_->drive();
+  for (int k = 0; k < kAxes; ++k) {
+    if (!level(rose, step(k))) continue;
+    ++pulses_[static_cast<std::size_t>(k)];
+    asked_[static_cast<std::size_t>(k)] += level(drive_, forward(k)) ? 1 : -1;
   }
-  if (const unsigned now = plant_.switches(); now != switches_) {
-    for (int bit = 0; bit < 4; ++bit) {
-      if (((now ^ switches_) >> bit & 1) == 0) continue;
-      note(stop.edge, bit / 2,
-           fmt::format("{} switch {}", bit % 2 == 0 ? "low" : "high",
-                       (now >> bit & 1) != 0 ? "closed" : "open"));
-    }
-    switches_ = now;
-  }
-  if (const unsigned now = chip_->requests(); now != requests_) {
-    for (int axis = 0; axis < kAxes; ++axis) {
-      if (((now & ~requests_) >> axis & 1) == 0) continue;
-      ++interrupts_;
-      note(stop.edge, axis, "interrupt");
-    }
-    requests_ = now;
-  }
+}
+
+// Switches and losses since the last stop, at their own times: they need not be those of stops. The
+// words are those that the chip had then, with the switch as it now is.
+void Session::note_plant() {
+  struct Seen {
+    cosim::Clk edge = 0;
+    std::size_t axis = 0;
+    const plant::SwitchMoved* moved = nullptr;
+    const plant::StepsLost* lost = nullptr;
+  };
+  std::vector<Seen> seen;
   for (std::size_t k = 0; k < 2; ++k) {
+    const auto& moved = plant_.axis(k).moved();
+    for (; moves_[k] < moved.size(); ++moves_[k]) {
+      seen.push_back({moved[moves_[k]].edge, k, &moved[moves_[k]], nullptr});
+    }
     const auto& lost = plant_.axis(k).lost();
     for (; losses_[k] < lost.size(); ++losses_[k]) {
-      lost_[k] += std::abs(lost[losses_[k]].steps);
-      note(lost[losses_[k]].edge, static_cast<int>(k),
-           fmt::format("{} steps lost", lost[losses_[k]].steps));
+      seen.push_back({lost[losses_[k]].edge, k, nullptr, &lost[losses_[k]]});
     }
   }
+  std::stable_sort(seen.begin(), seen.end(),
+                   [](const Seen& a, const Seen& b) { return a.edge < b.edge; });
+  for (const Seen& one : seen) {
+    const auto axis = static_cast<int>(one.axis);
+    std::string what;
+    if (one.moved != nullptr) {
+      const unsigned bit = 1u << (2 * axis + (one.moved->high ? 1 : 0));
+      switches_ = one.moved->closed ? switches_ | bit : switches_ & ~bit;
+      what = fmt::format("{} switch {}", one.moved->high ? "high" : "low",
+                         one.moved->closed ? "closed" : "open");
+    } else {
+      what = fmt::format("{} steps lost", one.lost->steps);
+    }
+    const std::uint32_t status = words_[one.axis] >> 16 & ~sw::larson_map::kLimit;
+    const bool closed = (switches_ >> 2 * axis & 3) != 0;
+    note({one.edge, axis, std::move(what), one.moved != nullptr ? one.moved->at : one.lost->at,
+          words_[one.axis] & 0xFFFF, status | (closed ? sw::larson_map::kLimit : 0)});
+  }
+}
+
+void Session::note_requests(cosim::Clk edge) {
+  const unsigned now = chip_->requests();
+  for (int axis = 0; axis < kAxes; ++axis) {
+    if (((now & ~requests_) >> axis & 1) == 0) continue;
+    ++interrupts_;
+    const std::uint32_t words = chip_->words(axis);
+    note({edge, axis, "interrupt", at(static_cast<std::size_t>(axis), edge), words & 0xFFFF,
+          words >> 16});
+  }
+  requests_ = now;
 }
 
 std::int64_t Session::read(std::size_t signal, int axis) const {
@@ -275,7 +305,10 @@ std::unique_ptr<cosim::RunResult> Session::result() {
   result->happened = events_;
   result->happened_count = event_count_;
   result->pulses = pulses_;
-  result->lost = lost_;
+  for (std::size_t k = 0; k < 2; ++k) {
+    result->lost[k] = std::abs(plant_.axis(k).steps_lost());
+    result->slips[k] = plant_.axis(k).lost();
+  }
   result->travel = travel_;
   result->end_at = last_at_;
   result->origin = origin_;
@@ -285,9 +318,12 @@ std::unique_ptr<cosim::RunResult> Session::result() {
   result->err_byte = chip_->err_byte();
   result->event_hash = hash_.value();
   result->events = hash_.events();
-  if (end_ == cosim::EndReason::kDone && !waves_.found()) {
-    result->fault = what_missed(options_, *result);
-    if (!result->fault.empty()) result->end = cosim::EndReason::kMissed;
+  if ((end_ == cosim::EndReason::kDone && !waves_.found()) ||
+      end_ == cosim::EndReason::kFault) {
+    if (std::string missed = what_missed(options_, *result); !missed.empty()) {
+      result->fault = std::move(missed);
+      result->end = cosim::EndReason::kMissed;
+    }
   }
   if (fault_watch_) result->fault_report = fault_watch_->report();
   close_result(*result, *chip_, waves_.window, started_);

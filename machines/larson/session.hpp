@@ -44,7 +44,10 @@ class Session final : public cosim::Session, private cosim::Observer, public cos
   void watch_fault(const cosim::Stop& stop);
   void note_calls();
   void note_events(const cosim::Stop& stop);
-  void note(cosim::Clk edge, int axis, std::string what);
+  void note_pulses();
+  void note_plant();
+  void note_requests(cosim::Clk edge);
+  void note(Event event);
   std::string noticed() const;
   bool resting() const;
   double at(std::size_t axis, cosim::Clk edge) const { return plant_.axis(axis).state(edge).at; }
@@ -77,8 +80,8 @@ class Session final : public cosim::Session, private cosim::Observer, public cos
   cosim::Lines drive_ = 0;
   std::array<std::uint32_t, 2> pulses_{};
   std::array<std::int64_t, 2> asked_;  // [step] where they have the table
-  std::array<std::size_t, 2> losses_{};
-  std::array<int, 2> lost_{};  // steps, forward and back added
+  std::array<std::size_t, 2> losses_{}, moves_{};  // of the plant's lists that are noted
+  std::array<std::uint32_t, 2> words_{};           // of the chip, at the last stop
   CallDone heard_;  // of the last event that the processor could answer to; [step] of the rotors
   std::array<double, 2> travel_{}, last_at_{}, origin_{};
 };

@@ -27,6 +27,7 @@ struct PulseBufferConfig {
   double rise = 2760;        // [pulse/s^2]
   double brake = 1000;       // [pulse/s] that the motor may stop from
   double idle_s = 20e-3;     // without a pulse, until it stands
+  int busy_above = 0;        // pulses that may wait when it is not busy
   std::int64_t clock_ps = 20000;
 };
 
@@ -38,7 +39,7 @@ class PulseBuffer {
       : config_(c), clock_s_(1e-12 * static_cast<double>(c.clock_ps)) {}
 
   int waiting() const { return static_cast<int>(pulses_.size()); }
-  bool busy() const { return waiting() > 2; }
+  bool busy() const { return waiting() > config_.busy_above; }
 
   // [pulse/s] with the sign of the next pulse, from the first that left on: what the motor is told.
   double rate() const {

@@ -35,6 +35,14 @@ struct StepsLost {
   std::int64_t edge = 0;
   double at = 0;       // [step] of the rotor
   int steps = 0;       // that the rotor is behind by; negative: ahead
+  bool at_stop = false;  // within a cycle of a stop, which throws the rotor back
+};
+
+// A limit switch that closed or opened.
+struct SwitchMoved {
+  std::int64_t edge = 0;
+  double at = 0;  // [step] of the rotor
+  bool high = false, closed = false;
 };
 
 class StepperAxis {
@@ -55,11 +63,12 @@ class StepperAxis {
 
   bool at_low() const { return low_; }    // the switch is closed
   bool at_high() const { return high_; }
-  bool buffer_busy() const { return busy_; }  // more than two pulses wait
+  bool buffer_busy() const { return busy_; }  // pulses wait, as of its Config
   int waiting() const { return buffer_.waiting(); }
   double rate() const { return told(); }  // [step/s] of the translator
   std::int64_t translated() const { return step_; }  // steps of the translator
   const std::vector<StepsLost>& lost() const { return lost_; }
+  const std::vector<SwitchMoved>& moved() const { return moved_; }  // its switches
   int steps_lost() const { return slipped_; }  // in all, with their sign
   bool hit_stop() const { return hit_stop_; }
 
@@ -82,7 +91,7 @@ class StepperAxis {
     const bool own = n >= next();
     if (!own && !pulse && !flushed) return;
     pass(n);
-    if (own) show();
+    if (own) show(n);
     if (flushed) buffer_.flush();
     if (pulse && !flush) take(n, forward ? 1 : -1);
     foresee();
@@ -162,17 +171,26 @@ class StepperAxis {
   }
 
   // The lines as they now are; at events of the axis only, where they are looked at.
-  void show() {
-    low_ = closed_low(state_.at);
-    high_ = closed_high(state_.at);
+  void show(std::int64_t n) {
+    const bool low = closed_low(state_.at), high = closed_high(state_.at);
+    if (low != low_) moved_.push_back({n, state_.at, false, low});
+    if (high != high_) moved_.push_back({n, state_.at, true, high});
+    low_ = low;
+    high_ = high;
     busy_ = busy_now();
   }
   bool busy_now() const { return config_.buffer.fitted && buffer_.busy(); }
 
+  double low_stop() const {
+    return config_.switch_low - config_.switch_hysteresis - config_.overtravel;
+  }
+  double high_stop() const {
+    return config_.switch_high + config_.switch_hysteresis + config_.overtravel;
+  }
+
   // The stop takes all speed.
   void stop_at_ends() {
-    const double low = config_.switch_low - config_.switch_hysteresis - config_.overtravel;
-    const double high = config_.switch_high + config_.switch_hysteresis + config_.overtravel;
+    const double low = low_stop(), high = high_stop();
     if (state_.at > low && state_.at < high) return;
     hit_stop_ = true;
     state_.speed = state_.at <= low ? std::fmax(0.0, state_.speed) : std::fmin(0.0, state_.speed);
@@ -187,7 +205,9 @@ class StepperAxis {
     // As long as it slips back and forth at the edge nothing is lost for good: 0.5 step apart.
     const double beyond = std::fabs(behind - slipped_) - StepperMotor::kCycle / 2;
     if (beyond < 0.5) return;
-    lost_.push_back({n, state_.at, slipped - slipped_});
+    const bool at_stop = state_.at < low_stop() + StepperMotor::kCycle ||
+                         state_.at > high_stop() - StepperMotor::kCycle;
+    lost_.push_back({n, state_.at, slipped - slipped_, at_stop});
     slipped_ = slipped;
   }
 
@@ -254,6 +274,7 @@ class StepperAxis {
   int slipped_ = 0;
   bool hit_stop_ = false;
   std::vector<StepsLost> lost_;
+  std::vector<SwitchMoved> moved_;
 };
 
 }  // namespace trammel::plant

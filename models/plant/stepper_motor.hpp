@@ -3,11 +3,13 @@
 // A five-phase stepper of the class of the Fujitsu 109 (Larson 1974, section III). Two and three of
 // its phases are on in turn, in a cycle of ten steps; e is how many steps the rotor is behind:
 //
-//   J dw/dt = T - b (w - w_cmd) - friction,   T = T_m sin(2 pi e / 10) within +-T(rate)
+//   J dw/dt = s T - friction,   T = T_m sin(2 pi e / 10) - b (w - w_cmd) within +-T(rate)
 //   T_m = k / 16,   b = 2 zeta sqrt(k J)
 //
 // k and zeta are those of the number of phases that are on, T(rate) the table of torque against
-// rate. Beyond e = +-5 the rotor falls to a place ten steps away: steps are lost.
+// rate, s the share of its torque that the motor has. Damping is a torque of the same currents, so
+// the limit and the share are those of the sum. Beyond e = +-5 the rotor falls to a place ten steps
+// away: steps are lost.
 #pragma once
 
 #include <array>
@@ -27,7 +29,7 @@ struct StepperConfig {
   double damping_3 = 0.2;
   double friction = 0;                // [N m] of screw and slides, against motion
   double friction_speed = 20;         // [step/s] at which it is 76 % of that
-  double torque_share = 1;            // of the table below
+  double torque_share = 1;            // of all that its currents do
   int steps = 160;                    // per revolution
 };
 
@@ -64,22 +66,22 @@ class StepperMotor {
   // Phases that are on where the translator stands at a step.
   static int phases(std::int64_t step) { return (step % 2) != 0 ? 3 : 2; }
 
-  // [N m] with the translator at `step`.
-  double torque(const State& s, std::int64_t step) const {
-    const double most = most_torque(s.speed);
-    const double k = phases(step) == 3 ? config_.stiffness_3 : config_.stiffness_2;
-    const double e = static_cast<double>(step) - s.at;
-    const double t = k / 16 * std::sin(6.283185307179586 * e / kCycle);
-    return std::fmax(-most, std::fmin(most, t));
-  }
-
-  // [step/s^2]; told: the rate at which the translator steps.
-  double acceleration(const State& s, std::int64_t step, double told) const {
+  // [N m] of its currents, with the translator at `step`; told: the rate at which that steps.
+  double torque(const State& s, std::int64_t step, double told) const {
     const bool three = phases(step) == 3;
     const double k = three ? config_.stiffness_3 : config_.stiffness_2;
     const double zeta = three ? config_.damping_3 : config_.damping_2;
     const double b = 2 * zeta * std::sqrt(k * config_.inertia);
-    double t = torque(s, step) - b * (s.speed - told) * step_rad_;
+    const double e = static_cast<double>(step) - s.at;
+    const double t = k / 16 * std::sin(6.283185307179586 * e / kCycle) -
+                     b * (s.speed - told) * step_rad_;
+    const double most = most_torque(s.speed);
+    return std::fmax(-most, std::fmin(most, config_.torque_share * t));
+  }
+
+  // [step/s^2]
+  double acceleration(const State& s, std::int64_t step, double told) const {
+    double t = torque(s, step, told);
     if (config_.friction > 0) t -= config_.friction * std::tanh(s.speed / config_.friction_speed);
     return t / (config_.inertia * step_rad_);
   }

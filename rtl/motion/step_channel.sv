@@ -36,7 +36,7 @@ module step_channel
 
     input logic limit_low_i,
     input logic limit_high_i,
-    input logic buf_busy_i,    // more than two pulses wait behind step_o
+    input logic buf_busy_i,    // pulses wait behind step_o
 
     output logic        step_o,      // half a period of 240 kHz
     output logic        forward_o,

@@ -71,16 +71,20 @@ TEST_CASE("pulse_buffer: pulses never leave faster than they came, and none is l
   }
 }
 
-TEST_CASE("pulse_buffer is busy while more than two pulses wait") {
-  PulseBuffer buffer((PulseBufferConfig()));
-  for (int k = 0; k < 5; ++k) {
-    buffer.enter(k * 1000, 1);
-    CHECK(buffer.waiting() == k + 1);
-    CHECK(buffer.busy() == (k >= 2));
-  }
-  while (buffer.waiting() > 0) {
-    CHECK(buffer.pass(buffer.next()) == 1);
-    CHECK(buffer.busy() == (buffer.waiting() > 2));
+TEST_CASE("pulse_buffer is busy while a pulse waits, or more than so many") {
+  for (const int above : {0, 2}) {
+    PulseBufferConfig config;
+    config.busy_above = above;
+    PulseBuffer buffer(config);
+    for (int k = 0; k < 5; ++k) {
+      buffer.enter(k * 1000, 1);
+      CHECK(buffer.waiting() == k + 1);
+      CHECK(buffer.busy() == (k + 1 > above));
+    }
+    while (buffer.waiting() > 0) {
+      CHECK(buffer.pass(buffer.next()) == 1);
+      CHECK(buffer.busy() == (buffer.waiting() > above));
+    }
   }
 }
 

@@ -223,3 +223,37 @@ TEST_CASE("stepper_axis: pulses during a flush are void, those behind it are not
     }
   }
 }
+
+// Larson's is 1300 PPS at 0.5 lb-in, from 16 / sqrt(J): 16 = sqrt(2 (2.6 - 0.5) 2.5 / (2 pi / 160))
+// is the energy of the torque at rest over a quarter of the cycle of ten steps. The rotor is pulled
+// over half of it.
+TEST_CASE("stepper_axis without its buffer starts and stops at 1300 PPS of 0.5 lb-in, not 1700") {
+  const auto slips = [](double rate) {
+    std::size_t count = 0;
+    for (const int odd : {0, 1}) {
+      StepperAxisConfig config;
+      config.buffer.fitted = false;
+      config.motor.friction = 0.5 * trammel::plant::kLbIn;
+      config.start = 400 + odd;
+      StepperAxis axis(config);
+      pass(axis, pulses(axis, 1000, 400, std::llround(50e6 / rate), true) + 25'000'000);
+      count += axis.lost().size();
+    }
+    return count;
+  };
+  for (const double rate : {300.0, 700.0, 1000.0, 1300.0}) CHECK(slips(rate) == 0);
+  CHECK(slips(1700) > 0);
+}
+
+TEST_CASE("stepper_axis: without torque, or with one hundredth, it follows no move") {
+  for (const double share : {0.0, 0.01}) {
+    StepperAxisConfig config;
+    config.motor.torque_share = share;
+    StepperAxis axis(config);
+    pass(axis, pulses(axis, 1000, 300, 125'000, true) + 50'000'000);
+    CAPTURE(share);
+    CHECK_FALSE(axis.lost().empty());
+    CHECK(std::fabs(axis.state(90'000'000).at - 700) > 5);
+    if (share == 0) CHECK(axis.state(90'000'000).at == 400);
+  }
+}

@@ -68,16 +68,16 @@ TEST_CASE("stepper_motor: with two phases on it rings with 11.5 ms") {
 TEST_CASE("stepper_motor: stiffness is that of the data sheet, and torque no more than its table") {
   const StepperMotor motor((StepperConfig()));
   const double step = 2 * 3.14159265358979 / 160;
-  CHECK(motor.torque({0.999, 0}, 1) / (0.001 * step) == Approx(80 * kLbIn).epsilon(1e-4));
-  CHECK(motor.torque({1.999, 0}, 2) / (0.001 * step) == Approx(45 * kLbIn).epsilon(1e-4));
-  CHECK(motor.torque({-1.5, 0}, 1) == Approx(2.6 * kLbIn));
-  CHECK(motor.torque({3.5, 0}, 1) == Approx(-2.6 * kLbIn));
-  CHECK(motor.torque({-1.5, 3000}, 1) == Approx(2.35 * kLbIn));  // at the rate of the rotor
-  CHECK(motor.torque({3.5, -4000}, 1) == Approx(-1.9 * kLbIn));
+  CHECK(motor.torque({0.999, 0}, 1, 0) / (0.001 * step) == Approx(80 * kLbIn).epsilon(1e-4));
+  CHECK(motor.torque({1.999, 0}, 2, 0) / (0.001 * step) == Approx(45 * kLbIn).epsilon(1e-4));
+  CHECK(motor.torque({-1.5, 0}, 1, 0) == Approx(2.6 * kLbIn));
+  CHECK(motor.torque({3.5, 0}, 1, 0) == Approx(-2.6 * kLbIn));
+  CHECK(motor.torque({-1.5, 3000}, 1, 3000) == Approx(2.35 * kLbIn));  // at the rate of the rotor
+  CHECK(motor.torque({3.5, -4000}, 1, -4000) == Approx(-1.9 * kLbIn));
   CHECK(motor.most_torque(3000) == Approx(2.35 * kLbIn));
   CHECK(motor.most_torque(-8000) == Approx(1.2 * kLbIn));
   CHECK(motor.most_torque(9000) == Approx(1.2 * kLbIn));
-  CHECK(motor.torque({-5, 0}, 1) < 0);  // more than five steps behind it is pulled on
+  CHECK(motor.torque({-5, 0}, 1, 0) < 0);  // more than five steps behind it is pulled on
 }
 
 TEST_CASE("stepper_motor: damping acts on the slip against the translator's rate, by its phases") {
@@ -89,8 +89,31 @@ TEST_CASE("stepper_motor: damping acts on the slip against the translator's rate
     for (const double speed : {1500.0, -1500.0}) {
       CAPTURE(step, speed);
       CHECK(std::fabs(motor.acceleration({at, speed}, step, speed)) < 1e-6);
-      CHECK(motor.acceleration({at, speed}, step, 0) == Approx(-per_s * speed));
-      CHECK(motor.acceleration({at, 0}, step, speed) == Approx(per_s * speed));
+      CHECK(motor.acceleration({at, speed}, step, 0.9 * speed) == Approx(-per_s * 0.1 * speed));
+      CHECK(motor.acceleration({at, 0}, step, 0.1 * speed) == Approx(per_s * 0.1 * speed));
     }
+  }
+}
+
+// Damping is a torque of the same currents as the rest.
+TEST_CASE("stepper_motor: pull and damping together are within the table, and of its share") {
+  StepperConfig c;
+  for (const double share : {1.0, 0.4, 0.0}) {
+    c.torque_share = share;
+    const StepperMotor motor(c);
+    double most = 0;
+    for (double e = -5; e <= 5; e += 0.25) {
+      for (const double speed : {0.0, 700.0, -2500.0, 6000.0}) {
+        for (const double told : {0.0, 400.0, -4000.0, 8000.0}) {
+          const double t = motor.torque({11 - e, speed}, 11, told);
+          CAPTURE(share, e, speed, told);
+          REQUIRE(std::fabs(t) <= motor.most_torque(speed) * (1 + 1e-12));
+          REQUIRE(t * share == Approx(share * share * StepperMotor({}).torque({11 - e, speed}, 11,
+                                                                              told)));
+          most = std::fmax(most, std::fabs(t));
+        }
+      }
+    }
+    CHECK(most == Approx(share * 3.3 * kLbIn).epsilon(0.1));
   }
 }

@@ -89,7 +89,9 @@ TEST_CASE("stepper_axis without its buffer: the first pulse behind a pause tells
 }
 
 TEST_CASE("stepper_axis: a pulse is a rising edge, the line of the buffer moves a clock later") {
-  StepperAxis axis((StepperAxisConfig()));
+  StepperAxisConfig config;
+  config.buffer.busy_above = 2;
+  StepperAxis axis(config);
   axis.drive(100, true, true, false);
   for (const std::int64_t n : {101, 102, 103}) axis.drive(n, true, true, false);
   CHECK(axis.waiting() == 1);

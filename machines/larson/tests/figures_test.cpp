@@ -52,6 +52,8 @@ larson::Result by_hand() {
   call(LarsonOp::kWhrtbl, "WHRTBL", 9, {0, {3, 4}}, {3.25, 4.5});
   result.pulses = {1111, 2222};
   result.lost = {10, 20};
+  result.slips[0].resize(3);
+  result.slips[1].resize(4);
   result.travel = {333, 444};
   result.end_at = {55.5, 66.25};
   result.interrupts = 12;
@@ -67,7 +69,8 @@ TEST_CASE("larson: each figure is of its own axis and value") {
       {"script.time_s", 0.9},   {"script.calls", 9},       {"script.normal", 2},
       {"script.error", 1},      {"script.refused", 2},     {"script.off_step", 0.5},
       {"x.pulses", 1111},       {"y.pulses", 2222},        {"x.lost_step", 10},
-      {"y.lost_step", 20},      {"x.max_angle_step", 1.25}, {"y.max_angle_step", 1.75},
+      {"y.lost_step", 20},      {"x.slips", 3},
+      {"y.slips", 4},           {"x.max_angle_step", 1.25}, {"y.max_angle_step", 1.75},
       {"x.max_rate", 810},      {"y.max_rate", 920},       {"x.max_waiting", 7},
       {"y.max_waiting", 9},     {"x.travel_step", 333},    {"y.travel_step", 444},
       {"x.end_step", 55.5},     {"y.end_step", 66.25},     {"interrupts", 12},
@@ -257,13 +260,19 @@ TEST_CASE("larson: a table is missed beyond its limit, in each axis and sense, o
       CHECK(larson::what_missed(options, result) == (std::fabs(off) > 3 ? text : ""));
       result.calibrated = false;  // it has it nowhere
       CHECK(larson::what_missed(options, result) == "");
-      result.lost[axis] = 10;
-      result.happened = {{50'000'000, axis == 0 ? 1 : 0, "10 steps lost", 1, 0, 0},
-                         {60'000'000, axis == 0 ? 0 : 1, "interrupt", 2, 0, 0},
-                         {75'000'000, axis == 0 ? 0 : 1, "10 steps lost", 1234, 0, 0},
-                         {80'000'000, axis == 0 ? 0 : 1, "20 steps lost", 5, 0, 0}};
+      result.lost[axis] = 10;  // forward by 20, and back by 10
+      result.slips[axis] = {{75'000'000, 1234, 20, false}};
+      const std::string lost = name + " lost 10 steps", first = "; the first at step 1234, 1.500 s";
+      CHECK(larson::what_missed(options, result) == lost + first + " into the run");
+      result.slips[axis].push_back({80'000'000, 5, -10, false});
+      CHECK(larson::what_missed(options, result) == lost + " in 2 slips" + first + " into the run");
+      // Where CALTBL fails: in its way a motor is too weak, at the stop a switch is the cause.
+      result.end = cosim::EndReason::kFault;
+      result.fault = "CALTBL found no switch";
       CHECK(larson::what_missed(options, result) ==
-            name + " lost 10 steps; the first at step 1234, 1.500 s into the run");
+            lost + " in 2 slips" + first + " into the run; CALTBL found no switch");
+      result.slips[axis].front().at_stop = true;
+      CHECK(larson::what_missed(options, result) == "");
     }
   }
 }

@@ -31,6 +31,7 @@ TEST_CASE("larson: each key sets its own member") {
   m.add("buffer.start_rate", [](const O& o) { return o.axis.buffer.start; });
   m.add("buffer.rise", [](const O& o) { return o.axis.buffer.rise; });
   m.add("buffer.brake_rate", [](const O& o) { return o.axis.buffer.brake; });
+  m.add("buffer.busy_above", [](const O& o) { return o.axis.buffer.busy_above; });
   m.add("buffer.idle_s", [](const O& o) { return o.axis.buffer.idle_s; });
   m.add("motor.inertia_kg_m2", [](const O& o) { return o.axis.motor.inertia; });
   m.add("motor.stiffness_2_N_m_rad", [](const O& o) { return o.axis.motor.stiffness_2; });

@@ -75,12 +75,6 @@ class Replay {
   cosim::Lines lines_ = 0;
 };
 
-struct Seen {
-  cosim::Clk edge;
-  int axis;
-  std::string what;
-};
-
 }  // namespace
 
 TEST_CASE("larson: each sample is of its own axis, as its pins move it") {
@@ -90,9 +84,7 @@ TEST_CASE("larson: each sample is of its own axis, as its pins move it") {
   REQUIRE(result.end == cosim::EndReason::kDone);
   std::vector<Replay> axes{{script.options, 0}, {script.options, 1}};
   std::array<double, 2> travel{}, last{script.options.start_x, script.options.start_y};
-  std::vector<Seen> switches;
   std::size_t sample = 0, call = 0;
-  unsigned closed = 0;
   const auto check_calls = [&](cosim::Clk before) {
     for (; call < result.done.size() && result.done[call].edge < before; ++call) {
       for (std::size_t k = 0; k < 2; ++k) {
@@ -113,13 +105,6 @@ TEST_CASE("larson: each sample is of its own axis, as its pins move it") {
       now |= (axes[k].plant().at_low() ? 1u : 0u) << 2 * k |
              (axes[k].plant().at_high() ? 2u : 0u) << 2 * k;
     }
-    for (int bit = 0; bit < 4; ++bit) {
-      if (((now ^ closed) >> bit & 1) == 0) continue;
-      switches.push_back({event.edge, bit / 2,
-                          std::string(bit % 2 == 0 ? "low" : "high") + " switch " +
-                              ((now >> bit & 1) != 0 ? "closed" : "open")});
-    }
-    closed = now;
     if ((event.why & cosim::kSample) == 0) continue;
     REQUIRE(sample < result.samples.size());
     const Sample s = result.samples[sample];
@@ -161,19 +146,22 @@ TEST_CASE("larson: each sample is of its own axis, as its pins move it") {
     CHECK(result.origin[k] == static_cast<double>(axes[k].plant().translated() - known));
   }
   CHECK(result.pulses[0] > result.pulses[1]);
-  std::vector<Seen> noted;
+  // Each change of a switch, at its own clock and place.
+  std::array<std::size_t, 2> moved{};
   for (const Event& one : result.happened) {
-    if (one.what.find("switch") != std::string::npos) {
-      noted.push_back({one.edge, one.axis, one.what});
-    }
+    if (one.what.find("switch") == std::string::npos) continue;
+    const auto k = static_cast<std::size_t>(one.axis);
+    INFO(one.what << " of axis " << kName[k]);
+    REQUIRE(moved[k] < axes[k].plant().moved().size());
+    const plant::SwitchMoved is = axes[k].plant().moved()[moved[k]++];
+    CHECK(one.edge == is.edge);
+    CHECK(one.at == is.at);
+    CHECK(one.what == (is.closed ? "low switch closed" : "low switch open"));
+    CHECK((one.status & sw::larson_map::kLimit) == (is.closed ? sw::larson_map::kLimit : 0));
   }
-  REQUIRE(switches.size() >= 4);
-  REQUIRE(noted.size() == switches.size());
-  for (std::size_t k = 0; k < noted.size(); ++k) {
-    INFO("event " << k << ": " << noted[k].what << " of axis " << noted[k].axis);
-    CHECK(noted[k].edge == switches[k].edge);
-    CHECK(noted[k].axis == switches[k].axis);
-    CHECK(noted[k].what == switches[k].what);
+  for (std::size_t k = 0; k < 2; ++k) {
+    CHECK(moved[k] >= 2);
+    CHECK(moved[k] == axes[k].plant().moved().size());
   }
 }
 
@@ -213,14 +201,13 @@ TEST_CASE("larson: steps lost are counted and noted in the axis and sense that l
       CHECK(run.result.end == cosim::EndReason::kMissed);
       CHECK_THAT(run.result.fault, Catch::StartsWith(std::string(kName[lossy]) + " lost "));
       CHECK(run.result.lost[1 - lossy] == 0);
-      int net = 0, all = 0;
+      int net = 0;
       for (const Event& one : run.result.happened) {
         if (one.what.find("steps lost") == std::string::npos) continue;
         CHECK(one.axis == static_cast<int>(lossy));
         net += std::stoi(one.what);
-        all += std::abs(std::stoi(one.what));
       }
-      CHECK(run.result.lost[lossy] == all);
+      CHECK(run.result.lost[lossy] == std::abs(net));
       // A rotor that stalls is behind, one that overruns at the end is ahead.
       const Sample last = run.result.samples.back();
       CHECK(net ==  // in whole cycles of ten, and it may still swing

@@ -59,6 +59,7 @@ TEST_CASE("larson: each figure of a run is told by its row, unit, digits and til
     for (const auto& line :
          {id + "pulses: pulses" + axis + " whole",
           id + "lost_step: steps lost" + axis + " [steps] whole {Lost by " + (x ? "X}" : "Y}"),
+          id + "slips: slips" + axis + " whole",
           id + "max_angle_step: load angle" + axis + " [step] 2" + (x ? " {Load angle of X}" : ""),
           id + "max_rate: largest rate" + axis + " [step/s] 0",
           id + "max_waiting: pulses that wait" + axis + " whole",

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// What the record of a run of the machine larson says of events and places, whatever it is asked.
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+#include <string>
+#include <vector>
+
+#include "machines/larson/machine.hpp"
+#include "machines/larson/tests/scripted.hpp"
+
+using namespace trammel;
+using namespace trammel::larson;
+
+TEST_CASE("larson: events are the same, however often a sample is taken") {
+  // Into the far switch, and steps lost at it, by a rotor that rings on it.
+  const auto happened = [](double record_ms) {
+    ScriptedTwin script("CALTBL\nVELTBL 4000 900\nABSTBL 200 30\nWTTBL\nCALTBL\nWHRTBL\n");
+    script.options.axis.buffer.fitted = false;
+    script.options.axis.switch_high = 25.5;
+    script.options.record_ms = record_ms;
+    std::vector<std::string> lines;
+    for (const Event& one : script.run().happened) {
+      lines.push_back(fmt::format("{} {} {} {:.9f} {:o} {:o}", one.edge, one.axis, one.what, one.at,
+                                  one.count, one.status));
+    }
+    return lines;
+  };
+  const std::vector<std::string> often = happened(0.1);
+  CHECK(often.size() > 10);
+  CHECK(happened(0.37) == often);
+  CHECK(happened(50) == often);
+}
+
+TEST_CASE("larson: after lost steps and a new CALTBL places are those of the rotors") {
+  for (std::size_t k = 0; k < 2; ++k) {
+    ScriptedTwin script(std::string("CALTBL\nVELTBL ") + (k == 0 ? "4000 400" : "400 4000") +
+                    "\nABSTBL 400 400\nWTTBL\nVELTBL 400 400\nCALTBL\nABSTBL 30 20\nWTTBL\n"
+                    "WHRTBL\n");
+    script.options.axis.buffer.fitted = false;
+    const Result result = script.run();
+    CAPTURE(k);
+    REQUIRE(result.lost[k] != 0);
+    REQUIRE(result.calibrated);
+    CHECK(result.done.back().at[0] == Approx(30).margin(0.1));
+    CHECK(result.done.back().at[1] == Approx(20).margin(0.1));
+    CHECK(result.end == cosim::EndReason::kMissed);  // of the moves before it
+  }
+}
