@@ -25,8 +25,8 @@ struct StepTableSetup {
   std::int32_t back_rate = 100;     // and away from them
   std::int32_t most_rate = 4000;    // that the motors may be driven at
   std::uint32_t poll_clk = 100'000; // [clk] from one look at an open switch to the next
-  // [clk] from the end of a move to the return of WTTBL or CALTBL: 25 ms of 50 MHz. 20 ms behind its
-  // last pulse a buffer stands, so that the next move begins with a ramp, by a rotor that hardly
+  // [clk] from the end of a move to the return of WTTBL or CALTBL: 25 ms of 50 MHz. A buffer stands
+  // 20 ms behind its last pulse, so that the next move begins with a ramp, by a rotor that hardly
   // swings any more. 0: none.
   std::uint32_t settle_clk = 1'250'000;
 };
