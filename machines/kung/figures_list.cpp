@@ -8,6 +8,7 @@
 
 #include "machines/kung/baseline.hpp"
 #include "machines/kung/figures.hpp"
+#include "machines/kung/followed.hpp"
 #include "machines/kung/machine.hpp"
 #include "machines/kung/plan.hpp"
 #include "machines/kung/precision_figures.hpp"
@@ -78,7 +79,7 @@ void add_laps(List& list, const Options& options, const Result& result, const Se
   const auto held =
       static_cast<std::size_t>(ticks_per_point(options.path, options.chip.irq_period_ticks));
   const std::size_t samples = (result.points - 1) / laps * held;
-  if (result.end != EndReason::kDone || laps * samples > to_model_mm.size()) return;
+  if (!result.whole() || laps * samples > to_model_mm.size()) return;
   for (std::size_t lap = 0; lap < laps; ++lap) {
     Series of_model, of_contour;
     const std::size_t end = lap + 1 == laps ? to_model_mm.size() : (lap + 1) * samples;
@@ -128,7 +129,7 @@ void add_settling(List& list, const Options& options, const Result& result, cons
   const std::size_t samples = settled_after(after, last, options.settled_m);
   list.push_back(lab::figure("at_end.settling_s", "at the end", "settling",
                              static_cast<double>(samples) * options.chip.sample_s(), "s", 3));
-  list.back().shown = result.end == EndReason::kDone && samples < after.size();
+  list.back().shown = result.whole() && samples < after.size();
 }
 
 }  // namespace
@@ -248,6 +249,11 @@ std::string verdict(const lab::Settings& settings, const cosim::RunResult& run) 
   switch (result.end) {
     case EndReason::kDone:
       if (options.path.is_sweep()) return sweep_text(options, result);
+      if (options.controller == Controller::kPrecision) {
+        return fmt::format("followed {} point{}, at most {} from the command, {} from the last one",
+                           result.points, result.points == 1 ? "" : "s",
+                           length_text(result.error_m), length_text(result.from_last_m));
+      }
       return fmt::format("followed {} point{}, at most {:.2f} mm {}, {:.2f} mm from the last one",
                          result.points, result.points == 1 ? "" : "s", result.largest_mm,
                          options.path.kind == PathKind::kSquare ? "from the model" : "beside them",

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "machines/kung/figures.hpp"
+#include "machines/kung/plan_feed.hpp"
 
 namespace trammel::kung {
 namespace {
@@ -27,7 +28,25 @@ double automatic_limit(const Box& path, bool square, double count_m, double dive
   return std::min(std::max(path.diagonal_m() / (square ? 4 : 20), 3 * count_m), diverged_m);
 }
 
+double promise_m(const Options& options, double count_m) {
+  constexpr double kPromisedM = 15e-6;  // docs/precision.md, section 13
+  if (options.controller != Controller::kPrecision) return 0;
+  if (!feeds(options.path) && !options.path.moves_warnings.empty()) return 0;
+  if (options.reached_m > 0) return options.reached_m;
+  return std::min(std::max(kPromisedM, 3 * count_m), options.diverged_m);
+}
+
+std::string limit_text(double metres) {
+  return metres < 1e-3 ? fmt::format("{:.4g} um", 1e6 * metres)
+                       : fmt::format("{:.4g} mm", kMm * metres);
+}
+
 }  // namespace
+
+std::string length_text(double metres) {
+  return metres < 1e-3 ? fmt::format("{:.1f} um", 1e6 * metres)
+                       : fmt::format("{:.2f} mm", kMm * metres);
+}
 
 void Box::add(const PointM& point) {
   low = {std::min(low.x_m, point.x_m), std::min(low.y_m, point.y_m)};
@@ -43,7 +62,8 @@ Followed::Followed(const sw::PathSetup& path, double count_m, const Options& opt
       limit_m_(options.reached_m > 0
                    ? options.reached_m
                    : automatic_limit(path_, options.path.kind == PathKind::kSquare, count_m,
-                                     options.diverged_m)) {}
+                                     options.diverged_m)),
+      promised_m_(promise_m(options, count_m)) {}
 
 void Followed::add(const PointM& table, double beside_m) {
   if (!begun_) covered_ = Box(table);
@@ -55,19 +75,24 @@ void Followed::add(const PointM& table, double beside_m) {
 
 double Followed::limit_at_end_m(double lag_m) const {
   if (asked_m_ > 0) return asked_m_;
-  return std::max(limit_m_, std::min(1.25 * lag_m, path_.diagonal_m() / 2));
+  return std::max(promised_m_ > 0 ? promised_m_ : limit_m_,
+                  std::min(1.25 * lag_m, path_.diagonal_m() / 2));
 }
 
 double Followed::from_m(const PointM& last) const { return tracking_error(last, table_); }
 
 std::string Followed::missed(std::uint32_t points, std::uint32_t size, const PointM& last,
-                             const PointM& lagging) const {
+                             const PointM& lagging, double error_m) const {
   if (points < size) return fmt::format("stopped after {} of {} points", points, size);
+  if (promised_m_ > 0 && error_m > promised_m_) {
+    return fmt::format("the table was {} from its command, above {} (run.reached_m)",
+                       length_text(error_m), limit_text(promised_m_));
+  }
   const double at_end = limit_at_end_m(tracking_error(last, lagging));
   if (from_m(last) > at_end) {
-    return fmt::format("the table ended {:.2f} mm from the last of {} points, above {:.4g} mm "
-                       "(run.reached_m); run.settle_s gives it time",
-                       from_m(last) * kMm, size, at_end * kMm);
+    return fmt::format("the table ended {} from the last of {} points, above {} (run.reached_m); "
+                       "run.settle_s gives it time",
+                       length_text(from_m(last)), size, limit_text(at_end));
   }
   const std::string above = fmt::format(" above {:.4g} mm (run.reached_m)", limit_m_ * kMm);
   if (beside_m_ > limit_m_) {

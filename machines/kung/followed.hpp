@@ -23,6 +23,9 @@ struct Box {
   double diagonal_m() const;
 };
 
+// Below a millimetre in um, with the same digits as above.
+std::string length_text(double metres);
+
 class Followed {
  public:
   // `count_m`: of the encoders; run.reached_m and run.diverged_m are those of the options.
@@ -32,6 +35,11 @@ class Followed {
   // diagonal, of a square wave a quarter, at least 3 counts and at most run.diverged_m.
   double limit_m() const { return limit_m_; }
 
+  // Largest error to the command [m] that the precision controller promises: run.reached_m, or
+  // 15 um, at least 3 counts and at most run.diverged_m. 0: another controller, or points whose
+  // steps no axis can follow, of which it promises nothing.
+  double promised_m() const { return promised_m_; }
+
   // The same at the end of a run in which the model lags by `lag_m`: without run.reached_m a
   // quarter more than that is within the limit too, if not more than half the diagonal.
   double limit_at_end_m(double lag_m) const;
@@ -40,15 +48,17 @@ class Followed {
   void add(const PointM& table, double beside_m);
 
   // What the table missed, or "". `points` of `size` were handed over; the path ends at `last`, and
-  // was at `lagging` when the model's lag began.
+  // was at `lagging` when the model's lag began; `error_m` is the largest one to the command, where
+  // the precision controller promises one.
   std::string missed(std::uint32_t points, std::uint32_t size, const PointM& last,
-                     const PointM& lagging) const;
+                     const PointM& lagging, double error_m = 0) const;
   double from_m(const PointM& last) const;  // of the table
 
  private:
   Box path_, covered_;
   double asked_m_;  // run.reached_m
   double limit_m_;
+  double promised_m_;
   double beside_m_ = 0;
   bool begun_ = false;
   PointM table_;

@@ -78,7 +78,8 @@ void add_run(Table& t) {
         TRAMMEL_LENS(diverged_m));
   t.one("run.reached_m", 0, 1,
         "largest error of a table that followed, beside the path, in its extent, and from its last "
-        "point at the end; 0 = by the path's diagonal and the model's lag",
+        "point at the end, with controller = \"precision\" to the command; 0 = by the path's "
+        "diagonal and the model's lag, with precision 15 um or 3 counts",
         TRAMMEL_LENS(reached_m));
   t.waves("where the drives start", "see `trammel list signals`");
 }
@@ -273,22 +274,15 @@ void add_axis_chip(Table& t, std::size_t axis) {
 void add_believed(Table& t, std::size_t axis) {
   const auto add = keys_of(t, axis_prefix("believed", axis),
                            [axis](auto& o) -> auto& { return o.believed[axis]; });
-  add("force_constant_N_A", 0, 10000,
-      "force constant from which gains.by_rule and the precision controller compute; 0 = the "
-      "plant's",
+  add("force_constant_N_A", 0, 10000, "for gains.by_rule and the precision controller; 0 = plant's",
       &BelievedMotor::force_constant_n_a);
-  add("resistance_ohm", 0, 1000, "resistance of a phase, for gains.by_rule; 0 = the plant's",
+  add("resistance_ohm", 0, 1000, "of a phase, for gains.by_rule; 0 = the plant's",
       &BelievedMotor::resistance_ohm);
-  add("inductance_q_H", 0, 1,
-      "inductance of the quadrature axis, for gains.by_rule; 0 = the plant's",
+  add("inductance_q_H", 0, 1, "quadrature axis, for gains.by_rule; 0 = the plant's",
       &BelievedMotor::inductance_q_h);
-  add("pole_pitch_m", 0, 1,
-      "pole pitch from which the chip computes the electrical angle, and the precision controller "
-      "the cogging; 0 = the plant's",
+  add("pole_pitch_m", 0, 1, "for electrical angle and estimated cogging; 0 = the plant's",
       &BelievedMotor::pole_pitch_m);
-  add("mass_kg", 0, 1000,
-      "moving mass with payload, for gains.by_rule; 0 = the plant's; the precision controller "
-      "starts with precision.mass_kg",
+  add("mass_kg", 0, 1000, "moving mass with payload, for gains.by_rule; 0 = the plant's",
       &BelievedMotor::mass_kg);
 }
 

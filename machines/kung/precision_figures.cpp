@@ -133,6 +133,27 @@ void each_command_sample(const Options& options, const Result& result,
   }
 }
 
+double largest_error_m(const Options& options, const Result& result) {
+  double most = 0;
+  each_command_sample(options, result, [&most](const CommandSample& s) {
+    most = std::max(most, std::hypot(s.error_m[0], s.error_m[1]));
+  });
+  if (feeds(options.path)) return most;
+  const Range range = counted(result);
+  for (std::size_t k = range.first; k < range.last; ++k) {
+    const Sample sample = result.samples[k];
+    std::array<double, 2> error_m{};
+    for (std::size_t a = 0; a < 2; ++a) {
+      const AxisSample& axis = sample.axis[a];
+      if (axis.set_point == kNoSetPoint) continue;
+      error_m[a] =
+          axis.set_point * options.plant.axis[a].encoder_count_m / 256 - axis.x_true_m;
+    }
+    most = std::max(most, std::hypot(error_m[0], error_m[1]));
+  }
+  return most;
+}
+
 std::vector<lab::Companion> precision_companions(const lab::Settings& settings) {
   const auto& options = static_cast<const Options&>(settings);
   std::vector<lab::Companion> all;
@@ -239,7 +260,7 @@ void add_command_figures(std::vector<lab::Figure>& list, const Options& options,
   add_errors(list, "set_point_um", "set point of the chip", set_point);
   add_estimates(list, options, result);
   const auto laps = static_cast<std::size_t>(options.path.repeats);
-  if (laps < 2 || result.end != EndReason::kDone || both.size() < laps) return;
+  if (laps < 2 || !result.whole() || both.size() < laps) return;
   for (std::size_t lap = 0; lap < laps; ++lap) {
     Series of_lap;
     for (std::size_t k = lap * both.size() / laps; k < (lap + 1) * both.size() / laps; ++k) {

@@ -42,6 +42,10 @@ double command_time_s(const Options& options, cosim::Clk begin, const Sample& sa
 void each_command_sample(const Options& options, const Result& result,
                          const std::function<void(const CommandSample&)>& take);
 
+// The largest error to the command of a run of the precision controller: to that in double
+// precision, or to the chip's set points where the feed profile does not drive the path.
+double largest_error_m(const Options& options, const Result& result);
+
 // Distance of a place from the lines and arcs of a program [m].
 double distance_to(const ideal::Moves& moves, const ideal::Place& place);
 

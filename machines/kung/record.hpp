@@ -129,6 +129,10 @@ struct Result : cosim::RunResult {
   Result() { end = EndReason::kDone; }
   std::size_t sample_count() const override { return samples.size(); }
   std::string fault_text() const override;
+  // The path ran to its end, whether the table followed it or not.
+  bool whole() const {
+    return end == EndReason::kDone || (end == EndReason::kMissed && all_points);
+  }
 
   cosim::DiskVector<Sample> samples;    // every 2 kHz sample from the first tick of the chip on
   cosim::DiskVector<AxisLaws> laws;      // of each of them; of the precision controller alone
@@ -140,6 +144,8 @@ struct Result : cosim::RunResult {
   double swing_m = 0;             // kDiverged: way of an axis in the identification move
   double from_last_m = 0;         // of the table at the end, from the last point asked
   std::string missed;             // kMissed: what
+  bool all_points = false;        // of the path were handed over
+  double error_m = 0;             // largest one to the command; of the precision controller
   double largest_mm = 0;          // contour error; of a square wave the error to the model
   std::array<AxisLoad, 2> load;   // over the path
   Fault fault;

@@ -12,6 +12,7 @@
 #include "machines/kung/plan.hpp"
 #include "machines/kung/plan_feed.hpp"
 #include "machines/kung/plan_precision.hpp"
+#include "machines/kung/precision_figures.hpp"
 #include "machines/kung/response.hpp"
 #include "machines/kung/words.hpp"
 #include "models/plant/xy_lines.hpp"
@@ -49,9 +50,12 @@ const char* check_text(const sw::Mailbox& mailbox) {
   return "";
 }
 
-// Samples by which the reference model of the slower axis lags behind a ramp.
+// Samples by which the table may lag behind a ramp: as the reference model of the slower axis, or
+// as the set point of the precision controller.
 std::uint32_t model_lag(const Options& options) {
-  return static_cast<std::uint32_t>(std::lround(options.lag_s() / options.chip.sample_s()));
+  const bool precise = options.controller == Controller::kPrecision;
+  const double lag_s = precise ? kSetPointDelayS : options.lag_s();
+  return static_cast<std::uint32_t>(std::lround(lag_s / options.chip.sample_s()));
 }
 
 // The pins of the table that a fault can be on.
@@ -305,10 +309,14 @@ std::unique_ptr<cosim::RunResult> Session::result() {
     }
   }
   if (result_.end == EndReason::kDone) {
+    result_.all_points = result_.points == path_points_;
+    if (options_.controller == Controller::kPrecision) {
+      result_.error_m = largest_error_m(options_, result_);
+    }
     result_.missed = options_.path.is_sweep()
                          ? unmeasured(options_, result_)
                          : followed_->missed(result_.points, path_points_, asked_->asked(),
-                                             asked_->asked(model_lag(options_)));
+                                             asked_->asked(model_lag(options_)), result_.error_m);
     if (!result_.missed.empty()) result_.end = EndReason::kMissed;
   }
   close_result(result_, *chip_, waves_.window, started_);

@@ -6,6 +6,7 @@
 
 #include "machines/kung/machine.hpp"
 #include "machines/kung/plan.hpp"
+#include "machines/kung/plan_feed.hpp"
 
 using namespace trammel;
 using namespace trammel::kung;
@@ -116,6 +117,59 @@ TEST_CASE("the limit is run.reached_m, or lies between 3 counts and run.diverged
   options = line();
   options.path.line_end_x_m = options.path.line_end_y_m = 0.10001;
   CHECK(Judge(options).followed.limit_m() == Approx(3 * kCountM));
+}
+
+TEST_CASE("the precision controller is judged by its promise: 15 um or 3 counts to the command") {
+  const auto judge = [](auto change) {
+    Options options = line();
+    options.controller = Controller::kPrecision;
+    change(options);
+    choose_profile(options);
+    PathStore store;
+    const double count_m = options.plant.axis[0].encoder_count_m;
+    Followed followed(plan_firmware(options, store), count_m, options);
+    followed.add({0.1, 0.1}, 0);
+    followed.add({0.13, 0.14}, 0);
+    return followed;
+  };
+  const auto counts = [](double count_m) {
+    return [count_m](Options& o) {
+      for (plant::AxisConfig& axis : o.plant.axis) axis.encoder_count_m = count_m;
+      for (AxisChip& axis : o.chip.axis) axis.stroke_max_m = 0.25;
+    };
+  };
+  CHECK(judge(counts(5e-6)).promised_m() == Approx(15e-6));
+  CHECK(judge(counts(2e-6)).promised_m() == Approx(15e-6));
+  CHECK(judge(counts(10e-6)).promised_m() == Approx(30e-6));
+  CHECK(judge([](Options& o) { o.reached_m = 40e-6; }).promised_m() == 40e-6);
+  CHECK(judge([](Options& o) {
+          o.controller = Controller::kAfc;
+          o.path.profile = Profile::kFeed;
+        }).promised_m() == 0);
+  // Points with their own times, of which the reader of the file warned that no axis follows them.
+  const auto timed = [](const char* warning) {
+    return [warning](Options& o) {
+      o.path.kind = PathKind::kPoints;
+      o.path.points = {{0.1, 0.1}, {0.1, 0.1001}};
+      if (*warning != 0) o.path.moves_warnings = {warning};
+    };
+  };
+  CHECK(judge(timed("")).promised_m() == Approx(15e-6));
+  CHECK(judge(timed("a.csv:2: 10 mm of X")).promised_m() == 0);
+
+  const PointM last{0.13, 0.14};
+  const auto missed = [&](double error_m, const PointM& end, auto change) {
+    return judge(change).missed(501, 501, end, end, error_m);
+  };
+  const auto plain = counts(5e-6);
+  CHECK(missed(14.9e-6, last, plain) == "");
+  CHECK(missed(88.94e-6, last, plain) ==
+        "the table was 88.9 um from its command, above 15 um (run.reached_m)");
+  CHECK(missed(0.0147, last, plain) ==
+        "the table was 14.70 mm from its command, above 15 um (run.reached_m)");
+  CHECK(missed(0.0147, last, [](Options& o) { o.reached_m = 0.02; }) == "");
+  CHECK_THAT(missed(0, {0.13 - 21e-6, 0.14}, plain),
+             Catch::Contains("the table ended 21.0 um from the last of 501 points, above 15 um "));
 }
 
 TEST_CASE("a square wave is overshot by up to a quarter, as by the paper's table") {

@@ -103,6 +103,8 @@ TEST_CASE("the table follows its command within half a count, whatever it carrie
     const double mean = figure(record, "error_um.mean"), most = figure(record, "error_um.max");
     CHECK(mean <= 2.0);
     CHECK(most <= 15.0);
+    CHECK_THAT(record.verdict,
+               Catch::Contains(fmt::format("at most {:.1f} um from the command", most)));
     if (one.mean > 0) {
       CHECK(mean == Approx(one.mean).margin(0.35));
       CHECK(most == Approx(one.most).margin(5));
@@ -238,7 +240,9 @@ TEST_CASE("what fails in the identification move ends the run there, on either a
 
 TEST_CASE("an axis whose payload is beyond its motor is late and does not swing") {
   const auto record = run("circle", {"plant.x.payload_kg=80"});
-  CHECK(record.result->end == cosim::EndReason::kDone);
+  CHECK(record.result->end == cosim::EndReason::kMissed);
+  CHECK_THAT(record.verdict, Catch::StartsWith("missed: the table was ") &&
+                                 Catch::Contains(" from its command, above 15 um (run.reached_m)"));
   std::vector<double> off;  // [count], beyond 1 mm
   for (const kung::Sample& sample : kung::result_of(record).samples) {
     const kung::AxisSample& x = sample.axis[0];
