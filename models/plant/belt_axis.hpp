@@ -38,7 +38,7 @@ struct BeltAxisConfig {
   std::array<FrictionZone, 2> zones{{{0.090, 0.110}, {0.220, 0.290}}};
   double zone_more = 0.25, zone_ramp = 5e-3;      // share, [m]
   double winding = 0.5e-3;                        // [s]; 0: the force is the bridge's at once
-  double delay = 8e-3;                            // [s]
+  double delay = 9.5e-3;                          // [s]
   double start = 0;                               // [m]
 };
 

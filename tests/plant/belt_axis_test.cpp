@@ -141,12 +141,12 @@ TEST_CASE("belt axis: with backlash a motor that turns back leaves the cart for 
   CHECK(free_way < 3.6e-4);
 }
 
-TEST_CASE("belt axis: what is seen is the cart 8 ms ago, whenever it is asked") {
+TEST_CASE("belt axis: what is seen is the cart of its delay ago, whenever it is asked") {
   BeltAxisConfig c;
   BeltAxis axis(c);
   const std::int64_t asked = 5'000'000;
   axis.drive(0, {1, 1});
-  axis.drive(asked - 400'000, {1, 1});
+  axis.drive(asked - std::llround(c.delay / 2e-8), {1, 1});
   const double then = axis.state().x[BeltState::kCart];
   const double early = axis.seen(asked).x;
   axis.drive(asked, {1, 1});

@@ -144,6 +144,21 @@ TEST_CASE("velocity: u is the feed-forward less both parts; its anti-windup stor
   CHECK(s.sum == 582 << 14);
 }
 
+// Brochier 2006, appendix C.1: the interrupt of the converter adds the error that the pass left.
+TEST_CASE("velocity: a sum per tick adds the error that was held; per pass the present one, once") {
+  VelocityPi::Config c;
+  c.gain = 30;
+  c.time = 0;
+  VelocityPi::State passes;
+  CHECK(VelocityPi::step(c, passes, 0, 10, 9) == -10);
+  CHECK(VelocityPi::step(c, passes, 0, 7, 9) == -17);
+  c.per_tick = true;
+  VelocityPi::State ticks;
+  CHECK(VelocityPi::step(c, ticks, 0, 10, 9) == 0);
+  CHECK(VelocityPi::step(c, ticks, 0, 7, 9) == -90);
+  CHECK(VelocityPi::step(c, ticks, 0, 0, 10) == -160);
+}
+
 TEST_CASE("shifts of a velocity's error go down on either side of 0") {
   const VelocityPi::Config c;
   VelocityPi::State above, below;

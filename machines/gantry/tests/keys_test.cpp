@@ -46,6 +46,7 @@ TEST_CASE("gantry: each key sets its own member") {
   m.add("position.aw_limit", [](const O& o) { return o.firmware.position.aw_limit; });
   m.add("velocity.gain_shift", [](const O& o) { return o.firmware.velocity.gain; });
   m.add("velocity.time_shift", [](const O& o) { return o.firmware.velocity.time; });
+  m.add("velocity.sum_per_tick", [](const O& o) { return o.firmware.velocity.per_tick; });
   m.add("velocity.aw_limit", [](const O& o) { return o.firmware.velocity.aw_limit; });
   m.add("velocity.aw_shift", [](const O& o) { return o.firmware.velocity.aw_shift; });
   m.add("axis.start_m", [](const O& o) { return o.axis.start; });

@@ -91,22 +91,27 @@ inline std::int32_t feed_forward(std::int32_t v) {
   return narrowed(29 * wide >> 11);
 }
 
-// Velocity control: u = ff(vref) - (ev >> KV) - (S >> KIV), ev = velocity - vref; S once a pass.
+// Velocity control: u = ff(vref) - (ev >> KV) - (S >> KIV), ev = velocity - vref; S once a pass, or
+// at every conversion tick, as the listing's interrupt has it (appendix C.1).
 struct VelocityPi {
   struct Config {
     std::int32_t gain = 7;           // KV, a shift
     std::int32_t time = 14;          // KIV
+    bool per_tick = false;           // S grows at every conversion tick
     std::int32_t aw_limit = 592;     // 250h
     bool aw_shift = false;           // what the anti-windup stores is shifted by KIV
   };
   struct State {
     std::int64_t sum = 0, last_sum = 0;
+    std::int64_t error = 0;  // held from pass to pass
   };
 
-  // The force toward larger positions.
-  static std::int32_t step(const Config& c, State& s, std::int32_t ref, std::int32_t velocity) {
+  // The force toward larger positions, `ticks` after the last pass.
+  static std::int32_t step(const Config& c, State& s, std::int32_t ref, std::int32_t velocity,
+                           std::uint32_t ticks = 1) {
     const std::int64_t ev = std::int64_t{velocity} - ref;
-    s.sum += ev;
+    s.sum += c.per_tick ? s.error * ticks : ev;
+    s.error = ev;
     const std::int64_t p = ev >> c.gain, i = s.sum >> c.time;
     if (p > c.aw_limit || p < -c.aw_limit) {
       s.sum = s.last_sum;

@@ -181,16 +181,20 @@ void GantryApp::fail(Bus& bus, GantryFailure why) {
 
 MotorForces GantryApp::control(std::uint32_t ticks) {
   error_ = count_ - goal_;
+  const std::uint32_t since = ticks - last_tick_;
+  const auto keep = [&](std::int32_t ref) {
+    return VelocityPi::step(c_.velocity, velocity_, ref, filter_.mean(), since);
+  };
   if (phase_ == GantryPhase::kVelocity) {
-    const std::int32_t u = VelocityPi::step(c_.velocity, velocity_, goal_velocity_, filter_.mean());
+    const std::int32_t u = keep(goal_velocity_);
     return {-u, -u};
   }
   if (!c_.cascade) {
-    const std::int32_t u = PositionPi::step(c_.position, position_, error_, ticks - last_tick_);
+    const std::int32_t u = PositionPi::step(c_.position, position_, error_, since);
     return {u, u};
   }
   const std::int64_t ref = -error_ * (std::int64_t{1} << c_.cascade_gain);
-  const std::int32_t u = VelocityPi::step(c_.velocity, velocity_, narrowed(ref), filter_.mean());
+  const std::int32_t u = keep(narrowed(ref));
   return c_.compensate ? c_.compensation.share(error_, -u) : MotorForces{-u, -u};
 }
 

@@ -11,45 +11,14 @@
 
 #include <fmt/format.h>
 
-#include "lab/record.hpp"
-#include "lab/scenarios.hpp"
-#include "machines/gantry/machine.hpp"
+#include "machines/gantry/tests/steps.hpp"
 
 using namespace trammel;
 using gantry::Options;
 using gantry::Result;
 using gantry::Sample;
 using gantry::StepFigures;
-
-namespace {
-
-constexpr double kCount_mm = 5.0 / 32;
-
-Options built_in(const std::string& scenario, cosim::Engine engine = cosim::Engine::kTwin) {
-  auto settings = lab::load_scenario(lab::find_scenario(scenario));
-  auto options = static_cast<const Options&>(*settings);
-  options.run.platform = cosim::Platform::kDirect;
-  options.run.engine = engine;
-  return options;
-}
-
-Result done(const Options& options) {
-  Result result = lab::simulate(options);
-  REQUIRE(result.end == cosim::EndReason::kDone);
-  CHECK(result.malformed == 0);
-  CHECK(result.unknown == 0);
-  return result;
-}
-
-StepFigures step_of(const Options& options) { return gantry::step_figures(options, done(options)); }
-
-double percent(const Options& options) {
-  return 100 * step_of(options).overshoot_mm / (options.reference_mm - options.from_mm);
-}
-
-double time_of(const Sample& s) { return 2e-8 * static_cast<double>(s.edge); }
-
-}  // namespace
+using namespace gantry_test;
 
 TEST_CASE("G-04 a poll of channel 31 is answered by the whole configuration and its end") {
   Options options = built_in("gantry-p", cosim::Engine::kRtl);
@@ -154,27 +123,6 @@ TEST_CASE("G-10 backlash: +112 and -112 at rest, a count of overshoot, the cart 
     CHECK(last.words.force[1] == -112);
   }
   CHECK(began[1] < began[0]);
-}
-
-// What keeps K = 11 from oscillating here is dry friction; README.md has the figures.
-TEST_CASE("K = 11 of the cascade oscillates with backlash, less friction or a later sensor") {
-  Options options = built_in("gantry-cascade-30");
-  options.firmware.cascade_gain = 11;
-  options.time_s = 6;
-  CHECK(step_of(options).swing_mm < 0.01);
-  Options backlash = options, smooth = options, late = options, ten = options;
-  backlash.axis.gap = 1.5e-4;
-  smooth.axis.coulomb = 44;
-  smooth.axis.stiction = 47;
-  late.axis.delay = 10e-3;
-  ten.axis.delay = 10e-3;
-  ten.firmware.cascade_gain = 9;
-  CHECK(step_of(backlash).swing_mm == Approx(5.6).margin(1));
-  CHECK(step_of(smooth).swing_mm == Approx(8.3).margin(1));
-  CHECK(step_of(late).swing_mm == Approx(10.1).margin(1));
-  const StepFigures calm = step_of(ten);
-  CHECK(calm.overshoot_mm < kCount_mm);
-  CHECK(calm.swing_mm < 0.01);
 }
 
 TEST_CASE("G-13 power-on: the reset message first, then to the right stop, and zero is there") {
