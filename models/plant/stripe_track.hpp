@@ -2,7 +2,8 @@
 //
 // Codes of a sensor over stripes: sine, cosine and their derivatives, ideal or with errors of
 // amplitude, offset and phase, and with two places where the stripes themselves are displaced
-// (Brochier 2006, 3.3.2).
+// (Brochier 2006, 3.3.2). The derivatives are those of the displaced stripes, so that a defect's
+// edges show in the velocity more than in the position (figure 30).
 #pragma once
 
 #include <algorithm>
@@ -34,19 +35,27 @@ class StripeTrack {
 
   // Where the stripes have it: the place, displaced within a defect; its edges are 0.1 mm wide.
   double seen(double x) const {
-    constexpr double kEdge = 1e-4;  // [m]
     double shift = 0;
     for (std::size_t k = 0; k < c_.defect_at.size(); ++k) {
-      const double inside = c_.defect_width / 2 - std::fabs(x - c_.defect_at[k]);
-      shift += c_.defect_units[k] * std::clamp(inside / kEdge, 0.0, 1.0);
+      shift += c_.defect_units[k] * std::clamp(inside(k, x) / kEdge, 0.0, 1.0);
     }
     return x + shift * c_.period / 16384;
+  }
+
+  // d seen / dx: 1, but for the edges of a defect.
+  double slope(double x) const {
+    double shift = 0;
+    for (std::size_t k = 0; k < c_.defect_at.size(); ++k) {
+      const double in = inside(k, x), rise = x < c_.defect_at[k] ? 1 : -1;
+      if (in > 0 && in < kEdge) shift += c_.defect_units[k] * rise / kEdge;
+    }
+    return 1 + shift * c_.period / 16384;
   }
 
   // At a place [m] and a speed [m/s]; channels 0 A, 1 dA/dt, 2 B, 3 dB/dt; others: the middle.
   int code(int channel, double x, double v) const {
     const double angle = kTurn * seen(x) / c_.period;
-    const double dot = c_.dot_codes * v / c_.dot_speed;
+    const double dot = c_.dot_codes * v * slope(x) / c_.dot_speed;
     switch (channel) {
       case 0:
         return rounded(c_.amplitude *
@@ -62,6 +71,12 @@ class StripeTrack {
   }
 
  private:
+  static constexpr double kEdge = 1e-4;  // [m]
+
+  double inside(std::size_t k, double x) const {  // a defect [m]
+    return c_.defect_width / 2 - std::fabs(x - c_.defect_at[k]);
+  }
+
   static int rounded(double from_centre) {
     return static_cast<int>(std::clamp(std::round(kCentre + from_centre), 0.0, double{kTop}));
   }

@@ -62,6 +62,23 @@ TEST_CASE("stripe track: codes end at 0 and 1023") {
   CHECK(track.code(1, 2e-3, 3) == 0);
 }
 
+// The derivative of a displaced stripe, of which the velocity is made.
+TEST_CASE("stripe track: derivatives are those of the codes, over a defect as elsewhere") {
+  StripeTrackConfig c = own();
+  c.defect_at = {0.02, 0.05};
+  c.defect_units = {100, -60};
+  const StripeTrack track(c);
+  constexpr double kStep = 1e-7, kSpeed = 0.5;  // [m], [m/s]
+  for (const double place : {0.018, 0.01905, 0.02, 0.02095, 0.04905, 0.05, 0.05095}) {
+    const double angle = kTurn * track.seen(place) / c.period;
+    const double rate =
+        200 * kSpeed / 0.8 * (track.seen(place + kStep) - track.seen(place - kStep)) / (2 * kStep);
+    CAPTURE(place);
+    CHECK(track.code(1, place, kSpeed) == std::lround(512 - rate * 1.1 * std::sin(angle)));
+    CHECK(track.code(3, place, kSpeed) == std::lround(512 + rate * 0.8 * std::cos(angle + 0.3)));
+  }
+}
+
 TEST_CASE("stripe track: a defect has its width, with edges of 0.1 mm inside, each by itself") {
   StripeTrackConfig c = own();
   c.defect_at = {0.02, 0.05};

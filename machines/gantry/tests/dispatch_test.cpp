@@ -241,7 +241,8 @@ TEST_CASE("gantry: the configuration goes out as there is room, in passes, whole
   }
 }
 
-TEST_CASE("gantry: the stream is position, time and velocity, and waits for room") {
+// Brochier 2006, appendix B.1: the reader takes mm and velocity as they come.
+TEST_CASE("gantry: the stream is position, time and velocity, plain, and waits for room") {
   sw::GantrySetup setup;
   setup.stream = true;
   Track track(setup);
@@ -250,9 +251,15 @@ TEST_CASE("gantry: the stream is position, time and velocity, and waits for room
   CHECK(track.chip.sent.empty());
   track.chip.words[regs::kSendState] = 8;
   track.pass(64);
-  CHECK(track.chip.sent == std::vector<Frame>{{kValue, 7, (1 << 24) + 10},
+  CHECK(track.chip.sent == std::vector<Frame>{{kValue, 7, 10},
                                               {kValue, 30, track.chip.words[regs::kTicks]},
-                                              {kValue, 29, 1 << 22}});
+                                              {kValue, 29, 0}});
+  track.chip.sent.clear();
+  track.chip.words[regs::kVelocity] = static_cast<std::uint32_t>(-400);
+  track.pass(-64);
+  REQUIRE(track.chip.sent.size() == 3);
+  CHECK(track.chip.sent[0] == Frame{kValue, 7, static_cast<std::uint32_t>(-10)});
+  CHECK(track.chip.sent[2] == Frame{kValue, 29, static_cast<std::uint32_t>(-100)});  // the mean
 }
 
 TEST_CASE("gantry: a calibration run without a stripe fails, keeps the data and says so") {

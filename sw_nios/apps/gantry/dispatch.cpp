@@ -32,10 +32,10 @@ std::int32_t converter_of(std::uint32_t channel) {
 
 }  // namespace
 
-// Position in whole millimetres, toward minus infinity, with its offset: 16384 units are 5 mm.
-std::uint32_t GantryApp::millimetres() const {
+// Position in whole millimetres, toward minus infinity: 16384 units are 5 mm.
+std::int32_t GantryApp::millimetres() const {
   const std::int64_t units = units_ - std::int64_t{zero_} * 512;
-  return static_cast<std::uint32_t>((units * 5 >> 14) + channel_of::kPositionOffset);
+  return static_cast<std::int32_t>(units * 5 >> 14);
 }
 
 void GantryApp::receive(Bus& bus) {
@@ -114,7 +114,8 @@ void GantryApp::poll(Bus& bus, std::uint32_t channel) {
     described_ = 0;
     describe(bus);
   } else if (channel == channel_of::kPosition) {
-    send(bus, kValue, channel, millimetres());
+    const auto mm = static_cast<std::uint32_t>(millimetres());
+    send(bus, kValue, channel, mm + channel_of::kPositionOffset);
   } else if (channel == channel_of::kVelocity) {
     const std::uint32_t velocity = bus.read(tau::kVelocity) + channel_of::kVelocityOffset;
     send(bus, kValue, channel, velocity & 0x7FFFFF);
@@ -148,13 +149,13 @@ void GantryApp::describe(Bus& bus) {
   }
 }
 
+// Plain integers of 32 bits in two's complement, as the listing sends and its reader plots them
+// (appendix C.14 and B.1). The offsets are of the polled counters.
 void GantryApp::stream(Bus& bus, std::uint32_t ticks) {
   if ((bus.read(tau::kSendState) & tau::kSendStateRoomMask) < 8) return;
-  send(bus, kValue, channel_of::kStreamPosition, millimetres());
+  send(bus, kValue, channel_of::kStreamPosition, static_cast<std::uint32_t>(millimetres()));
   send(bus, kValue, channel_of::kStreamTime, ticks);
-  const std::uint32_t velocity =
-      static_cast<std::uint32_t>(filter_.mean()) + channel_of::kVelocityOffset;
-  send(bus, kValue, channel_of::kStreamVelocity, velocity & 0x7FFFFF);
+  send(bus, kValue, channel_of::kStreamVelocity, static_cast<std::uint32_t>(filter_.mean()));
 }
 
 }  // namespace trammel::sw

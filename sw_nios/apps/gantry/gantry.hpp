@@ -72,7 +72,7 @@ class GantryApp final : public Firmware {
   void answer_samples(Bus& bus);
   void describe(Bus& bus);
   void stream(Bus& bus, std::uint32_t ticks);
-  std::uint32_t millimetres() const;
+  std::int32_t millimetres() const;
 
   GantrySetup c_;
   Mailbox mail_;

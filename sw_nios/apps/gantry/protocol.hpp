@@ -12,6 +12,7 @@ namespace trammel::sw::gantry_channel {
 inline constexpr std::uint32_t kPosition = 0;  // [mm] + 2^24
 inline constexpr std::uint32_t kA = 1, kB = 2, kCurrent = 3, kVelocity = 4, kADot = 5, kBDot = 6;
 inline constexpr std::uint32_t kReset = 9;     // 42 at boot
+// The stream: mm, conversions, 2^-9 position unit a conversion; without an offset.
 inline constexpr std::uint32_t kStreamPosition = 7, kStreamTime = 30, kStreamVelocity = 29;
 
 // From the host.

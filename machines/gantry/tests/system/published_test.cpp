@@ -37,6 +37,35 @@ double off_at(const Options& options, const Result& result, double at_s) {
 
 }  // namespace
 
+TEST_CASE("figure 30: a constant force is slower in two zones, velocity peaks at defects") {
+  Options options = built_in("gantry-bang-bang");
+  options.firmware.position.most = 140;
+  options.axis.start = 0.085;
+  options.sends = "0.05:21=470";  // the whole way at one force
+  options.time_s = 17;
+  const Result result = done(options);
+  const double unit_mm_s = 5.0 / 16384 / 512 * 4612;
+  struct Part {
+    double from, to, peak;
+  };
+  Part parts[] = {{150, 187, 0}, {187, 193, 0}, {193, 215, 0}, {296, 298, 0}, {298, 303, 0}};
+  double zone = 0, free = 1e9;  // [mm/s] most, least
+  for (const Sample& s : result.samples) {
+    const double x = 1e3 * s.x, v = 1e3 * s.v;
+    if (x > 225 && x < 285) zone = std::max(zone, v);
+    if (x > 150 && x < 215) free = std::min(free, v);
+    for (Part& part : parts) {
+      if (x < part.from || x > part.to) continue;
+      part.peak = std::max(part.peak, std::fabs(unit_mm_s * s.velocity - v));
+    }
+  }
+  CHECK(zone < 0.8 * free);
+  const double noise = std::max({parts[0].peak, parts[2].peak, parts[3].peak});
+  CAPTURE(noise, parts[1].peak, parts[4].peak);
+  CHECK(parts[1].peak > 3 * noise);
+  CHECK(parts[4].peak > 3 * noise);
+}
+
 TEST_CASE("figure 32: a force of 100h, 120h or 160h by the sign of the error oscillates") {
   Options options = built_in("gantry-bang-bang");
   options.time_s = 7;
