@@ -23,6 +23,7 @@ namespace {
 struct Demand {
   double force_N = 0, at_force_m_s = 0;  // largest thrust, and the speed there
   double volt = 0, at_volt_m_s = 0;      // of a phase
+  double drop_V = 0;                     // at its resistance
   double speed_m_s = 0;
 };
 
@@ -51,6 +52,7 @@ class AxisDemand {
     const double volt = dead_V_ + std::hypot(
         2.0 / 3 * plant_.force_constant_n_a * v + plant_.resistance_ohm * i,
         kPi / plant_.pole_pitch_m * v * plant_.inductance_q_h * i);
+    most.drop_V = std::max(most.drop_V, plant_.resistance_ohm * std::abs(i));
     if (volt > most.volt) most.volt = volt, most.at_volt_m_s = v;
     most.speed_m_s = std::max(most.speed_m_s, std::abs(v));
   }
@@ -156,6 +158,23 @@ std::string turning_text(const Options& options, std::size_t a, double speed_m_s
                      options.chip.carrier_Hz);
 }
 
+// Of the dead times, against which a winding of little resistance has only the slow integrator of
+// its current loop. By trial with 80 motors of 48 to 560 V on square waves under AFC: below 10
+// times the largest drop the error is that without dead time, at 10 to 120 times it is up to 1.3
+// times as large, and from 200 times on the run misses.
+std::string dead_time_text(const Options& options, std::size_t a, const Demand& most) {
+  constexpr double kWorthTelling = 20, kRests_m_s = 1e-6;
+  const plant::AxisConfig& plant = options.plant.axis[a];
+  const double dead_V = plant.dc_link_v * 1e-9 * options.chip.axis[a].dead_time_ns *
+                        options.chip.carrier_Hz;
+  if (most.speed_m_s < kRests_m_s || plant.locked) return "";
+  if (dead_V <= kWorthTelling * most.drop_V) return "";
+  return fmt::format("{0}: dead time takes {1:.3g} V of a phase whose resistance drops {2:.2g} V "
+                     "at most on this path: the current is late at each change of its sign; a "
+                     "lower chip.{0}.dead_time_ns, chip.carrier_Hz or plant.{0}.dc_link_V makes "
+                     "it less", a == 0 ? 'x' : 'y', dead_V, most.drop_V);
+}
+
 }  // namespace
 
 std::vector<std::string> advice(const lab::Settings& settings) {
@@ -194,7 +213,8 @@ std::vector<std::string> advice(const lab::Settings& settings) {
                                   "gives", axis, most[a].volt, std::abs(most[a].at_volt_m_s),
                                   supply, axis, plant.dc_link_v));
     }
-    for (const std::string& loop : {speed_loop_text(options, a),
+    for (const std::string& loop : {dead_time_text(options, a, most[a]),
+                                    speed_loop_text(options, a),
                                     turning_text(options, a, most[a].speed_m_s)}) {
       if (!loop.empty()) lines.push_back(loop);
     }

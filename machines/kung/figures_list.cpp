@@ -92,6 +92,7 @@ void add_laps(List& list, const Options& options, const Result& result, const Se
     for (std::size_t n = list.size() - 3; n < list.size(); ++n) {
       list[n].shown = lap < kLapsShown || lap + 1 == laps;
     }
+    if (feeds(options.path)) list.pop_back();  // a contour against rounded points
   }
 }
 
@@ -105,6 +106,7 @@ void set_tiles(List& list, std::size_t periods) {
   set("tracking.model.std_mm", "Standard deviation");
   set("tracking.model.max_mm", "Largest error");
   set("contour.mean_mm", "Mean contour error");
+  set("contour_um.mean", "Mean contour error");
   set("peak_current_A", "Peak current");
   set("error_um.mean", "Mean error to the command");
   set("error_um.max", "Largest of it");
@@ -180,8 +182,11 @@ List figures(const lab::Settings& settings, cosim::RunResult& run) {
 
   List list;
   add_spread(list, "tracking.model", "T(k) to reference model", to_model_mm);
-  add_spread(list, "tracking.command", "T(k) to command", to_command_mm);
-  if (!contour_mm.empty()) {
+  // Under the feed profile the path itself is known: add_command_figures() has both against it, not
+  // against points that are rounded to the encoder's counts.
+  const bool by_points = !feeds(path);
+  if (by_points) add_spread(list, "tracking.command", "T(k) to command", to_command_mm);
+  if (by_points && !contour_mm.empty()) {
     add_spread(list, "contour", "contour", contour_mm);
     list.push_back(lab::figure("contour.left_mm", "contour by side", "left", left_mm, "mm", 3));
     list.push_back(

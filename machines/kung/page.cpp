@@ -200,7 +200,7 @@ lab::Page page() {
   lab::Page page;
   page.texts = {"/options/controller", "/options/path.kind"};
   page.counts = {"/run/first_tick", "/run/end_tick", "/run/points"};
-  page.numbers = {"/tracking/model/mean_mm", "/tracking/model/samples", "/tracking/command/mean_mm",
+  page.numbers = {"/tracking/model/mean_mm", "/tracking/model/samples",
                   "/options/path.square_half_samples", "/options/path.square_low_m",
                   "/options/path.square_high_m", "/options/chip.position_Hz"};
   for (const std::string axis : kAxes) {

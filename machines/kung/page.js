@@ -32,6 +32,7 @@
       asides[name] = `X ${T.num(m.x[name], digits)}, Y ${T.num(m.y[name], digits)}`;
     }
     if (m.contour) asides['contour.mean_mm'] = `largest ${T.num(m.contour.max_mm, 3)}`;
+    if (m.contour_um) asides['contour_um.mean'] = `largest ${T.num(m.contour_um.max, 2)}`;
     for (const axis of ['x', 'y']) {
       const { periods } = m[axis];
       if (!periods || periods.length === 0) continue;

@@ -160,6 +160,29 @@ TEST_CASE("a speed loop that is too slow or too fast for its load is told") {
   CHECK(told(o) == "");
 }
 
+TEST_CASE("dead time above twenty times what the resistance drops is told, with both voltages") {
+  Options o;
+  o.path.kind = PathKind::kSquare;  // of 10 mm
+  o.gains_by_rule = true;
+  for (plant::AxisConfig& axis : o.plant.axis) axis.dc_link_v = 560;
+  o.plant.axis[0].resistance_ohm = 1;
+  o.plant.axis[0].force_constant_n_a = 40;  // 2.5 kg 10 mm (30 rad/s)^2 = 22 N at least: 0.6 A
+  CHECK_THAT(told(o), Contains("x: dead time takes 17.9 V of a phase whose resistance drops 0.6"));
+  CHECK_THAT(told(o), Contains("a lower chip.x.dead_time_ns, chip.carrier_Hz or "
+                               "plant.x.dc_link_V makes it less"));
+  CHECK(advice(o).size() == 1);
+  o.plant.axis[0].resistance_ohm = 1.6;
+  CHECK(told(o) == "");
+  o.plant.axis[0].resistance_ohm = 1;
+  o.chip.axis[0].dead_time_ns = 1200;
+  CHECK(told(o) == "");
+  // An axis that rests has nothing to be late with.
+  o.chip.axis[0].dead_time_ns = 2000;
+  o.path.kind = PathKind::kLine;
+  o.path.line_end_x_m = o.path.line_start_x_m;
+  CHECK(told(o) == "");
+}
+
 TEST_CASE("poles that pass faster than the current loop follows are told") {
   Options o;
   o.path.kind = PathKind::kLine;  // at 0.3 m/s

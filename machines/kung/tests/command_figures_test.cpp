@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "lab/report_data.hpp"
+#include "machines/kung/machine.hpp"
 #include "machines/kung/plan_feed.hpp"
 #include "machines/kung/precision_figures.hpp"
 #include "machines/kung/precision_trace.hpp"
@@ -141,6 +142,31 @@ TEST_CASE("errors to the command are those of the samples from point 0 to the la
     // 3 and -4 um, within half a step of 5 um / 256 of each axis.
     CHECK(figures.at("set_point_um.mean") == Approx(5).margin(0.015));
     CHECK(figures.at("set_point_um.max") == Approx(5).margin(0.015));
+  }
+}
+
+TEST_CASE("a record has one contour error and one error to the command, by one name each") {
+  for (const bool fed : {true, false}) {
+    Options options = line(Controller::kAfc);
+    if (!fed) options.path.profile = Profile::kConstant;
+    choose_profile(options);
+    options.path.repeats = 2;
+    Result result = by_hand(options);
+    for (const std::string of : {"contour", "command", "error_um"}) {
+      std::string ids;
+      for (const lab::Figure& f : figures(options, result)) {
+        const bool mean = f.id.find("mean") != std::string::npos;
+        const bool axis = f.id[0] == 'x' || f.id[0] == 'y';
+        if (mean && !axis && f.id.find(of) != std::string::npos) ids += f.id + " ";
+      }
+      CAPTURE(fed);
+      if (of == "contour") {
+        CHECK(ids == (fed ? "contour_um.mean "
+                          : "contour.mean_mm laps.0.contour.mean_mm laps.1.contour.mean_mm "));
+      }
+      if (of == "command") CHECK(ids == (fed ? "" : "tracking.command.mean_mm "));
+      if (of == "error_um") CHECK(ids == (fed ? "error_um.mean " : ""));
+    }
   }
 }
 

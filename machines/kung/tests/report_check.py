@@ -87,6 +87,8 @@ class Page(drawn_page.DrawnPage, sample_page.SamplePage, report_pages.ReportPage
             found[key] = ", ".join(f"{a.upper()} {metrics[a][key]:.{digits}f}" for a in "xy")
         if "contour" in metrics:
             found["contour.mean_mm"] = f"largest {metrics['contour']['max_mm']:.3f}"
+        if "contour_um" in metrics:
+            found["contour_um.mean"] = f"largest {metrics['contour_um']['max']:.2f}"
         for axis in "xy":
             periods = metrics[axis].get("periods", [])
             found[f"{axis}.periods.{len(periods) - 1}.overshoot_percent"] = \
