@@ -183,6 +183,29 @@ TEST_CASE("dead time above twenty times what the resistance drops is told, with 
   CHECK(told(o) == "");
 }
 
+TEST_CASE("a start of the precision controller on a hard stop is told, one count inside is not") {
+  Options o;
+  o.controller = Controller::kPrecision;
+  o.path.kind = PathKind::kLine;
+  o.path.line_start_x_m = 0;
+  o.path.line_end_y_m = 0.59;
+  CHECK(told(o) == "x: the path begins on the hard stop plant.x.stroke_min_m = 0: in its first 10 "
+                   "ms a light table is up to 30 um from the command; a start 5 um farther inside "
+                   "avoids it");
+  o.plant.axis[0].hard_stops = false;
+  CHECK(told(o) == "");
+  o.plant.axis[0].hard_stops = true;
+  o.path.line_start_x_m = 5e-6;
+  CHECK(told(o) == "");
+  o.path.line_start_y_m = 0.6;
+  CHECK_THAT(told(o), Contains("y: the path begins on the hard stop plant.y.stroke_max_m = 0.6:"));
+  o.path.line_start_y_m = 0.599995;
+  CHECK(told(o) == "");
+  o.path.line_start_y_m = 0.6;
+  o.controller = Controller::kAfc;
+  CHECK(told(o) == "");
+}
+
 TEST_CASE("poles that pass faster than the current loop follows are told") {
   Options o;
   o.path.kind = PathKind::kLine;  // at 0.3 m/s
