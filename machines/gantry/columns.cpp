@@ -28,6 +28,8 @@ const lab::ColumnTable& columns() {
           [](const At& at) { return kUnit_mm * at.sample.words.position; });
     t.add({"goal_mm", "mm", 1e-4, fixed(5), "where the firmware wants it, as position_mm", true},
           [](const At& at) { return kCount_mm * (at.sample.goal + at.sample.zero); });
+    t.add({"origin_mm", "mm", 1e-4, fixed(5), "where on the track these two are 0"},
+          [](const At& at) { return 1e3 * at.sample.origin; });
     t.add({"velocity_mm_s", "mm/s", 1e-2, fixed(3), "velocity of the observer"},
           [](const At& at) { return kVelocity_mm_s * at.sample.words.velocity; });
     t.add({"filtered_mm_s", "mm/s", 1e-2, fixed(3), "that, filtered by the firmware", true},

@@ -9,40 +9,16 @@
 
 #include "machines/gantry/host.hpp"
 #include "machines/gantry/machine.hpp"
+#include "machines/gantry/published.hpp"
 
 namespace trammel::gantry {
 namespace {
 
-// What the thesis shows of the experiment of a scenario: its figure, in words, and the overshoot
-// where it prints one [% of the step], else below 0.
-struct Published {
-  const char* scenario;
-  int figure;
-  const char* says;
-  double percent;
-};
-constexpr Published kPublished[] = {
-    {"gantry-min-force", 35, "stops short of the reference", -1},
-    {"gantry-p", 36, "overshoot of 0.26 %", 0.26},
-    {"gantry-pi", 37, "overshoot of 45 %", 45},
-    {"gantry-pi-cancel", 38, "overshoot of 4.5 %", 4.5},
-    {"gantry-pi-aw", 39, "overshoot of 0.65 %", 0.65},
-    {"gantry-pi-linear", 41, "a small overshoot, less with a larger TI", -1},
-    {"gantry-friction", 47, "some oscillation, then smooth through the friction zones", -1},
-    {"gantry-cascade-30", 52, "no overshoot", 0},
-    {"gantry-cascade-k10", 53, "the small step overshoots", -1},
-    {"gantry-cascade-k11", 54, "oscillates", -1},
-    {"gantry-cascade", 55, "no overshoot, slower than P", 0},
-    {"gantry-backlash", 59, "faster with compensation, no overshoot", 0}};
-
-const Published* published(const std::string& scenario) {
-  for (const Published& one : kPublished) {
-    if (scenario == one.scenario) return &one;
-  }
-  return nullptr;
-}
-
 double mm(const Options& options, const Sample& s) { return 1e3 * s.x - options.zero_mm; }
+
+double settling_mm(const Options& options) {
+  return 0.02 * std::fabs(options.reference_mm - options.from_mm);
+}
 
 }  // namespace
 
@@ -58,7 +34,7 @@ StepFigures step_figures(const Options& options, const Result& result) {
     const double off = mm(options, s) - options.reference_mm;
     f.overshoot_mm = std::max(f.overshoot_mm, step >= 0 ? off : -off);
     if (f.arrive_s < 0 && std::fabs(off) <= options.band_mm) f.arrive_s = t - begin;
-    if (std::fabs(off) > 0.02 * std::fabs(step)) {
+    if (std::fabs(off) > settling_mm(options)) {
       f.settle_s = -1;
     } else if (f.settle_s < 0) {
       f.settle_s = t - begin;
@@ -91,15 +67,21 @@ std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult
   using lab::count;
   using lab::figure;
   add(figure("step.overshoot_mm", "step", "overshoot", f.overshoot_mm, "mm", 3));
-  lab::Figure percent = figure("step.overshoot_percent", "step", "overshoot of the step",
-                               step > 0 ? 100 * f.overshoot_mm / step : 0, "%", 2);
-  if (const Published* one = published(options.scenario); one != nullptr && one->percent >= 0) {
-    percent.printed = one->percent;
-    percent.source = fmt::format("Brochier 2006, figure {}", one->figure);
+  add(figure("step.overshoot_percent", "step", "overshoot of the step",
+             step > 0 ? 100 * f.overshoot_mm / step : 0, "%", 2),
+      "Overshoot");
+  // A cart that never was there has no time.
+  if (f.arrive_s >= 0) {
+    add(figure("step.arrive_s", "step", fmt::format("until within {:g} mm", options.band_mm),
+               f.arrive_s, "s", 3),
+        "Arrived");
   }
-  add(percent, "Overshoot");
-  add(figure("step.arrive_s", "step", "until within the band", f.arrive_s, "s", 3), "Arrived");
-  add(figure("step.settle_s", "step", "until within 2 % for good", f.settle_s, "s", 3), "Settled");
+  if (f.settle_s >= 0) {
+    add(figure("step.settle_s", "step",
+               fmt::format("until within {:g} mm (2 %) for good", settling_mm(options)), f.settle_s,
+               "s", 3),
+        "Settled");
+  }
   add(figure("step.rest_mm", "step", "from the reference at the end", f.rest_mm, "mm", 3),
       "Rest");
   add(figure("step.swing_mm", "step", "peak to peak over the last quarter", f.swing_mm, "mm", 3));
@@ -110,16 +92,26 @@ std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult
   add(count("host.malformed", "frames", "malformed", result.malformed));
   add(count("host.lost", "frames", "lost", result.lost));
   add(count("host.unknown", "frames", "unknown", result.unknown));
+  set_published(options, result.end == cosim::EndReason::kDone, list);
   return list;
 }
 
 std::vector<std::string> remarks(const lab::Record& record) {
   const Result& result = result_of(record);
   std::vector<std::string> lines;
-  if (const Published* one = published(options_of(record).scenario)) {
-    lines.push_back(fmt::format("Brochier 2006, figure {}: {}", one->figure, one->says));
+  const Options& options = options_of(record);
+  if (const auto one = published(options)) {
+    lines.push_back(fmt::format("Brochier 2006, figure {}: {}", one->number, one->says));
   }
-  if (options_of(record).firmware.home) {
+  const StepFigures step = step_figures(options, result);
+  if (!result.samples.empty() && step.arrive_s < 0) {
+    lines.push_back(fmt::format("the cart was never within {:g} mm of {:g} mm (step.band_mm)",
+                                options.band_mm, options.reference_mm));
+  } else if (!result.samples.empty() && step.settle_s < 0) {
+    lines.push_back(fmt::format("the cart is not within {:g} mm (2 %) of {:g} mm at the end",
+                                settling_mm(options), options.reference_mm));
+  }
+  if (options.firmware.home) {
     lines.push_back(result.homed ? "homed" : "homing did not end");
   }
   if (result.fitted) lines.push_back("calibration fitted");
@@ -137,8 +129,8 @@ std::vector<std::string> remarks(const lab::Record& record) {
 void add_metrics(const lab::Record& record, nlohmann::ordered_json& json) {
   json["homed"] = result_of(record).homed;
   auto& source = json["published"] = nlohmann::ordered_json::object();
-  if (const Published* one = published(options_of(record).scenario)) {
-    source["figure"] = one->figure;
+  if (const auto one = published(options_of(record))) {
+    source["figure"] = one->number;
     source["says"] = one->says;
   }
   auto& words = json["calibration"] = nlohmann::ordered_json::array();

@@ -21,8 +21,16 @@
   }
 
   function asides(m) {
-    return { 'step.overshoot_percent': `of ${m.options['step.reference_mm']} mm` };
+    const { 'step.reference_mm': reference, 'step.from_mm': from, 'step.band_mm': band } =
+      m.options;
+    const settling = Math.round(20 * Math.abs(reference - from)) / 1000;
+    return { 'step.overshoot_percent': `of ${reference} mm`, 'step.arrive_s': `within ${band} mm`,
+      'step.settle_s': `within ${settling} mm, 2 %` };
   }
+
+  // From the track's zero, as x_mm is.
+  const onTrack = ({ origin_mm: origin }, place) => (place && origin
+    ? place.map((x, k) => x + origin[k]) : place);
 
   const sums = { none: 'P', plain: 'PI', cancel: 'PI, sum cancelled', anti_windup:
     'PI, anti-windup' };
@@ -60,11 +68,9 @@
       small });
     section.append(T.el('div', { class: 'grid two' },
       plot('position', 'Position', 'position (mm)', [
-        line('asked', s.goal_mm, 'asked', 'mm', 3, { width: 3, steps: true }),
+        line('asked', onTrack(s, s.goal_mm), 'asked', 'mm', 3, { width: 3, steps: true }),
         line('cart', s.x_mm, 'actual', 'mm', 3),
-        line('observer', s.position_mm, 'model', 'mm', 3, { hidden: true })],
-      run.metrics.options['boot.home'] || run.metrics.options['boot.calibrate']
-        ? 'asked: from where the observer last began' : ''),
+        line('observer', onTrack(s, s.position_mm), 'model', 'mm', 3, { hidden: true })]),
       plot('velocity', 'Velocity', 'velocity (mm/s)', [
         line('cart', s.v_mm_s, 'actual', 'mm/s', 1),
         line('filtered', s.filtered_mm_s, 'model', 'mm/s', 1),

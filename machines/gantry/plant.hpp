@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <cstdint>
 #include <memory>
 #include <utility>
 #include <vector>
@@ -62,6 +64,13 @@ class TrackPlant final : public cosim::FalliblePlant {
     }
     const plant::BeltAxis::Seen seen = axis_.seen(n);
     return stripes_.code(channel, seen.x, seen.v);
+  }
+
+  // Where on the track an observer's position is 0 that has this one at edge n [m]: it counts from
+  // a whole period.
+  double origin(cosim::Clk n, std::int32_t position) const {
+    const double period = stripes_.config().period, counted = period * position / 16384;
+    return period * std::round((axis_.seen(n).x - counted) / period);
   }
 
   void open_phase(cosim::Clk n, int axis, int, bool open) override {

@@ -18,6 +18,7 @@ struct Sample {
   cosim::Clk edge = 0;
   Words words;                       // of the chip
   double x = 0, v = 0;               // [m], [m/s] of the cart
+  double origin = 0;                 // [m] where on the track the observer's position is 0
   std::array<double, 2> motor{};     // [m] from the cart
   std::array<double, 2> force{};     // [count] of the motors, positive: the position increases
   std::array<int, 2> stripes{};      // codes of A and B that the sensor has

@@ -133,6 +133,7 @@ Sample Session::sample_at(cosim::Clk edge) const {
   sample.words = chip_->words();
   sample.x = s.x[plant::BeltState::kCart];
   sample.v = s.v[plant::BeltState::kCart];
+  sample.origin = plant_.origin(edge, sample.words.position);
   sample.motor = {s.x[plant::BeltState::kMotor1] - sample.x,
                   s.x[plant::BeltState::kMotor2] - sample.x};
   sample.force = s.force;

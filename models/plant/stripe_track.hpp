@@ -33,6 +33,8 @@ class StripeTrack {
 
   explicit StripeTrack(const StripeTrackConfig& config) : c_(config) {}
 
+  const StripeTrackConfig& config() const { return c_; }
+
   // Where the stripes have it: the place, displaced within a defect; its edges are 0.1 mm wide.
   double seen(double x) const {
     double shift = 0;

@@ -122,6 +122,7 @@ TEST_CASE("gantry: each column of the trace shows what it is named after") {
   s.error = 61;
   s.goal = 62;
   s.zero = 2;
+  s.origin = 0.15;
   s.velocity = 1024;
   s.phase = 4;
   s.stripes = {71, 72};
@@ -129,7 +130,8 @@ TEST_CASE("gantry: each column of the trace shows what it is named after") {
   const double unit_mm_s = 5.0 / 16384 * 4612;
   test::check_row(test::row(Options{}, result, 0),
                   {{"t_s", 3e-3}, {"x_mm", 31}, {"v_mm_s", 32}, {"position_mm", 5},
-                   {"goal_mm", 10}, {"velocity_mm_s", unit_mm_s}, {"filtered_mm_s", 2 * unit_mm_s},
+                   {"goal_mm", 10}, {"origin_mm", 150}, {"velocity_mm_s", unit_mm_s},
+                   {"filtered_mm_s", 2 * unit_mm_s},
                    {"error_count", 61}, {"phase", 4}, {"angle", 101}, {"a_code", 11},
                    {"b_code", 13}, {"sensor_a_code", 71}, {"sensor_b_code", 72},
                    {"m1_u_count", 21}, {"m2_u_count", -22},

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The other end of the line: what host.sends may say, the bytes of a value, the bytes of a line;
-// and what of the thesis stands beside a step.
+// The other end of the line: what host.sends may say, the bytes of a value, the bytes of a line.
 #include <catch2/catch.hpp>
 #include <cstdint>
 #include <filesystem>
@@ -112,50 +111,4 @@ TEST_CASE("gantry host: bytes of a line are read from its edges, and none withou
   level(true, 2);
   REQUIRE(came.size() == 257);
   CHECK(came.back() == 0x31);
-}
-
-namespace {
-
-// A record of places [mm], one each 10 ms from 0 on.
-Result record(const std::vector<double>& places) {
-  Result result;
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    Sample sample;
-    sample.edge = static_cast<cosim::Clk>(k) * 500'000;
-    sample.x = 1e-3 * places[k];
-    result.samples.push_back(sample);
-  }
-  return result;
-}
-
-Options step(double from, double to) {
-  Options options;
-  options.sends = "0.1:21=0";
-  options.time_s = 0.5;
-  options.from_mm = from;
-  options.reference_mm = to;
-  return options;
-}
-
-}  // namespace
-
-TEST_CASE("gantry: the thesis' overshoot stands beside ours in the scenarios it has one for") {
-  for (const auto& [scenario, printed] :
-       {std::pair{"gantry-p", 0.26}, {"gantry-pi", 45.0}, {"gantry-pi-cancel", 4.5},
-        {"gantry-pi-aw", 0.65}, {"gantry-cascade", 0.0}, {"gantry-min-force", -1.0},
-        {"own", -1.0}}) {
-    Options options = step(0, 50);
-    options.scenario = scenario;
-    Result result = record(std::vector<double>(51, 51));
-    bool found = false;
-    for (const lab::Figure& one : figures(options, result)) {
-      if (one.id != "step.overshoot_percent") continue;
-      found = true;
-      CHECK(one.value == Approx(2));
-      CAPTURE(scenario);
-      CHECK(one.printed.has_value() == (printed >= 0));
-      if (printed >= 0) CHECK(*one.printed == printed);
-    }
-    CHECK(found);
-  }
 }

@@ -53,7 +53,10 @@ class Page(report_pages.ReportPages):
                       self.driver.find_element("id", "motion").text)
 
     def asides(self, metrics):
-        return {"step.overshoot_percent": f"of {metrics['options']['step.reference_mm']:g} mm"}
+        names = ("reference_mm", "from_mm", "band_mm")
+        to, begin, band = (metrics["options"][f"step.{name}"] for name in names)
+        return {"step.overshoot_percent": f"of {to:g} mm", "step.arrive_s": f"within {band:g} mm",
+                "step.settle_s": f"within {0.02 * abs(to - begin):g} mm, 2 %"}
 
     def test_chips_name_the_controller(self):
         self.see("p")

@@ -121,6 +121,10 @@ TEST_CASE("G-10 backlash: +112 and -112 at rest, a count of overshoot, the cart 
     CHECK(last.error == 0);
     CHECK(last.words.force[0] == 112);
     CHECK(last.words.force[1] == -112);
+    // What is asked and where the cart is, from the track's zero: the run began at 150 mm.
+    CHECK(1e3 * last.origin + kCount_mm * (last.goal + last.zero) == Approx(155).margin(0.2));
+    const double counted = 5.0 / 16384 * last.words.position;
+    CHECK(1e3 * last.origin + counted == Approx(1e3 * last.x).margin(0.01));
   }
   CHECK(began[1] < began[0]);
 }

@@ -37,6 +37,23 @@ double off_at(const Options& options, const Result& result, double at_s) {
 
 }  // namespace
 
+TEST_CASE("each built-in scenario is within what --check expects of it") {
+  int overshoots = 0;
+  for (const auto& file : lab::scenarios()) {
+    const std::string name = file.stem().string();
+    if (name.rfind("gantry-", 0) != 0) continue;
+    const Options options = built_in(name);
+    Result result = done(options);
+    CAPTURE(name);
+    for (const lab::Figure& f : gantry::figures(options, result)) {
+      CAPTURE(f.id, f.value, f.expected.value_or(-1));
+      CHECK(f.good());
+      overshoots += f.id == "step.overshoot_percent" && f.expected ? 1 : 0;
+    }
+  }
+  CHECK(overshoots == 7);
+}
+
 TEST_CASE("figure 30: a constant force is slower in two zones, velocity peaks at defects") {
   Options options = built_in("gantry-bang-bang");
   options.firmware.position.most = 140;
