@@ -162,6 +162,15 @@ TEST_CASE("figure 41: linear, TI = 7 hangs short of the goal, 5 swings back, 6 d
   CHECK(off_at(options, five, 3) < -kCount_mm);  // behind the overshoot it is short of the goal
 }
 
+TEST_CASE("figure 42: P overshoots less than both PI at their best, each of the three a little") {
+  const double p = percent(built_in("gantry-p")), linear = percent(built_in("gantry-pi-linear"));
+  Options options = built_in("gantry-pi-aw");
+  options.firmware.position.time = 10;
+  CHECK(p > 0);
+  CHECK(p < linear);
+  CHECK(linear < percent(options));
+}
+
 TEST_CASE("figures 46 to 48: KIV 13 overshoots 1000 most, 14 less, 15 least, then they keep it") {
   Options options = built_in("gantry-friction");
   options.axis.start = 0;
@@ -212,6 +221,20 @@ TEST_CASE("K = 11 of the cascade rests with a sensor of 9 ms, oscillates with le
   options.axis.coulomb = 44;
   options.axis.stiction = 47;
   CHECK(step_of(options).swing_mm > 5);
+}
+
+TEST_CASE("figures 50 to 54 with sums per tick: a pass of 1.5 ms and a sensor of 8.75 ms") {
+  Options options = built_in("gantry-cascade-30");
+  options.firmware.velocity.per_tick = true;
+  options.pass_ms = 1.5;
+  options.axis.delay = 8.75e-3;
+  for (const int gain : {9, 10, 11}) {
+    options.firmware.cascade_gain = gain;
+    const StepFigures f = step_of(options);
+    CAPTURE(gain);
+    CHECK((f.overshoot_mm > kCount_mm) == (gain > 9));
+    CHECK((f.swing_mm > kCount_mm) == (gain > 10));
+  }
 }
 
 TEST_CASE("not as published: figure 39 with TI = 4 oscillates, as its sum grows with each tick") {
