@@ -59,7 +59,7 @@ void add_position(Table& t) {
         TRAMMEL_LENS(firmware.position.aw_limit));
   t.one("velocity.gain_shift", 0, 30, "KV", TRAMMEL_LENS(firmware.velocity.gain));
   t.one("velocity.time_shift", 0, 30, "KIV", TRAMMEL_LENS(firmware.velocity.time));
-  t.one("velocity.sum_per_tick", 0, 0, "the sum grows at each conversion; false: once a pass",
+  t.one("velocity.sum_per_tick", 0, 0, "the sum grows at each conversion; false: once per pass",
         TRAMMEL_LENS(firmware.velocity.per_tick));
   t.one("velocity.aw_limit", 1, 1023, "force at which the anti-windup holds",
         TRAMMEL_LENS(firmware.velocity.aw_limit));
