@@ -301,19 +301,19 @@ class Program {
 };
 
 // Programs that write text mark its encoding in the first bytes.
-std::string_view past_mark(std::string_view text, const std::string& name) {
+std::string_view unmarked(std::string_view text, const std::string& name) {
   const std::string_view mark = text.substr(0, 2);
   if (mark == "\xFF\xFE" || mark == "\xFE\xFF") {
     GcodeLine(name, 1).refuse("UTF-16 text; save it as UTF-8 or ASCII");
   }
-  return text.substr(0, 3) == "\xEF\xBB\xBF" ? text.substr(3) : text;
+  return past_mark(text);
 }
 
 }  // namespace
 
 GcodeProgram read_gcode(std::string_view text, const std::string& name, const GcodeTable& table) {
   Program program(name, table);
-  text = past_mark(text, name);
+  text = unmarked(text, name);
   int number = 0;
   for (bool more = true; more && !text.empty();) {
     const auto end = text.find('\n');

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace trammel::cosim {
@@ -50,5 +51,10 @@ class InputFile {
 
 // All of a file.
 std::string read_file(const std::string& file, std::uintmax_t most);
+
+// Without the mark of UTF-8 that programs which write text may put before it.
+inline std::string_view past_mark(std::string_view text) {
+  return text.substr(0, 3) == "\xEF\xBB\xBF" ? text.substr(3) : text;
+}
 
 }  // namespace trammel::cosim

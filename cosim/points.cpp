@@ -77,7 +77,7 @@ std::string without_mark(const std::string& line, const std::string& name) {
   if (line.rfind("\xFF\xFE", 0) == 0 || line.rfind("\xFE\xFF", 0) == 0) {
     refuse(name, 1, "UTF-16 text; save it as UTF-8 or ASCII");
   }
-  return line.rfind("\xEF\xBB\xBF", 0) == 0 ? line.substr(3) : line;
+  return std::string(past_mark(line));
 }
 
 }  // namespace

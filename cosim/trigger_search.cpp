@@ -19,10 +19,10 @@ bool name_stop_event(Trigger& trigger, const std::string& word) {
   return true;
 }
 
-TriggerForms stop_forms(const std::vector<Signal>& signals) {
+TriggerForms stop_forms(const std::vector<Signal>& signals, const char* help) {
   return {signals,
           {std::begin(kStopEventNames), std::end(kStopEventNames)},
-          kStopEvents, "drive", name_stop_event};
+          help, "drive", name_stop_event};
 }
 
 void TriggerSearch::after(Clk edge, const SignalReader& chip) {

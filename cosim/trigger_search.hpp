@@ -14,13 +14,10 @@
 namespace trammel::cosim {
 
 // Events that are visible from outside the chip, for TriggerForms.
-inline constexpr char kStopEvents[] =
-    "drive (a converter's code changes), hi (the pin HI rises), irq (HI or the timer interrupts), "
-    "at 10ms, rise|fall|change status.breakpoint, e > 20, each with `after TIME` behind it if "
-    "wanted";
 inline constexpr const char* kStopEventNames[] = {"drive", "hi", "irq"};
 bool name_stop_event(Trigger& trigger, const std::string& word);
-TriggerForms stop_forms(const std::vector<Signal>& signals);  // these words and those signals
+// These words and those signals; help: one line of both, with the machine's own meanings.
+TriggerForms stop_forms(const std::vector<Signal>& signals, const char* help);
 
 class TriggerSearch final : public Watcher {
  public:

@@ -50,7 +50,7 @@ lab::Machine describe() {
 }  // namespace
 
 const cosim::TriggerForms& triggers() {
-  static const cosim::TriggerForms forms = cosim::stop_forms(lm628::signals());
+  static const cosim::TriggerForms forms = cosim::stop_forms(lm628::signals(), lm628::kTriggerHelp);
   return forms;
 }
 

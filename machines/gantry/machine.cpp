@@ -63,7 +63,7 @@ lab::Machine describe() {
 }  // namespace
 
 const cosim::TriggerForms& triggers() {
-  static const cosim::TriggerForms forms = cosim::stop_forms(signals());
+  static const cosim::TriggerForms forms = cosim::stop_forms(signals(), kTriggerHelp);
   return forms;
 }
 

@@ -18,8 +18,14 @@ using sw::LarsonOp;
 // WTTBL and WHRTBL of a run.
 struct Returns {
   std::size_t normal = 0, error = 0, refused = 0, places = 0;
-  double off = 0;  // [step] most distance of the rotors from where WHRTBL had them
+  // [step] Most distance of the rotors from where WHRTBL had them at rest, and in motion; and that
+  // of the platform at rest.
+  double off = 0, ahead = 0, platform = 0;
 };
+
+double farthest(const std::array<double, 2>& at, const sw::StepPoint& from) {
+  return std::max(std::fabs(at[0] - from.x), std::fabs(at[1] - from.y));
+}
 
 Returns returns_of(const Result& result) {
   Returns r;
@@ -30,9 +36,13 @@ Returns returns_of(const Result& result) {
       case LarsonOp::kAbstbl:
       case LarsonOp::kReltbl: r.refused += answer.value < 0 ? 1 : 0; break;
       case LarsonOp::kWhrtbl:
-        ++r.places;
-        r.off = std::max({r.off, std::fabs(result.done[k].at[0] - answer.at.x),
-                          std::fabs(result.done[k].at[1] - answer.at.y)});
+        if (const CallDone& done = result.done[k]; done.moving[0] || done.moving[1]) {
+          r.ahead = std::max(r.ahead, farthest(done.at, answer.at));
+        } else {
+          ++r.places;
+          r.off = std::max(r.off, farthest(done.at, answer.at));
+          r.platform = std::max(r.platform, farthest(done.platform, answer.at));
+        }
         break;
       default: break;
     }
@@ -44,7 +54,11 @@ std::string answer_text(const Result& result, std::size_t k) {
   const sw::LarsonAnswer& answer = result.answers[k];
   switch (result.calls[k].call.op) {
     case LarsonOp::kWttbl: return answer.value == 1 ? "normal" : "error";
-    case LarsonOp::kWhrtbl: return fmt::format("{} {}", answer.at.x, answer.at.y);
+    case LarsonOp::kWhrtbl: {
+      const auto& moving = result.done[k].moving;
+      return fmt::format("{} {}{}", answer.at.x, answer.at.y,
+                         moving[0] || moving[1] ? ", in motion" : "");
+    }
     case LarsonOp::kAbstbl:
     case LarsonOp::kReltbl:
       return answer.value == 0 ? "" : answer.value == -2 ? "moving" : "not calibrated";
@@ -59,9 +73,12 @@ constexpr std::size_t kMostCallsShown = 2000;  // in metrics.json
 std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult& run) {
   const auto& options = static_cast<const Options&>(settings);
   const auto& result = static_cast<const Result&>(run);
-  std::array<double, 2> angle{}, rate{}, waiting{};
+  std::array<double, 2> angle{}, rate{}, waiting{}, torque{}, current{}, power{};
   for (const Sample& s : result.samples) {
     for (std::size_t k = 0; k < 2; ++k) {
+      torque[k] = std::max(torque[k], std::fabs(s.axis[k].torque));
+      current[k] += s.axis[k].current / static_cast<double>(result.samples.size());
+      power[k] = std::max(power[k], s.axis[k].power);
       angle[k] = std::max(angle[k], std::fabs(s.axis[k].angle));
       rate[k] = std::max(rate[k], std::fabs(s.axis[k].speed));
       waiting[k] = std::max(waiting[k], static_cast<double>(s.axis[k].waiting));
@@ -83,8 +100,12 @@ std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult
   add(count("script.error", "WTTBL", "error", static_cast<double>(returns.error)),
       "Error returns");
   add(count("script.refused", "moves refused", "", static_cast<double>(returns.refused)));
-  add(figure("script.off_step", "WHRTBL against the rotors", "largest", returns.off, "step", 2),
+  add(figure("script.off_step", "WHRTBL against the rotors", "at rest", returns.off, "step", 2),
       returns.places > 0 ? "Off at WHRTBL" : "");
+  add(figure("script.ahead_step", "WHRTBL against the rotors", "in motion", returns.ahead, "step",
+             2));
+  add(figure("script.platform_off_step", "WHRTBL against the platform", "at rest", returns.platform,
+             "step", 2));
   for (std::size_t k = 0; k < 2; ++k) {
     const std::string axis = k == 0 ? "X" : "Y", id = k == 0 ? "x." : "y.";
     const bool tile = k == 0;
@@ -92,6 +113,11 @@ std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult
     add(count(id + "lost_step", "steps lost", axis, result.lost[k], "steps"),
         tile ? "Lost by X" : "Lost by Y");
     add(count(id + "slips", "slips", axis, static_cast<double>(result.slips[k].size())));
+    add(count(id + "breaches", "pulses without a step", axis,
+              static_cast<double>(result.breaches[k].size())));
+    add(figure(id + "max_torque_N_m", "largest torque", axis, torque[k], "N m", 3));
+    add(figure(id + "mean_current_A", "mean current of all phases", axis, current[k], "A", 2));
+    add(figure(id + "max_power_W", "largest power at the shaft", axis, power[k], "W", 2));
     add(figure(id + "max_angle_step", "load angle", axis, angle[k], "step", 2),
         tile ? "Load angle of X" : "");
     add(figure(id + "max_rate", "largest rate", axis, rate[k], "step/s", 0));
@@ -178,6 +204,12 @@ const lab::ColumnTable& columns() {
           &AxisSample::angle);
       add("rate_step_s", {"", "step/s", 1e-1, fixed(2), "rate of the translator"},
           &AxisSample::rate);
+      add("platform_step", {"", "step", 1e-3, fixed(4), "where the platform is"},
+          &AxisSample::platform);
+      add("torque_N_m", {"", "N m", 1e-4, fixed(5), "torque of the motor's currents"},
+          &AxisSample::torque);
+      add("current_A", {"", "A", 1e-2, fixed(2), "current of all phases"}, &AxisSample::current);
+      add("power_W", {"", "W", 1e-3, fixed(3), "power at the shaft"}, &AxisSample::power);
       add("waiting", {"", "", 1, {}, "pulses in the buffer"}, &AxisSample::waiting);
       add("count", {"", "", 1, {}, "count register"},
           [](const AxisSample& a) { return a.words & 0xFFFF; });

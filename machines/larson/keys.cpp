@@ -17,7 +17,7 @@ void add_table(Table& t) {
   t.one("table.seek_rate", 59, 4000, "pulses per second toward the switches, CALTBL",
         TRAMMEL_LENS(table.seek_rate));
   t.one("table.back_rate", 59, 4000, "and away from them", TRAMMEL_LENS(table.back_rate));
-  t.one("table.most_rate", 59, 8000, "pulses per second, of any move",
+  t.one("table.most_rate", 59, 4000, "pulses per second, of any move",
         TRAMMEL_LENS(table.most_rate));
   t.one("table.poll_ms", 0.1, 100, "from one look at an open switch to the next",
         TRAMMEL_LENS(poll_ms));
@@ -39,6 +39,19 @@ void add_axis(Table& t) {
   t.one("axis.switch_hysteresis_step", 0.1, 100, "how far beyond it is closed",
         TRAMMEL_LENS(axis.switch_hysteresis));
   t.one("axis.overtravel_step", 1, 1000, "from there to the stop", TRAMMEL_LENS(axis.overtravel));
+  t.one("axis.accuracy_step", 0, 10, "most distance of the platform from its screw's ideal place",
+        TRAMMEL_LENS(axis.platform.accuracy));
+  t.one("axis.repeatability_step", 0, 10, "of a place of the platform, approached from either side",
+        TRAMMEL_LENS(axis.platform.repeatability));
+  t.one("axis.perpendicularity_arcsec", -3600, 3600,
+        "by which the Y axis leans from square toward positive X",
+        TRAMMEL_LENS(perpendicularity_arcsec));
+  t.one("translator.width_us", 0, 100, "least width of a step pulse, or it makes no step",
+        TRAMMEL_LENS(width_us));
+  t.one("translator.setup_us", 0, 100, "direction before a step pulse, or that makes no step",
+        TRAMMEL_LENS(setup_us));
+  t.one("translator.hold_us", 0, 100, "direction behind the beginning of a step pulse",
+        TRAMMEL_LENS(hold_us));
   t.one("buffer.fitted", 0, 0, "false: the pulses go to the motor as they are",
         TRAMMEL_LENS(axis.buffer.fitted));
   t.one("buffer.dead_s", 0, 0.1, "from the first pulse to its ramp",
@@ -82,7 +95,7 @@ const std::vector<lab::Key>& keys() {
     t.platform_and_clocks();
     t.window();
     t.longest_run();
-    t.one("run.reached_steps", 0, 10000,
+    t.one("run.reached_steps", 1, 10000,
           "most distance of the table from where its program has it, at the end",
           TRAMMEL_LENS(reached_steps));
     t.waves("the first drive", "see docs/waves.md");

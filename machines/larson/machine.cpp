@@ -68,7 +68,7 @@ std::vector<Call> calls_of(const Options& options) {
 }
 
 const cosim::TriggerForms& triggers() {
-  static const cosim::TriggerForms forms = cosim::stop_forms(signals());
+  static const cosim::TriggerForms forms = cosim::stop_forms(signals(), kTriggerHelp);
   return forms;
 }
 

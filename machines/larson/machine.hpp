@@ -3,6 +3,7 @@
 // The parts of machine.cpp that are in units of their own.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,9 @@ std::vector<lab::Figure> published_figures(const Options& options);
 
 // missed.cpp: of a program that ended, why the table is not where its program has it; "" if it is.
 std::string what_missed(const Options& options, const Result& result);
+
+// What a pulse that made no step breached: "direction turned 0.24 us behind its edge".
+std::string breach_text(const plant::StepBreach& breach, std::int64_t clock_ps);
 
 // Calls of the options' script. Throws lab::ConfigError.
 std::vector<Call> calls_of(const Options& options);

@@ -24,6 +24,20 @@ std::string losses(const Options& options, const Result& result, std::size_t axi
 
 }  // namespace
 
+std::string breach_text(const plant::StepBreach& breach, std::int64_t clock_ps) {
+  const double us = 1e6 * cosim::seconds_of(breach.clocks, clock_ps);
+  switch (breach.kind) {
+    case plant::StepBreach::Kind::kWidth:
+      return fmt::format("its pulse was {:.2f} us wide, below translator.width_us", us);
+    case plant::StepBreach::Kind::kSetup:
+      return fmt::format("direction turned {:.2f} us before its pulse, below translator.setup_us",
+                         us);
+    default:
+      return fmt::format("direction turned {:.2f} us behind the edge of its pulse, below "
+                         "translator.hold_us", us);
+  }
+}
+
 std::string what_missed(const Options& options, const Result& result) {
   const bool failed = result.end == cosim::EndReason::kFault;
   for (std::size_t k = 0; k < 2; ++k) {
@@ -31,6 +45,15 @@ std::string what_missed(const Options& options, const Result& result) {
     const auto& slips = result.slips[k];
     if (slips.empty() || (failed && slips.front().at_stop)) continue;
     return losses(options, result, k) + (failed ? "; " + result.fault : "");
+  }
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto& breaches = result.breaches[k];
+    if (breaches.empty()) continue;
+    return fmt::format("{} pulse{} of {} made no step; the first {:.3f} s into the run, as {}",
+                       breaches.size(), breaches.size() == 1 ? "" : "s", name_of_axis(k),
+                       cosim::seconds_of(breaches.front().edge, options.axis.clock_ps),
+                       breach_text(breaches.front(), options.axis.clock_ps)) +
+           (failed ? "; " + result.fault : "");
   }
   if (failed || !result.calibrated) return "";
   for (std::size_t k = 0; k < 2; ++k) {

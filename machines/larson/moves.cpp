@@ -11,6 +11,7 @@
 #include <sstream>
 #include <utility>
 
+#include "cosim/input_file.hpp"
 #include "lab/errors.hpp"
 #include "lab/text.hpp"
 #include "machines/larson/script.hpp"
@@ -145,9 +146,8 @@ class Plot {
 std::vector<Call> parse_moves(const std::string& text, const std::string& source,
                               const PlotSetup& setup) {
   const std::vector<std::string> header{"x", "y", "pen"};
-  constexpr const char* kMark = "\xEF\xBB\xBF";  // UTF-8, as spreadsheets begin a file
   Plot plot(setup, source);
-  std::istringstream in(text.rfind(kMark, 0) == 0 ? text.substr(3) : text);
+  std::istringstream in{std::string(cosim::past_mark(text))};
   std::size_t number = 0, rows = 0;
   for (std::string line; std::getline(in, line);) {
     ++number;

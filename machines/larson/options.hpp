@@ -28,7 +28,9 @@ struct Options final : lab::SettingsOf<Options, machine> {
   sw::StepTableSetup table;     // but for poll_clk and settle_clk, which follow
   double poll_ms = 2;
   double wttbl_ms = 25;         // settle_clk: more than buffer.idle_s
-  plant::StepperAxisConfig axis;  // both, but for where they start
+  plant::StepperAxisConfig axis;  // both, but for where they start and its input
+  double width_us = 1, setup_us = 1, hold_us = 1;  // axis.input
+  double perpendicularity_arcsec = 0;  // of the Y axis, toward positive X
   double start_x = 400, start_y = 250;  // [step]
 };
 

@@ -23,6 +23,10 @@ struct AxisSample {
   double angle = 0;          // [step] that the rotor is behind, the load angle
   double rate = 0;           // [step/s] of the translator
   std::int32_t asked = 0;    // [step] by the pulses that the chip has given, as step
+  double platform = 0;       // [step] of the platform
+  double torque = 0;         // [N m] of the motor's currents
+  double current = 0;        // [A] of all phases
+  double power = 0;          // [W] at the shaft
 };
 
 // Every record.every_ms.
@@ -38,6 +42,8 @@ struct Sample {
 struct CallDone {
   cosim::Clk edge = 0;
   std::array<double, 2> at{};  // [step] from the calibration point
+  std::array<double, 2> platform{};  // the same of the platform
+  std::array<bool, 2> moving{};      // pulses were to come, or waited
 };
 
 // What happened to one axis.
@@ -63,6 +69,7 @@ struct Result : cosim::RunResult {
   std::array<std::uint32_t, 2> pulses{};   // that the chip gave
   std::array<int, 2> lost{};               // steps that the rotors are off by, slips added
   std::array<std::vector<plant::StepsLost>, 2> slips;
+  std::array<std::vector<plant::StepBreach>, 2> breaches;
   std::array<double, 2> travel{};          // [step] of the rotors, in all
   std::array<double, 2> end_at{};          // [step] where they are at the end
   sw::StepPoint known;                     // WHRTBL at the end

@@ -2,6 +2,7 @@
 #include "machines/larson/script.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -30,7 +31,7 @@ constexpr int kLongestWait = 40'000;   // [ms]
 constexpr int kMostRepeats = 100'000;
 constexpr std::size_t kDeepest = 16;   // REPEAT in REPEAT
 
-enum class Data { kNone, kRates, kPlace, kTime, kWord };
+enum class Data { kNone, kRates, kPlace, kOffset, kTime, kWord, kByte };
 
 struct Form {
   const char* name;
@@ -40,12 +41,15 @@ struct Form {
 
 constexpr Form kForms[] = {
     {"CALTBL", LarsonOp::kCaltbl, Data::kNone}, {"VELTBL", LarsonOp::kVeltbl, Data::kRates},
-    {"ABSTBL", LarsonOp::kAbstbl, Data::kPlace}, {"RELTBL", LarsonOp::kReltbl, Data::kPlace},
+    {"ABSTBL", LarsonOp::kAbstbl, Data::kPlace}, {"RELTBL", LarsonOp::kReltbl, Data::kOffset},
     {"WTTBL", LarsonOp::kWttbl, Data::kNone},    {"WHRTBL", LarsonOp::kWhrtbl, Data::kNone},
     {"WAIT", LarsonOp::kWait, Data::kTime},      {"MOV", LarsonOp::kMov, Data::kWord},
-    {"BIS", LarsonOp::kBis, Data::kWord}};
+    {"BIS", LarsonOp::kBis, Data::kWord},        {"BIC", LarsonOp::kBic, Data::kWord},
+    {"MOVB", LarsonOp::kMovb, Data::kByte},      {"POLL", LarsonOp::kPoll, Data::kWord}};
 
 constexpr const char* kWords[] = {"XCOUNT", "XSTATUS", "YCOUNT", "YSTATUS"};
+constexpr const char* kBytes[] = {"XCOUNT",   "XCOUNT+1", "XSTATUS", "XSTATUS+1",
+                                  "YCOUNT",   "YCOUNT+1", "YSTATUS", "YSTATUS+1"};
 
 std::string upper(std::string text) {
   for (char& c : text) c = static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
@@ -76,6 +80,20 @@ void expect(const std::string& name, const std::vector<std::string>& words, std:
                                 count == 1 ? "" : "s", words.size() - 1));
 }
 
+// Word or byte, and its value in octal.
+template <std::size_t kCount>
+void set_place(sw::LarsonCall& call, const std::string& name, const std::vector<std::string>& words,
+               const char* const (&places)[kCount], const char* what, std::int64_t high) {
+  expect(name, words, 2, what);
+  const auto* const at = std::find(std::begin(places), std::end(places), upper(words[1]));
+  if (at == std::end(places)) {
+    throw ConfigError(fmt::format("{}: {} is not one of {}", name, lab::shown(words[1]),
+                                  fmt::join(places, ", ")));
+  }
+  call.a = static_cast<std::int32_t>(at - std::begin(places));
+  call.b = number(name + " " + *at, words[2], 0, high, 8);
+}
+
 sw::LarsonCall call_of(const Form& form, const std::vector<std::string>& words,
                        std::int64_t clock_ps) {
   sw::LarsonCall call;
@@ -88,6 +106,9 @@ sw::LarsonCall call_of(const Form& form, const std::vector<std::string>& words,
       call.a = number(name + " x", words[1], kLeastRate, kMostRate);
       call.b = number(name + " y", words[2], kLeastRate, kMostRate);
       break;
+    case Data::kOffset:
+      if (words.size() == 1) break;  // those of the one before it
+      [[fallthrough]];
     case Data::kPlace:
       expect(name, words, 2, "x and y");
       call.a = number(name + " x", words[1], -kFar, kFar);
@@ -99,17 +120,10 @@ sw::LarsonCall call_of(const Form& form, const std::vector<std::string>& words,
       call.a = static_cast<std::int32_t>(cosim::clocks_of(1e-3 * ms, clock_ps));
       break;
     }
-    case Data::kWord: {
-      expect(name, words, 2, "a word and its bits in octal");
-      const auto* const at = std::find(std::begin(kWords), std::end(kWords), upper(words[1]));
-      if (at == std::end(kWords)) {
-        throw ConfigError(fmt::format("{}: {} is not one of XCOUNT, XSTATUS, YCOUNT, YSTATUS", name,
-                                      lab::shown(words[1])));
-      }
-      call.a = static_cast<std::int32_t>(at - std::begin(kWords));
-      call.b = number(name + " " + *at, words[2], 0, 0177777, 8);
+    case Data::kWord:
+      set_place(call, name, words, kWords, "a word and its bits in octal", 0177777);
       break;
-    }
+    case Data::kByte: set_place(call, name, words, kBytes, "a byte and its bits in octal", 0377);
   }
   return call;
 }
@@ -125,17 +139,33 @@ std::vector<std::string> words_of(const std::string& line) {
 class Parser {
  public:
   Parser(const std::string& text, std::string source, std::int64_t clock_ps)
-      : in_(text), source_(std::move(source)), clock_ps_(clock_ps) {}
+      : in_(std::string(cosim::past_mark(text))), source_(std::move(source)), clock_ps_(clock_ps) {}
 
   std::vector<Call> all() {
     std::vector<Call> calls = block(0);
     if (calls.empty()) throw ConfigError(source_ + ": has no call");
+    keep_offsets(calls);
     return calls;
   }
 
  private:
   [[noreturn]] void fail(const std::string& why, std::size_t line) const {
     throw ConfigError(fmt::format("{}:{}: {}", source_, line, why));
+  }
+
+  // R0 and R1 "are preserved so that successive calls of RELTBL will reference them".
+  void keep_offsets(std::vector<Call>& calls) const {
+    const Call* last = nullptr;
+    for (Call& one : calls) {
+      if (one.call.op != LarsonOp::kReltbl) continue;
+      if (one.text == "RELTBL") {
+        if (last == nullptr) {
+          fail("RELTBL takes x and y: 2 values, as there is no RELTBL before it", one.line);
+        }
+        one.call = last->call;
+      }
+      last = &one;
+    }
   }
 
   // Up to the END of the block that began in line `begun`, or the end of the file for 0.

@@ -4,9 +4,11 @@
 //
 //   CALTBL | WTTBL | WHRTBL
 //   VELTBL x y            rates [pulse/s], 59 to 4000
-//   ABSTBL x y            to a place [step];  RELTBL x y  by so much
+//   ABSTBL x y            to a place [step];  RELTBL x y  by so much;  RELTBL  as the one before it
 //   WAIT ms
-//   MOV word octal        a word by hand: XCOUNT, XSTATUS, YCOUNT or YSTATUS;  BIS word octal
+//   MOV word octal        a word by hand: XCOUNT, XSTATUS, YCOUNT or YSTATUS; BIS, BIC word octal
+//   MOVB byte octal       a byte: a word's name, or that and +1
+//   POLL word octal       until these bits of it are 0
 //   REPEAT n ... END      the lines between so often; blocks may be nested
 //
 // And a list of moves, as a plotter takes it: lines x,y,pen of a CSV file, in steps; with pen 0 the

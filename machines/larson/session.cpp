@@ -20,6 +20,7 @@ constexpr double kLongestSettling = 5;  // [s] of buffers that still hold pulses
 plant::StepperAxisConfig axis_of(const Options& options, double start) {
   plant::StepperAxisConfig axis = options.axis;
   axis.start = start;
+  axis.input = {1e-6 * options.width_us, 1e-6 * options.setup_us, 1e-6 * options.hold_us};
   return axis;
 }
 
@@ -63,7 +64,7 @@ Session::Session(const Options& options, const cosim::Hooks& hooks, const cosim:
       loop_(*chip_, seen(), *this, options.run.window()),
       switches_(plant_.switches()),
       asked_{plant_.axis(0).translated(), plant_.axis(1).translated()},
-      heard_{0, {at(0, 0), at(1, 0)}},
+      heard_(heard_at(0)),
       last_at_{at(0, 0), at(1, 0)} {}
 
 // What the chip is wired to. The switches are its A and B, the buffer its index.
@@ -112,13 +113,24 @@ void Session::watch_fault(const cosim::Stop& stop) {
   fault_watch_->on(stop, resting(), [this] { return noticed(); }, truth);
 }
 
-// Neither axis is asked to move.
-bool Session::resting() const {
-  for (int axis = 0; axis < kAxes; ++axis) {
-    const bool busy = (chip_->words(axis) >> 16 & sw::larson_map::kBusy) != 0;
-    if (busy || plant_.axis(static_cast<std::size_t>(axis)).waiting() > 0) return false;
-  }
-  return true;
+// It is asked to move, or pulses wait.
+bool Session::moving(std::size_t axis) const {
+  const bool busy =
+      (chip_->words(static_cast<int>(axis)) >> 16 & sw::larson_map::kBusy) != 0;
+  return busy || plant_.axis(axis).waiting() > 0;
+}
+
+bool Session::resting() const { return !moving(0) && !moving(1); }
+
+// [step] The Y axis leans by its perpendicularity.
+std::array<double, 2> Session::platform(cosim::Clk edge) const {
+  const double lean = std::tan(options_.perpendicularity_arcsec / 3600 * 0.017453292519943295);
+  const double y = plant_.axis(1).platform(edge);
+  return {plant_.axis(0).platform(edge) + lean * y, y};
+}
+
+CallDone Session::heard_at(cosim::Clk edge) const {
+  return {edge, {at(0, edge), at(1, edge)}, platform(edge), {moving(0), moving(1)}};
 }
 
 cosim::ProcessorTiming Session::timing() const {
@@ -133,7 +145,7 @@ void Session::on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::
   note_calls();
   if (stop.why == cosim::kLimit) return;
   if ((stop.why & (cosim::kBusDone | cosim::kIrq)) != 0) {
-    heard_ = {stop.edge, {at(0, stop.edge), at(1, stop.edge)}};
+    heard_ = heard_at(stop.edge);
   }
   if (waves_.search != nullptr) waves_.search->on(stop, *chip_, *this);
   if (fault_watch_) watch_fault(stop);
@@ -164,7 +176,12 @@ void Session::note_calls() {
             static_cast<double>(axis.translated() + axis.waiting() - axis.steps_lost());
       }
     }
-    done_.push_back({heard_.edge, {heard_.at[0] - origin_[0], heard_.at[1] - origin_[1]}});
+    CallDone done = heard_;
+    for (std::size_t k = 0; k < 2; ++k) {
+      done.at[k] -= origin_[k];
+      done.platform[k] -= origin_[k];
+    }
+    done_.push_back(done);
   }
 }
 
@@ -190,24 +207,29 @@ void Session::note_pulses() {
   }
 }
 
-// Switches and losses since the last stop, at their own times: they need not be those of stops. The
-// words are those that the chip had then, with the switch as it now is.
+// Switches, losses and pulses without a step since the last stop, at their own times, which need not
+// be those of stops. The words are those that the chip had then, with the switch as it now is.
 void Session::note_plant() {
   struct Seen {
     cosim::Clk edge = 0;
     std::size_t axis = 0;
     const plant::SwitchMoved* moved = nullptr;
     const plant::StepsLost* lost = nullptr;
+    const plant::StepBreach* breach = nullptr;
   };
   std::vector<Seen> seen;
   for (std::size_t k = 0; k < 2; ++k) {
     const auto& moved = plant_.axis(k).moved();
     for (; moves_[k] < moved.size(); ++moves_[k]) {
-      seen.push_back({moved[moves_[k]].edge, k, &moved[moves_[k]], nullptr});
+      seen.push_back({moved[moves_[k]].edge, k, &moved[moves_[k]]});
     }
     const auto& lost = plant_.axis(k).lost();
     for (; losses_[k] < lost.size(); ++losses_[k]) {
       seen.push_back({lost[losses_[k]].edge, k, nullptr, &lost[losses_[k]]});
+    }
+    const auto& breaches = plant_.axis(k).breaches();
+    for (; breaches_[k] < breaches.size(); ++breaches_[k]) {
+      seen.push_back({breaches[breaches_[k]].edge, k, nullptr, nullptr, &breaches[breaches_[k]]});
     }
   }
   std::stable_sort(seen.begin(), seen.end(),
@@ -215,18 +237,23 @@ void Session::note_plant() {
   for (const Seen& one : seen) {
     const auto axis = static_cast<int>(one.axis);
     std::string what;
+    double place = at(one.axis, one.edge);
     if (one.moved != nullptr) {
+      place = one.moved->at;
       const unsigned bit = 1u << (2 * axis + (one.moved->high ? 1 : 0));
       switches_ = one.moved->closed ? switches_ | bit : switches_ & ~bit;
       what = fmt::format("{} switch {}", one.moved->high ? "high" : "low",
                          one.moved->closed ? "closed" : "open");
-    } else {
+    } else if (one.lost != nullptr) {
+      place = one.lost->at;
       what = fmt::format("{} steps lost", one.lost->steps);
+    } else {
+      what = "no step: " + breach_text(*one.breach, period_ps());
     }
     const std::uint32_t status = words_[one.axis] >> 16 & ~sw::larson_map::kLimit;
     const bool closed = (switches_ >> 2 * axis & 3) != 0;
-    note({one.edge, axis, std::move(what), one.moved != nullptr ? one.moved->at : one.lost->at,
-          words_[one.axis] & 0xFFFF, status | (closed ? sw::larson_map::kLimit : 0)});
+    note({one.edge, axis, std::move(what), place, words_[one.axis] & 0xFFFF,
+          status | (closed ? sw::larson_map::kLimit : 0)});
   }
 }
 
@@ -257,6 +284,7 @@ std::int64_t Session::read(std::size_t signal, int axis) const {
 Sample Session::sample_at(cosim::Clk edge) const {
   Sample sample;
   sample.edge = edge;
+  const std::array<double, 2> platforms = platform(edge);
   for (std::size_t k = 0; k < 2; ++k) {
     const plant::StepperAxis& axis = plant_.axis(k);
     const plant::StepperMotor::State state = axis.state(edge);
@@ -267,7 +295,11 @@ Sample Session::sample_at(cosim::Clk edge) const {
                       state.speed,
                       axis.load_angle(edge),
                       axis.rate(),
-                      static_cast<std::int32_t>(asked_[k])};
+                      static_cast<std::int32_t>(asked_[k]),
+                      platforms[k],
+                      axis.torque(edge),
+                      axis.current(),
+                      axis.power(edge)};
   }
   sample.call = app_.mailbox().point;
   sample.switches = plant_.switches();
@@ -308,6 +340,7 @@ std::unique_ptr<cosim::RunResult> Session::result() {
   for (std::size_t k = 0; k < 2; ++k) {
     result->lost[k] = std::abs(plant_.axis(k).steps_lost());
     result->slips[k] = plant_.axis(k).lost();
+    result->breaches[k] = plant_.axis(k).breaches();
   }
   result->travel = travel_;
   result->end_at = last_at_;

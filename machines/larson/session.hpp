@@ -51,6 +51,9 @@ class Session final : public cosim::Session, private cosim::Observer, public cos
   std::string noticed() const;
   bool resting() const;
   double at(std::size_t axis, cosim::Clk edge) const { return plant_.axis(axis).state(edge).at; }
+  std::array<double, 2> platform(cosim::Clk edge) const;
+  CallDone heard_at(cosim::Clk edge) const;
+  bool moving(std::size_t axis) const;
 
   Options options_;
   cosim::Hooks hooks_;
@@ -80,7 +83,7 @@ class Session final : public cosim::Session, private cosim::Observer, public cos
   cosim::Lines drive_ = 0;
   std::array<std::uint32_t, 2> pulses_{};
   std::array<std::int64_t, 2> asked_;  // [step] where they have the table
-  std::array<std::size_t, 2> losses_{}, moves_{};  // of the plant's lists that are noted
+  std::array<std::size_t, 2> losses_{}, moves_{}, breaches_{};  // of the plant's lists, noted
   std::array<std::uint32_t, 2> words_{};           // of the chip, at the last stop
   CallDone heard_;  // of the last event that the processor could answer to; [step] of the rotors
   std::array<double, 2> travel_{}, last_at_{}, origin_{};

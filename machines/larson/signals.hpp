@@ -22,4 +22,10 @@ inline const std::vector<cosim::Signal>& signals() {
   return all;
 }
 
+// All forms of a trigger, for people.
+inline constexpr char kTriggerHelp[] =
+    "drive (a pin of a translator changes), hi (the chip interrupts), irq (the chip or the timer "
+    "interrupts), at 10ms, rise|fall|change x.waiting, y.count == 65535, each with `after TIME` "
+    "behind it if wanted";
+
 }  // namespace trammel::larson

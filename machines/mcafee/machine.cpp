@@ -85,7 +85,7 @@ Table table_of(const Options& options) {
 }
 
 const cosim::TriggerForms& triggers() {
-  static const cosim::TriggerForms forms = cosim::stop_forms(signals());
+  static const cosim::TriggerForms forms = cosim::stop_forms(signals(), lm628::kTriggerHelp);
   return forms;
 }
 

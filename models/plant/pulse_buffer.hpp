@@ -85,6 +85,22 @@ class PulseBuffer {
     return direction;
   }
 
+  // The pulse that came last is void; false: it has left.
+  bool take_back(std::int64_t n) {
+    if (pulses_.empty()) return false;
+    settle(n);
+    pulses_.pop_back();
+    if (!pulses_.empty()) {
+      foresee();
+    } else if (moving_) {
+      leaves_ = kNever;
+      idle_ = n + std::llround(config_.idle_s / clock_s_);
+    } else {
+      flush();
+    }
+    return true;
+  }
+
   // What waits is void.
   void flush() {
     pulses_.clear();

@@ -14,7 +14,9 @@
 #include <vector>
 
 #include "models/plant/first_clock.hpp"
+#include "models/plant/platform.hpp"
 #include "models/plant/pulse_buffer.hpp"
+#include "models/plant/step_input.hpp"
 #include "models/plant/stepper_motor.hpp"
 
 namespace trammel::plant {
@@ -22,6 +24,8 @@ namespace trammel::plant {
 struct StepperAxisConfig {
   StepperConfig motor;
   PulseBufferConfig buffer;
+  StepInputConfig input;
+  PlatformConfig platform;
   double start = 400;             // [step] where the table stands
   double switch_low = -10.5;      // [step] at which a switch opens again,
   double switch_high = 5997.5;
@@ -53,6 +57,7 @@ class StepperAxis {
       : config_(c),
         motor_(c.motor),
         buffer_(buffer_of(c)),
+        input_(c.input, c.clock_ps),
         clock_s_(1e-12 * static_cast<double>(c.clock_ps)),
         span_(static_cast<std::int64_t>(1e9 / static_cast<double>(c.clock_ps))),
         step_(std::llround(c.start)) {
@@ -69,6 +74,7 @@ class StepperAxis {
   std::int64_t translated() const { return step_; }  // steps of the translator
   const std::vector<StepsLost>& lost() const { return lost_; }
   const std::vector<SwitchMoved>& moved() const { return moved_; }  // its switches
+  const std::vector<StepBreach>& breaches() const { return breaches_; }  // pulses without a step
   int steps_lost() const { return slipped_; }  // in all, with their sign
   bool hit_stop() const { return hit_stop_; }
 
@@ -76,6 +82,12 @@ class StepperAxis {
   StepperMotor::State state(std::int64_t n) const {
     return n == aim_ ? aimed_ : integrated(n);
   }
+  double platform(std::int64_t n) const {  // [step]
+    return platform_place(config_.platform, state(n).at, side_);
+  }
+  double torque(std::int64_t n) const { return motor_.torque(state(n), step_, told()); }  // [N m]
+  double power(std::int64_t n) const { return motor_.power(state(n), step_, told()); }    // [W]
+  double current() const { return motor_.current(step_); }  // [A] of all phases
   // Steps that the rotor is behind the translator, lost ones apart.
   double load_angle(std::int64_t n) const {
     return static_cast<double>(step_ - slipped_) - state(n).at;
@@ -85,15 +97,17 @@ class StepperAxis {
 
   // Pins at clock n, of next() or earlier: a pulse is a rising edge of step.
   void drive(std::int64_t n, bool step, bool forward, bool flush) {
-    const bool pulse = step && !stepping_, flushed = flush && !flushing_;
-    stepping_ = step;
+    const StepInput::Seen seen = input_.at(n, step, forward);
+    const bool flushed = flush && !flushing_;
     flushing_ = flush;
+    if (seen.breach.kind != StepBreach::Kind::kNone && !flush) breaches_.push_back(seen.breach);
     const bool own = n >= next();
-    if (!own && !pulse && !flushed) return;
+    if (!own && seen.pulse == 0 && seen.taken == 0 && !flushed) return;
     pass(n);
     if (own) show(n);
+    if (seen.taken != 0 && !flush) take_back(n, seen.taken);
     if (flushed) buffer_.flush();
-    if (pulse && !flush) take(n, forward ? 1 : -1);
+    if (seen.pulse != 0 && !flush) take(n, seen.pulse);
     foresee();
   }
 
@@ -102,6 +116,7 @@ class StepperAxis {
     pass(n);
     StepperConfig weak = config_.motor;
     weak.torque_share *= share;
+    weak.phase_A *= share;
     motor_ = StepperMotor(weak);
     resting_ = false;
     foresee();
@@ -145,8 +160,15 @@ class StepperAxis {
     advance(direction);
   }
 
+  // The last pulse was none: it waits in the buffer, or was made a step by now.
+  void take_back(std::int64_t n, int direction) {
+    if (config_.buffer.fitted && buffer_.take_back(n)) return;
+    advance(-direction);
+  }
+
   void advance(int direction) {
     step_ += direction;
+    side_ = direction;
     resting_ = false;
   }
 
@@ -261,20 +283,23 @@ class StepperAxis {
   StepperAxisConfig config_;
   StepperMotor motor_;
   PulseBuffer buffer_;
+  StepInput input_;
   double clock_s_;
   std::int64_t span_;                  // [clk]
   StepperMotor::State state_, aimed_;  // at from_; at aim_
   std::int64_t from_ = 0, aim_ = kNever, next_ = kNever;
   std::int64_t step_;                  // of the translator
+  int side_ = 0;                       // its last step
   bool resting_ = true;
   bool low_ = false, high_ = false, busy_ = false;  // as they are shown
-  bool stepping_ = false, flushing_ = false;
+  bool flushing_ = false;
   double bypass_rate_ = 0;
   std::int64_t bypass_last_ = kNever, bypass_until_ = kNever;
   int slipped_ = 0;
   bool hit_stop_ = false;
   std::vector<StepsLost> lost_;
   std::vector<SwitchMoved> moved_;
+  std::vector<StepBreach> breaches_;
 };
 
 }  // namespace trammel::plant

@@ -30,6 +30,7 @@ struct StepperConfig {
   double friction = 0;                // [N m] of screw and slides, against motion
   double friction_speed = 20;         // [step/s] at which it is 76 % of that
   double torque_share = 1;            // of all that its currents do
+  double phase_A = 3.5;               // of each phase that is on
   int steps = 160;                    // per revolution
 };
 
@@ -77,6 +78,13 @@ class StepperMotor {
                      b * (s.speed - told) * step_rad_;
     const double most = most_torque(s.speed);
     return std::fmax(-most, std::fmin(most, config_.torque_share * t));
+  }
+
+  // [A] of the phases that are on.
+  double current(std::int64_t step) const { return phases(step) * config_.phase_A; }
+  // [W] at the shaft; negative: it brakes.
+  double power(const State& s, std::int64_t step, double told) const {
+    return torque(s, step, told) * s.speed * step_rad_;
   }
 
   // [step/s^2]

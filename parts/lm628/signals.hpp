@@ -47,6 +47,12 @@ std::vector<cosim::Signal> signals_of_part(bool of_axis);
 
 const std::vector<cosim::Signal>& signals();
 
+// All forms of a trigger, for people.
+inline constexpr char kTriggerHelp[] =
+    "drive (a converter's code changes), hi (the pin HI rises), irq (HI or the timer interrupts), "
+    "at 10ms, rise|fall|change status.breakpoint, e > 20, each with `after TIME` behind it if "
+    "wanted";
+
 // The value of signals()[signal].
 std::int64_t word(const Words& words, std::size_t signal);
 

@@ -12,17 +12,19 @@ using trammel::plant::StepperAxisConfig;
 namespace {
 
 // Passes the axis' own events up to clock n.
-void pass(StepperAxis& axis, std::int64_t n) {
-  while (axis.next() <= n) axis.drive(axis.next(), false, true, false);
+void pass(StepperAxis& axis, std::int64_t n, bool forward = true, bool step = false) {
+  while (axis.next() <= n) axis.drive(axis.next(), step, forward, false);
 }
 
 // n pulses, a gap of clocks apart, from clock `begin` on; the clock after the last.
 std::int64_t pulses(StepperAxis& axis, std::int64_t begin, int n, std::int64_t gap, bool forward) {
+  pass(axis, begin - 500, forward);
+  axis.drive(begin - 500, false, forward, false);
   for (int k = 0; k < n; ++k) {
     const std::int64_t at = begin + k * gap;
-    pass(axis, at);
+    pass(axis, at, forward);
     axis.drive(at, true, forward, false);
-    pass(axis, at + 104);
+    pass(axis, at + 103, forward, true);
     axis.drive(at + 104, false, forward, false);
   }
   return begin + n * gap;
@@ -214,7 +216,7 @@ TEST_CASE("stepper_axis: pulses during a flush are void, those behind it are not
       for (int k = 0; k < 5; ++k, n += 500'000) {
         pass(axis, n);
         axis.drive(n, true, true, flush);
-        pass(axis, n + 250'000);
+        pass(axis, n + 249'999, true, true);
         axis.drive(n + 250'000, false, true, flush);
       }
       pass(axis, n += 50'000'000);

@@ -117,3 +117,11 @@ TEST_CASE("stepper_motor: pull and damping together are within the table, and of
     CHECK(most == Approx(share * 3.3 * kLbIn).epsilon(0.1));
   }
 }
+
+TEST_CASE("stepper_motor: 3.5 A a phase, and at 8000 PPS the data sheet's 0.05 hp at the shaft") {
+  const StepperMotor motor((StepperConfig()));
+  CHECK(motor.current(10) == Approx(7));
+  CHECK(motor.current(11) == Approx(10.5));
+  // Its torque of 1.2 lb-in at that rate, printed with one digit of horsepower.
+  CHECK(motor.power({8.5, 8000}, 11, 8000) / 745.7 == Approx(0.05).margin(0.01));
+}

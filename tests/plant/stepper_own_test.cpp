@@ -16,15 +16,18 @@ using trammel::plant::StepperMotor;
 
 namespace {
 
-void pass(StepperAxis& axis, std::int64_t n) {
-  while (axis.next() <= n) axis.drive(axis.next(), false, true, false);
+void pass(StepperAxis& axis, std::int64_t n, bool forward = true, bool step = false) {
+  while (axis.next() <= n) axis.drive(axis.next(), step, forward, false);
 }
 
-// A pulse of a clock.
+// A pulse of 2 us, with its direction set up before it.
 void pulse(StepperAxis& axis, std::int64_t n, bool forward) {
-  pass(axis, n);
+  pass(axis, n - 60, forward);
+  axis.drive(n - 60, false, forward, false);
+  pass(axis, n, forward);
   axis.drive(n, true, forward, false);
-  axis.drive(n + 1, false, forward, false);
+  pass(axis, n + 99, forward, true);
+  axis.drive(n + 100, false, forward, false);
 }
 
 StepperAxisConfig unbuffered() {

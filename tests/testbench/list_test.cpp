@@ -6,6 +6,7 @@
 #include <catch2/catch.hpp>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -118,6 +119,22 @@ TEST_CASE("signals are those of the machine that is named, or of all") {
     CHECK(machines[k] == nlohmann::json{{"name", machine.name}, {"title", machine.title},
                                         {"source", machine.source}, {"leap", machine.can.leap},
                                         {"twin", machine.can.twin}});
+  }
+}
+
+TEST_CASE("each example of a trigger that a machine's list of signals has is a trigger of it") {
+  const std::regex form(R"((?:at \d+ms)|(rise\|fall\|change [\w.]+)|(?:[\w.]+ (?:>|==) \d+))");
+  for (const lab::Machine* const machine : lab::machines()) {
+    const cosim::TriggerForms& forms = machine->triggers();
+    const std::string help = forms.help;
+    int examples = 0;
+    for (std::sregex_iterator at(help.begin(), help.end(), form), none; at != none; ++at) {
+      const std::string text = (*at)[1].matched ? at->str().substr(10) : at->str();
+      CAPTURE(machine->name, text);
+      CHECK_NOTHROW(cosim::parse_trigger(text, forms));
+      ++examples;
+    }
+    CHECK(examples == 3);
   }
 }
 

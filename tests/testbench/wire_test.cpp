@@ -150,7 +150,7 @@ TEST_CASE("a run with waves is made twice where its event must be found, and onc
     Hooks hooks;
     hooks.progress = [&](double fraction) { progress.push_back(fraction); };
     const auto result = systemc::simulate(
-        with_waves(one.trigger), stop_forms(none),
+        with_waves(one.trigger), stop_forms(none, ""),
         [&](const Hooks& own, const Waves& waves) {
           auto session = std::make_unique<ToySession>();
           session->chip.drives = one.drives;

@@ -30,6 +30,7 @@ struct FakeTable final : Bus {
   bool timer_irq = false;
   std::vector<std::uint32_t> starts;  // status words that said start
   std::vector<std::uint32_t> timers;  // what was written to the timer
+  std::vector<std::uint32_t> bytes;   // addresses and data of byte writes
 
   std::uint32_t read(std::uint32_t address) override {
     if (address == map::kIrq) {
@@ -49,6 +50,10 @@ struct FakeTable final : Bus {
       timer = data;
       timers.push_back(data);
       timer_irq = false;
+      return;
+    }
+    if (address >= map::kBytes) {
+      bytes.insert(bytes.end(), {address, data});
       return;
     }
     Axis& a = axes[address / 8];

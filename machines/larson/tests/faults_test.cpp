@@ -25,12 +25,13 @@ constexpr cosim::Lines kOne = 1;
 
 // 200 pulses at 2000 PPS, forward, to both axes, and until they have come.
 void turn(TablePlant& plant, cosim::Clk from) {
-  const auto put = [&plant](cosim::Clk n, cosim::Lines drive) {
-    const cosim::Lines before = drive & ~(kOne << step(0) | kOne << step(1));
-    while (plant.next() < n) plant.commit(plant.next(), before);
-    plant.commit(n, drive);
-  };
   const cosim::Lines rest = kOne << forward(0) | kOne << forward(1);
+  cosim::Lines last = rest;
+  const auto put = [&](cosim::Clk n, cosim::Lines drive) {
+    while (plant.next() < n) plant.commit(plant.next(), last);
+    plant.commit(n, drive);
+    last = drive;
+  };
   for (cosim::Clk k = 0; k < 200; ++k) {
     put(from + 25'000 * k, rest | kOne << step(0) | kOne << step(1));
     put(from + 25'000 * k + 100, rest);

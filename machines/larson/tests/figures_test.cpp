@@ -27,8 +27,10 @@ larson::Result by_hand() {
   for (int n = 0; n < 3; ++n) {
     larson::Sample s;
     s.edge = 50'000 * (n + 1);
-    s.axis[0] = {0, 0, n == 1 ? 7 : 2, 0, n == 0 ? -810.0 : 100.0, n == 2 ? -1.25 : 0.5, 0};
-    s.axis[1] = {0, 0, n == 2 ? 9 : 3, 0, n == 1 ? 920.0 : -100.0, n == 0 ? 1.75 : -0.5, 0};
+    s.axis[0] = {0, 0, n == 1 ? 7 : 2, 0, n == 0 ? -810.0 : 100.0, n == 2 ? -1.25 : 0.5, 0, 0, 0,
+                 n == 1 ? -0.31 : 0.2, 7, n - 0.5};
+    s.axis[1] = {0, 0, n == 2 ? 9 : 3, 0, n == 1 ? 920.0 : -100.0, n == 0 ? 1.75 : -0.5, 0, 0, 0,
+                 n == 2 ? 0.32 : -0.1, 10.5, 2.5 - n};
     result.samples.push_back(s);
   }
   const auto call = [&](LarsonOp op, const char* text, std::size_t line, sw::LarsonAnswer answer,
@@ -39,7 +41,8 @@ larson::Result by_hand() {
     one.line = line;
     result.calls.push_back(one);
     result.answers.push_back(answer);
-    result.done.push_back({5'000'000 * static_cast<cosim::Clk>(result.calls.size()), at});
+    result.done.push_back({5'000'000 * static_cast<cosim::Clk>(result.calls.size()), at,
+                           {at[0] + 0.25, at[1]}, {}});
   };
   call(LarsonOp::kCaltbl, "CALTBL", 1, {}, {0, 0});
   call(LarsonOp::kAbstbl, "ABSTBL 3 4", 2, {0, {}}, {0, 0});
@@ -54,6 +57,8 @@ larson::Result by_hand() {
   result.lost = {10, 20};
   result.slips[0].resize(3);
   result.slips[1].resize(4);
+  result.breaches[0].resize(1);
+  result.breaches[1].resize(2);
   result.travel = {333, 444};
   result.end_at = {55.5, 66.25};
   result.interrupts = 12;
@@ -68,6 +73,10 @@ TEST_CASE("larson: each figure is of its own axis and value") {
   const std::map<std::string, double> expected{
       {"script.time_s", 0.9},   {"script.calls", 9},       {"script.normal", 2},
       {"script.error", 1},      {"script.refused", 2},     {"script.off_step", 0.5},
+      {"script.ahead_step", 0}, {"script.platform_off_step", 0.5},
+      {"x.breaches", 1},        {"y.breaches", 2},         {"x.max_torque_N_m", 0.31},
+      {"y.max_torque_N_m", 0.32}, {"x.mean_current_A", 7}, {"y.mean_current_A", 10.5},
+      {"x.max_power_W", 1.5},   {"y.max_power_W", 2.5},
       {"x.pulses", 1111},       {"y.pulses", 2222},        {"x.lost_step", 10},
       {"y.lost_step", 20},      {"x.slips", 3},
       {"y.slips", 4},           {"x.max_angle_step", 1.25}, {"y.max_angle_step", 1.75},
@@ -160,7 +169,15 @@ TEST_CASE("larson: WHRTBL is held against the rotor of its own axis, in each sen
       auto result = by_hand();
       result.done.back().at = {3, 4};
       result.done.back().at[axis] += off;
-      CHECK(test::figure(larson::Options{}, result, "script.off_step") == Approx(1.5));
+      const auto value = [&result](const char* id) {
+        return test::figure(larson::Options{}, result, id);
+      };
+      CHECK(value("script.off_step") == Approx(1.5));
+      CHECK(value("script.ahead_step") == 0);
+      result.done.back().moving[axis] = true;  // where the pulses are is not where it is
+      CHECK(value("script.off_step") == 0);
+      CHECK(value("script.platform_off_step") == 0);
+      CHECK(value("script.ahead_step") == Approx(1.5));
     }
   }
 }
@@ -172,8 +189,9 @@ TEST_CASE("larson: each column of the trace shows what it is named after") {
   s.call = 5;
   s.switches = 6;
   s.irq = true;
-  s.axis[0] = {0x1234'5678, 101, 102, 103.5, 104.5, 105.5, 106.5, 107};
-  s.axis[1] = {0xABCD'EF01, 201, 202, 203.5, 204.5, 205.5, 206.5, 207};
+  s.axis[0] = {0x1234'5678, 101, 102, 103.5, 104.5, 105.5, 106.5, 107, 108.5, 109.5, 110.5, 111.5};
+  s.axis[1] = {0xABCD'EF01, 201, 202, 203.5, 204.5, 205.5, 206.5, 207, 208.5, 209.5, 210.5,
+               211.5};
   result.samples.push_back(s);
   test::check_row(test::row(larson::Options{}, result, 0),
                   {{"t_s", 3e-3}, {"call", 5}, {"switches", 6}, {"irq", 1},
@@ -181,7 +199,10 @@ TEST_CASE("larson: each column of the trace shows what it is named after") {
                    {"y_step", 201}, {"x_waiting", 102}, {"y_waiting", 202},
                    {"x_at_step", 103.5}, {"y_at_step", 203.5}, {"x_speed_step_s", 104.5},
                    {"y_speed_step_s", 204.5}, {"x_angle_step", 105.5}, {"y_angle_step", 205.5},
-                   {"x_rate_step_s", 106.5}, {"y_rate_step_s", 206.5}, {"x_count", 0x5678},
+                   {"x_rate_step_s", 106.5}, {"y_rate_step_s", 206.5}, {"x_platform_step", 108.5},
+                   {"y_platform_step", 208.5}, {"x_torque_N_m", 109.5}, {"y_torque_N_m", 209.5},
+                   {"x_current_A", 110.5}, {"y_current_A", 210.5}, {"x_power_W", 111.5},
+                   {"y_power_W", 211.5}, {"x_count", 0x5678},
                    {"y_count", 0xEF01}, {"x_status", 0x1234}, {"y_status", 0xABCD}});
 }
 
@@ -275,6 +296,20 @@ TEST_CASE("larson: a table is missed beyond its limit, in each axis and sense, o
       CHECK(larson::what_missed(options, result) == "");
     }
   }
+}
+
+TEST_CASE("larson: a run with pulses that made no step is missed, and says why of the first") {
+  using Kind = plant::StepBreach::Kind;
+  larson::Result result;
+  result.breaches[1] = {{75'000'000, Kind::kHold, 12}};
+  CHECK(larson::what_missed({}, result) ==
+        "1 pulse of Y made no step; the first 1.500 s into the run, as direction turned 0.24 us "
+        "behind the edge of its pulse, below translator.hold_us");
+  result.breaches[1].front().kind = Kind::kSetup;
+  result.breaches[1].push_back({76'000'000, Kind::kWidth, 104});
+  CHECK(larson::what_missed({}, result) ==
+        "2 pulses of Y made no step; the first 1.500 s into the run, as direction turned 0.24 us "
+        "before its pulse, below translator.setup_us");
 }
 
 TEST_CASE("larson: metrics and remarks name each call with its answer, each event with its axis") {

@@ -187,3 +187,19 @@ TEST_CASE("MOV writes a word, BIS reads and writes it, with the reset it finds t
   CHECK(program.bus.axes[1].status == 0120123);
   CHECK_FALSE(program.bus.axes[1].latch);
 }
+
+TEST_CASE("BIC clears bits of a word, MOVB writes one byte, POLL waits until bits are 0") {
+  StepTableSetup setup;
+  setup.poll_clk = 777;
+  Program program({{LarsonOp::kMov, 0, 0177774}, {LarsonOp::kMov, 1, 037704},
+                   {LarsonOp::kPoll, 1, 010000}, {LarsonOp::kBic, 1, 020700},
+                   {LarsonOp::kMovb, 7, 0377}},
+                  setup);
+  program.run();
+  CHECK(program.app.mailbox().point == 5);
+  CHECK(program.bus.axes[0].count == map::kTerminal);
+  CHECK(program.bus.axes[0].status == 07004);
+  CHECK(program.bus.timers.size() > 3);  // once for each step, and to end
+  CHECK(program.bus.timers.front() == 777);
+  CHECK(program.bus.bytes == std::vector<std::uint32_t>{map::byte(7), 0377});
+}

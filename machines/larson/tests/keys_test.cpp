@@ -26,6 +26,12 @@ TEST_CASE("larson: each key sets its own member") {
   m.add("axis.switch_high_step", [](const O& o) { return o.axis.switch_high; });
   m.add("axis.switch_hysteresis_step", [](const O& o) { return o.axis.switch_hysteresis; });
   m.add("axis.overtravel_step", [](const O& o) { return o.axis.overtravel; });
+  m.add("axis.accuracy_step", [](const O& o) { return o.axis.platform.accuracy; });
+  m.add("axis.repeatability_step", [](const O& o) { return o.axis.platform.repeatability; });
+  m.add("axis.perpendicularity_arcsec", [](const O& o) { return o.perpendicularity_arcsec; });
+  m.add("translator.width_us", [](const O& o) { return o.width_us; });
+  m.add("translator.setup_us", [](const O& o) { return o.setup_us; });
+  m.add("translator.hold_us", [](const O& o) { return o.hold_us; });
   m.add("buffer.fitted", [](const O& o) { return o.axis.buffer.fitted; });
   m.add("buffer.dead_s", [](const O& o) { return o.axis.buffer.dead_s; });
   m.add("buffer.start_rate", [](const O& o) { return o.axis.buffer.start; });

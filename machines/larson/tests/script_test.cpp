@@ -52,6 +52,37 @@ TEST_CASE("a script is its calls, in any case, with comments") {
   CHECK(calls[4].text == "MOV XSTATUS 036650");
 }
 
+TEST_CASE("RELTBL without operands takes those of the one before it, as the calls run") {
+  const std::vector<Call> calls =
+      script("RELTBL 5 -6\nREPEAT 2\nreltbl\nRELTBL 7 8\nABSTBL 1 2\nEND\nRELTBL\n");
+  std::vector<int> x;
+  for (const Call& one : calls) {
+    if (one.call.op == LarsonOp::kReltbl) x.push_back(one.call.a * 10 + one.call.b);
+  }
+  CHECK(x == std::vector<int>{44, 44, 78, 78, 78, 78});
+  CHECK_THAT(refused("CALTBL\nRELTBL\nRELTBL 1 2\n"), Catch::StartsWith("s.table:2: RELTBL"));
+  CHECK_THAT(refused("RELTBL 1\n"), Catch::Contains("takes x and y: 2 values, not 1"));
+}
+
+TEST_CASE("bytes are those of the words, low and high, and have eight bits") {
+  const std::vector<Call> calls =
+      script("MOVB xcount 377\nMOVB YSTATUS+1 20\nBIC XSTATUS 020000\nPOLL YSTATUS 010000\n");
+  CHECK(calls[0].call.a == 0);
+  CHECK(calls[1].call.a == 7);
+  CHECK(calls[1].call.b == 020);
+  CHECK(calls[2].call.op == LarsonOp::kBic);
+  CHECK(calls[3].call.op == LarsonOp::kPoll);
+  CHECK(calls[3].call.a == 3);
+  CHECK_THAT(refused("MOVB XCOUNT 400\n"), Catch::Contains("allowed 000000..000377, octal"));
+  CHECK_THAT(refused("MOV XCOUNT+1 3\n"), Catch::Contains("is not one of XCOUNT, XSTATUS"));
+}
+
+TEST_CASE("a script may begin with the byte order mark of UTF-8") {
+  const std::vector<Call> calls = script("\xEF\xBB\xBF" "caltbl\r\nWTTBL\r\n");
+  REQUIRE(calls.size() == 2);
+  CHECK(calls[0].text == "CALTBL");
+}
+
 TEST_CASE("blocks repeat, also in each other") {
   const std::vector<Call> calls =
       script("REPEAT 3\nRELTBL 1 0\nREPEAT 2\nWTTBL\nEND\nEND\nWHRTBL\n");

@@ -40,7 +40,7 @@ Result with_calls(int calls) {
     one.line = static_cast<std::size_t>(n + 1);
     result.calls.push_back(one);
     result.answers.push_back({1, {}});
-    result.done.push_back({50'000 * (n + 1), {1, 2}});
+    result.done.push_back({50'000 * (n + 1), {1, 2}, {}, {}});
   }
   return result;
 }
@@ -53,13 +53,19 @@ TEST_CASE("larson: each figure of a run is told by its row, unit, digits and til
                  "script.normal: WTTBL, normal whole",
                  "script.error: WTTBL, error whole {Error returns}",
                  "script.refused: moves refused whole",
-                 "script.off_step: WHRTBL against the rotors, largest [step] 2"};
+                 "script.off_step: WHRTBL against the rotors, at rest [step] 2",
+                 "script.ahead_step: WHRTBL against the rotors, in motion [step] 2",
+                 "script.platform_off_step: WHRTBL against the platform, at rest [step] 2"};
   for (const bool x : {true, false}) {
     const std::string id = x ? "x." : "y.", axis = x ? ", X" : ", Y";
     for (const auto& line :
          {id + "pulses: pulses" + axis + " whole",
           id + "lost_step: steps lost" + axis + " [steps] whole {Lost by " + (x ? "X}" : "Y}"),
           id + "slips: slips" + axis + " whole",
+          id + "breaches: pulses without a step" + axis + " whole",
+          id + "max_torque_N_m: largest torque" + axis + " [N m] 3",
+          id + "mean_current_A: mean current of all phases" + axis + " [A] 2",
+          id + "max_power_W: largest power at the shaft" + axis + " [W] 2",
           id + "max_angle_step: load angle" + axis + " [step] 2" + (x ? " {Load angle of X}" : ""),
           id + "max_rate: largest rate" + axis + " [step/s] 0",
           id + "max_waiting: pulses that wait" + axis + " whole",
@@ -110,9 +116,10 @@ TEST_CASE("larson: a run that was stopped or broke a promise says so") {
 TEST_CASE("larson: each column is printed with its digits, those of Y as those of X") {
   Lines expected{"t_s .8 1e-08", "call 1", "switches 1", "irq 1"};
   for (const std::string axis : {"x_", "y_"}) {
-    for (const char* column : {"asked_step 1", "step 1", "at_step .4 0.001", "speed_step_s .2 0.1",
-                               "angle_step .4 0.001", "rate_step_s .2 0.1", "waiting 1", "count 1",
-                               "status 1"}) {
+    for (const char* column :
+         {"asked_step 1", "step 1", "at_step .4 0.001", "speed_step_s .2 0.1", "angle_step .4 0.001",
+          "rate_step_s .2 0.1", "platform_step .4 0.001", "torque_N_m .5 0.0001", "current_A .2 0.01",
+          "power_W .3 0.001", "waiting 1", "count 1", "status 1"}) {
       expected.push_back(axis + column);
     }
   }

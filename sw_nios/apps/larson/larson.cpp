@@ -100,7 +100,18 @@ bool LarsonApp::begin(Bus& bus, const LarsonCall& call, LarsonAnswer& answer) {
       return true;
     case LarsonOp::kBis:
       bus.write(word_at(call.a), bus.read(word_at(call.a)) | static_cast<std::uint32_t>(call.b));
-      break;
+      return true;
+    case LarsonOp::kBic:
+      bus.write(word_at(call.a), bus.read(word_at(call.a)) & ~static_cast<std::uint32_t>(call.b));
+      return true;
+    case LarsonOp::kMovb:
+      bus.write(map::byte(static_cast<std::uint32_t>(call.a)),
+                static_cast<std::uint32_t>(call.b) & 0xFF);
+      return true;
+    case LarsonOp::kPoll:
+      if ((bus.read(word_at(call.a)) & static_cast<std::uint32_t>(call.b)) == 0) return true;
+      wait(bus, table_.poll_clk());
+      return false;
   }
   return true;
 }

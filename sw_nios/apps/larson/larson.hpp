@@ -20,7 +20,10 @@ enum class LarsonOp : std::uint8_t {
   kWhrtbl,
   kWait,    // a: [clk], at most 2^31 - 1
   kMov,     // b into the word a: 0 X count, 1 X status, 2 Y count, 3 Y status
-  kBis      // the same, by a read, an OR and a write
+  kBis,     // the same, by a read, an OR and a write
+  kBic,     // and by a read, an AND of the complement, and a write
+  kMovb,    // b into the byte a: 0 and 1 low and high of the X count, 2 and 3 of the X status...
+  kPoll     // reads the word a every poll_clk, until the bits b of it are 0
 };
 
 struct LarsonCall {

@@ -26,6 +26,10 @@ inline constexpr std::uint32_t kErrByte = 0x18;  // byte writes so far
 inline constexpr std::uint32_t kVectorX = 0340;
 inline constexpr std::uint32_t kVectorY = 0344;
 
+// The eight bytes of the four words, of which a write is a byte write.
+inline constexpr std::uint32_t kBytes = 0x40;
+constexpr std::uint32_t byte(std::uint32_t number) { return kBytes + 4 * number; }
+
 inline constexpr std::uint32_t kPlatform = 0x100;  // from here on
 inline constexpr std::uint32_t kTimer = 0x100;     // [clk] until its one interrupt; 0 = off
 inline constexpr std::uint32_t kIrq = 0x104;       // causes of the interrupt

@@ -216,8 +216,19 @@ class LauncherTest(Scratch):
                 shutil.rmtree(self.folder / "build", ignore_errors=True)
                 plain = self.started("run", "x", "--cpu", "native")
                 self.assertNotIn(wanted[0], plain)
-                started = self.started("run", "x", *words)
+                self.write("code", "3\n")  # the program lacks them
+                code, _, _, started = self.launch("run", "x", *words)
+                self.assertEqual(code, 3)
                 self.assertEqual([line for line in started if line in wanted], wanted)
+                self.write("code", "0\n")
+
+    def test_a_run_that_refuses_the_processors_rtl_does_so_before_anything_is_installed(self):
+        self.write("installed", "make\nclock\nwire\n")
+        self.write("bin/started", "#!/bin/bash\n" + LOG + "echo out; echo why >&2; exit 2\n")
+        code, out, told, started = self.launch("run", "x", "--cpu", "rtl")
+        self.assertEqual((code, out), (2, "out\n"))
+        self.assertTrue(told.endswith("why\n"))
+        self.assertEqual([line.split()[0] for line in started], ["cmake", "ninja", "trammel"])
 
     def test_each_tier_of_the_tests_builds_and_runs_its_own(self):
         for words, options in (([], "-LE ^full$"), (["--full"], ""), (["--full-only"], "-L ^full$"),
