@@ -207,8 +207,8 @@ void Session::note_pulses() {
   }
 }
 
-// Switches, losses and pulses without a step since the last stop, at their own times, which need not
-// be those of stops. The words are those that the chip had then, with the switch as it now is.
+// Switches, losses and pulses without a step since the last stop, at their own times, which need
+// not be those of stops. The words are those that the chip had then, with the switch as it now is.
 void Session::note_plant() {
   struct Seen {
     cosim::Clk edge = 0;

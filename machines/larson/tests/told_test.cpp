@@ -117,9 +117,10 @@ TEST_CASE("larson: each column is printed with its digits, those of Y as those o
   Lines expected{"t_s .8 1e-08", "call 1", "switches 1", "irq 1"};
   for (const std::string axis : {"x_", "y_"}) {
     for (const char* column :
-         {"asked_step 1", "step 1", "at_step .4 0.001", "speed_step_s .2 0.1", "angle_step .4 0.001",
-          "rate_step_s .2 0.1", "platform_step .4 0.001", "torque_N_m .5 0.0001", "current_A .2 0.01",
-          "power_W .3 0.001", "waiting 1", "count 1", "status 1"}) {
+         {"asked_step 1", "step 1", "at_step .4 0.001", "speed_step_s .2 0.1",
+          "angle_step .4 0.001", "rate_step_s .2 0.1", "platform_step .4 0.001",
+          "torque_N_m .5 0.0001", "current_A .2 0.01", "power_W .3 0.001", "waiting 1", "count 1",
+          "status 1"}) {
       expected.push_back(axis + column);
     }
   }
