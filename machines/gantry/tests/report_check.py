@@ -23,6 +23,7 @@ class Page(report_pages.ReportPages):
         "p": ["run", "gantry-p", *SHORT],
         "cascade": ["run", "gantry-cascade", *SHORT],
         "aw": ["run", "gantry-pi-aw", *SHORT],
+        "at_150_mm": ["run", "gantry-backlash", "--engine", "twin", "-s", "run.time_s=2"],
         "fitted": ["run", "gantry-calibrate", "--engine", "twin"],
     }
     compared = ("p", "cascade", "aw")
@@ -57,6 +58,13 @@ class Page(report_pages.ReportPages):
         to, begin, band = (metrics["options"][f"step.{name}"] for name in names)
         return {"step.overshoot_percent": f"of {to:g} mm", "step.arrive_s": f"within {band:g} mm",
                 "step.settle_s": f"within {0.02 * abs(to - begin):g} mm, 2 %"}
+
+    def test_asked_cart_and_observer_are_drawn_from_one_zero(self):
+        self.see("at_150_mm")
+        ends = {label: values[-1] for label, values in self.lines("position").items()}
+        self.assertEqual(ends["asked"], 155)
+        self.assertAlmostEqual(ends["cart"], 154, delta=1)
+        self.assertAlmostEqual(ends["observer"], ends["cart"], delta=0.1)
 
     def test_chips_name_the_controller(self):
         self.see("p")
