@@ -2,16 +2,9 @@
 //
 // Columns of the trace of the machine gantry.
 #include "machines/gantry/machine.hpp"
+#include "machines/gantry/units.hpp"
 
 namespace trammel::gantry {
-namespace {
-
-constexpr double kUnit_mm = 5.0 / 16384;                        // of position
-constexpr double kVelocity_mm_s = kUnit_mm / 512 * 4612;        // of velocity
-constexpr double kCount_mm = 5.0 / 32;                          // of control
-
-}  // namespace
-
 const lab::ColumnTable& columns() {
   static const lab::ColumnTable all = [] {
     using Table = lab::Columns<Options, Result>;
@@ -32,13 +25,14 @@ const lab::ColumnTable& columns() {
           [](const At& at) { return 1e3 * at.sample.origin; });
     t.add({"velocity_mm_s", "mm/s", 1e-2, fixed(3), "velocity of the observer"},
           [](const At& at) { return kVelocity_mm_s * at.sample.words.velocity; });
-    t.add({"filtered_mm_s", "mm/s", 1e-2, fixed(3), "that, filtered by the firmware", true},
+    t.add({"filtered_mm_s", "mm/s", 1e-2, fixed(3), "that, filtered: see velocity.filter", true},
           [](const At& at) { return kVelocity_mm_s * at.sample.velocity; });
     t.add({"error_count", "count", 1, {}, "error of position in control counts"},
           [](const At& at) { return static_cast<double>(at.sample.error); });
     t.add({"phase", "", 1, {},
-           "of the firmware: 0 idle, 1 homing, 2 and 3 calibration, 4 position, 5 velocity", false,
-           true},
+           "of the firmware: 0 idle, 1 homing, 2 and 3 calibration, 4 position, 5 velocity, 6 no "
+           "controller",
+           false, true},
           [](const At& at) { return static_cast<double>(at.sample.phase); });
     t.add({"angle", "", 1, {}, "angle within the stripe period, 2^14 a period"},
           [](const At& at) { return static_cast<double>(at.sample.words.phase); });

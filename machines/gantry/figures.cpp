@@ -3,10 +3,12 @@
 // What a run of the machine gantry is judged by.
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "machines/gantry/estimated.hpp"
 #include "machines/gantry/host.hpp"
 #include "machines/gantry/machine.hpp"
 #include "machines/gantry/published.hpp"
@@ -85,6 +87,7 @@ std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult
   add(figure("step.rest_mm", "step", "from the reference at the end", f.rest_mm, "mm", 3),
       "Rest");
   add(figure("step.swing_mm", "step", "peak to peak over the last quarter", f.swing_mm, "mm", 3));
+  if (options.firmware.open != sw::OpenForce::kNone) list = open_figures(options, result);
   add(figure("max_speed_mm_s", "largest speed", "", speed, "mm/s", 1), "Largest speed");
   add(count("max_force", "largest force of either motor", "", force, "count"));
   add(count("passes", "control passes", "", result.passes));
@@ -104,10 +107,11 @@ std::vector<std::string> remarks(const lab::Record& record) {
     lines.push_back(fmt::format("Brochier 2006, figure {}: {}", one->number, one->says));
   }
   const StepFigures step = step_figures(options, result);
-  if (!result.samples.empty() && step.arrive_s < 0) {
+  const bool steps = options.firmware.open == sw::OpenForce::kNone && !result.samples.empty();
+  if (steps && step.arrive_s < 0) {
     lines.push_back(fmt::format("the cart was never within {:g} mm of {:g} mm (step.band_mm)",
                                 options.band_mm, options.reference_mm));
-  } else if (!result.samples.empty() && step.settle_s < 0) {
+  } else if (steps && step.settle_s < 0) {
     lines.push_back(fmt::format("the cart is not within {:g} mm (2 %) of {:g} mm at the end",
                                 settling_mm(options), options.reference_mm));
   }
@@ -115,6 +119,9 @@ std::vector<std::string> remarks(const lab::Record& record) {
     lines.push_back(result.homed ? "homed" : "homing did not end");
   }
   if (result.fitted) lines.push_back("calibration fitted");
+  if (options.firmware.open == sw::OpenForce::kRandom) {
+    for (std::string& line : open_remarks(result)) lines.push_back(std::move(line));
+  }
   std::string bytes;
   constexpr std::size_t kShown = 24;
   for (std::size_t k = 0; k < std::min(kShown, result.heard.size()); ++k) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Keys of the machine gantry.
+#include <fmt/format.h>
+
 #include "lab/key_table.hpp"
 #include "machines/gantry/machine.hpp"
 
@@ -9,6 +11,18 @@ namespace trammel::lab {
 template <>
 inline std::vector<std::string> enum_names<sw::PositionPi::Sum>() {
   return {"none", "plain", "cancel", "anti_windup"};
+}
+template <>
+inline std::vector<std::string> enum_names<sw::OpenForce>() {
+  return {"none", "constant", "steps", "random"};
+}
+template <>
+inline std::vector<std::string> enum_names<gantry::Filter>() {
+  return {"mean", "low_pass_1", "low_pass_2", "kalman"};
+}
+template <>
+inline std::vector<std::string> enum_names<sw::Motors>() {
+  return {"both", "motor_1", "motor_2"};
 }
 
 }  // namespace trammel::lab
@@ -31,6 +45,16 @@ void add_firmware(Table& t) {
   t.one("monitor.sensor", 0, 0, "A and B lie on a circle of 250 to 520 codes, else off",
         TRAMMEL_LENS(firmware.watch_sensor));
   t.one("control.pass_ms", 0.5, 50, "from one control pass to the next", TRAMMEL_LENS(pass_ms));
+  t.one("control.open", 0, 0,
+        "a force without a controller: constant, with a changed sign after each step, or random; "
+        "goals then have no effect; none: a controller",
+        TRAMMEL_LENS(firmware.open));
+  t.one("control.open_force", -1023, 1023, "without a controller, positive to the right",
+        TRAMMEL_LENS(firmware.open_force));
+  t.one("control.open_hold_ms", 0.5, 60'000, "time of each step, and of each bit of random",
+        TRAMMEL_LENS(open_hold_ms));
+  t.one("control.motors", 0, 0, "motors that the firmware drives; the other one has no force",
+        TRAMMEL_LENS(firmware.motors));
   t.one("control.cascade", 0, 0, "the position asks for a velocity that a PI keeps",
         TRAMMEL_LENS(firmware.cascade));
   t.one("control.cascade_gain", 0, 16, "K of the cascade, a shift",
@@ -57,6 +81,23 @@ void add_position(Table& t) {
         TRAMMEL_LENS(firmware.position.least));
   t.one("position.aw_limit", 1, 1023, "force at which the anti-windup holds",
         TRAMMEL_LENS(firmware.position.aw_limit));
+  t.one("velocity.filter", 0, 0,
+        "of the velocity: the mean of four as in the source, or at 100 Hz a low-pass filter of "
+        "order 1 or 2 or a Kalman filter",
+        TRAMMEL_LENS(estimator.filter));
+  t.one("velocity.corner_Hz", 0.1, 45, "of the low-pass filters", TRAMMEL_LENS(estimator.corner));
+  t.text("velocity.model",
+         "of the Kalman filter, a1 ... an b1 ... bn in mm/s and force counts: y[k] = a1 y[k-1] + "
+         "... + b1 u[k-dead] + ...; empty: the stored model of order 3",
+         TRAMMEL_LENS(estimator.model));
+  t.one("velocity.dead_samples", 1, 20,
+        "of a model, also of an identified one: samples of 10 ms from a force to its first effect",
+        TRAMMEL_LENS(estimator.dead_samples));
+  t.one("velocity.noise_mm_s", 0.01, 1000, "noise that the Kalman filter assumes, rms",
+        TRAMMEL_LENS(estimator.noise));
+  t.one("velocity.doubt_count", 0.01, 1000,
+        "force that the Kalman filter assumes its model to leave out, rms",
+        TRAMMEL_LENS(estimator.doubt));
   t.one("velocity.gain_shift", 0, 30, "KV", TRAMMEL_LENS(firmware.velocity.gain));
   t.one("velocity.time_shift", 0, 30, "KIV", TRAMMEL_LENS(firmware.velocity.time));
   t.one("velocity.sum_per_tick", 0, 0, "the sum grows at each conversion; false: once per pass",
@@ -65,6 +106,12 @@ void add_position(Table& t) {
         TRAMMEL_LENS(firmware.velocity.aw_limit));
   t.one("velocity.aw_shift", 0, 0, "what it stores is shifted by KIV, unlike the listing's",
         TRAMMEL_LENS(firmware.velocity.aw_shift));
+  t.one("velocity.sum", 0, 0, "the velocity's controller is PI; false: P",
+        TRAMMEL_LENS(firmware.velocity.sum));
+  t.one("velocity.feed_forward", 0, 0, "the force that the velocity takes is added",
+        TRAMMEL_LENS(firmware.velocity.feed_forward));
+  t.one("velocity.min_force", 0, 1023, "a smaller force is lifted to it; 0: none is",
+        TRAMMEL_LENS(firmware.velocity.least));
 }
 
 void add_axis(Table& t) {
@@ -73,6 +120,13 @@ void add_axis(Table& t) {
   t.one("axis.stiction_count", 0, 500, "force at which the cart breaks away",
         TRAMMEL_LENS(axis.stiction));
   t.one("axis.viscous_N_s_m", 0, 200, "of each motor", TRAMMEL_LENS(axis.viscous));
+  for (std::size_t m = 0; m < kMotors; ++m) {
+    const std::string motor = fmt::format("axis.motor_{}_", m + 1);
+    t.one(motor + "left", 0.2, 2, "share of its force that this motor has to the left",
+          [m](auto& o) -> auto& { return o.axis.left[m]; });
+    t.one(motor + "right", 0.2, 2, "share of its force that this motor has to the right",
+          [m](auto& o) -> auto& { return o.axis.right[m]; });
+  }
   t.one("axis.motor_mass_kg", 0.05, 10, "of each motor at the belt", TRAMMEL_LENS(axis.motor_mass));
   t.one("axis.cart_mass_kg", 0.05, 10, "of the cart", TRAMMEL_LENS(axis.cart_mass));
   t.one("axis.belt_N_m", 1e3, 1e6, "stiffness of the belt to each motor",
@@ -93,6 +147,10 @@ void add_axis(Table& t) {
   t.one("sensor.offset_b_error", -0.15, 0.15, "share of the amplitude",
         TRAMMEL_LENS(stripes.offset_b_error));
   t.one("sensor.phase_b_error_rad", -0.15, 0.15, "of B", TRAMMEL_LENS(stripes.phase_b_error));
+  t.one("sensor.noise_code", 0, 50, "noise of A and B, rms", TRAMMEL_LENS(stripes.noise));
+  t.one("sensor.dot_noise_code", 0, 100, "noise of their derivatives, rms; 1 code: 1 mm/s",
+        TRAMMEL_LENS(stripes.dot_noise));
+  t.one("sensor.seed", 0, 9007199254740992.0, "of the noise", TRAMMEL_LENS(stripes.seed));
   t.one("sensor.defect_1_unit", -4000, 4000, "jump at 190 mm, 2^-14 of a period; 0: none",
         TRAMMEL_LENS(stripes.defect_units[0]));
   t.one("sensor.defect_2_unit", -4000, 4000, "jump at 300 mm",

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "machines/gantry/session.hpp"
 #include "machines/gantry/signals.hpp"
 
@@ -21,6 +23,25 @@ void validate(lab::Settings& settings) {
     throw lab::ConfigError(fmt::format(
         "position.min_force: {} is above position.max_force, {}; permitted: at most that",
         options.firmware.position.least, options.firmware.position.most));
+  }
+  const sw::GantrySetup& firmware = options.firmware;
+  if (firmware.open != sw::OpenForce::kNone && firmware.open_force == 0) {
+    throw lab::ConfigError(
+        "control.open_force: 0 moves nothing; permitted with control.open: any other");
+  }
+  if (firmware.compensate && firmware.motors != sw::Motors::kBoth) {
+    throw lab::ConfigError(
+        "control.compensate: true takes two motors; permitted: control.motors = both");
+  }
+  read_model(options.estimator.model);
+  const double passes = kEstimate_ms / options.pass_ms;
+  const bool samples = options.estimator.filter != Filter::kMean ||
+                       firmware.open == sw::OpenForce::kRandom;
+  if (samples && std::fabs(passes - std::round(passes)) > 1e-9) {
+    throw lab::ConfigError(fmt::format(
+        "control.pass_ms: {:g} is no part of {:g} ms, in which filter and identification sample; "
+        "permitted then: 0.5, 1, 2, 2.5, 5, 10 and other parts",
+        options.pass_ms, kEstimate_ms));
   }
 }
 

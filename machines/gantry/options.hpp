@@ -7,6 +7,7 @@
 #include <string>
 
 #include "lab/settings.hpp"
+#include "machines/gantry/estimator.hpp"
 #include "models/plant/belt_axis.hpp"
 #include "models/plant/stripe_track.hpp"
 #include "sw_nios/apps/gantry/gantry.hpp"
@@ -32,7 +33,9 @@ struct Options final : lab::SettingsOf<Options, machine> {
   double record_ms = 1;              // from one sample of the record to the next
   bool serial = false;               // a pseudo-terminal instead of `sends`, in real time
   sw::GantrySetup firmware;          // but for pass_clk, which follows
+  EstimatorConfig estimator;         // of the velocity
   double pass_ms = 2;
+  double open_hold_ms = 20;          // of a force without controller
   plant::BeltAxisConfig axis;
   plant::StripeTrackConfig stripes;
 };

@@ -63,7 +63,7 @@ class TrackPlant final : public cosim::FalliblePlant {
       return std::clamp(static_cast<int>(0.5 * (std::abs(force[0]) + std::abs(force[1]))), 0, 1023);
     }
     const plant::BeltAxis::Seen seen = axis_.seen(n);
-    return stripes_.code(channel, seen.x, seen.v);
+    return stripes_.code(channel, seen.x, seen.v, n);
   }
 
   // Where on the track an observer's position is 0 that has this one at edge n [m]: it counts from

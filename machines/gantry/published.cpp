@@ -44,6 +44,11 @@ struct Row {
 
 const std::vector<Row>& rows() {
   static const std::vector<Row> all{
+      {"gantry-filter", "velocity.filter=low_pass_1", 21, "less noise, more than with order 2", {}},
+      {"gantry-filter", "velocity.filter=low_pass_2", 21, "less noise than with order 1", {}},
+      {"gantry-identify", "", 23, "3 samples of dead time, a fit of 53.49 % with order 3", {}},
+      {"gantry-filter", "", 28, "noise as with order 2, smoother at reversals", {}},
+      {"gantry-open", "", 30, "slower at 90 to 110 and 220 to 290 mm, peaks at 190 and 300 mm", {}},
       {"gantry-bang-bang", "position.max_force=256", 32, "oscillates", {}},
       {"gantry-bang-bang", "", 32, "oscillates", {}},
       {"gantry-bang-bang", "position.max_force=352", 32, "oscillates", {}},
@@ -78,6 +83,10 @@ const std::vector<Row>& rows() {
       {"gantry-pi-linear", "", 41, "a small overshoot, less with a larger TI", {}},
       {"gantry-pi-linear", "position.time_shift=7", 41, "does not reach its reference for long",
        {}},
+      {"gantry-velocity-p", "velocity.gain_shift=6", 43, "follows, disturbed by the friction zones",
+       {}},
+      {"gantry-velocity-p", "", 44, "follows better, disturbed at 250 mm", {}},
+      {"gantry-velocity-p", "velocity.gain_shift=9", 45, "least disturbed, unstable when slow", {}},
       {"gantry-friction", "velocity.time_shift=13", 46, "some oscillation at the beginning", {}},
       {"gantry-friction", "", 47, "some oscillation, then smooth through the friction zones", {}},
       {"gantry-friction", "velocity.time_shift=15", 48, "an overshoot, no oscillation", {}},
@@ -89,6 +98,8 @@ const std::vector<Row>& rows() {
       {"gantry-cascade-k10", "", 53, "the small step overshoots", {kArrives}},
       {"gantry-cascade-k11", "", 54, "oscillates", {}},
       {"gantry-cascade", "", 55, "no overshoot, slower than P", {no_overshoot(305), kArrives}},
+      {"gantry-motor", "", 57, "slower to the left than motor 2, faster to the right", {}},
+      {"gantry-motor", "control.motors=motor_2", 57, "more overshoot than motor 1 to the left", {}},
       {"gantry-backlash", "", 59, "faster with compensation, no overshoot",
        {no_overshoot(5), kArrives}},
       {"gantry-backlash", "control.compensate=false", 59, "slower than with compensation",

@@ -4,11 +4,13 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "cosim/disk_vector.hpp"
 #include "machines/gantry/chip.hpp"
+#include "machines/gantry/identification.hpp"
 #include "machines/gantry/options.hpp"
 
 namespace trammel::gantry {
@@ -40,6 +42,7 @@ struct Result : cosim::RunResult {
   bool homed = false, fitted = false;
   sw::CalibrationWords fit{};        // words of the fit
   Store store{};                     // as the run left it
+  std::optional<Identified> identified;  // of a random force without controller
 };
 
 // What a step of the reference gives, in mm of the true cart from its zero.
@@ -51,5 +54,15 @@ struct StepFigures {
   double swing_mm = 0;        // peak to peak over the last quarter
 };
 StepFigures step_figures(const Options& options, const Result& result);  // figures.cpp
+
+// How well the velocity is known in a run without controller.
+struct VelocityFigures {
+  double raw_mm_s = -1;   // rms of the observer's velocity at constant speed; below 0: no such
+  double noise_mm_s = -1;  // of the filtered one
+  double error_mm_s = 0;  // of the filtered one, rms over the run: with its lag and its bias
+  double late_s = -1;     // from a true change of sign to that of the filtered; below 0: none
+  double changes = 0;     // of sign of the filtered velocity, within 0.1 s of a true one
+};
+VelocityFigures velocity_figures(const Options& options, const Result& result);  // estimated.cpp
 
 }  // namespace trammel::gantry

@@ -17,7 +17,18 @@ sw::GantrySetup setup_of(const Options& options) {
   sw::GantrySetup setup = options.firmware;
   setup.pass_clk = static_cast<std::uint32_t>(
       cosim::clocks_of(1e-3 * options.pass_ms, options.axis.clock_ps));
+  setup.open_passes = static_cast<std::uint32_t>(
+      std::max(1.0, std::round(options.open_hold_ms / options.pass_ms)));
   return setup;
+}
+
+bool identifies(const Options& options) {
+  return options.firmware.open == sw::OpenForce::kRandom;
+}
+
+std::unique_ptr<Estimator> estimator_of(const Options& options) {
+  if (options.estimator.filter == Filter::kMean && !identifies(options)) return nullptr;
+  return std::make_unique<Estimator>(options.estimator, options.pass_ms, identifies(options));
 }
 
 ChipSetup chip_of(const Options& options) {
@@ -36,7 +47,8 @@ Session::Session(const Options& options, const cosim::Hooks& hooks, const cosim:
       chip_(options.run.engine == cosim::Engine::kRtl
                 ? make_verilated_chip(options.run, waves.window, chip_of(options))
                 : make_twin_chip(chip_of(options))),
-      app_(setup_of(options)),
+      estimator_(estimator_of(options)),
+      app_(setup_of(options), estimator_.get()),
       loop_(*chip_, seen(), *this, options.run.window()) {}
 
 // What the chip is wired to. The serial line is an encoder's A to a fault, the over-temperature
@@ -188,6 +200,9 @@ std::unique_ptr<cosim::RunResult> Session::result() {
   result->fitted = app_.fitted();
   result->fit = app_.words();
   result->store = chip_->store();
+  if (identifies(options_)) {
+    result->identified = identification(estimator_->samples(), options_.estimator.dead_samples);
+  }
   result->event_hash = hash_.value();
   result->events = hash_.events();
   if (fault_watch_) result->fault_report = fault_watch_->report();

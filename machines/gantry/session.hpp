@@ -49,6 +49,7 @@ class Session final : public cosim::Session, private cosim::Observer, public cos
   std::unique_ptr<GantryChip> chip_;
   std::optional<cosim::FaultPlant> failing_;  // around the plant
   std::optional<cosim::FaultWatch> fault_watch_;
+  std::unique_ptr<Estimator> estimator_;  // null: the firmware has its own filter
   sw::GantryApp app_;
   cosim::Loop loop_;
   cosim::DiskVector<Sample> samples_;

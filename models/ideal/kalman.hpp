@@ -22,6 +22,7 @@ struct LinearModel {
 
   double output(const Column& x) const { return (c * x)(0); }
   Column next(const Column& x, double u) const { return phi * x + psi * u; }
+  bool stable() const { return phi.eigenvalues().cwiseAbs().maxCoeff() < 1; }
 };
 
 template <int Order>

@@ -37,6 +37,7 @@ struct BeltAxisConfig {
   double stop_stiffness = 1e5, stop_damping = 0.2;   // [N/m], ratio
   std::array<FrictionZone, 2> zones{{{0.090, 0.110}, {0.220, 0.290}}};
   double zone_more = 0.25, zone_ramp = 5e-3;      // share, [m]
+  std::array<double, 2> left{1, 1}, right{1, 1};  // share of its force a motor has, by its sense
   double winding = 0.5e-3;                        // [s]; 0: the force is the bridge's at once
   double delay = 9.5e-3;                          // [s]
   double start = 0;                               // [m]
@@ -165,7 +166,8 @@ class BeltAxis {
 
   void step() {
     for (std::size_t m = 0; m < 2; ++m) {
-      const double asked = alive_[m] * supply_ * c_.full_counts * on_[m] / kStep;
+      const double share = on_[m] > 0 ? c_.left[m] : c_.right[m];
+      const double asked = alive_[m] * supply_ * share * c_.full_counts * on_[m] / kStep;
       s_.force[m] += follow_ * (asked - s_.force[m]);
       on_[m] = 0;
     }

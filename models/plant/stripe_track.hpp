@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Codes of a sensor over stripes: sine, cosine and their derivatives, ideal or with errors of
-// amplitude, offset and phase, and with two places where the stripes themselves are displaced
-// (Brochier 2006, 3.3.2). The derivatives are those of the displaced stripes, so that a defect's
-// edges show in the velocity more than in the position (figure 30).
+// amplitude, offset and phase, with noise, and with two places where the stripes themselves are
+// displaced (Brochier 2006, 3.3.2). The derivatives are those of the displaced stripes, so that a
+// defect's edges show in the velocity more than in the position (figure 30).
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
+
+#include "models/plant/noise.hpp"
 
 namespace trammel::plant {
 
@@ -24,6 +27,8 @@ struct StripeTrackConfig {
   std::array<double, 2> defect_at{0.190, 0.300};                // [m] their middles
   std::array<double, 2> defect_units{200, -200};                // [2^-14 period]; 0: none
   double defect_width = 2e-3;                                   // [m]
+  double noise = 0, dot_noise = 0;                              // [code] rms
+  std::uint64_t seed = 1;                                       // of the noise
 };
 
 class StripeTrack {
@@ -54,20 +59,24 @@ class StripeTrack {
     return 1 + shift * c_.period / 16384;
   }
 
-  // At a place [m] and a speed [m/s]; channels 0 A, 1 dA/dt, 2 B, 3 dB/dt; others: the middle.
-  int code(int channel, double x, double v) const {
+  // At a place [m], a speed [m/s] and a clock, of which noise is a function; channels 0 A, 1 dA/dt,
+  // 2 B, 3 dB/dt; others: the middle.
+  int code(int channel, double x, double v, std::int64_t n = 0) const {
     const double angle = kTurn * seen(x) / c_.period;
     const double dot = c_.dot_codes * v * slope(x) / c_.dot_speed;
+    const auto noisy = [&](double clean) {
+      const double rms = channel % 2 == 0 ? c_.noise : c_.dot_noise;
+      return rounded(rms == 0 ? clean : clean + rms * unit_noise(c_.seed, channel, n));
+    };
     switch (channel) {
       case 0:
-        return rounded(c_.amplitude *
-                       (c_.offset_a_error + (1 + c_.amplitude_a_error) * std::cos(angle)));
-      case 1: return rounded(-dot * (1 + c_.amplitude_a_error) * std::sin(angle));
+        return noisy(c_.amplitude *
+                     (c_.offset_a_error + (1 + c_.amplitude_a_error) * std::cos(angle)));
+      case 1: return noisy(-dot * (1 + c_.amplitude_a_error) * std::sin(angle));
       case 2:
-        return rounded(c_.amplitude * (c_.offset_b_error + (1 + c_.amplitude_b_error) *
-                                                               std::sin(angle + c_.phase_b_error)));
-      case 3:
-        return rounded(dot * (1 + c_.amplitude_b_error) * std::cos(angle + c_.phase_b_error));
+        return noisy(c_.amplitude * (c_.offset_b_error + (1 + c_.amplitude_b_error) *
+                                                             std::sin(angle + c_.phase_b_error)));
+      case 3: return noisy(dot * (1 + c_.amplitude_b_error) * std::cos(angle + c_.phase_b_error));
       default: return kCentre;
     }
   }

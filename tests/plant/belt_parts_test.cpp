@@ -118,6 +118,20 @@ TEST_CASE("belt axis: a motor that is open has no force, the other one all of it
   CHECK(axis.state().force[0] == Approx(1023 * 0.25));
 }
 
+TEST_CASE("belt axis: a motor has its own share of force in each sense") {
+  BeltAxisConfig c = smooth();
+  c.left = {0.8, 1.1};
+  c.right = {1.2, 0.5};
+  for (const double sense : {1.0, -1.0}) {
+    BeltAxis axis(c);
+    axis.drive(0, {sense, sense});
+    axis.drive(kSecond / 100, {sense, sense});
+    for (std::size_t m = 0; m < 2; ++m) {
+      CHECK(axis.state().force[m] == Approx(sense * 1023 * (sense > 0 ? c.left[m] : c.right[m])));
+    }
+  }
+}
+
 TEST_CASE("belt axis: between two steps it is seen on the line between them") {
   BeltAxis axis(smooth());
   axis.drive(0, {1, 1});

@@ -46,6 +46,37 @@ TEST_CASE("stripe track: each channel is sine or cosine with its own errors, or 
   }
 }
 
+TEST_CASE("stripe track: noise has its rms, each channel and each clock its own, by the seed") {
+  StripeTrackConfig c = own();
+  c.noise = 3;
+  c.dot_noise = 7;
+  const StripeTrack track(c), same(c), clean(own());
+  c.seed = 2;
+  const StripeTrack other(c);
+  constexpr double kX = 1e-3, kV = 0.1;
+  constexpr int kCount = 20'000;
+  for (const int channel : {0, 1, 2, 3}) {
+    double mean = 0, square = 0;
+    int repeats = 0, as_other = 0, as_next = 0;
+    for (int n = 0; n < kCount; ++n) {
+      const double off = track.code(channel, kX, kV, n) - clean.code(channel, kX, kV, n);
+      mean += off / kCount;
+      square += off * off / kCount;
+      repeats += track.code(channel, kX, kV, n) == same.code(channel, kX, kV, n) ? 1 : 0;
+      as_other += track.code(channel, kX, kV, n) == other.code(channel, kX, kV, n) ? 1 : 0;
+      as_next += track.code(channel, kX, kV, n) == track.code(channel, kX, kV, n + 1) ? 1 : 0;
+    }
+    const double rms = channel % 2 == 0 ? 3 : 7;
+    CAPTURE(channel, mean, square);
+    CHECK(mean == Approx(0).margin(0.5));  // codes are whole: the clean one is rounded, too
+    CHECK(std::sqrt(square) == Approx(rms).epsilon(0.05));
+    CHECK(repeats == kCount);
+    CHECK(as_other < kCount / 5);
+    CHECK(as_next < kCount / 5);
+  }
+  CHECK(track.code(4, kX, kV, 1) == 512);
+}
+
 TEST_CASE("stripe track: codes end at 0 and 1023") {
   StripeTrackConfig c = own();
   c.amplitude = 900;

@@ -159,6 +159,21 @@ TEST_CASE("velocity: a sum per tick adds the error that was held; per pass the p
   CHECK(VelocityPi::step(c, ticks, 0, 0, 10) == -160);
 }
 
+TEST_CASE("velocity P: only the error's part, lifted to the least force where it is not 0") {
+  VelocityPi::Config c;
+  c.sum = c.feed_forward = false;
+  c.least = 128;
+  VelocityPi::State s;
+  for (int k = 0; k < 1000; ++k) VelocityPi::step(c, s, 50000, 0);  // nothing grows
+  CHECK(VelocityPi::step(c, s, 50000, 0) == 391);                   // 50000 / 128, up
+  CHECK(VelocityPi::step(c, s, 50000, 50000) == 0);
+  CHECK(VelocityPi::step(c, s, 1000, 0) == 128);
+  CHECK(VelocityPi::step(c, s, 0, 1000) == -128);
+  CHECK(VelocityPi::step(c, s, 0, 128 * 200) == -200);
+  c.feed_forward = true;
+  CHECK(VelocityPi::step(c, s, 50000, 50000) == 356);  // and nothing else
+}
+
 TEST_CASE("shifts of a velocity's error go down on either side of 0") {
   const VelocityPi::Config c;
   VelocityPi::State above, below;

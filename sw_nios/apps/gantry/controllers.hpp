@@ -21,6 +21,11 @@ inline std::int32_t narrowed(std::int64_t value) {
 }
 inline std::int32_t sign_of(std::int32_t value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
+// A force that is not 0 is at least that large.
+inline std::int32_t lifted(std::int32_t force, std::int32_t least) {
+  return force < least && force > -least ? sign_of(force) * least : force;
+}
+
 // Proportional control and the family of PI: P = K e, I = S >> TI, S the sum of e.
 struct PositionPi {
   enum class Sum : std::uint8_t {
@@ -65,8 +70,7 @@ struct PositionPi {
       s.last_sum = s.sum;
       i = narrowed(s.sum >> c.time);
     }
-    std::int32_t u = narrowed(std::int64_t{p} + i);
-    if (u != 0 && u < c.least && u > -c.least) u = sign_of(u) * c.least;
+    const std::int32_t u = lifted(narrowed(std::int64_t{p} + i), c.least);
     return within(within(u, c.most), kFullForce);
   }
 
@@ -95,11 +99,14 @@ inline std::int32_t feed_forward(std::int32_t v) {
 // at every conversion tick, as the listing's interrupt has it (appendix C.1).
 struct VelocityPi {
   struct Config {
+    bool sum = true;                 // false: S is 0
+    bool feed_forward = true;        // false: ff is 0
     std::int32_t gain = 7;           // KV, a shift
     std::int32_t time = 14;          // KIV
     bool per_tick = false;           // S grows at every conversion tick
     std::int32_t aw_limit = 592;     // 250h
     bool aw_shift = false;           // what the anti-windup stores is shifted by KIV
+    std::int32_t least = 0;          // a smaller force is lifted to it; 0: none is
   };
   struct State {
     std::int64_t sum = 0, last_sum = 0;
@@ -110,10 +117,10 @@ struct VelocityPi {
   static std::int32_t step(const Config& c, State& s, std::int32_t ref, std::int32_t velocity,
                            std::uint32_t ticks = 1) {
     const std::int64_t ev = std::int64_t{velocity} - ref;
-    s.sum += c.per_tick ? s.error * ticks : ev;
+    if (c.sum) s.sum += c.per_tick ? s.error * ticks : ev;
     s.error = ev;
     const std::int64_t p = ev >> c.gain, i = s.sum >> c.time;
-    if (p > c.aw_limit || p < -c.aw_limit) {
+    if (!c.sum || p > c.aw_limit || p < -c.aw_limit) {
       s.sum = s.last_sum;
     } else if (p > 0 && p + i > c.aw_limit) {
       s.sum = stored(c, c.aw_limit - p);
@@ -121,7 +128,8 @@ struct VelocityPi {
       s.sum = stored(c, -c.aw_limit - p);
     }
     s.last_sum = s.sum;
-    return within(narrowed(feed_forward(ref) - p - (s.sum >> c.time)), kFullForce);
+    const std::int32_t ahead = c.feed_forward ? feed_forward(ref) : 0;
+    return within(lifted(narrowed(ahead - p - (s.sum >> c.time)), c.least), kFullForce);
   }
 
  private:
@@ -152,6 +160,17 @@ class MeanFilter {
 
 struct MotorForces {
   std::int32_t one = 0, two = 0;  // of motor 1 and 2
+};
+
+// In place of that mean.
+class VelocityFilter {
+ public:
+  // Once a pass, with the observer's velocity and the forces since the pass before.
+  virtual std::int32_t step(std::int32_t velocity, MotorForces forces) = 0;
+  virtual void restart() = 0;
+
+ protected:
+  ~VelocityFilter() = default;
 };
 
 // Two motors against the backlash between them: near the goal the one that does not lead brakes, at

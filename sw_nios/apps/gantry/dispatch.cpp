@@ -155,7 +155,7 @@ void GantryApp::stream(Bus& bus, std::uint32_t ticks) {
   if ((bus.read(tau::kSendState) & tau::kSendStateRoomMask) < 8) return;
   send(bus, kValue, channel_of::kStreamPosition, static_cast<std::uint32_t>(millimetres()));
   send(bus, kValue, channel_of::kStreamTime, ticks);
-  send(bus, kValue, channel_of::kStreamVelocity, static_cast<std::uint32_t>(filter_.mean()));
+  send(bus, kValue, channel_of::kStreamVelocity, static_cast<std::uint32_t>(filtered_));
 }
 
 }  // namespace trammel::sw

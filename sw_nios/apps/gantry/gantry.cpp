@@ -32,6 +32,8 @@ void GantryApp::start(Bus& bus) {
     phase_ = GantryPhase::kHoming;
   } else if (c_.calibrate) {
     phase_ = GantryPhase::kToFit;
+  } else if (c_.open != OpenForce::kNone) {
+    phase_ = GantryPhase::kOpen;
   }
 }
 
@@ -62,7 +64,8 @@ void GantryApp::pass(Bus& bus) {
   }
   units_ = static_cast<std::int32_t>(bus.read(tau::kPosition));
   count_ = (units_ >> 9) - zero_;
-  filter_.step(static_cast<std::int32_t>(bus.read(tau::kVelocity)));
+  const auto velocity = static_cast<std::int32_t>(bus.read(tau::kVelocity));
+  filtered_ = other_ != nullptr ? other_->step(velocity, forces_) : filter_.step(velocity);
   if (!seen_) {
     seen_ = true;
     still_count_ = count_;
@@ -73,6 +76,9 @@ void GantryApp::pass(Bus& bus) {
     home(bus, count_, ticks);
   } else if (phase_ == GantryPhase::kToFit) {
     go_to_fit(bus, ticks);
+  } else if (phase_ == GantryPhase::kOpen) {
+    const std::int32_t force = open_force();
+    go(bus, {force, force});
   } else if (phase_ != GantryPhase::kIdle) {
     go(bus, control(ticks));
   }
@@ -94,7 +100,7 @@ void GantryApp::home(Bus& bus, std::int32_t count, std::uint32_t ticks) {
   homed_ = true;
   still_tick_ = ticks;
   goal_ = 0;
-  phase_ = c_.calibrate && !fitted_ ? GantryPhase::kToFit : GantryPhase::kPosition;
+  phase_ = c_.calibrate && !fitted_ ? GantryPhase::kToFit : ready(GantryPhase::kPosition);
 }
 
 void GantryApp::go_to_fit(Bus& bus, std::uint32_t ticks) {
@@ -136,7 +142,12 @@ void GantryApp::end_fit(Bus& bus) {
     bus.write(tau::kCalibrate, 7u << 16);
   }
   observe(bus, kObserveAll);
-  if (c_.home && fitted_) phase_ = GantryPhase::kHoming;
+  if (fitted_) phase_ = c_.home ? GantryPhase::kHoming : ready(GantryPhase::kIdle);
+}
+
+// Where homing and calibration end.
+GantryPhase GantryApp::ready(GantryPhase closed) const {
+  return c_.open == OpenForce::kNone ? closed : GantryPhase::kOpen;
 }
 
 // A restart of the observer: the position counts anew from its first period, so that what was
@@ -148,6 +159,8 @@ void GantryApp::observe(Bus& bus, std::uint32_t mask) {
   zero_ = 0;
   seen_ = homed_ = false;
   filter_ = {};
+  if (other_ != nullptr) other_->restart();
+  filtered_ = 0;
   if (phase_ != GantryPhase::kHoming) phase_ = GantryPhase::kIdle;
 }
 
@@ -183,7 +196,7 @@ MotorForces GantryApp::control(std::uint32_t ticks) {
   error_ = count_ - goal_;
   const std::uint32_t since = ticks - last_tick_;
   const auto keep = [&](std::int32_t ref) {
-    return VelocityPi::step(c_.velocity, velocity_, ref, filter_.mean(), since);
+    return VelocityPi::step(c_.velocity, velocity_, ref, filtered_, since);
   };
   if (phase_ == GantryPhase::kVelocity) {
     const std::int32_t u = keep(goal_velocity_);
@@ -198,7 +211,22 @@ MotorForces GantryApp::control(std::uint32_t ticks) {
   return c_.compensate ? c_.compensation.share(error_, -u) : MotorForces{-u, -u};
 }
 
+// The shift register is that of x^7 + x^6 + 1.
+std::int32_t GantryApp::open_force() {
+  constexpr std::uint32_t kTurn = 127;
+  const std::uint32_t hold = open_pass_ / c_.open_passes;
+  if (c_.open == OpenForce::kSteps) open_sign_ = hold % 2 == 0;
+  if (c_.open == OpenForce::kRandom && open_pass_ % c_.open_passes == 0) {
+    open_bits_ = (open_bits_ << 1 | ((open_bits_ >> 6 ^ open_bits_ >> 5) & 1)) & 0x7F;
+    open_sign_ = ((open_bits_ & 1) != 0) == (hold / kTurn % 2 == 0);
+  }
+  ++open_pass_;
+  return open_sign_ ? c_.open_force : -c_.open_force;
+}
+
 void GantryApp::go(Bus& bus, MotorForces forces) {
+  if (c_.motors == Motors::kFirst) forces.two = 0;
+  if (c_.motors == Motors::kSecond) forces.one = 0;
   forces_ = forces;
   bus.write(tau::kForce1, bits(forces.one));
   bus.write(tau::kForce2, bits(forces.two));

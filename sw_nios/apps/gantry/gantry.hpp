@@ -12,14 +12,23 @@
 
 namespace trammel::sw {
 
+// A run without controller: a force of both motors, the same, its sign changed after each hold, or
+// changed by a pseudo-random sequence of 127 bits that is then repeated inverted.
+enum class OpenForce : std::uint8_t { kNone, kConstant, kSteps, kRandom };
+enum class Motors : std::uint8_t { kBoth, kFirst, kSecond };  // that the firmware drives
+
 struct GantrySetup {
   bool cascade = false;           // of position: a velocity that a PI keeps, else PositionPi
   bool compensate = false;        // the backlash, of the cascade
+  Motors motors = Motors::kBoth;
+  OpenForce open = OpenForce::kNone;
   bool home = false;              // at power-on
   bool calibrate = false;         // at power-on, behind that
   bool stream = false;            // position, time and velocity go out every pass
   std::uint32_t pass_clk = 100'000;       // 2 ms
   std::int32_t cascade_gain = 9;          // K: vref = -(e << K)
+  std::int32_t open_force = 0x88;         // positive to the right
+  std::uint32_t open_passes = 10;         // of a hold
   std::int32_t home_force = 0x150;
   std::uint32_t home_ticks = 20'000;      // the position unchanged for so long is zero
   std::int32_t fit_force = 0x150;
@@ -30,12 +39,21 @@ struct GantrySetup {
   Compensation compensation;
 };
 
-enum class GantryPhase : std::uint8_t { kIdle, kHoming, kToFit, kFitting, kPosition, kVelocity };
+enum class GantryPhase : std::uint8_t {
+  kIdle,
+  kHoming,
+  kToFit,
+  kFitting,
+  kPosition,
+  kVelocity,
+  kOpen,
+};
 enum class GantryFailure : std::uint32_t { kNone, kFitFailed, kStalled, kSensor };
 
 class GantryApp final : public Firmware {
  public:
-  explicit GantryApp(const GantrySetup& setup) : c_(setup) {}
+  explicit GantryApp(const GantrySetup& setup, VelocityFilter* other = nullptr)
+      : c_(setup), other_(other) {}
 
   void start(Bus& bus) override;
   void isr(Bus& bus) override;
@@ -46,7 +64,7 @@ class GantryApp final : public Firmware {
   std::int32_t error() const { return error_; }             // [count]
   std::int32_t goal() const { return goal_; }               // [count]
   std::int32_t zero() const { return zero_; }               // [count] where homing ended
-  std::int32_t velocity() const { return filter_.mean(); }  // filtered
+  std::int32_t velocity() const { return filtered_; }  // filtered
   std::int32_t goal_velocity() const { return goal_velocity_; }
   std::uint32_t unknown() const { return unknown_; }        // frames for no channel
   bool homed() const { return homed_; }
@@ -64,6 +82,8 @@ class GantryApp final : public Firmware {
   bool failed(Bus& bus, std::uint32_t ticks);
   void fail(Bus& bus, GantryFailure why);
   MotorForces control(std::uint32_t ticks);
+  std::int32_t open_force();
+  GantryPhase ready(GantryPhase closed) const;
   void go(Bus& bus, MotorForces forces);
 
   void receive(Bus& bus);
@@ -80,6 +100,8 @@ class GantryApp final : public Firmware {
   PositionPi::State position_;
   VelocityPi::State velocity_;
   MeanFilter filter_;
+  VelocityFilter* other_;  // instead of it, or null
+  std::int32_t filtered_ = 0;
   CalibrationFit fit_;
   CalibrationWords words_{};
   std::int32_t count_ = 0, units_ = 0, zero_ = 0, goal_ = 0, error_ = 0, goal_velocity_ = 0;
@@ -91,6 +113,8 @@ class GantryApp final : public Firmware {
   std::uint32_t asked_ = 0;        // conversions that the host waits for, bit = channel
   std::uint32_t described_ = UINT32_MAX;  // configuration words sent
   std::uint32_t unknown_ = 0;
+  std::uint32_t open_pass_ = 0, open_bits_ = 1;  // open_bits_: of the shift register
+  bool open_sign_ = true;
   bool seen_ = false, homed_ = false, fitted_ = false;
 };
 
