@@ -127,7 +127,7 @@ std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult
   }
   add(count("interrupts", "interrupts of the chip", "", result.interrupts), "Interrupts");
   add(count("err_byte", "byte writes", "", result.err_byte));
-  for (lab::Figure& one : published_figures(options)) add(std::move(one));
+  for (lab::Figure& one : published_figures(options, result)) add(std::move(one));
   return list;
 }
 

@@ -20,8 +20,8 @@ void add_metrics(const lab::Record& record, nlohmann::ordered_json& json);
 std::vector<std::string> remarks(const lab::Record& record);
 const cosim::TriggerForms& triggers();  // machine.cpp
 
-// published.cpp: Larson's own figures, beside those of the run's settings.
-std::vector<lab::Figure> published_figures(const Options& options);
+// published.cpp: Larson's own figures, beside those of the run and of its buffer.
+std::vector<lab::Figure> published_figures(const Options& options, const Result& result);
 
 // missed.cpp: of a program that ended, why the table is not where its program has it; "" if it is.
 std::string what_missed(const Options& options, const Result& result);

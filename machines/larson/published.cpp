@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What Larson publishes of rates, motor and buffer (1974, Table I and section III), beside what the
-// chip and the run's own settings give.
+// chip's twin and the run's buffer give, and the periods of oscillation that the run's rotors had.
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -79,6 +80,40 @@ double time_of(const plant::PulseBufferConfig& config, int steps, std::int64_t c
   return cosim::seconds_of(last, clock_ps);
 }
 
+// [s] Mean period of the rotors of a run that swung about the place at which so many phases are on,
+// by less than 0.2 step; nothing where they did so for less than two periods, or samples are rare.
+std::optional<double> ring_of(const Options& options, const Result& result, int phases) {
+  constexpr double kMost = 0.2, kLeast = 0.01;  // [step]
+  if (options.record_ms > 1) return {};
+  double sum = 0;
+  int periods = 0;
+  for (std::size_t k = 0; k < 2; ++k) {
+    AxisSample last;
+    double t_last = 0, risen = -1, most = 0;  // time of the last rising zero
+    for (const Sample& s : result.samples) {
+      const AxisSample& now = s.axis[k];
+      const double t = cosim::seconds_of(s.edge, options.axis.clock_ps);
+      const bool still = now.waiting == 0 && now.rate == 0 && now.step == last.step &&
+                         plant::StepperMotor::phases(now.step) == phases;
+      if (!still) risen = -1;
+      most = std::max(most, std::fabs(now.angle));
+      if (still && last.angle < 0 && now.angle >= 0) {
+        const double zero = t_last + (t - t_last) * last.angle / (last.angle - now.angle);
+        if (risen >= 0 && most < kMost && most > kLeast) {
+          sum += zero - risen;
+          ++periods;
+        }
+        risen = zero;
+        most = 0;
+      }
+      last = now;
+      t_last = t;
+    }
+  }
+  if (periods < 2) return {};
+  return sum / periods;
+}
+
 // Whether motor, buffer and processor are those of which the figures tell.
 bool as_shipped(const Options& options) {
   const plant::PulseBufferConfig a = options.axis.buffer, b;
@@ -86,12 +121,14 @@ bool as_shipped(const Options& options) {
   return options.processor.access_clk == Options().processor.access_clk &&
          a.dead_s == b.dead_s && a.start == b.start && a.rise == b.rise && a.brake == b.brake &&
          m.inertia == n.inertia && m.stiffness_2 == n.stiffness_2 &&
-         m.stiffness_3 == n.stiffness_3;
+         m.stiffness_3 == n.stiffness_3 && m.damping_2 == n.damping_2 &&
+         m.damping_3 == n.damping_3 && m.friction == n.friction &&
+         m.torque_share == n.torque_share && !options.fault.any();
 }
 
 }  // namespace
 
-std::vector<lab::Figure> published_figures(const Options& options) {
+std::vector<lab::Figure> published_figures(const Options& options, const Result& result) {
   std::vector<lab::Figure> list;
   const bool judged = as_shipped(options);
   const auto add_figure = [&](lab::Figure f, double printed, std::optional<double> tolerance,
@@ -113,10 +150,12 @@ std::vector<lab::Figure> published_figures(const Options& options) {
         fmt::format("{} step{} at 4000 PPS", one.steps, one.steps == 1 ? "" : "s"),
         1e3 * time_of(options.axis.buffer, one.steps, options.axis.clock_ps), one.ms);
   }
-  const plant::StepperConfig& m = options.axis.motor;
-  const auto period = [&m](double k) { return 1e3 * 6.283185307179586 * std::sqrt(m.inertia / k); };
-  add("oscillation.two_ms", "oscillation, two phases on", period(m.stiffness_2), 11.5);
-  add("oscillation.three_ms", "oscillation, three phases on", period(m.stiffness_3), 8.6);
+  if (const auto two = ring_of(options, result, 2)) {
+    add("oscillation.two_ms", "oscillation, two phases on", 1e3 * *two, 11.5);
+  }
+  if (const auto three = ring_of(options, result, 3)) {
+    add("oscillation.three_ms", "oscillation, three phases on", 1e3 * *three, 8.6);
+  }
   for (const Rate& one : kRates) {
     const bool misprint = one.code == kMisprint;
     std::optional<double> tolerance;

@@ -3,6 +3,7 @@
 // What the record of a run of the machine larson says of events and places, whatever it is asked.
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -46,4 +47,26 @@ TEST_CASE("larson: after lost steps and a new CALTBL places are those of the rot
     CHECK(result.done.back().at[1] == Approx(20).margin(0.1));
     CHECK(result.end == cosim::EndReason::kMissed);  // of the moves before it
   }
+}
+
+TEST_CASE("larson: periods of oscillation are those that the rotors had, 11.5 and 8.6 ms") {
+  ScriptedTwin script("CALTBL\nVELTBL 400 400\nREPEAT 2\nRELTBL 1 0\nWTTBL\nWAIT 300\nEND\n");
+  const auto period = [&script](const char* id) {
+    const lab::Record record = lab::run(script.options);
+    for (const lab::Figure& one : record.figures) {
+      if (one.id == id) return one.value;
+    }
+    return 0.0;
+  };
+  for (const double every : {0.1, 1.0}) {
+    script.options.record_ms = every;
+    CHECK(period("oscillation.two_ms") == Approx(11.5).epsilon(0.05));
+    CHECK(period("oscillation.three_ms") == Approx(8.6).epsilon(0.05));
+  }
+  // By a torque that they did not have, whatever the keys of the motor are.
+  const double whole = period("oscillation.two_ms");
+  script.options.axis.motor.torque_share = 0.5;
+  CHECK(period("oscillation.two_ms") == Approx(whole * std::sqrt(2)).epsilon(0.02));
+  script.options.record_ms = 5;
+  CHECK(period("oscillation.two_ms") == 0);  // too rare to see
 }
