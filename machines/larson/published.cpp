@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What Larson publishes of rates, motor and buffer (1974, Table I and section III), beside what the
-// chip's twin and the run's buffer give, and the periods of oscillation that the run's rotors had.
+// What Larson publishes of rates, motor and buffer (1974, Table I and section III), beside what a
+// run had of them: rates of 64 pulses of its chip, moves through its buffer, swings of its rotors.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -9,8 +9,6 @@
 #include <fmt/format.h>
 
 #include "machines/larson/machine.hpp"
-#include "models/exact/motion/step_table.hpp"
-#include "sw_nios/apps/larson/larson_map.hpp"
 
 namespace trammel::larson {
 namespace {
@@ -38,46 +36,19 @@ constexpr double kRounded = 0.51;  // [pulse/s] and a clock in 64 steps
 
 constexpr double kBand = 0.05;  // of the published value; it has two digits
 
-// Of 64 steps of the chip's twin at a rate code [pulse/s].
-double rate_of(std::uint32_t code, std::int64_t clock_ps) {
-  constexpr int kSteps = 64;
-  exact::StepTable table(3, 625, false);
-  exact::StepTable::In in;
-  in.write = true;
-  in.bytes = 15;
-  in.data = (sw::larson_map::kBusy | code) << 16 | (0xFFFFu - kSteps - 1);
-  std::int64_t now = 0, first = 0;
-  bool was = false;
-  for (int steps = 0; steps <= kSteps;) {
-    const exact::Gap leap = table.quiescent(in) ? table.next() : 0;
-    table.advance(leap);
-    table.step(in);
-    in.write = false;
-    now += static_cast<std::int64_t>(leap) + 1;
-    const bool is = table.axis(0).step;
-    if (is && !was && steps++ == 0) first = now;
-    was = is;
-  }
-  return kSteps / cosim::seconds_of(now - first, clock_ps);
-}
-
-// Until the last of so many pulses at 4000 PPS has left the buffer [s].
-double time_of(const plant::PulseBufferConfig& config, int steps, std::int64_t clock_ps) {
-  plant::PulseBufferConfig own = config;
-  own.clock_ps = clock_ps;
-  plant::PulseBuffer buffer(own);
-  const auto gap = static_cast<std::int64_t>(250e6 / static_cast<double>(clock_ps));
-  std::int64_t last = 0;
-  for (int entered = 0, left = 0; left < steps;) {
-    if (entered < steps && entered * gap <= buffer.next()) {
-      buffer.enter(entered * gap, 1);
-      ++entered;
-    } else {
-      last = buffer.next();
-      left += buffer.pass(last) != 0 ? 1 : 0;
+// [s] From the first pulse into a buffer that stood to the last out of it, of a move of so many
+// steps at 4000 PPS.
+std::optional<double> time_of(const Options& options, const Result& result, int steps) {
+  constexpr double kGap = 250e-6, kExact = 0.01;
+  for (const auto& moves : result.moves) {
+    for (const plant::BufferMove& one : moves) {
+      if (one.pulses != steps || one.gone != steps) continue;
+      const double came = cosim::seconds_of(one.entered - one.began, options.axis.clock_ps);
+      if (std::fabs(came - (steps - 1) * kGap) > kExact * steps * kGap) continue;
+      return cosim::seconds_of(one.left - one.began, options.axis.clock_ps);
     }
   }
-  return cosim::seconds_of(last, clock_ps);
+  return {};
 }
 
 // [s] Mean period of the rotors of a run that swung about the place at which so many phases are on,
@@ -146,9 +117,11 @@ std::vector<lab::Figure> published_figures(const Options& options, const Result&
                kBand * printed, "Larson 1974, section III");
   };
   for (const Published& one : kMultipleSteps) {
+    const auto time = time_of(options, result, one.steps);
+    if (!time) continue;
     add(fmt::format("multiple_step.{}_ms", one.steps),
-        fmt::format("{} step{} at 4000 PPS", one.steps, one.steps == 1 ? "" : "s"),
-        1e3 * time_of(options.axis.buffer, one.steps, options.axis.clock_ps), one.ms);
+        fmt::format("{} step{} at 4000 PPS", one.steps, one.steps == 1 ? "" : "s"), 1e3 * *time,
+        one.ms);
   }
   if (const auto two = ring_of(options, result, 2)) {
     add("oscillation.two_ms", "oscillation, two phases on", 1e3 * *two, 11.5);
@@ -157,13 +130,15 @@ std::vector<lab::Figure> published_figures(const Options& options, const Result&
     add("oscillation.three_ms", "oscillation, three phases on", 1e3 * *three, 8.6);
   }
   for (const Rate& one : kRates) {
+    const auto rate = result.rates.find(one.code);
+    if (rate == result.rates.end()) continue;
     const bool misprint = one.code == kMisprint;
     std::optional<double> tolerance;
     if (!misprint) tolerance = kRounded;
     add_figure(lab::figure(fmt::format("rate.{:o}_pps", one.code),
                            fmt::format("rate {:o}{}", one.code,
                                        misprint ? " (misprint of 7660)" : ""),
-                           "", rate_of(one.code, options.axis.clock_ps), "PPS", 1),
+                           "", rate->second, "PPS", 1),
                one.pps, tolerance, "Larson 1974, Table I");
   }
   return list;

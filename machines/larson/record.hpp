@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -70,6 +71,8 @@ struct Result : cosim::RunResult {
   std::array<int, 2> lost{};               // steps that the rotors are off by, slips added
   std::array<std::vector<plant::StepsLost>, 2> slips;
   std::array<std::vector<plant::StepBreach>, 2> breaches;
+  std::array<std::vector<plant::BufferMove>, 2> moves;
+  std::map<std::uint32_t, double> rates;   // [pulse/s] of 64 pulses of the chip, by rate code
   std::array<double, 2> travel{};          // [step] of the rotors, in all
   std::array<double, 2> end_at{};          // [step] where they are at the end
   sw::StepPoint known;                     // WHRTBL at the end

@@ -191,19 +191,38 @@ void Session::note(Event event) {
 }
 
 void Session::note_events(const cosim::Stop& stop) {
-  if ((stop.why & cosim::kDrive) != 0) note_pulses();
+  if ((stop.why & cosim::kDrive) != 0) note_pulses(stop.edge);
   note_plant();
   if ((stop.why & ~cosim::kSample) != 0) note_requests(stop.edge);
   for (int k = 0; k < kAxes; ++k) words_[static_cast<std::size_t>(k)] = chip_->words(k);
 }
 
-void Session::note_pulses() {
+void Session::note_pulses(cosim::Clk edge) {
   const cosim::Lines rose = chip_->drive() & ~drive_;
   drive_ = chip_->drive();
   for (int k = 0; k < kAxes; ++k) {
     if (!level(rose, step(k))) continue;
     ++pulses_[static_cast<std::size_t>(k)];
     asked_[static_cast<std::size_t>(k)] += level(drive_, forward(k)) ? 1 : -1;
+    note_rate(static_cast<std::size_t>(k), edge);
+  }
+}
+
+// Where a period is missing, or the code is another, others begin.
+void Session::note_rate(std::size_t axis, cosim::Clk edge) {
+  constexpr int kPulses = 64;
+  RateRun& run = rate_runs_[axis];
+  const std::uint32_t code = chip_->words(static_cast<int>(axis)) >> 16 & sw::larson_map::kRate;
+  const double period_s = (4096 - code) / 240e3;
+  const double since_s = cosim::seconds_of(edge - run.last, period_ps());
+  if (code == run.code && run.last != 0 && since_s < 1.5 * period_s) {
+    ++run.pulses;
+    run.last = edge;
+  } else {
+    run = {code, edge, edge, 0};
+  }
+  if (run.pulses == kPulses) {
+    rates_[code] = kPulses / cosim::seconds_of(edge - run.first, period_ps());
   }
 }
 
@@ -341,7 +360,9 @@ std::unique_ptr<cosim::RunResult> Session::result() {
     result->lost[k] = std::abs(plant_.axis(k).steps_lost());
     result->slips[k] = plant_.axis(k).lost();
     result->breaches[k] = plant_.axis(k).breaches();
+    result->moves[k] = plant_.axis(k).moves();
   }
+  result->rates = rates_;
   result->travel = travel_;
   result->end_at = last_at_;
   result->origin = origin_;

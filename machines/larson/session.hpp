@@ -6,6 +6,7 @@
 
 #include <array>
 #include <chrono>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -44,7 +45,8 @@ class Session final : public cosim::Session, private cosim::Observer, public cos
   void watch_fault(const cosim::Stop& stop);
   void note_calls();
   void note_events(const cosim::Stop& stop);
-  void note_pulses();
+  void note_pulses(cosim::Clk edge);
+  void note_rate(std::size_t axis, cosim::Clk edge);
   void note_plant();
   void note_requests(cosim::Clk edge);
   void note(Event event);
@@ -85,6 +87,13 @@ class Session final : public cosim::Session, private cosim::Observer, public cos
   std::array<std::int64_t, 2> asked_;  // [step] where they have the table
   std::array<std::size_t, 2> losses_{}, moves_{}, breaches_{};  // of the plant's lists, noted
   std::array<std::uint32_t, 2> words_{};           // of the chip, at the last stop
+  struct RateRun {
+    std::uint32_t code = 0;
+    cosim::Clk first = 0, last = 0;
+    int pulses = 0;  // since the first
+  };
+  std::array<RateRun, 2> rate_runs_;  // pulses one behind the other, at one rate code
+  std::map<std::uint32_t, double> rates_;
   CallDone heard_;  // of the last event that the processor could answer to; [step] of the rotors
   std::array<double, 2> travel_{}, last_at_{}, origin_{};
 };

@@ -17,6 +17,7 @@
 #include <cstdint>
 #include <deque>
 #include <limits>
+#include <vector>
 
 namespace trammel::plant {
 
@@ -29,6 +30,12 @@ struct PulseBufferConfig {
   double idle_s = 20e-3;     // without a pulse, until it stands
   int busy_above = 0;        // pulses that may wait when it is not busy
   std::int64_t clock_ps = 20000;
+};
+
+// From the first pulse into a buffer that stands until it stands again.
+struct BufferMove {
+  std::int64_t began = 0, entered = 0, left = 0;  // the first pulse and the last one, in and out
+  int pulses = 0, gone = 0;                        // that came, that left
 };
 
 class PulseBuffer {
@@ -46,6 +53,8 @@ class PulseBuffer {
     return pulses_.empty() || !moving_ ? 0 : pulses_.front() * std::min(rate_, incoming_);
   }
 
+  const std::vector<BufferMove>& moves() const { return moves_; }
+
   // A pulse comes at clock n, its direction +1 or -1.
   void enter(std::int64_t n, int direction) {
     settle(n);
@@ -56,7 +65,10 @@ class PulseBuffer {
       phase_ = 0;
       rate_ = config_.start;
       from_ = n + std::llround(config_.dead_s / clock_s_);
+      moves_.push_back({n});
     }
+    moves_.back().entered = n;
+    ++moves_.back().pulses;
     pulses_.push_back(direction);
     idle_ = kNever;
     foresee();
@@ -80,6 +92,8 @@ class PulseBuffer {
     pulses_.pop_front();
     phase_ = 0;
     moving_ = true;
+    moves_.back().left = n;
+    ++moves_.back().gone;
     if (pulses_.empty()) idle_ = n + std::llround(config_.idle_s / clock_s_);
     foresee();
     return direction;
@@ -153,6 +167,7 @@ class PulseBuffer {
   PulseBufferConfig config_;
   double clock_s_;
   std::deque<int> pulses_;  // directions
+  std::vector<BufferMove> moves_;
   bool standing_ = true;
   double phase_ = 0;        // of the pulse to come, 0..1
   double rate_ = 0;         // [pulse/s]

@@ -75,6 +75,7 @@ class StepperAxis {
   const std::vector<StepsLost>& lost() const { return lost_; }
   const std::vector<SwitchMoved>& moved() const { return moved_; }  // its switches
   const std::vector<StepBreach>& breaches() const { return breaches_; }  // pulses without a step
+  const std::vector<BufferMove>& moves() const { return buffer_.moves(); }
   int steps_lost() const { return slipped_; }  // in all, with their sign
   bool hit_stop() const { return hit_stop_; }
 
