@@ -131,6 +131,8 @@
     [['motor.damping_2', 'motor.damping_3'], 'Larson: damping is much stronger with three phases'],
     [['motor.friction_N_m'], 'not stated'],
     [['buffer.start_rate', 'buffer.rise', 'buffer.dead_s'], 'fitted to his multiple step times'],
+    [['translator.width_us', 'translator.setup_us', 'translator.hold_us'],
+      'not stated; his pulses are 2.08 us wide here'],
     [['buffer.brake_rate', 'buffer.idle_s'], 'ours: a ramp down, so that a long move ends at rest'],
     [['axis.switch_low_step', 'axis.switch_high_step', 'axis.switch_hysteresis_step',
       'axis.overtravel_step'], 'outside the 6 inches of travel'],

@@ -21,6 +21,7 @@ class Page(report_pages.ReportPages):
     runs = {
         "calibrate": ["run", "larson-calibrate", *SHORT],
         "lost": ["run", "larson-overload", *SHORT],
+        "published": ["run", "larson-published", *SHORT],
         "step": ["run", "larson-step", *SHORT, "-s", "record.every_ms=1"],
         "rough": ["run", "larson-step", *SHORT, "-s", "record.every_ms=2",
                   "-s", "motor.friction_N_m=0.05"],
@@ -96,6 +97,7 @@ class Page(report_pages.ReportPages):
         for event in metrics["events"]:
             self.assertIn(event["what"], events)
         self.assertIn("low switch closed", events)
+        self.see("published")
         figures = self.driver.find_element("id", "figures").text
         self.assertIn("127 steps at 4000 PPS", figures)
         self.assertIn("Larson 1974, section III", figures)
