@@ -140,6 +140,28 @@ std::vector<lab::Figure> open_figures(const Options& options, const Result& resu
   return list;
 }
 
+// For the page: models, and the run that judges them in steps that its noise exceeds.
+nlohmann::ordered_json identified_json(const Result& result) {
+  auto json = nlohmann::ordered_json::object();
+  if (!result.identified) return json;
+  constexpr std::size_t kShown = 300;  // samples of the second half
+  const Identified& found = *result.identified;
+  const auto rounded = [](const std::vector<double>& values, std::size_t most, double digit) {
+    auto list = nlohmann::ordered_json::array();
+    for (std::size_t k = 0; k < std::min(most, values.size()); ++k) {
+      list.push_back(std::round(values[k] / digit) * digit);
+    }
+    return list;
+  };
+  json["dead"] = found.dead;
+  json["impulse"] = found.impulse.h;
+  json["deviation"] = found.impulse.deviation;
+  for (const IdentifiedModel& m : found.models) json["models"].push_back({{"a", m.a}, {"b", m.b}});
+  json["validation"] = {{"u", rounded(found.run.u, kShown, 0.125)},
+                        {"y", rounded(found.run.y, kShown, 0.0625)}};
+  return json;
+}
+
 std::vector<std::string> open_remarks(const Result& result) {
   if (!result.identified) return {"no model: the run is too short, or the cart moves too little"};
   std::vector<std::string> lines;

@@ -135,6 +135,7 @@ std::vector<std::string> remarks(const lab::Record& record) {
 
 void add_metrics(const lab::Record& record, nlohmann::ordered_json& json) {
   json["homed"] = result_of(record).homed;
+  json["identified"] = identified_json(result_of(record));
   auto& source = json["published"] = nlohmann::ordered_json::object();
   if (const auto one = published(options_of(record))) {
     source["figure"] = one->number;

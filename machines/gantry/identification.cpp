@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <cstddef>
 
 namespace trammel::gantry {
 namespace {
@@ -24,11 +24,6 @@ IdentifiedModel model_of(const Samples& first, const Samples& second) {
   const double share = 2.0 * Order / static_cast<double>(first.y.size());
   made.fpe = made.loss * (1 + share) / (1 - share);
   made.fit = ideal::fit_percent(m, second.u, second.y);
-  typename ideal::LinearModel<Order>::Column x = ideal::LinearModel<Order>::Column::Zero();
-  for (const double u : second.u) {
-    made.simulated.push_back(m.output(x));
-    x = m.next(x, u);
-  }
   return made;
 }
 
@@ -69,7 +64,9 @@ std::optional<Identified> identification(const Samples& run, int dead) {
   const bool all = std::all_of(made.models.begin(), made.models.end(),
                                [](const IdentifiedModel& m) { return usable(m); });
   if (!all || !usable(made.impulse)) return {};
-  made.validation = std::move(parts[1]);
+  made.run.u.assign(run.u.begin() + static_cast<std::ptrdiff_t>(half), run.u.end());
+  made.run.y.assign(run.y.begin() + static_cast<std::ptrdiff_t>(half), run.y.end());
+  made.dead = dead;
   return made;
 }
 

@@ -17,14 +17,14 @@ struct IdentifiedModel {
   double loss = 0;           // [(mm/s)^2] mean square of the prediction error
   double fpe = 0;            // [(mm/s)^2] final prediction error
   double fit = 0;            // [%] of the second half, simulated
-  std::vector<double> simulated;  // [mm/s] the second half
 };
 
 struct Identified {
   int dead_samples = -1;               // from a force to its first effect; below 0: not seen
   ideal::ImpulseResponse impulse;
   std::vector<IdentifiedModel> models;  // of order 1, 2, ...
-  Samples validation;                   // the second half
+  Samples run;                          // the second half, not delayed
+  int dead = 1;                         // of the models
 };
 
 // With models whose dead time is `dead` samples; nothing where the run moves too little or is too

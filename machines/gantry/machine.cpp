@@ -77,7 +77,7 @@ lab::Machine describe() {
   m.remarks = remarks;
   m.metrics = add_metrics;
   m.page.arrays = {"/calibration"};
-  m.page.objects = {"/published"};
+  m.page.objects = {"/published", "/identified"};
   return m;
 }
 

@@ -37,6 +37,7 @@
 
   // The controller that the host asks for, and its gain.
   function controllerOf(o) {
+    if (o['control.open'] !== 'none') return `no controller, ${o['control.open']}`;
     const [gain, time] = [o['position.gain'], o['position.time_shift']];
     if (!/:21=/.test(o['host.sends']) && /:22=/.test(o['host.sends'])) {
       return `velocity PI, KIV = ${o['velocity.time_shift']}`;
@@ -176,6 +177,7 @@
       T.time.start(run.series.t_s);
       motionSection(run);
     }
+    if (run.metrics.identified.models) T.identifiedSection(run.metrics.identified);
     stripeSection(run);
   }
 
@@ -213,6 +215,8 @@
       overlay(plot('position', 'Position', 'position (mm)', 'mm', 3), (run) => run.series.x_mm),
       overlay(plot('velocity', 'Velocity', 'velocity (mm/s)', 'mm/s', 1),
         (run) => run.series.v_mm_s),
+      overlay(plot('filtered', 'Filtered velocity', 'velocity (mm/s)', 'mm/s', 1),
+        (run) => run.series.filtered_mm_s),
       overlay(plot('control', 'Control', 'force of motor 1 (count)', 'count', 0),
         (run) => run.series.m1_u_count)],
     sections: publishedTable,

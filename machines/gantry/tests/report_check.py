@@ -25,6 +25,7 @@ class Page(report_pages.ReportPages):
         "aw": ["run", "gantry-pi-aw", *SHORT],
         "at_150_mm": ["run", "gantry-backlash", "--engine", "twin", "-s", "run.time_s=2"],
         "fitted": ["run", "gantry-calibrate", "--engine", "twin"],
+        "identified": ["run", "gantry-identify", "--engine", "twin", "-s", "run.time_s=8"],
     }
     compared = ("p", "cascade", "aw")
     values = {"p": {"t_s": 1e-8, "x_mm": 1e-4, "v_mm_s": 1e-2, "position_mm": 1e-4,
@@ -41,7 +42,8 @@ class Page(report_pages.ReportPages):
                     "step.swing_mm")
     compared_drawn = {
         "response": (lambda row, _: 100 * (row["x_mm"] - 0.5 - 2) / (305 - 2), 1e-4),
-        "position": "x_mm", "velocity": "v_mm_s", "control": "m1_u_count"}
+        "position": "x_mm", "velocity": "v_mm_s", "filtered": "filtered_mm_s",
+        "control": "m1_u_count"}
 
     def test_the_calibration_and_the_published_figure_are_shown(self):
         self.see("p")
@@ -52,6 +54,15 @@ class Page(report_pages.ReportPages):
         self.assertIn("Brochier 2006, figure 36", figures)
         self.assertIn("figure 36: overshoot of 0.26 %",
                       self.driver.find_element("id", "motion").text)
+
+    def test_models_are_drawn_beside_the_track(self):
+        self.see("identified")
+        for plot, lines in (("confidence", 3), ("validation", 5), ("step-responses", 5),
+                            ("impulse-responses", 5), ("gains", 5)):
+            drawn = self.js("return Trammel.svgText(Trammel.plots.find((p) => p.id === "
+                            "arguments[0]))", plot)
+            self.assertGreaterEqual(drawn.count("<path"), 2 * lines, plot)
+            self.assertNotIn("NaN", drawn)
 
     def asides(self, metrics):
         names = ("reference_mm", "from_mm", "band_mm")
@@ -81,6 +92,7 @@ class Page(report_pages.ReportPages):
                  "cascade, K = 9"),
                 ({"control.cascade": True, "control.cascade_gain": 9, "control.compensate": True},
                  "cascade, K = 9, backlash compensated"),
+                ({"control.open": "random"}, "no controller, random"),
                 ({"host.sends": ":22=2", "velocity.time_shift": 5}, "velocity PI, KIV = 5")):
             chips = self.js("return Trammel.machines.gantry.chips({ options: arguments[0], "
                             "published: { figure: arguments[1] } })", {**options, **changed}, "36")
