@@ -292,7 +292,7 @@ TEST_CASE("gantry: the machine tells of itself what lists, pages and waves need"
   CHECK(m.vcd_bytes_s == 5e9);
   CHECK(m.fst_bytes_s == 2e7);
   CHECK(m.page.arrays == Lines{"/calibration"});
-  CHECK(m.page.objects == Lines{"/published"});
+  CHECK(m.page.objects == Lines{"/published", "/identified"});
   CHECK(m.page.numbers.empty());
   CHECK(m.remarks == remarks);
   CHECK(m.metrics == add_metrics);
