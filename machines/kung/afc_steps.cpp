@@ -12,17 +12,17 @@ using fixed::sat;
 using fixed::shift_left;
 using Wide = std::int64_t;
 
-// A scaled error: the knot below it, and its memberships of that knot and the next (Q11).
+// A scaled error, 1/1024 unit: the knot below it, and its memberships of that knot and the next (Q11).
 struct Fuzzy {
   Wide scaled;
   int section;
   Wide low, high;
 };
 
-Fuzzy fuzzify(Wide error, std::uint32_t shift) {
-  const Wide scaled = fixed::clip(shift_left(error, static_cast<int>(shift)), -1536, 1535);
-  const Wide section = floor_shift(scaled + 1536, 9);
-  const Wide high = 4 * (scaled + 1536 - 512 * section);
+Fuzzy fuzzify(Wide error, std::int32_t shift) {
+  const Wide scaled = fixed::clip(shift_left(error, shift + 2), -4 * 1536, 4 * 1535);
+  const Wide section = floor_shift(scaled + 4 * 1536, 11);
+  const Wide high = scaled + 4 * 1536 - 2048 * section;
   return {scaled, static_cast<int>(section), 2048 - high, high};
 }
 

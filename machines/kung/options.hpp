@@ -38,6 +38,9 @@ enum class PointsMode { kTimed, kPath };     // one point an interrupt; lines th
 
 using cosim::PointM;
 
+// Of errors in the fuzzy universe: the memberships have two bits below its units of 1/256.
+inline constexpr int kLeastShift = -2, kMostShift = 11;
+
 // One axis of the controller: the registers of the chip, in physical units.
 struct AxisGains {
   double kp = 0.375;           // position error to speed command, in words (46.9 1/s)

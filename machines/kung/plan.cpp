@@ -141,11 +141,12 @@ std::uint32_t nearest_rate(const char* key, int value, const std::array<std::uin
 }
 
 // An error changes by half as much in a sample half as long.
-std::uint32_t shift_de_word(const std::string& key, int shift, int position_hz) {
+std::int32_t shift_de_word(const std::string& key, int shift, int position_hz) {
   const int more = position_hz == 4000 ? 1 : position_hz == 1000 ? -1 : 0;
-  in_range(key, shift, std::max(0, -more), std::min(11, 11 - more),
+  in_range(key, shift, std::max(kLeastShift, kLeastShift - more),
+           std::min(kMostShift, kMostShift - more),
            fmt::format("at chip.position_Hz = {}", position_hz));
-  return word(shift + more);
+  return shift + more;
 }
 
 // The plant can follow winding, thrust and friction.
@@ -248,7 +249,7 @@ sw::AxisSetup plan_axis(const Options& options, std::size_t axis) {
   s.kp_cur = gain(key("gains", "current_kp_V_A"), g.current_kp_V_A, volt_unit, at_voltage);
   s.ki_cur = gain(key("gains", "current_ki_V_A"), g.current_ki_V_A,
                   volt_unit * kGainCarrierHz / options.chip.carrier_Hz, at_voltage);
-  s.shift_e = word(g.shift_e);
+  s.shift_e = g.shift_e;
   s.shift_de = shift_de_word(key("gains", "shift_de"), g.shift_de, options.chip.position_Hz);
 
   const ModelWords model = model_words(g.omega_n_rad_s, g.zeta, options.chip.sample_s());

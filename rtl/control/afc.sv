@@ -27,8 +27,8 @@ module afc
     input gain_t         ki_i,
     input gain_t         kv_i,
     input gain_t         eta_i,
-    input logic   [ 3:0] shift_e_i,
-    input logic   [ 3:0] shift_de_i,
+    input logic signed [4:0] shift_e_i,  // below -2 acts as -2
+    input logic signed [4:0] shift_de_i,
     input logic   [17:0] a0_i,
     input logic   [ 1:0] a0_scale_i,  // of a0_i: 2^-32, 2^-28, 2^-23 (2 and 3)
     input count_t        b2_i,
@@ -63,6 +63,7 @@ module afc
 
   typedef logic signed [39:0] sum_t;      // the largest term, Ki u << 16, has 39 bits
   typedef logic signed [47:0] product_t;
+  typedef logic signed [13:0] fine_t;  // 1/1024 unit: a shift by -2 loses no bit
 
   // ---- sequence ----
 
@@ -134,7 +135,7 @@ module afc
   count_t dx_q, x_r_q, s_q, integral_q;
   word_t e_q, e_prev_q, de_q, v_q, u_q, v_star_q, i_q_ref_q;
   logic saturated_q;
-  word_t scaled_q;                 // E, then DE, in the universe
+  fine_t scaled_q;                 // E, then DE, in the universe
   logic [2:0] col_q, row_q;        // sections i of e and j of de
   member_t mu_a0_q, mu_a1_q, mu_b0_q, mu_b1_q;
   member_t d00_q, d01_q, d10_q, d11_q;
@@ -237,7 +238,7 @@ module afc
       6'd9: begin add_a = sum_t'(e_q); add_b = ~sum_t'(e_prev_q); carry = 1'b1; end
       6'd10, 6'd12: begin
         add_a = 40'sd2048;
-        add_b = ~sum_t'({1'b0, scaled_q[8:0], 2'd0});
+        add_b = ~sum_t'({1'b0, scaled_q[10:0]});
         carry = 1'b1;
       end
       6'd19: add_a = 40'sd1024;  // rounds u
@@ -303,16 +304,16 @@ module afc
 
   // ---- what each step stores ----
 
-  // clip(x 2^n, -1536, 1535)
-  function automatic word_t universe(word_t x, logic [3:0] n);
-    logic signed [26:0] scaled;
-    scaled = 27'(x) <<< n;
-    if (!scaled[26] && (scaled[25:11] != '0 || scaled[10:9] == '1)) return 12'sd1535;
-    if (scaled[26] && (scaled[25:11] != '1 || scaled[10:9] == '0)) return -12'sd1536;
-    return scaled[11:0];
+  // clip(x 2^n, -1536, 1535) in 1/256 unit, with two more bits
+  function automatic fine_t universe(word_t x, logic signed [4:0] n);
+    logic signed [28:0] scaled;
+    scaled = 29'(x) <<< (n < -5'sd2 ? 5'd0 : 5'(n + 5'sd2));
+    if (!scaled[28] && (scaled[27:13] != '0 || scaled[12:11] == '1)) return {12'sd1535, 2'd0};
+    if (scaled[28] && (scaled[27:13] != '1 || scaled[12:11] == '0)) return {-12'sd1536, 2'd0};
+    return scaled[13:0];
   endfunction
 
-  word_t scaled;
+  fine_t scaled;
   assign scaled = universe(step_q[1] ? de_q : e_q, step_q[1] ? shift_de_i : shift_e_i);
 
   always_ff @(posedge clk_i) begin
@@ -342,15 +343,15 @@ module afc
           scaled_q <= scaled;
         end
         6'd10: begin
-          col_q   <= scaled_q[11:9] + 3'd3;  // Kung eq. 17
+          col_q   <= scaled_q[13:11] + 3'd3;  // Kung eq. 17
           mu_a0_q <= sum[11:0];  // Kung eq. 18
-          mu_a1_q <= {1'b0, scaled_q[8:0], 2'd0};
+          mu_a1_q <= {1'b0, scaled_q[10:0]};
         end
         6'd11: scaled_q <= scaled;
         6'd12: begin
-          row_q   <= scaled_q[11:9] + 3'd3;  // Kung eq. 17
+          row_q   <= scaled_q[13:11] + 3'd3;  // Kung eq. 17
           mu_b0_q <= sum[11:0];  // Kung eq. 18
-          mu_b1_q <= {1'b0, scaled_q[8:0], 2'd0};
+          mu_b1_q <= {1'b0, scaled_q[10:0]};
         end
         6'd15: d00_q <= sum[11:0];  // Kung eq. 20: weights, then u at s22
         6'd16: d01_q <= sum[11:0];

@@ -49,7 +49,7 @@ module afc_props
     input count_t x_p_q,
     input count_t x_p_prev_q,
     input word_t  e_prev_q,
-    input word_t  scaled_q,
+    input logic signed [13:0] scaled_q,
 
     input logic    [2:0] col_q,
     input logic    [2:0] row_q,
@@ -335,7 +335,7 @@ module afc_props
     if (live_q) begin
       inv_scaled :
       assert (left_q == '0 || left_q > 7'd50 ||
-          sum_fits(exact_t'(scaled_q), -42'sd1536, 42'sd1535));
+          sum_fits(exact_t'(scaled_q), -42'sd6144, 42'sd6140));
     end
   end
 

@@ -54,8 +54,8 @@ struct Axis {
       p.ki = gain(0);
       p.kv = gain(3);
       p.eta = gain(-2);
-      p.shift_e = int(random() % 4);
-      p.shift_de = int(random() % 4);
+      p.shift_e = int(random() % 6) - 2;
+      p.shift_de = int(random() % 6) - 2;
     }
     if (random() % 4 == 0) p.eta = gain(10);
     if (random() % 4 == 0) {
@@ -77,8 +77,8 @@ struct Axis {
     put(reg::kKi, gain_word(p.ki));
     put(reg::kKv, gain_word(p.kv));
     put(reg::kEta, gain_word(p.eta));
-    put(reg::kShift, std::uint32_t(p.shift_e) << reg::kShiftEShift |
-                         std::uint32_t(p.shift_de) << reg::kShiftDeShift);
+    put(reg::kShift, test::as_bits(p.shift_e, 5) << reg::kShiftEShift |
+                         test::as_bits(p.shift_de, 5) << reg::kShiftDeShift);
     put(reg::kA0, std::uint32_t(p.a0) | std::uint32_t(p.a0_scale) << reg::kA0ScaleShift);
     put(reg::kB2, test::as_bits(p.b2, 24));
     put(reg::kKpCur, gain_word(config.kp_cur));

@@ -52,8 +52,8 @@ struct AfcBench {
     set(rtl->ki_i, gain_word(config.ki), 16);
     set(rtl->kv_i, gain_word(config.kv), 16);
     set(rtl->eta_i, gain_word(config.eta), 16);
-    set(rtl->shift_e_i, config.shift_e, 4);
-    set(rtl->shift_de_i, config.shift_de, 4);
+    set(rtl->shift_e_i, config.shift_e, 5);
+    set(rtl->shift_de_i, config.shift_de, 5);
     set(rtl->a0_i, config.a0, 18);
     set(rtl->a0_scale_i, config.a0_scale, 2);
     set(rtl->b2_i, config.b2, 24);

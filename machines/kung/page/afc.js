@@ -13,6 +13,7 @@
   const kIntegral = (w, s) => kSpeed(w / 4096, s);
   const kCurrent = (w, s) => `${T.num(w * s.command_A, 4)} A`;
   const kUnit = (w) => `${T.num(w / 256, 3)} units`;
+  const kFine = (w) => kUnit(w / 4);
   const kWeight = (w) => T.num(w / 2048, 4);
   const kRule = (w) => `${T.num(w / 1048576, 4)} units`;
   // Group, product of the multiplier, what adder or logic leaves, its physical value.
@@ -28,7 +29,7 @@
     ['error', '', 'e = x_r \u2212 x_p', kCount],
     ['error', '', 'de = e \u2212 e(k\u22121)', kChange],
     ['fuzzify', '', 'membership of e in the lower set', kWeight],
-    ['fuzzify', '', 'DE, scaled and clipped', kUnit],
+    ['fuzzify', '', 'DE, scaled and clipped', kFine],
     ['fuzzify', '', 'membership of de in the lower set', kWeight],
     ['fuzzify', '', ''],  // empty: the rules are read where they are used
     ['infer', '\u03bcA0 \u00b7 \u03bcB0', ''],

@@ -20,8 +20,8 @@ exact::Afc::Config twin_config(const sw::AxisSetup& s) {
   c.ki = {s.ki.mant, s.ki.exp};
   c.kv = {s.kv.mant, s.kv.exp};
   c.eta = {s.eta.mant, s.eta.exp};
-  c.shift_e = static_cast<int>(s.shift_e);
-  c.shift_de = static_cast<int>(s.shift_de);
+  c.shift_e = s.shift_e;
+  c.shift_de = s.shift_de;
   c.a0 = static_cast<std::int32_t>(s.a0);
   c.a0_scale = static_cast<int>(s.a0_scale);
   c.b2 = static_cast<std::int32_t>(fixed::wrap(s.b2, 24));
@@ -81,6 +81,9 @@ TEST_CASE("the steps of a sample end at the words and rules of the twin") {
   setup.feedforward = true;
   setup.shift_e = 2;
   setup.ki = {1500, -3};
+  check_chase(setup, 2000);
+  setup.shift_e = -1;
+  setup.shift_de = -2;
   check_chase(setup, 2000);
   for (const std::uint32_t scale : {1u, 2u, 3u}) {  // 3 acts as 2
     CAPTURE(scale);

@@ -78,7 +78,7 @@ TEST_CASE("a value out of range names file, line, key and range") {
   CHECK(message_of("[chip.x]\n\nqep_filter_clk = 16\n") ==
         "some.toml:3: chip.x.qep_filter_clk: value 16 is out of range 1..15");
   CHECK_THAT(message_of("[gains]\nkp = nan\n"), Contains("value nan is out of range"));
-  CHECK_THAT(message_of("[gains]\nshift_e = 1.5\n"), Contains("is not a whole number in 0..11"));
+  CHECK_THAT(message_of("[gains]\nshift_e = 1.5\n"), Contains("is not a whole number in -2..11"));
   CHECK_THAT(message_of("controller = 'pid'\n"), Contains("is not one of fc, afc"));
   CHECK_THAT(message_of("[plant]\nhard_stops = 1\n"), Contains("is not true or false"));
   CHECK_THAT(message_of("[gains]\nkp = [1, 2]\n"), Contains("some.toml:2: gains.kp: expects"));

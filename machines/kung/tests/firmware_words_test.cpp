@@ -77,8 +77,8 @@ KungSetup unequal_setup() {
     x.eta = {704 + n, -4};
     x.kp_cur = {705 + n, 5};
     x.ki_cur = {706 + n, -6};
-    x.shift_e = 1 + a;
-    x.shift_de = 5 + a;
+    x.shift_e = a == 0 ? 11 : -1;
+    x.shift_de = a == 0 ? -2 : 6;
     x.a0 = 200'001 + a;
     x.a0_scale = 1 + a;
     x.b2 = 8'000'001 + a;
@@ -112,7 +112,7 @@ TEST_CASE("start writes each register of both axes its own word of the set-up, a
                    {base + 0x044, 0x1E'0000 | (702 + n)},
                    {base + 0x048, 0x03'0000 | (703 + n)},
                    {base + 0x04C, 0x1C'0000 | (704 + n)},
-                   {base + 0x050, (5 + a) << 8 | (1 + a)},
+                   {base + 0x050, a == 0 ? 0x1E0Bu : 0x061Fu},
                    {base + 0x054, (1 + a) << 20 | (200'001 + a)},
                    {base + 0x058, 8'000'001 + a},
                    {base + 0x060, 0x05'0000 | (705 + n)},

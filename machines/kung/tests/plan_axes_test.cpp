@@ -39,8 +39,8 @@ Options unlike(int position_Hz, int carrier_Hz) {
     g.ki = 0.0035 * d;
     g.kv = 1.7 * d;
     g.learning_rate = 0.12 * d;
-    g.shift_e = 1 + n;
-    g.shift_de = 3 + n;
+    g.shift_e = 1 - 2 * n;
+    g.shift_de = 3 - 4 * n;
     g.current_kp_V_A = 80 * d;
     g.current_ki_V_A = 5 * d;
     g.theta_offset_rad = a == 0 ? 1 : -2;
@@ -94,8 +94,8 @@ TEST_CASE("the words of each axis at each rate are those of its own values in ph
         const double volts = 6 * std::sqrt(3.0) / (a == 0 ? 300 : 250);
         CHECK(value_of(x.kp_cur) == word_of(80 * d * volts));
         CHECK(value_of(x.ki_cur) == word_of(5 * d * volts * 16000 / carriers[c]));
-        CHECK(x.shift_e == 1 + n);
-        CHECK(x.shift_de == 3 + n + (p == 2) - (p == 0));
+        CHECK(x.shift_e == (a == 0 ? 1 : -1));
+        CHECK(x.shift_de == (a == 0 ? 3 : -1) + (p == 2) - (p == 0));
         const double step = std::ldexp(5e-6 / (2 * (a == 0 ? 0.0305 : 0.0255)), 32);
         CHECK(std::fabs(x.angle_step - step) <= 1);
         const double turned = a == 0 ? 1 / kTurn : 1 - 2 / kTurn;

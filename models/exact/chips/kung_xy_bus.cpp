@@ -104,9 +104,8 @@ void KungXy::decode(Axis& axis, std::uint32_t base, Clk n) {
   p.config.ki = gain_of(reg(map::kKi));
   p.config.kv = gain_of(reg(map::kKv));
   p.config.eta = gain_of(reg(map::kEta));
-  p.config.shift_e = static_cast<int>(reg(map::kShift) & map::kShiftEMask);
-  p.config.shift_de =
-      static_cast<int>((reg(map::kShift) & map::kShiftDeMask) >> map::kShiftDeShift);
+  p.config.shift_e = signed_word(reg(map::kShift) >> map::kShiftEShift, 5);
+  p.config.shift_de = signed_word(reg(map::kShift) >> map::kShiftDeShift, 5);
   p.config.a0 = static_cast<std::int32_t>(reg(map::kA0) & map::kA0ValueMask);
   p.config.a0_scale =
       static_cast<int>((reg(map::kA0) & map::kA0ScaleMask) >> map::kA0ScaleShift);

@@ -8,6 +8,7 @@
 // at that clock, 1..70 after the start, at which it does in the RTL.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -23,7 +24,7 @@ class Afc {
     fixed::Gain ki{839, -7};
     fixed::Gain kv{1884, 1};
     fixed::Gain eta{1140, -8};
-    int shift_e = 0;            // 0: one unit of the universe is 256 counts
+    int shift_e = 0;            // 0: one unit of the universe is 256 counts; from -2
     int shift_de = 2;           // 2: one unit is 64 counts per sample
     std::int32_t a0 = 238008;   // a0 of the reference model, 18 bits unsigned
     int a0_scale = 0;           // its scale: 0 2^-32, 1 2^-28, 2 and 3 2^-23
@@ -112,11 +113,12 @@ class Afc {
   static std::int32_t word(std::int64_t x) { return static_cast<std::int32_t>(x); }
 
   static Membership fuzzify(std::int32_t error, int shift) {
+    // In 1/1024 unit, as the memberships: a shift of -2 loses no bit.
     const std::int64_t from_lowest =
-        fixed::clip(fixed::shift_left(error, shift), -1536, 1535) + 1536;
-    const std::int64_t section = fixed::floor_shift(from_lowest, 9);  // Kung eq. 17
-    // Kung eq. 18
-    const std::int64_t high = 4 * (from_lowest - 512 * section);
+        fixed::clip(fixed::shift_left(error, std::max(shift, -2) + 2), -4 * 1536, 4 * 1535) +
+        4 * 1536;
+    const std::int64_t section = fixed::floor_shift(from_lowest, 11);  // Kung eq. 17
+    const std::int64_t high = from_lowest - 2048 * section;  // Kung eq. 18
     return {static_cast<int>(section), 2048 - high, high};
   }
 

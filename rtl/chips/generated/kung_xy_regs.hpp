@@ -75,9 +75,9 @@ inline constexpr std::uint32_t kEtaExpShift = 16u;
 inline constexpr std::uint32_t kEtaExpMask = 0x001F0000u;
 inline constexpr std::uint32_t kShift = 0x50u;
 inline constexpr std::uint32_t kShiftEShift = 0u;
-inline constexpr std::uint32_t kShiftEMask = 0x0000000Fu;
+inline constexpr std::uint32_t kShiftEMask = 0x0000001Fu;
 inline constexpr std::uint32_t kShiftDeShift = 8u;
-inline constexpr std::uint32_t kShiftDeMask = 0x00000F00u;
+inline constexpr std::uint32_t kShiftDeMask = 0x00001F00u;
 inline constexpr std::uint32_t kA0 = 0x54u;
 inline constexpr std::uint32_t kA0ValueShift = 0u;
 inline constexpr std::uint32_t kA0ValueMask = 0x0003FFFFu;
@@ -236,7 +236,7 @@ inline constexpr std::array<Register, 98> kRegisters{{
     {"x.KI", 0x044u, 0x00190347u, 0x001F07FFu, 0x001F07FFu, 0x00000000u, 0x00000000u, 0x00000000u},
     {"x.KV", 0x048u, 0x0001075Cu, 0x001F07FFu, 0x001F07FFu, 0x00000000u, 0x00000000u, 0x00000000u},
     {"x.ETA", 0x04Cu, 0x00180474u, 0x001F07FFu, 0x001F07FFu, 0x00000000u, 0x00000000u, 0x00000000u},
-    {"x.SHIFT", 0x050u, 0x00000200u, 0x00000F0Fu, 0x00000F0Fu, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"x.SHIFT", 0x050u, 0x00000200u, 0x00001F1Fu, 0x00001F1Fu, 0x00000000u, 0x00000000u, 0x00000000u},
     {"x.A0", 0x054u, 0x0003A1B8u, 0x0033FFFFu, 0x0033FFFFu, 0x00000000u, 0x00000000u, 0x00000000u},
     {"x.B2", 0x058u, 0x007C378Bu, 0x00FFFFFFu, 0x00FFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u},
     {"x.KP_CUR", 0x060u, 0x000204FBu, 0x001F07FFu, 0x001F07FFu, 0x00000000u, 0x00000000u, 0x00000000u},
@@ -278,7 +278,7 @@ inline constexpr std::array<Register, 98> kRegisters{{
     {"y.KI", 0x144u, 0x00190347u, 0x001F07FFu, 0x001F07FFu, 0x00000000u, 0x00000000u, 0x00000000u},
     {"y.KV", 0x148u, 0x0001075Cu, 0x001F07FFu, 0x001F07FFu, 0x00000000u, 0x00000000u, 0x00000000u},
     {"y.ETA", 0x14Cu, 0x00180474u, 0x001F07FFu, 0x001F07FFu, 0x00000000u, 0x00000000u, 0x00000000u},
-    {"y.SHIFT", 0x150u, 0x00000200u, 0x00000F0Fu, 0x00000F0Fu, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"y.SHIFT", 0x150u, 0x00000200u, 0x00001F1Fu, 0x00001F1Fu, 0x00000000u, 0x00000000u, 0x00000000u},
     {"y.A0", 0x154u, 0x0003A1B8u, 0x0033FFFFu, 0x0033FFFFu, 0x00000000u, 0x00000000u, 0x00000000u},
     {"y.B2", 0x158u, 0x007C378Bu, 0x00FFFFFFu, 0x00FFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u},
     {"y.KP_CUR", 0x160u, 0x000204FBu, 0x001F07FFu, 0x001F07FFu, 0x00000000u, 0x00000000u, 0x00000000u},
@@ -358,8 +358,8 @@ inline constexpr std::array<Field, 90> kFields{{
     {"KV.exp", "exponent of 2", 0x48u, 16, 5, 5, true, true, Access::kReadWrite},
     {"ETA.mant", "mantissa / 2048", 0x4Cu, 0, 11, 11, false, true, Access::kReadWrite},
     {"ETA.exp", "exponent of 2", 0x4Cu, 16, 5, 5, true, true, Access::kReadWrite},
-    {"SHIFT.e", "left shift of e", 0x50u, 0, 4, 4, false, true, Access::kReadWrite},
-    {"SHIFT.de", "left shift of de", 0x50u, 8, 4, 4, false, true, Access::kReadWrite},
+    {"SHIFT.e", "shift of e; below -2 acts as -2", 0x50u, 0, 5, 5, true, true, Access::kReadWrite},
+    {"SHIFT.de", "shift of de, likewise", 0x50u, 8, 5, 5, true, true, Access::kReadWrite},
     {"A0.value", "a0 in units of its scale", 0x54u, 0, 18, 18, false, true, Access::kReadWrite},
     {"A0.scale", "scale: 0 2^-32, 1 2^-28, 2 and 3 2^-23", 0x54u, 20, 2, 2, false, true, Access::kReadWrite},
     {"B2", "model coefficient B2 = b2 * 2^23", 0x58u, 0, 24, 24, true, true, Access::kReadWrite},

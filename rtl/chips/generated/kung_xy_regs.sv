@@ -593,8 +593,8 @@ module kung_xy_regs (
     logic [4:0] field_storage_x_kv_exp_value;
     logic [10:0] field_storage_x_eta_mant_value;
     logic [4:0] field_storage_x_eta_exp_value;
-    logic [3:0] field_storage_x_shift_e_value;
-    logic [3:0] field_storage_x_shift_de_value;
+    logic [4:0] field_storage_x_shift_e_value;
+    logic [4:0] field_storage_x_shift_de_value;
     logic [17:0] field_storage_x_a0_value_value;
     logic [1:0] field_storage_x_a0_scale_value;
     logic [23:0] field_storage_x_b2_value_value;
@@ -639,8 +639,8 @@ module kung_xy_regs (
     logic [4:0] field_storage_y_kv_exp_value;
     logic [10:0] field_storage_y_eta_mant_value;
     logic [4:0] field_storage_y_eta_exp_value;
-    logic [3:0] field_storage_y_shift_e_value;
-    logic [3:0] field_storage_y_shift_de_value;
+    logic [4:0] field_storage_y_shift_e_value;
+    logic [4:0] field_storage_y_shift_de_value;
     logic [17:0] field_storage_y_a0_value_value;
     logic [1:0] field_storage_y_a0_scale_value;
     logic [23:0] field_storage_y_b2_value_value;
@@ -693,8 +693,8 @@ module kung_xy_regs (
             field_storage_x_kv_exp_value <= 5'h1;
             field_storage_x_eta_mant_value <= 11'h474;
             field_storage_x_eta_exp_value <= 5'h18;
-            field_storage_x_shift_e_value <= 4'h0;
-            field_storage_x_shift_de_value <= 4'h2;
+            field_storage_x_shift_e_value <= 5'h0;
+            field_storage_x_shift_de_value <= 5'h2;
             field_storage_x_a0_value_value <= 18'h3a1b8;
             field_storage_x_a0_scale_value <= 2'h0;
             field_storage_x_b2_value_value <= 24'h7c378b;
@@ -731,8 +731,8 @@ module kung_xy_regs (
             field_storage_y_kv_exp_value <= 5'h1;
             field_storage_y_eta_mant_value <= 11'h474;
             field_storage_y_eta_exp_value <= 5'h18;
-            field_storage_y_shift_e_value <= 4'h0;
-            field_storage_y_shift_de_value <= 4'h2;
+            field_storage_y_shift_e_value <= 5'h0;
+            field_storage_y_shift_de_value <= 5'h2;
             field_storage_y_a0_value_value <= 18'h3a1b8;
             field_storage_y_a0_scale_value <= 2'h0;
             field_storage_y_b2_value_value <= 24'h7c378b;
@@ -797,8 +797,8 @@ module kung_xy_regs (
                 if(decoded_wr_biten[16]) field_storage_x_eta_exp_value[4:0] <= decoded_wr_data[20:16];
             end
             if(decoded_addr == 10'h50) begin
-                if(decoded_wr_biten[0]) field_storage_x_shift_e_value[3:0] <= decoded_wr_data[3:0];
-                if(decoded_wr_biten[8]) field_storage_x_shift_de_value[3:0] <= decoded_wr_data[11:8];
+                if(decoded_wr_biten[0]) field_storage_x_shift_e_value[4:0] <= decoded_wr_data[4:0];
+                if(decoded_wr_biten[8]) field_storage_x_shift_de_value[4:0] <= decoded_wr_data[12:8];
             end
             if(decoded_addr == 10'h54) begin
                 if(decoded_wr_biten[0]) field_storage_x_a0_value_value[7:0] <= decoded_wr_data[7:0];
@@ -907,8 +907,8 @@ module kung_xy_regs (
                 if(decoded_wr_biten[16]) field_storage_y_eta_exp_value[4:0] <= decoded_wr_data[20:16];
             end
             if(decoded_addr == 10'h150) begin
-                if(decoded_wr_biten[0]) field_storage_y_shift_e_value[3:0] <= decoded_wr_data[3:0];
-                if(decoded_wr_biten[8]) field_storage_y_shift_de_value[3:0] <= decoded_wr_data[11:8];
+                if(decoded_wr_biten[0]) field_storage_y_shift_e_value[4:0] <= decoded_wr_data[4:0];
+                if(decoded_wr_biten[8]) field_storage_y_shift_de_value[4:0] <= decoded_wr_data[12:8];
             end
             if(decoded_addr == 10'h154) begin
                 if(decoded_wr_biten[0]) field_storage_y_a0_value_value[7:0] <= decoded_wr_data[7:0];
@@ -1523,8 +1523,8 @@ module kung_xy_regs (
                     readback_data_var[20:16] = field_storage_x_eta_exp_value;
                 end
                 10'h50: begin
-                    readback_data_var[3:0] = field_storage_x_shift_e_value;
-                    readback_data_var[11:8] = field_storage_x_shift_de_value;
+                    readback_data_var[4:0] = field_storage_x_shift_e_value;
+                    readback_data_var[12:8] = field_storage_x_shift_de_value;
                 end
                 10'h54: begin
                     readback_data_var[17:0] = field_storage_x_a0_value_value;
@@ -1674,8 +1674,8 @@ module kung_xy_regs (
                     readback_data_var[20:16] = field_storage_y_eta_exp_value;
                 end
                 10'h150: begin
-                    readback_data_var[3:0] = field_storage_y_shift_e_value;
-                    readback_data_var[11:8] = field_storage_y_shift_de_value;
+                    readback_data_var[4:0] = field_storage_y_shift_e_value;
+                    readback_data_var[12:8] = field_storage_y_shift_de_value;
                 end
                 10'h154: begin
                     readback_data_var[17:0] = field_storage_y_a0_value_value;

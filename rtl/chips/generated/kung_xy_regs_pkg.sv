@@ -580,11 +580,11 @@ package kung_xy_regs_pkg;
     } axis_regs__eta__out_t;
 
     typedef struct packed {
-        logic [3:0] value;
+        logic [4:0] value;
     } axis_regs__shift__e__out_t;
 
     typedef struct packed {
-        logic [3:0] value;
+        logic [4:0] value;
     } axis_regs__shift__de__out_t;
 
     typedef struct packed {

@@ -59,7 +59,8 @@ void configure_axis(Bus& bus, std::uint32_t base, const AxisSetup& axis, std::in
   bus.write(base + reg::kKv, gain_word(axis.kv));
   bus.write(base + reg::kEta, gain_word(axis.eta));
   bus.write(base + reg::kShift,
-            axis.shift_e << reg::kShiftEShift | axis.shift_de << reg::kShiftDeShift);
+            (word(axis.shift_e) << reg::kShiftEShift & reg::kShiftEMask) |
+                (word(axis.shift_de) << reg::kShiftDeShift & reg::kShiftDeMask));
   bus.write(base + reg::kA0, axis.a0 << reg::kA0ValueShift | axis.a0_scale << reg::kA0ScaleShift);
   bus.write(base + reg::kB2, axis.b2);
   bus.write(base + reg::kKpCur, gain_word(axis.kp_cur));

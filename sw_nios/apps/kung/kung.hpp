@@ -26,8 +26,8 @@ struct AxisSetup {
   Gain eta{1140, -8};
   Gain kp_cur{1275, 2};
   Gain ki_cur{1478, -2};
-  std::uint32_t shift_e = 0;
-  std::uint32_t shift_de = 2;
+  std::int32_t shift_e = 0;
+  std::int32_t shift_de = 2;
   std::uint32_t a0 = 238008;      // [2^-32] with scale 0
   std::uint32_t a0_scale = 0;     // 0 2^-32, 1 2^-28, 2 2^-23
   std::uint32_t b2 = 8140683;     // [2^-23]
