@@ -31,6 +31,12 @@ scenario = ["circle"]
 """
 ERROR = '[[objective]]\nfigure = "tracking.model.mean_mm"\n'
 PEAK = '[[objective]]\nfigure = "peak_current_A"\nover = "mean"\n'
+TARGETS = """[[objective]]
+targets = [
+  {figure = "a", value = 2.0, within = 0.5, "plant.payload_kg" = 0},
+  {figure = "b", value = -3, within = 2},
+]
+"""
 LIMIT = '[[constraint]]\nfigure = "peak_current_A"\nat_most = %g\n'
 
 
@@ -167,6 +173,15 @@ class Tune(sweeps.Case):
             (least + LIMIT % 3 + 'at_least = "1"\n', "constraint: a limit must be a number"),
             (least + (LIMIT % 3).replace("3", "nan"), "constraint: a limit must be a number"),
             (least.replace('"tracking.model.mean_mm"', "3"), "objective: expects figure"),
+            (least + TARGETS.replace("value = 2.0", 'value = "2"'), "expects figure, value and"),
+            (STUDY + TARGETS.replace("within = 2", "within = 0"), "within, which is above 0"),
+            (least + TARGETS.replace(', "plant.payload_kg" = 0', ', colour = "red"'),
+             "targets: a: no case has colour = red"),
+            (STUDY.replace("[0, 11]", "[1, 11]") + TARGETS, "a: no case has plant.payload_kg = 0"),
+            (least + "[[objective]]\ntargets = []\n", "targets: expects a list of tables"),
+            (least + TARGETS + 'over = "min"\n', "with targets must be one of rms, max, mean"),
+            (least + TARGETS + 'figure = "a"\n', "expects nothing else than over"),
+            (least + LIMIT % 3 + "targets = []\n", "constraint: expects"),
         ):
             with self.assertRaisesRegex(StudyError, message, msg=text) as told:
                 Study(self.study(text))
@@ -197,6 +212,25 @@ class Tune(sweeps.Case):
                 self.assertEqual(goal.outside(rows), outside, (over, limits))
                 self.assertEqual(goal.limits, [v for v in (least, most) if v is not None])
 
+    def test_the_distance_from_targets_is_in_tolerances_of_each(self):
+        rows = [{"end": "done", "a": 2.5, "b": -3.0}, {"end": "done", "b": 5.0}]
+        for over, value in (("rms", (17 / 3) ** 0.5), ("max", 4), ("mean", 5 / 3)):
+            study = Study(self.study(STUDY + TARGETS + f'over = "{over}"\n'))
+            goal = study.objectives[0]
+            self.assertEqual((goal.value(rows), goal.maximize), (value, False))
+            self.assertEqual(goal.name, f"{over} distance from 3 targets")
+            found, trial = mock.Mock(), mock.Mock()
+            tune.judge(study, found, trial, rows)  # the second case need not have the figure a
+            found.tell.assert_called_once_with(trial, [value])
+        with self.assertRaisesRegex(StudyError, "a: no figure of every case"):
+            tune.judge(study, mock.Mock(), mock.Mock(), rows[::-1])
+        best = SimpleNamespace(number=3, values=[4], user_attrs=dict(
+            call.args for call in trial.set_user_attr.mock_calls), params={})
+        self.assertEqual(tune.scenario_text(study, best).splitlines()[1:4], [
+            "#   mean distance from 3 targets over 2 cases: 4",
+            "#     2.5 for 2, a of circle plant.payload_kg=0",
+            "#     1 for -3, b of circle plant.payload_kg=0; circle plant.payload_kg=11"])
+
     def test_identity_tells_studies_apart(self):
         text = "seed = 2\n" + STUDY + ERROR + LIMIT % 3
         one = Study(self.study(text)).identity()
@@ -210,6 +244,7 @@ class Tune(sweeps.Case):
                          ("[search]", '[search]\n"gains.ki" = [0.1, 0.2]'),
                          ("trials", 'engine = "rtl"\ntrials'),
                          (ERROR, ERROR + 'over = "mean"\n'),
+                         (ERROR, ERROR + TARGETS),
                          (ERROR, ERROR + 'goal = "maximize"\n')):
             self.assertIn(old, text)
             other = Study(self.study(text.replace(old, new, 1))).identity()

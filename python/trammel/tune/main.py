@@ -14,7 +14,7 @@ from pathlib import Path
 from trammel import _core, command_line
 from trammel.sweep.files import PlanError
 from trammel.sweep.main import Progress
-from trammel.tune.study import Study, StudyError
+from trammel.tune.study import Distance, Study, StudyError
 
 RECORD = "study.json"
 BEST_ONE = re.compile(r"best\.toml")
@@ -71,8 +71,7 @@ def judge(study: Study, found, trial, rows: list[dict]) -> None:
 
     bad = next((row for row in rows if row["end"] != "done"), None)
     if bad is None:
-        missing = [g.figure for g in study.objectives + study.constraints
-                   if any(row.get(g.figure) is None for row in rows)]
+        missing = [x for g in study.objectives + study.constraints for x in g.missing(rows)]
         if missing:
             raise StudyError(f"{study.file}: {missing[0]}: no figure of every case")
         outside = [x for g in study.constraints for x in g.outside(rows)]
@@ -80,6 +79,9 @@ def judge(study: Study, found, trial, rows: list[dict]) -> None:
             trial.set_constraint(str(n), miss)
         trial.set_user_attr("outside", outside)
         trial.set_user_attr("constraints", [g.value(rows) for g in study.constraints])
+        if any(isinstance(g, Distance) for g in study.objectives):
+            trial.set_user_attr("reached", [g.reached(rows) if isinstance(g, Distance) else []
+                                            for g in study.objectives])
         found.tell(trial, [g.value(rows) for g in study.objectives])
         return
     trial.set_user_attr("message", f"{bad['scenario']}: {bad['end']}: {bad['message']}")
@@ -164,8 +166,11 @@ def scenario_text(study: Study, trial) -> str:
         _apply(asked, key, value)
     asked.set("name", f"{study.file.stem}-{trial.number}")
     head = [f"# {study.file.name}, trial {trial.number}:"]
-    for goal, value in zip(study.objectives, trial.values):
+    for n, (goal, value) in enumerate(zip(study.objectives, trial.values)):
         head.append(f"#   {goal.name} over {len(study.cases)} cases: {value:.6g}")
+        if isinstance(goal, Distance):
+            head += [f"#     {found:.5g} for {one.value:.5g}, {one.figure} of {study.of(one)}"
+                     for one, found in zip(goal.targets, trial.user_attrs["reached"][n])]
     return "\n".join(head) + "\n" + asked.toml
 
 

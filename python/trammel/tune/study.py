@@ -16,12 +16,48 @@ from trammel.sweep.plan import PlanError, drawn_axis, read_toml
 
 MOST_CASES = 1000
 OVER = {"max": max, "mean": lambda values: sum(values) / len(values), "min": min}
+DISTANCES = {"rms": lambda values: math.sqrt(sum(v * v for v in values) / len(values)),
+             "max": max, "mean": OVER["mean"]}
 TOP = {"scenario", "engine", "seed", "trials", "keys", "cases", "search", "objective",
        "constraint"}
 
 
 class StudyError(PlanError):
     """What is wrong with a study, in one line."""
+
+
+class Target(NamedTuple):
+    """A value that a figure of some of the cases is to have; at a distance of 1 it misses by
+    `within`."""
+
+    figure: str
+    value: float
+    within: float
+    cases: tuple[int, ...]
+
+
+class Distance(NamedTuple):
+    """How far the cases are from targets, to be small."""
+
+    over: str
+    targets: tuple[Target, ...]
+    maximize = False
+
+    def value(self, rows: list[dict]) -> float:
+        return DISTANCES[self.over]([abs(rows[n][one.figure] - one.value) / one.within
+                                     for one in self.targets for n in one.cases])
+
+    def reached(self, rows: list[dict]) -> list[float]:
+        """The figure of each target; the mean of its cases."""
+        return [OVER["mean"]([rows[n][one.figure] for n in one.cases]) for one in self.targets]
+
+    def missing(self, rows: list[dict]) -> list[str]:
+        return [one.figure for one in self.targets
+                if any(rows[n].get(one.figure) is None for n in one.cases)]
+
+    @property
+    def name(self) -> str:
+        return f"{self.over} distance from {sum(len(one.cases) for one in self.targets)} targets"
 
 
 class Goal(NamedTuple):
@@ -35,6 +71,9 @@ class Goal(NamedTuple):
 
     def value(self, rows: list[dict]) -> float:
         return OVER[self.over]([row[self.figure] for row in rows])
+
+    def missing(self, rows: list[dict]) -> list[str]:
+        return [self.figure] if any(row.get(self.figure) is None for row in rows) else []
 
     def outside(self, rows: list[dict]) -> list[float]:
         """By how much the limits are missed; what is not above 0 is within."""
@@ -123,15 +162,17 @@ class Study:
         whole = isinstance(value, list) and all(type(v) is int for v in value)
         return drawn_axis(f"{self.file} [search]", key, value, whole)
 
-    def goals(self, given: dict, kind: str) -> list[Goal]:
+    def goals(self, given: dict, kind: str) -> list:
         every = given.get(kind, [])
         if not isinstance(every, list):
             self.refuse(f"{kind}: expects [[{kind}]]")
         return [self.goal(kind, one) for one in every]
 
-    def goal(self, kind: str, given: dict) -> Goal:
+    def goal(self, kind: str, given: dict) -> Goal | Distance:
         allowed = {"figure", "over", *(("goal",) if kind == "objective" else
                                        ("at_least", "at_most"))}
+        if kind == "objective" and isinstance(given, dict) and "targets" in given:
+            return self.distance(given)
         if not isinstance(given, dict) or not isinstance(given.get("figure"), str) \
                 or not set(given) <= allowed:
             self.refuse(f"{kind}: expects {', '.join(sorted(allowed))}")
@@ -146,6 +187,35 @@ class Study:
         if not all(type(v) in (int, float) and math.isfinite(v) for v in limits.values()):
             self.refuse("constraint: a limit must be a number")
         return Goal(given["figure"], over, goal == "maximize", **limits)
+
+    def distance(self, given: dict) -> Distance:
+        if not set(given) <= {"over", "targets"}:
+            self.refuse("objective: with targets expects nothing else than over")
+        over, targets = given.get("over", "rms"), given["targets"]
+        if not isinstance(over, str) or over not in DISTANCES:
+            self.refuse(f"objective: over: with targets must be one of {', '.join(DISTANCES)}")
+        if not isinstance(targets, list) or not targets:
+            self.refuse("objective: targets: expects a list of tables")
+        return Distance(over, tuple(map(self.target, targets)))
+
+    def target(self, given) -> Target:
+        if not isinstance(given, dict) or not isinstance(given.get("figure"), str) \
+                or not all(type(given.get(k)) in (int, float) and math.isfinite(given[k])
+                           for k in ("value", "within")) or given["within"] <= 0:
+            self.refuse("objective: targets: each expects figure, value and within, which is "
+                        "above 0")
+        wanted = {k: v for k, v in given.items() if k not in Target._fields[:3]}
+        cases = tuple(n for n, (scenario, case) in enumerate(self.cases)
+                      if wanted.items() <= {"scenario": scenario, **case}.items())
+        if not cases:
+            self.refuse(f"objective: targets: {given['figure']}: no case has " +
+                        ", ".join(f"{k} = {v}" for k, v in wanted.items()))
+        return Target(given["figure"], given["value"], given["within"], cases)
+
+    def of(self, target: Target) -> str:
+        """The cases of a target, in words."""
+        return "; ".join(" ".join([scenario, *(f"{k}={v}" for k, v in case.items())])
+                         for scenario, case in (self.cases[n] for n in target.cases))
 
     def check(self) -> None:
         """Keys and their ends are within their ranges, in every case."""
