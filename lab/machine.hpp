@@ -33,6 +33,7 @@ struct Experiment {
   std::string name;                      // of its folder
   std::string scenario;
   std::vector<std::string> assignments;  // key=value
+  std::string page = "index.html";       // of all runs that name it, beside their folders
 };
 
 // A file in a language of its own that is run as a scenario is: `trammel run part.ngc`.

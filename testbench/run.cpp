@@ -192,8 +192,6 @@ std::unique_ptr<lab::Settings> settings_of(const lab::Experiment& experiment,
   return settings;
 }
 
-constexpr char kIndex[] = "index.html";  // of run --all
-
 // Before the first of the runs: what is there must be of runs of --all.
 void check_all(const fs::path& base, const std::vector<lab::Experiment>& experiments) {
   const auto refuse = [&base](const char* why) {
@@ -211,8 +209,11 @@ void check_all(const fs::path& base, const std::vector<lab::Experiment>& experim
     any = any || fs::exists(base / experiment.name);
   }
   if (!any) refuse("is not empty and holds no runs of --all: name another folder");
-  if (fs::exists(fs::symlink_status(base / kIndex)) && !lab::is_page(base / kIndex)) {
-    refuse("index.html there is no page of runs; move it away");
+  for (const lab::Experiment& experiment : experiments) {
+    const fs::path page = base / experiment.page;
+    if (fs::exists(fs::symlink_status(page)) && !lab::is_page(page)) {
+      refuse((experiment.page + " there is no page of runs; move it away").c_str());
+    }
   }
 }
 
@@ -220,7 +221,7 @@ int run_all(const lab::Machine& machine, const Arguments& arguments, const Simul
             const std::atomic<bool>& stop) {
   const fs::path base = lab::target_of(arguments.out, "all");
   std::vector<Outcome> outcomes;
-  std::vector<fs::path> folders;
+  std::vector<std::pair<fs::path, std::vector<fs::path>>> pages;  // and their runs
   auto documents = nlohmann::ordered_json::array();
   int code = 0;
   for (const lab::Experiment& experiment : machine.experiments) settings_of(experiment, arguments);
@@ -231,19 +232,25 @@ int run_all(const lab::Machine& machine, const Arguments& arguments, const Simul
       continue;
     }
     const auto settings = settings_of(experiment, arguments);
-    folders.push_back(base / experiment.name);
-    outcomes.push_back(run_one(*settings, folders.back(), arguments, simulate, stop));
+    const fs::path folder = base / experiment.name;
+    if (pages.empty() || pages.back().first != base / experiment.page) {
+      pages.emplace_back(base / experiment.page, std::vector<fs::path>());
+    }
+    pages.back().second.push_back(folder);
+    outcomes.push_back(run_one(*settings, folder, arguments, simulate, stop));
     documents.push_back(outcomes.back().json);
     code = std::max(code, outcomes.back().code);
   }
-  const fs::path index = base / kIndex;
-  bool page = arguments.report && folders.size() > 1;
-  try {
-    if (page) lab::write_page(folders, index);
-  } catch (const std::exception& error) {
-    tell(fmt::format("no report: {}; the results are kept", lab::reason_of(error)));
-    page = false;
-    if (code == 0) code = 2;
+  std::string written;
+  for (const auto& [page, folders] : pages) {
+    if (!arguments.report || folders.size() < 2) continue;
+    try {
+      lab::write_page(folders, page);
+      written += fmt::format("{} {}", written.empty() ? "" : ",", fs::proximate(page).string());
+    } catch (const std::exception& error) {
+      tell(fmt::format("no report: {}; the results are kept", lab::reason_of(error)));
+      if (code == 0) code = 2;
+    }
   }
   if (arguments.json) {
     print_json(documents);
@@ -252,7 +259,7 @@ int run_all(const lab::Machine& machine, const Arguments& arguments, const Simul
   std::vector<const lab::Record*> records;
   for (const Outcome& outcome : outcomes) records.push_back(&outcome.record);
   print(machine.experiments_text(records));
-  if (page) print(fmt::format("\nreport: {}\n", fs::proximate(index).string()));
+  if (!written.empty()) print(fmt::format("\nreport:{}\n", written));
   return code;
 }
 

@@ -12,7 +12,7 @@ using fixed::sat;
 using fixed::shift_left;
 using Wide = std::int64_t;
 
-// A scaled error, 1/1024 unit: the knot below it, and its memberships of that knot and the next (Q11).
+// A scaled error, 1/1024 unit: the knot below it, its memberships of that knot and the next (Q11).
 struct Fuzzy {
   Wide scaled;
   int section;

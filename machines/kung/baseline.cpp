@@ -109,7 +109,8 @@ void add_tracking(std::vector<lab::Figure>& list, const std::string& id, const s
 }
 
 void add_baselines(const Options& options, std::vector<lab::Figure>& list) {
-  if (options.path.kind == PathKind::kSquare || !is_paper_experiment(options)) return;
+  if (options.path.kind == PathKind::kSquare) return;
+  if (paper_experiment(options) != Reading::kAssumed) return;
   const std::size_t reach = contour_reach(options.lag_s(), options.chip.sample_s());
   for (const Law law : {Law::kCascade, Law::kPid}) {
     const Tracks tracks = baseline_tracks(options, law);

@@ -298,9 +298,8 @@ std::vector<std::string> remarks(const lab::Record& record) {
   std::vector<std::string> lines = overloads(options, result);
   for (std::string& line : range_lines(options, result)) lines.push_back(std::move(line));
   for (std::string& line : comparison_lines(record)) lines.push_back(std::move(line));
-  if (options.path.kind == PathKind::kCircle && options.controller != Controller::kPrecision &&
-      is_paper_experiment(options)) {
-    lines.emplace_back(kCircleNote);
+  if (options.path.kind == PathKind::kCircle && options.controller != Controller::kPrecision) {
+    if (const auto reading = paper_experiment(options)) lines.push_back(circle_note(*reading));
   }
   const auto evaluated = static_cast<double>(std::max<cosim::Clk>(1, result.evaluated));
   std::string causes;
@@ -335,8 +334,9 @@ void add_metrics(const lab::Record& record, nlohmann::ordered_json& json) {
   }
   const bool compared = std::any_of(record.figures.begin(), record.figures.end(),
                                     [](const Figure& f) { return f.printed.has_value(); });
-  if (compared && options_of(record).path.kind == PathKind::kCircle) {
-    json["comparison_note"] = kCircleNote;
+  const auto reading = paper_experiment(options_of(record));
+  if (compared && reading && options_of(record).path.kind == PathKind::kCircle) {
+    json["comparison_note"] = circle_note(*reading);
   }
 }
 

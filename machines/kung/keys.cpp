@@ -185,8 +185,7 @@ void add_gains(Table& t, std::size_t axis) {
   add("ki", 0, 1, "integral gain of the position PI, per 0.5 ms", &AxisGains::ki);
   add("kv", 0, 64, "proportional gain of the speed loop: 1 = 3.75 A/(m/s)", &AxisGains::kv);
   add("learning_rate", 0, 10, "alpha of the tuning law", &AxisGains::learning_rate);
-  add("shift_e", kLeastShift, kMostShift, "one fuzzy unit = 256 / 2^shift counts",
-      &AxisGains::shift_e);
+  add("shift_e", kLeastShift, kMostShift, "fuzzy unit: 256 / 2^shift counts", &AxisGains::shift_e);
   add("shift_de", kLeastShift, kMostShift, "the same for the error change", &AxisGains::shift_de);
   add("omega_n_rad_s", 1, 200, "natural frequency of the reference model",
       &AxisGains::omega_n_rad_s);

@@ -22,6 +22,13 @@ std::vector<lab::Experiment> experiments() {
   for (const std::string scenario : {"circle", "window", "star"}) {
     all.push_back({scenario + "-precision", scenario, {"controller=precision"}});
   }
+  for (const std::string path : {"step", "circle", "window", "star"}) {
+    for (const std::string controller : {"fc", "afc"}) {
+      const std::string scenario = kFittedPrefix + path;
+      all.push_back({scenario + '-' + controller, scenario, {"controller=" + controller},
+                     "paper.html"});
+    }
+  }
   return all;
 }
 

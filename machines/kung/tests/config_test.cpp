@@ -139,11 +139,13 @@ TEST_CASE("the built-in scenarios load, are valid and, but for sweeps and the pa
     apply_file(options, file);
     lab::validate(options);
     const bool of_paper = !options.path.is_sweep() && options.path.kind != kung::PathKind::kFeed;
-    CHECK(kung::is_paper_experiment(options) == of_paper);
+    CHECK(kung::paper_experiment(options).has_value() == of_paper);
+    const bool fitted = file.stem().string().rfind(kung::kFittedPrefix, 0) == 0;
+    CHECK((kung::paper_experiment(options) == kung::Reading::kFitted) == fitted);
     options.gains[0].kp = 0.5;
-    CHECK_FALSE(kung::is_paper_experiment(options));
+    CHECK_FALSE(kung::paper_experiment(options));
   }
-  CHECK(loaded >= 4);
+  CHECK(loaded >= 8);
 }
 
 TEST_CASE("the default gains are the words of the specification") {

@@ -25,9 +25,10 @@ struct Ours {
 };
 
 lab::Record record_of(PathKind path, Controller controller, const std::vector<Ours>& list,
-                      EndReason end = EndReason::kDone) {
+                      EndReason end = EndReason::kDone, const char* scenario = "circle") {
   lab::Record record;
   auto options = std::make_shared<Options>();
+  options->scenario = scenario;
   options->path.kind = path;
   options->controller = controller;
   record.settings = std::move(options);
@@ -105,7 +106,14 @@ TEST_CASE("what is printed and expected beside a figure is the paper's and the s
       {"step", Controller::kAfc, "x.periods.7.rms_mm", {}, 0.61, 0.0233},
       {"step", Controller::kAfc, "y.periods.7.rms_mm", {}, 0.72, 0.0266},
       {"step", Controller::kAfc, "x.periods.6.rms_mm", {}, {}, 0},
-      {"step", Controller::kAfc, "peak_current_A", {}, 1.4, 0.1}};
+      {"step", Controller::kAfc, "peak_current_A", {}, 1.4, 0.1},
+      {"paper-circle", Controller::kFc, "tracking.model.mean_mm", 3.51, 3.39, 0.1067},
+      {"paper-star", Controller::kAfc, "tracking.model.variance_mm2", 1.85, 1.70, 0.135},
+      {"paper-star", Controller::kAfc, "tracking.model.std_mm", {}, {}, 0},
+      {"paper-step", Controller::kFc, "y.periods.0.overshoot_percent", 23.1, 23.4, 0.8},
+      {"paper-step", Controller::kFc, "y.periods.7.overshoot_percent", {}, {}, 0},
+      {"paper-step", Controller::kAfc, "x.periods.0.overshoot_percent", {}, 18.0, 0.8},
+      {"paper-step", Controller::kAfc, "peak_current_A", {}, {}, 0}};
   for (const auto& one : list) {
     const auto settings = lab::load_scenario(lab::find_scenario(one.scenario));
     auto options = static_cast<const Options&>(*settings);
@@ -167,27 +175,33 @@ TEST_CASE("the table of the experiments holds each value in the cell of its path
   all[8].companions.push_back(
       record_of(K::kCircle, C::kAfc, errors(1, 2), EndReason::kDiverged));
   all[8].companions.back().name = "AFC";
+  add(K::kCircle, C::kAfc, tracking(6, 2.1, 0.2, 0.3, 0.77), EndReason::kDone, "paper-circle-afc");
+  add(K::kStar, C::kAfc, tracking(7.5, 7, 2, 1, 0.78), EndReason::kDone, "paper-star-afc");
+  add(K::kSquare, C::kAfc, std::vector<Ours>{{"x.periods.0.overshoot_percent", 4.5}},
+      EndReason::kDone, "paper-step-afc");
   std::vector<const lab::Record*> records;
   for (const lab::Record& record : all) records.push_back(&record);
   const std::string text = plain(experiments_text(records));
   for (const char* const line : {
-           "|Tracking error in mm (Kung Table 2), ours / paper||circle window star|FC mean 4.00 / ",
-           "|Step of 10 mm with 11 kg (Kung Figs. 11, 12), ours / paper||overshoot (%) first ",
-           "|FC mean 4.00 / 3.00 2.00 / 1.00 5.00 / 8.00|",
-           "|FC variance 0.50 / 0.60 0.80 / 0.90 1.10 / 1.20|",
-           "|FC std 0.71 / - 0.72 / - 0.73 / -|",
-           "|AFC mean 3.00 / 2.10 1.50 / 0.90 not finished|",
-           "|AFC variance 0.40 / 0.30 1.60 / 1.80 not finished|",
-           "|AFC std 0.74 / - 0.75 / - not finished|",
-           "|reduction of mean 25.0 / 30.0 % 25.0 / 10.0 % -|",
-           "|reduction of variance 20.0 / 50.0 % -100.0 / -100.0 % -|",
+           "|Tracking error in mm (Kung Table 2), defaults / paper-* / printed||circle window ",
+           "|Step of 10 mm with 11 kg (Kung Figs. 11, 12), defaults / paper-* / printed||",
+           "|FC mean 4.00 / - / 3.00 2.00 / - / 1.00 5.00 / - / 8.00|",
+           "|FC variance 0.50 / - / 0.60 0.80 / - / 0.90 1.10 / - / 1.20|",
+           "|FC std 0.71 / - / - 0.72 / - / - 0.73 / - / -|",
+           "|AFC mean 3.00 / 6.00 / 2.10 1.50 / - / 0.90 - / 7.50 / 7.00|",
+           "|AFC variance 0.40 / 0.20 / 0.30 1.60 / - / 1.80 - / 2.00 / 1.00|",
+           "|AFC std 0.74 / 0.77 / - 0.75 / - / - - / 0.78 / -|",
+           "|reduction of mean 25.0 / - / 30.0 % 25.0 / - / 10.0 % -|",
+           "|reduction of variance 20.0 / - / 50.0 % -100.0 / - / -100.0 % -|",
            "|overshoot (%) first period last period|",
-           "|FC X 12.1 / 12.8 11.3 / -|",
-           "|FC Y 23.2 / 23.1 22.4 / -|",
-           "|AFC X 5.0 / - 1.2 / -|",
-           "|AFC Y 23.5 / - 6.6 / -|",
-           "|ours, X: below 5 % in period 2|",
-           "|ours, Y: never below 5 %|",
+           "|FC X 12.1 / - / 12.8 11.3 / - / -|",
+           "|FC Y 23.2 / - / 23.1 22.4 / - / -|",
+           "|AFC X 5.0 / 4.5 / - 1.2 / - / -|",
+           "|AFC Y 23.5 / - / - 6.6 / - / -|",
+           "|defaults, X: below 5 % in period 2|",
+           "|defaults, Y: never below 5 %|",
+           "|paper-*, X: below 5 % in period 1|",
+           "|paper-*, Y: never below 5 %|",
            "|FC 100 / 2001 not finished not finished|",
            "|AFC not finished not finished not finished|",
            "|precision 2.04 / 15.3 99.99 / 101.3 not finished|"}) {

@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -68,13 +69,13 @@ void check_documented(const std::string& run, const lab::Record& record) {
   }
 }
 
-void check_experiment(const std::string& scenario, const std::string& controller) {
+lab::Record experiment(const std::string& scenario, const std::string& controller) {
   Options options;
   lab::apply_file(options, lab::find_scenario(scenario));
   lab::apply_assignment(options, "controller=" + controller);
   lab::validate(options);
-  REQUIRE(is_paper_experiment(options));
-  const lab::Record record = lab::run(options);
+  REQUIRE(paper_experiment(options));
+  lab::Record record = lab::run(options);
   REQUIRE(record.result->end == EndReason::kDone);
   REQUIRE(lab::any_expected(record.figures));
   for (const lab::Figure& figure : record.figures) {
@@ -89,6 +90,34 @@ void check_experiment(const std::string& scenario, const std::string& controller
       REQUIRE(ours.size() == 8);
       for (std::size_t n = 1; n < 4; ++n) CHECK(ours[n] < ours[n - 1]);
     }
+  }
+  return record;
+}
+
+void check_experiment(const std::string& scenario, const std::string& controller) {
+  experiment(scenario, controller);
+}
+
+// Kung Table 2 by the scenarios paper-*: every mean within 5 % of the printed one, every spread
+// within 15 %, and AFC reduces each, as printed.
+void check_table(const std::string& path) {
+  std::vector<std::vector<lab::Figure>> figures;
+  for (const char* const controller : {"fc", "afc"}) {
+    const lab::Record record = experiment("paper-" + path, controller);
+    std::vector<lab::Figure>& own = figures.emplace_back();
+    for (const lab::Figure& figure : record.figures) {
+      if (!figure.printed) continue;
+      own.push_back(figure);
+      const bool mean = figure.id == "tracking.model.mean_mm";
+      CAPTURE(path, controller, figure.id, figure.value, *figure.printed);
+      CHECK(std::fabs(figure.value / *figure.printed - 1) < (mean ? 0.05 : 0.15));
+    }
+    REQUIRE(own.size() == 2);
+  }
+  for (const std::size_t n : {0u, 1u}) {
+    CAPTURE(path, figures[0][n].id);
+    CHECK(*figures[1][n].printed < *figures[0][n].printed);
+    CHECK(figures[1][n].value < figures[0][n].value);
   }
 }
 
@@ -126,5 +155,10 @@ TEST_CASE("window fc") { check_experiment("window", "fc"); }
 TEST_CASE("window afc") { check_experiment("window", "afc"); }
 TEST_CASE("star fc") { check_experiment("star", "fc"); }
 TEST_CASE("star afc") { check_experiment("star", "afc"); }
+TEST_CASE("Table 2, circle") { check_table("circle"); }
+TEST_CASE("Table 2, window") { check_table("window"); }
+TEST_CASE("Table 2, star") { check_table("star"); }
+TEST_CASE("Table 2, step fc") { check_experiment("paper-step", "fc"); }
+TEST_CASE("Table 2, step afc") { check_experiment("paper-step", "afc"); }
 TEST_CASE("step fc") { check_experiment("step", "fc"); }
 TEST_CASE("step afc") { check_experiment("step", "afc"); }
