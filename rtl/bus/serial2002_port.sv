@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Serial2002 on a serial line (Brochier 2006, 2.2.3): up to 8 frames in wait, and 32 out.
-// A frame shows 9.5 bits and 6 clocks behind the start bit of its last byte.
+// A frame shows 9.5 bits and 6 clocks behind the start bit of its last byte. A partial one ends
+// where no byte comes for gap_i clocks.
 
 module serial2002_port
   import trammel_pkg::*;
@@ -23,6 +24,7 @@ module serial2002_port
     output logic [15:0] refused_o,
     output logic        idle_o,     // none to send, the line at rest
 
+    input  logic [23:0] gap_i,
     input  logic        take_i,
     output logic        waits_o,
     output frame_t      frame_o,
@@ -38,6 +40,7 @@ module serial2002_port
   logic out_waits, out_take;
   logic [7:0] line_out, line_in;
   logic [3:0] unused_room;
+  gap_t line_next, rx_next;
   logic [15:0] malformed_q;
   frame_t rx_frame, out_frame;
 
@@ -55,19 +58,22 @@ module serial2002_port
       .byte_o     (line_in),
       .rx_i       (rx_i),
       .tx_o       (tx_o),
-      .next_o     (next_o),
+      .next_o     (line_next),
       .quiescent_o(line_quiescent)
   );
 
   serial2002_rx u_rx (
       .clk_i      (clk_i),
       .rst_i      (rst_i),
+      .leap_i     (leap_i),
+      .gap_i      (gap_i),
       .valid_i    (line_valid),
       .bad_i      (line_bad),
       .byte_i     (line_in),
       .valid_o    (rx_valid),
       .frame_o    (rx_frame),
       .malformed_o(malformed),
+      .next_o     (rx_next),
       .quiescent_o(rx_quiescent)
   );
 
@@ -120,6 +126,7 @@ module serial2002_port
   end
 
   assign malformed_o = malformed_q;
+  assign next_o      = rx_next < line_next ? rx_next : line_next;
   assign quiescent_o = line_quiescent && rx_quiescent && tx_quiescent && in_quiescent &&
       out_quiescent;
 

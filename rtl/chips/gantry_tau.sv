@@ -282,6 +282,7 @@ module gantry_tau
       .room_o     (hwif_in.send_state.room.next),
       .refused_o  (hwif_in.send_state.lost.next),
       .idle_o     (hwif_in.send_state.idle.next),
+      .gap_i      (hwif_out.receive_gap.clocks.value),
       .take_i     (hwif_out.receive.take.value),
       .waits_o    (in_waits),
       .frame_o    (in_frame),

@@ -54,6 +54,7 @@ struct Bench {
     rtl->send_i = in.send;
     rtl->frame_i = bits(in.frame);
     rtl->take_i = in.take;
+    rtl->gap_i = in.gap;
     rtl.eval();
   }
   void pass() {
@@ -139,6 +140,7 @@ TEST_CASE("serial2002_port agrees with its twin for any line, whatever is sent, 
   for (int i = 0; i < 60'000; ++i) {
     if (i % 5000 == 0) fast = !fast;  // else fewer are taken than come
     if (random() % 4 == 0) bench.level = random() % 3 != 0;
+    if (random() % 200 == 0) bench.in.gap = random() % 3 == 0 ? 0 : random() % 20'000;
     bench.in.send = random() % 8 == 0;
     bench.in.frame = {random() % 5, random() % 32, random() >> random() % 32};
     bench.in.take = fast ? random() % 4 == 0 : random() % 4000 == 0;

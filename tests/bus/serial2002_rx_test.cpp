@@ -23,6 +23,7 @@ struct Bench {
   int malformed = 0;
 
   Bench() {
+    rtl->leap_i = 0;
     put({});
     rtl.reset();
   }
@@ -30,11 +31,13 @@ struct Bench {
     rtl->valid_i = in.valid;
     rtl->bad_i = in.bad;
     rtl->byte_i = in.byte;
+    rtl->gap_i = in.gap;
     rtl.eval();
   }
   void clock(const Serial2002Rx::In& in) {
     put(in);
     REQUIRE(bool(rtl->quiescent_o) == twin.quiescent(in));
+    if (twin.quiescent(in)) REQUIRE(rtl->next_o == twin.next());
     const Serial2002Rx::Out out = twin.step(in);
     rtl.tick();
     REQUIRE(bool(rtl->valid_o) == out.valid);
@@ -44,6 +47,13 @@ struct Bench {
             (std::uint64_t{f.kind} << 37 | std::uint64_t{f.channel} << 32 | f.value));
     if (out.valid) frames.push_back(f);
     malformed += out.malformed;
+  }
+  // Each with so many clocks behind it until the next one.
+  void paced(const std::vector<std::uint8_t>& all, int clocks, std::uint32_t gap) {
+    for (const std::uint8_t byte : all) {
+      clock({true, false, byte, gap});
+      for (int k = 1; k < clocks; ++k) clock({false, false, 0, gap});
+    }
   }
   void bytes(std::initializer_list<int> all) {
     for (const int byte : all) {  // + 256: without a stop bit
@@ -95,13 +105,47 @@ TEST_CASE("serial2002_rx drops a frame with a byte without stop bit, wherever it
   CHECK(bench.frames.size() == 1);
 }
 
+TEST_CASE("serial2002_rx: a byte within the gap goes on with its frame, a later one begins anew") {
+  const std::vector<std::uint8_t> frame{0x82, 0xCC, 0x84, 0x16};
+  for (const int clocks : {1, 2, 20}) {
+    Bench bench;
+    CAPTURE(clocks);
+    bench.paced(frame, clocks, 20);
+    REQUIRE(bench.frames == std::vector<Frame>{{Frame::kValue, 22, 170'000}});
+    CHECK(bench.malformed == 0);
+  }
+  Bench late;
+  late.paced(frame, 21, 20);  // three that are alone, and a last byte: clear bit 22
+  CHECK(late.frames == std::vector<Frame>{{Frame::kClearBit, 22, 0}});
+  CHECK(late.malformed == 3);
+  Bench never;
+  never.paced(frame, 5000, 0);
+  CHECK(never.frames == std::vector<Frame>{{Frame::kValue, 22, 170'000}});
+}
+
+TEST_CASE("serial2002_rx: the gap ends any partial frame, counts it once, and the next is good") {
+  for (const std::vector<std::uint8_t>& part :
+       {std::vector<std::uint8_t>{0x81}, {0x8A, 0xFF}, std::vector<std::uint8_t>(1000, 0xFF)}) {
+    Bench bench;
+    bench.paced(part, 1, 20);
+    CHECK(bench.malformed == 0);
+    for (int k = 0; k < 60; ++k) bench.clock({});
+    CHECK(bench.malformed == 1);
+    bench.paced({0x8A, 0x49}, 20, 20);
+    CHECK(bench.frames == std::vector<Frame>{{Frame::kValue, 9, 42}});
+    CHECK(bench.malformed == 1);
+  }
+}
+
 TEST_CASE("serial2002_rx agrees with its twin, and any bytes leave it ready") {
   Bench bench;
   Random random(13);
+  std::uint32_t gap = 0;
   for (int i = 0; i < 200'000; ++i) {
+    if (random() % 100 == 0) gap = random() % 8;
     const bool lead = random() % 4 != 0;
     const auto byte = static_cast<std::uint8_t>(lead ? random() | 0x80 : random() & 0x7F);
-    bench.clock({random() % 2 != 0, random() % 64 == 0, byte});
+    bench.clock({random() % 2 != 0, random() % 64 == 0, byte, gap});
     if (random() % 5000 == 0) {
       bench.rtl.reset();
       bench.twin.reset();

@@ -36,7 +36,8 @@ const std::vector<trammel::test::Place> kVersion1{
     {"SEND_STATE.room", 0x058, 5, 0}, {"SEND_STATE.idle", 0x058, 8, 8},
     {"SEND_STATE.lost", 0x058, 31, 16}, {"CALIBRATE.word", 0x05C, 15, 0},
     {"CALIBRATE.command", 0x05C, 18, 16}, {"CALIBRATION.valid", 0x060, 0, 0},
-    {"CALIBRATION.busy", 0x060, 1, 1}, {"CALIBRATION.count", 0x060, 13, 8}};
+    {"CALIBRATION.busy", 0x060, 1, 1}, {"CALIBRATION.count", 0x060, 13, 8},
+    {"RECEIVE_GAP", 0x064, 23, 0}};
 
 }  // namespace
 
@@ -53,6 +54,7 @@ TEST_CASE("gantry_tau: a reset leaves in every register the value of its page") 
       {0x038, 100'000},     // PASS_PERIOD: 2 ms
       {0x054, 0x00000400},  // SEND: a value
       {0x058, 0x00000120},  // SEND_STATE: at rest, room for 32
+      {0x064, 504'774},     // RECEIVE_GAP: 10 ms and a byte
   };
   trammel::test::GantryBench chip;
   chip.clocks(200);  // the empty memory has been read and refused

@@ -20,6 +20,7 @@ class Serial2002Port {
     bool send = false;
     Frame frame;
     bool take = false;
+    std::uint32_t gap = 0;  // [clk] 24 bits
   };
 
   explicit Serial2002Port(std::uint32_t clocks_per_bit = 434) : line_(clocks_per_bit) {}
@@ -40,29 +41,34 @@ class Serial2002Port {
   std::uint32_t malformed() const { return malformed_; }
 
   void step(const In& in) {
-    const SerialLine::Out line = line_.out();
     const Serial2002Rx::Out frame = rx_.out();
     const Serial2002Tx::In sends = tx_in();
     const Serial2002Tx::Out byte = tx_.out(sends);
     if (frame.malformed) malformed_ = std::min<std::uint32_t>(malformed_ + 1, 0xFFFF);
     in_.step({frame.valid, frame.frame, in.take});
-    rx_.step({line.valid, line.bad, line.byte});
+    rx_.step(rx_in(in));
     out_.step({in.send, in.frame, byte.take});
     tx_.step(sends);
     line_.step({byte.send, byte.byte, in.rx});
   }
 
   bool quiescent(const In& in) const {
-    const SerialLine::Out line = line_.out();
     const Serial2002Tx::In sends = tx_in();
     return !in.send && !in.take && tx_.quiescent(sends) &&
-           rx_.quiescent({line.valid, line.bad, line.byte}) &&
+           rx_.quiescent(rx_in(in)) &&
            line_.quiescent({tx_.out(sends).send, 0, in.rx});
   }
-  Gap next() const { return line_.next(); }
-  void advance(Gap n) { line_.advance(n); }
+  Gap next() const { return std::min(line_.next(), rx_.next()); }
+  void advance(Gap n) {
+    line_.advance(n);
+    rx_.advance(n);
+  }
 
  private:
+  Serial2002Rx::In rx_in(const In& in) const {
+    const SerialLine::Out line = line_.out();
+    return {line.valid, line.bad, line.byte, in.gap};
+  }
   Serial2002Tx::In tx_in() const { return {out_.waits(), out_.frame(), line_.out().busy}; }
 
   SerialLine line_;

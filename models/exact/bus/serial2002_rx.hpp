@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "models/exact/bus/frame_fifo.hpp"
+#include "models/exact/math/timer.hpp"
 
 namespace trammel::exact {
 
@@ -15,6 +16,7 @@ class Serial2002Rx {
   struct In {
     bool valid = false, bad = false;
     std::uint8_t byte = 0;
+    std::uint32_t gap = 0;  // [clk] 24 bits
   };
   struct Out {
     bool valid = false, malformed = false;
@@ -26,6 +28,12 @@ class Serial2002Rx {
 
   Out step(const In& in) {
     out_.valid = out_.malformed = false;
+    const bool silent = gap_.count() == 1 && !in.valid;
+    gap_.step({in.valid, in.byte >= 0x80 ? in.gap : 0});
+    if (silent) {
+      out_.malformed = true;
+      clear();
+    }
     if (!in.valid) return out_;
     wrong_ = wrong_ || in.bad;
     if (in.byte >= 0x80) {
@@ -39,17 +47,26 @@ class Serial2002Rx {
     out_.frame = leads_ > 0 ? Frame{Frame::kValue, channel, value_ << 2 | high}
                             : Frame{high, channel, 0};
     (wrong_ ? out_.malformed : out_.valid) = true;
-    wrong_ = false;
-    value_ = 0;
-    leads_ = 0;
+    clear();
     return out_;
   }
 
-  bool quiescent(const In& in) const { return !in.valid && !out_.valid && !out_.malformed; }
+  bool quiescent(const In& in) const {
+    return !in.valid && !out_.valid && !out_.malformed && gap_.count() != 1;
+  }
+  Gap next() const { return gap_.next({}); }
+  void advance(Gap n) { gap_.advance(n); }
 
  private:
   static constexpr int kLeads = 5;
 
+  void clear() {
+    wrong_ = false;
+    value_ = 0;
+    leads_ = 0;
+  }
+
+  Timer gap_;
   int leads_ = 0;
   std::uint32_t value_ = 0;
   bool wrong_ = false;

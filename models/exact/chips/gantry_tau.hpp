@@ -159,7 +159,8 @@ class GantryTau {
                      observer_.busy() || tick || adc.valid,
                      in.nv_ready,
                      in.nv_data};
-    s.serial = {in.rx, pulses_.send, {send_ >> 8, send_ & 31, send_value_}, pulses_.take};
+    s.serial = {in.rx, pulses_.send, {send_ >> 8, send_ & 31, send_value_}, pulses_.take,
+                receive_gap_};
     s.pass = due();
     return s;
   }
@@ -215,6 +216,7 @@ class GantryTau {
         calibrate_ = merge(calibrate_, 0x7FFFF);
         pulses_.calibrate = (bits_ & 0xFFFF) != 0;
         break;
+      case kReceiveGap: receive_gap_ = merge(receive_gap_, 0xFFFFFF); break;
       default: break;
     }
   }
@@ -232,6 +234,7 @@ class GantryTau {
   Pulses pulses_{false, true, false, false, false, 0};
   std::uint32_t observe_ = 0, slots_written_ = 0x10002, status_ = 0, irq_enable_ = 0;
   std::uint32_t period_ = 100'000, ticks_ = 0;  // [clk]
+  std::uint32_t receive_gap_ = 504'774;  // [clk]
   std::uint32_t send_value_ = 0, send_ = 0x400, calibrate_ = 0;
   std::array<std::uint32_t, 2> force_{};
   std::uint8_t hot_meta_ = 0, hot_ = 0;
@@ -277,6 +280,7 @@ inline std::uint32_t GantryTau::read() const {
     case kCalibration:
       return (calibration_.valid() ? kCalibrationValid : 0) |
              (calibration_.busy() ? kCalibrationBusy : 0) | calibration_.count() << 8;
+    case kReceiveGap: return receive_gap_;
     default: return 0;
   }
 }

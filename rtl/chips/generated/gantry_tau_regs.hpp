@@ -109,6 +109,9 @@ inline constexpr std::uint32_t kCalibrationValid = 0x1u;
 inline constexpr std::uint32_t kCalibrationBusy = 0x2u;
 inline constexpr std::uint32_t kCalibrationCountShift = 8u;
 inline constexpr std::uint32_t kCalibrationCountMask = 0x00003F00u;
+inline constexpr std::uint32_t kReceiveGap = 0x64u;
+inline constexpr std::uint32_t kReceiveGapClocksShift = 0u;
+inline constexpr std::uint32_t kReceiveGapClocksMask = 0x00FFFFFFu;
 
 enum class Access { kRead, kWrite, kReadWrite, kWriteOneToClear };
 
@@ -138,7 +141,7 @@ struct Field {
 };
 
 // By address.
-inline constexpr std::array<Register, 25> kRegisters{{
+inline constexpr std::array<Register, 26> kRegisters{{
     {"ID", 0x000u, 0x47540001u, 0xFFFFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
     {"OBSERVER", 0x004u, 0x00000000u, 0x00000011u, 0x00000011u, 0x00000000u, 0x00000000u, 0x00000000u},
     {"POSITION", 0x008u, 0x00000000u, 0xFFFFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
@@ -164,9 +167,10 @@ inline constexpr std::array<Register, 25> kRegisters{{
     {"SEND_STATE", 0x058u, 0x00000000u, 0xFFFF013Fu, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
     {"CALIBRATE", 0x05Cu, 0x00000000u, 0x0007FFFFu, 0x0007FFFFu, 0x00000000u, 0x00000000u, 0x00000000u},
     {"CALIBRATION", 0x060u, 0x00000000u, 0x00003F03u, 0x00000000u, 0x00000000u, 0x00000000u, 0x00000000u},
+    {"RECEIVE_GAP", 0x064u, 0x0007B3C6u, 0x00FFFFFFu, 0x00FFFFFFu, 0x00000000u, 0x00000000u, 0x00000000u},
 }};
 
-inline constexpr std::array<Field, 55> kFields{{
+inline constexpr std::array<Field, 56> kFields{{
     {"ID.version", "identity of the IC and version of its register map", 0x00u, 0, 16, 16, false, false, Access::kRead},
     {"ID.chip", "identity of the IC and version of its register map", 0x00u, 16, 16, 16, false, false, Access::kRead},
     {"OBSERVER.active", "position; needs a valid calibration", 0x04u, 0, 1, 1, false, false, Access::kReadWrite},
@@ -209,7 +213,7 @@ inline constexpr std::array<Field, 55> kFields{{
     {"RECEIVE.kind", "0 clear bit, 1 set bit, 2 poll bit, 3 poll channel, 4 value", 0x44u, 8, 3, 3, false, false, Access::kRead},
     {"RECEIVE.waits", "a frame waits; the other fields are its", 0x44u, 31, 1, 1, false, false, Access::kRead},
     {"RECEIVE_VALUE", "its value; 0 where it has none", 0x48u, 0, 32, 32, false, false, Access::kRead},
-    {"RECEIVE_ERRORS.malformed", "malformed frames: overlong, or with a byte without stop bit", 0x4Cu, 0, 16, 16, false, false, Access::kRead},
+    {"RECEIVE_ERRORS.malformed", "malformed frames: overlong, with a byte without stop bit, or ended by the gap", 0x4Cu, 0, 16, 16, false, false, Access::kRead},
     {"RECEIVE_ERRORS.lost", "good frames for which there was no room", 0x4Cu, 16, 16, 16, false, false, Access::kRead},
     {"SEND_VALUE", "value of the frame that SEND sends", 0x50u, 0, 32, 32, false, false, Access::kReadWrite},
     {"SEND.channel", "channel", 0x54u, 0, 5, 5, false, false, Access::kReadWrite},
@@ -222,6 +226,7 @@ inline constexpr std::array<Field, 55> kFields{{
     {"CALIBRATION.valid", "the observer has one with the right checksum", 0x60u, 0, 1, 1, false, false, Access::kRead},
     {"CALIBRATION.busy", "the store is read or written; commands are ignored", 0x60u, 1, 1, 1, false, false, Access::kRead},
     {"CALIBRATION.count", "words since the start, 63 are all of them", 0x60u, 8, 6, 6, false, false, Access::kRead},
+    {"RECEIVE_GAP", "most clocks from byte to byte of a frame; a partial one ends there. 0: any number", 0x64u, 0, 24, 24, false, false, Access::kReadWrite},
 }};
 
 }  // namespace trammel::gantry_tau_regs

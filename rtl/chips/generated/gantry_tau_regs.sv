@@ -357,6 +357,7 @@ module gantry_tau_regs (
     logic [2:0] field_storage_send_kind_value;
     logic [15:0] field_storage_calibrate_word_value;
     logic [2:0] field_storage_calibrate_command_value;
+    logic [23:0] field_storage_receive_gap_clocks_value;
 
     // Fields that software alone writes
     always_ff @(posedge clk_i) begin
@@ -376,6 +377,7 @@ module gantry_tau_regs (
             field_storage_send_kind_value <= 3'h4;
             field_storage_calibrate_word_value <= 16'h0;
             field_storage_calibrate_command_value <= 3'h0;
+            field_storage_receive_gap_clocks_value <= 24'h7b3c6;
         end else if(decoded_req && decoded_req_is_wr) begin
             if(decoded_addr == 7'h4) begin
                 if(decoded_wr_biten[0]) field_storage_observer_active_value <= decoded_wr_data[0:0];
@@ -417,6 +419,11 @@ module gantry_tau_regs (
                 if(decoded_wr_biten[0]) field_storage_calibrate_word_value[7:0] <= decoded_wr_data[7:0];
                 if(decoded_wr_biten[8]) field_storage_calibrate_word_value[15:8] <= decoded_wr_data[15:8];
                 if(decoded_wr_biten[16]) field_storage_calibrate_command_value[2:0] <= decoded_wr_data[18:16];
+            end
+            if(decoded_addr == 7'h64) begin
+                if(decoded_wr_biten[0]) field_storage_receive_gap_clocks_value[7:0] <= decoded_wr_data[7:0];
+                if(decoded_wr_biten[8]) field_storage_receive_gap_clocks_value[15:8] <= decoded_wr_data[15:8];
+                if(decoded_wr_biten[16]) field_storage_receive_gap_clocks_value[23:16] <= decoded_wr_data[23:16];
             end
         end
     end
@@ -560,6 +567,7 @@ module gantry_tau_regs (
     assign hwif_out.calibrate.word.value = field_storage_calibrate_word_value;
     assign hwif_out.calibrate.word.swmod = decoded_reg_strb_calibrate && decoded_req_is_wr && |(decoded_wr_biten[15:0]);
     assign hwif_out.calibrate.command.value = field_storage_calibrate_command_value;
+    assign hwif_out.receive_gap.clocks.value = field_storage_receive_gap_clocks_value;
 
     //--------------------------------------------------------------------------
     // Write response
@@ -682,6 +690,9 @@ module gantry_tau_regs (
                     readback_data_var[0] = hwif_in_calibration_valid_next;
                     readback_data_var[1] = hwif_in_calibration_busy_next;
                     readback_data_var[13:8] = hwif_in_calibration_count_next;
+                end
+                7'h64: begin
+                    readback_data_var[23:0] = field_storage_receive_gap_clocks_value;
                 end
                 default: ;
             endcase

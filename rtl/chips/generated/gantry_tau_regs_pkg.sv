@@ -7,7 +7,7 @@ package gantry_tau_regs_pkg;
 
     localparam GANTRY_TAU_REGS_DATA_WIDTH = 32;
     localparam GANTRY_TAU_REGS_MIN_ADDR_WIDTH = 7;
-    localparam GANTRY_TAU_REGS_SIZE = 'h64;
+    localparam GANTRY_TAU_REGS_SIZE = 'h68;
 
     typedef struct packed {
         logic [31:0] next;
@@ -403,6 +403,14 @@ package gantry_tau_regs_pkg;
     } gantry_tau__calibrate__out_t;
 
     typedef struct packed {
+        logic [23:0] value;
+    } gantry_tau__receive_gap__clocks__out_t;
+
+    typedef struct packed {
+        gantry_tau__receive_gap__clocks__out_t clocks;
+    } gantry_tau__receive_gap__out_t;
+
+    typedef struct packed {
         gantry_tau__observer__out_t observer;
         gantry_tau__slots__out_t slots;
         gantry_tau__request__out_t request;
@@ -415,6 +423,7 @@ package gantry_tau_regs_pkg;
         gantry_tau__send_value__out_t send_value;
         gantry_tau__send__out_t send;
         gantry_tau__calibrate__out_t calibrate;
+        gantry_tau__receive_gap__out_t receive_gap;
     } gantry_tau__out_t;
 
 endpackage
