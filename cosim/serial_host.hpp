@@ -4,6 +4,7 @@
 // those that come, clock by clock. A clock in which the line to the chip changes is next().
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string>
@@ -14,9 +15,10 @@ namespace trammel::cosim {
 
 class SerialHost {
  public:
-  // `source` gives the next byte to send at an edge, or none yet: it is asked again 1 ms later.
-  // `sink` takes a byte that came.
-  using Source = std::function<std::optional<unsigned char>(Clk)>;
+  // `source` gives the next byte to send at an edge, or none yet: it is asked again 1 ms later, or
+  // at ask_at(). With kNoStop its stop bit is low. `sink` takes a byte that came.
+  using Source = std::function<std::optional<unsigned>(Clk)>;
+  static constexpr unsigned kNoStop = 1u << 8;
   using Sink = std::function<void(unsigned char)>;
 
   SerialHost(Clk clocks_per_bit, Source source, Sink sink)
@@ -28,6 +30,11 @@ class SerialHost {
     return level_;
   }
   Clk next() const { return next_; }
+
+  // The source has a byte at edge n, which is not yet passed.
+  void ask_at(Clk n) {
+    if (waits_) next_ = std::min(next_, n);
+  }
 
   // The line from the chip before edge n.
   void see(Clk n, bool level) {
@@ -51,11 +58,13 @@ class SerialHost {
   void turn() {
     if (sending_ == 0) {
       const auto byte = source_(next_);
+      waits_ = !byte;
       if (!byte) {
+        level_ = true;
         next_ += kPatience;
         return;
       }
-      frame_ = unsigned{*byte} << 1 | 1u << (kBits - 1);
+      frame_ = (*byte ^ kNoStop) << 1;
       sending_ = kBits;
     }
     level_ = (frame_ & 1u) != 0;
@@ -69,7 +78,7 @@ class SerialHost {
   Clk bit_;
   Source source_;
   Sink sink_;
-  bool level_ = true;
+  bool level_ = true, waits_ = false;
   unsigned frame_ = 0;
   int sending_ = 0;
   Clk next_ = 0;

@@ -153,6 +153,16 @@ void apply(Settings& settings, std::vector<Entry> entries, const fs::path& folde
   }
 }
 
+// By -s or by the environment.
+void assign(Settings& settings, const std::vector<Entry>& entries) {
+  for (const Entry& entry : entries) {
+    for (const Key* const key : find_keys(settings.machine().keys(), entry.name)) {
+      settings.assigned.push_back(key->name);
+    }
+  }
+  apply(settings, entries, fs::current_path());
+}
+
 Entry node_entry(const std::string& name, const toml::node& node, const std::string& source) {
   const std::string where = fmt::format("{}:{}", source, node.source().begin.line);
   return {name, where, [&node, name, where](const Key& key) -> Value {
@@ -203,8 +213,7 @@ void apply_assignment(Settings& settings, const std::string& assignment, const s
   if (at == std::string::npos || at == 0) {
     throw ConfigError(fmt::format("{} {}: expects key=value", where, shown(assignment)));
   }
-  apply(settings, {text_entry(assignment.substr(0, at), assignment.substr(at + 1), where)},
-        fs::current_path());
+  assign(settings, {text_entry(assignment.substr(0, at), assignment.substr(at + 1), where)});
 }
 
 void apply_environment(Settings& settings,
@@ -232,7 +241,7 @@ void apply_environment(Settings& settings,
     throw ConfigError(
         fmt::format("environment: {}: unknown key{}", shown(variable), hint(variable, names)));
   }
-  apply(settings, entries, fs::current_path());
+  assign(settings, entries);
 }
 
 std::vector<std::pair<std::string, std::string>> environment() {

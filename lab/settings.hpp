@@ -36,6 +36,7 @@ struct Settings {
   std::string scenario;     // names the run and its output folder
   std::string description;  // one line
   Heading heading;          // see lab/heading.hpp
+  std::vector<std::string> assigned;  // keys that -s or the environment has set
   std::string program;      // the file that was named in place of a scenario; "": none
   cosim::RunBasics run;
   cosim::ProcessorOptions processor;

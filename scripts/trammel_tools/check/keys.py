@@ -4,9 +4,9 @@
 The keys are those of `trammel list keys`, so a new one is in it; beside them the words of
 [keys.words]. Each value is given to a short run of the machine, by machines/<m>/tests/runs.toml,
 with the twin engine: the run does what it was asked, by the truth in its trace, or its line says
-why not, or the value is refused by a line that names the key. A part of that run, by [keys] cut_s,
-has the same events and files with the RTL. A key whose values all give the same run is tried in
-vain, unless [keys.inert] says why.
+why not, or the value is refused by a line that names the key. A part of that run, of [keys] cut_s
+in the key that [keys] cut names, else in run.max_s, has the same events and files with the RTL. A
+key whose values all give the same run is tried in vain, unless [keys.inert] says why.
 
 All of it is tried again with the settings of each [[keys.also]], such as another controller, but
 for the keys that begin as its `without` says.
@@ -71,7 +71,7 @@ def run(plan, key, value, folder, engine, cut=False):
             for one in some]
     settings = [*plan.get("settings", []), *more, f"{key}={value}"]
     if cut:
-        settings.append(f"run.max_s={plan['cut_s']}")
+        settings.append(f"{plan.get('cut', 'run.max_s')}={plan['cut_s']}")
     command = [PROGRAM, "run", plan["scenario"], "--engine", engine, "--platform", "direct",
                "--no-report", "-o", out]
     for one in settings:
