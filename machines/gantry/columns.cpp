@@ -53,7 +53,8 @@ const lab::ColumnTable& columns() {
       add("u_count", {"", "count", 1, {}, "force that the firmware wrote, positive to the right",
                       true},
           [](const Sample& s, std::size_t k) { return s.words.force[k]; });
-      add("force_count", {"", "count", 1e-2, fixed(3), "force of the motor, the same sign"},
+      add("force_count", {"", "count", 1e-2, fixed(3),
+                          "force of the motor, the same sign, mean of a period of its pulses"},
           [](const Sample& s, std::size_t k) { return -s.force[k]; });
       add("apart_mm", {"", "mm", 1e-5, fixed(6), "gear wheel from the cart"},
           [](const Sample& s, std::size_t k) { return 1e3 * s.motor[k]; });

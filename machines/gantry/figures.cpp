@@ -68,10 +68,13 @@ std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult
   };
   using lab::count;
   using lab::figure;
-  add(figure("step.overshoot_mm", "step", "overshoot", f.overshoot_mm, "mm", 3));
-  add(figure("step.overshoot_percent", "step", "overshoot of the step",
-             step > 0 ? 100 * f.overshoot_mm / step : 0, "%", 2),
-      "Overshoot");
+  // Homing alone goes to a stop, and nothing asks for a step.
+  if (options.serial || !read_sends(options.sends).empty()) {
+    add(figure("step.overshoot_mm", "step", "overshoot", f.overshoot_mm, "mm", 3));
+    add(figure("step.overshoot_percent", "step", "overshoot of the step",
+               step > 0 ? 100 * f.overshoot_mm / step : 0, "%", 2),
+        "Overshoot");
+  }
   // A cart that never was there has no time.
   if (f.arrive_s >= 0) {
     add(figure("step.arrive_s", "step", fmt::format("until within {:g} mm", options.band_mm),
@@ -95,6 +98,9 @@ std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult
   add(count("host.malformed", "frames", "malformed", result.malformed));
   add(count("host.lost", "frames", "lost", result.lost));
   add(count("host.unknown", "frames", "unknown", result.unknown));
+  add(count("host.unchecked", "frames", "without their checksum", result.unchecked));
+  add(count("host.unsent", "frames", "of the chip without room", result.unsent));
+  add(count("host.refused", "goals", "outside the track, refused", result.refused));
   set_published(options, result.end == cosim::EndReason::kDone, list);
   return list;
 }
@@ -128,7 +134,9 @@ std::vector<std::string> remarks(const lab::Record& record) {
     bytes += fmt::format(" {:02X}", result.heard[k]);
   }
   if (!bytes.empty()) {
-    lines.push_back("heard:" + bytes + (result.heard.size() > kShown ? " ..." : ""));
+    const std::size_t all = result.heard.size();
+    if (all > kShown) bytes += fmt::format(" ...; all {} bytes: metrics.json, heard", all);
+    lines.push_back("heard:" + bytes);
   }
   return lines;
 }
@@ -136,6 +144,9 @@ std::vector<std::string> remarks(const lab::Record& record) {
 void add_metrics(const lab::Record& record, nlohmann::ordered_json& json) {
   json["homed"] = result_of(record).homed;
   json["identified"] = identified_json(result_of(record));
+  std::string heard;
+  for (const unsigned char byte : result_of(record).heard) heard += fmt::format("{:02X}", byte);
+  json["heard"] = heard;
   auto& source = json["published"] = nlohmann::ordered_json::object();
   if (const auto one = published(options_of(record))) {
     source["figure"] = one->number;

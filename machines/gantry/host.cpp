@@ -15,6 +15,7 @@
 
 #include "cosim/machine.hpp"
 #include "lab/errors.hpp"
+#include "sw_nios/apps/gantry/protocol.hpp"
 
 namespace trammel::gantry {
 namespace {
@@ -49,7 +50,7 @@ unsigned long long number(const std::string& word, const std::string& digits, in
   return value;
 }
 
-Sent read_word(const std::string& word) {
+Sent read_word(const std::string& word, bool checked) {
   Sent sent;
   const std::size_t colon = word.find(':');
   if (colon == std::string::npos) refuse(word, "there is no \":\"");
@@ -63,6 +64,13 @@ Sent read_word(const std::string& word) {
     refuse(word, "its time is not 0 to 3600 s");
   }
   const std::string what = word.substr(colon + 1);
+  const auto check = [&sent, checked](const sw::gantry_channel::Frame& frame) {
+    if (!checked) return;
+    for (const unsigned char byte :
+         frame_of(sw::gantry_channel::kCheck, sw::gantry_channel::checksum_of(frame))) {
+      sent.bytes.push_back(byte);
+    }
+  };
   if (!what.empty() && what[0] == 'x') {
     if (what.size() < 3 || what.size() % 2 == 0) refuse(word, "bytes have two digits each");
     for (std::size_t k = 1; k < what.size(); k += 2) {
@@ -74,15 +82,20 @@ Sent read_word(const std::string& word) {
   if (!what.empty() && what.back() == '?') {
     const bool bit = what[0] == 'd';
     const std::string digits = what.substr(bit ? 1 : 0, what.size() - (bit ? 2 : 1));
-    sent.bytes.push_back(
-        static_cast<unsigned char>((bit ? 0x40u : 0x60u) | number(word, digits, 10, 31)));
+    const auto channel = static_cast<std::uint32_t>(number(word, digits, 10, 31));
+    namespace proto = sw::gantry_channel;
+    const std::uint32_t form = bit ? proto::kPollBit : proto::kPollChannel;
+    sent.bytes.push_back(static_cast<unsigned char>(form << 5 | channel));
+    check({form, channel, 0});
     return sent;
   }
   const std::size_t equal = what.find('=');
   if (equal == std::string::npos) refuse(word, "it neither sets nor polls");
-  sent.bytes = frame_of(
-      static_cast<std::uint32_t>(number(word, what.substr(0, equal), 10, 31)),
-      static_cast<std::uint32_t>(number(word, what.substr(equal + 1), 10, 0xFFFFFFFF)));
+  const auto channel = static_cast<std::uint32_t>(number(word, what.substr(0, equal), 10, 31));
+  const auto value =
+      static_cast<std::uint32_t>(number(word, what.substr(equal + 1), 10, 0xFFFFFFFF));
+  sent.bytes = frame_of(channel, value);
+  check({sw::gantry_channel::kValue, channel, value});
   return sent;
 }
 
@@ -98,11 +111,11 @@ std::vector<unsigned char> frame_of(std::uint32_t channel, std::uint32_t value) 
   }
 }
 
-std::vector<Sent> read_sends(const std::string& text) {
+std::vector<Sent> read_sends(const std::string& text, bool checked) {
   std::vector<Sent> all;
   std::istringstream words(text);
   for (std::string word; words >> word;) {
-    all.push_back(read_word(word));
+    all.push_back(read_word(word, checked));
     if (all.size() > 1 && all.back().at_s < all[all.size() - 2].at_s) {
       refuse(word, "it is earlier than the one before");
     }
@@ -121,14 +134,28 @@ PseudoTerminal::PseudoTerminal(std::int64_t clock_ps) : clock_ps_(clock_ps) {
     cfmakeraw(&plain);
     tcsetattr(fd_, TCSANOW, &plain);
   }
-  held_ = open(ptsname(fd_), O_RDWR | O_NOCTTY | O_CLOEXEC);
+  forget();  // from here on the other end is known to be closed
   std::fputs(fmt::format("trammel: the serial port is {}\n", ptsname(fd_)).c_str(), stderr);
   started_ns_ = wall_ns();
 }
 
-PseudoTerminal::~PseudoTerminal() {
-  if (held_ >= 0) close(held_);
-  close(fd_);
+PseudoTerminal::~PseudoTerminal() { close(fd_); }
+
+// Drops what waits at the other end.
+void PseudoTerminal::forget() const {
+  const int other = open(ptsname(fd_), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+  if (other < 0) return;
+  tcflush(other, TCIFLUSH);
+  close(other);
+}
+
+// A program that has left did not read the rest, and the next one does not want it.
+bool PseudoTerminal::opened() {
+  pollfd other{fd_, 0, 0};
+  const bool open = poll(&other, 1, 0) < 0 || (other.revents & POLLHUP) == 0;
+  if (open_ && !open) forget();
+  open_ = open;
+  return open;
 }
 
 std::optional<unsigned char> PseudoTerminal::next(cosim::Clk edge) {
@@ -138,6 +165,7 @@ std::optional<unsigned char> PseudoTerminal::next(cosim::Clk edge) {
   } else if (early < -kMostLate_ns) {
     started_ns_ -= early;
   }
+  opened();
   pollfd wanted{fd_, POLLIN, 0};
   unsigned char byte = 0;
   if (poll(&wanted, 1, 0) <= 0 || (wanted.revents & POLLIN) == 0) return std::nullopt;
@@ -145,9 +173,9 @@ std::optional<unsigned char> PseudoTerminal::next(cosim::Clk edge) {
   return byte;
 }
 
-// What nobody reads is lost, as on a line without a program at its end.
+// So is what a program does not read.
 void PseudoTerminal::take(unsigned char byte) {
-  if (write(fd_, &byte, 1) != 1) tcflush(held_, TCIFLUSH);
+  if (opened() && write(fd_, &byte, 1) != 1) forget();
 }
 
 }  // namespace trammel::gantry

@@ -25,8 +25,15 @@ struct Sent {
 // A value as Serial2002 sends it; see models/exact/bus/serial2002_tx.hpp for the chip's own.
 std::vector<unsigned char> frame_of(std::uint32_t channel, std::uint32_t value);
 
-// Throws lab::ConfigError that names the word.
-std::vector<Sent> read_sends(const std::string& text);
+// Throws lab::ConfigError that names the word. `checked`: the checksum of each frame follows it,
+// except for bytes as they are.
+std::vector<Sent> read_sends(const std::string& text, bool checked = false);
+
+// What is wrong with the line to the chip.
+struct LineConfig {
+  double baud_error = 0;      // share by which the host's baud rate is too high, either way
+  double framing_errors = 0;  // share of the host's bytes whose stop bit is low, evenly spread
+};
 
 // Bytes of the line from the chip, from the edges at which it moves.
 class LineReader {
@@ -56,7 +63,8 @@ class LineReader {
 };
 
 // A pseudo-terminal whose name is printed on stderr; simulated time waits for that of the wall, and
-// makes up for 50 ms at most where it is late.
+// makes up for 50 ms at most where it is late. What the chip sends while no program has the port
+// open is lost, as on a line.
 class PseudoTerminal {
  public:
   explicit PseudoTerminal(std::int64_t clock_ps);
@@ -68,7 +76,11 @@ class PseudoTerminal {
   void take(unsigned char byte);
 
  private:
-  int fd_ = -1, held_ = -1;  // held: its other end, so that it stays when a program leaves
+  bool opened();
+  void forget() const;
+
+  int fd_ = -1;
+  bool open_ = false;  // some program has the other end
   std::int64_t clock_ps_, started_ns_ = 0;
 };
 

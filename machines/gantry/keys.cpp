@@ -178,6 +178,20 @@ const std::vector<lab::Key>& keys() {
     t.one("host.serial", 0, 0, "a pseudo-terminal is the host, in real time", TRAMMEL_LENS(serial));
     t.one("host.stream", 0, 0, "position, time and velocity are sent every pass",
           TRAMMEL_LENS(firmware.stream));
+    t.one("host.gap_ms", 0, 300,
+          "silence that ends a partial frame, which is counted as malformed; 0: never",
+          TRAMMEL_LENS(gap_ms));
+    t.one("host.clip_goals", 0, 0,
+          "a position above 470 mm is 470 mm, as in the listing; false: it is refused, as is a "
+          "velocity above 467 mm/s", TRAMMEL_LENS(firmware.clip_goals));
+    t.one("host.checked", 0, 0,
+          "chip and host send the checksum of each frame behind it on channel 27; the chip drops a "
+          "frame without it", TRAMMEL_LENS(firmware.checked));
+    t.one("host.baud_error", -0.2, 0.2, "share by which the host's baud rate is above 115200",
+          TRAMMEL_LENS(line.baud_error));
+    t.one("host.framing_errors", 0, 1,
+          "share of the host's bytes that have a low stop bit, evenly spread",
+          TRAMMEL_LENS(line.framing_errors));
     t.one("step.reference_mm", 0, 470, "that figures of the step are measured from",
           TRAMMEL_LENS(reference_mm));
     t.one("step.from_mm", 0, 470, "where the step begins", TRAMMEL_LENS(from_mm));

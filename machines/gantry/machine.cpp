@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "machines/gantry/session.hpp"
@@ -11,9 +12,40 @@
 namespace trammel::gantry {
 namespace {
 
+// Of two that exclude each other one would have no effect.
+void refuse_two_controls(const sw::GantrySetup& firmware) {
+  const bool sums = firmware.position.sum != sw::PositionPi::Sum::kNone;
+  const auto refuse = [](const char* key, const char* found, const char* permitted) {
+    throw lab::ConfigError(fmt::format("{}: {}; permitted: {}", key, found, permitted));
+  };
+  if (firmware.cascade && firmware.position.bang) {
+    refuse("position.bang_bang", "true, and control.cascade is true", "one of them");
+  }
+  if (firmware.cascade && sums) {
+    refuse("position.sum", "a sum, and control.cascade is true, which has none of the position",
+           "none, or control.cascade=false");
+  }
+  if (firmware.position.bang && sums) {
+    refuse("position.sum", "a sum, and position.bang_bang is true, which has none",
+           "none, or position.bang_bang=false");
+  }
+  if (firmware.compensate && !firmware.cascade) {
+    refuse("control.compensate", "true, and control.cascade is false",
+           "with control.cascade=true, whose motors it shares");
+  }
+}
+
 void validate(lab::Settings& settings) {
   const auto& options = static_cast<const Options&>(settings);
   read_sends(options.sends);
+  const auto& given = options.assigned;  // else run.max_s cuts a scenario short
+  if (options.time_s > options.run.max_s &&
+      std::find(given.begin(), given.end(), "run.time_s") != given.end()) {
+    throw lab::ConfigError(
+        fmt::format("run.time_s: {:g} s is above run.max_s, {:g} s; permitted: at most that",
+                    options.time_s, options.run.max_s));
+  }
+  refuse_two_controls(options.firmware);
   if (options.axis.stiction < options.axis.coulomb) {
     throw lab::ConfigError(fmt::format(
         "axis.stiction_count: {:g} is below axis.coulomb_count, {:g}; permitted: at least that",

@@ -8,6 +8,7 @@
 
 #include "lab/settings.hpp"
 #include "machines/gantry/estimator.hpp"
+#include "machines/gantry/host.hpp"
 #include "models/plant/belt_axis.hpp"
 #include "models/plant/stripe_track.hpp"
 #include "sw_nios/apps/gantry/gantry.hpp"
@@ -32,7 +33,9 @@ struct Options final : lab::SettingsOf<Options, machine> {
   double reached_mm = -1;            // most distance from the reference at the end; below 0: any
   double record_ms = 1;              // from one sample of the record to the next
   bool serial = false;               // a pseudo-terminal instead of `sends`, in real time
-  sw::GantrySetup firmware;          // but for pass_clk, which follows
+  double gap_ms = 10;                // of silence within a frame; 0: any
+  LineConfig line;
+  sw::GantrySetup firmware;          // but for pass_clk and gap_clk, which follow
   EstimatorConfig estimator;         // of the velocity
   double pass_ms = 2;
   double open_hold_ms = 20;          // of a force without controller

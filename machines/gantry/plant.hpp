@@ -22,16 +22,20 @@ namespace trammel::gantry {
 class TrackPlant final : public cosim::FalliblePlant {
  public:
   static constexpr cosim::Clk kClocksPerBit = 434;  // 115,200 baud at 50 MHz
+  static constexpr cosim::Clk kCarrier = 6944;      // a period of the bridges
 
   TrackPlant(const plant::BeltAxisConfig& axis, const plant::StripeTrackConfig& stripes,
-             std::vector<Sent> sends, bool serial)
+             std::vector<Sent> sends, bool serial, const LineConfig& line = {})
       : axis_(axis),
         stripes_(stripes),
         sends_(std::move(sends)),
         terminal_(serial ? std::make_unique<PseudoTerminal>(axis.clock_ps) : nullptr),
-        host_(kClocksPerBit, [this](cosim::Clk edge) { return next_byte(edge); },
+        line_(line),
+        host_(bit_of(line), [this](cosim::Clk edge) { return next_byte(edge); },
               [](unsigned char) {}),
-        reader_(kClocksPerBit) {}
+        reader_(bit_of(line)) {
+    ask();
+  }
 
   const plant::BeltAxis& axis() const { return axis_; }
   const std::vector<unsigned char>& heard() const { return heard_; }
@@ -54,6 +58,7 @@ class TrackPlant final : public cosim::FalliblePlant {
       if (terminal_) terminal_->take(byte);
       if (heard_.size() < kMostHeard) heard_.push_back(byte);
     });
+    ask();
     last_ = n;
   }
 
@@ -83,14 +88,31 @@ class TrackPlant final : public cosim::FalliblePlant {
   static constexpr cosim::Clk kFollow = 50'000;
   static constexpr std::size_t kMostHeard = 1'000'000;
 
-  std::optional<unsigned char> next_byte(cosim::Clk edge) {
-    if (terminal_) return terminal_->next(edge);
-    if (sent_ == sends_.size()) return std::nullopt;
+  static cosim::Clk bit_of(const LineConfig& line) {
+    return std::llround(static_cast<double>(kClocksPerBit) / (1 + line.baud_error));
+  }
+
+  // The edge at which the next bytes of the list are due.
+  cosim::Clk due() const {
+    return static_cast<cosim::Clk>(
+        std::ceil(1e12 * sends_[sent_].at_s / static_cast<double>(axis_.config().clock_ps)));
+  }
+  void ask() {
+    if (sent_ < sends_.size() && !terminal_) host_.ask_at(due());
+  }
+
+  std::optional<unsigned> next_byte(cosim::Clk edge) {
+    const std::optional<unsigned char> byte = terminal_ ? terminal_->next(edge) : listed(edge);
+    if (!byte) return std::nullopt;
+    wrong_ += line_.framing_errors;
+    if (wrong_ < 1) return *byte;
+    wrong_ -= 1;
+    return *byte | cosim::SerialHost::kNoStop;
+  }
+
+  std::optional<unsigned char> listed(cosim::Clk edge) {
+    if (sent_ == sends_.size() || edge < due()) return std::nullopt;
     const Sent& now = sends_[sent_];
-    if (static_cast<double>(edge) * static_cast<double>(axis_.config().clock_ps) <
-        1e12 * now.at_s) {
-      return std::nullopt;
-    }
     const unsigned char byte = now.bytes[byte_++];
     if (byte_ == now.bytes.size()) {
       ++sent_;
@@ -104,6 +126,8 @@ class TrackPlant final : public cosim::FalliblePlant {
   std::vector<Sent> sends_;
   std::size_t sent_ = 0, byte_ = 0;
   std::unique_ptr<PseudoTerminal> terminal_;
+  LineConfig line_;
+  double wrong_ = 0;  // share of a byte that is due to be one
   cosim::SerialHost host_;
   LineReader reader_;
   std::vector<unsigned char> heard_;

@@ -22,7 +22,8 @@ struct Sample {
   double x = 0, v = 0;               // [m], [m/s] of the cart
   double origin = 0;                 // [m] where on the track the observer's position is 0
   std::array<double, 2> motor{};     // [m] from the cart
-  std::array<double, 2> force{};     // [count] of the motors, positive: the position increases
+  std::array<double, 2> force{};     // [count] of the motors, mean of a pulse's period, positive:
+                                   // the position increases
   std::array<int, 2> stripes{};      // codes of A and B that the sensor has
   std::array<int, 2> flank{};        // of each gear wheel that pushes; 0: within the backlash
   std::int32_t error = 0, goal = 0, zero = 0;  // [count]
@@ -39,6 +40,7 @@ struct Result : cosim::RunResult {
   std::string fault;
   std::vector<unsigned char> heard;  // bytes from the chip
   std::uint32_t passes = 0, unknown = 0, malformed = 0, lost = 0;
+  std::uint32_t refused = 0, unchecked = 0, unsent = 0;  // goals; frames either way
   bool homed = false, fitted = false;
   sw::CalibrationWords fit{};        // words of the fit
   Store store{};                     // as the run left it

@@ -19,6 +19,12 @@ sw::GantrySetup setup_of(const Options& options) {
       cosim::clocks_of(1e-3 * options.pass_ms, options.axis.clock_ps));
   setup.open_passes = static_cast<std::uint32_t>(
       std::max(1.0, std::round(options.open_hold_ms / options.pass_ms)));
+  // From byte to byte: the silence, and a byte with a bit to spare.
+  setup.gap_clk = options.gap_ms == 0 ? 0
+                                      : static_cast<std::uint32_t>(
+                                            cosim::clocks_of(1e-3 * options.gap_ms,
+                                                             options.axis.clock_ps) +
+                                            11 * TrackPlant::kClocksPerBit);
   return setup;
 }
 
@@ -43,7 +49,8 @@ Session::Session(const Options& options, const cosim::Hooks& hooks, const cosim:
     : options_(options),
       hooks_(hooks),
       waves_(waves),
-      plant_(options.axis, options.stripes, read_sends(options.sends), options.serial),
+      plant_(options.axis, options.stripes, read_sends(options.sends, options.firmware.checked),
+             options.serial, options.line),
       chip_(options.run.engine == cosim::Engine::kRtl
                 ? make_verilated_chip(options.run, waves.window, chip_of(options))
                 : make_twin_chip(chip_of(options))),
@@ -52,13 +59,13 @@ Session::Session(const Options& options, const cosim::Hooks& hooks, const cosim:
       loop_(*chip_, seen(), *this, options.run.window()) {}
 
 // What the chip is wired to. The serial line is an encoder's A to a fault, the over-temperature
-// inputs its B and index; axis 0 of the converter is A, axis 1 is B.
+// input of the motor its B and index; axis 0 of the converter is A, axis 1 is B.
 cosim::Plant& Session::seen() {
   const cosim::Fault& fault = options_.fault;
   if (!fault.any()) return plant_;
   cosim::FaultPins pins;
   pins.axes = kMotors;
-  pins.encoder = {{{kRx, overtemp(0), overtemp(1)}, {kRx, overtemp(0), overtemp(1)}}};
+  pins.encoder = {{{kRx, overtemp(0), overtemp(0)}, {kRx, overtemp(1), overtemp(1)}}};
   pins.converters = 2;
   pins.converter_bits = 10;
   pins.outputs = 2;
@@ -77,6 +84,8 @@ std::string Session::noticed() const {
   const Words words = chip_->words();
   if (app_.mailbox().failure != 0) return failure();
   if (words.malformed > 0) return "malformed frame";
+  if (app_.unchecked() > 0) return "frame without its checksum";
+  if (app_.refused() > 0) return "goal outside the track";
   if (app_.unknown() > 0) return "unknown channel";
   return "";
 }
@@ -118,6 +127,7 @@ void Session::on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::
   if ((stop.why & cosim::kSample) == 0) return;
   const Sample sample = sample_at(stop.edge);
   samples_.push_back(sample);
+  follow(sample);
   hash_.mix(static_cast<std::uint32_t>(sample.words.position));
   hash_.mix(static_cast<std::uint32_t>(sample.words.velocity));
   if (const auto ended = end_after(stop.edge)) {
@@ -148,7 +158,9 @@ Sample Session::sample_at(cosim::Clk edge) const {
   sample.origin = plant_.origin(edge, sample.words.position);
   sample.motor = {s.x[plant::BeltState::kMotor1] - sample.x,
                   s.x[plant::BeltState::kMotor2] - sample.x};
-  sample.force = s.force;
+  for (std::size_t m = 0; m < sample.force.size(); ++m) {
+    sample.force[m] = axis.mean_force(m, TrackPlant::kCarrier);
+  }
   sample.stripes = {plant_.sample(kA, edge), plant_.sample(kB, edge)};
   sample.flank = {axis.flank(plant::BeltState::kMotor1), axis.flank(plant::BeltState::kMotor2)};
   sample.error = app_.error();
@@ -158,6 +170,20 @@ Sample Session::sample_at(cosim::Clk edge) const {
   sample.goal_velocity = app_.goal_velocity();
   sample.phase = static_cast<int>(app_.phase());
   return sample;
+}
+
+// The observer against the place that its sensor sees: half a period apart it has lost its count.
+void Session::follow(const Sample& sample) {
+  if (!sample.words.known || lost_s_) return;
+  const double period = options_.stripes.period;
+  const double from = plant_.axis().seen(sample.edge).x - sample.words.position * period / 16384;
+  if (counted_since_ != app_.restarts()) {
+    counted_since_ = app_.restarts();
+    counted_from_ = from;
+  }
+  if (std::fabs(from - counted_from_) < period / 2) return;
+  lost_s_ = cosim::seconds_of(sample.edge, period_ps());
+  lost_mm_ = 1e3 * std::fabs(from - counted_from_);
 }
 
 std::optional<cosim::EndReason> Session::end_after(cosim::Clk edge) {
@@ -194,6 +220,9 @@ std::unique_ptr<cosim::RunResult> Session::result() {
   result->heard = plant_.heard();
   result->passes = app_.mailbox().point;
   result->unknown = app_.unknown();
+  result->refused = app_.refused();
+  result->unchecked = app_.unchecked();
+  result->unsent = app_.unsent();
   result->malformed = words.malformed;
   result->lost = words.lost;
   result->homed = app_.homed();
@@ -212,6 +241,12 @@ std::unique_ptr<cosim::RunResult> Session::result() {
       result->end = cosim::EndReason::kMissed;
       result->fault = fmt::format("the cart is {:.2f} mm from its reference (run.reached_mm)", off);
     }
+  }
+  if (end_ == cosim::EndReason::kDone && lost_s_ && !options_.fault.any()) {
+    result->end = cosim::EndReason::kMissed;
+    result->fault = fmt::format(
+        "the observer has lost a stripe: at {:.3f} s it was {:.2f} mm off the cart", *lost_s_,
+        lost_mm_);
   }
   close_result(*result, *chip_, waves_.window, started_);
   return result;

@@ -37,6 +37,7 @@ class Session final : public cosim::Session, private cosim::Observer, public cos
   void on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant& plant) override;
   std::int64_t read(std::size_t signal, int axis) const override;
   Sample sample_at(cosim::Clk edge) const;
+  void follow(const Sample& sample);
   std::optional<cosim::EndReason> end_after(cosim::Clk edge);
   cosim::Plant& seen();
   std::string noticed() const;
@@ -57,6 +58,11 @@ class Session final : public cosim::Session, private cosim::Observer, public cos
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
   cosim::EndReason end_ = cosim::EndReason::kTimeout;
   std::optional<double> failed_s_;
+  // Where the observer counts from, since which restart, and its first loss of a period.
+  double counted_from_ = 0;  // [m]
+  std::optional<std::uint32_t> counted_since_;
+  std::optional<double> lost_s_;
+  double lost_mm_ = 0;
   bool over_ = false;
 };
 

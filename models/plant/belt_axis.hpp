@@ -101,6 +101,20 @@ class BeltAxis {
     return following > steps_ * kStep ? ahead(following).seen_at(then) : seen_at(then);
   }
 
+  // Mean of a motor's force [count] over the clocks before the last whole step, 310 us at most.
+  // Over a period of its bridge it has no ripple.
+  double mean_force(std::size_t motor, Clk over) const {
+    const double end = static_cast<double>(steps_);
+    const double begin = std::max(0.0, end - static_cast<double>(over) / kStep);
+    if (begin == end) return 0;
+    const double whole = std::floor(begin);
+    const auto at = [&](double step) {
+      return sums_[static_cast<std::size_t>(step) % sums_.size()][motor];
+    };
+    const double before = at(whole) + (begin - whole) * (at(whole + 1) - at(whole));
+    return (at(end) - before) / (end - begin);
+  }
+
   // Kinetic and elastic energy [J].
   double energy() const {
     double sum = 0;
@@ -183,6 +197,9 @@ class BeltAxis {
       s_.v[k] = next_speed(s_.v[k], forces[k], rub * c_.coulomb, rub * c_.stiction, mass_[k]);
       s_.x[k] += h_ * s_.v[k];
     }
+    std::array<double, 2>& sum = sums_[static_cast<std::size_t>(steps_ + 1) % sums_.size()];
+    sum = sums_[static_cast<std::size_t>(steps_) % sums_.size()];
+    for (std::size_t m = 0; m < 2; ++m) sum[m] += s_.force[m];
     ++steps_;
     past_[static_cast<std::size_t>(steps_) % past_.size()] = {s_.x[BeltState::kCart],
                                                               s_.v[BeltState::kCart]};
@@ -212,6 +229,7 @@ class BeltAxis {
   double supply_ = 1, h_ = 0, follow_ = 1, belt_loss_ = 0, stop_loss_ = 0;
   Clk at_ = 0, steps_ = 0, late_ = 0;
   std::vector<Seen> past_;  // by step, the last ones
+  std::array<std::array<double, 2>, 64> sums_{};  // of the forces, by step, the last ones
 };
 
 }  // namespace trammel::plant

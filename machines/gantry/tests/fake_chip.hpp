@@ -96,6 +96,8 @@ struct Track {
     chip.words[regs::kPosition] = static_cast<std::uint32_t>(count * 512);
     interrupt(regs::kStatusPass);
   }
+  // Homing's rest of both motors at the stop.
+  void release(std::int32_t count) { pass(count, 461); }
   std::int32_t force(std::uint32_t motor) {
     const std::uint32_t bits = chip.words[motor == 1 ? regs::kForce1 : regs::kForce2];
     return static_cast<std::int32_t>(bits ^ 0x400) - 0x400;

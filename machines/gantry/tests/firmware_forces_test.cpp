@@ -32,6 +32,8 @@ TEST_CASE("gantry: homing and the calibration run take their own forces, in oppo
   track.pass(6);
   check_forces(track, 201);
   track.pass(6, 100);
+  check_forces(track, 0);
+  track.release(6);
   CHECK(track.app.homed());
   CHECK(track.app.zero() == 6);
   CHECK(track.app.phase() == sw::GantryPhase::kToFit);
@@ -92,6 +94,7 @@ TEST_CASE("gantry: homing counts its rest anew at each count that the cart moves
   track.pass(2, 49);
   CHECK_FALSE(track.app.homed());
   track.pass(2, 1);
+  track.release(2);
   CHECK(track.app.homed());
   CHECK(track.app.zero() == 2);
 }
@@ -108,6 +111,7 @@ TEST_CASE("gantry: rest is counted from the first pass that has a position, howe
   homes.pass(7, 99);
   CHECK_FALSE(homes.app.homed());
   homes.pass(7, 1);
+  homes.release(7);
   CHECK(homes.app.homed());
   setup.home = false;
   setup.calibrate = true;

@@ -103,11 +103,17 @@ TEST_CASE("gantry: homing waits for a position that stands still, and then goes 
   CHECK_FALSE(track.app.homed());
   CHECK(track.tell({{kPoll, 0, 0}}).front().value == (1u << 24) - 2);  // -1.7 mm, from power-on
   track.pass(-11, 1);
+  CHECK(track.force(1) == 0);     // the stop pushes back, and zero is where that ends
+  track.pass(-10, 400);
+  track.pass(-10, 460);
+  CHECK_FALSE(track.app.homed());
+  track.pass(-10, 1);
   CHECK(track.app.homed());
   CHECK(track.app.phase() == sw::GantryPhase::kPosition);
   CHECK(track.app.goal() == 0);
-  track.pass(-11);
+  track.pass(-10);
   CHECK(track.app.error() == 0);
+  CHECK(track.force(1) == 0);
   CHECK(track.tell({{kPoll, 0, 0}}).front().value == 1u << 24);
 }
 
@@ -233,6 +239,7 @@ TEST_CASE("gantry: a calibration run asks for A and B in turn, seals what it fou
       setup.home_ticks = 10;
       Track track(setup);
       for (int k = 0; home && k < 2; ++k) track.pass(0, 10);
+      if (home) track.release(0);
       track.pass(512);
       track.pass(512, 5000);
       CAPTURE(home, found);

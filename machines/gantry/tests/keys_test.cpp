@@ -4,7 +4,9 @@
 // options may not be together.
 #include <catch2/catch.hpp>
 #include <string>
+#include <vector>
 
+#include "lab/layers.hpp"
 #include "machines/gantry/machine.hpp"
 #include "tests/support/key_members.hpp"
 #include "tests/support/message.hpp"
@@ -18,6 +20,11 @@ TEST_CASE("gantry: each key sets its own member") {
   m.add("run.reached_mm", [](const O& o) { return o.reached_mm; });
   m.add("record.every_ms", [](const O& o) { return o.record_ms; });
   m.add("host.serial", [](const O& o) { return o.serial; });
+  m.add("host.gap_ms", [](const O& o) { return o.gap_ms; });
+  m.add("host.clip_goals", [](const O& o) { return o.firmware.clip_goals; });
+  m.add("host.checked", [](const O& o) { return o.firmware.checked; });
+  m.add("host.baud_error", [](const O& o) { return o.line.baud_error; });
+  m.add("host.framing_errors", [](const O& o) { return o.line.framing_errors; });
   m.add("host.stream", [](const O& o) { return o.firmware.stream; });
   m.add("step.reference_mm", [](const O& o) { return o.reference_mm; });
   m.add("step.from_mm", [](const O& o) { return o.from_mm; });
@@ -89,6 +96,32 @@ TEST_CASE("gantry: each key sets its own member") {
   m.add("sensor.defect_1_unit", [](const O& o) { return o.stripes.defect_units[0]; });
   m.add("sensor.defect_2_unit", [](const O& o) { return o.stripes.defect_units[1]; });
   CHECK(m.wrong() == "");
+}
+
+TEST_CASE("gantry: two controls, or times, that exclude each other are refused") {
+  const auto told = [](const std::string& toml) { return test::message_of<gantry::Options>(toml); };
+  const std::string cascade = "[control]\ncascade = true\n", sum = "[position]\nsum = \"plain\"\n";
+  CHECK(told(cascade + "compensate = true\n") == "");
+  CHECK(told(sum) == "");
+  CHECK_THAT(told("[position]\nbang_bang = true\n" + cascade),
+             Catch::Contains("position.bang_bang: true, and control.cascade is true; permitted: "));
+  CHECK_THAT(told(sum + cascade), Catch::Contains("position.sum: a sum, and control.cascade"));
+  CHECK_THAT(told(sum + "bang_bang = true\n"),
+             Catch::Contains("position.sum: a sum, and position.bang_bang"));
+  CHECK_THAT(told("[control]\ncompensate = true\n"),
+             Catch::Contains("control.compensate: true, and control.cascade is false; "));
+  const auto assigned = [](const std::vector<std::string>& all) {
+    return test::refusal_of([&all] {
+      gantry::Options options;
+      for (const std::string& one : all) lab::apply_assignment(options, one);
+      lab::validate(options);
+    });
+  };
+  CHECK(assigned({"run.time_s=1", "run.max_s=1"}) == "");
+  CHECK(assigned({"run.max_s=1"}) == "");  // cuts the scenario's time
+  CHECK(assigned({"run.time_s=1.5", "run.max_s=1"}) ==
+        "run.time_s: 1.5 s is above run.max_s, 1 s; permitted: at most that");
+  CHECK_THAT(assigned({"run.time_s=120.5"}), Catch::StartsWith("run.time_s: 120.5 s is above"));
 }
 
 TEST_CASE("gantry: forces that exclude each other are refused, each pair by its own keys") {

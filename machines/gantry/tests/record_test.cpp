@@ -95,7 +95,8 @@ TEST_CASE("gantry: each sample is of the track, as the pins move it, and of the 
       INFO("motor " << m + 1 << ": apart " << s.motor[m] << ", force " << s.force[m] << ", flank "
                     << s.flank[m]);
       REQUIRE(s.motor[m] == Approx(is.x[mass] - is.x[plant::BeltState::kCart]).margin(1e-9));
-      REQUIRE(s.force[m] == Approx(is.force[m]).margin(1e-6));
+      const double mean = plant.axis().mean_force(m, TrackPlant::kCarrier);
+      REQUIRE(s.force[m] == Approx(mean).margin(1e-6));
       REQUIRE(s.flank[m] == plant.axis().flank(mass));
       REQUIRE(s.words.force[m] == h.words.force[m]);
       const std::string name = "motor " + std::to_string(m + 1);
@@ -162,7 +163,7 @@ TEST_CASE("gantry: a run tells of what it heard and counted, by the times of its
   CHECK(result.passes == Approx(50).margin(1));
   CHECK(result.samples.size() == 126);
   CHECK(result.unknown == 2);
-  CHECK(result.malformed == 1);
+  CHECK(result.malformed == 2);  // too long, and without its end
   CHECK(result.lost == 0);
   CHECK_FALSE(result.homed);
   CHECK_FALSE(result.fitted);

@@ -7,10 +7,14 @@ wall, which the stream's ticks are never ahead of.
 usage: serial_check.py PROGRAM FOLDER     PROGRAM: trammel; FOLDER: for the run
 """
 
+import os
+import select
 import signal
 import subprocess
 import sys
+import termios
 import time
+import tty
 import unittest
 from pathlib import Path
 
@@ -73,6 +77,22 @@ class Track(unittest.TestCase):
         self.start("serial", "gantry-p", "-s", "run.engine=twin")
         self.move()
 
+    def test_what_no_program_reads_is_not_the_next_ones(self):
+        self.start("serial", "gantry-p", "-s", "run.engine=twin")
+        for leaves in (True, True, False):
+            port = os.open(self.port.name, os.O_RDWR | os.O_NOCTTY)
+            tty.setraw(port, termios.TCSANOW)  # nothing is discarded, unlike with pyserial
+            self.port.close()
+            os.write(port, b"\x7f" if leaves else b"\x60")
+            if leaves:
+                time.sleep(0.2)  # its answer is there
+            else:
+                self.assertTrue(select.select([port], [], [], 10)[0])
+                first = os.read(port, 1)[0]  # of a position: 2^24 in five bytes
+                self.assertEqual(first, 0x82)
+            os.close(port)
+            time.sleep(0.2)
+
     def test_the_option_of_run_with_the_rtl_and_on_systemc(self):
         self.start("run", "gantry-p", "--serial")
         self.move()
@@ -102,14 +122,15 @@ class Track(unittest.TestCase):
     def move(self):
         self.port.write(b"\x7f")
         words = []
-        while len(words) < 23:
+        while len(words) < 23:  # nothing that the chip sent before the port was open
             channel, value = self.value()
-            if channel != 9:  # the reset message, or what of it came behind the opening of the port
-                self.assertEqual(channel, 31)
-                words.append((channel, value))
+            self.assertEqual(channel, 31)
+            words.append((channel, value))
         self.assertEqual(words[-1][1], 0)
         self.assertEqual(words[2][1], 25 << 10 | 5 << 5)
         self.port.write(b"\xff" * 9 + b"\x00" + frame(17, 3))  # overlong, and a channel for nobody
+        self.port.write(b"\x81")  # alone: the gap ends it
+        time.sleep(0.1)
         self.assertEqual(self.position(), 0)
         began = time.monotonic()
         self.port.write(frame(21, 100))

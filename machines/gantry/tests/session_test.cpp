@@ -90,3 +90,17 @@ TEST_CASE("gantry: the current is that of both motors, pull they together or apa
     }
   }
 }
+
+TEST_CASE("gantry: a run whose sensor errors cost the observer a stripe has missed") {
+  for (const double share : {0.0, -0.15}) {  // within their range, and all at once
+    Options options = by_twin(0.4);
+    plant::StripeTrackConfig& s = options.stripes;
+    s.amplitude_a_error = s.amplitude_b_error = share;
+    s.offset_a_error = s.offset_b_error = s.phase_b_error = share;
+    const Result result = lab::simulate(options);
+    CAPTURE(share, result.fault);
+    const bool lost = share != 0;
+    CHECK(result.end == (lost ? cosim::EndReason::kMissed : cosim::EndReason::kDone));
+    CHECK((result.fault.rfind("the observer has lost a stripe: at 0.1", 0) == 0) == lost);
+  }
+}

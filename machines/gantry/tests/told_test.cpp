@@ -72,7 +72,10 @@ TEST_CASE("gantry: each figure of a run is told by its row, unit, digits and til
        "host.heard: bytes, from the chip whole",
        "host.malformed: frames, malformed whole",
        "host.lost: frames, lost whole",
-       "host.unknown: frames, unknown whole"});
+       "host.unknown: frames, unknown whole",
+       "host.unchecked: frames, without their checksum whole",
+       "host.unsent: frames, of the chip without room whole",
+       "host.refused: goals, outside the track, refused whole"});
   CHECK(test::figure(Options{}, result, "step.swing_mm") == 0);  // of a run without a sample
   Result arrived;
   Sample there;
@@ -92,7 +95,18 @@ TEST_CASE("gantry: each figure of a run is told by its row, unit, digits and til
                       "host.heard: bytes, from the chip whole",
                       "host.malformed: frames, malformed whole",
                       "host.lost: frames, lost whole",
-                      "host.unknown: frames, unknown whole"});
+                      "host.unknown: frames, unknown whole",
+                      "host.unchecked: frames, without their checksum whole",
+                      "host.unsent: frames, of the chip without room whole",
+                      "host.refused: goals, outside the track, refused whole"});
+  Options homes;
+  homes.firmware.home = true;
+  homes.sends = "";
+  for (const lab::Figure& f : figures(homes, result)) {
+    CAPTURE(f.id);
+    CHECK(f.id != "step.overshoot_mm");  // where nothing asks for a step
+    CHECK(f.id != "step.overshoot_percent");
+  }
   Options nowhere;
   nowhere.from_mm = nowhere.reference_mm;
   CHECK(test::figure(nowhere, result, "step.overshoot_percent") == 0);
@@ -163,7 +177,7 @@ TEST_CASE("gantry: remarks tell of homing where it was asked for, of the fit, of
   const std::string most = "heard: AB 01 02 03 04 05 06 07 08 09 0A 0B 0C 0D 0E 0F 10 11 12 13 14 "
                            "15 16 17";
   CHECK(told(false, false, false, 24) == Lines{most});
-  CHECK(told(false, false, false, 25) == Lines{most + " ..."});
+  CHECK(told(false, false, false, 25) == Lines{most + " ...; all 25 bytes: metrics.json, heard"});
 }
 
 TEST_CASE("gantry: metrics have the calibration as the run left it, word for word") {

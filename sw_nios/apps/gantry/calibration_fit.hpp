@@ -9,6 +9,8 @@
 #include <array>
 #include <cstdint>
 
+#include "sw_nios/apps/gantry/protocol.hpp"
+
 namespace trammel::sw {
 
 inline constexpr std::uint32_t kCalibrationWords = 63;  // with the checksum
@@ -18,10 +20,7 @@ using CalibrationWords = std::array<std::uint16_t, kCalibrationWords>;
 inline std::uint16_t checksum(const CalibrationWords& words) {
   std::uint32_t crc = 0xFFFF;
   for (std::uint32_t k = 0; k < 2 * (kCalibrationWords - 1); ++k) {
-    crc ^= (words[k / 2] >> (k % 2 * 8) & 0xFFu) << 8;
-    for (int bit = 0; bit < 8; ++bit) {
-      crc = (crc << 1 ^ ((crc & 0x8000) != 0 ? 0x1021u : 0)) & 0xFFFF;
-    }
+    crc = gantry_channel::crc_with(crc, words[k / 2] >> (k % 2 * 8) & 0xFFu);
   }
   return static_cast<std::uint16_t>(crc);
 }

@@ -138,7 +138,8 @@ struct VelocityPi {
   }
 };
 
-// A velocity at most 5000 units from the last filtered one, then the mean of four.
+// A velocity at most 5000 units from the last filtered one, then the mean of four, toward minus
+// infinity.
 class MeanFilter {
  public:
   static constexpr std::int32_t kMostChange = 5000;
@@ -147,7 +148,7 @@ class MeanFilter {
     last_[at_] = mean_ + within(narrowed(std::int64_t{velocity} - mean_), kMostChange);
     at_ = (at_ + 1) % 4;
     const std::int64_t sum = std::int64_t{last_[0]} + last_[1] + last_[2] + last_[3];
-    mean_ = static_cast<std::int32_t>(sum / 4);
+    mean_ = static_cast<std::int32_t>(sum >> 2);
     return mean_;
   }
   std::int32_t mean() const { return mean_; }

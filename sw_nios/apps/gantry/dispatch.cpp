@@ -11,11 +11,12 @@ namespace {
 namespace tau = gantry_tau_regs;
 namespace channel_of = gantry_channel;
 
-enum Frame : std::uint32_t { kClearBit, kSetBit, kPollBit, kPollChannel, kValue };
+using channel_of::kClearBit, channel_of::kSetBit, channel_of::kPollBit, channel_of::kPollChannel,
+    channel_of::kValue;
 
-void send(Bus& bus, std::uint32_t kind, std::uint32_t channel, std::uint32_t value = 0) {
-  if (kind == kValue) bus.write(tau::kSendValue, value);
-  bus.write(tau::kSend, channel | kind << 8);
+void put(Bus& bus, const channel_of::Frame& frame) {
+  if (frame.form == kValue) bus.write(tau::kSendValue, frame.value);
+  bus.write(tau::kSend, frame.channel | frame.form << 8);
 }
 
 // The converter's channel of one of the protocol: A, dA/dt, B, dB/dt, current; -1: none.
@@ -40,24 +41,62 @@ std::int32_t GantryApp::millimetres() const {
 
 void GantryApp::receive(Bus& bus) {
   for (;;) {
-    const std::uint32_t frame = bus.read(tau::kReceive);
-    if ((frame & tau::kReceiveWaits) == 0) return;
-    const std::uint32_t value = bus.read(tau::kReceiveValue);
+    const std::uint32_t word = bus.read(tau::kReceive);
+    if ((word & tau::kReceiveWaits) == 0) return;
+    const Frame frame{(word & tau::kReceiveKindMask) >> tau::kReceiveKindShift,
+                      word & tau::kReceiveChannelMask, bus.read(tau::kReceiveValue)};
     bus.write(tau::kReceive, tau::kReceiveTake);
-    const std::uint32_t channel = frame & tau::kReceiveChannelMask;
-    switch ((frame & tau::kReceiveKindMask) >> tau::kReceiveKindShift) {
-      case kValue: set(bus, channel, value); break;
-      case kPollChannel: poll(bus, channel); break;
-      case kPollBit:
-        if (channel < 2) {
-          send(bus, (bus.read(tau::kOvertemp) >> channel & 1) != 0 ? kSetBit : kClearBit, channel);
-        } else {
-          ++unknown_;
-        }
-        break;
-      default: ++unknown_;  // there is no digital output
+    if (c_.checked) {
+      check(bus, frame);
+    } else {
+      act(bus, frame);
     }
   }
+}
+
+// A frame acts when the next one is its checksum.
+void GantryApp::check(Bus& bus, const Frame& frame) {
+  const bool sum = frame.form == kValue && frame.channel == channel_of::kCheck;
+  if (sum && holds_ && frame.value == channel_of::checksum_of(held_)) {
+    holds_ = false;
+    act(bus, held_);
+    return;
+  }
+  if (sum || holds_) ++unchecked_;
+  holds_ = !sum;
+  held_ = frame;
+}
+
+void GantryApp::act(Bus& bus, const Frame& frame) {
+  const std::uint32_t channel = frame.channel;
+  switch (frame.form) {
+    case kValue: set(bus, channel, frame.value); break;
+    case kPollChannel: poll(bus, channel); break;
+    case kPollBit:
+      if (channel < 2) {
+        const bool hot = (bus.read(tau::kOvertemp) >> channel & 1) != 0;
+        send(bus, {hot ? kSetBit : kClearBit, channel, 0});
+      } else {
+        ++unknown_;
+      }
+      break;
+    default: ++unknown_;  // there is no digital output
+  }
+}
+
+// Frames that there is room for.
+std::uint32_t GantryApp::room(Bus& bus) const {
+  const std::uint32_t frames = bus.read(tau::kSendState) & tau::kSendStateRoomMask;
+  return c_.checked ? frames / 2 : frames;
+}
+
+void GantryApp::send(Bus& bus, const Frame& frame) {
+  if (room(bus) == 0) {
+    ++unsent_;
+    return;
+  }
+  put(bus, frame);
+  if (c_.checked) put(bus, {kValue, channel_of::kCheck, channel_of::checksum_of(frame)});
 }
 
 void GantryApp::set(Bus& bus, std::uint32_t channel, std::uint32_t value) {
@@ -88,17 +127,25 @@ void GantryApp::set(Bus& bus, std::uint32_t channel, std::uint32_t value) {
       }
       return;
     }
+    case channel_of::kMotor:
     case channel_of::kGoal: {
-      const std::int32_t most = channel_of::kMostGoal_mm;
-      const std::int32_t mm =
-          value > static_cast<std::uint32_t>(most) ? most : static_cast<std::int32_t>(value);
-      goal_ = mm * 32 / 5;
+      const bool outside = value > channel_of::kMostGoal_mm;
+      if (outside && !c_.clip_goals) {
+        ++refused_;
+        return;
+      }
+      const std::uint32_t mm = outside ? channel_of::kMostGoal_mm : value;
+      goal_ = static_cast<std::int32_t>(mm * 32 / 5);
       if (phase_ == GantryPhase::kIdle || phase_ == GantryPhase::kVelocity) {
         phase_ = GantryPhase::kPosition;
       }
       return;
     }
     case channel_of::kGoalVelocity:
+      if (value > channel_of::kMostGoalVelocity && !c_.clip_goals) {
+        ++refused_;
+        return;
+      }
       goal_velocity_ = narrowed(std::int64_t{value} - channel_of::kGoalVelocityOffset);
       if (phase_ == GantryPhase::kIdle || phase_ == GantryPhase::kPosition) {
         phase_ = GantryPhase::kVelocity;
@@ -111,14 +158,14 @@ void GantryApp::set(Bus& bus, std::uint32_t channel, std::uint32_t value) {
 void GantryApp::poll(Bus& bus, std::uint32_t channel) {
   const std::int32_t converter = converter_of(channel);
   if (channel == channel_of::kConfiguration) {
-    described_ = 0;
+    ++lists_;
     describe(bus);
   } else if (channel == channel_of::kPosition) {
     const auto mm = static_cast<std::uint32_t>(millimetres());
-    send(bus, kValue, channel, mm + channel_of::kPositionOffset);
+    send(bus, {kValue, channel, mm + channel_of::kPositionOffset});
   } else if (channel == channel_of::kVelocity) {
     const std::uint32_t velocity = bus.read(tau::kVelocity) + channel_of::kVelocityOffset;
-    send(bus, kValue, channel, velocity & 0x7FFFFF);
+    send(bus, {kValue, channel, velocity & 0x7FFFFF});
   } else if (converter >= 0 && phase_ != GantryPhase::kFitting) {
     asked_ |= 1u << converter;
     bus.write(tau::kRequest, 1u << converter);
@@ -132,30 +179,35 @@ void GantryApp::answer_samples(Bus& bus) {
   const std::uint32_t done = asked_ & ~bus.read(tau::kRequest);
   asked_ &= ~done;
   const std::uint32_t a = bus.read(tau::kEncoderA), b = bus.read(tau::kEncoderB);
-  if ((done & 1u << 0) != 0) send(bus, kValue, channel_of::kA, a & 0x3FF);
-  if ((done & 1u << 1) != 0) send(bus, kValue, channel_of::kADot, a >> 16 & 0x3FF);
-  if ((done & 1u << 2) != 0) send(bus, kValue, channel_of::kB, b & 0x3FF);
-  if ((done & 1u << 3) != 0) send(bus, kValue, channel_of::kBDot, b >> 16 & 0x3FF);
+  if ((done & 1u << 0) != 0) send(bus, {kValue, channel_of::kA, a & 0x3FF});
+  if ((done & 1u << 1) != 0) send(bus, {kValue, channel_of::kADot, a >> 16 & 0x3FF});
+  if ((done & 1u << 2) != 0) send(bus, {kValue, channel_of::kB, b & 0x3FF});
+  if ((done & 1u << 3) != 0) send(bus, {kValue, channel_of::kBDot, b >> 16 & 0x3FF});
   if ((done & 1u << 6) != 0) {
-    send(bus, kValue, channel_of::kCurrent, bus.read(tau::kCurrent) >> 2 & 0xFF);
+    send(bus, {kValue, channel_of::kCurrent, bus.read(tau::kCurrent) >> 2 & 0xFF});
   }
 }
 
-// As much of the configuration as there is room for; the next passes send the rest.
+// As much of the configuration as there is room for, once for each poll; the next passes send the
+// rest.
 void GantryApp::describe(Bus& bus) {
-  std::uint32_t room = bus.read(tau::kSendState) & tau::kSendStateRoomMask;
-  for (; room > 0 && described_ < channel_of::kConfigurationLength; --room) {
-    send(bus, kValue, channel_of::kConfiguration, channel_of::kConfigurationWords[described_++]);
+  for (std::uint32_t free = room(bus); free > 0 && lists_ > 0; --free) {
+    const std::uint32_t word = channel_of::kConfigurationWords[described_++];
+    send(bus, {kValue, channel_of::kConfiguration, word});
+    if (described_ == channel_of::kConfigurationLength) {
+      described_ = 0;
+      --lists_;
+    }
   }
 }
 
 // Plain integers of 32 bits in two's complement, as the listing sends and its reader plots them
 // (appendix C.14 and B.1). The offsets are of the polled counters.
 void GantryApp::stream(Bus& bus, std::uint32_t ticks) {
-  if ((bus.read(tau::kSendState) & tau::kSendStateRoomMask) < 8) return;
-  send(bus, kValue, channel_of::kStreamPosition, static_cast<std::uint32_t>(millimetres()));
-  send(bus, kValue, channel_of::kStreamTime, ticks);
-  send(bus, kValue, channel_of::kStreamVelocity, static_cast<std::uint32_t>(filtered_));
+  if (room(bus) < 8) return;
+  send(bus, {kValue, channel_of::kStreamPosition, static_cast<std::uint32_t>(millimetres())});
+  send(bus, {kValue, channel_of::kStreamTime, ticks});
+  send(bus, {kValue, channel_of::kStreamVelocity, static_cast<std::uint32_t>(filtered_)});
 }
 
 }  // namespace trammel::sw

@@ -12,6 +12,7 @@ namespace tau = gantry_tau_regs;
 
 constexpr std::int32_t kFitFrom_mm = 80;             // 40 mm before the first period that is used
 constexpr std::uint32_t kFitWait = 4612;             // [tick]
+constexpr std::uint32_t kReleaseTicks = 461;         // 0.1 s
 constexpr std::uint32_t kObserveAll = tau::kObserverActive | tau::kObserverVelocity;
 constexpr std::int32_t kStallForce = 160;            // [count] above stiction in a zone, 118
 constexpr std::int32_t kLeastRadius = 250, kMostRadius = 520;  // [code] of A and B at 0.5 m/s
@@ -26,8 +27,8 @@ void GantryApp::start(Bus& bus) {
   observed_ = kObserveAll;
   bus.write(tau::kObserver, observed_);
   bus.write(tau::kIrqEnable, tau::kStatusPass | tau::kStatusFrame | tau::kStatusSample);
-  bus.write(tau::kSendValue, gantry_channel::kResetMessage);
-  bus.write(tau::kSend, gantry_channel::kReset | 4u << 8);
+  bus.write(tau::kReceiveGap, c_.gap_clk);
+  send(bus, {gantry_channel::kValue, gantry_channel::kReset, gantry_channel::kResetMessage});
   if (c_.home) {
     phase_ = GantryPhase::kHoming;
   } else if (c_.calibrate) {
@@ -83,18 +84,26 @@ void GantryApp::pass(Bus& bus) {
     go(bus, control(ticks));
   }
   last_tick_ = ticks;
-  if (described_ < gantry_channel::kConfigurationLength) describe(bus);
+  if (lists_ > 0) describe(bus);
   if (c_.stream) stream(bus, ticks);
 }
 
-// Both motors to the right, until the position has not changed for long: that is zero.
+// Both motors to the right, until the position has not changed for long; then both rest until the
+// stop has pushed the cart back. Zero is there, so that nothing pushes against the stop.
 void GantryApp::home(Bus& bus, std::int32_t count, std::uint32_t ticks) {
-  go(bus, {c_.home_force, c_.home_force});
+  const std::int32_t force = released_ ? 0 : c_.home_force;
+  go(bus, {force, force});
   if (count != still_count_) {
     still_count_ = count;
     still_tick_ = ticks;
   }
-  if (ticks - still_tick_ < c_.home_ticks) return;
+  if (ticks - still_tick_ < (released_ ? kReleaseTicks : c_.home_ticks)) return;
+  if (!released_) {
+    released_ = true;
+    still_tick_ = ticks;
+    return go(bus, {0, 0});
+  }
+  released_ = false;
   zero_ += count;
   count_ = 0;
   homed_ = true;
@@ -153,11 +162,12 @@ GantryPhase GantryApp::ready(GantryPhase closed) const {
 // A restart of the observer: the position counts anew from its first period, so that what was
 // wanted is not there any more, and the motors rest until there is a new goal or homing has ended.
 void GantryApp::observe(Bus& bus, std::uint32_t mask) {
+  ++restarts_;
   observed_ = mask;
   bus.write(tau::kObserver, mask);
   go(bus, {0, 0});
   zero_ = 0;
-  seen_ = homed_ = false;
+  seen_ = homed_ = released_ = false;
   filter_ = {};
   if (other_ != nullptr) other_->restart();
   filtered_ = 0;

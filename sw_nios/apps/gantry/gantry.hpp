@@ -8,6 +8,7 @@
 
 #include "sw_nios/apps/gantry/calibration_fit.hpp"
 #include "sw_nios/apps/gantry/controllers.hpp"
+#include "sw_nios/apps/gantry/protocol.hpp"
 #include "sw_nios/hal/bus.hpp"
 
 namespace trammel::sw {
@@ -25,6 +26,9 @@ struct GantrySetup {
   bool home = false;              // at power-on
   bool calibrate = false;         // at power-on, behind that
   bool stream = false;            // position, time and velocity go out every pass
+  bool clip_goals = false;        // a goal beyond the track is its end, else refused
+  bool checked = false;           // each frame has its checksum behind it, either way
+  std::uint32_t gap_clk = 504'774;        // from byte to byte within a frame, longest; 0: any
   std::uint32_t pass_clk = 100'000;       // 2 ms
   std::int32_t cascade_gain = 9;          // K: vref = -(e << K)
   std::int32_t open_force = 0x88;         // positive to the right
@@ -67,6 +71,10 @@ class GantryApp final : public Firmware {
   std::int32_t velocity() const { return filtered_; }  // filtered
   std::int32_t goal_velocity() const { return goal_velocity_; }
   std::uint32_t unknown() const { return unknown_; }        // frames for no channel
+  std::uint32_t refused() const { return refused_; }        // goals outside of the track
+  std::uint32_t unchecked() const { return unchecked_; }    // frames without their checksum
+  std::uint32_t unsent() const { return unsent_; }          // frames for which there was no room
+  std::uint32_t restarts() const { return restarts_; }      // of the observer since the start
   bool homed() const { return homed_; }
   bool fitted() const { return fitted_; }
   const CalibrationWords& words() const { return words_; }
@@ -86,8 +94,13 @@ class GantryApp final : public Firmware {
   GantryPhase ready(GantryPhase closed) const;
   void go(Bus& bus, MotorForces forces);
 
+  using Frame = gantry_channel::Frame;
   void receive(Bus& bus);
+  void check(Bus& bus, const Frame& frame);
+  void act(Bus& bus, const Frame& frame);
   void set(Bus& bus, std::uint32_t channel, std::uint32_t value);
+  void send(Bus& bus, const Frame& frame);
+  std::uint32_t room(Bus& bus) const;
   void poll(Bus& bus, std::uint32_t channel);
   void answer_samples(Bus& bus);
   void describe(Bus& bus);
@@ -111,11 +124,16 @@ class GantryApp final : public Firmware {
   MotorForces forces_;                    // as last written
   std::uint32_t observed_ = 0x11;  // as last written
   std::uint32_t asked_ = 0;        // conversions that the host waits for, bit = channel
-  std::uint32_t described_ = UINT32_MAX;  // configuration words sent
-  std::uint32_t unknown_ = 0;
+  std::uint32_t lists_ = 0;        // of the configuration, to send
+  std::uint32_t described_ = 0;    // words of the first of them, sent
+  std::uint32_t unknown_ = 0, refused_ = 0, unchecked_ = 0, unsent_ = 0;
+  std::uint32_t restarts_ = 0;
+  Frame held_;                            // waits for its checksum
+  bool holds_ = false;
   std::uint32_t open_pass_ = 0, open_bits_ = 1;  // open_bits_: of the shift register
   bool open_sign_ = true;
   bool seen_ = false, homed_ = false, fitted_ = false;
+  bool released_ = false;  // homing has reached the stop, the motors rest
 };
 
 }  // namespace trammel::sw

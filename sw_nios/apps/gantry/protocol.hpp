@@ -18,11 +18,38 @@ inline constexpr std::uint32_t kStreamPosition = 7, kStreamTime = 30, kStreamVel
 // From the host.
 inline constexpr std::uint32_t kObserve = 11, kSlots = 12, kCalibrate = 13;
 inline constexpr std::uint32_t kGoal = 21, kGoalVelocity = 22, kConfiguration = 31;
+inline constexpr std::uint32_t kMotor = 0;     // its input is a goal as well (C.16)
+
+// Either way, in the checked mode: the checksum of the frame before.
+inline constexpr std::uint32_t kCheck = 27;
 
 inline constexpr std::uint32_t kPositionOffset = 1u << 24, kVelocityOffset = 1u << 22;
 inline constexpr std::uint32_t kResetMessage = 42;
 inline constexpr std::int32_t kGoalVelocityOffset = 170'000;
-inline constexpr std::int32_t kMostGoal_mm = 470;
+inline constexpr std::uint32_t kMostGoal_mm = 470;
+inline constexpr std::uint32_t kMostGoalVelocity = 2 * kGoalVelocityOffset;  // 467 mm/s
+
+enum Form : std::uint32_t { kClearBit, kSetBit, kPollBit, kPollChannel, kValue };
+
+struct Frame {
+  std::uint32_t form = kClearBit, channel = 0, value = 0;
+};
+
+// CRC-16/CCITT-FALSE goes on with a byte; it begins with 0xFFFF.
+constexpr std::uint32_t crc_with(std::uint32_t crc, std::uint32_t byte) {
+  crc ^= byte << 8;
+  for (int bit = 0; bit < 8; ++bit) {
+    crc = (crc << 1 ^ ((crc & 0x8000) != 0 ? 0x1021u : 0)) & 0xFFFF;
+  }
+  return crc;
+}
+
+// Of the form and channel in a byte, then of the four bytes of the value, highest first.
+constexpr std::uint32_t checksum_of(const Frame& frame) {
+  std::uint32_t crc = crc_with(0xFFFF, frame.form << 5 | frame.channel);
+  for (int k = 3; k >= 0; --k) crc = crc_with(crc, frame.value >> 8 * k & 0xFF);
+  return crc;
+}
 
 enum Kind : std::uint32_t { kEnd, kDigitalIn, kDigitalOut, kAnalogIn, kAnalogOut, kEncoder };
 
