@@ -24,6 +24,9 @@ namespace {
 // this, so that no program sees it faster than the wall's time.
 constexpr std::int64_t kMostLate_ns = 50'000'000;
 
+// By then the line has taken the last byte of the reset message away.
+constexpr std::int64_t kBooted_ns = 2'000'000;
+
 std::int64_t wall_ns() {
   return std::chrono::duration_cast<std::chrono::nanoseconds>(
              std::chrono::steady_clock::now().time_since_epoch())
@@ -135,7 +138,6 @@ PseudoTerminal::PseudoTerminal(std::int64_t clock_ps) : clock_ps_(clock_ps) {
     tcsetattr(fd_, TCSANOW, &plain);
   }
   forget();  // from here on the other end is known to be closed
-  std::fputs(fmt::format("trammel: the serial port is {}\n", ptsname(fd_)).c_str(), stderr);
   started_ns_ = wall_ns();
 }
 
@@ -164,6 +166,10 @@ std::optional<unsigned char> PseudoTerminal::next(cosim::Clk edge) {
     std::this_thread::sleep_for(std::chrono::nanoseconds(early));
   } else if (early < -kMostLate_ns) {
     started_ns_ -= early;
+  }
+  if (!named_ && edge * clock_ps_ / 1000 >= kBooted_ns) {
+    named_ = true;
+    std::fputs(fmt::format("trammel: the serial port is {}\n", ptsname(fd_)).c_str(), stderr);
   }
   opened();
   pollfd wanted{fd_, POLLIN, 0};

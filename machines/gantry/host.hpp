@@ -62,7 +62,8 @@ class LineReader {
   bool level_ = true;
 };
 
-// A pseudo-terminal whose name is printed on stderr; simulated time waits for that of the wall, and
+// A pseudo-terminal whose name is printed on stderr once the chip has booted, 2 ms after its
+// start: the reset message is then gone. Simulated time waits for that of the wall, and
 // makes up for 50 ms at most where it is late. What the chip sends while no program has the port
 // open is lost, as on a line.
 class PseudoTerminal {
@@ -80,6 +81,7 @@ class PseudoTerminal {
   void forget() const;
 
   int fd_ = -1;
+  bool named_ = false;
   bool open_ = false;  // some program has the other end
   std::int64_t clock_ps_, started_ns_ = 0;
 };
