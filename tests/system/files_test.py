@@ -310,7 +310,8 @@ class Planted(Case):
         (self.folder / "all" / "index.html").write_text("mine")
         self.refused(self.trammel(*self.ALL, "-o", "all"), "index.html there is no page of runs")
         (self.folder / "all" / "index.html").unlink()
-        last = max((self.folder / "all").iterdir(), key=lambda one: one.stat().st_mtime_ns)
+        last = max((one for one in (self.folder / "all").iterdir() if one.is_dir()),
+                   key=lambda one: one.stat().st_mtime_ns)
         shutil.rmtree(last)
         last.mkdir()
         (last / "notes").write_text("mine")
