@@ -94,6 +94,7 @@ class FeedProfile {
   static constexpr double kStraight = 0.005;     // of A: a turn that leaves all of it
   static constexpr double kDegree = 0.01745329251994329577;
   static constexpr double kExact = 1;            // [deg] corners below it are passed in any mode
+  static constexpr double kBack = 1 - 1.0 / (1 << 30);  // sine of half a turn back, 0.005 deg off
   static constexpr double kSlow = 1024;          // of the segments' speed: a corner that is a stop
   static constexpr double kLate = 1.0 / 1024;    // [points] by which a chain may end late
 
@@ -157,7 +158,7 @@ class FeedProfile {
   bool stops(std::size_t k) const {
     const Move& m = segments_[k].m;
     if (m.stop) return true;
-    if (m.exact && half_sine(k) > std::sin(kExact / 2 * kDegree)) return true;
+    if (half_sine(k) > (m.exact ? std::sin(kExact / 2 * kDegree) : kBack)) return true;
     return corner(k).speed < std::min(segments_[k].speed, segments_[k + 1].speed) / kSlow;
   }
 
@@ -166,7 +167,7 @@ class FeedProfile {
   Corner corner(std::size_t k) const {
     const Segment &p = segments_[k], &q = segments_[k + 1];
     const double A = least_accel(), h = lim_.period, sine = half_sine(k);
-    const double tangent = sine / std::sqrt(std::max(1 - sine * sine, 1e-18));
+    const double tangent = sine / std::sqrt(1 - sine * sine);
     const double shorter = std::min(p.length, q.length);
     const double bend = (p.curvature + q.curvature) / 2;
     Corner c{std::min(p.speed, q.speed), std::min(p.accel, q.accel)};

@@ -12,9 +12,9 @@ constexpr Real kFull = Real::ratio(14, 15);       // of A: the largest turn, 2 k
 constexpr Real kHalf = Real::ratio(35, 100);      // of A: along the path where a corner takes kFull
 constexpr Real kStraight = Real::ratio(5, 1000);  // of A: a turn that leaves all of it
 constexpr Real kSharp = Real::ratio(700000001, 1000000000);  // kShare, and what rounding adds
-constexpr Real kTiny = Real::ratio(1, std::uint64_t{1} << 60);
 constexpr std::uint32_t kSlow = 1024;  // of the segments' speed: a corner that is a stop
 constexpr std::uint64_t kHalfDegree = 40244041747161352;  // Q62: its sine
+constexpr std::uint64_t kBack = (std::uint64_t{1} << 62) - (std::uint64_t{1} << 32);  // 0.005 deg off
 
 Real least(const FeedLimits& l) {
   return Real(l.accel_x < l.accel_y ? l.accel_x : l.accel_y, kFeedBits);
@@ -39,11 +39,11 @@ FeedCorner feed_corner(const FeedSegment& p, const FeedBounds& of_p, const FeedS
                        const FeedBounds& of_q, const FeedLimits& limits) {
   const Real speed = min(of_p.speed, of_q.speed);
   FeedBounds c{speed, min(of_p.accel, of_q.accel)};
-  if (p.exact && p.half_sine > kHalfDegree) return {c, true};
+  if (p.half_sine > (p.exact ? kHalfDegree : kBack)) return {c, true};
   const Real A = least(limits), one(1), two(2);
   const Real sine = min(Real(p.half_sine, 62), one);
   if (sine.zero()) return {c, false};
-  const Real tangent = sine / sqrt(max(one - sine * sine, kTiny));
+  const Real tangent = sine / sqrt(one - sine * sine);
   const Real shorter = Real(p.length < q.length ? p.length : q.length, 32);
   Real bend;  // mean curvature of both
   if (p.radius != 0) bend = one / (two * Real(p.radius, 32));
