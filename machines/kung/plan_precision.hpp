@@ -6,6 +6,7 @@
 
 #include "machines/kung/options.hpp"
 #include "machines/kung/record.hpp"
+#include "models/ideal/normal_equations.hpp"
 #include "sw_nios/apps/kung/kung.hpp"
 
 namespace trammel::kung {
@@ -20,9 +21,15 @@ sw::PrecisionSetup plan_precision(const Options& options, const sw::KungSetup& s
 
 inline constexpr int kKnee = 4;  // friction is complete at a sixteenth of its speed word
 
+// How well the samples of an estimator know each of its unknowns.
+ideal::Knowledge<sw::Estimator::kUnknowns> knowledge_of(const sw::Estimator& estimator);
+
 // Estimates in physical units, and which of them are at the ends of their ranges.
 AxisEstimate estimate_of(const Options& options, std::size_t axis,
                          const sw::Estimator::Theta& theta);
+// The same with whether anything was learned, the estimates that the path did not separate (an own
+// share below 0.1), and within what the mass is.
+AxisEstimate estimate_of(const Options& options, std::size_t axis, const sw::Estimator& found);
 // The same from the words that the chip was told; cogging and force are one current there.
 AxisEstimate told_estimate(const Options& options, std::size_t axis, const AxisLaw& law);
 

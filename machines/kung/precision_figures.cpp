@@ -67,24 +67,32 @@ void add_estimates(std::vector<lab::Figure>& list, const Options& options, const
                                                 : told_estimate(options, a, result.laws.back()[a]);
     const plant::AxisConfig& plant = options.plant.axis[a];
     const std::string axis = a == 0 ? "x" : "y", name = a == 0 ? "X" : "Y";
-    const auto add = [&](const char* id, const char* row, double value, bool limited, double truth,
-                         const char* unit) {
+    const auto add = [&](const char* id, const char* row, double value, bool limited, bool mixed,
+                         double truth, const char* unit) {
       const char* what = !found.taught ? "not estimated, start value"
-                         : limited     ? "at the limit of"
+                         : limited     ? "at its limit,"
+                         : mixed       ? "not separated,"
                                        : "estimate";
       list.push_back(lab::figure(axis + ".estimate." + id, fmt::format("{} of {}", row, name), what,
                                  value, unit, 2));
       list.push_back(lab::figure(axis + ".estimate." + id + "_true",
                                  fmt::format("{} of {}", row, name), "plant", truth, unit, 2));
     };
-    add("mass_kg", "mass", found.mass_kg, found.mass_limited, plant.mass_kg + plant.payload_kg,
-        "kg");
-    add("friction_N", "Coulomb friction", found.coulomb_N, found.coulomb_limited, plant.coulomb_n,
-        "N");
+    add("mass_kg", "mass", found.mass_kg, found.mass_limited, found.mass_mixed,
+        plant.mass_kg + plant.payload_kg, "kg");
+    if (found.taught && found.mass_within_kg > 0) {
+      list.insert(list.end() - 1, lab::figure(axis + ".estimate.mass_kg_within", "mass of " + name,
+                                              "+-", found.mass_within_kg, "kg", 2));
+    }
+    add("friction_N", "Coulomb friction", found.coulomb_N, found.coulomb_limited,
+        found.coulomb_mixed, plant.coulomb_n, "N");
     add("viscous_N_s_m", "viscous friction", found.viscous_N_s_m, found.viscous_limited,
-        plant.viscous_n_s_m, "N s/m");
+        found.viscous_mixed, plant.viscous_n_s_m, "N s/m");
     if (!result.estimates) continue;  // it was told with the force at one place
-    add("cogging_N", "cogging", found.cogging_N(), found.cogging_limited, plant.cogging_n, "N");
+    add("cogging_N", "cogging", found.cogging_N(), found.cogging_limited, found.cogging_mixed,
+        plant.cogging_n, "N");
+    add("force_N", "constant force", found.force_N, found.force_limited, found.force_mixed,
+        plant.external_force_n, "N");
   }
 }
 

@@ -116,11 +116,14 @@ struct Detail {
 // What the precision controller took an axis for.
 struct AxisEstimate {
   double mass_kg = 0, viscous_N_s_m = 0, coulomb_N = 0;
+  double mass_within_kg = 0;  // of which the true mass is, in 19 of 20 runs; 0: not known
   double cogging_sine_N = 0, cogging_cosine_N = 0;  // of pi x / pole pitch, doubled
   double force_N = 0;
   bool taught = true;  // the axis moved: else these are the start values
   bool mass_limited = false, viscous_limited = false, coulomb_limited = false,
-       cogging_limited = false;  // at the ends of their ranges
+       cogging_limited = false, force_limited = false;  // at the ends of their ranges
+  bool mass_mixed = false, viscous_mixed = false, coulomb_mixed = false, cogging_mixed = false,
+       force_mixed = false;  // the path does not separate them from others
 
   double cogging_N() const { return std::hypot(cogging_sine_N, cogging_cosine_N); }
 };

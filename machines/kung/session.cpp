@@ -301,12 +301,8 @@ std::unique_ptr<cosim::RunResult> Session::result() {
   result_.from_last_m = followed_->from_m(asked_->asked());
   if (options_.controller == Controller::kPrecision && !core_) {
     const sw::PrecisionControl& found = firmware_->app().precision();
-    result_.estimates = {estimate_of(options_, 0, found.estimator(0).theta()),
-                         estimate_of(options_, 1, found.estimator(1).theta())};
-    const std::int64_t untaught = sw::Estimator({}, 0).weight();
-    for (std::uint32_t a = 0; a < 2; ++a) {
-      (*result_.estimates)[a].taught = found.estimator(a).weight() != untaught;
-    }
+    result_.estimates = {estimate_of(options_, 0, found.estimator(0)),
+                         estimate_of(options_, 1, found.estimator(1))};
   }
   if (result_.end == EndReason::kDone) {
     result_.all_points = result_.points == path_points_;

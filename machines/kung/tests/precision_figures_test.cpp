@@ -273,7 +273,7 @@ TEST_CASE("of each estimate it is told on its own where it is at an end of its r
           for (std::size_t k = 0; k < 4; ++k) {
             if (f.id != std::string(a == 0 ? "x" : "y") + ".estimate." + kNames[k]) continue;
             CAPTURE(f.id, kNames[limited]);
-            CHECK(f.column == (a == axis && k == limited ? "at the limit of" : "estimate"));
+            CHECK(f.column == (a == axis && k == limited ? "at its limit," : "estimate"));
             ++seen;
           }
         }

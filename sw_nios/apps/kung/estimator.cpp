@@ -8,7 +8,6 @@ namespace trammel::sw {
 namespace {
 
 constexpr std::uint32_t kForget = 10;       // 2^-10 a sample
-constexpr std::int32_t kMostForce = 1 << 23;
 constexpr std::int64_t kFitting = 1 << 29;  // below, wide elements are narrow again
 
 constexpr std::uint32_t low(std::uint64_t x) { return static_cast<std::uint32_t>(x & 0xFFFFFFFFu); }
@@ -120,6 +119,9 @@ template <class Word>
 
 Estimator::Estimator(const EstimatorSetup& setup, std::int32_t point) : setup_(setup) {
   theta_ = {setup.mass, setup.viscous, setup.coulomb, 0, 0, 0};
+  const std::int32_t cogging = 4 * setup.coulomb;
+  least_ = {setup.mass_min, 0, 0, -cogging, -cogging, -kMostForce};
+  most_ = {setup.mass_max, 3 * setup.viscous, cogging, cogging, cogging, kMostForce};
   points_ = {point, point, point, point};
   set(wide_[wide_place(0, 0)], kStart[0]);
   set(wide_[wide_place(1, 1)], kStart[1]);
@@ -131,7 +133,11 @@ Estimator::Estimator(const EstimatorSetup& setup, std::int32_t point) : setup_(s
   }
 }
 
-std::int64_t Estimator::weight() const { return value(wide_[0]); }
+std::int64_t Estimator::weight(std::uint32_t i, std::uint32_t j) const {
+  if (i < j) return weight(j, i);
+  if (j >= 2) return narrow_[narrow_place(i, j)];
+  return fits_ && i >= 2 ? fitting_[2 * (i - 2) + j] : value(wide_[wide_place(i, j)]);
+}
 
 void Estimator::command(std::int32_t point) {
   points_ = {point, points_[0], points_[1], points_[2]};
@@ -150,7 +156,9 @@ void Estimator::step(std::int32_t err_sum, std::int32_t iq_sum) {
     }
     push(phi, current);
   }
-  const std::int32_t mass = theta_[kMass];
+  const std::int32_t mass = theta_[kMass], quarter = mass / 4;
+  least_[kMass] = clip(mass - quarter, setup_.mass_min, setup_.mass_max);
+  most_[kMass] = clip(mass + quarter, setup_.mass_min, setup_.mass_max);
   for (int sweeps = 0; sweeps < 2; ++sweeps) {
     if (fits_) {
       sweep();
@@ -158,7 +166,6 @@ void Estimator::step(std::int32_t err_sum, std::int32_t iq_sum) {
       sweep_wide();
     }
   }
-  limit(mass);
 }
 
 // Regressors and current of the sample before the last; false: too slow to tell anything.
@@ -218,7 +225,7 @@ void Estimator::learn_wide(const Theta& phi) {
   bool fit = true;
   for (std::uint32_t i = 0; i < kUnknowns; ++i) {
     for (std::uint32_t j = 0; j <= i; ++j) {
-      const std::int64_t before = wide_element(i, j);
+      const std::int64_t before = weight(i, j);
       const std::int32_t rest = i == j ? kStart[i] : 0;
       const std::int64_t r = before + phi[i] * phi[j] - rs(before - rest, kForget);
       if (j >= 2) {
@@ -235,11 +242,6 @@ void Estimator::learn_wide(const Theta& phi) {
   for (std::uint32_t n = 0; n < fitting_.size(); ++n) {
     fitting_[n] = static_cast<std::int32_t>(value(wide_[3 + n]));
   }
-}
-
-std::int64_t Estimator::wide_element(std::uint32_t i, std::uint32_t j) const {
-  if (i < j) return wide_element(j, i);
-  return j >= 2 ? narrow_[narrow_place(i, j)] : value(wide_[wide_place(i, j)]);
 }
 
 template <std::uint32_t I>
@@ -272,12 +274,20 @@ std::uint64_t Estimator::row(const Theta& theta) {
   }
 }
 
+// An unknown within its limits. The others are solved with it as it is then: one that was cut only
+// after the sweep would drive them away from the solution, further with each step.
+[[gnu::always_inline]] inline std::int32_t Estimator::limited(std::uint32_t i,
+                                                              std::int32_t solved) {
+  if (i == kMass) at_limit_ = solved < setup_.mass_min || solved > setup_.mass_max;
+  return clip(solved, least_[i], most_[i]);
+}
+
 // One unknown after the other, each with the newest of the others.
 template <std::uint32_t I>
 void Estimator::solve(Theta& theta) {
   const std::uint64_t left = pattern(q_[I]) - row<I, 0>(theta);
-  theta[I] += quotient(static_cast<std::int64_t>(left), pattern(element<I, I>()), shift_[I],
-                       inverse_[I]);
+  theta[I] = limited(I, theta[I] + quotient(static_cast<std::int64_t>(left),
+                                            pattern(element<I, I>()), shift_[I], inverse_[I]));
   if constexpr (I + 1 < kUnknowns) solve<I + 1>(theta);
 }
 
@@ -292,25 +302,13 @@ void Estimator::sweep_wide() {
     std::uint64_t left = pattern(q_[i]);
     for (std::uint32_t j = 0; j < kUnknowns; ++j) {
       Wide r{};
-      set(r, wide_element(i, j));
+      set(r, weight(i, j));
       left -= product(r, theta_[j]);
     }
-    theta_[i] += quotient(static_cast<std::int64_t>(left),
-                          static_cast<std::uint64_t>(wide_element(i, i)), shift_[i], inverse_[i]);
+    const auto diagonal = static_cast<std::uint64_t>(weight(i, i));
+    theta_[i] = limited(i, theta_[i] + quotient(static_cast<std::int64_t>(left), diagonal,
+                                                shift_[i], inverse_[i]));
   }
-}
-
-void Estimator::limit(std::int32_t mass) {
-  const std::int32_t cogging = 4 * setup_.coulomb;
-  const std::int32_t step = mass / 4;
-  const std::int32_t free = theta_[kMass];
-  theta_[kMass] = clip(clip(free, setup_.mass_min, setup_.mass_max), mass - step, mass + step);
-  at_limit_ = free < setup_.mass_min || free > setup_.mass_max;
-  theta_[kViscous] = clip(theta_[kViscous], 0, 3 * setup_.viscous);
-  theta_[kCoulomb] = clip(theta_[kCoulomb], 0, cogging);
-  theta_[kSine] = clip(theta_[kSine], -cogging, cogging);
-  theta_[kCosine] = clip(theta_[kCosine], -cogging, cogging);
-  theta_[kForce] = clip(theta_[kForce], -kMostForce, kMostForce);
 }
 
 }  // namespace trammel::sw

@@ -30,6 +30,7 @@ class Estimator {
   enum Unknown : std::uint32_t { kMass, kViscous, kCoulomb, kSine, kCosine, kForce };
   static constexpr std::uint32_t kUnknowns = 6;
   using Theta = std::array<std::int32_t, kUnknowns>;  // Q16
+  static constexpr std::int32_t kMostForce = 1 << 23;
 
   // 64 bits, whose halves are multiplied apart.
   struct Wide {
@@ -45,15 +46,19 @@ class Estimator {
   void command(std::int32_t point);  // the control point of the next knot, after step()
 
   const Theta& theta() const { return theta_; }
-  // The mass would have left its range, in the last step.
+  // The mass would have left its range in the last step.
   bool at_limit() const { return at_limit_; }
-  std::int64_t weight() const;  // R of the mass
+  // R, the sums of the products of two regressors.
+  std::int64_t weight(std::uint32_t i, std::uint32_t j) const;
 
  private:
   static constexpr std::uint32_t kFirst = 5;  // sums before the first sample
   static constexpr std::int32_t kOne = 1024;  // regressor of a constant force
-  static constexpr std::array<std::int32_t, kUnknowns> kStart{2048,  8192,  98304,
-                                                              98304, 98304, 1024};
+  // R at the start, and what forgetting leaves of it. On the few mm of the identification move cogging
+  // is a constant force: its larger weights give what cannot be told apart to the force.
+  static constexpr std::int32_t kCogging = 3 << 19;
+  static constexpr std::array<std::int32_t, kUnknowns> kStart{2048,     8192,     98304,
+                                                              kCogging, kCogging, 1024};
 
   // R is symmetric. Of regressors 2 to 5, at most 1024, 32 bits hold the sums of products, 2^30; so
   // they do of these with 0 and 1 while the axis moves as it should.
@@ -75,7 +80,6 @@ class Estimator {
   static constexpr std::uint32_t wide_place(std::uint32_t i, std::uint32_t j) {
     return i == 0 ? 0 : 2 * i - 1 + j;
   }
-  std::int64_t wide_element(std::uint32_t i, std::uint32_t j) const;  // of any, while !fits_
 
   bool sample(std::int32_t err_sum, std::int32_t iq_sum, Theta& phi, std::int32_t& current);
   // All of one call are inlined: the unknowns stay in registers.
@@ -87,6 +91,7 @@ class Estimator {
   [[gnu::always_inline]] inline std::uint64_t row(const Theta& theta);
   template <std::uint32_t I>
   [[gnu::always_inline]] inline void solve(Theta& theta);
+  std::int32_t limited(std::uint32_t i, std::int32_t solved);
   [[gnu::noinline]] void learn(const Theta& phi);
   [[gnu::noinline]] void push(const Theta& phi, std::int32_t current);
   [[gnu::noinline]] void sweep();
@@ -94,7 +99,6 @@ class Estimator {
   void learn_wide(const Theta& phi);
   void sweep_wide();
   void invert_wide(std::uint32_t i, std::uint64_t d);
-  void limit(std::int32_t mass);
 
   EstimatorSetup setup_;
   std::array<std::int32_t, 4> points_{};     // in effect, the newest first
@@ -110,6 +114,7 @@ class Estimator {
   std::array<std::uint32_t, kUnknowns> shift_{};   // leaves 10 bits of a diagonal element
   std::array<std::int32_t, kUnknowns> inverse_{};  // 2^(40 + shift) / element
   Theta theta_{};
+  Theta least_{}, most_{};  // limits of each unknown, of the mass in this step
   bool at_limit_ = false;
 };
 

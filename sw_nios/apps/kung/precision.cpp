@@ -18,6 +18,16 @@ constexpr std::uint32_t kK1 = 3;                         // of the gains
 constexpr std::int32_t kLate = 16 * 256 * 32;  // 16 counts in the mean of a knot [ERR_SUM]
 constexpr std::int32_t kSlower = 4;            // K1 times 2^-4: late on circle and window, no swing
 
+// A force that is corrected at once is a step that the observer's disturbance, which has carried the
+// difference until now, takes back too late: 16 ms are slow for it. A new mass is no such step, as
+// RATIO leaves the current where it was.
+constexpr std::uint32_t kFollow = 3;  // 2^-3 a knot
+
+void follow(Estimator::Theta& fed, const Estimator::Theta& found) {
+  for (std::uint32_t n = 0; n < fed.size(); ++n) fed[n] += rs(found[n] - fed[n], kFollow);
+  fed[Estimator::kMass] = found[Estimator::kMass];
+}
+
 constexpr std::uint32_t as_word(std::int32_t value) { return static_cast<std::uint32_t>(value); }
 
 }  // namespace
@@ -29,14 +39,15 @@ PrecisionControl::PrecisionControl(const PrecisionSetup& setup, Point start, Poi
       move_(move),
       before_path_(setup.identify ? Identification::kPoints : 0),
       size_(size),
-      axes_{{{Estimator(setup.axis[0].estimator, start_.x), {}, {}, {}, {}, {}, {}},
-             {Estimator(setup.axis[1].estimator, start_.y), {}, {}, {}, {}, {}, {}}}} {
+      axes_{{{Estimator(setup.axis[0].estimator, start_.x), {}, {}, {}, {}, {}, {}, {}},
+             {Estimator(setup.axis[1].estimator, start_.y), {}, {}, {}, {}, {}, {}, {}}}} {
   for (std::uint32_t a = 0; a < 2; ++a) {
     Axis& axis = axes_[a];
     const std::int32_t at = a == 0 ? start_.x : start_.y;
     axis.points = axis.corrected = {at, at, at};
     axis.control = at;
-    axis.words = knot_words(axis.estimator.theta(), setup.axis[a].estimator);
+    axis.fed = axis.estimator.theta();
+    axis.words = knot_words(axis.fed, setup.axis[a].estimator);
     if (setup.learn && setup.corrections != nullptr) {
       axis.learning = Learning(&setup.corrections->of[a], lap, setup.learn_gain);
     }
@@ -100,7 +111,12 @@ void PrecisionControl::slow_down(Bus& bus, std::uint32_t a) {
 
 void PrecisionControl::command(Bus& bus, std::uint32_t a) {
   Axis& axis = axes_[a];
-  const Estimator::Theta& theta = axis.estimator.theta();
+  if (on_path()) {
+    follow(axis.fed, axis.estimator.theta());
+  } else {
+    axis.fed = axis.estimator.theta();
+  }
+  const Estimator::Theta& theta = axis.fed;
   const EstimatorSetup& words = setup_.axis[a].estimator;
   const KnotWords before = axis.words;
   axis.words = knot_words(theta, words);

@@ -44,6 +44,7 @@ class PrecisionControl {
     Estimator estimator;
     Learning learning;
     std::int32_t control = 0;             // point that the next knot takes
+    Estimator::Theta fed;                 // estimates that the words have, behind the newest
     KnotWords words;                      // as written last
     std::array<std::int32_t, 3> points;     // the next, this one, the one before
     std::array<std::int32_t, 3> corrected;  // the same with what was learned
