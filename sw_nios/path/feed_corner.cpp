@@ -14,7 +14,8 @@ constexpr Real kStraight = Real::ratio(5, 1000);  // of A: a turn that leaves al
 constexpr Real kSharp = Real::ratio(700000001, 1000000000);  // kShare, and what rounding adds
 constexpr std::uint32_t kSlow = 1024;  // of the segments' speed: a corner that is a stop
 constexpr std::uint64_t kHalfDegree = 40244041747161352;  // Q62: its sine
-constexpr std::uint64_t kBack = (std::uint64_t{1} << 62) - (std::uint64_t{1} << 32);  // 0.005 deg off
+// A turn back, within 0.005 deg.
+constexpr std::uint64_t kBack = (std::uint64_t{1} << 62) - (std::uint64_t{1} << 32);
 
 Real least(const FeedLimits& l) {
   return Real(l.accel_x < l.accel_y ? l.accel_x : l.accel_y, kFeedBits);

@@ -97,7 +97,8 @@ TEST_CASE("a column that has a unit is named after it, and printed as finely as 
   const std::map<std::string, std::string> end_of{
       {"m", "_m"},     {"mm", "_mm"},         {"s", "_s"},           {"V", "_V"},
       {"A", "_A"},     {"N", "_N"},           {"m/s", "_m_s"},       {"mm/s", "_mm_s"},
-      {"step", "step"}, {"step/s", "_step_s"}, {"rad/s", "_rad_s"},  {"rad", "_rad"}};
+      {"step", "step"}, {"step/s", "_step_s"}, {"rad/s", "_rad_s"},  {"rad", "_rad"},
+      {"N m", "_N_m"}};
   for (const Machine* const machine : machines()) {
     std::vector<std::string> names;
     for (const Column& column : machine->columns().columns) {

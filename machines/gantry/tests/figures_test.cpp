@@ -69,7 +69,8 @@ TEST_CASE("gantry: each figure of a step is from its command on, in either sense
         {"max_speed_mm_s", 400},    {"max_force", 700},
         {"passes", 11},             {"host.heard", 3},
         {"host.malformed", 4},      {"host.lost", 5},
-        {"host.unknown", 6}};
+        {"host.unknown", 6},         {"host.unchecked", 0},
+        {"host.refused", 0},        {"host.unsent", 0}};
     std::size_t seen = 0;
     for (const lab::Figure& f : gantry::figures(options, result)) {
       INFO("figure " << f.id << (back ? ", back" : ""));

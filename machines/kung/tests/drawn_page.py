@@ -210,7 +210,7 @@ class DrawnPage:
         # Step, value of its word's least bit, digits, unit: rtl/control/afc.md.
         known = ((5, count / 16384 * 1e3, 4, "mm"), (6, count * 1e3, 3, "mm"),
                  (7, count / 16 / tick, 4, "m/s"), (9, count / tick, 4, "m/s"),
-                 (11, 1 / 256, 3, "units"), (12, 1 / 2048, 4, ""),
+                 (11, 1 / 1024, 3, "units"), (12, 1 / 2048, 4, ""),
                  (25, count / 16 / tick / 4096, 4, "m/s"), (26, count / 16 / tick, 4, "m/s"),
                  (29, 9.6 / 4096, 4, "A"), (31, 1 / RULE, 4, "units"))
         table = self.js("return [...document.querySelectorAll('#sample details tbody tr')].map("

@@ -116,7 +116,8 @@ TEST_CASE("a precision run records set point, law and estimates of each axis") {
     CHECK(far.model_m.is < 50e-6);
     CHECK(far.change_m_s.is < 0.01);
     CHECK(far.d_A.is < 0.15);
-    CHECK(far.ref_A.is < 0.3);
+    // In the identification move a mass changes by a quarter in a knot: 0.2 A on top of the lag.
+    CHECK(far.ref_A.is < 0.5);
     for (std::size_t k = 0; k < result.samples.size(); ++k) {
       const Sample sample = result.samples[k];
       if (sample.tick < result.first_tick) continue;

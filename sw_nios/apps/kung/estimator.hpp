@@ -54,8 +54,8 @@ class Estimator {
  private:
   static constexpr std::uint32_t kFirst = 5;  // sums before the first sample
   static constexpr std::int32_t kOne = 1024;  // regressor of a constant force
-  // R at the start, and what forgetting leaves of it. On the few mm of the identification move cogging
-  // is a constant force: its larger weights give what cannot be told apart to the force.
+  // R at the start, and what forgetting leaves of it. Within the identification move cogging is a
+  // constant force: by its larger weights the difference goes to the force.
   static constexpr std::int32_t kCogging = 3 << 19;
   static constexpr std::array<std::int32_t, kUnknowns> kStart{2048,     8192,     98304,
                                                               kCogging, kCogging, 1024};

@@ -18,9 +18,8 @@ constexpr std::uint32_t kK1 = 3;                         // of the gains
 constexpr std::int32_t kLate = 16 * 256 * 32;  // 16 counts in the mean of a knot [ERR_SUM]
 constexpr std::int32_t kSlower = 4;            // K1 times 2^-4: late on circle and window, no swing
 
-// A force that is corrected at once is a step that the observer's disturbance, which has carried the
-// difference until now, takes back too late: 16 ms are slow for it. A new mass is no such step, as
-// RATIO leaves the current where it was.
+// The observer's d has carried what a corrected force adds at once, and gives it back too late:
+// 16 ms are slow for it. A new mass is no such step, as RATIO leaves the current where it was.
 constexpr std::uint32_t kFollow = 3;  // 2^-3 a knot
 
 void follow(Estimator::Theta& fed, const Estimator::Theta& found) {

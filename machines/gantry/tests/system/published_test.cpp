@@ -223,11 +223,11 @@ TEST_CASE("K = 11 of the cascade rests with a sensor of 9 ms, oscillates with le
   CHECK(step_of(options).swing_mm > 5);
 }
 
-TEST_CASE("figures 50 to 54 with sums per tick: a pass of 1.5 ms and a sensor of 8.75 ms") {
+TEST_CASE("figures 50 to 54 with sums per tick: a pass of 1.5 ms and a sensor of 8.5 ms") {
   Options options = built_in("gantry-cascade-30");
   options.firmware.velocity.per_tick = true;
   options.pass_ms = 1.5;
-  options.axis.delay = 8.75e-3;
+  options.axis.delay = 8.5e-3;
   for (const int gain : {9, 10, 11}) {
     options.firmware.cascade_gain = gain;
     const StepFigures f = step_of(options);

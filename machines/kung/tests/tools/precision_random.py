@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Drive random programs of slow and fast parts with the precision controller.
 
-usage: scripts/tool precision-programs [--count N] [--first SEED] [--jobs N] [--program FILE]
+usage: scripts/tool precision-random [--count N] [--first SEED] [--jobs N] [--program FILE]
 
 Each program is lines and arcs from a random place. Its slow parts, at 2 to 8 mm/s, are too slow for
 the estimator to learn from; fast parts at 0.1 to 0.3 m/s follow. Payload, friction, cogging, noise
@@ -84,7 +84,7 @@ class Programs:
 
 
 def main():
-    parser = python_tools.Parser(prog="scripts/tool precision-programs", description=__doc__)
+    parser = python_tools.Parser(prog="scripts/tool precision-random", description=__doc__)
     parser.add_argument("--count", type=int, default=20, metavar="N")
     parser.add_argument("--first", type=int, default=0, metavar="SEED")
     arguments = gen_precision.arguments_of_runs(parser)
@@ -108,10 +108,10 @@ def main():
         if figures["end"] != 0 or most > gen_precision.MOST:
             above.append(f"program {seed}: {most:.1f} um from the command, ends with "
                          f"{figures['end']}; at most {gen_precision.MOST:g} um are allowed")
-    print(f"precision-programs: {arguments.count} programs, at most {worst:.1f} um from the "
+    print(f"precision-random: {arguments.count} programs, at most {worst:.1f} um from the "
           f"command, {len(above)} above {gen_precision.MOST:g} um")
     for line in above:
-        print(f"precision-programs: {line}", file=sys.stderr)
+        print(f"precision-random: {line}", file=sys.stderr)
     return 1 if above else 0
 
 
