@@ -56,8 +56,9 @@ std::string answer_text(const Result& result, std::size_t k) {
     case LarsonOp::kWttbl: return answer.value == 1 ? "normal" : "error";
     case LarsonOp::kWhrtbl: {
       const auto& moving = result.done[k].moving;
-      return fmt::format("{} {}{}", answer.at.x, answer.at.y,
-                         moving[0] || moving[1] ? ", in motion" : "");
+      return fmt::format("{} {}{}{}", answer.at.x, answer.at.y,
+                         moving[0] || moving[1] ? ", in motion" : "",
+                         answer.value == 0 ? "" : ", not calibrated");
     }
     case LarsonOp::kAbstbl:
     case LarsonOp::kReltbl:

@@ -3,7 +3,12 @@
 // Whether the table is where its program has it, by the true places of its rotors.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
+#include <optional>
+#include <vector>
 
 #include "machines/larson/machine.hpp"
 
@@ -12,14 +17,38 @@ namespace {
 
 char name_of_axis(std::size_t axis) { return axis == 0 ? 'X' : 'Y'; }
 
-// "X lost 10 steps in 3 slips; the first at step 1234, 0.512 s into the run".
+// [step] Farthest from its place that slips have put a rotor.
+int most_lost(const std::vector<plant::StepsLost>& slips) {
+  int now = 0, most = 0;
+  for (const plant::StepsLost& one : slips) {
+    now += one.steps;
+    most = std::max(most, std::abs(now));
+  }
+  return most;
+}
+
+// "X lost 10 steps in 3 slips; the first at step 1234, 0.512 s into the run", or, where slips took
+// each other back, "X lost up to 20 steps in 3 slips, 10 at the end; ...".
 std::string losses(const Options& options, const Result& result, std::size_t axis) {
   const auto& slips = result.slips[axis];
-  return fmt::format("{} lost {} steps{}; the first at step {:.0f}, {:.3f} s into the run",
-                     name_of_axis(axis), result.lost[axis],
+  const int most = most_lost(slips), last = result.lost[axis];
+  return fmt::format("{} lost {}{} steps{}{}; the first at step {:.0f}, {:.3f} s into the run",
+                     name_of_axis(axis), most == last ? "" : "up to ", most,
                      slips.size() > 1 ? fmt::format(" in {} slips", slips.size()) : "",
-                     slips.front().at,
+                     most == last ? "" : fmt::format(", {} at the end", last), slips.front().at,
                      cosim::seconds_of(slips.front().edge, options.axis.clock_ps));
+}
+
+// The axis that is farther from where its program has it, or "" where both are there.
+std::string place_missed(const Options& options, const Result& result) {
+  const std::array<double, 2> known{static_cast<double>(result.known.x),
+                                    static_cast<double>(result.known.y)};
+  std::array<double, 2> off{};
+  for (std::size_t k = 0; k < 2; ++k) off[k] = result.end_at[k] - result.origin[k] - known[k];
+  const std::size_t worse = std::fabs(off[1]) > std::fabs(off[0]) ? 1 : 0;
+  if (std::fabs(off[worse]) <= options.reached_steps) return "";
+  return fmt::format("{} is {:.1f} steps from {:.0f}, where its program has it "
+                     "(run.reached_steps)", name_of_axis(worse), off[worse], known[worse]);
 }
 
 }  // namespace
@@ -40,12 +69,14 @@ std::string breach_text(const plant::StepBreach& breach, std::int64_t clock_ps) 
 
 std::string what_missed(const Options& options, const Result& result) {
   const bool failed = result.end == cosim::EndReason::kFault;
+  std::optional<std::size_t> worse;
   for (std::size_t k = 0; k < 2; ++k) {
     // A table whose switch fails is driven into its stop: what it loses there is no news.
     const auto& slips = result.slips[k];
     if (slips.empty() || (failed && slips.front().at_stop)) continue;
-    return losses(options, result, k) + (failed ? "; " + result.fault : "");
+    if (!worse || most_lost(slips) > most_lost(result.slips[*worse])) worse = k;
   }
+  if (worse) return losses(options, result, *worse) + (failed ? "; " + result.fault : "");
   for (std::size_t k = 0; k < 2; ++k) {
     const auto& breaches = result.breaches[k];
     if (breaches.empty()) continue;
@@ -55,15 +86,12 @@ std::string what_missed(const Options& options, const Result& result) {
                        breach_text(breaches.front(), options.axis.clock_ps)) +
            (failed ? "; " + result.fault : "");
   }
-  if (failed || !result.calibrated) return "";
-  for (std::size_t k = 0; k < 2; ++k) {
-    const double known = k == 0 ? result.known.x : result.known.y;
-    const double off = result.end_at[k] - result.origin[k] - known;
-    if (std::fabs(off) <= options.reached_steps) continue;
-    return fmt::format("{} is {:.1f} steps from {:.0f}, where its program has it "
-                       "(run.reached_steps)", name_of_axis(k), off, known);
-  }
-  return "";
+  if (failed || !(result.calibrated || result.stopped != 0)) return "";
+  const std::string place = place_missed(options, result);
+  if (result.stopped == 0) return place;
+  constexpr std::array<const char*, 4> kAxis{"", "X", "Y", "X and Y"};
+  return fmt::format("a switch stopped {}, and no CALTBL followed{}{}",
+                     kAxis[result.stopped & 3], place.empty() ? "" : "; ", place);
 }
 
 }  // namespace trammel::larson

@@ -79,6 +79,7 @@ struct Result : cosim::RunResult {
   std::array<double, 2> origin{};          // [step] of the calibration point, its (0, 0)
   std::uint32_t interrupts = 0, err_byte = 0;
   bool calibrated = false;
+  unsigned stopped = 0;  // bit 0 X, bit 1 Y: by a switch, without a CALTBL behind it
 };
 
 inline constexpr std::size_t kMostEvents = 5000;

@@ -368,6 +368,7 @@ std::unique_ptr<cosim::RunResult> Session::result() {
   result->origin = origin_;
   result->known = app_.table().known();
   result->calibrated = app_.table().calibrated();
+  result->stopped = app_.table().stopped();
   result->interrupts = interrupts_;
   result->err_byte = chip_->err_byte();
   result->event_hash = hash_.value();

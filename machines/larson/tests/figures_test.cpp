@@ -296,23 +296,41 @@ TEST_CASE("larson: a table is missed beyond its limit, in each axis and sense, o
                                (axis == 0 ? "100" : "200") +
                                ", where its program has it (run.reached_steps)";
       CHECK(larson::what_missed(options, result) == (std::fabs(off) > 3 ? text : ""));
-      result.calibrated = false;  // it has it nowhere
+      result.calibrated = false;  // it has it nowhere,
       CHECK(larson::what_missed(options, result) == "");
-      result.lost[axis] = 10;  // forward by 20, and back by 10
+      result.stopped = axis == 0 ? 1 : 2;  // or a switch has stopped it: it has not arrived
+      CHECK(larson::what_missed(options, result) ==
+            "a switch stopped " + name + ", and no CALTBL followed" +
+                (std::fabs(off) > 3 ? "; " + text : ""));
+      const std::string first = "; the first at step 1234, 1.500 s into the run";
+      result.lost[axis] = 20;
       result.slips[axis] = {{75'000'000, 1234, 20, false}};
-      const std::string lost = name + " lost 10 steps", first = "; the first at step 1234, 1.500 s";
-      CHECK(larson::what_missed(options, result) == lost + first + " into the run");
+      CHECK(larson::what_missed(options, result) == name + " lost 20 steps" + first);
+      result.lost[axis] = 10;
       result.slips[axis].push_back({80'000'000, 5, -10, false});
-      CHECK(larson::what_missed(options, result) == lost + " in 2 slips" + first + " into the run");
+      const std::string most = name + " lost up to 20 steps in 2 slips, 10 at the end";
+      CHECK(larson::what_missed(options, result) == most + first);
       // Where CALTBL fails: in its way a motor is too weak, at the stop a switch is the cause.
       result.end = cosim::EndReason::kFault;
       result.fault = "CALTBL found no switch";
-      CHECK(larson::what_missed(options, result) ==
-            lost + " in 2 slips" + first + " into the run; CALTBL found no switch");
+      CHECK(larson::what_missed(options, result) == most + first + "; CALTBL found no switch");
       result.slips[axis].front().at_stop = true;
       CHECK(larson::what_missed(options, result) == "");
     }
   }
+}
+
+TEST_CASE("larson: of two axes that are missed the one that was farther off is named") {
+  larson::Result result;
+  result.calibrated = true;
+  result.end_at = {30, -40};
+  CHECK_THAT(larson::what_missed({}, result), Catch::StartsWith("Y is -40.0 steps from 0"));
+  result.slips[0] = {{50'000'000, 7, 10, false}};
+  result.slips[1] = {{60'000'000, 8, -70, false}, {70'000'000, 9, 70, false}};
+  result.lost = {10, 0};
+  CHECK(larson::what_missed({}, result) ==
+        "Y lost up to 70 steps in 2 slips, 0 at the end; the first at step 8, 1.200 s into the "
+        "run");
 }
 
 TEST_CASE("larson: a run with pulses that made no step is missed, and says why of the first") {

@@ -28,6 +28,7 @@ TEST_CASE("before CALTBL no move begins: -1, nothing is written, and nothing wai
   CHECK(program.answers[1].value == kNotYet);
   CHECK(program.answers[2].value == 1);
   CHECK(program.answers[3].at.x == 0);
+  CHECK(program.answers[3].value == kNotYet);
   CHECK(program.bus.starts.empty());
   CHECK(program.bus.timers.empty());
 }
@@ -102,7 +103,8 @@ TEST_CASE("where a switch ended a move WHRTBL tells it, from either side, and WT
     StepTableSetup setup;
     setup.margin = 50;
     Program program({kCal, {LarsonOp::kAbstbl, 100, 60}, kWait,
-                     {LarsonOp::kAbstbl, high ? 200 : 10, 60}, kWait, kWhere, kWait, kCal},
+                     {LarsonOp::kAbstbl, high ? 200 : 10, 60}, kWait, kWhere, kWait, kCal,
+                     kWhere},
                     setup);
     program.run_to(4);
     FakeTable::Axis& x = program.bus.axes[0];
@@ -111,9 +113,11 @@ TEST_CASE("where a switch ended a move WHRTBL tells it, from either side, and WT
     CHECK(program.answers[4].value == 0);
     CHECK(program.answers[5].at.x == (high ? 120 : 80));
     CHECK(program.answers[5].at.y == 60);
+    CHECK(program.answers[5].value == kNotYet);
     CHECK(program.answers[6].value == 1);
     CHECK(program.app.mailbox().failure == 0);
     CHECK(program.app.table().calibrated());  // by the CALTBL behind it
+    CHECK(program.answers[8].value == 0);
   }
 }
 

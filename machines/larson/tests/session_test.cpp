@@ -362,3 +362,33 @@ TEST_CASE("larson: calls end at the same clocks and places, whatever the look-ah
     }
   }
 }
+
+TEST_CASE("larson: a move turned by hand into its switch is missed until the next CALTBL") {
+  for (const std::string axis : kName) {
+    const std::string turned = "CALTBL\nVELTBL 400 400\nABSTBL 60 70\nBIC " + axis +
+                               "STATUS 020000\nWAIT 400\n";
+    CAPTURE(axis);
+    const Result lost = Scripted(turned + "WHRTBL\n").run().result;
+    CHECK(lost.end == cosim::EndReason::kMissed);
+    CHECK_THAT(lost.fault, Catch::StartsWith("a switch stopped " + axis + ","));
+    CHECK(Scripted(turned + "CALTBL\nWHRTBL\n").run().result.end == cosim::EndReason::kDone);
+  }
+}
+
+TEST_CASE("larson: without its buffer a motor takes at 1150 PPS each move, at 1600 no short one") {
+  const auto slips = [](const std::string& moves) {
+    Scripted script("CALTBL\nVELTBL 400 400\nABSTBL 50 0\nWTTBL\nWAIT 300\n" + moves);
+    script.options.axis.buffer.fitted = false;
+    script.options.axis.motor.friction = 0.0565;  // [N m] 0.5 lb-in
+    script.options.run.max_s = 100;
+    return script.run().result.slips[0].size();
+  };
+  std::string each = "VELTBL 1150 400\n";  // from two phases, and from three
+  for (int move = 1; move <= 49; ++move) {
+    each += "RELTBL " + std::to_string(move <= 24 ? move : move == 25 ? 1 : move - 25) +
+            " 0\nWTTBL\nWAIT 300\n";
+  }
+  CHECK(slips(each) == 0);
+  CHECK(slips("VELTBL 1600 400\nRELTBL 200 0\nWTTBL\nRELTBL 201 0\nWTTBL\n") == 0);
+  CHECK(slips("VELTBL 1600 400\nRELTBL 15 0\nWTTBL\n") == 1);
+}

@@ -91,6 +91,8 @@ bool LarsonApp::begin(Bus& bus, const LarsonCall& call, LarsonAnswer& answer) {
       return true;
     case LarsonOp::kWhrtbl:
       answer.at = table_.whrtbl(bus);
+      answer.value = static_cast<std::int32_t>(
+          table_.calibrated() ? StepAnswer::kStarted : StepAnswer::kNotCalibrated);
       return true;
     case LarsonOp::kWait:
       wait(bus, static_cast<std::uint32_t>(call.a));

@@ -32,7 +32,8 @@ struct LarsonCall {
 };
 
 struct LarsonAnswer {
-  std::int32_t value = 0;  // WTTBL: 1 normal, 0 error; ABSTBL, RELTBL: a StepAnswer
+  // WTTBL: 1 normal, 0 error; ABSTBL, RELTBL: a StepAnswer; WHRTBL: 0, or kNotCalibrated.
+  std::int32_t value = 0;
   StepPoint at;            // WHRTBL
 };
 

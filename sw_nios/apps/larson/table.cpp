@@ -97,6 +97,7 @@ void StepTable::ended(Bus& bus, std::uint32_t axis) {
     seek_on(bus, axis);
   } else if (a.at_switch) {
     error_ = true;
+    if (calibrated_ || stopped_ != 0) stopped_ |= 1u << axis;
     calibrated_ = false;  // what the buffer held is lost
   }
 }
@@ -109,6 +110,7 @@ void StepTable::on_vector(Bus& bus, std::uint32_t vector) {
 void StepTable::caltbl(Bus& bus) {
   if (busy()) return;
   calibrated_ = error_ = false;
+  stopped_ = 0;
   const std::int32_t far = setup_.soft_end > kTravel ? kFar : 2 * kTravel;
   for (std::uint32_t k = 0; k < 2; ++k) {
     axes_[k].from = 0;

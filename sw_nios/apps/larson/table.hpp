@@ -62,6 +62,8 @@ class StepTable {
   std::uint32_t settling();
 
   bool calibrated() const { return calibrated_; }
+  // Axes that a switch has stopped since the table was calibrated: bit 0 X, bit 1 Y.
+  std::uint32_t stopped() const { return stopped_; }
   StepPoint known() const { return {axes_[0].from, axes_[1].from}; }  // where the last moves ended
 
   // The rate code of a velocity: 240 kHz / (4096 - code), at most 4000 pulses per second.
@@ -92,6 +94,7 @@ class StepTable {
   StepTableSetup setup_;
   Axis axes_[2];
   bool calibrated_ = false;
+  std::uint32_t stopped_ = 0;  // by a switch, since then
   bool error_ = false;  // of the moves since the last WTTBL
   bool settled_ = true;  // no move since
 };

@@ -307,7 +307,7 @@ TEST_CASE("a table that is not where its program has it is missed, on either axi
   }
 }
 
-TEST_CASE("a switch that never closes ends CALTBL, one that closes too early a move") {
+TEST_CASE("a switch that never closes ends CALTBL, one that closes too early a move, missed") {
   Switches script("CALTBL\nVELTBL 400 400\nABSTBL 100 100\nWTTBL\nABSTBL 5 5\nWHRTBL\n");
   for (const int axis : {0, 1}) {
     CAPTURE(axis);
@@ -325,6 +325,11 @@ TEST_CASE("a switch that never closes ends CALTBL, one that closes too early a m
     CHECK(answer(closed, 2).value == 0);
     CHECK(answer(closed, 1).value == static_cast<int>(sw::StepAnswer::kNotCalibrated));
     CHECK_FALSE(closed.calibrated);
+    CHECK(closed.end == cosim::EndReason::kMissed);
+    CHECK_THAT(closed.fault, Catch::StartsWith(std::string("a switch stopped ") +
+                                               (axis == 0 ? "X," : "Y,")));
+    const std::string where = larson::remarks(lab::run(script.options)).back();
+    CHECK_THAT(where, Catch::EndsWith(", not calibrated"));
   }
 }
 
