@@ -48,6 +48,8 @@ StepFigures step_figures(const Options& options, const Result& result) {
     }
   }
   f.swing_mm = std::max(0.0, high - low);
+  f.begun = result.samples.empty() ||
+            cosim::seconds_of(result.samples.back().edge, options.axis.clock_ps) >= begin;
   return f;
 }
 
@@ -69,7 +71,7 @@ std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult
   using lab::count;
   using lab::figure;
   // Homing alone goes to a stop, and nothing asks for a step.
-  if (options.serial || !read_sends(options.sends).empty()) {
+  if (f.begun && (options.serial || !read_sends(options.sends).empty())) {
     add(figure("step.overshoot_mm", "step", "overshoot", f.overshoot_mm, "mm", 3));
     add(figure("step.overshoot_percent", "step", "overshoot of the step",
                step > 0 ? 100 * f.overshoot_mm / step : 0, "%", 2),
@@ -87,9 +89,11 @@ std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult
                "s", 3),
         "Settled");
   }
-  add(figure("step.rest_mm", "step", "from the reference at the end", f.rest_mm, "mm", 3),
-      "Rest");
-  add(figure("step.swing_mm", "step", "peak to peak over the last quarter", f.swing_mm, "mm", 3));
+  if (f.begun) {
+    add(figure("step.rest_mm", "step", "from the reference at the end", f.rest_mm, "mm", 3),
+        "Rest");
+    add(figure("step.swing_mm", "step", "peak to peak over the last quarter", f.swing_mm, "mm", 3));
+  }
   if (options.firmware.open != sw::OpenForce::kNone) list = open_figures(options, result);
   add(figure("max_speed_mm_s", "largest speed", "", speed, "mm/s", 1), "Largest speed");
   add(count("max_force", "largest force of either motor", "", force, "count"));
@@ -114,7 +118,9 @@ std::vector<std::string> remarks(const lab::Record& record) {
   }
   const StepFigures step = step_figures(options, result);
   const bool steps = options.firmware.open == sw::OpenForce::kNone && !result.samples.empty();
-  if (steps && step.arrive_s < 0) {
+  if (steps && !step.begun) {
+    lines.push_back("the run ended before the last of host.sends: the step has no figures");
+  } else if (steps && step.arrive_s < 0) {
     lines.push_back(fmt::format("the cart was never within {:g} mm of {:g} mm (step.band_mm)",
                                 options.band_mm, options.reference_mm));
   } else if (steps && step.settle_s < 0) {

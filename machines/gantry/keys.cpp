@@ -117,7 +117,8 @@ void add_position(Table& t) {
 void add_axis(Table& t) {
   t.one("axis.start_m", -0.001, 0.471, "where the cart stands", TRAMMEL_LENS(axis.start));
   t.one("axis.coulomb_count", 0, 500, "friction, in force counts", TRAMMEL_LENS(axis.coulomb));
-  t.one("axis.stiction_count", 0, 500, "force at which the cart breaks away",
+  t.one("axis.stiction_count", 0, 500,
+        "force at which the whole track breaks away; each mass has its share",
         TRAMMEL_LENS(axis.stiction));
   t.one("axis.viscous_N_s_m", 0, 200, "of each motor", TRAMMEL_LENS(axis.viscous));
   for (std::size_t m = 0; m < kMotors; ++m) {

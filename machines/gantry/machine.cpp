@@ -57,6 +57,11 @@ void validate(lab::Settings& settings) {
         options.firmware.position.least, options.firmware.position.most));
   }
   const sw::GantrySetup& firmware = options.firmware;
+  if (firmware.calibrate && !firmware.home) {
+    throw lab::ConfigError(
+        "boot.calibrate: true, and boot.home is false; permitted: with boot.home=true, whose zero "
+        "the calibration run counts from");
+  }
   if (firmware.open != sw::OpenForce::kNone && firmware.open_force == 0) {
     throw lab::ConfigError(
         "control.open_force: 0 moves nothing; permitted with control.open: any other");
@@ -75,6 +80,16 @@ void validate(lab::Settings& settings) {
         "permitted then: 0.5, 1, 2, 2.5, 5, 10 and other parts",
         options.pass_ms, kEstimate_ms));
   }
+}
+
+// What of host.sends no run of these settings sends.
+std::vector<std::string> warnings(const lab::Settings& settings) {
+  const auto& options = static_cast<const Options&>(settings);
+  const auto sends = read_sends(options.sends);
+  if (options.serial || sends.empty() || sends.back().at_s < options.time_s) return {};
+  return {fmt::format("host.sends: its last entry is at {:g} s, and the run ends at {:g} s "
+                      "(run.time_s): it is not sent",
+                      sends.back().at_s, options.time_s)};
 }
 
 std::string verdict(const lab::Settings& settings, const cosim::RunResult& run) {
@@ -99,6 +114,7 @@ lab::Machine describe() {
   m.of_types<Options, Session>();
   m.keys = keys;
   m.validate = validate;
+  m.warnings = warnings;
   m.triggers = triggers;
   m.vcd_bytes_s = 5e9;
   m.fst_bytes_s = 2e7;

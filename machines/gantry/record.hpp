@@ -54,6 +54,7 @@ struct StepFigures {
   double settle_s = -1;       // until it stays within 2 % of the step
   double rest_mm = 0;         // from the reference at the end
   double swing_mm = 0;        // peak to peak over the last quarter
+  bool begun = true;          // false: the last of host.sends is behind the end
 };
 StepFigures step_figures(const Options& options, const Result& result);  // figures.cpp
 

@@ -208,6 +208,24 @@ std::vector<cosim::Place> Session::places() const {
   return {{"", "mm", 1e3 * plant_.axis().cart(chip_->now())}};
 }
 
+// Why a run that came to its end is not done; "" where it is.
+std::string Session::missed(const Result& result) const {
+  if (lost_s_) {
+    return fmt::format("the observer has lost a stripe: at {:.3f} s it was {:.2f} mm off the cart",
+                       *lost_s_, lost_mm_);
+  }
+  const sw::GantryPhase phase = app_.phase();
+  if (phase == sw::GantryPhase::kHoming) return "homing did not end";
+  if (phase == sw::GantryPhase::kToFit || phase == sw::GantryPhase::kFitting) {
+    return "the calibration run did not end";
+  }
+  if (options_.reached_mm < 0 || result.samples.empty()) return "";
+  const StepFigures step = step_figures(options_, result);
+  if (!step.begun) return "the run ended before the last of host.sends (run.reached_mm)";
+  if (std::fabs(step.rest_mm) <= options_.reached_mm) return "";
+  return fmt::format("the cart is {:.2f} mm from its reference (run.reached_mm)", step.rest_mm);
+}
+
 std::unique_ptr<cosim::RunResult> Session::result() {
   auto result = std::make_unique<Result>();
   result->samples = std::move(samples_);
@@ -235,18 +253,9 @@ std::unique_ptr<cosim::RunResult> Session::result() {
   result->event_hash = hash_.value();
   result->events = hash_.events();
   if (fault_watch_) result->fault_report = fault_watch_->report();
-  if (end_ == cosim::EndReason::kDone && options_.reached_mm >= 0 && !result->samples.empty()) {
-    const double off = step_figures(options_, *result).rest_mm;
-    if (std::fabs(off) > options_.reached_mm) {
-      result->end = cosim::EndReason::kMissed;
-      result->fault = fmt::format("the cart is {:.2f} mm from its reference (run.reached_mm)", off);
-    }
-  }
-  if (end_ == cosim::EndReason::kDone && lost_s_ && !options_.fault.any()) {
-    result->end = cosim::EndReason::kMissed;
-    result->fault = fmt::format(
-        "the observer has lost a stripe: at {:.3f} s it was {:.2f} mm off the cart", *lost_s_,
-        lost_mm_);
+  if (result->end == cosim::EndReason::kDone && !waves_.found()) {
+    result->fault = missed(*result);
+    if (!result->fault.empty()) result->end = cosim::EndReason::kMissed;
   }
   close_result(*result, *chip_, waves_.window, started_);
   return result;

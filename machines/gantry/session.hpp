@@ -42,6 +42,7 @@ class Session final : public cosim::Session, private cosim::Observer, public cos
   cosim::Plant& seen();
   std::string noticed() const;
   std::string failure() const;
+  std::string missed(const Result& result) const;
 
   Options options_;
   cosim::Hooks hooks_;

@@ -99,6 +99,22 @@ TEST_CASE("gantry: homing counts its rest anew at each count that the cart moves
   CHECK(track.app.zero() == 2);
 }
 
+TEST_CASE("gantry: homing ends 0.1 s later where the position jitters by a count, never by two") {
+  for (const std::int32_t jitter : {1, 2}) {
+    sw::GantrySetup setup;
+    setup.home = true;
+    setup.home_ticks = 1000;
+    Track track(setup);
+    track.pass(9);
+    for (int k = 0; k < 14; ++k) track.pass(k % 2 == 0 ? 3 : 3 + jitter, 100);
+    CHECK(track.force(1) == 0x150);
+    for (int k = 0; k < 8; ++k) track.pass(k % 2 == 0 ? 3 : 3 + jitter, 100);
+    CHECK(track.force(1) == (jitter == 1 ? 0 : 0x150));
+    for (int k = 0; k < 8; ++k) track.pass(k % 2 == 0 ? 3 : 3 + jitter, 100);
+    CHECK(track.app.homed() == (jitter == 1));
+  }
+}
+
 TEST_CASE("gantry: rest is counted from the first pass that has a position, however late it is") {
   sw::GantrySetup setup;
   setup.home = true;

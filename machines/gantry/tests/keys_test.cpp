@@ -135,5 +135,8 @@ TEST_CASE("gantry: forces that exclude each other are refused, each pair by its 
   CHECK_THAT(told("[position]\nmin_force = 301\nmax_force = 300\n"),
              Catch::EndsWith("position.min_force: 301 is above position.max_force, 300; "
                              "permitted: at most that"));
+  CHECK(told("[boot]\nhome = true\ncalibrate = true\n") == "");
+  CHECK_THAT(told("[boot]\ncalibrate = true\n"),
+             Catch::Contains("boot.calibrate: true, and boot.home is false; permitted: with "));
   CHECK_THAT(told("[host]\nsends = \"1:32=1\"\n"), Catch::Contains("host.sends: \"1:32=1\""));
 }

@@ -232,6 +232,27 @@ TEST_CASE("gantry: a cart that is not at its reference has missed it, on either 
   }
 }
 
+TEST_CASE("gantry: a run that ends before its last send has no step, and misses its reference") {
+  Options options = by_twin(0.01);
+  options.sends = "0.005:21=0 0.02:21=305";
+  Result result = lab::simulate(options);
+  CHECK(result.end == cosim::EndReason::kDone);
+  for (const lab::Figure& f : gantry::figures(options, result)) {
+    CAPTURE(f.id);
+    CHECK(f.id.rfind("step.", 0) != 0);
+  }
+  options.reached_mm = 400;
+  result = lab::simulate(options);
+  CHECK(result.end == cosim::EndReason::kMissed);
+  CHECK(result.fault == "the run ended before the last of host.sends (run.reached_mm)");
+  REQUIRE(machine().warnings(options).size() == 1);
+  CHECK(machine().warnings(options)[0] ==
+        "host.sends: its last entry is at 0.02 s, and the run ends at 0.01 s (run.time_s): it is "
+        "not sent");
+  options.time_s = 0.03;
+  CHECK(machine().warnings(options).empty());
+}
+
 TEST_CASE("gantry: a program that fails ends the run at once where the cart stands, and says why") {
   struct Case {
     const char* why;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <string>
+#include <utility>
 
 #include "lab/record.hpp"
 #include "machines/gantry/machine.hpp"
@@ -88,6 +89,22 @@ TEST_CASE("gantry: the current is that of both motors, pull they together or apa
       CHECK(force[0] == Approx(-1023 * first).margin(1));  // negative: the position increases
       CHECK(force[1] == Approx(-1023 * second).margin(1));
     }
+  }
+}
+
+TEST_CASE("gantry: a run whose homing, or calibration run, has not ended has missed") {
+  for (const auto& [time_s, why] : {std::pair{0.3, "homing did not end"},
+                                    {1.5, "the calibration run did not end"}, {0.6, ""}}) {
+    Options options = by_twin(time_s);
+    options.sends = "";
+    options.axis.start = 0.01;
+    options.firmware.home = true;
+    options.firmware.home_ticks = 100;
+    options.firmware.calibrate = time_s > 1;
+    const Result result = lab::simulate(options);
+    CAPTURE(time_s);
+    CHECK(result.fault == why);
+    CHECK(result.end == (*why ? cosim::EndReason::kMissed : cosim::EndReason::kDone));
   }
 }
 

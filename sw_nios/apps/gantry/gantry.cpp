@@ -69,8 +69,8 @@ void GantryApp::pass(Bus& bus) {
   filtered_ = other_ != nullptr ? other_->step(velocity, forces_) : filter_.step(velocity);
   if (!seen_) {
     seen_ = true;
-    still_count_ = count_;
-    still_tick_ = last_tick_ = moved_tick_ = ticks;
+    still_count_ = near_count_ = count_;
+    still_tick_ = near_tick_ = last_tick_ = moved_tick_ = ticks;
   }
   if (failed(bus, ticks)) return;
   if (phase_ == GantryPhase::kHoming) {
@@ -89,7 +89,8 @@ void GantryApp::pass(Bus& bus) {
 }
 
 // Both motors to the right, until the position has not changed for long; then both rest until the
-// stop has pushed the cart back. Zero is there, so that nothing pushes against the stop.
+// stop has pushed the cart back. Zero is there, so that nothing pushes against the stop. Noise may
+// move the position between two neighbouring counts for ever: then it rests after 0.1 s more.
 void GantryApp::home(Bus& bus, std::int32_t count, std::uint32_t ticks) {
   const std::int32_t force = released_ ? 0 : c_.home_force;
   go(bus, {force, force});
@@ -97,10 +98,15 @@ void GantryApp::home(Bus& bus, std::int32_t count, std::uint32_t ticks) {
     still_count_ = count;
     still_tick_ = ticks;
   }
-  if (ticks - still_tick_ < (released_ ? kReleaseTicks : c_.home_ticks)) return;
+  if (count < near_count_ || count > near_count_ + 1) {
+    near_count_ = count < near_count_ ? count : count - 1;
+    near_tick_ = ticks;
+  }
+  const std::uint32_t rest = released_ ? kReleaseTicks : c_.home_ticks;
+  if (ticks - still_tick_ < rest && ticks - near_tick_ < rest + kReleaseTicks) return;
   if (!released_) {
     released_ = true;
-    still_tick_ = ticks;
+    still_tick_ = near_tick_ = ticks;
     return go(bus, {0, 0});
   }
   released_ = false;

@@ -118,8 +118,8 @@ class GantryApp final : public Firmware {
   CalibrationFit fit_;
   CalibrationWords words_{};
   std::int32_t count_ = 0, units_ = 0, zero_ = 0, goal_ = 0, error_ = 0, goal_velocity_ = 0;
-  std::int32_t still_count_ = 0;
-  std::uint32_t still_tick_ = 0, last_tick_ = 0, moved_tick_ = 0;
+  std::int32_t still_count_ = 0, near_count_ = 0;  // near: the lower of two neighbours
+  std::uint32_t still_tick_ = 0, near_tick_ = 0, last_tick_ = 0, moved_tick_ = 0;
   std::int32_t moved_count_ = 0;
   MotorForces forces_;                    // as last written
   std::uint32_t observed_ = 0x11;  // as last written

@@ -188,7 +188,9 @@ TEST_CASE("a converter that sticks or browns out, no supply: noticed where it is
   options.fault.kind = cosim::FaultKind::kConverterStuck;  // A, at 0.3 s
   options.fault.begin_s = 0.3;
   const Result blind = lab::simulate(options);
-  CHECK(blind.end == cosim::EndReason::kDone);
+  CHECK(blind.end == cosim::EndReason::kMissed);  // by the track's truth, not by the firmware
+  CHECK(blind.fault.rfind("the observer has lost a stripe: at 0.3", 0) == 0);
+  CHECK(blind.fault_report.by == "");
   options.firmware.stall_ticks = 230;
   const Result stuck = lab::simulate(options);
   CHECK(stuck.end == cosim::EndReason::kFault);
