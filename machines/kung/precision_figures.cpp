@@ -80,7 +80,7 @@ void add_estimates(std::vector<lab::Figure>& list, const Options& options, const
     };
     add("mass_kg", "mass", found.mass_kg, found.mass_limited, found.mass_mixed,
         plant.mass_kg + plant.payload_kg, "kg");
-    if (found.taught && found.mass_within_kg > 0) {
+    if (found.taught && !found.mass_limited && found.mass_within_kg > 0) {
       list.insert(list.end() - 1, lab::figure(axis + ".estimate.mass_kg_within", "mass of " + name,
                                               "+-", found.mass_within_kg, "kg", 2));
     }

@@ -258,6 +258,7 @@ TEST_CASE("an axis whose payload is beyond its motor is late and does not swing"
   for (std::size_t k = 1; k < off.size(); ++k) sides += (off[k] > 0) != (off[k - 1] > 0) ? 1 : 0;
   CHECK(sides <= 1);
   CHECK(off.size() > 100);
+  CHECK(lab::find_figure(record.figures, "x.estimate.mass_kg_within") == nullptr);  // at its limit
 }
 
 TEST_CASE("figures against the command are there for each controller on the feed profile") {
