@@ -240,7 +240,9 @@ TEST_CASE("a million bytes of any kind, then the track does as it is told", "[.m
   options.run.max_s = 100;
   options.record_ms = 10;
   const Result result = lab::simulate(options);
-  CHECK(result.end == cosim::EndReason::kDone);
+  // Among them are masks and slots of the observer, which loses the track meanwhile.
+  CHECK(result.end == cosim::EndReason::kMissed);
+  CHECK_THAT(result.fault, Catch::Contains("lost a stripe"));
   CHECK_FALSE(result.promise);
   CHECK(result.malformed > 5'000);
   CHECK(result.unknown > 100'000);
