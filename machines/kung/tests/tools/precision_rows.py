@@ -25,7 +25,9 @@ from trammel_tools import python_tools
 
 SHAPES = gen_precision.PATHS[:3]
 WORST = gen_precision.keys_of(0, 1.5, 3, True)  # light, with friction, cogging and noise
-HARMONIC = {"plant.cogging_harmonic": 6, "plant.cogging_harmonic_N": 2}
+# With 1 mA of noise: how an axis stands within its count is one draw without it.
+HARMONIC = {"plant.cogging_harmonic": 6, "plant.cogging_harmonic_N": 2,
+            "plant.current_noise_A": 0.001}
 LEARN = {"precision.learn": "true"}
 SETTLE = 0.4  # [s] at rest before a push
 
