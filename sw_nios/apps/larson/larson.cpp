@@ -111,7 +111,7 @@ bool LarsonApp::begin(Bus& bus, const LarsonCall& call, LarsonAnswer& answer) {
                 static_cast<std::uint32_t>(call.b) & 0xFF);
       return true;
     case LarsonOp::kPoll:
-      if ((bus.read(word_at(call.a)) & static_cast<std::uint32_t>(call.b)) == 0) return true;
+      if ((bus.read(word_at(call.a)) & static_cast<std::uint32_t>(call.b)) == 0) break;
       wait(bus, table_.poll_clk());
       return false;
   }
