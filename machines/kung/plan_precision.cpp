@@ -148,6 +148,17 @@ void check_rates(const Options& options) {
   fixed("chip.irq_period_ticks", options.chip.irq_period_ticks, kIrqTicks);
 }
 
+// How well the samples of an estimator know each of its unknowns.
+ideal::Knowledge<sw::Estimator::kUnknowns> knowledge_of(const sw::Estimator& estimator) {
+  std::array<std::array<double, sw::Estimator::kUnknowns>, sw::Estimator::kUnknowns> r{};
+  for (std::uint32_t i = 0; i < r.size(); ++i) {
+    for (std::uint32_t j = 0; j < r.size(); ++j) {
+      r[i][j] = static_cast<double>(estimator.weight(i, j));
+    }
+  }
+  return ideal::knowledge_of(r);
+}
+
 }  // namespace
 
 sw::LawGains law_gains(const std::string& keys, double w1_rad_s, double zeta, double w2_rad_s,
@@ -209,16 +220,6 @@ sw::PrecisionSetup plan_precision(const Options& options, const sw::KungSetup& s
     if (p.identify) check_wave(options, setup, a, axis.wave);
   }
   return s;
-}
-
-ideal::Knowledge<sw::Estimator::kUnknowns> knowledge_of(const sw::Estimator& estimator) {
-  std::array<std::array<double, sw::Estimator::kUnknowns>, sw::Estimator::kUnknowns> r{};
-  for (std::uint32_t i = 0; i < r.size(); ++i) {
-    for (std::uint32_t j = 0; j < r.size(); ++j) {
-      r[i][j] = static_cast<double>(estimator.weight(i, j));
-    }
-  }
-  return ideal::knowledge_of(r);
 }
 
 AxisEstimate estimate_of(const Options& options, std::size_t axis, const sw::Estimator& found) {

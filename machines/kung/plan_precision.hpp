@@ -6,7 +6,6 @@
 
 #include "machines/kung/options.hpp"
 #include "machines/kung/record.hpp"
-#include "models/ideal/normal_equations.hpp"
 #include "sw_nios/apps/kung/kung.hpp"
 
 namespace trammel::kung {
@@ -20,9 +19,6 @@ sw::LawGains law_gains(const std::string& keys, double w1_rad_s, double zeta, do
 sw::PrecisionSetup plan_precision(const Options& options, const sw::KungSetup& setup);
 
 inline constexpr int kKnee = 4;  // friction is complete at a sixteenth of its speed word
-
-// How well the samples of an estimator know each of its unknowns.
-ideal::Knowledge<sw::Estimator::kUnknowns> knowledge_of(const sw::Estimator& estimator);
 
 // Estimates in physical units, and which of them are at the ends of their ranges.
 AxisEstimate estimate_of(const Options& options, std::size_t axis,
