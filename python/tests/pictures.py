@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
 """Make the pictures of docs/one-to-a-million.md again, from what that page shows: its sweep, its
-study, and its block of Python that draws.
+study, and its block of Python that draws; and the circle of README.md.
 
 usage: PYTHONPATH=build/python .venv/bin/python3 python/tests/pictures.py
 
@@ -15,8 +15,10 @@ import sys
 from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "tests" / "support"))
+sys.path.insert(1, str(Path(__file__).resolve().parents[2] / "scripts"))
 import browser
 import trammel
+from trammel_tools import picture
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs" / "one-to-a-million.md"
@@ -50,24 +52,26 @@ def by_block():
     os.chdir(PICTURES)
     exec(compile(text, PAGE.name, "exec"), {"trammel": trammel})
     for file in re.findall(r'savefig\("(.*?)"', text):
-        lines = Path(file).read_text("utf-8").splitlines()  # the day is no part of the picture
-        Path(file).write_text("\n".join(line.rstrip() for line in lines if "dc:date" not in line)
-                              + "\n", "utf-8")
-        print(PICTURES / file)
+        write(file, Path(file).read_text("utf-8"))
+
+
+def write(file, text):
+    (PICTURES / file).write_text(picture.slim(text), "utf-8")
+    print(PICTURES / file)
 
 
 def main():
     browser.need("pictures")
-    for words in (SWEEP, STUDY):
+    for words in (["run", "circle"], SWEEP, STUDY):
         subprocess.run([sys.executable, "-m", "trammel", *words], check=True, cwd=ROOT)
     driver = browser.start(WIDTH)
     try:
         for folder, name, choices, file in DRAWN:
-            (PICTURES / file).write_text(drawn(driver, folder, name, choices), "utf-8")
-            print(PICTURES / file)
+            write(file, drawn(driver, folder, name, choices))
     finally:
         driver.quit()
     by_block()
+    write("circle.svg", (ROOT / "out" / "circle" / "path.svg").read_text("utf-8"))
     return 0
 
 

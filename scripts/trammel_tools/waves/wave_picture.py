@@ -4,6 +4,7 @@
 import json
 import re
 
+from trammel_tools import picture as pictures
 from trammel_tools.output_file import Refused
 from trammel_tools.text import one_line
 from trammel_tools.waves.wave_file import time_text, within
@@ -208,5 +209,5 @@ def svg(picture):
     # The words on arrows are drawn too small to read.
     text = re.sub(r'(translate\([^)]*\))("><rect height="10")', r"\1 scale(1.4)\2", text)
     # A ground of its own: black lines on a dark page are not seen.
-    return re.sub(r"(<svg[^>]*>)", r'\1<rect width="100%" height="100%" fill="white"/>', text,
-                  count=1) + "\n"
+    return pictures.slim(re.sub(
+        r"(<svg[^>]*>)", r'\1<rect width="100%" height="100%" fill="white"/>', text, count=1))

@@ -27,6 +27,7 @@ from pathlib import Path
 
 from trammel_tools import python_tools
 from trammel_tools.paths import ROOT
+from trammel_tools.picture import slim
 
 PAGE = ROOT / "docs" / "precision.md"
 PICTURE = ROOT / "docs" / "pictures" / "precision.svg"
@@ -221,7 +222,8 @@ def picture(bench):
                         print((int(line["tick"]) - first) / 2, 1e6 * math.hypot(*error), file=out)
             (Path(folder) / "trace.csv").rename(Path(folder) / f"{name}.txt")
         subprocess.run(["gnuplot"], input=GNUPLOT, text=True, check=True, cwd=folder)
-        PICTURE.write_bytes((Path(folder) / "precision.svg").read_bytes())
+        drawn = (Path(folder) / "precision.svg").read_text(encoding="utf-8")
+        PICTURE.write_text(slim(drawn), encoding="utf-8")
 
 
 def with_tables(page, tables):
