@@ -30,26 +30,6 @@ inline double figure(const lab::Record& record, const std::string& id) {
   return found->value;
 }
 
-// How a figure is told, but for its value: "step.rest_mm: step, overshoot [mm] 3 {Rest}", its tile
-// in braces; one that is not shown begins with "-".
-inline std::string shape(const lab::Figure& f) {
-  std::string text = (f.shown ? "" : "-") + f.id + ": " + f.row;
-  if (!f.column.empty()) text += ", " + f.column;
-  if (!f.unit.empty()) text += " [" + f.unit + "]";
-  text += f.digits == lab::Figure::kWhole ? " whole" : " " + std::to_string(f.digits);
-  return f.tile.empty() ? text : text + " {" + f.tile + "}";
-}
-
-// Figures in their order; tells the first that is another.
-inline void check_shapes(const std::vector<lab::Figure>& figures,
-                         const std::vector<std::string>& expected) {
-  for (std::size_t n = 0; n < std::min(figures.size(), expected.size()); ++n) {
-    INFO("figure " << n << " of the list");
-    REQUIRE(shape(figures[n]) == expected[n]);
-  }
-  CHECK(figures.size() == expected.size());
-}
-
 // What trace.csv holds of a sample: each column of the machine, named, with its value.
 template <class Options>
 std::map<std::string, double> row(const Options& options, const cosim::RunResult& result,

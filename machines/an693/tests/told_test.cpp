@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is told of a run of the machine an693: figures with their tiles, interrupts, remarks, what
-// it missed, in each program and sense, from results made by hand.
+// What is told of a run of the machine an693: figures, interrupts, remarks, what it missed, in each
+// program and sense, from results made by hand. docs/figures.md lists the figures.
 #include <catch2/catch.hpp>
 #include <cstdint>
 #include <cstdlib>
@@ -13,7 +13,6 @@
 
 #include "lab/record.hpp"
 #include "machines/an693/machine.hpp"
-#include "tests/support/columns.hpp"
 #include "tests/support/figures.hpp"
 
 using namespace trammel;
@@ -44,33 +43,6 @@ Result moved(const Options& options, int samples, Desired desired, Real real) {
 }
 
 }  // namespace
-
-TEST_CASE("an693: each figure of a run is told by its row, unit, digits and tile, if it is shown") {
-  for (const bool done : {true, false}) {
-    for (const auto program : {Program::kTuning, Program::kAbsolute, Program::kHold}) {
-      CAPTURE(done, static_cast<int>(program));
-      Options options;
-      options.program = program;
-      Result result;
-      result.end = done ? cosim::EndReason::kDone : cosim::EndReason::kStopped;
-      const std::string end = done ? "" : "-";
-      test::check_shapes(
-          figures(options, result),
-          {"motion.samples: motion [samples] whole",
-           "motion.time_s: motion [s] 4 {Motion}",
-           end + "motion.desired_count: end position, desired [counts] whole",
-           end + "motion.real_count: end position, real [counts] whole {Real position}",
-           "motion.overshoot_counts: overshoot [counts] 2 {Overshoot}",
-           std::string(program == Program::kTuning ? "" : "-") +
-               "motion.settled_s: first step settled [s] 4",
-           "motion.max_error_counts: largest error [counts] whole {Largest error}",
-           "motion.max_speed_rev_s: largest speed [rev/s] 3 {Top speed}",
-           "motion.max_voltage_V: largest voltage [V] 2",
-           "motion.max_current_A: largest current [A] 3 {Peak current}",
-           "motion.interrupts: host interrupts whole"});
-    }
-  }
-}
 
 TEST_CASE("an693: each largest value is that of either sign, in the first sample or the last") {
   for (const std::size_t at : {std::size_t{0}, std::size_t{4}}) {
@@ -262,13 +234,6 @@ TEST_CASE("an693: of steps there and back the odd ones end at the size, the othe
   }
 }
 
-TEST_CASE("an693: a page of several runs has what is compared, flags keep their bits") {
-  const lab::ColumnTable& table = machine().columns();
-  CHECK(test::marked(table, &lab::Column::compared) ==
-        "t_s theta_count e output omega_rad_s");
-  CHECK(test::marked(table, &lab::Column::bits) == "status host_irq");
-}
-
 TEST_CASE("an693: a converter that an LM629 has not is warned of before a run") {
   Options options;
   options.part.dac_bits = 8;
@@ -277,11 +242,4 @@ TEST_CASE("an693: a converter that an LM629 has not is warned of before a run") 
   const Lines lines = machine().warnings(options);
   REQUIRE(lines.size() == 1);
   CHECK(lines[0].find("chip.dac_bits = 8") != std::string::npos);
-}
-
-TEST_CASE("an693: each column is printed with its digits") {
-  CHECK(test::formats(machine().columns()) ==
-        Lines{"t_s .8 1e-08", "desired_count .5 0.001", "desired_speed .5 1e-05", "real_count 1",
-              "theta_count .4 0.001", "e 1", "p 1", "i 1", "d 1", "output 1", "status 1",
-              "host_irq 1", "omega_rad_s g7 0.0001", "i_A g7 1e-05", "u_V g6 0.0001"});
 }

@@ -14,7 +14,6 @@
 #include "lab/record.hpp"
 #include "lab/scenarios.hpp"
 #include "machines/gantry/machine.hpp"
-#include "tests/support/columns.hpp"
 #include "tests/support/figures.hpp"
 
 using namespace trammel;
@@ -58,53 +57,15 @@ TEST_CASE("gantry: each end of a run has its own verdict") {
   }
 }
 
-TEST_CASE("gantry: each figure of a run is told by its row, unit, digits and tile") {
+TEST_CASE("gantry: where nothing asks for a step it has no overshoot, of no way it is none") {
   Result result;
-  test::check_shapes(
-      figures(Options{}, result),
-      {"step.overshoot_mm: step, overshoot [mm] 3",
-       "step.overshoot_percent: step, overshoot of the step [%] 2 {Overshoot}",
-       "step.rest_mm: step, from the reference at the end [mm] 3 {Rest}",
-       "step.swing_mm: step, peak to peak over the last quarter [mm] 3",
-       "max_speed_mm_s: largest speed [mm/s] 1 {Largest speed}",
-       "max_force: largest force of either motor [count] whole",
-       "passes: control passes whole",
-       "host.heard: bytes, from the chip whole",
-       "host.malformed: frames, malformed whole",
-       "host.lost: frames, lost whole",
-       "host.unknown: frames, unknown whole",
-       "host.unchecked: frames, without their checksum whole",
-       "host.unsent: frames, of the chip without room whole",
-       "host.refused: goals, outside the track, refused whole"});
   CHECK(test::figure(Options{}, result, "step.swing_mm") == 0);  // of a run without a sample
-  Result arrived;
-  Sample there;
-  there.edge = 50'000'000;
-  there.x = 0.305;
-  arrived.samples.push_back(there);
-  test::check_shapes(figures(Options{}, arrived),
-                     {"step.overshoot_mm: step, overshoot [mm] 3",
-                      "step.overshoot_percent: step, overshoot of the step [%] 2 {Overshoot}",
-                      "step.arrive_s: step, until within 1 mm [s] 3 {Arrived}",
-                      "step.settle_s: step, until within 6.1 mm (2 %) for good [s] 3 {Settled}",
-                      "step.rest_mm: step, from the reference at the end [mm] 3 {Rest}",
-                      "step.swing_mm: step, peak to peak over the last quarter [mm] 3",
-                      "max_speed_mm_s: largest speed [mm/s] 1 {Largest speed}",
-                      "max_force: largest force of either motor [count] whole",
-                      "passes: control passes whole",
-                      "host.heard: bytes, from the chip whole",
-                      "host.malformed: frames, malformed whole",
-                      "host.lost: frames, lost whole",
-                      "host.unknown: frames, unknown whole",
-                      "host.unchecked: frames, without their checksum whole",
-                      "host.unsent: frames, of the chip without room whole",
-                      "host.refused: goals, outside the track, refused whole"});
   Options homes;
   homes.firmware.home = true;
   homes.sends = "";
   for (const lab::Figure& f : figures(homes, result)) {
     CAPTURE(f.id);
-    CHECK(f.id != "step.overshoot_mm");  // where nothing asks for a step
+    CHECK(f.id != "step.overshoot_mm");
     CHECK(f.id != "step.overshoot_percent");
   }
   Options nowhere;
@@ -197,13 +158,6 @@ TEST_CASE("gantry: metrics have the calibration as the run left it, word for wor
   }
 }
 
-TEST_CASE("gantry: a page of several runs has what is compared, flags keep their bits") {
-  const lab::ColumnTable& table = machine().columns();
-  CHECK(test::marked(table, &lab::Column::compared) ==
-        "x_mm v_mm_s position_mm goal_mm filtered_mm_s m1_u_count m2_u_count");
-  CHECK(test::marked(table, &lab::Column::bits) == "phase m1_flank m2_flank");
-}
-
 TEST_CASE("gantry: the largest speed and force are those of either sign and motor, in any sample") {
   for (const std::size_t at : {std::size_t{0}, std::size_t{4}}) {
     for (const int sign : {1, -1}) {
@@ -277,38 +231,4 @@ TEST_CASE("gantry: a time that never was is no figure, and a remark says so with
   CHECK(told(304) == "step.arrive_s step.settle_s ");
   CHECK(told(290) == "step.arrive_s the cart is not within 6.1 mm (2 %) of 305 mm at the end");
   CHECK(told(100) == "the cart was never within 2 mm of 305 mm (step.band_mm)");
-}
-
-TEST_CASE("gantry: each column is printed with its digits, those of motor 2 as those of motor 1") {
-  Lines expected{"t_s .8 1e-08",        "x_mm .5 0.0001",       "v_mm_s .3 0.01",
-                 "position_mm .5 0.0001", "goal_mm .5 0.0001",  "origin_mm .5 0.0001",
-                 "velocity_mm_s .3 0.01",
-                 "filtered_mm_s .3 0.01", "error_count 1",      "phase 1",
-                 "angle 1",             "sensor_a_code 1",      "sensor_b_code 1",
-                 "a_code 1",            "b_code 1"};
-  for (const std::string motor : {"m1_", "m2_"}) {
-    for (const char* column :
-         {"u_count 1", "force_count .3 0.01", "apart_mm .6 1e-05", "flank 1"}) {
-      expected.push_back(motor + column);
-    }
-  }
-  CHECK(test::formats(machine().columns()) == expected);
-}
-
-TEST_CASE("gantry: the machine tells of itself what lists, pages and waves need") {
-  const lab::Machine& m = machine();
-  CHECK(m.name == "gantry");
-  CHECK(m.title == "gantry track of 2006: two motors on a belt, stripe sensor, Serial2002");
-  CHECK(m.source == "Brochier 2006");
-  CHECK(m.order == 5);
-  CHECK(m.live ==
-        Lines{"host.serial=true", "run.time_s=3600", "run.max_s=3600", "record.every_ms=10"});
-  CHECK(m.vcd_bytes_s == 5e9);
-  CHECK(m.fst_bytes_s == 2e7);
-  CHECK(m.page.arrays == Lines{"/calibration"});
-  CHECK(m.page.objects == Lines{"/published", "/identified"});
-  CHECK(m.page.numbers.empty());
-  CHECK(m.remarks == remarks);
-  CHECK(m.metrics == add_metrics);
-  CHECK(m.detail == nullptr);
 }

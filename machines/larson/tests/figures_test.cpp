@@ -12,7 +12,6 @@
 #include "lab/record.hpp"
 #include "lab/scenarios.hpp"
 #include "machines/larson/machine.hpp"
-#include "tests/support/columns.hpp"
 #include "tests/support/figures.hpp"
 #include "tests/support/message.hpp"
 
@@ -156,29 +155,6 @@ TEST_CASE("larson: with a motor, buffer or processor of one's own nothing is jud
   CHECK(judged([](larson::Options& o) { ++o.processor.access_clk; }) == 0);
 }
 
-TEST_CASE("larson: what is printed beside ours is what Larson's section III and Table I print") {
-  const std::map<std::string, double> printed{
-      {"multiple_step.1_ms", 2.6}, {"multiple_step.3_ms", 6.5},  {"multiple_step.7_ms", 15},
-      {"multiple_step.15_ms", 30}, {"multiple_step.31_ms", 60},  {"multiple_step.63_ms", 100},
-      {"multiple_step.127_ms", 180}, {"oscillation.two_ms", 11.5}, {"oscillation.three_ms", 8.6},
-      {"rate.1000_pps", 67},       {"rate.2000_pps", 78},
-      {"rate.3000_pps", 94},       {"rate.4000_pps", 117},       {"rate.5000_pps", 156},
-      {"rate.6000_pps", 234},      {"rate.7000_pps", 469},       {"rate.7100_pps", 536},
-      {"rate.7200_pps", 625},      {"rate.7300_pps", 750},       {"rate.7400_pps", 938},
-      {"rate.7500_pps", 1250},     {"rate.7550_pps", 1579},      {"rate.7600_pps", 1875},
-      {"rate.7650_pps", 3000},     {"rate.7700_pps", 3750},      {"rate.7704_pps", 4000}};
-  larson::Result& result = printed_run();
-  std::size_t seen = 0;
-  for (const lab::Figure& f : larson::figures(larson::Options{}, result)) {
-    if (printed.count(f.id) == 0) continue;
-    INFO("figure " << f.id);
-    CHECK(f.printed == printed.at(f.id));
-    CHECK(f.unit == (f.id[0] == 'r' ? "PPS" : "ms"));
-    ++seen;
-  }
-  CHECK(seen == printed.size());
-}
-
 TEST_CASE("larson: WHRTBL is held against the rotor of its own axis, in each sense") {
   for (std::size_t axis = 0; axis < 2; ++axis) {
     for (const double off : {1.5, -1.5}) {
@@ -221,36 +197,6 @@ TEST_CASE("larson: each column of the trace shows what it is named after") {
                    {"x_current_A", 110.5}, {"y_current_A", 210.5}, {"x_power_W", 111.5},
                    {"y_power_W", 211.5}, {"x_count", 0x5678},
                    {"y_count", 0xEF01}, {"x_status", 0x1234}, {"y_status", 0xABCD}});
-}
-
-TEST_CASE("larson: a page of several runs has what moves, flags keep their bits") {
-  const lab::ColumnTable& table = larson::machine().columns();
-  CHECK(test::marked(table, &lab::Column::compared) ==
-        "call x_asked_step x_step x_at_step x_speed_step_s x_angle_step "
-        "y_asked_step y_step y_at_step y_speed_step_s y_angle_step");
-  CHECK(test::marked(table, &lab::Column::bits) == "switches irq x_status y_status");
-}
-
-TEST_CASE("larson: each tile is that of its own figure, off at WHRTBL only where it was called") {
-  for (const bool asked : {true, false}) {
-    larson::Result result = by_hand();
-    if (!asked) {
-      result.calls.pop_back();
-      result.answers.pop_back();
-      result.done.pop_back();
-    }
-    std::map<std::string, std::string> tiles;
-    for (const lab::Figure& one : larson::machine().figures(larson::Options{}, result)) {
-      if (!one.tile.empty()) tiles[one.tile] = one.id;
-    }
-    std::map<std::string, std::string> expected{
-        {"Script", "script.time_s"},     {"Error returns", "script.error"},
-        {"Lost by X", "x.lost_step"},    {"Lost by Y", "y.lost_step"},
-        {"Load angle of X", "x.max_angle_step"}, {"Interrupts", "interrupts"}};
-    if (asked) expected["Off at WHRTBL"] = "script.off_step";
-    CAPTURE(asked);
-    CHECK(tiles == expected);
-  }
 }
 
 TEST_CASE("larson: friction that the steps of a motor cannot follow is refused, by each key") {

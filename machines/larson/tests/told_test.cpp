@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is told of a run of the machine larson: figures by name, remarks and metrics up to their
-// last, formats; and what its session says of itself.
+// What is told of a run of the machine larson: remarks and metrics up to their last, verdicts; and
+// what its session says of itself. docs/figures.md lists the figures.
 #include <catch2/catch.hpp>
 #include <algorithm>
 #include <atomic>
@@ -17,7 +17,6 @@
 #include "machines/larson/machine.hpp"
 #include "machines/larson/session.hpp"
 #include "machines/larson/tests/scripted.hpp"
-#include "tests/support/columns.hpp"
 #include "tests/support/figures.hpp"
 #include "tests/support/session_run.hpp"
 
@@ -47,46 +46,6 @@ Result with_calls(int calls) {
 
 }  // namespace
 
-TEST_CASE("larson: each figure of a run is told by its row, unit, digits and tile") {
-  Lines expected{"script.time_s: script, until its last call [s] 3 {Script}",
-                 "script.calls: script, calls whole",
-                 "script.normal: WTTBL, normal whole",
-                 "script.error: WTTBL, error whole {Error returns}",
-                 "script.refused: moves refused whole",
-                 "script.off_step: WHRTBL against the rotors, at rest [step] 2",
-                 "script.ahead_step: WHRTBL against the rotors, in motion [step] 2",
-                 "script.platform_off_step: WHRTBL against the platform, at rest [step] 2"};
-  for (const bool x : {true, false}) {
-    const std::string id = x ? "x." : "y.", axis = x ? ", X" : ", Y";
-    for (const auto& line :
-         {id + "pulses: pulses" + axis + " whole",
-          id + "lost_step: steps lost" + axis + " [steps] whole {Lost by " + (x ? "X}" : "Y}"),
-          id + "slips: slips" + axis + " whole",
-          id + "breaches: pulses without a step" + axis + " whole",
-          id + "max_torque_N_m: largest torque" + axis + " [N m] 3",
-          id + "mean_current_A: mean current of all phases" + axis + " [A] 2",
-          id + "max_power_W: largest power at the shaft" + axis + " [W] 2",
-          id + "max_angle_step: load angle" + axis + " [step] 2" + (x ? " {Load angle of X}" : ""),
-          id + "max_rate: largest rate" + axis + " [step/s] 0",
-          id + "max_waiting: pulses that wait" + axis + " whole",
-          id + "travel_step: travel" + axis + " [step] 0",
-          id + "end_step: end" + axis + " [step] 2"}) {
-      expected.push_back(line);
-    }
-  }
-  expected.push_back("interrupts: interrupts of the chip whole {Interrupts}");
-  expected.push_back("err_byte: byte writes whole");
-  Result result;
-  auto list = figures(Options{}, result);
-  REQUIRE(list.size() == expected.size());
-  for (std::size_t n = 0; n < list.size(); ++n) {
-    CAPTURE(list[n].id);
-    CHECK(list[n].source.empty() == (n < expected.size()));
-  }
-  list.resize(expected.size());
-  test::check_shapes(list, expected);
-}
-
 TEST_CASE("larson: twelve answers are remarks, all up to 2000 are metrics") {
   for (const int calls : {12, 13}) {
     const Lines lines = remarks(record_of(with_calls(calls)));
@@ -111,20 +70,6 @@ TEST_CASE("larson: a run that was stopped or broke a promise says so") {
         "(bus/props.sv:7)");
   result.end = cosim::EndReason::kStopped;
   CHECK(machine().verdict(Options{}, result) == "interrupted");
-}
-
-TEST_CASE("larson: each column is printed with its digits, those of Y as those of X") {
-  Lines expected{"t_s .8 1e-08", "call 1", "switches 1", "irq 1"};
-  for (const std::string axis : {"x_", "y_"}) {
-    for (const char* column :
-         {"asked_step 1", "step 1", "at_step .4 0.001", "speed_step_s .2 0.1",
-          "angle_step .4 0.001", "rate_step_s .2 0.1", "platform_step .4 0.001",
-          "torque_N_m .5 0.0001", "current_A .2 0.01", "power_W .3 0.001", "waiting 1", "count 1",
-          "status 1"}) {
-      expected.push_back(axis + column);
-    }
-  }
-  CHECK(test::formats(machine().columns()) == expected);
 }
 
 TEST_CASE("larson: a session tells its clock, its processor, its end and the place of each axis") {

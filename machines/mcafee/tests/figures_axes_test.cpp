@@ -8,7 +8,6 @@
 #include <string>
 
 #include "machines/mcafee/machine.hpp"
-#include "tests/support/columns.hpp"
 #include "tests/support/figures.hpp"
 
 using namespace trammel;
@@ -72,47 +71,6 @@ TEST_CASE("mcafee: each largest value is that of either axis and either sign, in
         CHECK(of("real_count.1") == 222);
       }
     }
-  }
-}
-
-TEST_CASE("mcafee: a page of several runs has what is compared, flags keep their bits") {
-  const lab::ColumnTable& table = machine().columns();
-  CHECK(test::marked(table, &lab::Column::compared) ==
-        "row v contour_mm x_desired_count x_mm x_mm_s x_e y_desired_count y_mm y_mm_s y_e");
-  CHECK(test::marked(table, &lab::Column::bits) ==
-        "limits x_status x_host_irq y_status y_host_irq");
-}
-
-TEST_CASE("mcafee: each stage has its own tiles, those of the readings their number") {
-  using Tiles = std::map<std::string, std::string>;
-  const Tiles moving{{"Time", "motion.time_s"},
-                     {"Largest error", "motion.max_error_counts"},
-                     {"Top speed", "motion.max_speed_mm_s"},
-                     {"Peak current", "motion.max_current_A"},
-                     {"X at the end", "real_count.0"}};
-  Tiles reading = moving, tracking = moving;
-  reading.erase("Time");
-  reading["Readings"] = "readings";
-  tracking.erase("Largest error");
-  tracking.erase("X at the end");
-  tracking["Largest contour error"] = "motion.contour_max_mm";
-  tracking["Rms contour error"] = "motion.contour_rms_mm";
-  using Stage = sw::McafeeStage;
-  for (const auto& [stage, expected] :
-       {std::pair{Stage::kRead, reading}, {Stage::kMove, moving}, {Stage::kTrack, tracking}}) {
-    Options options;
-    options.stage = stage;
-    Result result = still(5);
-    for (int n = 0; n < 5; ++n) result.contour_mm.push_back(0);
-    result.readings = 31;
-    result.real = {111, 222};
-    Tiles tiles;
-    for (const lab::Figure& one : figures(options, result)) {
-      if (!one.tile.empty()) tiles[one.tile] = one.id;
-    }
-    CAPTURE(static_cast<int>(stage));
-    CHECK(tiles == expected);
-    if (stage == Stage::kRead) CHECK(test::figure(options, result, "readings") == 31);
   }
 }
 

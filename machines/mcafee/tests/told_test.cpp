@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is told of a run of the machine mcafee: figures with their tiles, verdicts, runs beside it,
-// pictures, in each stage; and what its session says of itself.
+// What is told of a run of the machine mcafee: figures, verdicts, runs beside it, pictures, in each
+// stage; and what its session says of itself. docs/figures.md lists the figures.
 #include <catch2/catch.hpp>
 #include <algorithm>
 #include <atomic>
@@ -17,7 +17,6 @@
 #include "lab/record.hpp"
 #include "machines/mcafee/machine.hpp"
 #include "machines/mcafee/session.hpp"
-#include "tests/support/columns.hpp"
 #include "tests/support/figures.hpp"
 #include "tests/support/session_run.hpp"
 
@@ -41,44 +40,6 @@ Options quick_move(int counts) {
 }
 
 }  // namespace
-
-TEST_CASE("mcafee: each figure of a run is told by its row, unit and digits, in each stage") {
-  for (const auto stage : {Stage::kRead, Stage::kMove, Stage::kTrack}) {
-    for (const auto kind : {PathKind::kCorner, PathKind::kSquare}) {
-      Options options;
-      options.stage = stage;
-      options.path.kind = kind;
-      const bool tracks = stage == Stage::kTrack, reads = stage == Stage::kRead;
-      Lines expected{reads ? "motion.time_s: motion [s] 3" : "motion.time_s: motion [s] 3 {Time}"};
-      const auto add = [&expected](const Lines& more) {
-        expected.insert(expected.end(), more.begin(), more.end());
-      };
-      if (tracks) {
-        add({"motion.rows: motion, rows whole",
-             "motion.contour_max_mm: contour error, largest [mm] 4 {Largest contour error}",
-             "motion.contour_max_s: contour error, largest at [s] 3",
-             "motion.contour_rms_mm: contour error, rms [mm] 4 {Rms contour error}",
-             "motion.contour_end_mm: contour error, at the end [mm] 4"});
-        if (kind == PathKind::kCorner) {
-          add({"motion.overshoot_mm: overshoot, behind the end [mm] 4"});
-        }
-      }
-      add({std::string("motion.max_error_counts: largest error [counts] whole") +
-               (tracks ? "" : " {Largest error}"),
-           "motion.max_speed_mm_s: largest speed [mm/s] 2 {Top speed}",
-           "motion.max_desired_mm_s: largest speed, desired [mm/s] 2",
-           "motion.max_current_A: largest current [A] 2 {Peak current}",
-           std::string("real_count.0: end position, X [counts] whole") +
-               (tracks ? "" : " {X at the end}"),
-           "real_count.1: end position, Y [counts] whole",
-           "motion.events: interrupts and switches whole"});
-      if (reads) add({"readings: readings of X whole {Readings}"});
-      Result result;
-      CAPTURE(static_cast<int>(stage), static_cast<int>(kind));
-      test::check_shapes(figures(options, result), expected);
-    }
-  }
-}
 
 TEST_CASE("mcafee: rows, contour errors and overshoot of a path are those of its samples") {
   Options options;
@@ -239,20 +200,8 @@ TEST_CASE("mcafee: a run can be stopped, and tells its readings in Stage I alone
   reading.stage = Stage::kRead;
   reading.readings = 5;
   reading.wait_s = 5e-3;
-  const Result read = simulate(reading, {});
+  Result read = simulate(reading, {});
   CHECK(read.end == cosim::EndReason::kDone);
   CHECK(read.readings == 5);
-}
-
-TEST_CASE("mcafee: each column is printed with its digits, those of Y as those of X") {
-  Lines expected{"t_s .8 1e-08", "row 1", "v 1", "limits 1", "contour_mm .5 1e-05"};
-  for (const std::string axis : {"x_", "y_"}) {
-    for (const char* column :
-         {"desired_count .5 0.001", "desired_speed .5 1e-05", "real_count 1", "mm .5 1e-05",
-          "mm_s .4 0.001", "e 1", "p 1", "i 1", "d 1", "output 1", "status 1", "host_irq 1",
-          "i_A g5 1e-05", "u_V g5 0.0001"}) {
-      expected.push_back(axis + column);
-    }
-  }
-  CHECK(test::formats(machine().columns()) == expected);
+  CHECK(test::figure(reading, read, "readings") == 5);
 }

@@ -1,18 +1,20 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Write what the programs say of themselves into manual, tools, keys and columns of docs/.
+"""Write the goldens: manual, tools, keys, columns and figures of docs/, and tests/goldens.
 
 usage: scripts/tool gen-manual [--check] [--program FILE]
 
 FILE is the built program, build/testbench/trammel unless given. Verbs come from its --help and
 from `tools` in the launcher, each with its own --help; the parameters from `list keys`; the
-columns of trace.csv from `list columns`; the registers from the page that scripts/tool gen-regs
-makes. In manual.md only the text between the lines "<!-- begin NAME -->" and "<!-- end NAME -->"
-is replaced; the others are written whole.
---check writes nothing; exit 1 if a page is stale.
+columns of trace.csv from `list columns`; the figures from a run of each built-in scenario; the
+registers from the page that scripts/tool gen-regs makes. build/tests/goldens_test, which must be
+built, writes tests/goldens. In manual.md only the text between the lines "<!-- begin NAME -->" and
+"<!-- end NAME -->" is replaced; the others are written whole.
+--check writes nothing, prints the differences of the pages, and exits 1 if there is one.
 
 Exit codes: 0 ok, 1 stale or a verb without help, 2 usage, 3 the program is not built.
 """
 
+import difflib
 import html
 import json
 import os
@@ -22,6 +24,7 @@ import sys
 from pathlib import Path
 
 from trammel_tools import machines, python_tools, tools
+from trammel_tools.generate import figures_page
 from trammel_tools.paths import ROOT, TOOL
 
 LAUNCHER = ROOT / "trammel"
@@ -29,6 +32,7 @@ MANUAL = ROOT / "docs" / "manual.md"
 TOOLS = ROOT / "docs" / "tools.md"
 KEYS = ROOT / "docs" / "keys.md"
 COLUMNS = ROOT / "docs" / "columns.md"
+FIGURES = ROOT / "docs" / "figures.md"
 REGISTERS = ROOT / "docs" / "registers"
 
 # Unit of a key by the end of its name; the longest fitting end counts.
@@ -228,25 +232,33 @@ def main():
                         default=ROOT / "build" / "testbench" / "trammel")
     arguments = parser.parse_args()
     program = arguments.program.resolve()
-    if not program.exists():
-        print(f"gen-manual: {program}: not built", file=sys.stderr)
-        return 3
+    goldens = program.parents[1] / "tests" / "goldens_test"
+    for needed in (program, *([] if arguments.check else [goldens])):
+        if not needed.exists():
+            print(f"gen-manual: {needed}: not built", file=sys.stderr)
+            return 3
     manual = MANUAL.read_text(encoding="utf-8")
     try:
         manual = replaced(manual, "verbs", verbs_text(program))
         manual = replaced(manual, "registers", registers_text())
         pages = {MANUAL: manual, TOOLS: tools_text(), KEYS: keys_text(program),
-                 COLUMNS: columns_text(program)}
-    except (NotSaid, machines.MachineError) as error:
+                 COLUMNS: columns_text(program), FIGURES: figures_page.page(program)}
+        if not arguments.check:
+            said("env", "TRAMMEL_TEST_ACCEPT=1", goldens)
+    except (NotSaid, machines.MachineError, figures_page.Contradiction) as error:
         print(f"gen-manual: {error}", file=sys.stderr)
         return 1
     stale = False
     for page, text in pages.items():
-        if page.exists() and page.read_text(encoding="utf-8") == text:
+        before = page.read_text(encoding="utf-8") if page.exists() else ""
+        if before == text:
             continue
         name = page.relative_to(ROOT)
         if arguments.check:
-            print(f"{name} is stale: scripts/tool gen-manual", file=sys.stderr)
+            print(*difflib.unified_diff(before.splitlines(), text.splitlines(), str(name), "now",
+                                        lineterm="", n=1), sep="\n", file=sys.stderr)
+            print(f"{name} is stale; to accept the difference: scripts/tool gen-manual",
+                  file=sys.stderr)
             stale = True
         else:
             page.write_text(text, encoding="ascii")

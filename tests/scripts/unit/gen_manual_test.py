@@ -3,7 +3,7 @@
 
 import unittest
 
-from trammel_tools.generate import gen_manual
+from trammel_tools.generate import figures_page, gen_manual
 
 
 def key(name, default, text="a gain", limits="0 to 1"):
@@ -44,3 +44,34 @@ class GenManualTest(unittest.TestCase):
     def test_a_command_that_fails_says_nothing(self):
         with self.assertRaisesRegex(gen_manual.NotSaid, "exit 3: the last line"):
             gen_manual.said("sh", "-c", "echo first >&2; echo the last line >&2; exit 3")
+
+
+def figure(name, **more):
+    return {"id": name, "name": name.replace("x.", "X "), "value": 1, "unit": "m", **more}
+
+
+class FiguresPageTest(unittest.TestCase):
+    def rows(self, runs, cuts):
+        return [(row[0], *row[3:]) for row in figures_page.rows_of(runs, cuts, "m")]
+
+    def test_a_figure_is_listed_once_with_the_scenarios_that_report_it(self):
+        runs = {"m-a": [figure("t"), figure("e", digits=3, tile="E")],
+                "b": [figure("t", shown=False), figure("n.1"), figure("n.2")]}
+        self.assertEqual(self.rows(runs, {"m-a": [figure("t")], "b": []}), [
+            ("t", "whole", "", "a; hidden: b; cut: a"), ("e", "3", "E", "a; cut: none"),
+            ("n.[1..2]", "whole", "", "b; cut: none")])
+
+    def test_an_order_that_differs_between_scenarios_or_axes_is_told(self):
+        with self.assertRaisesRegex(figures_page.Contradiction, "in another order: t, e"):
+            figures_page.merged([["t", "e"], ["e", "t"]])
+        axes = [figure("x.t"), figure("x.e"), figure("y.e"), figure("y.t")]
+        for one in axes[2:]:
+            one["name"] = one["name"].replace("y.", "Y ")
+        with self.assertRaisesRegex(figures_page.Contradiction, "another order than those of X"):
+            self.rows({"a": axes}, {"a": axes})
+        self.assertEqual(len(self.rows({"a": axes[:3]}, {"a": axes[:3]})), 2)
+
+    def test_expected_values_stand_with_tolerance_and_source(self):
+        judged = figure("t", printed=2.05, expected=2.1, tolerance=0.0683, source="Kung")
+        self.assertEqual(figures_page.expected_rows({"a": [judged], "b": [figure("t")]}, "m"),
+                         [("t", "2.05", "2.1", "0.0683", "Kung", "a")])
