@@ -31,74 +31,40 @@ module gantry_tau_regs (
         output gantry_tau_regs_pkg::gantry_tau__out_t hwif_out
     );
 
-    logic hwif_in_status_pass_hwset;
-    assign hwif_in_status_pass_hwset = hwif_in.status.pass.hwset;
-    logic hwif_in_status_sample_hwset;
-    assign hwif_in_status_sample_hwset = hwif_in.status.sample.hwset;
-    logic hwif_in_status_overrun_hwset;
-    assign hwif_in_status_overrun_hwset = hwif_in.status.overrun.hwset;
-    logic hwif_in_status_refused_hwset;
-    assign hwif_in_status_refused_hwset = hwif_in.status.refused.hwset;
-    logic hwif_in_status_stored_hwset;
-    assign hwif_in_status_stored_hwset = hwif_in.status.stored.hwset;
-    logic [31:0] hwif_in_position_value_next;
-    assign hwif_in_position_value_next = hwif_in.position.value.next;
-    logic [31:0] hwif_in_velocity_value_next;
-    assign hwif_in_velocity_value_next = hwif_in.velocity.value.next;
-    logic [13:0] hwif_in_angle_phase_next;
-    assign hwif_in_angle_phase_next = hwif_in.angle.phase.next;
-    logic [1:0] hwif_in_angle_region_next;
-    assign hwif_in_angle_region_next = hwif_in.angle.region.next;
-    logic hwif_in_angle_known_next;
-    assign hwif_in_angle_known_next = hwif_in.angle.known.next;
-    logic [31:0] hwif_in_ticks_value_next;
-    assign hwif_in_ticks_value_next = hwif_in.ticks.value.next;
-    logic [6:0] hwif_in_request_pending_next;
-    assign hwif_in_request_pending_next = hwif_in.request.pending.next;
-    logic [9:0] hwif_in_encoder_a_code_next;
-    assign hwif_in_encoder_a_code_next = hwif_in.encoder_a.code.next;
-    logic [9:0] hwif_in_encoder_a_dot_next;
-    assign hwif_in_encoder_a_dot_next = hwif_in.encoder_a.dot.next;
-    logic [9:0] hwif_in_encoder_b_code_next;
-    assign hwif_in_encoder_b_code_next = hwif_in.encoder_b.code.next;
-    logic [9:0] hwif_in_encoder_b_dot_next;
-    assign hwif_in_encoder_b_dot_next = hwif_in.encoder_b.dot.next;
-    logic [9:0] hwif_in_current_code_next;
-    assign hwif_in_current_code_next = hwif_in.current.code.next;
-    logic hwif_in_overtemp_motor_1_next;
-    assign hwif_in_overtemp_motor_1_next = hwif_in.overtemp.motor_1.next;
-    logic hwif_in_overtemp_motor_2_next;
-    assign hwif_in_overtemp_motor_2_next = hwif_in.overtemp.motor_2.next;
-    logic hwif_in_status_frame_next;
-    assign hwif_in_status_frame_next = hwif_in.status.frame.next;
-    logic [4:0] hwif_in_receive_channel_next;
-    assign hwif_in_receive_channel_next = hwif_in.receive.channel.next;
-    logic [2:0] hwif_in_receive_kind_next;
-    assign hwif_in_receive_kind_next = hwif_in.receive.kind.next;
-    logic hwif_in_receive_waits_next;
-    assign hwif_in_receive_waits_next = hwif_in.receive.waits.next;
-    logic [31:0] hwif_in_receive_value_value_next;
-    assign hwif_in_receive_value_value_next = hwif_in.receive_value.value.next;
-    logic [15:0] hwif_in_receive_errors_malformed_next;
-    assign hwif_in_receive_errors_malformed_next = hwif_in.receive_errors.malformed.next;
-    logic [15:0] hwif_in_receive_errors_lost_next;
-    assign hwif_in_receive_errors_lost_next = hwif_in.receive_errors.lost.next;
-    logic [5:0] hwif_in_send_state_room_next;
-    assign hwif_in_send_state_room_next = hwif_in.send_state.room.next;
-    logic hwif_in_send_state_idle_next;
-    assign hwif_in_send_state_idle_next = hwif_in.send_state.idle.next;
-    logic [15:0] hwif_in_send_state_lost_next;
-    assign hwif_in_send_state_lost_next = hwif_in.send_state.lost.next;
-    logic hwif_in_calibration_valid_next;
-    assign hwif_in_calibration_valid_next = hwif_in.calibration.valid.next;
-    logic hwif_in_calibration_busy_next;
-    assign hwif_in_calibration_busy_next = hwif_in.calibration.busy.next;
-    logic [5:0] hwif_in_calibration_count_next;
-    assign hwif_in_calibration_count_next = hwif_in.calibration.count.next;
+    wire hwif_in_status_pass_hwset = hwif_in.status.pass.hwset;
+    wire hwif_in_status_sample_hwset = hwif_in.status.sample.hwset;
+    wire hwif_in_status_overrun_hwset = hwif_in.status.overrun.hwset;
+    wire hwif_in_status_refused_hwset = hwif_in.status.refused.hwset;
+    wire hwif_in_status_stored_hwset = hwif_in.status.stored.hwset;
+    wire [31:0] hwif_in_position_value_next = hwif_in.position.value.next;
+    wire [31:0] hwif_in_velocity_value_next = hwif_in.velocity.value.next;
+    wire [13:0] hwif_in_angle_phase_next = hwif_in.angle.phase.next;
+    wire [1:0] hwif_in_angle_region_next = hwif_in.angle.region.next;
+    wire hwif_in_angle_known_next = hwif_in.angle.known.next;
+    wire [31:0] hwif_in_ticks_value_next = hwif_in.ticks.value.next;
+    wire [6:0] hwif_in_request_pending_next = hwif_in.request.pending.next;
+    wire [9:0] hwif_in_encoder_a_code_next = hwif_in.encoder_a.code.next;
+    wire [9:0] hwif_in_encoder_a_dot_next = hwif_in.encoder_a.dot.next;
+    wire [9:0] hwif_in_encoder_b_code_next = hwif_in.encoder_b.code.next;
+    wire [9:0] hwif_in_encoder_b_dot_next = hwif_in.encoder_b.dot.next;
+    wire [9:0] hwif_in_current_code_next = hwif_in.current.code.next;
+    wire hwif_in_overtemp_motor_1_next = hwif_in.overtemp.motor_1.next;
+    wire hwif_in_overtemp_motor_2_next = hwif_in.overtemp.motor_2.next;
+    wire hwif_in_status_frame_next = hwif_in.status.frame.next;
+    wire [4:0] hwif_in_receive_channel_next = hwif_in.receive.channel.next;
+    wire [2:0] hwif_in_receive_kind_next = hwif_in.receive.kind.next;
+    wire hwif_in_receive_waits_next = hwif_in.receive.waits.next;
+    wire [31:0] hwif_in_receive_value_value_next = hwif_in.receive_value.value.next;
+    wire [15:0] hwif_in_receive_errors_malformed_next = hwif_in.receive_errors.malformed.next;
+    wire [15:0] hwif_in_receive_errors_lost_next = hwif_in.receive_errors.lost.next;
+    wire [5:0] hwif_in_send_state_room_next = hwif_in.send_state.room.next;
+    wire hwif_in_send_state_idle_next = hwif_in.send_state.idle.next;
+    wire [15:0] hwif_in_send_state_lost_next = hwif_in.send_state.lost.next;
+    wire hwif_in_calibration_valid_next = hwif_in.calibration.valid.next;
+    wire hwif_in_calibration_busy_next = hwif_in.calibration.busy.next;
+    wire [5:0] hwif_in_calibration_count_next = hwif_in.calibration.count.next;
 
-    //--------------------------------------------------------------------------
     // CPU Bus interface logic
-    //--------------------------------------------------------------------------
     logic cpuif_req;
     logic cpuif_req_is_wr;
     logic [6:0] cpuif_addr;
@@ -170,9 +136,7 @@ module gantry_tau_regs (
             // Keep track of in-flight transactions
             if((axil_ar_accept || axil_aw_accept) && !axil_resp_acked) begin
                 axil_n_in_flight <= axil_n_in_flight + 1'b1;
-            end else if(!(axil_ar_accept || axil_aw_accept) && axil_resp_acked) begin
-                axil_n_in_flight <= axil_n_in_flight - 1'b1;
-            end
+            end else if(!(axil_ar_accept || axil_aw_accept) && axil_resp_acked) axil_n_in_flight <= axil_n_in_flight - 1'b1;
         end
     end
 
@@ -185,9 +149,7 @@ module gantry_tau_regs (
     // Request dispatch
     always_comb begin
         cpuif_wr_data = axil_wdata;
-        for(int i=0; i<4; i++) begin
-            cpuif_wr_biten[i*8 +: 8] = {8{axil_wstrb[i]}};
-        end
+        for(int i=0; i<4; i++) cpuif_wr_biten[i*8 +: 8] = {8{axil_wstrb[i]}};
         cpuif_req = '0;
         cpuif_req_is_wr = '0;
         cpuif_addr = '0;
@@ -249,9 +211,7 @@ module gantry_tau_regs (
             end
 
             // Advance read pointer when acknowledged
-            if(axil_resp_acked) begin
-                axil_resp_rptr <= axil_resp_rptr + 1'b1;
-            end
+            if(axil_resp_acked) axil_resp_rptr <= axil_resp_rptr + 1'b1;
         end
     end
 
@@ -288,9 +248,7 @@ module gantry_tau_regs (
                             & !(!cpuif_req_is_wr & cpuif_req_stall_rd)
                             & !(cpuif_req_is_wr & cpuif_req_stall_wr);
 
-    //--------------------------------------------------------------------------
     // Address Decode
-    //--------------------------------------------------------------------------
     logic decoded_reg_strb_observer;
     logic decoded_reg_strb_request;
     logic decoded_reg_strb_pass_period;
@@ -327,9 +285,7 @@ module gantry_tau_regs (
     assign decoded_wr_data = cpuif_wr_data;
     assign decoded_wr_biten = cpuif_wr_biten;
 
-    //--------------------------------------------------------------------------
     // Field logic
-    //--------------------------------------------------------------------------
 
     logic field_storage_observer_active_value;
     logic field_storage_observer_velocity_value;
@@ -569,16 +525,12 @@ module gantry_tau_regs (
     assign hwif_out.calibrate.command.value = field_storage_calibrate_command_value;
     assign hwif_out.receive_gap.clocks.value = field_storage_receive_gap_clocks_value;
 
-    //--------------------------------------------------------------------------
     // Write response
-    //--------------------------------------------------------------------------
     assign cpuif_wr_ack = decoded_req & decoded_req_is_wr;
     // Writes are always granted with no error response
     assign cpuif_wr_err = '0;
 
-    //--------------------------------------------------------------------------
     // Readback
-    //--------------------------------------------------------------------------
 
     logic [6:0] rd_mux_addr;
     assign rd_mux_addr = decoded_addr;
@@ -600,9 +552,7 @@ module gantry_tau_regs (
                     readback_data_var[0] = field_storage_observer_active_value;
                     readback_data_var[4] = field_storage_observer_velocity_value;
                 end
-                7'h8: begin
-                    readback_data_var[31:0] = hwif_in_position_value_next;
-                end
+                7'h8: readback_data_var[31:0] = hwif_in_position_value_next;
                 7'hc: begin
                     readback_data_var[31:0] = hwif_in_velocity_value_next;
                 end
@@ -611,9 +561,7 @@ module gantry_tau_regs (
                     readback_data_var[17:16] = hwif_in_angle_region_next;
                     readback_data_var[31] = hwif_in_angle_known_next;
                 end
-                7'h14: begin
-                    readback_data_var[31:0] = hwif_in_ticks_value_next;
-                end
+                7'h14: readback_data_var[31:0] = hwif_in_ticks_value_next;
                 7'h18: begin
                     readback_data_var[7:0] = field_storage_slots_observer_value;
                     readback_data_var[23:16] = field_storage_slots_requester_value;
@@ -629,22 +577,16 @@ module gantry_tau_regs (
                     readback_data_var[9:0] = hwif_in_encoder_b_code_next;
                     readback_data_var[25:16] = hwif_in_encoder_b_dot_next;
                 end
-                7'h28: begin
-                    readback_data_var[9:0] = hwif_in_current_code_next;
-                end
+                7'h28: readback_data_var[9:0] = hwif_in_current_code_next;
                 7'h2c: begin
                     readback_data_var[10:0] = field_storage_force_1_value_value;
                 end
-                7'h30: begin
-                    readback_data_var[10:0] = field_storage_force_2_value_value;
-                end
+                7'h30: readback_data_var[10:0] = field_storage_force_2_value_value;
                 7'h34: begin
                     readback_data_var[0] = hwif_in_overtemp_motor_1_next;
                     readback_data_var[1] = hwif_in_overtemp_motor_2_next;
                 end
-                7'h38: begin
-                    readback_data_var[23:0] = field_storage_pass_period_clocks_value;
-                end
+                7'h38: readback_data_var[23:0] = field_storage_pass_period_clocks_value;
                 7'h3c: begin
                     readback_data_var[0] = field_storage_status_pass_value;
                     readback_data_var[1] = hwif_in_status_frame_next;
@@ -663,16 +605,12 @@ module gantry_tau_regs (
                     readback_data_var[10:8] = hwif_in_receive_kind_next;
                     readback_data_var[31] = hwif_in_receive_waits_next;
                 end
-                7'h48: begin
-                    readback_data_var[31:0] = hwif_in_receive_value_value_next;
-                end
+                7'h48: readback_data_var[31:0] = hwif_in_receive_value_value_next;
                 7'h4c: begin
                     readback_data_var[15:0] = hwif_in_receive_errors_malformed_next;
                     readback_data_var[31:16] = hwif_in_receive_errors_lost_next;
                 end
-                7'h50: begin
-                    readback_data_var[31:0] = field_storage_send_value_value_value;
-                end
+                7'h50: readback_data_var[31:0] = field_storage_send_value_value_value;
                 7'h54: begin
                     readback_data_var[4:0] = field_storage_send_channel_value;
                     readback_data_var[10:8] = field_storage_send_kind_value;
@@ -691,9 +629,7 @@ module gantry_tau_regs (
                     readback_data_var[1] = hwif_in_calibration_busy_next;
                     readback_data_var[13:8] = hwif_in_calibration_count_next;
                 end
-                7'h64: begin
-                    readback_data_var[23:0] = field_storage_receive_gap_clocks_value;
-                end
+                7'h64: readback_data_var[23:0] = field_storage_receive_gap_clocks_value;
                 default: ;
             endcase
         end

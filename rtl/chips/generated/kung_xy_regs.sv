@@ -31,236 +31,121 @@ module kung_xy_regs (
         output kung_xy_regs_pkg::kung_xy__out_t hwif_out
     );
 
-    logic hwif_in_x_deadtime_clk_swwel;
-    assign hwif_in_x_deadtime_clk_swwel = hwif_in.x.deadtime.clk.swwel;
-    logic hwif_in_x_stroke_min_value_swwel;
-    assign hwif_in_x_stroke_min_value_swwel = hwif_in.x.stroke_min.value.swwel;
-    logic hwif_in_x_stroke_max_value_swwel;
-    assign hwif_in_x_stroke_max_value_swwel = hwif_in.x.stroke_max.value.swwel;
-    logic hwif_in_x_stroke_en_enable_swwel;
-    assign hwif_in_x_stroke_en_enable_swwel = hwif_in.x.stroke_en.enable.swwel;
-    logic hwif_in_x_angle_step_value_swwel;
-    assign hwif_in_x_angle_step_value_swwel = hwif_in.x.angle_step.value.swwel;
-    logic hwif_in_x_current_offset_a_swwel;
-    assign hwif_in_x_current_offset_a_swwel = hwif_in.x.current_offset.a.swwel;
-    logic hwif_in_x_current_offset_b_swwel;
-    assign hwif_in_x_current_offset_b_swwel = hwif_in.x.current_offset.b.swwel;
-    logic hwif_in_x_adc_frame_zeros_swwel;
-    assign hwif_in_x_adc_frame_zeros_swwel = hwif_in.x.adc_frame.zeros.swwel;
-    logic hwif_in_y_deadtime_clk_swwel;
-    assign hwif_in_y_deadtime_clk_swwel = hwif_in.y.deadtime.clk.swwel;
-    logic hwif_in_y_stroke_min_value_swwel;
-    assign hwif_in_y_stroke_min_value_swwel = hwif_in.y.stroke_min.value.swwel;
-    logic hwif_in_y_stroke_max_value_swwel;
-    assign hwif_in_y_stroke_max_value_swwel = hwif_in.y.stroke_max.value.swwel;
-    logic hwif_in_y_stroke_en_enable_swwel;
-    assign hwif_in_y_stroke_en_enable_swwel = hwif_in.y.stroke_en.enable.swwel;
-    logic hwif_in_y_angle_step_value_swwel;
-    assign hwif_in_y_angle_step_value_swwel = hwif_in.y.angle_step.value.swwel;
-    logic hwif_in_y_current_offset_a_swwel;
-    assign hwif_in_y_current_offset_a_swwel = hwif_in.y.current_offset.a.swwel;
-    logic hwif_in_y_current_offset_b_swwel;
-    assign hwif_in_y_current_offset_b_swwel = hwif_in.y.current_offset.b.swwel;
-    logic hwif_in_y_adc_frame_zeros_swwel;
-    assign hwif_in_y_adc_frame_zeros_swwel = hwif_in.y.adc_frame.zeros.swwel;
-    logic hwif_in_watchdog_limit_swwel;
-    assign hwif_in_watchdog_limit_swwel = hwif_in.watchdog.limit.swwel;
-    logic hwif_in_current_limit_value_swwel;
-    assign hwif_in_current_limit_value_swwel = hwif_in.current_limit.value.swwel;
-    logic hwif_in_deadtime_min_clk_swwel;
-    assign hwif_in_deadtime_min_clk_swwel = hwif_in.deadtime_min.clk.swwel;
-    logic hwif_in_rates_carrier_swwel;
-    assign hwif_in_rates_carrier_swwel = hwif_in.rates.carrier.swwel;
-    logic hwif_in_rates_position_swwel;
-    assign hwif_in_rates_position_swwel = hwif_in.rates.position.swwel;
-    logic hwif_in_x_status_overrun_hwset;
-    assign hwif_in_x_status_overrun_hwset = hwif_in.x.status.overrun.hwset;
-    logic hwif_in_x_status_qep_error_hwset;
-    assign hwif_in_x_status_qep_error_hwset = hwif_in.x.status.qep_error.hwset;
-    logic hwif_in_x_status_saturated_hwset;
-    assign hwif_in_x_status_saturated_hwset = hwif_in.x.status.saturated.hwset;
-    logic hwif_in_x_status_limited_hwset;
-    assign hwif_in_x_status_limited_hwset = hwif_in.x.status.limited.hwset;
-    logic hwif_in_x_status_underrun_hwset;
-    assign hwif_in_x_status_underrun_hwset = hwif_in.x.status.underrun.hwset;
-    logic hwif_in_x_status_clipped_hwset;
-    assign hwif_in_x_status_clipped_hwset = hwif_in.x.status.clipped.hwset;
-    logic hwif_in_x_prec_addr_word_we;
-    assign hwif_in_x_prec_addr_word_we = hwif_in.x.prec_addr.word.we;
-    logic [4:0] hwif_in_x_prec_addr_word_next;
-    assign hwif_in_x_prec_addr_word_next = hwif_in.x.prec_addr.word.next;
-    logic hwif_in_y_status_overrun_hwset;
-    assign hwif_in_y_status_overrun_hwset = hwif_in.y.status.overrun.hwset;
-    logic hwif_in_y_status_qep_error_hwset;
-    assign hwif_in_y_status_qep_error_hwset = hwif_in.y.status.qep_error.hwset;
-    logic hwif_in_y_status_saturated_hwset;
-    assign hwif_in_y_status_saturated_hwset = hwif_in.y.status.saturated.hwset;
-    logic hwif_in_y_status_limited_hwset;
-    assign hwif_in_y_status_limited_hwset = hwif_in.y.status.limited.hwset;
-    logic hwif_in_y_status_underrun_hwset;
-    assign hwif_in_y_status_underrun_hwset = hwif_in.y.status.underrun.hwset;
-    logic hwif_in_y_status_clipped_hwset;
-    assign hwif_in_y_status_clipped_hwset = hwif_in.y.status.clipped.hwset;
-    logic hwif_in_y_prec_addr_word_we;
-    assign hwif_in_y_prec_addr_word_we = hwif_in.y.prec_addr.word.we;
-    logic [4:0] hwif_in_y_prec_addr_word_next;
-    assign hwif_in_y_prec_addr_word_next = hwif_in.y.prec_addr.word.next;
-    logic hwif_in_irq_stat_tick_hwset;
-    assign hwif_in_irq_stat_tick_hwset = hwif_in.irq_stat.tick.hwset;
-    logic hwif_in_irq_stat_fault_hwset;
-    assign hwif_in_irq_stat_fault_hwset = hwif_in.irq_stat.fault.hwset;
-    logic hwif_in_x_tab_data_wr_ack;
-    assign hwif_in_x_tab_data_wr_ack = hwif_in.x.tab_data.wr_ack;
-    logic hwif_in_x_pos_preset_wr_ack;
-    assign hwif_in_x_pos_preset_wr_ack = hwif_in.x.pos_preset.wr_ack;
-    logic hwif_in_x_prec_data_wr_ack;
-    assign hwif_in_x_prec_data_wr_ack = hwif_in.x.prec_data.wr_ack;
-    logic hwif_in_y_tab_data_wr_ack;
-    assign hwif_in_y_tab_data_wr_ack = hwif_in.y.tab_data.wr_ack;
-    logic hwif_in_y_pos_preset_wr_ack;
-    assign hwif_in_y_pos_preset_wr_ack = hwif_in.y.pos_preset.wr_ack;
-    logic hwif_in_y_prec_data_wr_ack;
-    assign hwif_in_y_prec_data_wr_ack = hwif_in.y.prec_data.wr_ack;
-    logic hwif_in_fault_clear_wr_ack;
-    assign hwif_in_fault_clear_wr_ack = hwif_in.fault_clear.wr_ack;
-    logic hwif_in_lock_wr_ack;
-    assign hwif_in_lock_wr_ack = hwif_in.lock.wr_ack;
-    logic hwif_in_x_tab_data_rd_ack;
-    assign hwif_in_x_tab_data_rd_ack = hwif_in.x.tab_data.rd_ack;
-    logic hwif_in_x_prec_data_rd_ack;
-    assign hwif_in_x_prec_data_rd_ack = hwif_in.x.prec_data.rd_ack;
-    logic hwif_in_x_prec_err_rd_ack;
-    assign hwif_in_x_prec_err_rd_ack = hwif_in.x.prec_err.rd_ack;
-    logic hwif_in_x_err_sum_rd_ack;
-    assign hwif_in_x_err_sum_rd_ack = hwif_in.x.err_sum.rd_ack;
-    logic hwif_in_x_iq_sum_rd_ack;
-    assign hwif_in_x_iq_sum_rd_ack = hwif_in.x.iq_sum.rd_ack;
-    logic hwif_in_x_prec_dist_rd_ack;
-    assign hwif_in_x_prec_dist_rd_ack = hwif_in.x.prec_dist.rd_ack;
-    logic hwif_in_y_tab_data_rd_ack;
-    assign hwif_in_y_tab_data_rd_ack = hwif_in.y.tab_data.rd_ack;
-    logic hwif_in_y_prec_data_rd_ack;
-    assign hwif_in_y_prec_data_rd_ack = hwif_in.y.prec_data.rd_ack;
-    logic hwif_in_y_prec_err_rd_ack;
-    assign hwif_in_y_prec_err_rd_ack = hwif_in.y.prec_err.rd_ack;
-    logic hwif_in_y_err_sum_rd_ack;
-    assign hwif_in_y_err_sum_rd_ack = hwif_in.y.err_sum.rd_ack;
-    logic hwif_in_y_iq_sum_rd_ack;
-    assign hwif_in_y_iq_sum_rd_ack = hwif_in.y.iq_sum.rd_ack;
-    logic hwif_in_y_prec_dist_rd_ack;
-    assign hwif_in_y_prec_dist_rd_ack = hwif_in.y.prec_dist.rd_ack;
-    logic hwif_in_lock_rd_ack;
-    assign hwif_in_lock_rd_ack = hwif_in.lock.rd_ack;
-    logic hwif_in_knot_rd_ack;
-    assign hwif_in_knot_rd_ack = hwif_in.knot.rd_ack;
-    logic hwif_in_x_status_busy_next;
-    assign hwif_in_x_status_busy_next = hwif_in.x.status.busy.next;
-    logic [6:0] hwif_in_x_status_step_next;
-    assign hwif_in_x_status_step_next = hwif_in.x.status.step.next;
-    logic [31:0] hwif_in_x_pos_value_next;
-    assign hwif_in_x_pos_value_next = hwif_in.x.pos.value.next;
-    logic [31:0] hwif_in_x_pos_model_value_next;
-    assign hwif_in_x_pos_model_value_next = hwif_in.x.pos_model.value.next;
-    logic [31:0] hwif_in_x_err_value_next;
-    assign hwif_in_x_err_value_next = hwif_in.x.err.value.next;
-    logic [31:0] hwif_in_x_derr_value_next;
-    assign hwif_in_x_derr_value_next = hwif_in.x.derr.value.next;
-    logic [31:0] hwif_in_x_u_value_next;
-    assign hwif_in_x_u_value_next = hwif_in.x.u.value.next;
-    logic [31:0] hwif_in_x_vstar_value_next;
-    assign hwif_in_x_vstar_value_next = hwif_in.x.vstar.value.next;
-    logic [31:0] hwif_in_x_iq_cmd_value_next;
-    assign hwif_in_x_iq_cmd_value_next = hwif_in.x.iq_cmd.value.next;
-    logic [31:0] hwif_in_x_speed_value_next;
-    assign hwif_in_x_speed_value_next = hwif_in.x.speed.value.next;
-    logic [15:0] hwif_in_x_id_iq_i_d_next;
-    assign hwif_in_x_id_iq_i_d_next = hwif_in.x.id_iq.i_d.next;
-    logic [15:0] hwif_in_x_id_iq_i_q_next;
-    assign hwif_in_x_id_iq_i_q_next = hwif_in.x.id_iq.i_q.next;
-    logic [15:0] hwif_in_x_vd_vq_v_d_next;
-    assign hwif_in_x_vd_vq_v_d_next = hwif_in.x.vd_vq.v_d.next;
-    logic [15:0] hwif_in_x_vd_vq_v_q_next;
-    assign hwif_in_x_vd_vq_v_q_next = hwif_in.x.vd_vq.v_q.next;
-    logic [31:0] hwif_in_x_tab_data_rd_data;
-    assign hwif_in_x_tab_data_rd_data = hwif_in.x.tab_data.rd_data;
-    logic [31:0] hwif_in_x_index_latch_value_next;
-    assign hwif_in_x_index_latch_value_next = hwif_in.x.index_latch.value.next;
-    logic [31:0] hwif_in_x_prec_data_rd_data;
-    assign hwif_in_x_prec_data_rd_data = hwif_in.x.prec_data.rd_data;
-    logic [31:0] hwif_in_x_prec_err_rd_data;
-    assign hwif_in_x_prec_err_rd_data = hwif_in.x.prec_err.rd_data;
-    logic [31:0] hwif_in_x_err_sum_rd_data;
-    assign hwif_in_x_err_sum_rd_data = hwif_in.x.err_sum.rd_data;
-    logic [31:0] hwif_in_x_iq_sum_rd_data;
-    assign hwif_in_x_iq_sum_rd_data = hwif_in.x.iq_sum.rd_data;
-    logic [31:0] hwif_in_x_prec_dist_rd_data;
-    assign hwif_in_x_prec_dist_rd_data = hwif_in.x.prec_dist.rd_data;
-    logic [15:0] hwif_in_x_phase_currents_i_a_next;
-    assign hwif_in_x_phase_currents_i_a_next = hwif_in.x.phase_currents.i_a.next;
-    logic [15:0] hwif_in_x_phase_currents_i_b_next;
-    assign hwif_in_x_phase_currents_i_b_next = hwif_in.x.phase_currents.i_b.next;
-    logic hwif_in_y_status_busy_next;
-    assign hwif_in_y_status_busy_next = hwif_in.y.status.busy.next;
-    logic [6:0] hwif_in_y_status_step_next;
-    assign hwif_in_y_status_step_next = hwif_in.y.status.step.next;
-    logic [31:0] hwif_in_y_pos_value_next;
-    assign hwif_in_y_pos_value_next = hwif_in.y.pos.value.next;
-    logic [31:0] hwif_in_y_pos_model_value_next;
-    assign hwif_in_y_pos_model_value_next = hwif_in.y.pos_model.value.next;
-    logic [31:0] hwif_in_y_err_value_next;
-    assign hwif_in_y_err_value_next = hwif_in.y.err.value.next;
-    logic [31:0] hwif_in_y_derr_value_next;
-    assign hwif_in_y_derr_value_next = hwif_in.y.derr.value.next;
-    logic [31:0] hwif_in_y_u_value_next;
-    assign hwif_in_y_u_value_next = hwif_in.y.u.value.next;
-    logic [31:0] hwif_in_y_vstar_value_next;
-    assign hwif_in_y_vstar_value_next = hwif_in.y.vstar.value.next;
-    logic [31:0] hwif_in_y_iq_cmd_value_next;
-    assign hwif_in_y_iq_cmd_value_next = hwif_in.y.iq_cmd.value.next;
-    logic [31:0] hwif_in_y_speed_value_next;
-    assign hwif_in_y_speed_value_next = hwif_in.y.speed.value.next;
-    logic [15:0] hwif_in_y_id_iq_i_d_next;
-    assign hwif_in_y_id_iq_i_d_next = hwif_in.y.id_iq.i_d.next;
-    logic [15:0] hwif_in_y_id_iq_i_q_next;
-    assign hwif_in_y_id_iq_i_q_next = hwif_in.y.id_iq.i_q.next;
-    logic [15:0] hwif_in_y_vd_vq_v_d_next;
-    assign hwif_in_y_vd_vq_v_d_next = hwif_in.y.vd_vq.v_d.next;
-    logic [15:0] hwif_in_y_vd_vq_v_q_next;
-    assign hwif_in_y_vd_vq_v_q_next = hwif_in.y.vd_vq.v_q.next;
-    logic [31:0] hwif_in_y_tab_data_rd_data;
-    assign hwif_in_y_tab_data_rd_data = hwif_in.y.tab_data.rd_data;
-    logic [31:0] hwif_in_y_index_latch_value_next;
-    assign hwif_in_y_index_latch_value_next = hwif_in.y.index_latch.value.next;
-    logic [31:0] hwif_in_y_prec_data_rd_data;
-    assign hwif_in_y_prec_data_rd_data = hwif_in.y.prec_data.rd_data;
-    logic [31:0] hwif_in_y_prec_err_rd_data;
-    assign hwif_in_y_prec_err_rd_data = hwif_in.y.prec_err.rd_data;
-    logic [31:0] hwif_in_y_err_sum_rd_data;
-    assign hwif_in_y_err_sum_rd_data = hwif_in.y.err_sum.rd_data;
-    logic [31:0] hwif_in_y_iq_sum_rd_data;
-    assign hwif_in_y_iq_sum_rd_data = hwif_in.y.iq_sum.rd_data;
-    logic [31:0] hwif_in_y_prec_dist_rd_data;
-    assign hwif_in_y_prec_dist_rd_data = hwif_in.y.prec_dist.rd_data;
-    logic [15:0] hwif_in_y_phase_currents_i_a_next;
-    assign hwif_in_y_phase_currents_i_a_next = hwif_in.y.phase_currents.i_a.next;
-    logic [15:0] hwif_in_y_phase_currents_i_b_next;
-    assign hwif_in_y_phase_currents_i_b_next = hwif_in.y.phase_currents.i_b.next;
-    logic [31:0] hwif_in_tick_value_next;
-    assign hwif_in_tick_value_next = hwif_in.tick.value.next;
-    logic [3:0] hwif_in_fault_code_next;
-    assign hwif_in_fault_code_next = hwif_in.fault.code.next;
-    logic hwif_in_fault_axis_next;
-    assign hwif_in_fault_axis_next = hwif_in.fault.axis.next;
-    logic [23:0] hwif_in_fault_tick_next;
-    assign hwif_in_fault_tick_next = hwif_in.fault.tick.next;
-    logic [31:0] hwif_in_lock_rd_data;
-    assign hwif_in_lock_rd_data = hwif_in.lock.rd_data;
-    logic [31:0] hwif_in_knot_rd_data;
-    assign hwif_in_knot_rd_data = hwif_in.knot.rd_data;
+    wire hwif_in_x_deadtime_clk_swwel = hwif_in.x.deadtime.clk.swwel;
+    wire hwif_in_x_stroke_min_value_swwel = hwif_in.x.stroke_min.value.swwel;
+    wire hwif_in_x_stroke_max_value_swwel = hwif_in.x.stroke_max.value.swwel;
+    wire hwif_in_x_stroke_en_enable_swwel = hwif_in.x.stroke_en.enable.swwel;
+    wire hwif_in_x_angle_step_value_swwel = hwif_in.x.angle_step.value.swwel;
+    wire hwif_in_x_current_offset_a_swwel = hwif_in.x.current_offset.a.swwel;
+    wire hwif_in_x_current_offset_b_swwel = hwif_in.x.current_offset.b.swwel;
+    wire hwif_in_x_adc_frame_zeros_swwel = hwif_in.x.adc_frame.zeros.swwel;
+    wire hwif_in_y_deadtime_clk_swwel = hwif_in.y.deadtime.clk.swwel;
+    wire hwif_in_y_stroke_min_value_swwel = hwif_in.y.stroke_min.value.swwel;
+    wire hwif_in_y_stroke_max_value_swwel = hwif_in.y.stroke_max.value.swwel;
+    wire hwif_in_y_stroke_en_enable_swwel = hwif_in.y.stroke_en.enable.swwel;
+    wire hwif_in_y_angle_step_value_swwel = hwif_in.y.angle_step.value.swwel;
+    wire hwif_in_y_current_offset_a_swwel = hwif_in.y.current_offset.a.swwel;
+    wire hwif_in_y_current_offset_b_swwel = hwif_in.y.current_offset.b.swwel;
+    wire hwif_in_y_adc_frame_zeros_swwel = hwif_in.y.adc_frame.zeros.swwel;
+    wire hwif_in_watchdog_limit_swwel = hwif_in.watchdog.limit.swwel;
+    wire hwif_in_current_limit_value_swwel = hwif_in.current_limit.value.swwel;
+    wire hwif_in_deadtime_min_clk_swwel = hwif_in.deadtime_min.clk.swwel;
+    wire hwif_in_rates_carrier_swwel = hwif_in.rates.carrier.swwel;
+    wire hwif_in_rates_position_swwel = hwif_in.rates.position.swwel;
+    wire hwif_in_x_status_overrun_hwset = hwif_in.x.status.overrun.hwset;
+    wire hwif_in_x_status_qep_error_hwset = hwif_in.x.status.qep_error.hwset;
+    wire hwif_in_x_status_saturated_hwset = hwif_in.x.status.saturated.hwset;
+    wire hwif_in_x_status_limited_hwset = hwif_in.x.status.limited.hwset;
+    wire hwif_in_x_status_underrun_hwset = hwif_in.x.status.underrun.hwset;
+    wire hwif_in_x_status_clipped_hwset = hwif_in.x.status.clipped.hwset;
+    wire hwif_in_x_prec_addr_word_we = hwif_in.x.prec_addr.word.we;
+    wire [4:0] hwif_in_x_prec_addr_word_next = hwif_in.x.prec_addr.word.next;
+    wire hwif_in_y_status_overrun_hwset = hwif_in.y.status.overrun.hwset;
+    wire hwif_in_y_status_qep_error_hwset = hwif_in.y.status.qep_error.hwset;
+    wire hwif_in_y_status_saturated_hwset = hwif_in.y.status.saturated.hwset;
+    wire hwif_in_y_status_limited_hwset = hwif_in.y.status.limited.hwset;
+    wire hwif_in_y_status_underrun_hwset = hwif_in.y.status.underrun.hwset;
+    wire hwif_in_y_status_clipped_hwset = hwif_in.y.status.clipped.hwset;
+    wire hwif_in_y_prec_addr_word_we = hwif_in.y.prec_addr.word.we;
+    wire [4:0] hwif_in_y_prec_addr_word_next = hwif_in.y.prec_addr.word.next;
+    wire hwif_in_irq_stat_tick_hwset = hwif_in.irq_stat.tick.hwset;
+    wire hwif_in_irq_stat_fault_hwset = hwif_in.irq_stat.fault.hwset;
+    wire hwif_in_x_tab_data_wr_ack = hwif_in.x.tab_data.wr_ack;
+    wire hwif_in_x_pos_preset_wr_ack = hwif_in.x.pos_preset.wr_ack;
+    wire hwif_in_x_prec_data_wr_ack = hwif_in.x.prec_data.wr_ack;
+    wire hwif_in_y_tab_data_wr_ack = hwif_in.y.tab_data.wr_ack;
+    wire hwif_in_y_pos_preset_wr_ack = hwif_in.y.pos_preset.wr_ack;
+    wire hwif_in_y_prec_data_wr_ack = hwif_in.y.prec_data.wr_ack;
+    wire hwif_in_fault_clear_wr_ack = hwif_in.fault_clear.wr_ack;
+    wire hwif_in_lock_wr_ack = hwif_in.lock.wr_ack;
+    wire hwif_in_x_tab_data_rd_ack = hwif_in.x.tab_data.rd_ack;
+    wire hwif_in_x_prec_data_rd_ack = hwif_in.x.prec_data.rd_ack;
+    wire hwif_in_x_prec_err_rd_ack = hwif_in.x.prec_err.rd_ack;
+    wire hwif_in_x_err_sum_rd_ack = hwif_in.x.err_sum.rd_ack;
+    wire hwif_in_x_iq_sum_rd_ack = hwif_in.x.iq_sum.rd_ack;
+    wire hwif_in_x_prec_dist_rd_ack = hwif_in.x.prec_dist.rd_ack;
+    wire hwif_in_y_tab_data_rd_ack = hwif_in.y.tab_data.rd_ack;
+    wire hwif_in_y_prec_data_rd_ack = hwif_in.y.prec_data.rd_ack;
+    wire hwif_in_y_prec_err_rd_ack = hwif_in.y.prec_err.rd_ack;
+    wire hwif_in_y_err_sum_rd_ack = hwif_in.y.err_sum.rd_ack;
+    wire hwif_in_y_iq_sum_rd_ack = hwif_in.y.iq_sum.rd_ack;
+    wire hwif_in_y_prec_dist_rd_ack = hwif_in.y.prec_dist.rd_ack;
+    wire hwif_in_lock_rd_ack = hwif_in.lock.rd_ack;
+    wire hwif_in_knot_rd_ack = hwif_in.knot.rd_ack;
+    wire hwif_in_x_status_busy_next = hwif_in.x.status.busy.next;
+    wire [6:0] hwif_in_x_status_step_next = hwif_in.x.status.step.next;
+    wire [31:0] hwif_in_x_pos_value_next = hwif_in.x.pos.value.next;
+    wire [31:0] hwif_in_x_pos_model_value_next = hwif_in.x.pos_model.value.next;
+    wire [31:0] hwif_in_x_err_value_next = hwif_in.x.err.value.next;
+    wire [31:0] hwif_in_x_derr_value_next = hwif_in.x.derr.value.next;
+    wire [31:0] hwif_in_x_u_value_next = hwif_in.x.u.value.next;
+    wire [31:0] hwif_in_x_vstar_value_next = hwif_in.x.vstar.value.next;
+    wire [31:0] hwif_in_x_iq_cmd_value_next = hwif_in.x.iq_cmd.value.next;
+    wire [31:0] hwif_in_x_speed_value_next = hwif_in.x.speed.value.next;
+    wire [15:0] hwif_in_x_id_iq_i_d_next = hwif_in.x.id_iq.i_d.next;
+    wire [15:0] hwif_in_x_id_iq_i_q_next = hwif_in.x.id_iq.i_q.next;
+    wire [15:0] hwif_in_x_vd_vq_v_d_next = hwif_in.x.vd_vq.v_d.next;
+    wire [15:0] hwif_in_x_vd_vq_v_q_next = hwif_in.x.vd_vq.v_q.next;
+    wire [31:0] hwif_in_x_tab_data_rd_data = hwif_in.x.tab_data.rd_data;
+    wire [31:0] hwif_in_x_index_latch_value_next = hwif_in.x.index_latch.value.next;
+    wire [31:0] hwif_in_x_prec_data_rd_data = hwif_in.x.prec_data.rd_data;
+    wire [31:0] hwif_in_x_prec_err_rd_data = hwif_in.x.prec_err.rd_data;
+    wire [31:0] hwif_in_x_err_sum_rd_data = hwif_in.x.err_sum.rd_data;
+    wire [31:0] hwif_in_x_iq_sum_rd_data = hwif_in.x.iq_sum.rd_data;
+    wire [31:0] hwif_in_x_prec_dist_rd_data = hwif_in.x.prec_dist.rd_data;
+    wire [15:0] hwif_in_x_phase_currents_i_a_next = hwif_in.x.phase_currents.i_a.next;
+    wire [15:0] hwif_in_x_phase_currents_i_b_next = hwif_in.x.phase_currents.i_b.next;
+    wire hwif_in_y_status_busy_next = hwif_in.y.status.busy.next;
+    wire [6:0] hwif_in_y_status_step_next = hwif_in.y.status.step.next;
+    wire [31:0] hwif_in_y_pos_value_next = hwif_in.y.pos.value.next;
+    wire [31:0] hwif_in_y_pos_model_value_next = hwif_in.y.pos_model.value.next;
+    wire [31:0] hwif_in_y_err_value_next = hwif_in.y.err.value.next;
+    wire [31:0] hwif_in_y_derr_value_next = hwif_in.y.derr.value.next;
+    wire [31:0] hwif_in_y_u_value_next = hwif_in.y.u.value.next;
+    wire [31:0] hwif_in_y_vstar_value_next = hwif_in.y.vstar.value.next;
+    wire [31:0] hwif_in_y_iq_cmd_value_next = hwif_in.y.iq_cmd.value.next;
+    wire [31:0] hwif_in_y_speed_value_next = hwif_in.y.speed.value.next;
+    wire [15:0] hwif_in_y_id_iq_i_d_next = hwif_in.y.id_iq.i_d.next;
+    wire [15:0] hwif_in_y_id_iq_i_q_next = hwif_in.y.id_iq.i_q.next;
+    wire [15:0] hwif_in_y_vd_vq_v_d_next = hwif_in.y.vd_vq.v_d.next;
+    wire [15:0] hwif_in_y_vd_vq_v_q_next = hwif_in.y.vd_vq.v_q.next;
+    wire [31:0] hwif_in_y_tab_data_rd_data = hwif_in.y.tab_data.rd_data;
+    wire [31:0] hwif_in_y_index_latch_value_next = hwif_in.y.index_latch.value.next;
+    wire [31:0] hwif_in_y_prec_data_rd_data = hwif_in.y.prec_data.rd_data;
+    wire [31:0] hwif_in_y_prec_err_rd_data = hwif_in.y.prec_err.rd_data;
+    wire [31:0] hwif_in_y_err_sum_rd_data = hwif_in.y.err_sum.rd_data;
+    wire [31:0] hwif_in_y_iq_sum_rd_data = hwif_in.y.iq_sum.rd_data;
+    wire [31:0] hwif_in_y_prec_dist_rd_data = hwif_in.y.prec_dist.rd_data;
+    wire [15:0] hwif_in_y_phase_currents_i_a_next = hwif_in.y.phase_currents.i_a.next;
+    wire [15:0] hwif_in_y_phase_currents_i_b_next = hwif_in.y.phase_currents.i_b.next;
+    wire [31:0] hwif_in_tick_value_next = hwif_in.tick.value.next;
+    wire [3:0] hwif_in_fault_code_next = hwif_in.fault.code.next;
+    wire hwif_in_fault_axis_next = hwif_in.fault.axis.next;
+    wire [23:0] hwif_in_fault_tick_next = hwif_in.fault.tick.next;
+    wire [31:0] hwif_in_lock_rd_data = hwif_in.lock.rd_data;
+    wire [31:0] hwif_in_knot_rd_data = hwif_in.knot.rd_data;
 
-    //--------------------------------------------------------------------------
     // CPU Bus interface logic
-    //--------------------------------------------------------------------------
     logic cpuif_req;
     logic cpuif_req_is_wr;
     logic [9:0] cpuif_addr;
@@ -332,9 +217,7 @@ module kung_xy_regs (
             // Keep track of in-flight transactions
             if((axil_ar_accept || axil_aw_accept) && !axil_resp_acked) begin
                 axil_n_in_flight <= axil_n_in_flight + 1'b1;
-            end else if(!(axil_ar_accept || axil_aw_accept) && axil_resp_acked) begin
-                axil_n_in_flight <= axil_n_in_flight - 1'b1;
-            end
+            end else if(!(axil_ar_accept || axil_aw_accept) && axil_resp_acked) axil_n_in_flight <= axil_n_in_flight - 1'b1;
         end
     end
 
@@ -347,9 +230,7 @@ module kung_xy_regs (
     // Request dispatch
     always_comb begin
         cpuif_wr_data = axil_wdata;
-        for(int i=0; i<4; i++) begin
-            cpuif_wr_biten[i*8 +: 8] = {8{axil_wstrb[i]}};
-        end
+        for(int i=0; i<4; i++) cpuif_wr_biten[i*8 +: 8] = {8{axil_wstrb[i]}};
         cpuif_req = '0;
         cpuif_req_is_wr = '0;
         cpuif_addr = '0;
@@ -411,9 +292,7 @@ module kung_xy_regs (
             end
 
             // Advance read pointer when acknowledged
-            if(axil_resp_acked) begin
-                axil_resp_rptr <= axil_resp_rptr + 1'b1;
-            end
+            if(axil_resp_acked) axil_resp_rptr <= axil_resp_rptr + 1'b1;
         end
     end
 
@@ -452,9 +331,7 @@ module kung_xy_regs (
                             & !(!cpuif_req_is_wr & cpuif_req_stall_rd)
                             & !(cpuif_req_is_wr & cpuif_req_stall_wr);
 
-    //--------------------------------------------------------------------------
     // Address Decode
-    //--------------------------------------------------------------------------
     logic decoded_reg_strb_x_ctrl;
     logic decoded_reg_strb_x_status;
     logic decoded_reg_strb_x_tab_data;
@@ -565,9 +442,7 @@ module kung_xy_regs (
     assign decoded_wr_data = cpuif_wr_data;
     assign decoded_wr_biten = cpuif_wr_biten;
 
-    //--------------------------------------------------------------------------
     // Field logic
-    //--------------------------------------------------------------------------
 
     logic field_storage_x_ctrl_enable_value;
     logic field_storage_x_ctrl_current_loop_value;
@@ -831,12 +706,8 @@ module kung_xy_regs (
                 if(decoded_wr_biten[0]) field_storage_x_deadtime_clk_value[7:0] <= decoded_wr_data[7:0];
                 if(decoded_wr_biten[8]) field_storage_x_deadtime_clk_value[9:8] <= decoded_wr_data[9:8];
             end
-            if(decoded_addr == 10'h6c) begin
-                if(decoded_wr_biten[16]) field_storage_x_deadtime_qep_filter_value[3:0] <= decoded_wr_data[19:16];
-            end
-            if(decoded_addr == 10'h70) begin
-                if(decoded_wr_biten[0]) field_storage_x_tab_addr_index_value[5:0] <= decoded_wr_data[5:0];
-            end
+            if(decoded_addr == 10'h6c) if(decoded_wr_biten[16]) field_storage_x_deadtime_qep_filter_value[3:0] <= decoded_wr_data[19:16];
+            if(decoded_addr == 10'h70) if(decoded_wr_biten[0]) field_storage_x_tab_addr_index_value[5:0] <= decoded_wr_data[5:0];
             if(decoded_addr == 10'h80 && !(hwif_in_x_stroke_min_value_swwel)) begin
                 if(decoded_wr_biten[0]) field_storage_x_stroke_min_value_value[7:0] <= decoded_wr_data[7:0];
                 if(decoded_wr_biten[8]) field_storage_x_stroke_min_value_value[15:8] <= decoded_wr_data[15:8];
@@ -847,9 +718,7 @@ module kung_xy_regs (
                 if(decoded_wr_biten[8]) field_storage_x_stroke_max_value_value[15:8] <= decoded_wr_data[15:8];
                 if(decoded_wr_biten[16]) field_storage_x_stroke_max_value_value[23:16] <= decoded_wr_data[23:16];
             end
-            if(decoded_addr == 10'h88 && !(hwif_in_x_stroke_en_enable_swwel)) begin
-                if(decoded_wr_biten[0]) field_storage_x_stroke_en_enable_value <= decoded_wr_data[0:0];
-            end
+            if(decoded_addr == 10'h88 && !(hwif_in_x_stroke_en_enable_swwel)) if(decoded_wr_biten[0]) field_storage_x_stroke_en_enable_value <= decoded_wr_data[0:0];
             if(decoded_addr == 10'h8c) begin
                 if(decoded_wr_biten[0]) field_storage_x_iq_manual_value_value[7:0] <= decoded_wr_data[7:0];
                 if(decoded_wr_biten[8]) field_storage_x_iq_manual_value_value[11:8] <= decoded_wr_data[11:8];
@@ -868,9 +737,7 @@ module kung_xy_regs (
                 if(decoded_wr_biten[16]) field_storage_x_current_offset_b_value[7:0] <= decoded_wr_data[23:16];
                 if(decoded_wr_biten[24]) field_storage_x_current_offset_b_value[11:8] <= decoded_wr_data[27:24];
             end
-            if(decoded_addr == 10'hbc && !(hwif_in_x_adc_frame_zeros_swwel)) begin
-                if(decoded_wr_biten[0]) field_storage_x_adc_frame_zeros_value[2:0] <= decoded_wr_data[2:0];
-            end
+            if(decoded_addr == 10'hbc && !(hwif_in_x_adc_frame_zeros_swwel)) if(decoded_wr_biten[0]) field_storage_x_adc_frame_zeros_value[2:0] <= decoded_wr_data[2:0];
             if(decoded_addr == 10'h100) begin
                 if(decoded_wr_biten[0]) field_storage_y_ctrl_enable_value <= decoded_wr_data[0:0];
                 if(decoded_wr_biten[1]) field_storage_y_ctrl_current_loop_value <= decoded_wr_data[1:1];
@@ -941,12 +808,8 @@ module kung_xy_regs (
                 if(decoded_wr_biten[0]) field_storage_y_deadtime_clk_value[7:0] <= decoded_wr_data[7:0];
                 if(decoded_wr_biten[8]) field_storage_y_deadtime_clk_value[9:8] <= decoded_wr_data[9:8];
             end
-            if(decoded_addr == 10'h16c) begin
-                if(decoded_wr_biten[16]) field_storage_y_deadtime_qep_filter_value[3:0] <= decoded_wr_data[19:16];
-            end
-            if(decoded_addr == 10'h170) begin
-                if(decoded_wr_biten[0]) field_storage_y_tab_addr_index_value[5:0] <= decoded_wr_data[5:0];
-            end
+            if(decoded_addr == 10'h16c) if(decoded_wr_biten[16]) field_storage_y_deadtime_qep_filter_value[3:0] <= decoded_wr_data[19:16];
+            if(decoded_addr == 10'h170) if(decoded_wr_biten[0]) field_storage_y_tab_addr_index_value[5:0] <= decoded_wr_data[5:0];
             if(decoded_addr == 10'h180 && !(hwif_in_y_stroke_min_value_swwel)) begin
                 if(decoded_wr_biten[0]) field_storage_y_stroke_min_value_value[7:0] <= decoded_wr_data[7:0];
                 if(decoded_wr_biten[8]) field_storage_y_stroke_min_value_value[15:8] <= decoded_wr_data[15:8];
@@ -957,9 +820,7 @@ module kung_xy_regs (
                 if(decoded_wr_biten[8]) field_storage_y_stroke_max_value_value[15:8] <= decoded_wr_data[15:8];
                 if(decoded_wr_biten[16]) field_storage_y_stroke_max_value_value[23:16] <= decoded_wr_data[23:16];
             end
-            if(decoded_addr == 10'h188 && !(hwif_in_y_stroke_en_enable_swwel)) begin
-                if(decoded_wr_biten[0]) field_storage_y_stroke_en_enable_value <= decoded_wr_data[0:0];
-            end
+            if(decoded_addr == 10'h188 && !(hwif_in_y_stroke_en_enable_swwel)) if(decoded_wr_biten[0]) field_storage_y_stroke_en_enable_value <= decoded_wr_data[0:0];
             if(decoded_addr == 10'h18c) begin
                 if(decoded_wr_biten[0]) field_storage_y_iq_manual_value_value[7:0] <= decoded_wr_data[7:0];
                 if(decoded_wr_biten[8]) field_storage_y_iq_manual_value_value[11:8] <= decoded_wr_data[11:8];
@@ -978,9 +839,7 @@ module kung_xy_regs (
                 if(decoded_wr_biten[16]) field_storage_y_current_offset_b_value[7:0] <= decoded_wr_data[23:16];
                 if(decoded_wr_biten[24]) field_storage_y_current_offset_b_value[11:8] <= decoded_wr_data[27:24];
             end
-            if(decoded_addr == 10'h1bc && !(hwif_in_y_adc_frame_zeros_swwel)) begin
-                if(decoded_wr_biten[0]) field_storage_y_adc_frame_zeros_value[2:0] <= decoded_wr_data[2:0];
-            end
+            if(decoded_addr == 10'h1bc && !(hwif_in_y_adc_frame_zeros_swwel)) if(decoded_wr_biten[0]) field_storage_y_adc_frame_zeros_value[2:0] <= decoded_wr_data[2:0];
             if(decoded_addr == 10'h208) begin
                 if(decoded_wr_biten[0]) field_storage_irq_en_tick_value <= decoded_wr_data[0:0];
                 if(decoded_wr_biten[1]) field_storage_irq_en_fault_value <= decoded_wr_data[1:1];
@@ -997,15 +856,9 @@ module kung_xy_regs (
                 if(decoded_wr_biten[0]) field_storage_deadtime_min_clk_value[7:0] <= decoded_wr_data[7:0];
                 if(decoded_wr_biten[8]) field_storage_deadtime_min_clk_value[9:8] <= decoded_wr_data[9:8];
             end
-            if(decoded_addr == 10'h22c) begin
-                if(decoded_wr_biten[0]) field_storage_irq_period_ticks_value[7:0] <= decoded_wr_data[7:0];
-            end
-            if(decoded_addr == 10'h240 && !(hwif_in_rates_carrier_swwel)) begin
-                if(decoded_wr_biten[0]) field_storage_rates_carrier_value[1:0] <= decoded_wr_data[1:0];
-            end
-            if(decoded_addr == 10'h240 && !(hwif_in_rates_position_swwel)) begin
-                if(decoded_wr_biten[4]) field_storage_rates_position_value[1:0] <= decoded_wr_data[5:4];
-            end
+            if(decoded_addr == 10'h22c) if(decoded_wr_biten[0]) field_storage_irq_period_ticks_value[7:0] <= decoded_wr_data[7:0];
+            if(decoded_addr == 10'h240 && !(hwif_in_rates_carrier_swwel)) if(decoded_wr_biten[0]) field_storage_rates_carrier_value[1:0] <= decoded_wr_data[1:0];
+            if(decoded_addr == 10'h240 && !(hwif_in_rates_position_swwel)) if(decoded_wr_biten[4]) field_storage_rates_position_value[1:0] <= decoded_wr_data[5:4];
         end
     end
     assign hwif_out.x.ctrl.enable.value = field_storage_x_ctrl_enable_value;
@@ -1381,9 +1234,7 @@ module kung_xy_regs (
     assign hwif_out.rates.carrier.value = field_storage_rates_carrier_value;
     assign hwif_out.rates.position.value = field_storage_rates_position_value;
 
-    //--------------------------------------------------------------------------
     // Write response
-    //--------------------------------------------------------------------------
     always_comb begin
         automatic logic wr_ack;
         wr_ack = '0;
@@ -1401,9 +1252,7 @@ module kung_xy_regs (
     // Writes are always granted with no error response
     assign cpuif_wr_err = '0;
 
-    //--------------------------------------------------------------------------
     // Readback
-    //--------------------------------------------------------------------------
     logic readback_external_rd_ack_c;
     always_comb begin
         automatic logic rd_ack;
@@ -1471,33 +1320,19 @@ module kung_xy_regs (
                     readback_data_var[6] = field_storage_x_status_clipped_value;
                     readback_data_var[14:8] = hwif_in_x_status_step_next;
                 end
-                10'h8: begin
-                    readback_data_var[23:0] = field_storage_x_pos_cmd_value_value;
-                end
+                10'h8: readback_data_var[23:0] = field_storage_x_pos_cmd_value_value;
                 10'hc: begin
                     readback_data_var[31:0] = hwif_in_x_pos_value_next;
                 end
-                10'h10: begin
-                    readback_data_var[31:0] = hwif_in_x_pos_model_value_next;
-                end
-                10'h14: begin
-                    readback_data_var[31:0] = hwif_in_x_err_value_next;
-                end
-                10'h18: begin
-                    readback_data_var[31:0] = hwif_in_x_derr_value_next;
-                end
+                10'h10: readback_data_var[31:0] = hwif_in_x_pos_model_value_next;
+                10'h14: readback_data_var[31:0] = hwif_in_x_err_value_next;
+                10'h18: readback_data_var[31:0] = hwif_in_x_derr_value_next;
                 10'h1c: begin
                     readback_data_var[31:0] = hwif_in_x_u_value_next;
                 end
-                10'h20: begin
-                    readback_data_var[31:0] = hwif_in_x_vstar_value_next;
-                end
-                10'h24: begin
-                    readback_data_var[31:0] = hwif_in_x_iq_cmd_value_next;
-                end
-                10'h28: begin
-                    readback_data_var[31:0] = hwif_in_x_speed_value_next;
-                end
+                10'h20: readback_data_var[31:0] = hwif_in_x_vstar_value_next;
+                10'h24: readback_data_var[31:0] = hwif_in_x_iq_cmd_value_next;
+                10'h28: readback_data_var[31:0] = hwif_in_x_speed_value_next;
                 10'h2c: begin
                     readback_data_var[15:0] = hwif_in_x_id_iq_i_d_next;
                     readback_data_var[31:16] = hwif_in_x_id_iq_i_q_next;
@@ -1530,9 +1365,7 @@ module kung_xy_regs (
                     readback_data_var[17:0] = field_storage_x_a0_value_value;
                     readback_data_var[21:20] = field_storage_x_a0_scale_value;
                 end
-                10'h58: begin
-                    readback_data_var[23:0] = field_storage_x_b2_value_value;
-                end
+                10'h58: readback_data_var[23:0] = field_storage_x_b2_value_value;
                 10'h60: begin
                     readback_data_var[10:0] = field_storage_x_kp_cur_mant_value;
                     readback_data_var[20:16] = field_storage_x_kp_cur_exp_value;
@@ -1541,55 +1374,31 @@ module kung_xy_regs (
                     readback_data_var[10:0] = field_storage_x_ki_cur_mant_value;
                     readback_data_var[20:16] = field_storage_x_ki_cur_exp_value;
                 end
-                10'h68: begin
-                    readback_data_var[31:0] = field_storage_x_theta_ofs_value_value;
-                end
+                10'h68: readback_data_var[31:0] = field_storage_x_theta_ofs_value_value;
                 10'h6c: begin
                     readback_data_var[9:0] = field_storage_x_deadtime_clk_value;
                     readback_data_var[19:16] = field_storage_x_deadtime_qep_filter_value;
                 end
-                10'h70: begin
-                    readback_data_var[5:0] = field_storage_x_tab_addr_index_value;
-                end
-                10'h74: begin
-                    readback_data_var = hwif_in_x_tab_data_rd_data;
-                end
+                10'h70: readback_data_var[5:0] = field_storage_x_tab_addr_index_value;
+                10'h74: readback_data_var = hwif_in_x_tab_data_rd_data;
                 10'h7c: begin
                     readback_data_var[31:0] = hwif_in_x_index_latch_value_next;
                 end
-                10'h80: begin
-                    readback_data_var[23:0] = field_storage_x_stroke_min_value_value;
-                end
-                10'h84: begin
-                    readback_data_var[23:0] = field_storage_x_stroke_max_value_value;
-                end
-                10'h88: begin
-                    readback_data_var[0] = field_storage_x_stroke_en_enable_value;
-                end
+                10'h80: readback_data_var[23:0] = field_storage_x_stroke_min_value_value;
+                10'h84: readback_data_var[23:0] = field_storage_x_stroke_max_value_value;
+                10'h88: readback_data_var[0] = field_storage_x_stroke_en_enable_value;
                 10'h8c: begin
                     readback_data_var[11:0] = field_storage_x_iq_manual_value_value;
                 end
-                10'h90: begin
-                    readback_data_var[4:0] = field_storage_x_prec_addr_word_value;
-                end
-                10'h94: begin
-                    readback_data_var = hwif_in_x_prec_data_rd_data;
-                end
-                10'h98: begin
-                    readback_data_var = hwif_in_x_prec_err_rd_data;
-                end
+                10'h90: readback_data_var[4:0] = field_storage_x_prec_addr_word_value;
+                10'h94: readback_data_var = hwif_in_x_prec_data_rd_data;
+                10'h98: readback_data_var = hwif_in_x_prec_err_rd_data;
                 10'h9c: begin
                     readback_data_var = hwif_in_x_err_sum_rd_data;
                 end
-                10'ha0: begin
-                    readback_data_var = hwif_in_x_iq_sum_rd_data;
-                end
-                10'ha4: begin
-                    readback_data_var = hwif_in_x_prec_dist_rd_data;
-                end
-                10'hb0: begin
-                    readback_data_var[31:0] = field_storage_x_angle_step_value_value;
-                end
+                10'ha0: readback_data_var = hwif_in_x_iq_sum_rd_data;
+                10'ha4: readback_data_var = hwif_in_x_prec_dist_rd_data;
+                10'hb0: readback_data_var[31:0] = field_storage_x_angle_step_value_value;
                 10'hb4: begin
                     readback_data_var[11:0] = field_storage_x_current_offset_a_value;
                     readback_data_var[27:16] = field_storage_x_current_offset_b_value;
@@ -1622,33 +1431,19 @@ module kung_xy_regs (
                     readback_data_var[6] = field_storage_y_status_clipped_value;
                     readback_data_var[14:8] = hwif_in_y_status_step_next;
                 end
-                10'h108: begin
-                    readback_data_var[23:0] = field_storage_y_pos_cmd_value_value;
-                end
+                10'h108: readback_data_var[23:0] = field_storage_y_pos_cmd_value_value;
                 10'h10c: begin
                     readback_data_var[31:0] = hwif_in_y_pos_value_next;
                 end
-                10'h110: begin
-                    readback_data_var[31:0] = hwif_in_y_pos_model_value_next;
-                end
-                10'h114: begin
-                    readback_data_var[31:0] = hwif_in_y_err_value_next;
-                end
-                10'h118: begin
-                    readback_data_var[31:0] = hwif_in_y_derr_value_next;
-                end
+                10'h110: readback_data_var[31:0] = hwif_in_y_pos_model_value_next;
+                10'h114: readback_data_var[31:0] = hwif_in_y_err_value_next;
+                10'h118: readback_data_var[31:0] = hwif_in_y_derr_value_next;
                 10'h11c: begin
                     readback_data_var[31:0] = hwif_in_y_u_value_next;
                 end
-                10'h120: begin
-                    readback_data_var[31:0] = hwif_in_y_vstar_value_next;
-                end
-                10'h124: begin
-                    readback_data_var[31:0] = hwif_in_y_iq_cmd_value_next;
-                end
-                10'h128: begin
-                    readback_data_var[31:0] = hwif_in_y_speed_value_next;
-                end
+                10'h120: readback_data_var[31:0] = hwif_in_y_vstar_value_next;
+                10'h124: readback_data_var[31:0] = hwif_in_y_iq_cmd_value_next;
+                10'h128: readback_data_var[31:0] = hwif_in_y_speed_value_next;
                 10'h12c: begin
                     readback_data_var[15:0] = hwif_in_y_id_iq_i_d_next;
                     readback_data_var[31:16] = hwif_in_y_id_iq_i_q_next;
@@ -1681,9 +1476,7 @@ module kung_xy_regs (
                     readback_data_var[17:0] = field_storage_y_a0_value_value;
                     readback_data_var[21:20] = field_storage_y_a0_scale_value;
                 end
-                10'h158: begin
-                    readback_data_var[23:0] = field_storage_y_b2_value_value;
-                end
+                10'h158: readback_data_var[23:0] = field_storage_y_b2_value_value;
                 10'h160: begin
                     readback_data_var[10:0] = field_storage_y_kp_cur_mant_value;
                     readback_data_var[20:16] = field_storage_y_kp_cur_exp_value;
@@ -1692,55 +1485,31 @@ module kung_xy_regs (
                     readback_data_var[10:0] = field_storage_y_ki_cur_mant_value;
                     readback_data_var[20:16] = field_storage_y_ki_cur_exp_value;
                 end
-                10'h168: begin
-                    readback_data_var[31:0] = field_storage_y_theta_ofs_value_value;
-                end
+                10'h168: readback_data_var[31:0] = field_storage_y_theta_ofs_value_value;
                 10'h16c: begin
                     readback_data_var[9:0] = field_storage_y_deadtime_clk_value;
                     readback_data_var[19:16] = field_storage_y_deadtime_qep_filter_value;
                 end
-                10'h170: begin
-                    readback_data_var[5:0] = field_storage_y_tab_addr_index_value;
-                end
-                10'h174: begin
-                    readback_data_var = hwif_in_y_tab_data_rd_data;
-                end
+                10'h170: readback_data_var[5:0] = field_storage_y_tab_addr_index_value;
+                10'h174: readback_data_var = hwif_in_y_tab_data_rd_data;
                 10'h17c: begin
                     readback_data_var[31:0] = hwif_in_y_index_latch_value_next;
                 end
-                10'h180: begin
-                    readback_data_var[23:0] = field_storage_y_stroke_min_value_value;
-                end
-                10'h184: begin
-                    readback_data_var[23:0] = field_storage_y_stroke_max_value_value;
-                end
-                10'h188: begin
-                    readback_data_var[0] = field_storage_y_stroke_en_enable_value;
-                end
+                10'h180: readback_data_var[23:0] = field_storage_y_stroke_min_value_value;
+                10'h184: readback_data_var[23:0] = field_storage_y_stroke_max_value_value;
+                10'h188: readback_data_var[0] = field_storage_y_stroke_en_enable_value;
                 10'h18c: begin
                     readback_data_var[11:0] = field_storage_y_iq_manual_value_value;
                 end
-                10'h190: begin
-                    readback_data_var[4:0] = field_storage_y_prec_addr_word_value;
-                end
-                10'h194: begin
-                    readback_data_var = hwif_in_y_prec_data_rd_data;
-                end
-                10'h198: begin
-                    readback_data_var = hwif_in_y_prec_err_rd_data;
-                end
+                10'h190: readback_data_var[4:0] = field_storage_y_prec_addr_word_value;
+                10'h194: readback_data_var = hwif_in_y_prec_data_rd_data;
+                10'h198: readback_data_var = hwif_in_y_prec_err_rd_data;
                 10'h19c: begin
                     readback_data_var = hwif_in_y_err_sum_rd_data;
                 end
-                10'h1a0: begin
-                    readback_data_var = hwif_in_y_iq_sum_rd_data;
-                end
-                10'h1a4: begin
-                    readback_data_var = hwif_in_y_prec_dist_rd_data;
-                end
-                10'h1b0: begin
-                    readback_data_var[31:0] = field_storage_y_angle_step_value_value;
-                end
+                10'h1a0: readback_data_var = hwif_in_y_iq_sum_rd_data;
+                10'h1a4: readback_data_var = hwif_in_y_prec_dist_rd_data;
+                10'h1b0: readback_data_var[31:0] = field_storage_y_angle_step_value_value;
                 10'h1b4: begin
                     readback_data_var[11:0] = field_storage_y_current_offset_a_value;
                     readback_data_var[27:16] = field_storage_y_current_offset_b_value;
@@ -1764,9 +1533,7 @@ module kung_xy_regs (
                     readback_data_var[0] = field_storage_irq_stat_tick_value;
                     readback_data_var[1] = field_storage_irq_stat_fault_value;
                 end
-                10'h210: begin
-                    readback_data_var[31:0] = hwif_in_tick_value_next;
-                end
+                10'h210: readback_data_var[31:0] = hwif_in_tick_value_next;
                 10'h214: begin
                     readback_data_var[3:0] = hwif_in_fault_code_next;
                     readback_data_var[4] = hwif_in_fault_axis_next;
@@ -1775,21 +1542,13 @@ module kung_xy_regs (
                 10'h21c: begin
                     readback_data_var[15:0] = field_storage_watchdog_limit_value;
                 end
-                10'h220: begin
-                    readback_data_var = hwif_in_lock_rd_data;
-                end
-                10'h224: begin
-                    readback_data_var[11:0] = field_storage_current_limit_value_value;
-                end
-                10'h228: begin
-                    readback_data_var[9:0] = field_storage_deadtime_min_clk_value;
-                end
+                10'h220: readback_data_var = hwif_in_lock_rd_data;
+                10'h224: readback_data_var[11:0] = field_storage_current_limit_value_value;
+                10'h228: readback_data_var[9:0] = field_storage_deadtime_min_clk_value;
                 10'h22c: begin
                     readback_data_var[7:0] = field_storage_irq_period_ticks_value;
                 end
-                10'h230: begin
-                    readback_data_var = hwif_in_knot_rd_data;
-                end
+                10'h230: readback_data_var = hwif_in_knot_rd_data;
                 10'h240: begin
                     readback_data_var[1:0] = field_storage_rates_carrier_value;
                     readback_data_var[5:4] = field_storage_rates_position_value;

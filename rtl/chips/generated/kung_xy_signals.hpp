@@ -12,490 +12,16 @@
 
 namespace trammel::kung_xy_regs {
 
-template <class Root>
-std::uint32_t read_ctrl_enable(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_ctrl_enable_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_ctrl_enable_value;
-}
-
-template <class Root>
-std::uint32_t read_ctrl_current_loop(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_ctrl_current_loop_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_ctrl_current_loop_value;
-}
-
-template <class Root>
-std::uint32_t read_ctrl_position_loop(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_ctrl_position_loop_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_ctrl_position_loop_value;
-}
-
-template <class Root>
-std::uint32_t read_ctrl_adapt(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_ctrl_adapt_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_ctrl_adapt_value;
-}
-
-template <class Root>
-std::uint32_t read_ctrl_reset_model(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_ctrl_reset_model_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_ctrl_reset_model_value;
-}
-
-template <class Root>
-std::uint32_t read_ctrl_reset_table(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_ctrl_reset_table_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_ctrl_reset_table_value;
-}
-
-template <class Root>
-std::uint32_t read_ctrl_interpolate(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_ctrl_interpolate_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_ctrl_interpolate_value;
-}
-
-template <class Root>
-std::uint32_t read_ctrl_feedforward(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_ctrl_feedforward_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_ctrl_feedforward_value;
-}
-
-template <class Root>
-std::uint32_t read_ctrl_precision(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_ctrl_precision_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_ctrl_precision_value;
-}
-
-template <class Root>
-std::uint32_t read_status_busy(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__gen_axis__BRA__0__KET____DOT__u_axis__DOT__afc_busy
-         : root.kung_xy__DOT__gen_axis__BRA__1__KET____DOT__u_axis__DOT__afc_busy;
-}
-
-template <class Root>
-std::uint32_t read_status_overrun(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_status_overrun_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_status_overrun_value;
-}
-
-template <class Root>
-std::uint32_t read_status_qep_error(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_status_qep_error_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_status_qep_error_value;
-}
-
-template <class Root>
-std::uint32_t read_status_saturated(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_status_saturated_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_status_saturated_value;
-}
-
-template <class Root>
-std::uint32_t read_status_limited(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_status_limited_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_status_limited_value;
-}
-
-template <class Root>
-std::uint32_t read_status_underrun(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_status_underrun_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_status_underrun_value;
-}
-
-template <class Root>
-std::uint32_t read_status_clipped(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_status_clipped_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_status_clipped_value;
-}
-
-template <class Root>
-std::uint32_t read_status_step(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__gen_axis__BRA__0__KET____DOT__u_axis__DOT__u_afc__DOT__step_q
-         : root.kung_xy__DOT__gen_axis__BRA__1__KET____DOT__u_axis__DOT__u_afc__DOT__step_q;
-}
-
-template <class Root>
-std::uint32_t read_pos_cmd(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_pos_cmd_value_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_pos_cmd_value_value;
-}
-
-template <class Root>
-std::uint32_t read_pos(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__gen_axis__BRA__0__KET____DOT__u_axis__DOT__x_p_q
-         : root.kung_xy__DOT__gen_axis__BRA__1__KET____DOT__u_axis__DOT__x_p_q;
-}
-
-template <class Root>
-std::uint32_t read_pos_model(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__gen_axis__BRA__0__KET____DOT__u_axis__DOT__u_afc__DOT__x_r_q
-         : root.kung_xy__DOT__gen_axis__BRA__1__KET____DOT__u_axis__DOT__u_afc__DOT__x_r_q;
-}
-
-template <class Root>
-std::uint32_t read_err(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__gen_axis__BRA__0__KET____DOT__u_axis__DOT__u_afc__DOT__e_q
-         : root.kung_xy__DOT__gen_axis__BRA__1__KET____DOT__u_axis__DOT__u_afc__DOT__e_q;
-}
-
-template <class Root>
-std::uint32_t read_derr(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__gen_axis__BRA__0__KET____DOT__u_axis__DOT__u_afc__DOT__de_q
-         : root.kung_xy__DOT__gen_axis__BRA__1__KET____DOT__u_axis__DOT__u_afc__DOT__de_q;
-}
-
-template <class Root>
-std::uint32_t read_u(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__gen_axis__BRA__0__KET____DOT__u_axis__DOT__u_afc__DOT__u_q
-         : root.kung_xy__DOT__gen_axis__BRA__1__KET____DOT__u_axis__DOT__u_afc__DOT__u_q;
-}
-
-template <class Root>
-std::uint32_t read_vstar(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__gen_axis__BRA__0__KET____DOT__u_axis__DOT__u_afc__DOT__v_star_q
-         : root.kung_xy__DOT__gen_axis__BRA__1__KET____DOT__u_axis__DOT__u_afc__DOT__v_star_q;
-}
-
-template <class Root>
-std::uint32_t read_iq_cmd(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__gen_axis__BRA__0__KET____DOT__u_axis__DOT__iq_ref
-         : root.kung_xy__DOT__gen_axis__BRA__1__KET____DOT__u_axis__DOT__iq_ref;
-}
-
-template <class Root>
-std::uint32_t read_speed(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__gen_axis__BRA__0__KET____DOT__u_axis__DOT__u_afc__DOT__v_q
-         : root.kung_xy__DOT__gen_axis__BRA__1__KET____DOT__u_axis__DOT__u_afc__DOT__v_q;
-}
-
-template <class Root>
-std::uint32_t read_id_iq_i_d(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__gen_axis__BRA__0__KET____DOT__u_axis__DOT__u_current_loop__DOT__i_d_o
-         : root.kung_xy__DOT__gen_axis__BRA__1__KET____DOT__u_axis__DOT__u_current_loop__DOT__i_d_o;
-}
-
-template <class Root>
-std::uint32_t read_id_iq_i_q(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__gen_axis__BRA__0__KET____DOT__u_axis__DOT__u_current_loop__DOT__i_q_o
-         : root.kung_xy__DOT__gen_axis__BRA__1__KET____DOT__u_axis__DOT__u_current_loop__DOT__i_q_o;
-}
-
-template <class Root>
-std::uint32_t read_vd_vq_v_d(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__gen_axis__BRA__0__KET____DOT__u_axis__DOT__u_current_loop__DOT__v_d_o
-         : root.kung_xy__DOT__gen_axis__BRA__1__KET____DOT__u_axis__DOT__u_current_loop__DOT__v_d_o;
-}
-
-template <class Root>
-std::uint32_t read_vd_vq_v_q(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__gen_axis__BRA__0__KET____DOT__u_axis__DOT__u_current_loop__DOT__v_q_o
-         : root.kung_xy__DOT__gen_axis__BRA__1__KET____DOT__u_axis__DOT__u_current_loop__DOT__v_q_o;
-}
-
-template <class Root>
-std::uint32_t read_kp_mant(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_kp_mant_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_kp_mant_value;
-}
-
-template <class Root>
-std::uint32_t read_kp_exp(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_kp_exp_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_kp_exp_value;
-}
-
-template <class Root>
-std::uint32_t read_ki_mant(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_ki_mant_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_ki_mant_value;
-}
-
-template <class Root>
-std::uint32_t read_ki_exp(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_ki_exp_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_ki_exp_value;
-}
-
-template <class Root>
-std::uint32_t read_kv_mant(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_kv_mant_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_kv_mant_value;
-}
-
-template <class Root>
-std::uint32_t read_kv_exp(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_kv_exp_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_kv_exp_value;
-}
-
-template <class Root>
-std::uint32_t read_eta_mant(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_eta_mant_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_eta_mant_value;
-}
-
-template <class Root>
-std::uint32_t read_eta_exp(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_eta_exp_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_eta_exp_value;
-}
-
-template <class Root>
-std::uint32_t read_shift_e(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_shift_e_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_shift_e_value;
-}
-
-template <class Root>
-std::uint32_t read_shift_de(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_shift_de_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_shift_de_value;
-}
-
-template <class Root>
-std::uint32_t read_a0_value(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_a0_value_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_a0_value_value;
-}
-
-template <class Root>
-std::uint32_t read_a0_scale(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_a0_scale_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_a0_scale_value;
-}
-
-template <class Root>
-std::uint32_t read_b2(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_b2_value_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_b2_value_value;
-}
-
-template <class Root>
-std::uint32_t read_kp_cur_mant(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_kp_cur_mant_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_kp_cur_mant_value;
-}
-
-template <class Root>
-std::uint32_t read_kp_cur_exp(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_kp_cur_exp_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_kp_cur_exp_value;
-}
-
-template <class Root>
-std::uint32_t read_ki_cur_mant(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_ki_cur_mant_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_ki_cur_mant_value;
-}
-
-template <class Root>
-std::uint32_t read_ki_cur_exp(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_ki_cur_exp_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_ki_cur_exp_value;
-}
-
-template <class Root>
-std::uint32_t read_theta_ofs(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_theta_ofs_value_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_theta_ofs_value_value;
-}
-
-template <class Root>
-std::uint32_t read_deadtime_clk(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_deadtime_clk_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_deadtime_clk_value;
-}
-
-template <class Root>
-std::uint32_t read_deadtime_qep_filter(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_deadtime_qep_filter_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_deadtime_qep_filter_value;
-}
-
-template <class Root>
-std::uint32_t read_tab_addr(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_tab_addr_index_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_tab_addr_index_value;
-}
-
-template <class Root>
-std::uint32_t read_index_latch(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__gen_axis__BRA__0__KET____DOT__u_axis__DOT__u_qep__DOT__latch_q
-         : root.kung_xy__DOT__gen_axis__BRA__1__KET____DOT__u_axis__DOT__u_qep__DOT__latch_q;
-}
-
-template <class Root>
-std::uint32_t read_stroke_min(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_stroke_min_value_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_stroke_min_value_value;
-}
-
-template <class Root>
-std::uint32_t read_stroke_max(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_stroke_max_value_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_stroke_max_value_value;
-}
-
-template <class Root>
-std::uint32_t read_stroke_en(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_stroke_en_enable_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_stroke_en_enable_value;
-}
-
-template <class Root>
-std::uint32_t read_iq_manual(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_iq_manual_value_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_iq_manual_value_value;
-}
-
-template <class Root>
-std::uint32_t read_prec_addr(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_prec_addr_word_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_prec_addr_word_value;
-}
-
-template <class Root>
-std::uint32_t read_angle_step(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_angle_step_value_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_angle_step_value_value;
-}
-
-template <class Root>
-std::uint32_t read_current_offset_a(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_current_offset_a_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_current_offset_a_value;
-}
-
-template <class Root>
-std::uint32_t read_current_offset_b(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_current_offset_b_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_current_offset_b_value;
-}
-
-template <class Root>
-std::uint32_t read_phase_currents_i_a(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__gen_axis__BRA__0__KET____DOT__u_axis__DOT__u_current_loop__DOT__i_a_o
-         : root.kung_xy__DOT__gen_axis__BRA__1__KET____DOT__u_axis__DOT__u_current_loop__DOT__i_a_o;
-}
-
-template <class Root>
-std::uint32_t read_phase_currents_i_b(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__gen_axis__BRA__0__KET____DOT__u_axis__DOT__u_current_loop__DOT__i_b_o
-         : root.kung_xy__DOT__gen_axis__BRA__1__KET____DOT__u_axis__DOT__u_current_loop__DOT__i_b_o;
-}
-
-template <class Root>
-std::uint32_t read_adc_frame(const Root& root, int axis) {
-  return axis == 0 ? root.kung_xy__DOT__u_regs__DOT__field_storage_x_adc_frame_zeros_value
-         : root.kung_xy__DOT__u_regs__DOT__field_storage_y_adc_frame_zeros_value;
-}
-
-template <class Root>
-std::uint32_t read_irq_en_tick(const Root& root, int) {
-  return root.kung_xy__DOT__u_regs__DOT__field_storage_irq_en_tick_value;
-}
-
-template <class Root>
-std::uint32_t read_irq_en_fault(const Root& root, int) {
-  return root.kung_xy__DOT__u_regs__DOT__field_storage_irq_en_fault_value;
-}
-
-template <class Root>
-std::uint32_t read_irq_stat_tick(const Root& root, int) {
-  return root.kung_xy__DOT__u_regs__DOT__field_storage_irq_stat_tick_value;
-}
-
-template <class Root>
-std::uint32_t read_irq_stat_fault(const Root& root, int) {
-  return root.kung_xy__DOT__u_regs__DOT__field_storage_irq_stat_fault_value;
-}
-
-template <class Root>
-std::uint32_t read_tick(const Root& root, int) {
-  return root.kung_xy__DOT__tick_count;
-}
-
-template <class Root>
-std::uint32_t read_fault_code(const Root& root, int) {
-  return root.kung_xy__DOT__u_supervisor__DOT__code_q;
-}
-
-template <class Root>
-std::uint32_t read_fault_axis(const Root& root, int) {
-  return root.kung_xy__DOT__u_supervisor__DOT__axis_q;
-}
-
-template <class Root>
-std::uint32_t read_fault_tick(const Root& root, int) {
-  return root.kung_xy__DOT__u_supervisor__DOT__tick_q;
-}
-
-template <class Root>
-std::uint32_t read_watchdog(const Root& root, int) {
-  return root.kung_xy__DOT__u_regs__DOT__field_storage_watchdog_limit_value;
-}
-
-template <class Root>
-std::uint32_t read_lock(const Root& root, int) {
-  return root.kung_xy__DOT__locked_q;
-}
-
-template <class Root>
-std::uint32_t read_current_limit(const Root& root, int) {
-  return root.kung_xy__DOT__u_regs__DOT__field_storage_current_limit_value_value;
-}
-
-template <class Root>
-std::uint32_t read_deadtime_min(const Root& root, int) {
-  return root.kung_xy__DOT__u_regs__DOT__field_storage_deadtime_min_clk_value;
-}
-
-template <class Root>
-std::uint32_t read_irq_period(const Root& root, int) {
-  return root.kung_xy__DOT__u_regs__DOT__field_storage_irq_period_ticks_value;
-}
-
-template <class Root>
-std::uint32_t read_rates_carrier(const Root& root, int) {
-  return root.kung_xy__DOT__u_regs__DOT__field_storage_rates_carrier_value;
-}
-
-template <class Root>
-std::uint32_t read_rates_position(const Root& root, int) {
-  return root.kung_xy__DOT__u_regs__DOT__field_storage_rates_position_value;
-}
-
-template <class Root>
-std::uint32_t read_ctrl(const Root& root, int axis) {
-  return (read_ctrl_enable(root, axis) & 0x1u) << 0 |
-         (read_ctrl_current_loop(root, axis) & 0x1u) << 1 |
-         (read_ctrl_position_loop(root, axis) & 0x1u) << 2 |
-         (read_ctrl_adapt(root, axis) & 0x1u) << 3 |
-         (read_ctrl_reset_model(root, axis) & 0x1u) << 4 |
-         (read_ctrl_reset_table(root, axis) & 0x1u) << 5 |
-         (read_ctrl_interpolate(root, axis) & 0x1u) << 6 |
-         (read_ctrl_feedforward(root, axis) & 0x1u) << 7 |
-         (read_ctrl_precision(root, axis) & 0x1u) << 8;
-}
-
-template <class Root>
-std::uint32_t read_status(const Root& root, int axis) {
-  return (read_status_busy(root, axis) & 0x1u) << 0 |
-         (read_status_overrun(root, axis) & 0x1u) << 1 |
-         (read_status_qep_error(root, axis) & 0x1u) << 2 |
-         (read_status_saturated(root, axis) & 0x1u) << 3 |
-         (read_status_limited(root, axis) & 0x1u) << 4 |
-         (read_status_underrun(root, axis) & 0x1u) << 5 |
-         (read_status_clipped(root, axis) & 0x1u) << 6 |
-         (read_status_step(root, axis) & 0x7Fu) << 8;
-}
-
-template <class Root>
-std::uint32_t read_fault(const Root& root, int) {
-  return (read_fault_code(root, 0) & 0xFu) << 0 |
-         (read_fault_axis(root, 0) & 0x1u) << 4 |
-         (read_fault_tick(root, 0) & 0xFFFFFFu) << 8;
-}
+// A signal of the chip and a field of the register block, each also of an axis.
+#define TRAMMEL_HELD(path) root.kung_xy__DOT__##path
+#define TRAMMEL_STORED(path) root.kung_xy__DOT__u_regs__DOT__field_storage_##path##_value
+#define TRAMMEL_HELD_OF_AXIS(path) \
+  (axis == 0 ? TRAMMEL_HELD(gen_axis__BRA__0__KET____DOT__u_axis__DOT__##path) \
+             : TRAMMEL_HELD(gen_axis__BRA__1__KET____DOT__u_axis__DOT__##path))
+#define TRAMMEL_STORED_OF_AXIS(path) \
+  (axis == 0 ? TRAMMEL_STORED(x_##path) : TRAMMEL_STORED(y_##path))
+#define TRAMMEL_READ(value) \
+  [](const Root& root, [[maybe_unused]] int axis) -> std::uint32_t { return value; }
 
 // What a trigger may name, and its bits.
 template <class Root>
@@ -506,83 +32,106 @@ struct Reading {
 
 template <class Root>
 inline constexpr std::array<Reading<Root>, 77> kReadings{{
-    {kWords[0], read_ctrl<Root>},
-    {kFields[0], read_ctrl_enable<Root>},
-    {kFields[1], read_ctrl_current_loop<Root>},
-    {kFields[2], read_ctrl_position_loop<Root>},
-    {kFields[3], read_ctrl_adapt<Root>},
-    {kFields[4], read_ctrl_reset_model<Root>},
-    {kFields[5], read_ctrl_reset_table<Root>},
-    {kFields[8], read_ctrl_precision<Root>},
-    {kWords[1], read_status<Root>},
-    {kFields[9], read_status_busy<Root>},
-    {kFields[10], read_status_overrun<Root>},
-    {kFields[11], read_status_qep_error<Root>},
-    {kFields[12], read_status_saturated<Root>},
-    {kFields[13], read_status_limited<Root>},
-    {kFields[14], read_status_underrun<Root>},
-    {kFields[15], read_status_clipped<Root>},
-    {kFields[16], read_status_step<Root>},
-    {kFields[17], read_pos_cmd<Root>},
-    {kFields[18], read_pos<Root>},
-    {kFields[19], read_pos_model<Root>},
-    {kFields[20], read_err<Root>},
-    {kFields[21], read_derr<Root>},
-    {kFields[22], read_u<Root>},
-    {kFields[23], read_vstar<Root>},
-    {kFields[24], read_iq_cmd<Root>},
-    {kFields[25], read_speed<Root>},
-    {kFields[26], read_id_iq_i_d<Root>},
-    {kFields[27], read_id_iq_i_q<Root>},
-    {kFields[28], read_vd_vq_v_d<Root>},
-    {kFields[29], read_vd_vq_v_q<Root>},
-    {kFields[30], read_kp_mant<Root>},
-    {kFields[31], read_kp_exp<Root>},
-    {kFields[32], read_ki_mant<Root>},
-    {kFields[33], read_ki_exp<Root>},
-    {kFields[34], read_kv_mant<Root>},
-    {kFields[35], read_kv_exp<Root>},
-    {kFields[36], read_eta_mant<Root>},
-    {kFields[37], read_eta_exp<Root>},
-    {kFields[38], read_shift_e<Root>},
-    {kFields[39], read_shift_de<Root>},
-    {kFields[40], read_a0_value<Root>},
-    {kFields[42], read_b2<Root>},
-    {kFields[43], read_kp_cur_mant<Root>},
-    {kFields[44], read_kp_cur_exp<Root>},
-    {kFields[45], read_ki_cur_mant<Root>},
-    {kFields[46], read_ki_cur_exp<Root>},
-    {kFields[47], read_theta_ofs<Root>},
-    {kFields[48], read_deadtime_clk<Root>},
-    {kFields[49], read_deadtime_qep_filter<Root>},
-    {kFields[50], read_tab_addr<Root>},
-    {kFields[53], read_index_latch<Root>},
-    {kFields[54], read_stroke_min<Root>},
-    {kFields[55], read_stroke_max<Root>},
-    {kFields[56], read_stroke_en<Root>},
-    {kFields[57], read_iq_manual<Root>},
-    {kFields[58], read_prec_addr<Root>},
-    {kFields[64], read_angle_step<Root>},
-    {kFields[65], read_current_offset_a<Root>},
-    {kFields[66], read_current_offset_b<Root>},
-    {kFields[67], read_phase_currents_i_a<Root>},
-    {kFields[68], read_phase_currents_i_b<Root>},
-    {kFields[69], read_adc_frame<Root>},
-    {kFields[73], read_irq_en_tick<Root>},
-    {kFields[74], read_irq_en_fault<Root>},
-    {kFields[75], read_irq_stat_tick<Root>},
-    {kFields[76], read_irq_stat_fault<Root>},
-    {kFields[77], read_tick<Root>},
-    {kWords[2], read_fault<Root>},
-    {kFields[78], read_fault_code<Root>},
-    {kFields[79], read_fault_axis<Root>},
-    {kFields[82], read_watchdog<Root>},
-    {kFields[83], read_lock<Root>},
-    {kFields[84], read_current_limit<Root>},
-    {kFields[85], read_deadtime_min<Root>},
-    {kFields[86], read_irq_period<Root>},
-    {kFields[88], read_rates_carrier<Root>},
-    {kFields[89], read_rates_position<Root>},
+    {kWords[0], TRAMMEL_READ((TRAMMEL_STORED_OF_AXIS(ctrl_enable) & 0x1u) << 0 |
+                     (TRAMMEL_STORED_OF_AXIS(ctrl_current_loop) & 0x1u) << 1 |
+                     (TRAMMEL_STORED_OF_AXIS(ctrl_position_loop) & 0x1u) << 2 |
+                     (TRAMMEL_STORED_OF_AXIS(ctrl_adapt) & 0x1u) << 3 |
+                     (TRAMMEL_STORED_OF_AXIS(ctrl_reset_model) & 0x1u) << 4 |
+                     (TRAMMEL_STORED_OF_AXIS(ctrl_reset_table) & 0x1u) << 5 |
+                     (TRAMMEL_STORED_OF_AXIS(ctrl_interpolate) & 0x1u) << 6 |
+                     (TRAMMEL_STORED_OF_AXIS(ctrl_feedforward) & 0x1u) << 7 |
+                     (TRAMMEL_STORED_OF_AXIS(ctrl_precision) & 0x1u) << 8)},
+    {kFields[0], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(ctrl_enable))},
+    {kFields[1], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(ctrl_current_loop))},
+    {kFields[2], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(ctrl_position_loop))},
+    {kFields[3], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(ctrl_adapt))},
+    {kFields[4], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(ctrl_reset_model))},
+    {kFields[5], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(ctrl_reset_table))},
+    {kFields[8], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(ctrl_precision))},
+    {kWords[1], TRAMMEL_READ((TRAMMEL_HELD_OF_AXIS(afc_busy) & 0x1u) << 0 |
+                     (TRAMMEL_STORED_OF_AXIS(status_overrun) & 0x1u) << 1 |
+                     (TRAMMEL_STORED_OF_AXIS(status_qep_error) & 0x1u) << 2 |
+                     (TRAMMEL_STORED_OF_AXIS(status_saturated) & 0x1u) << 3 |
+                     (TRAMMEL_STORED_OF_AXIS(status_limited) & 0x1u) << 4 |
+                     (TRAMMEL_STORED_OF_AXIS(status_underrun) & 0x1u) << 5 |
+                     (TRAMMEL_STORED_OF_AXIS(status_clipped) & 0x1u) << 6 |
+                     (TRAMMEL_HELD_OF_AXIS(u_afc__DOT__step_q) & 0x7Fu) << 8)},
+    {kFields[9], TRAMMEL_READ(TRAMMEL_HELD_OF_AXIS(afc_busy))},
+    {kFields[10], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(status_overrun))},
+    {kFields[11], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(status_qep_error))},
+    {kFields[12], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(status_saturated))},
+    {kFields[13], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(status_limited))},
+    {kFields[14], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(status_underrun))},
+    {kFields[15], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(status_clipped))},
+    {kFields[16], TRAMMEL_READ(TRAMMEL_HELD_OF_AXIS(u_afc__DOT__step_q))},
+    {kFields[17], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(pos_cmd_value))},
+    {kFields[18], TRAMMEL_READ(TRAMMEL_HELD_OF_AXIS(x_p_q))},
+    {kFields[19], TRAMMEL_READ(TRAMMEL_HELD_OF_AXIS(u_afc__DOT__x_r_q))},
+    {kFields[20], TRAMMEL_READ(TRAMMEL_HELD_OF_AXIS(u_afc__DOT__e_q))},
+    {kFields[21], TRAMMEL_READ(TRAMMEL_HELD_OF_AXIS(u_afc__DOT__de_q))},
+    {kFields[22], TRAMMEL_READ(TRAMMEL_HELD_OF_AXIS(u_afc__DOT__u_q))},
+    {kFields[23], TRAMMEL_READ(TRAMMEL_HELD_OF_AXIS(u_afc__DOT__v_star_q))},
+    {kFields[24], TRAMMEL_READ(TRAMMEL_HELD_OF_AXIS(iq_ref))},
+    {kFields[25], TRAMMEL_READ(TRAMMEL_HELD_OF_AXIS(u_afc__DOT__v_q))},
+    {kFields[26], TRAMMEL_READ(TRAMMEL_HELD_OF_AXIS(u_current_loop__DOT__i_d_o))},
+    {kFields[27], TRAMMEL_READ(TRAMMEL_HELD_OF_AXIS(u_current_loop__DOT__i_q_o))},
+    {kFields[28], TRAMMEL_READ(TRAMMEL_HELD_OF_AXIS(u_current_loop__DOT__v_d_o))},
+    {kFields[29], TRAMMEL_READ(TRAMMEL_HELD_OF_AXIS(u_current_loop__DOT__v_q_o))},
+    {kFields[30], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(kp_mant))},
+    {kFields[31], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(kp_exp))},
+    {kFields[32], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(ki_mant))},
+    {kFields[33], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(ki_exp))},
+    {kFields[34], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(kv_mant))},
+    {kFields[35], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(kv_exp))},
+    {kFields[36], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(eta_mant))},
+    {kFields[37], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(eta_exp))},
+    {kFields[38], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(shift_e))},
+    {kFields[39], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(shift_de))},
+    {kFields[40], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(a0_value))},
+    {kFields[42], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(b2_value))},
+    {kFields[43], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(kp_cur_mant))},
+    {kFields[44], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(kp_cur_exp))},
+    {kFields[45], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(ki_cur_mant))},
+    {kFields[46], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(ki_cur_exp))},
+    {kFields[47], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(theta_ofs_value))},
+    {kFields[48], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(deadtime_clk))},
+    {kFields[49], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(deadtime_qep_filter))},
+    {kFields[50], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(tab_addr_index))},
+    {kFields[53], TRAMMEL_READ(TRAMMEL_HELD_OF_AXIS(u_qep__DOT__latch_q))},
+    {kFields[54], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(stroke_min_value))},
+    {kFields[55], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(stroke_max_value))},
+    {kFields[56], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(stroke_en_enable))},
+    {kFields[57], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(iq_manual_value))},
+    {kFields[58], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(prec_addr_word))},
+    {kFields[64], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(angle_step_value))},
+    {kFields[65], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(current_offset_a))},
+    {kFields[66], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(current_offset_b))},
+    {kFields[67], TRAMMEL_READ(TRAMMEL_HELD_OF_AXIS(u_current_loop__DOT__i_a_o))},
+    {kFields[68], TRAMMEL_READ(TRAMMEL_HELD_OF_AXIS(u_current_loop__DOT__i_b_o))},
+    {kFields[69], TRAMMEL_READ(TRAMMEL_STORED_OF_AXIS(adc_frame_zeros))},
+    {kFields[73], TRAMMEL_READ(TRAMMEL_STORED(irq_en_tick))},
+    {kFields[74], TRAMMEL_READ(TRAMMEL_STORED(irq_en_fault))},
+    {kFields[75], TRAMMEL_READ(TRAMMEL_STORED(irq_stat_tick))},
+    {kFields[76], TRAMMEL_READ(TRAMMEL_STORED(irq_stat_fault))},
+    {kFields[77], TRAMMEL_READ(TRAMMEL_HELD(tick_count))},
+    {kWords[2], TRAMMEL_READ((TRAMMEL_HELD(u_supervisor__DOT__code_q) & 0xFu) << 0 |
+                     (TRAMMEL_HELD(u_supervisor__DOT__axis_q) & 0x1u) << 4 |
+                     (TRAMMEL_HELD(u_supervisor__DOT__tick_q) & 0xFFFFFFu) << 8)},
+    {kFields[78], TRAMMEL_READ(TRAMMEL_HELD(u_supervisor__DOT__code_q))},
+    {kFields[79], TRAMMEL_READ(TRAMMEL_HELD(u_supervisor__DOT__axis_q))},
+    {kFields[82], TRAMMEL_READ(TRAMMEL_STORED(watchdog_limit))},
+    {kFields[83], TRAMMEL_READ(TRAMMEL_HELD(locked_q))},
+    {kFields[84], TRAMMEL_READ(TRAMMEL_STORED(current_limit_value))},
+    {kFields[85], TRAMMEL_READ(TRAMMEL_STORED(deadtime_min_clk))},
+    {kFields[86], TRAMMEL_READ(TRAMMEL_STORED(irq_period_ticks))},
+    {kFields[88], TRAMMEL_READ(TRAMMEL_STORED(rates_carrier))},
+    {kFields[89], TRAMMEL_READ(TRAMMEL_STORED(rates_position))},
 }};
+
+#undef TRAMMEL_READ
+#undef TRAMMEL_STORED_OF_AXIS
+#undef TRAMMEL_HELD_OF_AXIS
+#undef TRAMMEL_STORED
+#undef TRAMMEL_HELD
 
 }  // namespace trammel::kung_xy_regs

@@ -31,34 +31,20 @@ module mcafee_xy_regs (
         output mcafee_xy_regs_pkg::mcafee_xy__out_t hwif_out
     );
 
-    logic hwif_in_status_refused_hwset;
-    assign hwif_in_status_refused_hwset = hwif_in.status.refused.hwset;
-    logic hwif_in_status_sample_hwset;
-    assign hwif_in_status_sample_hwset = hwif_in.status.sample.hwset;
-    logic [7:0] hwif_in_port_c_from_part_next;
-    assign hwif_in_port_c_from_part_next = hwif_in.port_c.from_part.next;
-    logic hwif_in_status_busy_next;
-    assign hwif_in_status_busy_next = hwif_in.status.busy.next;
-    logic [7:0] hwif_in_feed_out_v_next;
-    assign hwif_in_feed_out_v_next = hwif_in.feed_out.v.next;
-    logic hwif_in_feed_out_ready_next;
-    assign hwif_in_feed_out_ready_next = hwif_in.feed_out.ready.next;
-    logic hwif_in_irq_x_next;
-    assign hwif_in_irq_x_next = hwif_in.irq.x.next;
-    logic hwif_in_irq_y_next;
-    assign hwif_in_irq_y_next = hwif_in.irq.y.next;
-    logic hwif_in_limits_x_low_next;
-    assign hwif_in_limits_x_low_next = hwif_in.limits.x_low.next;
-    logic hwif_in_limits_x_high_next;
-    assign hwif_in_limits_x_high_next = hwif_in.limits.x_high.next;
-    logic hwif_in_limits_y_low_next;
-    assign hwif_in_limits_y_low_next = hwif_in.limits.y_low.next;
-    logic hwif_in_limits_y_high_next;
-    assign hwif_in_limits_y_high_next = hwif_in.limits.y_high.next;
+    wire hwif_in_status_refused_hwset = hwif_in.status.refused.hwset;
+    wire hwif_in_status_sample_hwset = hwif_in.status.sample.hwset;
+    wire [7:0] hwif_in_port_c_from_part_next = hwif_in.port_c.from_part.next;
+    wire hwif_in_status_busy_next = hwif_in.status.busy.next;
+    wire [7:0] hwif_in_feed_out_v_next = hwif_in.feed_out.v.next;
+    wire hwif_in_feed_out_ready_next = hwif_in.feed_out.ready.next;
+    wire hwif_in_irq_x_next = hwif_in.irq.x.next;
+    wire hwif_in_irq_y_next = hwif_in.irq.y.next;
+    wire hwif_in_limits_x_low_next = hwif_in.limits.x_low.next;
+    wire hwif_in_limits_x_high_next = hwif_in.limits.x_high.next;
+    wire hwif_in_limits_y_low_next = hwif_in.limits.y_low.next;
+    wire hwif_in_limits_y_high_next = hwif_in.limits.y_high.next;
 
-    //--------------------------------------------------------------------------
     // CPU Bus interface logic
-    //--------------------------------------------------------------------------
     logic cpuif_req;
     logic cpuif_req_is_wr;
     logic [5:0] cpuif_addr;
@@ -130,9 +116,7 @@ module mcafee_xy_regs (
             // Keep track of in-flight transactions
             if((axil_ar_accept || axil_aw_accept) && !axil_resp_acked) begin
                 axil_n_in_flight <= axil_n_in_flight + 1'b1;
-            end else if(!(axil_ar_accept || axil_aw_accept) && axil_resp_acked) begin
-                axil_n_in_flight <= axil_n_in_flight - 1'b1;
-            end
+            end else if(!(axil_ar_accept || axil_aw_accept) && axil_resp_acked) axil_n_in_flight <= axil_n_in_flight - 1'b1;
         end
     end
 
@@ -145,9 +129,7 @@ module mcafee_xy_regs (
     // Request dispatch
     always_comb begin
         cpuif_wr_data = axil_wdata;
-        for(int i=0; i<4; i++) begin
-            cpuif_wr_biten[i*8 +: 8] = {8{axil_wstrb[i]}};
-        end
+        for(int i=0; i<4; i++) cpuif_wr_biten[i*8 +: 8] = {8{axil_wstrb[i]}};
         cpuif_req = '0;
         cpuif_req_is_wr = '0;
         cpuif_addr = '0;
@@ -209,9 +191,7 @@ module mcafee_xy_regs (
             end
 
             // Advance read pointer when acknowledged
-            if(axil_resp_acked) begin
-                axil_resp_rptr <= axil_resp_rptr + 1'b1;
-            end
+            if(axil_resp_acked) axil_resp_rptr <= axil_resp_rptr + 1'b1;
         end
     end
 
@@ -248,9 +228,7 @@ module mcafee_xy_regs (
                             & !(!cpuif_req_is_wr & cpuif_req_stall_rd)
                             & !(cpuif_req_is_wr & cpuif_req_stall_wr);
 
-    //--------------------------------------------------------------------------
     // Address Decode
-    //--------------------------------------------------------------------------
     logic decoded_reg_strb_status;
     logic decoded_reg_strb_feed_in;
     logic decoded_reg_strb_reset;
@@ -279,9 +257,7 @@ module mcafee_xy_regs (
     assign decoded_wr_data = cpuif_wr_data;
     assign decoded_wr_biten = cpuif_wr_biten;
 
-    //--------------------------------------------------------------------------
     // Field logic
-    //--------------------------------------------------------------------------
 
     logic field_storage_port_b_write_strobe_value;
     logic field_storage_port_b_read_strobe_value;
@@ -314,9 +290,7 @@ module mcafee_xy_regs (
                 if(decoded_wr_biten[3]) field_storage_port_b_read_value <= decoded_wr_data[3:3];
                 if(decoded_wr_biten[4]) field_storage_port_b_y_value <= decoded_wr_data[4:4];
             end
-            if(decoded_addr == 6'h8) begin
-                if(decoded_wr_biten[0]) field_storage_port_c_to_part_value[7:0] <= decoded_wr_data[7:0];
-            end
+            if(decoded_addr == 6'h8) if(decoded_wr_biten[0]) field_storage_port_c_to_part_value[7:0] <= decoded_wr_data[7:0];
             if(decoded_addr == 6'h10) begin
                 if(decoded_wr_biten[0]) field_storage_feed_in_c_value[7:0] <= decoded_wr_data[7:0];
                 if(decoded_wr_biten[8]) field_storage_feed_in_cc_value[7:0] <= decoded_wr_data[15:8];
@@ -366,16 +340,12 @@ module mcafee_xy_regs (
     end
     assign hwif_out.reset.strobe.value = field_storage_reset_strobe_value;
 
-    //--------------------------------------------------------------------------
     // Write response
-    //--------------------------------------------------------------------------
     assign cpuif_wr_ack = decoded_req & decoded_req_is_wr;
     // Writes are always granted with no error response
     assign cpuif_wr_err = '0;
 
-    //--------------------------------------------------------------------------
     // Readback
-    //--------------------------------------------------------------------------
 
     logic [5:0] rd_mux_addr;
     assign rd_mux_addr = decoded_addr;
@@ -400,9 +370,7 @@ module mcafee_xy_regs (
                     readback_data_var[3] = field_storage_port_b_read_value;
                     readback_data_var[4] = field_storage_port_b_y_value;
                 end
-                6'h8: begin
-                    readback_data_var[7:0] = hwif_in_port_c_from_part_next;
-                end
+                6'h8: readback_data_var[7:0] = hwif_in_port_c_from_part_next;
                 6'hc: begin
                     readback_data_var[0] = hwif_in_status_busy_next;
                     readback_data_var[1] = field_storage_status_refused_value;

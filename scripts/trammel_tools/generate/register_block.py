@@ -4,6 +4,7 @@ PeakRDL, with this project's names and in the form that simulates and synthesize
 
 import re
 import tempfile
+import textwrap
 from pathlib import Path
 
 from peakrdl_regblock import RegblockExporter
@@ -153,10 +154,24 @@ def unbundle(text: str, package: str) -> str:
                         for k in types[kind].values())
         found["hwif_in" + path] = f"[{width - 1}:0] " if width > 1 else ""
     text = re.sub(r"\bhwif_in(\.\w+)+", lambda match: match[0].replace(".", "_"), text)
-    lines = "".join(f"    logic {width}{name.replace('.', '_')};\n"
-                    f"    assign {name.replace('.', '_')} = {name};\n"
+    lines = "".join(f"    wire {width}{name.replace('.', '_')} = {name};\n"
                     for name, width in found.items())
     return text.replace(");\n", f");\n\n{lines}", 1)
+
+
+def dense(text: str) -> str:
+    """Structures as a paragraph each, and blocks of a single statement on a line."""
+    def structure(match):
+        members = [line.strip().replace(" ", "~") for line in match[1].splitlines()]
+        whole = f"typedef~struct~packed~{{ {' '.join(members)} }}~{match[2]};"
+        return textwrap.fill(whole, 100, initial_indent=" " * 4, subsequent_indent=" " * 8,
+                             break_on_hyphens=False).replace("~", " ") + "\n"
+    text = re.sub(r"^    typedef struct packed \{\n((?:        [^\n{}]+;\n)+)    \} (\w+);\n\n",
+                  structure, text, flags=re.M)
+    statement = r" begin\n\s+([^\n;]+;)\n\s+end$(?!\n\s+else)"
+    for before in (r"\d:", r"\)"):
+        text = re.sub(f"({before}){statement}", r"\1 \2", text, flags=re.M)
+    return re.sub(r" +//-+\n(.*)\n +//-+$", r"\1", text, flags=re.M)
 
 
 def adapt(text: str, note: str, top, package: str) -> str:
@@ -176,7 +191,7 @@ def adapt(text: str, note: str, top, package: str) -> str:
         f"    localparam logic [31:0] {camel(e.type_name)}{camel(m.name)} = 32'h{m.value:08X};"
         for e in register_map.encodings(top) if f"{e.type_name}_e;" not in text for m in e]
     text = re.sub(r"^endpackage", "\n".join(["", *constants, "endpackage"]), text, flags=re.M)
-    text = "\n".join(line.rstrip() for line in text.splitlines()) + "\n"
+    text = dense("\n".join(line.rstrip() for line in text.splitlines()) + "\n")
     unused = ("UNUSEDSIGNAL", "UNUSEDPARAM")  # the generator's own helpers, not all needed here
     off, on = ("".join(f"// verilator lint_{what} {rule}\n" for rule in unused)
                for what in ("off", "on"))

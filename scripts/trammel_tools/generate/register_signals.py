@@ -11,62 +11,76 @@ def verilated(path):
 
 
 def held(field, number):
-    """The signal that holds what a field shows, or None; `number` is that of its register file."""
+    """(whether it is in the register block, its path there or in the chip) of the signal that holds
+    what a field shows, or None; `number` is that of its register file."""
     reg, block, top = field.parent, field.parent.parent, field.owning_addrmap
     source = field.get_property("rtl_source")
     if source and block is not top:
         source = f"{block.get_property('rtl_instance').replace('#', str(number))}.{source}"
-    if not source:
-        if reg.external or not field.implements_storage or not field.is_sw_readable:
-            return None
-        source = f"u_regs.field_storage_{'_'.join(field.get_path_segments()[1:])}_value"
-    return verilated(f"{top.inst_name}.{source}")
+    if source:
+        return False, verilated(source)
+    if reg.external or not field.implements_storage or not field.is_sw_readable:
+        return None
+    return True, "_".join(field.get_path_segments()[1:])
 
 
-def function_name(word):
-    return f"read_{word.name.lower().replace('.', '_')}"
-
-
-def function(word, value):
-    axis = "int axis" if word.of_axis else "int"
-    return ["template <class Root>",
-            f"std::uint32_t {function_name(word)}(const Root& root, {axis}) {{",
-            f"  return {value};", "}", ""]
-
-
-def field_function(word):
-    """None where nothing in the chip holds the field."""
+def value(word):
+    """What reads a field; None where nothing in the chip holds it."""
     signals = [held(field, number) for number, field in enumerate(word.nodes)]
     if None in signals:
         return None
-    *others, last = [f"root.{signal}" for signal in signals]
-    choice = "".join(f"axis == {n} ? {value}\n         : " for n, value in enumerate(others))
-    return function(word, choice + last)
+    (stored, path), *others = signals
+    if not others:
+        return f"{'TRAMMEL_STORED' if stored else 'TRAMMEL_HELD'}({path})"
+    if stored:
+        return f"TRAMMEL_STORED_OF_AXIS({path.partition('_')[2]})"
+    axis = verilated(word.nodes[0].parent.parent.get_property("rtl_instance").replace("#", "0"))
+    return f"TRAMMEL_HELD_OF_AXIS({path.removeprefix(axis + '__DOT__')})"
 
 
-def whole_function(word, fields):
-    parts = [f"({function_name(part)}(root, {'axis' if word.of_axis else 0}) & "
-             f"0x{mask([field]) >> field.low:X}u) << {field.low}"
-             for part in fields if part.reg.get_path() == word.reg.get_path()
-             for field in part.nodes[:1]]
-    return function(word, " |\n         ".join(parts))
+def whole(word, fields):
+    """What reads a register of several fields."""
+    return [f"({value(part)} & 0x{mask([field]) >> field.low:X}u) << {field.low}"
+            for part in fields if part.reg.get_path() == word.reg.get_path()
+            for field in part.nodes[:1]]
 
 
 def readings(top):
-    """(functions, rows of the table)."""
-    functions, rows = [], []
+    """Rows of the table: what a trigger may name, in order."""
+    rows = []
     fields = list(register_map.fields(top))
     for n, word in enumerate(fields):
-        lines = field_function(word)
-        if lines:
-            functions += lines
-            if not word.nodes[0].get_property("unwatched"):
-                rows.append((word, f"kFields[{n}]"))
+        if value(word) and not word.nodes[0].get_property("unwatched"):
+            rows.append((word, f"    {{kFields[{n}], TRAMMEL_READ({value(word)})}},"))
     for n, word in enumerate(register_map.whole_words(top)):
-        functions += whole_function(word, fields)
-        rows.append((word, f"kWords[{n}]"))
+        parts = whole(word, fields)
+        lines = [f"                     {part} |" for part in parts]
+        lines[-1] = lines[-1].removesuffix(" |") + ")},"
+        lines[0] = f"    {{kWords[{n}], TRAMMEL_READ({parts[0]} |"
+        rows.append((word, "\n".join(lines)))
     rows.sort(key=lambda row: (not row[0].of_axis, row[0].reg.address_offset, "." in row[0].name))
-    return functions, [f"    {{{place}, {function_name(word)}<Root>}}," for word, place in rows]
+    return [line for _, line in rows]
+
+
+MACROS = """// A signal of the chip and a field of the register block, each also of an axis.
+#define TRAMMEL_HELD(path) root.{chip}__DOT__##path
+#define TRAMMEL_STORED(path) root.{chip}__DOT__u_regs__DOT__field_storage_##path##_value
+#define TRAMMEL_HELD_OF_AXIS(path) \\
+  (axis == 0 ? TRAMMEL_HELD({x}__DOT__##path) \\
+             : TRAMMEL_HELD({y}__DOT__##path))
+#define TRAMMEL_STORED_OF_AXIS(path) \\
+  (axis == 0 ? TRAMMEL_STORED(x_##path) : TRAMMEL_STORED(y_##path))
+#define TRAMMEL_READ(value) \\
+  [](const Root& root, [[maybe_unused]] int axis) -> std::uint32_t {{ return value; }}"""
+NAMES = ("READ", "STORED_OF_AXIS", "HELD_OF_AXIS", "STORED", "HELD")
+
+
+def macros(top):
+    instances = {block.get_property("rtl_instance") for word in register_map.fields(top)
+                 for block in [word.nodes[0].parent.parent] if block is not top}
+    instance = instances.pop()
+    x, y = (verilated(instance.replace("#", n)) for n in "01")
+    return MACROS.format(chip=top.inst_name, x=x, y=y).split("\n")
 
 
 def header(top, note):
@@ -74,14 +88,15 @@ def header(top, note):
     if not any(word.nodes[0].get_property("rtl_source") for word in register_map.fields(top)):
         return None
     space = f"trammel::{top.inst_name}_regs"
-    functions, rows = readings(top)
+    rows = readings(top)
     head = (f"What the registers of a verilated {top.inst_name} hold: storage of the register "
             "block, and the signals that the hardware shows in the others.")
     return "\n".join([
         *register_map.file_head(note, head),
         f'#include "rtl/chips/generated/{top.inst_name}_regs.hpp"', "", f"namespace {space} {{", "",
-        *functions, "// What a trigger may name, and its bits.", "template <class Root>",
+        *macros(top), "", "// What a trigger may name, and its bits.", "template <class Root>",
         "struct Reading {", "  const Field& field;",
         "  std::uint32_t (*read)(const Root& root, int axis);", "};", "", "template <class Root>",
         f"inline constexpr std::array<Reading<Root>, {len(rows)}> kReadings{{{{", *rows, "}};", "",
+        *(f"#undef TRAMMEL_{name}" for name in NAMES), "",
         f"}}  // namespace {space}", ""])
