@@ -18,6 +18,7 @@
 #include "lab/layers.hpp"
 #include "lab/machine.hpp"
 #include "lab/text.hpp"
+#include "lab/view.hpp"
 
 namespace trammel::lab {
 namespace fs = std::filesystem;
@@ -44,13 +45,6 @@ std::string trigger_text(const Settings& settings) {
 
 const char* file_name(const cosim::RunBasics& run) {
   return run.wave == WaveFormat::kVcd ? "waves.vcd" : "waves.fst";
-}
-
-std::string view_text(const std::string& view) {
-  std::ifstream in(fs::path(kViewFolder) / view);
-  std::stringstream text;
-  text << in.rdbuf();
-  return text.str();
 }
 
 }  // namespace
@@ -251,14 +245,16 @@ bool finish_waves(const Settings& settings, const RunResult& result, const fs::p
       file = fst;
     }
   }
-  const std::string name = settings.machine().name + ".gtkw";
-  const std::string view = view_text(name);
-  if (view.empty()) {
-    notes.push_back(fmt::format("no view for GTKWave: {}/{} cannot be read", kViewFolder, name));
-  } else {
-    write_text(fst.parent_path() / "waves.gtkw",
-               placed_view(view, folder / file.filename(), result));
+  const fs::path source = fs::path(kViewFolder) / (settings.machine().name + ".toml");
+  std::string view;
+  try {
+    view = view_text(settings, read_text(source), source.string(),
+                     find_program("python3").string());
+  } catch (const std::runtime_error& error) {
+    notes.push_back(fmt::format("no view for GTKWave: {}", reason_of(error)));
+    return good;
   }
+  write_text(fst.parent_path() / "waves.gtkw", placed_view(view, folder / file.filename(), result));
   return good;
 }
 

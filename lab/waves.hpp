@@ -58,7 +58,7 @@ nlohmann::ordered_json waves_json(const Settings& settings, const cosim::RunResu
 // Writes vcd and removes fst; false when fst2vcd fails, and then fst stays.
 bool fst_to_vcd(const std::filesystem::path& fst, const std::filesystem::path& vcd);
 
-// The view `text` of waves/<machine>.gtkw, for one file: its path, the marker and the zoom.
+// The view `text` of a machine, for one file: its path, the marker and the zoom.
 std::string placed_view(const std::string& text, const std::filesystem::path& waves,
                         const cosim::RunResult& result);
 

@@ -19,7 +19,7 @@ BIT_NS = 8680  # 434 clocks
 class TrackTest(WaveCase):
     def test_the_reset_message_is_on_the_line(self):
         out = self.run_to("reset", RUN, "--wave", "fst", "--wave-window", "0:1ms")
-        self.check_view(out / "waves.fst", "gantry.gtkw", GROUPS)
+        self.check_view(out / "waves.fst", GROUPS)
         edges = [(time, int(value)) for time, value in
                  WaveFile(out / "waves.fst").changes("gantry_tau.tx_o")]
         first = next(time for time, value in edges if value == 0)
@@ -33,7 +33,7 @@ class TrackTest(WaveCase):
 
     def test_a_trigger_anchors_the_window(self):
         out = self.run_to("irq", RUN, "--wave", "fst", "--wave-trigger", "position > 100")
-        self.check_view(out / "waves.fst", "gantry.gtkw", GROUPS)
+        self.check_view(out / "waves.fst", GROUPS)
 
     def test_what_cannot_be_dumped_is_one_line_and_its_exit_code(self):
         self.check_refused((

@@ -18,7 +18,7 @@ CORNER = ["run", "mcafee-stage3", "-s", "path.kind=corner", "-s", "path.side_mm=
 class BusTest(WaveCase):
     def test_two_parts_are_shown_with_their_bus(self):
         out = self.run_to("two", CORNER, "--wave", "fst", "--wave-window", "2ms:5ms", code=5)
-        self.check_view(out / "waves.fst", "mcafee.gtkw",
+        self.check_view(out / "waves.fst",
                         ("Bus AXI4-Lite", "Host port of both parts", "Feed rate", "Converters",
                          *(f"{axis} {group}" for axis in "XY" for group in LM628_GROUPS)))
         file = WaveFile(out / "waves.fst")

@@ -15,7 +15,7 @@ PROGRAM_FILES = {"CMakeLists.txt", "CMakePresets.json"}
 FREE = {"rtl", "models", "third_party"}
 # Companions of machines/<m>/, from the folder that holds machines/.
 COMPANIONS = ("machines/{0}/machine.cpp", "machines/{0}/README.md", "sw_nios/apps/{0}/{0}.hpp",
-              "sw_nios/apps/{0}/{0}.cpp", "waves/{0}.gtkw")
+              "sw_nios/apps/{0}/{0}.cpp", "waves/{0}.toml")
 CHIPS = Path("rtl/chips")
 
 
@@ -36,7 +36,7 @@ def is_program(root, path):
 def is_free(path, machine):
     """Whether a file may name the machine."""
     return (path.parts[0] in FREE or "generated" in path.parts or path.name == "trammel.core"
-            or path.parts[:2] == ("machines", machine)
+            or path.parts[:2] == ("machines", machine) or path.parts == ("waves", f"{machine}.toml")
             or path.parts[:3] == ("sw_nios", "apps", machine))
 
 
@@ -122,7 +122,7 @@ def check_strays(files, machines):
     """Firmware and views of no machine."""
     apps = {(Path(*p.parts[:3]), p.parts[2]) for p in files
             if p.parts[:2] == ("sw_nios", "apps") and len(p.parts) > 3}
-    views = {(p, p.stem) for p in files if p.parts[0] == "waves" and p.suffix == ".gtkw"}
+    views = {(p, p.stem) for p in files if p.parts[0] == "waves" and p.suffix == ".toml"}
     for path, name in sorted(apps | views):
         if name not in machines:
             near = difflib.get_close_matches(name, machines, 1)

@@ -32,7 +32,7 @@ GOOD = {
     "machines/winder/tests/keys_test.cpp": LICENCE,
     "sw_nios/apps/winder/winder.hpp": LICENCE,
     "sw_nios/apps/winder/winder.cpp": LICENCE,
-    "waves/winder.gtkw": "[*] winder\n",
+    "waves/winder.toml": "[*] winder\n",
     CHIP: PLAIN,
     "rtl/chips/winder_pwm.md": PAGE,
     "docs/page.md": "The machine winder.\n",
@@ -60,7 +60,7 @@ class CompanionsTest(Layout):
 
     def test_a_missing_companion_is_named(self):
         for path in ("machines/winder/README.md", "sw_nios/apps/winder/winder.cpp",
-                     "sw_nios/apps/winder/winder.hpp", "waves/winder.gtkw"):
+                     "sw_nios/apps/winder/winder.hpp", "waves/winder.toml"):
             self.finds(f"machines/winder/: companion {path} is missing", {path: None})
         self.finds("machines/winder/: no scenario in machines/winder/scenarios/",
                    {"machines/winder/scenarios/winder-spin.toml": None})
@@ -84,8 +84,8 @@ class CompanionsTest(Layout):
     def test_firmware_and_views_of_no_machine_are_named(self):
         stray = "there is no machines/winde/; did you mean winder?"
         self.finds(f"sw_nios/apps/winde: {stray}", {"sw_nios/apps/winde/winde.hpp": LICENCE})
-        self.finds(f"waves/winde.gtkw: {stray}", {"waves/winde.gtkw": "[*] x\n"})
-        self.finds("waves/zz.gtkw: there is no machines/zz/", {"waves/zz.gtkw": "[*] x\n"})
+        self.finds(f"waves/winde.toml: {stray}", {"waves/winde.toml": "[*] x\n"})
+        self.finds("waves/zz.toml: there is no machines/zz/", {"waves/zz.toml": "[*] x\n"})
 
 
 class NamesTest(Layout):

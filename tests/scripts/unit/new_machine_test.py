@@ -62,14 +62,14 @@ class NewMachineTest(Scratch):
         self.assertEqual(self.refuse("spin"), "machines/spin exists")
 
     def test_a_file_that_exists_stays(self):
-        self.write("waves/spin.gtkw", "mine\n")
-        self.assertEqual(self.refuse("spin"), "waves/spin.gtkw exists")
+        self.write("waves/spin.toml", "mine\n")
+        self.assertEqual(self.refuse("spin"), "waves/spin.toml exists")
 
     def test_links_and_pipes_are_neither_read_nor_written_through(self):
         (self.folder / "waves").mkdir()
-        (self.folder / "waves/spin.gtkw").symlink_to(self.folder / "victim")
-        self.assertEqual(self.refuse("spin"), "waves/spin.gtkw exists")
-        (self.folder / "waves/spin.gtkw").unlink()
+        (self.folder / "waves/spin.toml").symlink_to(self.folder / "victim")
+        self.assertEqual(self.refuse("spin"), "waves/spin.toml exists")
+        (self.folder / "waves/spin.toml").unlink()
         (self.folder / "machines").mkdir()
         (self.folder / "machines/spin").symlink_to("nowhere")
         self.assertEqual(self.refuse("spin"), "machines/spin exists")
