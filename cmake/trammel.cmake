@@ -58,6 +58,15 @@ function(trammel_full_tier)
   set_property(TEST ${ARGN} PROPERTY LABELS full)
 endfunction()
 
+# A test of the full tier whose result is kept (scripts/tool evidence): its command runs only where
+# the kept result no longer holds.
+function(trammel_evidence name)
+  add_test(NAME ${name}
+    COMMAND ${PROJECT_SOURCE_DIR}/scripts/tool evidence ${name} -- ${ARGN})
+  set_tests_properties(${name} PROPERTIES SKIP_RETURN_CODE 77)
+  trammel_full_tier(${name})
+endfunction()
+
 # Programs that only tests of the full tier need; the target trammel_full builds them.
 function(trammel_full_programs)
   set_target_properties(${ARGN} PROPERTIES EXCLUDE_FROM_ALL ON)
@@ -195,11 +204,10 @@ function(trammel_coverage_test block source test prefix)
   trammel_unit_model(rtl_${name} ${source} ${test} COVERAGE)
   trammel_test_program(${name} "${test};${parts}" rtl_${name} trammel_models)
   target_compile_definitions(${name} PRIVATE TRAMMEL_COVERAGE)
-  trammel_full_programs(rtl_${name} ${name})
-  add_test(NAME coverage.${prefix} COMMAND ${name})
-  set_tests_properties(coverage.${prefix} PROPERTIES TIMEOUT 600 FIXTURES_SETUP rtl_coverage
-    ENVIRONMENT TRAMMEL_COVERAGE=${PROJECT_BINARY_DIR}/coverage/rtl/${prefix}.dat)
-  trammel_full_tier(coverage.${prefix})
+  set_target_properties(rtl_${name} ${name} PROPERTIES EXCLUDE_FROM_ALL ON)
+  trammel_evidence(coverage.${prefix} ${PROJECT_SOURCE_DIR}/scripts/tool coverage
+    --count ${layer}/${block} --program $<TARGET_FILE:${name}>)
+  set_tests_properties(coverage.${prefix} PROPERTIES TIMEOUT 600 FIXTURES_SETUP rtl_coverage)
 endfunction()
 
 # rtl/<layer>/<block>.sv with tests/<layer>/<block>_test.cpp: lint test, proofs, unit test.
@@ -221,18 +229,15 @@ function(trammel_add_blocks)
       COMMAND ${PROJECT_SOURCE_DIR}/scripts/tool lint ${layer}/${block})
     set_tests_properties(lint.${prefix} PROPERTIES SKIP_RETURN_CODE 77)
     if(EXISTS ${PROJECT_SOURCE_DIR}/rtl/${layer}/${block}_props.sv)
-      add_test(NAME formal.${prefix}
-        COMMAND ${PROJECT_SOURCE_DIR}/scripts/tool prove ${layer}/${block})
-      set_tests_properties(formal.${prefix} PROPERTIES SKIP_RETURN_CODE 77 TIMEOUT 600)
-      trammel_full_tier(formal.${prefix})
+      trammel_evidence(formal.${prefix} ${PROJECT_SOURCE_DIR}/scripts/tool prove ${layer}/${block})
+      set_tests_properties(formal.${prefix} PROPERTIES TIMEOUT 600)
     endif()
     if(EXISTS ${PROJECT_SOURCE_DIR}/rtl/${layer}/${block}_leap.toml)
       set(leap ${PROJECT_SOURCE_DIR}/scripts/tool prove --leap)
-      add_test(NAME formal.leap.${block} COMMAND ${leap} ${layer}/${block})
-      add_test(NAME formal.leap.broken.${block} COMMAND ${leap} --broken ${layer}/${block})
+      trammel_evidence(formal.leap.${block} ${leap} ${layer}/${block})
+      trammel_evidence(formal.leap.broken.${block} ${leap} --broken ${layer}/${block})
       set_tests_properties(formal.leap.${block} formal.leap.broken.${block} PROPERTIES
-        SKIP_RETURN_CODE 77 TIMEOUT 1200 COST 500)
-      trammel_full_tier(formal.leap.${block} formal.leap.broken.${block})
+        TIMEOUT 1200 COST 500)
     endif()
     set(test ${PROJECT_SOURCE_DIR}/tests/${layer}/${block}_test.cpp)
     if(EXISTS ${test})

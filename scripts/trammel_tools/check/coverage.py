@@ -2,15 +2,17 @@
 """Coverage of the RTL and of the C++ code by the tests, against floors.
 
 usage: trammel coverage [--keep] [--check rtl|cpp]
+       scripts/tool coverage --count LAYER/BLOCK --program FILE
 
 Without --check it runs the tests that count (--keep: uses the counts that are there), prints both
 tables and writes sources with counts to build/coverage: rtl/annotated, cpp/index.html. With --check
 it is a test of one kind; CTest runs the tests that count before it. Floors are in
 scripts/coverage.toml and coverage.toml of each machine and part.
 
-RTL, counted by the unit tests of the blocks: every line and branch is executed, or it is listed in
-coverage.toml with a reason; signal toggles, and the states that a `cover` of the properties names,
-stay above a floor for each block. Generated register blocks are exempt.
+RTL, counted by the unit test of each block: --count runs one, and its counts are a kept result.
+Every line and branch is executed, or it is listed in coverage.toml with a reason; signal toggles,
+and the states that a `cover` of the properties names, stay above a floor for each block. Generated
+register blocks are exempt.
 C++, counted by the unit tests and runs of the sanitized build (scripts/tool sanitize): lines of
 models, sw_nios, cosim, systemc, lab, parts, machines and testbench stay above a floor for each
 folder. A line of a template counts once; generated files and the tests themselves do not count.
@@ -18,14 +20,16 @@ folder. A line of a template counts once; generated files and the tests themselv
 Exit codes: 0 all above their floors, 1 something is not, 2 no counts, 3 a tool is missing.
 """
 
+import os
 import subprocess
 import sys
-from collections import Counter, defaultdict
-from dataclasses import dataclass, field
+from collections import Counter
 from pathlib import Path
 
 from trammel_tools import machines, python_tools
-from trammel_tools.check import coverage_cpp
+from trammel_tools.check import coverage_cpp, rtl_counts
+from trammel_tools.check.rtl_counts import KINDS, Block
+from trammel_tools.evidence import evidence, record
 from trammel_tools.paths import ROOT
 from trammel_tools.rtl import lint
 
@@ -38,60 +42,46 @@ class CoverageError(Exception):
     """No counts, or floors that cannot be read."""
 
 
-@dataclass
-class Block:
-    """Counts of one RTL file and its properties, whatever instances it has in whatever model."""
-    lines: Counter = field(default_factory=Counter)  # (line, column, kind) -> executions
-    toggles: Counter = field(default_factory=Counter)  # (line, signal) -> changes
-    covers: Counter = field(default_factory=Counter)  # label -> times reached
-
-    @staticmethod
-    def share(points):
-        return 100 * sum(n > 0 for n in points.values()) / len(points) if points else 100.0
-
-
-def read_points(path):
-    """Fields and count of every point of a file that Verilator wrote: f file, l line, n column,
-    page kind and module, o comment."""
-    for line in path.read_text(encoding="utf-8", errors="replace").split("\n"):
-        if line.startswith("C '"):
-            text, count = line[3:].rsplit("' ", 1)
-            yield dict(f.split("\2", 1) for f in text.split("\1")[1:]), int(count)
+def count(block, program):
+    """Runs a unit test that counts and prints what it covers of its block and of the files that no
+    test of their own counts. Returns its exit code."""
+    files = COUNTS / f"{block.replace('/', '.')}.dat"
+    COUNTS.mkdir(parents=True, exist_ok=True)
+    for stale in COUNTS.glob(f"{files.name}.*"):
+        stale.unlink()
+    done = subprocess.run([program], env=os.environ | {"TRAMMEL_COVERAGE": str(files)},
+                          stdout=subprocess.PIPE, text=True, errors="replace", check=False)
+    if done.returncode != 0:
+        print(done.stdout, end="", file=sys.stderr)
+        return 1
+    blocks = rtl_counts.read_blocks(*COUNTS.glob(f"{files.name}.*"))
+    own = {name: one for name, one in blocks.items() if name == block or not counted_alone(name)}
+    print("\n".join(rtl_counts.short(own)))
+    return 0
 
 
-def read_blocks(path):
-    blocks = defaultdict(Block)
-    for point, count in read_points(path):
-        source = Path(point["f"])
-        kind = point["page"].split("/")[0]
-        if source.suffix != ".sv" or "generated" in source.parts:
-            continue
-        block = blocks[f"{source.parent.name}/{source.stem.removesuffix('_props')}"]
-        place = int(point["l"]), int(point["n"])
-        if kind == "v_user":
-            block.covers[point["o"]] += count
-        elif source.stem.endswith("_props"):
-            continue
-        elif kind == "v_toggle":
-            block.toggles[place[0], point["o"]] += count
-        else:
-            block.lines[*place, point["o"]] += count
-    return dict(sorted(blocks.items()))
+def counted_alone(block):
+    layer, stem = block.split("/")
+    return (ROOT / "tests" / layer / f"{stem}_test.cpp").exists()
 
 
-def merged():
+def counted():
+    """{block: counts} of the kept results of all tests that count."""
+    names = [path.stem for path in sorted(record.KEPT.glob("coverage.*.*.txt"))]
+    reasons = [reason for name in names if (reason := evidence.stale(name))]
+    if reasons or not names:
+        raise CoverageError(f"{(reasons or ['no counts in evidence/'])[0]}; run `trammel test -R "
+                            "coverage`")
+    return rtl_counts.read_short(*(record.read(name).result for name in names))
+
+
+def annotate():
     files = sorted(COUNTS.glob("*.dat.*"))
-    if not files:
-        raise CoverageError(f"no counts in {COUNTS.relative_to(ROOT)}: run `trammel coverage`")
     target = COUNTS.parent / "rtl.dat"
     subprocess.run(["verilator_coverage", "--write", target, *files], check=True,
                    capture_output=True)
-    return target
-
-
-def annotate(counts):
     subprocess.run(["verilator_coverage", "--annotate", COUNTS / "annotated", "--annotate-all",
-                    counts], check=True, capture_output=True, cwd=ROOT)
+                    target], check=True, capture_output=True, cwd=ROOT)
 
 
 def line_text(block, line):
@@ -151,7 +141,7 @@ def print_rtl(blocks):
     for name, counts in blocks.items():
         print(f"{name:<24}", *(cell(points, width) for points, width in (
             (counts.lines, 14), (counts.toggles, 17), (counts.covers, 15))), sep="")
-        for kind in ("lines", "toggles", "covers"):
+        for kind in KINDS:
             getattr(total, kind).update(
                 {(name, key): n for key, n in getattr(counts, kind).items()})
     print(f"{'all':<24}{cell(total.lines, 14)}{cell(total.toggles, 17)}{cell(total.covers, 15)}")
@@ -164,7 +154,7 @@ def cell(points, width):
 
 
 def check_rtl(floors):
-    blocks = read_blocks(merged())
+    blocks = counted()
     print_rtl(blocks)
     return [*check_lines(blocks, floors["exception"]),
             *check_floors(blocks, "toggles", floors["toggles"], lambda b: b.share(b.toggles)),
@@ -172,7 +162,7 @@ def check_rtl(floors):
 
 
 def run_tests():
-    done = subprocess.run([ROOT / "trammel", "test", "-R", "^coverage\\."], check=False,
+    done = subprocess.run([ROOT / "trammel", "test", "--fresh", "-R", "^coverage\\."], check=False,
                           stdout=sys.stderr)
     return done.returncode
 
@@ -187,8 +177,13 @@ def main():
     parser = python_tools.Parser(prog="trammel coverage", description=__doc__)
     parser.add_argument("--keep", action="store_true", help="use the counts that are there")
     parser.add_argument("--check", choices=("rtl", "cpp"), help="only check the floors of one kind")
+    parser.add_argument("--count", metavar="LAYER/BLOCK",
+                        help="run the unit test of one block, the program of --program")
+    parser.add_argument("--program", type=Path, metavar="FILE")
     options = parser.parse_args()
     try:
+        if options.count:
+            return count(options.count, options.program)
         floors = machines.tables("coverage.toml", FLOORS)
         if options.check == "rtl":
             return report(check_rtl(floors["rtl"]))
@@ -197,7 +192,7 @@ def main():
         if not options.keep and run_tests() not in (0, 1):
             return NO_COUNTS
         wrong = check_rtl(floors["rtl"])
-        annotate(COUNTS.parent / "rtl.dat")
+        annotate()
         print(f"sources with counts: {(COUNTS / 'annotated').relative_to(ROOT)}")
         if coverage_cpp.counted():
             wrong += coverage_cpp.check(floors["cpp"])

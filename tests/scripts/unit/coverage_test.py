@@ -7,7 +7,7 @@ from pathlib import Path
 from unittest import mock
 
 from scratch import Scratch, call
-from trammel_tools.check import coverage, coverage_cpp
+from trammel_tools.check import coverage, coverage_cpp, rtl_counts
 
 SOURCE = "module toy;\n  if (a) b <= c;\n  else   b <= d;\nendmodule\n"
 
@@ -19,7 +19,7 @@ def point(count, page, note, line=2, file="rtl/math/toy.sv", column=3):
 
 class CoverageTest(Scratch):
     def blocks(self, *points):
-        return coverage.read_blocks(self.write("rtl.dat", "# a head\n" + "".join(points)))
+        return rtl_counts.read_blocks(self.write("rtl.dat", "# a head\n" + "".join(points)))
 
     def test_points_are_lines_toggles_and_covers_of_their_block(self):
         blocks = self.blocks(

@@ -91,7 +91,7 @@ class LauncherTest(Scratch):
         self.assertEqual(got, code, told)
         runs = [line for line in started if line.startswith("ctest ") and " -N" not in line]
         self.assertEqual(len(runs), 1, started)
-        begin = "ctest --output-on-failure --no-tests=error -j 3"
+        begin = "ctest --test-dir build --output-on-failure --no-tests=error -j 3"
         self.assertEqual(runs[0][:len(begin)], begin)
         return runs[0][len(begin):].strip()
 
@@ -244,7 +244,8 @@ class LauncherTest(Scratch):
                 self.assertEqual(self.ctested(*words), options)
         self.assertEqual(self.built("test"), ["all"])
         self.write("told", "  Test  #7: coverage.rtl\n")
-        self.assertEqual(self.built("test", "--full"), ["all trammel_full"])
+        self.write(".venv/bin/python3", '#!/bin/bash\n[ "$3" != --needed ] || echo pwm_coverage\n')
+        self.assertEqual(self.built("test", "--full"), ["all trammel_full pwm_coverage"])
         shutil.rmtree(self.folder / "build")
         self.write("installed", "make\n")
         self.assertEqual(self.started("test", "-N")[0], f"{INSTALL} clock wire prover")

@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Run a check, unless its kept result still holds.
+
+usage: scripts/tool evidence NAME -- COMMAND ...   what a test of the full tier calls
+       scripts/tool evidence --needed              the programs of tests that have to run
+       scripts/tool evidence --list                every kept result, and whether it holds
+       scripts/tool evidence --inputs NAME         the files that a check depends on
+
+A result is kept in evidence/NAME.txt with the hash of all that it depends on: sources, properties,
+tests, tools with their versions, the checking script. While that hash is the same, the check does
+not run again. A result that is damaged, or whose inputs or tools have changed, is made again, and
+one line says so. TRAMMEL_FRESH=1 makes all of them again, as `trammel test --fresh` does. In CI
+(CI=true) a tenth is drawn by the commit's hash and made again: a difference is an error.
+
+Exit codes: 0 the result holds or the check passed; 1 a result that was made again differs, or one
+of the list does not hold; 2 usage; else that of the command.
+"""
+
+import datetime
+import functools
+import os
+import re
+import subprocess
+import sys
+from collections import Counter
+
+from trammel_tools import python_tools
+from trammel_tools.evidence import kinds, record
+from trammel_tools.paths import ROOT
+
+DRAWN = 10  # one of so many
+TIMES = re.compile(r"(?: in)? +\d+(?:\.\d+)? s\b")  # how long a step took is no result
+
+
+@functools.cache
+def commit():
+    asked = subprocess.run(["git", "rev-parse", "HEAD"], cwd=ROOT, capture_output=True, text=True,
+                           check=False)
+    return asked.stdout.strip()
+
+
+def drawn(name):
+    """Whether CI makes this result again; those that feed each other are drawn together."""
+    if os.environ.get("CI") != "true":
+        return False
+    root = "sanitize" if kinds.of(name)[0].files is kinds.CHECKED else name
+    return int(record.digest(commit() + root)[:8], 16) % DRAWN == 0
+
+
+@functools.cache
+def inputs(name):
+    """(hash of the files, tools) of a check."""
+    kind, found = kinds.of(name)
+    return record.digest_of(kind.files(found)), kinds.made_with(kind)
+
+
+@functools.cache
+def stale(name):
+    """Why the kept result of a check does not hold, or nothing."""
+    try:
+        kept = record.read(name)
+    except record.Damaged as error:
+        return f"evidence/{name}.txt is damaged: {error}"
+    if kept is None:
+        return f"there is no evidence/{name}.txt"
+    files, tools = inputs(name)
+    if kept.check != name:
+        return f"evidence/{name}.txt is the result of {kept.check}"
+    if kept.tools != tools:
+        return f"it was made with {kept.tools}; here is {tools}"
+    return "" if kept.inputs == files else f"its inputs have changed since {kept.made}"
+
+
+def why(name):
+    """Why a check has to run: its own result, or one of those that it feeds."""
+    if os.environ.get("TRAMMEL_FRESH"):
+        return "all are made again"
+    if drawn(name):
+        return f"drawn by commit {commit()[:12]}"
+    if reason := stale(name):
+        return reason
+    for fed in kinds.of(name)[0].feeds:
+        if why(fed):
+            return f"{fed} needs it"
+    return ""
+
+
+def differences(old, new):
+    """Lines that only one of two results has; in what order they were found does not matter."""
+    before, after = Counter(old.split("\n")), Counter(new.split("\n"))
+    return [f"-{line}" for line in before - after] + [f"+{line}" for line in after - before]
+
+
+def run(name, command):
+    reason = why(name)
+    if not reason:
+        kept = record.read(name)
+        print(f"{kept.result}kept: made on {kept.made}; {kept.inputs}")
+        return 0
+    print(f"evidence: {name} is made: {reason}", file=sys.stderr)
+    done = subprocess.run(command, stdout=subprocess.PIPE, text=True, errors="replace", check=False)
+    result = TIMES.sub("", done.stdout.replace(f"{ROOT}/", ""))
+    print(done.stdout, end="", flush=True)
+    if done.returncode != 0:
+        return done.returncode
+    kind, _ = kinds.of(name)
+    before = None if stale(name) else record.read(name)
+    changed = differences(before.result, result) if before and kind.same else []
+    if changed:
+        print(f"evidence: {name}: made again from equal inputs, the result differs:",
+              file=sys.stderr)
+        print("\n".join(changed), file=sys.stderr)
+        return 1
+    if not before:
+        files, tools = inputs(name)
+        words = " ".join(command).replace(f"{ROOT}/", "")
+        record.write(record.Record(name, f"{datetime.date.today()}", words, tools, files, result))
+    return 0
+
+
+def checks():
+    """Names of all tests that have evidence, as CTest knows them."""
+    listed = subprocess.run(["ctest", "-N"], cwd=ROOT / "build", capture_output=True, text=True,
+                            check=False).stdout
+    for name in re.findall(r"Test +#\d+: (\S+)", listed):
+        if any(re.fullmatch(kind.names, name) for kind in kinds.KINDS):
+            yield name
+
+
+def needed():
+    """Programs of CMake's targets that tests without a kept result run."""
+    for name in checks():
+        found = re.fullmatch(r"coverage\.(\w+)\.(\w+)", name)
+        if found and why(name):
+            print(f"{found[2]}_coverage")
+    return 0
+
+
+def listed():
+    bad = 0
+    for path in sorted(record.KEPT.glob("*.txt")):
+        try:
+            reason = stale(path.stem)
+        except KeyError:
+            reason = "there is no such check"
+        bad += bool(reason)
+        print(f"{path.stem:<36}{reason or 'holds'}")
+    return 1 if bad else 0
+
+
+def main():
+    parser = python_tools.Parser(prog="scripts/tool evidence", description=__doc__)
+    parser.add_argument("--needed", action="store_true", help="programs of tests that have to run")
+    parser.add_argument("--list", action="store_true", help="every kept result")
+    parser.add_argument("--inputs", metavar="NAME", help="the files that a check depends on")
+    parser.add_argument("name", nargs="?", metavar="NAME")
+    parser.add_argument("command", nargs="*", metavar="COMMAND")
+    wanted = parser.parse_args()
+    python_tools.restart()  # the versions are those of .venv
+    if wanted.needed:
+        return needed()
+    if wanted.list:
+        return listed()
+    name = wanted.inputs or wanted.name
+    try:
+        kind, found = kinds.of(name or "")
+    except KeyError:
+        return python_tools.refuse("evidence", f"{name}: no such check")
+    if wanted.inputs:
+        print("\n".join(sorted(kind.files(found))))
+        return 0
+    if not wanted.command:
+        parser.error("a check needs its command, behind --")
+    return run(name, wanted.command)

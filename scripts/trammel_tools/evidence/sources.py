@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Files that a check depends on: what a module, a test or a folder is made of."""
+
+import functools
+import os
+import re
+import subprocess
+from pathlib import Path
+
+from trammel_tools.paths import ROOT
+
+INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.M)
+BUILD = ("CMakeLists.txt", "CMakePresets.json", "cmake/**", "tests/CMakeLists.txt")
+
+
+@functools.cache
+def every():
+    """Paths of all files of the repository, below its root. A file that is not yet added to Git
+    counts, because CMake finds sources by folder."""
+    listed = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
+                            cwd=ROOT, capture_output=True, text=True, check=False)
+    if listed.returncode == 0:
+        names = set(listed.stdout.split("\0")) - {""}
+        return sorted(name for name in names if os.path.lexists(ROOT / name))
+    found = []
+    for folder, inside, files in os.walk(ROOT):
+        inside[:] = [name for name in inside
+                     if not name.startswith((".", "build")) and name not in ("out", "__pycache__")]
+        found += [str((Path(folder) / name).relative_to(ROOT)) for name in files]
+    return sorted(found)
+
+
+def matching(*patterns):
+    """Files of the repository that match: `*` within a folder, `**` any folders."""
+    wanted = re.compile("|".join(
+        re.escape(one).replace(r"\*\*", ".*").replace(r"\*", "[^/]*") for one in patterns))
+    return {name for name in every() if wanted.fullmatch(name)}
+
+
+def tools(*packages):
+    """The scripts of these packages, and what all of them use."""
+    own = "scripts/trammel_tools"
+    return matching("scripts/tool", f"{own}/*.py", *(f"{own}/{one}/**" for one in packages))
+
+
+@functools.cache
+def modules():
+    """{name: file} of the modules and packages in rtl/."""
+    return {Path(name).stem: name for name in matching("rtl/**.sv")
+            if not name.endswith("_props.sv")}
+
+
+@functools.cache
+def names_in(name):
+    """Modules and packages that a file names."""
+    text = re.sub(r"//.*", "", (ROOT / name).read_text(encoding="utf-8", errors="replace"))
+    return set(re.findall(r"\b[A-Za-z_]\w*\b", text)) & modules().keys()
+
+
+def rtl(*blocks):
+    """Sources of these blocks (<layer>/<block>), of all that they contain and of the packages that
+    these import."""
+    left = [f"rtl/{block}.sv" for block in blocks]
+    found = set()
+    while left:
+        name = left.pop()
+        if name not in found:
+            found.add(name)
+            left += [modules()[one] for one in names_in(name)]
+    return found
+
+
+def properties(files):
+    """The properties of these modules."""
+    return {name.replace(".sv", "_props.sv") for name in files} & set(every())
+
+
+@functools.cache
+def included(name):
+    """Files of the repository that a C++ file includes."""
+    text = (ROOT / name).read_text(encoding="utf-8", errors="replace")
+    places = ROOT, (ROOT / name).parent, ROOT / "tests"
+    found = set()
+    for path in INCLUDE.findall(text):
+        there = [place / path for place in places if (place / path).is_file()]
+        found |= {os.path.relpath(there[0], ROOT)} if there else set()
+    return found
+
+
+@functools.cache
+def units():
+    """{header: units that implement it}: a unit includes its own header first."""
+    found = {}
+    for name in matching("models/**.cpp", "sw_nios/**.cpp", "cosim/**.cpp", "systemc/**.cpp",
+                         "lab/**.cpp", "parts/**.cpp", "machines/**.cpp"):
+        own = INCLUDE.search((ROOT / name).read_text(encoding="utf-8", errors="replace"))
+        if own and "/tests/" not in name:
+            found.setdefault(own[1], set()).add(name)
+    return found
+
+
+def cpp(*files):
+    """C++ files that these are made of: what they include, and the units of each header."""
+    left, found = list(files), set()
+    while left:
+        name = left.pop()
+        if name not in found:
+            found.add(name)
+            left += included(name) | units().get(name, set())
+    return found

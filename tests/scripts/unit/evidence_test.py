@@ -1,0 +1,179 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Kept results: when one holds, when a check runs again, and what a check depends on."""
+
+import os
+import re
+import subprocess
+import sys
+from unittest import mock
+
+from scratch import Scratch, call
+from trammel_tools.check import rtl_counts
+from trammel_tools.evidence import evidence, kinds, record, sources
+from trammel_tools.paths import ROOT
+
+NAME = "formal.math.toy"
+
+
+class EvidenceTest(Scratch):
+    """One check of a repository with two files, whose command prints a file and counts its runs."""
+
+    def setUp(self):
+        super().setUp()
+        self.init()
+        self.write("rtl/math/toy.sv", "module toy;\nendmodule\n")
+        self.write("rtl/math/toy_props.sv", "// none\n")
+        self.write("said", "all of it\n")
+        self.patch(sources, ROOT=self.folder)
+        self.patch(record, ROOT=self.folder, KEPT=self.folder / "evidence")
+        self.patch(evidence, ROOT=self.folder)
+        environment = mock.patch.dict(os.environ)
+        environment.start()
+        self.addCleanup(environment.stop)
+        for name in ("CI", "TRAMMEL_FRESH"):
+            os.environ.pop(name, None)
+        self.forget()
+        self.addCleanup(self.forget)
+
+    def forget(self):
+        """What is found once a call of the tool."""
+        for one in (sources.every, sources.modules, sources.names_in, sources.included,
+                    sources.units, evidence.inputs, evidence.stale, evidence.commit):
+            one.cache_clear()
+
+    def check(self):
+        """(exit code, whether the command ran, what the tool said) of the check."""
+        self.forget()
+        ran = self.folder / "ran"
+        ran.unlink(missing_ok=True)
+        script = (f"import pathlib; pathlib.Path({str(ran)!r}).touch(); "
+                  f"print(open({str(self.folder / 'said')!r}).read(), end='')")
+        with mock.patch.object(sys, "orig_argv", []), \
+                mock.patch.object(evidence.python_tools, "restart", lambda: None):
+            code, _, error = call(evidence.main, NAME, "--", sys.executable, "-c", script)
+        return code, ran.exists(), error
+
+    def test_a_result_that_holds_is_not_made_again(self):
+        self.assertEqual(self.check()[:2], (0, True))
+        self.assertEqual(self.check(), (0, False, ""))
+
+    def test_a_change_of_any_input_makes_it_again_and_says_so(self):
+        for path in ("rtl/math/toy.sv", "rtl/math/toy_props.sv"):
+            self.check()
+            self.write(path, "module toy;  // another\nendmodule\n")
+            code, ran, said = self.check()
+            self.assertEqual((code, ran), (0, True))
+            self.assertRegex(said, "^evidence: .* its inputs have changed since .*\n$")
+            self.assertFalse(self.check()[1])
+
+    def test_a_result_of_another_tool_or_architecture_does_not_count(self):
+        self.check()
+        with mock.patch.object(kinds, "version", lambda tool: "0.1"):
+            code, ran, said = self.check()
+        self.assertEqual((code, ran), (0, True))
+        self.assertIn("it was made with pyosys", said)
+        compiled, _ = kinds.of("coverage.math.toy")
+        before = kinds.made_with(compiled)
+        with mock.patch.object(kinds, "processor", lambda: "pdp11"):
+            self.assertNotEqual(kinds.made_with(compiled), before)
+
+    def test_every_byte_of_a_record_is_covered(self):
+        self.check()
+        path = record.path_of(NAME)
+        whole = path.read_bytes()
+        for n in range(len(whole)):
+            path.write_bytes(whole[:n] + bytes([whole[n] ^ 1]) + whole[n + 1:])
+            with self.assertRaises(record.Damaged):
+                record.read(NAME)
+            path.write_bytes(whole[:n])
+            with self.assertRaises(record.Damaged):
+                record.read(NAME)
+        code, ran, said = self.check()
+        self.assertEqual((code, ran, said.count("\n")), (0, True, 1))
+        self.assertIn("is damaged", said)
+        self.assertEqual(path.read_bytes(), whole)
+
+    def test_a_result_that_is_made_again_must_be_the_same(self):
+        self.check()
+        os.environ["TRAMMEL_FRESH"] = "1"
+        self.assertEqual(self.check()[:2], (0, True))
+        self.write("said", "nothing\n")
+        code, ran, said = self.check()
+        self.assertEqual((code, ran), (1, True))
+        self.assertIn("-all of it\n+nothing\n", said)
+
+    def test_ci_draws_some_by_its_commit_and_no_other_run_does(self):
+        self.check()
+        self.assertFalse(evidence.drawn(NAME))
+        os.environ["CI"] = "true"
+        with mock.patch.object(evidence, "commit") as commit:
+            drawn = 0
+            for n in range(1000):
+                commit.return_value = f"{n:040x}"
+                drawn += evidence.drawn(NAME)
+        self.assertTrue(70 < drawn < 130, drawn)
+
+    def test_a_check_that_fails_keeps_nothing(self):
+        self.write("said", "")
+        code, _, _ = call(lambda: evidence.run(NAME, ["false"]))
+        self.assertEqual(code, 1)
+        self.assertFalse(record.KEPT.exists())
+
+    def test_a_check_whose_output_another_needs_runs_with_it(self):
+        with mock.patch.object(evidence, "stale", lambda name: "old" * (name == "coverage.cpp")):
+            self.assertEqual(evidence.why("sanitize.unit"), "coverage.cpp needs it")
+            self.assertEqual(evidence.why("synth.budget"), "")
+
+
+class TrackedTest(Scratch):
+    def test_no_tracked_record_has_been_edited(self):
+        for path in sorted(record.KEPT.glob("*")):
+            self.assertEqual(record.read(path.stem).check, path.stem)
+
+
+class SourcesTest(Scratch):
+    def test_what_verilator_and_the_compiler_read_is_among_the_inputs(self):
+        """Of each unit test that is built here: the files of its model and of its objects."""
+        build = ROOT / "build"
+        asked = subprocess.run(["ninja", "-C", build, "-t", "deps"], capture_output=True,
+                               text=True, check=False).stdout
+        objects = {}
+        for part in asked.split("\n\n"):
+            name, _, rest = part.partition(": #deps")
+            found = re.fullmatch(r"tests/CMakeFiles/(\w+)_test\.dir/(\w+)/\w+_test\.cpp\.o", name)
+            if found:
+                objects.setdefault(f"{found[2]}.{found[1]}", set()).update(
+                    line.strip() for line in rest.split("\n")[1:])
+        for name, files in objects.items():
+            try:
+                kind, found = kinds.of(f"coverage.{name}")
+            except KeyError:
+                continue
+            layer, block = name.split(".")
+            if not (ROOT / "rtl" / layer / f"{block}.sv").exists():
+                continue
+            for model in (build / "verilated" / f"rtl_{block}").glob("*.d"):
+                files |= set(model.read_text(encoding="utf-8").replace("\\\n", " ").split())
+            read = {os.path.relpath((build / one).resolve(), ROOT) for one in files if one}
+            read = {one for one in read if (ROOT / one).is_file()
+                    and not one.startswith(("build", "..", ".venv"))}
+            # All packages are read, and for a chip the properties of every block with that block.
+            unused = {one for one in read if one.endswith("_pkg.sv")
+                      or (layer == "chips" and one.startswith("rtl/"))}
+            self.assertEqual(read - unused - kind.files(found), set(), name)
+
+    def test_counts_survive_their_short_form(self):
+        block = rtl_counts.Block()
+        block.lines.update({(3, 7, "elsif"): 2, (9, 1, "block"): 0})
+        block.toggles.update({(4, "a[0]"): 5, (4, "b"): 1, (5, "c"): 0})
+        block.covers.update({"reaches_far": 0, "reaches_near": 8})
+        text = "\n".join(rtl_counts.short({"math/toy": block}))
+        again = rtl_counts.read_short(text)["math/toy"]
+        for kind in rtl_counts.KINDS:
+            before, after = getattr(block, kind), getattr(again, kind)
+            self.assertEqual(block.share(before), block.share(after))
+            self.assertEqual({one for one in before if before[one] == 0},
+                             {one for one in after if after[one] == 0})
+        more = text.replace("reaches_near\n", "reaches_near reaches_far\n")
+        both = rtl_counts.read_short(text, more)
+        self.assertEqual(both["math/toy"].covers["reaches_far"], 1)
