@@ -11,107 +11,54 @@
 namespace trammel::gantry_tau_regs {
 
 // system
-inline constexpr std::uint32_t kId = 0x00u;
-inline constexpr std::uint32_t kIdVersionShift = 0u;
-inline constexpr std::uint32_t kIdVersionMask = 0x0000FFFFu;
-inline constexpr std::uint32_t kIdChipShift = 16u;
-inline constexpr std::uint32_t kIdChipMask = 0xFFFF0000u;
-inline constexpr std::uint32_t kIdValue = 0x47540001u;
-inline constexpr std::uint32_t kObserver = 0x04u;
-inline constexpr std::uint32_t kObserverActive = 0x1u;
-inline constexpr std::uint32_t kObserverVelocity = 0x10u;
+inline constexpr std::uint32_t kId = 0x00u, kIdVersionShift = 0u, kIdVersionMask = 0x0000FFFFu,
+    kIdChipShift = 16u, kIdChipMask = 0xFFFF0000u, kIdValue = 0x47540001u;
+inline constexpr std::uint32_t kObserver = 0x04u, kObserverActive = 0x1u, kObserverVelocity = 0x10u;
 inline constexpr std::uint32_t kPosition = 0x08u;
 inline constexpr std::uint32_t kVelocity = 0x0Cu;
-inline constexpr std::uint32_t kAngle = 0x10u;
-inline constexpr std::uint32_t kAnglePhaseShift = 0u;
-inline constexpr std::uint32_t kAnglePhaseMask = 0x00003FFFu;
-inline constexpr std::uint32_t kAngleRegionShift = 16u;
-inline constexpr std::uint32_t kAngleRegionMask = 0x00030000u;
-inline constexpr std::uint32_t kAngleKnown = 0x80000000u;
+inline constexpr std::uint32_t kAngle = 0x10u, kAnglePhaseShift = 0u, kAnglePhaseMask = 0x00003FFFu,
+    kAngleRegionShift = 16u, kAngleRegionMask = 0x00030000u, kAngleKnown = 0x80000000u;
 inline constexpr std::uint32_t kTicks = 0x14u;
-inline constexpr std::uint32_t kSlots = 0x18u;
-inline constexpr std::uint32_t kSlotsObserverShift = 0u;
-inline constexpr std::uint32_t kSlotsObserverMask = 0x000000FFu;
-inline constexpr std::uint32_t kSlotsRequesterShift = 16u;
-inline constexpr std::uint32_t kSlotsRequesterMask = 0x00FF0000u;
-inline constexpr std::uint32_t kRequest = 0x1Cu;
-inline constexpr std::uint32_t kRequestA = 0x1u;
-inline constexpr std::uint32_t kRequestPendingShift = 0u;
-inline constexpr std::uint32_t kRequestPendingMask = 0x0000007Fu;
-inline constexpr std::uint32_t kRequestADot = 0x2u;
-inline constexpr std::uint32_t kRequestB = 0x4u;
-inline constexpr std::uint32_t kRequestBDot = 0x8u;
-inline constexpr std::uint32_t kRequestCurrent = 0x40u;
-inline constexpr std::uint32_t kEncoderA = 0x20u;
-inline constexpr std::uint32_t kEncoderACodeShift = 0u;
-inline constexpr std::uint32_t kEncoderACodeMask = 0x000003FFu;
-inline constexpr std::uint32_t kEncoderADotShift = 16u;
-inline constexpr std::uint32_t kEncoderADotMask = 0x03FF0000u;
-inline constexpr std::uint32_t kEncoderB = 0x24u;
-inline constexpr std::uint32_t kEncoderBCodeShift = 0u;
-inline constexpr std::uint32_t kEncoderBCodeMask = 0x000003FFu;
-inline constexpr std::uint32_t kEncoderBDotShift = 16u;
-inline constexpr std::uint32_t kEncoderBDotMask = 0x03FF0000u;
-inline constexpr std::uint32_t kCurrent = 0x28u;
-inline constexpr std::uint32_t kCurrentCodeShift = 0u;
-inline constexpr std::uint32_t kCurrentCodeMask = 0x000003FFu;
+inline constexpr std::uint32_t kSlots = 0x18u, kSlotsObserverShift = 0u,
+    kSlotsObserverMask = 0x000000FFu, kSlotsRequesterShift = 16u, kSlotsRequesterMask = 0x00FF0000u;
+inline constexpr std::uint32_t kRequest = 0x1Cu, kRequestA = 0x1u, kRequestPendingShift = 0u,
+    kRequestPendingMask = 0x0000007Fu, kRequestADot = 0x2u, kRequestB = 0x4u, kRequestBDot = 0x8u,
+    kRequestCurrent = 0x40u;
+inline constexpr std::uint32_t kEncoderA = 0x20u, kEncoderACodeShift = 0u,
+    kEncoderACodeMask = 0x000003FFu, kEncoderADotShift = 16u, kEncoderADotMask = 0x03FF0000u;
+inline constexpr std::uint32_t kEncoderB = 0x24u, kEncoderBCodeShift = 0u,
+    kEncoderBCodeMask = 0x000003FFu, kEncoderBDotShift = 16u, kEncoderBDotMask = 0x03FF0000u;
+inline constexpr std::uint32_t kCurrent = 0x28u, kCurrentCodeShift = 0u,
+    kCurrentCodeMask = 0x000003FFu;
 inline constexpr std::uint32_t kForce1 = 0x2Cu;
 inline constexpr std::uint32_t kForce2 = 0x30u;
-inline constexpr std::uint32_t kOvertemp = 0x34u;
-inline constexpr std::uint32_t kOvertempMotor1 = 0x1u;
-inline constexpr std::uint32_t kOvertempMotor2 = 0x2u;
-inline constexpr std::uint32_t kPassPeriod = 0x38u;
-inline constexpr std::uint32_t kPassPeriodClocksShift = 0u;
-inline constexpr std::uint32_t kPassPeriodClocksMask = 0x00FFFFFFu;
-inline constexpr std::uint32_t kStatus = 0x3Cu;
-inline constexpr std::uint32_t kStatusPass = 0x1u;
-inline constexpr std::uint32_t kStatusFrame = 0x2u;
-inline constexpr std::uint32_t kStatusSample = 0x4u;
-inline constexpr std::uint32_t kStatusOverrun = 0x8u;
-inline constexpr std::uint32_t kStatusRefused = 0x10u;
-inline constexpr std::uint32_t kStatusStored = 0x20u;
-inline constexpr std::uint32_t kIrqEnable = 0x40u;
-inline constexpr std::uint32_t kIrqEnablePass = 0x1u;
-inline constexpr std::uint32_t kIrqEnableFrame = 0x2u;
-inline constexpr std::uint32_t kIrqEnableSample = 0x4u;
-inline constexpr std::uint32_t kReceive = 0x44u;
-inline constexpr std::uint32_t kReceiveChannelShift = 0u;
-inline constexpr std::uint32_t kReceiveChannelMask = 0x0000001Fu;
-inline constexpr std::uint32_t kReceiveTake = 0x1u;
-inline constexpr std::uint32_t kReceiveKindShift = 8u;
-inline constexpr std::uint32_t kReceiveKindMask = 0x00000700u;
-inline constexpr std::uint32_t kReceiveWaits = 0x80000000u;
+inline constexpr std::uint32_t kOvertemp = 0x34u, kOvertempMotor1 = 0x1u, kOvertempMotor2 = 0x2u;
+inline constexpr std::uint32_t kPassPeriod = 0x38u, kPassPeriodClocksShift = 0u,
+    kPassPeriodClocksMask = 0x00FFFFFFu;
+inline constexpr std::uint32_t kStatus = 0x3Cu, kStatusPass = 0x1u, kStatusFrame = 0x2u,
+    kStatusSample = 0x4u, kStatusOverrun = 0x8u, kStatusRefused = 0x10u, kStatusStored = 0x20u;
+inline constexpr std::uint32_t kIrqEnable = 0x40u, kIrqEnablePass = 0x1u, kIrqEnableFrame = 0x2u,
+    kIrqEnableSample = 0x4u;
+inline constexpr std::uint32_t kReceive = 0x44u, kReceiveChannelShift = 0u,
+    kReceiveChannelMask = 0x0000001Fu, kReceiveTake = 0x1u, kReceiveKindShift = 8u,
+    kReceiveKindMask = 0x00000700u, kReceiveWaits = 0x80000000u;
 inline constexpr std::uint32_t kReceiveValue = 0x48u;
-inline constexpr std::uint32_t kReceiveErrors = 0x4Cu;
-inline constexpr std::uint32_t kReceiveErrorsMalformedShift = 0u;
-inline constexpr std::uint32_t kReceiveErrorsMalformedMask = 0x0000FFFFu;
-inline constexpr std::uint32_t kReceiveErrorsLostShift = 16u;
-inline constexpr std::uint32_t kReceiveErrorsLostMask = 0xFFFF0000u;
+inline constexpr std::uint32_t kReceiveErrors = 0x4Cu, kReceiveErrorsMalformedShift = 0u,
+    kReceiveErrorsMalformedMask = 0x0000FFFFu, kReceiveErrorsLostShift = 16u,
+    kReceiveErrorsLostMask = 0xFFFF0000u;
 inline constexpr std::uint32_t kSendValue = 0x50u;
-inline constexpr std::uint32_t kSend = 0x54u;
-inline constexpr std::uint32_t kSendChannelShift = 0u;
-inline constexpr std::uint32_t kSendChannelMask = 0x0000001Fu;
-inline constexpr std::uint32_t kSendKindShift = 8u;
-inline constexpr std::uint32_t kSendKindMask = 0x00000700u;
-inline constexpr std::uint32_t kSendState = 0x58u;
-inline constexpr std::uint32_t kSendStateRoomShift = 0u;
-inline constexpr std::uint32_t kSendStateRoomMask = 0x0000003Fu;
-inline constexpr std::uint32_t kSendStateIdle = 0x100u;
-inline constexpr std::uint32_t kSendStateLostShift = 16u;
-inline constexpr std::uint32_t kSendStateLostMask = 0xFFFF0000u;
-inline constexpr std::uint32_t kCalibrate = 0x5Cu;
-inline constexpr std::uint32_t kCalibrateWordShift = 0u;
-inline constexpr std::uint32_t kCalibrateWordMask = 0x0000FFFFu;
-inline constexpr std::uint32_t kCalibrateCommandShift = 16u;
-inline constexpr std::uint32_t kCalibrateCommandMask = 0x00070000u;
-inline constexpr std::uint32_t kCalibration = 0x60u;
-inline constexpr std::uint32_t kCalibrationValid = 0x1u;
-inline constexpr std::uint32_t kCalibrationBusy = 0x2u;
-inline constexpr std::uint32_t kCalibrationCountShift = 8u;
-inline constexpr std::uint32_t kCalibrationCountMask = 0x00003F00u;
-inline constexpr std::uint32_t kReceiveGap = 0x64u;
-inline constexpr std::uint32_t kReceiveGapClocksShift = 0u;
-inline constexpr std::uint32_t kReceiveGapClocksMask = 0x00FFFFFFu;
+inline constexpr std::uint32_t kSend = 0x54u, kSendChannelShift = 0u,
+    kSendChannelMask = 0x0000001Fu, kSendKindShift = 8u, kSendKindMask = 0x00000700u;
+inline constexpr std::uint32_t kSendState = 0x58u, kSendStateRoomShift = 0u,
+    kSendStateRoomMask = 0x0000003Fu, kSendStateIdle = 0x100u, kSendStateLostShift = 16u,
+    kSendStateLostMask = 0xFFFF0000u;
+inline constexpr std::uint32_t kCalibrate = 0x5Cu, kCalibrateWordShift = 0u,
+    kCalibrateWordMask = 0x0000FFFFu, kCalibrateCommandShift = 16u,
+    kCalibrateCommandMask = 0x00070000u;
+inline constexpr std::uint32_t kCalibration = 0x60u, kCalibrationValid = 0x1u,
+    kCalibrationBusy = 0x2u, kCalibrationCountShift = 8u, kCalibrationCountMask = 0x00003F00u;
+inline constexpr std::uint32_t kReceiveGap = 0x64u, kReceiveGapClocksShift = 0u,
+    kReceiveGapClocksMask = 0x00FFFFFFu;
 
 enum class Access { kRead, kWrite, kReadWrite, kWriteOneToClear };
 

@@ -14,26 +14,13 @@ inline constexpr std::uint32_t kX = 0x000u;
 inline constexpr std::uint32_t kY = 0x100u;
 
 // axis_regs
-inline constexpr std::uint32_t kCtrl = 0x00u;
-inline constexpr std::uint32_t kCtrlEnable = 0x1u;
-inline constexpr std::uint32_t kCtrlCurrentLoop = 0x2u;
-inline constexpr std::uint32_t kCtrlPositionLoop = 0x4u;
-inline constexpr std::uint32_t kCtrlAdapt = 0x8u;
-inline constexpr std::uint32_t kCtrlResetModel = 0x10u;
-inline constexpr std::uint32_t kCtrlResetTable = 0x20u;
-inline constexpr std::uint32_t kCtrlInterpolate = 0x40u;
-inline constexpr std::uint32_t kCtrlFeedforward = 0x80u;
-inline constexpr std::uint32_t kCtrlPrecision = 0x100u;
-inline constexpr std::uint32_t kStatus = 0x04u;
-inline constexpr std::uint32_t kStatusBusy = 0x1u;
-inline constexpr std::uint32_t kStatusOverrun = 0x2u;
-inline constexpr std::uint32_t kStatusQepError = 0x4u;
-inline constexpr std::uint32_t kStatusSaturated = 0x8u;
-inline constexpr std::uint32_t kStatusLimited = 0x10u;
-inline constexpr std::uint32_t kStatusUnderrun = 0x20u;
-inline constexpr std::uint32_t kStatusClipped = 0x40u;
-inline constexpr std::uint32_t kStatusStepShift = 8u;
-inline constexpr std::uint32_t kStatusStepMask = 0x00007F00u;
+inline constexpr std::uint32_t kCtrl = 0x00u, kCtrlEnable = 0x1u, kCtrlCurrentLoop = 0x2u,
+    kCtrlPositionLoop = 0x4u, kCtrlAdapt = 0x8u, kCtrlResetModel = 0x10u, kCtrlResetTable = 0x20u,
+    kCtrlInterpolate = 0x40u, kCtrlFeedforward = 0x80u, kCtrlPrecision = 0x100u;
+inline constexpr std::uint32_t kStatus = 0x04u, kStatusBusy = 0x1u, kStatusOverrun = 0x2u,
+    kStatusQepError = 0x4u, kStatusSaturated = 0x8u, kStatusLimited = 0x10u,
+    kStatusUnderrun = 0x20u, kStatusClipped = 0x40u, kStatusStepShift = 8u,
+    kStatusStepMask = 0x00007F00u;
 inline constexpr std::uint32_t kPosCmd = 0x08u;
 inline constexpr std::uint32_t kPos = 0x0Cu;
 inline constexpr std::uint32_t kPosModel = 0x10u;
@@ -43,139 +30,78 @@ inline constexpr std::uint32_t kU = 0x1Cu;
 inline constexpr std::uint32_t kVstar = 0x20u;
 inline constexpr std::uint32_t kIqCmd = 0x24u;
 inline constexpr std::uint32_t kSpeed = 0x28u;
-inline constexpr std::uint32_t kIdIq = 0x2Cu;
-inline constexpr std::uint32_t kIdIqIDShift = 0u;
-inline constexpr std::uint32_t kIdIqIDMask = 0x0000FFFFu;
-inline constexpr std::uint32_t kIdIqIQShift = 16u;
-inline constexpr std::uint32_t kIdIqIQMask = 0xFFFF0000u;
-inline constexpr std::uint32_t kVdVq = 0x30u;
-inline constexpr std::uint32_t kVdVqVDShift = 0u;
-inline constexpr std::uint32_t kVdVqVDMask = 0x0000FFFFu;
-inline constexpr std::uint32_t kVdVqVQShift = 16u;
-inline constexpr std::uint32_t kVdVqVQMask = 0xFFFF0000u;
-inline constexpr std::uint32_t kKp = 0x40u;
-inline constexpr std::uint32_t kKpMantShift = 0u;
-inline constexpr std::uint32_t kKpMantMask = 0x000007FFu;
-inline constexpr std::uint32_t kKpExpShift = 16u;
-inline constexpr std::uint32_t kKpExpMask = 0x001F0000u;
-inline constexpr std::uint32_t kKi = 0x44u;
-inline constexpr std::uint32_t kKiMantShift = 0u;
-inline constexpr std::uint32_t kKiMantMask = 0x000007FFu;
-inline constexpr std::uint32_t kKiExpShift = 16u;
-inline constexpr std::uint32_t kKiExpMask = 0x001F0000u;
-inline constexpr std::uint32_t kKv = 0x48u;
-inline constexpr std::uint32_t kKvMantShift = 0u;
-inline constexpr std::uint32_t kKvMantMask = 0x000007FFu;
-inline constexpr std::uint32_t kKvExpShift = 16u;
-inline constexpr std::uint32_t kKvExpMask = 0x001F0000u;
-inline constexpr std::uint32_t kEta = 0x4Cu;
-inline constexpr std::uint32_t kEtaMantShift = 0u;
-inline constexpr std::uint32_t kEtaMantMask = 0x000007FFu;
-inline constexpr std::uint32_t kEtaExpShift = 16u;
-inline constexpr std::uint32_t kEtaExpMask = 0x001F0000u;
-inline constexpr std::uint32_t kShift = 0x50u;
-inline constexpr std::uint32_t kShiftEShift = 0u;
-inline constexpr std::uint32_t kShiftEMask = 0x0000001Fu;
-inline constexpr std::uint32_t kShiftDeShift = 8u;
-inline constexpr std::uint32_t kShiftDeMask = 0x00001F00u;
-inline constexpr std::uint32_t kA0 = 0x54u;
-inline constexpr std::uint32_t kA0ValueShift = 0u;
-inline constexpr std::uint32_t kA0ValueMask = 0x0003FFFFu;
-inline constexpr std::uint32_t kA0ScaleShift = 20u;
-inline constexpr std::uint32_t kA0ScaleMask = 0x00300000u;
+inline constexpr std::uint32_t kIdIq = 0x2Cu, kIdIqIDShift = 0u, kIdIqIDMask = 0x0000FFFFu,
+    kIdIqIQShift = 16u, kIdIqIQMask = 0xFFFF0000u;
+inline constexpr std::uint32_t kVdVq = 0x30u, kVdVqVDShift = 0u, kVdVqVDMask = 0x0000FFFFu,
+    kVdVqVQShift = 16u, kVdVqVQMask = 0xFFFF0000u;
+inline constexpr std::uint32_t kKp = 0x40u, kKpMantShift = 0u, kKpMantMask = 0x000007FFu,
+    kKpExpShift = 16u, kKpExpMask = 0x001F0000u;
+inline constexpr std::uint32_t kKi = 0x44u, kKiMantShift = 0u, kKiMantMask = 0x000007FFu,
+    kKiExpShift = 16u, kKiExpMask = 0x001F0000u;
+inline constexpr std::uint32_t kKv = 0x48u, kKvMantShift = 0u, kKvMantMask = 0x000007FFu,
+    kKvExpShift = 16u, kKvExpMask = 0x001F0000u;
+inline constexpr std::uint32_t kEta = 0x4Cu, kEtaMantShift = 0u, kEtaMantMask = 0x000007FFu,
+    kEtaExpShift = 16u, kEtaExpMask = 0x001F0000u;
+inline constexpr std::uint32_t kShift = 0x50u, kShiftEShift = 0u, kShiftEMask = 0x0000001Fu,
+    kShiftDeShift = 8u, kShiftDeMask = 0x00001F00u;
+inline constexpr std::uint32_t kA0 = 0x54u, kA0ValueShift = 0u, kA0ValueMask = 0x0003FFFFu,
+    kA0ScaleShift = 20u, kA0ScaleMask = 0x00300000u;
 inline constexpr std::uint32_t kB2 = 0x58u;
-inline constexpr std::uint32_t kKpCur = 0x60u;
-inline constexpr std::uint32_t kKpCurMantShift = 0u;
-inline constexpr std::uint32_t kKpCurMantMask = 0x000007FFu;
-inline constexpr std::uint32_t kKpCurExpShift = 16u;
-inline constexpr std::uint32_t kKpCurExpMask = 0x001F0000u;
-inline constexpr std::uint32_t kKiCur = 0x64u;
-inline constexpr std::uint32_t kKiCurMantShift = 0u;
-inline constexpr std::uint32_t kKiCurMantMask = 0x000007FFu;
-inline constexpr std::uint32_t kKiCurExpShift = 16u;
-inline constexpr std::uint32_t kKiCurExpMask = 0x001F0000u;
+inline constexpr std::uint32_t kKpCur = 0x60u, kKpCurMantShift = 0u, kKpCurMantMask = 0x000007FFu,
+    kKpCurExpShift = 16u, kKpCurExpMask = 0x001F0000u;
+inline constexpr std::uint32_t kKiCur = 0x64u, kKiCurMantShift = 0u, kKiCurMantMask = 0x000007FFu,
+    kKiCurExpShift = 16u, kKiCurExpMask = 0x001F0000u;
 inline constexpr std::uint32_t kThetaOfs = 0x68u;
-inline constexpr std::uint32_t kDeadtime = 0x6Cu;
-inline constexpr std::uint32_t kDeadtimeClkShift = 0u;
-inline constexpr std::uint32_t kDeadtimeClkMask = 0x000003FFu;
-inline constexpr std::uint32_t kDeadtimeQepFilterShift = 16u;
-inline constexpr std::uint32_t kDeadtimeQepFilterMask = 0x000F0000u;
-inline constexpr std::uint32_t kTabAddr = 0x70u;
-inline constexpr std::uint32_t kTabAddrIndexShift = 0u;
-inline constexpr std::uint32_t kTabAddrIndexMask = 0x0000003Fu;
+inline constexpr std::uint32_t kDeadtime = 0x6Cu, kDeadtimeClkShift = 0u,
+    kDeadtimeClkMask = 0x000003FFu, kDeadtimeQepFilterShift = 16u,
+    kDeadtimeQepFilterMask = 0x000F0000u;
+inline constexpr std::uint32_t kTabAddr = 0x70u, kTabAddrIndexShift = 0u,
+    kTabAddrIndexMask = 0x0000003Fu;
 inline constexpr std::uint32_t kTabData = 0x74u;
 inline constexpr std::uint32_t kPosPreset = 0x78u;
 inline constexpr std::uint32_t kIndexLatch = 0x7Cu;
 inline constexpr std::uint32_t kStrokeMin = 0x80u;
 inline constexpr std::uint32_t kStrokeMax = 0x84u;
-inline constexpr std::uint32_t kStrokeEn = 0x88u;
-inline constexpr std::uint32_t kStrokeEnEnable = 0x1u;
+inline constexpr std::uint32_t kStrokeEn = 0x88u, kStrokeEnEnable = 0x1u;
 inline constexpr std::uint32_t kIqManual = 0x8Cu;
-inline constexpr std::uint32_t kPrecAddr = 0x90u;
-inline constexpr std::uint32_t kPrecAddrWordShift = 0u;
-inline constexpr std::uint32_t kPrecAddrWordMask = 0x0000001Fu;
+inline constexpr std::uint32_t kPrecAddr = 0x90u, kPrecAddrWordShift = 0u,
+    kPrecAddrWordMask = 0x0000001Fu;
 inline constexpr std::uint32_t kPrecData = 0x94u;
 inline constexpr std::uint32_t kPrecErr = 0x98u;
 inline constexpr std::uint32_t kErrSum = 0x9Cu;
 inline constexpr std::uint32_t kIqSum = 0xA0u;
 inline constexpr std::uint32_t kPrecDist = 0xA4u;
 inline constexpr std::uint32_t kAngleStep = 0xB0u;
-inline constexpr std::uint32_t kCurrentOffset = 0xB4u;
-inline constexpr std::uint32_t kCurrentOffsetAShift = 0u;
-inline constexpr std::uint32_t kCurrentOffsetAMask = 0x00000FFFu;
-inline constexpr std::uint32_t kCurrentOffsetBShift = 16u;
-inline constexpr std::uint32_t kCurrentOffsetBMask = 0x0FFF0000u;
-inline constexpr std::uint32_t kPhaseCurrents = 0xB8u;
-inline constexpr std::uint32_t kPhaseCurrentsIAShift = 0u;
-inline constexpr std::uint32_t kPhaseCurrentsIAMask = 0x0000FFFFu;
-inline constexpr std::uint32_t kPhaseCurrentsIBShift = 16u;
-inline constexpr std::uint32_t kPhaseCurrentsIBMask = 0xFFFF0000u;
-inline constexpr std::uint32_t kAdcFrame = 0xBCu;
-inline constexpr std::uint32_t kAdcFrameZerosShift = 0u;
-inline constexpr std::uint32_t kAdcFrameZerosMask = 0x00000007u;
+inline constexpr std::uint32_t kCurrentOffset = 0xB4u, kCurrentOffsetAShift = 0u,
+    kCurrentOffsetAMask = 0x00000FFFu, kCurrentOffsetBShift = 16u,
+    kCurrentOffsetBMask = 0x0FFF0000u;
+inline constexpr std::uint32_t kPhaseCurrents = 0xB8u, kPhaseCurrentsIAShift = 0u,
+    kPhaseCurrentsIAMask = 0x0000FFFFu, kPhaseCurrentsIBShift = 16u,
+    kPhaseCurrentsIBMask = 0xFFFF0000u;
+inline constexpr std::uint32_t kAdcFrame = 0xBCu, kAdcFrameZerosShift = 0u,
+    kAdcFrameZerosMask = 0x00000007u;
 
 // system
-inline constexpr std::uint32_t kId = 0x200u;
-inline constexpr std::uint32_t kIdVersionShift = 0u;
-inline constexpr std::uint32_t kIdVersionMask = 0x0000FFFFu;
-inline constexpr std::uint32_t kIdChipShift = 16u;
-inline constexpr std::uint32_t kIdChipMask = 0xFFFF0000u;
-inline constexpr std::uint32_t kIdValue = 0x4B580005u;
-inline constexpr std::uint32_t kCommit = 0x204u;
-inline constexpr std::uint32_t kCommitTake = 0x1u;
-inline constexpr std::uint32_t kIrqEn = 0x208u;
-inline constexpr std::uint32_t kIrqEnTick = 0x1u;
-inline constexpr std::uint32_t kIrqEnFault = 0x2u;
-inline constexpr std::uint32_t kIrqStat = 0x20Cu;
-inline constexpr std::uint32_t kIrqStatTick = 0x1u;
-inline constexpr std::uint32_t kIrqStatFault = 0x2u;
+inline constexpr std::uint32_t kId = 0x200u, kIdVersionShift = 0u, kIdVersionMask = 0x0000FFFFu,
+    kIdChipShift = 16u, kIdChipMask = 0xFFFF0000u, kIdValue = 0x4B580005u;
+inline constexpr std::uint32_t kCommit = 0x204u, kCommitTake = 0x1u;
+inline constexpr std::uint32_t kIrqEn = 0x208u, kIrqEnTick = 0x1u, kIrqEnFault = 0x2u;
+inline constexpr std::uint32_t kIrqStat = 0x20Cu, kIrqStatTick = 0x1u, kIrqStatFault = 0x2u;
 inline constexpr std::uint32_t kTick = 0x210u;
-inline constexpr std::uint32_t kFault = 0x214u;
-inline constexpr std::uint32_t kFaultCodeShift = 0u;
-inline constexpr std::uint32_t kFaultCodeMask = 0x0000000Fu;
-inline constexpr std::uint32_t kFaultAxis = 0x10u;
-inline constexpr std::uint32_t kFaultTickShift = 8u;
-inline constexpr std::uint32_t kFaultTickMask = 0xFFFFFF00u;
+inline constexpr std::uint32_t kFault = 0x214u, kFaultCodeShift = 0u, kFaultCodeMask = 0x0000000Fu,
+    kFaultAxis = 0x10u, kFaultTickShift = 8u, kFaultTickMask = 0xFFFFFF00u;
 inline constexpr std::uint32_t kFaultClear = 0x218u;
-inline constexpr std::uint32_t kWatchdog = 0x21Cu;
-inline constexpr std::uint32_t kWatchdogLimitShift = 0u;
-inline constexpr std::uint32_t kWatchdogLimitMask = 0x0000FFFFu;
+inline constexpr std::uint32_t kWatchdog = 0x21Cu, kWatchdogLimitShift = 0u,
+    kWatchdogLimitMask = 0x0000FFFFu;
 inline constexpr std::uint32_t kLock = 0x220u;
 inline constexpr std::uint32_t kCurrentLimit = 0x224u;
-inline constexpr std::uint32_t kDeadtimeMin = 0x228u;
-inline constexpr std::uint32_t kDeadtimeMinClkShift = 0u;
-inline constexpr std::uint32_t kDeadtimeMinClkMask = 0x000003FFu;
-inline constexpr std::uint32_t kIrqPeriod = 0x22Cu;
-inline constexpr std::uint32_t kIrqPeriodTicksShift = 0u;
-inline constexpr std::uint32_t kIrqPeriodTicksMask = 0x000000FFu;
-inline constexpr std::uint32_t kKnot = 0x230u;
-inline constexpr std::uint32_t kKnotCountShift = 0u;
-inline constexpr std::uint32_t kKnotCountMask = 0xFFFFFFFFu;
-inline constexpr std::uint32_t kRates = 0x240u;
-inline constexpr std::uint32_t kRatesCarrierShift = 0u;
-inline constexpr std::uint32_t kRatesCarrierMask = 0x00000003u;
-inline constexpr std::uint32_t kRatesPositionShift = 4u;
-inline constexpr std::uint32_t kRatesPositionMask = 0x00000030u;
+inline constexpr std::uint32_t kDeadtimeMin = 0x228u, kDeadtimeMinClkShift = 0u,
+    kDeadtimeMinClkMask = 0x000003FFu;
+inline constexpr std::uint32_t kIrqPeriod = 0x22Cu, kIrqPeriodTicksShift = 0u,
+    kIrqPeriodTicksMask = 0x000000FFu;
+inline constexpr std::uint32_t kKnot = 0x230u, kKnotCountShift = 0u, kKnotCountMask = 0xFFFFFFFFu;
+inline constexpr std::uint32_t kRates = 0x240u, kRatesCarrierShift = 0u,
+    kRatesCarrierMask = 0x00000003u, kRatesPositionShift = 4u, kRatesPositionMask = 0x00000030u;
 
 // fault_code
 inline constexpr std::uint32_t kFaultCodeNone = 0x0u;  // no fault since the last clear

@@ -2,6 +2,7 @@
 """The C++ header of a register map: plain constants for firmware, twin, triggers and tests."""
 
 import json
+import textwrap
 
 from trammel_tools.generate import register_map
 from trammel_tools.generate.register_map import camel, mask
@@ -55,6 +56,13 @@ def constant(name, value, comment=""):
     return f"{line}  // {comment}" if comment and len(line) + len(comment) < 95 else line
 
 
+def paragraph(pairs):
+    """Constants of one register."""
+    whole = ", ".join(f"{name}~=~{value}" for name, value in pairs)
+    return textwrap.fill(f"inline constexpr std::uint32_t {whole};", 100,
+                         subsequent_indent="    ").replace("~", " ").split("\n")
+
+
 def constants(top):
     """Addresses, bits and encodings as C++ lines."""
     lines = [constant(f"k{camel(name)}", f"0x{base:03X}u")
@@ -63,10 +71,10 @@ def constants(top):
         lines += [""] * bool(lines) + [f"// {kind}"]
         for reg in register_map.registers(nodes[0]):
             name = f"k{camel(reg.inst_name)}"
-            lines.append(constant(name, f"0x{reg.address_offset:02X}u"))
-            lines += [constant(*pair) for pair in field_constants(reg)]
+            found = [(name, f"0x{reg.address_offset:02X}u"), *field_constants(reg)]
             if all(not f.is_hw_writable and not f.is_sw_writable for f in reg.fields()):
-                lines.append(constant(f"{name}Value", f"0x{register_map.reset(reg):08X}u"))
+                found.append((f"{name}Value", f"0x{register_map.reset(reg):08X}u"))
+            lines += paragraph(found)
     for encode in register_map.encodings(top):
         lines += ["", f"// {encode.type_name}"]
         for member in encode:
