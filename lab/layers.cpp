@@ -125,7 +125,10 @@ Entry text_entry(const std::string& name, const std::string& text, const std::st
   return {name, where, [text](const Key& key) { return parsed(key, text); }};
 }
 
-void apply(Settings& settings, std::vector<Entry> entries, const fs::path& folder) {
+constexpr int kAssigned = 1'000'000;  // the layer of -s and of the environment
+constexpr const char* kWritten = "# Written by trammel;";  // line 1 of run.toml
+
+void apply(Settings& settings, std::vector<Entry> entries, const fs::path& folder, int layer) {
   for (Entry& entry : entries) entry.keys = find_keys(settings.machine().keys(), entry.name);
   // Short forms (both axes) first, so that [plant.x] refines [plant] wherever it stands.
   std::stable_sort(entries.begin(), entries.end(), [](const Entry& a, const Entry& b) {
@@ -142,6 +145,7 @@ void apply(Settings& settings, std::vector<Entry> entries, const fs::path& folde
       }
       const Value before = key->get(settings);
       key->set(settings, value);
+      settings.set_by[key->name] = {layer, layer == kAssigned ? "" : entry.where + ": "};
       if (value != before) note_change(settings, *key, before);
     }
   }
@@ -155,12 +159,7 @@ void apply(Settings& settings, std::vector<Entry> entries, const fs::path& folde
 
 // By -s or by the environment.
 void assign(Settings& settings, const std::vector<Entry>& entries) {
-  for (const Entry& entry : entries) {
-    for (const Key* const key : find_keys(settings.machine().keys(), entry.name)) {
-      settings.assigned.push_back(key->name);
-    }
-  }
-  apply(settings, entries, fs::current_path());
+  apply(settings, entries, fs::current_path(), kAssigned);
 }
 
 Entry node_entry(const std::string& name, const toml::node& node, const std::string& source) {
@@ -200,7 +199,9 @@ void apply_text(Settings& settings, const std::string& toml, const std::string& 
   }
   std::vector<Entry> entries;
   flatten(table, "", source, entries);
-  apply(settings, entries, folder);
+  apply(settings, entries, folder, ++settings.layers);
+  // A record repeats its run, which run.max_s may have cut.
+  if (toml.rfind(kWritten, 0) == 0) settings.set_by["run.max_s"].layer = ++settings.layers;
 }
 
 void apply_file(Settings& settings, const fs::path& file) {
@@ -257,7 +258,7 @@ std::vector<std::pair<std::string, std::string>> environment() {
 std::string run_toml(const Settings& settings, const std::string& command,
                      bool (*left_out)(const Key&)) {
   std::string text =
-      fmt::format("# Written by trammel; `{}` repeats this run.\n", printable(command));
+      fmt::format("{} `{}` repeats this run.\n", kWritten, printable(command));
   std::string section;
   for (const Key& key : settings.machine().keys()) {
     if (left_out != nullptr && left_out(key)) continue;

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -28,6 +29,12 @@ struct Heading {
   std::vector<std::pair<std::string, std::string>> altered;  // keys, and the value it goes with
 };
 
+// Which layer has set a key last: 0 is the defaults, later layers have larger numbers.
+struct SetBy {
+  int layer = 0;
+  std::string where;  // "file:line: " of a file, else ""
+};
+
 struct Settings {
   virtual ~Settings() = default;
   virtual const Machine& machine() const = 0;
@@ -36,7 +43,8 @@ struct Settings {
   std::string scenario;     // names the run and its output folder
   std::string description;  // one line
   Heading heading;          // see lab/heading.hpp
-  std::vector<std::string> assigned;  // keys that -s or the environment has set
+  int layers = 0;           // files that were applied
+  std::map<std::string, SetBy> set_by;  // keys that any layer has set
   std::string program;      // the file that was named in place of a scenario; "": none
   cosim::RunBasics run;
   cosim::ProcessorOptions processor;

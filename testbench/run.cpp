@@ -34,7 +34,7 @@ void apply_live(lab::Settings& settings) {
         settings.machine().name, fmt::join(names, ", ")));
   }
   for (const std::string& text : settings.machine().live) lab::apply_assignment(settings, text);
-  settings.assigned.clear();  // of the user's own there is none yet
+  settings.set_by.clear();  // of the user's own there is none yet
 }
 
 }  // namespace

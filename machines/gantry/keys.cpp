@@ -51,7 +51,8 @@ void add_firmware(Table& t) {
         TRAMMEL_LENS(firmware.open));
   t.one("control.open_force", -1023, 1023, "without a controller, positive to the right",
         TRAMMEL_LENS(firmware.open_force));
-  t.one("control.open_hold_ms", 0.5, 60'000, "time of each step, and of each bit of random",
+  t.one("control.open_hold_ms", 0.5, 60'000,
+        "time of each step, and of each bit of random, rounded to whole control passes",
         TRAMMEL_LENS(open_hold_ms));
   t.one("control.motors", 0, 0, "motors that the firmware drives; the other one has no force",
         TRAMMEL_LENS(firmware.motors));
@@ -176,7 +177,9 @@ const std::vector<lab::Key>& keys() {
     t.one("record.every_ms", 0.1, 1000, "from one sample to the next", TRAMMEL_LENS(record_ms));
     t.text("host.sends", "what the host sends and when: 0.1:21=305, 0.2:31?, 0.3:x8A49",
            TRAMMEL_LENS(sends));
-    t.one("host.serial", 0, 0, "a pseudo-terminal is the host, in real time", TRAMMEL_LENS(serial));
+    t.one("host.serial", 0, 0,
+          "a pseudo-terminal is the host, in real time; host.sends is then not sent",
+          TRAMMEL_LENS(serial));
     t.one("host.stream", 0, 0, "position, time and velocity are sent every pass",
           TRAMMEL_LENS(firmware.stream));
     t.one("host.gap_ms", 0, 300,

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "machines/gantry/session.hpp"
@@ -12,12 +11,15 @@
 namespace trammel::gantry {
 namespace {
 
-// Of two that exclude each other one would have no effect.
-void refuse_two_controls(const sw::GantrySetup& firmware) {
+[[noreturn]] void refuse(const char* key, const std::string& found, const std::string& permitted) {
+  throw lab::ConfigError(fmt::format("{}: {}; permitted: {}", key, found, permitted));
+}
+
+// Keys that choose how the track is driven: of two that exclude each other one would have no
+// effect. Values of a part that is not chosen are permitted, so that one key chooses another.
+void refuse_two_controls(const Options& options) {
+  const sw::GantrySetup& firmware = options.firmware;
   const bool sums = firmware.position.sum != sw::PositionPi::Sum::kNone;
-  const auto refuse = [](const char* key, const char* found, const char* permitted) {
-    throw lab::ConfigError(fmt::format("{}: {}; permitted: {}", key, found, permitted));
-  };
   if (firmware.cascade && firmware.position.bang) {
     refuse("position.bang_bang", "true, and control.cascade is true", "one of them");
   }
@@ -33,19 +35,55 @@ void refuse_two_controls(const sw::GantrySetup& firmware) {
     refuse("control.compensate", "true, and control.cascade is false",
            "with control.cascade=true, whose motors it shares");
   }
+  if (!options.estimator.model.empty() && options.estimator.filter != Filter::kKalman) {
+    refuse("velocity.model", "a model, and velocity.filter is not kalman, which alone has one",
+           "empty, or velocity.filter=kalman");
+  }
+}
+
+// A force without a controller. The calibration run goes to its place by a controller first.
+void refuse_beside_open(const Options& options) {
+  const sw::GantrySetup& firmware = options.firmware;
+  if (firmware.open == sw::OpenForce::kNone) return;
+  const char* const chosen = firmware.cascade         ? "control.cascade is true"
+                             : firmware.position.bang ? "position.bang_bang is true"
+                             : firmware.position.sum != sw::PositionPi::Sum::kNone
+                                 ? "position.sum is a sum"
+                                 : nullptr;
+  if (chosen != nullptr && !firmware.calibrate) {
+    refuse("control.open", fmt::format("a force without a controller, and {}", chosen),
+           "none, or no controller");
+  }
+  if (options.reached_mm >= 0) {
+    refuse("run.reached_mm", fmt::format("{:g} mm, and control.open drives the cart to no reference",
+                                         options.reached_mm),
+           "below 0, or control.open=none");
+  }
+  if (firmware.open_force == 0) {
+    refuse("control.open_force", "0 moves nothing", "with control.open any other value");
+  }
+}
+
+// What sets both, or the time last, wants that time; run.max_s that is set later cuts it short.
+void refuse_long_time(const Options& options) {
+  if (options.time_s <= options.run.max_s) return;
+  const auto set = [&options](const char* key) {
+    const auto found = options.set_by.find(key);
+    return found == options.set_by.end() ? lab::SetBy{} : found->second;
+  };
+  const lab::SetBy time = set("run.time_s");
+  if (set("run.max_s").layer > time.layer) return;
+  throw lab::ConfigError(
+      fmt::format("{}run.time_s: {:g} s is above run.max_s, {:g} s; permitted: at most that",
+                  time.where, options.time_s, options.run.max_s));
 }
 
 void validate(lab::Settings& settings) {
   const auto& options = static_cast<const Options&>(settings);
   read_sends(options.sends);
-  const auto& given = options.assigned;  // else run.max_s cuts a scenario short
-  if (options.time_s > options.run.max_s &&
-      std::find(given.begin(), given.end(), "run.time_s") != given.end()) {
-    throw lab::ConfigError(
-        fmt::format("run.time_s: {:g} s is above run.max_s, {:g} s; permitted: at most that",
-                    options.time_s, options.run.max_s));
-  }
-  refuse_two_controls(options.firmware);
+  refuse_long_time(options);
+  refuse_two_controls(options);
+  refuse_beside_open(options);
   if (options.axis.stiction < options.axis.coulomb) {
     throw lab::ConfigError(fmt::format(
         "axis.stiction_count: {:g} is below axis.coulomb_count, {:g}; permitted: at least that",
@@ -61,10 +99,6 @@ void validate(lab::Settings& settings) {
     throw lab::ConfigError(
         "boot.calibrate: true, and boot.home is false; permitted: with boot.home=true, whose zero "
         "the calibration run counts from");
-  }
-  if (firmware.open != sw::OpenForce::kNone && firmware.open_force == 0) {
-    throw lab::ConfigError(
-        "control.open_force: 0 moves nothing; permitted with control.open: any other");
   }
   if (firmware.compensate && firmware.motors != sw::Motors::kBoth) {
     throw lab::ConfigError(

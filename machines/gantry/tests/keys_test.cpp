@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What the options of the machine gantry may not be together.
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>
@@ -30,11 +32,65 @@ TEST_CASE("gantry: two controls, or times, that exclude each other are refused")
       lab::validate(options);
     });
   };
+  const std::string both = "[run]\ntime_s = 1.5\nmax_s = 1\n";
+  const std::string above = "run.time_s: 1.5 s is above run.max_s, 1 s; permitted: at most that";
+  CHECK(told(both) == "some.toml:2: " + above);
+  CHECK(told("[run]\ntime_s = 121\n") ==
+        "some.toml:2: run.time_s: 121 s is above run.max_s, 120 s; permitted: at most that");
+  CHECK(told("[run]\nmax_s = 1\n") == "");  // cuts the machine's own time
   CHECK(assigned({"run.time_s=1", "run.max_s=1"}) == "");
   CHECK(assigned({"run.max_s=1"}) == "");  // cuts the scenario's time
-  CHECK(assigned({"run.time_s=1.5", "run.max_s=1"}) ==
-        "run.time_s: 1.5 s is above run.max_s, 1 s; permitted: at most that");
+  CHECK(assigned({"run.time_s=1.5", "run.max_s=1"}) == above);
   CHECK_THAT(assigned({"run.time_s=120.5"}), Catch::StartsWith("run.time_s: 120.5 s is above"));
+  // A file may have the time, -s or another file cut it, and the record repeats that.
+  const auto layered = [](const std::string& first, const std::string& more, bool cut) {
+    return test::refusal_of([&] {
+      gantry::Options options;
+      lab::apply_text(options, first, "first.toml", ".");
+      lab::apply_text(options, more, "more.toml", ".");
+      if (cut) lab::apply_assignment(options, "run.max_s=1");
+      lab::validate(options);
+      gantry::Options again;
+      lab::apply_text(again, lab::run_toml(options), "run.toml", ".");
+      lab::validate(again);
+    });
+  };
+  const std::string time = "[run]\ntime_s = 1.5\n", most = "[run]\nmax_s = 1\n";
+  CHECK(layered(time, "", true) == "");
+  CHECK(layered(both, "", true) == "");
+  CHECK(layered(time, most, false) == "");
+  CHECK(layered(most, time, false) == "more.toml:2: " + above);
+}
+
+TEST_CASE("gantry: keys that choose what a run cannot have are refused, values are not") {
+  const auto told = [](const std::string& toml) { return test::message_of<gantry::Options>(toml); };
+  const std::string cascade = "[control]\ncascade = true\n";
+  for (const char* const open : {"constant", "steps", "random"}) {
+    const std::string force = fmt::format("[control]\nopen = \"{}\"\n", open);
+    CAPTURE(open);
+    CHECK(told(force) == "");
+    CHECK(told(force + "[position]\ngain = 7\n[velocity]\nfeed_forward = false\n") == "");
+    CHECK(told(force + "cascade = true\n") ==
+          "control.open: a force without a controller, and control.cascade is true; permitted: "
+          "none, or no controller");
+    CHECK_THAT(told(force + "[position]\nbang_bang = true\n"),
+               Catch::Contains("and position.bang_bang is true; permitted: "));
+    CHECK_THAT(told(force + "[position]\nsum = \"cancel\"\n"),
+               Catch::Contains("and position.sum is a sum; permitted: "));
+    CHECK(told(force + "[run]\nreached_mm = 0.5\n") ==
+          "run.reached_mm: 0.5 mm, and control.open drives the cart to no reference; permitted: "
+          "below 0, or control.open=none");
+    // It goes to the place where the calibration run begins.
+    CHECK(told(force + "cascade = true\n[boot]\nhome = true\ncalibrate = true\n") == "");
+  }
+  CHECK(told(cascade + "[run]\nreached_mm = 0.5\n") == "");
+  const std::string model = "model = \"0.5 1\"\n";
+  CHECK(told("[velocity]\nfilter = \"kalman\"\n" + model) == "");
+  for (const char* const filter : {"mean", "low_pass_1", "low_pass_2"}) {
+    CHECK(told(fmt::format("[velocity]\nfilter = \"{}\"\n", filter) + model) ==
+          "velocity.model: a model, and velocity.filter is not kalman, which alone has one; "
+          "permitted: empty, or velocity.filter=kalman");
+  }
 }
 
 TEST_CASE("gantry: forces that exclude each other are refused, each pair by its own keys") {
