@@ -75,10 +75,11 @@ void note_change(Settings& settings, const Key& key, const Value& before) {
     if (!alters && at != heading.altered.end()) heading.altered.erase(at);
     if (alters && at == heading.altered.end()) heading.altered.emplace_back(key.name, original);
   }
-  settings.description = heading.altered.empty()
-                             ? heading.own
-                             : fmt::format("{}; here {}", without_parentheses(heading.own),
-                                           altered_text(settings));
+  settings.description = heading.own;
+  if (heading.altered.empty()) return;
+  std::string own = without_parentheses(heading.own);
+  if (machine.reworded != nullptr) own = machine.reworded(settings, std::move(own));
+  settings.description = fmt::format("{}; here {}", own, altered_text(settings));
 }
 
 }  // namespace trammel::lab

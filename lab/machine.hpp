@@ -76,6 +76,8 @@ struct Machine {
   const std::vector<Key>& (*keys)() = nullptr;
   std::string described_by;  // the key whose value a scenario's description tells, if any
   bool (*alters)(const Key& key, const Value& value) = nullptr;  // what else it may not go with
+  // That description, without words that altered settings belie.
+  std::string (*reworded)(const Settings& settings, std::string description) = nullptr;
   void (*validate)(Settings& settings) = nullptr;
   std::vector<std::string> (*warnings)(const Settings& settings) = nullptr;  // before a run
 

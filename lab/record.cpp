@@ -89,7 +89,9 @@ std::string cause_text(const cosim::RunResult& result) {
   if (result.promise) return ": " + promise_text(*result.promise);
   const std::string fault = result.fault_text();
   if (fault.empty()) return "";
-  return (result.end == cosim::EndReason::kMissed ? ": " : " by ") + fault;
+  const bool told = result.end == cosim::EndReason::kMissed ||
+                    result.end == cosim::EndReason::kTimeout;
+  return (told ? ": " : " by ") + fault;
 }
 
 }  // namespace trammel::lab

@@ -18,6 +18,8 @@ namespace trammel::gantry {
 inline constexpr int kStoreWords = 64;
 using Store = std::array<std::uint16_t, kStoreWords>;  // calibration: 62 words, their checksum
 
+inline constexpr cosim::Clk kLook = 50'000;  // from one look at what figures are of to the next
+
 struct ChipSetup {
   cosim::Clk sample_clk = 50'000;  // from one sample of the record to the next
   Store store{};                   // what the non-volatile memory holds at power-on

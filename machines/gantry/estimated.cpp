@@ -41,15 +41,16 @@ class Spread {
 // lag, which is no noise.
 VelocityFigures velocity_figures(const Options& options, const Result& result) {
   constexpr double kSteady_s = 0.25, kSame_mm_s = 1, kNear_s = 0.1;
-  const auto samples_in = [&](double s) {
-    return static_cast<std::size_t>(std::max(1.0, std::round(1e3 * s / options.record_ms)));
+  const double look_s = cosim::seconds_of(kLook, options.axis.clock_ps);
+  const auto samples_in = [look_s](double s) {
+    return static_cast<std::size_t>(std::round(s / look_s));
   };
   const std::size_t steady = samples_in(kSteady_s), near = samples_in(kNear_s);
   std::vector<double> v, filtered;
   Spread raw, noise;
   double low = 0, high = 0;  // of the speed since it was constant last
   std::size_t since = 0;
-  for (const Sample& s : result.samples) {
+  for (const Look& s : result.looks) {
     const double true_v = 1e3 * s.v;
     v.push_back(true_v);
     filtered.push_back(kVelocity_mm_s * s.velocity);
@@ -93,7 +94,7 @@ VelocityFigures velocity_figures(const Options& options, const Result& result) {
     }
     before = v[k];
   }
-  if (seen > 0) f.late_s = 1e-3 * options.record_ms * late / seen;
+  if (seen > 0) f.late_s = look_s * late / seen;
   if (turns > 0) f.changes = changes / turns;
   return f;
 }

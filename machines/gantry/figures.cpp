@@ -16,7 +16,7 @@
 namespace trammel::gantry {
 namespace {
 
-double mm(const Options& options, const Sample& s) { return 1e3 * s.x - options.zero_mm; }
+double mm(const Options& options, const Look& s) { return 1e3 * s.x - options.zero_mm; }
 
 double settling_mm(const Options& options) {
   return 0.02 * std::fabs(options.reference_mm - options.from_mm);
@@ -30,7 +30,7 @@ StepFigures step_figures(const Options& options, const Result& result) {
   const double begin = sends.empty() ? 0 : sends.back().at_s;
   const double step = options.reference_mm - options.from_mm;
   double low = 1e9, high = -1e9, end = options.time_s;
-  for (const Sample& s : result.samples) {
+  for (const Look& s : result.looks) {
     const double t = cosim::seconds_of(s.edge, options.axis.clock_ps);
     if (t < begin) continue;
     const double off = mm(options, s) - options.reference_mm;
@@ -48,8 +48,8 @@ StepFigures step_figures(const Options& options, const Result& result) {
     }
   }
   f.swing_mm = std::max(0.0, high - low);
-  f.begun = result.samples.empty() ||
-            cosim::seconds_of(result.samples.back().edge, options.axis.clock_ps) >= begin;
+  f.begun = result.looks.empty() ||
+            cosim::seconds_of(result.looks.back().edge, options.axis.clock_ps) >= begin;
   return f;
 }
 
@@ -59,7 +59,7 @@ std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult
   const StepFigures f = step_figures(options, result);
   const double step = std::fabs(options.reference_mm - options.from_mm);
   double speed = 0, force = 0;
-  for (const Sample& s : result.samples) {
+  for (const Look& s : result.looks) {
     speed = std::max(speed, 1e3 * std::fabs(s.v));
     for (const int word : s.words.force) force = std::max(force, std::fabs(double(word)));
   }
@@ -117,7 +117,7 @@ std::vector<std::string> remarks(const lab::Record& record) {
     lines.push_back(fmt::format("Brochier 2006, figure {}: {}", one->number, one->says));
   }
   const StepFigures step = step_figures(options, result);
-  const bool steps = options.firmware.open == sw::OpenForce::kNone && !result.samples.empty();
+  const bool steps = options.firmware.open == sw::OpenForce::kNone && !result.looks.empty();
   if (steps && !step.begun) {
     lines.push_back("the run ended before the last of host.sends: the step has no figures");
   } else if (steps && step.arrive_s < 0) {

@@ -55,8 +55,9 @@ void refuse_beside_open(const Options& options) {
            "none, or no controller");
   }
   if (options.reached_mm >= 0) {
-    refuse("run.reached_mm", fmt::format("{:g} mm, and control.open drives the cart to no reference",
-                                         options.reached_mm),
+    refuse("run.reached_mm",
+           fmt::format("{:g} mm, and control.open drives the cart to no reference",
+                       options.reached_mm),
            "below 0, or control.open=none");
   }
   if (firmware.open_force == 0) {
@@ -81,6 +82,7 @@ void refuse_long_time(const Options& options) {
 void validate(lab::Settings& settings) {
   const auto& options = static_cast<const Options&>(settings);
   read_sends(options.sends);
+  read_model(options.estimator.model);
   refuse_long_time(options);
   refuse_two_controls(options);
   refuse_beside_open(options);
@@ -104,7 +106,6 @@ void validate(lab::Settings& settings) {
     throw lab::ConfigError(
         "control.compensate: true takes two motors; permitted: control.motors = both");
   }
-  read_model(options.estimator.model);
   const double passes = kEstimate_ms / options.pass_ms;
   const bool samples = options.estimator.filter != Filter::kMean ||
                        firmware.open == sw::OpenForce::kRandom;

@@ -15,11 +15,16 @@
 
 namespace trammel::gantry {
 
-// Every record.every_ms.
-struct Sample {
+// Figures are of these, every millisecond whatever the record has.
+struct Look {
   cosim::Clk edge = 0;
   Words words;                       // of the chip
   double x = 0, v = 0;               // [m], [m/s] of the cart
+  std::int32_t velocity = 0;         // filtered
+};
+
+// Every record.every_ms.
+struct Sample : Look {
   double origin = 0;                 // [m] where on the track the observer's position is 0
   std::array<double, 2> motor{};     // [m] from the cart
   std::array<double, 2> force{};     // [count] of the motors, mean of a pulse's period, positive:
@@ -27,7 +32,6 @@ struct Sample {
   std::array<int, 2> stripes{};      // codes of A and B that the sensor has
   std::array<int, 2> flank{};        // of each gear wheel that pushes; 0: within the backlash
   std::int32_t error = 0, goal = 0, zero = 0;  // [count]
-  std::int32_t velocity = 0;         // filtered
   std::int32_t goal_velocity = 0;
   int phase = 0;                     // of the firmware
 };
@@ -37,10 +41,12 @@ struct Result : cosim::RunResult {
   std::string fault_text() const override { return fault; }
 
   cosim::DiskVector<Sample> samples;
+  cosim::DiskVector<Look> looks;     // to the last one that is not behind run.time_s
   std::string fault;
   std::vector<unsigned char> heard;  // bytes from the chip
   std::uint32_t passes = 0, unknown = 0, malformed = 0, lost = 0;
   std::uint32_t refused = 0, unchecked = 0, unsent = 0;  // goals; frames either way
+  sw::GantryPhase phase = sw::GantryPhase::kIdle;
   bool homed = false, fitted = false;
   sw::CalibrationWords fit{};        // words of the fit
   Store store{};                     // as the run left it

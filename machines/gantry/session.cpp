@@ -37,10 +37,9 @@ std::unique_ptr<Estimator> estimator_of(const Options& options) {
   return std::make_unique<Estimator>(options.estimator, options.pass_ms, identifies(options));
 }
 
-ChipSetup chip_of(const Options& options) {
-  return {std::max<cosim::Clk>(
-              1, cosim::clocks_of(1e-3 * options.record_ms, options.axis.clock_ps)),
-          ideal_store()};
+cosim::Clk record_clk_of(const Options& options) {
+  return std::max<cosim::Clk>(
+      1, cosim::clocks_of(1e-3 * options.record_ms, options.axis.clock_ps));
 }
 
 }  // namespace
@@ -51,9 +50,10 @@ Session::Session(const Options& options, const cosim::Hooks& hooks, const cosim:
       waves_(waves),
       plant_(options.axis, options.stripes, read_sends(options.sends, options.firmware.checked),
              options.serial, options.line),
+      record_clk_(record_clk_of(options)),
       chip_(options.run.engine == cosim::Engine::kRtl
-                ? make_verilated_chip(options.run, waves.window, chip_of(options))
-                : make_twin_chip(chip_of(options))),
+                ? make_verilated_chip(options.run, waves.window, {record_clk_, ideal_store()})
+                : make_twin_chip({record_clk_, ideal_store()})),
       estimator_(estimator_of(options)),
       app_(setup_of(options), estimator_.get()),
       loop_(*chip_, seen(), *this, options.run.window()) {}
@@ -107,8 +107,16 @@ cosim::ProcessorTiming Session::timing() const {
 
 cosim::Clk Session::end() const { return cosim::clocks_of(options_.run.max_s, period_ps()); }
 
-void Session::on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant&) {
-  if (over_ || stop.why == cosim::kLimit) return;
+void Session::on(const cosim::Stop& passed, const cosim::Chip& chip, const cosim::Plant&) {
+  if (over_ || passed.why == cosim::kLimit) return;
+  cosim::Stop stop = passed;
+  std::optional<Sample> sample;
+  if ((stop.why & cosim::kSample) != 0) {
+    sample = sample_at(stop.edge);
+    if ((stop.edge + 1) % kLook == 0) look(*sample);
+    if (!in_record(stop.edge)) stop.why &= ~cosim::kSample;
+    if (stop.why == 0) return;
+  }
   if (waves_.search != nullptr) waves_.search->on(stop, *chip_, *this);
   if (fault_watch_) {
     const plant::BeltState& s = plant_.axis().state();
@@ -125,15 +133,22 @@ void Session::on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::
   }
   hash_.mix(stop, chip);
   if ((stop.why & cosim::kSample) == 0) return;
-  const Sample sample = sample_at(stop.edge);
-  samples_.push_back(sample);
-  follow(sample);
-  hash_.mix(static_cast<std::uint32_t>(sample.words.position));
-  hash_.mix(static_cast<std::uint32_t>(sample.words.velocity));
+  samples_.push_back(*sample);
+  hash_.mix(static_cast<std::uint32_t>(sample->words.position));
+  hash_.mix(static_cast<std::uint32_t>(sample->words.velocity));
   if (const auto ended = end_after(stop.edge)) {
     end_ = *ended;
     over_ = true;
   }
+}
+
+// Up to the end of the experiment; the record ends with its own next sample.
+void Session::look(const Look& now) {
+  if (at_time_) return;
+  looks_.push_back(now);
+  follow(now);
+  const cosim::Clk time = cosim::clocks_of(options_.time_s, period_ps());
+  if (now.edge + 1 > time - kLook) at_time_ = result_now();
 }
 
 std::int64_t Session::read(std::size_t signal, int) const {
@@ -173,7 +188,7 @@ Sample Session::sample_at(cosim::Clk edge) const {
 }
 
 // The observer against the place that its sensor sees: half a period apart it has lost its count.
-void Session::follow(const Sample& sample) {
+void Session::follow(const Look& sample) {
   if (!sample.words.known || lost_s_) return;
   const double period = options_.stripes.period;
   const double from = plant_.axis().seen(sample.edge).x - sample.words.position * period / 16384;
@@ -214,26 +229,21 @@ std::string Session::missed(const Result& result) const {
     return fmt::format("the observer has lost a stripe: at {:.3f} s it was {:.2f} mm off the cart",
                        *lost_s_, lost_mm_);
   }
-  const sw::GantryPhase phase = app_.phase();
-  if (phase == sw::GantryPhase::kHoming) return "homing did not end";
-  if (phase == sw::GantryPhase::kToFit || phase == sw::GantryPhase::kFitting) {
+  if (result.phase == sw::GantryPhase::kHoming) return "homing did not end";
+  if (result.phase == sw::GantryPhase::kToFit || result.phase == sw::GantryPhase::kFitting) {
     return "the calibration run did not end";
   }
-  if (options_.reached_mm < 0 || result.samples.empty()) return "";
+  if (options_.reached_mm < 0 || result.looks.empty()) return "";
   const StepFigures step = step_figures(options_, result);
   if (!step.begun) return "the run ended before the last of host.sends (run.reached_mm)";
   if (std::fabs(step.rest_mm) <= options_.reached_mm) return "";
   return fmt::format("the cart is {:.2f} mm from its reference (run.reached_mm)", step.rest_mm);
 }
 
-std::unique_ptr<cosim::RunResult> Session::result() {
+// All but samples, looks and how it ended.
+std::unique_ptr<Result> Session::result_now() const {
   auto result = std::make_unique<Result>();
-  result->samples = std::move(samples_);
-  result->end = end_;
-  if (app_.mailbox().failure != 0) {
-    result->fault = failure();
-    result->end = cosim::EndReason::kFault;
-  }
+  result->fault = failure();
   const Words words = chip_->words();
   result->heard = plant_.heard();
   result->passes = app_.mailbox().point;
@@ -243,6 +253,7 @@ std::unique_ptr<cosim::RunResult> Session::result() {
   result->unsent = app_.unsent();
   result->malformed = words.malformed;
   result->lost = words.lost;
+  result->phase = app_.phase();
   result->homed = app_.homed();
   result->fitted = app_.fitted();
   result->fit = app_.words();
@@ -250,12 +261,22 @@ std::unique_ptr<cosim::RunResult> Session::result() {
   if (identifies(options_)) {
     result->identified = identification(estimator_->samples(), options_.estimator.dead_samples);
   }
+  return result;
+}
+
+std::unique_ptr<cosim::RunResult> Session::result() {
+  using End = cosim::EndReason;
+  const bool whole = at_time_ && end_ != End::kStopped && end_ != End::kPromise;
+  auto result = whole ? std::move(at_time_) : result_now();
+  result->samples = std::move(samples_);
+  result->looks = std::move(looks_);
+  result->end = !result->fault.empty() ? End::kFault : whole ? End::kDone : end_;
   result->event_hash = hash_.value();
   result->events = hash_.events();
   if (fault_watch_) result->fault_report = fault_watch_->report();
-  if (result->end == cosim::EndReason::kDone && !waves_.found()) {
+  if (result->end == End::kDone && !waves_.found()) {
     result->fault = missed(*result);
-    if (!result->fault.empty()) result->end = cosim::EndReason::kMissed;
+    if (!result->fault.empty()) result->end = End::kMissed;
   }
   close_result(*result, *chip_, waves_.window, started_);
   return result;

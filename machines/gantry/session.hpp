@@ -37,17 +37,21 @@ class Session final : public cosim::Session, private cosim::Observer, public cos
   void on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant& plant) override;
   std::int64_t read(std::size_t signal, int axis) const override;
   Sample sample_at(cosim::Clk edge) const;
-  void follow(const Sample& sample);
+  void look(const Look& now);
+  void follow(const Look& now);
+  bool in_record(cosim::Clk edge) const { return (edge + 1) % record_clk_ == 0; }
   std::optional<cosim::EndReason> end_after(cosim::Clk edge);
   cosim::Plant& seen();
   std::string noticed() const;
   std::string failure() const;
+  std::unique_ptr<Result> result_now() const;
   std::string missed(const Result& result) const;
 
   Options options_;
   cosim::Hooks hooks_;
   cosim::Waves waves_;
   TrackPlant plant_;
+  cosim::Clk record_clk_;
   std::unique_ptr<GantryChip> chip_;
   std::optional<cosim::FaultPlant> failing_;  // around the plant
   std::optional<cosim::FaultWatch> fault_watch_;
@@ -55,6 +59,8 @@ class Session final : public cosim::Session, private cosim::Observer, public cos
   sw::GantryApp app_;
   cosim::Loop loop_;
   cosim::DiskVector<Sample> samples_;
+  cosim::DiskVector<Look> looks_;
+  std::unique_ptr<Result> at_time_;  // what there was at run.time_s; null: that is to come
   cosim::EventHash hash_;
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
   cosim::EndReason end_ = cosim::EndReason::kTimeout;

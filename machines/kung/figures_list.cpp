@@ -243,6 +243,23 @@ List figures(const lab::Settings& settings, cosim::RunResult& run) {
   return list;
 }
 
+namespace {
+
+// The identification move itself goes so far, which no start value makes less.
+std::string swing_text(const Options& options, const Result& result) {
+  constexpr double kWay_m = 0.8e-3;
+  const bool by_key = options.diverged_m < kFarthestSwing_m;
+  return fmt::format("diverged: {:.2f} mm from the start in the identification move of 0.8 mm{}{}",
+                     result.swing_m * kMm,
+                     by_key ? fmt::format(", above run.diverged_m = {:g}", options.diverged_m) : "",
+                     options.diverged_m < kWay_m
+                         ? "; allowed with the precision controller: above 0.0008"
+                         : "; precision.mass_kg, viscous_N_s_m or coulomb_N is too far from the "
+                           "plant's, or an encoder or a drive has failed");
+}
+
+}  // namespace
+
 std::string verdict(const lab::Settings& settings, const cosim::RunResult& run) {
   const auto& options = static_cast<const Options&>(settings);
   const auto& result = static_cast<const Result&>(run);
@@ -270,12 +287,7 @@ std::string verdict(const lab::Settings& settings, const cosim::RunResult& run) 
       return fmt::format("tripped: {} at position tick {} ({:.4f} s)", cause_text(result.fault),
                          result.fault.tick, result.fault.tick * options.chip.sample_s());
     case EndReason::kDiverged:
-      if (result.swing_m > 0) {
-        return fmt::format("diverged: {:.2f} mm from the start in the identification move of 0.8 "
-                           "mm; precision.mass_kg, viscous_N_s_m or coulomb_N is too far from the "
-                           "plant's, or an encoder or a drive has failed{}",
-                           result.swing_m * kMm, limits);
-      }
+      if (result.swing_m > 0) return swing_text(options, result) + limits;
       if (result.beside_m > 0) {
         return fmt::format("diverged: {:.4f} m beside the path asked, above run.diverged_m = "
                            "{:g}{}", result.beside_m, options.diverged_m, limits);

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "machines/kung/machine.hpp"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "lab/files.hpp"
 #include "machines/kung/figures.hpp"
+#include "machines/kung/plan_feed.hpp"
 #include "machines/kung/precision_figures.hpp"
 #include "machines/kung/precision_trace.hpp"
 #include "machines/kung/session.hpp"
@@ -40,6 +42,23 @@ bool alters(const lab::Key& key, const lab::Value& value) {
   return section == "path" || section == "plant" || section == "chip" || section == "gains";
 }
 
+// A description of a shape names its constant speed: under a feed profile that is the feed.
+std::string reworded(const lab::Settings& settings, std::string description) {
+  constexpr const char* kAt = " at ";
+  const std::size_t end = description.find(" m/s");
+  const std::size_t at = description.rfind(kAt, end);
+  if (end == std::string::npos || at == std::string::npos) return description;
+  const std::size_t begin = at + std::string(kAt).size();
+  if (description.find_first_not_of("0123456789.", begin) != end) return description;
+  Options options = static_cast<const Options&>(settings);
+  const PathKind kind = options.path.kind;
+  const bool shape =
+      kind == PathKind::kCircle || kind == PathKind::kWindow || kind == PathKind::kStar;
+  choose_profile(options);
+  if (!shape || !feeds(options.path)) return description;
+  return description.replace(begin, end - begin, fmt::format("{:g}", feed_m_s(options.path)));
+}
+
 lab::Machine describe() {
   lab::Machine m;
   m.name = "kung";
@@ -50,6 +69,7 @@ lab::Machine describe() {
   m.keys = keys;
   m.described_by = "path.kind";
   m.alters = alters;
+  m.reworded = reworded;
   m.validate = validate;
   m.program = {{".ngc", ".nc", ".gcode"}, "path.gcode_file", {"path.kind=gcode"}};
   m.triggers = triggers;

@@ -128,6 +128,8 @@ struct AxisEstimate {
   double cogging_N() const { return std::hypot(cogging_sine_N, cogging_cosine_N); }
 };
 
+inline constexpr double kFarthestSwing_m = 5e-3;  // of an identification move of 0.8 mm
+
 struct Result : cosim::RunResult {
   Result() { end = EndReason::kDone; }
   std::size_t sample_count() const override { return samples.size(); }

@@ -29,7 +29,6 @@ namespace {
 constexpr std::uint32_t kSamplesAfterFault = 20;  // enough to see the fault's effect in the record
 constexpr std::uint32_t kLongestStop = 2000;      // a table that pushes on does not come to rest
 constexpr double kAtRest_m_s = 1e-3;
-constexpr double kFarthestSwing_m = 5e-3;  // of an identification move of 0.8 mm
 
 const char* check_text(const sw::Mailbox& mailbox) {
   switch (static_cast<sw::Failure>(mailbox.failure)) {

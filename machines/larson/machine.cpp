@@ -30,7 +30,8 @@ std::string verdict(const lab::Settings& settings, const cosim::RunResult& run) 
     case cosim::EndReason::kFault: return "tripped: " + result.fault;
     case cosim::EndReason::kMissed: return "missed: " + result.fault;
     case cosim::EndReason::kTimeout:
-      return fmt::format("not finished within run.max_s = {:g}", settings.run.max_s);
+      return fmt::format("not finished within run.max_s = {:g}{}{}", settings.run.max_s,
+                         result.fault.empty() ? "" : ": ", result.fault);
     case cosim::EndReason::kPromise:
       return "assertion failed: " + lab::promise_text(*result.promise);
     default: return lab::end_text(run.end);

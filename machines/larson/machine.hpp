@@ -26,6 +26,9 @@ std::vector<lab::Figure> published_figures(const Options& options, const Result&
 // missed.cpp: of a program that ended, why the table is not where its program has it; "" if it is.
 std::string what_missed(const Options& options, const Result& result);
 
+// And where a run that was cut was: "my.table:3: WTTBL was running".
+std::string what_was_running(const Options& options, const Result& result);
+
 // What a pulse that made no step breached: "direction turned 0.24 us behind its edge".
 std::string breach_text(const plant::StepBreach& breach, std::int64_t clock_ps);
 

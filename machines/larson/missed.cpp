@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Whether the table is where its program has it, by the true places of its rotors.
+// Whether the table is where its program has it, by the true places of its rotors; and how far its
+// program came.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 #include <optional>
 #include <vector>
 
 #include "machines/larson/machine.hpp"
 
 namespace trammel::larson {
+namespace fs = std::filesystem;
 namespace {
 
 char name_of_axis(std::size_t axis) { return axis == 0 ? 'X' : 'Y'; }
@@ -65,6 +68,22 @@ std::string breach_text(const plant::StepBreach& breach, std::int64_t clock_ps) 
       return fmt::format("direction turned {:.2f} us behind the edge of its pulse, below "
                          "translator.hold_us", us);
   }
+}
+
+std::string what_was_running(const Options& options, const Result& result) {
+  const std::size_t ended = result.done.size();
+  const auto at = [&result](std::size_t k) -> const Call& { return result.calls[k]; };
+  // A WAIT has ended for its program as soon as the timer runs.
+  const bool waits =
+      ended > 0 && at(ended - 1).call.op == sw::LarsonOp::kWait &&
+      result.done.back().edge + at(ended - 1).call.a >
+          cosim::clocks_of(options.run.max_s, options.axis.clock_ps);
+  const bool running = waits || ended < result.calls.size();
+  const Call& call = at(waits || !running ? ended - 1 : ended);
+  const std::string file = fs::path(script_file(options.script)).filename();
+  const std::string line = call.line == 0 ? "" : fmt::format("{}:", call.line);  // 0: of no line
+  return fmt::format("{}:{} {} {}", file, line, call.text,
+                     running ? "was running" : "had ended, the moves or record.settle_s had not");
 }
 
 std::string what_missed(const Options& options, const Result& result) {

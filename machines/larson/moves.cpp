@@ -46,6 +46,11 @@ std::vector<std::string> fields_of(const std::string& text) {
   return fields;
 }
 
+// A word that begins as no number does.
+bool is_header(const std::string& word) {
+  return !word.empty() && word.find_first_of("0123456789+-.") != 0;
+}
+
 int number_of(const std::string& word, const char* name, int low, int high,
               const std::string& where) {
   int value = 0;
@@ -60,8 +65,8 @@ int number_of(const std::string& word, const char* name, int low, int high,
 
 Row row_of(const std::vector<std::string>& fields, const std::string& where) {
   if (fields.size() != 3) {
-    throw ConfigError(fmt::format("{}: holds {} field{}, allowed 3: x,y,pen", where, fields.size(),
-                                  fields.size() == 1 ? "" : "s"));
+    throw ConfigError(fmt::format("{}: holds {} field{}, allowed 3, separated by commas: x,y,pen",
+                                  where, fields.size(), fields.size() == 1 ? "" : "s"));
   }
   return {number_of(fields[0], "x", -kFar, kFar, where),
           number_of(fields[1], "y", -kFar, kFar, where), number_of(fields[2], "pen", 0, 1, where)};
@@ -145,17 +150,27 @@ class Plot {
 
 std::vector<Call> parse_moves(const std::string& text, const std::string& source,
                               const PlotSetup& setup) {
+  check_text(text, source);
   const std::vector<std::string> header{"x", "y", "pen"};
   Plot plot(setup, source);
   std::istringstream in{std::string(cosim::past_mark(text))};
   std::size_t number = 0, rows = 0;
+  bool headed = false;
   for (std::string line; std::getline(in, line);) {
     ++number;
     line = trimmed(line);
     if (line.empty() || line[0] == '#') continue;
     const std::vector<std::string> fields = fields_of(line);
-    if (rows == 0 && fields == header) continue;
     const std::string where = fmt::format("{}:{}", source, number);
+    if (rows == 0 && !headed && is_header(fields[0])) {
+      if (fields != header) {
+        throw ConfigError(fmt::format(
+            "{}: found {}, allowed as a header: x,y,pen; else three whole numbers", where,
+            lab::shown(line)));
+      }
+      headed = true;
+      continue;
+    }
     plot.go(row_of(fields, where), number);
     ++rows;
   }

@@ -61,7 +61,8 @@ struct Result : cosim::RunResult {
   std::string fault_text() const override { return fault; }
 
   cosim::DiskVector<Sample> samples;
-  std::string fault;             // kFault: what the program saw; kMissed: what was missed
+  std::string fault;             // kFault: what the program saw; kMissed: what was missed;
+                                 // kTimeout: the line of the script that was running
   std::vector<Call> calls;
   std::vector<sw::LarsonAnswer> answers;
   std::vector<CallDone> done;    // of the calls that have ended

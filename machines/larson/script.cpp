@@ -139,7 +139,9 @@ std::vector<std::string> words_of(const std::string& line) {
 class Parser {
  public:
   Parser(const std::string& text, std::string source, std::int64_t clock_ps)
-      : in_(std::string(cosim::past_mark(text))), source_(std::move(source)), clock_ps_(clock_ps) {}
+      : in_(std::string(cosim::past_mark(text))), source_(std::move(source)), clock_ps_(clock_ps) {
+    check_text(text, source_);
+  }
 
   std::vector<Call> all() {
     std::vector<Call> calls = block(0);
@@ -221,7 +223,11 @@ class Parser {
     }
     std::vector<std::string> names{"REPEAT", "END"};
     for (const Form& one : kForms) names.emplace_back(one.name);
-    throw ConfigError(lab::shown(name) + " is not a call" + lab::hint(name, names));
+    const std::string moves =
+        name.find(',') == std::string::npos ? "" : "; a list of moves x,y,pen is a .csv file";
+    throw ConfigError(lab::shown(name) + " is not a call" +
+                      lab::hint(name, names,
+                                fmt::format(", allowed: {}{}", fmt::join(names, ", "), moves)));
   }
 
   static std::string join(const std::vector<std::string>& words) {
@@ -239,6 +245,30 @@ class Parser {
 
 }  // namespace
 
+void check_text(const std::string& text, const std::string& source) {
+  const auto fail = [&](std::size_t at, const std::string& found, const char* allowed) {
+    const auto end = text.begin() + static_cast<std::ptrdiff_t>(at);
+    throw ConfigError(fmt::format("{}:{}: found {}, allowed: {}", source,
+                                  1 + std::count(text.begin(), end, '\n'), found, allowed));
+  };
+  constexpr const char* kEncoding = "text in UTF-8 or ASCII; save it as that";
+  const std::string begin = text.substr(0, 2);
+  if (begin == "\xFF\xFE" || begin == "\xFE\xFF") {
+    fail(0, "the byte order mark of UTF-16", kEncoding);
+  }
+  if (const auto at = text.find('\0'); at != std::string::npos) {
+    fail(at, "a zero byte, as of UTF-16", kEncoding);
+  }
+  if (const auto at = text.find("\xEF\xBB\xBF", 1); at != std::string::npos) {
+    fail(at, "a byte order mark", "one at the beginning of the file");
+  }
+  for (std::size_t at = 0; (at = text.find('\r', at)) != std::string::npos; ++at) {
+    if (at + 1 < text.size() && text[at + 1] != '\n') {
+      fail(at, "a carriage return within a line", "lines that end in LF or CR LF");
+    }
+  }
+}
+
 std::string name_of(LarsonOp op) {
   for (const Form& one : kForms) {
     if (one.op == op) return one.name;
@@ -251,12 +281,16 @@ std::vector<Call> parse_script(const std::string& text, const std::string& sourc
   return Parser(text, source, clock_ps).all();
 }
 
+std::string script_file(const std::string& name) {
+  const std::string extension = std::filesystem::path(name).extension().string();
+  const bool whole = upper(extension) == ".CSV" || upper(extension) == ".TABLE";
+  return lab::find_built_in(name, whole ? extension : ".table", "script").string();
+}
+
 std::vector<Call> read_calls(const std::string& name, const PlotSetup& setup,
                              std::int64_t clock_ps) {
-  const std::string extension = std::filesystem::path(name).extension().string();
-  const bool moves = upper(extension) == ".CSV", whole = moves || upper(extension) == ".TABLE";
-  const std::string file =
-      lab::find_built_in(name, whole ? extension : ".table", "script").string();
+  const std::string file = script_file(name);
+  const bool moves = upper(std::filesystem::path(file).extension().string()) == ".CSV";
   try {
     const std::string text = cosim::read_file(file, cosim::kMiB);
     return moves ? parse_moves(text, file, setup) : parse_script(text, file, clock_ps);

@@ -28,7 +28,7 @@ namespace trammel::larson {
 struct Call {
   sw::LarsonCall call;
   std::string text;       // as it was written, for people
-  std::size_t line = 0;   // of its file
+  std::size_t line = 0;   // of its file; 0: a list of moves has it not
 };
 
 struct PlotSetup {
@@ -39,13 +39,18 @@ struct PlotSetup {
 
 inline constexpr std::size_t kMostCalls = 200'000;
 
-// Throw lab::ConfigError that names source, line, and what is permitted.
+// Throw lab::ConfigError that names source, line, what was found, and what is permitted. The first:
+// of what is no text in UTF-8 with lines of its own.
+void check_text(const std::string& text, const std::string& source);
 std::vector<Call> parse_script(const std::string& text, const std::string& source,
                                std::int64_t clock_ps);
 std::vector<Call> parse_moves(const std::string& text, const std::string& source,
                               const PlotSetup& setup);
 
-// A built-in script's name, or a path; a file that ends in .csv is a list of moves.
+// The file of a script: a built-in one by its name, or a path.
+std::string script_file(const std::string& name);
+
+// The calls of that file; one that ends in .csv is a list of moves.
 std::vector<Call> read_calls(const std::string& name, const PlotSetup& setup,
                              std::int64_t clock_ps);
 

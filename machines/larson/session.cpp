@@ -380,6 +380,7 @@ std::unique_ptr<cosim::RunResult> Session::result() {
       result->end = cosim::EndReason::kMissed;
     }
   }
+  if (end_ == cosim::EndReason::kTimeout) result->fault = what_was_running(options_, *result);
   if (fault_watch_) result->fault_report = fault_watch_->report();
   close_result(*result, *chip_, waves_.window, started_);
   return result;

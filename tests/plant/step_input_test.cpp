@@ -101,6 +101,32 @@ TEST_CASE("step_input: a direction that turns between pulses costs nothing, near
   }
 }
 
+TEST_CASE("step_input: four turns within 0.6 us cost the step whose hold or set-up they meet") {
+  // The first pulse is 104 clocks wide; direction is looked at 50 clocks on either side of an edge.
+  for (const int first : {15, 49, 50, 90, 3'065, 12'419, 12'420, 12'421, 12'465}) {
+    StepInput input({}, kClockPs);
+    int steps = 0, breaches = 0;
+    const auto pins = [&](std::int64_t n, bool step, bool forward) {
+      const StepInput::Seen seen = input.at(n, step, forward);
+      steps += seen.pulse - seen.taken;
+      breaches += seen.breach.kind != Kind::kNone ? 1 : 0;
+    };
+    constexpr std::int64_t kPulse = 1000, kNext = kPulse + 12'500, kWidth = 104;
+    const auto high = [](std::int64_t n) {
+      return (n >= kPulse && n < kPulse + kWidth) || n >= kNext;
+    };
+    pins(0, false, true);
+    for (std::int64_t n = kPulse; n <= kNext; ++n) {
+      const std::int64_t since = n - kPulse - first;
+      pins(n, high(n), since < 0 || since >= 30 || since / 10 % 2 == 1);
+    }
+    const int lost = first < 50 || first + 30 > 12'450 ? 1 : 0;
+    CAPTURE(first);
+    CHECK(breaches == lost);
+    CHECK(steps == 2 - lost);
+  }
+}
+
 TEST_CASE("step_input: a buffer that has lost its only pulse stands, and takes the next one") {
   StepperAxisConfig config;
   config.input.width_s = 3e-6;

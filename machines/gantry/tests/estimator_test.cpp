@@ -62,19 +62,18 @@ TEST_CASE("gantry: order 2 leaves less noise than order 1, Kalman no more, and i
 }
 
 TEST_CASE("gantry: noise is at constant speed and counts no lag, the error counts both") {
-  Options options;
-  options.record_ms = 5;
+  const Options options;
   Result result;
   const auto put = [&result](double mm_s, double seen_mm_s, double raw_mm_s) {
-    Sample s;
+    Look s;
     s.v = 1e-3 * mm_s;
     s.velocity = static_cast<std::int32_t>(std::lround(seen_mm_s / kVelocity_mm_s));
     s.words.velocity = static_cast<std::int32_t>(std::lround(raw_mm_s / kVelocity_mm_s));
-    result.samples.push_back(s);
+    result.looks.push_back(s);
   };
-  constexpr int kHold = 200;  // samples of a second; the filtered velocity is 12 samples late
+  constexpr int kHold = 1000;  // looks of a second; the filtered velocity is 60 looks late
   for (int k = 0; k < 4 * kHold; ++k) {
-    const double v = k / kHold % 2 == 0 ? 100 : -100, late = (k - 12) / kHold % 2 == 0 ? 90 : -90;
+    const double v = k / kHold % 2 == 0 ? 100 : -100, late = (k - 60) / kHold % 2 == 0 ? 90 : -90;
     put(v, late + (k % 2 == 0 ? 2 : -2), v + (k % 2 == 0 ? 7 : -7));
   }
   const VelocityFigures f = velocity_figures(options, result);
@@ -82,7 +81,7 @@ TEST_CASE("gantry: noise is at constant speed and counts no lag, the error count
   CHECK(f.noise_mm_s == Approx(2).epsilon(0.01));
   CHECK(f.late_s == Approx(0.06));
   CHECK(f.changes == Approx(1));
-  CHECK(f.error_mm_s > 30);  // 36 of 800 samples are off by 190
+  CHECK(f.error_mm_s > 30);  // 180 of 4000 looks are off by 190
 }
 
 // Figures 22 and 23: the source's 3 samples are those of a velocity that is a sample older.
@@ -142,7 +141,7 @@ TEST_CASE("gantry: settings that filters and open runs exclude are refused by th
     CHECK_THAT(told("[velocity]\nmodel = \"" + model + "\"\n"),
                Catch::Contains("velocity.model: \"" + model + "\""));
   }
-  CHECK(told("[velocity]\nmodel = \"0.5 0.1\"\n") == "");
+  CHECK(told("[velocity]\nfilter = \"kalman\"\nmodel = \"0.5 0.1\"\n") == "");
   CHECK(told("[control]\npass_ms = 3\n") == "");
   CHECK(told("[control]\npass_ms = 2.5\n[velocity]\nfilter = \"kalman\"\n") == "");
   for (const std::string takes :

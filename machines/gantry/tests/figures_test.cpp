@@ -18,7 +18,7 @@ namespace {
 
 constexpr cosim::Clk kMs = 50'000;  // [clk]
 
-// A step that is asked for at 0.1 s, to 300 or back, in samples of 1 ms up to 1.1 s: off by 50 %
+// A step that is asked for at 0.1 s, to 300 or back, in looks of 1 ms up to 1.1 s: off by 50 %
 // until 0.2 s, by 10 % beyond it until 0.3 s, by -1 % until the end, with a swing of 2 mm over the
 // last quarter, one of 20 mm in the middle of the time before it and one sample off just before.
 Result by_hand(const Options& options) {
@@ -39,7 +39,7 @@ Result by_hand(const Options& options) {
     s.x = 1e-3 * (options.zero_mm + options.reference_mm + off);
     s.v = ms == 150 ? -0.4 : ms == 700 ? 0.3 : 0;
     s.words.force = {ms == 160 ? -650 : 0, ms == 170 ? -700 : ms == 180 ? 600 : 0};
-    result.samples.push_back(s);
+    result.looks.push_back(s);
   }
   result.passes = 11;
   result.heard = {1, 2, 3};
@@ -92,7 +92,7 @@ TEST_CASE("gantry: a cart that never comes near has not arrived, one that leaves
     Sample s;
     s.edge = ms * kMs;
     s.x = 1e-3 * mm;
-    result.samples.push_back(s);
+    result.looks.push_back(s);
   };
   for (int ms = 0; ms < 5; ++ms) put(ms, 200);
   CHECK(gantry::step_figures(options, result).arrive_s < 0);

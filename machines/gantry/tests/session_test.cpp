@@ -2,8 +2,11 @@
 //
 // What a run of the machine gantry tells of a fault and of its current, at either end and of either
 // motor.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
@@ -120,4 +123,36 @@ TEST_CASE("gantry: a run whose sensor errors cost the observer a stripe has miss
     CHECK(result.end == (lost ? cosim::EndReason::kMissed : cosim::EndReason::kDone));
     CHECK((result.fault.rfind("the observer has lost a stripe: at 0.1", 0) == 0) == lost);
   }
+}
+
+TEST_CASE("gantry: figures, answers and verdict do not depend on the raster of the record") {
+  const auto told = [](double every_ms, double max_s) {
+    Options options = by_twin(0.5004);
+    options.sends = "0.05:21=20 0.2:31? 0.49:0?";
+    options.reference_mm = 20;
+    options.firmware.stream = true;
+    options.record_ms = every_ms;
+    options.run.max_s = max_s;
+    const lab::Record record = lab::run(options);
+    std::string all = record.verdict;
+    for (const lab::Figure& f : record.figures) all += fmt::format(" {}={}", f.id, f.value);
+    for (const std::string& line : remarks(record)) all += line;
+    nlohmann::ordered_json json;
+    add_metrics(record, json);
+    return all + json.dump();
+  };
+  const std::string fine = told(1, 2);
+  CHECK_THAT(fine, Catch::StartsWith("done step.overshoot_mm="));
+  for (const double every_ms : {0.3, 7.3, 100.0, 1000.0}) {
+    CAPTURE(every_ms);
+    CHECK(told(every_ms, 2) == fine);
+  }
+  CHECK(told(100, 0.51) == fine);  // the experiment is whole, the record is cut
+}
+
+TEST_CASE("gantry: a run whose longest time is that of its experiment is done") {
+  Options options = by_twin(0.05);
+  options.sends = "";
+  options.run.max_s = options.time_s;
+  CHECK(lab::simulate(options).end == cosim::EndReason::kDone);
 }

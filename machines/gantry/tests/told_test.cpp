@@ -168,7 +168,7 @@ TEST_CASE("gantry: the largest speed and force are those of either sign and moto
           s.v = k == at ? 0.25 * sign : 0;
           s.words.force[motor] = k == at ? 321 * sign : 0;
           s.force = {999, 999};  // of the motors, not what was written
-          result.samples.push_back(s);
+          result.looks.push_back(s);
         }
         CAPTURE(at, sign, motor);
         CHECK(test::figure(Options{}, result, "max_speed_mm_s") == Approx(250));
@@ -193,7 +193,7 @@ TEST_CASE("gantry: arrived and settled are within their bands, on them and on ei
         Sample s;
         s.edge = 50'000 * (k + 1);
         s.x = 1e-3 * (198 + (k == 0 ? 50 : side * off));
-        result.samples.push_back(s);
+        result.looks.push_back(s);
       }
       return step_figures(options, result);
     };
@@ -216,9 +216,9 @@ TEST_CASE("gantry: a time that never was is no figure, and a remark says so with
     Result result;
     for (const double mm : {0.0, 304.0, last_mm}) {
       Sample s;
-      s.edge = 50'000 * static_cast<cosim::Clk>(result.samples.size() + 1);
+      s.edge = 50'000 * static_cast<cosim::Clk>(result.looks.size() + 1);
       s.x = 1e-3 * (last_mm < 200 && mm > 0 ? last_mm : mm);
-      result.samples.push_back(s);
+      result.looks.push_back(s);
     }
     std::string ids;
     for (const lab::Figure& f : figures(options, result)) {

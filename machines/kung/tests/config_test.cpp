@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 
 #include <string>
+#include <vector>
 
 #include "lab/layers.hpp"
 #include "lab/scenarios.hpp"
@@ -41,6 +42,32 @@ TEST_CASE("the heading of a scenario names the paper's figures with the paper's 
   CHECK(heading("plant.payload_kg=11") == circle + "; here plant.payload_kg = 11");
   CHECK(heading("path.feed_m_s=0.2") == circle + "; here path.feed_m_s = 0.2");
   CHECK(heading("controller=precision") == circle + "; here controller = \"precision\"");
+}
+
+TEST_CASE("under a feed profile the heading of a shape has its feed, not a constant speed") {
+  const auto heading = [](const char* scenario, const std::vector<std::string>& assignments) {
+    const auto settings = lab::load_scenario(lab::find_scenario(scenario));
+    for (const std::string& one : assignments) lab::apply_assignment(*settings, one);
+    const std::string& text = settings->description;
+    return text.substr(0, text.find("; here "));
+  };
+  const std::string fitted = "circle of 100 mm radius at 0.661 m/s with gains that fit Table 2";
+  CHECK(heading("paper-circle", {"controller=fc"}) == fitted + " (Figs. 13, 14)");
+  CHECK(heading("paper-circle", {"plant.payload_kg=1"}) == fitted);
+  const std::string precision = "controller=precision", feed = "path.profile=feed";
+  CHECK(heading("paper-circle", {precision}) ==
+        "circle of 100 mm radius at 0.5 m/s with gains that fit Table 2");
+  CHECK(heading("paper-circle", {precision, "path.profile=constant"}) == fitted);
+  CHECK(heading("paper-circle", {feed, "path.feed_m_s=0.2"}) ==
+        "circle of 100 mm radius at 0.2 m/s with gains that fit Table 2");
+  CHECK(heading("paper-window", {precision}) ==
+        "window of 260 mm at 0.35 m/s with gains that fit Table 2");
+  CHECK(heading("paper-star", {feed}) ==
+        "star of 88 mm strokes at 0.275 m/s with gains that fit Table 2");
+  kung::Options file;  // its feeds are in the file
+  take(file, "description = 'mine at 3 m/s'\n[path]\nkind = 'gcode'\n");
+  apply_assignment(file, precision);
+  CHECK(file.description == "mine at 3 m/s; here controller = \"precision\"");
 }
 
 TEST_CASE("a scenario's description tells what was changed of what it describes, and back") {

@@ -92,9 +92,23 @@ TEST_CASE("a table that is pulled away before the path ends the run in either ax
       CHECK(way_m(1, 1 - axis) < most_m);
       CHECK_THAT(verdict(options, result),
                  Catch::StartsWith("diverged: " + fmt::format("{:.2f}", 1e3 * result.swing_m) +
-                                   " mm from the start in the identification move of 0.8 mm"));
+                                   " mm from the start in the identification move of 0.8 mm" +
+                                   (diverged_m < 0.005 ? ", above run.diverged_m = 0.002" : "") +
+                                   "; precision.mass_kg"));
     }
   }
+}
+
+TEST_CASE("run.diverged_m below the way of the identification move is what ended the run") {
+  Options options = line();
+  options.controller = Controller::kPrecision;
+  options.diverged_m = 2e-4;
+  const Result result = simulate(options, {});
+  REQUIRE(result.end == EndReason::kDiverged);
+  CHECK_THAT(verdict(options, result),
+             Catch::EndsWith(" mm from the start in the identification move of 0.8 mm, above "
+                             "run.diverged_m = 0.0002; allowed with the precision controller: "
+                             "above 0.0008"));
 }
 
 TEST_CASE("a run ends at the first sample at which an axis is too far from its model") {

@@ -336,5 +336,7 @@ TEST_CASE("larson: says how a run ended") {
   CHECK(verdict(cosim::EndReason::kFault) == "tripped: X lost 1 steps");
   CHECK(verdict(cosim::EndReason::kMissed) == "missed: X lost 1 steps");
   options.run.max_s = 7;
-  CHECK(verdict(cosim::EndReason::kTimeout) == "not finished within run.max_s = 7");
+  result.fault = "a.table:3: WTTBL was running";
+  CHECK(verdict(cosim::EndReason::kTimeout) ==
+        "not finished within run.max_s = 7: a.table:3: WTTBL was running");
 }

@@ -299,19 +299,49 @@ TEST_CASE("a list of moves may leave the soft range, and its next line begins at
 }
 
 TEST_CASE("a list of moves that cannot be says file, line and what is permitted") {
-  CHECK(refused_moves("x,y,pen\n1,2\n") == "m.csv:2: holds 2 fields, allowed 3: x,y,pen");
-  CHECK(refused_moves("1,2,0,\n") == "m.csv:1: holds 4 fields, allowed 3: x,y,pen");
-  CHECK(refused_moves("1;2;0\n") == "m.csv:1: holds 1 field, allowed 3: x,y,pen");
+  const std::string three = ", allowed 3, separated by commas: x,y,pen";
+  CHECK(refused_moves("x,y,pen\n1,2\n") == "m.csv:2: holds 2 fields" + three);
+  CHECK(refused_moves("1,2,0,\n") == "m.csv:1: holds 4 fields" + three);
+  CHECK(refused_moves("1;2;0\n") == "m.csv:1: holds 1 field" + three);
   CHECK(refused_moves(",,\n") ==
         "m.csv:1: x: nothing is not a whole number in -100000..100000");
   CHECK(refused_moves("1,2,0\nx,y,pen\n") ==
         "m.csv:2: x: x is not a whole number in -100000..100000");
-  CHECK(refused_moves("x,y,pencil\n1,2,0\n") ==
-        "m.csv:1: x: x is not a whole number in -100000..100000");
+  for (const std::string header : {"x,y,pencil", "X,Y,PEN", "x;y;pen", "\"x\",\"y\",\"pen\""}) {
+    CHECK(refused_moves("# moves\n" + header + "\n1,2,0\n") ==
+          "m.csv:2: found " + header + ", allowed as a header: x,y,pen; else three whole numbers");
+  }
+  CHECK(refused_moves("x,y,pen\nx,y,pen\n1,2,0\n") ==
+        "m.csv:2: x: x is not a whole number in -100000..100000");
   CHECK(refused_moves("1,100001,0\n") ==
         "m.csv:1: y: 100001 is not a whole number in -100000..100000");
   CHECK(refused_moves("1,2,2\n") == "m.csv:1: pen: 2 is not a whole number in 0..1");
   CHECK(refused_moves("1,2.5,0\n") ==
         "m.csv:1: y: 2.5 is not a whole number in -100000..100000");
   CHECK(refused_moves("x,y,pen\n\n") == "m.csv: has no move");
+}
+
+TEST_CASE("a script or list of moves that is no plain text says so, with its line") {
+  using std::string_literals::operator""s;
+  const struct {
+    std::string text, told;
+  } cases[] = {
+      {"\xFF\xFE" "C\0A\0"s, "1: found the byte order mark of UTF-16, allowed: text in UTF-8 or "
+                              "ASCII; save it as that"},
+      {"\xFE\xFF\0C\0A"s, "1: found the byte order mark of UTF-16, allowed: text in UTF-8 or "
+                           "ASCII; save it as that"},
+      {"# a\n1\0,\0"s, "2: found a zero byte, as of UTF-16, allowed: text in UTF-8 or ASCII; save "
+                       "it as that"},
+      {"# a\n# b\n\xEF\xBB\xBF# c\n",
+       "3: found a byte order mark, allowed: one at the beginning of the file"},
+      {"# a\r# b\r", "1: found a carriage return within a line, allowed: lines that end in LF or "
+                     "CR LF"}};
+  for (const auto& one : cases) {
+    CHECK(refused(one.text) == "s.table:" + one.told);
+    CHECK(refused_moves(one.text) == "m.csv:" + one.told);
+  }
+  CHECK(refused("x,y,pen\n100,200,1\n") ==
+        "s.table:1: X,Y,PEN is not a call, allowed: REPEAT, END, CALTBL, VELTBL, ABSTBL, RELTBL, "
+        "WTTBL, WHRTBL, WAIT, MOV, BIS, BIC, MOVB, POLL; a list of moves x,y,pen is a .csv file");
+  CHECK(refused("\xEF\xBB\xBF# \xC3\xA9 \xE9\r\ncaltbl\r\n") == "");
 }

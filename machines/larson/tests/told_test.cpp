@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -99,6 +100,45 @@ TEST_CASE("larson: a run can be stopped, or ends at its time") {
   Options late = script.options;
   late.run.max_s = 0.05;
   CHECK(lab::simulate(late).end == cosim::EndReason::kTimeout);
+}
+
+TEST_CASE("larson: a run that is cut names the line of its script that was running") {
+  const auto cut = [](const std::string& script, double max_s) {
+    ScriptedTwin run(script);
+    run.options.run.max_s = max_s;
+    return lab::run(run.options);
+  };
+  const std::string script = "# to and fro\nCALTBL\nREPEAT 2\nABSTBL 60 33\n  wait 40000\nEND\n";
+  CHECK(cut(script, 0.01).verdict ==
+        "not finished within run.max_s = 0.01: script.table:2: CALTBL was running");
+  const lab::Record waits = cut(script, 2);
+  CHECK(waits.verdict ==
+        "not finished within run.max_s = 2: script.table:5: WAIT 40000 was running");
+  CHECK(lab::cause_text(*waits.result) == ": script.table:5: WAIT 40000 was running");
+  CHECK(lab::exit_code(waits.result->end) == 5);
+  CHECK(cut("MOV XCOUNT 0\nMOV XSTATUS 030000\n", 0.02).verdict ==
+        "not finished within run.max_s = 0.02: script.table:2: MOV XSTATUS 030000 had ended, the "
+        "moves or record.settle_s had not");
+}
+
+TEST_CASE("larson: times that Larson prints stand beside his motor, buffer and processor alone") {
+  const auto told = [](double torque_share) {
+    ScriptedTwin run("CALTBL\nVELTBL 4000 400\nREPEAT 2\nRELTBL 1 0\nWTTBL\nWAIT 300\nEND\n");
+    run.options.axis.motor.torque_share = torque_share;
+    std::map<std::string, bool> printed;
+    for (const lab::Figure& one : lab::run(run.options).figures) {
+      if (one.unit == "ms") printed[one.id] = one.printed || one.expected || !one.source.empty();
+    }
+    return printed;
+  };
+  const auto his = told(1), weak = told(0.5);
+  REQUIRE(his.size() == 3);  // one step, and the periods of both places
+  REQUIRE(weak.size() == 3);
+  for (const auto& [id, beside] : his) {
+    CAPTURE(id);
+    CHECK(beside);
+    CHECK_FALSE(weak.at(id));
+  }
 }
 
 TEST_CASE("larson: a run ends where a trigger of either axis is found") {
