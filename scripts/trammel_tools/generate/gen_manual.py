@@ -1,14 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Write the goldens: manual, tools, keys, columns and figures of docs/, and tests/goldens.
+"""Write the goldens: pages of docs/ from the program and the register maps, and tests/goldens.
 
 usage: scripts/tool gen-manual [--check] [--program FILE]
 
 FILE is the built program, build/testbench/trammel unless given. Verbs come from its --help and
 from `tools` in the launcher, each with its own --help; the parameters from `list keys`; the
 columns of trace.csv from `list columns`; the figures from a run of each built-in scenario; the
-registers from the page that scripts/tool gen-regs makes. build/tests/goldens_test, which must be
-built, writes tests/goldens. In manual.md only the text between the lines "<!-- begin NAME -->" and
-"<!-- end NAME -->" is replaced; the others are written whole.
+registers from the pages of `gen-regs`, which runs first, as `prove --table` does. The test
+unit.lab.goldens, which is built, writes tests/goldens. In manual.md only the text between
+"<!-- begin NAME -->" and "<!-- end NAME -->" is replaced; the others are written whole.
 --check writes nothing, prints the differences of the pages, and exits 1 if there is one.
 
 Exit codes: 0 ok, 1 stale or a verb without help, 2 usage, 3 the program is not built.
@@ -241,19 +241,21 @@ def main():
                         default=ROOT / "build" / "testbench" / "trammel")
     arguments = parser.parse_args()
     program = arguments.program.resolve()
-    goldens = program.parents[1] / "tests" / "goldens_test"
-    for needed in (program, *([] if arguments.check else [goldens])):
-        if not needed.exists():
-            print(f"gen-manual: {needed}: not built", file=sys.stderr)
-            return 3
+    if not program.exists():
+        print(f"gen-manual: {program}: not built", file=sys.stderr)
+        return 3
     manual = MANUAL.read_text(encoding="utf-8")
     try:
+        if not arguments.check:
+            build = program.parents[1]
+            said("cmake", "--build", build, "--target", "goldens_test")
+            said("env", "TRAMMEL_TEST_ACCEPT=1", build / "tests" / "goldens_test")
+            said(sys.executable, TOOL, "gen-regs")
+            said(sys.executable, TOOL, "prove", "--table")
         manual = replaced(manual, "verbs", verbs_text(program))
         manual = replaced(manual, "registers", registers_text())
         pages = {MANUAL: manual, TOOLS: tools_text(), KEYS: keys_text(program),
                  COLUMNS: columns_text(program), FIGURES: figures_page.page(program)}
-        if not arguments.check:
-            said("env", "TRAMMEL_TEST_ACCEPT=1", goldens)
     except (NotSaid, machines.MachineError, figures_page.Contradiction) as error:
         print(f"gen-manual: {error}", file=sys.stderr)
         return 1

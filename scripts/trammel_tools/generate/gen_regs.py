@@ -10,6 +10,7 @@ Exit codes: 0 done, 1 stale, 2 usage, 3 PeakRDL is missing (under CTest 77).
 """
 
 import argparse
+import difflib
 import sys
 
 from trammel_tools import python_tools
@@ -54,6 +55,10 @@ def main():
     python_tools.need("peakrdl_regblock", "gen-regs")
     changed = stale(ROOT)
     for path, text in changed.items():
+        if check and path.suffix == ".md":
+            before = path.read_text(encoding="utf-8") if path.exists() else ""
+            print(*difflib.unified_diff(before.splitlines(), text.splitlines(), "now", "by the map",
+                                        lineterm="", n=0), sep="\n")
         if not check:
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text, encoding="utf-8")

@@ -7,7 +7,9 @@ from trammel_tools.generate import register_map
 def field_row(field):
     reset = field.get_property("reset")
     bits = f"{field.high}..{field.low}" if field.width > 1 else f"{field.low}"
-    return (f"| | | {bits} | {field.inst_name} | {register_map.access(field)} | "
+    signed, own = field.get_property("twos_complement"), field.get_property("number_bits")
+    number = " ".join([*(["signed"] if signed else []), *([str(own)] if own else [])])
+    return (f"| | | {bits} | {field.inst_name} | {number} | {register_map.access(field)} | "
             f"{'' if reset is None else reset} | {field.get_property('desc') or ''} |")
 
 
@@ -16,14 +18,15 @@ def page(top, note):
              ""]
     bases = [f"{name.upper()} 0x{base:03X}" for name, base, node in register_map.blocks(top)
              if node is not top]
-    lines += [f"Bases: {', '.join(bases)}. " * bool(bases) + "Access W1C: write one to clear.", ""]
+    lines += [f"Bases: {', '.join(bases)}. " * bool(bases) + "Access W1C: write one to clear. "
+              "Number: two's complement if signed, and its bits if these are others.", ""]
     for kind, nodes in register_map.distinct_blocks(top):
         lines += [f"## {kind}", "",
-                  "| Offset | Register | Bits | Field | Access | Reset | Meaning |",
-                  "|---|---|---|---|---|---|---|"]
+                  "| Offset | Register | Bits | Field | Number | Access | Reset | Meaning |",
+                  "|---|---|---|---|---|---|---|---|"]
         for reg in register_map.registers(nodes[0]):
             head = f"| 0x{reg.address_offset:03X} | **{reg.inst_name.upper()}** |"
-            lines.append(f"{head} | | | | {reg.get_property('desc') or ''} |")
+            lines.append(f"{head} | | | | | {reg.get_property('desc') or ''} |")
             lines += [field_row(field) for field in reg.fields()]
         lines.append("")
     for encode in register_map.encodings(top):
