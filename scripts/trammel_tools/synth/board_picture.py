@@ -69,7 +69,7 @@ def text(x, y, words, kind="", anchor="start"):
 
 
 def connectors(on):
-    """The picture: a box for each pin, in two columns a connector."""
+    """The picture: a box for each pin, in two columns a connector, a pin a line."""
     lines, x, height = [], 10, 0
     for name, pins in sorted(places(on.constraints).items()):
         lines.append(text(x + 150, 22, name, "h", "middle"))
@@ -81,9 +81,9 @@ def connectors(on):
                 port, mark = pins[row, column]
                 left = x + (152 if column else 0)
                 lines.append(f'<rect x="{left}" y="{y}" width="146" height="20" rx="3" '
-                             f'fill="{colour(port)}" stroke="#666"/>')
-                lines.append(text(left + 6, y + 14, port))
-                lines.append(text(left + 140, y + 14, mark, "s", "end"))
+                             f'fill="{colour(port)}" stroke="#666"/>'
+                             + text(left + 6, y + 14, port)
+                             + text(left + 140, y + 14, mark, "s", "end"))
             height = max(height, y + 30)
         x += 320
     head = f"{on.chip} on {on.name}: " + ("the mark + of a row at the left, - at the right"
