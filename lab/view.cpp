@@ -42,7 +42,7 @@ class View {
         source_(std::move(source)),
         filter_(std::move(filter)) {}
 
-  std::string text() {
+  Views make() {
     const Machine& machine = settings_.machine();
     top_ = table_["top"].value_or(std::string());
     if (top_.empty()) wrong("top: the name of the chip is missing");
@@ -59,7 +59,7 @@ class View {
       add_groups("of_each_axis", {axis[0], axis[1]}, !std::exchange(first, false));
     }
     add_groups("more", {});
-    return text_;
+    return {text_, surfer_};
   }
 
  private:
@@ -92,6 +92,7 @@ class View {
       std::string name = group[0].substr(own ? 1 : 0);
       if (!axis.name.empty()) name = axis.name + (name.empty() ? "" : " ") + name;
       const std::uint64_t flag = own || closed ? kClosed : 0;
+      surfer_ += fmt::format("divider_add \"{}\"\n", name);
       if (!name.empty()) text_ += fmt::format("@{:x}\n-{}\n", kGroup | flag, name);
       for (std::size_t n = 1; n < group.size(); ++n) add_signal(group[n], axis);
       if (name.empty()) continue;
@@ -121,15 +122,29 @@ class View {
         unit = filtered(word, signal, axis);
       }
     }
+    const std::string scope = top_ + '.' + (axis.path.empty() ? "" : axis.path + '.');
+    add_to_surfer(scope + path, flags);
     const bool analog = flags == kCurve || flags == kLevel;
     if (!unit.empty()) flags |= kFilter;
     if (unit.empty() && !point.empty()) flags |= kPoint;
     text_ += fmt::format("@{:x}\n{}", flags, unit);
     if ((flags & kPoint) != 0) text_ += fmt::format("[fpshift_count] {}\n", point);
     if (!colour.empty()) text_ += fmt::format("[color] {}\n", colour);
-    text_ += fmt::format("+{{{}}} {}.{}{}\n", label, top_, axis.path.empty() ? "" : axis.path + '.',
-                         path);
+    text_ += fmt::format("+{{{}}} {}{}\n", label, scope, path);
     if (analog) text_ += fmt::format("@{:x}\n-\n", kBlank);
+  }
+
+  // Surfer names no bits, and an element of a memory is a scope of its own, m.[3].
+  void add_to_surfer(const std::string& name, std::uint64_t flags) {
+    std::string path = name.substr(0, name.back() == ']' ? name.rfind('[') : name.size());
+    if (path.back() == ']') path.insert(path.rfind('['), ".");
+    surfer_ += fmt::format("variable_add {}\n", path);
+    const char* const format = flags == kHex                        ? "Hexadecimal"
+                               : flags == kOctal                    ? "Octal"
+                               : flags == kSigned || flags == kCurve ? "Signed"
+                               : flags == kBits || flags == kEnum   ? ""
+                                                                    : "Unsigned";
+    if (*format != '\0') surfer_ += fmt::format("item_set_format {}\n", format);
   }
 
   // The line of a save file that names the filter of a unit; "" without a filter.
@@ -174,14 +189,14 @@ class View {
 
   const Settings& settings_;
   const toml::table& table_;
-  std::string source_, filter_, top_, text_;
+  std::string source_, filter_, top_, text_, surfer_;
   std::map<std::string, std::size_t> filters_;
 };
 
 }  // namespace
 
-std::string view_text(const Settings& settings, const std::string& toml, const std::string& source,
-                      const std::string& filter) {
+Views make_views(const Settings& settings, const std::string& toml, const std::string& source,
+                 const std::string& filter) {
   toml::table table;
   try {
     table = toml::parse(toml, source);
@@ -189,7 +204,7 @@ std::string view_text(const Settings& settings, const std::string& toml, const s
     throw ConfigError(fmt::format("{}:{}: {}", source, error.source().begin.line,
                                   std::string(error.description())));
   }
-  return View(settings, table, source, filter).text();
+  return View(settings, table, source, filter).make();
 }
 
 }  // namespace trammel::lab

@@ -10,9 +10,14 @@
 
 namespace trammel::lab {
 
-// The view for GTKWave, from the text of that file. With `filter`, a Python interpreter that scales
-// values, signals with a unit show it. Throws ConfigError, which begins with `source`.
-std::string view_text(const Settings& settings, const std::string& toml, const std::string& source,
-                      const std::string& filter);
+struct Views {
+  std::string gtkwave;  // a save file
+  std::string surfer;   // a command file
+};
+
+// Both, from the text of that file. With `filter`, a Python interpreter that scales values, signals
+// with a unit show it in GTKWave. Throws ConfigError, which begins with `source`.
+Views make_views(const Settings& settings, const std::string& toml, const std::string& source,
+                 const std::string& filter);
 
 }  // namespace trammel::lab

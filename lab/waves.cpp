@@ -213,6 +213,16 @@ std::string placed_view(const std::string& text, const fs::path& waves,
   return placed;
 }
 
+std::string placed_commands(const std::string& text, const RunResult& result) {
+  constexpr auto kNsPerClock = cosim::kClockPs / 1000;
+  const cosim::WaveSpan first = result.waves.front();
+  std::string placed = text + fmt::format("zoom_to {}ns {}ns\n", first.begin * kNsPerClock,
+                                          first.end * kNsPerClock);
+  if (result.wave_trigger) placed += fmt::format("cursor_set {}ns\n",
+                                                 *result.wave_trigger * kNsPerClock);
+  return placed;
+}
+
 bool finish_waves(const Settings& settings, const RunResult& result, const fs::path& folder,
                   std::vector<std::string>& notes) {
   if (settings.run.wave == WaveFormat::kNone) return true;
@@ -246,15 +256,17 @@ bool finish_waves(const Settings& settings, const RunResult& result, const fs::p
     }
   }
   const fs::path source = fs::path(kViewFolder) / (settings.machine().name + ".toml");
-  std::string view;
+  Views views;
   try {
-    view = view_text(settings, read_text(source), source.string(),
-                     find_program("python3").string());
+    views = make_views(settings, read_text(source), source.string(),
+                       find_program("python3").string());
   } catch (const std::runtime_error& error) {
-    notes.push_back(fmt::format("no view for GTKWave: {}", reason_of(error)));
+    notes.push_back(fmt::format("no view of the waves: {}", reason_of(error)));
     return good;
   }
-  write_text(fst.parent_path() / "waves.gtkw", placed_view(view, folder / file.filename(), result));
+  write_text(fst.parent_path() / "waves.gtkw",
+             placed_view(views.gtkwave, folder / file.filename(), result));
+  write_text(fst.parent_path() / "waves.sucl", placed_commands(views.surfer, result));
   return good;
 }
 

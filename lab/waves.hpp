@@ -43,8 +43,9 @@ inline std::string wave_file(const std::filesystem::path& folder) {
   return (folder / "waves.fst").string();
 }
 
-// After the run: makes the VCD if that was asked for, and a view for GTKWave that will stand in
-// `folder`. False when the waves asked for are not there; `notes` says why, and what else is amiss.
+// After the run: makes the VCD if that was asked for, and views for GTKWave and Surfer, of files
+// that will stand in `folder`. False when the waves asked for are not there; `notes` says why, and
+// what else is amiss.
 bool finish_waves(const Settings& settings, const cosim::RunResult& result,
                   const std::filesystem::path& folder, std::vector<std::string>& notes);
 
@@ -61,5 +62,8 @@ bool fst_to_vcd(const std::filesystem::path& fst, const std::filesystem::path& v
 // The view `text` of a machine, for one file: its path, the marker and the zoom.
 std::string placed_view(const std::string& text, const std::filesystem::path& waves,
                         const cosim::RunResult& result);
+
+// The commands `text` for Surfer, and those that show the first window and the trigger.
+std::string placed_commands(const std::string& text, const cosim::RunResult& result);
 
 }  // namespace trammel::lab

@@ -18,7 +18,7 @@ namespace {
 std::string view(const std::string& toml, const std::string& filter = "/bin/py") {
   const auto settings = machines().front()->defaults();
   settings->run.max_s = 40;
-  return view_text(*settings, toml, "v.toml", filter);
+  return make_views(*settings, toml, "v.toml", filter).gtkwave;
 }
 
 }  // namespace
@@ -47,6 +47,16 @@ TEST_CASE("a signal with a unit is scaled by numbers and keys, one filter a scal
   CHECK_THAT(scaled, Contains("@4420\n^>1 /bin/py -cimport sys;[print('%.4g mm'%(int(v)*1.5) if"));
   CHECK_THAT(scaled, Contains("@4024\n^>1 /bin/py"));
   CHECK_THAT(view(toml, ""), EndsWith("@420\n+{a} t.a[1:0]\n@24\n+{b} t.b[1:0]\n"));
+}
+
+TEST_CASE("Surfer has the same groups and signals, each in its form, and memories as scopes") {
+  const std::string toml =
+      "top = \"t\"\naxes = [[\"X\", \"u[0]\"]]\ngroups = [[\"-A\", \"clk\", \"n[3:0] hex\"]]\n"
+      "of_each_axis = [[\"loop\", \"m: m[2][7:0] signed Q4\", \"a[1:0] level\"]]\n";
+  CHECK(make_views(*machines().front()->defaults(), toml, "v.toml", "").surfer ==
+        "divider_add \"A\"\nvariable_add t.clk\nvariable_add t.n\nitem_set_format Hexadecimal\n"
+        "divider_add \"X loop\"\nvariable_add t.u[0].m.[2]\nitem_set_format Signed\n"
+        "variable_add t.u[0].a\nitem_set_format Unsigned\n");
 }
 
 TEST_CASE("a view that cannot be made is refused with its file and what is wrong") {

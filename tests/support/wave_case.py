@@ -77,7 +77,10 @@ class WaveCase(unittest.TestCase):
         for signal in shown:
             name, high, low = re.fullmatch(r"(.*?)(?:\[(\d+):(\d+)\])?", signal).groups()
             self.assertEqual(bits.get(name), int(high or 0) - int(low or 0) + 1, signal)
+        commands = (fst.parent / "waves.sucl").read_text(encoding="ascii")
+        self.assertLessEqual(set(re.findall(r"variable_add (.*)", commands)), set(file.names))
         for group in groups:
+            self.assertIn(f'divider_add "{group}"\n', commands)
             self.assertEqual(view.count(f"\n-{group}\n"), 2, group)  # its begin and its end
         self.assertGreater(len(shown), 50)
         return view
