@@ -65,72 +65,51 @@ module gantry_tau_regs (
     wire [5:0] hwif_in_calibration_count_next = hwif_in.calibration.count.next;
 
     // CPU Bus interface logic
-    logic cpuif_req;
-    logic cpuif_req_is_wr;
+    logic cpuif_req, cpuif_req_is_wr;
     logic [6:0] cpuif_addr;
-    logic [31:0] cpuif_wr_data;
-    logic [31:0] cpuif_wr_biten;
-    logic cpuif_req_stall_wr;
-    logic cpuif_req_stall_rd;
+    logic [31:0] cpuif_wr_data, cpuif_wr_biten;
+    logic cpuif_req_stall_wr, cpuif_req_stall_rd;
 
-    logic cpuif_rd_ack;
-    logic cpuif_rd_err;
+    logic cpuif_rd_ack, cpuif_rd_err;
     logic [31:0] cpuif_rd_data;
 
-    logic cpuif_wr_ack;
-    logic cpuif_wr_err;
+    logic cpuif_wr_ack, cpuif_wr_err;
 
     // Max Outstanding Transactions: 2
     logic [1:0] axil_n_in_flight;
-    logic axil_prev_was_rd;
-    logic axil_arvalid;
+    logic axil_prev_was_rd, axil_arvalid;
     logic [6:0] axil_araddr;
-    logic axil_ar_accept;
-    logic axil_awvalid;
+    logic axil_ar_accept, axil_awvalid;
     logic [6:0] axil_awaddr;
     logic axil_wvalid;
     logic [31:0] axil_wdata;
     logic [3:0] axil_wstrb;
-    logic axil_aw_accept;
-    logic axil_resp_acked;
+    logic axil_aw_accept, axil_resp_acked;
 
     // Transaction request acceptance
     always_ff @(posedge clk_i) begin
         if(rst_i) begin
-            axil_prev_was_rd <= '0;
-            axil_arvalid <= '0;
-            axil_araddr <= '0;
-            axil_awvalid <= '0;
-            axil_awaddr <= '0;
-            axil_wvalid <= '0;
-            axil_wdata <= '0;
-            axil_wstrb <= '0;
+            axil_prev_was_rd <= '0; axil_arvalid <= '0; axil_araddr <= '0; axil_awvalid <= '0;
+            axil_awaddr <= '0; axil_wvalid <= '0; axil_wdata <= '0; axil_wstrb <= '0;
             axil_n_in_flight <= '0;
         end else begin
             // AR* acceptance register
             if(axil_ar_accept) begin
-                axil_prev_was_rd <= '1;
-                axil_arvalid <= '0;
+                axil_prev_was_rd <= '1; axil_arvalid <= '0;
             end
             if(s_axil_arvalid_i && s_axil_arready_o) begin
-                axil_arvalid <= '1;
-                axil_araddr <= s_axil_araddr_i;
+                axil_arvalid <= '1; axil_araddr <= s_axil_araddr_i;
             end
 
             // AW* & W* acceptance registers
             if(axil_aw_accept) begin
-                axil_prev_was_rd <= '0;
-                axil_awvalid <= '0;
-                axil_wvalid <= '0;
+                axil_prev_was_rd <= '0; axil_awvalid <= '0; axil_wvalid <= '0;
             end
             if(s_axil_awvalid_i && s_axil_awready_o) begin
-                axil_awvalid <= '1;
-                axil_awaddr <= s_axil_awaddr_i;
+                axil_awvalid <= '1; axil_awaddr <= s_axil_awaddr_i;
             end
             if(s_axil_wvalid_i && s_axil_wready_o) begin
-                axil_wvalid <= '1;
-                axil_wdata <= s_axil_wdata_i;
-                axil_wstrb <= s_axil_wstrb_i;
+                axil_wvalid <= '1; axil_wdata <= s_axil_wdata_i; axil_wstrb <= s_axil_wstrb_i;
             end
 
             // Keep track of in-flight transactions
@@ -150,27 +129,21 @@ module gantry_tau_regs (
     always_comb begin
         cpuif_wr_data = axil_wdata;
         for(int i=0; i<4; i++) cpuif_wr_biten[i*8 +: 8] = {8{axil_wstrb[i]}};
-        cpuif_req = '0;
-        cpuif_req_is_wr = '0;
-        cpuif_addr = '0;
-        axil_ar_accept = '0;
+        cpuif_req = '0; cpuif_req_is_wr = '0; cpuif_addr = '0; axil_ar_accept = '0;
         axil_aw_accept = '0;
 
         if(axil_n_in_flight < 2'd2) begin
             // Can safely issue more transactions without overwhelming response buffer
             if(axil_arvalid && !axil_prev_was_rd) begin
-                cpuif_req = '1;
-                cpuif_req_is_wr = '0;
+                cpuif_req = '1; cpuif_req_is_wr = '0;
                 cpuif_addr = {axil_araddr[6:2], 2'b0};
                 if(!cpuif_req_stall_rd) axil_ar_accept = '1;
             end else if(axil_awvalid && axil_wvalid) begin
-                cpuif_req = '1;
-                cpuif_req_is_wr = '1;
+                cpuif_req = '1; cpuif_req_is_wr = '1;
                 cpuif_addr = {axil_awaddr[6:2], 2'b0};
                 if(!cpuif_req_stall_wr) axil_aw_accept = '1;
             end else if(axil_arvalid) begin
-                cpuif_req = '1;
-                cpuif_req_is_wr = '0;
+                cpuif_req = '1; cpuif_req_is_wr = '0;
                 cpuif_addr = {axil_araddr[6:2], 2'b0};
                 if(!cpuif_req_stall_rd) axil_ar_accept = '1;
             end
@@ -183,18 +156,15 @@ module gantry_tau_regs (
     logic axil_resp_buffer_err[2];
     logic [31:0] axil_resp_buffer_rdata[2];
 
-    logic [1:0] axil_resp_wptr;
-    logic [1:0] axil_resp_rptr;
+    logic [1:0] axil_resp_wptr, axil_resp_rptr;
 
     always_ff @(posedge clk_i) begin
         if(rst_i) begin
             for(int i=0; i<2; i++) begin
-                axil_resp_buffer_is_wr[i] <= '0;
-                axil_resp_buffer_err[i] <= '0;
+                axil_resp_buffer_is_wr[i] <= '0; axil_resp_buffer_err[i] <= '0;
                 axil_resp_buffer_rdata[i] <= '0;
             end
-            axil_resp_wptr <= '0;
-            axil_resp_rptr <= '0;
+            axil_resp_wptr <= '0; axil_resp_rptr <= '0;
         end else begin
             // Store responses in buffer until AXI response channel accepts them
             if(cpuif_rd_ack || cpuif_wr_ack) begin
@@ -216,9 +186,7 @@ module gantry_tau_regs (
     end
 
     always_comb begin
-        axil_resp_acked = '0;
-        s_axil_bvalid_o = '0;
-        s_axil_rvalid_o = '0;
+        axil_resp_acked = '0; s_axil_bvalid_o = '0; s_axil_rvalid_o = '0;
         if(axil_resp_rptr != axil_resp_wptr) begin
             if(axil_resp_buffer_is_wr[axil_resp_rptr[0:0]]) begin
                 s_axil_bvalid_o = '1;
@@ -231,11 +199,9 @@ module gantry_tau_regs (
 
         s_axil_rdata_o = axil_resp_buffer_rdata[axil_resp_rptr[0:0]];
         if(axil_resp_buffer_err[axil_resp_rptr[0:0]]) begin
-            s_axil_bresp_o = 2'b10;
-            s_axil_rresp_o = 2'b10;
+            s_axil_bresp_o = 2'b10; s_axil_rresp_o = 2'b10;
         end else begin
-            s_axil_bresp_o = 2'b00;
-            s_axil_rresp_o = 2'b00;
+            s_axil_bresp_o = 2'b00; s_axil_rresp_o = 2'b00;
         end
     end
 
@@ -249,19 +215,12 @@ module gantry_tau_regs (
                             & !(cpuif_req_is_wr & cpuif_req_stall_wr);
 
     // Address Decode
-    logic decoded_reg_strb_observer;
-    logic decoded_reg_strb_request;
-    logic decoded_reg_strb_pass_period;
-    logic decoded_reg_strb_status;
-    logic decoded_reg_strb_receive;
-    logic decoded_reg_strb_send;
-    logic decoded_reg_strb_calibrate;
-    logic decoded_err;
+    logic decoded_reg_strb_observer, decoded_reg_strb_request, decoded_reg_strb_pass_period;
+    logic decoded_reg_strb_status, decoded_reg_strb_receive, decoded_reg_strb_send;
+    logic decoded_reg_strb_calibrate, decoded_err;
     logic [6:0] decoded_addr;
-    logic decoded_req;
-    logic decoded_req_is_wr;
-    logic [31:0] decoded_wr_data;
-    logic [31:0] decoded_wr_biten;
+    logic decoded_req, decoded_req_is_wr;
+    logic [31:0] decoded_wr_data, decoded_wr_biten;
 
     always_comb begin
         automatic logic is_valid_addr;
@@ -287,26 +246,17 @@ module gantry_tau_regs (
 
     // Field logic
 
-    logic field_storage_observer_active_value;
-    logic field_storage_observer_velocity_value;
-    logic [7:0] field_storage_slots_observer_value;
-    logic [7:0] field_storage_slots_requester_value;
-    logic field_storage_request_a_value;
-    logic field_storage_request_a_dot_value;
-    logic field_storage_request_b_value;
-    logic field_storage_request_b_dot_value;
+    logic field_storage_observer_active_value, field_storage_observer_velocity_value;
+    logic [7:0] field_storage_slots_observer_value, field_storage_slots_requester_value;
+    logic field_storage_request_a_value, field_storage_request_a_dot_value;
+    logic field_storage_request_b_value, field_storage_request_b_dot_value;
     logic field_storage_request_current_value;
-    logic [10:0] field_storage_force_1_value_value;
-    logic [10:0] field_storage_force_2_value_value;
+    logic [10:0] field_storage_force_1_value_value, field_storage_force_2_value_value;
     logic [23:0] field_storage_pass_period_clocks_value;
-    logic field_storage_status_pass_value;
-    logic field_storage_status_sample_value;
-    logic field_storage_status_overrun_value;
-    logic field_storage_status_refused_value;
-    logic field_storage_status_stored_value;
-    logic field_storage_irq_enable_pass_value;
-    logic field_storage_irq_enable_frame_value;
-    logic field_storage_irq_enable_sample_value;
+    logic field_storage_status_pass_value, field_storage_status_sample_value;
+    logic field_storage_status_overrun_value, field_storage_status_refused_value;
+    logic field_storage_status_stored_value, field_storage_irq_enable_pass_value;
+    logic field_storage_irq_enable_frame_value, field_storage_irq_enable_sample_value;
     logic field_storage_receive_take_value;
     logic [31:0] field_storage_send_value_value_value;
     logic [4:0] field_storage_send_channel_value;
@@ -320,18 +270,14 @@ module gantry_tau_regs (
         if(rst_i) begin
             field_storage_observer_active_value <= 1'h0;
             field_storage_observer_velocity_value <= 1'h0;
-            field_storage_slots_observer_value <= 8'h2;
-            field_storage_slots_requester_value <= 8'h1;
-            field_storage_force_1_value_value <= 11'h0;
-            field_storage_force_2_value_value <= 11'h0;
+            field_storage_slots_observer_value <= 8'h2; field_storage_slots_requester_value <= 8'h1;
+            field_storage_force_1_value_value <= 11'h0; field_storage_force_2_value_value <= 11'h0;
             field_storage_pass_period_clocks_value <= 24'h186a0;
             field_storage_irq_enable_pass_value <= 1'h0;
             field_storage_irq_enable_frame_value <= 1'h0;
             field_storage_irq_enable_sample_value <= 1'h0;
-            field_storage_send_value_value_value <= 32'h0;
-            field_storage_send_channel_value <= 5'h0;
-            field_storage_send_kind_value <= 3'h4;
-            field_storage_calibrate_word_value <= 16'h0;
+            field_storage_send_value_value_value <= 32'h0; field_storage_send_channel_value <= 5'h0;
+            field_storage_send_kind_value <= 3'h4; field_storage_calibrate_word_value <= 16'h0;
             field_storage_calibrate_command_value <= 3'h0;
             field_storage_receive_gap_clocks_value <= 24'h7b3c6;
         end else if(decoded_req && decoded_req_is_wr) begin
@@ -535,8 +481,7 @@ module gantry_tau_regs (
     logic [6:0] rd_mux_addr;
     assign rd_mux_addr = decoded_addr;
 
-    logic readback_err;
-    logic readback_done;
+    logic readback_err, readback_done;
     assign readback_done = decoded_req & ~decoded_req_is_wr;
     logic [31:0] readback_data;
     always_comb begin
@@ -545,8 +490,7 @@ module gantry_tau_regs (
         if(cpuif_rd_ack) begin
             unique case(rd_mux_addr)
                 7'h0: begin
-                    readback_data_var[15:0] = 16'h1;
-                    readback_data_var[31:16] = 16'h4754;
+                    readback_data_var[15:0] = 16'h1; readback_data_var[31:16] = 16'h4754;
                 end
                 7'h4: begin
                     readback_data_var[0] = field_storage_observer_active_value;
@@ -633,8 +577,7 @@ module gantry_tau_regs (
                 default: ;
             endcase
         end
-        readback_data = readback_data_var;
-        readback_err = '0;
+        readback_data = readback_data_var; readback_err = '0;
     end
 
     assign cpuif_rd_ack = readback_done;

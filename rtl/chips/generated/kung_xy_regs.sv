@@ -146,72 +146,51 @@ module kung_xy_regs (
     wire [31:0] hwif_in_knot_rd_data = hwif_in.knot.rd_data;
 
     // CPU Bus interface logic
-    logic cpuif_req;
-    logic cpuif_req_is_wr;
+    logic cpuif_req, cpuif_req_is_wr;
     logic [9:0] cpuif_addr;
-    logic [31:0] cpuif_wr_data;
-    logic [31:0] cpuif_wr_biten;
-    logic cpuif_req_stall_wr;
-    logic cpuif_req_stall_rd;
+    logic [31:0] cpuif_wr_data, cpuif_wr_biten;
+    logic cpuif_req_stall_wr, cpuif_req_stall_rd;
 
-    logic cpuif_rd_ack;
-    logic cpuif_rd_err;
+    logic cpuif_rd_ack, cpuif_rd_err;
     logic [31:0] cpuif_rd_data;
 
-    logic cpuif_wr_ack;
-    logic cpuif_wr_err;
+    logic cpuif_wr_ack, cpuif_wr_err;
 
     // Max Outstanding Transactions: 2
     logic [1:0] axil_n_in_flight;
-    logic axil_prev_was_rd;
-    logic axil_arvalid;
+    logic axil_prev_was_rd, axil_arvalid;
     logic [9:0] axil_araddr;
-    logic axil_ar_accept;
-    logic axil_awvalid;
+    logic axil_ar_accept, axil_awvalid;
     logic [9:0] axil_awaddr;
     logic axil_wvalid;
     logic [31:0] axil_wdata;
     logic [3:0] axil_wstrb;
-    logic axil_aw_accept;
-    logic axil_resp_acked;
+    logic axil_aw_accept, axil_resp_acked;
 
     // Transaction request acceptance
     always_ff @(posedge clk_i) begin
         if(rst_i) begin
-            axil_prev_was_rd <= '0;
-            axil_arvalid <= '0;
-            axil_araddr <= '0;
-            axil_awvalid <= '0;
-            axil_awaddr <= '0;
-            axil_wvalid <= '0;
-            axil_wdata <= '0;
-            axil_wstrb <= '0;
+            axil_prev_was_rd <= '0; axil_arvalid <= '0; axil_araddr <= '0; axil_awvalid <= '0;
+            axil_awaddr <= '0; axil_wvalid <= '0; axil_wdata <= '0; axil_wstrb <= '0;
             axil_n_in_flight <= '0;
         end else begin
             // AR* acceptance register
             if(axil_ar_accept) begin
-                axil_prev_was_rd <= '1;
-                axil_arvalid <= '0;
+                axil_prev_was_rd <= '1; axil_arvalid <= '0;
             end
             if(s_axil_arvalid_i && s_axil_arready_o) begin
-                axil_arvalid <= '1;
-                axil_araddr <= s_axil_araddr_i;
+                axil_arvalid <= '1; axil_araddr <= s_axil_araddr_i;
             end
 
             // AW* & W* acceptance registers
             if(axil_aw_accept) begin
-                axil_prev_was_rd <= '0;
-                axil_awvalid <= '0;
-                axil_wvalid <= '0;
+                axil_prev_was_rd <= '0; axil_awvalid <= '0; axil_wvalid <= '0;
             end
             if(s_axil_awvalid_i && s_axil_awready_o) begin
-                axil_awvalid <= '1;
-                axil_awaddr <= s_axil_awaddr_i;
+                axil_awvalid <= '1; axil_awaddr <= s_axil_awaddr_i;
             end
             if(s_axil_wvalid_i && s_axil_wready_o) begin
-                axil_wvalid <= '1;
-                axil_wdata <= s_axil_wdata_i;
-                axil_wstrb <= s_axil_wstrb_i;
+                axil_wvalid <= '1; axil_wdata <= s_axil_wdata_i; axil_wstrb <= s_axil_wstrb_i;
             end
 
             // Keep track of in-flight transactions
@@ -231,27 +210,21 @@ module kung_xy_regs (
     always_comb begin
         cpuif_wr_data = axil_wdata;
         for(int i=0; i<4; i++) cpuif_wr_biten[i*8 +: 8] = {8{axil_wstrb[i]}};
-        cpuif_req = '0;
-        cpuif_req_is_wr = '0;
-        cpuif_addr = '0;
-        axil_ar_accept = '0;
+        cpuif_req = '0; cpuif_req_is_wr = '0; cpuif_addr = '0; axil_ar_accept = '0;
         axil_aw_accept = '0;
 
         if(axil_n_in_flight < 2'd2) begin
             // Can safely issue more transactions without overwhelming response buffer
             if(axil_arvalid && !axil_prev_was_rd) begin
-                cpuif_req = '1;
-                cpuif_req_is_wr = '0;
+                cpuif_req = '1; cpuif_req_is_wr = '0;
                 cpuif_addr = {axil_araddr[9:2], 2'b0};
                 if(!cpuif_req_stall_rd) axil_ar_accept = '1;
             end else if(axil_awvalid && axil_wvalid) begin
-                cpuif_req = '1;
-                cpuif_req_is_wr = '1;
+                cpuif_req = '1; cpuif_req_is_wr = '1;
                 cpuif_addr = {axil_awaddr[9:2], 2'b0};
                 if(!cpuif_req_stall_wr) axil_aw_accept = '1;
             end else if(axil_arvalid) begin
-                cpuif_req = '1;
-                cpuif_req_is_wr = '0;
+                cpuif_req = '1; cpuif_req_is_wr = '0;
                 cpuif_addr = {axil_araddr[9:2], 2'b0};
                 if(!cpuif_req_stall_rd) axil_ar_accept = '1;
             end
@@ -264,18 +237,15 @@ module kung_xy_regs (
     logic axil_resp_buffer_err[2];
     logic [31:0] axil_resp_buffer_rdata[2];
 
-    logic [1:0] axil_resp_wptr;
-    logic [1:0] axil_resp_rptr;
+    logic [1:0] axil_resp_wptr, axil_resp_rptr;
 
     always_ff @(posedge clk_i) begin
         if(rst_i) begin
             for(int i=0; i<2; i++) begin
-                axil_resp_buffer_is_wr[i] <= '0;
-                axil_resp_buffer_err[i] <= '0;
+                axil_resp_buffer_is_wr[i] <= '0; axil_resp_buffer_err[i] <= '0;
                 axil_resp_buffer_rdata[i] <= '0;
             end
-            axil_resp_wptr <= '0;
-            axil_resp_rptr <= '0;
+            axil_resp_wptr <= '0; axil_resp_rptr <= '0;
         end else begin
             // Store responses in buffer until AXI response channel accepts them
             if(cpuif_rd_ack || cpuif_wr_ack) begin
@@ -297,9 +267,7 @@ module kung_xy_regs (
     end
 
     always_comb begin
-        axil_resp_acked = '0;
-        s_axil_bvalid_o = '0;
-        s_axil_rvalid_o = '0;
+        axil_resp_acked = '0; s_axil_bvalid_o = '0; s_axil_rvalid_o = '0;
         if(axil_resp_rptr != axil_resp_wptr) begin
             if(axil_resp_buffer_is_wr[axil_resp_rptr[0:0]]) begin
                 s_axil_bvalid_o = '1;
@@ -312,16 +280,13 @@ module kung_xy_regs (
 
         s_axil_rdata_o = axil_resp_buffer_rdata[axil_resp_rptr[0:0]];
         if(axil_resp_buffer_err[axil_resp_rptr[0:0]]) begin
-            s_axil_bresp_o = 2'b10;
-            s_axil_rresp_o = 2'b10;
+            s_axil_bresp_o = 2'b10; s_axil_rresp_o = 2'b10;
         end else begin
-            s_axil_bresp_o = 2'b00;
-            s_axil_rresp_o = 2'b00;
+            s_axil_bresp_o = 2'b00; s_axil_rresp_o = 2'b00;
         end
     end
 
-    logic cpuif_req_masked;
-    logic external_pending;
+    logic cpuif_req_masked, external_pending;
 
     // Read & write latencies are balanced. Stalls not required
     // except if external
@@ -332,39 +297,19 @@ module kung_xy_regs (
                             & !(cpuif_req_is_wr & cpuif_req_stall_wr);
 
     // Address Decode
-    logic decoded_reg_strb_x_ctrl;
-    logic decoded_reg_strb_x_status;
-    logic decoded_reg_strb_x_tab_data;
-    logic decoded_reg_strb_x_pos_preset;
-    logic decoded_reg_strb_x_prec_addr;
-    logic decoded_reg_strb_x_prec_data;
-    logic decoded_reg_strb_x_prec_err;
-    logic decoded_reg_strb_x_err_sum;
-    logic decoded_reg_strb_x_iq_sum;
-    logic decoded_reg_strb_x_prec_dist;
-    logic decoded_reg_strb_y_ctrl;
-    logic decoded_reg_strb_y_status;
-    logic decoded_reg_strb_y_tab_data;
-    logic decoded_reg_strb_y_pos_preset;
-    logic decoded_reg_strb_y_prec_addr;
-    logic decoded_reg_strb_y_prec_data;
-    logic decoded_reg_strb_y_prec_err;
-    logic decoded_reg_strb_y_err_sum;
-    logic decoded_reg_strb_y_iq_sum;
-    logic decoded_reg_strb_y_prec_dist;
-    logic decoded_reg_strb_commit;
-    logic decoded_reg_strb_irq_stat;
-    logic decoded_reg_strb_fault_clear;
-    logic decoded_reg_strb_lock;
-    logic decoded_reg_strb_knot;
-    logic decoded_err;
-    logic decoded_req_is_external;
+    logic decoded_reg_strb_x_ctrl, decoded_reg_strb_x_status, decoded_reg_strb_x_tab_data;
+    logic decoded_reg_strb_x_pos_preset, decoded_reg_strb_x_prec_addr, decoded_reg_strb_x_prec_data;
+    logic decoded_reg_strb_x_prec_err, decoded_reg_strb_x_err_sum, decoded_reg_strb_x_iq_sum;
+    logic decoded_reg_strb_x_prec_dist, decoded_reg_strb_y_ctrl, decoded_reg_strb_y_status;
+    logic decoded_reg_strb_y_tab_data, decoded_reg_strb_y_pos_preset, decoded_reg_strb_y_prec_addr;
+    logic decoded_reg_strb_y_prec_data, decoded_reg_strb_y_prec_err, decoded_reg_strb_y_err_sum;
+    logic decoded_reg_strb_y_iq_sum, decoded_reg_strb_y_prec_dist, decoded_reg_strb_commit;
+    logic decoded_reg_strb_irq_stat, decoded_reg_strb_fault_clear, decoded_reg_strb_lock;
+    logic decoded_reg_strb_knot, decoded_err, decoded_req_is_external;
 
     logic [9:0] decoded_addr;
-    logic decoded_req;
-    logic decoded_req_is_wr;
-    logic [31:0] decoded_wr_data;
-    logic [31:0] decoded_wr_biten;
+    logic decoded_req, decoded_req_is_wr;
+    logic [31:0] decoded_wr_data, decoded_wr_biten;
 
     always_comb begin
         automatic logic is_valid_addr;
@@ -415,11 +360,9 @@ module kung_xy_regs (
         is_external |= cpuif_req_masked & (cpuif_addr == 10'h220);
         decoded_reg_strb_knot = cpuif_req_masked & (cpuif_addr == 10'h230) & !cpuif_req_is_wr;
         is_external |= cpuif_req_masked & (cpuif_addr == 10'h230) & !cpuif_req_is_wr;
-        decoded_err = '0;
-        decoded_req_is_external = is_external;
+        decoded_err = '0; decoded_req_is_external = is_external;
     end
-    logic external_wr_ack;
-    logic external_rd_ack;
+    logic external_wr_ack, external_rd_ack;
     always_ff @(posedge clk_i) begin
         if(rst_i) begin
             external_pending <= '0;
@@ -444,20 +387,13 @@ module kung_xy_regs (
 
     // Field logic
 
-    logic field_storage_x_ctrl_enable_value;
-    logic field_storage_x_ctrl_current_loop_value;
-    logic field_storage_x_ctrl_position_loop_value;
-    logic field_storage_x_ctrl_adapt_value;
-    logic field_storage_x_ctrl_reset_model_value;
-    logic field_storage_x_ctrl_reset_table_value;
-    logic field_storage_x_ctrl_interpolate_value;
-    logic field_storage_x_ctrl_feedforward_value;
-    logic field_storage_x_ctrl_precision_value;
-    logic field_storage_x_status_overrun_value;
-    logic field_storage_x_status_qep_error_value;
-    logic field_storage_x_status_saturated_value;
-    logic field_storage_x_status_limited_value;
-    logic field_storage_x_status_underrun_value;
+    logic field_storage_x_ctrl_enable_value, field_storage_x_ctrl_current_loop_value;
+    logic field_storage_x_ctrl_position_loop_value, field_storage_x_ctrl_adapt_value;
+    logic field_storage_x_ctrl_reset_model_value, field_storage_x_ctrl_reset_table_value;
+    logic field_storage_x_ctrl_interpolate_value, field_storage_x_ctrl_feedforward_value;
+    logic field_storage_x_ctrl_precision_value, field_storage_x_status_overrun_value;
+    logic field_storage_x_status_qep_error_value, field_storage_x_status_saturated_value;
+    logic field_storage_x_status_limited_value, field_storage_x_status_underrun_value;
     logic field_storage_x_status_clipped_value;
     logic [23:0] field_storage_x_pos_cmd_value_value;
     logic [10:0] field_storage_x_kp_mant_value;
@@ -467,8 +403,7 @@ module kung_xy_regs (
     logic [10:0] field_storage_x_kv_mant_value;
     logic [4:0] field_storage_x_kv_exp_value;
     logic [10:0] field_storage_x_eta_mant_value;
-    logic [4:0] field_storage_x_eta_exp_value;
-    logic [4:0] field_storage_x_shift_e_value;
+    logic [4:0] field_storage_x_eta_exp_value, field_storage_x_shift_e_value;
     logic [4:0] field_storage_x_shift_de_value;
     logic [17:0] field_storage_x_a0_value_value;
     logic [1:0] field_storage_x_a0_scale_value;
@@ -481,29 +416,20 @@ module kung_xy_regs (
     logic [9:0] field_storage_x_deadtime_clk_value;
     logic [3:0] field_storage_x_deadtime_qep_filter_value;
     logic [5:0] field_storage_x_tab_addr_index_value;
-    logic [23:0] field_storage_x_stroke_min_value_value;
-    logic [23:0] field_storage_x_stroke_max_value_value;
+    logic [23:0] field_storage_x_stroke_min_value_value, field_storage_x_stroke_max_value_value;
     logic field_storage_x_stroke_en_enable_value;
     logic [11:0] field_storage_x_iq_manual_value_value;
     logic [4:0] field_storage_x_prec_addr_word_value;
     logic [31:0] field_storage_x_angle_step_value_value;
-    logic [11:0] field_storage_x_current_offset_a_value;
-    logic [11:0] field_storage_x_current_offset_b_value;
+    logic [11:0] field_storage_x_current_offset_a_value, field_storage_x_current_offset_b_value;
     logic [2:0] field_storage_x_adc_frame_zeros_value;
-    logic field_storage_y_ctrl_enable_value;
-    logic field_storage_y_ctrl_current_loop_value;
-    logic field_storage_y_ctrl_position_loop_value;
-    logic field_storage_y_ctrl_adapt_value;
-    logic field_storage_y_ctrl_reset_model_value;
-    logic field_storage_y_ctrl_reset_table_value;
-    logic field_storage_y_ctrl_interpolate_value;
-    logic field_storage_y_ctrl_feedforward_value;
-    logic field_storage_y_ctrl_precision_value;
-    logic field_storage_y_status_overrun_value;
-    logic field_storage_y_status_qep_error_value;
-    logic field_storage_y_status_saturated_value;
-    logic field_storage_y_status_limited_value;
-    logic field_storage_y_status_underrun_value;
+    logic field_storage_y_ctrl_enable_value, field_storage_y_ctrl_current_loop_value;
+    logic field_storage_y_ctrl_position_loop_value, field_storage_y_ctrl_adapt_value;
+    logic field_storage_y_ctrl_reset_model_value, field_storage_y_ctrl_reset_table_value;
+    logic field_storage_y_ctrl_interpolate_value, field_storage_y_ctrl_feedforward_value;
+    logic field_storage_y_ctrl_precision_value, field_storage_y_status_overrun_value;
+    logic field_storage_y_status_qep_error_value, field_storage_y_status_saturated_value;
+    logic field_storage_y_status_limited_value, field_storage_y_status_underrun_value;
     logic field_storage_y_status_clipped_value;
     logic [23:0] field_storage_y_pos_cmd_value_value;
     logic [10:0] field_storage_y_kp_mant_value;
@@ -513,8 +439,7 @@ module kung_xy_regs (
     logic [10:0] field_storage_y_kv_mant_value;
     logic [4:0] field_storage_y_kv_exp_value;
     logic [10:0] field_storage_y_eta_mant_value;
-    logic [4:0] field_storage_y_eta_exp_value;
-    logic [4:0] field_storage_y_shift_e_value;
+    logic [4:0] field_storage_y_eta_exp_value, field_storage_y_shift_e_value;
     logic [4:0] field_storage_y_shift_de_value;
     logic [17:0] field_storage_y_a0_value_value;
     logic [1:0] field_storage_y_a0_scale_value;
@@ -527,26 +452,21 @@ module kung_xy_regs (
     logic [9:0] field_storage_y_deadtime_clk_value;
     logic [3:0] field_storage_y_deadtime_qep_filter_value;
     logic [5:0] field_storage_y_tab_addr_index_value;
-    logic [23:0] field_storage_y_stroke_min_value_value;
-    logic [23:0] field_storage_y_stroke_max_value_value;
+    logic [23:0] field_storage_y_stroke_min_value_value, field_storage_y_stroke_max_value_value;
     logic field_storage_y_stroke_en_enable_value;
     logic [11:0] field_storage_y_iq_manual_value_value;
     logic [4:0] field_storage_y_prec_addr_word_value;
     logic [31:0] field_storage_y_angle_step_value_value;
-    logic [11:0] field_storage_y_current_offset_a_value;
-    logic [11:0] field_storage_y_current_offset_b_value;
+    logic [11:0] field_storage_y_current_offset_a_value, field_storage_y_current_offset_b_value;
     logic [2:0] field_storage_y_adc_frame_zeros_value;
-    logic field_storage_commit_take_value;
-    logic field_storage_irq_en_tick_value;
-    logic field_storage_irq_en_fault_value;
-    logic field_storage_irq_stat_tick_value;
+    logic field_storage_commit_take_value, field_storage_irq_en_tick_value;
+    logic field_storage_irq_en_fault_value, field_storage_irq_stat_tick_value;
     logic field_storage_irq_stat_fault_value;
     logic [15:0] field_storage_watchdog_limit_value;
     logic [11:0] field_storage_current_limit_value_value;
     logic [9:0] field_storage_deadtime_min_clk_value;
     logic [7:0] field_storage_irq_period_ticks_value;
-    logic [1:0] field_storage_rates_carrier_value;
-    logic [1:0] field_storage_rates_position_value;
+    logic [1:0] field_storage_rates_carrier_value, field_storage_rates_position_value;
 
     // Fields that software alone writes
     always_ff @(posedge clk_i) begin
@@ -559,24 +479,15 @@ module kung_xy_regs (
             field_storage_x_ctrl_interpolate_value <= 1'h0;
             field_storage_x_ctrl_feedforward_value <= 1'h0;
             field_storage_x_ctrl_precision_value <= 1'h0;
-            field_storage_x_pos_cmd_value_value <= 24'h0;
-            field_storage_x_kp_mant_value <= 11'h300;
-            field_storage_x_kp_exp_value <= 5'h0;
-            field_storage_x_ki_mant_value <= 11'h347;
-            field_storage_x_ki_exp_value <= 5'h19;
-            field_storage_x_kv_mant_value <= 11'h75c;
-            field_storage_x_kv_exp_value <= 5'h1;
-            field_storage_x_eta_mant_value <= 11'h474;
-            field_storage_x_eta_exp_value <= 5'h18;
-            field_storage_x_shift_e_value <= 5'h0;
-            field_storage_x_shift_de_value <= 5'h2;
-            field_storage_x_a0_value_value <= 18'h3a1b8;
-            field_storage_x_a0_scale_value <= 2'h0;
-            field_storage_x_b2_value_value <= 24'h7c378b;
-            field_storage_x_kp_cur_mant_value <= 11'h4fb;
-            field_storage_x_kp_cur_exp_value <= 5'h2;
-            field_storage_x_ki_cur_mant_value <= 11'h5c6;
-            field_storage_x_ki_cur_exp_value <= 5'h1e;
+            field_storage_x_pos_cmd_value_value <= 24'h0; field_storage_x_kp_mant_value <= 11'h300;
+            field_storage_x_kp_exp_value <= 5'h0; field_storage_x_ki_mant_value <= 11'h347;
+            field_storage_x_ki_exp_value <= 5'h19; field_storage_x_kv_mant_value <= 11'h75c;
+            field_storage_x_kv_exp_value <= 5'h1; field_storage_x_eta_mant_value <= 11'h474;
+            field_storage_x_eta_exp_value <= 5'h18; field_storage_x_shift_e_value <= 5'h0;
+            field_storage_x_shift_de_value <= 5'h2; field_storage_x_a0_value_value <= 18'h3a1b8;
+            field_storage_x_a0_scale_value <= 2'h0; field_storage_x_b2_value_value <= 24'h7c378b;
+            field_storage_x_kp_cur_mant_value <= 11'h4fb; field_storage_x_kp_cur_exp_value <= 5'h2;
+            field_storage_x_ki_cur_mant_value <= 11'h5c6; field_storage_x_ki_cur_exp_value <= 5'h1e;
             field_storage_x_theta_ofs_value_value <= 32'h0;
             field_storage_x_deadtime_clk_value <= 10'h64;
             field_storage_x_deadtime_qep_filter_value <= 4'h3;
@@ -597,24 +508,15 @@ module kung_xy_regs (
             field_storage_y_ctrl_interpolate_value <= 1'h0;
             field_storage_y_ctrl_feedforward_value <= 1'h0;
             field_storage_y_ctrl_precision_value <= 1'h0;
-            field_storage_y_pos_cmd_value_value <= 24'h0;
-            field_storage_y_kp_mant_value <= 11'h300;
-            field_storage_y_kp_exp_value <= 5'h0;
-            field_storage_y_ki_mant_value <= 11'h347;
-            field_storage_y_ki_exp_value <= 5'h19;
-            field_storage_y_kv_mant_value <= 11'h75c;
-            field_storage_y_kv_exp_value <= 5'h1;
-            field_storage_y_eta_mant_value <= 11'h474;
-            field_storage_y_eta_exp_value <= 5'h18;
-            field_storage_y_shift_e_value <= 5'h0;
-            field_storage_y_shift_de_value <= 5'h2;
-            field_storage_y_a0_value_value <= 18'h3a1b8;
-            field_storage_y_a0_scale_value <= 2'h0;
-            field_storage_y_b2_value_value <= 24'h7c378b;
-            field_storage_y_kp_cur_mant_value <= 11'h4fb;
-            field_storage_y_kp_cur_exp_value <= 5'h2;
-            field_storage_y_ki_cur_mant_value <= 11'h5c6;
-            field_storage_y_ki_cur_exp_value <= 5'h1e;
+            field_storage_y_pos_cmd_value_value <= 24'h0; field_storage_y_kp_mant_value <= 11'h300;
+            field_storage_y_kp_exp_value <= 5'h0; field_storage_y_ki_mant_value <= 11'h347;
+            field_storage_y_ki_exp_value <= 5'h19; field_storage_y_kv_mant_value <= 11'h75c;
+            field_storage_y_kv_exp_value <= 5'h1; field_storage_y_eta_mant_value <= 11'h474;
+            field_storage_y_eta_exp_value <= 5'h18; field_storage_y_shift_e_value <= 5'h0;
+            field_storage_y_shift_de_value <= 5'h2; field_storage_y_a0_value_value <= 18'h3a1b8;
+            field_storage_y_a0_scale_value <= 2'h0; field_storage_y_b2_value_value <= 24'h7c378b;
+            field_storage_y_kp_cur_mant_value <= 11'h4fb; field_storage_y_kp_cur_exp_value <= 5'h2;
+            field_storage_y_ki_cur_mant_value <= 11'h5c6; field_storage_y_ki_cur_exp_value <= 5'h1e;
             field_storage_y_theta_ofs_value_value <= 32'h0;
             field_storage_y_deadtime_clk_value <= 10'h64;
             field_storage_y_deadtime_qep_filter_value <= 4'h3;
@@ -626,14 +528,11 @@ module kung_xy_regs (
             field_storage_y_angle_step_value_value <= 32'h55f2f;
             field_storage_y_current_offset_a_value <= 12'h0;
             field_storage_y_current_offset_b_value <= 12'h0;
-            field_storage_y_adc_frame_zeros_value <= 3'h4;
-            field_storage_irq_en_tick_value <= 1'h0;
-            field_storage_irq_en_fault_value <= 1'h0;
-            field_storage_watchdog_limit_value <= 16'h0;
+            field_storage_y_adc_frame_zeros_value <= 3'h4; field_storage_irq_en_tick_value <= 1'h0;
+            field_storage_irq_en_fault_value <= 1'h0; field_storage_watchdog_limit_value <= 16'h0;
             field_storage_current_limit_value_value <= 12'h500;
             field_storage_deadtime_min_clk_value <= 10'h19;
-            field_storage_irq_period_ticks_value <= 8'h4;
-            field_storage_rates_carrier_value <= 2'h0;
+            field_storage_irq_period_ticks_value <= 8'h4; field_storage_rates_carrier_value <= 2'h0;
             field_storage_rates_position_value <= 2'h1;
         end else if(decoded_req && decoded_req_is_wr) begin
             if(decoded_addr == 10'h0) begin
@@ -1237,15 +1136,10 @@ module kung_xy_regs (
     // Write response
     always_comb begin
         automatic logic wr_ack;
-        wr_ack = '0;
-        wr_ack |= hwif_in_x_tab_data_wr_ack;
-        wr_ack |= hwif_in_x_pos_preset_wr_ack;
-        wr_ack |= hwif_in_x_prec_data_wr_ack;
-        wr_ack |= hwif_in_y_tab_data_wr_ack;
-        wr_ack |= hwif_in_y_pos_preset_wr_ack;
-        wr_ack |= hwif_in_y_prec_data_wr_ack;
-        wr_ack |= hwif_in_fault_clear_wr_ack;
-        wr_ack |= hwif_in_lock_wr_ack;
+        wr_ack = '0; wr_ack |= hwif_in_x_tab_data_wr_ack; wr_ack |= hwif_in_x_pos_preset_wr_ack;
+        wr_ack |= hwif_in_x_prec_data_wr_ack; wr_ack |= hwif_in_y_tab_data_wr_ack;
+        wr_ack |= hwif_in_y_pos_preset_wr_ack; wr_ack |= hwif_in_y_prec_data_wr_ack;
+        wr_ack |= hwif_in_fault_clear_wr_ack; wr_ack |= hwif_in_lock_wr_ack;
         external_wr_ack = wr_ack;
     end
     assign cpuif_wr_ack = external_wr_ack | (decoded_req & decoded_req_is_wr & ~decoded_req_is_external);
@@ -1256,21 +1150,13 @@ module kung_xy_regs (
     logic readback_external_rd_ack_c;
     always_comb begin
         automatic logic rd_ack;
-        rd_ack = '0;
-        rd_ack |= hwif_in_x_tab_data_rd_ack;
-        rd_ack |= hwif_in_x_prec_data_rd_ack;
-        rd_ack |= hwif_in_x_prec_err_rd_ack;
-        rd_ack |= hwif_in_x_err_sum_rd_ack;
-        rd_ack |= hwif_in_x_iq_sum_rd_ack;
-        rd_ack |= hwif_in_x_prec_dist_rd_ack;
-        rd_ack |= hwif_in_y_tab_data_rd_ack;
-        rd_ack |= hwif_in_y_prec_data_rd_ack;
-        rd_ack |= hwif_in_y_prec_err_rd_ack;
-        rd_ack |= hwif_in_y_err_sum_rd_ack;
-        rd_ack |= hwif_in_y_iq_sum_rd_ack;
-        rd_ack |= hwif_in_y_prec_dist_rd_ack;
-        rd_ack |= hwif_in_lock_rd_ack;
-        rd_ack |= hwif_in_knot_rd_ack;
+        rd_ack = '0; rd_ack |= hwif_in_x_tab_data_rd_ack; rd_ack |= hwif_in_x_prec_data_rd_ack;
+        rd_ack |= hwif_in_x_prec_err_rd_ack; rd_ack |= hwif_in_x_err_sum_rd_ack;
+        rd_ack |= hwif_in_x_iq_sum_rd_ack; rd_ack |= hwif_in_x_prec_dist_rd_ack;
+        rd_ack |= hwif_in_y_tab_data_rd_ack; rd_ack |= hwif_in_y_prec_data_rd_ack;
+        rd_ack |= hwif_in_y_prec_err_rd_ack; rd_ack |= hwif_in_y_err_sum_rd_ack;
+        rd_ack |= hwif_in_y_iq_sum_rd_ack; rd_ack |= hwif_in_y_prec_dist_rd_ack;
+        rd_ack |= hwif_in_lock_rd_ack; rd_ack |= hwif_in_knot_rd_ack;
         readback_external_rd_ack_c = rd_ack;
     end
 
@@ -1278,8 +1164,7 @@ module kung_xy_regs (
 
     assign readback_external_rd_ack = readback_external_rd_ack_c;
 
-    logic [9:0] rd_mux_addr;
-    logic [9:0] pending_rd_addr;
+    logic [9:0] rd_mux_addr, pending_rd_addr;
     // Hold read mux address to guarantee it is stable throughout any external accesses
     always_ff @(posedge clk_i) begin
         if(rst_i) begin
@@ -1290,8 +1175,7 @@ module kung_xy_regs (
     end
     assign rd_mux_addr = external_pending ? pending_rd_addr : {axil_araddr[9:2], 2'b0};
 
-    logic readback_err;
-    logic readback_done;
+    logic readback_err, readback_done;
     assign readback_done = decoded_req & ~decoded_req_is_wr & ~decoded_req_is_external;
     logic [31:0] readback_data;
     always_comb begin
@@ -1522,8 +1406,7 @@ module kung_xy_regs (
                     readback_data_var[2:0] = field_storage_y_adc_frame_zeros_value;
                 end
                 10'h200: begin
-                    readback_data_var[15:0] = 16'h5;
-                    readback_data_var[31:16] = 16'h4b58;
+                    readback_data_var[15:0] = 16'h5; readback_data_var[31:16] = 16'h4b58;
                 end
                 10'h208: begin
                     readback_data_var[0] = field_storage_irq_en_tick_value;
@@ -1556,8 +1439,7 @@ module kung_xy_regs (
                 default: ;
             endcase
         end
-        readback_data = readback_data_var;
-        readback_err = '0;
+        readback_data = readback_data_var; readback_err = '0;
     end
 
     assign external_rd_ack = readback_external_rd_ack;

@@ -45,72 +45,51 @@ module mcafee_xy_regs (
     wire hwif_in_limits_y_high_next = hwif_in.limits.y_high.next;
 
     // CPU Bus interface logic
-    logic cpuif_req;
-    logic cpuif_req_is_wr;
+    logic cpuif_req, cpuif_req_is_wr;
     logic [5:0] cpuif_addr;
-    logic [31:0] cpuif_wr_data;
-    logic [31:0] cpuif_wr_biten;
-    logic cpuif_req_stall_wr;
-    logic cpuif_req_stall_rd;
+    logic [31:0] cpuif_wr_data, cpuif_wr_biten;
+    logic cpuif_req_stall_wr, cpuif_req_stall_rd;
 
-    logic cpuif_rd_ack;
-    logic cpuif_rd_err;
+    logic cpuif_rd_ack, cpuif_rd_err;
     logic [31:0] cpuif_rd_data;
 
-    logic cpuif_wr_ack;
-    logic cpuif_wr_err;
+    logic cpuif_wr_ack, cpuif_wr_err;
 
     // Max Outstanding Transactions: 2
     logic [1:0] axil_n_in_flight;
-    logic axil_prev_was_rd;
-    logic axil_arvalid;
+    logic axil_prev_was_rd, axil_arvalid;
     logic [5:0] axil_araddr;
-    logic axil_ar_accept;
-    logic axil_awvalid;
+    logic axil_ar_accept, axil_awvalid;
     logic [5:0] axil_awaddr;
     logic axil_wvalid;
     logic [31:0] axil_wdata;
     logic [3:0] axil_wstrb;
-    logic axil_aw_accept;
-    logic axil_resp_acked;
+    logic axil_aw_accept, axil_resp_acked;
 
     // Transaction request acceptance
     always_ff @(posedge clk_i) begin
         if(rst_i) begin
-            axil_prev_was_rd <= '0;
-            axil_arvalid <= '0;
-            axil_araddr <= '0;
-            axil_awvalid <= '0;
-            axil_awaddr <= '0;
-            axil_wvalid <= '0;
-            axil_wdata <= '0;
-            axil_wstrb <= '0;
+            axil_prev_was_rd <= '0; axil_arvalid <= '0; axil_araddr <= '0; axil_awvalid <= '0;
+            axil_awaddr <= '0; axil_wvalid <= '0; axil_wdata <= '0; axil_wstrb <= '0;
             axil_n_in_flight <= '0;
         end else begin
             // AR* acceptance register
             if(axil_ar_accept) begin
-                axil_prev_was_rd <= '1;
-                axil_arvalid <= '0;
+                axil_prev_was_rd <= '1; axil_arvalid <= '0;
             end
             if(s_axil_arvalid_i && s_axil_arready_o) begin
-                axil_arvalid <= '1;
-                axil_araddr <= s_axil_araddr_i;
+                axil_arvalid <= '1; axil_araddr <= s_axil_araddr_i;
             end
 
             // AW* & W* acceptance registers
             if(axil_aw_accept) begin
-                axil_prev_was_rd <= '0;
-                axil_awvalid <= '0;
-                axil_wvalid <= '0;
+                axil_prev_was_rd <= '0; axil_awvalid <= '0; axil_wvalid <= '0;
             end
             if(s_axil_awvalid_i && s_axil_awready_o) begin
-                axil_awvalid <= '1;
-                axil_awaddr <= s_axil_awaddr_i;
+                axil_awvalid <= '1; axil_awaddr <= s_axil_awaddr_i;
             end
             if(s_axil_wvalid_i && s_axil_wready_o) begin
-                axil_wvalid <= '1;
-                axil_wdata <= s_axil_wdata_i;
-                axil_wstrb <= s_axil_wstrb_i;
+                axil_wvalid <= '1; axil_wdata <= s_axil_wdata_i; axil_wstrb <= s_axil_wstrb_i;
             end
 
             // Keep track of in-flight transactions
@@ -130,27 +109,21 @@ module mcafee_xy_regs (
     always_comb begin
         cpuif_wr_data = axil_wdata;
         for(int i=0; i<4; i++) cpuif_wr_biten[i*8 +: 8] = {8{axil_wstrb[i]}};
-        cpuif_req = '0;
-        cpuif_req_is_wr = '0;
-        cpuif_addr = '0;
-        axil_ar_accept = '0;
+        cpuif_req = '0; cpuif_req_is_wr = '0; cpuif_addr = '0; axil_ar_accept = '0;
         axil_aw_accept = '0;
 
         if(axil_n_in_flight < 2'd2) begin
             // Can safely issue more transactions without overwhelming response buffer
             if(axil_arvalid && !axil_prev_was_rd) begin
-                cpuif_req = '1;
-                cpuif_req_is_wr = '0;
+                cpuif_req = '1; cpuif_req_is_wr = '0;
                 cpuif_addr = {axil_araddr[5:2], 2'b0};
                 if(!cpuif_req_stall_rd) axil_ar_accept = '1;
             end else if(axil_awvalid && axil_wvalid) begin
-                cpuif_req = '1;
-                cpuif_req_is_wr = '1;
+                cpuif_req = '1; cpuif_req_is_wr = '1;
                 cpuif_addr = {axil_awaddr[5:2], 2'b0};
                 if(!cpuif_req_stall_wr) axil_aw_accept = '1;
             end else if(axil_arvalid) begin
-                cpuif_req = '1;
-                cpuif_req_is_wr = '0;
+                cpuif_req = '1; cpuif_req_is_wr = '0;
                 cpuif_addr = {axil_araddr[5:2], 2'b0};
                 if(!cpuif_req_stall_rd) axil_ar_accept = '1;
             end
@@ -163,18 +136,15 @@ module mcafee_xy_regs (
     logic axil_resp_buffer_err[2];
     logic [31:0] axil_resp_buffer_rdata[2];
 
-    logic [1:0] axil_resp_wptr;
-    logic [1:0] axil_resp_rptr;
+    logic [1:0] axil_resp_wptr, axil_resp_rptr;
 
     always_ff @(posedge clk_i) begin
         if(rst_i) begin
             for(int i=0; i<2; i++) begin
-                axil_resp_buffer_is_wr[i] <= '0;
-                axil_resp_buffer_err[i] <= '0;
+                axil_resp_buffer_is_wr[i] <= '0; axil_resp_buffer_err[i] <= '0;
                 axil_resp_buffer_rdata[i] <= '0;
             end
-            axil_resp_wptr <= '0;
-            axil_resp_rptr <= '0;
+            axil_resp_wptr <= '0; axil_resp_rptr <= '0;
         end else begin
             // Store responses in buffer until AXI response channel accepts them
             if(cpuif_rd_ack || cpuif_wr_ack) begin
@@ -196,9 +166,7 @@ module mcafee_xy_regs (
     end
 
     always_comb begin
-        axil_resp_acked = '0;
-        s_axil_bvalid_o = '0;
-        s_axil_rvalid_o = '0;
+        axil_resp_acked = '0; s_axil_bvalid_o = '0; s_axil_rvalid_o = '0;
         if(axil_resp_rptr != axil_resp_wptr) begin
             if(axil_resp_buffer_is_wr[axil_resp_rptr[0:0]]) begin
                 s_axil_bvalid_o = '1;
@@ -211,11 +179,9 @@ module mcafee_xy_regs (
 
         s_axil_rdata_o = axil_resp_buffer_rdata[axil_resp_rptr[0:0]];
         if(axil_resp_buffer_err[axil_resp_rptr[0:0]]) begin
-            s_axil_bresp_o = 2'b10;
-            s_axil_rresp_o = 2'b10;
+            s_axil_bresp_o = 2'b10; s_axil_rresp_o = 2'b10;
         end else begin
-            s_axil_bresp_o = 2'b00;
-            s_axil_rresp_o = 2'b00;
+            s_axil_bresp_o = 2'b00; s_axil_rresp_o = 2'b00;
         end
     end
 
@@ -229,15 +195,10 @@ module mcafee_xy_regs (
                             & !(cpuif_req_is_wr & cpuif_req_stall_wr);
 
     // Address Decode
-    logic decoded_reg_strb_status;
-    logic decoded_reg_strb_feed_in;
-    logic decoded_reg_strb_reset;
-    logic decoded_err;
+    logic decoded_reg_strb_status, decoded_reg_strb_feed_in, decoded_reg_strb_reset, decoded_err;
     logic [5:0] decoded_addr;
-    logic decoded_req;
-    logic decoded_req_is_wr;
-    logic [31:0] decoded_wr_data;
-    logic [31:0] decoded_wr_biten;
+    logic decoded_req, decoded_req_is_wr;
+    logic [31:0] decoded_wr_data, decoded_wr_biten;
 
     always_comb begin
         automatic logic is_valid_addr;
@@ -259,28 +220,21 @@ module mcafee_xy_regs (
 
     // Field logic
 
-    logic field_storage_port_b_write_strobe_value;
-    logic field_storage_port_b_read_strobe_value;
-    logic field_storage_port_b_ps_value;
-    logic field_storage_port_b_read_value;
+    logic field_storage_port_b_write_strobe_value, field_storage_port_b_read_strobe_value;
+    logic field_storage_port_b_ps_value, field_storage_port_b_read_value;
     logic field_storage_port_b_y_value;
     logic [7:0] field_storage_port_c_to_part_value;
-    logic field_storage_status_refused_value;
-    logic field_storage_status_sample_value;
-    logic [7:0] field_storage_feed_in_c_value;
-    logic [7:0] field_storage_feed_in_cc_value;
+    logic field_storage_status_refused_value, field_storage_status_sample_value;
+    logic [7:0] field_storage_feed_in_c_value, field_storage_feed_in_cc_value;
     logic field_storage_reset_strobe_value;
 
     // Fields that software alone writes
     always_ff @(posedge clk_i) begin
         if(rst_i) begin
             field_storage_port_b_write_strobe_value <= 1'h0;
-            field_storage_port_b_read_strobe_value <= 1'h0;
-            field_storage_port_b_ps_value <= 1'h0;
-            field_storage_port_b_read_value <= 1'h0;
-            field_storage_port_b_y_value <= 1'h0;
-            field_storage_port_c_to_part_value <= 8'h0;
-            field_storage_feed_in_c_value <= 8'h0;
+            field_storage_port_b_read_strobe_value <= 1'h0; field_storage_port_b_ps_value <= 1'h0;
+            field_storage_port_b_read_value <= 1'h0; field_storage_port_b_y_value <= 1'h0;
+            field_storage_port_c_to_part_value <= 8'h0; field_storage_feed_in_c_value <= 8'h0;
             field_storage_feed_in_cc_value <= 8'h0;
         end else if(decoded_req && decoded_req_is_wr) begin
             if(decoded_addr == 6'h4) begin
@@ -350,8 +304,7 @@ module mcafee_xy_regs (
     logic [5:0] rd_mux_addr;
     assign rd_mux_addr = decoded_addr;
 
-    logic readback_err;
-    logic readback_done;
+    logic readback_err, readback_done;
     assign readback_done = decoded_req & ~decoded_req_is_wr;
     logic [31:0] readback_data;
     always_comb begin
@@ -360,8 +313,7 @@ module mcafee_xy_regs (
         if(cpuif_rd_ack) begin
             unique case(rd_mux_addr)
                 6'h0: begin
-                    readback_data_var[15:0] = 16'h1;
-                    readback_data_var[31:16] = 16'h4d43;
+                    readback_data_var[15:0] = 16'h1; readback_data_var[31:16] = 16'h4d43;
                 end
                 6'h4: begin
                     readback_data_var[0] = field_storage_port_b_write_strobe_value;
@@ -397,8 +349,7 @@ module mcafee_xy_regs (
                 default: ;
             endcase
         end
-        readback_data = readback_data_var;
-        readback_err = '0;
+        readback_data = readback_data_var; readback_err = '0;
     end
 
     assign cpuif_rd_ack = readback_done;

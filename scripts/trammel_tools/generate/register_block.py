@@ -159,6 +159,31 @@ def unbundle(text: str, package: str) -> str:
     return text.replace(");\n", f");\n\n{lines}", 1)
 
 
+DECLARED = re.compile(r"( +logic (?:\[\d+:\d+\] )?)(\w+);")
+ASSIGNED = re.compile(r"( +)([\w\[\]:]+ (?:<=|\|?=) [\w']+;)")
+
+
+def paragraphs(text: str) -> str:
+    """Declarations of one type, and plain assignments, that follow each other share lines."""
+    lines = []
+    for line in text.split("\n"):
+        last = lines[-1] if lines else ""
+        declared, assigned = DECLARED.fullmatch(line), ASSIGNED.fullmatch(line)
+        if declared and re.fullmatch(re.escape(declared[1]) + r"[\w, ]+;", last):
+            joined = f"{last[:-1]}, {declared[2]};"
+        elif assigned and re.match(assigned[1] + r"\w", last) and all(
+                ASSIGNED.fullmatch(f"{assigned[1]}{part};")
+                for part in last[:-1].strip().split("; ")):
+            joined = f"{last} {assigned[2]}"
+        else:
+            joined = None
+        if joined and len(joined) <= 100:
+            lines[-1] = joined
+        else:
+            lines.append(line)
+    return "\n".join(lines)
+
+
 def dense(text: str) -> str:
     """Structures as a paragraph each, and blocks of a single statement on a line."""
     def structure(match):
@@ -171,7 +196,7 @@ def dense(text: str) -> str:
     statement = r" begin\n\s+([^\n;]+;)\n\s+end$(?!\n\s+else)"
     for before in (r"\d:", r"\)"):
         text = re.sub(f"({before}){statement}", r"\1 \2", text, flags=re.M)
-    return re.sub(r" +//-+\n(.*)\n +//-+$", r"\1", text, flags=re.M)
+    return paragraphs(re.sub(r" +//-+\n(.*)\n +//-+$", r"\1", text, flags=re.M))
 
 
 def adapt(text: str, note: str, top, package: str) -> str:
