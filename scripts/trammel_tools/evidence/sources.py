@@ -51,10 +51,10 @@ def modules():
 
 
 @functools.cache
-def names_in(name):
-    """Modules and packages that a file names."""
-    text = re.sub(r"//.*", "", (ROOT / name).read_text(encoding="utf-8", errors="replace"))
-    return set(re.findall(r"\b[A-Za-z_]\w*\b", text)) & modules().keys()
+def names_in(*names):
+    """Modules and packages that files name."""
+    text = "\n".join((ROOT / one).read_text(encoding="utf-8", errors="replace") for one in names)
+    return set(re.findall(r"\b[A-Za-z_]\w*\b", re.sub(r"//.*", "", text))) & modules().keys()
 
 
 def rtl(*blocks):
