@@ -18,7 +18,8 @@ HEAD = """<!-- Generated from metrics.json by scripts/tool gen-manual; do not ed
 
 A run prints figures at its end and writes them to `metrics.json`; the first column is the place
 there. `trammel sweep` and `trammel tune` use the same names. For this page each built-in scenario
-ran twice: to its end, and cut short after 20 ms.
+ran twice, to its end and cut short after 20 ms; some also ran with the keys that stand behind their
+names.
 
 The digits are those behind the point; `whole` is a whole number. A tile opens the report page. A
 hidden figure is in `metrics.json` only. In the last column, `cut:` are the scenarios that report
@@ -206,18 +207,21 @@ def page(program):
     keys = {name: {key["key"] for key in json.loads(subprocess.run(
         [program, "list", "keys", name, "--json"], capture_output=True, check=True).stdout)}
         for name in described}
-    asked = []
-    for scenario, name in machines.scenarios().items():
+    asked = []  # (machine, name, whether it is cut short, scenario, settings)
+    for name in described:
+        own = {scenario: [scenario] for scenario, of in machines.scenarios().items() if of == name}
+        own |= {f"{scenario} {words}": [scenario, *words.split()] for scenario, all_words
+                in machines.runs(name).get("figures", {}).items() for words in all_words}
         alone = ["compare=false"] if "compare" in keys[name] else []
-        for cut in ([], [f"run.max_s={CUT_S}"]):
-            asked.append((name, scenario, cut, alone + cut))
+        for label, (scenario, *settings) in own.items():
+            for cut in ([], [f"run.max_s={CUT_S}"]):
+                asked.append((name, label, bool(cut), scenario, alone + settings + cut))
     with ThreadPoolExecutor(os.cpu_count() or 1) as pool:
-        found = list(pool.map(lambda one: figures(program, one[1], described[one[0]], one[3]),
+        found = list(pool.map(lambda one: figures(program, one[3], described[one[0]], one[4]),
                               asked))
     text = HEAD
     for name, machine in described.items():
-        runs, cuts = ({scenario: result for (of, scenario, cut, _), result
-                       in zip(asked, found, strict=True) if of == name and bool(cut) == short}
-                      for short in (False, True))
+        runs, cuts = ({one[1]: result for one, result in zip(asked, found, strict=True)
+                       if one[0] == name and one[2] == short} for short in (False, True))
         text += machine_text(runs, cuts, machine)
     return text
