@@ -19,10 +19,14 @@ struct Board : cosim::HostedState {
   bool platform_active = false;
   cosim::Lines lines = 0;  // toward the plant
 
-  bool samples(cosim::Clk edge) const { return (edge + 1) % sample_clk == 0; }
+  bool samples(cosim::Clk edge) const {
+    return (edge + 1) % sample_clk == 0 || (edge + 1) % kLook == 0;
+  }
   cosim::Clk waiting(cosim::Clk edge) const {
-    return std::min(HostedState::waiting(edge),
-                    std::max<cosim::Clk>(1, sample_clk - 1 - edge % sample_clk));
+    const auto left = [edge](cosim::Clk every) {
+      return std::max<cosim::Clk>(1, every - 1 - edge % every);
+    };
+    return std::min({HostedState::waiting(edge), left(sample_clk), left(kLook)});
   }
 
   // Takes a transfer of the platform's own registers, which needs one clock; false: of the chip's.

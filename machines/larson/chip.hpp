@@ -15,6 +15,8 @@ namespace trammel::larson {
 
 inline constexpr int kAxes = 2;
 
+inline constexpr cosim::Clk kLook = 50'000;  // from one look at what figures are of to the next
+
 struct ChipSetup {
   cosim::Clk sample_clk = 50'000;  // from one sample of the record to the next
 };

@@ -74,17 +74,6 @@ constexpr std::size_t kMostCallsShown = 2000;  // in metrics.json
 std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult& run) {
   const auto& options = static_cast<const Options&>(settings);
   const auto& result = static_cast<const Result&>(run);
-  std::array<double, 2> angle{}, rate{}, waiting{}, torque{}, current{}, power{};
-  for (const Sample& s : result.samples) {
-    for (std::size_t k = 0; k < 2; ++k) {
-      torque[k] = std::max(torque[k], std::fabs(s.axis[k].torque));
-      current[k] += s.axis[k].current / static_cast<double>(result.samples.size());
-      power[k] = std::max(power[k], s.axis[k].power);
-      angle[k] = std::max(angle[k], std::fabs(s.axis[k].angle));
-      rate[k] = std::max(rate[k], std::fabs(s.axis[k].speed));
-      waiting[k] = std::max(waiting[k], static_cast<double>(s.axis[k].waiting));
-    }
-  }
   const Returns returns = returns_of(result);
   std::vector<lab::Figure> list;
   const auto add = [&list](lab::Figure f, const char* tile = "") {
@@ -110,19 +99,21 @@ std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult
   for (std::size_t k = 0; k < 2; ++k) {
     const std::string axis = k == 0 ? "X" : "Y", id = k == 0 ? "x." : "y.";
     const bool tile = k == 0;
+    const plant::StepperPeaks& peaks = result.peaks[k];
     add(count(id + "pulses", "pulses", axis, result.pulses[k]));
     add(count(id + "lost_step", "steps lost", axis, result.lost[k], "steps"),
         tile ? "Lost by X" : "Lost by Y");
     add(count(id + "slips", "slips", axis, static_cast<double>(result.slips[k].size())));
     add(count(id + "breaches", "pulses without a step", axis,
               static_cast<double>(result.breaches[k].size())));
-    add(figure(id + "max_torque_N_m", "largest torque", axis, torque[k], "N m", 3));
-    add(figure(id + "mean_current_A", "mean current of all phases", axis, current[k], "A", 2));
-    add(figure(id + "max_power_W", "largest power at the shaft", axis, power[k], "W", 2));
-    add(figure(id + "max_angle_step", "load angle", axis, angle[k], "step", 2),
+    add(figure(id + "max_torque_N_m", "largest torque", axis, peaks.torque, "N m", 3));
+    add(figure(id + "mean_current_A", "mean current of all phases", axis,
+               result.mean_current[k], "A", 2));
+    add(figure(id + "max_power_W", "largest power at the shaft", axis, peaks.power, "W", 2));
+    add(figure(id + "max_angle_step", "load angle", axis, peaks.angle, "step", 2),
         tile ? "Load angle of X" : "");
-    add(figure(id + "max_rate", "largest rate", axis, rate[k], "step/s", 0));
-    add(count(id + "max_waiting", "pulses that wait", axis, waiting[k]));
+    add(figure(id + "max_rate", "largest rate", axis, peaks.speed, "step/s", 0));
+    add(count(id + "max_waiting", "pulses that wait", axis, peaks.waiting));
     add(figure(id + "travel_step", "travel", axis, result.travel[k], "step", 0));
     add(figure(id + "end_step", "end", axis, result.end_at[k], "step", 2));
   }

@@ -52,16 +52,15 @@ std::optional<double> time_of(const Options& options, const Result& result, int 
 }
 
 // [s] Mean period of the rotors of a run that swung about the place at which so many phases are on,
-// by less than 0.2 step; nothing where they did so for less than two periods, or samples are rare.
+// by less than 0.2 step; nothing where they did so for less than two periods.
 std::optional<double> ring_of(const Options& options, const Result& result, int phases) {
   constexpr double kMost = 0.2, kLeast = 0.01;  // [step]
-  if (options.record_ms > 1) return {};
   double sum = 0;
   int periods = 0;
   for (std::size_t k = 0; k < 2; ++k) {
     AxisSample last;
     double t_last = 0, risen = -1, most = 0;  // time of the last rising zero
-    for (const Sample& s : result.samples) {
+    for (const Sample& s : result.looks) {
       const AxisSample& now = s.axis[k];
       const double t = cosim::seconds_of(s.edge, options.axis.clock_ps);
       const bool still = now.waiting == 0 && now.rate == 0 && now.step == last.step &&

@@ -61,6 +61,8 @@ struct Result : cosim::RunResult {
   std::string fault_text() const override { return fault; }
 
   cosim::DiskVector<Sample> samples;
+  // Figures are of these, every millisecond, up to record.settle_s behind the last call.
+  cosim::DiskVector<Sample> looks;
   std::string fault;             // kFault: what the program saw; kMissed: what was missed;
                                  // kTimeout: the line of the script that was running
   std::vector<Call> calls;
@@ -75,6 +77,8 @@ struct Result : cosim::RunResult {
   std::array<std::vector<plant::BufferMove>, 2> moves;
   std::map<std::uint32_t, double> rates;   // [pulse/s] of 64 pulses of the chip, by rate code
   std::array<double, 2> travel{};          // [step] of the rotors, in all
+  std::array<double, 2> mean_current{};    // [A] of all phases
+  std::array<plant::StepperPeaks, 2> peaks{};
   std::array<double, 2> end_at{};          // [step] where they are at the end
   sw::StepPoint known;                     // WHRTBL at the end
   std::array<double, 2> origin{};          // [step] of the calibration point, its (0, 0)

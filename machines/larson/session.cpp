@@ -34,9 +34,9 @@ sw::StepTableSetup table_of(const Options& options) {
   return table;
 }
 
-ChipSetup chip_of(const Options& options) {
-  return {std::max<cosim::Clk>(
-      1, cosim::clocks_of(1e-3 * options.record_ms, options.axis.clock_ps))};
+cosim::Clk record_clk_of(const Options& options) {
+  return std::max<cosim::Clk>(
+      1, cosim::clocks_of(1e-3 * options.record_ms, options.axis.clock_ps));
 }
 
 std::vector<sw::LarsonCall> program_of(const std::vector<Call>& calls) {
@@ -56,9 +56,10 @@ Session::Session(const Options& options, const cosim::Hooks& hooks, const cosim:
       program_(program_of(calls_)),
       answers_(calls_.size()),
       plant_(axis_of(options, options.start_x), axis_of(options, options.start_y)),
+      record_clk_(record_clk_of(options)),
       chip_(options.run.engine == cosim::Engine::kRtl
-                ? make_verilated_chip(options.run, waves.window, chip_of(options))
-                : make_twin_chip(chip_of(options))),
+                ? make_verilated_chip(options.run, waves.window, {record_clk_})
+                : make_twin_chip({record_clk_})),
       app_(table_of(options), program_.data(), answers_.data(),
            static_cast<std::uint32_t>(program_.size())),
       loop_(*chip_, seen(), *this, options.run.window()),
@@ -140,29 +141,47 @@ cosim::ProcessorTiming Session::timing() const {
 
 cosim::Clk Session::end() const { return cosim::clocks_of(options_.run.max_s, period_ps()); }
 
-void Session::on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant&) {
+void Session::on(const cosim::Stop& passed, const cosim::Chip& chip, const cosim::Plant&) {
   if (over_) return;
   note_calls();
-  if (stop.why == cosim::kLimit) return;
-  if ((stop.why & (cosim::kBusDone | cosim::kIrq)) != 0) {
-    heard_ = heard_at(stop.edge);
+  if (passed.why == cosim::kLimit) return;
+  cosim::Stop stop = passed;
+  const bool sampled = (stop.why & cosim::kSample) != 0;
+  if (sampled && !in_record(stop.edge)) stop.why &= ~cosim::kSample;
+  if (stop.why != 0) {
+    if ((stop.why & (cosim::kBusDone | cosim::kIrq)) != 0) {
+      heard_ = heard_at(stop.edge);
+    }
+    if (waves_.search != nullptr) waves_.search->on(stop, *chip_, *this);
+    if (fault_watch_) watch_fault(stop);
+    hash_.mix(stop, chip);
+    note_events(stop);
   }
-  if (waves_.search != nullptr) waves_.search->on(stop, *chip_, *this);
-  if (fault_watch_) watch_fault(stop);
-  hash_.mix(stop, chip);
-  note_events(stop);
-  if ((stop.why & cosim::kSample) == 0) return;
+  if (!sampled) return;
   const Sample sample = sample_at(stop.edge);
+  if ((stop.edge + 1) % kLook == 0) look(sample);
+  if ((stop.why & cosim::kSample) == 0) return;
   samples_.push_back(sample);
-  for (std::size_t k = 0; k < 2; ++k) {
-    hash_.mix(sample.axis[k].words);
-    travel_[k] += std::fabs(sample.axis[k].at - last_at_[k]);
-    last_at_[k] = sample.axis[k].at;
-  }
+  for (const AxisSample& axis : sample.axis) hash_.mix(axis.words);
   if (const auto ended = end_after(stop.edge)) {
     end_ = *ended;
     over_ = true;
   }
+}
+
+// Up to the last one within record.settle_s of the last call; the record ends with its own sample.
+void Session::look(const Sample& now) {
+  if (at_end_) return;
+  looks_.push_back(now);
+  for (std::size_t k = 0; k < 2; ++k) {
+    travel_[k] += std::fabs(now.axis[k].at - last_at_[k]);
+    last_at_[k] = now.axis[k].at;
+  }
+  if (app_.mailbox().done == 0) return;
+  const double since = cosim::seconds_of(now.edge + kLook - ended_, period_ps());
+  if (since <= options_.settle_s || (!resting() && since <= kLongestSettling)) return;
+  note_plant();  // up to here
+  at_end_ = result_now();
 }
 
 // Calls that have ended since the last stop: when the processor last heard of the chip, which is
@@ -183,109 +202,7 @@ void Session::note_calls() {
     }
     done_.push_back(done);
   }
-}
-
-void Session::note(Event event) {
-  ++event_count_;
-  if (events_.size() < kMostEvents) events_.push_back(std::move(event));
-}
-
-void Session::note_events(const cosim::Stop& stop) {
-  if ((stop.why & cosim::kDrive) != 0) note_pulses(stop.edge);
-  note_plant();
-  if ((stop.why & ~cosim::kSample) != 0) note_requests(stop.edge);
-  for (int k = 0; k < kAxes; ++k) words_[static_cast<std::size_t>(k)] = chip_->words(k);
-}
-
-void Session::note_pulses(cosim::Clk edge) {
-  const cosim::Lines rose = chip_->drive() & ~drive_;
-  drive_ = chip_->drive();
-  for (int k = 0; k < kAxes; ++k) {
-    if (!level(rose, step(k))) continue;
-    ++pulses_[static_cast<std::size_t>(k)];
-    asked_[static_cast<std::size_t>(k)] += level(drive_, forward(k)) ? 1 : -1;
-    note_rate(static_cast<std::size_t>(k), edge);
-  }
-}
-
-// Where a period is missing, or the code is another, others begin.
-void Session::note_rate(std::size_t axis, cosim::Clk edge) {
-  constexpr int kPulses = 64;
-  RateRun& run = rate_runs_[axis];
-  const std::uint32_t code = chip_->words(static_cast<int>(axis)) >> 16 & sw::larson_map::kRate;
-  const double period_s = (4096 - code) / 240e3;
-  const double since_s = cosim::seconds_of(edge - run.last, period_ps());
-  if (code == run.code && run.last != 0 && since_s < 1.5 * period_s) {
-    ++run.pulses;
-    run.last = edge;
-  } else {
-    run = {code, edge, edge, 0};
-  }
-  if (run.pulses == kPulses) {
-    rates_[code] = kPulses / cosim::seconds_of(edge - run.first, period_ps());
-  }
-}
-
-// Switches, losses and pulses without a step since the last stop, at their own times, which need
-// not be those of stops. The words are those that the chip had then, with the switch as it now is.
-void Session::note_plant() {
-  struct Seen {
-    cosim::Clk edge = 0;
-    std::size_t axis = 0;
-    const plant::SwitchMoved* moved = nullptr;
-    const plant::StepsLost* lost = nullptr;
-    const plant::StepBreach* breach = nullptr;
-  };
-  std::vector<Seen> seen;
-  for (std::size_t k = 0; k < 2; ++k) {
-    const auto& moved = plant_.axis(k).moved();
-    for (; moves_[k] < moved.size(); ++moves_[k]) {
-      seen.push_back({moved[moves_[k]].edge, k, &moved[moves_[k]]});
-    }
-    const auto& lost = plant_.axis(k).lost();
-    for (; losses_[k] < lost.size(); ++losses_[k]) {
-      seen.push_back({lost[losses_[k]].edge, k, nullptr, &lost[losses_[k]]});
-    }
-    const auto& breaches = plant_.axis(k).breaches();
-    for (; breaches_[k] < breaches.size(); ++breaches_[k]) {
-      seen.push_back({breaches[breaches_[k]].edge, k, nullptr, nullptr, &breaches[breaches_[k]]});
-    }
-  }
-  std::stable_sort(seen.begin(), seen.end(),
-                   [](const Seen& a, const Seen& b) { return a.edge < b.edge; });
-  for (const Seen& one : seen) {
-    const auto axis = static_cast<int>(one.axis);
-    std::string what;
-    double place = at(one.axis, one.edge);
-    if (one.moved != nullptr) {
-      place = one.moved->at;
-      const unsigned bit = 1u << (2 * axis + (one.moved->high ? 1 : 0));
-      switches_ = one.moved->closed ? switches_ | bit : switches_ & ~bit;
-      what = fmt::format("{} switch {}", one.moved->high ? "high" : "low",
-                         one.moved->closed ? "closed" : "open");
-    } else if (one.lost != nullptr) {
-      place = one.lost->at;
-      what = fmt::format("{} steps lost", one.lost->steps);
-    } else {
-      what = "no step: " + breach_text(*one.breach, period_ps());
-    }
-    const std::uint32_t status = words_[one.axis] >> 16 & ~sw::larson_map::kLimit;
-    const bool closed = (switches_ >> 2 * axis & 3) != 0;
-    note({one.edge, axis, std::move(what), place, words_[one.axis] & 0xFFFF,
-          status | (closed ? sw::larson_map::kLimit : 0)});
-  }
-}
-
-void Session::note_requests(cosim::Clk edge) {
-  const unsigned now = chip_->requests();
-  for (int axis = 0; axis < kAxes; ++axis) {
-    if (((now & ~requests_) >> axis & 1) == 0) continue;
-    ++interrupts_;
-    const std::uint32_t words = chip_->words(axis);
-    note({edge, axis, "interrupt", at(static_cast<std::size_t>(axis), edge), words & 0xFFFF,
-          words >> 16});
-  }
-  requests_ = now;
+  if (app_.mailbox().done != 0 && ended_ == cosim::kNever) ended_ = heard_.edge;
 }
 
 std::int64_t Session::read(std::size_t signal, int axis) const {
@@ -345,10 +262,9 @@ std::vector<cosim::Place> Session::places() const {
   return {{"x", "step", at(0, now)}, {"y", "step", at(1, now)}};
 }
 
-std::unique_ptr<cosim::RunResult> Session::result() {
+// All but samples, looks and how it ended.
+std::unique_ptr<Result> Session::result_now() const {
   auto result = std::make_unique<Result>();
-  result->samples = std::move(samples_);
-  result->end = end_;
   if (app_.mailbox().failure != 0) result->fault = "CALTBL found no switch, or could not leave it";
   result->calls = calls_;
   result->answers = answers_;
@@ -361,6 +277,8 @@ std::unique_ptr<cosim::RunResult> Session::result() {
     result->slips[k] = plant_.axis(k).lost();
     result->breaches[k] = plant_.axis(k).breaches();
     result->moves[k] = plant_.axis(k).moves();
+    result->peaks[k] = plant_.axis(k).peaks();
+    result->mean_current[k] = plant_.axis(k).mean_current(looks_.empty() ? 0 : looks_.back().edge);
   }
   result->rates = rates_;
   result->travel = travel_;
@@ -371,16 +289,25 @@ std::unique_ptr<cosim::RunResult> Session::result() {
   result->stopped = app_.table().stopped();
   result->interrupts = interrupts_;
   result->err_byte = chip_->err_byte();
+  return result;
+}
+
+std::unique_ptr<cosim::RunResult> Session::result() {
+  using End = cosim::EndReason;
+  const bool whole = at_end_ && end_ != End::kStopped && end_ != End::kPromise;
+  auto result = whole ? std::move(at_end_) : result_now();
+  result->samples = std::move(samples_);
+  result->looks = std::move(looks_);
+  result->end = !whole ? end_ : result->fault.empty() ? End::kDone : End::kFault;
   result->event_hash = hash_.value();
   result->events = hash_.events();
-  if ((end_ == cosim::EndReason::kDone && !waves_.found()) ||
-      end_ == cosim::EndReason::kFault) {
+  if ((result->end == End::kDone && !waves_.found()) || result->end == End::kFault) {
     if (std::string missed = what_missed(options_, *result); !missed.empty()) {
       result->fault = std::move(missed);
-      result->end = cosim::EndReason::kMissed;
+      result->end = End::kMissed;
     }
   }
-  if (end_ == cosim::EndReason::kTimeout) result->fault = what_was_running(options_, *result);
+  if (result->end == End::kTimeout) result->fault = what_was_running(options_, *result);
   if (fault_watch_) result->fault_report = fault_watch_->report();
   close_result(*result, *chip_, waves_.window, started_);
   return result;

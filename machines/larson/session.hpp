@@ -40,6 +40,9 @@ class Session final : public cosim::Session, private cosim::Observer, public cos
   void on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant& plant) override;
   std::int64_t read(std::size_t signal, int axis) const override;
   Sample sample_at(cosim::Clk edge) const;
+  void look(const Sample& now);
+  std::unique_ptr<Result> result_now() const;
+  bool in_record(cosim::Clk edge) const { return (edge + 1) % record_clk_ == 0; }
   std::optional<cosim::EndReason> end_after(cosim::Clk edge);
   cosim::Plant& seen();
   void watch_fault(const cosim::Stop& stop);
@@ -64,16 +67,19 @@ class Session final : public cosim::Session, private cosim::Observer, public cos
   std::vector<sw::LarsonCall> program_;
   std::vector<sw::LarsonAnswer> answers_;
   TablePlant plant_;
+  cosim::Clk record_clk_;
   std::unique_ptr<LarsonChip> chip_;
   std::optional<cosim::FaultPlant> failing_;  // around the plant
   std::optional<cosim::FaultWatch> fault_watch_;
   sw::LarsonApp app_;
   cosim::Loop loop_;
-  cosim::DiskVector<Sample> samples_;
+  cosim::DiskVector<Sample> samples_, looks_;
+  std::unique_ptr<Result> at_end_;  // what there was at the last look; null: that is to come
   cosim::EventHash hash_;
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
   cosim::EndReason end_ = cosim::EndReason::kTimeout;
-  cosim::Clk done_at_ = cosim::kNever;  // the program has ended
+  cosim::Clk ended_ = cosim::kNever;    // the program has
+  cosim::Clk done_at_ = cosim::kNever;  // the sample of the record behind that
   bool over_ = false;
 
   std::vector<CallDone> done_;

@@ -49,6 +49,15 @@ struct SwitchMoved {
   bool high = false, closed = false;
 };
 
+// The largest magnitudes of an axis since its start, at every step of its integration.
+struct StepperPeaks {
+  double angle = 0;   // [step]
+  double speed = 0;   // [step/s]
+  double torque = 0;  // [N m]
+  double power = 0;   // [W] at the shaft, positive
+  int waiting = 0;    // pulses
+};
+
 class StepperAxis {
  public:
   static constexpr std::int64_t kNever = PulseBuffer::kNever;
@@ -77,6 +86,7 @@ class StepperAxis {
   const std::vector<StepBreach>& breaches() const { return breaches_; }  // pulses without a step
   const std::vector<BufferMove>& moves() const { return buffer_.moves(); }
   int steps_lost() const { return slipped_; }  // in all, with their sign
+  const StepperPeaks& peaks() const { return peaks_; }
   bool hit_stop() const { return hit_stop_; }
 
   // At a clock from the last commit to next().
@@ -89,6 +99,11 @@ class StepperAxis {
   double torque(std::int64_t n) const { return motor_.torque(state(n), step_, told()); }  // [N m]
   double power(std::int64_t n) const { return motor_.power(state(n), step_, told()); }    // [W]
   double current() const { return motor_.current(step_); }  // [A] of all phases
+  // Its mean up to a clock from the last commit on. A sample now and then would see pulses of its
+  // own rate always at the same phases.
+  double mean_current(std::int64_t n) const {
+    return n == 0 ? current() : charge(n) / static_cast<double>(n);
+  }
   // Steps that the rotor is behind the translator, lost ones apart.
   double load_angle(std::int64_t n) const {
     return static_cast<double>(step_ - slipped_) - state(n).at;
@@ -149,6 +164,7 @@ class StepperAxis {
   void take(std::int64_t n, int direction) {
     if (config_.buffer.fitted) {
       buffer_.enter(n, direction);
+      peaks_.waiting = std::max(peaks_.waiting, waiting());
       return;
     }
     // Without the buffer: the translator's rate is that of the pulses, until one is missing.
@@ -173,8 +189,27 @@ class StepperAxis {
     resting_ = false;
   }
 
+  // [A clk] from the start to clock n.
+  double charge(std::int64_t n) const {
+    return charge_ + current() * static_cast<double>(n - from_);
+  }
+
+  void note(StepperPeaks& peaks, const StepperMotor::State& s) const {
+    const double torque = motor_.torque(s, step_, told());
+    peaks.angle = std::max(peaks.angle, std::fabs(static_cast<double>(step_ - slipped_) - s.at));
+    peaks.speed = std::max(peaks.speed, std::fabs(s.speed));
+    peaks.torque = std::max(peaks.torque, std::fabs(torque));
+    peaks.power = std::max(peaks.power, motor_.power(torque, s));
+  }
+
   void pass(std::int64_t n) {
-    state_ = state(n);
+    if (n == aim_) {
+      state_ = aimed_;
+      peaks_ = aimed_peaks_;
+    } else {
+      state_ = integrated(n, &peaks_);
+    }
+    charge_ = charge(n);
     from_ = n;
     stop_at_ends();
     count_losses(n);
@@ -234,12 +269,15 @@ class StepperAxis {
     slipped_ = slipped;
   }
 
-  StepperMotor::State integrated(std::int64_t n) const {
+  StepperMotor::State integrated(std::int64_t n, StepperPeaks* peaks = nullptr) const {
     StepperMotor::State s = state_;
     const double t = static_cast<double>(n - from_) * clock_s_;
     if (resting_ || t <= 0) return s;
     const int steps = std::max(1, static_cast<int>(std::ceil(t / kStep)));
-    for (int k = 0; k < steps; ++k) s = motor_.after(s, t / steps, step_, told());
+    for (int k = 0; k < steps; ++k) {
+      s = motor_.after(s, t / steps, step_, told());
+      if (peaks != nullptr) note(*peaks, s);
+    }
     return s;
   }
 
@@ -253,12 +291,15 @@ class StepperAxis {
     }
     if (resting_) return;
     const std::int64_t end = std::min({from_ + span_, buffer_.next(), bypass_until_});
+    note(peaks_, state_);  // a step that was made just now pulls at once
     StepperMotor::State s = state_;
+    aimed_peaks_ = peaks_;
     const double whole = static_cast<double>(end - from_) * clock_s_;
     const int steps = std::max(1, static_cast<int>(std::ceil(whole / kStep)));
     for (int k = 0; k < steps; ++k) {
       const StepperMotor::State before = s;
       s = motor_.after(s, whole / steps, step_, told());
+      note(aimed_peaks_, s);
       if (!leaves(s.at)) continue;
       const std::int64_t a = from_ + (end - from_) * k / steps;
       next_ = crossing(before, a, from_ + (end - from_) * (k + 1) / steps);
@@ -291,6 +332,8 @@ class StepperAxis {
   std::int64_t from_ = 0, aim_ = kNever, next_ = kNever;
   std::int64_t step_;                  // of the translator
   int side_ = 0;                       // its last step
+  double charge_ = 0;                  // [A clk] up to from_
+  StepperPeaks peaks_, aimed_peaks_;   // up to from_; up to aim_
   bool resting_ = true;
   bool low_ = false, high_ = false, busy_ = false;  // as they are shown
   bool flushing_ = false;

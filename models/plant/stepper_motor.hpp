@@ -84,8 +84,9 @@ class StepperMotor {
   double current(std::int64_t step) const { return phases(step) * config_.phase_A; }
   // [W] at the shaft; negative: it brakes.
   double power(const State& s, std::int64_t step, double told) const {
-    return torque(s, step, told) * s.speed * step_rad_;
+    return power(torque(s, step, told), s);
   }
+  double power(double torque_N_m, const State& s) const { return torque_N_m * s.speed * step_rad_; }
 
   // [step/s^2]
   double acceleration(const State& s, std::int64_t step, double told) const {

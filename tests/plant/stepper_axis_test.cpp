@@ -259,3 +259,43 @@ TEST_CASE("stepper_axis: without torque, or with one hundredth, it follows no mo
     if (share == 0) CHECK(axis.state(90'000'000).at == 400);
   }
 }
+
+TEST_CASE("stepper_axis: its mean current is that of each step for as long as it lasts") {
+  StepperAxisConfig config;
+  config.buffer.fitted = false;
+  StepperAxis axis(config);  // at 400, with two phases of 3.5 A on; at 401 with three
+  CHECK(axis.mean_current(0) == 7);
+  pulses(axis, 1000, 2, 12'500, true);
+  CHECK(axis.mean_current(14'000) == Approx((7 * 1000 + 10.5 * 12'500 + 7 * 500) / 14'000));
+}
+
+TEST_CASE("stepper_axis: its peaks are those that one would see who looks at every clock's state") {
+  for (const bool fitted : {true, false}) {
+    StepperAxisConfig config;
+    config.buffer.fitted = fitted;
+    StepperAxis axis(config);
+    double angle = 0, speed = 0, torque = 0, power = 0;
+    int waiting = 0;
+    const auto look = [&](std::int64_t n) {
+      angle = std::max(angle, std::fabs(axis.load_angle(n)));
+      speed = std::max(speed, std::fabs(axis.state(n).speed));
+      torque = std::max(torque, std::fabs(axis.torque(n)));
+      power = std::max(power, axis.power(n));
+      waiting = std::max(waiting, axis.waiting());
+    };
+    for (std::int64_t n = 1'000; n < 10'000'000; n += 200) {  // to and fro, of 5 steps each
+      const bool step = n % 125'000 < 400 && n % 2'500'000 < 5 * 125'000;
+      while (axis.next() <= n) axis.drive(axis.next(), step, n < 5'000'000, false);
+      axis.drive(n, step, n < 5'000'000, false);
+      look(n);
+    }
+    CAPTURE(fitted);
+    CHECK(axis.peaks().angle == Approx(angle).epsilon(1e-2));
+    CHECK(axis.peaks().speed == Approx(speed).epsilon(1e-2));
+    CHECK(axis.peaks().torque == Approx(torque).epsilon(1e-2));
+    CHECK(axis.peaks().power == Approx(power).epsilon(2e-2));
+    CHECK(axis.peaks().waiting == waiting);
+    CHECK(angle > 1);
+    CHECK(power > 0);
+  }
+}

@@ -3,10 +3,13 @@
 // What motor and supply cannot give is told before a run, and nothing where they can.
 #include <catch2/catch.hpp>
 
+#include <fstream>
 #include <string>
 #include <vector>
 
+#include "lab/layers.hpp"
 #include "machines/kung/machine.hpp"
+#include "tests/support/scratch.hpp"
 
 using namespace trammel;
 using namespace trammel::kung;
@@ -204,6 +207,44 @@ TEST_CASE("a start of the precision controller on a hard stop is told, one count
   o.path.line_start_y_m = 0.6;
   o.controller = Controller::kAfc;
   CHECK(told(o) == "");
+}
+
+TEST_CASE("a start on a hard stop is told of every kind of path, axis and end of the stroke") {
+  const test::Scratch scratch("kung_start_on_stop");
+  const std::string program = (scratch.path / "a.ngc").string();
+  const std::string rows = (scratch.path / "a.csv").string();
+  std::ofstream(program) << "G21 G90 G61\nG1 F6000 X300 Y300\nM30\n";
+  std::ofstream(rows) << "0,600\n100,500\n";
+  const std::string gcode = "kind = 'gcode'\ngcode_file = '" + program + "'\n";
+  const std::string points = "kind = 'points'\npoints_file = '" + rows + "'\npoints_mode = ";
+  const struct {
+    std::string path;
+    std::vector<std::string> stops;
+  } cases[] = {
+      {"circle_center_y_m = 0.5\n", {"y.stroke_max_m"}},  // of the circle, from its upper end
+      {"kind = 'window'\nwindow_center_x_m = 0.1\n", {"x.stroke_min_m"}},
+      {"kind = 'star'\nstar_start_x_m = 0\n", {"x.stroke_min_m"}},
+      {"kind = 'line'\nline_start_x_m = 0.6\nline_start_y_m = 0\n",
+       {"x.stroke_max_m", "y.stroke_min_m"}},
+      {gcode, {}},
+      {gcode + "start_x_m = 0\nstart_y_m = 0.6\n", {"x.stroke_min_m", "y.stroke_max_m"}},
+      {gcode + "start_x_m = 0.6\n", {"x.stroke_max_m"}},
+      {gcode + "start_y_m = 0\n", {"y.stroke_min_m"}},
+      {points + "'timed'\n", {"x.stroke_min_m", "y.stroke_max_m"}},
+      {points + "'path'\n", {"x.stroke_min_m", "y.stroke_max_m"}}};
+  for (const auto& one : cases) {
+    Options o;
+    lab::apply_text(o, "controller = 'precision'\n[path]\n" + one.path, "some.toml", ".");
+    lab::validate(o);
+    std::vector<std::string> stops;
+    for (const std::string& line : advice(o)) {
+      const std::string begin = ": the path begins on the hard stop plant.";
+      if (line.find(begin) != 1) continue;
+      stops.push_back(line.substr(1 + begin.size(), std::string("x.stroke_min_m").size()));
+    }
+    CAPTURE(one.path);
+    CHECK(stops == one.stops);
+  }
 }
 
 TEST_CASE("poles that pass faster than the current loop follows are told") {

@@ -21,19 +21,10 @@ namespace {
 
 using sw::LarsonOp;
 
-// Three samples; the largest of X and of Y are of either sign, and at different times.
 larson::Result by_hand() {
   larson::Result result;
   result.end = cosim::EndReason::kDone;
-  for (int n = 0; n < 3; ++n) {
-    larson::Sample s;
-    s.edge = 50'000 * (n + 1);
-    s.axis[0] = {0, 0, n == 1 ? 7 : 2, 0, n == 0 ? -810.0 : 100.0, n == 2 ? -1.25 : 0.5, 0, 0, 0,
-                 n == 1 ? -0.31 : 0.2, 7, n - 0.5};
-    s.axis[1] = {0, 0, n == 2 ? 9 : 3, 0, n == 1 ? 920.0 : -100.0, n == 0 ? 1.75 : -0.5, 0, 0, 0,
-                 n == 2 ? 0.32 : -0.1, 10.5, 2.5 - n};
-    result.samples.push_back(s);
-  }
+  result.peaks = {{{1.25, 810, 0.31, 1.5, 7}, {1.75, 920, 0.32, 2.5, 9}}};
   const auto call = [&](LarsonOp op, const char* text, std::size_t line, sw::LarsonAnswer answer,
                         std::array<double, 2> at) {
     larson::Call one;
@@ -61,6 +52,7 @@ larson::Result by_hand() {
   result.breaches[0].resize(1);
   result.breaches[1].resize(2);
   result.travel = {333, 444};
+  result.mean_current = {7, 10.5};
   result.end_at = {55.5, 66.25};
   result.interrupts = 12;
   result.err_byte = 34;
