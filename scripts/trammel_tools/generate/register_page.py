@@ -4,13 +4,15 @@
 from trammel_tools.generate import register_map
 
 
-def field_row(field):
+def field_row(field, head="| | |"):
     reset = field.get_property("reset")
     bits = f"{field.high}..{field.low}" if field.width > 1 else f"{field.low}"
     signed, own = field.get_property("twos_complement"), field.get_property("number_bits")
     number = " ".join([*(["signed"] if signed else []), *([str(own)] if own else [])])
-    return (f"| | | {bits} | {field.inst_name} | {number} | {register_map.access(field)} | "
-            f"{'' if reset is None else reset} | {field.get_property('desc') or ''} |")
+    desc = " ".join(filter(None, (field.parent.get_property("desc") if "*" in head else "",
+                                  field.get_property("desc"))))
+    return (f"{head} {bits} | {field.inst_name} | {number} | {register_map.access(field)} | "
+            f"{'' if reset is None else reset} | {desc} |")
 
 
 def page(top, note):
@@ -26,8 +28,11 @@ def page(top, note):
                   "|---|---|---|---|---|---|---|---|"]
         for reg in register_map.registers(nodes[0]):
             head = f"| 0x{reg.address_offset:03X} | **{reg.inst_name.upper()}** |"
+            if len(fields := list(reg.fields())) == 1:
+                lines.append(field_row(fields[0], head))
+                continue
             lines.append(f"{head} | | | | | {reg.get_property('desc') or ''} |")
-            lines += [field_row(field) for field in reg.fields()]
+            lines += [field_row(field) for field in fields]
         lines.append("")
     for encode in register_map.encodings(top):
         lines += [f"## {encode.type_name}", "", "| Value | Name | Meaning |", "|---|---|---|"]

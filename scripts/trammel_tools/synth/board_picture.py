@@ -142,9 +142,10 @@ def floor_plan(on, folder):
         path = "".join(f"M{10 + TILE * x} {10 + HIGH * y}h{TILE - 1}v{HIGH - 1}h-{TILE - 1}z"
                        for x, y in sorted(mine))
         lines.append(f'<path fill="{group["colour"]}" d="{path}"/>')
-    for (x, y), kind in sorted(blocks.items()):
-        lines.append(f'<rect x="{9 + TILE * x}" y="{9 + HIGH * y}" width="{TILE}" height="{HIGH}" '
-                     f'fill="none" stroke="{"#000" if kind == "DP16KD" else "#c00"}"/>')
+    for kind, frame in ("DP16KD", "#000"), ("MULT18X18D", "#c00"):
+        path = "".join(f"M{9 + TILE * x} {9 + HIGH * y}h{TILE}v{HIGH}h-{TILE}z"
+                       for (x, y), what in sorted(blocks.items()) if what == kind)
+        lines.append(f'<path fill="none" stroke="{frame}" d="{path}"/>')
     below = 10 + HIGH * high + 8
     whole = sum(shares.values())
     for number, group in enumerate(groups):
