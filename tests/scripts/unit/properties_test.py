@@ -100,14 +100,13 @@ class PropertiesTest(Scratch):
     def test_a_row_has_sentence_and_number_of_controls(self):
         self.write("math/toy_props.sv", GOOD)
         self.write("math/toy.md", PAGE.replace("* `other` = another.\n", ""))
-        head, row = promise_table.block_rows("math/toy")
-        self.assertIn("## math/toy\n", head)
-        self.assertEqual(row, "| `below_ten` | the count stays below ten. | 2 |\n")
+        self.assertEqual(list(promise_table.block_rows("math/toy")),
+                         ["| toy | `below_ten` | the count stays below ten. | 2 |\n"])
 
     def test_a_promise_without_a_sentence_is_its_own(self):
         self.write("math/toy_props.sv", GOOD)
         self.write("math/toy.md", "# math/toy\n")
-        self.assertIn("| below ten. |", list(promise_table.block_rows("math/toy"))[1])
+        self.assertIn("| below ten. |", list(promise_table.block_rows("math/toy"))[0])
 
     def test_a_page_promises_nothing_that_the_properties_do_not(self):
         self.write("math/toy_props.sv", GOOD)
