@@ -106,7 +106,7 @@ class PropertiesTest(Scratch):
     def test_a_promise_without_a_sentence_is_its_own(self):
         self.write("math/toy_props.sv", GOOD)
         self.write("math/toy.md", "# math/toy\n")
-        self.assertIn("| below ten. |", list(promise_table.block_rows("math/toy"))[0])
+        self.assertIn("| below ten. |", next(promise_table.block_rows("math/toy")))
 
     def test_a_page_promises_nothing_that_the_properties_do_not(self):
         self.write("math/toy_props.sv", GOOD)
