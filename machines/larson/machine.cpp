@@ -9,6 +9,18 @@
 namespace trammel::larson {
 namespace {
 
+// A table cannot stand behind its stops.
+void refuse_start(const Options& options, const char* key, double start) {
+  const plant::StepperAxisConfig& axis = options.axis;
+  const double low = plant::StepperAxis::low_stop(axis);
+  const double high = plant::StepperAxis::high_stop(axis);
+  if (start >= low && start <= high) return;
+  throw lab::ConfigError(fmt::format(
+      "{}: {:g} is behind the stop at {:g}, axis.overtravel_step and axis.switch_hysteresis_step "
+      "beyond its switch; permitted: {:g} to {:g}",
+      key, start, start < low ? low : high, low, high));
+}
+
 void validate(lab::Settings& settings) {
   const auto& options = static_cast<const Options&>(settings);
   const plant::StepperConfig& m = options.axis.motor;
@@ -21,6 +33,8 @@ void validate(lab::Settings& settings) {
         "above {:.3g} 1/s, the fastest that the motor's steps of 25 us can follow",
         rate, kFastest));
   }
+  refuse_start(options, "axis.start_x_step", options.start_x);
+  refuse_start(options, "axis.start_y_step", options.start_y);
   calls_of(options);
 }
 

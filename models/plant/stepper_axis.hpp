@@ -62,6 +62,14 @@ class StepperAxis {
  public:
   static constexpr std::int64_t kNever = PulseBuffer::kNever;
 
+  // [step] Where its stops are.
+  static double low_stop(const StepperAxisConfig& c) {
+    return c.switch_low - c.switch_hysteresis - c.overtravel;
+  }
+  static double high_stop(const StepperAxisConfig& c) {
+    return c.switch_high + c.switch_hysteresis + c.overtravel;
+  }
+
   explicit StepperAxis(const StepperAxisConfig& c)
       : config_(c),
         motor_(c.motor),
@@ -239,16 +247,9 @@ class StepperAxis {
   }
   bool busy_now() const { return config_.buffer.fitted && buffer_.busy(); }
 
-  double low_stop() const {
-    return config_.switch_low - config_.switch_hysteresis - config_.overtravel;
-  }
-  double high_stop() const {
-    return config_.switch_high + config_.switch_hysteresis + config_.overtravel;
-  }
-
   // The stop takes all speed.
   void stop_at_ends() {
-    const double low = low_stop(), high = high_stop();
+    const double low = low_stop(config_), high = high_stop(config_);
     if (state_.at > low && state_.at < high) return;
     hit_stop_ = true;
     state_.speed = state_.at <= low ? std::fmax(0.0, state_.speed) : std::fmin(0.0, state_.speed);
@@ -263,8 +264,8 @@ class StepperAxis {
     // As long as it slips back and forth at the edge nothing is lost for good: 0.5 step apart.
     const double beyond = std::fabs(behind - slipped_) - StepperMotor::kCycle / 2;
     if (beyond < 0.5) return;
-    const bool at_stop = state_.at < low_stop() + StepperMotor::kCycle ||
-                         state_.at > high_stop() - StepperMotor::kCycle;
+    const bool at_stop = state_.at < low_stop(config_) + StepperMotor::kCycle ||
+                         state_.at > high_stop(config_) - StepperMotor::kCycle;
     lost_.push_back({n, state_.at, slipped - slipped_, at_stop});
     slipped_ = slipped;
   }
