@@ -10,7 +10,7 @@ def field_row(field, head="| | |"):
     signed, own = field.get_property("twos_complement"), field.get_property("number_bits")
     number = " ".join([*(["signed"] if signed else []), *([str(own)] if own else [])])
     desc = " ".join(filter(None, (field.parent.get_property("desc") if "*" in head else "",
-                                  field.get_property("desc"))))
+                                  field.get_property("desc")))).replace("|", "\\|")
     return (f"{head} {bits} | {field.inst_name} | {number} | {register_map.access(field)} | "
             f"{'' if reset is None else reset} | {desc} |")
 
