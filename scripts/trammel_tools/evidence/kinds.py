@@ -87,6 +87,7 @@ BOARDS = of_files("rtl/**", "docs/synthesis.md", "machines/*/synth.toml", "parts
 FOLLOWED = of_files(*CODE, "docs/precision.md", "docs/pictures/precision.svg")
 RUNS = of_files(*PRODUCT, "docs/generated/*", tools=("check",))
 MUTANTS = of_files("rtl/**", "models/**", *TESTS, *BUILD, tools=("mutation", "proof", "rtl"))
+MANUAL = of_files(*CODE, "rtl/**.rdl", "tests/goldens/**", "docs/**", "scripts/**", "trammel")
 LESSONS = of_files(*PRODUCT, *TESTS, "docs/*", "scripts/**", "trammel")
 PACKAGE = of_files(*PRODUCT, "python/**", "packaging/**", "examples/**", "pyproject.toml",
                    "trammel", "scripts/*", tools=("runs",))
@@ -108,6 +109,7 @@ KINDS = (
          (*COMPILER, "verilator")),
     Kind(r"keys|faults|sensitivity", RUNS, COMPILER),
     Kind(r"mutants\.sample", MUTANTS, (*PROVER, *COMPILER)),
+    Kind(r"docs\.manual", MANUAL, COMPILER),
     Kind(r"docs\.(machine|tutorial)", LESSONS, COMPILER),
     Kind(r"(package|python)\..*", PACKAGE, COMPILER),
 )
