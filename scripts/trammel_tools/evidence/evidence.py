@@ -25,7 +25,7 @@ import sys
 from collections import Counter
 
 from trammel_tools import python_tools
-from trammel_tools.evidence import kinds, record
+from trammel_tools.evidence import kinds, record, sources
 from trammel_tools.paths import ROOT
 
 DRAWN = 10  # one of so many
@@ -63,7 +63,10 @@ def stale(name):
         return f"evidence/{name}.txt is damaged: {error}"
     if kept is None:
         return f"there is no evidence/{name}.txt"
-    files, tools = inputs(name)
+    try:
+        files, tools = inputs(name)
+    except KeyError:
+        return f"there is no such check: remove evidence/{name}.txt"
     if kept.check != name:
         return f"evidence/{name}.txt is the result of {kept.check}"
     if kept.tools != tools:
@@ -98,11 +101,21 @@ def run(name, command):
         print(f"{kept.result}kept: made on {kept.made}; {kept.inputs}")
         return 0
     print(f"evidence: {name} is made: {reason}", file=sys.stderr)
-    done = subprocess.run(command, stdout=subprocess.PIPE, text=True, errors="replace", check=False)
+    made_from = inputs(name)
+    try:
+        done = subprocess.run(command, stdout=subprocess.PIPE, text=True, errors="replace",
+                              check=False)
+    except OSError as error:
+        return python_tools.refuse("evidence", f"{command[0]}: {error.strerror}")
     result = TIMES.sub("", done.stdout.replace(f"{ROOT}/", "")) or "passed\n"
     print(done.stdout, end="", flush=True)
     if done.returncode != 0:
         return done.returncode
+    sources.forget()
+    inputs.cache_clear()
+    if inputs(name) != made_from:
+        print(f"evidence: {name} is not kept: its inputs changed while it ran", file=sys.stderr)
+        return 0
     kind, _ = kinds.of(name)
     before = None if stale(name) else record.read(name)
     changed = differences(before.result, result) if before and kind.same else []
@@ -112,9 +125,13 @@ def run(name, command):
         print("\n".join(changed), file=sys.stderr)
         return 1
     if not before:
-        files, tools = inputs(name)
+        files, tools = made_from
         words = " ".join(command).replace(f"{ROOT}/", "")
-        record.write(record.Record(name, f"{datetime.date.today()}", words, tools, files, result))
+        new = record.Record(name, f"{datetime.date.today()}", words, tools, files, result)
+        try:
+            record.write(new)
+        except OSError as error:
+            print(f"evidence: {name} is not kept: {error}", file=sys.stderr)
     return 0
 
 
@@ -139,10 +156,7 @@ def needed():
 def listed():
     bad = 0
     for path in sorted(record.KEPT.glob("*.txt")):
-        try:
-            reason = stale(path.stem)
-        except KeyError:
-            reason = "there is no such check"
+        reason = stale(path.stem)
         bad += bool(reason)
         print(f"{path.stem:<36}{reason or 'holds'}")
     return 1 if bad else 0
@@ -162,8 +176,11 @@ def main():
     if wanted.list:
         return listed()
     name = wanted.inputs or wanted.name
+    if not name:
+        parser.error("the name of a check is missing")
     try:
-        kind, found = kinds.of(name or "")
+        kind, found = kinds.of(name)
+        inputs(name)
     except KeyError:
         return python_tools.refuse("evidence", f"{name}: no such check")
     if wanted.inputs:

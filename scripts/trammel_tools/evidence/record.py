@@ -55,7 +55,7 @@ def parse(text):
     body, mark, last = text.rpartition("\nsha256   ")
     if not mark or not last.endswith("\n"):
         raise Damaged("its last line, the hash, is missing")
-    if last.strip() != digest(body):
+    if last != f"{digest(body)}\n":
         raise Damaged("its hash is not that of its text")
     head, _, result = body.partition("\n\n")[2].partition("\n\n")
     lines = head.split("\n")
@@ -67,7 +67,7 @@ def parse(text):
 def read(name):
     """The record of a check, or None where there is none."""
     try:
-        return parse(path_of(name).read_text(encoding="utf-8"))
+        return parse(path_of(name).read_bytes().decode())  # each line end as it is
     except FileNotFoundError:
         return None
     except (OSError, UnicodeDecodeError) as error:
@@ -78,7 +78,11 @@ def write(record):
     """All of it or nothing."""
     KEPT.mkdir(exist_ok=True)
     handle, scratch = tempfile.mkstemp(prefix=".new-", dir=KEPT)
-    with os.fdopen(handle, "w", encoding="utf-8") as file:
-        file.write(record.text())
-    Path(scratch).chmod(0o644)
-    os.replace(scratch, path_of(record.check))
+    try:
+        with os.fdopen(handle, "w", encoding="utf-8") as file:
+            file.write(record.text())
+        Path(scratch).chmod(0o644)
+        os.replace(scratch, path_of(record.check))
+    except BaseException:
+        Path(scratch).unlink(missing_ok=True)
+        raise

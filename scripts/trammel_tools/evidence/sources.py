@@ -16,17 +16,21 @@ BUILD = ("CMakeLists.txt", "CMakePresets.json", "cmake/**", "tests/CMakeLists.tx
 @functools.cache
 def every():
     """Paths of all files of the repository, below its root. A file that is not yet added to Git
-    counts, because CMake finds sources by folder."""
-    listed = subprocess.run(["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
-                            cwd=ROOT, capture_output=True, text=True, check=False)
-    if listed.returncode == 0:
-        names = set(listed.stdout.split("\0")) - {""}
-        return sorted(name for name in names if os.path.lexists(ROOT / name))
+    counts, because CMake finds sources by folder. A link that leads nowhere, as an editor's lock,
+    is no file. An unpacked archive may lie in another repository, which ignores it."""
+    if (ROOT / ".git").exists():
+        listed = subprocess.run(
+            ["git", "ls-files", "-z", "--cached", "--others", "--exclude-standard"],
+            cwd=ROOT, capture_output=True, text=True, check=False)
+        if listed.returncode == 0:
+            names = set(listed.stdout.split("\0")) - {""}
+            return sorted(name for name in names if (ROOT / name).is_file())
     found = []
     for folder, inside, files in os.walk(ROOT):
         inside[:] = [name for name in inside
                      if not name.startswith((".", "build")) and name not in ("out", "__pycache__")]
-        found += [str((Path(folder) / name).relative_to(ROOT)) for name in files]
+        found += [str((Path(folder) / name).relative_to(ROOT)) for name in files
+                  if (Path(folder) / name).is_file()]
     return sorted(found)
 
 
@@ -61,6 +65,8 @@ def rtl(*blocks):
     """Sources of these blocks (<layer>/<block>), of all that they contain and of the packages that
     these import."""
     left = [f"rtl/{block}.sv" for block in blocks]
+    if missing := set(left) - set(every()):
+        raise KeyError(*missing)
     found = set()
     while left:
         name = left.pop()
@@ -108,3 +114,9 @@ def cpp(*files):
             found.add(name)
             left += included(name) | units().get(name, set())
     return found
+
+
+def forget():
+    """The next call reads the repository again."""
+    for one in (every, modules, names_in, included, units):
+        one.cache_clear()

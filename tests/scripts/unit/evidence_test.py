@@ -37,8 +37,8 @@ class EvidenceTest(Scratch):
 
     def forget(self):
         """What is found once a call of the tool."""
-        for one in (sources.every, sources.modules, sources.names_in, sources.included,
-                    sources.units, evidence.inputs, evidence.stale, evidence.commit):
+        sources.forget()
+        for one in (evidence.inputs, evidence.stale, evidence.commit):
             one.cache_clear()
 
     def check(self):
@@ -88,6 +88,10 @@ class EvidenceTest(Scratch):
             path.write_bytes(whole[:n])
             with self.assertRaises(record.Damaged):
                 record.read(NAME)
+        for other in (whole + b"\n", whole[:-1] + b" \n", whole.replace(b"\n", b"\r\n")):
+            path.write_bytes(other)
+            with self.assertRaises(record.Damaged):
+                record.read(NAME)
         code, ran, said = self.check()
         self.assertEqual((code, ran, said.count("\n")), (0, True, 1))
         self.assertIn("is damaged", said)
@@ -119,6 +123,43 @@ class EvidenceTest(Scratch):
         self.assertEqual(code, 1)
         self.assertFalse(record.KEPT.exists())
 
+    def test_a_result_of_inputs_that_changed_while_it_was_made_is_not_kept(self):
+        changes = f"open({str(self.folder / 'rtl/math/toy.sv')!r}, 'a').write('// late')"
+        code, _, said = call(lambda: evidence.run(NAME, [sys.executable, "-c", changes]))
+        self.assertEqual(code, 0)
+        self.assertIn("its inputs changed while it ran", said)
+        self.assertFalse(record.KEPT.exists())
+
+    def test_what_cannot_be_kept_is_said_in_one_line(self):
+        self.write("evidence", "no folder")
+        code, ran, said = self.check()
+        self.assertEqual((code, ran, said.count("\n")), (0, True, 2))
+        self.assertIn(f"{NAME} is not kept", said)
+
+    def test_links_without_a_file_do_not_count(self):
+        before = record.digest_of(sources.matching("rtl/**"))
+        (self.folder / "rtl/math/.#toy.sv").symlink_to("user@host.1")
+        (self.folder / "rtl/math/linked.sv").symlink_to(self.folder)
+        self.forget()
+        self.assertEqual(record.digest_of(sources.matching("rtl/**")), before)
+
+    def test_an_archive_in_a_repository_that_ignores_it_has_inputs(self):
+        self.patch(sources, ROOT=self.folder / "unpacked")
+        self.write("unpacked/rtl/math/toy.sv", "module toy;\nendmodule\n")
+        self.write(".gitignore", "unpacked\n")
+        self.forget()
+        self.assertEqual(sources.every(), ["rtl/math/toy.sv"])
+
+    def test_a_record_of_a_block_that_is_gone_and_a_name_without_check_are_said_in_one_line(self):
+        self.check()
+        (self.folder / "rtl/math/toy.sv").unlink()
+        self.forget()
+        self.assertIn("there is no such check", evidence.stale(NAME))
+        with mock.patch.object(evidence.python_tools, "restart", lambda: None):
+            for words in ((NAME, "--", "true"), ("--inputs", NAME), ("none", "--", "true"), ()):
+                code, _, said = call(evidence.main, *words)
+                self.assertEqual((code, said.count("\n")), (2, 1), words)
+
     def test_a_check_whose_output_another_needs_runs_with_it(self):
         with mock.patch.object(evidence, "stale", lambda name: "old" * (name == "coverage.cpp")):
             self.assertEqual(evidence.why("sanitize.unit"), "coverage.cpp needs it")
@@ -127,7 +168,7 @@ class EvidenceTest(Scratch):
 
 class TrackedTest(Scratch):
     def test_no_tracked_record_has_been_edited(self):
-        for path in sorted(record.KEPT.glob("*")):
+        for path in sorted(record.KEPT.glob("*.txt")):
             self.assertEqual(record.read(path.stem).check, path.stem)
 
 
