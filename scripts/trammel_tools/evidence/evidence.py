@@ -29,6 +29,7 @@ from trammel_tools.evidence import kinds, record, sources
 from trammel_tools.paths import ROOT
 
 DRAWN = 10  # one of so many
+OWN = {"TRAMMEL_FRESH", "TRAMMEL_NO_APT", "TRAMMEL_VERBS"}  # of the launcher: no test reads these
 TIMES = re.compile(r"(?: in)? +\d+(?:\.\d+)? s\b")  # how long a step took is no result
 
 
@@ -74,10 +75,18 @@ def stale(name):
     return "" if kept.inputs == files else f"its inputs have changed since {kept.made}"
 
 
+def variables():
+    """Variables that give tests another seed or size, or scenarios other values."""
+    return " ".join(sorted(one for one in os.environ if one.startswith("TRAMMEL_") and
+                           one not in OWN))
+
+
 def why(name):
     """Why a check has to run: its own result, or one of those that it feeds."""
     if os.environ.get("TRAMMEL_FRESH"):
         return "all are made again"
+    if variables():
+        return f"{variables()} may change it"
     if drawn(name):
         return f"drawn by commit {commit()[:12]}"
     if reason := stale(name):
@@ -111,6 +120,9 @@ def run(name, command):
     print(done.stdout, end="", flush=True)
     if done.returncode != 0:
         return done.returncode
+    if variables():
+        print(f"evidence: {name} is not kept: {variables()} may change it", file=sys.stderr)
+        return 0
     sources.forget()
     inputs.cache_clear()
     if inputs(name) != made_from:

@@ -31,8 +31,8 @@ class EvidenceTest(Scratch):
         environment = mock.patch.dict(os.environ)
         environment.start()
         self.addCleanup(environment.stop)
-        for name in ("CI", "TRAMMEL_FRESH"):
-            os.environ.pop(name, None)
+        for name in [one for one in os.environ if one == "CI" or one.startswith("TRAMMEL_")]:
+            del os.environ[name]
         self.forget()
         self.addCleanup(self.forget)
 
@@ -130,6 +130,16 @@ class EvidenceTest(Scratch):
         self.assertEqual(code, 0)
         self.assertIn("its inputs changed while it ran", said)
         self.assertFalse(record.KEPT.exists())
+
+    def test_a_result_under_a_variable_that_tests_read_neither_counts_nor_is_kept(self):
+        self.check()
+        kept = record.path_of(NAME).read_bytes()
+        os.environ["TRAMMEL_TEST_SEED"] = "5"
+        self.write("said", "another\n")
+        code, ran, said = self.check()
+        self.assertEqual((code, ran), (0, True))
+        self.assertIn("not kept: TRAMMEL_TEST_SEED", said)
+        self.assertEqual(record.path_of(NAME).read_bytes(), kept)
 
     def test_what_cannot_be_kept_is_said_in_one_line(self):
         self.write("evidence", "no folder")
