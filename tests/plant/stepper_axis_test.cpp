@@ -283,10 +283,10 @@ TEST_CASE("stepper_axis: its peaks are those that one would see who looks at eve
       power = std::max(power, axis.power(n));
       waiting = std::max(waiting, axis.waiting());
     };
-    for (std::int64_t n = 1'000; n < 10'000'000; n += 200) {  // to and fro, of 5 steps each
+    for (std::int64_t n = 1'000; n < 5'000'000; n += 200) {  // to and fro, of 5 steps each
       const bool step = n % 125'000 < 400 && n % 2'500'000 < 5 * 125'000;
-      while (axis.next() <= n) axis.drive(axis.next(), step, n < 5'000'000, false);
-      axis.drive(n, step, n < 5'000'000, false);
+      while (axis.next() <= n) axis.drive(axis.next(), step, n < 2'500'000, false);
+      axis.drive(n, step, n < 2'500'000, false);
       look(n);
     }
     CAPTURE(fitted);
