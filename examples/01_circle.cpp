@@ -7,10 +7,12 @@
 #include "lab/layers.hpp"
 #include "lab/record.hpp"
 #include "lab/scenarios.hpp"
+#include "machines/table.hpp"
 
 using namespace trammel;
 
 int main() try {
+  lab::take_machines(linked_machines);
   const auto settings = lab::load_scenario(lab::find_scenario("circle"));
   lab::apply_assignment(*settings, "run.engine=twin");  // leave it out for the verilated RTL
   lab::validate(*settings);

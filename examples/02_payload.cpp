@@ -8,6 +8,7 @@
 #include "lab/layers.hpp"
 #include "lab/record.hpp"
 #include "lab/scenarios.hpp"
+#include "machines/table.hpp"
 
 using namespace trammel;
 
@@ -29,6 +30,7 @@ double mean_error_mm(const std::string& controller, double payload_kg) {
 }  // namespace
 
 int main() try {
+  lab::take_machines(linked_machines);
   std::printf("payload (kg)   FC (mm)  AFC (mm)\n");
   for (const double payload_kg : {0.0, 11.0, 22.0}) {
     std::printf("%12.0f %9.3f %9.3f\n", payload_kg, mean_error_mm("fc", payload_kg),

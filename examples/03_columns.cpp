@@ -13,10 +13,12 @@
 #include "lab/machine.hpp"
 #include "lab/record.hpp"
 #include "lab/scenarios.hpp"
+#include "machines/table.hpp"
 
 using namespace trammel;
 
 int main(int argc, char** argv) try {
+  lab::take_machines(linked_machines);
   const std::string scenario = argc > 1 ? argv[1] : "circle";
   const auto settings = lab::load_scenario(lab::find_scenario(scenario));
   lab::apply_assignment(*settings, "run.max_s=0.1");

@@ -12,6 +12,7 @@
 #include "lab/errors.hpp"
 #include "lab/machine.hpp"
 #include "lab/scenarios.hpp"
+#include "machines/table.hpp"
 #include "python/record.hpp"
 
 namespace trammel::python {
@@ -33,6 +34,7 @@ void translate(const std::exception_ptr& pointer, void*) {
 NB_MODULE(_core, module) {
   namespace nb = nanobind;
   using namespace trammel;
+  lab::take_machines(linked_machines);
   module.doc() = "The library of Trammel: settings, runs and their records.";
   nb::register_exception_translator(python::translate);
   nb::exception<lab::ConfigError>(module, "ConfigError", PyExc_ValueError);

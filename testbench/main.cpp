@@ -17,6 +17,7 @@
 #include "lab/machine.hpp"
 #include "lab/scenarios.hpp"
 #include "lab/text.hpp"
+#include "machines/table.hpp"
 #include "testbench/arguments.hpp"
 #include "testbench/run.hpp"
 
@@ -253,5 +254,6 @@ int run_program(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   tb::guard_streams();
+  trammel::lab::take_machines(trammel::linked_machines, trammel::all_are_linked());
   return tb::settled(run_program(argc, argv));
 }

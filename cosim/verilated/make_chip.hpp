@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The verilated chip that a run asks for, of the models of one chip.
+// The verilated chip that a run asks for, of the models of one chip. Each is constructed with
+// `setup`.
 #pragma once
 
 #include <memory>
@@ -13,12 +14,26 @@
 
 namespace trammel::cosim {
 
-// Fast: for speed; Checked: with the promises of its blocks; Traced: the description of the one
-// that dumps a window of waves. Each is constructed with `setup`.
+// Such a run needs more than the model for speed.
+inline bool is_watched(const RunBasics& run, const std::optional<WaveWindow>& window) {
+  return window || run.assertions || run.audit;
+}
+
+// Fast: the model for speed.
+template <template <class Model, class Tracer> class ChipModel, class Fast, class Registers,
+          class... Setup>
+auto make_chip(const RunBasics& run, const Setup&... setup) {
+  using Chip = FlippedChip<ChipModel<Fast, NoTrace>, Registers>;
+  return std::make_unique<Chip>(NoTrace{}, ModelMode{run.leap, false, run.domains}, setup...);
+}
+
+// Checked: with the promises of its blocks; Traced: the description of the model that dumps a
+// window of waves.
 template <class Interface, template <class Model, class Tracer> class ChipModel, class Fast,
           class Checked, class Traced, class Registers, class... Setup>
-std::unique_ptr<Interface> make_chip(const RunBasics& run, const std::optional<WaveWindow>& window,
-                                     const Setup&... setup) {
+std::unique_ptr<Interface> make_watched_chip(const RunBasics& run,
+                                             const std::optional<WaveWindow>& window,
+                                             const Setup&... setup) {
   using Trace = FstTrace<Traced>;
   using Shown = ChipModel<typename Traced::Model, Trace>;
   const ModelMode mode{run.leap, run.assertions, run.domains};

@@ -4,7 +4,10 @@ trammel_chip(kung_xy INTERFACE KungChip)
 # RTL and the cross compiler are here. Without them such runs are refused.
 find_program(TRAMMEL_CROSS riscv64-unknown-elf-g++)
 if(TRAMMEL_PICORV32 AND TRAMMEL_CROSS AND NOT TRAMMEL_FUZZ)
-  trammel_verilate(trammel_chip_models soc_host_fast "-O3;-fno-tree-pre;-march=${TRAMMEL_MARCH}"
+  trammel_verilated_library(model_soc_host)
+  target_link_libraries(model_soc_host INTERFACE trammel_verilator)
+  list(APPEND chip_models model_soc_host)
+  trammel_verilate(model_soc_host soc_host_fast "-O3;-fno-tree-pre;-march=${TRAMMEL_MARCH}"
     TOP_MODULE soc_host PREFIX Vsoc_host_fast
     SOURCES ${CMAKE_CURRENT_LIST_DIR}/verilated/soc/public.vlt ${TRAMMEL_PICORV32}
       ${PROJECT_SOURCE_DIR}/rtl/chips/soc_host.sv
@@ -12,11 +15,7 @@ if(TRAMMEL_PICORV32 AND TRAMMEL_CROSS AND NOT TRAMMEL_FUZZ)
   set(image ${registers}/kung_image.inc)
   if(NOT TRAMMEL_BASE)
     set(root ${PROJECT_BINARY_DIR}/verilated/soc_host_fast/Vsoc_host_fast___024root.h)
-    add_custom_command(OUTPUT ${registers}/soc_host_registers.hpp
-      COMMAND ${PROJECT_SOURCE_DIR}/scripts/tool gen-registers ${registers}/soc_host_registers.hpp
-        ${root} ${chip_rtl}
-      DEPENDS ${PROJECT_SOURCE_DIR}/scripts/trammel_tools/generate/gen_registers.py ${root}
-        ${chip_rtl})
+    trammel_gen_registers(${registers}/soc_host_registers.hpp ${root})
     file(GLOB_RECURSE firmware CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/sw_nios/*)
     add_custom_command(OUTPUT ${image}
       COMMAND ${PROJECT_SOURCE_DIR}/scripts/tool firmware --words kung ${image}

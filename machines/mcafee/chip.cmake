@@ -1,3 +1,4 @@
+trammel_with_part(lm628)
 set(how INTERFACE McafeeChip TRACE_ARRAYS 64
   VISIBLE ${PROJECT_SOURCE_DIR}/parts/lm628/verilated/public.vlt)
 trammel_chip(mcafee_xy ${how} FUNCTION make_chip_of_6MHz)

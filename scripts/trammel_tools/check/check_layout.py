@@ -6,8 +6,8 @@ usage: scripts/tool check-layout [root]     prints file:line: what is wrong; exi
 Every block has its companions (properties if it has registers, broken designs if it is a chip that
 leaps) and its page (opening table, every port); every machine has its own (firmware, view of the
 waves, scenarios, tests); no program text outside a machine's folders names it; layers use only
-those below; files are ASCII, of 100 columns and 400 lines, with a licence line and a newline at the
-end.
+those below, and so do the links of the build, where it is configured; files are ASCII, of 100
+columns and 400 lines, with a licence line and a newline at the end.
 
 The rules are about kinds of files, not names: packages share one page, twin and test in their
 layer; chips have no twin of their own (their blocks have) and are tested as machines; a chip whose
@@ -21,7 +21,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from trammel_tools.check import layout_machines, layout_uses
+from trammel_tools.check import layout_links, layout_machines, layout_uses
 from trammel_tools.paths import ROOT
 
 MIDDLE = {"sense", "drive", "control", "motion", "bus"}
@@ -174,6 +174,7 @@ def findings(root):
         if path.suffix in (".hpp", ".cpp", ".h", ".c"):
             yield from layout_uses.check(root, path)
     yield from layout_machines.check(root, files)
+    yield from layout_links.check(root)
 
 
 def main():

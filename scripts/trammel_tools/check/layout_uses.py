@@ -7,6 +7,7 @@ FOLDERS = ("rtl/", "models/", "sw_nios/", "cosim/", "systemc/", "lab/", "parts/"
            "testbench/", "examples/", "python/", "tests/")
 FIRMWARE = ["sw_nios/hal/", "sw_nios/path/"]
 LOOP = ["cosim/", "models/", *FIRMWARE, "rtl/chips/generated/"]
+TABLE = "machines/table.hpp"  # of the machines that a program is linked with
 PART = ["parts/", "lab/", *LOOP]
 MACHINE = ["parts/", "lab/", "systemc/", *LOOP]  # and its own folders
 # Folder of a C++ file -> prefixes of the repository's headers that it may include.
@@ -20,9 +21,9 @@ USES = {
     "systemc": ["systemc/", *LOOP],
     "lab": ["lab/", "systemc/", "cosim/"],
     "parts": PART,
-    "testbench": ["testbench/", "lab/", "cosim/"],
-    "examples": ["lab/", "cosim/"],
-    "python": ["python/", "lab/", "cosim/"],
+    "testbench": ["testbench/", "lab/", "cosim/", TABLE],
+    "examples": ["lab/", "cosim/", TABLE],
+    "python": ["python/", "lab/", "cosim/", TABLE],
     "tests": [*FOLDERS, "support/"],
 }
 # Register maps, which all of them may have; and signals of a chip by their place in its model.

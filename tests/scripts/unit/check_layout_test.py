@@ -120,6 +120,19 @@ class CheckLayoutTest(Scratch):
                 ("<cmath>", "models/exact holds integers only, no cmath")):
             self.finds(f"{twin}:2: {told}", {twin: f"{LICENCE}#include {include}\n"})
 
+    def test_links_go_down_and_not_in_circles(self):
+        for told, lines in (
+                ("", ["cosim loop models", "models models", "machines machine_x loop z"]),
+                ("cosim/CMakeLists.txt: loop may not link machine_x, which is of machines/",
+                 ["machines machine_x", "cosim loop machine_x"]),
+                ("lab/CMakeLists.txt: laboratory may not link program, which is of python/",
+                 ["lab laboratory program", "python program"]),
+                ("machines/CMakeLists.txt: a circle of links: chips -> model -> hooks -> chips",
+                 ["machines chips model", "machines model hooks", "machines hooks chips"])):
+            with self.subTest(told):
+                text = "".join(f"{line}\n" for line in lines)
+                self.assertEqual(self.findings(**{"build/links.txt": text}), [told][:len(told)])
+
     def test_the_form_of_a_file(self):
         long = "//" + 99 * "x"
         for text, told in (

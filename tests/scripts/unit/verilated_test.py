@@ -106,21 +106,28 @@ class GenRegistersTest(Scratch):
             gen_registers.readable("chip__DOT__gen_axis__BRA__1__KET____DOT__sum_q"),
             "chip.gen_axis[1].sum_q")
 
-    def run_on(self, *members):
+    def run_on(self, *members, alone=False):
         """Exit code and complaint of models with two registers, and the second with these too."""
         rtl = self.write("chip.sv", "".join(f"r{n}_q <= 0;\n" for n in range(60)))
         kept = "".join(f"    CData/*0:0*/ chip__DOT__r{n}_q;\n" for n in (7, 8))
-        first = self.write("first.h", kept)
+        models = [self.write("first.h", kept)]
         more = "".join(f"    CData/*0:0*/ {member};\n" for member in members)
-        code, _, err = call(gen_registers.main, self.folder / "chip_registers.hpp", first,
-                            self.write("second.h", kept + more), rtl)
+        if not alone:
+            models.append(self.write("second.h", f"{kept}{more}CData __Vtrigrprev__TOP__clk_i;\n"))
+        code, _, err = call(gen_registers.main, self.folder / "chip_registers.hpp", *models, rtl)
         return code, err
 
-    def test_a_register_that_only_another_model_has_is_refused(self):
+    def test_a_model_has_its_registers_in_a_header_and_others_add_their_clocks_alone(self):
+        header = self.folder / "chip_registers.hpp"
+        self.assertEqual(self.run_on(alone=True), (0, ""))
+        self.assertIn("struct ChipRegisters {", header.read_text())
+        self.assertIn('    visit("chip.r7_q", a.chip__DOT__r7_q, b.chip__DOT__r7_q);\n',
+                      header.read_text())
         self.assertEqual(self.run_on(), (0, ""))
-        text = (self.folder / "chip_registers.hpp").read_text()
-        self.assertIn("struct ChipRegisters {", text)
-        self.assertIn('    visit("chip.r7_q", a.chip__DOT__r7_q, b.chip__DOT__r7_q);\n', text)
+        self.assertIn("struct StoredClocks<second> {", header.read_text())
+        self.assertNotIn("ChipRegisters", header.read_text())
+
+    def test_a_register_that_only_another_model_has_is_refused(self):
         self.assertEqual(self.run_on("chip__DOT__u_x_props__DOT__r55_q"), (0, ""))
         code, err = self.run_on("chip__DOT__r55_q")
         self.assertEqual(code, 1)

@@ -14,7 +14,7 @@
 #include <stdexcept>
 
 #include "lab/layers.hpp"
-#include "lab/machine.hpp"
+#include "lab/machines.hpp"
 #include "lab/scenarios.hpp"
 #include "lab/write.hpp"
 #include "machines/kung/chip.hpp"
@@ -46,16 +46,11 @@ std::unique_ptr<SocCore> make_core(const CoreMemory&, bool) { return nullptr; }
 
 }  // namespace kung
 
-// In place of the table of all: the chips of the others are not built here.
-const std::vector<const lab::Machine*>& lab::machines() {
-  static const std::vector<const Machine*> one{&kung::machine()};
-  return one;
-}
-
 }  // namespace trammel
 
 int main(int argc, char** argv) try {
   namespace lab = trammel::lab;
+  lab::take_machines([] { return lab::Machines{&trammel::kung::machine()}; });
   const std::filesystem::path out = argc > 1 ? argv[1] : "";
   const auto settings = lab::load_scenario(lab::find_scenario("circle"));
   for (int i = 2; i < argc; ++i) lab::apply_assignment(*settings, argv[i]);

@@ -1,0 +1,1 @@
+trammel_with_part(lm628)
