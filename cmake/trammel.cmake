@@ -39,6 +39,23 @@ function(trammel_unity_if_checked name)
   endif()
 endfunction()
 
+# Headers of other libraries, which most units of a library include, are compiled once, or taken
+# from another library with the same options. A unit names the headers that it uses all the same:
+# the build with checks compiles them one by one.
+function(trammel_precompile library)
+  if(TRAMMEL_BASE)
+    return()
+  endif()
+  target_compile_options(${library} PRIVATE -fpch-preprocess)  # for ccache
+  if(ARGN)
+    target_precompile_headers(${library} REUSE_FROM ${ARGN})
+  else()
+    target_precompile_headers(${library} PRIVATE <algorithm> <cmath> <cstdint> <filesystem>
+      <functional> <memory> <optional> <string> <variant> <vector> <fmt/format.h>
+      <nlohmann/json.hpp>)
+  endif()
+endfunction()
+
 # An executable of Catch2 cases from one file or a list of files; the test has the name `prefix`.
 function(trammel_test name source prefix)
   trammel_test_program(${name} "${source}" ${ARGN})

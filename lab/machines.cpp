@@ -32,8 +32,14 @@ const Machines& machines() {
   return all;
 }
 
-void need_all_machines() {
-  if (!given().whole) throw NotLinked();
+void need_all_machines(const std::string& machine) {
+  if (!given().whole) throw NotLinked(machine);
+}
+
+const Machine& first_machine() {
+  const Machine& first = *machines().front();
+  if (first.order != 1) need_all_machines();
+  return first;
 }
 
 }  // namespace trammel::lab

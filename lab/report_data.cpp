@@ -10,6 +10,7 @@
 #include <numeric>
 
 #include "lab/files.hpp"
+#include "lab/machines.hpp"
 #include "lab/output_folder.hpp"
 #include "lab/parse.hpp"
 
@@ -144,6 +145,7 @@ RunFolder read_run(const fs::path& folder) {
   const Json& name = run.metrics["machine"];
   run.machine = name.is_string() ? find_machine(name.get<std::string>()) : nullptr;
   if (run.machine == nullptr) {
+    need_all_machines();
     corrupt(metrics,
             fmt::format("is of the machine {}, which this trammel does not have; it has {}",
                         name.dump(), fmt::join(machine_names(), ", ")));

@@ -10,6 +10,7 @@
 #include "lab/build_info.hpp"
 #include "lab/files.hpp"
 #include "lab/layers.hpp"
+#include "lab/machines.hpp"
 #include "lab/parse.hpp"
 #include "lab/text.hpp"
 
@@ -33,18 +34,20 @@ fs::path& data_folder() {
 
 // What the text of a scenario names; the first machine where it is no TOML, which is told later.
 const Machine& machine_named(const std::string& text, const fs::path& file) {
-  const Machine& first = *machines().front();
   check_depth(text, file.string());
   toml::table table;
   try {
     table = toml::parse(text);
   } catch (const toml::parse_error&) {
-    return first;
+    return first_machine();
   }
   const auto* const key = table.get("machine");
-  if (key == nullptr || !key->is_string()) return first;
+  if (key == nullptr || !key->is_string()) return first_machine();
   const std::string name = key->as_string()->get();
   if (const Machine* const found = find_machine(name)) return *found;
+  const bool is_folder = !name.empty() && name.find('/') == std::string::npos && name[0] != '.' &&
+                         fs::is_directory(machine_folder(name));
+  need_all_machines(is_folder ? name : "");
   throw ConfigError(fmt::format("{}:{}: machine: value \"{}\" is not one of {}{}", file.string(),
                                 key->source().begin.line, shown(name),
                                 fmt::join(machine_names(), ", "), hint(name, machine_names())));
@@ -97,10 +100,9 @@ const Machine& machine_of(const fs::path& file) {
 
 std::vector<fs::path> built_in(const std::string& extension) {
   std::vector<fs::path> all;
-  for (const Machine* machine : machines()) {
-    std::error_code ignored;
-    const fs::path folder = machine_folder(machine->name) / "scenarios";
-    for (const auto& entry : fs::directory_iterator(folder, ignored)) {
+  std::error_code ignored;
+  for (const auto& machine : fs::directory_iterator(machine_folder(""), ignored)) {
+    for (const auto& entry : fs::directory_iterator(machine.path() / "scenarios", ignored)) {
       if (entry.path().extension() == extension) all.push_back(entry.path());
     }
   }

@@ -5,6 +5,7 @@
 // 5 diverged or tripped, 70 internal, 130 interrupted.
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
@@ -13,8 +14,8 @@
 #include <new>
 #include <sstream>
 
+#include "cosim/not_built.hpp"
 #include "lab/errors.hpp"
-#include "lab/machine.hpp"
 #include "lab/scenarios.hpp"
 #include "lab/text.hpp"
 #include "machines/table.hpp"
@@ -172,10 +173,19 @@ struct CommandLine {
   }
 };
 
-// Verbs of the program and of the launcher that started it.
-std::vector<std::string> verbs(const CLI::App& app) {
+bool is_in(const std::vector<std::string>& words, const std::string& word) {
+  return std::find(words.begin(), words.end(), word) != words.end();
+}
+
+std::vector<std::string> own_verbs(const CLI::App& app) {
   std::vector<std::string> all;
   for (const CLI::App* verb : app.get_subcommands({})) all.push_back(verb->get_name());
+  return all;
+}
+
+// Verbs of the program and of the launcher that started it.
+std::vector<std::string> verbs(const CLI::App& app) {
+  std::vector<std::string> all = own_verbs(app);
   const char* const launcher = std::getenv("TRAMMEL_VERBS");
   std::istringstream more(launcher == nullptr ? "" : launcher);
   for (std::string verb; more >> verb;) all.push_back(verb);
@@ -197,6 +207,15 @@ int perform(const CommandLine& line) {
   return tb::run(line.arguments, g_stop);
 }
 
+// What this program lacks is built by the launcher that started it, which then starts the program
+// of that name; returns where none did.
+void hand_over(const std::string& program, char** argv) {
+  const char* const launcher = std::getenv("TRAMMEL_LAUNCHER");
+  if (launcher == nullptr) return;
+  setenv("TRAMMEL_PROGRAM", program.c_str(), 1);
+  execv(launcher, argv);
+}
+
 int fail(const std::exception& error, int code, const char* kind = "") {
   tb::tell(kind + trammel::lab::reason_of(error));
   return code;
@@ -208,11 +227,14 @@ int run_line(CommandLine& line, int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     const std::string verb = argc > 1 ? argv[1] : "-";
     const std::vector<std::string> known = verbs(line.app);
-    if (std::find(known.begin(), known.end(), verb) == known.end() && verb.rfind('-', 0) != 0) {
+    if (!is_in(known, verb) && verb.rfind('-', 0) != 0) {
       const std::string near = trammel::lab::suggest(verb, known);
       tb::tell(fmt::format("{}: unknown verb{}; see trammel --help", verb,
                            near.empty() ? "" : fmt::format(", did you mean {}?", near)));
       return 2;
+    }
+    if (!is_in(own_verbs(line.app), verb) && is_in(known, verb)) {
+      trammel::lab::need_all_machines();  // a verb of another machine
     }
     if (error.get_exit_code() == 0) {  // help and version
       std::ostringstream text;
@@ -232,6 +254,12 @@ int run_program(int argc, char** argv) {
   try {
     CommandLine line;
     return run_line(line, argc, argv);
+  } catch (const trammel::cosim::NotBuilt& error) {
+    hand_over("trammel_" + trammel::lab::machines().front()->name + "_watched", argv);
+    return fail(error, 3);
+  } catch (const trammel::lab::NotLinked& error) {
+    hand_over(error.machine.empty() ? "trammel" : "trammel_" + error.machine, argv);
+    return fail(error, 3);
   } catch (const trammel::lab::ConfigError& error) {
     return fail(error, 2);
   } catch (const std::filesystem::filesystem_error& error) {

@@ -11,7 +11,7 @@
 #include "lab/files.hpp"
 #include "lab/inputs.hpp"
 #include "lab/layers.hpp"
-#include "lab/machine.hpp"
+#include "lab/machines.hpp"
 #include "lab/output_folder.hpp"
 #include "lab/report_page.hpp"
 #include "lab/scenarios.hpp"
@@ -25,6 +25,7 @@ namespace {
 // Next to the scenario, so that all else that is asked for lies above it.
 void apply_live(lab::Settings& settings) {
   if (settings.machine().live.empty()) {
+    lab::need_all_machines();
     std::vector<std::string> names;
     for (const lab::Machine* machine : lab::machines()) {
       if (!machine->live.empty()) names.push_back(machine->name);
@@ -272,10 +273,12 @@ int run(const Arguments& arguments, const std::atomic<bool>& stop, const Simulat
       throw lab::ConfigError(
           "run: --all runs the experiments of the source and takes no scenario");
     }
+    lab::first_machine();  // in the program of another machine there is more to see
     const auto& all = lab::machines();
     const auto found = std::find_if(all.begin(), all.end(), [](const lab::Machine* machine) {
       return !machine->experiments.empty();
     });
+    if (found == all.end()) lab::need_all_machines();
     if (found == all.end()) throw lab::ConfigError("run: --all: no machine names experiments");
     return run_all(**found, arguments, simulate, stop);
   }

@@ -46,7 +46,8 @@ def main():
     if shutil.which("ccache"):  # as the build of this folder does, under the compilers' same names
         environment |= {f"CMAKE_{n}_COMPILER_LAUNCHER": "ccache" for n in ("C", "CXX")}
         environment |= {"CC": "cc", "CXX": "c++"}
-        environment |= {"CCACHE_BASEDIR": str(ROOT), "CCACHE_NOHASHDIR": "1"}
+        environment |= {"CCACHE_BASEDIR": str(ROOT), "CCACHE_NOHASHDIR": "1",
+                        "CCACHE_SLOPPINESS": "pch_defines,time_macros"}
     with tempfile.TemporaryDirectory() as scratch:
         python = Path(scratch) / "venv" / "bin" / "python3"
         run(sys.executable, "-m", "venv", Path(scratch) / "venv").check_returncode()
