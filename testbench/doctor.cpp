@@ -5,7 +5,7 @@
 
 #include "lab/build_info.hpp"
 #include "lab/files.hpp"
-#include "lab/machine.hpp"
+#include "lab/machines.hpp"
 #include "lab/scenarios.hpp"
 #include "lab/write.hpp"
 #include "testbench/run.hpp"
@@ -101,8 +101,9 @@ int show(const List& all, bool json) {
 }  // namespace
 
 int list(const std::string& topic, const std::string& machine, bool json) {
+  if (machine.empty() && topic != "keys" && topic != "columns") lab::need_all_machines();
   const lab::Machine& asked =
-      machine.empty() ? *lab::machines().front() : *lab::find_machine(machine);
+      machine.empty() ? lab::first_machine() : *lab::find_machine(machine);
   if (topic == "signals") return show(signals(machine), json);
   if (topic == "machines") return show(machines(), json);
   if (topic == "keys") return show(keys(asked), json);
@@ -119,24 +120,23 @@ int doctor(bool json) {
     const char* name;
     const char* use;
   };
-  constexpr Tool kTools[] = {{"gnuplot", "pictures of a run"},
-                             {"fst2vcd", "--wave vcd"},
-                             {"gtkwave", "looking at waves"}};
+  // A run needs none of them.
+  constexpr Tool kTools[] = {{"gnuplot", "optional: pictures of a run as svg files"},
+                             {"fst2vcd", "optional: --wave vcd"},
+                             {"gtkwave", "optional: waves on the screen"}};
   Json all = lab::versions_json();
   std::string text = version_text() + '\n';
-  int missing = 0;
   for (const Tool& tool : kTools) {
     const std::string where = lab::find_program(tool.name).string();
     all["tools"][tool.name] = where;
-    text += fmt::format("{:<10}{:<25} {}\n", tool.name, where.empty() ? "MISSING" : where,
+    text += fmt::format("{:<10}{:<25} {}\n", tool.name, where.empty() ? "missing" : where,
                         tool.use);
-    missing += where.empty() ? 1 : 0;
   }
   const std::size_t count = lab::scenarios().size();
   all["scenarios"] = count;
   text += fmt::format("{} scenarios in {}\n", count, lab::machine_folder("").string());
   json ? print_json(all) : print(text);
-  return missing > 0 || count == 0 ? 3 : 0;
+  return count == 0 ? 3 : 0;
 }
 
 }  // namespace trammel::testbench

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// libedit, through its interface of readline: BSD licence. Its callbacks take no context, so what
-// they need is static here.
+// Lines that are typed. With libedit, through its interface of readline: BSD licence. Its callbacks
+// take no context, so what they need is static here. Without it, lines as the terminal edits them.
+#ifdef TRAMMEL_EDIT
 #include <editline/readline.h>
+#endif
 #include <poll.h>
 #include <unistd.h>
 
@@ -15,10 +17,12 @@
 
 #include "machines/an693/verbs/script.hpp"
 #include "machines/an693/verbs/verbs.hpp"
+#include "testbench/streams.hpp"
 
 namespace trammel::an693 {
 namespace {
 
+#ifdef TRAMMEL_EDIT
 // The words that may stand where `text` was begun, one a call; the first call has the state 0.
 char* next_word(const char* text, int state) {
   static std::vector<std::string> words;
@@ -31,6 +35,8 @@ char* next_word(const char* text, int state) {
   words.pop_back();
   return word;
 }
+
+#endif
 
 const std::atomic<bool>* interrupted = nullptr;
 
@@ -51,9 +57,11 @@ int read_key(FILE* in) {
   while (!*interrupted) {
     if (disturbed != 0) {
       disturbed = 0;
+#ifdef TRAMMEL_EDIT
       rl_prep_terminal(1);
       rl_resize_terminal();
       rl_forced_update_display();
+#endif
     }
     unsigned char byte = 0;
     const bool is_there = ppoll(&input, 1, nullptr, &before) == 1;
@@ -75,6 +83,7 @@ ReadLine terminal_lines(const std::atomic<bool>& stop) {
   noted.sa_handler = note;
   sigaction(SIGCONT, &noted, nullptr);
   sigaction(SIGWINCH, &noted, nullptr);
+#ifdef TRAMMEL_EDIT
   rl_getc_function = read_key;
   rl_completion_entry_function = next_word;
   rl_initialize();
@@ -85,6 +94,19 @@ ReadLine terminal_lines(const std::atomic<bool>& stop) {
     if (*line != '\0') add_history(line.get());
     return std::string(line.get());
   };
+#else
+  testbench::tell("the prompt has no history and no completion: libedit is missing (see `trammel "
+                  "doctor`)");
+  return [](const std::string& prompt) -> std::optional<std::string> {
+    testbench::print_now(prompt);
+    std::string line;
+    for (int key = read_key(stdin); key != '\n'; key = read_key(stdin)) {
+      if (key == EOF) return {};
+      line += static_cast<char>(key);
+    }
+    return line;
+  };
+#endif
 }
 
 }  // namespace trammel::an693

@@ -30,7 +30,8 @@ TOOLS = {
     "cmake": LOG + 'echo configured > "$2/build/build.ninja"\n',
     "ninja": LOG + 'if [ -f "$AT/broken" ]; then for n in {1..99}; do echo "[$n/99] Building $n"\n'
                    'done; echo "x.cpp:7: error: no such name"; exit 1; fi\n'
-                   'mkdir -p "$2/testbench"; cp "$AT/bin/started" "$2/testbench/trammel"\n',
+                   'mkdir -p "$2/testbench"; for name in trammel "${@:5}"; do\n'
+             '[[ $name != trammel* ]] || cp "$AT/bin/started" "$2/testbench/$name"; done\n',
     "started": LOG + 'echo "verbs: $TRAMMEL_VERBS"; exit "$(cat "$AT/code")"\n',
     "ctest": LOG + 'cat "$AT/told"; [[ " $* " == *" -N "* ]] || exit "$(cat "$AT/code")"\n',
     "python3": LOG + 'if [ "$1 $2" = "-m venv" ]; then mkdir -p "$3/bin"\n'
@@ -52,11 +53,13 @@ class LauncherTest(Scratch):
         for name, text in {"installed": "make\n", "lost": "", "user": "0\n", "code": "0\n",
                            "told": "", "scripts/tool": "", "tests/drive/pwm_test.cpp": "",
                            "scripts/packages.txt": "make\nclock\nwire\n",
+                           "scripts/packages_more.txt": "chart  # pictures\n",
                            "scripts/packages_test.txt": "prover\n",
                            "scripts/packages_perf.txt": "racer\n",
                            "scripts/requirements.txt": "pins==2  # wave: reads them\n"}.items():
             self.write(name, text)
         shutil.copy(ROOT / "trammel", self.folder)
+        shutil.copy(ROOT / "scripts" / "install.sh", self.folder / "scripts")
 
     def link(self, name):
         (self.folder / "bin").mkdir(exist_ok=True)
@@ -107,8 +110,38 @@ class LauncherTest(Scratch):
         self.write("scripts/packages.txt", "make\nclock\nwire\nnew\n")
         self.assertEqual(self.started("run", "circle")[0], f"{INSTALL} new")
 
+    def test_a_run_builds_the_program_of_its_machine_and_what_that_lacks_afterwards(self):
+        for order, (machine, scenario, verb) in enumerate((("oak", "leaf", "saw"),
+                                                           ("fir", "cone", "fell")), 1):
+            self.write(f"machines/{machine}/machine.cpp",
+                       f'  m.order = {order};\n  m.program = {{{{".{verb}"}}}};\n')
+            self.write(f"machines/{machine}/scenarios/{scenario}.toml", f"machine = '{machine}'\n")
+            self.write(f"machines/{machine}/verbs/verbs.cpp", f'  verb.name = "{verb}";\n')
+        self.write("own.toml", 'x = 1\nmachine = "fir"\n')
+        self.write("bare.toml", "x = 1\n")
+        for words, program in ((["run", "leaf"], "trammel_oak"), (["run", "cone"], "trammel_fir"),
+                               (["run", "-s", "x=1", "cone", "-o", "oak/leaf"], "trammel_fir"),
+                               (["run", "own.toml"], "trammel_fir"), (["fell"], "trammel_fir"),
+                               (["run", "bare.toml"], "trammel_oak"),
+                               (["run", "b.fell"], "trammel_fir"),
+                               (["run", "--all"], "trammel_oak"),
+                               (["run", "cone", "--wave", "fst"], "trammel_fir_watched"),
+                               (["run", "leaf", "--audit"], "trammel_oak_watched"),
+                               (["list", "keys"], "trammel_oak"), (["list"], "trammel"),
+                               (["list", "keys", "fir"], "trammel_fir")):
+            with self.subTest(words=words):
+                self.assertEqual(self.built(*words), [program])
+                self.assertEqual(self.started(*words)[-1], " ".join([program, *words]))
+        self.assertEqual(self.built("run", "leaf", TRAMMEL_PROGRAM="trammel_oak_watched"),
+                         ["trammel_oak_watched"])
+        self.assertIn("fell", self.launch("run", "leaf")[1].split())  # verbs of all machines
+
+    def test_the_converter_of_waves_is_installed_when_it_is_first_needed(self):
+        self.started("run", "x")
+        self.assertEqual(self.started("run", "x", "--wave", "vcd")[0], f"{INSTALL} chart")
+
     def test_a_package_that_tests_alone_need_is_installed_once_it_is_listed(self):
-        self.assertEqual(self.started("prove", "x")[0], f"{INSTALL} clock wire prover")
+        self.assertEqual(self.started("prove", "x")[0], f"{INSTALL} clock wire chart prover")
         self.assertNotIn("apt-get", " ".join(self.started("prove", "x")))
         self.write("scripts/packages_test.txt", "prover\nnew\n")
         self.assertNotIn("apt-get", " ".join(self.started("run", "x")))
@@ -209,7 +242,7 @@ class LauncherTest(Scratch):
                 self.assertEqual(any(line.startswith("ctest ") for line in started), wanted == 0)
 
     def test_the_processors_rtl_needs_the_packages_of_the_tests_and_a_new_configuration(self):
-        wanted = [f"{INSTALL} prover", "cmake -S ROOT --preset dev"]
+        wanted = [f"{INSTALL} chart prover", "cmake -S ROOT --preset dev"]
         for words in (["--cpu", "rtl"], ["--cpu=rtl"], ["-s", "run.cpu=rtl"]):
             with self.subTest(words=words):
                 self.write("installed", "make\nclock\nwire\n")
@@ -248,7 +281,7 @@ class LauncherTest(Scratch):
         self.assertEqual(self.built("test", "--full"), ["all trammel_full pwm_coverage"])
         shutil.rmtree(self.folder / "build")
         self.write("installed", "make\n")
-        self.assertEqual(self.started("test", "-N")[0], f"{INSTALL} clock wire prover")
+        self.assertEqual(self.started("test", "-N")[0], f"{INSTALL} clock wire chart prover")
 
     def test_a_test_that_fails_is_an_exit_code_of_1_and_in_ci_one_that_is_skipped(self):
         self.ctested()
@@ -280,6 +313,8 @@ class LauncherTest(Scratch):
                 started = self.started(verb, "a", "b c")
                 self.assertEqual(started[-1], f"python3 scripts/tool {verb} a b c")
                 self.assertEqual(self.built(verb, "a"), targets)
+        self.assertEqual(self.built("verify", "--engines", "--short"), ["trammel"])
+        self.assertEqual(self.built("verify", "--mutants", "a"), [])
         self.assertEqual(self.started("lint", "-h"), ["python3 scripts/tool lint --help"])
 
     def test_the_tools_of_python_are_installed_once_and_again_when_they_change(self):
@@ -296,6 +331,7 @@ class LauncherTest(Scratch):
         lines = {line.split()[0]: line.split(maxsplit=1)[1] for line in out.splitlines()}
         self.assertEqual((code, lines["make"], lines["clock"], lines["wire"]),
                          (3, "1.2", "MISSING", "MISSING"))
+        self.assertEqual(lines["chart"], "missing (optional: pictures)")
         self.assertEqual(lines["prover"], "missing (only for trammel test and verify)")
         self.assertEqual(lines["racer"], "missing (only for row f of trammel perf)")
         self.assertIn("not built yet", lines["program"])
