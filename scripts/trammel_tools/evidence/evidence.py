@@ -132,8 +132,8 @@ def run(name, command):
     before = None if stale(name) else record.read(name)
     changed = differences(before.result, result) if before and kind.same else []
     if changed:
-        print(f"evidence: {name}: made again from equal inputs, the result differs:",
-              file=sys.stderr)
+        print(f"evidence: {name}: made again from equal inputs, the result differs; where the new "
+              f"one (+) is right, remove evidence/{name}.txt and test again:", file=sys.stderr)
         print("\n".join(changed), file=sys.stderr)
         return 1
     if not before:

@@ -121,7 +121,8 @@ KINDS = (
     Kind(r"mutants\.sample", MUTANTS, (*PROVER, *COMPILER)),
     Kind(r"docs\.manual", MANUAL, COMPILER),
     Kind(r"docs\.(machine|tutorial)", LESSONS, COMPILER),
-    Kind(r"(package|python)\..*", PACKAGE, (*COMPILER, *VIEWER, *TABLES)),
+    Kind(r"python\.page", PACKAGE, (*COMPILER, *VIEWER, *TABLES)),
+    Kind(r"(package|python)\..*", PACKAGE, (*COMPILER, *TABLES)),
 )
 
 
