@@ -71,7 +71,10 @@ def stale(name):
     if kept.check != name:
         return f"evidence/{name}.txt is the result of {kept.check}"
     if kept.tools != tools:
-        return f"it was made with {kept.tools}; here is {tools}"
+        there, here = (one.split("; ") for one in (kept.tools, tools))
+        gone, new = ([one for one in these if one not in those] or ["fewer tools"]
+                     for these, those in ((there, here), (here, there)))
+        return f"it was made with {', '.join(gone)}; here is {', '.join(new)}"
     return "" if kept.inputs == files else f"its inputs have changed since {kept.made}"
 
 
@@ -117,6 +120,8 @@ def run(name, command):
     except OSError as error:
         return python_tools.refuse("evidence", f"{command[0]}: {error.strerror}")
     result = TIMES.sub("", done.stdout.replace(f"{ROOT}/", "")) or "passed\n"
+    if not result.endswith("\n"):
+        result += "\n"
     print(done.stdout, end="", flush=True)
     if done.returncode != 0:
         return done.returncode

@@ -73,6 +73,8 @@ class EvidenceTest(Scratch):
             code, ran, said = self.check()
         self.assertEqual((code, ran), (0, True))
         self.assertIn("it was made with pyosys", said)
+        with mock.patch.object(kinds, "version", lambda tool: "0.1" * (tool == "pyosys")):
+            self.assertRegex(self.check()[2], r"it was made with debian/berkeley-abc 0\.1; here is")
         compiled, _ = kinds.of("coverage.math.toy")
         before = kinds.made_with(compiled)
         with mock.patch.object(kinds, "processor", lambda: "pdp11"):
