@@ -112,6 +112,12 @@ def stored_clocks(path):
                          lines="\n".join(f"    root.{name} = 0;" for name in clocks))
 
 
+def write(out, text):
+    """A header that is as before keeps its time stamp: a change elsewhere recompiles nothing."""
+    if not out.is_file() or out.read_text(encoding="utf-8") != text:
+        out.write_text(text, encoding="utf-8")
+
+
 def main():
     if len(sys.argv) < 4:
         asked = sys.argv[1:] in (["-h"], ["--help"])
@@ -139,14 +145,13 @@ def main():
         return 1
     if others:
         stored = "".join(map(stored_clocks, others))
-        out.write_text(OTHERS.format(stored=stored), encoding="utf-8")
+        write(out, OTHERS.format(stored=stored))
         return 0
     lines = "\n".join(f'    visit("{readable(m)}", a.{m}, b.{m});'
                       for m in inputs(roots[first]) + kept)
     name = "".join(word.capitalize() for word in re.split("[-_]", out.stem))
     regions = model_regions.regions(first,
                                     lambda member: is_register(member, assigned))
-    out.write_text(FORM.format(name=name, lines=lines, words=words,
-                               regions=stored_clocks(first) + regions),
-                   encoding="utf-8")
+    write(out, FORM.format(name=name, lines=lines, words=words,
+                           regions=stored_clocks(first) + regions))
     return 0
