@@ -9,7 +9,7 @@ tables and writes sources with counts to build/coverage: rtl/annotated, cpp/inde
 it is a test of one kind; CTest runs the tests that count before it. Floors are in
 scripts/coverage.toml and coverage.toml of each machine and part.
 
-RTL, counted by the unit test of each block: --count runs one, and its counts are a kept result.
+RTL, counted by the unit tests: --count runs one, and its counts are a kept result.
 Every line and branch is executed, or it is listed in coverage.toml with a reason; signal toggles,
 and the states that a `cover` of the properties names, stay above a floor for each block. Generated
 register blocks are exempt.
@@ -43,8 +43,8 @@ class CoverageError(Exception):
 
 
 def count(block, program):
-    """Runs a unit test that counts and prints what it covers of its block and of the files that no
-    test of their own counts. Returns its exit code."""
+    """Runs a unit test that counts and prints what it covers: of its block, and of files without a
+    test of their own, all; of the blocks inside, the lines. Returns its exit code."""
     files = COUNTS / f"{block.replace('/', '.')}.dat"
     COUNTS.mkdir(parents=True, exist_ok=True)
     for stale in COUNTS.glob(f"{files.name}.*"):
@@ -55,8 +55,10 @@ def count(block, program):
         print(done.stdout, end="", file=sys.stderr)
         return 1
     blocks = rtl_counts.read_blocks(*COUNTS.glob(f"{files.name}.*"))
-    own = {name: one for name, one in blocks.items() if name == block or not counted_alone(name)}
-    print("\n".join(rtl_counts.short(own)))
+    inside = {name for name in blocks if name != block and counted_alone(name)}
+    covered = {name: Block(lines=one.lines) if name in inside else one
+               for name, one in blocks.items()}
+    print("\n".join(rtl_counts.short(covered)))
     return 0
 
 
