@@ -5,8 +5,6 @@
 // 5 diverged or tripped, 70 internal, 130 interrupted.
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
@@ -207,15 +205,6 @@ int perform(const CommandLine& line) {
   return tb::run(line.arguments, g_stop);
 }
 
-// What this program lacks is built by the launcher that started it, which then starts the program
-// of that name; returns where none did.
-void hand_over(const std::string& program, char** argv) {
-  const char* const launcher = std::getenv("TRAMMEL_LAUNCHER");
-  if (launcher == nullptr) return;
-  setenv("TRAMMEL_PROGRAM", program.c_str(), 1);
-  execv(launcher, argv);
-}
-
 int fail(const std::exception& error, int code, const char* kind = "") {
   tb::tell(kind + trammel::lab::reason_of(error));
   return code;
@@ -255,10 +244,10 @@ int run_program(int argc, char** argv) {
     CommandLine line;
     return run_line(line, argc, argv);
   } catch (const trammel::cosim::NotBuilt& error) {
-    hand_over("trammel_" + trammel::lab::machines().front()->name + "_watched", argv);
+    trammel::lab::hand_over("trammel_" + trammel::lab::machines().front()->name + "_watched", argv);
     return fail(error, 3);
   } catch (const trammel::lab::NotLinked& error) {
-    hand_over(error.machine.empty() ? "trammel" : "trammel_" + error.machine, argv);
+    trammel::lab::hand_over(error.machine.empty() ? "trammel" : "trammel_" + error.machine, argv);
     return fail(error, 3);
   } catch (const trammel::lab::ConfigError& error) {
     return fail(error, 2);

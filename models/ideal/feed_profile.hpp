@@ -87,10 +87,9 @@ class FeedProfile {
 
  private:
   static constexpr double kNone = std::numeric_limits<double>::infinity();
-  static constexpr double kShare = 0.7;          // of A along an arc, across it, near a corner
-  static constexpr double kTurn = 0.5;           // of A: half the change of speed in a corner
+  static constexpr double kShare = 0.7;          // of A along an arc, across it, and in a corner
   static constexpr double kCorner = 1.5;         // points that see a corner's turn
-  static constexpr double kFull = 2 * kShare / kCorner;  // of A: largest turn, with that of an arc
+  static constexpr double kFull = 2 * kShare / kCorner;  // of A: largest turn of a corner
   static constexpr double kHalf = 0.35;          // of A: along the path where a corner takes kFull
   static constexpr double kStraight = 0.005;     // of A: a turn that leaves all of it
   static constexpr double kDegree = 0.01745329251994329577;
@@ -173,7 +172,7 @@ class FeedProfile {
     const double bend = (p.curvature + q.curvature) / 2;
     Corner c{std::min(p.speed, q.speed), std::min(p.accel, q.accel)};
     if (sine > 0) {
-      c.speed = std::min(c.speed, kTurn * A * h / (kCorner * sine));
+      c.speed = std::min(c.speed, kShare * A * h / (kCorner * sine));
       if (bend == 0) {
         c.speed = std::min(c.speed, std::sqrt(kShare * A * shorter / (2 * tangent)));
       }

@@ -6,10 +6,9 @@
 namespace trammel::sw {
 namespace {
 
-constexpr Real kShare = Real::ratio(7, 10);       // of A along an arc, across it, near a corner
-constexpr Real kTurn = Real::ratio(1, 2);         // of A: half the change of speed in a corner
+constexpr Real kShare = Real::ratio(7, 10);       // of A along an arc, across it, and in a corner
 constexpr Real kSeen = Real::ratio(3, 2);         // points that see a corner's turn
-constexpr Real kFull = Real::ratio(14, 15);       // of A: the largest turn, with that of an arc
+constexpr Real kFull = Real::ratio(14, 15);       // of A: the largest turn, 2 kShare/kSeen
 constexpr Real kHalf = Real::ratio(35, 100);      // of A: along the path where a corner takes kFull
 constexpr Real kStraight = Real::ratio(5, 1000);  // of A: a turn that leaves all of it
 constexpr Real kSharp = Real::ratio(700000001, 1000000000);  // kShare, and what rounding adds
@@ -51,7 +50,7 @@ FeedCorner feed_corner(const FeedSegment& p, const FeedBounds& of_p, const FeedS
   if (p.radius != 0) bend = one / (two * Real(p.radius, 32));
   if (q.radius != 0) bend = bend + one / (two * Real(q.radius, 32));
 
-  c.speed = min(c.speed, kTurn * A / (kSeen * sine));
+  c.speed = min(c.speed, kShare * A / (kSeen * sine));
   if (bend.zero()) c.speed = min(c.speed, sqrt(kShare * A * shorter / (two * tangent)));
   // Share of A that the turn takes: of one corner, or of many within a point.
   const Real one_corner = two * sine / A, many = two * tangent / (shorter * A);

@@ -241,14 +241,14 @@ def main():
                         default=ROOT / "build" / "testbench" / "trammel")
     arguments = parser.parse_args()
     program = arguments.program.resolve()
-    if not program.exists():
+    build = program.parents[1]
+    if not (program if arguments.check else build / "build.ninja").exists():
         print(f"gen-manual: {program}: not built", file=sys.stderr)
         return 3
     manual = MANUAL.read_text(encoding="utf-8")
     try:
         if not arguments.check:
-            build = program.parents[1]
-            said("cmake", "--build", build, "--target", "goldens_test")
+            said("cmake", "--build", build, "--target", "trammel", "goldens_test")
             said("env", "TRAMMEL_TEST_ACCEPT=1", build / "tests" / "goldens_test")
             said(sys.executable, TOOL, "gen-regs")
             said(sys.executable, TOOL, "prove", "--table")
