@@ -5,6 +5,7 @@
 // 5 diverged or tripped, 70 internal, 130 interrupted.
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
