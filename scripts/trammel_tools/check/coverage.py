@@ -54,7 +54,12 @@ def count(block, program):
     if done.returncode != 0:
         print(done.stdout, end="", file=sys.stderr)
         return 1
-    blocks = rtl_counts.read_blocks(*COUNTS.glob(f"{files.name}.*"))
+    written = sorted(COUNTS.glob(f"{files.name}.*"))
+    for path in written or [files]:
+        if not rtl_counts.whole(path):
+            raise CoverageError(f"{path.relative_to(ROOT)}: it holds no counts, or not all: is the "
+                                "disk full? Make room and test again")
+    blocks = rtl_counts.read_blocks(*written)
     inside = {name for name in blocks if name != block and counted_alone(name)}
     covered = {name: Block(lines=one.lines) if name in inside else one
                for name, one in blocks.items()}

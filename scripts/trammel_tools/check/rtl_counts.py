@@ -30,6 +30,15 @@ def read_points(path):
             yield dict(f.split("\2", 1) for f in text.split("\1")[1:]), int(count)
 
 
+def whole(path):
+    """Whether a file holds points, the last of them to its end."""
+    try:
+        text = path.read_text(encoding="utf-8", errors="replace")
+    except FileNotFoundError:
+        return False
+    return re.search(r"\nC '[^\n]+' \d+\n\Z", text) is not None
+
+
 def read_blocks(*paths):
     """{block: counts} of all files together."""
     blocks = defaultdict(Block)

@@ -12,23 +12,27 @@ not run again. A result that is damaged, or whose inputs or tools have changed, 
 one line says so. TRAMMEL_FRESH=1 makes all of them again, as `trammel test --fresh` does. In CI
 (CI=true) a tenth is drawn by the commit's hash and made again: a difference is an error.
 
-Exit codes: 0 the result holds or the check passed; 1 a result that was made again differs, or one
-of the list does not hold; 2 usage; else that of the command.
+Exit codes: 0 the result holds or the check passed; 1 a result that was made again differs, the disk
+is full, or one of the list does not hold; 2 usage; else that of the command.
 """
 
 import datetime
 import functools
 import os
 import re
+import shutil
 import subprocess
 import sys
+import tempfile
 from collections import Counter
+from pathlib import Path
 
 from trammel_tools import python_tools
 from trammel_tools.evidence import kinds, record, sources
 from trammel_tools.paths import ROOT
 
 DRAWN = 10  # one of so many
+ROOM = 64 << 20  # [bytes] that are free where no disk is full
 LAST = 40  # lines that are kept of a text that is not compared
 OWN = {"TRAMMEL_FRESH", "TRAMMEL_NO_APT", "TRAMMEL_VERBS"}  # of the launcher: no test reads these
 TIMES = re.compile(r" in \d+(?:\.\d+)? s\b| +\d+\.\d s(?=  )")  # how long a step took
@@ -42,11 +46,10 @@ def commit():
 
 
 def drawn(name):
-    """Whether CI makes this result again; those that feed each other are drawn together."""
+    """Whether CI makes this result again."""
     if os.environ.get("CI") != "true":
         return False
-    root = "sanitize" if kinds.of(name)[0].files is kinds.CHECKED else name
-    return int(record.digest(commit() + root)[:8], 16) % DRAWN == 0
+    return int(record.digest(commit() + (kinds.of(name)[0].group or name))[:8], 16) % DRAWN == 0
 
 
 @functools.cache
@@ -77,6 +80,24 @@ def stale(name):
                      for these, those in ((there, here), (here, there)))
         return f"it was made with {', '.join(gone)}; here is {', '.join(new)}"
     return "" if kept.inputs == files else f"its inputs have changed since {kept.made}"
+
+
+def forget():
+    """The next call looks at the repository again."""
+    sources.forget()
+    for one in (commit, inputs, stale):
+        one.cache_clear()
+
+
+def full():
+    """Which disk is full, or nothing: programs that could not write do not always say so."""
+    build = ROOT / "build"
+    for place in (build if build.exists() else ROOT, Path(tempfile.gettempdir())):
+        free = shutil.disk_usage(place).free
+        if free < ROOM:
+            return (f"the disk of {place} is full: {free >> 20} MiB are free; make "
+                    f"{ROOM >> 20} MiB free and test again")
+    return ""
 
 
 def variables():
@@ -129,6 +150,9 @@ def run(name, command):
         code, printed = called(command)
     except OSError as error:
         return python_tools.refuse("evidence", f"{command[0]}: {error.strerror}")
+    if disk := full():
+        print(f"evidence: the result of {name} does not count: {disk}", file=sys.stderr)
+        return code or 1
     result = TIMES.sub("", printed.replace(f"{ROOT}/", "")) or "passed\n"
     if not result.endswith("\n"):
         result += "\n"
@@ -139,8 +163,7 @@ def run(name, command):
     if variables():
         print(f"evidence: {name} is not kept: {variables()} may change it", file=sys.stderr)
         return 0
-    sources.forget()
-    inputs.cache_clear()
+    forget()
     if inputs(name) != made_from:
         print(f"evidence: {name} is not kept: its inputs changed while it ran", file=sys.stderr)
         return 0
@@ -192,12 +215,15 @@ def listed():
 
 def main():
     parser = python_tools.Parser(prog="scripts/tool evidence", description=__doc__)
-    parser.add_argument("--needed", action="store_true", help="programs of tests that have to run")
-    parser.add_argument("--list", action="store_true", help="every kept result")
-    parser.add_argument("--inputs", metavar="NAME", help="the files that a check depends on")
+    asked = parser.add_mutually_exclusive_group()
+    asked.add_argument("--needed", action="store_true", help="programs of tests that have to run")
+    asked.add_argument("--list", action="store_true", help="every kept result")
+    asked.add_argument("--inputs", metavar="NAME", help="the files that a check depends on")
     parser.add_argument("name", nargs="?", metavar="NAME")
     parser.add_argument("command", nargs="*", metavar="COMMAND")
     wanted = parser.parse_args()
+    if wanted.name and (wanted.needed or wanted.list or wanted.inputs):
+        parser.error(f"{wanted.name}: --needed and --list take no name, --inputs takes one")
     python_tools.restart()  # the versions are those of .venv
     if wanted.needed:
         return needed()

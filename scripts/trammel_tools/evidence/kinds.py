@@ -35,7 +35,8 @@ class Kind:
     """Of the tests whose names match. `files` gives their inputs from the match. `machine`: the
     result has floating point or compiled code in it, so that it counts on one kind of processor.
     `same`: made again it must be equal, to the letter. `feeds`: tests that need what this one
-    leaves in build/, so that it runs when one of them does."""
+    leaves in build/, so that it runs when one of them does. `group`: CI draws those of one group
+    together."""
 
     names: str
     files: Callable
@@ -43,6 +44,7 @@ class Kind:
     machine: bool = True
     same: bool = False
     feeds: tuple = ()
+    group: str = ""
 
 
 def of_files(*patterns, tools=()):
@@ -105,9 +107,11 @@ KINDS = (
     Kind(r"formal\.(\w+)\.(\w+)", of_proof, PROVER, machine=False, same=True),
     Kind(r"coverage\.(\w+)\.(\w+)", of_coverage, COMPILER, same=True),
     Kind(r"sanitize\.build", CHECKED, COMPILER,
-         feeds=("sanitize.unit", "sanitize.program", "coverage.cpp", "fuzz.short")),
-    Kind(r"sanitize\.(unit|program)", CHECKED, COMPILER, feeds=("coverage.cpp",)),
-    Kind(r"coverage\.cpp|fuzz\.short", CHECKED, (*COMPILER, "gcovr")),
+         feeds=("sanitize.unit", "sanitize.program", "coverage.cpp", "fuzz.short"),
+         group="sanitize"),
+    Kind(r"sanitize\.(unit|program)", CHECKED, COMPILER, feeds=("coverage.cpp",),
+         group="sanitize"),
+    Kind(r"coverage\.cpp|fuzz\.short", CHECKED, (*COMPILER, "gcovr"), group="sanitize"),
     Kind(r"synth\.board\.ulx3s", BOARDS, PLACER, feeds=("synth.gates_off",)),
     Kind(r"synth\.budget", BOARDS, PLACER, feeds=("synth.equivalence",)),
     Kind(r"synth\.fusesoc", CORE, ("fusesoc", "edalize", "program/verilator")),

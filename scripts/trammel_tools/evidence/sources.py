@@ -61,19 +61,24 @@ def names_in(*names):
     return set(re.findall(r"\b[A-Za-z_]\w*\b", re.sub(r"//.*", "", text))) & modules().keys()
 
 
+def reached(first, more):
+    """These, and all that can be reached from them: more(one) are the next ones."""
+    left, found = list(first), set()
+    while left:
+        one = left.pop()
+        if one not in found:
+            found.add(one)
+            left += more(one)
+    return found
+
+
 def rtl(*blocks):
     """Sources of these blocks (<layer>/<block>), of all that they contain and of the packages that
     these import."""
-    left = [f"rtl/{block}.sv" for block in blocks]
-    if missing := set(left) - set(every()):
+    first = {f"rtl/{block}.sv" for block in blocks}
+    if missing := first - set(every()):
         raise KeyError(*missing)
-    found = set()
-    while left:
-        name = left.pop()
-        if name not in found:
-            found.add(name)
-            left += [modules()[one] for one in names_in(name)]
-    return found
+    return reached(first, lambda name: [modules()[one] for one in names_in(name)])
 
 
 def properties(files):
@@ -107,13 +112,7 @@ def units():
 
 def cpp(*files):
     """C++ files that these are made of: what they include, and the units of each header."""
-    left, found = list(files), set()
-    while left:
-        name = left.pop()
-        if name not in found:
-            found.add(name)
-            left += included(name) | units().get(name, set())
-    return found
+    return reached(files, lambda name: included(name) | units().get(name, set()))
 
 
 def forget():

@@ -36,6 +36,21 @@ class CoverageTest(Scratch):
         self.assertEqual(toy.covers, {"reaches_far": 7})
         self.assertAlmostEqual(toy.share(toy.toggles), 200 / 3)
 
+    def test_counts_that_are_missing_or_not_whole_are_an_error_that_names_the_file(self):
+        self.patch(coverage, ROOT=self.folder, COUNTS=self.folder / "counts")
+        whole = "# a head\n" + point(5, "v_branch", "if") + point(0, "v_branch", "else")
+        for n, text in enumerate((None, "", "# a head\n", whole[:-1], whole[:-9])):
+            data = self.folder / f"{n}.dat"
+            program = self.write(f"{n}.sh", "#!/bin/sh\n" + (
+                f"cp {data} $TRAMMEL_COVERAGE.0\n" if text is not None else ""))
+            program.chmod(0o755)
+            data.write_text(text or "", encoding="utf-8")
+            code, out, said = call(coverage.main, "--count", "math/toy", "--program", program)
+            self.assertEqual((code, out, said.count("\n")), (2, "", 1), text)
+            self.assertIn("counts/math.toy.dat", said)
+        data.write_text(whole, encoding="utf-8")
+        self.assertEqual(call(coverage.main, "--count", "math/toy", "--program", program)[0], 0)
+
     def test_the_table_has_a_row_a_block_and_one_for_all(self):
         blocks = self.blocks(point(5, "v_branch", "if"), point(0, "v_branch", "else"),
                              point(3, "v_toggle", "b"),

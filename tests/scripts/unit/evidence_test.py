@@ -33,18 +33,12 @@ class EvidenceTest(Scratch):
         self.addCleanup(environment.stop)
         for name in [one for one in os.environ if one == "CI" or one.startswith("TRAMMEL_")]:
             del os.environ[name]
-        self.forget()
-        self.addCleanup(self.forget)
-
-    def forget(self):
-        """What is found once a call of the tool."""
-        sources.forget()
-        for one in (evidence.inputs, evidence.stale, evidence.commit):
-            one.cache_clear()
+        evidence.forget()
+        self.addCleanup(evidence.forget)
 
     def check(self):
         """(exit code, whether the command ran, what the tool said) of the check."""
-        self.forget()
+        evidence.forget()
         ran = self.folder / "ran"
         ran.unlink(missing_ok=True)
         script = (f"import pathlib; pathlib.Path({str(ran)!r}).touch(); "
@@ -118,6 +112,7 @@ class EvidenceTest(Scratch):
             for n in range(1000):
                 commit.return_value = f"{n:040x}"
                 drawn += evidence.drawn(NAME)
+                self.assertEqual(*map(evidence.drawn, ("sanitize.unit", "coverage.cpp")))
         self.assertTrue(70 < drawn < 130, drawn)
 
     def test_a_check_that_fails_keeps_nothing(self):
@@ -143,6 +138,19 @@ class EvidenceTest(Scratch):
         self.assertIn("not kept: TRAMMEL_TEST_SEED", said)
         self.assertEqual(record.path_of(NAME).read_bytes(), kept)
 
+    def test_what_passes_on_a_full_disk_is_neither_kept_nor_compared(self):
+        usage = mock.Mock(return_value=mock.Mock(free=0))
+        with mock.patch.object(evidence.shutil, "disk_usage", usage):
+            code, ran, said = self.check()
+            self.assertEqual((code, ran, said.count("\n")), (1, True, 2))
+            self.assertIn(f"the result of {NAME} does not count: the disk of", said)
+            self.assertFalse(record.KEPT.exists())
+        self.check()
+        os.environ["TRAMMEL_FRESH"] = "1"
+        self.write("said", "")
+        with mock.patch.object(evidence.shutil, "disk_usage", usage):
+            self.assertNotIn("differs", self.check()[2])
+
     def test_what_cannot_be_kept_is_said_in_one_line(self):
         self.write("evidence", "no folder")
         code, ran, said = self.check()
@@ -153,23 +161,25 @@ class EvidenceTest(Scratch):
         before = record.digest_of(sources.matching("rtl/**"))
         (self.folder / "rtl/math/.#toy.sv").symlink_to("user@host.1")
         (self.folder / "rtl/math/linked.sv").symlink_to(self.folder)
-        self.forget()
+        evidence.forget()
         self.assertEqual(record.digest_of(sources.matching("rtl/**")), before)
 
     def test_an_archive_in_a_repository_that_ignores_it_has_inputs(self):
         self.patch(sources, ROOT=self.folder / "unpacked")
         self.write("unpacked/rtl/math/toy.sv", "module toy;\nendmodule\n")
         self.write(".gitignore", "unpacked\n")
-        self.forget()
+        evidence.forget()
         self.assertEqual(sources.every(), ["rtl/math/toy.sv"])
 
     def test_a_record_of_a_block_that_is_gone_and_a_name_without_check_are_said_in_one_line(self):
         self.check()
         (self.folder / "rtl/math/toy.sv").unlink()
-        self.forget()
+        evidence.forget()
         self.assertIn("there is no such check", evidence.stale(NAME))
         with mock.patch.object(evidence.python_tools, "restart", lambda: None):
-            for words in ((NAME, "--", "true"), ("--inputs", NAME), ("none", "--", "true"), ()):
+            for words in ((NAME, "--", "true"), ("--inputs", NAME), ("none", "--", "true"), (),
+                          ("--list", NAME), ("--needed", NAME), ("--inputs", NAME, NAME),
+                          ("--list", "--needed")):
                 code, _, said = call(evidence.main, *words)
                 self.assertEqual((code, said.count("\n")), (2, 1), words)
 
