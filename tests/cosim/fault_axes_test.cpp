@@ -2,7 +2,6 @@
 //
 // Each kind of fault in each axis, line and sense: it changes its own pin as it says, and no other.
 #include <catch2/catch.hpp>
-#include <cstdint>
 #include <string>
 
 #include "cosim/fault_plant.hpp"

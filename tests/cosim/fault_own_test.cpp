@@ -3,7 +3,6 @@
 // Faults on machines of other converters and outputs than the table's, held levels, a trip without
 // an injected fault, and the timer beside a chip.
 #include <catch2/catch.hpp>
-#include <cstdint>
 #include <string>
 
 #include "cosim/fault_plant.hpp"

@@ -2,8 +2,6 @@
 #include <fmt/format.h>
 
 #include <catch2/catch.hpp>
-#include <cmath>
-#include <fstream>
 #include <string>
 #include <vector>
 

@@ -4,7 +4,6 @@
 // at the clocks from which they count.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <catch2/catch.hpp>
 #include <string>
 #include <vector>

@@ -3,7 +3,6 @@
 // A run's folder comes to its place also where the file system cannot exchange two names.
 #include <catch2/catch.hpp>
 #include <cerrno>
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <string>

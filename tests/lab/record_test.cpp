@@ -2,9 +2,7 @@
 //
 // The runs that a run is compared with: made after one that ended well, and after no other.
 #include <catch2/catch.hpp>
-#include <memory>
 #include <string>
-#include <vector>
 
 #include "lab/machine.hpp"
 #include "lab/record.hpp"

@@ -5,7 +5,6 @@
 #include "lab/settings.hpp"
 
 #include <catch2/catch.hpp>
-#include <cmath>
 #include <cstdint>
 #include <limits>
 #include <string>

@@ -3,7 +3,6 @@
 // The precision controller's ideal against the specification's numbers, and the twin against it.
 
 #include <algorithm>
-#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>

@@ -6,7 +6,6 @@
 #include <catch2/catch.hpp>
 #include <cstdint>
 #include <deque>
-#include <string>
 #include <utility>
 
 #include "parts/lm628/driver/lm628.h"

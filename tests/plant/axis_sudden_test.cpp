@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What moves an axis of a sudden, a load that comes or goes, a supply that returns or a stop, is
-// not seen late: how far ahead no edge can be was bounded before.
-#include <catch2/catch.hpp>
-
+// What moves an axis of a sudden is not seen late, and windings and carriages that are faster than
+// the plant's usual spans of 6.25 us follow their closed forms.
 #include <algorithm>
+#include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
 
 #include "models/plant/axis.hpp"
+#include "models/plant/spans.hpp"
 
 using namespace trammel::plant;
 
@@ -40,6 +43,8 @@ Clk latest(Axis& axis, Clk from, Clk end, unsigned gates) {
   CHECK(edges > 3);
   return late;
 }
+
+constexpr unsigned kAOverBAndC = 1u | 2u << 3 | 4u << 3;
 
 }  // namespace
 
@@ -144,4 +149,135 @@ TEST_CASE("a stop takes the speed of a carriage, not the current of its diodes, 
       CHECK(most < 0.3e-3);  // 310 V over a winding and a half, in a clock: 0.18 mA
     }
   }
+}
+
+TEST_CASE("a winding of 1 us follows its closed form") {
+  AxisConfig c;
+  c.resistance_ohm = 100;
+  c.inductance_d_h = c.inductance_q_h = 1e-4;
+  c.start_m = 0;
+  c.locked = true;
+  Axis axis(c, kPeriod);
+  axis.commit(0, kAOverBAndC);
+  const double last = c.dc_link_v / (1.5 * c.resistance_ohm);  // one winding over two
+  for (Clk n = 10; n <= 50'000; n += 10) {
+    while (axis.next() <= n) axis.commit(axis.next(), kAOverBAndC);
+    const double t = static_cast<double>(n) * kPeriod;
+    CAPTURE(n);
+    REQUIRE(axis.state(n).i_a_a ==
+            Approx(last * -std::expm1(-t * c.resistance_ohm / c.inductance_q_h)).epsilon(1e-4));
+  }
+}
+
+TEST_CASE("a carriage with viscous friction of 10 us settles at its force over its friction") {
+  AxisConfig c;
+  c.mass_kg = 0.1;
+  c.viscous_n_s_m = 10'000;
+  c.coulomb_n = 0;
+  c.mode_hz = 100;  // only 0.01 kg are not on the spring: 1 us
+  c.mode_mass_ratio = 0.9;
+  c.external_force_n = -20;
+  c.start_m = 0.3;
+  c.brake = false;
+  Axis axis(c, kPeriod);
+  while (axis.next() <= 20'000'000) axis.commit(axis.next(), 0);
+  CHECK(axis.state(20'000'000).v_m_s == Approx(20.0 / 10'000).epsilon(1e-3));
+  CHECK(axis.state(20'000'000).x_m == Approx(0.3008).margin(1e-5));
+}
+
+TEST_CASE("spans are those of the fastest part of a motor, and some are too short") {
+  AxisConfig c;
+  CHECK(MotorRates(motor_config(c)).span() > 6.25e-6);
+  c.resistance_ohm = 1000;
+  CHECK(MotorRates(motor_config(c)).span() == Approx(0.1 * c.inductance_q_h / 1000));
+  c.inductance_d_h = 1e-4;
+  CHECK_THROWS_AS(Axis(c, kPeriod), std::invalid_argument);
+}
+
+TEST_CASE("a value that no axis can have is refused by its name and what it must be") {
+  using C = AxisConfig;
+  const double nan = std::nan(""), infinite = std::numeric_limits<double>::infinity();
+  const auto refusal = [](const auto& change) -> std::string {
+    C c;
+    change(c);
+    try {
+      Axis(c, kPeriod);
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const struct {
+    const char* name;
+    double C::* member;
+    double refused;
+  } values[]{{"resistance_ohm", &C::resistance_ohm, 0},
+             {"inductance_d_h", &C::inductance_d_h, 0},
+             {"inductance_q_h", &C::inductance_q_h, 0},
+             {"force_constant_n_a", &C::force_constant_n_a, -1},
+             {"pole_pitch_m", &C::pole_pitch_m, 0},
+             {"mass_kg", &C::mass_kg, 0},
+             {"payload_kg", &C::payload_kg, -1},
+             {"coulomb_n", &C::coulomb_n, -1},
+             {"viscous_n_s_m", &C::viscous_n_s_m, -1},
+             {"cogging_n", &C::cogging_n, nan},
+             {"friction_speed_m_s", &C::friction_speed_m_s, 0},
+             {"external_force_n", &C::external_force_n, nan},
+             {"stribeck_n", &C::stribeck_n, -1},
+             {"stribeck_speed_m_s", &C::stribeck_speed_m_s, 0},
+             {"cogging_harmonic_n", &C::cogging_harmonic_n, nan},
+             {"cable_n_m", &C::cable_n_m, -1},
+             {"cable_rest_m", &C::cable_rest_m, nan},
+             {"mode_hz", &C::mode_hz, -1},
+             {"mode_damping", &C::mode_damping, -1},
+             {"mode_mass_ratio", &C::mode_mass_ratio, 0},
+             {"mode_mass_ratio", &C::mode_mass_ratio, 1},
+             {"load_n", &C::load_n, nan},
+             {"load_begin_s", &C::load_begin_s, -1},
+             {"load_end_s", &C::load_end_s, -1},
+             {"stroke_min_m", &C::stroke_min_m, 0.6},
+             {"stroke_max_m", &C::stroke_max_m, nan},
+             {"dc_link_v", &C::dc_link_v, -1},
+             {"supply_ohm", &C::supply_ohm, -1},
+             {"dc_link_f", &C::dc_link_f, 0},
+             {"chopper_v", &C::chopper_v, -1},
+             {"switch_drop_v", &C::switch_drop_v, -1},
+             {"diode_drop_v", &C::diode_drop_v, -1},
+             {"encoder_count_m", &C::encoder_count_m, 0},
+             {"encoder_hysteresis_counts", &C::encoder_hysteresis_counts, -1},
+             {"encoder_hysteresis_counts", &C::encoder_hysteresis_counts, 1},
+             {"encoder_error_m", &C::encoder_error_m, -1},
+             {"encoder_error_m", &C::encoder_error_m, 3.2e-6},
+             {"encoder_period_m", &C::encoder_period_m, 0},
+             {"encoder_jitter_m", &C::encoder_jitter_m, -1},
+             {"index_m", &C::index_m, nan},
+             {"current_full_scale_a", &C::current_full_scale_a, 0},
+             {"current_noise_a", &C::current_noise_a, -1},
+             {"current_offset_a_a", &C::current_offset_a_a, nan},
+             {"current_offset_b_a", &C::current_offset_b_a, nan},
+             {"current_gain_a", &C::current_gain_a, nan},
+             {"current_gain_b", &C::current_gain_b, nan},
+             {"start_m", &C::start_m, nan},
+             {"longest_span_s", &C::longest_span_s, 0}};
+  CHECK(refusal([](C&) {}).empty());
+  for (const auto& one : values) {
+    for (const double value : {one.refused, nan, infinite, -infinite}) {
+      CAPTURE(one.name, value);
+      CHECK_THAT(refusal([&](C& c) { c.*one.member = value; }),
+                 Catch::Contains(std::string("axis: ") + one.name + ": value "));
+    }
+  }
+  CHECK(refusal([](C& c) { c.adc_bits = 5; }) == "axis: adc_bits: value 5 must be 6 to 16");
+  CHECK(refusal([](C& c) { c.cogging_harmonic = 0; }) ==
+        "axis: cogging_harmonic: value 0 must be 1 or above");
+  CHECK(refusal([](C& c) {
+          c.load_begin_s = 2;
+          c.load_end_s = 1;
+        }) == "axis: load_end_s: value 1 must be 0 or above load_begin_s = 2");
+  CHECK(refusal([](C& c) { c.stroke_min_m = 0.7; }) ==
+        "axis: stroke_min_m: value 0.7 must be below stroke_max_m = 0.6");
+  CHECK(refusal([](C& c) {
+          c.stroke_min_m = 0.7;
+          c.hard_stops = false;
+        }).empty());
 }

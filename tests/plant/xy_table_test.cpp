@@ -3,7 +3,6 @@
 
 #include <catch2/catch.hpp>
 #include <cstring>
-#include <vector>
 
 #include "tests/plant/vector_pwm.hpp"
 

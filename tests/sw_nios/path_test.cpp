@@ -7,7 +7,6 @@
 
 #include "models/ideal/paths.hpp"
 #include "sw_nios/path/trajectory.hpp"
-#include "tests/support/points.hpp"
 
 namespace {
 

@@ -3,8 +3,6 @@
 // What `trammel run` leaves behind and how it exits, by the same rules for every machine.
 #include "testbench/run.hpp"
 
-#include <fmt/format.h>
-
 #include <catch2/catch.hpp>
 #include <chrono>
 #include <filesystem>

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <atomic>
 #include <catch2/catch.hpp>
-#include <cmath>
 #include <sstream>
 #include <string>
 #include <vector>

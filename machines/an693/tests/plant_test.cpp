@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The motor of the machine an693 behind its pins: what an open winding and a supply that is not
-// whole make of it, and the mean voltage that pulses give it, by hand.
+// The motor of the machine an693 behind its pins, and the host's port with the times of SNVS781C
+// p.4 in clocks of 20 ns.
 #include <catch2/catch.hpp>
+#include <vector>
 
 #include "machines/an693/session.hpp"
+#include "parts/lm628/board.hpp"
+#include "parts/lm628/host_port.hpp"
 
 using namespace trammel;
 using an693::MotorPlant;
+using lm628::HostPins;
+using lm628::HostPort;
 
 namespace {
 
@@ -23,6 +28,26 @@ MotorPlant of(lm628::Variant variant) {
   part.variant = variant;
   return {plant::MotorAxisConfig(), part};
 }
+
+// Pins of a whole transfer, and of the clock after it.
+std::vector<HostPins> transfer(HostPort& port, const cosim::BusOp& op, int* taken = nullptr) {
+  std::vector<HostPins> all;
+  port.request(op);
+  do {
+    all.push_back(port.pins());
+    if (taken != nullptr && port.takes_data()) *taken = static_cast<int>(all.size()) - 1;
+  } while (!port.advance());
+  all.push_back(port.pins());
+  return all;
+}
+
+int count(const std::vector<HostPins>& all, bool (*is)(const HostPins&)) {
+  int n = 0;
+  for (const HostPins& pins : all) n += is(pins) ? 1 : 0;
+  return n;
+}
+
+bool idle(const HostPins& p) { return p.cs_n && p.rd_n && p.wr_n && p.reset_n; }
 
 }  // namespace
 
@@ -74,4 +99,100 @@ TEST_CASE("an693: the voltage of pulses is the mean since it was asked for, thro
   CHECK(plant.voltage(5000) == Approx(-24.0 / 2));
   plant.commit(5600, cosim::Lines{1} << lm628::kSign);
   CHECK(plant.voltage(6000) == Approx(-24 * 0.6));
+}
+
+TEST_CASE("lm628 port writes with 100 ns of WR, data 50 ns before its end and 120 ns after it") {
+  HostPort port;
+  const auto all = transfer(port, {sw::lm628_map::kData, 0xA5, true});
+  CHECK(count(all, [](const HostPins& p) { return !p.wr_n; }) * 20 >= 100);
+  int after = 0;
+  bool low = false;
+  for (const HostPins& p : all) {
+    low = low || !p.wr_n;
+    if (!p.wr_n) CHECK((p.d == 0xA5 && p.ps && !p.cs_n && p.rd_n));
+    if (low && p.wr_n && p.d == 0xA5) ++after;
+  }
+  CHECK(after * 20 >= 120);
+  CHECK(all.front().wr_n);
+  CHECK(idle(all.back()));
+}
+
+TEST_CASE("lm628 port takes data 180 ns after RD falls and leaves the bus idle for 180 ns more") {
+  HostPort port;
+  int taken = -1;
+  const auto all = transfer(port, {sw::lm628_map::kCommand, 0, false}, &taken);
+  CHECK(count(all, [](const HostPins& p) { return !p.rd_n; }) * 20 >= 180);
+  const auto at = static_cast<std::size_t>(taken);
+  CHECK_FALSE(all[at].rd_n);
+  CHECK(all[at + 1].rd_n);
+  CHECK_FALSE(all[at].ps);
+  CHECK((static_cast<int>(all.size()) - 2 - taken) * 20 >= 180);
+  CHECK(idle(all.back()));
+}
+
+TEST_CASE("lm628 port strobes RST for 8 clocks of a part of 6 MHz") {
+  HostPort port;
+  const auto all = transfer(port, {sw::lm628_map::kReset, 1, true});
+  CHECK(count(all, [](const HostPins& p) { return !p.reset_n; }) * 20 >= 8 * 1000 / 6);
+  CHECK(idle(all.back()));
+  CHECK(count(transfer(port, {sw::lm628_map::kIrq, 0, false}), idle) == 2);
+}
+
+TEST_CASE("lm628 board takes each half of the converter's word as WR rises, and no other byte") {
+  lm628::Board board;
+  CHECK(board.lines == lm628::kZeroCode);
+  CHECK_FALSE(board.output({0x15 << 2, false, false}));
+  CHECK_FALSE(board.output({0x15 << 2, false, true}));   // WR rises: the low half
+  CHECK_FALSE(board.output({0x3F << 2, false, true}));   // no strobe
+  CHECK_FALSE(board.output({0x2A << 2, true, false}));
+  CHECK(board.output({0x2A << 2, true, true}));          // the high half: the word is complete
+  CHECK(board.lines == (0x2A << 6 | 0x15));
+  CHECK_FALSE(board.output({0x01 << 2, true, true}));    // no strobe
+}
+
+TEST_CASE("a converter of 8 bits has the byte at once, and zero while the part puts out low bits") {
+  lm628::PartOptions part;
+  part.dac_bits = 8;
+  lm628::Board board(part);
+  CHECK(board.lines == lm628::kZeroCode);
+  CHECK_FALSE(board.output({0x00, false, false}));  // of 800h, as the part leaves its reset
+  CHECK(board.output({0x81, true, true}));
+  CHECK(lm628::share_of_code(board.lines) == 1.0 / 128);
+  CHECK(board.output({0x00, true, true}));
+  CHECK(lm628::share_of_code(board.lines) == -1);
+}
+
+TEST_CASE("an LM629 drives its bridge by sign and magnitude, whatever is on the converter's pins") {
+  lm628::PartOptions part;
+  part.variant = lm628::Variant::kLm629;
+  lm628::Board board(part);
+  CHECK(board.lines == 0);
+  CHECK_FALSE(board.output({0xFF, true, true, false, false}));
+  CHECK(board.output({0x80, true, true, true, false}));
+  CHECK(lm628::share_of_pulse(board.lines) == 1);
+  CHECK(board.output({0x80, true, true, true, true}));
+  CHECK(lm628::share_of_pulse(board.lines) == -1);
+  CHECK(board.output({0x80, true, true, false, true}));
+  CHECK(lm628::share_of_pulse(board.lines) == 0);
+}
+
+TEST_CASE("what is none of the permitted clocks and converters is refused by one line") {
+  using Catch::Contains;
+  CHECK_NOTHROW(lm628::check_clock(6));
+  CHECK_THROWS_WITH(lm628::check_clock(7), "chip.clock_MHz: value 7 is neither 6 nor 8");
+  lm628::PartOptions part;
+  CHECK_NOTHROW(lm628::check_part(part));
+  CHECK(lm628::part_warning(part).empty());
+  part.dac_bits = 10;
+  CHECK_THROWS_WITH(lm628::check_part(part), "chip.dac_bits: value 10 is neither 8 nor 12");
+  part.dac_bits = 8;
+  for (const int clock_MHz : {0, 5, 7, 9, -6}) {
+    part.clock_MHz = clock_MHz;
+    CHECK_THROWS_WITH(lm628::check_part(part), Contains("chip.clock_MHz: value " +
+                                                        std::to_string(clock_MHz) + " is neither"));
+  }
+  part.clock_MHz = 8;
+  CHECK(lm628::part_warning(part).empty());
+  part.variant = lm628::Variant::kLm629;
+  CHECK_THAT(lm628::part_warning(part), Contains("chip.dac_bits = 8 has no effect"));
 }

@@ -7,7 +7,6 @@
 #include <atomic>
 #include <cmath>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "cosim/trigger_search.hpp"

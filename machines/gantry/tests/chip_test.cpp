@@ -2,11 +2,9 @@
 //
 // The chip of the machine gantry, by RTL and by twin: the words that it shows against what the
 // sensor sees, its memory, the data of an ideal sensor, and the ranges of what a trigger may name.
-#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <typeinfo>
 

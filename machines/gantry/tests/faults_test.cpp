@@ -5,11 +5,9 @@
 #include <array>
 #include <cstdint>
 #include <exception>
-#include <string>
 #include <utility>
 
 #include "lab/record.hpp"
-#include "machines/gantry/machine.hpp"
 #include "machines/gantry/tests/by_twin.hpp"
 #include "tests/support/message.hpp"
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Forces of homing and of the calibration run, each from its own value of the setup and in its own
-// sense for both motors, and what a run of both at power-on goes through.
+// What the firmware of the gantry track does with its motors: forces of homing and calibration,
+// runs without controller or with one motor, and what it watches where it is asked to.
 #include <catch2/catch.hpp>
 #include <cstdint>
+#include <vector>
 
 #include "machines/gantry/tests/fake_chip.hpp"
 
@@ -15,6 +16,33 @@ namespace {
 void check_forces(Track& track, std::int32_t force) {
   CHECK(track.force(1) == force);
   CHECK(track.force(2) == force);
+}
+
+sw::GantrySetup open_setup(sw::OpenForce kind, std::uint32_t passes) {
+  sw::GantrySetup setup;
+  setup.open = kind;
+  setup.open_force = 77;
+  setup.open_passes = passes;
+  return setup;
+}
+
+std::vector<std::int32_t> forces(Track& track, int passes) {
+  std::vector<std::int32_t> all;
+  for (int k = 0; k < passes; ++k) {
+    track.pass(k);
+    CHECK(track.force(1) == track.force(2));
+    all.push_back(track.force(1));
+  }
+  return all;
+}
+
+std::uint32_t failure(const Track& track) { return track.app.mailbox().failure; }
+constexpr auto kStalled = static_cast<std::uint32_t>(sw::GantryFailure::kStalled);
+constexpr auto kSensor = static_cast<std::uint32_t>(sw::GantryFailure::kSensor);
+
+void codes(Track& track, std::uint32_t a, std::uint32_t b) {
+  track.chip.words[regs::kEncoderA] = a;
+  track.chip.words[regs::kEncoderB] = b;
 }
 
 }  // namespace
@@ -139,4 +167,128 @@ TEST_CASE("gantry: rest is counted from the first pass that has a position, howe
   CHECK(fits.app.phase() == sw::GantryPhase::kToFit);
   fits.pass(512, 1);
   CHECK(fits.app.phase() == sw::GantryPhase::kFitting);
+}
+
+TEST_CASE("gantry: without controller the force is as it is asked for, whatever the host wants") {
+  Track constant(open_setup(sw::OpenForce::kConstant, 3));
+  CHECK(constant.app.phase() == sw::GantryPhase::kOpen);
+  constant.tell({{kValue, 21, 5}});
+  CHECK(forces(constant, 4) == std::vector<std::int32_t>{77, 77, 77, 77});
+  constant.tell({{kValue, 22, 171000}});
+  CHECK(forces(constant, 1) == std::vector<std::int32_t>{77});
+  Track steps(open_setup(sw::OpenForce::kSteps, 2));
+  CHECK(forces(steps, 6) == std::vector<std::int32_t>{77, 77, -77, -77, 77, 77});
+}
+
+TEST_CASE("gantry: a random force is 127 bits that have every word but 0, then their inverse") {
+  constexpr int kTurn = 127;
+  Track track(open_setup(sw::OpenForce::kRandom, 3));
+  const auto all = forces(track, 3 * 4 * kTurn);
+  std::vector<int> bits;
+  for (std::size_t k = 0; k < all.size(); k += 3) {
+    CHECK(all[k] == all[k + 1]);
+    CHECK(all[k] == all[k + 2]);
+    bits.push_back(all[k] == 77 ? 1 : 0);
+  }
+  std::vector<bool> words(128);
+  for (std::size_t k = 0; k < kTurn; ++k) {
+    int word = 0;
+    for (std::size_t n = 0; n < 7; ++n) word = word << 1 | bits[(k + n) % kTurn];
+    words[static_cast<std::size_t>(word)] = true;
+    CHECK(bits[k + kTurn] == 1 - bits[k]);
+    CHECK(bits[k + 2 * kTurn] == bits[k]);
+  }
+  int seen = 0;
+  for (const bool word : words) seen += word ? 1 : 0;
+  CHECK(seen == kTurn);
+  CHECK_FALSE(words[0]);
+}
+
+TEST_CASE("gantry: homing ends in the run without controller") {
+  sw::GantrySetup setup = open_setup(sw::OpenForce::kConstant, 1);
+  setup.home = true;
+  setup.home_ticks = 10;
+  Track track(setup);
+  for (int k = 0; k < 60 && !track.app.homed(); ++k) track.pass(3);  // with 0.1 s of rest
+  CHECK(track.app.homed());
+  CHECK(track.app.phase() == sw::GantryPhase::kOpen);
+  track.pass(3);
+  CHECK(track.force(1) == 77);
+}
+
+TEST_CASE("gantry: of two motors the one that is asked for is driven") {
+  for (const auto motors : {sw::Motors::kFirst, sw::Motors::kSecond}) {
+    sw::GantrySetup setup = open_setup(sw::OpenForce::kConstant, 1);
+    setup.motors = motors;
+    Track track(setup);
+    track.pass(0);
+    CHECK(track.force(1) == (motors == sw::Motors::kFirst ? 77 : 0));
+    CHECK(track.force(2) == (motors == sw::Motors::kSecond ? 77 : 0));
+  }
+}
+
+TEST_CASE("gantry: a force that moves nothing for so many ticks turns the motors off for good") {
+  sw::GantrySetup setup;
+  setup.stall_ticks = 100;
+  Track track(setup);
+  track.tell({{kValue, 21, 305}});
+  for (int k = 0; k < 50; ++k) track.pass(k);  // it moves
+  CHECK(failure(track) == 0);
+  for (int k = 0; k < 11; ++k) track.pass(49);  // 99 ticks
+  CHECK(failure(track) == 0);
+  CHECK(track.force(1) == -1023);
+  track.pass(49, 1);
+  CHECK(failure(track) == kStalled);
+  CHECK(track.force(1) == 0);
+  CHECK(track.force(2) == 0);
+  track.tell({{kValue, 21, 100}});
+  track.pass(49);
+  CHECK(track.force(1) == 0);
+}
+
+TEST_CASE("gantry: a force below 160 counts may hold the cart, and homing ends at a stop") {
+  sw::GantrySetup setup;
+  setup.stall_ticks = 100;
+  for (const std::int32_t short_of : {53, 54}) {  // times K, 3
+    Track track(setup);
+    track.tell({{kValue, 21, 305}});
+    for (int k = 0; k < 100; ++k) track.pass(1952 - short_of);
+    CAPTURE(short_of);
+    CHECK(track.force(1) == (short_of == 53 ? -159 : 0));
+    CHECK(failure(track) == (short_of == 53 ? 0 : kStalled));
+  }
+  setup.home = true;
+  Track track(setup);
+  for (int k = 0; k < 100; ++k) track.pass(0);
+  CHECK(failure(track) == 0);
+  CHECK(track.force(1) == 0x150);
+}
+
+TEST_CASE("gantry: without its key a force that moves nothing goes on") {
+  Track track;
+  track.tell({{kValue, 21, 305}});
+  for (int k = 0; k < 1000; ++k) track.pass(0);
+  CHECK(failure(track) == 0);
+  CHECK(track.force(1) == -1023);
+}
+
+TEST_CASE("gantry: codes of A and B off their circle turn the motors off, near it they do not") {
+  sw::GantrySetup setup;
+  setup.watch_sensor = true;
+  struct Case {
+    std::uint32_t a, b;
+    bool fails;
+  };
+  for (const Case& one : {Case{912, 512, false}, Case{512, 912, false}, Case{795, 795, false},
+                          Case{262, 512, false}, Case{261, 512, false}, Case{763, 512, false},
+                          Case{761, 512, true}, Case{512, 512, true}, Case{512, 0, false},
+                          Case{1023, 620, true}, Case{0, 0, true}}) {
+    Track track(setup);
+    codes(track, one.a, one.b);
+    track.tell({{kValue, 21, 305}});
+    track.pass(0);
+    CAPTURE(one.a, one.b);
+    CHECK(failure(track) == (one.fails ? kSensor : 0));
+    CHECK(track.force(1) == (one.fails ? 0 : -1023));
+  }
 }

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <catch2/catch.hpp>
 #include <algorithm>
-#include <vector>
 
 #include "machines/kung/tests/fake_chip.hpp"
-#include "tests/support/points.hpp"
 
 using namespace trammel::sw;
 using namespace trammel::test;

@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What a page takes from a run: its title, the distance to the path, the spectra of its errors, and
-// the gates around a trip.
+// What a page of the table shows of its record: distances, spectra, gates; and its pictures.
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <memory>
+#include <random>
 #include <string>
+#include <sys/stat.h>
 
-#include "lab/files.hpp"
+#include "lab/output_folder.hpp"
 #include "lab/report_data.hpp"
+#include "lab/scenarios.hpp"
+#include "lab/write.hpp"
+#include "machines/kung/machine.hpp"
 #include "machines/kung/spectrum.hpp"
 #include "machines/kung/tests/by_hand.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/scratch.hpp"
 
 using namespace trammel;
@@ -41,6 +49,36 @@ Result late_table(std::uint32_t n, std::uint32_t late, double beside_m) {
   result.end_tick = n + 1;
   result.points = 10;
   return result;
+}
+
+constexpr double kPi = 3.14159265358979323846;
+
+// Of a sine of m + offset/2048 of the rate.
+std::vector<double> of_sine(std::size_t n, double m, double amplitude, double mean = 0) {
+  return spectrum(n, [=](std::size_t k) {
+    return mean + amplitude * std::sin(2 * kPi * m * static_cast<double>(k) / kSegment + 0.3);
+  });
+}
+
+// Of a path that is counted from sample 10 on.
+std::string told(const test::Scratch& scratch, std::uint32_t samples) {
+  auto result = std::make_unique<kung::Result>();
+  result->points = 1;
+  result->first_tick = 10;
+  result->end_tick = 10 + samples;
+  for (std::uint32_t n = 0; n < 15 + samples; ++n) {
+    kung::Sample one;
+    one.tick = n;
+    one.edge = 25'000 * cosim::Clk{n};
+    result->samples.push_back(one);
+  }
+  lab::Record record;
+  record.settings = lab::load_scenario(lab::find_scenario("circle"));
+  record.result = std::move(result);
+  lab::OutputFolder folder(scratch.path / "run");
+  const lab::Written written = lab::write_record(record, folder, {}, {}, false);
+  CHECK(written.notes.empty());
+  return test::content(folder.scratch() / "told");
 }
 
 }  // namespace
@@ -127,4 +165,62 @@ TEST_CASE("gates of a page are those of their window, around a trip with its edg
   CHECK(rules["y"]["first"][3] == 17);
   CHECK(rules["x"]["last"][48] == -9);
   CHECK(rules["x"]["first"][3] == 0);
+}
+
+TEST_CASE("a sine shows with its amplitude at its frequency, and nowhere else") {
+  for (const std::size_t n : {kSegment, kSegment + 1, 3 * kSegment, 10000ul}) {
+    CAPTURE(n);
+    const auto all = of_sine(n, 100, 2.5, 40);
+    REQUIRE(all.size() == kSegment / 2 + 1);
+    CHECK(all[100] == Approx(2.5).epsilon(1e-3));
+    CHECK(all[101] == Approx(1.25).epsilon(1e-2));  // Hann: half of it beside it
+    for (const std::size_t m : {0, 1, 97, 103, 500, 1024}) {
+      CAPTURE(m);
+      CHECK(all[m] < 1e-3);
+    }
+  }
+}
+
+TEST_CASE("between two frequencies a sine shows at both, at most 15 percent lower") {
+  const auto all = of_sine(5000, 300.5, 1);
+  CHECK(all[300] == Approx(0.849).epsilon(1e-2));
+  CHECK(all[301] == Approx(0.849).epsilon(1e-2));
+}
+
+TEST_CASE("a short series is one segment, and of a very short one there is nothing") {
+  const auto all = of_sine(512, 200, 3);
+  CHECK(all[200] == Approx(3).epsilon(1e-2));
+  CHECK(of_sine(15, 200, 1).empty());
+}
+
+TEST_CASE("of noise the powers of the segments are averaged") {
+  std::mt19937 random(7);
+  std::normal_distribution<double> normal;
+  std::vector<double> values(200 * kSegment);
+  for (double& one : values) one = normal(random);
+  const auto all = spectrum(values.size(), [&](std::size_t k) { return values[k]; });
+  // Variance 1 over the window: amplitude 2 sqrt(sum w^2) / sum w = 2 sqrt(3/2 / n).
+  const double expected = 2 * std::sqrt(1.5 / kSegment);
+  for (std::size_t m = 4; m < 1020; m += 50) CHECK(all[m] == Approx(expected).epsilon(0.2));
+}
+
+TEST_CASE("a picture has at most 6000 points, of the samples that count") {
+  const test::Scratch scratch("pictures_test_out");
+  const test::NoPrograms none;
+  std::ofstream(scratch.path / "gnuplot") << "#!/bin/sh\nexec /bin/cat >> told\n";
+  chmod((scratch.path / "gnuplot").c_str(), 0755);
+  setenv("PATH", scratch.path.c_str(), 1);
+  const struct {
+    std::uint32_t samples;
+    const char* variables;
+  } runs[] = {
+      {2, "first = 10\nlast = 11\nstep = 1\nfrom = 0.005\nto = "},
+      {5999, "first = 10\nlast = 6008\nstep = 1\nfrom = 0.005\nto = "},
+      {6000, "first = 10\nlast = 6009\nstep = 2\nfrom = 0.005\nto = "},
+      {12'001, "first = 10\nlast = 12010\nstep = 3\nfrom = 0.005\nto = "},
+  };
+  for (const auto& [samples, variables] : runs) {
+    INFO(samples << " samples");
+    CHECK_THAT(told(scratch, samples), Catch::Matchers::Contains(variables));
+  }
 }

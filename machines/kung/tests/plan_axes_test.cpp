@@ -7,7 +7,6 @@
 #include <string>
 #include <vector>
 
-#include "machines/kung/machine.hpp"
 #include "machines/kung/plan.hpp"
 
 using namespace trammel;

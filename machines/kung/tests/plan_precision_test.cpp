@@ -6,7 +6,6 @@
 #include <cmath>
 #include <complex>
 #include <string>
-#include <vector>
 
 #include "machines/kung/plan.hpp"
 #include "machines/kung/plan_precision.hpp"

@@ -12,6 +12,8 @@
 #include "sw_nios/apps/kung/learning.hpp"
 #include "sw_nios/apps/kung/precision_words.hpp"
 
+using namespace trammel::sw;
+
 namespace {
 
 using namespace trammel::sw;
@@ -22,6 +24,20 @@ constexpr double kKilogram = 54681.6;
 double value(Gain g) { return std::ldexp(g.mant / 2048.0, g.exp); }
 std::int32_t mass(double kg) { return static_cast<std::int32_t>(std::lround(kKilogram * kg)); }
 Gain km(double kg) { return normalized(mass(kg), 21); }
+
+constexpr std::uint32_t kLap = 60, kGain = 1u << 14;
+constexpr std::int32_t kErrSum = 32 * 100;
+
+using Table = std::array<std::int16_t, Corrections::kPoints>;
+
+// After three laps in which the axis goes this way from point to point and is off by as much.
+Table learned(std::int32_t way) {
+  Table table{};
+  table.fill(77);  // of a run before
+  Learning learning(&table, kLap, kGain);
+  for (std::uint32_t point = 0; point < 3 * kLap; ++point) learning.step(point, way, kErrSum);
+  return table;
+}
 
 }  // namespace
 
@@ -192,4 +208,20 @@ TEST_CASE("there are none at the ends of a lap, at rest, without room, or beyond
   for (const std::int16_t one : points) CHECK(one == 0);
   CHECK(Learning().correction(5) == 0);
   Learning(nullptr, 100, 65536).step(50, 600, 3200);
+}
+
+TEST_CASE("a lap has corrections from its 13th point to the 13th from its end, no other") {
+  for (const std::int32_t way : {Learning::kSlow, -Learning::kSlow}) {
+    const Table table = learned(way);
+    for (std::uint32_t at = 0; at < table.size(); ++at) {
+      INFO("point " << at << ", way " << way);
+      CHECK((table[at] != 0) == (at >= Learning::kEnds && at < kLap - Learning::kEnds));
+    }
+  }
+}
+
+TEST_CASE("an axis that is slow gets none") {
+  for (const std::int32_t way : {Learning::kSlow - 1, 1 - Learning::kSlow, 0}) {
+    CHECK(learned(way) == Table{});
+  }
 }

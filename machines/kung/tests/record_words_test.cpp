@@ -3,10 +3,8 @@
 // The words that a run records of each controller, beside the truth of the plant in physical units;
 // and the close look at its fastest sample, beside the samples and the gates of the run.
 #include <algorithm>
-#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <string>
 #include <vector>
 
 #include "machines/kung/precision_trace.hpp"

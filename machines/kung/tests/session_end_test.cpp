@@ -7,7 +7,6 @@
 #include <atomic>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <string>
 
 #include "machines/kung/figures.hpp"
 #include "machines/kung/machine.hpp"

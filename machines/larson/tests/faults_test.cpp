@@ -7,7 +7,6 @@
 #include <cmath>
 #include <exception>
 #include <memory>
-#include <string>
 #include <typeinfo>
 
 #include "machines/larson/plant.hpp"

@@ -10,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "lab/errors.hpp"
 #include "machines/larson/machine.hpp"
 #include "tests/support/message.hpp"
 #include "tests/support/scratch.hpp"

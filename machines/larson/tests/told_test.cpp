@@ -1,14 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What is told of a run of the machine larson: remarks and metrics up to their last, verdicts; and
-// what its session says of itself. docs/figures.md lists the figures.
-#include <catch2/catch.hpp>
+// What is told of a run of the machine larson: remarks and metrics up to their last, verdicts,
+// events and places; what its session says of itself, and what a trigger reads of it.
 #include <algorithm>
 #include <atomic>
+#include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdint>
+#include <exception>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <functional>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,6 +27,7 @@
 #include "machines/larson/tests/scripted.hpp"
 #include "tests/support/figures.hpp"
 #include "tests/support/message.hpp"
+#include "tests/support/scratch.hpp"
 #include "tests/support/session_run.hpp"
 
 using namespace trammel;
@@ -45,6 +53,8 @@ Result with_calls(int calls) {
   }
   return result;
 }
+
+using Words = std::function<std::int64_t(const Sample&)>;
 
 }  // namespace
 
@@ -172,4 +182,145 @@ TEST_CASE("larson: a start behind a stop of either axis is refused, on the stop 
              Catch::StartsWith("axis.start_x_step: 400 is behind the stop at 399.5, "));
   CHECK_THAT(told("switch_high_step = 337.5\nstart_x_step = 0\nstart_y_step = 400\n"),
              Catch::StartsWith("axis.start_y_step: 400 is behind the stop at 399.5, "));
+}
+
+TEST_CASE("larson: events are the same, however often a sample is taken") {
+  // Into the far switch, and steps lost at it, by a rotor that rings on it.
+  const auto happened = [](double record_ms) {
+    ScriptedTwin script("CALTBL\nVELTBL 4000 900\nABSTBL 200 30\nWTTBL\nCALTBL\nWHRTBL\n");
+    script.options.axis.buffer.fitted = false;
+    script.options.axis.switch_high = 25.5;
+    script.options.record_ms = record_ms;
+    std::vector<std::string> lines;
+    for (const Event& one : script.run().happened) {
+      lines.push_back(fmt::format("{} {} {} {:.9f} {:o} {:o}", one.edge, one.axis, one.what, one.at,
+                                  one.count, one.status));
+    }
+    return lines;
+  };
+  const std::vector<std::string> often = happened(0.1);
+  CHECK(often.size() > 10);
+  CHECK(happened(0.37) == often);
+  CHECK(happened(50) == often);
+}
+
+TEST_CASE("larson: after lost steps and a new CALTBL places are those of the rotors") {
+  for (std::size_t k = 0; k < 2; ++k) {
+    ScriptedTwin script(std::string("CALTBL\nVELTBL ") + (k == 0 ? "4000 400" : "400 4000") +
+                    "\nABSTBL 400 400\nWTTBL\nVELTBL 400 400\nCALTBL\nABSTBL 30 20\nWTTBL\n"
+                    "WHRTBL\n");
+    script.options.axis.buffer.fitted = false;
+    const Result result = script.run();
+    CAPTURE(k);
+    REQUIRE(result.lost[k] != 0);
+    REQUIRE(result.calibrated);
+    CHECK(result.done.back().at[0] == Approx(30).margin(0.1));
+    CHECK(result.done.back().at[1] == Approx(20).margin(0.1));
+    CHECK(result.end == cosim::EndReason::kMissed);  // of the moves before it
+  }
+}
+
+TEST_CASE("larson: periods of oscillation are those that the rotors had, 11.5 and 8.6 ms") {
+  ScriptedTwin script("CALTBL\nVELTBL 400 400\nREPEAT 2\nRELTBL 1 0\nWTTBL\nWAIT 300\nEND\n");
+  const auto period = [&script](const char* id) {
+    const lab::Record record = lab::run(script.options);
+    for (const lab::Figure& one : record.figures) {
+      if (one.id == id) return one.value;
+    }
+    return 0.0;
+  };
+  CHECK(period("oscillation.two_ms") == Approx(11.5).epsilon(0.05));
+  CHECK(period("oscillation.three_ms") == Approx(8.6).epsilon(0.05));
+  // By a torque that they did not have, whatever the keys of the motor are.
+  const double whole = period("oscillation.two_ms");
+  script.options.axis.motor.torque_share = 0.5;
+  CHECK(period("oscillation.two_ms") == Approx(whole * std::sqrt(2)).epsilon(0.02));
+}
+
+TEST_CASE("larson: figures, answers and verdict do not depend on the raster of the record") {
+  const auto told = [](double every_ms, double max_s) {
+    ScriptedTwin script("CALTBL\nVELTBL 2000 400\nABSTBL 60 33\nWHRTBL\nWTTBL\nABSTBL 58 30\n");
+    script.options.axis.motor.friction = 0.05;
+    script.options.record_ms = every_ms;
+    script.options.run.max_s = max_s;
+    const lab::Record record = lab::run(script.options);
+    std::string all = record.verdict;
+    for (const lab::Figure& f : record.figures) all += fmt::format(" {}={}", f.id, f.value);
+    for (const std::string& line : remarks(record)) all += line;
+    nlohmann::ordered_json json;
+    add_metrics(record, json);
+    return all + json.dump();
+  };
+  const std::string fine = told(1, 10);
+  CHECK_THAT(fine, Catch::StartsWith("done script.time_s="));
+  for (const double every_ms : {0.3, 7.3, 100.0, 1000.0}) {
+    CAPTURE(every_ms);
+    CHECK(told(every_ms, 10) == fine);
+  }
+}
+
+TEST_CASE("larson: a trigger may name a word with what it can hold, of its own axes alone") {
+  struct Range {
+    const char* name;
+    std::int64_t high;
+    bool of_axis;
+  };
+  for (const Range& one : {Range{"count", 0xFFFF, true}, Range{"status", 0xFFFF, true},
+                           Range{"waiting", 0xFFFF, true}, Range{"call", 0xFFFFFFFF, false},
+                           Range{"switches", 15, false}}) {
+    const auto told = [&](const std::string& axis, std::int64_t value) {
+      return test::refusal_of<std::exception>([&] {
+        cosim::parse_trigger(axis + one.name + " == " + std::to_string(value), triggers());
+      });
+    };
+    CAPTURE(one.name);
+    CHECK(told("", 0) == "");
+    CHECK(told("", one.high) == "");
+    CHECK_THAT(told("", -1), Catch::Contains("is out of range"));
+    CHECK_THAT(told("", one.high + 1), Catch::Contains("is out of range"));
+    for (const char* axis : {"x.", "y."}) CHECK((told(axis, one.high) == "") == one.of_axis);
+  }
+}
+
+TEST_CASE("larson: a trigger finds the first sample whose word, of its own axis, has the value") {
+  const test::Scratch scratch("larson_trigger");
+  const std::filesystem::path file = scratch.path / "script.table";
+  std::ofstream(file) << "CALTBL\nVELTBL 4000 500\nABSTBL 60 33\nWTTBL\nRELTBL -25 -10\nWTTBL\n";
+  Options options;
+  options.script = file.string();
+  options.run.platform = cosim::Platform::kDirect;
+  options.run.engine = cosim::Engine::kTwin;
+  options.start_x = 12;
+  options.start_y = 31;
+  options.record_ms = 0.5;
+  const Result all = test::run_to<Session, Result>(options, nullptr);
+  REQUIRE(all.end == cosim::EndReason::kDone);
+  std::vector<std::pair<std::string, Words>> named{
+      {"call", [](const Sample& s) { return std::int64_t{s.call}; }},
+      {"switches", [](const Sample& s) { return std::int64_t{s.switches}; }}};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const std::string axis = k == 0 ? "x." : "y.";
+    named.emplace_back(axis + "count", [k](const Sample& s) { return s.axis[k].words & 0xFFFF; });
+    named.emplace_back(axis + "status", [k](const Sample& s) { return s.axis[k].words >> 16; });
+    named.emplace_back(axis + "waiting", [k](const Sample& s) { return s.axis[k].waiting; });
+  }
+  for (const auto& [name, of] : named) {
+    // The last value that was not there before.
+    std::int64_t value = 0;
+    cosim::Clk edge = cosim::kNever;
+    std::set<std::int64_t> before;
+    for (const Sample& sample : all.samples) {
+      if (!before.insert(of(sample)).second) continue;
+      value = of(sample);
+      edge = sample.edge;
+    }
+    REQUIRE(before.size() > 1);
+    const std::string text = name + " == " + std::to_string(value);
+    CAPTURE(text);
+    cosim::TriggerSearch search(cosim::parse_trigger(text, triggers()));
+    const Result found = test::run_to<Session, Result>(options, &search);
+    REQUIRE(search.found());
+    CHECK(*search.found() == edge);
+    CHECK(found.samples.size() < all.samples.size());
+  }
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What is told of a run of the machine mcafee: figures, verdicts, runs beside it, pictures, in each
-// stage; and what its session says of itself. docs/figures.md lists the figures.
-#include <catch2/catch.hpp>
+// stage; what its session says of itself, and its triggers. docs/figures.md lists the figures.
 #include <algorithm>
 #include <atomic>
+#include <catch2/catch.hpp>
 #include <cstdlib>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "cosim/direct.hpp"
+#include "cosim/trigger.hpp"
 #include "cosim/trigger_search.hpp"
 #include "lab/record.hpp"
 #include "machines/mcafee/machine.hpp"
@@ -37,6 +38,10 @@ Options quick_move(int counts) {
   options.wait_s = 0.05;
   options.run.max_s = 1;
   return options;
+}
+
+cosim::Trigger parsed(const std::string& text) {
+  return cosim::parse_trigger(text, triggers());
 }
 
 }  // namespace
@@ -204,4 +209,21 @@ TEST_CASE("mcafee: a run can be stopped, and tells its readings in Stage I alone
   CHECK(read.end == cosim::EndReason::kDone);
   CHECK(read.readings == 5);
   CHECK(test::figure(reading, read, "readings") == 5);
+}
+
+TEST_CASE("words of both axes and of the path are events") {
+  CHECK_NOTHROW(parsed("x.e > 3"));
+  CHECK_NOTHROW(parsed("y.e > 3"));
+  CHECK_NOTHROW(parsed("row == 1"));
+  CHECK_THROWS_AS(parsed("x.row == 1"), cosim::UnknownName);
+  CHECK_THROWS_WITH(parsed("x.e > 40000"),
+                    "x.e: value 40000 is out of range -32768..32767");
+}
+
+TEST_CASE("every name that is listed is accepted as an event") {
+  for (const std::string& name : cosim::trigger_names(triggers())) {
+    INFO(name);
+    const bool event = name == "drive" || name == "hi" || name == "irq";
+    CHECK_NOTHROW(parsed(event ? name : "change " + name));
+  }
 }

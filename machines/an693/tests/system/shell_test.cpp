@@ -6,8 +6,6 @@
 
 #include <catch2/catch.hpp>
 #include <filesystem>
-#include <fstream>
-#include <sstream>
 
 #include "lab/files.hpp"
 #include "lab/layers.hpp"

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
-#include <vector>
 
 #include "machines/an693/machine.hpp"
 #include "tests/support/figures.hpp"

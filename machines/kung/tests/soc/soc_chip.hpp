@@ -10,7 +10,6 @@
 
 #include <array>
 #include <memory>
-#include <string>
 #include <vector>
 
 #include "cosim/cosim.hpp"

@@ -4,9 +4,6 @@
 // bytes, bits and a program that asks for busy.
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <string>
 
 #include "lab/layers.hpp"
 #include "lab/record.hpp"

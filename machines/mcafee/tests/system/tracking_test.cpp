@@ -5,7 +5,6 @@
 
 #include <catch2/catch.hpp>
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "cosim/direct.hpp"
