@@ -88,6 +88,13 @@ function(trammel_evidence name)
   trammel_full_tier(${name})
 endfunction()
 
+# A whole campaign, which may take hours (`trammel test --campaign`). CTest knows it only with
+# `-C campaign`, so that no choice by name starts it.
+function(trammel_campaign name)
+  trammel_kept(${name} ${ARGN} CONFIGURATIONS campaign)
+  set_tests_properties(${name} PROPERTIES LABELS campaign PROCESSORS 2 TIMEOUT 86400)
+endfunction()
+
 # Programs that only tests of the full tier need; the target trammel_full builds them.
 function(trammel_full_programs)
   set_target_properties(${ARGN} PROPERTIES EXCLUDE_FROM_ALL ON)
@@ -261,6 +268,12 @@ function(trammel_add_blocks)
         TIMEOUT 1200 COST 500)
     endif()
     set(test ${PROJECT_SOURCE_DIR}/tests/${layer}/${block}_test.cpp)
+    # A module of a chip has promises and is tested in the chip.
+    set(props ${PROJECT_SOURCE_DIR}/rtl/chips/${block}_props.sv)
+    if(NOT TRAMMEL_BASE AND (EXISTS ${test} OR EXISTS ${props}))
+      trammel_campaign(campaign.mutants.${prefix}
+        ${PROJECT_SOURCE_DIR}/scripts/tool verify --mutants ${layer}/${block})
+    endif()
     if(EXISTS ${test})
       trammel_unit_test(${block} ${source} ${test} ${prefix})
       if(NOT TRAMMEL_BASE)

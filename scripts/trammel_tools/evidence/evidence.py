@@ -4,6 +4,7 @@
 usage: scripts/tool evidence NAME -- COMMAND ...   what a test of the full tier calls
        scripts/tool evidence --needed              the programs of tests that have to run
        scripts/tool evidence --list                every kept result, and whether it holds
+       scripts/tool evidence --campaigns           how old the result of each whole campaign is
        scripts/tool evidence --inputs NAME         the files that a check depends on
 
 A result is kept in evidence/NAME.txt with the hash of all that it depends on: sources, properties,
@@ -12,10 +13,16 @@ not run again. A result that is damaged, or whose inputs or tools have changed, 
 one line says so. TRAMMEL_FRESH=1 makes all of them again, as `trammel test --fresh` does. In CI
 (CI=true) a tenth is drawn by the commit's hash and made again: a difference is an error.
 
+The result of a whole campaign (`trammel test --campaign`) names the commit at which it was made, or
+last found to hold. One that is more than 200 commits old is an error. A campaign that has no result
+yet counts from the commit that began the tier. A shallow clone cannot count and says so.
+
 Exit codes: 0 the result holds or the check passed; 1 a result that was made again differs, the disk
-is full, or one of the list does not hold; 2 usage; else that of the command.
+is full, one of the list does not hold, or one of a campaign is too old; 2 usage; else that of the
+command.
 """
 
+import dataclasses
 import datetime
 import functools
 import os
@@ -31,6 +38,8 @@ from trammel_tools import python_tools
 from trammel_tools.evidence import kinds, record, sources
 from trammel_tools.paths import ROOT
 
+AGE = 200  # [commits] that a whole campaign may be old
+BEGUN = "2ac2c3757cbc0414f1907ad05fd0edda4e7de126"  # on which the tier of campaigns was built
 DRAWN = 10  # one of so many
 ROOM = 64 << 20  # [bytes] that are free where no disk is full
 LAST = 40  # lines that are kept of a text that is not compared
@@ -39,10 +48,14 @@ TIMES = re.compile(r" in \d+(?:\.\d+)? s\b| +\d+\.\d s(?=  )")  # how long a ste
 
 
 @functools.cache
+def git(*words):
+    """What Git prints; nothing where it fails."""
+    asked = subprocess.run(["git", *words], cwd=ROOT, capture_output=True, text=True, check=False)
+    return asked.stdout.strip() if asked.returncode == 0 else ""
+
+
 def commit():
-    asked = subprocess.run(["git", "rev-parse", "HEAD"], cwd=ROOT, capture_output=True, text=True,
-                           check=False)
-    return asked.stdout.strip()
+    return git("rev-parse", "HEAD")
 
 
 def drawn(name):
@@ -85,7 +98,7 @@ def stale(name):
 def forget():
     """The next call looks at the repository again."""
     sources.forget()
-    for one in (commit, inputs, stale):
+    for one in (git, inputs, stale):
         one.cache_clear()
 
 
@@ -141,7 +154,7 @@ def called(command):
 def run(name, command):
     reason = why(name)
     if not reason:
-        kept = record.read(name)
+        kept = renewed(name)
         print(f"{kept.result}kept: made on {kept.made}; {kept.inputs}")
         return 0
     print(f"evidence: {name} is made: {reason}", file=sys.stderr)
@@ -178,18 +191,57 @@ def run(name, command):
     if not before:
         files, tools = made_from
         words = " ".join(command).replace(f"{ROOT}/", "")
-        new = record.Record(name, f"{datetime.date.today()}", words, tools, files, result)
-        try:
-            record.write(new)
-        except OSError as error:
-            print(f"evidence: {name} is not kept: {error}", file=sys.stderr)
+        write(record.Record(name, f"{datetime.date.today()}", words, tools, files, result,
+                            commit() if kind.campaign else ""))
     return 0
+
+
+def write(new):
+    try:
+        record.write(new)
+    except OSError as error:
+        print(f"evidence: {new.check} is not kept: {error}", file=sys.stderr)
+
+
+def renewed(name):
+    """The kept result that holds; of a campaign that is no longer young it names this commit."""
+    kept = record.read(name)
+    if kinds.of(name)[0].campaign and (age(name) or 0) > AGE // 2:
+        kept = dataclasses.replace(kept, commit=commit())
+        write(kept)
+    return kept
+
+
+def since(begin):
+    """Commits of this one's history that another has not; None where Git does not know that one."""
+    count = git("rev-list", "--count", f"{begin}..HEAD") if begin else ""
+    return int(count) if count else None
+
+
+def complete():
+    """Whether there is a repository with all of its commits."""
+    return git("rev-parse", "--is-shallow-repository") == "false"
+
+
+def age(name):
+    """Commits since a whole campaign last held; None where they cannot be counted. One that has no
+    result is as old as the tier. A commit that a rebase replaced is as old as the record's file."""
+    try:
+        kept = record.read(name)
+    except record.Damaged:
+        kept = None
+    if kept is None:
+        return since(BEGUN)
+    found = since(kept.commit)
+    if found is None and complete():
+        found = since(git("log", "-1", "--format=%H", "--", f"evidence/{name}.txt"))
+    return found
 
 
 def checks():
     """Names of all tests that have evidence, as CTest knows them."""
-    listed = subprocess.run(["ctest", "-N"], cwd=ROOT / "build", capture_output=True, text=True,
-                            check=False).stdout
+    listed = subprocess.run(["ctest", "-N", "-C", "campaign"], cwd=ROOT / "build", check=False,
+                            capture_output=True, text=True).stdout
     for name in re.findall(r"Test +#\d+: (\S+)", listed):
         if any(re.fullmatch(kind.names, name) for kind in kinds.KINDS):
             yield name
@@ -213,22 +265,48 @@ def listed():
     return 1 if bad else 0
 
 
+def campaigns():
+    """Prints how old the result of each whole campaign is; 1 where one is too old."""
+    ages = {name: age(name) for name in checks() if kinds.of(name)[0].campaign}
+    old = {name for name, count in ages.items() if count is not None and count > AGE}
+    unknown = [name for name, count in ages.items() if count is None]
+    for name, count in ages.items():
+        result = "made" if record.path_of(name).exists() else "no result yet"
+        print(f"{name:<40}{result:<15}{'?' if count is None else count} of {AGE} commits")
+    for name in sorted(old):
+        print(f"evidence: {name} is {ages[name]} commits old, at most {AGE} are allowed: "
+              f"`trammel test --campaign -R '^{name}$'` makes it, then commit evidence/{name}.txt",
+              file=sys.stderr)
+    if not ages:
+        print("evidence: CTest names no campaign: `trammel test -N` configures build/",
+              file=sys.stderr)
+    elif unknown:
+        how = "this repository lacks their commits: make them again" if complete() else \
+            "this is no whole clone; `git fetch --unshallow` gets the commits"
+        print(f"evidence: the age of {len(unknown)} campaigns is not known: {how}",
+              file=sys.stderr)
+    return 1 if old or not ages or (unknown and complete()) else 0
+
+
 def main():
     parser = python_tools.Parser(prog="scripts/tool evidence", description=__doc__)
     asked = parser.add_mutually_exclusive_group()
     asked.add_argument("--needed", action="store_true", help="programs of tests that have to run")
     asked.add_argument("--list", action="store_true", help="every kept result")
+    asked.add_argument("--campaigns", action="store_true", help="how old whole campaigns are")
     asked.add_argument("--inputs", metavar="NAME", help="the files that a check depends on")
     parser.add_argument("name", nargs="?", metavar="NAME")
     parser.add_argument("command", nargs="*", metavar="COMMAND")
     wanted = parser.parse_args()
-    if wanted.name and (wanted.needed or wanted.list or wanted.inputs):
-        parser.error(f"{wanted.name}: --needed and --list take no name, --inputs takes one")
+    if wanted.name and (wanted.needed or wanted.list or wanted.campaigns or wanted.inputs):
+        parser.error(f"{wanted.name}: --needed, --list and --campaigns take no name, --inputs one")
     python_tools.restart()  # the versions are those of .venv
     if wanted.needed:
         return needed()
     if wanted.list:
         return listed()
+    if wanted.campaigns:
+        return campaigns()
     name = wanted.inputs or wanted.name
     if not name:
         parser.error("the name of a check is missing")

@@ -12,6 +12,7 @@ from pathlib import Path
 
 from trammel_tools.evidence import sources
 from trammel_tools.evidence.sources import BUILD, matching
+from trammel_tools.mutation import mutant_tests
 
 # Files of the repository.
 SHARED = ("models/**", "sw_nios/**", "cosim/**", "systemc/**", "lab/**", "parts/**",
@@ -36,7 +37,7 @@ class Kind:
     result has floating point or compiled code in it, so that it counts on one kind of processor.
     `same`: made again it must be equal, to the letter. `feeds`: tests that need what this one
     leaves in build/, so that it runs when one of them does. `group`: CI draws those of one group
-    together."""
+    together. `campaign`: a whole campaign, whose result names its commit and becomes too old."""
 
     names: str
     files: Callable
@@ -45,6 +46,7 @@ class Kind:
     same: bool = False
     feeds: tuple = ()
     group: str = ""
+    campaign: bool = False
 
 
 def of_files(*patterns, tools=()):
@@ -63,14 +65,26 @@ def of_leap(found):
             | sources.tools("proof", "rtl", "waves"))
 
 
-def of_coverage(found):
-    layer, block = found[1], found[2]
+def of_unit_test(layer, block):
     files = sources.rtl(f"{layer}/{block}")
     files |= sources.properties(files) if layer == "chips" else \
         matching(f"rtl/{layer}/{block}_props.sv")
     tests = matching(f"tests/{layer}/{block}_test.cpp", f"tests/{layer}/{block}_*_test.cpp",
                      "tests/support/*.cpp", "tests/support/bytes.hpp")
-    return files | sources.cpp(*tests) | matching(*BUILD) | sources.tools("check", "rtl")
+    return files | sources.cpp(*tests) | matching(*BUILD)
+
+
+def of_coverage(found):
+    return of_unit_test(found[1], found[2]) | sources.tools("check", "rtl")
+
+
+def of_mutants(found):
+    """Of a block, with the unit test of the module that it is tested in."""
+    layer, block = found[1], found[2]
+    return (sources.rtl(f"{layer}/{block}")
+            | of_unit_test(layer, mutant_tests.top_of(f"{layer}/{block}"))
+            | matching("tests/mutants.toml", "machines/*/mutants.toml", "parts/*/mutants.toml")
+            | sources.tools("mutation", "proof", "rtl", "check", "waves"))
 
 
 def of_machine(found):
@@ -95,6 +109,7 @@ RUNS = of_files(*PRODUCT, "docs/generated/*",
 MUTANTS = of_files("rtl/**", "models/**", *TESTS, "third_party/**", *BUILD,
                    "machines/*/mutants.toml", "parts/*/mutants.toml",
                    tools=("mutation", "proof", "rtl", "check", "waves"))
+WIRINGS = of_files(*PRODUCT, *TESTS, tools=("rtl",))
 MANUAL = of_files(*CODE, "rtl/**.rdl", "tests/goldens/**", "docs/**", "scripts/**", "trammel")
 LESSONS = of_files(*PRODUCT, *TESTS, "docs/*", "scripts/**", "trammel", "README.md",
                    "trammel.core", "pyproject.toml", "examples/**", "python/**", "packaging/**")
@@ -118,11 +133,13 @@ KINDS = (
     Kind(r"synth\..*", BOARDS, PLACER),
     Kind(r"system\.(\w+)\.\w+", of_machine, (*COMPILER, *VIEWER, *PLACER)),
     Kind(r"docs\.precision|precision\.\w+", FOLLOWED, COMPILER),
-    Kind(r"\w+\.(long|bytes)|verilators|perf\.rows",
-         of_files(*PRODUCT, *TESTS, tools=("rtl",)),
-         (*COMPILER, "verilator")),
+    Kind(r"\w+\.(long|bytes)", WIRINGS, (*COMPILER, "verilator")),
     Kind(r"keys|faults|sensitivity", RUNS, COMPILER),
     Kind(r"mutants\.sample", MUTANTS, (*PROVER, *COMPILER)),
+    Kind(r"campaign\.mutants\.(\w+)\.(\w+)", of_mutants, (*PROVER, *COMPILER), campaign=True),
+    Kind(r"campaign\.(keys|faults|sensitivity|acceptance)", RUNS, COMPILER, campaign=True),
+    Kind(r"campaign\.fuzz\.\w+", CHECKED, (*COMPILER, "program/clang++"), campaign=True),
+    Kind(r"verilators|perf\.rows", WIRINGS, (*COMPILER, "verilator"), campaign=True),
     Kind(r"docs\.manual", MANUAL, COMPILER),
     Kind(r"docs\.(machine|tutorial)", LESSONS, COMPILER),
     Kind(r"python\.page", PACKAGE, (*COMPILER, *VIEWER, *TABLES)),

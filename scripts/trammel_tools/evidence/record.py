@@ -11,7 +11,8 @@ from trammel_tools.paths import ROOT
 
 KEPT = ROOT / "evidence"
 HEAD = "A kept result, written by scripts/tool evidence. Its last line covers every byte of it."
-FIELDS = ("check", "made", "command", "with", "inputs")
+FIELDS = ("check", "made", "commit", "command", "with", "inputs")  # in this order
+OPTIONAL = {"commit"}
 
 
 def path_of(name):
@@ -43,10 +44,12 @@ class Record:
     tools: str
     inputs: str
     result: str   # lines that the command printed
+    commit: str = ""  # of a whole campaign: at which it was made, or last found to hold
 
     def text(self):
-        values = (self.check, self.made, self.command, self.tools, self.inputs)
-        head = "".join(f"{name:<9}{value}\n" for name, value in zip(FIELDS, values))
+        values = (self.check, self.made, self.commit, self.command, self.tools, self.inputs)
+        head = "".join(f"{name:<9}{value}\n" for name, value in zip(FIELDS, values)
+                       if value or name not in OPTIONAL)
         body = f"{HEAD}\n\n{head}\n{self.result}"
         return f"{body}\nsha256   {digest(body)}\n"
 
@@ -58,10 +61,11 @@ def parse(text):
     if last != f"{digest(body)}\n":
         raise Damaged("its hash is not that of its text")
     head, _, result = body.partition("\n\n")[2].partition("\n\n")
-    lines = head.split("\n")
-    if [line[:9].strip() for line in lines] != list(FIELDS):
+    found = {line[:9].strip(): line[9:] for line in head.split("\n")}
+    if list(found) != [name for name in FIELDS if name in found or name not in OPTIONAL]:
         raise Damaged(f"its head has not the lines {', '.join(FIELDS)}")
-    return Record(*(line[9:] for line in lines), result)
+    commit = found.pop("commit", "")
+    return Record(*found.values(), result, commit)
 
 
 def read(name):

@@ -14,7 +14,7 @@ from concurrent.futures import ThreadPoolExecutor
 from trammel_tools.mutation import mutants
 from trammel_tools.mutation.mutants import MutationError
 from trammel_tools.paths import CATCH_MAIN, ROOT, RTL, twin_sources
-from trammel_tools.rtl import lint
+from trammel_tools.rtl import hierarchy, lint
 
 DECLARATION = f"""  import "DPI-C" function int {mutants.SELECTOR}();
   reg [{mutants.WIDTH - 1}:0] selected;
@@ -35,6 +35,13 @@ def top_of(block):
 
 def test_of(block):
     return ROOT / "tests" / block.split("/")[0] / f"{top_of(block)}_test.cpp"
+
+
+def mutated():
+    """The blocks that a unit test has in it."""
+    inside = hierarchy.modules(CHIP, RTL.glob("chips/*.sv"))
+    return [block for block in lint.blocks() if test_of(block).exists()
+            and (top_of(block) != CHIP or block.split("/")[1] in inside)]
 
 
 def files_of(block):

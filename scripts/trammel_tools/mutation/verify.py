@@ -46,7 +46,7 @@ from trammel_tools.check import acceptance, engines, faults, keys, sensitivity
 from trammel_tools.mutation import mutant_floors, mutant_proofs, mutant_tests, mutants
 from trammel_tools.paths import ROOT
 from trammel_tools.proof import properties, prove
-from trammel_tools.rtl import lint, yosys
+from trammel_tools.rtl import yosys
 
 # Small blocks that stand between a fault and the hardware; their models compile in seconds.
 SAMPLED = ["drive/gate_leg", "drive/pwm", "drive/supervisor", "sense/adc_if", "motion/watchdog",
@@ -212,7 +212,7 @@ def runs(arguments):
 
 
 def main():
-    every = [b for b in lint.blocks() if mutant_tests.test_of(b).exists()]
+    every = mutant_tests.mutated()
     arguments = parse(every)
     if any((arguments.engines, arguments.keys, arguments.faults, arguments.sensitivity,
             arguments.acceptance)):

@@ -16,8 +16,8 @@ from trammel_tools.paths import ROOT
 NAME = "formal.math.toy"
 
 
-class EvidenceTest(Scratch):
-    """One check of a repository with two files, whose command prints a file and counts its runs."""
+class Kept(Scratch):
+    """A repository with two files and without kept results."""
 
     def setUp(self):
         super().setUp()
@@ -35,6 +35,10 @@ class EvidenceTest(Scratch):
             del os.environ[name]
         evidence.forget()
         self.addCleanup(evidence.forget)
+
+
+class EvidenceTest(Kept):
+    """One check, whose command prints a file and counts its runs."""
 
     def check(self):
         """(exit code, whether the command ran, what the tool said) of the check."""
@@ -189,6 +193,83 @@ class EvidenceTest(Scratch):
             self.assertEqual(evidence.why("synth.budget"), "")
 
 
+class CampaignTest(Kept):
+    """The age of a whole campaign's result, in a repository with its commits."""
+
+    name = "campaign.mutants.math.toy"
+
+    def setUp(self):
+        super().setUp()
+        self.patch(evidence, checks=lambda: [self.name], BEGUN=self.commits(1))
+
+    def git(self, *words, folder=None):
+        return subprocess.run(
+            ["git", "-c", "user.name=a", "-c", "user.email=b", *words], check=True,
+            cwd=folder or self.folder, capture_output=True, text=True).stdout.strip()
+
+    def commits(self, count, *more):
+        for _ in range(count):
+            self.git("commit", "-q", "--allow-empty", "-m", "more", *more)
+        evidence.forget()
+        return self.git("rev-parse", "HEAD")
+
+    def campaign(self):
+        with mock.patch.object(evidence.python_tools, "restart", lambda: None):
+            return call(evidence.main, self.name, "--", "true")[0]
+
+    def aged(self):
+        with mock.patch.object(evidence.python_tools, "restart", lambda: None):
+            code, out, said = call(evidence.main, "--campaigns")
+        return code, int(out.split()[-4].replace("?", "-1")), said
+
+    def test_a_campaign_of_more_than_200_commits_is_an_error_until_it_holds_again(self):
+        self.patch(evidence, AGE=4)
+        self.commits(4)
+        self.assertEqual(self.aged(), (0, 4, ""))
+        self.commits(1)
+        code, count, said = self.aged()
+        self.assertEqual((code, count, said.count("\n")), (1, 5, 1))
+        self.campaign()
+        self.assertEqual(record.read(self.name).commit, self.git("rev-parse", "HEAD"))
+        self.commits(2)
+        before = record.path_of(self.name).read_bytes()
+        self.campaign()  # it holds and is young
+        self.assertEqual(record.path_of(self.name).read_bytes(), before)
+        self.commits(3)
+        self.assertEqual(self.aged()[:2], (1, 5))
+        self.campaign()
+        self.assertEqual(self.aged(), (0, 0, ""))
+        self.assertEqual(record.read(self.name).result, "passed\n")
+
+    def test_a_commit_that_a_rebase_replaced_is_as_old_as_the_record(self):
+        self.campaign()
+        self.git("add", "evidence")
+        self.commits(3)
+        kept = record.read(self.name)
+        with mock.patch.object(record, "read", lambda name: evidence.dataclasses.replace(
+                kept, commit="0" * 40)):
+            self.assertEqual(self.aged(), (0, 2, ""))
+
+    def test_a_clone_without_its_commits_says_how_to_get_them_and_is_no_error(self):
+        self.campaign()
+        self.git("add", "evidence")
+        self.commits(3)
+        shallow = self.folder / "shallow"
+        self.git("clone", "-q", "--depth=2", f"file://{self.folder}", shallow)
+        self.patch(evidence, ROOT=shallow)
+        evidence.forget()
+        code, count, said = self.aged()
+        self.assertEqual((code, count, said.count("\n")), (0, -1, 1))
+        self.assertIn("git fetch --unshallow", said)
+        self.git("fetch", "-q", "--unshallow", folder=shallow)
+        evidence.forget()
+        self.assertEqual(self.aged(), (0, 3, ""))
+
+    def test_ci_has_all_commits(self):
+        steps = (ROOT / ".github/workflows/ci.yml").read_text(encoding="utf-8")
+        self.assertRegex(steps, r"actions/checkout@.*\n +with:\n +fetch-depth: 0\b")
+
+
 class TrackedTest(Scratch):
     def test_no_tracked_record_has_been_edited(self):
         for path in sorted(record.KEPT.glob("*.txt")):
@@ -233,7 +314,9 @@ class SourcesTest(Scratch):
             ("synth.fusesoc", "gen-core"), ("synth.budget", "synth"), ("sanitize.unit", "sanitize"),
             ("synth.equivalence", "equivalence"), ("mutants.sample", "verify"), ("keys", "verify"),
             ("fuzz.short", "fuzz"), ("precision.rows", "precision-rows"), ("perf.rows", "perf"),
-            ("docs.precision", "gen-precision"), ("docs.machine", "machine-lesson"))}
+            ("docs.precision", "gen-precision"), ("docs.machine", "machine-lesson"),
+            ("campaign.mutants.drive.pwm", "verify"), ("campaign.acceptance", "precision-rows"),
+            ("campaign.fuzz.disks", "fuzz"), ("verilators", "verilators"))}
         scripts |= {f"{kind}.{path.stem.removesuffix('_test')}": f"{path.relative_to(ROOT)}"
                     for kind, folder in (("python", "python/tests"), ("package", "packaging"))
                     for path in (ROOT / folder).glob("*_test.py")}

@@ -59,7 +59,8 @@ class LauncherTest(Scratch):
                            "scripts/requirements.txt": "pins==2  # wave: reads them\n"}.items():
             self.write(name, text)
         shutil.copy(ROOT / "trammel", self.folder)
-        shutil.copy(ROOT / "scripts" / "install.sh", self.folder / "scripts")
+        for part in "install.sh", "test.sh":
+            shutil.copy(ROOT / "scripts" / part, self.folder / "scripts")
 
     def link(self, name):
         (self.folder / "bin").mkdir(exist_ok=True)
@@ -266,6 +267,8 @@ class LauncherTest(Scratch):
     def test_each_tier_of_the_tests_builds_and_runs_its_own(self):
         for words, options in (([], "-LE ^full$"), (["--full"], ""), (["--full-only"], "-L ^full$"),
                                (["--full-only", "--full"], "-L ^full$"),
+                               (["--campaign"], "-C campaign -L ^campaign$"),
+                               (["--campaign", "-R", "x"], "-R x -C campaign -L ^campaign$"),
                                (["-R", "drive"], "-R drive"), (["-Rdrive"], "-Rdrive"),
                                (["-L", "x"], "-L x"), (["-I", "1,2"], "-I 1,2"),
                                (["--tests-regex", "x"], "--tests-regex x"),
@@ -276,12 +279,24 @@ class LauncherTest(Scratch):
             with self.subTest(words=words):
                 self.assertEqual(self.ctested(*words), options)
         self.assertEqual(self.built("test"), ["all"])
+        self.assertEqual(self.built("test", "--campaign"), ["trammel trammel_catch_main"])
         self.write("told", "  Test  #7: coverage.rtl\n")
         self.write(".venv/bin/python3", '#!/bin/bash\n[ "$3" != --needed ] || echo pwm_coverage\n')
         self.assertEqual(self.built("test", "--full"), ["all trammel_full pwm_coverage"])
         shutil.rmtree(self.folder / "build")
         self.write("installed", "make\n")
         self.assertEqual(self.started("test", "-N")[0], f"{INSTALL} clock wire chart prover")
+
+    def test_a_tier_with_another_or_with_a_block_is_refused_in_one_line(self):
+        for words in (["--campaign", "--full"], ["--full-only", "-R", "x", "--campaign"],
+                      ["--campaign", "drive/pwm"], ["--full", "-R", "x", "y"],
+                      ["drive/pwm", "--campaign"], ["drive/pwm", "--full"]):
+            code, out, told, started = self.launch("test", *words)
+            self.assertEqual((code, out, told.count("\n"), started), (2, "", 1, []), words)
+        self.write("told", "No tests were found!!!\n")
+        self.write("code", "8\n")
+        for words, hints in ((["-R", "verilators"], 1), (["--campaign", "-R", "none"], 0)):
+            self.assertEqual(self.launch("test", *words)[2].count("--campaign -N"), hints, words)
 
     def test_a_test_that_fails_is_an_exit_code_of_1_and_in_ci_one_that_is_skipped(self):
         self.ctested()
