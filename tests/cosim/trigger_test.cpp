@@ -148,6 +148,13 @@ TEST_CASE("a search compares with edge 0, with nothing in reset, and fires from 
   } cases[] = {{"rise yaw", 0, 1, true},         {"rise yaw", -1, 0, false},
                {"rise yaw after 1us", 0, kAfter, true},
                {"rise yaw after 1us", 0, kAfter - 1, false}};
+  Reader held;
+  SignalSearch late(parsed("yaw > 0 after 1us"));
+  for (const Clk edge : {Clk{0}, Clk{1}, kAfter}) {  // it is true before its time, and stays so
+    late.after(edge, held);
+    held.value[1][0] = 1;
+  }
+  CHECK_FALSE(late.found());
   for (const auto& one : cases) {
     Reader reader;
     SignalSearch search(parsed(one.text));
@@ -275,4 +282,20 @@ TEST_CASE("a window counts from the start event, from the run's begin, or repeat
     CHECK(window.end == one.end);
     CHECK(window.period == one.period);
   }
+}
+
+TEST_CASE("only what the run reached counts as dumped") {
+  const auto spans = [](const WaveWindow& window, Clk clocks) {
+    std::vector<std::pair<Clk, Clk>> list;
+    for (const WaveSpan& span : wave_spans(window, clocks)) list.emplace_back(span.begin, span.end);
+    return list;
+  };
+  using List = std::vector<std::pair<Clk, Clk>>;
+  CHECK(spans({10, 20, kNever}, 100) == List{{10, 20}});
+  CHECK(spans({-10, 20, kNever}, 100) == List{{0, 20}});
+  CHECK(spans({90, 120, kNever}, 100) == List{{90, 100}});
+  CHECK(spans({100, 120, kNever}, 100).empty());
+  CHECK(spans({-20, -10, kNever}, 100).empty());
+  CHECK(spans({10, 20, 40}, 100) == List{{10, 20}, {50, 60}, {90, 100}});
+  CHECK(spans({95, 110, 40}, 100) == List{{95, 100}});
 }

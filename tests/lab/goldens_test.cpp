@@ -15,7 +15,9 @@
 #include <vector>
 
 #include "lab/machine.hpp"
+#include "lab/record.hpp"
 #include "tests/support/golden.hpp"
+#include "tests/support/short_run.hpp"
 
 using namespace trammel;
 using lab::Kind;
@@ -106,6 +108,32 @@ std::string keys_text(const lab::Machine& machine) {
   return text + paragraph("  " + section, names);
 }
 
+// What is said of each end of a run, here of its first 20 ms.
+std::string ends_text(const lab::Machine& machine) {
+  using End = cosim::EndReason;
+  const auto settings = lab::load_scenario(lab::find_scenario(test::scenario_of(machine)));
+  const auto result = test::short_result(*settings, End::kPromise);
+  std::string text = "  ends of a run:\n";
+  CHECK(machine.verdict(*settings, *result) ==
+        "assertion failed: " + lab::promise_text(*result->promise));
+  for (const End end : {End::kDone, End::kMissed, End::kFault, End::kDiverged, End::kTimeout,
+                        End::kStopped}) {
+    result->end = end;
+    text += fmt::format("    {}: {}\n", lab::end_text(end), machine.verdict(*settings, *result));
+  }
+  return text;
+}
+
+// What a trigger may name of an axis or of the whole, with its bits: "e s12", "irq 1".
+Lines signals_of(const lab::Machine& machine, bool axis) {
+  Lines all;
+  for (const cosim::Signal& one : machine.triggers().signals) {
+    if (one.of_axis != axis) continue;
+    all.push_back(fmt::format("{} {}{}", one.name, one.is_signed ? "s" : "", one.bits));
+  }
+  return all;
+}
+
 std::string machine_text(const lab::Machine& m) {
   std::string text = fmt::format("\n{}: {}\n", m.name, m.title);
   text += paragraph("source", {m.source, fmt::format("order {}", m.order)});
@@ -141,6 +169,9 @@ std::string machine_text(const lab::Machine& m) {
     words.push_back(one.page);
     text += paragraph("experiment " + one.name, words);
   }
+  text += ends_text(m) + paragraph("waves begin at", {m.triggers().start}) +
+          paragraph("signals of x and of y", signals_of(m, true)) +
+          paragraph("signals", signals_of(m, false));
   Lines columns, derived;
   for (const lab::Column& column : m.columns().columns) columns.push_back(column_text(column));
   for (const lab::Column& column : m.page.derived) derived.push_back(column_text(column));

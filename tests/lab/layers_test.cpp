@@ -209,9 +209,9 @@ TEST_CASE("the environment sets every key by its upper-case name, and nothing el
                                  {"TRAMMEL_" + upper(key.name), plain(value)}});
     CHECK(value_text(key.get(settings)) == value_text(value));
     if (key.name.find('.') == std::string::npos) return;
-    const std::string wrong = "TRAMMEL_" + upper(key.name) + "QQQ";
+    const std::string wrong = "TRAMMEL_" + upper(key.name) + "Q";
     CHECK_THROWS_WITH(apply_environment(settings, {{wrong, plain(value)}}),
-                      Contains("environment: " + wrong + ": unknown key"));
+                      Contains("environment: " + wrong + ": unknown key; did you mean TRAMMEL_"));
   });
 }
 
@@ -290,8 +290,14 @@ TEST_CASE("a short form sets the keys of both axes, and their own names refine i
                fmt::format("{} = {}\n{} = {}\n", key.name, value_text(number(key, key.max)), name,
                            value_text(number(key, key.min))),
                "some.toml", ".");
+    const auto other_settings = machine.defaults();
+    apply_environment(*other_settings,
+                      {{"TRAMMEL_" + upper(key.name), value_text(number(key, key.max))},
+                       {"TRAMMEL_" + upper(name), value_text(number(key, key.min))}});
     for (const Key* const one : keys) {
-      CHECK(one->get(settings) == number(key, one == &key ? key.max : key.min));
+      const Value value = number(key, one == &key ? key.max : key.min);
+      CHECK(one->get(settings) == value);
+      CHECK(one->get(*other_settings) == value);
     }
   });
   CHECK(both > 0);

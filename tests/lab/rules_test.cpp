@@ -172,19 +172,6 @@ TEST_CASE("a twin has no signals, assertions or clocks to look at") {
   }
 }
 
-TEST_CASE("an option that the chip does not declare is refused") {
-  BareSettings settings;
-  CHECK_NOTHROW(validate(settings));
-  settings.run.audit = true;
-  CHECK_THROWS_WITH(validate(settings),
-                    "run.audit: the machine bare declares no leap contract, so that no clock is "
-                    "leapt over and there is nothing to compare");
-  settings.run.audit = false;
-  settings.run.engine = cosim::Engine::kTwin;
-  CHECK_THROWS_WITH(validate(settings),
-                    "run.engine: the machine bare declares no bit-exact twin of its chip");
-}
-
 TEST_CASE("what only plant or firmware can refuse is still the user's mistake") {
   BareSettings settings;
   CHECK_THROWS_AS(run(settings), ConfigError);
@@ -259,6 +246,9 @@ TEST_CASE("a run that sets up to eight keys repeats by these, one with more by i
         CHECK_THAT(repeated, Contains(" -s " + text));
       }
       CHECK(std::count(repeated.begin(), repeated.end(), '=') == (set > 8 ? 0 : set));
+      settings->scenario = "circle-fc";  // as run --all names it
+      CHECK(repeat_command(*settings) == repeated);
+      settings->scenario = "circle";
     }
   }
 }

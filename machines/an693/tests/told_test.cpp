@@ -5,6 +5,7 @@
 #include <catch2/catch.hpp>
 #include <cstdint>
 #include <cstdlib>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -13,10 +14,14 @@
 
 #include "lab/record.hpp"
 #include "machines/an693/machine.hpp"
+#include "parts/lm628/signals.hpp"
 #include "tests/support/figures.hpp"
+#include "tests/support/lm628_words.hpp"
+#include "tests/support/message.hpp"
 
 using namespace trammel;
 using namespace trammel::an693;
+using Catch::Matchers::Contains;
 using Lines = std::vector<std::string>;
 using Program = sw::An693Program;
 
@@ -39,6 +44,31 @@ Result moved(const Options& options, int samples, Desired desired, Real real) {
     s.theta = real(n) * plant::MotorAxis::kTurn / options.plant.counts;
     result.samples.push_back(s);
   }
+  return result;
+}
+
+// Off, then a step of 4 counts, overshoot by 1, an interrupt at the 5th sample.
+Result by_hand() {
+  Result result;
+  result.end = cosim::EndReason::kDone;
+  const int real[] = {0, 0, 1, 4, 5, 4, 4};
+  for (int n = 0; n < 7; ++n) {
+    Sample s;
+    s.edge = 12800 * (n + 1);
+    s.words.status = n == 0 ? 0x80 : 0x00;
+    s.words.position = std::int64_t{n == 0 ? 0 : 4} << 16;
+    s.words.actual = real[n];
+    s.words.error = n == 0 ? 0 : 4 - real[n];
+    s.theta = real[n] * plant::MotorAxis::kTurn / 4000;
+    s.host_irq = n >= 5;
+    s.volt = n == 3 ? -3.5 : 1;
+    s.omega = n == 3 ? -2.5 * plant::MotorAxis::kTurn : 1;
+    s.i = n == 4 ? -0.75 : 0.5;
+    result.samples.push_back(s);
+  }
+  result.desired = result.real = 4;
+  result.clocks = 100000;
+  result.evaluated = 1000;
   return result;
 }
 
@@ -193,6 +223,15 @@ TEST_CASE("an693: a short travel has a narrow band, by where the trajectory went
     CHECK(missed(4, 3) == "");
     CHECK(missed(4, 4) == "the shaft is 4 counts from the target of 0");
   }
+  Options wide;
+  wide.program = Program::kAbsolute;
+  wide.position = 1000;
+  for (const int reached : {51, 60}) {
+    wide.reached_counts = reached;
+    CHECK(what_missed(wide, moved(wide, 300, [](int n) { return n < 100 ? 10 * n : 1000; },
+                                  [](int n) { return n % 2 == 0 ? 974.0 : 1026.0; })) ==
+          (reached == 51 ? "the shaft moves by 52 counts at the end" : ""));
+  }
   CHECK(what_missed(Options{}, Result{}) == "");
 }
 
@@ -216,11 +255,14 @@ TEST_CASE("an693: of steps there and back the odd ones end at the size, the othe
     Options options;
     options.program = Program::kTuning;
     options.position = size;
-    const auto missed = [&](int step, int trajectory, std::vector<std::size_t> ends) {
+    const auto missed = [&](int step, int trajectory, std::vector<std::size_t> ends, double off = 0,
+                            double swing = 0) {
       const auto asked = [&](int n) {
         return n / 100 == step ? trajectory : n / 100 % 2 == 0 ? size : 0;
       };
-      Result result = moved(options, 400, asked, [&](int n) { return 1.0 * asked(n); });
+      Result result = moved(options, 400, asked, [&](int n) {
+        return asked(n) + (n / 100 == step ? off + n % 2 * swing : 0);
+      });
       result.step_ends = std::move(ends);
       return what_missed(options, result);
     };
@@ -231,6 +273,12 @@ TEST_CASE("an693: of steps there and back the odd ones end at the size, the othe
     CHECK(missed(2, 5, {100, 200, 300, 400}) ==
           "step 3 of 4: the trajectory ended at 5 counts, not at " + std::to_string(size));
     CHECK(missed(9, 0, {100, 100, 200}) == "step 2 of 3: no sample fell in it");
+    const std::vector<std::size_t> ends{100, 200, 300, 400};
+    CHECK(missed(0, size, ends, -size) ==
+          "step 1 of 4: the shaft is 40 counts from the target of " + std::to_string(size));
+    CHECK(missed(1, 0, ends, 10) == "");
+    CHECK(missed(1, 0, ends, 11) == "step 2 of 4: the shaft is 11 counts from the target of 0");
+    CHECK(missed(1, 0, ends, -5, 11) == "step 2 of 4: the shaft moves by 11 counts at the end");
   }
 }
 
@@ -242,4 +290,90 @@ TEST_CASE("an693: a converter that an LM629 has not is warned of before a run") 
   const Lines lines = machine().warnings(options);
   REQUIRE(lines.size() == 1);
   CHECK(lines[0].find("chip.dac_bits = 8") != std::string::npos);
+}
+
+TEST_CASE("an693: each column of the trace shows what it is named after") {
+  Result result;
+  Sample s;
+  s.edge = 150'000;
+  s.words = test::numbered_words(100);
+  s.host_irq = true;
+  s.theta = plant::MotorAxis::kTurn / 4;
+  s.omega = 121;
+  s.i = 122;
+  s.volt = 123;
+  result.samples.push_back(s);
+  std::map<std::string, double> expected = test::numbered_columns("", 100);
+  expected.insert({{"t_s", 3e-3}, {"host_irq", 1}, {"theta_count", 1000}, {"omega_rad_s", 121},
+                   {"i_A", 122}, {"u_V", 123}});
+  test::check_row(test::row(Options{}, result, 0), expected);
+}
+
+TEST_CASE("an693: with the motor off a shaft pushed away is no motion, and no overshoot") {
+  Result result = by_hand();
+  const int pushed[] = {10, 14};  // where the desired position follows the real one
+  for (int n = 0; n < 2; ++n) {
+    Sample s = result.samples.back();
+    s.edge += 12800;
+    s.words.status = 0x80;
+    s.words.position = std::int64_t{pushed[n]} << 16;
+    s.words.actual = pushed[n] + n;
+    s.theta = (pushed[n] + 3) * plant::MotorAxis::kTurn / 4000;
+    s.host_irq = n == 1;
+    result.samples.push_back(s);
+  }
+  CHECK(test::figure(Options{}, result, "motion.samples") == 1);
+  CHECK(test::figure(Options{}, result, "motion.overshoot_counts") == Approx(1));
+  REQUIRE(result.interrupts.size() == 2);
+  CHECK(result.interrupts[1].desired == 14);
+  CHECK(result.interrupts[1].real == 15);
+}
+
+TEST_CASE("an693: the first step takes until it stays in the band, however many samples it moves") {
+  const Options options;
+  for (const int moving : {1, 2, 10, 30}) {
+    CAPTURE(moving);
+    Result result;
+    for (int n = 0; n < 100; ++n) {  // back to 0 from sample 60 on, where the shaft does not follow
+      const int desired = n < 60 ? std::min(n, moving) * 60 / moving : 0;
+      const int shaft = n < 60 ? desired - (n > 0 && n <= 20 ? 3 : 0) : 60;
+      Sample s;
+      s.words.position = std::int64_t{desired} << 16;
+      s.theta = shaft * plant::MotorAxis::kTurn / options.plant.counts;
+      result.samples.push_back(s);
+    }
+    CHECK(test::figure(options, result, "motion.settled_s") == Approx(20 * options.sample_s()));
+  }
+}
+
+TEST_CASE("an693: values out of a motor's or an encoder's reach are refused by their keys") {
+  const auto told = [](const std::string& toml) { return test::message_of<Options>(toml); };
+  CHECK_THAT(told("[motor]\nresistance_ohm = 900\n"), Contains("motor.inductance_H"));
+  CHECK_THAT(told("[motor]\nconstant_N_m_A = 2\ninertia_kg_m2 = 1e-6\ninductance_H = 1e-4\n"
+                  "coulomb_N_m = 0\nresistance_ohm = 1\n"),
+             Contains("motor.constant_N_m_A / sqrt") && Contains("is above 1e5 1/s"));
+  CHECK_THAT(told("[encoder]\ncounts = 4001\n"), Contains("is not a multiple of 4"));
+}
+
+TEST_CASE("an693: the words of a part are those of its samples") {
+  const lm628::Words all{-5 * 65536, 6, 7, -8, 9, -10, 11, -12, 0x84};
+  const std::map<std::string, std::int64_t> wanted{
+      {"desired_count", -5}, {"desired_speed", 6}, {"real_count", 7}, {"e", -8}, {"p", 9},
+      {"i", -10}, {"d", 11}, {"output", -12}, {"status", 0x84}, {"status.motor_off", 1},
+      {"status.complete", 1}};
+  for (std::size_t n = 0; n < lm628::signals().size(); ++n) {
+    const std::string name = lm628::signals()[n].name;
+    INFO(name);
+    const auto found = wanted.find(name);
+    CHECK(lm628::word(all, n) == (found == wanted.end() ? 0 : found->second));
+  }
+}
+
+TEST_CASE("an693: what ended a run is in its verdict, of a script that waited in vain alone") {
+  Result result;
+  result.fault = "test:1: wait hi: not within 1 s";
+  result.end = cosim::EndReason::kTimeout;
+  CHECK(machine().verdict(Options{}, result) == result.fault);
+  result.end = cosim::EndReason::kFault;
+  CHECK(machine().verdict(Options{}, result) == "tripped: " + result.fault);
 }

@@ -221,6 +221,7 @@ TEST_CASE("gantry: a cart that is not at its reference has missed it, on either 
       const Result result = lab::simulate(options);
       CAPTURE(start_mm, reached_mm, result.fault);
       const bool missed = reached_mm == 9.9;
+      CHECK(machine().verdict(options, result) == (missed ? "missed: " + result.fault : "done"));
       CHECK(result.end == (missed ? cosim::EndReason::kMissed : cosim::EndReason::kDone));
       CHECK(result.fault ==
             (!missed         ? ""

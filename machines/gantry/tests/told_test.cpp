@@ -73,26 +73,6 @@ Result by_hand(const Options& options) {
 
 }  // namespace
 
-TEST_CASE("gantry: each end of a run has its own verdict") {
-  Options options;
-  options.run.max_s = 7.5;
-  Result result;
-  result.fault = "a force and no motion";
-  result.promise = {"one_master", "gantry_tau.u_bus", "bus/props.sv:7", 50'000};
-  using End = cosim::EndReason;
-  for (const auto& [end, text] :
-       {std::pair{End::kDone, "done"},
-        {End::kStopped, "interrupted"},
-        {End::kFault, "failed: a force and no motion"},
-        {End::kMissed, "missed: a force and no motion"},
-        {End::kTimeout, "not finished within run.max_s = 7.5"},
-        {End::kPromise, "assertion failed: one_master of gantry_tau.u_bus at 0.00100000 s, clock "
-                        "50000 (bus/props.sv:7)"}}) {
-    result.end = end;
-    CHECK(machine().verdict(options, result) == text);
-  }
-}
-
 TEST_CASE("gantry: where nothing asks for a step it has no overshoot, of no way it is none") {
   Result result;
   CHECK(test::figure(Options{}, result, "step.swing_mm") == 0);  // of a run without a sample

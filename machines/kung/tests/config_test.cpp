@@ -94,30 +94,6 @@ TEST_CASE("a scenario's description tells what was changed of what it describes,
                                       Catch::EndsWith(" and 1 more"));
 }
 
-TEST_CASE("a section without axis sets both, and [plant.x] refines it wherever it stands") {
-  kung::Options options;
-  take(options, "[plant.x]\nmass_kg = 3\n[plant]\nmass_kg = 4\n");
-  CHECK(options.plant.axis[0].mass_kg == 3);
-  CHECK(options.plant.axis[1].mass_kg == 4);
-}
-
-TEST_CASE("a value out of range names file, line, key and range") {
-  CHECK(message_of("[chip.x]\n\nqep_filter_clk = 16\n") ==
-        "some.toml:3: chip.x.qep_filter_clk: value 16 is out of range 1..15");
-  CHECK_THAT(message_of("[gains]\nkp = nan\n"), Contains("value nan is out of range"));
-  CHECK_THAT(message_of("[gains]\nshift_e = 1.5\n"), Contains("is not a whole number in -2..11"));
-  CHECK_THAT(message_of("controller = 'pid'\n"), Contains("is not one of fc, afc"));
-  CHECK_THAT(message_of("[plant]\nhard_stops = 1\n"), Contains("is not true or false"));
-  CHECK_THAT(message_of("[gains]\nkp = [1, 2]\n"), Contains("some.toml:2: gains.kp: expects"));
-}
-
-TEST_CASE("an unknown key is an error with a suggestion") {
-  CHECK(message_of("[plant]\ncoulomb_M = 3\n") ==
-        "some.toml:2: plant.coulomb_M: unknown key; did you mean plant.coulomb_N?");
-  CHECK_THAT(message_of("controler = 'fc'\n"), Contains("did you mean controller?"));
-  CHECK_THAT(message_of("zzzzzzzzzzzz = 1\n"), Contains("trammel list keys"));
-}
-
 TEST_CASE("combinations that cannot run are refused") {
   CHECK_THAT(message_of("[path]\ncircle_radius_m = 0.3\ncircle_ticks = 1000\n"),
              Contains("beyond the hard stops"));
@@ -136,24 +112,6 @@ TEST_CASE("combinations that cannot run are refused") {
   CHECK_THAT(message_of("[path]\nkind = 'points'\npoints_file = '.'\n"),
              Contains("path.points_file: ") && Contains("cannot be read: it is a folder"));
   CHECK_THAT(message_of("[run]\nwave = 'fst'\nwave_begin_s = 1\n"), Contains("run.wave_end_s"));
-}
-
-TEST_CASE("the environment sets keys by their upper-case names") {
-  kung::Options options;
-  apply_environment(options, {{"TRAMMEL_PLANT_X_MASS_KG", "3.5"},
-                              {"TRAMMEL_PLANT_MASS_KG", "7"},
-                              {"TRAMMEL_CONTROLLER", "fc"},
-                              {"TRAMMEL_SOMETHING_ELSE", "1"},
-                              {"HOME", "/"}});
-  CHECK(options.plant.axis[0].mass_kg == 3.5);
-  CHECK(options.plant.axis[1].mass_kg == 7);
-  CHECK(options.controller == kung::Controller::kFc);
-  CHECK_THROWS_WITH(apply_environment(options, {{"TRAMMEL_PLANT_MASS_KO", "3"}}),
-                    Contains("did you mean TRAMMEL_PLANT_MASS_KG?"));
-  CHECK_THROWS_WITH(apply_environment(options, {{"TRAMMEL_INJECT_TRIP", "3"}}),
-                    Contains("TRAMMEL_INJECT_TRIP: unknown key"));
-  CHECK_THROWS_WITH(apply_environment(options, {{"TRAMMEL_PLANT_MASS_KG", "x"}}),
-                    Contains("environment TRAMMEL_PLANT_MASS_KG: plant.x.mass_kg: value \"x\""));
 }
 
 TEST_CASE("the built-in scenarios load, are valid and, but for sweeps and the part, the paper's") {

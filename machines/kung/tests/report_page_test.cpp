@@ -5,7 +5,6 @@
 #include <limits>
 
 #include "lab/files.hpp"
-#include "lab/layers.hpp"
 #include "lab/report_data.hpp"
 #include "lab/report_page.hpp"
 #include "machines/kung/afc_steps.hpp"
@@ -177,21 +176,6 @@ TEST_CASE("the page of a precision run has its errors, and is made again from pr
   refused("precision.csv: is missing");
   REQUIRE(run_kung(scratch.path / "b", drifting()) == 0);
   CHECK_FALSE(fs::exists(scratch.path / "b" / "precision.csv"));
-}
-
-TEST_CASE("the command that repeats a run names what differs from its scenario") {
-  kung::Options options;
-  apply_file(options, find_scenario("circle"));
-  CHECK(repeat_command(options) == "./trammel run circle");
-  apply_assignment(options, "controller=fc");
-  apply_assignment(options, "plant.x.payload_kg=2.5");
-  CHECK(repeat_command(options) ==
-        "./trammel run circle -s controller=fc -s plant.x.payload_kg=2.5");
-  options.scenario = "circle-fc";
-  CHECK(repeat_command(options) ==
-        "./trammel run circle -s controller=fc -s plant.x.payload_kg=2.5");
-  options.scenario = "mine";
-  CHECK(repeat_command(options) == "./trammel run run.toml");
 }
 
 TEST_CASE("the steps of the moment are those of each axis, and end with the chip's words") {

@@ -315,20 +315,3 @@ TEST_CASE("larson: metrics and remarks name each call with its answer, each even
   CHECK(lines.front() == "    0.3000 s  ABSTBL 5 6: moving");
   CHECK(lines.back() == "    0.9000 s  WHRTBL: 3 4");
 }
-
-TEST_CASE("larson: says how a run ended") {
-  larson::Options options;
-  larson::Result result;
-  result.fault = "X lost 1 steps";
-  const auto verdict = [&](cosim::EndReason end) {
-    result.end = end;
-    return larson::machine().verdict(options, result);
-  };
-  CHECK(verdict(cosim::EndReason::kDone) == "done");
-  CHECK(verdict(cosim::EndReason::kFault) == "tripped: X lost 1 steps");
-  CHECK(verdict(cosim::EndReason::kMissed) == "missed: X lost 1 steps");
-  options.run.max_s = 7;
-  result.fault = "a.table:3: WTTBL was running";
-  CHECK(verdict(cosim::EndReason::kTimeout) ==
-        "not finished within run.max_s = 7: a.table:3: WTTBL was running");
-}

@@ -7,7 +7,6 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdint>
-#include <exception>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
@@ -71,17 +70,6 @@ TEST_CASE("larson: twelve answers are remarks, all up to 2000 are metrics") {
     machine().metrics(record_of(with_calls(calls)), json);
     CHECK(json["calls"].size() == static_cast<std::size_t>(std::min(calls, 2000)));
   }
-}
-
-TEST_CASE("larson: a run that was stopped or broke a promise says so") {
-  Result result;
-  result.promise = {"one_master", "larson_xy.u_bus", "bus/props.sv:7", 50'000};
-  result.end = cosim::EndReason::kPromise;
-  CHECK(machine().verdict(Options{}, result) ==
-        "assertion failed: one_master of larson_xy.u_bus at 0.00100000 s, clock 50000 "
-        "(bus/props.sv:7)");
-  result.end = cosim::EndReason::kStopped;
-  CHECK(machine().verdict(Options{}, result) == "interrupted");
 }
 
 TEST_CASE("larson: a session tells its clock, its processor, its end and the place of each axis") {
@@ -256,29 +244,6 @@ TEST_CASE("larson: figures, answers and verdict do not depend on the raster of t
   for (const double every_ms : {0.3, 7.3, 100.0, 1000.0}) {
     CAPTURE(every_ms);
     CHECK(told(every_ms, 10) == fine);
-  }
-}
-
-TEST_CASE("larson: a trigger may name a word with what it can hold, of its own axes alone") {
-  struct Range {
-    const char* name;
-    std::int64_t high;
-    bool of_axis;
-  };
-  for (const Range& one : {Range{"count", 0xFFFF, true}, Range{"status", 0xFFFF, true},
-                           Range{"waiting", 0xFFFF, true}, Range{"call", 0xFFFFFFFF, false},
-                           Range{"switches", 15, false}}) {
-    const auto told = [&](const std::string& axis, std::int64_t value) {
-      return test::refusal_of<std::exception>([&] {
-        cosim::parse_trigger(axis + one.name + " == " + std::to_string(value), triggers());
-      });
-    };
-    CAPTURE(one.name);
-    CHECK(told("", 0) == "");
-    CHECK(told("", one.high) == "");
-    CHECK_THAT(told("", -1), Catch::Contains("is out of range"));
-    CHECK_THAT(told("", one.high + 1), Catch::Contains("is out of range"));
-    for (const char* axis : {"x.", "y."}) CHECK((told(axis, one.high) == "") == one.of_axis);
   }
 }
 

@@ -274,13 +274,3 @@ TEST_CASE_METHOD(Runs, "mcafee: a run that ends first leaves its place among the
   }
   CHECK(row == 3);
 }
-
-TEST_CASE("mcafee: run.toml repeats the options") {
-  mcafee::Options options, again;
-  options.path.kind = mcafee::PathKind::kStar;
-  options.run.engine = cosim::Engine::kTwin;
-  options.stage_axis.motor.current_limit = 2.25;
-  apply_text(again, run_toml(options), "run.toml", ".");
-  CHECK(run_toml(again) == run_toml(options));
-  CHECK(again.stage_axis.motor.current_limit == 2.25);
-}

@@ -40,10 +40,6 @@ Options quick_move(int counts) {
   return options;
 }
 
-cosim::Trigger parsed(const std::string& text) {
-  return cosim::parse_trigger(text, triggers());
-}
-
 }  // namespace
 
 TEST_CASE("mcafee: rows, contour errors and overshoot of a path are those of its samples") {
@@ -77,30 +73,6 @@ TEST_CASE("mcafee: rows, contour errors and overshoot of a path are those of its
   CHECK(of("contour_end_mm") == Approx(0.2));
   CHECK(of("overshoot_mm") == Approx(0.3).margin(0.02));
   CHECK(of("time_s") == Approx(static_cast<double>(rows + 2) * options.sample_s()));
-}
-
-TEST_CASE("mcafee: each end of a run has its own verdict") {
-  Options options;
-  options.run.max_s = 7.5;
-  options.diverged_counts = 321;
-  Result result;
-  result.fault = "a limit switch";
-  result.promise = {"busy_ends", "mcafee_xy.u_port", "bus/props.sv:7", 50'000};
-  using End = cosim::EndReason;
-  for (const auto& [end, text] :
-       {std::pair{End::kDone, "done"},
-        {End::kStopped, "interrupted"},
-        {End::kFault, "tripped: a limit switch"},
-        {End::kMissed, "missed: a limit switch"},
-        {End::kDiverged, "diverged: error above run.diverged_counts = 321"},
-        {End::kPromise, "assertion failed: busy_ends of mcafee_xy.u_port at 0.00100000 s, clock "
-                        "50000 (bus/props.sv:7)"}}) {
-    result.end = end;
-    CHECK(machine().verdict(options, result) == text);
-  }
-  result.end = End::kTimeout;
-  result.fault.clear();
-  CHECK(machine().verdict(options, result) == "not finished within run.max_s = 7.5");
 }
 
 TEST_CASE("mcafee: beside a run that compares go its path at 254 and at the least speed, no more") {
@@ -209,21 +181,4 @@ TEST_CASE("mcafee: a run can be stopped, and tells its readings in Stage I alone
   CHECK(read.end == cosim::EndReason::kDone);
   CHECK(read.readings == 5);
   CHECK(test::figure(reading, read, "readings") == 5);
-}
-
-TEST_CASE("words of both axes and of the path are events") {
-  CHECK_NOTHROW(parsed("x.e > 3"));
-  CHECK_NOTHROW(parsed("y.e > 3"));
-  CHECK_NOTHROW(parsed("row == 1"));
-  CHECK_THROWS_AS(parsed("x.row == 1"), cosim::UnknownName);
-  CHECK_THROWS_WITH(parsed("x.e > 40000"),
-                    "x.e: value 40000 is out of range -32768..32767");
-}
-
-TEST_CASE("every name that is listed is accepted as an event") {
-  for (const std::string& name : cosim::trigger_names(triggers())) {
-    INFO(name);
-    const bool event = name == "drive" || name == "hi" || name == "irq";
-    CHECK_NOTHROW(parsed(event ? name : "change " + name));
-  }
 }
