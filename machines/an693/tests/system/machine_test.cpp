@@ -13,9 +13,9 @@
 #include "tests/support/broken_promise.hpp"
 #include "tests/support/event_record.hpp"
 #include "tests/support/figures.hpp"
-#include "tests/support/lm628_words.hpp"
 #include "tests/support/scratch.hpp"
 #include "tests/support/slope.hpp"
+#include "tests/support/wirings.hpp"
 
 using namespace trammel;
 using namespace trammel::an693;
@@ -81,48 +81,6 @@ TEST_CASE("L-06 an693 with the motor leaps over 20 s of breakpoints in less than
   CHECK(result.wall_s < 60);
 }
 
-TEST_CASE("an693 has the same events in SystemC, direct wiring, any window and without leaps") {
-  Options options = breakpoints();
-  options.run.max_s = 0.15;
-  const Result direct = simulate(options, {});
-  CHECK(direct.samples.size() > 500);
-  for (const cosim::Clk window : {cosim::Clk{0}, cosim::Clk{313}}) {
-    options.run.platform = cosim::Platform::kSystemC;
-    options.run.window_clk = window;
-    const Result other = simulate(options, {});
-    CHECK(other.event_hash == direct.event_hash);
-  }
-  options.run = {};
-  options.run.max_s = 0.15;
-  options.run.leap = false;
-  const Result plain = simulate(options, {});
-  CHECK(plain.event_hash == direct.event_hash);
-  CHECK(direct.evaluated * 5 < plain.evaluated);
-}
-
-TEST_CASE("an693: the twin gives the events and words of the chip") {
-  for (const An693Program program : {An693Program::kBreakpoints, An693Program::kTuning}) {
-    Options options = program == An693Program::kTuning ? one_step() : breakpoints();
-    options.filter = {100, 20, 3000, 500, 2};
-    options.run.max_s = 0.3;
-    const Result chip = simulate(options, {});
-    options.run.engine = cosim::Engine::kTwin;
-    const Result twin = simulate(options, {});
-    REQUIRE(chip.samples.size() > 300);
-    REQUIRE(twin.samples.size() == chip.samples.size());
-    for (std::size_t k = 0; k < chip.samples.size(); ++k) {
-      CAPTURE(k, chip.samples[k].edge);
-      const Sample c = chip.samples[k], t = twin.samples[k];
-      REQUIRE(t.edge == c.edge);
-      test::require_same(t.words, c.words);
-      REQUIRE(t.host_irq == c.host_irq);
-    }
-    CHECK(twin.event_hash == chip.event_hash);
-    CHECK(twin.end == chip.end);
-    CHECK(twin.real == chip.real);
-  }
-}
-
 TEST_CASE("an693: the event hash is that of edges, reasons, codes, reads and positions") {
   Options options = breakpoints();
   options.run.engine = cosim::Engine::kTwin;
@@ -153,47 +111,17 @@ TEST_CASE("an693: the shaft of the record is where the counts are, and its speed
   });
 }
 
-TEST_CASE("an693 audited, or with its assertions checked, has the same events and none fails") {
-  Options options = one_step();
-  options.wait_s = 0.005;
-  options.reached_counts = 50;  // it is still on its way
-  const Result base = simulate(options, {});
-  REQUIRE(base.end == cosim::EndReason::kDone);
-  options.run.audit = true;
-  const Result audited = simulate(options, {});
-  CHECK(audited.end == cosim::EndReason::kDone);
-  CHECK_FALSE(audited.promise);
-  CHECK(audited.evaluated == base.evaluated);
-  CHECK(audited.event_hash == base.event_hash);
-  options.run.audit = false;
-  options.run.assertions = true;
-  const Result checked = simulate(options, {});
-  CHECK(checked.end == cosim::EndReason::kDone);
-  CHECK_FALSE(checked.promise);
-  CHECK(checked.evaluated >= checked.clocks);
-  CHECK(checked.event_hash == base.event_hash);
-}
-
-TEST_CASE("an693 with waves has the same events, and windows that begin anywhere are exact") {
-  Options options = one_step();
-  options.wait_s = 0.005;
-  const Result base = simulate(options, {});
-  options.run.wave = cosim::WaveFormat::kFst;
-  options.run.wave_file = test::own_file("an693_machine_test.fst");
-  Options every = options;  // 2503 clocks are no part of a sample or of a pulse
-  every.run.wave_end_s = 97 * 20e-9;
-  every.run.wave_every_s = 2503 * 20e-9;
-  Options checked = options;
-  checked.run.assertions = true;
-  for (const Options& shown : {options, every, checked}) {
-    const Result result = simulate(shown, {});
-    std::filesystem::remove(shown.run.wave_file);
-    CHECK_FALSE(result.promise);
-    CHECK(result.end == base.end);
-    CHECK_FALSE(result.waves.empty());
-    CHECK(result.event_hash == base.event_hash);
-    CHECK(result.samples.size() == base.samples.size());
+TEST_CASE("an693 gives one record in every wiring, and watched in every way") {
+  for (Options options : {one_step(), breakpoints()}) {
+    options.filter = {100, 20, 3000, 500, 2};
+    options.run.max_s = 0.1;
+    const Result first = test::check_wirings(options);
+    CHECK(first.samples.size() > 300);
+    CHECK(first.evaluated * 5 < first.clocks);
   }
+  Options options = one_step();
+  options.wait_s = 0.005;  // 2503 clocks are no part of a sample or of a pulse
+  test::check_watched(options, 97 * 20e-9, 2503 * 20e-9);
 }
 
 TEST_CASE("an693 waves begin where the converter, HI or the interrupt first moves") {

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <filesystem>
 
 #include "machines/an693/machine.hpp"
 #include "tests/support/figures.hpp"
+#include "tests/support/wirings.hpp"
 
 using namespace trammel;
 using namespace trammel::an693;
@@ -124,26 +124,11 @@ TEST_CASE("an693: a filter that wraps gives the lower 16 bits of its sum, else i
   }
 }
 
-TEST_CASE("an693: an LM629 of 6 MHz, audited, checked or with waves, has the same events") {
+TEST_CASE("an693: an LM629 of 6 MHz gives one record in every wiring, and watched in every way") {
   Options options = short_move({Variant::kLm629, 12, 6, true});
   options.run.max_s = 0.02;
-  const Result base = run(options);
-  REQUIRE(base.samples.size() > 50);
-  Options audited = options, checked = options, plain = options, shown = options;
-  audited.run.audit = true;
-  checked.run.assertions = true;
-  plain.run.leap = false;
-  shown.run.wave = cosim::WaveFormat::kFst;
-  shown.run.wave_file = "an693_variant_test.fst";
-  shown.run.wave_end_s = 97 * 20e-9;
-  shown.run.wave_every_s = 2503 * 20e-9;
-  for (const Options& other : {audited, checked, plain, shown}) {
-    const Result result = run(other);
-    CHECK_FALSE(result.promise);
-    CHECK(result.end == base.end);
-    CHECK(result.event_hash == base.event_hash);
-  }
-  std::filesystem::remove(shown.run.wave_file);
+  REQUIRE(test::check_wirings(options).samples.size() > 50);
+  test::check_watched(options, 97 * 20e-9, 2503 * 20e-9);
 }
 
 TEST_CASE("an693: the drive of an LM629 is off when its pulses have ended, not between two") {

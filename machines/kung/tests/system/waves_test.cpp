@@ -186,27 +186,6 @@ TEST_CASE("windows that begin at any clock show the run exactly") {
   check(options);
 }
 
-TEST_CASE("a run with waves that checks assertions has the same events") {
-  Options options = piece();
-  options.path.line_end_x_m = 0.101;
-  options.path.line_end_y_m = 0.1005;
-  options.path.line_ticks = 10;
-  const Result base = simulate(options, {});
-  options.run.assertions = true;
-  options.run.wave_every_s = 0.005;
-  options.run.wave_begin_s = 0.0010002;
-  options.run.wave_end_s = 0.0012;
-  options.run.wave = WaveFormat::kFst;
-  options.run.wave_file = test::own_file("kung_waves_test.fst");
-  Result result = simulate(options, {});
-  std::filesystem::remove(options.run.wave_file);
-  CHECK(result.end == EndReason::kDone);
-  CHECK_FALSE(result.promise);
-  CHECK(result.waves.size() > 5);
-  CHECK(result.evaluated == result.clocks);
-  CHECK(result.event_hash == base.event_hash);
-}
-
 TEST_CASE("a stop request ends the search and the run") {
   Options options = piece();
   options.run.wave = WaveFormat::kFst;

@@ -4,14 +4,13 @@
 // here, that the chip and every wiring do the same.
 
 #include <catch2/catch.hpp>
-#include <filesystem>
 
 #include "machines/mcafee/machine.hpp"
 #include "machines/mcafee/session.hpp"
 #include "tests/support/broken_promise.hpp"
 #include "tests/support/event_record.hpp"
-#include "tests/support/lm628_words.hpp"
 #include "tests/support/slope.hpp"
+#include "tests/support/wirings.hpp"
 
 using namespace trammel;
 using namespace trammel::mcafee;
@@ -35,59 +34,19 @@ Result run(const Options& options) { return simulate(options, {}); }
 
 }  // namespace
 
-TEST_CASE("mcafee: SystemC, direct wiring, any window, leapt or plain give the same events") {
-  const Options options = small_corner();
-  const Result result = run(options);
-  REQUIRE(result.end == cosim::EndReason::kDone);
-  CHECK(result.samples.back().row == result.table.rows.size());
-  CHECK(result.evaluated < result.clocks / 2);
-  Options other = options;
-  other.run.window_clk = 313;
-  CHECK(run(other).event_hash == result.event_hash);
-  other = options;
-  other.run.platform = cosim::Platform::kSystemC;
-  CHECK(run(other).event_hash == result.event_hash);
-  other = options;
-  other.run.leap = false;
-  CHECK(run(other).event_hash == result.event_hash);
-  CHECK(run(other).evaluated >= result.clocks);
-}
-
-TEST_CASE("mcafee: audited, or with its assertions checked, it has the same events") {
-  Options options = small_corner();
-  options.run.max_s = 0.03;  // the first rows
-  const Result base = run(options);
-  REQUIRE(base.samples.size() > 80);
-  REQUIRE(base.samples.back().row > 0);
-  options.run.audit = true;
-  const Result audited = run(options);
-  CHECK_FALSE(audited.promise);
-  CHECK(audited.evaluated == base.evaluated);
-  CHECK(audited.event_hash == base.event_hash);
-  options.run.audit = false;
-  options.run.assertions = true;
-  const Result checked = run(options);
-  CHECK(checked.end == base.end);
-  CHECK_FALSE(checked.promise);
-  CHECK(checked.event_hash == base.event_hash);
-}
-
-TEST_CASE("mcafee: with waves it has the same events, and windows show them exactly") {
-  Options options = small_corner();
-  options.run.max_s = 0.03;
-  const Result base = run(options);
-  options.run.wave = cosim::WaveFormat::kFst;
-  options.run.wave_file = "mcafee_machine_test.fst";
-  Options every = options;
-  every.run.wave_end_s = 97 * 20e-9;
-  every.run.wave_every_s = 5003 * 20e-9;
-  every.run.platform = cosim::Platform::kSystemC;
-  for (const Options& shown : {options, every}) {
-    const Result result = run(shown);
-    std::filesystem::remove(shown.run.wave_file);
-    CHECK_FALSE(result.promise);
-    CHECK(result.waves.size() == (shown.run.wave_every_s > 0 ? 300 : 1));
-    CHECK(result.event_hash == base.event_hash);
+TEST_CASE("mcafee: one record in every wiring, and watched in every way, at 6 and at 8 MHz") {
+  for (const int clock_MHz : {6, 8}) {
+    CAPTURE(clock_MHz);
+    Options options = small_corner();
+    options.clock_MHz = clock_MHz;
+    options.filter = {255, 20, 3000, 500, 2};
+    options.run.max_s = 0.03;  // the first rows
+    const Result first = test::check_wirings(options);
+    REQUIRE(first.samples.size() > 80);
+    REQUIRE(first.samples.back().row > 0);
+    CHECK(first.evaluated < first.clocks / 2);
+    options.run.max_s = 0.02;
+    test::check_watched(options, 97 * 20e-9, 5003 * 20e-9);
   }
 }
 
@@ -101,26 +60,6 @@ TEST_CASE("mcafee: a failed assertion ends the run at the next sample") {
   REQUIRE(result.promise);
   CHECK(result.promise->instance == "mcafee_xy.u_x");
   CHECK(result.samples.size() == 65);
-}
-
-TEST_CASE("mcafee: the twin gives the events of the chip") {
-  Options options = small_corner();
-  options.filter = {255, 20, 3000, 500, 2};
-  const Result chip = run(options);
-  options.run.engine = cosim::Engine::kTwin;
-  const Result twin = run(options);
-  REQUIRE(twin.samples.size() == chip.samples.size());
-  for (std::size_t k = 0; k < chip.samples.size(); ++k) {
-    CAPTURE(k, chip.samples[k].edge);
-    REQUIRE(twin.samples[k].edge == chip.samples[k].edge);
-    for (std::size_t a = 0; a < 2; ++a) {
-      CAPTURE(a);
-      const AxisSample t = twin.samples[k].axis[a], c = chip.samples[k].axis[a];
-      test::require_same(t.words, c.words);
-      REQUIRE(t.host_irq == c.host_irq);
-    }
-  }
-  CHECK(twin.event_hash == chip.event_hash);
 }
 
 TEST_CASE("mcafee: the event hash is that of edges, reasons, codes, reads and positions") {
@@ -214,7 +153,7 @@ TEST_CASE("F-05 Stage II moves the stage by 52 800 counts in 8.251 s") {
   CHECK(std::abs(result.real[0] - 52'800) <= 3);
 }
 
-TEST_CASE("mcafee: parts of 8 MHz: one behaviour in RTL, twin, SystemC, in 3/4 of the time") {
+TEST_CASE("mcafee: parts of 8 MHz follow a table in 3/4 of the time") {
   Options options = small_corner();
   const double slow_s = lab::seconds_of(run(options).clocks) - options.wait_s;
   options.clock_MHz = 8;
@@ -222,31 +161,4 @@ TEST_CASE("mcafee: parts of 8 MHz: one behaviour in RTL, twin, SystemC, in 3/4 o
   REQUIRE(chip.end == cosim::EndReason::kDone);
   CHECK(chip.samples.back().row == chip.table.rows.size());
   CHECK(lab::seconds_of(chip.clocks) - options.wait_s == Approx(0.75 * slow_s).epsilon(0.05));
-  Options other = options;
-  other.run.engine = cosim::Engine::kTwin;
-  CHECK(run(other).event_hash == chip.event_hash);
-  other = options;
-  other.run.platform = cosim::Platform::kSystemC;
-  CHECK(run(other).event_hash == chip.event_hash);
-}
-
-TEST_CASE("mcafee: parts of 8 MHz, audited, checked or with waves, have the same events") {
-  Options options = small_corner();
-  options.clock_MHz = 8;
-  options.run.max_s = 0.02;
-  const Result base = run(options);
-  REQUIRE(base.samples.size() > 60);
-  Options audited = options, checked = options, shown = options;
-  audited.run.audit = true;
-  checked.run.assertions = true;
-  shown.run.wave = cosim::WaveFormat::kFst;
-  shown.run.wave_file = "mcafee_machine_test_8.fst";
-  shown.run.wave_end_s = 97 * 20e-9;
-  shown.run.wave_every_s = 5003 * 20e-9;
-  for (const Options& one : {audited, checked, shown}) {
-    const Result result = run(one);
-    CHECK_FALSE(result.promise);
-    CHECK(result.event_hash == base.event_hash);
-  }
-  std::filesystem::remove(shown.run.wave_file);
 }
