@@ -67,8 +67,7 @@ class Page(report_pages.ReportPages):
         names = {s["text"]: float(s["y"]) - 4.2 for s in shapes if s["tag"] == "text" and
                  s["text-anchor"] == "end"}
         # SNVS781C: busy is bit 0, motor off bit 7.
-        bits = ["command error", "trajectory complete", "index pulse", "wraparound",
-                "position error", "breakpoint", "motor off"]
+        bits = [self.BITS[n] for n in range(1, 8)]
         self.assertEqual(list(names), ["HI", *reversed(bits)])
         begin, end = rows[0]["t_s"], rows[-1]["t_s"]
         drawn = 0

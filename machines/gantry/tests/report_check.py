@@ -132,19 +132,6 @@ class Page(report_pages.ReportPages):
             self.assertIn(words, self.chips(name))
             self.assertNotIn("none", self.chips(name))
 
-    def test_the_sensor_is_a_circle_and_each_region_has_its_cubic(self):
-        self.see("fitted")
-        for plot, least in (("portrait", 1000), ("cubics", 4), ("cubics-off", 4)):
-            shapes = self.js("return Trammel.svgText(Trammel.plots.find((p) => p.id === "
-                             "arguments[0]))", plot)
-            self.assertGreaterEqual(shapes.count("<circle") + shapes.count("<path"), least, plot)
-            self.assertNotIn("NaN", shapes)
-        rows = self.rows("fitted")
-        radii = [((int(row["sensor_a_code"]) - 512) ** 2 + (int(row["sensor_b_code"]) - 512) ** 2)
-                 ** 0.5 for row in rows]
-        self.assertGreater(min(radii), 370)
-        self.assertLess(max(radii), 430)
-
     def test_the_cubics_are_those_of_the_memory(self):
         self.see("fitted")
         words = self.metrics("fitted")["calibration"]

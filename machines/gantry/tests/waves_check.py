@@ -12,14 +12,13 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "tests" / "support"
 from wave_case import WaveCase, WaveFile, main
 
 RUN = ["run", "gantry-p", "-s", "run.time_s=0.2"]
-GROUPS = ("Observer", "Converter", "Motors", "Serial2002", "Memory", "AXI4-Lite")
 BIT_NS = 8680  # 434 clocks
 
 
 class TrackTest(WaveCase):
     def test_the_reset_message_is_on_the_line(self):
         out = self.run_to("reset", RUN, "--wave", "fst", "--wave-window", "0:1ms")
-        self.check_view(out / "waves.fst", GROUPS)
+        self.check_view(out / "waves.fst")
         edges = [(time, int(value)) for time, value in
                  WaveFile(out / "waves.fst").changes("gantry_tau.tx_o")]
         first = next(time for time, value in edges if value == 0)
@@ -30,15 +29,6 @@ class TrackTest(WaveCase):
         for byte, begin in ((0x8A, 0), (0x49, 10)):
             bits = [level(first + BIT_NS * (begin + k) + BIT_NS // 2) for k in range(10)]
             self.assertEqual(bits, [0, *(byte >> k & 1 for k in range(8)), 1])
-
-    def test_a_trigger_anchors_the_window(self):
-        out = self.run_to("irq", RUN, "--wave", "fst", "--wave-trigger", "position > 100")
-        self.check_view(out / "waves.fst", GROUPS)
-
-    def test_what_cannot_be_dumped_is_one_line_and_its_exit_code(self):
-        self.check_refused((
-            (2, "out of range", [*RUN, "--wave", "fst", "--wave-trigger", "region > 9"]),
-            (2, "the twin has no signals", [*RUN, "--engine", "twin", "--wave", "fst"])))
 
 
 if __name__ == "__main__":

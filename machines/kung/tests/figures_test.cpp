@@ -63,17 +63,6 @@ TEST_CASE("equations 45 and 46 are the mean and the root of the mean squared dev
   CHECK(spread({}).n == 0);
 }
 
-TEST_CASE("only samples from the first point to the end of the last one count") {
-  auto result = offset_run({{3e-3, 4e-3}, {6e-3, 8e-3}});
-  const auto m = values(result);
-  CHECK(m.at("tracking.model.samples") == 2);
-  CHECK(m.at("tracking.model.mean_mm") == Approx(7.5));
-  CHECK(m.at("tracking.model.variance_mm2") == Approx(6.25));
-  CHECK(m.at("tracking.command.mean_mm") == Approx(7.5));
-  CHECK(m.at("x.error_to_model.mean_mm") == Approx(4.5));
-  CHECK(m.at("y.error_to_model.max_mm") == Approx(8));
-}
-
 TEST_CASE("a run that ended early counts the samples it has") {
   auto result = offset_run({{3e-3, 4e-3}, {6e-3, 8e-3}});
   cosim::DiskVector<kung::Sample> eleven;
