@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The motor that chip and firmware take an axis for, beside the one that is there.
-#include <catch2/catch.hpp>
-
+// The motor that the program believes in, and what a run asks of the real one: currents, thrust,
+// losses and limits of an axis against a current of known shape.
 #include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
 #include <numeric>
 #include <string>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "machines/kung/believed.hpp"
 #include "machines/kung/machine.hpp"
 #include "machines/kung/plan.hpp"
+#include "machines/kung/record.hpp"
 #include "sw_nios/apps/kung/setup_words.hpp"
 #include "tests/support/figures.hpp"
 
@@ -117,4 +119,67 @@ TEST_CASE("a motor that a hot magnet weakens is estimated heavier, by the ratio 
     CHECK(test::figure(record, axis + ".estimate.mass_kg") ==
           Approx(mass).margin(0.12 + 0.01 * mass));
   }
+}
+
+TEST_CASE("rms, peak and loss are those of a sine of current") {
+  AxisLoad load;
+  plant::AxisConfig plant;
+  for (int n = 0; n < 1000; ++n) {
+    AxisSample s;
+    s.i_q_true_A = 3 * std::sin(2 * 3.14159265358979 * n / 1000);
+    s.i_d_true_A = 0;
+    s.force_N = 79.9 * s.i_q_true_A;
+    s.x_true_m = 0.1;
+    load.add(s, plant);
+  }
+  CHECK(load.peak_current_A == Approx(3).epsilon(1e-4));
+  CHECK(load.rms_current_A() == Approx(1.5).epsilon(1e-3));  // i_q is the peak of a phase
+  CHECK(load.rms_force_N() == Approx(79.9 * 3 / std::sqrt(2)).epsilon(1e-3));
+  CHECK(load.copper_loss_W(27) == Approx(3 * 27 * 1.5 * 1.5).epsilon(1e-3));
+  CHECK(load.limits() == "");
+}
+
+TEST_CASE("what limits an axis is told with its share of the samples") {
+  AxisLoad load;
+  plant::AxisConfig plant;
+  for (int n = 0; n < 100; ++n) {
+    AxisSample s;
+    s.x_true_m = n < 50 ? plant.stroke_max_m : n < 70 ? plant.stroke_min_m : 0.1;
+    s.force_N = 1;  // away from the lower stop
+    s.i_q_ref = n < 10 ? -2047 : 0;
+    s.v_d = n < 4 ? -1300 : 0;
+    s.v_q = n < 4 ? 1500 : 0;
+    load.add(s, plant);
+  }
+  CHECK(load.limits() == "i_q* at its limit 10 %, voltage at the supply's 4 %, carriage at a hard "
+                         "stop 50 % of the samples");
+  CHECK(AxisLoad{}.limits() == "");
+  AxisLoad without;
+  plant.hard_stops = false;
+  AxisSample s;
+  s.x_true_m = plant.stroke_max_m;
+  s.force_N = 1;
+  without.add(s, plant);
+  CHECK(without.at_stop == 0);
+}
+
+TEST_CASE("a run above the rating of a motor says so; 0 is no rating") {
+  Options options;
+  Result result;
+  AxisSample s;
+  s.i_q_true_A = 4;
+  s.x_true_m = 0.1;
+  for (int n = 0; n < 10; ++n) result.load[1].add(s, options.plant.axis[1]);
+  const auto lines = overloads(options, result);
+  REQUIRE(lines.size() == 1);
+  CHECK_THAT(lines[0], Contains("rms phase current of Y is 2.828 A, above "
+                                "plant.y.continuous_current_A = 1.6"));
+  options.plant.axis[1].peak_current_a = 3.9985;
+  CHECK(overloads(options, result).size() == 1);  // 4 A are 0.04 % above it
+  options.plant.axis[1].peak_current_a = 3.98;
+  CHECK_THAT(overloads(options, result).at(1),
+             Contains("largest vector of i_d and i_q in a sample of Y is 4 A, above "
+                      "plant.y.peak_current_A = 3.98"));
+  options.plant.axis[1].peak_current_a = options.plant.axis[1].continuous_current_a = 0;
+  CHECK(overloads(options, result).empty());
 }

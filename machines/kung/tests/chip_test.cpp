@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The chip of the table: the ranges of its signals, and its pins beside those of the plant.
+// The chip of the table: the ranges of its signals, the events that a trigger may name, and its
+// pins beside those of the plant.
 #include <catch2/catch.hpp>
+#include <map>
+#include <string>
+#include <vector>
 
+#include "cosim/trigger_search.hpp"
 #include "machines/kung/chip.hpp"
 #include "machines/kung/lines.hpp"
+#include "machines/kung/machine.hpp"
 #include "models/plant/xy_lines.hpp"
 #include "tests/support/no_plant.hpp"
 
 using namespace trammel;
 using namespace trammel::kung;
 namespace table = plant::xy;
+using cosim::Trigger;
+using cosim::TriggerSearch;
 
 namespace {
 
@@ -31,6 +39,32 @@ struct RangeWatch final : cosim::Watcher {
     }
   }
 };
+
+Trigger parse_trigger(const std::string& text) { return cosim::parse_trigger(text, triggers()); }
+
+// A chip of which only the named signals move.
+struct FakeChip final : SignalReader {
+  std::map<std::string, std::int64_t> values;  // "x.e", "TICK"
+  std::int64_t read(std::size_t signal, int axis) const override {
+    const Signal& s = signals()[signal];
+    const auto found =
+        values.find((s.of_axis ? (axis == 0 ? "x." : "y.") : "") + std::string(s.name));
+    return found == values.end() ? 0 : found->second;
+  }
+};
+
+// Edge at which `text` fires when `name` takes these values at edges 0, 1, 2, ...; -1 = never.
+cosim::Clk fires(const std::string& text, const std::string& name,
+                 const std::vector<std::int64_t>& values) {
+  TriggerSearch search(parse_trigger(text));
+  FakeChip chip;
+  cosim::Clk edge = 0;
+  for (const std::int64_t value : values) {
+    chip.values[name] = value;
+    search.after(edge++, chip);
+  }
+  return search.found().value_or(-1);
+}
 
 }  // namespace
 
@@ -70,5 +104,18 @@ TEST_CASE("the pins of the table are where the chip's side expects them") {
       CHECK(table::gate_lo(k, phase) == kung::gate_lo(k, phase));
       CHECK(table::adc_channel(k, phase) == kung::adc_channel(k, phase));
     }
+  }
+}
+
+TEST_CASE("events are changes of the signals behind them") {
+  CHECK(fires("drives", "y.CTRL.enable", {0, 1}) == 1);
+  CHECK(fires("afc.x", "x.afc", {0, 0, 1, 1}) == 2);
+  CHECK(fires("afc.x", "y.afc", {0, 0, 1, 1}) == -1);
+  CHECK(fires("fault", "FAULT.code", {0, 3}) == 1);
+  CHECK(fires("fault.encoder", "FAULT.code", {0, 4}) == 1);
+  CHECK(fires("fault.encoder", "FAULT.code", {0, 3}) == -1);
+  for (const char* text : {"fault.encodr", "afc.z", "drive", "faults"}) {
+    INFO(text);
+    CHECK_THROWS_AS(parse_trigger(text), cosim::UnknownName);
   }
 }

@@ -9,8 +9,8 @@ by its folder. The chip is plain Verilog, and every clock of it is evaluated. Wi
 the ports of docs/leap.md; if the machine exists and its chip still is the plain one, only the files
 of the chip are written again.
 
-The files are made from scripts/machine_template; a line behind @plain@ or @contract@ is of one of
-the two chips. Exit codes: 0 written, 2 the name cannot be used.
+The files are made from scripts/machine_template; a line behind @p@ is of the plain chip alone, one
+behind @c@ of that with the contract. Exit codes: 0 written, 2 the name cannot be used.
 """
 
 import re
@@ -32,7 +32,7 @@ RESERVED = {"alignof", "asm", "compl", "export", "extern", "goto", "mutable", "r
 def rendered(name, contract):
     """{path in the repository: text} of a machine's files."""
     words = {"@name@": name, "@Name@": name.capitalize(), "@leap@": str(contract).lower()}
-    own, other = ("@contract@", "@plain@") if contract else ("@plain@", "@contract@")
+    own, other = ("@c@", "@p@") if contract else ("@p@", "@c@")
 
     def put(text):
         text = re.sub(f"^{other}.*\n", "", re.sub(f"^{own} ?", "", text, flags=re.M), flags=re.M)
