@@ -31,6 +31,10 @@ LEVELS = {"v4": {"avx512f", "avx512bw", "avx512vl"}, "v3": {"avx2", "fma", "bmi2
           "v2": {"sse4_2", "popcnt"}}
 
 
+VERIFY = ("mutation", "proof", "rtl", "waves",
+          *(f"check/{one}" for one in ("acceptance", "engines", "faults", "keys", "sensitivity")))
+
+
 @dataclasses.dataclass(frozen=True)
 class Kind:
     """Of the tests whose names match. `files` gives their inputs from the match. `machine`: the
@@ -66,16 +70,19 @@ def of_leap(found):
 
 
 def of_unit_test(layer, block):
+    """Of a block and its test: no build description, and nothing of laboratory or machines."""
     files = sources.rtl(f"{layer}/{block}")
     files |= sources.properties(files) if layer == "chips" else \
         matching(f"rtl/{layer}/{block}_props.sv")
     tests = matching(f"tests/{layer}/{block}_test.cpp", f"tests/{layer}/{block}_*_test.cpp",
-                     "tests/support/*.cpp", "tests/support/bytes.hpp")
-    return files | sources.cpp(*tests) | matching(*BUILD)
+                     "tests/support/main.cpp", "tests/support/first_failure.cpp",
+                     "tests/support/bytes.hpp")
+    return files | sources.cpp(*tests)
 
 
 def of_coverage(found):
-    return of_unit_test(found[1], found[2]) | sources.tools("check", "rtl")
+    return (of_unit_test(found[1], found[2]) | matching(*BUILD)
+            | sources.tools("check/coverage", "check/coverage_cpp", "check/rtl_counts", "rtl"))
 
 
 def of_mutants(found):
@@ -83,8 +90,9 @@ def of_mutants(found):
     layer, block = found[1], found[2]
     return (sources.rtl(f"{layer}/{block}")
             | of_unit_test(layer, mutant_tests.top_of(f"{layer}/{block}"))
-            | matching("tests/mutants.toml", "machines/*/mutants.toml", "parts/*/mutants.toml")
-            | sources.tools("mutation", "proof", "rtl", "check", "waves"))
+            | matching("tests/mutants.toml", "machines/*/mutants.toml", "parts/*/mutants.toml",
+                       "tests/support/mutant.cpp")
+            | sources.tools(*VERIFY))
 
 
 def of_machine(found):
@@ -108,7 +116,7 @@ RUNS = of_files(*PRODUCT, "docs/generated/*",
                 tools=("check", "mutation", "proof", "rtl", "waves"))
 MUTANTS = of_files("rtl/**", "models/**", *TESTS, "third_party/**", *BUILD,
                    "machines/*/mutants.toml", "parts/*/mutants.toml",
-                   tools=("mutation", "proof", "rtl", "check", "waves"))
+                   tools=VERIFY)
 WIRINGS = of_files(*PRODUCT, *TESTS, tools=("rtl",))
 MANUAL = of_files(*CODE, "rtl/**.rdl", "tests/goldens/**", "docs/**", "scripts/**", "trammel")
 LESSONS = of_files(*PRODUCT, *TESTS, "docs/*", "scripts/**", "trammel", "README.md",

@@ -41,10 +41,11 @@ def matching(*patterns):
     return {name for name in every() if wanted.fullmatch(name)}
 
 
-def tools(*packages):
-    """The scripts of these packages, and what all of them use."""
+def tools(*names):
+    """The scripts of these packages, or these modules of one, and what all of them use."""
     own = "scripts/trammel_tools"
-    return matching("scripts/tool", f"{own}/*.py", *(f"{own}/{one}/**" for one in packages))
+    return matching("scripts/tool", f"{own}/*.py",
+                    *(f"{own}/{one}{end}" for one in names for end in ("/**", ".py")))
 
 
 @functools.cache

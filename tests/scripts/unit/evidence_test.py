@@ -307,6 +307,12 @@ class SourcesTest(Scratch):
                       or (layer == "chips" and one.startswith("rtl/"))}
             self.assertEqual(read - unused - kind.files(found), set(), name)
 
+    def test_laboratory_and_machines_are_no_input_of_what_depends_on_a_block(self):
+        for name in ("coverage.drive.pwm", "campaign.mutants.drive.pwm", "formal.drive.pwm"):
+            kind, found = kinds.of(name)
+            self.assertEqual([one for one in kind.files(found) if one.endswith((".cpp", ".hpp"))
+                              and one.startswith(("lab/", "machines/"))], [], name)
+
     def test_what_the_script_of_a_check_names_is_among_the_inputs(self):
         """Modules that it imports, and files that it finds by ROOT / "folder" / "file"."""
         own, called = "scripts/trammel_tools", tools.every()
