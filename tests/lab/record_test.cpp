@@ -317,6 +317,8 @@ TEST_CASE("an injected fault is told from its own begin, each span on its own") 
     };
     says("at 0.02 s: noticed 5 ms later: a check; outputs off 1 ms later, at rest after "
          "4.25 ell");
+    report.stopping = 1071.234;
+    says("outputs off 1 ms later, at rest after 1071 ell");
     report.off = cosim::kNever;
     says("noticed 5 ms later: a check; outputs not off");
     CHECK(metrics_json(record)["injected"]["off_after_s"].is_null());

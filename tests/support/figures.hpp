@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cstddef>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -28,6 +31,17 @@ inline double figure(const lab::Record& record, const std::string& id) {
   INFO("figure " << id);
   REQUIRE(found != nullptr);
   return found->value;
+}
+
+// All that a record says: verdict, figures, remarks, metrics.
+inline std::string record_text(const lab::Record& record) {
+  const lab::Machine& machine = record.settings->machine();
+  std::string all = record.verdict;
+  for (const lab::Figure& f : record.figures) all += fmt::format(" {}={}", f.id, f.value);
+  for (const std::string& line : machine.remarks(record)) all += line;
+  nlohmann::ordered_json json;
+  machine.metrics(record, json);
+  return all + json.dump();
 }
 
 // What trace.csv holds of a sample: each column of the machine, named, with its value.

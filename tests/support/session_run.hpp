@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 #include <cstdint>
+#include <typeinfo>
 #include <utility>
 
 #include "cosim/direct.hpp"
@@ -46,6 +47,27 @@ inline void check_timing(const cosim::Session& session, std::int64_t period_ps) 
   CHECK(session.end() == 750'000'000'000 / period_ps);
   CHECK_FALSE(session.finished());
   CHECK_FALSE(session.stopped());
+}
+
+// The engine that a run asks for is the one that its session has; `twin` makes one.
+template <class Session, class Options, class Twin>
+void check_engines(Options options, Twin twin) {
+  struct Seen final : cosim::Observer {
+    void on(const cosim::Stop&, const cosim::Chip& chip, const cosim::Plant&) override {
+      type = &typeid(chip);
+    }
+    const std::type_info* type = nullptr;
+  };
+  const auto reference = twin();
+  for (const cosim::Engine engine : {cosim::Engine::kTwin, cosim::Engine::kRtl}) {
+    options.run.engine = engine;
+    Session session(options, {});
+    Seen seen;
+    session.loop().watch(seen);
+    session.loop().advance(100'000, 0);
+    REQUIRE(seen.type != nullptr);
+    CHECK((*seen.type == typeid(*reference)) == (engine == cosim::Engine::kTwin));
+  }
 }
 
 }  // namespace trammel::test

@@ -4,8 +4,6 @@
 // sensor sees, its memory, the data of an ideal sensor, and the ranges of what a trigger may name.
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <memory>
-#include <typeinfo>
 
 #include "cosim/trigger.hpp"
 #include "lab/record.hpp"
@@ -15,6 +13,7 @@
 #include "machines/gantry/tests/by_twin.hpp"
 #include "models/exact/sense/calibration.hpp"
 #include "tests/support/message.hpp"
+#include "tests/support/session_run.hpp"
 
 using namespace trammel;
 using namespace trammel::gantry;
@@ -66,25 +65,7 @@ TEST_CASE("gantry: the chip counts 4612 conversions in a second, at rest and in 
 }
 
 TEST_CASE("gantry: the engine that a run asks for is the one that it has") {
-  struct Seen final : cosim::Observer {
-    void on(const cosim::Stop&, const cosim::Chip& chip, const cosim::Plant&) override {
-      twin = typeid(chip) == typeid(*reference);
-      ++events;
-    }
-    std::unique_ptr<GantryChip> reference = make_twin_chip({});
-    bool twin = false;
-    int events = 0;
-  };
-  for (const cosim::Engine engine : kEngines) {
-    Options options = by_twin(0.01);
-    options.run.engine = engine;
-    Session session(options, {});
-    Seen seen;
-    session.loop().watch(seen);
-    session.loop().advance(100'000, 0);
-    REQUIRE(seen.events > 0);
-    CHECK(seen.twin == (engine == cosim::Engine::kTwin));
-  }
+  test::check_engines<Session>(by_twin(0.01), [] { return make_twin_chip({}); });
 }
 
 TEST_CASE("gantry: the memory takes a word where it is written, and shows what is asked for") {

@@ -224,26 +224,11 @@ TEST_CASE("gantry: while the angle is not known no motor is driven") {
   CHECK(track.chip.writes[regs::kForce1] == 1);
 }
 
-TEST_CASE("gantry: the configuration goes out as there is room, in passes, whole and once") {
-  Track track;
-  track.chip.words[regs::kSendState] = 5;
-  std::vector<Frame> all = track.tell({{kPoll, 31, 0}});
-  CHECK(all.size() == 5);
-  for (int k = 0; k < 10; ++k) {
-    track.chip.sent.clear();
-    track.pass(0);
-    all.insert(all.end(), track.chip.sent.begin(), track.chip.sent.end());
-  }
-  REQUIRE(all.size() == sw::gantry_channel::kConfigurationLength);
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    CHECK(all[k] == Frame{kValue, 31, sw::gantry_channel::kConfigurationWords[k]});
-  }
-}
-
 TEST_CASE("gantry: the configuration is sent whole for each poll, whatever is asked meanwhile") {
   Track track;
   track.chip.words[regs::kSendState] = 5;
   std::vector<Frame> all = track.tell({{kPoll, 31, 0}, {kPoll, 31, 0}, {kPoll, 31, 0}});
+  CHECK(all.size() == 15);  // five a frame, as there is room
   for (int k = 0; k < 20; ++k) {
     track.chip.sent.clear();
     track.pass(0);
@@ -252,7 +237,7 @@ TEST_CASE("gantry: the configuration is sent whole for each poll, whatever is as
   constexpr std::uint32_t kWords = sw::gantry_channel::kConfigurationLength;
   REQUIRE(all.size() == 3 * kWords);
   for (std::size_t k = 0; k < all.size(); ++k) {
-    CHECK(all[k].value == sw::gantry_channel::kConfigurationWords[k % kWords]);
+    CHECK(all[k] == Frame{kValue, 31, sw::gantry_channel::kConfigurationWords[k % kWords]});
   }
 }
 
@@ -275,46 +260,6 @@ TEST_CASE("gantry: the stream is position, time and velocity, plain, and waits f
   REQUIRE(track.chip.sent.size() == 3);
   CHECK(track.chip.sent[0] == Frame{kValue, 7, static_cast<std::uint32_t>(-10)});
   CHECK(track.chip.sent[2] == Frame{kValue, 29, static_cast<std::uint32_t>(-100)});  // the mean
-}
-
-TEST_CASE("gantry: a calibration run without a stripe fails, keeps the data and says so") {
-  sw::GantrySetup setup;
-  setup.calibrate = true;
-  Track track(setup);
-  track.pass(512);        // 80 mm, where the run begins
-  track.pass(512, 5000);  // and the cart stood there
-  REQUIRE(track.app.phase() == sw::GantryPhase::kFitting);
-  CHECK(track.force(1) == -0x150);
-  CHECK(track.force(2) == -0x150);
-  track.tell({{kValue, 11, 0x01}, {kPoll, 1, 0}});  // the converter is the run's
-  CHECK(track.chip.words[regs::kObserver] == 0);
-  CHECK(track.app.unknown() == 1);
-  track.chip.words[regs::kEncoderA] = track.chip.words[regs::kEncoderB] = 512;
-  for (int k = 0; track.app.phase() == sw::GantryPhase::kFitting; ++k) {
-    REQUIRE(k < 100'000);
-    ++track.chip.words[regs::kTicks];
-    track.interrupt(regs::kStatusSample);
-  }
-  CHECK(track.app.mailbox().failure ==
-        static_cast<std::uint32_t>(sw::GantryFailure::kFitFailed));
-  CHECK_FALSE(track.app.fitted());
-  CHECK(track.chip.calibrated.empty());
-  CHECK(track.force(1) == 0);
-  CHECK(track.chip.words[regs::kObserver] == 0x11);
-}
-
-TEST_CASE("gantry: a velocity that falls far short winds nothing up, in either sense") {
-  sw::VelocityPi::Config config;
-  for (const std::int32_t sign : {1, -1}) {
-    sw::VelocityPi::State state;
-    state.sum = state.last_sum = sign * 1000;
-    sw::VelocityPi::step(config, state, 0, sign * 600 * (1 << config.gain));
-    CHECK(state.sum == sign * 1000);
-    // Nearer, what both parts together exceed is taken from the sum, which is stored unshifted.
-    state.sum = sign * std::int64_t{1'000'000'000};
-    sw::VelocityPi::step(config, state, 0, sign * 10 * (1 << config.gain));
-    CHECK(state.sum == sign * (config.aw_limit - 10));
-  }
 }
 
 TEST_CASE("gantry: of a million bytes each frame is answered, taken or counted, and none hangs") {

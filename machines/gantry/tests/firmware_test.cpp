@@ -207,6 +207,10 @@ TEST_CASE("gantry: more than 160 counts of each motor and no motion for so long 
       track.pass(0);  // what has failed stays off
       CHECK(track.app.phase() ==
             (stalled ? sw::GantryPhase::kIdle : sw::GantryPhase::kPosition));
+      if (!stalled) continue;
+      track.tell({{kValue, 21, 100}});
+      track.pass(49);
+      CHECK(track.force(1) == 0);
     }
   }
 }
@@ -244,6 +248,11 @@ TEST_CASE("gantry: a calibration run asks for A and B in turn, seals what it fou
       track.pass(512, 5000);
       CAPTURE(home, found);
       REQUIRE(track.app.phase() == sw::GantryPhase::kFitting);
+      CHECK(track.force(1) == -0x150);
+      CHECK(track.force(2) == -0x150);
+      track.tell({{kValue, 11, 0x01}, {kPoll, 1, 0}});  // the converter is the run's
+      CHECK(track.chip.words[regs::kObserver] == 0);
+      CHECK(track.app.unknown() == 1);
       sw::CalibrationFit fit;
       const std::uint32_t from = track.chip.words[regs::kTicks];
       bool of_a = true;
@@ -272,6 +281,7 @@ TEST_CASE("gantry: a calibration run asks for A and B in turn, seals what it fou
       }
       CHECK(track.chip.calibrated == sealed);
       CHECK(track.app.fitted() == found);
+      CHECK(track.chip.words[regs::kObserver] == 0x11);
       CHECK(failure(track) == (found ? sw::GantryFailure::kNone : sw::GantryFailure::kFitFailed));
       CHECK(track.app.phase() ==
             (home && found ? sw::GantryPhase::kHoming : sw::GantryPhase::kIdle));

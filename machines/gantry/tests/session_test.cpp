@@ -7,8 +7,6 @@
 #include <catch2/catch.hpp>
 #include <cstdint>
 #include <exception>
-#include <fmt/format.h>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
@@ -17,6 +15,7 @@
 #include "machines/gantry/plant.hpp"
 #include "machines/gantry/tests/by_twin.hpp"
 #include "tests/support/message.hpp"
+#include "tests/support/figures.hpp"
 
 using namespace trammel;
 using namespace trammel::gantry;
@@ -137,13 +136,7 @@ TEST_CASE("gantry: figures, answers and verdict do not depend on the raster of t
     options.firmware.stream = true;
     options.record_ms = every_ms;
     options.run.max_s = max_s;
-    const lab::Record record = lab::run(options);
-    std::string all = record.verdict;
-    for (const lab::Figure& f : record.figures) all += fmt::format(" {}={}", f.id, f.value);
-    for (const std::string& line : remarks(record)) all += line;
-    nlohmann::ordered_json json;
-    add_metrics(record, json);
-    return all + json.dump();
+    return test::record_text(lab::run(options));
   };
   const std::string fine = told(1, 2);
   CHECK_THAT(fine, Catch::StartsWith("done step.overshoot_mm="));

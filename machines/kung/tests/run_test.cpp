@@ -75,29 +75,6 @@ TEST_CASE("a tripped run exits with 5, keeps its record and names the first faul
   CHECK(json["fault"]["tick"] == 17);
 }
 
-TEST_CASE("an injected fault is told with what noticed it, when, and the way to rest") {
-  const auto told = [](const cosim::FaultReport& report) {
-    auto options = std::make_shared<Options>();
-    options->fault.kind = cosim::FaultKind::kGateDead;
-    auto result = std::make_unique<Result>(standing(EndReason::kDone));
-    result->clocks = 40'000'000;
-    result->fault_report = report;
-    return lab::report_text(lab::judged(options, std::move(result)), "", false);
-  };
-  cosim::FaultReport report;
-  CHECK_THAT(told(report), !Catch::Contains("injected"));
-  report.begin = 25'000'000;  // 20 ns each
-  CHECK_THAT(told(report), Contains("\n  injected gate_dead at 0.5 s: not noticed\n"));
-  report.detected = report.begin + 8;
-  report.by = "watchdog";
-  CHECK_THAT(told(report), Contains("0.5 s: noticed 0.16 us later: watchdog; outputs not off\n"));
-  report.off = report.detected + 120'000;
-  report.stopping = 1071.234;
-  CHECK_THAT(told(report), Contains("; outputs off 2.4 ms later, at rest after 1071 mm\n"));
-  report.begin = 50'000'000;
-  CHECK_THAT(told(report), Contains("injected gate_dead at 1 s: the run had ended by then\n"));
-}
-
 TEST_CASE("how a run ended is reported with the figures that decided it") {
   const Scratch scratch;
   const struct {
@@ -114,43 +91,6 @@ TEST_CASE("how a run ended is reported with the figures that decided it") {
     run_kung(scratch.path / "a", standing(end));
     CHECK(metrics_of(scratch.path / "a")["verdict"] == verdict);
   }
-}
-
-TEST_CASE("an injected fault is reported from its begin: what noticed it, gates off, way to rest") {
-  const Scratch scratch;
-  const std::vector<std::string> set{"inject.fault=gate_dead", "inject.axis=1"};
-  Result result = standing(EndReason::kFault, {FaultCode::kOverCurrent, 1, 17});
-  result.clocks = 1'000'000;
-  auto& report = result.fault_report;
-  report.begin = 400'000;  // 8 ms
-  report.detected = 405'000;
-  report.off = 405'004;
-  report.by = "over-current on axis Y";
-  report.stopping = 12.5;
-  report.peak_A = 7.25;
-  run_kung(scratch.path / "a", std::move(result), set);
-  const auto told = metrics_of(scratch.path / "a")["injected"];
-  CHECK(told["fault"] == "gate_dead");
-  CHECK(told["begin_s"] == Approx(8e-3));
-  CHECK(told["detected_by"] == "over-current on axis Y");
-  CHECK(told["detected_after_s"] == Approx(1e-4));
-  CHECK(told["off_after_s"] == Approx(1.0008e-4));
-  CHECK(told["stopping"] == 12.5);
-  CHECK(told["peak_A"] == 7.25);
-  CHECK(told["at_stop"] == false);
-}
-
-TEST_CASE("errors in a file of points name its line and the key") {
-  const Scratch scratch;
-  const fs::path file = scratch.path / "points.csv";
-  const std::vector<std::string> set{"path.kind=points", "path.points_file=" + file.string()};
-  std::ofstream(file) << "x_mm,y_mm\n100,200\n100.5,200\n";
-  CHECK(run_kung(scratch.path / "a", standing(EndReason::kDone), set) == 0);
-  std::ofstream(file) << "100,200\n601,nan\n";
-  CHECK_THROWS_AS(run_kung(scratch.path / "b", standing(EndReason::kDone), set), lab::ConfigError);
-  CHECK_THROWS_WITH(run_kung(scratch.path / "b", standing(EndReason::kDone), set),
-                    Contains("path.points_file: ") && Contains("points.csv:2: "));
-  CHECK_FALSE(fs::exists(scratch.path / "b"));
 }
 
 TEST_CASE("a run keeps its program, and its command repeats it where the user stands") {

@@ -6,14 +6,13 @@
 #include <array>
 #include <cmath>
 #include <exception>
-#include <memory>
-#include <typeinfo>
 
 #include "machines/larson/plant.hpp"
 #include "machines/larson/session.hpp"
 #include "machines/larson/tests/scripted.hpp"
 #include "tests/support/event_record.hpp"
 #include "tests/support/message.hpp"
+#include "tests/support/session_run.hpp"
 
 using namespace trammel;
 using namespace trammel::larson;
@@ -146,24 +145,7 @@ TEST_CASE("larson: how far a table went once nothing drove it is told in steps, 
 }
 
 TEST_CASE("larson: the engine that a run asks for is the one that it has") {
-  struct Seen final : cosim::Observer {
-    void on(const cosim::Stop&, const cosim::Chip& chip, const cosim::Plant&) override {
-      twin = typeid(chip) == typeid(*reference);
-      ++events;
-    }
-    std::unique_ptr<LarsonChip> reference = make_twin_chip({});
-    bool twin = false;
-    int events = 0;
-  };
-  for (const auto engine : {cosim::Engine::kTwin, cosim::Engine::kRtl}) {
-    ScriptedTwin script("VELTBL 500 500\n");
-    script.options.run.engine = engine;
-    script.options.run.max_s = 1e-3;
-    Session session(script.options, {});
-    Seen seen;
-    session.loop().watch(seen);
-    session.loop().advance(100'000, 0);
-    REQUIRE(seen.events > 0);
-    CHECK(seen.twin == (engine == cosim::Engine::kTwin));
-  }
+  ScriptedTwin script("VELTBL 500 500\n");
+  script.options.run.max_s = 1e-3;
+  test::check_engines<Session>(script.options, [] { return make_twin_chip({}); });
 }

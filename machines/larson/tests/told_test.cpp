@@ -231,13 +231,7 @@ TEST_CASE("larson: figures, answers and verdict do not depend on the raster of t
     script.options.axis.motor.friction = 0.05;
     script.options.record_ms = every_ms;
     script.options.run.max_s = max_s;
-    const lab::Record record = lab::run(script.options);
-    std::string all = record.verdict;
-    for (const lab::Figure& f : record.figures) all += fmt::format(" {}={}", f.id, f.value);
-    for (const std::string& line : remarks(record)) all += line;
-    nlohmann::ordered_json json;
-    add_metrics(record, json);
-    return all + json.dump();
+    return test::record_text(lab::run(script.options));
   };
   const std::string fine = told(1, 10);
   CHECK_THAT(fine, Catch::StartsWith("done script.time_s="));
