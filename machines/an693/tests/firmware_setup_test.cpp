@@ -49,6 +49,8 @@ TEST_CASE("an693 names each coefficient by its own bit: kp 8, ki 4, kd 2, il 1")
        {Case{{0x1234, 0x0102, 0, 0, 1}, "c1E d00 d0C d12 d34 d01 d02 c04 "},
         Case{{0x1234, 0, 0x0304, 0, 256}, "c1E dFF d0A d12 d34 d03 d04 c04 "},
         Case{{0x1234, 0, 0, 0x0506, 2}, "c1E d01 d09 d12 d34 d05 d06 c04 "},
+        Case{{35, 5, 4000, 100, 4},
+             "c1E d03 d0F d00 d23 d00 d05 d0F dA0 d00 d64 c04 "},
         Case{{0, 0, 0, 0, 1}, "c1E d00 d08 d00 d00 c04 "}}) {
     An693Setup setup = make_setup(An693Program::kHold);
     setup.filter = filter;
@@ -64,7 +66,8 @@ TEST_CASE("an693 unmasks at a breakpoint what its setup watches, and nothing els
   };
   for (const auto& [limit, index, first, second] :
        {Case{0, 0, "c1C d00 d40 ", "c1C d00 d44 "}, Case{9, 0, "c1C d00 d60 ", "c1C d00 d64 "},
-        Case{0, 800, "c1C d00 d48 ", "c1C d00 d4C "}}) {
+        Case{0, 800, "c1C d00 d48 ", "c1C d00 d4C "},
+        Case{9, 800, "c1C d00 d68 ", "c1C d00 d6C "}}) {
     An693Setup setup = two_speeds();
     setup.error_limit = limit;
     setup.index_counts = index;
@@ -75,6 +78,7 @@ TEST_CASE("an693 unmasks at a breakpoint what its setup watches, and nothing els
     CHECK(has(begun, "c1A d00 d09 ") == (limit != 0));
     CHECK(has(begun, "c1A") == (limit != 0));
     CHECK(has(begun, "c03 ") == (index != 0));
+    CHECK(bench.on_host(0x08) == kClear + std::string(index != 0 ? "c09 c03 " : ""));
     const std::string faster = bench.on_host(0x40);
     CHECK(has(faster, second));
   }

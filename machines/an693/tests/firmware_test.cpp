@@ -72,15 +72,6 @@ TEST_CASE("an693 E2 and E5 load kp = 10 and close the loop where the shaft is") 
   CHECK(bench.app.mailbox().done);
 }
 
-TEST_CASE("an693 loads the nonzero coefficients, with the interval in the control word") {
-  An693Setup setup = make_setup(An693Program::kHold);
-  setup.filter = {35, 5, 4000, 100, 4};
-  Bench bench(setup);
-  CHECK(bench.on_timer() ==
-        std::string(kInit) +
-            "c1E d03 d0F d00 d23 d00 d05 d0F dA0 d00 d64 c04 c1F d00 d00 c01 ");
-}
-
 TEST_CASE("an693 E6 moves to 8 000") {
   Bench bench(make_setup(An693Program::kAbsolute));
   CHECK(bench.on_timer() == std::string(kInit) + kFilter +
@@ -165,21 +156,6 @@ TEST_CASE("an693 turns the motor off at a position error, and stops at a command
     CHECK(failure_of(bench.app) ==
           (position ? An693Failure::kPositionError : An693Failure::kCommandError));
   }
-}
-
-TEST_CASE("an693 loads a limit of the error, and watches it and the index beside a breakpoint") {
-  An693Setup setup = make_setup(An693Program::kBreakpoints);
-  setup.error_limit = 70;
-  setup.index_counts = 4000;
-  Bench bench(setup);
-  const std::string begun = bench.on_timer();
-  CAPTURE(begun);
-  CHECK_THAT(begun,
-             Catch::StartsWith(std::string(kInit) + "c1A d00 d46 c03 " + kFilter + "c1C d00 d68 "));
-  CHECK(bench.on_host(0x08) == "c1D d00 d00 c09 c03 ");  // an index: the speed stays
-  const std::string faster = bench.on_host(0x40);
-  CAPTURE(faster);
-  CHECK_THAT(faster, Catch::Contains("c1C d00 d6C "));
 }
 
 TEST_CASE("an index that is not a turn from the one before ends an693 with its motor off") {

@@ -146,6 +146,7 @@ TEST_CASE("each end of the soft range is reached, and clipped one beyond, in eac
       CHECK(program.answers[5].at.x == (axis == 0 ? clipped : 250));
       CHECK(program.answers[5].at.y == (axis == 1 ? clipped : 250));
       CHECK(program.answers[7].value == 1);  // the error is told once
+      CHECK(program.app.table().calibrated());
     }
   }
 }
