@@ -235,6 +235,8 @@ TEST_CASE("a fault of the processor has its own time and amount, at its first an
   const Clk stopped = ProcessorFault(endless, kClockPs).work(120, 100);
   CHECK(stopped > clocks_of(3600, kClockPs));
   CHECK(stopped < kNever / 2);  // further times can be added
+  const ProcessorFault garbage = at(FaultKind::kProcessorGarbage, 0);
+  CHECK(garbage.written(kBegin, 5) == garbage.written(kBegin, 7));  // of the time, not of the word
   struct Case {
     const char* name;
     FaultKind kind;
