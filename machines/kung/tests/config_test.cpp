@@ -5,11 +5,11 @@
 #include <vector>
 
 #include "lab/layers.hpp"
-#include "lab/scenarios.hpp"
 #include "machines/kung/machine.hpp"
 #include "machines/kung/figures.hpp"
 #include "machines/kung/words.hpp"
 #include "tests/support/message.hpp"
+#include "tests/support/scenarios.hpp"
 
 using namespace trammel;
 using namespace trammel::lab;
@@ -116,8 +116,7 @@ TEST_CASE("combinations that cannot run are refused") {
 
 TEST_CASE("the built-in scenarios load, are valid and, but for sweeps and the part, the paper's") {
   int loaded = 0;
-  for (const auto& file : scenarios()) {
-    if (&machine_of(file) != &kung::machine()) continue;
+  for (const auto& file : test::scenarios_of(kung::machine())) {
     ++loaded;
     INFO(file);
     kung::Options options;

@@ -104,7 +104,6 @@ TEST_CASE("mcafee: an impossible path or motor is refused with key, row and rang
     CHECK_THAT(message_of(std::string("[run]\nengine = \"twin\"\n") + key),
                Contains("run.engine: the twin") && Contains("need"));
   }
-  CHECK_THAT(message_of("[gains]\nkp = 1"), Contains("not a key of the machine mcafee"));
 }
 
 TEST_CASE("mcafee: figures count from the first row, contour errors from the path") {

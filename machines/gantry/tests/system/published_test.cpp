@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "machines/gantry/tests/steps.hpp"
+#include "tests/support/scenarios.hpp"
 
 using namespace trammel;
 using gantry::Options;
@@ -39,9 +40,8 @@ double off_at(const Options& options, const Result& result, double at_s) {
 
 TEST_CASE("each built-in scenario is within what --check expects of it") {
   int overshoots = 0;
-  for (const auto& file : lab::scenarios()) {
+  for (const auto& file : test::scenarios_of(gantry::machine())) {
     const std::string name = file.stem().string();
-    if (name.rfind("gantry-", 0) != 0) continue;
     const Options options = built_in(name);
     Result result = done(options);
     CAPTURE(name);

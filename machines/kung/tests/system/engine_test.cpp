@@ -12,6 +12,7 @@
 #include "machines/kung/tests/chip_words.hpp"
 #include "machines/kung/words.hpp"
 #include "tests/support/event_record.hpp"
+#include "tests/support/scenarios.hpp"
 #include "tests/support/slope.hpp"
 
 using namespace trammel;
@@ -94,8 +95,7 @@ Options piece(double seconds = 0.05) {
 
 TEST_CASE("both engines agree on a piece of every built-in scenario, fixed and adaptive") {
   int scenarios = 0;
-  for (const auto& file : lab::scenarios()) {
-    if (&lab::machine_of(file) != &machine()) continue;
+  for (const auto& file : test::scenarios_of(machine())) {
     ++scenarios;
     for (const Controller controller : {Controller::kFc, Controller::kAfc}) {
       Options options;
