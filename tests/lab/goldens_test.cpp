@@ -9,14 +9,18 @@
 #include <catch2/catch.hpp>
 #include <cstddef>
 #include <memory>
+#include <sstream>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "lab/layers.hpp"
 #include "lab/machine.hpp"
 #include "lab/record.hpp"
+#include "tests/support/files.hpp"
 #include "tests/support/golden.hpp"
+#include "tests/support/message.hpp"
 #include "tests/support/short_run.hpp"
 
 using namespace trammel;
@@ -178,10 +182,37 @@ std::string machine_text(const lab::Machine& m) {
   return text + paragraph("columns", columns) + paragraph("derived", derived) + keys_text(m);
 }
 
+std::string refusal_of(const lab::Machine& machine, const std::string& assignments) {
+  const auto settings = machine.defaults();
+  const std::string said = test::refusal_of([&] {
+    std::istringstream words(assignments);
+    for (std::string word; words >> word;) lab::apply_assignment(*settings, word);
+    lab::validate(*settings);
+  });
+  return said.empty() ? "can run" : said;
+}
+
 }  // namespace
 
 TEST_CASE("each machine describes itself as in its golden, and each key sets its own member") {
   std::string text = "Machines, described by themselves; scripts/tool gen-manual writes this.\n";
   for (const lab::Machine* const machine : lab::machines()) text += machine_text(*machine);
   test::check_golden("machines.txt", text);
+}
+
+TEST_CASE("settings that cannot run are refused as in their golden, with what is allowed") {
+  const lab::Machine* machine = nullptr;
+  std::istringstream before(test::content(test::golden_file("refused.txt")));
+  std::string text;
+  for (std::string line; std::getline(before, line);) {
+    if (line.rfind("  ", 0) == 0) continue;  // what was said
+    text += line + '\n';
+    for (const lab::Machine* const one : lab::machines()) {
+      if (one->name == line) machine = one;
+    }
+    if (line.find('=') == std::string::npos) continue;
+    REQUIRE(machine != nullptr);
+    text += "  " + refusal_of(*machine, line) + '\n';
+  }
+  test::check_golden("refused.txt", text);
 }

@@ -14,10 +14,13 @@
 
 namespace trammel::test {
 
+inline std::filesystem::path golden_file(const std::string& name) {
+  return lab::machine_folder("any").parent_path().parent_path() / "tests" / "goldens" / name;
+}
+
 inline void check_golden(const std::string& name, const std::string& text) {
   namespace fs = std::filesystem;
-  const fs::path root = lab::machine_folder("any").parent_path().parent_path();
-  const fs::path golden = root / "tests" / "goldens" / name;
+  const fs::path golden = golden_file(name);
   if (std::getenv("TRAMMEL_TEST_ACCEPT") != nullptr) {
     REQUIRE((std::ofstream(golden) << text).flush().good());
     return;

@@ -17,11 +17,9 @@
 #include "parts/lm628/signals.hpp"
 #include "tests/support/figures.hpp"
 #include "tests/support/lm628_words.hpp"
-#include "tests/support/message.hpp"
 
 using namespace trammel;
 using namespace trammel::an693;
-using Catch::Matchers::Contains;
 using Lines = std::vector<std::string>;
 using Program = sw::An693Program;
 
@@ -344,15 +342,6 @@ TEST_CASE("an693: the first step takes until it stays in the band, however many 
     }
     CHECK(test::figure(options, result, "motion.settled_s") == Approx(20 * options.sample_s()));
   }
-}
-
-TEST_CASE("an693: values out of a motor's or an encoder's reach are refused by their keys") {
-  const auto told = [](const std::string& toml) { return test::message_of<Options>(toml); };
-  CHECK_THAT(told("[motor]\nresistance_ohm = 900\n"), Contains("motor.inductance_H"));
-  CHECK_THAT(told("[motor]\nconstant_N_m_A = 2\ninertia_kg_m2 = 1e-6\ninductance_H = 1e-4\n"
-                  "coulomb_N_m = 0\nresistance_ohm = 1\n"),
-             Contains("motor.constant_N_m_A / sqrt") && Contains("is above 1e5 1/s"));
-  CHECK_THAT(told("[encoder]\ncounts = 4001\n"), Contains("is not a multiple of 4"));
 }
 
 TEST_CASE("an693: the words of a part are those of its samples") {

@@ -8,21 +8,15 @@
 #include "machines/kung/machine.hpp"
 #include "machines/kung/figures.hpp"
 #include "machines/kung/words.hpp"
-#include "tests/support/message.hpp"
 #include "tests/support/scenarios.hpp"
 
 using namespace trammel;
 using namespace trammel::lab;
-using Catch::Contains;
 
 namespace {
 
 void take(kung::Options& options, const std::string& toml) {
   apply_text(options, toml, "some.toml", ".");
-}
-
-std::string message_of(const std::string& toml) {
-  return test::message_of<kung::Options>(toml);
 }
 
 }  // namespace
@@ -92,26 +86,6 @@ TEST_CASE("a scenario's description tells what was changed of what it describes,
   take(options, "gains.kp = 0.5\n[plant]\nviscous_N_s_m = 1\npayload_kg = 2\n");
   CHECK_THAT(options.description, Catch::StartsWith("new; here plant.coulomb_N = 1, ") &&
                                       Catch::EndsWith(" and 1 more"));
-}
-
-TEST_CASE("combinations that cannot run are refused") {
-  CHECK_THAT(message_of("[path]\ncircle_radius_m = 0.3\ncircle_ticks = 1000\n"),
-             Contains("beyond the hard stops"));
-  const std::string wide =
-      "[path]\ncircle_radius_m = 0.3\ncircle_ticks = 1000\n[plant]\nhard_stops = false\n";
-  CHECK_THAT(message_of(wide), Contains("chip.x.stroke_min_m..stroke_max_m"));
-  CHECK(message_of(wide + "[chip]\nstroke_min_m = -0.1\n").empty());
-  CHECK_THAT(message_of("[path]\ncircle_ticks = 16\n"), Contains("feed at most 1.28 m/s"));
-  CHECK_THAT(message_of("[chip]\nwatchdog_ticks = 3\n"), Contains("out of range 5..65535"));
-  CHECK_THAT(message_of("[path]\nkind = 'window'\nwindow_radius_m = 0.11\n"),
-             Contains("path.window_radius_m"));
-  CHECK_THAT(message_of("[chip]\ndead_time_ns = 100\n"), Contains("chip.dead_time_min_ns = 200"));
-  CHECK_THAT(message_of("[path]\nkind = 'points'\n"), Contains("path.points_file"));
-  CHECK_THAT(message_of("[path]\nkind = 'points'\npoints_file = 'none.csv'\n"),
-             Contains("path.points_file: ") && Contains("none.csv: cannot be read"));
-  CHECK_THAT(message_of("[path]\nkind = 'points'\npoints_file = '.'\n"),
-             Contains("path.points_file: ") && Contains("cannot be read: it is a folder"));
-  CHECK_THAT(message_of("[run]\nwave = 'fst'\nwave_begin_s = 1\n"), Contains("run.wave_end_s"));
 }
 
 TEST_CASE("the built-in scenarios load, are valid and, but for sweeps and the part, the paper's") {

@@ -15,7 +15,6 @@ namespace {
 
 using namespace trammel;
 using namespace trammel::kung;
-using Catch::Contains;
 
 Options options() {
   Options o;
@@ -239,85 +238,4 @@ TEST_CASE("each key of the precision controller is in its own word") {
   o.precision.axis[0].w1_rad_s = 60;  // softer than the gains to identify with
   const sw::PrecisionSetup soft = plan(o);
   CHECK(value(soft.axis[0].soft[3]) == Approx(value(soft.axis[0].full[3])));
-}
-
-TEST_CASE("rates other than those of the law are refused, with the key and the value it needs") {
-  Options o = options();
-  o.chip.carrier_Hz = 8000;
-  CHECK_THAT(refusal(o), Contains("chip.carrier_Hz: value 8000 must be 16000"));
-  o = options();
-  o.chip.position_Hz = 1000;
-  o.path.circle_ticks = 2000;
-  CHECK_THAT(refusal(o), Contains("chip.position_Hz: value 1000 must be 2000"));
-  o = options();
-  o.chip.irq_period_ticks = 5;
-  CHECK_THAT(refusal(o), Contains("chip.irq_period_ticks: value 5 must be 4"));
-}
-
-TEST_CASE("poles, masses and frictions without a word are refused with the permitted range") {
-  Options o = options();
-  o.precision.axis[1].w2_rad_s = 300;
-  CHECK_THAT(refusal(o), Contains("precision.y.w2_rad_s: value 300 must be above "
-                                  "precision.y.w1_rad_s = 300"));
-  o.precision.axis[1].w2_rad_s = 301;
-  CHECK(refusal(o) == "");
-  o = options();
-  o.precision.axis[0].w1_rad_s = 20;
-  o.precision.axis[0].w2_rad_s = 100;
-  o.precision.axis[0].w3_rad_s = 1;
-  CHECK_THAT(refusal(o), Contains("precision.x.w3_rad_s: value 1 is out of range 98.") &&
-                             Contains("..2000 (or 0: L3 has no smaller word at "
-                                      "precision.x.w2_rad_s = 100)"));
-  o.precision.axis[0].w3_rad_s = 0;
-  CHECK(refusal(o) == "");
-  o = options();
-  o.precision.axis[0].coulomb_n = 60;
-  CHECK_THAT(refusal(o), Contains("precision.x.coulomb_N: value 60 is out of range 0..47.9") &&
-                             Contains("at plant.x.encoder_count_m = 5e-06, "
-                                      "plant.x.force_constant_N_A = 79.9 and "
-                                      "plant.x.current_full_scale_A = 9.6"));
-  o = options();
-  o.precision.axis[1].viscous_n_s_m = 5000;
-  CHECK_THAT(refusal(o), Contains("precision.y.viscous_N_s_m: value 5000 is out of range"));
-  o = options();
-  o.plant.axis[0].force_constant_n_a = 10000;
-  o.precision.axis[0].mass_kg = 0.1;
-  CHECK_THAT(refusal(o), Contains("precision.x.mass_kg: value 0.1 is out of range"));
-}
-
-TEST_CASE("what has no meaning with it is refused: a sweep, learning in one lap, no room to move") {
-  Options o = options();
-  o.path.kind = PathKind::kSweep;
-  CHECK_THAT(refusal(o), Contains("path.kind: \"sweep\""));
-  o = options();
-  o.path.profile = Profile::kConstant;
-  CHECK_THAT(refusal(o), Contains("path.profile: \"constant\" steps in speed"));
-  o = options();
-  o.precision.learn = true;
-  CHECK_THAT(refusal(o), Contains("precision.learn: needs path.repeats of 2 or more, is 1"));
-  o.path.repeats = 2;
-  CHECK(refusal(o) == "");
-  o.path.feed_m_s = 0.01;
-  CHECK_THAT(refusal(o), Contains("precision.learn: a lap has ") &&
-                             Contains(" points, of which at most 4096 are learned"));
-  o.precision.learn = false;
-  CHECK(refusal(o) == "");
-  o = options();
-  o.path.kind = PathKind::kLine;
-  o.path.line_start_x_m = o.path.line_end_x_m = 0.2;
-  o.chip.axis[0].stroke_min_m = 0.1999;
-  o.chip.axis[0].stroke_max_m = 0.2006;
-  CHECK(refusal(o) == "precision.identify: the move before the path, 0.0008 m of x from 0.2 m "
-                      "towards the middle of the chip's stroke, leaves chip.x.stroke_min_m.."
-                      "stroke_max_m = 0.1999..0.2006; false goes without it");
-  o.precision.identify = false;
-  CHECK(refusal(o) == "");
-  o.precision.identify = true;
-  o.chip = {};
-  o.plant.axis[0].stroke_max_m = 0.2005;
-  CHECK_THAT(refusal(o), Contains("precision.identify: the move before the path") &&
-                             Contains("leaves the hard stops plant.x.stroke_min_m..stroke_max_m = "
-                                      "0..0.2005; false"));
-  o.plant.axis[0].hard_stops = false;
-  CHECK(refusal(o) == "");
 }

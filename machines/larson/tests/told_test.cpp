@@ -25,7 +25,6 @@
 #include "machines/larson/session.hpp"
 #include "machines/larson/tests/scripted.hpp"
 #include "tests/support/figures.hpp"
-#include "tests/support/message.hpp"
 #include "tests/support/scratch.hpp"
 #include "tests/support/session_run.hpp"
 
@@ -153,23 +152,6 @@ TEST_CASE("larson: a run ends where a trigger of either axis is found") {
     CHECK(last.edge == *search.found());
     CHECK(last.axis[axis == "x" ? 0 : 1].waiting > 0);
   }
-}
-
-TEST_CASE("larson: a start behind a stop of either axis is refused, on the stop it is not") {
-  const auto told = [](const std::string& keys) {
-    return test::message_of<Options>("[axis]\n" + keys);
-  };
-  const std::string low = "switch_low_step = -5\nswitch_hysteresis_step = 1\novertravel_step = 2\n";
-  CHECK(told(low + "start_x_step = -8\nstart_y_step = -8\n") == "");
-  CHECK_THAT(told(low + "start_x_step = -9\n"),
-             Catch::EndsWith("axis.start_x_step: -9 is behind the stop at -8, axis.overtravel_step "
-                             "and axis.switch_hysteresis_step beyond its switch; permitted: -8 to "
-                             "6000.5"));
-  CHECK(told("switch_high_step = 338\n") == "");
-  CHECK_THAT(told("switch_high_step = 337.5\nstart_y_step = 400\n"),
-             Catch::StartsWith("axis.start_x_step: 400 is behind the stop at 399.5, "));
-  CHECK_THAT(told("switch_high_step = 337.5\nstart_x_step = 0\nstart_y_step = 400\n"),
-             Catch::StartsWith("axis.start_y_step: 400 is behind the stop at 399.5, "));
 }
 
 TEST_CASE("larson: events are the same, however often a sample is taken") {

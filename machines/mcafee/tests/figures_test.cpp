@@ -18,7 +18,6 @@
 #include "tests/support/figures.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/lm628_words.hpp"
-#include "tests/support/message.hpp"
 
 using namespace trammel;
 using namespace trammel::lab;
@@ -27,10 +26,6 @@ using Catch::Matchers::Contains;
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string message_of(const std::string& toml) {
-  return test::message_of<mcafee::Options>(toml);
-}
 
 // Along the first side of the square, 0.25 mm beside it in the third sample.
 mcafee::Result tracked(int samples = 5) {
@@ -87,24 +82,6 @@ struct Runs {
 };
 
 }  // namespace
-
-TEST_CASE("mcafee: an impossible path or motor is refused with key, row and range") {
-  CHECK(message_of("") == "");
-  CHECK_THAT(message_of("[path]\nrow_mm = 0.7"), Contains("row 0: increments 139, 0"));
-  CHECK_THAT(message_of("[path]\nradius_mm = 31"), Contains("out of range 0..30"));
-  CHECK_THAT(message_of("[path]\nkind = \"points\""), Contains("path.points_file: is needed"));
-  CHECK_THAT(message_of("[path]\nkind = \"points\"\npoints_file = \"none.csv\""),
-             Contains("none.csv: cannot be read"));
-  CHECK_THAT(message_of("[path]\nkind = \"spiral\""), Contains("square, circle, star"));
-  CHECK_THAT(message_of("[track]\nspeed = 256"), Contains("out of range 0..255"));
-  CHECK_THAT(message_of("[motor]\nresistance_ohm = 500"), Contains("is above 1e5 1/s"));
-  for (const char* key : {"audit = true", "assertions = true", "leap = false",
-                          "wave = \"fst\""}) {
-    INFO(key);
-    CHECK_THAT(message_of(std::string("[run]\nengine = \"twin\"\n") + key),
-               Contains("run.engine: the twin") && Contains("need"));
-  }
-}
 
 TEST_CASE("mcafee: figures count from the first row, contour errors from the path") {
   mcafee::Result result = tracked();
