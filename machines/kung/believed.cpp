@@ -76,6 +76,24 @@ AxisGains gains_of(const Options& options, std::size_t axis) {
   return gains;
 }
 
+std::string gain_by(const Options& options, std::size_t axis,
+                    std::initializer_list<const char*> names) {
+  if (!options.gains_by_rule) return "";
+  const plant::AxisConfig motor = believed_motor(options, axis);
+  std::vector<std::string> values;
+  for (const char* const name : names) {
+    for (const Belief& one : kBeliefs) {
+      if (std::string(name) != one.name) continue;
+      values.push_back(
+          fmt::format("{} = {:g}", motor_key(options, axis, name), motor.*one.plant));
+      if (one.plant != &plant::AxisConfig::mass_kg || motor.payload_kg == 0) continue;
+      values.push_back(
+          fmt::format("{} = {:g}", key_of("plant", axis, "payload_kg"), motor.payload_kg));
+    }
+  }
+  return fmt::format("by gains.by_rule of {}, ", fmt::join(values, " and "));
+}
+
 std::vector<std::string> unused_beliefs(const Options& options) {
   std::vector<std::string> lines;
   const bool precise = options.controller == Controller::kPrecision;

@@ -5,6 +5,7 @@
 // other than its data sheet.
 #pragma once
 
+#include <initializer_list>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,11 @@ void check_believed(const Options& options, std::size_t axis);
 
 // The gains of an axis: those of its keys, or by gains.by_rule.
 AxisGains gains_of(const Options& options, std::size_t axis);
+
+// How an axis has a gain that is computed from these values: where gains.by_rule computes it, "by
+// gains.by_rule of <key> = <value> ..., ".
+std::string gain_by(const Options& options, std::size_t axis,
+                    std::initializer_list<const char*> names);
 
 // A line for each key of [believed] that nothing is computed from.
 std::vector<std::string> unused_beliefs(const Options& options);

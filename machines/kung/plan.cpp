@@ -223,9 +223,8 @@ sw::AxisSetup plan_axis(const Options& options, std::size_t axis) {
     return fmt::format("{}.{}.{}", section, axis == 0 ? 'x' : 'y', name);
   };
   const double volt_unit = current_gain_value(1, plant.dc_link_v, plant.current_full_scale_a);
-  const char* const by = options.gains_by_rule ? "by gains.by_rule, at" : "at";
   const std::string at_voltage =
-      fmt::format("{} {} = {:g} and {} = {:g}", by, key("plant", "dc_link_V"), plant.dc_link_v,
+      fmt::format("at {} = {:g} and {} = {:g}", key("plant", "dc_link_V"), plant.dc_link_v,
                   key("plant", "current_full_scale_A"), plant.current_full_scale_a);
   // Speeds are words per sample; the same loop in seconds has these words at another rate.
   const double per_sample = options.chip.sample_s() / kGainSampleS;
@@ -239,16 +238,19 @@ sw::AxisSetup plan_axis(const Options& options, std::size_t axis) {
   s.kp = gain(key("gains", "kp"), g.kp, per_sample, at_rate);
   s.ki = gain(key("gains", "ki"), g.ki, per_sample * per_sample, at_rate);
   s.kv = gain(key("gains", "kv"), g.kv, speed_unit,
-              fmt::format("{} {} = {:g} and {} = {:g}", by, key("plant", "encoder_count_m"),
-                          plant.encoder_count_m, key("plant", "current_full_scale_A"),
-                          plant.current_full_scale_a));
+              fmt::format("{}at {} = {:g} and {} = {:g}",
+                          gain_by(options, axis, {"mass_kg", "force_constant_N_A"}),
+                          key("plant", "encoder_count_m"), plant.encoder_count_m,
+                          key("plant", "current_full_scale_A"), plant.current_full_scale_a));
   s.adapt = options.controller == Controller::kAfc;
   s.eta = s.adapt ? gain(key("gains", "learning_rate") + " as ETA",
                          eta_value(g.learning_rate, g.kp, g.ki, g.kv), per_sample, at_rate)
                   : sw::Gain{};
-  s.kp_cur = gain(key("gains", "current_kp_V_A"), g.current_kp_V_A, volt_unit, at_voltage);
+  s.kp_cur = gain(key("gains", "current_kp_V_A"), g.current_kp_V_A, volt_unit,
+                  gain_by(options, axis, {"inductance_q_H"}) + at_voltage);
   s.ki_cur = gain(key("gains", "current_ki_V_A"), g.current_ki_V_A,
-                  volt_unit * kGainCarrierHz / options.chip.carrier_Hz, at_voltage);
+                  volt_unit * kGainCarrierHz / options.chip.carrier_Hz,
+                  gain_by(options, axis, {"resistance_ohm"}) + at_voltage);
   s.shift_e = g.shift_e;
   s.shift_de = shift_de_word(key("gains", "shift_de"), g.shift_de, options.chip.position_Hz);
 
