@@ -80,29 +80,6 @@ TEST_CASE("the words of a believed motor are those of a plant that has its value
         words({"gains.by_rule=true", "plant.mass_kg=7"}));
 }
 
-TEST_CASE("a believed motor has the range of the plant's, and is checked as the plant's is") {
-  CHECK_THROWS_WITH(words({"believed.y.pole_pitch_m=1e-5"}),
-                    Contains("believed.y.pole_pitch_m: value 1e-05 is out of range 0.0001..1 (or "
-                             "0 = the plant's)"));
-  CHECK_THROWS_WITH(words({"plant.encoder_count_m=1e-4", "believed.x.pole_pitch_m=2e-4"}),
-                    Contains("believed.x.pole_pitch_m: value 0.0002 is 4 counts of "
-                             "plant.x.encoder_count_m"));
-  CHECK_THROWS_WITH(words({"controller=precision", "believed.x.force_constant_N_A=10000",
-                           "precision.x.mass_kg=0.1"}),
-                    Contains("precision.x.mass_kg: value 0.1 is out of range") &&
-                        Contains("believed.x.force_constant_N_A = 10000 and "
-                                 "plant.x.current_full_scale_A = 9.6"));
-}
-
-TEST_CASE("gains for another mass than the plant's are warned about") {
-  const std::vector<std::string> rule{"gains.by_rule=true"};
-  CHECK(told(rule) == "");
-  // 220 rad/s of 1.5 kg are 13.2 of 25 kg, below half of the model's 30 rad/s.
-  CHECK_THAT(told({"gains.by_rule=true", "believed.x.mass_kg=1.5", "plant.x.mass_kg=25"}),
-             Contains("by gains.by_rule makes of 25 kg a speed loop of 13.2 rad/s, too slow") &&
-                 Contains("220 rad/s of the motor that keys believed.* describe"));
-}
-
 TEST_CASE("a motor that a hot magnet weakens is estimated heavier, by the ratio of the constants") {
   Options options;
   for (const char* text : {"controller=precision", "run.engine=twin", "run.platform=direct",
