@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// The core beside the loop, and two chips in step.
+// The core beside the loop, two chips in step, and the sample tick and timer of a chip without a
+// bus, which no leap passes.
 #include <catch2/catch.hpp>
 #include <utility>
 #include <vector>
 
 #include "cosim/core.hpp"
 #include "cosim/machine_chip.hpp"
+#include "cosim/pin_board.hpp"
 #include "cosim/verilated/in_step.hpp"
 #include "tests/support/no_plant.hpp"
 
@@ -207,4 +209,25 @@ TEST_CASE("a stop that comes at another clock is reported with both clocks and r
   CHECK(broken->instance == "the stop");
   CHECK(broken->edge == 99);
   CHECK(broken->place == "99 for 2 plain, 100 for 2 leapt");
+}
+
+TEST_CASE("the sample tick is the last edge of each period, and the edge before a leap's end") {
+  PinBoard board;
+  board.sample_clk = 100;
+  for (Clk edge = 0; edge < 300; ++edge) {
+    CHECK(board.samples(edge) == (edge % 100 == 99));
+    const Clk waiting = board.waiting(edge);
+    CHECK(waiting == (edge % 100 == 99 ? 1 : 99 - edge % 100));
+    for (Clk passed = edge; passed < edge + waiting && waiting > 1; ++passed) {
+      CHECK_FALSE(board.samples(passed));
+    }
+  }
+}
+
+TEST_CASE("a timer beside the chip ends the wait") {
+  PinBoard board;
+  board.sample_clk = 1000;
+  board.timer.write(10, 20);
+  CHECK(board.waiting(11) == 19);
+  CHECK(board.waiting(30) == 1);
 }

@@ -1,13 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
+//
+// The words of the program: of the specification by default, and at each rate of the chip, of axes
+// that have nothing in common, against the same computed in seconds, metres and amperes.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "machines/kung/plan.hpp"
 #include "machines/kung/plan_parts.hpp"
 #include "models/fixed/fixed.hpp"
 #include "tests/support/points.hpp"
+
+using namespace trammel;
+using namespace trammel::kung;
 
 namespace {
 
@@ -27,6 +34,49 @@ Options with(PathKind kind) {
 }
 
 bool equal(sw::Gain a, sw::Gain b) { return a.mant == b.mant && a.exp == b.exp; }
+
+double value_of(const sw::Gain& g) { return std::ldexp(g.mant / 2048.0, g.exp); }
+
+// A mantissa has 11 bits, of which the highest may be 0.
+Approx word_of(double value) { return Approx(value).epsilon(1.0 / 1024); }
+
+Options unlike(int position_Hz, int carrier_Hz) {
+  Options o;
+  o.chip.position_Hz = position_Hz;
+  o.chip.carrier_Hz = carrier_Hz;
+  o.chip.dead_time_min_ns = 210;  // 10.5 clk
+  o.chip.current_limit_A = 4;
+  o.chip.d_current_A = 0.5;
+  o.chip.following_error_m = 0.0042;
+  o.chip.offset_samples = 9;
+  o.chip.watchdog_ticks = 77;
+  o.settle_s = 0;
+  for (std::size_t a = 0; a < 2; ++a) {
+    const double d = 1 + 0.25 * static_cast<double>(a);
+    const int n = static_cast<int>(a);
+    AxisGains& g = o.gains[a];
+    g.kp = 0.41 * d;
+    g.ki = 0.0035 * d;
+    g.kv = 1.7 * d;
+    g.learning_rate = 0.12 * d;
+    g.shift_e = 1 - 2 * n;
+    g.shift_de = 3 - 4 * n;
+    g.current_kp_V_A = 80 * d;
+    g.current_ki_V_A = 5 * d;
+    g.theta_offset_rad = a == 0 ? 1 : -2;
+    AxisChip& c = o.chip.axis[a];
+    c.dead_time_ns = 1010 + 1000 * n;  // 50.5 and 100.5 clk
+    c.qep_filter_clk = 4 + n;
+    c.stroke_min_m = -0.01 * d;
+    c.stroke_max_m = 0.6 - 0.02 * n;
+    c.stroke_check = a == 1;
+    o.plant.axis[a].dc_link_v = 300 - 50 * n;
+    o.plant.axis[a].pole_pitch_m = 0.0305 - 0.005 * n;
+    o.plant.axis[a].current_full_scale_a = 12;
+    o.plant.axis[a].adc_bits = 12 + 2 * n;
+  }
+  return o;
+}
 
 }  // namespace
 
@@ -155,6 +205,92 @@ TEST_CASE("a step of the window is below the highest feed and half a straight pa
         CHECK_THROWS_WITH(plan(o), Contains("path.window_step_m"));
       } else {
         CHECK_NOTHROW(plan(o));
+      }
+    }
+  }
+}
+
+TEST_CASE("the words of each axis at each rate are those of its own values in physical units") {
+  constexpr double kTurn = 6.283185307179586;
+  const int positions[] = {1000, 2000, 4000}, carriers[] = {16000, 8000, 20000, 40000};
+  for (std::uint32_t p = 0; p < 3; ++p) {
+    for (std::uint32_t c = 0; c < 4; ++c) {
+      const Options o = unlike(positions[p], carriers[c]);
+      std::vector<sw::Point> points;
+      const sw::KungSetup s = plan_firmware(o, points);
+      CAPTURE(positions[p], carriers[c]);
+      CHECK(s.position_rate == p);
+      CHECK(s.carrier == c);
+      CHECK(s.current_limit == 683);    // 4 A of 12 A / 2048
+      CHECK(s.d_current_limit == 85);   // 0.5 A
+      CHECK(s.following_limit == 840);  // of 5 um
+      CHECK(s.dead_time_min == 11);
+      CHECK(s.offset_samples == 9);
+      CHECK(s.watchdog_ticks == 77);
+      CHECK(s.irq_period == 4);
+      const double slower = 2000.0 / positions[p];  // a sample in those of 0.5 ms
+      for (std::size_t a = 0; a < 2; ++a) {
+        CAPTURE(a);
+        const double d = 1 + 0.25 * static_cast<double>(a);
+        const auto n = static_cast<std::uint32_t>(a);
+        const sw::AxisSetup& x = s.axis[a];
+        // Errors are the same words at each rate, speeds in counts a sample grow with its length.
+        CHECK(value_of(x.kp) == word_of(0.41 * d * slower));
+        CHECK(value_of(x.ki) == word_of(0.0035 * d * slower * slower));
+        CHECK(value_of(x.kv) == word_of(1.7 * d / slower * 9.6 / 12));
+        CHECK(value_of(x.eta) ==
+              word_of(0.12 * d * (0.41 * d + 0.0035 * d) * 1.7 * d / 32 * slower));
+        // Volts of V_dc / sqrt 3 / 2048 per ampere of I_fs / 4096.
+        const double volts = 6 * std::sqrt(3.0) / (a == 0 ? 300 : 250);
+        CHECK(value_of(x.kp_cur) == word_of(80 * d * volts));
+        CHECK(value_of(x.ki_cur) == word_of(5 * d * volts * 16000 / carriers[c]));
+        CHECK(x.shift_e == (a == 0 ? 1 : -1));
+        CHECK(x.shift_de == (a == 0 ? 3 : -1) + (p == 2) - (p == 0));
+        const double step = std::ldexp(5e-6 / (2 * (a == 0 ? 0.0305 : 0.0255)), 32);
+        CHECK(std::fabs(x.angle_step - step) <= 1);
+        const double turned = a == 0 ? 1 / kTurn : 1 - 2 / kTurn;
+        CHECK(std::fabs(x.theta_ofs - std::ldexp(turned, 32)) <= 1);
+        CHECK(x.dead_time == (a == 0 ? 51 : 101));
+        CHECK(x.qep_filter == 4 + n);
+        CHECK(x.adc_zeros == (a == 0 ? 4 : 2));
+        CHECK(x.stroke_min == (a == 0 ? -2000 : -2500));
+        CHECK(x.stroke_max == (a == 0 ? 120'000 : 116'000));
+        CHECK(x.stroke_check == (a == 1));
+        CHECK(x.adapt);
+        CHECK_FALSE(x.interpolate);
+        CHECK_FALSE(x.feedforward);
+      }
+    }
+  }
+}
+
+TEST_CASE("each axis is held against its own limits, at both ends of its path") {
+  for (const std::size_t a : {std::size_t{0}, std::size_t{1}}) {
+    for (const bool high : {false, true}) {
+      for (const bool plant : {false, true}) {
+        for (const bool beyond : {false, true}) {
+          CAPTURE(a, high, plant, beyond);
+          Options o;  // x 0.15..0.35, y 0.17..0.37
+          o.path.circle_center_y_m = 0.27;
+          const double low_end = a == 0 ? 0.15 : 0.17, high_end = a == 0 ? 0.35 : 0.37;
+          const double off = beyond ? 1e-4 : 0;
+          double& limit = plant ? (high ? o.plant.axis[a].stroke_max_m
+                                        : o.plant.axis[a].stroke_min_m)
+                                : (high ? o.chip.axis[a].stroke_max_m
+                                        : o.chip.axis[a].stroke_min_m);
+          limit = high ? high_end - off : low_end + off;
+          std::string message;
+          std::vector<sw::Point> points;
+          try {
+            plan_firmware(o, points);
+          } catch (const std::exception& error) {
+            message = error.what();
+          }
+          const std::string what = (plant ? "the hard stops plant." : "chip.") +
+                                   std::string(a == 0 ? "x" : "y") + ".stroke_min_m";
+          CHECK((message.find(what) != std::string::npos) == beyond);
+          CHECK(message.empty() == !beyond);
+        }
       }
     }
   }

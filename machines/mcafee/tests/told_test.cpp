@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What is told of a run of the machine mcafee: figures, verdicts, runs beside it, pictures, in each
-// stage; what its session says of itself, and its triggers. docs/figures.md lists the figures.
+// stage; what its session says of itself, its triggers, and what the verb `track` writes.
+// docs/figures.md lists the figures.
 #include <algorithm>
 #include <atomic>
 #include <catch2/catch.hpp>
@@ -18,8 +19,13 @@
 #include "lab/record.hpp"
 #include "machines/mcafee/machine.hpp"
 #include "machines/mcafee/session.hpp"
+#include "testbench/arguments.hpp"
 #include "tests/support/figures.hpp"
+#include "tests/support/files.hpp"
+#include "tests/support/message.hpp"
+#include "tests/support/scratch.hpp"
 #include "tests/support/session_run.hpp"
+#include "tests/support/told.hpp"
 
 using namespace trammel;
 using namespace trammel::mcafee;
@@ -38,6 +44,19 @@ Options quick_move(int counts) {
   options.wait_s = 0.05;
   options.run.max_s = 1;
   return options;
+}
+
+int track(const testbench::Arguments& arguments) {
+  const auto& verbs = testbench::machine_verbs();
+  const auto verb = std::find_if(verbs.begin(), verbs.end(),
+                                 [](const testbench::Verb& one) { return one.name == "track"; });
+  REQUIRE(verb != verbs.end());
+  std::atomic<bool> stop{false};
+  return verb->perform(arguments, stop);
+}
+
+std::string printed(const testbench::Arguments& arguments) {
+  return test::printed([&] { CHECK(track(arguments) == 0); });
 }
 
 }  // namespace
@@ -181,4 +200,43 @@ TEST_CASE("mcafee: a run can be stopped, and tells its readings in Stage I alone
   CHECK(read.end == cosim::EndReason::kDone);
   CHECK(read.readings == 5);
   CHECK(test::figure(reading, read, "readings") == 5);
+}
+
+TEST_CASE("track prints a table or writes it into a file, in the form that was asked for") {
+  const test::Scratch scratch("mcafee_track_test_out");
+  testbench::Arguments arguments;
+  arguments.scenario = "mcafee-circle";
+  arguments.assignments = {"path.radius_mm=5", "path.kappa_max_1_mm=0.5"};
+  const std::string csv = printed(arguments);
+  Options options;
+  options.path.kind = PathKind::kCircle;
+  options.path.radius_mm = 5;
+  options.path.kappa_max_1_mm = 0.5;
+  const Table table = make_table(options.path, options.count_mm());
+  REQUIRE(table.rows.size() == 63);
+  for (const bool listing : {false, true}) {
+    const std::string wanted = listing ? listing_text(table) : table_csv(table);
+    CAPTURE(listing);
+    if (listing) arguments.flags.insert("--listing");
+    arguments.out = "";
+    CHECK(printed(arguments) == wanted);
+    arguments.out = (scratch.path / (listing ? "rows.txt" : "rows.csv")).string();
+    CHECK(printed(arguments) == arguments.out + ": 63 rows of 0.49867 mm\n");
+    CHECK(test::content(arguments.out) == wanted);
+  }
+  arguments.json = true;
+  CHECK(test::refusal_of([&] { track(arguments); }) == "track: --listing: not with --json");
+  arguments.flags.clear();
+  const auto json = nlohmann::json::parse(printed(arguments));
+  CHECK(test::content(arguments.out) == csv);
+  CHECK(json["row_mm"].get<double>() == Approx(table.row_mm));
+  REQUIRE(json["rows"].size() == 63);
+  const sw::McafeeRow& row = table.rows[10];
+  CHECK(json["rows"][10] == nlohmann::json({{"c", row.c}, {"cc", row.cc}, {"vx", row.vx},
+                                            {"vy", row.vy}, {"dx", row.dx}, {"dy", row.dy}}));
+}
+
+TEST_CASE("track takes mcafee-stage3 where no scenario is named") {
+  testbench::Arguments arguments;
+  CHECK_THAT(printed(arguments), Catch::StartsWith("c,cc,vx,vy,dx,dy\n0,0,255,0,100,0\n"));
 }

@@ -100,7 +100,3 @@ class BoardPinsTest(unittest.TestCase):
                     "J2 GP18, 19, 20, 21 | J2 GP22, 23, 24, 25"}
         for row, pins in rows.items():
             self.assertIn(f"| {row} | {pins} |", text)
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -211,7 +211,3 @@ class BoardTest(unittest.TestCase):
         ports = {"clk_12mhz_i": {"direction": "input", "bits": [2]}}
         self.assertIn("clk_12mhz_i: 12 MHz, on the board are 13",
                       list(board.findings(changed, ports, board.read_pcf(on.constraints))))
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -167,7 +167,3 @@ class BoardTopsTest(unittest.TestCase):
             "top: pin a_i is output, wanted input",
             "top: port b_o of the IC is at {b_o[0], b_o[1]}, wanted b_o",
             "top: port c_o of the IC is at nothing, wanted c_o"])
-
-
-if __name__ == "__main__":
-    unittest.main()

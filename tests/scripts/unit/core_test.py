@@ -36,7 +36,3 @@ class CoreTest(unittest.TestCase):
             for file in self.files(target):
                 self.assertTrue((ROOT / file).is_file(), file)
         self.assertEqual(used, set(self.core["filesets"]))
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -163,7 +163,3 @@ class Faults(unittest.TestCase):
         with self.assertRaisesRegex(faults.machines.MachineError, 'lacks "watch"'):
             faults.section("toy", plan, [faults.Outcome("a", time, by="watch")
                                          for time in plan["times"]])
-
-
-if __name__ == "__main__":
-    unittest.main()

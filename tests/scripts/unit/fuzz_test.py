@@ -70,7 +70,3 @@ class Seeds(unittest.TestCase):
         self.assertFalse({'"one of fc"', '"0..9"'} & set(lines))
         self.assertEqual(len(words), len(lines))
         self.assertLessEqual({b'"""', b"\xff", b"afc"}, set(words))
-
-
-if __name__ == "__main__":
-    unittest.main()

@@ -124,7 +124,3 @@ class Keys(unittest.TestCase):
         many = [(f"k{n}", value) for n in range(30) for value in "12"]
         (_, _, few), *_ = keys.again(plan, many, True, 1)
         self.assertEqual((len(few), len(dict(few))), (2 * keys.SHORT, keys.SHORT))
-
-
-if __name__ == "__main__":
-    unittest.main()

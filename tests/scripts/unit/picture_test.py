@@ -57,7 +57,3 @@ class PictureTest(unittest.TestCase):
         for file in sorted((ROOT / "docs" / "pictures").glob("*.svg")):
             with self.subTest(file.name):
                 self.assertIsNone(re.search(r"[ ,\"MLQ-]\d*\.\d{3}", file.read_text("utf-8")))
-
-
-if __name__ == "__main__":
-    unittest.main()

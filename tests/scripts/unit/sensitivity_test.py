@@ -57,7 +57,3 @@ class Values(unittest.TestCase):
         for key in ("plant.mass_kg", "gains.kx"):
             with self.assertRaisesRegex(machines.MachineError, key):
                 sensitivity.value_of(options, key)
-
-
-if __name__ == "__main__":
-    unittest.main()
