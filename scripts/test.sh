@@ -92,8 +92,8 @@ run_tests() {
       return 1
     fi
   fi
-  if [[ " $* " != *" campaign "* ]] && grep -q '^No tests were found' "$log"; then
-    say "no such test here; \`trammel test --campaign -N\` lists those of the campaigns"
+  if grep -q '^No tests were found' "$log"; then
+    say "no such test in this tier; \`trammel test --full -N\` and \`--campaign -N\` list all tests"
   fi
   if [ "$code" -ne 0 ]; then return 1; fi
 }
