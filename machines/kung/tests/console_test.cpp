@@ -156,15 +156,13 @@ TEST_CASE("the status is off, on or failed, with point, failure and fault") {
   CHECK(b.say("status").substr(0, 4) == "off ");
 }
 
-TEST_CASE("a gain is kept for the next start, and in effect at once while the drives are on") {
+TEST_CASE("a gain is kept for the next start") {
   Bench b;
   CHECK(b.say("gain y ki_cur 100 -3") == "ok\r\n");
   CHECK(b.writes() == 0);
   CHECK_THAT(b.say("gains"), Catch::Contains("ki_cur 100 -3"));
   b.say("start");
   CHECK(b.chip.registers[reg::kY + reg::kKiCur] == sw::gain_word({100, -3}));
-  CHECK(b.say("gain x kp 2047 15") == "ok\r\n");
-  CHECK(b.chip.registers[reg::kX + reg::kKp] == sw::gain_word({2047, 15}));
 }
 
 TEST_CASE("a gain typed while the drives are on goes to the register of its axis alone") {
@@ -213,19 +211,14 @@ TEST_CASE("the status tells of bytes that were lost on the line, if any") {
   CHECK(b.say("status") == "off point 0 of 629 failure 0 fault 0 lost 17\r\n");
 }
 
-TEST_CASE("the log is printed line by line, oldest first, and only what was asked") {
+TEST_CASE("the status of drives that are on tells when the table was where, as the log does") {
   Bench b;
   b.say("start");
   for (int i = 0; i < 6; ++i) {
     b.chip.tick(4);
     b.program.app().isr(b.chip);
   }
-  REQUIRE(b.program.app().log_size() >= 3);
-  const std::string text = b.say("log 3");
-  CHECK(std::count(text.begin(), text.end(), '\n') == 4);  // with the heading
   const sw::LogRecord& last = b.program.app().log(b.program.app().log_size() - 1);
-  const std::string tail = text.substr(text.rfind('\n', text.size() - 2) + 1);
-  CHECK_THAT(tail, Catch::StartsWith(std::to_string(last.tick) + " " + std::to_string(last.x_cmd)));
   const std::string now = " tick " + std::to_string(last.tick) + " x " +
                           std::to_string(last.x_pos) + " y " + std::to_string(last.y_pos);
   CHECK_THAT(b.say("status"), Catch::Contains(now + "\r\n"));
