@@ -208,7 +208,7 @@ TEST_CASE("larson: figures, answers and verdict do not depend on the raster of t
   }
 }
 
-TEST_CASE("larson: a run ends at the first sample whose word, of the trigger's own axis, has the value") {
+TEST_CASE("larson: a run ends where the word of a trigger, of its own axis, first has the value") {
   const test::Scratch scratch("larson_trigger");
   const std::filesystem::path file = scratch.path / "script.table";
   std::ofstream(file) << "CALTBL\nVELTBL 4000 500\nABSTBL 60 33\nWTTBL\nRELTBL -25 -10\nWTTBL\n";
