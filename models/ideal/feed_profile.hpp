@@ -87,10 +87,12 @@ class FeedProfile {
 
  private:
   static constexpr double kNone = std::numeric_limits<double>::infinity();
-  static constexpr double kShare = 0.7;          // of A along an arc, across it, and in a corner
+  static constexpr double kShare = 0.7;          // of A along an arc, across it, near a corner
+  static constexpr double kTurn = 0.5;           // of A: half the change of speed in a corner
   static constexpr double kCorner = 1.5;         // points that see a corner's turn
-  static constexpr double kFull = 2 * kShare / kCorner;  // of A: largest turn of a corner
+  static constexpr double kFull = 2 * kShare / kCorner;  // of A: largest turn, with that of an arc
   static constexpr double kHalf = 0.35;          // of A: along the path where a corner takes kFull
+  static constexpr double kSwing = 12;           // points up, and down, between two corners
   static constexpr double kStraight = 0.005;     // of A: a turn that leaves all of it
   static constexpr double kDegree = 0.01745329251994329577;
   static constexpr double kExact = 1;            // [deg] corners below it are passed in any mode
@@ -109,6 +111,7 @@ class FeedProfile {
   };
   struct Piece {
     double length, speed, accel;
+    bool free;  // of the zones of corners
   };
   struct Chain {
     long begin = 0, ticks = 0;  // [points]
@@ -172,7 +175,7 @@ class FeedProfile {
     const double bend = (p.curvature + q.curvature) / 2;
     Corner c{std::min(p.speed, q.speed), std::min(p.accel, q.accel)};
     if (sine > 0) {
-      c.speed = std::min(c.speed, kShare * A * h / (kCorner * sine));
+      c.speed = std::min(c.speed, kTurn * A * h / (kCorner * sine));
       if (bend == 0) {
         c.speed = std::min(c.speed, std::sqrt(kShare * A * shorter / (2 * tangent)));
       }
@@ -225,7 +228,7 @@ class FeedProfile {
       open.erase(std::remove_if(open.begin(), open.end(),
                                 [&](const Zone& z) { return z.to < middle; }),
                  open.end());
-      Piece p{to - from, kNone, kNone};
+      Piece p{to - from, kNone, kNone, open.size() == 1};
       for (const Zone& z : open) {
         p.speed = std::min(p.speed, z.speed);
         p.accel = std::min(p.accel, z.accel);
@@ -233,6 +236,15 @@ class FeedProfile {
       all.push_back(p);
     }
     return all;
+  }
+
+  // Of a piece that is entered and left at these speeds: gentle between two corners.
+  double acceleration(const Piece& p, double in, double out) const {
+    if (!p.free || in == 0 || out == 0) return p.accel;
+    const double swing = kSwing * lim_.period;
+    const double needed = std::abs(out * out - in * in) / (2 * p.length);
+    const double slow = (p.length - (in + out) * swing) / (swing * swing);
+    return std::min(p.accel, std::max({kHalf * least_accel(), slow, needed}));
   }
 
   void chain(std::size_t first, std::size_t last) {
@@ -260,17 +272,18 @@ class FeedProfile {
     for (std::size_t i = 0; i < all.size(); ++i) {
       const Piece& p = all[i];
       const double vi = std::sqrt(v2[i]), vo = std::sqrt(v2[i + 1]);
-      const double most = std::sqrt((v2[i] + v2[i + 1]) / 2 + p.accel * p.length);
+      const double accel = acceleration(p, vi, vo);
+      const double most = std::sqrt((v2[i] + v2[i + 1]) / 2 + accel * p.length);
       const double vp = std::max({vi, vo, std::min(p.speed, most)});
-      const double up = (vp * vp - v2[i]) / (2 * p.accel);
-      const double down = (vp * vp - v2[i + 1]) / (2 * p.accel);
+      const double up = (vp * vp - v2[i]) / (2 * accel);
+      const double down = (vp * vp - v2[i + 1]) / (2 * accel);
       const double flat = std::max(0.0, p.length - up - down);
-      if (vp > vi) c.phases.push_back({t, s, vi, p.accel});
-      t += (vp - vi) / p.accel;
+      if (vp > vi) c.phases.push_back({t, s, vi, accel});
+      t += (vp - vi) / accel;
       if (flat > 0) c.phases.push_back({t, s + up, vp, 0});
       t += flat / vp;
-      if (vp > vo) c.phases.push_back({t, s + p.length - down, vp, -p.accel});
-      t += (vp - vo) / p.accel;
+      if (vp > vo) c.phases.push_back({t, s + p.length - down, vp, -accel});
+      t += (vp - vo) / accel;
       s += p.length;
     }
     c.phases.push_back({t, c.length, 0, 0});

@@ -6,10 +6,18 @@
 namespace trammel::sw {
 namespace {
 
-constexpr Real kShare = Real::ratio(7, 10);       // of A along an arc, across it, and in a corner
+constexpr Real kShare = Real::ratio(7, 10);       // of A along an arc, across it, near a corner
 constexpr Real kSeen = Real::ratio(3, 2);         // points that see a corner's turn
-constexpr Real kFull = Real::ratio(14, 15);       // of A: the largest turn, 2 kShare/kSeen
+constexpr Real kFull = Real::ratio(14, 15);       // of A: turn and arcs, 2 kShare/kSeen
 constexpr Real kHalf = Real::ratio(35, 100);      // of A: along the path where a corner takes kFull
+// Of A: half the change of speed in a corner. An axis could bear kShare. But where its current has
+// just changed its sign, the current loop first crosses its dead time: the force is 1 ms late, and
+// a light table, which swings there already, is further off by that times the change of speed.
+constexpr Real kTurn = Real::ratio(1, 2);
+// Points in which the speed rises, and again falls, between two corners, unless kHalf of A is
+// enough for less. Harder pushes would turn the force of a light table round, through the dead
+// time, at each chord of a curve.
+constexpr std::uint64_t kSwing = 12;
 constexpr Real kStraight = Real::ratio(5, 1000);  // of A: a turn that leaves all of it
 constexpr Real kSharp = Real::ratio(700000001, 1000000000);  // kShare, and what rounding adds
 constexpr std::uint32_t kSlow = 1024;  // of the segments' speed: a corner that is a stop
@@ -50,7 +58,7 @@ FeedCorner feed_corner(const FeedSegment& p, const FeedBounds& of_p, const FeedS
   if (p.radius != 0) bend = one / (two * Real(p.radius, 32));
   if (q.radius != 0) bend = bend + one / (two * Real(q.radius, 32));
 
-  c.speed = min(c.speed, kShare * A / (kSeen * sine));
+  c.speed = min(c.speed, kTurn * A / (kSeen * sine));
   if (bend.zero()) c.speed = min(c.speed, sqrt(kShare * A * shorter / (two * tangent)));
   // Share of A that the turn takes: of one corner, or of many within a point.
   const Real one_corner = two * sine / A, many = two * tangent / (shorter * A);
@@ -66,6 +74,13 @@ FeedCorner feed_corner(const FeedSegment& p, const FeedBounds& of_p, const FeedS
     if (share > kStraight) c.accel = min(c.accel, (load > kSharp ? kHalf : kShare) * A);
   }
   return {c, c.speed * Real(kSlow) < speed};
+}
+
+Real feed_swing(const Real& length, const Real& in, const Real& out, const FeedLimits& limits) {
+  const Real swing(kSwing), low = min(in, out), high = max(in, out);
+  const Real needed = (high * high - low * low) / (Real(2) * length);
+  const Real slow = (length - (in + out) * swing) / (swing * swing);
+  return max(max(kHalf * least(limits), slow), needed);
 }
 
 }  // namespace trammel::sw

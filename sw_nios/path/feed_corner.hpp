@@ -31,4 +31,8 @@ struct FeedCorner {
 FeedCorner feed_corner(const FeedSegment& p, const FeedBounds& of_p, const FeedSegment& q,
                        const FeedBounds& of_q, const FeedLimits& limits);
 
+// The acceleration that is enough between the zones of two corners, from one speed over a length to
+// another.
+Real feed_swing(const Real& length, const Real& in, const Real& out, const FeedLimits& limits);
+
 }  // namespace trammel::sw

@@ -39,6 +39,7 @@ void FeedPlanner::add_segment() {
   p.speed = bounds_.speed.fixed(kFeedBits);
   p.accel = bounds_.accel.fixed(kFeedBits);
   p.before = at == 0 ? kNone : at - 1;
+  p.free = true;
   p.next = kNone;
   if (at != 0) {
     w_.pieces[at - 1].next = at;
@@ -104,6 +105,7 @@ std::uint32_t FeedPlanner::limit(std::uint32_t at, bool back, std::uint64_t reac
       reach = 0;
     }
     FeedPiece& inside = w_.pieces[at];
+    inside.free = false;
     if (inside.speed > speed) inside.speed = speed;
     if (inside.accel > accel) inside.accel = accel;
     at = back ? inside.before : inside.next;
@@ -165,8 +167,13 @@ void FeedPlanner::look_forward() {
 void FeedPlanner::add_phases() {
   const FeedPiece& p = w_.pieces[piece_];
   const std::uint64_t out = p.next == kNone ? 0 : w_.pieces[p.next].begin;
-  const Real vi = rate_of(p.begin), vo = rate_of(out), a = rate_of(p.accel);
-  const Real length = length_of(p.length), squares = (vi * vi + vo * vo) / Real(2);
+  const Real vi = rate_of(p.begin), vo = rate_of(out), length = length_of(p.length);
+  std::uint64_t most = p.accel;
+  if (p.free && p.begin != 0 && out != 0) {
+    const std::uint64_t swing = feed_swing(length, vi, vo, limits_).fixed(kFeedBits);
+    if (swing < most) most = swing;
+  }
+  const Real a = rate_of(most), squares = (vi * vi + vo * vo) / Real(2);
   std::uint64_t peak = sqrt(squares + a * length).fixed(kFeedBits);
   if (peak > p.speed) peak = p.speed;
   if (peak < p.begin) peak = p.begin;
@@ -174,7 +181,7 @@ void FeedPlanner::add_phases() {
   const Real vp = rate_of(peak), up = (vp * vp - vi * vi) / (Real(2) * a),
              down = (vp * vp - vo * vo) / (Real(2) * a), flat = length - up - down;
   const std::uint64_t end = path_ + p.length;
-  const auto accel = static_cast<std::int64_t>(p.accel);
+  const auto accel = static_cast<std::int64_t>(most);
   if (peak > p.begin) add_phase((vp - vi) / a, path_, p.begin, accel);
   if (!flat.zero()) add_phase(flat / vp, path_ + up.fixed(32), peak, 0);
   if (peak > out) add_phase((vp - vo) / a, end - down.fixed(32), peak, -accel);

@@ -23,6 +23,7 @@ struct FeedPiece {
   std::uint64_t begin = 0;   // Q40: speed at its beginning
   std::uint64_t corner_speed = 0, corner_accel = 0;  // Q40: of the corner at its beginning
   std::uint32_t next = 0, before = 0;
+  bool free = true;  // of the zones of corners
 };
 
 class FeedPlanner {
@@ -80,7 +81,8 @@ class FeedPlanner {
   void look_back();
   void look_forward();
 
-  // Up to the fastest of the piece, along, and down to where the next one begins.
+  // Up to the fastest of the piece, along, and down to where the next one begins; gently between
+  // two corners.
   void add_phases();
 
   // None where the motion before goes on.

@@ -176,6 +176,39 @@ TEST_CASE("a program that turns back on its own line has the points of the formu
   }
 }
 
+TEST_CASE("between the chords of a curve the table speeds up and brakes gently") {
+  // At 8 m/s^2 chords of 6 mm cost an empty table 3 um in the mean.
+  for (const int chords : {52, 63}) {  // of 6 and 5 mm
+    CAPTURE(chords);
+    const FeedProfile::Limits limits;
+    ideal::Moves moves;
+    const auto corner = [chords](int k) {
+      const double angle = 2 * 3.14159265358979 * k / chords;
+      return Place{0.25 + 0.05 * std::cos(angle), 0.25 + 0.05 * std::sin(angle)};
+    };
+    moves.start = corner(0);
+    for (int k = 0; k < chords; ++k) {
+      ideal::Move chord;
+      chord.from = corner(k);
+      chord.to = corner(k + 1);
+      chord.feed = 0.3;
+      moves.moves.push_back(chord);
+    }
+    const FeedProfile command(moves, limits);
+    CHECK(furthest(Planned(moves, limits).points(), command, limits.period) <= 1);
+    double most = 0, slowest = 1, fastest = 0;
+    for (double t = 0.15; t < command.seconds() - 0.15; t += 1e-3) {
+      const FeedProfile::Command at = command.at(t);
+      const double speed = std::hypot(at.v.x, at.v.y);
+      most = std::max(most, std::abs(at.a.x * at.v.x + at.a.y * at.v.y) / speed);
+      slowest = std::min(slowest, speed);
+      fastest = std::max(fastest, speed);
+    }
+    CHECK(most <= 0.35 * limits.accel_x * 1.001);
+    CHECK(fastest > 1.1 * slowest);  // and it does speed up
+  }
+}
+
 TEST_CASE("flat arcs as long as the table are within one LSB, and in whole counts the nearest") {
   for (const double radius : {5.25, 6.0, 50.0}) {
     for (const double sign : {-1.0, 1.0}) {
@@ -294,7 +327,7 @@ TEST_CASE("the set point of the spline stays near the command, with stops and at
       }
       double most = 0, sum = 0;
       int samples = 0;
-      for (int t = 62; t < 32 * static_cast<int>(points.size()); t += 40) {
+      for (int t = 62; t < 32 * static_cast<int>(points.size()); t += 9) {
         const Place p = command.at((t - 62) / 32.0 * 2e-3).p;
         const double x = ideal::Precision::set_point(words[0], t).p - p.x / kCountM;
         const double y = ideal::Precision::set_point(words[1], t).p - p.y / kCountM;
@@ -305,7 +338,7 @@ TEST_CASE("the set point of the spline stays near the command, with stops and at
       }
       CAPTURE(pass, static_cast<int>(kind), most, sum / samples);
       CHECK(sum / samples < (pass ? 0.1 : 0.03));
-      CHECK(most < (pass ? 6 : 1));
+      CHECK(most < (pass ? 4 : 1));
     }
   }
 }

@@ -166,7 +166,11 @@ TEST_CASE("moves of a program are driven where they are given, with their stops 
   o.path.points = {{0.1, 0.1}, {0.1001, 0.1}};
   CHECK_FALSE(feeds(o.path));  // points with times of their own
   o.path.points_mode = PointsMode::kPath;
-  o.path.moves = staircase(3, 0.01);
+  o.path.moves = staircase(1, 0.01);
+  std::vector<Move>& moves = o.path.moves.moves;
+  for (const Place& bend : {Place{0.22, 0.201}, Place{0.23, 0.2}}) {
+    moves.push_back(to(moves.back(), bend));
+  }
   CHECK(feeds(o.path));
   const std::uint32_t passing = size_of(o);
   o.path.moves.moves[1].stop = true;

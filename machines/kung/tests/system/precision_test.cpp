@@ -112,7 +112,7 @@ TEST_CASE("the table follows its command within half a count, whatever it carrie
     CHECK(figure(record, "peak_current_A") <= 4.5);
     const bool passed = std::string(one.path) == "part";  // corners
     CHECK(figure(record, "set_point_um.mean") <= (passed ? 0.04 : 0.03));
-    CHECK(figure(record, "set_point_um.max") <= (passed ? 6 : 1));
+    CHECK(figure(record, "set_point_um.max") <= (passed ? 4 : 1));
     for (const std::string axis : {"x", "y"}) {
       CAPTURE(axis);
       const double mass = figure(record, axis + ".estimate.mass_kg_true");

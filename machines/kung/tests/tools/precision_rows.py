@@ -216,7 +216,7 @@ def rows_of_table():
                               "plant.mode_Hz": hertz}))
     rows += [followed("corners passed", 2.5, 15, path, {"path.corner": "pass"})
              for path in gen_precision.PATHS]
-    rows += [chords(1), chords(5)]
+    rows += [chords(1), chords(5), chords(6)]
     rows += [laps("laps 2 to 5 without learning", path, WORST,
                   lambda of: (max(of[1:]), 1.1 * of[0] + 0.2)) for path in SHAPES]
     rows += [laps("lap 5 with learning", path, {**WORST, **LEARN},
