@@ -192,9 +192,15 @@ sw::PrecisionSetup plan_precision(const Options& options, const sw::KungSetup& s
   require(feeds(options.path) || options.path.kind == PathKind::kPoints,
           "path.profile: \"constant\" steps in speed, which controller = \"precision\" cannot "
           "follow on a built-in shape; it needs \"feed\"");
+  require(!p.learn || options.path.kind != PathKind::kLine,
+          "precision.learn: a lap learns from the one before, and path.kind = \"line\" has one "
+          "lap; the other shapes can repeat");
   require(!p.learn || setup.repeats > 1,
-          fmt::format("precision.learn: needs path.repeats of 2 or more, is {}: a lap learns from "
-                      "the one before", setup.repeats));
+          fmt::format("precision.learn: needs {} of 2 or more, is {}: a lap learns from the one "
+                      "before",
+                      options.path.kind == PathKind::kSquare ? "path.square_periods"
+                                                             : "path.repeats",
+                      setup.repeats));
   const std::uint32_t lap = setup.path == sw::Path::kFeed ? setup.feed.ticks : setup.n_points;
   require(!p.learn || lap <= sw::Corrections::kPoints,
           fmt::format("precision.learn: a lap has {} points, of which at most {} are learned; a "
