@@ -211,9 +211,7 @@ TEST_CASE("what is said of settings before they run is their golden") {
   for (std::string line; std::getline(before, line);) {
     if (line.rfind("  ", 0) == 0) continue;  // what was said
     text += line + '\n';
-    for (const lab::Machine* const one : lab::machines()) {
-      if (one->name == line) machine = one;
-    }
+    if (const lab::Machine* const named = lab::find_machine(line)) machine = named;
     if (line[0] == '#' || line.find('=') == std::string::npos) continue;
     REQUIRE(machine != nullptr);
     text += said_of(*machine, line);
