@@ -201,13 +201,16 @@ TEST_CASE("a clone copies every key's value and is independent") {
   }
 }
 
-TEST_CASE("the environment sets every key by its upper-case name, and nothing else") {
-  each_key([](const Machine&, const Key& key, Settings& settings) {
+TEST_CASE("the environment sets every key by its upper-case name, as -s does, and nothing else") {
+  each_key([](const Machine& machine, const Key& key, Settings& settings) {
     const Value value = other(key, key.get(settings));
     apply_environment(settings, {{"HOME", "/"},
                                  {"TRAMMEL_SOMETHING_ELSE", "1"},
                                  {"TRAMMEL_" + upper(key.name), plain(value)}});
     CHECK(value_text(key.get(settings)) == value_text(value));
+    const auto assigned = machine.defaults();
+    apply_assignment(*assigned, key.name + '=' + plain(value));
+    CHECK(settings.set_by.at(key.name).layer == assigned->set_by.at(key.name).layer);
     if (key.name.find('.') == std::string::npos) return;
     const std::string wrong = "TRAMMEL_" + upper(key.name) + "Q";
     CHECK_THROWS_WITH(apply_environment(settings, {{wrong, plain(value)}}),
