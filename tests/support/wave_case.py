@@ -80,6 +80,7 @@ class WaveCase(unittest.TestCase):
         for group in groups:
             self.assertEqual(view.count(f"\n-{group}\n"), 2, group)  # its begin and its end
         self.assertGreater(len(shown), 50)
+        self.assertEqual(sorted(set(shown)), sorted(shown))  # each signal stands once
         return view
 
 

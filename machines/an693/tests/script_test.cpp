@@ -298,7 +298,8 @@ TEST_CASE("built-in scripts can be read, and have names") {
   CHECK(find_script("my/move") == "my/move");
 }
 
-TEST_CASE("status shows each bit of both registers, and their words") {
+TEST_CASE("status shows each bit of both registers, and their words; help has the same names") {
+  const std::string help = help_text(parsed("help RDSTAT").topic);
   struct Case {
     const char* script;
     unsigned status, signals;
@@ -320,6 +321,7 @@ TEST_CASE("status shows each bit of both registers, and their words") {
       const std::string& line = lines[8 - row];
       CAPTURE(row, line);
       CHECK(std::stoul(line) == row);
+      CHECK_THAT(help, Contains(fmt::format("{} {}", row, line.substr(4, line.find("  ", 4) - 4))));
       CHECK(line[26] == "01"[one.status >> row & 1]);
       CHECK(std::stoul(line.substr(29)) == row + 8);
       CHECK(line[56] == "01"[one.signals >> (row + 8) & 1]);

@@ -7,6 +7,7 @@ usage: waves_check.py PROGRAM [FOLDER]      the built trammel program
 """
 
 import csv
+import re
 import sys
 from pathlib import Path
 
@@ -48,9 +49,12 @@ class PortTest(WaveCase):
         self.assertLess(commands.index(0x1E), commands.index(0x04))
         self.assertLess(commands.index(0x1F), commands.index(0x01))
 
-    def test_samples_and_interrupts_stand_where_the_record_has_them(self):
+    def rows(self):
         with (self.out / "trace.csv").open() as file:
-            rows = list(csv.DictReader(file))
+            return list(csv.DictReader(file))
+
+    def test_samples_and_interrupts_stand_where_the_record_has_them(self):
+        rows = self.rows()
         edges = [round(float(row["t_s"]) * 1e9) for row in rows]
         published = [end for _, end in pulses(self.changes("sample_o"), 1)]
         self.assertGreater(len(rows), 20)
@@ -68,7 +72,12 @@ class PortTest(WaveCase):
         self.assertRegex(self.wave("compare", vcd, fst), r"^equal: \d{3} signals$")
 
     def test_the_view_names_signals_that_are_there_in_all_its_groups(self):
-        self.check_view(self.out / "waves.fst")
+        view = self.check_view(self.out / "waves.fst")
+        point = int(re.search(r"count\] (\d+)\n[^@]*\{desired position\}", view)[1])
+        shown = self.changes("u_engine.m_q.[0]")
+        for row in self.rows()[:30]:
+            self.assertAlmostEqual(level(shown, round(float(row["t_s"]) * 1e9)) / 2 ** point,
+                                   float(row["desired_count"]), delta=1e-3)
 
     def test_a_script_is_shown_from_its_first_line(self):
         script = self.folder / "short.lm628"

@@ -17,8 +17,9 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "tests" / "support"
 import drawing
 import report_pages
 
-MM = 1e3 * 0.0040132 / 800  # of a count
-MM_S = MM / (2048 / 6e6)    # of a count a sample
+MM = 1e3 * 0.0040132 / 800        # of a count
+CLOCK = "-s", "chip.clock_MHz=8"  # not the default
+MM_S = MM / (2048 / 8e6)          # of a count a sample
 
 
 def place(column, factor):
@@ -29,14 +30,14 @@ def place(column, factor):
 
 class Page(report_pages.ReportPages):
     runs = {
-        "track": ["run", "mcafee-stage3", "--engine", "twin", "-s", "path.side_mm=6",
+        "track": ["run", "mcafee-stage3", "--engine", "twin", *CLOCK, "-s", "path.side_mm=6",
                   "-s", "path.radius_mm=1", "-s", "path.kappa_max_1_mm=1", "-s", "filter.ki=5",
                   "-s", "filter.il=500", "-s", "trajectory.wait_s=0.3",
                   "-s", "run.reached_counts=1000"],
-        "move": ["run", "mcafee-stage2", "--engine", "twin",
+        "move": ["run", "mcafee-stage2", "--engine", "twin", *CLOCK,
                  "-s", "trajectory.position_counts=2000"],
-        "switch": ["run", "mcafee-stage3", "--engine", "twin", "-s", "compare=false",
-                   "-s", "stage.switch_high_m=0.004"],
+        "switch": ["run", "mcafee-stage3", "--engine", "twin", *CLOCK, "-s", "compare=false",
+                   "-s", "stage.switch_high_m=0.0039"],
     }
     tripped = {"switch"}
     compared = ("track", "switch", "move")
@@ -181,7 +182,7 @@ class Page(report_pages.ReportPages):
         # A chord of a row of 0.5 mm lies 0.03 mm inside of an arc of 1 mm.
         self.assertAlmostEqual(far, max(float(row["contour_mm"]) for row in trace), delta=0.032)
         self.assertIn("Aerotech 1075", self.driver.find_element("id", "assumptions").text)
-        self.assertIn("chip.clock_MHz 6 not stated",
+        self.assertIn("chip.clock_MHz 8 not stated",
                       self.driver.find_element("id", "assumptions").text)
         self.open("switch")
         self.assertFalse(self.driver.find_element("id", "zoom-reset").is_enabled())
