@@ -208,6 +208,13 @@ class LauncherTest(Scratch):
         self.assertIn("trammel: build failed:\nx.cpp:7: error: no such name\n", told)
         self.assertIn("trammel: all of it: ", told)
 
+    def test_the_time_left_follows_from_a_fifth_of_the_steps(self):
+        step = re.search(r"(?ms)^show_step\(\).*?^}", (ROOT / "trammel").read_text())[0]
+        said = subprocess.run(["bash", "-c", step + '\nsay() { echo "$@"; }\nSECONDS=30\n'
+                               'for n in 1 59 60 61; do show_step "[$n/300] Building"; done'],
+                              capture_output=True, text=True, check=True).stdout
+        self.assertRegex(said, r"^building in 300 steps;.*\nabout 12\d s left\n$")
+
     def test_of_a_build_that_fails_the_last_60_lines_are_shown(self):
         self.write("bin/ninja", "#!/bin/bash\n"
                                 'for n in {1..61}; do echo "error $n"; done; exit 1\n')
