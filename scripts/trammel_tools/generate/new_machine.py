@@ -9,8 +9,10 @@ by its folder. The chip is plain Verilog, and every clock of it is evaluated. Wi
 the ports of docs/leap.md; if the machine exists and its chip still is the plain one, only the files
 of the chip are written again.
 
-The files are made from scripts/machine_template; a line behind @p@ is of the plain chip alone, one
-behind @c@ of that with the contract. Exit codes: 0 written, 2 the name cannot be used.
+The files are made from scripts/machine_template. A line after @p@ and a file with @p@ in its name
+are of the plain chip alone, those with @c@ of the chip with the contract.
+
+Exit codes: 0 written, 2 the name cannot be used.
 """
 
 import re
@@ -31,19 +33,16 @@ RESERVED = {"alignof", "asm", "compl", "export", "extern", "goto", "mutable", "r
 
 def rendered(name, contract):
     """{path in the repository: text} of a machine's files."""
-    words = {"@name@": name, "@Name@": name.capitalize(), "@leap@": str(contract).lower()}
+    words = {"@name@": name, "@Name@": name.capitalize(), "@leap@": str(contract).lower(),
+             "@c@": "", "@p@": ""}
     own, other = ("@c@", "@p@") if contract else ("@p@", "@c@")
 
     def put(text):
         text = re.sub(f"^{other}.*\n", "", re.sub(f"^{own} ?", "", text, flags=re.M), flags=re.M)
         return re.sub(r"@\w+@", lambda found: words[found[0]], text)
 
-    files = {}
-    for folder in ("plain", "contract") if contract else ("plain",):
-        base = TEMPLATE / folder
-        for path in sorted(p for p in base.rglob("*") if p.is_file()):
-            files[Path(put(str(path.relative_to(base))))] = put(path.read_text(encoding="ascii"))
-    return files
+    return {Path(put(str(path.relative_to(TEMPLATE)))): put(path.read_text(encoding="ascii"))
+            for path in sorted(TEMPLATE.rglob("*")) if path.is_file() and other not in path.name}
 
 
 def is_made(name):
