@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "lab/machines.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cstdlib>
 #include <stdexcept>
 
 namespace trammel::lab {
@@ -37,13 +34,6 @@ const Machines& machines() {
 
 void need_all_machines(const std::string& machine) {
   if (!given().whole) throw NotLinked(machine);
-}
-
-void hand_over(const std::string& program, char** argv) {
-  const char* const launcher = std::getenv("TRAMMEL_LAUNCHER");
-  if (launcher == nullptr) return;
-  setenv("TRAMMEL_PROGRAM", program.c_str(), 1);
-  execv(launcher, argv);
 }
 
 const Machine& first_machine() {

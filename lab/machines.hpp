@@ -28,10 +28,6 @@ struct NotLinked : ToolMissing {
 void take_machines(Machines (*table)(), bool whole = true);
 void need_all_machines(const std::string& machine = "");
 
-// What this program lacks is built by the launcher that started it, which then starts the program
-// of that name with these arguments; returns where none did.
-void hand_over(const std::string& program, char** argv);
-
 const Machine& first_machine();  // to which a file without a machine belongs
 
 }  // namespace trammel::lab

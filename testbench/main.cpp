@@ -245,10 +245,10 @@ int run_program(int argc, char** argv) {
     CommandLine line;
     return run_line(line, argc, argv);
   } catch (const trammel::cosim::NotBuilt& error) {
-    trammel::lab::hand_over("trammel_" + trammel::lab::machines().front()->name + "_watched", argv);
+    tb::hand_over("trammel_" + trammel::lab::machines().front()->name + "_watched", argv);
     return fail(error, 3);
   } catch (const trammel::lab::NotLinked& error) {
-    trammel::lab::hand_over(error.machine.empty() ? "trammel" : "trammel_" + error.machine, argv);
+    tb::hand_over(error.machine.empty() ? "trammel" : "trammel_" + error.machine, argv);
     return fail(error, 3);
   } catch (const trammel::lab::ConfigError& error) {
     return fail(error, 2);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 
 #include "lab/files.hpp"
 #include "lab/inputs.hpp"
@@ -307,6 +308,13 @@ int report(const Arguments& arguments) {
     print(file.string() + '\n');
   }
   return 0;
+}
+
+void hand_over(const std::string& program, char** argv) {
+  const char* const launcher = std::getenv("TRAMMEL_LAUNCHER");
+  if (launcher == nullptr) return;
+  setenv("TRAMMEL_PROGRAM", program.c_str(), 1);
+  execv(launcher, argv);
 }
 
 }  // namespace trammel::testbench

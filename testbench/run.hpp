@@ -27,6 +27,10 @@ int list(const std::string& topic, const std::string& machine, bool json);
 int doctor(bool json);
 std::string version_text();
 
+// What this program lacks is built by the launcher that started it, which then starts the program
+// of that name with these arguments. Returns if no launcher started it.
+void hand_over(const std::string& program, char** argv);
+
 // 130 and a line for a run that came to its end, but whose files were being written when a signal
 // came; 0 without one.
 int late_stop(const std::string& name, const std::string& folder, const std::atomic<bool>& stop);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Lists of the program, and its doctor.
+// Lists of the program, its doctor, and its launcher.
 #include <catch2/catch.hpp>
 #include <cstdint>
 #include <cstdlib>
@@ -11,6 +11,8 @@
 #include <sstream>
 #include <string>
 #include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
 #include <vector>
 
 #include "cosim/trigger.hpp"
@@ -203,4 +205,20 @@ TEST_CASE("the doctor names each program that is missing, and exits with 0 witho
   const std::string text = test::printed([&] { code = testbench::doctor(false); });
   CHECK(code == 3);
   CHECK_THAT(text, Contains("\n0 scenarios in " + (scratch.path / "none").string()));
+}
+
+TEST_CASE("what a program lacks is left to its launcher, which learns the name of the next one") {
+  std::string words[] = {"trammel", "-c", "[ \"$TRAMMEL_PROGRAM\" = trammel_x ] && exit 7"};
+  char* line[] = {words[0].data(), words[1].data(), words[2].data(), nullptr};
+  const pid_t child = fork();
+  if (child == 0) {
+    unsetenv("TRAMMEL_LAUNCHER");
+    testbench::hand_over("trammel_y", line);
+    setenv("TRAMMEL_LAUNCHER", "/bin/sh", 1);
+    testbench::hand_over("trammel_x", line);
+    _exit(0);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  CHECK(WEXITSTATUS(status) == 7);
 }
