@@ -86,13 +86,13 @@ def of_coverage(found):
 
 
 def of_mutants(found):
-    """Of a block, with the unit test of the module that it is tested in."""
+    """Of a block, with the unit test of the module that it is tested in and its own floor."""
     layer, block = found[1], found[2]
-    return (sources.rtl(f"{layer}/{block}")
-            | of_unit_test(layer, mutant_tests.top_of(f"{layer}/{block}"))
-            | matching("tests/mutants.toml", "machines/*/mutants.toml", "parts/*/mutants.toml",
-                       "tests/support/mutant.cpp")
-            | sources.tools(*VERIFY))
+    own = f"{layer}/{block}"
+    floors = matching("tests/mutants.toml", "machines/*/mutants.toml", "parts/*/mutants.toml")
+    return (sources.rtl(own) | of_unit_test(layer, mutant_tests.top_of(own))
+            | {f"{name}#{own}" for name in floors}
+            | matching("tests/support/mutant.cpp") | sources.tools(*VERIFY))
 
 
 def of_machine(found):

@@ -1,10 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """A kept result: a small text file that covers itself with a hash."""
 
+import contextlib
 import dataclasses
 import hashlib
 import os
 import tempfile
+import tomllib
 from pathlib import Path
 
 from trammel_tools.paths import ROOT
@@ -23,12 +25,23 @@ def digest(text):
     return hashlib.sha256(text.encode()).hexdigest()
 
 
+def content(name):
+    """Of a file below the repository's root; of FILE#KEY, the values of a key in the tables of a
+    TOML file, or all of a file that is no TOML."""
+    path, _, key = name.partition("#")
+    text = (ROOT / path).read_bytes()
+    if key:
+        with contextlib.suppress(ValueError, AttributeError):
+            tables = tomllib.loads(text.decode())
+            return repr([(table, values.get(key)) for table, values in tables.items()]).encode()
+    return text
+
+
 def digest_of(files):
-    """One hash of the names and contents of these files, below the repository's root."""
+    """One hash of the names and contents of these files."""
     whole = hashlib.sha256()
     for name in sorted(files):
-        content = hashlib.sha256((ROOT / name).read_bytes()).hexdigest()
-        whole.update(f"{name}\0{content}\n".encode())
+        whole.update(f"{name}\0{hashlib.sha256(content(name)).hexdigest()}\n".encode())
     return f"{len(files)} files, sha256 {whole.hexdigest()}"
 
 

@@ -65,6 +65,14 @@ class EvidenceTest(Kept):
             self.assertRegex(said, "^evidence: .* its inputs have changed since .*\n$")
             self.assertFalse(self.check()[1])
 
+    def test_mutants_of_a_block_depend_on_the_floor_of_that_block_alone(self):
+        kind, match = kinds.of("campaign.mutants.math.toy")
+        found = []
+        for floors in ('"math/toy" = 95', '"math/toy" = 95\n"math/top" = 99', '"math/toy" = 96'):
+            self.write("tests/mutants.toml", f"[floor]\n{floors}\n")
+            found.append(record.digest_of(kind.files(match)))
+        self.assertEqual([found.index(one) for one in found], [0, 0, 2])
+
     def test_a_result_of_another_tool_or_architecture_does_not_count(self):
         self.check()
         with mock.patch.object(kinds, "version", lambda tool: "0.1"):
