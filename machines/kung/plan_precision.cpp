@@ -201,10 +201,13 @@ sw::PrecisionSetup plan_precision(const Options& options, const sw::KungSetup& s
                       options.path.kind == PathKind::kSquare ? "path.square_periods"
                                                              : "path.repeats",
                       setup.repeats));
-  const std::uint32_t lap = setup.path == sw::Path::kFeed ? setup.feed.ticks : setup.n_points;
+  const bool feed = setup.path == sw::Path::kFeed;
+  const std::uint32_t lap = feed ? setup.feed.ticks : setup.n_points;
   require(!p.learn || lap <= sw::Corrections::kPoints,
-          fmt::format("precision.learn: a lap has {} points, of which at most {} are learned; a "
-                      "higher path.feed_m_s makes fewer", lap, sw::Corrections::kPoints));
+          fmt::format("precision.learn: a lap has {} points, of which at most {} are learned; {}",
+                      lap, sw::Corrections::kPoints,
+                      feed ? "a higher path.feed_m_s makes fewer"
+                           : "path.points_file can have fewer"));
   s.identify = p.identify;
   s.adapt = p.adapt;
   s.learn = p.learn;
