@@ -89,8 +89,7 @@ void ChipModule::transport(tlm::tlm_generic_payload& payload, sc_time& delay) {
   const bool write = payload.is_write();
   if (payload.get_data_length() != sizeof(std::uint32_t) || (payload.get_address() & 3u) != 0 ||
       payload.get_byte_enable_ptr() != nullptr) {
-    payload.set_response_status(tlm::TLM_BURST_ERROR_RESPONSE);
-    return;
+    return payload.set_response_status(tlm::TLM_BURST_ERROR_RESPONSE);
   }
   asked_ = cosim::BusOp{static_cast<std::uint32_t>(payload.get_address()), 0, write};
   if (write) std::memcpy(&asked_->data, payload.get_data_ptr(), sizeof asked_->data);

@@ -1,40 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "systemc/wire.hpp"
 
-#include "systemc/chip_module.hpp"
-#include "systemc/soft_processor.hpp"
+#include <optional>
+#include <utility>
+
+#include "systemc/platform.hpp"
 
 namespace trammel::systemc {
 namespace {
-
-// SystemC elaborates once per simulation context; a fresh one lets a process run many machines.
-class Context {
- public:
-  Context() {
-    sc_core::sc_curr_simcontext = sc_core::sc_default_global_context = context_.get();
-    sc_core::sc_report_handler::set_actions(sc_core::SC_INFO, sc_core::SC_DO_NOTHING);
-    sc_core::sc_set_stop_mode(sc_core::SC_STOP_IMMEDIATE);
-  }
-  ~Context() {
-    context_.reset();
-    sc_core::sc_curr_simcontext = sc_core::sc_default_global_context = nullptr;
-  }
-  Context(const Context&) = delete;
-  Context& operator=(const Context&) = delete;
-
- private:
-  std::unique_ptr<sc_core::sc_simcontext> context_ = std::make_unique<sc_core::sc_simcontext>();
-};
-
-void run_in_systemc(cosim::Session& session) {
-  Context context;
-  ChipModule chip("chip", session.loop(), session.period_ps(), session.end(),
-                  [&session] { return session.finished(); });
-  SoftProcessor processor("processor", chip, session.firmware(), session.timing(),
-                          session.period_ps());
-  sc_core::sc_start();
-  chip.rethrow();
-}
 
 // Progress of one of two runs: that of the search, or of the one that is dumped.
 cosim::Hooks half_of_progress(const cosim::Hooks& hooks, double from) {
@@ -55,7 +28,7 @@ void run(cosim::Session& session, const cosim::RunBasics& basics) {
     run.run();
     session.core_ran(run.times());
   } else if (basics.platform == cosim::Platform::kSystemC && basics.engine == cosim::Engine::kRtl) {
-    run_in_systemc(session);
+    run(session);
   } else {
     cosim::run_direct(session.loop(), session.firmware(), session.timing(), session.end(),
                       [&session] { return session.finished(); });
