@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "lab/machine.hpp"
-#include "systemc/wire.hpp"
+#include "lab/wiring.hpp"
 
 namespace trammel::lab {
 
@@ -14,7 +14,7 @@ std::unique_ptr<cosim::RunResult> simulate(const Settings& settings, const cosim
     return machine.session(settings, own, waves);
   };
   return with_config_errors(
-      [&] { return systemc::simulate(settings.run, machine.triggers(), make, hooks); });
+      [&] { return simulate(settings.run, machine.triggers(), make, hooks); });
 }
 
 Record judged(std::shared_ptr<const Settings> settings, std::unique_ptr<cosim::RunResult> result) {

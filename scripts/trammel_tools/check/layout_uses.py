@@ -8,8 +8,7 @@ FOLDERS = ("rtl/", "models/", "sw_nios/", "cosim/", "systemc/", "lab/", "parts/"
 FIRMWARE = ["sw_nios/hal/", "sw_nios/path/"]
 LOOP = ["cosim/", "models/", *FIRMWARE, "rtl/chips/generated/"]
 TABLE = "machines/table.hpp"  # of the machines that a program is linked with
-PART = ["parts/", "lab/", *LOOP]
-MACHINE = ["parts/", "lab/", "systemc/", *LOOP]  # and its own folders
+MACHINE = ["parts/", "lab/", *LOOP]  # and its own folders; a part too
 # Folder of a C++ file -> prefixes of the repository's headers that it may include.
 USES = {
     "models/fixed": ["models/fixed/"],
@@ -20,7 +19,7 @@ USES = {
     "cosim": LOOP,
     "systemc": ["systemc/", *LOOP],
     "lab": ["lab/", "systemc/", "cosim/"],
-    "parts": PART,
+    "parts": MACHINE,
     "testbench": ["testbench/", "lab/", "cosim/", TABLE],
     "examples": ["lab/", "cosim/", TABLE],
     "python": ["python/", "lab/", "cosim/", TABLE],

@@ -6,10 +6,10 @@
 #include <filesystem>
 
 #include "cosim/direct.hpp"
+#include "lab/wiring.hpp"
 #include "machines/kung/plan.hpp"
 #include "machines/kung/session.hpp"
 #include "machines/kung/machine.hpp"
-#include "systemc/wire.hpp"
 #include "tests/support/scratch.hpp"
 
 using namespace trammel;
@@ -216,7 +216,7 @@ TEST_CASE("a stop request during the search begins no second run, whatever is se
       ++runs;
       return machine().session(options, own, waves);
     };
-    const auto result = systemc::simulate(options.run, triggers(), make, hooks);
+    const auto result = lab::simulate(options.run, triggers(), make, hooks);
     CAPTURE(trigger);
     CHECK(runs == 1);
     CHECK(result->end == EndReason::kStopped);

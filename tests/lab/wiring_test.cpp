@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // How a session is run: once, or twice where its waves need an event; and what its bus refuses.
-#include "systemc/wire.hpp"
+#include "lab/wiring.hpp"
 
 #include <fmt/format.h>
 
@@ -149,7 +149,7 @@ TEST_CASE("a run with waves is made twice where its event must be found, and onc
     std::vector<double> progress;
     Hooks hooks;
     hooks.progress = [&](double fraction) { progress.push_back(fraction); };
-    const auto result = systemc::simulate(
+    const auto result = lab::simulate(
         with_waves(one.trigger), stop_forms(none, ""),
         [&](const Hooks& own, const Waves& waves) {
           auto session = std::make_unique<ToySession>();
@@ -182,7 +182,7 @@ TEST_CASE("the bus of SystemC takes words at addresses of words, and names any o
   const auto run = [](const Start& start) {
     ToySession session;
     session.code.begin = start;
-    systemc::run(session, RunBasics());
+    lab::run_session(session, RunBasics());
     return std::pair{session.chip.word, session.chip.from};
   };
   for (const std::uint32_t address : {0u, 4u, 0x210u}) {
@@ -244,7 +244,7 @@ TEST_CASE("a processor takes the same clocks in SystemC as without, whatever fau
         };
         RunBasics run;
         run.platform = platform;
-        systemc::run(session, run);
+        lab::run_session(session, run);
         session.chip.events.push_back(fmt::format("end {}", session.chip.now()));
         return session.chip.events;
       };

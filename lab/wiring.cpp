@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "systemc/wire.hpp"
+#include "lab/wiring.hpp"
 
 #include <optional>
-#include <utility>
 
 #include "systemc/platform.hpp"
 
-namespace trammel::systemc {
+namespace trammel::lab {
 namespace {
 
 // Progress of one of two runs: that of the search, or of the one that is dumped.
@@ -20,7 +19,7 @@ cosim::Hooks half_of_progress(const cosim::Hooks& hooks, double from) {
 
 }  // namespace
 
-void run(cosim::Session& session, const cosim::RunBasics& basics) {
+void run_session(cosim::Session& session, const cosim::RunBasics& basics) {
   if (cosim::Core* const core = session.core()) {
     cosim::CoreRun run(session.loop(), *core, session.end(),
                        [&session] { return session.finished(); },
@@ -28,7 +27,7 @@ void run(cosim::Session& session, const cosim::RunBasics& basics) {
     run.run();
     session.core_ran(run.times());
   } else if (basics.platform == cosim::Platform::kSystemC && basics.engine == cosim::Engine::kRtl) {
-    run(session);
+    systemc::run(session);
   } else {
     cosim::run_direct(session.loop(), session.firmware(), session.timing(), session.end(),
                       [&session] { return session.finished(); });
@@ -48,7 +47,7 @@ std::unique_ptr<cosim::RunResult> simulate(const cosim::RunBasics& basics,
   } else if (event) {
     cosim::TriggerSearch search(*event);
     const auto session = make(half_of_progress(hooks, 0), {&search, {}});
-    run(*session, basics);
+    run_session(*session, basics);
     trigger = search.found();
     // Without the event there is nothing to dump, and this was the run.
     if (!trigger && (cosim::trigger_asked(basics) || session->stopped())) return session->result();
@@ -58,10 +57,10 @@ std::unique_ptr<cosim::RunResult> simulate(const cosim::RunBasics& basics,
     waves.window = cosim::wave_window(basics, trigger.value_or(cosim::wave_origin(basics)));
   }
   const auto session = make(own, waves);
-  run(*session, basics);
+  run_session(*session, basics);
   auto result = session->result();
   result->wave_trigger = trigger;
   return result;
 }
 
-}  // namespace trammel::systemc
+}  // namespace trammel::lab

@@ -7,10 +7,10 @@
 
 #include "cosim/session.hpp"
 
-namespace trammel::systemc {
+namespace trammel::lab {
 
 // By SystemC, or directly; a twin always directly. Runs one at a time in a process.
-void run(cosim::Session& session, const cosim::RunBasics& basics);
+void run_session(cosim::Session& session, const cosim::RunBasics& basics);
 
 // A whole run. Where its waves are anchored to an event, it is made twice: first until the event
 // is there.
@@ -19,4 +19,4 @@ std::unique_ptr<cosim::RunResult> simulate(const cosim::RunBasics& basics,
                                            const cosim::MakeSession& make,
                                            const cosim::Hooks& hooks);
 
-}  // namespace trammel::systemc
+}  // namespace trammel::lab
