@@ -21,7 +21,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "lab/build_info.hpp"
 #include "lab/files.hpp"
 #include "lab/parse.hpp"
 
@@ -93,13 +92,12 @@ int move_in(const fs::path& from, const fs::path& to) {
   return rename(from.c_str(), to.c_str());
 }
 
-void write_identity(const fs::path& folder) {
+void write_identity(const fs::path& folder, const std::string& version) {
   Json files = Json::object();
   for (const auto& entry : fs::directory_iterator(folder)) {
     if (entry.is_regular_file()) files[entry.path().filename().string()] = entry_of(entry.path());
   }
-  write_text(folder / kIdentity,
-             Json{{"trammel", kVersion}, {"files", files}}.dump(2) + '\n');
+  write_text(folder / kIdentity, Json{{"trammel", version}, {"files", files}}.dump(2) + '\n');
 }
 
 // The files that the run in a folder wrote; null: it holds no run.
@@ -291,8 +289,8 @@ OutputFolder::~OutputFolder() {
   if (!scratch_.empty()) remove_scratch(scratch_.parent_path());
 }
 
-void OutputFolder::publish() {
-  write_identity(scratch_);
+void OutputFolder::publish(const std::string& version) {
+  write_identity(scratch_, version);
   for (;;) {
     if (move_in(scratch_, target_) == 0) break;
     if (errno != EEXIST) cannot_write(target_, errno);

@@ -29,9 +29,10 @@ class OutputFolder {
   const std::filesystem::path& scratch() const { return scratch_; }
   const std::filesystem::path& target() const { return target_; }
 
-  // The new folder takes the target's place. Files of an earlier run go, those that its run.json
-  // does not list are carried over. Throws ConfigError; the target is then as it was.
-  void publish();
+  // The new folder takes the target's place, with the version of the program in its run.json. Files
+  // of an earlier run go, those that its run.json does not list are carried over. Throws
+  // ConfigError; the target is then as it was.
+  void publish(const std::string& version);
 
  private:
   std::filesystem::path target_;

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <mutex>
 
+#include "lab/build_info.hpp"
 #include "lab/layers.hpp"
 #include "lab/machine.hpp"
 #include "lab/output_folder.hpp"
@@ -100,7 +101,7 @@ std::vector<std::string> save(const Finished& run, const std::string& folder, bo
   origin.folder = output.target();
   const lab::Written written = lab::write_record(
       *run.record, output, lab::metrics_json(*run.record, origin), origin, page);
-  output.publish();
+  output.publish(lab::kVersion);
   return written.notes;
 }
 

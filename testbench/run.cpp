@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "lab/build_info.hpp"
 #include "lab/files.hpp"
 #include "lab/inputs.hpp"
 #include "lab/layers.hpp"
@@ -153,7 +154,7 @@ Outcome run_one(lab::Settings& settings, const fs::path& target, const Arguments
   outcome.json = lab::metrics_json(record, origin);
   const lab::Written written =
       lab::write_record(record, folder, outcome.json, origin, arguments.report);
-  folder.publish();
+  folder.publish(lab::kVersion);
   for (const std::string& note : written.notes) tell(note);
 
   const std::string shown = fs::proximate(folder.target()).string();

@@ -9,6 +9,8 @@
 #include "cosim/fault_plant.hpp"
 #include "cosim/fault_watch.hpp"
 #include "cosim/machine.hpp"
+#include "cosim/machine_chip.hpp"
+#include "tests/support/message.hpp"
 
 using namespace trammel::cosim;
 
@@ -144,6 +146,33 @@ TEST_CASE("a converter that is stuck repeats its frame, and a dip reaches the pl
   CHECK(dip.counter.share == 0.4);
   dip.to(150);
   CHECK(dip.counter.share == 1);
+}
+
+// A chip of one bit that can be flipped.
+struct OneBit final : MachineChip {
+  Clk now() const override { return 0; }
+  void sense(Lines) override {}
+  void request(const BusOp&) override {}
+  Stop run(Clk, const Plant&) override { return {}; }
+  Lines drive() const override { return 0; }
+  bool irq() const override { return false; }
+  std::uint32_t rdata() const override { return 0; }
+  Clk evaluated() const override { return 0; }
+  bool flip(const std::string& bit, bool really) override {
+    flips += really ? 1 : 0;
+    return bit == "q[0]";
+  }
+
+  int flips = 0;
+};
+
+TEST_CASE("a bit to be flipped must be one of the chip, and is only asked for ahead of the run") {
+  OneBit chip;
+  require_bit(chip, "q[0]");
+  CHECK(chip.flips == 0);
+  const std::string said =
+      trammel::test::refusal_of<OptionsError>([&chip] { require_bit(chip, "q[1]"); });
+  CHECK(said.rfind("inject.bit: \"q[1]\" is no bit of a register of this chip", 0) == 0);
 }
 
 TEST_CASE("a fault that is shorter than a clock lasts one, and one of no length does not end") {

@@ -25,7 +25,7 @@ void put(const fs::path& file, const std::string& text) { std::ofstream(file) <<
 void publish(const fs::path& target, const std::string& name, const std::string& text) {
   lab::OutputFolder folder(target);
   put(folder.scratch() / name, text);
-  folder.publish();
+  folder.publish("1.2.3");
 }
 
 }  // namespace
@@ -62,11 +62,11 @@ TEST_CASE("without an exchange of names nothing is put onto what is there") {
   const fs::path target = here.path / "a";
   lab::OutputFolder late(target);
   put(target, "mine");
-  CHECK_THROWS_WITH(late.publish(), Contains("a: --out: is not a folder"));
+  CHECK_THROWS_WITH(late.publish("1.2.3"), Contains("a: --out: is not a folder"));
   CHECK(test::content(target) == "mine");
   fs::remove(target);
   fs::create_symlink("nowhere", target);
-  CHECK_THROWS_WITH(late.publish(), Contains("a: --out: is not a folder"));
+  CHECK_THROWS_WITH(late.publish("1.2.3"), Contains("a: --out: is not a folder"));
   CHECK(fs::is_symlink(target));
 }
 

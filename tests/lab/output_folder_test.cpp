@@ -37,7 +37,7 @@ void put(const fs::path& file, const std::string& text) {
 void publish(const fs::path& target, const std::string& name, const std::string& text) {
   OutputFolder folder(target);
   put(folder.scratch() / name, text);
-  folder.publish();
+  folder.publish("1.2.3");
 }
 
 // What an act gives in a process that files' rights bind, also where it is root's.
@@ -162,7 +162,7 @@ TEST_CASE("a folder that is no run's is refused before the run and when it is pu
 
   OutputFolder late(here.path / "late");
   put(here.path / "late" / "notes.txt", "mine");
-  CHECK_THROWS_WITH(late.publish(), Contains("holds no run"));
+  CHECK_THROWS_WITH(late.publish("1.2.3"), Contains("holds no run"));
   CHECK(test::content(here.path / "late" / "notes.txt") == "mine");
 
   publish(here.path / "a", "trace.csv", "first");
@@ -210,7 +210,7 @@ TEST_CASE("a file or a link that takes the folder's place during the run is refu
     } else {
       fs::create_symlink(target, place);
     }
-    CHECK_THROWS_WITH(late.publish(), Contains("a: --out: is not a folder"));
+    CHECK_THROWS_WITH(late.publish("1.2.3"), Contains("a: --out: is not a folder"));
     if (*target == '\0') CHECK(test::content(place) == "mine");
     fs::remove(place);
   }

@@ -7,6 +7,7 @@
 #include <csignal>
 #include <vector>
 
+#include "lab/build_info.hpp"
 #include "lab/files.hpp"
 #include "lab/layers.hpp"
 #include "lab/text.hpp"
@@ -219,7 +220,7 @@ int lm628_shell(const testbench::Arguments& arguments, std::atomic<bool>& stop,
   if (arguments.json) print_json(json);
   if (!folder) return code;
   const lab::Written written = lab::write_record(record, *folder, json, origin, arguments.report);
-  folder->publish();
+  folder->publish(lab::kVersion);
   for (const std::string& note : written.notes) tell(note);
   if (!all.halt.empty()) tell(all.halt);
   const std::string shown = fs::proximate(folder->target()).string();
