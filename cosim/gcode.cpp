@@ -11,7 +11,7 @@
 #include "cosim/gcode_arc.hpp"
 #include "cosim/gcode_block.hpp"
 #include "cosim/gcode_words.hpp"
-#include "cosim/input_file.hpp"
+#include "host/input_file.hpp"
 
 namespace trammel::cosim {
 namespace {

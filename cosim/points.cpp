@@ -11,7 +11,7 @@
 #include <stdexcept>
 
 #include "cosim/gcode.hpp"
-#include "cosim/input_file.hpp"
+#include "host/input_file.hpp"
 
 namespace trammel::cosim {
 namespace {

@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "host/text.hpp"
 #include "lab/machine.hpp"
-#include "lab/text.hpp"
 
 namespace trammel::lab {
 namespace {

@@ -5,7 +5,7 @@
 #include <cctype>
 #include <string>
 
-#include "lab/files.hpp"
+#include "host/files.hpp"
 #include "lab/machine.hpp"
 
 namespace trammel::lab {

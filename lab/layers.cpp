@@ -14,11 +14,11 @@
 
 #include <nlohmann/json.hpp>
 
-#include "lab/files.hpp"
+#include "host/files.hpp"
+#include "host/parse.hpp"
+#include "host/text.hpp"
 #include "lab/heading.hpp"
 #include "lab/machine.hpp"
-#include "lab/parse.hpp"
-#include "lab/text.hpp"
 #include "lab/waves.hpp"
 
 namespace trammel::lab {

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "lab/errors.hpp"
+#include "host/errors.hpp"
 #include "lab/machine.hpp"
 
 namespace trammel::lab {

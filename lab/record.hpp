@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "cosim/machine.hpp"
-#include "lab/errors.hpp"
+#include "host/errors.hpp"
 #include "lab/figure.hpp"
 #include "lab/settings.hpp"
 

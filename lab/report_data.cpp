@@ -9,10 +9,10 @@
 #include <cmath>
 #include <numeric>
 
-#include "lab/files.hpp"
+#include "host/files.hpp"
+#include "host/output_folder.hpp"
+#include "host/parse.hpp"
 #include "lab/machines.hpp"
-#include "lab/output_folder.hpp"
-#include "lab/parse.hpp"
 
 namespace trammel::lab {
 namespace fs = std::filesystem;

@@ -12,7 +12,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "cosim/disk_vector.hpp"
+#include "host/disk_vector.hpp"
 #include "lab/machine.hpp"
 
 namespace trammel::lab {

@@ -8,10 +8,10 @@
 #include <set>
 #include <string_view>
 
-#include "lab/files.hpp"
-#include "lab/output_folder.hpp"
+#include "host/files.hpp"
+#include "host/output_folder.hpp"
+#include "host/text.hpp"
 #include "lab/report_data.hpp"
-#include "lab/text.hpp"
 #include "lab/write.hpp"
 
 namespace trammel::lab {

@@ -7,12 +7,12 @@
 #include <algorithm>
 #include <cctype>
 
+#include "host/files.hpp"
+#include "host/parse.hpp"
+#include "host/text.hpp"
 #include "lab/build_info.hpp"
-#include "lab/files.hpp"
 #include "lab/layers.hpp"
 #include "lab/machines.hpp"
-#include "lab/parse.hpp"
-#include "lab/text.hpp"
 
 namespace trammel::lab {
 namespace fs = std::filesystem;

@@ -17,7 +17,7 @@
 
 #include "cosim/fault.hpp"
 #include "cosim/machine.hpp"
-#include "lab/errors.hpp"
+#include "host/errors.hpp"
 
 namespace trammel::lab {
 

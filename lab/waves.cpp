@@ -12,12 +12,12 @@
 #include <sstream>
 #include <system_error>
 
+#include "host/child.hpp"
+#include "host/files.hpp"
+#include "host/text.hpp"
 #include "lab/build_info.hpp"
-#include "lab/child.hpp"
-#include "lab/files.hpp"
 #include "lab/layers.hpp"
 #include "lab/machine.hpp"
-#include "lab/text.hpp"
 #include "lab/view.hpp"
 
 namespace trammel::lab {

@@ -15,15 +15,15 @@
 #include <iterator>
 #include <string_view>
 
+#include "host/child.hpp"
+#include "host/files.hpp"
+#include "host/text.hpp"
 #include "lab/build_info.hpp"
-#include "lab/child.hpp"
-#include "lab/files.hpp"
 #include "lab/inputs.hpp"
 #include "lab/layers.hpp"
 #include "lab/machine.hpp"
 #include "lab/report_page.hpp"
 #include "lab/scenarios.hpp"
-#include "lab/text.hpp"
 #include "lab/waves.hpp"
 
 namespace trammel::lab {

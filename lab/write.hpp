@@ -12,8 +12,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "host/output_folder.hpp"
 #include "lab/column.hpp"
-#include "lab/output_folder.hpp"
 #include "lab/record.hpp"
 
 namespace trammel::lab {

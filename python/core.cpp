@@ -8,8 +8,8 @@
 
 #include <system_error>
 
+#include "host/errors.hpp"
 #include "lab/build_info.hpp"
-#include "lab/errors.hpp"
 #include "lab/machine.hpp"
 #include "lab/scenarios.hpp"
 #include "machines/table.hpp"

@@ -10,10 +10,10 @@
 #include <filesystem>
 #include <mutex>
 
+#include "host/output_folder.hpp"
 #include "lab/build_info.hpp"
 #include "lab/layers.hpp"
 #include "lab/machine.hpp"
-#include "lab/output_folder.hpp"
 #include "lab/report_page.hpp"
 #include "lab/write.hpp"
 #include "python/record.hpp"

@@ -5,7 +5,7 @@
 #include <chrono>
 
 #include "cosim/direct.hpp"
-#include "lab/errors.hpp"
+#include "host/errors.hpp"
 #include "lab/machine.hpp"
 
 namespace trammel::python {

@@ -3,8 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "host/files.hpp"
 #include "lab/build_info.hpp"
-#include "lab/files.hpp"
 #include "lab/machines.hpp"
 #include "lab/scenarios.hpp"
 #include "lab/write.hpp"

@@ -14,9 +14,9 @@
 #include <sstream>
 
 #include "cosim/not_built.hpp"
-#include "lab/errors.hpp"
+#include "host/errors.hpp"
+#include "host/text.hpp"
 #include "lab/scenarios.hpp"
-#include "lab/text.hpp"
 #include "machines/table.hpp"
 #include "testbench/arguments.hpp"
 #include "testbench/run.hpp"

@@ -9,15 +9,15 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "host/files.hpp"
+#include "host/output_folder.hpp"
+#include "host/text.hpp"
 #include "lab/build_info.hpp"
-#include "lab/files.hpp"
 #include "lab/inputs.hpp"
 #include "lab/layers.hpp"
 #include "lab/machines.hpp"
-#include "lab/output_folder.hpp"
 #include "lab/report_page.hpp"
 #include "lab/scenarios.hpp"
-#include "lab/text.hpp"
 #include "lab/write.hpp"
 
 namespace trammel::testbench {

@@ -13,7 +13,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "lab/text.hpp"
+#include "host/text.hpp"
 
 namespace trammel::testbench {
 namespace {

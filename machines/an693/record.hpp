@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "cosim/disk_vector.hpp"
+#include "host/disk_vector.hpp"
 #include "machines/an693/options.hpp"
 #include "parts/lm628/chip.hpp"
 

@@ -6,8 +6,8 @@
 #include <functional>
 #include <utility>
 
-#include "cosim/disk_vector.hpp"
 #include "cosim/event_hash.hpp"
+#include "host/disk_vector.hpp"
 #include "machines/an693/record.hpp"
 
 namespace trammel::an693 {

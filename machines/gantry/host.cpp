@@ -14,7 +14,7 @@
 #include <thread>
 
 #include "cosim/machine.hpp"
-#include "lab/errors.hpp"
+#include "host/errors.hpp"
 #include "sw_nios/apps/gantry/protocol.hpp"
 
 namespace trammel::gantry {

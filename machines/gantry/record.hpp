@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "cosim/disk_vector.hpp"
+#include "host/disk_vector.hpp"
 #include "machines/gantry/chip.hpp"
 #include "machines/gantry/identification.hpp"
 #include "machines/gantry/options.hpp"

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "lab/errors.hpp"
+#include "host/errors.hpp"
 #include "machines/kung/machine.hpp"
 #include "machines/kung/plan.hpp"
 #include "machines/kung/plan_parts.hpp"

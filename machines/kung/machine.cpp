@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "lab/files.hpp"
+#include "host/files.hpp"
 #include "machines/kung/figures.hpp"
 #include "machines/kung/plan_feed.hpp"
 #include "machines/kung/precision_figures.hpp"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "cosim/gcode.hpp"
-#include "cosim/input_file.hpp"
+#include "host/input_file.hpp"
 #include "machines/kung/plan_feed.hpp"
 #include "machines/kung/plan_parts.hpp"
 

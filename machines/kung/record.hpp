@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "cosim/core.hpp"
-#include "cosim/disk_vector.hpp"
+#include "host/disk_vector.hpp"
 #include "machines/kung/load.hpp"
 #include "machines/kung/options.hpp"
 #include "machines/kung/wakes.hpp"

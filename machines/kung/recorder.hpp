@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <functional>
 
-#include "cosim/disk_vector.hpp"
 #include "cosim/event_hash.hpp"
+#include "host/disk_vector.hpp"
 #include "machines/kung/chip.hpp"
 #include "machines/kung/record.hpp"
 

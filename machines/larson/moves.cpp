@@ -11,9 +11,9 @@
 #include <sstream>
 #include <utility>
 
-#include "cosim/input_file.hpp"
-#include "lab/errors.hpp"
-#include "lab/text.hpp"
+#include "host/errors.hpp"
+#include "host/input_file.hpp"
+#include "host/text.hpp"
 #include "machines/larson/script.hpp"
 
 namespace trammel::larson {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "cosim/disk_vector.hpp"
+#include "host/disk_vector.hpp"
 #include "machines/larson/chip.hpp"
 #include "machines/larson/options.hpp"
 

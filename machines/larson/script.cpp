@@ -11,12 +11,12 @@
 #include <optional>
 #include <sstream>
 
-#include "cosim/input_file.hpp"
 #include "cosim/machine.hpp"
-#include "lab/errors.hpp"
+#include "host/errors.hpp"
+#include "host/input_file.hpp"
+#include "host/text.hpp"
 #include "lab/scenarios.hpp"
 #include "lab/settings.hpp"
-#include "lab/text.hpp"
 
 namespace trammel::larson {
 namespace {

@@ -7,7 +7,7 @@
 
 #include <fmt/format.h>
 
-#include "lab/files.hpp"
+#include "host/files.hpp"
 #include "lab/report_data.hpp"
 #include "machines/mcafee/machine.hpp"
 

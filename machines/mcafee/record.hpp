@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "cosim/disk_vector.hpp"
+#include "host/disk_vector.hpp"
 #include "machines/mcafee/chip.hpp"
 #include "machines/mcafee/options.hpp"
 

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "lab/errors.hpp"
+#include "host/errors.hpp"
 
 namespace trammel::lm628 {
 

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "lab/errors.hpp"
+#include "host/errors.hpp"
 
 namespace trammel::lm628 {
 namespace {

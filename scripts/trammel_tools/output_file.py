@@ -14,7 +14,7 @@ from pathlib import Path
 
 IDENTITY = "run.json"
 PAGE = "report.html"  # made again at any time
-# Of a record without a list, as in lab/output_folder.cpp.
+# Of a record without a list, as in host/output_folder.cpp.
 RECORD = {"detail.json", "metrics.json", "run.toml", "script.lm628", "trace.csv", "waves.fst",
           "waves.gtkw", "waves.vcd"}
 

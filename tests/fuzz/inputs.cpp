@@ -11,14 +11,14 @@
 
 #include "cosim/gcode.hpp"
 #include "cosim/points.hpp"
-#include "lab/files.hpp"
+#include "host/files.hpp"
+#include "host/parse.hpp"
+#include "host/text.hpp"
 #include "lab/layers.hpp"
 #include "lab/machine.hpp"
-#include "lab/parse.hpp"
 #include "lab/report_data.hpp"
 #include "lab/report_page.hpp"
 #include "lab/scenarios.hpp"
-#include "lab/text.hpp"
 #include "lab/write.hpp"
 #include "tests/support/moves_check.hpp"
 

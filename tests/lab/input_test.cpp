@@ -8,10 +8,10 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "lab/files.hpp"
+#include "host/files.hpp"
+#include "host/parse.hpp"
 #include "lab/layers.hpp"
 #include "lab/machine.hpp"
-#include "lab/parse.hpp"
 #include "lab/scenarios.hpp"
 #include "tests/support/message.hpp"
 #include "tests/support/scratch.hpp"

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "lab/files.hpp"
+#include "host/files.hpp"
 #include "lab/inputs.hpp"
 #include "lab/layers.hpp"
 #include "lab/machine.hpp"

@@ -13,7 +13,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "lab/files.hpp"
+#include "host/files.hpp"
 #include "lab/machine.hpp"
 #include "lab/report_data.hpp"
 #include "tests/support/files.hpp"

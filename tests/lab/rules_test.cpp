@@ -10,11 +10,11 @@
 #include <fstream>
 #include <string>
 
+#include "host/text.hpp"
 #include "lab/layers.hpp"
 #include "lab/machine.hpp"
 #include "lab/record.hpp"
 #include "lab/scenarios.hpp"
-#include "lab/text.hpp"
 #include "tests/support/message.hpp"
 
 using namespace trammel;

@@ -11,11 +11,11 @@
 #include <sys/resource.h>
 #include <vector>
 
-#include "lab/files.hpp"
+#include "host/files.hpp"
+#include "host/text.hpp"
 #include "lab/heading.hpp"
 #include "lab/machine.hpp"
 #include "lab/settings.hpp"
-#include "lab/text.hpp"
 
 using namespace trammel;
 using namespace trammel::lab;

@@ -10,7 +10,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "lab/files.hpp"
+#include "host/files.hpp"
 #include "lab/layers.hpp"
 #include "lab/machine.hpp"
 #include "tests/support/files.hpp"

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "lab/files.hpp"
+#include "host/files.hpp"
+#include "host/text.hpp"
 #include "lab/machine.hpp"
 #include "lab/scenarios.hpp"
-#include "lab/text.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/scratch.hpp"
 #include "tests/support/short_run.hpp"

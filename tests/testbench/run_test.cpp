@@ -9,10 +9,10 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "host/text.hpp"
 #include "lab/layers.hpp"
 #include "lab/machine.hpp"
 #include "lab/scenarios.hpp"
-#include "lab/text.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/scratch.hpp"
 #include "tests/support/short_run.hpp"

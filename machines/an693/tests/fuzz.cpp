@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // LM628 scripts of any bytes.
-#include "lab/errors.hpp"
+#include "host/errors.hpp"
 #include "machines/an693/verbs/script.hpp"
 #include "tests/fuzz/inputs.hpp"
 

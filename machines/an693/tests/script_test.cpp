@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "lab/files.hpp"
+#include "host/files.hpp"
 #include "lab/scenarios.hpp"
 #include "machines/an693/verbs/script.hpp"
 #include "machines/an693/verbs/shell.hpp"

@@ -11,9 +11,9 @@
 #include <limits>
 #include <sstream>
 
-#include "lab/errors.hpp"
+#include "host/errors.hpp"
+#include "host/text.hpp"
 #include "lab/scenarios.hpp"
-#include "lab/text.hpp"
 #include "machines/an693/record.hpp"
 
 namespace trammel::an693 {

@@ -7,10 +7,10 @@
 #include <csignal>
 #include <vector>
 
+#include "host/files.hpp"
+#include "host/text.hpp"
 #include "lab/build_info.hpp"
-#include "lab/files.hpp"
 #include "lab/layers.hpp"
-#include "lab/text.hpp"
 #include "lab/write.hpp"
 #include "machines/an693/machine.hpp"
 #include "machines/an693/verbs/shell.hpp"

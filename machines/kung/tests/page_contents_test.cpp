@@ -12,7 +12,7 @@
 #include <string>
 #include <sys/stat.h>
 
-#include "lab/output_folder.hpp"
+#include "host/output_folder.hpp"
 #include "lab/report_data.hpp"
 #include "lab/scenarios.hpp"
 #include "lab/write.hpp"

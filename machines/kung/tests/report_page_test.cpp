@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
-#include "lab/files.hpp"
+#include "host/files.hpp"
 #include "lab/report_data.hpp"
 #include "lab/report_page.hpp"
 #include "machines/kung/afc_steps.hpp"

@@ -9,8 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "host/errors.hpp"
 #include "lab/build_info.hpp"
-#include "lab/errors.hpp"
 #include "lab/layers.hpp"
 #include "lab/record.hpp"
 #include "lab/scenarios.hpp"

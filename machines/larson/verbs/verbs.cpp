@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "lab/errors.hpp"
+#include "host/errors.hpp"
 #include "lab/scenarios.hpp"
 #include "machines/larson/machine.hpp"
 #include "testbench/run.hpp"

@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <string>
 
-#include "lab/files.hpp"
+#include "host/files.hpp"
 #include "lab/layers.hpp"
 #include "lab/report_data.hpp"
 #include "lab/report_page.hpp"

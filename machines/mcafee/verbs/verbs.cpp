@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "lab/output_folder.hpp"
+#include "host/output_folder.hpp"
+#include "host/text.hpp"
 #include "lab/scenarios.hpp"
-#include "lab/text.hpp"
 #include "machines/mcafee/machine.hpp"
 #include "testbench/run.hpp"
 

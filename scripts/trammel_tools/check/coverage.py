@@ -14,8 +14,8 @@ Every line and branch is executed, or it is listed in coverage.toml with a reaso
 and the states that a `cover` of the properties names, stay above a floor for each block. Generated
 register blocks are exempt.
 C++, counted by the unit tests and runs of the sanitized build (scripts/tool sanitize): lines of
-models, sw_nios, cosim, systemc, lab, parts, machines and testbench stay above a floor for each
-folder. A line of a template counts once; generated files and the tests themselves do not count.
+each folder from host to testbench stay above its floor. A line of a template counts once;
+generated files and the tests themselves do not count.
 
 Exit codes: 0 all above their floors, 1 something is not, 2 no counts, 3 a tool is missing.
 """

@@ -8,11 +8,11 @@ from collections import Counter
 from pathlib import Path
 
 from trammel_tools import python_tools
+from trammel_tools.check.rooms import ROOMS
 from trammel_tools.paths import ROOT
 
 OBJECTS = ROOT / "build" / "asan"
 PAGES = ROOT / "build" / "coverage" / "cpp"
-FOLDERS = ("models", "sw_nios", "cosim", "systemc", "lab", "parts", "machines", "testbench")
 EACH = ("models", "parts", "machines")  # whose folders have floors of their own
 
 
@@ -28,7 +28,7 @@ def gcovr(*output):
     python_tools.need("gcovr", "coverage")
     if not counted():
         raise NoCounts(f"no counts in {OBJECTS.relative_to(ROOT)}: run `trammel coverage`")
-    filters = [f"--filter={ROOT}/{folder}/" for folder in FOLDERS]
+    filters = [f"--filter={ROOT}/{folder}/" for folder in ROOMS]
     done = subprocess.run([sys.executable, "-m", "gcovr", "--root", ROOT, *filters, "-j", "2",
                            "--exclude=.*/generated/.*", "--exclude=.*/machines/.*/tests/.*",
                            "--merge-mode-functions=separate", *output, OBJECTS],

@@ -6,13 +6,14 @@ A target may link those of its own room and of the rooms below it, and no target
 
 from pathlib import Path
 
+from trammel_tools.check.rooms import ROOMS
+
 LINKS = Path("build", "links.txt")
-# From the lowest up; a folder that is not named is above all of them.
-ROOMS = [".", "models", "sw_nios", "cosim", "systemc", "lab", "parts", "machines", "testbench"]
+ORDER = [".", *ROOMS]  # a folder that is not named is above all of them
 
 
 def level(room):
-    return ROOMS.index(room) if room in ROOMS else len(ROOMS)
+    return ORDER.index(room) if room in ORDER else len(ORDER)
 
 
 def read(text):

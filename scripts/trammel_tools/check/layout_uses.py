@@ -3,14 +3,16 @@
 
 import re
 
-FOLDERS = ("rtl/", "models/", "sw_nios/", "cosim/", "systemc/", "lab/", "parts/", "machines/",
-           "testbench/", "examples/", "python/", "tests/")
+from trammel_tools.check.rooms import ROOMS
+
+FOLDERS = tuple(f"{one}/" for one in (*ROOMS, "rtl", "examples", "python", "tests"))
 FIRMWARE = ["sw_nios/hal/", "sw_nios/path/"]
-LOOP = ["cosim/", "models/", *FIRMWARE, "rtl/chips/generated/"]
+LOOP = ["cosim/", "host/", "models/", *FIRMWARE, "rtl/chips/generated/"]
 TABLE = "machines/table.hpp"  # of the machines that a program is linked with
 MACHINE = ["parts/", "lab/", *LOOP]  # and its own folders; a part too
 # Folder of a C++ file -> prefixes of the repository's headers that it may include.
 USES = {
+    "host": ["host/"],
     "models/fixed": ["models/fixed/"],
     "models/exact": ["models/exact/", "models/fixed/"],
     "models/ideal": ["models/ideal/"],
@@ -18,11 +20,11 @@ USES = {
     "sw_nios": [*FIRMWARE, "models/fixed/"],
     "cosim": LOOP,
     "systemc": ["systemc/", *LOOP],
-    "lab": ["lab/", "systemc/", "cosim/"],
+    "lab": ["lab/", "systemc/", "cosim/", "host/"],
     "parts": MACHINE,
-    "testbench": ["testbench/", "lab/", "cosim/", TABLE],
-    "examples": ["lab/", "cosim/", TABLE],
-    "python": ["python/", "lab/", "cosim/", TABLE],
+    "testbench": ["testbench/", "lab/", "cosim/", "host/", TABLE],
+    "examples": ["lab/", "cosim/", "host/", TABLE],
+    "python": ["python/", "lab/", "cosim/", "host/", TABLE],
     "tests": [*FOLDERS, "support/"],
 }
 # Register maps, which all of them may have; and signals of a chip by their place in its model.

@@ -10,13 +10,13 @@ import subprocess
 from collections.abc import Callable
 from pathlib import Path
 
+from trammel_tools.check.rooms import ROOMS
 from trammel_tools.evidence import sources
 from trammel_tools.evidence.sources import BUILD, matching
 from trammel_tools.mutation import mutant_tests
 
 # Files of the repository.
-SHARED = ("models/**", "sw_nios/**", "cosim/**", "systemc/**", "lab/**", "parts/**",
-          "testbench/**", "third_party/**", *BUILD)
+SHARED = (*(f"{room}/**" for room in ROOMS if room != "machines"), "third_party/**", *BUILD)
 CODE = *SHARED, "machines/**", "rtl/**.hpp"  # all of a run by the twin engine
 PRODUCT = *CODE, "rtl/**"
 TESTS = ("tests/**",)
@@ -82,7 +82,8 @@ def of_unit_test(layer, block):
 
 def of_coverage(found):
     return (of_unit_test(found[1], found[2]) | matching(*BUILD)
-            | sources.tools("check/coverage", "check/coverage_cpp", "check/rtl_counts", "rtl"))
+            | sources.tools("check/coverage", "check/coverage_cpp", "check/rooms",
+                            "check/rtl_counts", "rtl"))
 
 
 def of_mutants(found):

@@ -7,6 +7,7 @@ import re
 import subprocess
 from pathlib import Path
 
+from trammel_tools.check.rooms import ROOMS
 from trammel_tools.paths import ROOT
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.M)
@@ -103,8 +104,7 @@ def included(name):
 def units():
     """{header: units that implement it}: a unit includes its own header first."""
     found = {}
-    for name in matching("models/**.cpp", "sw_nios/**.cpp", "cosim/**.cpp", "systemc/**.cpp",
-                         "lab/**.cpp", "parts/**.cpp", "machines/**.cpp"):
+    for name in matching(*(f"{room}/**.cpp" for room in ROOMS)):
         own = INCLUDE.search((ROOT / name).read_text(encoding="utf-8", errors="replace"))
         if own and "/tests/" not in name:
             found.setdefault(own[1], set()).add(name)

@@ -7,7 +7,7 @@
 #include <catch2/catch.hpp>
 #include <filesystem>
 
-#include "lab/files.hpp"
+#include "host/files.hpp"
 #include "lab/layers.hpp"
 #include "lab/scenarios.hpp"
 #include "lab/write.hpp"

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <string>
 
-#include "cosim/disk_vector.hpp"
 #include "cosim/machine.hpp"
+#include "host/disk_vector.hpp"
 #include "machines/@name@/options.hpp"
 
 namespace trammel::@name@ {

@@ -9,8 +9,8 @@
 #include <functional>
 #include <string>
 
-#include "cosim/input_file.hpp"
-#include "lab/errors.hpp"
+#include "host/errors.hpp"
+#include "host/input_file.hpp"
 
 namespace trammel::lab {
 

@@ -8,8 +8,8 @@
 #include <filesystem>
 #include <string>
 
-#include "lab/errors.hpp"
-#include "lab/folder_lock.hpp"
+#include "host/errors.hpp"
+#include "host/folder_lock.hpp"
 
 namespace trammel::lab {
 

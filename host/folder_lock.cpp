@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "lab/folder_lock.hpp"
+#include "host/folder_lock.hpp"
 
 #include <fcntl.h>
 #include <sys/file.h>

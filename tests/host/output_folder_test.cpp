@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // How the folder of a run comes to its place; whole programs do it in tests/system/files_test.py.
-#include "lab/output_folder.hpp"
+#include "host/output_folder.hpp"
 
 #include <fcntl.h>
 #include <linux/capability.h>
@@ -17,7 +17,7 @@
 #include <string>
 #include <utility>
 
-#include "lab/files.hpp"
+#include "host/files.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/message.hpp"
 #include "tests/support/scratch.hpp"

@@ -7,7 +7,7 @@
 #include <fstream>
 #include <string>
 
-#include "lab/output_folder.hpp"
+#include "host/output_folder.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/message.hpp"
 #include "tests/support/scratch.hpp"

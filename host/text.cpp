@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "lab/text.hpp"
+#include "host/text.hpp"
 
 #include <fmt/format.h>
 #include <sys/resource.h>

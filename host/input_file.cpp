@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cosim/input_file.hpp"
+#include "host/input_file.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "lab/files.hpp"
+#include "host/files.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -13,7 +13,7 @@
 #include <cstring>
 #include <memory>
 
-#include "lab/text.hpp"
+#include "host/text.hpp"
 
 namespace trammel::lab {
 namespace fs = std::filesystem;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "lab/output_folder.hpp"
+#include "host/output_folder.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -21,8 +21,8 @@
 
 #include <nlohmann/json.hpp>
 
-#include "lab/files.hpp"
-#include "lab/parse.hpp"
+#include "host/files.hpp"
+#include "host/parse.hpp"
 
 namespace trammel::lab {
 namespace fs = std::filesystem;

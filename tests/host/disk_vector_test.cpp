@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cosim/disk_vector.hpp"
+#include "host/disk_vector.hpp"
 
 #include <sys/resource.h>
 

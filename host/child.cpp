@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "lab/child.hpp"
+#include "host/child.hpp"
 
 #include <fcntl.h>
 #include <spawn.h>

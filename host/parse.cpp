@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "lab/parse.hpp"
+#include "host/parse.hpp"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "lab/errors.hpp"
+#include "host/errors.hpp"
 
 namespace trammel::lab {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Programs that are joined by a pipe: what they get, what is known of their end, what is left.
-#include "lab/child.hpp"
+#include "host/child.hpp"
 
 #include <sys/wait.h>
 
