@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "cosim/machine.hpp"
-#include "cosim/points.hpp"
 #include "lab/settings.hpp"
 #include "models/ideal/moves.hpp"
 #include "models/plant/xy_table.hpp"
+#include "paths/points.hpp"
 #include "sw_nios/path/trajectory.hpp"
 
 namespace trammel::kung {

@@ -9,10 +9,10 @@
 #include <utility>
 #include <vector>
 
-#include "cosim/gcode.hpp"
 #include "host/input_file.hpp"
 #include "machines/kung/plan_feed.hpp"
 #include "machines/kung/plan_parts.hpp"
+#include "paths/gcode.hpp"
 
 namespace trammel::kung {
 namespace {

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "cosim/machine.hpp"
-#include "cosim/points.hpp"
 #include "models/plant/trig.hpp"
+#include "paths/points.hpp"
 
 namespace trammel::mcafee {
 namespace {

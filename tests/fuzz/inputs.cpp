@@ -9,8 +9,6 @@
 #include <memory>
 #include <sstream>
 
-#include "cosim/gcode.hpp"
-#include "cosim/points.hpp"
 #include "host/files.hpp"
 #include "host/parse.hpp"
 #include "host/text.hpp"
@@ -20,6 +18,8 @@
 #include "lab/report_page.hpp"
 #include "lab/scenarios.hpp"
 #include "lab/write.hpp"
+#include "paths/gcode.hpp"
+#include "paths/points.hpp"
 #include "tests/support/moves_check.hpp"
 
 namespace trammel::fuzz {

@@ -7,9 +7,9 @@ from trammel_tools.check.rooms import ROOMS
 
 FOLDERS = tuple(f"{one}/" for one in (*ROOMS, "rtl", "examples", "python", "tests"))
 FIRMWARE = ["sw_nios/hal/", "sw_nios/path/"]
-LOOP = ["cosim/", "host/", "models/", *FIRMWARE, "rtl/chips/generated/"]
+LOOP = ["cosim/", "models/", *FIRMWARE, "rtl/chips/generated/"]
 TABLE = "machines/table.hpp"  # of the machines that a program is linked with
-MACHINE = ["parts/", "lab/", *LOOP]  # and its own folders; a part too
+MACHINE = ["parts/", "lab/", "paths/", "host/", *LOOP]  # and its own folders; a part too
 # Folder of a C++ file -> prefixes of the repository's headers that it may include.
 USES = {
     "host": ["host/"],
@@ -18,6 +18,7 @@ USES = {
     "models/ideal": ["models/ideal/"],
     "models/plant": ["models/plant/", "models/fixed/"],
     "sw_nios": [*FIRMWARE, "models/fixed/"],
+    "paths": ["paths/", "host/", "models/ideal/"],
     "cosim": LOOP,
     "systemc": ["systemc/", *LOOP],
     "lab": ["lab/", "systemc/", "cosim/", "host/"],

@@ -27,7 +27,7 @@ class Page(unittest.TestCase):
     def test_each_message_is_on_the_page(self):
         page = (ROOT / "docs" / "gcode.md").read_text(encoding="utf-8")
         spans = re.findall(r"`([^`\n]+)`", page.replace("```", ""))
-        found = [text for file in sorted((ROOT / "cosim").glob("gcode*.cpp"))
+        found = [text for file in sorted((ROOT / "paths").glob("gcode*.cpp"))
                  for text in messages(file.read_text(encoding="utf-8"))]
         self.assertGreater(len(found), 50)
         self.assertEqual([text for text in found if not is_told(text, spans)], [])

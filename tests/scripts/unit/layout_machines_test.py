@@ -151,6 +151,8 @@ class UsesTest(Layout):
                 ("host/text.hpp", "models/fixed/fixed.hpp", "host"),
                 ("host/text.hpp", "lab/record.hpp", "host"),
                 ("models/plant/motor.hpp", "host/text.hpp", "models/plant"),
+                ("paths/gcode.hpp", "cosim/loop.hpp", "paths"),
+                ("cosim/loop.hpp", "host/text.hpp", "cosim"),
                 ("cosim/loop.hpp", "lab/record.hpp", "cosim"),
                 ("cosim/loop.hpp", "systemc/platform.hpp", "cosim"),
                 ("systemc/platform.hpp", "lab/record.hpp", "systemc"),

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cosim/gcode.hpp"
+#include "paths/gcode.hpp"
 #include "tests/support/moves_check.hpp"
 #include "tests/support/random_gcode.hpp"
 

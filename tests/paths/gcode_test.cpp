@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "cosim/gcode.hpp"
-#include "cosim/gcode_arc.hpp"
+#include "paths/gcode.hpp"
+#include "paths/gcode_arc.hpp"
 
 namespace {
 

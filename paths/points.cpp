@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cosim/points.hpp"
+#include "paths/points.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,8 +10,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "cosim/gcode.hpp"
 #include "host/input_file.hpp"
+#include "paths/gcode.hpp"
 
 namespace trammel::cosim {
 namespace {

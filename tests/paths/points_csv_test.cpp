@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <sstream>
 
-#include "cosim/points.hpp"
+#include "paths/points.hpp"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "cosim/gcode.hpp"
+#include "paths/gcode.hpp"
 
 namespace {
 

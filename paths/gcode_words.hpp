@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "cosim/gcode_block.hpp"
+#include "paths/gcode_block.hpp"
 
 namespace trammel::cosim {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cosim/gcode.hpp"
+#include "paths/gcode.hpp"
 
 #include <fmt/format.h>
 
@@ -8,10 +8,10 @@
 #include <cstdint>
 #include <utility>
 
-#include "cosim/gcode_arc.hpp"
-#include "cosim/gcode_block.hpp"
-#include "cosim/gcode_words.hpp"
 #include "host/input_file.hpp"
+#include "paths/gcode_arc.hpp"
+#include "paths/gcode_block.hpp"
+#include "paths/gcode_words.hpp"
 
 namespace trammel::cosim {
 namespace {

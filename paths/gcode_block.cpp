@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cosim/gcode_block.hpp"
+#include "paths/gcode_block.hpp"
 
 #include <fmt/format.h>
 

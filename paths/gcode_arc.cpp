@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "cosim/gcode_arc.hpp"
+#include "paths/gcode_arc.hpp"
 
 #include <algorithm>
 #include <array>
