@@ -9,7 +9,7 @@
 #include <cerrno>
 #include <csignal>
 
-namespace trammel::lab {
+namespace trammel::host {
 
 Child::Child(const std::vector<std::string>& words, Pipe pipe,
              const std::filesystem::path& folder) {
@@ -56,4 +56,4 @@ bool Child::ended() {
   return good;
 }
 
-}  // namespace trammel::lab
+}  // namespace trammel::host

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-namespace trammel::lab {
+namespace trammel::host {
 
 class Child {
  public:
@@ -33,4 +33,4 @@ class Child {
   pid_t id_ = -1;
 };
 
-}  // namespace trammel::lab
+}  // namespace trammel::host

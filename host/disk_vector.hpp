@@ -21,7 +21,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace trammel::cosim {
+namespace trammel::host {
 
 // Throws std::system_error when the temporary file cannot be made, written or read.
 template <class T>
@@ -138,4 +138,4 @@ class DiskVector {
   mutable std::size_t read_block_ = 0;
 };
 
-}  // namespace trammel::cosim
+}  // namespace trammel::host

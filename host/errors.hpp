@@ -6,7 +6,7 @@
 
 #include <stdexcept>
 
-namespace trammel::lab {
+namespace trammel::host {
 
 // Files, keys, folders and command lines. Exit code 2.
 struct ConfigError : std::runtime_error {
@@ -18,4 +18,4 @@ struct ToolMissing : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-}  // namespace trammel::lab
+}  // namespace trammel::host

@@ -15,7 +15,7 @@
 
 #include "host/text.hpp"
 
-namespace trammel::lab {
+namespace trammel::host {
 namespace fs = std::filesystem;
 namespace {
 
@@ -74,11 +74,11 @@ void write_new(const fs::path& file, const std::string& text) {
 }  // namespace
 
 std::string read_text(const fs::path& file, std::uintmax_t most) {
-  return reading([&] { return cosim::read_file(file.string(), most); });
+  return reading([&] { return read_file(file.string(), most); });
 }
 
 std::string read_standard_input(std::uintmax_t most) {
-  return reading([&] { return cosim::InputFile::standard_input(most).rest(); });
+  return reading([&] { return InputFile::standard_input(most).rest(); });
 }
 
 void write_text(const fs::path& file, const std::string& text) {
@@ -148,4 +148,4 @@ std::string shell_argument(const std::string& text) {
   return plain ? text : shell_word(text);
 }
 
-}  // namespace trammel::lab
+}  // namespace trammel::host

@@ -12,22 +12,22 @@
 #include "host/errors.hpp"
 #include "host/input_file.hpp"
 
-namespace trammel::lab {
+namespace trammel::host {
 
 // Where a run goes: `out` as it was asked for, or the scenario's own folder.
 std::filesystem::path target_of(const std::string& out, const std::string& scenario);
 
 // Most that is read of a file; docs/files.md has them all. [bytes]
-constexpr std::uintmax_t kMostWritten = 4 * cosim::kMiB;  // by a person: a scenario, a script
-constexpr std::uintmax_t kMostRecord = 256 * cosim::kMiB;
-constexpr std::uintmax_t kMostTrace = 16 * 1024 * cosim::kMiB;
+constexpr std::uintmax_t kMostWritten = 4 * kMiB;  // by a person: a scenario, a script
+constexpr std::uintmax_t kMostRecord = 256 * kMiB;
+constexpr std::uintmax_t kMostTrace = 16 * 1024 * kMiB;
 
 // What `read` returns; errors of the files that it reads are ConfigErrors.
 template <class Read>
 auto reading(Read read) {
   try {
     return read();
-  } catch (const cosim::InputError& error) {
+  } catch (const InputError& error) {
     throw ConfigError(error.what());
   }
 }
@@ -54,4 +54,4 @@ std::string shell_word(const std::filesystem::path& path);
 // The same, but quoted only where that is needed.
 std::string shell_argument(const std::string& text);
 
-}  // namespace trammel::lab
+}  // namespace trammel::host

@@ -10,7 +10,7 @@
 #include <thread>
 #include <utility>
 
-namespace trammel::lab {
+namespace trammel::host {
 namespace fs = std::filesystem;
 
 FolderLock::FolderLock(const fs::path& folder, std::chrono::milliseconds patience)
@@ -50,4 +50,4 @@ bool FolderLock::is_of(const fs::path& folder) const {
          own.st_ino == there.st_ino;
 }
 
-}  // namespace trammel::lab
+}  // namespace trammel::host

@@ -4,7 +4,7 @@
 #include <chrono>
 #include <filesystem>
 
-namespace trammel::lab {
+namespace trammel::host {
 
 // An advisory lock of a folder, held as long as this lives; it ends with the process too.
 class FolderLock {
@@ -26,4 +26,4 @@ class FolderLock {
   bool busy_ = false;
 };
 
-}  // namespace trammel::lab
+}  // namespace trammel::host

@@ -10,7 +10,7 @@
 #include <cstring>
 #include <utility>
 
-namespace trammel::cosim {
+namespace trammel::host {
 namespace {
 
 constexpr std::size_t kBlock = 1 << 16;        // [bytes]
@@ -101,4 +101,4 @@ std::string read_file(const std::string& file, std::uintmax_t most) {
   return InputFile(file, most).rest();
 }
 
-}  // namespace trammel::cosim
+}  // namespace trammel::host

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace trammel::cosim {
+namespace trammel::host {
 
 struct InputError : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
@@ -57,4 +57,4 @@ inline std::string_view past_mark(std::string_view text) {
   return text.substr(0, 3) == "\xEF\xBB\xBF" ? text.substr(3) : text;
 }
 
-}  // namespace trammel::cosim
+}  // namespace trammel::host

@@ -24,7 +24,7 @@
 #include "host/files.hpp"
 #include "host/parse.hpp"
 
-namespace trammel::lab {
+namespace trammel::host {
 namespace fs = std::filesystem;
 namespace {
 
@@ -58,7 +58,7 @@ Json entry_of(const fs::path& file) {
   std::uint64_t bytes = 0;
   uLong sum = 0;
   reading([&] {  // in blocks, however long the waves are
-    cosim::InputFile in(file.string(), std::numeric_limits<std::uintmax_t>::max());
+    InputFile in(file.string(), std::numeric_limits<std::uintmax_t>::max());
     while (const std::size_t size = in.read(block.data(), block.size())) {
       sum = crc32_z(sum, reinterpret_cast<const Bytef*>(block.data()), size);
       bytes += size;
@@ -361,4 +361,4 @@ void check_whole(const fs::path& folder) {
   }
 }
 
-}  // namespace trammel::lab
+}  // namespace trammel::host

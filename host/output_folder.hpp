@@ -11,7 +11,7 @@
 #include "host/errors.hpp"
 #include "host/folder_lock.hpp"
 
-namespace trammel::lab {
+namespace trammel::host {
 
 // Throws ConfigError for a folder that a run must not replace.
 void check_replaceable(const std::filesystem::path& target);
@@ -49,4 +49,4 @@ void check_whole(const std::filesystem::path& folder);
 void check_result_file(const std::filesystem::path& file);
 void write_result_file(const std::filesystem::path& file, const std::string& text);
 
-}  // namespace trammel::lab
+}  // namespace trammel::host

@@ -10,7 +10,7 @@
 
 #include "host/errors.hpp"
 
-namespace trammel::lab {
+namespace trammel::host {
 namespace {
 
 using nlohmann::ordered_json;
@@ -83,4 +83,4 @@ ordered_json parse_object(const std::string& text, const std::filesystem::path& 
   refuse_json(file, "not a JSON object");
 }
 
-}  // namespace trammel::lab
+}  // namespace trammel::host

@@ -10,7 +10,7 @@
 
 #include <nlohmann/json_fwd.hpp>
 
-namespace trammel::lab {
+namespace trammel::host {
 
 // Parts in parts beyond this are in no scenario, and in no file of a run.
 constexpr int kDeepest = 64;
@@ -24,4 +24,4 @@ void check_depth(const std::string& toml, const std::string& source);
 // An object. Throws ConfigError that names the file and what is corrupt.
 nlohmann::ordered_json parse_object(const std::string& text, const std::filesystem::path& file);
 
-}  // namespace trammel::lab
+}  // namespace trammel::host

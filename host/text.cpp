@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-namespace trammel::lab {
+namespace trammel::host {
 namespace {
 
 constexpr char kCut[] = "\xE2\x80\xA6";  // an ellipsis
@@ -147,4 +147,4 @@ std::string reason_of(const std::exception& error) {
   return "memory did not suffice: the system gave no more";
 }
 
-}  // namespace trammel::lab
+}  // namespace trammel::host

@@ -7,7 +7,7 @@
 #include <exception>
 #include <string>
 
-namespace trammel::lab {
+namespace trammel::host {
 
 // With \u001b for a control character and \xff for a byte that is not UTF-8.
 std::string printable(const std::string& text);
@@ -28,4 +28,4 @@ std::string time_text(double s, int digits = 9);
 // Its text; of std::bad_alloc which memory did not suffice.
 std::string reason_of(const std::exception& error);
 
-}  // namespace trammel::lab
+}  // namespace trammel::host

@@ -28,7 +28,7 @@ Altered::iterator find(Altered& altered, const std::string& name) {
 std::string shown_value(const Settings& settings, const Key& key) {
   const Value value = key.get(settings);
   const auto* const real = std::get_if<double>(&value);
-  return real != nullptr ? fmt::format("{}", *real) : shown(value_text(value));
+  return real != nullptr ? fmt::format("{}", *real) : host::shown(value_text(value));
 }
 
 // The short form where both axes have this value.
@@ -66,7 +66,7 @@ void note_change(Settings& settings, const Key& key, const Value& before) {
   if (heading.altered.empty()) heading.own = settings.description;
   if (key.name == machine.described_by) {
     heading.own = fmt::format("{} = {} in place of the scenario's {}", key.name,
-                              shown_value(settings, key), shown(value_text(before)));
+                              shown_value(settings, key), host::shown(value_text(before)));
   } else if (machine.alters != nullptr) {
     const auto at = find(heading.altered, key.name);
     const Value now = key.get(settings);

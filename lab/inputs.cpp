@@ -31,17 +31,17 @@ std::string copy_name(const Key& key, const fs::path& file) {
 }  // namespace
 
 void copy_inputs(const Settings& settings, const fs::path& folder) {
-  constexpr std::uintmax_t kMost = 16 * cosim::kMiB;  // as their readers have it
+  constexpr std::uintmax_t kMost = 16 * host::kMiB;  // as their readers have it
   for (const Key& key : settings.machine().keys()) {
     const std::string file = file_of(settings, key);
     if (file.empty() || fs::exists(folder / copy_name(key, file))) continue;
     std::string text;
     try {
-      text = read_text(file, kMost);
-    } catch (const ConfigError&) {
+      text = host::read_text(file, kMost);
+    } catch (const host::ConfigError&) {
       continue;
     }
-    write_text(folder / copy_name(key, file), text);
+    host::write_text(folder / copy_name(key, file), text);
   }
 }
 

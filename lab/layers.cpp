@@ -36,12 +36,13 @@ std::string upper(std::string text) {
                               const std::string& name) {
   for (const Machine* other : machines()) {
     if (find_keys(other->keys(), name).empty()) continue;
-    throw ConfigError(fmt::format("{}: {}: not a key of the machine {}", where, shown(name),
-                                  settings.machine().name));
+    throw host::ConfigError(
+        fmt::format("{}: {}: not a key of the machine {}", where, host::shown(name),
+                    settings.machine().name));
   }
-  throw ConfigError(fmt::format("{}: {}: unknown key{}", where, shown(name),
-                                hint(name, key_names(settings.machine().keys()),
-                                     "; `trammel list keys` names them all")));
+  throw host::ConfigError(fmt::format("{}: {}: unknown key{}", where, host::shown(name),
+                                      hint(name, key_names(settings.machine().keys()),
+                                           "; `trammel list keys` names them all")));
 }
 
 // JSON and TOML hold nothing else.
@@ -57,8 +58,8 @@ bool is_utf8(const std::string& text) {
 // Brings a value to the key's kind and checks its range.
 Value checked(const Key& key, const Value& value, const std::string& where) {
   const auto fail = [&](const std::string& what) {
-    throw ConfigError(fmt::format("{}: {}: value {} {}", where, key.name,
-                                  shown(value_text(value)), what));
+    throw host::ConfigError(fmt::format("{}: {}: value {} {}", where, key.name,
+                                        host::shown(value_text(value)), what));
   };
   const auto* const text = std::get_if<std::string>(&value);
   const auto* const whole = std::get_if<std::int64_t>(&value);
@@ -169,7 +170,8 @@ Entry node_entry(const std::string& name, const toml::node& node, const std::str
             if (const auto* whole = node.as_integer()) return whole->get();
             if (const auto* real = node.as_floating_point()) return real->get();
             if (const auto* text = node.as_string()) return text->get();
-            throw ConfigError(fmt::format("{}: {}: expects {}", where, name, range_text(key)));
+            throw host::ConfigError(
+                fmt::format("{}: {}: expects {}", where, name, range_text(key)));
           }};
 }
 
@@ -189,13 +191,13 @@ void flatten(const toml::table& table, const std::string& prefix, const std::str
 
 void apply_text(Settings& settings, const std::string& toml, const std::string& source,
                 const fs::path& folder) {
-  check_depth(toml, source);
+  host::check_depth(toml, source);
   toml::table table;
   try {
     table = toml::parse(toml, source);
   } catch (const toml::parse_error& error) {
-    throw ConfigError(fmt::format("{}:{}: {}", source, error.source().begin.line,
-                                  std::string(error.description())));
+    throw host::ConfigError(fmt::format("{}:{}: {}", source, error.source().begin.line,
+                                        std::string(error.description())));
   }
   std::vector<Entry> entries;
   flatten(table, "", source, entries);
@@ -205,14 +207,15 @@ void apply_text(Settings& settings, const std::string& toml, const std::string& 
 }
 
 void apply_file(Settings& settings, const fs::path& file) {
-  apply_text(settings, read_text(file, kMostWritten), file.string(),
+  apply_text(settings, host::read_text(file, host::kMostWritten), file.string(),
              fs::absolute(file).parent_path());
 }
 
 void apply_assignment(Settings& settings, const std::string& assignment, const std::string& where) {
   const auto at = assignment.find('=');
   if (at == std::string::npos || at == 0) {
-    throw ConfigError(fmt::format("{} {}: expects key=value", where, shown(assignment)));
+    throw host::ConfigError(
+        fmt::format("{} {}: expects key=value", where, host::shown(assignment)));
   }
   assign(settings, {text_entry(assignment.substr(0, at), assignment.substr(at + 1), where)});
 }
@@ -239,8 +242,8 @@ void apply_environment(Settings& settings,
     if (!in_section) continue;
     std::vector<std::string> names;
     for (const std::string& name : all) names.push_back(prefix + upper(name));
-    throw ConfigError(
-        fmt::format("environment: {}: unknown key{}", shown(variable), hint(variable, names)));
+    throw host::ConfigError(fmt::format("environment: {}: unknown key{}", host::shown(variable),
+                                        hint(variable, names)));
   }
   assign(settings, entries);
 }
@@ -258,7 +261,7 @@ std::vector<std::pair<std::string, std::string>> environment() {
 std::string run_toml(const Settings& settings, const std::string& command,
                      bool (*left_out)(const Key&)) {
   std::string text =
-      fmt::format("{} `{}` repeats this run.\n", kWritten, printable(command));
+      fmt::format("{} `{}` repeats this run.\n", kWritten, host::printable(command));
   std::string section;
   for (const Key& key : settings.machine().keys()) {
     if (left_out != nullptr && left_out(key)) continue;
@@ -278,11 +281,12 @@ namespace {
 void check_name(const std::string& name) {
   constexpr std::size_t kLongest = 200;  // bytes; a file system takes 255 with what is added
   const bool bad = name.empty() || name.front() == '.' || name.size() > kLongest ||
-                   name.find('/') != std::string::npos || printable(name) != name;
+                   name.find('/') != std::string::npos || host::printable(name) != name;
   if (!bad) return;
-  throw ConfigError(fmt::format("name: {} cannot name an output folder: 1 to {} bytes of UTF-8, no "
-                                "slash or control character, no dot at the start",
-                                shown(value_text(name)), kLongest));
+  throw host::ConfigError(
+      fmt::format("name: {} cannot name an output folder: 1 to {} bytes of UTF-8, no slash or "
+                  "control character, no dot at the start", host::shown(value_text(name)),
+                  kLongest));
 }
 
 // Ways to run a chip that exclude each other, and what a machine does not offer.
@@ -311,7 +315,7 @@ void check_engine(const Settings& settings) {
        "run.engine: the twin has no clocks to evaluate; --no-leap and --audit need the RTL "
        "(--engine rtl)"}};
   for (const auto& [broken, message] : rules) {
-    if (broken) throw ConfigError(message);
+    if (broken) throw host::ConfigError(message);
   }
 }
 
@@ -330,9 +334,10 @@ void check_program(const Settings& settings) {
     for (const Key* const key : find_keys(machine.keys(), name)) {
       const Value value = key->get(settings), wanted = key->get(*asked);
       if (value == wanted) continue;
-      throw ConfigError(fmt::format("{}: {}: value {} must be {}: else this program is not run",
-                                    shown(settings.program), key->name, shown(value_text(value)),
-                                    shown(value_text(wanted))));
+      throw host::ConfigError(
+          fmt::format("{}: {}: value {} must be {}: else this program is not run",
+                      host::shown(settings.program), key->name, host::shown(value_text(value)),
+                      host::shown(value_text(wanted))));
     }
   }
 }

@@ -16,9 +16,9 @@ using Machines = std::vector<const Machine*>;
 
 // This program is of one machine, and another one is needed: `machine`, or "" for all of them. Exit
 // code 3.
-struct NotLinked : ToolMissing {
+struct NotLinked : host::ToolMissing {
   explicit NotLinked(std::string name = "")
-      : ToolMissing("this program has one machine only; `./trammel run` builds the others"),
+      : host::ToolMissing("this program has one machine only; `./trammel run` builds the others"),
         machine(std::move(name)) {}
   std::string machine;
 };

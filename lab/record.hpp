@@ -49,9 +49,9 @@ auto with_config_errors(const Work& work) {
   try {
     return work();
   } catch (const std::invalid_argument& error) {
-    throw ConfigError(error.what());
+    throw host::ConfigError(error.what());
   } catch (const cosim::OptionsError& error) {
-    throw ConfigError(error.what());
+    throw host::ConfigError(error.what());
   }
 }
 

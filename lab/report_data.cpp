@@ -18,7 +18,7 @@ namespace trammel::lab {
 namespace fs = std::filesystem;
 
 void corrupt(const fs::path& file, const std::string& what) {
-  throw ConfigError(fmt::format("{}: {}", file.string(), what));
+  throw host::ConfigError(fmt::format("{}: {}", file.string(), what));
 }
 
 void require_member(const fs::path& file, const Json& json, const std::string& path,
@@ -40,7 +40,7 @@ void require_file(const fs::path& file) {
 
 Json read_json(const fs::path& file) {
   require_file(file);
-  return parse_object(read_text(file), file);
+  return host::parse_object(host::read_text(file), file);
 }
 
 void check_metrics(const fs::path& file, const Json& m, const Page& page) {
@@ -85,8 +85,8 @@ bool read_values(const std::string& line, const std::vector<Series*>& columns) {
 
 // As many rows as it has.
 std::size_t read_rows(const fs::path& file, const std::vector<Column>& named, RunFolder& run) {
-  using Line = cosim::InputFile::Line;
-  cosim::InputFile in(file.string(), kMostTrace);
+  using Line = host::InputFile::Line;
+  host::InputFile in(file.string(), host::kMostTrace);
   std::string line;
   in.line(line);
   std::string names;
@@ -125,14 +125,14 @@ void read_trace(const fs::path& file, RunFolder& run) {
 void read_table(const std::string& name, const std::vector<Column>& columns, RunFolder& run) {
   const fs::path file = run.folder / name;
   require_file(file);
-  reading([&] { check_rows(file, read_rows(file, columns, run), run.rows); });
+  host::reading([&] { check_rows(file, read_rows(file, columns, run), run.rows); });
 }
 
 RunFolder read_run(const fs::path& folder) {
   std::error_code ignored;
   if (!fs::is_directory(folder, ignored)) {
-    throw ConfigError(fmt::format("{}: {}", folder.string(),
-                                  fs::exists(folder, ignored) ? "is not a folder"
+    throw host::ConfigError(fmt::format("{}: {}", folder.string(),
+                                        fs::exists(folder, ignored) ? "is not a folder"
                                                               : "no such folder"));
   }
   RunFolder run;
@@ -157,8 +157,8 @@ RunFolder read_run(const fs::path& folder) {
     page.check_detail(folder / "detail.json", run.detail);
   }
   require_file(folder / "trace.csv");
-  reading([&] { read_trace(folder / "trace.csv", run); });
-  check_whole(folder);
+  host::reading([&] { read_trace(folder / "trace.csv", run); });
+  host::check_whole(folder);
   if (page.complete != nullptr) page.complete(run);
   return run;
 }

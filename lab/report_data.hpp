@@ -18,7 +18,7 @@
 namespace trammel::lab {
 
 using Json = nlohmann::ordered_json;
-using Series = cosim::DiskVector<double>;  // as long as the run, so kept where the run is
+using Series = host::DiskVector<double>;  // as long as the run, so kept where the run is
 
 struct RunFolder {
   std::filesystem::path folder;

@@ -48,7 +48,7 @@ std::string replaced(std::string text, const std::string& old, std::string_view 
 
 std::string page(const std::string& title, const Json& data) {
   const std::string safe_title = replaced(
-      replaced(replaced(printable(title), "&", "&amp;"), "<", "&lt;"), "@", "&#64;");
+      replaced(replaced(host::printable(title), "&", "&amp;"), "<", "&lt;"), "@", "&#64;");
   // Nothing inside a script element may end it.
   const std::string json =
       replaced(data.dump(-1, ' ', true, Json::error_handler_t::replace), "<", "\\u003c");
@@ -95,11 +95,11 @@ std::vector<std::string> labels_of(const std::vector<fs::path>& folders) {
 void write_page(const std::vector<fs::path>& folders, const fs::path& file) {
   const bool compared = folders.size() > 1;
   if (folders.size() > kMostRuns) {
-    throw ConfigError(fmt::format("report: {} runs: a page compares at most {}", folders.size(),
-                                  kMostRuns));
+    throw host::ConfigError(
+        fmt::format("report: {} runs: a page compares at most {}", folders.size(), kMostRuns));
   }
   std::error_code ignored;
-  check_result_file(file);
+  host::check_result_file(file);
   const std::vector<std::string> labels = labels_of(folders);
   std::string title = fmt::format("{} runs", folders.size());
   const Machine* machine = nullptr;
@@ -108,10 +108,10 @@ void write_page(const std::vector<fs::path>& folders, const fs::path& file) {
     const RunFolder run = read_run(folders[k]);
     if (machine == nullptr) machine = run.machine;
     if (run.machine != machine) {
-      throw ConfigError(fmt::format("report: {} is a run of machine {} and {} one of {}: only runs "
-                                    "of one machine can be compared",
-                                    folders.front().string(), machine->name, folders[k].string(),
-                                    run.machine->name));
+      throw host::ConfigError(
+          fmt::format("report: {} is a run of machine {} and {} one of {}: only runs of one "
+                      "machine can be compared", folders.front().string(), machine->name,
+                      folders[k].string(), run.machine->name));
     }
     Json json = run_json(run, compared);
     if (!compared) title = title_of(run);
@@ -123,9 +123,9 @@ void write_page(const std::vector<fs::path>& folders, const fs::path& file) {
     }
     runs.push_back(std::move(json));
   }
-  write_result_file(file, page(title + kTitleEnd, {{"machine", machine->name},
-                                                   {"keys", keys_json(*machine)},
-                                                   {"runs", runs}}));
+  host::write_result_file(file, page(title + kTitleEnd, {{"machine", machine->name},
+                                                         {"keys", keys_json(*machine)},
+                                                         {"runs", runs}}));
 }
 
 bool is_page(const fs::path& file) {
@@ -153,7 +153,8 @@ fs::path latest_run(const fs::path& base) {
     }
   }
   if (!latest.empty()) return latest;
-  throw ConfigError(fmt::format("report: no run in {}/; name the folder of a run", base.string()));
+  throw host::ConfigError(
+      fmt::format("report: no run in {}/; name the folder of a run", base.string()));
 }
 
 }  // namespace trammel::lab

@@ -34,7 +34,7 @@ fs::path& data_folder() {
 
 // What the text of a scenario names; the first machine where it is no TOML, which is told later.
 const Machine& machine_named(const std::string& text, const fs::path& file) {
-  check_depth(text, file.string());
+  host::check_depth(text, file.string());
   toml::table table;
   try {
     table = toml::parse(text);
@@ -48,9 +48,10 @@ const Machine& machine_named(const std::string& text, const fs::path& file) {
   const bool is_folder = !name.empty() && name.find('/') == std::string::npos && name[0] != '.' &&
                          fs::is_directory(machine_folder(name));
   need_all_machines(is_folder ? name : "");
-  throw ConfigError(fmt::format("{}:{}: machine: value \"{}\" is not one of {}{}", file.string(),
-                                key->source().begin.line, shown(name),
-                                fmt::join(machine_names(), ", "), hint(name, machine_names())));
+  throw host::ConfigError(
+      fmt::format("{}:{}: machine: value \"{}\" is not one of {}{}", file.string(),
+                  key->source().begin.line, host::shown(name), fmt::join(machine_names(), ", "),
+                  hint(name, machine_names())));
 }
 
 // Defaults of the machine with a program in place of a scenario.
@@ -95,7 +96,7 @@ std::vector<std::string> program_extensions() {
 
 const Machine& machine_of(const fs::path& file) {
   if (const Machine* const machine = machine_of_program(file)) return *machine;
-  return machine_named(read_text(file, kMostWritten), file);
+  return machine_named(host::read_text(file, host::kMostWritten), file);
 }
 
 std::vector<fs::path> built_in(const std::string& extension) {
@@ -124,10 +125,10 @@ fs::path find_built_in(const std::string& name, const std::string& extension,
   const fs::path file = name;
   if (file.extension() == extension || file.has_parent_path()) return file;
   const std::string near = suggest(name, names);
-  throw ConfigError(fmt::format("{}: no such {}{}; built in: {}; or give a {} file", shown(name),
-                                kind,
-                                near.empty() ? "" : fmt::format(", did you mean {}?", near),
-                                fmt::join(names, ", "), extension));
+  throw host::ConfigError(
+      fmt::format("{}: no such {}{}; built in: {}; or give a {} file", host::shown(name), kind,
+                  near.empty() ? "" : fmt::format(", did you mean {}?", near),
+                  fmt::join(names, ", "), extension));
 }
 
 fs::path find_scenario(const std::string& name) {
@@ -137,7 +138,7 @@ fs::path find_scenario(const std::string& name) {
 
 std::unique_ptr<Settings> load_scenario(const fs::path& file) {
   if (const Machine* const machine = machine_of_program(file)) return of_program(*machine, file);
-  const std::string text = read_text(file, kMostWritten);
+  const std::string text = host::read_text(file, host::kMostWritten);
   auto settings = machine_named(text, file).defaults();
   settings->scenario = file.stem().string();
   apply_text(*settings, text, file.string(), fs::absolute(file).parent_path());
@@ -150,14 +151,14 @@ namespace {
 std::string command_of(const Settings& settings, const std::string& name,
                        const Settings& reference) {
   constexpr std::size_t kMostShown = 8;
-  std::string command = "./trammel run " + shell_argument(name);
+  std::string command = "./trammel run " + host::shell_argument(name);
   std::size_t shown = 0;
   for (const Key& key : settings.machine().keys()) {
     const Value value = key.get(settings);
     if (key.name == "name" || key.name == "description" || value == key.get(reference)) continue;
     const auto* const word = std::get_if<std::string>(&value);
-    command += " -s " + shell_argument(key.name + '=' +
-                                       (word != nullptr ? *word : value_text(value)));
+    command += " -s " + host::shell_argument(key.name + '=' +
+                                             (word != nullptr ? *word : value_text(value)));
     ++shown;
   }
   return shown <= kMostShown ? command : "";
@@ -179,7 +180,7 @@ std::string repeat_command(const Settings& settings, const fs::path& folder) {
   }
   if (!command.empty()) return command;
   const fs::path here = folder.empty() ? fs::path() : fs::proximate(folder);
-  return "./trammel run " + shell_argument((here / "run.toml").string());
+  return "./trammel run " + host::shell_argument((here / "run.toml").string());
 }
 
 }  // namespace trammel::lab

@@ -64,7 +64,7 @@ class View {
 
  private:
   [[noreturn]] void wrong(const std::string& what) const {
-    throw ConfigError(source_ + ": " + what);
+    throw host::ConfigError(source_ + ": " + what);
   }
 
   static std::vector<std::string> strings_of(const toml::array* array) {
@@ -201,8 +201,8 @@ Views make_views(const Settings& settings, const std::string& toml, const std::s
   try {
     table = toml::parse(toml, source);
   } catch (const toml::parse_error& error) {
-    throw ConfigError(fmt::format("{}:{}: {}", source, error.source().begin.line,
-                                  std::string(error.description())));
+    throw host::ConfigError(fmt::format("{}:{}: {}", source, error.source().begin.line,
+                                        std::string(error.description())));
   }
   return View(settings, table, source, filter).make();
 }

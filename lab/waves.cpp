@@ -34,7 +34,7 @@ constexpr std::size_t kMarkers = 26;  // that a GTKWave view can name, A to Z
 double seconds(const std::string& text, const std::string& where) {
   const auto value = cosim::parse_time(text);
   if (value) return *value;
-  throw ConfigError(
+  throw host::ConfigError(
       fmt::format("{}: value \"{}\" is not a time with s, ms, us or ns behind it", where, text));
 }
 
@@ -54,11 +54,11 @@ void check_trigger(const Settings& settings, const std::string& text, const std:
   try {
     cosim::parse_trigger(text, forms);
   } catch (const cosim::UnknownName& error) {
-    throw ConfigError(fmt::format("{}: {}{}", where, error.what(),
-                                  hint(error.name, cosim::trigger_names(forms),
-                                       "; `trammel list signals` names them all")));
+    throw host::ConfigError(fmt::format("{}: {}{}", where, error.what(),
+                                        hint(error.name, cosim::trigger_names(forms),
+                                             "; `trammel list signals` names them all")));
   } catch (const std::invalid_argument& error) {
-    throw ConfigError(fmt::format("{}: {}", where, error.what()));
+    throw host::ConfigError(fmt::format("{}: {}", where, error.what()));
   }
 }
 
@@ -69,7 +69,7 @@ std::pair<double, double> parse_window(const std::string& text) {
   const auto end =
       colon == std::string::npos ? std::nullopt : cosim::parse_time(text.substr(colon + 1));
   if (!begin || !end || *begin >= *end) {
-    throw ConfigError(
+    throw host::ConfigError(
         fmt::format("--wave-window: value \"{}\" is not a:b with a before b, each "
                     "with s, ms, us or ns behind it, for instance 0:5ms",
                     text));
@@ -89,7 +89,7 @@ void apply_waves(Settings& settings, const WaveArguments& arguments) {
       {"--wave-every", &arguments.every}};
   for (const auto& [name, value] : others) {
     if (!value->empty() && settings.run.wave == WaveFormat::kNone) {
-      throw ConfigError(fmt::format("{}: needs --wave vcd or --wave fst", name));
+      throw host::ConfigError(fmt::format("{}: needs --wave vcd or --wave fst", name));
     }
   }
   if (!arguments.window.empty()) {
@@ -103,7 +103,7 @@ void apply_waves(Settings& settings, const WaveArguments& arguments) {
   }
   if (!arguments.pre.empty()) {
     if (!arguments.window.empty() || !arguments.every.empty()) {
-      throw ConfigError(
+      throw host::ConfigError(
           "--wave-pre: is of the default window; with --wave-window or --wave-every "
           "write --wave-window -1ms:2ms");
     }
@@ -117,7 +117,7 @@ void apply_waves(Settings& settings, const WaveArguments& arguments) {
 void check_waves(const Settings& settings) {
   const cosim::RunBasics& run = settings.run;
   if (run.wave == WaveFormat::kNone) return;
-  const auto refuse = [](const std::string& message) { throw ConfigError(message); };
+  const auto refuse = [](const std::string& message) { throw host::ConfigError(message); };
   if (cosim::trigger_asked(run)) {
     check_trigger(settings, run.wave_trigger, "run.wave_trigger");
   }
@@ -149,8 +149,8 @@ std::optional<std::string> waves_notice(const Settings& settings) {
   const cosim::RunBasics& run = settings.run;
   if (run.wave == WaveFormat::kNone) return {};
   const bool vcd = run.wave == WaveFormat::kVcd;
-  if (vcd && find_program("fst2vcd").empty()) {
-    throw ToolMissing("--wave vcd: fst2vcd is missing (see `trammel doctor`)");
+  if (vcd && host::find_program("fst2vcd").empty()) {
+    throw host::ToolMissing("--wave vcd: fst2vcd is missing (see `trammel doctor`)");
   }
   const Machine& machine = settings.machine();
   const cosim::WaveWindow window = cosim::wave_window(run, 0);
@@ -160,17 +160,17 @@ std::optional<std::string> waves_notice(const Settings& settings) {
     return fmt::format("waves take about {:.2g} MB a second of the run", mega / run.wave_every_s);
   }
   if (length <= kLongWindowS * 1.001) return {};
-  return fmt::format("waves of {} take about {:.2g} MB", time_text(length), mega);
+  return fmt::format("waves of {} take about {:.2g} MB", host::time_text(length), mega);
 }
 
 bool fst_to_vcd(const fs::path& fst, const fs::path& vcd) {
   // What it writes itself it does not check.
-  Child converter({find_program("fst2vcd").string(), "-f", fs::absolute(fst).string()},
-                  Child::Pipe::kFromOutput);
+  host::Child converter({host::find_program("fst2vcd").string(), "-f", fs::absolute(fst).string()},
+                        host::Child::Pipe::kFromOutput);
   if (converter.pipe() == nullptr) return false;
   bool good = false;
   std::vector<char> block(1 << 16);
-  write_lines(vcd, [&](const Put& put) {
+  host::write_lines(vcd, [&](const host::Put& put) {
     std::size_t size = 0;
     while ((size = std::fread(block.data(), 1, block.size(), converter.pipe())) > 0) {
       put({block.data(), size});
@@ -197,7 +197,7 @@ std::string placed_view(const std::string& text, const fs::path& waves,
       -std::log2(static_cast<double>(first.end - first.begin) * kNsPerClock / kFrames);
   // One line a path: of a folder that no line can name, the view names the file alone.
   const std::string whole = waves.string();
-  const bool can_name = printable(whole) == whole && whole.find('"') == std::string::npos;
+  const bool can_name = host::printable(whole) == whole && whole.find('"') == std::string::npos;
   const fs::path named = can_name ? waves : waves.filename();
   std::string placed =
       fmt::format("[dumpfile] \"{0}\"\n[savefile] \"{1}\"\n[timestart] {2}\n", named.string(),
@@ -241,9 +241,9 @@ bool finish_waves(const Settings& settings, const RunResult& result, const fs::p
     if (result.end == cosim::EndReason::kStopped) return missing("the run was interrupted");
     if (cosim::trigger_asked(settings.run) && !result.wave_trigger) {
       return missing(fmt::format("the trigger \"{}\" never fired in {}", trigger_text(settings),
-                                 time_text(ran_s)));
+                                 host::time_text(ran_s)));
     }
-    return missing(fmt::format("their window lies outside the run, 0..{}", time_text(ran_s)));
+    return missing(fmt::format("their window lies outside the run, 0..{}", host::time_text(ran_s)));
   }
   fs::path file = fst;
   bool good = true;
@@ -258,15 +258,15 @@ bool finish_waves(const Settings& settings, const RunResult& result, const fs::p
   const fs::path source = fs::path(kViewFolder) / (settings.machine().name + ".toml");
   Views views;
   try {
-    views = make_views(settings, read_text(source), source.string(),
-                       find_program("python3").string());
+    views = make_views(settings, host::read_text(source), source.string(),
+                       host::find_program("python3").string());
   } catch (const std::runtime_error& error) {
-    notes.push_back(fmt::format("no view of the waves: {}", reason_of(error)));
+    notes.push_back(fmt::format("no view of the waves: {}", host::reason_of(error)));
     return good;
   }
-  write_text(fst.parent_path() / "waves.gtkw",
-             placed_view(views.gtkwave, folder / file.filename(), result));
-  write_text(fst.parent_path() / "waves.sucl", placed_commands(views.surfer, result));
+  host::write_text(fst.parent_path() / "waves.gtkw",
+                   placed_view(views.gtkwave, folder / file.filename(), result));
+  host::write_text(fst.parent_path() / "waves.sucl", placed_commands(views.surfer, result));
   return good;
 }
 
@@ -277,15 +277,15 @@ std::string waves_text(const Settings& settings, const RunResult& result,
   if (result.wave_trigger) {
     const bool known = trigger_text(settings).find("at ") == 0;
     text += fmt::format("  trigger `{}` at {} (clock {}){}\n", trigger_text(settings),
-                        time_text(seconds_of(*result.wave_trigger)), *result.wave_trigger,
+                        host::time_text(seconds_of(*result.wave_trigger)), *result.wave_trigger,
                         known ? "" : ", found in an untraced run before this one");
   }
   const cosim::WaveSpan first = result.waves.front();
-  text += fmt::format("  waves of {} to {}", time_text(seconds_of(first.begin)),
-                      time_text(seconds_of(first.end)));
+  text += fmt::format("  waves of {} to {}", host::time_text(seconds_of(first.begin)),
+                      host::time_text(seconds_of(first.end)));
   if (result.waves.size() > 1) {
     text += fmt::format(" and {} more windows, the last from {}", result.waves.size() - 1,
-                        time_text(seconds_of(result.waves.back().begin)));
+                        host::time_text(seconds_of(result.waves.back().begin)));
   }
   return text + fmt::format("; to look at them: gtkwave {}/waves.gtkw\n", folder);
 }

@@ -121,8 +121,8 @@ double time_of(const Record& record, std::size_t sample) {
 
 bool run_gnuplot(const fs::path& folder, const std::string& script) {
   std::signal(SIGPIPE, SIG_IGN);  // a gnuplot that dies is a return value, not the end of us
-  Child gnuplot({fs::absolute(find_program("gnuplot")).string(), "-"}, Child::Pipe::kToInput,
-                folder);
+  host::Child gnuplot({fs::absolute(host::find_program("gnuplot")).string(), "-"},
+                      host::Child::Pipe::kToInput, folder);
   if (gnuplot.pipe() == nullptr) return false;
   const bool sent = std::fwrite(script.data(), 1, script.size(), gnuplot.pipe()) == script.size();
   return gnuplot.ended() && sent;
@@ -130,7 +130,7 @@ bool run_gnuplot(const fs::path& folder, const std::string& script) {
 
 // gnuplot does not say so when the disk is full.
 void check_picture(const fs::path& file) {
-  const std::string text = read_text(file);
+  const std::string text = host::read_text(file);
   const std::size_t end = text.find_last_not_of(" \n\r");
   constexpr std::string_view kEnd = "</svg>";
   if (end != std::string::npos && end + 1 >= kEnd.size() &&
@@ -140,8 +140,9 @@ void check_picture(const fs::path& file) {
   const int descriptor = open(file.c_str(), O_WRONLY | O_CLOEXEC);
   const int error = descriptor < 0 ? errno : posix_fallocate(descriptor, 0, 1 << 20);
   if (descriptor >= 0) close(descriptor);
-  throw ConfigError(fmt::format("{}: cannot be written: {}", file.string(),
-                                error != 0 ? std::strerror(error) : "gnuplot left it incomplete"));
+  throw host::ConfigError(
+      fmt::format("{}: cannot be written: {}", file.string(),
+                  error != 0 ? std::strerror(error) : "gnuplot left it incomplete"));
 }
 
 // Runs the gnuplot scripts machines/<name>/pictures/*.gp in the folder of a run, whose files they
@@ -159,7 +160,7 @@ std::string draw_pictures(const Record& record, const fs::path& folder) {
   if (scripts.empty()) return "";
   Range drawn{0, record.result->sample_count()};
   if (machine.drawn != nullptr) drawn = machine.drawn(record);
-  if (find_program("gnuplot").empty()) return "gnuplot is missing (see `trammel doctor`)";
+  if (host::find_program("gnuplot").empty()) return "gnuplot is missing (see `trammel doctor`)";
   if (drawn.last < drawn.first + 2) return "there is nothing to draw";
   std::string variables = kStyle;
   for (const Key& key : machine.keys()) variables += assigned(key, *record.settings);
@@ -169,7 +170,7 @@ std::string draw_pictures(const Record& record, const fs::path& folder) {
       drawn.first, drawn.last - 1, (drawn.last - drawn.first) / kMostDrawn + 1,
       time_of(record, drawn.first), time_of(record, drawn.last - 1));
   const bool drawn_all = std::all_of(scripts.begin(), scripts.end(), [&](const fs::path& script) {
-    return run_gnuplot(folder, variables + read_text(script) + "unset output\n");
+    return run_gnuplot(folder, variables + host::read_text(script) + "unset output\n");
   });
   for (const auto& entry : fs::directory_iterator(folder)) {
     if (entry.path().extension() == ".svg") check_picture(entry.path());
@@ -207,10 +208,10 @@ std::string injected_text(const Settings& settings, const cosim::RunResult& resu
   if (report.begin >= result.clocks) return text + "the run had ended by then\n";
   if (report.detected == cosim::kNever) return text + "not noticed\n";
   text += fmt::format("noticed {} later: {}",
-                      time_text(seconds_of(report.detected - report.begin), 3), report.by);
+                      host::time_text(seconds_of(report.detected - report.begin), 3), report.by);
   if (report.off == cosim::kNever) return text + "; outputs not off\n";
   return text + fmt::format("; outputs off {} later, at rest after {:.4g} {}\n",
-                            time_text(seconds_of(report.off - report.detected), 3),
+                            host::time_text(seconds_of(report.off - report.detected), 3),
                             report.stopping, report.unit);
 }
 
@@ -267,7 +268,7 @@ Json metrics_json(const Record& record, const Origin& origin) {
 
 void write_table(const fs::path& file, const std::vector<Column>& columns, std::size_t rows,
                  const std::function<void(std::size_t, std::vector<double>&)>& read) {
-  write_lines(file, [&](const Put& put) {
+  host::write_lines(file, [&](const host::Put& put) {
     std::string line;
     for (const Column& column : columns) line += (line.empty() ? "" : ",") + column.name;
     put(line + '\n');
@@ -292,7 +293,7 @@ void write_trace(const fs::path& file, const Record& record) {
               });
 }
 
-Written write_record(const Record& record, const OutputFolder& folder, const Json& metrics,
+Written write_record(const Record& record, const host::OutputFolder& folder, const Json& metrics,
                      const Origin& origin, bool page) {
   const Machine& machine = record.machine();
   const fs::path& scratch = folder.scratch();
@@ -300,25 +301,26 @@ Written write_record(const Record& record, const OutputFolder& folder, const Jso
   if (!finish_waves(*record.settings, *record.result, folder.target(), written.notes)) {
     written.code = 1;
   }
-  write_text(scratch / "metrics.json", metrics.dump(2) + '\n');
+  host::write_text(scratch / "metrics.json", metrics.dump(2) + '\n');
   copy_inputs(*record.settings, scratch);
   const auto repeats = with_copies(*record.settings, scratch);
-  write_text(scratch / "run.toml", origin.command.empty()
+  host::write_text(scratch / "run.toml", origin.command.empty()
                                        ? run_toml(*repeats)
                                        : run_toml(*repeats, origin.command, origin.left_out));
-  for (const auto& [name, content] : origin.files) write_text(scratch / name, content);
+  for (const auto& [name, content] : origin.files) host::write_text(scratch / name, content);
   write_trace(scratch / "trace.csv", record);
   if (machine.files != nullptr) machine.files(record, scratch);
   if (const std::string why = draw_pictures(record, scratch); !why.empty()) {
     written.notes.push_back("no pictures: " + why);
   }
   const Json detail = machine.detail == nullptr ? Json() : machine.detail(record);
-  if (!detail.is_null()) write_text(scratch / "detail.json", detail.dump() + '\n');
+  if (!detail.is_null()) host::write_text(scratch / "detail.json", detail.dump() + '\n');
   try {
     if (page) write_page({scratch}, scratch / "report.html");
     written.page = page;
   } catch (const std::exception& error) {  // a run is never lost because its page failed
-    written.notes.push_back(fmt::format("no report: {}; the results are kept", reason_of(error)));
+    written.notes.push_back(
+        fmt::format("no report: {}; the results are kept", host::reason_of(error)));
     written.code = 2;
   }
   return written;

@@ -48,7 +48,7 @@ void write_table(const std::filesystem::path& file, const std::vector<Column>& c
 
 // All files of a run, into the scratch of a folder that is to be published then. Throws ConfigError
 // where one of those that hold the record cannot be written.
-Written write_record(const Record& record, const OutputFolder& folder,
+Written write_record(const Record& record, const host::OutputFolder& folder,
                      const nlohmann::ordered_json& metrics, const Origin& origin, bool page);
 
 // What a person reads at the end of a run; `page`: report.html is there.

@@ -13,7 +13,7 @@
 #include "paths/gcode_block.hpp"
 #include "paths/gcode_words.hpp"
 
-namespace trammel::cosim {
+namespace trammel::paths {
 namespace {
 
 using ideal::Move;
@@ -306,7 +306,7 @@ std::string_view unmarked(std::string_view text, const std::string& name) {
   if (mark == "\xFF\xFE" || mark == "\xFE\xFF") {
     GcodeLine(name, 1).refuse("UTF-16 text; save it as UTF-8 or ASCII");
   }
-  return past_mark(text);
+  return host::past_mark(text);
 }
 
 }  // namespace
@@ -327,8 +327,8 @@ GcodeProgram read_gcode(std::string_view text, const std::string& name, const Gc
 }
 
 GcodeProgram read_gcode_file(const std::string& file, const GcodeTable& table) {
-  constexpr std::uintmax_t kMost = 16 * kMiB;
-  return read_gcode(read_file(file, kMost), file, table);
+  constexpr std::uintmax_t kMost = 16 * host::kMiB;
+  return read_gcode(host::read_file(file, kMost), file, table);
 }
 
-}  // namespace trammel::cosim
+}  // namespace trammel::paths

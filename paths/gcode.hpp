@@ -10,7 +10,7 @@
 
 #include "models/ideal/moves.hpp"
 
-namespace trammel::cosim {
+namespace trammel::paths {
 
 constexpr std::size_t kMostMoves = 4096;
 
@@ -38,4 +38,4 @@ GcodeProgram read_gcode(std::string_view text, const std::string& name, const Gc
 // The same of a file; one that cannot be read is an InputError.
 GcodeProgram read_gcode_file(const std::string& file, const GcodeTable& table);
 
-}  // namespace trammel::cosim
+}  // namespace trammel::paths

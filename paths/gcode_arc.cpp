@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-namespace trammel::cosim {
+namespace trammel::paths {
 namespace {
 
 using ideal::Move;
@@ -95,4 +95,4 @@ Extent arc_extent(const Move& arc) {
   return all;
 }
 
-}  // namespace trammel::cosim
+}  // namespace trammel::paths

@@ -9,7 +9,7 @@
 
 #include "models/ideal/moves.hpp"
 
-namespace trammel::cosim {
+namespace trammel::paths {
 
 // Ends nearer to each other could mean a full turn or next to nothing. [m]
 constexpr double kNearestArcEnds = 0.5e-6;
@@ -33,4 +33,4 @@ struct Extent {
 };
 Extent arc_extent(const ideal::Move& arc);
 
-}  // namespace trammel::cosim
+}  // namespace trammel::paths

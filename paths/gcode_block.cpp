@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <system_error>
 
-namespace trammel::cosim {
+namespace trammel::paths {
 namespace {
 
 constexpr std::size_t kLongestGcodeLine = 256;  // [bytes], as RS274/NGC has it
@@ -174,4 +174,4 @@ GcodeBlock read_gcode_block(std::string_view text, const GcodeLine& line) {
   return BlockReader(text, line).read();
 }
 
-}  // namespace trammel::cosim
+}  // namespace trammel::paths

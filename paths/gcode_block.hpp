@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace trammel::cosim {
+namespace trammel::paths {
 
 // The line that messages are about.
 class GcodeLine {
@@ -47,4 +47,4 @@ struct GcodeBlock {
 // `text` without the characters that end its line.
 GcodeBlock read_gcode_block(std::string_view text, const GcodeLine& line);
 
-}  // namespace trammel::cosim
+}  // namespace trammel::paths

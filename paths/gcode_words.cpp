@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-namespace trammel::cosim {
+namespace trammel::paths {
 namespace {
 
 constexpr std::array<int, 14> kKnownG{0, 1, 2, 3, 4, 17, 20, 21, 28, 61, 64, 90, 91, 94};
@@ -83,4 +83,4 @@ GcodeCommands gcode_commands(const GcodeBlock& block, const GcodeLine& line) {
   return c;
 }
 
-}  // namespace trammel::cosim
+}  // namespace trammel::paths

@@ -8,7 +8,7 @@
 
 #include "paths/gcode_block.hpp"
 
-namespace trammel::cosim {
+namespace trammel::paths {
 
 // A group of which a block has one word at most is -1 where it has none.
 struct GcodeCommands {
@@ -27,4 +27,4 @@ struct GcodeCommands {
 
 GcodeCommands gcode_commands(const GcodeBlock& block, const GcodeLine& line);
 
-}  // namespace trammel::cosim
+}  // namespace trammel::paths

@@ -13,7 +13,7 @@
 #include "host/input_file.hpp"
 #include "paths/gcode.hpp"
 
-namespace trammel::cosim {
+namespace trammel::paths {
 namespace {
 
 std::string trimmed(const std::string& s) {
@@ -77,7 +77,7 @@ std::string without_mark(const std::string& line, const std::string& name) {
   if (line.rfind("\xFF\xFE", 0) == 0 || line.rfind("\xFE\xFF", 0) == 0) {
     refuse(name, 1, "UTF-16 text; save it as UTF-8 or ASCII");
   }
-  return std::string(past_mark(line));
+  return std::string(host::past_mark(line));
 }
 
 }  // namespace
@@ -142,9 +142,9 @@ ideal::Moves lines_through(const std::vector<PointM>& points, const std::string&
 
 std::vector<PointM> read_points_csv(const std::string& file, const PointRange& range,
                                     std::vector<int>* lines) {
-  constexpr std::uintmax_t kMost = 16 * kMiB;
-  std::istringstream text(read_file(file, kMost));
+  constexpr std::uintmax_t kMost = 16 * host::kMiB;
+  std::istringstream text(host::read_file(file, kMost));
   return read_points_csv(text, file, range, lines);
 }
 
-}  // namespace trammel::cosim
+}  // namespace trammel::paths

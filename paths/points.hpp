@@ -11,7 +11,7 @@
 
 #include "models/ideal/moves.hpp"
 
-namespace trammel::cosim {
+namespace trammel::paths {
 
 struct PointM {
   double x_m = 0;
@@ -33,4 +33,4 @@ std::vector<PointM> read_points_csv(const std::string& file, const PointRange& r
 ideal::Moves lines_through(const std::vector<PointM>& points, const std::string& name,
                            double feed_m_s, bool exact);
 
-}  // namespace trammel::cosim
+}  // namespace trammel::paths

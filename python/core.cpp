@@ -37,8 +37,8 @@ NB_MODULE(_core, module) {
   lab::take_machines(linked_machines);
   module.doc() = "The library of Trammel: settings, runs and their records.";
   nb::register_exception_translator(python::translate);
-  nb::exception<lab::ConfigError>(module, "ConfigError", PyExc_ValueError);
-  nb::exception<lab::ToolMissing>(module, "ToolMissing", PyExc_RuntimeError);
+  nb::exception<host::ConfigError>(module, "ConfigError", PyExc_ValueError);
+  nb::exception<host::ToolMissing>(module, "ToolMissing", PyExc_RuntimeError);
   module.attr("version") = lab::kVersion;
   module.attr("commit") = lab::kCommit;
   module.def("take_data_from", &lab::take_data_from, nb::arg("folder"),

@@ -96,7 +96,7 @@ nb::list figures_of(const Finished& run) {
 std::vector<std::string> save(const Finished& run, const std::string& folder, bool page) {
   const nb::gil_scoped_release released;
   const std::lock_guard<std::mutex> lock(*run.reading);
-  lab::OutputFolder output{std::filesystem::path(folder)};
+  host::OutputFolder output{std::filesystem::path(folder)};
   lab::Origin origin;
   origin.folder = output.target();
   const lab::Written written = lab::write_record(

@@ -17,10 +17,10 @@ Stepped::Stepped(std::shared_ptr<const lab::Settings> settings) : settings_(std:
   session_ = lab::with_config_errors(
       [&] { return machine.session(*settings_, hooks, cosim::Waves{}); });
   if (session_->core() != nullptr) {
-    throw lab::ConfigError("run.cpu: value \"rtl\" cannot run step by step; \"native\" can");
+    throw host::ConfigError("run.cpu: value \"rtl\" cannot run step by step; \"native\" can");
   }
   if (settings_->run.wave != cosim::WaveFormat::kNone) {
-    throw lab::ConfigError("run.wave: a run step by step dumps no waves; it must be \"none\"");
+    throw host::ConfigError("run.wave: a run step by step dumps no waves; it must be \"none\"");
   }
   session_->loop().watch(see_);
   thread_ = std::thread([this] { body(); });
@@ -83,7 +83,7 @@ cosim::Clk Stepped::idle(cosim::DirectBus& bus) {
 
 void Stepped::go(std::function<void()> ask) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  if (over_) throw lab::ConfigError("the run is over: finish() has its record");
+  if (over_) throw host::ConfigError("the run is over: finish() has its record");
   ask();
   stands_ = false;
   changed_.notify_all();

@@ -127,7 +127,7 @@ int doctor(bool json) {
   Json all = lab::versions_json();
   std::string text = version_text() + '\n';
   for (const Tool& tool : kTools) {
-    const std::string where = lab::find_program(tool.name).string();
+    const std::string where = host::find_program(tool.name).string();
     all["tools"][tool.name] = where;
     text += fmt::format("{:<10}{:<25} {}\n", tool.name, where.empty() ? "missing" : where,
                         tool.use);

@@ -207,7 +207,7 @@ int perform(const CommandLine& line) {
 }
 
 int fail(const std::exception& error, int code, const char* kind = "") {
-  tb::tell(kind + trammel::lab::reason_of(error));
+  tb::tell(kind + trammel::host::reason_of(error));
   return code;
 }
 
@@ -250,7 +250,7 @@ int run_program(int argc, char** argv) {
   } catch (const trammel::lab::NotLinked& error) {
     tb::hand_over(error.machine.empty() ? "trammel" : "trammel_" + error.machine, argv);
     return fail(error, 3);
-  } catch (const trammel::lab::ConfigError& error) {
+  } catch (const trammel::host::ConfigError& error) {
     return fail(error, 2);
   } catch (const std::filesystem::filesystem_error& error) {
     const std::string of = error.path1().string();
@@ -261,7 +261,7 @@ int run_program(int argc, char** argv) {
     return fail(error, 2);
   } catch (const std::bad_alloc& error) {
     return fail(error, 2);
-  } catch (const trammel::lab::ToolMissing& error) {
+  } catch (const trammel::host::ToolMissing& error) {
     return fail(error, 3);
   } catch (const std::exception& error) {
     return fail(error, 70, "internal error: ");

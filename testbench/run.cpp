@@ -32,7 +32,7 @@ void apply_live(lab::Settings& settings) {
     for (const lab::Machine* machine : lab::machines()) {
       if (!machine->live.empty()) names.push_back(machine->name);
     }
-    throw lab::ConfigError(fmt::format(
+    throw host::ConfigError(fmt::format(
         "--serial: the machine {} has no port for another program; permitted: scenarios of {}",
         settings.machine().name, fmt::join(names, ", ")));
   }
@@ -133,7 +133,7 @@ int check(const lab::Record& record) {
 
 Outcome run_one(lab::Settings& settings, const fs::path& target, const Arguments& arguments,
                 const Simulate& simulate, const std::atomic<bool>& stop) {
-  lab::OutputFolder folder(target);  // refused in one line, ahead of what is told of the run
+  host::OutputFolder folder(target);  // refused in one line, ahead of what is told of the run
   if (const auto notice = lab::waves_notice(settings)) tell(*notice);
   if (settings.machine().warnings != nullptr) {
     tell_warnings(settings.scenario, settings.machine().warnings(settings));
@@ -187,8 +187,8 @@ std::unique_ptr<lab::Settings> settings_of(const lab::Experiment& experiment,
     const std::string name = text.substr(0, text.find('='));
     for (const lab::Key* key : lab::find_keys(settings->machine().keys(), name)) {
       if (key->get(*settings) == key->get(*own)) continue;
-      throw lab::ConfigError(fmt::format("run: --all sets {0} itself; do not set it as well",
-                                         name));
+      throw host::ConfigError(fmt::format("run: --all sets {0} itself; do not set it as well",
+                                          name));
     }
   }
   settings->scenario = experiment.name;
@@ -199,7 +199,7 @@ std::unique_ptr<lab::Settings> settings_of(const lab::Experiment& experiment,
 // Before the first of the runs: what is there must be of runs of --all.
 void check_all(const fs::path& base, const std::vector<lab::Experiment>& experiments) {
   const auto refuse = [&base](const char* why) {
-    throw lab::ConfigError(fmt::format("{}: --out: {}", base.string(), why));
+    throw host::ConfigError(fmt::format("{}: --out: {}", base.string(), why));
   };
   const fs::file_status there = fs::symlink_status(base);
   if (!fs::exists(there)) return;
@@ -209,7 +209,7 @@ void check_all(const fs::path& base, const std::vector<lab::Experiment>& experim
     return entry.path().filename().native().front() == '.';
   });
   for (const lab::Experiment& experiment : experiments) {
-    lab::check_replaceable(fs::canonical(base) / experiment.name);
+    host::check_replaceable(fs::canonical(base) / experiment.name);
     any = any || fs::exists(base / experiment.name);
   }
   if (!any) refuse("is not empty and holds no runs of --all: name another folder");
@@ -223,7 +223,7 @@ void check_all(const fs::path& base, const std::vector<lab::Experiment>& experim
 
 int run_all(const lab::Machine& machine, const Arguments& arguments, const Simulate& simulate,
             const std::atomic<bool>& stop) {
-  const fs::path base = lab::target_of(arguments.out, "all");
+  const fs::path base = host::target_of(arguments.out, "all");
   std::vector<Outcome> outcomes;
   std::vector<std::pair<fs::path, std::vector<fs::path>>> pages;  // and their runs
   auto documents = nlohmann::ordered_json::array();
@@ -252,7 +252,7 @@ int run_all(const lab::Machine& machine, const Arguments& arguments, const Simul
       lab::write_page(folders, page);
       written += fmt::format("{} {}", written.empty() ? "" : ",", fs::proximate(page).string());
     } catch (const std::exception& error) {
-      tell(fmt::format("no report: {}; the results are kept", lab::reason_of(error)));
+      tell(fmt::format("no report: {}; the results are kept", host::reason_of(error)));
       if (code == 0) code = 2;
     }
   }
@@ -272,7 +272,7 @@ int run_all(const lab::Machine& machine, const Arguments& arguments, const Simul
 int run(const Arguments& arguments, const std::atomic<bool>& stop, const Simulate& simulate) {
   if (arguments.all) {
     if (!arguments.scenario.empty()) {
-      throw lab::ConfigError(
+      throw host::ConfigError(
           "run: --all runs the experiments of the source and takes no scenario");
     }
     lab::first_machine();  // in the program of another machine there is more to see
@@ -281,14 +281,14 @@ int run(const Arguments& arguments, const std::atomic<bool>& stop, const Simulat
       return !machine->experiments.empty();
     });
     if (found == all.end()) lab::need_all_machines();
-    if (found == all.end()) throw lab::ConfigError("run: --all: no machine names experiments");
+    if (found == all.end()) throw host::ConfigError("run: --all: no machine names experiments");
     return run_all(**found, arguments, simulate, stop);
   }
   if (arguments.scenario.empty()) {
-    throw lab::ConfigError("run: name a scenario (`trammel list` shows them) or give --all");
+    throw host::ConfigError("run: name a scenario (`trammel list` shows them) or give --all");
   }
   const auto settings = layered(lab::find_scenario(arguments.scenario), arguments);
-  const fs::path target = lab::target_of(arguments.out, settings->scenario);
+  const fs::path target = host::target_of(arguments.out, settings->scenario);
   const Outcome outcome = run_one(*settings, target, arguments, simulate, stop);
   if (arguments.json) print_json(outcome.json);
   return outcome.code;

@@ -42,7 +42,7 @@ void guard_streams() {
 
 void print(const std::string& result) {
   if (refusal() != 0) return;
-  const std::string text = lab::printable_lines(result);
+  const std::string text = host::printable_lines(result);
   remember(std::fwrite(text.data(), 1, text.size(), stdout) == text.size());
 }
 
@@ -56,7 +56,7 @@ void print_json(const nlohmann::ordered_json& document) {
 }
 
 void tell(const std::string& message) {
-  const std::string line = "trammel: " + lab::one_line(message) + '\n';
+  const std::string line = "trammel: " + host::one_line(message) + '\n';
   std::fwrite(line.data(), 1, line.size(), stderr);
 }
 

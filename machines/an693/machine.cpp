@@ -16,8 +16,8 @@ void validate(lab::Settings& settings) {
   lm628::check_part(options.part);
   lm628::check_motor(options.plant.motor);
   if (options.plant.counts % 4 != 0) {
-    throw lab::ConfigError(fmt::format("encoder.counts: value {} is not a multiple of 4",
-                                       options.plant.counts));
+    throw host::ConfigError(fmt::format("encoder.counts: value {} is not a multiple of 4",
+                                        options.plant.counts));
   }
 }
 

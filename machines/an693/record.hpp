@@ -37,7 +37,7 @@ struct Result : cosim::RunResult {
   std::size_t sample_count() const override { return samples.size(); }
   std::string fault_text() const override { return fault; }
 
-  cosim::DiskVector<Sample> samples;  // from the first after the reset routine on
+  host::DiskVector<Sample> samples;  // from the first after the reset routine on
   std::string fault;                  // kFault: what the program saw; kMissed: what was missed
   std::int32_t desired = 0;           // RDDP and RDRP at the end [count]
   std::int32_t real = 0;

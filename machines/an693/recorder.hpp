@@ -37,13 +37,13 @@ class Recorder final : public cosim::Observer {
 
   bool done() const { return done_; }
   std::uint64_t event_hash() const { return hash_.value(); }
-  cosim::DiskVector<Sample> take_samples() { return std::move(samples_); }
+  host::DiskVector<Sample> take_samples() { return std::move(samples_); }
 
  private:
   const lm628::Lm628Chip& chip_;
   std::function<void(Sample&)> truth_;
   std::function<bool(const Sample&)> finished_;
-  cosim::DiskVector<Sample> samples_;
+  host::DiskVector<Sample> samples_;
   cosim::EventHash hash_;
   bool done_ = false;
 };

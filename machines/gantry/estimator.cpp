@@ -30,7 +30,7 @@ TrackModel read_model(const std::string& text) {
   m.c(0) = 1;
   for (int n = 0; n + 1 < kMostOrder; ++n) m.phi(n, n + 1) = 1;
   const auto refuse = [&text](const std::string& why) {
-    throw lab::ConfigError(fmt::format(
+    throw host::ConfigError(fmt::format(
         "velocity.model: \"{}\" {}; permitted: a1 ... an b1 ... bn of a stable model of order 1 to "
         "{}, as a run of gantry-identify prints it",
         text, why, kMostOrder));

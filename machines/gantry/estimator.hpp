@@ -32,7 +32,7 @@ struct EstimatorConfig {
 
 using TrackModel = ideal::LinearModel<kMostOrder>;
 
-// Throws lab::ConfigError that names the key.
+// Throws host::ConfigError that names the key.
 TrackModel read_model(const std::string& text);
 std::string model_text(const std::vector<double>& a, const std::vector<double>& b);
 

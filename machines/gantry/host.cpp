@@ -34,7 +34,7 @@ std::int64_t wall_ns() {
 }
 
 [[noreturn]] void refuse(const std::string& word, const std::string& why) {
-  throw lab::ConfigError(fmt::format(
+  throw host::ConfigError(fmt::format(
       "host.sends: \"{}\": {}; permitted: time_s:channel=value, time_s:channel?, time_s:dN? and "
       "time_s:xHEX, channels 0 to 31, separated by blanks", word, why));
 }

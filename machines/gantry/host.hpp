@@ -25,7 +25,7 @@ struct Sent {
 // A value as Serial2002 sends it; see models/exact/bus/serial2002_tx.hpp for the chip's own.
 std::vector<unsigned char> frame_of(std::uint32_t channel, std::uint32_t value);
 
-// Throws lab::ConfigError that names the word. `checked`: the checksum of each frame follows it,
+// Throws host::ConfigError that names the word. `checked`: the checksum of each frame follows it,
 // except for bytes as they are.
 std::vector<Sent> read_sends(const std::string& text, bool checked = false);
 

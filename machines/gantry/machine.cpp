@@ -12,7 +12,7 @@ namespace trammel::gantry {
 namespace {
 
 [[noreturn]] void refuse(const char* key, const std::string& found, const std::string& permitted) {
-  throw lab::ConfigError(fmt::format("{}: {}; permitted: {}", key, found, permitted));
+  throw host::ConfigError(fmt::format("{}: {}; permitted: {}", key, found, permitted));
 }
 
 // Keys that choose how the track is driven: of two that exclude each other one would have no
@@ -74,7 +74,7 @@ void refuse_long_time(const Options& options) {
   };
   const lab::SetBy time = set("run.time_s");
   if (set("run.max_s").layer > time.layer) return;
-  throw lab::ConfigError(
+  throw host::ConfigError(
       fmt::format("{}run.time_s: {:g} s is above run.max_s, {:g} s; permitted: at most that",
                   time.where, options.time_s, options.run.max_s));
 }
@@ -87,30 +87,30 @@ void validate(lab::Settings& settings) {
   refuse_two_controls(options);
   refuse_beside_open(options);
   if (options.axis.stiction < options.axis.coulomb) {
-    throw lab::ConfigError(fmt::format(
+    throw host::ConfigError(fmt::format(
         "axis.stiction_count: {:g} is below axis.coulomb_count, {:g}; permitted: at least that",
         options.axis.stiction, options.axis.coulomb));
   }
   if (options.firmware.position.least > options.firmware.position.most) {
-    throw lab::ConfigError(fmt::format(
+    throw host::ConfigError(fmt::format(
         "position.min_force: {} is above position.max_force, {}; permitted: at most that",
         options.firmware.position.least, options.firmware.position.most));
   }
   const sw::GantrySetup& firmware = options.firmware;
   if (firmware.calibrate && !firmware.home) {
-    throw lab::ConfigError(
+    throw host::ConfigError(
         "boot.calibrate: true, and boot.home is false; permitted: with boot.home=true, whose zero "
         "the calibration run counts from");
   }
   if (firmware.compensate && firmware.motors != sw::Motors::kBoth) {
-    throw lab::ConfigError(
+    throw host::ConfigError(
         "control.compensate: true takes two motors; permitted: control.motors = both");
   }
   const double passes = kEstimate_ms / options.pass_ms;
   const bool samples = options.estimator.filter != Filter::kMean ||
                        firmware.open == sw::OpenForce::kRandom;
   if (samples && std::fabs(passes - std::round(passes)) > 1e-9) {
-    throw lab::ConfigError(fmt::format(
+    throw host::ConfigError(fmt::format(
         "control.pass_ms: {:g} is no part of {:g} ms, in which filter and identification sample; "
         "permitted then: 0.5, 1, 2, 2.5, 5, 10 and other parts",
         options.pass_ms, kEstimate_ms));

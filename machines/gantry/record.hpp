@@ -40,8 +40,8 @@ struct Result : cosim::RunResult {
   std::size_t sample_count() const override { return samples.size(); }
   std::string fault_text() const override { return fault; }
 
-  cosim::DiskVector<Sample> samples;
-  cosim::DiskVector<Look> looks;     // to the last one that is not behind run.time_s
+  host::DiskVector<Sample> samples;
+  host::DiskVector<Look> looks;     // to the last one that is not behind run.time_s
   std::string fault;
   std::vector<unsigned char> heard;  // bytes from the chip
   std::uint32_t passes = 0, unknown = 0, malformed = 0, lost = 0;

@@ -20,7 +20,7 @@ namespace trammel::gantry {
 
 class Session final : public cosim::Session, private cosim::Observer, public cosim::SignalReader {
  public:
-  // Throws lab::ConfigError for what the host cannot send.
+  // Throws host::ConfigError for what the host cannot send.
   Session(const Options& options, const cosim::Hooks& hooks, const cosim::Waves& waves = {});
 
   cosim::Loop& loop() override { return loop_; }
@@ -58,8 +58,8 @@ class Session final : public cosim::Session, private cosim::Observer, public cos
   std::unique_ptr<Estimator> estimator_;  // null: the firmware has its own filter
   sw::GantryApp app_;
   cosim::Loop loop_;
-  cosim::DiskVector<Sample> samples_;
-  cosim::DiskVector<Look> looks_;
+  host::DiskVector<Sample> samples_;
+  host::DiskVector<Look> looks_;
   std::unique_ptr<Result> at_time_;  // what there was at run.time_s; null: that is to come
   cosim::EventHash hash_;
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();

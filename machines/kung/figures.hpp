@@ -27,8 +27,8 @@ struct Spread {
 };
 
 // As long as the run, hence on disk as its samples are.
-using Series = cosim::DiskVector<double>;
-using Points = cosim::DiskVector<PointM>;
+using Series = host::DiskVector<double>;
+using Points = host::DiskVector<PointM>;
 
 Spread spread(const Series& series);  // Kung eq. 45, 46
 

@@ -93,7 +93,7 @@ lab::Machine describe() {
   };
   m.files = [](const lab::Record& record, const std::filesystem::path& folder) {
     const std::string& uart = result_of(record).uart;
-    if (!uart.empty()) lab::write_text(folder / "uart.txt", uart);
+    if (!uart.empty()) host::write_text(folder / "uart.txt", uart);
     if (options_of(record).controller == Controller::kPrecision) {
       write_precision(folder / kPrecisionTrace, options_of(record), result_of(record));
     }

@@ -36,7 +36,7 @@ enum class Profile { kAuto, kConstant, kFeed };  // of the speed along a path
 enum class Corner { kAuto, kStop, kPass };   // under the feed profile
 enum class PointsMode { kTimed, kPath };     // one point an interrupt; lines that are followed
 
-using cosim::PointM;
+using paths::PointM;
 
 // Of errors in the fuzzy universe: the memberships have two bits below its units of 1/256.
 inline constexpr int kLeastShift = -2, kMostShift = 11;

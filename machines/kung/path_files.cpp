@@ -17,7 +17,7 @@
 namespace trammel::kung {
 namespace {
 
-constexpr cosim::PointRange kTable{0, 600};         // [mm]
+constexpr paths::PointRange kTable{0, 600};         // [mm]
 constexpr double kMostRadiusCounts = 1 << 20;       // of the firmware's feed profile
 constexpr double kShortestCounts = 1.0 / 64;        // it takes a quarter of that
 constexpr double kArcRounding = 1.02;               // a centre is moved, see gcode_arc.hpp
@@ -43,10 +43,10 @@ std::pair<End, End> stroke(const Options& options, std::size_t axis) {
   return {low, high};
 }
 
-cosim::GcodeTable gcode_table(const Options& options) {
+paths::GcodeTable gcode_table(const Options& options) {
   const PathOptions& p = options.path;
   const double count_m = options.plant.axis[0].encoder_count_m;
-  cosim::GcodeTable table;
+  paths::GcodeTable table;
   table.start = {p.start_x_m, p.start_y_m};
   table.home = {p.home_x_m, p.home_y_m};
   const auto [low_x, high_x] = stroke(options, 0);
@@ -151,13 +151,13 @@ void read_points(Options& options) {
   require(!path.points_file.empty(), "path.points_file: is needed with path.kind = \"points\"");
   try {
     std::vector<int> lines;
-    path.points = cosim::read_points_csv(path.points_file, kTable, &lines);
+    path.points = paths::read_points_csv(path.points_file, kTable, &lines);
     if (path.points_mode == PointsMode::kTimed) {
       const std::string jump = Jumps(options, lines).told();
       if (!jump.empty()) path.moves_warnings.push_back(jump);
       return;
     }
-    path.moves = cosim::lines_through(path.points, path.points_file, feed_m_s(path),
+    path.moves = paths::lines_through(path.points, path.points_file, feed_m_s(path),
                                       path.corner == Corner::kStop);
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(fmt::format("path.points_file: {}", error.what()));
@@ -169,10 +169,10 @@ void read_program(Options& options) {
   require_feed(path, "path.kind", "gcode");
   require(!path.gcode_file.empty(), "path.gcode_file: is needed with path.kind = \"gcode\"");
   try {
-    cosim::GcodeProgram program = cosim::read_gcode_file(path.gcode_file, gcode_table(options));
+    paths::GcodeProgram program = paths::read_gcode_file(path.gcode_file, gcode_table(options));
     path.moves = std::move(program.moves);
     path.moves_warnings = std::move(program.warnings);
-  } catch (const cosim::InputError& error) {
+  } catch (const host::InputError& error) {
     throw std::invalid_argument(fmt::format("path.gcode_file: {}", error.what()));
   }
 }

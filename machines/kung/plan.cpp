@@ -381,7 +381,7 @@ void validate(lab::Settings& settings) {
     plan_firmware(options, store);
     check_cpu(options);
   } catch (const std::invalid_argument& error) {
-    throw lab::ConfigError(error.what());
+    throw host::ConfigError(error.what());
   }
 }
 

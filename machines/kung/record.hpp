@@ -139,8 +139,8 @@ struct Result : cosim::RunResult {
     return end == EndReason::kDone || (end == EndReason::kMissed && all_points);
   }
 
-  cosim::DiskVector<Sample> samples;    // every 2 kHz sample from the first tick of the chip on
-  cosim::DiskVector<AxisLaws> laws;      // of each of them; of the precision controller alone
+  host::DiskVector<Sample> samples;    // every 2 kHz sample from the first tick of the chip on
+  host::DiskVector<AxisLaws> laws;      // of each of them; of the precision controller alone
   std::uint32_t first_tick = 0;   // sample at which point 0 of the path took effect
   std::uint32_t end_tick = 0;     // first sample after the last point's, or after a trip: figures
                                   // use [first, end)

@@ -26,16 +26,16 @@ class Recorder final : public cosim::Observer {
 
   bool done() const { return done_; }
   std::uint64_t event_hash() const { return hash_.value(); }
-  cosim::DiskVector<Sample> take_samples() { return std::move(samples_); }
-  cosim::DiskVector<AxisLaws> take_laws() { return std::move(laws_); }
+  host::DiskVector<Sample> take_samples() { return std::move(samples_); }
+  host::DiskVector<AxisLaws> take_laws() { return std::move(laws_); }
 
  private:
   const KungChip& chip_;
   const plant::XyTable& truth_;
   const bool precise_;
   std::function<bool(const Sample&)> finished_;
-  cosim::DiskVector<Sample> samples_;
-  cosim::DiskVector<AxisLaws> laws_;
+  host::DiskVector<Sample> samples_;
+  host::DiskVector<AxisLaws> laws_;
   Sample pending_;
   std::uint32_t tick_ = 0;
   cosim::EventHash hash_;

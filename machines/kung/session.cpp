@@ -124,7 +124,7 @@ std::unique_ptr<KungChip> Session::make_chip() {
 
 void Session::make_core(const sw::KungSetup& setup) {
   if (core_image().empty()) {
-    throw lab::ToolMissing(
+    throw host::ToolMissing(
         "run.cpu: \"rtl\" needs what was missing when this program was built: the core's RTL "
         "(pythondata-cpu-picorv32 in .venv) or riscv64-unknown-elf-g++; ./trammel run with --cpu "
         "rtl installs both");

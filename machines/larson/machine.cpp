@@ -15,7 +15,7 @@ void refuse_start(const Options& options, const char* key, double start) {
   const double low = plant::StepperAxis::low_stop(axis);
   const double high = plant::StepperAxis::high_stop(axis);
   if (start >= low && start <= high) return;
-  throw lab::ConfigError(fmt::format(
+  throw host::ConfigError(fmt::format(
       "{}: {:g} is behind the stop at {:g}, axis.overtravel_step and axis.switch_hysteresis_step "
       "beyond its switch; permitted: {:g} to {:g}",
       key, start, start < low ? low : high, low, high));
@@ -28,7 +28,7 @@ void validate(lab::Settings& settings) {
   const double rate = m.friction / (m.friction_speed * m.inertia * 6.283185307179586 / m.steps);
   constexpr double kFastest = 6e4;  // [1/s]
   if (rate > kFastest) {
-    throw lab::ConfigError(fmt::format(
+    throw host::ConfigError(fmt::format(
         "motor.friction_N_m / (motor.friction_speed_step_s motor.inertia_kg_m2): {:.3g} 1/s is "
         "above {:.3g} 1/s, the fastest that the motor's steps of 25 us can follow",
         rate, kFastest));

@@ -19,7 +19,7 @@
 namespace trammel::larson {
 namespace {
 
-using lab::ConfigError;
+using host::ConfigError;
 
 constexpr int kPiece = 40;     // [step] of the longer axis
 constexpr int kLeastRate = 59;
@@ -58,7 +58,7 @@ int number_of(const std::string& word, const char* name, int low, int high,
   const auto [stop, code] = std::from_chars(word.data(), end, value);
   if (stop != end || code != std::errc{} || value < low || value > high) {
     throw ConfigError(fmt::format("{}: {}: {} is not a whole number in {}..{}", where, name,
-                                  word.empty() ? "nothing" : lab::shown(word), low, high));
+                                  word.empty() ? "nothing" : host::shown(word), low, high));
   }
   return value;
 }
@@ -153,7 +153,7 @@ std::vector<Call> parse_moves(const std::string& text, const std::string& source
   check_text(text, source);
   const std::vector<std::string> header{"x", "y", "pen"};
   Plot plot(setup, source);
-  std::istringstream in{std::string(cosim::past_mark(text))};
+  std::istringstream in{std::string(host::past_mark(text))};
   std::size_t number = 0, rows = 0;
   bool headed = false;
   for (std::string line; std::getline(in, line);) {
@@ -166,7 +166,7 @@ std::vector<Call> parse_moves(const std::string& text, const std::string& source
       if (fields != header) {
         throw ConfigError(fmt::format(
             "{}: found {}, allowed as a header: x,y,pen; else three whole numbers", where,
-            lab::shown(line)));
+            host::shown(line)));
       }
       headed = true;
       continue;

@@ -60,9 +60,9 @@ struct Result : cosim::RunResult {
   std::size_t sample_count() const override { return samples.size(); }
   std::string fault_text() const override { return fault; }
 
-  cosim::DiskVector<Sample> samples;
+  host::DiskVector<Sample> samples;
   // Figures are of these, every millisecond, up to record.settle_s behind the last call.
-  cosim::DiskVector<Sample> looks;
+  host::DiskVector<Sample> looks;
   std::string fault;             // kFault: what the program saw; kMissed: what was missed;
                                  // kTimeout: the line of the script that was running
   std::vector<Call> calls;

@@ -21,7 +21,7 @@
 namespace trammel::larson {
 namespace {
 
-using lab::ConfigError;
+using host::ConfigError;
 using sw::LarsonOp;
 
 constexpr int kFar = 100'000;          // [step] of a place or a distance
@@ -64,10 +64,10 @@ std::int32_t number(const std::string& what, const std::string& text, std::int64
   const std::string range = base == 8 ? fmt::format("{:06o}..{:06o}, octal", low, high)
                                       : fmt::format("{}..{}", low, high);
   if (stop != end || code == std::errc::invalid_argument) {
-    throw ConfigError(fmt::format("{}: {} is not a number {}", what, lab::shown(text), range));
+    throw ConfigError(fmt::format("{}: {} is not a number {}", what, host::shown(text), range));
   }
   if (code != std::errc{} || value < low || value > high) {
-    throw ConfigError(fmt::format("{}: {} is out of range, allowed {}", what, lab::shown(text),
+    throw ConfigError(fmt::format("{}: {} is out of range, allowed {}", what, host::shown(text),
                                   range));
   }
   return static_cast<std::int32_t>(value);
@@ -87,7 +87,7 @@ void set_place(sw::LarsonCall& call, const std::string& name, const std::vector<
   expect(name, words, 2, what);
   const auto* const at = std::find(std::begin(places), std::end(places), upper(words[1]));
   if (at == std::end(places)) {
-    throw ConfigError(fmt::format("{}: {} is not one of {}", name, lab::shown(words[1]),
+    throw ConfigError(fmt::format("{}: {} is not one of {}", name, host::shown(words[1]),
                                   fmt::join(places, ", ")));
   }
   call.a = static_cast<std::int32_t>(at - std::begin(places));
@@ -139,7 +139,7 @@ std::vector<std::string> words_of(const std::string& line) {
 class Parser {
  public:
   Parser(const std::string& text, std::string source, std::int64_t clock_ps)
-      : in_(std::string(cosim::past_mark(text))), source_(std::move(source)), clock_ps_(clock_ps) {
+      : in_(std::string(host::past_mark(text))), source_(std::move(source)), clock_ps_(clock_ps) {
     check_text(text, source_);
   }
 
@@ -225,7 +225,7 @@ class Parser {
     for (const Form& one : kForms) names.emplace_back(one.name);
     const std::string moves =
         name.find(',') == std::string::npos ? "" : "; a list of moves x,y,pen is a .csv file";
-    throw ConfigError(lab::shown(name) + " is not a call" +
+    throw ConfigError(host::shown(name) + " is not a call" +
                       lab::hint(name, names,
                                 fmt::format(", allowed: {}{}", fmt::join(names, ", "), moves)));
   }
@@ -292,9 +292,9 @@ std::vector<Call> read_calls(const std::string& name, const PlotSetup& setup,
   const std::string file = script_file(name);
   const bool moves = upper(std::filesystem::path(file).extension().string()) == ".CSV";
   try {
-    const std::string text = cosim::read_file(file, cosim::kMiB);
+    const std::string text = host::read_file(file, host::kMiB);
     return moves ? parse_moves(text, file, setup) : parse_script(text, file, clock_ps);
-  } catch (const cosim::InputError& error) {
+  } catch (const host::InputError& error) {
     throw ConfigError(error.what());
   }
 }

@@ -39,8 +39,8 @@ struct PlotSetup {
 
 inline constexpr std::size_t kMostCalls = 200'000;
 
-// Throw lab::ConfigError that names source, line, what was found, and what is permitted. The first:
-// of what is no text in UTF-8 with lines of its own.
+// Throw host::ConfigError that names source, line, what was found, and what is permitted. The
+// first: of what is no text in UTF-8 with lines of its own.
 void check_text(const std::string& text, const std::string& source);
 std::vector<Call> parse_script(const std::string& text, const std::string& source,
                                std::int64_t clock_ps);

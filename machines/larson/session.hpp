@@ -23,7 +23,7 @@ namespace trammel::larson {
 
 class Session final : public cosim::Session, private cosim::Observer, public cosim::SignalReader {
  public:
-  // Throws lab::ConfigError for a script that cannot be read.
+  // Throws host::ConfigError for a script that cannot be read.
   Session(const Options& options, const cosim::Hooks& hooks, const cosim::Waves& waves = {});
 
   cosim::Loop& loop() override { return loop_; }
@@ -73,7 +73,7 @@ class Session final : public cosim::Session, private cosim::Observer, public cos
   std::optional<cosim::FaultWatch> fault_watch_;
   sw::LarsonApp app_;
   cosim::Loop loop_;
-  cosim::DiskVector<Sample> samples_, looks_;
+  host::DiskVector<Sample> samples_, looks_;
   std::unique_ptr<Result> at_end_;  // what there was at the last look; null: that is to come
   cosim::EventHash hash_;
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();

@@ -79,7 +79,7 @@ Json tracking_json(const lab::Record& record) {
 void write_tables(const lab::Record& record, const std::filesystem::path& folder) {
   const Json detail = tracking_json(record);
   if (detail.is_null()) return;
-  lab::write_text(folder / "table.csv", table_csv(result_of(record).table));
+  host::write_text(folder / "table.csv", table_csv(result_of(record).table));
   const Json& runs = detail["contours"];
   const double step_s = detail["contour_step_s"];
   std::string text = "t_s";
@@ -94,7 +94,7 @@ void write_tables(const lab::Record& record, const std::filesystem::path& folder
       text += k < run["mm"].size() ? fmt::format(",{}", run["mm"][k].get<double>()) : ",";
     }
   }
-  lab::write_text(folder / "contours.csv", text + '\n');
+  host::write_text(folder / "contours.csv", text + '\n');
 }
 
 lab::Page page() {

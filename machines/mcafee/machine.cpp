@@ -78,9 +78,9 @@ Table table_of(const Options& options) {
   try {
     return make_table(options.path, options.count_mm(), options.travel_mm());
   } catch (const cosim::OptionsError& error) {
-    throw lab::ConfigError(error.what());
+    throw host::ConfigError(error.what());
   } catch (const std::invalid_argument& error) {  // the file of points
-    throw lab::ConfigError(fmt::format("path.points_file: {}", error.what()));
+    throw host::ConfigError(fmt::format("path.points_file: {}", error.what()));
   }
 }
 

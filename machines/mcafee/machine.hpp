@@ -26,7 +26,7 @@ void find_contour(const Options& options, Result& result);
 // beside its path and comes to rest at the end of it, or of its move, within run.reached_counts.
 std::string what_missed(const Options& options, const Result& result);
 
-// The table of a path. Throws lab::ConfigError for one that cannot be followed.
+// The table of a path. Throws host::ConfigError for one that cannot be followed.
 Table table_of(const Options& options);
 
 // detail_json.cpp: detail.json of a run that tracks (else null), its tables, and its page.

@@ -37,7 +37,7 @@ std::vector<PointMm> read_points(const std::string& file) {
     throw OptionsError("path.points_file: is needed with path.kind = \"points\"");
   }
   std::vector<PointMm> points;
-  for (const cosim::PointM& p : cosim::read_points_csv(file, {-kFarthestMm, kFarthestMm})) {
+  for (const paths::PointM& p : paths::read_points_csv(file, {-kFarthestMm, kFarthestMm})) {
     const PointMm next{p.x_m * 1e3, p.y_m * 1e3};
     if (points.empty() || next != points.back()) points.push_back(next);
   }

@@ -47,13 +47,13 @@ struct Result : cosim::RunResult {
   std::size_t sample_count() const override { return samples.size(); }
   std::string fault_text() const override { return fault; }
 
-  cosim::DiskVector<Sample> samples;  // from the first after the reset routine on
+  host::DiskVector<Sample> samples;  // from the first after the reset routine on
   std::string fault;            // kFault: what the program saw; kMissed: what was missed
   std::uint32_t readings = 0;   // of Stage I
   std::array<std::int32_t, 2> real{};  // RDRP at the end [count]
   Table table;                  // that the program followed
 
-  cosim::DiskVector<double> contour_mm;  // distance from the path in every sample, of Stage III
+  host::DiskVector<double> contour_mm;  // distance from the path in every sample, of Stage III
 
   // What evaluate() found: with the first sample the motion begins.
   std::size_t first = 0;

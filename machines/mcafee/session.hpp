@@ -82,7 +82,7 @@ class Session final : public cosim::Session,
   std::optional<cosim::FaultWatch> fault_watch_;
   sw::McafeeApp app_;
   cosim::Loop loop_;
-  cosim::DiskVector<Sample> samples_;
+  host::DiskVector<Sample> samples_;
   cosim::EventHash hash_;
   std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
   cosim::EndReason end_ = cosim::EndReason::kTimeout;

@@ -13,7 +13,7 @@ void check_motor(const plant::DcMotorConfig& c) {
   constexpr double kFastest = 1e5;  // [1/s], for steps of 16 us
   const auto check = [](const char* of, double rate) {
     if (rate <= kFastest) return;
-    throw lab::ConfigError(fmt::format(
+    throw host::ConfigError(fmt::format(
         "{}: {:g} 1/s is above 1e5 1/s, the fastest that the motor's steps of 16 us can follow",
         of, rate));
   };

@@ -7,7 +7,7 @@
 
 namespace trammel::lm628 {
 
-// Throws lab::ConfigError, which names the keys of a motor that is too fast for them.
+// Throws host::ConfigError, which names the keys of a motor that is too fast for them.
 void check_motor(const plant::DcMotorConfig& motor);
 
 }  // namespace trammel::lm628

@@ -10,7 +10,7 @@ namespace {
 
 void check_either(const char* key, int value, int one, int other) {
   if (value == one || value == other) return;
-  throw lab::ConfigError(fmt::format("{}: value {} is neither {} nor {}", key, value, one, other));
+  throw host::ConfigError(fmt::format("{}: value {} is neither {} nor {}", key, value, one, other));
 }
 
 }  // namespace

@@ -31,7 +31,7 @@ inline exact::Lm628Clock clock_of(int clock_MHz) {
 // From one sample to the next [s]: 2048 ticks of the part's clock.
 inline double sample_s(int clock_MHz) { return 2048 / (clock_MHz * 1e6); }
 
-// Throw lab::ConfigError, with the key, the value and what is permitted.
+// Throw host::ConfigError, with the key, the value and what is permitted.
 void check_clock(int clock_MHz);
 void check_part(const PartOptions& part);
 

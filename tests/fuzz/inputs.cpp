@@ -30,8 +30,8 @@ void finding(const std::string& what) {
 }
 
 void check_message(const std::exception& error) {
-  const std::string line = lab::one_line(error.what());
-  if (line.size() > 8100 || lab::printable(line) != line || line.empty()) {
+  const std::string line = host::one_line(error.what());
+  if (line.size() > 8100 || host::printable(line) != line || line.empty()) {
     finding("not a line: " + line);
   }
 }
@@ -39,7 +39,7 @@ void check_message(const std::exception& error) {
 namespace {
 
 namespace fs = std::filesystem;
-using lab::ConfigError;
+using host::ConfigError;
 
 template <class Act>
 bool taken(Act act) {
@@ -84,17 +84,17 @@ void finish(lab::Settings& settings, const std::string& bytes) {
 void points(const std::string& bytes) {
   std::istringstream text(bytes);
   try {
-    cosim::read_points_csv(text, "points.csv", {-600, 600});
+    paths::read_points_csv(text, "points.csv", {-600, 600});
   } catch (const std::invalid_argument& error) {
     check_message(error);
   }
 }
 
 void gcode(const std::string& bytes) {
-  cosim::GcodeTable table;
+  paths::GcodeTable table;
   table.start = table.home = {0.25, 0.25};
   try {
-    const cosim::GcodeProgram program = cosim::read_gcode(bytes, "part.ngc", table);
+    const paths::GcodeProgram program = paths::read_gcode(bytes, "part.ngc", table);
     const std::string problem = test::moves_problem(program.moves, table.low, table.high);
     if (!problem.empty()) finding("moves that do not hold together: " + problem);
     for (const std::string& warning : program.warnings) {

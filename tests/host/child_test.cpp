@@ -16,8 +16,8 @@
 #include "tests/support/told.hpp"
 
 using namespace trammel;
-using lab::Child;
-using Pipe = lab::Child::Pipe;
+using host::Child;
+using Pipe = host::Child::Pipe;
 
 namespace {
 

@@ -8,7 +8,7 @@
 #include <csignal>
 #include <cstdint>
 
-namespace trammel::cosim {
+namespace trammel::host {
 namespace {
 
 using Numbers = DiskVector<std::int64_t>;
@@ -64,4 +64,4 @@ TEST_CASE("a full disk is an error, not a record with a hole") {
 }
 
 }  // namespace
-}  // namespace trammel::cosim
+}  // namespace trammel::host

@@ -23,7 +23,7 @@ int refused_with = EINVAL;
 void put(const fs::path& file, const std::string& text) { std::ofstream(file) << text; }
 
 void publish(const fs::path& target, const std::string& name, const std::string& text) {
-  lab::OutputFolder folder(target);
+  host::OutputFolder folder(target);
   put(folder.scratch() / name, text);
   folder.publish("1.2.3");
 }
@@ -50,7 +50,7 @@ TEST_CASE("without an exchange of names a run replaces another one and leaves no
     CHECK_FALSE(fs::exists(target / "trace.csv"));
     CHECK(test::content(target / "other.csv") == "second");
     CHECK(test::content(target / "notes.txt") == "mine");
-    CHECK_NOTHROW(lab::check_whole(target));
+    CHECK_NOTHROW(host::check_whole(target));
     CHECK(test::entries(target) == 3);  // with run.json
     CHECK(test::entries(here.path) == 1);
   }
@@ -60,7 +60,7 @@ TEST_CASE("without an exchange of names nothing is put onto what is there") {
   refused_with = EINVAL;
   const test::Scratch here("output_folder_exchange_out");
   const fs::path target = here.path / "a";
-  lab::OutputFolder late(target);
+  host::OutputFolder late(target);
   put(target, "mine");
   CHECK_THROWS_WITH(late.publish("1.2.3"), Contains("a: --out: is not a folder"));
   CHECK(test::content(target) == "mine");

@@ -24,7 +24,7 @@
 
 using namespace trammel;
 using Catch::Contains;
-using lab::OutputFolder;
+using host::OutputFolder;
 namespace fs = std::filesystem;
 
 namespace {
@@ -73,7 +73,7 @@ TEST_CASE("a folder is there when it is published, and nothing is left of one th
   CHECK(test::content(target / "trace.csv") == "first");
   CHECK(test::entries(target) == 2);  // with run.json
   CHECK(test::entries(here.path) == 1);
-  CHECK_NOTHROW(lab::check_whole(target));
+  CHECK_NOTHROW(host::check_whole(target));
 }
 
 TEST_CASE("a slash behind the name of a folder means nothing, whether it is there or not") {
@@ -289,11 +289,11 @@ TEST_CASE("a folder with the name of a run's file is the user's") {
 TEST_CASE("files of a record keep their names where the list of them is missing too") {
   const test::Scratch here("output_folder_out");
   put(here.path / "trace.csv", "first");
-  CHECK_THROWS_WITH(lab::write_result_file(here.path / "trace.csv", "another"),
+  CHECK_THROWS_WITH(host::write_result_file(here.path / "trace.csv", "another"),
                     Contains("trace.csv: --out: is a file of a run's record"));
   CHECK(test::content(here.path / "trace.csv") == "first");
   put(here.path / "page.html", "first");
-  lab::write_result_file(here.path / "page.html", "another");
+  host::write_result_file(here.path / "page.html", "another");
   CHECK(test::content(here.path / "page.html") == "another");
   CHECK(test::entries(here.path) == 2);
 }
@@ -304,19 +304,19 @@ TEST_CASE("a file that is missing or not the run's is named") {
   publish(target, "trace.csv", "first");
   for (const char* name : {"trace.csv", "run.json"}) {
     CAPTURE(name);
-    CHECK_THROWS_WITH(lab::write_result_file(target / name, "another"),
+    CHECK_THROWS_WITH(host::write_result_file(target / name, "another"),
                       Contains(std::string(name) + ": --out: is a file of a run's record"));
   }
   CHECK(test::content(target / "trace.csv") == "first");
-  CHECK_NOTHROW(lab::check_result_file(target / "report.html"));
-  CHECK_NOTHROW(lab::check_result_file(target / "notes.txt"));
-  CHECK_THROWS_WITH(lab::check_result_file(target), Contains("--out: is a folder; name a file"));
+  CHECK_NOTHROW(host::check_result_file(target / "report.html"));
+  CHECK_NOTHROW(host::check_result_file(target / "notes.txt"));
+  CHECK_THROWS_WITH(host::check_result_file(target), Contains("--out: is a folder; name a file"));
   put(target / "trace.csv", "FIRST");
-  CHECK_THROWS_WITH(lab::check_whole(target), Contains("trace.csv: is not what the run wrote"));
+  CHECK_THROWS_WITH(host::check_whole(target), Contains("trace.csv: is not what the run wrote"));
   fs::remove(target / "trace.csv");
-  CHECK_THROWS_WITH(lab::check_whole(target), Contains("trace.csv: is missing"));
+  CHECK_THROWS_WITH(host::check_whole(target), Contains("trace.csv: is missing"));
   fs::remove(target / "run.json");
-  CHECK_NOTHROW(lab::check_whole(target));
+  CHECK_NOTHROW(host::check_whole(target));
 }
 
 TEST_CASE("a change of one byte anywhere in a long file is seen") {
@@ -324,16 +324,16 @@ TEST_CASE("a change of one byte anywhere in a long file is seen") {
   const fs::path target = here.path / "a";
   const std::string whole(200'000, 'x');  // some blocks of 64 KiB
   publish(target, "trace.csv", whole);
-  CHECK_NOTHROW(lab::check_whole(target));
+  CHECK_NOTHROW(host::check_whole(target));
   for (const std::size_t at : {0, 65'535, 65'536, 140'000, 199'999}) {
     std::string changed = whole;
     changed[at] = 'y';
     put(target / "trace.csv", changed);
     CAPTURE(at);
-    CHECK_THROWS_WITH(lab::check_whole(target), Contains("trace.csv: is not what the run wrote"));
+    CHECK_THROWS_WITH(host::check_whole(target), Contains("trace.csv: is not what the run wrote"));
   }
   put(target / "trace.csv", whole);
-  CHECK_NOTHROW(lab::check_whole(target));
+  CHECK_NOTHROW(host::check_whole(target));
 }
 
 TEST_CASE("where a file system can, a page has no name before it is whole") {
@@ -347,7 +347,7 @@ TEST_CASE("where a file system can, a page has no name before it is whole") {
   const int watch = inotify_init1(IN_NONBLOCK);
   REQUIRE(watch >= 0);
   REQUIRE(inotify_add_watch(watch, here.path.c_str(), IN_CREATE | IN_MODIFY | IN_MOVED_TO) >= 0);
-  lab::replace_file(here.path / "page.html", std::string(100'000, 'x'));
+  host::replace_file(here.path / "page.html", std::string(100'000, 'x'));
   alignas(inotify_event) char block[4096];
   const ssize_t size = read(watch, block, sizeof block);
   close(watch);
@@ -369,17 +369,17 @@ TEST_CASE("where a file system can, a page has no name before it is whole") {
 TEST_CASE("a page replaces a regular file, through a file that did not exist") {
   const test::Scratch here("output_folder_out");
   const fs::path page = here.path / "page.html";
-  lab::replace_file(page, "one");
-  lab::replace_file(page, "two");
+  host::replace_file(page, "one");
+  host::replace_file(page, "two");
   CHECK(test::content(page) == "two");
   fs::create_symlink("elsewhere", here.path / "link");
-  CHECK_THROWS_WITH(lab::replace_file(here.path / "link", "x"), Contains("not a regular file"));
-  CHECK_THROWS_WITH(lab::replace_file("/dev/full", "x"), Contains("not a regular file"));
-  CHECK_THROWS_WITH(lab::replace_file(here.path / "none" / "page", "x"),
+  CHECK_THROWS_WITH(host::replace_file(here.path / "link", "x"), Contains("not a regular file"));
+  CHECK_THROWS_WITH(host::replace_file("/dev/full", "x"), Contains("not a regular file"));
+  CHECK_THROWS_WITH(host::replace_file(here.path / "none" / "page", "x"),
                     Contains("cannot be written"));
-  CHECK_THROWS_WITH(lab::write_text("/dev/full", "x"),
+  CHECK_THROWS_WITH(host::write_text("/dev/full", "x"),
                     Contains("/dev/full: cannot be written: No space left on device"));
-  CHECK_THROWS_WITH(lab::write_text("/dev/full", std::string(100000, 'x')),
+  CHECK_THROWS_WITH(host::write_text("/dev/full", std::string(100000, 'x')),
                     Contains("No space left on device"));
   CHECK(test::entries(here.path) == 2);
 }

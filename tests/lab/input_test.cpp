@@ -41,7 +41,7 @@ std::string refusal_of(const std::string& toml) {
 }
 
 std::string json_refusal(const std::string& text) {
-  return test::refusal_of([&] { parse_object(text, "a.json"); });
+  return test::refusal_of([&] { host::parse_object(text, "a.json"); });
 }
 
 }  // namespace
@@ -50,17 +50,19 @@ TEST_CASE("only regular files are read") {
   const test::Scratch scratch("input_test_files");
   const std::string pipe = scratch.path / "pipe";
   REQUIRE(mkfifo(pipe.c_str(), 0600) == 0);
-  CHECK_THROWS_WITH(read_text(pipe), pipe + ": cannot be read: it is not a regular file");
+  CHECK_THROWS_WITH(host::read_text(pipe), pipe + ": cannot be read: it is not a regular file");
   CHECK_THROWS_WITH(load_scenario(pipe), pipe + ": cannot be read: it is not a regular file");
-  CHECK_THROWS_WITH(read_text("/dev/zero"), "/dev/zero: cannot be read: it is not a regular file");
-  CHECK_THROWS_WITH(read_text(scratch.path),
+  CHECK_THROWS_WITH(host::read_text("/dev/zero"),
+                    "/dev/zero: cannot be read: it is not a regular file");
+  CHECK_THROWS_WITH(host::read_text(scratch.path),
                     scratch.path.string() + ": cannot be read: it is a folder");
-  CHECK_THROWS_WITH(read_text("no/such"), "no/such: cannot be read: No such file or directory");
+  CHECK_THROWS_WITH(host::read_text("no/such"),
+                    "no/such: cannot be read: No such file or directory");
 }
 
 TEST_CASE("a read that fails is not the end of a file") {
   // The system gives nothing of what is not mapped.
-  CHECK_THROWS_WITH(read_text("/proc/self/mem"),
+  CHECK_THROWS_WITH(host::read_text("/proc/self/mem"),
                     "/proc/self/mem: cannot be read: Input/output error");
 }
 
@@ -68,29 +70,30 @@ TEST_CASE("a file is read to its limit and not beyond") {
   const test::Scratch scratch("input_test_limit");
   const std::string file = scratch.path / "a.toml";
   std::ofstream(file) << std::string(1000, '#');
-  CHECK(read_text(file, 1000).size() == 1000);
-  CHECK_THROWS_WITH(read_text(file, 999), file + ": cannot be read: it is larger than 999 bytes");
+  CHECK(host::read_text(file, 1000).size() == 1000);
+  CHECK_THROWS_WITH(host::read_text(file, 999),
+                    file + ": cannot be read: it is larger than 999 bytes");
   std::filesystem::resize_file(file, (std::uintmax_t{4} << 20) + 1);
   CHECK_THROWS_WITH(load_scenario(file), file + ": cannot be read: it is larger than 4 MiB");
   std::filesystem::resize_file(file, std::uintmax_t{1} << 40);  // nothing of it is on the disk
-  CHECK_THROWS_WITH(read_text(file), file + ": cannot be read: it is larger than 256 MiB");
+  CHECK_THROWS_WITH(host::read_text(file), file + ": cannot be read: it is larger than 256 MiB");
 }
 
 TEST_CASE("lines are read with and without an end, of bounded length") {
-  using Line = cosim::InputFile::Line;
+  using Line = host::InputFile::Line;
   const test::Scratch scratch("input_test_lines");
   const std::string file = scratch.path / "lines";
   const std::string across(100000, 'x');  // longer than what is read at a time
   std::ofstream(file) << "one\n\n" << across << "\nlast";
-  cosim::InputFile in(file, cosim::kMiB);
+  host::InputFile in(file, host::kMiB);
   std::string line;
   CHECK((in.line(line) == Line::kWhole && line == "one"));
   CHECK((in.line(line) == Line::kWhole && line.empty()));
   CHECK((in.line(line) == Line::kWhole && line == across));
   CHECK((in.line(line) == Line::kUnended && line == "last"));
   CHECK(in.line(line) == Line::kNone);
-  std::filesystem::resize_file(file, 3 * cosim::kMiB);
-  cosim::InputFile endless(file, 10 * cosim::kMiB);
+  std::filesystem::resize_file(file, 3 * host::kMiB);
+  host::InputFile endless(file, 10 * host::kMiB);
   const auto read_all = [&] {
     while (endless.line(line) != Line::kNone) {
     }

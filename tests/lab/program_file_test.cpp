@@ -60,15 +60,15 @@ TEST_CASE("what is kept of a program is what it was before the run, not what bec
       const auto settings = load_scenario(program);
       const fs::path folder = scratch.path / "run";
       fs::create_directory(folder);
-      write_text(program, "before");
+      host::write_text(program, "before");
       copy_inputs(*settings, folder);
-      write_text(program, "during the run");
+      host::write_text(program, "during the run");
       copy_inputs(*settings, folder);
       const std::string kept = (folder / (machine->program.key + extension)).string();
-      CHECK(read_text(kept) == "before");
+      CHECK(host::read_text(kept) == "before");
       fs::remove(kept);
       copy_inputs(*settings, folder);
-      CHECK(read_text(kept) == "during the run");
+      CHECK(host::read_text(kept) == "during the run");
     }
   }
 }
@@ -135,9 +135,9 @@ TEST_CASE("a copy has the name of its key and the extension of its file, if that
       CHECK(std::get<std::string>(key.get(*with_copies(*settings, folder))) == path);
       copy_inputs(*settings, folder);  // there is no such file: nothing to copy
       CHECK(test::entries(folder) == 0);
-      write_text(path, "it");
+      host::write_text(path, "it");
       copy_inputs(*settings, folder);
-      CHECK(read_text(folder / (key.name + extension)) == "it");
+      CHECK(host::read_text(folder / (key.name + extension)) == "it");
       const auto copies = with_copies(*settings, folder);
       CHECK(std::get<std::string>(key.get(*copies)) == key.name + extension);
       CHECK(std::get<std::string>(key.get(*settings)) == path);
@@ -151,7 +151,7 @@ TEST_CASE("scenarios are in the order of their names, and a path is one that nob
   CHECK(std::is_sorted(names.begin(), names.end()));
   CHECK(find_scenario("no/such") == "no/such");
   CHECK(find_scenario("none.toml") == "none.toml");
-  CHECK_THROWS_AS(find_scenario("none.tml"), ConfigError);
+  CHECK_THROWS_AS(find_scenario("none.tml"), host::ConfigError);
   for (const Machine* const machine : machines()) {
     for (const Experiment& experiment : machine->experiments) {  // of run --all
       const auto settings = load_scenario(find_scenario(experiment.scenario));
@@ -170,5 +170,5 @@ TEST_CASE("the extension of a program may be in capitals, another one is that of
   CHECK(machine_of_program("circle") == nullptr);
   CHECK(machine_of_program("a.toml") == nullptr);
   CHECK(machine_of_program("") == nullptr);
-  CHECK_THROWS_AS(find_scenario("none"), ConfigError);
+  CHECK_THROWS_AS(find_scenario("none"), host::ConfigError);
 }

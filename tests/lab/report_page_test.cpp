@@ -53,7 +53,7 @@ void replace(const fs::path& file, const std::string& old, const std::string& te
   std::string all = content(file);
   const auto at = all.find(old);
   REQUIRE(at != std::string::npos);
-  write_text(file, all.replace(at, old.size(), text));
+  host::write_text(file, all.replace(at, old.size(), text));
 }
 
 // The page of `folder` is refused in one line that says so, and the one that is there stays.
@@ -63,7 +63,7 @@ void check_refused(const fs::path& folder, const std::string& says) {
   try {
     write_page({folder}, folder / "report.html");
     FAIL_CHECK("the page was written");
-  } catch (const ConfigError& error) {
+  } catch (const host::ConfigError& error) {
     const std::string line = error.what();
     CHECK_THAT(line, Contains(says));
     CHECK(line.find('\n') == std::string::npos);
@@ -254,53 +254,53 @@ TEST_CASE("a corrupt folder is one line that names the file, and the old page st
     const std::string metrics = content(metrics_file);
     const std::size_t rows = read_run(folder).rows;
 
-    write_text(trace_file, trace.substr(0, trace.size() / 2));
+    host::write_text(trace_file, trace.substr(0, trace.size() / 2));
     check_refused(folder, "trace.csv: is corrupt: line ");
-    write_text(trace_file, trace.substr(0, trace.rfind('\n', trace.size() - 2) + 1));
+    host::write_text(trace_file, trace.substr(0, trace.rfind('\n', trace.size() - 2) + 1));
     check_refused(folder, "trace.csv: is corrupt: " + std::to_string(rows - 1) +
                               " samples, but the run recorded " + std::to_string(rows));
     for (std::size_t cut = 1; cut <= 3; ++cut) {  // what is left may still read as numbers
       INFO("without its last " << cut << " bytes");
-      write_text(trace_file, trace.substr(0, trace.size() - cut));
+      host::write_text(trace_file, trace.substr(0, trace.size() - cut));
       check_refused(folder, "trace.csv: is corrupt: line " + std::to_string(rows + 1) + " ");
     }
-    write_text(trace_file, trace);
+    host::write_text(trace_file, trace);
     replace(trace_file, machine.columns().columns[1].name, "medal");
     check_refused(folder, "trace.csv: is corrupt: line 1 does not name the columns of a trace");
     for (const char* value : {"nan", "inf", "-inf", "1e999", "one", ""}) {  // in its last column
       const std::size_t comma = trace.find_last_of(',');
       INFO("value \"" << value << '"');
-      write_text(trace_file, trace.substr(0, comma + 1) + value + '\n');
+      host::write_text(trace_file, trace.substr(0, comma + 1) + value + '\n');
       check_refused(folder, "trace.csv: is corrupt: line " + std::to_string(rows + 1) +
                                 " does not hold ");
     }
-    write_text(trace_file, "");
+    host::write_text(trace_file, "");
     check_refused(folder, "trace.csv: is corrupt: line 1 ");
     fs::remove(trace_file);
     check_refused(folder, "trace.csv: is missing: not a folder that `trammel run` wrote");
     fs::create_directory(trace_file);
     check_refused(folder, "trace.csv: cannot be read");
     fs::remove(trace_file);
-    write_text(trace_file, trace);
+    host::write_text(trace_file, trace);
 
-    write_text(metrics_file, metrics.substr(0, metrics.size() / 2));
+    host::write_text(metrics_file, metrics.substr(0, metrics.size() / 2));
     check_refused(folder, "metrics.json: is corrupt: no JSON at byte ");
-    write_text(metrics_file, "[]");
+    host::write_text(metrics_file, "[]");
     check_refused(folder, "metrics.json: is corrupt: not a JSON object");
-    write_text(metrics_file, metrics);
+    host::write_text(metrics_file, metrics);
     replace(metrics_file, "\"machine\":", "\"moschine\":");
     check_refused(folder, "metrics.json: names no machine: written by an older trammel");
-    write_text(metrics_file, metrics);
+    host::write_text(metrics_file, metrics);
     replace(metrics_file, "\"machine\": \"" + machine.name, "\"machine\": \"other");
     check_refused(folder,
                   fmt::format("metrics.json: is of the machine \"other\", which this trammel does "
                               "not have; it has {}",
                               fmt::join(machine_names(), ", ")));
-    write_text(metrics_file, metrics);
+    host::write_text(metrics_file, metrics);
     replace(metrics_file, "\"id\":", "\"di\":");
     check_refused(folder,
                   "metrics.json: is corrupt: /figures does not hold id, name, unit and value");
-    write_text(metrics_file, metrics);
+    host::write_text(metrics_file, metrics);
     write_page({folder}, folder / "report.html");
     CHECK_THROWS_WITH(write_page({base / "b"}, base / "b.html"), Contains("b: no such folder"));
     CHECK_THROWS_WITH(write_page({trace_file}, base / "b.html"),
@@ -314,7 +314,7 @@ TEST_CASE("the latest run is that whose metrics were written last, of whatever n
   const auto now = fs::file_time_type::clock::now();
   const auto put = [&](const char* name, int ago_s) {
     fs::create_directories(scratch.path / name);
-    write_text(scratch.path / name / "metrics.json", "{}");
+    host::write_text(scratch.path / name / "metrics.json", "{}");
     fs::last_write_time(scratch.path / name / "metrics.json", now - std::chrono::seconds(ago_s));
   };
   put("a", 30);
@@ -346,11 +346,11 @@ TEST_CASE("every missing member that a machine's page needs is named") {
       Json less = metrics;
       REQUIRE(less.contains(place));
       less[place] = nullptr;
-      write_text(folder / "metrics.json", less.dump());
+      host::write_text(folder / "metrics.json", less.dump());
       check_refused(folder, "metrics.json: is corrupt: " + member + " has the wrong type");
       less = metrics;
       less[place.parent_pointer()].erase(place.back());
-      write_text(folder / "metrics.json", less.dump());
+      host::write_text(folder / "metrics.json", less.dump());
       check_refused(folder, "metrics.json: is corrupt: " + member + " is missing");
     }
   });

@@ -120,7 +120,7 @@ TEST_CASE("a name that cannot be a folder name is refused by every machine") {
       CHECK_THROWS_WITH(validate(*settings),
                         fmt::format("name: {} cannot name an output folder: 1 to 200 bytes of "
                                     "UTF-8, no slash or control character, no dot at the start",
-                                    shown(value_text(name))));
+                                    host::shown(value_text(name))));
       CHECK_THAT(message_of(*machine, {"name=" + name}), !Catch::Contains("\n"));
     }
     for (const std::string& name : good) {
@@ -174,10 +174,10 @@ TEST_CASE("a twin has no signals, assertions or clocks to look at") {
 
 TEST_CASE("what only plant or firmware can refuse is still the user's mistake") {
   BareSettings settings;
-  CHECK_THROWS_AS(run(settings), ConfigError);
+  CHECK_THROWS_AS(run(settings), host::ConfigError);
   CHECK_THROWS_WITH(run(settings), "plant.mass_kg: too small");
   settings.description = "with a path";
-  CHECK_THROWS_AS(run(settings), ConfigError);
+  CHECK_THROWS_AS(run(settings), host::ConfigError);
   CHECK_THROWS_WITH(run(settings), "path: nowhere");
 }
 

@@ -257,7 +257,7 @@ TEST_CASE("a VCD is told by its own size, and refused where no program makes it"
     settings->run.wave_end_s = 0.5;
     {
       const test::NoPrograms none;
-      CHECK_THROWS_AS(waves_notice(*settings), ToolMissing);
+      CHECK_THROWS_AS(waves_notice(*settings), host::ToolMissing);
     }
     const test::Variable path("PATH", scratch.path.c_str());
     CHECK(waves_notice(*settings) ==

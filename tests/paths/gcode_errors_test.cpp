@@ -11,9 +11,9 @@ namespace {
 
 using namespace trammel;
 
-std::string message_of(const std::string& text, const cosim::GcodeTable& table) {
+std::string message_of(const std::string& text, const paths::GcodeTable& table) {
   try {
-    cosim::read_gcode(text, "p.ngc", table);
+    paths::read_gcode(text, "p.ngc", table);
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
@@ -21,7 +21,7 @@ std::string message_of(const std::string& text, const cosim::GcodeTable& table) 
 }
 
 std::string message_of(const std::string& text) {
-  cosim::GcodeTable table;
+  paths::GcodeTable table;
   table.start = table.home = {0.25, 0.25};
   return message_of(text, table);
 }
@@ -192,7 +192,7 @@ TEST_CASE("nothing leaves the stroke") {
 }
 
 TEST_CASE("the stroke of each axis is its own, for lines, for G28 and for arcs, at both ends") {
-  cosim::GcodeTable table;
+  paths::GcodeTable table;
   table.start = table.home = {0.25, 0.45};
   table.low = {0.1, 0.2};
   table.high = {0.4, 0.7};
@@ -282,9 +282,9 @@ TEST_CASE("rests are taken up to an hour in all, the last with it") {
 }
 
 TEST_CASE("what is no file is refused with its name") {
-  CHECK_THROWS_WITH(cosim::read_gcode_file("no/such.ngc", {}),
+  CHECK_THROWS_WITH(paths::read_gcode_file("no/such.ngc", {}),
                     "no/such.ngc: cannot be read: No such file or directory");
-  CHECK_THROWS_WITH(cosim::read_gcode_file(".", {}), ".: cannot be read: it is a folder");
-  CHECK_THROWS_WITH(cosim::read_gcode_file("/dev/zero", {}),
+  CHECK_THROWS_WITH(paths::read_gcode_file(".", {}), ".: cannot be read: it is a folder");
+  CHECK_THROWS_WITH(paths::read_gcode_file("/dev/zero", {}),
                     "/dev/zero: cannot be read: it is not a regular file");
 }

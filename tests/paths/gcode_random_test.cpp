@@ -18,8 +18,8 @@ using test::moves_problem;
 using test::RandomGcode;
 using ideal::Move;
 
-cosim::GcodeTable table() {
-  cosim::GcodeTable t;
+paths::GcodeTable table() {
+  paths::GcodeTable t;
   t.start = t.home = {0.25, 0.25};
   return t;
 }
@@ -55,7 +55,7 @@ TEST_CASE("random programs ask for what they were made of") {
   for (unsigned seed = 1; seed <= 60; ++seed) {
     const RandomGcode program(seed, 60);
     CAPTURE(seed, program.text);
-    const ideal::Moves all = cosim::read_gcode(program.text, "p.ngc", table()).moves;
+    const ideal::Moves all = paths::read_gcode(program.text, "p.ngc", table()).moves;
     REQUIRE(moves_problem(all, {0.149, 0.149}, {0.351, 0.351}).empty());
     std::size_t at = 0;
     for (const AskedMove& asked : program.asked) {
@@ -85,10 +85,10 @@ TEST_CASE("random programs ask for what they were made of") {
 TEST_CASE("moves written as G-code are read as the same moves") {
   for (unsigned seed = 1; seed <= 60; ++seed) {
     const RandomGcode program(seed, 60);
-    const ideal::Moves all = cosim::read_gcode(program.text, "p.ngc", table()).moves;
+    const ideal::Moves all = paths::read_gcode(program.text, "p.ngc", table()).moves;
     const std::string text = text_of(all);
     CAPTURE(seed, text);
-    const ideal::Moves again = cosim::read_gcode(text, "again.ngc", table()).moves;
+    const ideal::Moves again = paths::read_gcode(text, "again.ngc", table()).moves;
     CHECK(again.start_dwell == Approx(all.start_dwell).margin(1e-6));
     REQUIRE(again.moves.size() == all.moves.size());
     for (std::size_t k = 0; k < all.moves.size(); ++k) {
@@ -126,7 +126,7 @@ TEST_CASE("damaged programs are refused in a line, or give moves that hold toget
     }
     CAPTURE(k, text);
     try {
-      const ideal::Moves all = cosim::read_gcode(text, "p.ngc", table()).moves;
+      const ideal::Moves all = paths::read_gcode(text, "p.ngc", table()).moves;
       const std::string problem = moves_problem(all, {0, 0}, {0.6, 0.6});
       CAPTURE(problem);
       CHECK(problem.empty());

@@ -16,12 +16,12 @@ using namespace trammel;
 using ideal::Move;
 using ideal::Place;
 
-cosim::GcodeProgram program(const std::string& text, bool exact = false) {
-  cosim::GcodeTable table;
+paths::GcodeProgram program(const std::string& text, bool exact = false) {
+  paths::GcodeTable table;
   table.start = {0.25, 0.25};
   table.home = {0.1, 0.2};
   table.exact = exact;
-  return cosim::read_gcode(text, "p.ngc", table);
+  return paths::read_gcode(text, "p.ngc", table);
 }
 
 std::vector<Move> read(const std::string& text) { return program(text).moves.moves; }
@@ -305,7 +305,7 @@ TEST_CASE("an arc whose ends are rounded ends where it is said to, near the circ
       const Place from{0.3 + radius, 0.2}, center{0.3, 0.2};
       const Place to{center.x + (radius + error) * std::cos(angle),
                      center.y + (radius + error) * std::sin(angle)};
-      const auto arcs = cosim::arc_around(from, to, center, left);
+      const auto arcs = paths::arc_around(from, to, center, left);
       CHECK(arcs.size() == (turn > 5.25 ? 2 : 1));
       double sweep = 0;
       for (const Move& one : arcs) {
@@ -345,10 +345,10 @@ TEST_CASE("the extent of an arc holds it and is no larger") {
       return Place{center.x + radius * std::cos(angle), center.y + radius * std::sin(angle)};
     };
     const bool left = k % 2 == 0;
-    const auto arcs = cosim::arc_around(on(begin), on(begin + (left ? turn : -turn)), center, left);
+    const auto arcs = paths::arc_around(on(begin), on(begin + (left ? turn : -turn)), center, left);
     REQUIRE(arcs.size() == 1);
-    const cosim::Extent extent = cosim::arc_extent(arcs[0]);
-    cosim::Extent seen{at(arcs[0], 0), at(arcs[0], 0)};
+    const paths::Extent extent = paths::arc_extent(arcs[0]);
+    paths::Extent seen{at(arcs[0], 0), at(arcs[0], 0)};
     for (int n = 0; n <= 2000; ++n) {
       const Place p = at(arcs[0], n / 2000.0);
       seen = {{std::min(seen.low.x, p.x), std::min(seen.low.y, p.y)},

@@ -6,12 +6,12 @@
 
 namespace {
 
-using trammel::cosim::lines_through;
-using trammel::cosim::PointM;
+using trammel::paths::lines_through;
+using trammel::paths::PointM;
 
-std::vector<trammel::cosim::PointM> read(const std::string& text) {
+std::vector<trammel::paths::PointM> read(const std::string& text) {
   std::istringstream stream(text);
-  return trammel::cosim::read_points_csv(stream, "p.csv", {0, 600});
+  return trammel::paths::read_points_csv(stream, "p.csv", {0, 600});
 }
 
 }  // namespace
@@ -29,7 +29,7 @@ TEST_CASE("points are read in millimetres past a header, comments and empty line
 TEST_CASE("the line of each point is told to who asks") {
   std::istringstream text("x_mm,y_mm\n\n1,2\n# none\n3,4\n");
   std::vector<int> lines{7};
-  CHECK(trammel::cosim::read_points_csv(text, "p.csv", {0, 600}, &lines).size() == 2);
+  CHECK(trammel::paths::read_points_csv(text, "p.csv", {0, 600}, &lines).size() == 2);
   CHECK(lines == std::vector<int>{3, 5});
 }
 
@@ -47,9 +47,9 @@ TEST_CASE("lines that are not two numbers are refused with their line number") {
   CHECK_THROWS_AS(read("1,2,3\n"), std::invalid_argument);
   CHECK_THROWS_AS(read("1,2 mm\n"), std::invalid_argument);
   CHECK_THROWS_AS(read("# nothing\n"), std::invalid_argument);
-  CHECK_THROWS_WITH(trammel::cosim::read_points_csv("no/such.csv", {}),
+  CHECK_THROWS_WITH(trammel::paths::read_points_csv("no/such.csv", {}),
                     "no/such.csv: cannot be read: No such file or directory");
-  CHECK_THROWS_WITH(trammel::cosim::read_points_csv(".", {}), ".: cannot be read: it is a folder");
+  CHECK_THROWS_WITH(trammel::paths::read_points_csv(".", {}), ".: cannot be read: it is a folder");
 }
 
 TEST_CASE("a byte-order mark is not part of the first line") {

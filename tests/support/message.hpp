@@ -10,7 +10,7 @@
 namespace trammel::test {
 
 // Of an act; "" when it is not refused.
-template <class Error = lab::ConfigError, class Act>
+template <class Error = host::ConfigError, class Act>
 std::string refusal_of(Act&& act) {
   try {
     act();

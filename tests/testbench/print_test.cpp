@@ -167,7 +167,7 @@ TEST_CASE("experiments are not put among files that are none of theirs") {
   const auto refused = [&](const char* why) {
     CHECK_THROWS_WITH(test::run(arguments, ending(EndReason::kDone)), Contains(why));
   };
-  lab::write_text(scratch.path / "index.html", "mine");
+  host::write_text(scratch.path / "index.html", "mine");
   refused("holds no runs of --all");
   fs::create_directories(scratch.path / first().experiments.front().name);
   refused("index.html there is no page of runs");

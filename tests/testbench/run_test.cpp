@@ -151,9 +151,9 @@ TEST_CASE("a name that cannot be a folder name is refused before anything is wri
         CAPTURE(name, out);
         const auto arguments =
             arguments_for(test::scenario_of(machine), out, {"name=" + name});
-        CHECK_THROWS_AS(test::run(arguments, never), lab::ConfigError);
+        CHECK_THROWS_AS(test::run(arguments, never), host::ConfigError);
         CHECK_THROWS_WITH(test::run(arguments, never),
-                          Contains("name: " + lab::shown(lab::value_text(name)) +
+                          Contains("name: " + host::shown(lab::value_text(name)) +
                                    " cannot name an output folder"));
       }
     }
@@ -176,7 +176,7 @@ TEST_CASE("a refused or failed run leaves nothing half written") {
   each_machine([](const lab::Machine& machine, const fs::path& base) {
     const auto refused = [&](std::vector<std::string> set) {
       const auto arguments = arguments_for(test::scenario_of(machine), base / "a", std::move(set));
-      CHECK_THROWS_AS(test::run(arguments, never), lab::ConfigError);
+      CHECK_THROWS_AS(test::run(arguments, never), host::ConfigError);
     };
     refused({"run.max_s=-1"});
     refused({"no.such.key=1"});
@@ -195,7 +195,7 @@ TEST_CASE("an impossible output folder is refused before the run") {
     std::ofstream(base / "file") << "a file";
     for (const fs::path& out : {base / "file", base / "file" / "below"}) {
       CHECK_THROWS_AS(test::run(arguments_for(test::scenario_of(machine), out), never),
-                      lab::ConfigError);
+                      host::ConfigError);
       CHECK_THROWS_WITH(test::run(arguments_for(test::scenario_of(machine), out), never),
                         Contains("--out: "));
     }
@@ -339,7 +339,7 @@ TEST_CASE("a key that the experiments set is refused with --all, wherever it com
   CHECK(test::run(arguments, ending(EndReason::kDone)) == 0);
   CHECK(entries(scratch.path / "a") == lab::machines().front()->experiments.size());
   arguments.files = {(scratch.path / "afc.toml").string()};
-  CHECK_THROWS_AS(test::run(arguments, never), lab::ConfigError);
+  CHECK_THROWS_AS(test::run(arguments, never), host::ConfigError);
 }
 
 TEST_CASE("a key has the value of the layer that was asked for last") {

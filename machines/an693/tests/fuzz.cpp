@@ -14,7 +14,7 @@ void script(const std::string& bytes) {
       const auto again = parse_line(line.text, "again");
       if (!again || again->words != line.words) fuzz::finding("does not repeat: " + line.text);
     }
-  } catch (const lab::ConfigError& error) {
+  } catch (const host::ConfigError& error) {
     fuzz::check_message(error);
   }
   const std::size_t behind = bytes.find(' ') + 1;  // 0: there is no space

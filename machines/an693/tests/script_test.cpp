@@ -36,7 +36,7 @@ Words words(const std::string& text) { return parsed(text).words; }
 std::string refusal(const std::string& text) {
   try {
     parse_script(text, "move.lm628");
-  } catch (const lab::ConfigError& error) {
+  } catch (const host::ConfigError& error) {
     const std::string line = error.what();
     CHECK_THAT(line, !Catch::Contains("\n"));
     return line;
@@ -291,7 +291,7 @@ TEST_CASE("built-in scripts can be read, and have names") {
   for (const auto& file : files) {
     INFO(file);
     CHECK(find_script(file.stem().string()) == file);
-    CHECK(parse_script(lab::read_text(file), file.string()).size() > 5);
+    CHECK(parse_script(host::read_text(file), file.string()).size() > 5);
   }
   CHECK_THROWS_WITH(find_script("absolut"),
                     Contains("no such script, did you mean absolute?"));

@@ -128,7 +128,7 @@ TEST_CASE("an693: interrupts are told with sample, time, both places and status,
   const Options options;
   Result result = moved(options, 8, [](int n) { return n < 2 ? 0 : -20 * n; },
                         [](int n) { return -19.0 * n; });
-  cosim::DiskVector<Sample> all;
+  host::DiskVector<Sample> all;
   for (std::size_t n = 0; n < 8; ++n) {
     Sample s = result.samples[n];
     s.host_irq = n == 0 || n == 4 || n == 5 || n == 7;

@@ -19,7 +19,7 @@
 namespace trammel::an693 {
 namespace {
 
-using lab::ConfigError;
+using host::ConfigError;
 
 constexpr double kLongestTime = 3600;     // [s]
 constexpr std::size_t kLongestWord = 40;  // characters that are shown
@@ -221,7 +221,7 @@ void repeat(std::vector<Line>& script, std::size_t first, const Line& by) {
 std::optional<Line> parse_line(const std::string& text, const std::string& where) {
   std::istringstream words(text.substr(0, text.find_first_of("#;")));
   std::vector<std::string> data;
-  for (std::string word; words >> word;) data.push_back(lab::shown(word, kLongestWord));
+  for (std::string word; words >> word;) data.push_back(host::shown(word, kLongestWord));
   if (data.empty()) return {};
   Line line;
   line.where = where;

@@ -77,17 +77,17 @@ struct Line {
   std::string where;                 // "file:line", for messages
 };
 
-// One line; nothing where it holds no command. Throws lab::ConfigError, which begins with `where`.
+// One line; nothing where it holds no command. Throws host::ConfigError, which begins with `where`.
 std::optional<Line> parse_line(const std::string& text, const std::string& where);
 
-// How many blocks are open behind a line. Throws lab::ConfigError at an `end` too many.
+// How many blocks are open behind a line. Throws host::ConfigError at an `end` too many.
 int depth_after(int depth, const Line& line);
 
 // All lines of a script as they are executed, those of blocks as often as these say; those after
 // `quit` are read too.
 std::vector<Line> parse_script(const std::string& text, const std::string& source);
 
-// A built-in script's name or a path. Throws lab::ConfigError.
+// A built-in script's name or a path. Throws host::ConfigError.
 std::filesystem::path find_script(const std::string& name);
 
 // What may stand behind `before` and begins with `text`, in the case in which that was begun.

@@ -20,7 +20,7 @@ namespace trammel::an693 {
 namespace {
 
 namespace fs = std::filesystem;
-using lab::ConfigError;
+using host::ConfigError;
 using testbench::print;
 using testbench::print_json;
 using testbench::print_now;
@@ -134,12 +134,12 @@ void refuse_firmware_keys(const Options& options) {
 // The script that was asked for, and its name.
 std::vector<Line> read_script(const std::string& asked, std::string& name) {
   if (asked.empty() || asked == "-") {
-    return parse_script(lab::read_standard_input(lab::kMostWritten), "standard input");
+    return parse_script(host::read_standard_input(host::kMostWritten), "standard input");
   }
   const fs::path file = find_script(asked);
   name = file.stem().string();
   // Its name is in metrics.json, where a line of it ends the run.
-  return parse_script(lab::read_text(file, lab::kMostWritten), lab::printable(file.string()));
+  return parse_script(host::read_text(file, host::kMostWritten), host::printable(file.string()));
 }
 
 // Signals are for this thread: one that begins meanwhile has its mask.
@@ -183,7 +183,7 @@ int lm628_shell(const testbench::Arguments& arguments, std::atomic<bool>& stop,
   check_script_waves(options.run, arguments.out);
   if (const auto notice = lab::waves_notice(options)) tell(*notice);
   options.run.platform = cosim::Platform::kDirect;  // the host is this program
-  std::optional<lab::OutputFolder> folder;
+  std::optional<host::OutputFolder> folder;
   if (!arguments.out.empty()) {
     folder.emplace(arguments.out);
     options.run.wave_file = lab::wave_file(folder->scratch());
@@ -213,7 +213,7 @@ int lm628_shell(const testbench::Arguments& arguments, std::atomic<bool>& stop,
   const lab::Record record = lab::judged(settings, std::move(result));
   const std::string again = folder                       ? "script.lm628 -c run.toml"
                             : arguments.scenario.empty() ? "-"
-                                                         : lab::shell_word(arguments.scenario);
+                                                         : host::shell_word(arguments.scenario);
   const lab::Origin origin{"./trammel lm628 " + again, of_firmware, {{"script", all.answers}},
                            {{"script.lm628", all.script}}};
   const Json json = lab::metrics_json(record, origin);

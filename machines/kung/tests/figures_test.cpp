@@ -65,7 +65,7 @@ TEST_CASE("equations 45 and 46 are the mean and the root of the mean squared dev
 
 TEST_CASE("a run that ended early counts the samples it has") {
   auto result = offset_run({{3e-3, 4e-3}, {6e-3, 8e-3}});
-  cosim::DiskVector<kung::Sample> eleven;
+  host::DiskVector<kung::Sample> eleven;
   for (std::size_t k = 0; k < 11; ++k) eleven.push_back(result.samples[k]);
   result.samples = std::move(eleven);
   result.end = kung::EndReason::kFault;

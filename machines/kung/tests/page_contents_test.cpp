@@ -80,7 +80,7 @@ std::string told(const test::Scratch& scratch, std::uint32_t samples) {
   lab::Record record;
   record.settings = lab::load_scenario(lab::find_scenario("circle"));
   record.result = std::move(result);
-  lab::OutputFolder folder(scratch.path / "run");
+  host::OutputFolder folder(scratch.path / "run");
   const lab::Written written = lab::write_record(record, folder, {}, {}, false);
   CHECK(written.notes.empty());
   return test::content(folder.scratch() / "told");

@@ -46,7 +46,7 @@ void replace(const fs::path& file, const std::string& old, const std::string& te
   std::string all = content(file);
   const auto at = all.find(old);
   REQUIRE(at != std::string::npos);
-  write_text(file, all.replace(at, old.size(), text));
+  host::write_text(file, all.replace(at, old.size(), text));
 }
 
 }  // namespace
@@ -106,7 +106,7 @@ TEST_CASE("corrupt figures, rules and gates are one line that names the file") {
     try {
       write_page({folder}, folder / "report.html");
       FAIL("the page was written");
-    } catch (const ConfigError& error) {
+    } catch (const host::ConfigError& error) {
       const std::string line = error.what();
       CHECK_THAT(line, Catch::Contains(says));
       CHECK(line.find('\n') == std::string::npos);
@@ -119,19 +119,19 @@ TEST_CASE("corrupt figures, rules and gates are one line that names the file") {
 
   replace(folder / "metrics.json", "\"mean_mm\"", "\"mean\"");
   check("metrics.json: is corrupt: /tracking/model/mean_mm is missing");
-  write_text(folder / "metrics.json", metrics);
+  host::write_text(folder / "metrics.json", metrics);
   replace(folder / "metrics.json", "\"samples\": 60", "\"samples\": \"many\"");
   check("metrics.json: is corrupt: /run/samples has the wrong type");
-  write_text(folder / "metrics.json", metrics);
+  host::write_text(folder / "metrics.json", metrics);
 
   replace(folder / "detail.json", "\"first\":[0,", "\"first\":[");
   check("detail.json: is corrupt: /rules/x/first does not hold 49 rules");
-  write_text(folder / "detail.json", detail);
+  host::write_text(folder / "detail.json", detail);
   replace(folder / "detail.json", "\"gates\":null",
           "\"gates\":{\"begin\":1,\"end\":2,\"edges\":[3],\"compare\":[]}");
   check("detail.json: is corrupt: /gates/edges does not hold gate edges");
   const auto response = [&](const std::string& holds, const std::string& says) {
-    write_text(folder / "detail.json", detail);
+    host::write_text(folder / "detail.json", detail);
     replace(folder / "detail.json", "\"gates\":null", "\"gates\":null,\"response\":" + holds);
     check("detail.json: is corrupt: /response" + says);
   };
@@ -140,12 +140,12 @@ TEST_CASE("corrupt figures, rules and gates are one line that names the file") {
   response("{\"speed\":{\"x\":[]}}", "/speed/y is missing");
   response("{\"speed\":{\"x\":[[1,2,3,4]],\"y\":[]}}",
            "/speed/x does not hold rows of 5 numbers");
-  write_text(folder / "detail.json", detail);
+  host::write_text(folder / "detail.json", detail);
   replace(folder / "detail.json", "\"moment\":null", "\"moment\":{\"x\":{\"steps\":[[1,2]]}}");
   check("detail.json: is corrupt: /moment/x/steps does not hold 35 steps");
   fs::remove(folder / "detail.json");
   check("detail.json: is missing");
-  write_text(folder / "detail.json", detail);
+  host::write_text(folder / "detail.json", detail);
   write_page({folder}, folder / "report.html");
   CHECK(content(folder / "report.html") == page);
 }
@@ -166,7 +166,7 @@ TEST_CASE("the page of a precision run has its errors, and is made again from pr
   fs::remove(folder / "run.json");  // which knows the file's checksum
   replace(table, "x_error_um", "x_error_mm");
   refused("precision.csv: is corrupt: line 1 does not name the columns of a precision");
-  write_text(table, rows.substr(0, rows.rfind('\n', rows.size() - 2) + 1));
+  host::write_text(table, rows.substr(0, rows.rfind('\n', rows.size() - 2) + 1));
   refused("precision.csv: is corrupt: 59 samples, but the run recorded 60");
   fs::remove(table);
   refused("precision.csv: is missing");

@@ -15,7 +15,7 @@ namespace {
 // A run of the calibrating scenario with another script, under the script's name.
 int table(const testbench::Arguments& arguments, std::atomic<bool>& stop) {
   if (arguments.scenario.empty()) {
-    throw lab::ConfigError("table: name a script of calls, or a list of moves that ends in .csv");
+    throw host::ConfigError("table: name a script of calls, or a list of moves that ends in .csv");
   }
   testbench::Arguments run = arguments;
   run.scenario = "larson-calibrate";

@@ -182,7 +182,7 @@ TEST_CASE_METHOD(Runs,
   CHECK(read_run(folder).first == 2);
 
   const auto refused = [&](const std::string& changed) {
-    write_text(folder / "detail.json", changed);
+    host::write_text(folder / "detail.json", changed);
     CHECK_THROWS_WITH(write_page({folder}, folder / "report.html"),
                       Contains("detail.json: is corrupt: /"));
     CHECK(content(folder / "report.html") == page);

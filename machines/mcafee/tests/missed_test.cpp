@@ -35,7 +35,7 @@ Result still(int samples) {
 // The samples again, with one that is changed.
 template <class Change>
 void change(Result& result, std::size_t at, Change change) {
-  cosim::DiskVector<Sample> all;
+  host::DiskVector<Sample> all;
   for (std::size_t n = 0; n < result.samples.size(); ++n) {
     Sample s = result.samples[n];
     if (n == at) change(s);

@@ -25,19 +25,19 @@ nlohmann::ordered_json table_json(const Table& table) {
 int track(const testbench::Arguments& arguments, std::atomic<bool>&) {
   const bool listing = arguments.flags.count("--listing") > 0;
   const std::string name = arguments.scenario.empty() ? "mcafee-stage3" : arguments.scenario;
-  if (!arguments.out.empty()) lab::check_result_file(arguments.out);
+  if (!arguments.out.empty()) host::check_result_file(arguments.out);
   const auto file = lab::find_scenario(name);
   if (&lab::machine_of(file) != &machine()) {
-    throw lab::ConfigError(fmt::format("track: {} is a scenario of the machine {}, not of {}",
-                                       lab::shown(name), lab::machine_of(file).name,
-                                       machine().name));
+    throw host::ConfigError(fmt::format("track: {} is a scenario of the machine {}, not of {}",
+                                        host::shown(name), lab::machine_of(file).name,
+                                        machine().name));
   }
-  if (listing && arguments.json) throw lab::ConfigError("track: --listing: not with --json");
+  if (listing && arguments.json) throw host::ConfigError("track: --listing: not with --json");
   const auto settings = testbench::layered(file, arguments);
   const Table table = table_of(static_cast<const Options&>(*settings));
   testbench::tell_warnings("track", table.warnings);
   const std::string text = listing ? listing_text(table) : table_csv(table);
-  if (!arguments.out.empty()) lab::write_result_file(arguments.out, text);
+  if (!arguments.out.empty()) host::write_result_file(arguments.out, text);
   if (arguments.json) {
     testbench::print_json(table_json(table));
   } else if (arguments.out.empty()) {

@@ -17,7 +17,7 @@
 
 using namespace trammel;
 using namespace trammel::an693;
-using lab::read_text;
+using host::read_text;
 using testbench::Arguments;
 using Catch::Matchers::Contains;
 namespace fs = std::filesystem;
@@ -201,7 +201,7 @@ TEST_CASE("a fault of a place that the machine lacks is refused") {
   arguments.scenario = "absolute";
   arguments.assignments = {"inject.fault=converter_stuck"};
   std::atomic<bool> stop{false};
-  CHECK_THROWS_MATCHES(lm628_shell(arguments, stop, {}), lab::ConfigError,
+  CHECK_THROWS_MATCHES(lm628_shell(arguments, stop, {}), host::ConfigError,
                        Catch::Message("inject.fault: this machine has no such part"));
 }
 
@@ -211,14 +211,14 @@ TEST_CASE("exit codes: 0 done, 2 refused before anything is simulated, 5 a wait 
   arguments.report = false;
   const fs::path file = "lm628_shell_test.lm628";
   const auto code = [&](const std::string& script) {
-    lab::write_text(file, script);
+    host::write_text(file, script);
     arguments.scenario = "./" + file.string();
     return lm628_shell(arguments, stop, {});
   };
   CHECK(code("RDRP\nquit\nwait hi 1 ms\n") == 0);
   CHECK(code("wait hi 1 ms\n") == 5);
   arguments.out = "lm628_shell_test_codes";
-  CHECK_THROWS_AS(code("RDRP\nSTT 1\n"), lab::ConfigError);
+  CHECK_THROWS_AS(code("RDRP\nSTT 1\n"), host::ConfigError);
   CHECK_FALSE(fs::exists(arguments.out));
   CHECK(code("STT\nwait hi 1 ms\n") == 0);  // without PORT12 the part moves, the motor does not
   CHECK(code("wait hi 1 ms\n") == 5);

@@ -15,7 +15,7 @@ namespace trammel::perf {
 namespace {
 
 Arguments read_arguments(int argc, char** argv) {
-  if (argc < 2) throw lab::ConfigError("which row?");
+  if (argc < 2) throw host::ConfigError("which row?");
   Arguments arguments;
   arguments.row = argv[1];
   lab::apply_file(arguments.options, lab::find_scenario("circle"));
@@ -67,7 +67,7 @@ int report(int argc, char** argv, const std::function<Outcome(const Arguments&)>
                outcome.clocks, outcome.evaluated, outcome.event_hash, wall.count(), used,
                peak_kib(), outcome.samples * sizeof(kung::Sample) / 1024);
     return 0;
-  } catch (const lab::ConfigError& error) {
+  } catch (const host::ConfigError& error) {
     fmt::print(stderr, "{}\n", error.what());
   } catch (const std::invalid_argument& error) {
     fmt::print(stderr, "{}\n", error.what());

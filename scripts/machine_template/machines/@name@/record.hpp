@@ -25,7 +25,7 @@ struct Result : cosim::RunResult {
   std::size_t sample_count() const override { return samples.size(); }
   std::string fault_text() const override { return fault; }
 
-  cosim::DiskVector<Sample> samples;
+  host::DiskVector<Sample> samples;
   std::string fault;
 };
 

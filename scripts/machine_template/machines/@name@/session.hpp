@@ -62,7 +62,7 @@ class Session final : public cosim::Session, private cosim::Observer, private co
   sw::@Name@App app_;
   MotorPlant plant_;
   std::unique_ptr<cosim::PinnedChip> chip_;
-  cosim::DiskVector<Sample> samples_;
+  host::DiskVector<Sample> samples_;
   cosim::EventHash hash_;
   cosim::EndReason end_ = cosim::EndReason::kTimeout;
   bool over_ = false;

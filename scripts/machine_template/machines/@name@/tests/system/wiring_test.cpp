@@ -25,7 +25,7 @@ Options short_run() {
 std::string refused(Options o) {
   try {
     lab::validate(o);
-  } catch (const lab::ConfigError& error) {
+  } catch (const host::ConfigError& error) {
     return error.what();
   }
   return "";
