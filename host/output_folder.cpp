@@ -243,6 +243,10 @@ void check_names(const fs::path& scratch, const fs::path& target) {
 
 }  // namespace
 
+std::vector<std::string> record_files() {
+  return {std::begin(kRecordFiles), std::end(kRecordFiles)};
+}
+
 void check_replaceable(const fs::path& target) {
   std::error_code error;
   const fs::file_status there = fs::symlink_status(target);

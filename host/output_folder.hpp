@@ -7,11 +7,16 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "host/errors.hpp"
 #include "host/folder_lock.hpp"
 
 namespace trammel::host {
+
+// Names of the files of a run's record, apart from run.json and report.html: they keep their place
+// where the list of them is missing.
+std::vector<std::string> record_files();
 
 // Throws ConfigError for a folder that a run must not replace.
 void check_replaceable(const std::filesystem::path& target);

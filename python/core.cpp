@@ -6,9 +6,12 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
+#include <string>
 #include <system_error>
 
 #include "host/errors.hpp"
+#include "host/output_folder.hpp"
+#include "host/text.hpp"
 #include "lab/build_info.hpp"
 #include "lab/machine.hpp"
 #include "lab/scenarios.hpp"
@@ -26,6 +29,28 @@ void translate(const std::exception_ptr& pointer, void*) {
     PyErr_SetObject(PyExc_OSError,
                     nb::make_tuple(error.code().value(), nb::str(error.what())).ptr());
   }
+}
+
+// As UTF-8; a half character that stands for a byte is that byte again.
+std::string bytes_of(const nb::str& text) {
+  PyObject* bytes = PyUnicode_AsEncodedString(text.ptr(), "utf-8", "surrogateescape");
+  if (bytes == nullptr) {
+    PyErr_Clear();
+    bytes = PyUnicode_AsEncodedString(text.ptr(), "utf-8", "surrogatepass");
+  }
+  const nb::bytes all = nb::steal<nb::bytes>(bytes);
+  return {all.c_str(), all.size()};
+}
+
+// What knows no motor: texts and files as the program has them.
+void bind_host(nb::module_& module) {
+  module.def(
+      "one_line", [](const nb::str& text) { return host::one_line(bytes_of(text)); },
+      nb::arg("text"), "A message as one line that a terminal can show, of bounded length.");
+  module.def(
+      "printable_lines", [](const nb::str& text) { return host::printable_lines(bytes_of(text)); },
+      nb::arg("text"), "Lines of text as a terminal can show them.");
+  module.def("record_files", &host::record_files, "Names of the files of a run's record.");
 }
 
 }  // namespace
@@ -52,6 +77,7 @@ NB_MODULE(_core, module) {
         return names;
       },
       "Names of the built-in scenarios.");
+  python::bind_host(module);
   python::bind_settings(module);
   python::bind_record(module);
   python::bind_stepped(module);

@@ -1,13 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
 """The command lines of `trammel sweep` and `trammel tune`, and how they end. It needs nothing of
-the package, so that the help is always there."""
+the package that is not there before the build, so that the help is always there."""
 
 import argparse
 import contextlib
 import os
 import sys
-import unicodedata
 from collections.abc import Callable
+
+try:
+    from trammel._core import one_line, printable_lines
+except ImportError:  # before it is built: those of scripts/, which reads the command line
+    from trammel_tools.text import one_line
+    from trammel_tools.text import shown as printable_lines
 
 SWEEP = """Make the runs of a plan on all processors or a cluster, into one Parquet data set.
 
@@ -32,41 +37,15 @@ Exit codes: 0 there is a best trial, 1 none meets the constraints, 2 usage, stud
 package is missing, 130 interrupted."""
 
 
-UNSEEN = {"Cc", "Cf", "Cs", "Zl", "Zp"}  # control, format, half characters, separators of lines
-LONGEST = 2000  # characters of a message
-
-
-def character(code: int) -> str:
-    """What is seen of a character that has no shape of its own, or of a byte that is no UTF-8."""
-    if 0xDC80 <= code <= 0xDCFF:
-        return f"\\x{code - 0xDC00:02x}"
-    return f"\\U{code:08x}" if code > 0xFFFF else f"\\u{code:04x}"
-
-
-def shown(text: str, kept: str = "\n\t") -> str:
-    """The text as a terminal can show it."""
-    if text.isascii() and text.isprintable():
-        return text
-    return "".join(character(ord(c)) if c not in kept and unicodedata.category(c) in UNSEEN else c
-                   for c in text)
-
-
-def one_line(message: str) -> str:
-    """An error; of one that is too long, both ends."""
-    text = shown(message, "")
-    half = LONGEST // 2
-    return text if len(text) <= LONGEST else f"{text[:half]}\u2026{text[-half:]}"
-
-
 class Shown:
-    """A stream to which texts of others come as `shown` says. What is to reach the terminal as it
-    is, is written to `plain`."""
+    """A stream to which texts of others come as printable_lines() shows them. What is to reach the
+    terminal as it is, is written to `plain`."""
 
     def __init__(self, plain):
         self.plain = plain
 
     def write(self, text: str) -> int:
-        self.plain.write(shown(text))
+        self.plain.write(printable_lines(text))
         return len(text)
 
     def __getattr__(self, name: str):
