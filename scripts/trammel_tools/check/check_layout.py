@@ -6,8 +6,8 @@ usage: scripts/tool check-layout [root]     prints file:line: what is wrong; exi
 Every block has its companions (properties if it has registers, broken designs if it is a chip that
 leaps) and its page (opening table, every port); every machine has its own (firmware, view of the
 waves, scenarios, tests); no program text outside a machine's folders names it; layers use only
-those below, and so do the links of the build, where it is configured; files are ASCII, of 100
-columns and 400 lines, with a licence line and a newline at the end.
+those below, and so do the links of the build, where it is configured; neither goes in a circle;
+files are ASCII, of 100 columns and 400 lines, with a licence line and a newline at the end.
 
 The rules are about kinds of files, not names: packages share one page, twin and test in their
 layer; chips have no twin of their own (their blocks have) and are tested as machines; a chip whose
@@ -31,6 +31,7 @@ RTL_USES = {"pkg": set(), "math": {"pkg"}, **{m: {"pkg", "math"} for m in MIDDLE
             "boards": {"pkg", "math", "chips"} | MIDDLE}
 CODE = {".sv", ".hpp", ".cpp", ".h", ".c", ".py", ".cmake", ".rdl", ".vlt", ".js", ".css",
         ".html", ""}
+CPP = (".hpp", ".cpp", ".h", ".c")
 TEXT = CODE | {".md", ".toml", ".txt", ".json", ".in"}
 NO_LICENCE = {".md", ".toml", ".txt", ".json"}
 # Opening table of a block's page; more rows may follow.
@@ -171,8 +172,9 @@ def findings(root):
             yield from check_companions(root, files, plain, path)
             yield from check_page(root, path, files)
             yield from check_rtl_uses(root, path, owner)
-        if path.suffix in (".hpp", ".cpp", ".h", ".c"):
+        if path.suffix in CPP:
             yield from layout_uses.check(root, path)
+    yield from layout_uses.check_circles(root, sorted(p for p in files if p.suffix in CPP))
     yield from layout_machines.check(root, files)
     yield from layout_links.check(root)
 

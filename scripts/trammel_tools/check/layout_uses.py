@@ -3,6 +3,7 @@
 
 import re
 
+from trammel_tools.check.layout_links import circles
 from trammel_tools.check.rooms import ROOMS
 
 FOLDERS = tuple(f"{one}/" for one in (*ROOMS, "rtl", "examples", "python", "tests"))
@@ -70,13 +71,27 @@ def is_forbidden(path, folder, allowed, name):
                for library, users in LIBRARIES.items())
 
 
+def includes(root, path):
+    """(line, name) of what a file includes."""
+    for number, line in enumerate((root / path).read_text(encoding="utf-8").split("\n"), 1):
+        if found := re.match(r'\s*#\s*include\s*["<]([^">]+)[">]', line):
+            yield number, found[1]
+
+
+def check_circles(root, paths):
+    """A header that includes itself, by others."""
+    links = {str(path): [name for _, name in includes(root, path)] for path in paths}
+    for circle in circles({name: [one for one in more if one in links]
+                           for name, more in links.items()}):
+        yield f"{circle[0]}: includes itself: {' -> '.join(circle)}"
+
+
 def check(root, path):
     folder, allowed = place_of(path) if len(path.parts) > 1 else (None, [])
     if folder is None:
         return
-    for number, line in enumerate((root / path).read_text(encoding="utf-8").split("\n"), 1):
-        found = re.match(r'\s*#\s*include\s*["<]([^">]+)[">]', line)
-        if found and is_forbidden(path, folder, allowed, found[1]):
-            yield f"{path}:{number}: {folder} may not include {found[1]}"
-        elif found and folder == "models/exact" and found[1] in ("cmath", "math.h"):
-            yield f"{path}:{number}: {folder} holds integers only, no {found[1]}"
+    for number, name in includes(root, path):
+        if is_forbidden(path, folder, allowed, name):
+            yield f"{path}:{number}: {folder} may not include {name}"
+        elif folder == "models/exact" and name in ("cmath", "math.h"):
+            yield f"{path}:{number}: {folder} holds integers only, no {name}"

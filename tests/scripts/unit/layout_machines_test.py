@@ -2,7 +2,8 @@
 """The layout check on machines: companions, names in shared text, chips without a contract."""
 
 from scratch import Scratch
-from trammel_tools.check import check_layout
+from trammel_tools.check import check_layout, layout_uses
+from trammel_tools.check.rooms import ROOMS
 
 LICENCE = "// SPDX-License-Identifier: Apache-2.0\n"
 PLAIN = LICENCE + """module winder_pwm (
@@ -200,3 +201,17 @@ class UsesTest(Layout):
                                                          "tests/support/x.hpp", "systemc"))):
             text = LICENCE + "".join(f'#include "{name}"\n' for name in names)
             self.assertEqual(self.findings({path: text}), [], path)
+
+    def test_no_header_includes_itself(self):
+        texts = {"lab/a.hpp": ("lab/b.hpp", "lab/c.hpp"), "lab/b.hpp": ("cosim/x.hpp",),
+                 "lab/c.hpp": ("lab/a.hpp",), "lab/a.cpp": ("lab/a.hpp",)}
+        self.finds("lab/a.hpp: includes itself: lab/a.hpp -> lab/c.hpp -> lab/a.hpp",
+                   {path: LICENCE + "".join(f'#include "{name}"\n' for name in names)
+                    for path, names in texts.items()})
+
+    def test_no_room_may_use_one_above_it(self):
+        for room, prefixes in layout_uses.USES.items():
+            first = room.partition("/")[0]
+            used = {prefix.partition("/")[0] for prefix in prefixes} & set(ROOMS)
+            if first in ROOMS:
+                self.assertLessEqual(max(map(ROOMS.index, used)), ROOMS.index(first), room)
