@@ -12,6 +12,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <memory>
+#include <random>
 
 #include "host/text.hpp"
 
@@ -23,9 +24,7 @@ struct Close {
   void operator()(std::FILE* file) const { std::fclose(file); }
 };
 
-[[noreturn]] void unwritable(const fs::path& file, int error) {
-  throw ConfigError(fmt::format("{}: cannot be written: {}", file.string(), std::strerror(error)));
-}
+[[noreturn]] void unwritable(const fs::path& file, int error) { throw WriteError(file, error); }
 
 // What `print` gives to the function that it is given; mode: of fopen().
 void write(const fs::path& file, const char* mode, const std::function<void(const Put&)>& print) {
@@ -37,41 +36,53 @@ void write(const fs::path& file, const char* mode, const std::function<void(cons
   if (std::fclose(out.release()) != 0) unwritable(file, errno);
 }
 
+// All of a text, on the disk; else false, with the reason in errno.
+bool put_all(int descriptor, const std::string& text) {
+  for (std::size_t done = 0; done < text.size();) {
+    const ssize_t count = ::write(descriptor, text.data() + done, text.size() - done);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return false;
+    done += static_cast<std::size_t>(count);
+  }
+  return fsync(descriptor) == 0;
+}
+
 // A file that gets its name when it is whole, so that a kill leaves nothing. False where the file
 // system has no such files, or did not take this one.
 bool write_unnamed(const fs::path& file, const std::string& text) {
   const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
   const int descriptor = open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, 0666);
   if (descriptor < 0) return false;
-  std::size_t done = 0;
-  while (done < text.size()) {
-    const ssize_t count = ::write(descriptor, text.data() + done, text.size() - done);
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) break;
-    done += static_cast<std::size_t>(count);
-  }
   const std::string name = fmt::format("/proc/self/fd/{}", descriptor);
-  const bool good = done == text.size() && linkat(AT_FDCWD, name.c_str(), AT_FDCWD, file.c_str(),
-                                                  AT_SYMLINK_FOLLOW) == 0;
+  const bool good = put_all(descriptor, text) && linkat(AT_FDCWD, name.c_str(), AT_FDCWD,
+                                                        file.c_str(), AT_SYMLINK_FOLLOW) == 0;
   return close(descriptor) == 0 && good;
 }
 
-// A file that did not exist, not even as a link.
-void write_new(const fs::path& file, const std::string& text) {
-  bool made = false;
-  try {
-    write(file, "wbx", [&](const Put& put) {
-      made = true;
-      put(text);
-    });
-  } catch (...) {
-    std::error_code ignored;
-    if (made) fs::remove(file, ignored);
-    throw;
-  }
+// A file that did not exist, not even as a link. 0, or the system's reason.
+int write_new(const fs::path& file, const std::string& text) {
+  const int descriptor = open(file.c_str(), O_CREAT | O_EXCL | O_WRONLY | O_CLOEXEC, 0666);
+  if (descriptor < 0) return errno;
+  const int error = put_all(descriptor, text) ? 0 : errno;
+  const int late = close(descriptor) == 0 ? 0 : errno;
+  if (error == 0 && late == 0) return 0;
+  unlink(file.c_str());
+  return error != 0 ? error : late;
+}
+
+// Of a file that is not there yet; processes of other computers may write into the same folder.
+fs::path scratch_of(const fs::path& file) {
+  std::random_device draw;
+  const std::uint64_t digits = std::uint64_t{draw()} << 32 | draw();
+  const std::string name = file.filename().string().substr(0, 200);  // of 255 with the rest
+  return fs::path(file).replace_filename(fmt::format(".{}.{:016x}-{}", name, digits, getpid()));
 }
 
 }  // namespace
+
+WriteError::WriteError(const fs::path& file, int error)
+    : ConfigError(fmt::format("{}: cannot be written: {}", file.string(), std::strerror(error))),
+      code(error) {}
 
 std::string read_text(const fs::path& file, std::uintmax_t most) {
   return reading([&] { return read_file(file.string(), most); });
@@ -99,11 +110,10 @@ void replace_file(const fs::path& file, const std::string& text) {
   if (fs::exists(there) && !fs::is_regular_file(there)) {
     throw ConfigError(fmt::format("{}: cannot be written: not a regular file", file.string()));
   }
-  fs::path scratch;
-  for (int n = 0; n == 0 || fs::exists(fs::symlink_status(scratch, failed)); ++n) {
-    scratch = fs::path(file).concat(fmt::format(".{}-{}.new", getpid(), n));
+  const fs::path scratch = scratch_of(file);
+  if (!write_unnamed(scratch, text)) {
+    if (const int error = write_new(scratch, text)) unwritable(file, error);
   }
-  if (!write_unnamed(scratch, text)) write_new(scratch, text);
   if (std::rename(scratch.c_str(), file.c_str()) == 0) return;
   const int error = errno;
   fs::remove(scratch, failed);

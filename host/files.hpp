@@ -22,6 +22,12 @@ constexpr std::uintmax_t kMostWritten = 4 * kMiB;  // by a person: a scenario, a
 constexpr std::uintmax_t kMostRecord = 256 * kMiB;
 constexpr std::uintmax_t kMostTrace = 16 * 1024 * kMiB;
 
+// What the system refused to write; the text names the file and the reason.
+struct WriteError : ConfigError {
+  WriteError(const std::filesystem::path& file, int error);
+  int code;  // of the system
+};
+
 // What `read` returns; errors of the files that it reads are ConfigErrors.
 template <class Read>
 auto reading(Read read) {
@@ -38,7 +44,8 @@ std::string read_standard_input(std::uintmax_t most);
 
 void write_text(const std::filesystem::path& file, const std::string& text);
 
-// Whole or not at all, even when the disk is full; onto nothing but a regular file.
+// Whole or not at all, even when the disk is full or the power fails; onto nothing but a regular
+// file. Until then it has no name, or .NAME.<16 digits>-<process>.
 void replace_file(const std::filesystem::path& file, const std::string& text);
 
 // A file as long as the run, written as `print` gives its text.

@@ -6,10 +6,12 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
+#include <filesystem>
 #include <string>
 #include <system_error>
 
 #include "host/errors.hpp"
+#include "host/files.hpp"
 #include "host/output_folder.hpp"
 #include "host/text.hpp"
 #include "lab/build_info.hpp"
@@ -50,6 +52,17 @@ void bind_host(nb::module_& module) {
   module.def(
       "printable_lines", [](const nb::str& text) { return host::printable_lines(bytes_of(text)); },
       nb::arg("text"), "Lines of text as a terminal can show them.");
+  module.def(
+      "replace_file",
+      [](const nb::bytes& file, const nb::bytes& data) {
+        const std::filesystem::path path(std::string(file.c_str(), file.size()));
+        try {
+          host::replace_file(path, {data.c_str(), data.size()});
+        } catch (const host::WriteError& error) {
+          throw std::system_error(error.code, std::generic_category());
+        }
+      },
+      nb::arg("file"), nb::arg("data"), "Whole or not at all, in the place of a regular file.");
   module.def("record_files", &host::record_files, "Names of the files of a run's record.");
 }
 

@@ -173,15 +173,6 @@ class Workers(Scratch):
 class Kept(Scratch):
     """The data set and its page."""
 
-    def test_a_file_comes_whole_or_stays(self):
-        file = self.folder / "a"
-        store.replace(file, b"first")
-        with mock.patch("os.fsync", side_effect=ZeroDivisionError), \
-                self.assertRaises(ZeroDivisionError):
-            store.replace(file, b"sec")
-        self.assertEqual(({p.name for p in self.folder.iterdir()}, file.read_text()),
-                         ({"a"}, "first"))
-
     def test_whose_runs_a_folder_holds(self):
         identity = {"plan": "a", "runs": 3, "version": "1"}
         (self.folder / ".lock-2-of-3").write_text("")  # of another shard, which begins too

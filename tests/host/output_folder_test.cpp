@@ -372,6 +372,9 @@ TEST_CASE("a page replaces a regular file, through a file that did not exist") {
   host::replace_file(page, "one");
   host::replace_file(page, "two");
   CHECK(test::content(page) == "two");
+  const fs::path longest = here.path / std::string(255, 'n');
+  host::replace_file(longest, "three");
+  CHECK(fs::remove(longest));
   fs::create_symlink("elsewhere", here.path / "link");
   CHECK_THROWS_WITH(host::replace_file(here.path / "link", "x"), Contains("not a regular file"));
   CHECK_THROWS_WITH(host::replace_file("/dev/full", "x"), Contains("not a regular file"));

@@ -8,7 +8,6 @@ import contextlib
 import errno
 import json
 import os
-import secrets
 import stat
 from pathlib import Path
 
@@ -74,21 +73,11 @@ def check_replaceable(file: Path) -> None:
 def replace(file: Path, data: bytes) -> None:
     """The file is there whole, or as it was before."""
     check_replaceable(file)
-    scratch = file.with_name(f".{file.name}.{secrets.token_hex(8)}-{os.getpid()}")
-    made = False
     try:
-        with open(os.open(scratch, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o666), "wb") as stream:
-            made = True
-            stream.write(data)
-            stream.flush()
-            os.fsync(stream.fileno())
-        os.replace(scratch, file)
+        _core.replace_file(os.fsencode(file), bytes(data))
     except OSError as error:
         error.filename = str(file)
         raise
-    finally:
-        if made:
-            scratch.unlink(missing_ok=True)
 
 
 def check_folder(folder: Path) -> None:
