@@ -5,6 +5,7 @@
 // in observer form, whose first state is the output.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -59,8 +60,9 @@ inline ImpulseResponse impulse_response(const std::vector<double>& u, const std:
                                         int lags) {
   Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(lags, lags);
   Eigen::VectorXd right = Eigen::VectorXd::Zero(lags), row(lags);
+  const std::size_t end = std::min(u.size(), y.size());  // the last output may have no input yet
   const auto each = [&](auto&& use) {
-    for (std::size_t k = static_cast<std::size_t>(lags) - 1; k < y.size(); ++k) {
+    for (std::size_t k = static_cast<std::size_t>(lags) - 1; k < end; ++k) {
       for (int n = 0; n < lags; ++n) row(n) = u[k - static_cast<std::size_t>(n)];
       use(y[k]);
     }
