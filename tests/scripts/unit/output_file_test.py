@@ -82,11 +82,6 @@ class ReplaceTest(Scratch):
                 (self.folder / name).unlink()
             output_file.replace(self.folder / "path.svg", "new")
 
-    def test_the_names_of_a_record_are_those_of_the_program(self):
-        source = (output_file.Path(__file__).resolve().parents[3] / "lab" / "output_folder.cpp")
-        names = source.read_text(encoding="utf-8").partition("kRecordFiles[] = {")[2]
-        self.assertEqual(set(json.loads(f"[{names.partition('}')[0]}]")), output_file.RECORD)
-
 
 class CreateTest(Scratch):
     def refused(self, texts, why):
