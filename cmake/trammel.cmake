@@ -42,12 +42,16 @@ endfunction()
 # Headers of other libraries, which most units of a library include, are compiled once, or taken
 # from another library with the same options. A unit names the headers that it uses all the same:
 # the build with checks compiles them one by one.
+#   trammel_precompile(library [owner | HEADERS ...])
 function(trammel_precompile library)
   if(TRAMMEL_BASE)
     return()
   endif()
+  cmake_parse_arguments(PRECOMPILE "" "" HEADERS ${ARGN})
   target_compile_options(${library} PRIVATE -fpch-preprocess)  # for ccache
-  if(ARGN)
+  if(PRECOMPILE_HEADERS)
+    target_precompile_headers(${library} PRIVATE ${PRECOMPILE_HEADERS})
+  elseif(ARGN)
     target_precompile_headers(${library} REUSE_FROM ${ARGN})
   else()
     target_precompile_headers(${library} PRIVATE <algorithm> <cmath> <cstdint> <filesystem>
@@ -67,6 +71,7 @@ endfunction()
 function(trammel_test_program name source)
   add_executable(${name} ${source})
   target_link_libraries(${name} PRIVATE trammel_options trammel_catch_main ${ARGN})
+  trammel_precompile(${name} trammel_test_headers)
 endfunction()
 
 # Tests belong to the first tier, `trammel test`, except those named here: they belong to the rest,

@@ -85,9 +85,9 @@ class Bench : public trammel::test::Wrapped<Vlm628_axil>,
     if (m.s_axil_rvalid_o) same("rdata", m.s_axil_rdata_o, given(), now());
     if (r) last_ = given();
     edge();
-    if (aw) aw_left_ = m.s_axil_awvalid_i = 0;
-    if (w) w_left_ = m.s_axil_wvalid_i = 0;
-    if (ar) ar_left_ = m.s_axil_arvalid_i = 0;
+    if (aw) aw_left_ = (m.s_axil_awvalid_i = 0);
+    if (w) w_left_ = (m.s_axil_wvalid_i = 0);
+    if (ar) ar_left_ = (m.s_axil_arvalid_i = 0);
     aws_ += aw;
     ws_ += w;
     ars_ += ar;
