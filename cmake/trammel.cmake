@@ -60,12 +60,34 @@ function(trammel_precompile library)
   endif()
 endfunction()
 
-# An executable of Catch2 cases from one file or a list of files; the test has the name `prefix`.
+# An executable of Catch2 cases from one file or a list of files; the test has the name `prefix`,
+# unit.<group>.<name>. With checks, tests of a group that are linked with machines are one program,
+# since linking takes longest. checked_<group> builds what `scripts/tool sanitize <group>` runs.
 function(trammel_test name source prefix)
-  trammel_test_program(${name} "${source}" ${ARGN})
-  add_dependencies(trammel_checked ${name})
-  add_test(NAME ${prefix} COMMAND ${name})
+  string(REGEX REPLACE "^unit\\.([^.]+)\\..*" "\\1" group ${prefix})
+  set(command ${name})
+  if(TRAMMEL_BASE AND "${ARGN}" MATCHES "test_")
+    set(name ${group}_tests)
+    cmake_path(GET source STEM stem)
+    set(command ${name} --filenames-as-tags "[#${stem}]" --warn NoTests)
+  endif()
+  if(TARGET ${name})
+    target_sources(${name} PRIVATE ${source})
+  else()
+    trammel_test_program(${name} "${source}" ${ARGN})
+  endif()
+  trammel_checked(${group} ${name})
+  add_test(NAME ${prefix} COMMAND ${command})
   set_tests_properties(${prefix} PROPERTIES TIMEOUT 300)
+endfunction()
+
+function(trammel_checked group)
+  if(TRAMMEL_BASE)
+    if(NOT TARGET checked_${group})
+      add_custom_target(checked_${group})
+    endif()
+    add_dependencies(checked_${group} ${ARGN})
+  endif()
 endfunction()
 
 function(trammel_test_program name source)

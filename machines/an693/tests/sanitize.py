@@ -29,7 +29,6 @@ RUNS = [
 REFUSED = [
     (2, "value 7 is neither 6 nor 8", *TUNING, "-s", "chip.clock_MHz=7"),
     (2, "value 10 is neither 8 nor 12", *TUNING, "-s", "chip.dac_bits=10"),
-    (2, "not a key of the machine an693", *TUNING, "-s", "gains.kp=1"),
     (2, "is none of: drive", *TUNING, "--wave", "fst", "--wave-trigger", "e ~ 3"),
     (2, "did you mean status.index?", *TUNING, "--wave", "fst", "--wave-trigger",
      "rise status.idex"),
@@ -39,9 +38,12 @@ REFUSED = [
     (2, "did you mean LTRJ?", "lm628", "OUT/bad.lm628"),
     (2, "has no end", "lm628", "OUT/open.lm628"),
     (2, "no such script", "lm628", "nothing"),
-    (2, "not a key", "lm628", "hold", "-s", "gains.kp=1"),
+    (2, "unknown key", "lm628", "hold", "-s", "gains.kp=1"),
     (5, "not within 0.01 s", "lm628", "OUT/late.lm628"),
     (2, "here the script gives the commands", "lm628", "hold", "-s", "filter.kp=1"),
+]
+REFUSED_BY_ALL = [
+    (2, "not a key of the machine an693", *TUNING, "-s", "gains.kp=1"),
 ]
 # Every word of the shell.
 WORDS = """RESET\nPORT8\nPORT12\nDFH\nSIP\nLPEI 1\nLPES 2\nSBPA -5\nSBPR 5\nMSKI 0\nRSTI 0

@@ -23,6 +23,8 @@ REFUSED = [
     (2, "host.sends", *SHORT, "-s", "host.sends=0.1:32=1", "-o", FOLDER),
     (2, "position.min_force", *SHORT, "-s", "position.max_force=9", "-o", FOLDER),
     (2, "axis.stiction_count", *SHORT, "-s", "axis.stiction_count=9", "-o", FOLDER),
-    (2, "--serial", "run", "circle", "--serial", "-o", FOLDER),
     (2, "run.engine", *SHORT, "--engine", "twin", "--assert", "-o", FOLDER),
+]
+REFUSED_BY_ALL = [
+    (2, "--serial", "run", "circle", "--serial", "-o", FOLDER),
 ]

@@ -102,9 +102,13 @@ REFUSED = [
     (2, "no JSON at byte", "report", "OUT/cut_metrics"),
     (2, "does not hold 38 numbers", "report", "OUT/cut_trace"),
     (2, "does not hold 49 rules", "report", "OUT/no_rules"),
-    (2, "which this trammel does not have", "report", "OUT/other"),
+    (3, "this program has one machine only", "report", "OUT/other"),
     (2, "there is no such file", *CORE, "-s", "run.uart=OUT/none"),
     (2, "need run.cpu", *CORE, "-s", "inject.fault=bus_stall"),
+    (2, "unknown key", "run", "circle", "-s", "filter.kp=1"),
+]
+REFUSED_BY_ALL = [
+    (2, "which this trammel does not have", "report", "OUT/other"),
     (2, "not a key of the machine kung", "run", "circle", "-s", "filter.kp=1"),
 ]
 

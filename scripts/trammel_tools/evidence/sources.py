@@ -74,13 +74,18 @@ def reached(first, more):
     return found
 
 
+def instances(files):
+    """These RTL files, all that they contain and the packages that they import."""
+    return reached(files, lambda name: [modules()[one] for one in names_in(name)])
+
+
 def rtl(*blocks):
     """Sources of these blocks (<layer>/<block>), of all that they contain and of the packages that
     these import."""
     first = {f"rtl/{block}.sv" for block in blocks}
     if missing := first - set(every()):
         raise KeyError(*missing)
-    return reached(first, lambda name: [modules()[one] for one in names_in(name)])
+    return instances(first)
 
 
 def properties(files):

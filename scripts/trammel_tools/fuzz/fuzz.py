@@ -26,6 +26,7 @@ import argparse
 import shutil
 import sys
 
+from trammel_tools.check import sanitize
 from trammel_tools.fuzz import fuzz_disks, fuzz_inside, fuzz_seeds, fuzz_starts
 from trammel_tools.machines import MachineError
 from trammel_tools.paths import ROOT
@@ -62,9 +63,9 @@ def parts(asked):
 
 
 def short(seed):
-    if not fuzz_inside.REPLAY.exists():
-        print("fuzz: there is no sanitized build: scripts/tool sanitize build", file=sys.stderr)
-        return 3
+    if failed := sanitize.build("trammel_fuzz_replay"):
+        print(f"fuzz: {failed}", file=sys.stderr)
+        return 1
     found = (fuzz_inside.replay(PROGRAM, seed) + fuzz_starts.run(PROGRAM, seed, 400) +
              fuzz_disks.run_all(PROGRAM, seed, 16))
     return 1 if found else 0

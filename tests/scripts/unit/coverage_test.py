@@ -119,17 +119,19 @@ class CoverageTest(Scratch):
 
 class CoverageCppTest(Scratch):
     def check(self, files, floors):
-        self.patch(coverage_cpp, PAGES=self.folder)
+        self.patch(coverage_cpp, PAGES=self.folder, COUNTS=self.folder)
 
-        def gcovr(kind, target):
+        def gcovr(kind, target, _):
             self.assertEqual(kind, "--json")
             Path(target).write_text(json.dumps({"files": [
                 {"file": name, "lines": [{"line_number": n, "count": c} for n, c in lines]}
                 for name, lines in files.items()]}), encoding="utf-8")
 
         with mock.patch.object(coverage_cpp, "gcovr", gcovr):
-            wrong = []
-            _, out, _ = call(lambda: wrong.extend(coverage_cpp.check(floors)))
+            text = "\n".join(coverage_cpp.short(coverage_cpp.count("some")))
+        wrong = []
+        _, out, _ = call(lambda: wrong.extend(
+            coverage_cpp.check(floors, coverage_cpp.read_short(text))))
         return out, wrong
 
     def test_a_line_of_a_template_counts_once_and_is_executed_in_any_instance(self):

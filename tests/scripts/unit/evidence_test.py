@@ -9,7 +9,7 @@ from unittest import mock
 
 from scratch import Scratch, call
 from trammel_tools import tools
-from trammel_tools.check import rtl_counts
+from trammel_tools.check import coverage_cpp, rtl_counts
 from trammel_tools.evidence import evidence, kinds, record, sources
 from trammel_tools.paths import ROOT
 
@@ -124,7 +124,6 @@ class EvidenceTest(Kept):
             for n in range(1000):
                 commit.return_value = f"{n:040x}"
                 drawn += evidence.drawn(NAME)
-                self.assertEqual(*map(evidence.drawn, ("sanitize.unit", "coverage.cpp")))
         self.assertTrue(70 < drawn < 130, drawn)
 
     def test_a_check_that_fails_keeps_nothing(self):
@@ -196,8 +195,8 @@ class EvidenceTest(Kept):
                 self.assertEqual((code, said.count("\n")), (2, 1), words)
 
     def test_a_check_whose_output_another_needs_runs_with_it(self):
-        with mock.patch.object(evidence, "stale", lambda name: "old" * (name == "coverage.cpp")):
-            self.assertEqual(evidence.why("sanitize.unit"), "coverage.cpp needs it")
+        with mock.patch.object(evidence, "stale", lambda name: "old" * (name == "synth.gates_off")):
+            self.assertEqual(evidence.why("synth.board.ulx3s"), "synth.gates_off needs it")
             self.assertEqual(evidence.why("synth.budget"), "")
 
 
@@ -315,6 +314,20 @@ class SourcesTest(Scratch):
                       or (layer == "chips" and one.startswith("rtl/"))}
             self.assertEqual(read - unused - kind.files(found), set(), name)
 
+    def test_what_the_compiler_reads_is_among_the_inputs_of_sanitized_tests(self):
+        asked = subprocess.run(["ninja", "-C", ROOT / "build", "-t", "deps"], capture_output=True,
+                               text=True, check=False).stdout
+        groups = {}
+        for name, lines in re.findall(r"^tests/CMakeFiles/\w+\.dir/(\S+)_test\.cpp\.o: #deps.*\n"
+                                      r"((?: .*\n)+)", asked, re.M):
+            group = name.removeprefix("__/machines/").split("/")[0]
+            groups.setdefault(group, set()).update(lines.split())
+        for group, files in groups.items():
+            kind, found = kinds.of(f"sanitize.{group}")
+            read = {os.path.relpath((ROOT / "build" / one).resolve(), ROOT) for one in files}
+            read = {one for one in read if not one.startswith(("build", "..", ".venv"))}
+            self.assertEqual(read - kind.files(found), set(), group)
+
     def test_laboratory_and_machines_are_no_input_of_what_depends_on_a_block(self):
         for name in ("coverage.drive.pwm", "campaign.mutants.drive.pwm", "formal.drive.pwm"):
             kind, found = kinds.of(name)
@@ -325,8 +338,9 @@ class SourcesTest(Scratch):
         """Modules that it imports, and files that it finds by ROOT / "folder" / "file"."""
         own, called = "scripts/trammel_tools", tools.every()
         scripts = {name: f"{called[tool].relative_to(ROOT)}" for name, tool in (
-            ("synth.fusesoc", "gen-core"), ("synth.budget", "synth"), ("sanitize.unit", "sanitize"),
-            ("synth.equivalence", "equivalence"), ("mutants.sample", "verify"), ("keys", "verify"),
+            ("synth.fusesoc", "gen-core"), ("synth.budget", "synth"),
+            ("sanitize.drive", "sanitize"), ("synth.equivalence", "equivalence"),
+            ("mutants.sample", "verify"), ("keys", "verify"),
             ("fuzz.short", "fuzz"), ("precision.rows", "precision-rows"), ("perf.rows", "perf"),
             ("docs.precision", "gen-precision"), ("docs.machine", "machine-lesson"),
             ("campaign.mutants.drive.pwm", "verify"), ("campaign.acceptance", "precision-rows"),
@@ -362,3 +376,10 @@ class SourcesTest(Scratch):
         more = text.replace("reaches_near\n", "reaches_near reaches_far\n")
         both = rtl_counts.read_short(text, more)
         self.assertEqual(both["math/toy"].covers["reaches_far"], 1)
+
+    def test_lines_survive_their_short_form(self):
+        lines = {1: 3, 2: 1, 3: 0, 5: 0, 9: 7}
+        text = "\n".join(coverage_cpp.short({"lab/toy.cpp": lines, "lab/toy.hpp": {4: 0}}))
+        self.assertEqual(coverage_cpp.read_short(f"2 unit tests passed\n{text}", text),
+                         {"lab/toy.cpp": {line: 2 * (n > 0) for line, n in lines.items()},
+                          "lab/toy.hpp": {4: 0}})

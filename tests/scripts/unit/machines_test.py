@@ -61,16 +61,19 @@ class MachinesTest(Scratch):
 
     def test_runs_of_the_sanitizers_are_those_of_every_machine(self):
         self.write("machines/saw/tests/sanitize.py",
-                   "RUNS = [(0, 'run', 'cut')]\nREFUSED = [(2, 'no', 'cut')]\nFOLDER = 'OUT/cut'\n")
+                   "RUNS = [(0, 'run', 'cut', '-o', 'OUT/cut')]\n"
+                   "REFUSED = [(2, 'no', 'cut')]\nFOLDER = 'OUT/cut'\n")
         cases = machines.modules("sanitize")
         self.assertEqual(list(cases), ["saw"])
-        cases["winder"] = SimpleNamespace(RUNS=[(5, "run", "spin")], REFUSED=[], FOLDER="OUT/spin",
-                                          passes=lambda *_: False)
-        runs = sanitize.runs_of(cases)
-        for run in ((0, "run", "cut"), (5, "run", "spin"), (0, "list", "keys", "winder")):
-            self.assertIn(run, runs)
-        refused = sanitize.refused_of(cases)
+        cases["winder"] = SimpleNamespace(RUNS=[(5, "run", "spin", "-o", "OUT/spin")], REFUSED=[],
+                                          FOLDER="OUT/spin", passes=lambda *_: False)
+        runs, refused = sanitize.of_machine("saw", cases["saw"])
+        self.assertIn((0, "run", "cut", "-o", "OUT/cut"), runs)
+        self.assertIn((0, "list", "keys", "saw"), runs)
         self.assertIn((2, "no", "cut"), refused)
+        runs, refused = sanitize.of_all(cases)
+        self.assertIn((5, "run", "spin", "-o", "OUT/spin"), runs)
         self.assertIn((2, "only runs of one machine", "report", "OUT/cut", "OUT/spin", "-o",
                        "OUT/two.html"), refused)
+        cases = cases.values()
         self.assertEqual(sanitize.call_each(cases, "passes", 1, 2, 3), [False])

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs with the sanitizers: which they are, and what of them is a finding."""
 
+import os
+from types import SimpleNamespace
 from unittest import mock
 
 from scratch import Scratch, call
@@ -25,8 +27,8 @@ class SanitizeTest(Scratch):
     def succeeds(self, script, code, says=None):
         program = self.write("program", f"#!/bin/sh\n{script}\n")
         program.chmod(0o755)
-        self.patch(sanitize, PROGRAM=program, OUT=self.folder)
-        return call(lambda: sanitize.succeeds(code, says, ["run", "OUT/a"]))
+        program = sanitize.Program(program, self.folder, dict(os.environ))
+        return call(lambda: program.succeeds(code, says, ["run", "OUT/a"]))
 
     def test_a_run_ends_as_it_must_without_a_finding(self):
         line = "echo 'trammel: a: no such scenario' >&2; exit 2"
@@ -39,8 +41,8 @@ class SanitizeTest(Scratch):
                 ("echo more >&2; " + line, 2, "no such", False),
                 (line.replace("trammel: ", ""), 2, "no such", False)):
             got, out, err = self.succeeds(script, code, says)
-            self.assertEqual((got, bool(out), bool(err)), (good, good, not good), script)
-        _, out, err = self.succeeds("exit 5", 2, "why")
+            self.assertEqual((got, out, bool(err)), (good, "", not good), script)
+        _, _, err = self.succeeds("exit 5", 2, "why")
         self.assertIn("exit code 5, expected 2 and one line that says `why`", err)
 
     def test_the_program_gets_the_folder_of_all_in_place_of_its_word(self):
@@ -52,10 +54,16 @@ class SanitizeTest(Scratch):
         self.assertEqual((self.folder / "tries").read_text().count("x"), sanitize.ATTEMPTS)
         self.assertTrue(self.succeeds(f"[ -f once ] || {{ touch once; {died}; }}", 0)[0])
 
-    def test_what_is_asked_is_one_of_the_three(self):
-        for words in ([], ["all"], ["unit", "program"]):
+    def test_what_is_asked_is_a_group(self):
+        for words in ([], ["all"], ["drive", "lab"]):
             self.assertEqual(call(sanitize.main, *words)[0], 2, words)
-        for verb, function in (("build", "configure_and_build"), ("unit", "unit"),
-                               ("program", "program")):
-            with mock.patch.object(sanitize, function, return_value=7):
-                self.assertEqual(call(sanitize.main, verb)[0], 7, verb)
+
+    def test_a_group_passes_where_its_tests_and_its_program_do(self):
+        for failed, done, runs, code in (("", "3", 0, 0), ("no", "3", 0, 1), ("", None, 0, 1),
+                                         ("", "3", None, 1)):
+            with mock.patch.multiple(
+                    sanitize, build=lambda _, failed=failed: failed,
+                    unit=lambda *_, done=done: done, program_of=lambda *_, runs=runs: runs,
+                    coverage_cpp=SimpleNamespace(begin=lambda _: {}, count=lambda _: {},
+                                                 short=lambda _: ["lab/a.cpp 3"])):
+                self.assertEqual(call(sanitize.main, "drive")[0], code)
