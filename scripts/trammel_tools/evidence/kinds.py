@@ -55,19 +55,19 @@ class Kind:
 
 
 def of_files(*patterns, tools=()):
-    return lambda _: matching(*patterns) | (sources.tools(*tools) if tools else set())
+    return lambda _: sources.with_imports(matching(*patterns)) | sources.tools(*tools)
 
 
 def of_proof(found):
     block = f"{found[1]}/{found[2]}"
     files = sources.rtl(block)
-    return files | matching(f"rtl/{block}_props.sv") | sources.tools("proof", "rtl", "waves")
+    return files | matching(f"rtl/{block}_props.sv") | sources.tools("proof/prove")
 
 
 def of_leap(found):
     files = sources.rtl(f"chips/{found[1]}")
     return (files | sources.properties(files) | matching(f"rtl/chips/{found[1]}_leap.toml")
-            | sources.tools("proof", "rtl", "waves"))
+            | sources.tools("proof/prove"))
 
 
 def of_unit_test(layer, block):

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Files that a check depends on: what a module, a test or a folder is made of."""
 
+import ast
 import functools
 import os
 import re
@@ -11,6 +12,7 @@ from trammel_tools.check.rooms import ROOMS
 from trammel_tools.paths import ROOT
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+"([^"]+)"', re.M)
+TOOLS = "scripts/trammel_tools"
 BUILD = ("CMakeLists.txt", "*/CMakeLists.txt", "CMakePresets.json", "cmake/**")
 
 
@@ -42,11 +44,31 @@ def matching(*patterns):
     return {name for name in every() if wanted.fullmatch(name)}
 
 
+def with_imports(files):
+    """These, and the scripts that they import but this package's, which keep results and make
+    none."""
+    used = reached(files, imported)
+    return set(files) | {name for name in used if not name.startswith(f"{TOOLS}/evidence/")}
+
+
 def tools(*names):
-    """The scripts of these packages, or these modules of one, and what all of them use."""
-    own = "scripts/trammel_tools"
-    return matching("scripts/tool", f"{own}/*.py",
-                    *(f"{own}/{one}{end}" for one in names for end in ("/**", ".py")))
+    """The scripts of these packages, or these modules of one, and all that they import."""
+    return with_imports(matching("scripts/tool", *(f"{TOOLS}/{one}{end}" for one in names
+                                                   for end in ("/**", ".py"))))
+
+
+@functools.cache
+def imported(name):
+    """Scripts of the repository that a script imports."""
+    if not name.endswith((".py", "/tool")):
+        return set()
+    found = set()
+    for node in ast.walk(ast.parse((ROOT / name).read_text(encoding="utf-8"))):
+        if isinstance(node, ast.ImportFrom) and f"{node.module}.".startswith("trammel_tools."):
+            folder = f"scripts/{node.module.replace('.', '/')}"
+            found |= {f"{folder}.py", f"{folder}/__init__.py",
+                      *(f"{folder}/{one.name}.py" for one in node.names)}
+    return found & set(every())
 
 
 @functools.cache
@@ -123,5 +145,5 @@ def cpp(*files):
 
 def forget():
     """The next call reads the repository again."""
-    for one in (every, modules, names_in, included, units):
+    for one in (every, imported, modules, names_in, included, units):
         one.cache_clear()
