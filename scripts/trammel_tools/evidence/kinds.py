@@ -145,9 +145,10 @@ WIRINGS = of_files(*PRODUCT, *TESTS, tools=("rtl",))
 MANUAL = of_files(*CODE, "rtl/**.rdl", "tests/goldens/**", "docs/**", "scripts/**", "trammel")
 LESSONS = of_files(*PRODUCT, *TESTS, "docs/*", "scripts/**", "trammel", "README.md",
                    "trammel.core", "pyproject.toml", "examples/**", "python/**", "packaging/**")
-PACKAGE = of_files(*PRODUCT, "python/**", "packaging/**", "examples/**", "pyproject.toml",
-                   "trammel", "scripts/*", "README.md", "LICENSE", "docs/one-to-a-million.md",
-                   "tests/support/**", tools=("runs",))
+PACKED = ("python/**", "packaging/**", "examples/**", "pyproject.toml", "trammel", "scripts/*",
+          "README.md", "LICENSE", "docs/one-to-a-million.md", "tests/support/**")
+PACKAGE = of_files(*PRODUCT, *PACKED, tools=("runs",))
+SWEEPS = of_files(*CODE, *PACKED, tools=("runs",))  # all of their runs are by the twin
 # Only where what is printed does not depend on times must it be the same when it is made again.
 KINDS = (
     Kind(r"formal\.leap\.(?:broken\.)?(\w+)", of_leap, PROVER, machine=False, same=True),
@@ -171,6 +172,7 @@ KINDS = (
     Kind(r"docs\.manual", MANUAL, COMPILER),
     Kind(r"docs\.(machine|tutorial)", LESSONS, COMPILER),
     Kind(r"python\.page", PACKAGE, (*COMPILER, *VIEWER, *TABLES)),
+    Kind(r"python\.(slurm|sweep|trouble|tune)", SWEEPS, (*COMPILER, *TABLES)),
     Kind(r"(package|python)\..*", PACKAGE, (*COMPILER, *TABLES)),
 )
 
