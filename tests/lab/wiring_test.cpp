@@ -209,6 +209,8 @@ TEST_CASE("the bus of SystemC takes words at addresses of words, and names any o
   }
 }
 
+#endif
+
 TEST_CASE("a processor takes the same clocks in SystemC as without, whatever fault it has") {
   const bool fast = GENERATE(false, true);  // it comes back in the next clock
   constexpr double kClock_s = 20e-9;
@@ -254,5 +256,3 @@ TEST_CASE("a processor takes the same clocks in SystemC as without, whatever fau
     }
   }
 }
-
-#endif
