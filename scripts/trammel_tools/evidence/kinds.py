@@ -7,6 +7,7 @@ import importlib.metadata
 import platform
 import re
 import subprocess
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -14,6 +15,7 @@ from trammel_tools.check.rooms import ROOMS
 from trammel_tools.evidence import sources
 from trammel_tools.evidence.sources import BUILD, matching
 from trammel_tools.mutation import mutant_tests
+from trammel_tools.python_tools import PYTHON
 
 # Files of the repository.
 SHARED = (*(f"{room}/**" for room in ROOMS if room != "machines"), "third_party/**", *BUILD)
@@ -177,6 +179,12 @@ KINDS = (
 )
 
 
+def packages():
+    """Folders of Python's packages: those of .venv if it exists, whichever Python this is."""
+    own = PYTHON.parents[1].glob("lib/python3*/site-packages")
+    return [str(folder) for folder in own] or sys.path
+
+
 @functools.cache
 def version(tool):
     """Of a package of .venv; of one of Debian where the name begins with `debian/`; what a program
@@ -184,12 +192,13 @@ def version(tool):
     place, _, name = tool.rpartition("/")
     try:
         if not place:
-            return importlib.metadata.version(name)
+            found = importlib.metadata.distributions(name=name, path=packages())
+            return next(one.version for one in found)
         asked = [name, "--version"] if place == "program" else \
             ["dpkg-query", "-W", "-f", "${Version}", name]
         said = subprocess.run(asked, capture_output=True, text=True, check=True).stdout
         return said.split("\n")[0]
-    except (importlib.metadata.PackageNotFoundError, subprocess.CalledProcessError, OSError):
+    except (StopIteration, subprocess.CalledProcessError, OSError):
         return "missing"
 
 
