@@ -300,7 +300,6 @@ def main():
     wanted = parser.parse_args()
     if wanted.name and (wanted.needed or wanted.list or wanted.campaigns or wanted.inputs):
         parser.error(f"{wanted.name}: --needed, --list and --campaigns take no name, --inputs one")
-    python_tools.restart()  # the versions are those of .venv
     if wanted.needed:
         return needed()
     if wanted.list:

@@ -47,9 +47,7 @@ class EvidenceTest(Kept):
         ran.unlink(missing_ok=True)
         script = (f"import pathlib; pathlib.Path({str(ran)!r}).touch(); "
                   f"print(open({str(self.folder / 'said')!r}).read(), end='')")
-        with mock.patch.object(sys, "orig_argv", []), \
-                mock.patch.object(evidence.python_tools, "restart", lambda: None):
-            code, _, error = call(evidence.main, NAME, "--", sys.executable, "-c", script)
+        code, _, error = call(evidence.main, NAME, "--", sys.executable, "-c", script)
         return code, ran.exists(), error
 
     def test_a_result_that_holds_is_not_made_again(self):
@@ -187,12 +185,11 @@ class EvidenceTest(Kept):
         (self.folder / "rtl/math/toy.sv").unlink()
         evidence.forget()
         self.assertIn("there is no such check", evidence.stale(NAME))
-        with mock.patch.object(evidence.python_tools, "restart", lambda: None):
-            for words in ((NAME, "--", "true"), ("--inputs", NAME), ("none", "--", "true"), (),
-                          ("--list", NAME), ("--needed", NAME), ("--inputs", NAME, NAME),
-                          ("--list", "--needed")):
-                code, _, said = call(evidence.main, *words)
-                self.assertEqual((code, said.count("\n")), (2, 1), words)
+        for words in ((NAME, "--", "true"), ("--inputs", NAME), ("none", "--", "true"), (),
+                      ("--list", NAME), ("--needed", NAME), ("--inputs", NAME, NAME),
+                      ("--list", "--needed")):
+            code, _, said = call(evidence.main, *words)
+            self.assertEqual((code, said.count("\n")), (2, 1), words)
 
     def test_a_check_whose_output_another_needs_runs_with_it(self):
         with mock.patch.object(evidence, "stale", lambda name: "old" * (name == "synth.gates_off")):
@@ -221,12 +218,10 @@ class CampaignTest(Kept):
         return self.git("rev-parse", "HEAD")
 
     def campaign(self):
-        with mock.patch.object(evidence.python_tools, "restart", lambda: None):
-            return call(evidence.main, self.name, "--", "true")[0]
+        return call(evidence.main, self.name, "--", "true")[0]
 
     def aged(self):
-        with mock.patch.object(evidence.python_tools, "restart", lambda: None):
-            code, out, said = call(evidence.main, "--campaigns")
+        code, out, said = call(evidence.main, "--campaigns")
         return code, int(out.split()[-4].replace("?", "-1")), said
 
     def test_a_campaign_of_more_than_200_commits_is_an_error_until_it_holds_again(self):
@@ -283,19 +278,29 @@ class TrackedTest(Scratch):
             self.assertEqual(record.read(path.stem).check, path.stem)
 
 
+def compiled(pattern):
+    """(match, files that the compiler read) of each object in build/ whose name matches."""
+    asked = subprocess.run(["ninja", "-C", ROOT / "build", "-t", "deps"], capture_output=True,
+                           text=True, check=False).stdout
+    for part in asked.split("\n\n"):
+        name, _, rest = part.partition(": #deps")
+        if found := re.fullmatch(pattern, name):
+            yield found, {line.strip() for line in rest.split("\n")[1:]}
+
+
+def of_repository(files):
+    """Those of files named from build/ that Git has or may have."""
+    read = {os.path.relpath((ROOT / "build" / one).resolve(), ROOT) for one in files}
+    return {one for one in read if (ROOT / one).is_file()
+            and not one.startswith(("build", "..", ".venv"))}
+
+
 class SourcesTest(Scratch):
     def test_what_verilator_and_the_compiler_read_is_among_the_inputs(self):
         """Of each unit test that is built here: the files of its model and of its objects."""
-        build = ROOT / "build"
-        asked = subprocess.run(["ninja", "-C", build, "-t", "deps"], capture_output=True,
-                               text=True, check=False).stdout
         objects = {}
-        for part in asked.split("\n\n"):
-            name, _, rest = part.partition(": #deps")
-            found = re.fullmatch(r"tests/CMakeFiles/(\w+)_test\.dir/(\w+)/\w+_test\.cpp\.o", name)
-            if found:
-                objects.setdefault(f"{found[2]}.{found[1]}", set()).update(
-                    line.strip() for line in rest.split("\n")[1:])
+        for found, files in compiled(r"tests/CMakeFiles/(\w+)_test\.dir/(\w+)/\w+_test\.cpp\.o"):
+            objects.setdefault(f"{found[2]}.{found[1]}", set()).update(files)
         for name, files in objects.items():
             try:
                 kind, found = kinds.of(f"coverage.{name}")
@@ -304,29 +309,22 @@ class SourcesTest(Scratch):
             layer, block = name.split(".")
             if not (ROOT / "rtl" / layer / f"{block}.sv").exists():
                 continue
-            for model in (build / "verilated" / f"rtl_{block}").glob("*.d"):
+            for model in (ROOT / "build" / "verilated" / f"rtl_{block}").glob("*.d"):
                 files |= set(model.read_text(encoding="utf-8").replace("\\\n", " ").split())
-            read = {os.path.relpath((build / one).resolve(), ROOT) for one in files if one}
-            read = {one for one in read if (ROOT / one).is_file()
-                    and not one.startswith(("build", "..", ".venv"))}
+            read = of_repository(files)
             # All packages are read, and for a chip the properties of every block with that block.
             unused = {one for one in read if one.endswith("_pkg.sv")
                       or (layer == "chips" and one.startswith("rtl/"))}
             self.assertEqual(read - unused - kind.files(found), set(), name)
 
     def test_what_the_compiler_reads_is_among_the_inputs_of_sanitized_tests(self):
-        asked = subprocess.run(["ninja", "-C", ROOT / "build", "-t", "deps"], capture_output=True,
-                               text=True, check=False).stdout
         groups = {}
-        for name, lines in re.findall(r"^tests/CMakeFiles/\w+\.dir/(\S+)_test\.cpp\.o: #deps.*\n"
-                                      r"((?: .*\n)+)", asked, re.M):
-            group = name.removeprefix("__/machines/").split("/")[0]
-            groups.setdefault(group, set()).update(lines.split())
+        for found, files in compiled(
+                r"tests/CMakeFiles/\w+\.dir/(?:__/machines/)?(\w+)/\S+_test\.cpp\.o"):
+            groups.setdefault(found[1], set()).update(files)
         for group, files in groups.items():
             kind, found = kinds.of(f"sanitize.{group}")
-            read = {os.path.relpath((ROOT / "build" / one).resolve(), ROOT) for one in files}
-            read = {one for one in read if not one.startswith(("build", "..", ".venv"))}
-            self.assertEqual(read - kind.files(found), set(), group)
+            self.assertEqual(of_repository(files) - kind.files(found), set(), group)
 
     def test_laboratory_and_machines_are_no_input_of_what_depends_on_a_block(self):
         for name in ("coverage.drive.pwm", "campaign.mutants.drive.pwm", "formal.drive.pwm"):
