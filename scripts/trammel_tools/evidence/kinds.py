@@ -97,28 +97,33 @@ def of_mutants(found):
             | matching("tests/support/mutant.cpp") | sources.tools(*VERIFY))
 
 
-def of_machine(found):
-    """Of runs of one machine, their pages, waves and ports."""
-    own = f"machines/{found[1]}"
+def of_program(machine):
+    """Of the program of one machine and its chips, with the views of their waves."""
+    own = f"machines/{machine}"
     named = sources.names_in(*matching(f"{own}/chip.cmake", "parts/*/chip.cmake"))
     files = [sources.modules()[name] for name in named]
     chips = [name[4:-3] for name in files if name.startswith("rtl/chips/")]
     return (matching(*SHARED, f"{own}/**", "rtl/**.hpp", "rtl/boards/**", "docs/waves.md",
                      "waves/**", "tests/support/**")
-            | sources.rtl(*chips) | sources.tools("waves", "synth", "rtl", "generate", "check"))
+            | sources.rtl(*chips))
+
+
+def of_machine(found):
+    """Of runs of one machine, their pages, waves and ports."""
+    return of_program(found[1]) | sources.tools("waves", "synth", "rtl", "generate", "check")
 
 
 def of_sanitized(found):
     """Of unit tests in one folder or of one machine, with the program that is run too."""
     group = found[1]
     if matching(f"machines/{group}/machine.cpp"):
-        files = of_machine(found) | sources.cpp(*matching(f"machines/{group}/tests/**.cpp"))
+        files = of_program(group) | sources.cpp(*matching(f"machines/{group}/tests/**.cpp"))
     elif group in ("lab", "testbench"):
         files = matching(*PRODUCT, f"tests/{group}/**", "tests/support/**", "tests/goldens/**",
                          "waves/**")
     elif group == "parts":
         chips = matching("parts/*/chip.cmake")
-        files = matching(*SHARED, "rtl/**.hpp") | sources.cpp(*matching("tests/parts/**"), *MAIN)
+        files = matching(*SHARED, "rtl/**.hpp") | sources.cpp(*matching("tests/parts/**", *MAIN))
         files |= sources.instances(sources.modules()[one] for one in sources.names_in(*chips))
     else:
         tests = matching(f"tests/{group}/**")
