@@ -9,7 +9,7 @@
 #include "cosim/fault_plant.hpp"
 #include "cosim/fault_watch.hpp"
 #include "cosim/machine.hpp"
-#include "cosim/machine_chip.hpp"
+#include "tests/cosim/still_chip.hpp"
 #include "tests/support/message.hpp"
 
 using namespace trammel::cosim;
@@ -149,15 +149,7 @@ TEST_CASE("a converter that is stuck repeats its frame, and a dip reaches the pl
 }
 
 // A chip of one bit that can be flipped.
-struct OneBit final : MachineChip {
-  Clk now() const override { return 0; }
-  void sense(Lines) override {}
-  void request(const BusOp&) override {}
-  Stop run(Clk, const Plant&) override { return {}; }
-  Lines drive() const override { return 0; }
-  bool irq() const override { return false; }
-  std::uint32_t rdata() const override { return 0; }
-  Clk evaluated() const override { return 0; }
+struct OneBit final : trammel::test::StillChip {
   bool flip(const std::string& bit, bool really) override {
     flips += really ? 1 : 0;
     return bit == "q[0]";

@@ -10,6 +10,7 @@
 
 #include "cosim/trigger_search.hpp"
 #include "cosim/wave_plan.hpp"
+#include "tests/cosim/still_chip.hpp"
 #include "tests/support/message.hpp"
 
 using namespace trammel::cosim;
@@ -38,15 +39,7 @@ struct Reader final : SignalReader {
   std::int64_t value[2][2] = {};
 };
 
-struct StillChip final : MachineChip {
-  Clk now() const override { return 0; }
-  void sense(Lines) override {}
-  void request(const BusOp&) override {}
-  Stop run(Clk, const Plant&) override { return {}; }
-  Lines drive() const override { return 0; }
-  bool irq() const override { return false; }
-  std::uint32_t rdata() const override { return 0; }
-  Clk evaluated() const override { return 0; }
+struct RisingChip final : trammel::test::StillChip {
   Clk host_rise() const override { return rise; }
 
   Clk rise = kNever;
@@ -57,7 +50,7 @@ constexpr Clk kAfter = 50;  // clocks of "1us"
 // Where a search is that stops at an edge for a reason, -1 = nothing found.
 Clk found_at(const std::string& text, Clk edge, unsigned why, Clk rise = kNever) {
   TriggerSearch search(parsed(text));
-  StillChip chip;
+  RisingChip chip;
   chip.rise = rise;
   search.on({edge, why}, chip, Reader());
   return search.found().value_or(-1);
@@ -223,7 +216,7 @@ TEST_CASE("an event that is seen from outside is found at its own stops, from it
 TEST_CASE("words of a chip that is not watched are read where a sample is published") {
   for (const bool sample : {false, true}) {
     TriggerSearch search(parsed("rise yaw"));
-    const StillChip chip;
+    const trammel::test::StillChip chip;
     Reader reader;
     search.on({10, kSample}, chip, reader);
     reader.value[1][0] = 1;
