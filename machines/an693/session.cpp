@@ -63,8 +63,8 @@ const char* failure_text(const sw::Mailbox& mailbox) {
 
 Bench::Bench(const Options& options, std::function<bool(const Sample&)> finished,
              const cosim::Waves& waves)
-    : options_(options),
-      waves_(waves),
+    : Rig(options.run, options.fault, options.processor, options.plant.clock_ps, waves),
+      options_(options),
       plant_(options.plant, options.part),
       chip_(options.run.engine == cosim::Engine::kTwin
                 ? lm628::make_twin_chip(options.part)
@@ -78,63 +78,41 @@ Bench::Bench(const Options& options, std::function<bool(const Sample&)> finished
             sample.i = s.i;
             sample.volt = plant_.voltage(sample.edge);
           },
-          std::move(finished)),
-      loop_(*chip_, seen(), *this, options.run.window()) {}
-
-// What the chip is wired to.
-cosim::Plant& Bench::seen() {
-  const cosim::Fault& fault = options_.fault;
-  if (!fault.any()) return plant_;
+          std::move(finished)) {
   cosim::FaultPins pins;
   pins.encoder[0] = {lm628::kEncoderA, lm628::kEncoderB, lm628::kIndex};
   pins.outputs = options_.part.pulses() ? lm628::kBridgeLines : lm628::kConverterBits;
-  pins.registers = options_.run.engine == cosim::Engine::kRtl;
-  failing_.emplace(plant_, pins, fault, period_ps());
-  fault_watch_.emplace(fault, period_ps(), "counts");
-  if (fault.kind == cosim::FaultKind::kRegisterFlip) {
-    cosim::require_bit(*chip_, fault.bit);
-    failing_->flip = [this] { chip_->flip(options_.fault.bit, true); };
-  }
-  return *failing_;
+  wire(*chip_, plant_, pins, "counts");
 }
 
-void Bench::watch_fault(const cosim::Stop& stop) {
-  const auto truth = [&] {
-    const plant::DcMotorState s = plant_.axis().state(stop.edge);
-    const double counts = options_.plant.counts / plant::MotorAxis::kTurn;
-    return cosim::FaultTruth{{counts * s.theta, 0}, std::abs(s.i), false};
-  };
-  fault_watch_->on(stop, off(), [this] { return noticed(); }, truth);
+cosim::FaultTruth Bench::truth(cosim::Clk edge) const {
+  const plant::DcMotorState s = plant_.axis().state(edge);
+  const double counts = options_.plant.counts / plant::MotorAxis::kTurn;
+  return {{counts * s.theta, 0}, std::abs(s.i), false};
 }
 
 // Whether nothing drives the motor: of pulses, for the whole sample.
-bool Bench::off() const {
+bool Bench::drives_off() const {
   if (!options_.part.pulses()) return chip_->drive() == lm628::kZeroCode;
   return lm628::share_of_pulse(chip_->drive()) == 0 && output_ >> 8 == 0;
-}
-
-cosim::Clk Bench::end() const {
-  return cosim::clocks_of(options_.run.max_s, period_ps());
 }
 
 // As the loop does before an edge: a line that changes at this clock is seen.
 void Bench::load(double torque) {
   plant_.load(chip_->now(), torque);
-  chip_->sense(failing_ ? failing_->sense() : plant_.sense());
+  chip_->sense(seen().sense());
 }
 
 Result Bench::result() {
   Result result;
   result.samples = recorder_.take_samples();
   result.event_hash = recorder_.event_hash();
-  if (fault_watch_) result.fault_report = fault_watch_->report();
-  close_result(result, *chip_, waves_.window, started_);
+  complete(result);
   return result;
 }
 
 Session::Session(const Options& options, const cosim::Hooks& hooks, const cosim::Waves& waves)
-    : Bench(options, [this](const Sample& sample) { return over(sample); }, waves),
-      hooks_(hooks),
+    : SessionOf(hooks, options, [this](const Sample& sample) { return over(sample); }, waves),
       app_(program_setup(options)),
       expected_s_(expected_s(options)) {}
 

@@ -4,14 +4,11 @@
 // firmware and the decision when the run is over, or with somebody else at the port.
 #pragma once
 
-#include <chrono>
 #include <functional>
 #include <memory>
 #include <vector>
 
-#include "cosim/fault_plant.hpp"
-#include "cosim/fault_watch.hpp"
-#include "cosim/session.hpp"
+#include "cosim/sampled_session.hpp"
 #include "machines/an693/recorder.hpp"
 #include "parts/lm628/coast.hpp"
 #include "parts/lm628/signals.hpp"
@@ -71,7 +68,7 @@ class MotorPlant final : public cosim::FalliblePlant {
 };
 
 // Chip, motor, loop and record: what every run of the machine has, whoever is at the port.
-class Bench : private cosim::Observer, private cosim::SignalReader {
+class Bench : public cosim::Rig, private cosim::SignalReader {
  public:
   // `finished` is asked after each sample, and after it said so nothing more is recorded.
   Bench(const Options& options, std::function<bool(const Sample&)> finished,
@@ -79,15 +76,8 @@ class Bench : private cosim::Observer, private cosim::SignalReader {
 
   virtual ~Bench() = default;
 
-  cosim::Loop& loop() { return loop_; }
   const lm628::Lm628Chip& chip() const { return *chip_; }
   const MotorPlant& plant() const { return plant_; }
-  cosim::ProcessorTiming timing() const {
-    return {options_.processor.access_clk, options_.processor.interrupt_latency_clk,
-            {options_.fault, options_.plant.clock_ps}};
-  }
-  std::int64_t period_ps() const { return options_.plant.clock_ps; }
-  cosim::Clk end() const;  // edge at which the run ends at the latest
   bool finished() const { return recorder_.done(); }
 
   void load(double torque);  // of the shaft from now on [N m], against positive motion
@@ -97,47 +87,36 @@ class Bench : private cosim::Observer, private cosim::SignalReader {
  protected:
   const Options& options() const { return options_; }
   bool found() const { return waves_.found(); }
-  virtual std::string noticed() const { return {}; }  // a fault, by who is at the port
+  std::string noticed() const override { return {}; }  // a fault, by who is at the port
 
  private:
   void on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant& plant) override {
     if (waves_.search != nullptr) waves_.search->on(stop, *chip_, *this);
     recorder_.on(stop, chip, plant);
     if ((stop.why & cosim::kSample) != 0) output_ = chip_->words().output;
-    if (fault_watch_ && stop.why != cosim::kLimit) watch_fault(stop);
+    if (stop.why != cosim::kLimit) watch_fault(stop);
   }
-  cosim::Plant& seen();
-  void watch_fault(const cosim::Stop& stop);
-  bool off() const;
+  bool drives_off() const override;
+  cosim::FaultTruth truth(cosim::Clk edge) const override;
 
   std::int64_t read(std::size_t signal, int) const override {
     return lm628::word(chip_->words(), signal);
   }
 
   Options options_;
-  cosim::Waves waves_;
   MotorPlant plant_;
   std::unique_ptr<lm628::Lm628Chip> chip_;
-  std::optional<cosim::FaultPlant> failing_;  // around the plant
-  std::optional<cosim::FaultWatch> fault_watch_;
   Recorder recorder_;
   int output_ = 0;  // of the filter, as the last sample left it
-  cosim::Loop loop_;
-  std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
 };
 
 // With the firmware at the port.
-class Session final : public Bench, public cosim::Session {
+class Session final : public cosim::SessionOf<Bench> {
  public:
   Session(const Options& options, const cosim::Hooks& hooks, const cosim::Waves& waves = {});
 
-  cosim::Loop& loop() override { return Bench::loop(); }
   sw::Firmware& firmware() override { return app_; }
-  cosim::ProcessorTiming timing() const override { return Bench::timing(); }
-  std::int64_t period_ps() const override { return Bench::period_ps(); }
-  cosim::Clk end() const override { return Bench::end(); }
   bool finished() const override { return Bench::finished(); }
-  bool stopped() const override { return end_ == cosim::EndReason::kStopped; }
   std::vector<cosim::Place> places() const override;
   std::unique_ptr<cosim::RunResult> result() override;
 
@@ -145,14 +124,12 @@ class Session final : public Bench, public cosim::Session {
   bool over(const Sample& sample);
   std::string noticed() const override;
 
-  cosim::Hooks hooks_;
   sw::An693App app_;
   double expected_s_;
   std::size_t samples_ = 0;
   std::uint32_t steps_ = 0;             // begun
   lm628::Coast coast_;
   std::vector<std::size_t> step_ends_;
-  cosim::EndReason end_ = cosim::EndReason::kTimeout;
 };
 
 }  // namespace trammel::an693

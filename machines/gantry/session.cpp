@@ -45,9 +45,9 @@ cosim::Clk record_clk_of(const Options& options) {
 }  // namespace
 
 Session::Session(const Options& options, const cosim::Hooks& hooks, const cosim::Waves& waves)
-    : options_(options),
-      hooks_(hooks),
-      waves_(waves),
+    : SampledSession(hooks, options.run, options.fault, options.processor,
+                     options.axis.clock_ps, waves),
+      options_(options),
       plant_(options.axis, options.stripes, read_sends(options.sends, options.firmware.checked),
              options.serial, options.line),
       record_clk_(record_clk_of(options)),
@@ -55,28 +55,29 @@ Session::Session(const Options& options, const cosim::Hooks& hooks, const cosim:
                 ? make_verilated_chip(options.run, waves.window, {record_clk_, ideal_store()})
                 : make_twin_chip({record_clk_, ideal_store()})),
       estimator_(estimator_of(options)),
-      app_(setup_of(options), estimator_.get()),
-      loop_(*chip_, seen(), *this, options.run.window()) {}
-
-// What the chip is wired to. The serial line is an encoder's A to a fault, the over-temperature
-// input of the motor its B and index; axis 0 of the converter is A, axis 1 is B.
-cosim::Plant& Session::seen() {
-  const cosim::Fault& fault = options_.fault;
-  if (!fault.any()) return plant_;
+      app_(setup_of(options), estimator_.get()) {
+  // The serial line is an encoder's A to a fault, the over-temperature input of the motor its B and
+  // index; axis 0 of the converter is A, axis 1 is B.
   cosim::FaultPins pins;
   pins.axes = kMotors;
   pins.encoder = {{{kRx, overtemp(0), overtemp(0)}, {kRx, overtemp(1), overtemp(1)}}};
   pins.converters = 2;
   pins.converter_bits = 10;
   pins.outputs = 2;
-  pins.registers = options_.run.engine == cosim::Engine::kRtl;
-  failing_.emplace(plant_, pins, fault, period_ps());
-  fault_watch_.emplace(fault, period_ps());
-  if (fault.kind == cosim::FaultKind::kRegisterFlip) {
-    cosim::require_bit(*chip_, fault.bit);
-    failing_->flip = [this] { chip_->flip(options_.fault.bit, true); };
-  }
-  return *failing_;
+  wire(*chip_, plant_, pins);
+}
+
+bool Session::drives_off() const {
+  const Words words = chip_->words();
+  return words.force[0] == 0 && words.force[1] == 0;
+}
+
+cosim::FaultTruth Session::truth(cosim::Clk) const {
+  const double cart = plant_.axis().state().x[plant::BeltState::kCart];
+  cosim::FaultTruth now;
+  now.at[0] = 1e3 * cart;
+  now.at_stop = cart < options_.axis.stop_low || cart > options_.axis.stop_high;
+  return now;
 }
 
 // What chip and program have seen of a fault.
@@ -100,46 +101,13 @@ std::string Session::failure() const {
   return "";
 }
 
-cosim::ProcessorTiming Session::timing() const {
-  const cosim::ProcessorOptions& p = options_.processor;
-  return {p.access_clk, p.interrupt_latency_clk, {options_.fault, period_ps()}};
-}
-
-cosim::Clk Session::end() const { return cosim::clocks_of(options_.run.max_s, period_ps()); }
-
-void Session::on(const cosim::Stop& passed, const cosim::Chip& chip, const cosim::Plant&) {
-  if (over_ || passed.why == cosim::kLimit) return;
-  cosim::Stop stop = passed;
-  std::optional<Sample> sample;
-  if ((stop.why & cosim::kSample) != 0) {
-    sample = sample_at(stop.edge);
-    if ((stop.edge + 1) % kLook == 0) look(*sample);
-    if (!in_record(stop.edge)) stop.why &= ~cosim::kSample;
-    if (stop.why == 0) return;
-  }
-  if (waves_.search != nullptr) waves_.search->on(stop, *chip_, *this);
-  if (fault_watch_) {
-    const plant::BeltState& s = plant_.axis().state();
-    const auto truth = [&] {
-      cosim::FaultTruth now;
-      now.at[0] = 1e3 * s.x[plant::BeltState::kCart];
-      now.at_stop = s.x[plant::BeltState::kCart] < options_.axis.stop_low ||
-                    s.x[plant::BeltState::kCart] > options_.axis.stop_high;
-      return now;
-    };
-    const Words words = chip_->words();
-    fault_watch_->on(stop, words.force[0] == 0 && words.force[1] == 0,
-                     [this] { return noticed(); }, truth);
-  }
-  hash_.mix(stop, chip);
-  if ((stop.why & cosim::kSample) == 0) return;
-  samples_.push_back(*sample);
-  hash_.mix(static_cast<std::uint32_t>(sample->words.position));
-  hash_.mix(static_cast<std::uint32_t>(sample->words.velocity));
-  if (const auto ended = end_after(stop.edge)) {
-    end_ = *ended;
-    over_ = true;
-  }
+void Session::sampled(cosim::Clk edge, bool recorded) {
+  const Sample sample = sample_at(edge);
+  if ((edge + 1) % kLook == 0) look(sample);
+  if (!recorded) return;
+  samples_.push_back(sample);
+  hash_.mix(static_cast<std::uint32_t>(sample.words.position));
+  hash_.mix(static_cast<std::uint32_t>(sample.words.velocity));
 }
 
 // Up to the end of the experiment; the record ends with its own next sample.
@@ -201,14 +169,12 @@ void Session::follow(const Look& sample) {
   lost_mm_ = 1e3 * std::fabs(from - counted_from_);
 }
 
-std::optional<cosim::EndReason> Session::end_after(cosim::Clk edge) {
-  if (chip_->broken_promise()) return cosim::EndReason::kPromise;
-  if (waves_.found()) return cosim::EndReason::kDone;
+double Session::progress() const {
+  return cosim::seconds_of(samples_.back().edge, period_ps()) / options_.time_s;
+}
+
+std::optional<cosim::EndReason> Session::ending(cosim::Clk edge) {
   const double now = cosim::seconds_of(edge, period_ps());
-  if (hooks_.progress && samples_.size() % 64 == 0) {
-    hooks_.progress(std::min(1.0, now / options_.time_s));
-  }
-  if (hooks_.stopped()) return cosim::EndReason::kStopped;
   if (app_.mailbox().failure != 0) {  // the way to rest is of the record
     if (!failed_s_) failed_s_ = now;
     constexpr double kAtRest = 1e-4, kLongest = 1;  // [m/s], [s]
@@ -271,14 +237,12 @@ std::unique_ptr<cosim::RunResult> Session::result() {
   result->samples = std::move(samples_);
   result->looks = std::move(looks_);
   result->end = !result->fault.empty() ? End::kFault : whole ? End::kDone : end_;
-  result->event_hash = hash_.value();
   result->events = hash_.events();
-  if (fault_watch_) result->fault_report = fault_watch_->report();
   if (result->end == End::kDone && !waves_.found()) {
     result->fault = missed(*result);
     if (!result->fault.empty()) result->end = End::kMissed;
   }
-  close_result(*result, *chip_, waves_.window, started_);
+  complete(*result);
   return result;
 }
 

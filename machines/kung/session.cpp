@@ -70,7 +70,6 @@ cosim::FaultPins fault_pins(const Options& options) {
   pins.outputs = 6;
   pins.gates = true;
   pins.phases = 3;
-  pins.registers = options.run.engine == Engine::kRtl;
   return pins;
 }
 
@@ -78,7 +77,9 @@ cosim::Clk fault_at(double seconds) { return seconds > 0 ? edge_at(seconds) : co
 }  // namespace
 
 Session::Session(const Options& options, const Hooks& hooks, const cosim::Waves& waves)
-    : options_(options), hooks_(hooks), waves_(waves) {
+    : SessionOf(hooks, options.run, options.fault, options.processor, options.plant.clock_ps,
+                waves),
+      options_(options) {
   choose_profile(options_);
   sw::KungSetup setup = plan_firmware(options_, store_);
   setup.precision.corrections = &corrections_;
@@ -103,16 +104,17 @@ Session::Session(const Options& options, const Hooks& hooks, const cosim::Waves&
                                          [this](const Sample& sample) { return over(sample); });
   detail_ = std::make_unique<DetailRecorder>(*chip_, plant_->table(),
                                              edge_at(1.0 / options_.chip.carrier_Hz));
-  tee_.detail = detail_.get();
-  tee_.recorder = recorder_.get();
-  fault_watch_.emplace(options_.fault, options_.plant.clock_ps);
-  tee_.watch = [this](const cosim::Stop& stop) { watch_fault(stop); };
+  watch_trips();
+  wire(*chip_, *plant_, fault_pins(options_));
+}
+
+void Session::on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant& plant) {
+  detail_->on(stop, chip, plant);
+  recorder_->on(stop, chip, plant);
   // A trip turns the gates off and interrupts: their own many changes tell nothing more.
-  tee_.watched = cosim::kIrq | cosim::kBusDone | cosim::kTick;
-  if (options_.fault.any()) inject();
-  cosim::Plant& seen = failing_ ? static_cast<cosim::Plant&>(*failing_) : *plant_;
-  loop_ = std::make_unique<cosim::Loop>(*chip_, seen, tee_, options_.run.window());
-  result_.end = EndReason::kTimeout;
+  const unsigned watched =
+      options_.fault.any() ? ~cosim::kLimit : cosim::kIrq | cosim::kBusDone | cosim::kTick;
+  if ((stop.why & watched) != 0) watch_fault(stop);
 }
 
 std::unique_ptr<KungChip> Session::make_chip() {
@@ -153,34 +155,21 @@ void Session::core_ran(const cosim::CoreTimes& times) {
   if (console_) result_.uart = console_->heard();
 }
 
-void Session::inject() {
-  const cosim::Fault& fault = options_.fault;
-  const std::int64_t clock_ps = options_.plant.clock_ps;
-  tee_.watched = ~cosim::kLimit;
-  failing_.emplace(*plant_, fault_pins(options_), fault, clock_ps);
-  if (fault.kind != cosim::FaultKind::kRegisterFlip) return;
-  cosim::require_bit(*chip_, fault.bit);
-  failing_->flip = [this] { chip_->flip(options_.fault.bit, true); };
+std::string Session::noticed() const {
+  const Fault fault = chip_->fault();
+  return fault.code != FaultCode::kNone ? cause_text(fault) : check_text(mailbox());
 }
 
-void Session::watch_fault(const cosim::Stop& stop) {
-  const auto by = [this]() -> std::string {
-    const Fault fault = chip_->fault();
-    if (fault.code != FaultCode::kNone) return cause_text(fault);
-    return check_text(mailbox());
-  };
-  const auto truth = [&] {
-    cosim::FaultTruth now;
-    for (std::size_t a = 0; a < kAxes; ++a) {
-      const plant::AxisState state = plant_->table().state(static_cast<int>(a), stop.edge);
-      now.at[a] = 1e3 * state.x_m;
-      now.current_A = std::max({now.current_A, std::abs(state.i_a_a), std::abs(state.i_b_a),
-                                std::abs(state.i_a_a + state.i_b_a)});
-      now.at_stop = now.at_stop || plant_->table().at_stop(static_cast<int>(a));
-    }
-    return now;
-  };
-  fault_watch_->on(stop, chip_->drive() == 0, by, truth);
+cosim::FaultTruth Session::truth(cosim::Clk edge) const {
+  cosim::FaultTruth now;
+  for (std::size_t a = 0; a < kAxes; ++a) {
+    const plant::AxisState state = plant_->table().state(static_cast<int>(a), edge);
+    now.at[a] = 1e3 * state.x_m;
+    now.current_A = std::max({now.current_A, std::abs(state.i_a_a), std::abs(state.i_b_a),
+                              std::abs(state.i_a_a + state.i_b_a)});
+    now.at_stop = now.at_stop || plant_->table().at_stop(static_cast<int>(a));
+  }
+  return now;
 }
 
 // The table's way to rest is recorded, too.
@@ -193,12 +182,11 @@ bool Session::fault_is_over(const Sample& sample) {
 
 cosim::ProcessorTiming Session::timing() const {
   namespace reg = kung_xy_regs;
-  return {options_.processor.access_clk, options_.processor.interrupt_latency_clk,
-          {options_.fault, options_.plant.clock_ps}, options_.point_clk,
-          reg::kX + (options_.path.open_position() ? reg::kIqManual : reg::kPosCmd)};
+  cosim::ProcessorTiming timing = SessionOf::timing();
+  timing.compute = options_.point_clk;
+  timing.computed = reg::kX + (options_.path.open_position() ? reg::kIqManual : reg::kPosCmd);
+  return timing;
 }
-
-cosim::Clk Session::end() const { return edge_at(options_.run.max_s); }
 
 // The move before the path goes far beyond its way: start values that the plant does not bear.
 bool Session::swings(const Sample& sample) {
@@ -206,7 +194,7 @@ bool Session::swings(const Sample& sample) {
   for (std::size_t k = 0; k < 2; ++k) {
     const double way = std::abs(sample.axis[k].x_true_m - options_.plant.axis[k].start_m);
     if (way <= std::min(kFarthestSwing_m, options_.diverged_m)) continue;
-    result_.end = EndReason::kDiverged;
+    end_ = EndReason::kDiverged;
     result_.swing_m = way;
     return true;
   }
@@ -238,13 +226,13 @@ bool Session::over(const Sample& sample) {
   const Fault fault = chip_->fault();
   if (fault.code != FaultCode::kNone || mail.failure != 0) {
     if (after_fault_ == 0) result_.fault = fault;  // what comes on the way to rest is no cause
-    result_.end = EndReason::kFault;
+    end_ = EndReason::kFault;
     const bool chip = result_.fault.code != FaultCode::kNone;
     result_.fault.processor = chip || !trap_text_.empty() ? trap_text_ : check_text(mail);
     return fault_is_over(sample);
   }
   if (hooks_.stopped()) {
-    result_.end = EndReason::kStopped;
+    end_ = EndReason::kStopped;
     return true;
   }
   if (mail.point == 0) return swings(sample);
@@ -257,7 +245,7 @@ bool Session::over(const Sample& sample) {
     const double error =
         model_m(axis, options_.plant.axis[k].encoder_count_m) - axis.x_true_m;
     if (sample.tick >= result_.first_tick && std::abs(error) > options_.diverged_m) {
-      result_.end = EndReason::kDiverged;
+      end_ = EndReason::kDiverged;
       return true;
     }
   }
@@ -268,7 +256,7 @@ bool Session::over(const Sample& sample) {
         asked_->distance_m(table, std::min(followed_->limit_m(), options_.diverged_m));
     followed_->add(table, beside);
     if (beside > options_.diverged_m) {
-      result_.end = EndReason::kDiverged;
+      end_ = EndReason::kDiverged;
       result_.beside_m = beside;
       return true;
     }
@@ -280,7 +268,7 @@ bool Session::over(const Sample& sample) {
     hooks_.progress(static_cast<double>(sample.tick) / last);
   }
   if (sample.tick < last) return false;
-  result_.end = EndReason::kDone;
+  end_ = EndReason::kDone;
   return true;
 }
 
@@ -291,12 +279,12 @@ std::vector<cosim::Place> Session::places() const {
 }
 
 std::unique_ptr<cosim::RunResult> Session::result() {
+  result_.end = end_;
   result_.samples = recorder_->take_samples();
   result_.laws = recorder_->take_laws();
   result_.event_hash = recorder_->event_hash();
   result_.detail = detail_->take();
   result_.wakes = chip_->wakes();
-  result_.fault_report = fault_watch_->report();
   result_.from_last_m = followed_->from_m(asked_->asked());
   if (options_.controller == Controller::kPrecision && !core_) {
     const sw::PrecisionControl& found = firmware_->app().precision();
@@ -314,7 +302,7 @@ std::unique_ptr<cosim::RunResult> Session::result() {
                                              asked_->asked(model_lag(options_)), result_.error_m);
     if (!result_.missed.empty()) result_.end = EndReason::kMissed;
   }
-  close_result(result_, *chip_, waves_.window, started_);
+  complete(result_);
   if (core_ && !core_->moved().empty() && !result_.promise) {
     result_.promise = {"waiting_core_stands_still", "soc_host", core_->moved(), chip_->now()};
     result_.end = EndReason::kPromise;

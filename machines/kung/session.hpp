@@ -4,13 +4,10 @@
 // record, and the decision when the run is over.
 #pragma once
 
-#include <chrono>
 #include <memory>
 #include <optional>
 
-#include "cosim/fault_plant.hpp"
-#include "cosim/fault_watch.hpp"
-#include "cosim/session.hpp"
+#include "cosim/sampled_session.hpp"
 #include "machines/kung/asked_path.hpp"
 #include "machines/kung/chip.hpp"
 #include "machines/kung/detail.hpp"
@@ -83,67 +80,47 @@ class StallableApp final : public sw::Firmware {
   cosim::Clk stall_;
 };
 
-class Session final : public cosim::Session {
+class Session final : public cosim::SessionOf<cosim::Rig> {
  public:
   // Throws OptionsError or std::invalid_argument for options that cannot run.
   Session(const Options& options, const Hooks& hooks, const cosim::Waves& waves = {});
 
-  cosim::Loop& loop() override { return *loop_; }
   sw::Firmware& firmware() override { return *firmware_; }
   cosim::ProcessorTiming timing() const override;
   cosim::Core* core() override { return core_.get(); }
   void trapped(const cosim::CoreTrap& trap) override;
   void core_ran(const cosim::CoreTimes& times) override;
-  std::int64_t period_ps() const override { return options_.plant.clock_ps; }
-  cosim::Clk end() const override;
   bool finished() const override { return recorder_->done(); }
-  bool stopped() const override { return result_.end == EndReason::kStopped; }
   std::vector<cosim::Place> places() const override;
   std::unique_ptr<cosim::RunResult> result() override;
 
   const KungChip& chip() const { return *chip_; }
 
  private:
-  struct Tee final : cosim::Observer {
-    void on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant& plant) override {
-      detail->on(stop, chip, plant);
-      recorder->on(stop, chip, plant);
-      if ((stop.why & watched) != 0) watch(stop);
-    }
-    std::function<void(const cosim::Stop&)> watch;
-    unsigned watched = 0;  // reasons of a stop at which it is called
-    cosim::Observer* detail = nullptr;
-    cosim::Observer* recorder = nullptr;
-  };
+  void on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant& plant) override;
+  bool drives_off() const override { return chip_->drive() == 0; }
+  std::string noticed() const override;
+  cosim::FaultTruth truth(cosim::Clk edge) const override;
 
   bool over(const Sample& sample);
   bool swings(const Sample& sample);
   void watch_limits(const Sample& sample);
   bool fault_is_over(const Sample& sample);
-  void inject();
-  void watch_fault(const cosim::Stop& stop);
 
   std::unique_ptr<KungChip> make_chip();
   void make_core(const sw::KungSetup& setup);
   const sw::Mailbox& mailbox() const;
 
   Options options_;
-  Hooks hooks_;
-  cosim::Waves waves_;
   PathStore store_;
   sw::Corrections corrections_;
   std::unique_ptr<TablePlant> plant_;
-  std::optional<cosim::FaultPlant> failing_;  // around it
-  std::optional<cosim::FaultWatch> fault_watch_;
   std::unique_ptr<KungChip> chip_;
   std::unique_ptr<StallableApp> firmware_;
   std::unique_ptr<SocCore> core_;  // in its place
   std::unique_ptr<SerialConsole> console_;
   std::unique_ptr<DetailRecorder> detail_;
   std::unique_ptr<Recorder> recorder_;
-  Tee tee_;
-  std::unique_ptr<cosim::Loop> loop_;
-  std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
   std::optional<AskedPath> asked_;
   std::optional<Followed> followed_;
   std::uint32_t path_points_ = 0;  // of the whole path

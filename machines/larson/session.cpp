@@ -49,9 +49,9 @@ std::vector<sw::LarsonCall> program_of(const std::vector<Call>& calls) {
 }  // namespace
 
 Session::Session(const Options& options, const cosim::Hooks& hooks, const cosim::Waves& waves)
-    : options_(options),
-      hooks_(hooks),
-      waves_(waves),
+    : SampledSession(hooks, options.run, options.fault, options.processor,
+                     options.axis.clock_ps, waves),
+      options_(options),
       calls_(calls_of(options)),
       program_(program_of(calls_)),
       answers_(calls_.size()),
@@ -62,31 +62,18 @@ Session::Session(const Options& options, const cosim::Hooks& hooks, const cosim:
                 : make_twin_chip({record_clk_})),
       app_(table_of(options), program_.data(), answers_.data(),
            static_cast<std::uint32_t>(program_.size())),
-      loop_(*chip_, seen(), *this, options.run.window()),
       switches_(plant_.switches()),
       asked_{plant_.axis(0).translated(), plant_.axis(1).translated()},
       heard_(heard_at(0)),
-      last_at_{at(0, 0), at(1, 0)} {}
-
-// What the chip is wired to. The switches are its A and B, the buffer its index.
-cosim::Plant& Session::seen() {
-  const cosim::Fault& fault = options_.fault;
-  if (!fault.any()) return plant_;
-  cosim::FaultPins pins;
+      last_at_{at(0, 0), at(1, 0)} {
+  cosim::FaultPins pins;  // the switches are A and B of an encoder, the buffer its index
   pins.axes = kAxes;
   for (int axis = 0; axis < kAxes; ++axis) {
     pins.encoder[static_cast<std::size_t>(axis)] = {limit_low(axis), limit_high(axis),
                                                     buf_busy(axis)};
   }
   pins.outputs = kOutputs;
-  pins.registers = options_.run.engine == cosim::Engine::kRtl;
-  failing_.emplace(plant_, pins, fault, period_ps());
-  fault_watch_.emplace(fault, period_ps(), "step");
-  if (fault.kind == cosim::FaultKind::kRegisterFlip) {
-    cosim::require_bit(*chip_, fault.bit);
-    failing_->flip = [this] { chip_->flip(options_.fault.bit, true); };
-  }
-  return *failing_;
+  wire(*chip_, plant_, pins, "step");
 }
 
 // What the program has seen of a fault: a failure, or an error return.
@@ -102,16 +89,13 @@ std::string Session::noticed() const {
   return "";
 }
 
-void Session::watch_fault(const cosim::Stop& stop) {
-  const auto truth = [&] {
-    cosim::FaultTruth now;
-    for (std::size_t k = 0; k < 2; ++k) {
-      now.at[k] = at(k, stop.edge);
-      now.at_stop = now.at_stop || plant_.axis(k).hit_stop();
-    }
-    return now;
-  };
-  fault_watch_->on(stop, resting(), [this] { return noticed(); }, truth);
+cosim::FaultTruth Session::truth(cosim::Clk edge) const {
+  cosim::FaultTruth now;
+  for (std::size_t k = 0; k < 2; ++k) {
+    now.at[k] = at(k, edge);
+    now.at_stop = now.at_stop || plant_.axis(k).hit_stop();
+  }
+  return now;
 }
 
 // It is asked to move, or pulses wait.
@@ -134,39 +118,17 @@ CallDone Session::heard_at(cosim::Clk edge) const {
   return {edge, {at(0, edge), at(1, edge)}, platform(edge), {moving(0), moving(1)}};
 }
 
-cosim::ProcessorTiming Session::timing() const {
-  const cosim::ProcessorOptions& p = options_.processor;
-  return {p.access_clk, p.interrupt_latency_clk, {options_.fault, period_ps()}};
+void Session::noted(const cosim::Stop& stop) {
+  if ((stop.why & (cosim::kBusDone | cosim::kIrq)) != 0) heard_ = heard_at(stop.edge);
+  note_events(stop);
 }
 
-cosim::Clk Session::end() const { return cosim::clocks_of(options_.run.max_s, period_ps()); }
-
-void Session::on(const cosim::Stop& passed, const cosim::Chip& chip, const cosim::Plant&) {
-  if (over_) return;
-  note_calls();
-  if (passed.why == cosim::kLimit) return;
-  cosim::Stop stop = passed;
-  const bool sampled = (stop.why & cosim::kSample) != 0;
-  if (sampled && !in_record(stop.edge)) stop.why &= ~cosim::kSample;
-  if (stop.why != 0) {
-    if ((stop.why & (cosim::kBusDone | cosim::kIrq)) != 0) {
-      heard_ = heard_at(stop.edge);
-    }
-    if (waves_.search != nullptr) waves_.search->on(stop, *chip_, *this);
-    if (fault_watch_) watch_fault(stop);
-    hash_.mix(stop, chip);
-    note_events(stop);
-  }
-  if (!sampled) return;
-  const Sample sample = sample_at(stop.edge);
-  if ((stop.edge + 1) % kLook == 0) look(sample);
-  if ((stop.why & cosim::kSample) == 0) return;
+void Session::sampled(cosim::Clk edge, bool recorded) {
+  const Sample sample = sample_at(edge);
+  if ((edge + 1) % kLook == 0) look(sample);
+  if (!recorded) return;
   samples_.push_back(sample);
   for (const AxisSample& axis : sample.axis) hash_.mix(axis.words);
-  if (const auto ended = end_after(stop.edge)) {
-    end_ = *ended;
-    over_ = true;
-  }
 }
 
 // Up to the last one within record.settle_s of the last call; the record ends with its own sample.
@@ -243,13 +205,11 @@ Sample Session::sample_at(cosim::Clk edge) const {
   return sample;
 }
 
-std::optional<cosim::EndReason> Session::end_after(cosim::Clk edge) {
-  if (chip_->broken_promise()) return cosim::EndReason::kPromise;
-  if (waves_.found()) return cosim::EndReason::kDone;
-  if (hooks_.progress && samples_.size() % 64 == 0) {
-    hooks_.progress(std::min(1.0, app_.mailbox().point / static_cast<double>(calls_.size())));
-  }
-  if (hooks_.stopped()) return cosim::EndReason::kStopped;
+double Session::progress() const {
+  return app_.mailbox().point / static_cast<double>(calls_.size());
+}
+
+std::optional<cosim::EndReason> Session::ending(cosim::Clk edge) {
   if (app_.mailbox().done == 0) return {};
   if (done_at_ == cosim::kNever) done_at_ = edge;
   const double since = cosim::seconds_of(edge - done_at_, period_ps());
@@ -299,7 +259,6 @@ std::unique_ptr<cosim::RunResult> Session::result() {
   result->samples = std::move(samples_);
   result->looks = std::move(looks_);
   result->end = !whole ? end_ : result->fault.empty() ? End::kDone : End::kFault;
-  result->event_hash = hash_.value();
   result->events = hash_.events();
   if ((result->end == End::kDone && !waves_.found()) || result->end == End::kFault) {
     if (std::string missed = what_missed(options_, *result); !missed.empty()) {
@@ -308,8 +267,7 @@ std::unique_ptr<cosim::RunResult> Session::result() {
     }
   }
   if (result->end == End::kTimeout) result->fault = what_was_running(options_, *result);
-  if (fault_watch_) result->fault_report = fault_watch_->report();
-  close_result(*result, *chip_, waves_.window, started_);
+  complete(*result);
   return result;
 }
 

@@ -5,47 +5,41 @@
 #pragma once
 
 #include <array>
-#include <chrono>
 #include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "cosim/event_hash.hpp"
-#include "cosim/fault_plant.hpp"
-#include "cosim/fault_watch.hpp"
-#include "cosim/session.hpp"
+#include "cosim/sampled_session.hpp"
 #include "machines/larson/plant.hpp"
 #include "machines/larson/record.hpp"
 
 namespace trammel::larson {
 
-class Session final : public cosim::Session, private cosim::Observer, public cosim::SignalReader {
+class Session final : public cosim::SampledSession {
  public:
   // Throws host::ConfigError for a script that cannot be read.
   Session(const Options& options, const cosim::Hooks& hooks, const cosim::Waves& waves = {});
 
-  cosim::Loop& loop() override { return loop_; }
   sw::Firmware& firmware() override { return app_; }
-  cosim::ProcessorTiming timing() const override;
-  std::int64_t period_ps() const override { return options_.axis.clock_ps; }
-  cosim::Clk end() const override;
-  bool finished() const override { return over_; }
-  bool stopped() const override { return end_ == cosim::EndReason::kStopped; }
   std::vector<cosim::Place> places() const override;
   std::unique_ptr<cosim::RunResult> result() override;
 
  private:
-  void on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant& plant) override;
+  void passed() override { note_calls(); }
+  void noted(const cosim::Stop& stop) override;
+  bool in_record(cosim::Clk edge) const override { return (edge + 1) % record_clk_ == 0; }
+  void sampled(cosim::Clk edge, bool recorded) override;
+  double progress() const override;
+  std::optional<cosim::EndReason> ending(cosim::Clk edge) override;
+  bool drives_off() const override { return resting(); }
+  std::string noticed() const override;
+  cosim::FaultTruth truth(cosim::Clk edge) const override;
   std::int64_t read(std::size_t signal, int axis) const override;
   Sample sample_at(cosim::Clk edge) const;
   void look(const Sample& now);
   std::unique_ptr<Result> result_now() const;
-  bool in_record(cosim::Clk edge) const { return (edge + 1) % record_clk_ == 0; }
-  std::optional<cosim::EndReason> end_after(cosim::Clk edge);
-  cosim::Plant& seen();
-  void watch_fault(const cosim::Stop& stop);
   void note_calls();
   void note_events(const cosim::Stop& stop);
   void note_pulses(cosim::Clk edge);
@@ -53,7 +47,6 @@ class Session final : public cosim::Session, private cosim::Observer, public cos
   void note_plant();
   void note_requests(cosim::Clk edge);
   void note(Event event);
-  std::string noticed() const;
   bool resting() const;
   double at(std::size_t axis, cosim::Clk edge) const { return plant_.axis(axis).state(edge).at; }
   std::array<double, 2> platform(cosim::Clk edge) const;
@@ -61,26 +54,17 @@ class Session final : public cosim::Session, private cosim::Observer, public cos
   bool moving(std::size_t axis) const;
 
   Options options_;
-  cosim::Hooks hooks_;
-  cosim::Waves waves_;
   std::vector<Call> calls_;
   std::vector<sw::LarsonCall> program_;
   std::vector<sw::LarsonAnswer> answers_;
   TablePlant plant_;
   cosim::Clk record_clk_;
   std::unique_ptr<LarsonChip> chip_;
-  std::optional<cosim::FaultPlant> failing_;  // around the plant
-  std::optional<cosim::FaultWatch> fault_watch_;
   sw::LarsonApp app_;
-  cosim::Loop loop_;
   host::DiskVector<Sample> samples_, looks_;
   std::unique_ptr<Result> at_end_;  // what there was at the last look; null: that is to come
-  cosim::EventHash hash_;
-  std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
-  cosim::EndReason end_ = cosim::EndReason::kTimeout;
   cosim::Clk ended_ = cosim::kNever;    // the program has
   cosim::Clk done_at_ = cosim::kNever;  // the sample of the record behind that
-  bool over_ = false;
 
   std::vector<CallDone> done_;
   std::vector<Event> events_;

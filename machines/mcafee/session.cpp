@@ -80,21 +80,15 @@ sw::McafeeSetup setup_of(const Options& o, const Table& table) {
 }
 
 Session::Session(const Options& options, const cosim::Hooks& hooks, const cosim::Waves& waves)
-    : options_(options),
-      hooks_(hooks),
-      waves_(waves),
+    : SampledSession(hooks, options.run, options.fault, options.processor,
+                     options.stage_axis.clock_ps, waves),
+      options_(options),
       table_(table_for(options)),
       plant_({options.stage_axis, options.stage_axis}),
       chip_(options.run.engine == cosim::Engine::kRtl
                 ? make_verilated_chip(options.run, waves.window, options.clock_MHz)
                 : make_twin_chip(options.clock_MHz)),
-      app_(setup_of(options, table_)),
-      loop_(*chip_, seen(), *this, options.run.window()) {}
-
-// What the chip is wired to.
-cosim::Plant& Session::seen() {
-  const cosim::Fault& fault = options_.fault;
-  if (!fault.any()) return plant_;
+      app_(setup_of(options, table_)) {
   cosim::FaultPins pins;
   pins.axes = kAxes;
   for (int axis = 0; axis < kAxes; ++axis) {
@@ -102,57 +96,32 @@ cosim::Plant& Session::seen() {
                                                     marker(axis)};
   }
   pins.outputs = 8;
-  pins.registers = options_.run.engine == cosim::Engine::kRtl;
-  failing_.emplace(plant_, pins, fault, period_ps());
-  fault_watch_.emplace(fault, period_ps());
-  if (fault.kind == cosim::FaultKind::kRegisterFlip) {
-    cosim::require_bit(*chip_, fault.bit);
-    failing_->flip = [this] { chip_->flip(options_.fault.bit, true); };
+  wire(*chip_, plant_, pins);
+}
+
+bool Session::drives_off() const {
+  return chip_->drive() == (kZeroCode << converter(0) | kZeroCode << converter(1));
+}
+
+std::string Session::noticed() const { return what_failed(app_.mailbox()); }
+
+cosim::FaultTruth Session::truth(cosim::Clk edge) const {
+  cosim::FaultTruth now;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const plant::LeadscrewAxis& axis = plant_.stage().axis(k);
+    const plant::DcMotorState state = axis.state(edge);
+    now.at[k] = 1e3 * state.theta / axis.sensor().radians_per_m();
+    now.current_A = std::max(now.current_A, std::abs(state.i));
   }
-  return *failing_;
+  now.at_stop = plant_.limits() != 0;
+  return now;
 }
 
-void Session::watch_fault(const cosim::Stop& stop) {
-  const auto by = [this]() -> std::string { return what_failed(app_.mailbox()); };
-  const auto truth = [&] {
-    cosim::FaultTruth now;
-    for (std::size_t k = 0; k < 2; ++k) {
-      const plant::LeadscrewAxis& axis = plant_.stage().axis(k);
-      const plant::DcMotorState state = axis.state(stop.edge);
-      now.at[k] = 1e3 * state.theta / axis.sensor().radians_per_m();
-      now.current_A = std::max(now.current_A, std::abs(state.i));
-    }
-    now.at_stop = plant_.limits() != 0;
-    return now;
-  };
-  const bool off = chip_->drive() == (kZeroCode << converter(0) | kZeroCode << converter(1));
-  fault_watch_->on(stop, off, by, truth);
-}
-
-cosim::ProcessorTiming Session::timing() const {
-  const cosim::ProcessorOptions& p = options_.processor;
-  return {p.access_clk, p.interrupt_latency_clk, {options_.fault, period_ps()}};
-}
-
-cosim::Clk Session::end() const {
-  return cosim::clocks_of(options_.run.max_s, period_ps());
-}
-
-void Session::on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant&) {
-  if (over_ || stop.why == cosim::kLimit) return;
-  if (waves_.search != nullptr) waves_.search->on(stop, *chip_, *this);
-  if (fault_watch_) watch_fault(stop);
-  hash_.mix(stop, chip);
-  if ((stop.why & cosim::kSample) == 0) return;
-  const Sample sample = sample_at(stop.edge);
-  samples_.push_back(sample);
-  for (const AxisSample& axis : sample.axis) {
+void Session::sampled(cosim::Clk edge, bool) {
+  samples_.push_back(sample_at(edge));
+  for (const AxisSample& axis : samples_.back().axis) {
     hash_.mix(static_cast<std::uint64_t>(axis.words.position));
     hash_.mix(static_cast<std::uint32_t>(axis.words.actual));
-  }
-  if (const auto ended = end_after(sample)) {
-    end_ = *ended;
-    over_ = true;
   }
 }
 
@@ -184,13 +153,10 @@ Sample Session::sample_at(cosim::Clk edge) const {
   return sample;
 }
 
-std::optional<cosim::EndReason> Session::end_after(const Sample& sample) {
-  if (chip_->broken_promise()) return cosim::EndReason::kPromise;
-  if (waves_.found()) return cosim::EndReason::kDone;
-  if (hooks_.progress && samples_.size() % 64 == 0) hooks_.progress(std::min(1.0, progress()));
-  if (hooks_.stopped()) return cosim::EndReason::kStopped;
+std::optional<cosim::EndReason> Session::ending(cosim::Clk) {
+  const Sample& sample = samples_.back();
   if (app_.mailbox().failure != 0) {
-    end_ = cosim::EndReason::kFault;
+    end_ = cosim::EndReason::kFault;  // also where the run ends before the way to rest does
     const double speed = std::hypot(sample.axis[0].mm_s, sample.axis[1].mm_s);
     if (options_.fault.any() && !coast_.over(speed < kAtRest_mm_s)) return {};
     return end_;
@@ -239,9 +205,7 @@ std::unique_ptr<cosim::RunResult> Session::result() {
     result->fault = what_missed(options_, *result);
     if (!result->fault.empty()) result->end = cosim::EndReason::kMissed;
   }
-  result->event_hash = hash_.value();
-  if (fault_watch_) result->fault_report = fault_watch_->report();
-  close_result(*result, *chip_, waves_.window, started_);
+  complete(*result);
   return result;
 }
 

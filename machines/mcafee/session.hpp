@@ -4,16 +4,12 @@
 // record, and the decision when the run is over.
 #pragma once
 
-#include <chrono>
 #include <memory>
 #include <optional>
 
-#include "cosim/event_hash.hpp"
-#include "cosim/fault_plant.hpp"
-#include "cosim/fault_watch.hpp"
 #include "machines/mcafee/record.hpp"
 #include "machines/mcafee/signals.hpp"
-#include "cosim/session.hpp"
+#include "cosim/sampled_session.hpp"
 #include "parts/lm628/coast.hpp"
 
 namespace trammel::mcafee {
@@ -45,49 +41,33 @@ class StagePlant final : public cosim::FalliblePlant {
 // What the program is told: the options in its own units, and the rows of a table that outlives it.
 sw::McafeeSetup setup_of(const Options& options, const Table& table);
 
-class Session final : public cosim::Session,
-                      private cosim::Observer,
-                      public cosim::SignalReader {
+class Session final : public cosim::SampledSession {
  public:
   // Throws cosim::OptionsError or std::invalid_argument for a path that cannot be followed.
   Session(const Options& options, const cosim::Hooks& hooks, const cosim::Waves& waves = {});
 
-  cosim::Loop& loop() override { return loop_; }
   sw::Firmware& firmware() override { return app_; }
-  cosim::ProcessorTiming timing() const override;
-  std::int64_t period_ps() const override { return options_.stage_axis.clock_ps; }
-  cosim::Clk end() const override;
-  bool finished() const override { return over_; }
-  bool stopped() const override { return end_ == cosim::EndReason::kStopped; }
   std::vector<cosim::Place> places() const override;
   std::unique_ptr<cosim::RunResult> result() override;
 
  private:
-  void on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant& plant) override;
+  void sampled(cosim::Clk edge, bool recorded) override;
+  std::optional<cosim::EndReason> ending(cosim::Clk edge) override;
+  bool drives_off() const override;
+  std::string noticed() const override;
+  cosim::FaultTruth truth(cosim::Clk edge) const override;
   std::int64_t read(std::size_t signal, int axis) const override;
   Sample sample_at(cosim::Clk edge) const;
-  std::optional<cosim::EndReason> end_after(const Sample& sample);
-  cosim::Plant& seen();
-  void watch_fault(const cosim::Stop& stop);
-  double progress() const;
+  double progress() const override;
   std::uint32_t rows() const { return options_.tracks() ? app_.mailbox().point : 0; }
 
   Options options_;
-  cosim::Hooks hooks_;
-  cosim::Waves waves_;
   Table table_;
   StagePlant plant_;
   std::unique_ptr<McafeeChip> chip_;
-  std::optional<cosim::FaultPlant> failing_;  // around the plant
-  std::optional<cosim::FaultWatch> fault_watch_;
   sw::McafeeApp app_;
-  cosim::Loop loop_;
   host::DiskVector<Sample> samples_;
-  cosim::EventHash hash_;
-  std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
-  cosim::EndReason end_ = cosim::EndReason::kTimeout;
   lm628::Coast coast_;
-  bool over_ = false;
 };
 
 }  // namespace trammel::mcafee

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cosim/rig.hpp"
+
+namespace trammel::cosim {
+
+ProcessorTiming Rig::timing() const {
+  return {processor_.access_clk, processor_.interrupt_latency_clk, {fault_, clock_ps_}};
+}
+
+void Rig::wire(MachineChip& chip, FalliblePlant& plant, FaultPins pins, const char* unit) {
+  chip_ = &chip;
+  plant_ = &plant;
+  if (fault_.any()) {
+    pins.registers = run_.engine == Engine::kRtl;
+    failing_.emplace(plant, pins, fault_, clock_ps_);
+    watch_trips(unit);
+    if (fault_.kind == FaultKind::kRegisterFlip) {
+      require_bit(chip, fault_.bit);
+      failing_->flip = [this] { chip_->flip(fault_.bit, true); };
+    }
+  }
+  loop_.emplace(chip, seen(), static_cast<Observer&>(*this), run_.window());
+}
+
+Plant& Rig::seen() { return failing_ ? static_cast<Plant&>(*failing_) : *plant_; }
+
+void Rig::watch_trips(const char* unit) {
+  if (!fault_watch_) fault_watch_.emplace(fault_, clock_ps_, unit);
+}
+
+void Rig::watch_fault(const Stop& stop) {
+  if (!fault_watch_) return;
+  fault_watch_->on(stop, drives_off(), [this] { return noticed(); },
+                   [&] { return truth(stop.edge); });
+}
+
+void Rig::complete(RunResult& result) const {
+  if (fault_watch_) result.fault_report = fault_watch_->report();
+  close_result(result, *chip_, waves_.window, started_);
+}
+
+}  // namespace trammel::cosim

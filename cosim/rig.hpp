@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// A chip wired to a plant, with the loop between them: what every run has, whoever is at the
+// processor's bus. The run's fault is on the lines, and what becomes of it is watched.
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+
+#include "cosim/direct.hpp"
+#include "cosim/fault_plant.hpp"
+#include "cosim/fault_watch.hpp"
+#include "cosim/trigger_search.hpp"
+
+namespace trammel::cosim {
+
+class Rig : protected Observer {
+ public:
+  Loop& loop() { return *loop_; }
+  ProcessorTiming timing() const;
+  std::int64_t period_ps() const { return clock_ps_; }
+  Clk end() const { return clocks_of(run_.max_s, clock_ps_); }  // the run ends there at the latest
+
+ protected:
+  Rig(const RunBasics& run, const Fault& fault, const ProcessorOptions& processor,
+      std::int64_t clock_ps, const Waves& waves)
+      : waves_(waves), run_(run), fault_(fault), processor_(processor), clock_ps_(clock_ps) {}
+
+  // Once, when both are there, which outlive the run. `pins`: of the chip, for faults; their
+  // `registers` are those of RTL. `unit`: of the axes in truth().
+  void wire(MachineChip& chip, FalliblePlant& plant, FaultPins pins, const char* unit = "mm");
+  void watch_trips(const char* unit = "mm");  // of a run without a fault, too
+  void watch_fault(const Stop& stop);         // after an event
+
+  // What the machine knows of a fault.
+  virtual bool drives_off() const = 0;
+  virtual std::string noticed() const = 0;  // by what; "": by nothing
+  virtual FaultTruth truth(Clk edge) const = 0;
+
+  MachineChip& wired() const { return *chip_; }
+  Plant& seen();  // by the chip: the plant, with the fault
+  void complete(RunResult& result) const;  // but its record, its events and why it ended
+
+  Waves waves_;
+
+ private:
+  RunBasics run_;
+  Fault fault_;
+  ProcessorOptions processor_;
+  std::int64_t clock_ps_;
+  MachineChip* chip_ = nullptr;
+  FalliblePlant* plant_ = nullptr;
+  std::optional<FaultPlant> failing_;  // around the plant
+  std::optional<FaultWatch> fault_watch_;
+  std::optional<Loop> loop_;
+  std::chrono::steady_clock::time_point started_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace trammel::cosim

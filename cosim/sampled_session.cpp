@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "cosim/sampled_session.hpp"
+
+#include <algorithm>
+
+namespace trammel::cosim {
+
+void SampledSession::on(const Stop& stop, const Chip& chip, const Plant&) {
+  if (over_) return;
+  passed();
+  if (stop.why == kLimit) return;
+  const bool sample = (stop.why & kSample) != 0;
+  const bool recorded = sample && in_record(stop.edge);
+  const Stop events{stop.edge, recorded ? stop.why : stop.why & ~kSample};
+  if (events.why != 0) {
+    if (waves_.search != nullptr) waves_.search->on(events, wired(), *this);
+    watch_fault(events);
+    hash_.mix(events, chip);
+    noted(events);
+  }
+  if (!sample) return;
+  sampled(stop.edge, recorded);
+  if (!recorded) return;
+  ++recorded_;
+  if (const auto reason = ended(stop.edge)) {
+    end_ = *reason;
+    over_ = true;
+  }
+}
+
+std::optional<EndReason> SampledSession::ended(Clk edge) {
+  if (wired().broken_promise()) return EndReason::kPromise;
+  if (waves_.found()) return EndReason::kDone;
+  if (hooks_.progress && recorded_ % 64 == 0) hooks_.progress(std::min(1.0, progress()));
+  if (hooks_.stopped()) return EndReason::kStopped;
+  return ending(edge);
+}
+
+void SampledSession::complete(RunResult& result) const {
+  result.event_hash = hash_.value();
+  Rig::complete(result);
+}
+
+}  // namespace trammel::cosim
