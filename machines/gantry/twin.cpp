@@ -3,16 +3,16 @@
 // gantry_tau of its bit-exact twin behind the Chip interface.
 #include <cstddef>
 
-#include "cosim/hosted_twin.hpp"
+#include "cosim/bus_twin.hpp"
 #include "machines/gantry/board.hpp"
 #include "models/exact/chips/gantry_tau.hpp"
 
 namespace trammel::gantry {
 namespace {
 
-class TwinChip final : public cosim::HostedTwin<GantryChip, Board, exact::GantryTau> {
+class TwinChip final : public cosim::BusTwin<GantryChip, Board, exact::GantryTau> {
  public:
-  explicit TwinChip(const ChipSetup& setup) : HostedTwin(exact::GantryTau()) {
+  explicit TwinChip(const ChipSetup& setup) : BusTwin(exact::GantryTau()) {
     state_ = Board(setup);
     in_.nv_data = state_.nv_word();
     reset();
@@ -21,10 +21,9 @@ class TwinChip final : public cosim::HostedTwin<GantryChip, Board, exact::Gantry
 
   cosim::Stop run(cosim::Clk end, const cosim::Plant& plant) override {
     plant_ = &plant;
-    return HostedTwin::run(end, plant);
+    return BusTwin::run(end, plant);
   }
 
-  cosim::Lines drive() const override { return state_.lines; }
   const Store& store() const override { return state_.store; }
   Words words() const override {
     const exact::SincosObserver::Out& o = twin_.observed();
@@ -48,10 +47,6 @@ class TwinChip final : public cosim::HostedTwin<GantryChip, Board, exact::Gantry
                                              (level(lines, overtemp(1)) ? 2 : 0));
   }
 
-  void request(const cosim::BusOp& op) override {
-    if (!state_.request(op)) twin_.request(op.addr, op.data, op.write);
-  }
-
  private:
   cosim::Lines pins() const {
     cosim::Lines lines = cosim::Lines{twin_.tx()} << kTx;
@@ -62,19 +57,7 @@ class TwinChip final : public cosim::HostedTwin<GantryChip, Board, exact::Gantry
     return lines;
   }
 
-  bool bus_active() const override { return state_.platform_active || twin_.open(); }
-  bool host_pin() const override { return twin_.irq(); }
-  bool publishes() const override { return state_.samples(state_.now); }
-
-  bool bus_edge(cosim::Clk edge) override {
-    if (state_.platform_active) {
-      state_.platform_edge(edge, host_pin());
-      return true;
-    }
-    if (twin_.open()) return false;
-    state_.rdata = twin_.read_data();
-    return true;
-  }
+  void put(const cosim::BusOp& op) override { twin_.request(op.addr, op.data, op.write); }
 
   bool drive_changed() override {
     const exact::AdcSerial::Out adc = twin_.adc();

@@ -5,36 +5,14 @@
 // bits: each has an address of its own there, and is half of the chip's bus, as its bytes have.
 #pragma once
 
-#include <algorithm>
-
-#include "cosim/hosted.hpp"
+#include "cosim/processor_bus.hpp"
 #include "machines/larson/chip.hpp"
 #include "sw_nios/apps/larson/larson_map.hpp"
 
 namespace trammel::larson {
 
-struct Board : cosim::HostedState {
-  cosim::Clk sample_clk = 1;
-  cosim::BusOp op;
-  bool platform_active = false;
-  cosim::Lines lines = 0;  // toward the plant
-
-  bool samples(cosim::Clk edge) const {
-    return (edge + 1) % sample_clk == 0 || (edge + 1) % kLook == 0;
-  }
-  cosim::Clk waiting(cosim::Clk edge) const {
-    const auto left = [edge](cosim::Clk every) {
-      return std::max<cosim::Clk>(1, every - 1 - edge % every);
-    };
-    return std::min({HostedState::waiting(edge), left(sample_clk), left(kLook)});
-  }
-
-  // Takes a transfer of the platform's own registers, which needs one clock; false: of the chip's.
-  bool request(const cosim::BusOp& asked) {
-    op = asked;
-    platform_active = asked.addr >= sw::larson_map::kPlatform;
-    return platform_active;
-  }
+struct Board : cosim::ProcessorBus {
+  explicit Board(const ChipSetup& setup = {}) { ticks = {setup.sample_clk, kLook}; }
 
   // Of a transfer of the chip: its bytes, and address and data in their place.
   bool half() const { return op.addr < sw::larson_map::kVector; }
@@ -50,26 +28,6 @@ struct Board : cosim::HostedState {
   }
   void answer(std::uint32_t data) {
     rdata = byte() ? data >> shift() & 0xFF : half() ? data >> shift() & 0xFFFF : data;
-  }
-
-  // Passes the edge of one of the platform, with the chip's interrupt after it.
-  void platform_edge(cosim::Clk edge, bool chip_irq) {
-    namespace map = sw::larson_map;
-    platform_active = false;
-    if (op.write) {
-      if (op.addr == map::kTimer) timer.write(edge, op.data);
-      return;
-    }
-    rdata = op.addr != map::kIrq ? 0
-                                 : (chip_irq ? map::kIrqChip : 0u) |
-                                       (timer.irq() ? map::kIrqTimer : 0u);
-  }
-
-  // The pins toward the plant after an edge; true when one changed.
-  bool changed(cosim::Lines pins) {
-    const bool moved = pins != lines;
-    lines = pins;
-    return moved;
   }
 };
 

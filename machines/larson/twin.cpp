@@ -3,22 +3,21 @@
 // larson_xy of its bit-exact twin behind the Chip interface.
 #include <cstddef>
 
-#include "cosim/hosted_twin.hpp"
+#include "cosim/bus_twin.hpp"
 #include "machines/larson/board.hpp"
 #include "models/exact/chips/larson_xy.hpp"
 
 namespace trammel::larson {
 namespace {
 
-class TwinChip final : public cosim::HostedTwin<LarsonChip, Board, exact::LarsonXy> {
+class TwinChip final : public cosim::BusTwin<LarsonChip, Board, exact::LarsonXy> {
  public:
-  explicit TwinChip(const ChipSetup& setup) : HostedTwin(exact::LarsonXy()) {
-    state_.sample_clk = setup.sample_clk;
+  explicit TwinChip(const ChipSetup& setup) : BusTwin(exact::LarsonXy()) {
+    state_ = Board(setup);
     reset();
     state_.lines = pins();
   }
 
-  cosim::Lines drive() const override { return state_.lines; }
   std::uint32_t words(int axis) const override {
     return twin_.table().words(static_cast<std::size_t>(axis));
   }
@@ -35,12 +34,6 @@ class TwinChip final : public cosim::HostedTwin<LarsonChip, Board, exact::Larson
     }
   }
 
-  void request(const cosim::BusOp& op) override {
-    if (state_.request(op)) return;
-    const cosim::BusOp placed = state_.placed();
-    twin_.request(placed.addr, placed.data, placed.write, state_.bytes());
-  }
-
  private:
   cosim::Lines pins() const {
     cosim::Lines lines = 0;
@@ -52,18 +45,8 @@ class TwinChip final : public cosim::HostedTwin<LarsonChip, Board, exact::Larson
     return lines;
   }
 
-  bool bus_active() const override { return state_.platform_active || twin_.open(); }
-  bool host_pin() const override { return twin_.irq(); }
-  bool publishes() const override { return state_.samples(state_.now); }
-
-  bool bus_edge(cosim::Clk edge) override {
-    if (state_.platform_active) {
-      state_.platform_edge(edge, host_pin());
-      return true;
-    }
-    if (twin_.open()) return false;
-    state_.answer(twin_.read_data());
-    return true;
+  void put(const cosim::BusOp& op) override {
+    twin_.request(op.addr, op.data, op.write, state_.bytes());
   }
 
   bool drive_changed() override { return state_.changed(pins()); }

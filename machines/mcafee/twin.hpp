@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <memory>
 
-#include "cosim/hosted_twin.hpp"
+#include "cosim/bus_twin.hpp"
 #include "parts/lm628/twin_words.hpp"
 #include "machines/mcafee/board.hpp"
 #include "machines/mcafee/chip.hpp"
@@ -15,10 +15,10 @@
 
 namespace trammel::mcafee {
 
-class TwinChip : public cosim::HostedTwin<McafeeChip, Board, exact::McafeeXy> {
+class TwinChip : public cosim::BusTwin<McafeeChip, Board, exact::McafeeXy> {
  public:
   explicit TwinChip(int clock_MHz = kClockMHz)
-      : HostedTwin(exact::McafeeXy(lm628::clock_of(clock_MHz))) {
+      : BusTwin(exact::McafeeXy(lm628::clock_of(clock_MHz))) {
     reset();
   }
 
@@ -26,11 +26,6 @@ class TwinChip : public cosim::HostedTwin<McafeeChip, Board, exact::McafeeXy> {
 
   lm628::Words words(int axis) const override { return lm628::words_of(part(axis)); }
   bool host_irq(int axis) const override { return part(axis).out().hi; }
-  cosim::Lines drive() const override { return state_.codes; }
-
-  void request(const cosim::BusOp& op) override {
-    if (!state_.request(op)) twin_.request(op.addr, op.data, op.write);
-  }
 
   void sense(cosim::Lines lines) override {
     const auto bit = [lines](int n) { return (lines >> n & 1) != 0; };
@@ -47,19 +42,8 @@ class TwinChip : public cosim::HostedTwin<McafeeChip, Board, exact::McafeeXy> {
   }
 
  private:
-  bool bus_active() const override { return state_.platform_active || twin_.open(); }
-  bool host_pin() const override { return twin_.irq(); }
+  void put(const cosim::BusOp& op) override { twin_.request(op.addr, op.data, op.write); }
   bool publishes() const override { return part(0).commits(); }
-
-  bool bus_edge(cosim::Clk edge) override {
-    if (state_.platform_active) {
-      state_.platform_edge(edge, host_pin());
-      return true;
-    }
-    if (twin_.open()) return false;
-    state_.rdata = twin_.read_data();
-    return true;
-  }
 
   bool drive_changed() override { return state_.convert(twin_.dac(0), twin_.dac(1)); }
 };

@@ -19,7 +19,7 @@ TEST_CASE("gantry: at boot the reset message goes out, an interrupt of the timer
   sw::GantryApp app({});
   app.start(chip);
   CHECK(chip.sent == std::vector<Frame>{{kValue, 9, 42}});
-  chip.words[sw::gantry_map::kIrq] = sw::gantry_map::kIrqTimer;
+  chip.words[sw::platform_map::kIrq] = sw::platform_map::kIrqTimer;
   chip.words[regs::kStatus] = regs::kStatusPass;
   app.isr(chip);
   CHECK(app.mailbox().point == 0);

@@ -13,7 +13,7 @@
 
 #include "rtl/chips/generated/gantry_tau_regs.hpp"
 #include "sw_nios/apps/gantry/gantry.hpp"
-#include "sw_nios/apps/gantry/gantry_map.hpp"
+#include "sw_nios/hal/platform_map.hpp"
 
 namespace trammel::gantry_test {
 
@@ -79,7 +79,7 @@ struct Track {
     chip.writes.clear();
   }
   void interrupt(std::uint32_t status) {
-    chip.words[sw::gantry_map::kIrq] = sw::gantry_map::kIrqChip;
+    chip.words[sw::platform_map::kIrq] = sw::platform_map::kIrqChip;
     chip.words[regs::kStatus] = status;
     app.isr(chip);
   }

@@ -7,29 +7,22 @@
 #include <cstdint>
 #include <utility>
 
-#include "cosim/verilated/axi_lite.hpp"
-#include "cosim/verilated/hosted_chip.hpp"
+#include "cosim/verilated/bus_chip.hpp"
 #include "machines/gantry/board.hpp"
 #include "machines/gantry/chip.hpp"
 
 namespace trammel::gantry {
 
-struct ChipState : Board {
-  using Board::Board;
-  cosim::AxiLiteMaster bus;
-};
-
 template <class Model, class Tracer>
-class ChipModel : public cosim::HostedChip<GantryChip, ChipState, Model, Tracer> {
-  using Hosted = cosim::HostedChip<GantryChip, ChipState, Model, Tracer>;
-  using Hosted::model_;
-  using Hosted::state_;
+class ChipModel : public cosim::BusChip<GantryChip, Board, Model, Tracer> {
+  using OnBus = cosim::BusChip<GantryChip, Board, Model, Tracer>;
+  using OnBus::model_;
+  using OnBus::state_;
 
  public:
   ChipModel(Tracer tracer, cosim::ModelMode mode, const ChipSetup& setup)
-      : Hosted(std::move(tracer), mode) {
+      : OnBus(std::move(tracer), mode) {
     static_cast<Board&>(state_) = Board(setup);
-    state_.bus.reset(*model_);
     sense(cosim::Lines{1} << kRx);
     model_->nv_ready_i = 1;
     model_->adc_dout_i = 0;
@@ -40,10 +33,9 @@ class ChipModel : public cosim::HostedChip<GantryChip, ChipState, Model, Tracer>
 
   cosim::Stop run(cosim::Clk end, const cosim::Plant& plant) override {
     plant_ = &plant;
-    return Hosted::run(end, plant);
+    return OnBus::run(end, plant);
   }
 
-  cosim::Lines drive() const override { return state_.lines; }
   const Store& store() const override { return state_.store; }
   Words words() const override {
     const auto& r = *model_->rootp;
@@ -69,10 +61,6 @@ class ChipModel : public cosim::HostedChip<GantryChip, ChipState, Model, Tracer>
     state_.dirty = true;
   }
 
-  void request(const cosim::BusOp& op) override {
-    if (!state_.request(op)) state_.bus.request(*model_, op);
-  }
-
  private:
   static std::int32_t extended(std::uint32_t word, int bits) {
     const std::uint32_t sign = 1u << (bits - 1);
@@ -88,23 +76,6 @@ class ChipModel : public cosim::HostedChip<GantryChip, ChipState, Model, Tracer>
     return lines;
   }
 
-  bool bus_active() const override { return state_.bus.active() || state_.platform_active; }
-  void see_transfer() override {
-    if (state_.bus.active()) state_.bus.before_edge(*model_);
-  }
-  bool publishes() const override { return state_.samples(state_.now); }
-  bool host_pin() const override { return model_->irq_o != 0; }
-
-  bool bus_edge(cosim::Clk edge) override {
-    if (state_.platform_active) {
-      state_.platform_edge(edge, host_pin());
-      return true;
-    }
-    state_.dirty = true;
-    if (!state_.bus.after_edge(*model_)) return false;
-    state_.rdata = state_.bus.rdata();
-    return true;
-  }
 
   bool drive_changed() override {
     const Ports ports{model_->adc_cs_n_o != 0, model_->adc_sclk_o != 0, model_->adc_din_o != 0,

@@ -7,34 +7,27 @@
 #include <cstdint>
 #include <utility>
 
-#include "cosim/verilated/axi_lite.hpp"
-#include "cosim/verilated/hosted_chip.hpp"
+#include "cosim/verilated/bus_chip.hpp"
 #include "machines/larson/board.hpp"
 #include "machines/larson/chip.hpp"
 
 namespace trammel::larson {
 
-struct ChipState : Board {
-  cosim::AxiLiteMaster bus;
-};
-
 template <class Model, class Tracer>
-class ChipModel : public cosim::HostedChip<LarsonChip, ChipState, Model, Tracer> {
-  using Hosted = cosim::HostedChip<LarsonChip, ChipState, Model, Tracer>;
-  using Hosted::model_;
-  using Hosted::state_;
+class ChipModel : public cosim::BusChip<LarsonChip, Board, Model, Tracer> {
+  using OnBus = cosim::BusChip<LarsonChip, Board, Model, Tracer>;
+  using OnBus::model_;
+  using OnBus::state_;
 
  public:
   ChipModel(Tracer tracer, cosim::ModelMode mode, const ChipSetup& setup)
-      : Hosted(std::move(tracer), mode) {
-    state_.sample_clk = setup.sample_clk;
-    state_.bus.reset(*model_);
+      : OnBus(std::move(tracer), mode) {
+    static_cast<Board&>(state_) = Board(setup);
     sense(0);
     this->reset();
     state_.lines = pins();
   }
 
-  cosim::Lines drive() const override { return state_.lines; }
   std::uint32_t words(int axis) const override {
     return axis == 0 ? model_->rootp->larson_xy__DOT__x : model_->rootp->larson_xy__DOT__y;
   }
@@ -51,13 +44,9 @@ class ChipModel : public cosim::HostedChip<LarsonChip, ChipState, Model, Tracer>
     state_.dirty = true;
   }
 
-  void request(const cosim::BusOp& op) override {
-    if (state_.request(op)) return;
-    state_.bus.request(*model_, state_.placed());
-    model_->s_axil_wstrb_i = static_cast<std::uint8_t>(state_.bytes());
-  }
-
  private:
+  void strobe() override { model_->s_axil_wstrb_i = static_cast<std::uint8_t>(state_.bytes()); }
+
   cosim::Lines pins() const {
     cosim::Lines lines = 0;
     for (int axis = 0; axis < kAxes; ++axis) {
@@ -66,24 +55,6 @@ class ChipModel : public cosim::HostedChip<LarsonChip, ChipState, Model, Tracer>
                cosim::Lines{model_->flush_o >> axis & 1u} << flush(axis);
     }
     return lines;
-  }
-
-  bool bus_active() const override { return state_.bus.active() || state_.platform_active; }
-  void see_transfer() override {
-    if (state_.bus.active()) state_.bus.before_edge(*model_);
-  }
-  bool publishes() const override { return state_.samples(state_.now); }
-  bool host_pin() const override { return model_->irq_o != 0; }
-
-  bool bus_edge(cosim::Clk edge) override {
-    if (state_.platform_active) {
-      state_.platform_edge(edge, host_pin());
-      return true;
-    }
-    state_.dirty = true;
-    if (!state_.bus.after_edge(*model_)) return false;
-    state_.answer(state_.bus.rdata());
-    return true;
   }
 
   bool drive_changed() override { return state_.changed(pins()); }

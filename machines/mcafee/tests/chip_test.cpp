@@ -14,14 +14,14 @@
 #include "machines/mcafee/session.hpp"
 #include "models/exact/chips/mcafee_xy.hpp"
 #include "rtl/chips/generated/mcafee_xy_regs.hpp"
-#include "sw_nios/apps/mcafee/mcafee_map.hpp"
+#include "sw_nios/hal/platform_map.hpp"
 #include "sw_nios/hal/lm628.hpp"
 #include "tests/support/same.hpp"
 
 using namespace trammel;
 using namespace trammel::mcafee;
 namespace reg = mcafee_xy_regs;
-namespace map = sw::mcafee_map;
+namespace map = sw::platform_map;
 
 namespace {
 
@@ -264,8 +264,8 @@ TEST_CASE("mcafee chip reads and drives the same as its twin") {
 }
 
 TEST_CASE("mcafee: converters give nothing before the parts have written to them") {
-  CHECK(Board().codes == codes(0x80, 0x80));
-  for (const int axis : {0, 1}) CHECK(code(Board().codes, axis) == kZeroCode);
+  CHECK(Board().lines == codes(0x80, 0x80));
+  for (const int axis : {0, 1}) CHECK(code(Board().lines, axis) == kZeroCode);
 }
 
 TEST_CASE("mcafee: the line of each marker is high about the place of a turn, and low elsewhere") {

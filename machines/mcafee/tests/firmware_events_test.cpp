@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "sw_nios/apps/mcafee/mcafee.hpp"
-#include "sw_nios/apps/mcafee/mcafee_map.hpp"
+#include "sw_nios/hal/platform_map.hpp"
 #include "sw_nios/apps/mcafee/mcafee_xy.hpp"
 #include "tests/support/port_byte.hpp"
 
@@ -33,7 +33,7 @@ struct TwoParts final : Bus {
 
   std::uint32_t read(std::uint32_t addr) override {
     switch (addr) {
-      case mcafee_map::kIrq: return irq;
+      case platform_map::kIrq: return irq;
       case regs::kIrq: return hosts;
       case regs::kLimits: return limits;
       case regs::kStatus: return sample;
@@ -42,7 +42,7 @@ struct TwoParts final : Bus {
     }
   }
   void write(std::uint32_t addr, std::uint32_t data) override {
-    if (addr == mcafee_map::kTimer) timer = data;
+    if (addr == platform_map::kTimer) timer = data;
     if (addr == regs::kReset) log += "R ";
     if (addr == regs::kStatus) sample &= ~data;
     if (addr == regs::kPortC) byte_ = data;
@@ -75,12 +75,12 @@ struct Bench {
     CHECK(bus.timer == 100'000);
   }
   std::string on_timer() {
-    bus.irq = mcafee_map::kIrqTimer;
+    bus.irq = platform_map::kIrqTimer;
     return interrupt();
   }
   // Of one part, with this status.
   std::string on_host(std::size_t part, std::uint8_t status) {
-    bus.irq = mcafee_map::kIrqHost;
+    bus.irq = platform_map::kIrqChip;
     bus.hosts = part == 0 ? regs::kIrqX : regs::kIrqY;
     bus.status[part] = status;
     const std::string bytes = interrupt();

@@ -14,7 +14,7 @@
 
 #include "cosim/direct.hpp"
 #include "models/exact/control/feed_rate.hpp"
-#include "sw_nios/apps/mcafee/mcafee_map.hpp"
+#include "sw_nios/hal/platform_map.hpp"
 #include "sw_nios/apps/mcafee/mcafee_xy.hpp"
 #include "machines/mcafee/tests/xy_follower.hpp"
 #include "tests/support/port_byte.hpp"
@@ -130,7 +130,7 @@ McafeeSetup tracking(const std::vector<McafeeRow>& rows) {
 class DeafFeed final : public Bus {
  public:
   std::uint32_t read(std::uint32_t addr) override {
-    if (addr == mcafee_map::kIrq) return mcafee_map::kIrqTimer;
+    if (addr == platform_map::kIrq) return platform_map::kIrqTimer;
     if (addr == mcafee_xy_regs::kPortC) return cleared_[part_] ? 0x80 : 0x84;
     return 0;
   }

@@ -7,30 +7,23 @@
 #include "parts/lm628/verilated/words.hpp"
 #include "machines/mcafee/board.hpp"
 #include "machines/mcafee/chip.hpp"
-#include "cosim/verilated/axi_lite.hpp"
-#include "cosim/verilated/hosted_chip.hpp"
+#include "cosim/verilated/bus_chip.hpp"
 
 namespace trammel::mcafee {
 
-struct ChipState : Board {
-  cosim::AxiLiteMaster bus;
-};
-
 template <class Model, class Tracer>
-class ChipModel : public cosim::HostedChip<McafeeChip, ChipState, Model, Tracer> {
-  using Hosted = cosim::HostedChip<McafeeChip, ChipState, Model, Tracer>;
-  using Hosted::model_;
-  using Hosted::state_;
+class ChipModel : public cosim::BusChip<McafeeChip, Board, Model, Tracer> {
+  using OnBus = cosim::BusChip<McafeeChip, Board, Model, Tracer>;
+  using OnBus::model_;
+  using OnBus::state_;
 
  public:
-  ChipModel(Tracer tracer, cosim::ModelMode mode) : Hosted(std::move(tracer), mode) {
-    state_.bus.reset(*model_);
+  ChipModel(Tracer tracer, cosim::ModelMode mode) : OnBus(std::move(tracer), mode) {
     sense(0);
     this->reset();
     drive_changed();
   }
 
-  cosim::Lines drive() const override { return state_.codes; }
   std::vector<cosim::DomainActivity> activity() const override {
     return model_.activity(lm628::kDomains);
   }
@@ -48,10 +41,6 @@ class ChipModel : public cosim::HostedChip<McafeeChip, ChipState, Model, Tracer>
     state_.dirty = true;
   }
 
-  void request(const cosim::BusOp& op) override {
-    if (!state_.request(op)) state_.bus.request(*model_, op);
-  }
-
   lm628::Words words(int axis) const override {
     const auto& root = *model_->rootp;
     if (axis == 0) {
@@ -65,23 +54,7 @@ class ChipModel : public cosim::HostedChip<McafeeChip, ChipState, Model, Tracer>
   }
 
  private:
-  bool bus_active() const override { return state_.bus.active() || state_.platform_active; }
-  void see_transfer() override {
-    if (state_.bus.active()) state_.bus.before_edge(*model_);
-  }
   bool publishes() const override { return (model_->sample_o & 1) != 0; }
-  bool host_pin() const override { return model_->irq_o != 0; }
-
-  bool bus_edge(cosim::Clk edge) override {
-    if (state_.platform_active) {
-      state_.platform_edge(edge, host_pin());
-      return true;
-    }
-    state_.dirty = true;
-    if (!state_.bus.after_edge(*model_)) return false;
-    state_.rdata = state_.bus.rdata();
-    return true;
-  }
 
   bool drive_changed() override { return state_.convert(model_->dac_x_o, model_->dac_y_o); }
 };

@@ -2,7 +2,7 @@
 #include "sw_nios/apps/gantry/gantry.hpp"
 
 #include "rtl/chips/generated/gantry_tau_regs.hpp"
-#include "sw_nios/apps/gantry/gantry_map.hpp"
+#include "sw_nios/hal/platform_map.hpp"
 #include "sw_nios/apps/gantry/protocol.hpp"
 
 namespace trammel::sw {
@@ -39,7 +39,7 @@ void GantryApp::start(Bus& bus) {
 }
 
 void GantryApp::isr(Bus& bus) {
-  if ((bus.read(gantry_map::kIrq) & gantry_map::kIrqChip) == 0) return;
+  if ((bus.read(platform_map::kIrq) & platform_map::kIrqChip) == 0) return;
   const std::uint32_t status = bus.read(tau::kStatus);
   const std::uint32_t events = status & (tau::kStatusPass | tau::kStatusSample);
   if (events != 0) bus.write(tau::kStatus, events);

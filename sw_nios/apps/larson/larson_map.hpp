@@ -7,6 +7,8 @@
 
 #include <cstdint>
 
+#include "sw_nios/hal/platform_map.hpp"
+
 namespace trammel::sw::larson_map {
 
 constexpr std::uint32_t count(std::uint32_t axis) { return 8 * axis; }
@@ -30,10 +32,9 @@ inline constexpr std::uint32_t kVectorY = 0344;
 inline constexpr std::uint32_t kBytes = 0x40;
 constexpr std::uint32_t byte(std::uint32_t number) { return kBytes + 4 * number; }
 
-inline constexpr std::uint32_t kPlatform = 0x100;  // from here on
-inline constexpr std::uint32_t kTimer = 0x100;     // [clk] until its one interrupt; 0 = off
-inline constexpr std::uint32_t kIrq = 0x104;       // causes of the interrupt
-inline constexpr std::uint32_t kIrqChip = 1u << 0;
-inline constexpr std::uint32_t kIrqTimer = 1u << 1;
+using platform_map::kIrq;
+using platform_map::kIrqChip;
+using platform_map::kIrqTimer;
+using platform_map::kTimer;
 
 }  // namespace trammel::sw::larson_map

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sw_nios/apps/mcafee/mcafee.hpp"
 
-#include "sw_nios/apps/mcafee/mcafee_map.hpp"
+#include "sw_nios/hal/platform_map.hpp"
 #include "sw_nios/apps/mcafee/mcafee_xy.hpp"
 
 namespace trammel::sw {
@@ -45,8 +45,8 @@ void McafeeApp::start(Bus& bus) {
 
 void McafeeApp::isr(Bus& bus) {
   Parts parts(bus);
-  if ((bus.read(mcafee_map::kIrq) & mcafee_map::kIrqTimer) != 0) {
-    bus.write(mcafee_map::kTimer, 0);
+  if ((bus.read(platform_map::kIrq) & platform_map::kIrqTimer) != 0) {
+    bus.write(platform_map::kTimer, 0);
     if (state_ != State::kReset && bus.read(regs::kLimits) != 0) {
       fail(bus, McafeeFailure::kLimit);
     } else {
@@ -242,14 +242,14 @@ void McafeeApp::finish(Bus& bus, Parts& parts) {
 void McafeeApp::wait(Bus& bus, State state, std::uint32_t clocks) {
   if (state_ == State::kDone) return;
   state_ = state;
-  bus.write(mcafee_map::kTimer, clocks);
+  bus.write(platform_map::kTimer, clocks);
 }
 
 void McafeeApp::fail(Bus& bus, McafeeFailure failure) {
   if (mail_.failure != 0) return;
   mail_.failure = static_cast<std::uint32_t>(failure);
   state_ = State::kDone;
-  bus.write(mcafee_map::kTimer, 0);
+  bus.write(platform_map::kTimer, 0);
   if (failure != McafeeFailure::kBusy && failure != McafeeFailure::kReset) {
     Parts parts(bus);
     for (Lm628Port& port : parts.port) {

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// A verilated chip with an AXI4-Lite port and an interrupt, `irq_o`, and the platform beside it.
+// `Board`: a ProcessorBus.
+#pragma once
+
+#include <utility>
+
+#include "cosim/processor_bus.hpp"
+#include "cosim/verilated/axi_lite.hpp"
+#include "cosim/verilated/hosted_chip.hpp"
+
+namespace trammel::cosim {
+
+template <class Board>
+struct BusState : Board {
+  using Board::Board;
+  AxiLiteMaster bus;
+};
+
+template <class Base, class Board, class Model, class Tracer>
+class BusChip : public HostedChip<Base, BusState<Board>, Model, Tracer> {
+  using Hosted = HostedChip<Base, BusState<Board>, Model, Tracer>;
+
+ public:
+  Lines drive() const override { return state_.lines; }
+  void request(const BusOp& op) override {
+    if (state_.request(op)) return;
+    state_.bus.request(*model_, state_.placed());
+    strobe();
+  }
+
+ protected:
+  using Hosted::model_;
+  using Hosted::state_;
+
+  BusChip(Tracer tracer, ModelMode mode) : Hosted(std::move(tracer), mode) {
+    state_.bus.reset(*model_);
+  }
+
+  virtual void strobe() {}  // other bytes of a transfer than all
+
+ private:
+  bool publishes() const override { return state_.samples(state_.now); }
+  bool bus_active() const final { return state_.bus.active() || state_.platform_active; }
+  bool host_pin() const final { return model_->irq_o != 0; }
+  void see_transfer() final {
+    if (state_.bus.active()) state_.bus.before_edge(*model_);
+  }
+  bool bus_edge(Clk edge) final {
+    if (state_.platform_active) {
+      state_.platform_edge(edge, host_pin());
+      return true;
+    }
+    state_.dirty = true;
+    if (!state_.bus.after_edge(*model_)) return false;
+    state_.answer(state_.bus.rdata());
+    return true;
+  }
+};
+
+}  // namespace trammel::cosim
