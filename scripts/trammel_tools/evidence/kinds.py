@@ -137,7 +137,33 @@ def of_sanitized(found):
     return files | matching(*BUILD) | sources.tools(*scripts)
 
 
-FUZZED = of_files(*PRODUCT, "tests/fuzz/**", "tests/support/**", tools=("check", "fuzz"))
+def of_board(found):
+    """Of the chips that one board carries, placed on it."""
+    tops = matching(f"rtl/boards/{found[1]}/*.sv")
+    if not tops:
+        raise KeyError(found[1])
+    return PLACED("") | sources.instances(tops)
+
+
+def of_long(found):
+    """Of a million bytes at one machine, or at all that there is."""
+    if not matching(f"machines/{found[1]}/machine.cpp"):
+        return WIRINGS("")
+    return of_program(found[1]) | matching(*TESTS)
+
+
+def of_new_machine(_):
+    """Of the machine that the lesson makes, with all rooms that it is built with."""
+    template = matching("scripts/machine_template/**")
+    return LEARNED("") | sources.instances(sources.modules()[one]
+                                           for one in sources.names_in(*template))
+
+
+FUZZED = of_files(*CODE, "machines/*/tests/fuzz.cpp", "tests/fuzz/**", "tests/support/**",
+                  tools=("check", "fuzz"))  # no run in it
+PLACED = of_files("rtl/boards/**", "rtl/**.rdl", "docs/synthesis.md",
+                  "machines/*/synth.toml", "parts/*/synth.toml", "sw_nios/**",
+                  tools=("synth", "rtl"))
 BOARDS = of_files("rtl/**", "docs/synthesis.md", "machines/*/synth.toml", "parts/*/synth.toml",
                   "sw_nios/**", tools=("synth", "rtl"))
 CORE = of_files("rtl/**", "trammel.core", *BUILD, tools=("generate", "check", "rtl"))
@@ -150,8 +176,10 @@ MUTANTS = of_files("rtl/**", "models/**", *TESTS, "third_party/**", *BUILD,
                    tools=VERIFY)
 WIRINGS = of_files(*PRODUCT, *TESTS, tools=("rtl",))
 MANUAL = of_files(*CODE, "rtl/**.rdl", "tests/goldens/**", "docs/**", "scripts/**", "trammel")
-LESSONS = of_files(*PRODUCT, *TESTS, "docs/*", "scripts/**", "trammel", "README.md",
-                   "trammel.core", "pyproject.toml", "examples/**", "python/**", "packaging/**")
+LESSON = (*TESTS, "docs/*", "scripts/**", "trammel", "README.md", "trammel.core",
+          "pyproject.toml", "examples/**", "python/**", "packaging/**")
+LEARNED = of_files(*CODE, *LESSON)
+LESSONS = of_files(*PRODUCT, *LESSON)
 PACKED = ("python/**", "packaging/**", "examples/**", "pyproject.toml", "trammel", "scripts/*",
           "README.md", "LICENSE", "docs/one-to-a-million.md", "tests/support/**")
 PACKAGE = of_files(*PRODUCT, *PACKED, tools=("runs",))
@@ -163,13 +191,14 @@ KINDS = (
     Kind(r"coverage\.(\w+)\.(\w+)", of_coverage, COMPILER, same=True),
     Kind(r"sanitize\.(\w+)", of_sanitized, (*COMPILER, "gcovr"), counts=True),
     Kind(r"fuzz\.short", FUZZED, COMPILER),
-    Kind(r"synth\.board\.ulx3s", BOARDS, PLACER, feeds=("synth.gates_off",)),
+    Kind(r"synth\.board\.(ulx3s)", of_board, PLACER, feeds=("synth.gates_off",)),
+    Kind(r"synth\.board\.(\w+)", of_board, PLACER),
     Kind(r"synth\.budget", BOARDS, PLACER, feeds=("synth.equivalence",)),
     Kind(r"synth\.fusesoc", CORE, ("fusesoc", "edalize", "program/verilator")),
     Kind(r"synth\..*", BOARDS, PLACER),
     Kind(r"system\.(\w+)\.\w+", of_machine, (*COMPILER, *VIEWER, *PLACER)),
     Kind(r"docs\.precision|precision\.\w+", FOLLOWED, COMPILER),
-    Kind(r"\w+\.(long|bytes)", WIRINGS, (*COMPILER, "verilator")),
+    Kind(r"(\w+)\.(?:long|bytes)", of_long, (*COMPILER, "verilator")),
     Kind(r"keys|faults|sensitivity", RUNS, COMPILER),
     Kind(r"mutants\.sample", MUTANTS, (*PROVER, *COMPILER)),
     Kind(r"campaign\.mutants\.(\w+)\.(\w+)", of_mutants, (*PROVER, *COMPILER), campaign=True),
@@ -177,7 +206,8 @@ KINDS = (
     Kind(r"campaign\.fuzz\.\w+", FUZZED, (*COMPILER, "program/clang++"), campaign=True),
     Kind(r"verilators|perf\.rows", WIRINGS, (*COMPILER, "verilator"), campaign=True),
     Kind(r"docs\.manual", MANUAL, COMPILER),
-    Kind(r"docs\.(machine|tutorial)", LESSONS, COMPILER),
+    Kind(r"docs\.machine", of_new_machine, COMPILER),
+    Kind(r"docs\.tutorial", LESSONS, COMPILER),
     Kind(r"python\.page", PACKAGE, (*COMPILER, *VIEWER, *TABLES)),
     Kind(r"python\.(slurm|sweep|trouble|tune)", SWEEPS, (*COMPILER, *TABLES)),
     Kind(r"(package|python)\..*", PACKAGE, (*COMPILER, *TABLES)),
