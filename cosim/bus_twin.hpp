@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A bit-exact twin on its processor's bus, with the platform beside it. `Board`: a ProcessorBus.
+// `Pins`: the table of the chip's ports, as of BusChip; the twin's In and out() have their names.
 #pragma once
 
 #include "cosim/hosted_twin.hpp"
@@ -8,19 +9,22 @@
 
 namespace trammel::cosim {
 
-template <class Base, class Board, class Twin>
+template <class Base, class Board, class Pins, class Twin>
 class BusTwin : public HostedTwin<Base, Board, Twin> {
  public:
   Lines drive() const override { return state_.lines; }
+  void sense(Lines lines) override { Pins::sense(in_, lines); }
   void request(const BusOp& op) override {
     if (!state_.request(op)) put(state_.placed());
   }
 
  protected:
   using HostedTwin<Base, Board, Twin>::HostedTwin;
+  using HostedTwin<Base, Board, Twin>::in_;
   using HostedTwin<Base, Board, Twin>::state_;
   using HostedTwin<Base, Board, Twin>::twin_;
 
+  bool drive_changed() override { return state_.changed(Pins::drive(twin_.out())); }
   virtual void put(const BusOp& op) = 0;  // at the twin's bus
 
  private:

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "cosim/fault.hpp"
+#include "models/pins/port.hpp"
 
 namespace trammel::cosim {
 
@@ -43,7 +44,6 @@ class FaultPlant final : public Plant {
   void follow_counts();
   Lines driven(Lines drive) const;
   Lines bit(int line) const { return Lines{1} << line; }
-  bool level(Lines lines, int line) const { return (lines >> line & 1) != 0; }
 
   FalliblePlant& plant_;
   FaultPins pins_;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // A verilated chip with an AXI4-Lite port and an interrupt, `irq_o`, and the platform beside it.
-// `Board`: a ProcessorBus.
+// `Board`: a ProcessorBus. `Pins`: the table of the chip's ports,
+//
+//   static void sense(Model&, Lines)      that the plant drives
+//   static Lines drive(const Model&)      that drive the plant
 #pragma once
 
 #include <utility>
@@ -18,12 +21,16 @@ struct BusState : Board {
   AxiLiteMaster bus;
 };
 
-template <class Base, class Board, class Model, class Tracer>
+template <class Base, class Board, class Pins, class Model, class Tracer>
 class BusChip : public HostedChip<Base, BusState<Board>, Model, Tracer> {
   using Hosted = HostedChip<Base, BusState<Board>, Model, Tracer>;
 
  public:
   Lines drive() const override { return state_.lines; }
+  void sense(Lines lines) override {
+    Pins::sense(*model_, lines);
+    state_.dirty = true;
+  }
   void request(const BusOp& op) override {
     if (state_.request(op)) return;
     state_.bus.request(*model_, state_.placed());
@@ -38,6 +45,7 @@ class BusChip : public HostedChip<Base, BusState<Board>, Model, Tracer> {
     state_.bus.reset(*model_);
   }
 
+  bool drive_changed() override { return state_.changed(Pins::drive(*model_)); }
   virtual void strobe() {}  // other bytes of a transfer than all
 
  private:

@@ -10,14 +10,6 @@
 
 namespace trammel::gantry {
 
-// Pins of converter and memory, as the chip drives them.
-struct Ports {
-  bool cs_n = true, sclk = false, din = false;
-  bool nv_valid = false, nv_write = false;
-  unsigned nv_addr = 0;
-  std::uint16_t nv_data = 0;
-};
-
 struct Board : cosim::ProcessorBus {
   plant::Mcp3008 adc;
   bool dout = false;       // of the converter
@@ -30,15 +22,20 @@ struct Board : cosim::ProcessorBus {
   }
 
   // Before time 0 and after each evaluated edge. The memory takes a word at an edge where it is
-  // ready, and it always is: `ports` are those after the edge, so a write is of the next one, which
-  // nothing can keep from coming. `code(channel)` samples the plant. True when an input moves.
-  template <class Code>
-  bool serve(const Ports& ports, Code&& code) {
-    const bool bit = adc.step(ports.cs_n, ports.sclk, ports.din, code);
-    if (ports.nv_valid && ports.nv_write) store[ports.nv_addr] = ports.nv_data;
-    const bool moved = bit != dout || ports.nv_addr != nv_addr;
+  // ready, and it always is: `out` are the chip's ports after the edge, so a write is of the next
+  // one, which nothing can keep from coming. `code(channel)` samples the plant. True when one of
+  // the chip's ports `in` moves.
+  template <class Out, class In, class Code>
+  bool serve(const Out& out, In& in, Code&& code) {
+    const bool bit = adc.step(out.adc_cs_n_o != 0, out.adc_sclk_o != 0, out.adc_din_o != 0, code);
+    if (out.nv_valid_o && out.nv_write_o) store[out.nv_addr_o] = out.nv_data_o;
+    const bool moved = bit != dout || out.nv_addr_o != nv_addr;
     dout = bit;
-    nv_addr = ports.nv_addr;
+    nv_addr = out.nv_addr_o;
+    if (moved) {
+      in.adc_dout_i = dout;
+      in.nv_data_i = nv_word();
+    }
     return moved;
   }
   std::uint16_t nv_word() const { return store[nv_addr]; }

@@ -10,13 +10,13 @@
 namespace trammel::gantry {
 namespace {
 
-class TwinChip final : public cosim::BusTwin<GantryChip, Board, exact::GantryTau> {
+class TwinChip final : public cosim::BusTwin<GantryChip, Board, Pins, exact::GantryTau> {
  public:
   explicit TwinChip(const ChipSetup& setup) : BusTwin(exact::GantryTau()) {
     state_ = Board(setup);
-    in_.nv_data = state_.nv_word();
+    in_.nv_data_i = state_.nv_word();
     reset();
-    state_.lines = pins();
+    BusTwin::drive_changed();
   }
 
   cosim::Stop run(cosim::Clk end, const cosim::Plant& plant) override {
@@ -41,34 +41,13 @@ class TwinChip final : public cosim::BusTwin<GantryChip, Board, exact::GantryTau
     return w;
   }
 
-  void sense(cosim::Lines lines) override {
-    in_.rx = level(lines, kRx);
-    in_.overtemp = static_cast<std::uint8_t>((level(lines, overtemp(0)) ? 1 : 0) |
-                                             (level(lines, overtemp(1)) ? 2 : 0));
-  }
-
  private:
-  cosim::Lines pins() const {
-    cosim::Lines lines = cosim::Lines{twin_.tx()} << kTx;
-    for (int motor = 0; motor < kMotors; ++motor) {
-      const exact::ForcePwm::Out out = twin_.motors()[static_cast<std::size_t>(motor)];
-      lines |= cosim::Lines{out.pwm} << pwm(motor) | cosim::Lines{out.negative} << negative(motor);
-    }
-    return lines;
-  }
-
   void put(const cosim::BusOp& op) override { twin_.request(op.addr, op.data, op.write); }
 
   bool drive_changed() override {
-    const exact::AdcSerial::Out adc = twin_.adc();
-    const exact::CalibrationStore::Out nv = twin_.nv();
-    const Ports ports{adc.cs_n, adc.sclk, adc.din, nv.nv_valid, nv.nv_write, nv.nv_addr,
-                      nv.nv_data};
-    if (state_.serve(ports, [this](int ch) { return plant_->sample(ch, state_.now - 1); })) {
-      in_.adc_dout = state_.dout;
-      in_.nv_data = state_.nv_word();
-    }
-    return state_.changed(pins());
+    state_.serve(twin_.out(), in_,
+                 [this](int channel) { return plant_->sample(channel, state_.now - 1); });
+    return BusTwin::drive_changed();
   }
 
   const cosim::Plant* plant_ = nullptr;

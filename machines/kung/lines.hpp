@@ -1,25 +1,32 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Pin names of the two-axis chip kung_xy in the packed words of cosim.hpp. Axis 0 is X, 1 is Y.
+// Pins of the chip kung_xy in the packed words of cosim.hpp: those of its table.
 #pragma once
 
 #include "cosim/cosim.hpp"
+#include "models/pins/xy_lines.hpp"
 
 namespace trammel::kung {
 
-inline constexpr int kAxes = 2;
+using xy::adc_channel;
+using xy::encoder_a;
+using xy::encoder_b;
+using xy::encoder_z;
+using xy::gate_hi;
+using xy::gate_lo;
+using xy::kAxes;
+using xy::kTripPin;
 
-// sense(): per axis A, B, index; then the trip input.
-constexpr int encoder_a(int axis) { return 3 * axis; }
-constexpr int encoder_b(int axis) { return 3 * axis + 1; }
-constexpr int encoder_z(int axis) { return 3 * axis + 2; }
-inline constexpr int kTripPin = 6;
+// Of the chip, and of each top that has it inside.
+template <class Top>
+void sense_encoders(Top& top, cosim::Lines lines) {
+  encoder_a.put(top.enc_a_i, lines);
+  encoder_b.put(top.enc_b_i, lines);
+  encoder_z.put(top.enc_z_i, lines);
+}
 
-// drive(): gate_hi of phases A, B, C at bit 6*axis + phase, gate_lo three bits above.
-constexpr int gate_hi(int axis, int phase) { return 6 * axis + phase; }
-constexpr int gate_lo(int axis, int phase) { return 6 * axis + 3 + phase; }
-
-// sample(): two-channel converter per axis, phases a and b; offset binary 0..4095, 2048 = 0 A.
-constexpr int adc_channel(int axis, int phase) { return 2 * axis + phase; }
+inline cosim::Lines gates(unsigned hi, unsigned lo) {
+  return xy::kGatesHi.lines(hi) | xy::kGatesLo.lines(lo);
+}
 
 }  // namespace trammel::kung

@@ -15,15 +15,9 @@
 #include "machines/kung/precision_figures.hpp"
 #include "machines/kung/response.hpp"
 #include "machines/kung/words.hpp"
-#include "models/plant/xy_lines.hpp"
 #include "rtl/chips/generated/kung_xy_regs.hpp"
 
 namespace trammel::kung {
-
-static_assert(encoder_a(1) == plant::xy::encoder_a(1) && encoder_z(1) == plant::xy::encoder_z(1) &&
-                  gate_hi(1, 2) == plant::xy::gate_hi(1, 2) &&
-                  gate_lo(1, 2) == plant::xy::gate_lo(1, 2),
-              "plant and chip disagree about their pins");
 
 namespace {
 constexpr std::uint32_t kSamplesAfterFault = 20;  // enough to see the fault's effect in the record

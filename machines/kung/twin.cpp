@@ -10,10 +10,6 @@ namespace {
 
 using exact::KungXy;
 
-static_assert(encoder_a(1) == 3 && encoder_z(1) == 5 && kTripPin == KungXy::kTripPin &&
-                  gate_hi(1, 0) == 6 && gate_lo(1, 0) == 9,
-              "twin and chip disagree about their pins");
-
 class TwinChip final : public KungChip {
  public:
   cosim::Clk now() const override { return chip_.now(); }

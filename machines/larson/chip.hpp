@@ -13,8 +13,6 @@
 
 namespace trammel::larson {
 
-inline constexpr int kAxes = 2;
-
 inline constexpr cosim::Clk kLook = 50'000;  // from one look at what figures are of to the next
 
 struct ChipSetup {

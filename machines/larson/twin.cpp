@@ -10,12 +10,12 @@
 namespace trammel::larson {
 namespace {
 
-class TwinChip final : public cosim::BusTwin<LarsonChip, Board, exact::LarsonXy> {
+class TwinChip final : public cosim::BusTwin<LarsonChip, Board, Pins, exact::LarsonXy> {
  public:
   explicit TwinChip(const ChipSetup& setup) : BusTwin(exact::LarsonXy()) {
     state_ = Board(setup);
     reset();
-    state_.lines = pins();
+    drive_changed();
   }
 
   std::uint32_t words(int axis) const override {
@@ -26,30 +26,10 @@ class TwinChip final : public cosim::BusTwin<LarsonChip, Board, exact::LarsonXy>
     return (twin_.table().axis(0).irq ? 1u : 0u) | (twin_.table().axis(1).irq ? 2u : 0u);
   }
 
-  void sense(cosim::Lines lines) override {
-    for (int axis = 0; axis < kAxes; ++axis) {
-      in_.pins[static_cast<std::size_t>(axis)] = {level(lines, limit_low(axis)),
-                                                  level(lines, limit_high(axis)),
-                                                  level(lines, buf_busy(axis))};
-    }
-  }
-
  private:
-  cosim::Lines pins() const {
-    cosim::Lines lines = 0;
-    for (int axis = 0; axis < kAxes; ++axis) {
-      const exact::StepChannel::Out out = twin_.table().axis(static_cast<std::size_t>(axis));
-      lines |= cosim::Lines{out.step} << step(axis) | cosim::Lines{out.forward} << forward(axis) |
-               cosim::Lines{out.flush} << flush(axis);
-    }
-    return lines;
-  }
-
   void put(const cosim::BusOp& op) override {
     twin_.request(op.addr, op.data, op.write, state_.bytes());
   }
-
-  bool drive_changed() override { return state_.changed(pins()); }
 };
 
 }  // namespace

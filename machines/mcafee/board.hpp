@@ -9,12 +9,7 @@
 namespace trammel::mcafee {
 
 struct Board : cosim::ProcessorBus {
-  Board() { lines = kZeroCode << converter(0) | kZeroCode << converter(1); }
-
-  // The codes of both converters after an edge; true when one changed.
-  bool convert(cosim::Lines x, cosim::Lines y) {
-    return changed(x << converter(0) | y << converter(1));
-  }
+  Board() { lines = codes(kZeroCode, kZeroCode); }
 };
 
 }  // namespace trammel::mcafee

@@ -13,7 +13,6 @@
 
 namespace trammel::mcafee {
 
-inline constexpr int kAxes = 2;
 inline constexpr int kClockMHz = 6;  // McAfee's parts; there are some of 8 MHz
 
 struct McafeeChip : cosim::MachineChip {

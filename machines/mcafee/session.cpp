@@ -100,7 +100,7 @@ Session::Session(const Options& options, const cosim::Hooks& hooks, const cosim:
 }
 
 bool Session::drives_off() const {
-  return chip_->drive() == (kZeroCode << converter(0) | kZeroCode << converter(1));
+  return chip_->drive() == codes(kZeroCode, kZeroCode);
 }
 
 std::string Session::noticed() const { return what_failed(app_.mailbox()); }

@@ -17,9 +17,10 @@
 #include "models/plant/encoder.hpp"
 #include "models/plant/inverter.hpp"
 #include "models/plant/pmlsm.hpp"
-#include "models/plant/xy_lines.hpp"
 
 namespace trammel::plant {
+
+using Clk = std::int64_t;
 
 struct AxisConfig {  // defaults: X axis of the table
   double resistance_ohm = 27;

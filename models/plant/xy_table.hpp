@@ -10,9 +10,11 @@
 #include <cstdint>
 
 #include "models/plant/axis.hpp"
-#include "models/plant/xy_lines.hpp"
+#include "models/pins/xy_lines.hpp"
 
 namespace trammel::plant {
+
+using Lines = std::uint64_t;  // packed pins
 
 struct XyTableConfig {
   std::array<AxisConfig, xy::kAxes> axis;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "cosim/cosim.hpp"
+#include "models/pins/port.hpp"
 
 namespace trammel::lm628 {
 
@@ -30,8 +31,8 @@ inline double share_of_code(cosim::Lines code) {
 // What an H-bridge gives at this moment, of its supply: while the magnitude is low it shorts the
 // winding.
 inline double share_of_pulse(cosim::Lines pins) {
-  if ((pins >> kMagnitude & 1) == 0) return 0;
-  return (pins >> kSign & 1) != 0 ? -1 : 1;
+  if (!level(pins, kMagnitude)) return 0;
+  return level(pins, kSign) ? -1 : 1;
 }
 
 }  // namespace trammel::lm628

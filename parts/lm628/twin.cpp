@@ -20,9 +20,9 @@ class TwinChip final : public cosim::HostedTwin<Lm628Chip, Board, exact::Lm628> 
   Words words() const override { return words_of(twin_); }
 
   void sense(cosim::Lines lines) override {
-    in_.a = (lines >> kEncoderA & 1) != 0;
-    in_.b = (lines >> kEncoderB & 1) != 0;
-    in_.index_n = (lines >> kIndex & 1) == 0;
+    in_.a = level(lines, kEncoderA);
+    in_.b = level(lines, kEncoderB);
+    in_.index_n = !level(lines, kIndex);
   }
 
   void request(const cosim::BusOp& op) override { state_.port.request(op); }

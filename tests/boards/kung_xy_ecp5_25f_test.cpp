@@ -76,7 +76,7 @@ TEST_CASE("kung_xy_ecp5_25f: the trip pin trips and interrupts") {
   board.write(reg::kIrqStat, ~0u);
   board.write(reg::kIrqEn, reg::kIrqEnFault);
   CHECK(board->irq_o == 0);
-  board.lines |= std::uint64_t{1} << exact::KungXy::kTripPin;
+  board.lines |= std::uint64_t{1} << xy::kTripPin;
   board.clocks(10);
   CHECK((board.read(reg::kFault) & reg::kFaultCodeMask) == reg::kFaultCodeExternalTrip);
   CHECK(board->irq_o == 1);

@@ -86,7 +86,7 @@ class GantryBench {
 
   // Up to n clocks, at least one.
   std::int64_t run(std::int64_t n) {
-    in.rx = host_.level(clock_);
+    in.rx_i = host_.level(clock_);
     apply();
     if (bus_.active() && bus_.before_edge(model())) twin_.request(address_, data_, write_, bits_);
     rtl_.eval();
@@ -118,42 +118,36 @@ class GantryBench {
   Vgantry_tau& model() { return *rtl_.operator->(); }
 
   void apply() {
-    in.nv_ready = nv_ready;
-    in.nv_data = store[twin_.nv().nv_addr];
-    rtl_->adc_dout_i = in.adc_dout;
-    rtl_->nv_ready_i = in.nv_ready;
-    rtl_->nv_data_i = in.nv_data;
-    rtl_->overtemp_i = in.overtemp;
-    rtl_->rx_i = in.rx;
+    in.nv_ready_i = nv_ready;
+    in.nv_data_i = store[twin_.out().nv_addr_o];
+    rtl_->adc_dout_i = in.adc_dout_i;
+    rtl_->nv_ready_i = in.nv_ready_i;
+    rtl_->nv_data_i = in.nv_data_i;
+    rtl_->overtemp_i = in.overtemp_i;
+    rtl_->rx_i = in.rx_i;
     rtl_.eval();
   }
 
   void serve() {
-    const exact::AdcSerial::Out adc = twin_.adc();
-    in.adc_dout = adc_.step(adc.cs_n, adc.sclk, adc.din,
-                            [&](int channel) { return code(channel, clock_ - 1); });
-    const exact::CalibrationStore::Out nv = twin_.nv();
-    if (nv.nv_valid && nv.nv_write && nv_ready) store[nv.nv_addr] = nv.nv_data;
-    host_.see(clock_, twin_.tx());
+    const exact::GantryTau::Out out = twin_.out();
+    in.adc_dout_i = adc_.step(out.adc_cs_n_o, out.adc_sclk_o, out.adc_din_o,
+                              [&](int channel) { return code(channel, clock_ - 1); });
+    if (out.nv_valid_o && out.nv_write_o && nv_ready) store[out.nv_addr_o] = out.nv_data_o;
+    host_.see(clock_, out.tx_o);
   }
 
   void compare() {
-    const auto both = [this](auto pin) {
-      return int{pin(twin_.motors()[0])} | int{pin(twin_.motors()[1])} << 1;
-    };
-    using Motor = exact::ForcePwm::Out;
-    const auto adc = twin_.adc();
-    const auto nv = twin_.nv();
-    same("pwm_o", rtl_->pwm_o, both([](const Motor& m) { return m.pwm; }), clock_);
-    same("negative_o", rtl_->negative_o, both([](const Motor& m) { return m.negative; }), clock_);
-    same("adc_cs_n_o", rtl_->adc_cs_n_o, adc.cs_n, clock_);
-    same("adc_sclk_o", rtl_->adc_sclk_o, adc.sclk, clock_);
-    same("adc_din_o", rtl_->adc_din_o, adc.din, clock_);
-    same("nv_valid_o", rtl_->nv_valid_o, nv.nv_valid, clock_);
-    same("nv_write_o", rtl_->nv_write_o, nv.nv_write, clock_);
-    same("nv_addr_o", rtl_->nv_addr_o, nv.nv_addr, clock_);
-    same("nv_data_o", rtl_->nv_data_o, nv.nv_data, clock_);
-    same("tx_o", rtl_->tx_o, twin_.tx(), clock_);
+    const exact::GantryTau::Out out = twin_.out();
+    same("pwm_o", rtl_->pwm_o, out.pwm_o, clock_);
+    same("negative_o", rtl_->negative_o, out.negative_o, clock_);
+    same("adc_cs_n_o", rtl_->adc_cs_n_o, out.adc_cs_n_o, clock_);
+    same("adc_sclk_o", rtl_->adc_sclk_o, out.adc_sclk_o, clock_);
+    same("adc_din_o", rtl_->adc_din_o, out.adc_din_o, clock_);
+    same("nv_valid_o", rtl_->nv_valid_o, out.nv_valid_o, clock_);
+    same("nv_write_o", rtl_->nv_write_o, out.nv_write_o, clock_);
+    same("nv_addr_o", rtl_->nv_addr_o, out.nv_addr_o, clock_);
+    same("nv_data_o", rtl_->nv_data_o, out.nv_data_o, clock_);
+    same("tx_o", rtl_->tx_o, out.tx_o, clock_);
     same("irq_o", rtl_->irq_o, twin_.irq(), clock_);
     same("pass_o", rtl_->pass_o, twin_.pass(), clock_);
     if (!bus_.active() && !write_) {

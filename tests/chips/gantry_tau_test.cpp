@@ -323,7 +323,7 @@ TEST_CASE("gantry_tau: no pass is lost, whichever clock its bit of STATUS is cle
 TEST_CASE("gantry_tau shows its over-temperature pins two clocks later") {
   GantryBench bench;
   for (const unsigned pins : {1u, 2u, 3u, 0u}) {
-    bench.in.overtemp = static_cast<std::uint8_t>(pins);
+    bench.in.overtemp_i = static_cast<std::uint8_t>(pins);
     bench.clocks(3);
     CHECK(bench.get(kOvertemp) == pins);
   }
@@ -348,7 +348,7 @@ TEST_CASE("gantry_tau agrees with its twin on random traffic, leaping and not") 
     if (address == kCalibrate && random() % 8 != 0) data = (data & 0xFFFF) | 2u << 16;
     if (address == kObserver && random() % 16 != 0) continue;
     bench.transfer(address, data, random() % 3 != 0, pace);
-    if (random() % 4 == 0) bench.in.overtemp = random() % 4;
+    if (random() % 4 == 0) bench.in.overtemp_i = random() % 4;
     if (random() % 64 == 0) bench.nv_ready = !bench.nv_ready;
     if (random() % 8 == 0) bench.to_chip.push_back(static_cast<std::uint8_t>(random()));
     if (random() % 200 == 0) {

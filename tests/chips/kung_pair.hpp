@@ -120,13 +120,10 @@ class KungPair : public exact::KungXy::Converters {
   }
 
   void apply() {
-    const auto pair = [this](int line) {
-      return static_cast<std::uint8_t>((lines >> line & 1) | (lines >> (line + 3) & 1) << 1);
-    };
-    rtl_->enc_a_i = pair(0);
-    rtl_->enc_b_i = pair(1);
-    rtl_->enc_z_i = pair(2);
-    rtl_->trip_i = lines >> exact::KungXy::kTripPin & 1;
+    xy::encoder_a.put(rtl_->enc_a_i, lines);
+    xy::encoder_b.put(rtl_->enc_b_i, lines);
+    xy::encoder_z.put(rtl_->enc_z_i, lines);
+    rtl_->trip_i = level(lines, xy::kTripPin);
     rtl_->adc_sdata_a_i = rtl_->adc_sdata_b_i = 0;
     for (std::size_t axis = 0; axis < 2; ++axis) {
       const Frame& frame = frames_[axis];

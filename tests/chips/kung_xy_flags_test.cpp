@@ -135,7 +135,7 @@ TEST_CASE("an event in the very clock of the write that clears its bit is kept")
 
 // STATUS.overrun is not among them: both controllers end long before their next tick.
 TEST_CASE("an encoder's error or a fault in the very clock of the clearing write is kept") {
-  constexpr int kTrip = trammel::exact::KungXy::kTripPin;
+  constexpr int kTrip = trammel::xy::kTripPin;
   for (const std::size_t axis : {0u, 1u}) {
     Pair pair;
     const std::uint32_t status = kAxes[axis] + reg::kStatus;

@@ -48,9 +48,9 @@ void turn_lines(Pair& pair, Random& random) {
       pair.lines ^= std::uint64_t{3} << 3 * axis;
       break;
     case 1:
-      pair.lines ^= std::uint64_t{1} << exact::KungXy::kTripPin;
+      pair.lines ^= std::uint64_t{1} << xy::kTripPin;
       pair.clocks(1 + random() % 8);
-      pair.lines ^= std::uint64_t{1} << exact::KungXy::kTripPin;
+      pair.lines ^= std::uint64_t{1} << xy::kTripPin;
       break;
     case 2:
     case 3:

@@ -119,21 +119,17 @@ class LarsonBench {
   Vlarson_xy& model() { return *rtl_.operator->(); }
 
   void apply() {
-    const auto pair = [this](auto pin) {
-      return static_cast<std::uint8_t>(pin(in.pins[0]) | pin(in.pins[1]) << 1);
-    };
-    rtl_->limit_low_i = pair([](const auto& p) { return int{p.low}; });
-    rtl_->limit_high_i = pair([](const auto& p) { return int{p.high}; });
-    rtl_->buf_busy_i = pair([](const auto& p) { return int{p.buf_busy}; });
+    rtl_->limit_low_i = in.limit_low_i;
+    rtl_->limit_high_i = in.limit_high_i;
+    rtl_->buf_busy_i = in.buf_busy_i;
     rtl_.eval();
   }
 
   void compare() {
-    const auto pair = [this](auto pin) { return int{pin(axis(0))} | int{pin(axis(1))} << 1; };
-    using Out = exact::StepChannel::Out;
-    same("step_o", rtl_->step_o, pair([](const Out& o) { return o.step; }), clock_);
-    same("forward_o", rtl_->forward_o, pair([](const Out& o) { return o.forward; }), clock_);
-    same("flush_o", rtl_->flush_o, pair([](const Out& o) { return o.flush; }), clock_);
+    const exact::LarsonXy::Out out = twin_.out();
+    same("step_o", rtl_->step_o, out.step_o, clock_);
+    same("forward_o", rtl_->forward_o, out.forward_o, clock_);
+    same("flush_o", rtl_->flush_o, out.flush_o, clock_);
     same("irq_o", rtl_->irq_o, twin_.irq(), clock_);
     if (!bus_.active() && !write_) same("rdata", bus_.rdata(), twin_.read_data(), clock_);
   }

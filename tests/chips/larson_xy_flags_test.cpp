@@ -34,7 +34,7 @@ struct Move {
     if (!trips) return;
     bench.leaps = false;
     bench.watch = [&bench, axis = axis, at = bench.now() + 20] {
-      if (bench.now() >= at) bench.in.pins[axis].high = true;
+      if (bench.now() >= at) trammel::test::set_bit(bench.in.limit_high_i, axis, true);
     };
   }
   // [clk] from the begin to the edge of the event.

@@ -109,7 +109,7 @@ void run_into_far_limit(LarsonBench& bench, const Steps& steps, std::uint32_t le
   bench.mov(kXCount, complement(left + 50));
   bench.mov(kXStatus, kEnable | kBusy | kForward | 06650);
   REQUIRE(bench.until([&] { return steps.at.size() == 50; }, 20'000'000));
-  bench.in.pins[0].high = true;
+  bench.in.limit_high_i = 1;
   REQUIRE(bench.until([&] { return !busy(bench, 0); }, 100));
 }
 
@@ -162,7 +162,7 @@ TEST_CASE("M-07 at the switch BIS 020000 writes the reset that it read: the latc
   CHECK_FALSE(bench.axis(0).flush);
   CHECK_FALSE(bench.irq());  // the reset takes the done event with it
   // Away from a switch the same instruction changes nothing.
-  bench.in.pins[0].high = false;
+  bench.in.limit_high_i = 0;
   bench.clocks(10);
   bench.mov(kXCount, complement(5));
   bench.mov(kXStatus, kBusy | 07704);
@@ -218,13 +218,13 @@ TEST_CASE("larson_xy: a start with 177777 is done at once; enabling a done event
 
 TEST_CASE("larson_xy: busy waits for the buffer, a stop does not, and is no done event") {
   LarsonBench bench;
-  bench.in.pins[0].buf_busy = true;
+  bench.in.buf_busy_i = 1;
   bench.mov(kXCount, complement(2));
   bench.mov(kXStatus, kEnable | kBusy | 07704);
   bench.clocks(100'000);
   CHECK(bench.word(kXCount) == 0177777);
   CHECK((bench.word(kXStatus) & kBusy) != 0);
-  bench.in.pins[0].buf_busy = false;
+  bench.in.buf_busy_i = 0;
   bench.clocks(10);
   CHECK(bench.vector() == 0340);
   bench.mov(kXCount, complement(100));
@@ -306,10 +306,11 @@ TEST_CASE("larson_xy agrees with its twin on random traffic, leaping and not") {
     const std::uint32_t count = random() % 16 == 0 ? random() & 0xFFFF : 0xFFFF - random() % 8;
     const std::uint32_t data = random() % 10 == 0 ? random() : status << 16 | count;
     bench.transfer(random() % 4 * 4, data, random() % 3 != 0, pace);
-    for (auto& pins : bench.in.pins) {
-      if (random() % 20 == 0) pins.low = random() % 4 == 0;
-      if (random() % 20 == 0) pins.high = random() % 4 == 0;
-      if (random() % 8 == 0) pins.buf_busy = random() % 3 == 0;
+    for (std::size_t k = 0; k < 2; ++k) {
+      using trammel::test::set_bit;
+      if (random() % 20 == 0) set_bit(bench.in.limit_low_i, k, random() % 4 == 0);
+      if (random() % 20 == 0) set_bit(bench.in.limit_high_i, k, random() % 4 == 0);
+      if (random() % 8 == 0) set_bit(bench.in.buf_busy_i, k, random() % 3 == 0);
     }
     if (random() % 3 == 0) bench.clocks(random() % (bench.leaps ? 40'000 : 800));
     if (random() % 400 == 0) bench.reset();

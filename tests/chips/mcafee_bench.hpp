@@ -130,15 +130,11 @@ class McafeePair : public McafeeTwin {
  private:
   Vmcafee_xy& model() { return *rtl_.operator->(); }
 
-  static std::uint8_t pair(const std::array<bool, 2>& pins) {
-    return static_cast<std::uint8_t>(pins[0] | pins[1] << 1);
-  }
-
   void apply() {
-    rtl_->enc_a_i = pair(in.a);
-    rtl_->enc_b_i = pair(in.b);
-    rtl_->enc_idx_n_i = pair(in.index_n);
-    rtl_->limit_i = in.limits;
+    rtl_->enc_a_i = in.enc_a_i;
+    rtl_->enc_b_i = in.enc_b_i;
+    rtl_->enc_idx_n_i = in.enc_idx_n_i;
+    rtl_->limit_i = in.limit_i;
     rtl_.eval();
   }
 
@@ -148,8 +144,9 @@ class McafeePair : public McafeeTwin {
     const auto pin = [this](const char* name, auto ours, auto theirs) {
       same(name, ours, theirs, clock_);
     };
-    pin("dac_x_o", rtl_->dac_x_o, twin_.dac(0));
-    pin("dac_y_o", rtl_->dac_y_o, twin_.dac(1));
+    const exact::McafeeXy::Out out = twin_.out();
+    pin("dac_x_o", rtl_->dac_x_o, out.dac_x_o);
+    pin("dac_y_o", rtl_->dac_y_o, out.dac_y_o);
     pin("irq_o", rtl_->irq_o, twin_.irq());
     pin("hi_o", rtl_->hi_o, both([](const exact::Lm628& part) { return part.out().hi; }));
     pin("cs_x_n_o", rtl_->cs_x_n_o, port.cs_x_n);
@@ -247,8 +244,8 @@ class McafeeBench final : public sw::Bus {
     while (position_[axis] != position) {
       position_[axis] += position > position_[axis] ? 1 : -1;
       const auto phase = static_cast<unsigned>(position_[axis] & 3);
-      chip.in.a[axis] = phase == 1 || phase == 2;
-      chip.in.b[axis] = phase >= 2;
+      set_bit(chip.in.enc_a_i, axis, phase == 1 || phase == 2);
+      set_bit(chip.in.enc_b_i, axis, phase >= 2);
       clocks(clocks_a_count);
     }
   }

@@ -99,11 +99,11 @@ void run_random(Bench& bench, const Traffic& traffic) {
       ordered(random() % 2 == 0 ? bench.x : bench.y, random);
     }
     if (random() % 4 == 0) bench.clocks(random() % 20000);
-    if (random() % 8 == 0) bench.chip.in.limits = random() & 15;
+    if (random() % 8 == 0) bench.chip.in.limit_i = random() & 15;
     for (std::size_t axis = 0; axis < 2; ++axis) {
       const std::int64_t desired = bench.part(axis).engine().desired().position >> 16;
       if (std::abs(desired) < 3000) bench.move_to(axis, desired / 2);
-      bench.chip.in.index_n[axis] = random() % 4 != 0;
+      set_bit(bench.chip.in.enc_idx_n_i, axis, random() % 4 != 0);
     }
     if (random() % 30 == 0) cut(bench, random);
   }

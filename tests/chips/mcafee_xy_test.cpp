@@ -137,7 +137,7 @@ TEST_CASE("mcafee_xy shows limit switches, interrupts and their sources") {
   Bench bench;
   bench.start();
   for (unsigned limits = 0; limits < 16; ++limits) {
-    bench.chip.in.limits = static_cast<std::uint8_t>(limits);
+    bench.chip.in.limit_i = static_cast<std::uint8_t>(limits);
     bench.clocks(3);
     CHECK(bench.read(reg::kLimits) == limits);
   }

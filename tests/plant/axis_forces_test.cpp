@@ -10,6 +10,7 @@
 #include "models/plant/xy_table.hpp"
 
 using namespace trammel::plant;
+namespace xy = trammel::xy;
 
 namespace {
 

@@ -7,6 +7,7 @@
 #include "tests/plant/vector_pwm.hpp"
 
 using namespace trammel::plant;
+namespace xy = trammel::xy;
 using trammel::plant::test::kPeriod;
 using trammel::plant::test::Runner;
 

@@ -11,6 +11,7 @@
 #include "machines/gantry/machine.hpp"
 #include "machines/gantry/session.hpp"
 #include "machines/gantry/tests/by_twin.hpp"
+#include "models/exact/chips/gantry_tau.hpp"
 #include "models/exact/sense/calibration.hpp"
 #include "tests/support/message.hpp"
 #include "tests/support/session_run.hpp"
@@ -73,20 +74,21 @@ TEST_CASE("gantry: the memory takes a word where it is written, and shows what i
   setup.store[7] = 0x5A5A;
   Board board(setup);
   const auto code = [](int) { return 0; };
-  Ports ports;
-  ports.nv_addr = 7;
-  ports.nv_data = 0x1234;
-  CHECK(board.serve(ports, code));
+  exact::GantryTau::Out out;
+  exact::GantryTau::In in;
+  out.nv_addr_o = 7;
+  out.nv_data_o = 0x1234;
+  CHECK(board.serve(out, in, code));
   CHECK(board.nv_word() == 0x5A5A);
-  ports.nv_valid = true;
-  CHECK_FALSE(board.serve(ports, code));
+  out.nv_valid_o = true;
+  CHECK_FALSE(board.serve(out, in, code));
   CHECK(board.nv_word() == 0x5A5A);
-  ports.nv_write = true;
-  ports.nv_valid = false;
-  board.serve(ports, code);
+  out.nv_write_o = true;
+  out.nv_valid_o = false;
+  board.serve(out, in, code);
   CHECK(board.nv_word() == 0x5A5A);
-  ports.nv_valid = true;
-  board.serve(ports, code);
+  out.nv_valid_o = true;
+  board.serve(out, in, code);
   CHECK(board.nv_word() == 0x1234);
   for (std::size_t k = 0; k < board.store.size(); ++k) {
     CHECK(board.store[k] == (k == 7 ? 0x1234 : 0));

@@ -14,8 +14,8 @@
 namespace trammel::gantry {
 
 template <class Model, class Tracer>
-class ChipModel : public cosim::BusChip<GantryChip, Board, Model, Tracer> {
-  using OnBus = cosim::BusChip<GantryChip, Board, Model, Tracer>;
+class ChipModel : public cosim::BusChip<GantryChip, Board, Pins, Model, Tracer> {
+  using OnBus = cosim::BusChip<GantryChip, Board, Pins, Model, Tracer>;
   using OnBus::model_;
   using OnBus::state_;
 
@@ -23,12 +23,12 @@ class ChipModel : public cosim::BusChip<GantryChip, Board, Model, Tracer> {
   ChipModel(Tracer tracer, cosim::ModelMode mode, const ChipSetup& setup)
       : OnBus(std::move(tracer), mode) {
     static_cast<Board&>(state_) = Board(setup);
-    sense(cosim::Lines{1} << kRx);
+    this->sense(cosim::Lines{1} << kRx);
     model_->nv_ready_i = 1;
     model_->adc_dout_i = 0;
     model_->nv_data_i = state_.nv_word();
     this->reset();
-    state_.lines = pins();
+    OnBus::drive_changed();
   }
 
   cosim::Stop run(cosim::Clk end, const cosim::Plant& plant) override {
@@ -54,39 +54,16 @@ class ChipModel : public cosim::BusChip<GantryChip, Board, Model, Tracer> {
     return w;
   }
 
-  void sense(cosim::Lines lines) override {
-    model_->rx_i = level(lines, kRx);
-    model_->overtemp_i = static_cast<std::uint8_t>((level(lines, overtemp(0)) ? 1 : 0) |
-                                                   (level(lines, overtemp(1)) ? 2 : 0));
-    state_.dirty = true;
-  }
-
  private:
   static std::int32_t extended(std::uint32_t word, int bits) {
     const std::uint32_t sign = 1u << (bits - 1);
     return static_cast<std::int32_t>((word ^ sign) - sign);
   }
 
-  cosim::Lines pins() const {
-    cosim::Lines lines = cosim::Lines{model_->tx_o} << kTx;
-    for (int motor = 0; motor < kMotors; ++motor) {
-      lines |= cosim::Lines{model_->pwm_o >> motor & 1u} << pwm(motor) |
-               cosim::Lines{model_->negative_o >> motor & 1u} << negative(motor);
-    }
-    return lines;
-  }
-
-
   bool drive_changed() override {
-    const Ports ports{model_->adc_cs_n_o != 0, model_->adc_sclk_o != 0, model_->adc_din_o != 0,
-                      model_->nv_valid_o != 0, model_->nv_write_o != 0, model_->nv_addr_o,
-                      model_->nv_data_o};
-    if (state_.serve(ports, [this](int ch) { return plant_->sample(ch, state_.now - 1); })) {
-      model_->adc_dout_i = state_.dout;
-      model_->nv_data_i = state_.nv_word();
-      state_.dirty = true;
-    }
-    return state_.changed(pins());
+    const auto code = [this](int channel) { return plant_->sample(channel, state_.now - 1); };
+    if (state_.serve(*model_, *model_, code)) state_.dirty = true;
+    return OnBus::drive_changed();
   }
 
   const cosim::Plant* plant_ = nullptr;

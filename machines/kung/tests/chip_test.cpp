@@ -11,12 +11,10 @@
 #include "machines/kung/chip.hpp"
 #include "machines/kung/lines.hpp"
 #include "machines/kung/machine.hpp"
-#include "models/plant/xy_lines.hpp"
 #include "tests/support/no_plant.hpp"
 
 using namespace trammel;
 using namespace trammel::kung;
-namespace table = plant::xy;
 using cosim::Trigger;
 using cosim::TriggerSearch;
 
@@ -91,20 +89,6 @@ TEST_CASE("of two chips either may be destroyed first, whichever was evaluated l
   first.reset();
   second->run(2, plant);
   CHECK(second->now() > 0);
-}
-
-TEST_CASE("the pins of the table are where the chip's side expects them") {
-  REQUIRE(table::kAxes == kung::kAxes);
-  for (int k = 0; k < table::kAxes; ++k) {
-    CHECK(table::encoder_a(k) == kung::encoder_a(k));
-    CHECK(table::encoder_b(k) == kung::encoder_b(k));
-    CHECK(table::encoder_z(k) == kung::encoder_z(k));
-    for (int phase = 0; phase < 3; ++phase) {
-      CHECK(table::gate_hi(k, phase) == kung::gate_hi(k, phase));
-      CHECK(table::gate_lo(k, phase) == kung::gate_lo(k, phase));
-      CHECK(table::adc_channel(k, phase) == kung::adc_channel(k, phase));
-    }
-  }
 }
 
 TEST_CASE("events are changes of the signals behind them") {

@@ -44,14 +44,8 @@ class ChipModel : public KungChip, private ChipState {
   Tracer& tracer() { return model_.tracer(); }
 
   void sense(cosim::Lines lines) override {
-    Model& m = *model_;
-    const auto pick = [lines](int x, int y) {
-      return static_cast<std::uint8_t>(((lines >> x) & 1u) | (((lines >> y) & 1u) << 1));
-    };
-    m.enc_a_i = pick(encoder_a(0), encoder_a(1));
-    m.enc_b_i = pick(encoder_b(0), encoder_b(1));
-    m.enc_z_i = pick(encoder_z(0), encoder_z(1));
-    m.trip_i = (lines >> kTripPin) & 1u;
+    sense_encoders(*model_, lines);
+    model_->trip_i = level(lines, kTripPin);
     dirty_ = true;
     sensed_ = now_;
   }
@@ -91,9 +85,7 @@ class ChipModel : public KungChip, private ChipState {
     return {now_ - 1, cosim::kLimit};
   }
 
-  cosim::Lines drive() const override {
-    return pack_axis(0) | pack_axis(1);
-  }
+  cosim::Lines drive() const override { return gates(hi_, lo_); }
 
   bool irq() const override { return irq_; }
   std::uint32_t rdata() const override { return bus_.rdata(); }
@@ -191,12 +183,6 @@ class ChipModel : public KungChip, private ChipState {
     lo_ = model_->gate_lo_o;
     irq_ = model_->irq_o;
     tick_ = model_->tick_o;
-  }
-
-  cosim::Lines pack_axis(int axis) const {
-    const cosim::Lines hi = (hi_ >> (3 * axis)) & 7u;
-    const cosim::Lines lo = (lo_ >> (3 * axis)) & 7u;
-    return (hi << gate_hi(axis, 0)) | (lo << gate_lo(axis, 0));
   }
 
   cosim::ClockedModel<Model, Tracer> model_;

@@ -120,7 +120,6 @@ struct Run {
 
 constexpr cosim::Clk kMs = 50'000;
 
-cosim::Lines codes(cosim::Lines x, cosim::Lines y) { return x << converter(0) | y << converter(1); }
 
 template <class After>
 void go(StagePlant& plant, cosim::Clk end, cosim::Lines drive, After after) {
@@ -236,14 +235,7 @@ TEST_CASE("mcafee chip reads and drives the same as its twin") {
   cosim::Clk now = 0;
   const auto follow = [&](cosim::Clk end) {
     for (; now < end; ++now) {
-      const cosim::Lines lines = Motion::lines(now / Motion::kStep);
-      for (int axis = 0; axis < 2; ++axis) {
-        const auto n = static_cast<std::size_t>(axis);
-        in.a[n] = (lines >> mcafee::encoder_a(axis) & 1) != 0;
-        in.b[n] = (lines >> mcafee::encoder_b(axis) & 1) != 0;
-        in.index_n[n] = (lines >> mcafee::marker(axis) & 1) == 0;
-      }
-      in.limits = static_cast<std::uint8_t>(lines >> mcafee::limit_low(0) & 15);
+      Pins::sense(in, Motion::lines(now / Motion::kStep));
       twin.step(in);
     }
   };
@@ -257,8 +249,8 @@ TEST_CASE("mcafee chip reads and drives the same as its twin") {
     REQUIRE_FALSE(twin.open());
     const std::string name = test::register_name(reg::kRegisters, op.addr);
     if (!op.write) test::same(name.c_str(), run.chip->rdata(), twin.read_data(), now);
-    test::same("dac_x_o", mcafee::code(run.chip->drive(), 0), twin.dac(0), now);
-    test::same("dac_y_o", mcafee::code(run.chip->drive(), 1), twin.dac(1), now);
+    test::same("dac_x_o", mcafee::code(run.chip->drive(), 0), twin.out().dac_x_o, now);
+    test::same("dac_y_o", mcafee::code(run.chip->drive(), 1), twin.out().dac_y_o, now);
     run.loop.advance(run.chip->now() + n * 13 % 700, 0);
   }
 }

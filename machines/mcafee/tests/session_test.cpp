@@ -22,7 +22,7 @@ using namespace trammel::mcafee;
 namespace {
 
 constexpr std::array<const char*, 2> kName{"X", "Y"};
-constexpr cosim::Lines kOff = kZeroCode << converter(0) | kZeroCode << converter(1);
+constexpr cosim::Lines kOff = codes(kZeroCode, kZeroCode);
 
 // Some rows around a small corner, by the twin.
 Options small_corner() {

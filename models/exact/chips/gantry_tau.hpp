@@ -25,11 +25,19 @@ namespace trammel::exact {
 class GantryTau {
  public:
   struct In {  // pins
-    bool adc_dout = false;
-    bool nv_ready = true;
-    std::uint16_t nv_data = 0;
-    std::uint8_t overtemp = 0;
-    bool rx = true;
+    bool adc_dout_i = false;
+    bool nv_ready_i = true;
+    std::uint16_t nv_data_i = 0;
+    std::uint8_t overtemp_i = 0;
+    bool rx_i = true;
+  };
+  struct Out {
+    bool adc_cs_n_o = true, adc_sclk_o = false, adc_din_o = false;
+    bool nv_valid_o = false, nv_write_o = false;
+    std::uint32_t nv_addr_o = 0;
+    std::uint16_t nv_data_o = 0;
+    std::uint8_t pwm_o = 0, negative_o = 0;  // bit 0 of motor 1
+    bool tx_o = true;
   };
 
   // The synchronisers and the banks of the calibration have no reset.
@@ -42,13 +50,26 @@ class GantryTau {
     *this = fresh;
   }
 
-  const std::array<ForcePwm::Out, 2>& motors() const { return pwm_.out(); }
-  AdcSerial::Out adc() const { return adc_.out(); }
-  CalibrationStore::Out nv() const { return calibration_.out(); }
-  bool tx() const { return serial_.tx(); }
+  Out out() const {
+    const AdcSerial::Out adc = adc_.out();
+    const CalibrationStore::Out nv = calibration_.out();
+    const auto& [first, second] = pwm_.out();
+    const auto both = [](bool a, bool b) { return static_cast<std::uint8_t>(a | b << 1); };
+    return {adc.cs_n,
+            adc.sclk,
+            adc.din,
+            nv.nv_valid,
+            nv.nv_write,
+            nv.nv_addr,
+            nv.nv_data,
+            both(first.pwm, second.pwm),
+            both(first.negative, second.negative),
+            serial_.tx()};
+  }
   bool pass() const { return passed_; }
   bool irq() const { return (status() & irq_enable_) != 0; }
 
+  AdcSerial::Out adc() const { return adc_.out(); }
   const SincosObserver::Out& observed() const { return observer_.out(); }
   const ConversionSlots& slots() const { return slots_; }
   const Serial2002Port& serial() const { return serial_; }
@@ -83,7 +104,7 @@ class GantryTau {
     passed_ = s.pass;
     if (s.slots.pick) ++ticks_;
     hot_ = hot_meta_;
-    hot_meta_ = in.overtemp;
+    hot_meta_ = in.overtemp_i;
     pulses_ = {};
     if (acts && write_) write();
     status_ |= rose;
@@ -92,7 +113,7 @@ class GantryTau {
 
   bool quiescent(const In& in) const {
     if (phase_ != 0 || !rate_.quiescent() || due() || passed_ || pulses_.pass_restart ||
-        in.overtemp != hot_meta_ || hot_meta_ != hot_) {
+        in.overtemp_i != hot_meta_ || hot_meta_ != hot_) {
       return false;
     }
     const Signals s = signals(in);
@@ -152,14 +173,14 @@ class GantryTau {
     const std::optional<std::uint32_t> asked = observer_.asked(s.observer);
     const bool requester = turn == ConversionSlots::Client::kRequester;
     s.adc = {requester || asked.has_value(), requester ? slots_.channel() : asked.value_or(0),
-             in.adc_dout};
+             in.adc_dout_i};
     s.calibration = {pulses_.calibrate,
                      calibrate_ >> 16,
                      static_cast<std::uint16_t>(calibrate_),
                      observer_.busy() || tick || adc.valid,
-                     in.nv_ready,
-                     in.nv_data};
-    s.serial = {in.rx, pulses_.send, {send_ >> 8, send_ & 31, send_value_}, pulses_.take,
+                     in.nv_ready_i,
+                     in.nv_data_i};
+    s.serial = {in.rx_i, pulses_.send, {send_ >> 8, send_ & 31, send_value_}, pulses_.take,
                 receive_gap_};
     s.pass = due();
     return s;

@@ -11,21 +11,20 @@ namespace {
 
 constexpr Clk kOverSeen = KungCurrent::kTaken + 1;  // edges after the tick
 
-bool bit(std::uint64_t lines, int n) { return ((lines >> n) & 1u) != 0; }
-
 }  // namespace
 
 void KungXy::pins(std::uint64_t lines) {
   for (int k = 0; k < 2; ++k) {
     Axis& axis = axes_[static_cast<std::size_t>(k)];
-    const bool a = bit(lines, 3 * k), b = bit(lines, 3 * k + 1), z = bit(lines, 3 * k + 2);
+    const bool a = level(lines, xy::encoder_a(k)), b = level(lines, xy::encoder_b(k)),
+               z = level(lines, xy::encoder_z(k));
     if (a == axis.pins.a && b == axis.pins.b && z == axis.pins.z) continue;
     axis.pins.a = a;
     axis.pins.b = b;
     axis.pins.z = z;
     axis.qep_next = now_;
   }
-  if (bit(lines, kTripPin) == trip_pin_) return;
+  if (level(lines, xy::kTripPin) == trip_pin_) return;
   trip_pin_ = !trip_pin_;
   slow_ = std::min(slow_, now_);
 }

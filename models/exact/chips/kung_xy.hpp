@@ -20,6 +20,7 @@
 #include "models/exact/drive/supervisor.hpp"
 #include "models/exact/motion/watchdog.hpp"
 #include "models/exact/sense/qep.hpp"
+#include "models/pins/xy_lines.hpp"
 
 namespace trammel::exact {
 
@@ -50,7 +51,6 @@ class KungXy {
     virtual std::array<std::int32_t, 2> hold(int axis, Clk edge) const = 0;
   };
 
-  static constexpr int kTripPin = 6;  // of pins(); below it A, B, index of X, then of Y
 
   void reset();                       // edge 0 is the next
   Clk now() const { return now_; }    // next edge to execute

@@ -4,7 +4,6 @@
 // edge; while quiescent() holds, advance(n) passes n <= next() of them.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 
@@ -14,8 +13,11 @@ namespace trammel::exact {
 
 class LarsonXy {
  public:
-  struct In {
-    std::array<StepChannel::Pins, 2> pins;
+  struct In {  // pins, bit 0 X, bit 1 Y
+    std::uint8_t limit_low_i = 0, limit_high_i = 0, buf_busy_i = 0;
+  };
+  struct Out {
+    std::uint8_t step_o = 0, forward_o = 0, flush_o = 0;
   };
 
   static constexpr std::uint32_t kVector = 0x8;  // byte addresses
@@ -31,6 +33,10 @@ class LarsonXy {
   }
 
   const StepTable& table() const { return table_; }
+  Out out() const {
+    const StepChannel::Out x = table_.axis(0), y = table_.axis(1);
+    return {both(x.step, y.step), both(x.forward, y.forward), both(x.flush, y.flush)};
+  }
   bool irq() const { return table_.irq(); }
 
   // Valid from the present edge on; one at a time. A write is of these bytes of the 32 bits.
@@ -62,9 +68,15 @@ class LarsonXy {
  private:
   static constexpr int kEdges = 3;  // of a transfer: taken, acts, answered
 
+  static std::uint8_t both(bool x, bool y) { return static_cast<std::uint8_t>(x | y << 1); }
+
   StepTable::In table_in(const In& in, bool acts) const {
     StepTable::In table;
-    table.pins = in.pins;
+    for (int k = 0; k < 2; ++k) {
+      table.pins[static_cast<std::size_t>(k)] = {(in.limit_low_i >> k & 1) != 0,
+                                                 (in.limit_high_i >> k & 1) != 0,
+                                                 (in.buf_busy_i >> k & 1) != 0};
+    }
     if (!acts) return table;
     table.write = write_ && address_ < kVector;
     table.grant = !write_ && address_ == kVector;

@@ -19,19 +19,18 @@ namespace trammel::exact {
 
 class McafeeXy {
  public:
-  struct In {  // pins, X and Y
-    std::array<bool, 2> a{}, b{}, index_n{true, true};
-    std::uint8_t limits = 0;
+  struct In {  // pins, bit 0 X, bit 1 Y; of limit_i X low, X high, Y low, Y high
+    std::uint8_t enc_a_i = 0, enc_b_i = 0, enc_idx_n_i = 3, limit_i = 0;
+  };
+  struct Out {
+    std::uint8_t dac_x_o = 0, dac_y_o = 0;
   };
 
   explicit McafeeXy(Lm628Clock clock = Lm628Clock::k6MHz) : parts_{Lm628(clock), Lm628(clock)} {}
 
   const Lm628& part(std::size_t axis) const { return parts_[axis]; }
   Lm628Bridge::Out port() const { return bridge_.out(); }
-  std::uint8_t dac(std::size_t axis) const {
-    const Lm628Output::Out drive = parts_[axis].out().drive;
-    return drive.dac_hi_lo ? drive.dac : 0x80;
-  }
+  Out out() const { return {dac(0), dac(1)}; }
   bool irq() const { return parts_[0].out().hi || parts_[1].out().hi; }
 
   // The synchronisers have no reset.
@@ -66,7 +65,7 @@ class McafeeXy {
     reset_.step({strobe, kResetLow});
     step_feed();
     limit_ = limit_meta_;
-    limit_meta_ = in.limits;
+    limit_meta_ = in.limit_i;
     if (acts && write_) write();
     if (refused) status_ |= mcafee_xy_regs::kStatusRefused;
     if (sample) status_ |= mcafee_xy_regs::kStatusSample;
@@ -76,7 +75,7 @@ class McafeeXy {
   bool quiescent(const In& in) const {
     return phase_ == 0 && bridge_.quiescent(bridge_in()) && parts_[0].quiescent(part_in(in, 0)) &&
            parts_[1].quiescent(part_in(in, 1)) && !feed_asked_ && feed_left_ == 0 &&
-           in.limits == limit_meta_ && limit_meta_ == limit_;
+           in.limit_i == limit_meta_ && limit_meta_ == limit_;
   }
 
   Gap next(const In& in) const {
@@ -95,6 +94,11 @@ class McafeeXy {
   static constexpr std::uint32_t kResetLow = 80;  // [clk] of RST
   static constexpr int kFeed = 25;                // [clk] of the feed rate
 
+  std::uint8_t dac(std::size_t axis) const {
+    const Lm628Output::Out drive = parts_[axis].out().drive;
+    return drive.dac_hi_lo ? drive.dac : 0x80;
+  }
+
   Lm628Bridge::In bridge_in() const {
     using namespace mcafee_xy_regs;
     const auto bit = [this](std::uint32_t mask) { return (port_b_ & mask) != 0; };
@@ -107,9 +111,9 @@ class McafeeXy {
     const bool cs_n = axis == 0 ? bus.cs_x_n : bus.cs_y_n;
     return {{cs_n, bus.rd_n, bus.wr_n, bus.ps, bus.d},
             reset_.count() == 0,
-            in.a[axis],
-            in.b[axis],
-            in.index_n[axis],
+            (in.enc_a_i >> axis & 1) != 0,
+            (in.enc_b_i >> axis & 1) != 0,
+            (in.enc_idx_n_i >> axis & 1) != 0,
             false};
   }
 

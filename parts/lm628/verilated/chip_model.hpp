@@ -32,9 +32,9 @@ class ChipModel : public cosim::HostedChip<Lm628Chip, Board, Model, Tracer> {
   std::vector<cosim::DomainActivity> activity() const override { return model_.activity(kDomains); }
 
   void sense(cosim::Lines lines) override {
-    model_->enc_a_i = lines >> kEncoderA & 1u;
-    model_->enc_b_i = lines >> kEncoderB & 1u;
-    model_->enc_idx_n_i = (lines >> kIndex & 1u) == 0;
+    model_->enc_a_i = level(lines, kEncoderA);
+    model_->enc_b_i = level(lines, kEncoderB);
+    model_->enc_idx_n_i = !level(lines, kIndex);
     state_.dirty = true;
   }
 

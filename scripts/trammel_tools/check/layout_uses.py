@@ -15,9 +15,10 @@ MACHINE = ["parts/", "lab/", "paths/", "host/", *LOOP]  # and its own folders; a
 USES = {
     "host": ["host/"],
     "models/fixed": ["models/fixed/"],
-    "models/exact": ["models/exact/", "models/fixed/"],
+    "models/pins": ["models/pins/"],
+    "models/exact": ["models/exact/", "models/fixed/", "models/pins/"],
     "models/ideal": ["models/ideal/"],
-    "models/plant": ["models/plant/", "models/fixed/"],
+    "models/plant": ["models/plant/", "models/fixed/", "models/pins/"],
     "sw_nios": [*FIRMWARE, "models/fixed/"],
     "paths": ["paths/", "host/", "models/ideal/"],
     "cosim": LOOP,

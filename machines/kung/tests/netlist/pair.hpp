@@ -94,14 +94,7 @@ class Pair final : public cosim::Chip {
   cosim::Clk now() const override { return now_; }
 
   void sense(cosim::Lines lines) override {
-    const auto pick = [lines](int x, int y) {
-      return static_cast<std::uint8_t>(((lines >> x) & 1u) | (((lines >> y) & 1u) << 1));
-    };
-    both([&](auto& m) {
-      m.enc_a_i = pick(encoder_a(0), encoder_a(1));
-      m.enc_b_i = pick(encoder_b(0), encoder_b(1));
-      m.enc_z_i = pick(encoder_z(0), encoder_z(1));
-    });
+    both([&](auto& m) { sense_encoders(m, lines); });
   }
 
   void request(const cosim::BusOp&) override { throw std::logic_error("the bus is inside"); }
@@ -132,14 +125,7 @@ class Pair final : public cosim::Chip {
     return {now_ - 1, cosim::kLimit};
   }
 
-  cosim::Lines drive() const override {
-    cosim::Lines lines = 0;
-    for (int axis = 0; axis < kAxes; ++axis) {
-      lines |= static_cast<cosim::Lines>((hi_ >> 3 * axis) & 7u) << gate_hi(axis, 0);
-      lines |= static_cast<cosim::Lines>((lo_ >> 3 * axis) & 7u) << gate_lo(axis, 0);
-    }
-    return lines;
-  }
+  cosim::Lines drive() const override { return gates(hi_, lo_); }
 
   bool irq() const override { return false; }
   std::uint32_t rdata() const override { return 0; }

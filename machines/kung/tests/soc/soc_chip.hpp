@@ -52,14 +52,8 @@ class SocChip final : public cosim::Chip {
   cosim::Lines drive() const override { return drive_; }
 
   void sense(cosim::Lines lines) override {
-    const auto pick = [lines](int x, int y) {
-      return static_cast<std::uint8_t>((lines >> x & 1u) | (lines >> y & 1u) << 1);
-    };
-    Vkung_soc& m = *model_;
-    m.enc_a_i = pick(kung::encoder_a(0), kung::encoder_a(1));
-    m.enc_b_i = pick(kung::encoder_b(0), kung::encoder_b(1));
-    m.enc_z_i = pick(kung::encoder_z(0), kung::encoder_z(1));
-    m.driver_fault_i = lines >> kung::kTripPin & 1u;
+    kung::sense_encoders(*model_, lines);
+    model_->driver_fault_i = level(lines, kung::kTripPin);
   }
 
   cosim::Stop run(cosim::Clk end, const cosim::Plant& plant) override {
@@ -131,13 +125,7 @@ class SocChip final : public cosim::Chip {
     m.adc_sdata_b_i = static_cast<std::uint8_t>(adc_[1].data() | adc_[3].data() << 1);
   }
 
-  void remember() {
-    drive_ = 0;
-    for (int axis = 0; axis < kung::kAxes; ++axis) {
-      drive_ |= cosim::Lines{model_->gate_hi_o >> 3 * axis & 7u} << kung::gate_hi(axis, 0);
-      drive_ |= cosim::Lines{model_->gate_lo_o >> 3 * axis & 7u} << kung::gate_lo(axis, 0);
-    }
-  }
+  void remember() { drive_ = kung::gates(model_->gate_hi_o, model_->gate_lo_o); }
 
   std::unique_ptr<VerilatedContext> context_ = std::make_unique<VerilatedContext>();
   std::unique_ptr<Vkung_soc> model_;
