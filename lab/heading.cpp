@@ -64,21 +64,22 @@ void note_change(Settings& settings, const Key& key, const Value& before) {
   const Machine& machine = settings.machine();
   Heading& heading = settings.heading;
   if (heading.altered.empty()) heading.own = settings.description;
-  if (key.name == machine.described_by) {
+  if (key.name == machine.described.by) {
     heading.own = fmt::format("{} = {} in place of the scenario's {}", key.name,
                               shown_value(settings, key), host::shown(value_text(before)));
-  } else if (machine.alters != nullptr) {
+  } else if (machine.described.alters != nullptr) {
     const auto at = find(heading.altered, key.name);
     const Value now = key.get(settings);
     const std::string original = at == heading.altered.end() ? value_text(before) : at->second;
-    const bool alters = machine.alters(key, now) && value_text(now) != original;
+    const bool alters = machine.described.alters(key, now) && value_text(now) != original;
     if (!alters && at != heading.altered.end()) heading.altered.erase(at);
     if (alters && at == heading.altered.end()) heading.altered.emplace_back(key.name, original);
   }
   settings.description = heading.own;
   if (heading.altered.empty()) return;
   std::string own = without_parentheses(heading.own);
-  if (machine.reworded != nullptr) own = machine.reworded(settings, std::move(own));
+  const Described& described = machine.described;
+  if (described.reworded != nullptr) own = described.reworded(settings, std::move(own));
   settings.description = fmt::format("{}; here {}", own, altered_text(settings));
 }
 

@@ -54,6 +54,47 @@ struct Page {
   std::string (*title)(const nlohmann::ordered_json& metrics) = nullptr;  // none: the scenario
 };
 
+// The first line of a scenario's text, after settings were altered.
+struct Described {
+  std::string by;  // the key whose value a description tells, if any
+  bool (*alters)(const Key& key, const Value& value) = nullptr;  // what else it may not go with
+  // That description, without words that altered settings belie.
+  std::string (*reworded)(const Settings& settings, std::string description) = nullptr;
+};
+
+// What triggers may be, and the order of magnitude of a trace.
+struct Tracing {
+  const cosim::TriggerForms& (*triggers)() = nullptr;
+  double vcd_bytes_s = 1e10;
+  double fst_bytes_s = 1e8;
+};
+
+// Lines for people.
+struct Texts {
+  std::vector<std::string> (*warnings)(const Settings& settings) = nullptr;  // before a run
+  std::vector<std::string> (*remarks)(const Record& record) = nullptr;  // "" is a blank one
+};
+
+// Runs beside the first one, which it is compared with; they are made when it is done.
+struct Comparison {
+  std::vector<Companion> (*companions)(const Settings& settings) = nullptr;
+  std::string (*run_name)(const Settings& settings) = nullptr;  // of the first among them
+};
+
+// Files of a run, or what is in them, besides what every machine has.
+struct Files {
+  void (*metrics)(const Record& record, nlohmann::ordered_json& json) = nullptr;
+  nlohmann::ordered_json (*detail)(const Record& record) = nullptr;  // null: no detail.json
+  void (*write)(const Record& record, const std::filesystem::path& folder) = nullptr;
+  Range (*drawn)(const Record& record) = nullptr;  // samples in pictures/*.gp; none: all
+};
+
+// The runs of `trammel run --all`, and what is said of them together.
+struct Experiments {
+  std::vector<Experiment> list;
+  std::string (*text)(const std::vector<const Record*>& records) = nullptr;
+};
+
 struct Machine {
   std::string name;    // its folder in machines/
   std::string title;   // one line
@@ -74,46 +115,26 @@ struct Machine {
   // Settings: their defaults, every key, and rules that concern more than one key.
   std::unique_ptr<Settings> (*defaults)() = nullptr;
   const std::vector<Key>& (*keys)() = nullptr;
-  std::string described_by;  // the key whose value a scenario's description tells, if any
-  bool (*alters)(const Key& key, const Value& value) = nullptr;  // what else it may not go with
-  // That description, without words that altered settings belie.
-  std::string (*reworded)(const Settings& settings, std::string description) = nullptr;
   void (*validate)(Settings& settings) = nullptr;
-  std::vector<std::string> (*warnings)(const Settings& settings) = nullptr;  // before a run
-
-  // Waves: what triggers may be, and the order of magnitude of a trace.
-  const cosim::TriggerForms& (*triggers)() = nullptr;
-  double vcd_bytes_s = 1e10;
-  double fst_bytes_s = 1e8;
-
-  ProgramFile program;  // no extension: there is none
-
-  // What lets another program take part in a run, in real time, as key=value; none: nothing does.
-  std::vector<std::string> live;
 
   // A run, and what is recorded and made of it.
   std::unique_ptr<cosim::Session> (*session)(const Settings& settings, const cosim::Hooks& hooks,
                                              const cosim::Waves& waves) = nullptr;
+  Tracing traces;
   const ColumnTable& (*columns)() = nullptr;
   std::vector<Figure> (*figures)(const Settings& settings, cosim::RunResult& result) = nullptr;
-  std::string (*verdict)(const Settings& settings, const cosim::RunResult& result) = nullptr;
-  // Lines after the figures; "" is a blank one.
-  std::vector<std::string> (*remarks)(const Record& record) = nullptr;
+  // How it ended, in one line.
+  std::string (*verdict)(const Settings& settings, const cosim::RunResult& result) = verdict_text;
 
-  // Runs beside the first one, which it is compared with; they are made when it is done.
-  std::vector<Companion> (*companions)(const Settings& settings) = nullptr;
-  std::string (*run_name)(const Settings& settings) = nullptr;  // of the first among them
-
-  // Files of a run besides those that every machine has.
-  void (*metrics)(const Record& record, nlohmann::ordered_json& json) = nullptr;
-  nlohmann::ordered_json (*detail)(const Record& record) = nullptr;  // null: no detail.json
-  void (*files)(const Record& record, const std::filesystem::path& folder) = nullptr;
-  Range (*drawn)(const Record& record) = nullptr;  // samples in pictures/*.gp; none: all
+  // What a machine may have besides.
+  Described described;
+  Texts texts;
+  Comparison compared;
+  Files files;
   Page page;
-
-  // The runs of `trammel run --all`, and what is said of them together.
-  std::vector<Experiment> experiments;
-  std::string (*experiments_text)(const std::vector<const Record*>& records) = nullptr;
+  Experiments experiments;
+  ProgramFile program;            // no extension: there is none
+  std::vector<std::string> live;  // as key=value: with these another program takes part
 };
 
 // All of them, in their order.

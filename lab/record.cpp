@@ -14,13 +14,13 @@ std::unique_ptr<cosim::RunResult> simulate(const Settings& settings, const cosim
     return machine.session(settings, own, waves);
   };
   return with_config_errors(
-      [&] { return simulate(settings.run, machine.triggers(), make, hooks); });
+      [&] { return simulate(settings.run, machine.traces.triggers(), make, hooks); });
 }
 
 Record judged(std::shared_ptr<const Settings> settings, std::unique_ptr<cosim::RunResult> result) {
   const Machine& machine = settings->machine();
   Record record;
-  if (machine.run_name != nullptr) record.name = machine.run_name(*settings);
+  if (machine.compared.run_name != nullptr) record.name = machine.compared.run_name(*settings);
   record.figures = machine.figures(*settings, *result);
   record.verdict = machine.verdict(*settings, *result);
   record.settings = std::move(settings);
@@ -38,10 +38,10 @@ Record run(const Settings& settings, const cosim::Hooks& hooks) {
 Record run_by(const Simulate& simulate, const Settings& settings, const cosim::Hooks& hooks) {
   const Machine& machine = settings.machine();
   Record record = judged(settings.clone(), simulate(settings, hooks));
-  if (machine.companions == nullptr || record.result->end != cosim::EndReason::kDone) {
+  if (machine.compared.companions == nullptr || record.result->end != cosim::EndReason::kDone) {
     return record;
   }
-  for (Companion& companion : machine.companions(settings)) {
+  for (Companion& companion : machine.compared.companions(settings)) {
     auto result = simulate(*companion.settings, hooks);
     if (result->end == cosim::EndReason::kStopped) {  // a part of it is nothing to compare with
       record.result->end = cosim::EndReason::kStopped;
@@ -66,6 +66,20 @@ const char* end_text(cosim::EndReason end) {
     case cosim::EndReason::kPromise: return "assertion failed";
   }
   return "unknown";
+}
+
+std::string verdict_text(const Settings& settings, const cosim::RunResult& result) {
+  const std::string fault = result.fault_text();
+  switch (result.end) {
+    case cosim::EndReason::kFault:
+    case cosim::EndReason::kMissed: return fmt::format("{}: {}", end_text(result.end), fault);
+    case cosim::EndReason::kTimeout:
+      return fmt::format("not finished within run.max_s = {:g}{}{}", settings.run.max_s,
+                         fault.empty() ? "" : ": ", fault);
+    case cosim::EndReason::kPromise:
+      return fmt::format("{}: {}", end_text(result.end), promise_text(*result.promise));
+    default: return end_text(result.end);
+  }
 }
 
 int exit_code(cosim::EndReason end) {

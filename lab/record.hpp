@@ -79,6 +79,8 @@ Record run_by(const Simulate& simulate, const Settings& settings, const cosim::H
 Record judged(std::shared_ptr<const Settings> settings, std::unique_ptr<cosim::RunResult> result);
 
 const char* end_text(cosim::EndReason end);  // "done", "tripped"...
+// How a run ended, in one line, of a machine that has no more to say.
+std::string verdict_text(const Settings& settings, const cosim::RunResult& result);
 int exit_code(cosim::EndReason end);
 
 // One line: promise, instance, time and place.

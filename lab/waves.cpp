@@ -39,7 +39,7 @@ double seconds(const std::string& text, const std::string& where) {
 }
 
 std::string trigger_text(const Settings& settings) {
-  const cosim::TriggerForms& forms = settings.machine().triggers();
+  const cosim::TriggerForms& forms = settings.machine().traces.triggers();
   return cosim::wave_trigger_text(settings.run, forms.start).value_or("");
 }
 
@@ -50,7 +50,7 @@ const char* file_name(const cosim::RunBasics& run) {
 }  // namespace
 
 void check_trigger(const Settings& settings, const std::string& text, const std::string& where) {
-  const cosim::TriggerForms& forms = settings.machine().triggers();
+  const cosim::TriggerForms& forms = settings.machine().traces.triggers();
   try {
     cosim::parse_trigger(text, forms);
   } catch (const cosim::UnknownName& error) {
@@ -155,7 +155,8 @@ std::optional<std::string> waves_notice(const Settings& settings) {
   const Machine& machine = settings.machine();
   const cosim::WaveWindow window = cosim::wave_window(run, 0);
   const double length = seconds_of(window.end - window.begin);
-  const double mega = length * (vcd ? machine.vcd_bytes_s : machine.fst_bytes_s) / 1e6;
+  const Tracing& traces = machine.traces;
+  const double mega = length * (vcd ? traces.vcd_bytes_s : traces.fst_bytes_s) / 1e6;
   if (run.wave_every_s > 0) {
     return fmt::format("waves take about {:.2g} MB a second of the run", mega / run.wave_every_s);
   }

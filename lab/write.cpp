@@ -159,7 +159,7 @@ std::string draw_pictures(const Record& record, const fs::path& folder) {
   }
   if (scripts.empty()) return "";
   Range drawn{0, record.result->sample_count()};
-  if (machine.drawn != nullptr) drawn = machine.drawn(record);
+  if (machine.files.drawn != nullptr) drawn = machine.files.drawn(record);
   if (host::find_program("gnuplot").empty()) return "gnuplot is missing (see `trammel doctor`)";
   if (drawn.last < drawn.first + 2) return "there is nothing to draw";
   std::string variables = kStyle;
@@ -255,7 +255,7 @@ Json metrics_json(const Record& record, const Origin& origin) {
   if (result.fault_report.begin != cosim::kNever) {
     json["injected"] = fault_json(*record.settings, result.fault_report);
   }
-  if (machine.metrics != nullptr) machine.metrics(record, json);
+  if (machine.files.metrics != nullptr) machine.files.metrics(record, json);
   if (origin.more.is_object()) json.update(origin.more);
   if (!result.waves.empty()) json["waves"] = waves_json(settings, result);
   json["versions"] = versions_json();
@@ -309,11 +309,11 @@ Written write_record(const Record& record, const host::OutputFolder& folder, con
                                        : run_toml(*repeats, origin.command, origin.left_out));
   for (const auto& [name, content] : origin.files) host::write_text(scratch / name, content);
   write_trace(scratch / "trace.csv", record);
-  if (machine.files != nullptr) machine.files(record, scratch);
+  if (machine.files.write != nullptr) machine.files.write(record, scratch);
   if (const std::string why = draw_pictures(record, scratch); !why.empty()) {
     written.notes.push_back("no pictures: " + why);
   }
-  const Json detail = machine.detail == nullptr ? Json() : machine.detail(record);
+  const Json detail = machine.files.detail == nullptr ? Json() : machine.files.detail(record);
   if (!detail.is_null()) host::write_text(scratch / "detail.json", detail.dump() + '\n');
   try {
     if (page) write_page({scratch}, scratch / "report.html");
@@ -353,8 +353,8 @@ std::string report_text(const Record& record, const std::string& folder, bool pa
                         figures_text(companion.figures));
   }
   text += injected_text(settings, result);
-  if (record.machine().remarks != nullptr) {
-    for (const std::string& remark : record.machine().remarks(record)) {
+  if (record.machine().texts.remarks != nullptr) {
+    for (const std::string& remark : record.machine().texts.remarks(record)) {
       text += remark.empty() ? "\n" : fmt::format("  {}\n", remark);
     }
   }

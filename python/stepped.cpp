@@ -121,7 +121,7 @@ cosim::Lines Stepped::sense() const { return see_.seen == nullptr ? 0 : see_.see
 std::vector<std::string> Stepped::signal_names() const {
   std::vector<std::string> names;
   if (dynamic_cast<const cosim::SignalReader*>(session_.get()) == nullptr) return names;
-  for (const cosim::Signal& one : settings_->machine().triggers().signals) {
+  for (const cosim::Signal& one : settings_->machine().traces.triggers().signals) {
     for (const char* const axis : {"x.", "y."}) {
       names.push_back(one.of_axis ? std::string(axis) + one.name : one.name);
       if (!one.of_axis) break;
@@ -133,7 +133,7 @@ std::vector<std::string> Stepped::signal_names() const {
 std::optional<std::int64_t> Stepped::signal(const std::string& name) const {
   const auto* const words = dynamic_cast<const cosim::SignalReader*>(session_.get());
   if (words == nullptr) return {};
-  const std::vector<cosim::Signal>& signals = settings_->machine().triggers().signals;
+  const std::vector<cosim::Signal>& signals = settings_->machine().traces.triggers().signals;
   for (std::size_t n = 0; n < signals.size(); ++n) {
     for (int axis = 0; axis < 2; ++axis) {
       const std::string prefix = !signals[n].of_axis ? "" : axis == 0 ? "x." : "y.";

@@ -77,7 +77,7 @@ List signals(const std::string& only) {
       "either.\n";
   for (const lab::Machine* machine : lab::machines()) {
     if (!only.empty() && machine->name != only) continue;
-    const cosim::TriggerForms& forms = machine->triggers();
+    const cosim::TriggerForms& forms = machine->traces.triggers();
     all.text += fmt::format("\n{}. Events: {}\n\n", machine->name, forms.help);
     for (const cosim::Signal& signal : forms.signals) {
       const std::int64_t span = std::int64_t{1} << signal.bits;

@@ -135,8 +135,8 @@ Outcome run_one(lab::Settings& settings, const fs::path& target, const Arguments
                 const Simulate& simulate, const std::atomic<bool>& stop) {
   host::OutputFolder folder(target);  // refused in one line, ahead of what is told of the run
   if (const auto notice = lab::waves_notice(settings)) tell(*notice);
-  if (settings.machine().warnings != nullptr) {
-    tell_warnings(settings.scenario, settings.machine().warnings(settings));
+  if (settings.machine().texts.warnings != nullptr) {
+    tell_warnings(settings.scenario, settings.machine().texts.warnings(settings));
   }
   settings.run.wave_file = lab::wave_file(folder.scratch());
   lab::copy_inputs(settings, folder.scratch());  // as they are now, not when the run has ended
@@ -228,9 +228,10 @@ int run_all(const lab::Machine& machine, const Arguments& arguments, const Simul
   std::vector<std::pair<fs::path, std::vector<fs::path>>> pages;  // and their runs
   auto documents = nlohmann::ordered_json::array();
   int code = 0;
-  for (const lab::Experiment& experiment : machine.experiments) settings_of(experiment, arguments);
-  check_all(base, machine.experiments);
-  for (const lab::Experiment& experiment : machine.experiments) {
+  const std::vector<lab::Experiment>& experiments = machine.experiments.list;
+  for (const lab::Experiment& experiment : experiments) settings_of(experiment, arguments);
+  check_all(base, experiments);
+  for (const lab::Experiment& experiment : experiments) {
     if (stop) {
       code = 130;
       continue;
@@ -262,7 +263,7 @@ int run_all(const lab::Machine& machine, const Arguments& arguments, const Simul
   }
   std::vector<const lab::Record*> records;
   for (const Outcome& outcome : outcomes) records.push_back(&outcome.record);
-  print(machine.experiments_text(records));
+  print(machine.experiments.text(records));
   if (!written.empty()) print(fmt::format("\nreport:{}\n", written));
   return code;
 }
@@ -278,7 +279,7 @@ int run(const Arguments& arguments, const std::atomic<bool>& stop, const Simulat
     lab::first_machine();  // in the program of another machine there is more to see
     const auto& all = lab::machines();
     const auto found = std::find_if(all.begin(), all.end(), [](const lab::Machine* machine) {
-      return !machine->experiments.empty();
+      return !machine->experiments.list.empty();
     });
     if (found == all.end()) lab::need_all_machines();
     if (found == all.end()) throw host::ConfigError("run: --all: no machine names experiments");

@@ -30,18 +30,18 @@ lab::Machine describe() {
   m.of_types<Options, Session>();
   m.keys = keys;
   m.validate = validate;
-  m.warnings = [](const lab::Settings& settings) {
+  m.texts.warnings = [](const lab::Settings& settings) {
     const std::string text = lm628::part_warning(static_cast<const Options&>(settings).part);
     return text.empty() ? std::vector<std::string>{} : std::vector<std::string>{text};
   };
-  m.triggers = triggers;
-  m.vcd_bytes_s = 8.5e9;
-  m.fst_bytes_s = 3e7;
+  m.traces.triggers = triggers;
+  m.traces.vcd_bytes_s = 8.5e9;
+  m.traces.fst_bytes_s = 3e7;
   m.columns = columns;
   m.figures = figures;
   m.verdict = lm628::verdict<Options, Result>;
-  m.remarks = remarks;
-  m.metrics = add_metrics;
+  m.texts.remarks = remarks;
+  m.files.metrics = add_metrics;
   m.page.numbers = {"/motion/samples", "/motion/time_s", "/options/encoder.counts"};
   m.page.arrays = {"/interrupts"};
   return m;

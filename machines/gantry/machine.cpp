@@ -128,16 +128,8 @@ std::vector<std::string> warnings(const lab::Settings& settings) {
 }
 
 std::string verdict(const lab::Settings& settings, const cosim::RunResult& run) {
-  const auto& result = static_cast<const Result&>(run);
-  switch (run.end) {
-    case cosim::EndReason::kFault: return "failed: " + result.fault;
-    case cosim::EndReason::kMissed: return "missed: " + result.fault;
-    case cosim::EndReason::kTimeout:
-      return fmt::format("not finished within run.max_s = {:g}", settings.run.max_s);
-    case cosim::EndReason::kPromise:
-      return "assertion failed: " + lab::promise_text(*result.promise);
-    default: return lab::end_text(run.end);
-  }
+  return run.end == cosim::EndReason::kFault ? "failed: " + run.fault_text()
+                                             : lab::verdict_text(settings, run);
 }
 
 lab::Machine describe() {
@@ -149,16 +141,16 @@ lab::Machine describe() {
   m.of_types<Options, Session>();
   m.keys = keys;
   m.validate = validate;
-  m.warnings = warnings;
-  m.triggers = triggers;
-  m.vcd_bytes_s = 5e9;
-  m.fst_bytes_s = 2e7;
+  m.texts.warnings = warnings;
+  m.traces.triggers = triggers;
+  m.traces.vcd_bytes_s = 5e9;
+  m.traces.fst_bytes_s = 2e7;
   m.live = {"host.serial=true", "run.time_s=3600", "run.max_s=3600", "record.every_ms=10"};
   m.columns = columns;
   m.figures = figures;
   m.verdict = verdict;
-  m.remarks = remarks;
-  m.metrics = add_metrics;
+  m.texts.remarks = remarks;
+  m.files.metrics = add_metrics;
   m.page.arrays = {"/calibration"};
   m.page.objects = {"/published", "/identified"};
   return m;

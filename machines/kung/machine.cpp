@@ -67,41 +67,41 @@ lab::Machine describe() {
   m.order = 1;
   m.of_types<Options, Session>();
   m.keys = keys;
-  m.described_by = "path.kind";
-  m.alters = alters;
-  m.reworded = reworded;
+  m.described.by = "path.kind";
+  m.described.alters = alters;
+  m.described.reworded = reworded;
   m.validate = validate;
   m.program = {{".ngc", ".nc", ".gcode"}, "path.gcode_file", {"path.kind=gcode"}};
-  m.triggers = triggers;
-  m.vcd_bytes_s = 1.2e10;
-  m.fst_bytes_s = 8e7;
+  m.traces.triggers = triggers;
+  m.traces.vcd_bytes_s = 1.2e10;
+  m.traces.fst_bytes_s = 8e7;
   m.columns = columns;
   m.figures = figures;
   m.verdict = verdict;
-  m.remarks = remarks;
-  m.warnings = advice;
-  m.companions = precision_companions;
-  m.run_name = [](const lab::Settings& settings) {
+  m.texts.remarks = remarks;
+  m.texts.warnings = advice;
+  m.compared.companions = precision_companions;
+  m.compared.run_name = [](const lab::Settings& settings) {
     const auto controller = static_cast<const Options&>(settings).controller;
     return std::string(controller == Controller::kFc    ? "FC"
                        : controller == Controller::kAfc ? "AFC"
                                                         : "precision");
   };
-  m.metrics = add_metrics;
-  m.detail = [](const lab::Record& record) {
+  m.files.metrics = add_metrics;
+  m.files.detail = [](const lab::Record& record) {
     return detail_json(options_of(record), result_of(record));
   };
-  m.files = [](const lab::Record& record, const std::filesystem::path& folder) {
+  m.files.write = [](const lab::Record& record, const std::filesystem::path& folder) {
     const std::string& uart = result_of(record).uart;
     if (!uart.empty()) host::write_text(folder / "uart.txt", uart);
     if (options_of(record).controller == Controller::kPrecision) {
       write_precision(folder / kPrecisionTrace, options_of(record), result_of(record));
     }
   };
-  m.drawn = [](const lab::Record& record) { return counted(result_of(record)); };
+  m.files.drawn = [](const lab::Record& record) { return counted(result_of(record)); };
   m.page = page();
-  m.experiments = experiments();
-  m.experiments_text = experiments_text;
+  m.experiments.list = experiments();
+  m.experiments.text = experiments_text;
   return m;
 }
 

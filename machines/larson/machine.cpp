@@ -38,20 +38,6 @@ void validate(lab::Settings& settings) {
   calls_of(options);
 }
 
-std::string verdict(const lab::Settings& settings, const cosim::RunResult& run) {
-  const auto& result = static_cast<const Result&>(run);
-  switch (run.end) {
-    case cosim::EndReason::kFault: return "tripped: " + result.fault;
-    case cosim::EndReason::kMissed: return "missed: " + result.fault;
-    case cosim::EndReason::kTimeout:
-      return fmt::format("not finished within run.max_s = {:g}{}{}", settings.run.max_s,
-                         result.fault.empty() ? "" : ": ", result.fault);
-    case cosim::EndReason::kPromise:
-      return "assertion failed: " + lab::promise_text(*result.promise);
-    default: return lab::end_text(run.end);
-  }
-}
-
 lab::Machine describe() {
   lab::Machine m;
   m.name = "larson";
@@ -60,16 +46,15 @@ lab::Machine describe() {
   m.order = 4;
   m.of_types<Options, Session>();
   m.keys = keys;
-  m.described_by = "script";
+  m.described.by = "script";
   m.validate = validate;
-  m.triggers = triggers;
-  m.vcd_bytes_s = 5e9;
-  m.fst_bytes_s = 1e7;
+  m.traces.triggers = triggers;
+  m.traces.vcd_bytes_s = 5e9;
+  m.traces.fst_bytes_s = 1e7;
   m.columns = columns;
   m.figures = figures;
-  m.verdict = verdict;
-  m.remarks = remarks;
-  m.metrics = add_metrics;
+  m.texts.remarks = remarks;
+  m.files.metrics = add_metrics;
   m.page.arrays = {"/events", "/calls"};
   return m;
 }

@@ -43,28 +43,28 @@ lab::Machine describe() {
   m.order = 3;
   m.of_types<Options, Session>();
   m.keys = keys;
-  m.described_by = "path.kind";
+  m.described.by = "path.kind";
   m.validate = validate;
-  m.warnings = [](const lab::Settings& settings) {
+  m.texts.warnings = [](const lab::Settings& settings) {
     const auto& options = static_cast<const Options&>(settings);
     return options.tracks() ? table_of(options).warnings : std::vector<std::string>{};
   };
-  m.triggers = triggers;
-  m.vcd_bytes_s = 1.7e10;
-  m.fst_bytes_s = 4e8;
+  m.traces.triggers = triggers;
+  m.traces.vcd_bytes_s = 1.7e10;
+  m.traces.fst_bytes_s = 4e8;
   m.columns = columns;
   m.figures = figures;
   m.verdict = lm628::verdict<Options, Result>;
-  m.companions = companions;
-  m.run_name = [](const lab::Settings& settings) {
+  m.compared.companions = companions;
+  m.compared.run_name = [](const lab::Settings& settings) {
     const auto& options = static_cast<const Options&>(settings);
     if (!options.tracks()) return std::string("motion");
     return options.speed == 0 ? std::string("self-paced") : name_of(options.speed);
   };
-  m.metrics = add_metrics;
-  m.detail = tracking_json;
-  m.files = write_tables;
-  m.drawn = [](const lab::Record& record) {
+  m.files.metrics = add_metrics;
+  m.files.detail = tracking_json;
+  m.files.write = write_tables;
+  m.files.drawn = [](const lab::Record& record) {
     const Result& result = result_of(record);
     return lab::Range{result.first, result.samples.size()};
   };

@@ -53,21 +53,11 @@ template <class Options, class Result>
 std::string verdict(const lab::Settings& settings, const cosim::RunResult& run) {
   const auto& options = static_cast<const Options&>(settings);
   const auto& result = static_cast<const Result&>(run);
-  switch (result.end) {
-    case cosim::EndReason::kDone: return "done";
-    case cosim::EndReason::kFault: return "tripped: " + result.fault;
-    case cosim::EndReason::kDiverged:
-      return fmt::format("diverged: error above run.diverged_counts = {}",
-                         options.diverged_counts);
-    case cosim::EndReason::kMissed: return "missed: " + result.fault;
-    case cosim::EndReason::kTimeout:
-      return result.fault.empty() ? fmt::format("not finished within run.max_s = {:g}",
-                                                options.run.max_s)
-                                  : result.fault;
-    case cosim::EndReason::kPromise:
-      return "assertion failed: " + lab::promise_text(*result.promise);
-    default: return lab::end_text(result.end);
+  if (result.end == cosim::EndReason::kDiverged) {
+    return fmt::format("diverged: error above run.diverged_counts = {}", options.diverged_counts);
   }
+  const bool late = result.end == cosim::EndReason::kTimeout && !result.fault.empty();
+  return late ? result.fault : lab::verdict_text(options, result);
 }
 
 }  // namespace trammel::lm628

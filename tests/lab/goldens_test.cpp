@@ -131,7 +131,7 @@ std::string ends_text(const lab::Machine& machine) {
 // What a trigger may name of an axis or of the whole, with its bits: "e s12", "irq 1".
 Lines signals_of(const lab::Machine& machine, bool axis) {
   Lines all;
-  for (const cosim::Signal& one : machine.triggers().signals) {
+  for (const cosim::Signal& one : machine.traces.triggers().signals) {
     if (one.of_axis != axis) continue;
     all.push_back(fmt::format("{} {}{}", one.name, one.is_signed ? "s" : "", one.bits));
   }
@@ -142,9 +142,10 @@ std::string machine_text(const lab::Machine& m) {
   std::string text = fmt::format("\n{}: {}\n", m.name, m.title);
   text += paragraph("source", {m.source, fmt::format("order {}", m.order)});
   text += paragraph("can", {m.can.leap ? "leap" : "not leap", m.can.twin ? "twin" : "no twin"});
-  text += paragraph("traces in bytes/s", {fmt::format("VCD {:g}", m.vcd_bytes_s),
-                                          fmt::format("FST {:g}", m.fst_bytes_s)});
-  text += paragraph("description of", m.described_by.empty() ? Lines{} : Lines{m.described_by});
+  text += paragraph("traces in bytes/s", {fmt::format("VCD {:g}", m.traces.vcd_bytes_s),
+                                          fmt::format("FST {:g}", m.traces.fst_bytes_s)});
+  const std::string& described = m.described.by;
+  text += paragraph("description of", described.empty() ? Lines{} : Lines{described});
   text += paragraph("program files", m.program.extensions) +
           paragraph("their key", m.program.key.empty() ? Lines{} : Lines{m.program.key}) +
           paragraph("their settings", m.program.assignments);
@@ -152,28 +153,28 @@ std::string machine_text(const lab::Machine& m) {
   const auto give = [&gives](const char* what, bool given) {
     if (given) gives.emplace_back(what);
   };
-  give("alters", m.alters != nullptr);
+  give("alters", m.described.alters != nullptr);
   give("validate", m.validate != nullptr);
-  give("warnings", m.warnings != nullptr);
-  give("remarks", m.remarks != nullptr);
-  give("companions", m.companions != nullptr);
-  give("run_name", m.run_name != nullptr);
-  give("metrics", m.metrics != nullptr);
-  give("detail", m.detail != nullptr);
-  give("files", m.files != nullptr);
-  give("drawn", m.drawn != nullptr);
-  give("experiments_text", m.experiments_text != nullptr);
+  give("warnings", m.texts.warnings != nullptr);
+  give("remarks", m.texts.remarks != nullptr);
+  give("companions", m.compared.companions != nullptr);
+  give("run_name", m.compared.run_name != nullptr);
+  give("metrics", m.files.metrics != nullptr);
+  give("detail", m.files.detail != nullptr);
+  give("files", m.files.write != nullptr);
+  give("drawn", m.files.drawn != nullptr);
+  give("experiments_text", m.experiments.text != nullptr);
   text += paragraph("gives", gives) + paragraph("live", m.live);
   text += paragraph("texts", m.page.texts) + paragraph("counts", m.page.counts) +
           paragraph("numbers", m.page.numbers) + paragraph("objects", m.page.objects) +
           paragraph("arrays", m.page.arrays);
-  for (const lab::Experiment& one : m.experiments) {
+  for (const lab::Experiment& one : m.experiments.list) {
     Lines words{one.scenario};
     words.insert(words.end(), one.assignments.begin(), one.assignments.end());
     words.push_back(one.page);
     text += paragraph("experiment " + one.name, words);
   }
-  text += ends_text(m) + paragraph("waves begin at", {m.triggers().start}) +
+  text += ends_text(m) + paragraph("waves begin at", {m.traces.triggers().start}) +
           paragraph("signals of x and of y", signals_of(m, true)) +
           paragraph("signals", signals_of(m, false));
   Lines columns, derived;
@@ -191,8 +192,8 @@ std::string said_of(const lab::Machine& machine, const std::string& assignments)
   });
   if (!said.empty()) return "  " + said + '\n';
   std::string text = "  can run\n";
-  if (machine.warnings == nullptr) return text;
-  for (const std::string& line : machine.warnings(*settings)) text += "  " + line + '\n';
+  if (machine.texts.warnings == nullptr) return text;
+  for (const std::string& line : machine.texts.warnings(*settings)) text += "  " + line + '\n';
   return text;
 }
 

@@ -309,8 +309,8 @@ TEST_CASE("a short form sets the keys of both axes, and their own names refine i
 TEST_CASE("a scenario's description goes with the path that it describes") {
   int tried = 0;
   for (const Machine* const machine : machines()) {
-    if (machine->described_by.empty()) continue;
-    const std::string& name = machine->described_by;
+    if (machine->described.by.empty()) continue;
+    const std::string& name = machine->described.by;
     INFO(machine->name << ", " << name);
     const auto settings = machine->defaults();
     const Key& key = *find_keys(machine->keys(), name).at(0);

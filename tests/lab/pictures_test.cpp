@@ -65,7 +65,7 @@ TEST_CASE("gnuplot is given the settings, the title and the samples that are wor
     const testbench::Simulate simulate = [&](const Settings& settings, const cosim::Hooks&) {
       Record record = test::short_run(settings, cosim::EndReason::kDone);
       drawn = {0, record.result->sample_count()};
-      if (machine->drawn != nullptr) drawn = machine->drawn(record);
+      if (machine->files.drawn != nullptr) drawn = machine->files.drawn(record);
       machine->columns().read(settings, *record.result, drawn.first, first);
       if (drawn.last > 0) {
         machine->columns().read(settings, *record.result, drawn.last - 1, last);

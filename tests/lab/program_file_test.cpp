@@ -153,7 +153,7 @@ TEST_CASE("scenarios are in the order of their names, and a path is one that nob
   CHECK(find_scenario("none.toml") == "none.toml");
   CHECK_THROWS_AS(find_scenario("none.tml"), host::ConfigError);
   for (const Machine* const machine : machines()) {
-    for (const Experiment& experiment : machine->experiments) {  // of run --all
+    for (const Experiment& experiment : machine->experiments.list) {  // of run --all
       const auto settings = load_scenario(find_scenario(experiment.scenario));
       settings->scenario = experiment.name;
       CHECK(repeat_command(*settings) == "./trammel run " + experiment.scenario);

@@ -34,8 +34,8 @@ void each_compared(const Take& take) {
   for (const auto& file : lab::scenarios()) {
     const auto settings = lab::load_scenario(file);
     const lab::Machine& machine = settings->machine();
-    if (machine.companions == nullptr) continue;
-    const auto wanted = machine.companions(*settings);
+    if (machine.compared.companions == nullptr) continue;
+    const auto wanted = machine.compared.companions(*settings);
     if (wanted.empty()) continue;
     INFO("scenario " << settings->scenario);
     ++compared;

@@ -47,7 +47,7 @@ const Machine& bare() {
     m.name = "bare";
     m.can = {false, false};
     m.keys = machines().front()->keys;
-    m.triggers = machines().front()->triggers;
+    m.traces.triggers = machines().front()->traces.triggers;
     m.session = [](const Settings& settings, const cosim::Hooks&,
                    const cosim::Waves&) -> std::unique_ptr<cosim::Session> {
       if (settings.description.empty()) throw std::invalid_argument("plant.mass_kg: too small");
@@ -136,7 +136,7 @@ TEST_CASE("an audit compares a plain chip with a leaping one, and nothing else b
     CAPTURE(machine->name);
     CHECK(message_of(*machine, {"run.audit=true"}).empty());
     CHECK(message_of(*machine, {"run.audit=true", "run.platform=direct"}).empty());
-    const std::string trigger = std::string("run.wave_trigger=") + machine->triggers().start;
+    const std::string trigger = std::string("run.wave_trigger=") + machine->traces.triggers().start;
     for (const std::string& beside : {std::string("run.leap=false"),
                                       std::string("run.assertions=true"),
                                       std::string("run.wave=fst"), trigger}) {
@@ -153,7 +153,7 @@ TEST_CASE("a twin has no signals, assertions or clocks to look at") {
     CAPTURE(machine->name);
     const std::string twin = "run.engine=twin";
     CHECK(message_of(*machine, {twin}).empty());
-    const std::string trigger = std::string("run.wave_trigger=") + machine->triggers().start;
+    const std::string trigger = std::string("run.wave_trigger=") + machine->traces.triggers().start;
     for (const std::string& waves : {std::string("run.wave=fst"), trigger}) {
       CHECK(message_of(*machine, {twin, waves}) ==
             "run.engine: the twin has no signals to trace; waves and triggers need the RTL "

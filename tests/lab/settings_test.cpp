@@ -69,11 +69,11 @@ TEST_CASE("a value is the text that TOML reads as the same value") {
 TEST_CASE("a heading names what is not its scenario's, three of them at most, axes together") {
   std::size_t tried = 0;
   for (const lab::Machine* const machine : lab::machines()) {
-    if (machine->alters == nullptr) continue;
+    if (machine->described.alters == nullptr) continue;
     std::vector<const lab::Key*> of_x;  // reals of both axes that alter it
     for (const lab::Key& key : machine->keys()) {
       if (key.kind == lab::Kind::kReal && key.name.find(".x.") != std::string::npos &&
-          machine->alters(key, 0.5)) {
+          machine->described.alters(key, 0.5)) {
         of_x.push_back(&key);
       }
     }

@@ -76,7 +76,7 @@ void each_machine(Check check) {
 
 TEST_CASE("the command line of waves sets their keys") {
   each_machine([](const Machine& machine, const fs::path&) {
-    const std::string start = machine.triggers().start;
+    const std::string start = machine.traces.triggers().start;
     WaveArguments arguments = fst();
     arguments.window = "-1ms:3ms";
     arguments.trigger = start;
@@ -106,7 +106,7 @@ TEST_CASE("a window reads seconds, milliseconds, microseconds and nanoseconds") 
 
 TEST_CASE("every listed trigger name is accepted, and no other") {
   each_machine([](const Machine& machine, const fs::path&) {
-    const cosim::TriggerForms& forms = machine.triggers();
+    const cosim::TriggerForms& forms = machine.traces.triggers();
     WaveArguments arguments = fst();
     for (const std::string& name : cosim::trigger_names(forms)) {
       CAPTURE(name);
@@ -184,7 +184,7 @@ TEST_CASE("impossible waves are refused before the run") {
 TEST_CASE("a trigger that never fired is one failure, and the run's record is kept") {
   each_machine([](const Machine& machine, const fs::path& base) {
     WaveArguments arguments = fst();
-    arguments.trigger = machine.triggers().start;
+    arguments.trigger = machine.traces.triggers().start;
     CHECK(run_to(base / "a", machine, arguments, ran({}, {})) == 1);
     CHECK(fs::exists(base / "a" / "metrics.json"));
     CHECK_FALSE(fs::exists(base / "a" / "waves.fst"));
@@ -215,7 +215,7 @@ TEST_CASE("a VCD that cannot be made leaves the FST and sets the exit code") {
 TEST_CASE("the record names the waves, their view, their windows and the trigger's time") {
   each_machine([](const Machine& machine, const fs::path& base) {
     WaveArguments arguments = fst();
-    arguments.trigger = machine.triggers().start + std::string(" after 1us");
+    arguments.trigger = machine.traces.triggers().start + std::string(" after 1us");
     CHECK(run_to(base / "a", machine, arguments, ran(50000, {{40000, 140000}})) == 0);
     CHECK(content(base / "a" / "waves.fst") == "waves");
     const auto json = nlohmann::json::parse(content(base / "a" / "metrics.json"));
@@ -239,11 +239,11 @@ TEST_CASE("a run says how large its waves will be when they are long") {
     settings->run.wave = cosim::WaveFormat::kFst;
     CHECK_FALSE(waves_notice(*settings));
     settings->run.wave_end_s = 0.5;
-    CHECK(waves_notice(*settings) ==
-          fmt::format("waves of 500 ms take about {:.2g} MB", 0.5 * machine.fst_bytes_s / 1e6));
+    const double mega = 0.5 * machine.traces.fst_bytes_s / 1e6;
+    CHECK(waves_notice(*settings) == fmt::format("waves of 500 ms take about {:.2g} MB", mega));
     settings->run.wave_every_s = 1;
-    CHECK(waves_notice(*settings) == fmt::format("waves take about {:.2g} MB a second of the run",
-                                                 0.5 * machine.fst_bytes_s / 1e6));
+    CHECK(waves_notice(*settings) ==
+          fmt::format("waves take about {:.2g} MB a second of the run", mega));
   });
 }
 
@@ -260,12 +260,13 @@ TEST_CASE("a VCD is told by its own size, and refused where no program makes it"
       CHECK_THROWS_AS(waves_notice(*settings), host::ToolMissing);
     }
     const test::Variable path("PATH", scratch.path.c_str());
+    const double mega_s = machine->traces.vcd_bytes_s / 1e6;
     CHECK(waves_notice(*settings) ==
-          fmt::format("waves of 500 ms take about {:.2g} MB", 0.5 * machine->vcd_bytes_s / 1e6));
+          fmt::format("waves of 500 ms take about {:.2g} MB", 0.5 * mega_s));
     settings->run.wave_every_s = 2;
-    CHECK(waves_notice(*settings) == fmt::format("waves take about {:.2g} MB a second of the run",
-                                                 0.25 * machine->vcd_bytes_s / 1e6));
-    CHECK(machine->vcd_bytes_s > machine->fst_bytes_s);
+    CHECK(waves_notice(*settings) ==
+          fmt::format("waves take about {:.2g} MB a second of the run", 0.25 * mega_s));
+    CHECK(machine->traces.vcd_bytes_s > machine->traces.fst_bytes_s);
   }
 }
 
@@ -305,7 +306,7 @@ TEST_CASE("windows are told by the first and the last, and listed up to a hundre
                Contains("waves of 1 ms to 2 ms and 2 more windows, the last from 7 ms; to look"));
     result.wave_trigger = 75000;
     for (const auto& [text, told] : {std::pair{"at 1500us", ""},
-                                     {machine->triggers().start,
+                                     {machine->traces.triggers().start,
                                       ", found in an untraced run before this one"}}) {
       settings->run.wave_trigger = text;
       CHECK_THAT(waves_text(*settings, result, "out"),

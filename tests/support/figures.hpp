@@ -38,9 +38,9 @@ inline std::string record_text(const lab::Record& record) {
   const lab::Machine& machine = record.settings->machine();
   std::string all = record.verdict;
   for (const lab::Figure& f : record.figures) all += fmt::format(" {}={}", f.id, f.value);
-  for (const std::string& line : machine.remarks(record)) all += line;
+  for (const std::string& line : machine.texts.remarks(record)) all += line;
   nlohmann::ordered_json json;
-  machine.metrics(record, json);
+  machine.files.metrics(record, json);
   return all + json.dump();
 }
 

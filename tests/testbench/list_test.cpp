@@ -114,7 +114,7 @@ TEST_CASE("signals are those of the machine that is named, or of all") {
     std::size_t of_axis = 0;
     for (std::string line; std::getline(lines, line);) of_axis += line.rfind("x. y.", 0) == 0;
     std::size_t wanted = 0;
-    for (const cosim::Signal& signal : machine->triggers().signals) wanted += signal.of_axis;
+    for (const cosim::Signal& signal : machine->traces.triggers().signals) wanted += signal.of_axis;
     CHECK(of_axis == wanted);
   }
   CHECK(nlohmann::json::parse(listed("signals", "", true)).size() == all);
@@ -131,7 +131,7 @@ TEST_CASE("signals are those of the machine that is named, or of all") {
 TEST_CASE("each example of a trigger that a machine's list of signals has is a trigger of it") {
   const std::regex form(R"((?:at \d+ms)|(rise\|fall\|change [\w.]+)|(?:[\w.]+ (?:>|==) \d+))");
   for (const lab::Machine* const machine : lab::machines()) {
-    const cosim::TriggerForms& forms = machine->triggers();
+    const cosim::TriggerForms& forms = machine->traces.triggers();
     const std::string help = forms.help;
     int examples = 0;
     for (std::sregex_iterator at(help.begin(), help.end(), form), none; at != none; ++at) {
@@ -146,7 +146,7 @@ TEST_CASE("each example of a trigger that a machine's list of signals has is a t
 
 TEST_CASE("a trigger takes the range of its signal that is listed, both ends and nothing beyond") {
   for (const lab::Machine* const machine : lab::machines()) {
-    const cosim::TriggerForms& forms = machine->triggers();
+    const cosim::TriggerForms& forms = machine->traces.triggers();
     const std::string text =
         test::printed([&] { CHECK(testbench::list("signals", machine->name, true) == 0); });
     const auto listed = nlohmann::json::parse(text);

@@ -108,7 +108,7 @@ TEST_CASE("an interrupt behind the run is told, and no check of figures follows 
 
 TEST_CASE("experiments print a document each, under their own names, or their table") {
   const Scratch scratch;
-  const auto& experiments = first().experiments;
+  const auto& experiments = first().experiments.list;
   REQUIRE(experiments.size() > 2);
   Arguments arguments = arguments_for("", scratch.path);
   arguments.all = true;
@@ -142,7 +142,7 @@ TEST_CASE("a page of experiments that cannot be made is told, and makes the exit
     arguments.all = true;
     const auto run = ending(end);
     const Simulate simulate = [&](const lab::Settings& settings, const cosim::Hooks& hooks) {
-      for (const lab::Experiment& one : first().experiments) {  // which were not there before
+      for (const lab::Experiment& one : first().experiments.list) {  // which were not there before
         fs::create_directories(scratch.path / one.page);
       }
       return run(settings, hooks);
@@ -154,9 +154,9 @@ TEST_CASE("a page of experiments that cannot be made is told, and makes the exit
     });
     CHECK(code == (end == EndReason::kDone ? 2 : 4));
     CHECK_THAT(told, Contains("no report: ") && Contains("; the results are kept"));
-    for (const lab::Experiment& one : first().experiments) CHECK_THAT(told, Contains(one.page));
+    for (const auto& one : first().experiments.list) CHECK_THAT(told, Contains(one.page));
     CHECK(printed.find("report: ") == std::string::npos);
-    CHECK(fs::exists(scratch.path / first().experiments.back().name / "report.html"));
+    CHECK(fs::exists(scratch.path / first().experiments.list.back().name / "report.html"));
   }
 }
 
@@ -169,7 +169,7 @@ TEST_CASE("experiments are not put among files that are none of theirs") {
   };
   host::write_text(scratch.path / "index.html", "mine");
   refused("holds no runs of --all");
-  fs::create_directories(scratch.path / first().experiments.front().name);
+  fs::create_directories(scratch.path / first().experiments.list.front().name);
   refused("index.html there is no page of runs");
   arguments.out = (scratch.path / "index.html").string();
   refused("is not a folder");

@@ -307,7 +307,7 @@ TEST_CASE("experiments that are stopped before they ended count as interrupted")
 }
 
 TEST_CASE("the exit code of all experiments is the worst of theirs, whichever it is of") {
-  const std::size_t count = lab::machines().front()->experiments.size();
+  const std::size_t count = lab::machines().front()->experiments.list.size();
   REQUIRE(count > 2);
   for (const std::size_t bad : {std::size_t{0}, count / 2, count - 1, count}) {
     for (const auto& [end, code] : {std::pair{EndReason::kDiverged, 5}, {EndReason::kPromise, 4}}) {
@@ -337,7 +337,7 @@ TEST_CASE("a key that the experiments set is refused with --all, wherever it com
   std::ofstream(scratch.path / "afc.toml") << "controller = 'afc'\n";
   arguments.assignments = {"plant.payload_kg=1"};
   CHECK(test::run(arguments, ending(EndReason::kDone)) == 0);
-  CHECK(entries(scratch.path / "a") == lab::machines().front()->experiments.size());
+  CHECK(entries(scratch.path / "a") == lab::machines().front()->experiments.list.size());
   arguments.files = {(scratch.path / "afc.toml").string()};
   CHECK_THROWS_AS(test::run(arguments, never), host::ConfigError);
 }

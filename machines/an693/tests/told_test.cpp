@@ -283,9 +283,9 @@ TEST_CASE("an693: of steps there and back the odd ones end at the size, the othe
 TEST_CASE("an693: a converter that an LM629 has not is warned of before a run") {
   Options options;
   options.part.dac_bits = 8;
-  CHECK(machine().warnings(options).empty());
+  CHECK(machine().texts.warnings(options).empty());
   options.part.variant = lm628::Variant::kLm629;
-  const Lines lines = machine().warnings(options);
+  const Lines lines = machine().texts.warnings(options);
   REQUIRE(lines.size() == 1);
   CHECK(lines[0].find("chip.dac_bits = 8") != std::string::npos);
 }

@@ -246,12 +246,12 @@ TEST_CASE("gantry: a run that ends before its last send has no step, and misses 
   result = lab::simulate(options);
   CHECK(result.end == cosim::EndReason::kMissed);
   CHECK(result.fault == "the run ended before the last of host.sends (run.reached_mm)");
-  REQUIRE(machine().warnings(options).size() == 1);
-  CHECK(machine().warnings(options)[0] ==
+  REQUIRE(machine().texts.warnings(options).size() == 1);
+  CHECK(machine().texts.warnings(options)[0] ==
         "host.sends: its last entry is at 0.02 s, and the run ends at 0.01 s (run.time_s): it is "
         "not sent");
   options.time_s = 0.03;
-  CHECK(machine().warnings(options).empty());
+  CHECK(machine().texts.warnings(options).empty());
 }
 
 TEST_CASE("gantry: a program that fails ends the run at once where the cart stands, and says why") {

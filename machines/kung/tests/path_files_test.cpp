@@ -110,7 +110,7 @@ TEST_CASE("keys of a path place a program, limit its feed and choose its corners
   CHECK(moves.moves[2].feed == 0.8);
   CHECK(moves.moves[2].exact);
   CHECK_FALSE(moves.moves[3].exact);
-  const std::vector<std::string> warnings = kung::machine().warnings(options);
+  const std::vector<std::string> warnings = kung::machine().texts.warnings(options);
   const auto is_told = [&](const std::string& text) {
     return std::any_of(warnings.begin(), warnings.end(), [&](const std::string& warning) {
       return warning.find(text) != std::string::npos;
@@ -226,5 +226,5 @@ TEST_CASE("the built-in part has what a part has, in 200 x 200 mm around the mid
   }
   CHECK(smallest == Approx(1e-3));
   CHECK(largest == Approx(50e-3));
-  CHECK(kung::machine().warnings(options).empty());
+  CHECK(kung::machine().texts.warnings(options).empty());
 }

@@ -136,7 +136,7 @@ TEST_CASE("metrics of a run hold its processor's clocks, and of a precision run 
     record.settings = options;
     record.result = std::move(result);
     nlohmann::ordered_json json;
-    machine().metrics(record, json);
+    machine().files.metrics(record, json);
     return json;
   };
   const auto fuzzy = metrics(Controller::kAfc, false);

@@ -66,7 +66,7 @@ TEST_CASE("larson: twelve answers are remarks, all up to 2000 are metrics") {
   }
   for (const int calls : {1999, 2000, 2001}) {
     nlohmann::ordered_json json;
-    machine().metrics(record_of(with_calls(calls)), json);
+    machine().files.metrics(record_of(with_calls(calls)), json);
     CHECK(json["calls"].size() == static_cast<std::size_t>(std::min(calls, 2000)));
   }
 }

@@ -100,7 +100,7 @@ TEST_CASE("mcafee: beside a run that compares go its path at 254 and at the leas
   options.least_speed = 33;
   options.run.wave = cosim::WaveFormat::kFst;
   options.wait_s = 0.125;
-  const auto beside = machine().companions(options);
+  const auto beside = machine().compared.companions(options);
   REQUIRE(beside.size() == 2);
   for (const std::size_t k : {std::size_t{0}, std::size_t{1}}) {
     const auto& other = static_cast<const Options&>(*beside[k].settings);
@@ -110,17 +110,17 @@ TEST_CASE("mcafee: beside a run that compares go its path at 254 and at the leas
     CHECK(other.run.wave == cosim::WaveFormat::kNone);
     CHECK(other.wait_s == 0.125);
   }
-  CHECK(machine().run_name(options) == "self-paced");
+  CHECK(machine().compared.run_name(options) == "self-paced");
   options.speed = 77;
-  CHECK(machine().run_name(options) == "v = 77");
+  CHECK(machine().compared.run_name(options) == "v = 77");
   options.compare = false;
-  CHECK(machine().companions(options).empty());
+  CHECK(machine().compared.companions(options).empty());
   options.compare = true;
   for (const auto stage : {Stage::kRead, Stage::kMove}) {
     options.stage = stage;
-    CHECK(machine().companions(options).empty());
-    CHECK(machine().run_name(options) == "motion");
-    CHECK(machine().warnings(options).empty());
+    CHECK(machine().compared.companions(options).empty());
+    CHECK(machine().compared.run_name(options) == "motion");
+    CHECK(machine().texts.warnings(options).empty());
   }
 }
 
@@ -142,8 +142,8 @@ TEST_CASE("mcafee: metrics and pictures begin where the path does, of other stag
     CAPTURE(static_cast<int>(stage));
     CHECK(json["run"]["first_sample"] == (stage == Stage::kTrack ? 3 : 0));
     CHECK(json["events"].empty());
-    CHECK(machine().drawn(record).first == (stage == Stage::kTrack ? 3u : 2u));
-    CHECK(machine().drawn(record).last == 6);
+    CHECK(machine().files.drawn(record).first == (stage == Stage::kTrack ? 3u : 2u));
+    CHECK(machine().files.drawn(record).last == 6);
     CHECK(tracking_json(record).is_null() == (stage == Stage::kMove));
   }
 }

@@ -1,23 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "machines/@name@/machine.hpp"
 
-#include <fmt/format.h>
-
 #include "machines/@name@/session.hpp"
 
 namespace trammel::@name@ {
 namespace {
-
-std::string verdict(const lab::Settings& settings, const cosim::RunResult& result) {
-  switch (result.end) {
-    case cosim::EndReason::kFault: return "tripped: " + result.fault_text();
-    case cosim::EndReason::kTimeout:
-      return fmt::format("not finished within run.max_s = {:g}", settings.run.max_s);
-    case cosim::EndReason::kPromise:
-      return "assertion failed: " + lab::promise_text(*result.promise);
-    default: return lab::end_text(result.end);
-  }
-}
 
 const cosim::TriggerForms& triggers() {
   static const cosim::TriggerForms forms{
@@ -41,10 +28,9 @@ lab::Machine describe() {
   m.can.twin = false;
   m.of_types<Options, Session>();
   m.keys = keys;
-  m.triggers = triggers;
+  m.traces.triggers = triggers;
   m.columns = columns;
   m.figures = figures;
-  m.verdict = verdict;
   return m;
 }
 
