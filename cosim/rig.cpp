@@ -8,8 +8,6 @@ ProcessorTiming Rig::timing() const {
 }
 
 void Rig::wire(MachineChip& chip, FalliblePlant& plant, FaultPins pins, const char* unit) {
-  chip_ = &chip;
-  plant_ = &plant;
   if (fault_.any()) {
     pins.registers = run_.engine == Engine::kRtl;
     failing_.emplace(plant, pins, fault_, clock_ps_);
@@ -19,6 +17,12 @@ void Rig::wire(MachineChip& chip, FalliblePlant& plant, FaultPins pins, const ch
       failing_->flip = [this] { chip_->flip(fault_.bit, true); };
     }
   }
+  wire(chip, static_cast<Plant&>(plant));
+}
+
+void Rig::wire(MachineChip& chip, Plant& plant) {
+  chip_ = &chip;
+  plant_ = &plant;
   loop_.emplace(chip, seen(), static_cast<Observer&>(*this), run_.window());
 }
 

@@ -30,13 +30,14 @@ class Rig : protected Observer {
   // Once, when both are there, which outlive the run. `pins`: of the chip, for faults; their
   // `registers` are those of RTL. `unit`: of the axes in truth().
   void wire(MachineChip& chip, FalliblePlant& plant, FaultPins pins, const char* unit = "mm");
+  void wire(MachineChip& chip, Plant& plant);  // of a machine without faults
   void watch_trips(const char* unit = "mm");  // of a run without a fault, too
   void watch_fault(const Stop& stop);         // after an event
 
   // What the machine knows of a fault.
-  virtual bool drives_off() const = 0;
-  virtual std::string noticed() const = 0;  // by what; "": by nothing
-  virtual FaultTruth truth(Clk edge) const = 0;
+  virtual bool drives_off() const { return false; }
+  virtual std::string noticed() const { return {}; }  // by what; "": by nothing
+  virtual FaultTruth truth(Clk) const { return {}; }
 
   MachineChip& wired() const { return *chip_; }
   Plant& seen();  // by the chip: the plant, with the fault
@@ -50,7 +51,7 @@ class Rig : protected Observer {
   ProcessorOptions processor_;
   std::int64_t clock_ps_;
   MachineChip* chip_ = nullptr;
-  FalliblePlant* plant_ = nullptr;
+  Plant* plant_ = nullptr;
   std::optional<FaultPlant> failing_;  // around the plant
   std::optional<FaultWatch> fault_watch_;
   std::optional<Loop> loop_;

@@ -36,6 +36,12 @@ std::optional<EndReason> SampledSession::ended(Clk edge) {
   return ending(edge);
 }
 
+std::optional<EndReason> SampledSession::ending(Clk) {
+  const sw::Mailbox& mailbox = firmware().mailbox();
+  if (mailbox.done == 0) return {};
+  return mailbox.failure == 0 ? EndReason::kDone : EndReason::kFault;
+}
+
 void SampledSession::complete(RunResult& result) const {
   result.event_hash = hash_.value();
   Rig::complete(result);

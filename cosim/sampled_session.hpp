@@ -47,7 +47,8 @@ class SampledSession : public SessionOf<Rig>, public SignalReader {
   virtual bool in_record(Clk) const { return true; }      // whether this sample is recorded
   virtual void sampled(Clk edge, bool recorded) = 0;
   virtual double progress() const = 0;                    // 1: the program has ended
-  virtual std::optional<EndReason> ending(Clk edge) = 0;  // after a sample of the record
+  // After a sample of the record; of most machines when the program has ended.
+  virtual std::optional<EndReason> ending(Clk edge);
 
   void complete(RunResult& result) const;  // all that the machine does not know itself
 

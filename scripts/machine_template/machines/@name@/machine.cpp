@@ -6,6 +6,15 @@
 namespace trammel::@name@ {
 namespace {
 
+// Words of the chip, by their numbers.
+const std::vector<cosim::Signal>& signals() {
+  static const std::vector<cosim::Signal> all{
+      {{"enable", "", "pin of the chip", 1, false}, false},
+      {{"duty", "clk", "of a period, the sign is the direction", 13, true}, false},
+      {{"count", "count", "encoder counter", 16, true}, false}};
+  return all;
+}
+
 const cosim::TriggerForms& triggers() {
   static const cosim::TriggerForms forms{
       signals(),

@@ -12,6 +12,5 @@ namespace trammel::@name@ {
 const std::vector<lab::Key>& keys();   // keys.cpp
 const lab::ColumnTable& columns();     // figures.cpp, as what follows
 std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult& result);
-const std::vector<cosim::Signal>& signals();  // session.cpp
 
 }  // namespace trammel::@name@

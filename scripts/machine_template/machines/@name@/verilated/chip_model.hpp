@@ -9,6 +9,7 @@
 #include "cosim/verilated/pin_chip.hpp"
 #include "machines/@name@/chip.hpp"
 #include "machines/@name@/lines.hpp"
+#include "models/pins/port.hpp"
 #include "sw_nios/apps/@name@/@name@.hpp"
 
 namespace trammel::@name@ {
@@ -33,8 +34,8 @@ struct Pins {
 
   template <class Model>
   static void sense(Model& m, cosim::Lines lines) {
-    m.enc_a = lines >> kEncoderA & 1;
-    m.enc_b = lines >> kEncoderB & 1;
+    m.enc_a = level(lines, kEncoderA);
+    m.enc_b = level(lines, kEncoderB);
   }
 
   template <class Model>
