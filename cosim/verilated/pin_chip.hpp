@@ -16,7 +16,6 @@
 
 #include "cosim/pin_board.hpp"
 #include "cosim/verilated/hosted_chip.hpp"
-#include "sw_nios/hal/pin_map.hpp"
 
 namespace trammel::cosim {
 
@@ -28,7 +27,7 @@ class PinChip : public HostedChip<PinnedChip, PinBoard, Model, Tracer> {
 
  public:
   PinChip(Tracer tracer, ModelMode mode) : Hosted(std::move(tracer), mode) {
-    state_.sample_clk = Pins::kSampleClk;
+    state_.ticks[0] = Pins::kSampleClk;
     for (std::uint32_t n = 0; n < Pins::kInputs; ++n) Pins::write(*model_, n, 0);
     sense(0);
     this->reset();
@@ -43,26 +42,22 @@ class PinChip : public HostedChip<PinnedChip, PinBoard, Model, Tracer> {
     state_.dirty = true;
   }
 
-  void request(const BusOp& op) override {
-    state_.op = op;
-    state_.active = true;
-  }
+  void request(const BusOp& op) override { state_.pins_active = !state_.request(op); }
 
  private:
-  bool bus_active() const override { return state_.active; }
+  bool bus_active() const override { return state_.pins_active || state_.platform_active; }
   bool publishes() const override { return state_.samples(state_.now); }
   bool host_pin() const override { return false; }
 
   // The transfer ends at its first edge; what it wrote is at the pins from the next one on.
   bool bus_edge(Clk edge) override {
-    namespace map = sw::pin_map;
     const BusOp& op = state_.op;
-    state_.active = false;
-    if (op.addr == map::kTimer) {
-      if (op.write) state_.timer.write(edge, op.data);
-    } else if (op.addr == map::kIrq) {
-      state_.rdata = state_.timer.irq() ? map::kIrqTimer : 0;
-    } else if (op.write) {
+    if (state_.platform_active) {
+      state_.platform_edge(edge, false);
+      return true;
+    }
+    state_.pins_active = false;
+    if (op.write) {
       Pins::write(*model_, op.addr / 4, op.data);
       state_.dirty = true;
     } else {
@@ -71,12 +66,7 @@ class PinChip : public HostedChip<PinnedChip, PinBoard, Model, Tracer> {
     return true;
   }
 
-  bool drive_changed() override {
-    const Lines lines = Pins::drive(*model_);
-    if (lines == state_.lines) return false;
-    state_.lines = lines;
-    return true;
-  }
+  bool drive_changed() override { return state_.changed(Pins::drive(*model_)); }
 };
 
 }  // namespace trammel::cosim

@@ -8,7 +8,7 @@
 
 #include "cosim/core.hpp"
 #include "cosim/machine_chip.hpp"
-#include "cosim/pin_board.hpp"
+#include "cosim/processor_bus.hpp"
 #include "cosim/verilated/in_step.hpp"
 #include "tests/support/no_plant.hpp"
 
@@ -212,8 +212,8 @@ TEST_CASE("a stop that comes at another clock is reported with both clocks and r
 }
 
 TEST_CASE("the sample tick is the last edge of each period, and the edge before a leap's end") {
-  PinBoard board;
-  board.sample_clk = 100;
+  ProcessorBus board;
+  board.ticks[0] = 100;
   for (Clk edge = 0; edge < 300; ++edge) {
     CHECK(board.samples(edge) == (edge % 100 == 99));
     const Clk waiting = board.waiting(edge);
@@ -225,8 +225,8 @@ TEST_CASE("the sample tick is the last edge of each period, and the edge before 
 }
 
 TEST_CASE("a timer beside the chip ends the wait") {
-  PinBoard board;
-  board.sample_clk = 1000;
+  ProcessorBus board;
+  board.ticks[0] = 1000;
   board.timer.write(10, 20);
   CHECK(board.waiting(11) == 19);
   CHECK(board.waiting(30) == 1);

@@ -29,7 +29,7 @@ struct Bench {
 
   explicit Bench(const @Name@Setup& setup) : app(setup) {
     app.start(words);
-    words.at[pin_map::kIrq] = pin_map::kIrqTimer;
+    words.at[platform_map::kIrq] = platform_map::kIrqTimer;
   }
 
   // An interrupt after the shaft went so far.
@@ -46,7 +46,7 @@ struct Bench {
 TEST_CASE("@name@: the duty word is proportional to the error and has its sign") {
   Bench bench({10, 256, 0, 500, 50'000});
   CHECK(bench.words.enabled());
-  CHECK(bench.words.at[pin_map::kTimer] == 50'000);
+  CHECK(bench.words.at[platform_map::kTimer] == 50'000);
   bench.after(4);
   CHECK(bench.words.duty() == 6);
   bench.after(17);

@@ -19,12 +19,12 @@ std::int32_t clamp(std::int32_t value, std::int32_t limit) {
 void @Name@App::start(Bus& bus) {
   count_ = bus.read(pin_map::word(words::kCount));
   bus.write(pin_map::word(words::kEnable), 1);
-  bus.write(pin_map::kTimer, setup_.timer_clk);
+  bus.write(platform_map::kTimer, setup_.timer_clk);
 }
 
 void @Name@App::isr(Bus& bus) {
-  if ((bus.read(pin_map::kIrq) & pin_map::kIrqTimer) == 0 || mail_.done != 0) return;
-  bus.write(pin_map::kTimer, setup_.timer_clk);
+  if ((bus.read(platform_map::kIrq) & platform_map::kIrqTimer) == 0 || mail_.done != 0) return;
+  bus.write(platform_map::kTimer, setup_.timer_clk);
   const std::uint32_t count = bus.read(pin_map::word(words::kCount));
   const auto speed = static_cast<std::int16_t>(static_cast<std::uint16_t>(count - count_));
   count_ = count;
@@ -53,7 +53,7 @@ std::int32_t @Name@App::control(std::int32_t speed) {
 
 void @Name@App::end(Bus& bus, @Name@Failure failure) {
   bus.write(pin_map::word(words::kEnable), 0);
-  bus.write(pin_map::kTimer, 0);
+  bus.write(platform_map::kTimer, 0);
   mail_.failure = static_cast<std::uint32_t>(failure);
   mail_.done = 1;
 }
