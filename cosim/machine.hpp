@@ -22,7 +22,15 @@ namespace trammel::cosim {
 enum class Platform { kSystemC, kDirect };
 enum class Engine { kRtl, kTwin };  // the verilated chip, or its bit-exact twin
 
+inline double seconds_of(Clk clocks, std::int64_t clock_ps) {
+  return static_cast<double>(clocks) * static_cast<double>(clock_ps) * 1e-12;
+}
+inline Clk clocks_of(double seconds, std::int64_t clock_ps) {
+  return std::llround(seconds * 1e12 / static_cast<double>(clock_ps));
+}
+
 struct RunBasics {
+  std::int64_t clock_ps = 20'000;  // of the chip's fabric: 50 MHz, where a machine sets no other
   Platform platform = Platform::kSystemC;
   std::int64_t window_clk = 0;  // longest look-ahead of the loop; 0 = unbounded, 1 = lock step
   bool leap = true;             // waiting clocks are not evaluated; the events stay the same
@@ -41,16 +49,13 @@ struct RunBasics {
   std::string wave_file;        // set by the program: where the waves go
 
   Clk window() const { return window_clk == 0 ? kNever : window_clk; }  // as the loop takes it
+  Clk clocks(double seconds) const { return clocks_of(seconds, clock_ps); }
+  template <class Plant>
+  Plant clocked(Plant settings) const {  // of a plant, with the chip's clock
+    settings.clock_ps = clock_ps;
+    return settings;
+  }
 };
-
-inline constexpr std::int64_t kClockPs = 20'000;  // 50 MHz, of every chip's fabric
-
-inline double seconds_of(Clk clocks, std::int64_t clock_ps) {
-  return static_cast<double>(clocks) * static_cast<double>(clock_ps) * 1e-12;
-}
-inline Clk clocks_of(double seconds, std::int64_t clock_ps) {
-  return std::llround(seconds * 1e12 / static_cast<double>(clock_ps));
-}
 
 struct ProcessorOptions {
   int access_clk = 8;               // clocks one bus access costs besides its handshake
@@ -75,6 +80,10 @@ struct RunResult {
   virtual std::size_t sample_count() const { return 0; }
   virtual std::string fault_text() const { return {}; }  // what stopped it, for people
 
+  // From the start of the run to an edge.
+  double seconds(Clk edge) const { return seconds_of(edge, clock_ps); }
+
+  std::int64_t clock_ps = RunBasics().clock_ps;
   EndReason end = EndReason::kTimeout;
   std::optional<BrokenPromise> promise;  // kPromise: the first one
   Clk clocks = 0;

@@ -4,13 +4,13 @@
 namespace trammel::cosim {
 
 ProcessorTiming Rig::timing() const {
-  return {processor_.access_clk, processor_.interrupt_latency_clk, {fault_, clock_ps_}};
+  return {processor_.access_clk, processor_.interrupt_latency_clk, {fault_, run_.clock_ps}};
 }
 
 void Rig::wire(MachineChip& chip, FalliblePlant& plant, FaultPins pins, const char* unit) {
   if (fault_.any()) {
     pins.registers = run_.engine == Engine::kRtl;
-    failing_.emplace(plant, pins, fault_, clock_ps_);
+    failing_.emplace(plant, pins, fault_, run_.clock_ps);
     watch_trips(unit);
     if (fault_.kind == FaultKind::kRegisterFlip) {
       require_bit(chip, fault_.bit);
@@ -29,7 +29,7 @@ void Rig::wire(MachineChip& chip, Plant& plant) {
 Plant& Rig::seen() { return failing_ ? static_cast<Plant&>(*failing_) : *plant_; }
 
 void Rig::watch_trips(const char* unit) {
-  if (!fault_watch_) fault_watch_.emplace(fault_, clock_ps_, unit);
+  if (!fault_watch_) fault_watch_.emplace(fault_, run_.clock_ps, unit);
 }
 
 void Rig::watch_fault(const Stop& stop) {
@@ -40,6 +40,7 @@ void Rig::watch_fault(const Stop& stop) {
 
 void Rig::complete(RunResult& result) const {
   if (fault_watch_) result.fault_report = fault_watch_->report();
+  result.clock_ps = run_.clock_ps;
   close_result(result, *chip_, waves_.window, started_);
 }
 

@@ -19,13 +19,13 @@ class Rig : protected Observer {
  public:
   Loop& loop() { return *loop_; }
   ProcessorTiming timing() const;
-  std::int64_t period_ps() const { return clock_ps_; }
-  Clk end() const { return clocks_of(run_.max_s, clock_ps_); }  // the run ends there at the latest
+  std::int64_t period_ps() const { return run_.clock_ps; }
+  Clk end() const { return run_.clocks(run_.max_s); }  // the run ends there at the latest
 
  protected:
   Rig(const RunBasics& run, const Fault& fault, const ProcessorOptions& processor,
-      std::int64_t clock_ps, const Waves& waves)
-      : waves_(waves), run_(run), fault_(fault), processor_(processor), clock_ps_(clock_ps) {}
+      const Waves& waves)
+      : waves_(waves), run_(run), fault_(fault), processor_(processor) {}
 
   // Once, when both are there, which outlive the run. `pins`: of the chip, for faults; their
   // `registers` are those of RTL. `unit`: of the axes in truth().
@@ -49,7 +49,6 @@ class Rig : protected Observer {
   RunBasics run_;
   Fault fault_;
   ProcessorOptions processor_;
-  std::int64_t clock_ps_;
   MachineChip* chip_ = nullptr;
   Plant* plant_ = nullptr;
   std::optional<FaultPlant> failing_;  // around the plant

@@ -58,7 +58,7 @@ void name_signal(Trigger& trigger, const std::string& name, const std::vector<Si
   trigger.axis = name[0] == 'y' && of_axis ? 1 : 0;
 }
 
-Trigger parse_trigger(const std::string& text, const TriggerForms& forms) {
+Trigger parse_trigger(const std::string& text, const TriggerForms& forms, std::int64_t clock_ps) {
   static const std::regex form(
       R"(\s*(?:at\s+(\S+)|(rise|fall|change)\s+([\w.]+)|([\w.]+)\s*([=!<>]=|[<>])\s*)"
       R"((-?(?:0x[0-9a-fA-F]+|[0-9]+))|([\w.]+))(?:\s+after\s+(\S+))?\s*)");
@@ -67,10 +67,10 @@ Trigger parse_trigger(const std::string& text, const TriggerForms& forms) {
     throw std::invalid_argument(fmt::format("\"{}\" is none of: {}", text, forms.help));
   }
   Trigger trigger;
-  if (part[8].matched) trigger.edge = parse_edge(part[8]);
+  if (part[8].matched) trigger.edge = parse_edge(part[8], clock_ps);
   if (part[1].matched) {
     if (part[8].matched) throw std::invalid_argument("`at` and `after` exclude each other");
-    trigger.edge = parse_edge(part[1]);
+    trigger.edge = parse_edge(part[1], clock_ps);
   } else if (part[2].matched) {
     name_signal(trigger, part[3], forms.signals);
     trigger.when = part[2] == "rise"   ? When::kRises

@@ -88,7 +88,7 @@ struct TriggerForms {
 };
 
 // Throws UnknownName, or std::invalid_argument that says what is wrong and what is allowed.
-Trigger parse_trigger(const std::string& text, const TriggerForms& forms);
+Trigger parse_trigger(const std::string& text, const TriggerForms& forms, std::int64_t clock_ps);
 
 // "x.e" is signal e of axis 0. Throws UnknownName.
 void name_signal(Trigger& trigger, const std::string& name, const std::vector<Signal>& signals);

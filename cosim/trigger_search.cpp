@@ -49,7 +49,7 @@ void TriggerSearch::on(const Stop& stop, const MachineChip& chip, const SignalRe
 std::optional<Trigger> wave_event(const RunBasics& run, const TriggerForms& forms) {
   const auto text = wave_trigger_text(run, forms.start);
   if (!text) return {};
-  return parse_trigger(*text, forms);
+  return parse_trigger(*text, forms, run.clock_ps);
 }
 
 }  // namespace trammel::cosim

@@ -28,13 +28,13 @@ std::optional<double> parse_time(const std::string& text) {
   return {};
 }
 
-Clk parse_edge(const std::string& text) {
+Clk parse_edge(const std::string& text, std::int64_t clock_ps) {
   const auto seconds = parse_time(text);
   if (!seconds || !(*seconds >= 0 && *seconds <= kLongestS)) {
     throw std::invalid_argument(fmt::format(
         "value {} is not a time 0..{:g} s with s, ms, us or ns behind it", text, kLongestS));
   }
-  return edge_at(*seconds);
+  return clocks_of(*seconds, clock_ps);
 }
 
 std::optional<std::string> wave_trigger_text(const RunBasics& run, const char* start) {
@@ -46,7 +46,7 @@ std::optional<std::string> wave_trigger_text(const RunBasics& run, const char* s
 
 // The default window then begins with the run.
 Clk wave_origin(const RunBasics& run) {
-  return default_window(run) && run.wave_every_s == 0 ? edge_at(run.wave_pre_s) : 0;
+  return default_window(run) && run.wave_every_s == 0 ? run.clocks(run.wave_pre_s) : 0;
 }
 
 WaveWindow wave_window(const RunBasics& run, Clk origin) {
@@ -57,8 +57,8 @@ WaveWindow wave_window(const RunBasics& run, Clk origin) {
     begin_s = every ? 0 : -run.wave_pre_s;
     end_s = every ? kEveryWindowS : kAfterTriggerS;
   }
-  WaveWindow window{origin + edge_at(begin_s), origin + edge_at(end_s), kNever};
-  if (run.wave_every_s > 0) window.period = edge_at(run.wave_every_s);
+  WaveWindow window{origin + run.clocks(begin_s), origin + run.clocks(end_s), kNever};
+  if (run.wave_every_s > 0) window.period = run.clocks(run.wave_every_s);
   while (window.end <= 0 && window.period != kNever) window.next();
   return window;
 }

@@ -14,14 +14,11 @@ namespace trammel::cosim {
 inline constexpr double kAfterTriggerS = 0.0018;  // of the default window; run.wave_pre_s before it
 inline constexpr double kEveryWindowS = 0.0002;   // default window of run.wave_every_s
 
-// Clock edge at a time [s].
-inline Clk edge_at(double seconds) { return clocks_of(seconds, kClockPs); }
-
 // Seconds of "10ms"; s, ms, us or ns behind the number, none means s.
 std::optional<double> parse_time(const std::string& text);
 
 // Edge of such a time of a run; throws std::invalid_argument that says what is allowed.
-Clk parse_edge(const std::string& text);
+Clk parse_edge(const std::string& text, std::int64_t clock_ps);
 
 // Whether the user named the event that the window is anchored to: then its absence is an error.
 inline bool trigger_asked(const RunBasics& run) { return !run.wave_trigger.empty(); }

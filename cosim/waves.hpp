@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <vector>
 
 #include "cosim/cosim.hpp"
@@ -39,6 +40,16 @@ inline std::vector<WaveSpan> wave_spans(WaveWindow window, Clk clocks) {
     if (cut.begin < cut.end) spans.push_back(cut);
   }
   return spans;
+}
+
+// Of times in a wave file: ns where half a period has no fraction of one, else ps.
+struct WaveScale {
+  const char* unit;
+  std::int64_t period;  // [unit] of the clock
+};
+inline WaveScale wave_scale(std::int64_t clock_ps) {
+  if (clock_ps % 2000 == 0) return {"ns", clock_ps / 1000};
+  return {"ps", clock_ps};
 }
 
 // The system's number of the first error in writing waves since this was asked last, or 0.

@@ -77,7 +77,8 @@ std::string verdict_text(const Settings& settings, const cosim::RunResult& resul
       return fmt::format("not finished within run.max_s = {:g}{}{}", settings.run.max_s,
                          fault.empty() ? "" : ": ", fault);
     case cosim::EndReason::kPromise:
-      return fmt::format("{}: {}", end_text(result.end), promise_text(*result.promise));
+      return fmt::format("{}: {}", end_text(result.end),
+                         promise_text(*result.promise, result.clock_ps));
     default: return end_text(result.end);
   }
 }
@@ -91,16 +92,14 @@ int exit_code(cosim::EndReason end) {
   }
 }
 
-double seconds_of(cosim::Clk edge) { return cosim::seconds_of(edge, cosim::kClockPs); }
-
-std::string promise_text(const cosim::BrokenPromise& promise) {
+std::string promise_text(const cosim::BrokenPromise& promise, std::int64_t clock_ps) {
   return fmt::format("{} of {} at {:.8f} s, clock {} ({})", promise.name,
                      promise.instance.empty() ? "the chip" : promise.instance,
-                     seconds_of(promise.edge), promise.edge, promise.place);
+                     cosim::seconds_of(promise.edge, clock_ps), promise.edge, promise.place);
 }
 
 std::string cause_text(const cosim::RunResult& result) {
-  if (result.promise) return ": " + promise_text(*result.promise);
+  if (result.promise) return ": " + promise_text(*result.promise, result.clock_ps);
   const std::string fault = result.fault_text();
   if (fault.empty()) return "";
   const bool told = result.end == cosim::EndReason::kMissed ||

@@ -84,8 +84,7 @@ std::string verdict_text(const Settings& settings, const cosim::RunResult& resul
 int exit_code(cosim::EndReason end);
 
 // One line: promise, instance, time and place.
-std::string promise_text(const cosim::BrokenPromise& promise);
-double seconds_of(cosim::Clk edge);  // from the start of a run
+std::string promise_text(const cosim::BrokenPromise& promise, std::int64_t clock_ps);
 
 // Cause of an end that is an error: ": PROMISE", " by FAULT", or nothing.
 std::string cause_text(const cosim::RunResult& result);

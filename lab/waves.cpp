@@ -52,7 +52,7 @@ const char* file_name(const cosim::RunBasics& run) {
 void check_trigger(const Settings& settings, const std::string& text, const std::string& where) {
   const cosim::TriggerForms& forms = settings.machine().traces.triggers();
   try {
-    cosim::parse_trigger(text, forms);
+    cosim::parse_trigger(text, forms, settings.run.clock_ps);
   } catch (const cosim::UnknownName& error) {
     throw host::ConfigError(fmt::format("{}: {}{}", where, error.what(),
                                         hint(error.name, cosim::trigger_names(forms),
@@ -133,13 +133,13 @@ void check_waves(const Settings& settings) {
                     run.wave_begin_s, run.max_s));
   }
   const double length = own ? run.wave_end_s - run.wave_begin_s : cosim::kEveryWindowS;
-  const cosim::Clk clocks = own ? cosim::edge_at(run.wave_end_s) - cosim::edge_at(run.wave_begin_s)
-                                : cosim::edge_at(length);
+  const cosim::Clk clocks = own ? run.clocks(run.wave_end_s) - run.clocks(run.wave_begin_s)
+                                : run.clocks(length);
   if (clocks < 1) {
-    refuse(fmt::format("run.wave_end_s: a window of {:g} s holds no clock, they are 20 ns apart",
-                       length));
+    refuse(fmt::format("run.wave_end_s: a window of {:g} s holds no clock, they are {:g} ns apart",
+                       length, 1e-3 * static_cast<double>(run.clock_ps)));
   }
-  if (run.wave_every_s != 0 && cosim::edge_at(run.wave_every_s) < clocks) {
+  if (run.wave_every_s != 0 && run.clocks(run.wave_every_s) < clocks) {
     refuse(fmt::format("run.wave_every_s: value {:g} is shorter than its window of {:g} s",
                        run.wave_every_s, length));
   }
@@ -154,7 +154,7 @@ std::optional<std::string> waves_notice(const Settings& settings) {
   }
   const Machine& machine = settings.machine();
   const cosim::WaveWindow window = cosim::wave_window(run, 0);
-  const double length = seconds_of(window.end - window.begin);
+  const double length = cosim::seconds_of(window.end - window.begin, run.clock_ps);
   const Tracing& traces = machine.traces;
   const double mega = length * (vcd ? traces.vcd_bytes_s : traces.fst_bytes_s) / 1e6;
   if (run.wave_every_s > 0) {
@@ -187,24 +187,24 @@ bool fst_to_vcd(const fs::path& fst, const fs::path& vcd) {
 std::string placed_view(const std::string& text, const fs::path& waves,
                         const RunResult& result) {
   const cosim::WaveSpan first = result.waves.front();
-  constexpr auto kNsPerClock = cosim::kClockPs / 1000;
+  const std::int64_t period = cosim::wave_scale(result.clock_ps).period;
   constexpr double kFrames = 1045.0 / 200;  // width of the view's waves; GTKWave counts 200 pixels
   std::string markers;
   for (std::size_t i = 0; i < kMarkers; ++i) {
     const bool used = result.waves.size() > 1 && i < result.waves.size();
-    markers += fmt::format(" {}", used ? result.waves[i].begin * kNsPerClock : -1);
+    markers += fmt::format(" {}", used ? result.waves[i].begin * period : -1);
   }
   const double zoom =
-      -std::log2(static_cast<double>(first.end - first.begin) * kNsPerClock / kFrames);
+      -std::log2(static_cast<double>((first.end - first.begin) * period) / kFrames);
   // One line a path: of a folder that no line can name, the view names the file alone.
   const std::string whole = waves.string();
   const bool can_name = host::printable(whole) == whole && whole.find('"') == std::string::npos;
   const fs::path named = can_name ? waves : waves.filename();
   std::string placed =
       fmt::format("[dumpfile] \"{0}\"\n[savefile] \"{1}\"\n[timestart] {2}\n", named.string(),
-                  fs::path(named).replace_extension("gtkw").string(), first.begin * kNsPerClock);
+                  fs::path(named).replace_extension("gtkw").string(), first.begin * period);
   placed += fmt::format("*{:.6f} {}{}\n", zoom,
-                        result.wave_trigger ? *result.wave_trigger * kNsPerClock : -1, markers);
+                        result.wave_trigger ? *result.wave_trigger * period : -1, markers);
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
     const bool replaced = line.rfind("[dumpfile]", 0) == 0 || line.rfind("[savefile]", 0) == 0 ||
@@ -215,12 +215,13 @@ std::string placed_view(const std::string& text, const fs::path& waves,
 }
 
 std::string placed_commands(const std::string& text, const RunResult& result) {
-  constexpr auto kNsPerClock = cosim::kClockPs / 1000;
+  const cosim::WaveScale scale = cosim::wave_scale(result.clock_ps);
+  const auto time = [&scale](cosim::Clk edge) {
+    return fmt::format("{}{}", edge * scale.period, scale.unit);
+  };
   const cosim::WaveSpan first = result.waves.front();
-  std::string placed = text + fmt::format("zoom_to {}ns {}ns\n", first.begin * kNsPerClock,
-                                          first.end * kNsPerClock);
-  if (result.wave_trigger) placed += fmt::format("cursor_set {}ns\n",
-                                                 *result.wave_trigger * kNsPerClock);
+  std::string placed = text + fmt::format("zoom_to {} {}\n", time(first.begin), time(first.end));
+  if (result.wave_trigger) placed += fmt::format("cursor_set {}\n", time(*result.wave_trigger));
   return placed;
 }
 
@@ -235,7 +236,7 @@ bool finish_waves(const Settings& settings, const RunResult& result, const fs::p
   if (const int error = cosim::take_wave_error(); error != 0) {
     throw std::system_error(error, std::generic_category(), fst.string() + ": cannot be written");
   }
-  const double ran_s = seconds_of(result.clocks);
+  const double ran_s = result.seconds(result.clocks);
   if (result.waves.empty()) {
     std::error_code ignored;
     fs::remove(fst, ignored);
@@ -278,15 +279,15 @@ std::string waves_text(const Settings& settings, const RunResult& result,
   if (result.wave_trigger) {
     const bool known = trigger_text(settings).find("at ") == 0;
     text += fmt::format("  trigger `{}` at {} (clock {}){}\n", trigger_text(settings),
-                        host::time_text(seconds_of(*result.wave_trigger)), *result.wave_trigger,
+                        host::time_text(result.seconds(*result.wave_trigger)), *result.wave_trigger,
                         known ? "" : ", found in an untraced run before this one");
   }
   const cosim::WaveSpan first = result.waves.front();
-  text += fmt::format("  waves of {} to {}", host::time_text(seconds_of(first.begin)),
-                      host::time_text(seconds_of(first.end)));
+  text += fmt::format("  waves of {} to {}", host::time_text(result.seconds(first.begin)),
+                      host::time_text(result.seconds(first.end)));
   if (result.waves.size() > 1) {
     text += fmt::format(" and {} more windows, the last from {}", result.waves.size() - 1,
-                        host::time_text(seconds_of(result.waves.back().begin)));
+                        host::time_text(result.seconds(result.waves.back().begin)));
   }
   return text + fmt::format("; to look at them: gtkwave {}/waves.gtkw\n", folder);
 }
@@ -295,12 +296,12 @@ nlohmann::ordered_json waves_json(const Settings& settings, const RunResult& res
   nlohmann::ordered_json json{{"file", file_name(settings.run)}};
   if (result.wave_trigger) {
     json["trigger"] = trigger_text(settings);
-    json["trigger_s"] = seconds_of(*result.wave_trigger);
+    json["trigger_s"] = result.seconds(*result.wave_trigger);
   }
   json["windows"] = result.waves.size();
   for (std::size_t i = 0; i < std::min(result.waves.size(), kListed); ++i) {
     const cosim::WaveSpan& span = result.waves[i];
-    json["windows_s"].push_back({seconds_of(span.begin), seconds_of(span.end)});
+    json["windows_s"].push_back({result.seconds(span.begin), result.seconds(span.end)});
   }
   return json;
 }

@@ -39,10 +39,10 @@ Json activity_json(const cosim::RunResult& result) {
 }
 
 Json simulation_json(const cosim::RunResult& result) {
-  const double simulated = seconds_of(result.clocks);
+  const double simulated = result.seconds(result.clocks);
   const double wall = result.wall_s;
   return {{"samples", result.sample_count()},
-          {"clock_ps", cosim::kClockPs},
+          {"clock_ps", result.clock_ps},
           {"clocks", result.clocks},
           {"clocks_evaluated", result.evaluated},
           {"activity", activity_json(result)},
@@ -61,12 +61,13 @@ std::string fault_kind(const Settings& settings) {
   return "";
 }
 
-Json fault_json(const Settings& settings, const cosim::FaultReport& report) {
+Json fault_json(const Settings& settings, const cosim::RunResult& result) {
+  const cosim::FaultReport& report = result.fault_report;
   const auto after = [&](cosim::Clk edge) -> Json {
-    return edge == cosim::kNever ? Json() : Json(seconds_of(edge - report.begin));
+    return edge == cosim::kNever ? Json() : Json(result.seconds(edge - report.begin));
   };
   return {{"fault", fault_kind(settings)},
-          {"begin_s", seconds_of(report.begin)},
+          {"begin_s", result.seconds(report.begin)},
           {"detected_by", report.by},
           {"detected_after_s", after(report.detected)},
           {"off_after_s", after(report.off)},
@@ -204,14 +205,14 @@ std::string injected_text(const Settings& settings, const cosim::RunResult& resu
   const cosim::FaultReport& report = result.fault_report;
   if (report.begin == cosim::kNever) return "";
   std::string text = fmt::format("  injected {} at {:g} s: ", fault_kind(settings),
-                                 seconds_of(report.begin));
+                                 result.seconds(report.begin));
   if (report.begin >= result.clocks) return text + "the run had ended by then\n";
   if (report.detected == cosim::kNever) return text + "not noticed\n";
-  text += fmt::format("noticed {} later: {}",
-                      host::time_text(seconds_of(report.detected - report.begin), 3), report.by);
+  const double noticed_s = result.seconds(report.detected - report.begin);
+  text += fmt::format("noticed {} later: {}", host::time_text(noticed_s, 3), report.by);
   if (report.off == cosim::kNever) return text + "; outputs not off\n";
   return text + fmt::format("; outputs off {} later, at rest after {:.4g} {}\n",
-                            host::time_text(seconds_of(report.off - report.detected), 3),
+                            host::time_text(result.seconds(report.off - report.detected), 3),
                             report.stopping, report.unit);
 }
 
@@ -253,7 +254,7 @@ Json metrics_json(const Record& record, const Origin& origin) {
   }
   json["run"] = simulation_json(result);
   if (result.fault_report.begin != cosim::kNever) {
-    json["injected"] = fault_json(*record.settings, result.fault_report);
+    json["injected"] = fault_json(*record.settings, result);
   }
   if (machine.files.metrics != nullptr) machine.files.metrics(record, json);
   if (origin.more.is_object()) json.update(origin.more);
@@ -358,7 +359,7 @@ std::string report_text(const Record& record, const std::string& folder, bool pa
       text += remark.empty() ? "\n" : fmt::format("  {}\n", remark);
     }
   }
-  const double simulated = seconds_of(result.clocks);
+  const double simulated = result.seconds(result.clocks);
   text += fmt::format("\n  simulated {:.3f} s = {} clocks in {:.2f} s: real-time factor {:.3f}\n",
                       simulated, result.clocks, result.wall_s,
                       result.wall_s > 0 ? simulated / result.wall_s : 0);

@@ -76,6 +76,9 @@ void bind_stepped(nb::module_& module) {
           nb::arg("early"))
       .def_prop_ro("over", &Stepped::over)
       .def_prop_ro("now", &Stepped::now, "Clocks from the start of the run.")
+      .def_prop_ro("clock_s",
+                   [](const Stepped& self) { return cosim::seconds_of(1, self.clock_ps()); },
+                   "Period of the chip's clock [s].")
       .def_prop_ro("drive", &Stepped::drive, "Pins of the chip toward the machine.")
       .def_prop_ro("sense", &Stepped::sense, "Pins of the machine toward the chip.")
       .def_prop_ro("places",
@@ -89,7 +92,6 @@ void bind_stepped(nb::module_& module) {
                    "(axis, value, unit) of where the machine really is.")
       .def_prop_ro("signals", &Stepped::signal_names)
       .def("signal", &Stepped::signal, nb::arg("name"));
-  module.attr("clock_s") = cosim::seconds_of(1, cosim::kClockPs);
   module.def("registers", &registers_of, nb::arg("machine"),
              "(name, address, help of its fields) of the registers of a machine's chip, and "
              "(name, address, shift, width, bits, signed, of an axis) of their fields.");

@@ -126,7 +126,10 @@ void bind_record(nb::module_& module) {
                    [](const Finished& run) { return run.record->result->event_hash; })
       .def_prop_ro("wall_s", [](const Finished& run) { return run.record->result->wall_s; })
       .def_prop_ro("simulated_s",
-                   [](const Finished& run) { return lab::seconds_of(run.record->result->clocks); })
+                   [](const Finished& run) {
+                     const cosim::RunResult& result = *run.record->result;
+                     return result.seconds(result.clocks);
+                   })
       .def_prop_ro("settings",
                    [](const Finished& run) { return Asked{run.record->settings->clone()}; })
       .def_prop_ro("figures", &figures_of)

@@ -42,6 +42,7 @@ class Stepped {
   // While it stands, or when it is over:
   bool over() const { return over_; }
   cosim::Clk now() const;
+  std::int64_t clock_ps() const { return session_->period_ps(); }
   std::uint32_t data() const { return data_; }  // of the last access
   cosim::Lines drive() const;
   cosim::Lines sense() const;

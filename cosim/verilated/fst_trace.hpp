@@ -57,15 +57,17 @@ class FstTrace {
   using Root = typename Traced::Root;
 
  public:
-  explicit FstTrace(std::string file) : name_(std::move(file)) {}
+  FstTrace(std::string file, std::int64_t clock_ps)
+      : name_(std::move(file)), scale_(wave_scale(clock_ps)) {}
 
   void attach(VerilatedContext& context, typename Traced::Model& model) {
     root_ = model.rootp;
     still_ = std::make_unique<StillBytes<Traced>>(*root_);
     context.traceEverOn(true);
     file_ = std::make_unique<VerilatedFstC>();
-    file_->set_time_unit("1ns");
-    file_->set_time_resolution("1ns");
+    const std::string unit = std::string("1") + scale_.unit;
+    file_->set_time_unit(unit);
+    file_->set_time_resolution(unit);
     // The chip's own scope only: around it Verilator repeats its ports. Its name begins with the
     // space behind the empty name of the model, in newer Verilators not.
     file_->dumpvars(99, std::string(" ") + Traced::kScope);
@@ -106,8 +108,6 @@ class FstTrace {
   }
 
  private:
-  static constexpr std::uint64_t kHalfPeriodNs = 10;  // 50 MHz
-
   void check() const {
     const int error = take_wave_error();
     if (error == 0) return;
@@ -119,12 +119,13 @@ class FstTrace {
     bool& evaluated = root_->vlSymsp->__Vm_activity;
     evaluated = evaluated && (!begun_ || still_->moved());
     const bool all = evaluated;
-    file_->dump(half * kHalfPeriodNs);
+    file_->dump(half * static_cast<std::uint64_t>(scale_.period) / 2);
     if (all) still_->keep();
     begun_ = true;
   }
 
   std::string name_;
+  WaveScale scale_;
   bool begun_ = false;
   Root* root_ = nullptr;
   std::unique_ptr<StillBytes<Traced>> still_;

@@ -40,8 +40,8 @@ std::unique_ptr<Interface> make_watched_chip(const RunBasics& run,
   const auto make = [&](auto* kind) -> std::unique_ptr<Interface> {
     using Chip = std::remove_pointer_t<decltype(kind)>;
     if (!window) return std::make_unique<Chip>(NoTrace{}, mode, setup...);
-    return std::make_unique<WavedChip<Chip, Shown, Registers>>(mode, Trace(run.wave_file), *window,
-                                                               setup...);
+    return std::make_unique<WavedChip<Chip, Shown, Registers>>(
+        mode, Trace(run.wave_file, run.clock_ps), *window, setup...);
   };
   using Untraced = FlippedChip<ChipModel<Fast, NoTrace>, Registers>;
   using Judged = FlippedChip<ChipModel<Checked, NoTrace>, Registers>;

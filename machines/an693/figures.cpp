@@ -52,7 +52,7 @@ Motion motion_of(const Options& options, Result& result) {
     }
     if (s.host_irq && !irq) {
       result.interrupts.push_back(
-          {sample, lab::seconds_of(s.edge), w.position >> 16, w.actual, w.status});
+          {sample, result.seconds(s.edge), w.position >> 16, w.actual, w.status});
     }
     irq = s.host_irq;
   }
@@ -188,7 +188,7 @@ const lab::ColumnTable& columns() {
     const auto words = [](const At& at) -> const lm628::Words& { return at.sample.words; };
     Table t;
     t.add({"t_s", "s", 1e-8, fixed(8), "time from the start of the run", true},
-          [](const At& at) { return lab::seconds_of(at.sample.edge); });
+          [](const At& at) { return at.result.seconds(at.sample.edge); });
     lm628::add_trajectory(t, "", words, false);
     t.add({"theta_count", "count", 1e-3, fixed(4), "true angle of the shaft", true},
           [](const At& at) { return shaft_counts(at.options, at.sample.theta); });

@@ -27,7 +27,7 @@ sw::An693Setup program_setup(const Options& o) {
   setup.index_counts = o.index_check ? static_cast<std::uint32_t>(o.plant.counts) : 0;
   setup.error_limit = static_cast<std::uint32_t>(o.error_limit);
   setup.steps = static_cast<std::uint32_t>(o.steps);
-  setup.wait_clk = static_cast<std::uint32_t>(cosim::clocks_of(o.wait_s, o.plant.clock_ps));
+  setup.wait_clk = static_cast<std::uint32_t>(cosim::clocks_of(o.wait_s, o.run.clock_ps));
   return setup;
 }
 
@@ -63,9 +63,9 @@ const char* failure_text(const sw::Mailbox& mailbox) {
 
 Bench::Bench(const Options& options, std::function<bool(const Sample&)> finished,
              const cosim::Waves& waves)
-    : Rig(options.run, options.fault, options.processor, options.plant.clock_ps, waves),
+    : Rig(options.run, options.fault, options.processor, waves),
       options_(options),
-      plant_(options.plant, options.part),
+      plant_(options.run.clocked(options.plant), options.part),
       chip_(options.run.engine == cosim::Engine::kTwin
                 ? lm628::make_twin_chip(options.part)
                 : lm628::make_verilated_chip(options.run, waves.window, options.part)),

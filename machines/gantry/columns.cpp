@@ -12,7 +12,7 @@ const lab::ColumnTable& columns() {
     using lab::fixed;
     Table t;
     t.add({"t_s", "s", 1e-8, fixed(8), "time from the start of the run"},
-          [](const At& at) { return lab::seconds_of(at.sample.edge); });
+          [](const At& at) { return at.result.seconds(at.sample.edge); });
     t.add({"x_mm", "mm", 1e-4, fixed(5), "where the cart is", true},
           [](const At& at) { return 1e3 * at.sample.x; });
     t.add({"v_mm_s", "mm/s", 1e-2, fixed(3), "its speed", true},

@@ -16,14 +16,14 @@ namespace {
 sw::GantrySetup setup_of(const Options& options) {
   sw::GantrySetup setup = options.firmware;
   setup.pass_clk = static_cast<std::uint32_t>(
-      cosim::clocks_of(1e-3 * options.pass_ms, options.axis.clock_ps));
+      cosim::clocks_of(1e-3 * options.pass_ms, options.run.clock_ps));
   setup.open_passes = static_cast<std::uint32_t>(
       std::max(1.0, std::round(options.open_hold_ms / options.pass_ms)));
   // From byte to byte: the silence, and a byte with a bit to spare.
   setup.gap_clk = options.gap_ms == 0 ? 0
                                       : static_cast<std::uint32_t>(
                                             cosim::clocks_of(1e-3 * options.gap_ms,
-                                                             options.axis.clock_ps) +
+                                                             options.run.clock_ps) +
                                             11 * TrackPlant::kClocksPerBit);
   return setup;
 }
@@ -39,17 +39,16 @@ std::unique_ptr<Estimator> estimator_of(const Options& options) {
 
 cosim::Clk record_clk_of(const Options& options) {
   return std::max<cosim::Clk>(
-      1, cosim::clocks_of(1e-3 * options.record_ms, options.axis.clock_ps));
+      1, cosim::clocks_of(1e-3 * options.record_ms, options.run.clock_ps));
 }
 
 }  // namespace
 
 Session::Session(const Options& options, const cosim::Hooks& hooks, const cosim::Waves& waves)
-    : SampledSession(hooks, options.run, options.fault, options.processor,
-                     options.axis.clock_ps, waves),
+    : SampledSession(hooks, options.run, options.fault, options.processor, waves),
       options_(options),
-      plant_(options.axis, options.stripes, read_sends(options.sends, options.firmware.checked),
-             options.serial, options.line),
+      plant_(options.run.clocked(options.axis), options.stripes,
+             read_sends(options.sends, options.firmware.checked), options.serial, options.line),
       record_clk_(record_clk_of(options)),
       chip_(options.run.engine == cosim::Engine::kRtl
                 ? make_verilated_chip(options.run, waves.window, {record_clk_, ideal_store()})

@@ -68,7 +68,7 @@ const lab::ColumnTable& columns() {
     t.add({"tick", "", 1, whole(), "TICK register of the chip", true},
           [](const Table::At& at) { return static_cast<double>(at.sample.tick); });
     t.add({"t_s", "s", 1e-8, fixed(8), "time from the start of the run", true},
-          [](const Table::At& at) { return lab::seconds_of(at.sample.edge); });
+          [](const Table::At& at) { return at.result.seconds(at.sample.edge); });
     for (std::size_t axis = 0; axis < 2; ++axis) add_axis(t, axis);
     return std::move(t).table();
   }();

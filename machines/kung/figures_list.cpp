@@ -299,7 +299,7 @@ std::string verdict(const lab::Settings& settings, const cosim::RunResult& run) 
       return fmt::format("not finished within run.max_s = {:g}", options.run.max_s);
     case EndReason::kStopped: return "interrupted: results up to that point";
     case EndReason::kPromise:
-      return "assertion failed: " + lab::promise_text(*result.promise);
+      return "assertion failed: " + lab::promise_text(*result.promise, result.clock_ps);
   }
   return "";
 }

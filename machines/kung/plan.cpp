@@ -275,7 +275,7 @@ sw::AxisSetup plan_axis(const Options& options, std::size_t axis) {
   require(c.dead_time_ns >= options.chip.dead_time_min_ns,
           fmt::format("{}: value {} is below chip.dead_time_min_ns = {}",
                       key("chip", "dead_time_ns"), c.dead_time_ns, options.chip.dead_time_min_ns));
-  s.dead_time = clocks(c.dead_time_ns, options.plant.clock_ps);
+  s.dead_time = clocks(c.dead_time_ns, options.run.clock_ps);
   s.qep_filter = word(c.qep_filter_clk);
   s.adc_zeros = word(plant::leading_zeros(plant.adc_bits));
   const Encoder encoder{plant.encoder_count_m, options.chip.sample_s()};
@@ -365,7 +365,7 @@ sw::KungSetup plan_firmware(const Options& given, PathStore& store) {
              fmt::format("or 0, at plant.x.current_full_scale_A = {:g}", full_scale_A));
   }
   s.d_current_limit = static_cast<std::int32_t>(std::lround(chip.d_current_A / lsb_A));
-  s.dead_time_min = clocks(chip.dead_time_min_ns, options.plant.clock_ps);
+  s.dead_time_min = clocks(chip.dead_time_min_ns, options.run.clock_ps);
   check_extent(options, s);
   check_sweep(options);
   s.precision = plan_precision(options, s);

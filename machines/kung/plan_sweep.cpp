@@ -58,7 +58,7 @@ void check_sweep(const Options& options) {
   // The second command of a service must be there before the next current period.
   constexpr int kAccesses = 15, kHandshake_clk = 4;
   const ProcessorOptions& processor = options.processor;
-  const double write_s = 1e-12 * static_cast<double>(options.plant.clock_ps) *
+  const double write_s = 1e-12 * static_cast<double>(options.run.clock_ps) *
                          (processor.interrupt_latency_clk + options.point_clk +
                           kAccesses * (processor.access_clk + kHandshake_clk));
   require(!path.open_position() || write_s * options.chip.carrier_Hz < 1,

@@ -109,7 +109,7 @@ double distance_to(const ideal::Moves& moves, const Place& place) {
 }
 
 double command_time_s(const Options& options, cosim::Clk begin, const Sample& sample) {
-  const double clock_s = static_cast<double>(options.plant.clock_ps) * 1e-12;
+  const double clock_s = static_cast<double>(options.run.clock_ps) * 1e-12;
   const double delay_s = options.controller == Controller::kPrecision ? kSetPointDelayS : 0;
   return static_cast<double>(sample.edge - begin) * clock_s - delay_s;
 }

@@ -167,7 +167,7 @@ void write_precision(const std::filesystem::path& file, const Options& options,
       row.d_m_s2 = std::ldexp(law[a].d, -26) * plant.encoder_count_m / (kTickS * kTickS);
       row.parts = parts_of(law[a], plant.current_full_scale_a);
       row.told = told_estimate(options, a, law[a]);
-      row.held_N = pushed_back_N(plant, sample.axis[a].x_true_m, lab::seconds_of(sample.edge));
+      row.held_N = pushed_back_N(plant, sample.axis[a].x_true_m, result.seconds(sample.edge));
       for (const RowColumn& one : row_columns()) values.push_back(one.get(row));
     }
   };

@@ -67,12 +67,10 @@ cosim::FaultPins fault_pins(const Options& options) {
   return pins;
 }
 
-cosim::Clk fault_at(double seconds) { return seconds > 0 ? edge_at(seconds) : cosim::kNever; }
 }  // namespace
 
 Session::Session(const Options& options, const Hooks& hooks, const cosim::Waves& waves)
-    : SessionOf(hooks, options.run, options.fault, options.processor, options.plant.clock_ps,
-                waves),
+    : SessionOf(hooks, options.run, options.fault, options.processor, waves),
       options_(options) {
   choose_profile(options_);
   sw::KungSetup setup = plan_firmware(options_, store_);
@@ -88,7 +86,8 @@ Session::Session(const Options& options, const Hooks& hooks, const cosim::Waves&
                  contour_reach(options_.lag_s(), options_.chip.sample_s()));
   options_.plant.axis[0].start_m = start.x * options_.plant.axis[0].encoder_count_m;
   options_.plant.axis[1].start_m = start.y * options_.plant.axis[1].encoder_count_m;
-  plant_ = std::make_unique<TablePlant>(options_.plant, fault_at(options_.inject.trip_s),
+  plant_ = std::make_unique<TablePlant>(options_.run.clocked(options_.plant),
+                                        fault_at(options_.inject.trip_s),
                                         fault_at(options_.inject.encoder_s));
   chip_ = make_chip();
   firmware_->runs_on(*chip_);
@@ -97,7 +96,7 @@ Session::Session(const Options& options, const Hooks& hooks, const cosim::Waves&
                                          options_.controller == Controller::kPrecision,
                                          [this](const Sample& sample) { return over(sample); });
   detail_ = std::make_unique<DetailRecorder>(*chip_, plant_->table(),
-                                             edge_at(1.0 / options_.chip.carrier_Hz));
+                                             options_.run.clocks(1.0 / options_.chip.carrier_Hz));
   watch_trips();
   wire(*chip_, *plant_, fault_pins(options_));
 }

@@ -102,6 +102,9 @@ class Session final : public cosim::SessionOf<cosim::Rig> {
   std::string noticed() const override;
   cosim::FaultTruth truth(cosim::Clk edge) const override;
 
+  cosim::Clk fault_at(double seconds) const {
+    return seconds > 0 ? options_.run.clocks(seconds) : cosim::kNever;
+  }
   bool over(const Sample& sample);
   bool swings(const Sample& sample);
   void watch_limits(const Sample& sample);

@@ -21,8 +21,6 @@ inline constexpr double kGainCarrierHz = 16000;  // of the current loop
 constexpr double current_lsb_A(double full_scale_A) { return full_scale_A / 2048; }
 constexpr double current_ref_lsb_A(double full_scale_A) { return full_scale_A / 4096; }
 
-using cosim::edge_at;
-
 // Smallest voltage step [V]: full scale is the largest linear phase voltage.
 inline double voltage_lsb_V(double dc_link_V) { return dc_link_V / std::sqrt(3.0) / 2048; }
 

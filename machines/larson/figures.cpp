@@ -83,7 +83,7 @@ std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult
   using lab::count;
   using lab::figure;
   const double end_s =
-      result.done.empty() ? 0 : cosim::seconds_of(result.done.back().edge, options.axis.clock_ps);
+      result.done.empty() ? 0 : cosim::seconds_of(result.done.back().edge, options.run.clock_ps);
   add(figure("script.time_s", "script", "until its last call", end_s, "s"), "Script");
   add(count("script.calls", "script", "calls", static_cast<double>(result.done.size())));
   add(count("script.normal", "WTTBL", "normal", static_cast<double>(returns.normal)));
@@ -136,7 +136,7 @@ std::vector<std::string> remarks(const lab::Record& record) {
     }
     lines.push_back(fmt::format("{:10.4f} s  {}: {}",
                                 cosim::seconds_of(result.done[k].edge,
-                                                  options_of(record).axis.clock_ps),
+                                                  options_of(record).run.clock_ps),
                                 result.calls[k].text, answer));
   }
   return lines;
@@ -145,7 +145,7 @@ std::vector<std::string> remarks(const lab::Record& record) {
 void add_metrics(const lab::Record& record, nlohmann::ordered_json& json) {
   const Result& result = result_of(record);
   const auto seconds = [&](cosim::Clk edge) {
-    return cosim::seconds_of(edge, options_of(record).axis.clock_ps);
+    return cosim::seconds_of(edge, options_of(record).run.clock_ps);
   };
   auto& events = json["events"] = nlohmann::ordered_json::array();
   for (const Event& one : result.happened) {
@@ -170,7 +170,7 @@ const lab::ColumnTable& columns() {
     using lab::fixed;
     Table t;
     t.add({"t_s", "s", 1e-8, fixed(8), "time from the start of the run"},
-          [](const At& at) { return lab::seconds_of(at.sample.edge); });
+          [](const At& at) { return at.result.seconds(at.sample.edge); });
     t.add({"call", "", 1, {}, "calls of the script that have ended", true},
           [](const At& at) { return static_cast<double>(at.sample.call); });
     t.add({"switches", "", 1, {}, "closed: bits X low, X high, Y low, Y high", false, true},

@@ -64,7 +64,7 @@ lab::Machine describe() {
 std::vector<Call> calls_of(const Options& options) {
   PlotSetup plot = options.plot;
   plot.soft_end = options.table.soft_end;
-  return read_calls(options.script, plot, options.axis.clock_ps);
+  return read_calls(options.script, plot, options.run.clock_ps);
 }
 
 const cosim::TriggerForms& triggers() {

@@ -39,7 +39,7 @@ std::string losses(const Options& options, const Result& result, std::size_t axi
                      name_of_axis(axis), most == last ? "" : "up to ", most,
                      slips.size() > 1 ? fmt::format(" in {} slips", slips.size()) : "",
                      most == last ? "" : fmt::format(", {} at the end", last), slips.front().at,
-                     cosim::seconds_of(slips.front().edge, options.axis.clock_ps));
+                     cosim::seconds_of(slips.front().edge, options.run.clock_ps));
 }
 
 // The axis that is farther from where its program has it, or "" where both are there.
@@ -77,7 +77,7 @@ std::string what_was_running(const Options& options, const Result& result) {
   const bool waits =
       ended > 0 && at(ended - 1).call.op == sw::LarsonOp::kWait &&
       result.done.back().edge + at(ended - 1).call.a >
-          cosim::clocks_of(options.run.max_s, options.axis.clock_ps);
+          cosim::clocks_of(options.run.max_s, options.run.clock_ps);
   const bool running = waits || ended < result.calls.size();
   const Call& call = at(waits || !running ? ended - 1 : ended);
   const std::string file = fs::path(script_file(options.script)).filename();
@@ -101,8 +101,8 @@ std::string what_missed(const Options& options, const Result& result) {
     if (breaches.empty()) continue;
     return fmt::format("{} pulse{} of {} made no step; the first {:.3f} s into the run, as {}",
                        breaches.size(), breaches.size() == 1 ? "" : "s", name_of_axis(k),
-                       cosim::seconds_of(breaches.front().edge, options.axis.clock_ps),
-                       breach_text(breaches.front(), options.axis.clock_ps)) +
+                       cosim::seconds_of(breaches.front().edge, options.run.clock_ps),
+                       breach_text(breaches.front(), options.run.clock_ps)) +
            (failed ? "; " + result.fault : "");
   }
   if (failed || !(result.calibrated || result.stopped != 0)) return "";

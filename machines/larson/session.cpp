@@ -18,7 +18,7 @@ namespace {
 constexpr double kLongestSettling = 5;  // [s] of buffers that still hold pulses
 
 plant::StepperAxisConfig axis_of(const Options& options, double start) {
-  plant::StepperAxisConfig axis = options.axis;
+  plant::StepperAxisConfig axis = options.run.clocked(options.axis);
   axis.start = start;
   axis.input = {1e-6 * options.width_us, 1e-6 * options.setup_us, 1e-6 * options.hold_us};
   return axis;
@@ -26,7 +26,7 @@ plant::StepperAxisConfig axis_of(const Options& options, double start) {
 
 sw::StepTableSetup table_of(const Options& options) {
   const auto clocks = [&options](double ms) {
-    return static_cast<std::uint32_t>(cosim::clocks_of(1e-3 * ms, options.axis.clock_ps));
+    return static_cast<std::uint32_t>(cosim::clocks_of(1e-3 * ms, options.run.clock_ps));
   };
   sw::StepTableSetup table = options.table;
   table.poll_clk = clocks(options.poll_ms);
@@ -36,7 +36,7 @@ sw::StepTableSetup table_of(const Options& options) {
 
 cosim::Clk record_clk_of(const Options& options) {
   return std::max<cosim::Clk>(
-      1, cosim::clocks_of(1e-3 * options.record_ms, options.axis.clock_ps));
+      1, cosim::clocks_of(1e-3 * options.record_ms, options.run.clock_ps));
 }
 
 std::vector<sw::LarsonCall> program_of(const std::vector<Call>& calls) {
@@ -49,8 +49,7 @@ std::vector<sw::LarsonCall> program_of(const std::vector<Call>& calls) {
 }  // namespace
 
 Session::Session(const Options& options, const cosim::Hooks& hooks, const cosim::Waves& waves)
-    : SampledSession(hooks, options.run, options.fault, options.processor,
-                     options.axis.clock_ps, waves),
+    : SampledSession(hooks, options.run, options.fault, options.processor, waves),
       options_(options),
       calls_(calls_of(options)),
       program_(program_of(calls_)),

@@ -25,12 +25,12 @@ struct Motion {
 };
 
 // What began with sample k.
-void add_events(std::vector<Event>& events, const Sample& before, const Sample& s, std::size_t k) {
+void add_events(Result& result, const Sample& before, const Sample& s, std::size_t k) {
   for (std::size_t a = 0; a < 2; ++a) {
     const lm628::Words& w = s.axis[a].words;
     const auto add = [&](const std::string& what) {
-      events.push_back({k, lab::seconds_of(s.edge), static_cast<int>(a), what, w.position >> 16,
-                        w.actual, w.status});
+      result.events.push_back({k, result.seconds(s.edge), static_cast<int>(a), what,
+                               w.position >> 16, w.actual, w.status});
     };
     if (s.axis[a].host_irq && !before.axis[a].host_irq) add("interrupt");
     const unsigned begun = w.status & ~before.axis[a].words.status;
@@ -59,7 +59,7 @@ Motion motion_of(const Options& options, Result& result) {
     const Sample s = result.samples[k];
     const bool moves = k > 0 && (s.axis[0].words.position != before.axis[0].words.position ||
                                  s.axis[1].words.position != before.axis[1].words.position);
-    if (k > 0) add_events(result.events, before, s, k);
+    if (k > 0) add_events(result, before, s, k);
     before = s;
     if (!begun && (path ? s.row > 0 : moves)) {
       begun = true;
@@ -162,7 +162,7 @@ const lab::ColumnTable& columns() {
     using lab::general;
     ColumnTable t;
     t.add({"t_s", "s", 1e-8, fixed(8), "time from the start of the run"},
-          [](const At& at) { return lab::seconds_of(at.sample.edge); });
+          [](const At& at) { return at.result.seconds(at.sample.edge); });
     const auto own = [&t](OwnSignal which, bool bits, ColumnTable::Get get) {
       const cosim::Word& word = kOwnWords[static_cast<std::size_t>(which)];
       t.add({word.name, word.unit, 1, {}, word.help, !bits, bits}, std::move(get));

@@ -58,7 +58,7 @@ cosim::Lines StagePlant::sense() const {
 }
 
 sw::McafeeSetup setup_of(const Options& o, const Table& table) {
-  const std::int64_t period_ps = o.stage_axis.clock_ps;
+  const std::int64_t period_ps = o.run.clock_ps;
   sw::McafeeSetup setup;
   setup.stage = o.stage;
   setup.filter = o.filter;
@@ -80,11 +80,10 @@ sw::McafeeSetup setup_of(const Options& o, const Table& table) {
 }
 
 Session::Session(const Options& options, const cosim::Hooks& hooks, const cosim::Waves& waves)
-    : SampledSession(hooks, options.run, options.fault, options.processor,
-                     options.stage_axis.clock_ps, waves),
+    : SampledSession(hooks, options.run, options.fault, options.processor, waves),
       options_(options),
       table_(table_for(options)),
-      plant_({options.stage_axis, options.stage_axis}),
+      plant_({options.run.clocked(options.stage_axis), options.run.clocked(options.stage_axis)}),
       chip_(options.run.engine == cosim::Engine::kRtl
                 ? make_verilated_chip(options.run, waves.window, options.clock_MHz)
                 : make_twin_chip(options.clock_MHz)),

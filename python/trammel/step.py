@@ -11,7 +11,6 @@ from trammel import _core
 from trammel.asked import SettingError, asked_of
 from trammel.results import Figure, Result
 
-CLOCK_S = _core.clock_s  # a clock of every chip's fabric [s]
 
 
 class _Field(NamedTuple):
@@ -59,11 +58,11 @@ class Simulation:
     @property
     def time_s(self) -> float:
         """Simulated time from the start [s]."""
-        return self._run.now * CLOCK_S
+        return self._run.now * self._run.clock_s
 
     @property
     def clock(self) -> int:
-        """The same in clocks of 20 ns."""
+        """The same in clocks of the chip."""
         return self._run.now
 
     @property
@@ -86,10 +85,11 @@ class Simulation:
         """Simulates at least so long, less where the scenario ends before; returns time_s.
 
         Ctrl-C raises KeyboardInterrupt; the simulation then stands after its newest sample."""
-        clocks = round(seconds / CLOCK_S)
+        clock_s = self._run.clock_s
+        clocks = round(seconds / clock_s)
         if not 0 < clocks <= 2**62:
-            raise SettingError(f"advance: {seconds!r} s is out of range {CLOCK_S:g}..9e10",
-                               "seconds", seconds, f"{CLOCK_S:g}..9e10")
+            raise SettingError(f"advance: {seconds!r} s is out of range {clock_s:g}..9e10",
+                               "seconds", seconds, f"{clock_s:g}..9e10")
         return self._do("advance", clocks)
 
     @cached_property

@@ -12,6 +12,8 @@ using namespace trammel::cosim;
 
 namespace {
 
+constexpr std::int64_t kClockPs = 20'000;
+
 constexpr Clk kBegin = 100, kEnd = 150;
 constexpr int kCodes[] = {1001, 2002, 3003, 4004};
 

@@ -14,6 +14,8 @@ using namespace trammel::cosim;
 
 namespace {
 
+constexpr std::int64_t kClockPs = 20'000;
+
 constexpr Clk kBegin = 100, kEnd = 150;
 
 // Lines and codes as they are set by hand.

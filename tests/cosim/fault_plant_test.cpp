@@ -16,6 +16,8 @@ using namespace trammel::cosim;
 
 namespace {
 
+constexpr std::int64_t kClockPs = 20'000;
+
 constexpr Clk kEvery = 10;  // clocks of a count
 
 struct Counter final : FalliblePlant {

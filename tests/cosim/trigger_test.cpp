@@ -26,7 +26,7 @@ const std::vector<Signal>& words() {
 constexpr char kHelp[] = "what may be asked";
 
 Trigger parsed(const std::string& text) {
-  return parse_trigger(text, stop_forms(words(), kHelp));
+  return parse_trigger(text, stop_forms(words(), kHelp), 20'000);
 }
 
 // What is said of a text, "" where nothing is refused.
@@ -239,10 +239,20 @@ TEST_CASE("a time has a unit or none, and lies within an hour") {
     const std::string said = fmt::format(
         "value {} is not a time 0..3600 s with s, ms, us or ns behind it", one.text);
     if (one.edge < 0) {
-      CHECK_THROWS_WITH(parse_edge(one.text), said);
+      CHECK_THROWS_WITH(parse_edge(one.text, 20'000), said);
     } else {
-      CHECK(parse_edge(one.text) == one.edge);
+      CHECK(parse_edge(one.text, 20'000) == one.edge);
+      CHECK(parse_edge(one.text, 40'000) == one.edge / 2);
     }
+  }
+}
+
+TEST_CASE("a wave file has the chip's clock, and whole numbers at its falling edges") {
+  for (const std::int64_t clock_ps : {20'000, 25'000, 20'834, 10'002}) {
+    const WaveScale scale = wave_scale(clock_ps);
+    const bool ns = scale.unit == std::string("ns");
+    CHECK(scale.period * (ns ? 1000 : 1) == clock_ps);
+    CHECK(scale.period % 2 == 0);
   }
 }
 

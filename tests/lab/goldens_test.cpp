@@ -119,7 +119,7 @@ std::string ends_text(const lab::Machine& machine) {
   const auto result = test::short_result(*settings, End::kPromise);
   std::string text = "  ends of a run:\n";
   CHECK(machine.verdict(*settings, *result) ==
-        "assertion failed: " + lab::promise_text(*result->promise));
+        "assertion failed: " + lab::promise_text(*result->promise, result->clock_ps));
   for (const End end : {End::kDone, End::kMissed, End::kFault, End::kDiverged, End::kTimeout,
                         End::kStopped}) {
     result->end = end;

@@ -116,10 +116,10 @@ TEST_CASE("figures of a companion are printed unless its machine compares them b
 
 TEST_CASE("a broken assertion is told with its instance, or else as of the chip") {
   cosim::BrokenPromise promise{"no_shoot_through", "chip.u_leg", "leg.sv:7", 50000};
-  CHECK(lab::promise_text(promise) ==
+  CHECK(lab::promise_text(promise, 20'000) ==
         "no_shoot_through of chip.u_leg at 0.00100000 s, clock 50000 (leg.sv:7)");
   promise.instance.clear();
-  CHECK(lab::promise_text(promise) ==
+  CHECK(lab::promise_text(promise, 20'000) ==
         "no_shoot_through of the chip at 0.00100000 s, clock 50000 (leg.sv:7)");
 }
 
@@ -135,7 +135,7 @@ TEST_CASE("what ended a run is told by its fault, or its promise before that") {
   result.end = EndReason::kMissed;
   CHECK(lab::cause_text(result) == ": a limit");
   result.promise = {"no_shoot_through", "", "leg.sv:7", 50000};
-  CHECK(lab::cause_text(result) == ": " + lab::promise_text(*result.promise));
+  CHECK(lab::cause_text(result) == ": " + lab::promise_text(*result.promise, result.clock_ps));
 }
 
 TEST_CASE("each end of a run has its own word and the exit code of its kind") {

@@ -25,6 +25,8 @@ using Catch::Contains;
 
 namespace {
 
+constexpr std::int64_t kClockPs = 20'000;
+
 constexpr Clk kDrives = 40, kEnd = 400;  // [clk]
 
 // A word of memory that answers at once; its outputs change in one clock, or never, and its

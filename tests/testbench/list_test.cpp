@@ -137,7 +137,7 @@ TEST_CASE("each example of a trigger that a machine's list of signals has is a t
     for (std::sregex_iterator at(help.begin(), help.end(), form), none; at != none; ++at) {
       const std::string text = (*at)[1].matched ? at->str().substr(10) : at->str();
       CAPTURE(machine->name, text);
-      CHECK_NOTHROW(cosim::parse_trigger(text, forms));
+      CHECK_NOTHROW(cosim::parse_trigger(text, forms, 20'000));
       ++examples;
     }
     CHECK(examples == 3);
@@ -157,10 +157,12 @@ TEST_CASE("a trigger takes the range of its signal that is listed, both ends and
       const std::int64_t low = std::stoll(range);
       const std::int64_t high = std::stoll(range.substr(range.find("..") + 2));
       for (const std::int64_t value : {low, high}) {
-        CHECK(cosim::parse_trigger(fmt::format("{} >= {}", name, value), forms).value == value);
+        const std::string asked = fmt::format("{} >= {}", name, value);
+        CHECK(cosim::parse_trigger(asked, forms, 20'000).value == value);
       }
       for (const std::int64_t value : {low - 1, high + 1}) {
-        CHECK_THROWS_WITH(cosim::parse_trigger(fmt::format("{} >= {}", name, value), forms),
+        const std::string asked = fmt::format("{} >= {}", name, value);
+        CHECK_THROWS_WITH(cosim::parse_trigger(asked, forms, 20'000),
                           fmt::format("{}: value {} is out of range {}", name, value, range));
       }
     }

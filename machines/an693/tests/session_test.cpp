@@ -127,7 +127,7 @@ TEST_CASE("an693: progress is the share of the time that the trajectory and the 
       cosim::Hooks hooks;
       hooks.progress = [&told](double share) { told.push_back(share); };
       const Result result = simulate(options, hooks);
-      CAPTURE(static_cast<int>(program), counts, lab::seconds_of(result.clocks), told.size());
+      CAPTURE(static_cast<int>(program), counts, result.seconds(result.clocks), told.size());
       REQUIRE(told.size() > 2);
       for (std::size_t k = 1; k < told.size(); ++k) CHECK(told[k] >= told[k - 1]);
       CHECK(told.front() < 0.5);
@@ -154,7 +154,7 @@ TEST_CASE("an693: progress ends near its end, too, where ramps take all of the t
       full += share == 1 ? 1 : 0;
     };
     const Result result = simulate(options, hooks);
-    CAPTURE(static_cast<int>(program), lab::seconds_of(result.clocks), result.fault);
+    CAPTURE(static_cast<int>(program), result.seconds(result.clocks), result.fault);
     REQUIRE(result.samples.size() > 2000);
     CHECK(told > 0.97);  // told each 64 samples
     CHECK(full <= 2);  // reset and commands are no part of it
@@ -181,7 +181,7 @@ TEST_CASE("an693: a shaft too far from its trajectory ends the run as diverged, 
 TEST_CASE("an693: a session tells its clock, its processor, its end and its place") {
   Options options = quick(An693Program::kAbsolute, 100);
   test::set_timing(options);
-  options.plant.clock_ps = 25'000;
+  options.run.clock_ps = 25'000;
   const std::unique_ptr<cosim::Session> session = machine().session(options, {}, {});
   test::check_timing(*session, 25'000);
 }
@@ -211,7 +211,7 @@ TEST_CASE("an693: a run can be stopped, ends at its time or where its trigger is
   const Result stopped = simulate(options, hooks);
   CHECK(stopped.end == cosim::EndReason::kStopped);
   CHECK(stopped.samples.size() == 65);
-  cosim::TriggerSearch search(cosim::parse_trigger("real_count > 100", triggers()));
+  cosim::TriggerSearch search(cosim::parse_trigger("real_count > 100", triggers(), 20'000));
   const Result found = test::run_to<Session, Result>(options, &search);
   REQUIRE(search.found());
   const auto& samples = found.samples;

@@ -70,10 +70,10 @@ Shell::Shell(const Options& options, const std::atomic<bool>& stop)
   bus_.wait(kResetClk);
 }
 
-double Shell::seconds() const { return lab::seconds_of(bench_.chip().now()); }
+double Shell::seconds() const { return seconds_at(bench_.chip().now()); }
 
 Clk Shell::clocks(double seconds) const {
-  return std::max<Clk>(1, cosim::clocks_of(seconds, options_.plant.clock_ps));
+  return std::max<Clk>(1, options_.run.clocks(seconds));
 }
 
 void Shell::strobe_reset() {
@@ -83,7 +83,8 @@ void Shell::strobe_reset() {
 
 void Shell::check_assertions() const {
   if (const auto broken = bench_.chip().broken_promise()) {
-    throw Halt(EndReason::kPromise, "assertion failed: " + lab::promise_text(*broken));
+    throw Halt(EndReason::kPromise,
+               "assertion failed: " + lab::promise_text(*broken, bench_.period_ps()));
   }
 }
 
@@ -210,7 +211,7 @@ void Shell::wait(const Line& line, Answer& answer) {
       bus_.wait(std::min(limit - now, sample));
     }
   }
-  const double waited = seconds() - lab::seconds_of(begin);
+  const double waited = seconds() - seconds_at(begin);
   answer.json["waited_s"] = waited;
   answer.text = fmt::format("{}: after {:.6f} s\n", line.text, waited);
 }

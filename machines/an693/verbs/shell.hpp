@@ -41,6 +41,9 @@ class Shell {
 
  private:
   double seconds() const;
+  double seconds_at(cosim::Clk edge) const {
+    return cosim::seconds_of(edge, bench_.period_ps());
+  }
   cosim::Clk clocks(double seconds) const;
   void strobe_reset();
   void pass(cosim::Clk count);

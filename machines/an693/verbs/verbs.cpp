@@ -104,7 +104,8 @@ void converse(Shell& shell, const lm628::PartOptions& part, const ReadLine& read
 void check_script_waves(const cosim::RunBasics& run, const std::string& out) {
   if (run.wave == cosim::WaveFormat::kNone) return;
   if (out.empty()) throw ConfigError("lm628: --wave: needs a folder for the waves (-o)");
-  if (cosim::trigger_asked(run) && !cosim::parse_trigger(run.wave_trigger, triggers()).known()) {
+  if (cosim::trigger_asked(run) &&
+      !cosim::parse_trigger(run.wave_trigger, triggers(), run.clock_ps).known()) {
     throw ConfigError(fmt::format("lm628: --wave-trigger: \"{}\" is not known before the script "
                                   "runs; give at TIME, or --wave-window",
                                   run.wave_trigger));

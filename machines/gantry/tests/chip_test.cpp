@@ -59,7 +59,7 @@ TEST_CASE("gantry: the chip counts 4612 conversions in a second, at rest and in 
     options.sends = "0.05:21=305";
     const Result result = lab::simulate(options);
     const Sample begin = result.samples[10], end = result.samples[result.samples.size() - 1];
-    const double seconds = lab::seconds_of(end.edge - begin.edge);
+    const double seconds = result.seconds(end.edge - begin.edge);
     CAPTURE(static_cast<int>(engine), begin.words.ticks, end.words.ticks);
     CHECK(end.words.ticks - begin.words.ticks == Approx(4612 * seconds).margin(1.5));
   }

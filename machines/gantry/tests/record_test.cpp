@@ -279,7 +279,7 @@ TEST_CASE("gantry: a program that fails ends the run at once where the cart stan
     options.run.max_s = 60;
     one.make(options);
     const Result result = lab::simulate(options);
-    const double end_s = lab::seconds_of(result.samples.back().edge);
+    const double end_s = result.seconds(result.samples.back().edge);
     CAPTURE(one.why, end_s);
     CHECK(result.end == cosim::EndReason::kFault);
     CHECK(result.fault == one.why);
@@ -299,7 +299,7 @@ TEST_CASE("gantry: a calibration run in which A sticks ends as one without a ste
   double begun_s = 0;
   for (const Sample& s : lab::simulate(options).samples) {
     const bool fits = s.phase == static_cast<int>(sw::GantryPhase::kFitting);
-    if (begun_s == 0 && fits) begun_s = lab::seconds_of(s.edge);
+    if (begun_s == 0 && fits) begun_s = cosim::seconds_of(s.edge, options.run.clock_ps);
   }
   REQUIRE(begun_s > 0);
   options.fault.kind = cosim::FaultKind::kConverterStuck;
@@ -323,10 +323,10 @@ TEST_CASE("gantry: a cart that fails in motion is recorded until it stands, or f
     options.fault.value = -1;
     const Result result = lab::simulate(options);
     const Sample last = result.samples.back();
-    CAPTURE(friction, last.v, lab::seconds_of(last.edge));
+    CAPTURE(friction, last.v, result.seconds(last.edge));
     CHECK(result.end == cosim::EndReason::kFault);
     CHECK((std::fabs(last.v) < 1e-4) == friction);
-    if (!friction) CHECK(lab::seconds_of(last.edge) == Approx(1.1).margin(0.01));
+    if (!friction) CHECK(result.seconds(last.edge) == Approx(1.1).margin(0.01));
     CHECK(result.fault_report.by == "A and B are not on their circle");
     CHECK(result.fault_report.begin == 5'000'000);
     CHECK(result.fault_report.detected > 5'000'000);
@@ -336,7 +336,7 @@ TEST_CASE("gantry: a cart that fails in motion is recorded until it stands, or f
 
 TEST_CASE("gantry: a run that looks for its trigger ends where it has found it") {
   const Options options = by_twin(0.3);
-  cosim::TriggerSearch search(cosim::parse_trigger("force < -100", triggers()));
+  cosim::TriggerSearch search(cosim::parse_trigger("force < -100", triggers(), 20'000));
   const Result run = test::run_to<Session, Result>(options, &search);
   REQUIRE(search.found());
   CHECK(run.end == cosim::EndReason::kDone);

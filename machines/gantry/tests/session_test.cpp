@@ -168,7 +168,7 @@ TEST_CASE("gantry: a fault is noticed by what chip and program count, and names 
     const bool noticed = result.fault_report.detected != cosim::kNever;
     CHECK(noticed == (*by != '\0'));
     if (noticed) {
-      CHECK(lab::seconds_of(result.fault_report.detected) == Approx(0.0203).margin(1e-3));
+      CHECK(result.seconds(result.fault_report.detected) == Approx(0.0203).margin(1e-3));
     }
   }
 }

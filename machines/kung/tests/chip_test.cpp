@@ -38,7 +38,9 @@ struct RangeWatch final : cosim::Watcher {
   }
 };
 
-Trigger parse_trigger(const std::string& text) { return cosim::parse_trigger(text, triggers()); }
+Trigger parse_trigger(const std::string& text) {
+  return cosim::parse_trigger(text, triggers(), 20'000);
+}
 
 // A chip of which only the named signals move.
 struct FakeChip final : SignalReader {

@@ -243,7 +243,7 @@ TEST_CASE("larson: a run ends where the word of a trigger, of its own axis, firs
     REQUIRE(before.size() > 1);
     const std::string text = name + " == " + std::to_string(value);
     CAPTURE(text);
-    cosim::TriggerSearch search(cosim::parse_trigger(text, triggers()));
+    cosim::TriggerSearch search(cosim::parse_trigger(text, triggers(), 20'000));
     const Result found = test::run_to<Session, Result>(options, &search);
     REQUIRE(search.found());
     CHECK(*search.found() == edge);

@@ -73,7 +73,7 @@ TEST_CASE("mcafee: the program is told every option, none of which has its defau
   options.wait_s = 0.125;
   options.error_limit = 28;
   options.stage_axis.encoder.lines = 29;
-  options.stage_axis.clock_ps = 40'000;
+  options.run.clock_ps = 40'000;
   Table table;
   table.rows.resize(31);
   for (const bool check : {false, true}) {
@@ -153,7 +153,7 @@ void check_report(const Options& options, bool into_switch = false) {
   const Run run = test::record_run<Session, Result>(options);
   const cosim::FaultReport& report = run.result.fault_report;
   CAPTURE(kName[static_cast<std::size_t>(options.fault.axis)], run.result.fault, report.by,
-          lab::seconds_of(run.events.back().edge));
+          run.result.seconds(run.events.back().edge));
   REQUIRE(run.result.end == cosim::EndReason::kFault);
   CHECK(report.by == run.result.fault);
   CHECK(report.begin == std::llround(options.fault.begin_s / 20e-9));
@@ -268,7 +268,7 @@ TEST_CASE("mcafee: a run that ends early tells the places of both axes where it 
   const Sample rest = whole.samples.back();
   std::int64_t apart = 0;
   for (const double share : {0.2, 0.4, 0.6}) {
-    options.run.max_s = share * cosim::seconds_of(rest.edge, options.stage_axis.clock_ps);
+    options.run.max_s = share * cosim::seconds_of(rest.edge, options.run.clock_ps);
     const Result result = ended(options);
     CAPTURE(share, result.real[0], result.real[1]);
     CHECK(result.end == cosim::EndReason::kTimeout);

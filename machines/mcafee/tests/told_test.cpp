@@ -159,7 +159,7 @@ TEST_CASE("mcafee: a run ends where its trigger is found, at the place of its ow
   for (const int counts : {1500, -1500}) {
     const Options options = quick_move(counts);
     const char* const text = counts > 0 ? "x.real_count > 1000" : "x.real_count < -1000";
-    cosim::TriggerSearch search(cosim::parse_trigger(text, triggers()));
+    cosim::TriggerSearch search(cosim::parse_trigger(text, triggers(), 20'000));
     cosim::Waves waves;
     waves.search = &search;
     Session session(options, {}, waves);

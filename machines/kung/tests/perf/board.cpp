@@ -66,16 +66,16 @@ Board::Board(sc_module_name name, const kung::Options& options, Pins& pins, Vkun
 }
 
 sc_time Board::half() const {
-  return sc_time::from_value(static_cast<sc_dt::uint64>(options_.plant.clock_ps / 2));
+  return sc_time::from_value(static_cast<sc_dt::uint64>(options_.run.clock_ps / 2));
 }
 
 sc_time Board::time_of(cosim::Clk edge) const {
   return sc_time::from_value(
-      static_cast<sc_dt::uint64>((edge + kOrigin) * options_.plant.clock_ps));
+      static_cast<sc_dt::uint64>((edge + kOrigin) * options_.run.clock_ps));
 }
 
 cosim::Clk Board::edge() const {
-  return static_cast<cosim::Clk>(sc_time_stamp().value()) / options_.plant.clock_ps - kOrigin;
+  return static_cast<cosim::Clk>(sc_time_stamp().value()) / options_.run.clock_ps - kOrigin;
 }
 
 void Board::execute() {

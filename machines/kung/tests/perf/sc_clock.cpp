@@ -63,7 +63,7 @@ Outcome run_sc(const Arguments& arguments) {
   sc_core::sc_clock clk("clk", board.period(), 0.5, board.period(), true);
   board.clk(clk);
   chip->clk_i(clk);
-  sc_core::sc_start(board.stop_time(kung::edge_at(arguments.options.run.max_s)));
+  sc_core::sc_start(board.stop_time(arguments.options.run.clocks(arguments.options.run.max_s)));
   const cosim::Clk clocks = board.edge() + 1;
   chip->final();
   return {clocks, clocks, board.event_hash(), board.samples()};

@@ -58,7 +58,7 @@ inline Outcome run_speed(const Arguments& arguments) {
   const kung::Options& options = arguments.options;
   std::vector<sw::Point> points;
   kung::StallableApp firmware(kung::plan_firmware(options, points), cosim::kNever);
-  MovingTable table(arguments.speed_m_s, options.plant.clock_ps);
+  MovingTable table(arguments.speed_m_s, options.run.clock_ps);
   const auto chip = kung::make_verilated_chip(options.run);
   firmware.runs_on(*chip);
   Nothing nothing;
@@ -66,7 +66,7 @@ inline Outcome run_speed(const Arguments& arguments) {
   cosim::run_direct(loop, firmware,
                     {options.processor.access_clk, options.processor.interrupt_latency_clk, {},
                      options.point_clk, kung_xy_regs::kX + kung_xy_regs::kPosCmd},
-                    kung::edge_at(options.run.max_s), [] { return false; });
+                    options.run.clocks(options.run.max_s), [] { return false; });
   return {chip->now(), chip->evaluated(), 0, 0};
 }
 

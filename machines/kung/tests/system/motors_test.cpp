@@ -200,7 +200,7 @@ TEST_CASE("energy through the chip is balanced for each motor, without dead time
       Unobserved nobody;
       cosim::Loop loop(*chip, plant, nobody);
       sw::KungApp app(setup);
-      cosim::run_direct(loop, app, {}, edge_at(0.4), [] { return false; });
+      cosim::run_direct(loop, app, {}, cosim::RunBasics().clocks(0.4), [] { return false; });
       for (int axis = 0; axis < kAxes; ++axis) {
         const auto k = static_cast<std::size_t>(axis);
         CAPTURE(motor.name, carrier, axis, plant.in_j[k], plant.out_j[k], plant.moved_j[k]);

@@ -26,7 +26,7 @@ std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult
     const double speed = rev_s(s);
     if (++k > result.samples.size() - last) sum += speed;
     beyond = std::max(beyond, (speed - wanted) * (wanted < 0 ? -1 : 1));
-    if (std::fabs(speed - wanted) > kSettled * std::fabs(wanted)) settled = lab::seconds_of(s.edge);
+    if (std::fabs(speed - wanted) > kSettled * std::fabs(wanted)) settled = result.seconds(s.edge);
     current = std::max(current, std::fabs(s.i));
   }
   std::vector<lab::Figure> list;
@@ -54,7 +54,7 @@ const lab::ColumnTable& columns() {
     using At = Table::At;
     Table t;
     t.add({"t_s", "s", 1e-8, lab::fixed(8), "time from the start of the run", true},
-          [](const At& at) { return lab::seconds_of(at.sample.edge); });
+          [](const At& at) { return at.result.seconds(at.sample.edge); });
     t.add({"wanted_rev_s", "rev/s", 1e-3, lab::fixed(4), "speed that is asked for"},
           [](const At& at) { return wanted_rev_s(at.options); });
     t.add({"speed_rev_s", "rev/s", 1e-3, lab::fixed(4), "true speed of the shaft", true},

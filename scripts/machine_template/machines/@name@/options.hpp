@@ -29,7 +29,7 @@ struct Options final : lab::SettingsOf<Options, machine> {
     setup.interrupts = static_cast<std::uint32_t>(duration_s / kInterruptS + 0.5);
     const cosim::Clk lost = processor.interrupt_latency_clk + 2 * (processor.access_clk + 1);
     setup.timer_clk = static_cast<std::uint32_t>(
-        std::max<cosim::Clk>(1, cosim::clocks_of(kInterruptS, plant.clock_ps) - lost));
+        std::max<cosim::Clk>(1, run.clocks(kInterruptS) - lost));
     return setup;
   }
 };

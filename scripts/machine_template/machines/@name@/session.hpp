@@ -13,8 +13,7 @@ namespace trammel::@name@ {
 class Session final : public cosim::SampledSession {
  public:
   Session(const Options& options, const cosim::Hooks& hooks, const cosim::Waves& waves)
-      : SampledSession(hooks, options.run, cosim::Fault{}, options.processor,
-                       options.plant.clock_ps, waves),
+      : SampledSession(hooks, options.run, cosim::Fault{}, options.processor, waves),
         app_(options.firmware()),
         duration_s_(options.duration_s),
         plant_(options.plant),
