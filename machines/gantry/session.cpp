@@ -84,9 +84,10 @@ std::string Session::noticed() const {
   const Words words = chip_->words();
   if (app_.mailbox().failure != 0) return failure();
   if (words.malformed > 0) return "malformed frame";
-  if (app_.unchecked() > 0) return "frame without its checksum";
-  if (app_.refused() > 0) return "goal outside the track";
-  if (app_.unknown() > 0) return "unknown channel";
+  const sw::GantryMailbox& mail = app_.mailbox();
+  if (mail.unchecked > 0) return "frame without its checksum";
+  if (mail.refused > 0) return "goal outside the track";
+  if (mail.unknown > 0) return "unknown channel";
   return "";
 }
 
@@ -123,7 +124,7 @@ std::int64_t Session::read(std::size_t signal, int) const {
     case SignalOf::kPosition: return chip_->words().position;
     case SignalOf::kVelocity: return chip_->words().velocity;
     case SignalOf::kForce: return chip_->words().force[0];
-    case SignalOf::kError: return app_.error();
+    case SignalOf::kError: return app_.mailbox().error;
     case SignalOf::kRegion: return chip_->words().region;
   }
   return 0;
@@ -145,12 +146,13 @@ Sample Session::sample_at(cosim::Clk edge) const {
   }
   sample.stripes = {plant_.sample(kA, edge), plant_.sample(kB, edge)};
   sample.flank = {axis.flank(plant::BeltState::kMotor1), axis.flank(plant::BeltState::kMotor2)};
-  sample.error = app_.error();
-  sample.goal = app_.goal();
-  sample.zero = app_.zero();
-  sample.velocity = app_.velocity();
-  sample.goal_velocity = app_.goal_velocity();
-  sample.phase = static_cast<int>(app_.phase());
+  const sw::GantryMailbox& mail = app_.mailbox();
+  sample.error = mail.error;
+  sample.goal = mail.goal;
+  sample.zero = mail.zero;
+  sample.velocity = mail.velocity;
+  sample.goal_velocity = mail.goal_velocity;
+  sample.phase = static_cast<int>(mail.phase);
   return sample;
 }
 
@@ -159,8 +161,8 @@ void Session::follow(const Look& sample) {
   if (!sample.words.known || lost_s_) return;
   const double period = options_.stripes.period;
   const double from = plant_.axis().seen(sample.edge).x - sample.words.position * period / 16384;
-  if (counted_since_ != app_.restarts()) {
-    counted_since_ = app_.restarts();
+  if (counted_since_ != app_.mailbox().restarts) {
+    counted_since_ = app_.mailbox().restarts;
     counted_from_ = from;
   }
   if (std::fabs(from - counted_from_) < period / 2) return;
@@ -211,17 +213,18 @@ std::unique_ptr<Result> Session::result_now() const {
   result->fault = failure();
   const Words words = chip_->words();
   result->heard = plant_.heard();
-  result->passes = app_.mailbox().point;
-  result->unknown = app_.unknown();
-  result->refused = app_.refused();
-  result->unchecked = app_.unchecked();
-  result->unsent = app_.unsent();
+  const sw::GantryMailbox& mail = app_.mailbox();
+  result->passes = mail.point;
+  result->unknown = mail.unknown;
+  result->refused = mail.refused;
+  result->unchecked = mail.unchecked;
+  result->unsent = mail.unsent;
   result->malformed = words.malformed;
   result->lost = words.lost;
-  result->phase = app_.phase();
-  result->homed = app_.homed();
-  result->fitted = app_.fitted();
-  result->fit = app_.words();
+  result->phase = mail.phase;
+  result->homed = mail.homed != 0;
+  result->fitted = mail.fitted != 0;
+  result->fit = mail.words;
   result->store = chip_->store();
   if (identifies(options_)) {
     result->identified = identification(estimator_->samples(), options_.estimator.dead_samples);

@@ -243,9 +243,9 @@ std::unique_ptr<Result> Session::result_now() const {
   result->travel = travel_;
   result->end_at = last_at_;
   result->origin = origin_;
-  result->known = app_.table().known();
-  result->calibrated = app_.table().calibrated();
-  result->stopped = app_.table().stopped();
+  result->known = app_.mailbox().known;
+  result->calibrated = app_.mailbox().calibrated != 0;
+  result->stopped = app_.mailbox().stopped;
   result->interrupts = interrupts_;
   result->err_byte = chip_->err_byte();
   return result;

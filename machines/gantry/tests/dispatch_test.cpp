@@ -41,9 +41,9 @@ TEST_CASE("gantry: polled bits are the temperatures, and other bits are unknown"
   track.chip.words[regs::kOvertemp] = regs::kOvertempMotor2;
   CHECK(track.tell({{kPollBit, 0, 0}, {kPollBit, 1, 0}}) ==
         std::vector<Frame>{{kClearBit, 0, 0}, {kSetBit, 1, 0}});
-  CHECK(track.app.unknown() == 0);
+  CHECK(track.app.mailbox().unknown == 0);
   CHECK(track.tell({{kPollBit, 2, 0}, {kClearBit, 0, 0}, {kSetBit, 1, 0}}).empty());
-  CHECK(track.app.unknown() == 3);
+  CHECK(track.app.mailbox().unknown == 3);
 }
 
 TEST_CASE("gantry: polled position and velocity have their offsets, in either sense") {
@@ -80,7 +80,7 @@ TEST_CASE("gantry: each converter channel that is polled is asked for, and answe
     CHECK(track.chip.sent.size() == 1);
   }
   for (const std::uint32_t channel : {7u, 8u, 10u, 30u}) track.tell({{kPoll, channel, 0}});
-  CHECK(track.app.unknown() == 4);
+  CHECK(track.app.mailbox().unknown == 4);
 }
 
 TEST_CASE("gantry: channel 11 restarts the observer only where its mask changes") {
@@ -104,7 +104,7 @@ TEST_CASE("gantry: with the observer its position is gone: the motors rest until
   CHECK(track.force(1) == -1023);
   track.tell({{kValue, 11, 0x00}});
   CHECK(track.force(1) == 0);
-  CHECK(track.app.phase() == sw::GantryPhase::kIdle);
+  CHECK(track.app.mailbox().phase == sw::GantryPhase::kIdle);
   track.tell({{kValue, 11, 0x11}});
   track.pass(3);
   CHECK(track.force(1) == 0);
@@ -121,13 +121,13 @@ TEST_CASE("gantry: homing goes on where the observer was restarted") {
   CHECK(track.force(1) == 0x150);
   track.tell({{kValue, 11, 0x01}});
   CHECK(track.force(1) == 0);
-  CHECK(track.app.phase() == sw::GantryPhase::kHoming);
+  CHECK(track.app.mailbox().phase == sw::GantryPhase::kHoming);
   track.pass(7);
   CHECK(track.force(1) == 0x150);
   track.pass(7, setup.home_ticks);
   track.release(7);
-  CHECK(track.app.homed());
-  CHECK(track.app.zero() == 7);
+  CHECK(track.app.mailbox().homed);
+  CHECK(track.app.mailbox().zero == 7);
 }
 
 TEST_CASE("gantry: a restart of the observer after homing leaves neither zero nor homed") {
@@ -137,11 +137,11 @@ TEST_CASE("gantry: a restart of the observer after homing leaves neither zero no
   track.pass(7);
   track.pass(7, setup.home_ticks);
   track.release(7);
-  REQUIRE(track.app.homed());
+  REQUIRE(track.app.mailbox().homed);
   track.tell({{kValue, 11, 0x01}});
-  CHECK_FALSE(track.app.homed());
-  CHECK(track.app.zero() == 0);
-  CHECK(track.app.phase() == sw::GantryPhase::kIdle);
+  CHECK_FALSE(track.app.mailbox().homed);
+  CHECK(track.app.mailbox().zero == 0);
+  CHECK(track.app.mailbox().phase == sw::GantryPhase::kIdle);
 }
 
 TEST_CASE("gantry: a goal ends a velocity and begins from rest, and the reverse; no run before") {
@@ -162,9 +162,9 @@ TEST_CASE("gantry: a goal ends a velocity and begins from rest, and the reverse;
       if (from == Phase::kPosition) track.tell({{kValue, 21, 5}});
       if (from == Phase::kVelocity) track.tell({{kValue, 22, 170'000}});
       CAPTURE(channel, k);
-      REQUIRE(track.app.phase() == from);
+      REQUIRE(track.app.mailbox().phase == from);
       track.tell({{kValue, channel, 10}});
-      CHECK(track.app.phase() == after[k]);
+      CHECK(track.app.mailbox().phase == after[k]);
     }
   }
 }
@@ -177,42 +177,42 @@ TEST_CASE("gantry: channel 12 sets the slots of the observer or of the requester
   CHECK(track.chip.words[regs::kSlots] == 0x00FE'0007);
   track.tell({{kValue, 12, 255 << 2 | 2}, {kValue, 12, 1}, {kValue, 12, 3}});
   CHECK(track.chip.words[regs::kSlots] == 0x00FE'0007);
-  CHECK(track.app.unknown() == 3);
+  CHECK(track.app.mailbox().unknown == 3);
 }
 
 TEST_CASE("gantry: channel 13 starts, sends and stores calibration data, and nothing else") {
   Track track;
   track.tell({{kValue, 13, 1 << 2}, {kValue, 13, 2 << 2 | 0xBEEFu << 6}, {kValue, 13, 7 << 2}});
   CHECK(track.chip.calibrated == std::vector<std::uint32_t>{0x1'0000, 0x2'BEEF, 0x7'0000});
-  CHECK(track.app.unknown() == 0);
+  CHECK(track.app.mailbox().unknown == 0);
   track.tell({{kValue, 13, 3 << 2}});  // an address of the other bus: no error, no effect
-  CHECK(track.app.unknown() == 0);
+  CHECK(track.app.mailbox().unknown == 0);
   track.tell({{kValue, 13, 0}, {kValue, 13, 4 << 2}, {kValue, 13, 15 << 2}});
   CHECK(track.chip.calibrated.size() == 3);
-  CHECK(track.app.unknown() == 3);
+  CHECK(track.app.mailbox().unknown == 3);
 }
 
 TEST_CASE("gantry: a goal chooses its control; velocity has an offset") {
   Track track;
   track.tell({{kValue, 21, 305}});
-  CHECK(track.app.phase() == sw::GantryPhase::kPosition);
-  CHECK(track.app.goal() == 1952);
+  CHECK(track.app.mailbox().phase == sw::GantryPhase::kPosition);
+  CHECK(track.app.mailbox().goal == 1952);
   track.pass(0);
   CHECK(track.force(1) == -1023);  // toward larger positions
   CHECK(track.force(2) == -1023);
   track.tell({{kValue, 22, 170'000 + 50'000}});
-  CHECK(track.app.phase() == sw::GantryPhase::kVelocity);
-  CHECK(track.app.goal_velocity() == 50'000);
+  CHECK(track.app.mailbox().phase == sw::GantryPhase::kVelocity);
+  CHECK(track.app.mailbox().goal_velocity == 50'000);
   track.pass(0);
   CHECK(track.force(1) < 0);
   track.tell({{kValue, 22, 170'000 - 50'000}});
-  CHECK(track.app.goal_velocity() == -50'000);
+  CHECK(track.app.mailbox().goal_velocity == -50'000);
   track.pass(0);
   CHECK(track.force(2) > 0);
   track.tell({{kValue, 21, 0}});
-  CHECK(track.app.phase() == sw::GantryPhase::kPosition);
+  CHECK(track.app.mailbox().phase == sw::GantryPhase::kPosition);
   track.tell({{kValue, 23, 1}});
-  CHECK(track.app.unknown() == 1);
+  CHECK(track.app.mailbox().unknown == 1);
 }
 
 TEST_CASE("gantry: while the angle is not known no motor is driven") {
@@ -274,7 +274,8 @@ TEST_CASE("gantry: of a million bytes each frame is answered, taken or counted, 
     if (!out.valid) return;
     ++frames;
     const exact::Frame& f = out.frame;
-    const auto dropped = [&track] { return track.app.unknown() + track.app.refused(); };
+    const sw::GantryMailbox& mail = track.app.mailbox();
+    const auto dropped = [&mail] { return mail.unknown + mail.refused; };
     const std::uint32_t before = dropped();
     track.tell({{f.kind, f.channel, f.value}});
     const bool counted = dropped() == before + 1;
@@ -313,7 +314,7 @@ TEST_CASE("gantry: of a million bytes each frame is answered, taken or counted, 
       }
       REQUIRE(line.out().valid);
       track.tell({{line.out().frame.kind, line.out().frame.channel, line.out().frame.value}});
-      REQUIRE(track.app.goal() == 1952);
+      REQUIRE(track.app.mailbox().goal == 1952);
     }
   }
   CHECK(frames + malformed >= ends);

@@ -45,7 +45,7 @@ TEST_CASE("gantry: homing and the calibration run take their own forces, in oppo
   setup.home_ticks = 100;
   setup.fit_force = 302;
   Track track(setup);
-  CHECK(track.app.phase() == sw::GantryPhase::kHoming);
+  CHECK(track.app.mailbox().phase == sw::GantryPhase::kHoming);
   track.pass(7);
   check_forces(track, 201);
   track.pass(6);
@@ -53,17 +53,17 @@ TEST_CASE("gantry: homing and the calibration run take their own forces, in oppo
   track.pass(6, 100);
   check_forces(track, 0);
   track.release(6);
-  CHECK(track.app.homed());
-  CHECK(track.app.zero() == 6);
-  CHECK(track.app.phase() == sw::GantryPhase::kToFit);
-  CHECK_FALSE(track.app.fitted());
+  CHECK(track.app.mailbox().homed);
+  CHECK(track.app.mailbox().zero == 6);
+  CHECK(track.app.mailbox().phase == sw::GantryPhase::kToFit);
+  CHECK_FALSE(track.app.mailbox().fitted);
   track.pass(6);
-  CHECK(track.app.goal() == 512);  // 80 mm of 5/32 mm
-  CHECK(track.app.error() == -512);
+  CHECK(track.app.mailbox().goal == 512);  // 80 mm of 5/32 mm
+  CHECK(track.app.mailbox().error == -512);
   CHECK(track.force(1) < 0);
   track.pass(6 + 512);
   track.pass(6 + 512, 4613);
-  REQUIRE(track.app.phase() == sw::GantryPhase::kFitting);
+  REQUIRE(track.app.mailbox().phase == sw::GantryPhase::kFitting);
   check_forces(track, -302);
   CHECK(track.chip.words[regs::kObserver] == 0);
   CHECK(track.chip.words[regs::kRequest] == regs::kRequestA);
@@ -76,16 +76,16 @@ TEST_CASE("gantry: homing and the calibration run take their own forces, in oppo
 TEST_CASE("gantry: an axis that only calibrates starts to the fit, and one of neither rests") {
   sw::GantrySetup setup;
   Track idle(setup);
-  CHECK(idle.app.phase() == sw::GantryPhase::kIdle);
+  CHECK(idle.app.mailbox().phase == sw::GantryPhase::kIdle);
   idle.pass(300);
   CHECK(idle.chip.writes[regs::kForce1] == 0);
   CHECK(idle.chip.writes[regs::kForce2] == 0);
   setup.calibrate = true;
   Track fits(setup);
-  CHECK(fits.app.phase() == sw::GantryPhase::kToFit);
+  CHECK(fits.app.mailbox().phase == sw::GantryPhase::kToFit);
   setup.home = true;
   Track homes(setup);
-  CHECK(homes.app.phase() == sw::GantryPhase::kHoming);
+  CHECK(homes.app.mailbox().phase == sw::GantryPhase::kHoming);
 }
 
 TEST_CASE("gantry: the time at rest before the run counts from when the cart came within 4") {
@@ -95,11 +95,11 @@ TEST_CASE("gantry: the time at rest before the run counts from when the cart cam
   track.pass(512);
   track.pass(512, 4600);
   track.pass(512 + 5, 100);  // away again
-  CHECK(track.app.phase() == sw::GantryPhase::kToFit);
+  CHECK(track.app.mailbox().phase == sw::GantryPhase::kToFit);
   track.pass(512 - 4, 4612);
-  CHECK(track.app.phase() == sw::GantryPhase::kToFit);
+  CHECK(track.app.mailbox().phase == sw::GantryPhase::kToFit);
   track.pass(512 + 4, 1);
-  CHECK(track.app.phase() == sw::GantryPhase::kFitting);
+  CHECK(track.app.mailbox().phase == sw::GantryPhase::kFitting);
 }
 
 TEST_CASE("gantry: homing counts its rest anew at each count that the cart moves, either way") {
@@ -109,13 +109,13 @@ TEST_CASE("gantry: homing counts its rest anew at each count that the cart moves
   Track track(setup);
   track.pass(3);
   for (const std::int32_t count : {3, 2, 3, 3, 2}) track.pass(count, 49 - 24 * (count == 3));
-  CHECK_FALSE(track.app.homed());
+  CHECK_FALSE(track.app.mailbox().homed);
   track.pass(2, 49);
-  CHECK_FALSE(track.app.homed());
+  CHECK_FALSE(track.app.mailbox().homed);
   track.pass(2, 1);
   track.release(2);
-  CHECK(track.app.homed());
-  CHECK(track.app.zero() == 2);
+  CHECK(track.app.mailbox().homed);
+  CHECK(track.app.mailbox().zero == 2);
 }
 
 TEST_CASE("gantry: homing ends 0.1 s later where the position jitters by a count, never by two") {
@@ -130,7 +130,7 @@ TEST_CASE("gantry: homing ends 0.1 s later where the position jitters by a count
     for (int k = 0; k < 8; ++k) track.pass(k % 2 == 0 ? 3 : 3 + jitter, 100);
     CHECK(track.force(1) == (jitter == 1 ? 0 : 0x150));
     for (int k = 0; k < 8; ++k) track.pass(k % 2 == 0 ? 3 : 3 + jitter, 100);
-    CHECK(track.app.homed() == (jitter == 1));
+    CHECK(track.app.mailbox().homed == (jitter == 1));
   }
 }
 
@@ -141,28 +141,28 @@ TEST_CASE("gantry: rest is counted from the first pass that has a position, howe
   Track homes(setup);
   homes.pass(0, 1'000'000, false);
   homes.pass(7, 9);
-  CHECK_FALSE(homes.app.homed());
+  CHECK_FALSE(homes.app.mailbox().homed);
   check_forces(homes, 0x150);
   homes.pass(7, 99);
-  CHECK_FALSE(homes.app.homed());
+  CHECK_FALSE(homes.app.mailbox().homed);
   homes.pass(7, 1);
   homes.release(7);
-  CHECK(homes.app.homed());
+  CHECK(homes.app.mailbox().homed);
   setup.home = false;
   setup.calibrate = true;
   Track fits(setup);
   fits.pass(0, 1'000'000, false);
   fits.pass(512, 9);
-  CHECK(fits.app.phase() == sw::GantryPhase::kToFit);
+  CHECK(fits.app.mailbox().phase == sw::GantryPhase::kToFit);
   fits.pass(512, 4612);
-  CHECK(fits.app.phase() == sw::GantryPhase::kToFit);
+  CHECK(fits.app.mailbox().phase == sw::GantryPhase::kToFit);
   fits.pass(512, 1);
-  CHECK(fits.app.phase() == sw::GantryPhase::kFitting);
+  CHECK(fits.app.mailbox().phase == sw::GantryPhase::kFitting);
 }
 
 TEST_CASE("gantry: without controller the force is as it is asked for, whatever the host wants") {
   Track constant(open_setup(sw::OpenForce::kConstant, 3));
-  CHECK(constant.app.phase() == sw::GantryPhase::kOpen);
+  CHECK(constant.app.mailbox().phase == sw::GantryPhase::kOpen);
   constant.tell({{kValue, 21, 5}});
   CHECK(forces(constant, 4) == std::vector<std::int32_t>{77, 77, 77, 77});
   constant.tell({{kValue, 22, 171000}});
@@ -200,9 +200,9 @@ TEST_CASE("gantry: homing ends in the run without controller") {
   setup.home = true;
   setup.home_ticks = 10;
   Track track(setup);
-  for (int k = 0; k < 60 && !track.app.homed(); ++k) track.pass(3);  // with 0.1 s of rest
-  CHECK(track.app.homed());
-  CHECK(track.app.phase() == sw::GantryPhase::kOpen);
+  for (int k = 0; k < 60 && !track.app.mailbox().homed; ++k) track.pass(3);  // with 0.1 s of rest
+  CHECK(track.app.mailbox().homed);
+  CHECK(track.app.mailbox().phase == sw::GantryPhase::kOpen);
   track.pass(3);
   CHECK(track.force(1) == 77);
 }

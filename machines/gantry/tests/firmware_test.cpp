@@ -48,7 +48,7 @@ TEST_CASE("gantry: a count is the floor of the position, on either side of 0") {
     track.chip.words[regs::kPosition] = static_cast<std::uint32_t>(units);
     track.interrupt(regs::kStatusPass);
     CAPTURE(units);
-    CHECK(track.app.error() == (units < -512 ? -2 : units < 0 ? -1 : units < 512 ? 0 : 1));
+    CHECK(track.app.mailbox().error == (units < -512 ? -2 : units < 0 ? -1 : units < 512 ? 0 : 1));
   }
 }
 
@@ -83,12 +83,12 @@ TEST_CASE("gantry: a velocity is filtered, and forgotten with the observer's pos
   Track track;
   track.chip.words[regs::kVelocity] = 100'000;
   track.pass(0);
-  CHECK(track.app.velocity() == 1250);
+  CHECK(track.app.mailbox().velocity == 1250);
   track.chip.words[regs::kVelocity] = 0;
   track.tell({{kValue, 11, 0x01}, {kValue, 11, 0x11}});
-  CHECK(track.app.velocity() == 0);
+  CHECK(track.app.mailbox().velocity == 0);
   track.pass(0);
-  CHECK(track.app.velocity() == 0);
+  CHECK(track.app.mailbox().velocity == 0);
 }
 
 TEST_CASE("gantry: homing waits for a position that stands still, and then goes there") {
@@ -98,21 +98,21 @@ TEST_CASE("gantry: homing waits for a position that stands still, and then goes 
   Track track(setup);
   track.tell({{kValue, 21, 200}});  // is dropped
   for (std::int32_t count = 20; count > -12; --count) track.pass(count, 90);
-  CHECK_FALSE(track.app.homed());
+  CHECK_FALSE(track.app.mailbox().homed);
   track.pass(-11, 99);
-  CHECK_FALSE(track.app.homed());
+  CHECK_FALSE(track.app.mailbox().homed);
   CHECK(track.tell({{kPoll, 0, 0}}).front().value == (1u << 24) - 2);  // -1.7 mm, from power-on
   track.pass(-11, 1);
   CHECK(track.force(1) == 0);     // the stop pushes back, and zero is where that ends
   track.pass(-10, 400);
   track.pass(-10, 460);
-  CHECK_FALSE(track.app.homed());
+  CHECK_FALSE(track.app.mailbox().homed);
   track.pass(-10, 1);
-  CHECK(track.app.homed());
-  CHECK(track.app.phase() == sw::GantryPhase::kPosition);
-  CHECK(track.app.goal() == 0);
+  CHECK(track.app.mailbox().homed);
+  CHECK(track.app.mailbox().phase == sw::GantryPhase::kPosition);
+  CHECK(track.app.mailbox().goal == 0);
   track.pass(-10);
-  CHECK(track.app.error() == 0);
+  CHECK(track.app.mailbox().error == 0);
   CHECK(track.force(1) == 0);
   CHECK(track.tell({{kPoll, 0, 0}}).front().value == 1u << 24);
 }
@@ -125,12 +125,12 @@ TEST_CASE("gantry: the calibration run begins where the cart stands at 80 mm, fr
     for (const std::int32_t off : {400, 5}) {
       for (int k = 0; k < 10; ++k) track.pass(512 + side * off, 1000);
       CAPTURE(side, off);
-      CHECK(track.app.phase() == sw::GantryPhase::kToFit);
+      CHECK(track.app.mailbox().phase == sw::GantryPhase::kToFit);
     }
     track.pass(512 + side * 4, 4612);
-    CHECK(track.app.phase() == sw::GantryPhase::kToFit);
+    CHECK(track.app.mailbox().phase == sw::GantryPhase::kToFit);
     track.pass(512 + side * 4, 1);
-    CHECK(track.app.phase() == sw::GantryPhase::kFitting);
+    CHECK(track.app.mailbox().phase == sw::GantryPhase::kFitting);
   }
 }
 
@@ -181,7 +181,8 @@ TEST_CASE("gantry: A and B may lie on a circle of 250 to 520 codes, and not besi
       CHECK(failure(track) == (fine ? sw::GantryFailure::kNone : sw::GantryFailure::kSensor));
       CHECK(track.force(1) == (fine ? 50 : 0));
       CHECK(track.force(2) == (fine ? 50 : 0));
-      CHECK(track.app.phase() == (fine ? sw::GantryPhase::kPosition : sw::GantryPhase::kIdle));
+      CHECK(track.app.mailbox().phase ==
+            (fine ? sw::GantryPhase::kPosition : sw::GantryPhase::kIdle));
     }
   }
 }
@@ -205,7 +206,7 @@ TEST_CASE("gantry: more than 160 counts of each motor and no motion for so long 
             (stalled ? sw::GantryFailure::kStalled : sw::GantryFailure::kNone));
       CHECK(track.force(2) == (stalled ? 0 : sign * force));
       track.pass(0);  // what has failed stays off
-      CHECK(track.app.phase() ==
+      CHECK(track.app.mailbox().phase ==
             (stalled ? sw::GantryPhase::kIdle : sw::GantryPhase::kPosition));
       if (!stalled) continue;
       track.tell({{kValue, 21, 100}});
@@ -247,16 +248,16 @@ TEST_CASE("gantry: a calibration run asks for A and B in turn, seals what it fou
       track.pass(512);
       track.pass(512, 5000);
       CAPTURE(home, found);
-      REQUIRE(track.app.phase() == sw::GantryPhase::kFitting);
+      REQUIRE(track.app.mailbox().phase == sw::GantryPhase::kFitting);
       CHECK(track.force(1) == -0x150);
       CHECK(track.force(2) == -0x150);
       track.tell({{kValue, 11, 0x01}, {kPoll, 1, 0}});  // the converter is the run's
       CHECK(track.chip.words[regs::kObserver] == 0);
-      CHECK(track.app.unknown() == 1);
+      CHECK(track.app.mailbox().unknown == 1);
       sw::CalibrationFit fit;
       const std::uint32_t from = track.chip.words[regs::kTicks];
       bool of_a = true;
-      for (std::uint32_t n = 1; track.app.phase() == sw::GantryPhase::kFitting; ++n) {
+      for (std::uint32_t n = 1; track.app.mailbox().phase == sw::GantryPhase::kFitting; ++n) {
         REQUIRE(n < 100'000);
         const double x = found ? 0.1267 * n / 4612.0 : 0;
         track.chip.words[regs::kTicks] = from + n;
@@ -280,10 +281,10 @@ TEST_CASE("gantry: a calibration run asks for A and B in turn, seals what it fou
         sealed.push_back(7u << 16);
       }
       CHECK(track.chip.calibrated == sealed);
-      CHECK(track.app.fitted() == found);
+      CHECK(track.app.mailbox().fitted == found);
       CHECK(track.chip.words[regs::kObserver] == 0x11);
       CHECK(failure(track) == (found ? sw::GantryFailure::kNone : sw::GantryFailure::kFitFailed));
-      CHECK(track.app.phase() ==
+      CHECK(track.app.mailbox().phase ==
             (home && found ? sw::GantryPhase::kHoming : sw::GantryPhase::kIdle));
       track.chip.words[regs::kRequest] = 0;
       track.interrupt(regs::kStatusSample);  // nobody asked for that

@@ -35,13 +35,13 @@ struct HeldRecord final : cosim::Observer {
   void on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant& plant) override {
     events.on(stop, chip, plant);
     if ((stop.why & cosim::kSample) == 0) return;
-    const auto& app = static_cast<const sw::GantryApp&>(session.firmware());
+    const auto& mail = static_cast<const sw::GantryApp&>(session.firmware()).mailbox();
     Held h;
     h.words = static_cast<const GantryChip&>(chip).words();
-    h.program = {{"error", app.error()},       {"goal", app.goal()},
-                 {"zero", app.zero()},         {"velocity", app.velocity()},
-                 {"goal_velocity", app.goal_velocity()},
-                 {"phase", static_cast<int>(app.phase())}};
+    h.program = {{"error", mail.error},       {"goal", mail.goal},
+                 {"zero", mail.zero},         {"velocity", mail.velocity},
+                 {"goal_velocity", mail.goal_velocity},
+                 {"phase", static_cast<int>(mail.phase)}};
     const auto& reader = static_cast<const cosim::SignalReader&>(session);
     for (std::size_t n = 0; n < signals().size(); ++n) {
       h.signals[signals()[n].name] = reader.read(n, 0);

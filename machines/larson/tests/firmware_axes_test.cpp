@@ -38,7 +38,7 @@ TEST_CASE("CALTBL uses its own rates, margin and timer, and leaves each axis at 
   REQUIRE(failure(program) == 0);
   CHECK(program.bus.axes[0].at == -2);  // 17 from -19, where its switch opens
   CHECK(program.bus.axes[1].at == -12);
-  CHECK(program.app.table().calibrated());
+  CHECK(program.app.mailbox().calibrated);
   const auto& starts = program.bus.starts;
   REQUIRE(starts.size() == 6);
   constexpr std::uint32_t kRun = map::kEnable | map::kBusy;
@@ -63,7 +63,7 @@ TEST_CASE("CALTBL fails where one axis alone finds no switch, or one that does n
       (opens ? program.bus.axes[axis].low : program.bus.axes[axis].high) = opens ? -200'000 : -50;
       program.run(300'000);
       CHECK(failure(program) == static_cast<std::uint32_t>(LarsonFailure::kNotCalibrated));
-      CHECK_FALSE(program.app.table().calibrated());
+      CHECK_FALSE(program.app.mailbox().calibrated);
     }
   }
 }
@@ -146,7 +146,7 @@ TEST_CASE("each end of the soft range is reached, and clipped one beyond, in eac
       CHECK(program.answers[5].at.x == (axis == 0 ? clipped : 250));
       CHECK(program.answers[5].at.y == (axis == 1 ? clipped : 250));
       CHECK(program.answers[7].value == 1);  // the error is told once
-      CHECK(program.app.table().calibrated());
+      CHECK(program.app.mailbox().calibrated);
     }
   }
 }

@@ -253,7 +253,7 @@ TEST_CASE("where a switch ended a move WHRTBL tells it, from either side, and WT
     CHECK(program.answers[5].value == kNotYet);
     CHECK(program.answers[6].value == 1);
     CHECK(program.app.mailbox().failure == 0);
-    CHECK(program.app.table().calibrated());  // by the CALTBL behind it
+    CHECK(program.app.mailbox().calibrated);  // by the CALTBL behind it
     CHECK(program.answers[8].value == 0);
   }
 }

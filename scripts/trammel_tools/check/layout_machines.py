@@ -102,6 +102,21 @@ def check_chips(root, files, machine):
                    "`can.twin = false;`")
 
 
+def check_session(root, files, machine):
+    """A session reads its firmware by the mailbox alone, so that a core can execute it."""
+    paths = [p for p in sorted(files) if p.parts[:2] == ("machines", machine)
+             and len(p.parts) == 3 and p.stem == "session"]
+    texts = {path: read(root, path) for path in paths}
+    apps = {name for text in texts.values()
+            for name in re.findall(r"^\s*sw::\w+App (\w+);", text, re.M)}
+    for path, text in texts.items():
+        for number, line in enumerate(text.split("\n"), 1):
+            for app, member in re.findall(r"\b(\w+)\.(\w+)\(", line):
+                if app in apps and member not in ("start", "isr", "mailbox"):
+                    yield (f"{path}:{number}: a session calls start(), isr() and mailbox() of its "
+                           f"firmware, no {member}()")
+
+
 def check_machine(root, files, machine):
     """Companions of one folder of machines/."""
     folder = Path("machines", machine)
@@ -116,6 +131,7 @@ def check_machine(root, files, machine):
     if folder / "chip.cmake" not in files and not has_part(root, files, machine):
         yield f"{folder}/: neither {folder}/chip.cmake nor the chip of a part of parts/"
     yield from check_chips(root, files, machine)
+    yield from check_session(root, files, machine)
 
 
 def check_strays(files, machines):

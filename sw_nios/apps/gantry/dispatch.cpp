@@ -35,7 +35,7 @@ std::int32_t converter_of(std::uint32_t channel) {
 
 // Position in whole millimetres, toward minus infinity: 16384 units are 5 mm.
 std::int32_t GantryApp::millimetres() const {
-  const std::int64_t units = units_ - std::int64_t{zero_} * 512;
+  const std::int64_t units = units_ - std::int64_t{mail_.zero} * 512;
   return static_cast<std::int32_t>(units * 5 >> 14);
 }
 
@@ -62,7 +62,7 @@ void GantryApp::check(Bus& bus, const Frame& frame) {
     act(bus, held_);
     return;
   }
-  if (sum || holds_) ++unchecked_;
+  if (sum || holds_) ++mail_.unchecked;
   holds_ = !sum;
   held_ = frame;
 }
@@ -77,10 +77,10 @@ void GantryApp::act(Bus& bus, const Frame& frame) {
         const bool hot = (bus.read(tau::kOvertemp) >> channel & 1) != 0;
         send(bus, {hot ? kSetBit : kClearBit, channel, 0});
       } else {
-        ++unknown_;
+        ++mail_.unknown;
       }
       break;
-    default: ++unknown_;  // there is no digital output
+    default: ++mail_.unknown;  // there is no digital output
   }
 }
 
@@ -92,7 +92,7 @@ std::uint32_t GantryApp::room(Bus& bus) const {
 
 void GantryApp::send(Bus& bus, const Frame& frame) {
   if (room(bus) == 0) {
-    ++unsent_;
+    ++mail_.unsent;
     return;
   }
   put(bus, frame);
@@ -100,7 +100,7 @@ void GantryApp::send(Bus& bus, const Frame& frame) {
 }
 
 void GantryApp::set(Bus& bus, std::uint32_t channel, std::uint32_t value) {
-  const bool fitting = phase_ == GantryPhase::kFitting;
+  const bool fitting = mail_.phase == GantryPhase::kFitting;
   switch (channel) {
     case channel_of::kObserve: {
       const std::uint32_t mask = value & (tau::kObserverActive | tau::kObserverVelocity);
@@ -110,7 +110,7 @@ void GantryApp::set(Bus& bus, std::uint32_t channel, std::uint32_t value) {
     case channel_of::kSlots: {
       const std::uint32_t client = value & 3, slots = value >> 2;
       if (client == 1 || client == 3 || slots > 254) {
-        ++unknown_;
+        ++mail_.unknown;
         return;
       }
       const std::uint32_t old = bus.read(tau::kSlots);
@@ -123,7 +123,7 @@ void GantryApp::set(Bus& bus, std::uint32_t channel, std::uint32_t value) {
       if (command == 1 || command == 2 || command == 7) {
         bus.write(tau::kCalibrate, command << 16 | (value >> 6 & 0xFFFF));
       } else if (command != 3) {  // an address of the other bus, which this chip has not
-        ++unknown_;
+        ++mail_.unknown;
       }
       return;
     }
@@ -131,27 +131,27 @@ void GantryApp::set(Bus& bus, std::uint32_t channel, std::uint32_t value) {
     case channel_of::kGoal: {
       const bool outside = value > channel_of::kMostGoal_mm;
       if (outside && !c_.clip_goals) {
-        ++refused_;
+        ++mail_.refused;
         return;
       }
       const std::uint32_t mm = outside ? channel_of::kMostGoal_mm : value;
-      goal_ = static_cast<std::int32_t>(mm * 32 / 5);
-      if (phase_ == GantryPhase::kIdle || phase_ == GantryPhase::kVelocity) {
-        phase_ = GantryPhase::kPosition;
+      mail_.goal = static_cast<std::int32_t>(mm * 32 / 5);
+      if (mail_.phase == GantryPhase::kIdle || mail_.phase == GantryPhase::kVelocity) {
+        mail_.phase = GantryPhase::kPosition;
       }
       return;
     }
     case channel_of::kGoalVelocity:
       if (value > channel_of::kMostGoalVelocity && !c_.clip_goals) {
-        ++refused_;
+        ++mail_.refused;
         return;
       }
-      goal_velocity_ = narrowed(std::int64_t{value} - channel_of::kGoalVelocityOffset);
-      if (phase_ == GantryPhase::kIdle || phase_ == GantryPhase::kPosition) {
-        phase_ = GantryPhase::kVelocity;
+      mail_.goal_velocity = narrowed(std::int64_t{value} - channel_of::kGoalVelocityOffset);
+      if (mail_.phase == GantryPhase::kIdle || mail_.phase == GantryPhase::kPosition) {
+        mail_.phase = GantryPhase::kVelocity;
       }
       return;
-    default: ++unknown_;
+    default: ++mail_.unknown;
   }
 }
 
@@ -166,11 +166,11 @@ void GantryApp::poll(Bus& bus, std::uint32_t channel) {
   } else if (channel == channel_of::kVelocity) {
     const std::uint32_t velocity = bus.read(tau::kVelocity) + channel_of::kVelocityOffset;
     send(bus, {kValue, channel, velocity & 0x7FFFFF});
-  } else if (converter >= 0 && phase_ != GantryPhase::kFitting) {
+  } else if (converter >= 0 && mail_.phase != GantryPhase::kFitting) {
     asked_ |= 1u << converter;
     bus.write(tau::kRequest, 1u << converter);
   } else {
-    ++unknown_;
+    ++mail_.unknown;
   }
 }
 
@@ -207,7 +207,7 @@ void GantryApp::stream(Bus& bus, std::uint32_t ticks) {
   if (room(bus) < 8) return;
   send(bus, {kValue, channel_of::kStreamPosition, static_cast<std::uint32_t>(millimetres())});
   send(bus, {kValue, channel_of::kStreamTime, ticks});
-  send(bus, {kValue, channel_of::kStreamVelocity, static_cast<std::uint32_t>(filtered_)});
+  send(bus, {kValue, channel_of::kStreamVelocity, static_cast<std::uint32_t>(mail_.velocity)});
 }
 
 }  // namespace trammel::sw

@@ -30,11 +30,11 @@ void GantryApp::start(Bus& bus) {
   bus.write(tau::kReceiveGap, c_.gap_clk);
   send(bus, {gantry_channel::kValue, gantry_channel::kReset, gantry_channel::kResetMessage});
   if (c_.home) {
-    phase_ = GantryPhase::kHoming;
+    mail_.phase = GantryPhase::kHoming;
   } else if (c_.calibrate) {
-    phase_ = GantryPhase::kToFit;
+    mail_.phase = GantryPhase::kToFit;
   } else if (c_.open != OpenForce::kNone) {
-    phase_ = GantryPhase::kOpen;
+    mail_.phase = GantryPhase::kOpen;
   }
 }
 
@@ -45,7 +45,7 @@ void GantryApp::isr(Bus& bus) {
   if (events != 0) bus.write(tau::kStatus, events);
   if ((status & tau::kStatusPass) != 0) pass(bus);
   if ((status & tau::kStatusSample) != 0) {
-    if (phase_ == GantryPhase::kFitting) {
+    if (mail_.phase == GantryPhase::kFitting) {
       collect(bus);
     } else {
       answer_samples(bus);
@@ -56,7 +56,7 @@ void GantryApp::isr(Bus& bus) {
 
 void GantryApp::pass(Bus& bus) {
   ++mail_.point;
-  if (phase_ == GantryPhase::kFitting) return;
+  if (mail_.phase == GantryPhase::kFitting) return;
   const std::uint32_t ticks = bus.read(tau::kTicks);
   if ((bus.read(tau::kAngle) & tau::kAngleKnown) == 0) {
     last_tick_ = ticks;
@@ -64,23 +64,23 @@ void GantryApp::pass(Bus& bus) {
     return;
   }
   units_ = static_cast<std::int32_t>(bus.read(tau::kPosition));
-  count_ = (units_ >> 9) - zero_;
+  count_ = (units_ >> 9) - mail_.zero;
   const auto velocity = static_cast<std::int32_t>(bus.read(tau::kVelocity));
-  filtered_ = other_ != nullptr ? other_->step(velocity, forces_) : filter_.step(velocity);
+  mail_.velocity = other_ != nullptr ? other_->step(velocity, forces_) : filter_.step(velocity);
   if (!seen_) {
     seen_ = true;
     still_count_ = near_count_ = count_;
     still_tick_ = near_tick_ = last_tick_ = moved_tick_ = ticks;
   }
   if (failed(bus, ticks)) return;
-  if (phase_ == GantryPhase::kHoming) {
+  if (mail_.phase == GantryPhase::kHoming) {
     home(bus, count_, ticks);
-  } else if (phase_ == GantryPhase::kToFit) {
+  } else if (mail_.phase == GantryPhase::kToFit) {
     go_to_fit(bus, ticks);
-  } else if (phase_ == GantryPhase::kOpen) {
+  } else if (mail_.phase == GantryPhase::kOpen) {
     const std::int32_t force = open_force();
     go(bus, {force, force});
-  } else if (phase_ != GantryPhase::kIdle) {
+  } else if (mail_.phase != GantryPhase::kIdle) {
     go(bus, control(ticks));
   }
   last_tick_ = ticks;
@@ -110,24 +110,24 @@ void GantryApp::home(Bus& bus, std::int32_t count, std::uint32_t ticks) {
     return go(bus, {0, 0});
   }
   released_ = false;
-  zero_ += count;
+  mail_.zero += count;
   count_ = 0;
-  homed_ = true;
+  mail_.homed = 1;
   still_tick_ = ticks;
-  goal_ = 0;
-  phase_ = c_.calibrate && !fitted_ ? GantryPhase::kToFit : ready(GantryPhase::kPosition);
+  mail_.goal = 0;
+  mail_.phase = c_.calibrate && !mail_.fitted ? GantryPhase::kToFit : ready(GantryPhase::kPosition);
 }
 
 void GantryApp::go_to_fit(Bus& bus, std::uint32_t ticks) {
-  goal_ = counts_of(kFitFrom_mm);
+  mail_.goal = counts_of(kFitFrom_mm);
   go(bus, control(ticks));
-  if (error_ > 4 || error_ < -4) still_tick_ = ticks;
+  if (mail_.error > 4 || mail_.error < -4) still_tick_ = ticks;
   if (ticks - still_tick_ > kFitWait) begin_fit(bus);
 }
 
 // The observer rests, so that every tick is the requester's; A and B take turns.
 void GantryApp::begin_fit(Bus& bus) {
-  phase_ = GantryPhase::kFitting;
+  mail_.phase = GantryPhase::kFitting;
   observed_ = 0;
   bus.write(tau::kObserver, 0);
   go(bus, {-c_.fit_force, -c_.fit_force});
@@ -147,17 +147,17 @@ void GantryApp::collect(Bus& bus) {
 void GantryApp::end_fit(Bus& bus) {
   asked_ = 0;
   go(bus, {0, 0});
-  fitted_ = fit_.fit(words_);
-  phase_ = GantryPhase::kIdle;
-  if (!fitted_) {
+  mail_.fitted = fit_.fit(mail_.words);
+  mail_.phase = GantryPhase::kIdle;
+  if (!mail_.fitted) {
     mail_.failure = static_cast<std::uint32_t>(GantryFailure::kFitFailed);
   } else {
     bus.write(tau::kCalibrate, 1u << 16);
-    for (const std::uint16_t word : words_) bus.write(tau::kCalibrate, 2u << 16 | word);
+    for (const std::uint16_t word : mail_.words) bus.write(tau::kCalibrate, 2u << 16 | word);
     bus.write(tau::kCalibrate, 7u << 16);
   }
   observe(bus, kObserveAll);
-  if (fitted_) phase_ = c_.home ? GantryPhase::kHoming : ready(GantryPhase::kIdle);
+  if (mail_.fitted) mail_.phase = c_.home ? GantryPhase::kHoming : ready(GantryPhase::kIdle);
 }
 
 // Where homing and calibration end.
@@ -168,16 +168,17 @@ GantryPhase GantryApp::ready(GantryPhase closed) const {
 // A restart of the observer: the position counts anew from its first period, so that what was
 // wanted is not there any more, and the motors rest until there is a new goal or homing has ended.
 void GantryApp::observe(Bus& bus, std::uint32_t mask) {
-  ++restarts_;
+  ++mail_.restarts;
   observed_ = mask;
   bus.write(tau::kObserver, mask);
   go(bus, {0, 0});
-  zero_ = 0;
-  seen_ = homed_ = released_ = false;
+  mail_.zero = 0;
+  seen_ = released_ = false;
+  mail_.homed = 0;
   filter_ = {};
   if (other_ != nullptr) other_->restart();
-  filtered_ = 0;
-  if (phase_ != GantryPhase::kHoming) phase_ = GantryPhase::kIdle;
+  mail_.velocity = 0;
+  if (mail_.phase != GantryPhase::kHoming) mail_.phase = GantryPhase::kIdle;
 }
 
 // What is watched of sensor and motion, where it is.
@@ -193,7 +194,7 @@ bool GantryApp::failed(Bus& bus, std::uint32_t ticks) {
   }
   const std::int32_t sum = forces_.one + forces_.two;
   if (count_ != moved_count_ || within(sum, 2 * kStallForce) == sum ||
-      phase_ == GantryPhase::kHoming) {
+      mail_.phase == GantryPhase::kHoming) {
     moved_count_ = count_;
     moved_tick_ = ticks;
   } else if (c_.stall_ticks != 0 && ticks - moved_tick_ >= c_.stall_ticks) {
@@ -204,27 +205,27 @@ bool GantryApp::failed(Bus& bus, std::uint32_t ticks) {
 
 void GantryApp::fail(Bus& bus, GantryFailure why) {
   go(bus, {0, 0});
-  phase_ = GantryPhase::kIdle;
+  mail_.phase = GantryPhase::kIdle;
   mail_.failure = static_cast<std::uint32_t>(why);
 }
 
 MotorForces GantryApp::control(std::uint32_t ticks) {
-  error_ = count_ - goal_;
+  mail_.error = count_ - mail_.goal;
   const std::uint32_t since = ticks - last_tick_;
   const auto keep = [&](std::int32_t ref) {
-    return VelocityPi::step(c_.velocity, velocity_, ref, filtered_, since);
+    return VelocityPi::step(c_.velocity, velocity_, ref, mail_.velocity, since);
   };
-  if (phase_ == GantryPhase::kVelocity) {
-    const std::int32_t u = keep(goal_velocity_);
+  if (mail_.phase == GantryPhase::kVelocity) {
+    const std::int32_t u = keep(mail_.goal_velocity);
     return {-u, -u};
   }
   if (!c_.cascade) {
-    const std::int32_t u = PositionPi::step(c_.position, position_, error_, since);
+    const std::int32_t u = PositionPi::step(c_.position, position_, mail_.error, since);
     return {u, u};
   }
-  const std::int64_t ref = -error_ * (std::int64_t{1} << c_.cascade_gain);
+  const std::int64_t ref = -mail_.error * (std::int64_t{1} << c_.cascade_gain);
   const std::int32_t u = keep(narrowed(ref));
-  return c_.compensate ? c_.compensation.share(error_, -u) : MotorForces{-u, -u};
+  return c_.compensate ? c_.compensation.share(mail_.error, -u) : MotorForces{-u, -u};
 }
 
 // The shift register is that of x^7 + x^6 + 1.

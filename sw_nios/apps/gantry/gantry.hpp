@@ -43,7 +43,7 @@ struct GantrySetup {
   Compensation compensation;
 };
 
-enum class GantryPhase : std::uint8_t {
+enum class GantryPhase : std::uint32_t {
   kIdle,
   kHoming,
   kToFit,
@@ -54,6 +54,23 @@ enum class GantryPhase : std::uint8_t {
 };
 enum class GantryFailure : std::uint32_t { kNone, kFitFailed, kStalled, kSensor };
 
+// Points are control passes, the failure is a GantryFailure; the program never ends by itself.
+struct GantryMailbox : Mailbox {
+  GantryPhase phase = GantryPhase::kIdle;
+  std::int32_t error = 0;                // [count]
+  std::int32_t goal = 0;                 // [count]
+  std::int32_t zero = 0;                 // [count] where homing ended
+  std::int32_t velocity = 0;             // filtered
+  std::int32_t goal_velocity = 0;
+  std::uint32_t unknown = 0;             // frames for no channel
+  std::uint32_t refused = 0;             // goals outside of the track
+  std::uint32_t unchecked = 0;           // frames without their checksum
+  std::uint32_t unsent = 0;              // frames for which there was no room
+  std::uint32_t restarts = 0;            // of the observer since the start
+  std::uint32_t homed = 0, fitted = 0;   // 1: so
+  CalibrationWords words{};              // of the last fit
+};
+
 class GantryApp final : public Firmware {
  public:
   explicit GantryApp(const GantrySetup& setup, VelocityFilter* other = nullptr)
@@ -61,23 +78,7 @@ class GantryApp final : public Firmware {
 
   void start(Bus& bus) override;
   void isr(Bus& bus) override;
-  // Points are control passes, its failure is a GantryFailure; it never ends by itself.
-  const Mailbox& mailbox() const override { return mail_; }
-
-  GantryPhase phase() const { return phase_; }
-  std::int32_t error() const { return error_; }             // [count]
-  std::int32_t goal() const { return goal_; }               // [count]
-  std::int32_t zero() const { return zero_; }               // [count] where homing ended
-  std::int32_t velocity() const { return filtered_; }  // filtered
-  std::int32_t goal_velocity() const { return goal_velocity_; }
-  std::uint32_t unknown() const { return unknown_; }        // frames for no channel
-  std::uint32_t refused() const { return refused_; }        // goals outside of the track
-  std::uint32_t unchecked() const { return unchecked_; }    // frames without their checksum
-  std::uint32_t unsent() const { return unsent_; }          // frames for which there was no room
-  std::uint32_t restarts() const { return restarts_; }      // of the observer since the start
-  bool homed() const { return homed_; }
-  bool fitted() const { return fitted_; }
-  const CalibrationWords& words() const { return words_; }
+  const GantryMailbox& mailbox() const override { return mail_; }
 
  private:
   void pass(Bus& bus);
@@ -108,16 +109,13 @@ class GantryApp final : public Firmware {
   std::int32_t millimetres() const;
 
   GantrySetup c_;
-  Mailbox mail_;
-  GantryPhase phase_ = GantryPhase::kIdle;
+  GantryMailbox mail_;
   PositionPi::State position_;
   VelocityPi::State velocity_;
   MeanFilter filter_;
   VelocityFilter* other_;  // instead of it, or null
-  std::int32_t filtered_ = 0;
   CalibrationFit fit_;
-  CalibrationWords words_{};
-  std::int32_t count_ = 0, units_ = 0, zero_ = 0, goal_ = 0, error_ = 0, goal_velocity_ = 0;
+  std::int32_t count_ = 0, units_ = 0;
   std::int32_t still_count_ = 0, near_count_ = 0;  // near: the lower of two neighbours
   std::uint32_t still_tick_ = 0, near_tick_ = 0, last_tick_ = 0, moved_tick_ = 0;
   std::int32_t moved_count_ = 0;
@@ -126,13 +124,11 @@ class GantryApp final : public Firmware {
   std::uint32_t asked_ = 0;        // conversions that the host waits for, bit = channel
   std::uint32_t lists_ = 0;        // of the configuration, to send
   std::uint32_t described_ = 0;    // words of the first of them, sent
-  std::uint32_t unknown_ = 0, refused_ = 0, unchecked_ = 0, unsent_ = 0;
-  std::uint32_t restarts_ = 0;
   Frame held_;                            // waits for its checksum
   bool holds_ = false;
   std::uint32_t open_pass_ = 0, open_bits_ = 1;  // open_bits_: of the shift register
   bool open_sign_ = true;
-  bool seen_ = false, homed_ = false, fitted_ = false;
+  bool seen_ = false;
   bool released_ = false;  // homing has reached the stop, the motors rest
 };
 

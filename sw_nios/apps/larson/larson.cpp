@@ -12,7 +12,10 @@ std::uint32_t word_at(std::int32_t number) { return 4 * static_cast<std::uint32_
 
 }  // namespace
 
-void LarsonApp::start(Bus& bus) { go_on(bus); }
+void LarsonApp::start(Bus& bus) {
+  go_on(bus);
+  report();
+}
 
 // All that waits is taken: the line is a level, and the vector's read is the grant.
 void LarsonApp::isr(Bus& bus) {
@@ -24,6 +27,13 @@ void LarsonApp::isr(Bus& bus) {
   }
   while (const std::uint32_t vector = bus.read(map::kVector)) table_.on_vector(bus, vector);
   if (mail_.done == 0) go_on(bus);
+  report();
+}
+
+void LarsonApp::report() {
+  mail_.known = table_.known();
+  mail_.calibrated = table_.calibrated() ? 1 : 0;
+  mail_.stopped = table_.stopped();
 }
 
 void LarsonApp::end(LarsonFailure failure) {

@@ -42,6 +42,13 @@ enum class LarsonFailure : std::uint32_t {
   kNotCalibrated  // CALTBL found no switch, or could not leave it
 };
 
+// Its failure is a LarsonFailure; points are calls that have ended.
+struct LarsonMailbox : Mailbox {
+  StepPoint known;               // where the last moves ended
+  std::uint32_t calibrated = 0;  // 1: so
+  std::uint32_t stopped = 0;     // axes that a switch has stopped since: bit 0 X, bit 1 Y
+};
+
 class LarsonApp final : public Firmware {
  public:
   // Calls and their answers, `number` of each, outlive the run.
@@ -51,8 +58,7 @@ class LarsonApp final : public Firmware {
 
   void start(Bus& bus) override;
   void isr(Bus& bus) override;
-  // Its failure is a LarsonFailure; points are calls that have ended.
-  const Mailbox& mailbox() const override { return mail_; }
+  const LarsonMailbox& mailbox() const override { return mail_; }
 
   const StepTable& table() const { return table_; }
 
@@ -63,8 +69,9 @@ class LarsonApp final : public Firmware {
   void wait(Bus& bus, std::uint32_t clk);
   bool settles(Bus& bus);
   void end(LarsonFailure failure);
+  void report();
 
-  Mailbox mail_;
+  LarsonMailbox mail_;
   StepTable table_;
   const LarsonCall* calls_;
   LarsonAnswer* answers_;

@@ -89,6 +89,17 @@ class CompanionsTest(Layout):
         self.finds("waves/zz.toml: there is no machines/zz/", {"waves/zz.toml": "[*] x\n"})
 
 
+class SessionTest(Layout):
+    def test_a_session_reads_its_firmware_by_the_mailbox(self):
+        header = LICENCE + "struct Session {\n  sw::WinderApp app_;\n};\n"
+        session = LICENCE + "void f() { app_.isr(b); g(app_.mailbox().done); }\n"
+        files = {"machines/winder/session.hpp": header, "machines/winder/session.cpp": session}
+        self.assertEqual(self.findings(files), [])
+        self.finds("machines/winder/session.cpp:2: a session calls start(), isr() and mailbox() "
+                   "of its firmware, no turns()",
+                   {**files, "machines/winder/session.cpp": session.replace("mailbox", "turns")})
+
+
 class NamesTest(Layout):
     def test_program_text_that_machines_share_does_not_name_one(self):
         for path, line in (("lab/machine.cpp", LICENCE + "// as winder does"),
