@@ -12,7 +12,6 @@ from trammel.asked import SettingError, asked_of
 from trammel.results import Figure, Result
 
 
-
 class _Field(NamedTuple):
     address: int
     shift: int

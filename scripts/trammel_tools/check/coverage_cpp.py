@@ -15,7 +15,7 @@ from pathlib import Path
 
 from trammel_tools import python_tools
 from trammel_tools.check.rooms import ROOMS
-from trammel_tools.evidence import evidence, record
+from trammel_tools.evidence import evidence, kinds, record
 from trammel_tools.paths import ROOT
 
 OBJECTS = ROOT / "build" / "asan"
@@ -46,8 +46,15 @@ def gcovr(*options):
         raise NoCounts(f"gcovr: {done.stderr.strip()[-1000:]}")
 
 
+def own_files(group):
+    """Files that the group's result depends on: of others it would keep lines that have moved."""
+    kind, found = kinds.of(f"sanitize.{group}")
+    return kind.files(found)
+
+
 def count(group):
-    """{file: {line: executions}} of a group that has run; a line of a template counts once."""
+    """{file: {line: executions}} of a group that has run; a line of a template counts once. A
+    library that its programs link has more files than its own."""
     folder = COUNTS / group
     for path in folder.rglob("*.gcda"):
         notes = path.with_suffix(".gcno")
@@ -56,9 +63,9 @@ def count(group):
     PAGES.mkdir(parents=True, exist_ok=True)
     counts = PAGES / f"{group}.json"
     gcovr("--json", counts, folder)
-    lines = defaultdict(Counter)
+    lines, own = defaultdict(Counter), own_files(group)
     for file in json.loads(counts.read_text(encoding="utf-8"))["files"]:
-        for line in file["lines"]:
+        for line in file["lines"] if file["file"] in own else ():
             lines[file["file"]][line["line_number"]] += line["count"]
     return lines
 

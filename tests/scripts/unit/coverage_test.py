@@ -118,8 +118,9 @@ class CoverageTest(Scratch):
 
 
 class CoverageCppTest(Scratch):
-    def check(self, files, floors):
-        self.patch(coverage_cpp, PAGES=self.folder, COUNTS=self.folder)
+    def check(self, files, floors, own=None):
+        self.patch(coverage_cpp, PAGES=self.folder, COUNTS=self.folder,
+                   own_files=lambda _: own or files)
 
         def gcovr(kind, target, _):
             self.assertEqual(kind, "--json")
@@ -139,6 +140,11 @@ class CoverageCppTest(Scratch):
                                 {"models/exact": 75})
         self.assertEqual(wrong, [])
         self.assertEqual(out.splitlines()[1].split(), ["models/exact", "75.0", "%", "of", "4"])
+
+    def test_a_group_keeps_no_lines_of_files_that_it_does_not_depend_on(self):
+        files = {"models/exact/a.hpp": [(1, 1)], "models/exact/b.hpp": [(1, 0)]}
+        self.assertEqual(self.check(files, {}, own=["models/exact/a.hpp"])[1], [])
+        self.assertEqual(len(self.check(files, {})[1]), 1)
 
     def test_folders_are_held_at_their_floors_or_at_all_lines(self):
         files = {"cosim/a.cpp": [(1, 1), (2, 0)], "models/plant/b.cpp": [(1, 0)]}
