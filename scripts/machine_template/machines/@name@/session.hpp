@@ -16,7 +16,7 @@ class Session final : public cosim::SampledSession {
       : SampledSession(hooks, options.run, cosim::Fault{}, options.processor, waves),
         app_(options.firmware()),
         duration_s_(options.duration_s),
-        plant_(options.plant),
+        plant_(options.run.clocked(options.plant)),
         chip_(make_verilated_chip(options.run, waves.window)) {
     wire(*chip_, plant_);
   }
