@@ -14,19 +14,9 @@ using xy::encoder_b;
 using xy::encoder_z;
 using xy::gate_hi;
 using xy::gate_lo;
+using xy::gates;
 using xy::kAxes;
 using xy::kTripPin;
-
-// Of the chip, and of each top that has it inside.
-template <class Top>
-void sense_encoders(Top& top, cosim::Lines lines) {
-  encoder_a.put(top.enc_a_i, lines);
-  encoder_b.put(top.enc_b_i, lines);
-  encoder_z.put(top.enc_z_i, lines);
-}
-
-inline cosim::Lines gates(unsigned hi, unsigned lo) {
-  return xy::kGatesHi.lines(hi) | xy::kGatesLo.lines(lo);
-}
+using xy::sense_encoders;
 
 }  // namespace trammel::kung

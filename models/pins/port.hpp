@@ -49,4 +49,9 @@ struct Port {
 
 constexpr bool level(std::uint64_t lines, int line) { return (lines >> line & 1) != 0; }
 
+// A port of two bits, bit 0 first.
+constexpr std::uint8_t both(bool first, bool second) {
+  return static_cast<std::uint8_t>(first | second << 1);
+}
+
 }  // namespace trammel

@@ -120,9 +120,7 @@ class KungPair : public exact::KungXy::Converters {
   }
 
   void apply() {
-    xy::encoder_a.put(rtl_->enc_a_i, lines);
-    xy::encoder_b.put(rtl_->enc_b_i, lines);
-    xy::encoder_z.put(rtl_->enc_z_i, lines);
+    xy::sense_encoders(*rtl_.operator->(), lines);
     rtl_->trip_i = level(lines, xy::kTripPin);
     rtl_->adc_sdata_a_i = rtl_->adc_sdata_b_i = 0;
     for (std::size_t axis = 0; axis < 2; ++axis) {

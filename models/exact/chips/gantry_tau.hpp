@@ -18,6 +18,7 @@
 #include "models/exact/sense/calibration.hpp"
 #include "models/exact/sense/conversion_slots.hpp"
 #include "models/exact/sense/sincos_observer.hpp"
+#include "models/pins/port.hpp"
 #include "rtl/chips/generated/gantry_tau_regs.hpp"
 
 namespace trammel::exact {
@@ -54,7 +55,6 @@ class GantryTau {
     const AdcSerial::Out adc = adc_.out();
     const CalibrationStore::Out nv = calibration_.out();
     const auto& [first, second] = pwm_.out();
-    const auto both = [](bool a, bool b) { return static_cast<std::uint8_t>(a | b << 1); };
     return {adc.cs_n,
             adc.sclk,
             adc.din,

@@ -51,10 +51,9 @@ class KungXy {
     virtual std::array<std::int32_t, 2> hold(int axis, Clk edge) const = 0;
   };
 
-
   void reset();                       // edge 0 is the next
   Clk now() const { return now_; }    // next edge to execute
-  void pins(std::uint64_t lines);     // seen from edge now() on
+  void pins(std::uint64_t lines);     // of xy_lines.hpp, seen from edge now() on
   void request(const BusOp& op);      // valid from edge now() on; one at a time
   Stop run(Clk end, const Converters& converters);  // through the first event, or up to `end`
 

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "models/exact/motion/step_table.hpp"
+#include "models/pins/port.hpp"
 
 namespace trammel::exact {
 
@@ -68,14 +69,11 @@ class LarsonXy {
  private:
   static constexpr int kEdges = 3;  // of a transfer: taken, acts, answered
 
-  static std::uint8_t both(bool x, bool y) { return static_cast<std::uint8_t>(x | y << 1); }
-
   StepTable::In table_in(const In& in, bool acts) const {
     StepTable::In table;
     for (int k = 0; k < 2; ++k) {
-      table.pins[static_cast<std::size_t>(k)] = {(in.limit_low_i >> k & 1) != 0,
-                                                 (in.limit_high_i >> k & 1) != 0,
-                                                 (in.buf_busy_i >> k & 1) != 0};
+      table.pins[static_cast<std::size_t>(k)] = {
+          level(in.limit_low_i, k), level(in.limit_high_i, k), level(in.buf_busy_i, k)};
     }
     if (!acts) return table;
     table.write = write_ && address_ < kVector;

@@ -13,6 +13,7 @@
 #include "models/exact/bus/lm628_bridge.hpp"
 #include "models/exact/chips/lm628.hpp"
 #include "models/exact/control/feed_rate.hpp"
+#include "models/pins/port.hpp"
 #include "rtl/chips/generated/mcafee_xy_regs.hpp"
 
 namespace trammel::exact {
@@ -109,11 +110,12 @@ class McafeeXy {
   Lm628::In part_in(const In& in, std::size_t axis) const {
     const Lm628Bridge::Out bus = bridge_.out();
     const bool cs_n = axis == 0 ? bus.cs_x_n : bus.cs_y_n;
+    const auto pin = static_cast<int>(axis);
     return {{cs_n, bus.rd_n, bus.wr_n, bus.ps, bus.d},
             reset_.count() == 0,
-            (in.enc_a_i >> axis & 1) != 0,
-            (in.enc_b_i >> axis & 1) != 0,
-            (in.enc_idx_n_i >> axis & 1) != 0,
+            level(in.enc_a_i, pin),
+            level(in.enc_b_i, pin),
+            level(in.enc_idx_n_i, pin),
             false};
   }
 

@@ -20,14 +20,7 @@ constexpr cosim::Clk kOrigin = kResetEdges + 1;  // edge n stands at n + kOrigin
 }  // namespace
 
 cosim::Lines PinChip::drive() const {
-  const cosim::Lines hi = pins_.gate_hi.read();
-  const cosim::Lines lo = pins_.gate_lo.read();
-  cosim::Lines lines = 0;
-  for (int axis = 0; axis < kung::kAxes; ++axis) {
-    lines |= ((hi >> (3 * axis)) & 7u) << kung::gate_hi(axis, 0);
-    lines |= ((lo >> (3 * axis)) & 7u) << kung::gate_lo(axis, 0);
-  }
-  return lines;
+  return kung::gates(pins_.gate_hi.read(), pins_.gate_lo.read());
 }
 
 void PinChip::read_words(int axis, kung::AxisSample& sample) const {
@@ -177,13 +170,10 @@ void Board::serve_converters(cosim::Clk now) {
 
 void Board::put_encoders() {
   const cosim::Lines lines = plant_->sense();
-  const auto pick = [lines](int x, int y) {
-    return static_cast<std::uint32_t>(((lines >> x) & 1u) | (((lines >> y) & 1u) << 1));
-  };
-  pins_.enc_a = pick(kung::encoder_a(0), kung::encoder_a(1));
-  pins_.enc_b = pick(kung::encoder_b(0), kung::encoder_b(1));
-  pins_.enc_z = pick(kung::encoder_z(0), kung::encoder_z(1));
-  pins_.trip = ((lines >> kung::kTripPin) & 1u) != 0;
+  pins_.enc_a = kung::encoder_a.value(lines);
+  pins_.enc_b = kung::encoder_b.value(lines);
+  pins_.enc_z = kung::encoder_z.value(lines);
+  pins_.trip = level(lines, kung::kTripPin);
 }
 
 void Board::await_move() {
