@@ -56,8 +56,12 @@ class Kind:
     campaign: bool = False
 
 
+def files_of(*patterns, tools=()):
+    return sources.with_imports(matching(*patterns)) | sources.tools(*tools)
+
+
 def of_files(*patterns, tools=()):
-    return lambda _: sources.with_imports(matching(*patterns)) | sources.tools(*tools)
+    return lambda _: files_of(*patterns, tools=tools)
 
 
 def of_proof(found):
@@ -142,30 +146,28 @@ def of_board(found):
     tops = matching(f"rtl/boards/{found[1]}/*.sv")
     if not tops:
         raise KeyError(found[1])
-    return PLACED("") | sources.instances(tops)
+    return (files_of("rtl/boards/**", "rtl/**.rdl", *FLOW, tools=("synth", "rtl"))
+            | sources.instances(tops))
 
 
 def of_long(found):
     """Of a million bytes at one machine, or at all that there is."""
     if not matching(f"machines/{found[1]}/machine.cpp"):
-        return WIRINGS("")
+        return files_of(*PRODUCT, *TESTS, tools=("rtl",))
     return of_program(found[1]) | matching(*TESTS)
 
 
 def of_new_machine(_):
     """Of the machine that the lesson makes, with all rooms that it is built with."""
     template = matching("scripts/machine_template/**")
-    return LEARNED("") | sources.instances(sources.modules()[one]
-                                           for one in sources.names_in(*template))
+    return files_of(*CODE, *LESSON) | sources.instances(sources.modules()[one]
+                                                        for one in sources.names_in(*template))
 
 
 FUZZED = of_files(*CODE, "machines/*/tests/fuzz.cpp", "tests/fuzz/**", "tests/support/**",
                   tools=("check", "fuzz"))  # no run in it
-PLACED = of_files("rtl/boards/**", "rtl/**.rdl", "docs/synthesis.md",
-                  "machines/*/synth.toml", "parts/*/synth.toml", "sw_nios/**",
-                  tools=("synth", "rtl"))
-BOARDS = of_files("rtl/**", "docs/synthesis.md", "machines/*/synth.toml", "parts/*/synth.toml",
-                  "sw_nios/**", tools=("synth", "rtl"))
+FLOW = ("docs/synthesis.md", "machines/*/synth.toml", "parts/*/synth.toml", "sw_nios/**")
+BOARDS = of_files("rtl/**", *FLOW, tools=("synth", "rtl"))
 CORE = of_files("rtl/**", "trammel.core", *BUILD, tools=("generate", "check", "rtl"))
 FOLLOWED = of_files(*CODE, "tests/support/**", "docs/precision.md", "docs/pictures/precision.svg",
                     "scripts/tool", "scripts/trammel_tools/*.py")
@@ -178,7 +180,6 @@ WIRINGS = of_files(*PRODUCT, *TESTS, tools=("rtl",))
 MANUAL = of_files(*CODE, "rtl/**.rdl", "tests/goldens/**", "docs/**", "scripts/**", "trammel")
 LESSON = (*TESTS, "docs/*", "scripts/**", "trammel", "README.md", "trammel.core",
           "pyproject.toml", "examples/**", "python/**", "packaging/**")
-LEARNED = of_files(*CODE, *LESSON)
 LESSONS = of_files(*PRODUCT, *LESSON)
 PACKED = ("python/**", "packaging/**", "examples/**", "pyproject.toml", "trammel", "scripts/*",
           "README.md", "LICENSE", "docs/one-to-a-million.md", "tests/support/**")
