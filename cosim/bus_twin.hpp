@@ -32,10 +32,7 @@ class BusTwin : public HostedTwin<Base, Board, Twin> {
   bool bus_active() const final { return state_.platform_active || twin_.open(); }
   bool host_pin() const final { return twin_.irq(); }
   bool bus_edge(Clk edge) final {
-    if (state_.platform_active) {
-      state_.platform_edge(edge, host_pin());
-      return true;
-    }
+    if (state_.platform_edge(edge, host_pin())) return true;
     if (twin_.open()) return false;
     state_.answer(twin_.read_data());
     return true;

@@ -35,17 +35,19 @@ struct ProcessorBus : HostedState {
     return platform_active;
   }
 
-  // Passes the edge of one, with the chip's interrupt after it.
-  void platform_edge(Clk edge, bool chip_irq) {
+  // Passes the edge of one and ends it, with the chip's interrupt after it; false: there is none.
+  bool platform_edge(Clk edge, bool chip_irq) {
     namespace map = sw::platform_map;
+    if (!platform_active) return false;
     platform_active = false;
-    if (op.write) {
-      if (op.addr == map::kTimer) timer.write(edge, op.data);
-      return;
+    if (!op.write) {
+      rdata = op.addr != map::kIrq
+                  ? 0
+                  : (chip_irq ? map::kIrqChip : 0u) | (timer.irq() ? map::kIrqTimer : 0u);
+    } else if (op.addr == map::kTimer) {
+      timer.write(edge, op.data);
     }
-    rdata = op.addr != map::kIrq
-                ? 0
-                : (chip_irq ? map::kIrqChip : 0u) | (timer.irq() ? map::kIrqTimer : 0u);
+    return true;
   }
 
   // What the chip's bus carries, where its words are not the processor's.

@@ -31,8 +31,8 @@ class Rig : protected Observer {
   // `registers` are those of RTL. `unit`: of the axes in truth().
   void wire(MachineChip& chip, FalliblePlant& plant, FaultPins pins, const char* unit = "mm");
   void wire(MachineChip& chip, Plant& plant);  // of a machine without faults
-  void watch_trips(const char* unit = "mm");  // of a run without a fault, too
-  void watch_fault(const Stop& stop);         // after an event
+  void watch_trips(const char* unit = "mm");   // of a run without a fault, too
+  void watch_fault(const Stop& stop);          // after an event
 
   // What the machine knows of a fault.
   virtual bool drives_off() const { return false; }

@@ -56,10 +56,7 @@ class BusChip : public HostedChip<Base, BusState<Board>, Model, Tracer> {
     if (state_.bus.active()) state_.bus.before_edge(*model_);
   }
   bool bus_edge(Clk edge) final {
-    if (state_.platform_active) {
-      state_.platform_edge(edge, host_pin());
-      return true;
-    }
+    if (state_.platform_edge(edge, host_pin())) return true;
     state_.dirty = true;
     if (!state_.bus.after_edge(*model_)) return false;
     state_.answer(state_.bus.rdata());

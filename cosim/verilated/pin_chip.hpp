@@ -51,11 +51,8 @@ class PinChip : public HostedChip<PinnedChip, PinBoard, Model, Tracer> {
 
   // The transfer ends at its first edge; what it wrote is at the pins from the next one on.
   bool bus_edge(Clk edge) override {
+    if (state_.platform_edge(edge, false)) return true;
     const BusOp& op = state_.op;
-    if (state_.platform_active) {
-      state_.platform_edge(edge, false);
-      return true;
-    }
     state_.pins_active = false;
     if (op.write) {
       Pins::write(*model_, op.addr / 4, op.data);
