@@ -61,24 +61,23 @@ std::string altered_text(Settings& settings) {
 
 void note_change(Settings& settings, const Key& key, const Value& before) {
   if (settings.description.empty()) return;
-  const Machine& machine = settings.machine();
+  const Described& described = settings.machine().described;
   Heading& heading = settings.heading;
   if (heading.altered.empty()) heading.own = settings.description;
-  if (key.name == machine.described.by) {
+  if (key.name == described.by) {
     heading.own = fmt::format("{} = {} in place of the scenario's {}", key.name,
                               shown_value(settings, key), host::shown(value_text(before)));
-  } else if (machine.described.alters != nullptr) {
+  } else if (described.alters != nullptr) {
     const auto at = find(heading.altered, key.name);
     const Value now = key.get(settings);
     const std::string original = at == heading.altered.end() ? value_text(before) : at->second;
-    const bool alters = machine.described.alters(key, now) && value_text(now) != original;
+    const bool alters = described.alters(key, now) && value_text(now) != original;
     if (!alters && at != heading.altered.end()) heading.altered.erase(at);
     if (alters && at == heading.altered.end()) heading.altered.emplace_back(key.name, original);
   }
   settings.description = heading.own;
   if (heading.altered.empty()) return;
   std::string own = without_parentheses(heading.own);
-  const Described& described = machine.described;
   if (described.reworded != nullptr) own = described.reworded(settings, std::move(own));
   settings.description = fmt::format("{}; here {}", own, altered_text(settings));
 }

@@ -295,13 +295,9 @@ std::string verdict(const lab::Settings& settings, const cosim::RunResult& run) 
       return fmt::format("diverged: error to the model above run.diverged_m = {:g}{}",
                          options.diverged_m, limits);
     case EndReason::kMissed: return "missed: " + result.missed + limits;
-    case EndReason::kTimeout:
-      return fmt::format("not finished within run.max_s = {:g}", options.run.max_s);
     case EndReason::kStopped: return "interrupted: results up to that point";
-    case EndReason::kPromise:
-      return "assertion failed: " + lab::promise_text(*result.promise, result.clock_ps);
+    default: return lab::verdict_text(options, result);
   }
-  return "";
 }
 
 std::vector<std::string> remarks(const lab::Record& record) {
