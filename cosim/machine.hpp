@@ -50,6 +50,7 @@ struct RunBasics {
 
   Clk window() const { return window_clk == 0 ? kNever : window_clk; }  // as the loop takes it
   Clk clocks(double seconds) const { return clocks_of(seconds, clock_ps); }
+  double seconds(Clk clocks) const { return seconds_of(clocks, clock_ps); }
   template <class Plant>
   Plant clocked(Plant settings) const {  // of a plant, with the chip's clock
     settings.clock_ps = clock_ps;

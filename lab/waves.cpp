@@ -154,7 +154,7 @@ std::optional<std::string> waves_notice(const Settings& settings) {
   }
   const Machine& machine = settings.machine();
   const cosim::WaveWindow window = cosim::wave_window(run, 0);
-  const double length = cosim::seconds_of(window.end - window.begin, run.clock_ps);
+  const double length = run.seconds(window.end - window.begin);
   const Tracing& traces = machine.traces;
   const double mega = length * (vcd ? traces.vcd_bytes_s : traces.fst_bytes_s) / 1e6;
   if (run.wave_every_s > 0) {

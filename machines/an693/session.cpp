@@ -27,7 +27,7 @@ sw::An693Setup program_setup(const Options& o) {
   setup.index_counts = o.index_check ? static_cast<std::uint32_t>(o.plant.counts) : 0;
   setup.error_limit = static_cast<std::uint32_t>(o.error_limit);
   setup.steps = static_cast<std::uint32_t>(o.steps);
-  setup.wait_clk = static_cast<std::uint32_t>(cosim::clocks_of(o.wait_s, o.run.clock_ps));
+  setup.wait_clk = static_cast<std::uint32_t>(o.run.clocks(o.wait_s));
   return setup;
 }
 

@@ -41,7 +41,7 @@ class Spread {
 // lag, which is no noise.
 VelocityFigures velocity_figures(const Options& options, const Result& result) {
   constexpr double kSteady_s = 0.25, kSame_mm_s = 1, kNear_s = 0.1;
-  const double look_s = cosim::seconds_of(kLook, options.run.clock_ps);
+  const double look_s = options.run.seconds(kLook);
   const auto samples_in = [look_s](double s) {
     return static_cast<std::size_t>(std::round(s / look_s));
   };

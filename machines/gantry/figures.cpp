@@ -31,7 +31,7 @@ StepFigures step_figures(const Options& options, const Result& result) {
   const double step = options.reference_mm - options.from_mm;
   double low = 1e9, high = -1e9, end = options.time_s;
   for (const Look& s : result.looks) {
-    const double t = cosim::seconds_of(s.edge, options.run.clock_ps);
+    const double t = options.run.seconds(s.edge);
     if (t < begin) continue;
     const double off = mm(options, s) - options.reference_mm;
     f.overshoot_mm = std::max(f.overshoot_mm, step >= 0 ? off : -off);
@@ -48,8 +48,8 @@ StepFigures step_figures(const Options& options, const Result& result) {
     }
   }
   f.swing_mm = std::max(0.0, high - low);
-  f.begun = result.looks.empty() ||
-            cosim::seconds_of(result.looks.back().edge, options.run.clock_ps) >= begin;
+  f.begun =
+      result.looks.empty() || options.run.seconds(result.looks.back().edge) >= begin;
   return f;
 }
 

@@ -15,15 +15,13 @@ namespace {
 
 sw::GantrySetup setup_of(const Options& options) {
   sw::GantrySetup setup = options.firmware;
-  setup.pass_clk = static_cast<std::uint32_t>(
-      cosim::clocks_of(1e-3 * options.pass_ms, options.run.clock_ps));
+  setup.pass_clk = static_cast<std::uint32_t>(options.run.clocks(1e-3 * options.pass_ms));
   setup.open_passes = static_cast<std::uint32_t>(
       std::max(1.0, std::round(options.open_hold_ms / options.pass_ms)));
   // From byte to byte: the silence, and a byte with a bit to spare.
   setup.gap_clk = options.gap_ms == 0 ? 0
                                       : static_cast<std::uint32_t>(
-                                            cosim::clocks_of(1e-3 * options.gap_ms,
-                                                             options.run.clock_ps) +
+                                            options.run.clocks(1e-3 * options.gap_ms) +
                                             11 * TrackPlant::kClocksPerBit);
   return setup;
 }
@@ -38,8 +36,7 @@ std::unique_ptr<Estimator> estimator_of(const Options& options) {
 }
 
 cosim::Clk record_clk_of(const Options& options) {
-  return std::max<cosim::Clk>(
-      1, cosim::clocks_of(1e-3 * options.record_ms, options.run.clock_ps));
+  return std::max<cosim::Clk>(1, options.run.clocks(1e-3 * options.record_ms));
 }
 
 }  // namespace
@@ -81,10 +78,9 @@ cosim::FaultTruth Session::truth(cosim::Clk) const {
 
 // What chip and program have seen of a fault.
 std::string Session::noticed() const {
-  const Words words = chip_->words();
-  if (app_.mailbox().failure != 0) return failure();
-  if (words.malformed > 0) return "malformed frame";
   const sw::GantryMailbox& mail = app_.mailbox();
+  if (mail.failure != 0) return failure();
+  if (chip_->words().malformed > 0) return "malformed frame";
   if (mail.unchecked > 0) return "frame without its checksum";
   if (mail.refused > 0) return "goal outside the track";
   if (mail.unknown > 0) return "unknown channel";

@@ -82,8 +82,7 @@ std::vector<lab::Figure> figures(const lab::Settings& settings, cosim::RunResult
   };
   using lab::count;
   using lab::figure;
-  const double end_s =
-      result.done.empty() ? 0 : cosim::seconds_of(result.done.back().edge, options.run.clock_ps);
+  const double end_s = result.done.empty() ? 0 : result.seconds(result.done.back().edge);
   add(figure("script.time_s", "script", "until its last call", end_s, "s"), "Script");
   add(count("script.calls", "script", "calls", static_cast<double>(result.done.size())));
   add(count("script.normal", "WTTBL", "normal", static_cast<double>(returns.normal)));
@@ -135,9 +134,7 @@ std::vector<std::string> remarks(const lab::Record& record) {
       break;
     }
     lines.push_back(fmt::format("{:10.4f} s  {}: {}",
-                                cosim::seconds_of(result.done[k].edge,
-                                                  options_of(record).run.clock_ps),
-                                result.calls[k].text, answer));
+                                result.seconds(result.done[k].edge), result.calls[k].text, answer));
   }
   return lines;
 }
@@ -145,7 +142,7 @@ std::vector<std::string> remarks(const lab::Record& record) {
 void add_metrics(const lab::Record& record, nlohmann::ordered_json& json) {
   const Result& result = result_of(record);
   const auto seconds = [&](cosim::Clk edge) {
-    return cosim::seconds_of(edge, options_of(record).run.clock_ps);
+    return result.seconds(edge);
   };
   auto& events = json["events"] = nlohmann::ordered_json::array();
   for (const Event& one : result.happened) {

@@ -39,7 +39,7 @@ std::string losses(const Options& options, const Result& result, std::size_t axi
                      name_of_axis(axis), most == last ? "" : "up to ", most,
                      slips.size() > 1 ? fmt::format(" in {} slips", slips.size()) : "",
                      most == last ? "" : fmt::format(", {} at the end", last), slips.front().at,
-                     cosim::seconds_of(slips.front().edge, options.run.clock_ps));
+                     options.run.seconds(slips.front().edge));
 }
 
 // The axis that is farther from where its program has it, or "" where both are there.
@@ -76,8 +76,7 @@ std::string what_was_running(const Options& options, const Result& result) {
   // A WAIT has ended for its program as soon as the timer runs.
   const bool waits =
       ended > 0 && at(ended - 1).call.op == sw::LarsonOp::kWait &&
-      result.done.back().edge + at(ended - 1).call.a >
-          cosim::clocks_of(options.run.max_s, options.run.clock_ps);
+      result.done.back().edge + at(ended - 1).call.a > options.run.clocks(options.run.max_s);
   const bool running = waits || ended < result.calls.size();
   const Call& call = at(waits || !running ? ended - 1 : ended);
   const std::string file = fs::path(script_file(options.script)).filename();
@@ -101,7 +100,7 @@ std::string what_missed(const Options& options, const Result& result) {
     if (breaches.empty()) continue;
     return fmt::format("{} pulse{} of {} made no step; the first {:.3f} s into the run, as {}",
                        breaches.size(), breaches.size() == 1 ? "" : "s", name_of_axis(k),
-                       cosim::seconds_of(breaches.front().edge, options.run.clock_ps),
+                       options.run.seconds(breaches.front().edge),
                        breach_text(breaches.front(), options.run.clock_ps)) +
            (failed ? "; " + result.fault : "");
   }

@@ -43,9 +43,9 @@ std::optional<double> time_of(const Options& options, const Result& result, int 
   for (const auto& moves : result.moves) {
     for (const plant::BufferMove& one : moves) {
       if (one.pulses != steps || one.gone != steps) continue;
-      const double came = cosim::seconds_of(one.entered - one.began, options.run.clock_ps);
+      const double came = options.run.seconds(one.entered - one.began);
       if (std::fabs(came - (steps - 1) * kGap) > kExact * steps * kGap) continue;
-      return cosim::seconds_of(one.left - one.began, options.run.clock_ps);
+      return options.run.seconds(one.left - one.began);
     }
   }
   return {};
@@ -62,7 +62,7 @@ std::optional<double> ring_of(const Options& options, const Result& result, int 
     double t_last = 0, risen = -1, most = 0;  // time of the last rising zero
     for (const Sample& s : result.looks) {
       const AxisSample& now = s.axis[k];
-      const double t = cosim::seconds_of(s.edge, options.run.clock_ps);
+      const double t = options.run.seconds(s.edge);
       const bool still = now.waiting == 0 && now.rate == 0 && now.step == last.step &&
                          plant::StepperMotor::phases(now.step) == phases;
       if (!still) risen = -1;

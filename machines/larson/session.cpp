@@ -26,7 +26,7 @@ plant::StepperAxisConfig axis_of(const Options& options, double start) {
 
 sw::StepTableSetup table_of(const Options& options) {
   const auto clocks = [&options](double ms) {
-    return static_cast<std::uint32_t>(cosim::clocks_of(1e-3 * ms, options.run.clock_ps));
+    return static_cast<std::uint32_t>(options.run.clocks(1e-3 * ms));
   };
   sw::StepTableSetup table = options.table;
   table.poll_clk = clocks(options.poll_ms);
@@ -35,8 +35,7 @@ sw::StepTableSetup table_of(const Options& options) {
 }
 
 cosim::Clk record_clk_of(const Options& options) {
-  return std::max<cosim::Clk>(
-      1, cosim::clocks_of(1e-3 * options.record_ms, options.run.clock_ps));
+  return std::max<cosim::Clk>(1, options.run.clocks(1e-3 * options.record_ms));
 }
 
 std::vector<sw::LarsonCall> program_of(const std::vector<Call>& calls) {

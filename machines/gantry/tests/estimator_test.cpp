@@ -251,7 +251,7 @@ TEST_CASE("gantry: of unlike motors each is the better one in its own sense") {
     options.axis.left[0] = options.axis.right[1] = 0.93;
     Step step;
     for (const Sample& s : lab::simulate(options).samples) {
-      const double t = cosim::seconds_of(s.edge, options.run.clock_ps), mm = 1e3 * s.x;
+      const double t = options.run.seconds(s.edge), mm = 1e3 * s.x;
       if (t < 3) {
         step.over_left = std::max(step.over_left, mm - 50);
         if (mm > 49) step.left_s = std::min(step.left_s, t);

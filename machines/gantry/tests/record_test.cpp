@@ -299,7 +299,7 @@ TEST_CASE("gantry: a calibration run in which A sticks ends as one without a ste
   double begun_s = 0;
   for (const Sample& s : lab::simulate(options).samples) {
     const bool fits = s.phase == static_cast<int>(sw::GantryPhase::kFitting);
-    if (begun_s == 0 && fits) begun_s = cosim::seconds_of(s.edge, options.run.clock_ps);
+    if (begun_s == 0 && fits) begun_s = options.run.seconds(s.edge);
   }
   REQUIRE(begun_s > 0);
   options.fault.kind = cosim::FaultKind::kConverterStuck;

@@ -231,7 +231,7 @@ TEST_CASE("larson: a run ends when its settling is over and no axis moves any mo
     CHECK((last.axis[axis].words >> 16 & sw::larson_map::kBusy) == 0);
     CHECK(last.axis[axis].waiting == 0);
     const double longest =
-        cosim::seconds_of(last.edge - run.result.done.back().edge, script.options.run.clock_ps);
+        script.options.run.seconds(last.edge - run.result.done.back().edge);
     CHECK(longest >= script.options.settle_s);
     CHECK(longest > 0.17);   // 20 steps at 100 PPS
     CHECK(longest < 0.3);
@@ -245,7 +245,7 @@ TEST_CASE("larson: a table at rest is recorded for its settling, and no longer")
     const auto run = script.run();
     REQUIRE(run.result.end == cosim::EndReason::kDone);
     const cosim::Clk more = run.result.samples.back().edge - run.result.done.back().edge;
-    CHECK(cosim::seconds_of(more, script.options.run.clock_ps) ==
+    CHECK(script.options.run.seconds(more) ==
           Approx(settle_s + 0.5e-3).margin(0.6e-3));
   }
 }
@@ -285,7 +285,7 @@ TEST_CASE("larson: an error return notices a fault that came before it, not a la
     script.options.settle_s = 0.7;
     const auto run = script.run();
     REQUIRE(run.result.answers[3].value == 0);
-    const double told = cosim::seconds_of(run.result.done[3].edge, script.options.run.clock_ps);
+    const double told = script.options.run.seconds(run.result.done[3].edge);
     CAPTURE(begin_s, told);
     REQUIRE(told < 0.9);
     CHECK(run.result.fault_report.begin != cosim::kNever);
@@ -299,7 +299,7 @@ TEST_CASE("larson: a run whose table moves on for minutes ends five seconds behi
   const auto run = script.run();
   CHECK(run.result.end == cosim::EndReason::kMissed);
   const cosim::Clk more = run.result.samples.back().edge - run.result.done.back().edge;
-  CHECK(cosim::seconds_of(more, script.options.run.clock_ps) == Approx(5).margin(1e-2));
+  CHECK(script.options.run.seconds(more) == Approx(5).margin(1e-2));
   CHECK_THAT(run.result.fault, Catch::StartsWith("X is 29"));
 }
 

@@ -268,7 +268,7 @@ TEST_CASE("mcafee: a run that ends early tells the places of both axes where it 
   const Sample rest = whole.samples.back();
   std::int64_t apart = 0;
   for (const double share : {0.2, 0.4, 0.6}) {
-    options.run.max_s = share * cosim::seconds_of(rest.edge, options.run.clock_ps);
+    options.run.max_s = share * options.run.seconds(rest.edge);
     const Result result = ended(options);
     CAPTURE(share, result.real[0], result.real[1]);
     CHECK(result.end == cosim::EndReason::kTimeout);

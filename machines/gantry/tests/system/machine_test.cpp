@@ -197,7 +197,7 @@ TEST_CASE("a converter that sticks or browns out, no supply: noticed where it is
   CHECK(stuck.end == cosim::EndReason::kFault);
   CHECK(stuck.fault == "a force and no motion");
   CHECK(std::fabs(stuck.samples.back().v) < 1e-3);  // it came to rest,
-  CHECK(stuck.samples.back().edge < cosim::clocks_of(0.6, options.run.clock_ps));  // and no more
+  CHECK(stuck.samples.back().edge < options.run.clocks(0.6));  // and no more
   CHECK(stuck.samples.back().x < 0.3);
   options.firmware.stall_ticks = 0;
   options.firmware.watch_sensor = true;
