@@ -16,6 +16,7 @@ from trammel_tools.evidence import sources
 from trammel_tools.evidence.sources import BUILD, matching
 from trammel_tools.mutation import mutant_tests
 from trammel_tools.python_tools import PYTHON
+from trammel_tools.synth import equivalence
 
 # Files of the repository.
 SHARED = (*(f"{room}/**" for room in ROOMS if room != "machines"), "third_party/**", *BUILD)
@@ -101,15 +102,19 @@ def of_mutants(found):
             | matching("tests/support/mutant.cpp") | sources.tools(*VERIFY))
 
 
+def code_of(machine):
+    """C++ of the program of one machine, and the views of its waves."""
+    return matching(*SHARED, f"machines/{machine}/**", "rtl/**.hpp", "docs/waves.md", "waves/**",
+                    "tests/support/**")
+
+
 def of_program(machine):
     """Of the program of one machine and its chips, with the views of their waves."""
     own = f"machines/{machine}"
     named = sources.names_in(*matching(f"{own}/chip.cmake", "parts/*/chip.cmake"))
     files = [sources.modules()[name] for name in named]
     chips = [name[4:-3] for name in files if name.startswith("rtl/chips/")]
-    return (matching(*SHARED, f"{own}/**", "rtl/**.hpp", "rtl/boards/**", "docs/waves.md",
-                     "waves/**", "tests/support/**")
-            | sources.rtl(*chips))
+    return code_of(machine) | matching("rtl/boards/**") | sources.rtl(*chips)
 
 
 def of_machine(found):
@@ -118,27 +123,29 @@ def of_machine(found):
 
 
 def of_sanitized(found):
-    """Of unit tests in one folder or of one machine, with the program that is run too."""
+    """Of unit tests in one folder or of one machine, with the program that is run too. Sanitizers
+    check C++, which RTL changes only by its values, and a test of the first tier compares these
+    with the values of a model in C++."""
     group = found[1]
+    tests = matching(f"tests/{group}/**")
     if matching(f"machines/{group}/machine.cpp"):
-        files = of_program(group) | sources.cpp(*matching(f"machines/{group}/tests/**.cpp"))
+        files = code_of(group) | sources.cpp(*matching(f"machines/{group}/tests/**.cpp"))
     elif group in ("lab", "testbench"):
-        files = matching(*PRODUCT, f"tests/{group}/**", "tests/support/**", "tests/goldens/**",
-                         "waves/**")
+        files = matching(*CODE, "rtl/**.hpp", f"tests/{group}/**", "tests/support/**",
+                         "tests/goldens/**", "waves/**")
     elif group == "parts":
-        chips = matching("parts/*/chip.cmake")
-        files = matching(*SHARED, "rtl/**.hpp") | sources.cpp(*matching("tests/parts/**", *MAIN))
-        files |= sources.instances(sources.modules()[one] for one in sources.names_in(*chips))
+        files = matching(*SHARED, "rtl/**.hpp") | sources.cpp(*tests, *matching(*MAIN))
+    elif tests:
+        files = tests | sources.cpp(*tests, *matching(*MAIN))
     else:
-        tests = matching(f"tests/{group}/**")
-        if not tests:
-            raise KeyError(group)
-        named = {name.split("/")[-1].removesuffix("_test.cpp") for name in tests}
-        files = sources.instances(path for block, path in sources.modules().items()
-                                  if block in named and f"/{group}/" in path)
-        files |= tests | sources.properties(files) | sources.cpp(*tests, *matching(*MAIN))
+        raise KeyError(group)
     scripts = (f"check/{one}" for one in ("sanitize", "coverage_cpp", "rooms"))
     return files | matching(*BUILD) | sources.tools(*scripts)
+
+
+def of_equivalence(_):
+    """Of the blocks that are mapped."""
+    return files_of(tools=("synth/equivalence",)) | sources.rtl(*equivalence.BLOCKS)
 
 
 def of_board(found):
@@ -148,6 +155,11 @@ def of_board(found):
         raise KeyError(found[1])
     return (files_of("rtl/boards/**", "rtl/**.rdl", *FLOW, tools=("synth", "rtl"))
             | sources.instances(tops))
+
+
+def of_mapped(found):
+    """Of one chip, mapped alone."""
+    return files_of(*FLOW, tools=("synth", "rtl")) | sources.rtl(f"chips/{found[1]}")
 
 
 def of_long(found):
@@ -194,8 +206,9 @@ KINDS = (
     Kind(r"fuzz\.short", FUZZED, COMPILER),
     Kind(r"synth\.board\.(ulx3s)", of_board, PLACER, feeds=("synth.gates_off",)),
     Kind(r"synth\.board\.(\w+)", of_board, PLACER),
-    Kind(r"synth\.budget", BOARDS, PLACER, feeds=("synth.equivalence",)),
+    Kind(r"synth\.equivalence", of_equivalence, ("pyosys",)),
     Kind(r"synth\.fusesoc", CORE, ("fusesoc", "edalize", "program/verilator")),
+    Kind(r"synth\.(\w+)\.L-17", of_mapped, PLACER),
     Kind(r"synth\..*", BOARDS, PLACER),
     Kind(r"system\.(\w+)\.\w+", of_machine, (*COMPILER, *VIEWER, *PLACER)),
     Kind(r"docs\.precision|precision\.\w+", FOLLOWED, COMPILER),

@@ -129,11 +129,12 @@ def included(name):
 
 @functools.cache
 def units():
-    """{header: units that implement it}: a unit includes its own header first."""
+    """{header: units that implement it}: a unit includes its own header first, of its folder or of
+    one above."""
     found = {}
     for name in matching(*(f"{room}/**.cpp" for room in ROOMS)):
         own = INCLUDE.search((ROOT / name).read_text(encoding="utf-8", errors="replace"))
-        if own and "/tests/" not in name:
+        if own and "/tests/" not in name and name.startswith(f"{os.path.dirname(own[1])}/"):
             found.setdefault(own[1], set()).add(name)
     return found
 

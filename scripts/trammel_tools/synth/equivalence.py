@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """Prove that blocks are what Yosys maps them to: RTL and ECP5 netlist, for every input.
 
-usage: scripts/tool equivalence [layer/block ...] [--netlists FOLDER]
+usage: scripts/tool equivalence [layer/block ...]
 
 Registers of both are matched by name; then every one of them and every output is proven equal in
 all states in which the others are (equiv_simple, equiv_induct). Without arguments: the blocks
 below, which have neither multiplier nor memory; the others are compared by the placed netlist in
-closed loop (scripts/tool netlist). --netlists takes them from a folder of trammel synth.
+closed loop (scripts/tool netlist).
 
 Each block is also tried with one bit of one lookup table flipped, which must be refuted.
 
@@ -16,7 +16,6 @@ CTest 77).
 
 import argparse
 import json
-import shutil
 import sys
 import tempfile
 import time
@@ -93,14 +92,11 @@ def flipped(netlist, top, target, number):
     target.write_text(json.dumps(design), encoding="utf-8")
 
 
-def check(block, folder, netlists):
+def check(block, folder):
     """Lines of what is wrong with a block."""
     top = block.split("/")[1]
     netlist = folder / f"{top}.json"
-    if netlists and (netlists / f"{top}.json").exists():
-        shutil.copyfile(netlists / f"{top}.json", netlist)
-    else:
-        synth_flow.map_to_ecp5(top, folder)
+    synth_flow.map_to_ecp5(top, folder)
     begin = time.monotonic()
     if not proven(top, folder, netlist):
         yield "not proven equal to its netlist"
@@ -122,7 +118,6 @@ def main():
     parser = argparse.ArgumentParser(prog="scripts/tool equivalence", description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("blocks", nargs="*", metavar="layer/block")
-    parser.add_argument("--netlists", type=Path, metavar="FOLDER")
     wanted = parser.parse_args()
     for block in wanted.blocks:
         if block not in lint.blocks() or not (RTL / f"{block}.sv").exists():
@@ -131,7 +126,7 @@ def main():
     bad = 0
     with tempfile.TemporaryDirectory() as folder:
         for block in wanted.blocks or BLOCKS:
-            for line in check(block, Path(folder), wanted.netlists):
+            for line in check(block, Path(folder)):
                 print(f"{block}: {line}", file=sys.stderr)
                 bad += 1
     return 1 if bad else 0

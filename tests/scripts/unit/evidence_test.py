@@ -332,6 +332,13 @@ class SourcesTest(Scratch):
             self.assertEqual([one for one in kind.files(found) if one.endswith((".cpp", ".hpp"))
                               and one.startswith(("lab/", "machines/"))], [], name)
 
+    def test_sanitized_tests_depend_on_models_and_not_on_rtl(self):
+        for group, model in (("drive", "models/twin/drive/"), ("kung", "machines/kung/twin.")):
+            kind, found = kinds.of(f"sanitize.{group}")
+            files = kind.files(found)
+            self.assertEqual([one for one in files if one.endswith(".sv")], [], group)
+            self.assertTrue([one for one in files if one.startswith(model)], group)
+
     def test_what_the_script_of_a_check_names_is_among_the_inputs(self):
         """Modules that it imports, and files that it finds by ROOT / "folder" / "file"."""
         own, called = "scripts/trammel_tools", tools.every()
