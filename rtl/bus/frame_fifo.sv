@@ -4,7 +4,7 @@
 // counted, 65535 at most; a pop of none does nothing. Depth is a power of two.
 
 module frame_fifo
-  import gantry_pkg::*;
+  import serial2002_pkg::*;
 #(
     parameter int unsigned Depth = 8
 ) (

@@ -3,7 +3,7 @@
 // Properties of frame_fifo for any input. One frame of any place in the order is followed.
 
 module frame_fifo_props
-  import gantry_pkg::*;
+  import serial2002_pkg::*;
 #(
     parameter int unsigned Depth = 8
 ) (

@@ -6,7 +6,7 @@
 
 module serial2002_port
   import trammel_pkg::*;
-  import gantry_pkg::*;
+  import serial2002_pkg::*;
 #(
     parameter int unsigned ClocksPerBit = 434
 ) (

@@ -4,7 +4,7 @@
 
 module serial2002_port_props
   import trammel_pkg::*;
-  import gantry_pkg::*;
+  import serial2002_pkg::*;
 #(
     parameter int unsigned ClocksPerBit = 434
 ) (

@@ -12,7 +12,7 @@
 
 module serial2002_rx
   import trammel_pkg::*;
-  import gantry_pkg::*;
+  import serial2002_pkg::*;
 #(
     parameter int unsigned GapWidth = 24
 ) (

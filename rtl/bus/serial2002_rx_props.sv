@@ -6,7 +6,7 @@
 
 module serial2002_rx_props
   import trammel_pkg::*;
-  import gantry_pkg::*;
+  import serial2002_pkg::*;
 #(
     parameter int unsigned GapWidth = 24
 ) (

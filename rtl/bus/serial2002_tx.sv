@@ -6,7 +6,7 @@
 // A frame is held by the caller until take_o, which comes with its last byte.
 
 module serial2002_tx
-  import gantry_pkg::*;
+  import serial2002_pkg::*;
 (
     input logic clk_i,
     input logic rst_i,

@@ -4,7 +4,7 @@
 // begin to take_o.
 
 module serial2002_tx_props
-  import gantry_pkg::*;
+  import serial2002_pkg::*;
 (
     input logic clk_i,
     input logic rst_i,

@@ -177,8 +177,8 @@ module gantry_tau
 
   // ---- observer and its calibration ----
 
-  gantry_pkg::calib_addr_t calib_addr;
-  gantry_pkg::calib_t calib_word;
+  sincos_pkg::calib_addr_t calib_addr;
+  sincos_pkg::calib_t calib_word;
   logic calib_valid, observer_busy, observer_quiescent, calib_quiescent;
   logic signed [31:0] position;
   logic signed [22:0] velocity;
@@ -260,7 +260,7 @@ module gantry_tau
 
   logic serial_quiescent, in_waits;
   logic [15:0] lost, malformed;
-  gantry_pkg::frame_t in_frame, out_frame;
+  serial2002_pkg::frame_t in_frame, out_frame;
   gap_t serial_next;
 
   assign out_frame = '{

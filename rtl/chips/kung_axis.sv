@@ -199,7 +199,7 @@ module kung_axis
   logic [11:0] code_a, code_b;
   logic adc_valid, unused_adc_busy, adc_quiescent;
   logic unused_loop_busy, loop_valid, limited, unused_loop_quiescent, loop_clear;
-  loop_domains_t loop_awake;
+  current_loop_pkg::domains_t loop_awake;
   cmp_t cmp_a, cmp_b, cmp_c;
 
   assign iq_position = precision_i.enable ? precision_i.i_q_ref : iq_afc;

@@ -21,7 +21,7 @@ module current_loop
   import math_pkg::*;
 (
   input  logic        clk_i,
-  input  kung_pkg::loop_domains_t clock_en_i,
+  input  current_loop_pkg::domains_t clock_en_i,
   input  logic        rst_i,
 
   input  logic        tick_i,  // converter data are valid
@@ -53,7 +53,7 @@ module current_loop
   output word_t       v_d_o,
   output word_t       v_q_o,
   output logic        limited_o,
-  output kung_pkg::loop_domains_t awake_o,
+  output current_loop_pkg::domains_t awake_o,
   output logic        quiescent_o
 );
 

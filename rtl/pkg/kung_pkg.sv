@@ -6,16 +6,9 @@
 package kung_pkg;
 
   typedef struct packed {
-    logic svpwm;   // inverse Park and modulation
-    logic pi;      // controllers and their limit
-    logic rotate;  // sine and Park
-    logic angle;   // Clarke and the loop's own registers
-  } loop_domains_t;
-
-  typedef struct packed {
     logic gates;  // PWM and legs
     logic sense;  // encoder
-    loop_domains_t loop;
+    current_loop_pkg::domains_t loop;
     logic adc;
     logic position;  // command and position controller
   } axis_domains_t;
@@ -24,7 +17,7 @@ package kung_pkg;
     logic precision;  // precision controller
     logic [1:0] gates;
     logic [1:0] sense;
-    loop_domains_t loop;
+    current_loop_pkg::domains_t loop;
     logic adc;
     logic position;
     logic system;  // registers, faults, watchdog

@@ -11,7 +11,7 @@
 // places only while the reader rests; a word is fetched for the memory only then, too.
 
 module calibration
-  import gantry_pkg::*;
+  import sincos_pkg::*;
 (
     input logic clk_i,
     input logic rst_i,

@@ -3,7 +3,7 @@
 // Properties of calibration for any input. A checksum is built beside it, byte by byte.
 
 module calibration_props
-  import gantry_pkg::*;
+  import sincos_pkg::*;
 (
     input logic clk_i,
     input logic rst_i,

@@ -16,7 +16,7 @@
 // worked in 6, a derivative's in at most 11; codes and asks come while it rests.
 
 module sincos_observer
-  import gantry_pkg::*;
+  import sincos_pkg::*;
 (
     input logic clk_i,
     input logic rst_i,

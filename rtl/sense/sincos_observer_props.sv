@@ -5,7 +5,7 @@
 // it is not looked at.
 
 module sincos_observer_props
-  import gantry_pkg::*;
+  import sincos_pkg::*;
 (
     input logic clk_i,
     input logic rst_i,

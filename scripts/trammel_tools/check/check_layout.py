@@ -142,8 +142,9 @@ def ports(text):
     return [port for port in found if port not in ("clk_i", "rst_i", "clk", "rst")]
 
 
-def check_rtl_uses(root, path, owner):
+def check_rtl_uses(root, path, owner, machines):
     layer = path.parts[1]
+    general = layer not in ("pkg", "chips", "boards")
     allowed = RTL_USES.get(layer, set()) | {layer}
     text = (root / path).read_text(encoding="utf-8")
     for number, line in enumerate(text.split("\n"), 1):
@@ -155,6 +156,8 @@ def check_rtl_uses(root, path, owner):
         for name in names:
             if name in owner and owner[name] not in allowed:
                 yield f"{path}:{number}: {layer} may not use {name} of {owner[name]}"
+            elif general and owner.get(name) == "pkg" and name.split("_")[0] in machines:
+                yield f"{path}:{number}: {layer} may not use {name}, a machine's package"
     if not path.stem.endswith("_pkg"):
         named = re.findall(r"^\s*(?:module|interface)\s+(\w+)", text, re.M)
         if path.stem not in named:
@@ -164,6 +167,7 @@ def check_rtl_uses(root, path, owner):
 def findings(root):
     files = set(tracked(root))
     plain = layout_machines.plain_chips(root, files)
+    machines = layout_machines.machines_of(files)
     owner = {p.stem: p.parts[1] for p in files if p.parts[0] == "rtl" and p.suffix == ".sv"}
     for path in sorted(files):
         if is_exempt(path):
@@ -173,7 +177,7 @@ def findings(root):
         if path.parts[0] == "rtl" and path.suffix == ".sv" and len(path.parts) == 3:
             yield from check_companions(root, files, plain, path)
             yield from check_page(root, path, files)
-            yield from check_rtl_uses(root, path, owner)
+            yield from check_rtl_uses(root, path, owner, machines)
         if path.suffix in CPP:
             yield from layout_uses.check(root, path)
     yield from layout_uses.check_circles(root, sorted(p for p in files if p.suffix in CPP))

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// What the blocks of the gantry-tau track share: words of the calibration data (Brochier 2006,
-// C.15) and the frames of Serial2002.
+// Words of the calibration data of a sine-cosine sensor (Brochier 2006, C.15).
 
-package gantry_pkg;
+package sincos_pkg;
 
   typedef logic signed [15:0] calib_t;
   typedef logic [5:0] calib_addr_t;
@@ -20,17 +19,5 @@ package gantry_pkg;
   localparam calib_addr_t CalibDotPoly = 6'd41;  // 5 words each
   localparam calib_addr_t CalibExponent = 6'd61;
   localparam calib_addr_t CalibCheck = 6'd62;
-
-  localparam logic [2:0] KindClearBit = 3'd0;
-  localparam logic [2:0] KindSetBit = 3'd1;
-  localparam logic [2:0] KindPollBit = 3'd2;
-  localparam logic [2:0] KindPollChannel = 3'd3;
-  localparam logic [2:0] KindValue = 3'd4;
-
-  typedef struct packed {
-    logic [2:0]  kind;
-    logic [4:0]  channel;
-    logic [31:0] value;
-  } frame_t;
 
 endpackage
