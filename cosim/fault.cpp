@@ -10,13 +10,9 @@ namespace {
 
 constexpr Clk kForever = 1'000'000'000'000;  // longer than any run, yet a time that SystemC can add
 
-[[noreturn]] void refuse(const char* key, int value, int most) {
-  if (most < 0) throw OptionsError("inject.fault: this machine has no such part");
-  throw OptionsError(fmt::format("{}: value {} is out of range, allowed 0..{}", key, value, most));
-}
-
 void check(const char* key, int value, int most) {
-  if (value < 0 || value > most) refuse(key, value, most);
+  if (value >= 0 && value <= most) return;
+  throw OptionsError(fmt::format("{}: value {} is out of range, allowed 0..{}", key, value, most));
 }
 
 std::uint32_t random_word(std::uint64_t x) {  // splitmix64
@@ -28,19 +24,45 @@ std::uint32_t random_word(std::uint64_t x) {  // splitmix64
 
 }  // namespace
 
+const std::vector<std::string>& fault_words() {
+  static const std::vector<std::string> kWords{
+      "none",             "encoder_stuck",     "encoder_missing",  "encoder_swapped",
+      "index_lost",       "converter_stuck",   "converter_offset", "converter_saturated",
+      "converter_slipped", "gate_dead",        "output_stuck",     "phase_open",
+      "supply_dip",       "processor_stopped", "processor_slow",   "processor_garbage",
+      "bus_stall",        "register_flip"};
+  return kWords;
+}
+
+FaultPlace FaultPins::place(FaultKind kind) const {
+  if (kind >= FaultKind::kSupplyDip) return {kind, kind, 0, ""};
+  for (const FaultPlace& one : places) {
+    if (kind >= one.first && kind <= one.last) return one;
+  }
+  return {};
+}
+
+std::vector<std::string> FaultPins::words() const {
+  std::vector<std::string> own{fault_words().front()};
+  for (std::size_t k = 1; k < fault_words().size(); ++k) {
+    const bool has = place(static_cast<FaultKind>(k)).first != FaultKind::kNone;
+    if (has) own.push_back(fault_words()[k]);
+  }
+  return own;
+}
+
 void check_fault(const Fault& fault, const FaultPins& pins) {
   if (!fault.any()) return;
-  check("inject.axis", fault.axis, pins.axes - 1);
   using K = FaultKind;
-  if (fault.kind == K::kEncoderStuck) check("inject.line", fault.line, 1);
-  if (fault.between(K::kConverterStuck, K::kConverterSlipped)) {
-    check("inject.line", fault.line, pins.converters - 1);
+  const FaultPlace place = pins.place(fault.kind);
+  if (place.first == K::kNone) {
+    const auto own = pins.words();
+    throw OptionsError(fmt::format("inject.fault: this machine has no {}; it has: {}",
+                                   fault_words()[static_cast<std::size_t>(fault.kind)],
+                                   fmt::join(own.begin() + 1, own.end(), ", ")));
   }
-  if (fault.kind == K::kGateDead) check("inject.line", fault.line, pins.gates ? 5 : -1);
-  if (fault.kind == K::kOutputStuck) {
-    check("inject.line", fault.line, pins.gates ? -1 : pins.outputs - 1);
-  }
-  if (fault.kind == K::kPhaseOpen) check("inject.line", fault.line, pins.phases - 1);
+  check("inject.axis", fault.axis, pins.last_axis());
+  if (place.lines > 0) check("inject.line", fault.line, place.lines - 1);
   if (fault.kind == K::kSupplyDip) check("inject.value", fault.value, 100);
   if (fault.kind == K::kConverterStuck) check("inject.value", fault.value, 4095);
   if (fault.kind == K::kEncoderMissing || fault.kind == K::kProcessorSlow ||

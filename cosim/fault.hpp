@@ -8,14 +8,16 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "cosim/cosim.hpp"
 
 namespace trammel::cosim {
 
+// In the order of fault_words().
 enum class FaultKind {
   kNone,
-  kEncoderStuck,        // a line holds its level (value 0), is low (below 0) or high (above)
+  kEncoderStuck,        // an input holds its level (value 0), is low (below 0) or high (above)
   kEncoderMissing,      // each value-th count is lost, without value each tenth
   kEncoderSwapped,      // A is B
   kIndexLost,           // the index line stays low
@@ -26,7 +28,7 @@ enum class FaultKind {
   kGateDead,            // a gate driver leaves its switch open
   kOutputStuck,         // a bit toward the converter is low, or high where value is above 0
   kPhaseOpen,           // a phase of the motor carries no current
-  kSupplyDip,           // value percent of the supply remain
+  kSupplyDip,           // value percent of the supply remain; from here on, of every machine
   kProcessorStopped,    // it executes nothing
   kProcessorSlow,       // an access and an interrupt take value times as long, ten times without
   kProcessorGarbage,    // what it writes is random
@@ -39,7 +41,7 @@ struct Fault {
   double begin_s = 0;
   double for_s = 0;  // 0: it stays
   int axis = 0;
-  int line = 0;      // encoder: 0 A, 1 B; converter and phase: 0 a, 1 b, 2 c; gate: upper, lower
+  int line = 0;      // of those that the machine has at the place of this kind
   int value = 0;
   std::string bit;   // of kRegisterFlip: its register, and its number in brackets
 
@@ -51,19 +53,30 @@ struct Fault {
   bool of_plant() const { return between(FaultKind::kPhaseOpen, FaultKind::kSupplyDip); }
 };
 
-// What of a machine a fault can be on: its pins in the packed words of sense() and drive().
-struct FaultPins {
-  int axes = 1;
-  std::array<std::array<int, 3>, 2> encoder{};  // of each axis: A, B, index
-  int converters = 0;                           // of an axis, on channels from 2 * axis on
-  int converter_bits = 12;
-  int outputs = 0;                              // of an axis, one after the other in drive()
-  bool gates = false;                           // these are gates, else bits of a code
-  int phases = 1;
-  bool registers = false;                       // the chip's have names: not a twin
+// Names of the kinds, as inject.fault has them.
+const std::vector<std::string>& fault_words();
+
+// Kinds of fault that a machine has at one sort of place.
+struct FaultPlace {
+  FaultKind first = FaultKind::kNone, last = FaultKind::kNone;
+  int lines = 0;      // of an axis, those of the next axis follow; 0: the kinds have no line
+  std::string names;  // of the place and its lines, in their order
 };
 
-// Throws OptionsError where the machine has no such place.
+// What of a machine a fault can be on, and so which kinds of fault it has.
+struct FaultPins {
+  std::vector<std::string> axes;           // their names; empty: there is one axis
+  std::vector<FaultPlace> places;          // but those of the kinds that every machine has
+  std::vector<std::array<int, 3>> inputs;  // of each axis, in sense(): lines 0 and 1, index
+  int converter_bits = 12;
+  bool registers = false;                  // the chip's have names: not a twin
+
+  FaultPlace place(FaultKind kind) const;  // without a kind where the machine has none
+  std::vector<std::string> words() const;  // of the kinds that it has, "none" first
+  int last_axis() const { return axes.empty() ? 0 : static_cast<int>(axes.size()) - 1; }
+};
+
+// Throws OptionsError where the machine has no such fault or place.
 void check_fault(const Fault& fault, const FaultPins& pins);
 
 // Edges from `begin` to `end`, kNever where it stays.

@@ -23,12 +23,11 @@ FaultPlant::FaultPlant(FalliblePlant& plant, const FaultPins& pins, const Fault&
                        std::int64_t clock_ps)
     : plant_(plant),
       pins_(pins),
-      fault_(fault),
+      fault_((check_fault(fault, pins), fault)),
       span_(fault, clock_ps),
       event_(fault.of_processor() ? kNever : span_.begin),
-      encoder_(pins.encoder[static_cast<std::size_t>(fault.axis)]),
-      channel_(2 * fault.axis + fault.line) {
-  check_fault(fault, pins);
+      index_(fault.axis * pins.place(fault.kind).lines + fault.line) {
+  if (!pins.inputs.empty()) encoder_ = pins.inputs.at(static_cast<std::size_t>(fault.axis));
   const Lines lines = plant_.sense();
   true_ = seen_ = count_of(level(lines, encoder_[0]), level(lines, encoder_[1]));
 }
@@ -61,7 +60,7 @@ Lines FaultPlant::sense() const {
 
 int FaultPlant::sample(int channel, Clk n) const {
   const int code = plant_.sample(channel, n);
-  if (!active_ || channel != channel_) return code;
+  if (!active_ || channel != index_) return code;
   const int top = (1 << std::max(12, pins_.converter_bits)) - 1;
   const int step = (top + 1) / 4096;  // of 12 bits
   switch (fault_.kind) {
@@ -77,7 +76,7 @@ int FaultPlant::sample(int channel, Clk n) const {
 
 Lines FaultPlant::driven(Lines drive) const {
   if (!active_) return drive;
-  const Lines line = bit(fault_.axis * pins_.outputs + fault_.line);
+  const Lines line = bit(index_);
   if (fault_.kind == FaultKind::kGateDead) return drive & ~line;
   if (fault_.kind != FaultKind::kOutputStuck) return drive;
   return fault_.value > 0 ? drive | line : drive & ~line;
@@ -104,7 +103,7 @@ void FaultPlant::begin(Clk n) {
   event_ = span_.end;
   held_ = plant_.sense();
   if (fault_.between(FaultKind::kConverterStuck, FaultKind::kConverterSlipped)) {
-    code_ = plant_.sample(channel_, n);
+    code_ = plant_.sample(index_, n);
   }
   if (fault_.kind == FaultKind::kPhaseOpen) plant_.open_phase(n, fault_.axis, fault_.line, true);
   if (fault_.kind == FaultKind::kSupplyDip) plant_.supply(n, 0.01 * fault_.value);

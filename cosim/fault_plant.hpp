@@ -51,8 +51,8 @@ class FaultPlant final : public Plant {
   FaultSpan span_;
   Clk event_;            // the next of begin and end
   bool active_ = false;
-  std::array<int, 3> encoder_;
-  int channel_ = 0;      // of the converter
+  std::array<int, 3> encoder_{};  // A, B, index of the axis, where it has them
+  int index_ = 0;        // of the line among those of all axes: channel of a converter, output
   Lines held_ = 0;       // as the lines were where the fault began
   int code_ = 0;         // as the converter's was
   std::optional<Lines> driven_;

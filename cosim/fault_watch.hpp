@@ -6,10 +6,10 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "cosim/fault.hpp"
 #include "cosim/fault_report.hpp"
@@ -17,8 +17,8 @@
 namespace trammel::cosim {
 
 struct FaultTruth {
-  std::array<double, 2> at{};  // of the axes, in the machine's unit
-  double current_A = 0;        // largest of a phase
+  std::vector<double> at;  // of the axes, in the machine's unit
+  double current_A = 0;    // largest of a phase
   bool at_stop = false;
 };
 
@@ -47,7 +47,10 @@ class FaultWatch {
       off_at_ = now.at;
     }
     if (report_.off != kNever) {
-      report_.stopping = std::hypot(now.at[0] - off_at_[0], now.at[1] - off_at_[1]);
+      report_.stopping = 0;
+      for (std::size_t k = 0; k < now.at.size(); ++k) {
+        report_.stopping = std::hypot(report_.stopping, now.at[k] - off_at_[k]);
+      }
     }
   }
 
@@ -56,7 +59,7 @@ class FaultWatch {
  private:
   bool injected_;
   FaultReport report_;
-  std::array<double, 2> off_at_{};
+  std::vector<double> off_at_;
 };
 
 }  // namespace trammel::cosim

@@ -4,6 +4,8 @@
 // the member says what kind of key it is. Included only where a table is made.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <type_traits>
 #include <utility>
@@ -33,11 +35,7 @@ inline std::vector<std::string> enum_names<cosim::WaveFormat>() {
 
 template <>
 inline std::vector<std::string> enum_names<cosim::FaultKind>() {
-  return {"none",          "encoder_stuck",       "encoder_missing",   "encoder_swapped",
-          "index_lost",    "converter_stuck",     "converter_offset",  "converter_saturated",
-          "converter_slipped", "gate_dead",       "output_stuck",      "phase_open",
-          "supply_dip",    "processor_stopped",   "processor_slow",    "processor_garbage",
-          "bus_stall",     "register_flip"};
+  return cosim::fault_words();
 }
 
 // Reads and writes the member that `lens` selects, whatever its type is.
@@ -151,15 +149,25 @@ struct KeyTable {
         TRAMMEL_LENS(run.wave_every_s));
   }
 
-  // One fault; where it can be on this machine is said by its page.
-  void faults() {
+  // One fault, of the kinds and at the places that the machine has.
+  void faults(const cosim::FaultPins& pins) {
+    int lines = 1;
+    std::vector<std::string> names;
+    for (const cosim::FaultPlace& one : pins.places) {
+      lines = std::max(lines, one.lines);
+      if (one.lines > 1) names.push_back(one.names);
+    }
     text("inject.fault", "what fails, see docs/faults.md", TRAMMEL_LENS(fault.kind));
+    keys.back().choices = pins.words();
     one("inject.begin_s", 0, 3600, "from when", TRAMMEL_LENS(fault.begin_s));
     one("inject.for_s", 0, 3600, "for how long; 0 = it stays", TRAMMEL_LENS(fault.for_s));
-    one("inject.axis", 0, 1, "on X or Y", TRAMMEL_LENS(fault.axis));
-    one("inject.line", 0, 11,
-        "encoder: A, B; converter or phase: a, b, c; gate: upper a, b, c, lower a, b, c; output: "
-        "bit",
+    one("inject.axis", 0, pins.last_axis(),
+        pins.axes.empty() ? "this machine has one axis"
+                          : fmt::format("on {}", fmt::join(pins.axes, " or ")),
+        TRAMMEL_LENS(fault.axis));
+    one("inject.line", 0, lines - 1,
+        names.empty() ? "no fault of this machine has a choice of lines"
+                      : fmt::format("{}", fmt::join(names, "; ")),
         TRAMMEL_LENS(fault.line));
     one("inject.value", -65535, 65535, "how much or at which level, by the fault",
         TRAMMEL_LENS(fault.value));

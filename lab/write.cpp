@@ -54,11 +54,8 @@ Json simulation_json(const cosim::RunResult& result) {
 }
 
 // The name that inject.fault has.
-std::string fault_kind(const Settings& settings) {
-  for (const Key& key : settings.machine().keys()) {
-    if (key.name == "inject.fault") return std::get<std::string>(key.get(settings));
-  }
-  return "";
+const std::string& fault_kind(const Settings& settings) {
+  return cosim::fault_words()[static_cast<std::size_t>(settings.fault.kind)];
 }
 
 Json fault_json(const Settings& settings, const cosim::RunResult& result) {

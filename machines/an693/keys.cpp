@@ -26,7 +26,7 @@ const std::vector<lab::Key>& keys() {
           "largest error, and movement, of a shaft that counts as at its target; 0 = 50, or a "
           "quarter of a short travel",
           TRAMMEL_LENS(reached_counts));
-    t.faults();
+    t.faults(fault_pins({}));
     lm628::add_part(t, TRAMMEL_LENS(part));
     lm628::add_monitors(t);
     lm628::add_filter(t);

@@ -39,4 +39,7 @@ struct Options final : lab::SettingsOf<Options, machine> {
   double sample_s() const { return lm628::sample_s(part.clock_MHz); }
 };
 
+// Which faults this machine can have, and where.
+cosim::FaultPins fault_pins(const Options& options);
+
 }  // namespace trammel::an693

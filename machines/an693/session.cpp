@@ -61,6 +61,20 @@ const char* failure_text(const sw::Mailbox& mailbox) {
 
 }  // namespace
 
+cosim::FaultPins fault_pins(const Options& options) {
+  using K = cosim::FaultKind;
+  cosim::FaultPins pins;
+  const bool pulses = options.part.pulses();
+  pins.places = {{K::kEncoderStuck, K::kEncoderStuck, 2, "encoder: A, B"},
+                 {K::kEncoderMissing, K::kIndexLost, 0, ""},
+                 {K::kOutputStuck, K::kOutputStuck,
+                  pulses ? lm628::kBridgeLines : lm628::kConverterBits,
+                  "output: bit of the converter's code, or MAG, SIGN of an LM629"},
+                 {K::kPhaseOpen, K::kPhaseOpen, 1, "winding"}};
+  pins.inputs = {{lm628::kEncoderA, lm628::kEncoderB, lm628::kIndex}};
+  return pins;
+}
+
 Bench::Bench(const Options& options, std::function<bool(const Sample&)> finished,
              const cosim::Waves& waves)
     : Rig(options.run, options.fault, options.processor, waves),
@@ -79,16 +93,13 @@ Bench::Bench(const Options& options, std::function<bool(const Sample&)> finished
             sample.volt = plant_.voltage(sample.edge);
           },
           std::move(finished)) {
-  cosim::FaultPins pins;
-  pins.encoder[0] = {lm628::kEncoderA, lm628::kEncoderB, lm628::kIndex};
-  pins.outputs = options_.part.pulses() ? lm628::kBridgeLines : lm628::kConverterBits;
-  wire(*chip_, plant_, pins, "counts");
+  wire(*chip_, plant_, fault_pins(options_), "counts");
 }
 
 cosim::FaultTruth Bench::truth(cosim::Clk edge) const {
   const plant::DcMotorState s = plant_.axis().state(edge);
   const double counts = options_.plant.counts / plant::MotorAxis::kTurn;
-  return {{counts * s.theta, 0}, std::abs(s.i), false};
+  return {{counts * s.theta}, std::abs(s.i), false};
 }
 
 // Whether nothing drives the motor: of pulses, for the whole sample.

@@ -173,7 +173,7 @@ const std::vector<lab::Key>& keys() {
           "most distance of the cart from the reference at the end; below 0: any",
           TRAMMEL_LENS(reached_mm));
     t.waves("the first drive", "see docs/waves.md");
-    t.faults();
+    t.faults(fault_pins({}));
     t.one("record.every_ms", 0.1, 1000, "from one sample to the next", TRAMMEL_LENS(record_ms));
     t.text("host.sends", "what the host sends and when: 0.1:21=305, 0.2:31?, 0.3:x8A49",
            TRAMMEL_LENS(sends));

@@ -43,4 +43,7 @@ struct Options final : lab::SettingsOf<Options, machine> {
   plant::StripeTrackConfig stripes;
 };
 
+// Which faults this machine can have, and where.
+cosim::FaultPins fault_pins(const Options& options);
+
 }  // namespace trammel::gantry

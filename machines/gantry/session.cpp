@@ -41,6 +41,22 @@ cosim::Clk record_clk_of(const Options& options) {
 
 }  // namespace
 
+cosim::FaultPins fault_pins(const Options&) {
+  using K = cosim::FaultKind;
+  cosim::FaultPins pins;
+  pins.axes = {"motor 1", "motor 2"};
+  pins.places = {{K::kEncoderStuck, K::kEncoderStuck, 2,
+                  "input: serial line to the chip, over-temperature of the motor"},
+                 {K::kConverterStuck, K::kConverterSlipped, 2,
+                  "converter: A for motor 1 or B for motor 2, its derivative"},
+                 {K::kOutputStuck, K::kOutputStuck, 2,
+                  "output for motor 1: PWM of motor 1, 2, for motor 2: direction of motor 1, 2"},
+                 {K::kPhaseOpen, K::kPhaseOpen, 1, "winding"}};
+  for (int motor = 0; motor < kMotors; ++motor) pins.inputs.push_back({kRx, overtemp(motor)});
+  pins.converter_bits = 10;
+  return pins;
+}
+
 Session::Session(const Options& options, const cosim::Hooks& hooks, const cosim::Waves& waves)
     : SampledSession(hooks, options.run, options.fault, options.processor, waves),
       options_(options),
@@ -52,15 +68,7 @@ Session::Session(const Options& options, const cosim::Hooks& hooks, const cosim:
                 : make_twin_chip({record_clk_, ideal_store()})),
       estimator_(estimator_of(options)),
       app_(setup_of(options), estimator_.get()) {
-  // The serial line is an encoder's A to a fault, the over-temperature input of the motor its B and
-  // index; axis 0 of the converter is A, axis 1 is B.
-  cosim::FaultPins pins;
-  pins.axes = kMotors;
-  pins.encoder = {{{kRx, overtemp(0), overtemp(0)}, {kRx, overtemp(1), overtemp(1)}}};
-  pins.converters = 2;
-  pins.converter_bits = 10;
-  pins.outputs = 2;
-  wire(*chip_, plant_, pins);
+  wire(*chip_, plant_, fault_pins(options_));
 }
 
 bool Session::drives_off() const {
@@ -71,7 +79,7 @@ bool Session::drives_off() const {
 cosim::FaultTruth Session::truth(cosim::Clk) const {
   const double cart = plant_.axis().state().x[plant::BeltState::kCart];
   cosim::FaultTruth now;
-  now.at[0] = 1e3 * cart;
+  now.at = {1e3 * cart};
   now.at_stop = cart < options_.axis.stop_low || cart > options_.axis.stop_high;
   return now;
 }

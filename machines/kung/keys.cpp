@@ -85,7 +85,7 @@ void add_run(Table& t) {
 }
 
 void add_faults(Table& t) {
-  t.faults();
+  t.faults(fault_pins({}));
   const auto add = keys_of(t, "inject.", [](auto& o) -> auto& { return o.inject; });
   add("trip_s", 0, 3600, "time at which the trip pin rises; 0 = never", &FaultInjection::trip_s);
   add("encoder_s", 0, 3600, "time at which both lines of encoder X jump; 0 = never",

@@ -236,4 +236,7 @@ struct Options final : lab::SettingsOf<Options, machine> {
   double lag_s() const { return std::max(gains[0].lag_s(), gains[1].lag_s()); }
 };
 
+// Which faults this machine can have, and where.
+cosim::FaultPins fault_pins(const Options& options);
+
 }  // namespace trammel::kung

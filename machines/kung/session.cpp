@@ -51,23 +51,23 @@ std::uint32_t model_lag(const Options& options) {
   return static_cast<std::uint32_t>(std::lround(lag_s / options.chip.sample_s()));
 }
 
-// The pins of the table that a fault can be on.
+}  // namespace
+
 cosim::FaultPins fault_pins(const Options& options) {
+  using K = cosim::FaultKind;
   cosim::FaultPins pins;
-  pins.axes = kAxes;
+  pins.axes = {"X", "Y"};
+  pins.places = {{K::kEncoderStuck, K::kEncoderStuck, 2, "encoder: A, B"},
+                 {K::kEncoderMissing, K::kIndexLost, 0, ""},
+                 {K::kConverterStuck, K::kConverterSlipped, 2, "converter: phase a, b"},
+                 {K::kGateDead, K::kGateDead, 6, "gate: upper a, b, c, lower a, b, c"},
+                 {K::kPhaseOpen, K::kPhaseOpen, 3, "phase: a, b, c"}};
   for (int axis = 0; axis < kAxes; ++axis) {
-    pins.encoder[static_cast<std::size_t>(axis)] = {encoder_a(axis), encoder_b(axis),
-                                                    encoder_z(axis)};
+    pins.inputs.push_back({encoder_a(axis), encoder_b(axis), encoder_z(axis)});
   }
-  pins.converters = 2;
   pins.converter_bits = options.plant.axis[static_cast<std::size_t>(options.fault.axis)].adc_bits;
-  pins.outputs = 6;
-  pins.gates = true;
-  pins.phases = 3;
   return pins;
 }
-
-}  // namespace
 
 Session::Session(const Options& options, const Hooks& hooks, const cosim::Waves& waves)
     : SessionOf(hooks, options.run, options.fault, options.processor, waves),
@@ -157,7 +157,7 @@ cosim::FaultTruth Session::truth(cosim::Clk edge) const {
   cosim::FaultTruth now;
   for (std::size_t a = 0; a < kAxes; ++a) {
     const plant::AxisState state = plant_->table().state(static_cast<int>(a), edge);
-    now.at[a] = 1e3 * state.x_m;
+    now.at.push_back(1e3 * state.x_m);
     now.current_A = std::max({now.current_A, std::abs(state.i_a_a), std::abs(state.i_b_a),
                               std::abs(state.i_a_a + state.i_b_a)});
     now.at_stop = now.at_stop || plant_->table().at_stop(static_cast<int>(a));

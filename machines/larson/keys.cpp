@@ -99,7 +99,7 @@ const std::vector<lab::Key>& keys() {
           "most distance of the table from where its program has it, at the end",
           TRAMMEL_LENS(reached_steps));
     t.waves("the first drive", "see docs/waves.md");
-    t.faults();
+    t.faults(fault_pins({}));
     t.one("record.every_ms", 0.1, 1000, "from one sample to the next", TRAMMEL_LENS(record_ms));
     t.one("record.settle_s", 0, 60, "recorded behind the last call", TRAMMEL_LENS(settle_s));
     add_table(t);

@@ -34,4 +34,7 @@ struct Options final : lab::SettingsOf<Options, machine> {
   double start_x = 400, start_y = 250;  // [step]
 };
 
+// Which faults this machine can have, and where.
+cosim::FaultPins fault_pins(const Options& options);
+
 }  // namespace trammel::larson

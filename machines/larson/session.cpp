@@ -47,6 +47,20 @@ std::vector<sw::LarsonCall> program_of(const std::vector<Call>& calls) {
 
 }  // namespace
 
+cosim::FaultPins fault_pins(const Options&) {
+  using K = cosim::FaultKind;
+  cosim::FaultPins pins;
+  pins.axes = {"X", "Y"};
+  pins.places = {{K::kEncoderStuck, K::kEncoderStuck, 2, "limit switch: low, high"},
+                 {K::kEncoderSwapped, K::kIndexLost, 0, ""},
+                 {K::kOutputStuck, K::kOutputStuck, kOutputs, "output: step, direction, flush"},
+                 {K::kPhaseOpen, K::kPhaseOpen, 1, "phase"}};
+  for (int axis = 0; axis < kAxes; ++axis) {
+    pins.inputs.push_back({limit_low(axis), limit_high(axis), buf_busy(axis)});
+  }
+  return pins;
+}
+
 Session::Session(const Options& options, const cosim::Hooks& hooks, const cosim::Waves& waves)
     : SampledSession(hooks, options.run, options.fault, options.processor, waves),
       options_(options),
@@ -64,14 +78,7 @@ Session::Session(const Options& options, const cosim::Hooks& hooks, const cosim:
       asked_{plant_.axis(0).translated(), plant_.axis(1).translated()},
       heard_(heard_at(0)),
       last_at_{at(0, 0), at(1, 0)} {
-  cosim::FaultPins pins;  // the switches are A and B of an encoder, the buffer its index
-  pins.axes = kAxes;
-  for (int axis = 0; axis < kAxes; ++axis) {
-    pins.encoder[static_cast<std::size_t>(axis)] = {limit_low(axis), limit_high(axis),
-                                                    buf_busy(axis)};
-  }
-  pins.outputs = kOutputs;
-  wire(*chip_, plant_, pins, "step");
+  wire(*chip_, plant_, fault_pins(options_), "step");
 }
 
 // What the program has seen of a fault: a failure, or an error return.
@@ -90,7 +97,7 @@ std::string Session::noticed() const {
 cosim::FaultTruth Session::truth(cosim::Clk edge) const {
   cosim::FaultTruth now;
   for (std::size_t k = 0; k < 2; ++k) {
-    now.at[k] = at(k, edge);
+    now.at.push_back(at(k, edge));
     now.at_stop = now.at_stop || plant_.axis(k).hit_stop();
   }
   return now;

@@ -33,7 +33,7 @@ const std::vector<lab::Key>& keys() {
           "0 = 50, or a quarter of a short travel; beside the path a twentieth of its diagonal, if "
           "more",
           TRAMMEL_LENS(reached_counts));
-    t.faults();
+    t.faults(fault_pins({}));
     using P = PathOptions;
     const auto path = lm628::keys_of(t, "path.", TRAMMEL_LENS(path));
     path("kind", 0, 0, "shape", &P::kind);

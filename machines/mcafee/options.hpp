@@ -50,4 +50,7 @@ struct Options final : lab::SettingsOf<Options, machine> {
   }
 };
 
+// Which faults this machine can have, and where.
+cosim::FaultPins fault_pins(const Options& options);
+
 }  // namespace trammel::mcafee

@@ -37,6 +37,20 @@ const char* what_failed(const sw::Mailbox& mailbox) {
 
 }  // namespace
 
+cosim::FaultPins fault_pins(const Options&) {
+  using K = cosim::FaultKind;
+  cosim::FaultPins pins;
+  pins.axes = {"X", "Y"};
+  pins.places = {{K::kEncoderStuck, K::kEncoderStuck, 2, "encoder: A, B"},
+                 {K::kEncoderMissing, K::kIndexLost, 0, ""},
+                 {K::kOutputStuck, K::kOutputStuck, 8, "output: bit of the converter's code"},
+                 {K::kPhaseOpen, K::kPhaseOpen, 1, "winding"}};
+  for (int axis = 0; axis < kAxes; ++axis) {
+    pins.inputs.push_back({encoder_a(axis), encoder_b(axis), marker(axis)});
+  }
+  return pins;
+}
+
 unsigned StagePlant::limits() const {
   unsigned lines = 0;
   for (std::size_t k = 0; k < 2; ++k) {
@@ -88,14 +102,7 @@ Session::Session(const Options& options, const cosim::Hooks& hooks, const cosim:
                 ? make_verilated_chip(options.run, waves.window, options.clock_MHz)
                 : make_twin_chip(options.clock_MHz)),
       app_(setup_of(options, table_)) {
-  cosim::FaultPins pins;
-  pins.axes = kAxes;
-  for (int axis = 0; axis < kAxes; ++axis) {
-    pins.encoder[static_cast<std::size_t>(axis)] = {encoder_a(axis), encoder_b(axis),
-                                                    marker(axis)};
-  }
-  pins.outputs = 8;
-  wire(*chip_, plant_, pins);
+  wire(*chip_, plant_, fault_pins(options_));
 }
 
 bool Session::drives_off() const {
@@ -109,7 +116,7 @@ cosim::FaultTruth Session::truth(cosim::Clk edge) const {
   for (std::size_t k = 0; k < 2; ++k) {
     const plant::LeadscrewAxis& axis = plant_.stage().axis(k);
     const plant::DcMotorState state = axis.state(edge);
-    now.at[k] = 1e3 * state.theta / axis.sensor().radians_per_m();
+    now.at.push_back(1e3 * state.theta / axis.sensor().radians_per_m());
     now.current_A = std::max(now.current_A, std::abs(state.i));
   }
   now.at_stop = plant_.limits() != 0;

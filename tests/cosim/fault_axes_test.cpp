@@ -42,14 +42,16 @@ struct Pair final : FalliblePlant {
 };
 
 FaultPins pins(bool gates) {
+  using K = FaultKind;
+  const K out = gates ? K::kGateDead : K::kOutputStuck;
   FaultPins p;
-  p.axes = 2;
-  p.encoder[0] = {0, 1, 2};
-  p.encoder[1] = {3, 4, 5};
-  p.converters = 2;
-  p.outputs = 6;
-  p.gates = gates;
-  p.phases = 3;
+  p.axes = {"x", "y"};
+  p.places = {{K::kEncoderStuck, K::kEncoderStuck, 2, ""},
+              {K::kEncoderMissing, K::kIndexLost, 0, ""},
+              {K::kConverterStuck, K::kConverterSlipped, 2, ""},
+              {out, out, 6, ""},
+              {K::kPhaseOpen, K::kPhaseOpen, 3, ""}};
+  p.inputs = {{0, 1, 2}, {3, 4, 5}};
   return p;
 }
 
@@ -225,7 +227,11 @@ TEST_CASE("a place is refused one beyond its last, with its key and range, and t
     }
   }
   CHECK_THROWS_WITH(check_fault(fault_of(K::kGateDead, 0), pins(false)),
-                    "inject.fault: this machine has no such part");
+                    "inject.fault: this machine has no gate_dead; it has: encoder_stuck, "
+                    "encoder_missing, encoder_swapped, index_lost, converter_stuck, "
+                    "converter_offset, converter_saturated, converter_slipped, output_stuck, "
+                    "phase_open, supply_dip, processor_stopped, processor_slow, "
+                    "processor_garbage, bus_stall, register_flip");
 }
 
 TEST_CASE("a fault of the processor has its own time and amount, at its first and last edge") {
@@ -298,10 +304,38 @@ TEST_CASE("the way to rest is that of each axis, the peak that of the current, f
   }
 }
 
+TEST_CASE("a machine has one axis or any number of them, and a fault and its way are of each") {
+  for (const int axes : {1, 3, 6}) {
+    FaultPins some;
+    some.places = {{FaultKind::kOutputStuck, FaultKind::kOutputStuck, 2, ""}};
+    for (int k = 0; axes > 1 && k < axes; ++k) some.axes.push_back(std::to_string(k));
+    for (int axis = 0; axis < axes; ++axis) {
+      CAPTURE(axes, axis);
+      Pair pair;
+      FaultPlant plant(pair, some, fault_of(FaultKind::kOutputStuck, axis, 1, 1), kClockPs);
+      plant.commit(kBegin, 0);
+      CHECK(pair.drive == Lines{2} << 2 * axis);
+      FaultWatch watch(fault_of(FaultKind::kOutputStuck, axis), kClockPs);
+      FaultTruth now;
+      now.at.resize(static_cast<std::size_t>(axes));
+      const auto on = [&](Clk edge) {
+        watch.on({edge, kDrive}, true, [] { return std::string("a check"); }, [&] { return now; });
+      };
+      on(kBegin);
+      now.at[static_cast<std::size_t>(axis)] = -3;
+      on(kEnd);
+      CHECK(watch.report().stopping == 3);
+    }
+    CHECK_THROWS_WITH(check_fault(fault_of(FaultKind::kOutputStuck, axes), some),
+                      "inject.axis: value " + std::to_string(axes) +
+                          " is out of range, allowed 0.." + std::to_string(axes - 1));
+  }
+}
+
 TEST_CASE("a converter's place is one of those that the machine has, whatever its axes are") {
   for (const int converters : {1, 4}) {
     FaultPins some = pins(true);
-    some.converters = converters;
+    some.places = {{FaultKind::kConverterStuck, FaultKind::kConverterSlipped, converters, ""}};
     CAPTURE(converters);
     CHECK_NOTHROW(check_fault(fault_of(FaultKind::kConverterStuck, 0, converters - 1), some));
     CHECK_THROWS_WITH(check_fault(fault_of(FaultKind::kConverterStuck, 0, converters), some),

@@ -36,15 +36,17 @@ struct Bench {
       : plant((still.lines = lines, still), pins(bits, outputs, gates), fault, kClockPs) {}
 
   static FaultPins pins(int bits, int outputs, bool gates) {
+    using K = FaultKind;
+    const K out = gates ? K::kGateDead : K::kOutputStuck;
     FaultPins p;
-    p.axes = 2;
-    p.encoder[0] = {0, 1, 2};
-    p.encoder[1] = {3, 4, 5};
-    p.converters = 2;
+    p.axes = {"x", "y"};
+    p.places = {{K::kEncoderStuck, K::kEncoderStuck, 2, ""},
+                {K::kEncoderMissing, K::kIndexLost, 0, ""},
+                {K::kConverterStuck, K::kConverterSlipped, 2, ""},
+                {out, out, outputs, ""},
+                {K::kPhaseOpen, K::kPhaseOpen, 3, ""}};
+    p.inputs = {{0, 1, 2}, {3, 4, 5}};
     p.converter_bits = bits;
-    p.outputs = outputs;
-    p.gates = gates;
-    p.phases = 3;
     return p;
   }
 

@@ -41,14 +41,15 @@ struct Counter final : FalliblePlant {
 };
 
 FaultPins pins() {
+  using K = FaultKind;
   FaultPins p;
-  p.axes = 2;
-  p.encoder[0] = {0, 1, 2};
-  p.encoder[1] = {3, 4, 5};
-  p.converters = 2;
-  p.outputs = 6;
-  p.gates = true;
-  p.phases = 3;
+  p.axes = {"x", "y"};
+  p.places = {{K::kEncoderStuck, K::kEncoderStuck, 2, ""},
+              {K::kEncoderMissing, K::kIndexLost, 0, ""},
+              {K::kConverterStuck, K::kConverterSlipped, 2, ""},
+              {K::kGateDead, K::kGateDead, 6, ""},
+              {K::kPhaseOpen, K::kPhaseOpen, 3, ""}};
+  p.inputs = {{0, 1, 2}, {3, 4, 5}};
   return p;
 }
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What a run of the machine gantry tells of faults and of its current, at either end and of either
-// motor: where a fault can be, what it does, by what it is noticed.
+// motor: what it does, by what it is noticed.
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
 #include <cstdint>
-#include <exception>
 #include <string>
 #include <utility>
 
@@ -14,12 +13,10 @@
 #include "machines/gantry/machine.hpp"
 #include "machines/gantry/plant.hpp"
 #include "machines/gantry/tests/by_twin.hpp"
-#include "tests/support/message.hpp"
 #include "tests/support/figures.hpp"
 
 using namespace trammel;
 using namespace trammel::gantry;
-using Catch::Contains;
 
 TEST_CASE("gantry: a run with a fault tells whether the cart came to a stop, at either end") {
   struct Case {
@@ -192,25 +189,6 @@ TEST_CASE("gantry: how far a cart went once its motors were off is told in mm") 
   CHECK(way > 1);
   CHECK(report.stopping == Approx(way).margin(0.5));
   CHECK_FALSE(report.at_stop);
-}
-
-TEST_CASE("gantry: a fault is on the serial line, on either converter and each of its outputs") {
-  const auto told = [](cosim::FaultKind kind, int axis, int line, int value) {
-    Options options = by_twin(1e-3);
-    options.fault.kind = kind;
-    options.fault.axis = axis;
-    options.fault.line = line;
-    options.fault.value = value;
-    return test::refusal_of<std::exception>([&] { lab::simulate(options); });
-  };
-  using Kind = cosim::FaultKind;
-  CHECK(told(Kind::kEncoderStuck, 0, 0, -1) == "");
-  CHECK(told(Kind::kEncoderStuck, 1, 0, -1) == "");
-  CHECK(told(Kind::kConverterStuck, 1, 1, 1023) == "");
-  CHECK_THAT(told(Kind::kConverterStuck, 0, 2, 0), Contains("inject.line"));
-  CHECK(told(Kind::kOutputStuck, 1, 1, 0) == "");
-  CHECK_THAT(told(Kind::kOutputStuck, 0, 2, 0), Contains("inject.line"));
-  CHECK_THAT(told(Kind::kRegisterFlip, 0, 0, 0), Contains("inject.fault: register_flip"));
 }
 
 TEST_CASE("gantry: a fault of the line silences it, over-temperature is that of either motor") {

@@ -175,24 +175,3 @@ TEST_CASE("a whole run ends with its settling after its last point, whose ticks 
     CHECK(told.back() > 0.7);
   }
 }
-
-TEST_CASE("a fault can be on each pin of an axis, and on none beyond") {
-  using Kind = cosim::FaultKind;
-  const struct {
-    Kind kind;
-    int last;
-  } places[] = {{Kind::kGateDead, 5}, {Kind::kConverterStuck, 1}, {Kind::kPhaseOpen, 2},
-                {Kind::kEncoderStuck, 1}};
-  for (const auto& place : places) {
-    for (const int axis : {0, 1}) {
-      CAPTURE(static_cast<int>(place.kind), axis, place.last);
-      Options options = unlike(1e-4);
-      options.fault.kind = place.kind;
-      options.fault.axis = axis;
-      options.fault.line = place.last;
-      CHECK_NOTHROW(simulate(options, {}));
-      ++options.fault.line;
-      CHECK_THROWS_WITH(simulate(options, {}), Catch::Contains("inject.line"));
-    }
-  }
-}

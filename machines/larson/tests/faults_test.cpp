@@ -5,13 +5,11 @@
 #include <catch2/catch.hpp>
 #include <array>
 #include <cmath>
-#include <exception>
 
 #include "machines/larson/plant.hpp"
 #include "machines/larson/session.hpp"
 #include "machines/larson/tests/scripted.hpp"
 #include "tests/support/event_record.hpp"
-#include "tests/support/message.hpp"
 #include "tests/support/session_run.hpp"
 
 using namespace trammel;
@@ -94,25 +92,6 @@ TEST_CASE("larson: a dead phase weakens its own axis until it is whole, a supply
     CHECK(plant.axis(0).lost().empty() == (share == 1));
     CHECK(plant.axis(1).lost().empty() == (share == 1));
   }
-}
-
-TEST_CASE("larson: a fault is on a switch, a buffer, or each of three lines to a motor") {
-  const auto told = [](cosim::FaultKind kind, int axis, int line) {
-    ScriptedTwin script("VELTBL 500 500\n");
-    script.options.run.max_s = 1e-3;
-    script.options.fault.kind = kind;
-    script.options.fault.axis = axis;
-    script.options.fault.line = line;
-    return test::refusal_of<std::exception>([&] { script.run(); });
-  };
-  using Kind = cosim::FaultKind;
-  for (const int axis : {0, 1}) {
-    CHECK(told(Kind::kEncoderStuck, axis, 1) == "");
-    CHECK(told(Kind::kIndexLost, axis, 0) == "");
-    CHECK(told(Kind::kOutputStuck, axis, 2) == "");
-    CHECK_THAT(told(Kind::kOutputStuck, axis, 3), Catch::Contains("inject.line"));
-  }
-  CHECK_THAT(told(Kind::kRegisterFlip, 0, 0), Catch::Contains("inject.fault: register_flip"));
 }
 
 TEST_CASE("larson: how far a table went once nothing drove it is told in steps, of either axis") {

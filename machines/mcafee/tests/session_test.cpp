@@ -247,17 +247,6 @@ TEST_CASE("mcafee: Stage II moves X to its position, and its progress is the sha
   }
 }
 
-TEST_CASE("mcafee: a fault can be on any bit of a converter, and on no more") {
-  Options options = small_corner();
-  options.run.max_s = 1e-3;
-  options.fault.kind = cosim::FaultKind::kOutputStuck;
-  options.fault.axis = 1;
-  options.fault.line = 7;
-  CHECK_NOTHROW(simulate(options, {}));
-  options.fault.line = 8;
-  CHECK_THROWS_WITH(simulate(options, {}), Catch::Contains("inject.line"));
-}
-
 TEST_CASE("mcafee: a run that ends early tells the places of both axes where it ended") {
   Options options = small_corner();
   const auto ended = [](const Options& asked) {
