@@ -27,14 +27,26 @@ def scenarios():
             for path in sorted(folder.glob("scenarios/*.toml"))}
 
 
-def described(program):
-    """What `trammel list machines` says, in the program's order."""
-    done = subprocess.run([program, "list", "machines", "--json"], capture_output=True, text=True,
-                          check=False)
+def listed(program, *topic, environment=None):
+    """What `trammel list TOPIC` says, in the program's order."""
+    done = subprocess.run([program, "list", *topic, "--json"], capture_output=True, text=True,
+                          check=False, env=environment)
     if done.returncode != 0:
-        raise MachineError(f"{program} list machines: exit {done.returncode}: "
+        raise MachineError(f"{program} list {' '.join(topic)}: exit {done.returncode}: "
                            f"{done.stderr.strip()}")
     return json.loads(done.stdout)
+
+
+def described(program):
+    """What `trammel list machines` says, in the program's order."""
+    return listed(program, "machines")
+
+
+def fault_kinds(program, machine, environment=None):
+    """The faults that a machine can have, as its key inject.fault offers them."""
+    keys = listed(program, "keys", machine, environment=environment)
+    ranges = (one["range"] for one in keys if one["key"] == "inject.fault")
+    return next(ranges, "").removeprefix("one of ").split(", ")[1:]
 
 
 def read(path):

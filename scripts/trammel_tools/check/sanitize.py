@@ -62,11 +62,11 @@ REFUSED = [
 ]
 
 
-def fault_runs(machine):
-    """A run cut short with each fault of a machine, the wirings in turn."""
-    plan = machines.runs(machine).get("faults", {}).get("wiring", {})
-    for n, kind in enumerate(plan.get("kinds", [])):
-        settings = [*plan["settings"], f"inject.fault={kind}", *plan["with"].get(kind, [])]
+def fault_runs(machine, kinds):
+    """A run cut short with each of these faults of a machine, the wirings in turn."""
+    plan = machines.runs(machine).get("faults", {}).get("wiring")
+    for n, kind in enumerate(kinds if plan else []):
+        settings = [*plan["settings"], f"inject.fault={kind}", *plan.get("with", {}).get(kind, [])]
         wiring = (("--engine", "twin"), ("--platform", "systemc"))[n % 2]
         if kind == "register_flip":
             wiring = ("--platform", "direct")
@@ -74,9 +74,9 @@ def fault_runs(machine):
                *(word for one in settings for word in ("-s", one)))
 
 
-def of_machine(name, case):
+def of_machine(name, case, kinds):
     """What is run and what is refused by the program of one machine."""
-    return ([*case.RUNS, *fault_runs(name),
+    return ([*case.RUNS, *fault_runs(name, kinds),
              *((0, "list", topic, name) for topic in ("keys", "columns"))], case.REFUSED)
 
 
@@ -189,7 +189,8 @@ def program_of(group, environment):
         name, (runs, refused), own = "trammel", of_all(cases), []
     elif group in cases:
         name, own = f"trammel_{group}_watched", [cases[group]]
-        runs, refused = of_machine(group, *own)
+        kinds = machines.fault_kinds(BUILD / "testbench" / name, group, environment)
+        runs, refused = of_machine(group, *own, kinds)
     else:
         return 0
     program = Program(BUILD / "testbench" / name, BUILD / "runs" / group, environment)

@@ -59,6 +59,13 @@ class MachinesTest(Scratch):
                 {"name": "saw", "twin": True}, {"name": "winder", "twin": False}]):
             self.assertEqual(engines.with_twin(["cut", "spin"]), [("cut", "saw")])
 
+    def test_faults_of_a_machine_are_those_that_its_key_offers(self):
+        program = self.write("program", '#!/bin/sh\necho "[{\\"key\\": \\"$KEY\\", '
+                             '\\"range\\": \\"one of none, open, short\\"}]"\n')
+        program.chmod(0o755)
+        for key, kinds in (("inject.fault", ["open", "short"]), ("other", [])):
+            self.assertEqual(machines.fault_kinds(program, "saw", {"KEY": key}), kinds)
+
     def test_runs_of_the_sanitizers_are_those_of_every_machine(self):
         self.write("machines/saw/tests/sanitize.py",
                    "RUNS = [(0, 'run', 'cut', '-o', 'OUT/cut')]\n"
@@ -67,7 +74,7 @@ class MachinesTest(Scratch):
         self.assertEqual(list(cases), ["saw"])
         cases["winder"] = SimpleNamespace(RUNS=[(5, "run", "spin", "-o", "OUT/spin")], REFUSED=[],
                                           FOLDER="OUT/spin", passes=lambda *_: False)
-        runs, refused = sanitize.of_machine("saw", cases["saw"])
+        runs, refused = sanitize.of_machine("saw", cases["saw"], [])
         self.assertIn((0, "run", "cut", "-o", "OUT/cut"), runs)
         self.assertIn((0, "list", "keys", "saw"), runs)
         self.assertIn((2, "no", "cut"), refused)

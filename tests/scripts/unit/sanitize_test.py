@@ -12,17 +12,18 @@ from trammel_tools.check import sanitize
 class SanitizeTest(Scratch):
     def test_faults_are_run_with_each_wiring_in_turn(self):
         plan = {"faults": {"wiring": {
-            "scenario": "cut", "kinds": ["open", "short", "register_flip"],
-            "settings": ["run.max_s=0.1"], "with": {"short": ["inject.axis=x"]}}}}
+            "scenario": "cut", "settings": ["run.max_s=0.1"],
+            "with": {"short": ["inject.axis=x"]}}}}
+        kinds = ["open", "short", "register_flip"]
         with mock.patch.object(sanitize.machines, "runs", return_value=plan):
-            found = list(sanitize.fault_runs("saw"))
+            found = list(sanitize.fault_runs("saw", kinds))
         head, tail = (5, "run", "cut"), ("-o", "OUT/fault", "-s", "run.max_s=0.1", "-s")
         self.assertEqual(found, [
             (*head, "--engine", "twin", *tail, "inject.fault=open"),
             (*head, "--platform", "systemc", *tail, "inject.fault=short", "-s", "inject.axis=x"),
             (*head, "--platform", "direct", *tail, "inject.fault=register_flip")])
         with mock.patch.object(sanitize.machines, "runs", return_value={}):
-            self.assertEqual(list(sanitize.fault_runs("saw")), [])
+            self.assertEqual(list(sanitize.fault_runs("saw", kinds)), [])
 
     def succeeds(self, script, code, says=None):
         program = self.write("program", f"#!/bin/sh\n{script}\n")
