@@ -8,7 +8,7 @@ import sys
 from unittest import mock
 
 from scratch import Scratch, call
-from trammel_tools import tools
+from trammel_tools import machines, tools
 from trammel_tools.check import coverage_cpp, rtl_counts
 from trammel_tools.evidence import evidence, kinds, record, sources
 from trammel_tools.paths import ROOT
@@ -333,10 +333,12 @@ class SourcesTest(Scratch):
                               and one.startswith(("lab/", "machines/"))], [], name)
 
     def test_sanitized_tests_depend_on_models_and_not_on_rtl(self):
-        for group, model in (("drive", "models/twin/drive/"), ("kung", "machines/kung/twin.")):
+        for group, model in (("drive", "models/exact/drive/"),
+                             *((name, f"machines/{name}/") for name in machines.folders())):
             kind, found = kinds.of(f"sanitize.{group}")
             files = kind.files(found)
-            self.assertEqual([one for one in files if one.endswith(".sv")], [], group)
+            self.assertEqual([one for one in files if one.startswith("rtl/") and
+                              one.endswith(".sv")], [], group)
             self.assertTrue([one for one in files if one.startswith(model)], group)
 
     def test_what_the_script_of_a_check_names_is_among_the_inputs(self):
