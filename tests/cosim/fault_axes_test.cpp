@@ -7,8 +7,10 @@
 #include "cosim/fault_plant.hpp"
 #include "cosim/fault_watch.hpp"
 #include "cosim/machine.hpp"
+#include "tests/cosim/fault_pins.hpp"
 
 using namespace trammel::cosim;
+using trammel::test::two_axes;
 
 namespace {
 
@@ -41,23 +43,9 @@ struct Pair final : FalliblePlant {
   double share = 1;
 };
 
-FaultPins pins(bool gates) {
-  using K = FaultKind;
-  const K out = gates ? K::kGateDead : K::kOutputStuck;
-  FaultPins p;
-  p.axes = {"x", "y"};
-  p.places = {{K::kEncoderStuck, K::kEncoderStuck, 2, ""},
-              {K::kEncoderMissing, K::kIndexLost, 0, ""},
-              {K::kConverterStuck, K::kConverterSlipped, 2, ""},
-              {out, out, 6, ""},
-              {K::kPhaseOpen, K::kPhaseOpen, 3, ""}};
-  p.inputs = {{0, 1, 2}, {3, 4, 5}};
-  return p;
-}
-
 struct Bench {
   explicit Bench(const Fault& fault, bool gates = true)
-      : plant(pair, pins(gates), fault, kClockPs) {}
+      : plant(pair, two_axes(gates), fault, kClockPs) {}
   void to(Clk n, Lines drive = 0) {
     while (plant.next() <= n) plant.commit(plant.next(), drive);
   }
@@ -218,15 +206,15 @@ TEST_CASE("a place is refused one beyond its last, with its key and range, and t
       Fault f = fault_of(one.kind, 0);
       (key == "inject.axis" ? f.axis : key == "inject.line" ? f.line : f.value) = value;
       if (value >= 0 && value <= one.most) {
-        CHECK_NOTHROW(check_fault(f, pins(one.gates)));
+        CHECK_NOTHROW(check_fault(f, two_axes(one.gates)));
       } else {
-        CHECK_THROWS_WITH(check_fault(f, pins(one.gates)),
+        CHECK_THROWS_WITH(check_fault(f, two_axes(one.gates)),
                           key + ": value " + std::to_string(value) +
                               " is out of range, allowed 0.." + std::to_string(one.most));
       }
     }
   }
-  CHECK_THROWS_WITH(check_fault(fault_of(K::kGateDead, 0), pins(false)),
+  CHECK_THROWS_WITH(check_fault(fault_of(K::kGateDead, 0), two_axes(false)),
                     "inject.fault: this machine has no gate_dead; it has: encoder_stuck, "
                     "encoder_missing, encoder_swapped, index_lost, converter_stuck, "
                     "converter_offset, converter_saturated, converter_slipped, output_stuck, "
@@ -334,7 +322,7 @@ TEST_CASE("a machine has one axis or any number of them, and a fault and its way
 
 TEST_CASE("a converter's place is one of those that the machine has, whatever its axes are") {
   for (const int converters : {1, 4}) {
-    FaultPins some = pins(true);
+    FaultPins some = two_axes(true);
     some.places = {{FaultKind::kConverterStuck, FaultKind::kConverterSlipped, converters, ""}};
     CAPTURE(converters);
     CHECK_NOTHROW(check_fault(fault_of(FaultKind::kConverterStuck, 0, converters - 1), some));

@@ -9,8 +9,10 @@
 #include "cosim/fault_watch.hpp"
 #include "cosim/host_timer.hpp"
 #include "cosim/machine.hpp"
+#include "tests/cosim/fault_pins.hpp"
 
 using namespace trammel::cosim;
+using trammel::test::two_axes;
 
 namespace {
 
@@ -33,22 +35,7 @@ struct Still final : FalliblePlant {
 
 struct Bench {
   Bench(const Fault& fault, int bits, int outputs, bool gates, Lines lines = 0)
-      : plant((still.lines = lines, still), pins(bits, outputs, gates), fault, kClockPs) {}
-
-  static FaultPins pins(int bits, int outputs, bool gates) {
-    using K = FaultKind;
-    const K out = gates ? K::kGateDead : K::kOutputStuck;
-    FaultPins p;
-    p.axes = {"x", "y"};
-    p.places = {{K::kEncoderStuck, K::kEncoderStuck, 2, ""},
-                {K::kEncoderMissing, K::kIndexLost, 0, ""},
-                {K::kConverterStuck, K::kConverterSlipped, 2, ""},
-                {out, out, outputs, ""},
-                {K::kPhaseOpen, K::kPhaseOpen, 3, ""}};
-    p.inputs = {{0, 1, 2}, {3, 4, 5}};
-    p.converter_bits = bits;
-    return p;
-  }
+      : plant((still.lines = lines, still), two_axes(gates, outputs, bits), fault, kClockPs) {}
 
   Still still;
   FaultPlant plant;
@@ -134,7 +121,7 @@ TEST_CASE("outputs of an axis follow those of the axes before it, however many e
 TEST_CASE("a register flips where the chip's have names, and else it is refused") {
   Fault fault = fault_of(FaultKind::kRegisterFlip, 0, 0, 0);
   fault.bit = "q[0]";
-  FaultPins pins = Bench::pins(12, 6, true);
+  FaultPins pins = two_axes(true);
   CHECK_THROWS_AS(check_fault(fault, pins), OptionsError);
   pins.registers = true;
   CHECK_NOTHROW(check_fault(fault, pins));

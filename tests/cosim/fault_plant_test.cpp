@@ -9,10 +9,12 @@
 #include "cosim/fault_plant.hpp"
 #include "cosim/fault_watch.hpp"
 #include "cosim/machine.hpp"
+#include "tests/cosim/fault_pins.hpp"
 #include "tests/cosim/still_chip.hpp"
 #include "tests/support/message.hpp"
 
 using namespace trammel::cosim;
+using trammel::test::two_axes;
 
 namespace {
 
@@ -40,22 +42,9 @@ struct Counter final : FalliblePlant {
   double share = 1;
 };
 
-FaultPins pins() {
-  using K = FaultKind;
-  FaultPins p;
-  p.axes = {"x", "y"};
-  p.places = {{K::kEncoderStuck, K::kEncoderStuck, 2, ""},
-              {K::kEncoderMissing, K::kIndexLost, 0, ""},
-              {K::kConverterStuck, K::kConverterSlipped, 2, ""},
-              {K::kGateDead, K::kGateDead, 6, ""},
-              {K::kPhaseOpen, K::kPhaseOpen, 3, ""}};
-  p.inputs = {{0, 1, 2}, {3, 4, 5}};
-  return p;
-}
-
 // A fault of 1 us from edge 100 to edge 150.
 struct Bench {
-  explicit Bench(Fault fault) : plant(counter, pins(), timed(fault), kClockPs) {}
+  explicit Bench(Fault fault) : plant(counter, two_axes(true), timed(fault), kClockPs) {}
 
   static Fault timed(Fault fault) {
     fault.begin_s = 2e-6;
@@ -101,7 +90,7 @@ TEST_CASE("of counts that go missing one in so many is lost, wherever the fault 
       fault.begin_s = 2e-6;  // with the tenth count
       fault.for_s = counts * kEvery * 20e-9;
       Counter counter;
-      FaultPlant plant(counter, pins(), fault, kClockPs);
+      FaultPlant plant(counter, two_axes(true), fault, kClockPs);
       int position = 0, before = -1;
       while (plant.next() <= 300) {
         plant.commit(plant.next(), 0);
@@ -120,7 +109,7 @@ TEST_CASE("of counts that go missing one in so many is lost, wherever the fault 
 }
 
 TEST_CASE("a register flips once, at the edge at which the fault begins") {
-  FaultPins named = pins();
+  FaultPins named = two_axes(true);
   named.registers = true;
   Fault fault = Bench::timed(of(FaultKind::kRegisterFlip));
   fault.bit = "q[0]";
