@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Incremental linear encoder: count = floor(x/count_m + 0.5) with a symmetric hysteresis of
-// `hysteresis` counts around each boundary; A leads B when counting up; the index is one count
-// wide. Boundaries are where they belong but for a sine of the scale's period (a sub-divisional
-// error) and for jitter, another one at each crossing, which stays within the hysteresis.
+// Incremental encoder of a scale [m] or shaft [rev]: count = floor(x/count + 0.5) with a symmetric
+// hysteresis of `hysteresis` counts around each boundary; A leads B when counting up; the index is
+// one count wide, once in each revolution of a shaft. Boundaries are where they belong but for a
+// sine of the scale's period (a sub-divisional error) and for jitter, another one at each crossing,
+// which stays within the hysteresis.
 #pragma once
 
 #include <algorithm>
@@ -23,6 +24,7 @@ struct EncoderConfig {
   double period = 20e-6;    // [m], of the scale
   double jitter = 0;        // [m] rms
   std::uint64_t seed = 0;   // of the jitter
+  std::int64_t turn = 0;    // [counts] from one index to the next; 0: the scale has one
 };
 
 class Encoder {
@@ -35,7 +37,9 @@ class Encoder {
   std::int64_t count() const { return count_; }
   bool a() const { return ((count_ + 1) & 2) != 0; }
   bool b() const { return (count_ & 2) != 0; }
-  bool z() const { return count_ == index_; }
+  bool z() const {
+    return c_.turn == 0 ? count_ == index_ : (count_ - index_) % c_.turn == 0;
+  }
 
   double low() const { return low_; }    // [m] below this the count falls
   double high() const { return high_; }  // [m] from here on the count rises

@@ -8,6 +8,8 @@
 //   F_e = 3 pi/(2 tau) ((L_d - L_q) i_d + lambda_f) i_q
 // With an elastic mode, part m of the mass hangs on a spring and a damper, by y ahead of its place:
 //   m (dv/dt + d2y/dt2) = -k y - d dy/dt = -F_y;   M is the rest, and has F_y more.
+// A rotary motor of p pole pairs obeys the same equations with x in revolutions (rotary_axis.hpp):
+// tau = 1/(2 p), mass (2 pi)^2 J, and 2 pi T in the place of a force.
 // Under constant phase voltages the solution over a short span (spans.hpp) is a Taylor series in
 // time: currents and speed to t^3, position to t^4. Over 1/80 of a time constant its truncation
 // error is below 1e-9 of the current.
@@ -41,11 +43,15 @@ struct PmlsmConfig {
   double mode_mass = 0;            // [kg], on a spring and a damper, beside `mass`; 0: none
   double mode_stiffness = 0;       // [N/m]
   double mode_damping = 0;         // [N s/m]
+  double mode_frequency = 0;       // [Hz]
+  int pole_pairs = 0;              // of a rotary motor, for an exact angle; 0: by the pole pitch
+  double speed_room = 0.1;         // [m/s], for which acceleration_bound() allows
 
   // Takes a share of the mass for a mode. Frequency [Hz] and damping, of the critical one, are
   // those of the two swinging against each other, with the reduced mass r (1 - r) M.
   void add_mode(double frequency, double damping, double share) {
     const double reduced = share * (1 - share) * mass, w = 2 * kPi * frequency;
+    mode_frequency = frequency;
     mode_mass = share * mass;
     mode_stiffness = reduced * w * w;
     mode_damping = 2 * damping * reduced * w;
@@ -108,7 +114,7 @@ class Pmlsm {
   explicit Pmlsm(const PmlsmConfig& c)
       : c_(c),
         k_(kPi / c.pole_pitch),
-        turns_per_m_(0.5 / c.pole_pitch),
+        turns_per_m_(c.pole_pairs != 0 ? c.pole_pairs : 0.5 / c.pole_pitch),
         lambda_(2 * c.pole_pitch * c.force_constant / (3 * kPi)),  // Kung eq. 5
         force_(1.5 * k_),
         inv_ld_(1 / c.inductance_d),
@@ -146,16 +152,16 @@ class Pmlsm {
   // Largest acceleration within `span` seconds for phase voltages below `volt`. What flux linkage
   // the currents make may turn from the axis of the larger inductance to that of the smaller.
   double acceleration_bound(const MotorState& s, double volt, double span) const {
-    const double speed = std::fabs(s.v);
-    const double slew = 2 * (volt + k_ * lambda_ * (speed + 0.1)) * std::fmax(inv_ld_, inv_lq_);
+    const double speed = std::fabs(s.v), top = speed + c_.speed_room;
+    const double slew = 2 * (volt + k_ * lambda_ * top) * std::fmax(inv_ld_, inv_lq_);
     const double current = saliency_ * (std::fabs(s.i_d) + std::fabs(s.i_q)) + slew * span;
     const double flux = lambda_ + std::fabs(c_.inductance_d - c_.inductance_q) * current;
-    const double mode_speed = std::fabs(s.y_speed) + speed + 0.1;
+    const double mode_speed = std::fabs(s.y_speed) + speed + c_.speed_room;
     return inv_mass_ * (mode_force(std::fabs(s.y) + mode_speed * span, mode_speed) +
-                        force_ * flux * current + c_.viscous * (speed + 0.1) + c_.coulomb +
+                        force_ * flux * current + c_.viscous * top + c_.coulomb +
                         std::fabs(c_.cogging) + std::fabs(c_.external_force) + c_.stribeck +
                         std::fabs(c_.harmonic_force) + c_.cable * std::fabs(s.x - c_.cable_rest) +
-                        c_.cable * (speed + 0.1) * span);
+                        c_.cable * top * span);
   }
 
   // Back-EMF vector in the stator frame.

@@ -9,8 +9,9 @@
 #include <array>
 #include <cstdint>
 
-#include "models/plant/axis.hpp"
 #include "models/pins/xy_lines.hpp"
+#include "models/plant/ad7476.hpp"
+#include "models/plant/axis.hpp"
 
 namespace trammel::plant {
 
@@ -34,6 +35,7 @@ class XyTable {
  public:
   explicit XyTable(const XyTableConfig& c)
       : seed_(c.seed),
+        adc_bits_{c.axis[0].adc_bits, c.axis[1].adc_bits},
         axes_{Axis(c.axis[0], period(c), hash(c.seed)),
               Axis(c.axis[1], period(c), hash(~c.seed))} {}
 
@@ -65,8 +67,11 @@ class XyTable {
     for (Axis& a : axes_) a.supply(n, share);
   }
 
+  // The 16 bits of a converter's frame.
   int sample(int channel, Clk n) const {
-    return axis(channel / 2).frame(channel % 2, seed_, channel, n);
+    const int k = channel / 2;
+    return serial_frame(axis(k).code(channel % 2, seed_, channel, n),
+                        adc_bits_[static_cast<std::size_t>(k)]);
   }
 
   AxisState state(int k, Clk n) const { return axis(k).state(n); }
@@ -79,6 +84,7 @@ class XyTable {
   static double period(const XyTableConfig& c) { return static_cast<double>(c.clock_ps) * 1e-12; }
 
   std::uint64_t seed_;
+  std::array<int, xy::kAxes> adc_bits_;
   std::array<Axis, xy::kAxes> axes_;
 };
 

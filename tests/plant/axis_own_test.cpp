@@ -85,13 +85,13 @@ TEST_CASE("an axis: each sensor has its own gain, offset and bits, and sees its 
     const AxisState s = axis.state(20'000);
     REQUIRE(s.i_a_a > 2);
     REQUIRE(s.i_b_a < -1);
-    const int half = 1 << (bits - 1), behind = bits < 12 ? 1 << (12 - bits) : 1;
-    const auto frame = [&](double shown) {
-      return (half + static_cast<int>(std::floor(shown * half / 12 + 0.5))) * behind;
+    const int half = 1 << (bits - 1);
+    const auto code = [&](double shown) {
+      return half + static_cast<int>(std::floor(shown * half / 12 + 0.5));
     };
     CAPTURE(bits, s.i_a_a, s.i_b_a);
-    CHECK(axis.frame(0, 1, 0, 20'000) == frame(1.1 * s.i_a_a + 0.4));
-    CHECK(axis.frame(1, 1, 1, 20'000) == frame(0.7 * s.i_b_a - 0.9));
+    CHECK(axis.code(0, 1, 0, 20'000) == code(1.1 * s.i_a_a + 0.4));
+    CHECK(axis.code(1, 1, 1, 20'000) == code(0.7 * s.i_b_a - 0.9));
   }
 }
 
@@ -158,11 +158,14 @@ TEST_CASE("a table: each channel is a phase of its axis, and each axis has noise
     c.axis[k].current_offset_b_a = offset[2 * k + 1];
     c.axis[k].encoder_jitter_m = 0.1e-6;
   }
+  c.axis[1].adc_bits = 10;  // before two zeros in a frame
   XyTable table(c);
   for (int channel = 0; channel < 4; ++channel) {
     CAPTURE(channel);
-    const double shown = offset[static_cast<std::size_t>(channel)] * 2048 / 9.6;
-    CHECK(table.sample(channel, 10) == 2048 + static_cast<int>(std::floor(shown + 0.5)));
+    const int half = channel < 2 ? 2048 : 512, step = 2048 / half;
+    const double shown = offset[static_cast<std::size_t>(channel)] * half / 9.6;
+    CHECK(table.sample(channel, 10) ==
+          (half + static_cast<int>(std::floor(shown + 0.5))) * step);
   }
   CHECK(table.axis(0).encoder().high() != table.axis(1).encoder().high());
   c.seed = 2;

@@ -4,25 +4,19 @@
 #include <algorithm>
 #include <cmath>
 
-#include "models/plant/axis.hpp"
+#include "models/plant/pmsm_axis.hpp"
 #include "models/plant/root.hpp"
 
 namespace trammel::plant {
-namespace {
-
-constexpr double kSpeedRoom = 0.1;  // [m/s] by which acceleration_bound() holds
-
-}  // namespace
-
 // An event that is far away is not searched for: a bound says how far it is at least, for as many
 // commits as it holds.
-void Axis::look_ahead(Clk n) {
+void PmsmAxis::look_ahead(Clk n) {
   if (safe_ - n < ahead_ || !link_.stiff()) safe_ = n + safe_clocks();
   early_ = safe_ - n >= ahead_ && safe_ < n + horizon_;
   next_ = until_load(n, early_ ? safe_ : safe_ >= n + horizon_ ? n + horizon_ : predict());
 }
 
-Clk Axis::until_load(Clk n, Clk due) const {
+Clk PmsmAxis::until_load(Clk n, Clk due) const {
   return n < load_begin_ ? std::min(due, load_begin_)
          : n < load_end_ ? std::min(due, load_end_)
                          : due;
@@ -30,43 +24,43 @@ Clk Axis::until_load(Clk n, Clk due) const {
 
 // How many clocks from the last commit on no edge and no stop can be reached, whatever the inverter
 // does: acceleration is bounded.
-Clk Axis::safe_clocks() const {
+Clk PmsmAxis::safe_clocks() const {
   const Segment& s = chain_[0];
   const MotorState m{s.span.x[0],   s.span.v[0], s.span.i_d[0],
                      s.span.i_q[0], s.span.y[0], s.span.y_speed[0]};
   double up = encoder_.high() - m.x, down = m.x - encoder_.low();
-  if (config_.hard_stops) {
-    if (!s.held || m.x < config_.stroke_max_m) up = std::min(up, config_.stroke_max_m - m.x);
-    if (!s.held || m.x > config_.stroke_min_m) down = std::min(down, m.x - config_.stroke_min_m);
+  if (mount_.hard_stops) {
+    if (!s.held || m.x < mount_.stroke_max) up = std::min(up, mount_.stroke_max - m.x);
+    if (!s.held || m.x > mount_.stroke_min) down = std::min(down, m.x - mount_.stroke_min);
   }
   if (!(up > 0 && down > 0)) return 0;
   const double time = seconds(horizon_);
-  const double a =
-      motor_.acceleration_bound(m, inverter_.config().dc_link + config_.diode_drop_v, time);
+  const double volt = inverter_.config().dc_link + inverter_.config().diode_drop;
+  const double a = motor_.acceleration_bound(m, volt, time);
   // room = v t + a t^2/2
   const double v = std::fabs(m.v), ahead = m.v > 0 ? up : down, behind = m.v > 0 ? down : up;
-  if (a * time > kSpeedRoom) return 0;
+  if (a * time > motor_.config().speed_room) return 0;
   const double t = std::min({time, 2 * ahead / (v + std::sqrt(v * v + 2 * a * ahead)),
                              (v + std::sqrt(v * v + 2 * a * behind)) / a});
   return t < time ? static_cast<Clk>(t / period_) - 1 : horizon_;
 }
 
 // No edge and no stop can be reached within `time`, whatever the inverter does.
-bool Axis::far_from_events(const Segment& s, double time) const {
+bool PmsmAxis::far_from_events(const Segment& s, double time) const {
   const MotorState m{s.span.x[0],   s.span.v[0], s.span.i_d[0],
                      s.span.i_q[0], s.span.y[0], s.span.y_speed[0]};
   double room = std::min(encoder_.high() - m.x, m.x - encoder_.low());
-  if (config_.hard_stops && !s.held) {
-    room = std::min({room, m.x - config_.stroke_min_m, config_.stroke_max_m - m.x});
+  if (mount_.hard_stops && !s.held) {
+    room = std::min({room, m.x - mount_.stroke_min, mount_.stroke_max - m.x});
   }
   const double speed = std::fabs(m.v);
   if (speed * time >= room) return false;
-  const double volt = inverter_.config().dc_link + config_.diode_drop_v;
+  const double volt = inverter_.config().dc_link + inverter_.config().diode_drop;
   const double a = motor_.acceleration_bound(m, volt, time);
-  return a * time <= kSpeedRoom && (speed + a * time) * time < room;
+  return a * time <= motor_.config().speed_room && (speed + a * time) * time < room;
 }
 
-Clk Axis::predict() const {
+Clk PmsmAxis::predict() const {
   Clk from = 1;
   for (std::size_t k = 0;; ++k) {
     const Segment& s = k == 0 ? chain_[0] : successor(k - 1);
@@ -83,7 +77,7 @@ Clk Axis::predict() const {
 }
 
 // First clock in [from, to] of a segment at which the position is outside the encoder's count.
-Clk Axis::first_edge(const Segment& s, Clk from, Clk to) const {
+Clk PmsmAxis::first_edge(const Segment& s, Clk from, Clk to) const {
   const double t_0 = seconds(from - 1) - s.start;
   const double t_1 = seconds(to) - s.start;
   if ((s.span.speed(t_0) > 0) != (s.span.speed(t_1) > 0) && to > from) {
@@ -99,7 +93,7 @@ Clk Axis::first_edge(const Segment& s, Clk from, Clk to) const {
 }
 
 // First outside clock in (in, out], the position being monotonic: regula falsi, then halving.
-Clk Axis::search(const Segment& s, Clk in, Clk out) const {
+Clk PmsmAxis::search(const Segment& s, Clk in, Clk out) const {
   const auto at = [&](Clk m) { return s.span.position(seconds(m) - s.start); };
   const double x_out = at(out);
   const double edge = x_out >= encoder_.high() ? encoder_.high() : encoder_.low();
