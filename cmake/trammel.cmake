@@ -8,6 +8,8 @@ list(APPEND TRAMMEL_RTL_SEARCH -I${PROJECT_SOURCE_DIR}/rtl/chips/generated)
 file(GLOB TRAMMEL_RTL_PACKAGES CONFIGURE_DEPENDS
   ${PROJECT_SOURCE_DIR}/rtl/pkg/*_pkg.sv ${PROJECT_SOURCE_DIR}/rtl/math/*_pkg.sv
   ${PROJECT_SOURCE_DIR}/rtl/chips/generated/*_pkg.sv)
+file(GLOB chip_packages CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rtl/chips/*_pkg.sv)
+list(APPEND TRAMMEL_RTL_PACKAGES ${chip_packages})  # they use the others
 file(GLOB TRAMMEL_RTL_PROPERTIES CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/rtl/*/*_props.sv)
 list(FILTER TRAMMEL_RTL_PROPERTIES EXCLUDE REGEX "/boards/")
 

@@ -5,9 +5,10 @@ usage: scripts/tool check-layout [root]     prints file:line: what is wrong; exi
 
 Every block has its companions (properties if it has registers, broken designs if it is a chip that
 leaps) and its page (opening table, every port); every machine has its own (firmware, view of the
-waves, scenarios, tests); no program text outside a machine's folders names it; layers use only
-those below, and so do the links of the build, where it is configured; neither goes in a circle;
-files are ASCII, of 100 columns and 400 lines, with a licence line and a newline at the end.
+waves, scenarios, tests); no program text outside a machine's folders names it, no package, register
+map or script of a general folder belongs to it; layers use only those below, and so do the links of
+the build, where it is configured; neither goes in a circle; files are ASCII, of 100 columns and 400
+lines, with a licence line and a newline at the end.
 
 The rules are about kinds of files, not names: packages share one page, twin and test in their
 layer; chips have no twin of their own (their blocks have) and are tested as machines; a chip whose
@@ -142,9 +143,8 @@ def ports(text):
     return [port for port in found if port not in ("clk_i", "rst_i", "clk", "rst")]
 
 
-def check_rtl_uses(root, path, owner, machines):
+def check_rtl_uses(root, path, owner):
     layer = path.parts[1]
-    general = layer not in ("pkg", "chips", "boards")
     allowed = RTL_USES.get(layer, set()) | {layer}
     text = (root / path).read_text(encoding="utf-8")
     for number, line in enumerate(text.split("\n"), 1):
@@ -156,8 +156,6 @@ def check_rtl_uses(root, path, owner, machines):
         for name in names:
             if name in owner and owner[name] not in allowed:
                 yield f"{path}:{number}: {layer} may not use {name} of {owner[name]}"
-            elif general and owner.get(name) == "pkg" and name.split("_")[0] in machines:
-                yield f"{path}:{number}: {layer} may not use {name}, a machine's package"
     if not path.stem.endswith("_pkg"):
         named = re.findall(r"^\s*(?:module|interface)\s+(\w+)", text, re.M)
         if path.stem not in named:
@@ -167,7 +165,6 @@ def check_rtl_uses(root, path, owner, machines):
 def findings(root):
     files = set(tracked(root))
     plain = layout_machines.plain_chips(root, files)
-    machines = layout_machines.machines_of(files)
     owner = {p.stem: p.parts[1] for p in files if p.parts[0] == "rtl" and p.suffix == ".sv"}
     for path in sorted(files):
         if is_exempt(path):
@@ -177,7 +174,7 @@ def findings(root):
         if path.parts[0] == "rtl" and path.suffix == ".sv" and len(path.parts) == 3:
             yield from check_companions(root, files, plain, path)
             yield from check_page(root, path, files)
-            yield from check_rtl_uses(root, path, owner, machines)
+            yield from check_rtl_uses(root, path, owner)
         if path.suffix in CPP:
             yield from layout_uses.check(root, path)
     yield from layout_uses.check_circles(root, sorted(p for p in files if p.suffix in CPP))

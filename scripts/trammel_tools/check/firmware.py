@@ -35,7 +35,7 @@ from trammel_tools.paths import ROOT
 SOURCES = ROOT / "sw_nios"
 OUT = ROOT / "build" / "firmware"
 PREFIX = "riscv64-unknown-elf-"
-RAM = 65536  # bytes; Words of rtl/chips/kung_soc.sv
+RAM = 65536  # bytes; parameter Words of the chip with the core
 CORE = ["-march=rv32im", "-mabi=ilp32"]
 COMPILE = ["-std=c++17", "-ffreestanding", "-fno-exceptions", "-fno-rtti",
            "-fno-threadsafe-statics", "-fno-use-cxa-atexit", "-ffunction-sections",

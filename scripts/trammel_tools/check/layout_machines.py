@@ -3,6 +3,8 @@
 
 A name may stand in the machine's own folders, in rtl/ and models/, in generated files and in all
 that is not program text (pages, README, CHANGELOG). All other code finds machines by their folders.
+In rtl/ a file of a machine is in chips/ or boards/, and only its own code has its register map. In
+scripts/ no chip or board of a machine is named either.
 """
 
 import difflib
@@ -17,6 +19,10 @@ FREE = {"rtl", "models", "third_party"}
 COMPANIONS = ("machines/{0}/machine.cpp", "machines/{0}/README.md", "sw_nios/apps/{0}/{0}.hpp",
               "sw_nios/apps/{0}/{0}.cpp", "waves/{0}.toml")
 CHIPS = Path("rtl/chips")
+SCRIPTS = "scripts"
+KINDS = {".rdl": "register map"}  # else a package or a block
+REGISTERS = re.compile(r'#include "rtl/chips/generated/(\w+)_regs\.hpp"')
+HAVE_REGISTERS = (("tests",), ("rtl", "chips", "generated"), ("models", "exact", "chips"))
 
 
 def machines_of(files):
@@ -44,14 +50,41 @@ def check_names(root, files, machines):
     """Names of machines in what all of them share."""
     if not machines:
         return
-    word = re.compile(rf"(?<!\w)({'|'.join(map(re.escape, machines))})(?!\w)")
+    either = "|".join(map(re.escape, machines))
+    word = re.compile(rf"(?<!\w)({either})(?!\w)")
+    part = re.compile(rf"(?<![^\W_])({either})(?![^\W_])")  # of a name, between underscores
     for path in sorted(files):
         if all(is_free(path, machine) for machine in machines) or not is_program(root, path):
             continue
+        named = part if path.parts[0] == SCRIPTS else word
         for number, line in enumerate(read(root, path).split("\n"), 1):
-            for name in dict.fromkeys(word.findall(line)):
+            for name in dict.fromkeys(named.findall(line)):
                 if not is_free(path, name):
                     yield f"{path}:{number}: names the machine {name}"
+
+
+def owner_of(stem, machines):
+    """The machine that a file's name names."""
+    return next((machine for machine in machines if f"_{machine}_" in f"_{stem}_"), None)
+
+
+def check_rooms(root, files, machines):
+    """Packages, blocks and register maps of a machine in what all of them share."""
+    for path in sorted(files):
+        if path.parts[0] == "rtl" and path.suffix in (".sv", ".rdl") and len(path.parts) == 3:
+            machine = owner_of(path.stem, machines)
+            if machine and path.parts[1] not in ("chips", "boards"):
+                kind = KINDS.get(path.suffix,
+                                 "package" if path.stem.endswith("_pkg") else "block")
+                yield (f"{path}: a {kind} of the machine {machine} in a general folder; its place "
+                       f"is {CHIPS}/")
+        if path.suffix in (".hpp", ".cpp") and not any(path.parts[:len(room)] == room
+                                                       for room in HAVE_REGISTERS):
+            for number, line in enumerate(read(root, path).split("\n"), 1):
+                found = REGISTERS.match(line)
+                machine = found and owner_of(found[1], machines)
+                if machine and not (machine in path.parts[:3] and is_free(path, machine)):
+                    yield f"{path}:{number}: uses the register map of the machine {machine}"
 
 
 def chips_of(root, files, machine):
@@ -152,3 +185,4 @@ def check(root, files):
         yield from check_machine(root, files, machine)
     yield from check_strays(files, machines)
     yield from check_names(root, files, machines)
+    yield from check_rooms(root, files, machines)

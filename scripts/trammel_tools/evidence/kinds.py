@@ -179,8 +179,9 @@ def of_new_machine(_):
 FUZZED = of_files(*CODE, "machines/*/tests/fuzz.cpp", "tests/fuzz/**", "tests/support/**",
                   tools=("check", "fuzz"))  # no run in it
 FLOW = ("docs/synthesis.md", "machines/*/synth.toml", "parts/*/synth.toml", "sw_nios/**")
-BOARDS = of_files("rtl/**", *FLOW, tools=("synth", "rtl"))
-CORE = of_files("rtl/**", "trammel.core", *BUILD, tools=("generate", "check", "rtl"))
+BOARDS = of_files("rtl/**", *FLOW, "machines/*/tests/tools/gates_off.py", tools=("synth", "rtl"))
+CORE = of_files("rtl/**", "trammel.core", *BUILD, "machines/*/tests/tools/gen_core.py",
+                tools=("generate", "check", "rtl"))
 FOLLOWED = of_files(*CODE, "tests/support/**", "docs/precision.md", "docs/pictures/precision.svg",
                     "scripts/tool", "scripts/trammel_tools/*.py")
 RUNS = of_files(*PRODUCT, "docs/generated/*",

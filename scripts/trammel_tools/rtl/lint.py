@@ -31,8 +31,8 @@ def blocks():
 
 def packages():
     """In an order in which each finds the ones it imports."""
-    found = [*RTL.glob("pkg/*_pkg.sv"), *RTL.glob("math/*_pkg.sv"), *GENERATED.glob("*_pkg.sv")]
-    return sorted(found, key=lambda p: (["pkg", "math", "generated"].index(p.parent.name), p.name))
+    folders = ("pkg", "math", "chips/generated", "chips")
+    return [path for folder in folders for path in sorted(RTL.glob(f"{folder}/*_pkg.sv"))]
 
 
 def find_verible():

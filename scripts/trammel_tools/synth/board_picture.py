@@ -26,7 +26,6 @@ from trammel_tools.synth import board, synth_flow, synth_report
 from trammel_tools.synth.synth_netlist import Netlist
 
 PICTURES = ROOT / "docs" / "pictures"
-GROUPS = board.FOLDER / "ecp5_kung_soc" / "floor_plan.toml"
 TILE, HIGH = 9, 9  # [px]
 COLOURS = {"gate": "#f4a7a3", "driver_en": "#f9d48b", "driver_fault": "#f9e9a9", "adc": "#a9cdee",
            "enc": "#bfe3b4", "pwm": "#f4a7a3", "d_io": "#a9cdee"}
@@ -131,8 +130,13 @@ def tiles(folder, top, groups):
     return cells, blocks
 
 
+def groups_of_plans():
+    return [group for path in sorted(board.FOLDER.glob("*/floor_plan.toml"))
+            for group in machines.read(path)["group"]]
+
+
 def floor_plan(on, folder):
-    groups = machines.read(GROUPS)["group"]
+    groups = groups_of_plans()
     cells, blocks = tiles(folder, on.top, groups)
     wide, high = max(x for x, _ in cells) + 1, max(y for _, y in cells) + 1
     lines, shares = [], collections.Counter()

@@ -7,7 +7,6 @@ import tempfile
 import unittest
 from pathlib import Path
 
-from trammel_tools import machines
 from trammel_tools.paths import ROOT
 from trammel_tools.synth import board, board_picture
 
@@ -193,7 +192,7 @@ class BoardTest(unittest.TestCase):
         self.assertEqual(board_picture.changed(was, was + " "), "a shape or colour changed")
 
     def test_an_instance_has_the_group_of_the_floor_plan_that_is_named_after_it(self):
-        groups = machines.read(board_picture.GROUPS)["group"]
+        groups = board_picture.groups_of_plans()
         used = set()
         for name, paths in FLOOR.items():
             for path in paths:

@@ -108,14 +108,11 @@ class CheckLayoutTest(Scratch):
         self.finds("rtl/pkg/low_pkg.sv:2: pkg may not use adder of math",
                    {"rtl/pkg/low_pkg.sv": LICENCE + "localparam int X = adder::Y;\n"})
 
-    def test_no_block_uses_the_package_of_a_machine(self):
-        package = {"rtl/pkg/lathe_pkg.sv": LICENCE + "package lathe_pkg;\n"}
-        block = {"rtl/math/adder.sv":
-                 MODULE.replace("endmodule", "lathe_pkg::word_t a;\nendmodule")}
-        used = "math may not use lathe_pkg, a machine's package"
-        self.assertTrue(any(used in one for one in self.findings(
-            **package, **block, **{"machines/lathe/machine.cpp": LICENCE})))
-        self.assertFalse(any(used in one for one in self.findings(**package, **block)))
+    def test_no_block_uses_the_package_of_a_chip(self):
+        self.finds("rtl/math/adder.sv:8: math may not use lathe_pkg of chips",
+                   {"rtl/chips/lathe_pkg.sv": LICENCE + "package lathe_pkg;\n",
+                    "rtl/math/adder.sv":
+                    MODULE.replace("endmodule", "lathe_pkg::word_t a;\nendmodule")})
 
     def test_a_file_holds_the_module_of_its_name(self):
         self.finds("rtl/math/adder.sv: no module adder",

@@ -113,6 +113,34 @@ class NamesTest(Layout):
             number = line.count("\n") + 1
             self.finds(f"{path}:{number}: names the machine winder", {path: line + "\n"})
 
+    def test_a_script_names_no_chip_or_board_of_a_machine(self):
+        for name in ("winder_pwm", "ecp5_winder", "ecp5_winder_soc"):
+            self.finds("scripts/tools/x.py:2: names the machine winder",
+                       {"scripts/tools/x.py": LICENCE.replace("//", "#") + f"TOP = '{name}'\n"})
+        self.assertEqual(self.findings({
+            "scripts/tools/x.py": LICENCE.replace("//", "#") + "rewinder = winders = 1\n",
+            "machines/winder/tests/tools/x.py": LICENCE.replace("//", "#") + "T = 'winder_pwm'\n",
+        }), [])
+
+    def test_a_package_or_register_map_of_a_machine_is_among_its_chips(self):
+        package = LICENCE + "package winder_pkg;\n"
+        for path, kind in (("rtl/pkg/winder_pkg.sv", "package"), ("rtl/drive/winder_pkg.sv",
+                                                                  "package"),
+                           ("rtl/pkg/winder_pwm.rdl", "register map")):
+            self.finds(f"{path}: a {kind} of the machine winder in a general folder; its place is "
+                       "rtl/chips/", {path: package})
+        self.assertEqual(self.findings({"rtl/chips/winder_pkg.sv": package,
+                                        "rtl/chips/winder_pwm.rdl": LICENCE,
+                                        "rtl/pkg/rewinder_pkg.sv": package}), [])
+
+    def test_only_its_own_code_has_the_register_map_of_a_machine(self):
+        use = LICENCE + '#include "rtl/chips/generated/winder_pwm_regs.hpp"\n'
+        for path in ("lab/run.cpp", "models/plant/motor.hpp", "models/exact/drive/pwm.hpp"):
+            self.finds(f"{path}:2: uses the register map of the machine winder", {path: use})
+        own = ("machines/winder/session.cpp", "sw_nios/apps/winder/bus.hpp",
+               "tests/chips/bench.hpp", "models/exact/chips/winder_pwm.hpp")
+        self.assertEqual(self.findings(dict.fromkeys(own, use)), [])
+
     def test_a_machine_does_not_name_another_one(self):
         other = {path.replace("winder", "saw"): text.replace("winder", "saw")
                  for path, text in GOOD.items()}

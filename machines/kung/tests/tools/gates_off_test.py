@@ -4,7 +4,7 @@
 import copy
 import unittest
 
-from trammel_tools.synth import gates_off
+import gates_off
 
 INPUTS = {"TRELLIS_FF": ("DI",), "LUT4": ("A", "B")}
 
