@@ -19,7 +19,9 @@
 module current_loop
   import trammel_pkg::*;
   import math_pkg::*;
-(
+#(
+  parameter int unsigned ClockHz = 50_000_000
+) (
   input  logic        clk_i,
   input  current_loop_pkg::domains_t clock_en_i,
   input  logic        rst_i,
@@ -67,10 +69,11 @@ module current_loop
   typedef enum logic [1:0] {StIdle, StAngle, StChain} state_e;
 
   localparam logic [4:0] FirstDigit = 5'd18;  // of 19; those of a count are the last 12
-  localparam cmp_t       Centre16kHz = 12'd781;
+  localparam periods_t   Periods = pwm_periods(ClockHz);
+  localparam cmp_t       Centre16kHz = cmp_max(Periods[Carrier16kHz]) >> 1;
 
   cmp_t centre;
-  assign centre = cmp_max(carrier_i) >> 1;
+  assign centre = cmp_max(Periods[carrier_i]) >> 1;
 
   state_e     state_d, state_q;
   logic       valid_q;
@@ -260,7 +263,9 @@ module current_loop
     .quiescent_o(inverse_quiescent)
   );
 
-  svpwm u_svpwm (
+  svpwm #(
+    .ClockHz(ClockHz)
+  ) u_svpwm (
     .clk_i      (clk_svpwm),
     .rst_i      (rst_i),
     .tick_i     (inverse_valid),

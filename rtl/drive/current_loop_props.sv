@@ -5,7 +5,9 @@
 
 module current_loop_props
   import trammel_pkg::*;
-(
+#(
+    parameter int unsigned ClockHz = 50_000_000
+) (
     input logic clk_i,
     input logic rst_i,
 
@@ -53,10 +55,15 @@ module current_loop_props
     input logic [3:0] in_division
 );
 
+  localparam cmp_t Centre16kHz = 12'(ClockHz / 32'd64_000);
+  localparam cmp_t Centre8kHz  = 12'(ClockHz / 32'd32_000);
+  localparam cmp_t Centre20kHz = 12'(ClockHz / 32'd80_000);
+  localparam cmp_t Centre40kHz = 12'(ClockHz / 32'd160_000);
+
   carrier_t was_carrier_q;
   cmp_t centre;  // half the top of that carrier
-  assign centre = was_carrier_q == 2'd1 ? 12'd1562 : was_carrier_q == 2'd2 ? 12'd625 :
-      was_carrier_q == 2'd3 ? 12'd312 : 12'd781;
+  assign centre = was_carrier_q == 2'd1 ? Centre8kHz : was_carrier_q == 2'd2 ? Centre20kHz :
+      was_carrier_q == 2'd3 ? Centre40kHz : Centre16kHz;
 
   logic live_q = 1'b0;
   logic was_rst_q, was_clear_q, was_quiescent_q;
@@ -139,7 +146,7 @@ module current_loop_props
 
 endmodule
 
-bind current_loop current_loop_props u_current_loop_props (
+bind current_loop current_loop_props #(.ClockHz(ClockHz)) u_current_loop_props (
     .*,
     .in_clarke  (u_clarke.busy_q),
     .in_sine    (u_sine.state_q),

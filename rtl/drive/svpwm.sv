@@ -10,7 +10,7 @@
 //   a = top - S, b = a + 2 t1, c = top + S                 Q8, twice the off-times in Q7
 //   S > top: a = 0, b = top t1 / S, c = top
 //
-//   carrier   top    beta   alpha
+//   50 MHz    top    beta   alpha   top = ClockHz / 2 carrier, beta = 8 top (4 top at 8 kHz)
 //    8 kHz    3125   12500  21651   in Q5, Q6, Q7 instead of Q6, Q7, Q8
 //   16 kHz    1562   12496  21644
 //   20 kHz    1250   10000  17321
@@ -26,7 +26,9 @@
 module svpwm
   import trammel_pkg::*;
   import math_pkg::*;
-(
+#(
+  parameter int unsigned ClockHz = 50_000_000
+) (
   input  logic       clk_i,
   input  logic       rst_i,
 
@@ -48,7 +50,7 @@ module svpwm
   typedef logic signed [15:0] factor_t;
   typedef logic signed [30:0] product_t;
   typedef logic signed [18:0] volt_t;  // Q6
-  typedef logic        [18:0] time_t;  // Q7, at most 2134 counts
+  typedef logic        [18:0] time_t;  // Q7, at most 2363 counts
   typedef logic signed [19:0] off_t;   // Q8
 
   typedef enum logic [3:0] {
@@ -56,7 +58,19 @@ module svpwm
   } state_e;
   typedef enum logic [1:0] {PickX, PickY, PickZ} pick_e;
 
+  if (!makes_carriers(ClockHz)) begin : gen_refused
+    $error("svpwm: its carriers need ClockHz to be a multiple of 80,000, 8 to 55.36 MHz");
+  end
+
   localparam logic [3:0] LastBit = 4'd13;
+
+  localparam periods_t    Periods   = pwm_periods(ClockHz);
+  localparam int unsigned Top16kHz  = 32'(Periods[Carrier16kHz]) >> 1;
+  localparam int unsigned Top8kHz   = 32'(Periods[Carrier8kHz]) >> 1;
+  localparam int unsigned Top20kHz  = 32'(Periods[Carrier20kHz]) >> 1;
+  localparam int unsigned Top40kHz  = 32'(Periods[Carrier40kHz]) >> 1;
+  localparam int unsigned Root3     = 32'd113_512;  // 2^16 sqrt 3
+  localparam int unsigned Half      = 32'd32_768;
 
   carrier_t carrier_q;  // of this vector
   factor_t beta_scale, alpha_scale;
@@ -64,26 +78,27 @@ module svpwm
   cmp_t    top;
   logic    coarse;    // one fractional bit less
 
-  assign top    = cmp_max(carrier_q);
+  assign top    = cmp_max(Periods[carrier_q]);
   assign coarse = carrier_q == Carrier8kHz;
 
   always_comb begin
     unique case (carrier_i)
-      Carrier8kHz:  beta_scale = 16'sd12500;
-      Carrier20kHz: beta_scale = 16'sd10000;
-      Carrier40kHz: beta_scale = 16'sd5000;
-      default:      beta_scale = 16'sd12496;
+      Carrier8kHz:  beta_scale = 16'(4 * Top8kHz);
+      Carrier20kHz: beta_scale = 16'(8 * Top20kHz);
+      Carrier40kHz: beta_scale = 16'(8 * Top40kHz);
+      default:      beta_scale = 16'(8 * Top16kHz);
     endcase
     unique case (carrier_q)
-      Carrier8kHz:  alpha_scale = 16'sd21651;
-      Carrier20kHz: alpha_scale = 16'sd17321;
-      Carrier40kHz: alpha_scale = 16'sd8660;
-      default:      alpha_scale = 16'sd21644;
+      Carrier8kHz:  alpha_scale = 16'((4 * Top8kHz * Root3 + Half) >> 16);
+      Carrier20kHz: alpha_scale = 16'((8 * Top20kHz * Root3 + Half) >> 16);
+      Carrier40kHz: alpha_scale = 16'((8 * Top40kHz * Root3 + Half) >> 16);
+      default:      alpha_scale = 16'((8 * Top16kHz * Root3 + Half) >> 16);
     endcase
     unique case (carrier_q)
-      Carrier20kHz: full_off = 20'sd160128;
-      Carrier40kHz: full_off = 20'sd80128;
-      default:      full_off = 20'sd200064;
+      Carrier8kHz:  full_off = 20'(64 * Top8kHz + 64);
+      Carrier20kHz: full_off = 20'(128 * Top20kHz + 128);
+      Carrier40kHz: full_off = 20'(128 * Top40kHz + 128);
+      default:      full_off = 20'(128 * Top16kHz + 128);
     endcase
   end
 
@@ -285,9 +300,9 @@ module svpwm
       bit_q <= '0;
       quotient_q <= '0;
       code_q <= '0;
-      cmp_a_q <= 12'd781;
-      cmp_b_q <= 12'd781;
-      cmp_c_q <= 12'd781;
+      cmp_a_q <= 12'(Top16kHz >> 1);
+      cmp_b_q <= 12'(Top16kHz >> 1);
+      cmp_c_q <= 12'(Top16kHz >> 1);
     end else begin
       state_q <= state_d;
       valid_q <= valid_d;

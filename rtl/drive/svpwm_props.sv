@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Properties of svpwm for any input. The model knows no sectors: from the differences of the phases
-// X = u_b - u_c, Y = u_a - u_c, Z = u_b - u_a the off-time is 781 - (u - (u_max + u_min) / 2).
+// X = u_b - u_c, Y = u_a - u_c, Z = u_b - u_a the off-time is top / 2 - (u - (u_max + u_min) / 2).
 
 module svpwm_props
   import trammel_pkg::*;
-(
+#(
+    parameter int unsigned ClockHz = 50_000_000
+) (
     input logic clk_i,
     input logic rst_i,
 
@@ -45,30 +47,41 @@ module svpwm_props
   typedef logic signed [35:0] wide_t;
   typedef logic signed [21:0] line_t;  // Q7
 
-  localparam wide_t BetaMax  = 36'sd2048 * 36'sd12500;  // products
-  localparam wide_t AlphaMax = 36'sd2048 * 36'sd21651;
-  localparam wide_t ScaleMax = 36'sd16383 * 36'sd3125;
-  localparam line_t XMax     = 22'sd100000;  // Q6
-  localparam line_t YMax     = 22'sd173208;
+  // Half the period of each carrier, rounded down [clk].
+  localparam wide_t Top16kHz = 36'(ClockHz / 32'd32_000);
+  localparam wide_t Top8kHz  = 36'(ClockHz / 32'd16_000);
+  localparam wide_t Top20kHz = 36'(ClockHz / 32'd40_000);
+  localparam wide_t Top40kHz = 36'(ClockHz / 32'd80_000);
+  localparam wide_t Root3    = 36'sd1816187;  // 2^20 sqrt 3
+  localparam wide_t Beta8kHz  = 36'sd4 * Top8kHz;  // the largest
+  localparam wide_t Alpha8kHz = (Beta8kHz * Root3 + 36'sd524288) >>> 20;
+
+  localparam wide_t BetaMax  = 36'sd2048 * Beta8kHz;  // products
+  localparam wide_t AlphaMax = 36'sd2048 * Alpha8kHz;
+  localparam wide_t ScaleMax = 36'sd16383 * Top8kHz;
+  localparam line_t XMax     = 22'(36'sd8 * Beta8kHz);  // Q6
+  localparam line_t YMax     = 22'(36'sd8 * Alpha8kHz);
 
   // Words of the carrier: 2^14 V_dc / sqrt 3 to counts, and sqrt 3 times that; half its top in Q8,
   // Q7 at 8 kHz; the half of the rounding there.
   function automatic logic signed [15:0] beta_of(carrier_t carrier);
-    return carrier == 2'd1 ? 16'sd12500 : carrier == 2'd2 ? 16'sd10000 :
-        carrier == 2'd3 ? 16'sd5000 : 16'sd12496;
+    return carrier == 2'd1 ? 16'(Beta8kHz) : carrier == 2'd2 ? 16'(36'sd8 * Top20kHz) :
+        carrier == 2'd3 ? 16'(36'sd8 * Top40kHz) : 16'(36'sd8 * Top16kHz);
   endfunction
 
   function automatic logic signed [15:0] alpha_of(carrier_t carrier);
-    return carrier == 2'd1 ? 16'sd21651 : carrier == 2'd2 ? 16'sd17321 :
-        carrier == 2'd3 ? 16'sd8660 : 16'sd21644;
+    return carrier == 2'd1 ? 16'(Alpha8kHz) :
+        carrier == 2'd2 ? 16'((36'sd8 * Top20kHz * Root3 + 36'sd524288) >>> 20) :
+        carrier == 2'd3 ? 16'((36'sd8 * Top40kHz * Root3 + 36'sd524288) >>> 20) :
+        16'((36'sd8 * Top16kHz * Root3 + 36'sd524288) >>> 20);
   endfunction
 
   carrier_t used_q;  // of this vector
   logic signed [15:0] top;
   line_t full, half;
 
-  assign top  = used_q == 2'd1 ? 16'sd3125 : used_q == 2'd2 ? 16'sd1250 :
-      used_q == 2'd3 ? 16'sd625 : 16'sd1562;
+  assign top  = used_q == 2'd1 ? 16'(Top8kHz) : used_q == 2'd2 ? 16'(Top20kHz) :
+      used_q == 2'd3 ? 16'(Top40kHz) : 16'(Top16kHz);
   assign half = used_q == 2'd1 ? 22'sd64 : 22'sd128;
   assign full = 22'(top) * half;
 
@@ -220,7 +233,7 @@ module svpwm_props
       inv_t1 : assert (due_q[8:4] == '0 || t1 == spread_q);
       inv_sum : assert (due_q[23:5] == '0 || sum == span_q);
       inv_span :
-      assert (due_q[24:4] == '0 || (span_q <= 22'sd273208 && span_q == spread_q + rest_q));
+      assert (due_q[24:4] == '0 || (span_q <= XMax + YMax && span_q == spread_q + rest_q));
       inv_spread : assert (due_q[24:4] == '0 || (spread_q >= 22'sd0 && rest_q >= 22'sd0));
       inv_sorted_low : assert (due_q[23:4] == '0 || low == full + half - span_q);
       inv_sorted_mid :
@@ -239,12 +252,14 @@ module svpwm_props
   end
 
   // prove: frames 60
+  // prove: set ClockHz=50000000
+  // prove: set ClockHz=48000000
 
   // breaks valid_after_25_clocks: LastBit = LastBit - 4'd1
   // breaks multiplies_in_order: factor_a = state_q == StIdle ? 15'(v_alpha_i) : factor_a
   // breaks no_overflow: y_d = state_q == StAlpha ? {{2{scaled[16]}}, scaled[16:0]} : y_d
   // breaks no_overflow: scaled = product_q[26:8]
-  // breaks duty_is_min_max: full_off = carrier_q == Carrier8kHz ? 20'sd200128 : full_off
+  // breaks duty_is_min_max: full_off = carrier_q == Carrier8kHz ? 20'(64 * Top8kHz + 128) : full_off
   // breaks duty_is_min_max: carrier_q <= rst_i ? next : carrier_i
   // breaks sector_is_of_the_signs: sector = {plus < 20'sd0, minus <= 20'sd0, x_q > 19'sd0}
   // breaks duty_is_min_max: magnitude = picked
@@ -260,7 +275,7 @@ module svpwm_props
 
 endmodule
 
-bind svpwm svpwm_props u_svpwm_props (
+bind svpwm svpwm_props #(.ClockHz(ClockHz)) u_svpwm_props (
     .*,
     .state_q(state_q)  // no .* for an enum
 );

@@ -12,7 +12,9 @@
 
 module timebase
   import trammel_pkg::*;
-(
+#(
+    parameter int unsigned ClockHz = 50_000_000
+) (
     input logic clk_i,
     input logic rst_i,
 
@@ -33,6 +35,12 @@ module timebase
     output logic        quiescent_o
 );
 
+  if (!makes_carriers(ClockHz)) begin : gen_refused
+    $error("timebase: its carriers need ClockHz to be a multiple of 80,000, 8 to 55.36 MHz");
+  end
+
+  localparam periods_t Periods = pwm_periods(ClockHz);
+
   phase_t count, period;
   carrier_t carrier_q;
   logic [5:0] in_ms;  // tick_cur of that carrier
@@ -47,12 +55,12 @@ module timebase
       .rst_i  (rst_i),
       .leap_i (leap_i),
       .load_i (tick_cur_o),
-      .value_i(pwm_period(carrier_i) - 13'd1),
+      .value_i(Periods[carrier_i] - 13'd1),
       .count_o(count),
       .next_o (next_o)
   );
 
-  assign period     = pwm_period(carrier_q);
+  assign period     = Periods[carrier_q];
   assign phase_o    = tick_cur_o ? 13'd0 : period - count;
   assign rest_o     = tick_cur_o ? period : count;
   assign tick_cur_o = count == 13'd0;

@@ -5,7 +5,9 @@
 
 module timebase_props
   import trammel_pkg::*;
-(
+#(
+    parameter int unsigned ClockHz = 50_000_000
+) (
     input logic clk_i,
     input logic rst_i,
 
@@ -30,6 +32,8 @@ module timebase_props
     input logic [7:0] irq_q
 );
 
+  localparam periods_t Periods = pwm_periods(ClockHz);
+
   logic live_q = 1'b0;
   logic was_rst_q, was_cur_q, was_pos_q, was_quiescent_q;
   logic [12:0] passed, passed_q;  // clocks passed by an edge: 1 + leap
@@ -49,13 +53,13 @@ module timebase_props
   assign passed  = 13'(leap_i) + 13'd1;
   assign allowed = leap_i == '0 || leap_i < next_o;
   assign slow    = {carrier_o, cur_q, irq_q};
-  assign used_period = pwm_period(used_q);
+  assign used_period = Periods[used_q];
   assign left    = used_period - since_q - 13'd1;
 
   // tick_cur for a tick_pos
   function automatic logic [6:0] ticks(carrier_t carrier, logic [1:0] rate);
     logic [6:0] in_ms;
-    in_ms = 7'(16'd50000 / 16'(pwm_period(carrier)));
+    in_ms = 7'(16'(ClockHz / 32'd1000) / 16'(Periods[carrier]));
     return rate == 2'd0 ? in_ms : rate == 2'd1 ? in_ms / 7'd2 : in_ms / 7'd4;
   endfunction
 
@@ -74,7 +78,7 @@ module timebase_props
     since_q          <= tick_cur_o ? 13'd1 : since_q + passed;
     if (rst_i) begin
       known_q  <= 1'b1;
-      since_q  <= pwm_period(Carrier16kHz);
+      since_q  <= Periods[Carrier16kHz];
       used_q     <= Carrier16kHz;
       cur_seen_q <= '0;
       cur_due_q  <= '0;
@@ -99,8 +103,8 @@ module timebase_props
       starts_with_all_ticks : assert (!was_rst_q || (phase_o == '0 && tick_irq_o));
       tick_every_period : assert (!known_q || tick_cur_o == (since_q == used_period));
       carrier_is_that_of_the_tick : assert (carrier_o == used_q);
-      phase_within_period : assert (phase_o < pwm_period(carrier_o));
-      rest_is_the_period_less_the_phase : assert (rest_o == pwm_period(carrier_o) - phase_o);
+      phase_within_period : assert (phase_o < Periods[carrier_o]);
+      rest_is_the_period_less_the_phase : assert (rest_o == Periods[carrier_o] - phase_o);
       phase_counts_clocks :
       assert (was_rst_q || !known_q || tick_cur_o ||
               phase_o == (was_cur_q ? 13'd1 : was_phase_q + passed_q));
@@ -119,7 +123,7 @@ module timebase_props
       assert (!known_q || next_o == (tick_cur_o ? '0 : left > 13'd4094 ? 12'd4094 : 12'(left)));
       quiescent_is_honest :
       assert (!was_quiescent_q || (slow == was_slow_q && tick_count_o == was_tick_count_q));
-      inv_timer : assert (count < pwm_period(carrier_o));
+      inv_timer : assert (count < Periods[carrier_o]);
       inv_since : assert (!known_q || 14'(count) + 14'(since_q) == 14'(used_period));
       inv_position : assert (cur_seen_q + 7'(cur_q) == cur_due_q);
       inv_interrupt : assert (pos_q + 9'(irq_q) == period_q);
@@ -129,9 +133,9 @@ module timebase_props
   end
 
   // breaks starts_with_all_ticks: irq_q <= rst_i ? irq_d : next
-  // breaks tick_every_period, next_is_the_clocks_to_the_tick: u_phase.value_i = pwm_period(carrier_i)
+  // breaks tick_every_period, next_is_the_clocks_to_the_tick: u_phase.value_i = Periods[carrier_i]
   // breaks carrier_is_that_of_the_tick: carrier_q <= tick_pos_o && !rst_i || rst_i ? next : carrier_q
-  // breaks phase_within_period: u_phase.value_i = pwm_period(carrier_i) + 13'd1
+  // breaks phase_within_period: u_phase.value_i = Periods[carrier_i] + 13'd1
   // breaks phase_counts_clocks, no_tick_within_next: u_phase.leap_i = leap_i << 1
   // breaks rest_is_the_period_less_the_phase: rest_o = count
   // breaks tick_at_phase_zero: phase_o = period - count
@@ -143,7 +147,9 @@ module timebase_props
   // breaks quiescent_is_honest: quiescent_o = !tick_irq_o
 
   // prove: leap phase_within_period
+  // prove: set ClockHz=50000000
+  // prove: set ClockHz=48000000
 
 endmodule
 
-bind timebase timebase_props u_timebase_props (.*);
+bind timebase timebase_props #(.ClockHz(ClockHz)) u_timebase_props (.*);

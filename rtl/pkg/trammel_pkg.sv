@@ -13,6 +13,7 @@ package trammel_pkg;
   typedef logic        [11:0] cmp_t;     // compare value, 0 to the top of the carrier
   typedef logic        [12:0] phase_t;   // [clk] within the period of the carrier
   typedef logic        [ 1:0] carrier_t; // frequency of the carrier
+  typedef phase_t      [ 3:0] periods_t; // of all carriers, by carrier_t
   typedef logic        [11:0] gap_t;     // clocks without an event, see math/timer
 
   // value = mant / 2048 * 2^exp
@@ -28,19 +29,22 @@ package trammel_pkg;
   localparam carrier_t Carrier20kHz = 2'd2;
   localparam carrier_t Carrier40kHz = 2'd3;
 
-  // Period of the carrier [clk] at 50 MHz.
-  function automatic phase_t pwm_period(carrier_t carrier);
-    unique case (carrier)
-      Carrier8kHz:  return 13'd6250;
-      Carrier20kHz: return 13'd2500;
-      Carrier40kHz: return 13'd1250;
-      default:      return 13'd3125;
-    endcase
+  // Whether each carrier has a whole number of clocks, enough of them for the current loop, and no
+  // more than the words of the modulation hold.
+  function automatic logic makes_carriers(int unsigned clock_hz);
+    return clock_hz % 32'd80_000 == 32'd0 && clock_hz >= 32'd8_000_000 &&
+        clock_hz <= 32'd55_360_000;
   endfunction
 
-  // Top of the carrier: half its period.
-  function automatic cmp_t cmp_max(carrier_t carrier);
-    return cmp_t'(pwm_period(carrier) >> 1);
+  // Periods of the carriers [clk], for a constant.
+  function automatic periods_t pwm_periods(int unsigned clock_hz);
+    return {13'(clock_hz / 32'd40_000), 13'(clock_hz / 32'd20_000), 13'(clock_hz / 32'd8_000),
+            13'(clock_hz / 32'd16_000)};
+  endfunction
+
+  // Top of a carrier: half its period.
+  function automatic cmp_t cmp_max(phase_t period);
+    return cmp_t'(period >> 1);
   endfunction
 
 endpackage

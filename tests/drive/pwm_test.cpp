@@ -4,6 +4,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "models/exact/drive/carrier.hpp"
 #include "models/exact/drive/pwm.hpp"
 #include "tests/support/random.hpp"
 #include "tests/support/rtl.hpp"
@@ -20,7 +21,7 @@ namespace {
 
 void apply(Rtl& rtl, const Pwm::In& in) {
   rtl->phase_i = in.phase & 0x1FFF;
-  rtl->rest_i = (pwm_period(in.carrier) - in.phase) & 0x1FFF;
+  rtl->rest_i = (in.period - in.phase) & 0x1FFF;
   rtl->load_i = in.load;
   rtl->enable_i = in.enable;
   rtl->cmp_a_i = in.cmp[0] & 0xFFF;
@@ -31,8 +32,8 @@ void apply(Rtl& rtl, const Pwm::In& in) {
 
 // The input at clock n of a run that starts at phase 0.
 Pwm::In at(std::uint32_t n, const std::array<std::uint32_t, 3>& cmp, std::uint32_t carrier = 0) {
-  const std::uint32_t phase = n % pwm_period(carrier);
-  return {carrier, phase, phase == 0, true, cmp};
+  const std::uint32_t period = pwm_period(carrier), phase = n % period;
+  return {period, phase, phase == 0, true, cmp};
 }
 
 std::uint32_t any_cmp(Random& random, std::uint32_t top) {
@@ -128,7 +129,7 @@ TEST_CASE("pwm takes compare values at phase 0 only") {
     apply(rtl, at(n, {cmp, cmp, cmp}));
     rtl.tick();
     const std::uint32_t used = n < 3125 ? 1000 : 200;
-    REQUIRE((rtl->on_o == 7) == (Pwm::triangle(0, n % 3125) > used));
+    REQUIRE((rtl->on_o == 7) == (Pwm::triangle(3125, n % 3125) > used));
   }
 }
 

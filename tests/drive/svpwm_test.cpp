@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <string>
 
 #include "models/exact/drive/svpwm.hpp"
 #include "models/ideal/svpwm.hpp"
@@ -107,6 +108,32 @@ TEST_CASE("svpwm stays within one count of the ideal, over-modulated or not") {
     REQUIRE(std::abs(out.cmp_c - std::round((1 - duty.c) * top)) <= 1);
   }
   REQUIRE(over > 10000);
+}
+
+TEST_CASE("svpwm has half the period of the carrier as its top, whatever the clock") {
+  test::Words words(4);
+  for (const std::uint32_t clock_hz : {8'000'000u, 48'000'000u, 55'360'000u}) {
+    const Svpwm twin(clock_hz);
+    for (int n = 0; n < 20000; ++n) {
+      const Svpwm::In in{words(), words(), static_cast<unsigned>(n) % 4};
+      constexpr double kHz[] = {16e3, 8e3, 20e3, 40e3};
+      const double top = std::floor(clock_hz / kHz[in.carrier] / 2);
+      const ideal::OffTimes off = ideal::svpwm({in.v_alpha / 2048.0, in.v_beta / 2048.0});
+      const Svpwm::Out out = twin.step(in);
+      CAPTURE(clock_hz, in.v_alpha, in.v_beta, in.carrier);
+      REQUIRE(std::abs(out.cmp_a - off.a * top) < 1.0);
+      REQUIRE(std::abs(out.cmp_b - off.b * top) < 1.0);
+      REQUIRE(std::abs(out.cmp_c - off.c * top) < 1.0);
+    }
+  }
+}
+
+TEST_CASE("svpwm refuses a clock that cannot make its carriers") {
+  for (const std::uint32_t clock_hz : {0u, 7'920'000u, 25'000'000u, 55'440'000u}) {
+    REQUIRE_THROWS_WITH(Svpwm(clock_hz), "carrier: clock of " + std::to_string(clock_hz) +
+                                             " Hz: must be a multiple of 80000 from 8000000 to "
+                                             "55360000");
+  }
 }
 
 TEST_CASE("svpwm errs in the sector only within a tenth of a step of its border") {

@@ -116,6 +116,23 @@ TEST_CASE("timebase has 8, 16, 20 and 40 kHz and position ticks of 1, 2 and 4 kH
   }
 }
 
+TEST_CASE("timebase of a clock of 48 MHz ticks at the same frequencies") {
+  constexpr int kFrequencies[] = {16000, 8000, 20000, 40000};
+  for (unsigned carrier = 0; carrier < 4; ++carrier) {
+    Timebase twin(48'000'000);
+    for (const bool again : {false, true}) {
+      CAPTURE(carrier, again);
+      for (int n = 0; n < 50'000; ++n) {
+        const Timebase::Out out = twin.out();
+        REQUIRE(out.tick_cur == (n % (48'000'000 / kFrequencies[carrier]) == 0));
+        REQUIRE(out.tick_pos == (n % 24'000 == 0));
+        twin.step({4, carrier, 1});
+      }
+      twin.reset();
+    }
+  }
+}
+
 TEST_CASE("timebase interrupt period 0 acts as 1") {
   Rtl rtl;
   rtl.reset();

@@ -44,6 +44,11 @@ class CurrentLoop {
   static constexpr int kClocks = 67;         // compare values are ready
   static constexpr int kDone = kClocks + 1;  // no clocks of the sample left
 
+  CurrentLoop() : CurrentLoop(kCarrierClockHz) {}
+  explicit CurrentLoop(std::uint32_t clock_hz) : clock_hz_(clock_hz), svpwm_(clock_hz) {
+    out_.cmp_a = out_.cmp_b = out_.cmp_c = centre(0);
+  }
+
   void reset() {
     pi_d_.reset();
     pi_q_.reset();
@@ -106,8 +111,8 @@ class CurrentLoop {
 
  private:
   // Compare value of 50 % duty.
-  static constexpr std::int32_t centre(std::uint32_t carrier) {
-    return static_cast<std::int32_t>(cmp_max(carrier) / 2);
+  std::int32_t centre(std::uint32_t carrier) const {
+    return static_cast<std::int32_t>(cmp_max(carrier, clock_hz_) / 2);
   }
 
   static constexpr std::array<std::uint8_t, 11> kAt{0,  21, 27, 29, 30, 31,
@@ -150,6 +155,7 @@ class CurrentLoop {
     out_.cmp_c = in.clear ? centre(in.carrier) : cmp.cmp_c;
   }
 
+  std::uint32_t clock_hz_;
   Sine sine_;
   Clarke clarke_;
   Rotator park_{{Rotator::Direction::kPark}};

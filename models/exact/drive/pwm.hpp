@@ -8,7 +8,6 @@
 #include <array>
 #include <cstdint>
 
-#include "models/exact/drive/carrier.hpp"
 #include "models/exact/math/timer.hpp"
 
 namespace trammel::exact {
@@ -16,15 +15,15 @@ namespace trammel::exact {
 class Pwm {
  public:
   struct In {
-    std::uint32_t carrier = 0;
-    std::uint32_t phase = 0;  // below pwm_period(carrier)
+    std::uint32_t period = 3125;  // of the carrier [clk]
+    std::uint32_t phase = 0;      // below it
     bool load = false;
     bool enable = false;
     std::array<std::uint32_t, 3> cmp{};
   };
 
-  static std::uint32_t triangle(std::uint32_t carrier, std::uint32_t phase) {
-    return phase <= cmp_max(carrier) ? phase : pwm_period(carrier) - phase;
+  static std::uint32_t triangle(std::uint32_t period, std::uint32_t phase) {
+    return std::min(phase, period - phase);
   }
 
   void reset() { *this = Pwm(); }
@@ -44,7 +43,7 @@ class Pwm {
     Gap gap = kGapMax;
     if (!in.enable) return gap;
     for (const std::uint32_t cmp : cmp_) {
-      const std::uint32_t rest = pwm_period(in.carrier) - in.phase;
+      const std::uint32_t rest = in.period - in.phase;
       if (in.phase <= cmp) {
         gap = std::min(gap, clipped(cmp - in.phase + 1));
       } else if (rest > cmp) {
@@ -63,7 +62,7 @@ class Pwm {
   unsigned wanted(const In& in) const {
     unsigned on = 0;
     for (unsigned i = 0; i < 3; ++i) {
-      if (in.enable && triangle(in.carrier, in.phase) > cmp_[i]) on |= 1U << i;
+      if (in.enable && triangle(in.period, in.phase) > cmp_[i]) on |= 1U << i;
     }
     return on;
   }

@@ -23,12 +23,22 @@ class Svpwm {
     std::int32_t sector = 0;
   };
 
+  Svpwm() : Svpwm(kCarrierClockHz) {}
+  explicit Svpwm(std::uint32_t clock_hz) {
+    carrier_clock(clock_hz);
+    for (std::uint32_t carrier = 0; carrier < scale_.size(); ++carrier) {
+      const std::uint32_t top = cmp_max(carrier, clock_hz);
+      const bool coarse = carrier == kCarrier8kHz;
+      const std::int64_t beta = std::int64_t{top} * (coarse ? 4 : 8);
+      scale_[carrier] = {beta, fixed::rs(beta * kRoot3, 16), static_cast<std::int32_t>(top),
+                         coarse ? 7 : 8};
+    }
+  }
+
   void reset() {}
 
   Out step(const In& in) const {
-    const Scale scale{kBeta[in.carrier], kAlpha[in.carrier],
-                      static_cast<std::int32_t>(cmp_max(in.carrier)),
-                      in.carrier == kCarrier8kHz ? 7 : 8};
+    const Scale& scale = scale_[in.carrier];
     const std::int64_t x = fixed::rs(in.v_beta * scale.beta, 8);    // Q6
     const std::int64_t y = fixed::rs(in.v_alpha * scale.alpha, 8);  // Q6
     const std::int64_t big_x = 2 * x, big_y = x + y, big_z = x - y;         // Q7
@@ -46,14 +56,13 @@ class Svpwm {
   }
 
  private:
-  static constexpr std::array<std::int64_t, 4> kBeta{12496, 12500, 10000, 5000};
-  static constexpr std::array<std::int64_t, 4> kAlpha{21644, 21651, 17321, 8660};
+  static constexpr std::int64_t kRoot3 = 113'512;  // 2^16 sqrt 3
 
   // Of the carrier; `bits` fractional bits of twice an off-time, one less in all words at 8 kHz.
   struct Scale {
-    std::int64_t beta, alpha;
-    std::int32_t full;
-    int bits;
+    std::int64_t beta = 0, alpha = 0;
+    std::int32_t full = 0;
+    int bits = 0;
   };
 
   struct Pattern {
@@ -79,6 +88,8 @@ class Svpwm {
   static Out place(int sector, const Pattern& p, int a, int b, int c) {
     return {p.cmp[a], p.cmp[b], p.cmp[c], sector};
   }
+
+  std::array<Scale, 4> scale_;
 };
 
 }  // namespace trammel::exact

@@ -28,14 +28,17 @@ class Timebase {
     bool quiescent;
   };
 
-  void reset() { *this = Timebase(); }
+  Timebase() : Timebase(kCarrierClockHz) {}
+  explicit Timebase(std::uint32_t clock_hz) : clock_hz_(carrier_clock(clock_hz)) {}
+
+  void reset() { *this = Timebase(clock_hz_); }
 
   // What the ports show before the next edge.
   Out out() const {
     const bool cur = timer_.count() == 0;
     const bool pos = cur && cur_ == 0;
     const bool irq = pos && irq_ == 0;
-    const std::uint32_t phase = cur ? 0 : pwm_period(carrier_) - timer_.count();
+    const std::uint32_t phase = cur ? 0 : pwm_period(carrier_, clock_hz_) - timer_.count();
     return {carrier_, phase, cur, pos, irq, tick_count_, !cur};
   }
 
@@ -52,7 +55,7 @@ class Timebase {
       --irq_;
     }
     if (now.tick_pos) ++tick_count_;
-    timer_.step({now.tick_cur, pwm_period(in.carrier) - 1});
+    timer_.step({now.tick_cur, pwm_period(in.carrier, clock_hz_) - 1});
     if (now.tick_cur) carrier_ = in.carrier;
     return out();
   }
@@ -62,6 +65,7 @@ class Timebase {
   void advance(Gap n) { timer_.advance(n); }
 
  private:
+  std::uint32_t clock_hz_;
   Timer timer_;
   std::uint32_t carrier_ = 0;
   std::uint32_t cur_ = 0;  // ticks of the carrier until the position tick
