@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-//
-// What a motor and its supply cannot give for the path that is asked, told before a run.
+#include "machines/kung/advice.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,7 +9,6 @@
 #include <cstdlib>
 
 #include "machines/kung/believed.hpp"
-#include "machines/kung/machine.hpp"
 #include "machines/kung/plan.hpp"
 #include "machines/kung/plan_feed.hpp"
 #include "machines/kung/plan_parts.hpp"

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "machines/kung/paper.hpp"
 #include "machines/kung/plan.hpp"
 #include "models/ideal/cascade.hpp"
 #include "models/ideal/pid.hpp"

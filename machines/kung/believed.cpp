@@ -5,7 +5,6 @@
 
 #include <array>
 
-#include "machines/kung/machine.hpp"
 #include "machines/kung/plan_parts.hpp"
 #include "machines/kung/words.hpp"
 

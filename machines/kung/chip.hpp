@@ -72,6 +72,7 @@ inline constexpr cosim::Word kVq{"v_q", "V_dc / sqrt 3 / 2048", "q voltage", 12,
 }  // namespace words
 
 const std::vector<Signal>& signals();
+const cosim::TriggerForms& triggers();
 
 // The bit-exact twin of the verilated chips: the same stops and words.
 std::unique_ptr<KungChip> make_twin_chip();

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-//
-// The columns of trace.csv, a row each 2 kHz sample.
+#include "machines/kung/columns.hpp"
+
 #include "machines/kung/chip.hpp"
 #include "machines/kung/figures.hpp"
-#include "machines/kung/machine.hpp"
 
 namespace trammel::kung {
 namespace {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-//
-// What run.cpu excludes, and what a run tells of its processor.
+#include "machines/kung/cpu.hpp"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "host/errors.hpp"
-#include "machines/kung/machine.hpp"
-#include "machines/kung/plan.hpp"
+#include "machines/kung/plan_feed.hpp"
 #include "machines/kung/plan_parts.hpp"
 
 namespace trammel::kung {

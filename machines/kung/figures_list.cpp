@@ -1,18 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-//
-// The figures of a run as the laboratory's list, and the texts about its end.
+#include "machines/kung/figures_list.hpp"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 
 #include "machines/kung/baseline.hpp"
+#include "machines/kung/comparison.hpp"
+#include "machines/kung/cpu.hpp"
 #include "machines/kung/figures.hpp"
 #include "machines/kung/followed.hpp"
-#include "machines/kung/machine.hpp"
-#include "machines/kung/plan.hpp"
-#include "machines/kung/precision_figures.hpp"
+#include "machines/kung/load_figures.hpp"
+#include "machines/kung/paper.hpp"
 #include "machines/kung/plan_feed.hpp"
+#include "machines/kung/precision_figures.hpp"
 #include "machines/kung/response.hpp"
 
 namespace trammel::kung {
@@ -28,18 +30,6 @@ struct AxisSignals {
   Series position_m, model_m, error_mm;
   double peak_current_A = 0, max_speed_m_s = 0;
 };
-
-const char* cause_name(FaultCode code) {
-  switch (code) {
-    case FaultCode::kNone: return "none";
-    case FaultCode::kTrip: return "external trip";
-    case FaultCode::kOverCurrent: return "over-current";
-    case FaultCode::kWatchdog: return "watchdog";
-    case FaultCode::kEncoder: return "encoder fault";
-    case FaultCode::kStroke: return "stroke exceeded";
-  }
-  return "unknown";
-}
 
 void add_spread(List& list, const std::string& id, const std::string& row, const Series& series) {
   const Spread s = spread(series);
@@ -346,20 +336,6 @@ void add_metrics(const lab::Record& record, nlohmann::ordered_json& json) {
   if (compared && reading && options_of(record).path.kind == PathKind::kCircle) {
     json["comparison_note"] = circle_note(*reading);
   }
-}
-
-std::string cause_text(const Fault& fault) {
-  if (fault.code == FaultCode::kNone) return "the processor's check: " + fault.processor;
-  if (fault.code == FaultCode::kTrip && !fault.processor.empty()) return fault.processor;
-  if (fault.code == FaultCode::kTrip || fault.code == FaultCode::kWatchdog) {
-    return cause_name(fault.code);  // of no axis
-  }
-  return fmt::format("{} on axis {}", cause_name(fault.code), fault.axis == 0 ? 'X' : 'Y');
-}
-
-std::string Result::fault_text() const {
-  if (end == EndReason::kFault) return cause_text(fault);
-  return end == EndReason::kMissed ? missed : "";
 }
 
 }  // namespace trammel::kung

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "lab/key_table.hpp"
-#include "machines/kung/machine.hpp"
+#include "machines/kung/options.hpp"
 
 namespace trammel::lab {
 

@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "machines/kung/machine.hpp"
-
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "host/files.hpp"
+#include "lab/machine.hpp"
+#include "machines/kung/advice.hpp"
+#include "machines/kung/columns.hpp"
+#include "machines/kung/comparison.hpp"
 #include "machines/kung/figures.hpp"
+#include "machines/kung/figures_list.hpp"
+#include "machines/kung/page.hpp"
+#include "machines/kung/paper.hpp"
+#include "machines/kung/plan.hpp"
 #include "machines/kung/plan_feed.hpp"
-#include "machines/kung/precision_figures.hpp"
 #include "machines/kung/precision_trace.hpp"
 #include "machines/kung/session.hpp"
 

@@ -203,6 +203,7 @@ struct FaultInjection {
 };
 
 const lab::Machine& machine();
+const std::vector<lab::Key>& keys();
 
 struct Result;  // record.hpp
 

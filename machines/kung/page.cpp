@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-//
-// What the report page needs besides figures and columns: detail.json, written and read back, and
-// the contour error.
+#include "machines/kung/page.hpp"
+
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -11,8 +10,7 @@
 #include "lab/report_data.hpp"
 #include "machines/kung/afc_steps.hpp"
 #include "machines/kung/figures.hpp"
-#include "machines/kung/machine.hpp"
-#include "machines/kung/plan.hpp"
+#include "machines/kung/plan_axis.hpp"
 #include "machines/kung/precision_trace.hpp"
 #include "machines/kung/response.hpp"
 #include "machines/kung/spectrum.hpp"

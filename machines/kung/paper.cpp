@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-//
-// What Kung et al. 2012 print beside what a run shows: its figures, and the table of all eight
-// experiments.
+#include "machines/kung/paper.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,7 +8,6 @@
 
 #include "lab/scenarios.hpp"
 #include "machines/kung/figures.hpp"
-#include "machines/kung/machine.hpp"
 
 namespace trammel::kung {
 namespace {

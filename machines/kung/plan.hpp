@@ -8,22 +8,11 @@
 #include <stdexcept>
 #include <vector>
 
-#include "machines/kung/feed_program.hpp"
 #include "machines/kung/options.hpp"
+#include "machines/kung/plan_path.hpp"
 #include "sw_nios/apps/kung/kung.hpp"
 
 namespace trammel::kung {
-
-// Position samples for which a point of this path is held: a square wave of steps has one each.
-int ticks_per_point(const PathOptions& path, int irq_period_ticks);
-
-sw::AxisSetup plan_axis(const Options& options, std::size_t axis);
-
-// The lists that a set-up points into; they must live as long as the firmware does.
-struct PathStore {
-  std::vector<sw::Point> points;
-  FeedProgram feed;
-};
 
 sw::KungSetup plan_firmware(const Options& options, PathStore& store);
 
@@ -35,5 +24,7 @@ inline sw::KungSetup plan_firmware(const Options& options, std::vector<sw::Point
   points.swap(store.points);
   return setup;
 }
+
+void validate(lab::Settings& settings);
 
 }  // namespace trammel::kung

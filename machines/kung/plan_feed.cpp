@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "machines/kung/plan.hpp"
 #include "machines/kung/plan_parts.hpp"
 
 namespace trammel::kung {
@@ -169,6 +168,11 @@ bool feeds(const PathOptions& path) {
                                                    : path.profile == Profile::kFeed;
   if (!feed || path.is_sweep()) return false;
   return path.kind != PathKind::kPoints || path.points_mode == PointsMode::kPath;
+}
+
+int ticks_per_point(const PathOptions& path, int irq_period_ticks) {
+  const bool steps = path.kind == PathKind::kSquare && !feeds(path);
+  return steps || path.kind == PathKind::kSweep ? 1 : irq_period_ticks;
 }
 
 ideal::FeedProfile::Limits feed_limits(const Options& options) {

@@ -17,6 +17,9 @@ void choose_profile(Options& options);
 // point by point whatever path.profile says.
 bool feeds(const PathOptions& path);
 
+// Position samples for which a point of this path is held: a square wave of steps has one each.
+int ticks_per_point(const PathOptions& path, int irq_period_ticks);
+
 // Of a shape or of lines through points: path.feed_m_s, or what it is by default.
 double feed_m_s(const PathOptions& path);
 

@@ -57,6 +57,10 @@ struct Encoder {
 
 constexpr std::uint32_t word(int value) { return static_cast<std::uint32_t>(value); }
 
+inline std::uint32_t clocks(int ns, std::int64_t clock_ps) {
+  return static_cast<std::uint32_t>((std::int64_t{1000} * ns + clock_ps - 1) / clock_ps);
+}
+
 inline std::string feed_text(const Encoder& encoder) {
   return fmt::format("feed at most {:g} m/s at plant.encoder_count_m = {:g}",
                      encoder.max_feed_m_s(), encoder.count_m);

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "machines/kung/plan.hpp"
 #include "machines/kung/plan_parts.hpp"
 #include "machines/kung/words.hpp"
 

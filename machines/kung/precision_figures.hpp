@@ -10,10 +10,7 @@
 #include <string>
 #include <vector>
 
-#include <nlohmann/json_fwd.hpp>
-
 #include "lab/figure.hpp"
-#include "lab/record.hpp"
 #include "machines/kung/options.hpp"
 #include "machines/kung/record.hpp"
 #include "models/ideal/feed_profile.hpp"
@@ -53,17 +50,7 @@ double distance_to(const ideal::Moves& moves, const ideal::Place& place);
 void add_command_figures(std::vector<lab::Figure>& list, const Options& options,
                          const Result& result);
 
-// The fuzzy controllers on the same feed profile, by their twins.
-std::vector<lab::Companion> precision_companions(const lab::Settings& settings);
-
 // A line for each range of the controller that the run came to the end of.
 std::vector<std::string> range_lines(const Options& options, const Result& result);
-
-// What the page needs of a run of the precision controller besides: the highest feed of its path,
-// and what the paper prints of it.
-void add_precision(const Options& options, nlohmann::ordered_json& json);
-
-// Errors of a run of the precision controller beside those of its companions, and of the paper.
-std::vector<std::string> comparison_lines(const lab::Record& record);
 
 }  // namespace trammel::kung

@@ -14,7 +14,6 @@
 
 #include "cosim/core.hpp"
 #include "host/disk_vector.hpp"
-#include "machines/kung/load.hpp"
 #include "machines/kung/options.hpp"
 #include "machines/kung/wakes.hpp"
 #include "models/fixed/fixed.hpp"
@@ -39,6 +38,24 @@ struct AxisSample {
   double i_q_true_A = 0;
   double force_N = 0;
   double dc_link_V = 0;
+};
+
+// What the motor of an axis and its drive had to give over the samples of a path, and where they
+// had no more.
+struct AxisLoad {
+  void add(const AxisSample& sample, const plant::AxisConfig& plant);
+
+  double rms_current_A() const;  // of a phase
+  double rms_force_N() const;
+  double copper_loss_W(double resistance_ohm) const;  // of the three phases, mean
+  // Why an axis could not do what was asked, or "": "i_q* at its limit 40 %, voltage at the
+  // supply's 12 % of the samples".
+  std::string limits() const;
+
+  double peak_current_A = 0;  // of the current vector, as i_q
+  double least_link_V = 0, most_link_V = 0;  // of the DC link
+  std::size_t samples = 0, at_current = 0, at_voltage = 0, at_stop = 0;
+  double squares_A2 = 0, squares_N2 = 0;
 };
 
 // Words of the law of the precision controller after the tick of a sample (docs/precision.md,
@@ -68,6 +85,7 @@ struct Fault {
                                // kTrip: where the core stopped, if that was the trip
 };
 
+const char* cause_name(FaultCode code);
 std::string cause_text(const Fault& fault);  // of a trip, with its axis
 
 using RuleTable = std::array<std::int32_t, 49>;  // rule 7 j + i, Q20 of a unit

@@ -8,7 +8,6 @@
 
 #include "host/errors.hpp"
 #include "machines/kung/figures.hpp"
-#include "machines/kung/machine.hpp"
 #include "machines/kung/plan.hpp"
 #include "machines/kung/plan_feed.hpp"
 #include "machines/kung/plan_precision.hpp"

@@ -5,7 +5,6 @@
 //   EVENT := drives[.AXIS] | afc[.AXIS] | fault[.CAUSE]
 //   CAUSE := trip | over_current | watchdog | encoder | stroke
 #include "machines/kung/chip.hpp"
-#include "machines/kung/machine.hpp"
 
 namespace trammel::kung {
 namespace {

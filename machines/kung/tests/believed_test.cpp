@@ -12,8 +12,9 @@
 
 #include "lab/layers.hpp"
 #include "lab/record.hpp"
+#include "machines/kung/advice.hpp"
 #include "machines/kung/believed.hpp"
-#include "machines/kung/machine.hpp"
+#include "machines/kung/load_figures.hpp"
 #include "machines/kung/plan.hpp"
 #include "machines/kung/record.hpp"
 #include "sw_nios/apps/kung/setup_words.hpp"

@@ -10,7 +10,6 @@
 #include "cosim/trigger_search.hpp"
 #include "machines/kung/chip.hpp"
 #include "machines/kung/lines.hpp"
-#include "machines/kung/machine.hpp"
 #include "tests/support/no_plant.hpp"
 
 using namespace trammel;

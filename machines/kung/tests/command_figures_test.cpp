@@ -12,7 +12,9 @@
 #include <vector>
 
 #include "lab/report_data.hpp"
-#include "machines/kung/machine.hpp"
+#include "machines/kung/comparison.hpp"
+#include "machines/kung/figures.hpp"
+#include "machines/kung/figures_list.hpp"
 #include "machines/kung/plan_feed.hpp"
 #include "machines/kung/precision_figures.hpp"
 #include "machines/kung/precision_trace.hpp"

@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "lab/layers.hpp"
-#include "machines/kung/machine.hpp"
 #include "machines/kung/figures.hpp"
+#include "machines/kung/options.hpp"
+#include "machines/kung/paper.hpp"
 #include "machines/kung/words.hpp"
 #include "tests/support/scenarios.hpp"
 

@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "machines/kung/machine.hpp"
+#include "machines/kung/cpu.hpp"
+#include "machines/kung/record.hpp"
 #include "machines/kung/soc.hpp"
 #include "sw_nios/apps/kung/setup_words.hpp"
 #include "sw_nios/hal/soc_map.hpp"

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "machines/kung/figures.hpp"
-#include "machines/kung/machine.hpp"
+#include "machines/kung/figures_list.hpp"
 #include "tests/support/figures.hpp"
 
 using namespace trammel;

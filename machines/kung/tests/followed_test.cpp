@@ -5,10 +5,11 @@
 #include <cmath>
 
 #include "machines/kung/asked_path.hpp"
+#include "machines/kung/figures_list.hpp"
 #include "machines/kung/followed.hpp"
-#include "machines/kung/machine.hpp"
 #include "machines/kung/plan.hpp"
 #include "machines/kung/plan_feed.hpp"
+#include "machines/kung/record.hpp"
 
 using namespace trammel;
 using namespace trammel::kung;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Paths from files: programs in G-code, and points as lines.
+#include "machines/kung/options.hpp"
 #include "machines/kung/path_files.hpp"
+#include "machines/kung/plan_feed.hpp"
 
 #include <fmt/format.h>
 
@@ -14,8 +16,6 @@
 
 #include "lab/layers.hpp"
 #include "lab/scenarios.hpp"
-#include "machines/kung/machine.hpp"
-#include "machines/kung/plan_feed.hpp"
 #include "tests/support/message.hpp"
 #include "tests/support/moves_check.hpp"
 #include "tests/support/random_gcode.hpp"

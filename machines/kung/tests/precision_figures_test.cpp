@@ -1,4 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "machines/kung/comparison.hpp"
+#include "machines/kung/figures_list.hpp"
+#include "machines/kung/plan.hpp"
+#include "machines/kung/plan_feed.hpp"
+#include "machines/kung/plan_precision.hpp"
 #include "machines/kung/precision_figures.hpp"
 
 #include <algorithm>
@@ -10,10 +15,6 @@
 #include <string>
 #include <vector>
 
-#include "machines/kung/machine.hpp"
-#include "machines/kung/plan.hpp"
-#include "machines/kung/plan_feed.hpp"
-#include "machines/kung/plan_precision.hpp"
 
 using namespace trammel;
 using namespace trammel::kung;

@@ -11,8 +11,11 @@
 #include <vector>
 
 #include "lab/scenarios.hpp"
+#include "machines/kung/cpu.hpp"
 #include "machines/kung/figures.hpp"
-#include "machines/kung/machine.hpp"
+#include "machines/kung/figures_list.hpp"
+#include "machines/kung/load_figures.hpp"
+#include "machines/kung/paper.hpp"
 #include "machines/kung/plan_feed.hpp"
 #include "machines/kung/precision_figures.hpp"
 

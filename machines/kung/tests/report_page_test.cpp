@@ -9,6 +9,8 @@
 #include "lab/report_page.hpp"
 #include "machines/kung/afc_steps.hpp"
 #include "machines/kung/plan.hpp"
+#include "machines/kung/page.hpp"
+#include "machines/kung/plan_axis.hpp"
 #include "machines/kung/tests/by_hand.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/scratch.hpp"

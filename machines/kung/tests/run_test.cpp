@@ -16,7 +16,7 @@
 #include "lab/scenarios.hpp"
 #include "lab/write.hpp"
 #include "machines/kung/baseline.hpp"
-#include "machines/kung/machine.hpp"
+#include "machines/kung/figures.hpp"
 #include "machines/kung/tests/by_hand.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/scratch.hpp"

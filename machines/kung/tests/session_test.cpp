@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "machines/kung/machine.hpp"
+#include "lab/machine.hpp"
 #include "machines/kung/session.hpp"
 #include "tests/support/event_record.hpp"
 

@@ -9,7 +9,8 @@
 #include <ctime>
 #include <vector>
 
-#include "machines/kung/machine.hpp"
+#include "lab/machine.hpp"
+#include "machines/kung/record.hpp"
 
 using namespace trammel;
 

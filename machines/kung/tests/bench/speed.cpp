@@ -9,7 +9,9 @@
 #include <chrono>
 #include <vector>
 
-#include "machines/kung/machine.hpp"
+#include "lab/machine.hpp"
+#include "machines/kung/chip.hpp"
+#include "machines/kung/options.hpp"
 #include "machines/kung/tests/chips.hpp"
 #include "tests/support/no_plant.hpp"
 

@@ -4,8 +4,8 @@
 // `speed` replaces its plant, the others are the program's own platform with other keys.
 #include <systemc>
 
+#include "lab/machine.hpp"
 #include "machines/kung/session.hpp"
-#include "machines/kung/machine.hpp"
 #include "machines/kung/tests/perf/row.hpp"
 #include "machines/kung/tests/perf/speed.hpp"
 

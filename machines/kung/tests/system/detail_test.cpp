@@ -5,7 +5,8 @@
 #include <nlohmann/json.hpp>
 
 #include "machines/kung/lines.hpp"
-#include "machines/kung/machine.hpp"
+#include "machines/kung/page.hpp"
+#include "machines/kung/record.hpp"
 
 using namespace trammel;
 using namespace trammel::kung;

@@ -17,7 +17,8 @@
 #include "lab/record.hpp"
 #include "lab/scenarios.hpp"
 #include "machines/kung/figures.hpp"
-#include "machines/kung/machine.hpp"
+#include "machines/kung/options.hpp"
+#include "machines/kung/paper.hpp"
 
 using namespace trammel;
 using namespace trammel::kung;

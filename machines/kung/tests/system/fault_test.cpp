@@ -3,8 +3,8 @@
 // Faults on the full machine: the drives trip, the first fault is named, the record is kept.
 #include <catch2/catch.hpp>
 
+#include "lab/machine.hpp"
 #include "machines/kung/figures.hpp"
-#include "machines/kung/machine.hpp"
 
 using namespace trammel::kung;
 

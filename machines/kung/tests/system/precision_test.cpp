@@ -16,7 +16,7 @@
 #include "lab/record.hpp"
 #include "lab/report_data.hpp"
 #include "lab/scenarios.hpp"
-#include "machines/kung/machine.hpp"
+#include "machines/kung/figures.hpp"
 #include "machines/kung/precision_figures.hpp"
 #include "machines/kung/precision_trace.hpp"
 #include "machines/kung/words.hpp"

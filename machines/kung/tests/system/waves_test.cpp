@@ -7,9 +7,10 @@
 
 #include "cosim/direct.hpp"
 #include "lab/wiring.hpp"
+#include "lab/machine.hpp"
+#include "machines/kung/chip.hpp"
 #include "machines/kung/plan.hpp"
 #include "machines/kung/session.hpp"
-#include "machines/kung/machine.hpp"
 #include "tests/support/scratch.hpp"
 
 using namespace trammel;

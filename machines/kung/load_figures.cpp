@@ -1,62 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "machines/kung/load.hpp"
+#include "machines/kung/load_figures.hpp"
 
 #include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-
-#include "machines/kung/record.hpp"
 
 namespace trammel::kung {
 namespace {
 
-constexpr std::int32_t kLargestIqRef = 2047;
-constexpr double kVoltageLimit = 0.95 * 2047;  // the limit's table steps inside its circle
-constexpr double kWorthTelling = 0.02;         // of the samples
 constexpr double kAbove = 1.001;               // a rating, so that four digits show it
 
 }  // namespace
-
-void AxisLoad::add(const AxisSample& s, const plant::AxisConfig& plant) {
-  const double square = s.i_d_true_A * s.i_d_true_A + s.i_q_true_A * s.i_q_true_A;
-  least_link_V = samples == 0 ? s.dc_link_V : std::min(least_link_V, s.dc_link_V);
-  most_link_V = std::max(most_link_V, s.dc_link_V);
-  ++samples;
-  squares_A2 += square;
-  squares_N2 += s.force_N * s.force_N;
-  peak_current_A = std::max(peak_current_A, std::sqrt(square));
-  if (std::abs(s.i_q_ref) >= kLargestIqRef) ++at_current;
-  if (std::hypot(s.v_d, s.v_q) >= kVoltageLimit) ++at_voltage;
-  const bool stopped = (s.x_true_m <= plant.stroke_min_m && s.force_N < 0) ||
-                       (s.x_true_m >= plant.stroke_max_m && s.force_N > 0);
-  if (plant.hard_stops && stopped) ++at_stop;
-}
-
-double AxisLoad::rms_current_A() const {
-  return samples == 0 ? 0 : std::sqrt(squares_A2 / static_cast<double>(samples) / 2);
-}
-
-double AxisLoad::rms_force_N() const {
-  return samples == 0 ? 0 : std::sqrt(squares_N2 / static_cast<double>(samples));
-}
-
-double AxisLoad::copper_loss_W(double resistance_ohm) const {
-  return 3 * resistance_ohm * rms_current_A() * rms_current_A();
-}
-
-std::string AxisLoad::limits() const {
-  std::string text;
-  const auto add = [&](std::size_t count, const char* what) {
-    const double share = static_cast<double>(count) / static_cast<double>(samples);
-    if (samples == 0 || share < kWorthTelling) return;
-    text += fmt::format("{}{} {:.0f} %", text.empty() ? "" : ", ", what, 100 * share);
-  };
-  add(at_current, "i_q* at its limit");
-  add(at_voltage, "voltage at the supply's");
-  add(at_stop, "carriage at a hard stop");
-  return text.empty() ? "" : text + " of the samples";
-}
 
 void add_load(std::vector<lab::Figure>& list, const Options& options, const Result& result) {
   const auto add = [&](const char* id, const char* row, const char* unit, auto value) {
