@@ -13,6 +13,7 @@
 # a plain run. The models of runs with waves, assertions or an audit are made by the objects
 # watched_<folder>; a program of plain runs has plain_<folder> in their place, which throws
 # cosim::NotBuilt.
+# The chip's files, chip.hpp and verilated/, are in the calling folder or in a folder of it.
 #   INTERFACE name    the class by which the loop knows the chip, in the namespace of the calling
 #                     folder; its verilated/chip_model.hpp has the template ChipModel<Model, Tracer>
 #   VISIBLE FILE...   .vlt files with the signals that C++ reads; default: verilated/*.vlt there
@@ -36,12 +37,21 @@ macro(trammel_chip chip)
   trammel_chip_unit_of(${chip})
 endmacro()
 
+# A file of the chip, as code includes it.
+function(trammel_chip_file variable name)
+  file(GLOB found CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}
+    ${CHIP_FOLDER}/${name} ${CHIP_FOLDER}/*/${name})
+  list(LENGTH found number)
+  if(NOT number EQUAL 1)
+    message(FATAL_ERROR "${CHIP_FOLDER}: has ${number} files ${name}, must have one")
+  endif()
+  set(${variable} ${found} PARENT_SCOPE)
+endfunction()
+
 function(trammel_chip_unit_of chip)
   cmake_path(GET CHIP_FOLDER FILENAME CHIP_NAMESPACE)
-  cmake_path(RELATIVE_PATH CHIP_FOLDER BASE_DIRECTORY ${PROJECT_SOURCE_DIR}
-    OUTPUT_VARIABLE CHIP_HEADER)
-  set(CHIP_PUBLIC ${CHIP_HEADER}/chip.hpp)
-  string(APPEND CHIP_HEADER /verilated/chip_model.hpp)
+  trammel_chip_file(CHIP_PUBLIC chip.hpp)
+  trammel_chip_file(CHIP_HEADER verilated/chip_model.hpp)
   string(REGEX REPLACE "[-_]" ";" words ${CHIP_STEM})
   set(camel)
   foreach(word IN LISTS words)
@@ -86,7 +96,8 @@ endfunction()
 
 function(trammel_chip_models_of chip)
   if(NOT CHIP_VISIBLE)
-    file(GLOB CHIP_VISIBLE CONFIGURE_DEPENDS ${CHIP_FOLDER}/verilated/*.vlt)
+    file(GLOB CHIP_VISIBLE CONFIGURE_DEPENDS ${CHIP_FOLDER}/verilated/*.vlt
+      ${CHIP_FOLDER}/*/verilated/*.vlt)
   endif()
   set(arrays)
   if(CHIP_TRACE_ARRAYS)
@@ -147,7 +158,7 @@ endfunction()
 # watched_<folder> and plain_<folder>.
 function(trammel_chips_of folder)
   cmake_path(GET folder FILENAME name)
-  file(GLOB units CONFIGURE_DEPENDS ${folder}/verilated/*.cpp)
+  file(GLOB units CONFIGURE_DEPENDS ${folder}/verilated/*.cpp ${folder}/*/verilated/*.cpp)
   # They see inline code of the models, which is compiled for this computer.
   set(options -march=${TRAMMEL_MARCH} -fno-tree-slp-vectorize -falign-functions=64
     -falign-jumps=32)

@@ -9,7 +9,7 @@ if(TRAMMEL_PICORV32 AND TRAMMEL_CROSS AND NOT TRAMMEL_FUZZ)
   list(APPEND chip_models model_soc_host)
   trammel_verilate(model_soc_host soc_host_fast "-O3;-fno-tree-pre;-march=${TRAMMEL_MARCH}"
     TOP_MODULE soc_host PREFIX Vsoc_host_fast
-    SOURCES ${CMAKE_CURRENT_LIST_DIR}/verilated/soc/public.vlt ${TRAMMEL_PICORV32}
+    SOURCES ${CMAKE_CURRENT_LIST_DIR}/chip/verilated/soc/public.vlt ${TRAMMEL_PICORV32}
       ${PROJECT_SOURCE_DIR}/rtl/chips/soc_host.sv
     VERILATOR_ARGS -Wno-fatal -O3 --x-assign fast --x-initial unique ${TRAMMEL_RTL_SEARCH})
   set(image ${registers}/kung_image.inc)
@@ -24,8 +24,8 @@ if(TRAMMEL_PICORV32 AND TRAMMEL_CROSS AND NOT TRAMMEL_FUZZ)
       COMMENT "Compiling the firmware of kung_soc")
   endif()
   list(APPEND chip_headers ${registers}/soc_host_registers.hpp ${image})
-  set_source_files_properties(${CMAKE_CURRENT_LIST_DIR}/soc.cpp PROPERTIES
+  set_source_files_properties(${CMAKE_CURRENT_LIST_DIR}/chip/soc.cpp PROPERTIES
     COMPILE_DEFINITIONS TRAMMEL_CORE INCLUDE_DIRECTORIES ${registers} OBJECT_DEPENDS ${image})
-  set_source_files_properties(${CMAKE_CURRENT_LIST_DIR}/verilated/soc_core.cpp PROPERTIES
+  set_source_files_properties(${CMAKE_CURRENT_LIST_DIR}/chip/verilated/soc_core.cpp PROPERTIES
     COMPILE_DEFINITIONS TRAMMEL_CORE)
 endif()

@@ -4,17 +4,17 @@
 
 #include "host/files.hpp"
 #include "lab/machine.hpp"
-#include "machines/kung/advice.hpp"
-#include "machines/kung/columns.hpp"
-#include "machines/kung/comparison.hpp"
-#include "machines/kung/figures.hpp"
-#include "machines/kung/figures_list.hpp"
-#include "machines/kung/page.hpp"
-#include "machines/kung/paper.hpp"
-#include "machines/kung/plan.hpp"
-#include "machines/kung/plan_feed.hpp"
-#include "machines/kung/precision_trace.hpp"
-#include "machines/kung/session.hpp"
+#include "machines/kung/chip/measures.hpp"
+#include "machines/kung/judge/comparison.hpp"
+#include "machines/kung/judge/figures.hpp"
+#include "machines/kung/judge/paper.hpp"
+#include "machines/kung/page/page.hpp"
+#include "machines/kung/plan/feed.hpp"
+#include "machines/kung/precision/trace.hpp"
+#include "machines/kung/run/advice.hpp"
+#include "machines/kung/run/columns.hpp"
+#include "machines/kung/run/plan.hpp"
+#include "machines/kung/run/session.hpp"
 
 namespace trammel::kung {
 namespace {

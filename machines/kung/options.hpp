@@ -172,7 +172,7 @@ struct PathOptions {
   bool open_position() const { return is_sweep() && sweep_of == SweepOf::kCurrent; }
 
   Profile profile = Profile::kAuto;
-  bool auto_feed = false;         // what auto is, see plan_feed.hpp
+  bool auto_feed = false;         // what auto is, see plan/feed.hpp
   double feed_m_s = 0;            // of the built-in shapes; 0: of each its own
   double rapid_m_s = 0.5;
   double feed_max_m_s = 1;
@@ -205,7 +205,7 @@ struct FaultInjection {
 const lab::Machine& machine();
 const std::vector<lab::Key>& keys();
 
-struct Result;  // record.hpp
+struct Result;  // chip/record.hpp
 
 struct Options final : lab::SettingsOf<Options, machine> {
   using Result = kung::Result;
@@ -218,10 +218,10 @@ struct Options final : lab::SettingsOf<Options, machine> {
 
   Cpu cpu = Cpu::kNative;
   int point_clk = 2200;      // native: clocks in which the firmware computes a point
-  std::string uart;          // other end of the serial port, see serial.hpp; "": nothing
+  std::string uart;          // other end of the serial port, see run/serial.hpp; "": nothing
   Controller controller = Controller::kAfc;
   std::array<AxisGains, 2> gains;
-  bool gains_by_rule = false;  // kv and those of the current loop from the motor, see words.hpp
+  bool gains_by_rule = false;  // kv and those of the current loop from the motor: plan/words.hpp
   PrecisionOptions precision;
   plant::XyTableConfig plant = plant::default_xy_table();
   std::array<BelievedMotor, 2> believed;

@@ -6,7 +6,7 @@
 #include <memory>
 #include <utility>
 
-#include "machines/kung/record.hpp"
+#include "machines/kung/chip/record.hpp"
 #include "tests/support/short_run.hpp"
 
 namespace trammel::test {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "cosim/trigger_search.hpp"
-#include "machines/kung/chip.hpp"
-#include "machines/kung/lines.hpp"
+#include "machines/kung/chip/chip.hpp"
+#include "machines/kung/chip/lines.hpp"
 #include "tests/support/no_plant.hpp"
 
 using namespace trammel;

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "machines/kung/chip.hpp"
+#include "machines/kung/chip/chip.hpp"
 #include "tests/support/same.hpp"
 
 namespace trammel::test {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <string>
 
-#include "machines/kung/chip.hpp"
+#include "machines/kung/chip/chip.hpp"
 
 namespace trammel::kung {
 

@@ -12,12 +12,12 @@
 #include <vector>
 
 #include "lab/report_data.hpp"
-#include "machines/kung/comparison.hpp"
-#include "machines/kung/figures.hpp"
-#include "machines/kung/figures_list.hpp"
-#include "machines/kung/plan_feed.hpp"
-#include "machines/kung/precision_figures.hpp"
-#include "machines/kung/precision_trace.hpp"
+#include "machines/kung/chip/measures.hpp"
+#include "machines/kung/judge/comparison.hpp"
+#include "machines/kung/judge/figures.hpp"
+#include "machines/kung/plan/feed.hpp"
+#include "machines/kung/precision/figures.hpp"
+#include "machines/kung/precision/trace.hpp"
 #include "tests/support/scratch.hpp"
 
 using namespace trammel;

@@ -5,10 +5,10 @@
 #include <vector>
 
 #include "lab/layers.hpp"
-#include "machines/kung/figures.hpp"
+#include "machines/kung/chip/measures.hpp"
+#include "machines/kung/judge/paper.hpp"
 #include "machines/kung/options.hpp"
-#include "machines/kung/paper.hpp"
-#include "machines/kung/words.hpp"
+#include "machines/kung/plan/words.hpp"
 #include "tests/support/scenarios.hpp"
 
 using namespace trammel;

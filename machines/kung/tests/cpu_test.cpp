@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "machines/kung/cpu.hpp"
-#include "machines/kung/record.hpp"
-#include "machines/kung/soc.hpp"
+#include "machines/kung/chip/record.hpp"
+#include "machines/kung/chip/soc.hpp"
+#include "machines/kung/run/cpu.hpp"
 #include "sw_nios/apps/kung/setup_words.hpp"
 #include "sw_nios/hal/soc_map.hpp"
 

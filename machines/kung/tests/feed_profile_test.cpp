@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "machines/kung/plan_feed.hpp"
+#include "machines/kung/plan/feed.hpp"
 #include "machines/kung/tests/random_moves.hpp"
 #include "models/ideal/precision.hpp"
 #include "sw_nios/path/feed_prefilter.hpp"

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "lab/scenarios.hpp"
-#include "machines/kung/figures.hpp"
-#include "machines/kung/figures_list.hpp"
+#include "machines/kung/chip/measures.hpp"
+#include "machines/kung/judge/figures.hpp"
 #include "tests/support/figures.hpp"
 
 using namespace trammel;

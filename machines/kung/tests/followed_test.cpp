@@ -4,12 +4,12 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "machines/kung/asked_path.hpp"
-#include "machines/kung/figures_list.hpp"
-#include "machines/kung/followed.hpp"
-#include "machines/kung/plan.hpp"
-#include "machines/kung/plan_feed.hpp"
-#include "machines/kung/record.hpp"
+#include "machines/kung/chip/record.hpp"
+#include "machines/kung/judge/figures.hpp"
+#include "machines/kung/plan/feed.hpp"
+#include "machines/kung/run/asked_path.hpp"
+#include "machines/kung/run/followed.hpp"
+#include "machines/kung/run/plan.hpp"
 
 using namespace trammel;
 using namespace trammel::kung;

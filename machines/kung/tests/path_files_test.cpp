@@ -2,8 +2,8 @@
 //
 // Paths from files: programs in G-code, and points as lines.
 #include "machines/kung/options.hpp"
-#include "machines/kung/path_files.hpp"
-#include "machines/kung/plan_feed.hpp"
+#include "machines/kung/plan/feed.hpp"
+#include "machines/kung/plan/path_files.hpp"
 
 #include <fmt/format.h>
 

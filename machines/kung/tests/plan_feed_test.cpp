@@ -7,8 +7,8 @@
 #include <ctime>
 #include <vector>
 
-#include "machines/kung/plan.hpp"
-#include "machines/kung/plan_feed.hpp"
+#include "machines/kung/plan/feed.hpp"
+#include "machines/kung/run/plan.hpp"
 
 namespace {
 

@@ -7,8 +7,8 @@
 #include <complex>
 #include <string>
 
-#include "machines/kung/plan.hpp"
-#include "machines/kung/plan_precision.hpp"
+#include "machines/kung/precision/plan.hpp"
+#include "machines/kung/run/plan.hpp"
 #include "tests/support/message.hpp"
 
 namespace {

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "machines/kung/plan.hpp"
-#include "machines/kung/plan_parts.hpp"
+#include "machines/kung/plan/parts.hpp"
+#include "machines/kung/run/plan.hpp"
 #include "models/fixed/fixed.hpp"
 #include "tests/support/points.hpp"
 

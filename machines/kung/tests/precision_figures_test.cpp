@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "machines/kung/comparison.hpp"
-#include "machines/kung/figures_list.hpp"
-#include "machines/kung/plan.hpp"
-#include "machines/kung/plan_feed.hpp"
-#include "machines/kung/plan_precision.hpp"
-#include "machines/kung/precision_figures.hpp"
+#include "machines/kung/judge/comparison.hpp"
+#include "machines/kung/judge/figures.hpp"
+#include "machines/kung/plan/feed.hpp"
+#include "machines/kung/precision/figures.hpp"
+#include "machines/kung/precision/plan.hpp"
+#include "machines/kung/run/plan.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "machines/kung/precision_trace.hpp"
+#include "machines/kung/precision/trace.hpp"
 
 #include <array>
 #include <catch2/catch.hpp>
@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "machines/kung/plan_feed.hpp"
-#include "machines/kung/plan_precision.hpp"
-#include "machines/kung/words.hpp"
+#include "machines/kung/plan/feed.hpp"
+#include "machines/kung/plan/words.hpp"
+#include "machines/kung/precision/plan.hpp"
 #include "models/exact/control/precision.hpp"
 #include "models/plant/pmlsm.hpp"
 #include "sw_nios/apps/kung/precision_words.hpp"

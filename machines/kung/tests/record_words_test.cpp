@@ -7,9 +7,9 @@
 #include <cmath>
 #include <vector>
 
-#include "machines/kung/precision_trace.hpp"
-#include "machines/kung/session.hpp"
-#include "machines/kung/words.hpp"
+#include "machines/kung/plan/words.hpp"
+#include "machines/kung/precision/trace.hpp"
+#include "machines/kung/run/session.hpp"
 #include "tests/support/event_record.hpp"
 
 using namespace trammel;

@@ -11,13 +11,13 @@
 #include <vector>
 
 #include "lab/scenarios.hpp"
-#include "machines/kung/cpu.hpp"
-#include "machines/kung/figures.hpp"
-#include "machines/kung/figures_list.hpp"
-#include "machines/kung/load_figures.hpp"
-#include "machines/kung/paper.hpp"
-#include "machines/kung/plan_feed.hpp"
-#include "machines/kung/precision_figures.hpp"
+#include "machines/kung/chip/measures.hpp"
+#include "machines/kung/judge/figures.hpp"
+#include "machines/kung/judge/load.hpp"
+#include "machines/kung/judge/paper.hpp"
+#include "machines/kung/plan/feed.hpp"
+#include "machines/kung/precision/figures.hpp"
+#include "machines/kung/run/cpu.hpp"
 
 using namespace trammel;
 using namespace trammel::kung;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // The console of a run, with a file of commands: what it sends when, and what it hears.
-#include "machines/kung/serial.hpp"
+#include "machines/kung/run/serial.hpp"
 
 #include <fcntl.h>
 #include <unistd.h>

@@ -8,10 +8,10 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "machines/kung/chip.hpp"
-#include "machines/kung/figures.hpp"
-#include "machines/kung/figures_list.hpp"
-#include "machines/kung/session.hpp"
+#include "machines/kung/chip/chip.hpp"
+#include "machines/kung/chip/measures.hpp"
+#include "machines/kung/judge/figures.hpp"
+#include "machines/kung/run/session.hpp"
 #include "machines/kung/tests/fake_chip.hpp"
 #include "tests/support/session_run.hpp"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "lab/machine.hpp"
-#include "machines/kung/session.hpp"
+#include "machines/kung/run/session.hpp"
 #include "tests/support/event_record.hpp"
 
 using namespace trammel;

@@ -22,6 +22,7 @@ TARGET = ROOT / "docs" / "equations.md"
 KINDS = {"rtl": "RTL", "models/exact": "twin", "models/ideal": "ideal", "models/plant": "plant",
          "sw_nios": "firmware", "cosim": "set-up", "machines": "set-up", "lab": "metric",
          "tests": "test"}
+METRICS = {"figures", "measures"}  # files of a machine
 SUFFIXES = {".sv", ".hpp", ".cpp"}
 
 HEAD = """<!-- Generated from docs/equations.toml and the sources by scripts/tool gen-equations; \
@@ -63,10 +64,10 @@ def marks(paper):
 
 
 def kind_of(path):
-    if path.match("machines/*/figures*"):
-        return "metric"
     if path.parts[0] == "machines" and "tests" in path.parts:
         return "test"
+    if path.parts[0] == "machines" and path.stem in METRICS:
+        return "metric"
     fitting = [folder for folder in KINDS if path.is_relative_to(folder)]
     return KINDS[max(fitting, key=len)] if fitting else None
 

@@ -44,6 +44,7 @@ class GenEquationsTest(Scratch):
     def test_files_of_a_machine_have_the_kind_of_their_role(self):
         for path, kind in (("machines/saw/words.hpp", "set-up"), ("sw_nios/path/a.hpp", "firmware"),
                            ("machines/saw/figures.cpp", "metric"),
+                           ("machines/saw/chip/measures.cpp", "metric"),
                            ("machines/saw/tests/figures_test.cpp", "test"), ("docs/a.md", None)):
             self.assertEqual(gen_equations.kind_of(Path(path)), kind, path)
 

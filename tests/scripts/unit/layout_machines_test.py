@@ -93,11 +93,13 @@ class SessionTest(Layout):
     def test_a_session_reads_its_firmware_by_the_mailbox(self):
         header = LICENCE + "struct Session {\n  sw::WinderApp app_;\n};\n"
         session = LICENCE + "void f() { app_.isr(b); g(app_.mailbox().done); }\n"
-        files = {"machines/winder/session.hpp": header, "machines/winder/session.cpp": session}
-        self.assertEqual(self.findings(files), [])
-        self.finds("machines/winder/session.cpp:2: a session calls start(), isr() and mailbox() "
-                   "of its firmware, no turns()",
-                   {**files, "machines/winder/session.cpp": session.replace("mailbox", "turns")})
+        for folder in ("machines/winder", "machines/winder/run"):
+            with self.subTest(folder):
+                files = {f"{folder}/session.hpp": header, f"{folder}/session.cpp": session}
+                self.assertEqual(self.findings(files), [])
+                self.finds(f"{folder}/session.cpp:2: a session calls start(), isr() and mailbox() "
+                           "of its firmware, no turns()",
+                           {**files, f"{folder}/session.cpp": session.replace("mailbox", "turns")})
 
 
 class NamesTest(Layout):

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "lab/machine.hpp"
-#include "machines/kung/record.hpp"
+#include "machines/kung/chip/record.hpp"
 
 using namespace trammel;
 

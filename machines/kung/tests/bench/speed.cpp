@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "lab/machine.hpp"
-#include "machines/kung/chip.hpp"
+#include "machines/kung/chip/chip.hpp"
 #include "machines/kung/options.hpp"
 #include "machines/kung/tests/chips.hpp"
 #include "tests/support/no_plant.hpp"

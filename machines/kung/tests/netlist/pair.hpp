@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "cosim/cosim.hpp"
-#include "machines/kung/lines.hpp"
-#include "machines/kung/verilated/adc.hpp"
+#include "machines/kung/chip/lines.hpp"
+#include "machines/kung/chip/verilated/adc.hpp"
 
 namespace trammel::kung {
 

@@ -5,9 +5,9 @@
 
 #include <Vkung_xy_sc___024root.h>
 
-#include "machines/kung/plan.hpp"
-#include "machines/kung/verilated/probe.hpp"
-#include "machines/kung/words.hpp"
+#include "machines/kung/chip/verilated/probe.hpp"
+#include "machines/kung/plan/words.hpp"
+#include "machines/kung/run/plan.hpp"
 #include "rtl/chips/generated/kung_xy_regs.hpp"
 
 namespace trammel::perf {

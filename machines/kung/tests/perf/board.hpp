@@ -12,9 +12,9 @@
 #include <memory>
 #include <systemc>
 
-#include "machines/kung/recorder.hpp"
-#include "machines/kung/session.hpp"
-#include "machines/kung/verilated/adc.hpp"
+#include "machines/kung/chip/verilated/adc.hpp"
+#include "machines/kung/run/recorder.hpp"
+#include "machines/kung/run/session.hpp"
 
 namespace trammel::perf {
 

@@ -8,7 +8,7 @@
 #include <functional>
 #include <string>
 
-#include "machines/kung/record.hpp"
+#include "machines/kung/chip/record.hpp"
 
 namespace trammel::perf {
 

@@ -5,7 +5,7 @@
 #include <systemc>
 
 #include "lab/machine.hpp"
-#include "machines/kung/session.hpp"
+#include "machines/kung/run/session.hpp"
 #include "machines/kung/tests/perf/row.hpp"
 #include "machines/kung/tests/perf/speed.hpp"
 

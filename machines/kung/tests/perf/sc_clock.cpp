@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // Row `sc` of `trammel perf`: the reference all ratios refer to. See board.hpp.
-#include "machines/kung/words.hpp"
+#include "machines/kung/plan/words.hpp"
 #include "machines/kung/tests/perf/board.hpp"
 #include "machines/kung/tests/perf/row.hpp"
 

@@ -5,9 +5,9 @@
 // circle.
 #pragma once
 
-#include "machines/kung/plan.hpp"
-#include "machines/kung/session.hpp"
-#include "machines/kung/words.hpp"
+#include "machines/kung/plan/words.hpp"
+#include "machines/kung/run/plan.hpp"
+#include "machines/kung/run/session.hpp"
 #include "machines/kung/tests/perf/row.hpp"
 #include "rtl/chips/generated/kung_xy_regs.hpp"
 

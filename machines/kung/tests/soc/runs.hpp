@@ -11,9 +11,9 @@
 
 #include "lab/layers.hpp"
 #include "lab/scenarios.hpp"
-#include "machines/kung/figures.hpp"
-#include "machines/kung/plan.hpp"
-#include "machines/kung/session.hpp"
+#include "machines/kung/chip/measures.hpp"
+#include "machines/kung/run/plan.hpp"
+#include "machines/kung/run/session.hpp"
 #include "machines/kung/tests/soc/transfer.hpp"
 
 namespace trammel::test {

@@ -14,10 +14,10 @@
 
 #include "cosim/cosim.hpp"
 #include "cosim/serial_host.hpp"
-#include "machines/kung/lines.hpp"
-#include "machines/kung/soc.hpp"
+#include "machines/kung/chip/lines.hpp"
+#include "machines/kung/chip/soc.hpp"
+#include "machines/kung/chip/verilated/adc.hpp"
 #include "machines/kung/tests/soc/transfer.hpp"
-#include "machines/kung/verilated/adc.hpp"
 
 namespace trammel::test {
 

@@ -6,8 +6,8 @@
 
 #include <catch2/catch.hpp>
 
+#include "machines/kung/chip/verilated/soc_core.hpp"
 #include "machines/kung/tests/soc/runs.hpp"
-#include "machines/kung/verilated/soc_core.hpp"
 
 using namespace trammel;
 using namespace trammel::test;

@@ -4,9 +4,9 @@
 #include <catch2/catch.hpp>
 #include <nlohmann/json.hpp>
 
-#include "machines/kung/lines.hpp"
-#include "machines/kung/page.hpp"
-#include "machines/kung/record.hpp"
+#include "machines/kung/chip/lines.hpp"
+#include "machines/kung/chip/record.hpp"
+#include "machines/kung/page/page.hpp"
 
 using namespace trammel;
 using namespace trammel::kung;

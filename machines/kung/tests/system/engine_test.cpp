@@ -5,12 +5,12 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "machines/kung/figures.hpp"
-#include "machines/kung/session.hpp"
+#include "machines/kung/chip/measures.hpp"
+#include "machines/kung/run/session.hpp"
 #include "lab/layers.hpp"
 #include "lab/scenarios.hpp"
+#include "machines/kung/plan/words.hpp"
 #include "machines/kung/tests/chip_words.hpp"
-#include "machines/kung/words.hpp"
 #include "tests/support/event_record.hpp"
 #include "tests/support/scenarios.hpp"
 #include "tests/support/slope.hpp"

@@ -16,9 +16,9 @@
 #include "lab/layers.hpp"
 #include "lab/record.hpp"
 #include "lab/scenarios.hpp"
-#include "machines/kung/figures.hpp"
+#include "machines/kung/chip/measures.hpp"
+#include "machines/kung/judge/paper.hpp"
 #include "machines/kung/options.hpp"
-#include "machines/kung/paper.hpp"
 
 using namespace trammel;
 using namespace trammel::kung;

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "lab/machine.hpp"
-#include "machines/kung/figures.hpp"
+#include "machines/kung/chip/measures.hpp"
 
 using namespace trammel::kung;
 

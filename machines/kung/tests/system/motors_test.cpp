@@ -8,9 +8,9 @@
 #include <cmath>
 
 #include "cosim/direct.hpp"
-#include "machines/kung/plan.hpp"
-#include "machines/kung/session.hpp"
-#include "machines/kung/words.hpp"
+#include "machines/kung/plan/words.hpp"
+#include "machines/kung/run/plan.hpp"
+#include "machines/kung/run/session.hpp"
 #include "models/ideal/fuzzy_controller.hpp"
 #include "models/ideal/reference_model.hpp"
 #include "tests/support/session_run.hpp"

@@ -11,8 +11,8 @@
 
 #include "lab/layers.hpp"
 #include "lab/scenarios.hpp"
-#include "machines/kung/session.hpp"
-#include "machines/kung/soc.hpp"
+#include "machines/kung/chip/soc.hpp"
+#include "machines/kung/run/session.hpp"
 #include "tests/support/session_run.hpp"
 
 using namespace trammel;

@@ -7,9 +7,9 @@
 #include "cosim/direct.hpp"
 #include "lab/layers.hpp"
 #include "lab/scenarios.hpp"
-#include "machines/kung/response.hpp"
-#include "machines/kung/session.hpp"
-#include "machines/kung/words.hpp"
+#include "machines/kung/plan/words.hpp"
+#include "machines/kung/run/response.hpp"
+#include "machines/kung/run/session.hpp"
 #include "tests/support/session_run.hpp"
 
 using namespace trammel;

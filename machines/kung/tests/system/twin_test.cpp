@@ -3,8 +3,8 @@
 // The controllers of the chip in closed loop against their twins fed with the same inputs.
 #include <catch2/catch.hpp>
 
-#include "machines/kung/plan.hpp"
-#include "machines/kung/session.hpp"
+#include "machines/kung/run/plan.hpp"
+#include "machines/kung/run/session.hpp"
 #include "models/exact/chips/kung_axis.hpp"
 #include "tests/support/session_run.hpp"
 

@@ -8,9 +8,9 @@
 #include "cosim/direct.hpp"
 #include "lab/wiring.hpp"
 #include "lab/machine.hpp"
-#include "machines/kung/chip.hpp"
-#include "machines/kung/plan.hpp"
-#include "machines/kung/session.hpp"
+#include "machines/kung/chip/chip.hpp"
+#include "machines/kung/run/plan.hpp"
+#include "machines/kung/run/session.hpp"
 #include "tests/support/scratch.hpp"
 
 using namespace trammel;

@@ -3,7 +3,7 @@
 // The same run in every wiring and window gives the same events, edge by edge.
 #include <catch2/catch.hpp>
 
-#include "machines/kung/record.hpp"
+#include "machines/kung/chip/record.hpp"
 #include "tests/support/wirings.hpp"
 
 using namespace trammel;

@@ -24,13 +24,13 @@ MASK = 2**64 - 1
 
 
 def lines_of(hi, lo):
-    """Gates as machines/kung/lines.hpp packs them."""
+    """Gates as machines/kung/chip/lines.hpp packs them."""
     return sum(((hi >> 3 * axis) & 7) << 6 * axis | ((lo >> 3 * axis) & 7) << 6 * axis + 3
                for axis in (0, 1))
 
 
 def event_hash(printed):
-    """That of machines/kung/recorder.cpp, from the lines of a replay."""
+    """That of machines/kung/run/recorder.cpp, from the lines of a replay."""
     state = 0xcbf29ce484222325
 
     def mix(value):

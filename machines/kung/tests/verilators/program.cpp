@@ -17,9 +17,9 @@
 #include "lab/machines.hpp"
 #include "lab/scenarios.hpp"
 #include "lab/write.hpp"
-#include "machines/kung/chip.hpp"
-#include "machines/kung/soc.hpp"
-#include "machines/kung/verilated/chip_model.hpp"
+#include "machines/kung/chip/chip.hpp"
+#include "machines/kung/chip/soc.hpp"
+#include "machines/kung/chip/verilated/chip_model.hpp"
 
 namespace trammel {
 namespace kung {

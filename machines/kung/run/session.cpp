@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "machines/kung/run/session.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "host/errors.hpp"
+#include "machines/kung/chip/measures.hpp"
+#include "machines/kung/plan/feed.hpp"
+#include "machines/kung/plan/words.hpp"
+#include "machines/kung/precision/figures.hpp"
+#include "machines/kung/precision/plan.hpp"
+#include "machines/kung/run/plan.hpp"
+#include "machines/kung/run/response.hpp"
+#include "rtl/chips/generated/kung_xy_regs.hpp"
+
+namespace trammel::kung {
+
+namespace {
+constexpr std::uint32_t kSamplesAfterFault = 20;  // enough to see the fault's effect in the record
+constexpr std::uint32_t kLongestStop = 2000;      // a table that pushes on does not come to rest
+constexpr double kAtRest_m_s = 1e-3;
+
+const char* check_text(const sw::Mailbox& mailbox) {
+  switch (static_cast<sw::Failure>(mailbox.failure)) {
+    case sw::Failure::kWrongChip: return "the chip's ID is not that of the register map";
+    case sw::Failure::kOutOfStroke: return "the path leaves the stroke";
+    case sw::Failure::kBusy: return "a busy bit did not clear";
+    case sw::Failure::kSensor:
+      return "a current sensor shows more than 1/8 of its range with the drives off";
+    case sw::Failure::kPreset: return "the position did not become the start point";
+    case sw::Failure::kLate: return "an interrupt was lost, or its service crossed a position tick";
+    case sw::Failure::kFollowing:
+      return "the position is farther from its model than chip.following_error_m";
+    case sw::Failure::kDCurrent:
+      return "a measured d current is above chip.d_current_A, though its loop holds it at 0";
+    case sw::Failure::kFault: return "the chip interrupts for a fault that it does not name";
+    case sw::Failure::kNone: break;
+  }
+  return "";
+}
+
+// Samples by which the table may lag behind a ramp: as the reference model of the slower axis, or
+// as the set point of the precision controller.
+std::uint32_t model_lag(const Options& options) {
+  const bool precise = options.controller == Controller::kPrecision;
+  const double lag_s = precise ? kSetPointDelayS : options.lag_s();
+  return static_cast<std::uint32_t>(std::lround(lag_s / options.chip.sample_s()));
+}
+
+}  // namespace
+
+cosim::FaultPins fault_pins(const Options& options) {
+  using K = cosim::FaultKind;
+  cosim::FaultPins pins;
+  pins.axes = {"X", "Y"};
+  pins.places = {{K::kEncoderStuck, K::kEncoderStuck, 2, "encoder: A, B"},
+                 {K::kEncoderMissing, K::kIndexLost, 0, ""},
+                 {K::kConverterStuck, K::kConverterSlipped, 2, "converter: phase a, b"},
+                 {K::kGateDead, K::kGateDead, 6, "gate: upper a, b, c, lower a, b, c"},
+                 {K::kPhaseOpen, K::kPhaseOpen, 3, "phase: a, b, c"}};
+  for (int axis = 0; axis < kAxes; ++axis) {
+    pins.inputs.push_back({encoder_a(axis), encoder_b(axis), encoder_z(axis)});
+  }
+  pins.converter_bits = options.plant.axis[static_cast<std::size_t>(options.fault.axis)].adc_bits;
+  return pins;
+}
+
+Session::Session(const Options& options, const Hooks& hooks, const cosim::Waves& waves)
+    : SessionOf(hooks, options.run, options.fault, options.processor, waves),
+      options_(options) {
+  choose_profile(options_);
+  sw::KungSetup setup = plan_firmware(options_, store_);
+  setup.precision.corrections = &corrections_;
+  firmware_ = std::make_unique<StallableApp>(setup, fault_at(options_.inject.processor_s));
+  const sw::Trajectory path(setup);
+  const sw::Point start = path.start();
+  path_points_ = path.size();
+  followed_.emplace(setup, options_.plant.axis[0].encoder_count_m, options_);
+  asked_.emplace(path, static_cast<std::uint32_t>(
+                           ticks_per_point(options_.path, options_.chip.irq_period_ticks)),
+                 options_.plant.axis[0].encoder_count_m,
+                 contour_reach(options_.lag_s(), options_.chip.sample_s()));
+  options_.plant.axis[0].start_m = start.x * options_.plant.axis[0].encoder_count_m;
+  options_.plant.axis[1].start_m = start.y * options_.plant.axis[1].encoder_count_m;
+  plant_ = std::make_unique<TablePlant>(options_.run.clocked(options_.plant),
+                                        fault_at(options_.inject.trip_s),
+                                        fault_at(options_.inject.encoder_s));
+  chip_ = make_chip();
+  firmware_->runs_on(*chip_);
+  if (options_.cpu == Cpu::kRtl) make_core(setup);
+  recorder_ = std::make_unique<Recorder>(*chip_, plant_->table(),
+                                         options_.controller == Controller::kPrecision,
+                                         [this](const Sample& sample) { return over(sample); });
+  detail_ = std::make_unique<DetailRecorder>(*chip_, plant_->table(),
+                                             options_.run.clocks(1.0 / options_.chip.carrier_Hz));
+  watch_trips();
+  wire(*chip_, *plant_, fault_pins(options_));
+}
+
+void Session::on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant& plant) {
+  detail_->on(stop, chip, plant);
+  recorder_->on(stop, chip, plant);
+  // A trip turns the gates off and interrupts: their own many changes tell nothing more.
+  const unsigned watched =
+      options_.fault.any() ? ~cosim::kLimit : cosim::kIrq | cosim::kBusDone | cosim::kTick;
+  if ((stop.why & watched) != 0) watch_fault(stop);
+}
+
+std::unique_ptr<KungChip> Session::make_chip() {
+  const cosim::RunBasics& run = options_.run;
+  if (run.engine == Engine::kTwin) return make_twin_chip();
+  if (waves_.search != nullptr) return make_watched_chip(*waves_.search, run.leap);
+  return make_verilated_chip(run, waves_.window);
+}
+
+void Session::make_core(const sw::KungSetup& setup) {
+  if (core_image().empty()) {
+    throw host::ToolMissing(
+        "run.cpu: \"rtl\" needs what was missing when this program was built: the core's RTL "
+        "(pythondata-cpu-picorv32 in .venv) or riscv64-unknown-elf-g++; ./trammel run with --cpu "
+        "rtl installs both");
+  }
+  core_ = kung::make_core(core_memory(setup, true), options_.run.audit);
+  core_->break_at(fault_at(options_.inject.processor_s));
+  if (options_.uart.empty()) return;
+  console_ = std::make_unique<SerialConsole>(options_.uart, [this] { return core_->listens(); });
+  core_->connect(console_->host());
+}
+
+const sw::Mailbox& Session::mailbox() const {
+  return core_ ? core_->mailbox() : firmware_->mailbox();
+}
+
+// Its output is at the chip's trip input.
+void Session::trapped(const cosim::CoreTrap& trap) {
+  trap_text_ = fmt::format("the processor: illegal instruction or misaligned access at {:#010x}",
+                           trap.address);
+  plant_->trip_from(trap.edge);
+}
+
+void Session::core_ran(const cosim::CoreTimes& times) {
+  result_.core = times;
+  result_.core_awake = core_->awake();
+  if (console_) result_.uart = console_->heard();
+}
+
+std::string Session::noticed() const {
+  const Fault fault = chip_->fault();
+  return fault.code != FaultCode::kNone ? cause_text(fault) : check_text(mailbox());
+}
+
+cosim::FaultTruth Session::truth(cosim::Clk edge) const {
+  cosim::FaultTruth now;
+  for (std::size_t a = 0; a < kAxes; ++a) {
+    const plant::AxisState state = plant_->table().state(static_cast<int>(a), edge);
+    now.at.push_back(1e3 * state.x_m);
+    now.current_A = std::max({now.current_A, std::abs(state.i_a_a), std::abs(state.i_b_a),
+                              std::abs(state.i_a_a + state.i_b_a)});
+    now.at_stop = now.at_stop || plant_->table().at_stop(static_cast<int>(a));
+  }
+  return now;
+}
+
+// The table's way to rest is recorded, too.
+bool Session::fault_is_over(const Sample& sample) {
+  if (after_fault_++ == 0) result_.end_tick = std::max(sample.tick, result_.first_tick + 1);
+  const bool rests = std::abs(sample.axis[0].v_true_m_s) + std::abs(sample.axis[1].v_true_m_s) <
+                     kAtRest_m_s;
+  return after_fault_ > kSamplesAfterFault && (rests || after_fault_ > kLongestStop);
+}
+
+cosim::ProcessorTiming Session::timing() const {
+  namespace reg = kung_xy_regs;
+  cosim::ProcessorTiming timing = SessionOf::timing();
+  timing.compute = options_.point_clk;
+  timing.computed = reg::kX + (options_.path.open_position() ? reg::kIqManual : reg::kPosCmd);
+  return timing;
+}
+
+// The move before the path goes far beyond its way: start values that the plant does not bear.
+bool Session::swings(const Sample& sample) {
+  if (options_.controller != Controller::kPrecision) return false;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const double way = std::abs(sample.axis[k].x_true_m - options_.plant.axis[k].start_m);
+    if (way <= std::min(kFarthestSwing_m, options_.diverged_m)) continue;
+    end_ = EndReason::kDiverged;
+    result_.swing_m = way;
+    return true;
+  }
+  return false;
+}
+
+// Of the precision controller: what it takes for mass and error has a range.
+void Session::watch_limits(const Sample& sample) {
+  constexpr std::int32_t kMostError = (1 << 19) - 1;  // [count / 256]
+  if (options_.controller != Controller::kPrecision) return;
+  for (std::size_t a = 0; a < 2; ++a) {
+    const AxisSample& axis = sample.axis[a];
+    const bool on = axis.set_point != kNoSetPoint;
+    if (on && std::abs(axis.set_point - 256 * axis.x_p) > kMostError) ++result_.error_limited[a];
+    if (core_) continue;
+    const sw::PrecisionControl& control = firmware_->app().precision();
+    const bool limited = control.estimator(static_cast<std::uint32_t>(a)).at_limit();
+    mass_limited_[a] = limited ? mass_limited_[a] + 1 : 0;
+    result_.mass_limited[a] = std::max(result_.mass_limited[a], mass_limited_[a]);
+  }
+}
+
+bool Session::over(const Sample& sample) {
+  if (waves_.found()) return true;
+  if (chip_->broken_promise()) return true;
+  const auto period = static_cast<std::uint32_t>(
+      ticks_per_point(options_.path, options_.chip.irq_period_ticks));
+  const sw::Mailbox& mail = mailbox();
+  const Fault fault = chip_->fault();
+  if (fault.code != FaultCode::kNone || mail.failure != 0) {
+    if (after_fault_ == 0) result_.fault = fault;  // what comes on the way to rest is no cause
+    end_ = EndReason::kFault;
+    const bool chip = result_.fault.code != FaultCode::kNone;
+    result_.fault.processor = chip || !trap_text_.empty() ? trap_text_ : check_text(mail);
+    return fault_is_over(sample);
+  }
+  if (hooks_.stopped()) {
+    end_ = EndReason::kStopped;
+    return true;
+  }
+  if (mail.point == 0) return swings(sample);
+  if (result_.points == 0) detail_->path_begins();
+  result_.first_tick = mail.first_tick;
+  result_.points = mail.point;
+  result_.end_tick = result_.first_tick + path_points_ * period;
+  for (std::size_t k = 0; k < 2; ++k) {
+    const AxisSample& axis = sample.axis[k];
+    const double error =
+        model_m(axis, options_.plant.axis[k].encoder_count_m) - axis.x_true_m;
+    if (sample.tick >= result_.first_tick && std::abs(error) > options_.diverged_m) {
+      end_ = EndReason::kDiverged;
+      return true;
+    }
+  }
+  watch_limits(sample);
+  if (sample.tick >= result_.first_tick && !options_.path.is_sweep()) {
+    const PointM table{sample.axis[0].x_true_m, sample.axis[1].x_true_m};
+    const double beside =
+        asked_->distance_m(table, std::min(followed_->limit_m(), options_.diverged_m));
+    followed_->add(table, beside);
+    if (beside > options_.diverged_m) {
+      end_ = EndReason::kDiverged;
+      result_.beside_m = beside;
+      return true;
+    }
+  }
+  const auto settle = static_cast<std::uint32_t>(
+      std::lround(options_.settle_s / options_.chip.sample_s()));
+  const std::uint32_t last = result_.end_tick + settle - 1;
+  if (hooks_.progress && sample.tick % 20 == 0) {
+    hooks_.progress(static_cast<double>(sample.tick) / last);
+  }
+  if (sample.tick < last) return false;
+  end_ = EndReason::kDone;
+  return true;
+}
+
+std::vector<cosim::Place> Session::places() const {
+  const plant::XyTable& table = plant_->table();
+  const cosim::Clk now = chip_->now();
+  return {{"x", "m", table.state(0, now).x_m}, {"y", "m", table.state(1, now).x_m}};
+}
+
+std::unique_ptr<cosim::RunResult> Session::result() {
+  result_.end = end_;
+  result_.samples = recorder_->take_samples();
+  result_.laws = recorder_->take_laws();
+  result_.event_hash = recorder_->event_hash();
+  result_.detail = detail_->take();
+  result_.wakes = chip_->wakes();
+  result_.from_last_m = followed_->from_m(asked_->asked());
+  if (options_.controller == Controller::kPrecision && !core_) {
+    const sw::PrecisionControl& found = firmware_->app().precision();
+    result_.estimates = {estimate_of(options_, 0, found.estimator(0)),
+                         estimate_of(options_, 1, found.estimator(1))};
+  }
+  if (result_.end == EndReason::kDone) {
+    result_.all_points = result_.points == path_points_;
+    if (options_.controller == Controller::kPrecision) {
+      result_.error_m = largest_error_m(options_, result_);
+    }
+    result_.missed = options_.path.is_sweep()
+                         ? unmeasured(options_, result_)
+                         : followed_->missed(result_.points, path_points_, asked_->asked(),
+                                             asked_->asked(model_lag(options_)), result_.error_m);
+    if (!result_.missed.empty()) result_.end = EndReason::kMissed;
+  }
+  complete(result_);
+  if (core_ && !core_->moved().empty() && !result_.promise) {
+    result_.promise = {"waiting_core_stands_still", "soc_host", core_->moved(), chip_->now()};
+    result_.end = EndReason::kPromise;
+  }
+  return std::make_unique<Result>(std::move(result_));
+}
+
+}  // namespace trammel::kung

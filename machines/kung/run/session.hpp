@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: Apache-2.0
+//
+// One run of the two-axis machine, ready to be driven by a wiring: chip, plant, firmware, loop and
+// record, and the decision when the run is over.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "cosim/sampled_session.hpp"
+#include "machines/kung/chip/chip.hpp"
+#include "machines/kung/chip/record.hpp"
+#include "machines/kung/chip/soc.hpp"
+#include "machines/kung/run/asked_path.hpp"
+#include "machines/kung/run/detail.hpp"
+#include "machines/kung/run/followed.hpp"
+#include "machines/kung/run/plan.hpp"
+#include "machines/kung/run/recorder.hpp"
+#include "machines/kung/run/serial.hpp"
+#include "sw_nios/apps/kung/kung.hpp"
+#include "rtl/chips/generated/kung_xy_regs.hpp"
+
+namespace trammel::kung {
+
+// The plant of models/ behind the interface of cosim/, with faults on its lines when asked for.
+class TablePlant final : public cosim::FalliblePlant {
+ public:
+  // Edges at which the trip pin rises and both lines of encoder X flip; kNever = never.
+  TablePlant(const plant::XyTableConfig& config, cosim::Clk trip, cosim::Clk encoder)
+      : table_(config), trip_(trip), encoder_(encoder) {}
+
+  cosim::Lines sense() const override { return table_.sense() ^ faults_; }
+  cosim::Clk next() const override { return std::min({table_.next(), trip_, encoder_}); }
+  void trip_from(cosim::Clk edge) { trip_ = std::min(trip_, edge); }  // the pin rises; not the past
+  void commit(cosim::Clk n, cosim::Lines drive) override {
+    table_.commit(n, drive);
+    inject(trip_, n, cosim::Lines{1} << kTripPin);
+    inject(encoder_, n, cosim::Lines{1} << encoder_a(0) | cosim::Lines{1} << encoder_b(0));
+  }
+  int sample(int channel, cosim::Clk n) const override { return table_.sample(channel, n); }
+  void open_phase(cosim::Clk n, int axis, int phase, bool open) override {
+    table_.open_phase(n, axis, phase, open);
+  }
+  void supply(cosim::Clk n, double share) override { table_.supply(n, share); }
+
+  const plant::XyTable& table() const { return table_; }
+
+ private:
+  void inject(cosim::Clk& at, cosim::Clk now, cosim::Lines lines) {
+    if (now < at) return;
+    faults_ ^= lines;
+    at = cosim::kNever;
+  }
+
+  plant::XyTable table_;
+  cosim::Clk trip_, encoder_;
+  cosim::Lines faults_ = 0;
+};
+
+// The application, until the processor hangs at edge `stall`: then its routine only reads.
+class StallableApp final : public sw::Firmware {
+ public:
+  StallableApp(const sw::KungSetup& setup, cosim::Clk stall) : app_(setup), stall_(stall) {}
+
+  void runs_on(const cosim::Chip& chip) { chip_ = &chip; }
+  void start(sw::Bus& bus) override { app_.start(bus); }
+  void isr(sw::Bus& bus) override {
+    if (chip_->now() < stall_) {
+      app_.isr(bus);
+    } else {
+      bus.read(kung_xy_regs::kId);
+    }
+  }
+  const sw::Mailbox& mailbox() const override { return app_.mailbox(); }
+  const sw::KungApp& app() const { return app_; }
+
+ private:
+  sw::KungApp app_;
+  const cosim::Chip* chip_ = nullptr;
+  cosim::Clk stall_;
+};
+
+class Session final : public cosim::SessionOf<cosim::Rig> {
+ public:
+  // Throws OptionsError or std::invalid_argument for options that cannot run.
+  Session(const Options& options, const Hooks& hooks, const cosim::Waves& waves = {});
+
+  sw::Firmware& firmware() override { return *firmware_; }
+  cosim::ProcessorTiming timing() const override;
+  cosim::Core* core() override { return core_.get(); }
+  void trapped(const cosim::CoreTrap& trap) override;
+  void core_ran(const cosim::CoreTimes& times) override;
+  bool finished() const override { return recorder_->done(); }
+  std::vector<cosim::Place> places() const override;
+  std::unique_ptr<cosim::RunResult> result() override;
+
+  const KungChip& chip() const { return *chip_; }
+
+ private:
+  void on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::Plant& plant) override;
+  bool drives_off() const override { return chip_->drive() == 0; }
+  std::string noticed() const override;
+  cosim::FaultTruth truth(cosim::Clk edge) const override;
+
+  cosim::Clk fault_at(double seconds) const {
+    return seconds > 0 ? options_.run.clocks(seconds) : cosim::kNever;
+  }
+  bool over(const Sample& sample);
+  bool swings(const Sample& sample);
+  void watch_limits(const Sample& sample);
+  bool fault_is_over(const Sample& sample);
+
+  std::unique_ptr<KungChip> make_chip();
+  void make_core(const sw::KungSetup& setup);
+  const sw::Mailbox& mailbox() const;
+
+  Options options_;
+  PathStore store_;
+  sw::Corrections corrections_;
+  std::unique_ptr<TablePlant> plant_;
+  std::unique_ptr<KungChip> chip_;
+  std::unique_ptr<StallableApp> firmware_;
+  std::unique_ptr<SocCore> core_;  // in its place
+  std::unique_ptr<SerialConsole> console_;
+  std::unique_ptr<DetailRecorder> detail_;
+  std::unique_ptr<Recorder> recorder_;
+  std::optional<AskedPath> asked_;
+  std::optional<Followed> followed_;
+  std::uint32_t path_points_ = 0;  // of the whole path
+  std::uint32_t after_fault_ = 0;
+  std::array<std::uint32_t, 2> mass_limited_{};  // up to now
+  std::string trap_text_;
+  Result result_;
+};
+
+}  // namespace trammel::kung
