@@ -7,8 +7,9 @@ Every block has its companions (properties if it has registers, broken designs i
 leaps) and its page (opening table, every port); every machine has its own (firmware, view of the
 waves, scenarios, tests); no program text outside a machine's folders names it, no package, register
 map or script of a general folder belongs to it; layers use only those below, and so do the links of
-the build, where it is configured; neither goes in a circle; files are ASCII, of 100 columns and 400
-lines, with a licence line and a newline at the end.
+the build, where it is configured; neither goes in a circle, nor do the includes between a machine's
+folders; files are ASCII, of 100 columns and 400 lines, with a licence line and a newline at the
+end.
 
 The rules are about kinds of files, not names: packages share one page, twin and test in their
 layer; chips have no twin of their own (their blocks have) and are tested as machines; a chip whose
@@ -177,7 +178,9 @@ def findings(root):
             yield from check_rtl_uses(root, path, owner)
         if path.suffix in CPP:
             yield from layout_uses.check(root, path)
-    yield from layout_uses.check_circles(root, sorted(p for p in files if p.suffix in CPP))
+    code = sorted(p for p in files if p.suffix in CPP)
+    yield from layout_uses.check_circles(root, code)
+    yield from layout_uses.check_folders(root, code)
     yield from layout_machines.check(root, files)
     yield from layout_links.check(root)
 

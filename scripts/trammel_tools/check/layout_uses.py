@@ -87,6 +87,25 @@ def check_circles(root, paths):
         yield f"{circle[0]}: includes itself: {' -> '.join(circle)}"
 
 
+def place_in_machine(name):
+    """The folder of a machine in which a file is, or the file itself beside these; "" of others."""
+    parts = name.split("/")
+    if parts[0] != "machines" or len(parts) < 3 or parts[2] == "tests":
+        return ""
+    return "/".join(parts[:3])
+
+
+def check_folders(root, paths):
+    """Folders of a machine that include each other."""
+    links = {place_in_machine(str(path)): set() for path in paths}
+    for path in paths:
+        own = place_in_machine(str(path))
+        links[own] |= {place_in_machine(name) for _, name in includes(root, path)} - {own}
+    links.pop("", None)
+    for circle in circles({own: sorted(more & links.keys()) for own, more in links.items()}):
+        yield f"{circle[0]}: folders include each other: {' -> '.join(circle)}"
+
+
 def check(root, path):
     folder, allowed = place_of(path) if len(path.parts) > 1 else (None, [])
     if folder is None:

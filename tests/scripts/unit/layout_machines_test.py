@@ -250,6 +250,15 @@ class UsesTest(Layout):
                    {path: LICENCE + "".join(f'#include "{name}"\n' for name in names)
                     for path, names in texts.items()})
 
+    def test_no_folder_of_a_machine_includes_one_above_it(self):
+        plan, run = "machines/winder/plan", "machines/winder/run"
+        texts = {f"{plan}/a.hpp": (f"{plan}/b.hpp",), f"{plan}/b.hpp": (),
+                 f"{plan}/a.cpp": (f"{run}/a.hpp",), f"{run}/a.hpp": (),
+                 f"{run}/b.cpp": (f"{plan}/b.hpp", "machines/winder/options.hpp")}
+        self.finds(f"{plan}: folders include each other: {plan} -> {run} -> {plan}",
+                   {path: LICENCE + "".join(f'#include "{name}"\n' for name in names)
+                    for path, names in texts.items()})
+
     def test_no_room_may_use_one_above_it(self):
         for room, prefixes in layout_uses.USES.items():
             first = room.partition("/")[0]
