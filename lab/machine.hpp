@@ -112,7 +112,8 @@ struct Machine {
     };
   }
 
-  // Settings: their defaults, every key, and rules that concern more than one key.
+  // Settings: their defaults, every key, and rules that concern more than one key. validate() may
+  // leave in them what it computes of them, as Settings::prepared.
   std::unique_ptr<Settings> (*defaults)() = nullptr;
   const std::vector<Key>& (*keys)() = nullptr;
   void (*validate)(Settings& settings) = nullptr;

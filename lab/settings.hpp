@@ -46,6 +46,7 @@ struct Settings {
   int layers = 0;           // files that were applied
   std::map<std::string, SetBy> set_by;  // keys that any layer has set
   std::string program;      // the file that was named in place of a scenario; "": none
+  std::shared_ptr<const void> prepared;  // what the machine has made of them in validate()
   cosim::RunBasics run;
   cosim::ProcessorOptions processor;
   cosim::Fault fault;

@@ -13,7 +13,7 @@
 #include "machines/kung/precision/trace.hpp"
 #include "machines/kung/run/advice.hpp"
 #include "machines/kung/run/columns.hpp"
-#include "machines/kung/run/plan.hpp"
+#include "machines/kung/run/make_plan.hpp"
 #include "machines/kung/run/session.hpp"
 
 namespace trammel::kung {
@@ -55,12 +55,11 @@ std::string reworded(const lab::Settings& settings, std::string description) {
   if (end == std::string::npos || at == std::string::npos) return description;
   const std::size_t begin = at + std::string(kAt).size();
   if (description.find_first_not_of("0123456789.", begin) != end) return description;
-  Options options = static_cast<const Options&>(settings);
+  const auto& options = static_cast<const Options&>(settings);
   const PathKind kind = options.path.kind;
   const bool shape =
       kind == PathKind::kCircle || kind == PathKind::kWindow || kind == PathKind::kStar;
-  choose_profile(options);
-  if (!shape || !feeds(options.path)) return description;
+  if (!shape || !feeds(options)) return description;
   return description.replace(begin, end - begin, fmt::format("{:g}", feed_m_s(options.path)));
 }
 
@@ -100,7 +99,7 @@ lab::Machine describe() {
     const std::string& uart = result_of(record).uart;
     if (!uart.empty()) host::write_text(folder / "uart.txt", uart);
     if (options_of(record).controller == Controller::kPrecision) {
-      write_precision(folder / kPrecisionTrace, options_of(record), result_of(record));
+      write_precision(folder / kPrecisionTrace, *plan_of(options_of(record)), result_of(record));
     }
   };
   m.files.drawn = [](const lab::Record& record) { return counted(result_of(record)); };

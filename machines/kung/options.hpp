@@ -11,7 +11,6 @@
 
 #include "cosim/machine.hpp"
 #include "lab/settings.hpp"
-#include "models/ideal/moves.hpp"
 #include "models/plant/xy_table.hpp"
 #include "paths/points.hpp"
 #include "sw_nios/path/trajectory.hpp"
@@ -172,7 +171,6 @@ struct PathOptions {
   bool open_position() const { return is_sweep() && sweep_of == SweepOf::kCurrent; }
 
   Profile profile = Profile::kAuto;
-  bool auto_feed = false;         // what auto is, see plan/feed.hpp
   double feed_m_s = 0;            // of the built-in shapes; 0: of each its own
   double rapid_m_s = 0.5;
   double feed_max_m_s = 1;
@@ -182,16 +180,12 @@ struct PathOptions {
 
   std::string points_file;        // CSV of x_mm,y_mm
   PointsMode points_mode = PointsMode::kTimed;
-  std::vector<PointM> points;     // its content
 
   std::string gcode_file;         // docs/gcode.md
   double start_x_m = 0.25;        // where the table rests before the program
   double start_y_m = 0.25;
   double home_x_m = 0.25;         // where its G28 goes
   double home_y_m = 0.25;
-
-  ideal::Moves moves;             // of a file, for the feed profile; none: a shape or timed points
-  std::vector<std::string> moves_warnings;  // of the reader
 };
 
 // Faults injected into what the chip sees; 0 = never.

@@ -3,9 +3,10 @@
 
 #include <array>
 #include <cmath>
+#include <memory>
 
 #include "machines/kung/judge/paper.hpp"
-#include "machines/kung/run/plan.hpp"
+#include "machines/kung/run/make_plan.hpp"
 #include "models/ideal/cascade.hpp"
 #include "models/ideal/pid.hpp"
 #include "models/ideal/reference_model.hpp"
@@ -76,9 +77,9 @@ class ServoAxis {
 
 }  // namespace
 
-Tracks baseline_tracks(const Options& options, Law law) {
-  PathStore store;
-  const sw::KungSetup setup = plan_firmware(options, store);
+Tracks baseline_tracks(const Plan& plan, Law law) {
+  const Options& options = plan.options;
+  const sw::KungSetup& setup = plan.setup;
   sw::Trajectory path(setup);
   const double count_m = options.plant.axis[0].encoder_count_m;
   const sw::Point start = path.start();
@@ -113,8 +114,9 @@ void add_baselines(const Options& options, std::vector<lab::Figure>& list) {
   if (options.path.kind == PathKind::kSquare) return;
   if (paper_experiment(options) != Reading::kAssumed) return;
   const std::size_t reach = contour_reach(options.lag_s(), options.chip.sample_s());
+  const std::shared_ptr<const Plan> plan = plan_of(options);
   for (const Law law : {Law::kCascade, Law::kPid}) {
-    const Tracks tracks = baseline_tracks(options, law);
+    const Tracks tracks = baseline_tracks(*plan, law);
     Series to_model_mm, contour_mm;
     for (std::size_t k = 0; k < tracks.table.size(); ++k) {
       to_model_mm.push_back(tracking_error(tracks.model[k], tracks.table[k]) * kMm);

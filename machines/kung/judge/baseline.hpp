@@ -8,6 +8,7 @@
 #pragma once
 
 #include "machines/kung/chip/measures.hpp"
+#include "machines/kung/plan/plan.hpp"
 
 namespace trammel::kung {
 
@@ -23,7 +24,7 @@ struct Tracks {
 };
 
 // From the first point of the path to the last sample that counts.
-Tracks baseline_tracks(const Options& options, Law law);
+Tracks baseline_tracks(const Plan& plan, Law law);
 
 // Adds the figures of both, in rows with the columns of a lap, behind a complete run of the paper's
 // path; nothing behind another.

@@ -10,6 +10,7 @@
 #include "machines/kung/chip/measures.hpp"
 #include "machines/kung/judge/paper.hpp"
 #include "machines/kung/plan/feed.hpp"
+#include "machines/kung/run/make_plan.hpp"
 
 namespace trammel::kung {
 
@@ -29,6 +30,8 @@ std::vector<lab::Companion> precision_companions(const lab::Settings& settings) 
     other->uart.clear();
     other->precision.learn = false;
     other->diverged_m = other->reached_m = 1;  // however far they are behind
+    other->prepared = lab::with_config_errors(
+        [&] { return make_plan(*other, plan_of(options)->file); });
     all.push_back({name, std::move(other), false});  // comparison_lines() has their errors
   }
   return all;
@@ -61,7 +64,7 @@ std::vector<std::string> comparison_lines(const lab::Record& record) {
 }
 
 void add_precision(const Options& options, nlohmann::ordered_json& json) {
-  if (feeds(options.path)) json["run"]["feed_m_s"] = highest_feed_m_s(options);
+  if (feeds(options)) json["run"]["feed_m_s"] = highest_feed_m_s(plan_of(options)->moves());
   for (const auto& [name, mean] : paper_means_mm(options)) json["paper"][name]["mean_mm"] = mean;
 }
 

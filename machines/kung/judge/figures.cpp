@@ -15,6 +15,7 @@
 #include "machines/kung/precision/figures.hpp"
 #include "machines/kung/run/cpu.hpp"
 #include "machines/kung/run/followed.hpp"
+#include "machines/kung/run/make_plan.hpp"
 #include "machines/kung/run/response.hpp"
 
 namespace trammel::kung {
@@ -66,8 +67,7 @@ void add_laps(List& list, const Options& options, const Result& result, const Se
               const Series& contour_mm) {
   const auto laps = static_cast<std::size_t>(options.path.repeats);
   if (laps < 2 || options.path.kind == PathKind::kSquare || result.points < 2) return;
-  const auto held =
-      static_cast<std::size_t>(ticks_per_point(options.path, options.chip.irq_period_ticks));
+  const auto held = static_cast<std::size_t>(ticks_per_point(options));
   const std::size_t samples = (result.points - 1) / laps * held;
   if (!result.whole() || laps * samples > to_model_mm.size()) return;
   for (std::size_t lap = 0; lap < laps; ++lap) {
@@ -82,7 +82,7 @@ void add_laps(List& list, const Options& options, const Result& result, const Se
     for (std::size_t n = list.size() - 3; n < list.size(); ++n) {
       list[n].shown = lap < kLapsShown || lap + 1 == laps;
     }
-    if (feeds(options.path)) list.pop_back();  // a contour against rounded points
+    if (feeds(options)) list.pop_back();  // a contour against rounded points
   }
 }
 
@@ -174,7 +174,7 @@ List figures(const lab::Settings& settings, cosim::RunResult& run) {
   add_spread(list, "tracking.model", "T(k) to reference model", to_model_mm);
   // Under the feed profile the path itself is known: add_command_figures() has both against it, not
   // against points that are rounded to the encoder's counts.
-  const bool by_points = !feeds(path);
+  const bool by_points = !feeds(options);
   if (by_points) add_spread(list, "tracking.command", "T(k) to command", to_command_mm);
   if (by_points && !contour_mm.empty()) {
     add_spread(list, "contour", "contour", contour_mm);
@@ -187,7 +187,7 @@ List figures(const lab::Settings& settings, cosim::RunResult& run) {
   if (options.controller == Controller::kPrecision) {  // its own figures are finer, and in um
     for (Figure& f : list) f.shown = false;
   }
-  add_command_figures(list, options, result);
+  if (!by_points) add_command_figures(list, *plan_of(options), result);
   if (!path.is_sweep()) add_laps(list, options, result, to_model_mm, contour_mm);
   for (Figure& f : list) f.shown = f.shown && !path.open_position();  // nothing to track
   const auto add_peak = [&](const std::string& id, const char* row, double AxisSignals::* member,
@@ -213,7 +213,7 @@ List figures(const lab::Settings& settings, cosim::RunResult& run) {
   add_peak("peak_current_A", "peak i_q of the samples", &AxisSignals::peak_current_A, "A", 2);
   add_peak("max_speed_m_s", "top speed", &AxisSignals::max_speed_m_s, "m/s", 3);
   add_load(list, options, result);
-  add_responses(list, options, result);
+  if (path.is_sweep()) add_responses(list, *plan_of(options), result);
   std::vector<HalfPeriod> halves[2];
   for (std::size_t a = 0; a < 2 && square; ++a) {
     halves[a] = half_periods(axes[a].position_m, axes[a].model_m,
@@ -260,7 +260,7 @@ std::string verdict(const lab::Settings& settings, const cosim::RunResult& run) 
   }
   switch (result.end) {
     case EndReason::kDone:
-      if (options.path.is_sweep()) return sweep_text(options, result);
+      if (options.path.is_sweep()) return sweep_text(*plan_of(options), result);
       if (options.controller == Controller::kPrecision) {
         return fmt::format("followed {} point{}, at most {} from the command, {} from the last one",
                            result.points, result.points == 1 ? "" : "s",

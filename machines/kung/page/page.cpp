@@ -13,6 +13,7 @@
 #include "machines/kung/plan/axis.hpp"
 #include "machines/kung/precision/spectrum.hpp"
 #include "machines/kung/precision/trace.hpp"
+#include "machines/kung/run/make_plan.hpp"
 #include "machines/kung/run/response.hpp"
 
 namespace trammel::kung {
@@ -186,8 +187,8 @@ Json detail_json(const Options& options, const Result& result) {
                        options.fault.kind != cosim::FaultKind::kRegisterFlip;
   json["moment"] = planned ? moment_json(options, detail.moment) : Json(nullptr);
   json["gates"] = gates_json(detail.gates);
-  for (std::size_t a = 0; a < 2; ++a) {
-    for (const LoopResponse& loop : responses(options, result, a)) {
+  for (std::size_t a = 0; options.path.is_sweep() && a < 2; ++a) {
+    for (const LoopResponse& loop : responses(*plan_of(options), result, a)) {
       json["response"][loop.loop][kAxes[a]] = response_json(loop.closed);
     }
   }

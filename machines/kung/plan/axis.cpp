@@ -151,7 +151,7 @@ sw::AxisSetup plan_axis(const Options& options, std::size_t axis) {
   require(plant.load_end_s == 0 || plant.load_end_s > plant.load_begin_s,
           fmt::format("{}: value {:g} must be 0 or above {} = {:g}", key("plant", "load_end_s"),
                       plant.load_end_s, key("plant", "load_begin_s"), plant.load_begin_s));
-  const int held = ticks_per_point(options.path, options.chip.irq_period_ticks);
+  const int held = ticks_per_point(options);
   require(!g.interpolate || !options.path.is_sweep(),
           key("gains", "interpolate") + ": must be off in a sweep, which has a point each sample");
   require(!g.interpolate || held == kInterpolated || options.path.kind == PathKind::kSquare,

@@ -18,7 +18,7 @@ using ideal::Place;
 constexpr double kLeastFeed = 1e-4, kMostFeed = 1.2;  // [m/s]
 
 double point_s(const Options& options) {
-  return ticks_per_point(options.path, options.chip.irq_period_ticks) * options.chip.sample_s();
+  return ticks_per_point(options) * options.chip.sample_s();
 }
 
 // Appends moves from where the last one ended.
@@ -121,7 +121,7 @@ Moves square(const Options& options) {
   const PathOptions& p = options.path;
   require_step(p);
   const Place low{p.square_low_m, p.square_low_m}, high{p.square_high_m, p.square_high_m};
-  const int point = ticks_per_point(p, options.chip.irq_period_ticks);
+  const int point = ticks_per_point(options);
   const int half = square_half_samples(options) / point;
   Pen pen(p, low);
   pen.line(high);
@@ -150,29 +150,26 @@ double feed_m_s(const PathOptions& p) {
   }
 }
 
-double highest_feed_m_s(const Options& options) {
+double highest_feed_m_s(const Moves& moves) {
   double highest = 0;
-  for (const Move& move : feed_moves(options).moves) highest = std::max(highest, move.feed);
+  for (const Move& move : moves.moves) highest = std::max(highest, move.feed);
   return highest;
 }
 
-void choose_profile(Options& options) {
-  PathOptions& p = options.path;
-  const bool of_lines = p.kind == PathKind::kFeed ||
-                        (p.kind == PathKind::kPoints && p.points_mode == PointsMode::kPath);
-  p.auto_feed = of_lines || options.controller == Controller::kPrecision;
-}
-
-bool feeds(const PathOptions& path) {
-  const bool feed = path.profile == Profile::kAuto ? path.auto_feed
-                                                   : path.profile == Profile::kFeed;
+bool feeds(const Options& options) {
+  const PathOptions& path = options.path;
+  const bool of_lines = path.kind == PathKind::kFeed ||
+                        (path.kind == PathKind::kPoints && path.points_mode == PointsMode::kPath);
+  const bool feed = path.profile == Profile::kAuto
+                        ? of_lines || options.controller == Controller::kPrecision
+                        : path.profile == Profile::kFeed;
   if (!feed || path.is_sweep()) return false;
   return path.kind != PathKind::kPoints || path.points_mode == PointsMode::kPath;
 }
 
-int ticks_per_point(const PathOptions& path, int irq_period_ticks) {
-  const bool steps = path.kind == PathKind::kSquare && !feeds(path);
-  return steps || path.kind == PathKind::kSweep ? 1 : irq_period_ticks;
+int ticks_per_point(const Options& options) {
+  const bool steps = options.path.kind == PathKind::kSquare && !feeds(options);
+  return steps || options.path.is_sweep() ? 1 : options.chip.irq_period_ticks;
 }
 
 ideal::FeedProfile::Limits feed_limits(const Options& options) {
@@ -181,11 +178,11 @@ ideal::FeedProfile::Limits feed_limits(const Options& options) {
 }
 
 int square_half_samples(const Options& options) {
-  const int point = ticks_per_point(options.path, options.chip.irq_period_ticks);
+  const int point = ticks_per_point(options);
   return (options.path.square_half_samples + point - 1) / point * point;
 }
 
-Moves feed_moves(const Options& options) {
+Moves feed_moves(const Options& options, const Moves& read) {
   const PathOptions& p = options.path;
   switch (p.kind) {
     case PathKind::kCircle: return circle(p);
@@ -193,7 +190,7 @@ Moves feed_moves(const Options& options) {
     case PathKind::kStar: return star(p);
     case PathKind::kSquare: return square(options);
     case PathKind::kLine: return line(p);
-    default: return p.moves;  // of a file
+    default: return read;
   }
 }
 
@@ -206,17 +203,17 @@ int passes(const PathOptions& p) {
 
 }  // namespace
 
-ideal::FeedProfile ideal_command(const Options& options) {
-  return ideal::FeedProfile(feed_moves(options), feed_limits(options), passes(options.path));
+ideal::FeedProfile ideal_command(const Options& options, const Moves& moves) {
+  return ideal::FeedProfile(moves, feed_limits(options), passes(options.path));
 }
 
-sw::PathSetup plan_feed(const Options& options, FeedProgram& program) {
+sw::PathSetup plan_feed(const Options& options, FeedProgram& program, const Moves& read) {
   const PathOptions& p = options.path;
   const double count_m = options.plant.axis[0].encoder_count_m;
   const double feed_max = Encoder{count_m, options.chip.sample_s()}.max_feed_m_s();
   in_range("path.feed_m_s", feed_m_s(p), kLeastFeed, std::min(kMostFeed, p.feed_max_m_s),
            "path.feed_max_m_s");
-  const Moves moves = feed_moves(options);
+  const Moves moves = feed_moves(options, read);
   for (const Move& m : moves.moves) {
     require(m.feed <= feed_max,
             fmt::format("path.feed_m_s: value {:g} must be at most {:g} at plant.encoder_count_m = "

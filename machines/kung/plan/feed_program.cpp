@@ -128,6 +128,7 @@ FeedProgram feed_program(const ideal::Moves& moves, const ideal::FeedProfile::Li
   require(window < kMostWindow,
           fmt::format("path.mean_points: value {}: {:g} m/s over as many points are {:g} counts, "
                       "which must be below {:g}", limits.mean, fastest, window, kMostWindow));
+  p.moves = moves;
   p.segments = feed_segments(moves, units);
   const std::size_t n = p.segments.size();
   std::vector<sw::FeedPiece> pieces(3 * n + 1);

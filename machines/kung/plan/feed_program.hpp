@@ -15,6 +15,7 @@ namespace trammel::kung {
 
 // What a planned path needs to live: PathSetup points into it.
 struct FeedProgram {
+  ideal::Moves moves;  // of one pass
   std::vector<sw::FeedSegment> segments;
   std::vector<sw::FeedPhase> phases;
   sw::FeedPath::Setup setup;

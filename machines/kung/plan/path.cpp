@@ -40,26 +40,26 @@ sw::Window::Setup plan_window(const PathOptions& p, double point_s, const Encode
                      point_s, encoder)};
 }
 
-void plan_points(const PathOptions& p, const Encoder& encoder, std::vector<sw::Point>& points) {
-  in_range("path.points_file: number of points", static_cast<double>(p.points.size()), 1,
+void plan_points(int repeats, const PathFile& file, const Encoder& encoder,
+                 std::vector<sw::Point>& points) {
+  in_range("path.points_file: number of points", static_cast<double>(file.points.size()), 1,
            kMaxTicks);
   points.clear();
-  for (const PointM& point : p.points) {
+  for (const PointM& point : file.points) {
     points.push_back({encoder.counts(point.x_m), encoder.counts(point.y_m)});
   }
   if (!(points.front() == points.back())) {
-    in_range("path.repeats", p.repeats, 1, 1, "the points do not end where they begin");
+    in_range("path.repeats", repeats, 1, 1, "the points do not end where they begin");
   }
 }
 
 }  // namespace
 
-sw::PathSetup plan_path(const Options& options, const Encoder& encoder,
+sw::PathSetup plan_path(const Options& options, const PathFile& file, const Encoder& encoder,
                         PathStore& store) {
   const PathOptions& p = options.path;
-  if (feeds(p)) return plan_feed(options, store.feed);
-  const int irq_period_ticks = options.chip.irq_period_ticks;
-  const double point_s = ticks_per_point(p, irq_period_ticks) * encoder.sample_s;
+  if (feeds(options)) return plan_feed(options, store.feed, file.moves);
+  const double point_s = ticks_per_point(options) * encoder.sample_s;
   const auto ticks = [point_s, &encoder](const char* key, int value, double length_m) {
     return ticks_word(key, value, length_m, point_s, encoder);
   };
@@ -91,7 +91,7 @@ sw::PathSetup plan_path(const Options& options, const Encoder& encoder,
                                  p.line_end_y_m - p.line_start_y_m))};
       break;
     case PathKind::kPoints:
-      plan_points(p, encoder, store.points);
+      plan_points(p.repeats, file, encoder, store.points);
       s.points = store.points.data();
       s.n_points = static_cast<std::uint32_t>(store.points.size());
       break;
@@ -106,17 +106,7 @@ sw::PathSetup plan_path(const Options& options, const Encoder& encoder,
   return s;
 }
 
-void check_extent(const Options& options, const sw::PathSetup& setup) {
-  sw::PathSetup once = setup;  // every pass has the same bounds
-  once.repeats = 1;
-  sw::Trajectory path(once);
-  sw::Point low = path.start();
-  sw::Point high = low;
-  for (std::uint32_t n = path.size(); n > 0; --n) {
-    const sw::Point p = path.next();
-    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
-    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
-  }
+void check_extent(const Options& options, const sw::Point& low, const sw::Point& high) {
   const std::int32_t lows[] = {low.x, low.y};
   const std::int32_t highs[] = {high.x, high.y};
   for (std::size_t a = 0; a < 2; ++a) {

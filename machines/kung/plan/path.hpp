@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "machines/kung/options.hpp"
+#include "machines/kung/plan/path_files.hpp"
 #include "machines/kung/plan/feed_program.hpp"
 #include "sw_nios/path/trajectory.hpp"
 
@@ -20,10 +21,11 @@ struct PathStore {
   FeedProgram feed;
 };
 
-sw::PathSetup plan_path(const Options& options, const Encoder& encoder, PathStore& store);
+sw::PathSetup plan_path(const Options& options, const PathFile& file, const Encoder& encoder,
+                        PathStore& store);
 
-// The whole path must lie within the hard stops and the stroke of the chip, which lies within the
-// range of the reference model.
-void check_extent(const Options& options, const sw::PathSetup& setup);
+// The whole path, with these corners, must lie within the hard stops and the stroke of the chip,
+// which lies within the range of the reference model.
+void check_extent(const Options& options, const sw::Point& low, const sw::Point& high);
 
 }  // namespace trammel::kung

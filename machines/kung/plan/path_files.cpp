@@ -78,8 +78,8 @@ void require_feed(const PathOptions& path, const char* key, const char* value) {
 // What rows in their own times ask of the table from one to the next.
 class Jumps {
  public:
-  Jumps(const Options& options, const std::vector<int>& lines)
-      : options_(options), points_(options.path.points), lines_(lines),
+  Jumps(const Options& options, const std::vector<PointM>& points, const std::vector<int>& lines)
+      : options_(options), points_(points), lines_(lines),
         point_s_(options.chip.irq_period_ticks * options.chip.sample_s()) {}
 
   // The first row with a jump that the chip, or the precision controller's limit, does not have;
@@ -145,33 +145,34 @@ class Jumps {
   double point_s_;  // for which a row holds
 };
 
-void read_points(Options& options) {
-  PathOptions& path = options.path;
+PathFile read_points(const Options& options) {
+  const PathOptions& path = options.path;
   if (path.points_mode == PointsMode::kPath) require_feed(path, "path.points_mode", "path");
   require(!path.points_file.empty(), "path.points_file: is needed with path.kind = \"points\"");
   try {
+    PathFile file;
     std::vector<int> lines;
-    path.points = paths::read_points_csv(path.points_file, kTable, &lines);
+    file.points = paths::read_points_csv(path.points_file, kTable, &lines);
     if (path.points_mode == PointsMode::kTimed) {
-      const std::string jump = Jumps(options, lines).told();
-      if (!jump.empty()) path.moves_warnings.push_back(jump);
-      return;
+      const std::string jump = Jumps(options, file.points, lines).told();
+      if (!jump.empty()) file.warnings.push_back(jump);
+    } else {
+      file.moves = paths::lines_through(file.points, path.points_file, feed_m_s(path),
+                                        path.corner == Corner::kStop);
     }
-    path.moves = paths::lines_through(path.points, path.points_file, feed_m_s(path),
-                                      path.corner == Corner::kStop);
+    return file;
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(fmt::format("path.points_file: {}", error.what()));
   }
 }
 
-void read_program(Options& options) {
-  PathOptions& path = options.path;
+PathFile read_program(const Options& options) {
+  const PathOptions& path = options.path;
   require_feed(path, "path.kind", "gcode");
   require(!path.gcode_file.empty(), "path.gcode_file: is needed with path.kind = \"gcode\"");
   try {
     paths::GcodeProgram program = paths::read_gcode_file(path.gcode_file, gcode_table(options));
-    path.moves = std::move(program.moves);
-    path.moves_warnings = std::move(program.warnings);
+    return {{}, std::move(program.moves), std::move(program.warnings)};
   } catch (const host::InputError& error) {
     throw std::invalid_argument(fmt::format("path.gcode_file: {}", error.what()));
   }
@@ -179,12 +180,10 @@ void read_program(Options& options) {
 
 }  // namespace
 
-void read_path_files(Options& options) {
-  options.path.points.clear();
-  options.path.moves = {};
-  options.path.moves_warnings.clear();
-  if (options.path.kind == PathKind::kPoints) read_points(options);
-  if (options.path.kind == PathKind::kFeed) read_program(options);
+PathFile read_path_file(const Options& options) {
+  if (options.path.kind == PathKind::kPoints) return read_points(options);
+  if (options.path.kind == PathKind::kFeed) return read_program(options);
+  return {};
 }
 
 }  // namespace trammel::kung

@@ -4,11 +4,21 @@
 // that names the key, or the file with its line, and what is permitted.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "machines/kung/options.hpp"
+#include "models/ideal/moves.hpp"
 
 namespace trammel::kung {
 
-// Fills points, moves and warnings of options.path as its kind asks for.
-void read_path_files(Options& options);
+struct PathFile {
+  std::vector<PointM> points;
+  ideal::Moves moves;  // for the feed profile; none: points that have their own times
+  std::vector<std::string> warnings;  // of the reader
+};
+
+// What the file of a path says; nothing of a path without one.
+PathFile read_path_file(const Options& options);
 
 }  // namespace trammel::kung

@@ -112,10 +112,11 @@ double command_time_s(const Options& options, cosim::Clk begin, const Sample& sa
   return static_cast<double>(sample.edge - begin) * clock_s - delay_s;
 }
 
-void each_command_sample(const Options& options, const Result& result,
+void each_command_sample(const Plan& plan, const Result& result,
                          const std::function<void(const CommandSample&)>& take) {
-  if (!feeds(options.path) || result.points == 0) return;
-  const ideal::FeedProfile command = ideal_command(options);
+  const Options& options = plan.options;
+  if (!feeds(options) || result.points == 0) return;
+  const ideal::FeedProfile command = ideal_command(options, plan.moves());
   const Range range = counted(result);
   if (range.first >= result.samples.size()) return;
   const bool precise = options.controller == Controller::kPrecision;
@@ -139,12 +140,13 @@ void each_command_sample(const Options& options, const Result& result,
   }
 }
 
-double largest_error_m(const Options& options, const Result& result) {
+double largest_error_m(const Plan& plan, const Result& result) {
+  const Options& options = plan.options;
   double most = 0;
-  each_command_sample(options, result, [&most](const CommandSample& s) {
+  each_command_sample(plan, result, [&most](const CommandSample& s) {
     most = std::max(most, std::hypot(s.error_m[0], s.error_m[1]));
   });
-  if (feeds(options.path)) return most;
+  if (feeds(options)) return most;
   const Range range = counted(result);
   for (std::size_t k = range.first; k < range.last; ++k) {
     const Sample sample = result.samples[k];
@@ -191,14 +193,14 @@ std::vector<std::string> range_lines(const Options& options, const Result& resul
   return lines;
 }
 
-void add_command_figures(std::vector<lab::Figure>& list, const Options& options,
-                         const Result& result) {
-  if (!feeds(options.path) || result.points == 0) return;
-  const ideal::Moves moves = feed_moves(options);
+void add_command_figures(std::vector<lab::Figure>& list, const Plan& plan, const Result& result) {
+  const Options& options = plan.options;
+  if (!feeds(options) || result.points == 0) return;
+  const ideal::Moves& moves = plan.moves();
   const bool precise = options.controller == Controller::kPrecision;
   Series both, contour, set_point;
   std::array<Series, 2> axes;
-  each_command_sample(options, result, [&](const CommandSample& s) {
+  each_command_sample(plan, result, [&](const CommandSample& s) {
     both.push_back(std::hypot(s.error_m[0], s.error_m[1]) * kUm);
     for (std::size_t a = 0; a < 2; ++a) axes[a].push_back(std::abs(s.error_m[a]) * kUm);
     const Place table{s.command.p.x - s.error_m[0], s.command.p.y - s.error_m[1]};

@@ -12,7 +12,7 @@
 
 #include "lab/figure.hpp"
 #include "machines/kung/chip/record.hpp"
-#include "machines/kung/options.hpp"
+#include "machines/kung/plan/plan.hpp"
 #include "models/ideal/feed_profile.hpp"
 
 namespace trammel::kung {
@@ -36,19 +36,18 @@ double command_time_s(const Options& options, cosim::Clk begin, const Sample& sa
 
 // Calls take() for each sample of the path, in order; for none where the feed profile does not
 // drive it.
-void each_command_sample(const Options& options, const Result& result,
+void each_command_sample(const Plan& plan, const Result& result,
                          const std::function<void(const CommandSample&)>& take);
 
 // The largest error to the command of a run of the precision controller: to that in double
 // precision, or to the chip's set points where the feed profile does not drive the path.
-double largest_error_m(const Options& options, const Result& result);
+double largest_error_m(const Plan& plan, const Result& result);
 
 // Distance of a place from the lines and arcs of a program [m].
 double distance_to(const ideal::Moves& moves, const ideal::Place& place);
 
 // Error, contour, set point and estimates; nothing where the feed profile does not drive the path.
-void add_command_figures(std::vector<lab::Figure>& list, const Options& options,
-                         const Result& result);
+void add_command_figures(std::vector<lab::Figure>& list, const Plan& plan, const Result& result);
 
 // A line for each range of the controller that the run came to the end of.
 std::vector<std::string> range_lines(const Options& options, const Result& result);

@@ -189,7 +189,7 @@ sw::PrecisionSetup plan_precision(const Options& options, const sw::KungSetup& s
   require(!options.path.is_sweep(),
           "path.kind: \"sweep\" has a point each position sample, and controller = \"precision\" "
           "one in four");
-  require(feeds(options.path) || options.path.kind == PathKind::kPoints,
+  require(feeds(options) || options.path.kind == PathKind::kPoints,
           "path.profile: \"constant\" steps in speed, which controller = \"precision\" cannot "
           "follow on a built-in shape; it needs \"feed\"");
   require(!p.learn || options.path.kind != PathKind::kLine,

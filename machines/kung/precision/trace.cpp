@@ -73,11 +73,11 @@ const std::vector<RowColumn>& row_columns() {
 // The command in double precision, or none where the feed profile does not drive the path.
 class Commands {
  public:
-  Commands(const Options& options, const Result& result)
-      : options_(options), range_(counted(result)) {
+  Commands(const Plan& plan, const Result& result)
+      : options_(plan.options), range_(counted(result)) {
     if (result.points == 0 || range_.first >= result.samples.size()) return;
     begin_ = result.samples[range_.first].edge;
-    if (feeds(options.path)) command_.emplace(ideal_command(options));
+    if (feeds(options_)) command_.emplace(ideal_command(options_, plan.moves()));
   }
 
   // Of a sample: the place of each axis [m], its speed and acceleration; whether figures count it.
@@ -152,9 +152,9 @@ const std::vector<lab::Column>& precision_columns() {
   return all;
 }
 
-void write_precision(const std::filesystem::path& file, const Options& options,
-                     const Result& result) {
-  const Commands commands(options, result);
+void write_precision(const std::filesystem::path& file, const Plan& plan, const Result& result) {
+  const Options& options = plan.options;
+  const Commands commands(plan, result);
   const bool lawful = result.laws.size() == result.samples.size();
   const auto read = [&](std::size_t k, std::vector<double>& values) {
     const Sample sample = result.samples[k];

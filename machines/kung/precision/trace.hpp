@@ -10,7 +10,7 @@
 
 #include "lab/column.hpp"
 #include "machines/kung/chip/record.hpp"
-#include "machines/kung/options.hpp"
+#include "machines/kung/plan/plan.hpp"
 
 namespace trammel::kung {
 
@@ -18,8 +18,7 @@ inline constexpr char kPrecisionTrace[] = "precision.csv";
 
 const std::vector<lab::Column>& precision_columns();
 
-void write_precision(const std::filesystem::path& file, const Options& options,
-                     const Result& result);
+void write_precision(const std::filesystem::path& file, const Plan& plan, const Result& result);
 
 // Parts of i_q* [A], by the words of the law and docs/precision.md, section 4, item 10. Their sum
 // is i_q* but for rounding, unless it is saturated.

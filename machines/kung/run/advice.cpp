@@ -3,117 +3,28 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <memory>
 
 #include "machines/kung/plan/believed.hpp"
 #include "machines/kung/plan/feed.hpp"
 #include "machines/kung/plan/parts.hpp"
 #include "machines/kung/plan/words.hpp"
-#include "machines/kung/run/plan.hpp"
-#include "models/ideal/reference_model.hpp"
+#include "machines/kung/run/make_plan.hpp"
 
 namespace trammel::kung {
 namespace {
-
-// The most that following the model along the path asks of an axis.
-struct Demand {
-  double force_N = 0, at_force_m_s = 0;  // largest thrust, and the speed there
-  double volt = 0, at_volt_m_s = 0;      // of a phase
-  double drop_V = 0;                     // at its resistance
-  double speed_m_s = 0;
-};
-
-double sign(double v) { return v > 0 ? 1 : v < 0 ? -1 : 0; }
-
-class AxisDemand {
- public:
-  AxisDemand(const Options& options, std::size_t axis, double start_m)
-      : plant_(options.plant.axis[axis]), sample_s_(options.chip.sample_s()),
-        dead_V_(4 / kPi * plant_.dc_link_v * 1e-9 * options.chip.axis[axis].dead_time_ns *
-                options.chip.carrier_Hz),
-        model_({options.gains[axis].omega_n_rad_s, options.gains[axis].zeta, sample_s_}),
-        x_(start_m) {
-    model_.reset(start_m);
-  }
-
-  void add(double command_m) {
-    const double x = model_.step(command_m);
-    const double v = (x - x_) / sample_s_, a = (v - v_) / sample_s_;
-    x_ = x;
-    v_ = v;
-    const double force = (plant_.mass_kg + plant_.payload_kg) * a + held_back_N(x, v);
-    if (std::abs(force) > most.force_N) most.force_N = std::abs(force), most.at_force_m_s = v;
-    // lambda omega_e = 2/3 K_F v, and the drops of that thrust's current.
-    const double i = force / plant_.force_constant_n_a;
-    const double volt = dead_V_ + std::hypot(
-        2.0 / 3 * plant_.force_constant_n_a * v + plant_.resistance_ohm * i,
-        kPi / plant_.pole_pitch_m * v * plant_.inductance_q_h * i);
-    most.drop_V = std::max(most.drop_V, plant_.resistance_ohm * std::abs(i));
-    if (volt > most.volt) most.volt = volt, most.at_volt_m_s = v;
-    most.speed_m_s = std::max(most.speed_m_s, std::abs(v));
-  }
-
-  Demand most;
-
- private:
-  // By friction, magnets, cable and load, as models/plant/pmlsm.hpp has them.
-  double held_back_N(double x, double v) {
-    time_s_ += sample_s_;
-    const double w = v / plant_.stribeck_speed_m_s, slots = 2 * kPi * x / plant_.pole_pitch_m;
-    const bool loaded = time_s_ >= plant_.load_begin_s &&
-                        (plant_.load_end_s == 0 || time_s_ < plant_.load_end_s);
-    return plant_.viscous_n_s_m * v +
-           (plant_.coulomb_n + plant_.stribeck_n * std::exp(-w * w)) * sign(v) +
-           plant_.cogging_n * std::sin(slots) +
-           plant_.cogging_harmonic_n * std::sin(plant_.cogging_harmonic * slots + 1) +
-           plant_.cable_n_m * (x - plant_.cable_rest_m) + plant_.external_force_n +
-           (loaded ? plant_.load_n : 0);
-  }
-
-  const plant::AxisConfig& plant_;
-  double sample_s_;
-  double dead_V_;  // that the dead times take: a square wave of V_dc times their share
-  ideal::ReferenceModel model_;
-  double x_, v_ = 0, time_s_ = 0;  // since the path began, soon after the run
-};
-
-std::array<Demand, 2> demand(const Options& options, const sw::KungSetup& setup) {
-  const PathOptions& path = options.path;
-  if (path.is_sweep()) return {};  // the table need not follow it
-  sw::PathSetup once = setup;
-  once.repeats = 1;
-  sw::Trajectory points(once);
-  const double count_m = options.plant.axis[0].encoder_count_m;
-  sw::Point p = points.start();
-  AxisDemand x(options, 0, p.x * count_m), y(options, 1, p.y * count_m);
-  const int held = ticks_per_point(path, options.chip.irq_period_ticks);
-  double left_s = options.run.max_s;  // what comes later is not run
-  for (std::uint32_t n = points.size(); n > 0 && left_s > 0; --n) {
-    left_s -= held * options.chip.sample_s();
-    const sw::Point last = p;
-    p = points.next();
-    for (int k = 1; k <= held; ++k) {
-      const auto at = [&](const AxisGains& g, std::int32_t from, std::int32_t to) {
-        return count_m * (g.interpolate ? from + static_cast<double>(to - from) * k / held : to);
-      };
-      x.add(at(options.gains[0], last.x, p.x));
-      y.add(at(options.gains[1], last.y, p.y));
-    }
-  }
-  return {x.most, y.most};
-}
 
 // A path that run.max_s cuts. Who shortens the run wants a part of a path whose time its keys say;
 // those of a feed profile do not.
 std::string cut_text(const Options& options, const sw::KungSetup& setup) {
   const double max_s = options.run.max_s;
   const double path_s = sw::Trajectory(setup).size() * options.chip.sample_s() *
-                            ticks_per_point(options.path, options.chip.irq_period_ticks) +
+                            ticks_per_point(options) +
                         options.settle_s;
-  if (path_s <= max_s || (max_s < Options().run.max_s && !feeds(options.path))) return "";
+  if (path_s <= max_s || (max_s < Options().run.max_s && !feeds(options))) return "";
   return fmt::format("the path takes {:.4g} s, longer than run.max_s = {:g}: the run ends "
                      "ahead of the path, with exit code 5", path_s, max_s);
 }
@@ -192,12 +103,11 @@ std::string stop_text(const Options& options, std::size_t a, double start_m) {
 }  // namespace
 
 std::vector<std::string> advice(const lab::Settings& settings) {
-  Options options = static_cast<const Options&>(settings);
-  choose_profile(options);
-  PathStore store;
-  const sw::KungSetup setup = plan_firmware(options, store);
-  const std::array<Demand, 2> most = demand(options, setup);
-  std::vector<std::string> lines = options.path.moves_warnings;
+  const auto& options = static_cast<const Options&>(settings);
+  const std::shared_ptr<const Plan> plan = plan_of(options);
+  const sw::KungSetup& setup = plan->setup;
+  const std::array<Demand, 2>& most = plan->walk.demand;
+  std::vector<std::string> lines = plan->file.warnings;
   if (const std::string cut = cut_text(options, setup); !cut.empty()) lines.push_back(cut);
   const cosim::ProcessorOptions& cpu = options.processor;
   const Options usual;

@@ -43,8 +43,8 @@ Shown native_of(const Options& options, const cosim::CoreTimes& core) {
 }
 
 double period_clk(const Options& options) {
-  const int ticks = ticks_per_point(options.path, options.chip.irq_period_ticks);
-  return ticks * options.chip.sample_s() * 1e12 / static_cast<double>(options.run.clock_ps);
+  return ticks_per_point(options) * options.chip.sample_s() * 1e12 /
+         static_cast<double>(options.run.clock_ps);
 }
 
 }  // namespace

@@ -12,14 +12,9 @@
 namespace trammel::kung {
 namespace {
 
-Box box_of(sw::PathSetup path, double count_m) {
-  path.repeats = 1;  // every pass has the same bounds
-  sw::Trajectory once(path);
-  const auto metres = [count_m](const sw::Point& p) {
-    return PointM{p.x * count_m, p.y * count_m};
-  };
-  Box box(metres(once.start()));
-  for (std::uint32_t left = once.size(); left > 0; --left) box.add(metres(once.next()));
+Box box_of(const Walk& walk, double count_m) {
+  Box box({walk.low.x * count_m, walk.low.y * count_m});
+  box.add({walk.high.x * count_m, walk.high.y * count_m});
   return box;
 }
 
@@ -28,10 +23,11 @@ double automatic_limit(const Box& path, bool square, double count_m, double dive
   return std::min(std::max(path.diagonal_m() / (square ? 4 : 20), 3 * count_m), diverged_m);
 }
 
-double promise_m(const Options& options, double count_m) {
+double promise_m(const Plan& plan, double count_m) {
   constexpr double kPromisedM = 15e-6;  // docs/precision.md, section 13
+  const Options& options = plan.options;
   if (options.controller != Controller::kPrecision) return 0;
-  if (!feeds(options.path) && !options.path.moves_warnings.empty()) return 0;
+  if (!feeds(options) && !plan.file.warnings.empty()) return 0;
   if (options.reached_m > 0) return options.reached_m;
   return std::min(std::max(kPromisedM, 3 * count_m), options.diverged_m);
 }
@@ -55,15 +51,15 @@ void Box::add(const PointM& point) {
 
 double Box::diagonal_m() const { return std::hypot(width_m(), height_m()); }
 
-Followed::Followed(const sw::PathSetup& path, double count_m, const Options& options)
-    : path_(box_of(path, count_m)),
+Followed::Followed(const Plan& plan)
+    : count_m_(plan.options.plant.axis[0].encoder_count_m),
+      path_(box_of(plan.walk, count_m_)),
       covered_(path_.low),
-      asked_m_(options.reached_m),
-      limit_m_(options.reached_m > 0
-                   ? options.reached_m
-                   : automatic_limit(path_, options.path.kind == PathKind::kSquare, count_m,
-                                     options.diverged_m)),
-      promised_m_(promise_m(options, count_m)) {}
+      asked_m_(plan.options.reached_m),
+      limit_m_(asked_m_ > 0 ? asked_m_
+                            : automatic_limit(path_, plan.options.path.kind == PathKind::kSquare,
+                                              count_m_, plan.options.diverged_m)),
+      promised_m_(promise_m(plan, count_m_)) {}
 
 void Followed::add(const PointM& table, double beside_m) {
   if (!begun_) covered_ = Box(table);

@@ -7,8 +7,7 @@
 #include <cstdint>
 #include <string>
 
-#include "machines/kung/options.hpp"
-#include "sw_nios/path/trajectory.hpp"
+#include "machines/kung/plan/plan.hpp"
 
 namespace trammel::kung {
 
@@ -28,8 +27,7 @@ std::string length_text(double metres);
 
 class Followed {
  public:
-  // `count_m`: of the encoders; run.reached_m and run.diverged_m are those of the options.
-  Followed(const sw::PathSetup& path, double count_m, const Options& options);
+  explicit Followed(const Plan& plan);
 
   // Largest error [m] of a table that follows: run.reached_m, or a twentieth of the path's
   // diagonal, of a square wave a quarter, at least 3 counts and at most run.diverged_m.
@@ -55,6 +53,7 @@ class Followed {
   double from_m(const PointM& last) const;  // of the table
 
  private:
+  double count_m_;  // of the encoders
   Box path_, covered_;
   double asked_m_;  // run.reached_m
   double limit_m_;

@@ -10,7 +10,6 @@
 
 #include "machines/kung/chip/measures.hpp"
 #include "machines/kung/plan/parts.hpp"
-#include "machines/kung/run/plan.hpp"
 
 namespace trammel::kung {
 namespace {
@@ -43,16 +42,15 @@ struct Pair {
 
 }  // namespace
 
-std::vector<LoopResponse> responses(const Options& options, const Result& result,
-                                    std::size_t axis) {
+std::vector<LoopResponse> responses(const Plan& plan, const Result& result, std::size_t axis) {
+  const Options& options = plan.options;
   if (options.path.kind != PathKind::kSweep) return {};
   const bool current = options.path.open_position();
   std::vector<LoopResponse> loops;
   for (const char* loop : {"position", "speed", "current"}) {
     if (current == (std::string(loop) == "current")) loops.push_back({loop, {}});
   }
-  PathStore store;
-  const sw::KungSetup setup = plan_firmware(options, store);
+  const sw::KungSetup& setup = plan.setup;
   sw::Trajectory path(setup);
   const int hold = options.chip.carrier_Hz / options.chip.position_Hz;
   const Range range = counted(result);
@@ -86,9 +84,9 @@ std::vector<LoopResponse> responses(const Options& options, const Result& result
   return loops;
 }
 
-std::string unmeasured(const Options& options, const Result& result) {
+std::string unmeasured(const Plan& plan, const Result& result) {
   for (std::size_t a = 0; a < 2; ++a) {
-    for (const LoopResponse& loop : responses(options, result, a)) {
+    for (const LoopResponse& loop : responses(plan, result, a)) {
       if (!loop.closed.empty()) continue;
       return fmt::format("the {} loop of {} shows no tone of the sweep: its amplitude is too small",
                          loop.loop, a == 0 ? 'X' : 'Y');
@@ -97,23 +95,24 @@ std::string unmeasured(const Options& options, const Result& result) {
   return "";
 }
 
-std::string sweep_text(const Options& options, const Result& result) {
+std::string sweep_text(const Plan& plan, const Result& result) {
   std::size_t least = sw::kMaxTicks, most = 0;
   for (std::size_t a = 0; a < 2; ++a) {
-    for (const LoopResponse& loop : responses(options, result, a)) {
+    for (const LoopResponse& loop : responses(plan, result, a)) {
       least = std::min(least, loop.closed.size());
       most = std::max(most, loop.closed.size());
     }
   }
+  const bool current = plan.options.path.open_position();
   return fmt::format("measured {} of both axes at {}{} {}",
-                     options.path.open_position() ? "the current loop" : "position and speed loop",
+                     current ? "the current loop" : "position and speed loop",
                      least == most ? "" : fmt::format("{} to ", least), most,
                      most == 1 ? "frequency" : "frequencies");
 }
 
-void add_responses(std::vector<lab::Figure>& list, const Options& options, const Result& result) {
+void add_responses(std::vector<lab::Figure>& list, const Plan& plan, const Result& result) {
   for (std::size_t a = 0; a < 2; ++a) {
-    for (const LoopResponse& loop : responses(options, result, a)) {
+    for (const LoopResponse& loop : responses(plan, result, a)) {
       if (loop.closed.empty()) continue;
       const lab::Margins m = lab::margins(loop.closed);
       const char* axis = a == 0 ? "x" : "y";

@@ -11,7 +11,7 @@
 #include "lab/figure.hpp"
 #include "lab/response.hpp"
 #include "machines/kung/chip/record.hpp"
-#include "machines/kung/options.hpp"
+#include "machines/kung/plan/plan.hpp"
 
 namespace trammel::kung {
 
@@ -22,15 +22,15 @@ struct LoopResponse {
 
 // By rising frequency, of the tones that the run completed and that both words show with at least
 // one step; no loops if it was no sweep.
-std::vector<LoopResponse> responses(const Options& options, const Result& result, std::size_t axis);
+std::vector<LoopResponse> responses(const Plan& plan, const Result& result, std::size_t axis);
 
 // The loop of which no tone could be measured, or "".
-std::string unmeasured(const Options& options, const Result& result);
+std::string unmeasured(const Plan& plan, const Result& result);
 
 // What a complete sweep gave, in a line.
-std::string sweep_text(const Options& options, const Result& result);
+std::string sweep_text(const Plan& plan, const Result& result);
 
 // Bandwidth, peak and margins of every loop.
-void add_responses(std::vector<lab::Figure>& list, const Options& options, const Result& result);
+void add_responses(std::vector<lab::Figure>& list, const Plan& plan, const Result& result);
 
 }  // namespace trammel::kung

@@ -12,7 +12,6 @@
 #include "machines/kung/plan/words.hpp"
 #include "machines/kung/precision/figures.hpp"
 #include "machines/kung/precision/plan.hpp"
-#include "machines/kung/run/plan.hpp"
 #include "machines/kung/run/response.hpp"
 #include "rtl/chips/generated/kung_xy_regs.hpp"
 
@@ -70,17 +69,16 @@ cosim::FaultPins fault_pins(const Options& options) {
 
 Session::Session(const Options& options, const Hooks& hooks, const cosim::Waves& waves)
     : SessionOf(hooks, options.run, options.fault, options.processor, waves),
-      options_(options) {
-  choose_profile(options_);
-  sw::KungSetup setup = plan_firmware(options_, store_);
+      options_(options),
+      plan_(plan_of(options)) {
+  sw::KungSetup setup = plan_->setup;
   setup.precision.corrections = &corrections_;
   firmware_ = std::make_unique<StallableApp>(setup, fault_at(options_.inject.processor_s));
   const sw::Trajectory path(setup);
   const sw::Point start = path.start();
   path_points_ = path.size();
-  followed_.emplace(setup, options_.plant.axis[0].encoder_count_m, options_);
-  asked_.emplace(path, static_cast<std::uint32_t>(
-                           ticks_per_point(options_.path, options_.chip.irq_period_ticks)),
+  followed_.emplace(*plan_);
+  asked_.emplace(path, static_cast<std::uint32_t>(ticks_per_point(options_)),
                  options_.plant.axis[0].encoder_count_m,
                  contour_reach(options_.lag_s(), options_.chip.sample_s()));
   options_.plant.axis[0].start_m = start.x * options_.plant.axis[0].encoder_count_m;
@@ -212,8 +210,7 @@ void Session::watch_limits(const Sample& sample) {
 bool Session::over(const Sample& sample) {
   if (waves_.found()) return true;
   if (chip_->broken_promise()) return true;
-  const auto period = static_cast<std::uint32_t>(
-      ticks_per_point(options_.path, options_.chip.irq_period_ticks));
+  const auto period = static_cast<std::uint32_t>(ticks_per_point(options_));
   const sw::Mailbox& mail = mailbox();
   const Fault fault = chip_->fault();
   if (fault.code != FaultCode::kNone || mail.failure != 0) {
@@ -286,10 +283,10 @@ std::unique_ptr<cosim::RunResult> Session::result() {
   if (result_.end == EndReason::kDone) {
     result_.all_points = result_.points == path_points_;
     if (options_.controller == Controller::kPrecision) {
-      result_.error_m = largest_error_m(options_, result_);
+      result_.error_m = largest_error_m(*plan_, result_);
     }
     result_.missed = options_.path.is_sweep()
-                         ? unmeasured(options_, result_)
+                         ? unmeasured(*plan_, result_)
                          : followed_->missed(result_.points, path_points_, asked_->asked(),
                                              asked_->asked(model_lag(options_)), result_.error_m);
     if (!result_.missed.empty()) result_.end = EndReason::kMissed;

@@ -14,7 +14,7 @@
 #include "machines/kung/run/asked_path.hpp"
 #include "machines/kung/run/detail.hpp"
 #include "machines/kung/run/followed.hpp"
-#include "machines/kung/run/plan.hpp"
+#include "machines/kung/run/make_plan.hpp"
 #include "machines/kung/run/recorder.hpp"
 #include "machines/kung/run/serial.hpp"
 #include "sw_nios/apps/kung/kung.hpp"
@@ -115,7 +115,7 @@ class Session final : public cosim::SessionOf<cosim::Rig> {
   const sw::Mailbox& mailbox() const;
 
   Options options_;
-  PathStore store_;
+  std::shared_ptr<const Plan> plan_;
   sw::Corrections corrections_;
   std::unique_ptr<TablePlant> plant_;
   std::unique_ptr<KungChip> chip_;

@@ -16,7 +16,7 @@
 #include "machines/kung/judge/load.hpp"
 #include "machines/kung/plan/believed.hpp"
 #include "machines/kung/run/advice.hpp"
-#include "machines/kung/run/plan.hpp"
+#include "machines/kung/run/make_plan.hpp"
 #include "sw_nios/apps/kung/setup_words.hpp"
 #include "tests/support/figures.hpp"
 #include "tests/support/scratch.hpp"
@@ -41,9 +41,8 @@ constexpr std::array<Value, 5> kValues{{{"force_constant_N_A", 66},
 std::array<std::uint32_t, sw::SetupWords::kMembers> words(const std::vector<std::string>& texts) {
   Options options;
   for (const std::string& text : texts) lab::apply_assignment(options, text);
-  PathStore store;
   sw::SetupWords all;
-  sw::pack(plan_firmware(options, store), all);
+  sw::pack(make_plan(options)->setup, all);
   return all.members;
 }
 
@@ -174,10 +173,13 @@ TEST_CASE("only what is run is judged, so that a path of days is judged at once"
   CHECK(advice(o).empty());
   o.path = {};
   o.path.kind = PathKind::kPoints;  // rests for longer than the run takes
-  o.path.points.assign(20, {0.1, 0.1});
-  o.path.points.back() = {0.3, 0.1};
+  PathFile file;
+  file.points.assign(20, {0.1, 0.1});
+  file.points.back() = {0.3, 0.1};
+  o.prepared = make_plan(o, file);
   CHECK(advice(o).empty());
   o.run.max_s = 60;
+  o.prepared = make_plan(o, file);
   CHECK_FALSE(advice(o).empty());
 }
 

@@ -18,6 +18,7 @@
 #include "machines/kung/plan/feed.hpp"
 #include "machines/kung/precision/figures.hpp"
 #include "machines/kung/precision/trace.hpp"
+#include "machines/kung/run/make_plan.hpp"
 #include "tests/support/scratch.hpp"
 
 using namespace trammel;
@@ -38,7 +39,6 @@ Options line(Controller controller) {
   options.path.line_start_y_m = 0.2;
   options.path.line_end_x_m = 0.13;
   options.path.line_end_y_m = 0.24;
-  choose_profile(options);
   return options;
 }
 
@@ -58,7 +58,7 @@ double time_s(std::uint32_t tick, Controller controller) {
 using ErrorAt = std::function<std::array<double, 2>(double t_s)>;
 
 Result by_hand(const Options& options, const ErrorAt& error_at = error_m) {
-  const ideal::FeedProfile command = ideal_command(options);
+  const ideal::FeedProfile command = ideal_command(options, feed_moves(options));
   Result result;
   result.first_tick = kFirst;
   result.points = static_cast<std::uint32_t>(command.points());
@@ -84,7 +84,7 @@ Result by_hand(const Options& options, const ErrorAt& error_at = error_m) {
 
 std::map<std::string, double> figures_of(const Options& options, const Result& result) {
   std::vector<lab::Figure> list;
-  add_command_figures(list, options, result);
+  add_command_figures(list, *make_plan(options), result);
   std::map<std::string, double> all;
   for (const lab::Figure& f : list) all[f.id] = f.value;
   return all;
@@ -115,7 +115,7 @@ TEST_CASE("errors to the command are those of the samples from point 0 to the la
     const Options options = line(controller);
     const Result result = by_hand(options);
     std::vector<double> both, x, y, contour;
-    const double end_s = ideal_command(options).seconds();
+    const double end_s = ideal_command(options, feed_moves(options)).seconds();
     for (std::uint32_t tick = 1; tick <= result.samples.size(); ++tick) {
       const double t_s = time_s(tick, controller);
       if (t_s < -1e-9 || t_s > end_s + 1e-9) continue;
@@ -151,7 +151,6 @@ TEST_CASE("a record has one contour error and one error to the command, by one n
   for (const bool fed : {true, false}) {
     Options options = line(Controller::kAfc);
     if (!fed) options.path.profile = Profile::kConstant;
-    choose_profile(options);
     options.path.repeats = 2;
     Result result = by_hand(options);
     for (const std::string of : {"contour", "command", "error_um"}) {
@@ -186,13 +185,13 @@ TEST_CASE("nothing is told of a run that ended before its path's first sample") 
 TEST_CASE("each lap has its mean error, the first eight and the last are shown") {
   Options options = line(Controller::kPrecision);
   options.path.repeats = 11;
-  const double lap_s = ideal_command(options).seconds() / 11;
+  const double lap_s = ideal_command(options, feed_moves(options)).seconds() / 11;
   Result result = by_hand(options, [lap_s](double t_s) -> std::array<double, 2> {
     const double lap = std::floor(std::clamp(t_s / lap_s, 0.0, 10.9));
     return {1.8e-6 * (lap + 1), -2.4e-6 * (lap + 1)};  // of 3 um more in each
   });
   std::vector<lab::Figure> list;
-  add_command_figures(list, options, result);
+  add_command_figures(list, *make_plan(options), result);
   for (std::size_t lap = 0; lap < 11; ++lap) {
     const lab::Figure* const f = lab::find_figure(list, "lap_error_um." + std::to_string(lap));
     CAPTURE(lap);
@@ -210,12 +209,12 @@ TEST_CASE("precision.csv has the error against the feed profile, and which sampl
   const Options options = line(Controller::kPrecision);
   const Result result = by_hand(options);
   const test::Scratch scratch("command_figures");
-  write_precision(scratch.path / kPrecisionTrace, options, result);
+  write_precision(scratch.path / kPrecisionTrace, *make_plan(options), result);
   lab::RunFolder run;
   run.folder = scratch.path;
   run.rows = result.samples.size();
   lab::read_table(kPrecisionTrace, precision_columns(), run);
-  const ideal::FeedProfile command = ideal_command(options);
+  const ideal::FeedProfile command = ideal_command(options, feed_moves(options));
   for (std::uint32_t tick = 1; tick <= run.rows; ++tick) {
     const auto at = [&](const std::string& column) { return run.columns.at(column)[tick - 1]; };
     const double t_s = time_s(tick, options.controller);
@@ -236,6 +235,9 @@ TEST_CASE("precision.csv has the error against the feed profile, and which sampl
 TEST_CASE("a precision run is compared with AFC and FC on its path and table, by plain twins") {
   Options options = line(Controller::kPrecision);
   options.path.profile = Profile::kAuto;
+  options.path.kind = PathKind::kCircle;
+  options.path.circle_radius_m = 0.01;
+  options.path.repeats = 2;
   options.plant.axis[1].payload_kg = 3;
   options.run.wave = cosim::WaveFormat::kFst;
   options.run.assertions = options.run.audit = true;
@@ -251,7 +253,7 @@ TEST_CASE("a precision run is compared with AFC and FC on its path and table, by
     CHECK(companions[k].name == (k == 0 ? "AFC" : "FC"));
     CHECK(other.controller == (k == 0 ? Controller::kAfc : Controller::kFc));
     CHECK_FALSE(companions[k].printed);
-    CHECK(feeds(other.path));
+    CHECK(feeds(other));
     CHECK(other.path.line_end_y_m == 0.24);
     CHECK(other.plant.axis[1].payload_kg == 3);
     CHECK(other.run.engine == Engine::kTwin);

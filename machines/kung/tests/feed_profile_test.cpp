@@ -122,7 +122,7 @@ TEST_CASE("points of the shapes are within one LSB of the formulas, whatever the
       if (kind == PathKind::kCircle) o.path.circle_radius_m = 0.0777;
       CAPTURE(n, static_cast<int>(kind));
       const Planned planned(o);
-      const FeedProfile command = ideal_command(o);
+      const FeedProfile command = ideal_command(o, feed_moves(o));
       const std::vector<sw::Point> points = planned.points();
       INFO("points of the firmware's plan and of the formulas in double precision");
       REQUIRE(points.size() == command.points());
@@ -265,7 +265,7 @@ TEST_CASE("with any encoder, rates and limits a shape is refused in a line or wi
               try {
                 const sw::PathSetup setup = plan_feed(o, program);
                 sw::Trajectory path(setup);
-                const FeedProfile command = ideal_command(o);
+                const FeedProfile command = ideal_command(o, feed_moves(o));
                 REQUIRE(path.size() == command.points());
                 const double point_s = 1.0 * period / rate, lsb_m = count_m / 256;
                 double most = 0;
@@ -317,7 +317,7 @@ TEST_CASE("the set point of the spline stays near the command, with stops and at
       Options o = shape(kind);
       o.path.corner = pass ? Corner::kPass : Corner::kStop;
       const std::vector<sw::Point> points = Planned(o).points();
-      const FeedProfile command = ideal_command(o);
+      const FeedProfile command = ideal_command(o, feed_moves(o));
       std::vector<double> words[2];
       sw::Prefilter filter(points.front());
       for (std::size_t k = 1; k <= points.size(); ++k) {

@@ -9,7 +9,7 @@
 #include "machines/kung/plan/feed.hpp"
 #include "machines/kung/run/asked_path.hpp"
 #include "machines/kung/run/followed.hpp"
-#include "machines/kung/run/plan.hpp"
+#include "machines/kung/run/make_plan.hpp"
 
 using namespace trammel;
 using namespace trammel::kung;
@@ -29,26 +29,24 @@ Options line() {
 }
 
 struct Judge {
-  explicit Judge(const Options& options)
-      : followed(plan_firmware(options, points), kCountM, options) {}
+  explicit Judge(const Options& options) : followed(*make_plan(options)) {}
 
   std::string missed(std::uint32_t handed = 501) const {
     return followed.missed(handed, 501, {0.13, 0.14}, lagging);
   }
 
-  std::vector<sw::Point> points;
   Followed followed;
   PointM lagging{0.13, 0.14};
 };
 
-AskedPath asked_line(std::vector<sw::Point>& points) {
+AskedPath asked_line() {
   Options options;
   options.path.kind = PathKind::kLine;
   options.path.line_start_x_m = options.path.line_start_y_m = 0.1;
   options.path.line_end_x_m = 0.2;
   options.path.line_end_y_m = 0.1;
   options.path.line_ticks = 100;
-  return {sw::Trajectory(plan_firmware(options, points)), 4, 5e-6, 500};
+  return {sw::Trajectory(make_plan(options)->setup), 4, 5e-6, 500};
 }
 
 }  // namespace
@@ -133,14 +131,11 @@ TEST_CASE("the limit is run.reached_m, or lies between 3 counts and run.diverged
 }
 
 TEST_CASE("the precision controller is judged by its promise: 15 um or 3 counts to the command") {
-  const auto judge = [](auto change) {
+  const auto judge = [](auto change, const PathFile& file = {}) {
     Options options = line();
     options.controller = Controller::kPrecision;
     change(options);
-    choose_profile(options);
-    PathStore store;
-    const double count_m = options.plant.axis[0].encoder_count_m;
-    Followed followed(plan_firmware(options, store), count_m, options);
+    Followed followed(*make_plan(options, file));
     followed.add({0.1, 0.1}, 0);
     followed.add({0.13, 0.14}, 0);
     return followed;
@@ -160,15 +155,12 @@ TEST_CASE("the precision controller is judged by its promise: 15 um or 3 counts 
           o.path.profile = Profile::kFeed;
         }).promised_m() == 0);
   // Points with their own times, of which the reader of the file warned that no axis follows them.
-  const auto timed = [](const char* warning) {
-    return [warning](Options& o) {
-      o.path.kind = PathKind::kPoints;
-      o.path.points = {{0.1, 0.1}, {0.1, 0.1001}};
-      if (*warning != 0) o.path.moves_warnings = {warning};
-    };
-  };
-  CHECK(judge(timed("")).promised_m() == Approx(15e-6));
-  CHECK(judge(timed("a.csv:2: 10 mm of X")).promised_m() == 0);
+  const auto timed = [](Options& o) { o.path.kind = PathKind::kPoints; };
+  PathFile file;
+  file.points = {{0.1, 0.1}, {0.1, 0.1001}};
+  CHECK(judge(timed, file).promised_m() == Approx(15e-6));
+  file.warnings = {"a.csv:2: 10 mm of X"};
+  CHECK(judge(timed, file).promised_m() == 0);
 
   const PointM last{0.13, 0.14};
   const auto missed = [&](double error_m, const PointM& end, auto change) {
@@ -280,8 +272,7 @@ TEST_CASE("a table that stands still beside a small circle has not followed it")
 }
 
 TEST_CASE("distance from the path asked is that from the line through its last points") {
-  std::vector<sw::Point> points;
-  AskedPath path = asked_line(points);
+  AskedPath path = asked_line();
   // Point n comes at sample 4 n, 1 mm further; the table lags by 40 samples and is 3 mm beside.
   for (int k = 0; k < 400; ++k) {
     const double x_m = 0.1 + 0.001 * std::max(0, k / 4 - 10);
@@ -290,8 +281,7 @@ TEST_CASE("distance from the path asked is that from the line through its last p
 }
 
 TEST_CASE("a table that stands still is left behind by the path asked") {
-  std::vector<sw::Point> points;
-  AskedPath path = asked_line(points);
+  AskedPath path = asked_line();
   double last = 0;
   for (int k = 0; k < 2000; ++k) {
     const double distance = path.distance_m({0.1, 0.1}, 0);
@@ -302,8 +292,7 @@ TEST_CASE("a table that stands still is left behind by the path asked") {
 }
 
 TEST_CASE("what was asked some samples ago is known, as far as is searched") {
-  std::vector<sw::Point> points;
-  AskedPath path = asked_line(points);
+  AskedPath path = asked_line();
   for (int k = 0; k < 200; ++k) path.distance_m({0.1, 0.1}, 0);  // point n comes at sample 4 n
   CHECK(path.asked().x_m == Approx(0.149));
   CHECK(path.asked(3).x_m == Approx(0.149));
@@ -313,8 +302,7 @@ TEST_CASE("what was asked some samples ago is known, as far as is searched") {
 }
 
 TEST_CASE("a search for the nearest point ends where enough is known") {
-  std::vector<sw::Point> points;
-  AskedPath path = asked_line(points);
+  AskedPath path = asked_line();
   for (int k = 0; k < 100; ++k) path.distance_m({0.1, 0.1}, 0);
   const double some = path.distance_m({0.1, 0.102}, 0.05);
   CHECK(some < 0.05);

@@ -4,6 +4,7 @@
 #include "machines/kung/options.hpp"
 #include "machines/kung/plan/feed.hpp"
 #include "machines/kung/plan/path_files.hpp"
+#include "machines/kung/run/make_plan.hpp"
 
 #include <fmt/format.h>
 
@@ -100,7 +101,8 @@ TEST_CASE("keys of a path place a program, limit its feed and choose its corners
   const Options options = valid(kGcode +
                                 "start_x_m = 0.2\nstart_y_m = 0.3\nhome_x_m = 0.4\nhome_y_m = "
                                 "0.5\nrapid_m_s = 0.6\nfeed_max_m_s = 0.8\ncorner = 'stop'\n");
-  const ideal::Moves moves = kung::feed_moves(options);
+  const auto plan = kung::plan_of(options);
+  const ideal::Moves& moves = plan->moves();
   CHECK(moves.start.x == 0.2);
   CHECK(moves.start.y == 0.3);
   REQUIRE(moves.moves.size() == 4);
@@ -126,18 +128,18 @@ TEST_CASE("points are lines that are followed, if they are asked to be") {
   const std::string feed = "profile = 'feed'\npoints_mode = 'path'\n";
   CHECK(message_of(kPoints + "points_mode = 'path'\nprofile = 'constant'\n") ==
         "path.points_mode: \"path\" needs path.profile = \"feed\"");
-  CHECK(kung::feeds(valid(kPoints + "points_mode = 'path'\n").path));
+  CHECK(kung::feeds(valid(kPoints + "points_mode = 'path'\n")));
   CHECK(message_of(kPoints + "profile = 'feed'\n").empty());
-  CHECK_FALSE(kung::feeds(valid(kPoints + "profile = 'feed'\n").path));
+  CHECK_FALSE(kung::feeds(valid(kPoints + "profile = 'feed'\n")));
   Options options = valid(kPoints + feed);
-  CHECK(kung::feeds(options.path));
-  ideal::Moves moves = kung::feed_moves(options);
+  CHECK(kung::feeds(options));
+  ideal::Moves moves = kung::plan_of(options)->moves();
   REQUIRE(moves.moves.size() == 2);
   CHECK(moves.start.y == 0.2);
   CHECK(moves.moves[1].to.y == 0.23);
   CHECK(moves.moves[0].feed == 0.3);
   CHECK_FALSE(moves.moves[0].exact);
-  moves = kung::feed_moves(valid(kPoints + feed + "corner = 'stop'\nfeed_m_s = 0.2\n"));
+  moves = kung::plan_of(valid(kPoints + feed + "corner = 'stop'\nfeed_m_s = 0.2\n"))->moves();
   CHECK(moves.moves[0].exact);
   CHECK(moves.moves[0].feed == 0.2);
   files.put("a.csv", "100,200\n");
@@ -149,7 +151,7 @@ TEST_CASE("rows in their own times that jump are told with the first one") {
   const Files files;
   const std::string precise = "controller = 'precision'\n" + kPoints;
   const auto told = [](const std::string& toml) {
-    const std::vector<std::string> all = valid(toml).path.moves_warnings;
+    const std::vector<std::string> all = kung::plan_of(valid(toml))->file.warnings;
     return all.empty() ? "" : all.size() == 1 ? all[0] : "more than one";
   };
   std::string table = "x_mm,y_mm\n# from rest with 4 m/s^2\n";
@@ -206,7 +208,8 @@ TEST_CASE("the built-in part has what a part has, in 200 x 200 mm around the mid
   const auto settings = lab::load_scenario(lab::find_scenario("part"));
   lab::validate(*settings);
   const auto& options = static_cast<const Options&>(*settings);
-  const ideal::Moves moves = kung::feed_moves(options);
+  const auto plan = kung::plan_of(options);
+  const ideal::Moves& moves = plan->moves();
   CHECK(test::moves_problem(moves, {0.15, 0.15}, {0.35, 0.35}).empty());
   const std::vector<Move>& all = moves.moves;
   const auto count = [&](auto is) { return std::count_if(all.begin(), all.end(), is); };

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "machines/kung/plan/feed.hpp"
-#include "machines/kung/run/plan.hpp"
+#include "machines/kung/run/make_plan.hpp"
 
 namespace {
 
@@ -25,9 +25,8 @@ Options shape(PathKind kind) {
   return o;
 }
 
-std::uint32_t size_of(const Options& options) {
-  PathStore store;
-  return sw::Trajectory(plan_firmware(options, store)).size();
+std::uint32_t size_of(const Options& options, const ideal::Moves& read = {}) {
+  return sw::Trajectory(make_plan(options, {{}, read, {}})->setup).size();
 }
 
 Move to(const Move& last, const Place& place) {
@@ -61,20 +60,19 @@ TEST_CASE("a constant profile is planned as ever, whatever the keys of the other
   o.path.feed_m_s = 0.1;
   o.path.mean_points = 3;
   o.path.axis[1].accel_m_s2 = 1;
-  PathStore store;
-  const sw::KungSetup s = plan_firmware(o, store);
-  CHECK(s.path == sw::Path::kCircle);
-  CHECK(store.feed.segments.empty());
+  const auto plan = make_plan(o);
+  CHECK(plan->setup.path == sw::Path::kCircle);
+  CHECK(plan->store.feed.segments.empty());
 }
 
 TEST_CASE("a feed profile has a point each interrupt, of a square wave too") {
-  PathStore store;
-  const sw::KungSetup s = plan_firmware(shape(PathKind::kSquare), store);
+  const auto plan = make_plan(shape(PathKind::kSquare));
+  const sw::KungSetup& s = plan->setup;
   CHECK(s.path == sw::Path::kFeed);
   CHECK(s.irq_period == 4);
   CHECK(s.repeats == 8);
-  CHECK(store.feed.segments.size() == 2);
-  CHECK(s.feed.segments == store.feed.segments.data());
+  CHECK(plan->store.feed.segments.size() == 2);
+  CHECK(s.feed.segments == plan->store.feed.segments.data());
   // 375 ms are 187.5 points: halves of 188, and two points of rest.
   CHECK(size_of(shape(PathKind::kSquare)) == 8 * 2 * 188 + 2);
   CHECK(square_half_samples(shape(PathKind::kSquare)) == 752);
@@ -96,10 +94,9 @@ TEST_CASE("further laps are the first one again, and the passes of a line go to 
   const std::uint32_t once = size_of(o);
   o.path.repeats = 3;
   CHECK(size_of(o) == 3 * (once - 2) + 2);
-  PathStore store;
-  const sw::KungSetup s = plan_firmware(o, store);
+  const auto plan = make_plan(o);
   std::vector<sw::Point> points;
-  sw::Trajectory path(s);
+  sw::Trajectory path(plan->setup);
   for (std::uint32_t n = path.size(); n > 0; --n) points.push_back(path.next_q8());
   for (std::uint32_t k = 0; k + 2 < once; ++k) {
     CHECK((points[k] == points[k + once - 2]));
@@ -109,8 +106,8 @@ TEST_CASE("further laps are the first one again, and the passes of a line go to 
 
   o = shape(PathKind::kLine);
   o.path.repeats = 2;
-  PathStore line;
-  sw::Trajectory forth(plan_firmware(o, line));
+  const auto line = make_plan(o);
+  sw::Trajectory forth(line->setup);
   std::int32_t most = 0;
   for (std::uint32_t n = forth.size(); n > 1; --n) most = std::max(most, forth.next().x);
   CHECK(most == 80000);
@@ -163,43 +160,39 @@ TEST_CASE("a window runs clockwise around its centre from the middle of its left
 
 TEST_CASE("moves of a program are driven where they are given, with their stops and rests") {
   Options o = shape(PathKind::kPoints);
-  o.path.points = {{0.1, 0.1}, {0.1001, 0.1}};
-  CHECK_FALSE(feeds(o.path));  // points with times of their own
+  CHECK_FALSE(feeds(o));  // points with times of their own
   o.path.points_mode = PointsMode::kPath;
-  o.path.moves = staircase(1, 0.01);
-  std::vector<Move>& moves = o.path.moves.moves;
+  ideal::Moves read = staircase(1, 0.01);
   for (const Place& bend : {Place{0.22, 0.201}, Place{0.23, 0.2}}) {
-    moves.push_back(to(moves.back(), bend));
+    read.moves.push_back(to(read.moves.back(), bend));
   }
-  CHECK(feeds(o.path));
-  const std::uint32_t passing = size_of(o);
-  o.path.moves.moves[1].stop = true;
-  const std::uint32_t stopping = size_of(o);
+  CHECK(feeds(o));
+  const std::uint32_t passing = size_of(o, read);
+  read.moves[1].stop = true;
+  const std::uint32_t stopping = size_of(o, read);
   CHECK(stopping > passing);
   INFO("points: of 2 ms each, " << stopping << " without a dwell");
-  o.path.moves.moves[1].dwell = 0.5;
-  CHECK(size_of(o) == stopping + 250);
-  o.path.moves.start_dwell = 0.1;
-  CHECK(size_of(o) == stopping + 300);
-  PathStore store;
-  sw::Trajectory path(plan_firmware(o, store));
+  read.moves[1].dwell = 0.5;
+  CHECK(size_of(o, read) == stopping + 250);
+  read.start_dwell = 0.1;
+  CHECK(size_of(o, read) == stopping + 300);
+  const auto plan = make_plan(o, {{}, read, {}});
+  sw::Trajectory path(plan->setup);
   for (int n = 0; n < 50; ++n) CHECK((path.next_q8() == sw::Point{40000 * 256, 40000 * 256}));
 }
 
 TEST_CASE("moves that a feed profile cannot drive are refused with what is permitted") {
-  const auto refused = [](const Options& o, const char* text) {
+  const auto refused = [](const Options& o, const ideal::Moves& read, const char* text) {
     CAPTURE(text);
-    PathStore store;
-    CHECK_THROWS_WITH(plan_firmware(o, store), Contains(text));
+    CHECK_THROWS_WITH(make_plan(o, {{}, read, {}}), Contains(text));
   };
   Options o = shape(PathKind::kPoints);
   o.path.points_mode = PointsMode::kPath;
-  o.path.moves = staircase(3, 0.01);
   o.path.repeats = 2;
-  refused(o, "path.repeats: value 2 must be 1: the path does not end where it begins");
-  o.path.moves = staircase(4097, 0.001);
+  refused(o, staircase(3, 0.01),
+          "path.repeats: value 2 must be 1: the path does not end where it begins");
   o.path.repeats = 1;
-  refused(o, "path: more than 4096 lines and arcs");
+  refused(o, staircase(4097, 0.001), "path: more than 4096 lines and arcs");
 }
 
 TEST_CASE("4096 lines are planned within 50 ms of the processor") {

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "machines/kung/precision/plan.hpp"
-#include "machines/kung/run/plan.hpp"
+#include "machines/kung/run/make_plan.hpp"
 #include "tests/support/message.hpp"
 
 namespace {
@@ -23,8 +23,7 @@ Options options() {
 }
 
 sw::PrecisionSetup plan(const Options& o) {
-  PathStore store;
-  return plan_firmware(o, store).precision;
+  return make_plan(o)->setup.precision;
 }
 
 double value(sw::Gain g) { return std::ldexp(g.mant / 2048.0, g.exp); }

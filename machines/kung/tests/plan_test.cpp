@@ -8,8 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "lab/layers.hpp"
 #include "machines/kung/plan/parts.hpp"
-#include "machines/kung/run/plan.hpp"
+#include "machines/kung/run/make_plan.hpp"
 #include "models/fixed/fixed.hpp"
 #include "tests/support/points.hpp"
 
@@ -23,8 +24,9 @@ using namespace trammel::kung;
 using Catch::Contains;
 
 sw::KungSetup plan(const Options& options) {
-  static std::vector<sw::Point> points;
-  return plan_firmware(options, points);
+  static std::shared_ptr<const Plan> made;
+  made = make_plan(options);
+  return made->setup;
 }
 
 Options with(PathKind kind) {
@@ -176,16 +178,28 @@ TEST_CASE("the default paths in metres are the firmware's default paths") {
   CHECK(plan(with(PathKind::kSquare)).irq_period == 1);
 }
 
+TEST_CASE("a run has the plan that validation made, until a key is changed") {
+  Options o;
+  lab::validate(o);
+  const auto made = plan_of(o);
+  CHECK(made == o.prepared);
+  const auto same = o.clone();
+  CHECK(plan_of(static_cast<const Options&>(*same)) == made);
+  o.path.circle_radius_m = 0.05;
+  CHECK(made->walk.high.x - plan_of(o)->walk.high.x == Approx(10'000).margin(2));
+}
+
 TEST_CASE("points become counts and stay with their owner") {
   Options o = with(PathKind::kPoints);
-  o.path.points = {{0.1, 0.2}, {0.100005, 0.2}};
-  std::vector<sw::Point> points;
-  const auto s = plan_firmware(o, points);
+  PathFile file;
+  file.points = {{0.1, 0.2}, {0.100005, 0.2}};
+  const auto made = make_plan(o, file);
+  const std::vector<sw::Point>& points = made->store.points;
   REQUIRE(points.size() == 2);
-  CHECK(s.points == points.data());
+  CHECK(made->setup.points == points.data());
   CHECK(points[1] == sw::Point{20001, 40000});
   o.path.repeats = 2;
-  CHECK_THROWS_WITH(plan(o), Contains("path.repeats") && Contains("1..1"));
+  CHECK_THROWS_WITH(make_plan(o, file), Contains("path.repeats") && Contains("1..1"));
 }
 
 TEST_CASE("a step of the window is below the highest feed and half a straight part, each alone") {
@@ -216,8 +230,7 @@ TEST_CASE("the words of each axis at each rate are those of its own values in ph
   for (std::uint32_t p = 0; p < 3; ++p) {
     for (std::uint32_t c = 0; c < 4; ++c) {
       const Options o = unlike(positions[p], carriers[c]);
-      std::vector<sw::Point> points;
-      const sw::KungSetup s = plan_firmware(o, points);
+      const sw::KungSetup s = plan(o);
       CAPTURE(positions[p], carriers[c]);
       CHECK(s.position_rate == p);
       CHECK(s.carrier == c);
@@ -280,9 +293,8 @@ TEST_CASE("each axis is held against its own limits, at both ends of its path") 
                                         : o.chip.axis[a].stroke_min_m);
           limit = high ? high_end - off : low_end + off;
           std::string message;
-          std::vector<sw::Point> points;
           try {
-            plan_firmware(o, points);
+            plan(o);
           } catch (const std::exception& error) {
             message = error.what();
           }

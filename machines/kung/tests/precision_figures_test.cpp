@@ -4,7 +4,7 @@
 #include "machines/kung/plan/feed.hpp"
 #include "machines/kung/precision/figures.hpp"
 #include "machines/kung/precision/plan.hpp"
-#include "machines/kung/run/plan.hpp"
+#include "machines/kung/run/make_plan.hpp"
 
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -196,8 +196,7 @@ TEST_CASE("the time that a precision run had no more current to give is told") {
 TEST_CASE("an estimate at an end of its range is known as such") {
   Options options;
   options.controller = Controller::kPrecision;
-  PathStore store;
-  const sw::EstimatorSetup words = plan_firmware(options, store).precision.axis[0].estimator;
+  const sw::EstimatorSetup words = make_plan(options)->setup.precision.axis[0].estimator;
   sw::Estimator::Theta theta{words.mass, words.viscous, words.coulomb, 0, 0, 0};
   const AxisEstimate free = estimate_of(options, 0, theta);
   CHECK_FALSE((free.mass_limited || free.viscous_limited || free.coulomb_limited));
@@ -217,8 +216,7 @@ TEST_CASE("the estimates of the start are the values of the keys, each in its un
     own.mass_kg = 7 + static_cast<double>(a);
     own.viscous_n_s_m = 21;
     own.coulomb_n = 3.5;
-    PathStore store;
-    const sw::EstimatorSetup words = plan_firmware(options, store).precision.axis[a].estimator;
+    const sw::EstimatorSetup words = make_plan(options)->setup.precision.axis[a].estimator;
     const std::int32_t c = words.coulomb;
     const AxisEstimate e =
         estimate_of(options, a, {words.mass, words.viscous, c, c / 2, -c, 2 * c});
@@ -239,7 +237,7 @@ TEST_CASE("of each estimate it is told on its own where it is at an end of its r
   constexpr const char* kNames[] = {"mass_kg", "friction_N", "viscous_N_s_m", "cogging_N"};
   Options options;
   options.controller = Controller::kPrecision;
-  choose_profile(options);
+  const auto plan = make_plan(options);
   for (std::size_t axis = 0; axis < 2; ++axis) {
     for (std::size_t limited = 0; limited < 4; ++limited) {
       Result result;
@@ -252,7 +250,7 @@ TEST_CASE("of each estimate it is told on its own where it is at an end of its r
       result.estimates.emplace();
       (*result.estimates)[axis].*kEnds[limited] = true;
       std::vector<lab::Figure> list;
-      add_command_figures(list, options, result);
+      add_command_figures(list, *plan, result);
       std::size_t seen = 0;
       for (const lab::Figure& f : list) {
         for (std::size_t a = 0; a < 2; ++a) {

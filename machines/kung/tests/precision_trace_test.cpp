@@ -150,6 +150,7 @@ TEST_CASE("a load pushes back from its begin to its end") {
 TEST_CASE("precision.csv holds each axis in its own units, and which samples are counted") {
   Options options;
   options.controller = Controller::kPrecision;
+  options.path.kind = PathKind::kPoints;  // each in its own time
   const std::array<double, 2> count_m{5e-6, 2e-6};
   Result result;
   result.first_tick = 11;
@@ -176,10 +177,12 @@ TEST_CASE("precision.csv holds each axis in its own units, and which samples are
     result.samples.push_back(sample);
     result.laws.push_back(laws);
   }
-  REQUIRE_FALSE(feeds(options.path));
+  REQUIRE_FALSE(feeds(options));
+  Plan plan;
+  plan.options = options;
   const test::Scratch scratch("precision_trace");
   const auto file = scratch.path / "precision.csv";
-  write_precision(file, options, result);
+  write_precision(file, plan, result);
   std::ifstream in(file);
   std::string line;
   std::vector<std::string> names;

@@ -121,7 +121,6 @@ TEST_CASE("metrics of a run hold its processor's clocks, and of a precision run 
   const auto metrics = [](Controller controller, bool core) {
     auto options = std::make_shared<Options>();
     options->controller = controller;
-    choose_profile(*options);
     auto result = std::make_unique<Result>();
     result->points = 7;
     result->first_tick = 11;
@@ -193,17 +192,16 @@ TEST_CASE("a path has the feed profile where it is asked, of lines, or of the pr
         options.path.kind = kind;
         options.path.points_mode = mode;
         options.controller = controller;
-        choose_profile(options);
         const bool timed = kind == PathKind::kPoints && mode == PointsMode::kTimed;
         const bool lines = kind == PathKind::kFeed || (kind == PathKind::kPoints && !timed);
         const bool can = kind != PathKind::kSweep && !timed;
         CAPTURE(static_cast<int>(kind), static_cast<int>(mode), static_cast<int>(controller));
         options.path.profile = Profile::kAuto;
-        CHECK(feeds(options.path) == (can && (lines || controller == Controller::kPrecision)));
+        CHECK(feeds(options) == (can && (lines || controller == Controller::kPrecision)));
         options.path.profile = Profile::kFeed;
-        CHECK(feeds(options.path) == can);
+        CHECK(feeds(options) == can);
         options.path.profile = Profile::kConstant;
-        CHECK_FALSE(feeds(options.path));
+        CHECK_FALSE(feeds(options));
       }
     }
   }

@@ -10,7 +10,7 @@
 #include "machines/kung/page/afc_steps.hpp"
 #include "machines/kung/page/page.hpp"
 #include "machines/kung/plan/axis.hpp"
-#include "machines/kung/run/plan.hpp"
+#include "machines/kung/run/make_plan.hpp"
 #include "machines/kung/tests/by_hand.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/scratch.hpp"

@@ -17,6 +17,7 @@
 #include "lab/write.hpp"
 #include "machines/kung/chip/measures.hpp"
 #include "machines/kung/judge/baseline.hpp"
+#include "machines/kung/run/make_plan.hpp"
 #include "machines/kung/tests/by_hand.hpp"
 #include "tests/support/files.hpp"
 #include "tests/support/scratch.hpp"
@@ -108,7 +109,7 @@ TEST_CASE("a run keeps its program, and its command repeats it where the user st
   std::ofstream(file) << "G0 X270\n";  // is another program from now on
   const auto settings = lab::load_scenario(again);
   lab::validate(*settings);
-  CHECK(static_cast<const Options&>(*settings).path.moves.moves.back().to.x == 0.26);
+  CHECK(plan_of(static_cast<const Options&>(*settings))->moves().moves.back().to.x == 0.26);
   const auto listed = nlohmann::json::parse(test::content(out / "run.json"));
   CHECK(listed["files"].contains("path.gcode_file.NGC"));
   CHECK(run_kung(out, standing(EndReason::kDone),
@@ -152,7 +153,7 @@ TEST_CASE("whoever follows the model cuts the circle by what the model does") {
   const double w = 0.5 / 0.1;
   const double radius_mm = 100 / (1 + std::pow(w / 30, 2));
   for (const Law law : {Law::kCascade, Law::kPid}) {
-    const Tracks tracks = baseline_tracks(options, law);
+    const Tracks tracks = baseline_tracks(*make_plan(options), law);
     REQUIRE(tracks.table.size() == 4 * (3 * 628 + 1));
     const PointM center{0.25, 0.25};
     for (std::size_t k = 2 * 4 * 628; k < tracks.table.size(); ++k) {
@@ -174,7 +175,7 @@ TEST_CASE("a baseline pushes with the current that the controllers have, and no 
   }
   const double h = options.chip.sample_s();
   for (const Law law : {Law::kCascade, Law::kPid}) {
-    const Points table = baseline_tracks(options, law).table;
+    const Points table = baseline_tracks(*make_plan(options), law).table;
     const plant::AxisConfig& axis = options.plant.axis[0];
     double most = 0;  // [m/s2]
     std::size_t at = 0;

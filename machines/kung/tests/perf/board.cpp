@@ -7,7 +7,7 @@
 
 #include "machines/kung/chip/verilated/probe.hpp"
 #include "machines/kung/plan/words.hpp"
-#include "machines/kung/run/plan.hpp"
+#include "machines/kung/run/make_plan.hpp"
 #include "rtl/chips/generated/kung_xy_regs.hpp"
 
 namespace trammel::perf {
@@ -30,7 +30,8 @@ void PinChip::read_words(int axis, kung::AxisSample& sample) const {
 Board::Board(sc_module_name name, const kung::Options& options, Pins& pins, Vkung_xy_sc& model,
              const std::string& pins_file)
     : sc_module(name), options_(options), pins_(pins), chip_(pins, model) {
-  const sw::KungSetup setup = kung::plan_firmware(options_, points_);
+  plan_ = kung::make_plan(options_);
+  const sw::KungSetup& setup = plan_->setup;
   firmware_ = std::make_unique<kung::StallableApp>(setup, cosim::kNever);
   firmware_->runs_on(chip_);
   const sw::Point start = sw::Trajectory(setup).start();

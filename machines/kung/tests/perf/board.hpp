@@ -106,7 +106,7 @@ class Board final : public sc_core::sc_module, private sw::Bus {
   kung::Options options_;
   Pins& pins_;
   PinChip chip_;
-  std::vector<sw::Point> points_;
+  std::shared_ptr<const kung::Plan> plan_;
   std::unique_ptr<kung::StallableApp> firmware_;
   std::unique_ptr<kung::TablePlant> plant_;
   std::unique_ptr<kung::Recorder> recorder_;

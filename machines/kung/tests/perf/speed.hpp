@@ -6,7 +6,7 @@
 #pragma once
 
 #include "machines/kung/plan/words.hpp"
-#include "machines/kung/run/plan.hpp"
+#include "machines/kung/run/make_plan.hpp"
 #include "machines/kung/run/session.hpp"
 #include "machines/kung/tests/perf/row.hpp"
 #include "rtl/chips/generated/kung_xy_regs.hpp"
@@ -56,8 +56,8 @@ struct Nothing final : cosim::Observer {
 
 inline Outcome run_speed(const Arguments& arguments) {
   const kung::Options& options = arguments.options;
-  std::vector<sw::Point> points;
-  kung::StallableApp firmware(kung::plan_firmware(options, points), cosim::kNever);
+  const auto plan = kung::make_plan(options);
+  kung::StallableApp firmware(plan->setup, cosim::kNever);
   MovingTable table(arguments.speed_m_s, options.run.clock_ps);
   const auto chip = kung::make_verilated_chip(options.run);
   firmware.runs_on(*chip);

@@ -12,7 +12,7 @@
 #include "lab/layers.hpp"
 #include "lab/scenarios.hpp"
 #include "machines/kung/chip/measures.hpp"
-#include "machines/kung/run/plan.hpp"
+#include "machines/kung/run/make_plan.hpp"
 #include "machines/kung/run/session.hpp"
 #include "machines/kung/tests/soc/transfer.hpp"
 
@@ -97,8 +97,8 @@ struct Noise {
 
 // Equal writes of native firmware fed the reads of a run.
 inline std::size_t native_writes(const Options& options, const std::vector<Transfer>& transfers) {
-  PathStore store;
-  sw::KungApp app(plan_firmware(options, store));
+  const auto plan = plan_of(options);
+  sw::KungApp app(plan->setup);
   Replay replay(transfers);
   return replay.run(app);
 }

@@ -37,8 +37,8 @@ plant::XyTableConfig table_of(const Options& options, const sw::KungSetup& setup
 // The same with kung_soc as one model; `patch` may change its memory.
 OneModel run_one_model(const Options& options, cosim::Clk end, cosim::SerialHost* host = nullptr,
                        const std::function<void(CoreMemory&)>& patch = {}) {
-  std::vector<sw::Point> points;
-  const sw::KungSetup setup = plan_firmware(options, points);
+  const auto plan = plan_of(options);
+  const sw::KungSetup& setup = plan->setup;
   TablePlant plant(table_of(options, setup), cosim::kNever, cosim::kNever);
   CoreMemory memory = core_memory(setup, true);
   if (patch) patch(memory);
@@ -55,12 +55,12 @@ constexpr cosim::Clk kWorstRoutine = 4000;
 constexpr double kMeanRoutine = 3500;
 
 // Lines, arcs and a passed corner in 60 x 40 mm; chords of 0.1 mm, of which a point passes several.
-Options feed_program() {
+Options feed_program(const std::function<void(Options&)>& change = {}) {
   Options options = line();
   options.path.profile = Profile::kFeed;
   options.path.kind = PathKind::kPoints;
   options.path.points_mode = PointsMode::kPath;
-  ideal::Moves& all = options.path.moves;
+  ideal::Moves all;
   ideal::Move m;
   m.feed = 0.4;
   m.to = all.start = {0.1, 0.1};
@@ -80,6 +80,8 @@ Options feed_program() {
   all.moves.back().dwell = 0.02;
   for (int k = 1; k <= 20; ++k) to(0.14 - 1e-4 * k, 0.13 - 1e-6 * k * k);
   to(0.13, 0.1296);
+  if (change) change(options);
+  options.prepared = make_plan(options, {{}, all, {}});
   return options;
 }
 
@@ -140,8 +142,7 @@ void check_noise(const Options& options, cosim::Clk end, long bytes) {
 // A program that was not started gets bytes, and asks nothing of the IC.
 void check_noise_at_rest(long bytes) {
   const Options options = line();
-  std::vector<sw::Point> points;
-  const auto core = make_core(core_memory(plan_firmware(options, points), false), false);
+  const auto core = make_core(core_memory(make_plan(options)->setup, false), false);
   Noise noise(7);
   const auto start_up = static_cast<cosim::Clk>(0.02 * kClockHz);
   const Ran ran = run(options, start_up + bytes * 10 * kClocksPerBit, &noise.host, core.get());
@@ -275,10 +276,11 @@ TEST_CASE("the core draws lines and arcs under the feed profile as native firmwa
 }
 
 TEST_CASE("the core identifies, estimates and draws with precision as native firmware does") {
-  Options options = feed_program();
-  options.controller = Controller::kPrecision;
-  options.plant.axis[0].payload_kg = options.plant.axis[1].payload_kg = 11;
-  options.plant.axis[0].cogging_n = options.plant.axis[1].cogging_n = 3;
+  const Options options = feed_program([](Options& o) {
+    o.controller = Controller::kPrecision;
+    o.plant.axis[0].payload_kg = o.plant.axis[1].payload_kg = 11;
+    o.plant.axis[0].cogging_n = o.plant.axis[1].cogging_n = 3;
+  });
   const Ran ran = run(options);
   CHECK(ran.result.end == EndReason::kDone);
   const std::size_t writes = test::writes_of(ran.transfers).size();
@@ -292,9 +294,8 @@ TEST_CASE("the core identifies, estimates and draws with precision as native fir
 }
 
 TEST_CASE("lamps show core and interrupts, and a fault of either driver turns all gates off") {
-  std::vector<sw::Point> points;
   const Options options = line();
-  const sw::KungSetup setup = plan_firmware(options, points);
+  const sw::KungSetup setup = make_plan(options)->setup;
   for (const unsigned faults : {1u, 2u}) {
     CAPTURE(faults);
     test::SocChip chip(core_memory(setup, true));

@@ -25,8 +25,7 @@ struct VexRegisters {
 
 TEST_CASE("VexRiscv writes what native firmware writes, with the binary of PicoRV32") {
   const Options options = line();
-  std::vector<sw::Point> points;
-  const CoreMemory memory = core_memory(plan_firmware(options, points), true);
+  const CoreMemory memory = core_memory(make_plan(options)->setup, true);
   VerilatedCore<Vsoc_host_vex, VexRegisters> core(memory, true);
   const Ran ran = run(options, static_cast<cosim::Clk>(0.1 * kClockHz), nullptr, &core);
   const std::size_t writes = writes_of(ran.transfers).size();

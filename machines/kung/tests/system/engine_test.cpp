@@ -4,6 +4,7 @@
 // stops, words, rules and end. Whole scenarios: `trammel verify --engines`.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <fstream>
 
 #include "machines/kung/chip/measures.hpp"
 #include "machines/kung/run/session.hpp"
@@ -13,6 +14,7 @@
 #include "machines/kung/tests/chip_words.hpp"
 #include "tests/support/event_record.hpp"
 #include "tests/support/scenarios.hpp"
+#include "tests/support/scratch.hpp"
 #include "tests/support/slope.hpp"
 
 using namespace trammel;
@@ -218,7 +220,9 @@ TEST_CASE("both engines agree on lines and points, interpolated and fed forward"
 
   options = piece();
   options.path.kind = PathKind::kPoints;
-  options.path.points = {{0.1, 0.1}, {0.101, 0.1}, {0.102, 0.103}, {0.1, 0.1}};
+  const test::Scratch scratch("kung_engine_points");
+  options.path.points_file = (scratch.path / "a.csv").string();
+  std::ofstream(options.path.points_file) << "100,100\n101,100\n102,103\n100,100\n";
   options.path.repeats = 5;
   check_same(options);
 }

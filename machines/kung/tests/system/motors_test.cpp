@@ -9,7 +9,7 @@
 
 #include "cosim/direct.hpp"
 #include "machines/kung/plan/words.hpp"
-#include "machines/kung/run/plan.hpp"
+#include "machines/kung/run/make_plan.hpp"
 #include "machines/kung/run/session.hpp"
 #include "models/ideal/fuzzy_controller.hpp"
 #include "models/ideal/reference_model.hpp"
@@ -190,8 +190,8 @@ TEST_CASE("energy through the chip is balanced for each motor, without dead time
       options.chip.carrier_Hz = carrier;
       options.chip.dead_time_min_ns = 0;
       for (auto& axis : options.chip.axis) axis.dead_time_ns = 0;
-      std::vector<sw::Point> points;
-      const sw::KungSetup setup = plan_firmware(options, points);
+      const auto plan = make_plan(options);
+      const sw::KungSetup& setup = plan->setup;
       const sw::Point start = sw::Trajectory(setup).start();
       options.plant.axis[0].start_m = start.x * motor.count_m;
       options.plant.axis[1].start_m = start.y * motor.count_m;

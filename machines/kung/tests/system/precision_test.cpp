@@ -20,6 +20,7 @@
 #include "machines/kung/plan/words.hpp"
 #include "machines/kung/precision/figures.hpp"
 #include "machines/kung/precision/trace.hpp"
+#include "machines/kung/run/make_plan.hpp"
 #include "tests/support/figures.hpp"
 #include "tests/support/random_gcode.hpp"
 #include "tests/support/scratch.hpp"
@@ -157,7 +158,7 @@ TEST_CASE("precision.csv says what figures, words and plant say") {
   const auto& options = kung::options_of(record);
   const kung::Result& result = kung::result_of(record);
   const test::Scratch scratch("kung_precision_trace_out");
-  kung::write_precision(scratch.path / kung::kPrecisionTrace, options, result);
+  kung::write_precision(scratch.path / kung::kPrecisionTrace, *kung::plan_of(options), result);
   lab::RunFolder folder;
   folder.folder = scratch.path;
   folder.rows = result.samples.size();

@@ -55,7 +55,7 @@ TEST_CASE("without dead time the current loop is that of its gains and the windi
   const Result result = run(options);
   CHECK(result.end == EndReason::kDone);
   for (std::size_t a = 0; a < 2; ++a) {
-    const auto loops = responses(options, result, a);
+    const auto loops = responses(*make_plan(options), result, a);
     REQUIRE(loops.size() == 1);
     REQUIRE(loops[0].closed.size() == 19);
     for (const lab::ResponsePoint& point : loops[0].closed) {
@@ -73,7 +73,7 @@ TEST_CASE("dead time lowers the gain of the current loop, the more the smaller i
   double last = 0;
   for (const double amplitude : {0.5, 1.0, 2.0}) {
     options.path.sweep_amplitude_A = amplitude;
-    const auto loops = responses(options, run(options), 0);
+    const auto loops = responses(*make_plan(options), run(options), 0);
     const double crossover = lab::margins(loops[0].closed).crossover_hz.value();
     CHECK(crossover > 1.02 * last);
     last = crossover;
@@ -88,7 +88,7 @@ TEST_CASE("the speed loop is that of its gain, the force constant and the mass")
   const Result result = run(options);
   CHECK(result.end == EndReason::kDone);
   for (std::size_t a = 0; a < 2; ++a) {
-    const auto loops = responses(options, result, a);
+    const auto loops = responses(*make_plan(options), result, a);
     REQUIRE(loops.size() == 2);
     const plant::AxisConfig& plant = options.plant.axis[a];
     const double expected = options.gains[a].kv * kSpeedGain * plant.force_constant_n_a /

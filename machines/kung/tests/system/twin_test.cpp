@@ -3,7 +3,7 @@
 // The controllers of the chip in closed loop against their twins fed with the same inputs.
 #include <catch2/catch.hpp>
 
-#include "machines/kung/run/plan.hpp"
+#include "machines/kung/run/make_plan.hpp"
 #include "machines/kung/run/session.hpp"
 #include "models/exact/chips/kung_axis.hpp"
 #include "tests/support/session_run.hpp"
@@ -35,8 +35,7 @@ TEST_CASE("whole circle: every word of both controllers equals the twin's at eve
   Options options;
   options.run.platform = Platform::kDirect;
   Session session(options, {});
-  std::vector<sw::Point> points;
-  const sw::KungSetup setup = plan_firmware(options, points);
+  const sw::KungSetup setup = make_plan(options)->setup;
 
   test::run_through(session);
   std::array<std::array<std::int32_t, 49>, 2> rules{};
@@ -161,8 +160,7 @@ TEST_CASE("whole controllers equal their twins at every PWM period of a line") {
   options.path.line_end_y_m = 0.12;
   options.path.line_ticks = 40;
   Session session(options, {});
-  std::vector<sw::Point> points;
-  AxisCheck check(session.chip(), plan_firmware(options, points));
+  AxisCheck check(session.chip(), make_plan(options)->setup);
   session.loop().watch(check);
   test::run_through(session);
   CHECK(check.compared > 2 * 1280);

@@ -9,7 +9,7 @@
 #include "lab/wiring.hpp"
 #include "lab/machine.hpp"
 #include "machines/kung/chip/chip.hpp"
-#include "machines/kung/run/plan.hpp"
+#include "machines/kung/run/make_plan.hpp"
 #include "machines/kung/run/session.hpp"
 #include "tests/support/scratch.hpp"
 
@@ -232,8 +232,8 @@ TEST_CASE("the signals of triggers are what the registers read") {
     gains.kp = gains.kv = 30;
     gains.current_kp_V_A = 900;
   }
-  std::vector<sw::Point> points;
-  const sw::KungSetup setup = plan_firmware(options, points);
+  const auto plan = make_plan(options);
+  const sw::KungSetup& setup = plan->setup;
   sw::KungApp app(setup);
   const sw::Point start = sw::Trajectory(setup).start();
   plant::XyTableConfig table = options.plant;

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "machines/kung/run/plan.hpp"
+#include "machines/kung/run/make_plan.hpp"
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdlib>
 #include <stdexcept>
+#include <utility>
 
 #include "host/errors.hpp"
 #include "machines/kung/plan/axis.hpp"
 #include "machines/kung/plan/feed.hpp"
 #include "machines/kung/plan/parts.hpp"
-#include "machines/kung/plan/path_files.hpp"
 #include "machines/kung/plan/words.hpp"
 #include "machines/kung/precision/plan.hpp"
 #include "machines/kung/run/cpu.hpp"
@@ -39,11 +40,13 @@ std::uint32_t nearest_rate(const char* key, int value, const std::array<std::uin
 
 }  // namespace
 
-sw::KungSetup plan_firmware(const Options& given, PathStore& store) {
-  Options options = given;
-  choose_profile(options);
+std::shared_ptr<const Plan> make_plan(const Options& options, PathFile file) {
+  const auto plan = std::make_shared<Plan>();
+  plan->options = options;
+  plan->options.prepared.reset();
+  plan->file = std::move(file);
+  sw::KungSetup& s = plan->setup;
   const ChipOptions& chip = options.chip;
-  sw::KungSetup s;
   s.carrier = nearest_rate("chip.carrier_Hz", chip.carrier_Hz, exact::kCarrierHz);
   s.position_rate = nearest_rate("chip.position_Hz", chip.position_Hz, kPositionHz);
   const double count_m = options.plant.axis[0].encoder_count_m;
@@ -52,13 +55,13 @@ sw::KungSetup plan_firmware(const Options& given, PathStore& store) {
                       "{:g}: the processor draws the path in counts",
                       options.plant.axis[1].encoder_count_m, count_m));
   static_cast<sw::PathSetup&>(s) =
-      plan_path(options, Encoder{count_m, chip.sample_s()}, store);
+      plan_path(options, plan->file, Encoder{count_m, chip.sample_s()}, plan->store);
   require(options.cpu == Cpu::kNative || !options.fault.of_processor(),
           "inject.fault: those of the processor and its bus need run.cpu = \"native\"; "
           "inject.processor_s is a fault of the core");
   s.current_command = options.path.open_position();
   for (std::size_t a = 0; a < 2; ++a) s.axis[a] = plan_axis(options, a);
-  s.irq_period = word(ticks_per_point(options.path, chip.irq_period_ticks));
+  s.irq_period = word(ticks_per_point(options));
   s.watchdog_ticks = word(chip.watchdog_ticks);
   if (s.watchdog_ticks != 0) {
     in_range("chip.watchdog_ticks", s.watchdog_ticks, s.irq_period + 1, 65535,
@@ -82,19 +85,29 @@ sw::KungSetup plan_firmware(const Options& given, PathStore& store) {
   }
   s.d_current_limit = static_cast<std::int32_t>(std::lround(chip.d_current_A / lsb_A));
   s.dead_time_min = clocks(chip.dead_time_min_ns, options.run.clock_ps);
-  check_extent(options, s);
+  plan->walk = walk_path(options, s);
+  check_extent(options, plan->walk.low, plan->walk.high);
   check_sweep(options);
   s.precision = plan_precision(options, s);
-  return s;
+  return plan;
+}
+
+std::shared_ptr<const Plan> make_plan(const Options& options) {
+  return make_plan(options, read_path_file(options));
+}
+
+std::shared_ptr<const Plan> plan_of(const Options& options) {
+  auto plan = std::static_pointer_cast<const Plan>(options.prepared);
+  const bool fits = plan && std::all_of(keys().begin(), keys().end(), [&](const lab::Key& key) {
+    return key.get(options) == key.get(plan->options);
+  });
+  return fits ? plan : make_plan(options);
 }
 
 void validate(lab::Settings& settings) {
   auto& options = static_cast<Options&>(settings);
-  PathStore store;
-  choose_profile(options);
   try {
-    read_path_files(options);
-    plan_firmware(options, store);
+    options.prepared = make_plan(options);
     check_cpu(options);
   } catch (const std::invalid_argument& error) {
     throw host::ConfigError(error.what());
