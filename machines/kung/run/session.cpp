@@ -51,22 +51,6 @@ std::uint32_t model_lag(const Options& options) {
 
 }  // namespace
 
-cosim::FaultPins fault_pins(const Options& options) {
-  using K = cosim::FaultKind;
-  cosim::FaultPins pins;
-  pins.axes = {"X", "Y"};
-  pins.places = {{K::kEncoderStuck, K::kEncoderStuck, 2, "encoder: A, B"},
-                 {K::kEncoderMissing, K::kIndexLost, 0, ""},
-                 {K::kConverterStuck, K::kConverterSlipped, 2, "converter: phase a, b"},
-                 {K::kGateDead, K::kGateDead, 6, "gate: upper a, b, c, lower a, b, c"},
-                 {K::kPhaseOpen, K::kPhaseOpen, 3, "phase: a, b, c"}};
-  for (int axis = 0; axis < kAxes; ++axis) {
-    pins.inputs.push_back({encoder_a(axis), encoder_b(axis), encoder_z(axis)});
-  }
-  pins.converter_bits = options.plant.axis[static_cast<std::size_t>(options.fault.axis)].adc_bits;
-  return pins;
-}
-
 Session::Session(const Options& options, const Hooks& hooks, const cosim::Waves& waves)
     : SessionOf(hooks, options.run, options.fault, options.processor, waves),
       options_(options),
