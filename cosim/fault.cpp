@@ -26,11 +26,12 @@ std::uint32_t random_word(std::uint64_t x) {  // splitmix64
 
 const std::vector<std::string>& fault_words() {
   static const std::vector<std::string> kWords{
-      "none",             "encoder_stuck",     "encoder_missing",  "encoder_swapped",
-      "index_lost",       "converter_stuck",   "converter_offset", "converter_saturated",
-      "converter_slipped", "gate_dead",        "output_stuck",     "phase_open",
-      "supply_dip",       "processor_stopped", "processor_slow",   "processor_garbage",
-      "bus_stall",        "register_flip"};
+      "none",             "encoder_stuck",    "encoder_missing",     "encoder_swapped",
+      "index_lost",       "encoder_jump",     "trip_pin",            "converter_stuck",
+      "converter_offset", "converter_saturated", "converter_slipped", "gate_dead",
+      "output_stuck",     "processor_hung",   "phase_open",          "supply_dip",
+      "processor_stopped", "processor_slow",  "processor_garbage",   "bus_stall",
+      "register_flip"};
   return kWords;
 }
 

@@ -21,12 +21,15 @@ enum class FaultKind {
   kEncoderMissing,      // each value-th count is lost, without value each tenth
   kEncoderSwapped,      // A is B
   kIndexLost,           // the index line stays low
+  kEncoderJump,         // A and B are inverted: both change at once
+  kTripPin,             // the input that turns the chip's outputs off is high
   kConverterStuck,      // it repeats its last code, or that of value
   kConverterOffset,     // value is added to its code
   kConverterSaturated,  // its largest code, or its least where value is below 0
   kConverterSlipped,    // its frame comes a bit late, or early where value is below 0
   kGateDead,            // a gate driver leaves its switch open
   kOutputStuck,         // a bit toward the converter is low, or high where value is above 0
+  kProcessorHung,       // its service routine does nothing more than a read
   kPhaseOpen,           // a phase of the motor carries no current
   kSupplyDip,           // value percent of the supply remain; from here on, of every machine
   kProcessorStopped,    // it executes nothing
@@ -43,14 +46,13 @@ struct Fault {
   int axis = 0;
   int line = 0;      // of those that the machine has at the place of this kind
   int value = 0;
-  std::string bit;   // of kRegisterFlip: its register, and its number in brackets
+  std::string bit{};  // of kRegisterFlip: its register, and its number in brackets
 
   bool any() const { return kind != FaultKind::kNone; }
   bool between(FaultKind first, FaultKind last) const { return kind >= first && kind <= last; }
   bool of_processor() const {
     return between(FaultKind::kProcessorStopped, FaultKind::kBusStall);
   }
-  bool of_plant() const { return between(FaultKind::kPhaseOpen, FaultKind::kSupplyDip); }
 };
 
 // Names of the kinds, as inject.fault has them.
@@ -68,6 +70,7 @@ struct FaultPins {
   std::vector<std::string> axes;           // their names; empty: there is one axis
   std::vector<FaultPlace> places;          // but those of the kinds that every machine has
   std::vector<std::array<int, 3>> inputs;  // of each axis, in sense(): lines 0 and 1, index
+  int trip = 0;                            // in sense(), of kTripPin
   int converter_bits = 12;
   bool registers = false;                  // the chip's have names: not a twin
 

@@ -25,7 +25,8 @@ FaultPlant::FaultPlant(FalliblePlant& plant, const FaultPins& pins, const Fault&
       pins_(pins),
       fault_((check_fault(fault, pins), fault)),
       span_(fault, clock_ps),
-      event_(fault.of_processor() ? kNever : span_.begin),
+      event_(fault.of_processor() || fault.kind == FaultKind::kProcessorHung ? kNever
+                                                                             : span_.begin),
       index_(fault.axis * pins.place(fault.kind).lines + fault.line) {
   if (!pins.inputs.empty()) encoder_ = pins.inputs.at(static_cast<std::size_t>(fault.axis));
   const Lines lines = plant_.sense();
@@ -53,6 +54,11 @@ Lines FaultPlant::sense() const {
       put(encoder_[1], a);
       break;
     case FaultKind::kIndexLost: put(encoder_[2], false); break;
+    case FaultKind::kEncoderJump:
+      put(encoder_[0], !a);
+      put(encoder_[1], !b);
+      break;
+    case FaultKind::kTripPin: put(pins_.trip, true); break;
     default: break;
   }
   return lines;

@@ -122,12 +122,39 @@ struct Entry {
   std::vector<const Key*> keys{};          // of that name
 };
 
+const FormerKey* former_key(const Settings& settings, const std::string& name) {
+  const auto& all = settings.machine().former_keys;
+  const auto found = std::find_if(all.begin(), all.end(),
+                                  [&](const FormerKey& one) { return one.key.name == name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
 Entry text_entry(const std::string& name, const std::string& text, const std::string& where) {
   return {name, where, [text](const Key& key) { return parsed(key, text); }};
 }
 
 constexpr int kAssigned = 1'000'000;  // the layer of -s and of the environment
 constexpr const char* kWritten = "# Written by trammel;";  // line 1 of run.toml
+
+void apply(Settings& settings, std::vector<Entry> entries, const fs::path& folder, int layer);
+
+// Behind the keys of its layer: a run.toml of the version before has them all.
+void apply_former(Settings& settings, const FormerKey& former, const Entry& entry,
+                  const fs::path& folder, int layer) {
+  const Value value = checked(former.key, entry.value(former.key), entry.where);
+  std::vector<Entry> entries;
+  std::string now;
+  for (const std::string& text : former.now(settings, value)) {
+    const auto at = text.find('=');
+    entries.push_back(text_entry(text.substr(0, at), text.substr(at + 1), entry.where));
+    now += " -s " + text;
+  }
+  if (entries.empty()) return;
+  apply(settings, entries, folder, layer);
+  settings.notices.push_back(
+      fmt::format("{}: {}: the next version does not have this key; use{}", entry.where,
+                  former.key.name, now));
+}
 
 void apply(Settings& settings, std::vector<Entry> entries, const fs::path& folder, int layer) {
   for (Entry& entry : entries) entry.keys = find_keys(settings.machine().keys(), entry.name);
@@ -136,7 +163,11 @@ void apply(Settings& settings, std::vector<Entry> entries, const fs::path& folde
     return a.keys.size() > b.keys.size();
   });
   for (const Entry& entry : entries) {
-    if (entry.keys.empty()) unknown_key(settings, entry.where, entry.name);
+    if (entry.keys.empty()) {
+      const FormerKey* const former = former_key(settings, entry.name);
+      if (former == nullptr) unknown_key(settings, entry.where, entry.name);
+      apply_former(settings, *former, entry, folder, layer);
+    }
     for (const Key* key : entry.keys) {
       Value value = checked(*key, entry.value(*key), entry.where);
       if (key->kind == Kind::kFile) {
@@ -223,7 +254,8 @@ void apply_assignment(Settings& settings, const std::string& assignment, const s
 void apply_environment(Settings& settings,
                        const std::vector<std::pair<std::string, std::string>>& variables) {
   const std::string prefix = "TRAMMEL_";
-  const std::vector<std::string> all = key_names(settings.machine().keys());
+  std::vector<std::string> all = key_names(settings.machine().keys());
+  for (const FormerKey& former : settings.machine().former_keys) all.push_back(former.key.name);
   std::vector<Entry> entries;
   for (const auto& [variable, value] : variables) {
     if (variable.rfind(prefix, 0) != 0) continue;

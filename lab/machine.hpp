@@ -116,6 +116,7 @@ struct Machine {
   // leave in them what it computes of them, as Settings::prepared.
   std::unique_ptr<Settings> (*defaults)() = nullptr;
   const std::vector<Key>& (*keys)() = nullptr;
+  std::vector<FormerKey> former_keys;  // neither listed nor written
   void (*validate)(Settings& settings) = nullptr;
 
   // A run, and what is recorded and made of it.

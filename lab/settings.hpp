@@ -46,6 +46,7 @@ struct Settings {
   int layers = 0;           // files that were applied
   std::map<std::string, SetBy> set_by;  // keys that any layer has set
   std::string program;      // the file that was named in place of a scenario; "": none
+  std::vector<std::string> notices;  // lines for people: former keys, and what to write now
   std::shared_ptr<const void> prepared;  // what the machine has made of them in validate()
   cosim::RunBasics run;
   cosim::ProcessorOptions processor;
@@ -79,6 +80,13 @@ struct Key {
   std::string help;
   std::function<Value(const Settings&)> get;
   std::function<void(Settings&, const Value&)> set;  // takes a value that passed the checks
+};
+
+// A key of the version before: it is still read, and sets others.
+struct FormerKey {
+  Key key;  // its name, kind and range
+  // key=value of the keys that have this value's effect; none where it has no effect.
+  std::function<std::vector<std::string>(const Settings&, const Value&)> now;
 };
 
 // "plant.x.mass_kg" -> "plant.mass_kg"; other names stay.

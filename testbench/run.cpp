@@ -134,6 +134,7 @@ int check(const lab::Record& record) {
 Outcome run_one(lab::Settings& settings, const fs::path& target, const Arguments& arguments,
                 const Simulate& simulate, const std::atomic<bool>& stop) {
   host::OutputFolder folder(target);  // refused in one line, ahead of what is told of the run
+  for (const std::string& notice : settings.notices) tell(notice);
   if (const auto notice = lab::waves_notice(settings)) tell(*notice);
   if (settings.machine().texts.warnings != nullptr) {
     tell_warnings(settings.scenario, settings.machine().texts.warnings(settings));

@@ -71,6 +71,7 @@ lab::Machine describe() {
   m.order = 1;
   m.of_types<Options, Session>();
   m.keys = keys;
+  m.former_keys = former_keys();
   m.described.by = "path.kind";
   m.described.alters = alters;
   m.described.reworded = reworded;

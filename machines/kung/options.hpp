@@ -188,16 +188,9 @@ struct PathOptions {
   double home_y_m = 0.25;
 };
 
-// Faults injected into what the chip sees; 0 = never.
-struct FaultInjection {
-  double trip_s = 0;     // the trip pin rises
-  double encoder_s = 0;  // both encoder lines of X jump at once
-  double processor_s = 0;  // the interrupt routine stops doing its work; the core's RTL meets an
-                           // illegal instruction
-};
-
 const lab::Machine& machine();
 const std::vector<lab::Key>& keys();
+std::vector<lab::FormerKey> former_keys();
 
 struct Result;  // chip/record.hpp
 
@@ -225,7 +218,6 @@ struct Options final : lab::SettingsOf<Options, machine> {
   double settled_m = 20e-6;  // band of the settling time after it
   double diverged_m = 0.05;  // tracking error that ends the run as diverged
   double reached_m = 0;      // largest error of a table that followed; 0: by the path's extent
-  FaultInjection inject;
 
   // By which the reference model of the slower axis lags behind a ramp.
   double lag_s() const { return std::max(gains[0].lag_s(), gains[1].lag_s()); }

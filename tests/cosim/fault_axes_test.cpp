@@ -98,6 +98,8 @@ TEST_CASE("a fault of an encoder changes the lines of its own axis, and no other
     }
     check("encoder_swapped", fault_of(FaultKind::kEncoderSwapped, axis), 3);
     check("index_lost", fault_of(FaultKind::kIndexLost, axis), 4);
+    check("encoder_jump", fault_of(FaultKind::kEncoderJump, axis), 3);
+    CHECK(changed(fault_of(FaultKind::kTripPin, axis)).during == Lines{1} << 6);
   }
 }
 
@@ -216,10 +218,11 @@ TEST_CASE("a place is refused one beyond its last, with its key and range, and t
   }
   CHECK_THROWS_WITH(check_fault(fault_of(K::kGateDead, 0), two_axes(false)),
                     "inject.fault: this machine has no gate_dead; it has: encoder_stuck, "
-                    "encoder_missing, encoder_swapped, index_lost, converter_stuck, "
-                    "converter_offset, converter_saturated, converter_slipped, output_stuck, "
-                    "phase_open, supply_dip, processor_stopped, processor_slow, "
-                    "processor_garbage, bus_stall, register_flip");
+                    "encoder_missing, encoder_swapped, index_lost, encoder_jump, trip_pin, "
+                    "converter_stuck, converter_offset, converter_saturated, "
+                    "converter_slipped, output_stuck, phase_open, supply_dip, "
+                    "processor_stopped, processor_slow, processor_garbage, bus_stall, "
+                    "register_flip");
 }
 
 TEST_CASE("a fault of the processor has its own time and amount, at its first and last edge") {

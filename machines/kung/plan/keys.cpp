@@ -86,14 +86,6 @@ void add_run(Table& t) {
 
 void add_faults(Table& t) {
   t.faults(fault_pins({}));
-  const auto add = keys_of(t, "inject.", [](auto& o) -> auto& { return o.inject; });
-  add("trip_s", 0, 3600, "time at which the trip pin rises; 0 = never", &FaultInjection::trip_s);
-  add("encoder_s", 0, 3600, "time at which both lines of encoder X jump; 0 = never",
-      &FaultInjection::encoder_s);
-  add("processor_s", 0, 3600,
-      "time from which the processor does nothing, or meets an illegal instruction if run.cpu is "
-      "\"rtl\"; 0 = never",
-      &FaultInjection::processor_s);
 }
 
 void add_path(Table& t) {

@@ -17,7 +17,7 @@ void check_cpu(const Options& options) {
   if (!rtl) return;
   require(!options.fault.of_processor(),
           "inject.fault: faults of the processor are of native firmware (run.cpu = \"native\"); "
-          "inject.processor_s gives its RTL an illegal instruction");
+          "processor_hung gives its RTL an illegal instruction");
   require(!options.path.open_position(),
           "path.sweep_of: \"current\" needs a command within a period of the carrier, which only "
           "run.cpu = \"native\" gives");

@@ -58,7 +58,12 @@ std::shared_ptr<const Plan> make_plan(const Options& options, PathFile file) {
       plan_path(options, plan->file, Encoder{count_m, chip.sample_s()}, plan->store);
   require(options.cpu == Cpu::kNative || !options.fault.of_processor(),
           "inject.fault: those of the processor and its bus need run.cpu = \"native\"; "
-          "inject.processor_s is a fault of the core");
+          "processor_hung is a fault of the core");
+  require(options.cpu == Cpu::kNative || options.fault.for_s == 0 ||
+              options.fault.kind != cosim::FaultKind::kProcessorHung,
+          fmt::format("inject.for_s: value {:g} must be 0: with run.cpu = \"rtl\" processor_hung "
+                      "is an illegal instruction, which stops the core for good",
+                      options.fault.for_s));
   s.current_command = options.path.open_position();
   for (std::size_t a = 0; a < 2; ++a) s.axis[a] = plan_axis(options, a);
   s.irq_period = word(ticks_per_point(options));

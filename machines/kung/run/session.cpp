@@ -57,7 +57,7 @@ Session::Session(const Options& options, const Hooks& hooks, const cosim::Waves&
       plan_(plan_of(options)) {
   sw::KungSetup setup = plan_->setup;
   setup.precision.corrections = &corrections_;
-  firmware_ = std::make_unique<StallableApp>(setup, fault_at(options_.inject.processor_s));
+  firmware_ = std::make_unique<StallableApp>(setup, hung());
   const sw::Trajectory path(setup);
   const sw::Point start = path.start();
   path_points_ = path.size();
@@ -67,9 +67,7 @@ Session::Session(const Options& options, const Hooks& hooks, const cosim::Waves&
                  contour_reach(options_.lag_s(), options_.chip.sample_s()));
   options_.plant.axis[0].start_m = start.x * options_.plant.axis[0].encoder_count_m;
   options_.plant.axis[1].start_m = start.y * options_.plant.axis[1].encoder_count_m;
-  plant_ = std::make_unique<TablePlant>(options_.run.clocked(options_.plant),
-                                        fault_at(options_.inject.trip_s),
-                                        fault_at(options_.inject.encoder_s));
+  plant_ = std::make_unique<TablePlant>(options_.run.clocked(options_.plant));
   chip_ = make_chip();
   firmware_->runs_on(*chip_);
   if (options_.cpu == Cpu::kRtl) make_core(setup);
@@ -86,9 +84,17 @@ void Session::on(const cosim::Stop& stop, const cosim::Chip& chip, const cosim::
   detail_->on(stop, chip, plant);
   recorder_->on(stop, chip, plant);
   // A trip turns the gates off and interrupts: their own many changes tell nothing more.
+  const bool trips = !options_.fault.any() || options_.fault.kind == cosim::FaultKind::kTripPin ||
+                     options_.fault.kind == cosim::FaultKind::kEncoderJump ||
+                     options_.fault.kind == cosim::FaultKind::kProcessorHung;
   const unsigned watched =
-      options_.fault.any() ? ~cosim::kLimit : cosim::kIrq | cosim::kBusDone | cosim::kTick;
+      trips ? cosim::kIrq | cosim::kBusDone | cosim::kTick : ~cosim::kLimit;
   if ((stop.why & watched) != 0) watch_fault(stop);
+}
+
+cosim::FaultSpan Session::hung() const {
+  if (options_.fault.kind != cosim::FaultKind::kProcessorHung) return {};
+  return {options_.fault, options_.run.clock_ps};
 }
 
 std::unique_ptr<KungChip> Session::make_chip() {
@@ -106,7 +112,7 @@ void Session::make_core(const sw::KungSetup& setup) {
         "rtl installs both");
   }
   core_ = kung::make_core(core_memory(setup, true), options_.run.audit);
-  core_->break_at(fault_at(options_.inject.processor_s));
+  core_->break_at(hung().begin);
   if (options_.uart.empty()) return;
   console_ = std::make_unique<SerialConsole>(options_.uart, [this] { return core_->listens(); });
   core_->connect(console_->host());

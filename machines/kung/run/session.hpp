@@ -22,20 +22,19 @@
 
 namespace trammel::kung {
 
-// The plant of models/ behind the interface of cosim/, with faults on its lines when asked for.
+// The plant of models/ behind the interface of cosim/; the processor may raise its trip pin.
 class TablePlant final : public cosim::FalliblePlant {
  public:
-  // Edges at which the trip pin rises and both lines of encoder X flip; kNever = never.
-  TablePlant(const plant::XyTableConfig& config, cosim::Clk trip, cosim::Clk encoder)
-      : table_(config), trip_(trip), encoder_(encoder) {}
+  explicit TablePlant(const plant::XyTableConfig& config) : table_(config) {}
 
-  cosim::Lines sense() const override { return table_.sense() ^ faults_; }
-  cosim::Clk next() const override { return std::min({table_.next(), trip_, encoder_}); }
+  cosim::Lines sense() const override { return table_.sense() | trapped_; }
+  cosim::Clk next() const override { return std::min(table_.next(), trip_); }
   void trip_from(cosim::Clk edge) { trip_ = std::min(trip_, edge); }  // the pin rises; not the past
   void commit(cosim::Clk n, cosim::Lines drive) override {
     table_.commit(n, drive);
-    inject(trip_, n, cosim::Lines{1} << kTripPin);
-    inject(encoder_, n, cosim::Lines{1} << encoder_a(0) | cosim::Lines{1} << encoder_b(0));
+    if (n < trip_) return;
+    trapped_ = cosim::Lines{1} << kTripPin;
+    trip_ = cosim::kNever;
   }
   int sample(int channel, cosim::Clk n) const override { return table_.sample(channel, n); }
   void open_phase(cosim::Clk n, int axis, int phase, bool open) override {
@@ -46,29 +45,24 @@ class TablePlant final : public cosim::FalliblePlant {
   const plant::XyTable& table() const { return table_; }
 
  private:
-  void inject(cosim::Clk& at, cosim::Clk now, cosim::Lines lines) {
-    if (now < at) return;
-    faults_ ^= lines;
-    at = cosim::kNever;
-  }
-
   plant::XyTable table_;
-  cosim::Clk trip_, encoder_;
-  cosim::Lines faults_ = 0;
+  cosim::Clk trip_ = cosim::kNever;
+  cosim::Lines trapped_ = 0;
 };
 
-// The application, until the processor hangs at edge `stall`: then its routine only reads.
+// The application, but while the processor hangs: then its routine only reads.
 class StallableApp final : public sw::Firmware {
  public:
-  StallableApp(const sw::KungSetup& setup, cosim::Clk stall) : app_(setup), stall_(stall) {}
+  explicit StallableApp(const sw::KungSetup& setup, const cosim::FaultSpan& hung = {})
+      : app_(setup), hung_(hung) {}
 
   void runs_on(const cosim::Chip& chip) { chip_ = &chip; }
   void start(sw::Bus& bus) override { app_.start(bus); }
   void isr(sw::Bus& bus) override {
-    if (chip_->now() < stall_) {
-      app_.isr(bus);
-    } else {
+    if (hung_.holds(chip_->now())) {
       bus.read(kung_xy_regs::kId);
+    } else {
+      app_.isr(bus);
     }
   }
   const sw::Mailbox& mailbox() const override { return app_.mailbox(); }
@@ -77,7 +71,7 @@ class StallableApp final : public sw::Firmware {
  private:
   sw::KungApp app_;
   const cosim::Chip* chip_ = nullptr;
-  cosim::Clk stall_;
+  cosim::FaultSpan hung_;
 };
 
 class Session final : public cosim::SessionOf<cosim::Rig> {
@@ -102,9 +96,7 @@ class Session final : public cosim::SessionOf<cosim::Rig> {
   std::string noticed() const override;
   cosim::FaultTruth truth(cosim::Clk edge) const override;
 
-  cosim::Clk fault_at(double seconds) const {
-    return seconds > 0 ? options_.run.clocks(seconds) : cosim::kNever;
-  }
+  cosim::FaultSpan hung() const;  // when the processor is; else never
   bool over(const Sample& sample);
   bool swings(const Sample& sample);
   void watch_limits(const Sample& sample);

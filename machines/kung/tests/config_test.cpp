@@ -107,6 +107,37 @@ TEST_CASE("the built-in scenarios load, are valid and, but for sweeps and the pa
   CHECK(loaded >= 8);
 }
 
+TEST_CASE("a key of the last version for a fault sets inject.fault, in old records too") {
+  for (const auto& [key, kind] : {std::pair{"trip_s", cosim::FaultKind::kTripPin},
+                                  {"encoder_s", cosim::FaultKind::kEncoderJump},
+                                  {"processor_s", cosim::FaultKind::kProcessorHung}}) {
+    CAPTURE(key);
+    const std::string name = std::string("inject.") + key;
+    kung::Options record;
+    take(record, "inject.trip_s = 0.0\ninject.encoder_s = 0.0\ninject.processor_s = 0.0\n");
+    CHECK_FALSE(record.fault.any());
+    CHECK(record.notices.empty());
+    take(record, name + " = 0.05\ninject.fault = \"none\"\ninject.begin_s = 0.0\n");
+    CHECK(record.fault.kind == kind);
+    CHECK(record.fault.begin_s == 0.05);
+    REQUIRE(record.notices.size() == 1);
+    const std::string& word = cosim::fault_words()[static_cast<std::size_t>(kind)];
+    CHECK_THAT(record.notices[0], Catch::Contains(name) &&
+                                      Catch::Contains("-s inject.fault=" + word +
+                                                      " -s inject.begin_s=0.05"));
+    kung::Options again;
+    take(again, run_toml(record));
+    CHECK(again.notices.empty());
+    CHECK(again.fault.kind == kind);
+    kung::Options other = again;
+    other.fault.kind = cosim::FaultKind::kGateDead;
+    CHECK_THROWS_WITH(take(other, name + " = 0.1\n"), Catch::Contains("a run has one fault"));
+    CHECK_THROWS_WITH(take(again, name + " = -1.0\n"), Catch::Contains("out of range 0..3600"));
+    take(again, name + " = 0.0\n");
+    CHECK_FALSE(again.fault.any());
+  }
+}
+
 TEST_CASE("the default gains are the words of the specification") {
   const kung::AxisGains g;
   const auto same = [](fixed::Gain word, std::int32_t mant, std::int32_t exp) {

@@ -245,7 +245,7 @@ TEST_CASE("a whole run says how far the table is from the last point") {
 
 TEST_CASE("a processor that dies before the last points leaves an end of its own") {
   Options options = small_circle();
-  options.inject.processor_s = 0.87;
+  options.fault = {cosim::FaultKind::kProcessorHung, 0.87};
   const Result result = simulate(options, {});
   CHECK(result.end == EndReason::kMissed);
   CHECK(result.points < 451);

@@ -36,7 +36,7 @@ class Page(drawn_page.DrawnPage, sample_page.SamplePage, report_pages.ReportPage
                       "-s", "plant.y.payload_kg=2", "-s", "path.y.accel_m_s2=6",
                       "--engine", "twin"],
         "trip": ["run", "circle", "-s", "path.circle_ticks=60", "-s", "path.circle_radius_m=0.01",
-                 "-s", "inject.trip_s=0.05"],
+                 "-s", "inject.fault=trip_pin", "-s", "inject.begin_s=0.05"],
     }
     tripped = {"trip"}
     compared = ("circle", "small-fc")

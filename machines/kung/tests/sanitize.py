@@ -13,7 +13,10 @@ TWIN = ("--engine", "twin")
 WAVE = (*SHORT, "-o", "OUT/waves", "--wave")
 STEP = ("run", "step", "-s", "path.square_half_samples=20", "-s", "path.square_periods=2",
         "-s", "run.reached_m=1")
-WATCHDOG = ("-s", "inject.processor_s=0.01", "-s", "chip.watchdog_ticks=5")
+TRIP = ("-s", "inject.fault=trip_pin", "-s", "inject.begin_s=0.01")
+JUMP = ("-s", "inject.fault=encoder_jump", "-s", "inject.begin_s=0.01")
+HUNG = ("-s", "inject.fault=processor_hung", "-s", "inject.begin_s=0.01")
+WATCHDOG = (*HUNG, "-s", "chip.watchdog_ticks=5")
 CORE = (*SHORT, "--cpu", "rtl", "-o", "OUT/core")
 COMMANDS = Path(__file__).parent / "soc" / "commands.txt"
 FOLDER = "OUT/direct"
@@ -31,16 +34,16 @@ RUNS = [
     (0, *SHORT, "-o", "OUT/asserted", "--assert", "-s", "run.leap=false"),
     (0, "run", "step", *TWIN, "-o", "OUT/whole_step"),
     (0, "run", "--all", *LINE, "--json", "-o", "OUT/all"),
-    (5, *SHORT, "--platform", "systemc", "-o", "OUT/tripped", "-s", "inject.trip_s=0.01"),
-    (5, *SHORT, "-o", "OUT/encoder", "-s", "inject.encoder_s=0.01"),
+    (5, *SHORT, "--platform", "systemc", "-o", "OUT/tripped", *TRIP),
+    (5, *SHORT, "-o", "OUT/encoder", *JUMP),
     (5, *SHORT, "--platform", "systemc", "-o", "OUT/watchdog", *WATCHDOG),
     (5, *SHORT, "-o", "OUT/short", "-s", "run.max_s=0.005"),
     (0, *SHORT, "-o", "OUT/audited", "--audit"), (0, *SHORT, "-o", "OUT/activity", "--activity"),
     (0, *SHORT, *TWIN, "-o", "OUT/activity", "--activity"),
     (0, *SHORT, "-o", "OUT/twin", *TWIN, "-s", "gains.interpolate=true"),
     (0, *STEP, "-o", "OUT/twin_step", *TWIN),
-    (5, *SHORT, "-o", "OUT/twin_tripped", *TWIN, "-s", "inject.trip_s=0.01"),
-    (5, *SHORT, "-o", "OUT/twin_encoder", *TWIN, "-s", "inject.encoder_s=0.01"),
+    (5, *SHORT, "-o", "OUT/twin_tripped", *TWIN, *TRIP),
+    (5, *SHORT, "-o", "OUT/twin_encoder", *TWIN, *JUMP),
     (5, *SHORT, "-o", "OUT/twin_watchdog", *TWIN, *WATCHDOG),
     # The precision controller: laps that it learns, a program, start values that swing, limits.
     (0, "run", "circle", *TWIN, "-o", "OUT/laps", "-s", "controller=precision", "-s",
@@ -73,7 +76,7 @@ RUNS = [
      "-s", "chip.d_current_A=0.3", "-o", "OUT/gains"),
     # The processor's RTL, with its serial port, and with an illegal instruction.
     (0, *CORE), (0, *CORE, "--audit", "-s", f"run.uart={COMMANDS}"),
-    (0, *CORE, "-s", "run.uart=pty"), (5, *CORE, "-s", "inject.processor_s=0.01"),
+    (0, *CORE, "-s", "run.uart=pty"), (5, *CORE, *HUNG),
 ]
 REFUSED = [
     (2, "takes no scenario", "run", "--all", "circle"),

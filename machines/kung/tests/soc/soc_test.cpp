@@ -39,7 +39,7 @@ OneModel run_one_model(const Options& options, cosim::Clk end, cosim::SerialHost
                        const std::function<void(CoreMemory&)>& patch = {}) {
   const auto plan = plan_of(options);
   const sw::KungSetup& setup = plan->setup;
-  TablePlant plant(table_of(options, setup), cosim::kNever, cosim::kNever);
+  TablePlant plant(table_of(options, setup));
   CoreMemory memory = core_memory(setup, true);
   if (patch) patch(memory);
   test::SocChip chip(memory);
@@ -246,7 +246,7 @@ TEST_CASE("a waiting core stands still, at every stall of a run") {
 
 TEST_CASE("an illegal instruction turns the gates off within the trip's clocks, at its address") {
   Options options = line();
-  options.inject.processor_s = 0.03;
+  options.fault = {cosim::FaultKind::kProcessorHung, 0.03};
   const auto end = static_cast<cosim::Clk>(0.05 * kClockHz);
   const Ran ran = run(options, end);
   CHECK(ran.result.end == EndReason::kFault);
@@ -300,7 +300,7 @@ TEST_CASE("lamps show core and interrupts, and a fault of either driver turns al
     CAPTURE(faults);
     test::SocChip chip(core_memory(setup, true));
     Vkung_soc& pins = chip.pins();
-    TablePlant plant(table_of(options, setup), cosim::kNever, cosim::kNever);
+    TablePlant plant(table_of(options, setup));
     DriveEdges drive;
     cosim::Loop loop(chip, plant, drive);
     cosim::Clk end = 0;

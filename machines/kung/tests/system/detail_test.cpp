@@ -96,7 +96,7 @@ TEST_CASE("the window holds two PWM periods from the sample on, with the dead ti
 
 TEST_CASE("after a trip the window lies around the edge that turned the gates off") {
   Options options = piece();
-  options.inject.trip_s = 0.03;
+  options.fault = {cosim::FaultKind::kTripPin, 0.03};
   const Result result = simulate(options, {});
   REQUIRE(result.end == EndReason::kFault);
   const GateWindow& gates = result.detail.gates;
@@ -112,7 +112,7 @@ TEST_CASE("after a trip the window lies around the edge that turned the gates of
 
 TEST_CASE("a window of a trip ends with a run that ends before it") {
   Options options = piece();
-  options.inject.trip_s = 0.03;
+  options.fault = {cosim::FaultKind::kTripPin, 0.03};
   options.run.max_s = 0.03004;
   const Result result = simulate(options, {});
   const GateWindow& gates = result.detail.gates;

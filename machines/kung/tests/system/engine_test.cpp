@@ -266,10 +266,10 @@ TEST_CASE("both engines agree on a load that comes and goes, with and without a 
 
 TEST_CASE("both engines see the same fault at the same edge") {
   Options options = piece(0.1);
-  SECTION("trip pin") { options.inject.trip_s = 0.0300311; }
-  SECTION("encoder") { options.inject.encoder_s = 0.0300322; }
+  SECTION("trip pin") { options.fault = {cosim::FaultKind::kTripPin, 0.0300311}; }
+  SECTION("encoder") { options.fault = {cosim::FaultKind::kEncoderJump, 0.0300322}; }
   SECTION("processor") {
-    options.inject.processor_s = 0.03;
+    options.fault = {cosim::FaultKind::kProcessorHung, 0.03};
     options.chip.watchdog_ticks = 10;
   }
   SECTION("over-current") { options.chip.current_limit_A = 0.1; }

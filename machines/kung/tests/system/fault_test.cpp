@@ -40,7 +40,7 @@ TEST_CASE("a run without faults ends without one") {
 
 TEST_CASE("the trip pin ends the run") {
   Options options = short_circle();
-  options.inject.trip_s = 0.05;
+  options.fault = {trammel::cosim::FaultKind::kTripPin, 0.05};
   const Result result = simulate(options, {});
   check_tripped(result, FaultCode::kTrip, 0);
   CHECK(result.fault.tick == 101);  // ticks at 0, 0.5 ms, ..., 50 ms have passed
@@ -51,7 +51,7 @@ TEST_CASE("the trip pin ends the run") {
 TEST_CASE("after any trip the way to rest is recorded and told, and the figures end at the trip") {
   Options options = short_circle();
   options.run.engine = Engine::kTwin;
-  options.inject.trip_s = 0.15;  // at 0.5 m/s
+  options.fault = {trammel::cosim::FaultKind::kTripPin, 0.15};  // at 0.5 m/s
   options.run.max_s = 2;
   Result result = simulate(options, {});
   const double mm = result.fault_report.stopping;
@@ -65,7 +65,6 @@ TEST_CASE("after any trip the way to rest is recorded and told, and the figures 
                                   last[1].x_true_m - at.axis[1].x_true_m);
   CHECK(mm == Approx(1e3 * way_m).margin(0.01));
   CHECK(mm > 10);
-  CHECK(result.fault_report.begin == trammel::cosim::kNever);  // none was injected
   double told = 0, largest_mm = 0;
   for (const auto& figure : machine().figures(options, result)) {
     if (figure.id == "at_end.stopping_mm" && figure.shown) told = figure.value;
@@ -73,17 +72,18 @@ TEST_CASE("after any trip the way to rest is recorded and told, and the figures 
   }
   CHECK(told == mm);
   CHECK(largest_mm < 5);  // the model goes on while the table stops
-  options.inject.trip_s = 0;
+  options.fault = {};
   options.chip.following_error_m = 0.004;  // the firmware's, not the chip's
   result = simulate(options, {});
   REQUIRE(result.end == EndReason::kFault);
+  CHECK(result.fault_report.begin == trammel::cosim::kNever);  // none was injected
   CHECK(result.fault_report.off != trammel::cosim::kNever);
   CHECK(result.fault_report.stopping > 1);
 }
 
 TEST_CASE("a jump of both encoder lines ends the run") {
   Options options = short_circle();
-  options.inject.encoder_s = 0.05;
+  options.fault = {trammel::cosim::FaultKind::kEncoderJump, 0.05};
   check_tripped(simulate(options, {}), FaultCode::kEncoder, 0);
 }
 
@@ -112,7 +112,7 @@ TEST_CASE("leaving the stroke ends the run") {
 TEST_CASE("the watchdog bites when the processor hangs") {
   Options options = short_circle();
   options.chip.watchdog_ticks = 10;
-  options.inject.processor_s = 0.05;
+  options.fault = {trammel::cosim::FaultKind::kProcessorHung, 0.05};
   const Result result = simulate(options, {});
   check_tripped(result, FaultCode::kWatchdog, 0);
   CHECK(result.fault.tick > 105);  // at most 4 ticks since the last COMMIT, 10 allowed

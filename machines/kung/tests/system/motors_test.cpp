@@ -121,7 +121,7 @@ double fast_rms_mm(const Motor& motor, bool adapt) {
 class MeteredPlant final : public cosim::Plant {
  public:
   MeteredPlant(const Motor& motor, const plant::XyTableConfig& config)
-      : motor_(motor), plant_(config, cosim::kNever, cosim::kNever) {}
+      : motor_(motor), plant_(config) {}
 
   cosim::Lines sense() const override { return plant_.sense(); }
   cosim::Clk next() const override { return plant_.next(); }

@@ -109,7 +109,7 @@ TEST_CASE("a search finds each event where the record or the bus says it is") {
 
 TEST_CASE("a fault is found at the clock that latched it") {
   Options options = piece();
-  options.inject.trip_s = 0.02;
+  options.fault = {cosim::FaultKind::kTripPin, 0.02};
   const Result result = traced(options, "fault.trip");
   REQUIRE(result.wave_trigger);
   CHECK(result.end == EndReason::kFault);
@@ -136,7 +136,7 @@ TEST_CASE("a trigger that never fires leaves a complete run and no waves") {
 
 TEST_CASE("where the drives never start the default window begins with the run") {
   Options options = piece();
-  options.inject.processor_s = 0.001;  // before its first interrupt
+  options.fault = {cosim::FaultKind::kProcessorHung, 0.001};  // before its first interrupt
   options.run.max_s = 0.01;
   const Result result = traced(options, "");
   CHECK_FALSE(result.wave_trigger);
@@ -239,7 +239,7 @@ TEST_CASE("the signals of triggers are what the registers read") {
   plant::XyTableConfig table = options.plant;
   table.axis[0].start_m = start.x * 5e-6;
   table.axis[1].start_m = start.y * 5e-6;
-  TablePlant plant(table, cosim::kNever, cosim::kNever);
+  TablePlant plant(table);
   Reader signal;
   const auto chip = make_watched_chip(signal, true);
   struct Nothing final : cosim::Observer {
