@@ -57,7 +57,6 @@ Session::Session(const Options& options, const Hooks& hooks, const cosim::Waves&
       plan_(plan_of(options)) {
   sw::KungSetup setup = plan_->setup;
   setup.precision.corrections = &corrections_;
-  firmware_ = std::make_unique<StallableApp>(setup, hung());
   const sw::Trajectory path(setup);
   const sw::Point start = path.start();
   path_points_ = path.size();
@@ -69,7 +68,7 @@ Session::Session(const Options& options, const Hooks& hooks, const cosim::Waves&
   options_.plant.axis[1].start_m = start.y * options_.plant.axis[1].encoder_count_m;
   plant_ = std::make_unique<TablePlant>(options_.run.clocked(options_.plant));
   chip_ = make_chip();
-  firmware_->runs_on(*chip_);
+  firmware_ = std::make_unique<StallableApp>(setup, *chip_, hung());
   if (options_.cpu == Cpu::kRtl) make_core(setup);
   recorder_ = std::make_unique<Recorder>(*chip_, plant_->table(),
                                          options_.controller == Controller::kPrecision,
@@ -190,8 +189,8 @@ void Session::watch_limits(const Sample& sample) {
     const bool on = axis.set_point != kNoSetPoint;
     if (on && std::abs(axis.set_point - 256 * axis.x_p) > kMostError) ++result_.error_limited[a];
     if (core_) continue;
-    const sw::PrecisionControl& control = firmware_->app().precision();
-    const bool limited = control.estimator(static_cast<std::uint32_t>(a)).at_limit();
+    const bool limited =
+        firmware_->mailbox().estimator(static_cast<std::uint32_t>(a)).at_limit();
     mass_limited_[a] = limited ? mass_limited_[a] + 1 : 0;
     result_.mass_limited[a] = std::max(result_.mass_limited[a], mass_limited_[a]);
   }
@@ -266,7 +265,7 @@ std::unique_ptr<cosim::RunResult> Session::result() {
   result_.wakes = chip_->wakes();
   result_.from_last_m = followed_->from_m(asked_->asked());
   if (options_.controller == Controller::kPrecision && !core_) {
-    const sw::PrecisionControl& found = firmware_->app().precision();
+    const sw::KungMailbox& found = firmware_->mailbox();
     result_.estimates = {estimate_of(options_, 0, found.estimator(0)),
                          estimate_of(options_, 1, found.estimator(1))};
   }

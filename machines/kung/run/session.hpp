@@ -53,24 +53,23 @@ class TablePlant final : public cosim::FalliblePlant {
 // The application, but while the processor hangs: then its routine only reads.
 class StallableApp final : public sw::Firmware {
  public:
-  explicit StallableApp(const sw::KungSetup& setup, const cosim::FaultSpan& hung = {})
-      : app_(setup), hung_(hung) {}
+  StallableApp(const sw::KungSetup& setup, const cosim::Chip& chip,
+               const cosim::FaultSpan& hung = {})
+      : app_(setup), chip_(chip), hung_(hung) {}
 
-  void runs_on(const cosim::Chip& chip) { chip_ = &chip; }
   void start(sw::Bus& bus) override { app_.start(bus); }
   void isr(sw::Bus& bus) override {
-    if (hung_.holds(chip_->now())) {
+    if (hung_.holds(chip_.now())) {
       bus.read(kung_xy_regs::kId);
     } else {
       app_.isr(bus);
     }
   }
-  const sw::Mailbox& mailbox() const override { return app_.mailbox(); }
-  const sw::KungApp& app() const { return app_; }
+  const sw::KungMailbox& mailbox() const override { return app_.mailbox(); }
 
  private:
   sw::KungApp app_;
-  const cosim::Chip* chip_ = nullptr;
+  const cosim::Chip& chip_;
   cosim::FaultSpan hung_;
 };
 

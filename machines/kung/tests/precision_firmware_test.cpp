@@ -202,7 +202,7 @@ TEST_CASE("with estimates that are kept no word changes on the path") {
     m.interrupt();
     CHECK(window(m.chip, reg::kX, before)[2].second == gain_word({1687, -2}));
   }
-  CHECK(m.app.precision().estimator(0).theta()[Estimator::kMass] == 431985);
+  CHECK(m.app.mailbox().estimator(0).theta()[Estimator::kMass] == 431985);
 }
 
 TEST_CASE("a knot without a COMMIT in time is reported as late, of either axis") {

@@ -221,8 +221,7 @@ TEST_CASE("a processor that hangs only reads, and nothing before its edge is los
   for (const cosim::Clk stall : {0, 1}) {
     cosim::FaultSpan hung;
     hung.begin = stall;
-    StallableApp app(sw::KungSetup{}, hung);
-    app.runs_on(*chip);
+    StallableApp app(sw::KungSetup{}, *chip, hung);
     test::FakeChip bus;
     app.start(bus);
     bus.tick(4);

@@ -107,11 +107,11 @@ KungApp::KungApp(const KungSetup& setup)
   look_ahead();
 }
 
-bool KungApp::within_stroke(Point point) const {
+bool KungApp::within_stroke(Point at) const {
   const AxisSetup& x = setup_.axis[0];
   const AxisSetup& y = setup_.axis[1];
-  return point.x >= x.stroke_min && point.x <= x.stroke_max && point.y >= y.stroke_min &&
-         point.y <= y.stroke_max;
+  return at.x >= x.stroke_min && at.x <= x.stroke_max && at.y >= y.stroke_min &&
+         at.y <= y.stroke_max;
 }
 
 bool KungApp::path_within_stroke() const {
@@ -249,15 +249,15 @@ void KungApp::serve(Bus& bus) {
   if (!follows(record)) return fail(bus, Failure::kFollowing);
   if (!d_currents_plausible(bus)) return fail(bus, Failure::kDCurrent);
 
-  const bool more = mail_.point < size_;
+  const bool more = Mailbox::point < size_;
   if (more) command_ = trajectory_.next();
   command(bus);
-  if (more && mail_.point == 0) {
+  if (more && Mailbox::point == 0) {
     if (bus.read(reg::kTick) != record.tick) return fail(bus, Failure::kLate);
-    mail_.first_tick = record.tick + 1;
+    Mailbox::first_tick = record.tick + 1;
   }
-  if (more) ++mail_.point;
-  if (mail_.point == size_) mail_.done = 1;
+  if (more) ++Mailbox::point;
+  if (Mailbox::point == size_) Mailbox::done = 1;
 
   keep(record);
 }
@@ -274,16 +274,16 @@ void KungApp::serve_precision(Bus& bus) {
   if (!follows(record)) return fail(bus, Failure::kFollowing);
   if (!d_currents_plausible(bus)) return fail(bus, Failure::kDCurrent);
 
-  const bool more = mail_.point < size_ && precision_.on_path();
+  const bool more = Mailbox::point < size_ && precision_.on_path();
   const bool places_knots = logged_ == 0;
   if (places_knots && !await_tick(bus, record.tick)) return fail(bus, Failure::kLate);
   command_ = {rs(precision_.point().x, 8), rs(precision_.point().y, 8)};
   precision_.serve(bus);
   const std::uint32_t committed = record.tick + 1;
   if (places_knots && bus.read(reg::kTick) != committed) return fail(bus, Failure::kLate);
-  if (more && mail_.point == 0) mail_.first_tick = committed + 1;
-  if (more) ++mail_.point;
-  if (mail_.point == size_) mail_.done = 1;
+  if (more && Mailbox::point == 0) Mailbox::first_tick = committed + 1;
+  if (more) ++Mailbox::point;
+  if (Mailbox::point == size_) Mailbox::done = 1;
 
   keep(record);
   look_ahead();
@@ -300,15 +300,15 @@ bool KungApp::await_tick(Bus& bus, std::uint32_t tick) {
 
 // The next point but one, which the pre-filter needs with the next COMMIT.
 void KungApp::look_ahead() {
-  Point point{256 * start_.x, 256 * start_.y};
+  Point ahead{256 * start_.x, 256 * start_.y};
   if (precision_.needs_point()) {
     if (drawn_ < size_) {
       ++drawn_;
       path_point_ = trajectory_.next_q8();
     }
-    point = path_point_;
+    ahead = path_point_;
   }
-  precision_.give(point);
+  precision_.give(ahead);
 }
 
 // Without position loops the COMMIT only feeds the watchdog.
@@ -348,14 +348,14 @@ bool KungApp::d_currents_plausible(Bus& bus) const {
   return true;
 }
 
-void KungApp::fail(Bus& bus, Failure failure) {
-  mail_.failure = static_cast<std::uint32_t>(failure);
+void KungApp::fail(Bus& bus, Failure why) {
+  Mailbox::failure = static_cast<std::uint32_t>(why);
   stop(bus);
 }
 
 // Both axes off, until they show it.
 void KungApp::stop(Bus& bus) {
-  mail_.done = 1;
+  Mailbox::done = 1;
   state_ = State::kOff;
   for (const std::uint32_t base : kBases) bus.write(base + reg::kCtrl, 0);
   for (const std::uint32_t base : kBases) {

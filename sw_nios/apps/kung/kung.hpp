@@ -84,7 +84,23 @@ enum class Failure : std::uint32_t {
   kDCurrent      // a measured i_d is too large, though its loop holds it at 0
 };
 
-class KungApp final : public Firmware {
+// `failure` is a Failure; a point is one of the path, counted when written. The estimators are read
+// where they are in the application, which this is a part of: a core computes nothing for them.
+class KungMailbox : public Mailbox {
+ public:
+  KungMailbox(const KungMailbox&) = delete;
+  KungMailbox& operator=(const KungMailbox&) = delete;
+
+  const Estimator& estimator(std::uint32_t axis) const;  // of the precision controller
+
+ private:
+  friend class KungApp;
+  KungMailbox() = default;
+  ~KungMailbox() = default;
+};
+
+// The mailbox is first: a core reaches what is near the begin by one instruction.
+class KungApp final : public Firmware, private KungMailbox {
  public:
   static constexpr std::uint32_t kLogSize = 128;
   static constexpr std::uint32_t kPollLimit = 4096;  // a table reset takes 50 clk
@@ -95,10 +111,8 @@ class KungApp final : public Firmware {
   [[gnu::cold]] void start(Bus& bus) override;
   void isr(Bus& bus) override;
   [[gnu::cold]] void stop(Bus& bus);  // drives off, no further interrupt; the program has ended
-  // `failure` is a Failure; a point is one of the path, counted when written.
-  const Mailbox& mailbox() const override { return mail_; }
+  const KungMailbox& mailbox() const override { return *this; }
 
-  const PrecisionControl& precision() const { return precision_; }
   std::uint32_t fault() const { return fault_; }  // FAULT register at kFault: code, axis, tick
   std::uint32_t points() const { return size_; }  // of the whole path
 
@@ -109,9 +123,11 @@ class KungApp final : public Firmware {
   }
 
  private:
+  friend class KungMailbox;
+
   enum class State : std::uint8_t { kOff, kCalibrating, kArming, kRunning, kPrecise };
 
-  bool within_stroke(Point point) const;
+  bool within_stroke(Point at) const;
   [[gnu::cold]] bool path_within_stroke() const;
   [[gnu::cold]] void calibrate(Bus& bus);
   [[gnu::cold]] void arm(Bus& bus);
@@ -126,10 +142,9 @@ class KungApp final : public Firmware {
   [[gnu::noinline]] void serve_precision(Bus& bus);
   bool await_tick(Bus& bus, std::uint32_t tick);
   void look_ahead();
-  [[gnu::cold]] void fail(Bus& bus, Failure failure);
+  [[gnu::cold]] void fail(Bus& bus, Failure why);
 
-  // Small ones first: a core reaches them by one instruction.
-  Mailbox mail_;
+  // Small ones first.
   std::uint32_t last_tick_ = 0;
   std::uint32_t fault_ = 0;
   State state_ = State::kOff;
@@ -146,5 +161,9 @@ class KungApp final : public Firmware {
   Point path_point_;         // the last of them [2^-8 count]
   std::array<LogRecord, kLogSize> log_{};
 };
+
+inline const Estimator& KungMailbox::estimator(std::uint32_t axis) const {
+  return static_cast<const KungApp&>(*this).precision_.estimator(axis);
+}
 
 }  // namespace trammel::sw

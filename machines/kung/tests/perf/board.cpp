@@ -32,8 +32,7 @@ Board::Board(sc_module_name name, const kung::Options& options, Pins& pins, Vkun
     : sc_module(name), options_(options), pins_(pins), chip_(pins, model) {
   plan_ = kung::make_plan(options_);
   const sw::KungSetup& setup = plan_->setup;
-  firmware_ = std::make_unique<kung::StallableApp>(setup);
-  firmware_->runs_on(chip_);
+  firmware_ = std::make_unique<kung::StallableApp>(setup, chip_);
   const sw::Point start = sw::Trajectory(setup).start();
   options_.plant.axis[0].start_m = start.x * options_.plant.axis[0].encoder_count_m;
   options_.plant.axis[1].start_m = start.y * options_.plant.axis[1].encoder_count_m;

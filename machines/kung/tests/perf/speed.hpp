@@ -57,10 +57,9 @@ struct Nothing final : cosim::Observer {
 inline Outcome run_speed(const Arguments& arguments) {
   const kung::Options& options = arguments.options;
   const auto plan = kung::make_plan(options);
-  kung::StallableApp firmware(plan->setup);
   MovingTable table(arguments.speed_m_s, options.run.clock_ps);
   const auto chip = kung::make_verilated_chip(options.run);
-  firmware.runs_on(*chip);
+  kung::StallableApp firmware(plan->setup, *chip);
   Nothing nothing;
   cosim::Loop loop(*chip, table, nothing);
   cosim::run_direct(loop, firmware,
