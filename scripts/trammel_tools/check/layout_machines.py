@@ -141,10 +141,11 @@ def check_session(root, files, machine):
              and p.parts[2] != "tests" and p.stem == "session"]
     texts = {path: read(root, path) for path in paths}
     apps = {name for text in texts.values()
-            for name in re.findall(r"^\s*sw::\w+App (\w+);", text, re.M)}
+            for name in re.findall(r"^\s*(?:std::unique_ptr<)?(?:\w+::)*\w+App>? (\w+);", text,
+                                   re.M)}
     for path, text in texts.items():
         for number, line in enumerate(text.split("\n"), 1):
-            for app, member in re.findall(r"\b(\w+)\.(\w+)\(", line):
+            for app, member in re.findall(r"\b(\w+)(?:\.|->)(\w+)\(", line):
                 if app in apps and member not in ("start", "isr", "mailbox"):
                     yield (f"{path}:{number}: a session calls start(), isr() and mailbox() of its "
                            f"firmware, no {member}()")

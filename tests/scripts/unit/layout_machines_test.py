@@ -101,6 +101,21 @@ class SessionTest(Layout):
                            "of its firmware, no turns()",
                            {**files, f"{folder}/session.cpp": session.replace("mailbox", "turns")})
 
+    def test_it_reads_a_wrapper_of_its_firmware_by_the_mailbox(self):
+        for member, call in (("sw::WinderApp app_", "app_."), ("SlowApp app_", "app_."),
+                             ("std::unique_ptr<SlowApp> app_", "app_->"),
+                             ("std::unique_ptr<sw::WinderApp> app_", "app_->")):
+            with self.subTest(member):
+                header = LICENCE + f"struct Session {{\n  {member};\n}};\n"
+                session = LICENCE + f"void f() {{ {call}isr(b); g({call}mailbox().done); }}\n"
+                files = {"machines/winder/session.hpp": header,
+                         "machines/winder/session.cpp": session}
+                self.assertEqual(self.findings(files), [])
+                self.finds("machines/winder/session.cpp:2: a session calls start(), isr() and "
+                           "mailbox() of its firmware, no turns()",
+                           {**files, "machines/winder/session.cpp":
+                            session.replace("mailbox", "turns")})
+
 
 class NamesTest(Layout):
     def test_program_text_that_machines_share_does_not_name_one(self):
