@@ -10,7 +10,7 @@ void SampledSession::on(const Stop& stop, const Chip& chip, const Plant&) {
   passed();
   if (stop.why == kLimit) return;
   const bool sample = (stop.why & kSample) != 0;
-  const bool recorded = sample && in_record(stop.edge);
+  const bool recorded = sample && (stop.edge + 1) % record_clk_ == 0;
   const Stop events{stop.edge, recorded ? stop.why : stop.why & ~kSample};
   if (events.why != 0) {
     if (waves_.search != nullptr) waves_.search->on(events, wired(), *this);
@@ -44,6 +44,7 @@ std::optional<EndReason> SampledSession::ending(Clk) {
 
 void SampledSession::complete(RunResult& result) const {
   result.event_hash = hash_.value();
+  result.events = hash_.events();
   Rig::complete(result);
 }
 

@@ -3,6 +3,7 @@
 // What the sessions of machines share beside their rig.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -38,13 +39,17 @@ class SampledSession : public SessionOf<Rig>, public SignalReader {
 
  protected:
   using SessionOf<Rig>::SessionOf;
+  // Of its samples those at multiples of `record_s` are recorded.
+  SampledSession(double record_s, const Hooks& hooks, const RunBasics& run, const Fault& fault,
+                 const ProcessorOptions& processor, const Waves& waves)
+      : SessionOf(hooks, run, fault, processor, waves),
+        record_clk_(std::max<Clk>(1, run.clocks(record_s))) {}
 
   // At each stop of the loop its events are noted first, then the sample, if one was published.
   void on(const Stop& stop, const Chip& chip, const Plant& plant) final;
 
   virtual void passed() {}                                // a stop, before all else
   virtual void noted(const Stop&) {}                      // its events
-  virtual bool in_record(Clk) const { return true; }      // whether this sample is recorded
   virtual void sampled(Clk edge, bool recorded) = 0;
   virtual double progress() const = 0;                    // 1: the program has ended
   // After a sample of the record; of most machines when the program has ended.
@@ -52,6 +57,7 @@ class SampledSession : public SessionOf<Rig>, public SignalReader {
 
   void complete(RunResult& result) const;  // all that the machine does not know itself
 
+  const Clk record_clk_ = 1;  // between two samples of the record; 1: each sample is one
   EventHash hash_;
 
  private:

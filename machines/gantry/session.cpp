@@ -35,10 +35,6 @@ std::unique_ptr<Estimator> estimator_of(const Options& options) {
   return std::make_unique<Estimator>(options.estimator, options.pass_ms, identifies(options));
 }
 
-cosim::Clk record_clk_of(const Options& options) {
-  return std::max<cosim::Clk>(1, options.run.clocks(1e-3 * options.record_ms));
-}
-
 }  // namespace
 
 cosim::FaultPins fault_pins(const Options&) {
@@ -58,11 +54,11 @@ cosim::FaultPins fault_pins(const Options&) {
 }
 
 Session::Session(const Options& options, const cosim::Hooks& hooks, const cosim::Waves& waves)
-    : SampledSession(hooks, options.run, options.fault, options.processor, waves),
+    : SampledSession(1e-3 * options.record_ms, hooks, options.run, options.fault,
+                     options.processor, waves),
       options_(options),
       plant_(options.run.clocked(options.axis), options.stripes,
              read_sends(options.sends, options.firmware.checked), options.serial, options.line),
-      record_clk_(record_clk_of(options)),
       chip_(options.run.engine == cosim::Engine::kRtl
                 ? make_verilated_chip(options.run, waves.window, {record_clk_, ideal_store()})
                 : make_twin_chip({record_clk_, ideal_store()})),
@@ -243,7 +239,6 @@ std::unique_ptr<cosim::RunResult> Session::result() {
   result->samples = std::move(samples_);
   result->looks = std::move(looks_);
   result->end = !result->fault.empty() ? End::kFault : whole ? End::kDone : end_;
-  result->events = hash_.events();
   if (result->end == End::kDone && !waves_.found()) {
     result->fault = missed(*result);
     if (!result->fault.empty()) result->end = End::kMissed;

@@ -24,7 +24,6 @@ class Session final : public cosim::SampledSession {
   std::unique_ptr<cosim::RunResult> result() override;
 
  private:
-  bool in_record(cosim::Clk edge) const override { return (edge + 1) % record_clk_ == 0; }
   void sampled(cosim::Clk edge, bool recorded) override;
   double progress() const override;
   std::optional<cosim::EndReason> ending(cosim::Clk edge) override;
@@ -41,7 +40,6 @@ class Session final : public cosim::SampledSession {
 
   Options options_;
   TrackPlant plant_;
-  cosim::Clk record_clk_;
   std::unique_ptr<GantryChip> chip_;
   std::unique_ptr<Estimator> estimator_;  // null: the firmware has its own filter
   sw::GantryApp app_;

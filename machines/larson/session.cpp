@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <utility>
@@ -34,10 +33,6 @@ sw::StepTableSetup table_of(const Options& options) {
   return table;
 }
 
-cosim::Clk record_clk_of(const Options& options) {
-  return std::max<cosim::Clk>(1, options.run.clocks(1e-3 * options.record_ms));
-}
-
 std::vector<sw::LarsonCall> program_of(const std::vector<Call>& calls) {
   std::vector<sw::LarsonCall> program;
   program.reserve(calls.size());
@@ -62,13 +57,13 @@ cosim::FaultPins fault_pins(const Options&) {
 }
 
 Session::Session(const Options& options, const cosim::Hooks& hooks, const cosim::Waves& waves)
-    : SampledSession(hooks, options.run, options.fault, options.processor, waves),
+    : SampledSession(1e-3 * options.record_ms, hooks, options.run, options.fault,
+                     options.processor, waves),
       options_(options),
       calls_(calls_of(options)),
       program_(program_of(calls_)),
       answers_(calls_.size()),
       plant_(axis_of(options, options.start_x), axis_of(options, options.start_y)),
-      record_clk_(record_clk_of(options)),
       chip_(options.run.engine == cosim::Engine::kRtl
                 ? make_verilated_chip(options.run, waves.window, {record_clk_})
                 : make_twin_chip({record_clk_})),
@@ -264,7 +259,6 @@ std::unique_ptr<cosim::RunResult> Session::result() {
   result->samples = std::move(samples_);
   result->looks = std::move(looks_);
   result->end = !whole ? end_ : result->fault.empty() ? End::kDone : End::kFault;
-  result->events = hash_.events();
   if ((result->end == End::kDone && !waves_.found()) || result->end == End::kFault) {
     if (std::string missed = what_missed(options_, *result); !missed.empty()) {
       result->fault = std::move(missed);

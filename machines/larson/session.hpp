@@ -29,7 +29,6 @@ class Session final : public cosim::SampledSession {
  private:
   void passed() override { note_calls(); }
   void noted(const cosim::Stop& stop) override;
-  bool in_record(cosim::Clk edge) const override { return (edge + 1) % record_clk_ == 0; }
   void sampled(cosim::Clk edge, bool recorded) override;
   double progress() const override;
   std::optional<cosim::EndReason> ending(cosim::Clk edge) override;
@@ -58,7 +57,6 @@ class Session final : public cosim::SampledSession {
   std::vector<sw::LarsonCall> program_;
   std::vector<sw::LarsonAnswer> answers_;
   TablePlant plant_;
-  cosim::Clk record_clk_;
   std::unique_ptr<LarsonChip> chip_;
   sw::LarsonApp app_;
   host::DiskVector<Sample> samples_, looks_;

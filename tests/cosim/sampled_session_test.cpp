@@ -32,6 +32,10 @@ class Plain final : public SampledSession {
     wire(chip_, plant_);
     watch_trips();
   }
+  explicit Plain(double record_s)
+      : SampledSession(record_s, {}, RunBasics(), {}, ProcessorOptions(), Waves()) {
+    wire(chip_, plant_);
+  }
 
   sw::Firmware& firmware() override { return program; }
   std::unique_ptr<RunResult> result() override {
@@ -44,7 +48,7 @@ class Plain final : public SampledSession {
 
  private:
   std::int64_t read(std::size_t, int) const override { return 0; }
-  void sampled(Clk, bool) override { ++recorded; }
+  void sampled(Clk, bool in_record) override { recorded += in_record; }
   double progress() const override { return 0; }
 
   test::StillChip chip_;
@@ -67,6 +71,17 @@ TEST_CASE("a session ends at the sample after its program has, by its failure or
     session.stop_at(300, kSample);
     CHECK(session.recorded == 2);
     CHECK(session.result()->end == (failure == 0 ? EndReason::kDone : EndReason::kFault));
+  }
+}
+
+TEST_CASE("a session records the samples at multiples of a time, and counts its events") {
+  for (const double record_s : {0.0, 1e-6}) {  // 50 clocks; less than one is one
+    Plain session(record_s);
+    for (const Clk edge : {48, 49, 98, 99}) session.stop_at(edge, kSample);
+    session.stop_at(120, kDrive);
+    const int samples = record_s == 0 ? 4 : 2;
+    CHECK(session.recorded == samples);
+    CHECK(session.result()->events == static_cast<Clk>(samples + 1));
   }
 }
 

@@ -30,7 +30,6 @@ class Session final : public cosim::SampledSession {
     result->end = end_;
     if (app_.mailbox().failure != 0) result->fault = "the motor does not turn";
     result->samples = std::move(samples_);
-    result->events = hash_.events();
     complete(*result);
     return result;
   }
