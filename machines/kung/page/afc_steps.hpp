@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 //
 // What multiplier and adder of rtl/control/afc.sv hold after each of its 35 steps, in one sample
-// (specification section 6), from the words the sample starts with.
+// (specification section 6), by its twin, from the words the sample starts with.
 #pragma once
 
 #include <array>

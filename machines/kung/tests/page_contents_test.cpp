@@ -127,9 +127,20 @@ void check_chase(const sw::AxisSetup& setup, int reach) {
     REQUIRE(steps[25].result == twin.integral());
     REQUIRE(steps[26].result == expected.v_star);
     REQUIRE(steps[29].result == expected.i_q_ref);
+    // A later step rounds a product or adds it to what the one before left.
+    REQUIRE(steps[3].result == fixed::rs(*steps[0].product, 23));
+    for (const std::size_t n : {19u, 20u}) {
+      REQUIRE(steps[n + 1].result == *steps[n].result + *steps[n].product);
+    }
+    const std::int64_t sum = *steps[21].result + *steps[21].product;
+    REQUIRE(steps[22].result == fixed::sat(fixed::floor_shift(sum, 11), 12));
+    REQUIRE(steps[30].result == steps[29].product);
+    for (const std::size_t n : {13u, 14u, 28u}) REQUIRE_FALSE(steps[n].result);
     const auto fired = exact::RuleStore::fired(expected.i, expected.j);
     for (std::size_t n = 0; n < 4; ++n) {
       REQUIRE(steps[15 + n].result == expected.d[n]);
+      REQUIRE(steps[15 + n].result == fixed::rs(*steps[14 + n].product, 11));
+      REQUIRE(*steps[30 + n].product == *steps[30].result * *steps[15 + n].result);
       REQUIRE(steps[31 + n].result == twin.rule(fired[n]));
       start.rules[static_cast<std::size_t>(fired[n])] = twin.rule(fired[n]);
     }

@@ -176,7 +176,7 @@ TEST_CASE("the page of a precision run has its errors, and is made again from pr
   CHECK_FALSE(fs::exists(scratch.path / "b" / "precision.csv"));
 }
 
-TEST_CASE("the steps of the moment are those of each axis, and end with the chip's words") {
+TEST_CASE("the steps of the moment are those of each axis, if they end with the chip's words") {
   kung::Options o;
   o.gains[1].zeta = 2;
   kung::Result result;
@@ -214,10 +214,7 @@ TEST_CASE("the steps of the moment are those of each axis, and end with the chip
       const auto before = moment.end[a].*word;
       moment.end[a].*word += 1;
       CAPTURE(a, before);
-      CHECK_THROWS_WITH(kung::detail_json(o, result),
-                        "the steps of tick 7, axis " + std::string(a == 0 ? "x" : "y") +
-                            ", end with i_q* = " + std::to_string(*steps[a][29].result) +
-                            ", the chip with " + std::to_string(moment.end[a].i_q_ref));
+      CHECK(kung::detail_json(o, result)["moment"].is_null());
       moment.end[a].*word = before;
     }
   }

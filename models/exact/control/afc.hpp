@@ -54,6 +54,20 @@ class Afc {
     std::array<std::int32_t, 4> d{};  // weights of rules (j,i) (j,i+1) (j+1,i) (j+1,i+1), Q11
   };
 
+  // What a sample begins with, beside its rules.
+  struct State {
+    std::int32_t r_1 = 0, r_2 = 0;  // commands of the two samples before [counts]
+    std::int32_t x_p_prev = 0, e_prev = 0;
+    std::int32_t x_m = 0, dx = 0;   // as in Out
+    std::int32_t integral = 0;      // 1/4096 of a v_star LSB
+  };
+
+  // Is given what multiplier and adder leave in a step of the RTL (specification section 6).
+  struct NoSteps {
+    void product(std::size_t, std::int64_t) const {}
+    void result(std::size_t, std::int64_t) const {}
+  };
+
   // Bits by which the product A0 s is shifted to the scale of dx.
   static constexpr int driven_shift(int a0_scale) {
     return a0_scale == 0 ? 24 : a0_scale == 1 ? 20 : 15;
@@ -66,13 +80,24 @@ class Afc {
     out_.dx = e_prev_ = integral_ = 0;
   }
 
+  void load(const State& state) {
+    r_1_ = state.r_1;
+    r_2_ = state.r_2;
+    x_p_prev_ = state.x_p_prev;
+    e_prev_ = state.e_prev;
+    out_.x_m = state.x_m;
+    out_.dx = state.dx;
+    integral_ = state.integral;
+  }
+
   void reset_table() { rules_.reset(); }
   std::int32_t rule(int index) const { return rules_.read(index); }
   void set_rule(int index, std::int32_t value) { rules_.write(index, value); }
 
-  const Out& step(const Config& config, const In& in) {
+  template <class Steps = const NoSteps>
+  const Out& step(const Config& config, const In& in, Steps&& steps = {}) {
     start(false);
-    run_to(kClocks, config, in);
+    run_to(kClocks, config, in, steps);
     return out_;
   }
 
@@ -90,8 +115,9 @@ class Afc {
   int next_clock() const { return stage_ < kAt.size() ? kAt[stage_] : kDone; }
 
   // Executes the clocks up to `clock`, during which the inputs hold.
-  void run_to(int clock, const Config& config, const In& in) {
-    while (stage_ < kAt.size() && kAt[stage_] <= clock) execute(kAt[stage_++], config, in);
+  template <class Steps = const NoSteps>
+  void run_to(int clock, const Config& config, const In& in, Steps&& steps = {}) {
+    while (stage_ < kAt.size() && kAt[stage_] <= clock) execute(kAt[stage_++], config, in, steps);
   }
 
   const Out& out() const { return out_; }
@@ -122,25 +148,29 @@ class Afc {
     return {static_cast<int>(section), 2048 - high, high};
   }
 
-  void execute(int clock, const Config& config, const In& in) {
+  template <class Steps>
+  void execute(int clock, const Config& config, const In& in, Steps& steps) {
     if (clock <= 24) {
-      follow(clock, config, in);
+      follow(clock, config, in, steps);
     } else if (clock == 46) {
-      infer();
+      infer(steps);
     } else if (clock <= 60) {
-      drive(clock, config);
+      drive(clock, config, steps);
     }
-    if (clock > 60) tune(clock, config);
+    if (clock > 60) tune(clock, config, steps);
   }
 
   // Reference model, errors and their weights.
-  void follow(int clock, const Config& config, const In& in) {
+  template <class Steps>
+  void follow(int clock, const Config& config, const In& in, Steps& steps) {
     using fixed::rs;
     using fixed::sat;
     switch (clock) {
       case 1:
         if (resetting_) reset(in.x_p);
         sum_ = std::int64_t{resetting_ ? in.x_p : in.r} + r_2_;
+        steps.product(0, std::int64_t{config.b2} * out_.dx);
+        steps.result(0, sum_);
         term_ = rs(std::int64_t{config.b2} * out_.dx, 23);
         break;
       case 2:
@@ -151,44 +181,73 @@ class Afc {
         const std::int64_t commands = sum_ + 2 * std::int64_t{r_1_};
         const std::int64_t s =
             sat(fixed::shift_left(commands, 6) - fixed::floor_shift(out_.x_m, 6), 24);
+        steps.result(1, commands);
+        steps.result(2, s);
+        steps.product(3, std::int64_t{config.a0} * s);
+        steps.result(3, term_);
         term_ = sat(term_ + rs(std::int64_t{config.a0} * s, driven_shift(config.a0_scale)), 24);
         break;
       }
-      case 10: out_.dx = word(term_); break;
-      case 12: out_.x_m = word(fixed::wrap(std::int64_t{out_.x_m} + out_.dx, 32)); break;
+      case 10:
+        out_.dx = word(term_);
+        steps.result(4, out_.dx);
+        break;
+      case 12:
+        out_.x_m = word(fixed::wrap(std::int64_t{out_.x_m} + out_.dx, 32));
+        steps.result(5, out_.x_m);
+        break;
       case 14:
         out_.x_r = word(rs(out_.x_m, 14));
+        steps.result(6, out_.x_r);
         r_2_ = r_1_;
         r_1_ = r_;
         break;
       case 16:
         out_.v = resetting_ ? 0 : word(sat(16 * (std::int64_t{x_p_} - x_p_prev_), 12));
+        steps.result(7, out_.v);
         break;
-      case 18: out_.e = word(sat(std::int64_t{out_.x_r} - x_p_, 12)); break;  // Kung eq. 15
+      case 18:
+        out_.e = word(sat(std::int64_t{out_.x_r} - x_p_, 12));  // Kung eq. 15
+        steps.result(8, out_.e);
+        break;
       case 20:
         out_.de = word(sat(std::int64_t{out_.e} - e_prev_, 12));  // Kung eq. 16
         a_ = fuzzify(out_.e, config.shift_e);
+        steps.result(9, out_.de);
+        steps.result(10, a_.low);
         break;
-      default: weigh(fuzzify(out_.de, config.shift_de)); break;
+      default: weigh(fuzzify(out_.de, config.shift_de), steps); break;
     }
   }
 
   // Kung eq. 20
-  void weigh(const Membership& b) {
-    using fixed::rs;
+  template <class Steps>
+  void weigh(const Membership& b, Steps& steps) {
     out_.i = a_.section;
     out_.j = b.section;
-    out_.d = {word(rs(a_.low * b.low, 11)), word(rs(a_.high * b.low, 11)),
-              word(rs(a_.low * b.high, 11)), word(rs(a_.high * b.high, 11))};
+    steps.result(11, b.high + 2048 * b.section - 4 * 1536);
+    steps.result(12, b.low);
+    const std::array<std::int64_t, 4> products{a_.low * b.low, a_.high * b.low, a_.low * b.high,
+                                               a_.high * b.high};
+    for (std::size_t n = 0; n < 4; ++n) {
+      out_.d[n] = word(fixed::rs(products[n], 11));
+      steps.product(14 + n, products[n]);
+      steps.result(15 + n, out_.d[n]);
+    }
   }
 
-  void infer() {
+  template <class Steps>
+  void infer(Steps& steps) {
     const std::array<int, 4> fired = RuleStore::fired(out_.i, out_.j);
     std::int64_t weighted = 0;
     for (std::size_t n = 0; n < 4; ++n) {
-      weighted += fixed::floor_shift(rules_.read(fired[n]), 12) * out_.d[n];
+      const std::int64_t one = fixed::floor_shift(rules_.read(fired[n]), 12) * out_.d[n];
+      weighted += one;
+      steps.product(18 + n, one);
+      if (n < 3) steps.result(19 + n, weighted + 1024);  // which rounds u
     }
     out_.u = word(fixed::sat(fixed::rs(weighted, 11), 12));
+    steps.result(22, out_.u);
   }
 
   // A product with a gain takes two clocks: the first reads the mantissa and the three low bits of
@@ -202,38 +261,67 @@ class Afc {
   }
 
   // v* and i_q*.
-  void drive(int clock, const Config& config) {
+  template <class Steps>
+  void drive(int clock, const Config& config, Steps& steps) {
     using fixed::sat;
     switch (clock) {
       case 47:
         sum_ = config.feedforward ? fixed::rs(out_.dx, 10) : 0;
         multiply(config.kp, out_.u, 11);
+        steps.product(23, product_);
+        steps.result(23, sum_);
         break;
-      case 48: sum_ += scaled(config.kp, 11); break;
-      case 49: multiply(config.ki, out_.u, -1); break;
+      case 48:
+        sum_ += scaled(config.kp, 11);
+        steps.result(24, sum_);
+        break;
+      case 49:
+        multiply(config.ki, out_.u, -1);
+        steps.product(24, product_);
+        break;
       case 50: term_ = scaled(config.ki, -1); break;
-      case 52: integral_ = word(sat(integral_ + term_, 24)); break;
-      case 54: out_.v_star = word(sat(sum_ + fixed::rs(integral_, 12), 12)); break;
-      case 57: multiply(config.kv, sat(out_.v_star - out_.v, 12), 11); break;
+      case 52:
+        integral_ = word(sat(integral_ + term_, 24));
+        steps.result(25, integral_);
+        break;
+      case 54:
+        out_.v_star = word(sat(sum_ + fixed::rs(integral_, 12), 12));
+        steps.result(26, out_.v_star);
+        break;
+      case 57: {
+        const std::int64_t behind = sat(out_.v_star - out_.v, 12);
+        multiply(config.kv, behind, 11);
+        steps.result(27, behind);
+        steps.product(28, product_);
+        break;
+      }
       case 58: term_ = scaled(config.kv, 11); break;
-      case 59: rate_ = std::int64_t{config.eta.mant} * out_.e; break;
+      case 59:
+        rate_ = std::int64_t{config.eta.mant} * out_.e;
+        steps.product(29, rate_);
+        steps.result(30, rate_);
+        break;
       default:
         out_.i_q_ref = word(sat(term_, 12));
+        steps.result(29, out_.i_q_ref);
         out_.saturated = term_ != out_.i_q_ref;
         break;
     }
   }
 
   // Kung eq. 27: rule n is multiplied at clocks 61 + 2 n and 62 + 2 n and written at 64 + 2 n.
-  void tune(int clock, const Config& config) {
+  template <class Steps>
+  void tune(int clock, const Config& config, Steps& steps) {
     const auto n = static_cast<std::size_t>(clock - 61) / 2;
     if (clock % 2 != 0) {
       multiply({1, config.eta.exp}, rate_ * out_.d[n], 10);
+      steps.product(30 + n, product_);
       return;
     }
-    if (n > 0 && config.adapt) {
+    if (n > 0) {
       const int rule = RuleStore::fired(out_.i, out_.j)[n - 1];
-      rules_.write(rule, word(fixed::sat(rules_.read(rule) + term_, 24)));
+      if (config.adapt) rules_.write(rule, word(fixed::sat(rules_.read(rule) + term_, 24)));
+      steps.result(30 + n, rules_.read(rule));
     }
     if (n < 4) term_ = scaled(config.eta, 10);
     if (clock != kClocks) return;
