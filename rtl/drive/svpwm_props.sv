@@ -48,10 +48,10 @@ module svpwm_props
   typedef logic signed [21:0] line_t;  // Q7
 
   // Half the period of each carrier, rounded down [clk].
-  localparam wide_t Top16kHz = 36'(ClockHz / 32'd32_000);
-  localparam wide_t Top8kHz  = 36'(ClockHz / 32'd16_000);
-  localparam wide_t Top20kHz = 36'(ClockHz / 32'd40_000);
-  localparam wide_t Top40kHz = 36'(ClockHz / 32'd80_000);
+  localparam wide_t Top16kHz = 36'(32'(ClockHz / 32'd32_000));
+  localparam wide_t Top8kHz  = 36'(32'(ClockHz / 32'd16_000));
+  localparam wide_t Top20kHz = 36'(32'(ClockHz / 32'd40_000));
+  localparam wide_t Top40kHz = 36'(32'(ClockHz / 32'd80_000));
   localparam wide_t Root3    = 36'sd1816187;  // 2^20 sqrt 3
   localparam wide_t Beta8kHz  = 36'sd4 * Top8kHz;  // the largest
   localparam wide_t Alpha8kHz = (Beta8kHz * Root3 + 36'sd524288) >>> 20;
