@@ -23,11 +23,12 @@ FaultPlant::FaultPlant(FalliblePlant& plant, const FaultPins& pins, const Fault&
                        std::int64_t clock_ps)
     : plant_(plant),
       pins_(pins),
-      fault_((check_fault(fault, pins), fault)),
+      fault_(fault),
       span_(fault, clock_ps),
       event_(fault.of_processor() || fault.kind == FaultKind::kProcessorHung ? kNever
                                                                              : span_.begin),
       index_(fault.axis * pins.place(fault.kind).lines + fault.line) {
+  check_fault(fault, pins);
   if (!pins.inputs.empty()) encoder_ = pins.inputs.at(static_cast<std::size_t>(fault.axis));
   const Lines lines = plant_.sense();
   true_ = seen_ = count_of(level(lines, encoder_[0]), level(lines, encoder_[1]));

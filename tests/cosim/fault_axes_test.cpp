@@ -43,9 +43,17 @@ struct Pair final : FalliblePlant {
   double share = 1;
 };
 
+// With a trip pin too.
+FaultPins pins(bool gates) {
+  FaultPins p = two_axes(gates);
+  p.places[1].last = FaultKind::kTripPin;
+  p.trip = 6;
+  return p;
+}
+
 struct Bench {
   explicit Bench(const Fault& fault, bool gates = true)
-      : plant(pair, two_axes(gates), fault, kClockPs) {}
+      : plant(pair, pins(gates), fault, kClockPs) {}
   void to(Clk n, Lines drive = 0) {
     while (plant.next() <= n) plant.commit(plant.next(), drive);
   }
@@ -208,15 +216,15 @@ TEST_CASE("a place is refused one beyond its last, with its key and range, and t
       Fault f = fault_of(one.kind, 0);
       (key == "inject.axis" ? f.axis : key == "inject.line" ? f.line : f.value) = value;
       if (value >= 0 && value <= one.most) {
-        CHECK_NOTHROW(check_fault(f, two_axes(one.gates)));
+        CHECK_NOTHROW(check_fault(f, pins(one.gates)));
       } else {
-        CHECK_THROWS_WITH(check_fault(f, two_axes(one.gates)),
+        CHECK_THROWS_WITH(check_fault(f, pins(one.gates)),
                           key + ": value " + std::to_string(value) +
                               " is out of range, allowed 0.." + std::to_string(one.most));
       }
     }
   }
-  CHECK_THROWS_WITH(check_fault(fault_of(K::kGateDead, 0), two_axes(false)),
+  CHECK_THROWS_WITH(check_fault(fault_of(K::kGateDead, 0), pins(false)),
                     "inject.fault: this machine has no gate_dead; it has: encoder_stuck, "
                     "encoder_missing, encoder_swapped, index_lost, encoder_jump, trip_pin, "
                     "converter_stuck, converter_offset, converter_saturated, "
@@ -325,7 +333,7 @@ TEST_CASE("a machine has one axis or any number of them, and a fault and its way
 
 TEST_CASE("a converter's place is one of those that the machine has, whatever its axes are") {
   for (const int converters : {1, 4}) {
-    FaultPins some = two_axes(true);
+    FaultPins some = pins(true);
     some.places = {{FaultKind::kConverterStuck, FaultKind::kConverterSlipped, converters, ""}};
     CAPTURE(converters);
     CHECK_NOTHROW(check_fault(fault_of(FaultKind::kConverterStuck, 0, converters - 1), some));

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 //
-// Pins of a machine with two axes, which has faults at each sort of place and a trip pin.
+// Pins of a machine with two axes, which has faults at each sort of place.
 #pragma once
 
 #include "cosim/fault.hpp"
@@ -14,12 +14,11 @@ inline cosim::FaultPins two_axes(bool gates, int outputs = 6, int bits = 12) {
   cosim::FaultPins pins;
   pins.axes = {"x", "y"};
   pins.places = {{K::kEncoderStuck, K::kEncoderStuck, 2, ""},
-                 {K::kEncoderMissing, K::kTripPin, 0, ""},
+                 {K::kEncoderMissing, K::kIndexLost, 0, ""},
                  {K::kConverterStuck, K::kConverterSlipped, 2, ""},
                  {out, out, outputs, ""},
                  {K::kPhaseOpen, K::kPhaseOpen, 3, ""}};
   pins.inputs = {{0, 1, 2}, {3, 4, 5}};
-  pins.trip = 6;
   pins.converter_bits = bits;
   return pins;
 }
