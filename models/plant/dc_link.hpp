@@ -25,6 +25,7 @@ class DcLink {
   bool stiff() const { return c_.ohm == 0; }
   double volt() const { return volt_; }
   double burnt() const { return burnt_; }  // [J] by the chopper
+  double supplied() const { return supplied_; }  // [J] from the source of a link that is not stiff
 
   void set_source(double volt) {
     c_.source = volt;
@@ -38,7 +39,9 @@ class DcLink {
       // Towards the voltage at which source and legs agree, but not above the source.
       const double end = c_.source - c_.ohm * charge / seconds;
       const double next = end + (volt_ - end) * std::exp(-seconds / (c_.ohm * c_.farad));
+      const double before = volt_;
       volt_ = std::min(next, std::max(c_.source, volt_ - charge / c_.farad));
+      supplied_ += c_.source * (c_.farad * (volt_ - before) + charge);
     } else {
       volt_ -= charge / c_.farad;
     }
@@ -52,7 +55,7 @@ class DcLink {
  private:
   DcLinkConfig c_;
   double volt_;
-  double burnt_ = 0;
+  double burnt_ = 0, supplied_ = 0;
 };
 
 }  // namespace trammel::plant

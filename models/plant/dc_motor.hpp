@@ -34,6 +34,7 @@ struct DcMotorState {
   double theta = 0;  // [rad]
   double omega = 0;  // [rad/s]
   double i = 0;      // [A]
+  double charge = 0, magnitude = 0;  // [C] integrals of i and of its magnitude
 };
 
 // Limits of current and shaft angle.
@@ -72,17 +73,24 @@ class DcMotor {
     const double steps = std::ceil(seconds / kStep);
     const double h = seconds / steps;
     Y y{s.theta, s.omega, s.i};
+    double charge = 0, magnitude = 0;  // [A]
     for (double n = 0; n < steps; ++n) {
       const Y k1 = slope(y, volt, b);
-      const Y k2 = slope(add(y, k1, 0.5 * h), volt, b);
-      const Y k3 = slope(add(y, k2, 0.5 * h), volt, b);
-      const Y k4 = slope(add(y, k3, h), volt, b);
+      const Y y2 = add(y, k1, 0.5 * h);
+      const Y k2 = slope(y2, volt, b);
+      const Y y3 = add(y, k2, 0.5 * h);
+      const Y k3 = slope(y3, volt, b);
+      const Y y4 = add(y, k3, h);
+      const Y k4 = slope(y4, volt, b);
+      charge += y[2] + 2 * (y2[2] + y3[2]) + y4[2];
+      magnitude += std::fabs(y[2]) + 2 * (std::fabs(y2[2]) + std::fabs(y3[2])) + std::fabs(y4[2]);
       for (std::size_t j = 0; j < y.size(); ++j) {
         y[j] += h * (1.0 / 6) * (k1[j] + 2 * (k2[j] + k3[j]) + k4[j]);
       }
       y = kept(y, b);
     }
-    return {y[0], y[1], y[2]};
+    return {y[0], y[1], y[2], s.charge + h * (1.0 / 6) * charge,
+            s.magnitude + h * (1.0 / 6) * magnitude};
   }
 
  private:

@@ -33,6 +33,7 @@ struct Legs {
   std::array<double, 3> volt{};  // [V] from the negative rail
   std::array<int, 3> diode{};    // sign of the current a diode carries; 0: switched or floating
   unsigned floating = 0;         // bit per leg that carries no current
+  unsigned upper = 0;            // bit per leg whose current the upper rail carries
   bool open = false;             // no current can flow at all
 };
 
@@ -50,6 +51,7 @@ class Inverter {
   Legs resolve(unsigned gates, const std::array<double, 3>& current, unsigned zero,
                const std::array<double, 3>& emf, KeepZero keep_zero, unsigned opened = 0) const {
     Legs legs;
+    legs.upper = gates & ~(gates >> 3) & ~opened & 7u;
     for (std::size_t k = 0; k < 3; ++k) {
       if (((opened >> k) & 1u) != 0) {
         legs.floating |= 1u << k;
@@ -94,6 +96,7 @@ class Inverter {
     legs.volt[leg] = sign > 0 ? bottom() : top();
     legs.diode[leg] = sign;
     legs.floating &= ~(1u << leg);
+    if (sign < 0) legs.upper |= 1u << leg;
   }
 
   // No leg conducts: a pair of diodes does when the line back-EMF exceeds the link (rectifier).

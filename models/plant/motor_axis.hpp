@@ -25,8 +25,9 @@ struct FreeShaft : Encoder {
 
 class MotorAxis : public SensedMotor<FreeShaft> {
  public:
-  explicit MotorAxis(const MotorAxisConfig& c)
-      : SensedMotor(c.motor, FreeShaft({kTurn / c.counts, c.hysteresis, 0}, 0), c.clock_ps),
+  explicit MotorAxis(const MotorAxisConfig& c, Amplifier amplifier = Amplifier::kLinear)
+      : SensedMotor(c.motor, FreeShaft({kTurn / c.counts, c.hysteresis, 0}, 0), c.clock_ps,
+                    amplifier),
         counts_(c.counts) {}
 
   std::int64_t count() const { return sensor().count(); }

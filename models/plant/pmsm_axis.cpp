@@ -24,6 +24,10 @@ constexpr std::array<AlphaBeta, 3> kPhase{AlphaBeta{1, 0}, AlphaBeta{-0.5, 0.866
 
 double dot(const AlphaBeta& a, const AlphaBeta& b) { return a.alpha * b.alpha + a.beta * b.beta; }
 
+// The sum of the currents of some legs is that of one leg with a sign: the sum of all three is 0.
+constexpr std::array<std::uint8_t, 8> kLegOf{0, 0, 1, 2, 2, 1, 0, 0};
+constexpr std::array<double, 8> kSignOf{0, 1, 1, -1, 1, -1, -1, 0};
+
 // Slow motors allow longer spans; but a switch's drop has one sign for all of a span.
 double longest_span(const PmsmAxisConfig& c) {
   double longest = c.longest_span;
@@ -53,6 +57,8 @@ PmsmAxis::PmsmAxis(const PmsmAxisConfig& config, double period_s)
       source_(config.link.source),
       motor_(config.motor),
       segment_(longest_span(config)),
+      bend_(config.motor.resistance *
+            (1 / config.motor.inductance_d + 1 / config.motor.inductance_q) / 24),
       rest_(4 * std::max(config.motor.friction_speed,
                          config.motor.stribeck == 0 ? 0 : config.motor.stribeck_speed)),
       waves_(motor_.angular_speed(config.motor.harmonic_force != 0 ? 2 * config.motor.harmonic
@@ -139,6 +145,7 @@ void PmsmAxis::build(Segment& s, double start, const Point& at, unsigned zero) c
     }
   }
   const std::array<double, 3> current = to_phases(Pmlsm::stator(p.motor.i_d, p.motor.i_q, p.angle));
+  s.current = current;
   const bool some_off =
       opened_ != 0 || both_off(gates_, 0) || both_off(gates_, 1) || both_off(gates_, 2);
   if (some_off) s.length = std::min(s.length, kGap);
@@ -228,10 +235,7 @@ double PmsmAxis::link_charge(double t) const {
     if (s.legs.open) continue;
     const double length = std::min(s.length, t - s.start);
     for (std::size_t leg = 0; leg < 3; ++leg) {
-      const bool upper = s.legs.diode[leg] < 0 ||
-                         (s.legs.diode[leg] == 0 && upper_on(gates_, leg) &&
-                          !lower_on(gates_, leg));
-      if (!upper || ((s.legs.floating >> leg) & 1u) != 0) continue;
+      if (((s.legs.upper >> leg) & 1u) == 0) continue;
       sum += length / 6 * (phase_current(s.span, 0, leg) +
                            4 * phase_current(s.span, 0.5 * length, leg) +
                            phase_current(s.span, length, leg));
@@ -257,6 +261,8 @@ void PmsmAxis::commit(Clk n, unsigned gates) {
   if (!link_.stiff()) {
     link_.draw(link_charge(t), t);
     inverter_.set_dc_link(link_.volt());
+  } else {
+    charge_ += charge(s, t, p);
   }
   anchor_ = n;
   gates_ = gates;
@@ -267,6 +273,34 @@ void PmsmAxis::commit(Clk n, unsigned gates) {
   look_ahead(n);
 }
 
+// [C] that a stiff link gives until t, at point p of segment s: by the trapezoidal rule, corrected
+// for a decay by R/L. Unlike link_charge() it needs no current between the ends of a segment.
+double PmsmAxis::charge(const Segment& s, double t, const Point& p) const {
+  double sum = 0;
+  for (const Segment* one = &chain_[0];; ++one) {
+    const bool last = one == &s;
+    const unsigned upper = one->legs.upper;
+    if (upper != 0 && upper != 7) {
+      const std::size_t leg = kLegOf[upper];
+      const double length = last ? t - one->start : one->length, from = one->current[leg];
+      const double to = last ? dot(Pmlsm::stator(p.motor.i_d, p.motor.i_q, p.angle), kPhase[leg])
+                             : (one + 1)->current[leg];
+      sum += kSignOf[upper] * length * (0.5 * (from + to) + bend_ * length * (to - from));
+    }
+    if (last) return sum;
+  }
+}
+
+double PmsmAxis::supplied(Clk n) const {
+  const double t = seconds(n - anchor_);
+  segment_at(t);
+  const double charge = link_charge(t);
+  if (link_.stiff()) return supplied_ + link_.volt() * (charge_ + charge);
+  DcLink link = link_;
+  link.draw(charge, t);
+  return link.supplied();
+}
+
 void PmsmAxis::open_phase(Clk n, int phase, bool open) {
   const unsigned bit = 1u << phase;
   opened_ = open ? opened_ | bit : opened_ & ~bit;
@@ -274,10 +308,13 @@ void PmsmAxis::open_phase(Clk n, int phase, bool open) {
 }
 
 void PmsmAxis::supply(Clk n, double share) {
+  const double before = link_.volt();
   link_.set_source(share * source_);
   inverter_.set_dc_link(link_.volt());
   safe_ = n;  // the bound was that of another voltage
   commit(n, gates_);
+  supplied_ += before * charge_;
+  charge_ = 0;
 }
 
 void PmsmAxis::load(Clk n) {

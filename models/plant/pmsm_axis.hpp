@@ -69,6 +69,8 @@ class PmsmAxis {
   int code(int phase, std::uint64_t seed, int channel, Clk n) const;
   const Encoder& encoder() const { return encoder_; }
   const Pmlsm& motor() const { return motor_; }
+  // [J] from the supply until n, less what flowed back; without the current of a shoot-through.
+  double supplied(Clk n) const;
   bool at_stop() const { return chain_[0].held && !braked_; }               // at the last commit
   bool shoot_through() const { return shoot_through_; }                     // ever since the start
   double leg_volt(std::size_t leg) const { return chain_[0].legs.volt[leg]; }  // at the last commit
@@ -79,6 +81,7 @@ class PmsmAxis {
     double start = 0, length = 0;  // [s] since the commit, [s]
     Span span;
     Legs legs;
+    std::array<double, 3> current{};  // [A] of the phases at the start
     bool held = false;  // carriage against a stop, or by the brake
     unsigned dies = 0;  // legs whose current is zero at the end
     bool meets_stop = false;
@@ -102,6 +105,7 @@ class PmsmAxis {
   double length(const MotorState& m) const;
   double phase_current(const Span& f, double t, std::size_t leg) const;
   double link_charge(double t) const;
+  double charge(const Segment& s, double t, const Point& p) const;
 
   void load(Clk n);  // the external force from edge n on
   Clk predict() const;
@@ -116,12 +120,15 @@ class PmsmAxis {
   bool far_from_events(const Segment& s, double time) const;
 
   double period_;
+  // Of a stiff link: [C] from the source since its voltage changed, and [J] before.
+  double charge_ = 0, supplied_ = 0;
   Clk horizon_, ahead_;
   MountConfig mount_;
   double external_force_;  // without the load
   double source_;          // [V] of the DC link
   Pmlsm motor_;
   double segment_;       // [s] longest span of one series
+  double bend_;          // [1/s] of a current that decays over a span: R/(12 L)
   double rest_, waves_;  // speed of friction, [rad] of the magnets' forces per unit of place
   Inverter inverter_;
   DcLink link_;

@@ -18,14 +18,23 @@
 
 namespace trammel::plant {
 
+// Where the motor's current comes from. A linear amplifier takes it from its positive or negative
+// supply, whatever its sign, and burns the rest of the voltage; a bridge lets it flow back.
+enum class Amplifier { kLinear, kBridge };
+
 template <class Sensor>
 class SensedMotor {
  public:
   static constexpr double kTurn = 6.283185307179586;  // [rad]
 
-  SensedMotor(const DcMotorConfig& motor, const Sensor& sensor, std::int64_t clock_ps)
-      : motor_(motor), period_(static_cast<double>(clock_ps) * 1e-12), sensor_(sensor) {
+  SensedMotor(const DcMotorConfig& motor, const Sensor& sensor, std::int64_t clock_ps,
+              Amplifier amplifier = Amplifier::kLinear)
+      : motor_(motor),
+        period_(static_cast<double>(clock_ps) * 1e-12),
+        sensor_(sensor),
+        amplifier_(amplifier) {
     bounds_ = motor_.within(sensor_.bounds());
+    rail_ = motor_.config().supply;
     begin();
   }
 
@@ -60,6 +69,9 @@ class SensedMotor {
     begin();
   }
 
+  // [J] from the supply until n, from the last commit on; of a bridge less what flowed back.
+  double supplied(std::int64_t n) const { return supplied_ + drawn(state(n)); }
+
   DcMotorState state(std::int64_t n) const {
     std::size_t k = 0;
     std::int64_t left = n - since_;
@@ -75,7 +87,9 @@ class SensedMotor {
   static constexpr std::int64_t kAhead = 100000;  // [clk], after which the motor is committed
 
   void advance(std::int64_t n, double command) {
-    state_ = state(n);
+    const DcMotorState now = state(n);
+    supplied_ += drawn(now);
+    state_ = now;
     since_ = n;
     sensor_.follow(state_.theta);
     bounds_ = motor_.within(sensor_.bounds());
@@ -83,7 +97,13 @@ class SensedMotor {
     command_ = command;
     state_.i = std::clamp(state_.i, bounds_.i_low, bounds_.i_high);
     volt_ = supply_ * motor_.voltage(command);
+    rail_ = supply_ * motor_.config().supply;
     begin();
+  }
+
+  double drawn(const DcMotorState& now) const {  // [J] since the last commit
+    return amplifier_ == Amplifier::kBridge ? volt_ * (now.charge - state_.charge)
+                                            : rail_ * (now.magnitude - state_.magnitude);
   }
 
   void begin() {
@@ -136,10 +156,13 @@ class SensedMotor {
   DcMotor motor_;
   double period_;  // [s]
   Sensor sensor_;
+  Amplifier amplifier_;
   DcMotorBounds bounds_;
   DcMotorState state_;
   double volt_ = 0, command_ = 0;
-  double supply_ = 1;  // share that is left
+  double supply_ = 1;    // share that is left
+  double rail_ = 0;      // [V] of the supply
+  double supplied_ = 0;  // [J] up to the last commit
   bool open_ = false;
   std::int64_t since_ = 0, next_ = 0;
   bool early_ = false;  // the line changes at next_ or later

@@ -112,6 +112,9 @@ class StepperAxis {
   double mean_current(std::int64_t n) const {
     return n == 0 ? current() : charge(n) / static_cast<double>(n);
   }
+  // [J] into the windings until n, from the last commit on: copper loss and work at the shaft. What
+  // the translator itself takes from its supply is not known.
+  double supplied(std::int64_t n) const { return copper(n) + state(n).work; }
   // Steps that the rotor is behind the translator, lost ones apart.
   double load_angle(std::int64_t n) const {
     return static_cast<double>(step_ - slipped_) - state(n).at;
@@ -202,6 +205,10 @@ class StepperAxis {
     return charge_ + current() * static_cast<double>(n - from_);
   }
 
+  double copper(std::int64_t n) const {  // [J] from the start to clock n
+    return copper_ + motor_.copper_loss(step_) * static_cast<double>(n - from_) * clock_s_;
+  }
+
   void note(StepperPeaks& peaks, const StepperMotor::State& s) const {
     const double torque = motor_.torque(s, step_, told());
     peaks.angle = std::max(peaks.angle, std::fabs(static_cast<double>(step_ - slipped_) - s.at));
@@ -218,6 +225,7 @@ class StepperAxis {
       state_ = integrated(n, &peaks_);
     }
     charge_ = charge(n);
+    copper_ = copper(n);
     from_ = n;
     stop_at_ends();
     count_losses(n);
@@ -334,6 +342,7 @@ class StepperAxis {
   std::int64_t step_;                  // of the translator
   int side_ = 0;                       // its last step
   double charge_ = 0;                  // [A clk] up to from_
+  double copper_ = 0;                  // [J] up to from_
   StepperPeaks peaks_, aimed_peaks_;   // up to from_; up to aim_
   bool resting_ = true;
   bool low_ = false, high_ = false, busy_ = false;  // as they are shown

@@ -8,7 +8,8 @@
 //
 // k and zeta are those of the number of phases that are on, T(rate) the table of torque against
 // rate, s the share of its torque that the motor has. Damping is a torque of the same currents, so
-// the limit and the share are those of the sum. Beyond e = +-5 the rotor falls to a place ten steps
+// the limit and the share are those of the sum. Currents are impressed: a phase that is on loses
+// R I^2. Beyond e = +-5 the rotor falls to a place ten steps
 // away: steps are lost.
 #pragma once
 
@@ -31,6 +32,7 @@ struct StepperConfig {
   double friction_speed = 20;         // [step/s] at which it is 76 % of that
   double torque_share = 1;            // of all that its currents do
   double phase_A = 3.5;               // of each phase that is on
+  double winding_ohm = 0.4;           // of a phase
   int steps = 160;                    // per revolution
 };
 
@@ -41,6 +43,7 @@ class StepperMotor {
   struct State {
     double at = 0;     // [step]
     double speed = 0;  // [step/s]
+    double work = 0;   // [J] at the shaft; negative: it has braked more
   };
 
   explicit StepperMotor(const StepperConfig& c)
@@ -82,6 +85,9 @@ class StepperMotor {
 
   // [A] of the phases that are on.
   double current(std::int64_t step) const { return phases(step) * config_.phase_A; }
+  double copper_loss(std::int64_t step) const {  // [W]
+    return current(step) * config_.phase_A * config_.winding_ohm;
+  }
   // [W] at the shaft; negative: it brakes.
   double power(const State& s, std::int64_t step, double told) const {
     return power(torque(s, step, told), s);
@@ -90,22 +96,29 @@ class StepperMotor {
 
   // [step/s^2]
   double acceleration(const State& s, std::int64_t step, double told) const {
-    double t = torque(s, step, told);
+    return acceleration(torque(s, step, told), s);
+  }
+  double acceleration(double torque_N_m, const State& s) const {
+    double t = torque_N_m;
     if (config_.friction > 0) t -= config_.friction * std::tanh(s.speed / config_.friction_speed);
     return t / (config_.inertia * step_rad_);
   }
 
   // A classical Runge-Kutta step of h seconds.
   State after(const State& s, double h, std::int64_t step, double told) const {
-    const auto f = [&](double at, double speed) {
-      return acceleration({at, speed}, step, told);
+    double work = 0;  // [W]
+    const auto f = [&](double at, double speed, double share) {
+      const State now{at, speed};
+      const double t = torque(now, step, told);
+      work += share * power(t, now);
+      return acceleration(t, now);
     };
-    const double v1 = s.speed, a1 = f(s.at, v1);
-    const double v2 = s.speed + h / 2 * a1, a2 = f(s.at + h / 2 * v1, v2);
-    const double v3 = s.speed + h / 2 * a2, a3 = f(s.at + h / 2 * v2, v3);
-    const double v4 = s.speed + h * a3, a4 = f(s.at + h * v3, v4);
+    const double v1 = s.speed, a1 = f(s.at, v1, 1);
+    const double v2 = s.speed + h / 2 * a1, a2 = f(s.at + h / 2 * v1, v2, 2);
+    const double v3 = s.speed + h / 2 * a2, a3 = f(s.at + h / 2 * v2, v3, 2);
+    const double v4 = s.speed + h * a3, a4 = f(s.at + h * v3, v4, 1);
     return {s.at + h / 6 * (v1 + 2 * v2 + 2 * v3 + v4),
-            s.speed + h / 6 * (a1 + 2 * a2 + 2 * a3 + a4)};
+            s.speed + h / 6 * (a1 + 2 * a2 + 2 * a3 + a4), s.work + h / 6 * work};
   }
 
  private:
