@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 namespace trammel::cosim {
 
@@ -44,6 +45,8 @@ struct Plant {
   virtual Clk next() const = 0;                      // first n > last commit where sense() changes
   virtual void commit(Clk n, Lines drive) = 0;       // integrate to n <= next(); drive holds from n
   virtual int sample(int channel, Clk n) const = 0;  // converter code at n; pure
+  // [J] from the supply until n, from the last commit on; none: its model has no currents.
+  virtual std::optional<double> supplied(Clk) const { return {}; }
 };
 
 // A clocked IC: verilated, twin, or an audit pair in step.

@@ -95,6 +95,7 @@ struct RunResult {
   std::uint64_t event_hash = 0;          // of all drive, interrupt, sample and bus events
   std::optional<Clk> wave_trigger;       // edge at which it fired
   FaultReport fault_report;              // of the fault injected
+  std::optional<double> supplied_J;      // energy from the motors' supply; none: not known
   std::vector<WaveSpan> waves;           // what the wave file holds
 };
 

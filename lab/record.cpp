@@ -22,6 +22,10 @@ Record judged(std::shared_ptr<const Settings> settings, std::unique_ptr<cosim::R
   Record record;
   if (machine.compared.run_name != nullptr) record.name = machine.compared.run_name(*settings);
   record.figures = machine.figures(*settings, *result);
+  if (result->supplied_J) {
+    record.figures.push_back(
+        figure("supply.energy_J", "energy from the supply", "", *result->supplied_J, "J"));
+  }
   record.verdict = machine.verdict(*settings, *result);
   record.settings = std::move(settings);
   record.result = std::move(result);

@@ -20,7 +20,8 @@ namespace trammel::an693 {
 class MotorPlant final : public cosim::FalliblePlant {
  public:
   MotorPlant(const plant::MotorAxisConfig& config, const lm628::PartOptions& part)
-      : axis_(config), pulses_(part.pulses()) {}
+      : axis_(config, part.pulses() ? plant::Amplifier::kBridge : plant::Amplifier::kLinear),
+        pulses_(part.pulses()) {}
 
   cosim::Lines sense() const override {
     return cosim::Lines{axis_.a()} << lm628::kEncoderA |
@@ -39,6 +40,8 @@ class MotorPlant final : public cosim::FalliblePlant {
     pass(n);
     axis_.supply(n, share);
   }
+
+  std::optional<double> supplied(cosim::Clk n) const override { return axis_.supplied(n); }
 
   void load(cosim::Clk n, double torque) { axis_.load(n, torque); }
 

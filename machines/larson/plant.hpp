@@ -55,6 +55,9 @@ class TablePlant final : public cosim::FalliblePlant {
   void supply(cosim::Clk n, double share) override {
     for (plant::StepperAxis& axis : axes_) axis.weaken(n, share);
   }
+  std::optional<double> supplied(cosim::Clk n) const override {
+    return axes_[0].supplied(n) + axes_[1].supplied(n);
+  }
 
  private:
   std::array<plant::StepperAxis, 2> axes_;

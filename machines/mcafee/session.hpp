@@ -33,6 +33,9 @@ class StagePlant final : public cosim::FalliblePlant {
     stage_.open(n, static_cast<std::size_t>(axis), open);
   }
   void supply(cosim::Clk n, double share) override { stage_.supply(n, share); }
+  std::optional<double> supplied(cosim::Clk n) const override {
+    return stage_.axis(0).supplied(n) + stage_.axis(1).supplied(n);
+  }
 
  private:
   plant::XyStage stage_;

@@ -41,6 +41,9 @@ class TablePlant final : public cosim::FalliblePlant {
     table_.open_phase(n, axis, phase, open);
   }
   void supply(cosim::Clk n, double share) override { table_.supply(n, share); }
+  std::optional<double> supplied(cosim::Clk n) const override {
+    return table_.axis(0).supplied(n) + table_.axis(1).supplied(n);
+  }
 
   const plant::XyTable& table() const { return table_; }
 

@@ -12,7 +12,8 @@ namespace trammel::@name@ {
 
 class MotorPlant final : public cosim::Plant {
  public:
-  explicit MotorPlant(const plant::MotorAxisConfig& config) : axis_(config) {}
+  explicit MotorPlant(const plant::MotorAxisConfig& config)
+      : axis_(config, plant::Amplifier::kBridge) {}
 
   cosim::Lines sense() const override {
     return cosim::Lines{axis_.a()} << kEncoderA | cosim::Lines{axis_.b()} << kEncoderB;
@@ -23,6 +24,8 @@ class MotorPlant final : public cosim::Plant {
     axis_.commit(n, level(drive, kPwm) ? sign : 0);
   }
   int sample(int, cosim::Clk) const override { return 0; }  // there is no converter
+
+  std::optional<double> supplied(cosim::Clk n) const override { return axis_.supplied(n); }
 
   plant::DcMotorState state(cosim::Clk n) const { return axis_.state(n); }
 
